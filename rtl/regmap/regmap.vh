@@ -1,7 +1,7 @@
 // regmap.vh - generated from regmap.def by `make regmap`; do not edit.
 // Every module uses a few of these constants.
 // verilator lint_off UNUSEDPARAM
-localparam [31:0] REGMAP_HASH = 32'h3093a1fc;
+localparam [31:0] REGMAP_HASH = 32'h12858438;
 
 localparam [31:0] PICTURE0_BASE = 32'hc8000000;
 localparam [31:0] PICTURE0_SIZE = 32'h00080000;
@@ -71,7 +71,7 @@ localparam [31:0] SYSID_HASH_RESET = 32'h00000000;
 
 localparam [31:0] RESAMPLER_BASE = 32'hff203010;
 localparam [31:0] RESAMPLER_SIZE = 32'h00000010;
-localparam [31:0] RESAMPLER_STATUS = 32'hff203014;
+localparam [31:0] RESAMPLER_STATUS = 32'hff203010;
 localparam [31:0] RESAMPLER_STATUS_RESET = 32'h00000014;
 
 localparam [31:0] PIXEL_BASE = 32'hff203020;

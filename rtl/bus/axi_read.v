@@ -1,0 +1,104 @@
+// axi_read.v - AXI3 read channels to register-bus reads, one burst at a time
+//
+//   clk      _/0\_/1\_/2\_/3\_/4\_
+//   AR       =A0=
+//   re_o         =A0=                held, with raddr_o, until rgrant_i
+//   rdone_i          =D0=            any number of clocks after the grant, with rdata_i, rerror_i
+//   R                    =D0=        held until RREADY; then the next beat's re_o
+//
+// INCR bursts of 1 to 16 beats, beats of 1, 2 or 4 bytes, unaligned starts: every beat returns the
+// whole word that holds it, the master takes its lanes.  DECERR on a beat that nobody owns.  FIXED,
+// WRAP and beats wider than the bus: SLVERR on every beat, and nothing is read.
+//
+// Not handled: exclusive access (answered OKAY, so the master sees that it failed).
+
+`default_nettype none
+
+module axi_read #(
+    parameter ADDR_W = 21,
+    parameter ID_W   = 12
+) (
+    input  wire              clk_i,
+    input  wire              rst_i,
+
+    input  wire [ID_W-1:0]   arid_i,
+    input  wire [ADDR_W-1:0] araddr_i,
+    input  wire [3:0]        arlen_i,     // beats - 1
+    input  wire [2:0]        arsize_i,    // log2(bytes a beat)
+    input  wire [1:0]        arburst_i,
+    input  wire              arvalid_i,
+    output reg               arready_o,
+
+    output reg  [ID_W-1:0]   rid_o,
+    output reg  [31:0]       rdata_o,
+    output reg  [1:0]        rresp_o,
+    output wire              rlast_o,
+    output reg               rvalid_o,
+    input  wire              rready_i,
+
+    output reg               re_o,
+    output wire [ADDR_W-1:0] raddr_o,     // word aligned
+    input  wire              rgrant_i,
+    input  wire              rdone_i,
+    input  wire [31:0]       rdata_i,
+    input  wire              rerror_i
+);
+    localparam [1:0] INCR = 2'b01;
+    localparam [1:0] OKAY = 2'b00, SLVERR = 2'b10, DECERR = 2'b11;
+
+    // ---- Burst in progress ------------------------------------------------
+    reg [ADDR_W-1:0] addr_q;
+    reg [3:0]        left_q;      // beats to come after this one
+    reg [ADDR_W-1:0] step_q;      // bytes a beat
+    reg              refuse_q;    // not a burst we serve
+
+    wire ar_taken = arvalid_i && arready_o;
+    wire r_taken  = rvalid_o && rready_i;
+    wire serve    = arburst_i == INCR && arsize_i <= 3'd2;
+
+    assign rlast_o = left_q == 0;
+    assign raddr_o = {addr_q[ADDR_W-1:2], 2'b00};
+
+    always @(posedge clk_i) begin
+        if (ar_taken) begin
+            arready_o <= 1'b0;
+            rid_o     <= arid_i;
+            addr_q    <= araddr_i;
+            left_q    <= arlen_i;
+            step_q    <= {{ADDR_W-1{1'b0}}, 1'b1} << arsize_i;
+            refuse_q  <= !serve;
+        end
+        if (r_taken) begin
+            addr_q <= (addr_q & ~(step_q - 1'b1)) + step_q;
+            if (rlast_o) arready_o <= 1'b1;
+            else left_q <= left_q - 1'b1;
+        end
+        if (rst_i) arready_o <= 1'b1;
+    end
+
+    // ---- Register bus -----------------------------------------------------
+    always @(posedge clk_i) begin
+        if (ar_taken) re_o <= serve;
+        else if (r_taken) re_o <= !rlast_o && !refuse_q;
+        else if (rgrant_i) re_o <= 1'b0;
+        if (rst_i) re_o <= 1'b0;
+    end
+
+    // ---- Response ---------------------------------------------------------
+    always @(posedge clk_i) begin
+        if (rdone_i) begin
+            rdata_o <= rerror_i ? 32'd0 : rdata_i;
+            rresp_o <= rerror_i ? DECERR : OKAY;
+        end
+        if (ar_taken && !serve) begin
+            rdata_o <= 32'd0;
+            rresp_o <= SLVERR;
+        end
+        if (rdone_i || (ar_taken && !serve)) rvalid_o <= 1'b1;
+        else if (r_taken) rvalid_o <= refuse_q && !rlast_o;
+        if (rst_i) rvalid_o <= 1'b0;
+    end
+
+endmodule
+
+`default_nettype wire

@@ -1,0 +1,116 @@
+// axi_write.v - AXI3 write channels to register-bus writes, one burst at a time
+//
+//   clk      _/0\_/1\_/2\_/3\_/4\_/5\_
+//   AW       =A0=                        accepted when idle
+//   W            =D0==D1=                a beat a clock
+//   we_o             =D0==D1=            with waddr_o, wdata_o, wstrb_o
+//   werror_i             =E0==E1=        one clock after we_o: nobody owns that address
+//   B                            =OK=    DECERR if any beat met an error
+//
+// INCR bursts of 1 to 16 beats, beats of 1, 2 or 4 bytes, unaligned starts; byte lanes by WSTRB.
+// FIXED, WRAP and beats wider than the bus are taken whole, written nowhere, and get SLVERR.
+//
+// Not handled: exclusive access (answered OKAY, so the master sees that it failed), write
+// interleaving (no master on the HPS bridges interleaves; WID is not looked at).
+
+`default_nettype none
+
+module axi_write #(
+    parameter ADDR_W = 21,
+    parameter ID_W   = 12
+) (
+    input  wire              clk_i,
+    input  wire              rst_i,
+
+    input  wire [ID_W-1:0]   awid_i,
+    input  wire [ADDR_W-1:0] awaddr_i,
+    input  wire [3:0]        awlen_i,     // beats - 1
+    input  wire [2:0]        awsize_i,    // log2(bytes a beat)
+    input  wire [1:0]        awburst_i,
+    input  wire              awvalid_i,
+    output reg               awready_o,
+
+    input  wire [31:0]       wdata_i,
+    input  wire [3:0]        wstrb_i,
+    input  wire              wvalid_i,
+    output reg               wready_o,
+
+    output reg  [ID_W-1:0]   bid_o,
+    output reg  [1:0]        bresp_o,
+    output reg               bvalid_o,
+    input  wire              bready_i,
+
+    output reg               we_o,
+    output reg  [ADDR_W-1:0] waddr_o,     // word aligned
+    output reg  [31:0]       wdata_o,
+    output reg  [3:0]        wstrb_o,
+    input  wire              werror_i
+);
+    localparam [1:0] INCR = 2'b01;
+    localparam [1:0] OKAY = 2'b00, SLVERR = 2'b10, DECERR = 2'b11;
+
+    // ---- Burst in progress ------------------------------------------------
+    reg [ADDR_W-1:0] addr_q;
+    reg [3:0]        left_q;      // beats to come after this one
+    reg [ADDR_W-1:0] step_q;      // bytes a beat
+    reg              refuse_q;    // not a burst we serve
+    reg [1:0]        drain_q;     // last beat is on its way to the block: collect its error
+
+    wire aw_taken = awvalid_i && awready_o;
+    wire w_taken  = wvalid_i && wready_o;
+    wire b_taken  = bvalid_o && bready_i;
+
+    always @(posedge clk_i) begin
+        if (aw_taken) begin
+            awready_o <= 1'b0;
+            wready_o  <= 1'b1;
+            bid_o     <= awid_i;
+            addr_q    <= awaddr_i;
+            left_q    <= awlen_i;
+            step_q    <= {{ADDR_W-1{1'b0}}, 1'b1} << awsize_i;
+            refuse_q  <= awburst_i != INCR || awsize_i > 3'd2;
+        end
+        if (w_taken) begin
+            addr_q <= (addr_q & ~(step_q - 1'b1)) + step_q;
+            left_q <= left_q - 1'b1;
+            if (left_q == 0) wready_o <= 1'b0;
+        end
+        drain_q <= {drain_q[0], w_taken && left_q == 0};
+        if (b_taken) awready_o <= 1'b1;
+        if (rst_i) begin
+            awready_o <= 1'b1;
+            wready_o  <= 1'b0;
+            drain_q   <= 2'b00;
+        end
+    end
+
+    // ---- Register bus -----------------------------------------------------
+    reg we_was_q;
+
+    always @(posedge clk_i) begin
+        we_o     <= w_taken && !refuse_q;
+        we_was_q <= we_o;
+        if (w_taken) begin
+            waddr_o <= {addr_q[ADDR_W-1:2], 2'b00};
+            wdata_o <= wdata_i;
+            wstrb_o <= wstrb_i;
+        end
+        if (rst_i) begin
+            we_o     <= 1'b0;
+            we_was_q <= 1'b0;
+        end
+    end
+
+    // ---- Response ---------------------------------------------------------
+    always @(posedge clk_i) begin
+        if (aw_taken) bresp_o <= OKAY;
+        else if (we_was_q && werror_i) bresp_o <= DECERR;
+        else if (drain_q[1] && refuse_q) bresp_o <= SLVERR;
+        if (drain_q[1]) bvalid_o <= 1'b1;
+        else if (b_taken) bvalid_o <= 1'b0;
+        if (rst_i) bvalid_o <= 1'b0;
+    end
+
+endmodule
+
+`default_nettype wire

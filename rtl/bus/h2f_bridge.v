@@ -1,0 +1,130 @@
+// h2f_bridge.v - full HPS bridge: AXI3 slave in front, the two pictures behind
+//
+//   PICTURE0, PICTURE1: 320 x 240 RGB565, pixel (x, y) at y << 10 | x << 1 (regmap.def).
+//   The bytes between the rows' ends and behind the last row are nobody's storage: they read 0 and
+//   ignore writes, because programs clear whole powers of two.  Any other address: DECERR.
+//
+// Writes go at a beat a clock.  Reads take turns with the screen, which has first call on one clock
+// in four: 6 clocks a word, at most 7.
+
+`default_nettype none
+
+module h2f_bridge #(
+    parameter ID_W = 12
+) (
+    input  wire            clk_i,
+    input  wire            rst_i,
+
+    input  wire [ID_W-1:0] awid_i,
+    input  wire [29:0]     awaddr_i,
+    input  wire [3:0]      awlen_i,
+    input  wire [2:0]      awsize_i,
+    input  wire [1:0]      awburst_i,
+    input  wire            awvalid_i,
+    output wire            awready_o,
+    input  wire [31:0]     wdata_i,
+    input  wire [3:0]      wstrb_i,
+    input  wire            wvalid_i,
+    output wire            wready_o,
+    output wire [ID_W-1:0] bid_o,
+    output wire [1:0]      bresp_o,
+    output wire            bvalid_o,
+    input  wire            bready_i,
+    input  wire [ID_W-1:0] arid_i,
+    input  wire [29:0]     araddr_i,
+    input  wire [3:0]      arlen_i,
+    input  wire [2:0]      arsize_i,
+    input  wire [1:0]      arburst_i,
+    input  wire            arvalid_i,
+    output wire            arready_o,
+    output wire [ID_W-1:0] rid_o,
+    output wire [31:0]     rdata_o,
+    output wire [1:0]      rresp_o,
+    output wire            rlast_o,
+    output wire            rvalid_o,
+    input  wire            rready_i,
+
+    output reg  [3:0]      we_o,        // byte lanes
+    output reg             wpicture_o,  // 0 or 1
+    output reg  [15:0]     windex_o,    // word in the picture
+    output reg  [31:0]     wdata_o,
+    output reg             re_o,        // held until rgrant_i
+    output reg             rpicture_o,
+    output reg  [15:0]     rindex_o,
+    input  wire            rgrant_i,
+    input  wire [31:0]     rdata_i      // one clock after the grant
+);
+    `include "regmap.vh"
+    `include "picture_index.vh"
+
+    // Offset of a picture's window in the bridge, without the bits inside the window.
+    localparam [10:0] WINDOW0 = PICTURE0_BASE[29:19];
+    localparam [10:0] WINDOW1 = PICTURE1_BASE[29:19];
+
+    // ---- Writes -----------------------------------------------------------
+    wire        we;
+    wire [29:0] waddr;
+    wire [31:0] wdata;
+    wire [3:0]  wstrb;
+    wire        win0 = waddr[29:19] == WINDOW0;
+    wire        win1 = waddr[29:19] == WINDOW1;
+    reg         werror_q;
+
+    axi_write #(.ADDR_W(30), .ID_W(ID_W)) writer (
+        .clk_i(clk_i), .rst_i(rst_i),
+        .awid_i(awid_i), .awaddr_i(awaddr_i), .awlen_i(awlen_i), .awsize_i(awsize_i),
+        .awburst_i(awburst_i), .awvalid_i(awvalid_i), .awready_o(awready_o),
+        .wdata_i(wdata_i), .wstrb_i(wstrb_i), .wvalid_i(wvalid_i), .wready_o(wready_o),
+        .bid_o(bid_o), .bresp_o(bresp_o), .bvalid_o(bvalid_o), .bready_i(bready_i),
+        .we_o(we), .waddr_o(waddr), .wdata_o(wdata), .wstrb_o(wstrb), .werror_i(werror_q)
+    );
+
+    always @(posedge clk_i) begin
+        we_o <= 4'd0;
+        if (we) begin
+            we_o       <= (win0 || win1) && stored(waddr[18:0]) ? wstrb : 4'd0;
+            wpicture_o <= win1;
+            windex_o   <= picture_index(waddr[18:0]);
+            wdata_o    <= wdata;
+            werror_q   <= !(win0 || win1);
+        end
+        if (rst_i) we_o <= 4'd0;
+    end
+
+    // ---- Reads ------------------------------------------------------------
+    wire        re;
+    wire [29:0] raddr;
+    wire        rin0 = raddr[29:19] == WINDOW0;
+    wire        rin1 = raddr[29:19] == WINDOW1;
+    reg         rempty_q, rerror_q, granted_q;
+
+    axi_read #(.ADDR_W(30), .ID_W(ID_W)) reader (
+        .clk_i(clk_i), .rst_i(rst_i),
+        .arid_i(arid_i), .araddr_i(araddr_i), .arlen_i(arlen_i), .arsize_i(arsize_i),
+        .arburst_i(arburst_i), .arvalid_i(arvalid_i), .arready_o(arready_o),
+        .rid_o(rid_o), .rdata_o(rdata_o), .rresp_o(rresp_o), .rlast_o(rlast_o),
+        .rvalid_o(rvalid_o), .rready_i(rready_i),
+        .re_o(re), .raddr_o(raddr), .rgrant_i(1'b1),
+        .rdone_i(granted_q), .rdata_i(rempty_q ? 32'd0 : rdata_i), .rerror_i(rerror_q)
+    );
+
+    always @(posedge clk_i) begin
+        if (re) begin
+            re_o       <= 1'b1;
+            rpicture_o <= rin1;
+            rindex_o   <= picture_index(raddr[18:0]);
+            rempty_q   <= !stored(raddr[18:0]);
+            rerror_q   <= !(rin0 || rin1);
+        end else if (rgrant_i) begin
+            re_o <= 1'b0;
+        end
+        granted_q <= re_o && rgrant_i;
+        if (rst_i) begin
+            re_o      <= 1'b0;
+            granted_q <= 1'b0;
+        end
+    end
+
+endmodule
+
+`default_nettype wire

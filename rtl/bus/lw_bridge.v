@@ -1,0 +1,114 @@
+// lw_bridge.v - lightweight HPS bridge: AXI3 slave in front, select lines and register bus behind
+//
+//   write:  we_o[block] for one clock, with waddr_o, wdata_o, wstrb_o; always taken
+//   read:   re_o[block] for one clock, with raddr_o; rdata_i is looked at one clock later and is
+//           the OR of all blocks, so a block that was not asked gives 0
+//
+// A register read takes 5 clocks from ARVALID to RVALID, a single write 5 from AWVALID to BVALID.
+// DECERR where no block is at home.
+
+`default_nettype none
+
+module lw_bridge #(
+    parameter ID_W = 12
+) (
+    input  wire            clk_i,
+    input  wire            rst_i,
+
+    input  wire [ID_W-1:0] awid_i,
+    input  wire [20:0]     awaddr_i,
+    input  wire [3:0]      awlen_i,
+    input  wire [2:0]      awsize_i,
+    input  wire [1:0]      awburst_i,
+    input  wire            awvalid_i,
+    output wire            awready_o,
+    input  wire [31:0]     wdata_i,
+    input  wire [3:0]      wstrb_i,
+    input  wire            wvalid_i,
+    output wire            wready_o,
+    output wire [ID_W-1:0] bid_o,
+    output wire [1:0]      bresp_o,
+    output wire            bvalid_o,
+    input  wire            bready_i,
+    input  wire [ID_W-1:0] arid_i,
+    input  wire [20:0]     araddr_i,
+    input  wire [3:0]      arlen_i,
+    input  wire [2:0]      arsize_i,
+    input  wire [1:0]      arburst_i,
+    input  wire            arvalid_i,
+    output wire            arready_o,
+    output wire [ID_W-1:0] rid_o,
+    output wire [31:0]     rdata_o,
+    output wire [1:0]      rresp_o,
+    output wire            rlast_o,
+    output wire            rvalid_o,
+    input  wire            rready_i,
+
+    output wire [11:0]     we_o,      // one line a block, numbered in lw_blocks.vh
+    output reg  [11:0]     waddr_o,   // low 12 bits of the address, word aligned
+    output reg  [31:0]     wdata_o,
+    output reg  [3:0]      wstrb_o,
+    output wire [11:0]     re_o,
+    output wire [11:0]     raddr_o,
+    input  wire [31:0]     rdata_i
+);
+    // ---- Writes -----------------------------------------------------------
+    wire        we;
+    wire [20:0] waddr;
+    wire [31:0] wdata;
+    wire [3:0]  wstrb;
+    wire        wnobody;
+
+    axi_write #(.ADDR_W(21), .ID_W(ID_W)) writer (
+        .clk_i(clk_i), .rst_i(rst_i),
+        .awid_i(awid_i), .awaddr_i(awaddr_i), .awlen_i(awlen_i), .awsize_i(awsize_i),
+        .awburst_i(awburst_i), .awvalid_i(awvalid_i), .awready_o(awready_o),
+        .wdata_i(wdata_i), .wstrb_i(wstrb_i), .wvalid_i(wvalid_i), .wready_o(wready_o),
+        .bid_o(bid_o), .bresp_o(bresp_o), .bvalid_o(bvalid_o), .bready_i(bready_i),
+        .we_o(we), .waddr_o(waddr), .wdata_o(wdata), .wstrb_o(wstrb), .werror_i(wnobody)
+    );
+
+    lw_decode write_decode (
+        .clk_i(clk_i), .rst_i(rst_i), .enable_i(we), .addr_i(waddr), .sel_o(we_o), .none_o(wnobody)
+    );
+
+    always @(posedge clk_i) if (we) begin
+        waddr_o <= waddr[11:0];
+        wdata_o <= wdata;
+        wstrb_o <= wstrb;
+    end
+
+    // ---- Reads ------------------------------------------------------------
+    wire        re;
+    wire [20:0] raddr;
+    wire        rnobody;
+    reg         asked_q, done_q;
+
+    axi_read #(.ADDR_W(21), .ID_W(ID_W)) reader (
+        .clk_i(clk_i), .rst_i(rst_i),
+        .arid_i(arid_i), .araddr_i(araddr_i), .arlen_i(arlen_i), .arsize_i(arsize_i),
+        .arburst_i(arburst_i), .arvalid_i(arvalid_i), .arready_o(arready_o),
+        .rid_o(rid_o), .rdata_o(rdata_o), .rresp_o(rresp_o), .rlast_o(rlast_o),
+        .rvalid_o(rvalid_o), .rready_i(rready_i),
+        .re_o(re), .raddr_o(raddr), .rgrant_i(1'b1),
+        .rdone_i(done_q), .rdata_i(rdata_i), .rerror_i(rnobody)
+    );
+
+    lw_decode read_decode (
+        .clk_i(clk_i), .rst_i(rst_i), .enable_i(re), .addr_i(raddr), .sel_o(re_o), .none_o(rnobody)
+    );
+
+    assign raddr_o = raddr[11:0];   // stands still until the beat is done
+
+    always @(posedge clk_i) begin
+        asked_q <= re;
+        done_q  <= asked_q;
+        if (rst_i) begin
+            asked_q <= 1'b0;
+            done_q  <= 1'b0;
+        end
+    end
+
+endmodule
+
+`default_nettype wire

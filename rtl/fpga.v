@@ -1,0 +1,271 @@
+// fpga.v - the whole fabric: everything behind the HPS bridges, up to the pins
+//
+//   lw_*  --> lw_bridge --+--> ledr hex sw key jp1 jp2 sysid
+//                         +--> keypad ---- JP1 D7-D0
+//                         +--> audio ----- WM8731
+//                         +--> vga ------- ADV7123
+//   h2f_* --> h2f_bridge --> picture_store --^
+//
+// One clock domain of 25 MHz, the pixel clock.  On the board de1_soc_top.v connects the bridges to
+// the HPS and the pins to the package; in the simulation a TLM target does.
+
+`default_nettype none
+
+module fpga #(
+    parameter ID_W = 12
+) (
+    input  wire            clk_i,          // 25 MHz
+    input  wire            rst_i,          // synchronous, active high
+
+    // Lightweight bridge, 0xFF200000, 2 MB: AXI3, 32 bits
+    input  wire [ID_W-1:0] lw_awid_i,
+    input  wire [20:0]     lw_awaddr_i,
+    input  wire [3:0]      lw_awlen_i,
+    input  wire [2:0]      lw_awsize_i,
+    input  wire [1:0]      lw_awburst_i,
+    input  wire            lw_awvalid_i,
+    output wire            lw_awready_o,
+    input  wire [31:0]     lw_wdata_i,
+    input  wire [3:0]      lw_wstrb_i,
+    input  wire            lw_wvalid_i,
+    output wire            lw_wready_o,
+    output wire [ID_W-1:0] lw_bid_o,
+    output wire [1:0]      lw_bresp_o,
+    output wire            lw_bvalid_o,
+    input  wire            lw_bready_i,
+    input  wire [ID_W-1:0] lw_arid_i,
+    input  wire [20:0]     lw_araddr_i,
+    input  wire [3:0]      lw_arlen_i,
+    input  wire [2:0]      lw_arsize_i,
+    input  wire [1:0]      lw_arburst_i,
+    input  wire            lw_arvalid_i,
+    output wire            lw_arready_o,
+    output wire [ID_W-1:0] lw_rid_o,
+    output wire [31:0]     lw_rdata_o,
+    output wire [1:0]      lw_rresp_o,
+    output wire            lw_rlast_o,
+    output wire            lw_rvalid_o,
+    input  wire            lw_rready_i,
+
+    // Full bridge, 0xC0000000, 1 GB: AXI3, 32 bits
+    input  wire [ID_W-1:0] h2f_awid_i,
+    input  wire [29:0]     h2f_awaddr_i,
+    input  wire [3:0]      h2f_awlen_i,
+    input  wire [2:0]      h2f_awsize_i,
+    input  wire [1:0]      h2f_awburst_i,
+    input  wire            h2f_awvalid_i,
+    output wire            h2f_awready_o,
+    input  wire [31:0]     h2f_wdata_i,
+    input  wire [3:0]      h2f_wstrb_i,
+    input  wire            h2f_wvalid_i,
+    output wire            h2f_wready_o,
+    output wire [ID_W-1:0] h2f_bid_o,
+    output wire [1:0]      h2f_bresp_o,
+    output wire            h2f_bvalid_o,
+    input  wire            h2f_bready_i,
+    input  wire [ID_W-1:0] h2f_arid_i,
+    input  wire [29:0]     h2f_araddr_i,
+    input  wire [3:0]      h2f_arlen_i,
+    input  wire [2:0]      h2f_arsize_i,
+    input  wire [1:0]      h2f_arburst_i,
+    input  wire            h2f_arvalid_i,
+    output wire            h2f_arready_o,
+    output wire [ID_W-1:0] h2f_rid_o,
+    output wire [31:0]     h2f_rdata_o,
+    output wire [1:0]      h2f_rresp_o,
+    output wire            h2f_rlast_o,
+    output wire            h2f_rvalid_o,
+    input  wire            h2f_rready_i,
+
+    output wire [31:0]     irq_o,          // level; bit n is interrupt ID 72 + n
+
+    // Parallel ports
+    output wire [9:0]      ledr_o,
+    output wire [41:0]     hex_no,         // HEX5 in 41:35 ... HEX0 in 6:0, segments g..a, 0 = lit
+    input  wire [9:0]      sw_i,
+    input  wire [3:0]      key_ni,         // 0 = pressed
+    input  wire [31:0]     jp1_i,
+    output wire [31:0]     jp1_o,
+    output wire [31:0]     jp1_oe_o,
+    input  wire [31:0]     jp2_i,
+    output wire [31:0]     jp2_o,
+    output wire [31:0]     jp2_oe_o,
+
+    // ADV7123
+    output wire            vga_clk_o,
+    output wire            vga_hs_no,
+    output wire            vga_vs_no,
+    output wire            vga_blank_no,
+    output wire            vga_sync_no,
+    output wire [7:0]      vga_r_o,
+    output wire [7:0]      vga_g_o,
+    output wire [7:0]      vga_b_o,
+
+    // WM8731
+    output wire            aud_xck_o,
+    output wire            aud_bclk_o,
+    output wire            aud_daclrck_o,
+    output wire            aud_dacdat_o,
+    output wire            aud_adclrck_o,
+    input  wire            aud_adcdat_i,
+    output wire            i2c_sclk_o,
+    output wire            i2c_sdat_oe_o,  // 1 = pull low
+    input  wire            i2c_sdat_i
+);
+    `include "regmap.vh"
+    `include "lw_blocks.vh"
+
+    // ---- Bridges ----------------------------------------------------------
+    wire [11:0] we, re;
+    wire [11:0] waddr, raddr;
+    wire [31:0] wdata;
+    wire [3:0]  wstrb;
+    wire [31:0] ledr_rdata, hex3_0_rdata, hex5_4_rdata, sw_rdata, key_rdata, jp1_rdata, jp2_rdata;
+    wire [31:0] sysid_rdata, vga_rdata, audio_rdata, keypad_rdata;
+
+    lw_bridge #(.ID_W(ID_W)) lw (
+        .clk_i(clk_i), .rst_i(rst_i),
+        .awid_i(lw_awid_i), .awaddr_i(lw_awaddr_i), .awlen_i(lw_awlen_i), .awsize_i(lw_awsize_i),
+        .awburst_i(lw_awburst_i), .awvalid_i(lw_awvalid_i), .awready_o(lw_awready_o),
+        .wdata_i(lw_wdata_i), .wstrb_i(lw_wstrb_i), .wvalid_i(lw_wvalid_i), .wready_o(lw_wready_o),
+        .bid_o(lw_bid_o), .bresp_o(lw_bresp_o), .bvalid_o(lw_bvalid_o), .bready_i(lw_bready_i),
+        .arid_i(lw_arid_i), .araddr_i(lw_araddr_i), .arlen_i(lw_arlen_i), .arsize_i(lw_arsize_i),
+        .arburst_i(lw_arburst_i), .arvalid_i(lw_arvalid_i), .arready_o(lw_arready_o),
+        .rid_o(lw_rid_o), .rdata_o(lw_rdata_o), .rresp_o(lw_rresp_o), .rlast_o(lw_rlast_o),
+        .rvalid_o(lw_rvalid_o), .rready_i(lw_rready_i),
+        .we_o(we), .waddr_o(waddr), .wdata_o(wdata), .wstrb_o(wstrb),
+        .re_o(re), .raddr_o(raddr),
+        .rdata_i(ledr_rdata | hex3_0_rdata | hex5_4_rdata | sw_rdata | key_rdata | jp1_rdata
+                 | jp2_rdata | sysid_rdata | vga_rdata | audio_rdata | keypad_rdata)
+    );
+
+    wire [3:0]  picture_we;
+    wire        picture_w, picture_re, picture_r, picture_grant;
+    wire [15:0] picture_windex, picture_rindex;
+    wire [31:0] picture_wdata, picture_rdata;
+
+    h2f_bridge #(.ID_W(ID_W)) h2f (
+        .clk_i(clk_i), .rst_i(rst_i),
+        .awid_i(h2f_awid_i), .awaddr_i(h2f_awaddr_i), .awlen_i(h2f_awlen_i),
+        .awsize_i(h2f_awsize_i), .awburst_i(h2f_awburst_i), .awvalid_i(h2f_awvalid_i),
+        .awready_o(h2f_awready_o),
+        .wdata_i(h2f_wdata_i), .wstrb_i(h2f_wstrb_i), .wvalid_i(h2f_wvalid_i),
+        .wready_o(h2f_wready_o),
+        .bid_o(h2f_bid_o), .bresp_o(h2f_bresp_o), .bvalid_o(h2f_bvalid_o), .bready_i(h2f_bready_i),
+        .arid_i(h2f_arid_i), .araddr_i(h2f_araddr_i), .arlen_i(h2f_arlen_i),
+        .arsize_i(h2f_arsize_i), .arburst_i(h2f_arburst_i), .arvalid_i(h2f_arvalid_i),
+        .arready_o(h2f_arready_o),
+        .rid_o(h2f_rid_o), .rdata_o(h2f_rdata_o), .rresp_o(h2f_rresp_o), .rlast_o(h2f_rlast_o),
+        .rvalid_o(h2f_rvalid_o), .rready_i(h2f_rready_i),
+        .we_o(picture_we), .wpicture_o(picture_w), .windex_o(picture_windex),
+        .wdata_o(picture_wdata), .re_o(picture_re), .rpicture_o(picture_r),
+        .rindex_o(picture_rindex), .rgrant_i(picture_grant), .rdata_i(picture_rdata)
+    );
+
+    // ---- Parallel ports ---------------------------------------------------
+    wire        keypad_enable, key_irq, jp1_irq, jp2_irq, keypad_irq, audio_irq;
+    wire [3:0]  keypad_col_low;
+    wire [31:0] jp1_out, jp1_oe;
+    // Bits that the ports do not have stay 0.
+    // verilator lint_off UNUSED
+    wire [31:0] hex3_0, hex5_4, ledr;
+    // verilator lint_on UNUSED
+
+    output_port #(.BITS(32'h0000_03ff)) ledr_port (
+        .clk_i(clk_i), .rst_i(rst_i), .we_i(we[SEL_LEDR]), .wstrb_i(wstrb), .waddr_i(waddr),
+        .wdata_i(wdata), .re_i(re[SEL_LEDR]), .raddr_i(raddr), .rdata_o(ledr_rdata), .pins_o(ledr)
+    );
+    output_port #(.BITS(32'h7f7f_7f7f)) hex3_0_port (
+        .clk_i(clk_i), .rst_i(rst_i), .we_i(we[SEL_HEX3_0]), .wstrb_i(wstrb), .waddr_i(waddr),
+        .wdata_i(wdata), .re_i(re[SEL_HEX3_0]), .raddr_i(raddr), .rdata_o(hex3_0_rdata),
+        .pins_o(hex3_0)
+    );
+    output_port #(.BITS(32'h0000_7f7f)) hex5_4_port (
+        .clk_i(clk_i), .rst_i(rst_i), .we_i(we[SEL_HEX5_4]), .wstrb_i(wstrb), .waddr_i(waddr),
+        .wdata_i(wdata), .re_i(re[SEL_HEX5_4]), .raddr_i(raddr), .rdata_o(hex5_4_rdata),
+        .pins_o(hex5_4)
+    );
+    // Inputs only: these ports drive nothing.
+    // verilator lint_off PINCONNECTEMPTY
+    pio #(.WIDTH(10), .HAS_OUTPUT(0), .HAS_EDGE(0)) sw_port (
+        .clk_i(clk_i), .rst_i(rst_i), .we_i(we[SEL_SW]), .wstrb_i(wstrb), .waddr_i(waddr),
+        .wdata_i(wdata), .re_i(re[SEL_SW]), .raddr_i(raddr), .rdata_o(sw_rdata), .irq_o(),
+        .pins_i(sw_i), .pins_o(), .oe_o()
+    );
+    pio #(.WIDTH(4), .HAS_OUTPUT(0)) key_port (
+        .clk_i(clk_i), .rst_i(rst_i), .we_i(we[SEL_KEY]), .wstrb_i(wstrb), .waddr_i(waddr),
+        .wdata_i(wdata), .re_i(re[SEL_KEY]), .raddr_i(raddr), .rdata_o(key_rdata),
+        .irq_o(key_irq), .pins_i(~key_ni), .pins_o(), .oe_o()
+    );
+    // verilator lint_on PINCONNECTEMPTY
+    pio jp1_port (
+        .clk_i(clk_i), .rst_i(rst_i), .we_i(we[SEL_JP1]), .wstrb_i(wstrb), .waddr_i(waddr),
+        .wdata_i(wdata), .re_i(re[SEL_JP1]), .raddr_i(raddr), .rdata_o(jp1_rdata),
+        .irq_o(jp1_irq), .pins_i(jp1_i), .pins_o(jp1_out), .oe_o(jp1_oe)
+    );
+    pio jp2_port (
+        .clk_i(clk_i), .rst_i(rst_i), .we_i(we[SEL_JP2]), .wstrb_i(wstrb), .waddr_i(waddr),
+        .wdata_i(wdata), .re_i(re[SEL_JP2]), .raddr_i(raddr), .rdata_o(jp2_rdata),
+        .irq_o(jp2_irq), .pins_i(jp2_i), .pins_o(jp2_o), .oe_o(jp2_oe_o)
+    );
+    sysid sysid_block (
+        .clk_i(clk_i), .re_i(re[SEL_SYSID]), .raddr_i(raddr), .rdata_o(sysid_rdata)
+    );
+
+    assign ledr_o = ledr[9:0];
+    assign hex_no = ~{hex5_4[14:8], hex5_4[6:0], hex3_0[30:24], hex3_0[22:16], hex3_0[14:8],
+                      hex3_0[6:0]};
+
+    // ---- Keypad: columns on JP1 D7 (left) to D4, rows on D3 (top) to D0 -----
+    keypad keypad_block (
+        .clk_i(clk_i), .rst_i(rst_i), .we_i(we[SEL_KEYPAD]), .wstrb_i(wstrb), .waddr_i(waddr),
+        .wdata_i(wdata), .re_i(re[SEL_KEYPAD]), .raddr_i(raddr), .rdata_o(keypad_rdata),
+        .irq_o(keypad_irq), .enable_o(keypad_enable), .col_low_o(keypad_col_low),
+        .row_ni({jp1_i[0], jp1_i[1], jp1_i[2], jp1_i[3]})
+    );
+
+    assign jp1_o    = {jp1_out[31:8], keypad_enable ? 8'h00 : jp1_out[7:0]};
+    assign jp1_oe_o = {jp1_oe[31:8], keypad_enable
+                       ? {keypad_col_low[0], keypad_col_low[1], keypad_col_low[2],
+                          keypad_col_low[3], 4'd0}
+                       : jp1_oe[7:0]};
+
+    // ---- Video and audio --------------------------------------------------
+    wire        fetch, fetch_picture;
+    wire [15:0] fetch_index;
+
+    vga vga_block (
+        .clk_i(clk_i), .rst_i(rst_i), .we_i(we[SEL_PIXEL]), .wstrb_i(wstrb), .waddr_i(waddr),
+        .wdata_i(wdata), .re_i(re[SEL_PIXEL]), .resampler_re_i(re[SEL_RESAMPLER]),
+        .raddr_i(raddr), .rdata_o(vga_rdata),
+        .fetch_o(fetch), .picture_o(fetch_picture), .index_o(fetch_index), .word_i(picture_rdata),
+        .vga_clk_o(vga_clk_o), .vga_hs_no(vga_hs_no), .vga_vs_no(vga_vs_no),
+        .vga_blank_no(vga_blank_no), .vga_sync_no(vga_sync_no),
+        .vga_r_o(vga_r_o), .vga_g_o(vga_g_o), .vga_b_o(vga_b_o)
+    );
+
+    picture_store store (
+        .clk_i(clk_i),
+        .screen_re_i(fetch), .screen_picture_i(fetch_picture), .screen_index_i(fetch_index),
+        .re_i(picture_re), .rpicture_i(picture_r), .rindex_i(picture_rindex),
+        .rgrant_o(picture_grant), .rdata_o(picture_rdata),
+        .we_i(picture_we), .wpicture_i(picture_w), .windex_i(picture_windex),
+        .wdata_i(picture_wdata)
+    );
+
+    audio audio_block (
+        .clk_i(clk_i), .rst_i(rst_i), .we_i(we[SEL_AUDIO]), .wstrb_i(wstrb), .waddr_i(waddr),
+        .wdata_i(wdata), .re_i(re[SEL_AUDIO]), .raddr_i(raddr), .rdata_o(audio_rdata),
+        .irq_o(audio_irq),
+        .aud_xck_o(aud_xck_o), .aud_bclk_o(aud_bclk_o), .aud_daclrck_o(aud_daclrck_o),
+        .aud_dacdat_o(aud_dacdat_o), .aud_adclrck_o(aud_adclrck_o), .aud_adcdat_i(aud_adcdat_i),
+        .i2c_sclk_o(i2c_sclk_o), .i2c_sdat_oe_o(i2c_sdat_oe_o), .i2c_sdat_i(i2c_sdat_i)
+    );
+
+    // ---- Interrupts -------------------------------------------------------
+    assign irq_o = {31'd0, key_irq} << KEY_IRQ | {31'd0, audio_irq} << AUDIO_IRQ
+                   | {31'd0, jp1_irq} << JP1_IRQ | {31'd0, jp2_irq} << JP2_IRQ
+                   | {31'd0, keypad_irq} << KEYPAD_IRQ;
+endmodule
+
+`default_nettype wire

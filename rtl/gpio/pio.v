@@ -1,0 +1,86 @@
+// pio.v - parallel port in the register layout of the DE1-SoC Computer
+//
+//   +0 DATA   write: output register; read: the pins, whoever drives them
+//   +4 DIR    1 = output                            (only with HAS_OUTPUT)
+//   +8 MASK   1 = this bit's EDGE interrupts
+//   +C EDGE   set when DATA falls; write 1 clears that bit
+
+`default_nettype none
+
+module pio #(
+    parameter WIDTH      = 32,
+    parameter HAS_OUTPUT = 1,
+    parameter HAS_EDGE   = 1
+) (
+    input  wire             clk_i,
+    input  wire             rst_i,
+
+    input  wire             we_i,
+    input  wire [3:0]       wstrb_i,
+    // Ports differ in width, and only the register's place in the block counts.
+    // verilator lint_off UNUSED
+    input  wire [11:0]      waddr_i,
+    input  wire [11:0]      raddr_i,
+    input  wire [31:0]      wdata_i,
+    // verilator lint_on UNUSED
+    input  wire             re_i,
+    output reg  [31:0]      rdata_o,
+    output wire             irq_o,
+
+    input  wire [WIDTH-1:0] pins_i,   // asynchronous
+    output reg  [WIDTH-1:0] pins_o,
+    output reg  [WIDTH-1:0] oe_o
+);
+    `include "regmap.vh"
+
+    // verilator lint_off UNUSED
+    wire [31:0] mask32 = {{8{wstrb_i[3]}}, {8{wstrb_i[2]}}, {8{wstrb_i[1]}}, {8{wstrb_i[0]}}};
+    // verilator lint_on UNUSED
+    wire [WIDTH-1:0] lanes = mask32[WIDTH-1:0];
+    wire [WIDTH-1:0] wdata = wdata_i[WIDTH-1:0];
+
+    // ---- Pins -------------------------------------------------------------
+    wire [WIDTH-1:0] data;
+    reg  [WIDTH-1:0] data_was_q, mask_q, edge_q;
+
+    sync #(.WIDTH(WIDTH)) pin_sync (.clk_i(clk_i), .async_i(pins_i), .sync_o(data));
+
+    assign irq_o = (edge_q & mask_q) != {WIDTH{1'b0}};
+
+    // ---- Registers: the offsets are JP1's, the widest of these ports -------
+    wire write_edge = we_i && waddr_i[3:0] == JP1_EDGE[3:0];
+
+    always @(posedge clk_i) begin
+        if (we_i) case (waddr_i[3:0])
+            JP1_DATA[3:0]: if (HAS_OUTPUT != 0) pins_o <= (wdata & lanes) | (pins_o & ~lanes);
+            JP1_DIR[3:0]:  if (HAS_OUTPUT != 0) oe_o <= (wdata & lanes) | (oe_o & ~lanes);
+            JP1_MASK[3:0]: if (HAS_EDGE != 0) mask_q <= (wdata & lanes) | (mask_q & ~lanes);
+            default: ;
+        endcase
+        data_was_q <= data;
+        if (HAS_EDGE != 0 && (write_edge || data != data_was_q))
+            edge_q <= (edge_q & ~(write_edge ? wdata & lanes : {WIDTH{1'b0}})) | (data_was_q & ~data);
+        if (rst_i) begin
+            pins_o     <= {WIDTH{1'b0}};
+            oe_o       <= {WIDTH{1'b0}};
+            mask_q     <= {WIDTH{1'b0}};
+            edge_q     <= {WIDTH{1'b0}};
+            data_was_q <= {WIDTH{1'b0}};   // nothing falls at reset
+        end
+    end
+
+    // Zero-extension to the bus, for every width.
+    // verilator lint_off WIDTH
+    always @(posedge clk_i) begin
+        rdata_o <= 32'd0;
+        if (re_i) case (raddr_i[3:0])
+            JP1_DATA[3:0]: rdata_o <= data;
+            JP1_DIR[3:0]:  rdata_o <= oe_o;
+            JP1_MASK[3:0]: rdata_o <= mask_q;
+            default:       rdata_o <= edge_q;
+        endcase
+    end
+    // verilator lint_on WIDTH
+endmodule
+
+`default_nettype wire

@@ -1,0 +1,114 @@
+// keypad.v - the keypad block: scanner, event FIFO, registers, interrupt
+//
+//   scanner --keys--> one event a changed key --> FIFO of 16 --> EVENT
+//
+// Events of one scan come in the order of the key numbers.  An event that finds the FIFO full is
+// lost and sets OVERFLOW; KEYS is always true.  While CONTROL.EN = 0 the scanner, KEYS and the FIFO
+// are held in reset and the pins are left to JP1.
+
+`default_nettype none
+
+module keypad #(
+    parameter SLOT_CYCLES = 1250
+) (
+    input  wire        clk_i,
+    input  wire        rst_i,
+
+    input  wire        we_i,
+    input  wire [3:0]  wstrb_i,
+    // Only the register's place in the block and its bits count.
+    // verilator lint_off UNUSED
+    input  wire [11:0] waddr_i,
+    input  wire [11:0] raddr_i,
+    input  wire [31:0] wdata_i,
+    // verilator lint_on UNUSED
+    input  wire        re_i,
+    output reg  [31:0] rdata_o,
+    output wire        irq_o,
+
+    output reg         enable_o,    // the scanner owns the pins
+    output wire [3:0]  col_low_o,
+    input  wire [3:0]  row_ni
+);
+    `include "regmap.vh"
+
+    // ---- Scanner ----------------------------------------------------------
+    reg  [7:0]  debounce_q;
+    wire [15:0] keys;
+    wire        ghost;
+    wire        off = rst_i || !enable_o;
+
+    keypad_scan #(.SLOT_CYCLES(SLOT_CYCLES)) scanner (
+        .clk_i(clk_i), .rst_i(off), .debounce_i(debounce_q),
+        .col_low_o(col_low_o), .row_ni(row_ni), .keys_o(keys), .ghost_o(ghost)
+    );
+
+    // ---- Events: a walk over the keys, one a clock -------------------------
+    reg  [15:0] told_q;     // keys as the events so far tell them
+    reg  [3:0]  walk_q;
+    wire        event_now = keys[walk_q] != told_q[walk_q];
+    wire        event_full, event_empty, pop;
+    wire [4:0]  event_head, event_count;
+
+    always @(posedge clk_i) begin
+        if (keys != told_q) begin
+            walk_q         <= walk_q + 4'd1;
+            told_q[walk_q] <= keys[walk_q];
+        end else begin
+            walk_q <= 4'd0;
+        end
+        if (off) begin
+            walk_q <= 4'd0;
+            told_q <= 16'd0;
+        end
+    end
+
+    fifo #(.WIDTH(5), .DEPTH_LOG2(4)) events (
+        .clk_i(clk_i), .rst_i(rst_i), .clear_i(!enable_o),
+        .push_i(event_now), .wdata_i({keys[walk_q], walk_q}), .pop_i(pop), .rdata_o(event_head),
+        .count_o(event_count), .full_o(event_full), .empty_o(event_empty)
+    );
+
+    // ---- Registers --------------------------------------------------------
+    reg        overflow_q, ghost_q;
+    reg  [2:0] mask_q;
+    wire [2:0] status = {ghost_q, overflow_q, !event_empty};
+    wire       we0 = we_i && wstrb_i[0];
+    wire       we_status = we0 && waddr_i[4:0] == KEYPAD_STATUS[4:0];
+
+    assign pop   = we_i && wstrb_i != 4'd0 && waddr_i[4:0] == KEYPAD_EVENT[4:0];
+    assign irq_o = (status & mask_q) != 3'd0;
+
+    always @(posedge clk_i) begin
+        if (we0 && waddr_i[4:0] == KEYPAD_CONTROL[4:0]) enable_o <= wdata_i[KEYPAD_CONTROL_EN_LSB];
+        if (we0 && waddr_i[4:0] == KEYPAD_DEBOUNCE[4:0]) debounce_q <= wdata_i[7:0];
+        if (we0 && waddr_i[4:0] == KEYPAD_MASK[4:0]) mask_q <= wdata_i[2:0];
+        if (we_status && wdata_i[KEYPAD_STATUS_OVERFLOW_LSB]) overflow_q <= 1'b0;
+        if (we_status && wdata_i[KEYPAD_STATUS_GHOST_LSB]) ghost_q <= 1'b0;
+        if (event_now && event_full) overflow_q <= 1'b1;
+        if (ghost) ghost_q <= 1'b1;
+        if (rst_i) begin
+            enable_o   <= 1'b0;
+            debounce_q <= KEYPAD_DEBOUNCE_RESET[7:0];
+            mask_q     <= 3'd0;
+            overflow_q <= 1'b0;
+            ghost_q    <= 1'b0;
+        end
+    end
+
+    always @(posedge clk_i) begin
+        rdata_o <= 32'd0;
+        if (re_i) case (raddr_i[4:0])
+            KEYPAD_CONTROL[4:0]:  rdata_o <= {31'd0, enable_o};
+            KEYPAD_STATUS[4:0]:   rdata_o <= {19'd0, event_count, 4'd0, ghost, status};
+            KEYPAD_KEYS[4:0]:     rdata_o <= {16'd0, keys};
+            KEYPAD_EVENT[4:0]:    rdata_o <= event_empty ? 32'd0
+                                             : {16'd0, 1'b1, 6'd0, event_head[4], 4'd0, event_head[3:0]};
+            KEYPAD_DEBOUNCE[4:0]: rdata_o <= {24'd0, debounce_q};
+            KEYPAD_MASK[4:0]:     rdata_o <= {29'd0, mask_q};
+            default: ;
+        endcase
+    end
+endmodule
+
+`default_nettype wire

@@ -1,0 +1,75 @@
+#include "sim/board/board.h"
+
+namespace sim {
+
+namespace {
+
+// Cyclone V HPS memory map.
+constexpr std::uint32_t DDR3_BASE = 0x00000000, DDR3_SIZE = 0x40000000;
+constexpr std::uint32_t H2F_BASE = 0xC0000000, H2F_SIZE = 0x3C000000;
+constexpr std::uint32_t LW_BASE = 0xFF200000, LW_SIZE = 0x00200000;
+constexpr std::uint32_t UART0_BASE = 0xFFC02000, UART0_SIZE = 0x1000;
+constexpr std::uint32_t GLOBAL_TIMER_BASE = 0xFFFEC200, GLOBAL_TIMER_SIZE = 0x100;
+
+}  // namespace
+
+Board::Board(const sc_core::sc_module_name& name, Audience& audience, Firmware firmware,
+             std::uint64_t seed, const std::string& trace_file)
+    : sc_module{name},
+      monitor{[&audience](const Monitor::Frame& frame) { audience.frame(frame); }},
+      codec_chip{audience},
+      keypad{"keypad", seed, [this] { fpga.inputs().jp1 = jp1(); }},
+      fpga{"fpga", *this, trace_file},
+      ddr3{"ddr3", DDR3_SIZE, sc_core::sc_time{60, sc_core::SC_NS}},
+      global_timer{"global_timer"},
+      uart0{"uart0", [&audience](char character) { audience.console(character); }},
+      bus{"bus"},
+      cpu{"cpu", std::move(firmware)} {
+    cpu.socket.bind(bus.socket);
+    bus.window("ddr3", DDR3_BASE, DDR3_SIZE).bind(ddr3.socket);
+    bus.window("h2f", H2F_BASE, H2F_SIZE).bind(fpga.h2f);
+    bus.window("lw", LW_BASE, LW_SIZE).bind(fpga.lw);
+    bus.window("uart0", UART0_BASE, UART0_SIZE).bind(uart0.socket);
+    bus.window("global_timer", GLOBAL_TIMER_BASE, GLOBAL_TIMER_SIZE).bind(global_timer.socket);
+}
+
+void Board::video(const std::uint32_t* samples, std::size_t count) {
+    monitor.samples(samples, count);
+}
+
+// SDAT is open-drain with a pull-up.
+void Board::codec(const CodecPins& pins, std::uint64_t time_ps, FabricInputs& in) {
+    const bool sdat = !pins.sdat_low && !codec_chip.pulls_sda_low();
+    codec_chip.drive({pins.bclk, pins.daclrck, pins.adclrck, pins.dacdat, pins.sclk, sdat}, time_ps);
+    in.sdat = !pins.sdat_low && !codec_chip.pulls_sda_low();
+    in.adcdat = codec_chip.adcdat();
+}
+
+void Board::headers(const HeaderPins& pins, std::uint64_t, FabricInputs& in) {
+    header_pins_ = pins;
+    in.jp1 = jp1();
+    in.jp2 = pins.jp2 | ~pins.jp2_oe;  // nothing is plugged in: pull-ups
+}
+
+std::uint32_t Board::jp1() const {
+    const HeaderPins& p = header_pins_;
+    const std::uint32_t open = p.jp1 | ~p.jp1_oe;
+    return (open & ~0xffu) | keypad.levels(static_cast<std::uint8_t>(p.jp1),
+                                           static_cast<std::uint8_t>(p.jp1_oe));
+}
+
+void Board::hold(std::uint16_t keys16, std::uint8_t keys, std::uint16_t switches) {
+    if (keys16) keypad.press(keys16);
+    FabricInputs& in = fpga.inputs();
+    in.key_n = static_cast<std::uint8_t>(in.key_n & ~keys);
+    in.sw = static_cast<std::uint16_t>(in.sw | switches);
+}
+
+void Board::release(std::uint16_t keys16, std::uint8_t keys, std::uint16_t switches) {
+    if (keys16) keypad.release(keys16);
+    FabricInputs& in = fpga.inputs();
+    in.key_n = static_cast<std::uint8_t>(in.key_n | keys);
+    in.sw = static_cast<std::uint16_t>(in.sw & ~switches);
+}
+
+}  // namespace sim

@@ -1,0 +1,66 @@
+// board.h - the schematic: the DE1-SoC with a monitor, a keypad and somebody at the line-out.
+//
+//   NativeCpu -- Bus -+- DDR3, global timer, UART0
+//                     +- Fpga lw, h2f --pins--+- Monitor   (VGA)
+//                                             +- Wm8731    (audio)
+//                                             +- Keypad    (JP1 D7-D0)
+//                                             +- KEY, SW, LEDR, HEX
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "sim/board/keypad.h"
+#include "sim/board/monitor.h"
+#include "sim/board/wm8731.h"
+#include "sim/fpga/fpga.h"
+#include "sim/hps/bus.h"
+#include "sim/hps/global_timer.h"
+#include "sim/hps/memory.h"
+#include "sim/hps/native_cpu.h"
+#include "sim/hps/uart.h"
+
+namespace sim {
+
+// Where what the board shows, plays and prints goes.
+class Audience {
+public:
+    virtual void frame(const Monitor::Frame& frame) = 0;
+    virtual void sample(std::int16_t left, std::int16_t right) = 0;
+    virtual void sample_rate(double hz) = 0;
+    virtual void console(char character) = 0;
+
+protected:
+    ~Audience() = default;
+};
+
+class Board : public sc_core::sc_module, private PinListener {
+public:
+    Board(const sc_core::sc_module_name& name, Audience& audience, Firmware firmware,
+          std::uint64_t seed, const std::string& trace_file);
+
+    // Hands on the board: masks of keypad keys (4 * row + column), KEY3-0 and SW9-0.
+    void hold(std::uint16_t keypad, std::uint8_t keys, std::uint16_t switches);
+    void release(std::uint16_t keypad, std::uint8_t keys, std::uint16_t switches);
+
+private:
+    void video(const std::uint32_t* samples, std::size_t count) override;
+    void codec(const CodecPins& pins, std::uint64_t time_ps, FabricInputs& in) override;
+    void headers(const HeaderPins& pins, std::uint64_t time_ps, FabricInputs& in) override;
+    std::uint32_t jp1() const;
+
+    HeaderPins header_pins_{};
+
+public:  // the parts, in the order in which they are soldered
+    Monitor monitor;
+    Wm8731 codec_chip;
+    Keypad keypad;
+    Fpga fpga;
+    Memory ddr3;
+    GlobalTimer global_timer;
+    Uart uart0;
+    Bus bus;
+    NativeCpu cpu;
+};
+
+}  // namespace sim

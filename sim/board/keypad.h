@@ -1,0 +1,58 @@
+// keypad.h - a 4 x 4 keypad: 16 switches on eight wires, with bouncing contacts and no diodes.
+//
+//            D7   D6   D5   D4      columns, left to right
+//      D3     1    2    3    A      A closed switch joins its row's and its column's wire.  Joined
+//      D2     4    5    6    B      wires have one level: low if anybody pulls low, else high by the
+//      D1     7    8    9    C      pull-ups.  So three corners of a rectangle close the path of the
+//      D0     0    F    E    D      fourth, in both directions.
+//
+// A contact that closes or opens bounces for up to 5 ms: 1 to 6 times open and closed again at
+// times drawn from a generator with the given seed.
+//
+// Not handled: contact resistance; a wire that one output drives high and another low is low here,
+// and a damaged pin on a board.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <random>
+
+#include <systemc>
+
+namespace sim {
+
+class Keypad : public sc_core::sc_module {
+public:
+    // `moved` is called after each change of a contact.
+    Keypad(const sc_core::sc_module_name& name, std::uint64_t seed, std::function<void()> moved);
+
+    // Presses or releases keys, bit 4 * row + column, from now on.
+    void press(std::uint16_t keys);
+    void release(std::uint16_t keys);
+
+    // Levels of D7-D0, given what drives them and where (1 = driven).
+    std::uint8_t levels(std::uint8_t driven, std::uint8_t enable) const;
+
+    std::uint64_t presses() const { return presses_; }
+    std::uint64_t releases() const { return releases_; }
+
+private:
+    struct Contact {
+        unsigned key;
+        bool closed;
+    };
+
+    void move(std::uint16_t keys, bool closed);
+    void step();
+    unsigned random(unsigned below) { return static_cast<unsigned>(random_() % below); }
+
+    std::function<void()> moved_;
+    std::mt19937_64 random_;
+    std::multimap<sc_core::sc_time, Contact> pending_;
+    sc_core::sc_event next_;
+    std::uint16_t closed_ = 0;  // contacts, as they are now
+    std::uint64_t presses_ = 0, releases_ = 0;
+};
+
+}  // namespace sim

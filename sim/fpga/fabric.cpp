@@ -1,0 +1,222 @@
+#include "sim/fpga/fabric.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "Vfpga.h"
+#include "verilated.h"
+#ifdef DE1SIM_TRACE
+#include "verilated_fst_c.h"
+#endif
+
+namespace sim {
+
+// The signals of one AXI3 port; both bridges have the same shapes.
+struct Fabric::AxiPort {
+    CData &awlen, &awsize, &awburst, &awvalid, &awready, &wstrb, &wvalid, &wready, &bresp, &bvalid,
+        &bready, &arlen, &arsize, &arburst, &arvalid, &arready, &rresp, &rlast, &rvalid, &rready;
+    SData &awid, &bid, &arid, &rid;
+    IData &awaddr, &wdata, &araddr, &rdata;
+};
+
+#define AXI_PORT(m, b)                                                                          \
+    {                                                                                           \
+        m.b##_awlen_i, m.b##_awsize_i, m.b##_awburst_i, m.b##_awvalid_i, m.b##_awready_o,       \
+            m.b##_wstrb_i, m.b##_wvalid_i, m.b##_wready_o, m.b##_bresp_o, m.b##_bvalid_o,       \
+            m.b##_bready_i, m.b##_arlen_i, m.b##_arsize_i, m.b##_arburst_i, m.b##_arvalid_i,    \
+            m.b##_arready_o, m.b##_rresp_o, m.b##_rlast_o, m.b##_rvalid_o, m.b##_rready_i,      \
+            m.b##_awid_i, m.b##_bid_o, m.b##_arid_i, m.b##_rid_o, m.b##_awaddr_i, m.b##_wdata_i, \
+            m.b##_araddr_i, m.b##_rdata_o                                                       \
+    }
+
+struct Fabric::Model {
+    VerilatedContext context;
+    Vfpga top{&context};
+    AxiPort lw AXI_PORT(top, lw);
+    AxiPort h2f AXI_PORT(top, h2f);
+#ifdef DE1SIM_TRACE
+    VerilatedFstC trace;
+#endif
+    AxiPort& port(Bridge bridge) { return bridge == Bridge::LIGHTWEIGHT ? lw : h2f; }
+};
+
+Fabric::Fabric(PinListener& pins, const std::string& trace_file)
+    : pins_{pins}, model_{std::make_unique<Model>()} {
+    Vfpga& top = model_->top;
+#ifdef DE1SIM_TRACE
+    if (!trace_file.empty()) {
+        model_->context.traceEverOn(true);
+        top.trace(&model_->trace, 99);
+        model_->trace.open(trace_file.c_str());
+        if (!model_->trace.isOpen()) throw std::runtime_error(trace_file + ": cannot be written");
+    }
+#else
+    if (!trace_file.empty()) throw std::logic_error("this build of the fabric has no tracing");
+#endif
+    model_->lw.bready = model_->lw.rready = model_->h2f.bready = model_->h2f.rready = 1;
+    top.rst_i = 1;
+    run(8);
+    top.rst_i = 0;
+}
+
+Fabric::~Fabric() {
+#ifdef DE1SIM_TRACE
+    model_->trace.close();
+#endif
+    model_->top.final();
+}
+
+bool Fabric::can_trace() {
+#ifdef DE1SIM_TRACE
+    return true;
+#else
+    return false;
+#endif
+}
+
+inline void Fabric::clock() {
+    Vfpga& top = model_->top;
+    top.sw_i = in.sw;
+    top.key_ni = in.key_n;
+    top.jp1_i = in.jp1;
+    top.jp2_i = in.jp2;
+    top.aud_adcdat_i = in.adcdat;
+    top.i2c_sdat_i = in.sdat;
+
+    top.clk_i = 1;
+    top.eval();
+#ifdef DE1SIM_TRACE
+    if (model_->trace.isOpen()) model_->trace.dump(time_ps());
+#endif
+    top.clk_i = 0;  // VGA_CLK rises
+    top.eval();
+#ifdef DE1SIM_TRACE
+    if (model_->trace.isOpen()) model_->trace.dump(time_ps() + FABRIC_PERIOD_PS / 2);
+#endif
+    ++clocks_;
+
+    video_[video_count_++] =
+        static_cast<std::uint32_t>(top.vga_r_o) << 16 | static_cast<std::uint32_t>(top.vga_g_o) << 8 |
+        top.vga_b_o | static_cast<std::uint32_t>(top.vga_hs_no) << 24 |
+        static_cast<std::uint32_t>(top.vga_vs_no) << 25 |
+        static_cast<std::uint32_t>(top.vga_blank_no) << 26 |
+        static_cast<std::uint32_t>(top.vga_sync_no) << 27;
+    if (video_count_ == VIDEO_BATCH) flush();
+
+    const std::uint32_t codec = static_cast<std::uint32_t>(
+        top.aud_bclk_o | top.aud_daclrck_o << 1 | top.aud_adclrck_o << 2 | top.aud_dacdat_o << 3 |
+        top.i2c_sclk_o << 4 | top.i2c_sdat_oe_o << 5);
+    if (codec != codec_was_) {
+        codec_was_ = codec;
+        pins_.codec({top.aud_bclk_o != 0, top.aud_daclrck_o != 0, top.aud_adclrck_o != 0,
+                     top.aud_dacdat_o != 0, top.i2c_sclk_o != 0, top.i2c_sdat_oe_o != 0},
+                    time_ps(), in);
+    }
+    HeaderPins& was = headers_was_;
+    if ((top.jp1_o ^ was.jp1) | (top.jp1_oe_o ^ was.jp1_oe) | (top.jp2_o ^ was.jp2) |
+        (top.jp2_oe_o ^ was.jp2_oe)) {
+        was = {top.jp1_o, top.jp1_oe_o, top.jp2_o, top.jp2_oe_o};
+        pins_.headers(was, time_ps(), in);
+    }
+}
+
+void Fabric::run(std::uint64_t clocks) {
+    while (clocks--) clock();
+}
+
+void Fabric::flush() {
+    const unsigned count = video_count_;
+    video_count_ = 0;
+    if (count) pins_.video(video_, count);
+}
+
+// Runs up to and including the clock edge that sees `ready` high.
+bool Fabric::clock_until(const std::uint8_t& ready) {
+    for (unsigned i = 0; i < ANSWER_CLOCKS; ++i) {
+        const bool taken = ready;
+        clock();
+        if (taken) return true;
+    }
+    return false;
+}
+
+namespace {
+
+// Beats of one byte or one aligned half-word are narrow, as the processor makes them; all others
+// are words, with the lanes that are not meant left out by strobes.
+unsigned size_of(std::uint32_t address, unsigned bytes) {
+    if (bytes == 1) return 0;
+    if (bytes == 2 && address % 2 == 0) return 1;
+    return 2;
+}
+
+}  // namespace
+
+AxiResponse Fabric::write(Bridge bridge, std::uint32_t address, const std::uint8_t* data,
+                          unsigned bytes) {
+    AxiPort& axi = model_->port(bridge);
+    const std::uint32_t first = address / 4, last = (address + bytes - 1) / 4;
+    axi.awaddr = address;
+    axi.awlen = static_cast<CData>(last - first);
+    axi.awsize = static_cast<CData>(size_of(address, bytes));
+    axi.awburst = 1;  // INCR
+    axi.awvalid = 1;
+    bool alive = clock_until(axi.awready);
+    axi.awvalid = 0;
+    const std::uint32_t end = address + bytes;
+    for (std::uint32_t word = first; alive && word <= last; ++word) {
+        const std::uint32_t from = std::max(address, word * 4), to = std::min(end, word * 4 + 4);
+        std::uint32_t value = 0;
+        unsigned strobes = 0;
+        for (std::uint32_t a = from; a < to; ++a) {
+            value |= static_cast<std::uint32_t>(data[a - address]) << (a % 4 * 8);
+            strobes |= 1u << a % 4;
+        }
+        axi.wdata = value;
+        axi.wstrb = static_cast<CData>(strobes);
+        axi.wvalid = 1;
+        alive = clock_until(axi.wready);
+    }
+    axi.wvalid = 0;
+    for (unsigned i = 0; alive && !axi.bvalid; ++i) {
+        if (i == ANSWER_CLOCKS) alive = false;
+        clock();
+    }
+    if (!alive) return AxiResponse::NONE;
+    const auto response = static_cast<AxiResponse>(axi.bresp);
+    clock();
+    return response;
+}
+
+AxiResponse Fabric::read(Bridge bridge, std::uint32_t address, std::uint8_t* data,
+                         unsigned bytes) {
+    AxiPort& axi = model_->port(bridge);
+    const std::uint32_t first = address / 4, last = (address + bytes - 1) / 4, end = address + bytes;
+    axi.araddr = address;
+    axi.arlen = static_cast<CData>(last - first);
+    axi.arsize = static_cast<CData>(size_of(address, bytes));
+    axi.arburst = 1;  // INCR
+    axi.arvalid = 1;
+    bool alive = clock_until(axi.arready);
+    axi.arvalid = 0;
+    AxiResponse response = AxiResponse::OKAY;
+    for (std::uint32_t word = first; alive && word <= last; ++word) {
+        for (unsigned i = 0; alive && !axi.rvalid; ++i) {
+            if (i == ANSWER_CLOCKS) alive = false;
+            clock();
+        }
+        if (!alive) break;
+        if (axi.rresp != 0) response = static_cast<AxiResponse>(axi.rresp);
+        const std::uint32_t from = std::max(address, word * 4), to = std::min(end, word * 4 + 4);
+        for (std::uint32_t a = from; a < to; ++a)
+            data[a - address] = static_cast<std::uint8_t>(axi.rdata >> (a % 4 * 8));
+        clock();
+    }
+    return alive ? response : AxiResponse::NONE;
+}
+
+std::uint16_t Fabric::ledr() const { return model_->top.ledr_o; }
+std::uint64_t Fabric::hex_n() const { return model_->top.hex_no; }
+std::uint32_t Fabric::irq() const { return model_->top.irq_o; }
+
+}  // namespace sim

@@ -1,0 +1,98 @@
+// fabric.h - the Verilated fpga.v as plain C++: its clock, its pins, its two AXI bridges.
+//
+// No SystemC here.  A Fabric is run clock by clock (25 MHz, 40 ns); what leaves by the pins goes to
+// a PinListener, what the board puts on the inputs lies in `in` and counts from the next clock on.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace sim {
+
+constexpr std::uint64_t FABRIC_PERIOD_PS = 40'000;  // 25 MHz
+
+// One sample of the ADV7123's pins at a rising edge of VGA_CLK.
+namespace video {
+constexpr std::uint32_t RGB = 0x00ffffff;  // R 23:16, G 15:8, B 7:0
+constexpr std::uint32_t HS = 1u << 24, VS = 1u << 25, BLANK_N = 1u << 26, SYNC_N = 1u << 27;
+}  // namespace video
+
+struct CodecPins {
+    bool bclk, daclrck, adclrck, dacdat, sclk, sdat_low;  // sdat_low: the FPGA pulls SDAT low
+};
+
+struct HeaderPins {
+    std::uint32_t jp1, jp1_oe, jp2, jp2_oe;  // levels driven, and where they are driven
+};
+
+struct FabricInputs {
+    std::uint16_t sw = 0;
+    std::uint8_t key_n = 0xf;
+    std::uint32_t jp1 = 0xffffffff, jp2 = 0xffffffff;
+    bool adcdat = false, sdat = true;
+};
+
+class PinListener {
+public:
+    // A sample a clock, in order, in batches of up to a scan line.
+    virtual void video(const std::uint32_t* samples, std::size_t count) = 0;
+    // Called after a clock in which one of them moved; may change `in`.
+    virtual void codec(const CodecPins& pins, std::uint64_t time_ps, FabricInputs& in) = 0;
+    virtual void headers(const HeaderPins& pins, std::uint64_t time_ps, FabricInputs& in) = 0;
+
+protected:
+    ~PinListener() = default;
+};
+
+enum class Bridge { LIGHTWEIGHT, FULL };
+enum class AxiResponse : std::uint8_t { OKAY = 0, EXOKAY = 1, SLVERR = 2, DECERR = 3, NONE = 4 };
+
+class Fabric {
+public:
+    // Comes up in reset and leaves it after 8 clocks.  `trace_file`: FST waveforms, if not empty
+    // (only in a build with tracing).
+    Fabric(PinListener& pins, const std::string& trace_file = "");
+    ~Fabric();
+
+    FabricInputs in;
+
+    void run(std::uint64_t clocks);
+    std::uint64_t clocks() const { return clocks_; }
+    std::uint64_t time_ps() const { return clocks_ * FABRIC_PERIOD_PS; }
+
+    // Sends the video samples that have gathered to the listener.
+    void flush();
+
+    // One AXI burst of `bytes` from `address` (offset in the bridge); at most 16 words are touched.
+    // Runs the clock until the response is taken; NONE if there is none in 10,000 clocks.
+    AxiResponse read(Bridge bridge, std::uint32_t address, std::uint8_t* data, unsigned bytes);
+    AxiResponse write(Bridge bridge, std::uint32_t address, const std::uint8_t* data,
+                      unsigned bytes);
+
+    std::uint16_t ledr() const;
+    std::uint64_t hex_n() const;  // HEX5 in 41:35 ... HEX0 in 6:0, 0 = lit
+    std::uint32_t irq() const;    // bit n is interrupt ID 72 + n
+
+    static bool can_trace();
+
+private:
+    struct Model;
+    struct AxiPort;
+    static constexpr unsigned VIDEO_BATCH = 800, ANSWER_CLOCKS = 10'000;
+
+    void clock();
+    bool clock_until(const std::uint8_t& ready);
+
+    PinListener& pins_;
+    std::unique_ptr<Model> model_;
+    std::uint64_t clocks_ = 0;
+    std::uint32_t video_[VIDEO_BATCH];
+    unsigned video_count_ = 0;
+    std::uint32_t codec_was_ = 0;
+    HeaderPins headers_was_{0, 0, 0, 0};
+};
+
+}  // namespace sim

@@ -1,0 +1,116 @@
+#include "sim/fpga/fpga.h"
+
+#include <algorithm>
+#include <cstring>
+
+namespace sim {
+
+using sc_core::sc_time;
+using sc_core::sc_time_stamp;
+
+namespace {
+
+const sc_time scan_line_time{32, sc_core::SC_US};
+
+sc_time picoseconds(std::uint64_t ps) { return sc_time::from_value(ps); }  // resolution: 1 ps
+
+tlm::tlm_response_status status_of(AxiResponse response) {
+    switch (response) {
+        case AxiResponse::OKAY:
+        case AxiResponse::EXOKAY: return tlm::TLM_OK_RESPONSE;
+        case AxiResponse::DECERR: return tlm::TLM_ADDRESS_ERROR_RESPONSE;
+        case AxiResponse::SLVERR: return tlm::TLM_GENERIC_ERROR_RESPONSE;
+        default: return tlm::TLM_INCOMPLETE_RESPONSE;
+    }
+}
+
+// Bytes of the next AXI burst: at most 16 words, and not across 4 KB.
+unsigned burst_bytes(std::uint32_t address, unsigned left) {
+    const unsigned words = 64 - address % 4, page = 4096 - address % 4096;
+    return std::min({left, words, page});
+}
+
+}  // namespace
+
+Fpga::Fpga(const sc_core::sc_module_name& name, PinListener& pins, const std::string& trace_file)
+    : sc_module{name}, lw{"lw"}, h2f{"h2f"}, fabric_{pins, trace_file} {
+    lw.register_b_transport(this, &Fpga::lightweight_transport);
+    h2f.register_b_transport(this, &Fpga::full_transport);
+    SC_HAS_PROCESS(Fpga);
+    SC_METHOD(scan_line);
+}
+
+void Fpga::run_to(const sc_time& time) {
+    const std::uint64_t clocks = time.value() / FABRIC_PERIOD_PS;
+    if (clocks > fabric_.clocks()) fabric_.run(clocks - fabric_.clocks());
+}
+
+void Fpga::catch_up() {
+    run_to(sc_time_stamp());
+    fabric_.flush();
+}
+
+FabricInputs& Fpga::inputs() {
+    run_to(sc_time_stamp());
+    return fabric_.in;
+}
+
+std::optional<std::uint32_t> Fpga::peek(std::uint32_t offset) {
+    std::uint8_t bytes[4];
+    if (fabric_.read(Bridge::LIGHTWEIGHT, offset, bytes, 4) != AxiResponse::OKAY) return {};
+    std::uint32_t value;
+    std::memcpy(&value, bytes, sizeof value);
+    return value;
+}
+
+void Fpga::scan_line() {
+    catch_up();
+    next_trigger(scan_line_time);
+}
+
+void Fpga::lightweight_transport(tlm::tlm_generic_payload& tx, sc_time& delay) {
+    transport(Bridge::LIGHTWEIGHT, tx, delay);
+}
+
+void Fpga::full_transport(tlm::tlm_generic_payload& tx, sc_time& delay) {
+    transport(Bridge::FULL, tx, delay);
+}
+
+void Fpga::transport(Bridge bridge, tlm::tlm_generic_payload& tx, sc_time& delay) {
+    const unsigned bytes = tx.get_data_length();
+    if (tx.get_command() == tlm::TLM_IGNORE_COMMAND) {
+        tx.set_response_status(tlm::TLM_COMMAND_ERROR_RESPONSE);
+        return;
+    }
+    if (bytes == 0 || tx.get_streaming_width() < bytes) {
+        tx.set_response_status(tlm::TLM_BURST_ERROR_RESPONSE);
+        return;
+    }
+    if (tx.get_byte_enable_ptr()) {
+        tx.set_response_status(tlm::TLM_BYTE_ENABLE_ERROR_RESPONSE);
+        return;
+    }
+    const bool write = tx.get_command() == tlm::TLM_WRITE_COMMAND;
+    auto address = static_cast<std::uint32_t>(tx.get_address());
+    std::uint8_t* data = tx.get_data_ptr();
+    AxiResponse response = AxiResponse::OKAY;
+
+    run_to(sc_time_stamp() + delay);
+    for (unsigned left = bytes; left && response == AxiResponse::OKAY;) {
+        const unsigned now = burst_bytes(address, left);
+        response = write ? fabric_.write(bridge, address, data, now)
+                         : fabric_.read(bridge, address, data, now);
+        address += now;
+        data += now;
+        left -= now;
+        delay = picoseconds(fabric_.time_ps()) - sc_time_stamp();
+        if (left && delay >= sc_core::sc_time_to_pending_activity()) {
+            wait(delay);
+            delay = sc_core::SC_ZERO_TIME;
+            run_to(sc_time_stamp());
+        }
+    }
+    tx.set_response_status(status_of(response));
+}
+
+}  // namespace sim

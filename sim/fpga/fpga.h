@@ -1,0 +1,51 @@
+// fpga.h - the fabric behind TLM: two bridges as targets, catching up with SystemC time in batches.
+//
+//   lw   lightweight bridge, offsets in 2 MB        one TLM transaction becomes AXI bursts of up to
+//   h2f  full bridge, offsets in 960 MB             16 words, none across 4 KB
+//
+// The fabric runs when somebody looks: at every bus access, at every pin that the board moves
+// (through `inputs()`), and once a scan line.  A transaction's delay is what its clocks took; a long
+// one lets SystemC catch up between its bursts, so it blocks.
+//
+// A response other than OKAY ends the transaction: DECERR is TLM_ADDRESS_ERROR, SLVERR is
+// TLM_GENERIC_ERROR, no answer in 10,000 clocks is TLM_INCOMPLETE.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "sim/fpga/fabric.h"
+
+#include <systemc>
+#include <tlm>
+#include <tlm_utils/simple_target_socket.h>
+
+namespace sim {
+
+class Fpga : public sc_core::sc_module {
+public:
+    tlm_utils::simple_target_socket<Fpga> lw, h2f;
+
+    Fpga(const sc_core::sc_module_name& name, PinListener& pins, const std::string& trace_file);
+
+    // The input pins, as of now: the fabric has caught up when this returns.
+    FabricInputs& inputs();
+    // Everything up to now has been run and handed to the listener.
+    void catch_up();
+
+    // A register on the lightweight bridge, read outside simulated time once the run is over.
+    std::optional<std::uint32_t> peek(std::uint32_t offset);
+
+    const Fabric& fabric() const { return fabric_; }
+
+private:
+    void lightweight_transport(tlm::tlm_generic_payload& tx, sc_core::sc_time& delay);
+    void full_transport(tlm::tlm_generic_payload& tx, sc_core::sc_time& delay);
+    void transport(Bridge bridge, tlm::tlm_generic_payload& tx, sc_core::sc_time& delay);
+    void run_to(const sc_core::sc_time& time);
+    void scan_line();
+
+    Fabric fabric_;
+};
+
+}  // namespace sim

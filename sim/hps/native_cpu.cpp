@@ -1,0 +1,67 @@
+#include "sim/hps/native_cpu.h"
+
+#include <fmt/format.h>
+
+namespace sim {
+
+using sc_core::sc_time;
+
+NativeCpu::NativeCpu(const sc_core::sc_module_name& name, Firmware firmware)
+    : sc_module{name}, socket{"socket"}, firmware_{std::move(firmware)} {
+    SC_HAS_PROCESS(NativeCpu);
+    SC_THREAD(run);
+}
+
+void NativeCpu::run() {
+    try {
+        firmware_(*this, *this);
+    } catch (const Abort&) {
+        faulted_.notify(sc_core::SC_ZERO_TIME);
+    }
+}
+
+void NativeCpu::access(tlm::tlm_command command, std::uint32_t address, void* data,
+                       unsigned bytes) {
+    if (ahead_ >= sc_core::sc_time_to_pending_activity()) {
+        wait(ahead_);
+        ahead_ = sc_core::SC_ZERO_TIME;
+    }
+    tlm::tlm_generic_payload tx;
+    tx.set_command(command);
+    tx.set_address(address);
+    tx.set_data_ptr(static_cast<unsigned char*>(data));
+    tx.set_data_length(bytes);
+    tx.set_streaming_width(bytes);
+    tx.set_response_status(tlm::TLM_INCOMPLETE_RESPONSE);
+    socket->b_transport(tx, ahead_);
+    if (tx.is_response_ok()) return;
+
+    const sc_time now = sc_core::sc_time_stamp() + ahead_;
+    fault_ = fmt::format("data abort: {} of {} bytes at 0x{:08X} at {:.6f} ms ({})",
+                         command == tlm::TLM_READ_COMMAND ? "read" : "write", bytes, address,
+                         now.to_seconds() * 1e3, tx.get_response_string());
+    throw Abort{};
+}
+
+std::uint32_t NativeCpu::read(std::uint32_t address) {
+    std::uint32_t value = 0;
+    access(tlm::TLM_READ_COMMAND, address, &value, sizeof value);
+    return value;
+}
+
+void NativeCpu::write(std::uint32_t address, std::uint32_t value) {
+    access(tlm::TLM_WRITE_COMMAND, address, &value, sizeof value);
+}
+
+void NativeCpu::write_words(std::uint32_t address, const std::uint32_t* words, unsigned count) {
+    if (count == 0) return;
+    // A write only reads the data, but TLM has one pointer for both directions.
+    access(tlm::TLM_WRITE_COMMAND, address, const_cast<std::uint32_t*>(words), 4 * count);
+}
+
+void NativeCpu::idle() {
+    wait(ahead_ + sc_time{50, sc_core::SC_US});
+    ahead_ = sc_core::SC_ZERO_TIME;
+}
+
+}  // namespace sim

@@ -1,0 +1,110 @@
+#include "sim/run/cli.h"
+
+#include <unistd.h>
+
+#include <cerrno>
+#include <charconv>
+#include <cstring>
+#include <filesystem>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "sim/fpga/fabric.h"
+#include "sim/run/run.h"
+
+namespace sim {
+
+namespace {
+
+constexpr const char* TRACING_BUILD = "de1sim-trace";
+
+std::uint64_t number(const std::string& text, const char* option) {
+    std::uint64_t value = 0;
+    const char* end = text.data() + text.size();
+    const auto [stop, error] = std::from_chars(text.data(), end, value);
+    if (error != std::errc{} || stop != end)
+        throw CLI::ValidationError(option, "expected a whole number, got \"" + text + "\"");
+    return value;
+}
+
+// The ordinary build pays nothing for tracing: the tracing one takes over, with the same arguments.
+[[noreturn]] void become_tracing_build(char** argv) {
+    std::error_code error;
+    const auto self = std::filesystem::read_symlink("/proc/self/exe", error);
+    const auto path = self.parent_path() / TRACING_BUILD;
+    if (!error) execv(path.c_str(), argv);
+    fmt::print(stderr, "de1sim: {}: cannot be started for --trace: {}\n", path.string(),
+               std::strerror(errno));
+    std::exit(WRONG_INPUT);
+}
+
+}  // namespace
+
+std::optional<FrameChoice> FrameChoice::parse(const std::string& text) {
+    if (text == "all") return FrameChoice{Which::ALL, 1};
+    if (text == "last") return FrameChoice{Which::LAST, 1};
+    if (text == "none") return FrameChoice{Which::NONE, 1};
+    if (text.rfind("every:", 0) != 0) return std::nullopt;
+    FrameChoice choice{Which::EVERY, 0};
+    const char* end = text.data() + text.size();
+    const auto [stop, error] = std::from_chars(text.data() + 6, end, choice.every);
+    if (error != std::errc{} || stop != end || choice.every == 0) return std::nullopt;
+    return choice;
+}
+
+int main(int argc, char** argv, const Firmware& firmware) {
+    CLI::App app{"DE1-SoC, headless: your Verilog and your firmware, with picture and sound as files",
+                 "de1sim"};
+    app.set_version_flag("--version", "de1sim " DE1SIM_VERSION);
+    app.require_subcommand(1);
+    app.footer("Exit code: 0 all expectations met; 1 an expectation missed or the firmware faulted;\n"
+               "2 wrong usage or input; 130 interrupted.");
+
+    RunOptions options;
+    CLI::App& run_command = *app.add_subcommand("run", "play a scenario");
+    run_command.add_option("SCENARIO", options.scenario, "YAML file with the steps to play")
+        ->required();
+    run_command.add_option("--cpu", options.cpu, "native: the firmware compiled for this machine")
+        ->check(CLI::IsMember({"native"}))
+        ->capture_default_str();
+    run_command
+        .add_option("--out", options.out,
+                    "folder for frames/, audio.wav, console.txt, report.json, junit.xml;\n"
+                    "files of those names from an earlier run are replaced")
+        ->capture_default_str();
+    run_command.add_option_function<std::string>(
+        "--frames",
+        [&](const std::string& text) {
+            const auto choice = FrameChoice::parse(text);
+            if (!choice)
+                throw CLI::ValidationError("--frames",
+                                           "expected all, every:N, last or none, got \"" + text + "\"");
+            options.frames = *choice;
+        },
+        "which frames become PNG: all (default), every:N, last, none");
+    run_command.add_option_function<std::string>(
+        "--duration",
+        [&](const std::string& text) {
+            options.duration = SimTime::parse(text);
+            if (!options.duration || options.duration->ps == 0)
+                throw CLI::ValidationError(
+                    "--duration", "expected a time such as 500ms or 10s, got \"" + text + "\"");
+        },
+        "simulated time to run for, instead of the scenario's: 500ms, 10s");
+    run_command.add_option_function<std::string>(
+        "--seed", [&](const std::string& text) { options.seed = number(text, "--seed"); },
+        "seed of the contact bounce, instead of the scenario's");
+    run_command.add_option("--trace", options.trace, "write waveforms (FST, for GTKWave); slow");
+    run_command.add_flag("--quiet", options.quiet, "no progress, no summary unless something failed");
+
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& e) {
+        return app.exit(e) == 0 ? PASSED : WRONG_INPUT;
+    }
+    if (!options.trace.empty() && !Fabric::can_trace()) become_tracing_build(argv);
+    return run(options, firmware);
+}
+
+}  // namespace sim

@@ -1,0 +1,36 @@
+// options.h - what `de1sim run` was asked to do.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "sim/scenario/sim_time.h"
+
+namespace sim {
+
+struct FrameChoice {
+    enum class Which { ALL, EVERY, LAST, NONE };
+    Which which = Which::ALL;
+    std::uint64_t every = 1;  // for EVERY: frames whose number is a multiple of it
+
+    // "all", "every:N" with N > 0, "last", "none"
+    static std::optional<FrameChoice> parse(const std::string& text);
+    bool wants(std::uint64_t number) const {
+        return which == Which::ALL || (which == Which::EVERY && number % every == 0);
+    }
+};
+
+struct RunOptions {
+    std::filesystem::path scenario;
+    std::filesystem::path out = "out";
+    std::string cpu = "native";
+    FrameChoice frames;
+    std::optional<SimTime> duration;   // instead of the scenario's
+    std::optional<std::uint64_t> seed;  // instead of the scenario's
+    std::string trace;                 // FST file, or empty
+    bool quiet = false;
+};
+
+}  // namespace sim

@@ -1,0 +1,49 @@
+// recorder.h - the audience that writes everything down: pictures, sound, console.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "sim/board/board.h"
+#include "sim/report/frame_writer.h"
+#include "sim/report/wav.h"
+#include "sim/report/whole_file.h"
+#include "sim/run/options.h"
+#include "sim/scenario/senses.h"
+
+namespace sim {
+
+// A failure to write pauses SystemC and is kept for error(): nothing may be thrown through it.
+class Recorder : public Audience {
+public:
+    // Makes the folder, and removes what an earlier run left in it under the names of this one's
+    // files.  IoError.
+    Recorder(const std::filesystem::path& out, FrameChoice frames);
+
+    void frame(const Monitor::Frame& frame) override;
+    void sample(std::int16_t left, std::int16_t right) override;
+    void sample_rate(double hz) override;
+    void console(char character) override;
+
+    Senses& senses() { return senses_; }
+    const std::optional<IoError>& error() const { return error_; }
+
+    // Writes what is still open.  IoError, also one from before.
+    void close();
+
+private:
+    template <class Write>
+    void attempt(Write write);
+
+    std::filesystem::path out_;
+    FrameChoice frames_;
+    Senses senses_;
+    std::optional<FrameWriter> frame_writer_;
+    WavWriter wav_;
+    WholeFile console_;
+    std::optional<IoError> error_;
+};
+
+}  // namespace sim

@@ -1,0 +1,91 @@
+#include "app/app.h"
+
+#include "app/draw.h"
+#include "app/present.h"
+#include "app/sound.h"
+#include "app/world.h"
+#include "hal/audio_out.h"
+#include "hal/clock.h"
+#include "hal/console.h"
+#include "hal/display.h"
+#include "hal/keypad.h"
+#include "hal/panel.h"
+#include "hal/system_id.h"
+
+namespace app {
+
+namespace {
+
+constexpr SampleRate RATE{25'000'000, 3072};  // CODEC_RATE as after reset
+constexpr unsigned FIFO = 128;
+constexpr unsigned FRAME_IDLES = 1000;  // several frames, if idle() is as short as 50 us
+
+void feed(Mixer& mixer, hal::AudioOut& audio) {
+    StereoSample samples[FIFO];
+    const unsigned space = audio.space();
+    const unsigned count = space < FIFO ? space : FIFO;
+    mixer.mix(samples, count, RATE);
+    for (unsigned i = 0; i < count; ++i) audio.push(samples[i].left, samples[i].right);
+}
+
+class Program {
+public:
+    Program(hal::Mmio& io, hal::Cpu& cpu)
+        : cpu_{cpu}, clock_{io}, panel_{io}, keypad_{io}, display_{io}, audio_{io},
+          world_{1 + panel_.switches()} {}
+
+    void frame() {
+        const std::uint32_t begin = clock_.micros();
+        char keys[16];
+        unsigned count = 0;
+        while (count < sizeof keys)
+            if (const char key = keypad_.pressed())
+                keys[count++] = key;
+            else
+                break;
+        step(world_, {{keys, count}});
+        feed(mixer_, audio_);
+        draw(world_, {tick_us_}, canvas_);
+        presenter_.present(canvas_, display_);
+        feed(mixer_, audio_);
+        sound_collisions(world_, mixer_);
+        panel_.number(world_.count);
+        panel_.leds(world_.pairs.size() < 1023 ? static_cast<std::uint32_t>(world_.pairs.size())
+                                               : 1023);
+        tick_us_ = clock_.micros() - begin;
+
+        display_.swap();
+        for (unsigned i = 0; i < FRAME_IDLES && !display_.swapped(); ++i) {
+            cpu_.idle();
+            feed(mixer_, audio_);
+        }
+    }
+
+private:
+    hal::Cpu& cpu_;
+    hal::Clock clock_;
+    hal::Panel panel_;
+    hal::Keypad keypad_;
+    hal::Display display_;
+    hal::AudioOut audio_;
+    World world_;
+    Mixer mixer_;
+    gfx::Canvas canvas_;
+    Presenter presenter_;
+    std::uint32_t tick_us_ = 0;
+};
+
+}  // namespace
+
+void run(hal::Mmio& io, hal::Cpu& cpu) {
+    hal::Console console{io};
+    if (!hal::system_id_matches(io)) {
+        console.print("system ID: this bitstream has another register map\r\n");
+        return;
+    }
+    Program program{io, cpu};
+    console.print("ready\r\n");
+    for (;;) program.frame();
+}
+
+}  // namespace app

@@ -1,0 +1,30 @@
+// console.h - driver for HPS UART0, sending only.
+#pragma once
+
+#include <cstdint>
+
+#include "hal/mmio.h"
+
+namespace hal {
+
+class Console {
+public:
+    explicit Console(Mmio& io) : io_{io} {}
+
+    // Sends the text; gives up on a character after 100,000 looks at a transmitter that stays full.
+    void print(const char* text) {
+        for (; *text; ++text) {
+            for (unsigned i = 0; i < 100'000 && !(io_.read(LSR) & THR_EMPTY); ++i) {
+            }
+            io_.write(THR, static_cast<unsigned char>(*text));
+        }
+    }
+
+private:
+    // Cyclone V HPS TRM, UART0 at 0xFFC02000.
+    static constexpr std::uint32_t THR = 0xFFC02000, LSR = 0xFFC02014, THR_EMPTY = 1u << 5;
+
+    Mmio& io_;
+};
+
+}  // namespace hal

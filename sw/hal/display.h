@@ -1,0 +1,46 @@
+// display.h - driver for the PIXEL block: two pictures, one on screen, one to draw into.
+//
+//   write_row ... write_row, swap, [frame ends], swapped -> the other picture is the back one
+#pragma once
+
+#include <cstdint>
+
+#include "hal/mmio.h"
+#include "regmap.h"
+
+namespace hal {
+
+class Display {
+public:
+    static constexpr unsigned WIDTH = 320, HEIGHT = 240;
+
+    // PICTURE0 on screen as after reset, PICTURE1 as the back picture.
+    explicit Display(Mmio& io) : io_{io} {
+        io_.write(regmap::PIXEL_BACK_BUFFER, regmap::PICTURE1_BASE);
+    }
+
+    // Words `first` to `first + count - 1` of a row of the back picture, two pixels a word with the
+    // left one in the low half; first + count <= WIDTH / 2.
+    void write_row(unsigned row, unsigned first, const std::uint32_t* words, unsigned count) {
+        io_.write_words(back_ + (row << 10) + (first << 2), words, count);
+    }
+
+    // Asks for the back picture to be shown when this frame ends.  Do not draw until swapped().
+    void swap() { io_.write(regmap::PIXEL_BUFFER, 1); }
+
+    // True once after the swap that was asked for has taken place.
+    bool swapped() {
+        if (io_.read(regmap::PIXEL_STATUS) & regmap::PIXEL_STATUS_S_MASK) return false;
+        back_ = back_ == regmap::PICTURE1_BASE ? regmap::PICTURE0_BASE : regmap::PICTURE1_BASE;
+        return true;
+    }
+
+    // Which of the two pictures is the back one: 0 or 1.
+    unsigned back() const { return back_ == regmap::PICTURE1_BASE; }
+
+private:
+    Mmio& io_;
+    std::uint32_t back_ = regmap::PICTURE1_BASE;
+};
+
+}  // namespace hal

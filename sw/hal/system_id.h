@@ -1,0 +1,14 @@
+// system_id.h - is this the bitstream that the firmware was built for?
+#pragma once
+
+#include "hal/mmio.h"
+#include "regmap.h"
+
+namespace hal {
+
+inline bool system_id_matches(Mmio& io) {
+    return io.read(regmap::SYSID_ID) == 0x44453153 &&
+           io.read(regmap::SYSID_HASH) == regmap::REGMAP_HASH;
+}
+
+}  // namespace hal

@@ -1,0 +1,236 @@
+// lw_bridge.v (with axi_write.v and axi_read.v): AXI3 at the front, a register file at the back.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <random>
+
+#include "Vlw_bridge.h"
+#include "regmap.h"
+#include "tb/support/axi_master.h"
+
+namespace {
+
+using namespace tb;
+
+constexpr std::uint32_t LEDR = regmap::LEDR_DATA & 0x1fffff;
+constexpr std::uint32_t KEYPAD = regmap::KEYPAD_BASE & 0x1fffff;
+constexpr std::uint32_t NOBODY = 0x100000;
+
+class LwBridge : public ::testing::Test {
+protected:
+    Vlw_bridge dut;
+    AxiMaster<Vlw_bridge> axi{dut};
+    std::map<std::uint32_t, std::uint32_t> words;  // block << 12 | address
+    std::vector<std::uint32_t> write_order, read_order;
+    std::uint32_t rdata = 0;
+
+    void SetUp() override {
+        dut.rst_i = 1;
+        dut.awvalid_i = dut.wvalid_i = dut.arvalid_i = 0;
+        clock();
+        clock();
+        dut.rst_i = 0;
+        write_order.clear();
+        read_order.clear();
+    }
+
+    void clock() {
+        dut.clk_i = 0;
+        axi.before_edge();
+        EXPECT_EQ(dut.we_o & (dut.we_o - 1), 0) << "more than one block is written";
+        EXPECT_EQ(dut.re_o & (dut.re_o - 1), 0) << "more than one block is read";
+        std::uint32_t answer = 0;
+        if (dut.re_o) {
+            const std::uint32_t at = static_cast<std::uint32_t>(dut.re_o) << 12 | dut.raddr_o;
+            read_order.push_back(dut.raddr_o);
+            answer = words[at];
+        }
+        if (dut.we_o) {
+            std::uint32_t& word = words[static_cast<std::uint32_t>(dut.we_o) << 12 | dut.waddr_o];
+            for (int lane = 0; lane < 4; ++lane)
+                if (dut.wstrb_o >> lane & 1) {
+                    const std::uint32_t mask = 0xffu << 8 * lane;
+                    word = (word & ~mask) | (dut.wdata_o & mask);
+                }
+            write_order.push_back(dut.waddr_o);
+        }
+        dut.clk_i = 1;
+        dut.eval();
+        dut.rdata_i = answer;  // as a block would: registered, 0 unless asked
+        axi.after_edge();
+    }
+
+    void finish() {
+        for (int i = 0; i < 20000 && !axi.idle(); ++i) clock();
+        ASSERT_TRUE(axi.idle()) << "the bridge did not answer";
+    }
+};
+
+TEST_F(LwBridge, ReadsBackWhatWasWritten) {
+    axi.write({5, LEDR, 2, INCR, {0x12345678}, {0xf}});
+    finish();
+    axi.read({9, LEDR, 1, 2, INCR});
+    finish();
+    EXPECT_EQ(axi.written[0].resp, OKAY);
+    EXPECT_EQ(axi.written[0].id, 5);
+    EXPECT_EQ(axi.beats[0].data, 0x12345678u);
+    EXPECT_EQ(axi.beats[0].id, 9);
+    EXPECT_TRUE(axi.beats[0].last);
+}
+
+TEST_F(LwBridge, WritesOnlyTheBytesThatTheStrobesName) {
+    axi.write({1, LEDR, 2, INCR, {0xaaaaaaaa}, {0xf}});
+    axi.write({1, LEDR + 1, 0, INCR, {0x0000bb00}, {0x2}});
+    axi.write({1, LEDR + 2, 1, INCR, {0xccdd0000}, {0xc}});
+    axi.read({1, LEDR, 1, 2, INCR});
+    finish();
+    axi.read({1, LEDR, 1, 2, INCR});
+    finish();
+    EXPECT_EQ(axi.beats.back().data, 0xccddbbaau);
+}
+
+TEST_F(LwBridge, WalksThroughABurst) {
+    WriteRequest burst{3, KEYPAD, 2, INCR, {}, {}};
+    for (std::uint32_t i = 0; i < 8; ++i) burst.data.push_back(100 + i), burst.strobes.push_back(0xf);
+    axi.write(burst);
+    finish();
+    axi.read({3, KEYPAD, 8, 2, INCR});
+    finish();
+    ASSERT_EQ(axi.beats.size(), 8u);
+    for (std::uint32_t i = 0; i < 8; ++i) {
+        EXPECT_EQ(write_order[i], (KEYPAD & 0xfff) + 4 * i);
+        EXPECT_EQ(axi.beats[i].data, 100 + i);
+        EXPECT_EQ(axi.beats[i].last, i == 7);
+    }
+}
+
+TEST_F(LwBridge, AlignsTheSecondBeatOfAnUnalignedBurst) {
+    axi.read({1, KEYPAD + 2, 3, 2, INCR});
+    axi.read({1, KEYPAD + 1, 4, 0, INCR});
+    axi.read({1, KEYPAD + 2, 3, 1, INCR});
+    finish();
+    const std::uint32_t k = KEYPAD & 0xfff;
+    EXPECT_EQ(read_order, (std::vector<std::uint32_t>{k, k + 4, k + 8,      // words
+                                                      k, k, k, k + 4,       // bytes 1, 2, 3, 4
+                                                      k, k + 4, k + 4}));   // half-words 2, 4, 6
+}
+
+TEST_F(LwBridge, AnswersAnAddressThatNobodyOwnsWithDecerr) {
+    axi.write({7, NOBODY, 2, INCR, {1}, {0xf}});
+    axi.read({8, NOBODY, 2, 2, INCR});
+    finish();
+    EXPECT_EQ(axi.written[0].resp, DECERR);
+    EXPECT_EQ(axi.written[0].id, 7);
+    EXPECT_EQ(axi.beats[0].resp, DECERR);
+    EXPECT_EQ(axi.beats[1].resp, DECERR);
+    EXPECT_TRUE(axi.beats[1].last);
+    EXPECT_TRUE(write_order.empty());
+    EXPECT_TRUE(read_order.empty());
+}
+
+TEST_F(LwBridge, MarksABurstThatRunsOutOfItsBlock) {
+    axi.write({7, LEDR + 12, 2, INCR, {1, 2}, {0xf, 0xf}});
+    axi.read({8, LEDR + 12, 2, 2, INCR});
+    finish();
+    EXPECT_EQ(axi.written[0].resp, DECERR);
+    EXPECT_EQ(axi.beats[0].resp, OKAY);
+    EXPECT_EQ(axi.beats[1].resp, DECERR);
+}
+
+TEST_F(LwBridge, ForgetsAnErrorWithItsTransfer) {
+    axi.write({1, NOBODY, 2, INCR, {1}, {0xf}});
+    axi.write({2, LEDR, 2, INCR, {1}, {0xf}});
+    axi.read({1, NOBODY, 1, 2, INCR});
+    axi.read({2, LEDR, 1, 2, INCR});
+    finish();
+    EXPECT_EQ(axi.written[1].resp, OKAY);
+    EXPECT_EQ(axi.beats[1].resp, OKAY);
+}
+
+TEST_F(LwBridge, RefusesFixedWrapAndWideBurstsWholeAndTouchesNothing) {
+    for (const std::uint8_t burst : {FIXED, WRAP}) {
+        axi.write({1, KEYPAD, 2, burst, {1, 2, 3, 4}, {0xf, 0xf, 0xf, 0xf}});
+        axi.read({2, KEYPAD, 4, 2, burst});
+    }
+    axi.write({1, KEYPAD, 3, INCR, {1, 2}, {0xf, 0xf}});
+    axi.read({2, KEYPAD, 2, 3, INCR});
+    finish();
+    for (const auto& response : axi.written) EXPECT_EQ(response.resp, SLVERR);
+    ASSERT_EQ(axi.beats.size(), 10u);
+    for (const auto& beat : axi.beats) EXPECT_EQ(beat.resp, SLVERR);
+    EXPECT_EQ(std::count_if(axi.beats.begin(), axi.beats.end(), [](auto& b) { return b.last; }), 3);
+    EXPECT_TRUE(write_order.empty());
+    EXPECT_TRUE(read_order.empty());
+
+    axi.write({3, LEDR, 2, INCR, {77}, {0xf}});
+    finish();
+    EXPECT_EQ(axi.written.back().resp, OKAY);
+}
+
+TEST_F(LwBridge, ReadsWhileAWriteWaitsForItsData) {
+    axi.hold_data = true;
+    axi.write({1, LEDR, 2, INCR, {1}, {0xf}});
+    axi.read({1, LEDR, 1, 2, INCR});
+    for (int i = 0; i < 20; ++i) clock();
+    EXPECT_EQ(axi.beats.size(), 1u);
+    EXPECT_EQ(axi.written.size(), 0u);
+    axi.hold_data = false;
+    finish();
+    EXPECT_EQ(axi.written[0].resp, OKAY);
+}
+
+// Random transfers, pauses on every channel, against a memory in the test.
+TEST_F(LwBridge, KeepsOrderIdsAndDataUnderRandomBackPressure) {
+    std::mt19937 random{42};
+    std::map<std::uint32_t, std::uint32_t> expected;
+    for (const unsigned stall : {0u, 20u, 50u, 80u}) {
+        axi.stall = stall;
+        for (int round = 0; round < 60; ++round) {
+            axi.forget();
+            const auto beats = static_cast<std::uint8_t>(1 + random() % 8);
+            const std::uint32_t start = KEYPAD + 4 * (random() % (9 - beats));
+            WriteRequest burst{static_cast<std::uint16_t>(random() % 4096), start, 2, INCR, {}, {}};
+            for (std::uint32_t i = 0; i < beats; ++i) {
+                const auto data = static_cast<std::uint32_t>(random());
+                const auto strobes = static_cast<std::uint8_t>(random() % 16);
+                burst.data.push_back(data);
+                burst.strobes.push_back(strobes);
+                for (int lane = 0; lane < 4; ++lane)
+                    if (strobes >> lane & 1) {
+                        const std::uint32_t mask = 0xffu << 8 * lane;
+                        expected[start + 4 * i] =
+                            (expected[start + 4 * i] & ~mask) | (data & mask);
+                    }
+            }
+            axi.write(burst);
+            finish();
+            ASSERT_EQ(axi.written[0].id, burst.id);
+            const auto id = static_cast<std::uint16_t>(random() % 4096);
+            axi.read({id, start, beats, 2, INCR});
+            axi.read({1, NOBODY, 1, 2, INCR});
+            finish();
+            for (std::uint32_t i = 0; i < beats; ++i) {
+                ASSERT_EQ(axi.beats[i].id, id);
+                ASSERT_EQ(axi.beats[i].data, expected[start + 4 * i]) << "stall " << stall;
+                ASSERT_EQ(axi.beats[i].resp, OKAY);
+            }
+        }
+    }
+}
+
+// The map's blocks, restated in the test: each address reaches one block or nobody.
+TEST_F(LwBridge, FindsABlockForEveryRegisterAndNoneElsewhere) {
+    for (const auto& reg : regmap::REGS) {
+        axi.read({1, reg.addr & 0x1fffff, 1, 2, INCR});
+        finish();
+        EXPECT_EQ(axi.beats.back().resp, OKAY) << reg.name;
+    }
+    for (std::uint32_t addr : {0x80u, 0x1000u, 0x2048u, 0x3050u, 0x5020u, 0x5110u, 0x1ffffcu}) {
+        axi.read({1, addr, 1, 2, INCR});
+        finish();
+        EXPECT_EQ(axi.beats.back().resp, DECERR) << std::hex << addr;
+    }
+}
+
+}  // namespace

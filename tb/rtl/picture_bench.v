@@ -1,0 +1,73 @@
+// picture_bench.v - the full bridge and the picture store together, with the screen's port outside.
+
+`default_nettype none
+
+module picture_bench (
+    input  wire            clk_i,
+    input  wire            rst_i,
+
+    input  wire [11:0]     awid_i,
+    input  wire [29:0]     awaddr_i,
+    input  wire [3:0]      awlen_i,
+    input  wire [2:0]      awsize_i,
+    input  wire [1:0]      awburst_i,
+    input  wire            awvalid_i,
+    output wire            awready_o,
+    input  wire [31:0]     wdata_i,
+    input  wire [3:0]      wstrb_i,
+    input  wire            wvalid_i,
+    output wire            wready_o,
+    output wire [11:0]     bid_o,
+    output wire [1:0]      bresp_o,
+    output wire            bvalid_o,
+    input  wire            bready_i,
+    input  wire [11:0]     arid_i,
+    input  wire [29:0]     araddr_i,
+    input  wire [3:0]      arlen_i,
+    input  wire [2:0]      arsize_i,
+    input  wire [1:0]      arburst_i,
+    input  wire            arvalid_i,
+    output wire            arready_o,
+    output wire [11:0]     rid_o,
+    output wire [31:0]     rdata_o,
+    output wire [1:0]      rresp_o,
+    output wire            rlast_o,
+    output wire            rvalid_o,
+    input  wire            rready_i,
+
+    input  wire            screen_re_i,
+    input  wire            screen_picture_i,
+    input  wire [15:0]     screen_index_i,
+    output wire [31:0]     screen_word_o
+);
+    wire [3:0]  we;
+    wire        wpicture, re, rpicture, grant;
+    wire [15:0] windex, rindex;
+    wire [31:0] wdata;
+
+    h2f_bridge bridge (
+        .clk_i(clk_i), .rst_i(rst_i),
+        .awid_i(awid_i), .awaddr_i(awaddr_i), .awlen_i(awlen_i), .awsize_i(awsize_i),
+        .awburst_i(awburst_i), .awvalid_i(awvalid_i), .awready_o(awready_o),
+        .wdata_i(wdata_i), .wstrb_i(wstrb_i), .wvalid_i(wvalid_i), .wready_o(wready_o),
+        .bid_o(bid_o), .bresp_o(bresp_o), .bvalid_o(bvalid_o), .bready_i(bready_i),
+        .arid_i(arid_i), .araddr_i(araddr_i), .arlen_i(arlen_i), .arsize_i(arsize_i),
+        .arburst_i(arburst_i), .arvalid_i(arvalid_i), .arready_o(arready_o),
+        .rid_o(rid_o), .rdata_o(rdata_o), .rresp_o(rresp_o), .rlast_o(rlast_o),
+        .rvalid_o(rvalid_o), .rready_i(rready_i),
+        .we_o(we), .wpicture_o(wpicture), .windex_o(windex), .wdata_o(wdata),
+        .re_o(re), .rpicture_o(rpicture), .rindex_o(rindex), .rgrant_i(grant),
+        .rdata_i(screen_word_o)
+    );
+
+    picture_store store (
+        .clk_i(clk_i),
+        .screen_re_i(screen_re_i), .screen_picture_i(screen_picture_i),
+        .screen_index_i(screen_index_i),
+        .re_i(re), .rpicture_i(rpicture), .rindex_i(rindex), .rgrant_o(grant),
+        .rdata_o(screen_word_o),
+        .we_i(we), .wpicture_i(wpicture), .windex_i(windex), .wdata_i(wdata)
+    );
+endmodule
+
+`default_nettype wire

@@ -1,0 +1,57 @@
+// register_bus.h - test fixture for one block on the register bus: clock, reset, read, write.
+#pragma once
+
+#include <cstdint>
+
+#include <gtest/gtest.h>
+
+namespace tb {
+
+template <class Dut>
+class RegisterBus : public ::testing::Test {
+protected:
+    Dut dut;
+    std::uint64_t clocks = 0;
+
+    // Called after each rising edge, for what hangs on the pins.
+    virtual void after_clock() {}
+
+    void clock(std::uint64_t count = 1) {
+        while (count--) {
+            dut.clk_i = 0;
+            dut.eval();
+            dut.clk_i = 1;
+            dut.eval();
+            ++clocks;
+            after_clock();
+        }
+    }
+
+    void reset() {
+        dut.rst_i = 1;
+        dut.we_i = dut.re_i = 0;
+        clock(4);
+        dut.rst_i = 0;
+    }
+
+    void write(std::uint32_t address, std::uint32_t value, std::uint8_t strobes = 0xf) {
+        dut.we_i = 1;
+        dut.waddr_i = address & 0xfff;
+        dut.wdata_i = value;
+        dut.wstrb_i = strobes;
+        clock();
+        dut.we_i = 0;
+        dut.wdata_i = 0;
+        clock();
+    }
+
+    std::uint32_t read(std::uint32_t address) {
+        dut.re_i = 1;
+        dut.raddr_i = address & 0xfff;
+        clock();
+        dut.re_i = 0;
+        return dut.rdata_o;
+    }
+};
+
+}  // namespace tb
