@@ -2,7 +2,7 @@
 //
 //   wdata_i --+--> memory --> memory_q --+
 //             |                          +--> rdata_o
-//             +--> passed_q -------------+    (the word that was pushed when it was at once the head)
+//             +--> passed_q -------------+    (a word that is the head at once)
 //
 // rdata_o is the oldest word while !empty_o, from the clock after its push.  A push when full is
 // dropped, even beside a pop; a pop when empty does nothing; clear_i empties and beats a push.

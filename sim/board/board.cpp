@@ -17,7 +17,12 @@ Board::Board(const sc_core::sc_module_name& name, Audience& audience, Firmware f
              std::uint64_t seed, const std::string& trace_file)
     : sc_module{name},
       monitor{[&audience](const Monitor::Frame& frame) { audience.frame(frame); }},
-      codec_chip{audience},
+      codec_chip{[this, &audience](const StereoSample& sample, std::uint64_t) {
+          if (codec_chip.rate_hz() != rate_hz_)
+              audience.sample_rate(rate_hz_ = codec_chip.rate_hz());
+          audience.sample(static_cast<std::int16_t>(sample.left >> 16),
+                          static_cast<std::int16_t>(sample.right >> 16));
+      }},
       keypad{"keypad", seed, [this] { fpga.inputs().jp1 = jp1(); }},
       fpga{"fpga", *this, trace_file},
       ddr3{"ddr3", DDR3_SIZE, sc_core::sc_time{60, sc_core::SC_NS}},

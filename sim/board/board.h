@@ -50,6 +50,7 @@ private:
     std::uint32_t jp1() const;
 
     HeaderPins header_pins_{};
+    double rate_hz_ = 0;  // of the samples given to the audience so far
 
 public:  // the parts, in the order in which they are soldered
     Monitor monitor;

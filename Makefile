@@ -1,0 +1,49 @@
+# The menu. Each entry shows the real command.
+
+.PHONY: all setup build demo test fast asan coverage bench pgo regmap format clean
+
+all: build
+
+setup:                  ## install the Debian packages that are missing
+	@.ci/setup
+
+build: setup            ## build/bin/de1sim and the tests
+	@[ -f build/build.ninja ] || cmake --preset default
+	@cmake --build build
+
+demo: build             ## ten seconds of the demo -> out/
+	build/bin/de1sim run tb/system/demo.yaml --out out
+	@echo
+	@echo "  out/frames/frame_000300.png   what the monitor showed (any image viewer)"
+	@echo "  out/audio.wav                 what the line-out played (any audio player)"
+	@echo "  out/report.json, junit.xml    what was counted and expected"
+
+test: build             ## every test
+	@ctest --preset default
+
+fast: build             ## every test but the whole-system ones
+	@ctest --preset fast
+
+asan: setup             ## every test, with address and undefined-behaviour sanitizers
+	@cmake --preset asan
+	@cmake --build build/asan
+	@ctest --preset asan
+
+coverage: setup         ## lines and toggles of the RTL -> build/coverage/html/index.html
+	@cmake --preset coverage
+	@cmake --build build/coverage --target coverage
+
+bench: build            ## how fast, beside the bare Verilated model in the same run
+	@cmake --build build --target bench
+
+pgo: setup              ## a faster de1sim, built with a profile of the demo -> build/pgo/bin/de1sim
+	@cmake -P sim/pgo.cmake
+
+regmap: build           ## print regmap.vh, REGISTERS.md and the scenario schema anew
+	@cmake --build build --target regmap_files schema_files
+
+format: setup           ## lay out all C++
+	@git ls-files '*.h' '*.cpp' | xargs -d '\n' clang-format -i
+
+clean:
+	rm -rf build out

@@ -1,0 +1,184 @@
+// audio.v - the audio block: the DE1-SoC Computer's audio core, and the codec's set-up
+//
+//   LEFTDATA, RIGHTDATA --> 2 FIFOs of 128 --> i2s_tx --> DACDAT
+//   LEFTDATA, RIGHTDATA <-- 2 FIFOs of 128 <-- i2s_rx <-- ADCDAT
+//   RATE --> codec_setup --> I2C
+//
+// Samples are 32-bit words, of which the codec takes and gives bits 31:8; 7:0 read 0.
+//
+// A write to a full FIFO is dropped.  When a frame begins, a pair leaves if both FIFOs hold a
+// sample, else zeros do.  UNDERRUNS counts the frames of zeros that follow a frame with a pair, so
+// a long silence counts once.  A pair that comes in while one of its FIFOs is full is dropped, so
+// left and right stay in step.  Reading an empty FIFO gives 0.
+//
+// A write with any byte strobe pushes the whole word on wdata_i, clears UNDERRUNS, or (RATE) sets
+// the codec up again; CONTROL and RATE.FAST change by their byte lane.  A write with none does
+// nothing.
+
+`default_nettype none
+
+module audio (
+    input  wire        clk_i,          // 25 MHz
+    input  wire        rst_i,
+
+    input  wire        we_i,           // AUDIO or CODEC is addressed
+    input  wire [3:0]  wstrb_i,
+    input  wire [11:0] waddr_i,
+    input  wire [31:0] wdata_i,
+    input  wire        re_i,
+    input  wire [11:0] raddr_i,
+    output reg  [31:0] rdata_o,        // one clock after re_i; 0 at other times
+    output wire        irq_o,          // level
+
+    output wire        aud_xck_o,
+    output wire        aud_bclk_o,
+    output wire        aud_daclrck_o,
+    output wire        aud_dacdat_o,
+    output wire        aud_adclrck_o,
+    input  wire        aud_adcdat_i,   // asynchronous
+    output wire        i2c_sclk_o,
+    output wire        i2c_sdat_oe_o,  // 1 = pull low
+    input  wire        i2c_sdat_i      // asynchronous
+);
+    `include "regmap.vh"
+
+    localparam [7:0] DEPTH     = 8'd128;
+    localparam [7:0] THRESHOLD = 8'd96;   // samples, or room for them, that raise RI or WI
+
+    // ---- Writes and pops ---------------------------------------------------
+    wire we = we_i && wstrb_i != 4'd0;
+    wire we_left      = we && waddr_i == AUDIO_LEFTDATA[11:0];
+    wire we_right     = we && waddr_i == AUDIO_RIGHTDATA[11:0];
+    wire we_rate      = we && waddr_i == CODEC_RATE[11:0];
+    wire we_underruns = we && waddr_i == CODEC_UNDERRUNS[11:0];
+    wire re_left      = re_i && raddr_i == AUDIO_LEFTDATA[11:0];
+    wire re_right     = re_i && raddr_i == AUDIO_RIGHTDATA[11:0];
+
+    reg ri_enable_q, wi_enable_q, hold_in_q, hold_out_q, fast_q;
+
+    always @(posedge clk_i) begin
+        if (we && wstrb_i[0] && waddr_i == AUDIO_CONTROL[11:0]) begin
+            ri_enable_q <= wdata_i[AUDIO_CONTROL_RE_LSB];
+            wi_enable_q <= wdata_i[AUDIO_CONTROL_WE_LSB];
+            hold_in_q   <= wdata_i[AUDIO_CONTROL_CR_LSB];
+            hold_out_q  <= wdata_i[AUDIO_CONTROL_CW_LSB];
+        end
+        if (we_rate && wstrb_i[0]) fast_q <= wdata_i[CODEC_RATE_FAST_LSB];
+        if (rst_i) begin
+            ri_enable_q <= 1'b0;
+            wi_enable_q <= 1'b0;
+            hold_in_q   <= 1'b0;
+            hold_out_q  <= 1'b0;
+            fast_q      <= 1'b0;
+        end
+    end
+
+    // ---- Samples -----------------------------------------------------------
+    wire       fall;
+    wire [5:0] next_slot;
+    wire       lrck;
+
+    audio_clocks clocks (
+        .clk_i(clk_i), .rst_i(rst_i), .fast_i(fast_q), .xck_o(aud_xck_o), .bclk_o(aud_bclk_o),
+        .lrck_o(lrck), .fall_o(fall), .next_slot_o(next_slot)
+    );
+    assign aud_daclrck_o = lrck;
+    assign aud_adclrck_o = lrck;
+
+    wire        take, left_out_empty, right_out_empty;
+    wire [7:0]  left_out_count, right_out_count;
+    wire [23:0] left_out, right_out;
+    wire        pair = !left_out_empty && !right_out_empty;
+    wire        pop  = take && pair;
+
+    // The bits that the codec does not take are not stored; a full FIFO drops by itself.
+    // verilator lint_off PINCONNECTEMPTY
+    fifo #(.WIDTH(24)) left_out_fifo (
+        .clk_i(clk_i), .rst_i(rst_i), .clear_i(hold_out_q), .push_i(we_left),
+        .wdata_i(wdata_i[31:8]), .pop_i(pop), .rdata_o(left_out), .count_o(left_out_count),
+        .full_o(), .empty_o(left_out_empty)
+    );
+    fifo #(.WIDTH(24)) right_out_fifo (
+        .clk_i(clk_i), .rst_i(rst_i), .clear_i(hold_out_q), .push_i(we_right),
+        .wdata_i(wdata_i[31:8]), .pop_i(pop), .rdata_o(right_out), .count_o(right_out_count),
+        .full_o(), .empty_o(right_out_empty)
+    );
+    // verilator lint_on PINCONNECTEMPTY
+
+    i2s_tx tx (
+        .clk_i(clk_i), .rst_i(rst_i), .fall_i(fall), .next_slot_i(next_slot), .take_o(take),
+        .left_i(pair ? left_out : 24'd0), .right_i(pair ? right_out : 24'd0),
+        .dacdat_o(aud_dacdat_o)
+    );
+
+    reg        paired_q;               // the frame before had a pair
+    reg [31:0] underruns_q;
+
+    always @(posedge clk_i) begin
+        if (we_underruns) underruns_q <= 32'd0;
+        if (take) begin
+            paired_q <= pair;
+            if (paired_q && !pair) underruns_q <= we_underruns ? 32'd1 : underruns_q + 32'd1;
+        end
+        if (rst_i) begin
+            paired_q    <= 1'b0;
+            underruns_q <= 32'd0;
+        end
+    end
+
+    wire        come, left_in_full, right_in_full, left_in_empty, right_in_empty;
+    wire [23:0] come_left, come_right, left_in, right_in;
+    wire [7:0]  left_in_count, right_in_count;
+    wire        push = come && !left_in_full && !right_in_full;
+
+    i2s_rx rx (
+        .clk_i(clk_i), .rst_i(rst_i), .fall_i(fall), .next_slot_i(next_slot),
+        .adcdat_i(aud_adcdat_i), .valid_o(come), .left_o(come_left), .right_o(come_right)
+    );
+    fifo #(.WIDTH(24)) left_in_fifo (
+        .clk_i(clk_i), .rst_i(rst_i), .clear_i(hold_in_q), .push_i(push), .wdata_i(come_left),
+        .pop_i(re_left), .rdata_o(left_in), .count_o(left_in_count), .full_o(left_in_full),
+        .empty_o(left_in_empty)
+    );
+    fifo #(.WIDTH(24)) right_in_fifo (
+        .clk_i(clk_i), .rst_i(rst_i), .clear_i(hold_in_q), .push_i(push), .wdata_i(come_right),
+        .pop_i(re_right), .rdata_o(right_in), .count_o(right_in_count), .full_o(right_in_full),
+        .empty_o(right_in_empty)
+    );
+
+    // ---- Codec -------------------------------------------------------------
+    wire       codec_ready, codec_error;
+    wire [3:0] codec_step;
+
+    codec_setup setup (
+        .clk_i(clk_i), .rst_i(rst_i), .restart_i(we_rate), .fast_i(fast_q),
+        .ready_o(codec_ready), .error_o(codec_error), .step_o(codec_step),
+        .sclk_o(i2c_sclk_o), .sdat_oe_o(i2c_sdat_oe_o), .sdat_i(i2c_sdat_i)
+    );
+
+    // ---- Reads and interrupt -----------------------------------------------
+    wire [7:0] left_room  = DEPTH - left_out_count;
+    wire [7:0] right_room = DEPTH - right_out_count;
+    wire       ri         = left_in_count >= THRESHOLD || right_in_count >= THRESHOLD;
+    wire       wi         = left_room >= THRESHOLD || right_room >= THRESHOLD;
+
+    assign irq_o = (ri_enable_q && ri) || (wi_enable_q && wi);
+
+    always @(posedge clk_i) begin
+        rdata_o <= 32'd0;
+        if (re_i) case (raddr_i)
+            AUDIO_CONTROL[11:0]:   rdata_o <= {22'd0, wi, ri, 4'd0, hold_out_q, hold_in_q,
+                                               wi_enable_q, ri_enable_q};
+            AUDIO_FIFOSPACE[11:0]: rdata_o <= {left_room, right_room,
+                                               left_in_count, right_in_count};
+            AUDIO_LEFTDATA[11:0]:  if (!left_in_empty) rdata_o <= {left_in, 8'd0};
+            AUDIO_RIGHTDATA[11:0]: if (!right_in_empty) rdata_o <= {right_in, 8'd0};
+            CODEC_RATE[11:0]:      rdata_o <= {31'd0, fast_q};
+            CODEC_STATUS[11:0]:    rdata_o <= {24'd0, codec_step, 2'd0, codec_error, codec_ready};
+            CODEC_UNDERRUNS[11:0]: rdata_o <= underruns_q;
+            default: ;
+        endcase
+    end
+endmodule
+
+`default_nettype wire

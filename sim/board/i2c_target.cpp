@@ -1,0 +1,36 @@
+#include "sim/board/i2c_target.h"
+
+#include <utility>
+
+namespace sim {
+
+void I2cTarget::drive(bool scl, bool sda) {
+    const bool scl_was = std::exchange(scl_, scl), sda_was = std::exchange(sda_, sda);
+    if (scl && scl_was) {
+        if (sda != sda_was) begin_or_end(!sda);
+    } else if (scl) {
+        bit_ = sda;
+        clocked_ = true;
+    } else if (scl_was && std::exchange(clocked_, false) && listening_) {
+        bit_ends();
+    }
+}
+
+void I2cTarget::begin_or_end(bool start) {
+    if (listening_) on_end_(bytes_, bits_);
+    listening_ = start;
+    acknowledging_ = clocked_ = false;
+    bits_ = bytes_ = 0;
+}
+
+// SCL has fallen: the bit counts, since START or STOP can no longer take its place.
+void I2cTarget::bit_ends() {
+    if (std::exchange(acknowledging_, false)) return;
+    value_ = static_cast<std::uint8_t>(value_ << 1 | (bit_ ? 1 : 0));
+    if (++bits_ < 8) return;
+    bits_ = 0;
+    listening_ = acknowledging_ = on_byte_(bytes_, value_);
+    ++bytes_;
+}
+
+}  // namespace sim

@@ -1,0 +1,151 @@
+// report.cpp - report.json and junit.xml
+#include "sim/report/report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "sim/report/printable.h"
+
+namespace sim {
+
+namespace {
+
+constexpr std::size_t MAX_VIOLATIONS_PRINTED = 20;
+
+// XML has no way to write most control characters, so they go as \xNN.
+std::string xml(const std::string& text) {
+    std::string out;
+    for (const char c : printable(text)) {
+        switch (c) {
+            case '&':
+                out += "&amp;";
+                break;
+            case '<':
+                out += "&lt;";
+                break;
+            case '>':
+                out += "&gt;";
+                break;
+            case '"':
+                out += "&quot;";
+                break;
+            default:
+                out += c;
+        }
+    }
+    return out;
+}
+
+std::string test_case(const std::string& classname, const std::string& name, double time_s) {
+    return fmt::format("    <testcase classname=\"{}\" name=\"{}\" time=\"{:.6f}\"", xml(classname),
+                       xml(name), time_s);
+}
+
+// What went wrong with the run as a whole, beside its expectations.
+std::vector<std::string> run_errors(const RunReport& report) {
+    std::vector<std::string> errors = report.faults;
+    if (report.end == RunEnd::FIRMWARE_FAULT && errors.empty()) errors.push_back("firmware fault");
+    if (report.interrupted()) errors.push_back("the run was interrupted");
+    return errors;
+}
+
+std::size_t failures(const RunReport& report) {
+    return static_cast<std::size_t>(std::count_if(report.expectations.begin(),
+                                                  report.expectations.end(),
+                                                  [](const Expectation& e) { return !e.met; }));
+}
+
+}  // namespace
+
+const char* to_string(RunEnd end) {
+    switch (end) {
+        case RunEnd::ALL_STEPS_DONE:
+            return "all steps done";
+        case RunEnd::DURATION_REACHED:
+            return "duration reached";
+        case RunEnd::INTERRUPTED:
+            return "interrupted";
+        case RunEnd::FIRMWARE_FAULT:
+            return "firmware fault";
+    }
+    return "unknown";
+}
+
+bool RunReport::passed() const { return failures(*this) == 0 && run_errors(*this).empty(); }
+
+std::string to_json(const RunReport& report) {
+    using Json = nlohmann::ordered_json;
+    Json expectations = Json::array();
+    for (const auto& e : report.expectations)
+        expectations.push_back({{"step", e.step},
+                                {"line", e.line},
+                                {"time_s", e.time_s},
+                                {"met", e.met},
+                                {"detail", e.detail}});
+    std::vector<std::string> violations = report.timing_violations;
+    violations.resize(std::min(violations.size(), MAX_VIOLATIONS_PRINTED));
+    const double frames_per_s =
+        report.wall_s > 0 ? static_cast<double>(report.frames_shown) / report.wall_s : 0;
+
+    const Json json = {
+        {"scenario", report.scenario},
+        {"file", report.file},
+        {"seed", report.seed},
+        {"cpu", report.cpu},
+        {"end", to_string(report.end)},
+        {"interrupted", report.interrupted()},
+        {"passed", report.passed()},
+        {"simulated_s", report.simulated_s},
+        {"frames",
+         {{"shown", report.frames_shown},
+          {"swapped", report.frames_swapped},
+          {"last_sha256", report.last_frame_sha256}}},
+        {"bus",
+         {{"reads", report.bus.reads},
+          {"writes", report.bus.writes},
+          {"bursts", report.bus.bursts},
+          {"errors", report.bus.errors}}},
+        {"audio",
+         {{"rate_hz", report.audio.rate_hz},
+          {"samples", report.audio.samples},
+          {"underruns", report.audio.underruns}}},
+        {"key_events", report.key_events},
+        {"timing_violations", {{"count", report.timing_violation_count}, {"first", violations}}},
+        {"expectations", expectations},
+        {"faults", report.faults},
+        {"wall", {{"seconds", report.wall_s}, {"frames_per_s", frames_per_s}}},
+    };
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string to_junit(const RunReport& report) {
+    const std::string suite = report.scenario.empty() ? "de1sim" : report.scenario;
+    const std::vector<std::string> errors = run_errors(report);
+    const std::string counts =
+        fmt::format("name=\"{}\" tests=\"{}\" failures=\"{}\" errors=\"{}\" time=\"{:.6f}\"",
+                    xml(suite), report.expectations.size() + 1, failures(report),
+                    errors.empty() ? 0 : 1, report.simulated_s);
+    std::string out = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n";
+    out += "<testsuites " + counts + ">\n  <testsuite " + counts + ">\n";
+    for (const auto& e : report.expectations) {
+        out += test_case(suite, fmt::format("{}:{}: {}", report.file, e.line, e.step), e.time_s);
+        out += e.met ? "/>\n"
+                     : fmt::format(
+                           ">\n      <failure message=\"{0}\">{0}</failure>\n"
+                           "    </testcase>\n",
+                           xml(e.detail));
+    }
+    out += test_case(suite, "the run", report.simulated_s);
+    if (errors.empty()) {
+        out += "/>\n";
+    } else {
+        out += ">\n      <error message=\"" + xml(errors.front()) + "\">";
+        for (const auto& error : errors) out += xml(error) + "\n";
+        out += "</error>\n    </testcase>\n";
+    }
+    return out + "  </testsuite>\n</testsuites>\n";
+}
+
+}  // namespace sim

@@ -1,0 +1,66 @@
+// report.h - what a run did: report.json for programs, junit.xml for test servers
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace sim {
+
+struct Expectation {
+    std::string step;   // as a person would say it
+    int line = 0;       // in the scenario file
+    double time_s = 0;  // simulated, when it was decided
+    bool met = false;
+    std::string detail;  // what was there instead; may be empty when met
+};
+
+// How the run came to its end.
+enum class RunEnd { ALL_STEPS_DONE, DURATION_REACHED, INTERRUPTED, FIRMWARE_FAULT };
+
+const char* to_string(RunEnd end);  // "all steps done", ...
+
+struct RunReport {
+    struct Bus {
+        std::uint64_t reads = 0, writes = 0, bursts = 0, errors = 0;
+    };
+    struct Audio {
+        double rate_hz = 0;
+        std::uint64_t samples = 0, underruns = 0;
+    };
+
+    std::string scenario;  // its name
+    std::string file;      // and where it stands; both empty without one
+    std::uint64_t seed = 1;
+    std::string cpu;  // "native" or "arm"
+    RunEnd end = RunEnd::ALL_STEPS_DONE;
+
+    double simulated_s = 0;
+    double wall_s = 0;
+    std::uint64_t frames_shown = 0;
+    std::uint64_t frames_swapped = 0;
+    std::string last_frame_sha256;  // of the RGB bytes; empty when no frame was shown
+    Bus bus;
+    Audio audio;
+    std::uint64_t key_events = 0;
+
+    std::uint64_t timing_violation_count = 0;
+    std::vector<std::string> timing_violations;  // the first 20; more are not printed
+    std::vector<std::string> faults;
+    std::vector<Expectation> expectations;
+
+    bool interrupted() const { return end == RunEnd::INTERRUPTED; }
+
+    // Every expectation met, no fault, not interrupted.
+    bool passed() const;
+};
+
+// Keys in a fixed order.  What depends on the machine is under "wall" alone: without that key, two
+// runs of the same inputs are equal byte for byte.
+std::string to_json(const RunReport& report);
+
+// One test case an expectation, and one for the run itself, which faults and an interruption turn
+// into an error.  Times are simulated.
+std::string to_junit(const RunReport& report);
+
+}  // namespace sim

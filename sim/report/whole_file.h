@@ -1,0 +1,59 @@
+// whole_file.h - files that appear whole or not at all
+//
+// The bytes go into NAME.part in the same folder; commit() renames it to NAME.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+namespace sim {
+
+// what() is "out/report.json: cannot write: No space left on device".
+class IoError : public std::runtime_error {
+public:
+    IoError(std::filesystem::path path, std::string problem);
+    IoError(std::filesystem::path path, const std::string& doing, int error_number);
+
+    const std::filesystem::path& path() const { return path_; }
+    const std::string& problem() const { return problem_; }  // what() without the path
+
+private:
+    std::filesystem::path path_;
+    std::string problem_;
+};
+
+// Every failure throws IoError.  Destroyed without commit(): nothing is left behind.
+class WholeFile {
+public:
+    explicit WholeFile(std::filesystem::path path);
+    ~WholeFile();
+    WholeFile(const WholeFile&) = delete;
+    WholeFile& operator=(const WholeFile&) = delete;
+
+    void write(const void* bytes, std::size_t size);
+    void commit();
+
+    // For a library that writes by itself; it must not close it.
+    int descriptor() const { return descriptor_; }
+    const std::filesystem::path& path() const { return path_; }
+
+private:
+    std::filesystem::path path_;
+    std::filesystem::path part_;
+    int descriptor_;
+};
+
+void write_whole_file(const std::filesystem::path& path, const void* bytes, std::size_t size);
+void write_whole_file(const std::filesystem::path& path, std::string_view text);
+
+// With parents; one that exists is fine.
+void make_folder(const std::filesystem::path& path);
+
+// The bytes of a regular file of at most `max_bytes`; anything else is an IoError.  Not even
+// opened unless it is a regular file: a pipe would wait for ever.
+std::string read_whole_file(const std::filesystem::path& path, std::size_t max_bytes);
+
+}  // namespace sim

@@ -1,0 +1,39 @@
+// controls.h - what a hand can hold on the board: keypad keys, KEY3-KEY0, SW9-SW0
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace sim {
+
+// The keypad's caps by key number, 4 * row + column.
+constexpr char KEYPAD_CAPS[] = "123A456B789C0FED";
+constexpr unsigned KEYPAD_KEYS = 16;
+constexpr unsigned KEYS = 4;
+constexpr unsigned SWITCHES = 10;
+
+// Masks: bit n is keypad key number n, KEYn, SWn.
+struct Controls {
+    std::uint16_t keypad = 0;
+    std::uint8_t keys = 0;
+    std::uint16_t switches = 0;
+
+    bool operator==(const Controls& other) const {
+        return keypad == other.keypad && keys == other.keys && switches == other.switches;
+    }
+};
+
+// The key number of a cap, 0-9 or A-F.
+std::optional<unsigned> keypad_key(char cap);
+
+// One number for each control: keypad keys, then KEYs, then switches.
+constexpr unsigned CONTROLS = KEYPAD_KEYS + KEYS + SWITCHES;
+std::vector<unsigned> control_numbers(const Controls& controls);
+std::string control_name(unsigned number);  // "keypad 5", "key 0", "switch 3"
+
+// "keypad 5", "keypad 1 and 5, key 0".
+std::string to_string(const Controls& controls);
+
+}  // namespace sim

@@ -1,0 +1,83 @@
+// gen_schema.cpp - prints scenario.schema.json from the step table
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "sim/scenario/step_table.h"
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json steps_schema();
+
+Json field_schema(const sim::Field& field) {
+    if (!field.type.schema) {
+        Json list = {{"description", field.help}, {"type", "array"}, {"minItems", 1}};
+        list["items"] = steps_schema();
+        return list;
+    }
+    const Json one = Json::parse(field.type.schema);
+    Json out = {{"description", field.help}};
+    if (field.type.set) {
+        Json list = {{"type", "array"}, {"minItems", 1}, {"uniqueItems", true}};
+        list["items"] = one;
+        out["anyOf"] = {one, list};
+    } else {
+        out.update(one);
+    }
+    if (*field.preset) {
+        const bool is_text = one.value("type", "") == "string";
+        out["default"] = is_text ? Json(field.preset) : Json::parse(field.preset);
+    }
+    return out;
+}
+
+Json object(const std::vector<sim::Field>& fields) {
+    Json out = {{"type", "object"}, {"additionalProperties", false}};
+    Json required = Json::array();
+    for (const auto& field : fields) {
+        out["properties"][field.name] = field_schema(field);
+        if (field.need == sim::Need::REQUIRED) required.push_back(field.name);
+    }
+    if (!required.empty()) out["required"] = required;
+    return out;
+}
+
+Json any_of(const std::vector<const char*>& names) {
+    Json out = Json::array();
+    for (const char* name : names) out.push_back({{"required", Json::array({name})}});
+    return out;
+}
+
+Json step_schema(const sim::StepForm& form) {
+    Json bare = field_schema(form.fields[0]);
+    bare.erase("description");
+    Json map = object(form.fields);
+    if (!form.any_of.empty()) map["anyOf"] = any_of(form.any_of);
+    Json out = {{"description", form.help}};
+    if (form.notation == sim::Notation::BOTH)
+        out["anyOf"] = {bare, map};
+    else
+        out.update(form.notation == sim::Notation::BARE ? bare : map);
+    return out;
+}
+
+Json steps_schema() {
+    Json out = {{"type", "object"},
+                {"additionalProperties", false},
+                {"minProperties", 1},
+                {"maxProperties", 1}};
+    for (const auto& form : sim::step_forms()) out["properties"][form.name] = step_schema(form);
+    return out;
+}
+
+}  // namespace
+
+int main() {
+    Json schema = {{"$schema", "http://json-schema.org/draft-07/schema#"},
+                   {"title", "Scenario for de1sim"},
+                   {"$comment", "Generated from step_table.cpp by the target schema_files."}};
+    schema.update(object(sim::file_fields()));
+    schema["anyOf"] = any_of({"steps", "duration"});
+    std::cout << schema.dump(2) << "\n";
+}

@@ -1,0 +1,200 @@
+// reader.cpp - YAML tree to Scenario, driven by the step table
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "sim/report/png.h"
+#include "sim/report/printable.h"
+#include "sim/report/whole_file.h"
+#include "sim/scenario/scenario.h"
+#include "sim/scenario/static_checks.h"
+#include "sim/scenario/step_table.h"
+#include "sim/scenario/words.h"
+#include "sim/scenario/yaml_tree.h"
+
+namespace sim {
+
+namespace {
+
+constexpr std::size_t MAX_FILE_BYTES = 1u << 20;
+
+template <class Named>
+std::vector<std::string> names(const std::vector<Named>& all) {
+    std::vector<std::string> out;
+    for (const auto& one : all) out.push_back(one.name);
+    return out;
+}
+
+template <class Named>
+const Named& find(const std::vector<Named>& all, const YamlNode& key, const std::string& kind) {
+    for (const auto& one : all)
+        if (key.text == one.name) return one;
+    const std::string hint = did_you_mean(key.text, names(all));
+    const std::string choice = hint.empty() ? ": " + list_of(names(all)) : "";
+    refuse(key, kind + choice, describe(key) + hint);
+}
+
+Value preset_value(const Field& field) {
+    YamlNode node;
+    node.kind = YamlNode::Kind::SCALAR;
+    node.text = field.preset;
+    return read_value(field.type, node);
+}
+
+// `whole` names the map in messages; `at` is where it is missing something.
+Values read_fields(const std::vector<Field>& fields, const YamlNode& map, const YamlNode& at,
+                   const std::string& whole) {
+    Values values;
+    for (std::size_t i = 0; i < map.keys.size(); ++i) {
+        const Field& field = find(fields, map.keys[i], "a field of " + whole);
+        if (!field.type.read) continue;
+        values.set(field.name, read_value(field.type, map.items[i]));
+    }
+    for (const Field& field : fields) {
+        if (values.find(field.name)) continue;
+        if (field.need == Need::REQUIRED)
+            refuse(at, fmt::format("\"{}\" in {}", field.name, whole), "none");
+        if (*field.preset) values.set(field.name, preset_value(field));
+    }
+    return values;
+}
+
+Values read_bare(const StepForm& form, const YamlNode& value) {
+    Values values;
+    values.set(form.fields[0].name, read_value(form.fields[0].type, value));
+    for (std::size_t i = 1; i < form.fields.size(); ++i)
+        values.set(form.fields[i].name, preset_value(form.fields[i]));
+    return values;
+}
+
+Values read_step_values(const StepForm& form, const YamlNode& key, const YamlNode& value) {
+    const bool is_map = value.kind == YamlNode::Kind::MAP;
+    if (form.notation == Notation::BARE || (form.notation == Notation::BOTH && !is_map))
+        return read_bare(form, value);
+    if (!is_map)
+        refuse(value, fmt::format("a map with {} in {}", list_of(names(form.fields)), form.name),
+               describe(value));
+    const Values values = read_fields(form.fields, value, key, form.name);
+    const bool has_any = std::any_of(form.any_of.begin(), form.any_of.end(),
+                                     [&](const char* name) { return values.find(name); });
+    if (!form.any_of.empty() && !has_any)
+        refuse(
+            key,
+            fmt::format("{} in {}", list_of({form.any_of.begin(), form.any_of.end()}), form.name),
+            "none");
+    return values;
+}
+
+Step read_step(const YamlNode& node) {
+    if (node.kind != YamlNode::Kind::MAP)
+        refuse(node, "a step such as `delay: 500ms`", describe(node));
+    if (node.keys.empty()) refuse(node, "a step such as `delay: 500ms`", "an empty map");
+    const YamlNode& key = node.keys[0];
+    const StepForm& form = find(step_forms(), key, "a step");
+    if (node.keys.size() > 1)
+        refuse(node.keys[1], "one step in an item of the list",
+               describe(node.keys[1]) + " after " + describe(key) + " (is it to be indented?)");
+    Step step{key.line, key.column, "", form.make(read_step_values(form, key, node.items[0]))};
+    step.text = say(step.action);
+    return step;
+}
+
+std::vector<Step> read_steps(const YamlNode& list) {
+    if (list.kind != YamlNode::Kind::LIST) refuse(list, "a list of steps", describe(list));
+    if (list.items.empty()) refuse(list, "one step or more", "an empty list");
+    std::vector<Step> steps;
+    for (const YamlNode& item : list.items) steps.push_back(read_step(item));
+    return steps;
+}
+
+// Says the place of the first byte that can not be in a text.
+void need_text(std::string_view text) {
+    int line = 1, column = 1;
+    for (std::size_t at = 0; at < text.size();) {
+        const std::size_t begin = at;
+        const auto c = next_utf8(text, at);
+        if (!c || *c == 0)
+            throw Refusal{line, column,
+                          "expected text in UTF-8, got the byte " +
+                              fmt::format("{:#04x}", text[begin] & 0xFF)};
+        column = *c == '\n' ? 1 : column + static_cast<int>(at - begin);
+        line += *c == '\n';
+    }
+}
+
+Scenario read_scenario(std::string_view text, const std::filesystem::path& file) {
+    if (text.size() > MAX_FILE_BYTES)
+        throw Refusal{0, 0,
+                      "expected at most 1 MiB, got " + std::to_string(text.size()) + " bytes"};
+    need_text(text);
+    const YamlNode root = parse_yaml(text);
+    if (root.kind == YamlNode::Kind::NOTHING)
+        throw Refusal{0, 0, "expected a scenario, got an empty file"};
+    if (root.kind != YamlNode::Kind::MAP)
+        refuse(root, "a map with name, version and steps", describe(root));
+
+    const Values values = read_fields(file_fields(), root, root, "a scenario");
+    Scenario scenario;
+    scenario.file = file;
+    scenario.name = values.get<std::string>("name");
+    scenario.seed = values.get<std::uint64_t>("seed");
+    if (values.find("duration")) scenario.duration = values.get<SimTime>("duration");
+    for (std::size_t i = 0; i < root.keys.size(); ++i)
+        if (root.keys[i].text == "steps") scenario.steps = read_steps(root.items[i]);
+    if (scenario.steps.empty() && !scenario.duration)
+        refuse(root, "\"steps\" or \"duration\" in a scenario", "none");
+    for (Step& step : scenario.steps)
+        if (auto* frame = std::get_if<ExpectFrame>(&step.action))
+            frame->golden = file.parent_path() / frame->golden;
+    check_steps(scenario);
+    return scenario;
+}
+
+std::string place(const std::filesystem::path& file, int line, int column) {
+    std::string out = printable(file.string()) + ":";
+    if (line) out += fmt::format("{}:{}:", line, column);
+    return out + " ";
+}
+
+}  // namespace
+
+ScenarioError::ScenarioError(std::filesystem::path in_file, int in_line, int in_column,
+                             std::string in_message)
+    : std::runtime_error(place(in_file, in_line, in_column) + in_message),
+      file(std::move(in_file)),
+      line(in_line),
+      column(in_column),
+      message(std::move(in_message)) {}
+
+Scenario parse_scenario(std::string_view text, const std::filesystem::path& file) {
+    try {
+        return read_scenario(text, file);
+    } catch (const Refusal& refusal) {
+        throw ScenarioError(file, refusal.line, refusal.column, refusal.message);
+    }
+}
+
+Scenario load_scenario(const std::filesystem::path& file) {
+    std::string text;
+    try {
+        text = read_whole_file(file, MAX_FILE_BYTES);
+    } catch (const IoError& error) {
+        throw ScenarioError(file, 0, 0, "expected a scenario file, got: " + error.problem());
+    }
+    Scenario scenario = parse_scenario(text, file);
+    for (const Step& step : scenario.steps) {
+        const auto* frame = std::get_if<ExpectFrame>(&step.action);
+        if (!frame) continue;
+        try {
+            read_golden(frame->golden);
+        } catch (const std::runtime_error& error) {  // IoError or PngError, with the path
+            throw ScenarioError(
+                file, step.line, step.column,
+                std::string("expected a picture of 640 x 480, got ") + error.what());
+        }
+    }
+    return scenario;
+}
+
+}  // namespace sim

@@ -1,0 +1,69 @@
+#include "sim/scenario/senses.h"
+
+#include <algorithm>
+#include <cstdlib>
+
+namespace sim {
+
+namespace {
+
+constexpr std::size_t HEARD_SECONDS = 10;
+constexpr std::size_t TEXT_LIMIT = 1 << 20;
+
+}  // namespace
+
+void Senses::frame(const Monitor::Frame& frame) {
+    frames = frame.number;
+    new_pictures += frame.is_new;
+    if (frame.is_new) pixels_ = frame.pixels;
+    frame_shown.notify(sc_core::SC_ZERO_TIME);
+}
+
+void Senses::sample(std::int16_t left, std::int16_t right) {
+    ++samples;
+    heard_.emplace_back(left, right);
+    while (heard_.size() > HEARD_SECONDS * static_cast<std::size_t>(std::max(rate_hz, 8000.0)))
+        heard_.pop_front();
+}
+
+void Senses::sample_rate(double hz) {
+    if (rate_hz != 0) heard_.clear();
+    rate_hz = hz;
+}
+
+void Senses::console(char character) {
+    if (text.size() < TEXT_LIMIT) text += character;
+    printed.notify(sc_core::SC_ZERO_TIME);
+}
+
+Image Senses::picture() const {
+    return image_of(pixels_.empty() ? std::vector<std::uint32_t>(Monitor::WIDTH * Monitor::HEIGHT)
+                                    : pixels_);
+}
+
+std::vector<std::int16_t> Senses::last_samples(std::uint64_t count) const {
+    const auto n = static_cast<std::ptrdiff_t>(std::min<std::uint64_t>(count, heard_.size()));
+    std::int64_t left = 0, right = 0;
+    for (auto it = heard_.end() - n; it != heard_.end(); ++it) {
+        left += std::abs(it->first);
+        right += std::abs(it->second);
+    }
+    std::vector<std::int16_t> mono;
+    mono.reserve(static_cast<std::size_t>(n));
+    for (auto it = heard_.end() - n; it != heard_.end(); ++it)
+        mono.push_back(left >= right ? it->first : it->second);
+    return mono;
+}
+
+Image image_of(const std::vector<std::uint32_t>& pixels) {
+    Image image{Monitor::WIDTH, Monitor::HEIGHT, std::vector<std::uint8_t>(pixels.size() * 3)};
+    std::uint8_t* to = image.rgb.data();
+    for (const std::uint32_t pixel : pixels) {
+        *to++ = static_cast<std::uint8_t>(pixel >> 16);
+        *to++ = static_cast<std::uint8_t>(pixel >> 8);
+        *to++ = static_cast<std::uint8_t>(pixel);
+    }
+    return image;
+}
+
+}  // namespace sim

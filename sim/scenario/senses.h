@@ -1,0 +1,46 @@
+// senses.h - what a person in front of the board remembers: the picture, the sound, the console.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "sim/board/monitor.h"
+#include "sim/report/png.h"
+
+#include <systemc>
+
+namespace sim {
+
+// Sees and hears what a person would: the last whole picture, the sound, the console.
+class Senses {
+public:
+    void frame(const Monitor::Frame& frame);
+    void sample(std::int16_t left, std::int16_t right);
+    void sample_rate(double hz);
+    void console(char character);
+
+    Image picture() const;  // 640 x 480; black before the first frame
+    std::uint64_t frames = 0, new_pictures = 0;
+
+    std::uint64_t samples = 0;  // since power-on
+    double rate_hz = 0;
+    // Louder channel of the last `count` samples, oldest first; fewer if there were fewer, or the
+    // rate changed in between.  At most ten seconds are kept.
+    std::vector<std::int16_t> last_samples(std::uint64_t count) const;
+
+    std::string text;  // all that the console printed
+
+    sc_core::sc_event frame_shown, printed;
+
+private:
+    std::vector<std::uint32_t> pixels_;
+    std::deque<std::pair<std::int16_t, std::int16_t>> heard_;
+};
+
+// 0x00RRGGBB to PNG's bytes.
+Image image_of(const std::vector<std::uint32_t>& pixels);
+
+}  // namespace sim

@@ -1,0 +1,15 @@
+// read_scenario.cpp - says for each file named whether the reader takes it: "ok", or the error
+#include <iostream>
+
+#include "sim/scenario/scenario.h"
+
+int main(int argc, char** argv) {
+    for (int i = 1; i < argc; ++i) {
+        try {
+            sim::load_scenario(argv[i]);
+            std::cout << "ok\n";
+        } catch (const sim::ScenarioError& error) {
+            std::cout << error.what() << "\n";
+        }
+    }
+}

@@ -1,0 +1,160 @@
+// report_test.cpp - report.json and junit.xml, as other programs read them
+#include "sim/report/report.h"
+
+#include <gmock/gmock.h>
+
+#include <nlohmann/json.hpp>
+
+#include "tb/unit/temp_folder.h"
+
+namespace {
+
+using namespace sim;
+using nlohmann::json;
+
+RunReport sample() {
+    RunReport r;
+    r.scenario = "Two shapes";
+    r.file = "demo.yaml";
+    r.seed = 18446744073709551615u;
+    r.cpu = "arm";
+    r.end = RunEnd::DURATION_REACHED;
+    r.simulated_s = 2.5;
+    r.wall_s = 5;
+    r.frames_shown = 150;
+    r.frames_swapped = 75;
+    r.last_frame_sha256 = "e3b0";
+    r.bus = {1, 2, 3, 4};
+    r.audio = {8138.02, 20345, 6};
+    r.key_events = 8;
+    r.timing_violation_count = 1;
+    r.timing_violations = {"H total 799"};
+    r.expectations = {{"expect LEDs 1", 7, 0.25, true, ""},
+                      {"expect silence", 9, 1.5, false, "a sample of 3"}};
+    return r;
+}
+
+class Junit : public testing::Test {
+protected:
+    // An XPath expression, evaluated by xmllint, which also checks the XML.
+    std::string xpath(const RunReport& report, const std::string& expression) {
+        folder.put("junit.xml", to_junit(report));
+        const std::string file = (folder / "junit.xml").string();
+        std::string out = output_of("xmllint --noout " + file + " 2>&1");
+        if (out.empty()) out = output_of("xmllint --xpath '" + expression + "' " + file + " 2>&1");
+        if (!out.empty() && out.back() == '\n') out.pop_back();
+        return out;
+    }
+    TempFolder folder;
+};
+
+TEST(ReportJson, SaysEverythingThatTheRunKnows) {
+    EXPECT_EQ(json::parse(to_json(sample())), json::parse(R"({
+        "scenario": "Two shapes", "file": "demo.yaml", "seed": 18446744073709551615, "cpu": "arm",
+        "end": "duration reached", "interrupted": false, "passed": false, "simulated_s": 2.5,
+        "frames": {"shown": 150, "swapped": 75, "last_sha256": "e3b0"},
+        "bus": {"reads": 1, "writes": 2, "bursts": 3, "errors": 4},
+        "audio": {"rate_hz": 8138.02, "samples": 20345, "underruns": 6},
+        "key_events": 8,
+        "timing_violations": {"count": 1, "first": ["H total 799"]},
+        "expectations": [
+            {"step": "expect LEDs 1", "line": 7, "time_s": 0.25, "met": true, "detail": ""},
+            {"step": "expect silence", "line": 9, "time_s": 1.5, "met": false,
+             "detail": "a sample of 3"}],
+        "faults": [],
+        "wall": {"seconds": 5.0, "frames_per_s": 30.0}})"));
+}
+
+TEST(ReportJson, DiffersBetweenTwoMachinesOnlyUnderWall) {
+    RunReport slow = sample();
+    slow.wall_s = 77;
+    json a = json::parse(to_json(sample())), b = json::parse(to_json(slow));
+    EXPECT_NE(a, b);
+    a.erase("wall");
+    b.erase("wall");
+    EXPECT_EQ(a, b);
+}
+
+TEST(ReportJson, KeepsTheOrderOfItsKeys) {
+    const std::string text = to_json(sample());
+    std::size_t last = 0;
+    for (const char* key :
+         {"scenario", "seed", "end", "frames", "bus", "audio", "faults", "wall"}) {
+        const std::size_t at = text.find("\n  \"" + std::string(key) + "\": ");
+        ASSERT_NE(at, text.npos) << key;
+        EXPECT_GT(at + 1, last) << key;
+        last = at + 1;
+    }
+    EXPECT_EQ(text.back(), '\n');
+}
+
+TEST(ReportJson, ListsTheFirstTwentyTimingViolations) {
+    RunReport r = sample();
+    r.timing_violation_count = 1000;
+    r.timing_violations.assign(30, "x");
+    const json timing = json::parse(to_json(r))["timing_violations"];
+    EXPECT_EQ(timing["count"], 1000);
+    EXPECT_EQ(timing["first"].size(), 20u);
+}
+
+TEST(ReportJson, StaysValidWhateverTheTextsHold) {
+    RunReport r = sample();
+    r.faults = {std::string("\xFF\0\x1B\"", 4)};
+    r.wall_s = 0;
+    EXPECT_EQ(json::parse(to_json(r))["faults"][0], std::string("\xEF\xBF\xBD\0\x1B\"", 6));
+}
+
+TEST(Report, PassesWhenAllIsMetAndNothingWentWrong) {
+    RunReport r = sample();
+    EXPECT_FALSE(r.passed());
+    r.expectations.pop_back();
+    EXPECT_TRUE(r.passed());
+    r.faults = {"data abort"};
+    EXPECT_FALSE(r.passed());
+    r.faults.clear();
+    r.end = RunEnd::INTERRUPTED;
+    EXPECT_FALSE(r.passed());
+    r.end = RunEnd::FIRMWARE_FAULT;
+    EXPECT_FALSE(r.passed());
+}
+
+TEST_F(Junit, HasATestCaseForEachExpectationAndOneForTheRun) {
+    EXPECT_EQ(xpath(sample(), "string(/testsuites/testsuite/@tests)"), "3");
+    EXPECT_EQ(xpath(sample(), "string(/testsuites/testsuite/@failures)"), "1");
+    EXPECT_EQ(xpath(sample(), "string(/testsuites/testsuite/@errors)"), "0");
+    EXPECT_EQ(xpath(sample(), "count(//testcase)"), "3");
+    EXPECT_EQ(xpath(sample(), "string(//testcase[1]/@name)"), "demo.yaml:7: expect LEDs 1");
+    EXPECT_EQ(xpath(sample(), "string(//testcase[1]/@time)"), "0.250000");
+    EXPECT_EQ(xpath(sample(), "string(//testcase[3]/@name)"), "the run");
+}
+
+TEST_F(Junit, HasAFailureForWhatWasNotMet) {
+    EXPECT_EQ(xpath(sample(), "count(//failure)"), "1");
+    EXPECT_EQ(xpath(sample(), "string(//testcase[2]/failure/@message)"), "a sample of 3");
+}
+
+TEST_F(Junit, HasAnErrorForFaultsAndInterruptions) {
+    RunReport r = sample();
+    r.faults = {"data abort at 0xff200100", "second"};
+    EXPECT_EQ(xpath(r, "string(//testcase[3]/error/@message)"), "data abort at 0xff200100");
+    EXPECT_EQ(xpath(r, "string(/testsuites/@errors)"), "1");
+    r.faults.clear();
+    r.end = RunEnd::INTERRUPTED;
+    EXPECT_EQ(xpath(r, "string(//error/@message)"), "the run was interrupted");
+}
+
+TEST_F(Junit, IsValidXmlWhateverTheTextsHold) {
+    RunReport r = sample();
+    r.scenario = "<&>\"'";
+    r.expectations[1].detail = std::string("]]> \0\x1B\n\xFF \xEF\xBF\xBE", 12);
+    EXPECT_EQ(xpath(r, "string(/testsuites/@name)"), "<&>\"'");
+    EXPECT_EQ(xpath(r, "string(//failure)"), "]]> \\x00\\x1b\\x0a\\xff \\xef\\xbf\\xbe");
+}
+
+TEST_F(Junit, HasNoWallClockInIt) {
+    RunReport slow = sample();
+    slow.wall_s = 77;
+    EXPECT_EQ(to_junit(slow), to_junit(sample()));
+}
+
+}  // namespace

@@ -1,0 +1,425 @@
+// scenario_errors_test.cpp - every mistake in a scenario file ends in one line with its place
+#include <gmock/gmock.h>
+#include <sys/stat.h>
+
+#include <random>
+
+#include "sim/report/png.h"
+#include "sim/scenario/scenario.h"
+#include "tb/unit/temp_folder.h"
+
+namespace {
+
+using namespace sim;
+using testing::EndsWith;
+using testing::HasSubstr;
+using testing::MatchesRegex;
+using testing::Not;
+using testing::StartsWith;
+
+std::string error_of(const std::string& text) {
+    try {
+        parse_scenario(text, "a.yaml");
+    } catch (const ScenarioError& error) {
+        return error.what();
+    }
+    return "no error";
+}
+
+std::string load_error(const std::filesystem::path& file) {
+    try {
+        load_scenario(file);
+    } catch (const ScenarioError& error) {
+        return error.what();
+    }
+    return "no error";
+}
+
+// Steps begin in line 3; the first key of a step stands in column 3.
+std::string step_error(const std::string& steps) {
+    return error_of("name: a\nversion: 1\nsteps: \n- " + steps);
+}
+
+TEST(ScenarioError, CarriesFilePlaceAndMessageApart) {
+    try {
+        parse_scenario("name: a\nversion: 2\nduration: 1s", "dir/a.yaml");
+        FAIL();
+    } catch (const ScenarioError& error) {
+        EXPECT_EQ(error.file, "dir/a.yaml");
+        EXPECT_EQ(error.line, 2);
+        EXPECT_EQ(error.column, 10);
+        EXPECT_STREQ(error.what(), ("dir/a.yaml:2:10: " + error.message).c_str());
+    }
+}
+
+TEST(ScenarioError, NamesTheNearestFieldOfAFile) {
+    EXPECT_EQ(error_of("nam: a"),
+              "a.yaml:1:1: expected a field of a scenario, got \"nam\" (did you mean \"name\"?)");
+    EXPECT_EQ(error_of("name: a\ncolour: red"),
+              "a.yaml:2:1: expected a field of a scenario: name, version, seed, duration or steps, "
+              "got \"colour\"");
+}
+
+TEST(ScenarioError, NamesTheNearestStep) {
+    EXPECT_EQ(step_error("pres: {key: 0}"),
+              "a.yaml:4:3: expected a step, got \"pres\" (did you mean \"press\"?)");
+    EXPECT_EQ(step_error("wait-frmae: 1"),
+              "a.yaml:4:3: expected a step, got \"wait-frmae\" (did you mean \"wait-frame\"?)");
+    EXPECT_EQ(step_error("hlod: {key: 0}"),
+              "a.yaml:4:3: expected a step, got \"hlod\" (did you mean \"hold\"?)");
+    EXPECT_THAT(step_error("jump: 1"), StartsWith("a.yaml:4:3: expected a step: delay, press, "));
+}
+
+TEST(ScenarioError, NamesTheNearestFieldOfAStep) {
+    EXPECT_EQ(step_error("press: {keypd: 0}"),
+              "a.yaml:4:11: expected a field of press, got \"keypd\" (did you mean \"keypad\"?)");
+}
+
+TEST(ScenarioError, SaysWhichFieldOfTheFileIsMissing) {
+    EXPECT_EQ(error_of("version: 1\nduration: 1s"),
+              "a.yaml:1:1: expected \"name\" in a scenario, got none");
+    EXPECT_EQ(error_of("name: a\nduration: 1s"),
+              "a.yaml:1:1: expected \"version\" in a scenario, got none");
+    EXPECT_EQ(error_of("name: a\nversion: 1"),
+              "a.yaml:1:1: expected \"steps\" or \"duration\" in a scenario, got none");
+}
+
+TEST(ScenarioError, SaysWhichFieldOfAStepIsMissing) {
+    EXPECT_EQ(step_error("expect-frame: {}"),
+              "a.yaml:4:3: expected \"equals\" in expect-frame, got none");
+    EXPECT_EQ(step_error("expect-tone: {within: 3%}"),
+              "a.yaml:4:3: expected \"hz\" in expect-tone, got none");
+    EXPECT_EQ(step_error("expect-silence: {}"),
+              "a.yaml:4:3: expected \"for\" in expect-silence, got none");
+    EXPECT_EQ(step_error("wait-serial: {timeout: 1s}"),
+              "a.yaml:4:3: expected \"text\" in wait-serial, got none");
+    EXPECT_EQ(step_error("take-screenshot: {}"),
+              "a.yaml:4:3: expected \"save-to\" in take-screenshot, got none");
+    EXPECT_EQ(step_error("press: {for: 1s}"),
+              "a.yaml:4:3: expected keypad, key or switch in press, got none");
+    EXPECT_EQ(step_error("hold: {}"),
+              "a.yaml:4:3: expected keypad, key or switch in hold, got none");
+    EXPECT_EQ(step_error("release:"),
+              "a.yaml:4:3: expected a map with keypad, key or switch in release, got nothing");
+}
+
+TEST(ScenarioError, SaysThatTheVersionMustBeOne) {
+    EXPECT_EQ(error_of("name: a\nversion: 2\nduration: 1s"),
+              "a.yaml:2:10: expected 1, the version of the format, got 2");
+    EXPECT_EQ(
+        error_of("name: a\nversion: \"1\"\nduration: 1s"),
+        "a.yaml:2:10: expected 1, the version of the format, got \"1\" (leave out the quotes)");
+}
+
+struct BadValue {
+    const char* step;
+    int column;
+    const char* message;  // from "expected" on
+};
+
+TEST(ScenarioError, SaysWhatAValueShouldHaveBeen) {
+    const char* const some_time =
+        "expected a time above 0 such as 500ms (s, ms, us or ns, up to an hour), got ";
+    const char* const time = "expected a time such as 500ms (s, ms, us or ns, up to an hour), got ";
+    const BadValue cases[] = {
+        {"delay: 500", 10, time},
+        {"delay: -1s", 10, time},
+        {"delay: 3601s", 10, time},
+        {"delay: {time: 1s}", 10, time},
+        {"delay:", 3, time},
+        {"press: {key: 0, for: 0s}", 24, some_time},
+        {"press: {keypad: G}", 19, "expected a keypad key, 0-9 or A-F, got \"G\""},
+        {"press: {keypad: a}", 19, "expected a keypad key, 0-9 or A-F, got \"a\""},
+        {"press: {keypad: \"12\"}", 19, "expected a keypad key, 0-9 or A-F, got \"12\""},
+        {"press: {keypad: \"\"}", 19, "expected a keypad key, 0-9 or A-F, got \"\""},
+        {"press: {keypad: [\"1\", \"X\"]}", 25, "expected a keypad key, 0-9 or A-F, got \"X\""},
+        {"press: {keypad: [\"1\", 1]}", 25, "expected each control once, got 1 again"},
+        {"press: {keypad: []}", 19, "expected a keypad key, 0-9 or A-F, got an empty list"},
+        {"press: {keypad: [[1]]}", 20, "expected a keypad key, 0-9 or A-F, got a list"},
+        {"press: {key: 4}", 16, "expected a key number, 0 to 3, got 4"},
+        {"press: {key: -1}", 16, "expected a key number, 0 to 3, got -1"},
+        {"press: {key: \"1\"}", 16,
+         "expected a key number, 0 to 3, got \"1\" (leave out the quotes)"},
+        {"press: {switch: 10}", 19, "expected a switch number, 0 to 9, got 10"},
+        {"press: {switch: 1.5}", 19, "expected a switch number, 0 to 9, got 1.5"},
+        {"press: 5", 10, "expected a map with keypad, key, switch or for in press, got 5"},
+        {"wait-frame: 0", 15,
+         "expected a frame number from 1 to 1000000, next or next-swap, got 0"},
+        {"wait-frame: nxt", 15,
+         "expected a frame number from 1 to 1000000, next or next-swap, got \"nxt\" (did you mean "
+         "\"next\"?)"},
+        {"wait-frame: {frame: 1, timeout: 0s}", 35, some_time},
+        {"wait-serial: \"\"", 16, "expected text, got \"\""},
+        {"wait-serial: 42", 16, "expected text, got 42 (put it in quotes)"},
+        {"wait-serial: yes", 16, "expected text, got yes (put it in quotes)"},
+        {"wait-serial: [a]", 16, "expected text, got a list"},
+        {"expect-frame: a.png", 17,
+         "expected a map with equals or differing-pixels in expect-frame, got \"a.png\""},
+        {"expect-frame: {equals: 5}", 26, "expected a line of text, got 5 (put it in quotes)"},
+        {"expect-frame: {equals: a, differing-pixels: 307201}", 47,
+         "expected a whole number from 0 to 307200, got 307201"},
+        {"expect-tone: {hz: 19}", 21, "expected a frequency in hertz, 20 to 20000, got 19"},
+        {"expect-tone: {hz: 440Hz}", 21,
+         "expected a frequency in hertz, 20 to 20000, got \"440Hz\""},
+        {"expect-tone: {hz: .nan}", 21, "expected a frequency in hertz, 20 to 20000, got .nan"},
+        {"expect-tone: {hz: 440, within: 0%}", 34, "expected a percentage such as 3%, "},
+        {"expect-tone: {hz: 440, within: 51%}", 34, "expected a percentage such as 3%, "},
+        {"expect-tone: {hz: 440, within: 3}", 34, "expected a percentage such as 3%, "},
+        {"expect-leds: 1024", 16, "expected ten characters 0 or 1, LEDR9 first, or a number from "},
+        {"expect-leds: \"101\"", 16, "expected ten characters 0 or 1, LEDR9 first, or a number "},
+        {"expect-leds: \"000000010x\"", 16, "expected ten characters 0 or 1, LEDR9 first, or a "},
+        {"expect-hex: \"12345\"", 15, "expected six characters, HEX5 first, "},
+        {"expect-hex: \"12345K\"", 15, "expected six characters, HEX5 first, "},
+        {"take-screenshot: {save-to: /a.png}", 30, "expected a name such as start.png inside the "},
+        {"take-screenshot: {save-to: ../a.png}", 30,
+         "expected a name such as start.png inside the "},
+        {"take-screenshot: {save-to: a/../../b.png}", 30, "expected a name such as start.png "},
+        {"take-screenshot: {save-to: a.jpg}", 30, "expected a name such as start.png inside the "},
+        {"take-screenshot: {save-to: \"a\\n.png\"}", 30, "expected a name such as start.png "},
+    };
+    for (const auto& c : cases)
+        EXPECT_THAT(step_error(c.step),
+                    StartsWith("a.yaml:4:" + std::to_string(c.column) + ": " + c.message))
+            << c.step;
+}
+
+TEST(ScenarioError, SaysThatDigitsNeedQuotesWhereYamlWouldReadANumber) {
+    EXPECT_THAT(step_error("expect-leds: 0000000101"),
+                EndsWith("got 0000000101 (put it in quotes)"));
+    EXPECT_THAT(step_error("expect-hex: 123456"), EndsWith("got 123456 (put it in quotes)"));
+}
+
+TEST(ScenarioError, NamesTheSecondOfTwoEqualKeys) {
+    EXPECT_EQ(error_of("name: a\nversion: 1\nname: b"),
+              "a.yaml:3:1: expected each key once, got \"name\" again, first in line 1");
+    EXPECT_EQ(step_error("press: {key: 0, key: 1}"),
+              "a.yaml:4:19: expected each key once, got \"key\" again, first in line 4");
+}
+
+TEST(ScenarioError, SaysThatAnItemOfTheListIsOneStep) {
+    EXPECT_EQ(step_error("delay: 1s\n  press: {key: 0}"),
+              "a.yaml:5:3: expected one step in an item of the list, got \"press\" after \"delay\" "
+              "(is it to be indented?)");
+    EXPECT_EQ(step_error("delay"),
+              "a.yaml:4:3: expected a step such as `delay: 500ms`, got \"delay\"");
+    EXPECT_EQ(error_of("name: a\nversion: 1\nsteps: [{}]"),
+              "a.yaml:3:9: expected a step such as `delay: 500ms`, got an empty map");
+    EXPECT_EQ(error_of("name: a\nversion: 1\nsteps: []"),
+              "a.yaml:3:8: expected one step or more, got an empty list");
+    EXPECT_EQ(error_of("name: a\nversion: 1\nsteps: {delay: 1s}"),
+              "a.yaml:3:8: expected a list of steps, got a map");
+}
+
+TEST(ScenarioError, RefusesWhatIsNotOneMap) {
+    EXPECT_EQ(error_of(""), "a.yaml: expected a scenario, got an empty file");
+    EXPECT_EQ(error_of("# nothing\n"), "a.yaml: expected a scenario, got an empty file");
+    EXPECT_EQ(error_of("- a"),
+              "a.yaml:1:1: expected a map with name, version and steps, got a list");
+    EXPECT_EQ(error_of("hello"),
+              "a.yaml:1:1: expected a map with name, version and steps, got \"hello\"");
+    EXPECT_EQ(error_of("name: a\nversion: 1\nduration: 1s\n---\nname: b\n"),
+              "a.yaml:5:1: expected one document, got a second");
+}
+
+TEST(ScenarioError, RefusesAnchorsAliasesTagsAndOddKeys) {
+    EXPECT_EQ(error_of("name: &a b"), "a.yaml:1:7: expected a value written out, got an anchor");
+    EXPECT_EQ(error_of("name: !!str b"),
+              "a.yaml:1:7: expected a value without a tag, got the tag \"tag:yaml.org,2002:str\"");
+    EXPECT_THAT(error_of("? [a]\n: b"), HasSubstr("expected a word as key, got a list"));
+    // The classic: each line nine times the one above.  Stopped at the first anchor.
+    std::string bomb = "a: &a [x,x,x,x,x,x,x,x,x]\n";
+    for (char c = 'b'; c < 'k'; ++c) {
+        bomb += std::string(1, c) + ": &" + c + " [";
+        for (int i = 0; i < 9; ++i) bomb += std::string(i ? ",*" : "*") + static_cast<char>(c - 1);
+        bomb += "]\n";
+    }
+    EXPECT_THAT(error_of(bomb), HasSubstr("got an anchor"));
+}
+
+TEST(ScenarioError, GivesThePlaceOfAMistakeInYaml) {
+    EXPECT_THAT(error_of("name: a\nversion: [1\n"),
+                MatchesRegex("a.yaml:[0-9]+:[0-9]+: expected YAML, got a mistake in it: .*"));
+    EXPECT_THAT(error_of("name: \"a\\q\""),
+                StartsWith("a.yaml:1:11: expected YAML, got a mistake"));
+    EXPECT_THAT(error_of("name: *x"),
+                StartsWith("a.yaml:1:7: expected YAML, got a mistake in it: "));
+}
+
+TEST(ScenarioError, RefusesBytesThatAreNotText) {
+    EXPECT_EQ(error_of(std::string("name: a\nver\0sion", 15)),
+              "a.yaml:2:4: expected text in UTF-8, got the byte 0x00");
+    EXPECT_EQ(error_of("name: \xFF"), "a.yaml:1:7: expected text in UTF-8, got the byte 0xff");
+    EXPECT_EQ(error_of("name: \xED\xA0\x80"),
+              "a.yaml:1:7: expected text in UTF-8, got the byte 0xed");
+    EXPECT_EQ(error_of("name: \xC0\x80"), "a.yaml:1:7: expected text in UTF-8, got the byte 0xc0");
+}
+
+TEST(ScenarioError, IsPrintableWhateverTheFileSays) {
+    EXPECT_EQ(error_of("\"na\\e[2J\\nme\": a"),
+              "a.yaml:1:1: expected a field of a scenario: name, version, seed, duration or steps, "
+              "got \"na\\x1b[2J\\x0ame\"");
+    EXPECT_THAT(error_of("name: a\x1B[2J\nversion: 1\nduration: 1s"),
+                EndsWith("expected a line of text, got \"a\\x1b[2J\""));
+    EXPECT_THAT(error_of("\"\\x9b2J\": 1"), HasSubstr("got \"\\xc2\\x9b2J\""));
+    EXPECT_THAT(error_of("name: a\nversion: " + std::string(5000, 'x')),
+                EndsWith("got \"" + std::string(60, 'x') + "...\""));
+}
+
+TEST(ScenarioError, StopsAtDeepNestingOfEveryKind) {
+    for (const char* open : {"[", "{a: ", "- ", "? ", "a:\n"}) {
+        std::string text, indent;
+        for (int i = 0; i < 10000; ++i) text += open;
+        const std::string error = error_of(text);
+        EXPECT_THAT(error, StartsWith("a.yaml:")) << open;
+    }
+    std::string steps = "name: a\nsteps: " + std::string(10000, '[') + std::string(10000, ']');
+    EXPECT_THAT(error_of(steps), HasSubstr("expected at most 16 levels of lists and maps"));
+}
+
+TEST(ScenarioError, ComesSoonForAMebibyteOfAnything) {
+    for (const char* part :
+         {"[", "]", "{", "- ", "\"", "a", "? ", ": ", "#", "!", "&a ", "|\n", "a: b\n"}) {
+        std::string text;
+        while (text.size() + 8 < (1u << 20)) text += part;
+        EXPECT_THAT(error_of(text), StartsWith("a.yaml:")) << part;
+    }
+}
+
+TEST(ScenarioError, RefusesMoreThanAMebibyte) {
+    EXPECT_EQ(error_of(std::string((1u << 20) + 1, '#')),
+              "a.yaml: expected at most 1 MiB, got 1048577 bytes");
+}
+
+TEST(ScenarioError, NamesTheLineSinceWhichAControlIsHeld) {
+    const std::string hold = "hold: {keypad: [\"5\", \"6\"]}\n- ";
+    EXPECT_EQ(step_error(hold + "delay: 1s\n- hold: {keypad: \"6\"}"),
+              "a.yaml:6:3: expected a control that is free, got keypad 6, held since line 4 "
+              "(overlapping times)");
+    EXPECT_EQ(step_error(hold + "press: {keypad: \"5\"}"),
+              "a.yaml:5:3: expected a control that is free, got keypad 5, held since line 4 "
+              "(overlapping times)");
+    EXPECT_EQ(step_error(hold + "release: {key: 3}"),
+              "a.yaml:5:3: expected a control that is held, got key 3, which is not");
+    EXPECT_EQ(step_error(hold + "release: {keypad: \"5\"}\n- release: {keypad: \"5\"}"),
+              "a.yaml:6:3: expected a control that is held, got keypad 5, which is not");
+    EXPECT_EQ(step_error(hold + "release: {keypad: \"5\"}\n- press: {keypad: \"5\", switch: 5}"),
+              "no error");
+}
+
+TEST(ScenarioError, NamesTheFirstStepThatTheDurationLeavesNoTimeFor) {
+    const std::string head = "name: a\nversion: 1\nduration: 1s\nsteps:\n- delay: 900ms\n";
+    EXPECT_EQ(error_of(head + "- press: {key: 0}\n- wait-frame: next\n"), "no error");
+    EXPECT_EQ(error_of(head + "- press: {key: 0, for: 101ms}\n- expect-leds: 1\n- delay: 5s"),
+              "a.yaml:7:3: expected steps that fit into the duration of 1s, got \"expect LEDs "
+              "0000000001\", which can not begin before 1.001s");
+    EXPECT_EQ(
+        error_of(head + "- expect-silence: {for: 200ms}"),
+        "a.yaml:6:3: expected steps that fit into the duration of 1s, got \"expect silence for "
+        "200ms\", which can not end before 1.1s");
+}
+
+TEST(ScenarioError, RefusesTwoScreenshotsOfOneName) {
+    EXPECT_EQ(
+        step_error("take-screenshot: {save-to: a.png}\n- take-screenshot: {save-to: ./a.png}"),
+        "a.yaml:5:3: expected a new file name, got \"./a.png\" again, first in line 4");
+}
+
+class ScenarioFile : public testing::Test {
+protected:
+    std::string load(const std::string& text) {
+        folder.put("a.yaml", text);
+        return load_error(folder / "a.yaml");
+    }
+    std::string at(const std::string& message) { return (folder / "a.yaml").string() + message; }
+
+    TempFolder folder;
+    const std::string expect = "name: a\nversion: 1\nsteps:\n- expect-frame:\n    equals: g.png\n";
+};
+
+TEST_F(ScenarioFile, IsRefusedWhenItIsMissingAFolderOrAPipe) {
+    EXPECT_EQ(load_error(folder / "b.yaml"),
+              (folder / "b.yaml").string() +
+                  ": expected a scenario file, got: cannot read: No such file or directory");
+    EXPECT_EQ(load_error(folder.path()),
+              folder.path().string() + ": expected a scenario file, got: is a folder");
+    ASSERT_EQ(mkfifo((folder / "pipe").c_str(), 0600), 0);
+    EXPECT_THAT(load_error(folder / "pipe"), EndsWith("got: is not a file"));
+    EXPECT_THAT(load_error("/dev/zero"), EndsWith("got: is not a file"));
+    folder.put("x", "");
+    EXPECT_THAT(load_error(folder / "x/a.yaml"), EndsWith("got: cannot read: Not a directory"));
+}
+
+TEST_F(ScenarioFile, IsRefusedWhenItCanNotBeRead) {
+    folder.put("a.yaml", "name: a");
+    std::filesystem::permissions(folder / "a.yaml", std::filesystem::perms::none);
+    if (access((folder / "a.yaml").c_str(), R_OK) == 0)  // root reads everything
+        EXPECT_EQ(load_error("/proc/self/mem"),
+                  "/proc/self/mem: expected a scenario, got an empty file");
+    else
+        EXPECT_EQ(load_error(folder / "a.yaml"),
+                  at(": expected a scenario file, got: cannot read: Permission denied"));
+}
+
+TEST_F(ScenarioFile, IsRefusedWhenItIsLargerThanAMebibyte) {
+    EXPECT_EQ(load(std::string((1u << 20) + 1, '#')),
+              at(": expected a scenario file, got: is larger than 1048576 bytes"));
+}
+
+TEST_F(ScenarioFile, IsRefusedWithoutItsGoldenPicture) {
+    const std::string place = at(":4:3: expected a picture of 640 x 480, got ");
+    const std::string png = (folder / "g.png").string();
+    EXPECT_EQ(load(expect), place + png + ": cannot read: No such file or directory");
+    folder.put("g.png", "hello");
+    EXPECT_EQ(load(expect), place + png + ": not a PNG");
+    write_png(folder / "g.png", Image{320, 240, std::vector<std::uint8_t>(320 * 240 * 3)});
+    EXPECT_EQ(load(expect), place + png + ": 320 x 240 pixels, not 640 x 480");
+    write_png(folder / "g.png", Image{640, 480, std::vector<std::uint8_t>(640 * 480 * 3)});
+    EXPECT_EQ(load(expect), "no error");
+}
+
+TEST(ScenarioFuzz, TwentyThousandMutationsEndInAScenarioOrAScenarioError) {
+    const std::string good =
+        "name: Everything  # a comment\nversion: 1\nseed: 7\nduration: 60s\nsteps:\n"
+        "  - delay: 500ms\n  - press: {keypad: [\"1\", 'A'], key: [0, 1], for: 80ms}\n"
+        "  - hold: {switch: 3}\n  - release: {switch: 3}\n  - wait-frame: {frame: 120, timeout: "
+        "2s}\n"
+        "  - wait-frame: next-swap\n  - wait-serial: |\n      ready\n  - expect-frame:\n"
+        "      equals: golden.png\n      differing-pixels: 3\n"
+        "  - expect-tone: {hz: 440, within: 3%, for: 100ms}\n  - expect-silence: {for: 1ms}\n"
+        "  - expect-leds: \"0000000101\"\n  - expect-hex: {equals: \"   100\", timeout: 1s}\n"
+        "  - take-screenshot: {save-to: a.png}\n";
+    ASSERT_EQ(error_of(good), "no error");
+    const std::string spice = "[]{}:,-?&*!|>'\"%@`#\\~ \n\t\r0159.aeE\x00\x1B\x7F\x80\xC3\xFF";
+    std::mt19937 random(1);
+    int refused = 0;
+    for (int i = 0; i < 20000; ++i) {
+        std::string text = good;
+        for (unsigned edits = 1 + random() % 4; edits > 0; --edits) {
+            const std::size_t at = random() % text.size(), size = random() % 20;
+            switch (random() % 5) {
+                case 0:
+                    text[at] = static_cast<char>(random());
+                    break;
+                case 1:
+                    text[at] = spice[random() % spice.size()];
+                    break;
+                case 2:
+                    text.insert(at, 1, spice[random() % spice.size()]);
+                    break;
+                case 3:
+                    text.erase(at, size);
+                    break;
+                case 4:
+                    text.insert(at, text.substr(random() % text.size(), size));
+                    break;
+            }
+        }
+        const std::string error = error_of(text);  // throws on, if it is no ScenarioError
+        refused += error != "no error";
+        ASSERT_THAT(error, Not(testing::ContainsRegex("[\x01-\x1F\x7F]"))) << text;
+    }
+    EXPECT_GT(refused, 10000);
+    EXPECT_LT(refused, 20000);
+}
+
+}  // namespace

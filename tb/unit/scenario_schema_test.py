@@ -1,0 +1,117 @@
+# scenario_schema_test.py - the JSON Schema and the reader agree about good and bad scenarios
+#
+# usage: scenario_schema_test.py SCHEMA READ_SCENARIO    (Debian: python3-jsonschema, python3-yaml)
+import json
+import os
+import subprocess
+import sys
+import tempfile
+
+import jsonschema
+import yaml
+
+HEAD = "name: a\nversion: 1\n"
+
+GOOD_FILES = [
+    HEAD + "duration: 1s\n",
+    HEAD + "seed: 18446744073709551615\nduration: 0.5ms\nsteps: [{delay: 0s}]\n",
+    "version: 1\nsteps: [{delay: 3600s}]\nname: 'a: b'\n",
+]
+
+GOOD_STEPS = [
+    "delay: 500ms", "delay: 1.5s", "delay: 0.001ns",
+    "press: {keypad: '5'}", "press: {keypad: 5, for: 80ms}", "press: {keypad: [A, '1', 2]}",
+    "press: {key: 0, switch: [0, 9]}", "hold: {key: [0, 1, 2, 3]}", "hold: {switch: 3}",
+    "wait-frame: 120", "wait-frame: next", "wait-frame: next-swap",
+    "wait-frame: {frame: 1, timeout: 2s}",
+    "wait-serial: ready", "wait-serial: {text: '42', timeout: 1ns}",
+    "expect-tone: {hz: 440}", "expect-tone: {hz: 440.5, within: 0.5%, for: 1s, timeout: 0s}",
+    "expect-silence: {for: 100ms}",
+    "expect-leds: '0000000101'", "expect-leds: 1023", "expect-leds: {equals: 0, timeout: 1s}",
+    "expect-hex: '   100'", "expect-hex: {equals: Error-, timeout: 0s}",
+    "take-screenshot: {save-to: a.png}", "take-screenshot: {save-to: a/b..c.png}",
+]
+
+BAD_FILES = [
+    "", "[]\n", "hello\n", HEAD, "name: a\nduration: 1s\n", "version: 1\nduration: 1s\n",
+    "name: a\nversion: 2\nduration: 1s\n", "name: a\nversion: '1'\nduration: 1s\n",
+    "name: 5\nversion: 1\nduration: 1s\n", "name: ''\nversion: 1\nduration: 1s\n",
+    "name:\nversion: 1\nduration: 1s\n", "name: \"a\\tb\"\nversion: 1\nduration: 1s\n",
+    HEAD + "duration: 1s\nseed: -1\n", HEAD + "duration: 1s\nseed: 18446744073709551616\n",
+    HEAD + "duration: 1s\nseed: 1.5\n", HEAD + "duration: 0s\n", HEAD + "duration: 1\n",
+    HEAD + "duration: 1s\ncolour: red\n", HEAD + "steps: []\n", HEAD + "steps: {delay: 1s}\n",
+    HEAD + "steps: [delay]\n", HEAD + "steps: [{}]\n",
+    HEAD + "steps: [{delay: 1s, hold: {key: 0}}]\n",
+]
+
+BAD_STEPS = [
+    "jump: 1", "delay:", "delay: 500", "delay: -1s", "delay: 1 s", "delay: 1min", "delay: .5s",
+    "delay: {time: 1s}", "delay: [1s]",
+    "press: 5", "press: {}", "press: {for: 1s}", "press: {keypad: G}", "press: {keypad: a}",
+    "press: {keypad: '12'}", "press: {keypad: []}", "press: {keypad: [1, 1]}",
+    "press: {key: 4}", "press: {key: '1'}", "press: {switch: 10}", "press: {switch: 1.5}",
+    "press: {key: 0, for: 0ms}", "hold: {key: 0, for: 1s}", "release:",
+    "wait-frame: 0", "wait-frame: 1000001", "wait-frame: later", "wait-frame: {timeout: 1s}",
+    "wait-frame: {frame: 1, timeout: 0s}", "wait-serial: ''", "wait-serial: 42", "wait-serial: yes",
+    "expect-frame: a.png", "expect-frame: {}", "expect-frame: {equals: a, differing-pixels: -1}",
+    "expect-frame: {equals: a, differing-pixels: 307201}",
+    "expect-tone: 440", "expect-tone: {within: 3%}", "expect-tone: {hz: 19}",
+    "expect-tone: {hz: '440'}", "expect-tone: {hz: 440, within: 3}", "expect-silence: {}",
+    "expect-silence: 1s", "expect-leds: 1024", "expect-leds: '101'", "expect-leds: '00000001012'",
+    "expect-hex: '12345'", "expect-hex: '1234567'", "expect-hex: 123456", "expect-hex: '12345K'",
+    "take-screenshot: a.png", "take-screenshot: {save-to: /a.png}",
+    "take-screenshot: {save-to: ../a.png}", "take-screenshot: {save-to: a/../b.png}",
+    "take-screenshot: {save-to: a.jpg}", "take-screenshot: {save-to: .png}",
+]
+
+# What a schema can not see: places of files, times that add up, hands, YAML itself.
+BAD_FOR_THE_READER_ALONE = [
+    HEAD + "steps: [{expect-frame: {equals: missing.png}}]\n",
+    HEAD + "steps: [{delay: 3601s}]\n", HEAD + "duration: 1s\nsteps: [{delay: 2s}]\n",
+    HEAD + "steps: [{hold: {key: 0}}, {press: {key: 0}}]\n",
+    HEAD + "steps: [{release: {key: 0}}]\n",
+    HEAD + "duration: 1s\nduration: 2s\n", HEAD + "duration: &a 1s\n",
+]
+
+
+def with_step(step):
+    return HEAD + "steps:\n  - " + step + "\n"
+
+
+def main(schema_file, read_scenario):
+    with open(schema_file, encoding="utf-8") as file:
+        schema = json.load(file)
+    jsonschema.Draft7Validator.check_schema(schema)
+    validator = jsonschema.Draft7Validator(schema)
+
+    good = GOOD_FILES + [with_step(step) for step in GOOD_STEPS]
+    bad = BAD_FILES + [with_step(step) for step in BAD_STEPS]
+    cases = ([(text, True, True) for text in good] + [(text, False, False) for text in bad]
+             + [(text, True, False) for text in BAD_FOR_THE_READER_ALONE])
+    with tempfile.TemporaryDirectory() as folder:
+        files = []
+        for number, (text, _, _) in enumerate(cases):
+            files.append(os.path.join(folder, f"{number}.yaml"))
+            with open(files[-1], "w", encoding="utf-8") as file:
+                file.write(text)
+        done = subprocess.run([read_scenario, *files], stdout=subprocess.PIPE, text=True,
+                              check=True)
+    answers = done.stdout.splitlines()
+    assert len(answers) == len(cases), "the reader gave not one line for each file"
+
+    wrong = 0
+    for (text, schema_takes, reader_takes), answer in zip(cases, answers):
+        errors = [error.message for error in validator.iter_errors(yaml.safe_load(text))]
+        for who, takes, expected, said in (("schema", not errors, schema_takes, errors),
+                                           ("reader", answer == "ok", reader_takes, answer)):
+            if takes != expected:
+                wrong += 1
+                print(f"the {who} should {'take' if expected else 'refuse'} {text!r}: {said}")
+    for form in schema["properties"]["steps"]["items"]["properties"].values():
+        assert form.get("description"), "a step without a description"
+    print(f"{len(cases)} files, {wrong} wrong answers")
+    return 1 if wrong else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(*sys.argv[1:]))
