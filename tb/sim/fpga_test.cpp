@@ -1,0 +1,236 @@
+// sim/fpga with the real fpga.v: TLM transactions become AXI bursts, and time goes by.
+#include "sim/fpga/fpga.h"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <functional>
+#include <random>
+#include <vector>
+
+#include <tlm_utils/simple_initiator_socket.h>
+
+#include "regmap.h"
+
+namespace {
+
+using sc_core::sc_time;
+
+constexpr std::uint32_t LW = 0xFF200000;
+constexpr std::uint32_t PICTURE0 = regmap::PICTURE0_BASE - 0xC0000000;
+
+struct NoPins : sim::PinListener {
+    std::uint64_t samples = 0;
+    void video(const std::uint32_t*, std::size_t count) override { samples += count; }
+    void codec(const sim::CodecPins&, std::uint64_t, sim::FabricInputs&) override {}
+    void headers(const sim::HeaderPins& pins, std::uint64_t, sim::FabricInputs&) override {
+        header = pins;
+    }
+    sim::HeaderPins header{};
+};
+
+// Runs a test's body as a process, where b_transport may wait.
+class Initiator : public sc_core::sc_module {
+public:
+    tlm_utils::simple_initiator_socket<Initiator> lw{"lw"}, h2f{"h2f"};
+    std::function<void()> body;
+
+    explicit Initiator(const sc_core::sc_module_name& name) : sc_module{name} {
+        SC_HAS_PROCESS(Initiator);
+        SC_THREAD(run);
+    }
+
+private:
+    void run() {
+        body();
+        sc_core::sc_stop();
+    }
+};
+
+class FpgaTest : public ::testing::Test {
+protected:
+    NoPins pins;
+    sim::Fpga fpga{"fpga", pins, ""};
+    Initiator cpu{"cpu"};
+    sc_time delay;
+
+    void run(std::function<void()> body) {
+        cpu.lw.bind(fpga.lw);
+        cpu.h2f.bind(fpga.h2f);
+        cpu.body = std::move(body);
+        sc_core::sc_start();
+    }
+    tlm::tlm_response_status access(tlm_utils::simple_initiator_socket<Initiator>& socket,
+                                    tlm::tlm_command command, std::uint32_t address, void* data,
+                                    unsigned bytes) {
+        tlm::tlm_generic_payload tx;
+        tx.set_command(command);
+        tx.set_address(address);
+        tx.set_data_ptr(static_cast<unsigned char*>(data));
+        tx.set_data_length(bytes);
+        tx.set_streaming_width(bytes);
+        socket->b_transport(tx, delay);
+        return tx.get_response_status();
+    }
+    std::uint32_t read(std::uint32_t address) {
+        std::uint32_t value = 0xdeadbeef;
+        EXPECT_EQ(access(cpu.lw, tlm::TLM_READ_COMMAND, address - LW, &value, 4),
+                  tlm::TLM_OK_RESPONSE);
+        return value;
+    }
+    void write(std::uint32_t address, std::uint32_t value) {
+        EXPECT_EQ(access(cpu.lw, tlm::TLM_WRITE_COMMAND, address - LW, &value, 4),
+                  tlm::TLM_OK_RESPONSE);
+    }
+};
+
+TEST_F(FpgaTest, KnowsItsSystemIdAndTheHashOfItsRegisterMap) {
+    run([this] {
+        EXPECT_EQ(read(0xFF202040), 0x44453153u);
+        EXPECT_EQ(read(0xFF202044), regmap::REGMAP_HASH);
+    });
+}
+
+TEST_F(FpgaTest, HasEveryRegistersResetValue) {
+    run([this] {
+        for (const auto& reg : regmap::REGS) {
+            if (reg.addr == regmap::SYSID_HASH) continue;                // reads the map's hash
+            if (reg.addr == regmap::CODEC_STATUS) continue;              // set-up is under way
+            if (reg.addr == regmap::JP1_DATA || reg.addr == regmap::JP2_DATA) {
+                EXPECT_EQ(read(reg.addr), 0xffffffffu) << reg.name;      // pulled up
+                continue;
+            }
+            EXPECT_EQ(read(reg.addr), reg.reset) << reg.name;
+        }
+    });
+}
+
+TEST_F(FpgaTest, DrivesLampsAndReadsThemBack) {
+    run([this] {
+        write(regmap::LEDR_DATA, 0xffffffff);
+        EXPECT_EQ(read(regmap::LEDR_DATA), 0x3ffu);
+        EXPECT_EQ(fpga.fabric().ledr(), 0x3ff);
+        write(regmap::HEX3_0_DATA, 0x06053f01);
+        write(regmap::HEX5_4_DATA, 0x00007f40);
+        const std::uint64_t lit = ~fpga.fabric().hex_n() & 0x3ffffffffff;
+        EXPECT_EQ(lit, 0x7full << 35 | 0x40ull << 28 | 0x06ull << 21 | 0x05ull << 14 |
+                           0x3full << 7 | 0x01ull);
+    });
+}
+
+TEST_F(FpgaTest, ReadsSwitchesAndPressedKeysAndCapturesTheRelease) {
+    run([this] {
+        fpga.inputs().sw = 0x2a5;
+        fpga.inputs().key_n = 0xf & ~4u;
+        wait(1, sc_core::SC_US);
+        EXPECT_EQ(read(regmap::SW_DATA), 0x2a5u);
+        EXPECT_EQ(read(regmap::KEY_DATA), 4u);
+        EXPECT_EQ(read(regmap::KEY_EDGE), 0u);
+        write(regmap::KEY_MASK, 4);
+        delay = sc_core::SC_ZERO_TIME;
+        wait(10, sc_core::SC_US);
+        fpga.inputs().key_n = 0xf;
+        wait(1, sc_core::SC_US);
+        EXPECT_EQ(read(regmap::KEY_EDGE), 4u);
+        EXPECT_EQ(fpga.fabric().irq(), 1u << (73 - 72));
+    });
+}
+
+TEST_F(FpgaTest, WritesAndReadsAnyLengthAtAnyAlignment) {
+    run([this] {
+        std::mt19937 random{1};
+        std::vector<std::uint8_t> row(640), back(640);
+        access(cpu.h2f, tlm::TLM_WRITE_COMMAND, PICTURE0 + 5 * 1024, row.data(), 640);
+        for (int i = 0; i < 300; ++i) {
+            const auto at = static_cast<unsigned>(random() % 640);
+            const auto bytes = 1 + static_cast<unsigned>(random() % (640 - at));
+            for (unsigned b = 0; b < bytes; ++b) row[at + b] = static_cast<std::uint8_t>(random());
+            ASSERT_EQ(access(cpu.h2f, tlm::TLM_WRITE_COMMAND, PICTURE0 + 5 * 1024 + at,
+                             row.data() + at, bytes),
+                      tlm::TLM_OK_RESPONSE);
+            const auto from = static_cast<unsigned>(random() % 640);
+            const auto count = 1 + static_cast<unsigned>(random() % (640 - from));
+            ASSERT_EQ(access(cpu.h2f, tlm::TLM_READ_COMMAND, PICTURE0 + 5 * 1024 + from,
+                             back.data(), count),
+                      tlm::TLM_OK_RESPONSE);
+            ASSERT_EQ(std::memcmp(back.data(), row.data() + from, count), 0)
+                << "from " << from << " bytes " << count;
+        }
+    });
+}
+
+TEST_F(FpgaTest, AnswersAWrongAddressAndGoesOn) {
+    run([this] {
+        std::uint32_t value = 1;
+        EXPECT_EQ(access(cpu.lw, tlm::TLM_READ_COMMAND, 0x1ff000, &value, 4),
+                  tlm::TLM_ADDRESS_ERROR_RESPONSE);
+        EXPECT_EQ(access(cpu.h2f, tlm::TLM_WRITE_COMMAND, 0x04000000, &value, 4),
+                  tlm::TLM_ADDRESS_ERROR_RESPONSE);
+        EXPECT_EQ(read(regmap::SYSID_ID), 0x44453153u);
+    });
+}
+
+TEST_F(FpgaTest, RefusesPayloadsThatAreNoMemoryAccess) {
+    run([this] {
+        std::uint32_t value = 1;
+        EXPECT_EQ(access(cpu.lw, tlm::TLM_IGNORE_COMMAND, 0, &value, 4),
+                  tlm::TLM_COMMAND_ERROR_RESPONSE);
+        EXPECT_EQ(access(cpu.lw, tlm::TLM_READ_COMMAND, 0, &value, 0),
+                  tlm::TLM_BURST_ERROR_RESPONSE);
+        tlm::tlm_generic_payload tx;
+        std::uint8_t enables[4] = {0xff, 0, 0, 0};
+        tx.set_command(tlm::TLM_WRITE_COMMAND);
+        tx.set_data_ptr(reinterpret_cast<unsigned char*>(&value));
+        tx.set_data_length(4);
+        tx.set_streaming_width(4);
+        tx.set_byte_enable_ptr(enables);
+        tx.set_byte_enable_length(4);
+        cpu.lw->b_transport(tx, delay);
+        EXPECT_EQ(tx.get_response_status(), tlm::TLM_BYTE_ENABLE_ERROR_RESPONSE);
+    });
+}
+
+TEST_F(FpgaTest, TakesTheTimeThatItsClocksTake) {
+    run([this] {
+        read(regmap::SYSID_ID);
+        EXPECT_GE(delay, sc_time(4 * 40, sc_core::SC_NS));
+        EXPECT_LE(delay, sc_time(20 * 40, sc_core::SC_NS));
+        delay = sc_core::SC_ZERO_TIME;
+        wait(1, sc_core::SC_MS);
+        std::vector<std::uint8_t> row(640);
+        const sc_time begin = sc_core::sc_time_stamp();
+        access(cpu.h2f, tlm::TLM_WRITE_COMMAND, PICTURE0, row.data(), 640);
+        const sc_time took = sc_core::sc_time_stamp() + delay - begin;
+        EXPECT_GE(took, sc_time(160 * 40, sc_core::SC_NS));       // a word a clock at best
+        EXPECT_LE(took, sc_time(160 * 40 * 2, sc_core::SC_NS));
+    });
+}
+
+TEST_F(FpgaTest, RunsOneClockForEvery40Nanoseconds) {
+    run([this] {
+        wait(10, sc_core::SC_MS);
+        fpga.catch_up();
+        EXPECT_EQ(fpga.fabric().clocks(), 250'000u);
+        EXPECT_EQ(pins.samples, 250'000u);
+    });
+}
+
+TEST_F(FpgaTest, HandsTheKeypadsPinsToTheScannerOnlyWhileItIsEnabled) {
+    run([&] {
+        write(regmap::JP1_DIR, 0x1f0);
+        write(regmap::JP1_DATA, 0x1a0);
+        EXPECT_EQ(pins.header.jp1_oe, 0x1f0u);
+        EXPECT_EQ(pins.header.jp1, 0x1a0u);
+        write(regmap::KEYPAD_CONTROL, 1);
+        const std::uint32_t column = pins.header.jp1_oe & 0xff;
+        EXPECT_TRUE(column == 0x80 || column == 0x40 || column == 0x20 || column == 0x10);
+        EXPECT_EQ(pins.header.jp1_oe & ~0xffu, 0x100u);
+        EXPECT_EQ(pins.header.jp1, 0x100u) << "the scanner only pulls low";
+        EXPECT_EQ(read(regmap::JP1_DIR), 0x1f0u) << "JP1's registers stay";
+        write(regmap::KEYPAD_CONTROL, 0);
+        EXPECT_EQ(pins.header.jp1_oe, 0x1f0u);
+        EXPECT_EQ(pins.header.jp1, 0x1a0u);
+    });
+}
+
+}  // namespace

@@ -1,0 +1,159 @@
+// The HPS models behind the bus: decode, memory, global timer, UART, and what wrong accesses get.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstring>
+#include <string>
+
+#include "sim/hps/bus.h"
+#include "sim/hps/global_timer.h"
+#include "sim/hps/memory.h"
+#include "sim/hps/uart.h"
+
+namespace {
+
+using sc_core::SC_NS;
+using sc_core::sc_time;
+
+// A processor's socket, a bus, and three targets.
+struct System : sc_core::sc_module {
+    std::string printed;
+    tlm_utils::simple_initiator_socket<System> cpu{"cpu"};
+    sim::Bus bus{"bus"};
+    sim::Memory memory{"memory", 1u << 20, sc_time{60, SC_NS}};
+    sim::GlobalTimer timer{"timer"};
+    sim::Uart uart{"uart", [this](char c) { printed += c; }};
+
+    explicit System(const sc_core::sc_module_name& name) : sc_module{name} {
+        cpu.bind(bus.socket);
+        bus.window("memory", 0x00000000, 1u << 20).bind(memory.socket);
+        bus.window("timer", 0xFFFEC200, 0x100).bind(timer.socket);
+        bus.window("uart", 0xFFC02000, 0x1000).bind(uart.socket);
+    }
+};
+
+// Two windows, the first of them at 0x1000 - 0x1FFF.
+struct Overlapping : sc_core::sc_module {
+    sim::Bus bus{"bus"};
+
+    Overlapping(std::uint32_t base, std::uint32_t size)
+        : sc_module{sc_core::sc_module_name{"overlapping"}} {
+        bus.window("a", 0x1000, 0x1000);
+        bus.window("b", base, size);
+    }
+};
+
+class BusDeathTest : public ::testing::Test {};
+
+class Hps : public ::testing::Test {
+protected:
+    System system{"system"};
+    sim::Bus& bus = system.bus;
+    sc_time delay;
+
+    void SetUp() override { sc_core::sc_start(sc_core::SC_ZERO_TIME); }
+    tlm::tlm_response_status access(tlm::tlm_command command, std::uint64_t address, void* data,
+                                    unsigned bytes) {
+        tlm::tlm_generic_payload tx;
+        tx.set_command(command);
+        tx.set_address(address);
+        tx.set_data_ptr(static_cast<unsigned char*>(data));
+        tx.set_data_length(bytes);
+        tx.set_streaming_width(bytes);
+        system.cpu->b_transport(tx, delay);
+        EXPECT_EQ(tx.get_address(), address) << "the bus left its own address in the payload";
+        return tx.get_response_status();
+    }
+    std::uint32_t read(std::uint32_t address) {
+        std::uint32_t value = 0xdeadbeef;
+        EXPECT_EQ(access(tlm::TLM_READ_COMMAND, address, &value, 4), tlm::TLM_OK_RESPONSE);
+        return value;
+    }
+    void write(std::uint32_t address, std::uint32_t value) {
+        EXPECT_EQ(access(tlm::TLM_WRITE_COMMAND, address, &value, 4), tlm::TLM_OK_RESPONSE);
+    }
+};
+
+TEST_F(Hps, MemoryRemembersBytesAcrossItsPages) {
+    std::array<std::uint8_t, 64> out{}, in{};
+    for (unsigned i = 0; i < out.size(); ++i) out[i] = static_cast<std::uint8_t>(i * 3 + 1);
+    EXPECT_EQ(access(tlm::TLM_WRITE_COMMAND, 0xFFE3, out.data(), 64), tlm::TLM_OK_RESPONSE);
+    EXPECT_EQ(access(tlm::TLM_READ_COMMAND, 0xFFE3, in.data(), 64), tlm::TLM_OK_RESPONSE);
+    EXPECT_EQ(in, out);
+    EXPECT_EQ(read(0x50000), 0u);
+    EXPECT_EQ(delay, sc_time(180, SC_NS));
+}
+
+TEST_F(Hps, AnAddressThatNobodyOwnsIsAnAddressErrorAndCounted) {
+    std::uint32_t value = 0;
+    EXPECT_EQ(access(tlm::TLM_READ_COMMAND, 0x80000000, &value, 4),
+              tlm::TLM_ADDRESS_ERROR_RESPONSE);
+    EXPECT_EQ(bus.counts().errors, 1u);
+}
+
+TEST_F(Hps, AnAccessThatLeavesItsWindowIsAnAddressError) {
+    std::array<std::uint8_t, 16> data{};
+    EXPECT_EQ(access(tlm::TLM_WRITE_COMMAND, (1u << 20) - 8, data.data(), 16),
+              tlm::TLM_ADDRESS_ERROR_RESPONSE);
+    EXPECT_EQ(access(tlm::TLM_READ_COMMAND, 0x1'0000'0000, data.data(), 4),
+              tlm::TLM_ADDRESS_ERROR_RESPONSE);
+}
+
+TEST_F(Hps, RegistersRefuseAccessesThatAreNotOneAlignedWord) {
+    std::array<std::uint8_t, 8> data{};
+    EXPECT_EQ(access(tlm::TLM_READ_COMMAND, 0xFFFEC202, data.data(), 4),
+              tlm::TLM_BURST_ERROR_RESPONSE);
+    EXPECT_EQ(access(tlm::TLM_READ_COMMAND, 0xFFFEC200, data.data(), 2),
+              tlm::TLM_BURST_ERROR_RESPONSE);
+    EXPECT_EQ(access(tlm::TLM_WRITE_COMMAND, 0xFFFEC200, data.data(), 8),
+              tlm::TLM_BURST_ERROR_RESPONSE);
+}
+
+TEST_F(Hps, CountsReadsWritesAndBursts) {
+    std::array<std::uint8_t, 64> data{};
+    read(0x100);
+    write(0x100, 1);
+    write(0x104, 1);
+    access(tlm::TLM_WRITE_COMMAND, 0, data.data(), 64);
+    EXPECT_EQ(bus.counts().reads, 1u);
+    EXPECT_EQ(bus.counts().writes, 2u);
+    EXPECT_EQ(bus.counts().bursts, 1u);
+    EXPECT_EQ(bus.counts().errors, 0u);
+}
+
+TEST_F(Hps, TheGlobalTimerStandsStillUntilEnabledAndThenCountsAt200MHz) {
+    sc_core::sc_start(1, sc_core::SC_US);
+    EXPECT_EQ(read(0xFFFEC200), 0u);
+    write(0xFFFEC208, 1);
+    delay = sc_core::SC_ZERO_TIME;
+    const std::uint32_t before = read(0xFFFEC200);
+    sc_core::sc_start(1, sc_core::SC_MS);
+    delay = sc_core::SC_ZERO_TIME;
+    EXPECT_EQ(read(0xFFFEC200) - before, 200'000u);
+}
+
+TEST_F(Hps, TheGlobalTimerHas64Bits) {
+    write(0xFFFEC200, 0xffffff00);
+    write(0xFFFEC204, 7);
+    write(0xFFFEC208, 1);
+    sc_core::sc_start(10, sc_core::SC_US);
+    EXPECT_EQ(read(0xFFFEC204), 8u);
+}
+
+TEST_F(Hps, TheUartIsReadyAndPrints) {
+    EXPECT_EQ(read(0xFFC02014) & 0x60, 0x60u);
+    for (const char c : std::string{"hi\n"}) write(0xFFC02000, static_cast<unsigned char>(c));
+    EXPECT_EQ(system.printed, "hi\n");
+}
+
+TEST_F(BusDeathTest, RefusesTwoWindowsThatOverlap) {
+    EXPECT_DEATH(Overlapping(0x1800, 0x1000), "");  // SystemC prints to stdout
+}
+
+TEST_F(BusDeathTest, RefusesAWindowAroundAnother) {
+    EXPECT_DEATH(Overlapping(0x0000, 0x8000), "");  // SystemC prints to stdout
+}
+
+TEST_F(BusDeathTest, TakesWindowsThatTouch) { EXPECT_NO_THROW(Overlapping(0x2000, 0x1000)); }
+
+}  // namespace

@@ -1,0 +1,102 @@
+// sim/board/keypad.cpp: the wires as a matrix without diodes gives them, and contacts that bounce.
+#include "sim/board/keypad.h"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+namespace {
+
+using sc_core::SC_MS;
+using sc_core::SC_US;
+using sc_core::sc_time;
+
+constexpr std::uint8_t ALL_HIGH = 0xff;
+std::uint16_t key(int row, int column) { return static_cast<std::uint16_t>(1u << (4 * row + column)); }
+
+class KeypadModel : public ::testing::Test {
+protected:
+    std::vector<sc_time> moves;
+    sim::Keypad keypad{"keypad", 1, [this] { moves.push_back(sc_core::sc_time_stamp()); }};
+
+    void settle() { sc_core::sc_start(10, SC_MS); }
+    // Rows D3-D0 with one column pulled low and the others floating; column 0 is D7.
+    unsigned rows(int column) {
+        const auto enable = static_cast<std::uint8_t>(0x80 >> column);
+        return keypad.levels(0x00, enable) & 0x0fu;
+    }
+};
+
+TEST_F(KeypadModel, ReadsHighEverywhereWhileNothingIsPressed) {
+    settle();
+    EXPECT_EQ(keypad.levels(0x00, 0x00), ALL_HIGH);
+    for (int c = 0; c < 4; ++c) EXPECT_EQ(rows(c), 0xfu);
+}
+
+TEST_F(KeypadModel, ConnectsEachKeysRowAndColumn) {
+    for (int r = 0; r < 4; ++r)
+        for (int c = 0; c < 4; ++c) {
+            keypad.press(key(r, c));
+            settle();
+            for (int other = 0; other < 4; ++other)
+                EXPECT_EQ(rows(other), other == c ? 0xfu & ~(8u >> r) : 0xfu) << r << c << other;
+            keypad.release(key(r, c));
+            settle();
+        }
+}
+
+TEST_F(KeypadModel, WorksFromTheRowsToTheColumnsToo) {
+    keypad.press(key(1, 2));  // row wire D2, column wire D5
+    settle();
+    EXPECT_EQ(keypad.levels(0x00, 0x04), ALL_HIGH & ~0x04u & ~0x20u);
+}
+
+TEST_F(KeypadModel, ClosesTheFourthCornersPath) {
+    keypad.press(static_cast<std::uint16_t>(key(0, 0) | key(1, 0) | key(0, 1)));
+    settle();
+    EXPECT_EQ(rows(1), 0xfu & ~0x8u & ~0x4u);  // row 1 looks pressed in column 1
+}
+
+TEST_F(KeypadModel, LetsALowOutputWinOverAHighOne) {
+    keypad.press(static_cast<std::uint16_t>(key(0, 0) | key(0, 1)));
+    settle();
+    EXPECT_EQ(keypad.levels(0x70, 0xf0) & 0xf8u, 0x30u);  // D7 low; D6 driven high, pulled low
+}
+
+TEST_F(KeypadModel, BouncesForAtMostFiveMillisecondsAndThenRests) {
+    for (int press = 0; press < 20; ++press) {
+        const sc_time begin = sc_core::sc_time_stamp();
+        moves.clear();
+        keypad.press(key(0, 0));
+        sc_core::sc_start(20, SC_MS);
+        ASSERT_GE(moves.size(), 3u) << "no bounce";
+        EXPECT_EQ(moves.size() % 2, 1u);
+        EXPECT_LE(moves.back() - begin, sc_time(5, SC_MS));
+        EXPECT_EQ(rows(0), 0x7u);
+        keypad.release(key(0, 0));
+        sc_core::sc_start(20, SC_MS);
+        EXPECT_EQ(rows(0), 0xfu);
+    }
+    EXPECT_EQ(keypad.presses(), 20u);
+    EXPECT_EQ(keypad.releases(), 20u);
+}
+
+TEST_F(KeypadModel, BouncesTheSameWayWithTheSameSeedAndAnotherWayWithAnother) {
+    std::vector<sc_time> same_moves, other_moves;
+    sim::Keypad same{"same", 1, [&] { same_moves.push_back(sc_core::sc_time_stamp()); }};
+    sim::Keypad other{"other", 2, [&] { other_moves.push_back(sc_core::sc_time_stamp()); }};
+    for (sim::Keypad* k : {&keypad, &same, &other}) k->press(key(2, 2));
+    settle();
+    EXPECT_EQ(moves, same_moves);
+    EXPECT_NE(moves, other_moves);
+}
+
+TEST_F(KeypadModel, LetsAReleaseEndTheBounceOfThePressBeforeIt) {
+    keypad.press(key(3, 3));
+    sc_core::sc_start(100, SC_US);
+    keypad.release(key(3, 3));
+    settle();
+    EXPECT_EQ(rows(3), 0xfu);
+}
+
+}  // namespace
