@@ -36,8 +36,8 @@ struct System : sc_core::sc_module {
 struct Overlapping : sc_core::sc_module {
     sim::Bus bus{"bus"};
 
-    Overlapping(std::uint32_t base, std::uint32_t size)
-        : sc_module{sc_core::sc_module_name{"overlapping"}} {
+    Overlapping(const sc_core::sc_module_name& name, std::uint32_t base, std::uint32_t size)
+        : sc_module{name} {
         bus.window("a", 0x1000, 0x1000);
         bus.window("b", base, size);
     }
@@ -147,13 +147,13 @@ TEST_F(Hps, TheUartIsReadyAndPrints) {
 }
 
 TEST_F(BusDeathTest, RefusesTwoWindowsThatOverlap) {
-    EXPECT_DEATH(Overlapping(0x1800, 0x1000), "");  // SystemC prints to stdout
+    EXPECT_DEATH(Overlapping("two", 0x1800, 0x1000), "");  // SystemC prints to stdout
 }
 
 TEST_F(BusDeathTest, RefusesAWindowAroundAnother) {
-    EXPECT_DEATH(Overlapping(0x0000, 0x8000), "");  // SystemC prints to stdout
+    EXPECT_DEATH(Overlapping("two", 0x0000, 0x8000), "");  // SystemC prints to stdout
 }
 
-TEST_F(BusDeathTest, TakesWindowsThatTouch) { EXPECT_NO_THROW(Overlapping(0x2000, 0x1000)); }
+TEST_F(BusDeathTest, TakesWindowsThatTouch) { EXPECT_NO_THROW(Overlapping("two", 0x2000, 0x1000)); }
 
 }  // namespace
