@@ -27,7 +27,7 @@ module axi_read #(
     input  wire [2:0]        arsize_i,    // log2(bytes a beat)
     input  wire [1:0]        arburst_i,
     input  wire              arvalid_i,
-    output reg               arready_o,
+    output wire              arready_o,
 
     output reg  [ID_W-1:0]   rid_o,
     output reg  [31:0]       rdata_o,
@@ -46,57 +46,52 @@ module axi_read #(
     localparam [1:0] INCR = 2'b01;
     localparam [1:0] OKAY = 2'b00, SLVERR = 2'b10, DECERR = 2'b11;
 
-    // ---- Burst in progress ------------------------------------------------
+    reg              busy_q;      // a burst is under way; else nothing here moves
     reg [ADDR_W-1:0] addr_q;
     reg [3:0]        left_q;      // beats to come after this one
     reg [ADDR_W-1:0] step_q;      // bytes a beat
     reg              refuse_q;    // not a burst we serve
 
-    wire ar_taken = arvalid_i && arready_o;
-    wire r_taken  = rvalid_o && rready_i;
-    wire serve    = arburst_i == INCR && arsize_i <= 3'd2;
+    wire serve = arburst_i == INCR && arsize_i <= 3'd2;
 
-    assign rlast_o = left_q == 0;
-    assign raddr_o = {addr_q[ADDR_W-1:2], 2'b00};
+    assign arready_o = !busy_q;
+    assign rlast_o   = left_q == 4'd0;
+    assign raddr_o   = {addr_q[ADDR_W-1:2], 2'b00};
 
     always @(posedge clk_i) begin
-        if (ar_taken) begin
-            arready_o <= 1'b0;
-            rid_o     <= arid_i;
-            addr_q    <= araddr_i;
-            left_q    <= arlen_i;
-            step_q    <= {{ADDR_W-1{1'b0}}, 1'b1} << arsize_i;
-            refuse_q  <= !serve;
+        if (busy_q) begin
+            // ---- A beat, from the register bus ----
+            if (rgrant_i) re_o <= 1'b0;
+            if (rdone_i) begin
+                rdata_o  <= rerror_i ? 32'd0 : rdata_i;
+                rresp_o  <= rerror_i ? DECERR : OKAY;
+                rvalid_o <= 1'b1;
+            end
+            // ---- The response ----
+            if (rvalid_o && rready_i) begin
+                addr_q   <= (addr_q & ~(step_q - 1'b1)) + step_q;
+                left_q   <= left_q - 1'b1;
+                re_o     <= !rlast_o && !refuse_q;
+                rvalid_o <= !rlast_o && refuse_q;
+                busy_q   <= !rlast_o;
+            end
+        end else if (arvalid_i) begin
+            busy_q   <= 1'b1;
+            rid_o    <= arid_i;
+            addr_q   <= araddr_i;
+            left_q   <= arlen_i;
+            step_q   <= {{ADDR_W-1{1'b0}}, 1'b1} << arsize_i;
+            refuse_q <= !serve;
+            re_o     <= serve;
+            rvalid_o <= !serve;
+            rdata_o  <= 32'd0;
+            rresp_o  <= SLVERR;
         end
-        if (r_taken) begin
-            addr_q <= (addr_q & ~(step_q - 1'b1)) + step_q;
-            if (rlast_o) arready_o <= 1'b1;
-            else left_q <= left_q - 1'b1;
+        if (rst_i) begin
+            busy_q   <= 1'b0;
+            rvalid_o <= 1'b0;
+            re_o     <= 1'b0;
         end
-        if (rst_i) arready_o <= 1'b1;
-    end
-
-    // ---- Register bus -----------------------------------------------------
-    always @(posedge clk_i) begin
-        if (ar_taken) re_o <= serve;
-        else if (r_taken) re_o <= !rlast_o && !refuse_q;
-        else if (rgrant_i) re_o <= 1'b0;
-        if (rst_i) re_o <= 1'b0;
-    end
-
-    // ---- Response ---------------------------------------------------------
-    always @(posedge clk_i) begin
-        if (rdone_i) begin
-            rdata_o <= rerror_i ? 32'd0 : rdata_i;
-            rresp_o <= rerror_i ? DECERR : OKAY;
-        end
-        if (ar_taken && !serve) begin
-            rdata_o <= 32'd0;
-            rresp_o <= SLVERR;
-        end
-        if (rdone_i || (ar_taken && !serve)) rvalid_o <= 1'b1;
-        else if (r_taken) rvalid_o <= refuse_q && !rlast_o;
-        if (rst_i) rvalid_o <= 1'b0;
     end
 
 endmodule

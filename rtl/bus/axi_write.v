@@ -28,7 +28,7 @@ module axi_write #(
     input  wire [2:0]        awsize_i,    // log2(bytes a beat)
     input  wire [1:0]        awburst_i,
     input  wire              awvalid_i,
-    output reg               awready_o,
+    output wire              awready_o,
 
     input  wire [31:0]       wdata_i,
     input  wire [3:0]        wstrb_i,
@@ -49,66 +49,59 @@ module axi_write #(
     localparam [1:0] INCR = 2'b01;
     localparam [1:0] OKAY = 2'b00, SLVERR = 2'b10, DECERR = 2'b11;
 
-    // ---- Burst in progress ------------------------------------------------
+    reg              busy_q;      // a burst is under way; else nothing here moves
     reg [ADDR_W-1:0] addr_q;
     reg [3:0]        left_q;      // beats to come after this one
     reg [ADDR_W-1:0] step_q;      // bytes a beat
     reg              refuse_q;    // not a burst we serve
-    reg [1:0]        drain_q;     // last beat is on its way to the block: collect its error
+    reg              we_was_q;    // its werror_i comes now
+    reg [1:0]        drain_q;     // the last beat is on its way to the block
 
-    wire aw_taken = awvalid_i && awready_o;
-    wire w_taken  = wvalid_i && wready_o;
-    wire b_taken  = bvalid_o && bready_i;
-
-    always @(posedge clk_i) begin
-        if (aw_taken) begin
-            awready_o <= 1'b0;
-            wready_o  <= 1'b1;
-            bid_o     <= awid_i;
-            addr_q    <= awaddr_i;
-            left_q    <= awlen_i;
-            step_q    <= {{ADDR_W-1{1'b0}}, 1'b1} << awsize_i;
-            refuse_q  <= awburst_i != INCR || awsize_i > 3'd2;
-        end
-        if (w_taken) begin
-            addr_q <= (addr_q & ~(step_q - 1'b1)) + step_q;
-            left_q <= left_q - 1'b1;
-            if (left_q == 0) wready_o <= 1'b0;
-        end
-        drain_q <= {drain_q[0], w_taken && left_q == 0};
-        if (b_taken) awready_o <= 1'b1;
-        if (rst_i) begin
-            awready_o <= 1'b1;
-            wready_o  <= 1'b0;
-            drain_q   <= 2'b00;
-        end
-    end
-
-    // ---- Register bus -----------------------------------------------------
-    reg we_was_q;
+    assign awready_o = !busy_q;
 
     always @(posedge clk_i) begin
-        we_o     <= w_taken && !refuse_q;
-        we_was_q <= we_o;
-        if (w_taken) begin
-            waddr_o <= {addr_q[ADDR_W-1:2], 2'b00};
-            wdata_o <= wdata_i;
-            wstrb_o <= wstrb_i;
+        if (busy_q) begin
+            // ---- A beat, to the register bus ----
+            we_o     <= 1'b0;
+            we_was_q <= we_o;
+            drain_q  <= {drain_q[0], 1'b0};
+            if (wvalid_i && wready_o) begin
+                we_o    <= !refuse_q;
+                waddr_o <= {addr_q[ADDR_W-1:2], 2'b00};
+                wdata_o <= wdata_i;
+                wstrb_o <= wstrb_i;
+                addr_q  <= (addr_q & ~(step_q - 1'b1)) + step_q;
+                left_q  <= left_q - 1'b1;
+                if (left_q == 4'd0) begin
+                    wready_o   <= 1'b0;
+                    drain_q[0] <= 1'b1;
+                end
+            end
+            // ---- The response ----
+            if (we_was_q && werror_i) bresp_o <= DECERR;
+            if (drain_q[1]) bvalid_o <= 1'b1;
+            if (bvalid_o && bready_i) begin
+                bvalid_o <= 1'b0;
+                busy_q   <= 1'b0;
+            end
+        end else if (awvalid_i) begin
+            busy_q   <= 1'b1;
+            wready_o <= 1'b1;
+            bid_o    <= awid_i;
+            addr_q   <= awaddr_i;
+            left_q   <= awlen_i;
+            step_q   <= {{ADDR_W-1{1'b0}}, 1'b1} << awsize_i;
+            refuse_q <= awburst_i != INCR || awsize_i > 3'd2;
+            bresp_o  <= awburst_i != INCR || awsize_i > 3'd2 ? SLVERR : OKAY;
         end
         if (rst_i) begin
+            busy_q   <= 1'b0;
+            wready_o <= 1'b0;
+            bvalid_o <= 1'b0;
             we_o     <= 1'b0;
             we_was_q <= 1'b0;
+            drain_q  <= 2'b00;
         end
-    end
-
-    // ---- Response ---------------------------------------------------------
-    always @(posedge clk_i) begin
-        if (aw_taken) bresp_o <= OKAY;
-        else if (we_was_q && werror_i) bresp_o <= DECERR;
-        else if (drain_q[1] && refuse_q) bresp_o <= SLVERR;
-        if (drain_q[1]) bvalid_o <= 1'b1;
-        else if (b_taken) bvalid_o <= 1'b0;
-        if (rst_i) bvalid_o <= 1'b0;
     end
 
 endmodule

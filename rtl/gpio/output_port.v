@@ -21,14 +21,17 @@ module output_port #(
 
     output reg  [31:0] pins_o
 );
-    wire [31:0] lanes = {{8{wstrb_i[3]}}, {8{wstrb_i[2]}}, {8{wstrb_i[1]}}, {8{wstrb_i[0]}}};
+    `include "lanes.vh"
 
     always @(posedge clk_i) begin
-        if (we_i && waddr_i[3:0] == 4'd0) pins_o <= ((wdata_i & lanes) | (pins_o & ~lanes)) & BITS;
+        if (we_i && waddr_i[3:0] == 4'd0) pins_o <= merged(pins_o, wdata_i, wstrb_i) & BITS;
         if (rst_i) pins_o <= 32'd0;
     end
 
-    always @(posedge clk_i) rdata_o <= re_i && raddr_i[3:0] == 4'd0 ? pins_o : 32'd0;
+    always @(posedge clk_i) begin
+        rdata_o <= 32'd0;
+        if (re_i && raddr_i[3:0] == 4'd0) rdata_o <= pins_o;
+    end
 endmodule
 
 `default_nettype wire

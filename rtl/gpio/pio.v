@@ -32,12 +32,15 @@ module pio #(
     output reg  [WIDTH-1:0] oe_o
 );
     `include "regmap.vh"
+    `include "lanes.vh"
 
-    // verilator lint_off UNUSED
-    wire [31:0] mask32 = {{8{wstrb_i[3]}}, {8{wstrb_i[2]}}, {8{wstrb_i[1]}}, {8{wstrb_i[0]}}};
-    // verilator lint_on UNUSED
-    wire [WIDTH-1:0] lanes = mask32[WIDTH-1:0];
-    wire [WIDTH-1:0] wdata = wdata_i[WIDTH-1:0];
+    // Ports are narrower than the bus.
+    // verilator lint_off WIDTH
+    function [WIDTH-1:0] written;
+        input [WIDTH-1:0] old_bits;
+        written = merged(old_bits, wdata_i, wstrb_i);
+    endfunction
+    // verilator lint_on WIDTH
 
     // ---- Pins -------------------------------------------------------------
     wire [WIDTH-1:0] data;
@@ -48,18 +51,19 @@ module pio #(
     assign irq_o = (edge_q & mask_q) != {WIDTH{1'b0}};
 
     // ---- Registers: the offsets are JP1's, the widest of these ports -------
-    wire write_edge = we_i && waddr_i[3:0] == JP1_EDGE[3:0];
-
     always @(posedge clk_i) begin
         if (we_i) case (waddr_i[3:0])
-            JP1_DATA[3:0]: if (HAS_OUTPUT != 0) pins_o <= (wdata & lanes) | (pins_o & ~lanes);
-            JP1_DIR[3:0]:  if (HAS_OUTPUT != 0) oe_o <= (wdata & lanes) | (oe_o & ~lanes);
-            JP1_MASK[3:0]: if (HAS_EDGE != 0) mask_q <= (wdata & lanes) | (mask_q & ~lanes);
+            JP1_DATA[3:0]: if (HAS_OUTPUT != 0) pins_o <= written(pins_o);
+            JP1_DIR[3:0]:  if (HAS_OUTPUT != 0) oe_o <= written(oe_o);
+            JP1_MASK[3:0]: if (HAS_EDGE != 0) mask_q <= written(mask_q);
             default: ;
         endcase
         data_was_q <= data;
-        if (HAS_EDGE != 0 && (write_edge || data != data_was_q))
-            edge_q <= (edge_q & ~(write_edge ? wdata & lanes : {WIDTH{1'b0}})) | (data_was_q & ~data);
+        if (HAS_EDGE != 0) begin
+            if (data != data_was_q) edge_q <= edge_q | (data_was_q & ~data);
+            if (we_i && waddr_i[3:0] == JP1_EDGE[3:0])
+                edge_q <= (edge_q & ~written({WIDTH{1'b0}})) | (data_was_q & ~data);
+        end
         if (rst_i) begin
             pins_o     <= {WIDTH{1'b0}};
             oe_o       <= {WIDTH{1'b0}};

@@ -73,18 +73,21 @@ module keypad #(
     reg        overflow_q, ghost_q;
     reg  [2:0] mask_q;
     wire [2:0] status = {ghost_q, overflow_q, !event_empty};
-    wire       we0 = we_i && wstrb_i[0];
-    wire       we_status = we0 && waddr_i[4:0] == KEYPAD_STATUS[4:0];
 
     assign pop   = we_i && wstrb_i != 4'd0 && waddr_i[4:0] == KEYPAD_EVENT[4:0];
     assign irq_o = (status & mask_q) != 3'd0;
 
     always @(posedge clk_i) begin
-        if (we0 && waddr_i[4:0] == KEYPAD_CONTROL[4:0]) enable_o <= wdata_i[KEYPAD_CONTROL_EN_LSB];
-        if (we0 && waddr_i[4:0] == KEYPAD_DEBOUNCE[4:0]) debounce_q <= wdata_i[7:0];
-        if (we0 && waddr_i[4:0] == KEYPAD_MASK[4:0]) mask_q <= wdata_i[2:0];
-        if (we_status && wdata_i[KEYPAD_STATUS_OVERFLOW_LSB]) overflow_q <= 1'b0;
-        if (we_status && wdata_i[KEYPAD_STATUS_GHOST_LSB]) ghost_q <= 1'b0;
+        if (we_i && wstrb_i[0]) case (waddr_i[4:0])
+            KEYPAD_CONTROL[4:0]:  enable_o   <= wdata_i[KEYPAD_CONTROL_EN_LSB];
+            KEYPAD_DEBOUNCE[4:0]: debounce_q <= wdata_i[7:0];
+            KEYPAD_MASK[4:0]:     mask_q     <= wdata_i[2:0];
+            KEYPAD_STATUS[4:0]: begin
+                if (wdata_i[KEYPAD_STATUS_OVERFLOW_LSB]) overflow_q <= 1'b0;
+                if (wdata_i[KEYPAD_STATUS_GHOST_LSB]) ghost_q <= 1'b0;
+            end
+            default: ;
+        endcase
         if (event_now && event_full) overflow_q <= 1'b1;
         if (ghost) ghost_q <= 1'b1;
         if (rst_i) begin

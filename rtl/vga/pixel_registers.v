@@ -28,12 +28,12 @@ module pixel_registers (
     output reg         enable_o
 );
     `include "regmap.vh"
+    `include "lanes.vh"
 
     reg [31:0] back_q;
     reg        swap_q;
 
-    wire [31:0] mask = {{8{wstrb_i[3]}}, {8{wstrb_i[2]}}, {8{wstrb_i[1]}}, {8{wstrb_i[0]}}};
-    wire        swap_now = frame_end_i && swap_q;
+    wire swap_now = frame_end_i && swap_q;
 
     // ---- Writes and the swap ----------------------------------------------
     always @(posedge clk_i) begin
@@ -44,8 +44,7 @@ module pixel_registers (
         end
         if (we_i) case (waddr_i[3:0])
             PIXEL_BUFFER[3:0]:      if (wstrb_i != 4'd0) swap_q <= 1'b1;
-            PIXEL_BACK_BUFFER[3:0]: back_q <= (wdata_i & mask)
-                                              | ((swap_now ? front_o : back_q) & ~mask);
+            PIXEL_BACK_BUFFER[3:0]: back_q <= merged(swap_now ? front_o : back_q, wdata_i, wstrb_i);
             PIXEL_STATUS[3:0]:      if (wstrb_i[0]) enable_o <= wdata_i[PIXEL_STATUS_EN_LSB];
             default: ;
         endcase

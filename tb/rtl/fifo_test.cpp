@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "Vfifo.h"
+#include "tb/support/random_registers.h"
 
 namespace {
 
@@ -12,10 +13,7 @@ constexpr std::size_t DEPTH = 128;
 
 class Fifo : public ::testing::Test {
 protected:
-    static void SetUpTestSuite() {
-        Verilated::randReset(2);
-        Verilated::randSeed(1);
-    }
+    static void SetUpTestSuite() { tb::start_with_random_registers(); }
     void SetUp() override {
         dut.rst_i = 1;
         step(false, 0, false);
@@ -41,7 +39,9 @@ protected:
         ASSERT_EQ(dut.count_o, model.size());
         ASSERT_EQ(dut.empty_o, model.empty());
         ASSERT_EQ(dut.full_o, model.size() == DEPTH);
-        if (!model.empty()) ASSERT_EQ(dut.rdata_o, model.front());
+        if (!model.empty()) {
+            ASSERT_EQ(dut.rdata_o, model.front());
+        }
     }
 
     Vfifo dut;

@@ -1,7 +1,7 @@
 // i2c_bus.h - an I2C bus with a target that acknowledges, and a referee for the standard's rules.
 //
-// Times are those of UM10204, table 10, for 100 kHz.  The target samples SDA when SCL rises and moves
-// it one clock after SCL has fallen.
+// Times are those of UM10204, table 10, for 100 kHz.  The target samples SDA when SCL rises and
+// moves it one clock after SCL has fallen.
 #pragma once
 
 #include <cstdint>
@@ -79,8 +79,8 @@ private:
         check(now_ - started_ >= 4000, "SCL falls too soon after START");
         fell_ = now_;
         if (bits_ == 8) {
-            pulls_ = transfers.size() - 1 != refuse_transfer_ ||
-                     transfers.back().size() != refuse_byte_;
+            pulls_ =
+                transfers.size() - 1 != refuse_transfer_ || transfers.back().size() != refuse_byte_;
             transfers.back().push_back(static_cast<std::uint8_t>(byte_));
         } else if (bits_ == 9) {
             pulls_ = false;

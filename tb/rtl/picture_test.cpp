@@ -6,6 +6,7 @@
 
 #include "Vpicture_bench.h"
 #include "tb/support/axi_master.h"
+#include "tb/support/random_registers.h"
 
 namespace {
 
@@ -26,6 +27,8 @@ protected:
     std::uint32_t asked_offset = 0;
     unsigned wrong_pixels = 0, checked_pixels = 0;
     std::uint32_t screen_offset = PICTURE0;
+
+    static void SetUpTestSuite() { start_with_random_registers(); }
 
     void SetUp() override {
         dut.rst_i = 1;

@@ -24,7 +24,10 @@ protected:
     std::uint32_t word = 0;
     unsigned fetches = 0;
 
-    void SetUp() override { reset(); }
+    void SetUp() override {
+        dut.resampler_re_i = 0;
+        reset();
+    }
 
     void after_clock() override {
         dut.word_i = word;  // asked for a clock ago

@@ -5,11 +5,15 @@
 
 #include <gtest/gtest.h>
 
+#include "tb/support/random_registers.h"
+
 namespace tb {
 
 template <class Dut>
 class RegisterBus : public ::testing::Test {
 protected:
+    static void SetUpTestSuite() { start_with_random_registers(); }
+
     Dut dut;
     std::uint64_t clocks = 0;
 

@@ -1,0 +1,15 @@
+// random_registers.h - registers that nobody resets start with random values, so that it shows.
+#pragma once
+
+#include <verilated.h>
+
+namespace tb {
+
+// Call before the first model is made (SetUpTestSuite).  Works on modules Verilated with
+// --x-initial unique.
+inline void start_with_random_registers() {
+    Verilated::randReset(2);
+    Verilated::randSeed(1);
+}
+
+}  // namespace tb
