@@ -1,14 +1,33 @@
-# sources.cmake - the files of fpga.v, for the simulator, the linters and synthesis.
+# sources.cmake - the files of fpga.v, and how a module of rtl/ becomes a Verilated class.
+
 set(RTL_SOURCES
     fpga.v
-    bus/lw_bridge.v bus/lw_decode.v bus/h2f_bridge.v bus/axi_read.v bus/axi_write.v
+    audio/audio.v audio/audio_clocks.v audio/codec_setup.v audio/i2c_writer.v audio/i2s_rx.v
+    audio/i2s_tx.v
+    bus/axi_read.v bus/axi_write.v bus/h2f_bridge.v bus/lw_bridge.v bus/lw_decode.v
     common/fifo.v common/sync.v
     gpio/output_port.v gpio/pio.v
     keypad/keypad.v keypad/keypad_scan.v
     sysid/sysid.v
-    vga/vga.v vga/vga_timing.v vga/pixel_registers.v vga/picture_memory.v vga/picture_store.v
-    audio/audio.v audio/audio_clocks.v audio/codec_setup.v audio/i2c_writer.v audio/i2s_rx.v
-    audio/i2s_tx.v)
-list(TRANSFORM RTL_SOURCES PREPEND ${CMAKE_SOURCE_DIR}/rtl/)
-set(RTL_INCLUDES
-    -I${CMAKE_SOURCE_DIR}/rtl/regmap -I${CMAKE_SOURCE_DIR}/rtl/bus -I${CMAKE_SOURCE_DIR}/rtl/vga)
+    vga/picture_memory.v vga/picture_store.v vga/pixel_registers.v vga/vga.v vga/vga_timing.v)
+set(RTL_INCLUDES regmap bus vga)
+
+# verilate_rtl(TARGET TOP [TRACE_FST] SOURCES files under rtl/... ARGS for Verilator...)
+#
+# Adds class V<TOP> to the target.  Paths are relative, because Verilator 5.006 stumbles over blanks
+# in those of its sources.
+function(verilate_rtl target top)
+    cmake_parse_arguments(arg "TRACE_FST" "" "SOURCES;ARGS" ${ARGN})
+    file(RELATIVE_PATH rtl ${CMAKE_CURRENT_SOURCE_DIR} ${CMAKE_SOURCE_DIR}/rtl)
+    list(TRANSFORM arg_SOURCES PREPEND ${rtl}/)
+    list(TRANSFORM RTL_INCLUDES PREPEND -I${rtl}/ OUTPUT_VARIABLE includes)
+    if(arg_TRACE_FST)
+        set(trace TRACE_FST)
+    endif()
+    verilate(${target} ${trace} PREFIX V${top} TOP_MODULE ${top} SOURCES ${arg_SOURCES}
+        VERILATOR_ARGS -Wall ${includes} ${arg_ARGS})
+    # Verilator's headers and what it makes are not ours to warn about.
+    target_include_directories(${target} SYSTEM PUBLIC ${VERILATOR_ROOT}/include
+        ${VERILATOR_ROOT}/include/vltstd
+        ${CMAKE_CURRENT_BINARY_DIR}/CMakeFiles/${target}.dir/V${top}.dir)
+endfunction()
