@@ -1,17 +1,20 @@
 # The menu. Each entry shows the real command.
 
-.PHONY: all setup build demo test fast asan coverage bench pgo regmap format clean
+.PHONY: all setup configure build demo test fast asan coverage bench pgo regmap format clean
 
 all: build
 
 setup:                  ## install the Debian packages that are missing
 	@.ci/setup
 
-build: setup            ## build/bin/de1sim and the tests
+configure: setup
 	@[ -f build/build.ninja ] || cmake --preset default
+
+build: configure        ## build/bin/de1sim and the tests
 	@cmake --build build
 
-demo: build             ## ten seconds of the demo -> out/
+demo: configure         ## ten seconds of the demo -> out/
+	@cmake --build build --target de1sim
 	build/bin/de1sim run tb/system/demo.yaml --out out
 	@echo
 	@echo "  out/frames/frame_000300.png   what the monitor showed (any image viewer)"
@@ -33,13 +36,13 @@ coverage: setup         ## lines and toggles of the RTL -> build/coverage/html/i
 	@cmake --preset coverage
 	@cmake --build build/coverage --target coverage
 
-bench: build            ## how fast, beside the bare Verilated model in the same run
+bench: configure        ## how fast, beside the bare Verilated model in the same run
 	@cmake --build build --target bench
 
 pgo: setup              ## a faster de1sim, built with a profile of the demo -> build/pgo/bin/de1sim
 	@cmake -P sim/pgo.cmake
 
-regmap: build           ## print regmap.vh, REGISTERS.md and the scenario schema anew
+regmap: configure       ## print regmap.vh, REGISTERS.md and the scenario schema anew
 	@cmake --build build --target regmap_files schema_files
 
 format: setup           ## lay out all C++

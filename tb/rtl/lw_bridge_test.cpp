@@ -121,6 +121,17 @@ TEST_F(LwBridge, AlignsTheSecondBeatOfAnUnalignedBurst) {
                                                       k, k + 4, k + 4}));   // half-words 2, 4, 6
 }
 
+TEST_F(LwBridge, AlignsTheSecondBeatOfAnUnalignedWrite) {
+    axi.write({1, KEYPAD + 2, 2, INCR, {0, 0, 0}, {0xc, 0xf, 0xf}});
+    axi.write({1, KEYPAD + 1, 0, INCR, {0, 0, 0, 0}, {0x2, 0x4, 0x8, 0x1}});
+    axi.write({1, KEYPAD + 3, 1, INCR, {0, 0, 0}, {0x8, 0x3, 0xc}});
+    finish();
+    const std::uint32_t k = KEYPAD & 0xfff;
+    EXPECT_EQ(write_order, (std::vector<std::uint32_t>{k, k + 4, k + 8,    // words
+                                                       k, k, k, k + 4,     // bytes 1, 2, 3, 4
+                                                       k, k + 4, k + 4})); // byte 3, half-words 4, 6
+}
+
 TEST_F(LwBridge, AnswersAnAddressThatNobodyOwnsWithDecerr) {
     axi.write({7, NOBODY, 2, INCR, {1}, {0xf}});
     axi.read({8, NOBODY, 2, 2, INCR});
