@@ -1,7 +1,7 @@
 // regmap.h - the C++ view of regmap.def: addresses, resets, field masks, interrupt IDs.
 //
-// A register has one name everywhere: AUDIO_CONTROL is a constant here, a localparam in regmap.vh and
-// a row in REGISTERS.md, so one grep finds the RTL, the driver, the model and the tests.
+// A register has one name everywhere: AUDIO_CONTROL is a constant here, a localparam in regmap.vh
+// and a row in REGISTERS.md, so one grep finds the RTL, the driver, the model and the tests.
 #pragma once
 
 #include <cstdint>

@@ -45,7 +45,8 @@ void Board::video(const std::uint32_t* samples, std::size_t count) {
 // SDAT is open-drain with a pull-up.
 void Board::codec(const CodecPins& pins, std::uint64_t time_ps, FabricInputs& in) {
     const bool sdat = !pins.sdat_low && !codec_chip.pulls_sda_low();
-    codec_chip.drive({pins.bclk, pins.daclrck, pins.adclrck, pins.dacdat, pins.sclk, sdat}, time_ps);
+    codec_chip.drive({pins.bclk, pins.daclrck, pins.adclrck, pins.dacdat, pins.sclk, sdat},
+                     time_ps);
     in.sdat = !pins.sdat_low && !codec_chip.pulls_sda_low();
     in.adcdat = codec_chip.adcdat();
 }
@@ -59,8 +60,8 @@ void Board::headers(const HeaderPins& pins, std::uint64_t, FabricInputs& in) {
 std::uint32_t Board::jp1() const {
     const HeaderPins& p = header_pins_;
     const std::uint32_t open = p.jp1 | ~p.jp1_oe;
-    return (open & ~0xffu) | keypad.levels(static_cast<std::uint8_t>(p.jp1),
-                                           static_cast<std::uint8_t>(p.jp1_oe));
+    return (open & ~0xffu) |
+           keypad.levels(static_cast<std::uint8_t>(p.jp1), static_cast<std::uint8_t>(p.jp1_oe));
 }
 
 void Board::hold(std::uint16_t keys16, std::uint8_t keys, std::uint16_t switches) {

@@ -14,8 +14,7 @@ std::uint8_t row_wire(unsigned key) { return static_cast<std::uint8_t>(0x08 >> k
 
 }  // namespace
 
-Keypad::Keypad(const sc_core::sc_module_name& name, std::uint64_t seed,
-               std::function<void()> moved)
+Keypad::Keypad(const sc_core::sc_module_name& name, std::uint64_t seed, std::function<void()> moved)
     : sc_module{name}, moved_{std::move(moved)}, random_{seed} {
     SC_HAS_PROCESS(Keypad);
     SC_METHOD(step);

@@ -30,7 +30,8 @@ void Monitor::samples(const std::uint32_t* pins, std::size_t count) {
 
 void Monitor::run_of(std::uint32_t control, const std::uint32_t* pins, unsigned count) {
     const bool first = control_ == ~0u;
-    const std::uint32_t fell = first ? 0 : control_ & ~control, rose = first ? 0 : ~control_ & control;
+    const std::uint32_t fell = first ? 0 : control_ & ~control,
+                        rose = first ? 0 : ~control_ & control;
     if (rose & video::HS && line_known_) check("HS low", hs_low_, HS_CLOCKS, "clocks");
     if (rose & video::VS && in_step_) check("VS low", vs_low_, VS_LINES * LINE_CLOCKS, "clocks");
     // VS may begin with HS or in the middle of a line, which then counts as the frame's first.
@@ -109,8 +110,7 @@ void Monitor::begin_frame() {
     is_new_ = false;
 }
 
-void Monitor::check(const char* what, std::uint64_t got, std::uint64_t expected,
-                    const char* unit) {
+void Monitor::check(const char* what, std::uint64_t got, std::uint64_t expected, const char* unit) {
     if (got != expected) violation(fmt::format("{} {} {}, expected {}", what, got, unit, expected));
 }
 

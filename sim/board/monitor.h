@@ -53,17 +53,17 @@ private:
 
     Sink sink_;
 
-    std::uint32_t control_ = ~0u;      // HS, VS, BLANK_N of the sample before; ~0: none yet
-    std::uint64_t clock_ = 0;          // of this line, 0 where HS began
-    std::uint64_t line_ = 0;           // of this frame, 0 where VS began
-    bool in_step_ = false;             // a whole frame may be expected: VS has begun once
-    bool line_known_ = false;          // HS has begun once
+    std::uint32_t control_ = ~0u;  // HS, VS, BLANK_N of the sample before; ~0: none yet
+    std::uint64_t clock_ = 0;      // of this line, 0 where HS began
+    std::uint64_t line_ = 0;       // of this frame, 0 where VS began
+    bool in_step_ = false;         // a whole frame may be expected: VS has begun once
+    bool line_known_ = false;      // HS has begun once
     std::uint64_t hs_low_ = 0, vs_low_ = 0;
-    std::uint64_t row_begin_ = 0;      // clock at which this line's picture began
-    unsigned row_pixels_ = 0;          // pixels of this line so far
+    std::uint64_t row_begin_ = 0;  // clock at which this line's picture began
+    unsigned row_pixels_ = 0;      // pixels of this line so far
     std::uint64_t first_row_line_ = 0;
-    unsigned rows_ = 0;                // rows of this frame so far
-    bool colour_told_ = false;         // one violation a line for colour in the blanking
+    unsigned rows_ = 0;         // rows of this frame so far
+    bool colour_told_ = false;  // one violation a line for colour in the blanking
 
     bool is_new_ = false;
     std::vector<std::uint32_t> pixels_ = std::vector<std::uint32_t>(WIDTH * HEIGHT);

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "Vfpga.h"
 #include "verilated.h"
+#include "Vfpga.h"
 #ifdef DE1SIM_TRACE
 #include "verilated_fst_c.h"
 #endif
@@ -19,14 +19,14 @@ struct Fabric::AxiPort {
     IData &awaddr, &wdata, &araddr, &rdata;
 };
 
-#define AXI_PORT(m, b)                                                                          \
-    {                                                                                           \
-        m.b##_awlen_i, m.b##_awsize_i, m.b##_awburst_i, m.b##_awvalid_i, m.b##_awready_o,       \
-            m.b##_wstrb_i, m.b##_wvalid_i, m.b##_wready_o, m.b##_bresp_o, m.b##_bvalid_o,       \
-            m.b##_bready_i, m.b##_arlen_i, m.b##_arsize_i, m.b##_arburst_i, m.b##_arvalid_i,    \
-            m.b##_arready_o, m.b##_rresp_o, m.b##_rlast_o, m.b##_rvalid_o, m.b##_rready_i,      \
+#define AXI_PORT(m, b)                                                                           \
+    {                                                                                            \
+        m.b##_awlen_i, m.b##_awsize_i, m.b##_awburst_i, m.b##_awvalid_i, m.b##_awready_o,        \
+            m.b##_wstrb_i, m.b##_wvalid_i, m.b##_wready_o, m.b##_bresp_o, m.b##_bvalid_o,        \
+            m.b##_bready_i, m.b##_arlen_i, m.b##_arsize_i, m.b##_arburst_i, m.b##_arvalid_i,     \
+            m.b##_arready_o, m.b##_rresp_o, m.b##_rlast_o, m.b##_rvalid_o, m.b##_rready_i,       \
             m.b##_awid_i, m.b##_bid_o, m.b##_arid_i, m.b##_rid_o, m.b##_awaddr_i, m.b##_wdata_i, \
-            m.b##_araddr_i, m.b##_rdata_o                                                       \
+            m.b##_araddr_i, m.b##_rdata_o                                                        \
     }
 
 struct Fabric::Model {
@@ -95,12 +95,12 @@ inline void Fabric::clock() {
 #endif
     ++clocks_;
 
-    video_[video_count_++] =
-        static_cast<std::uint32_t>(top.vga_r_o) << 16 | static_cast<std::uint32_t>(top.vga_g_o) << 8 |
-        top.vga_b_o | static_cast<std::uint32_t>(top.vga_hs_no) << 24 |
-        static_cast<std::uint32_t>(top.vga_vs_no) << 25 |
-        static_cast<std::uint32_t>(top.vga_blank_no) << 26 |
-        static_cast<std::uint32_t>(top.vga_sync_no) << 27;
+    video_[video_count_++] = static_cast<std::uint32_t>(top.vga_r_o) << 16 |
+                             static_cast<std::uint32_t>(top.vga_g_o) << 8 | top.vga_b_o |
+                             static_cast<std::uint32_t>(top.vga_hs_no) << 24 |
+                             static_cast<std::uint32_t>(top.vga_vs_no) << 25 |
+                             static_cast<std::uint32_t>(top.vga_blank_no) << 26 |
+                             static_cast<std::uint32_t>(top.vga_sync_no) << 27;
     if (video_count_ == VIDEO_BATCH) flush();
 
     const std::uint32_t codec = static_cast<std::uint32_t>(
@@ -188,10 +188,10 @@ AxiResponse Fabric::write(Bridge bridge, std::uint32_t address, const std::uint8
     return response;
 }
 
-AxiResponse Fabric::read(Bridge bridge, std::uint32_t address, std::uint8_t* data,
-                         unsigned bytes) {
+AxiResponse Fabric::read(Bridge bridge, std::uint32_t address, std::uint8_t* data, unsigned bytes) {
     AxiPort& axi = model_->port(bridge);
-    const std::uint32_t first = address / 4, last = (address + bytes - 1) / 4, end = address + bytes;
+    const std::uint32_t first = address / 4, last = (address + bytes - 1) / 4,
+                        end = address + bytes;
     axi.araddr = address;
     axi.arlen = static_cast<CData>(last - first);
     axi.arsize = static_cast<CData>(size_of(address, bytes));

@@ -4,8 +4,8 @@
 //   h2f  full bridge, offsets in 960 MB             16 words, none across 4 KB
 //
 // The fabric runs when somebody looks: at every bus access, at every pin that the board moves
-// (through `inputs()`), and once a scan line.  A transaction's delay is what its clocks took; a long
-// one lets SystemC catch up between its bursts, so it blocks.
+// (through `inputs()`), and once a scan line.  A transaction's delay is what its clocks took; a
+// long one lets SystemC catch up between its bursts, so it blocks.
 //
 // A response other than OKAY ends the transaction: DECERR is TLM_ADDRESS_ERROR, SLVERR is
 // TLM_GENERIC_ERROR, no answer in 10,000 clocks is TLM_INCOMPLETE.
@@ -16,9 +16,9 @@
 
 #include "sim/fpga/fabric.h"
 
+#include <tlm_utils/simple_target_socket.h>
 #include <systemc>
 #include <tlm>
-#include <tlm_utils/simple_target_socket.h>
 
 namespace sim {
 

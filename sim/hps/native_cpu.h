@@ -14,9 +14,9 @@
 #include "hal/cpu.h"
 #include "hal/mmio.h"
 
+#include <tlm_utils/simple_initiator_socket.h>
 #include <systemc>
 #include <tlm>
-#include <tlm_utils/simple_initiator_socket.h>
 
 namespace sim {
 
@@ -29,7 +29,8 @@ public:
 
     NativeCpu(const sc_core::sc_module_name& name, Firmware firmware);
 
-    // Why the firmware was ended: "data abort: read of 4 bytes at 0xFF200FF0 at 12.345678 ms (...)".
+    // Why the firmware was ended: "data abort: read of 4 bytes at 0xFF200FF0 at 12.345678 ms
+    // (...)".
     const std::optional<std::string>& fault() const { return fault_; }
     // Notified with the fault.
     const sc_core::sc_event& faulted() const { return faulted_; }

@@ -1,4 +1,5 @@
-// registers.h - a TLM target of 32-bit registers: checks the access, leaves the meaning to its heir.
+// registers.h - a TLM target of 32-bit registers: checks the access, leaves the meaning to its
+// heir.
 //
 // An access that is not one aligned word is TLM_BURST_ERROR, with byte enables
 // TLM_BYTE_ENABLE_ERROR.  Every access takes 10 ns (L4 bus, 100 MHz).
@@ -7,9 +8,9 @@
 #include <cstdint>
 #include <cstring>
 
+#include <tlm_utils/simple_target_socket.h>
 #include <systemc>
 #include <tlm>
-#include <tlm_utils/simple_target_socket.h>
 
 namespace sim {
 
@@ -23,7 +24,8 @@ protected:
         socket.register_b_transport(this, &Registers::b_transport);
     }
 
-    // `now` is the initiator's local time.  A register that does not exist reads 0 and ignores writes.
+    // `now` is the initiator's local time.  A register that does not exist reads 0 and ignores
+    // writes.
     virtual std::uint32_t read(std::uint32_t offset, const sc_core::sc_time& now) = 0;
     virtual void write(std::uint32_t offset, std::uint32_t value, const sc_core::sc_time& now) = 0;
 

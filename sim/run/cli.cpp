@@ -7,8 +7,8 @@
 #include <cstring>
 #include <filesystem>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include "sim/fpga/fabric.h"
 #include "sim/run/run.h"
@@ -54,12 +54,14 @@ std::optional<FrameChoice> FrameChoice::parse(const std::string& text) {
 }
 
 int main(int argc, char** argv, const Firmware& firmware) {
-    CLI::App app{"DE1-SoC, headless: your Verilog and your firmware, with picture and sound as files",
-                 "de1sim"};
+    CLI::App app{
+        "DE1-SoC, headless: your Verilog and your firmware, with picture and sound as files",
+        "de1sim"};
     app.set_version_flag("--version", "de1sim " DE1SIM_VERSION);
     app.require_subcommand(1);
-    app.footer("Exit code: 0 all expectations met; 1 an expectation missed or the firmware faulted;\n"
-               "2 wrong usage or input; 130 interrupted.");
+    app.footer(
+        "Exit code: 0 all expectations met; 1 an expectation missed or the firmware faulted;\n"
+        "2 wrong usage or input; 130 interrupted.");
 
     RunOptions options;
     CLI::App& run_command = *app.add_subcommand("run", "play a scenario");
@@ -78,8 +80,8 @@ int main(int argc, char** argv, const Firmware& firmware) {
         [&](const std::string& text) {
             const auto choice = FrameChoice::parse(text);
             if (!choice)
-                throw CLI::ValidationError("--frames",
-                                           "expected all, every:N, last or none, got \"" + text + "\"");
+                throw CLI::ValidationError(
+                    "--frames", "expected all, every:N, last or none, got \"" + text + "\"");
             options.frames = *choice;
         },
         "which frames become PNG: all (default), every:N, last, none");
@@ -96,7 +98,8 @@ int main(int argc, char** argv, const Firmware& firmware) {
         "--seed", [&](const std::string& text) { options.seed = number(text, "--seed"); },
         "seed of the contact bounce, instead of the scenario's");
     run_command.add_option("--trace", options.trace, "write waveforms (FST, for GTKWave); slow");
-    run_command.add_flag("--quiet", options.quiet, "no progress, no summary unless something failed");
+    run_command.add_flag("--quiet", options.quiet,
+                         "no progress, no summary unless something failed");
 
     try {
         app.parse(argc, argv);

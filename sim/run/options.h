@@ -27,9 +27,9 @@ struct RunOptions {
     std::filesystem::path out = "out";
     std::string cpu = "native";
     FrameChoice frames;
-    std::optional<SimTime> duration;   // instead of the scenario's
+    std::optional<SimTime> duration;    // instead of the scenario's
     std::optional<std::uint64_t> seed;  // instead of the scenario's
-    std::string trace;                 // FST file, or empty
+    std::string trace;                  // FST file, or empty
     bool quiet = false;
 };
 

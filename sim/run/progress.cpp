@@ -11,7 +11,9 @@
 namespace sim {
 
 Progress::Progress(bool quiet, std::optional<double> total_s)
-    : quiet_{quiet}, terminal_{isatty(STDERR_FILENO) == 1}, total_s_{total_s},
+    : quiet_{quiet},
+      terminal_{isatty(STDERR_FILENO) == 1},
+      total_s_{total_s},
       begin_{std::chrono::steady_clock::now()} {}
 
 double Progress::wall_s() const {
@@ -26,8 +28,8 @@ void Progress::show(double simulated_s, std::uint64_t frames) {
     next_simulated_s_ = simulated_s + 1 - 1e-6;
     std::string line = fmt::format("{:6.2f} s", simulated_s);
     if (total_s_) line += fmt::format(" of {:.2f} s", *total_s_);
-    line += fmt::format(", {} frames, {:.2f} x real time", frames,
-                        wall > 0 ? simulated_s / wall : 0);
+    line +=
+        fmt::format(", {} frames, {:.2f} x real time", frames, wall > 0 ? simulated_s / wall : 0);
     if (!terminal_) {
         fmt::print(stderr, "{}\n", line);
         return;

@@ -15,7 +15,8 @@ void remove_old(const fs::path& folder, const char* names) {
     std::error_code error;
     for (fs::directory_iterator it{folder, error}, end; !error && it != end; it.increment(error)) {
         std::error_code failed;
-        if (std::regex_match(it->path().filename().string(), pattern) && it->is_regular_file(failed))
+        if (std::regex_match(it->path().filename().string(), pattern) &&
+            it->is_regular_file(failed))
             fs::remove(it->path(), failed);
         if (failed) throw IoError{it->path(), "cannot remove", failed.value()};
     }

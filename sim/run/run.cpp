@@ -52,7 +52,8 @@ RunEnd play(Board& board, Player& player, Recorder& recorder, std::optional<SimT
         if (board.cpu.fault()) return RunEnd::FIRMWARE_FAULT;
         if (!duration && player.finished()) return RunEnd::ALL_STEPS_DONE;
         const sc_core::sc_time now = sc_core::sc_time_stamp();
-        if (now >= end) return player.finished() ? RunEnd::ALL_STEPS_DONE : RunEnd::DURATION_REACHED;
+        if (now >= end)
+            return player.finished() ? RunEnd::ALL_STEPS_DONE : RunEnd::DURATION_REACHED;
         sc_core::sc_start(std::min(slice, end - now));
         progress.show(sc_core::sc_time_stamp().to_seconds(), board.monitor.frames());
     }
@@ -71,7 +72,8 @@ RunReport report_of(const Scenario& scenario, const RunOptions& options, std::ui
     report.wall_s = wall_s;
     report.frames_shown = board.monitor.frames();
     report.frames_swapped = board.monitor.new_pictures();
-    if (report.frames_shown > 0) report.last_frame_sha256 = sha256_hex(recorder.senses().picture().rgb);
+    if (report.frames_shown > 0)
+        report.last_frame_sha256 = sha256_hex(recorder.senses().picture().rgb);
     const BusCounts& bus = board.bus.counts();
     report.bus = {bus.reads, bus.writes, bus.bursts, bus.errors};
     report.audio = {recorder.senses().rate_hz, recorder.senses().samples, underruns(board)};
@@ -100,11 +102,11 @@ void summarise(const RunReport& report, const std::filesystem::path& out) {
         fmt::print(stderr, "de1sim: the monitor found no picture\n");
     else if (report.frames_swapped <= 1)
         fmt::print(stderr, "de1sim: the picture never changed: the firmware did not swap\n");
-    fmt::print("{}: {}; {:.3f} s simulated in {:.2f} s, {} frames ({} new pictures), "
-               "{} of {} expectations met; see {}\n",
-               report.scenario, to_string(report.end), report.simulated_s, report.wall_s,
-               report.frames_shown, report.frames_swapped, met, report.expectations.size(),
-               out.string());
+    fmt::print(
+        "{}: {}; {:.3f} s simulated in {:.2f} s, {} frames ({} new pictures), "
+        "{} of {} expectations met; see {}\n",
+        report.scenario, to_string(report.end), report.simulated_s, report.wall_s,
+        report.frames_shown, report.frames_swapped, met, report.expectations.size(), out.string());
 }
 
 }  // namespace
@@ -121,16 +123,16 @@ ExitCode run(const RunOptions& options, const Firmware& firmware) try {
 
     std::signal(SIGINT, on_interrupt);
     std::signal(SIGTERM, on_interrupt);
-    Progress progress{options.quiet,
-                      duration ? std::optional<double>{static_cast<double>(duration->ps) * 1e-12}
-                               : std::nullopt};
+    Progress progress{
+        options.quiet,
+        duration ? std::optional<double>{static_cast<double>(duration->ps) * 1e-12} : std::nullopt};
     const RunEnd end = play(board, player, recorder, duration, progress);
     progress.done();
     board.fpga.catch_up();
     recorder.close();
 
-    const RunReport report = report_of(scenario, options, seed, end, board, player, recorder,
-                                       progress.wall_s());
+    const RunReport report =
+        report_of(scenario, options, seed, end, board, player, recorder, progress.wall_s());
     write_whole_file(options.out / "report.json", to_json(report));
     write_whole_file(options.out / "junit.xml", to_junit(report));
     if (!options.quiet || !report.passed()) summarise(report, options.out);

@@ -31,7 +31,12 @@ void feed(Mixer& mixer, hal::AudioOut& audio) {
 class Program {
 public:
     Program(hal::Mmio& io, hal::Cpu& cpu)
-        : cpu_{cpu}, clock_{io}, panel_{io}, keypad_{io}, display_{io}, audio_{io},
+        : cpu_{cpu},
+          clock_{io},
+          panel_{io},
+          keypad_{io},
+          display_{io},
+          audio_{io},
           world_{1 + panel_.switches()} {}
 
     void frame() {

@@ -7,13 +7,13 @@ namespace hal {
 
 class Mmio {
 public:
-    // One aligned 32-bit access.  An address that nobody answers is a data abort: it does not return.
+    // One aligned 32-bit access.  An address that nobody answers is a data abort: it does not
+    // return.
     virtual std::uint32_t read(std::uint32_t address) = 0;
     virtual void write(std::uint32_t address, std::uint32_t value) = 0;
 
     // `count` words to rising addresses, as bursts where the target has them.
-    virtual void write_words(std::uint32_t address, const std::uint32_t* words,
-                             unsigned count) = 0;
+    virtual void write_words(std::uint32_t address, const std::uint32_t* words, unsigned count) = 0;
 
 protected:
     ~Mmio() = default;

@@ -28,7 +28,7 @@ public:
     }
 
 private:
-    static constexpr std::uint8_t DIGITS[10] = {0x3f, 0x06, 0x5b, 0x4f, 0x66,   // segments g..a
+    static constexpr std::uint8_t DIGITS[10] = {0x3f, 0x06, 0x5b, 0x4f, 0x66,  // segments g..a
                                                 0x6d, 0x7d, 0x07, 0x7f, 0x6f};
 
     Mmio& io_;

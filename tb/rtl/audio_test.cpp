@@ -3,9 +3,9 @@
 
 #include "regmap.h"
 #include "sim/board/wm8731.h"
+#include "tb/support/random_registers.h"
 #include "tb/support/register_bus.h"
 #include "Vaudio.h"
-#include "tb/support/random_registers.h"
 
 namespace {
 

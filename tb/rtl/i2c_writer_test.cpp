@@ -2,8 +2,8 @@
 #include <gmock/gmock.h>
 
 #include "tb/rtl/i2c_bus.h"
-#include "Vi2c_writer.h"
 #include "tb/support/random_registers.h"
+#include "Vi2c_writer.h"
 
 namespace {
 

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "regmap.h"
+#include "tb/support/random_registers.h"
 #include "tb/support/register_bus.h"
 #include "Vaudio.h"
-#include "tb/support/random_registers.h"
 
 namespace {
 

@@ -1,9 +1,9 @@
 // keypad.v with its scanner: 16 switches without diodes hang on the pins.  A slot is 8 clocks here.
 #include <random>
 
-#include "Vkeypad.h"
 #include "regmap.h"
 #include "tb/support/register_bus.h"
+#include "Vkeypad.h"
 
 namespace {
 
@@ -110,11 +110,11 @@ TEST_F(Keypad, ShowsAChordAllAtOnce) {
 }
 
 TEST_F(Keypad, InventsNoKeyWhenThreeCornersAreHeld) {
-    hold(0x0011);                 // rows 0 and 1 of column 0
-    hold(0x0013);                 // and row 0 of column 1: the fourth corner's path closes
+    hold(0x0011);  // rows 0 and 1 of column 0
+    hold(0x0013);  // and row 0 of column 1: the fourth corner's path closes
     EXPECT_EQ(read(KEYPAD_KEYS), 0x0011u);
     EXPECT_EQ(read(KEYPAD_STATUS) & 0xc, 0xcu);
-    hold(0x0012);                 // two of them stay: no doubt any more
+    hold(0x0012);  // two of them stay: no doubt any more
     EXPECT_EQ(read(KEYPAD_KEYS), 0x0012u);
     EXPECT_EQ(read(KEYPAD_STATUS) & 0xc, 0x4u);
     write(KEYPAD_STATUS, 0x4);

@@ -5,10 +5,10 @@
 #include <map>
 #include <random>
 
-#include "Vlw_bridge.h"
 #include "regmap.h"
 #include "tb/support/axi_master.h"
 #include "tb/support/random_registers.h"
+#include "Vlw_bridge.h"
 
 namespace {
 
@@ -34,6 +34,7 @@ protected:
         clock();
         clock();
         dut.rst_i = 0;
+        axi.forget();
         write_order.clear();
         read_order.clear();
     }
@@ -97,7 +98,8 @@ TEST_F(LwBridge, WritesOnlyTheBytesThatTheStrobesName) {
 
 TEST_F(LwBridge, WalksThroughABurst) {
     WriteRequest burst{3, KEYPAD, 2, INCR, {}, {}};
-    for (std::uint32_t i = 0; i < 8; ++i) burst.data.push_back(100 + i), burst.strobes.push_back(0xf);
+    for (std::uint32_t i = 0; i < 8; ++i)
+        burst.data.push_back(100 + i), burst.strobes.push_back(0xf);
     axi.write(burst);
     finish();
     axi.read({3, KEYPAD, 8, 2, INCR});
@@ -116,9 +118,9 @@ TEST_F(LwBridge, AlignsTheSecondBeatOfAnUnalignedBurst) {
     axi.read({1, KEYPAD + 2, 3, 1, INCR});
     finish();
     const std::uint32_t k = KEYPAD & 0xfff;
-    EXPECT_EQ(read_order, (std::vector<std::uint32_t>{k, k + 4, k + 8,      // words
-                                                      k, k, k, k + 4,       // bytes 1, 2, 3, 4
-                                                      k, k + 4, k + 4}));   // half-words 2, 4, 6
+    EXPECT_EQ(read_order, (std::vector<std::uint32_t>{k, k + 4, k + 8,     // words
+                                                      k, k, k, k + 4,      // bytes 1, 2, 3, 4
+                                                      k, k + 4, k + 4}));  // half-words 2, 4, 6
 }
 
 TEST_F(LwBridge, AlignsTheSecondBeatOfAnUnalignedWrite) {
@@ -127,9 +129,10 @@ TEST_F(LwBridge, AlignsTheSecondBeatOfAnUnalignedWrite) {
     axi.write({1, KEYPAD + 3, 1, INCR, {0, 0, 0}, {0x8, 0x3, 0xc}});
     finish();
     const std::uint32_t k = KEYPAD & 0xfff;
-    EXPECT_EQ(write_order, (std::vector<std::uint32_t>{k, k + 4, k + 8,    // words
-                                                       k, k, k, k + 4,     // bytes 1, 2, 3, 4
-                                                       k, k + 4, k + 4})); // byte 3, half-words 4, 6
+    EXPECT_EQ(write_order,
+              (std::vector<std::uint32_t>{k, k + 4, k + 8,     // words
+                                          k, k, k, k + 4,      // bytes 1, 2, 3, 4
+                                          k, k + 4, k + 4}));  // byte 3, half-words 4, 6
 }
 
 TEST_F(LwBridge, AnswersAnAddressThatNobodyOwnsWithDecerr) {
@@ -215,8 +218,7 @@ TEST_F(LwBridge, KeepsOrderIdsAndDataUnderRandomBackPressure) {
                 for (int lane = 0; lane < 4; ++lane)
                     if (strobes >> lane & 1) {
                         const std::uint32_t mask = 0xffu << 8 * lane;
-                        expected[start + 4 * i] =
-                            (expected[start + 4 * i] & ~mask) | (data & mask);
+                        expected[start + 4 * i] = (expected[start + 4 * i] & ~mask) | (data & mask);
                     }
             }
             axi.write(burst);

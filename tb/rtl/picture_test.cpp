@@ -4,9 +4,9 @@
 #include <map>
 #include <random>
 
-#include "Vpicture_bench.h"
 #include "tb/support/axi_master.h"
 #include "tb/support/random_registers.h"
+#include "Vpicture_bench.h"
 
 namespace {
 
@@ -100,7 +100,8 @@ TEST_F(Picture, WritesSinglePixelsAndBytes) {
 
 TEST_F(Picture, TakesWritesBetweenAndBehindTheRowsWithoutHarm) {
     write(PICTURE0 + 1024, 0x11111111);
-    for (const std::uint32_t hole : {160u * 4, 255u * 4, 240u << 10, 0x3fffcu, 0x40000u, 0x7fffcu}) {
+    for (const std::uint32_t hole :
+         {160u * 4, 255u * 4, 240u << 10, 0x3fffcu, 0x40000u, 0x7fffcu}) {
         write(PICTURE0 + hole, 0xdeadbeef);
         EXPECT_EQ(read(PICTURE0 + hole), 0u) << std::hex << hole;
     }
@@ -108,8 +109,8 @@ TEST_F(Picture, TakesWritesBetweenAndBehindTheRowsWithoutHarm) {
 }
 
 TEST_F(Picture, AnswersOtherAddressesWithDecerr) {
-    for (const std::uint32_t address : {0x00080000u, 0x04000000u, 0x07fffffcu, 0x08080000u,
-                                        0x3ffffffcu}) {
+    for (const std::uint32_t address :
+         {0x00080000u, 0x04000000u, 0x07fffffcu, 0x08080000u, 0x3ffffffcu}) {
         axi.forget();
         axi.write({1, address, 2, INCR, {1}, {0xf}});
         axi.read({1, address, 1, 2, INCR});
@@ -121,7 +122,11 @@ TEST_F(Picture, AnswersOtherAddressesWithDecerr) {
 
 TEST_F(Picture, WritesABeatAClock) {
     axi.stall = 0;
-    WriteRequest burst{1, PICTURE0, 2, INCR, std::vector<std::uint32_t>(16, 7),
+    WriteRequest burst{1,
+                       PICTURE0,
+                       2,
+                       INCR,
+                       std::vector<std::uint32_t>(16, 7),
                        std::vector<std::uint8_t>(16, 0xf)};
     axi.write(burst);
     const std::uint64_t begin = clocks;
@@ -164,7 +169,8 @@ TEST_F(Picture, GivesScreenAndProcessorTheRightWordsUnderRandomTraffic) {
             burst.data.push_back(static_cast<std::uint32_t>(random()));
             burst.strobes.push_back(strobes);
             std::uint32_t mask = 0;
-            for (int lane = 0; lane < 4; ++lane) mask |= strobes >> lane & 1 ? 0xffu << 8 * lane : 0;
+            for (int lane = 0; lane < 4; ++lane)
+                mask |= strobes >> lane & 1 ? 0xffu << 8 * lane : 0;
             now[at] = ((expected.count(at) ? expected[at] : 0) & ~mask) | (burst.data[i] & mask);
         }
         axi.write(burst);

@@ -2,9 +2,9 @@
 #include <array>
 #include <vector>
 
-#include "Vvga.h"
 #include "regmap.h"
 #include "tb/support/register_bus.h"
+#include "Vvga.h"
 
 namespace {
 
@@ -38,9 +38,9 @@ protected:
         } else {
             word = 0xdeadbeef;  // holds only for the clock after the fetch
         }
-        seen.push_back({dut.vga_hs_no != 0, dut.vga_vs_no != 0, dut.vga_blank_no != 0,
-                        static_cast<std::uint32_t>(dut.vga_r_o << 16 | dut.vga_g_o << 8 |
-                                                   dut.vga_b_o)});
+        seen.push_back(
+            {dut.vga_hs_no != 0, dut.vga_vs_no != 0, dut.vga_blank_no != 0,
+             static_cast<std::uint32_t>(dut.vga_r_o << 16 | dut.vga_g_o << 8 | dut.vga_b_o)});
     }
 
     // Runs to the end of the frame on screen and returns the 640 x 480 shown after the next one.
@@ -74,8 +74,7 @@ TEST_F(Vga, KeepsTheStandardsTimingInEveryLineAndFrame) {
         if (seen[i - 1].vs && !seen[i].vs) vs_falls.push_back(vs_at = i);
         if (!seen[i - 1].vs && seen[i].vs && vs_at) vs_widths.push_back(i - vs_at);
     }
-    for (std::size_t i = 1; i < hs_falls.size(); ++i)
-        ASSERT_EQ(hs_falls[i] - hs_falls[i - 1], 800);
+    for (std::size_t i = 1; i < hs_falls.size(); ++i) ASSERT_EQ(hs_falls[i] - hs_falls[i - 1], 800);
     for (const int width : hs_widths) ASSERT_EQ(width, 96);
     ASSERT_GE(vs_falls.size(), 2u);
     EXPECT_EQ(vs_falls[1] - vs_falls[0], 420'000);

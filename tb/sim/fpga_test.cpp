@@ -94,10 +94,10 @@ TEST_F(FpgaTest, KnowsItsSystemIdAndTheHashOfItsRegisterMap) {
 TEST_F(FpgaTest, HasEveryRegistersResetValue) {
     run([this] {
         for (const auto& reg : regmap::REGS) {
-            if (reg.addr == regmap::SYSID_HASH) continue;                // reads the map's hash
-            if (reg.addr == regmap::CODEC_STATUS) continue;              // set-up is under way
+            if (reg.addr == regmap::SYSID_HASH) continue;    // reads the map's hash
+            if (reg.addr == regmap::CODEC_STATUS) continue;  // set-up is under way
             if (reg.addr == regmap::JP1_DATA || reg.addr == regmap::JP2_DATA) {
-                EXPECT_EQ(read(reg.addr), 0xffffffffu) << reg.name;      // pulled up
+                EXPECT_EQ(read(reg.addr), 0xffffffffu) << reg.name;  // pulled up
                 continue;
             }
             EXPECT_EQ(read(reg.addr), reg.reset) << reg.name;
@@ -201,7 +201,7 @@ TEST_F(FpgaTest, TakesTheTimeThatItsClocksTake) {
         const sc_time begin = sc_core::sc_time_stamp();
         access(cpu.h2f, tlm::TLM_WRITE_COMMAND, PICTURE0, row.data(), 640);
         const sc_time took = sc_core::sc_time_stamp() + delay - begin;
-        EXPECT_GE(took, sc_time(160 * 40, sc_core::SC_NS));       // a word a clock at best
+        EXPECT_GE(took, sc_time(160 * 40, sc_core::SC_NS));  // a word a clock at best
         EXPECT_LE(took, sc_time(160 * 40 * 2, sc_core::SC_NS));
     });
 }

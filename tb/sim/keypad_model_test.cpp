@@ -8,11 +8,13 @@
 namespace {
 
 using sc_core::SC_MS;
-using sc_core::SC_US;
 using sc_core::sc_time;
+using sc_core::SC_US;
 
 constexpr std::uint8_t ALL_HIGH = 0xff;
-std::uint16_t key(int row, int column) { return static_cast<std::uint16_t>(1u << (4 * row + column)); }
+std::uint16_t key(int row, int column) {
+    return static_cast<std::uint16_t>(1u << (4 * row + column));
+}
 
 class KeypadModel : public ::testing::Test {
 protected:

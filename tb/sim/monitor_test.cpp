@@ -122,7 +122,8 @@ TEST_F(MonitorTest, ReportsAWrongHorizontalPorch) {
     Signal signal;
     signal.h_back = 50;
     show(signal, 2);
-    EXPECT_THAT(first_message(), HasSubstr("picture begins after 146 clocks from HS, expected 144"));
+    EXPECT_THAT(first_message(),
+                HasSubstr("picture begins after 146 clocks from HS, expected 144"));
 }
 
 TEST_F(MonitorTest, ReportsAWrongVerticalPorch) {

@@ -99,15 +99,16 @@ TEST_F(Hal, ThePanelShowsDecimalsWithoutLeadingZeros) {
     panel.number(0);
     panel.number(105);
     panel.number(123456);
-    EXPECT_THAT(io.writes, ElementsAre(Pair(0xFF200020u, 0x0000003fu), Pair(0xFF200020u, 0x00063f6du),
-                                       Pair(0xFF200020u, 0x6f6f6f6fu)));
+    EXPECT_THAT(io.writes,
+                ElementsAre(Pair(0xFF200020u, 0x0000003fu), Pair(0xFF200020u, 0x00063f6du),
+                            Pair(0xFF200020u, 0x6f6f6f6fu)));
 }
 
 TEST_F(Hal, TheClockReadsMicrosecondsAcrossACarryOfTheLowWord) {
     hal::Clock clock{io};
     EXPECT_THAT(io.writes, ElementsAre(Pair(0xFFFEC208u, 1u)));
-    io.answers[0xFFFEC204] = {0, 1, 1};              // high: wraps between the two reads
-    io.answers[0xFFFEC200] = {0xffffffff, 200};      // low
+    io.answers[0xFFFEC204] = {0, 1, 1};          // high: wraps between the two reads
+    io.answers[0xFFFEC200] = {0xffffffff, 200};  // low
     EXPECT_EQ(clock.micros(), static_cast<std::uint32_t>(((1ull << 32) + 200) / 200));
 }
 
