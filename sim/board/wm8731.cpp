@@ -102,8 +102,7 @@ bool Wm8731::byte(unsigned number, std::uint8_t value) {
         case 2:
             write(first_byte_ >> 1, static_cast<std::uint16_t>((first_byte_ & 1) << 8 | value));
             return true;
-        default:
-            return refuse("I2C: more than two bytes in a word");
+        default: return refuse("I2C: more than two bytes in a word");
     }
 }
 

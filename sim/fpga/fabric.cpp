@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "verilated.h"
 #include "Vfpga.h"
+#include "verilated.h"
 #ifdef DE1SIM_TRACE
 #include "verilated_fst_c.h"
 #endif

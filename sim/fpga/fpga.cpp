@@ -17,14 +17,10 @@ sc_time picoseconds(std::uint64_t ps) { return sc_time::from_value(ps); }  // re
 tlm::tlm_response_status status_of(AxiResponse response) {
     switch (response) {
         case AxiResponse::OKAY:
-        case AxiResponse::EXOKAY:
-            return tlm::TLM_OK_RESPONSE;
-        case AxiResponse::DECERR:
-            return tlm::TLM_ADDRESS_ERROR_RESPONSE;
-        case AxiResponse::SLVERR:
-            return tlm::TLM_GENERIC_ERROR_RESPONSE;
-        default:
-            return tlm::TLM_INCOMPLETE_RESPONSE;
+        case AxiResponse::EXOKAY: return tlm::TLM_OK_RESPONSE;
+        case AxiResponse::DECERR: return tlm::TLM_ADDRESS_ERROR_RESPONSE;
+        case AxiResponse::SLVERR: return tlm::TLM_GENERIC_ERROR_RESPONSE;
+        default: return tlm::TLM_INCOMPLETE_RESPONSE;
     }
 }
 

@@ -16,9 +16,9 @@
 
 #include "sim/fpga/fabric.h"
 
-#include <tlm_utils/simple_target_socket.h>
 #include <systemc>
 #include <tlm>
+#include <tlm_utils/simple_target_socket.h>
 
 namespace sim {
 

@@ -17,14 +17,10 @@ std::uint64_t GlobalTimer::count(const sc_core::sc_time& now) const {
 
 std::uint32_t GlobalTimer::read(std::uint32_t offset, const sc_core::sc_time& now) {
     switch (offset) {
-        case LOW:
-            return static_cast<std::uint32_t>(count(now));
-        case HIGH:
-            return static_cast<std::uint32_t>(count(now) >> 32);
-        case CONTROL:
-            return enabled_;
-        default:
-            return 0;
+        case LOW: return static_cast<std::uint32_t>(count(now));
+        case HIGH: return static_cast<std::uint32_t>(count(now) >> 32);
+        case CONTROL: return enabled_;
+        default: return 0;
     }
 }
 
@@ -32,17 +28,10 @@ void GlobalTimer::write(std::uint32_t offset, std::uint32_t value, const sc_core
     base_ = count(now);
     since_ticks_ = ticks(now);
     switch (offset) {
-        case LOW:
-            base_ = (base_ & ~0xffffffffull) | value;
-            break;
-        case HIGH:
-            base_ = (base_ & 0xffffffffull) | static_cast<std::uint64_t>(value) << 32;
-            break;
-        case CONTROL:
-            enabled_ = value & 1;
-            break;
-        default:
-            break;
+        case LOW: base_ = (base_ & ~0xffffffffull) | value; break;
+        case HIGH: base_ = (base_ & 0xffffffffull) | static_cast<std::uint64_t>(value) << 32; break;
+        case CONTROL: enabled_ = value & 1; break;
+        default: break;
     }
 }
 

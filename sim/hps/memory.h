@@ -10,9 +10,9 @@
 #include <memory>
 #include <unordered_map>
 
-#include <tlm_utils/simple_target_socket.h>
 #include <systemc>
 #include <tlm>
+#include <tlm_utils/simple_target_socket.h>
 
 namespace sim {
 

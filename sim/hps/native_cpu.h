@@ -14,9 +14,9 @@
 #include "hal/cpu.h"
 #include "hal/mmio.h"
 
-#include <tlm_utils/simple_initiator_socket.h>
 #include <systemc>
 #include <tlm>
+#include <tlm_utils/simple_initiator_socket.h>
 
 namespace sim {
 

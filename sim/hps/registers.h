@@ -8,9 +8,9 @@
 #include <cstdint>
 #include <cstring>
 
-#include <tlm_utils/simple_target_socket.h>
 #include <systemc>
 #include <tlm>
+#include <tlm_utils/simple_target_socket.h>
 
 namespace sim {
 

@@ -19,20 +19,11 @@ std::string xml(const std::string& text) {
     std::string out;
     for (const char c : printable(text)) {
         switch (c) {
-            case '&':
-                out += "&amp;";
-                break;
-            case '<':
-                out += "&lt;";
-                break;
-            case '>':
-                out += "&gt;";
-                break;
-            case '"':
-                out += "&quot;";
-                break;
-            default:
-                out += c;
+            case '&': out += "&amp;"; break;
+            case '<': out += "&lt;"; break;
+            case '>': out += "&gt;"; break;
+            case '"': out += "&quot;"; break;
+            default: out += c;
         }
     }
     return out;
@@ -61,14 +52,10 @@ std::size_t failures(const RunReport& report) {
 
 const char* to_string(RunEnd end) {
     switch (end) {
-        case RunEnd::ALL_STEPS_DONE:
-            return "all steps done";
-        case RunEnd::DURATION_REACHED:
-            return "duration reached";
-        case RunEnd::INTERRUPTED:
-            return "interrupted";
-        case RunEnd::FIRMWARE_FAULT:
-            return "firmware fault";
+        case RunEnd::ALL_STEPS_DONE: return "all steps done";
+        case RunEnd::DURATION_REACHED: return "duration reached";
+        case RunEnd::INTERRUPTED: return "interrupted";
+        case RunEnd::FIRMWARE_FAULT: return "firmware fault";
     }
     return "unknown";
 }

@@ -7,8 +7,8 @@
 #include <cstring>
 #include <filesystem>
 
-#include <fmt/format.h>
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 
 #include "sim/fpga/fabric.h"
 #include "sim/run/run.h"

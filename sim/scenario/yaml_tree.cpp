@@ -154,14 +154,10 @@ bool is_text(const YamlNode& node) {
 
 std::string describe(const YamlNode& node) {
     switch (node.kind) {
-        case YamlNode::Kind::NOTHING:
-            return "nothing";
-        case YamlNode::Kind::LIST:
-            return "a list";
-        case YamlNode::Kind::MAP:
-            return "a map";
-        case YamlNode::Kind::SCALAR:
-            break;
+        case YamlNode::Kind::NOTHING: return "nothing";
+        case YamlNode::Kind::LIST: return "a list";
+        case YamlNode::Kind::MAP: return "a map";
+        case YamlNode::Kind::SCALAR: break;
     }
     return is_text(node) ? in_quotes(node.text) : printable(node.text.substr(0, 60));
 }

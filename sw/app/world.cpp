@@ -47,33 +47,24 @@ void press(World& world, char key) {
         case '3':
         case '4':
         case '5':
-        case '6':
-            insert(world, static_cast<Shape>(key - '1'));
-            break;
+        case '6': insert(world, static_cast<Shape>(key - '1')); break;
         case '0':
             for (int i = 0; i < 10; ++i) insert(world, world.last_shape);
             break;
-        case 'A':
-            world.algorithm = next(world.algorithm);
-            break;
-        case 'B':
-            world.paused = !world.paused;
-            break;
+        case 'A': world.algorithm = next(world.algorithm); break;
+        case 'B': world.paused = !world.paused; break;
         case 'C':
             world.count = 0;
             world.pairs_before.clear();  // their indices mean nothing any more
             break;
-        case 'D':
-            world.show_boxes = !world.show_boxes;
-            break;
+        case 'D': world.show_boxes = !world.show_boxes; break;
         case 'E':
             if (world.speed_level > 0) --world.speed_level;
             break;
         case 'F':
             if (world.speed_level + 1 < World::SPEED_LEVELS) ++world.speed_level;
             break;
-        default:
-            break;
+        default: break;
     }
 }
 

@@ -1,11 +1,11 @@
 // audio.v with a WM8731 on its pins: what is written is heard, what is played in is read.
 #include <gmock/gmock.h>
 
+#include "Vaudio.h"
 #include "regmap.h"
 #include "sim/board/wm8731.h"
 #include "tb/support/random_registers.h"
 #include "tb/support/register_bus.h"
-#include "Vaudio.h"
 
 namespace {
 

@@ -1,9 +1,9 @@
 // codec_setup.v: the words on the wire, worked out by hand from the WM8731's register map.
 #include <gmock/gmock.h>
 
+#include "Vcodec_setup.h"
 #include "tb/rtl/i2c_bus.h"
 #include "tb/support/random_registers.h"
-#include "Vcodec_setup.h"
 
 namespace {
 

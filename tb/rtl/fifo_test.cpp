@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include "tb/support/random_registers.h"
 #include "Vfifo.h"
+#include "tb/support/random_registers.h"
 
 namespace {
 

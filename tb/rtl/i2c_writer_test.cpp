@@ -1,9 +1,9 @@
 // i2c_writer.v on a bus that checks every edge against the I2C standard.
 #include <gmock/gmock.h>
 
+#include "Vi2c_writer.h"
 #include "tb/rtl/i2c_bus.h"
 #include "tb/support/random_registers.h"
-#include "Vi2c_writer.h"
 
 namespace {
 

@@ -6,10 +6,10 @@
 #include <bitset>
 #include <vector>
 
+#include "Vaudio.h"
 #include "regmap.h"
 #include "tb/support/random_registers.h"
 #include "tb/support/register_bus.h"
-#include "Vaudio.h"
 
 namespace {
 

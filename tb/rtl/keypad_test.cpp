@@ -1,9 +1,9 @@
 // keypad.v with its scanner: 16 switches without diodes hang on the pins.  A slot is 8 clocks here.
 #include <random>
 
+#include "Vkeypad.h"
 #include "regmap.h"
 #include "tb/support/register_bus.h"
-#include "Vkeypad.h"
 
 namespace {
 

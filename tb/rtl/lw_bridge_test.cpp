@@ -5,10 +5,10 @@
 #include <map>
 #include <random>
 
+#include "Vlw_bridge.h"
 #include "regmap.h"
 #include "tb/support/axi_master.h"
 #include "tb/support/random_registers.h"
-#include "Vlw_bridge.h"
 
 namespace {
 

@@ -4,9 +4,9 @@
 #include <map>
 #include <random>
 
+#include "Vpicture_bench.h"
 #include "tb/support/axi_master.h"
 #include "tb/support/random_registers.h"
-#include "Vpicture_bench.h"
 
 namespace {
 

@@ -1,8 +1,8 @@
 // pio.v, 8 bits wide with everything: the parallel ports of the DE1-SoC Computer.
 #include <gtest/gtest.h>
 
-#include "tb/support/register_bus.h"
 #include "Vpio.h"
+#include "tb/support/register_bus.h"
 
 namespace {
 

@@ -2,9 +2,9 @@
 #include <array>
 #include <vector>
 
+#include "Vvga.h"
 #include "regmap.h"
 #include "tb/support/register_bus.h"
-#include "Vvga.h"
 
 namespace {
 

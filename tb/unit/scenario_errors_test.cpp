@@ -397,21 +397,11 @@ TEST(ScenarioFuzz, TwentyThousandMutationsEndInAScenarioOrAScenarioError) {
         for (unsigned edits = 1 + random() % 4; edits > 0; --edits) {
             const std::size_t at = random() % text.size(), size = random() % 20;
             switch (random() % 5) {
-                case 0:
-                    text[at] = static_cast<char>(random());
-                    break;
-                case 1:
-                    text[at] = spice[random() % spice.size()];
-                    break;
-                case 2:
-                    text.insert(at, 1, spice[random() % spice.size()]);
-                    break;
-                case 3:
-                    text.erase(at, size);
-                    break;
-                case 4:
-                    text.insert(at, text.substr(random() % text.size(), size));
-                    break;
+                case 0: text[at] = static_cast<char>(random()); break;
+                case 1: text[at] = spice[random() % spice.size()]; break;
+                case 2: text.insert(at, 1, spice[random() % spice.size()]); break;
+                case 3: text.erase(at, size); break;
+                case 4: text.insert(at, text.substr(random() % text.size(), size)); break;
             }
         }
         const std::string error = error_of(text);  // throws on, if it is no ScenarioError
