@@ -182,12 +182,13 @@ TEST_F(Vga, GoesBlackWhileDisabledAndKeepsItsTiming) {
 }
 
 TEST_F(Vga, StartsAtTheRowThatTheBufferAddressNames) {
-    for (int y = 0; y < 240; ++y) poke(1, 0, y, static_cast<std::uint16_t>(y));
+    for (int y = 0; y < 240; ++y) poke(1, 0, y, y == 200 ? 0xf800 : 0x07e0);
     write(PIXEL_BACK_BUFFER, PICTURE1_BASE + (200 << 10));
     write(PIXEL_BUFFER, 1);
     clock(FRAME);
     const auto pixels = shown();
-    EXPECT_EQ(pixels[0], ((200u & 31) << 3 | (200u & 31) >> 2) | (200u >> 5) << 10);
+    EXPECT_EQ(pixels[0], 0xff0000u);
+    EXPECT_EQ(pixels[2 * 640], 0x00ff00u);
     for (int y = 2 * 40; y < 480; ++y) ASSERT_EQ(pixels[y * 640], 0u) << "row " << y;
 }
 
