@@ -43,6 +43,13 @@ TEST_F(Pio, ReadsThePinsNotTheOutputRegister) {
     EXPECT_EQ(read(DATA), 0x3cu);
 }
 
+TEST_F(Pio, PassesPinsThroughTwoFlipFlops) {
+    dut.pins_i = 0x00;
+    clock();
+    EXPECT_EQ(read(DATA), 0xffu);
+    EXPECT_EQ(read(DATA), 0x00u);
+}
+
 TEST_F(Pio, CapturesFallingEdgesOnlyAndKeepsThem) {
     pins(0x7e);
     pins(0xff);
