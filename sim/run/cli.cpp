@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include "sim/fpga/fabric.h"
+#include "sim/report/printable.h"
 #include "sim/run/run.h"
 
 namespace sim {
@@ -104,7 +105,12 @@ int main(int argc, char** argv, const Firmware& firmware) {
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& e) {
-        return app.exit(e) == 0 ? PASSED : WRONG_INPUT;
+        if (e.get_exit_code() == 0) return app.exit(e), PASSED;  // --help, --version
+        fmt::print(stderr, "de1sim: {} (see de1sim --help)\n",
+                   argc > 1 && app.get_subcommands().empty()
+                       ? fmt::format("expected run, got \"{}\"", printable(argv[1]))
+                       : std::string{e.what()});
+        return WRONG_INPUT;
     }
     if (!options.trace.empty() && !Fabric::can_trace()) become_tracing_build(argv);
     return run(options, firmware);

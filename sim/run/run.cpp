@@ -100,7 +100,7 @@ void summarise(const RunReport& report, const std::filesystem::path& out) {
                    report.timing_violations.front());
     if (report.frames_shown == 0)
         fmt::print(stderr, "de1sim: the monitor found no picture\n");
-    else if (report.frames_swapped <= 1)
+    else if (report.frames_shown > 1 && report.frames_swapped == 1)
         fmt::print(stderr, "de1sim: the picture never changed: the firmware did not swap\n");
     fmt::print(
         "{}: {}; {:.3f} s simulated in {:.2f} s, {} frames ({} new pictures), "
@@ -123,6 +123,7 @@ ExitCode run(const RunOptions& options, const Firmware& firmware) try {
 
     std::signal(SIGINT, on_interrupt);
     std::signal(SIGTERM, on_interrupt);
+    std::signal(SIGXFSZ, SIG_IGN);  // a file too large is an error like a full disk
     Progress progress{
         options.quiet,
         duration ? std::optional<double>{static_cast<double>(duration->ps) * 1e-12} : std::nullopt};
@@ -141,7 +142,7 @@ ExitCode run(const RunOptions& options, const Firmware& firmware) try {
 } catch (const ScenarioError& e) {
     fmt::print(stderr, "{}\n", e.what());
     return WRONG_INPUT;
-} catch (const IoError& e) {
+} catch (const std::exception& e) {  // IoError, a trace file that cannot be opened
     fmt::print(stderr, "de1sim: {}\n", e.what());
     return WRONG_INPUT;
 }
