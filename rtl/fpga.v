@@ -140,8 +140,8 @@ module fpga #(
     );
 
     wire [3:0]  picture_we;
-    wire        picture_w, picture_re, picture_r, picture_grant;
-    wire [15:0] picture_windex, picture_rindex;
+    wire        picture_re, picture_grant;
+    wire [16:0] picture_windex, picture_rindex;
     wire [31:0] picture_wdata, picture_rdata;
 
     h2f_bridge #(.ID_W(ID_W)) h2f (
@@ -157,9 +157,9 @@ module fpga #(
         .arready_o(h2f_arready_o),
         .rid_o(h2f_rid_o), .rdata_o(h2f_rdata_o), .rresp_o(h2f_rresp_o), .rlast_o(h2f_rlast_o),
         .rvalid_o(h2f_rvalid_o), .rready_i(h2f_rready_i),
-        .we_o(picture_we), .wpicture_o(picture_w), .windex_o(picture_windex),
-        .wdata_o(picture_wdata), .re_o(picture_re), .rpicture_o(picture_r),
-        .rindex_o(picture_rindex), .rgrant_i(picture_grant), .rdata_i(picture_rdata)
+        .we_o(picture_we), .windex_o(picture_windex), .wdata_o(picture_wdata),
+        .re_o(picture_re), .rindex_o(picture_rindex), .rgrant_i(picture_grant),
+        .rdata_i(picture_rdata)
     );
 
     // ---- Parallel ports ---------------------------------------------------
@@ -231,14 +231,14 @@ module fpga #(
                        : jp1_oe[7:0]};
 
     // ---- Video and audio --------------------------------------------------
-    wire        fetch, fetch_picture;
-    wire [15:0] fetch_index;
+    wire        fetch;
+    wire [16:0] fetch_index;
 
     vga vga_block (
         .clk_i(clk_i), .rst_i(rst_i), .we_i(we[SEL_PIXEL]), .wstrb_i(wstrb), .waddr_i(waddr),
         .wdata_i(wdata), .re_i(re[SEL_PIXEL]), .resampler_re_i(re[SEL_RESAMPLER]),
         .raddr_i(raddr), .rdata_o(vga_rdata),
-        .fetch_o(fetch), .picture_o(fetch_picture), .index_o(fetch_index), .word_i(picture_rdata),
+        .fetch_o(fetch), .index_o(fetch_index), .word_i(picture_rdata),
         .vga_clk_o(vga_clk_o), .vga_hs_no(vga_hs_no), .vga_vs_no(vga_vs_no),
         .vga_blank_no(vga_blank_no), .vga_sync_no(vga_sync_no),
         .vga_r_o(vga_r_o), .vga_g_o(vga_g_o), .vga_b_o(vga_b_o)
@@ -246,11 +246,10 @@ module fpga #(
 
     picture_store store (
         .clk_i(clk_i),
-        .screen_re_i(fetch), .screen_picture_i(fetch_picture), .screen_index_i(fetch_index),
-        .re_i(picture_re), .rpicture_i(picture_r), .rindex_i(picture_rindex),
-        .rgrant_o(picture_grant), .rdata_o(picture_rdata),
-        .we_i(picture_we), .wpicture_i(picture_w), .windex_i(picture_windex),
-        .wdata_i(picture_wdata)
+        .screen_re_i(fetch), .screen_index_i(fetch_index),
+        .re_i(picture_re), .rindex_i(picture_rindex), .rgrant_o(picture_grant),
+        .rdata_o(picture_rdata),
+        .we_i(picture_we), .windex_i(picture_windex), .wdata_i(picture_wdata)
     );
 
     audio audio_block (

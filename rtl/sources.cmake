@@ -24,8 +24,18 @@ function(verilate_rtl target top)
     if(arg_TRACE_FST)
         set(trace TRACE_FST)
     endif()
-    verilate(${target} ${trace} PREFIX V${top} TOP_MODULE ${top} SOURCES ${arg_SOURCES}
-        VERILATOR_ARGS -Wall ${includes} ${arg_ARGS})
+    if(DE1SIM_COVERAGE)
+        set(coverage COVERAGE)
+        target_sources(${target} PRIVATE ${CMAKE_SOURCE_DIR}/tb/coverage/write_coverage.cpp)
+        target_compile_definitions(${target} PRIVATE
+            COVERAGE_DATA="${CMAKE_BINARY_DIR}/coverage-data")
+        target_link_options(${target} INTERFACE LINKER:--wrap=_ZN13VerilatedSymsD2Ev)
+    endif()
+    if(DE1SIM_SANITIZE)
+        set(unchecked OPT_FAST -fno-sanitize=all OPT_SLOW -fno-sanitize=all)  # not ours, and hot
+    endif()
+    verilate(${target} ${trace} ${coverage} ${unchecked} PREFIX V${top} TOP_MODULE ${top}
+        SOURCES ${arg_SOURCES} VERILATOR_ARGS -Wall ${includes} ${arg_ARGS})
     # Verilator's headers and what it makes are not ours to warn about.
     target_include_directories(${target} SYSTEM PUBLIC ${VERILATOR_ROOT}/include
         ${VERILATOR_ROOT}/include/vltstd

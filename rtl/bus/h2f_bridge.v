@@ -45,12 +45,10 @@ module h2f_bridge #(
     input  wire            rready_i,
 
     output reg  [3:0]      we_o,        // byte lanes
-    output reg             wpicture_o,  // 0 or 1
-    output reg  [15:0]     windex_o,    // word in the picture
+    output reg  [16:0]     windex_o,    // picture_index.vh
     output reg  [31:0]     wdata_o,
     output reg             re_o,        // held until rgrant_i
-    output reg             rpicture_o,
-    output reg  [15:0]     rindex_o,
+    output reg  [16:0]     rindex_o,
     input  wire            rgrant_i,
     input  wire [31:0]     rdata_i      // one clock after the grant
 );
@@ -82,11 +80,10 @@ module h2f_bridge #(
     always @(posedge clk_i) begin
         we_o <= 4'd0;
         if (we) begin
-            we_o       <= (win0 || win1) && stored(waddr[18:0]) ? wstrb : 4'd0;
-            wpicture_o <= win1;
-            windex_o   <= picture_index(waddr[18:0]);
-            wdata_o    <= wdata;
-            werror_q   <= !(win0 || win1);
+            we_o     <= (win0 || win1) && stored(waddr[18:0]) ? wstrb : 4'd0;
+            windex_o <= picture_index(win1, waddr[18:0]);
+            wdata_o  <= wdata;
+            werror_q <= !(win0 || win1);
         end
         if (rst_i) we_o <= 4'd0;
     end
@@ -110,11 +107,10 @@ module h2f_bridge #(
 
     always @(posedge clk_i) begin
         if (re) begin
-            re_o       <= 1'b1;
-            rpicture_o <= rin1;
-            rindex_o   <= picture_index(raddr[18:0]);
-            rempty_q   <= !stored(raddr[18:0]);
-            rerror_q   <= !(rin0 || rin1);
+            re_o     <= 1'b1;
+            rindex_o <= picture_index(rin1, raddr[18:0]);
+            rempty_q <= !stored(raddr[18:0]);
+            rerror_q <= !(rin0 || rin1);
         end else if (rgrant_i) begin
             re_o <= 1'b0;
         end

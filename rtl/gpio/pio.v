@@ -40,6 +40,7 @@ module pio #(
         input [WIDTH-1:0] old_bits;
         written = merged(old_bits, wdata_i, wstrb_i);
     endfunction
+    wire [WIDTH-1:0] written_ones = wdata_i & lanes(wstrb_i);
     // verilator lint_on WIDTH
 
     // ---- Pins -------------------------------------------------------------
@@ -62,7 +63,7 @@ module pio #(
         if (HAS_EDGE != 0) begin
             if (data != data_was_q) edge_q <= edge_q | (data_was_q & ~data);
             if (we_i && waddr_i[3:0] == JP1_EDGE[3:0])
-                edge_q <= (edge_q & ~written({WIDTH{1'b0}})) | (data_was_q & ~data);
+                edge_q <= (edge_q & ~written_ones) | (data_was_q & ~data);
         end
         if (rst_i) begin
             pins_o     <= {WIDTH{1'b0}};

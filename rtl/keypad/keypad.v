@@ -105,8 +105,8 @@ module keypad #(
             KEYPAD_CONTROL[4:0]:  rdata_o <= {31'd0, enable_o};
             KEYPAD_STATUS[4:0]:   rdata_o <= {19'd0, event_count, 4'd0, ghost, status};
             KEYPAD_KEYS[4:0]:     rdata_o <= {16'd0, keys};
-            KEYPAD_EVENT[4:0]:    rdata_o <= event_empty ? 32'd0
-                                             : {16'd0, 1'b1, 6'd0, event_head[4], 4'd0, event_head[3:0]};
+            KEYPAD_EVENT[4:0]:    rdata_o <= event_empty
+                ? 32'd0 : {16'd0, 1'b1, 6'd0, event_head[4], 4'd0, event_head[3:0]};
             KEYPAD_DEBOUNCE[4:0]: rdata_o <= {24'd0, debounce_q};
             KEYPAD_MASK[4:0]:     rdata_o <= {29'd0, mask_q};
             default: ;

@@ -12,8 +12,8 @@
 // scans after it has come to rest.
 //
 // Three keys on the corners of a rectangle close the path of the fourth (the matrix has no diodes),
-// so a scan with four corners does not tell which key is real.  While one lasts, ghost_o is high and
-// keys_o stays as it was: no key is invented; what is true shows when the ambiguity is gone.
+// so a scan with four corners does not tell which key is real.  While one lasts, ghost_o is high
+// and keys_o stays as it was: no key is invented; what is true shows when the ambiguity is gone.
 
 `default_nettype none
 

@@ -1,19 +1,20 @@
-// picture_memory.v - one picture: 38,400 words of two pixels, in byte lanes
+// picture_memory.v - the two pictures, one behind the other: 76,800 words of two pixels
 //
-// One write port and one read port on one clock: four simple dual-port memories of 8 bits, 152 M10K
-// blocks.  What a read gives of a word that is written in the same clock is not defined.
+// One write port and one read port on one clock: a simple dual-port memory of 8 bits for each byte
+// lane, 304 M10K blocks in all (two memories of half the depth would take 320).  What a read gives
+// of a word that is written in the same clock is not defined.
 
 `default_nettype none
 
 module picture_memory #(
-    parameter WORDS = 38400
+    parameter WORDS = 76800
 ) (
     input  wire        clk_i,
     input  wire [3:0]  we_i,       // byte lanes
-    input  wire [15:0] windex_i,
+    input  wire [16:0] windex_i,
     input  wire [31:0] wdata_i,
     input  wire        re_i,
-    input  wire [15:0] rindex_i,
+    input  wire [16:0] rindex_i,
     output reg  [31:0] rdata_o     // one clock later; stays until the next read
 );
     reg [7:0] lane0 [0:WORDS-1];

@@ -23,8 +23,7 @@ module vga (
     output wire [31:0] rdata_o,
 
     output reg         fetch_o,         // to the picture store; data one clock later
-    output reg         picture_o,
-    output reg  [15:0] index_o,
+    output reg  [16:0] index_o,
     input  wire [31:0] word_i,
 
     output wire        vga_clk_o,       // ADV7123
@@ -49,8 +48,8 @@ module vga (
     wire        enable;
 
     vga_timing timing (
-        .clk_i(clk_i), .rst_i(rst_i), .h_o(h), .v_o(v), .line_end_o(line_end), .row_next_o(row_next),
-        .hs_no(hs_n), .vs_no(vs_n), .shown_o(shown)
+        .clk_i(clk_i), .rst_i(rst_i), .h_o(h), .v_o(v), .line_end_o(line_end),
+        .row_next_o(row_next), .hs_no(hs_n), .vs_no(vs_n), .shown_o(shown)
     );
 
     pixel_registers registers (
@@ -73,9 +72,8 @@ module vga (
         fetch_o   <= fetch;
         fetched_q <= fetch_o;
         if (fetch) begin
-            stored_q  <= stored(offset_q[18:0]) && !offset_q[19] && (in0 || in1) && enable;
-            index_o   <= picture_index(offset_q[18:0]);
-            picture_o <= in1;
+            stored_q <= stored(offset_q[18:0]) && !offset_q[19] && (in0 || in1) && enable;
+            index_o  <= picture_index(in1, offset_q[18:0]);
         end
         if (fetch_o) stored2_q <= stored_q;
     end

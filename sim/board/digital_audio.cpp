@@ -33,6 +33,7 @@ std::optional<AudioReceiver::Frame> AudioReceiver::sample(bool lrck, bool data) 
 
 std::int32_t AudioReceiver::word(unsigned number) const {
     const unsigned held = std::min(bclks_, 64u), last = (number + 1) * format_.bits;
+    if (held == 0) return 0;  // else a shift by 64
     std::uint64_t bits = bits_;
     if (held < last)
         bits <<= last - held;  // too short: what is missing is 0

@@ -6,10 +6,14 @@ namespace sim {
 
 using sc_core::sc_time;
 
+// SystemC gives a thread 64 KB, which a hundred shapes in a build with sanitizers outgrow.
+constexpr std::size_t STACK_BYTES = 1 << 20;
+
 NativeCpu::NativeCpu(const sc_core::sc_module_name& name, Firmware firmware)
     : sc_module{name}, socket{"socket"}, firmware_{std::move(firmware)} {
     SC_HAS_PROCESS(NativeCpu);
     SC_THREAD(run);
+    set_stack_size(STACK_BYTES);
 }
 
 void NativeCpu::run() {

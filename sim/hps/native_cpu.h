@@ -29,8 +29,7 @@ public:
 
     NativeCpu(const sc_core::sc_module_name& name, Firmware firmware);
 
-    // Why the firmware was ended: "data abort: read of 4 bytes at 0xFF200FF0 at 12.345678 ms
-    // (...)".
+    // Why the firmware was ended: "data abort: read of 4 bytes at 0xFF200FF0 at 12.345 ms (...)".
     const std::optional<std::string>& fault() const { return fault_; }
     // Notified with the fault.
     const sc_core::sc_event& faulted() const { return faulted_; }

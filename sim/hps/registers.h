@@ -1,5 +1,4 @@
-// registers.h - a TLM target of 32-bit registers: checks the access, leaves the meaning to its
-// heir.
+// registers.h - a TLM target of 32-bit registers: checks accesses, leaves the meaning to its heir.
 //
 // An access that is not one aligned word is TLM_BURST_ERROR, with byte enables
 // TLM_BYTE_ENABLE_ERROR.  Every access takes 10 ns (L4 bus, 100 MHz).
@@ -24,8 +23,7 @@ protected:
         socket.register_b_transport(this, &Registers::b_transport);
     }
 
-    // `now` is the initiator's local time.  A register that does not exist reads 0 and ignores
-    // writes.
+    // `now` is the initiator's local time.  What is no register reads 0 and ignores writes.
     virtual std::uint32_t read(std::uint32_t offset, const sc_core::sc_time& now) = 0;
     virtual void write(std::uint32_t offset, std::uint32_t value, const sc_core::sc_time& now) = 0;
 

@@ -131,15 +131,20 @@ void Player::act(const ExpectFrame& step) {
     const bool met = different <= step.differing_pixels;
     std::string detail = fmt::format("frame {}: {} pixels differ", senses_.frames, different);
     if (!met) {
+        const auto folder = out_ / "mismatch";
         const std::string stem =
             fmt::format("line{}_{}", steps_[current_].line, step.golden.stem().string());
+        const auto keep = [&](const char* what, const Image& image) {
+            const auto path = folder / fmt::format("{}_{}.png", stem, what);
+            write_png(path, image);
+            return path.string();
+        };
         try {
-            const auto folder = out_ / "mismatch";
             make_folder(folder);
-            write_png(folder / (stem + "_actual.png"), picture);
-            write_png(folder / (stem + "_expected.png"), golden);
-            write_png(folder / (stem + "_difference.png"), difference_image(golden, picture));
-            detail += fmt::format("; see {}", (folder / (stem + "_difference.png")).string());
+            const std::string actual = keep("actual", picture);
+            const std::string expected = keep("expected", golden);
+            const std::string difference = keep("difference", difference_image(golden, picture));
+            detail += fmt::format("; see {}, {} and {}", actual, expected, difference);
         } catch (const IoError& e) {
             faults_.push_back(e.what());
         }

@@ -195,4 +195,12 @@ TEST_F(Keypad, HasItsDocumentedDefaults) {
     EXPECT_EQ(read(KEYPAD_EVENT), 0u);
 }
 
+TEST_F(Keypad, ReadsZeroBehindItsLastRegister) {
+    write(KEYPAD_MASK, 7);
+    write(KEYPAD_MASK + 4, 0xffffffff);
+    EXPECT_EQ(read(KEYPAD_MASK + 4), 0u);
+    EXPECT_EQ(read(KEYPAD_MASK + 8), 0u);
+    EXPECT_EQ(read(KEYPAD_MASK), 7u);
+}
+
 }  // namespace

@@ -36,13 +36,12 @@ module picture_bench (
     input  wire            rready_i,
 
     input  wire            screen_re_i,
-    input  wire            screen_picture_i,
-    input  wire [15:0]     screen_index_i,
+    input  wire [16:0]     screen_index_i,
     output wire [31:0]     screen_word_o
 );
     wire [3:0]  we;
-    wire        wpicture, re, rpicture, grant;
-    wire [15:0] windex, rindex;
+    wire        re, grant;
+    wire [16:0] windex, rindex;
     wire [31:0] wdata;
 
     h2f_bridge bridge (
@@ -55,18 +54,16 @@ module picture_bench (
         .arburst_i(arburst_i), .arvalid_i(arvalid_i), .arready_o(arready_o),
         .rid_o(rid_o), .rdata_o(rdata_o), .rresp_o(rresp_o), .rlast_o(rlast_o),
         .rvalid_o(rvalid_o), .rready_i(rready_i),
-        .we_o(we), .wpicture_o(wpicture), .windex_o(windex), .wdata_o(wdata),
-        .re_o(re), .rpicture_o(rpicture), .rindex_o(rindex), .rgrant_i(grant),
+        .we_o(we), .windex_o(windex), .wdata_o(wdata),
+        .re_o(re), .rindex_o(rindex), .rgrant_i(grant),
         .rdata_i(screen_word_o)
     );
 
     picture_store store (
         .clk_i(clk_i),
-        .screen_re_i(screen_re_i), .screen_picture_i(screen_picture_i),
-        .screen_index_i(screen_index_i),
-        .re_i(re), .rpicture_i(rpicture), .rindex_i(rindex), .rgrant_o(grant),
-        .rdata_o(screen_word_o),
-        .we_i(we), .wpicture_i(wpicture), .windex_i(windex), .wdata_i(wdata)
+        .screen_re_i(screen_re_i), .screen_index_i(screen_index_i),
+        .re_i(re), .rindex_i(rindex), .rgrant_o(grant), .rdata_o(screen_word_o),
+        .we_i(we), .windex_i(windex), .wdata_i(wdata)
     );
 endmodule
 

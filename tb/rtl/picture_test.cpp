@@ -49,9 +49,8 @@ protected:
         asked = screen && clocks % 4 == 0;
         dut.screen_re_i = asked;
         asked_offset = screen_offset;
-        dut.screen_picture_i = screen_offset < PICTURE0;
-        dut.screen_index_i = static_cast<std::uint16_t>((screen_offset >> 10 & 0xff) * 160 +
-                                                        (screen_offset >> 2 & 0xff));
+        dut.screen_index_i = (screen_offset < PICTURE0 ? 38400 : 0) +
+                             (screen_offset >> 10 & 0xff) * 160 + (screen_offset >> 2 & 0xff);
         dut.eval();
         dut.clk_i = 1;
         dut.eval();
@@ -99,12 +98,14 @@ TEST_F(Picture, WritesSinglePixelsAndBytes) {
 }
 
 TEST_F(Picture, TakesWritesBetweenAndBehindTheRowsWithoutHarm) {
+    write(PICTURE0, 0x22222222);
     write(PICTURE0 + 1024, 0x11111111);
     for (const std::uint32_t hole :
          {160u * 4, 255u * 4, 240u << 10, 0x3fffcu, 0x40000u, 0x7fffcu}) {
         write(PICTURE0 + hole, 0xdeadbeef);
         EXPECT_EQ(read(PICTURE0 + hole), 0u) << std::hex << hole;
     }
+    EXPECT_EQ(read(PICTURE0), 0x22222222u);
     EXPECT_EQ(read(PICTURE0 + 1024), 0x11111111u);
 }
 

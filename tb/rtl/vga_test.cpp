@@ -33,8 +33,8 @@ protected:
         dut.word_i = word;  // asked for a clock ago
         if (dut.fetch_o) {
             ++fetches;
-            ASSERT_LT(dut.index_o, 38400);
-            word = picture[dut.picture_o][dut.index_o];
+            ASSERT_LT(dut.index_o, 76800u);
+            word = picture[dut.index_o / 38400][dut.index_o % 38400];
         } else {
             word = 0xdeadbeef;  // holds only for the clock after the fetch
         }
@@ -162,6 +162,12 @@ TEST_F(Vga, HasTheDocumentedRegistersAfterReset) {
     EXPECT_EQ(read(0xFF203024), 0xC8000000u);
     EXPECT_EQ(read(0xFF203028), 0x00F00140u);
     EXPECT_EQ(read(0xFF20302C), 0x08090F04u);
+}
+
+TEST_F(Vga, KeepsItsResolutionWhateverIsWritten) {
+    write(PIXEL_RESOLUTION, 0);
+    EXPECT_EQ(read(PIXEL_RESOLUTION), 240u << 16 | 320u);
+    EXPECT_EQ(read(PIXEL_STATUS) & 1, 0u) << "no swap was asked for";
 }
 
 TEST_F(Vga, WritesTheBackBufferByLanes) {

@@ -1,8 +1,8 @@
 // axi_master.h - drives one AXI3 port of a Verilated module, clock by clock, with random pauses.
 //
-// Every channel is a queue of its own, so requests, data and responses overlap as a real master's
-// do. `stall` is the chance in percent that a channel pauses in a clock: VALID stays low (never
-// once it was high), READY stays low.
+// Every channel is a queue of its own, so requests, data and responses overlap as in a real master.
+// `stall` is the chance in percent that a channel pauses in a clock: VALID stays low (never once it
+// was high), READY stays low.
 #pragma once
 
 #include <cstdint>

@@ -1,0 +1,64 @@
+"""layout.py ROOT - what no formatter checks: characters, lengths, header lines, default_nettype."""
+import pathlib
+import re
+import sys
+
+SUFFIXES = {".v", ".vh", ".def", ".h", ".cpp", ".py", ".cmake", ".txt", ".md", ".yaml", ".yml",
+            ".json"}
+TOP = ["rtl", "sw", "sim", "tb", ".ci", ".github"]
+COLUMNS = 100
+LINES = 500
+# Made by a program, or a table whose rows say more on one line.
+TABLES = {"regmap.def", "regmap.vh", "REGISTERS.md", "scenario.schema.json"}
+WIDE = TABLES | {"README.md", "CONTRIBUTING.md"}  # prose and its tables
+
+
+def sources(root):
+    files = [p for p in root.iterdir() if p.is_file()]
+    for top in TOP:
+        files += (root / top).rglob("*")
+    return sorted(p for p in files if p.is_file() and (p.suffix in SUFFIXES or p.name == "Makefile"
+                                                       or p.parent.name == ".ci"))
+
+
+def problems(path):
+    """Yields (line, what)."""
+    data = path.read_bytes()
+    if not data.endswith(b"\n") or data.endswith(b"\n\n"):
+        yield data.count(b"\n"), "does not end in one newline"
+    lines = data.split(b"\n")[:-1]
+    for number, line in enumerate(lines, 1):
+        if b"\r" in line:
+            yield number, "carriage return"
+        if b"\t" in line and path.name != "Makefile":
+            yield number, "tab"
+        if line.rstrip() != line:
+            yield number, "trailing blanks"
+        if any(byte > 126 for byte in line):
+            yield number, "not ASCII"
+        if len(line) > COLUMNS and path.name not in WIDE:
+            yield number, f"{len(line)} columns, more than {COLUMNS}"
+    if len(lines) > LINES and path.name not in TABLES:
+        yield len(lines), f"{len(lines)} lines, more than {LINES}"
+
+    header = f"// {path.name} - ".encode()
+    if path.suffix in {".v", ".vh", ".h"} and not data.startswith(header):
+        yield 1, f"does not begin with \"{header.decode()}\""
+    if path.suffix == ".v":
+        if not re.search(rb"^`default_nettype none$", data.split(b"\nmodule ")[0], re.M):
+            yield 1, "no `default_nettype none before the module"
+        if not data.endswith(b"\nendmodule\n\n`default_nettype wire\n"):
+            yield len(lines), "does not end with endmodule and `default_nettype wire"
+
+
+def main():
+    root = pathlib.Path(sys.argv[1])
+    files = sources(root)
+    found = [(p, n, what) for p in files for n, what in problems(p)]
+    for path, number, what in found:
+        print(f"{path.relative_to(root)}:{number}: {what}")
+    print(f"{len(files)} files, {len(found)} problems")
+    return 1 if found or not files else 0
+
+
+sys.exit(main())

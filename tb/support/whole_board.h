@@ -1,0 +1,89 @@
+// whole_board.h - test fixture: the whole board with a firmware of the test's choice.
+//
+// A firmware that a test writes may also be the hand on the board: it calls board->hold().
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "sim/board/board.h"
+
+namespace tb {
+
+// What the monitor showed: 640 x 480 of 0x00RRGGBB.
+struct Picture {
+    std::uint64_t number;
+    bool is_new;
+    std::vector<std::uint32_t> pixels;
+};
+
+class WholeBoard : public ::testing::Test, private sim::Audience {
+protected:
+    std::unique_ptr<sim::Board> board;
+
+    // Since power-on.
+    std::vector<std::int16_t> left, right;
+    double rate_hz = 0;
+    std::string printed;
+
+    void power_on(sim::Firmware firmware, std::uint64_t seed = 1) {
+        sim::Audience& audience = *this;
+        board = std::make_unique<sim::Board>("board", audience, std::move(firmware), seed, "");
+    }
+
+    // The same for firmware that comes to an end, and runs to there.
+    void run_to_end(const sim::Firmware& firmware, double limit_ms = 500) {
+        bool done = false;
+        power_on([&](hal::Mmio& io, hal::Cpu& cpu) {
+            firmware(io, cpu);
+            done = true;
+        });
+        const sc_core::sc_time limit{limit_ms, sc_core::SC_MS};
+        while (!done && !board->cpu.fault() && sc_core::sc_time_stamp() < limit) run_ms(1);
+        ASSERT_TRUE(done) << board->cpu.fault().value_or("still running");
+    }
+
+    void run_ms(double ms) {
+        sc_core::sc_start(sc_core::sc_time{ms, sc_core::SC_MS});
+        board->fpga.catch_up();
+    }
+
+    // Runs until the monitor has the next whole picture, as of which the test then acts.
+    Picture next_picture() {
+        while (shown_.empty()) run_ms(0.25);
+        Picture picture = std::move(shown_.front());
+        shown_.pop_front();
+        return picture;
+    }
+
+    void TearDown() override {
+        ASSERT_TRUE(board);
+        EXPECT_EQ(board->monitor.violations(), 0u) << board->monitor.messages().front();
+        EXPECT_EQ(board->codec_chip.errors(), std::vector<std::string>{});
+    }
+
+    static void idle_ms(hal::Cpu& cpu, unsigned ms) {
+        for (unsigned i = 0; i < 20 * ms; ++i) cpu.idle();  // 50 us each
+    }
+
+private:
+    void frame(const sim::Monitor::Frame& f) override {
+        shown_.push_back({f.number, f.is_new, f.pixels});
+    }
+    void sample(std::int16_t l, std::int16_t r) override {
+        left.push_back(l);
+        right.push_back(r);
+    }
+    void sample_rate(double hz) override { rate_hz = hz; }
+    void console(char character) override { printed += character; }
+
+    std::deque<Picture> shown_;
+};
+
+}  // namespace tb

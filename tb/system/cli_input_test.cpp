@@ -1,0 +1,127 @@
+// cli_input_test.cpp - wrong input: one clear line, exit 2, and nothing half-written.
+#include <gmock/gmock.h>
+
+#include "sim/report/png.h"
+#include "tb/system/cli.h"
+
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::SizeIs;
+
+class WrongInput : public tb::CommandLine {
+protected:
+    void refused(const tb::Outcome& outcome, const std::string& message) const {
+        EXPECT_EQ(outcome.exit_code, 2);
+        EXPECT_EQ(outcome.out, "");
+        EXPECT_THAT(tb::lines_of(outcome.err), SizeIs(1));
+        EXPECT_THAT(outcome.err, HasSubstr(message));
+        EXPECT_THAT(files(), IsEmpty());
+    }
+    void usage(const std::vector<std::string>& words, const std::string& message) const {
+        refused(de1sim(words), message);
+    }
+};
+
+TEST_F(WrongInput, AScenarioThatIsNotThereIsNamed) {
+    refused(play("none.yaml"), "none.yaml: expected a scenario file, got: cannot read: No such");
+}
+
+TEST_F(WrongInput, AScenarioThatIsAFolderIsNamed) {
+    refused(play(folder.path()), ": expected a scenario file, got: is a folder");
+}
+
+TEST_F(WrongInput, AnEmptyScenarioIsRefused) {
+    folder.put("s.yaml", "");
+    refused(play("s.yaml"), "s.yaml: expected a scenario, got an empty file");
+}
+
+TEST_F(WrongInput, ABinaryScenarioIsRefusedAtItsFirstWrongByte) {
+    folder.put("s.yaml", std::string("name: a\n\x7f"
+                                     "ELF\x02\x00\x00",
+                                     15));
+    refused(play("s.yaml"), "s.yaml:2:6: expected text in UTF-8, got the byte 0x00");
+}
+
+TEST_F(WrongInput, AHugeScenarioIsRefusedUnread) {
+    folder.put("s.yaml", std::string(32 << 20, '#'));
+    refused(play("s.yaml"), "s.yaml: expected a scenario file, got: is larger than 1048576 bytes");
+}
+
+TEST_F(WrongInput, AMisspeltStepIsRefusedWithItsPlaceAndTheRightWord) {
+    refused(play(scenario("steps:\n  - dely: 5ms\n")),
+            "s.yaml:4:5: expected a step, got \"dely\" (did you mean \"delay\"?)");
+}
+
+TEST_F(WrongInput, ANegativeTimeIsRefused) {
+    refused(play(scenario("steps:\n  - delay: -5ms\n")), "s.yaml:4:12: expected a time");
+}
+
+TEST_F(WrongInput, OverlappingTimesAreRefused) {
+    refused(play(scenario("steps:\n  - hold: {keypad: \"5\"}\n  - press: {keypad: \"5\"}\n")),
+            "s.yaml:5:5: expected a control that is free, got keypad 5, held since line 4");
+    refused(play(scenario("duration: 1s\nsteps:\n  - delay: 2s\n")), "s.yaml:5:5: expected steps");
+}
+
+TEST_F(WrongInput, AGoldenOfAnotherSizeIsRefusedBeforeTheRun) {
+    sim::write_png(folder / "small.png", {320, 240, std::vector<std::uint8_t>(320 * 240 * 3)});
+    refused(play(scenario("steps:\n  - expect-frame: {equals: small.png}\n")), "320 x 240");
+}
+
+TEST_F(WrongInput, AGoldenThatIsNotThereOrNoPictureIsRefusedBeforeTheRun) {
+    scenario("steps:\n  - expect-frame: {equals: g.png}\n");
+    refused(play("s.yaml"), "g.png");
+    folder.put("g.png", "GIF89a");
+    refused(play("s.yaml"), "g.png");
+}
+
+TEST_F(WrongInput, AnOutputFolderThatIsAFileIsNamedAndTheFileStays) {
+    scenario("duration: 100ms\n");
+    folder.put("out", "precious");
+    refused(play("s.yaml"), out.string() + ": cannot create the folder: Not a directory");
+    EXPECT_EQ(folder.get("out"), "precious");
+}
+
+TEST_F(WrongInput, AFolderThatCanNotBeMadeIsNamed) {
+    scenario("duration: 100ms\n");
+    folder.put("file", "");
+    refused(de1sim({"run", "s.yaml", "--out", folder / "file/below"}),
+            "file/below: cannot create the folder: Not a directory");
+    refused(de1sim({"run", "s.yaml", "--out", "/proc/de1sim"}),
+            "/proc/de1sim: cannot create the folder: ");
+}
+
+TEST_F(WrongInput, ATraceThatCanNotBeWrittenIsNamed) {
+    refused(play(scenario("duration: 100ms\n"), {"--trace", folder / "none/a.fst"}),
+            "none/a.fst: cannot be written");
+}
+
+TEST_F(WrongInput, NoArgumentsAreAnsweredWithWhatIsMissing) {
+    usage({}, "subcommand is required");
+    usage({"run"}, "SCENARIO is required");
+}
+
+TEST_F(WrongInput, UnknownWordsAreNamed) {
+    scenario("duration: 100ms\n");
+    usage({"walk", "s.yaml"}, "walk");
+    usage({"run", "s.yaml", "--frame", "all"}, "--frame");
+    usage({"run", "s.yaml", "again.yaml"}, "again.yaml");
+}
+
+TEST_F(WrongInput, ValuesThatMakeNoSenseAreNamed) {
+    scenario("duration: 100ms\n");
+    const auto wrong = [this](const std::string& option, const std::string& value,
+                              const std::string& message) {
+        usage({"run", "s.yaml", "--out", out, option + "=" + value}, message);
+    };
+    for (const char* value : {"some", "every", "every:", "every:0", "every:-1", "every:2x"})
+        wrong("--frames", value, "--frames: expected all, every:N, last or none, got \"");
+    for (const char* value : {"5", "-1s", "0s", "1h", "s", "2000000s"})
+        wrong("--duration", value, "--duration: expected a time such as 500ms or 10s, got \"");
+    for (const char* value : {"-1", "one", "0x10", "1.5", "18446744073709551616"})
+        wrong("--seed", value, "--seed: expected a whole number, got \"");
+    wrong("--cpu", "m68k", "m68k");
+}
+
+}  // namespace

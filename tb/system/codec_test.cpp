@@ -1,0 +1,44 @@
+// codec_test.cpp - the hardware sets up the WM8731 by itself, and says when it could not.
+#include "regmap.h"
+#include "tb/support/whole_board.h"
+
+namespace {
+
+constexpr unsigned SETUP_MS = 20;
+
+class CodecSetup : public tb::WholeBoard {};
+
+TEST_F(CodecSetup, IsReadySoonAfterPowerOnAndTheCodecPlaysAtItsRate) {
+    run_to_end([](hal::Mmio& io, hal::Cpu& cpu) {
+        idle_ms(cpu, SETUP_MS);
+        EXPECT_EQ(io.read(regmap::CODEC_STATUS) &
+                      (regmap::CODEC_STATUS_READY_MASK | regmap::CODEC_STATUS_ERROR_MASK),
+                  regmap::CODEC_STATUS_READY_MASK);
+        idle_ms(cpu, 5);
+    });
+    EXPECT_EQ(board->codec_chip.refused_words(), 0u);
+    EXPECT_EQ(board->codec_chip.reg(9), 1u);  // active
+    EXPECT_NEAR(rate_hz, 25e6 / 3072, 0.01);
+}
+
+TEST_F(CodecSetup, TellsTheWordThatTheCodecRefusedAndWorksWhenItIsDoneAgain) {
+    bool done = false;
+    power_on([&](hal::Mmio& io, hal::Cpu& cpu) {
+        idle_ms(cpu, SETUP_MS);
+        EXPECT_EQ(io.read(regmap::CODEC_STATUS),
+                  regmap::CODEC_STATUS_ERROR_MASK | 4u << regmap::CODEC_STATUS_STEP_LSB);
+        EXPECT_EQ(board->codec_chip.reg(9), 0u);
+        io.write(regmap::CODEC_RATE, regmap::CODEC_RATE_FAST_MASK);
+        idle_ms(cpu, SETUP_MS);
+        EXPECT_EQ(io.read(regmap::CODEC_STATUS) & 3, regmap::CODEC_STATUS_READY_MASK);
+        done = true;
+    });
+    board->codec_chip.refuse_word(5);
+    run_ms(2 * SETUP_MS + 5);
+    EXPECT_TRUE(done);
+    EXPECT_EQ(board->codec_chip.words(), 5u + 11u);
+    EXPECT_EQ(board->codec_chip.refused_words(), 1u);
+    EXPECT_NEAR(rate_hz, 25e6 / 512, 0.1);
+}
+
+}  // namespace
