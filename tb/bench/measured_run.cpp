@@ -55,7 +55,7 @@ MeasuredRun measure_run(const std::string& de1sim, const std::string& scenario, 
 
     std::ifstream file{out / "report.json"};
     const auto report = nlohmann::json::parse(file);
-    if (std::abs(report.at("simulated").at("seconds").get<double>() - duration_s) > 1e-9 ||
+    if (std::abs(report.at("simulated_s").get<double>() - duration_s) > 1e-9 ||
         !report.at("faults").empty())
         throw std::runtime_error("the run did not go as it should: see " + out.string());
     std::uint64_t pictures = 0;
