@@ -42,7 +42,7 @@ const std::vector<Field>& file_fields() {
     static const std::vector<Field> FIELDS = {
         {"name", LINE, Need::REQUIRED, "", "What the scenario shows, in a line; for reports."},
         {"version", VERSION, Need::REQUIRED, "", "Version of this format: 1."},
-        {"seed", SEED, Need::OPTIONAL, "1", "Seed that the firmware gets; same seed, same run."},
+        {"seed", SEED, Need::OPTIONAL, "1", "Seed of the contact bounce; same seed, same run."},
         {"duration", SOME_TIME, Need::OPTIONAL, "",
          "Simulated time at which the run ends. Without it the run ends with the last step."},
         {"steps", STEPS, Need::OPTIONAL, "", "What happens, in order."},
