@@ -8,12 +8,24 @@ namespace {
 constexpr std::uint32_t DDR3_BASE = 0x00000000, DDR3_SIZE = 0x40000000;
 constexpr std::uint32_t H2F_BASE = 0xC0000000, H2F_SIZE = 0x3C000000;
 constexpr std::uint32_t LW_BASE = 0xFF200000, LW_SIZE = 0x00200000;
-constexpr std::uint32_t UART0_BASE = 0xFFC02000, UART0_SIZE = 0x1000;
-constexpr std::uint32_t GLOBAL_TIMER_BASE = 0xFFFEC200, GLOBAL_TIMER_SIZE = 0x100;
+constexpr std::uint32_t ON_CHIP_RAM_BASE = 0xFFFF0000, ON_CHIP_RAM_SIZE = 0x10000;
+
+std::unique_ptr<Processor> processor_for(Board::Software software, Audience& audience) {
+    if (auto* firmware = std::get_if<Firmware>(&software))
+        return std::make_unique<NativeCpu>("cpu", std::move(*firmware));
+    return std::make_unique<ArmCpu>("cpu", std::get<ArmProgram>(std::move(software)),
+                                    [&audience](const std::string& line) { audience.log(line); });
+}
 
 }  // namespace
 
-Board::Board(const sc_core::sc_module_name& name, Audience& audience, Firmware firmware,
+const std::vector<MemoryRange>& program_memory() {
+    static const std::vector<MemoryRange> memory{{DDR3_BASE, DDR3_SIZE},
+                                                 {ON_CHIP_RAM_BASE, ON_CHIP_RAM_SIZE}};
+    return memory;
+}
+
+Board::Board(const sc_core::sc_module_name& name, Audience& audience, Software software,
              std::uint64_t seed, const std::string& trace_file)
     : sc_module{name},
       monitor{[&audience](const Monitor::Frame& frame) { audience.frame(frame); }},
@@ -26,16 +38,23 @@ Board::Board(const sc_core::sc_module_name& name, Audience& audience, Firmware f
       keypad{"keypad", seed, [this] { fpga.inputs().jp1 = jp1(); }},
       fpga{"fpga", *this, trace_file},
       ddr3{"ddr3", DDR3_SIZE, sc_core::sc_time{60, sc_core::SC_NS}},
-      global_timer{"global_timer"},
-      uart0{"uart0", [&audience](char character) { audience.console(character); }},
+      hps{"hps",
+          {[&audience](char character) { audience.console(character); },
+           [this](bool irq, bool fiq) { cpu.interrupt(irq, fiq); }, [this] { cpu.warm_reset(); },
+           [this](std::uint32_t in_reset) {
+               bus.answer("h2f", !(in_reset & ResetManager::H2F));
+               bus.answer("lw", !(in_reset & ResetManager::LWH2F));
+           }}},
       bus{"bus"},
-      cpu{"cpu", std::move(firmware)} {
+      processor_{processor_for(std::move(software), audience)},
+      cpu{*processor_},
+      arm{dynamic_cast<ArmCpu*>(processor_.get())} {
     cpu.socket.bind(bus.socket);
     bus.window("ddr3", DDR3_BASE, DDR3_SIZE).bind(ddr3.socket);
     bus.window("h2f", H2F_BASE, H2F_SIZE).bind(fpga.h2f);
     bus.window("lw", LW_BASE, LW_SIZE).bind(fpga.lw);
-    bus.window("uart0", UART0_BASE, UART0_SIZE).bind(uart0.socket);
-    bus.window("global_timer", GLOBAL_TIMER_BASE, GLOBAL_TIMER_SIZE).bind(global_timer.socket);
+    hps.bind(bus);
+    fpga.on_interrupts([this](std::uint32_t levels) { hps.fpga_interrupts(levels); });
 }
 
 void Board::video(const std::uint32_t* samples, std::size_t count) {

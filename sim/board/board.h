@@ -1,6 +1,7 @@
 // board.h - the schematic: the DE1-SoC with a monitor, a keypad and somebody at the line-out.
 //
-//   NativeCpu -- Bus -+- DDR3, global timer, UART0
+//   Processor -- Bus -+- DDR3
+//                     +- Peripherals (GIC, timers, UART0, GPIO1, managers, on-chip RAM)
 //                     +- Fpga lw, h2f --pins--+- Monitor   (VGA)
 //                                             +- Wm8731    (audio)
 //                                             +- Keypad    (JP1 D7-D0)
@@ -8,17 +9,19 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <string>
+#include <variant>
 
 #include "sim/board/keypad.h"
 #include "sim/board/monitor.h"
 #include "sim/board/wm8731.h"
 #include "sim/fpga/fpga.h"
+#include "sim/hps/arm_cpu.h"
 #include "sim/hps/bus.h"
-#include "sim/hps/global_timer.h"
 #include "sim/hps/memory.h"
 #include "sim/hps/native_cpu.h"
-#include "sim/hps/uart.h"
+#include "sim/hps/peripherals.h"
 
 namespace sim {
 
@@ -29,14 +32,22 @@ public:
     virtual void sample(std::int16_t left, std::int16_t right) = 0;
     virtual void sample_rate(double hz) = 0;
     virtual void console(char character) = 0;
+    // What a person should know of the program: aborts, resets.
+    virtual void log(const std::string& /*line*/) {}
 
 protected:
     ~Audience() = default;
 };
 
+// The memory that programs are loaded into.
+const std::vector<MemoryRange>& program_memory();
+
 class Board : public sc_core::sc_module, private PinListener {
 public:
-    Board(const sc_core::sc_module_name& name, Audience& audience, Firmware firmware,
+    // What runs on it, and so which processor it has: NativeCpu or ArmCpu.
+    using Software = std::variant<Firmware, ArmProgram>;
+
+    Board(const sc_core::sc_module_name& name, Audience& audience, Software software,
           std::uint64_t seed, const std::string& trace_file);
 
     // Hands on the board: masks of keypad keys (4 * row + column), KEY3-0 and SW9-0.
@@ -58,10 +69,15 @@ public:  // the parts, in the order in which they are soldered
     Keypad keypad;
     Fpga fpga;
     Memory ddr3;
-    GlobalTimer global_timer;
-    Uart uart0;
+    Peripherals hps;
     Bus bus;
-    NativeCpu cpu;
+
+private:
+    std::unique_ptr<Processor> processor_;
+
+public:
+    Processor& cpu;
+    ArmCpu* const arm;  // the same, if that is what it is
 };
 
 }  // namespace sim

@@ -43,6 +43,14 @@ Fpga::Fpga(const sc_core::sc_module_name& name, PinListener& pins, const std::st
 void Fpga::run_to(const sc_time& time) {
     const std::uint64_t clocks = time.value() / FABRIC_PERIOD_PS;
     if (clocks > fabric_.clocks()) fabric_.run(clocks - fabric_.clocks());
+    tell_interrupts();
+}
+
+void Fpga::tell_interrupts() {
+    const std::uint32_t levels = fabric_.irq();
+    if (levels == irq_) return;
+    irq_ = levels;
+    told_(levels);
 }
 
 void Fpga::catch_up() {
@@ -110,6 +118,7 @@ void Fpga::transport(Bridge bridge, tlm::tlm_generic_payload& tx, sc_time& delay
             run_to(sc_time_stamp());
         }
     }
+    tell_interrupts();
     tx.set_response_status(status_of(response));
 }
 

@@ -7,10 +7,14 @@
 // (through `inputs()`), and once a scan line.  A transaction's delay is what its clocks took; a
 // long one lets SystemC catch up between its bursts, so it blocks.
 //
+// Interrupts are levels: told when the fabric has caught up to or past their change, so at once when
+// a transaction makes it, else within a scan line (32 us).
+//
 // A response other than OKAY ends the transaction: DECERR is TLM_ADDRESS_ERROR, SLVERR is
 // TLM_GENERIC_ERROR, no answer in 10,000 clocks is TLM_INCOMPLETE.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 
@@ -28,6 +32,9 @@ public:
 
     Fpga(const sc_core::sc_module_name& name, PinListener& pins, const std::string& trace_file);
 
+    // `told` is called with Fabric::irq() whenever it has changed.
+    void on_interrupts(std::function<void(std::uint32_t levels)> told) { told_ = std::move(told); }
+
     // The input pins, as of now: the fabric has caught up when this returns.
     FabricInputs& inputs();
     // Everything up to now has been run and handed to the listener.
@@ -44,8 +51,11 @@ private:
     void transport(Bridge bridge, tlm::tlm_generic_payload& tx, sc_core::sc_time& delay);
     void run_to(const sc_core::sc_time& time);
     void scan_line();
+    void tell_interrupts();
 
     Fabric fabric_;
+    std::function<void(std::uint32_t)> told_ = [](std::uint32_t) {};
+    std::uint32_t irq_ = 0;
 };
 
 }  // namespace sim

@@ -1,9 +1,12 @@
 #include "sim/hps/bus.h"
 
+#include <algorithm>
+
 namespace sim {
 
 Bus::Bus(const sc_core::sc_module_name& name) : sc_module{name}, socket{"socket"} {
     socket.register_b_transport(this, &Bus::b_transport);
+    socket.register_get_direct_mem_ptr(this, &Bus::get_direct_mem_ptr);
 }
 
 tlm_utils::simple_initiator_socket<Bus>& Bus::window(const std::string& name, std::uint32_t base,
@@ -14,8 +17,13 @@ tlm_utils::simple_initiator_socket<Bus>& Bus::window(const std::string& name, st
                             ("window " + name + " overlaps window " + other.name).c_str());
     windows_.push_back(
         {name, base, size,
-         std::make_unique<tlm_utils::simple_initiator_socket<Bus>>(("to_" + name).c_str())});
+         std::make_unique<tlm_utils::simple_initiator_socket<Bus>>(("to_" + name).c_str()), true});
     return *windows_.back().socket;
+}
+
+void Bus::answer(const std::string& name, bool on) {
+    for (Window& window : windows_)
+        if (window.name == name) window.on = on;
 }
 
 Bus::Window* Bus::find(std::uint64_t address, unsigned bytes) {
@@ -29,7 +37,8 @@ Bus::Window* Bus::find(std::uint64_t address, unsigned bytes) {
 void Bus::b_transport(tlm::tlm_generic_payload& tx, sc_core::sc_time& delay) {
     ++(tx.get_data_length() > 4 ? counts_.bursts : tx.is_read() ? counts_.reads : counts_.writes);
     const std::uint64_t address = tx.get_address();
-    if (Window* window = find(address, tx.get_data_length())) {
+    Window* window = find(address, tx.get_data_length());
+    if (window && window->on) {
         tx.set_address(address - window->base);
         (*window->socket)->b_transport(tx, delay);
         tx.set_address(address);
@@ -37,6 +46,30 @@ void Bus::b_transport(tlm::tlm_generic_payload& tx, sc_core::sc_time& delay) {
         tx.set_response_status(tlm::TLM_ADDRESS_ERROR_RESPONSE);  // never a default target
     }
     if (!tx.is_response_ok()) ++counts_.errors;
+}
+
+bool Bus::get_direct_mem_ptr(tlm::tlm_generic_payload& tx, tlm::tlm_dmi& dmi) {
+    const std::uint64_t address = tx.get_address();
+    dmi.init();
+    if (Window* window = find(address, 1)) {
+        const std::uint64_t last = window->size - 1;
+        tx.set_address(address - window->base);
+        const bool granted = (*window->socket)->get_direct_mem_ptr(tx, dmi);
+        tx.set_address(address);
+        if (!granted) dmi.set_start_address(0), dmi.set_end_address(last);
+        dmi.set_start_address(window->base + dmi.get_start_address());
+        dmi.set_end_address(window->base + std::min<std::uint64_t>(dmi.get_end_address(), last));
+        return granted;
+    }
+    std::uint64_t first = 0, last = 0xFFFFFFFF;
+    for (const Window& window : windows_) {
+        const std::uint64_t end = std::uint64_t{window.base} + window.size;
+        if (end <= address) first = std::max(first, end);
+        if (window.base > address) last = std::min<std::uint64_t>(last, window.base - 1);
+    }
+    dmi.set_start_address(first);
+    dmi.set_end_address(last);
+    return false;
 }
 
 }  // namespace sim

@@ -1,20 +1,29 @@
 #include "sim/hps/memory.h"
 
-#include <algorithm>
+#include <sys/mman.h>
+
 #include <cstring>
+#include <new>
 
 namespace sim {
 
 Memory::Memory(const sc_core::sc_module_name& name, std::uint32_t size, sc_core::sc_time latency)
     : sc_module{name}, socket{"socket"}, size_{size}, latency_{latency} {
+    // The host gives pages of zeros as they are touched; 1 GB costs nothing before.
+    void* area = mmap(nullptr, size, PROT_READ | PROT_WRITE,
+                      MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+    if (area == MAP_FAILED) throw std::bad_alloc{};
+    bytes_ = static_cast<std::uint8_t*>(area);
     socket.register_b_transport(this, &Memory::b_transport);
+    socket.register_get_direct_mem_ptr(this, &Memory::get_direct_mem_ptr);
 }
 
+Memory::~Memory() { munmap(bytes_, size_); }
+
 void Memory::b_transport(tlm::tlm_generic_payload& tx, sc_core::sc_time& delay) {
-    std::uint64_t address = tx.get_address();
-    std::uint64_t left = tx.get_data_length();
-    std::uint8_t* data = tx.get_data_ptr();
-    if (address > size_ || left > size_ - address) {
+    const std::uint64_t address = tx.get_address();
+    const std::size_t bytes = tx.get_data_length();
+    if (address > size_ || bytes > size_ - address) {
         tx.set_response_status(tlm::TLM_ADDRESS_ERROR_RESPONSE);
         return;
     }
@@ -22,24 +31,22 @@ void Memory::b_transport(tlm::tlm_generic_payload& tx, sc_core::sc_time& delay) 
         tx.set_response_status(tlm::TLM_BYTE_ENABLE_ERROR_RESPONSE);
         return;
     }
-    while (left) {
-        const std::uint64_t at = address % PAGE, now = std::min<std::uint64_t>(left, PAGE - at);
-        auto& page = pages_[static_cast<std::uint32_t>(address / PAGE)];
-        if (tx.is_write()) {
-            if (!page) page = std::make_unique<Page>(Page{});
-            std::memcpy(page->data() + at, data, now);
-        } else if (tx.is_read()) {
-            if (page)
-                std::memcpy(data, page->data() + at, now);
-            else
-                std::memset(data, 0, now);
-        }
-        address += now;
-        data += now;
-        left -= now;
-    }
+    if (tx.is_write())
+        std::memcpy(bytes_ + address, tx.get_data_ptr(), bytes);
+    else if (tx.is_read())
+        std::memcpy(tx.get_data_ptr(), bytes_ + address, bytes);
     delay += latency_;
     tx.set_response_status(tlm::TLM_OK_RESPONSE);
+}
+
+bool Memory::get_direct_mem_ptr(tlm::tlm_generic_payload&, tlm::tlm_dmi& dmi) {
+    dmi.set_dmi_ptr(bytes_);
+    dmi.set_start_address(0);
+    dmi.set_end_address(size_ - 1);
+    dmi.set_read_latency(latency_);
+    dmi.set_write_latency(latency_);
+    dmi.allow_read_write();
+    return true;
 }
 
 }  // namespace sim

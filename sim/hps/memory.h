@@ -1,14 +1,12 @@
-// memory.h - DDR3 and on-chip RAM: bytes that remember, allocated when first written.
+// memory.h - DDR3 and on-chip RAM: bytes that remember, allocated by the host when first touched.
 //
-// Reads as 0 where nothing was written.  An access takes `latency`, whatever its length.
+// Reads as 0 where nothing was written.  An access by the bus takes `latency`, whatever its length.
+// Grants its whole range for direct access (DMI): an initiator that uses it sees the same bytes.
 //
 // Not handled: refresh, banks, and the caches in front of it; byte enables (TLM_BYTE_ENABLE_ERROR).
 #pragma once
 
-#include <array>
 #include <cstdint>
-#include <memory>
-#include <unordered_map>
 
 #include <systemc>
 #include <tlm>
@@ -20,17 +18,17 @@ class Memory : public sc_core::sc_module {
 public:
     tlm_utils::simple_target_socket<Memory> socket;
 
+    // std::bad_alloc if the host has not even the address space.
     Memory(const sc_core::sc_module_name& name, std::uint32_t size, sc_core::sc_time latency);
+    ~Memory() override;
 
 private:
-    static constexpr std::uint32_t PAGE = 64 * 1024;
-    using Page = std::array<std::uint8_t, PAGE>;
-
     void b_transport(tlm::tlm_generic_payload& tx, sc_core::sc_time& delay);
+    bool get_direct_mem_ptr(tlm::tlm_generic_payload& tx, tlm::tlm_dmi& dmi);
 
     const std::uint32_t size_;
     const sc_core::sc_time latency_;
-    std::unordered_map<std::uint32_t, std::unique_ptr<Page>> pages_;
+    std::uint8_t* bytes_;
 };
 
 }  // namespace sim

@@ -10,7 +10,7 @@ using sc_core::sc_time;
 constexpr std::size_t STACK_BYTES = 1 << 20;
 
 NativeCpu::NativeCpu(const sc_core::sc_module_name& name, Firmware firmware)
-    : sc_module{name}, socket{"socket"}, firmware_{std::move(firmware)} {
+    : Processor{name}, firmware_{std::move(firmware)} {
     SC_HAS_PROCESS(NativeCpu);
     SC_THREAD(run);
     set_stack_size(STACK_BYTES);
@@ -19,8 +19,7 @@ NativeCpu::NativeCpu(const sc_core::sc_module_name& name, Firmware firmware)
 void NativeCpu::run() {
     try {
         firmware_(*this, *this);
-    } catch (const Abort&) {
-        faulted_.notify(sc_core::SC_ZERO_TIME);
+    } catch (const Abort&) {  // which fault() tells
     }
 }
 
@@ -41,9 +40,9 @@ void NativeCpu::access(tlm::tlm_command command, std::uint32_t address, void* da
     if (tx.is_response_ok()) return;
 
     const sc_time now = sc_core::sc_time_stamp() + ahead_;
-    fault_ = fmt::format("data abort: {} of {} bytes at 0x{:08X} at {:.6f} ms ({})",
-                         command == tlm::TLM_READ_COMMAND ? "read" : "write", bytes, address,
-                         now.to_seconds() * 1e3, tx.get_response_string());
+    fail(fmt::format("data abort: {} of {} bytes at 0x{:08X} at {:.6f} ms ({})",
+                     command == tlm::TLM_READ_COMMAND ? "read" : "write", bytes, address,
+                     now.to_seconds() * 1e3, tx.get_response_string()));
     throw Abort{};
 }
 

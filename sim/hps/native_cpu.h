@@ -5,34 +5,24 @@
 // to do, so no pin that the board moves is ever late for it.
 //
 // An access that is not answered OK ends the firmware, as a data abort would: see fault().
+//
+// Not handled: interrupts; firmware for this processor polls.
 #pragma once
 
 #include <functional>
-#include <optional>
-#include <string>
 
 #include "hal/cpu.h"
 #include "hal/mmio.h"
-
-#include <systemc>
-#include <tlm>
-#include <tlm_utils/simple_initiator_socket.h>
+#include "sim/hps/processor.h"
 
 namespace sim {
 
 // What a program for this processor is: runs for ever or returns when it is done.
 using Firmware = std::function<void(hal::Mmio&, hal::Cpu&)>;
 
-class NativeCpu : public sc_core::sc_module, private hal::Mmio, private hal::Cpu {
+class NativeCpu : public Processor, private hal::Mmio, private hal::Cpu {
 public:
-    tlm_utils::simple_initiator_socket<NativeCpu> socket;
-
     NativeCpu(const sc_core::sc_module_name& name, Firmware firmware);
-
-    // Why the firmware was ended: "data abort: read of 4 bytes at 0xFF200FF0 at 12.345 ms (...)".
-    const std::optional<std::string>& fault() const { return fault_; }
-    // Notified with the fault.
-    const sc_core::sc_event& faulted() const { return faulted_; }
 
 private:
     struct Abort {};
@@ -47,8 +37,6 @@ private:
 
     Firmware firmware_;
     sc_core::sc_time ahead_;  // of SystemC's time
-    std::optional<std::string> fault_;
-    sc_core::sc_event faulted_;
 };
 
 }  // namespace sim

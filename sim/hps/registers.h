@@ -1,7 +1,9 @@
 // registers.h - a TLM target of 32-bit registers: checks accesses, leaves the meaning to its heir.
 //
 // An access that is not one aligned word is TLM_BURST_ERROR, with byte enables
-// TLM_BYTE_ENABLE_ERROR.  Every access takes 10 ns (L4 bus, 100 MHz).
+// TLM_BYTE_ENABLE_ERROR.  An heir may take aligned bytes and half-words too: reading gives a part of
+// the register, writing changes a part of what it reads as.  Every access takes 10 ns (L4 bus,
+// 100 MHz).
 #pragma once
 
 #include <cstdint>
@@ -26,10 +28,15 @@ protected:
     // `now` is the initiator's local time.  What is no register reads 0 and ignores writes.
     virtual std::uint32_t read(std::uint32_t offset, const sc_core::sc_time& now) = 0;
     virtual void write(std::uint32_t offset, std::uint32_t value, const sc_core::sc_time& now) = 0;
+    virtual bool takes_bytes() const { return false; }
 
 private:
     void b_transport(tlm::tlm_generic_payload& tx, sc_core::sc_time& delay) {
-        if (tx.get_data_length() != 4 || tx.get_address() % 4 != 0) {
+        const unsigned bytes = tx.get_data_length();
+        const auto address = static_cast<std::uint32_t>(tx.get_address());
+        const bool whole = bytes == 4 && address % 4 == 0;
+        const bool part = (bytes == 1 || (bytes == 2 && address % 2 == 0)) && takes_bytes();
+        if (!whole && !part) {
             tx.set_response_status(tlm::TLM_BURST_ERROR_RESPONSE);
             return;
         }
@@ -39,13 +46,13 @@ private:
         }
         delay += sc_core::sc_time{10, sc_core::SC_NS};
         const sc_core::sc_time now = sc_core::sc_time_stamp() + delay;
-        const auto offset = static_cast<std::uint32_t>(tx.get_address());
-        std::uint32_t value;
+        const std::uint32_t offset = address & ~3u, lane = address & 3;
+        std::uint32_t value = tx.is_read() || part ? read(offset, now) : 0;
+        auto* byte = reinterpret_cast<std::uint8_t*>(&value) + lane;
         if (tx.is_read()) {
-            value = read(offset, now);
-            std::memcpy(tx.get_data_ptr(), &value, 4);
+            std::memcpy(tx.get_data_ptr(), byte, bytes);
         } else if (tx.is_write()) {
-            std::memcpy(&value, tx.get_data_ptr(), 4);
+            std::memcpy(byte, tx.get_data_ptr(), bytes);
             write(offset, value, now);
         }
         tx.set_response_status(tlm::TLM_OK_RESPONSE);

@@ -1,13 +1,16 @@
 // uart.h - HPS UART0 (Synopsys DW_apb_uart, a 16550) as a console: what is sent becomes text.
 //
-//   +0x00 THR (write)   +0x14 LSR (read): bit 5 THR empty, bit 6 transmitter empty, both always 1
+//   +0x00 THR/RBR/DLL   +0x04 IER/DLH   +0x08 FCR/IIR   +0x0C LCR   +0x10 MCR   +0x14 LSR
+//   +0x18 MSR   +0x1C SCR   +0x7C USR   +0xF4 CPR   +0xF8 UCV   +0xFC CTR
 //
-// Not handled: baud rate (a character takes no time), FIFOs, receiving, interrupts: the other
-// registers read 0 and ignore writes.
+// LCR bit 7 (DLAB) puts the divisor in the place of THR and IER.  A character takes no time, so LSR
+// always says that the transmitter is empty, and the interrupt of an empty THR is there as long as
+// IER asks for it and IIR has not been read.  Bytes are taken as well as words.
+//
+// Not handled: receiving (LSR bit 0 and RBR read 0), loopback, modem signals (MSR reads 0).
 #pragma once
 
 #include <functional>
-#include <string>
 
 #include "sim/hps/registers.h"
 
@@ -15,21 +18,22 @@ namespace sim {
 
 class Uart : public Registers {
 public:
-    // `sent` is called with each character.
-    Uart(const sc_core::sc_module_name& module_name, std::function<void(char)> sent)
-        : Registers{module_name}, sent_{std::move(sent)} {}
+    // `sent` is called with each character, `line` with the interrupt's level.
+    Uart(
+        const sc_core::sc_module_name& module_name, std::function<void(char)> sent,
+        std::function<void(bool up)> line = [](bool) {})
+        : Registers{module_name}, sent_{std::move(sent)}, line_{std::move(line)} {}
 
 private:
-    static constexpr std::uint32_t THR = 0x00, LSR = 0x14;
-
-    std::uint32_t read(std::uint32_t offset, const sc_core::sc_time&) override {
-        return offset == LSR ? 0x60 : 0;
-    }
-    void write(std::uint32_t offset, std::uint32_t value, const sc_core::sc_time&) override {
-        if (offset == THR) sent_(static_cast<char>(value));
-    }
+    std::uint32_t read(std::uint32_t offset, const sc_core::sc_time& now) override;
+    void write(std::uint32_t offset, std::uint32_t value, const sc_core::sc_time& now) override;
+    bool takes_bytes() const override { return true; }
+    void empty(bool is_new);
 
     std::function<void(char)> sent_;
+    std::function<void(bool)> line_;
+    std::uint32_t divisor_ = 0, ier_ = 0, fcr_ = 0, lcr_ = 0, mcr_ = 0, scr_ = 0;
+    bool thr_empty_ = false;  // as an interrupt that IIR has not told yet
 };
 
 }  // namespace sim

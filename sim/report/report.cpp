@@ -34,6 +34,22 @@ std::string test_case(const std::string& classname, const std::string& name, dou
                        xml(name), time_s);
 }
 
+nlohmann::ordered_json program_json(const RunReport::Program& program) {
+    return {
+        {"elf", program.elf},
+        {"cpi", program.cpi},
+        {"instructions", program.instructions},
+        {"interrupts", program.interrupts},
+        {"aborts", program.aborts},
+        {"asleep_s", program.asleep_s},
+        {"on_bus_s", program.on_bus_s},
+        {"at",
+         {{"pc", fmt::format("0x{:08X}", program.pc)},
+          {"function", program.function},
+          {"waiting_for", program.waiting}}},
+    };
+}
+
 // What went wrong with the run as a whole, beside its expectations.
 std::vector<std::string> run_errors(const RunReport& report) {
     std::vector<std::string> errors = report.faults;
@@ -76,7 +92,7 @@ std::string to_json(const RunReport& report) {
     const double frames_per_s =
         report.wall_s > 0 ? static_cast<double>(report.frames_shown) / report.wall_s : 0;
 
-    const Json json = {
+    Json json = {
         {"scenario", report.scenario},
         {"file", report.file},
         {"seed", report.seed},
@@ -102,8 +118,10 @@ std::string to_json(const RunReport& report) {
         {"timing_violations", {{"count", report.timing_violation_count}, {"first", violations}}},
         {"expectations", expectations},
         {"faults", report.faults},
+        {"log", {{"lines", report.log_lines}, {"first", report.log}}},
         {"wall", {{"seconds", report.wall_s}, {"frames_per_s", frames_per_s}}},
     };
+    if (report.program) json["program"] = program_json(*report.program);
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

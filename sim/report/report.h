@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,10 +30,23 @@ struct RunReport {
         std::uint64_t samples = 0, underruns = 0;
     };
 
+    // Only of the processor "arm".
+    struct Program {
+        std::string elf;
+        double cpi = 0;
+        std::uint64_t instructions = 0, interrupts = 0, aborts = 0;
+        double asleep_s = 0;   // in WFI and WFE
+        double on_bus_s = 0;   // waiting for registers and FPGA memory
+        std::uint32_t pc = 0;  // at the end
+        std::string function;  // there; empty if it has no name
+        std::string waiting;   // "an interrupt", "a change of 0xFF200050", or empty
+    };
+
     std::string scenario;  // its name
     std::string file;      // and where it stands; both empty without one
     std::uint64_t seed = 1;
     std::string cpu;  // "native" or "arm"
+    std::optional<Program> program;
     RunEnd end = RunEnd::ALL_STEPS_DONE;
 
     double simulated_s = 0;
@@ -47,6 +61,8 @@ struct RunReport {
     std::uint64_t timing_violation_count = 0;
     std::vector<std::string> timing_violations;  // the first 20; more are not printed
     std::vector<std::string> faults;
+    std::uint64_t log_lines = 0;
+    std::vector<std::string> log;  // the first of them: aborts that the program handled, resets
     std::vector<Expectation> expectations;
 
     bool interrupted() const { return end == RunEnd::INTERRUPTED; }

@@ -68,8 +68,16 @@ int main(int argc, char** argv, const Firmware& firmware) {
     CLI::App& run_command = *app.add_subcommand("run", "play a scenario");
     run_command.add_option("SCENARIO", options.scenario, "YAML file with the steps to play")
         ->required();
-    run_command.add_option("--cpu", options.cpu, "native: the firmware compiled for this machine")
-        ->check(CLI::IsMember({"native"}))
+    run_command
+        .add_option("--cpu", options.cpu,
+                    "native: the firmware compiled for this machine;\n"
+                    "arm: the board's own program, on a model of its Cortex-A9")
+        ->check(CLI::IsMember({"native", "arm"}))
+        ->capture_default_str();
+    run_command.add_option("--elf", options.elf, "the program for --cpu arm");
+    run_command
+        .add_option("--cpi", options.cpi, "clocks of 800 MHz an instruction takes, for --cpu arm")
+        ->check(CLI::Range(0.1, 100.0))
         ->capture_default_str();
     run_command
         .add_option("--out", options.out,
@@ -104,6 +112,11 @@ int main(int argc, char** argv, const Firmware& firmware) {
 
     try {
         app.parse(argc, argv);
+        if (options.cpu == "arm" && options.elf.empty())
+            throw CLI::ValidationError("--cpu", "arm needs a program: --elf FILE");
+        for (const char* option : {"--elf", "--cpi"})
+            if (options.cpu != "arm" && run_command.count(option) > 0)
+                throw CLI::ValidationError(option, "is for --cpu arm");
     } catch (const CLI::ParseError& e) {
         if (e.get_exit_code() == 0) return app.exit(e), PASSED;  // --help, --version
         fmt::print(stderr, "de1sim: {} (see de1sim --help)\n",

@@ -3,6 +3,8 @@
 #include <regex>
 #include <system_error>
 
+#include <fmt/format.h>
+
 namespace sim {
 
 namespace fs = std::filesystem;
@@ -67,6 +69,14 @@ void Recorder::sample_rate(double hz) {
 void Recorder::console(char character) {
     senses_.console(character);
     attempt([&] { console_.write(&character, 1); });
+}
+
+void Recorder::log(const std::string& line) {
+    constexpr std::uint64_t MOST = 20;
+    if (++log_lines_ > MOST) return;
+    log_.push_back(line);
+    fmt::print(stderr, "de1sim: {}\n", line);
+    if (log_lines_ == MOST) fmt::print(stderr, "de1sim: more of the kind is only counted\n");
 }
 
 void Recorder::close() {

@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "sim/board/board.h"
 #include "sim/report/frame_writer.h"
@@ -26,7 +27,11 @@ public:
     void sample(std::int16_t left, std::int16_t right) override;
     void sample_rate(double hz) override;
     void console(char character) override;
+    // To stderr as it comes, and kept; from the 21st line on they are only counted.
+    void log(const std::string& line) override;
 
+    const std::vector<std::string>& log() const { return log_; }
+    std::uint64_t log_lines() const { return log_lines_; }
     Senses& senses() { return senses_; }
     const std::optional<IoError>& error() const { return error_; }
 
@@ -43,6 +48,8 @@ private:
     std::optional<FrameWriter> frame_writer_;
     WavWriter wav_;
     WholeFile console_;
+    std::vector<std::string> log_;
+    std::uint64_t log_lines_ = 0;
     std::optional<IoError> error_;
 };
 

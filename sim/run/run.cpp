@@ -59,6 +59,27 @@ RunEnd play(Board& board, Player& player, Recorder& recorder, std::optional<SimT
     }
 }
 
+std::optional<RunReport::Program> program_of(const Board& board) {
+    if (!board.arm) return {};
+    const ArmCpu::Counts counts = board.arm->counts();
+    const ArmCpu::Position at = board.arm->position();
+    RunReport::Program program;
+    program.elf = board.arm->program().elf.file.string();
+    program.cpi = board.arm->program().cpi;
+    program.instructions = counts.instructions;
+    program.interrupts = counts.interrupts;
+    program.aborts = counts.aborts;
+    program.asleep_s = counts.asleep.to_seconds();
+    program.on_bus_s = counts.on_bus.to_seconds();
+    program.pc = at.pc;
+    program.function = at.function;
+    if (at.sleeping)
+        program.waiting = "an interrupt";
+    else if (at.polling)
+        program.waiting = fmt::format("a change of 0x{:08X}", at.address);
+    return program;
+}
+
 RunReport report_of(const Scenario& scenario, const RunOptions& options, std::uint64_t seed,
                     RunEnd end, Board& board, const Player& player, Recorder& recorder,
                     double wall_s) {
@@ -67,6 +88,7 @@ RunReport report_of(const Scenario& scenario, const RunOptions& options, std::ui
     report.file = scenario.file.string();
     report.seed = seed;
     report.cpu = options.cpu;
+    report.program = program_of(board);
     report.end = end;
     report.simulated_s = sc_core::sc_time_stamp().to_seconds();
     report.wall_s = wall_s;
@@ -83,6 +105,8 @@ RunReport report_of(const Scenario& scenario, const RunOptions& options, std::ui
     if (board.cpu.fault()) report.faults.push_back(*board.cpu.fault());
     for (const std::string& fault : board.codec_chip.errors()) report.faults.push_back(fault);
     for (const std::string& fault : player.faults()) report.faults.push_back(fault);
+    report.log_lines = recorder.log_lines();
+    report.log = recorder.log();
     report.expectations = player.results();
     return report;
 }
@@ -95,6 +119,12 @@ void summarise(const RunReport& report, const std::filesystem::path& out) {
             fmt::print(stderr, "{}:{}: {}: not met: {}\n", report.file, e.line, e.step, e.detail);
     }
     for (const std::string& fault : report.faults) fmt::print(stderr, "de1sim: {}\n", fault);
+    if (report.program && report.end == RunEnd::DURATION_REACHED) {
+        const RunReport::Program& p = *report.program;
+        fmt::print(stderr, "de1sim: the program was at PC 0x{:08X}{}{}{}{}\n", p.pc,
+                   p.function.empty() ? "" : " in ", p.function,
+                   p.waiting.empty() ? "" : ", waiting for ", p.waiting);
+    }
     if (report.timing_violation_count)
         fmt::print(stderr, "de1sim: {} VGA timing violations; {}\n", report.timing_violation_count,
                    report.timing_violations.front());
@@ -116,8 +146,12 @@ ExitCode run(const RunOptions& options, const Firmware& firmware) try {
     const std::uint64_t seed = options.seed.value_or(scenario.seed);
     const std::optional<SimTime> duration = options.duration ? options.duration : scenario.duration;
 
+    Board::Software software = firmware;
+    if (options.cpu == "arm")
+        software = ArmProgram{load_elf(options.elf, program_memory()), options.cpi};
+
     Recorder recorder{options.out, options.frames};
-    Board board{"board", recorder, firmware, seed, options.trace};
+    Board board{"board", recorder, std::move(software), seed, options.trace};
     Player player{"player", board, recorder.senses(), scenario.steps, options.out};
     Finish finish{"finish", player.done(), board.cpu.faulted()};
 

@@ -1,0 +1,215 @@
+#include "sim/hps/arm_cpu.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace sim {
+
+using sc_core::sc_time;
+using sc_core::SC_ZERO_TIME;
+
+namespace {
+
+constexpr double CLOCK_PS = 1250;               // 800 MHz
+constexpr std::uint32_t STACK = 0x3FFFFFF8;     // top of DDR3
+constexpr std::uint64_t MAX_QUANTUM = 100'000;  // instructions
+constexpr std::uint64_t MASKED_QUANTUM = 64;    // with an interrupt waiting to be let in
+constexpr std::size_t STACK_BYTES = 1 << 20;    // of the host, for what Unicorn nests
+
+std::uint64_t picoseconds(double cpi) {
+    return static_cast<std::uint64_t>(std::llround(CLOCK_PS * cpi));
+}
+
+}  // namespace
+
+ArmCpu::ArmCpu(const sc_core::sc_module_name& name, ArmProgram program, Log log)
+    : Processor{name},
+      program_{std::move(program)},
+      log_{std::move(log)},
+      core_{*this},
+      instruction_ps_{picoseconds(program_.cpi)} {
+    SC_HAS_PROCESS(ArmCpu);
+    SC_THREAD(run);
+    set_stack_size(STACK_BYTES);
+}
+
+// ---- Time ---------------------------------------------------------------------------------------
+
+void ArmCpu::account() {
+    const std::uint64_t done = core_.instructions() - accounted_;
+    accounted_ += done;
+    ahead_ += sc_time::from_value(done * instruction_ps_);
+}
+
+void ArmCpu::sync() {
+    if (ahead_ < sc_core::sc_time_to_pending_activity()) return;
+    wait(ahead_);
+    ahead_ = SC_ZERO_TIME;
+}
+
+// Instructions until the next thing that SystemC has to do.
+std::uint64_t ArmCpu::budget() const {
+    const sc_time pending = sc_core::sc_time_to_pending_activity();
+    if (pending <= ahead_) return 0;
+    const std::uint64_t left = (pending - ahead_).value();
+    return std::min(left / instruction_ps_ + 1, irq_ || fiq_ ? MASKED_QUANTUM : MAX_QUANTUM);
+}
+
+void ArmCpu::sleep(const sc_time& at_most) {
+    wait(ahead_);
+    ahead_ = SC_ZERO_TIME;
+    const sc_time begin = sc_core::sc_time_stamp();
+    asleep_ = true;
+    if (!irq_ && !fiq_ && !reset_) {
+        if (at_most == SC_ZERO_TIME)
+            wait(wake_);
+        else
+            wait(at_most, wake_);
+    }
+    asleep_ = false;
+    counts_.asleep += sc_core::sc_time_stamp() - begin;
+}
+
+void ArmCpu::interrupt(bool irq, bool fiq) {
+    if (irq == irq_ && fiq == fiq_) return;
+    irq_ = irq;
+    fiq_ = fiq;
+    if (!irq && !fiq) return;
+    wake_.notify(SC_ZERO_TIME);
+    if (running_) core_.stop_soon();
+}
+
+void ArmCpu::warm_reset() {
+    reset_ = true;
+    wake_.notify(SC_ZERO_TIME);
+    if (running_) core_.stop_soon();
+}
+
+// ---- The program --------------------------------------------------------------------------------
+
+void ArmCpu::start() {
+    reset_ = false;
+    core_.reset(program_.elf.entry, STACK);
+}
+
+void ArmCpu::run() {
+    map();
+    load();
+    start();
+    if (inspector_) inspector_->on_start(core_);
+    while (!fault()) {
+        if (reset_) {
+            log_(fmt::format("warm reset {}", where()));
+            start();
+        }
+        account();
+        sync();
+        take_interrupt();
+        std::uint64_t limit = std::max<std::uint64_t>(budget(), 1);
+        if (inspector_) limit = std::min(limit, inspector_->on_quantum(core_, limit));
+        running_ = true;
+        const ArmStop stop = core_.run(limit);
+        running_ = false;
+        account();
+        handle(stop);
+    }
+}
+
+void ArmCpu::take_interrupt() {
+    const std::uint32_t masks = core_.cpsr();
+    if (fiq_ && !(masks & arm_cpsr::F))
+        raise(ArmException::FIQ, 0, "FIQ");
+    else if (irq_ && !(masks & arm_cpsr::I))
+        raise(ArmException::IRQ, 0, "IRQ");
+}
+
+void ArmCpu::handle(ArmStop stop) {
+    switch (stop) {
+        case ArmStop::LIMIT: break;
+        case ArmStop::WFI: sleep(SC_ZERO_TIME); break;
+        case ArmStop::WFE: sleep(nap()); break;
+        case ArmStop::SVC:
+            if (!inspector_ || !inspector_->on_svc(core_))
+                raise(ArmException::SVC, 0, "supervisor call");
+            break;
+        case ArmStop::UNDEFINED: raise(ArmException::UNDEFINED, 0, "undefined instruction"); break;
+        case ArmStop::PREFETCH_ABORT:
+            raise(ArmException::PREFETCH_ABORT,
+                  core_.fault().mmu ? fault_status::TRANSLATION : fault_status::EXTERNAL,
+                  "prefetch abort: no instruction to be read");
+            break;
+        case ArmStop::BREAKPOINT:
+            raise(ArmException::PREFETCH_ABORT, fault_status::DEBUG, "breakpoint instruction");
+            break;
+        case ArmStop::DATA_ABORT: {
+            const ArmFault& f = core_.fault();
+            const std::uint32_t direction = f.write ? fault_status::WRITE : 0;
+            if (f.mmu)
+                raise(ArmException::DATA_ABORT, fault_status::TRANSLATION,
+                      "data abort: refused by the translation tables");
+            else
+                raise(ArmException::DATA_ABORT, fault_status::EXTERNAL | direction,
+                      fmt::format("data abort: {} of {} bytes at 0x{:08X} ({})",
+                                  f.write ? "write" : "read", refused_bytes_, f.address,
+                                  bus_answer_));
+        }
+    }
+}
+
+std::string ArmCpu::where() const {
+    const Position p = position();
+    const sc_time now = sc_core::sc_time_stamp() + ahead_;
+    return fmt::format("at {:.6f} ms, PC 0x{:08X}{}{}", now.to_seconds() * 1e3, p.pc,
+                       p.function.empty() ? "" : " in ", p.function);
+}
+
+void ArmCpu::raise(ArmException exception, std::uint32_t status, const std::string& what) {
+    const bool asynchronous = exception == ArmException::IRQ || exception == ArmException::FIQ;
+    if (!asynchronous && inspector_ && exception != ArmException::SVC &&
+        inspector_->on_exception(core_, exception, core_.fault()))
+        return;
+    const bool abort =
+        exception == ArmException::DATA_ABORT || exception == ArmException::PREFETCH_ABORT;
+    counts_.interrupts += asynchronous;
+    counts_.aborts += abort;
+    const std::string text = what + " " + where();
+    const std::uint32_t vector = vector_of(core_, exception);
+    std::uint32_t word = 0;
+    if (core_.pc() - (vector & ~0x1fu) < 0x20 && !asynchronous)
+        return fail(text + ", in the vector table itself");
+    if (!core_.read_ram(vector, &word, sizeof word) || word == 0)
+        return fail(fmt::format("{}; no vector at 0x{:08X}", text, vector));
+    if (unhandled(exception)) return fail(text + ", for the second time within its handler");
+    if (abort || exception == ArmException::UNDEFINED) log_(text);
+    const bool data = exception == ArmException::DATA_ABORT;
+    enter(core_, exception, status, data ? core_.fault().address : core_.pc());
+}
+
+// True when an abort or undefined instruction is met again at the same place of its own handler.
+bool ArmCpu::unhandled(ArmException exception) {
+    if (exception == ArmException::IRQ || exception == ArmException::FIQ ||
+        exception == ArmException::SVC)
+        return false;
+    const std::uint32_t mode = core_.cpsr() & arm_cpsr::MODE;
+    const bool nested =
+        mode == (exception == ArmException::UNDEFINED ? arm_mode::UND : arm_mode::ABT);
+    if (!nested) return false;
+    const bool again = nested_pc_ == core_.pc();
+    nested_pc_ = core_.pc();
+    return again;
+}
+
+ArmCpu::Position ArmCpu::position() const {
+    const std::uint32_t pc = core_.pc();
+    return {pc, program_.elf.function(pc), asleep_, poll_.same_address >= POLLS, poll_.address};
+}
+
+ArmCpu::Counts ArmCpu::counts() const {
+    Counts counts = counts_;
+    counts.instructions = core_.instructions();
+    return counts;
+}
+
+}  // namespace sim

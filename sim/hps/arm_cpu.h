@@ -1,0 +1,153 @@
+// arm_cpu.h - the HPS's Cortex-A9 running the board's own ELF, as a TLM initiator in quanta.
+//
+// Time: an instruction takes CPI clocks of 800 MHz, a bus access what its target says on top; RAM
+// is within the CPI.  CPI is 1 unless --cpi says otherwise: the A9 issues up to two instructions a
+// clock and waits for its caches in others, neither of which is modelled, so 1 stands between.
+// A program's own figure is cycles by instructions, read on the board with the PMU.
+//
+// Quantum: the core runs ahead of SystemC until the next thing that SystemC has to do, so never
+// past a timer's expiry, a pin that the board moves or a scan line.  Interrupts are taken at a
+// quantum's end, which is
+//   - at once when a bus access of the program's own raises the line,
+//   - at the expiry of a timer, exactly,
+//   - within 32 us (a scan line) of what happens in the fabric by itself,
+//   - within 64 instructions of the program's enabling interrupts with the line already up.
+//
+// WFI sleeps until the interrupt controller raises IRQ or FIQ, masked or not.  WFE sleeps for 1 us
+// or until then: other cores that could send an event are in reset, and to wake for nothing is
+// allowed.  SEV does nothing.
+//
+// A register polled in a tight loop - POLLS reads of one address by one instruction with the same
+// answer and no other access between - lets the core sleep for up to 1 us a read on top, never past
+// the next thing in SystemC.  So such a loop may see a change up to 1 us late.
+//
+// Boot: pc is the ELF's entry, SVC mode, interrupts off, VFP and NEON on, SP at the top of DDR3.
+//
+// An access that nobody answers is a data abort in the program, and a line to `log`.  A program
+// that has no vector for an exception (the table's word is 0 or no memory), or that faults in the
+// vector table, or again and again at the same place of its abort handler, has failed: fault().
+//
+// Deterministic: nothing depends on the host's time.
+//
+// Not handled: see arm_core.h.  DFAR of an abort from the translation tables reads 0.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+
+#include "sim/hps/arm_core.h"
+#include "sim/hps/arm_exceptions.h"
+#include "sim/hps/elf.h"
+#include "sim/hps/processor.h"
+
+namespace sim {
+
+struct ArmProgram {
+    ElfProgram elf;
+    double cpi = 1;  // clocks an instruction, 0.1 - 100; rounded to whole picoseconds
+};
+
+// Who looks into the processor: a debugger, a kernel's emulation, a profile.  Everything is called
+// in the processor's thread, outside of ArmCore::run(), so all of the core may be read and changed.
+class ArmInspector {
+public:
+    // Once, with the program loaded, before its first instruction.
+    virtual void on_start(ArmCore&) {}
+    // Before each quantum of `limit` instructions; returns how many to run instead, at most that.
+    virtual std::uint64_t on_quantum(ArmCore&, std::uint64_t limit) { return limit; }
+    // A supervisor call, pc behind it; true: done, the program goes on at pc.
+    virtual bool on_svc(ArmCore&) { return false; }
+    // Before any other synchronous exception is entered; true: done, the program goes on at pc.
+    virtual bool on_exception(ArmCore&, ArmException, const ArmFault&) { return false; }
+
+protected:
+    ~ArmInspector() = default;
+};
+
+class ArmCpu : public Processor, private ArmBus {
+public:
+    using Log = std::function<void(const std::string&)>;
+
+    ArmCpu(const sc_core::sc_module_name& name, ArmProgram program, Log log);
+
+    void attach(ArmInspector* inspector) { inspector_ = inspector; }
+    ArmCore& core() { return core_; }
+
+    void interrupt(bool irq, bool fiq) override;
+    void warm_reset() override;
+
+    // For an inspector: as the program would, RAM and registers alike, in no time.  False: nobody
+    // answers.
+    bool read_memory(std::uint32_t address, void* data, unsigned bytes);
+    bool write_memory(std::uint32_t address, const void* data, unsigned bytes);
+
+    struct Position {
+        std::uint32_t pc;
+        std::string function;  // "main+0x10", "" if it is in none
+        bool sleeping;         // in WFI
+        bool polling;          // the register `address`
+        std::uint32_t address;
+    };
+    Position position() const;
+
+    struct Counts {
+        std::uint64_t instructions = 0;
+        std::uint64_t interrupts = 0;  // taken, IRQ and FIQ
+        std::uint64_t aborts = 0;      // taken, data and prefetch
+        sc_core::sc_time asleep;       // in WFI and WFE
+        sc_core::sc_time on_bus;       // waiting for targets
+    };
+    Counts counts() const;
+    const ArmProgram& program() const { return program_; }
+
+private:
+    bool read(std::uint32_t address, unsigned bytes, std::uint32_t& value) override;
+    bool write(std::uint32_t address, unsigned bytes, std::uint32_t value) override;
+
+    static constexpr unsigned POLLS = 8;
+    static sc_core::sc_time nap() { return {1, sc_core::SC_US}; }
+
+    void run();
+    void map();
+    void load();
+    void start();
+    void account();
+    void sync();
+    std::uint64_t budget() const;
+    void sleep(const sc_core::sc_time& at_most);
+    void poll(std::uint32_t address, std::uint32_t value);
+    bool transport(tlm::tlm_command command, std::uint32_t address, unsigned bytes, void* data,
+                   sc_core::sc_time& delay);
+    bool access(tlm::tlm_command command, std::uint32_t address, unsigned bytes, void* data);
+    void take_interrupt();
+    void handle(ArmStop stop);
+    void raise(ArmException exception, std::uint32_t status, const std::string& what);
+    bool unhandled(ArmException exception);
+    std::string where() const;
+
+    ArmProgram program_;
+    Log log_;
+    ArmCore core_;
+    ArmInspector* inspector_ = nullptr;
+    const std::uint64_t instruction_ps_;
+    bool mapped_ = false;
+    bool running_ = false;  // in ArmCore::run()
+
+    sc_core::sc_time ahead_;       // of SystemC's time, by what is accounted for
+    std::uint64_t accounted_ = 0;  // instructions
+    Counts counts_;
+
+    bool irq_ = false, fiq_ = false, reset_ = false, asleep_ = false;
+    sc_core::sc_event wake_;
+
+    struct Poll {
+        std::uint32_t pc = 0, address = 0, value = 0;
+        unsigned same_address = 0, same_value = 0;
+    } poll_;
+    const char* bus_answer_ = "";  // to the access that was refused last
+    unsigned refused_bytes_ = 0;
+    std::uint32_t nested_pc_ = 1;  // of the last abort within an abort
+};
+
+}  // namespace sim

@@ -1,0 +1,109 @@
+// arm_cpu_bus.cpp - ArmCpu's memory map, and its accesses to the bus
+#include "sim/hps/arm_cpu.h"
+
+#include <algorithm>
+
+namespace sim {
+
+using sc_core::sc_time;
+
+// RAM is what grants direct access; everything else goes by the bus, so that it gets an answer.
+void ArmCpu::map() {
+    std::uint64_t address = 0;
+    while (address <= 0xFFFFFFFF) {
+        tlm::tlm_generic_payload tx;
+        tx.set_address(address);
+        tx.set_read();
+        tlm::tlm_dmi dmi;
+        const bool ram = socket->get_direct_mem_ptr(tx, dmi);
+        const auto base = static_cast<std::uint32_t>(address);
+        std::uint64_t size = dmi.get_end_address() + 1 - address;
+        // Unicorn maps whole pages of 4 KB; blocks that share one are mapped together.
+        if (!ram) size = (size + 0xFFF) & ~std::uint64_t{0xFFF};
+        if (ram)
+            core_.map_ram(base, size, dmi.get_dmi_ptr());
+        else
+            core_.map_bus(base, size, base);
+        address += size;
+    }
+}
+
+void ArmCpu::load() {
+    for (const ElfSegment& segment : program_.elf.segments) {
+        const std::vector<std::uint8_t> zeros(segment.size - segment.data.size());
+        core_.write_ram(segment.physical, segment.data.data(), segment.data.size());
+        core_.write_ram(segment.physical + static_cast<std::uint32_t>(segment.data.size()),
+                        zeros.data(), zeros.size());
+    }
+}
+
+bool ArmCpu::transport(tlm::tlm_command command, std::uint32_t address, unsigned bytes, void* data,
+                       sc_time& delay) {
+    tlm::tlm_generic_payload tx;
+    tx.set_command(command);
+    tx.set_address(address);
+    tx.set_data_ptr(static_cast<unsigned char*>(data));
+    tx.set_data_length(bytes);
+    tx.set_streaming_width(bytes);
+    tx.set_response_status(tlm::TLM_INCOMPLETE_RESPONSE);
+    socket->b_transport(tx, delay);
+    if (tx.is_response_ok()) return true;
+    switch (tx.get_response_status()) {
+        case tlm::TLM_ADDRESS_ERROR_RESPONSE: bus_answer_ = "TLM_ADDRESS_ERROR_RESPONSE"; break;
+        case tlm::TLM_BURST_ERROR_RESPONSE: bus_answer_ = "TLM_BURST_ERROR_RESPONSE"; break;
+        case tlm::TLM_COMMAND_ERROR_RESPONSE: bus_answer_ = "TLM_COMMAND_ERROR_RESPONSE"; break;
+        default: bus_answer_ = "TLM_GENERIC_ERROR_RESPONSE"; break;
+    }
+    refused_bytes_ = bytes;
+    return false;
+}
+
+bool ArmCpu::access(tlm::tlm_command command, std::uint32_t address, unsigned bytes, void* data) {
+    account();
+    sync();
+    const sc_time before = sc_core::sc_time_stamp() + ahead_;
+    const bool answered = transport(command, address, bytes, data, ahead_);
+    counts_.on_bus += sc_core::sc_time_stamp() + ahead_ - before;
+    return answered;
+}
+
+bool ArmCpu::read(std::uint32_t address, unsigned bytes, std::uint32_t& value) {
+    value = 0;
+    if (!access(tlm::TLM_READ_COMMAND, address, bytes, &value)) return false;
+    poll(address, value);
+    core_.stop_after(irq_ || fiq_ || reset_ ? 0 : budget());
+    return true;
+}
+
+bool ArmCpu::write(std::uint32_t address, unsigned bytes, std::uint32_t value) {
+    poll_ = {};
+    if (!access(tlm::TLM_WRITE_COMMAND, address, bytes, &value)) return false;
+    core_.stop_after(irq_ || fiq_ || reset_ ? 0 : budget());
+    return true;
+}
+
+void ArmCpu::poll(std::uint32_t address, std::uint32_t value) {
+    const std::uint32_t pc = core_.instruction();
+    const bool again = poll_.pc == pc && poll_.address == address;
+    const bool same = again && poll_.value == value;
+    poll_ = {pc, address, value, again ? poll_.same_address + 1 : 0,
+             same ? poll_.same_value + 1 : 0};
+    if (poll_.same_value < POLLS) return;
+    const sc_time pending = sc_core::sc_time_to_pending_activity();
+    if (pending > ahead_) ahead_ += std::min(nap(), pending - ahead_);
+}
+
+bool ArmCpu::read_memory(std::uint32_t address, void* data, unsigned bytes) {
+    sc_time no_time;
+    return core_.read_ram(address, data, bytes) ||
+           transport(tlm::TLM_READ_COMMAND, address, bytes, data, no_time);
+}
+
+bool ArmCpu::write_memory(std::uint32_t address, const void* data, unsigned bytes) {
+    sc_time no_time;
+    // A write only reads the data, but TLM has one pointer for both directions.
+    return core_.write_ram(address, data, bytes) ||
+           transport(tlm::TLM_WRITE_COMMAND, address, bytes, const_cast<void*>(data), no_time);
+}
+
+}  // namespace sim

@@ -1,0 +1,198 @@
+#include "sim/hps/elf.h"
+
+#include <cxxabi.h>
+#include <gelf.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <fstream>
+#include <memory>
+
+#include <fmt/format.h>
+
+namespace sim {
+
+namespace {
+
+constexpr std::uint64_t MAX_BYTES = 256u << 20;
+
+struct ElfEnd {
+    void operator()(Elf* elf) const { elf_end(elf); }
+};
+using ElfHandle = std::unique_ptr<Elf, ElfEnd>;
+
+class Reader {
+public:
+    Reader(const std::filesystem::path& file, const std::vector<MemoryRange>& memory)
+        : file_{file}, memory_{memory} {}
+
+    ElfProgram load() {
+        read_file();
+        elf_version(EV_CURRENT);
+        elf_.reset(elf_memory(bytes_.data(), bytes_.size()));
+        check_header();
+        ElfProgram program;
+        program.file = file_;
+        program.entry = header_->e_entry;
+        read_segments(program);
+        read_functions(program);
+        return program;
+    }
+
+private:
+    template <class... Args>
+    [[noreturn]] void refuse(fmt::format_string<Args...> format, Args&&... args) const {
+        throw ElfError{file_.string() + ": " + fmt::format(format, std::forward<Args>(args)...)};
+    }
+
+    void read_file() {
+        std::error_code error;
+        if (std::filesystem::is_directory(file_, error)) refuse("is a folder");
+        std::ifstream in{file_, std::ios::binary};
+        if (!in) refuse("cannot read: {}", std::strerror(errno));
+        char block[65536];
+        while (in.read(block, sizeof block), in.gcount() > 0) {
+            bytes_.insert(bytes_.end(), block, block + in.gcount());
+            if (bytes_.size() > MAX_BYTES) refuse("is larger than {} bytes", MAX_BYTES);
+        }
+    }
+
+    void check_header() {
+        const auto* ident = reinterpret_cast<const unsigned char*>(bytes_.data());
+        if (bytes_.size() < EI_NIDENT || std::memcmp(ident, ELFMAG, SELFMAG) != 0)
+            refuse("not an ELF file");
+        if (ident[EI_CLASS] == ELFCLASS64) refuse("a 64-bit ELF file, expected 32 bits");
+        if (ident[EI_DATA] == ELFDATA2MSB) refuse("a big-endian ELF file, expected little-endian");
+        header_ = elf_ ? elf32_getehdr(elf_.get()) : nullptr;
+        if (!header_) refuse("a damaged ELF file: {}", elf_errmsg(-1));
+        if (header_->e_machine != EM_ARM)
+            refuse("for another machine (number {}), expected ARM", header_->e_machine);
+        if (header_->e_type == ET_DYN)
+            refuse("dynamically linked or position-independent, expected a static executable");
+        if (header_->e_type != ET_EXEC)
+            refuse("not an executable (type {}): not linked yet?", header_->e_type);
+        const auto inside = [this](std::uint64_t offset, std::uint64_t bytes) {
+            return offset <= bytes_.size() && bytes <= bytes_.size() - offset;
+        };
+        if (!inside(header_->e_phoff, std::uint64_t{header_->e_phnum} * sizeof(Elf32_Phdr)) ||
+            !inside(header_->e_shoff, std::uint64_t{header_->e_shnum} * sizeof(Elf32_Shdr)))
+            refuse("is cut off: its tables lie beyond its end");
+    }
+
+    void read_segments(ElfProgram& program) {
+        std::size_t count = 0;
+        const Elf32_Phdr* headers = elf32_getphdr(elf_.get());
+        if (elf_getphdrnum(elf_.get(), &count) != 0 || (count > 0 && !headers))
+            refuse("a damaged ELF file: {}", elf_errmsg(-1));
+        bool entry_found = false;
+        for (const Elf32_Phdr* header = headers; header != headers + count; ++header) {
+            if (header->p_type == PT_INTERP || header->p_type == PT_DYNAMIC)
+                refuse("dynamically linked, expected a static executable");
+            if (header->p_type != PT_LOAD || header->p_memsz == 0) continue;
+            check_place(*header, program);
+            const auto* data = reinterpret_cast<const std::uint8_t*>(bytes_.data());
+            program.segments.push_back(
+                {header->p_paddr,
+                 header->p_vaddr,
+                 header->p_memsz,
+                 {data + header->p_offset, data + header->p_offset + header->p_filesz}});
+            if ((header->p_flags & PF_X) &&
+                (header_->e_entry & ~1u) - header->p_vaddr < header->p_memsz)
+                entry_found = true;
+        }
+        if (program.segments.empty()) refuse("nothing to load: no PT_LOAD segment");
+        if (!entry_found)
+            refuse("its entry point 0x{:08X} is in no executable segment", header_->e_entry);
+    }
+
+    void check_place(const Elf32_Phdr& header, const ElfProgram& program) const {
+        const std::uint64_t begin = header.p_paddr, end = begin + header.p_memsz;
+        const std::string name = fmt::format("its segment 0x{:08X} - 0x{:08X}", begin, end - 1);
+        if (header.p_filesz > header.p_memsz)
+            refuse("{} has more bytes in the file than in memory", name);
+        if (header.p_offset > bytes_.size() || header.p_filesz > bytes_.size() - header.p_offset)
+            refuse("is cut off: {} lies beyond its end", name);
+        if (std::none_of(memory_.begin(), memory_.end(), [&](const MemoryRange& range) {
+                return begin >= range.base && end <= range.base + range.size;
+            }))
+            refuse("{} is not in the memory", name);
+        for (const ElfSegment& other : program.segments)
+            if (begin < std::uint64_t{other.physical} + other.size && other.physical < end)
+                refuse("{} overlaps the one at 0x{:08X}", name, other.physical);
+    }
+
+    // Names are a comfort: what is wrong with them is left out, not refused.
+    void read_functions(ElfProgram& program) const {
+        for (Elf_Scn* section = nullptr; (section = elf_nextscn(elf_.get(), section));) {
+            const Elf32_Shdr* header = elf32_getshdr(section);
+            if (!header || header->sh_type != SHT_SYMTAB) continue;
+            const Elf_Data* data = elf_getdata(section, nullptr);
+            if (!data || !data->d_buf) continue;
+            const auto* symbols = static_cast<const Elf32_Sym*>(data->d_buf);
+            for (std::size_t i = 0; i < data->d_size / sizeof *symbols; ++i) {
+                const unsigned type = ELF32_ST_TYPE(symbols[i].st_info);
+                const char* name = elf_strptr(elf_.get(), header->sh_link, symbols[i].st_name);
+                if (symbols[i].st_shndx == SHN_UNDEF || !name || !*name || *name == '$') continue;
+                if (type != STT_FUNC && type != STT_NOTYPE) continue;
+                if (type == STT_NOTYPE && !is_code(symbols[i].st_shndx)) continue;
+                program.functions.push_back({symbols[i].st_value & ~1u, symbols[i].st_size, name});
+            }
+        }
+        // Of several names for one place, the one with a size, then the first by the alphabet.
+        std::sort(program.functions.begin(), program.functions.end(),
+                  [](const ElfFunction& a, const ElfFunction& b) {
+                      if (a.address != b.address) return a.address < b.address;
+                      return (a.size != 0) != (b.size != 0) ? a.size != 0 : a.name < b.name;
+                  });
+        const auto same = [](const ElfFunction& a, const ElfFunction& b) {
+            return a.address == b.address;
+        };
+        program.functions.erase(
+            std::unique(program.functions.begin(), program.functions.end(), same),
+            program.functions.end());
+    }
+
+    bool is_code(unsigned index) const {
+        Elf_Scn* section = elf_getscn(elf_.get(), index);
+        const Elf32_Shdr* header = section ? elf32_getshdr(section) : nullptr;
+        return header && (header->sh_flags & SHF_EXECINSTR);
+    }
+
+    const std::filesystem::path& file_;
+    const std::vector<MemoryRange>& memory_;
+    std::vector<char> bytes_;
+    ElfHandle elf_;
+    const Elf32_Ehdr* header_ = nullptr;
+};
+
+std::string demangled(const std::string& name) {
+    int status = 0;
+    const std::unique_ptr<char, decltype(&std::free)> text{
+        abi::__cxa_demangle(name.c_str(), nullptr, nullptr, &status), &std::free};
+    return status == 0 ? text.get() : name;
+}
+
+}  // namespace
+
+std::string ElfProgram::function(std::uint32_t address) const {
+    const auto next = std::upper_bound(
+        functions.begin(), functions.end(), address,
+        [](std::uint32_t value, const ElfFunction& f) { return value < f.address; });
+    if (next == functions.begin()) return "";
+    const ElfFunction& f = *(next - 1);
+    const std::uint32_t offset = address - f.address;
+    if (f.size != 0 && offset >= f.size) return "";
+    const bool loaded = std::any_of(segments.begin(), segments.end(), [&](const ElfSegment& s) {
+        return address - s.address < s.size && f.address - s.address < s.size;
+    });
+    if (!loaded) return "";
+    return demangled(f.name) + (offset ? fmt::format("+0x{:x}", offset) : "");
+}
+
+ElfProgram load_elf(const std::filesystem::path& file, const std::vector<MemoryRange>& memory) {
+    return Reader{file, memory}.load();
+}
+
+}  // namespace sim

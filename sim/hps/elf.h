@@ -1,0 +1,54 @@
+// elf.h - a program for the processor: a static ELF32 ARM little-endian executable, and its names.
+//
+// Read with libelf.  Segments are placed at their physical addresses (LMA), as a boot loader and
+// GDB's `load` place them; what lies beyond the bytes of the file is zero.
+//
+// Refused, each with one line "FILE: why": what is not an ELF, another machine or byte order,
+// 64 bits, no executable, dynamic linking, segments that overlap, that leave the memory or the
+// file, an entry point in no executable segment, more than 256 MB.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace sim {
+
+struct ElfError : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+struct ElfSegment {
+    std::uint32_t physical;  // where it is loaded
+    std::uint32_t address;   // where it runs (VMA)
+    std::uint32_t size;      // in memory; data may be shorter, the rest is zero
+    std::vector<std::uint8_t> data;
+};
+
+struct ElfFunction {
+    std::uint32_t address;  // bit 0 cleared
+    std::uint32_t size;     // 0: up to the next one
+    std::string name;
+};
+
+struct ElfProgram {
+    std::filesystem::path file;
+    std::uint32_t entry = 0;  // bit 0: Thumb
+    std::vector<ElfSegment> segments;
+    std::vector<ElfFunction> functions;  // by address
+
+    // The function around `address`, demangled: "main", "main+0x10"; "" if there is none.
+    std::string function(std::uint32_t address) const;
+};
+
+struct MemoryRange {
+    std::uint32_t base;
+    std::uint64_t size;
+};
+
+// ElfError.  Segments have to lie in `memory`.
+ElfProgram load_elf(const std::filesystem::path& file, const std::vector<MemoryRange>& memory);
+
+}  // namespace sim

@@ -1,0 +1,50 @@
+// hps_gpio.h - HPS GPIO1 (Synopsys DW_apb_gpio): the board's green LED and its HPS push-button.
+//
+//   +0x00 data   +0x04 direction (1 = output)   +0x30 interrupt enable   +0x34 mask (1 = off)
+//   +0x38 type (1 = edge)   +0x3C polarity (1 = high, rising)   +0x40 status   +0x44 raw status
+//   +0x48 debounce   +0x4C EOI (write 1)   +0x50 pins   +0x60 synchronise   +0x6C version
+//
+//   bit 24  HPS_LED, 1 = lit      bit 25  HPS_KEY, 0 = pressed
+//
+// Pins that nothing drives read 1.
+//
+// Source: Cyclone V HPS TRM, chapter General-Purpose I/O Interface; DE1-SoC user manual, 3.7.
+//
+// Not handled: debouncing (the register remembers).
+#pragma once
+
+#include <functional>
+
+#include "sim/hps/registers.h"
+
+namespace sim {
+
+class HpsGpio : public Registers {
+public:
+    static constexpr unsigned LED = 24, KEY = 25;
+
+    HpsGpio(const sc_core::sc_module_name& module_name, std::function<void(bool up)> line)
+        : Registers{module_name}, line_{std::move(line)} {}
+
+    bool led() const { return pins() >> LED & 1 && direction_ >> LED & 1; }
+    void press_key(bool pressed) { drive(KEY, !pressed); }
+
+private:
+    std::uint32_t read(std::uint32_t offset, const sc_core::sc_time& now) override;
+    void write(std::uint32_t offset, std::uint32_t value, const sc_core::sc_time& now) override;
+
+    void drive(unsigned pin, bool level);
+    std::uint32_t pins() const { return (data_ & direction_) | (outside_ & ~direction_); }
+    std::uint32_t raw() const;
+    void pins_moved(std::uint32_t before);
+
+    static constexpr std::uint32_t ALL = 0x1FFFFFFF;  // 29 pins
+
+    std::uint32_t data_ = 0, direction_ = 0, enable_ = 0, mask_ = 0, edge_type_ = 0, polarity_ = 0,
+                  debounce_ = 0, synchronise_ = 0;
+    std::uint32_t outside_ = ALL;  // what the board drives or pulls
+    std::uint32_t captured_ = 0;   // edges
+    std::function<void(bool)> line_;
+};
+
+}  // namespace sim

@@ -1,0 +1,65 @@
+// peripherals.h - the silicon around the processor, each block at its address and on its interrupt.
+//
+//   SCU, GIC, timers    0xFFFEC000 -     private to the processor
+//   L2 cache            0xFFFEF000
+//   on-chip RAM         0xFFFF0000       64 KB
+//   UART0               0xFFC02000       ID 194
+//   GPIO1               0xFF709000       ID 197
+//   timers              0xFFC08000 0xFFC09000 0xFFD00000 0xFFD01000      IDs 199 - 202
+//   managers            0xFF706000 FPGA, 0xFFD05000 reset, 0xFFD08000 system; 0xFF800000 L3
+//
+// Cyclone V HPS memory map.  What the HPS has besides - clock manager, SD card, USB, Ethernet, DMA,
+// I2C, SPI, CAN, NAND, QSPI, UART1, GPIO0 and 2 - does not answer.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+
+#include "sim/hps/bus.h"
+#include "sim/hps/gic.h"
+#include "sim/hps/global_timer.h"
+#include "sim/hps/hps_gpio.h"
+#include "sim/hps/hps_timer.h"
+#include "sim/hps/memory.h"
+#include "sim/hps/private_timer.h"
+#include "sim/hps/remembering_registers.h"
+#include "sim/hps/reset_manager.h"
+#include "sim/hps/uart.h"
+
+namespace sim {
+
+class Peripherals : public sc_core::sc_module {
+public:
+    // Where their wires go.
+    struct Wires {
+        std::function<void(char)> console;
+        std::function<void(bool irq, bool fiq)> interrupt;     // to the processor
+        std::function<void()> warm_reset;                      // to the processor
+        std::function<void(std::uint32_t brgmodrst)> bridges;  // ResetManager's bits
+    };
+
+    Peripherals(const sc_core::sc_module_name& name, Wires wires);
+
+    // Gives each block its window.
+    void bind(Bus& bus);
+
+    // The FPGA's interrupts: bit n is ID 72 + n.
+    void fpga_interrupts(std::uint32_t levels);
+
+    Gic gic;
+    GlobalTimer global_timer;
+    PrivateTimer private_timer;
+    HpsTimer timer0, timer1, timer2, timer3;
+    Uart uart0;
+    HpsGpio gpio1;
+    ResetManager reset_manager;
+    RememberingRegisters scu, l2_cache, system_manager, fpga_manager, l3;
+    Memory on_chip_ram;
+
+private:
+    std::function<void(bool)> line(unsigned id);
+
+    std::uint32_t fpga_levels_ = 0;
+};
+
+}  // namespace sim

@@ -1,0 +1,41 @@
+// processor.h - what the board knows of a processor, whichever it is: the bus, and how it came to an end.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include <systemc>
+#include <tlm>
+#include <tlm_utils/simple_initiator_socket.h>
+
+namespace sim {
+
+class Processor : public sc_core::sc_module {
+public:
+    tlm_utils::simple_initiator_socket<Processor> socket;
+
+    // Why the program was ended: "data abort: read of 4 bytes at 0xFF200FF0 at 12.345 ms (...)".
+    const std::optional<std::string>& fault() const { return fault_; }
+    // Notified with the fault.
+    const sc_core::sc_event& faulted() const { return faulted_; }
+
+    // The levels of the interrupt controller's two wires.
+    virtual void interrupt(bool /*irq*/, bool /*fiq*/) {}
+    // A warm reset, as the reset manager or a watchdog asks for.
+    virtual void warm_reset() {}
+
+protected:
+    explicit Processor(const sc_core::sc_module_name& module_name)
+        : sc_module{module_name}, socket{"socket"} {}
+
+    void fail(std::string why) {
+        fault_ = std::move(why);
+        faulted_.notify(sc_core::SC_ZERO_TIME);
+    }
+
+private:
+    std::optional<std::string> fault_;
+    sc_core::sc_event faulted_;
+};
+
+}  // namespace sim

@@ -1,0 +1,28 @@
+#include "sim/hps/remembering_registers.h"
+
+namespace sim::remembering {
+
+// ARM DDI 0407G, 2.2.2: two processors, neither in SMP, tag RAMs of 32 KB caches.
+std::vector<FixedRegisters> scu() { return {{0x04, 0x04, 0x00000501}}; }
+
+// ARM DDI 0246F: cache ID (r3p3), and maintenance that has always been done: the operations' busy
+// bits read 0.
+std::vector<FixedRegisters> l2_cache() { return {{0x000, 0x000, 0x410000C9}, {0x730, 0x7FC, 0}}; }
+
+// Cyclone V HPS TRM, siliconid1: a Cyclone V, first revision.
+std::vector<FixedRegisters> system_manager() { return {{0x00, 0x00, 0x00000001}}; }
+
+// Cyclone V HPS TRM, FPGA manager: stat is the mode (4: user mode) and MSEL from bit 3 on;
+// gpio_ext_porta shows the configuration pins and that the FPGA has power.
+std::vector<FixedRegisters> fpga_manager() {
+    constexpr std::uint32_t USER_MODE = 4, MSEL = 0x0A;
+    constexpr std::uint32_t NSTATUS = 1, CONF_DONE = 2, INIT_DONE = 4, NCONFIG_PIN = 0x100,
+                            NSTATUS_PIN = 0x200, CONF_DONE_PIN = 0x400, FPGA_POWER = 0x800,
+                            INIT_DONE_PIN = 0x1000;
+    return {{0x000, 0x000, MSEL << 3 | USER_MODE},
+            {0x850, 0x850,
+             NSTATUS | CONF_DONE | INIT_DONE | NCONFIG_PIN | NSTATUS_PIN | CONF_DONE_PIN |
+                 FPGA_POWER | INIT_DONE_PIN}};
+}
+
+}  // namespace sim::remembering

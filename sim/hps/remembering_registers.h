@@ -1,0 +1,57 @@
+// remembering_registers.h - blocks of which programs need only that they are there: registers that
+// remember what was written and do nothing, beside some that always read the same.
+//
+//   scu             0xFFFEC000  enable remembers; configuration: two processors, 32 KB caches
+//   l2_cache        0xFFFEF000  PL310: control remembers; maintenance is done when it is asked for
+//   system_manager  0xFFD08000  silicon ID of a Cyclone V; the rest remembers
+//   fpga_manager    0xFF706000  user mode, MSEL 01010, pins nSTATUS, CONF_DONE and INIT_DONE high
+//   l3              0xFF800000  remap and security bits remember
+//
+// Not handled: what the bits would do; the FPGA is configured and cannot be configured again.
+#pragma once
+
+#include <map>
+#include <utility>
+#include <vector>
+
+#include "sim/hps/registers.h"
+
+namespace sim {
+
+// A range of read-only registers that all read `value`.
+struct FixedRegisters {
+    std::uint32_t first, last, value;
+};
+
+class RememberingRegisters : public Registers {
+public:
+    // What is neither fixed nor in `reset` reads 0 until it is written.
+    RememberingRegisters(const sc_core::sc_module_name& module_name,
+                         std::vector<FixedRegisters> fixed,
+                         std::map<std::uint32_t, std::uint32_t> reset = {})
+        : Registers{module_name}, fixed_{std::move(fixed)}, values_{std::move(reset)} {}
+
+private:
+    std::uint32_t read(std::uint32_t offset, const sc_core::sc_time&) override {
+        for (const FixedRegisters& range : fixed_)
+            if (offset >= range.first && offset <= range.last) return range.value;
+        const auto found = values_.find(offset);
+        return found == values_.end() ? 0 : found->second;
+    }
+    void write(std::uint32_t offset, std::uint32_t value, const sc_core::sc_time&) override {
+        values_[offset] = value;
+    }
+
+    const std::vector<FixedRegisters> fixed_;
+    std::map<std::uint32_t, std::uint32_t> values_;
+};
+
+// The tables of the blocks above.
+namespace remembering {
+std::vector<FixedRegisters> scu();
+std::vector<FixedRegisters> l2_cache();
+std::vector<FixedRegisters> system_manager();
+std::vector<FixedRegisters> fpga_manager();
+}  // namespace remembering
+
+}  // namespace sim
