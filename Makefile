@@ -1,6 +1,6 @@
 # The menu. Each entry shows the real command.
 
-.PHONY: all setup configure build demo test fast asan coverage bench pgo regmap format clean
+.PHONY: all setup configure build firmware demo test fast asan coverage bench pgo regmap format clean
 
 all: build
 
@@ -12,6 +12,9 @@ configure: setup
 
 build: configure        ## build/bin/de1sim and the tests
 	@cmake --build build
+
+firmware: configure     ## what the board runs -> build/firmware/collide.elf, collide-linux
+	@cmake --build build --target firmware
 
 demo: configure         ## ten seconds of the demo -> out/
 	@cmake --build build --target de1sim

@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include "hal/clock.h"
+#include "hal/console.h"
+
 namespace sim {
 
 using sc_core::sc_time;
@@ -18,6 +21,7 @@ NativeCpu::NativeCpu(const sc_core::sc_module_name& name, Firmware firmware)
 
 void NativeCpu::run() {
     try {
+        hal::Clock{*this}.start();
         firmware_(*this, *this);
     } catch (const Abort&) {  // which fault() tells
     }
@@ -66,5 +70,9 @@ void NativeCpu::idle() {
     wait(ahead_ + sc_time{50, sc_core::SC_US});
     ahead_ = sc_core::SC_ZERO_TIME;
 }
+
+std::uint32_t NativeCpu::micros() { return hal::Clock{*this}.micros(); }
+
+void NativeCpu::print(const char* text) { hal::Console{*this}.print(text); }
 
 }  // namespace sim

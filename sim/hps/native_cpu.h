@@ -31,6 +31,8 @@ private:
     void write(std::uint32_t address, std::uint32_t value) override;
     void write_words(std::uint32_t address, const std::uint32_t* words, unsigned count) override;
     void idle() override;
+    std::uint32_t micros() override;
+    void print(const char* text) override;
 
     void run();
     void access(tlm::tlm_command command, std::uint32_t address, void* data, unsigned bytes);

@@ -5,8 +5,6 @@
 #include "app/sound.h"
 #include "app/world.h"
 #include "hal/audio_out.h"
-#include "hal/clock.h"
-#include "hal/console.h"
 #include "hal/display.h"
 #include "hal/keypad.h"
 #include "hal/panel.h"
@@ -32,7 +30,6 @@ class Program {
 public:
     Program(hal::Mmio& io, hal::Cpu& cpu)
         : cpu_{cpu},
-          clock_{io},
           panel_{io},
           keypad_{io},
           display_{io},
@@ -40,7 +37,7 @@ public:
           world_{1 + panel_.switches()} {}
 
     void frame() {
-        const std::uint32_t begin = clock_.micros();
+        const std::uint32_t begin = cpu_.micros();
         char keys[16];
         unsigned count = 0;
         while (count < sizeof keys)
@@ -57,7 +54,7 @@ public:
         panel_.number(world_.count);
         panel_.leds(world_.pairs.size() < 1023 ? static_cast<std::uint32_t>(world_.pairs.size())
                                                : 1023);
-        tick_us_ = clock_.micros() - begin;
+        tick_us_ = cpu_.micros() - begin;
 
         display_.swap();
         for (unsigned i = 0; i < FRAME_IDLES && !display_.swapped(); ++i) {
@@ -68,7 +65,6 @@ public:
 
 private:
     hal::Cpu& cpu_;
-    hal::Clock clock_;
     hal::Panel panel_;
     hal::Keypad keypad_;
     hal::Display display_;
@@ -83,13 +79,12 @@ private:
 }  // namespace
 
 void run(hal::Mmio& io, hal::Cpu& cpu) {
-    hal::Console console{io};
     if (!hal::system_id_matches(io)) {
-        console.print("system ID: this bitstream has another register map\r\n");
+        cpu.print("system ID: this bitstream has another register map\n");
         return;
     }
     Program program{io, cpu};
-    console.print("ready\r\n");
+    cpu.print("ready\n");
     for (;;) program.frame();
 }
 

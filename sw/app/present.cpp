@@ -1,6 +1,5 @@
 #include "app/present.h"
 
-#include <algorithm>
 #include <cstring>
 
 namespace app {
@@ -8,16 +7,23 @@ namespace app {
 void Presenter::present(const gfx::Canvas& canvas, hal::Display& display) {
     auto& picture = shown_[display.back()];
     for (unsigned y = 0; y < gfx::Canvas::HEIGHT; ++y) {
-        const gfx::Canvas::Span now = canvas.dirty(static_cast<int>(y));
-        const int min = std::min(now.min, picture[y].min), max = std::max(now.max, picture[y].max);
-        picture[y] = now;
-        if (min >= max) continue;
-        const auto first = static_cast<unsigned>(min) / 2,
-                   end = (static_cast<unsigned>(max) + 1) / 2;
-        std::uint32_t words[gfx::Canvas::WIDTH / 2];
-        std::memcpy(words, canvas.row(static_cast<int>(y)) + 2 * first, 4 * (end - first));
-        display.write_row(y, first, words, end - first);
+        Row now;
+        std::memcpy(now.data(), canvas.row(static_cast<int>(y)), sizeof now);
+        if (std::memcmp(now.data(), picture[y].data(), sizeof now) != 0)
+            send_difference(y, now, picture[y], display);
     }
+}
+
+void Presenter::send_difference(unsigned y, const Row& now, Row& shown, hal::Display& display) {
+    for (unsigned x = 0; x < WORDS; ++x) {
+        if (now[x] == shown[x]) continue;
+        const unsigned first = x;
+        unsigned end = x + 1;  // behind the last word that differs
+        for (; x < WORDS && x < end + JOIN; ++x)
+            if (now[x] != shown[x]) end = x + 1;
+        display.write_row(y, first, now.data() + first, end - first);
+    }
+    shown = now;
 }
 
 }  // namespace app

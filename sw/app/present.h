@@ -1,22 +1,30 @@
-// present.h - brings a canvas into the display's back picture, sending only what may have changed.
+// present.h - brings a canvas into the display's back picture, sending only what differs.
 #pragma once
 
 #include <array>
+#include <cstdint>
 
 #include "gfx/canvas.h"
 #include "hal/display.h"
 
 namespace app {
 
-// Of each row it sends the columns drawn now together with those drawn when this picture was the
-// back one before: everything else is black on both.  At most 153,600 bytes, in bursts of a row.
+// Remembers both pictures, 307,200 bytes.  A call compares 38,400 words and sends those that differ
+// from what lies on the back picture, row by row, in bursts: a gap of fewer than JOIN words that
+// are the same is sent too, which costs less than to begin again.
 class Presenter {
 public:
     void present(const gfx::Canvas& canvas, hal::Display& display);
 
 private:
-    // What lies on the two pictures; both are black at power-on.
-    std::array<std::array<gfx::Canvas::Span, gfx::Canvas::HEIGHT>, 2> shown_{};
+    static constexpr unsigned WORDS = gfx::Canvas::WIDTH / 2;  // a row; two pixels a word
+    static constexpr unsigned JOIN = 8;
+
+    using Row = std::array<std::uint32_t, WORDS>;
+
+    static void send_difference(unsigned y, const Row& now, Row& shown, hal::Display& display);
+
+    std::array<std::array<Row, gfx::Canvas::HEIGHT>, 2> shown_{};  // both black at power-on
 };
 
 }  // namespace app

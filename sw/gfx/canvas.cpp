@@ -16,7 +16,7 @@ std::pair<int, int> clip(int begin, int size, int limit) {
 }  // namespace
 
 void Canvas::pixel(int x, int y, Colour colour) {
-    if (x >= 0 && x < WIDTH && y >= 0 && y < HEIGHT) fill_row(y, x, x + 1, colour);
+    if (x >= 0 && x < WIDTH && y >= 0 && y < HEIGHT) pixels_[index(x, y)] = colour;
 }
 
 void Canvas::line(int x0, int y0, int x1, int y1, Colour colour) {
@@ -62,22 +62,10 @@ void Canvas::fill(int x, int y, int width, int height, Colour colour) {
     const auto [left, right] = clip(x, width, WIDTH);
     const auto [top, bottom] = clip(y, height, HEIGHT);
     if (left >= right) return;
-    for (int row = top; row < bottom; ++row) fill_row(row, left, right, colour);
+    for (int row = top; row < bottom; ++row)
+        std::fill_n(&pixels_[index(left, row)], right - left, colour);
 }
 
-void Canvas::clear() {
-    for (int y = 0; y < HEIGHT; ++y) {
-        Span& span = dirty_[static_cast<unsigned>(y)];
-        if (!span.empty()) fill_row(y, span.min, span.max, BLACK);
-        span = {};
-    }
-}
-
-void Canvas::fill_row(int y, int x_begin, int x_end, Colour colour) {
-    std::fill(&pixels_[index(x_begin, y)], &pixels_[index(x_begin, y)] + (x_end - x_begin), colour);
-    Span& span = dirty_[static_cast<unsigned>(y)];
-    span.min = static_cast<std::int16_t>(std::min<int>(span.min, x_begin));
-    span.max = static_cast<std::int16_t>(std::max<int>(span.max, x_end));
-}
+void Canvas::clear() { pixels_.fill(BLACK); }
 
 }  // namespace gfx

@@ -1,4 +1,4 @@
-// canvas.h - a picture to draw on, in memory, that knows which part of each row is in use.
+// canvas.h - a picture to draw on, in memory.
 //
 // Everything is clipped: any int is a legal coordinate, and what falls outside is not drawn.
 #pragma once
@@ -14,13 +14,6 @@ class Canvas {
 public:
     static constexpr int WIDTH = 320, HEIGHT = 240;
 
-    // The columns of a row drawn on since the last clear(): [min, max), all others are black.
-    struct Span {
-        std::int16_t min = WIDTH, max = 0;
-
-        bool empty() const { return min >= max; }
-    };
-
     void pixel(int x, int y, Colour colour);
 
     // Bresenham's line, both ends included; the same pixels from either end, and clipping leaves
@@ -31,19 +24,15 @@ public:
     void rect(int x, int y, int width, int height, Colour colour);
     void fill(int x, int y, int width, int height, Colour colour);
 
-    void clear();  // to black, touching the dirty spans only
+    void clear();  // to black
 
-    const Colour* row(int y) const {
-        return &pixels_[index(0, y)];
-    }  // WIDTH pixels; 0 <= y < HEIGHT
-    Span dirty(int y) const { return dirty_[static_cast<unsigned>(y)]; }
+    // WIDTH pixels; 0 <= y < HEIGHT.
+    const Colour* row(int y) const { return &pixels_[index(0, y)]; }
 
 private:
     static constexpr unsigned index(int x, int y) { return static_cast<unsigned>(y * WIDTH + x); }
-    void fill_row(int y, int x_begin, int x_end, Colour colour);
 
     std::array<Colour, WIDTH * HEIGHT> pixels_{};
-    std::array<Span, HEIGHT> dirty_{};
 };
 
 }  // namespace gfx

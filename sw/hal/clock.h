@@ -9,10 +9,13 @@ namespace hal {
 
 class Clock {
 public:
-    // Starts the timer if nobody did.
-    explicit Clock(Mmio& io) : io_{io} { io_.write(CONTROL, 1); }
+    explicit Clock(Mmio& io) : io_{io} {}
 
-    // Microseconds, modulo 2^32: subtract two to get a time span of up to 71 minutes.
+    // Harmless where it runs already; it counts on from where it is.
+    void start() { io_.write(CONTROL, 1); }
+
+    // Microseconds, modulo 2^32: subtract two to get a time span of up to 71 minutes.  0 until it
+    // is started.
     std::uint32_t micros() const {
         std::uint32_t high = io_.read(HIGH), low, again;
         for (;; high = again) {  // once more only if the low word has just wrapped

@@ -11,13 +11,19 @@ class Console {
 public:
     explicit Console(Mmio& io) : io_{io} {}
 
-    // Sends the text; gives up on a character after 100,000 looks at a transmitter that stays full.
+    // Sends the text, "\n" as "\r\n".
     void print(const char* text) {
         for (; *text; ++text) {
-            for (unsigned i = 0; i < 100'000 && !(io_.read(LSR) & THR_EMPTY); ++i) {
-            }
-            io_.write(THR, static_cast<unsigned char>(*text));
+            if (*text == '\n') send('\r');
+            send(*text);
         }
+    }
+
+    // Gives up after 100,000 looks at a transmitter that stays full.
+    void send(char character) {
+        for (unsigned i = 0; i < 100'000 && !(io_.read(LSR) & THR_EMPTY); ++i) {
+        }
+        io_.write(THR, static_cast<unsigned char>(character));
     }
 
 private:

@@ -158,32 +158,13 @@ TEST(Canvas, CutsRectanglesAtItsBorders) {
     EXPECT_EQ(painted(canvas).size(), 320u * 240u);
 }
 
-TEST(Canvas, KnowsExactlyWhichColumnsOfEachRowWereDrawnOn) {
-    Canvas canvas;
-    canvas.line(40, 10, 60, 10, RED);
-    canvas.pixel(319, 10, RED);
-    canvas.fill(0, 30, 1, 1, BLACK);  // black paint is paint
-    for (int y = 0; y < Canvas::HEIGHT; ++y) {
-        if (y == 10) {
-            EXPECT_EQ(canvas.dirty(y).min, 40);
-            EXPECT_EQ(canvas.dirty(y).max, 320);
-        } else if (y == 30) {
-            EXPECT_EQ(canvas.dirty(y).min, 0);
-            EXPECT_EQ(canvas.dirty(y).max, 1);
-        } else {
-            EXPECT_TRUE(canvas.dirty(y).empty()) << "row " << y;
-        }
-    }
-}
-
-TEST(Canvas, IsBlackAndCleanAfterClear) {
+TEST(Canvas, IsBlackAfterClear) {
     Canvas canvas;
     canvas.line(-50, -80, 400, 300, RED);
     canvas.fill(100, 200, 50, 100, WHITE);
     text(canvas, 200, 5, "gone", RED);
     canvas.clear();
     EXPECT_TRUE(painted(canvas).empty());
-    for (int y = 0; y < Canvas::HEIGHT; ++y) EXPECT_TRUE(canvas.dirty(y).empty()) << "row " << y;
 }
 
 std::set<std::pair<int, int>> glyph(char letter) {
@@ -235,7 +216,8 @@ TEST(Text, IsCutAtTheBordersOfTheCanvas) {
     EXPECT_EQ(painted(canvas).size(), 7u + 1 + 1) << "the left three columns of one H";
     canvas.clear();
     text(canvas, 0, 0, std::string(10000, 'H'), RED);
-    EXPECT_EQ(canvas.dirty(0).max, 319) << "the 54th letter begins at 318 with its left leg";
+    EXPECT_EQ(canvas.row(0)[318], RED) << "the left leg of the 54th letter";
+    EXPECT_EQ(canvas.row(0)[319], BLACK);
 }
 
 }  // namespace

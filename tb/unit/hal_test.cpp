@@ -106,6 +106,7 @@ TEST_F(Hal, ThePanelShowsDecimalsWithoutLeadingZeros) {
 
 TEST_F(Hal, TheClockReadsMicrosecondsAcrossACarryOfTheLowWord) {
     hal::Clock clock{io};
+    clock.start();
     EXPECT_THAT(io.writes, ElementsAre(Pair(0xFFFEC208u, 1u)));
     io.answers[0xFFFEC204] = {0, 1, 1};          // high: wraps between the two reads
     io.answers[0xFFFEC200] = {0xffffffff, 200};  // low
