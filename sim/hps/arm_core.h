@@ -74,8 +74,8 @@ struct Cp15 {
 };
 
 namespace cp15 {
-constexpr Cp15 SCTLR{1, 0, 0, 0}, CPACR{1, 0, 0, 2}, DFSR{5, 0, 0, 0}, IFSR{5, 0, 0, 1},
-    DFAR{6, 0, 0, 0}, IFAR{6, 0, 0, 2}, VBAR{12, 0, 0, 0}, CBAR{15, 4, 0, 0};
+constexpr Cp15 SCTLR{1, 0, 0, 0}, CPACR{1, 0, 0, 2}, SCR{1, 0, 1, 0}, DFSR{5, 0, 0, 0},
+    IFSR{5, 0, 0, 1}, DFAR{6, 0, 0, 0}, IFAR{6, 0, 0, 2}, VBAR{12, 0, 0, 0}, CBAR{15, 4, 0, 0};
 }
 
 class ArmCore {
