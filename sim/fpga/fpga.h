@@ -7,8 +7,8 @@
 // (through `inputs()`), and once a scan line.  A transaction's delay is what its clocks took; a
 // long one lets SystemC catch up between its bursts, so it blocks.
 //
-// Interrupts are levels: told when the fabric has caught up to or past their change, so at once when
-// a transaction makes it, else within a scan line (32 us).
+// Interrupts are levels, told when the fabric has caught up with their change: at once when a
+// transaction makes it, else within a scan line (32 us).
 //
 // A response other than OKAY ends the transaction: DECERR is TLM_ADDRESS_ERROR, SLVERR is
 // TLM_GENERIC_ERROR, no answer in 10,000 clocks is TLM_INCOMPLETE.

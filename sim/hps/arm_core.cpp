@@ -21,6 +21,8 @@ constexpr int REGISTERS[] = {UC_ARM_REG_R0,  UC_ARM_REG_R1, UC_ARM_REG_R2,  UC_A
 
 constexpr std::uint32_t BANK = 0;  // of CP15's two, the one that programs see
 
+constexpr std::uint32_t SCR_NS = 1, SCR_FW = 1u << 4, SCR_AW = 1u << 5;
+
 constexpr std::uint64_t NEVER = 1;  // an `until` that no program counter equals
 
 void check(uc_err error, const char* what) {
@@ -133,6 +135,8 @@ void ArmCore::abort(void* uc, std::uint32_t address, bool write) {
 }
 
 void ArmCore::reset(std::uint32_t entry, std::uint32_t stack) {
+    // Unicorn's core is in the Non-secure state, where it ignores changes of A and F but for these.
+    set_cp15(cp15::SCR, SCR_NS | SCR_FW | SCR_AW);
     set_cpsr(arm_mode::SVC | arm_cpsr::A | arm_cpsr::I | arm_cpsr::F |
              (entry & 1 ? arm_cpsr::T : 0));
     set_cp15(cp15::SCTLR, 0x00C50078);

@@ -1,4 +1,4 @@
-// arm_core.h - the Cortex-A9's instructions, by Unicorn: runs, counts, and stops exactly where asked.
+// arm_core.h - the Cortex-A9's instructions, by Unicorn: runs, counts, stops exactly where asked.
 //
 // No SystemC here, and no time.  RAM is shared with whoever owns it; all other addresses go to an
 // ArmBus, one call an aligned access of 1, 2 or 4 bytes (longer ones are split, low address first).
@@ -6,8 +6,8 @@
 //
 // Exceptions are not entered here: run() says what happened, arm_exceptions.h enters the vector.
 //
-// Costs 2 - 3 ns of the host an instruction, 50 ns more each store to RAM (Unicorn 2.0.1 checks every
-// one for code), 40 ns each bus access beside what the bus takes, 0.3 us a call of run().
+// Costs 2 - 3 ns of the host an instruction, 50 ns more each store to RAM (Unicorn 2.0.1 checks
+// every one for code), 40 ns each bus access beside what the bus takes, 0.3 us a call of run().
 //
 // Not handled: the second core; caches (instructions that maintain them do nothing); PMCCNTR
 // (reads 0); SMC and HVC are undefined instructions.
@@ -74,8 +74,8 @@ struct Cp15 {
 };
 
 namespace cp15 {
-constexpr Cp15 SCTLR{1, 0, 0, 0}, CPACR{1, 0, 0, 2}, DFSR{5, 0, 0, 0}, IFSR{5, 0, 0, 1},
-    DFAR{6, 0, 0, 0}, IFAR{6, 0, 0, 2}, VBAR{12, 0, 0, 0}, CBAR{15, 4, 0, 0};
+constexpr Cp15 SCTLR{1, 0, 0, 0}, CPACR{1, 0, 0, 2}, SCR{1, 0, 1, 0}, DFSR{5, 0, 0, 0},
+    IFSR{5, 0, 0, 1}, DFAR{6, 0, 0, 0}, IFAR{6, 0, 0, 2}, VBAR{12, 0, 0, 0}, CBAR{15, 4, 0, 0};
 }
 
 class ArmCore {

@@ -12,11 +12,10 @@ using sc_core::SC_ZERO_TIME;
 
 namespace {
 
-constexpr double CLOCK_PS = 1250;               // 800 MHz
-constexpr std::uint32_t STACK = 0x3FFFFFF8;     // top of DDR3
-constexpr std::uint64_t MAX_QUANTUM = 100'000;  // instructions
-constexpr std::uint64_t MASKED_QUANTUM = 64;    // with an interrupt waiting to be let in
-constexpr std::size_t STACK_BYTES = 1 << 20;    // of the host, for what Unicorn nests
+constexpr double CLOCK_PS = 1250;             // 800 MHz
+constexpr std::uint32_t STACK = 0x3FFFFFF8;   // top of DDR3
+constexpr std::uint64_t MASKED_QUANTUM = 64;  // with an interrupt waiting to be let in
+constexpr std::size_t STACK_BYTES = 1 << 20;  // of the host, for what Unicorn nests
 
 std::uint64_t picoseconds(double cpi) {
     return static_cast<std::uint64_t>(std::llround(CLOCK_PS * cpi));
@@ -43,18 +42,22 @@ void ArmCpu::account() {
     ahead_ += sc_time::from_value(done * instruction_ps_);
 }
 
+sc_time ArmCpu::horizon() {
+    return std::min(sc_core::sc_time_to_pending_activity(), sc_time{100, sc_core::SC_US});
+}
+
 void ArmCpu::sync() {
-    if (ahead_ < sc_core::sc_time_to_pending_activity()) return;
+    if (ahead_ < horizon()) return;
     wait(ahead_);
     ahead_ = SC_ZERO_TIME;
 }
 
 // Instructions until the next thing that SystemC has to do.
 std::uint64_t ArmCpu::budget() const {
-    const sc_time pending = sc_core::sc_time_to_pending_activity();
-    if (pending <= ahead_) return 0;
-    const std::uint64_t left = (pending - ahead_).value();
-    return std::min(left / instruction_ps_ + 1, irq_ || fiq_ ? MASKED_QUANTUM : MAX_QUANTUM);
+    const sc_time end = horizon();
+    if (end <= ahead_) return 0;
+    const std::uint64_t left = ((end - ahead_).value() + instruction_ps_ - 1) / instruction_ps_;
+    return irq_ || fiq_ ? std::min(left, MASKED_QUANTUM) : left;
 }
 
 void ArmCpu::sleep(const sc_time& at_most) {

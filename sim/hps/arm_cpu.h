@@ -107,6 +107,8 @@ private:
 
     static constexpr unsigned POLLS = 8;
     static sc_core::sc_time nap() { return {1, sc_core::SC_US}; }
+    // How far the core may run ahead: to the next thing in SystemC, but 100 us at most.
+    static sc_core::sc_time horizon();
 
     void run();
     void map();

@@ -89,8 +89,8 @@ void ArmCpu::poll(std::uint32_t address, std::uint32_t value) {
     poll_ = {pc, address, value, again ? poll_.same_address + 1 : 0,
              same ? poll_.same_value + 1 : 0};
     if (poll_.same_value < POLLS) return;
-    const sc_time pending = sc_core::sc_time_to_pending_activity();
-    if (pending > ahead_) ahead_ += std::min(nap(), pending - ahead_);
+    const sc_time end = horizon();
+    if (end > ahead_) ahead_ += std::min(nap(), end - ahead_);
 }
 
 bool ArmCpu::read_memory(std::uint32_t address, void* data, unsigned bytes) {

@@ -29,7 +29,7 @@ constexpr std::uint32_t EXTERNAL = 0x8, TRANSLATION = 0x5, DEBUG = 0x2, WRITE = 
 
 std::uint32_t vector_of(const ArmCore& core, ArmException exception);
 
-// The core stands as run() left it (ArmStop).  An abort's status is `status`, its address `address`.
+// The core stands as run() left it (ArmStop).  `status` and `address` are an abort's.
 void enter(ArmCore& core, ArmException exception, std::uint32_t status = 0,
            std::uint32_t address = 0);
 

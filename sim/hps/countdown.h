@@ -1,8 +1,8 @@
 // countdown.h - a counter that counts down to 0 and, if it reloads, starts again; as a calculation.
 //
 // No events: the count at any time follows from the time at which it was last set.  A period with
-// reload is load + 1 ticks: the counter is at 0 for one of them.  With a load of 0 it stays at 0 and
-// reaches it no more.
+// reload is load + 1 ticks: the counter is at 0 for one of them.  With a load of 0 it stays at 0
+// and reaches it no more.
 #pragma once
 
 #include <cstdint>

@@ -5,8 +5,8 @@
 //   CPU interface 0xFFFEC100: ICCICR ICCPMR ICCBPR ICCIAR ICCEOIR ICCRPR ICCHPIR ICCIIDR
 //
 // IDs 0-15 are software's own (ICDSGIR), 27 global timer, 28 nFIQ, 29 private timer, 30 watchdog,
-// 31 nIRQ, 32-255 the HPS and, from 72 on, the FPGA.  A level interrupt is pending while its line is
-// up; an edge one from the line's rise to its acknowledge.  IDs 32 up reach the processor only if
+// 31 nIRQ, 32-255 the HPS and, from 72 on, the FPGA.  A level interrupt is pending while its line
+// is up; an edge one from the line's rise to its acknowledge.  IDs 32 up reach the processor only if
 // ICDIPTR names it, which it does not after reset.  1023 is read where there is nothing to take.
 //
 // The processor is in the Secure state, as after reset: ICDISR 0 makes an interrupt Secure,

@@ -1,4 +1,4 @@
-// processor.h - what the board knows of a processor, whichever it is: the bus, and how it came to an end.
+// processor.h - what the board knows of a processor, whichever it is: its bus, its wires, its end.
 #pragma once
 
 #include <optional>

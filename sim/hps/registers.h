@@ -1,8 +1,8 @@
 // registers.h - a TLM target of 32-bit registers: checks accesses, leaves the meaning to its heir.
 //
 // An access that is not one aligned word is TLM_BURST_ERROR, with byte enables
-// TLM_BYTE_ENABLE_ERROR.  An heir may take aligned bytes and half-words too: reading gives a part of
-// the register, writing changes a part of what it reads as.  Every access takes 10 ns (L4 bus,
+// TLM_BYTE_ENABLE_ERROR.  An heir may take aligned bytes and half-words too: reading gives a part
+// of the register, writing changes a part of what it reads as.  Every access takes 10 ns (L4 bus,
 // 100 MHz).
 #pragma once
 

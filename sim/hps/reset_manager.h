@@ -1,6 +1,7 @@
 // reset_manager.h - the HPS's reset manager: bridges in and out of reset, and the warm reset.
 //
-//   +0x00 stat (bit 1: a warm reset by software; write 1 clears)   +0x04 ctrl: bit 0 cold, bit 1 warm
+//   +0x00 stat (bit 1: a warm reset by software; write 1 clears)
+//   +0x04 ctrl: bit 0 cold, bit 1 warm
 //   +0x1C brgmodrst: 1 = in reset: bit 0 h2f, bit 1 lwh2f, bit 2 f2h.  All others remember.
 //
 // After power-on all bridges are out of reset, as the boot loader hands them over.  A cold reset is

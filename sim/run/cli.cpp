@@ -76,8 +76,8 @@ int main(int argc, char** argv, const Firmware& firmware) {
         ->capture_default_str();
     run_command.add_option("--elf", options.elf, "the program for --cpu arm");
     run_command
-        .add_option("--cpi", options.cpi, "clocks of 800 MHz an instruction takes, for --cpu arm")
-        ->check(CLI::Range(0.1, 100.0))
+        .add_option("--cpi", options.cpi,
+                    "clocks of 800 MHz that an instruction takes, for --cpu arm: 0.1 to 100")
         ->capture_default_str();
     run_command
         .add_option("--out", options.out,
@@ -114,6 +114,8 @@ int main(int argc, char** argv, const Firmware& firmware) {
         app.parse(argc, argv);
         if (options.cpu == "arm" && options.elf.empty())
             throw CLI::ValidationError("--cpu", "arm needs a program: --elf FILE");
+        if (!(options.cpi >= 0.1 && options.cpi <= 100))  // nor NaN, which CLI::Range lets through
+            throw CLI::ValidationError("--cpi", "expected a number from 0.1 to 100");
         for (const char* option : {"--elf", "--cpi"})
             if (options.cpu != "arm" && run_command.count(option) > 0)
                 throw CLI::ValidationError(option, "is for --cpu arm");

@@ -1,0 +1,7 @@
+// no_vectors.c - reads where nothing is, with nothing to handle that: entry at main, no start-up.
+#include <stdint.h>
+
+void main_without_vectors(void) {
+    (void)*(volatile uint32_t*)0xFF2FF000;
+    for (;;) {}
+}

@@ -1,0 +1,106 @@
+// arm_system.h - test fixture: the processor and its silicon, with a probe where the FPGA would be.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "sim/hps/arm_cpu.h"
+#include "sim/hps/bus.h"
+#include "sim/hps/memory.h"
+#include "sim/hps/peripherals.h"
+
+namespace tb {
+
+// Registers that remember, and when they were written; every access takes 10 ns.
+class Probe : public sim::Registers {
+public:
+    explicit Probe(const sc_core::sc_module_name& name_) : Registers{name_} {}
+
+    std::map<std::uint32_t, std::uint32_t> values;
+    std::vector<std::pair<std::uint32_t, sc_core::sc_time>> writes;
+    unsigned reads = 0;
+
+private:
+    std::uint32_t read(std::uint32_t offset, const sc_core::sc_time&) override {
+        ++reads;
+        return values[offset];
+    }
+    void write(std::uint32_t offset, std::uint32_t value, const sc_core::sc_time& now) override {
+        values[offset] = value;
+        writes.emplace_back(offset, now);
+    }
+};
+
+struct ArmSystem : sc_core::sc_module {
+    std::string printed;
+    std::vector<std::string> log;
+    std::uint32_t brgmodrst = 0;
+    sim::Memory ddr3{"ddr3", 0x40000000, sc_core::sc_time{60, sc_core::SC_NS}};
+    Probe probe{"probe"};
+    sim::Bus bus{"bus"};
+    sim::ArmCpu cpu;
+    sim::Peripherals hps{
+        "hps",
+        {[this](char c) { printed += c; }, [this](bool irq, bool fiq) { cpu.interrupt(irq, fiq); },
+         [this] { cpu.warm_reset(); }, [this](std::uint32_t bits) { brgmodrst = bits; }}};
+
+    ArmSystem(const sc_core::sc_module_name& name_, sim::ArmProgram program)
+        : sc_module{name_}, cpu{"cpu", std::move(program), [this](const std::string& line) {
+                                    log.push_back(line);
+                                }} {
+        cpu.socket.bind(bus.socket);
+        bus.window("ddr3", 0x00000000, 0x40000000).bind(ddr3.socket);
+        bus.window("probe", 0xFF200000, 0x1000).bind(probe.socket);
+        hps.bind(bus);
+    }
+};
+
+class ArmTest : public ::testing::Test {
+protected:
+    sim::ElfProgram elf = sim::load_elf(CPU_TEST_ELF, {{0, 0x40000000}});
+    std::unique_ptr<ArmSystem> system;
+
+    std::uint32_t address_of(const std::string& name) const {
+        for (const sim::ElfFunction& f : elf.functions)
+            if (f.name == name) return f.address;
+        throw std::runtime_error{"no symbol " + name};
+    }
+
+    // The system stands ready to run from the function `entry` on.
+    void load(const std::string& entry, double cpi = 1, bool thumb = false) {
+        elf.entry = address_of(entry) | (thumb ? 1 : 0);
+        system = std::make_unique<ArmSystem>("system", sim::ArmProgram{elf, cpi});
+    }
+    void run_ms(double ms) { sc_core::sc_start(sc_core::sc_time{ms, sc_core::SC_MS}); }
+    // Runs to the program's last WFI.
+    void run_to_end(const std::string& entry, bool thumb = false) {
+        load(entry, 1, thumb);
+        run_ms(5);
+        ASSERT_FALSE(system->cpu.fault()) << *system->cpu.fault();
+        ASSERT_TRUE(system->cpu.position().sleeping) << system->cpu.position().function;
+    }
+
+    std::uint32_t word(const std::string& name, unsigned index) const {
+        std::uint32_t value = 0;
+        EXPECT_TRUE(system->cpu.read_memory(address_of(name) + 4 * index, &value, 4));
+        return value;
+    }
+    std::uint32_t result(unsigned index = 0) const { return word("result", index); }
+
+    // What the handler saw: vector 1 undefined, 2 SVC, 3 prefetch, 4 data abort, 6 IRQ, 7 FIQ.
+    struct Record {
+        std::uint32_t vector, link, spsr, status, address, cpsr;
+    };
+    Record record() const {
+        return {word("record", 0), word("record", 1), word("record", 2),
+                word("record", 3), word("record", 4), word("record", 5)};
+    }
+};
+
+}  // namespace tb

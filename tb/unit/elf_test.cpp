@@ -1,0 +1,153 @@
+// ELF files: a real one, cut off and bent in every way that the loader has to notice.
+#include <gmock/gmock.h>
+
+#include <elf.h>
+
+#include <cstring>
+#include <fstream>
+#include <functional>
+#include <iterator>
+
+#include "sim/hps/elf.h"
+#include "tb/unit/temp_folder.h"
+
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+const std::vector<sim::MemoryRange> memory{{0, 0x40000000}, {0xFFFF0000, 0x10000}};
+
+class ElfFile : public ::testing::Test {
+protected:
+    const TempFolder folder;
+    std::string good = [] {
+        std::ifstream in{PROGRAM_ELF, std::ios::binary};
+        return std::string{std::istreambuf_iterator<char>{in}, {}};
+    }();
+
+    sim::ElfProgram load(const std::string& bytes) const {
+        folder.put("a.elf", bytes);
+        return sim::load_elf(folder / "a.elf", memory);
+    }
+    std::string refusal(const std::string& bytes) const {
+        try {
+            load(bytes);
+            return "loaded";
+        } catch (const sim::ElfError& e) {
+            return e.what();
+        }
+    }
+    std::string with_header(const std::function<void(Elf32_Ehdr&)>& change) const {
+        std::string bytes = good;
+        change(*reinterpret_cast<Elf32_Ehdr*>(bytes.data()));
+        return bytes;
+    }
+    // Changes the program header of the `index`th PT_LOAD.
+    std::string with_segment(unsigned index, const std::function<void(Elf32_Phdr&)>& change) const {
+        std::string bytes = good;
+        const auto& header = *reinterpret_cast<const Elf32_Ehdr*>(bytes.data());
+        auto* segment = reinterpret_cast<Elf32_Phdr*>(bytes.data() + header.e_phoff);
+        for (;; ++segment)
+            if (segment->p_type == PT_LOAD && index-- == 0) break;
+        change(*segment);
+        return bytes;
+    }
+};
+
+TEST_F(ElfFile, IsLoadedWithSegmentsAndEntry) {
+    const sim::ElfProgram program = load(good);
+    EXPECT_EQ(program.entry, 0x0u);
+    ASSERT_GE(program.segments.size(), 2u);
+    EXPECT_EQ(program.segments[0].physical, 0u);
+    std::uint32_t first = 0;
+    std::memcpy(&first, program.segments[0].data.data(), 4);
+    EXPECT_EQ(first >> 24, 0xEAu) << "a branch, the reset vector";
+}
+
+TEST_F(ElfFile, NamesTheFunctionAroundAnAddress) {
+    const sim::ElfProgram program = load(good);
+    for (const sim::ElfFunction& f : program.functions)
+        if (f.name == "main") {
+            EXPECT_EQ(program.function(f.address), "main");
+            EXPECT_EQ(program.function(f.address + 4), "main+0x4");
+        }
+    EXPECT_EQ(program.function(0x30000000), "");
+}
+
+TEST_F(ElfFile, IsRefusedOrLoadedButNeverWorseWhereverItIsCutOff) {
+    for (std::size_t length = 0; length < good.size(); length += length < 256 ? 1 : 97) {
+        const std::string said = refusal(good.substr(0, length));
+        EXPECT_THAT(said, StartsWith((folder / "a.elf").string() + ": ")) << length;
+    }
+}
+
+TEST_F(ElfFile, IsRefusedOrLoadedButNeverWorseWithAnyByteOfItsHeadersChanged) {
+    for (std::size_t at = 0; at < 52 + 4 * 32; ++at)
+        for (const int value : {0x00, 0x7f, 0x80, 0xff}) {
+            std::string bytes = good;
+            bytes[at] = static_cast<char>(value);
+            refusal(bytes);
+        }
+}
+
+TEST_F(ElfFile, ThatIsNoneIsRefused) {
+    EXPECT_THAT(refusal("#!/bin/sh\n#0123456789"), HasSubstr(": not an ELF file"));
+    EXPECT_THAT(refusal(""), HasSubstr(": not an ELF file"));
+}
+
+TEST_F(ElfFile, ThatIsNotThereOrAFolderIsNamed) {
+    EXPECT_THROW(sim::load_elf(folder / "none.elf", memory), sim::ElfError);
+    EXPECT_THROW(sim::load_elf(folder.path(), memory), sim::ElfError);
+}
+
+TEST_F(ElfFile, ForAnotherMachineIsRefused) {
+    EXPECT_THAT(refusal(with_header([](Elf32_Ehdr& h) { h.e_machine = EM_386; })),
+                HasSubstr("for another machine (number 3), expected ARM"));
+}
+
+TEST_F(ElfFile, Of64BitsIsRefused) {
+    EXPECT_THAT(refusal(with_header([](Elf32_Ehdr& h) { h.e_ident[EI_CLASS] = ELFCLASS64; })),
+                HasSubstr("64-bit"));
+}
+
+TEST_F(ElfFile, OfTheOtherByteOrderIsRefused) {
+    EXPECT_THAT(refusal(with_header([](Elf32_Ehdr& h) { h.e_ident[EI_DATA] = ELFDATA2MSB; })),
+                HasSubstr("big-endian"));
+}
+
+TEST_F(ElfFile, ThatIsNotLinkedIsRefused) {
+    EXPECT_THAT(refusal(with_header([](Elf32_Ehdr& h) { h.e_type = ET_REL; })),
+                HasSubstr("not an executable (type 1)"));
+}
+
+TEST_F(ElfFile, ThatIsDynamicIsRefused) {
+    EXPECT_THAT(refusal(with_header([](Elf32_Ehdr& h) { h.e_type = ET_DYN; })),
+                HasSubstr("dynamically linked"));
+    EXPECT_THAT(refusal(with_segment(1, [](Elf32_Phdr& s) { s.p_type = PT_INTERP; })),
+                HasSubstr("dynamically linked"));
+}
+
+TEST_F(ElfFile, WithSegmentsThatOverlapIsRefused) {
+    EXPECT_THAT(refusal(with_segment(1, [](Elf32_Phdr& s) { s.p_paddr = 0x10; })),
+                HasSubstr("overlaps the one at 0x00000000"));
+}
+
+TEST_F(ElfFile, WithASegmentOutsideOfMemoryIsRefused) {
+    EXPECT_THAT(refusal(with_segment(1, [](Elf32_Phdr& s) { s.p_paddr = 0x80000000; })),
+                HasSubstr("its segment 0x80000000"));
+    EXPECT_THAT(refusal(with_segment(1, [](Elf32_Phdr& s) { s.p_memsz = 0xFFFFFFFF; })),
+                HasSubstr("is not in the memory"));
+}
+
+TEST_F(ElfFile, WithMoreInTheFileThanInMemoryIsRefused) {
+    EXPECT_THAT(refusal(with_segment(0, [](Elf32_Phdr& s) { s.p_memsz = s.p_filesz - 1; })),
+                HasSubstr("more bytes in the file than in memory"));
+}
+
+TEST_F(ElfFile, WithItsEntryElsewhereIsRefused) {
+    EXPECT_THAT(refusal(with_header([](Elf32_Ehdr& h) { h.e_entry = 0x00900000; })),
+                HasSubstr("its entry point 0x00900000 is in no executable segment"));
+}
+
+}  // namespace
