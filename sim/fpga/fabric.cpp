@@ -60,10 +60,14 @@ Fabric::Fabric(PinListener& pins, const std::string& trace_file)
 }
 
 Fabric::~Fabric() {
+    end_trace();
+    model_->top.final();
+}
+
+void Fabric::end_trace() {
 #ifdef DE1SIM_TRACE
     model_->trace.close();
 #endif
-    model_->top.final();
 }
 
 bool Fabric::can_trace() {

@@ -57,6 +57,8 @@ public:
     Fabric(PinListener& pins, const std::string& trace_file = "");
     ~Fabric();
 
+    void end_trace();  // writes out the rest of the waveforms; what follows is not in them
+
     FabricInputs in;
 
     void run(std::uint64_t clocks);

@@ -43,6 +43,8 @@ public:
     // A register on the lightweight bridge, read outside simulated time once the run is over.
     std::optional<std::uint32_t> peek(std::uint32_t offset);
 
+    void end_trace() { fabric_.end_trace(); }
+
     const Fabric& fabric() const { return fabric_; }
 
 private:

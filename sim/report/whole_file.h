@@ -39,6 +39,7 @@ public:
     // For a library that writes by itself; it must not close it.
     int descriptor() const { return descriptor_; }
     const std::filesystem::path& path() const { return path_; }
+    const std::filesystem::path& part() const { return part_; }
 
 private:
     std::filesystem::path path_;

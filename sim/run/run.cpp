@@ -8,6 +8,7 @@
 #include "sim/board/board.h"
 #include "sim/report/report.h"
 #include "sim/report/sha256.h"
+#include "sim/report/trace_file.h"
 #include "sim/run/progress.h"
 #include "sim/run/recorder.h"
 #include "sim/scenario/player.h"
@@ -151,7 +152,9 @@ ExitCode run(const RunOptions& options, const Firmware& firmware) try {
         software = ArmProgram{load_elf(options.elf, program_memory()), options.cpi};
 
     Recorder recorder{options.out, options.frames};
-    Board board{"board", recorder, std::move(software), seed, options.trace};
+    std::optional<TraceFile> trace;
+    if (!options.trace.empty()) trace.emplace(options.trace);
+    Board board{"board", recorder, std::move(software), seed, trace ? trace->part().string() : ""};
     Player player{"player", board, recorder.senses(), scenario.steps, options.out};
     Finish finish{"finish", player.done(), board.cpu.faulted()};
 
@@ -165,6 +168,10 @@ ExitCode run(const RunOptions& options, const Firmware& firmware) try {
     progress.done();
     board.fpga.catch_up();
     recorder.close();
+    if (trace) {
+        board.fpga.end_trace();
+        trace->commit();
+    }
 
     const RunReport report =
         report_of(scenario, options, seed, end, board, player, recorder, progress.wall_s());

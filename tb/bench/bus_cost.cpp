@@ -71,7 +71,7 @@ private:
         });
         cost.burst_write_ns_a_word = row_ns_a_word(tlm::TLM_WRITE_COMMAND);
         cost.burst_read_ns_a_word = row_ns_a_word(tlm::TLM_READ_COMMAND);
-        sc_core::sc_stop();
+        sc_core::sc_pause();
     }
 
     unsigned char data_[ROW_BYTES] = {};

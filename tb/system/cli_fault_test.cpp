@@ -60,6 +60,20 @@ TEST_F(FailingRun, OnAFullDiskEndsWithOneLineAndNothingHalfWritten) {
     }
 }
 
+TEST_F(FailingRun, OnADiskThatFillsWithWaveformsLeavesNoTraceThatIsCutOff) {
+    scenario("duration: 60ms\n");
+    tb::Command command;
+    command.disk_full = 20'000;
+    const std::filesystem::path trace = folder / "trace.fst";
+    const tb::Outcome outcome =
+        play("s.yaml", {"--quiet", "--frames", "none", "--trace", trace}, command);
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_THAT(tb::lines_of(outcome.err), SizeIs(1));
+    EXPECT_THAT(outcome.err, HasSubstr("trace.fst: cannot write: it was cut off"));
+    for (const auto& entry : std::filesystem::directory_iterator(folder.path()))
+        EXPECT_THAT(entry.path().filename().string(), Not(HasSubstr("trace.fst")));
+}
+
 TEST_F(FailingRun, OfFirmwareThatNeverSwapsEndsAtItsDurationAndSaysSo) {
     const tb::Outcome outcome =
         play(scenario("duration: 150ms\nsteps:\n  - delay: 100ms\n"), {}, {}, NEVER_SWAPS);

@@ -94,7 +94,7 @@ TEST_F(WrongInput, AFolderThatCanNotBeMadeIsNamed) {
 
 TEST_F(WrongInput, ATraceThatCanNotBeWrittenIsNamed) {
     refused(play(scenario("duration: 100ms\n"), {"--trace", folder / "none/a.fst"}),
-            "none/a.fst: cannot be written");
+            "none/a.fst: cannot create: No such file or directory");
 }
 
 TEST_F(WrongInput, NoArgumentsAreAnsweredWithWhatIsMissing) {

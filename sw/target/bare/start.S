@@ -93,8 +93,8 @@ _start:
     bl      main
     b       exit
 
-// Every line of the L1 data cache by set and way, 32 KB in 4 ways of 256 lines of 32 bytes.  r4: the
-// SCTLR as it was found.
+// Every line of the L1 data cache by set and way: 4 ways of 256 lines of 32 bytes.  r4: the SCTLR
+// as it was found.
 empty_data_cache:
     mov     r1, #0                  // way in 31:30
 1:  mov     r2, #0                  // set in 12:5
