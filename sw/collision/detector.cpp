@@ -61,15 +61,12 @@ Error BasicDetector<Counter>::find(Algorithm algorithm, Polygons shapes, PairLis
         case Algorithm::IMPROVED: find_improved(shapes, pairs, counter); break;
         case Algorithm::IMPROVED_VECTOR: find_improved_vector(shapes, pairs, counter); break;
         case Algorithm::SWEEP:
+            sweep_.find(boxes_.data(), shapes.size(), overlaps_);
+            keep_those_that_meet(shapes, pairs);
+            break;
         case Algorithm::STRIPS:
         case Algorithm::SIMD:
-            overlaps_.clear();
-            for (std::uint32_t i = 0; i < boxes_.size(); ++i)
-                for (std::uint32_t j = i + 1; j < boxes_.size(); ++j) {
-                    const Aabb both = intersection(boxes_[i], boxes_[j]);
-                    if (both.min.x <= both.max.x && both.min.y <= both.max.y)
-                        overlaps_.push_back({i, j});
-                }
+            simd_.find(boxes_.data(), shapes.size(), overlaps_);
             keep_those_that_meet(shapes, pairs);
             break;
     }

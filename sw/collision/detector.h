@@ -4,6 +4,8 @@
 #include <vector>
 
 #include "collision/algorithm.h"
+#include "collision/broad/simd.h"
+#include "collision/broad/sweep.h"
 #include "collision/error.h"
 #include "collision/pair_list.h"
 #include "collision/polygons.h"
@@ -35,6 +37,8 @@ private:
 
     std::vector<Aabb> boxes_;
     PairList overlaps_;
+    Sweep sweep_;
+    Simd simd_;
 };
 
 using Detector = BasicDetector<NoTally>;
