@@ -2,7 +2,6 @@
 #include "collision/contact.h"
 
 #include <algorithm>
-#include <array>
 #include <cstdint>
 
 #include "collision/narrow.h"
@@ -53,15 +52,15 @@ std::optional<Vec2> contact(const Line& p, const Line& q) {
 
 std::optional<Vec2> contact(const Polygon& p, const Polygon& q) {
     const Window window{intersection(p.aabb, q.aabb)};
-    std::array<Line, Polygon::MAX_LINES> of_p, of_q;
-    const unsigned p_count = window.reached_by(p, of_p.data());
-    const unsigned q_count = window.reached_by(q, of_q.data());
+    const unsigned p_lines = window.reached_by(p), q_lines = window.reached_by(q);
     std::optional<Vec2> least;
-    for (unsigned i = 0; i < p_count; ++i)
-        for (unsigned j = 0; j < q_count; ++j) {
-            const std::optional<Vec2> point = contact(of_p[i], of_q[j]);
+    any_line(p, p_lines, [&](const Line& of_p) {
+        return any_line(q, q_lines, [&](const Line& of_q) {
+            const std::optional<Vec2> point = contact(of_p, of_q);
             if (point && (!least || before(*point, *least))) least = point;
-        }
+            return false;
+        });
+    });
     return least;
 }
 

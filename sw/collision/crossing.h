@@ -32,13 +32,17 @@ inline bool strictly_on_one_side(std::int64_t s, std::int64_t t) {
     return s != 0 && t != 0 && (s ^ t) >= 0;
 }
 
-// Constant time: at most 8 multiplications.
-inline bool cross(const Line& p, const Line& q) {
+inline bool boxes_overlap(const Line& p, const Line& q) {
     const auto apart = [](std::int32_t p1, std::int32_t p2, std::int32_t q1, std::int32_t q2) {
         return std::max(p1, p2) < std::min(q1, q2) || std::max(q1, q2) < std::min(p1, p2);
     };
-    if (apart(p.a.x, p.b.x, q.a.x, q.b.x) || apart(p.a.y, p.b.y, q.a.y, q.b.y)) return false;
-    return !strictly_on_one_side(side(p.a, p.b, q.a), side(p.a, p.b, q.b)) &&
+    return !apart(p.a.x, p.b.x, q.a.x, q.b.x) && !apart(p.a.y, p.b.y, q.a.y, q.b.y);
+}
+
+// Constant time: at most 8 multiplications.
+inline bool cross(const Line& p, const Line& q) {
+    return boxes_overlap(p, q) &&
+           !strictly_on_one_side(side(p.a, p.b, q.a), side(p.a, p.b, q.b)) &&
            !strictly_on_one_side(side(q.a, q.b, p.a), side(q.a, q.b, p.b));
 }
 

@@ -7,6 +7,7 @@
 #include "collision/broad/simd.h"
 #include "collision/broad/sweep.h"
 #include "collision/error.h"
+#include "collision/narrow.h"
 #include "collision/pair_list.h"
 #include "collision/polygons.h"
 #include "collision/tally.h"
@@ -32,13 +33,14 @@ public:
     Counter counter;  // Tally: summed over all calls
 
 private:
-    Error take_boxes(Polygons shapes);
+    void find_few(PairList& overlaps);
     void keep_those_that_meet(Polygons shapes, PairList& pairs);
 
     std::vector<Aabb> boxes_;
     PairList overlaps_;
     Sweep sweep_;
     Simd simd_;
+    KeepMeeting keep_meeting_ = keep_meeting_avx2() ? keep_meeting_avx2() : &keep_meeting;
 };
 
 using Detector = BasicDetector<NoTally>;

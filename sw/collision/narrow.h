@@ -6,10 +6,11 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
+#include <cstddef>
 
 #include "collision/crossing.h"
-#include "collision/polygon.h"
+#include "collision/pair_list.h"
+#include "collision/polygons.h"
 #include "collision/window.h"
 
 namespace collision {
@@ -26,16 +27,26 @@ inline Aabb intersection(const Aabb& a, const Aabb& b) {
 template <class Counter>
 bool meet(const Polygon& p, const Polygon& q, Counter& counter) {
     const Window window{intersection(p.aabb, q.aabb)};
-    std::array<Line, Polygon::MAX_LINES> of_p, of_q;
-    const unsigned p_count = window.reached_by(p, of_p.data());
-    if (!p_count) return false;
-    const unsigned q_count = window.reached_by(q, of_q.data());
-    for (unsigned i = 0; i < p_count; ++i)
-        for (unsigned j = 0; j < q_count; ++j) {
+    const unsigned p_lines = window.reached_by(p);
+    const unsigned q_lines = p_lines ? window.reached_by(q) : 0;
+    return any_line(p, p_lines, [&](const Line& of_p) {
+        return any_line(q, q_lines, [&](const Line& of_q) {
             counter.line_test();
-            if (cross(of_p[i], of_q[j])) return true;
-        }
-    return false;
+            return cross(of_p, of_q);
+        });
+    });
 }
+
+// Writes those of `count` pairs that meet, in their order, from `out` on, and returns the end of
+// them.  `out` has room for all, and may be where the pairs are.  Indices must exist.
+using KeepMeeting = CollisionPair* (*)(Polygons shapes, const CollisionPair* pairs,
+                                       std::size_t count, CollisionPair* out);
+
+CollisionPair* keep_meeting(Polygons shapes, const CollisionPair* pairs, std::size_t count,
+                            CollisionPair* out);
+
+// The same for processors with AVX2, or nullptr where this one has it not: four lines of one polygon
+// at a time against each of the other, and no branch that depends on a single line.
+KeepMeeting keep_meeting_avx2();
 
 }  // namespace collision

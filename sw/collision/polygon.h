@@ -25,7 +25,7 @@ struct Polygon {
 
     Aabb aabb{};
     unsigned count = 0;  // of lines in use; a polygon of none collides with nothing
-    std::array<Line, MAX_LINES> lines{};
+    alignas(16) std::array<Line, MAX_LINES> lines{};  // a vector each
 
     // Joins `corners` into a closed outline (one corner: a point) and measures its box.
     // TOO_MANY_LINES or OUTSIDE_GRID, and nothing is changed.  O(corners).

@@ -48,11 +48,15 @@ inline Polygon x_shape(std::int32_t x, std::int32_t y) {
     return polygon(corners);
 }
 
-// What a fresh detector says.
+// What a fresh detector says, and one that counts says too.
 inline PairList found(Algorithm algorithm, const Shapes& shapes) {
     PairList pairs{{7, 9}};
     Detector detector;
     EXPECT_EQ(detector.find(algorithm, shapes, pairs), Error::NONE);
+    PairList counted;  // by standard C++ alone, where a Detector may use vectors
+    CountingDetector counting;
+    EXPECT_EQ(counting.find(algorithm, shapes, counted), Error::NONE);
+    EXPECT_TRUE(counted == pairs);
     return pairs;
 }
 
