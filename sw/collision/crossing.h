@@ -41,8 +41,7 @@ inline bool boxes_overlap(const Line& p, const Line& q) {
 
 // Constant time: at most 8 multiplications.
 inline bool cross(const Line& p, const Line& q) {
-    return boxes_overlap(p, q) &&
-           !strictly_on_one_side(side(p.a, p.b, q.a), side(p.a, p.b, q.b)) &&
+    return boxes_overlap(p, q) && !strictly_on_one_side(side(p.a, p.b, q.a), side(p.a, p.b, q.b)) &&
            !strictly_on_one_side(side(q.a, q.b, p.a), side(q.a, q.b, p.b));
 }
 

@@ -2,11 +2,12 @@
 #include "collision/detector.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <type_traits>
 
+#include "collision/box_check.h"
 #include "collision/few.h"
-#include "collision/grid.h"
 #include "collision/improved.h"
 #include "collision/narrow.h"
 #include "collision/original.h"
@@ -14,69 +15,50 @@
 namespace collision {
 namespace {
 
-using Ints = BaseLanes::Ints;
-
-// Names what is wrong, once something is.
-Error first_error(Polygons shapes) {
-    Error found = Error::NONE;
-    for (unsigned i = 0; i < shapes.size(); ++i) {
-        const auto& [min, max] = shapes[i].aabb;
-        if (shapes[i].count > Polygon::MAX_LINES) return Error::TOO_MANY_LINES;
-        if (!on_grid(min) || !on_grid(max)) found = Error::OUTSIDE_GRID;
-        if ((min.x > max.x || min.y > max.y) && found == Error::NONE) found = Error::BOX_INSIDE_OUT;
-    }
-    return found;
-}
-
 // Copies the boxes to `boxes`, and names what is wrong with any.
-Error take_boxes(Polygons shapes, Aabb* boxes) {
-    constexpr std::int32_t LIMIT = COORDINATE_LIMIT;
-    const Ints limit = {LIMIT, LIMIT, LIMIT, LIMIT};
-    Ints wrong{};
-    unsigned most_lines = 0;
+Error take_boxes(Polygons shapes, std::vector<Aabb>& boxes) {
+    boxes.resize(shapes.size());
+    BoxCheck check;
     for (unsigned i = 0; i < shapes.size(); ++i) {
-        const Ints box = lanes::load<Ints>(&shapes[i].aabb);
-        // min where it is and max in place of it, so that min > max shows in two of the lanes.
-        const Ints max = __builtin_shufflevector(box, box, 2, 3, 2, 3);
-        wrong |= (box >= limit) | (box <= -limit) | (box > max);
-        most_lines = std::max(most_lines, shapes[i].count);
+        check.see(shapes[i]);
         boxes[i] = shapes[i].aabb;
     }
-    const bool right = BaseLanes::int_bits(wrong) == 0 && most_lines <= Polygon::MAX_LINES;
-    return right ? Error::NONE : first_error(shapes);
+    return check.passed() ? Error::NONE : first_error(shapes);
 }
 
 }  // namespace
 
-// Filters overlaps_ into `pairs`.
+// Returns the end of those kept, which are written from `overlaps` on.
 template <class Counter>
-void BasicDetector<Counter>::keep_those_that_meet(Polygons shapes, PairList& pairs) {
+CollisionPair* BasicDetector<Counter>::keep(Polygons shapes, CollisionPair* overlaps,
+                                            std::size_t count) {
     if constexpr (std::is_same_v<Counter, NoTally>) {
-        pairs.resize(overlaps_.size());
-        const auto end = keep_meeting_(shapes, overlaps_.data(), overlaps_.size(), pairs.data());
-        pairs.resize(static_cast<std::size_t>(end - pairs.data()));
+        return keep_meeting_(shapes, overlaps, count, overlaps);
     } else {
-        for (const CollisionPair pair : overlaps_) {
+        const auto apart = [&](CollisionPair pair) {
             counter.polygon_test();
-            if (meet(shapes[pair.first], shapes[pair.second], counter)) pairs.push_back(pair);
-        }
+            return !meet(shapes[pair.first], shapes[pair.second], counter);
+        };
+        return std::remove_if(overlaps, overlaps + count, apart);
     }
-    if (!std::is_sorted(pairs.begin(), pairs.end())) std::sort(pairs.begin(), pairs.end());
 }
 
 template <class Counter>
-void BasicDetector<Counter>::find_few(PairList& overlaps) {
+Error BasicDetector<Counter>::find_among_few(Polygons shapes, PairList& pairs) {
     Few few;
-    few.assign(boxes_.data(), static_cast<unsigned>(boxes_.size()));
+    if (!few.take(shapes)) return first_error(shapes);
     std::array<CollisionPair, Few::MOST_PAIRS> found;
-    overlaps.assign(found.data(), few.find(found.data()));
+    if (const auto count = static_cast<std::size_t>(few.find(found.data()) - found.data()))
+        pairs.assign(found.data(), keep(shapes, found.data(), count));
+    return Error::NONE;
 }
 
 template <class Counter>
 Error BasicDetector<Counter>::find(Algorithm algorithm, Polygons shapes, PairList& pairs) {
     pairs.clear();
-    boxes_.resize(shapes.size());
-    if (const Error error = take_boxes(shapes, boxes_.data()); error != Error::NONE) return error;
+    if (algorithm == Algorithm::SIMD && shapes.size() <= Few::CAPACITY)
+        return find_among_few(shapes, pairs);
+    if (const Error error = take_boxes(shapes, boxes_); error != Error::NONE) return error;
     switch (algorithm) {
         case Algorithm::ORIGINAL: find_original(shapes, pairs, counter); return Error::NONE;
         case Algorithm::ORIGINAL_ALL_LINES:
@@ -91,14 +73,11 @@ Error BasicDetector<Counter>::find(Algorithm algorithm, Polygons shapes, PairLis
             return Error::NONE;
         case Algorithm::SWEEP: sweep_.find(boxes_.data(), shapes.size(), overlaps_); break;
         case Algorithm::STRIPS: simd_.find(boxes_.data(), shapes.size(), overlaps_); break;
-        case Algorithm::SIMD:
-            if (shapes.size() <= Few::CAPACITY)
-                find_few(overlaps_);
-            else
-                simd_.find(boxes_.data(), shapes.size(), overlaps_);
-            break;
+        case Algorithm::SIMD: simd_.find(boxes_.data(), shapes.size(), overlaps_); break;
     }
-    keep_those_that_meet(shapes, pairs);
+    const CollisionPair* const end = keep(shapes, overlaps_.data(), overlaps_.size());
+    pairs.assign(static_cast<const CollisionPair*>(overlaps_.data()), end);
+    if (!std::is_sorted(pairs.begin(), pairs.end())) std::sort(pairs.begin(), pairs.end());
     return Error::NONE;
 }
 

@@ -33,8 +33,8 @@ public:
     Counter counter;  // Tally: summed over all calls
 
 private:
-    void find_few(PairList& overlaps);
-    void keep_those_that_meet(Polygons shapes, PairList& pairs);
+    Error find_among_few(Polygons shapes, PairList& pairs);
+    CollisionPair* keep(Polygons shapes, CollisionPair* overlaps, std::size_t count);
 
     std::vector<Aabb> boxes_;
     PairList overlaps_;

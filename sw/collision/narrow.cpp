@@ -59,9 +59,8 @@ AVX2 Four broadcast(const Line& line) {
 // The sign bits of lanes where s and t are strictly on one side: both above 0, or both below.
 AVX2 __m256i one_side(__m256i s, __m256i t) {
     const __m256i zero = _mm256_setzero_si256();
-    return _mm256_or_si256(
-        _mm256_and_si256(s, t),
-        _mm256_and_si256(_mm256_sub_epi64(zero, s), _mm256_sub_epi64(zero, t)));
+    return _mm256_or_si256(_mm256_and_si256(s, t),
+                           _mm256_and_si256(_mm256_sub_epi64(zero, s), _mm256_sub_epi64(zero, t)));
 }
 
 // `apart`: the sign bit says that the sides keep the lines apart.  `level`: all ones where all sides
@@ -107,9 +106,8 @@ AVX2 Verdict compare(const Four& p, const Four& q) {
     return _mm256_movemask_pd(_mm256_castsi256_pd(all_apart)) != 0xf;
 }
 
-[[gnu::target("avx2")]] CollisionPair* keep_with_avx2(Polygons shapes,
-                                                         const CollisionPair* pairs,
-                                                         std::size_t count, CollisionPair* out) {
+[[gnu::target("avx2")]] CollisionPair* keep_with_avx2(Polygons shapes, const CollisionPair* pairs,
+                                                      std::size_t count, CollisionPair* out) {
     for (std::size_t i = 0; i < count; ++i) {
         const CollisionPair pair = pairs[i];
         *out = pair;

@@ -38,7 +38,7 @@ public:
 
 private:
     bool misses(Ends ends) const {
-        const Ends below = ends < min_, above = ends > max_;
+        const Ends below = ends<min_, above = ends> max_;
         return BaseLanes::int_bits((below & exchanged(below)) | (above & exchanged(above))) != 0;
     }
 
