@@ -332,6 +332,12 @@ TEST(Strips, TakesLessThanAHundredBytesABoxWhereEveryBoxIsTall) {
     EXPECT_LT(strips.bytes(), 100 * boxes.size());
 }
 
+#if defined(__x86_64__)
+TEST(Kernels, AreThoseForAvx2WhereTheProcessorHasIt) {
+    EXPECT_STREQ(fastest_kernels().name, __builtin_cpu_supports("avx2") ? "AVX2" : "SSE2");
+}
+#endif
+
 TEST(Kernels, EndWithThePlainOnes) {
     const KernelList list = available_kernels();
     ASSERT_GE(list.count, 1u);
