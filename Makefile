@@ -1,6 +1,7 @@
 # The menu. Each entry shows the real command.
 
-.PHONY: all setup configure build demo test fast asan coverage bench pgo regmap format clean
+.PHONY: all setup configure build demo test fast asan coverage bench bench-collision pgo
+.PHONY: regmap format clean
 
 all: build
 
@@ -38,6 +39,11 @@ coverage: setup         ## lines and toggles of the RTL -> build/coverage/html/i
 
 bench: configure        ## how fast, beside the bare Verilated model in the same run
 	@cmake --build build --target bench
+
+bench-collision: setup  ## the broad phases beside their peers (.ci/packages-bench)
+	@cmake --preset default > /dev/null
+	@cmake --build build --target bench_collision
+	@build/bin/bench_collision
 
 pgo: setup              ## a faster de1sim, built with a profile of the demo -> build/pgo/bin/de1sim
 	@cmake -P sim/pgo.cmake

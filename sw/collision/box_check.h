@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
+#include "collision/four.h"
 #include "collision/polygons.h"
-#include "collision/window.h"
 
 namespace collision {
 
@@ -12,25 +12,21 @@ namespace collision {
 class BoxCheck {
 public:
     // Returns its box as a vector: min.x, min.y, max.x, max.y.
-    BaseLanes::Ints see(const Polygon& polygon) {
+    Four see(const Polygon& polygon) {
         constexpr std::int32_t LIMIT = COORDINATE_LIMIT;
-        const Ints box = lanes::load<Ints>(&polygon.aabb);
-        const Ints limit = {LIMIT, LIMIT, LIMIT, LIMIT};
+        const Four box = four(polygon.aabb);
+        const Four limit = {LIMIT, LIMIT, LIMIT, LIMIT};
         // max in place of min, so that min > max shows in two of the lanes.
-        const Ints max = __builtin_shufflevector(box, box, 2, 3, 2, 3);
+        const Four max = __builtin_shufflevector(box, box, 2, 3, 2, 3);
         wrong_ |= (box >= limit) | (box <= -limit) | (box > max);
         most_lines_ = std::max(most_lines_, polygon.count);
         return box;
     }
 
-    bool passed() const {
-        return BaseLanes::int_bits(wrong_) == 0 && most_lines_ <= Polygon::MAX_LINES;
-    }
+    bool passed() const { return !any(wrong_) && most_lines_ <= Polygon::MAX_LINES; }
 
 private:
-    using Ints = BaseLanes::Ints;
-
-    Ints wrong_{};
+    Four wrong_{};
     unsigned most_lines_ = 0;
 };
 

@@ -72,8 +72,13 @@ Error BasicDetector<Counter>::find(Algorithm algorithm, Polygons shapes, PairLis
             find_improved_vector(shapes, pairs, counter);
             return Error::NONE;
         case Algorithm::SWEEP: sweep_.find(boxes_.data(), shapes.size(), overlaps_); break;
-        case Algorithm::STRIPS: simd_.find(boxes_.data(), shapes.size(), overlaps_); break;
-        case Algorithm::SIMD: simd_.find(boxes_.data(), shapes.size(), overlaps_); break;
+        case Algorithm::STRIPS: strips_.find(boxes_.data(), shapes.size(), overlaps_); break;
+        case Algorithm::SIMD:
+            if (shapes.size() <= Simd::CAPACITY)
+                simd_.find(boxes_.data(), shapes.size(), overlaps_);
+            else
+                strips_.find(boxes_.data(), shapes.size(), overlaps_);
+            break;
     }
     const CollisionPair* const end = keep(shapes, overlaps_.data(), overlaps_.size());
     pairs.assign(static_cast<const CollisionPair*>(overlaps_.data()), end);

@@ -5,6 +5,7 @@
 
 #include "collision/algorithm.h"
 #include "collision/broad/simd.h"
+#include "collision/broad/strips.h"
 #include "collision/broad/sweep.h"
 #include "collision/error.h"
 #include "collision/narrow.h"
@@ -39,6 +40,7 @@ private:
     std::vector<Aabb> boxes_;
     PairList overlaps_;
     Sweep sweep_;
+    Strips strips_;
     Simd simd_;
     KeepMeeting keep_meeting_ = keep_meeting_avx2() ? keep_meeting_avx2() : &keep_meeting;
 };

@@ -25,7 +25,7 @@ namespace {
 #define AVX2 [[gnu::target("avx2"), gnu::always_inline]] inline
 
 // Four lines.  A coordinate is the low half of its 64-bit lane; what is in the high half is ignored.
-struct Four {
+struct FourLines {
     __m256i ax, ay, bx, by;
 };
 
@@ -35,10 +35,10 @@ AVX2 __m128i load(const Line& line) {
 
 // The first lines that have a bit, which are taken out of `bits`; where they are fewer than four,
 // the last of them again.
-AVX2 Four next_four(const Polygon& polygon, unsigned& bits) {
+AVX2 FourLines next_four(const Polygon& polygon, unsigned& bits) {
     unsigned left = bits;
     const auto next = [&bits, &left] {
-        const unsigned first = lanes::lowest_bit(left);
+        const unsigned first = lowest_bit(left);
         bits = left & (left - 1);
         if (bits) left = bits;
         return first;
@@ -51,7 +51,7 @@ AVX2 Four next_four(const Polygon& polygon, unsigned& bits) {
     return {a, _mm256_srli_epi64(a, 32), b, _mm256_srli_epi64(b, 32)};
 }
 
-AVX2 Four broadcast(const Line& line) {
+AVX2 FourLines broadcast(const Line& line) {
     return {_mm256_set1_epi32(line.a.x), _mm256_set1_epi32(line.a.y), _mm256_set1_epi32(line.b.x),
             _mm256_set1_epi32(line.b.y)};
 }
@@ -71,7 +71,7 @@ struct Verdict {
 
 // The rule of crossing.h.  Four differences of products, of which the last follows from the others:
 // the sides of p's ends differ by as much as those of q's ends do, the other way round.
-AVX2 Verdict compare(const Four& p, const Four& q) {
+AVX2 Verdict compare(const FourLines& p, const FourLines& q) {
     const __m256i px = _mm256_sub_epi32(p.bx, p.ax), py = _mm256_sub_epi32(p.by, p.ay);
     const __m256i qx = _mm256_sub_epi32(q.bx, q.ax), qy = _mm256_sub_epi32(q.by, q.ay);
     const __m256i ax = _mm256_sub_epi32(q.ax, p.ax), ay = _mm256_sub_epi32(q.ay, p.ay);
@@ -92,9 +92,9 @@ AVX2 Verdict compare(const Four& p, const Four& q) {
     if (!p_lines || !q_lines) return false;
     __m256i all_apart = _mm256_set1_epi64x(-1), level = _mm256_setzero_si256();
     do {
-        const Four of_q = next_four(q, q_lines);
+        const FourLines of_q = next_four(q, q_lines);
         for (unsigned bits = p_lines; bits; bits &= bits - 1) {
-            const Verdict verdict = compare(broadcast(p.lines[lanes::lowest_bit(bits)]), of_q);
+            const Verdict verdict = compare(broadcast(p.lines[lowest_bit(bits)]), of_q);
             all_apart = _mm256_and_si256(all_apart, verdict.apart);
             level = _mm256_or_si256(level, verdict.level);
         }

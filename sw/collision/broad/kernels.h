@@ -5,8 +5,9 @@
 
 #include <cstddef>
 
-#include "collision/broad/pair_room.h"
+#include "collision/broad/pair_writer.h"
 #include "collision/broad/short_boxes.h"
+#include "collision/broad/strip_rows.h"
 
 namespace collision {
 
@@ -18,6 +19,8 @@ struct Kernels {
     // O(count^2 / lanes).
     unsigned (*short_rows)(const ShortBoxes& shorts, const Aabb* boxes, unsigned count,
                            unsigned row, PairRoom& room);
+
+    unsigned (*strip_rows)(const StripRows& strip, unsigned row, PairRoom& room);
 };
 
 // Those that this machine can run, the fastest first: one to three.

@@ -4,13 +4,15 @@
 namespace collision {
 
 void Simd::find(const Aabb* boxes, unsigned count, PairList& overlaps) {
-    if (count > CAPACITY) return sweep_.find(boxes, count, overlaps);
+    if (count > CAPACITY) return strips_.find(boxes, count, overlaps);
     shorts_.assign(boxes, count);
     unsigned row = 0;
-    fill_list(overlaps, count, [&](PairRoom& room) {
+    PairWriter writer(overlaps);
+    writer.write(count, [&](PairRoom& room) {
         row = kernels_->short_rows(shorts_, boxes, count, row, room);
         return row == count;
     });
+    writer.finish();
 }
 
 }  // namespace collision

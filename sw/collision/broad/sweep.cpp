@@ -1,7 +1,7 @@
 // sweep.cpp - see sweep.h
 #include "collision/broad/sweep.h"
 
-#include "collision/broad/pair_room.h"
+#include "collision/broad/pair_writer.h"
 #include "collision/broad/radix_sort.h"
 
 namespace collision {
@@ -76,7 +76,8 @@ void Sweep::find(const Aabb* boxes, unsigned count, PairList& overlaps) {
     if (entries_.size() != count || !repair(boxes)) sort(boxes, count);
 
     std::size_t i = 0, j = 1;
-    fill_list(overlaps, count, [&](PairRoom& room) {
+    PairWriter writer(overlaps);
+    writer.write(count, [&](PairRoom& room) {
         for (; i < count; ++i, j = i + 1) {
             const Entry& a = entries_[i];
             for (; j < count && entries_[j].min <= a.max; ++j) {
@@ -88,6 +89,7 @@ void Sweep::find(const Aabb* boxes, unsigned count, PairList& overlaps) {
         }
         return true;
     });
+    writer.finish();
 }
 
 }  // namespace collision

@@ -5,8 +5,8 @@
 //            |--c--|
 //                       |-d-|
 //
-// The order is kept from tick to tick: where boxes move little, insertion sort puts it right in about
-// one step a box.
+// The order is kept from tick to tick: where boxes move little, insertion sort puts it right in
+// about one step a box.
 //
 // Source: Baraff, "Dynamic simulation of non-penetrating rigid bodies" (1992), sort and sweep; the
 // choice of the axis is that of Ericson, Real-Time Collision Detection (2005), 7.5.2.
@@ -22,9 +22,9 @@ namespace collision {
 
 class Sweep {
 public:
-    // Clears `overlaps`, then fills it with every pair of boxes that overlap, touching included, each
-    // once with first < second, in no particular order.  Exact for all int32 coordinates; min <= max
-    // in every box.  The boxes of two calls need not have anything in common.
+    // Clears `overlaps`, then fills it with every pair of boxes that overlap, touching included,
+    // each once with first < second, in no particular order.  Exact for all int32 coordinates;
+    // min <= max in every box.  The boxes of two calls need not have anything in common.
     //
     // n boxes, k pairs that overlap on the axis: O(n + k), plus the exchanges that the order takes;
     // beyond MOST_MOVES a box it is sorted anew in O(n).  For n boxes all over a square k is
