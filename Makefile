@@ -1,6 +1,6 @@
 # The menu. Each entry shows the real command.
 
-.PHONY: all setup configure build demo test fast asan coverage bench bench-collision pgo
+.PHONY: all setup configure build demo test fast asan coverage bench bench-collision table1 fuzz pgo
 .PHONY: regmap format clean
 
 all: build
@@ -39,6 +39,12 @@ coverage: setup         ## lines and toggles of the RTL -> build/coverage/html/i
 
 bench: configure        ## how fast, beside the bare Verilated model in the same run
 	@cmake --build build --target bench
+
+table1: configure       ## the paper's experiments -> out/table1/, sw/collision/REPRODUCTION.md
+	@cmake --build build --target table1
+
+fuzz: configure         ## a minute of any bytes as polygons (needs clang)
+	@cmake --build build --target fuzz
 
 bench-collision: setup  ## the broad phases beside their peers (.ci/packages-bench)
 	@cmake --preset default > /dev/null

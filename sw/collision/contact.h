@@ -24,8 +24,9 @@ std::optional<Vec2> contact(const Line& p, const Line& q);
 // intersection of the boxes.
 std::optional<Vec2> contact(const Polygon& p, const Polygon& q);
 
-// Replaces `contacts` by one for each of `pairs`, in their order.  `pairs` are those that a Detector
-// found among these shapes; any other pair that does not meet is left out.  Indices must exist.
+// Replaces `contacts` by one for each of `pairs`, in their order.  `pairs` are those that a
+// Detector found among these shapes; any other pair that does not meet is left out.  Indices must
+// exist.
 void find_contacts(Polygons shapes, const PairList& pairs, std::vector<Contact>& contacts);
 
 }  // namespace collision

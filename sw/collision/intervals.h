@@ -7,8 +7,8 @@
 // ends of all boxes along an axis, walk them with the boxes now open, pair whatever opens with all
 // that is open; the pairs of all axes, intersected, are the overlapping boxes.
 //
-// n boxes, d axes, k overlaps on an axis: d O(n log n) to sort, d O(k log k) to keep the sets, up to
-// O(n) to find a box among the open ones when it closes.
+// n boxes, d axes, k overlaps on an axis: d O(n log n) to sort, d O(k log k) to keep the sets, up
+// to O(n) to find a box among the open ones when it closes.
 #pragma once
 
 #include <algorithm>

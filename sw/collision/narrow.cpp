@@ -24,7 +24,8 @@ namespace {
 
 #define AVX2 [[gnu::target("avx2"), gnu::always_inline]] inline
 
-// Four lines.  A coordinate is the low half of its 64-bit lane; what is in the high half is ignored.
+// Four lines.  A coordinate is the low half of its 64-bit lane; what is in the high half is
+// ignored.
 struct FourLines {
     __m256i ax, ay, bx, by;
 };
@@ -63,8 +64,8 @@ AVX2 __m256i one_side(__m256i s, __m256i t) {
                            _mm256_and_si256(_mm256_sub_epi64(zero, s), _mm256_sub_epi64(zero, t)));
 }
 
-// `apart`: the sign bit says that the sides keep the lines apart.  `level`: all ones where all sides
-// are 0, so that only the boxes can tell.
+// `apart`: the sign bit says that the sides keep the lines apart.  `level`: all ones where all
+// sides are 0, so that only the boxes can tell.
 struct Verdict {
     __m256i apart, level;
 };

@@ -45,8 +45,8 @@ using KeepMeeting = CollisionPair* (*)(Polygons shapes, const CollisionPair* pai
 CollisionPair* keep_meeting(Polygons shapes, const CollisionPair* pairs, std::size_t count,
                             CollisionPair* out);
 
-// The same for processors with AVX2, or nullptr where this one has it not: four lines of one polygon
-// at a time against each of the other, and no branch that depends on a single line.
+// The same for processors with AVX2, or nullptr where this one has it not: four lines of one
+// polygon at a time against each of the other, and no branch that depends on a single line.
 KeepMeeting keep_meeting_avx2();
 
 }  // namespace collision

@@ -18,8 +18,8 @@ struct Aabb {
 };
 
 // Lines need not be connected, and may be of no length (a point).  Every algorithm takes `aabb` as
-// it is, so it must contain all lines: a snug box by update(), or one of fixed_box.h.  With one that
-// does not, pairs may be missed; nothing worse happens.
+// it is, so it must contain all lines: a snug box by update(), or one of fixed_box.h.  With one
+// that does not, pairs may be missed; nothing worse happens.
 struct Polygon {
     static constexpr unsigned MAX_LINES = 16;
 

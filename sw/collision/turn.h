@@ -15,7 +15,8 @@ struct Turn {
 
 // Both return the polygon with its box measured anew.  A point becomes one point whatever line it
 // ends, so lines that were joined stay joined.  O(lines).  The result must be on the grid; where it
-// is not, coordinates wrap, and a Detector refuses the polygon unless it wrapped back onto the grid.
+// is not, coordinates wrap, and a Detector refuses the polygon unless it wrapped back onto the
+// grid.
 Polygon moved(const Polygon& polygon, Vec2 by);
 
 // Turns about `centre`; each coordinate is rounded to the nearest grid unit, so turn the shape as

@@ -2,9 +2,9 @@
 //
 //   table1_measure BUILD SIZE COUNTS ALGORITHMS SECONDS >> CSV
 //
-// BUILD is a word for the first column; COUNTS and ALGORITHMS are separated by commas, "all" for all;
-// SECONDS is the most that one workload may take.  A row with settled = no means that the machine
-// was too noisy to know the median within 3 % in that time.
+// BUILD is a word for the first column; COUNTS and ALGORITHMS are separated by commas, "all" for
+// all; SECONDS is the most that one workload may take.  A row with settled = no means that the
+// machine was too noisy to know the median within 3 % in that time.
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
@@ -26,7 +26,10 @@ using namespace collision;
 using namespace table1;
 
 constexpr double BATCH_MS = 2, WANTED = 0.03;
-constexpr unsigned MOST_TICKS = 64, MOST_BATCHES = 2000;
+constexpr unsigned MOST_BATCHES = 2000;
+
+// Of a film: as many as all algorithms can go through in seconds.
+unsigned ticks_of(unsigned inserted) { return inserted > 1000 ? 4 : inserted >= 100 ? 24 : 64; }
 
 // One algorithm on one workload.
 struct Cell {
@@ -107,7 +110,7 @@ void print_row(const char* build, const Workload& work, const Cell& cell, const 
 // All algorithms in turn, a batch each, so that a slow moment of the machine hits all alike.
 void measure(const char* build, const Workload& work, const std::vector<Algorithm>& algorithms,
              double seconds) {
-    const std::vector<Tick> ticks = film(work, work.inserted > 1000 ? 4 : MOST_TICKS);
+    const std::vector<Tick> ticks = film(work, ticks_of(work.inserted));
     std::vector<PairList> expected;
     std::vector<Cell> cells;
     for (const Algorithm algorithm : algorithms) {
