@@ -51,11 +51,7 @@ void press(World& world, char key) {
         case '0':
             for (int i = 0; i < 10; ++i) insert(world, world.last_shape);
             break;
-        case 'A':
-            world.algorithm = world.algorithm == collision::Algorithm::IMPROVED
-                                  ? collision::Algorithm::ORIGINAL
-                                  : collision::Algorithm::IMPROVED;
-            break;
+        case 'A': world.algorithm = next(world.algorithm); break;
         case 'B': world.paused = !world.paused; break;
         case 'C':
             world.count = 0;

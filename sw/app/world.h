@@ -41,7 +41,7 @@ struct World {
     collision::PairList pairs, pairs_before;
     collision::Detector detector;  // its buffers: no part of the state
 
-    collision::Algorithm algorithm = collision::Algorithm::IMPROVED;
+    collision::Algorithm algorithm = collision::BEST;
     bool paused = false;
     bool show_boxes = false;
     unsigned speed_level = NORMAL_SPEED;
