@@ -1,6 +1,7 @@
 # The menu. Each entry shows the real command.
 
-.PHONY: all setup configure build firmware demo test fast asan coverage bench pgo regmap format clean
+.PHONY: all setup configure build firmware demo test fast asan coverage bench bench-collision
+.PHONY: table1 fuzz pgo regmap format clean
 
 all: build
 
@@ -41,6 +42,17 @@ coverage: setup         ## lines and toggles of the RTL -> build/coverage/html/i
 
 bench: configure        ## how fast, beside the bare Verilated model in the same run
 	@cmake --build build --target bench
+
+table1: configure       ## the paper's experiments -> out/table1/, sw/collision/REPRODUCTION.md
+	@cmake --build build --target table1
+
+fuzz: configure         ## a minute of any bytes as polygons (needs clang)
+	@cmake --build build --target fuzz
+
+bench-collision: setup  ## the broad phases beside their peers (.ci/packages-bench)
+	@cmake --preset default > /dev/null
+	@cmake --build build --target bench_collision
+	@build/bin/bench_collision
 
 pgo: setup              ## a faster de1sim, built with a profile of the demo -> build/pgo/bin/de1sim
 	@cmake -P sim/pgo.cmake

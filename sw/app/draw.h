@@ -14,7 +14,7 @@ struct Overlay {
 };
 
 // Clears the canvas and draws all of it: the edges, shapes (white in a tick in which they collide),
-// their boxes if asked for, PAUSED, and a line like "100 shapes  improved  1.23 ms".
+// their boxes if asked for, PAUSED, and a line like "100 shapes  simd  1.23 ms".
 void draw(const World& world, const Overlay& overlay, gfx::Canvas& canvas);
 
 }  // namespace app

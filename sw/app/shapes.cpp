@@ -54,7 +54,7 @@ collision::Polygon polygon(Shape shape, Vec2 centre, Angle angle, unsigned size)
                       centre.y + scaled(corner.x * sin + corner.y * cos)};
     }
     collision::Polygon placed;
-    placed.outline(corners.data(), outline.count);
+    (void)placed.outline(corners.data(), outline.count);  // few enough, and on the screen
     return placed;
 }
 

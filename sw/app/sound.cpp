@@ -64,7 +64,8 @@ void Mixer::add(Voice& voice, StereoSample* out, unsigned count, SampleRate rate
 
 void sound_collisions(const World& world, Mixer& mixer) {
     for (const collision::CollisionPair pair : world.pairs) {
-        if (world.pairs_before.count(pair)) continue;
+        const collision::PairList& before = world.pairs_before;
+        if (std::binary_search(before.begin(), before.end(), pair)) continue;
         const Body& b = world.bodies[pair.second - EDGES];
         const Body& a = pair.first < EDGES ? b : world.bodies[pair.first - EDGES];
         const std::int32_t middle = a.position.x / 2 + b.position.x / 2;

@@ -111,7 +111,7 @@ World::World(std::uint32_t seed) : random{seed} {
 }
 
 void advance(World& world, const Input& input) {
-    world.pairs_before = std::move(world.pairs);
+    std::swap(world.pairs_before, world.pairs);
     world.pairs.clear();
     for (const char key : input.keys) press(world, key);
     for (unsigned i = 0; i < world.count; ++i) {
@@ -123,7 +123,8 @@ void advance(World& world, const Input& input) {
 }
 
 void find_pairs(World& world) {
-    world.pairs = detect(world.algorithm, {world.polygons.data(), EDGES + world.count});
+    const collision::Polygons shapes{world.polygons.data(), EDGES + world.count};
+    (void)world.detector.find(world.algorithm, shapes, world.pairs);  // all lie on the screen
 }
 
 void respond(World& world) {

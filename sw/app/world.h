@@ -22,7 +22,7 @@
 #include "app/body.h"
 #include "app/bounce.h"
 #include "app/random.h"
-#include "collision/detect.h"
+#include "collision/detector.h"
 
 namespace app {
 
@@ -37,9 +37,11 @@ struct World {
 
     // The four edges of the screen, then body i at EDGES + i; the indices in the pairs.
     std::array<collision::Polygon, EDGES + CAPACITY> polygons{};
-    collision::Pairs pairs, pairs_before;  // of this tick and of the one before
+    // Of this tick and of the one before, in lexicographic order.
+    collision::PairList pairs, pairs_before;
+    collision::Detector detector;  // its buffers: no part of the state
 
-    collision::Algorithm algorithm = collision::Algorithm::IMPROVED;
+    collision::Algorithm algorithm = collision::BEST;
     bool paused = false;
     bool show_boxes = false;
     unsigned speed_level = NORMAL_SPEED;

@@ -1,8 +1,7 @@
-// collision_pair.h - two polygons that collide, by their index, and the set of all such pairs.
+// collision_pair.h - two polygons that collide, by their index.
 #pragma once
 
 #include <cstdint>
-#include <set>
 
 namespace collision {
 
@@ -17,8 +16,6 @@ struct CollisionPair {
         return a.first == b.first && a.second == b.second;
     }
 };
-
-using Pairs = std::set<CollisionPair>;
 
 inline CollisionPair pair_of(std::uint32_t a, std::uint32_t b) {
     return a < b ? CollisionPair{a, b} : CollisionPair{b, a};

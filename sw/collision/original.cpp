@@ -2,8 +2,10 @@
 #include "collision/original.h"
 
 #include <cstdint>
+#include <vector>
 
 #include "collision/crossing.h"
+#include "collision/pair_set.h"
 
 namespace collision {
 namespace {
@@ -17,20 +19,82 @@ bool near_enough(std::int64_t min, std::int64_t max, std::int64_t other_min,
     return doubled_len <= (max - min) + (other_max - other_min);
 }
 
-bool colliding(const Polygon& shape, const Polygon& other) {
-    const Aabb &a = shape.aabb, &b = other.aabb;
+template <class Counter>
+bool boxes_overlap(const Aabb& a, const Aabb& b, Counter& counter) {
+    counter.box_test();
     return near_enough(a.min.x, a.max.x, b.min.x, b.max.x) &&
-           near_enough(a.min.y, a.max.y, b.min.y, b.max.y) && cross(shape, other);
+           near_enough(a.min.y, a.max.y, b.min.y, b.max.y);
+}
+
+// Fig. 2: each shape against each other one, from both sides.
+template <class Colliding>
+void each_with_each(std::uint32_t count, PairList& pairs, Colliding colliding) {
+    PairSet found;
+    for (std::uint32_t i = 0; i < count; ++i)
+        for (std::uint32_t j = 0; j < count; ++j)
+            if (i != j && colliding(i, j)) found.insert(pair_of(i, j));
+    pairs.assign(found.begin(), found.end());
+}
+
+struct VectorPolygon {
+    std::vector<Line> lines;
+    Aabb aabb;
+};
+
+// Not inlined: the copies that the caller makes are what this is about.
+template <class Counter>
+[[gnu::noinline]] bool colliding_by_copy(VectorPolygon shape, VectorPolygon other,
+                                         Counter& counter) {
+    counter.copy();
+    counter.copy();
+    counter.polygon_test();
+    bool meet = false;
+    for (const Line& p : shape.lines) {
+        for (const Line& q : other.lines) {
+            counter.line_test();
+            if ((meet = cross(p, q))) break;
+        }
+        if (meet) break;
+    }
+    return meet && boxes_overlap(shape.aabb, other.aabb, counter);
 }
 
 }  // namespace
 
-Pairs find_original(Polygons shapes) {
-    Pairs pairs;
-    for (unsigned i = 0; i < shapes.size(); ++i)
-        for (unsigned j = 0; j < shapes.size(); ++j)
-            if (i != j && colliding(shapes[i], shapes[j])) pairs.insert(pair_of(i, j));
-    return pairs;
+template <class Counter>
+void find_original(Polygons shapes, PairList& pairs, Counter& counter) {
+    each_with_each(shapes.size(), pairs, [&](std::uint32_t i, std::uint32_t j) {
+        if (!boxes_overlap(shapes[i].aabb, shapes[j].aabb, counter)) return false;
+        counter.polygon_test();
+        return cross(shapes[i], shapes[j], counter);
+    });
 }
+
+template <class Counter>
+void find_original_all_lines(Polygons shapes, PairList& pairs, Counter& counter) {
+    each_with_each(shapes.size(), pairs, [&](std::uint32_t i, std::uint32_t j) {
+        counter.polygon_test();
+        return cross(shapes[i], shapes[j], counter) &&
+               boxes_overlap(shapes[i].aabb, shapes[j].aabb, counter);
+    });
+}
+
+template <class Counter>
+void find_original_by_copy(Polygons shapes, PairList& pairs, Counter& counter) {
+    std::vector<VectorPolygon> all(shapes.size());
+    for (std::uint32_t i = 0; i < shapes.size(); ++i)
+        all[i] = {{shapes[i].lines.begin(), shapes[i].lines.begin() + shapes[i].count},
+                  shapes[i].aabb};
+    each_with_each(shapes.size(), pairs, [&](std::uint32_t i, std::uint32_t j) {
+        return colliding_by_copy(all[i], all[j], counter);
+    });
+}
+
+template void find_original(Polygons, PairList&, Tally&);
+template void find_original(Polygons, PairList&, NoTally&);
+template void find_original_all_lines(Polygons, PairList&, Tally&);
+template void find_original_all_lines(Polygons, PairList&, NoTally&);
+template void find_original_by_copy(Polygons, PairList&, Tally&);
+template void find_original_by_copy(Polygons, PairList&, NoTally&);
 
 }  // namespace collision

@@ -3,15 +3,19 @@
 
 #include <algorithm>
 
+#include "collision/grid.h"
+
 namespace collision {
 
-bool Polygon::outline(const Vec2* corners, unsigned corner_count) {
-    if (corner_count > MAX_LINES) return false;
+Error Polygon::outline(const Vec2* corners, unsigned corner_count) {
+    if (corner_count > MAX_LINES) return Error::TOO_MANY_LINES;
+    if (!std::all_of(corners, corners + corner_count, [](Vec2 corner) { return on_grid(corner); }))
+        return Error::OUTSIDE_GRID;
     for (unsigned i = 0; i < corner_count; ++i)
         lines[i] = {corners[i], corners[i + 1 < corner_count ? i + 1 : 0]};
     count = corner_count;
     update();
-    return true;
+    return Error::NONE;
 }
 
 void Polygon::update() {

@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include "collision/error.h"
 #include "collision/vec2.h"
 
 namespace collision {
@@ -16,17 +17,22 @@ struct Aabb {
     Vec2 min, max;
 };
 
+// Lines need not be connected, and may be of no length (a point).  Every algorithm takes `aabb` as
+// it is, so it must contain all lines: a snug box by update(), or one of fixed_box.h.  With one
+// that does not, pairs may be missed; nothing worse happens.
 struct Polygon {
     static constexpr unsigned MAX_LINES = 16;
 
-    std::array<Line, MAX_LINES> lines{};
+    Aabb aabb{};
     unsigned count = 0;  // of lines in use; a polygon of none collides with nothing
-    Aabb aabb{};         // as of the last update()
+    alignas(16) std::array<Line, MAX_LINES> lines{};  // a vector each
 
-    // Joins `corners` into a closed outline.  False, and nothing changed, if MAX_LINES is too few.
-    bool outline(const Vec2* corners, unsigned corner_count);
+    // Joins `corners` into a closed outline (one corner: a point) and measures its box.
+    // TOO_MANY_LINES or OUTSIDE_GRID, and nothing is changed.  O(corners).
+    Error outline(const Vec2* corners, unsigned corner_count);
 
-    // Measures the AABB by plain min/max over all lines, as the paper does every tick: O(lines).
+    // Measures the AABB by plain min/max over all lines, as the paper does every tick (the end of
+    // its section "Detecting collisions generally"): O(lines).  `count` is at most MAX_LINES.
     void update();
 };
 

@@ -35,7 +35,7 @@ TEST_F(PictureOnTheMonitor, IsANewOneInEveryFrameWithAHundredX) {
     EXPECT_EQ(board->monitor.new_pictures() - new_pictures, 24u);
 }
 
-TEST_F(PictureOnTheMonitor, IsTheSameWithBothAlgorithms) {
+TEST_F(PictureOnTheMonitor, IsTheSameWithAnotherAlgorithm) {
     replay->use_the_other_algorithm();
     ASSERT_NO_FATAL_FAILURE(press("2000000F"));
     ASSERT_NO_FATAL_FAILURE(follow(10));

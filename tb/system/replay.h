@@ -46,9 +46,10 @@ private:
     bool try_step(const std::string& keys, const Picture& picture) {
         app::World next = world_;
         app::advance(next, {keys});
-        if (other_) next.algorithm = collision::next(next.algorithm);
+        const collision::Algorithm chosen = next.algorithm;
+        if (other_) next.algorithm = collision::next(chosen);
         app::find_pairs(next);
-        if (other_) next.algorithm = collision::next(next.algorithm);
+        next.algorithm = chosen;
         app::respond(next);
         app::draw(next, {time_on(picture, next)}, canvas_);
         differing_ = differing(picture, HEIGHT);

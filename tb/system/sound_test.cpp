@@ -47,7 +47,8 @@ private:
         played.push_back(left.size());
         const app::World& world = replay->world();
         for (const auto& pair : world.pairs) {
-            if (world.pairs_before.count(pair)) continue;
+            const auto& before = world.pairs_before;
+            if (std::binary_search(before.begin(), before.end(), pair)) continue;
             const auto size = [&](unsigned i) { return world.bodies[i - app::EDGES].size; };
             with_edge = pair.first < app::EDGES;
             pitch_hz = app::pitch_hz(size(with_edge ? pair.second : pair.first), size(pair.second));

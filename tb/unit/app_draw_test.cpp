@@ -119,7 +119,8 @@ TEST_F(Draw, WritesCountAlgorithmAndMilliseconds) {
     for (int i = 0; i < 100; ++i) put(Shape::X, 100, 100, RED);
     show("", 1234);
     EXPECT_TRUE(reads("100 shapes  improved  1.23 ms", 5, 5));
-    show("AC1", 16670);
+    world.algorithm = collision::Algorithm::ORIGINAL;
+    show("C1", 16670);
     EXPECT_TRUE(reads("1 shape  original  16.67 ms", 5, 5));
     show("C", 9);
     EXPECT_TRUE(reads("0 shapes  original  0.00 ms", 5, 5));
@@ -127,10 +128,19 @@ TEST_F(Draw, WritesCountAlgorithmAndMilliseconds) {
     EXPECT_TRUE(reads("0 shapes  original  4294967.29 ms", 5, 5));
 }
 
+TEST_F(Draw, HasRoomForTheNameOfEveryAlgorithm) {
+    for (unsigned i = 0; i < World::CAPACITY; ++i) put(Shape::X, 100, 200, RED);
+    for (const collision::Algorithm algorithm : collision::ALGORITHMS) {
+        world.algorithm = algorithm;
+        show("", 99'990'000);
+        EXPECT_TRUE(reads("256 shapes  " + std::string{name(algorithm)} + "  99990.00 ms", 5, 5));
+    }
+}
+
 TEST_F(Draw, KeepsTheTextReadableOverShapes) {
     for (int x = 12; x < 180; x += 3) put(Shape::X, x, 12, RED);
     show("", 2050);
-    EXPECT_TRUE(reads("56 shapes  improved  2.05 ms", 5, 5));
+    EXPECT_TRUE(reads("56 shapes  simd  2.05 ms", 5, 5));
 }
 
 TEST_F(Draw, MarksAPause) {

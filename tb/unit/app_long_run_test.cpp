@@ -67,7 +67,9 @@ unsigned longest_contact(World& world, int ticks) {
     for (int tick = 0; tick < ticks; ++tick) {
         step(world, {""});
         for (auto it = lasting.begin(); it != lasting.end();)
-            it = world.pairs.count(it->first) ? std::next(it) : lasting.erase(it);
+            it = std::binary_search(world.pairs.begin(), world.pairs.end(), it->first)
+                     ? std::next(it)
+                     : lasting.erase(it);
         for (const auto pair : world.pairs) longest = std::max(longest, ++lasting[pair]);
     }
     return longest;

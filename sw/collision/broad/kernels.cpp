@@ -1,0 +1,38 @@
+// kernels.cpp - see kernels.h
+#include "collision/broad/kernels.h"
+
+#include "collision/broad/kernels_avx2.h"
+#include "collision/broad/short_rows.h"
+
+namespace collision {
+namespace {
+
+template <class Lanes>
+constexpr Kernels kernels_of(const char* name) {
+    return {name, short_rows<Lanes>, strip_rows<Lanes>};
+}
+
+constexpr Kernels BASELINE[] = {
+#if defined(__SSE2__)
+    kernels_of<lanes::Sse2>("SSE2"),
+#elif defined(__ARM_NEON)
+    kernels_of<lanes::Neon>("NEON"),
+#endif
+    kernels_of<lanes::Plain>("plain"),
+};
+
+}  // namespace
+
+KernelList available_kernels() {
+    KernelList list = {};
+    if (const Kernels* avx2 = avx2_kernels()) list.kernels[list.count++] = avx2;
+    for (const Kernels& kernels : BASELINE) list.kernels[list.count++] = &kernels;
+    return list;
+}
+
+const Kernels& fastest_kernels() {
+    const Kernels* avx2 = avx2_kernels();
+    return avx2 ? *avx2 : BASELINE[0];
+}
+
+}  // namespace collision

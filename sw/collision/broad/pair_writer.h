@@ -1,0 +1,49 @@
+// pair_writer.h - fills a list of pairs through plain pointers: push_back costs time.
+#pragma once
+
+#include <cstddef>
+
+#include "collision/pair_list.h"
+
+namespace collision {
+
+// A place to write and where it ends.
+struct PairRoom {
+    CollisionPair* next;
+    CollisionPair* end;
+
+    std::size_t left() const { return static_cast<std::size_t>(end - next); }
+
+    // Appends a pair if `wanted` is true, without a branch.  At least one place must be left.
+    [[gnu::always_inline]] void append(std::uint32_t a, std::uint32_t b, bool wanted) {
+        *next = a < b ? CollisionPair{a, b} : CollisionPair{b, a};
+        next += wanted;
+    }
+};
+
+// Writes over what `list` holds.  Within its old size nothing is allocated or cleared.
+class PairWriter {
+public:
+    explicit PairWriter(PairList& list) : list_{list} {}
+
+    // Calls fill(PairRoom&) until it returns true, each time that it returns false with room for
+    // `least` more pairs and twice as many in all.
+    template <class Fill>
+    void write(std::size_t least, Fill fill) {
+        for (;;) {
+            PairRoom room = {list_.data() + used_, list_.data() + list_.size()};
+            const bool done = fill(room);
+            used_ = static_cast<std::size_t>(room.next - list_.data());
+            if (done) return;
+            list_.resize(2 * list_.size() + least);
+        }
+    }
+
+    void finish() { list_.resize(used_); }  // to what was written
+
+private:
+    PairList& list_;
+    std::size_t used_ = 0;
+};
+
+}  // namespace collision

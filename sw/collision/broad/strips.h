@@ -1,0 +1,59 @@
+// strips.h - the broad phase that scales: cut the world into strips, sort each along x, sweep it.
+//
+//     strip 2   |   +---+          A box goes into each strip that it reaches, as a visitor into
+//               |...|.b.|.+---+.   all but the lowest.  A pair belongs to the strip of the higher
+//     strip 1   | +-+-+ | | c |    of the two lower edges, the only one that both reach and where
+//               | | a | +-|---|    one is no visitor: a-b and b-c to strip 1.
+//     strip 0   |.+---+...+---+.
+//
+// Strips are a few mean heights tall, so that most boxes lie in one or two of them whatever their
+// sizes; where one still holds far more than its share, as in a cluster, it is cut in the same way.
+//
+// Source: cell lists (Hockney and Eastwood, Computer Simulation Using Particles, 1981) along one
+// axis, sort and sweep (Baraff 1992) along the other.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "collision/broad/kernels.h"
+#include "collision/broad/sorted_strip.h"
+
+namespace collision {
+
+class Strips {
+public:
+    explicit Strips(const Kernels& kernels = fastest_kernels()) : kernels_{&kernels} {}
+
+    // Clears `overlaps`, then fills it with every pair of boxes that overlap, touching included,
+    // each once with first < second, in no particular order.  Exact for coordinates up to
+    // COORDINATE_LIMIT; min <= max in every box.  Nothing depends on the call before.
+    //
+    // n boxes, k pairs: O(n + k) where neither tall nor wide boxes crowd a place without
+    // overlapping there.  Allocates only when there are more boxes or pairs than ever before.
+    void find(const Aabb* boxes, unsigned count, PairList& overlaps);
+
+    std::size_t bytes() const;  // of memory in use, 20 to 40 a box; less for the pairs
+
+private:
+    struct Level {
+        std::vector<Entry> entries;         // strip by strip
+        std::vector<std::uint32_t> places;  // of the next entry of each strip
+        std::vector<std::uint32_t> starts;  // of each strip
+    };
+
+    struct StripOf;
+
+    template <class Source>
+    bool reserve(const Source& source, unsigned count, const StripOf& strip_of, Level& level);
+    template <class Source>
+    void cut(const Source& source, unsigned count, unsigned depth, PairWriter& writer);
+    void sweep(const Entry* entries, unsigned count, std::int32_t left, std::int32_t right,
+               PairWriter& writer);
+
+    const Kernels* kernels_;
+    std::vector<Level> levels_;
+    SortedStrip strip_;
+};
+
+}  // namespace collision

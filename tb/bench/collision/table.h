@@ -1,0 +1,19 @@
+// table.h - the rows that `make bench-collision` prints: what was measured, what was wanted.
+#pragma once
+
+#include <optional>
+#include <string>
+
+namespace bench {
+
+void print_header();
+
+// One row: our ns a box, theirs, how many times ours is the faster, and whether that is `wanted`.
+// Without `theirs`: not installed.
+void print_ratio(const std::string& what, double ours, const std::string& their_name,
+                 std::optional<double> theirs, double wanted);
+
+// One row: a number that must be at most, or below, `wanted`.
+void print_limit(const std::string& what, double measured, const char* unit, double wanted);
+
+}  // namespace bench

@@ -1,0 +1,7 @@
+// fuzz.cpp - libFuzzer's way in: make fuzz.
+#include "tb/fuzz/collision/world.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t count) {
+    fuzz::try_world(bytes, count);
+    return 0;
+}

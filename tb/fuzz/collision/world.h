@@ -1,0 +1,15 @@
+// world.h - any bytes as polygons and a world of them, put through the whole library.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+namespace fuzz {
+
+// Reads polygons from the bytes, right and wrong ones (NaN, infinities, coordinates beyond the
+// grid, no lines, too many, boxes inside out or too small), and hands them to every algorithm.
+// Aborts if two of them disagree about shapes that are as they should be, if a refusal leaves pairs
+// behind, or if a contact is missing.
+void try_world(const std::uint8_t* bytes, std::size_t count);
+
+}  // namespace fuzz
