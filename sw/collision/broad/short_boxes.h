@@ -17,7 +17,6 @@ struct ShortBoxes {
 
     using Edges = std::array<std::int16_t, CAPACITY + PADDING>;
     Edges min_x, min_y, max_x, max_y;
-    bool exact;  // nothing was rounded
 
     // count <= CAPACITY.  O(count).
     void assign(const Aabb* boxes, unsigned count);

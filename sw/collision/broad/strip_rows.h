@@ -27,7 +27,7 @@ struct StripRows {
     std::uint32_t mask;
 
     // The end of the bucket that `at` belongs to: boxes in later buckets begin beyond.
-    std::int32_t last_in_bucket(std::int32_t at) const {
+    [[gnu::always_inline]] std::int32_t last_in_bucket(std::int32_t at) const {
         const auto origin = static_cast<std::uint32_t>(left);
         const auto clamped = static_cast<std::uint32_t>(std::min(std::max(at, left), right));
         const std::uint32_t last = (clamped - origin) | mask;
