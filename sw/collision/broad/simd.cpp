@@ -9,12 +9,12 @@ void Simd::find(const Aabb* boxes, unsigned count, PairList& overlaps) {
     if (count > CAPACITY) return strips_.find(boxes, count, overlaps);
     PairWriter writer(overlaps);
     if (count <= FEW) {
-        writer.write(FEW * FEW / 2, [&](PairRoom& room) {
-            if (room.left() < FEW * FEW / 2) return false;
-            for (unsigned i = 0; i < count; ++i)
-                for (unsigned j = i + 1; j < count; ++j)
-                    room.append(i, j, overlap(boxes[i], boxes[j]));
-            return true;
+        std::uint32_t row = 0;
+        writer.write(count, [&](PairRoom& room) {
+            for (; row < count && room.left() >= count; ++row)
+                for (std::uint32_t j = row + 1; j < count; ++j)
+                    room.append(row, j, overlap(boxes[row], boxes[j]));
+            return row == count;
         });
         return writer.finish();
     }
