@@ -2,7 +2,6 @@
 #include "collision/broad/kernels.h"
 
 #include "collision/broad/kernels_avx2.h"
-#include "collision/broad/short_rows.h"
 
 namespace collision {
 namespace {

@@ -6,7 +6,7 @@
 #include <cstddef>
 
 #include "collision/broad/pair_writer.h"
-#include "collision/broad/short_boxes.h"
+#include "collision/broad/short_rows.h"
 #include "collision/broad/strip_rows.h"
 
 namespace collision {
@@ -14,12 +14,8 @@ namespace collision {
 struct Kernels {
     const char* name;  // "plain", "SSE2", "AVX2", "NEON"
 
-    // Writes the overlapping pairs (row, j) with row < j < count, row by row from `row` on.  Stops
-    // before a row that `room` may be too small for and returns it, or `count` at the end.
-    // O(count^2 / lanes).
-    unsigned (*short_rows)(const ShortBoxes& shorts, const Aabb* boxes, unsigned count,
-                           unsigned row, PairRoom& room);
-
+    // See short_rows.h and strip_rows.h.
+    unsigned (*short_rows)(const ShortBoxes& shorts, unsigned count, unsigned row, ShortHits& hits);
     unsigned (*strip_rows)(const StripRows& strip, unsigned row, PairRoom& room);
 };
 

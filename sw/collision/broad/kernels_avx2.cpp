@@ -4,10 +4,6 @@
 // kernels are templates of lanes::Avx2, and all that they call is inlined.
 #include "collision/broad/kernels_avx2.h"
 
-#if defined(__AVX2__)
-#include "collision/broad/short_rows.h"
-#endif
-
 namespace collision {
 
 const Kernels* avx2_kernels() {

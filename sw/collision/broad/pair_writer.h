@@ -27,15 +27,15 @@ public:
     explicit PairWriter(PairList& list) : list_{list} {}
 
     // Calls fill(PairRoom&) until it returns true, each time that it returns false with room for
-    // `least` more pairs and twice as many in all.
+    // `more` pairs more.  New room is cleared by the vector, so little of it is better.
     template <class Fill>
-    void write(std::size_t least, Fill fill) {
+    void write(std::size_t more, Fill fill) {
         for (;;) {
             PairRoom room = {list_.data() + used_, list_.data() + list_.size()};
             const bool done = fill(room);
             used_ = static_cast<std::size_t>(room.next - list_.data());
             if (done) return;
-            list_.resize(2 * list_.size() + least);
+            list_.resize(list_.size() + more);
         }
     }
 

@@ -38,7 +38,6 @@ void ShortBoxes::assign(const Aabb* boxes, unsigned count) {
         world.max.y = std::max(world.max.y, boxes[i].max.y);
     }
     const Scale x = {world.min.x, world.max.x}, y = {world.min.y, world.max.y};
-    exact = x.shift == 0 && y.shift == 0;
     for (unsigned i = 0; i < count; ++i) {
         min_x[i] = x(boxes[i].min.x);
         min_y[i] = y(boxes[i].min.y);

@@ -16,8 +16,7 @@ struct ShortBoxes {
     static constexpr unsigned PADDING = 16;  // a vector may begin at the last box
 
     using Edges = std::array<std::int16_t, CAPACITY + PADDING>;
-    Edges min_x{}, min_y{}, max_x{}, max_y{};
-    bool exact = true;  // nothing was rounded
+    Edges min_x, min_y, max_x, max_y;
 
     // count <= CAPACITY.  O(count).
     void assign(const Aabb* boxes, unsigned count);

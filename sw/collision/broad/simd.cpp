@@ -1,18 +1,44 @@
 // simd.cpp - see simd.h
 #include "collision/broad/simd.h"
 
+#include "collision/broad/overlap.h"
+
 namespace collision {
 
 void Simd::find(const Aabb* boxes, unsigned count, PairList& overlaps) {
     if (count > CAPACITY) return strips_.find(boxes, count, overlaps);
-    shorts_.assign(boxes, count);
-    unsigned row = 0;
     PairWriter writer(overlaps);
-    writer.write(count, [&](PairRoom& room) {
-        row = kernels_->short_rows(shorts_, boxes, count, row, room);
-        return row == count;
-    });
+    if (count <= FEW) {
+        std::uint32_t row = 0;
+        writer.write(count, [&](PairRoom& room) {
+            for (; row < count && room.left() >= count; ++row)
+                for (std::uint32_t j = row + 1; j < count; ++j)
+                    room.append(row, j, overlap(boxes[row], boxes[j]));
+            return row == count;
+        });
+        return writer.finish();
+    }
+    shorts_.assign(boxes, count);
+    for (unsigned row = 0; row < count;) {
+        row = kernels_->short_rows(shorts_, count, row, hits_);
+        unsigned hit = 0;
+        writer.write(count + MOST_IN_HIT, [&](PairRoom& room) {
+            for (; hit < hits_.count; ++hit) {
+                if (room.left() < MOST_IN_HIT) return false;
+                append(boxes, hits_.hits[hit], room);
+            }
+            return true;
+        });
+    }
     writer.finish();
+}
+
+// Rounding made boxes larger, so that those that are really apart are left out here.
+void Simd::append(const Aabb* boxes, const ShortHit& hit, PairRoom& room) const {
+    for (std::uint64_t bits = hit.bits; bits != 0; bits &= bits - 1) {
+        const std::uint32_t other = hit.other + lanes::lowest_bit(bits) / hits_.stride;
+        room.append(hit.box, other, overlap(boxes[hit.box], boxes[other]));
+    }
 }
 
 }  // namespace collision

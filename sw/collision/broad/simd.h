@@ -8,7 +8,6 @@
 #pragma once
 
 #include "collision/broad/kernels.h"
-#include "collision/broad/short_boxes.h"
 #include "collision/broad/strips.h"
 
 namespace collision {
@@ -27,8 +26,14 @@ public:
     void find(const Aabb* boxes, unsigned count, PairList& overlaps);
 
 private:
+    static constexpr unsigned MOST_IN_HIT = 16;  // lanes
+    static constexpr unsigned FEW = 12;          // boxes that vectors do not pay for
+
+    void append(const Aabb* boxes, const ShortHit& hit, PairRoom& room) const;
+
     const Kernels* kernels_;
     ShortBoxes shorts_;
+    ShortHits hits_;
     Strips strips_;
 };
 

@@ -1,6 +1,7 @@
 // strip_rows.h - the kernel of Strips: one strip's boxes in the order of x, a vector at a time.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <limits>
 
@@ -12,15 +13,28 @@ namespace collision {
 // In place of min.y: the box also lies in a strip below.  Two such boxes are not this strip's pair.
 constexpr std::int32_t VISITOR = std::numeric_limits<std::int32_t>::min();
 
-// One strip: `count` boxes, an array an edge, and the same for PADDING boxes more, which lie to the
-// right of all others.
+// One strip: `count` boxes in the order of their buckets of min.x, an array an edge, and PADDING
+// places more, where boxes lie to the right of all others.  The buckets are mask + 1 units wide,
+// the first from `left` on; whatever is left of it belongs to it too, and to the last what is
+// beyond `right`.
 struct StripRows {
     static constexpr unsigned PADDING = 8;
 
     const std::int32_t *min_x, *max_x, *min_y, *max_y;
     const std::uint32_t* index;
-    const std::uint32_t* end;  // from here on all boxes begin to the right of this one
     unsigned count;
+    std::int32_t left, right;
+    std::uint32_t mask;
+
+    // The end of the bucket that `at` belongs to: boxes in later buckets begin beyond.
+    [[gnu::always_inline]] std::int32_t last_in_bucket(std::int32_t at) const {
+        const auto origin = static_cast<std::uint32_t>(left);
+        const auto clamped = static_cast<std::uint32_t>(std::min(std::max(at, left), right));
+        const std::uint32_t last = (clamped - origin) | mask;
+        return last < static_cast<std::uint32_t>(right) - origin
+                   ? static_cast<std::int32_t>(last + origin)
+                   : std::numeric_limits<std::int32_t>::max();
+    }
 };
 
 // Writes the pairs of each row from `row` on with those after it.  Stops before a row that `room`
@@ -29,8 +43,8 @@ template <class Lanes>
 unsigned strip_rows(const StripRows& strip, unsigned row, PairRoom& room) {
     using Ints = typename Lanes::Ints;
     for (; row < strip.count; ++row) {
-        const std::uint32_t end = strip.end[row];
-        if (room.left() < end - row + Lanes::INTS) break;
+        if (room.left() < strip.count - row + Lanes::INTS) break;
+        const std::int32_t reach = strip.last_in_bucket(strip.max_x[row]);
         const Ints min_x = strip.min_x[row] - Ints{}, max_x = strip.max_x[row] - Ints{};
         const Ints max_y = strip.max_y[row] - Ints{};
         // A box from below reaches over the lower edge of all others: the test that it need not
@@ -46,7 +60,7 @@ unsigned strip_rows(const StripRows& strip, unsigned row, PairRoom& room) {
                                (lanes::load<Ints>(upper + j) < lower);
             Lanes::append(room, strip.index[row], strip.index + j, ~apart);
             j += Lanes::INTS;
-        } while (j < end);
+        } while (j < strip.count && strip.min_x[j] <= reach);
     }
     return row;
 }

@@ -7,15 +7,16 @@
 namespace collision {
 namespace {
 
-constexpr unsigned MOST_STRIPS = 1024;  // the places that are written to in turn fit the cache
+constexpr unsigned MOST_STRIPS = 1024;      // the places that are written to in turn fit the cache
+constexpr unsigned MOST_IN_GRID = 1 << 12;  // boxes; these, too, fit the cache
 constexpr unsigned MOST_LEVELS = 8;
 constexpr unsigned HEIGHTS = 4;      // of a strip, in mean heights of a box
 constexpr unsigned FEW = 256;        // boxes that are not worth cutting again
 constexpr unsigned MOST_COPIES = 2;  // of a box, on average
 constexpr unsigned CROWDED = 4;      // times the mean number of boxes in a strip
 
-// Where the boxes are and how tall, from a thousand of them.  Boxes outside are still found; only
-// the speed depends on it.
+// Where the boxes are and how tall, from some hundreds of them.  Boxes outside are still found;
+// only the speed depends on it.
 struct Sample {
     Vec2 min = {std::numeric_limits<std::int32_t>::max(), std::numeric_limits<std::int32_t>::max()};
     Vec2 max = {std::numeric_limits<std::int32_t>::min(), std::numeric_limits<std::int32_t>::min()};
@@ -23,7 +24,7 @@ struct Sample {
 
     template <class Source>
     Sample(const Source& source, unsigned count) {
-        const unsigned step = count / 1024 + 1;
+        const unsigned step = count / 256 + 1;
         unsigned taken = 0;
         for (unsigned i = 0; i < count; i += step) {
             const Aabb& box = source.box(i);
@@ -40,12 +41,12 @@ struct Sample {
                 std::max<std::int64_t>(top - std::max(box.min.y, min.y), 0));
         }
         height = height / std::max(taken, 1u) + 1;
+        if (min.y > max.y) min.y = max.y;  // nothing but visitors
     }
     std::uint32_t span() const {
         return static_cast<std::uint32_t>(max.y) - static_cast<std::uint32_t>(min.y);
     }
     unsigned strips() const {
-        if (max.y <= min.y) return 1;
         return static_cast<unsigned>(
             std::min<std::uint64_t>(span() / (HEIGHTS * height) + 1, MOST_STRIPS));
     }
@@ -53,46 +54,10 @@ struct Sample {
 
 }  // namespace
 
-// The strip of a position; positions outside belong to the first and the last.
-struct Strips::StripOf {
-    unsigned strips;
-    std::int32_t bottom, top;
-    std::uint64_t scale;  // strips a unit, times 2^32
-
-    StripOf(const Sample& sample, unsigned wanted)
-        : strips{wanted},
-          bottom{sample.min.y},
-          top{std::max(sample.min.y, sample.max.y)},
-          scale{(std::uint64_t{wanted} << 32) / (std::uint64_t{sample.span()} + 1)} {}
-
-    std::uint32_t operator()(std::int32_t at) const {
-        const std::uint32_t offset =
-            static_cast<std::uint32_t>(std::min(std::max(at, bottom), top)) -
-            static_cast<std::uint32_t>(bottom);
-        return static_cast<std::uint32_t>(offset * scale >> 32);
-    }
-};
-
-namespace {
-
-struct FromBoxes {
-    const Aabb* boxes;
-    const Aabb& box(unsigned i) const { return boxes[i]; }
-    std::uint32_t index(unsigned i) const { return i; }
-};
-
-struct FromEntries {
-    const Entry* entries;
-    const Aabb& box(unsigned i) const { return entries[i].box; }
-    std::uint32_t index(unsigned i) const { return entries[i].index; }
-};
-
-}  // namespace
-
 void Strips::find(const Aabb* boxes, unsigned count, PairList& overlaps) {
     PairWriter writer(overlaps);
     levels_.resize(MOST_LEVELS);
-    if (count > 1) cut(FromBoxes{boxes}, count, 0, writer);
+    if (count > 1) find(FromBoxes{boxes}, count, 0, writer);
     writer.finish();
 }
 
@@ -100,7 +65,7 @@ void Strips::find(const Aabb* boxes, unsigned count, PairList& overlaps) {
 template <class Source>
 bool Strips::reserve(const Source& source, unsigned count, const StripOf& strip_of, Level& level) {
     auto& places = level.places;
-    places.assign(strip_of.strips, 0);
+    places.assign(strip_of.count, 0);
     for (unsigned i = 0; i < count; ++i) {
         const std::uint32_t first = strip_of(source.box(i).min.y);
         const std::uint32_t last = strip_of(source.box(i).max.y);
@@ -110,12 +75,12 @@ bool Strips::reserve(const Source& source, unsigned count, const StripOf& strip_
     }
     std::uint64_t total = 0;
     for (const std::uint32_t in_strip : places) total += in_strip + 1;  // with one to spare
-    if (strip_of.strips > 1 && total > MOST_COPIES * std::uint64_t{count} + strip_of.strips)
+    if (strip_of.count > 1 && total > MOST_COPIES * std::uint64_t{count} + strip_of.count)
         return false;
 
-    level.starts.resize(strip_of.strips);
+    level.starts.resize(strip_of.count);
     std::uint32_t place = 0;
-    for (unsigned strip = 0; strip < strip_of.strips; ++strip) {
+    for (unsigned strip = 0; strip < strip_of.count; ++strip) {
         level.starts[strip] = place;
         place += places[strip] + 1;
         places[strip] = level.starts[strip];
@@ -125,14 +90,7 @@ bool Strips::reserve(const Source& source, unsigned count, const StripOf& strip_
 }
 
 template <class Source>
-void Strips::cut(const Source& source, unsigned count, unsigned depth, PairWriter& writer) {
-    const Sample sample(source, count);
-    Level& level = levels_[depth];
-    unsigned strips = sample.strips();
-    while (!reserve(source, count, {sample, strips}, level)) strips /= 2;
-
-    const StripOf strip_of = {sample, strips};
-    const auto& starts = level.starts;
+void Strips::scatter(const Source& source, unsigned count, const StripOf& strip_of, Level& level) {
     auto& places = level.places;
     Entry* entries = level.entries.data();
     for (unsigned i = 0; i < count; ++i) {
@@ -145,31 +103,52 @@ void Strips::cut(const Source& source, unsigned count, unsigned depth, PairWrite
         for (std::uint32_t strip = first + 1; strip < last; ++strip)
             entries[places[strip]++] = entry;
     }
+}
 
+template <class Source>
+void Strips::find(const Source& source, unsigned count, unsigned depth, PairWriter& writer) {
+    const Sample sample(source, count);
+    unsigned strips = sample.strips();
+    if (count <= MOST_IN_GRID) {
+        const BucketOf buckets = {sample.min.x, sample.max.x, count / strips + 1};
+        const StripOf strip_of = {sample.min.y, sample.max.y, strips};
+        if (grid_.sort(source, count, strip_of, buckets)) return sweep(writer);
+    }
+
+    Level& level = levels_[depth];
+    while (!reserve(source, count, {sample.min.y, sample.max.y, strips}, level)) strips /= 2;
+    scatter(source, count, {sample.min.y, sample.max.y, strips}, level);
+    // Cutting again is worth it only where this time has made a difference.
     const unsigned crowd = std::max(FEW, CROWDED * (count / strips));
+    const unsigned most = count - count / 4;
     for (unsigned strip = 0; strip < strips; ++strip) {
-        const Entry* in_strip = entries + starts[strip];
-        const unsigned in_strip_count = places[strip] - starts[strip];
-        if (in_strip_count < 2) continue;
-        if (in_strip_count > crowd && depth + 1 < MOST_LEVELS)
-            cut(FromEntries{in_strip}, in_strip_count, depth + 1, writer);
-        else
-            sweep(in_strip, in_strip_count, sample.min.x, sample.max.x, writer);
+        const Entry* entries = level.entries.data() + level.starts[strip];
+        const unsigned in_strip = level.places[strip] - level.starts[strip];
+        if (in_strip < 2) continue;
+        if (in_strip > crowd && in_strip < most && depth + 1 < MOST_LEVELS) {
+            find(FromEntries{entries}, in_strip, depth + 1, writer);
+            continue;
+        }
+        if (!grid_.sort(FromEntries{entries}, in_strip, OneStrip{},
+                        {sample.min.x, sample.max.x, 2 * in_strip}))
+            grid_.sort_exactly(entries, in_strip);
+        sweep(writer);
     }
 }
 
-void Strips::sweep(const Entry* entries, unsigned count, std::int32_t left, std::int32_t right,
-                   PairWriter& writer) {
-    const StripRows rows = strip_.sort(entries, count, left, right);
-    unsigned row = 0;
-    writer.write(count, [&](PairRoom& room) {
-        row = kernels_->strip_rows(rows, row, room);
-        return row == count;
-    });
+void Strips::sweep(PairWriter& writer) {
+    for (unsigned strip = 0; strip < grid_.strips(); ++strip) {
+        const StripRows& rows = grid_.rows(strip);
+        unsigned row = 0;
+        writer.write(rows.count + StripRows::PADDING, [&](PairRoom& room) {
+            row = kernels_->strip_rows(rows, row, room);
+            return row == rows.count;
+        });
+    }
 }
 
 std::size_t Strips::bytes() const {
-    std::size_t bytes = strip_.bytes();
+    std::size_t bytes = grid_.bytes();
     for (const Level& level : levels_)
         bytes += level.entries.capacity() * sizeof(Entry) +
                  4 * (level.places.capacity() + level.starts.capacity());

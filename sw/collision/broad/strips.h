@@ -17,7 +17,7 @@
 #include <vector>
 
 #include "collision/broad/kernels.h"
-#include "collision/broad/sorted_strip.h"
+#include "collision/broad/strip_grid.h"
 
 namespace collision {
 
@@ -42,18 +42,17 @@ private:
         std::vector<std::uint32_t> starts;  // of each strip
     };
 
-    struct StripOf;
-
     template <class Source>
     bool reserve(const Source& source, unsigned count, const StripOf& strip_of, Level& level);
     template <class Source>
-    void cut(const Source& source, unsigned count, unsigned depth, PairWriter& writer);
-    void sweep(const Entry* entries, unsigned count, std::int32_t left, std::int32_t right,
-               PairWriter& writer);
+    void scatter(const Source& source, unsigned count, const StripOf& strip_of, Level& level);
+    template <class Source>
+    void find(const Source& source, unsigned count, unsigned depth, PairWriter& writer);
+    void sweep(PairWriter& writer);
 
     const Kernels* kernels_;
     std::vector<Level> levels_;
-    SortedStrip strip_;
+    StripGrid grid_;
 };
 
 }  // namespace collision
