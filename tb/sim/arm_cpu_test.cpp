@@ -257,6 +257,13 @@ TEST_F(ArmCpu, ReadsAPolledRegisterRarelyWhenNothingChanges) {
     EXPECT_THAT(system->cpu.position().function, HasSubstr("test_poll"));
 }
 
+TEST_F(ArmCpu, ReadsARunningCounterTenTimesAMicrosecondAtMost) {
+    load("test_poll_counter");
+    run_ms(1);
+    EXPECT_LT(system->bus.counts().reads, 10'000u);
+    EXPECT_GT(system->bus.counts().reads, 8'000u);
+}
+
 TEST_F(ArmCpu, SaysWhereAHangingProgramIs) {
     load("test_hang");
     run_ms(1);

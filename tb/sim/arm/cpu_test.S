@@ -298,6 +298,13 @@ after_irq:
     str r0, [r0]
     done
 
+    program test_poll_counter
+    ldr r0, =0xFFFEC200             @ global timer
+    mov r1, #1
+    str r1, [r0, #8]
+1:  ldr r1, [r0]
+    b 1b
+
     program test_no_vector
     ldr r0, =0x200000
     mcr p15, 0, r0, c12, c0, 0
