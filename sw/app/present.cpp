@@ -15,10 +15,13 @@ void Presenter::present(const gfx::Canvas& canvas, hal::Display& display) {
 }
 
 void Presenter::send_difference(unsigned y, const Row& now, Row& shown, hal::Display& display) {
-    for (unsigned x = 0; x < WORDS; ++x) {
-        if (now[x] == shown[x]) continue;
+    for (unsigned x = 0; x < WORDS;) {
+        if (now[x] == shown[x]) {
+            ++x;
+            continue;
+        }
         const unsigned first = x;
-        unsigned end = x + 1;  // behind the last word that differs
+        unsigned end = ++x;  // behind the last word that differs
         for (; x < WORDS && x < end + JOIN; ++x)
             if (now[x] != shown[x]) end = x + 1;
         display.write_row(y, first, now.data() + first, end - first);

@@ -134,8 +134,7 @@ void memory(const Plan& plan) {
         algorithm.find(world.ticks[0].data(), size, pairs);
         most = std::max(most, static_cast<double>(algorithm.bytes()) / size);
     }
-    print_limit(fmt::format("strips: memory a box at {}", size), most, "bytes",
-                100);
+    print_limit(fmt::format("strips: memory a box at {}", size), most, "bytes", 100);
 }
 
 }  // namespace
