@@ -22,7 +22,8 @@ private:
 
     using Row = std::array<std::uint32_t, WORDS>;
 
-    static void send_difference(unsigned y, const Row& now, Row& shown, hal::Display& display);
+    static void send_difference(unsigned y, const gfx::Colour* now, Row& shown,
+                                hal::Display& display);
 
     std::array<std::array<Row, gfx::Canvas::HEIGHT>, 2> shown_{};  // both black at power-on
 };
