@@ -18,8 +18,8 @@ firmware: configure     ## what the board runs -> build/firmware/collide.elf, co
 	@cmake --build build --target firmware
 
 demo: configure         ## ten seconds of the demo -> out/
-	@cmake --build build --target de1sim
-	build/bin/de1sim run tb/system/demo.yaml --out out
+	@cmake --build build --target de1sim firmware
+	build/bin/de1sim run tb/system/demo.yaml --cpu arm --elf build/firmware/collide.elf --out out
 	@echo
 	@echo "  out/frames/frame_000300.png   what the monitor showed (any image viewer)"
 	@echo "  out/audio.wav                 what the line-out played (any audio player)"
