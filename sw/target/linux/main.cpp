@@ -1,8 +1,12 @@
 // main.cpp - collide-linux: the program on the board's Linux.
+//
+// With --table1: the paper's table instead, which needs no FPGA.
 #include <cstdio>
+#include <cstring>
 #include <ctime>
 
 #include "app/app.h"
+#include "bench/table1.h"
 #include "board_memory.h"
 
 namespace {
@@ -27,14 +31,22 @@ public:
 
 }  // namespace
 
-int main() {
+int main(int argc, char** argv) {
+    Processor cpu;
+    if (argc == 2 && std::strcmp(argv[1], "--table1") == 0) {
+        bench::table1(cpu);
+        return 0;
+    }
+    if (argc > 1) {
+        std::fprintf(stderr, "collide-linux: expected nothing or --table1, got \"%s\"\n", argv[1]);
+        return 2;
+    }
     linux_target::BoardMemory io;
     const std::string problem = io.open();
     if (!problem.empty()) {
         std::fprintf(stderr, "collide-linux: %s\n", problem.c_str());
         return 1;
     }
-    Processor cpu;
     app::run(io, cpu);
     return 1;
 }

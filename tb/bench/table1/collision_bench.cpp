@@ -12,7 +12,7 @@
 #include <benchmark/benchmark.h>
 
 #include "collision/detector.h"
-#include "tb/bench/table1/workload.h"
+#include "bench/workload.h"
 
 namespace {
 
@@ -20,11 +20,11 @@ using namespace collision;
 
 constexpr unsigned TICKS = 24;
 
-void count(benchmark::State& state, Algorithm algorithm, const std::vector<table1::Tick>& film) {
+void count(benchmark::State& state, Algorithm algorithm, const std::vector<bench::Tick>& film) {
     CountingDetector detector;
     PairList pairs;
     double found = 0;
-    for (const table1::Tick& tick : film) {
+    for (const bench::Tick& tick : film) {
         (void)detector.find(algorithm, tick, pairs);
         found += static_cast<double>(pairs.size());
     }
@@ -36,7 +36,7 @@ void count(benchmark::State& state, Algorithm algorithm, const std::vector<table
 }
 
 void run(benchmark::State& state, Algorithm algorithm, app::Shape shape) {
-    const auto film = table1::film({shape, static_cast<unsigned>(state.range(0)), 16}, TICKS);
+    const auto film = bench::film({shape, static_cast<unsigned>(state.range(0)), 16}, TICKS);
     Detector detector;
     PairList pairs;
     unsigned next = 0;

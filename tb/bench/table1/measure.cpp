@@ -18,12 +18,13 @@
 
 #include "collision/detector.h"
 #include "tb/bench/table1/stopwatch.h"
-#include "tb/bench/table1/workload.h"
+#include "bench/workload.h"
 
 namespace {
 
 using namespace collision;
 using namespace table1;
+using namespace bench;
 
 constexpr double BATCH_MS = 2, WANTED = 0.03;
 constexpr unsigned MOST_BATCHES = 2000;

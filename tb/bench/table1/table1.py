@@ -22,11 +22,20 @@ def measure(program, *arguments):
                           text=True).stdout
 
 
+def measure_board(arguments):
+    print("running collide.elf on the modelled A9", flush=True)
+    out = arguments.out / "board"
+    subprocess.run([arguments.de1sim, "run", arguments.scenario, "--cpu", "arm", "--elf",
+                    arguments.elf, "--frames", "none", "--quiet", "--out", out], check=True)
+    return tables.board_rows((out / "console.txt").read_text())
+
+
 def run(arguments):
     rows = [measure(arguments.program, "optimised", "16", COUNTS, "all", SECONDS)]
     for size in "16", "8":
         rows.append(measure(arguments.program_O0, "-O0", size, COUNTS,
                             "original,original_all_lines,original_by_copy,improved", SECONDS))
+    rows.append(measure_board(arguments))
     numbers = tables.HEADER + "".join(rows)
     growth = measure(arguments.program, "growth", "16", "10,30,100,300,1000,3000,10000",
                      "original,improved,improved_vector,sweep,strips,simd", "3")
@@ -66,6 +75,9 @@ def main():
     parser.add_argument("command", choices=["run", "check"])
     parser.add_argument("--program")
     parser.add_argument("--program-O0", dest="program_O0")
+    parser.add_argument("--de1sim")
+    parser.add_argument("--elf")
+    parser.add_argument("--scenario")
     parser.add_argument("--gnuplot")
     parser.add_argument("--out", type=pathlib.Path)
     parser.add_argument("--reproduction", type=pathlib.Path, required=True)

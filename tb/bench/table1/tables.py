@@ -125,8 +125,49 @@ def best(cells):
                   f"original_by_copy / {BEST}", "Paper's factor", ""], each(row))
 
 
+CLOCK_MHZ = 800  # of the modelled A9, an instruction a clock
+
+
+def board_rows(console):
+    """Rows for the CSV from the lines that collide.elf prints: shape,inserted,algorithm,ns."""
+    rows = []
+    for line in console.splitlines():
+        if line.count(",") == 3:
+            shape, inserted, algorithm, ns = line.split(",")
+            time = f"{int(ns) / 1e6:.7f}"
+            rows.append(f"board,16,{shape},{inserted},{algorithm}," + f"{time}," * 4
+                        + "0,1,yes,,,,,,\n")
+    return "".join(rows)
+
+
+def board(cells):
+    """The paper's columns on the modelled A9."""
+    def row(shape, count):
+        ours = [ms(cells, "board", 16, shape, count, name)
+                for name in ("original", "original_all_lines", "improved", BEST)]
+        original, all_lines, improved, fastest = ours
+        return ([shape, count] + [f"{value:.6f}" for value in ours]
+                + [f"{original / improved:.2f}", f"{all_lines / improved:.1f}"]
+                + list(PAPER[shape, count]))
+    head = ["Shape", "Inserted", "original, ms", "original_all_lines, ms", "improved, ms",
+            f"{BEST}, ms", "original / improved", "original_all_lines / improved",
+            "Paper: original", "Paper: improved", "Paper: factor"]
+    return table(head, each(row))
+
+
+def board_instructions(cells):
+    """Thousands of instructions a tick on the modelled A9."""
+    names = algorithms(cells, "board")
+
+    def row(shape, count):
+        return [shape, count] + [number(ms(cells, "board", 16, shape, count, name) * CLOCK_MHZ)
+                                 for name in names]
+    return table(["1000 instructions", "Inserted"] + names, each(row))
+
+
 targets = best
-BLOCKS = {"all": all_algorithms, "readings": readings, "nearest": nearest,
+BLOCKS = {"board": board, "board_instructions": board_instructions,
+          "all": all_algorithms, "readings": readings, "nearest": nearest,
           "operations": operations, "best": best}
 
 

@@ -7,7 +7,7 @@
 #include "app/shapes.h"
 #include "collision/polygon.h"
 
-namespace table1 {
+namespace bench {
 
 struct Workload {
     app::Shape shape;
@@ -23,4 +23,4 @@ using Tick = std::vector<collision::Polygon>;
 // arguments, same film.
 std::vector<Tick> film(const Workload& workload, unsigned ticks);
 
-}  // namespace table1
+}  // namespace bench

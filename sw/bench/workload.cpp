@@ -1,11 +1,11 @@
-#include "tb/bench/table1/workload.h"
+#include "bench/workload.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "app/random.h"
 
-namespace table1 {
+namespace bench {
 
 namespace {
 
@@ -64,4 +64,4 @@ std::vector<Tick> film(const Workload& workload, unsigned ticks) {
     return made;
 }
 
-}  // namespace table1
+}  // namespace bench
