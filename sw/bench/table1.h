@@ -1,4 +1,4 @@
-// table1.h - the paper's table on the processor that this runs on, without operating system or files.
+// table1.h - the paper's table on the processor that this runs on: no operating system, no files.
 #pragma once
 
 #include "hal/cpu.h"

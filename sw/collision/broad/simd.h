@@ -32,8 +32,8 @@ private:
     void append(const Aabb* boxes, const ShortHit& hit, PairRoom& room) const;
 
     const Kernels* kernels_;
-    ShortBoxes shorts_;
-    ShortHits hits_;
+    ShortBoxes shorts_{};
+    ShortHits hits_{};
     Strips strips_;
 };
 

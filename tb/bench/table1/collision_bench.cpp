@@ -11,8 +11,8 @@
 
 #include <benchmark/benchmark.h>
 
-#include "collision/detector.h"
 #include "bench/workload.h"
+#include "collision/detector.h"
 
 namespace {
 

@@ -16,9 +16,9 @@
 
 #include <fmt/format.h>
 
+#include "bench/workload.h"
 #include "collision/detector.h"
 #include "tb/bench/table1/stopwatch.h"
-#include "bench/workload.h"
 
 namespace {
 
