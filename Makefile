@@ -1,7 +1,7 @@
 # The menu. Each entry shows the real command.
 
 .PHONY: all setup configure build firmware demo test fast asan coverage bench bench-collision
-.PHONY: table1 fuzz pgo regmap format clean
+.PHONY: table1 fuzz pgo qsf bitstream regmap format clean
 
 all: build
 
@@ -13,6 +13,13 @@ configure: setup
 
 build: configure        ## build/bin/de1sim and the tests
 	@cmake --build build
+
+qsf:                    ## write the Quartus project anew from the top module's ports and pins.tsv
+	@/usr/bin/python3 -B rtl/board/de1_soc/gen_qsf.py > build/de1_soc.qsf
+	@mv build/de1_soc.qsf rtl/board/de1_soc/de1_soc.qsf
+
+bitstream:              ## with Quartus: build/bitstream/de1_soc.rbf and de1_soc_jtag.rbf
+	@rtl/board/de1_soc/bitstream.sh
 
 firmware: configure     ## what the board runs -> build/firmware/collide.elf, collide-linux
 	@cmake --build build --target firmware

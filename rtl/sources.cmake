@@ -10,6 +10,9 @@ set(RTL_SOURCES
     keypad/keypad.v keypad/keypad_scan.v
     sysid/sysid.v
     vga/picture_memory.v vga/picture_store.v vga/pixel_registers.v vga/vga.v vga/vga_timing.v)
+# Only on the board: pins, clock, processor.
+set(BOARD_SOURCES
+    board/de1_soc/de1_soc_top.v board/de1_soc/header.v board/de1_soc/hps.v common/reset_sync.v)
 set(RTL_INCLUDES regmap bus vga)
 
 # verilate_rtl(TARGET TOP [TRACE_FST] SOURCES files under rtl/... ARGS for Verilator...)
