@@ -17,9 +17,10 @@
 // or until then: other cores that could send an event are in reset, and to wake for nothing is
 // allowed.  SEV does nothing.
 //
-// A register polled in a tight loop - POLLS reads of one address by one instruction with the same
-// answer and no other access between - lets the core sleep for up to 1 us a read on top, never past
-// the next thing in SystemC.  So such a loop may see a change up to 1 us late.
+// A register polled in a tight loop - POLLS reads of one address by one instruction and no other
+// access between - lets the core sleep a while a read on top, never past the next thing in SystemC:
+// 1 us where the answer was the same POLLS times, 100 ns where it changes, as a running counter's
+// does.  So such a loop may see what it waits for that much late.
 //
 // Boot: pc is the ELF's entry, SVC mode, interrupts off, VFP and NEON on, SP at the top of DDR3.
 //
@@ -107,6 +108,7 @@ private:
 
     static constexpr unsigned POLLS = 8;
     static sc_core::sc_time nap() { return {1, sc_core::SC_US}; }
+    static sc_core::sc_time short_nap() { return {100, sc_core::SC_NS}; }
     // How far the core may run ahead: to the next thing in SystemC, but 100 us at most.
     static sc_core::sc_time horizon();
 

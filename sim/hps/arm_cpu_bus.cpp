@@ -88,9 +88,9 @@ void ArmCpu::poll(std::uint32_t address, std::uint32_t value) {
     const bool same = again && poll_.value == value;
     poll_ = {pc, address, value, again ? poll_.same_address + 1 : 0,
              same ? poll_.same_value + 1 : 0};
-    if (poll_.same_value < POLLS) return;
-    const sc_time end = horizon();
-    if (end > ahead_) ahead_ += std::min(nap(), end - ahead_);
+    if (poll_.same_address < POLLS) return;
+    const sc_time end = horizon(), rest = poll_.same_value < POLLS ? short_nap() : nap();
+    if (end > ahead_) ahead_ += std::min(rest, end - ahead_);
 }
 
 bool ArmCpu::read_memory(std::uint32_t address, void* data, unsigned bytes) {

@@ -12,12 +12,15 @@ _start:
     b .                             @ prefetch abort
     b on_data_abort
     nop
-    b .                             @ IRQ
+    b on_irq
     b .                             @ FIQ
 
     .text
     .type reset, %function
 reset:
+    cps #0x12                       @ IRQ mode
+    ldr sp, =0x03100000
+    cps #0x13                       @ SVC mode
     ldr sp, =0x03000000
     bl main
 1:  wfi
@@ -27,3 +30,8 @@ reset:
 on_data_abort:                      @ skips the access
     subs pc, lr, #4
     .size on_data_abort, . - on_data_abort
+
+    .weak on_irq                    @ the program's own, if it has one
+    .type on_irq, %function
+on_irq:
+    b .

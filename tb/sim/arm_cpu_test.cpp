@@ -149,6 +149,22 @@ TEST_F(ArmCpu, StartsAgainAtTheEntryAfterAWarmReset) {
     EXPECT_THAT(system->log, ElementsAre(HasSubstr("warm reset")));
 }
 
+TEST_F(ArmCpu, ReachesDevicesThroughItsTranslationTables) {
+    run_to_end("test_mmu");
+    EXPECT_EQ(system->probe.values[0], 0x1234u);
+    EXPECT_EQ(result(0), 0x1234u);
+}
+
+TEST_F(ArmCpu, AbortsWhatTheTranslationTablesRefuse) {
+    run_to_end("test_mmu");
+    ASSERT_EQ(system->log.size(), 2u) << "a read and a fetch";
+    EXPECT_THAT(system->log[0], HasSubstr("data abort"));
+    EXPECT_THAT(system->log[0], HasSubstr("in at_mmu_abort"));
+    EXPECT_EQ(result(1), NOBODY) << "no write-back";
+    EXPECT_THAT(system->log[1], HasSubstr("prefetch abort"));
+    EXPECT_EQ(system->bus.counts().errors, 0u);
+}
+
 // ---- Interrupts ---------------------------------------------------------------------------------
 
 TEST_F(ArmCpu, TakesAnIrqThatItSendsItselfBeforeTheNextInstruction) {
@@ -239,6 +255,13 @@ TEST_F(ArmCpu, ReadsAPolledRegisterRarelyWhenNothingChanges) {
     EXPECT_TRUE(system->cpu.position().polling);
     EXPECT_EQ(system->cpu.position().address, 0xFF200008u);
     EXPECT_THAT(system->cpu.position().function, HasSubstr("test_poll"));
+}
+
+TEST_F(ArmCpu, ReadsARunningCounterTenTimesAMicrosecondAtMost) {
+    load("test_poll_counter");
+    run_ms(1);
+    EXPECT_LT(system->bus.counts().reads, 10'000u);
+    EXPECT_GT(system->bus.counts().reads, 8'000u);
 }
 
 TEST_F(ArmCpu, SaysWhereAHangingProgramIs) {

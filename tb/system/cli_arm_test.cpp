@@ -83,6 +83,21 @@ TEST_F(ArmRun, ReportsTheProgramItsInstructionsAndItsTime) {
     EXPECT_NEAR(instructions * 2.5e-9 + on_bus_s, 0.02, 0.0001);
 }
 
+TEST_F(ArmRun, WakesByTheKeysInterruptAndCountsEachPressOnce) {
+    const tb::Outcome outcome = arm(KEY_INTERRUPT_ELF,
+                                    "steps:\n  - delay: 5ms\n"
+                                    "  - expect-hex: \"     0\"\n"
+                                    "  - press: {key: 1, for: 5ms}\n  - delay: 1ms\n"
+                                    "  - expect-hex: \"     1\"\n"
+                                    "  - press: {key: 0, for: 5ms}\n  - delay: 1ms\n"
+                                    "  - press: {key: 1, for: 5ms}\n  - delay: 1ms\n"
+                                    "  - expect-hex: \"     2\"\n");
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_EQ(report()["program"]["interrupts"], 2u);
+    EXPECT_LT(report()["program"]["instructions"], 500u) << "it sleeps";
+    EXPECT_EQ(report()["program"]["at"]["waiting_for"], "an interrupt");
+}
+
 TEST_F(ArmRun, GoesOnAfterAnAbortThatTheProgramHandlesAndLogsIt) {
     const tb::Outcome outcome = arm(ABORTS_ELF,
                                     "steps:\n  - delay: 10ms\n  - press: {key: 0, for: 10ms}\n"

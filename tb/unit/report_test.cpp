@@ -61,7 +61,7 @@ TEST(ReportJson, SaysEverythingThatTheRunKnows) {
             {"step": "expect LEDs 1", "line": 7, "time_s": 0.25, "met": true, "detail": ""},
             {"step": "expect silence", "line": 9, "time_s": 1.5, "met": false,
              "detail": "a sample of 3"}],
-        "faults": [],
+        "faults": [], "log": {"lines": 0, "first": []},
         "wall": {"seconds": 5.0, "frames_per_s": 30.0}})"));
 }
 
@@ -73,6 +73,17 @@ TEST(ReportJson, DiffersBetweenTwoMachinesOnlyUnderWall) {
     a.erase("wall");
     b.erase("wall");
     EXPECT_EQ(a, b);
+}
+
+TEST(ReportJson, SaysWhereAProgramOfTheArmWas) {
+    sim::RunReport r = sample();
+    r.program = sim::RunReport::Program{"a.elf", 1.5, 1000,  3,          2,
+                                        0.25,    0.5, 0x100, "main+0x4", "a change of 0xFF200050"};
+    EXPECT_EQ(json::parse(to_json(r))["program"], json::parse(R"({
+        "elf": "a.elf", "cpi": 1.5, "instructions": 1000, "interrupts": 3, "aborts": 2,
+        "asleep_s": 0.25, "on_bus_s": 0.5,
+        "at": {"pc": "0x00000100", "function": "main+0x4",
+               "waiting_for": "a change of 0xFF200050"}})"));
 }
 
 TEST(ReportJson, KeepsTheOrderOfItsKeys) {

@@ -298,6 +298,13 @@ after_irq:
     str r0, [r0]
     done
 
+    program test_poll_counter
+    ldr r0, =0xFFFEC200             @ global timer
+    mov r1, #1
+    str r1, [r0, #8]
+1:  ldr r1, [r0]
+    b 1b
+
     program test_no_vector
     ldr r0, =0x200000
     mcr p15, 0, r0, c12, c0, 0
@@ -365,3 +372,48 @@ at_thumb_abort:
     wfi
     b .
     .ltorg
+
+    .arm
+    @ Sections of 1 MB, each where it is: RAM cached, from 0xC0000000 on device memory, and
+    @ 0x40000000 to 0xBFFFFFFF not there.
+    program test_mmu
+    ldr r0, =0x4000
+    ldr r1, =0x00000C0E             @ section, full access, write-back
+    mov r2, #0
+1:  cmp r2, #0x40000000
+    ldreq r1, =0x00000C06           @ shared device
+    orr r3, r2, r1
+    cmp r2, #0x40000000
+    blo 2f
+    cmp r2, #0xC0000000
+    movlo r3, #0
+2:  str r3, [r0], #4
+    adds r2, r2, #0x100000
+    bne 1b
+    ldr r0, =0x4000
+    mcr p15, 0, r0, c2, c0, 0       @ TTBR0
+    mov r0, #1
+    mcr p15, 0, r0, c3, c0, 0       @ DACR: client of domain 0
+    mov r0, #0
+    mcr p15, 0, r0, c8, c7, 0       @ TLB
+    mcr p15, 0, r0, c7, c5, 0       @ instruction cache
+    mcr p15, 0, r0, c7, c10, 4
+    mrc p15, 0, r0, c1, c0, 0
+    ldr r1, =0x1805                 @ I, Z, C, M
+    orr r0, r0, r1
+    mcr p15, 0, r0, c1, c0, 0
+    isb
+    ldr r0, =PROBE
+    ldr r1, =0x1234
+    str r1, [r0]
+    ldr r2, [r0]
+    ldr r3, =result
+    str r2, [r3]
+    ldr r1, =NOBODY
+    .global at_mmu_abort
+at_mmu_abort:
+    ldr r2, [r1, #12]!
+    stmib r3, {r1, r2}
+    ldr r11, =3f
+    bx r1
+3:  done
