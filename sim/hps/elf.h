@@ -54,7 +54,7 @@ struct MemoryRange {
 // ElfError.  Segments have to lie in `memory`.
 ElfProgram load_elf(const std::filesystem::path& file, const std::vector<MemoryRange>& memory);
 
-// A program for Linux: its OS ABI is Linux (GNU), or it has the note "GNU" with an ABI tag of Linux,
+// A program for Linux: its OS ABI is Linux (GNU), or it has a note "GNU" with an ABI tag of Linux,
 // as everything has that is linked with glibc's start files.  ElfError.
 bool expects_linux(const std::filesystem::path& file);
 

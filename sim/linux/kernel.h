@@ -3,14 +3,14 @@
 // System calls are answered by the simulator, as gem5's syscall emulation does; the program itself
 // runs instruction by instruction in user mode, and reaches registers by mapping /dev/mem.
 //
-// Time is the simulated time since power-on, the same on all clocks (so CLOCK_REALTIME begins in
-// 1970).  A system call takes no time but that of its instruction; sleeping lets simulated time go
-// by.  Process number 1, user 0, random numbers and AT_RANDOM from a fixed seed: every run is alike.
+// Time is the simulated time since power-on, the same on all clocks; CLOCK_REALTIME so begins in
+// 1970.  A system call takes no time but that of its instruction; sleeping lets simulated time go
+// by.  Process number 1, user 0, AT_RANDOM and getrandom from a fixed seed: every run is alike.
 //
 // A wrong access is SIGSEGV, an access that nobody on the bus answers SIGBUS, and so on: handlers
 // are called, and without one the program ends.  That and an exit code other than 0 are faults of
 // the processor (ArmCpu::fault()), told in one line.  What is not emulated is named once on the
-// log and answered ENOSYS.  ioctl is ENOTTY, but for the question whether the console is a terminal.
+// log and answered ENOSYS.  ioctl is ENOTTY, but to the question whether the console is a terminal.
 //
 // Not handled: threads, processes, timers that signal, job control; VFP registers are not saved for
 // a signal's handler; no vDSO, so that the C library makes system calls.

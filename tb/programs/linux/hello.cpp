@@ -12,6 +12,7 @@ int main(int argc, char** argv) {
     std::printf("\n");
 
     constexpr std::size_t BYTES = 100 << 20;
+    void* const above = std::malloc(1 << 20);  // so that the block cannot grow where it is
     auto* block = static_cast<unsigned char*>(std::malloc(BYTES));
     if (!block) return 1;
     for (std::size_t i = 0; i < BYTES; i += 4096) block[i] = static_cast<unsigned char>(i >> 12);
@@ -20,6 +21,7 @@ int main(int argc, char** argv) {
     block = static_cast<unsigned char*>(std::realloc(block, 2 * BYTES));
     std::printf("sum %u, kept %u\n", sum, static_cast<unsigned>(block[BYTES - 4096]));
     std::free(block);
+    std::free(above);
 
     std::map<std::string, int> squares;
     for (int i = 0; i < 1000; ++i) squares[std::to_string(i)] = i * i;
