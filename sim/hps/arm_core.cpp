@@ -2,6 +2,7 @@
 
 #include <unicorn/unicorn.h>
 
+#include <algorithm>
 #include <cstring>
 #include <stdexcept>
 #include <string>
@@ -40,7 +41,9 @@ struct ArmCore::Engine {
     };
     struct Window {
         ArmCore* core;
+        std::uint32_t bus_base;
         std::uint32_t base;
+        std::uint64_t size;
     };
 
     uc_engine* uc = nullptr;
@@ -88,8 +91,8 @@ struct ArmCore::Hooks {
     // uc_emu_stop here leaves pc at the load, its register as it was: it would be repeated by the
     // next uc_emu_start, which is right for an abort and for nothing else.
     static std::uint64_t read(uc_engine* uc, std::uint64_t offset, unsigned bytes, void* window) {
-        const auto& [core, base] = *static_cast<Engine::Window*>(window);
-        const std::uint32_t address = base + static_cast<std::uint32_t>(offset);
+        const auto& [core, bus_base, base, size] = *static_cast<Engine::Window*>(window);
+        const std::uint32_t address = bus_base + static_cast<std::uint32_t>(offset);
         std::uint32_t value = 0;
         if (!core->aborted_ && !core->bus_.read(address, bytes, value))
             core->abort(uc, address, false);
@@ -97,10 +100,20 @@ struct ArmCore::Hooks {
     }
     static void write(uc_engine* uc, std::uint64_t offset, unsigned bytes, std::uint64_t value,
                       void* window) {
-        const auto& [core, base] = *static_cast<Engine::Window*>(window);
-        const std::uint32_t address = base + static_cast<std::uint32_t>(offset);
+        const auto& [core, bus_base, base, size] = *static_cast<Engine::Window*>(window);
+        const std::uint32_t address = bus_base + static_cast<std::uint32_t>(offset);
         if (!core->aborted_ && !core->bus_.write(address, bytes, static_cast<std::uint32_t>(value)))
             core->abort(uc, address, true);
+    }
+
+    // A load or store where nothing is mapped, or that the mapping does not allow.
+    static bool unmapped(uc_engine*, uc_mem_type type, std::uint64_t address, int, std::int64_t,
+                         void* self) {
+        ArmCore& core = *static_cast<ArmCore*>(self);
+        core.aborted_ = true;
+        core.fault_ = {static_cast<std::uint32_t>(address),
+                       type == UC_MEM_WRITE_UNMAPPED || type == UC_MEM_WRITE_PROT, true};
+        return false;
     }
 };
 
@@ -112,20 +125,47 @@ ArmCore::ArmCore(ArmBus& bus) : engine_{std::make_unique<Engine>()}, bus_{bus} {
     check(uc_hook_add(engine_->uc, &hook, UC_HOOK_INTR, reinterpret_cast<void*>(&Hooks::interrupt),
                       this, 1, 0),
           "hook of exceptions");
+    check(uc_hook_add(engine_->uc, &hook,
+                      UC_HOOK_MEM_READ_UNMAPPED | UC_HOOK_MEM_WRITE_UNMAPPED |
+                          UC_HOOK_MEM_READ_PROT | UC_HOOK_MEM_WRITE_PROT,
+                      reinterpret_cast<void*>(&Hooks::unmapped), this, 1, 0),
+          "hook of wrong accesses");
 }
 
 ArmCore::~ArmCore() = default;
 
-void ArmCore::map_ram(std::uint32_t base, std::uint64_t size, void* bytes) {
-    check(uc_mem_map_ptr(engine_->uc, base, size, UC_PROT_ALL, bytes), "map of RAM");
+void ArmCore::map_ram(std::uint32_t base, std::uint64_t size, void* bytes, unsigned access) {
+    check(uc_mem_map_ptr(engine_->uc, base, size, access, bytes), "map of RAM");
     engine_->ram.push_back({base, size, static_cast<std::uint8_t*>(bytes)});
 }
 
-void ArmCore::map_bus(std::uint32_t base, std::uint64_t size, std::uint32_t bus_base) {
-    engine_->windows.push_back(std::make_unique<Engine::Window>(Engine::Window{this, bus_base}));
+void ArmCore::map_bus(std::uint32_t base, std::uint64_t size, std::uint32_t bus_base,
+                      unsigned access) {
+    engine_->windows.push_back(
+        std::make_unique<Engine::Window>(Engine::Window{this, bus_base, base, size}));
     void* window = engine_->windows.back().get();
-    check(uc_mmio_map(engine_->uc, base, size, &Hooks::read, window, &Hooks::write, window),
+    check(uc_mmio_map(engine_->uc, base, size, access & arm_access::READ ? &Hooks::read : nullptr,
+                      window, access & arm_access::WRITE ? &Hooks::write : nullptr, window),
           "map of the bus");
+}
+
+void ArmCore::unmap(std::uint32_t base, std::uint64_t size) {
+    check(uc_mem_unmap(engine_->uc, base, size), "unmapping");
+    auto& ram = engine_->ram;
+    ram.erase(std::remove_if(ram.begin(), ram.end(),
+                             [base](const Engine::Ram& area) { return area.base == base; }),
+              ram.end());
+    auto& windows = engine_->windows;
+    windows.erase(std::remove_if(windows.begin(), windows.end(),
+                                 [base](const auto& window) { return window->base == base; }),
+                  windows.end());
+}
+
+std::optional<std::uint32_t> ArmCore::bus_address(std::uint32_t address) const {
+    for (const auto& window : engine_->windows)
+        if (address - window->base < window->size)
+            return window->bus_base + (address - window->base);
+    return std::nullopt;
 }
 
 void ArmCore::abort(void* uc, std::uint32_t address, bool write) {
@@ -245,8 +285,12 @@ bool ArmCore::write_ram(std::uint32_t address, const void* data, std::size_t byt
     const Engine::Ram* area = engine_->find(address, bytes);
     if (!area) return false;
     std::memcpy(area->bytes + (address - area->base), data, bytes);
-    uc_ctl_remove_cache(engine_->uc, address, address + bytes);
+    forget_translations(address, bytes);
     return true;
+}
+
+void ArmCore::forget_translations(std::uint32_t address, std::size_t bytes) {
+    uc_ctl_remove_cache(engine_->uc, address, address + bytes);
 }
 
 }  // namespace sim

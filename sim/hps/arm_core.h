@@ -15,6 +15,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 
 namespace sim {
 
@@ -54,7 +55,7 @@ enum class ArmStop {
 struct ArmFault {
     std::uint32_t address = 0;  // of the data
     bool write = false;
-    bool mmu = false;  // refused by the translation tables, not by the bus
+    bool mmu = false;  // refused by the translation tables or where nothing is mapped
 };
 
 // Numbers of the exceptions' modes in the CPSR.
@@ -68,6 +69,11 @@ constexpr std::uint32_t T = 1u << 5, F = 1u << 6, I = 1u << 7, A = 1u << 8, E = 
                         J = 1u << 24, IT = 0x0600fc00, MODE = 0x1f;
 }
 
+// What programs may do with memory.
+namespace arm_access {
+constexpr unsigned READ = 1, WRITE = 2, EXECUTE = 4, ALL = 7;
+}
+
 // A register of coprocessor 15: MRC p15, op1, Rt, CRn, CRm, op2.
 struct Cp15 {
     unsigned crn, op1, crm, op2;
@@ -75,7 +81,8 @@ struct Cp15 {
 
 namespace cp15 {
 constexpr Cp15 SCTLR{1, 0, 0, 0}, CPACR{1, 0, 0, 2}, SCR{1, 0, 1, 0}, DFSR{5, 0, 0, 0},
-    IFSR{5, 0, 0, 1}, DFAR{6, 0, 0, 0}, IFAR{6, 0, 0, 2}, VBAR{12, 0, 0, 0}, CBAR{15, 4, 0, 0};
+    IFSR{5, 0, 0, 1}, DFAR{6, 0, 0, 0}, IFAR{6, 0, 0, 2}, VBAR{12, 0, 0, 0}, TPIDRURO{13, 0, 0, 3},
+    CBAR{15, 4, 0, 0};
 }
 
 class ArmCore {
@@ -83,9 +90,15 @@ public:
     explicit ArmCore(ArmBus& bus);
     ~ArmCore();
 
-    // Both in multiples of 4096 bytes, and not in run().  `bus_base` is what the bus calls `base`.
-    void map_ram(std::uint32_t base, std::uint64_t size, void* bytes);
-    void map_bus(std::uint32_t base, std::uint64_t size, std::uint32_t bus_base);
+    // All in multiples of 4096 bytes, and not in run().  `bus_base` is what the bus calls `base`;
+    // what is unmapped was mapped by one call.  `access` is a sum of arm_access.
+    void map_ram(std::uint32_t base, std::uint64_t size, void* bytes,
+                 unsigned access = arm_access::ALL);
+    void map_bus(std::uint32_t base, std::uint64_t size, std::uint32_t bus_base,
+                 unsigned access = arm_access::READ | arm_access::WRITE);
+    void unmap(std::uint32_t base, std::uint64_t size);
+    // What the bus calls `address`, if that is mapped to the bus.
+    std::optional<std::uint32_t> bus_address(std::uint32_t address) const;
 
     // Sees every instruction; nullptr takes it away.
     void attach(ArmProbe* probe) { probe_ = probe; }
@@ -118,6 +131,7 @@ public:
     bool read_ram(std::uint32_t address, void* data, std::size_t bytes) const;
     // Also drops what was translated from there: for whoever writes instructions.
     bool write_ram(std::uint32_t address, const void* data, std::size_t bytes);
+    void forget_translations(std::uint32_t address, std::size_t bytes);
 
 private:
     struct Hooks;

@@ -63,7 +63,7 @@ std::uint64_t ArmCpu::budget() const {
 void ArmCpu::sleep(const sc_time& at_most) {
     wait(ahead_);
     ahead_ = SC_ZERO_TIME;
-    const sc_time begin = sc_core::sc_time_stamp();
+    asleep_since_ = sc_core::sc_time_stamp();
     asleep_ = true;
     if (!irq_ && !fiq_ && !reset_) {
         if (at_most == SC_ZERO_TIME)
@@ -72,7 +72,22 @@ void ArmCpu::sleep(const sc_time& at_most) {
             wait(at_most, wake_);
     }
     asleep_ = false;
-    counts_.asleep += sc_core::sc_time_stamp() - begin;
+    counts_.asleep += sc_core::sc_time_stamp() - asleep_since_;
+}
+
+void ArmCpu::pause(const sc_time& time) {
+    wait(ahead_);
+    ahead_ = SC_ZERO_TIME;
+    asleep_since_ = sc_core::sc_time_stamp();
+    asleep_ = true;
+    wait(time);
+    asleep_ = false;
+    counts_.asleep += sc_core::sc_time_stamp() - asleep_since_;
+}
+
+void ArmCpu::end(const std::string& why) {
+    ended_ = true;
+    if (!why.empty()) fail(why);
 }
 
 void ArmCpu::interrupt(bool irq, bool fiq) {
@@ -95,14 +110,17 @@ void ArmCpu::warm_reset() {
 void ArmCpu::start() {
     reset_ = false;
     core_.reset(program_.elf.entry, STACK);
+    if (kernel_) kernel_->boot(core_);
 }
 
 void ArmCpu::run() {
-    map();
-    load();
+    if (!kernel_) {
+        map();
+        load();
+    }
     start();
     if (inspector_) inspector_->on_start(core_);
-    while (!fault()) {
+    while (!fault() && !ended_) {
         if (reset_) {
             log_(fmt::format("warm reset {}", where()));
             start();
@@ -131,10 +149,13 @@ void ArmCpu::take_interrupt() {
 void ArmCpu::handle(ArmStop stop) {
     switch (stop) {
         case ArmStop::LIMIT: break;
-        case ArmStop::WFI: sleep(SC_ZERO_TIME); break;
+        case ArmStop::WFI: sleep(kernel_ ? nap() : SC_ZERO_TIME); break;
         case ArmStop::WFE: sleep(nap()); break;
         case ArmStop::SVC:
-            if (!inspector_ || !inspector_->on_svc(core_))
+            if (inspector_ && inspector_->on_svc(core_)) break;
+            if (kernel_)
+                kernel_->call(core_);
+            else
                 raise(ArmException::SVC, 0, "supervisor call");
             break;
         case ArmStop::UNDEFINED: raise(ArmException::UNDEFINED, 0, "undefined instruction"); break;
@@ -163,8 +184,7 @@ void ArmCpu::handle(ArmStop stop) {
 
 std::string ArmCpu::where() const {
     const Position p = position();
-    const sc_time now = sc_core::sc_time_stamp() + ahead_;
-    return fmt::format("at {:.6f} ms, PC 0x{:08X}{}{}", now.to_seconds() * 1e3, p.pc,
+    return fmt::format("at {:.6f} ms, PC 0x{:08X}{}{}", now().to_seconds() * 1e3, p.pc,
                        p.function.empty() ? "" : " in ", p.function);
 }
 
@@ -173,6 +193,7 @@ void ArmCpu::raise(ArmException exception, std::uint32_t status, const std::stri
     if (!asynchronous && inspector_ && exception != ArmException::SVC &&
         inspector_->on_exception(core_, exception, core_.fault()))
         return;
+    if (kernel_ && !asynchronous) return kernel_->exception(core_, exception, core_.fault(), what);
     const bool abort =
         exception == ArmException::DATA_ABORT || exception == ArmException::PREFETCH_ABORT;
     counts_.interrupts += asynchronous;
@@ -206,12 +227,14 @@ bool ArmCpu::unhandled(ArmException exception) {
 
 ArmCpu::Position ArmCpu::position() const {
     const std::uint32_t pc = core_.pc();
-    return {pc, program_.elf.function(pc), asleep_, poll_.same_address >= POLLS, poll_.address};
+    return {pc,     program_.elf.function(pc),   asleep_,
+            ended_, poll_.same_address >= POLLS, poll_.address};
 }
 
 ArmCpu::Counts ArmCpu::counts() const {
     Counts counts = counts_;
     counts.instructions = core_.instructions();
+    if (asleep_) counts.asleep += sc_core::sc_time_stamp() - asleep_since_;
     return counts;
 }
 

@@ -66,6 +66,22 @@ protected:
     ~ArmInspector() = default;
 };
 
+// An operating system in the simulator's place: programs run in its address space and call it.
+// Called like an ArmInspector, which is asked before it.  With a kernel, interrupts stay masked.
+class ArmKernel {
+public:
+    // In place of the memory map, the loading and the boot that this header describes; after a warm
+    // reset too.
+    virtual void boot(ArmCore&) = 0;
+    // A supervisor call, pc behind it.
+    virtual void call(ArmCore&) = 0;
+    // Any other synchronous exception, pc at it; `what` says it to a person.
+    virtual void exception(ArmCore&, ArmException, const ArmFault&, const std::string& what) = 0;
+
+protected:
+    ~ArmKernel() = default;
+};
+
 class ArmCpu : public Processor, private ArmBus {
 public:
     using Log = std::function<void(const std::string&)>;
@@ -73,6 +89,7 @@ public:
     ArmCpu(const sc_core::sc_module_name& name, ArmProgram program, Log log);
 
     void attach(ArmInspector* inspector) { inspector_ = inspector; }
+    void attach(ArmKernel* kernel) { kernel_ = kernel; }
     ArmCore& core() { return core_; }
 
     void interrupt(bool irq, bool fiq) override;
@@ -83,10 +100,18 @@ public:
     bool read_memory(std::uint32_t address, void* data, unsigned bytes);
     bool write_memory(std::uint32_t address, const void* data, unsigned bytes);
 
+    // For a kernel.  The time that the program has come to; how to let some go by, asleep; the
+    // program's end, a fault if `why` is not empty.
+    sc_core::sc_time now() const { return sc_core::sc_time_stamp() + ahead_; }
+    void pause(const sc_core::sc_time& time);
+    void end(const std::string& why = "");
+    std::string where() const;  // "at 12.345678 ms, PC 0x00001234 in main+0x10"
+
     struct Position {
         std::uint32_t pc;
         std::string function;  // "main+0x10", "" if it is in none
-        bool sleeping;         // in WFI
+        bool sleeping;         // in WFI, or in a kernel's pause
+        bool ended;            // by its kernel
         bool polling;          // the register `address`
         std::uint32_t address;
     };
@@ -128,12 +153,12 @@ private:
     void handle(ArmStop stop);
     void raise(ArmException exception, std::uint32_t status, const std::string& what);
     bool unhandled(ArmException exception);
-    std::string where() const;
 
     ArmProgram program_;
     Log log_;
     ArmCore core_;
     ArmInspector* inspector_ = nullptr;
+    ArmKernel* kernel_ = nullptr;
     const std::uint64_t instruction_ps_;
     bool mapped_ = false;
     bool running_ = false;  // in ArmCore::run()
@@ -142,7 +167,8 @@ private:
     std::uint64_t accounted_ = 0;  // instructions
     Counts counts_;
 
-    bool irq_ = false, fiq_ = false, reset_ = false, asleep_ = false;
+    bool irq_ = false, fiq_ = false, reset_ = false, asleep_ = false, ended_ = false;
+    sc_core::sc_time asleep_since_;
     sc_core::sc_event wake_;
 
     struct Poll {

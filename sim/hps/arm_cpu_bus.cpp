@@ -94,16 +94,19 @@ void ArmCpu::poll(std::uint32_t address, std::uint32_t value) {
 }
 
 bool ArmCpu::read_memory(std::uint32_t address, void* data, unsigned bytes) {
+    if (core_.read_ram(address, data, bytes)) return true;
     sc_time no_time;
-    return core_.read_ram(address, data, bytes) ||
-           transport(tlm::TLM_READ_COMMAND, address, bytes, data, no_time);
+    const std::optional<std::uint32_t> on_bus = core_.bus_address(address);
+    return on_bus && transport(tlm::TLM_READ_COMMAND, *on_bus, bytes, data, no_time);
 }
 
 bool ArmCpu::write_memory(std::uint32_t address, const void* data, unsigned bytes) {
+    if (core_.write_ram(address, data, bytes)) return true;
     sc_time no_time;
+    const std::optional<std::uint32_t> on_bus = core_.bus_address(address);
     // A write only reads the data, but TLM has one pointer for both directions.
-    return core_.write_ram(address, data, bytes) ||
-           transport(tlm::TLM_WRITE_COMMAND, address, bytes, const_cast<void*>(data), no_time);
+    return on_bus &&
+           transport(tlm::TLM_WRITE_COMMAND, *on_bus, bytes, const_cast<void*>(data), no_time);
 }
 
 }  // namespace sim

@@ -29,10 +29,7 @@ public:
         : file_{file}, memory_{memory} {}
 
     ElfProgram load() {
-        read_file();
-        elf_version(EV_CURRENT);
-        elf_.reset(elf_memory(bytes_.data(), bytes_.size()));
-        check_header();
+        open();
         ElfProgram program;
         program.file = file_;
         program.entry = header_->e_entry;
@@ -41,7 +38,42 @@ public:
         return program;
     }
 
+    bool expects_linux() {
+        open();
+        if (header_->e_ident[EI_OSABI] == ELFOSABI_LINUX) return true;
+        std::size_t count = 0;
+        const Elf32_Phdr* headers = elf32_getphdr(elf_.get());
+        if (elf_getphdrnum(elf_.get(), &count) != 0 || !headers) return false;
+        return std::any_of(headers, headers + count,
+                           [this](const Elf32_Phdr& header) { return has_linux_tag(header); });
+    }
+
 private:
+    void open() {
+        read_file();
+        elf_version(EV_CURRENT);
+        elf_.reset(elf_memory(bytes_.data(), bytes_.size()));
+        check_header();
+    }
+
+    // An ABI tag is a note of 4 words, the first of which is the system: 0 is Linux.
+    bool has_linux_tag(const Elf32_Phdr& header) const {
+        if (header.p_type != PT_NOTE) return false;
+        Elf_Data* notes =
+            elf_getdata_rawchunk(elf_.get(), header.p_offset, header.p_filesz, ELF_T_NHDR);
+        if (!notes) return false;
+        GElf_Nhdr note;
+        std::size_t name = 0, words = 0;
+        for (std::size_t at = 0; (at = gelf_getnote(notes, at, &note, &name, &words)) > 0;) {
+            const auto* bytes = static_cast<const char*>(notes->d_buf);
+            if (note.n_type == NT_GNU_ABI_TAG && note.n_namesz == sizeof ELF_NOTE_GNU &&
+                note.n_descsz >= 16 &&
+                std::memcmp(bytes + name, ELF_NOTE_GNU, sizeof ELF_NOTE_GNU) == 0)
+                return std::memcmp(bytes + words, "\0\0\0", 4) == 0;
+        }
+        return false;
+    }
+
     template <class... Args>
     [[noreturn]] void refuse(fmt::format_string<Args...> format, Args&&... args) const {
         throw ElfError{file_.string() + ": " + fmt::format(format, std::forward<Args>(args)...)};
@@ -97,7 +129,14 @@ private:
                 {header->p_paddr,
                  header->p_vaddr,
                  header->p_memsz,
-                 {data + header->p_offset, data + header->p_offset + header->p_filesz}});
+                 {data + header->p_offset, data + header->p_offset + header->p_filesz},
+                 (header->p_flags & PF_W) != 0,
+                 (header->p_flags & PF_X) != 0});
+            const std::uint32_t table = header_->e_phoff - header->p_offset;
+            if (table < header->p_filesz && count * sizeof *headers <= header->p_filesz - table) {
+                program.headers = header->p_vaddr + table;
+                program.header_count = static_cast<std::uint32_t>(count);
+            }
             if ((header->p_flags & PF_X) &&
                 (header_->e_entry & ~1u) - header->p_vaddr < header->p_memsz)
                 entry_found = true;
@@ -194,5 +233,7 @@ std::string ElfProgram::function(std::uint32_t address) const {
 ElfProgram load_elf(const std::filesystem::path& file, const std::vector<MemoryRange>& memory) {
     return Reader{file, memory}.load();
 }
+
+bool expects_linux(const std::filesystem::path& file) { return Reader{file, {}}.expects_linux(); }
 
 }  // namespace sim

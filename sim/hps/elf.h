@@ -25,6 +25,7 @@ struct ElfSegment {
     std::uint32_t address;   // where it runs (VMA)
     std::uint32_t size;      // in memory; data may be shorter, the rest is zero
     std::vector<std::uint8_t> data;
+    bool writable, executable;
 };
 
 struct ElfFunction {
@@ -35,7 +36,9 @@ struct ElfFunction {
 
 struct ElfProgram {
     std::filesystem::path file;
-    std::uint32_t entry = 0;  // bit 0: Thumb
+    std::uint32_t entry = 0;         // bit 0: Thumb
+    std::uint32_t headers = 0;       // where the program headers run, 0 if they are not loaded
+    std::uint32_t header_count = 0;  // of 32 bytes each
     std::vector<ElfSegment> segments;
     std::vector<ElfFunction> functions;  // by address
 
@@ -50,5 +53,9 @@ struct MemoryRange {
 
 // ElfError.  Segments have to lie in `memory`.
 ElfProgram load_elf(const std::filesystem::path& file, const std::vector<MemoryRange>& memory);
+
+// A program for Linux: its OS ABI is Linux (GNU), or it has a note "GNU" with an ABI tag of Linux,
+// as everything has that is linked with glibc's start files.  ElfError.
+bool expects_linux(const std::filesystem::path& file);
 
 }  // namespace sim

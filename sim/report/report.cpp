@@ -34,8 +34,12 @@ std::string test_case(const std::string& classname, const std::string& name, dou
                        xml(name), time_s);
 }
 
+nlohmann::ordered_json spread_json(const RunReport::Spread& spread) {
+    return {{"min", spread.least}, {"median", spread.median}, {"max", spread.most}};
+}
+
 nlohmann::ordered_json program_json(const RunReport::Program& program) {
-    return {
+    nlohmann::ordered_json json = {
         {"elf", program.elf},
         {"cpi", program.cpi},
         {"instructions", program.instructions},
@@ -47,7 +51,14 @@ nlohmann::ordered_json program_json(const RunReport::Program& program) {
          {{"pc", fmt::format("0x{:08X}", program.pc)},
           {"function", program.function},
           {"waiting_for", program.waiting}}},
+        {"frames",
+         {{"count", program.frames.count},
+          {"instructions", spread_json(program.frames.instructions)},
+          {"busy_share", spread_json(program.frames.busy_share)},
+          {"bus_share", spread_json(program.frames.bus_share)}}},
     };
+    if (program.exit_code) json["exit_code"] = *program.exit_code;
+    return json;
 }
 
 // What went wrong with the run as a whole, beside its expectations.

@@ -30,16 +30,30 @@ struct RunReport {
         std::uint64_t samples = 0, underruns = 0;
     };
 
+    // Least, middle and most of a value over all frames, each from one frame's end to the next;
+    // the first, in which the program starts, is left out.  All 0 with fewer than two frames.
+    struct Spread {
+        double least = 0, median = 0, most = 0;
+    };
+    struct FrameFigures {
+        std::uint64_t count = 0;
+        Spread instructions;
+        Spread busy_share;  // of the frame's time, not asleep
+        Spread bus_share;   // of the frame's time, waiting for registers and FPGA memory
+    };
+
     // Only of the processor "arm".
     struct Program {
         std::string elf;
         double cpi = 0;
         std::uint64_t instructions = 0, interrupts = 0, aborts = 0;
-        double asleep_s = 0;   // in WFI and WFE
-        double on_bus_s = 0;   // waiting for registers and FPGA memory
-        std::uint32_t pc = 0;  // at the end
-        std::string function;  // there; empty if it has no name
-        std::string waiting;   // "an interrupt", "a change of 0xFF200050", or empty
+        double asleep_s = 0;           // in WFI and WFE
+        double on_bus_s = 0;           // waiting for registers and FPGA memory
+        std::uint32_t pc = 0;          // at the end
+        std::string function;          // there; empty if it has no name
+        std::string waiting;           // "an interrupt", "a change of 0xFF200050", or empty
+        std::optional<int> exit_code;  // of a Linux program that has ended
+        FrameFigures frames;
     };
 
     std::string scenario;  // its name

@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <charconv>
 #include <cstring>
@@ -61,6 +62,7 @@ int main(int argc, char** argv, const Firmware& firmware) {
     app.set_version_flag("--version", "de1sim " DE1SIM_VERSION);
     app.require_subcommand(1);
     app.footer(
+        "What follows -- are the arguments of a Linux program.\n"
         "Exit code: 0 all expectations met; 1 an expectation missed or the firmware faulted;\n"
         "2 wrong usage or input; 130 interrupted.");
 
@@ -79,6 +81,18 @@ int main(int argc, char** argv, const Firmware& firmware) {
         .add_option("--cpi", options.cpi,
                     "clocks of 800 MHz that an instruction takes, for --cpu arm: 0.1 to 100")
         ->capture_default_str();
+    run_command
+        .add_option("--system", options.system,
+                    "what the ELF runs on: bare metal, Linux (its system calls are answered), or\n"
+                    "as its ABI note says")
+        ->check(CLI::IsMember({"auto", "bare", "linux"}))
+        ->capture_default_str();
+    run_command.add_option("--linux-root", options.linux_root,
+                           "folder that a Linux program sees as /; without it there are no files\n"
+                           "but /dev/mem");
+    run_command.add_option("--profile", options.profile,
+                           "write instructions by function, for --cpu arm (callgrind format,\n"
+                           "for KCachegrind and callgrind_annotate)");
     run_command
         .add_option("--out", options.out,
                     "folder for frames/, audio.wav, console.txt, report.json, junit.xml;\n"
@@ -111,14 +125,19 @@ int main(int argc, char** argv, const Firmware& firmware) {
                          "no progress, no summary unless something failed");
 
     try {
-        app.parse(argc, argv);
+        const auto words = std::find_if(
+            argv, argv + argc, [](const char* word) { return std::strcmp(word, "--") == 0; });
+        const bool arguments = words != argv + argc;
+        if (arguments) options.arguments.assign(words + 1, argv + argc);
+        app.parse(static_cast<int>(words - argv), argv);
         if (options.cpu == "arm" && options.elf.empty())
             throw CLI::ValidationError("--cpu", "arm needs a program: --elf FILE");
         if (!(options.cpi >= 0.1 && options.cpi <= 100))  // nor NaN, which CLI::Range lets through
             throw CLI::ValidationError("--cpi", "expected a number from 0.1 to 100");
-        for (const char* option : {"--elf", "--cpi"})
+        for (const char* option : {"--elf", "--cpi", "--system", "--linux-root", "--profile"})
             if (options.cpu != "arm" && run_command.count(option) > 0)
                 throw CLI::ValidationError(option, "is for --cpu arm");
+        if (arguments && options.cpu != "arm") throw CLI::ValidationError("--", "is for --cpu arm");
     } catch (const CLI::ParseError& e) {
         if (e.get_exit_code() == 0) return app.exit(e), PASSED;  // --help, --version
         fmt::print(stderr, "de1sim: {} (see de1sim --help)\n",

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "sim/scenario/sim_time.h"
 
@@ -26,8 +27,12 @@ struct RunOptions {
     std::filesystem::path scenario;
     std::filesystem::path out = "out";
     std::string cpu = "native";
-    std::filesystem::path elf;  // for the processor "arm", or empty
-    double cpi = 1;             // clocks an instruction of that processor
+    std::filesystem::path elf;           // for the processor "arm", or empty
+    double cpi = 1;                      // clocks an instruction of that processor
+    std::string system = "auto";         // what the ELF expects: "bare", "linux", "auto"
+    std::filesystem::path linux_root;    // the Linux program's /, or empty
+    std::vector<std::string> arguments;  // the Linux program's, behind its name
+    std::filesystem::path profile;       // callgrind file, or empty
     FrameChoice frames;
     std::optional<SimTime> duration;    // instead of the scenario's
     std::optional<std::uint64_t> seed;  // instead of the scenario's

@@ -52,6 +52,7 @@ void Recorder::attempt(Write write) {
 
 void Recorder::frame(const Monitor::Frame& frame) {
     senses_.frame(frame);
+    on_frame();
     if (frame_writer_ && frames_.wants(frame.number))
         attempt([&] { frame_writer_->push(frame.number, image_of(frame.pixels)); });
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -32,6 +33,8 @@ public:
 
     const std::vector<std::string>& log() const { return log_; }
     std::uint64_t log_lines() const { return log_lines_; }
+    // Called at the end of each frame that the monitor shows.
+    std::function<void()> on_frame = [] {};
     Senses& senses() { return senses_; }
     const std::optional<IoError>& error() const { return error_; }
 

@@ -9,6 +9,7 @@
 #include "sim/report/report.h"
 #include "sim/report/sha256.h"
 #include "sim/report/trace_file.h"
+#include "sim/run/arm_run.h"
 #include "sim/run/progress.h"
 #include "sim/run/recorder.h"
 #include "sim/scenario/player.h"
@@ -60,36 +61,15 @@ RunEnd play(Board& board, Player& player, Recorder& recorder, std::optional<SimT
     }
 }
 
-std::optional<RunReport::Program> program_of(const Board& board) {
-    if (!board.arm) return {};
-    const ArmCpu::Counts counts = board.arm->counts();
-    const ArmCpu::Position at = board.arm->position();
-    RunReport::Program program;
-    program.elf = board.arm->program().elf.file.string();
-    program.cpi = board.arm->program().cpi;
-    program.instructions = counts.instructions;
-    program.interrupts = counts.interrupts;
-    program.aborts = counts.aborts;
-    program.asleep_s = counts.asleep.to_seconds();
-    program.on_bus_s = counts.on_bus.to_seconds();
-    program.pc = at.pc;
-    program.function = at.function;
-    if (at.sleeping)
-        program.waiting = "an interrupt";
-    else if (at.polling)
-        program.waiting = fmt::format("a change of 0x{:08X}", at.address);
-    return program;
-}
-
 RunReport report_of(const Scenario& scenario, const RunOptions& options, std::uint64_t seed,
-                    RunEnd end, Board& board, const Player& player, Recorder& recorder,
-                    double wall_s) {
+                    RunEnd end, Board& board, const ArmRun* arm, const Player& player,
+                    Recorder& recorder, double wall_s) {
     RunReport report;
     report.scenario = scenario.name;
     report.file = scenario.file.string();
     report.seed = seed;
     report.cpu = options.cpu;
-    report.program = program_of(board);
+    if (arm) report.program = arm->program();
     report.end = end;
     report.simulated_s = sc_core::sc_time_stamp().to_seconds();
     report.wall_s = wall_s;
@@ -148,13 +128,15 @@ ExitCode run(const RunOptions& options, const Firmware& firmware) try {
     const std::optional<SimTime> duration = options.duration ? options.duration : scenario.duration;
 
     Board::Software software = firmware;
-    if (options.cpu == "arm")
-        software = ArmProgram{load_elf(options.elf, program_memory()), options.cpi};
+    const bool on_linux = options.cpu == "arm" && runs_on_linux(options);
+    if (options.cpu == "arm") software = load_program(options, on_linux);
 
     Recorder recorder{options.out, options.frames};
     std::optional<TraceFile> trace;
     if (!options.trace.empty()) trace.emplace(options.trace);
     Board board{"board", recorder, std::move(software), seed, trace ? trace->part().string() : ""};
+    std::optional<ArmRun> arm;
+    if (board.arm) arm.emplace(*board.arm, options, on_linux, recorder);
     Player player{"player", board, recorder.senses(), scenario.steps, options.out};
     Finish finish{"finish", player.done(), board.cpu.faulted()};
 
@@ -168,13 +150,14 @@ ExitCode run(const RunOptions& options, const Firmware& firmware) try {
     progress.done();
     board.fpga.catch_up();
     recorder.close();
+    if (arm) arm->write_profile();
     if (trace) {
         board.fpga.end_trace();
         trace->commit();
     }
 
-    const RunReport report =
-        report_of(scenario, options, seed, end, board, player, recorder, progress.wall_s());
+    const RunReport report = report_of(scenario, options, seed, end, board, arm ? &*arm : nullptr,
+                                       player, recorder, progress.wall_s());
     write_whole_file(options.out / "report.json", to_json(report));
     write_whole_file(options.out / "junit.xml", to_junit(report));
     if (!options.quiet || !report.passed()) summarise(report, options.out);

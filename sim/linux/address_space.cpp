@@ -1,0 +1,205 @@
+#include "sim/linux/address_space.h"
+
+#include <sys/mman.h>
+
+#include <algorithm>
+#include <cstring>
+#include <new>
+
+namespace sim {
+
+namespace {
+
+constexpr std::uint32_t STACK_ROOM = 0x09000000;  // kept free below TOP
+constexpr std::size_t LONGEST_STRING = 4096;
+
+std::uint64_t ram_of(std::uint32_t begin, const AddressSpace::Area& area) {
+    return area.on_bus || area.access == 0 ? 0 : area.end - begin;
+}
+
+}  // namespace
+
+AddressSpace::AddressSpace(ArmCore& core) : core_{core} {
+    void* area = mmap(nullptr, TOP, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+    if (area == MAP_FAILED) throw std::bad_alloc{};
+    host_ = static_cast<std::uint8_t*>(area);
+}
+
+AddressSpace::~AddressSpace() { munmap(host_, TOP); }
+
+// ---- The core's list ----------------------------------------------------------------------------
+
+void AddressSpace::connect(Areas::const_iterator area) {
+    const auto& [begin, what] = *area;
+    if (what.access == 0) return;
+    if (what.on_bus)
+        core_.map_bus(begin, what.end - begin, what.physical, what.access);
+    else
+        core_.map_ram(begin, what.end - begin, host_ + begin, what.access);
+}
+
+void AddressSpace::disconnect(Areas::const_iterator area) {
+    if (area->second.access != 0) core_.unmap(area->first, area->second.end - area->first);
+}
+
+// ---- Areas --------------------------------------------------------------------------------------
+
+// Makes `address` a border.
+void AddressSpace::split(std::uint32_t address) {
+    auto area = areas_.upper_bound(address);
+    if (area == areas_.begin()) return;
+    --area;
+    if (area->first == address || area->second.end <= address) return;
+    disconnect(area);
+    Area upper = area->second;
+    upper.physical = upper.physical_at(address - area->first);
+    area->second.end = address;
+    connect(area);
+    connect(areas_.emplace(address, upper).first);
+}
+
+// With the one behind it, if that is alike.
+void AddressSpace::join(Areas::iterator area) {
+    const auto next = std::next(area);
+    if (next == areas_.end() || next->first != area->second.end ||
+        next->second.access != area->second.access || next->second.on_bus != area->second.on_bus ||
+        next->second.physical != area->second.physical_at(area->second.end - area->first))
+        return;
+    disconnect(area);
+    disconnect(next);
+    area->second.end = next->second.end;
+    areas_.erase(next);
+    connect(area);
+}
+
+void AddressSpace::insert(std::uint32_t begin, const Area& area) {
+    const auto at = areas_.emplace(begin, area).first;
+    connect(at);
+    ram_ += ram_of(begin, area);
+    join(at);
+    if (at != areas_.begin()) join(std::prev(at));
+}
+
+bool AddressSpace::map(std::uint32_t begin, std::uint32_t bytes, unsigned access) {
+    if (bytes > RAM || (access != 0 && ram_ + bytes > RAM)) return false;
+    unmap(begin, bytes);
+    void* const fresh = mmap(host_ + begin, bytes, PROT_READ | PROT_WRITE,
+                             MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE | MAP_FIXED, -1, 0);
+    if (fresh == MAP_FAILED) return false;
+    insert(begin, {begin + bytes, access, false, 0});
+    return true;
+}
+
+void AddressSpace::map_bus(std::uint32_t begin, std::uint32_t bytes, unsigned access,
+                           std::uint32_t physical) {
+    unmap(begin, bytes);
+    insert(begin, {begin + bytes, access, true, physical});
+}
+
+void AddressSpace::unmap(std::uint32_t begin, std::uint32_t bytes) {
+    split(begin);
+    split(begin + bytes);
+    for (auto it = areas_.lower_bound(begin); it != areas_.end() && it->first < begin + bytes;) {
+        disconnect(it);
+        ram_ -= ram_of(it->first, it->second);
+        if (!it->second.on_bus)  // gives the pages back to the host
+            mmap(host_ + it->first, it->second.end - it->first, PROT_NONE,
+                 MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE | MAP_FIXED, -1, 0);
+        it = areas_.erase(it);
+    }
+}
+
+bool AddressSpace::protect(std::uint32_t begin, std::uint32_t bytes, unsigned access) {
+    if (!is_mapped(begin, bytes)) return false;
+    split(begin);
+    split(begin + bytes);
+    for (auto it = areas_.lower_bound(begin); it != areas_.end() && it->first < begin + bytes;
+         ++it) {
+        disconnect(it);
+        ram_ -= ram_of(it->first, it->second);
+        it->second.access = access;
+        ram_ += ram_of(it->first, it->second);
+        connect(it);
+    }
+    auto it = areas_.lower_bound(begin);
+    if (it != areas_.begin()) --it;
+    while (it != areas_.end() && it->first < begin + bytes) {
+        const std::size_t before = areas_.size();
+        join(it);
+        if (areas_.size() == before) ++it;
+    }
+    return true;
+}
+
+bool AddressSpace::is_mapped(std::uint32_t begin, std::uint32_t bytes) const {
+    const std::uint64_t end = std::uint64_t{begin} + bytes;
+    std::uint64_t reached = begin;
+    while (reached < end) {
+        const auto area = at(static_cast<std::uint32_t>(reached));
+        if (!area) return false;
+        reached = area->second.end;
+    }
+    return true;
+}
+
+bool AddressSpace::is_free(std::uint32_t begin, std::uint32_t bytes) const {
+    const auto next = areas_.lower_bound(begin);
+    return !at(begin) && (next == areas_.end() || next->first - begin >= bytes);
+}
+
+std::optional<std::uint32_t> AddressSpace::find_room(std::uint32_t bytes) const {
+    std::uint32_t limit = TOP - STACK_ROOM;
+    for (auto it = areas_.rbegin(); it != areas_.rend(); ++it) {
+        if (it->second.end <= limit && limit - it->second.end >= bytes) return limit - bytes;
+        limit = std::min(limit, it->first);
+    }
+    if (limit < BOTTOM || limit - BOTTOM < bytes) return std::nullopt;
+    return limit - bytes;
+}
+
+std::optional<std::pair<std::uint32_t, AddressSpace::Area>> AddressSpace::at(
+    std::uint32_t address) const {
+    auto area = areas_.upper_bound(address);
+    if (area == areas_.begin() || (--area)->second.end <= address) return std::nullopt;
+    return *area;
+}
+
+// ---- The kernel's accesses ----------------------------------------------------------------------
+
+std::uint8_t* AddressSpace::bytes(std::uint32_t address, std::size_t bytes, unsigned access) const {
+    if (bytes == 0) return host_;
+    const std::uint64_t end = std::uint64_t{address} + bytes;
+    for (std::uint64_t reached = address; reached < end;) {
+        const auto area = at(static_cast<std::uint32_t>(reached));
+        if (reached >= TOP || !area || area->second.on_bus ||
+            (area->second.access & access) != access)
+            return nullptr;
+        reached = area->second.end;
+    }
+    return host_ + address;
+}
+
+bool AddressSpace::read(std::uint32_t address, void* data, std::size_t count) const {
+    const std::uint8_t* from = bytes(address, count, arm_access::READ);
+    if (from && count > 0) std::memcpy(data, from, count);
+    return from != nullptr;
+}
+
+bool AddressSpace::write(std::uint32_t address, const void* data, std::size_t count) {
+    std::uint8_t* to = bytes(address, count, arm_access::WRITE);
+    if (to && count > 0) std::memcpy(to, data, count);
+    return to != nullptr;
+}
+
+std::optional<std::string> AddressSpace::string(std::uint32_t address) const {
+    std::string text;
+    for (; text.size() < LONGEST_STRING; ++address) {
+        char c;
+        if (!read(address, &c, 1)) return std::nullopt;
+        if (c == '\0') return text;
+        text += c;
+    }
+    return std::nullopt;
+}
+
+}  // namespace sim

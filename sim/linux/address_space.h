@@ -1,0 +1,81 @@
+// address_space.h - a Linux process's memory: areas of pages, in RAM or on the bus.
+//
+//   0x00001000 ... program, heap ->   <- areas that find_room() chose | stack   0xBF000000
+//
+// Pages are of 4096 bytes; addresses and lengths given here are multiples, below TOP.  RAM is zero
+// when mapped, and taken from the host when touched.  An area on the bus reaches it from `physical`
+// on.  Areas that touch and are alike become one, since the core keeps a list of them: an operation
+// costs O(log n) here for n areas, O(n) and some us there.
+//
+// Not handled: memory shared with files or processes, guard pages that grow.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+
+#include "sim/hps/arm_core.h"
+
+namespace sim {
+
+class AddressSpace {
+public:
+    static constexpr std::uint32_t PAGE = 4096;
+    static constexpr std::uint32_t BOTTOM = 0x1000, TOP = 0xBF000000;
+    static constexpr std::uint64_t RAM = 1u << 30;  // that may be mapped in all, as on the board
+
+    struct Area {
+        std::uint32_t end;  // first address behind
+        unsigned access;    // arm_access; 0: nothing may be done
+        bool on_bus;
+        std::uint32_t physical;  // of the begin, on the bus
+
+        std::uint32_t physical_at(std::uint32_t offset) const {
+            return on_bus ? physical + offset : 0;
+        }
+    };
+
+    explicit AddressSpace(ArmCore& core);
+    ~AddressSpace();
+    AddressSpace(const AddressSpace&) = delete;
+
+    // Takes the place of what is there.  False, and nothing done, when RAM is used up.
+    bool map(std::uint32_t begin, std::uint32_t bytes, unsigned access);
+    void map_bus(std::uint32_t begin, std::uint32_t bytes, unsigned access, std::uint32_t physical);
+    void unmap(std::uint32_t begin, std::uint32_t bytes);
+    void unmap_all() { unmap(BOTTOM, TOP - BOTTOM); }
+    // False, and nothing done, when some of it is not mapped.
+    bool protect(std::uint32_t begin, std::uint32_t bytes, unsigned access);
+
+    bool is_mapped(std::uint32_t begin, std::uint32_t bytes) const;  // all of it
+    bool is_free(std::uint32_t begin, std::uint32_t bytes) const;    // all of it
+    // The highest room below the stack's, or nothing.
+    std::optional<std::uint32_t> find_room(std::uint32_t bytes) const;
+    // The area around `address`: its begin and what it is.
+    std::optional<std::pair<std::uint32_t, Area>> at(std::uint32_t address) const;
+
+    // As the kernel reads and writes what a program points to: RAM that allows it, else false.
+    bool read(std::uint32_t address, void* data, std::size_t bytes) const;
+    bool write(std::uint32_t address, const void* data, std::size_t bytes);
+    // The same bytes in the simulator's memory, or nullptr.
+    std::uint8_t* bytes(std::uint32_t address, std::size_t bytes, unsigned access) const;
+    // Up to the zero; nothing if it is not readable, or longer than 4096.
+    std::optional<std::string> string(std::uint32_t address) const;
+
+private:
+    using Areas = std::map<std::uint32_t, Area>;
+
+    void split(std::uint32_t address);
+    void join(Areas::iterator area);
+    void insert(std::uint32_t begin, const Area& area);
+    void connect(Areas::const_iterator area);     // to the core
+    void disconnect(Areas::const_iterator area);  // from it
+
+    ArmCore& core_;
+    std::uint8_t* host_;  // address 0 of the process
+    Areas areas_;         // by begin
+    std::uint64_t ram_ = 0;
+};
+
+}  // namespace sim

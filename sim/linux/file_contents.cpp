@@ -1,0 +1,96 @@
+// file_contents.cpp - LinuxFiles' reading, writing and status
+#include <fcntl.h>
+#include <sys/stat.h>
+
+#include "sim/linux/arm_abi.h"
+#include "sim/linux/open_file.h"
+
+namespace sim {
+
+// ---- Contents -----------------------------------------------------------------------------------
+
+std::int64_t LinuxFiles::read(int fd, void* data, std::size_t bytes) {
+    const File* file = find(fd);
+    if (!file || (file->flags & arm_open::ACCESS) == arm_open::WRONLY) return -EBADF;
+    switch (file->kind) {
+        case File::Kind::HOST: return or_error(::read(file->host->fd(), data, bytes));
+        case File::Kind::MEMORY: return -EFAULT;
+        default: return 0;
+    }
+}
+
+std::int64_t LinuxFiles::write(int fd, const void* data, std::size_t bytes) {
+    const File* file = find(fd);
+    if (!file || (file->flags & arm_open::ACCESS) == arm_open::RDONLY) return -EBADF;
+    if (file->kind == File::Kind::HOST) return or_error(::write(file->host->fd(), data, bytes));
+    if (file->kind == File::Kind::MEMORY) return -EFAULT;
+    const char* text = static_cast<const char*>(data);
+    for (std::size_t i = 0; i < bytes; ++i) console_(text[i]);
+    return static_cast<std::int64_t>(bytes);
+}
+
+std::int64_t LinuxFiles::read_at(int fd, void* data, std::size_t bytes, std::int64_t offset) {
+    const File* file = find(fd);
+    if (!file) return -EBADF;
+    if (file->kind != File::Kind::HOST) return -ESPIPE;
+    return or_error(::pread(file->host->fd(), data, bytes, offset));
+}
+
+std::int64_t LinuxFiles::write_at(int fd, const void* data, std::size_t bytes,
+                                  std::int64_t offset) {
+    const File* file = find(fd);
+    if (!file) return -EBADF;
+    if (file->kind != File::Kind::HOST) return -ESPIPE;
+    return or_error(::pwrite(file->host->fd(), data, bytes, offset));
+}
+
+std::int64_t LinuxFiles::seek(int fd, std::int64_t offset, int whence) {
+    const File* file = find(fd);
+    if (!file) return -EBADF;
+    if (file->kind != File::Kind::HOST) return -ESPIPE;
+    return or_error(::lseek(file->host->fd(), offset, whence));
+}
+
+int LinuxFiles::truncate(int fd, std::int64_t bytes) {
+    const File* file = find(fd);
+    if (!file) return -EBADF;
+    if (file->kind != File::Kind::HOST) return -EINVAL;
+    return static_cast<int>(or_error(::ftruncate(file->host->fd(), bytes)));
+}
+
+// ---- Status -------------------------------------------------------------------------------------
+
+std::pair<int, FileStatus> LinuxFiles::host_status(int host) const {
+    struct stat status {};
+    if (fstat(host, &status) != 0) return {-errno, {}};
+    if (S_ISLNK(status.st_mode)) return {-ELOOP, {}};
+    const bool folder = S_ISDIR(status.st_mode);
+    if (!folder && !S_ISREG(status.st_mode)) return {-EACCES, {}};
+    const auto number =
+        numbers_.emplace(std::pair{status.st_dev, status.st_ino}, numbers_.size() + 2);
+    return {0,
+            {status.st_mode & (S_IFMT | 0777),
+             folder ? 4096 : static_cast<std::uint64_t>(status.st_size), number.first->second, 0}};
+}
+
+std::pair<int, FileStatus> LinuxFiles::status_of(int fd) const {
+    const File* file = find(fd);
+    if (!file) return {-EBADF, {}};
+    switch (file->kind) {
+        case File::Kind::HOST: return host_status(file->host->fd());
+        case File::Kind::MEMORY: return {0, {S_IFCHR | 0640, 0, 1, 1 << 8 | 1}};
+        default: return {0, {S_IFCHR | 0620, 0, 0, 5 << 8 | 1}};
+    }
+}
+
+std::pair<int, FileStatus> LinuxFiles::status_of(const std::string& path) const {
+    if (path == MEMORY_PATH) return {0, {S_IFCHR | 0640, 0, 1, 1 << 8 | 1}};
+    Place place;
+    if (const int error = place_of(path, place)) return {error, {}};
+    const Handle file{
+        ::openat(place.folder->fd(), place.name.c_str(), O_PATH | O_NOFOLLOW | O_CLOEXEC)};
+    if (file.fd() < 0) return {-errno, {}};
+    return host_status(file.fd());
+}
+
+}  // namespace sim

@@ -1,0 +1,183 @@
+#include "sim/linux/files.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <stdexcept>
+
+#include "sim/linux/arm_abi.h"
+#include "sim/linux/open_file.h"
+
+namespace sim {
+
+namespace {
+
+constexpr int MOST_FILES = 1024;
+
+// The components of a path from the root, or nothing where it leaves the root.
+bool components(const std::string& path, std::vector<std::string>& names) {
+    for (std::size_t begin = 0; begin < path.size();) {
+        const std::size_t end = std::min(path.find('/', begin), path.size());
+        const std::string name = path.substr(begin, end - begin);
+        begin = end + 1;
+        if (name == "..") {
+            if (names.empty()) return false;
+            names.pop_back();
+        } else if (!name.empty() && name != ".") {
+            names.push_back(name);
+        }
+    }
+    return true;
+}
+
+int host_flags(std::uint32_t flags) {
+    int host = O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK | O_NOCTTY;  // no FIFO may hold us up
+    host |= static_cast<int>(flags & arm_open::ACCESS);
+    if (flags & arm_open::CREAT) host |= O_CREAT;
+    if (flags & arm_open::EXCL) host |= O_EXCL;
+    if (flags & arm_open::TRUNC) host |= O_TRUNC;
+    if (flags & arm_open::APPEND) host |= O_APPEND;
+    if (flags & arm_open::DIRECTORY) host |= O_DIRECTORY;
+    return host;
+}
+
+}  // namespace
+
+LinuxFiles::LinuxFiles(const std::filesystem::path& root, std::function<void(char)> console)
+    : console_{std::move(console)} {
+    if (!root.empty()) {
+        root_ = std::make_shared<Handle>(::open(root.c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC));
+        if (root_->fd() < 0)
+            throw std::runtime_error{
+                root.string() + ": cannot open as the program's root: " + std::strerror(errno)};
+    }
+    add(std::make_shared<File>(File{File::Kind::NOTHING, arm_open::RDONLY}), 0, false);
+    const auto out = std::make_shared<File>(File{File::Kind::CONSOLE, arm_open::WRONLY});
+    add(out, 1, false);
+    add(out, 2, false);
+}
+
+// ---- Names --------------------------------------------------------------------------------------
+
+int LinuxFiles::place_of(const std::string& path, Place& place) const {
+    if (path.empty()) return -ENOENT;
+    std::vector<std::string> names;
+    if (!components(path, names)) return -EACCES;
+    if (!root_) return -ENOENT;
+    place = {root_, names.empty() ? "." : names.back()};
+    for (std::size_t i = 0; i + 1 < names.size(); ++i) {
+        const int next =
+            ::openat(place.folder->fd(), names[i].c_str(), O_PATH | O_NOFOLLOW | O_CLOEXEC);
+        if (next < 0) return -errno;
+        place.folder = std::make_shared<Handle>(next);
+        struct stat status {};
+        if (fstat(next, &status) != 0) return -errno;
+        if (S_ISLNK(status.st_mode)) return -ELOOP;
+        if (!S_ISDIR(status.st_mode)) return -ENOTDIR;
+    }
+    return 0;
+}
+
+int LinuxFiles::open(const std::string& path, std::uint32_t flags, std::uint32_t mode) {
+    const bool close_on_exec = flags & arm_open::CLOEXEC;
+    if (path == MEMORY_PATH)
+        return add(std::make_shared<File>(File{File::Kind::MEMORY, flags}), 0, close_on_exec);
+    Place place;
+    if (const int error = place_of(path, place)) return error;
+    const int fd = ::openat(place.folder->fd(), place.name.c_str(), host_flags(flags),
+                            static_cast<mode_t>(mode & 0777));
+    if (fd < 0) return -errno;
+    auto file = std::make_shared<File>(File{File::Kind::HOST, flags, std::make_shared<Handle>(fd)});
+    if (const int error = host_status(fd).first) return error;
+    return add(std::move(file), 0, close_on_exec);
+}
+
+int LinuxFiles::access(const std::string& path, int mode) const {
+    const auto [error, status] = status_of(path);
+    if (error) return error;
+    const bool allowed = !(mode & X_OK) || (status.mode & 0111);
+    return allowed ? 0 : -EACCES;
+}
+
+int LinuxFiles::remove(const std::string& path, bool folder) {
+    Place place;
+    if (const int error = place_of(path, place)) return error;
+    const int flags = folder ? AT_REMOVEDIR : 0;
+    return static_cast<int>(or_error(unlinkat(place.folder->fd(), place.name.c_str(), flags)));
+}
+
+int LinuxFiles::make_folder(const std::string& path, std::uint32_t mode) {
+    Place place;
+    if (const int error = place_of(path, place)) return error;
+    return static_cast<int>(or_error(
+        mkdirat(place.folder->fd(), place.name.c_str(), static_cast<mode_t>(mode & 0777))));
+}
+
+int LinuxFiles::rename(const std::string& from, const std::string& to) {
+    Place source, target;
+    if (const int error = place_of(from, source)) return error;
+    if (const int error = place_of(to, target)) return error;
+    return static_cast<int>(or_error(renameat(source.folder->fd(), source.name.c_str(),
+                                              target.folder->fd(), target.name.c_str())));
+}
+
+// ---- Numbers ------------------------------------------------------------------------------------
+
+int LinuxFiles::add(std::shared_ptr<File> file, int at_least, bool close_on_exec) {
+    int fd = at_least;
+    while (slots_.count(fd)) ++fd;
+    if (fd >= MOST_FILES) return -EMFILE;
+    slots_[fd] = {std::move(file), close_on_exec};
+    return fd;
+}
+
+const LinuxFiles::File* LinuxFiles::find(int fd) const {
+    const auto slot = slots_.find(fd);
+    return slot == slots_.end() ? nullptr : slot->second.file.get();
+}
+
+int LinuxFiles::close(int fd) { return slots_.erase(fd) ? 0 : -EBADF; }
+
+int LinuxFiles::duplicate(int fd, int at_least) {
+    if (!find(fd)) return -EBADF;
+    if (at_least < 0 || at_least >= MOST_FILES) return -EINVAL;
+    return add(slots_[fd].file, at_least, false);
+}
+
+int LinuxFiles::duplicate_onto(int fd, int other) {
+    if (!find(fd) || other < 0 || other >= MOST_FILES) return -EBADF;
+    if (fd != other) slots_[other] = {slots_[fd].file, false};
+    return other;
+}
+
+int LinuxFiles::flags(int fd) const {
+    const File* file = find(fd);
+    return file ? static_cast<int>(file->flags & (arm_open::ACCESS | arm_open::APPEND)) : -EBADF;
+}
+
+int LinuxFiles::close_on_exec(int fd) const {
+    const auto slot = slots_.find(fd);
+    return slot == slots_.end() ? -EBADF : slot->second.close_on_exec;
+}
+
+int LinuxFiles::set_close_on_exec(int fd, bool on) {
+    const auto slot = slots_.find(fd);
+    if (slot == slots_.end()) return -EBADF;
+    slot->second.close_on_exec = on;
+    return 0;
+}
+
+bool LinuxFiles::is_console(int fd) const {
+    const File* file = find(fd);
+    return file && (file->kind == File::Kind::CONSOLE || file->kind == File::Kind::NOTHING);
+}
+
+bool LinuxFiles::is_memory(int fd) const {
+    const File* file = find(fd);
+    return file && file->kind == File::Kind::MEMORY;
+}
+
+}  // namespace sim

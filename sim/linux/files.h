@@ -1,0 +1,87 @@
+// files.h - a Linux process's open files: the console, /dev/mem, and files under a folder.
+//
+//   0 stdin    always at its end            /dev/mem    for mmap; see address_space.h
+//   1, 2       the console                  PATH        ROOT/PATH on the host
+//
+// A path is taken from the root, "." and ".." by their text; one that would leave the root is
+// refused (EACCES), symbolic links are not followed (ELOOP), what is neither file nor folder is
+// refused (EACCES).  Without a root there is nothing but /dev/mem (ENOENT).  What is told of a file
+// does not depend on the host: owner 0, times 0, numbered as they are first seen.
+//
+// Results are as the kernel's: a number of at least 0, or an error as its negative.  Flags, modes
+// and errors are Linux's for ARM.
+//
+// Not handled: reading folders, links, pipes, sockets, locks, reading /dev/mem by read().
+#pragma once
+
+#include <sys/types.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace sim {
+
+struct FileStatus {
+    std::uint32_t mode = 0;  // type and permissions
+    std::uint64_t size = 0, number = 0, device = 0;
+};
+
+class LinuxFiles {
+public:
+    // `root` may be empty.  std::runtime_error if it is no folder that can be opened.
+    LinuxFiles(const std::filesystem::path& root, std::function<void(char)> console);
+
+    int open(const std::string& path, std::uint32_t flags, std::uint32_t mode);
+    int close(int fd);
+    int duplicate(int fd, int at_least);    // the lowest free number from there on
+    int duplicate_onto(int fd, int other);  // closes that first
+    int flags(int fd) const;                // of open(), without those that only open() minds
+    int set_close_on_exec(int fd, bool on);
+    int close_on_exec(int fd) const;
+
+    std::int64_t read(int fd, void* data, std::size_t bytes);
+    std::int64_t write(int fd, const void* data, std::size_t bytes);
+    std::int64_t read_at(int fd, void* data, std::size_t bytes, std::int64_t offset);
+    std::int64_t write_at(int fd, const void* data, std::size_t bytes, std::int64_t offset);
+    std::int64_t seek(int fd, std::int64_t offset, int whence);
+    int truncate(int fd, std::int64_t bytes);
+    int sync(int fd) const { return status_of(fd).first; }
+
+    std::pair<int, FileStatus> status_of(int fd) const;
+    std::pair<int, FileStatus> status_of(const std::string& path) const;
+    int access(const std::string& path, int mode) const;
+    int remove(const std::string& path, bool folder);
+    int make_folder(const std::string& path, std::uint32_t mode);
+    int rename(const std::string& from, const std::string& to);
+
+    bool is_console(int fd) const;
+    bool is_memory(int fd) const;
+
+private:
+    class Handle;  // of the host
+    struct File;
+    struct Place;  // a folder that is open, and a name in it
+
+    int add(std::shared_ptr<File> file, int at_least, bool close_on_exec);
+    const File* find(int fd) const;
+    int place_of(const std::string& path, Place& place) const;
+    std::pair<int, FileStatus> host_status(int host) const;
+
+    struct Slot {
+        std::shared_ptr<File> file;
+        bool close_on_exec = false;
+    };
+
+    std::shared_ptr<Handle> root_;  // may be none
+    std::function<void(char)> console_;
+    std::map<int, Slot> slots_;
+    mutable std::map<std::pair<std::uint64_t, std::uint64_t>, std::uint64_t> numbers_;  // of files
+};
+
+}  // namespace sim

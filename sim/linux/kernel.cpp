@@ -1,0 +1,217 @@
+#include "sim/linux/kernel.h"
+
+#include <cerrno>
+#include <csignal>
+
+#include <fmt/format.h>
+
+#include "arm_syscalls.h"
+
+namespace sim {
+
+namespace {
+
+constexpr std::uint64_t SEED = 0x9E3779B97F4A7C15;
+
+}  // namespace
+
+const std::vector<MemoryRange>& linux_memory() {
+    static const std::vector<MemoryRange> memory{
+        {AddressSpace::BOTTOM, AddressSpace::TOP - AddressSpace::BOTTOM}};
+    return memory;
+}
+
+LinuxKernel::LinuxKernel(ArmCpu& cpu, LinuxSettings settings, Outside outside)
+    : cpu_{cpu},
+      settings_{std::move(settings)},
+      outside_{std::move(outside)},
+      memory_{cpu.core()},
+      helpers_{cpu.core()},
+      files_{settings_.root, outside_.console},
+      random_{SEED} {
+    cpu.attach(this);
+}
+
+void LinuxKernel::boot(ArmCore& core) {
+    if (break_begin_ != 0) return cpu_.end("the program reset the board " + cpu_.where());
+    helpers_.connect();
+    try {
+        break_begin_ = break_ =
+            start_linux_program(core, memory_, cpu_.program().elf, settings_.arguments);
+    } catch (const std::runtime_error& e) {  // nothing may be thrown through SystemC
+        cpu_.end(e.what());
+    }
+}
+
+void LinuxKernel::call(ArmCore& core) {
+    const std::uint32_t number = core.reg(7);
+    for (const Call& call : calls()) {
+        if (call.number != number) continue;
+        const Arguments arguments{core.reg(0), core.reg(1), core.reg(2), core.reg(3),
+                                  core.reg(4), core.reg(5), core.reg(6)};
+        if (const Result result = (this->*call.answer)(arguments))
+            core.set_reg(0, static_cast<std::uint32_t>(*result));
+        deliver_pending();
+        return;
+    }
+    if (named_.insert(number).second) {
+        const std::string name = name_of(number);
+        outside_.log(fmt::format("system call {}{} is not emulated: ENOSYS, {}", number,
+                                 name.empty() ? "" : " (" + name + ")", cpu_.where()));
+    }
+    core.set_reg(0, static_cast<std::uint32_t>(-ENOSYS));
+}
+
+void LinuxKernel::exception(ArmCore& core, ArmException exception, const ArmFault& fault,
+                            const std::string& what) {
+    switch (exception) {
+        case ArmException::DATA_ABORT:
+            if (!fault.mmu) return signal(SIGBUS, fault.address, what, true);
+            return signal(
+                SIGSEGV, fault.address,
+                fmt::format("{} 0x{:08X}", fault.write ? "write to" : "read from", fault.address),
+                true);
+        case ArmException::PREFETCH_ABORT:
+            if (what == "breakpoint instruction") return signal(SIGTRAP, core.pc(), what, true);
+            return signal(SIGSEGV, core.pc(), "no instruction to be read", true);
+        default: return signal(SIGILL, core.pc(), what, true);
+    }
+}
+
+// ---- Signals ------------------------------------------------------------------------------------
+
+void LinuxKernel::signal(unsigned number, std::uint32_t address, const std::string& why,
+                         bool forced) {
+    const std::uint32_t handler = signals_.actions[number].handler;
+    const bool blocked = signals_.blocked & LinuxSignals::bit(number);
+    const auto ignore = static_cast<std::uint32_t>(1);
+    const bool ignored =
+        handler == ignore || (handler == 0 && LinuxSignals::ignored_by_default(number));
+    if (!forced && blocked) {
+        signals_.pending |= LinuxSignals::bit(number);
+        return;
+    }
+    if (!forced && ignored) return;
+    const bool handled = handler > ignore && !blocked;
+    if (handled && signals_.enter(cpu_.core(), memory_, number, address)) return;
+    cpu_.end(fmt::format("the program was ended by {}: {} {}", LinuxSignals::name(number), why,
+                         cpu_.where()));
+}
+
+void LinuxKernel::deliver_pending() {
+    while (const auto number = signals_.next()) {
+        signals_.pending &= ~LinuxSignals::bit(*number);
+        signal(*number, 0, "sent by itself", false);
+    }
+}
+
+const char* LinuxKernel::name_of(std::uint32_t number) {
+    for (const ArmSyscall& call : ARM_SYSCALLS)
+        if (call.number == number) return call.name;
+    return "";
+}
+
+// ---- The calls ----------------------------------------------------------------------------------
+
+const std::vector<LinuxKernel::Call>& LinuxKernel::calls() {
+    using K = LinuxKernel;
+    static const std::vector<Call> calls{
+        {NR_brk, &K::sys_brk},
+        {NR_mmap2, &K::sys_mmap2},
+        {NR_munmap, &K::sys_munmap},
+        {NR_mprotect, &K::sys_mprotect},
+        {NR_mremap, &K::sys_mremap},
+        {NR_madvise, &K::sys_done},
+        {NR_cacheflush, &K::sys_cacheflush},
+
+        {NR_open, &K::sys_open},
+        {NR_openat, &K::sys_openat},
+        {NR_creat, &K::sys_creat},
+        {NR_close, &K::sys_close},
+        {NR_read, &K::sys_read},
+        {NR_write, &K::sys_write},
+        {NR_readv, &K::sys_readv},
+        {NR_writev, &K::sys_writev},
+        {NR_pread64, &K::sys_pread64},
+        {NR_pwrite64, &K::sys_pwrite64},
+        {NR_lseek, &K::sys_lseek},
+        {NR__llseek, &K::sys_llseek},
+        {NR_ftruncate64, &K::sys_ftruncate64},
+        {NR_fsync, &K::sys_fsync},
+        {NR_fdatasync, &K::sys_fsync},
+        {NR_dup, &K::sys_dup},
+        {NR_dup2, &K::sys_dup2},
+        {NR_dup3, &K::sys_dup2},
+        {NR_fcntl, &K::sys_fcntl},
+        {NR_fcntl64, &K::sys_fcntl},
+        {NR_ioctl, &K::sys_ioctl},
+
+        {NR_fstat64, &K::sys_fstat64},
+        {NR_stat64, &K::sys_stat64},
+        {NR_lstat64, &K::sys_stat64},
+        {NR_fstatat64, &K::sys_fstatat64},
+        {NR_statx, &K::sys_statx},
+        {NR_access, &K::sys_access},
+        {NR_faccessat, &K::sys_faccessat},
+        {NR_faccessat2, &K::sys_faccessat},
+        {NR_unlink, &K::sys_unlink},
+        {NR_unlinkat, &K::sys_unlinkat},
+        {NR_rmdir, &K::sys_rmdir},
+        {NR_mkdir, &K::sys_mkdir},
+        {NR_mkdirat, &K::sys_mkdirat},
+        {NR_rename, &K::sys_rename},
+        {NR_renameat, &K::sys_renameat},
+        {NR_readlink, &K::sys_readlink},
+        {NR_readlinkat, &K::sys_readlinkat},
+        {NR_getcwd, &K::sys_getcwd},
+        {NR_chdir, &K::sys_chdir},
+        {NR_umask, &K::sys_umask},
+
+        {NR_clock_gettime, &K::sys_clock_gettime},
+        {NR_clock_gettime64, &K::sys_clock_gettime64},
+        {NR_clock_getres, &K::sys_clock_getres},
+        {NR_clock_getres_time64, &K::sys_clock_getres_time64},
+        {NR_gettimeofday, &K::sys_gettimeofday},
+        {NR_times, &K::sys_times},
+        {NR_nanosleep, &K::sys_nanosleep},
+        {NR_clock_nanosleep, &K::sys_clock_nanosleep},
+        {NR_clock_nanosleep_time64, &K::sys_clock_nanosleep_time64},
+        {NR_futex, &K::sys_futex},
+        {NR_futex_time64, &K::sys_futex},
+        {NR_pause, &K::sys_pause},
+        {NR_sched_yield, &K::sys_done},
+
+        {NR_exit, &K::sys_exit},
+        {NR_exit_group, &K::sys_exit},
+        {NR_set_tls, &K::sys_set_tls},
+        {NR_set_tid_address, &K::sys_process},
+        {NR_set_robust_list, &K::sys_done},
+        {NR_rseq, &K::sys_rseq},
+        {NR_uname, &K::sys_uname},
+        {NR_getrandom, &K::sys_getrandom},
+        {NR_prlimit64, &K::sys_prlimit64},
+        {NR_ugetrlimit, &K::sys_getrlimit},
+        {NR_getrusage, &K::sys_getrusage},
+        {NR_sysinfo, &K::sys_sysinfo},
+        {NR_sched_getaffinity, &K::sys_sched_getaffinity},
+        {NR_getpid, &K::sys_process},
+        {NR_gettid, &K::sys_process},
+        {NR_getpgrp, &K::sys_process},
+        {NR_getppid, &K::sys_done},
+        {NR_getuid32, &K::sys_done},
+        {NR_geteuid32, &K::sys_done},
+        {NR_getgid32, &K::sys_done},
+        {NR_getegid32, &K::sys_done},
+        {NR_rt_sigaction, &K::sys_sigaction},
+        {NR_rt_sigprocmask, &K::sys_sigprocmask},
+        {NR_sigaltstack, &K::sys_sigaltstack},
+        {NR_sigreturn, &K::sys_sigreturn},
+        {NR_rt_sigreturn, &K::sys_rt_sigreturn},
+        {NR_kill, &K::sys_kill},
+        {NR_tkill, &K::sys_kill},
+        {NR_tgkill, &K::sys_tgkill},
+    };
+    return calls;
+}
+
+}  // namespace sim

@@ -1,0 +1,187 @@
+// kernel.h - the Linux kernel's user interface for one program: static, single-threaded, 32 bits.
+//
+// System calls are answered by the simulator, as gem5's syscall emulation does; the program itself
+// runs instruction by instruction in user mode, and reaches registers by mapping /dev/mem.
+//
+// Time is the simulated time since power-on, the same on all clocks; CLOCK_REALTIME so begins in
+// 1970.  A system call takes no time but that of its instruction; sleeping lets simulated time go
+// by.  Process number 1, user 0, AT_RANDOM and getrandom from a fixed seed: every run is alike.
+//
+// A wrong access is SIGSEGV, an access that nobody on the bus answers SIGBUS, and so on: handlers
+// are called, and without one the program ends.  That and an exit code other than 0 are faults of
+// the processor (ArmCpu::fault()), told in one line.  What is not emulated is named once on the
+// log and answered ENOSYS.  ioctl is ENOTTY, but to the question whether the console is a terminal.
+//
+// Not handled: threads, processes, timers that signal, job control; VFP registers are not saved for
+// a signal's handler; no vDSO, so that the C library makes system calls.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "sim/hps/arm_cpu.h"
+#include "sim/linux/address_space.h"
+#include "sim/linux/files.h"
+#include "sim/linux/signals.h"
+#include "sim/linux/start.h"
+
+namespace sim {
+
+struct LinuxSettings {
+    std::filesystem::path root;  // the folder that is / to the program; empty: nothing there
+    std::vector<std::string> arguments;  // behind the program's name
+};
+
+// Where a Linux program may lie.
+const std::vector<MemoryRange>& linux_memory();
+
+class LinuxKernel : public ArmKernel {
+public:
+    struct Outside {
+        std::function<void(char)> console;
+        std::function<void(const std::string&)> log;
+    };
+
+    // Attaches itself.  std::runtime_error if the root cannot be opened.
+    LinuxKernel(ArmCpu& cpu, LinuxSettings settings, Outside outside);
+
+    // The program's, once it has called exit.
+    std::optional<int> exit_code() const { return exit_code_; }
+
+private:
+    // Of a system call: r0 - r6, and what becomes r0 - nothing leaves the registers as they are.
+    using Arguments = std::array<std::uint32_t, 7>;
+    using Result = std::optional<std::int64_t>;
+    struct Call {
+        std::uint32_t number;
+        Result (LinuxKernel::*answer)(const Arguments&);
+    };
+    static const std::vector<Call>& calls();
+
+    void boot(ArmCore& core) override;
+    void call(ArmCore& core) override;
+    void exception(ArmCore& core, ArmException, const ArmFault&, const std::string& what) override;
+
+    // kernel_memory.cpp
+    Result sys_brk(const Arguments&);
+    Result sys_mmap2(const Arguments&);
+    Result sys_munmap(const Arguments&);
+    Result sys_mprotect(const Arguments&);
+    Result sys_mremap(const Arguments&);
+    Result sys_cacheflush(const Arguments&);
+    std::int64_t map_bus(const Arguments&, std::uint32_t bytes, unsigned access);
+    std::int64_t fill_from_file(int fd, std::uint32_t begin, std::uint32_t bytes,
+                                std::int64_t offset);
+    std::optional<std::uint32_t> place_of(std::uint32_t wish, std::uint32_t bytes,
+                                          std::uint32_t flags) const;
+
+    // kernel_files.cpp
+    Result sys_open(const Arguments&);
+    Result sys_openat(const Arguments&);
+    Result sys_creat(const Arguments&);
+    Result sys_close(const Arguments&);
+    Result sys_read(const Arguments&);
+    Result sys_write(const Arguments&);
+    Result sys_readv(const Arguments&);
+    Result sys_writev(const Arguments&);
+    Result sys_pread64(const Arguments&);
+    Result sys_pwrite64(const Arguments&);
+    Result sys_lseek(const Arguments&);
+    Result sys_llseek(const Arguments&);
+    Result sys_ftruncate64(const Arguments&);
+    Result sys_fsync(const Arguments&);
+    Result sys_dup(const Arguments&);
+    Result sys_dup2(const Arguments&);
+    Result sys_fcntl(const Arguments&);
+    Result sys_ioctl(const Arguments&);
+    std::int64_t open(std::uint32_t folder, std::uint32_t path, std::uint32_t flags,
+                      std::uint32_t mode);
+    std::int64_t each_vector(const Arguments&, bool write);
+
+    // kernel_names.cpp
+    Result sys_fstat64(const Arguments&);
+    Result sys_stat64(const Arguments&);
+    Result sys_fstatat64(const Arguments&);
+    Result sys_statx(const Arguments&);
+    Result sys_access(const Arguments&);
+    Result sys_faccessat(const Arguments&);
+    Result sys_unlink(const Arguments&);
+    Result sys_unlinkat(const Arguments&);
+    Result sys_rmdir(const Arguments&);
+    Result sys_mkdir(const Arguments&);
+    Result sys_mkdirat(const Arguments&);
+    Result sys_rename(const Arguments&);
+    Result sys_renameat(const Arguments&);
+    Result sys_readlink(const Arguments&);
+    Result sys_readlinkat(const Arguments&);
+    Result sys_getcwd(const Arguments&);
+    Result sys_chdir(const Arguments&);
+    std::pair<std::int64_t, std::string> path_at(std::uint32_t folder, std::uint32_t address) const;
+    std::int64_t give_status(const std::pair<int, FileStatus>& status, std::uint32_t to);
+    std::int64_t give_link(const std::string& path, std::uint32_t to, std::uint32_t size);
+
+    // kernel_time.cpp
+    Result sys_clock_gettime(const Arguments&);
+    Result sys_clock_gettime64(const Arguments&);
+    Result sys_clock_getres(const Arguments&);
+    Result sys_clock_getres_time64(const Arguments&);
+    Result sys_gettimeofday(const Arguments&);
+    Result sys_times(const Arguments&);
+    Result sys_nanosleep(const Arguments&);
+    Result sys_clock_nanosleep(const Arguments&);
+    Result sys_clock_nanosleep_time64(const Arguments&);
+    Result sys_futex(const Arguments&);
+    Result sys_pause(const Arguments&);
+    std::uint64_t now_ns() const;
+    std::int64_t sleep(std::uint32_t flags, std::uint32_t span, bool wide, std::uint32_t left);
+    std::int64_t give_time(std::uint32_t to, std::uint64_t ns, bool wide);
+
+    // kernel_process.cpp
+    Result sys_exit(const Arguments&);
+    Result sys_set_tls(const Arguments&);
+    Result sys_rseq(const Arguments&);
+    Result sys_uname(const Arguments&);
+    Result sys_getrandom(const Arguments&);
+    Result sys_prlimit64(const Arguments&);
+    Result sys_getrlimit(const Arguments&);
+    Result sys_getrusage(const Arguments&);
+    Result sys_sysinfo(const Arguments&);
+    Result sys_sched_getaffinity(const Arguments&);
+    Result sys_umask(const Arguments&);
+    Result sys_done(const Arguments&);     // answers 0
+    Result sys_process(const Arguments&);  // the number of process and thread
+    Result sys_sigaction(const Arguments&);
+    Result sys_sigprocmask(const Arguments&);
+    Result sys_sigaltstack(const Arguments&);
+    Result sys_sigreturn(const Arguments&);
+    Result sys_rt_sigreturn(const Arguments&);
+    Result sys_kill(const Arguments&);
+    Result sys_tgkill(const Arguments&);
+    // Calls the handler, or ends the program.  `forced`: by its own instruction, so not to be held.
+    void signal(unsigned number, std::uint32_t address, const std::string& why, bool forced);
+    void deliver_pending();
+
+    // By number, "" if there is none; from the kernel's own header.
+    static const char* name_of(std::uint32_t number);
+
+    ArmCpu& cpu_;
+    const LinuxSettings settings_;
+    const Outside outside_;
+    AddressSpace memory_;
+    KernelHelpers helpers_;
+    LinuxFiles files_;
+    LinuxSignals signals_;
+    std::uint32_t break_begin_ = 0, break_ = 0;
+    std::uint64_t random_;
+    std::uint32_t umask_ = 022;
+    std::set<std::uint32_t> named_;  // calls that were named on the log
+    std::optional<int> exit_code_;
+};
+
+}  // namespace sim

@@ -1,0 +1,157 @@
+// kernel_memory.cpp - LinuxKernel's calls for memory: heap, areas, /dev/mem
+#include <cerrno>
+#include <cstring>
+
+#include "sim/linux/arm_abi.h"
+#include "sim/linux/kernel.h"
+
+namespace sim {
+
+namespace {
+
+constexpr std::uint32_t PAGE = AddressSpace::PAGE;
+constexpr unsigned ACCESS = arm_access::ALL;  // PROT_ bits have the same places
+
+bool aligned(std::uint32_t address) { return address % PAGE == 0; }
+
+// Whole pages, 0 when that is more than a process has.
+std::uint32_t pages(std::uint32_t bytes) {
+    return bytes > AddressSpace::TOP ? 0 : (bytes + PAGE - 1) & ~(PAGE - 1);
+}
+
+bool inside(std::uint32_t begin, std::uint32_t bytes) {
+    return begin >= AddressSpace::BOTTOM && begin <= AddressSpace::TOP &&
+           bytes <= AddressSpace::TOP - begin;
+}
+
+}  // namespace
+
+LinuxKernel::Result LinuxKernel::sys_brk(const Arguments& a) {
+    const std::uint32_t wish = a[0];
+    if (wish < break_begin_ || wish > AddressSpace::TOP - PAGE) return break_;
+    const std::uint32_t was = pages(break_), will = pages(wish);
+    if (will < was) memory_.unmap(will, was - will);
+    if (will > was && (!memory_.is_free(was, will - was) ||
+                       !memory_.map(was, will - was, arm_access::READ | arm_access::WRITE)))
+        return break_;
+    return break_ = wish;
+}
+
+std::optional<std::uint32_t> LinuxKernel::place_of(std::uint32_t wish, std::uint32_t bytes,
+                                                   std::uint32_t flags) const {
+    if (flags & (arm_mmap::FIXED | arm_mmap::FIXED_NOREPLACE)) return wish;
+    wish &= ~(PAGE - 1);
+    if (wish != 0 && inside(wish, bytes) && memory_.is_free(wish, bytes)) return wish;
+    return memory_.find_room(bytes);
+}
+
+LinuxKernel::Result LinuxKernel::sys_mmap2(const Arguments& a) {
+    const std::uint32_t wish = a[0], bytes = pages(a[1]), flags = a[3], page = a[5];
+    const unsigned access = a[2] & ACCESS;
+    const int fd = static_cast<int>(a[4]);
+    const std::uint32_t type = flags & arm_mmap::TYPE;
+    if (a[1] == 0 || type == 0 || type > 3) return -EINVAL;
+    if (bytes == 0) return -ENOMEM;
+    const bool fixed = flags & (arm_mmap::FIXED | arm_mmap::FIXED_NOREPLACE);
+    if (fixed && (!aligned(wish) || !inside(wish, bytes))) return aligned(wish) ? -ENOMEM : -EINVAL;
+    if ((flags & arm_mmap::FIXED_NOREPLACE) && !memory_.is_free(wish, bytes)) return -EEXIST;
+
+    const bool anonymous = flags & arm_mmap::ANONYMOUS;
+    if (!anonymous) {
+        const int open_flags = files_.flags(fd);
+        if (open_flags < 0) return -EBADF;
+        const auto mode = static_cast<std::uint32_t>(open_flags) & arm_open::ACCESS;
+        const bool shared_write = (access & arm_access::WRITE) && type != arm_mmap::PRIVATE;
+        if (mode == arm_open::WRONLY || (shared_write && mode != arm_open::RDWR)) return -EACCES;
+        if (files_.is_memory(fd)) return map_bus(a, bytes, access);
+        if (files_.is_console(fd) || shared_write) return -ENODEV;
+    }
+    const auto place = place_of(wish, bytes, flags);
+    if (!place || !memory_.map(*place, bytes, anonymous ? access : ACCESS)) return -ENOMEM;
+    if (anonymous) return *place;
+    const std::int64_t error = fill_from_file(fd, *place, bytes, std::int64_t{page} * PAGE);
+    if (error < 0) memory_.unmap(*place, bytes);
+    if (error < 0) return error;
+    memory_.protect(*place, bytes, access);
+    return *place;
+}
+
+std::int64_t LinuxKernel::map_bus(const Arguments& a, std::uint32_t bytes, unsigned access) {
+    const std::uint64_t physical = std::uint64_t{a[5]} * PAGE;
+    if (physical + bytes > std::uint64_t{1} << 32) return -EINVAL;
+    const auto place = place_of(a[0], bytes, a[3]);
+    if (!place) return -ENOMEM;
+    memory_.map_bus(*place, bytes, access & ~arm_access::EXECUTE,
+                    static_cast<std::uint32_t>(physical));
+    return *place;
+}
+
+// The rest of the last page stays zero.
+std::int64_t LinuxKernel::fill_from_file(int fd, std::uint32_t begin, std::uint32_t bytes,
+                                         std::int64_t offset) {
+    std::uint8_t* to = memory_.bytes(begin, bytes, arm_access::WRITE);
+    for (std::uint32_t done = 0; done < bytes;) {
+        const std::int64_t count = files_.read_at(fd, to + done, bytes - done, offset + done);
+        if (count < 0) return count == -ESPIPE ? -ENODEV : count;
+        if (count == 0) break;
+        done += static_cast<std::uint32_t>(count);
+    }
+    return 0;
+}
+
+LinuxKernel::Result LinuxKernel::sys_munmap(const Arguments& a) {
+    const std::uint32_t bytes = pages(a[1]);
+    if (!aligned(a[0]) || bytes == 0 || !inside(a[0], bytes)) return -EINVAL;
+    memory_.unmap(a[0], bytes);
+    return 0;
+}
+
+LinuxKernel::Result LinuxKernel::sys_mprotect(const Arguments& a) {
+    if (!aligned(a[0])) return -EINVAL;
+    if (a[1] == 0) return 0;
+    const std::uint32_t bytes = pages(a[1]);
+    if (bytes == 0 || !inside(a[0], bytes)) return -ENOMEM;
+    return memory_.protect(a[0], bytes, a[2] & ACCESS) ? 0 : -ENOMEM;
+}
+
+LinuxKernel::Result LinuxKernel::sys_mremap(const Arguments& a) {
+    const std::uint32_t from = a[0], was = pages(a[1]), will = pages(a[2]), flags = a[3];
+    if (!aligned(from) || will == 0 || was == 0 || (flags & arm_mremap::FIXED)) return -EINVAL;
+    const auto area = memory_.at(from);
+    if (!inside(from, was) || !area || area->second.end - from < was) return -EFAULT;
+    if (will <= was) {
+        if (will < was) memory_.unmap(from + will, was - will);
+        return from;
+    }
+    const bool on_bus = area->second.on_bus;
+    const unsigned access = area->second.access;
+    const std::uint32_t physical = area->second.physical_at(from - area->first);
+    if (inside(from, will) && memory_.is_free(from + was, will - was)) {
+        if (on_bus)
+            memory_.map_bus(from + was, will - was, access, physical + was);
+        else if (!memory_.map(from + was, will - was, access))
+            return -ENOMEM;
+        return from;
+    }
+    const auto to = flags & arm_mremap::MAYMOVE ? memory_.find_room(will) : std::nullopt;
+    if (!to) return -ENOMEM;
+    if (on_bus) {
+        memory_.map_bus(*to, will, access, physical);
+    } else {
+        if (!memory_.map(*to, will, ACCESS)) return -ENOMEM;
+        memory_.protect(from, was, ACCESS);
+        std::memcpy(memory_.bytes(*to, was, arm_access::WRITE),
+                    memory_.bytes(from, was, arm_access::READ), was);
+        memory_.protect(*to, will, access);
+    }
+    memory_.unmap(from, was);
+    return *to;
+}
+
+LinuxKernel::Result LinuxKernel::sys_cacheflush(const Arguments& a) {
+    if (a[1] < a[0]) return -EINVAL;
+    cpu_.core().forget_translations(a[0], a[1] - a[0]);
+    return 0;
+}
+
+}  // namespace sim

@@ -1,0 +1,186 @@
+// kernel_names.cpp - LinuxKernel's calls on paths, and what is told of files
+#include <algorithm>
+#include <cerrno>
+
+#include "sim/linux/arm_abi.h"
+#include "sim/linux/kernel.h"
+
+namespace sim {
+
+namespace {
+
+constexpr std::uint32_t BLOCK = 4096, SECTOR = 512;
+
+struct Stat64 {  // arch/arm/include/uapi/asm/stat.h
+    std::uint64_t device;
+    std::uint32_t pad0, short_number, mode, links, user, group;
+    std::uint64_t this_device;
+    std::uint32_t pad1[2];
+    std::uint64_t size;
+    std::uint32_t block, pad2;
+    std::uint64_t sectors;
+    std::uint32_t times[6];
+    std::uint64_t number;
+};
+static_assert(sizeof(Stat64) == 104);
+
+struct Statx {  // include/uapi/linux/stat.h
+    std::uint32_t mask, block;
+    std::uint64_t attributes;
+    std::uint32_t links, user, group;
+    std::uint16_t mode, pad0;
+    std::uint64_t number, size, sectors, attributes_mask;
+    std::uint64_t times[8];
+    std::uint32_t this_device[2], device[2];
+    std::uint64_t rest[14];
+};
+static_assert(sizeof(Statx) == 256);
+
+constexpr std::uint32_t BASIC_STATS = 0x7FF;
+
+}  // namespace
+
+// Relative paths are from /, where the program always is: other folders cannot be opened to walk.
+std::pair<std::int64_t, std::string> LinuxKernel::path_at(std::uint32_t folder,
+                                                          std::uint32_t address) const {
+    const auto text = memory_.string(address);
+    if (!text) return {-EFAULT, ""};
+    if (folder != ARM_AT_FDCWD && (*text)[0] != '/') return {-EBADF, ""};
+    return {0, *text};
+}
+
+std::int64_t LinuxKernel::give_status(const std::pair<int, FileStatus>& status, std::uint32_t to) {
+    const auto& [error, file] = status;
+    if (error) return error;
+    Stat64 stat{};
+    stat.device = 1;
+    stat.short_number = static_cast<std::uint32_t>(file.number);
+    stat.number = file.number;
+    stat.mode = file.mode;
+    stat.links = 1;
+    stat.this_device = file.device;
+    stat.size = file.size;
+    stat.block = BLOCK;
+    stat.sectors = (file.size + SECTOR - 1) / SECTOR;
+    return memory_.write(to, &stat, sizeof stat) ? 0 : -EFAULT;
+}
+
+LinuxKernel::Result LinuxKernel::sys_fstat64(const Arguments& a) {
+    return give_status(files_.status_of(static_cast<int>(a[0])), a[1]);
+}
+
+LinuxKernel::Result LinuxKernel::sys_stat64(const Arguments& a) {
+    const auto [error, path] = path_at(ARM_AT_FDCWD, a[0]);
+    return error ? error : give_status(files_.status_of(path), a[1]);
+}
+
+LinuxKernel::Result LinuxKernel::sys_fstatat64(const Arguments& a) {
+    const auto [error, path] = path_at(a[0], a[1]);
+    if (path.empty() && (a[3] & ARM_AT_EMPTY_PATH)) return sys_fstat64({a[0], a[2]});
+    return error ? error : give_status(files_.status_of(path), a[2]);
+}
+
+LinuxKernel::Result LinuxKernel::sys_statx(const Arguments& a) {
+    const auto text = memory_.string(a[1]);
+    const bool by_number = text && text->empty() && (a[2] & ARM_AT_EMPTY_PATH);
+    const auto [error, path] =
+        by_number ? std::pair<std::int64_t, std::string>{} : path_at(a[0], a[1]);
+    if (error) return error;
+    const auto [failed, file] =
+        by_number ? files_.status_of(static_cast<int>(a[0])) : files_.status_of(path);
+    if (failed) return failed;
+    Statx stat{};
+    stat.mask = BASIC_STATS;
+    stat.block = BLOCK;
+    stat.links = 1;
+    stat.mode = static_cast<std::uint16_t>(file.mode);
+    stat.number = file.number;
+    stat.size = file.size;
+    stat.sectors = (file.size + SECTOR - 1) / SECTOR;
+    stat.this_device[0] = static_cast<std::uint32_t>(file.device >> 8);
+    stat.this_device[1] = static_cast<std::uint32_t>(file.device & 0xFF);
+    stat.device[1] = 1;
+    return memory_.write(a[4], &stat, sizeof stat) ? 0 : -EFAULT;
+}
+
+LinuxKernel::Result LinuxKernel::sys_access(const Arguments& a) {
+    return sys_faccessat({ARM_AT_FDCWD, a[0], a[1]});
+}
+
+LinuxKernel::Result LinuxKernel::sys_faccessat(const Arguments& a) {
+    const auto [error, path] = path_at(a[0], a[1]);
+    return error ? error : files_.access(path, static_cast<int>(a[2]));
+}
+
+LinuxKernel::Result LinuxKernel::sys_unlink(const Arguments& a) {
+    return sys_unlinkat({ARM_AT_FDCWD, a[0], 0});
+}
+
+LinuxKernel::Result LinuxKernel::sys_rmdir(const Arguments& a) {
+    return sys_unlinkat({ARM_AT_FDCWD, a[0], ARM_AT_REMOVEDIR});
+}
+
+LinuxKernel::Result LinuxKernel::sys_unlinkat(const Arguments& a) {
+    const auto [error, path] = path_at(a[0], a[1]);
+    return error ? error : files_.remove(path, a[2] & ARM_AT_REMOVEDIR);
+}
+
+LinuxKernel::Result LinuxKernel::sys_mkdir(const Arguments& a) {
+    return sys_mkdirat({ARM_AT_FDCWD, a[0], a[1]});
+}
+
+LinuxKernel::Result LinuxKernel::sys_mkdirat(const Arguments& a) {
+    const auto [error, path] = path_at(a[0], a[1]);
+    return error ? error : files_.make_folder(path, a[2] & ~umask_);
+}
+
+LinuxKernel::Result LinuxKernel::sys_rename(const Arguments& a) {
+    return sys_renameat({ARM_AT_FDCWD, a[0], ARM_AT_FDCWD, a[1]});
+}
+
+LinuxKernel::Result LinuxKernel::sys_renameat(const Arguments& a) {
+    const auto [from_error, from] = path_at(a[0], a[1]);
+    const auto [to_error, to] = path_at(a[2], a[3]);
+    if (from_error || to_error) return from_error ? from_error : to_error;
+    return files_.rename(from, to);
+}
+
+// The one link there is leads to the program itself.
+std::int64_t LinuxKernel::give_link(const std::string& path, std::uint32_t to, std::uint32_t size) {
+    if (path != "/proc/self/exe") {
+        const int error = files_.status_of(path).first;
+        return error && error != -ELOOP ? error : -EINVAL;
+    }
+    const std::string target = sim::path_of(cpu_.program().elf);
+    const std::size_t count = std::min<std::size_t>(size, target.size());
+    return memory_.write(to, target.data(), count) ? static_cast<std::int64_t>(count) : -EFAULT;
+}
+
+LinuxKernel::Result LinuxKernel::sys_readlink(const Arguments& a) {
+    return sys_readlinkat({ARM_AT_FDCWD, a[0], a[1], a[2]});
+}
+
+LinuxKernel::Result LinuxKernel::sys_readlinkat(const Arguments& a) {
+    const auto [error, path] = path_at(a[0], a[1]);
+    return error ? error : give_link(path, a[2], a[3]);
+}
+
+LinuxKernel::Result LinuxKernel::sys_getcwd(const Arguments& a) {
+    constexpr char ROOT[] = "/";
+    if (a[1] < sizeof ROOT) return -ERANGE;
+    return memory_.write(a[0], ROOT, sizeof ROOT) ? std::int64_t{sizeof ROOT} : -EFAULT;
+}
+
+LinuxKernel::Result LinuxKernel::sys_chdir(const Arguments& a) {
+    const auto [error, path] = path_at(ARM_AT_FDCWD, a[0]);
+    if (error) return error;
+    return path == "/" || path == "." ? 0 : -EACCES;
+}
+
+LinuxKernel::Result LinuxKernel::sys_umask(const Arguments& a) {
+    const std::uint32_t was = umask_;
+    umask_ = a[0] & 0777;
+    return was;
+}
+
+}  // namespace sim

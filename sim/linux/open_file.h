@@ -1,0 +1,44 @@
+// open_file.h - what LinuxFiles keeps of an open file
+#pragma once
+
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdint>
+#include <memory>
+#include <string>
+
+#include "sim/linux/files.h"
+
+namespace sim {
+
+class LinuxFiles::Handle {
+public:
+    explicit Handle(int fd) : fd_{fd} {}
+    ~Handle() {
+        if (fd_ >= 0) ::close(fd_);
+    }
+    Handle(const Handle&) = delete;
+    int fd() const { return fd_; }
+
+private:
+    int fd_;
+};
+
+struct LinuxFiles::File {
+    enum class Kind { NOTHING, CONSOLE, MEMORY, HOST } kind;
+    std::uint32_t flags;
+    std::shared_ptr<Handle> host = nullptr;
+};
+
+struct LinuxFiles::Place {
+    std::shared_ptr<Handle> folder;
+    std::string name;
+};
+
+constexpr const char* MEMORY_PATH = "/dev/mem";
+
+// A result of the host's, as the kernel gives it.
+inline std::int64_t or_error(std::int64_t result) { return result < 0 ? -errno : result; }
+
+}  // namespace sim

@@ -1,0 +1,45 @@
+// start.h - how Linux starts a program: its segments, its stack, the page of the kernel's helpers.
+//
+//   stack, from SP up: argc, argv..., 0, envp..., 0, auxiliary vector, then what they point to
+//   0xFFFF0000: __kuser_cmpxchg64 +0xF60, memory_barrier +0xFA0, cmpxchg +0xFC0, get_tls +0xFE0,
+//               version +0xFFC
+//
+// The environment is empty but for PATH, HOME and TERM.  Source: Linux 6.1, fs/binfmt_elf.c;
+// Documentation/arm/kernel_user_helpers.rst.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "sim/hps/arm_core.h"
+#include "sim/hps/elf.h"
+#include "sim/linux/address_space.h"
+
+namespace sim {
+
+// Ends of a signal's handler that brings none of its own.
+constexpr std::uint32_t SIGRETURN_CODE = 0xFFFF0500, RT_SIGRETURN_CODE = 0xFFFF0508;
+
+// The page of helpers; it lasts as long as the core uses it.
+class KernelHelpers {
+public:
+    explicit KernelHelpers(ArmCore& core);
+    ~KernelHelpers();
+    KernelHelpers(const KernelHelpers&) = delete;
+    void connect();  // to the core
+    void set_tls(std::uint32_t value);
+
+private:
+    ArmCore& core_;
+    std::uint8_t* page_;
+};
+
+// What uname, /proc/self/exe and AT_EXECFN say of a program: "/collide-linux".
+std::string path_of(const ElfProgram& program);
+
+// Maps and fills everything and sets the registers: user mode, pc at the entry.  Returns the first
+// address behind the program, where its heap begins.  std::runtime_error if it does not fit.
+std::uint32_t start_linux_program(ArmCore& core, AddressSpace& memory, const ElfProgram& program,
+                                  const std::vector<std::string>& arguments);
+
+}  // namespace sim

@@ -1,0 +1,29 @@
+// frame_budget.h - how much of a frame's time a program uses, from the processor's own counters.
+//
+// A frame is the time between two ends of frames on the monitor, 16.8 ms.  Costs one reading of the
+// counters and 24 bytes a frame.
+#pragma once
+
+#include <vector>
+
+#include "sim/hps/arm_cpu.h"
+#include "sim/report/report.h"
+
+namespace sim {
+
+class FrameBudget {
+public:
+    void frame_ended(const ArmCpu::Counts& counts, const sc_core::sc_time& now);
+    RunReport::FrameFigures figures() const;
+
+private:
+    struct Frame {
+        double instructions, busy_share, bus_share;
+    };
+    bool begun_ = false;
+    ArmCpu::Counts last_;
+    sc_core::sc_time last_time_;
+    std::vector<Frame> frames_;
+};
+
+}  // namespace sim

@@ -1,0 +1,68 @@
+#include "sim/run/arm_run.h"
+
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+#include "sim/board/board.h"
+#include "sim/report/whole_file.h"
+
+namespace sim {
+
+bool runs_on_linux(const RunOptions& options) {
+    return options.system == "linux" || (options.system == "auto" && expects_linux(options.elf));
+}
+
+ArmProgram load_program(const RunOptions& options, bool on_linux) {
+    if (!on_linux && !options.arguments.empty())
+        throw std::runtime_error{options.elf.string() +
+                                 ": arguments behind -- are for Linux programs (--system linux)"};
+    if (!on_linux && !options.linux_root.empty())
+        throw std::runtime_error{options.elf.string() +
+                                 ": --linux-root is for Linux programs (--system linux)"};
+    return {load_elf(options.elf, on_linux ? linux_memory() : program_memory()), options.cpi};
+}
+
+ArmRun::ArmRun(ArmCpu& cpu, const RunOptions& options, bool on_linux, Recorder& recorder)
+    : options_{options}, cpu_{cpu} {
+    if (on_linux)
+        kernel_.emplace(
+            cpu, LinuxSettings{options.linux_root, options.arguments},
+            LinuxKernel::Outside{[&recorder](char c) { recorder.console(c); },
+                                 [&recorder](const std::string& line) { recorder.log(line); }});
+    if (!options.profile.empty()) {
+        profile_.emplace(cpu.core(), cpu.program().elf);
+        cpu.core().attach(&*profile_);
+    }
+    recorder.on_frame = [this] { budget_.frame_ended(cpu_.counts(), sc_core::sc_time_stamp()); };
+}
+
+RunReport::Program ArmRun::program() const {
+    const ArmCpu::Counts counts = cpu_.counts();
+    const ArmCpu::Position at = cpu_.position();
+    RunReport::Program program;
+    program.elf = cpu_.program().elf.file.string();
+    program.cpi = cpu_.program().cpi;
+    program.instructions = counts.instructions;
+    program.interrupts = counts.interrupts;
+    program.aborts = counts.aborts;
+    program.asleep_s = counts.asleep.to_seconds();
+    program.on_bus_s = counts.on_bus.to_seconds();
+    program.pc = at.pc;
+    program.function = at.function;
+    program.frames = budget_.figures();
+    if (kernel_) program.exit_code = kernel_->exit_code();
+    if (at.ended)
+        program.waiting = "nothing: it has ended";
+    else if (at.sleeping)
+        program.waiting = kernel_ ? "the time to wake up" : "an interrupt";
+    else if (at.polling)
+        program.waiting = fmt::format("a change of 0x{:08X}", at.address);
+    return program;
+}
+
+void ArmRun::write_profile() const {
+    if (profile_) write_whole_file(options_.profile, profile_->callgrind());
+}
+
+}  // namespace sim

@@ -1,0 +1,39 @@
+// arm_run.h - what a run with --cpu arm has besides: its ELF, a kernel for Linux programs, figures.
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "sim/hps/arm_cpu.h"
+#include "sim/linux/kernel.h"
+#include "sim/profile/frame_budget.h"
+#include "sim/profile/profile.h"
+#include "sim/report/report.h"
+#include "sim/run/options.h"
+#include "sim/run/recorder.h"
+
+namespace sim {
+
+// What options.system says, or for "auto" what the ELF does.  ElfError.
+bool runs_on_linux(const RunOptions& options);
+
+// ElfError; std::runtime_error for options that only a Linux program has.
+ArmProgram load_program(const RunOptions& options, bool on_linux);
+
+class ArmRun {
+public:
+    // Attaches to the processor and to the recorder's frames.
+    ArmRun(ArmCpu& cpu, const RunOptions& options, bool on_linux, Recorder& recorder);
+
+    RunReport::Program program() const;
+    void write_profile() const;  // if it was asked for; IoError
+
+private:
+    const RunOptions& options_;
+    ArmCpu& cpu_;
+    std::optional<LinuxKernel> kernel_;
+    std::optional<Profile> profile_;
+    FrameBudget budget_;
+};
+
+}  // namespace sim

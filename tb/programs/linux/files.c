@@ -1,0 +1,50 @@
+// files.c - files under the root, and what lies beyond it
+#include <errno.h>
+#include <fcntl.h>
+#include <stdio.h>
+#include <string.h>
+#include <sys/ioctl.h>
+#include <sys/mman.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+static const char* ioctl_error(int fd) {
+    return ioctl(fd, 0x1234, 0) < 0 ? strerror(errno) : "done";
+}
+
+static void try_open(const char* path) {
+    const int fd = open(path, O_RDONLY);
+    printf("%s: %s\n", path, fd < 0 ? strerror(errno) : "open");
+    if (fd >= 0) close(fd);
+}
+
+int main(void) {
+    char line[100];
+    FILE* in = fopen("/data/in.txt", "r");
+    if (!in || !fgets(line, sizeof line, in)) return 1;
+    printf("read %s", line);
+    fseek(in, -5, SEEK_END);
+    printf("last %s", fgets(line, sizeof line, in));
+    fclose(in);
+
+    FILE* out = fopen("data/out.txt", "w");
+    if (!out) return 2;
+    for (int i = 0; i < 1000; ++i) fprintf(out, "line %d\n", i);
+    fclose(out);
+    struct stat status;
+    if (stat("/data/out.txt", &status) != 0) return 3;
+    printf("wrote %ld bytes, %s\n", (long)status.st_size, S_ISREG(status.st_mode) ? "file" : "?");
+
+    const int fd = open("/data/in.txt", O_RDONLY);
+    const char* text = mmap(NULL, 4096, PROT_READ, MAP_PRIVATE, fd, 0);
+    printf("mapped %.5s\n", text);
+    printf("ioctl: %s\n", ioctl_error(fd));
+
+    try_open("../outside.txt");
+    try_open("/data/../../outside.txt");
+    try_open("/link");
+    try_open("/folder_link/outside.txt");
+    try_open("/none");
+    try_open("/fifo");
+    return 0;
+}

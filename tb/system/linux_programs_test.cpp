@@ -1,0 +1,169 @@
+// linux_programs_test.cpp - static Linux programs on the modelled Cortex-A9, by the command line.
+#include <gmock/gmock.h>
+
+#include <sys/stat.h>
+
+#include "tb/system/cli.h"
+
+namespace {
+
+using ::testing::EndsWith;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::SizeIs;
+
+class LinuxProgram : public tb::CommandLine {
+protected:
+    // Runs the program NAME with `words` behind --, and `options` before.
+    tb::Outcome linux_run(const std::string& name, const std::vector<std::string>& words = {},
+                          std::vector<std::string> options = {},
+                          const std::string& steps = "duration: 100ms\n") const {
+        options.insert(options.begin(), {"--cpu", "arm", "--elf", LINUX_PROGRAMS + name, "--frames",
+                                         "none", "--quiet"});
+        options.push_back("--");
+        options.insert(options.end(), words.begin(), words.end());
+        return play(scenario(steps), options);
+    }
+    std::string console() const { return file("console.txt"); }
+    // faults CASE ends the run as a fault of the firmware, in one line that says `why`.
+    void expect_end(const std::string& which, const std::vector<std::string>& why) const {
+        const tb::Outcome outcome = linux_run("faults", {which});
+        EXPECT_EQ(outcome.exit_code, 1);
+        EXPECT_EQ(report()["end"], "firmware fault");
+        ASSERT_THAT(report()["faults"], SizeIs(1));
+        for (const std::string& part : why)
+            EXPECT_THAT(report()["faults"][0].get<std::string>(), HasSubstr(part));
+    }
+    void refused(const tb::Outcome& outcome, const std::string& message) const {
+        EXPECT_EQ(outcome.exit_code, 2);
+        EXPECT_THAT(tb::lines_of(outcome.err), SizeIs(1));
+        EXPECT_THAT(outcome.err, HasSubstr(message));
+    }
+};
+
+TEST_F(LinuxProgram, PrintsAllocatesThrowsAndGetsItsArguments) {
+    const tb::Outcome outcome = linux_run("hello", {"a", "b c"});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_EQ(console(),
+              "/hello with 2 arguments: [a] [b c]\n"
+              "sum 3264000, kept 255\n"
+              "999 squared is 998001, half of 3 is 1.5\n"
+              "caught\n");
+    EXPECT_EQ(report()["program"]["exit_code"], 0);
+    EXPECT_THAT(report()["log"]["first"], IsEmpty());
+}
+
+TEST_F(LinuxProgram, ReadsAndWritesFilesUnderItsRootOnly) {
+    folder.put("outside.txt", "secret");
+    std::filesystem::create_directories(folder / "root/data");
+    folder.put("root/data/in.txt", "hello\nlast\n");
+    std::filesystem::create_symlink("../outside.txt", folder / "root/link");
+    std::filesystem::create_symlink("..", folder / "root/folder_link");
+    ASSERT_EQ(mkfifo((folder / "root/fifo").c_str(), 0600), 0);
+    EXPECT_EQ(linux_run("files", {}, {"--linux-root", folder / "root"}).exit_code, 0);
+    EXPECT_EQ(console(),
+              "read hello\n"
+              "last last\n"
+              "wrote 8890 bytes, file\n"
+              "mapped hello\n"
+              "ioctl: Inappropriate ioctl for device\n"
+              "../outside.txt: Permission denied\n"
+              "/data/../../outside.txt: Permission denied\n"
+              "/link: Too many levels of symbolic links\n"
+              "/folder_link/outside.txt: Too many levels of symbolic links\n"
+              "/none: No such file or directory\n"
+              "/fifo: Permission denied\n");
+    const std::string written = folder.get("root/data/out.txt");
+    EXPECT_EQ(written.size(), 8890u);
+    EXPECT_THAT(written, EndsWith("line 998\nline 999\n"));
+}
+
+TEST_F(LinuxProgram, SeesNoFilesWithoutARoot) {
+    const tb::Outcome outcome = linux_run("files");
+    EXPECT_EQ(outcome.exit_code, 1);
+    EXPECT_THAT(outcome.err, HasSubstr("the program ended with exit code 1 "));
+}
+
+TEST_F(LinuxProgram, SleepsInSimulatedTimeByEveryClock) {
+    EXPECT_EQ(linux_run("clocks").exit_code, 0);
+    EXPECT_EQ(console(),
+              "nanosleep took 20 ms\nusleep took 20 ms\nclock_nanosleep took 20 ms\n"
+              "until took 20 ms\n");
+    EXPECT_NEAR(report()["program"]["asleep_s"].get<double>(), 0.08, 0.0002);
+}
+
+TEST_F(LinuxProgram, ReachesRegistersThroughDevMem) {
+    const tb::Outcome outcome = linux_run("dev_mem", {}, {},
+                                          "steps:\n  - wait-serial: leds read back 155\n"
+                                          "  - expect-leds: \"0101010101\"\n"
+                                          "  - wait-serial: an odd offset\n"
+                                          "  - hold: {switch: [2, 7]}\n  - delay: 5ms\n"
+                                          "  - expect-leds: \"0010000100\"\n");
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_EQ(console(),
+              "leds read back 155\ntimer expired, status 0\nan odd offset: Invalid argument\n");
+    EXPECT_NEAR(report()["expectations"][2]["time_s"].get<double>(), 0.005, 0.0002)
+        << "when the A9's timer has expired";
+}
+
+TEST_F(LinuxProgram, NeedsNeitherACLibraryNorFloatingPointRegisters) {
+    EXPECT_EQ(linux_run("soft_float", {}, {"--system", "linux"}).exit_code, 0);
+    EXPECT_EQ(console(), "soft\n");
+}
+
+TEST_F(LinuxProgram, IsEndedByAWrongAccess) {
+    expect_end("segv", {"SIGSEGV: write to 0x00000010", "in write_to_nowhere"});
+    expect_end("constant", {"SIGSEGV: write to 0x000", " in main"});
+    expect_end("nowhere", {"SIGSEGV: no instruction to be read", "PC 0x40000000"});
+    expect_end("undefined", {"SIGILL: undefined instruction", " in main"});
+}
+
+TEST_F(LinuxProgram, IsEndedByAnAccessThatNobodyAnswers) {
+    expect_end("bus", {"SIGBUS", "read of 4 bytes at 0xFF2FF000", "in read_unanswered"});
+}
+
+TEST_F(LinuxProgram, IsEndedByAbort) { expect_end("abort", {"SIGABRT"}); }
+
+TEST_F(LinuxProgram, FailsTheRunByAnExitCode) {
+    expect_end("exit", {"the program ended with exit code 3"});
+    EXPECT_EQ(report()["program"]["exit_code"], 3);
+}
+
+TEST_F(LinuxProgram, HandlesItsSignals) {
+    EXPECT_EQ(linux_run("faults", {"handled"}).exit_code, 0);
+    EXPECT_EQ(console(), "handler: signal 11 at 0x10\nraised 1, goes on\n");
+}
+
+TEST_F(LinuxProgram, IsToldOfAnUnknownCallOnceAndGoesOn) {
+    EXPECT_EQ(linux_run("faults", {"unknown"}).exit_code, 0);
+    EXPECT_EQ(console(), "-1 -1\n-1\n");
+    const nlohmann::json log = report()["log"]["first"];
+    ASSERT_THAT(log, SizeIs(2));
+    EXPECT_THAT(log[0].get<std::string>(), HasSubstr("system call 281 (socket) is not emulated"));
+    EXPECT_THAT(log[1].get<std::string>(), HasSubstr("system call 9999 is not emulated"));
+}
+
+TEST_F(LinuxProgram, IsTheSameToTheByteEveryTime) {
+    const auto once = [this] {
+        EXPECT_EQ(linux_run("hello", {"x"}).exit_code, 0);
+        nlohmann::json all = report();
+        all.erase("wall");
+        return all.dump() + console();
+    };
+    const std::string first = once();
+    EXPECT_EQ(once(), first);
+}
+
+TEST_F(LinuxProgram, RefusesOptionsThatAreNotForItsSystem) {
+    scenario("duration: 1ms\n");
+    refused(play("s.yaml", {"--cpu", "arm", "--elf", LEDS_ELF, "--", "x"}),
+            "arguments behind -- are for Linux programs");
+    refused(play("s.yaml", {"--cpu", "arm", "--elf", LEDS_ELF, "--linux-root", "."}),
+            "--linux-root is for Linux programs");
+    refused(play("s.yaml", {"--", "x"}), "--: is for --cpu arm");
+    refused(play("s.yaml", {"--system", "linux"}), "--system: is for --cpu arm");
+    refused(linux_run("hello", {}, {"--linux-root", folder / "none"}),
+            "none: cannot open as the program's root: No such file or directory");
+}
+
+}  // namespace
