@@ -26,8 +26,9 @@ struct RunOptions {
     std::filesystem::path scenario;
     std::filesystem::path out = "out";
     std::string cpu = "native";
-    std::filesystem::path elf;  // for the processor "arm", or empty
-    double cpi = 1;             // clocks an instruction of that processor
+    std::filesystem::path elf;    // for the processor "arm", or empty
+    double cpi = 1;               // clocks an instruction of that processor
+    std::optional<unsigned> gdb;  // port for a debugger of that processor
     FrameChoice frames;
     std::optional<SimTime> duration;    // instead of the scenario's
     std::optional<std::uint64_t> seed;  // instead of the scenario's
