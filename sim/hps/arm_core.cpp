@@ -47,6 +47,7 @@ struct ArmCore::Engine {
     };
 
     uc_engine* uc = nullptr;
+    uc_hook watch = 0;
     std::vector<Ram> ram;
     std::vector<std::unique_ptr<Window>> windows;
 
@@ -94,7 +95,7 @@ struct ArmCore::Hooks {
         const auto& [core, bus_base, base, size] = *static_cast<Engine::Window*>(window);
         const std::uint32_t address = bus_base + static_cast<std::uint32_t>(offset);
         std::uint32_t value = 0;
-        if (!core->aborted_ && !core->bus_.read(address, bytes, value))
+        if (!core->aborted_ && !core->watched_ && !core->bus_.read(address, bytes, value))
             core->abort(uc, address, false);
         return value;
     }
@@ -102,7 +103,8 @@ struct ArmCore::Hooks {
                       void* window) {
         const auto& [core, bus_base, base, size] = *static_cast<Engine::Window*>(window);
         const std::uint32_t address = bus_base + static_cast<std::uint32_t>(offset);
-        if (!core->aborted_ && !core->bus_.write(address, bytes, static_cast<std::uint32_t>(value)))
+        if (!core->aborted_ && !core->watched_ &&
+            !core->bus_.write(address, bytes, static_cast<std::uint32_t>(value)))
             core->abort(uc, address, true);
     }
 
@@ -114,6 +116,18 @@ struct ArmCore::Hooks {
         core.fault_ = {static_cast<std::uint32_t>(address),
                        type == UC_MEM_WRITE_UNMAPPED || type == UC_MEM_WRITE_PROT, true};
         return false;
+    }
+
+    // Before each access, of which an instruction can have several.
+    static void access(uc_engine* uc, uc_mem_type type, std::uint64_t address, int bytes,
+                       std::int64_t, void* self) {
+        ArmCore& core = *static_cast<ArmCore*>(self);
+        if (core.watched_ ||
+            !core.watch_->touched(static_cast<std::uint32_t>(address), static_cast<unsigned>(bytes),
+                                  type == UC_MEM_WRITE))
+            return;
+        core.watched_ = true;
+        uc_emu_stop(uc);
     }
 };
 
@@ -133,6 +147,19 @@ ArmCore::ArmCore(ArmBus& bus) : engine_{std::make_unique<Engine>()}, bus_{bus} {
 }
 
 ArmCore::~ArmCore() = default;
+
+void ArmCore::watch(ArmWatch* watch) {
+    if (watch && !watch_) {
+        check(uc_hook_add(engine_->uc, &engine_->watch, UC_HOOK_MEM_READ | UC_HOOK_MEM_WRITE,
+                          reinterpret_cast<void*>(&Hooks::access), this, 1, 0),
+              "hook of accesses");
+        // What is translated looks away.  UC_CTL_TB_FLUSH takes 2 s, this some milliseconds.
+        for (const Engine::Ram& area : engine_->ram)
+            uc_ctl_remove_cache(engine_->uc, area.base, area.base + area.size);
+    }
+    if (!watch && watch_) check(uc_hook_del(engine_->uc, engine_->watch), "end of a hook");
+    watch_ = watch;
+}
 
 void ArmCore::map_ram(std::uint32_t base, std::uint64_t size, void* bytes, unsigned access) {
     check(uc_mem_map_ptr(engine_->uc, base, size, access, bytes), "map of RAM");
@@ -194,10 +221,11 @@ ArmStop ArmCore::run(std::uint64_t limit) {
     limit_ = count_ + limit;
     const std::uint64_t begin = count_;
     exception_ = 0;
-    aborted_ = false;
+    aborted_ = watched_ = false;
     const std::uint32_t thumb = cpsr() & arm_cpsr::T ? 1 : 0;
     const uc_err error = uc_emu_start(engine_->uc, pc() | thumb, NEVER, 0, 0);
 
+    if (watched_) return ArmStop::LIMIT;
     if (aborted_) return ArmStop::DATA_ABORT;
     if (exception_ == EXCP_SWI) return ArmStop::SVC;
     fault_ = {0, false, exception_ == EXCP_DATA_ABORT || exception_ == EXCP_PREFETCH_ABORT};
@@ -263,6 +291,26 @@ std::uint32_t ArmCore::spsr() const {
 }
 
 void ArmCore::set_spsr(std::uint32_t value) { uc_reg_write(engine_->uc, UC_ARM_REG_SPSR, &value); }
+
+std::uint64_t ArmCore::vfp(unsigned number) const {
+    std::uint64_t value = 0;
+    uc_reg_read(engine_->uc, UC_ARM_REG_D0 + static_cast<int>(number & 31), &value);
+    return value;
+}
+
+void ArmCore::set_vfp(unsigned number, std::uint64_t value) {
+    uc_reg_write(engine_->uc, UC_ARM_REG_D0 + static_cast<int>(number & 31), &value);
+}
+
+std::uint32_t ArmCore::fpscr() const {
+    std::uint32_t value = 0;
+    uc_reg_read(engine_->uc, UC_ARM_REG_FPSCR, &value);
+    return value;
+}
+
+void ArmCore::set_fpscr(std::uint32_t value) {
+    uc_reg_write(engine_->uc, UC_ARM_REG_FPSCR, &value);
+}
 
 std::uint32_t ArmCore::cp15(const Cp15& name) const {
     uc_arm_cp_reg reg{15, 0, BANK, name.crn, name.crm, name.op1, name.op2, 0};

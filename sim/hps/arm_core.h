@@ -41,6 +41,17 @@ protected:
     ~ArmProbe() = default;
 };
 
+// A debugger's watchpoints.
+class ArmWatch {
+public:
+    // Within the load or store, once each of its accesses; true ends run() with LIMIT and pc at it.
+    // Its registers and what it would do on the bus are then undone; a store to RAM is not.
+    virtual bool touched(std::uint32_t address, unsigned bytes, bool write) = 0;
+
+protected:
+    ~ArmWatch() = default;
+};
+
 enum class ArmStop {
     LIMIT,           // all instructions done, or stop_soon()
     WFI,             // pc is behind it
@@ -102,6 +113,8 @@ public:
 
     // Sees every instruction; nullptr takes it away.
     void attach(ArmProbe* probe) { probe_ = probe; }
+    // Sees every load and store; nullptr takes it away.  Not in run().
+    void watch(ArmWatch* watch);
 
     // SVC mode, interrupts off, VFP and NEON on, MMU and caches off; `entry` bit 0 is Thumb.
     void reset(std::uint32_t entry, std::uint32_t stack);
@@ -124,6 +137,10 @@ public:
     void set_cpsr(std::uint32_t value);  // banks r13 and r14 with the mode
     std::uint32_t spsr() const;
     void set_spsr(std::uint32_t value);
+    std::uint64_t vfp(unsigned number) const;  // d0 - d31
+    void set_vfp(unsigned number, std::uint64_t value);
+    std::uint32_t fpscr() const;
+    void set_fpscr(std::uint32_t value);
     std::uint32_t cp15(const Cp15& name) const;
     void set_cp15(const Cp15& name, std::uint32_t value);
 
@@ -143,10 +160,12 @@ private:
     std::unique_ptr<Engine> engine_;
     ArmBus& bus_;
     ArmProbe* probe_ = nullptr;
+    ArmWatch* watch_ = nullptr;
     std::uint64_t count_ = 0, limit_ = 0;
     std::uint32_t last_pc_ = 0;
     int exception_ = 0;  // number that Unicorn gave, or 0
     bool aborted_ = false;
+    bool watched_ = false;  // the access in progress is not to be done
     ArmFault fault_;
 };
 

@@ -60,6 +60,12 @@ std::uint64_t ArmCpu::budget() const {
     return irq_ || fiq_ ? std::min(left, MASKED_QUANTUM) : left;
 }
 
+// Behind an access, which has moved the time and perhaps the interrupt lines.
+void ArmCpu::run_on() {
+    const bool stop = irq_ || fiq_ || reset_;
+    core_.stop_after(stop ? 0 : std::min(budget(), inspected_end_ - core_.instructions()));
+}
+
 void ArmCpu::sleep(const sc_time& at_most) {
     wait(ahead_);
     ahead_ = SC_ZERO_TIME;
@@ -127,11 +133,12 @@ void ArmCpu::run() {
         }
         account();
         sync();
-        take_interrupt();
-        std::uint64_t limit = std::max<std::uint64_t>(budget(), 1);
-        if (inspector_) limit = std::min(limit, inspector_->on_quantum(core_, limit));
+        if (!inspector_ || !inspector_->holds_interrupts()) take_interrupt();
+        const std::uint64_t most = std::max<std::uint64_t>(budget(), 1);
+        const std::uint64_t limit = inspector_ ? inspector_->on_quantum(core_, most) : most;
+        inspected_end_ = limit < most ? core_.instructions() + limit : UINT64_MAX;
         running_ = true;
-        const ArmStop stop = core_.run(limit);
+        const ArmStop stop = core_.run(std::min(limit, most));
         running_ = false;
         account();
         handle(stop);
@@ -200,12 +207,15 @@ void ArmCpu::raise(ArmException exception, std::uint32_t status, const std::stri
     counts_.aborts += abort;
     const std::string text = what + " " + where();
     const std::uint32_t vector = vector_of(core_, exception);
+    const auto give_up = [&](const std::string& why) {
+        if (!inspector_ || !inspector_->on_failure(core_, exception)) fail(text + why);
+    };
     std::uint32_t word = 0;
     if (core_.pc() - (vector & ~0x1fu) < 0x20 && !asynchronous)
-        return fail(text + ", in the vector table itself");
+        return give_up(", in the vector table itself");
     if (!core_.read_ram(vector, &word, sizeof word) || word == 0)
-        return fail(fmt::format("{}; no vector at 0x{:08X}", text, vector));
-    if (unhandled(exception)) return fail(text + ", for the second time within its handler");
+        return give_up(fmt::format("; no vector at 0x{:08X}", vector));
+    if (unhandled(exception)) return give_up(", for the second time within its handler");
     if (abort || exception == ArmException::UNDEFINED) log_(text);
     const bool data = exception == ArmException::DATA_ABORT;
     enter(core_, exception, status, data ? core_.fault().address : core_.pc());

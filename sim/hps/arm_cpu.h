@@ -61,6 +61,10 @@ public:
     virtual bool on_svc(ArmCore&) { return false; }
     // Before any other synchronous exception is entered; true: done, the program goes on at pc.
     virtual bool on_exception(ArmCore&, ArmException, const ArmFault&) { return false; }
+    // Before the program is ended because of an exception; true: it goes on at pc after all.
+    virtual bool on_failure(ArmCore&, ArmException) { return false; }
+    // Before each quantum: true keeps IRQ and FIQ waiting.
+    virtual bool holds_interrupts() { return false; }
 
 protected:
     ~ArmInspector() = default;
@@ -94,15 +98,19 @@ public:
 
     void interrupt(bool irq, bool fiq) override;
     void warm_reset() override;
+    // Ends a WFI or WFE, as a debug event does.
+    void wake() { wake_.notify(sc_core::SC_ZERO_TIME); }
+
+    // Of the program; ahead of SystemC's by what it has run of its quantum.
+    sc_core::sc_time now() const { return sc_core::sc_time_stamp() + ahead_; }
 
     // For an inspector: as the program would, RAM and registers alike, in no time.  False: nobody
     // answers.
     bool read_memory(std::uint32_t address, void* data, unsigned bytes);
     bool write_memory(std::uint32_t address, const void* data, unsigned bytes);
 
-    // For a kernel.  The time that the program has come to; how to let some go by, asleep; the
-    // program's end, a fault if `why` is not empty.
-    sc_core::sc_time now() const { return sc_core::sc_time_stamp() + ahead_; }
+    // For a kernel.  How to let some time go by, asleep; the program's end, a fault if `why` is not
+    // empty.
     void pause(const sc_core::sc_time& time);
     void end(const std::string& why = "");
     std::string where() const;  // "at 12.345678 ms, PC 0x00001234 in main+0x10"
@@ -144,6 +152,7 @@ private:
     void account();
     void sync();
     std::uint64_t budget() const;
+    void run_on();
     void sleep(const sc_core::sc_time& at_most);
     void poll(std::uint32_t address, std::uint32_t value);
     bool transport(tlm::tlm_command command, std::uint32_t address, unsigned bytes, void* data,
@@ -161,7 +170,8 @@ private:
     ArmKernel* kernel_ = nullptr;
     const std::uint64_t instruction_ps_;
     bool mapped_ = false;
-    bool running_ = false;  // in ArmCore::run()
+    bool running_ = false;                      // in ArmCore::run()
+    std::uint64_t inspected_end_ = UINT64_MAX;  // instructions, where the inspector wants a stop
 
     sc_core::sc_time ahead_;       // of SystemC's time, by what is accounted for
     std::uint64_t accounted_ = 0;  // instructions

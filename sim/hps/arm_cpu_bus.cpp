@@ -71,14 +71,14 @@ bool ArmCpu::read(std::uint32_t address, unsigned bytes, std::uint32_t& value) {
     value = 0;
     if (!access(tlm::TLM_READ_COMMAND, address, bytes, &value)) return false;
     poll(address, value);
-    core_.stop_after(irq_ || fiq_ || reset_ ? 0 : budget());
+    run_on();
     return true;
 }
 
 bool ArmCpu::write(std::uint32_t address, unsigned bytes, std::uint32_t value) {
     poll_ = {};
     if (!access(tlm::TLM_WRITE_COMMAND, address, bytes, &value)) return false;
-    core_.stop_after(irq_ || fiq_ || reset_ ? 0 : budget());
+    run_on();
     return true;
 }
 

@@ -81,6 +81,15 @@ int main(int argc, char** argv, const Firmware& firmware) {
         .add_option("--cpi", options.cpi,
                     "clocks of 800 MHz that an instruction takes, for --cpu arm: 0.1 to 100")
         ->capture_default_str();
+    run_command.add_option_function<std::string>(
+        "--gdb",
+        [&](const std::string& text) {
+            const std::uint64_t port = number(text, "--gdb");
+            if (port > 65535)
+                throw CLI::ValidationError("--gdb", "expected a port from 0 to 65535, got " + text);
+            options.gdb = static_cast<unsigned>(port);
+        },
+        "wait for GDB at this port of 127.0.0.1, for --cpu arm; 0 takes a free one");
     run_command
         .add_option("--system", options.system,
                     "what the ELF runs on: bare metal, Linux (its system calls are answered), or\n"
@@ -134,9 +143,12 @@ int main(int argc, char** argv, const Firmware& firmware) {
             throw CLI::ValidationError("--cpu", "arm needs a program: --elf FILE");
         if (!(options.cpi >= 0.1 && options.cpi <= 100))  // nor NaN, which CLI::Range lets through
             throw CLI::ValidationError("--cpi", "expected a number from 0.1 to 100");
-        for (const char* option : {"--elf", "--cpi", "--system", "--linux-root", "--profile"})
+        for (const char* option :
+             {"--elf", "--cpi", "--gdb", "--system", "--linux-root", "--profile"})
             if (options.cpu != "arm" && run_command.count(option) > 0)
                 throw CLI::ValidationError(option, "is for --cpu arm");
+        if (options.gdb && !options.profile.empty())
+            throw CLI::ValidationError("--profile", "and --gdb exclude each other");
         if (arguments && options.cpu != "arm") throw CLI::ValidationError("--", "is for --cpu arm");
     } catch (const CLI::ParseError& e) {
         if (e.get_exit_code() == 0) return app.exit(e), PASSED;  // --help, --version

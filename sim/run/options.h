@@ -33,6 +33,7 @@ struct RunOptions {
     std::filesystem::path linux_root;    // the Linux program's /, or empty
     std::vector<std::string> arguments;  // the Linux program's, behind its name
     std::filesystem::path profile;       // callgrind file, or empty
+    std::optional<unsigned> gdb;         // port for a debugger of that processor
     FrameChoice frames;
     std::optional<SimTime> duration;    // instead of the scenario's
     std::optional<std::uint64_t> seed;  // instead of the scenario's

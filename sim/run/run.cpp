@@ -6,6 +6,7 @@
 
 #include "regmap.h"
 #include "sim/board/board.h"
+#include "sim/debug/debugger.h"
 #include "sim/report/report.h"
 #include "sim/report/sha256.h"
 #include "sim/report/trace_file.h"
@@ -44,12 +45,13 @@ std::uint64_t underruns(Board& board) {
 }
 
 RunEnd play(Board& board, Player& player, Recorder& recorder, std::optional<SimTime> duration,
-            Progress& progress) {
+            Progress& progress, Debugger* debugger) {
     const sc_core::sc_time slice{1, sc_core::SC_MS};
     const sc_core::sc_time end =
         duration ? sc_core::sc_time::from_value(duration->ps) : sc_core::sc_max_time();
     for (;;) {
-        if (interrupted) return RunEnd::INTERRUPTED;
+        if (debugger) debugger->poll();
+        if (interrupted || (debugger && debugger->killed())) return RunEnd::INTERRUPTED;
         if (recorder.error()) return RunEnd::INTERRUPTED;
         if (board.cpu.fault()) return RunEnd::FIRMWARE_FAULT;
         if (!duration && player.finished()) return RunEnd::ALL_STEPS_DONE;
@@ -131,6 +133,9 @@ ExitCode run(const RunOptions& options, const Firmware& firmware) try {
     const bool on_linux = options.cpu == "arm" && runs_on_linux(options);
     if (options.cpu == "arm") software = load_program(options, on_linux);
 
+    std::optional<GdbConnection> gdb;
+    if (options.gdb) gdb.emplace(*options.gdb);
+
     Recorder recorder{options.out, options.frames};
     std::optional<TraceFile> trace;
     if (!options.trace.empty()) trace.emplace(options.trace);
@@ -140,13 +145,18 @@ ExitCode run(const RunOptions& options, const Firmware& firmware) try {
     Player player{"player", board, recorder.senses(), scenario.steps, options.out};
     Finish finish{"finish", player.done(), board.cpu.faulted()};
 
+    std::optional<Debugger> debugger;
+    if (gdb) debugger.emplace(*board.arm, *gdb, [] { return interrupted != 0; });
+
     std::signal(SIGINT, on_interrupt);
     std::signal(SIGTERM, on_interrupt);
     std::signal(SIGXFSZ, SIG_IGN);  // a file too large is an error like a full disk
     Progress progress{
         options.quiet,
         duration ? std::optional<double>{static_cast<double>(duration->ps) * 1e-12} : std::nullopt};
-    const RunEnd end = play(board, player, recorder, duration, progress);
+    if (gdb) fmt::print(stderr, "waiting for gdb at 127.0.0.1:{}\n", gdb->port());
+    const RunEnd end =
+        play(board, player, recorder, duration, progress, debugger ? &*debugger : nullptr);
     progress.done();
     board.fpga.catch_up();
     recorder.close();
@@ -161,8 +171,11 @@ ExitCode run(const RunOptions& options, const Firmware& firmware) try {
     write_whole_file(options.out / "report.json", to_json(report));
     write_whole_file(options.out / "junit.xml", to_junit(report));
     if (!options.quiet || !report.passed()) summarise(report, options.out);
-    if (end == RunEnd::INTERRUPTED) return INTERRUPTED;
-    return report.passed() ? PASSED : FAILED;
+    const ExitCode code = end == RunEnd::INTERRUPTED ? INTERRUPTED
+                          : report.passed()          ? PASSED
+                                                     : FAILED;
+    if (debugger) debugger->ended(code);
+    return code;
 } catch (const ScenarioError& e) {
     fmt::print(stderr, "{}\n", e.what());
     return WRONG_INPUT;

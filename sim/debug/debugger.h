@@ -1,0 +1,97 @@
+// debugger.h - GDB at the processor: de1sim run ... --cpu arm --elf FILE --gdb PORT.
+//
+//   build/bin/de1sim run s.yaml --cpu arm --elf p.elf --gdb 3333
+//   gdb-multiarch p.elf -ex "target remote :3333"
+//
+// The processor stands before its first instruction until a debugger has come.  While it stands,
+// its thread sits in the socket, so all of SystemC stands, and simulated time with it; only reads
+// and writes of registers in the FPGA take the fabric's clocks that they need.  A run that is
+// never stopped but by that is the same to the byte as one without a debugger.
+//
+// A breakpoint stops before its instruction, a watchpoint before the end of the load or store, as
+// GDB expects of ARM; what a store writes to RAM can be seen already.  Ctrl-C arrives within 1 ms
+// of simulated time and ends a WFI.  Single steps keep interrupts out (as QEMU's do), so stepping
+// through a loop that waits for a handler does not end.  Memory is by physical address; device
+// registers are read and written through the bus, in aligned words or halfwords where the
+// request allows, and what nobody answers is an error in the debugger and none in the program.
+//
+// Stops by itself: a BKPT instruction (SIGTRAP), an exception that the program has no vector for
+// (SIGILL, SIGSEGV, SIGSYS).  The end of the run is told as an exit with de1sim's code.
+//
+// Detached, or with the connection lost, the run goes on without breakpoints; a debugger that
+// comes then stops it.  `kill` ends the run as Ctrl-C on the terminal does.
+// `monitor time`: the simulated time, and instructions so far.
+//
+// Costs nothing until a point is set; then 2 ns of the host an instruction for a breakpoint, 3 ns
+// for a watchpoint (collide.elf, 25 million instructions), more with each further one.
+//
+// Not handled: translation tables that are not flat, banked registers of other modes, CP15.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "sim/debug/gdb_commands.h"
+#include "sim/debug/gdb_connection.h"
+#include "sim/hps/arm_cpu.h"
+
+namespace sim {
+
+class Debugger : public ArmInspector, private ArmProbe, private ArmWatch, private GdbTarget {
+public:
+    // Attaches itself.  `given_up`: somebody wants the run to end, so do not wait any longer.
+    Debugger(ArmCpu& cpu, GdbConnection& connection, std::function<bool()> given_up);
+    ~Debugger();
+
+    // Between two pieces of the run: Ctrl-C, or a new debugger.
+    void poll();
+    // The debugger has ended the run; SystemC is paused.
+    bool killed() const { return killed_; }
+    // The run is over.
+    void ended(unsigned exit_code);
+
+    void on_start(ArmCore& core) override;
+    std::uint64_t on_quantum(ArmCore& core, std::uint64_t limit) override;
+    bool on_exception(ArmCore& core, ArmException exception, const ArmFault& fault) override;
+    bool on_failure(ArmCore& core, ArmException exception) override;
+    bool holds_interrupts() override { return stepping_ || hit_; }
+
+private:
+    enum class Resumed { BY_CLIENT, BY_ITSELF };
+
+    bool before(std::uint32_t pc) override;
+    bool touched(std::uint32_t address, unsigned bytes, bool write) override;
+
+    std::uint64_t reg(unsigned number) override;
+    void set_reg(unsigned number, std::uint64_t value) override;
+    std::size_t read(std::uint32_t address, void* data, std::size_t bytes) override;
+    std::size_t write(std::uint32_t address, const void* data, std::size_t bytes) override;
+    void insert(const GdbPoint& point) override;
+    void remove(const GdbPoint& point) override;
+    std::string stop_reply() override { return reply_; }
+    std::string monitor(std::string_view command) override;
+
+    void stop(const std::string& reply);
+    void serve();
+    bool obey(const GdbAnswer& answer);
+    void points_changed();
+    void forget();
+
+    ArmCpu& cpu_;
+    ArmCore& core_;
+    GdbConnection& connection_;
+    const std::function<bool()> given_up_;
+
+    std::vector<GdbPoint> points_;
+    std::string reply_;  // why it stopped last
+    Resumed resumed_ = Resumed::BY_ITSELF;
+    std::uint64_t resumed_at_ = 0;  // instructions
+    bool stepping_ = false;
+    bool interrupt_ = false;  // asked for
+    bool unread_ = false;     // the connection's packet waits for an answer
+    bool hit_ = false;        // a point, reported by reply_
+    bool killed_ = false;
+};
+
+}  // namespace sim

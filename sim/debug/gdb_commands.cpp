@@ -1,0 +1,227 @@
+#include "sim/debug/gdb_commands.h"
+
+#include <algorithm>
+#include <cstring>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "sim/debug/gdb_packet.h"
+
+namespace sim {
+
+namespace {
+
+const char* const OK = "OK";
+const char* const ERROR = "E01";
+constexpr std::size_t MOST_BYTES = GDB_PACKET_BYTES / 2 - 16;  // of memory in one answer
+
+bool begins(std::string_view text, std::string_view with) {
+    return text.substr(0, with.size()) == with;
+}
+
+// ---- Registers ----------------------------------------------------------------------------------
+
+std::string register_hex(GdbTarget& target, unsigned number) {
+    const std::uint64_t value = target.reg(number);  // the wire and the host are little-endian
+    return to_hex(&value, gdb_register::bytes(number));
+}
+
+std::uint64_t value_of(std::string_view bytes) {
+    std::uint64_t value = 0;
+    std::memcpy(&value, bytes.data(), bytes.size());
+    return value;
+}
+
+std::string all_registers(GdbTarget& target) {
+    std::string text;
+    for (unsigned n = 0; n < gdb_register::COUNT; ++n) text += register_hex(target, n);
+    return text;
+}
+
+std::string set_all_registers(GdbTarget& target, std::string_view digits) {
+    const auto bytes = from_hex(digits);
+    std::size_t needed = 0, at = 0;
+    for (unsigned n = 0; n < gdb_register::COUNT; ++n) needed += gdb_register::bytes(n);
+    if (!bytes || bytes->size() != needed) return ERROR;
+    // CPSR first: its mode says which r13 and r14 are meant.
+    std::vector<std::uint64_t> values;
+    for (unsigned n = 0; n < gdb_register::COUNT; at += gdb_register::bytes(n++))
+        values.push_back(value_of(std::string_view{*bytes}.substr(at, gdb_register::bytes(n))));
+    target.set_reg(gdb_register::CPSR, values[gdb_register::CPSR]);
+    for (unsigned n = 0; n < gdb_register::COUNT; ++n)
+        if (n != gdb_register::CPSR) target.set_reg(n, values[n]);
+    return OK;
+}
+
+std::string one_register(GdbTarget& target, GdbFields fields) {
+    const auto number = fields.word();
+    if (!number || !fields.rest().empty() || *number >= gdb_register::COUNT) return ERROR;
+    return register_hex(target, *number);
+}
+
+std::string set_one_register(GdbTarget& target, GdbFields fields) {
+    const auto number = fields.word();
+    if (!number || *number >= gdb_register::COUNT || !fields.skip("=")) return ERROR;
+    const auto bytes = from_hex(fields.rest());
+    if (!bytes || bytes->size() != gdb_register::bytes(*number)) return ERROR;
+    target.set_reg(*number, value_of(*bytes));
+    return OK;
+}
+
+std::string target_description() {
+    std::string xml =
+        "<?xml version=\"1.0\"?><!DOCTYPE target SYSTEM \"gdb-target.dtd\"><target>"
+        "<architecture>arm</architecture><feature name=\"org.gnu.gdb.arm.core\">";
+    const auto reg = [&](const std::string& name, unsigned bits, const char* type) {
+        xml += fmt::format("<reg name=\"{}\" bitsize=\"{}\" type=\"{}\"/>", name, bits, type);
+    };
+    for (unsigned n = 0; n < 13; ++n) reg(fmt::format("r{}", n), 32, "uint32");
+    reg("sp", 32, "data_ptr");
+    reg("lr", 32, "int");
+    reg("pc", 32, "code_ptr");
+    reg("cpsr", 32, "int");
+    xml += "</feature><feature name=\"org.gnu.gdb.arm.vfp\">";
+    for (unsigned n = 0; n < 32; ++n) reg(fmt::format("d{}", n), 64, "ieee_double");
+    reg("fpscr", 32, "int");
+    return xml + "</feature></target>";
+}
+
+std::string part_of_description(GdbFields fields) {
+    const auto offset = fields.word();
+    if (!offset || !fields.skip(",")) return ERROR;
+    const auto length = fields.word();
+    if (!length) return ERROR;
+    const std::string xml = target_description();
+    if (*offset > xml.size()) return ERROR;
+    const std::string part = xml.substr(*offset, std::min<std::size_t>(*length, MOST_BYTES));
+    return (*offset + part.size() < xml.size() ? "m" : "l") + part;
+}
+
+// ---- Memory -------------------------------------------------------------------------------------
+
+std::string read_memory(GdbTarget& target, GdbFields fields) {
+    const auto address = fields.word();
+    if (!address || !fields.skip(",")) return ERROR;
+    const auto length = fields.number();
+    if (!length || !fields.rest().empty()) return ERROR;
+    std::vector<std::uint8_t> bytes(std::min<std::uint64_t>(*length, MOST_BYTES));
+    const std::size_t count = target.read(*address, bytes.data(), bytes.size());
+    if (count == 0 && *length > 0) return ERROR;
+    return to_hex(bytes.data(), count);
+}
+
+std::string write_memory(GdbTarget& target, GdbFields fields, bool binary) {
+    const auto address = fields.word();
+    if (!address || !fields.skip(",")) return ERROR;
+    const auto length = fields.number();
+    if (!length || !fields.skip(":")) return ERROR;
+    const auto bytes = binary ? std::string{fields.rest()} : from_hex(fields.rest());
+    if (!bytes || bytes->size() != *length) return ERROR;
+    return target.write(*address, bytes->data(), bytes->size()) == bytes->size() ? OK : ERROR;
+}
+
+std::string change_point(GdbTarget& target, GdbFields fields, bool insert) {
+    const auto type = fields.word();
+    if (!type || !fields.skip(",")) return ERROR;
+    if (*type > 4) return "";
+    const auto address = fields.word();
+    if (!address || !fields.skip(",")) return ERROR;
+    const auto bytes = fields.word();
+    if (!bytes) return ERROR;
+    const GdbPoint::Kind kinds[] = {GdbPoint::BREAK, GdbPoint::BREAK, GdbPoint::WRITE,
+                                    GdbPoint::READ, GdbPoint::ACCESS};
+    const GdbPoint point{kinds[*type], *address, *bytes};
+    if (point.kind != GdbPoint::BREAK && point.bytes == 0) return ERROR;
+    if (insert)
+        target.insert(point);
+    else
+        target.remove(point);
+    return OK;
+}
+
+// ---- Running ------------------------------------------------------------------------------------
+
+// "c", "s" with an address, "C", "S" with a signal and an address: "c8000", "C05;8000".
+GdbAnswer resume(GdbTarget& target, char command, GdbFields fields) {
+    const GdbNext next = command == 's' || command == 'S' ? GdbNext::STEP : GdbNext::CONTINUE;
+    if (command == 'C' || command == 'S') {
+        if (!fields.number()) return {ERROR};
+        if (!fields.rest().empty() && !fields.skip(";")) return {ERROR};
+    }
+    if (!fields.rest().empty()) {
+        const auto address = fields.word();
+        if (!address) return {ERROR};
+        target.set_reg(gdb_register::PC, *address);
+    }
+    return {"", next};
+}
+
+// "vCont;s:1;c": there is one thread, so the first action is the one for it.
+GdbAnswer resume_threads(std::string_view actions) {
+    switch (actions.empty() ? '\0' : actions[0]) {
+        case 'c':
+        case 'C': return {"", GdbNext::CONTINUE};
+        case 's':
+        case 'S': return {"", GdbNext::STEP};
+        default: return {ERROR};
+    }
+}
+
+// ---- Queries ------------------------------------------------------------------------------------
+
+std::string query(GdbTarget& target, std::string_view packet) {
+    if (begins(packet, "qSupported"))
+        return fmt::format("PacketSize={:x};qXfer:features:read+;vContSupported+;QStartNoAckMode+",
+                           GDB_PACKET_BYTES);
+    GdbFields fields{packet};
+    if (fields.skip("qXfer:features:read:target.xml:")) return part_of_description(fields);
+    if (begins(packet, "qXfer:features:read:")) return "E00";
+    if (packet == "qAttached" || begins(packet, "qAttached:")) return "1";
+    if (packet == "qC") return "QC1";
+    if (packet == "qfThreadInfo") return "m1";
+    if (packet == "qsThreadInfo") return "l";
+    if (begins(packet, "qRcmd,")) {
+        const auto command = from_hex(packet.substr(6));
+        if (!command) return ERROR;
+        const std::string text = target.monitor(*command);
+        return to_hex(text.data(), text.size());
+    }
+    return "";
+}
+
+}  // namespace
+
+GdbAnswer gdb_answer(GdbTarget& target, std::string_view packet) {
+    if (packet.empty()) return {};
+    const GdbFields fields{packet.substr(1)};
+    switch (packet[0]) {
+        case '?': return {target.stop_reply()};
+        case 'g': return {all_registers(target)};
+        case 'G': return {set_all_registers(target, fields.rest())};
+        case 'p': return {one_register(target, fields)};
+        case 'P': return {set_one_register(target, fields)};
+        case 'm': return {read_memory(target, fields)};
+        case 'M': return {write_memory(target, fields, false)};
+        case 'X': return {write_memory(target, fields, true)};
+        case 'Z': return {change_point(target, fields, true)};
+        case 'z': return {change_point(target, fields, false)};
+        case 'c':
+        case 'C':
+        case 's':
+        case 'S': return resume(target, packet[0], fields);
+        case 'H':
+        case 'T': return {OK};
+        case 'D': return {OK, GdbNext::DETACH};
+        case 'k': return {"", GdbNext::KILL};
+        case 'q': return {query(target, packet)};
+        default: break;
+    }
+    if (packet == "QStartNoAckMode") return {OK};
+    if (packet == "vCont?") return {"vCont;c;C;s;S"};
+    if (begins(packet, "vCont;")) return resume_threads(packet.substr(6));
+    if (begins(packet, "vKill")) return {OK, GdbNext::KILL};
+    return {};
+}
+
+}  // namespace sim

@@ -1,0 +1,63 @@
+// gdb_commands.h - what each packet of GDB's remote serial protocol asks, and the answer to it.
+//
+//   g G p P       r0 - r15, cpsr, d0 - d31, fpscr, as the target description names them
+//   m M X         memory
+//   c C s S vCont go on, or one instruction; signals are not delivered, they have no meaning here
+//   Z z 0 - 4     breakpoints (0 and 1 alike), watchpoints on write, read, access
+//   D k vKill     detach, kill
+//   ? H T qC qfThreadInfo qsThreadInfo qAttached qSupported qXfer:features QStartNoAckMode
+//   qRcmd         `monitor`
+//
+// Everything else gets the empty answer, which means "not known"; a known packet that is wrong in
+// itself gets E01 and changes nothing.  Source: "Debugging with GDB", E.2 and following.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace sim {
+
+// Registers by number: 0 - 15 r0 - r15, 16 cpsr, 17 - 48 d0 - d31, 49 fpscr.
+namespace gdb_register {
+constexpr unsigned PC = 15, CPSR = 16, D0 = 17, FPSCR = 49, COUNT = 50;
+constexpr unsigned bytes(unsigned number) { return number >= D0 && number < FPSCR ? 8 : 4; }
+}  // namespace gdb_register
+
+struct GdbPoint {
+    enum Kind { BREAK, WRITE, READ, ACCESS } kind;
+    std::uint32_t address, bytes;
+
+    bool operator==(const GdbPoint& other) const {
+        return kind == other.kind && address == other.address && bytes == other.bytes;
+    }
+};
+
+// The stopped processor.
+class GdbTarget {
+public:
+    virtual std::uint64_t reg(unsigned number) = 0;
+    virtual void set_reg(unsigned number, std::uint64_t value) = 0;
+    // How many of the bytes, from the first on, somebody answered for.
+    virtual std::size_t read(std::uint32_t address, void* data, std::size_t bytes) = 0;
+    virtual std::size_t write(std::uint32_t address, const void* data, std::size_t bytes) = 0;
+    // To insert what is there, or remove what is not, changes nothing.
+    virtual void insert(const GdbPoint& point) = 0;
+    virtual void remove(const GdbPoint& point) = 0;
+    virtual std::string stop_reply() = 0;  // "T05...": why it stands
+    virtual std::string monitor(std::string_view command) = 0;
+
+protected:
+    ~GdbTarget() = default;
+};
+
+enum class GdbNext { STAY, CONTINUE, STEP, DETACH, KILL };
+
+struct GdbAnswer {
+    std::string text = {};  // none is sent for CONTINUE and STEP: the next stop is the answer
+    GdbNext next = GdbNext::STAY;
+};
+
+GdbAnswer gdb_answer(GdbTarget& target, std::string_view packet);
+
+}  // namespace sim

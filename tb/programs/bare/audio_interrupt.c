@@ -1,0 +1,37 @@
+// audio_interrupt.c - a tone of 400 Hz for 120 ms on each KEY0, written by the interrupt of the
+// write FIFOs (ID 78), which asks for 96 samples or more at a time.  KEY0 by its own (ID 73).
+#include "registers.h"
+
+enum { AUDIO = 78, KEYS = 73, HALF_PERIOD = 10, LENGTH = 960, LOUD = 0x18000000 };
+
+static volatile uint32_t left, fills;
+
+static void fill(void) {
+    while (AUDIO_SPACE & 0x00FF0000) {
+        const int32_t wave = left / HALF_PERIOD % 2 ? LOUD : -LOUD;
+        const uint32_t sample = left ? (uint32_t)wave : 0;
+        if (left) --left;
+        AUDIO_LEFT = sample;
+        AUDIO_RIGHT = sample;
+    }
+    LEDR = ++fills;
+}
+
+void __attribute__((interrupt("IRQ"))) on_irq(void) {
+    const uint32_t id = ICCIAR;
+    if (id == AUDIO) fill();
+    if (id == KEYS) {
+        KEY_EDGE = 1;
+        left = LENGTH;
+    }
+    ICCEOIR = id;
+}
+
+int main(void) {
+    interrupt_on(AUDIO);
+    interrupt_on(KEYS);
+    KEY_MASK = 1;
+    AUDIO_CONTROL = 2;  // WE
+    __asm volatile("cpsie i");
+    for (;;) __asm volatile("wfi");
+}

@@ -1,0 +1,28 @@
+// keypad_jp1.c - the keypad on JP1 D7-D0 without the scanner: columns out and rows in say the row,
+// then the other way round says the column.  Shows the last key on HEX0, LEDR0 while one is down.
+#include "registers.h"
+
+enum { COLUMNS_OUT = 0xF0, ROWS_OUT = 0x0F };
+
+static const uint8_t KEYS[4][4] = {
+    {0x1, 0x2, 0x3, 0xA}, {0x4, 0x5, 0x6, 0xB}, {0x7, 0x8, 0x9, 0xC}, {0x0, 0xF, 0xE, 0xD}};
+
+// Which of the four wires is low, from bit 3 down to bit 0; 4: none, or more than one.
+static unsigned only_low(uint32_t wires) {
+    for (unsigned i = 0; i < 4; ++i)
+        if ((wires & 0xF) == (0xFu & ~(8u >> i))) return i;
+    return 4;
+}
+
+int main(void) {
+    for (;;) {
+        JP1_DIRECTION = COLUMNS_OUT;
+        JP1 = 0;
+        const unsigned row = only_low(JP1);
+        JP1_DIRECTION = ROWS_OUT;
+        JP1 = 0;
+        const unsigned column = only_low(JP1 >> 4);
+        if (row < 4 && column < 4) HEX3_0 = DIGITS[KEYS[row][column]];
+        LEDR = row < 4 && column < 4;
+    }
+}

@@ -1,0 +1,31 @@
+@ start.S - vectors, stacks, main: IRQ's stack in the on-chip RAM, the program's at DDR3's end
+    .syntax unified
+    .arm
+
+    .section .vectors, "ax"
+    .global _start
+_start:
+    b reset
+    b .                             @ undefined
+    b .                             @ SVC
+    b .                             @ prefetch abort
+    b .                             @ data abort
+    nop
+    b on_irq
+    b .                             @ FIQ
+
+    .text
+    .type reset, %function
+reset:
+    msr cpsr_c, #0xD2               @ IRQ mode, IRQ and FIQ off
+    ldr sp, =0xFFFFFFF8
+    msr cpsr_c, #0xD3               @ SVC mode
+    ldr sp, =0x3FFFFFF8
+    bl main
+1:  b 1b
+    .size reset, . - reset
+
+    .weak on_irq                    @ the program's own, if it has one
+    .type on_irq, %function
+on_irq:
+    b .

@@ -1,0 +1,277 @@
+// cli_gdb_test.cpp - de1sim --gdb, driven by the real gdb-multiarch in batch mode.
+#include <gmock/gmock.h>
+
+#include <chrono>
+#include <future>
+#include <regex>
+#include <thread>
+
+#include "tb/system/cli.h"
+
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+
+using ::testing::SizeIs;
+
+class Gdb : public tb::CommandLine {
+protected:
+    const std::filesystem::path errors = folder / "stderr";
+    std::string elf, port;
+    std::future<tb::Outcome> server;
+
+    // Starts `de1sim run --gdb 0` and waits until it says its port.
+    void start(const std::string& program, const std::string& steps) {
+        elf = program;
+        const auto file = folder / scenario(steps);
+        tb::Command command;
+        command.words = {"/bin/sh",     "-c",    "exec \"$@\" 2>'" + errors.string() + "'",
+                         "sh",          DE1SIM,  "run",
+                         file.string(), "--out", out.string(),
+                         "--frames",    "none",  "--cpu",
+                         "arm",         "--elf", elf,
+                         "--gdb",       "0"};
+        server = std::async(std::launch::async, [command] { return tb::run_program(command); });
+        std::smatch found;
+        for (unsigned i = 0; i < 1000 && port.empty(); ++i) {
+            const std::string text = said();
+            if (std::regex_search(text, found, std::regex{"waiting for gdb at 127.0.0.1:(\\d+)\n"}))
+                port = found[1];
+            else
+                std::this_thread::sleep_for(std::chrono::milliseconds{10});
+        }
+        ASSERT_FALSE(port.empty()) << said();
+    }
+    std::string said() const {
+        return std::filesystem::exists(errors) ? folder.get("stderr") : std::string{};
+    }
+
+    // What gdb prints for these commands, having connected; it detaches when they are done.
+    std::string gdb(const std::vector<std::string>& commands,
+                    std::function<bool()> interrupt_when = {}) const {
+        tb::Command command;
+        command.words = {GDB,      "-nx",
+                         "-batch", elf,
+                         "-iex",   "set debuginfod enabled off",
+                         "-ex",    "set confirm off",
+                         "-ex",    "target remote 127.0.0.1:" + port};
+        for (const std::string& line : commands) {
+            command.words.push_back("-ex");
+            command.words.push_back(line);
+        }
+        command.interrupt_when = std::move(interrupt_when);
+        const tb::Outcome outcome = tb::run_program(command);
+        EXPECT_FALSE(outcome.timed_out) << outcome.out;
+        return outcome.out + outcome.err;
+    }
+    tb::Outcome end() {
+        tb::Outcome outcome = server.get();
+        EXPECT_FALSE(outcome.timed_out) << said();
+        return outcome;
+    }
+};
+
+TEST_F(Gdb, StandsAtTheEntryBeforeTheFirstInstruction) {
+    start(SUMS_ELF, "duration: 1ms\n");
+    EXPECT_THAT(gdb({"info registers pc sp cpsr", "monitor time"}),
+                AllOf(HasSubstr("0x0 <_start>"), HasSubstr("0x3ffffff8"), HasSubstr("0x1d3"),
+                      HasSubstr("0.000000 ms, 0 instructions")));
+    EXPECT_EQ(end().exit_code, 0);
+}
+
+TEST_F(Gdb, StopsAtABreakpointAndKnowsWhoCalled) {
+    start(SUMS_ELF, "duration: 1ms\n");
+    EXPECT_THAT(
+        gdb({"break square", "continue", "continue", "print x", "backtrace", "finish"}),
+        AllOf(HasSubstr("Breakpoint 1, square (x=x@entry=2)"), HasSubstr("$1 = 2"),
+              HasSubstr("#1  0x"), HasSubstr("in add_squares (count=count@entry=4)"),
+              HasSubstr("#2  0x"), HasSubstr("in main ()"), HasSubstr("Value returned is $2 = 4")));
+    end();
+}
+
+TEST_F(Gdb, StepsByLineAndByInstruction) {
+    start(SUMS_ELF, "duration: 1ms\n");
+    const std::string text = gdb({"tbreak add_squares", "continue", "tbreak sums.c:17", "continue",
+                                  "next", "step", "step", "print/x $pc", "stepi", "print/x $pc"});
+    EXPECT_THAT(text, AllOf(HasSubstr("\n15\t"), HasSubstr("square (x=x@entry=2)")));
+    std::smatch at;
+    ASSERT_TRUE(std::regex_search(text, at, std::regex{"\\$1 = 0x(\\w+)[^]*\\$2 = 0x(\\w+)"}));
+    EXPECT_EQ(std::stoul(at[2], nullptr, 16), std::stoul(at[1], nullptr, 16) + 4);
+    end();
+}
+
+TEST_F(Gdb, StopsWhereAVariableIsWrittenAndWhereItIsRead) {
+    start(SUMS_ELF, "duration: 1ms\n");
+    const std::string text = gdb({"watch total", "continue", "continue", "delete", "rwatch total",
+                                  "continue", "delete", "awatch rounds", "continue"});
+    EXPECT_THAT(text, AllOf(HasSubstr("Old value = 0\nNew value = 1\n"),
+                            HasSubstr("Old value = 1\nNew value = 5\n"),
+                            HasSubstr("Hardware read watchpoint 2: total\n\nValue = 5"),
+                            HasSubstr("Hardware access (read/write) watchpoint 3: rounds")));
+    end();
+}
+
+TEST_F(Gdb, SeesAReadOfALoopThatHasRunBefore) {
+    start(SUMS_ELF, "duration: 1ms\n");
+    EXPECT_THAT(gdb({"break square", "continue", "continue", "delete", "rwatch total", "continue"}),
+                HasSubstr("Hardware read watchpoint 2: total\n\nValue = 1\n"));
+    end();
+}
+
+TEST_F(Gdb, StopsWhereADeviceIsWrittenBeforeItIs) {
+    start(SUMS_ELF, "duration: 1ms\n");
+    EXPECT_THAT(gdb({"watch *(unsigned*)0xFF200000", "continue", "backtrace"}),
+                AllOf(HasSubstr("Old value = 0\nNew value = 30\n"), HasSubstr("#0  "),
+                      HasSubstr(" in main ()")));
+    end();
+}
+
+TEST_F(Gdb, ReadsAndWritesRegistersAndMemory) {
+    start(SUMS_ELF, "duration: 1ms\n");
+    EXPECT_THAT(
+        gdb({"tbreak add_squares", "continue", "set var total = 100", "set $r0 = 2", "print $r0",
+             "set $d31 = 2.5", "print $d31", "print/x (long long)$s31", "finish", "print total",
+             "x/2xb &total", "set var *(char*)&total = 0x7f", "print/x total", "tbreak sums.c:25",
+             "continue", "print mean", "print/x $fpscr"}),
+        AllOf(HasSubstr("$1 = 2\n"), HasSubstr("$2 = 2.5\n"), HasSubstr("$4 = 105\n"),
+              HasSubstr("0x69\t0x00"), HasSubstr("$5 = 0x7f\n"), HasSubstr("$6 = 31.75\n")));
+    end();
+}
+
+TEST_F(Gdb, ReadsAndWritesDevicesThroughTheBus) {
+    start(SUMS_ELF, "steps:\n  - expect-leds: {equals: \"1010101010\", timeout: 2s}\n");
+    EXPECT_THAT(gdb({"tbreak sums.c:26", "continue", "x/1xw 0xFF200000", "x/1xw 0xFF202040",
+                     "x/1xw 0xFFFEC104", "x/1xw 0xFF2FF000",
+                     "set var *(unsigned*)0xFF200000 = 0x2AA", "x/1xw 0xFF200000"}),
+                AllOf(HasSubstr("0xff200000:\t0x0000001e"), HasSubstr("0xff202040:\t0x44453153"),
+                      HasSubstr("0xfffec104:\t0x00000000"),
+                      HasSubstr("Cannot access memory at address 0xff2ff000"),
+                      HasSubstr("0xff200000:\t0x000002aa")));
+    EXPECT_EQ(end().exit_code, 0) << said();
+    EXPECT_EQ(report()["program"]["aborts"], 0u) << "the debugger's access is not the program's";
+}
+
+TEST_F(Gdb, AStepOverADeviceAccessIsOneInstruction) {
+    start(SUMS_ELF, "duration: 1ms\n");
+    std::vector<std::string> commands{"tbreak sums.c:24", "continue", "set $begin = $pc"};
+    for (unsigned i = 0; i < 4; ++i) {
+        commands.push_back("stepi");
+        commands.push_back("print $pc - $begin");
+    }
+    commands.push_back("x/1xw 0xFF200000");
+    EXPECT_THAT(gdb(commands),
+                AllOf(HasSubstr("$1 = 4\n"), HasSubstr("$2 = 8\n"), HasSubstr("$3 = 12\n"),
+                      HasSubstr("$4 = 16\n"), HasSubstr("0xff200000:\t0x0000001e")));
+    end();
+}
+
+// The debugger itself makes ID 73 pending, in the distributor's ICDISPR2.
+TEST_F(Gdb, AStepKeepsAnInterruptOutAndContinueLetsItIn) {
+    start(KEY_INTERRUPT_ELF, "duration: 100ms\n");
+    EXPECT_THAT(gdb({"tbreak key_interrupt.c:41", "continue", "set $begin = $pc",
+                     "set var *(unsigned*)0xFFFED208 = 0x200", "stepi", "print $pc - $begin",
+                     "tbreak on_irq", "continue", "print/x $cpsr & 31"}),
+                AllOf(HasSubstr("$1 = 4\n"), HasSubstr("on_irq () at"), HasSubstr("$2 = 0x12\n")));
+    end();
+}
+
+TEST_F(Gdb, CtrlCStopsABusyProgramAndASleepingOne) {
+    for (const char* program : {LEDS_ELF, SUMS_ELF}) {
+        std::filesystem::remove(errors);
+        port.clear();
+        start(program, "duration: 100s\n");
+        const std::string text = gdb({"continue", "backtrace", "monitor time", "kill"},
+                                     [this] { return said().find(" 1.00 s of") != said().npos; });
+        EXPECT_THAT(text,
+                    AllOf(HasSubstr("Program received signal SIGINT"), HasSubstr("main () at "),
+                          HasSubstr(" ms, "), HasSubstr("killed]")));
+        EXPECT_EQ(end().exit_code, 130) << said();
+    }
+}
+
+TEST_F(Gdb, TimeStandsStillWithTheProgram) {
+    start(SUMS_ELF, "duration: 1ms\n");
+    const std::string text =
+        gdb({"tbreak sums.c:26", "continue", "monitor time", "shell sleep 1", "monitor time"});
+    std::smatch at;
+    ASSERT_TRUE(std::regex_search(
+        text, at, std::regex{"([0-9.]+ ms, \\d+ instructions)\n([0-9.]+ ms, \\d+ instructions)"}))
+        << text;
+    EXPECT_EQ(at[1], at[2]);
+    end();
+}
+
+TEST_F(Gdb, RunsToTheEndAndHearsItsExitCode) {
+    start(SUMS_ELF, "steps:\n  - expect-leds: {equals: \"0000011110\", timeout: 1s}\n");
+    EXPECT_THAT(gdb({"continue"}), HasSubstr("exited normally"));
+    EXPECT_EQ(end().exit_code, 0) << said();
+    port.clear();
+    std::filesystem::remove(errors);
+    start(SUMS_ELF, "steps:\n  - expect-leds: \"1111111111\"\n");
+    EXPECT_THAT(gdb({"continue"}), HasSubstr("exited with code 01"));
+    EXPECT_EQ(end().exit_code, 1);
+}
+
+TEST_F(Gdb, SeesAnAbortThatTheProgramHasNoVectorFor) {
+    start(NO_VECTORS_ELF, "duration: 1s\n");
+    EXPECT_THAT(gdb({"continue", "backtrace", "continue"}),
+                AllOf(HasSubstr("Program received signal SIGSEGV"),
+                      HasSubstr("in main_without_vectors ()"), HasSubstr("exited with code 01")));
+    EXPECT_EQ(end().exit_code, 1);
+}
+
+TEST_F(Gdb, ARunThatWasOnlyWaitedForIsTheSameAsOneWithout) {
+    const std::string steps = "duration: 100ms\nsteps:\n  - press: {keypad: \"1\", for: 30ms}\n";
+    start(COLLIDE_ELF, steps);
+    gdb({"detach"});
+    EXPECT_EQ(end().exit_code, 0) << said();
+    nlohmann::json with = report();
+    play(scenario(steps), {"--frames", "none", "--cpu", "arm", "--elf", COLLIDE_ELF});
+    nlohmann::json without = report();
+    for (nlohmann::json* one : {&with, &without}) one->erase("wall_s"), one->erase("speed");
+    EXPECT_GT(with["program"]["instructions"], 100'000u);
+    EXPECT_EQ(with["program"], without["program"]);
+    EXPECT_EQ(with["bus"], without["bus"]);
+}
+
+TEST_F(Gdb, AConnectionThatBreaksLetsTheRunGoOnAndAnotherDebuggerCome) {
+    start(SUMS_ELF, "duration: 100s\n");
+    const std::string first = gdb({"break square", "continue", "shell kill -9 $PPID"});
+    EXPECT_THAT(first, HasSubstr("Breakpoint 1"));
+    EXPECT_THAT(gdb({"monitor time", "print total", "kill"}), HasSubstr("$1 = 30"));
+    EXPECT_EQ(end().exit_code, 130);
+}
+
+TEST_F(Gdb, DebugsTheBoardsOwnProgram) {
+    start(COLLIDE_ELF, "duration: 100s\n");
+    EXPECT_THAT(gdb({"tbreak main", "continue", "next", "tbreak app::run", "continue", "backtrace",
+                     "finish", "kill"},
+                    [this] { return said().find(" 1.00 s of") != said().npos; }),
+                AllOf(HasSubstr("main () at "), HasSubstr("app::run (io="), HasSubstr("#1  0x"),
+                      HasSubstr("Program received signal SIGINT")));
+    end();
+}
+
+TEST_F(Gdb, APortInUseIsOneLine) {
+    start(SUMS_ELF, "duration: 1ms\n");
+    const std::string scene = (folder / scenario("duration: 1ms\n", "b.yaml")).string();
+    const tb::Outcome second = de1sim({"run", scene, "--cpu", "arm", "--elf", SUMS_ELF, "--gdb",
+                                       port, "--out", (folder / "b").string()});
+    EXPECT_EQ(second.exit_code, 2);
+    EXPECT_THAT(tb::lines_of(second.err), SizeIs(1));
+    EXPECT_THAT(second.err, HasSubstr("127.0.0.1:" + port + ": Address already in use"));
+    EXPECT_FALSE(std::filesystem::exists(folder / "b"));
+    gdb({"kill"});
+    end();
+}
+
+TEST_F(Gdb, RefusesPortsThatAreNone) {
+    scenario("duration: 1s\n");
+    for (const char* given : {"-1", "65536", "", "x", "1e3"})
+        EXPECT_EQ(play("s.yaml", {"--cpu", "arm", "--elf", SUMS_ELF, "--gdb", given}).exit_code, 2)
+            << given;
+    EXPECT_THAT(play("s.yaml", {"--gdb", "0"}).err, HasSubstr("--gdb: is for --cpu arm"));
+}
+
+}  // namespace
