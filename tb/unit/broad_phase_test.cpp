@@ -75,8 +75,9 @@ Finder finder(std::string name, const Arguments&... arguments) {
 }
 
 std::vector<Finder> all_finders() {
-    std::vector<Finder> finders = {finder<Sweep>("sweep")};
+    std::vector<Finder> finders;
     for (const Kernels* kernels : available_kernels()) {
+        finders.push_back(finder<Sweep>(std::string("sweep, ") + kernels->name, *kernels));
         finders.push_back(finder<Simd>(std::string("simd, ") + kernels->name, *kernels));
         finders.push_back(finder<Strips>(std::string("strips, ") + kernels->name, *kernels));
     }

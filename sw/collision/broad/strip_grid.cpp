@@ -98,21 +98,27 @@ template bool StripGrid::sort(const FromEntries&, unsigned, const StripOf&, cons
 template bool StripGrid::sort(const FromEntries&, unsigned, const OneStrip&, const BucketOf&);
 
 void StripGrid::sort_exactly(const Entry* entries, unsigned count) {
-    strips_.clear();
     keys_.resize(count);
     for (unsigned i = 0; i < count; ++i) keys_[i] = sort_key(entries[i].box.min.x, i);
     radix_sort(keys_, spare_);
-    reserve(count + StripRows::PADDING);
-    for (unsigned i = 0; i < count; ++i) {
-        const Entry& entry = entries[index_of(keys_[i])];
-        put(i, entry.box, entry.box.min.y, entry.index);
-    }
-    const Aabb& first = entries[index_of(keys_.front())].box;
-    const Aabb& last = entries[index_of(keys_.back())].box;
-    BucketOf units = {first.min.x, last.min.x, 1};
-    units.shift = 0;
-    end_strip(0, count, units);
+    arrange(FromEntries{entries}, keys_);
 }
+
+template <class Source>
+void StripGrid::arrange(const Source& source, const std::vector<std::uint64_t>& keys) {
+    strips_.clear();
+    reserve(keys.size() + StripRows::PADDING);
+    std::size_t place = 0;
+    for (const std::uint64_t key : keys) {
+        const Aabb& box = source.box(index_of(key));
+        put(place++, box, box.min.y, source.index(index_of(key)));
+    }
+    BucketOf units = {edge(0)[0], edge(0)[place - 1], 1};
+    units.shift = 0;
+    end_strip(0, place, units);
+}
+
+template void StripGrid::arrange(const FromAxis&, const std::vector<std::uint64_t>&);
 
 std::size_t StripGrid::bytes() const {
     return 4 * (edges_.capacity() + index_.capacity() + places_.capacity()) +
