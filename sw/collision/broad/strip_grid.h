@@ -71,7 +71,9 @@ private:
 
     std::int32_t* edge(unsigned which) { return edges_.data() + which * stride_; }
 
-    std::size_t stride_ = 0;           // from one array to the next
+    std::size_t stride_ = 0;  // from one array to the next
+    // Where boxes go one by one, a write each; then the same turned into an array an edge.
+    std::vector<Aabb> sorted_;
     std::vector<std::int32_t> edges_;  // min_x, max_x, min_y, max_y
     std::vector<std::uint32_t> index_;
     std::vector<std::uint32_t> places_;  // of the next box of each bucket of each strip

@@ -34,7 +34,8 @@ public:
     // overlapping there.  Allocates only when there are more boxes or pairs than ever before.
     void find(const Aabb* boxes, unsigned count, PairList& overlaps);
 
-    std::size_t bytes() const;  // of memory in use, 26 to 50 a box; less for the pairs
+    std::size_t bytes()
+        const;  // of memory in use: 27 to 31 a box from 100,000 boxes on, 86 at 1,000
 
 private:
     struct Level {

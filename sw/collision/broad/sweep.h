@@ -30,7 +30,7 @@ public:
     //
     // n boxes, k pairs that overlap on the axis: O(n + k), plus the exchanges that the order takes;
     // beyond MOST_MOVES a box it is sorted anew in O(n).  For n boxes all over a square k is
-    // O(n sqrt(n)) at best, a vector at a time.  40 bytes a box.
+    // O(n sqrt(n)) at best, a vector at a time.  60 bytes a box.
     void find(const Aabb* boxes, unsigned count, PairList& overlaps);
 
 private:
