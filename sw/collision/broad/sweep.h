@@ -26,11 +26,12 @@ public:
 
     // Clears `overlaps`, then fills it with every pair of boxes that overlap, touching included,
     // each once with first < second, in no particular order.  Exact for coordinates up to
-    // COORDINATE_LIMIT; min <= max in every box.  The boxes of two calls need not have anything in common.
+    // COORDINATE_LIMIT; min <= max in every box.  The boxes of two calls need not have anything in
+    // common.
     //
-    // n boxes, k pairs that overlap on the axis: O(n + k), plus the exchanges that the order takes;
-    // beyond MOST_MOVES a box it is sorted anew in O(n).  For n boxes all over a square k is
-    // O(n sqrt(n)) at best, a vector at a time.  60 bytes a box.
+    // n boxes, k pairs that overlap on the axis: O(n + k), a vector at a time, plus the exchanges
+    // that the order takes; beyond MOST_MOVES a box it is sorted anew in O(n).  For n boxes all
+    // over a square k is O(n sqrt(n)) at best.  60 bytes a box.
     void find(const Aabb* boxes, unsigned count, PairList& overlaps);
 
 private:
