@@ -75,8 +75,9 @@ Finder finder(std::string name, const Arguments&... arguments) {
 }
 
 std::vector<Finder> all_finders() {
-    std::vector<Finder> finders = {finder<Sweep>("sweep")};
+    std::vector<Finder> finders;
     for (const Kernels* kernels : available_kernels()) {
+        finders.push_back(finder<Sweep>(std::string("sweep, ") + kernels->name, *kernels));
         finders.push_back(finder<Simd>(std::string("simd, ") + kernels->name, *kernels));
         finders.push_back(finder<Strips>(std::string("strips, ") + kernels->name, *kernels));
     }
@@ -319,6 +320,29 @@ TEST(BroadPhase, RemembersNothingWrongFromTickToTick) {
             }
         }
     }));
+}
+
+// As many as go through more than one level, heaped up tick by tick at the lower edge, then tall.
+TEST(Strips, FindsTheSamePairsAsAnewWhereBoxesCrowdAfterTicksInWhichTheyDidNot) {
+    std::mt19937 random(3);
+    std::uniform_int_distribution<std::int64_t> place(0, 1'000'000), sides(0, 10'000);
+    Strips kept;
+    PairList found, anew;
+    for (int tick = 0; tick < 8; ++tick) {
+        Boxes boxes;
+        for (int i = 0; i < 6000; ++i) {
+            const std::int64_t y = i % 8 < tick && i % 300 != 0 ? place(random) / 8 : place(random);
+            boxes.push_back(box(place(random), y, sides(random), sides(random)));
+            if (tick == 7 && i % 2 == 0) boxes.back() = box(place(random), y, 10, 40'000);
+        }
+        const auto count = static_cast<unsigned>(boxes.size());
+        kept.find(boxes.data(), count, found);
+        Strips{}.find(boxes.data(), count, anew);
+        std::sort(found.begin(), found.end());
+        std::sort(anew.begin(), anew.end());
+        EXPECT_EQ(found, anew) << "tick " << tick;
+        EXPECT_EQ(found, brute_force(boxes)) << "tick " << tick;
+    }
 }
 
 // ---- What it takes ----

@@ -20,14 +20,12 @@ void StripGrid::reserve(std::size_t places) {
     if (index_.size() >= places) return;
     stride_ = (places + places / 8 + PAGE - 1) / PAGE * PAGE + SKEW;
     edges_.resize(4 * stride_);
+    sorted_.resize(stride_);
     index_.resize(stride_);
 }
 
 void StripGrid::put(std::size_t place, const Aabb& box, std::int32_t min_y, std::uint32_t index) {
-    edge(0)[place] = box.min.x;
-    edge(1)[place] = box.max.x;
-    edge(2)[place] = min_y;
-    edge(3)[place] = box.max.y;
+    sorted_[place] = {{box.min.x, min_y}, box.max};
     index_[place] = index;
 }
 
@@ -35,6 +33,14 @@ void StripGrid::end_strip(std::size_t start, std::size_t end, const BucketOf& bu
     for (std::size_t i = end; i < end + StripRows::PADDING; ++i) {
         constexpr std::int32_t MOST = std::numeric_limits<std::int32_t>::max();
         put(i, {{MOST, MOST}, {MOST, MOST}}, MOST, 0);
+    }
+    std::int32_t *min_x = edge(0), *max_x = edge(1), *min_y = edge(2), *max_y = edge(3);
+    for (std::size_t i = start; i < end + StripRows::PADDING; ++i) {
+        const auto& [min, max] = sorted_[i];
+        min_x[i] = min.x;
+        max_x[i] = max.x;
+        min_y[i] = min.y;
+        max_y[i] = max.y;
     }
     strips_.push_back({edge(0) + start, edge(1) + start, edge(2) + start, edge(3) + start,
                        index_.data() + start, static_cast<unsigned>(end - start), bucket_of.left,
@@ -98,25 +104,32 @@ template bool StripGrid::sort(const FromEntries&, unsigned, const StripOf&, cons
 template bool StripGrid::sort(const FromEntries&, unsigned, const OneStrip&, const BucketOf&);
 
 void StripGrid::sort_exactly(const Entry* entries, unsigned count) {
-    strips_.clear();
     keys_.resize(count);
     for (unsigned i = 0; i < count; ++i) keys_[i] = sort_key(entries[i].box.min.x, i);
     radix_sort(keys_, spare_);
-    reserve(count + StripRows::PADDING);
-    for (unsigned i = 0; i < count; ++i) {
-        const Entry& entry = entries[index_of(keys_[i])];
-        put(i, entry.box, entry.box.min.y, entry.index);
-    }
-    const Aabb& first = entries[index_of(keys_.front())].box;
-    const Aabb& last = entries[index_of(keys_.back())].box;
-    BucketOf units = {first.min.x, last.min.x, 1};
-    units.shift = 0;
-    end_strip(0, count, units);
+    arrange(FromEntries{entries}, keys_);
 }
+
+template <class Source>
+void StripGrid::arrange(const Source& source, const std::vector<std::uint64_t>& keys) {
+    strips_.clear();
+    reserve(keys.size() + StripRows::PADDING);
+    std::size_t place = 0;
+    for (const std::uint64_t key : keys) {
+        const Aabb& box = source.box(index_of(key));
+        put(place++, box, box.min.y, source.index(index_of(key)));
+    }
+    BucketOf units = {sorted_[0].min.x, sorted_[place - 1].min.x, 1};
+    units.shift = 0;
+    end_strip(0, place, units);
+}
+
+template void StripGrid::arrange(const FromAxis&, const std::vector<std::uint64_t>&);
 
 std::size_t StripGrid::bytes() const {
     return 4 * (edges_.capacity() + index_.capacity() + places_.capacity()) +
-           8 * (keys_.capacity() + spare_.capacity()) + strips_.capacity() * sizeof(StripRows);
+           8 * (keys_.capacity() + spare_.capacity()) + sizeof(Aabb) * sorted_.capacity() +
+           strips_.capacity() * sizeof(StripRows);
 }
 
 }  // namespace collision

@@ -29,6 +29,17 @@ struct FromEntries {
     std::uint32_t index(unsigned i) const { return entries[i].index; }
 };
 
+// The axes exchanged if `along_y`.
+struct FromAxis {
+    const Aabb* boxes;
+    bool along_y;
+    Aabb box(unsigned i) const {
+        const auto& [min, max] = boxes[i];
+        return along_y ? Aabb{{min.y, min.x}, {max.y, max.x}} : boxes[i];
+    }
+    std::uint32_t index(unsigned i) const { return i; }
+};
+
 class StripGrid {
 public:
     // Puts each box into all strips that it reaches, there into the bucket of min.x.  False, and no
@@ -42,7 +53,12 @@ public:
     // One strip, in the exact order of min.x whatever they share.  O(count).
     void sort_exactly(const Entry* entries, unsigned count);
 
-    // Valid until the next call of either.
+    // One strip of what the sort keys stand for, which are in order.  From FromEntries or FromAxis;
+    // count > 0.  O(count).
+    template <class Source>
+    void arrange(const Source& source, const std::vector<std::uint64_t>& keys);
+
+    // Valid until the next call of any of these.
     unsigned strips() const { return static_cast<unsigned>(strips_.size()); }
     const StripRows& rows(unsigned strip) const { return strips_[strip]; }
 
@@ -55,7 +71,9 @@ private:
 
     std::int32_t* edge(unsigned which) { return edges_.data() + which * stride_; }
 
-    std::size_t stride_ = 0;           // from one array to the next
+    std::size_t stride_ = 0;  // from one array to the next
+    // Where boxes go one by one, a write each; then the same turned into an array an edge.
+    std::vector<Aabb> sorted_;
     std::vector<std::int32_t> edges_;  // min_x, max_x, min_y, max_y
     std::vector<std::uint32_t> index_;
     std::vector<std::uint32_t> places_;  // of the next box of each bucket of each strip

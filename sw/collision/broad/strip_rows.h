@@ -40,8 +40,10 @@ struct StripRows {
 // Writes the pairs of each row from `row` on with those after it.  Stops before a row that `room`
 // may be too small for and returns it, or `count` at the end.
 template <class Lanes>
-unsigned strip_rows(const StripRows& strip, unsigned row, PairRoom& room) {
+unsigned strip_rows(const StripRows& rows, unsigned row, PairRoom& to) {
     using Ints = typename Lanes::Ints;
+    const StripRows strip = rows;  // copies, or each store of a vector might have changed them
+    PairRoom room = to;
     for (; row < strip.count; ++row) {
         if (room.left() < strip.count - row + Lanes::INTS) break;
         const std::int32_t reach = strip.last_in_bucket(strip.max_x[row]);
@@ -62,6 +64,7 @@ unsigned strip_rows(const StripRows& strip, unsigned row, PairRoom& room) {
             j += Lanes::INTS;
         } while (j < strip.count && strip.min_x[j] <= reach);
     }
+    to = room;
     return row;
 }
 

@@ -13,6 +13,7 @@ constexpr unsigned MOST_LEVELS = 8;
 constexpr unsigned HEIGHTS = 4;      // of a strip, in mean heights of a box
 constexpr unsigned FEW = 256;        // boxes that are not worth cutting again
 constexpr unsigned MOST_COPIES = 2;  // of a box, on average
+constexpr unsigned SPARE = 32;       // places of a strip, besides an eighth
 constexpr unsigned CROWDED = 4;      // times the mean number of boxes in a strip
 
 // Where the boxes are and how tall, from some hundreds of them.  Boxes outside are still found;
@@ -61,48 +62,61 @@ void Strips::find(const Aabb* boxes, unsigned count, PairList& overlaps) {
     writer.finish();
 }
 
-// Finds where the entries of each strip go.  False if there are too many for the number of boxes.
+bool Strips::Level::suits(unsigned boxes, unsigned strips) const {
+    const unsigned off = std::max(strips, wanted) - std::min(strips, wanted);
+    return boxes == count && off <= wanted / 4;
+}
+
+// Finds room for the entries of each strip.  False if there are too many for the number of boxes.
 template <class Source>
-bool Strips::reserve(const Source& source, unsigned count, const StripOf& strip_of, Level& level) {
+bool Strips::reserve(const Source& source, unsigned count, Level& level) {
+    const StripOf strip_of = level.strip_of;
     auto& places = level.places;
     places.assign(strip_of.count, 0);
+    std::uint64_t total = 0;
     for (unsigned i = 0; i < count; ++i) {
         const std::uint32_t first = strip_of(source.box(i).min.y);
         const std::uint32_t last = strip_of(source.box(i).max.y);
+        total += last - first + 1;
         ++places[first];
         places[last] += last != first;
         for (std::uint32_t strip = first + 1; strip < last; ++strip) ++places[strip];
     }
-    std::uint64_t total = 0;
-    for (const std::uint32_t in_strip : places) total += in_strip + 1;  // with one to spare
-    if (strip_of.count > 1 && total > MOST_COPIES * std::uint64_t{count} + strip_of.count)
-        return false;
+    if (strip_of.count > 1 && total > MOST_COPIES * std::uint64_t{count}) return false;
 
-    level.starts.resize(strip_of.count);
+    level.starts.resize(strip_of.count + 1);
     std::uint32_t place = 0;
     for (unsigned strip = 0; strip < strip_of.count; ++strip) {
         level.starts[strip] = place;
-        place += places[strip] + 1;
-        places[strip] = level.starts[strip];
+        place += places[strip] + places[strip] / 8 + SPARE;
     }
-    if (level.entries.size() < place) level.entries.resize(std::size_t{place} + place / 8);
+    level.starts.back() = place;
+    if (level.entries.size() < place) level.entries.resize(place);
     return true;
 }
 
+// False if a strip has no room left for its entries, one more, and so none for the rest.
 template <class Source>
-void Strips::scatter(const Source& source, unsigned count, const StripOf& strip_of, Level& level) {
-    auto& places = level.places;
+bool Strips::scatter(const Source& source, unsigned count, Level& level) {
+    const StripOf strip_of = level.strip_of;
+    std::copy(level.starts.begin(), level.starts.end() - 1, level.places.begin());
+    std::uint32_t* places = level.places.data();
+    const std::uint32_t* ends = level.starts.data() + 1;
     Entry* entries = level.entries.data();
     for (unsigned i = 0; i < count; ++i) {
         Entry entry = {source.box(i), source.index(i)};
         const std::uint32_t first = strip_of(entry.box.min.y), last = strip_of(entry.box.max.y);
+        if ((places[first] + 1 >= ends[first]) | (places[last] >= ends[last])) return false;
         entries[places[first]++] = entry;
         entry.box.min.y = VISITOR;
         entries[places[last]] = entry;  // into the place to spare if it is the same strip
         places[last] += last != first;
-        for (std::uint32_t strip = first + 1; strip < last; ++strip)
+        for (std::uint32_t strip = first + 1; strip < last; ++strip) {
+            if (places[strip] >= ends[strip]) return false;
             entries[places[strip]++] = entry;
+        }
     }
+    return true;
 }
 
 template <class Source>
@@ -116,8 +130,16 @@ void Strips::find(const Source& source, unsigned count, unsigned depth, PairWrit
     }
 
     Level& level = levels_[depth];
-    while (!reserve(source, count, {sample.min.y, sample.max.y, strips}, level)) strips /= 2;
-    scatter(source, count, {sample.min.y, sample.max.y, strips}, level);
+    const bool again = depth == 0 && level.suits(count, strips) && scatter(source, count, level);
+    if (!again) {
+        level.count = count;
+        level.wanted = strips;
+        level.strip_of = {sample.min.y, sample.max.y, strips};
+        while (!reserve(source, count, level))
+            level.strip_of = {sample.min.y, sample.max.y, level.strip_of.count / 2};
+        scatter(source, count, level);
+    }
+    strips = level.strip_of.count;
     // Cutting again is worth it only where this time has made a difference.
     const unsigned crowd = std::max(FEW, CROWDED * (count / strips));
     const unsigned most = count - count / 4;

@@ -27,25 +27,33 @@ public:
 
     // Clears `overlaps`, then fills it with every pair of boxes that overlap, touching included,
     // each once with first < second, in no particular order.  Exact for coordinates up to
-    // COORDINATE_LIMIT; min <= max in every box.  Nothing depends on the call before.
+    // COORDINATE_LIMIT; min <= max in every box.  The same pairs whatever the call before, but up
+    // to their order; after one for as many boxes spread alike over y, a pass over them is saved.
     //
     // n boxes, k pairs: O(n + k) where neither tall nor wide boxes crowd a place without
     // overlapping there.  Allocates only when there are more boxes or pairs than ever before.
     void find(const Aabb* boxes, unsigned count, PairList& overlaps);
 
-    std::size_t bytes() const;  // of memory in use, 20 to 40 a box; less for the pairs
+    std::size_t bytes()
+        const;  // of memory in use: 27 to 31 a box from 100,000 boxes on, 86 at 1,000
 
 private:
     struct Level {
         std::vector<Entry> entries;         // strip by strip
         std::vector<std::uint32_t> places;  // of the next entry of each strip
-        std::vector<std::uint32_t> starts;  // of each strip
+        std::vector<std::uint32_t> starts;  // of each strip, and the end of the last
+
+        // What the starts were made for: so many boxes, for which so many strips were wanted.
+        unsigned count = 0, wanted = 0;
+        StripOf strip_of = {0, 0, 1};
+
+        bool suits(unsigned boxes, unsigned strips) const;
     };
 
     template <class Source>
-    bool reserve(const Source& source, unsigned count, const StripOf& strip_of, Level& level);
+    bool reserve(const Source& source, unsigned count, Level& level);
     template <class Source>
-    void scatter(const Source& source, unsigned count, const StripOf& strip_of, Level& level);
+    bool scatter(const Source& source, unsigned count, Level& level);
     template <class Source>
     void find(const Source& source, unsigned count, unsigned depth, PairWriter& writer);
     void sweep(PairWriter& writer);

@@ -36,34 +36,26 @@ void Sweep::choose_axis(const Aabb* boxes, unsigned count) {
     const bool change = along_y_ ? along_x > 2 * along_y : along_y > 2 * along_x;
     if (!change) return;
     along_y_ = !along_y_;
-    entries_.clear();
+    keys_.clear();
 }
 
-Sweep::Entry Sweep::entry(const Aabb* boxes, std::uint32_t index) const {
-    const Aabb& box = boxes[index];
-    return along_y_ ? Entry{box.min.y, box.max.y, box.min.x, box.max.x, index}
-                    : Entry{box.min.x, box.max.x, box.min.y, box.max.y, index};
-}
-
-void Sweep::sort(const Aabb* boxes, unsigned count) {
+// The keys of all boxes, anew.
+void Sweep::sort(const FromAxis& source, unsigned count) {
     keys_.resize(count);
-    for (unsigned i = 0; i < count; ++i)
-        keys_[i] = sort_key(along_y_ ? boxes[i].min.y : boxes[i].min.x, i);
+    for (unsigned i = 0; i < count; ++i) keys_[i] = sort_key(source.box(i).min.x, i);
     radix_sort(keys_, spare_);
-    entries_.resize(count);
-    for (unsigned i = 0; i < count; ++i) entries_[i] = entry(boxes, index_of(keys_[i]));
 }
 
 // Takes the new boxes over in the old order and sorts by insertion; false if that is too much work.
-bool Sweep::repair(const Aabb* boxes) {
+bool Sweep::repair(const FromAxis& source) {
     std::size_t moves = 0;
-    const std::size_t most = MOST_MOVES * entries_.size();
-    for (std::size_t i = 0; i < entries_.size(); ++i) {
-        const Entry moved = entry(boxes, entries_[i].index);
+    const std::size_t most = MOST_MOVES * keys_.size();
+    for (std::size_t i = 0; i < keys_.size(); ++i) {
+        const std::uint32_t index = index_of(keys_[i]);
+        const std::uint64_t moved = sort_key(source.box(index).min.x, index);
         std::size_t place = i;
-        for (; place > 0 && entries_[place - 1].min > moved.min; --place)
-            entries_[place] = entries_[place - 1];
-        entries_[place] = moved;
+        for (; place > 0 && keys_[place - 1] > moved; --place) keys_[place] = keys_[place - 1];
+        keys_[place] = moved;
         moves += i - place;
         if (moves > most) return false;
     }
@@ -73,21 +65,15 @@ bool Sweep::repair(const Aabb* boxes) {
 void Sweep::find(const Aabb* boxes, unsigned count, PairList& overlaps) {
     if (count == 0) return overlaps.clear();
     choose_axis(boxes, count);
-    if (entries_.size() != count || !repair(boxes)) sort(boxes, count);
+    const FromAxis source = {boxes, along_y_};
+    if (keys_.size() != count || !repair(source)) sort(source, count);
+    sorted_.arrange(source, keys_);
 
-    std::size_t i = 0, j = 1;
+    unsigned row = 0;
     PairWriter writer(overlaps);
-    writer.write(count, [&](PairRoom& room) {
-        for (; i < count; ++i, j = i + 1) {
-            const Entry& a = entries_[i];
-            for (; j < count && entries_[j].min <= a.max; ++j) {
-                if (room.left() == 0) return false;
-                const Entry& b = entries_[j];
-                room.append(a.index, b.index,
-                            (a.side_min <= b.side_max) & (b.side_min <= a.side_max));
-            }
-        }
-        return true;
+    writer.write(count + StripRows::PADDING, [&](PairRoom& room) {
+        row = kernels_->strip_rows(sorted_.rows(0), row, room);
+        return row == count;
     });
     writer.finish();
 }

@@ -15,39 +15,36 @@
 #include <cstdint>
 #include <vector>
 
-#include "collision/pair_list.h"
-#include "collision/polygon.h"
+#include "collision/broad/kernels.h"
+#include "collision/broad/strip_grid.h"
 
 namespace collision {
 
 class Sweep {
 public:
+    explicit Sweep(const Kernels& kernels = fastest_kernels()) : kernels_{&kernels} {}
+
     // Clears `overlaps`, then fills it with every pair of boxes that overlap, touching included,
-    // each once with first < second, in no particular order.  Exact for all int32 coordinates;
-    // min <= max in every box.  The boxes of two calls need not have anything in common.
+    // each once with first < second, in no particular order.  Exact for coordinates up to
+    // COORDINATE_LIMIT; min <= max in every box.  The boxes of two calls need not have anything in
+    // common.
     //
-    // n boxes, k pairs that overlap on the axis: O(n + k), plus the exchanges that the order takes;
-    // beyond MOST_MOVES a box it is sorted anew in O(n).  For n boxes all over a square k is
-    // O(n sqrt(n)) at best.  20 bytes a box, 36 after the first sort.
+    // n boxes, k pairs that overlap on the axis: O(n + k), a vector at a time, plus the exchanges
+    // that the order takes; beyond MOST_MOVES a box it is sorted anew in O(n).  For n boxes all
+    // over a square k is O(n sqrt(n)) at best.  60 bytes a box.
     void find(const Aabb* boxes, unsigned count, PairList& overlaps);
 
 private:
     static constexpr unsigned MOST_MOVES = 8;
 
-    struct Entry {
-        std::int32_t min, max;            // on the axis
-        std::int32_t side_min, side_max;  // on the other
-        std::uint32_t index;
-    };
-
     void choose_axis(const Aabb* boxes, unsigned count);
-    Entry entry(const Aabb* boxes, std::uint32_t index) const;
-    void sort(const Aabb* boxes, unsigned count);
-    bool repair(const Aabb* boxes);
+    void sort(const FromAxis& source, unsigned count);
+    bool repair(const FromAxis& source);
 
+    const Kernels* kernels_;
     bool along_y_ = false;
-    std::vector<Entry> entries_;  // in the order of min
-    std::vector<std::uint64_t> keys_, spare_;
+    std::vector<std::uint64_t> keys_, spare_;  // sort keys, kept in order from tick to tick
+    StripGrid sorted_;                         // one strip of all
 };
 
 }  // namespace collision

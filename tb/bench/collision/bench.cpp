@@ -31,7 +31,7 @@ const Plan FULL = {{10, 100, 200}, {1'000, 10'000, 100'000, 1'000'000}, {10'000,
 const Plan QUICK = {{10, 100}, {1'000}, {500}, {0, 1}};
 
 // Enough for a median; few of the large ones, which fill the memory.
-unsigned ticks(unsigned size) { return std::clamp(200'000 / size, 2u, 32u); }
+unsigned ticks(unsigned size) { return std::clamp(400'000 / size, 3u, 32u); }
 
 std::vector<Entry> peers(unsigned size) {
     std::vector<Entry> all = cgal();

@@ -19,8 +19,9 @@ struct Limits {
 };
 
 // A round is all ticks of the workload by each contender in turn, so that what disturbs the
-// machine disturbs all.  A contender's first round is not counted.  Throws std::runtime_error,
-// with the name, if any tick's pairs are not the reference's.
+// machine disturbs all.  A contender's first round is not counted, nor the first tick of a round,
+// so a workload needs two.  Boxes and pairs lie where they lay the tick before.  Throws
+// std::runtime_error, with the name, if any tick's pairs are not the reference's.
 std::vector<Result> race(const Workload& workload, const std::vector<Entry>& entries,
                          const Limits& limits);
 
