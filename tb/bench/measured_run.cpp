@@ -40,14 +40,15 @@ int run_quietly(std::vector<std::string> words, rusage& used) {
 }  // namespace
 
 MeasuredRun measure_run(const std::string& de1sim, const std::string& scenario, unsigned duration_s,
-                        const std::filesystem::path& out) {
+                        const std::filesystem::path& out, const std::vector<std::string>& options) {
     std::filesystem::remove_all(out);
     rusage used{};
     const auto begin = std::chrono::steady_clock::now();
-    const int status =
-        run_quietly({de1sim, "run", scenario, "--duration", fmt::format("{}s", duration_s),
-                     "--frames", "all", "--quiet", "--out", out.string()},
-                    used);
+    std::vector<std::string> words{
+        de1sim,    "run",   scenario,    "--duration", fmt::format("{}s", duration_s),
+        "--quiet", "--out", out.string()};
+    words.insert(words.end(), options.begin(), options.end());
+    const int status = run_quietly(words, used);
     const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - begin;
     if (!WIFEXITED(status) || WEXITSTATUS(status) > 1)
         throw std::runtime_error(
@@ -59,10 +60,18 @@ MeasuredRun measure_run(const std::string& de1sim, const std::string& scenario, 
         !report.at("faults").empty())
         throw std::runtime_error("the run did not go as it should: see " + out.string());
     std::uint64_t pictures = 0;
-    for ([[maybe_unused]] const auto& entry : std::filesystem::directory_iterator{out / "frames"})
-        ++pictures;
+    if (std::filesystem::exists(out / "frames"))
+        for ([[maybe_unused]] const auto& entry :
+             std::filesystem::directory_iterator{out / "frames"})
+            ++pictures;
     std::filesystem::remove_all(out);
-    return {wall.count(), static_cast<double>(used.ru_maxrss) / 1024, pictures};
+    const auto seconds = [](const timeval& t) {
+        return static_cast<double>(t.tv_sec) + static_cast<double>(t.tv_usec) * 1e-6;
+    };
+    return {
+        wall.count(), static_cast<double>(used.ru_maxrss) / 1024, pictures,
+        seconds(used.ru_utime) + seconds(used.ru_stime),
+        report.contains("program") ? report["program"]["instructions"].get<std::uint64_t>() : 0};
 }
 
 }  // namespace bench

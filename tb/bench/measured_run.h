@@ -4,19 +4,23 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace bench {
 
 struct MeasuredRun {
     double wall_s = 0;  // from start to end of the process
     double peak_mb = 0;
-    std::uint64_t frames = 0;  // PNG files written
+    std::uint64_t frames = 0;        // PNG files written
+    double cpu_s = 0;                // of all of its threads
+    std::uint64_t instructions = 0;  // of the program's, with --cpu arm
 };
 
-// Every frame is written into `out`, which is removed before and after.  std::runtime_error if it
-// does not end as a run of `duration_s` should; a scenario's missed expectations are none of that,
-// since a shortened run cannot meet them all.
+// Writes every frame, or what `options` say, into `out`, which is removed before and after.
+// std::runtime_error if it does not end as a run of `duration_s` should; a scenario's missed
+// expectations are none of that, since a shortened run cannot meet them all.
 MeasuredRun measure_run(const std::string& de1sim, const std::string& scenario, unsigned duration_s,
-                        const std::filesystem::path& out);
+                        const std::filesystem::path& out,
+                        const std::vector<std::string>& options = {"--frames", "all"});
 
 }  // namespace bench
