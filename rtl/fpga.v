@@ -116,12 +116,12 @@ module fpga #(
     `include "lw_blocks.vh"
 
     // ---- Bridges ----------------------------------------------------------
-    wire [11:0] we, re;
+    wire [13:0] we, re;
     wire [11:0] waddr, raddr;
     wire [31:0] wdata;
     wire [3:0]  wstrb;
     wire [31:0] ledr_rdata, hex3_0_rdata, hex5_4_rdata, sw_rdata, key_rdata, jp1_rdata, jp2_rdata;
-    wire [31:0] sysid_rdata, vga_rdata, audio_rdata, keypad_rdata;
+    wire [31:0] sysid_rdata, vga_rdata, audio_rdata, keypad_rdata, timer0_rdata, timer1_rdata;
 
     lw_bridge #(.ID_W(ID_W)) lw (
         .clk_i(clk_i), .rst_i(rst_i),
@@ -136,7 +136,8 @@ module fpga #(
         .we_o(we), .waddr_o(waddr), .wdata_o(wdata), .wstrb_o(wstrb),
         .re_o(re), .raddr_o(raddr),
         .rdata_i(ledr_rdata | hex3_0_rdata | hex5_4_rdata | sw_rdata | key_rdata | jp1_rdata
-                 | jp2_rdata | sysid_rdata | vga_rdata | audio_rdata | keypad_rdata)
+                 | jp2_rdata | sysid_rdata | vga_rdata | audio_rdata | keypad_rdata
+                 | timer0_rdata | timer1_rdata)
     );
 
     wire [3:0]  picture_we;
@@ -261,10 +262,25 @@ module fpga #(
         .i2c_sclk_o(i2c_sclk_o), .i2c_sdat_oe_o(i2c_sdat_oe_o), .i2c_sdat_i(i2c_sdat_i)
     );
 
+    // ---- Interval timers --------------------------------------------------
+    wire timer0_irq, timer1_irq;
+
+    interval_timer timer0 (
+        .clk_i(clk_i), .rst_i(rst_i), .we_i(we[SEL_TIMER0]), .wstrb_i(wstrb), .waddr_i(waddr),
+        .wdata_i(wdata), .re_i(re[SEL_TIMER0]), .raddr_i(raddr), .rdata_o(timer0_rdata),
+        .irq_o(timer0_irq)
+    );
+    interval_timer timer1 (
+        .clk_i(clk_i), .rst_i(rst_i), .we_i(we[SEL_TIMER1]), .wstrb_i(wstrb), .waddr_i(waddr),
+        .wdata_i(wdata), .re_i(re[SEL_TIMER1]), .raddr_i(raddr), .rdata_o(timer1_rdata),
+        .irq_o(timer1_irq)
+    );
+
     // ---- Interrupts -------------------------------------------------------
     assign irq_o = {31'd0, key_irq} << KEY_IRQ | {31'd0, audio_irq} << AUDIO_IRQ
                    | {31'd0, jp1_irq} << JP1_IRQ | {31'd0, jp2_irq} << JP2_IRQ
-                   | {31'd0, keypad_irq} << KEYPAD_IRQ;
+                   | {31'd0, keypad_irq} << KEYPAD_IRQ | {31'd0, timer0_irq} << TIMER0_IRQ
+                   | {31'd0, timer1_irq} << TIMER1_IRQ;
 endmodule
 
 `default_nettype wire

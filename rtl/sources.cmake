@@ -9,6 +9,7 @@ set(RTL_SOURCES
     gpio/output_port.v gpio/pio.v
     keypad/keypad.v keypad/keypad_scan.v
     sysid/sysid.v
+    timer/interval_timer.v
     vga/picture_memory.v vga/picture_store.v vga/pixel_registers.v vga/vga.v vga/vga_timing.v)
 # Only on the board: pins, clock, processor.
 set(BOARD_SOURCES

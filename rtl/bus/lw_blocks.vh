@@ -13,5 +13,7 @@ localparam SEL_RESAMPLER = 8;
 localparam SEL_PIXEL     = 9;
 localparam SEL_AUDIO     = 10;   // AUDIO and CODEC
 localparam SEL_KEYPAD    = 11;
-localparam SELECTS       = 12;
+localparam SEL_TIMER0    = 12;
+localparam SEL_TIMER1    = 13;
+localparam SELECTS       = 14;
 // verilator lint_on UNUSEDPARAM

@@ -1,7 +1,7 @@
 // regmap.vh - generated from regmap.def by `make regmap`; do not edit.
 // Every module uses a few of these constants.
 // verilator lint_off UNUSEDPARAM
-localparam [31:0] REGMAP_HASH = 32'h12858438;
+localparam [31:0] REGMAP_HASH = 32'hc29f9c6a;
 
 localparam [31:0] PICTURE0_BASE = 32'hc8000000;
 localparam [31:0] PICTURE0_SIZE = 32'h00080000;
@@ -61,6 +61,60 @@ localparam [31:0] JP2_MASK = 32'hff200078;
 localparam [31:0] JP2_MASK_RESET = 32'h00000000;
 localparam [31:0] JP2_EDGE = 32'hff20007c;
 localparam [31:0] JP2_EDGE_RESET = 32'h00000000;
+
+localparam [31:0] TIMER0_BASE = 32'hff202000;
+localparam [31:0] TIMER0_SIZE = 32'h00000020;
+localparam [31:0] TIMER0_STATUS = 32'hff202000;
+localparam [31:0] TIMER0_STATUS_RESET = 32'h00000000;
+localparam TIMER0_STATUS_TO_LSB = 0;
+localparam TIMER0_STATUS_TO_W = 1;
+localparam TIMER0_STATUS_RUN_LSB = 1;
+localparam TIMER0_STATUS_RUN_W = 1;
+localparam [31:0] TIMER0_CONTROL = 32'hff202004;
+localparam [31:0] TIMER0_CONTROL_RESET = 32'h00000000;
+localparam TIMER0_CONTROL_ITO_LSB = 0;
+localparam TIMER0_CONTROL_ITO_W = 1;
+localparam TIMER0_CONTROL_CONT_LSB = 1;
+localparam TIMER0_CONTROL_CONT_W = 1;
+localparam TIMER0_CONTROL_START_LSB = 2;
+localparam TIMER0_CONTROL_START_W = 1;
+localparam TIMER0_CONTROL_STOP_LSB = 3;
+localparam TIMER0_CONTROL_STOP_W = 1;
+localparam [31:0] TIMER0_PERIOD_LOW = 32'hff202008;
+localparam [31:0] TIMER0_PERIOD_LOW_RESET = 32'h0000bc1f;
+localparam [31:0] TIMER0_PERIOD_HIGH = 32'hff20200c;
+localparam [31:0] TIMER0_PERIOD_HIGH_RESET = 32'h000000be;
+localparam [31:0] TIMER0_SNAP_LOW = 32'hff202010;
+localparam [31:0] TIMER0_SNAP_LOW_RESET = 32'h00000000;
+localparam [31:0] TIMER0_SNAP_HIGH = 32'hff202014;
+localparam [31:0] TIMER0_SNAP_HIGH_RESET = 32'h00000000;
+
+localparam [31:0] TIMER1_BASE = 32'hff202020;
+localparam [31:0] TIMER1_SIZE = 32'h00000020;
+localparam [31:0] TIMER1_STATUS = 32'hff202020;
+localparam [31:0] TIMER1_STATUS_RESET = 32'h00000000;
+localparam TIMER1_STATUS_TO_LSB = 0;
+localparam TIMER1_STATUS_TO_W = 1;
+localparam TIMER1_STATUS_RUN_LSB = 1;
+localparam TIMER1_STATUS_RUN_W = 1;
+localparam [31:0] TIMER1_CONTROL = 32'hff202024;
+localparam [31:0] TIMER1_CONTROL_RESET = 32'h00000000;
+localparam TIMER1_CONTROL_ITO_LSB = 0;
+localparam TIMER1_CONTROL_ITO_W = 1;
+localparam TIMER1_CONTROL_CONT_LSB = 1;
+localparam TIMER1_CONTROL_CONT_W = 1;
+localparam TIMER1_CONTROL_START_LSB = 2;
+localparam TIMER1_CONTROL_START_W = 1;
+localparam TIMER1_CONTROL_STOP_LSB = 3;
+localparam TIMER1_CONTROL_STOP_W = 1;
+localparam [31:0] TIMER1_PERIOD_LOW = 32'hff202028;
+localparam [31:0] TIMER1_PERIOD_LOW_RESET = 32'h0000bc1f;
+localparam [31:0] TIMER1_PERIOD_HIGH = 32'hff20202c;
+localparam [31:0] TIMER1_PERIOD_HIGH_RESET = 32'h000000be;
+localparam [31:0] TIMER1_SNAP_LOW = 32'hff202030;
+localparam [31:0] TIMER1_SNAP_LOW_RESET = 32'h00000000;
+localparam [31:0] TIMER1_SNAP_HIGH = 32'hff202034;
+localparam [31:0] TIMER1_SNAP_HIGH_RESET = 32'h00000000;
 
 localparam [31:0] SYSID_BASE = 32'hff202040;
 localparam [31:0] SYSID_SIZE = 32'h00000008;
@@ -174,7 +228,11 @@ localparam CODEC_STATUS_STEP_W = 4;
 localparam [31:0] CODEC_UNDERRUNS = 32'hff205108;
 localparam [31:0] CODEC_UNDERRUNS_RESET = 32'h00000000;
 
+localparam TIMER0_IRQ = 0;  // GIC ID 72
+
 localparam KEY_IRQ = 1;  // GIC ID 73
+
+localparam TIMER1_IRQ = 2;  // GIC ID 74
 
 localparam AUDIO_IRQ = 6;  // GIC ID 78
 

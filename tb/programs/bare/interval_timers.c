@@ -1,0 +1,42 @@
+// interval_timers.c - the FPGA's two timers: the first polled, the second by interrupt (ID 74).
+//
+// LEDR counts quarters of the first one's default period of 125 ms, HEX0 the second one's 10 ms.
+#include "registers.h"
+
+#define TIMER0 0xFF202000
+#define TIMER1 0xFF202020
+#define STATUS(timer) REGISTER((timer) + 0x00)
+#define CONTROL(timer) REGISTER((timer) + 0x04)
+#define PERIOD_LOW(timer) REGISTER((timer) + 0x08)
+#define PERIOD_HIGH(timer) REGISTER((timer) + 0x0C)
+
+enum { TIMER1_ID = 74, ITO = 1, CONT = 2, START = 4, TEN_MS = 1000000 };
+
+static volatile uint32_t tens;
+
+void __attribute__((interrupt("IRQ"))) on_irq(void) {
+    const uint32_t id = ICCIAR;
+    if (id == TIMER1_ID) {
+        STATUS(TIMER1) = 0;
+        HEX3_0 = DIGITS[++tens % 10];
+    }
+    ICCEOIR = id;
+}
+
+int main(void) {
+    const uint32_t period = (PERIOD_HIGH(TIMER0) << 16 | PERIOD_LOW(TIMER0)) / 4;
+    PERIOD_LOW(TIMER0) = period & 0xFFFF;
+    PERIOD_HIGH(TIMER0) = period >> 16;
+    PERIOD_LOW(TIMER1) = (TEN_MS - 1) & 0xFFFF;
+    PERIOD_HIGH(TIMER1) = (TEN_MS - 1) >> 16;
+    interrupt_on(TIMER1_ID);
+    CONTROL(TIMER0) = START | CONT;
+    CONTROL(TIMER1) = START | CONT | ITO;
+    __asm volatile("cpsie i");
+    for (uint32_t quarters = 0;; ++quarters) {
+        LEDR = quarters;
+        while ((STATUS(TIMER0) & 1) == 0) {
+        }
+        STATUS(TIMER0) = 0;
+    }
+}
