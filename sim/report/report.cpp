@@ -51,12 +51,12 @@ nlohmann::ordered_json program_json(const RunReport::Program& program) {
          {{"pc", fmt::format("0x{:08X}", program.pc)},
           {"function", program.function},
           {"waiting_for", program.waiting}}},
-        {"frames",
-         {{"count", program.frames.count},
-          {"instructions", spread_json(program.frames.instructions)},
-          {"busy_share", spread_json(program.frames.busy_share)},
-          {"bus_share", spread_json(program.frames.bus_share)}}},
     };
+    if (program.frames.count > 0)
+        json["frames"] = {{"count", program.frames.count},
+                          {"instructions", spread_json(program.frames.instructions)},
+                          {"busy_share", spread_json(program.frames.busy_share)},
+                          {"bus_share", spread_json(program.frames.bus_share)}};
     if (program.exit_code) json["exit_code"] = *program.exit_code;
     return json;
 }

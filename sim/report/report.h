@@ -31,7 +31,7 @@ struct RunReport {
     };
 
     // Least, middle and most of a value over all frames, each from one frame's end to the next;
-    // the first, in which the program starts, is left out.  All 0 with fewer than two frames.
+    // the first, in which the program starts, is left out.  Not in the file where there is none.
     struct Spread {
         double least = 0, median = 0, most = 0;
     };
@@ -47,13 +47,13 @@ struct RunReport {
         std::string elf;
         double cpi = 0;
         std::uint64_t instructions = 0, interrupts = 0, aborts = 0;
-        double asleep_s = 0;           // in WFI and WFE
-        double on_bus_s = 0;           // waiting for registers and FPGA memory
-        std::uint32_t pc = 0;          // at the end
-        std::string function;          // there; empty if it has no name
-        std::string waiting;           // "an interrupt", "a change of 0xFF200050", or empty
-        std::optional<int> exit_code;  // of a Linux program that has ended
-        FrameFigures frames;
+        double asleep_s = 0;                // in WFI and WFE
+        double on_bus_s = 0;                // waiting for registers and FPGA memory
+        std::uint32_t pc = 0;               // at the end
+        std::string function;               // there; empty if it has no name
+        std::string waiting;                // "an interrupt", "a change of 0xFF200050", or empty
+        std::optional<int> exit_code = {};  // of a Linux program that has ended
+        FrameFigures frames = {};
     };
 
     std::string scenario;  // its name
