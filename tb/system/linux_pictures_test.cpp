@@ -10,7 +10,7 @@
 
 namespace {
 
-// Thirty-four shapes, both algorithms, faster, with boxes, paused and cleared, in three seconds.
+// Thirty-four shapes, two algorithms, faster, with boxes, paused and cleared, in three seconds.
 //
 // Keys are pressed where a frame begins.  The scanner starts when the program enables it, and how
 // long a program takes to there depends on the processor: so the moments at which it can tell a key
@@ -61,8 +61,8 @@ protected:
 // longest time, and no higher than the text on its ground; pixels are shown 2 x 2.
 bool shows_time(unsigned x, unsigned y) {
     constexpr unsigned MARGIN = 5;
-    const unsigned begin = MARGIN + gfx::text_width("0 shapes  original  ");
-    const unsigned end = MARGIN + gfx::text_width("100 shapes  improved  999.99 ms") + 1;
+    const unsigned begin = MARGIN + gfx::text_width("1 shape  simd  ");
+    const unsigned end = MARGIN + gfx::text_width("100 shapes  original  999.99 ms") + 1;
     return x >= 2 * begin && x < 2 * end && y >= 2 * (MARGIN - 2) &&
            y < 2 * (MARGIN + gfx::CELL_HEIGHT);
 }
