@@ -1,7 +1,7 @@
 # The menu. Each entry shows the real command.
 
 .PHONY: all setup configure build firmware demo test fast asan coverage bench bench-collision
-.PHONY: formal formal-mutants table1 fuzz pgo regmap format clean
+.PHONY: formal formal-mutants synth table1 fuzz pgo regmap format clean
 
 all: build
 
@@ -45,6 +45,9 @@ formal: configure       ## proofs with Yosys and z3 (tb/formal)
 
 formal-mutants: configure  ## each property seen to fail on a mutant
 	@cmake --build build --target formal-mutants
+
+synth: configure        ## what the netlist takes of the device, and the limits (tb/synth)
+	@cmake --build build --target synth
 
 bench: configure        ## how fast, beside the bare Verilated model in the same run
 	@cmake --build build --target bench

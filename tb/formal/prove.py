@@ -53,8 +53,8 @@ def write_smt2(arguments, sources):
     if arguments.mutant:
         script.append(f"select -set others t:$assert c:{arguments.mutant.suffixes[0][1:]} %d; "
                       "delete @others")
-    script.append(f"cd ..; prep -top {top} -nordff; opt -fast; check -assert; async2sync; dffunmap; "
-                  f"write_smt2 -wires {smt2}")
+    script.append(f"cd ..; prep -top {top} -nordff; opt -fast; check -assert; async2sync; "
+                  f"dffunmap; write_smt2 -wires {smt2}")
     if run(["yosys", "-q", "-p", "; ".join(script)], arguments.work / "yosys.log").returncode:
         sys.exit((arguments.work / "yosys.log").read_text())
     return smt2
