@@ -1,7 +1,7 @@
 # The menu. Each entry shows the real command.
 
 .PHONY: all setup configure build firmware demo test fast asan coverage bench bench-collision
-.PHONY: table1 fuzz pgo qsf bitstream regmap format clean
+.PHONY: formal formal-mutants synth table1 fuzz pgo qsf bitstream regmap format clean
 
 all: build
 
@@ -46,6 +46,15 @@ asan: setup             ## every test, with address and undefined-behaviour sani
 coverage: setup         ## lines and toggles of the RTL -> build/coverage/html/index.html
 	@cmake --preset coverage
 	@cmake --build build/coverage --target coverage
+
+formal: configure       ## proofs with Yosys and z3 (tb/formal)
+	@cmake --build build --target formal
+
+formal-mutants: configure  ## each property seen to fail on a mutant
+	@cmake --build build --target formal-mutants
+
+synth: configure        ## what the netlist takes of the device, and the limits (tb/synth)
+	@cmake --build build --target synth
 
 bench: configure        ## how fast, beside the bare Verilated model in the same run
 	@cmake --build build --target bench

@@ -1,0 +1,69 @@
+// fifo_formal.v - no word lost, none invented, none out of order; the flags. By 2-step induction.
+//
+// The reference is a shift register of four words: a push appends, a pop moves all down.
+
+`default_nettype none
+
+module fifo_formal (
+    input wire       clk_i,
+    input wire       rst_i,
+    input wire       clear_i,
+    input wire       push_i,
+    input wire [3:0] wdata_i,
+    input wire       pop_i
+);
+    wire [3:0] rdata;
+    wire [2:0] count;
+    wire       full, empty;
+
+    fifo #(.WIDTH(4), .DEPTH_LOG2(2)) dut (
+        .clk_i(clk_i), .rst_i(rst_i), .clear_i(clear_i), .push_i(push_i), .wdata_i(wdata_i),
+        .pop_i(pop_i), .rdata_o(rdata), .count_o(count), .full_o(full), .empty_o(empty)
+    );
+
+    // ---- The reference ----
+    reg        live = 1'b0;
+    reg  [2:0] words_q;
+    reg  [3:0] first_q, second_q, third_q, fourth_q;
+    wire       push = push_i && words_q != 3'd4;
+    wire       pop  = pop_i && words_q != 3'd0;
+    wire [2:0] left = words_q - {2'd0, pop};
+
+    always @(posedge clk_i) begin
+        live     <= 1'b1;
+        words_q  <= left + {2'd0, push};
+        first_q  <= push && left == 3'd0 ? wdata_i : pop ? second_q : first_q;
+        second_q <= push && left == 3'd1 ? wdata_i : pop ? third_q : second_q;
+        third_q  <= push && left == 3'd2 ? wdata_i : pop ? fourth_q : third_q;
+        fourth_q <= push && left == 3'd3 ? wdata_i : fourth_q;
+        if (rst_i || clear_i) words_q <= 3'd0;
+    end
+
+    always @(*) if (!live) assume (rst_i);
+
+    // ---- What must hold ----
+    always @(*) if (live) begin
+        a_count: assert (count == words_q);
+        a_full:  assert (full == (words_q == 3'd4));
+        a_empty: assert (empty == (words_q == 3'd0));
+        if (words_q != 3'd0) a_order: assert (rdata == first_q);
+    end
+
+    // ---- Invariants: the words behind the head lie in the memory ----
+    wire [1:0] dut__read_q, dut__write_q;
+    wire [3:0] dut__memory__0, dut__memory__1, dut__memory__2, dut__memory__3;
+    function [3:0] word_at;
+        input [1:0] place;
+        word_at = place == 2'd0 ? dut__memory__0 : place == 2'd1 ? dut__memory__1
+                  : place == 2'd2 ? dut__memory__2 : dut__memory__3;
+    endfunction
+
+    always @(*) if (live) begin
+        i_pointers: assert (dut__write_q == dut__read_q + words_q[1:0]);
+        if (words_q > 3'd1) i_second: assert (word_at(dut__read_q + 2'd1) == second_q);
+        if (words_q > 3'd2) i_third:  assert (word_at(dut__read_q + 2'd2) == third_q);
+        if (words_q > 3'd3) i_fourth: assert (word_at(dut__read_q + 2'd3) == fourth_q);
+    end
+endmodule
+
+`default_nettype wire

@@ -1,0 +1,1 @@
+s/bid_o    <= awid_i/bid_o    <= ~awid_i/

@@ -1,0 +1,1 @@
+s/awready_o = !busy_q/awready_o = !busy_q || drain_q[1]/

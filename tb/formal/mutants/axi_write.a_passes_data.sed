@@ -1,0 +1,1 @@
+s/wstrb_o <= wstrb_i/wstrb_o <= 15/

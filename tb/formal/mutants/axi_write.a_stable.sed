@@ -1,0 +1,1 @@
+s/if (bvalid_o \&\& bready_i) begin/if (bvalid_o) begin/

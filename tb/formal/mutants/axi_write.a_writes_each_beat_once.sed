@@ -1,0 +1,1 @@
+s/we_o    <= !refuse_q/we_o    <= 1/

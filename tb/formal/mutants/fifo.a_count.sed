@@ -1,0 +1,1 @@
+s/wire push = push_i \&\& !full_o;/wire push = push_i;/

@@ -1,0 +1,1 @@
+s/empty_o = count_o == .*/empty_o = count_o == ONE;/

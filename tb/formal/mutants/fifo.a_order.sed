@@ -1,0 +1,1 @@
+s/wire  *pass  *= .*/wire pass = push \&\& empty_o;/

@@ -1,0 +1,1 @@
+s/edge_q \& mask_q/edge_q | mask_q/

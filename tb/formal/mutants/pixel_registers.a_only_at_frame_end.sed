@@ -1,0 +1,1 @@
+s/wire swap_now = .*/wire swap_now = swap_q;/

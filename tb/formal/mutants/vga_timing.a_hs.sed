@@ -1,0 +1,1 @@
+s/H_FRONT = 16/H_FRONT = 15/

@@ -1,0 +1,1 @@
+s/V_FRONT = 10/V_FRONT = 11/

@@ -1,0 +1,98 @@
+"""prove.py - proves one harness with Yosys and z3, or shows that a mutant breaks a named property.
+
+prove.py --rtl DIR --work DIR --depth N [--induction] [--mutant FILE.PROPERTY.sed] HARNESS SOURCE...
+
+Without --mutant: 0 if every assert holds for N clocks from any state that a reset clock leads out
+of, and with --induction for ever (N-step induction).  With --mutant: the sed script is applied to a
+copy of the sources, and 0 means that the assert PROPERTY was seen to fail (all others are left out,
+and so is induction where it would need invariants, i_...).
+
+A harness sees into its instance `dut` by wires that it leaves undriven: dut__name is dut.name,
+dut__name__3 is word 3 of a memory.  They carry invariants that induction needs.
+"""
+import argparse
+import pathlib
+import re
+import subprocess
+import sys
+
+
+def run(command, log):
+    done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+    log.write_text(done.stdout)
+    return done
+
+
+def mutated(arguments, sources):
+    work = arguments.work
+    copies = []
+    for source in sources:
+        copies.append(work / source.name)
+        copies[-1].write_bytes(source.read_bytes())
+    subprocess.run(["sed", "-i", "-f", arguments.mutant, *copies], check=True)
+    if all(a.read_bytes() == b.read_bytes() for a, b in zip(sources, copies)):
+        sys.exit(f"{arguments.mutant.name} changes nothing: the source has moved on")
+    return copies
+
+
+def write_smt2(arguments, sources):
+    top = arguments.harness.stem
+    text = arguments.harness.read_text()
+    includes = " ".join(f"-I{arguments.rtl / folder}" for folder in ("regmap", "bus", "vga"))
+    files = " ".join(map(str, sources))
+    script = [f"read_verilog -sv -formal {includes} {files}",
+              f"hierarchy -check -top {top}; proc; memory_collect; memory_map; flatten",
+              f"cd {top}"]
+    for name in sorted(set(re.findall(r"\bdut__\w+", text))):
+        inner = name.replace("dut__", "dut.", 1)
+        word = re.fullmatch(r"(.+)__(\d+)", inner)
+        if word:
+            script.append(f"rename {word[1]}[{word[2]}] {inner}")
+        script.append(f"connect -nounset -set {name} {inner}")
+    smt2 = arguments.work / f"{top}.smt2"
+    if arguments.mutant:
+        script.append(f"select -set others t:$assert c:{arguments.mutant.suffixes[0][1:]} %d; "
+                      "delete @others")
+    script.append(f"cd ..; prep -top {top} -nordff; opt -fast; check -assert; async2sync; "
+                  f"dffunmap; write_smt2 -wires {smt2}")
+    if run(["yosys", "-q", "-p", "; ".join(script)], arguments.work / "yosys.log").returncode:
+        sys.exit((arguments.work / "yosys.log").read_text())
+    return smt2
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    parser.add_argument("--rtl", type=pathlib.Path, required=True)
+    parser.add_argument("--work", type=pathlib.Path, required=True)
+    parser.add_argument("--depth", type=int, required=True)
+    parser.add_argument("--induction", action="store_true")
+    parser.add_argument("--mutant", type=pathlib.Path)
+    parser.add_argument("harness", type=pathlib.Path)
+    parser.add_argument("sources", type=pathlib.Path, nargs="+")
+    arguments = parser.parse_args()
+    arguments.work.mkdir(parents=True, exist_ok=True)
+    sources = [arguments.rtl / source for source in arguments.sources]
+    if arguments.mutant:
+        sources = mutated(arguments, sources)
+    smt2 = write_smt2(arguments, [*sources, arguments.harness])
+
+    failed = set()
+    steps = {"bounded": ["-t", str(arguments.depth)]}
+    invariants = re.search(r"\bi_\w+: +assert", arguments.harness.read_text())
+    if arguments.induction and not (arguments.mutant and invariants):
+        steps["induction"] = ["-i", "-t", str(arguments.depth)]
+    for step, options in steps.items():
+        done = run(["yosys-smtbmc", "-s", "z3", "--unroll", *options, "--dump-vcd",
+                    str(arguments.work / f"{step}.vcd"), str(smt2)], arguments.work / f"{step}.log")
+        failed |= set(re.findall(r"Assert failed in \w+: (\w+)", done.stdout))
+        if "Status: PASSED" not in done.stdout and not failed:
+            sys.exit(done.stdout)
+        if failed and not arguments.mutant:
+            sys.exit(f"{step}: {' '.join(sorted(failed))} failed, see {arguments.work}/{step}.vcd")
+    if arguments.mutant:
+        wanted = arguments.mutant.suffixes[0][1:]
+        if wanted not in failed:
+            sys.exit(f"{wanted} holds in spite of the mutant; failed: {sorted(failed)}")
+
+
+main()
