@@ -1,0 +1,1 @@
+s/rerror_i ? DECERR : OKAY/OKAY/

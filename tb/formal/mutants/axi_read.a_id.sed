@@ -1,0 +1,1 @@
+s/rid_o    <= arid_i/rid_o    <= ~arid_i/

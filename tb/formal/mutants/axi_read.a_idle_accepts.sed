@@ -1,0 +1,1 @@
+s/arready_o = !busy_q/arready_o = !busy_q \&\& arvalid_i/

@@ -1,0 +1,1 @@
+s/re_o     <= serve/re_o     <= 1/

@@ -1,0 +1,1 @@
+s/if (rvalid_o \&\& rready_i) begin/if (rvalid_o) begin/
