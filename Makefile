@@ -1,7 +1,7 @@
 # The menu. Each entry shows the real command.
 
 .PHONY: all setup configure build firmware demo test fast asan coverage bench bench-collision
-.PHONY: formal formal-mutants synth table1 fuzz pgo qsf bitstream regmap format clean
+.PHONY: formal formal-mutants synth netlist table1 fuzz pgo qsf bitstream regmap format clean
 
 all: build
 
@@ -55,6 +55,9 @@ formal-mutants: configure  ## each property seen to fail on a mutant
 
 synth: configure        ## what the netlist takes of the device, and the limits (tb/synth)
 	@cmake --build build --target synth
+
+netlist: configure      ## the netlist plays the demo's beginning as the Verilog does
+	@cmake --build build --target netlist
 
 bench: configure        ## how fast, beside the bare Verilated model in the same run
 	@cmake --build build --target bench

@@ -1,0 +1,106 @@
+// cells.v - what Yosys' cells for the Cyclone V do, for Verilator: logic, registers, memories, pads
+//
+// Written from the port lists and semantics that `synth_intel_alm` documents for each cell; timing
+// is left out.  Registers come up as 0, as the device's do.
+//
+// Not handled: ACLR as an asynchronous event (no register of rtl/ uses it: it is tied high).
+
+`default_nettype none
+
+// verilator lint_off DECLFILENAME
+// verilator lint_off MULTITOP
+
+module MISTRAL_NOT (input wire A, output wire Q);
+    assign Q = ~A;
+endmodule
+
+module MISTRAL_ALUT2 #(parameter [3:0] LUT = 0) (input wire A, B, output wire Q);
+    assign Q = LUT[{B, A}];
+endmodule
+
+module MISTRAL_ALUT3 #(parameter [7:0] LUT = 0) (input wire A, B, C, output wire Q);
+    assign Q = LUT[{C, B, A}];
+endmodule
+
+module MISTRAL_ALUT4 #(parameter [15:0] LUT = 0) (input wire A, B, C, D, output wire Q);
+    assign Q = LUT[{D, C, B, A}];
+endmodule
+
+module MISTRAL_ALUT5 #(parameter [31:0] LUT = 0) (input wire A, B, C, D, E, output wire Q);
+    assign Q = LUT[{E, D, C, B, A}];
+endmodule
+
+module MISTRAL_ALUT6 #(parameter [63:0] LUT = 0) (input wire A, B, C, D, E, F, output wire Q);
+    assign Q = LUT[{F, E, D, C, B, A}];
+endmodule
+
+// A full adder of two functions; the second goes in inverted.
+module MISTRAL_ALUT_ARITH #(
+    parameter [15:0] LUT0 = 0,
+    parameter [15:0] LUT1 = 0
+) (
+    input wire A, B, C, D0, D1, CI,
+    output wire SO, CO
+);
+    wire first  = LUT0[{D0, C, B, A}];
+    wire second = !LUT1[{D1, C, B, A}];
+    assign SO = first ^ second ^ CI;
+    assign CO = (first & second) | (CI & (first | second));
+endmodule
+
+// ENA gates SCLR and SLOAD, too; SCLR beats SLOAD.
+module MISTRAL_FF (
+    input wire DATAIN, CLK, ACLR, ENA, SCLR, SLOAD, SDATA,
+    output reg Q
+);
+    initial Q = 1'b0;
+    always @(posedge CLK)
+        if (!ACLR) Q <= 1'b0;
+        else if (ENA) Q <= !SCLR & (SLOAD ? SDATA : DATAIN);
+endmodule
+
+// Read in the clock, written at its edge.
+module MISTRAL_MLAB (
+    input wire [4:0] A1ADDR,
+    input wire       A1DATA, A1EN, CLK1,
+    input wire [4:0] B1ADDR,
+    output wire      B1DATA
+);
+    reg [31:0] mem = 32'd0;
+    always @(posedge CLK1) if (A1EN) mem[A1ADDR] <= A1DATA;
+    assign B1DATA = mem[B1ADDR];
+endmodule
+
+// A1EN is active low; a word read while it is written gives the old one.
+module MISTRAL_M10K #(
+    parameter CFG_ABITS = 10,
+    parameter CFG_DBITS = 10
+) (
+    input wire                 CLK1,
+    input wire [CFG_ABITS-1:0] A1ADDR,
+    input wire [CFG_DBITS-1:0] A1DATA,
+    input wire                 A1EN,
+    input wire [CFG_ABITS-1:0] B1ADDR,
+    output reg [CFG_DBITS-1:0] B1DATA,
+    input wire                 B1EN
+);
+    reg [CFG_DBITS-1:0] mem [0:(1 << CFG_ABITS) - 1];
+    always @(posedge CLK1) begin
+        if (!A1EN) mem[A1ADDR] <= A1DATA;
+        if (B1EN) B1DATA <= mem[B1ADDR];
+    end
+endmodule
+
+module MISTRAL_CLKBUF (input wire A, output wire Q);
+    assign Q = A;
+endmodule
+
+module MISTRAL_IB (input wire PAD, output wire O);
+    assign O = PAD;
+endmodule
+
+module MISTRAL_OB (output wire PAD, input wire I);
+    assign PAD = I;
+endmodule
+
+`default_nettype wire
