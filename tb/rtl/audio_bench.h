@@ -1,0 +1,106 @@
+// audio_bench.h - audio.v with a WM8731 on its pins, somebody at its line-in and line-out
+#pragma once
+
+#include <gmock/gmock.h>
+
+#include "Vaudio.h"
+#include "regmap.h"
+#include "sim/board/wm8731.h"
+#include "tb/support/random_registers.h"
+#include "tb/support/register_bus.h"
+
+namespace tb {
+
+constexpr std::uint64_t CLOCK_PS = 40'000;
+constexpr unsigned SLOW_FRAME = 3072, FAST_FRAME = 512;  // clocks
+constexpr std::uint32_t CONTROL_CW = 8, CONTROL_CR = 4, CONTROL_RI = 0x100, CONTROL_WI = 0x200;
+
+// Pair number n, n > 0: both channels differ, no sample is 0, the low 8 bits are noise.
+inline std::uint32_t left_of(unsigned n) { return (n * 0x010203u << 8) | 0x5a; }
+inline std::uint32_t right_of(unsigned n) { return (~(n * 0x030201u) << 8) | 0xa5; }
+
+class Audio : public RegisterBus<Vaudio> {
+protected:
+    using Pair = std::pair<std::uint32_t, std::uint32_t>;
+
+    std::vector<Pair> heard;  // every frame
+    unsigned line_in = 0;     // pairs played in so far
+    bool line_in_on = false;
+    sim::Wm8731 codec{
+        [this](const sim::StereoSample& s, std::uint64_t) { heard.emplace_back(s.left, s.right); },
+        [this] {
+            if (!line_in_on) return sim::StereoSample{};
+            ++line_in;
+            return sim::StereoSample{static_cast<std::int32_t>(left_of(line_in)),
+                                     static_cast<std::int32_t>(right_of(line_in))};
+        }};
+
+    static void SetUpTestSuite() { start_with_random_registers(); }
+    void SetUp() override {
+        dut.i2c_sdat_i = 1;
+        reset();
+        write(regmap::CODEC_RATE, 1);
+        wait_for_set_up();
+        write(regmap::AUDIO_CONTROL, CONTROL_CR);  // drop the silence that has come in so far
+        write(regmap::AUDIO_CONTROL, 0);
+    }
+    void TearDown() override { EXPECT_THAT(codec.errors(), ::testing::IsEmpty()); }
+
+    void after_clock() override {
+        codec.drive({dut.aud_bclk_o != 0, dut.aud_daclrck_o != 0, dut.aud_adclrck_o != 0,
+                     dut.aud_dacdat_o != 0, dut.i2c_sclk_o != 0, sda()},
+                    clocks * CLOCK_PS);
+        dut.aud_adcdat_i = codec.adcdat();
+        dut.i2c_sdat_i = sda();
+    }
+    bool sda() const { return !dut.i2c_sdat_oe_o && !codec.pulls_sda_low(); }
+
+    void wait_for_set_up() {
+        for (int i = 0; i < 20'000 && !(read(regmap::CODEC_STATUS) & 3); ++i) clock(10);
+        EXPECT_TRUE(read(regmap::CODEC_STATUS) & 3) << "the set-up does not end";
+    }
+    void rate(bool fast) {
+        write(regmap::CODEC_RATE, fast);
+        wait_for_set_up();
+    }
+    void push(unsigned n) {
+        write(regmap::AUDIO_LEFTDATA, left_of(n));
+        write(regmap::AUDIO_RIGHTDATA, right_of(n));
+    }
+    void push(unsigned first, unsigned last) {
+        for (unsigned n = first; n <= last; ++n) push(n);
+    }
+    // To just behind the first bit of a frame; the next pair leaves nearly a frame later.
+    void to_frame() {
+        while (!dut.aud_daclrck_o) clock();
+        while (dut.aud_daclrck_o) clock();
+        while (!dut.aud_bclk_o) clock();
+    }
+    std::uint32_t left_room() { return read(regmap::AUDIO_FIFOSPACE) >> 24; }
+    std::uint32_t right_room() { return read(regmap::AUDIO_FIFOSPACE) >> 16 & 0xff; }
+    std::uint32_t left_waiting() { return read(regmap::AUDIO_FIFOSPACE) >> 8 & 0xff; }
+    std::uint32_t right_waiting() { return read(regmap::AUDIO_FIFOSPACE) & 0xff; }
+
+    // What was heard and not silence, in order; it must be in one piece.
+    std::vector<Pair> sound() const {
+        std::vector<Pair> result;
+        bool over = false;
+        for (const Pair& pair : heard) {
+            if (pair == Pair{0, 0}) {
+                over = !result.empty();
+                continue;
+            }
+            EXPECT_FALSE(over) << "a gap after " << result.size() << " pairs";
+            result.push_back(pair);
+        }
+        return result;
+    }
+    static std::vector<Pair> pairs(unsigned first, unsigned last) {
+        std::vector<Pair> result;
+        for (unsigned n = first; n <= last; ++n)
+            result.emplace_back(left_of(n) & ~0xffu, right_of(n) & ~0xffu);
+        return result;
+    }
+};
+
+}  // namespace tb

@@ -1,0 +1,122 @@
+// audio_registers_test.cpp - the audio core's thresholds, interrupts and byte lanes
+#include "tb/rtl/audio_bench.h"
+
+namespace {
+
+using namespace regmap;
+using namespace tb;
+
+// ---- Thresholds and interrupts ----
+
+TEST_F(Audio, RaisesWiFrom96FreePlacesOn) {
+    for (const unsigned room : {128u, 97u, 96u, 95u, 94u, 0u}) {
+        write(AUDIO_CONTROL, CONTROL_CW);
+        write(AUDIO_CONTROL, 0);
+        rate(false);  // time enough in a frame
+        to_frame();
+        push(1, 128 - room);
+        ASSERT_EQ(read(AUDIO_FIFOSPACE) >> 16, room << 8 | room);
+        EXPECT_EQ(read(AUDIO_CONTROL) & CONTROL_WI, room >= 96 ? CONTROL_WI : 0u) << room;
+    }
+}
+
+TEST_F(Audio, RaisesWiWhenEitherSideHasTheRoom) {
+    for (unsigned n = 1; n <= 33; ++n) write(AUDIO_LEFTDATA, left_of(n));
+    EXPECT_EQ(left_room(), 95u);
+    EXPECT_EQ(read(AUDIO_CONTROL) & CONTROL_WI, CONTROL_WI);
+    write(AUDIO_CONTROL, CONTROL_CW);
+    write(AUDIO_CONTROL, 0);
+    for (unsigned n = 1; n <= 33; ++n) write(AUDIO_RIGHTDATA, right_of(n));
+    EXPECT_EQ(right_room(), 95u);
+    EXPECT_EQ(read(AUDIO_CONTROL) & CONTROL_WI, CONTROL_WI);
+}
+
+TEST_F(Audio, RaisesRiFrom96SamplesOnOnEitherSide) {
+    write(AUDIO_CONTROL, CONTROL_CR);
+    write(AUDIO_CONTROL, 0);
+    unsigned last = 0;
+    for (unsigned frames = 0; frames < 100; ++frames) {
+        to_frame();
+        const std::uint32_t count = left_waiting();
+        EXPECT_EQ(right_waiting(), count);
+        EXPECT_EQ(read(AUDIO_CONTROL) & CONTROL_RI, count >= 96 ? CONTROL_RI : 0u) << count;
+        last = count;
+    }
+    ASSERT_GE(last, 98u);
+    while (left_waiting() > 95) read(AUDIO_LEFTDATA);
+    EXPECT_EQ(read(AUDIO_CONTROL) & CONTROL_RI, CONTROL_RI) << "right alone";
+    while (right_waiting() > 95) read(AUDIO_RIGHTDATA);
+    EXPECT_EQ(read(AUDIO_CONTROL) & CONTROL_RI, 0u);
+}
+
+TEST_F(Audio, InterruptsForEachSideByItsMask) {
+    const auto irqs = [this] {  // bit n: with RE, WE = n
+        unsigned result = 0;
+        for (std::uint32_t mask = 0; mask < 4; ++mask) {
+            write(AUDIO_CONTROL, mask);
+            result |= static_cast<unsigned>(dut.irq_o) << mask;
+        }
+        return result;
+    };
+    write(AUDIO_CONTROL, CONTROL_CR);
+    EXPECT_EQ(irqs(), 0b1100u) << "WI alone";
+    clock(100 * FAST_FRAME);
+    EXPECT_EQ(irqs(), 0b1110u) << "RI and WI";
+    rate(false);
+    to_frame();
+    push(1, 128);
+    EXPECT_EQ(irqs(), 0b1010u) << "RI alone";
+    write(AUDIO_CONTROL, CONTROL_CR);
+    EXPECT_EQ(irqs(), 0b0000u) << "neither";
+}
+
+// ---- Bus ----
+
+TEST_F(Audio, HasItsDocumentedDefaults) {
+    reset();
+    EXPECT_EQ(read(AUDIO_CONTROL), 0x200u);
+    EXPECT_EQ(read(AUDIO_FIFOSPACE), 0x80800000u);
+    EXPECT_EQ(read(CODEC_RATE), 0u);
+    EXPECT_EQ(read(CODEC_STATUS), 0u);
+    EXPECT_EQ(read(CODEC_UNDERRUNS), 0u);
+    EXPECT_EQ(dut.irq_o, 0);
+}
+
+TEST_F(Audio, ShowsZeroOnTheBusUnlessItWasRead) {
+    EXPECT_NE(read(AUDIO_FIFOSPACE), 0u);
+    clock();
+    EXPECT_EQ(dut.rdata_o, 0u);
+    EXPECT_EQ(read(CODEC_BASE + 0xc), 0u);
+}
+
+TEST_F(Audio, DoesNothingOnAWriteWithoutAByte) {
+    const std::uint64_t words = codec.words();
+    write(AUDIO_LEFTDATA, 1, 0);
+    write(AUDIO_CONTROL, 0xf, 0);
+    write(CODEC_RATE, 0, 0);
+    EXPECT_EQ(left_room(), 128u);
+    EXPECT_EQ(read(AUDIO_CONTROL), CONTROL_WI);
+    EXPECT_EQ(read(CODEC_RATE), 1u);
+    clock(20'000);
+    EXPECT_EQ(codec.words(), words) << "no new set-up";
+}
+
+TEST_F(Audio, TakesTheWholeSampleWithAnyByte) {
+    write(AUDIO_LEFTDATA, left_of(7), 0x1);
+    write(AUDIO_RIGHTDATA, right_of(7), 0x8);
+    clock(3 * FAST_FRAME);
+    EXPECT_EQ(sound(), pairs(7, 7));
+}
+
+TEST_F(Audio, ChangesControlAndRateByTheirByteLane) {
+    write(AUDIO_CONTROL, 0xffffffff, 0xe);
+    EXPECT_EQ(read(AUDIO_CONTROL), CONTROL_WI);
+    write(AUDIO_CONTROL, 0xffffffff, 0x1);
+    EXPECT_EQ(read(AUDIO_CONTROL), CONTROL_WI | 0xf);
+    write(CODEC_RATE, 0, 0xe);
+    EXPECT_EQ(read(CODEC_RATE), 1u);
+    EXPECT_EQ(read(CODEC_STATUS) & 1, 0u) << "but it is set up again";
+    wait_for_set_up();
+}
+
+}  // namespace
