@@ -155,8 +155,6 @@ private:
     void run_on();
     void sleep(const sc_core::sc_time& at_most);
     void poll(std::uint32_t address, std::uint32_t value);
-    bool transport(tlm::tlm_command command, std::uint32_t address, unsigned bytes, void* data,
-                   sc_core::sc_time& delay);
     bool access(tlm::tlm_command command, std::uint32_t address, unsigned bytes, void* data);
     void take_interrupt();
     void handle(ArmStop stop);
@@ -185,7 +183,7 @@ private:
         std::uint32_t pc = 0, address = 0, value = 0;
         unsigned same_address = 0, same_value = 0;
     } poll_;
-    const char* bus_answer_ = "";  // to the access that was refused last
+    std::string bus_answer_;  // to the access that was refused last
     unsigned refused_bytes_ = 0;
     std::uint32_t nested_pc_ = 1;  // of the last abort within an abort
 };

@@ -37,34 +37,16 @@ void ArmCpu::load() {
     }
 }
 
-bool ArmCpu::transport(tlm::tlm_command command, std::uint32_t address, unsigned bytes, void* data,
-                       sc_time& delay) {
-    tlm::tlm_generic_payload tx;
-    tx.set_command(command);
-    tx.set_address(address);
-    tx.set_data_ptr(static_cast<unsigned char*>(data));
-    tx.set_data_length(bytes);
-    tx.set_streaming_width(bytes);
-    tx.set_response_status(tlm::TLM_INCOMPLETE_RESPONSE);
-    socket->b_transport(tx, delay);
-    if (tx.is_response_ok()) return true;
-    switch (tx.get_response_status()) {
-        case tlm::TLM_ADDRESS_ERROR_RESPONSE: bus_answer_ = "TLM_ADDRESS_ERROR_RESPONSE"; break;
-        case tlm::TLM_BURST_ERROR_RESPONSE: bus_answer_ = "TLM_BURST_ERROR_RESPONSE"; break;
-        case tlm::TLM_COMMAND_ERROR_RESPONSE: bus_answer_ = "TLM_COMMAND_ERROR_RESPONSE"; break;
-        default: bus_answer_ = "TLM_GENERIC_ERROR_RESPONSE"; break;
-    }
-    refused_bytes_ = bytes;
-    return false;
-}
-
 bool ArmCpu::access(tlm::tlm_command command, std::uint32_t address, unsigned bytes, void* data) {
     account();
     sync();
     const sc_time before = sc_core::sc_time_stamp() + ahead_;
-    const bool answered = transport(command, address, bytes, data, ahead_);
+    std::string answer = transport(command, address, data, bytes, ahead_);
     counts_.on_bus += sc_core::sc_time_stamp() + ahead_ - before;
-    return answered;
+    if (answer.empty()) return true;
+    bus_answer_ = std::move(answer);
+    refused_bytes_ = bytes;
+    return false;
 }
 
 bool ArmCpu::read(std::uint32_t address, unsigned bytes, std::uint32_t& value) {
@@ -97,7 +79,7 @@ bool ArmCpu::read_memory(std::uint32_t address, void* data, unsigned bytes) {
     if (core_.read_ram(address, data, bytes)) return true;
     sc_time no_time;
     const std::optional<std::uint32_t> on_bus = core_.bus_address(address);
-    return on_bus && transport(tlm::TLM_READ_COMMAND, *on_bus, bytes, data, no_time);
+    return on_bus && transport(tlm::TLM_READ_COMMAND, *on_bus, data, bytes, no_time).empty();
 }
 
 bool ArmCpu::write_memory(std::uint32_t address, const void* data, unsigned bytes) {
@@ -106,7 +88,8 @@ bool ArmCpu::write_memory(std::uint32_t address, const void* data, unsigned byte
     const std::optional<std::uint32_t> on_bus = core_.bus_address(address);
     // A write only reads the data, but TLM has one pointer for both directions.
     return on_bus &&
-           transport(tlm::TLM_WRITE_COMMAND, *on_bus, bytes, const_cast<void*>(data), no_time);
+           transport(tlm::TLM_WRITE_COMMAND, *on_bus, const_cast<void*>(data), bytes, no_time)
+               .empty();
 }
 
 }  // namespace sim

@@ -33,20 +33,13 @@ void NativeCpu::access(tlm::tlm_command command, std::uint32_t address, void* da
         wait(ahead_);
         ahead_ = sc_core::SC_ZERO_TIME;
     }
-    tlm::tlm_generic_payload tx;
-    tx.set_command(command);
-    tx.set_address(address);
-    tx.set_data_ptr(static_cast<unsigned char*>(data));
-    tx.set_data_length(bytes);
-    tx.set_streaming_width(bytes);
-    tx.set_response_status(tlm::TLM_INCOMPLETE_RESPONSE);
-    socket->b_transport(tx, ahead_);
-    if (tx.is_response_ok()) return;
+    const std::string answer = transport(command, address, data, bytes, ahead_);
+    if (answer.empty()) return;
 
     const sc_time now = sc_core::sc_time_stamp() + ahead_;
     fail(fmt::format("data abort: {} of {} bytes at 0x{:08X} at {:.6f} ms ({})",
                      command == tlm::TLM_READ_COMMAND ? "read" : "write", bytes, address,
-                     now.to_seconds() * 1e3, tx.get_response_string()));
+                     now.to_seconds() * 1e3, answer));
     throw Abort{};
 }
 

@@ -1,6 +1,7 @@
 // processor.h - what the board knows of a processor, whichever it is: its bus, its wires, its end.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 
@@ -27,6 +28,20 @@ public:
 protected:
     explicit Processor(const sc_core::sc_module_name& module_name)
         : sc_module{module_name}, socket{"socket"} {}
+
+    // One transaction; its time is added to delay.  "", or what the target said instead of OK.
+    std::string transport(tlm::tlm_command command, std::uint32_t address, void* data,
+                          unsigned bytes, sc_core::sc_time& delay) {
+        tlm::tlm_generic_payload tx;
+        tx.set_command(command);
+        tx.set_address(address);
+        tx.set_data_ptr(static_cast<unsigned char*>(data));
+        tx.set_data_length(bytes);
+        tx.set_streaming_width(bytes);
+        tx.set_response_status(tlm::TLM_INCOMPLETE_RESPONSE);
+        socket->b_transport(tx, delay);
+        return tx.is_response_ok() ? std::string{} : tx.get_response_string();
+    }
 
     void fail(std::string why) {
         fault_ = std::move(why);
