@@ -1,4 +1,4 @@
-@ start.S - bare start-up of a test program: vectors at 0, a stack, main, then sleep
+@ start.S - vectors, stacks, main, sleep: IRQ's stack in the on-chip RAM, the program's at DDR3's end
     .syntax unified
     .arch armv7-a
     .arm
@@ -18,18 +18,19 @@ _start:
     .text
     .type reset, %function
 reset:
-    cps #0x12                       @ IRQ mode
-    ldr sp, =0x03100000
-    cps #0x13                       @ SVC mode
-    ldr sp, =0x03000000
+    msr cpsr_c, #0xD2               @ IRQ mode, IRQ and FIQ off
+    ldr sp, =0xFFFFFFF8
+    msr cpsr_c, #0xD3               @ SVC mode
+    ldr sp, =0x3FFFFFF8
     bl main
 1:  wfi
     b 1b
+    .size reset, . - reset
 
+    .weak on_data_abort             @ the program's own, if it has one
     .type on_data_abort, %function
-on_data_abort:                      @ skips the access
-    subs pc, lr, #4
-    .size on_data_abort, . - on_data_abort
+on_data_abort:
+    b .
 
     .weak on_irq                    @ the program's own, if it has one
     .type on_irq, %function

@@ -169,7 +169,7 @@ TEST_F(Gdb, AStepOverADeviceAccessIsOneInstruction) {
 // The debugger itself makes ID 73 pending, in the distributor's ICDISPR2.
 TEST_F(Gdb, AStepKeepsAnInterruptOutAndContinueLetsItIn) {
     start(KEY_INTERRUPT_ELF, "duration: 100ms\n");
-    EXPECT_THAT(gdb({"tbreak key_interrupt.c:41", "continue", "set $begin = $pc",
+    EXPECT_THAT(gdb({"tbreak key_interrupt.c:23", "continue", "set $begin = $pc",
                      "set var *(unsigned*)0xFFFED208 = 0x200", "stepi", "print $pc - $begin",
                      "tbreak on_irq", "continue", "print/x $cpsr & 31"}),
                 AllOf(HasSubstr("$1 = 4\n"), HasSubstr("on_irq () at"), HasSubstr("$2 = 0x12\n")));
