@@ -12,7 +12,9 @@
 
 `default_nettype none
 
-module i2c_writer (
+module i2c_writer #(
+    parameter QUARTER_CYCLES = 63     // 2.52 us at 25 MHz: 99.2 kHz
+) (
     input  wire        clk_i,
     input  wire        rst_i,
 
@@ -29,14 +31,18 @@ module i2c_writer (
     localparam [6:0] ADDRESS      = 7'h1a;   // CSB is tied low
     localparam       WRITE        = 1'b0;
     localparam       RELEASED     = 1'b1;    // SDA in an acknowledge bit
-    localparam [5:0] QUARTER_LAST = 6'd62;   // 63 clocks, 2.52 us: 99.2 kHz
     localparam [4:0] START        = 5'd0;
     localparam [4:0] STOP         = 5'd28;
+    localparam       CLOCK_W      = $clog2(QUARTER_CYCLES);
+    // The constant fits: the width was computed from it.
+    // verilator lint_off WIDTH
+    localparam [CLOCK_W-1:0] QUARTER_LAST = QUARTER_CYCLES - 1;
+    // verilator lint_on WIDTH
 
     wire sdat;
     sync sdat_sync (.clk_i(clk_i), .async_i(sdat_i), .sync_o(sdat));
 
-    reg [5:0]  clock_q;               // of the quarter
+    reg [CLOCK_W-1:0] clock_q;        // of the quarter
     reg [1:0]  quarter_q;             // of the cell
     reg [4:0]  cell_q;
     reg [26:0] bits_q;                // still to send, and acknowledge bits between them
@@ -49,16 +55,16 @@ module i2c_writer (
             if (start_i) begin
                 busy_o    <= 1'b1;
                 nack_o    <= 1'b0;
-                clock_q   <= 6'd0;
+                clock_q   <= 0;
                 quarter_q <= 2'd0;
                 cell_q    <= START;
                 bits_q    <= {ADDRESS, WRITE, RELEASED,
                               word_i[15:8], RELEASED, word_i[7:0], RELEASED};
             end
         end else if (clock_q != QUARTER_LAST) begin
-            clock_q <= clock_q + 6'd1;
+            clock_q <= clock_q + 1'b1;
         end else begin
-            clock_q   <= 6'd0;
+            clock_q   <= 0;
             quarter_q <= quarter_q + 2'd1;
             case (quarter_q)
                 2'd0:
