@@ -4,8 +4,9 @@ prove.py --rtl DIR --work DIR --depth N [--induction] [--mutant FILE.PROPERTY.se
 
 Without --mutant: 0 if every assert holds for N clocks from any state that a reset clock leads out
 of, and with --induction for ever (N-step induction).  With --mutant: the sed script is applied to a
-copy of the sources, and 0 means that the assert PROPERTY was seen to fail (all others are left out,
-and so is induction where it would need invariants, i_...).
+copy of the sources, and 0 means that the assert PROPERTY was seen to fail (all others left out):
+within N clocks of a reset, or else, with --induction, one clock after N clocks of any states in
+which the invariants, i_..., held.
 
 A harness sees into its instance `dut` by wires that it leaves undriven: dut__name is dut.name,
 dut__name__3 is word 3 of a memory.  They carry invariants that induction needs.
@@ -35,7 +36,7 @@ def mutated(arguments, sources):
     return copies
 
 
-def write_smt2(arguments, sources):
+def write_smt2(arguments, step, sources):
     top = arguments.harness.stem
     text = arguments.harness.read_text()
     includes = " ".join(f"-I{arguments.rtl / folder}" for folder in ("regmap", "bus", "vga"))
@@ -49,8 +50,10 @@ def write_smt2(arguments, sources):
         if word:
             script.append(f"rename {word[1]}[{word[2]}] {inner}")
         script.append(f"connect -nounset -set {name} {inner}")
-    smt2 = arguments.work / f"{top}.smt2"
+    smt2 = arguments.work / f"{step}.smt2"
     if arguments.mutant:
+        if step == "induction":
+            script.append("chformal -assert2assume c:i_*; chformal -delay 1 c:i_*")
         script.append(f"select -set others t:$assert c:{arguments.mutant.suffixes[0][1:]} %d; "
                       "delete @others")
     script.append(f"cd ..; prep -top {top} -nordff; opt -fast; check -assert; async2sync; "
@@ -74,21 +77,22 @@ def main():
     sources = [arguments.rtl / source for source in arguments.sources]
     if arguments.mutant:
         sources = mutated(arguments, sources)
-    smt2 = write_smt2(arguments, [*sources, arguments.harness])
-
     failed = set()
-    steps = {"bounded": ["-t", str(arguments.depth)]}
-    invariants = re.search(r"\bi_\w+: +assert", arguments.harness.read_text())
-    if arguments.induction and not (arguments.mutant and invariants):
-        steps["induction"] = ["-i", "-t", str(arguments.depth)]
+    steps = {"bounded": []}
+    if arguments.induction:
+        steps["induction"] = ["-i"]
     for step, options in steps.items():
-        done = run(["yosys-smtbmc", "-s", "z3", "--unroll", *options, "--dump-vcd",
-                    str(arguments.work / f"{step}.vcd"), str(smt2)], arguments.work / f"{step}.log")
+        smt2 = write_smt2(arguments, step, [*sources, arguments.harness])
+        done = run(["yosys-smtbmc", "-s", "z3", "--unroll", *options, "-t", str(arguments.depth),
+                    "--dump-vcd", str(arguments.work / f"{step}.vcd"), str(smt2)],
+                   arguments.work / f"{step}.log")
         failed |= set(re.findall(r"Assert failed in \w+: (\w+)", done.stdout))
         if "Status: PASSED" not in done.stdout and not failed:
             sys.exit(done.stdout)
         if failed and not arguments.mutant:
             sys.exit(f"{step}: {' '.join(sorted(failed))} failed, see {arguments.work}/{step}.vcd")
+        if failed:
+            break
     if arguments.mutant:
         wanted = arguments.mutant.suffixes[0][1:]
         if wanted not in failed:

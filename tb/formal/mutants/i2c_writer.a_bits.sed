@@ -1,0 +1,1 @@
+s/sdat_oe_o <= !bits_q\[26\]/sdat_oe_o <= bits_q[26]/
