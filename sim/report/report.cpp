@@ -34,6 +34,14 @@ std::string test_case(const std::string& classname, const std::string& name, dou
                        xml(name), time_s);
 }
 
+std::string verdict(bool met, const std::string& detail) {
+    if (met) return "/>\n";
+    return fmt::format(
+        ">\n      <failure message=\"{0}\">{0}</failure>\n"
+        "    </testcase>\n",
+        xml(detail));
+}
+
 nlohmann::ordered_json spread_json(const RunReport::Spread& spread) {
     return {{"min", spread.least}, {"median", spread.median}, {"max", spread.most}};
 }
@@ -70,9 +78,10 @@ std::vector<std::string> run_errors(const RunReport& report) {
 }
 
 std::size_t failures(const RunReport& report) {
-    return static_cast<std::size_t>(std::count_if(report.expectations.begin(),
-                                                  report.expectations.end(),
-                                                  [](const Expectation& e) { return !e.met; }));
+    const auto not_met = [](const auto& decided) { return !decided.met; };
+    return static_cast<std::size_t>(
+        std::count_if(report.expectations.begin(), report.expectations.end(), not_met) +
+        std::count_if(report.checks.begin(), report.checks.end(), not_met));
 }
 
 }  // namespace
@@ -132,6 +141,9 @@ std::string to_json(const RunReport& report) {
         {"log", {{"lines", report.log_lines}, {"first", report.log}}},
         {"wall", {{"seconds", report.wall_s}, {"frames_per_s", frames_per_s}}},
     };
+    for (const Check& check : report.checks)
+        json["checks"].push_back(
+            {{"name", check.name}, {"met", check.met}, {"detail", check.detail}});
     if (report.program) json["program"] = program_json(*report.program);
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
@@ -141,17 +153,17 @@ std::string to_junit(const RunReport& report) {
     const std::vector<std::string> errors = run_errors(report);
     const std::string counts =
         fmt::format("name=\"{}\" tests=\"{}\" failures=\"{}\" errors=\"{}\" time=\"{:.6f}\"",
-                    xml(suite), report.expectations.size() + 1, failures(report),
-                    errors.empty() ? 0 : 1, report.simulated_s);
+                    xml(suite), report.expectations.size() + report.checks.size() + 1,
+                    failures(report), errors.empty() ? 0 : 1, report.simulated_s);
     std::string out = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n";
     out += "<testsuites " + counts + ">\n  <testsuite " + counts + ">\n";
     for (const auto& e : report.expectations) {
         out += test_case(suite, fmt::format("{}:{}: {}", report.file, e.line, e.step), e.time_s);
-        out += e.met ? "/>\n"
-                     : fmt::format(
-                           ">\n      <failure message=\"{0}\">{0}</failure>\n"
-                           "    </testcase>\n",
-                           xml(e.detail));
+        out += verdict(e.met, e.detail);
+    }
+    for (const Check& check : report.checks) {
+        out += test_case(suite, check.name, report.simulated_s);
+        out += verdict(check.met, check.detail);
     }
     out += test_case(suite, "the run", report.simulated_s);
     if (errors.empty()) {

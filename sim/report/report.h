@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "sim/report/tap.h"
+
 namespace sim {
 
 struct Expectation {
@@ -78,10 +80,11 @@ struct RunReport {
     std::uint64_t log_lines = 0;
     std::vector<std::string> log;  // the first of them: aborts that the program handled, resets
     std::vector<Expectation> expectations;
+    std::vector<Check> checks;  // that the program made itself; not in the file if there is none
 
     bool interrupted() const { return end == RunEnd::INTERRUPTED; }
 
-    // Every expectation met, no fault, not interrupted.
+    // Every expectation and check met, no fault, not interrupted.
     bool passed() const;
 };
 
@@ -89,8 +92,8 @@ struct RunReport {
 // runs of the same inputs are equal byte for byte.
 std::string to_json(const RunReport& report);
 
-// One test case an expectation, and one for the run itself, which faults and an interruption turn
-// into an error.  Times are simulated.
+// One test case an expectation or check, and one for the run itself, which faults and an
+// interruption turn into an error.  Times are simulated.
 std::string to_junit(const RunReport& report);
 
 }  // namespace sim
