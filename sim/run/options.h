@@ -9,6 +9,10 @@
 
 #include "sim/scenario/sim_time.h"
 
+namespace CLI {
+class App;
+}
+
 namespace sim {
 
 struct FrameChoice {
@@ -25,6 +29,7 @@ struct FrameChoice {
 
 struct RunOptions {
     std::filesystem::path scenario;
+    std::optional<std::string> scenario_text;  // instead of the file's
     std::filesystem::path out = "out";
     std::string cpu = "native";
     std::filesystem::path elf;           // for the processor "arm", or empty
@@ -40,5 +45,10 @@ struct RunOptions {
     std::string trace;                  // FST file, or empty
     bool quiet = false;
 };
+
+// Describes the options to CLI11, which fills `options` when it parses.
+void add_run_options(CLI::App& command, RunOptions& options);
+// Those that do not go together.  CLI::ValidationError.
+void check_run_options(const CLI::App& command, const RunOptions& options);
 
 }  // namespace sim

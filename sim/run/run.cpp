@@ -7,6 +7,7 @@
 #include "regmap.h"
 #include "sim/board/board.h"
 #include "sim/debug/debugger.h"
+#include "sim/report/printable.h"
 #include "sim/report/report.h"
 #include "sim/report/sha256.h"
 #include "sim/report/trace_file.h"
@@ -91,6 +92,7 @@ RunReport report_of(const Scenario& scenario, const RunOptions& options, std::ui
     report.log_lines = recorder.log_lines();
     report.log = recorder.log();
     report.expectations = player.results();
+    report.checks = tap_checks(recorder.senses().text);
     return report;
 }
 
@@ -100,6 +102,11 @@ void summarise(const RunReport& report, const std::filesystem::path& out) {
         met += e.met;
         if (!e.met)
             fmt::print(stderr, "{}:{}: {}: not met: {}\n", report.file, e.line, e.step, e.detail);
+    }
+    for (const Check& check : report.checks) {
+        met += check.met;
+        if (!check.met)
+            fmt::print(stderr, "{}: not met: {}\n", printable(check.name), printable(check.detail));
     }
     for (const std::string& fault : report.faults) fmt::print(stderr, "de1sim: {}\n", fault);
     if (report.program && report.end == RunEnd::DURATION_REACHED) {
@@ -117,15 +124,19 @@ void summarise(const RunReport& report, const std::filesystem::path& out) {
         fmt::print(stderr, "de1sim: the picture never changed: the firmware did not swap\n");
     fmt::print(
         "{}: {}; {:.3f} s simulated in {:.2f} s, {} frames ({} new pictures), "
-        "{} of {} expectations met; see {}\n",
+        "{} of {} {} met; see {}\n",
         report.scenario, to_string(report.end), report.simulated_s, report.wall_s,
-        report.frames_shown, report.frames_swapped, met, report.expectations.size(), out.string());
+        report.frames_shown, report.frames_swapped, met,
+        report.expectations.size() + report.checks.size(),
+        report.checks.empty() ? "expectations" : "expectations and checks", out.string());
 }
 
 }  // namespace
 
 ExitCode run(const RunOptions& options, const Firmware& firmware) try {
-    const Scenario scenario = load_scenario(options.scenario);
+    const Scenario scenario = options.scenario_text
+                                  ? parse_scenario(*options.scenario_text, options.scenario)
+                                  : load_scenario(options.scenario);
     const std::uint64_t seed = options.seed.value_or(scenario.seed);
     const std::optional<SimTime> duration = options.duration ? options.duration : scenario.duration;
 

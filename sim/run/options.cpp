@@ -1,0 +1,113 @@
+// options.cpp - the options of `de1sim run`
+#include "sim/run/options.h"
+
+#include <charconv>
+
+#include <CLI/CLI.hpp>
+
+namespace sim {
+
+namespace {
+
+std::uint64_t number(const std::string& text, const char* option) {
+    std::uint64_t value = 0;
+    const char* end = text.data() + text.size();
+    const auto [stop, error] = std::from_chars(text.data(), end, value);
+    if (error != std::errc{} || stop != end)
+        throw CLI::ValidationError(option, "expected a whole number, got \"" + text + "\"");
+    return value;
+}
+
+}  // namespace
+
+std::optional<FrameChoice> FrameChoice::parse(const std::string& text) {
+    if (text == "all") return FrameChoice{Which::ALL, 1};
+    if (text == "last") return FrameChoice{Which::LAST, 1};
+    if (text == "none") return FrameChoice{Which::NONE, 1};
+    if (text.rfind("every:", 0) != 0) return std::nullopt;
+    FrameChoice choice{Which::EVERY, 0};
+    const char* end = text.data() + text.size();
+    const auto [stop, error] = std::from_chars(text.data() + 6, end, choice.every);
+    if (error != std::errc{} || stop != end || choice.every == 0) return std::nullopt;
+    return choice;
+}
+
+void add_run_options(CLI::App& command, RunOptions& options) {
+    command.add_option("SCENARIO", options.scenario, "YAML file with the steps to play")
+        ->required();
+    command
+        .add_option("--cpu", options.cpu,
+                    "native: the firmware compiled for this machine;\n"
+                    "arm: the board's own program, on a model of its Cortex-A9")
+        ->check(CLI::IsMember({"native", "arm"}))
+        ->capture_default_str();
+    command.add_option("--elf", options.elf, "the program for --cpu arm");
+    command
+        .add_option("--cpi", options.cpi,
+                    "clocks of 800 MHz that an instruction takes, for --cpu arm: 0.1 to 100")
+        ->capture_default_str();
+    command.add_option_function<std::string>(
+        "--gdb",
+        [&](const std::string& text) {
+            const std::uint64_t port = number(text, "--gdb");
+            if (port > 65535)
+                throw CLI::ValidationError("--gdb", "expected a port from 0 to 65535, got " + text);
+            options.gdb = static_cast<unsigned>(port);
+        },
+        "wait for GDB at this port of 127.0.0.1, for --cpu arm; 0 takes a free one");
+    command
+        .add_option("--system", options.system,
+                    "what the ELF runs on: bare metal, Linux (its system calls are answered), or\n"
+                    "as its ABI note says")
+        ->check(CLI::IsMember({"auto", "bare", "linux"}))
+        ->capture_default_str();
+    command.add_option("--linux-root", options.linux_root,
+                       "folder that a Linux program sees as /; without it there are no files\n"
+                       "but /dev/mem");
+    command.add_option("--profile", options.profile,
+                       "write instructions by function, for --cpu arm (callgrind format,\n"
+                       "for KCachegrind and callgrind_annotate)");
+    command
+        .add_option("--out", options.out,
+                    "folder for frames/, audio.wav, console.txt, report.json, junit.xml;\n"
+                    "files of those names from an earlier run are replaced")
+        ->capture_default_str();
+    command.add_option_function<std::string>(
+        "--frames",
+        [&](const std::string& text) {
+            const auto choice = FrameChoice::parse(text);
+            if (!choice)
+                throw CLI::ValidationError(
+                    "--frames", "expected all, every:N, last or none, got \"" + text + "\"");
+            options.frames = *choice;
+        },
+        "which frames become PNG: all (default), every:N, last, none");
+    command.add_option_function<std::string>(
+        "--duration",
+        [&](const std::string& text) {
+            options.duration = SimTime::parse(text);
+            if (!options.duration || options.duration->ps == 0)
+                throw CLI::ValidationError(
+                    "--duration", "expected a time such as 500ms or 10s, got \"" + text + "\"");
+        },
+        "simulated time to run for, instead of the scenario's: 500ms, 10s");
+    command.add_option_function<std::string>(
+        "--seed", [&](const std::string& text) { options.seed = number(text, "--seed"); },
+        "seed of the contact bounce, instead of the scenario's");
+    command.add_option("--trace", options.trace, "write waveforms (FST, for GTKWave); slow");
+    command.add_flag("--quiet", options.quiet, "no progress, no summary unless something failed");
+}
+
+void check_run_options(const CLI::App& command, const RunOptions& options) {
+    if (options.cpu == "arm" && options.elf.empty())
+        throw CLI::ValidationError("--cpu", "arm needs a program: --elf FILE");
+    if (!(options.cpi >= 0.1 && options.cpi <= 100))  // nor NaN, which CLI::Range lets through
+        throw CLI::ValidationError("--cpi", "expected a number from 0.1 to 100");
+    for (const char* option : {"--elf", "--cpi", "--gdb", "--system", "--linux-root", "--profile"})
+        if (options.cpu != "arm" && command.count(option) > 0)
+            throw CLI::ValidationError(option, "is for --cpu arm");
+    if (options.gdb && !options.profile.empty())
+        throw CLI::ValidationError("--profile", "and --gdb exclude each other");
+}
+
+}  // namespace sim
