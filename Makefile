@@ -1,7 +1,8 @@
 # The menu. Each entry shows the real command.
 
 .PHONY: all setup configure build firmware demo test fast asan coverage bench bench-collision
-.PHONY: formal formal-mutants synth netlist table1 fuzz pgo qsf bitstream regmap format clean
+.PHONY: formal formal-mutants synth netlist table1 fuzz pgo qsf bitstream
+.PHONY: bitstream-open regmap format clean
 
 all: build
 
@@ -20,6 +21,9 @@ qsf:                    ## write the Quartus project anew from the top module's 
 
 bitstream:              ## with Quartus: build/bitstream/de1_soc.rbf and de1_soc_jtag.rbf
 	@rtl/board/de1_soc/bitstream.sh
+
+bitstream-open:         ## with Yosys and nextpnr-mistral: colour bars, no PLL, no processor
+	@rtl/board/de1_soc/bitstream_open.sh
 
 firmware: configure     ## what the board runs -> build/firmware/collide.elf, collide-linux
 	@cmake --build build --target firmware

@@ -1,0 +1,53 @@
+#!/bin/sh
+# bitstream_open_test.sh SOURCE SCRATCH - bitstream_open.sh without its tools, and with Yosys and a
+# stand-in for nextpnr-mistral, which gets cells that nextpnr-mistral knows.
+set -eu
+source=$1
+scratch=$2/bitstream_open_test
+copy="$scratch/a folder"
+script="$copy/rtl/board/de1_soc/bitstream_open.sh"
+rm -rf "$scratch"
+mkdir -p "$copy" "$scratch/none" "$scratch/tools"
+cp -r "$source/rtl" "$copy/"
+for tool in sh dirname mkdir sed; do
+    ln -s "$(command -v $tool)" "$scratch/none/$tool"
+done
+
+fail() { echo "FAILED: $1"; cat "$scratch/said" 2>&1; exit 1; }
+# run PATH: its exit code in $code, what it said in said
+run() { code=0; PATH="$1" "$script" >"$scratch/said" 2>&1 || code=$?; }
+
+run "$scratch/none"
+[ $code = 3 ] || fail "without tools: exit $code, not 3"
+[ "$(wc -l <"$scratch/said")" = 1 ] || fail "without tools: more than a line"
+grep -q "yosys is not on the PATH" "$scratch/said" || fail "without tools: not named"
+ln -s "$(command -v yosys)" "$scratch/none/yosys"
+run "$scratch/none"
+[ $code = 3 ] || fail "without nextpnr-mistral: exit $code, not 3"
+grep -q "nextpnr-mistral is not on the PATH" "$scratch/said" || fail "nextpnr-mistral not named"
+
+cat >"$scratch/tools/nextpnr-mistral" <<'EOT'
+#!/bin/sh
+for word; do [ "$last" = --rbf ] && touch "$word"; last=$word; done
+EOT
+chmod +x "$scratch/tools/nextpnr-mistral"
+run "$scratch/tools:$PATH"
+out="$copy/build/bitstream-open"
+[ $code = 0 ] || fail "with the tools: exit $code"
+[ -f "$out/de1_soc.rbf" ] || fail "no bitstream"
+cells=$(/usr/bin/python3 -c 'import json, sys
+top = json.load(open(sys.argv[1]))["modules"]["de1_soc_top"]
+print(*sorted({cell["type"] for cell in top["cells"].values()}), sep="\n")' "$out/de1_soc.json")
+[ "$(echo "$cells" | grep -c MISTRAL_M10K)" = 1 ] || fail "the picture's memory is gone"
+[ -z "$(echo "$cells" | grep -v '^MISTRAL_')" ] || fail "unknown cells: $cells"
+
+cat >"$scratch/tools/nextpnr-mistral" <<'EOT'
+#!/bin/sh
+echo "ERROR: unsupported device" >&2
+exit 255
+EOT
+rm "$out/de1_soc.rbf"
+run "$scratch/tools:$PATH"
+[ $code = 255 ] || fail "no data for the device: exit $code"
+grep -q "written" "$scratch/said" && fail "no data for the device: says that it wrote"
+echo "bitstream_open.sh: all as promised"
