@@ -1,6 +1,7 @@
 // main.cpp - collide-linux: the program on the board's Linux.
 //
-// With --table1: the paper's table instead, which needs no FPGA.
+// With --table1: the paper's table instead, which needs no FPGA.  With --check: looks whether board and
+// program go together, prints "system ID ok: ..." and exits 0, or prints what is wrong and exits 1.
 #include <cstdio>
 #include <cstring>
 #include <ctime>
@@ -8,6 +9,7 @@
 #include "app/app.h"
 #include "bench/table1.h"
 #include "board_memory.h"
+#include "regmap.h"
 
 namespace {
 
@@ -37,8 +39,10 @@ int main(int argc, char** argv) {
         bench::table1(cpu);
         return 0;
     }
-    if (argc > 1) {
-        std::fprintf(stderr, "collide-linux: expected nothing or --table1, got \"%s\"\n", argv[1]);
+    const bool check = argc == 2 && std::strcmp(argv[1], "--check") == 0;
+    if (argc > 1 && !check) {
+        std::fprintf(stderr, "collide-linux: expected nothing, --check or --table1, got \"%s\"\n",
+                     argv[1]);
         return 2;
     }
     linux_target::BoardMemory io;
@@ -46,6 +50,12 @@ int main(int argc, char** argv) {
     if (!problem.empty()) {
         std::fprintf(stderr, "collide-linux: %s\n", problem.c_str());
         return 1;
+    }
+    if (check) {
+        std::printf("system ID ok: 0x%08lX, register map 0x%08lX\n",
+                    static_cast<unsigned long>(io.read(regmap::SYSID_ID)),
+                    static_cast<unsigned long>(io.read(regmap::SYSID_HASH)));
+        return 0;
     }
     app::run(io, cpu);
     return 1;
