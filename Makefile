@@ -2,6 +2,7 @@
 
 .PHONY: all setup configure build firmware demo test fast asan coverage bench bench-collision
 .PHONY: formal formal-mutants synth netlist table1 fuzz pgo qsf bitstream regmap format clean
+.PHONY: deploy rollback deploy-jtag
 
 all: build
 
@@ -20,6 +21,17 @@ qsf:                    ## write the Quartus project anew from the top module's 
 
 bitstream:              ## with Quartus: build/bitstream/de1_soc.rbf and de1_soc_jtag.rbf
 	@rtl/board/de1_soc/bitstream.sh
+
+deploy:                 ## BOARD=user@host [RBF=file] [DRY_RUN=1]: bitstream and program to its Linux
+	@sw/deploy/deploy.sh arguments
+	@$(MAKE) --no-print-directory firmware
+	@sw/deploy/deploy.sh deploy
+
+rollback:               ## BOARD=user@host [DRY_RUN=1]: the version before
+	@sw/deploy/deploy.sh rollback
+
+deploy-jtag:            ## [RBF=file] [DRY_RUN=1]: the bitstream over USB, with openFPGALoader
+	@sw/deploy/jtag.sh
 
 firmware: configure     ## what the board runs -> build/firmware/collide.elf, collide-linux
 	@cmake --build build --target firmware
