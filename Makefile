@@ -22,7 +22,7 @@ qsf:                    ## write the Quartus project anew from the top module's 
 bitstream:              ## with Quartus: build/bitstream/de1_soc.rbf and de1_soc_jtag.rbf
 	@rtl/board/de1_soc/bitstream.sh
 
-deploy:                 ## BOARD=user@host [RBF=file] [DRY_RUN=1]: bitstream and program to its Linux
+deploy:                 ## BOARD=user@host [RBF=file] [DRY_RUN=1]: to the board's Linux (sw/deploy)
 	@sw/deploy/deploy.sh arguments
 	@$(MAKE) --no-print-directory firmware
 	@sw/deploy/deploy.sh deploy

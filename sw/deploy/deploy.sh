@@ -53,9 +53,7 @@ read_arguments() {
             [ -z "$action" ] || fail 2 "expected one of deploy, rollback; got both"
             action=$argument
             ;;
-        *)
-            fail 2 "expected [--dry-run] [--force] [--foreground] deploy|rollback, got \"$argument\""
-            ;;
+        *) fail 2 "expected [--dry-run] [--force] [--foreground] ACTION, not \"$argument\"" ;;
         esac
     done
     [ -n "$action" ] || fail 2 "expected deploy or rollback"
@@ -119,13 +117,13 @@ deploy() {
         echo "version $id is there already"
     fi
     step "load, check the system ID, switch, start; back to the version before if that fails" \
-        "by itself the new version, or the one before if the new one fails"
+        "the new version or the one before; what it has begun it ends alone"
     on_board activate "$id" "$mode" </dev/null
 }
 
 rollback() {
     step "load the version before, check the system ID, switch, start" \
-        "by itself the version before, or the one it has if that fails"
+        "one of the two; what it has begun it ends alone"
     on_board rollback "$mode" </dev/null
 }
 

@@ -77,6 +77,12 @@ echo "Value at address $1 (0xb6f4c000): $value"
         self.assert_says("neither device-tree overlays nor /dev/fpga0")
         self.assert_untouched()
 
+    def test_AnMvThatCannotReplaceALinkIsSaidBeforeACopy(self):
+        self.board.replace("mv", "#!/bin/sh\n[ \"$1\" != -fT ] && exec busybox mv \"$@\"\n")
+        self.assertEqual(self.deploy(self.version("A")), 1)
+        self.assert_says("mv cannot replace a link")
+        self.assert_untouched()
+
     def test_NoSpaceIsSaidBeforeACopy(self):
         self.board.replace("df", "#!/bin/sh\necho head\necho '/dev/root 9000 8900 100 99% /'\n")
         self.assertEqual(self.deploy(self.version("A")), 1)
@@ -107,8 +113,9 @@ echo "Value at address $1 (0xb6f4c000): $value"
 
     def test_AnotherVersionsSumsLeaveTheVersionBefore(self):
         self.good_a()
-        self.board.replace("tar", "#!/bin/sh\nbusybox tar \"$@\" && cd \"$2\" && echo x >de1_soc.rbf &&"
-                           " sha256sum * >SHA256SUMS\n")
+        self.board.replace("tar", "#!/bin/sh\nbusybox tar \"$@\" && cd \"$2\" || exit\n"
+                           "echo x >de1_soc.rbf && rm SHA256SUMS && sums=$(sha256sum *)\n"
+                           "echo \"$sums\" >SHA256SUMS\n")
         self.assertEqual(self.deploy(self.version("B")), 1)
         self.assert_says("a checksum is wrong")
         self.assert_only_a_is_there()
@@ -140,6 +147,7 @@ echo "Value at address $1 (0xb6f4c000): $value"
         self.good_a()
         self.assertEqual(self.deploy(self.version("B", start="map2")), 1)
         self.assert_says("wrong system ID")
+        self.assertNotIn("switches to", self.said())
         self.assert_works("A")
 
     def test_AProgramThatEndsAtOnceGoesBackToTheVersionBefore(self):

@@ -2,7 +2,7 @@
 # facts.sh - first part of board.sh: where things are on the board, and what there is
 #
 # DE1SIM_ROOT stands before every path, so that a folder can play the board.  Needs no more than
-# busybox: sh, tar, sha256sum, flock, mv -T.  Nothing here changes the board, but poke().
+# busybox: sh, tar, sha256sum, flock, mv -T.  Changes nothing but /run/de1sim.
 set -u
 umask 022
 
@@ -116,6 +116,12 @@ free_kib() {
     }
 }
 
+# point LINK TO: at every moment the link points to the one before or to the new one
+point() {
+    rm -f "$1.new"
+    ln -s "$2" "$1.new" && mv -fT "$1.new" "$1"
+}
+
 # check MSEL KIB FORCE: prints what there is; an error where a bitstream cannot be loaded
 check() {
     way=$(way_to_load) || way=none
@@ -130,6 +136,7 @@ check() {
     for tool in tar sha256sum flock; do
         has $tool || die "$tool is missing on the board"
     done
+    point "$run/probe" . 2>/dev/null || die "mv cannot replace a link on this board (no -T)"
     [ "$way" != none ] || die "neither device-tree overlays nor /dev/fpga0: this Linux cannot load\
  the FPGA; the boot loader can (sw/deploy/README.md, From the SD card)"
     [ "$free" -ge "$2" ] || die "no space: $free KiB are free, $2 KiB are needed"

@@ -21,12 +21,6 @@ bridges() {
     esac
 }
 
-# point LINK TO: at every moment the link points to the one before or to the new one
-point() {
-    rm -f "$1.new"
-    ln -s "$2" "$1.new" && mv -fT "$1.new" "$1"
-}
-
 # The kernel finds both files by name in /lib/firmware.
 write_overlay() {
     mkdir -p "$root/lib/firmware" &&

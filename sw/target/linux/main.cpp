@@ -1,8 +1,8 @@
 // main.cpp - collide-linux: the program on the board's Linux.
 //
 // With --table1: the paper's table instead, which needs no FPGA.
-// With --check: looks whether board and program go together, prints "system ID ok: ..." and exits 0,
-// or prints what is wrong and exits 1.
+// With --check: do board and program go together?  Prints "system ID ok: ..." and exits 0, or what
+// is wrong and exits 1.
 #include <cstdio>
 #include <cstring>
 #include <ctime>
