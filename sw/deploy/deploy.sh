@@ -9,6 +9,7 @@
 #   RBF         build/bitstream/de1_soc.rbf
 #   MSEL        01010: what the switches must be; 00000 for an uncompressed RBF
 #   FIRMWARE    build/firmware/collide-linux
+#   BUILD       build: where the overlays, and the two files above, are
 #   SSH_CONFIG  ssh's own file of options
 #   DRY_RUN, FORCE, FOREGROUND: 1 is the same as the option
 #
@@ -17,7 +18,7 @@
 set -eu
 
 here=$(cd "$(dirname "$0")" && pwd)
-build=$(cd "$here/../.." && pwd)/build
+build=${BUILD:-$(cd "$here/../.." && pwd)/build}
 rbf=${RBF:-$build/bitstream/de1_soc.rbf}
 firmware=${FIRMWARE:-$build/firmware/collide-linux}
 want_msel=${MSEL:-01010}
@@ -81,7 +82,7 @@ stage() {
     cp -- "$firmware" "$stage/collide-linux"
     chmod 755 "$stage/collide-linux"
     for node in base_fpga_region base-fpga-region fpga-region; do
-        [ -s "$build/deploy/$node.dtbo" ] || fail 3 "no overlays in build/deploy: make firmware"
+        [ -s "$build/deploy/$node.dtbo" ] || fail 3 "no overlays in $build/deploy: make firmware"
         cp "$build/deploy/$node.dtbo" "$stage/"
     done
     cp "$scratch/board.sh" "$stage/"
@@ -100,7 +101,7 @@ send_version() {
 }
 
 in_foreground() {
-    step "run the program here until it ends (Ctrl-C)" "the new version, loaded; its program ended"
+    step "run the program here until it ends (Ctrl-C)" "the new version; the program ends with its terminal"
     [ ! -t 0 ] || terminal=-t
     on_board foreground
 }

@@ -58,10 +58,16 @@ class DeployCut(DeployTest):
         self.each_cut(range(14, LINES + 1), self.draw_cable)
 
     def test_APowerCutInTheFirstStepsStartsTheVersionBefore(self):
-        self.each_cut(range(1, 10), self.draw_power)
+        self.each_cut(range(1, 6), self.draw_power)
+
+    def test_APowerCutAroundTheCopyStartsTheVersionBefore(self):
+        self.each_cut(range(6, 10), self.draw_power)
 
     def test_APowerCutWhileLoadingStartsOneOfThem(self):
-        self.each_cut(range(10, LINES + 1), self.draw_power)
+        self.each_cut(range(10, 15), self.draw_power)
+
+    def test_APowerCutWhileStartingStartsOneOfThem(self):
+        self.each_cut(range(15, LINES + 1), self.draw_power)
 
     def test_ARollbackCutAnywhereLetsTheBoardEndAlone(self):
         self.each_cut(range(1, 7), self.draw_cable, "rollback")

@@ -4,6 +4,7 @@ import subprocess
 import unittest
 
 from fixture import SOURCE, DeployTest
+from standin import text
 
 
 class Deploy(DeployTest):
@@ -26,6 +27,33 @@ class Deploy(DeployTest):
         self.deploy(self.version("A"), at_line=end_the_program)
         self.assert_says("no systemd there")
         self.assert_says("A runs")
+
+    def test_RunsInTheForegroundWhereItIsAsked(self):
+        self.good_a()
+
+        def end_the_program():
+            if self.lines[-1] == "B runs":
+                self.assert_works("B")
+                self.board.kill_all()
+        self.deploy(self.version("B"), at_line=end_the_program, FOREGROUND="1")
+        self.assertNotIn("starts the program", self.said())
+        self.assert_says("B runs")
+
+    def test_ANewVersionEndsTheProgramInTheForeground(self):
+        self.new_board(systemd=False)
+        first = self.start("deploy", self.version("A"))
+
+        def end_the_program():
+            if self.lines[-1] == "B runs":
+                self.assertNotIn(old, [pid for pid, _ in self.board.processes()])
+                self.assert_works("B")
+                self.board.kill_all()
+        while "A runs" not in first.stdout.readline():
+            pass
+        old = int(text(self.board.root / "run/de1sim/pid"))
+        self.deploy(self.version("B"), at_line=end_the_program)
+        self.assert_says("B runs")
+        first.communicate(timeout=10)
 
     def test_StartsAgainAfterAPowerCut(self):
         self.good_a()

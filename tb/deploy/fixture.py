@@ -12,6 +12,7 @@ from standin import StandIn, text
 SOURCE = pathlib.Path(__file__).resolve().parents[2]
 DEPLOY = SOURCE / "sw/deploy/deploy.sh"
 SCRATCH = pathlib.Path(os.environ["SCRATCH"])
+BUILD = os.environ.get("BUILD", str(SOURCE / "build"))
 
 PROGRAM = """#!/bin/sh
 # collide-linux of NAME, for the register map MAP
@@ -62,7 +63,8 @@ class DeployTest(unittest.TestCase):
 
     def start(self, action, version, **environment):
         values = {"HOME": str(self.folder), "PATH": os.environ["PATH"], "BOARD": "board",
-                  "SSH_CONFIG": str(self.board.ssh / "config"), **version, **environment}
+                  "BUILD": BUILD, "SSH_CONFIG": str(self.board.ssh / "config"),
+                  **version, **environment}
         return subprocess.Popen([DEPLOY, *action.split()], env=values, text=True,
                                 stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
                                 stderr=subprocess.STDOUT, start_new_session=True)
