@@ -101,7 +101,8 @@ send_version() {
 }
 
 in_foreground() {
-    step "run the program here until it ends (Ctrl-C)" "the new version; the program ends with its terminal"
+    step "run the program here until it ends (Ctrl-C)" \
+        "the new version; the program ends with its terminal"
     [ ! -t 0 ] || terminal=-t
     on_board foreground
 }
