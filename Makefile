@@ -3,6 +3,7 @@
 .PHONY: all setup configure build firmware demo test fast asan coverage bench bench-collision
 .PHONY: formal formal-mutants synth netlist table1 fuzz pgo qsf bitstream
 .PHONY: bitstream-open regmap format clean
+.PHONY: deploy rollback deploy-jtag
 
 all: build
 
@@ -24,6 +25,17 @@ bitstream:              ## with Quartus: build/bitstream/de1_soc.rbf and de1_soc
 
 bitstream-open:         ## with Yosys and nextpnr-mistral: colour bars, no PLL, no processor
 	@rtl/board/de1_soc/bitstream_open.sh
+
+deploy:                 ## BOARD=user@host [RBF=file] [DRY_RUN=1]: to the board's Linux (sw/deploy)
+	@sw/deploy/deploy.sh arguments
+	@$(MAKE) --no-print-directory firmware
+	@sw/deploy/deploy.sh deploy
+
+rollback:               ## BOARD=user@host [DRY_RUN=1]: the version before
+	@sw/deploy/deploy.sh rollback
+
+deploy-jtag:            ## [RBF=file] [DRY_RUN=1]: the bitstream over USB, with openFPGALoader
+	@sw/deploy/jtag.sh
 
 firmware: configure     ## what the board runs -> build/firmware/collide.elf, collide-linux
 	@cmake --build build --target firmware

@@ -1,6 +1,6 @@
 #!/bin/sh
-# bitstream_test.sh PROJECT SCRATCH - bitstream.sh without Quartus, and with a stand-in that says what
-# Quartus would: timing met, missed, not analysed, a compilation that fails.
+# bitstream_test.sh PROJECT SCRATCH - bitstream.sh without Quartus, and with a stand-in that says
+# what Quartus would: timing met, missed, not analysed, a compilation that fails.
 set -eu
 project=$1
 scratch=$2/bitstream_test

@@ -4,7 +4,7 @@ import re
 import sys
 
 SUFFIXES = {".v", ".vh", ".def", ".h", ".cpp", ".py", ".cmake", ".txt", ".md", ".yaml", ".yml",
-            ".json"}
+            ".json", ".sh", ".cmd", ".dts"}
 TOP = ["rtl", "sw", "sim", "tb", ".ci", ".github"]
 COLUMNS = 100
 LINES = 500

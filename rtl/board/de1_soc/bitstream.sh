@@ -4,8 +4,8 @@
 #   de1_soc.rbf        compressed, for the HPS to load      MSEL 01010
 #   de1_soc_jtag.rbf   uncompressed, for JTAG and           MSEL 00000
 #
-# Prints how much of the device is used and the worst slack.  Exit 1 where timing is not met, 3 where
-# Quartus is not installed.
+# Prints how much of the device is used and the worst slack.  Exit 1 where timing is not met, 3
+# where Quartus is not installed.
 set -eu
 
 here=$(cd "$(dirname "$0")" && pwd)
@@ -13,14 +13,14 @@ out=$here/../../../build/bitstream
 
 for tool in quartus_sh quartus_cpf; do
     if ! command -v "$tool" >/dev/null; then
-        echo "make bitstream: $tool is not on the PATH (Quartus Prime with Cyclone V, Lite will do)" >&2
+        echo "make bitstream: $tool is not on the PATH (Quartus Prime Lite will do)" >&2
         exit 3
     fi
 done
 
 mkdir -p "$out"
 (cd "$here" && quartus_sh --flow compile de1_soc)
-sed -n '/Logic utilization/p; /Total registers/p; /Total block memory/p; /RAM Blocks/p; /DSP/p; /PLL/p' \
+grep -E 'Logic utilization|Total registers|Total block memory|RAM Blocks|DSP|PLL' \
     "$out/de1_soc.fit.summary"
 
 # Each "Slack : -0.123" of every corner and check; the smallest of them.

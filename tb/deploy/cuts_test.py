@@ -1,0 +1,98 @@
+"""cuts_test.py NAME - the connection, or the power, cut after each line that a deployment prints.
+
+Each line is a step begun; the board goes on for a moment or not at all.  Afterwards one of the two
+versions works, and the same command again ends in the new one.
+"""
+import time
+import unittest
+
+from fixture import DeployTest
+
+LINES = 18  # that deploy.sh prints on a board that had a version
+
+
+class DeployCut(DeployTest):
+    def lines_printed(self):
+        self.good_a()
+        self.deploy(self.version("B"))
+        return len(self.lines)
+
+    def each_cut(self, lines, cut, action="deploy"):
+        """cut() after the given lines of A -> B, or of B -> A where it is a rollback."""
+        for line in lines:
+            with self.subTest(line=line):
+                self.new_board()
+                self.good_a()
+                version = self.version("B")
+                goal = "B"
+                if action == "rollback":
+                    self.deploy(version)
+                    goal, version = "A", {}
+
+                def at_line():
+                    if len(self.lines) == line:
+                        cut()
+                self.run_script(action, version, at_line=at_line)
+                self.board.heal()
+                if self.assert_works("A", "B") != goal or action == "deploy":
+                    self.assertEqual(self.run_script(action, version), 0, self.said())
+                self.assert_works(goal)
+
+    def draw_cable(self):
+        self.board.cut()
+
+    def draw_power(self):
+        self.board.cut()
+        self.board.boot()
+
+    def test_EveryLineOfADeploymentIsCut(self):
+        self.assertEqual(self.lines_printed(), LINES, self.said())
+
+    def test_AConnectionCutInTheFirstStepsLeavesTheVersionBefore(self):
+        self.each_cut(range(1, 8), self.draw_cable)
+
+    def test_AConnectionCutWhileLoadingLetsTheBoardEndAlone(self):
+        self.each_cut(range(8, 14), self.draw_cable)
+
+    def test_AConnectionCutWhileStartingLetsTheBoardEndAlone(self):
+        self.each_cut(range(14, LINES + 1), self.draw_cable)
+
+    def test_APowerCutInTheFirstStepsStartsTheVersionBefore(self):
+        self.each_cut(range(1, 6), self.draw_power)
+
+    def test_APowerCutAroundTheCopyStartsTheVersionBefore(self):
+        self.each_cut(range(6, 10), self.draw_power)
+
+    def test_APowerCutWhileLoadingStartsOneOfThem(self):
+        self.each_cut(range(10, 15), self.draw_power)
+
+    def test_APowerCutWhileStartingStartsOneOfThem(self):
+        self.each_cut(range(15, LINES + 1), self.draw_power)
+
+    def test_ARollbackCutAnywhereLetsTheBoardEndAlone(self):
+        self.each_cut(range(1, 7), self.draw_cable, "rollback")
+
+    def test_ACopyCutInTheMiddleLeavesTheVersionBefore(self):
+        self.good_a()
+        started = self.board.root / "copying"
+        self.board.replace("tar", "#!/bin/sh\n: >\"$DE1SIM_ROOT/copying\"\nbusybox sleep 0.3\n"
+                           "exec busybox tar \"$@\"\n")
+        version = self.version("B")
+        with open(version["RBF"], "ab") as rbf:
+            rbf.write(b"x" * 8_000_000)  # more than ssh has under way
+
+        def at_line():
+            if self.lines[-1].startswith("[3]"):
+                while not started.exists():
+                    time.sleep(0.01)
+                self.board.cut()
+        self.assertEqual(self.deploy(version, at_line=at_line), 1)
+        self.assert_says("no connection at step 3")
+        self.assert_works("A")
+        self.board.heal()
+        self.assertEqual(self.deploy(version), 0, self.said())
+        self.assert_works("B")
+
+
+if __name__ == "__main__":
+    unittest.main()
