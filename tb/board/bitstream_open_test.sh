@@ -9,7 +9,7 @@ script="$copy/rtl/board/de1_soc/bitstream_open.sh"
 rm -rf "$scratch"
 mkdir -p "$copy" "$scratch/none" "$scratch/tools"
 cp -r "$source/rtl" "$copy/"
-for tool in sh dirname mkdir sed; do
+for tool in sh dirname mkdir sed tr; do
     ln -s "$(command -v $tool)" "$scratch/none/$tool"
 done
 
@@ -39,7 +39,7 @@ cells=$(/usr/bin/python3 -c 'import json, sys
 top = json.load(open(sys.argv[1]))["modules"]["de1_soc_top"]
 print(*sorted({cell["type"] for cell in top["cells"].values()}), sep="\n")' "$out/de1_soc.json")
 [ "$(echo "$cells" | grep -c MISTRAL_M10K)" = 1 ] || fail "the picture's memory is gone"
-[ -z "$(echo "$cells" | grep -v '^MISTRAL_')" ] || fail "unknown cells: $cells"
+if echo "$cells" | grep -qv '^MISTRAL_'; then fail "unknown cells: $cells"; fi
 
 cat >"$scratch/tools/nextpnr-mistral" <<'EOT'
 #!/bin/sh

@@ -23,11 +23,13 @@ done
 
 cd "$here"
 mkdir -p "$out"
-files=$(sed -n 's/^set_global_assignment -name VERILOG_FILE //p' "$project" | sed '/\/hps\.v$/d')
-includes=$(sed -n 's/^set_global_assignment -name SEARCH_PATH /-I/p' "$project")
-# shellcheck disable=SC2086 # lists of names without blanks
+# list NAME: the values of this assignment in the project, in a line
+list() { sed -n "s/^set_global_assignment -name $1 //p" "$project" | tr '\n' ' '; }
+
+includes=$(list SEARCH_PATH | sed 's/[^ ]*/-I&/g; s/-I *$//')
+files=$(list VERILOG_FILE | sed 's/[^ ]*\/hps\.v//')
 yosys -q -l "$out/yosys.log" -p "
-    read_verilog $(echo $includes) $(echo $files) open_hps.v open_pll.v
+    read_verilog $includes $files open_hps.v open_pll.v
     hierarchy -check -top de1_soc_top; proc; flatten; hierarchy -top de1_soc_top
     tribuf; simplemap t:\$tribuf; opt_clean
     iopadmap -bits -outpad MISTRAL_OB I:PAD -inpad MISTRAL_IB O:PAD \
