@@ -81,7 +81,9 @@ bench: configure        ## how fast, beside the bare Verilated model in the same
 table1: configure       ## the paper's experiments -> out/table1/, sw/collision/REPRODUCTION.md
 	@cmake --build build --target table1
 
-fuzz: configure         ## a minute of any bytes as polygons (needs clang)
+fuzz:                   ## a minute of any bytes as polygons, with clang's libFuzzer
+	@.ci/setup packages packages-fuzz
+	@cmake --preset default > /dev/null
 	@cmake --build build --target fuzz
 
 bench-collision: setup  ## the broad phases beside their peers (.ci/packages-bench)
