@@ -57,6 +57,8 @@ int main(int argc, char** argv, const Firmware& firmware) {
         "compare", "compare the checks in two report.json: of a board and of a simulation");
     compare_command.add_option("A", reports[0], "report.json")->required();
     compare_command.add_option("B", reports[1], "another")->required();
+    compare_command.footer(
+        "Exit code: 0 they say the same; 1 they differ; 2 wrong usage or input.");
 
     try {
         const auto words = std::find_if(
