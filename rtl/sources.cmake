@@ -14,6 +14,8 @@ set(RTL_SOURCES
 # Only on the board: pins, clock, processor.
 set(BOARD_SOURCES
     board/de1_soc/de1_soc_top.v board/de1_soc/header.v board/de1_soc/hps.v common/reset_sync.v)
+# In their places where there is neither a PLL nor a bridge: make bitstream-open.
+set(OPEN_SOURCES board/de1_soc/open_hps.v board/de1_soc/open_pll.v)
 set(RTL_INCLUDES regmap bus vga)
 
 # verilate_rtl(TARGET TOP [TRACE_FST] SOURCES files under rtl/... ARGS for Verilator...)
