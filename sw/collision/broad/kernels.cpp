@@ -8,7 +8,7 @@ namespace {
 
 template <class Lanes>
 constexpr Kernels kernels_of(const char* name) {
-    return {name, short_rows<Lanes>, strip_rows<Lanes>};
+    return {name, short_rows<Lanes>, box_cells<Lanes>, fill_rows<Lanes>, strip_rows<Lanes>};
 }
 
 constexpr Kernels BASELINE[] = {

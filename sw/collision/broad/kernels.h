@@ -5,6 +5,9 @@
 
 #include <cstddef>
 
+#include "collision/broad/box_cells.h"
+#include "collision/broad/box_list.h"
+#include "collision/broad/fill_rows.h"
 #include "collision/broad/pair_writer.h"
 #include "collision/broad/short_rows.h"
 #include "collision/broad/strip_rows.h"
@@ -14,8 +17,11 @@ namespace collision {
 struct Kernels {
     const char* name;  // "plain", "SSE2", "AVX2", "NEON"
 
-    // See short_rows.h and strip_rows.h.
+    // See the header of the same name.
     unsigned (*short_rows)(const ShortBoxes& shorts, unsigned count, unsigned row, ShortHits& hits);
+    unsigned (*box_cells)(const Aabb* boxes, unsigned count, const GridParts& parts,
+                          std::uint32_t* cells, std::uint32_t* tall);
+    void (*fill_rows)(const Aabb* boxes, const RowArrays& arrays, std::size_t from, std::size_t to);
     unsigned (*strip_rows)(const StripRows& strip, unsigned row, PairRoom& room);
 };
 

@@ -27,40 +27,31 @@ public:
 
     // Clears `overlaps`, then fills it with every pair of boxes that overlap, touching included,
     // each once with first < second, in no particular order.  Exact for coordinates up to
-    // COORDINATE_LIMIT; min <= max in every box.  The same pairs whatever the call before, but up
-    // to their order; after one for as many boxes spread alike over y, a pass over them is saved.
+    // COORDINATE_LIMIT; min <= max in every box; count < 2^31.  Remembers nothing but its memory.
     //
     // n boxes, k pairs: O(n + k) where neither tall nor wide boxes crowd a place without
     // overlapping there.  Allocates only when there are more boxes or pairs than ever before.
     void find(const Aabb* boxes, unsigned count, PairList& overlaps);
 
-    std::size_t bytes()
-        const;  // of memory in use: 27 to 31 a box from 100,000 boxes on, 86 at 1,000
+    std::size_t bytes() const;  // of memory in use
 
 private:
+    // What a world, or a part of one, was cut into.
     struct Level {
-        std::vector<Entry> entries;         // strip by strip
-        std::vector<std::uint32_t> places;  // of the next entry of each strip
-        std::vector<std::uint32_t> starts;  // of each strip, and the end of the last
-
-        // What the starts were made for: so many boxes, for which so many strips were wanted.
-        unsigned count = 0, wanted = 0;
-        StripOf strip_of = {0, 0, 1};
-
-        bool suits(unsigned boxes, unsigned strips) const;
+        Cells cells;
+        std::vector<Aabb> boxes;             // part by part
+        std::vector<std::uint32_t> indices;  // beside them
+        std::vector<std::uint32_t> ends;     // of the parts
     };
 
-    template <class Source>
-    bool reserve(const Source& source, unsigned count, Level& level);
-    template <class Source>
-    bool scatter(const Source& source, unsigned count, Level& level);
-    template <class Source>
-    void find(const Source& source, unsigned count, unsigned depth, PairWriter& writer);
+    static AxisParts cut(const Kernels& kernels, const BoxList& list, AxisParts parts,
+                         Level& level);
+    void find(const BoxList& list, unsigned depth, PairWriter& writer);
     void sweep(PairWriter& writer);
 
     const Kernels* kernels_;
     std::vector<Level> levels_;
-    StripGrid grid_;
+    StripGrid grid_{*kernels_};
 };
 
 }  // namespace collision
