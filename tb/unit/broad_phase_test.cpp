@@ -357,8 +357,10 @@ TEST(Strips, TakesLessThanAHundredBytesABoxWhereEveryBoxIsTall) {
 }
 
 #if defined(__x86_64__)
-TEST(Kernels, AreThoseForAvx2WhereTheProcessorHasIt) {
-    EXPECT_STREQ(fastest_kernels().name, __builtin_cpu_supports("avx2") ? "AVX2" : "SSE2");
+TEST(Kernels, AreTheWidestThatTheProcessorHas) {
+    const bool avx512 = __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl");
+    const char* avx2_or_less = __builtin_cpu_supports("avx2") ? "AVX2" : "SSE2";
+    EXPECT_STREQ(fastest_kernels().name, avx512 ? "AVX-512" : avx2_or_less);
 }
 #endif
 

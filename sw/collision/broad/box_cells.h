@@ -1,22 +1,21 @@
 // box_cells.h - a kernel of Strips: the cell that each box begins in, and which boxes go on beyond.
 #pragma once
 
-#include "collision/broad/axis_parts.h"
 #include "collision/broad/columns.h"
+#include "collision/broad/grid_parts.h"
 
 namespace collision {
 
 constexpr unsigned BOX_CELLS_SLACK = 8;  // places that box_cells() may write beyond the last
 
-template <class Lanes>
-[[gnu::always_inline]] inline typename Lanes::Ints part_of(typename Lanes::Ints at,
-                                                           const AxisParts& parts) {
-    using Ints = typename Lanes::Ints;
-    const Ints first = parts.first - Ints{}, last = parts.last - Ints{};
-    at = at > first ? at : first;
-    at = at < last ? at : last;
+// offset_in(), lane by lane.
+template <class Ints>
+[[gnu::always_inline]] inline auto offsets_in(std::int32_t first, std::int32_t last, Ints at) {
+    const Ints least = first - Ints{}, most = last - Ints{};
+    at = at > least ? at : least;
+    at = at < most ? at : most;
     using Unsigned [[gnu::vector_size(sizeof(Ints))]] = std::uint32_t;
-    return reinterpret_cast<Ints>(reinterpret_cast<Unsigned>(at - first) >> parts.shift);
+    return reinterpret_cast<Unsigned>(at - least);
 }
 
 // Writes the cell of each box's lower left corner to `cells`, and those boxes that reach into
@@ -29,15 +28,19 @@ unsigned box_cells(const Aabb* boxes, unsigned count, const GridParts& parts, st
     std::uint32_t* next = tall;
     Ints indices;
     for (unsigned i = 0; i < Lanes::INTS; ++i) indices[i] = static_cast<std::int32_t>(i);
+    const auto strip_of = [&grid](Ints y) [[gnu::always_inline]] {
+        const StripParts& to = grid.strips;
+        return (offsets_in(to.first, to.last, y) >> to.shift) * to.scale >> 16;
+    };
     const auto vector = [&](unsigned i, const Aabb* from) [[gnu::always_inline]] {
         const auto box =
             columns<Lanes>([from](unsigned k) [[gnu::always_inline]] { return from[k]; });
-        const Ints strip = part_of<Lanes>(box.min_y, grid.strips);
-        const Ints cell = strip * static_cast<std::int32_t>(grid.buckets.count) +
-                          part_of<Lanes>(box.min_x, grid.buckets);
+        const auto strip = strip_of(box.min_y);
+        const BucketParts& to = grid.buckets;
+        const auto cell = strip * to.count + (offsets_in(to.first, to.last, box.min_x) >> to.shift);
         std::memcpy(cells + i, &cell, sizeof cell);
         next += Lanes::collect(next, indices + static_cast<std::int32_t>(i),
-                               part_of<Lanes>(box.max_y, grid.strips) > strip);
+                               reinterpret_cast<Ints>(strip_of(box.max_y) != strip));
     };
     unsigned i = 0;
     for (; i + Lanes::INTS <= count; i += Lanes::INTS) vector(i, boxes + i);

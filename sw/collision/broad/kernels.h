@@ -15,7 +15,9 @@
 namespace collision {
 
 struct Kernels {
-    const char* name;  // "plain", "SSE2", "AVX2", "NEON"
+    const char* name;  // "plain", "SSE2", "AVX2", "AVX-512", "NEON"
+
+    unsigned strip_heights;  // of a strip, in mean heights of a box, that suits strip_rows
 
     // See the header of the same name.
     unsigned (*short_rows)(const ShortBoxes& shorts, unsigned count, unsigned row, ShortHits& hits);
@@ -25,9 +27,9 @@ struct Kernels {
     unsigned (*strip_rows)(const StripRows& strip, unsigned row, PairRoom& room);
 };
 
-// Those that this machine can run, the fastest first: one to three.
+// Those that this machine can run, the fastest first: one to four.
 struct KernelList {
-    const Kernels* kernels[3];
+    const Kernels* kernels[4];
     std::size_t count;
 
     const Kernels* const* begin() const { return kernels; }

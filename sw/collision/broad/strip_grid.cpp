@@ -30,7 +30,7 @@ RowArrays StripGrid::arrays() {
 
 // The order of the boxes is in the index.
 void StripGrid::end_strip(const BoxList& list, std::size_t start, std::size_t end,
-                          const AxisParts& buckets) {
+                          const BucketParts& buckets) {
     const RowArrays rows = arrays();
     std::fill_n(rows.index + end, StripRows::PADDING, 0u);
     kernels_->fill_rows(list.boxes, rows, start, end);
@@ -89,7 +89,7 @@ void StripGrid::arrange(const BoxList& list, const std::vector<std::uint64_t>& k
     const auto at = [along_y](const Aabb& box) { return along_y ? box.min.y : box.min.x; };
     const std::int32_t first = at(list.boxes[index_of(keys.front())]);
     const std::int32_t last = at(list.boxes[index_of(keys.back())]);
-    AxisParts units = {first, last, 2};
+    BucketParts units = {first, last, 2};
     units.shift = 0;
     end_strip(list, 0, keys.size(), units);
     if (!along_y) return;

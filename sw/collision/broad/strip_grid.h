@@ -33,7 +33,7 @@ public:
 private:
     void reserve(std::size_t places);
     void end_strip(const BoxList& list, std::size_t start, std::size_t end,
-                   const AxisParts& buckets);
+                   const BucketParts& buckets);
 
     RowArrays arrays();
 

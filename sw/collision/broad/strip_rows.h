@@ -16,7 +16,7 @@ namespace collision {
 // the first from `left` on; whatever is left of it belongs to it too, and to the last what is
 // beyond `right`.  Two visitors are not this strip's pair.
 struct StripRows {
-    static constexpr unsigned PADDING = 8;
+    static constexpr unsigned PADDING = 16;
 
     const std::int32_t *min_x, *max_x, *min_y, *max_y;
     const std::uint32_t* index;

@@ -11,7 +11,6 @@ constexpr unsigned MOST_IN_GRID = 1 << 17;  // boxes; their order then fits the 
 constexpr unsigned IN_BAND = 1 << 16;       // boxes that more are cut into
 constexpr unsigned MOST_STRIPS = 1024;
 constexpr unsigned MOST_LEVELS = 8;
-constexpr unsigned HEIGHTS = 6;    // at least, of a strip, in mean heights of a box
 constexpr unsigned IN_BUCKET = 2;  // boxes at least, on average
 constexpr unsigned FEW = 256;      // boxes that are not worth cutting again
 constexpr unsigned CROWDED = 4;    // times the mean number of boxes in a strip
@@ -43,17 +42,20 @@ struct Sample {
         height = height / std::max(taken, 1u) + 1;
         if (min.y > max.y) min.y = max.y;  // nothing but visitors
     }
-    AxisParts strips() const {
+    StripParts strips(unsigned heights) const {
         const std::uint32_t span =
             static_cast<std::uint32_t>(max.y) - static_cast<std::uint32_t>(min.y);
         const auto wanted =
-            std::min<std::uint64_t>(span / (HEIGHTS * height) + 1, std::uint64_t{MOST_STRIPS});
+            std::min<std::uint64_t>(span / (heights * height) + 1, std::uint64_t{MOST_STRIPS});
         return {min.y, max.y, static_cast<unsigned>(wanted)};
     }
-    AxisParts buckets(unsigned in_strip) const { return {min.x, max.x, in_strip / IN_BUCKET + 1}; }
+    BucketParts buckets(unsigned in_strip) const {
+        return {min.x, max.x, in_strip / IN_BUCKET + 1};
+    }
 };
 
-const AxisParts ONE = {0, 0, 1};
+const StripParts ONE_STRIP = {0, 0, 1};
+const BucketParts ONE_BUCKET = {0, 0, 1};
 
 }  // namespace
 
@@ -64,10 +66,9 @@ void Strips::find(const Aabb* boxes, unsigned count, PairList& overlaps) {
     writer.finish();
 }
 
-// Copies the boxes into `parts` or, where they would have too many copies, into fewer: into those
-// that are returned.
-AxisParts Strips::cut(const Kernels& kernels, const BoxList& list, AxisParts parts, Level& level) {
-    while (!level.cells.count(kernels, list, {parts, ONE}))
+// Copies the boxes into `parts` or, where they would have too many copies, into fewer.
+void Strips::cut(const BoxList& list, StripParts parts, Level& level) {
+    while (!level.cells.count(*kernels_, list, {parts, ONE_BUCKET}))
         parts = {parts.first, parts.last, parts.count / 2};
     level.ends = level.cells.counts();
     std::uint32_t place = 0;
@@ -94,12 +95,11 @@ AxisParts Strips::cut(const Kernels& kernels, const BoxList& list, AxisParts par
             boxes[to] = {{list.boxes[i].min.x, VISITOR}, list.boxes[i].max};
             indices[to] = list.indices ? list.indices[i] : i;
         });
-    return parts;
 }
 
 void Strips::find(const BoxList& list, unsigned depth, PairWriter& writer) {
     const Sample sample(list);
-    AxisParts parts = sample.strips();
+    StripParts parts = sample.strips(kernels_->strip_heights);
     const unsigned strips = parts.count;
     if (list.count <= MOST_IN_GRID) {
         if (grid_.sort(list, {parts, sample.buckets(list.count / strips)})) return sweep(writer);
@@ -108,7 +108,7 @@ void Strips::find(const BoxList& list, unsigned depth, PairWriter& writer) {
     }
 
     Level& level = levels_[depth];
-    parts = cut(*kernels_, list, parts, level);
+    cut(list, parts, level);
     // Cutting again is worth it only where this time has made a difference.
     const unsigned crowd = std::max(FEW, CROWDED * (list.count / strips));
     const unsigned most = list.count - list.count / 4;
@@ -122,7 +122,7 @@ void Strips::find(const BoxList& list, unsigned depth, PairWriter& writer) {
             find(part, depth + 1, writer);
             continue;
         }
-        if (!grid_.sort(part, {ONE, sample.buckets(part.count)})) grid_.sort_exactly(part);
+        if (!grid_.sort(part, {ONE_STRIP, sample.buckets(part.count)})) grid_.sort_exactly(part);
         sweep(writer);
     }
 }

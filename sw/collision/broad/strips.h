@@ -44,8 +44,7 @@ private:
         std::vector<std::uint32_t> ends;     // of the parts
     };
 
-    static AxisParts cut(const Kernels& kernels, const BoxList& list, AxisParts parts,
-                         Level& level);
+    void cut(const BoxList& list, StripParts parts, Level& level);
     void find(const BoxList& list, unsigned depth, PairWriter& writer);
     void sweep(PairWriter& writer);
 
