@@ -1,6 +1,7 @@
 // box_cells.h - a kernel of Strips: the cell that each box begins in, and which boxes go on beyond.
 #pragma once
 
+#include "collision/broad/box_list.h"
 #include "collision/broad/columns.h"
 #include "collision/broad/grid_parts.h"
 
@@ -18,11 +19,10 @@ template <class Ints>
     return reinterpret_cast<Unsigned>(at - least);
 }
 
-// Writes the cell of each box's lower left corner to `cells`, and those boxes that reach into
-// further strips to `tall`, in order.  Returns how many these are.  O(count), without a branch.
-template <class Lanes>
-unsigned box_cells(const Aabb* boxes, unsigned count, const GridParts& parts, std::uint32_t* cells,
-                   std::uint32_t* tall) {
+template <class Lanes, class Box>
+[[gnu::always_inline]] inline unsigned cells_of(const Box* boxes, unsigned count,
+                                                const GridParts& parts, std::uint32_t* cells,
+                                                std::uint32_t* tall) {
     using Ints = typename Lanes::Ints;
     const GridParts grid = parts;
     std::uint32_t* next = tall;
@@ -32,9 +32,9 @@ unsigned box_cells(const Aabb* boxes, unsigned count, const GridParts& parts, st
         const StripParts& to = grid.strips;
         return (offsets_in(to.first, to.last, y) >> to.shift) * to.scale >> 16;
     };
-    const auto vector = [&](unsigned i, const Aabb* from) [[gnu::always_inline]] {
+    const auto vector = [&](unsigned i, const Box* from) [[gnu::always_inline]] {
         const auto box =
-            columns<Lanes>([from](unsigned k) [[gnu::always_inline]] { return from[k]; });
+            columns<Lanes>([from](unsigned k) [[gnu::always_inline]] { return box_of(from[k]); });
         const auto strip = strip_of(box.min_y);
         const BucketParts& to = grid.buckets;
         const auto cell = strip * to.count + (offsets_in(to.first, to.last, box.min_x) >> to.shift);
@@ -45,11 +45,20 @@ unsigned box_cells(const Aabb* boxes, unsigned count, const GridParts& parts, st
     unsigned i = 0;
     for (; i + Lanes::INTS <= count; i += Lanes::INTS) vector(i, boxes + i);
     if (i < count) {
-        Aabb rest[Lanes::INTS] = {};  // filled up with points, which are not tall
+        Box rest[Lanes::INTS] = {};  // filled up with points, which are not tall
         std::copy(boxes + i, boxes + count, rest);
         vector(i, rest);
     }
     return static_cast<unsigned>(next - tall);
+}
+
+// Writes the cell of each box's lower left corner to `cells`, and those boxes that reach into
+// further strips to `tall`, in order.  Returns how many these are.  O(count), without a branch.
+template <class Lanes>
+unsigned box_cells(const BoxList& list, const GridParts& parts, std::uint32_t* cells,
+                   std::uint32_t* tall) {
+    return list.boxes ? cells_of<Lanes>(list.boxes, list.count, parts, cells, tall)
+                      : cells_of<Lanes>(list.entries, list.count, parts, cells, tall);
 }
 
 }  // namespace collision

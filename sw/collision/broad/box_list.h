@@ -1,4 +1,4 @@
-// box_list.h - boxes, and what they are called.
+// box_list.h - boxes as they come, or with what they are called beside them.
 #pragma once
 
 #include <cstdint>
@@ -7,11 +7,23 @@
 
 namespace collision {
 
+// A box with its index, so that what is read together lies together.
+struct Entry {
+    Aabb box;  // min.y may be VISITOR
+    std::uint32_t index;
+};
+
 // Not owned.  Fewer than 2^31.
 struct BoxList {
-    const Aabb* boxes;
-    const std::uint32_t* indices;  // null: 0, 1, 2 ...
+    const Aabb* boxes;     // called 0, 1, 2 ..., or null
+    const Entry* entries;  // where `boxes` is null
     unsigned count;
+
+    const Aabb& box(unsigned i) const { return boxes ? boxes[i] : entries[i].box; }
+    std::uint32_t index(unsigned i) const { return boxes ? i : entries[i].index; }
 };
+
+[[gnu::always_inline]] inline const Aabb& box_of(const Aabb& box) { return box; }
+[[gnu::always_inline]] inline const Aabb& box_of(const Entry& entry) { return entry.box; }
 
 }  // namespace collision

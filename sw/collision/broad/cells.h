@@ -20,7 +20,6 @@ public:
 
     // Valid after count().  The counts may be turned into what the caller likes.
     std::vector<std::uint32_t>& counts() { return counts_; }
-    std::size_t entries() const { return entries_; }
 
     // Calls put(box, cell) for each box in order, then put_visitor(box, cell) for each visitor.
     template <class Put, class PutVisitor>
@@ -30,7 +29,7 @@ public:
         for (unsigned k = 0; k < tall_count_; ++k) {
             const unsigned i = tall_[k];
             std::uint32_t cell = cells[i];
-            for (unsigned more = strips_above(list.boxes[i]); more > 0; --more)
+            for (unsigned more = strips_above(list.box(i)); more > 0; --more)
                 put_visitor(i, cell += parts_.buckets.count);
         }
     }
@@ -47,7 +46,6 @@ private:
     GridParts parts_ = {{0, 0, 1}, {0, 0, 1}};
     std::vector<std::uint32_t> cells_, tall_, counts_;
     unsigned tall_count_ = 0;
-    std::size_t entries_ = 0;
 };
 
 }  // namespace collision

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <limits>
+#include <type_traits>
 
+#include "collision/broad/box_list.h"
 #include "collision/broad/columns.h"
 
 namespace collision {
@@ -18,11 +20,9 @@ struct RowArrays {
     std::uint32_t* index;
 };
 
-// index[from .. to) says which box belongs there, with AS_VISITOR or without; leaves the bare
-// number and fills the other arrays.  Up to 7 places after `to` are read and written as well: there
-// must be numbers of boxes.  O(to - from).
-template <class Lanes>
-void fill_rows(const Aabb* boxes, const RowArrays& arrays, std::size_t from, std::size_t to) {
+template <class Lanes, class Box>
+[[gnu::always_inline]] inline void rows_of(const Box* boxes, const RowArrays& arrays,
+                                           std::size_t from, std::size_t to) {
     using Ints = typename Lanes::Ints;
     const RowArrays rows = arrays;
     const Ints visitor = VISITOR - Ints{};
@@ -31,13 +31,25 @@ void fill_rows(const Aabb* boxes, const RowArrays& arrays, std::size_t from, std
         const Ints bare = order & ~visitor;
         std::memcpy(rows.index + i, &bare, sizeof bare);
         const auto box = columns<Lanes>(
-            [&](unsigned k) [[gnu::always_inline]] { return boxes[rows.index[i + k]]; });
+            [&](unsigned k) [[gnu::always_inline]] { return box_of(boxes[rows.index[i + k]]); });
+        if constexpr (std::is_same_v<Box, Entry>)
+            for (std::size_t k = i; k < i + Lanes::INTS; ++k)
+                rows.index[k] = boxes[rows.index[k]].index;
         const Ints min_y = order < 0 ? visitor : box.min_y;
         std::memcpy(rows.min_x + i, &box.min_x, sizeof(Ints));
         std::memcpy(rows.max_x + i, &box.max_x, sizeof(Ints));
         std::memcpy(rows.min_y + i, &min_y, sizeof(Ints));
         std::memcpy(rows.max_y + i, &box.max_y, sizeof(Ints));
     }
+}
+
+// index[from .. to) says which box belongs there, with AS_VISITOR or without; becomes what the box
+// is called, and the other arrays are filled.  Up to 7 places after `to` are read and written as
+// well: there must be numbers of boxes.  O(to - from).
+template <class Lanes>
+void fill_rows(const BoxList& list, const RowArrays& rows, std::size_t from, std::size_t to) {
+    list.boxes ? rows_of<Lanes>(list.boxes, rows, from, to)
+               : rows_of<Lanes>(list.entries, rows, from, to);
 }
 
 }  // namespace collision

@@ -21,9 +21,9 @@ struct Kernels {
 
     // See the header of the same name.
     unsigned (*short_rows)(const ShortBoxes& shorts, unsigned count, unsigned row, ShortHits& hits);
-    unsigned (*box_cells)(const Aabb* boxes, unsigned count, const GridParts& parts,
-                          std::uint32_t* cells, std::uint32_t* tall);
-    void (*fill_rows)(const Aabb* boxes, const RowArrays& arrays, std::size_t from, std::size_t to);
+    unsigned (*box_cells)(const BoxList& list, const GridParts& parts, std::uint32_t* cells,
+                          std::uint32_t* tall);
+    void (*fill_rows)(const BoxList& list, const RowArrays& rows, std::size_t from, std::size_t to);
     unsigned (*strip_rows)(const StripRows& strip, unsigned row, PairRoom& room);
 };
 

@@ -33,9 +33,7 @@ void StripGrid::end_strip(const BoxList& list, std::size_t start, std::size_t en
                           const BucketParts& buckets) {
     const RowArrays rows = arrays();
     std::fill_n(rows.index + end, StripRows::PADDING, 0u);
-    kernels_->fill_rows(list.boxes, rows, start, end);
-    if (list.indices)
-        for (std::size_t i = start; i < end; ++i) rows.index[i] = list.indices[rows.index[i]];
+    kernels_->fill_rows(list, rows, start, end);
     for (std::int32_t* edge : {rows.min_x, rows.max_x, rows.min_y, rows.max_y})
         std::fill_n(edge + end, StripRows::PADDING, std::numeric_limits<std::int32_t>::max());
     strips_.push_back({rows.min_x + start, rows.max_x + start, rows.min_y + start,
@@ -78,7 +76,7 @@ bool StripGrid::sort(const BoxList& list, const GridParts& parts) {
 
 void StripGrid::sort_exactly(const BoxList& list) {
     keys_.resize(list.count);
-    for (unsigned i = 0; i < list.count; ++i) keys_[i] = sort_key(list.boxes[i].min.x, i);
+    for (unsigned i = 0; i < list.count; ++i) keys_[i] = sort_key(list.box(i).min.x, i);
     radix_sort(keys_, spare_);
     arrange(list, keys_, false);
 }
@@ -87,8 +85,8 @@ void StripGrid::arrange(const BoxList& list, const std::vector<std::uint64_t>& k
     reserve(keys.size() + StripRows::PADDING);
     for (std::size_t i = 0; i < keys.size(); ++i) index_[i] = index_of(keys[i]);
     const auto at = [along_y](const Aabb& box) { return along_y ? box.min.y : box.min.x; };
-    const std::int32_t first = at(list.boxes[index_of(keys.front())]);
-    const std::int32_t last = at(list.boxes[index_of(keys.back())]);
+    const std::int32_t first = at(list.box(index_of(keys.front())));
+    const std::int32_t last = at(list.box(index_of(keys.back())));
     BucketParts units = {first, last, 2};
     units.shift = 0;
     end_strip(list, 0, keys.size(), units);

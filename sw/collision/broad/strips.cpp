@@ -26,7 +26,7 @@ struct Sample {
         const unsigned step = list.count / 256 + 1;
         unsigned taken = 0;
         for (unsigned i = 0; i < list.count; i += step) {
-            const Aabb& box = list.boxes[i];
+            const Aabb& box = list.box(i);
             min.x = std::min(min.x, box.min.x);
             max.x = std::max(max.x, box.min.x);
             if (box.min.y == VISITOR) continue;
@@ -34,7 +34,7 @@ struct Sample {
             max.y = std::max(max.y, box.min.y);
         }
         for (unsigned i = 0; i < list.count; i += step, ++taken) {
-            const Aabb& box = list.boxes[i];
+            const Aabb& box = list.box(i);
             const std::int64_t top = std::min(box.max.y, max.y);
             height += static_cast<std::uint64_t>(
                 std::max<std::int64_t>(top - std::max(box.min.y, min.y), 0));
@@ -66,37 +66,6 @@ void Strips::find(const Aabb* boxes, unsigned count, PairList& overlaps) {
     writer.finish();
 }
 
-// Copies the boxes into `parts` or, where they would have too many copies, into fewer.
-void Strips::cut(const BoxList& list, StripParts parts, Level& level) {
-    while (!level.cells.count(*kernels_, list, {parts, ONE_BUCKET}))
-        parts = {parts.first, parts.last, parts.count / 2};
-    level.ends = level.cells.counts();
-    std::uint32_t place = 0;
-    for (std::uint32_t& end : level.ends) {
-        const std::uint32_t count = end;
-        end = place;  // where the part begins, which then moves on to its end
-        place += count;
-    }
-    if (level.boxes.size() < place) {
-        level.boxes.resize(place + place / 8);
-        level.indices.resize(place + place / 8);
-    }
-    Aabb* boxes = level.boxes.data();
-    std::uint32_t *indices = level.indices.data(), *ends = level.ends.data();
-    level.cells.deal(
-        list,
-        [&](unsigned i, std::uint32_t part) {
-            const std::uint32_t to = ends[part]++;
-            boxes[to] = list.boxes[i];
-            indices[to] = list.indices ? list.indices[i] : i;
-        },
-        [&](unsigned i, std::uint32_t part) {
-            const std::uint32_t to = ends[part]++;
-            boxes[to] = {{list.boxes[i].min.x, VISITOR}, list.boxes[i].max};
-            indices[to] = list.indices ? list.indices[i] : i;
-        });
-}
-
 void Strips::find(const BoxList& list, unsigned depth, PairWriter& writer) {
     const Sample sample(list);
     StripParts parts = sample.strips(kernels_->strip_heights);
@@ -107,16 +76,13 @@ void Strips::find(const BoxList& list, unsigned depth, PairWriter& writer) {
         parts = {parts.first, parts.last, std::min(strips, list.count / IN_BAND)};
     }
 
-    Level& level = levels_[depth];
-    cut(list, parts, level);
+    WorldParts& level = levels_[depth];
+    level.cut(list, parts);
     // Cutting again is worth it only where this time has made a difference.
     const unsigned crowd = std::max(FEW, CROWDED * (list.count / strips));
     const unsigned most = list.count - list.count / 4;
-    std::uint32_t start = 0;
-    for (const std::uint32_t end : level.ends) {
-        const BoxList part = {level.boxes.data() + start, level.indices.data() + start,
-                              end - start};
-        start = end;
+    for (unsigned i = 0; i < level.count(); ++i) {
+        const BoxList part = level.part(i);
         if (part.count < 2) continue;
         if (part.count > crowd && part.count < most && depth + 1 < MOST_LEVELS) {
             find(part, depth + 1, writer);
@@ -139,9 +105,7 @@ void Strips::sweep(PairWriter& writer) {
 
 std::size_t Strips::bytes() const {
     std::size_t bytes = grid_.bytes();
-    for (const Level& level : levels_)
-        bytes += level.cells.bytes() + level.boxes.capacity() * sizeof(Aabb) +
-                 4 * (level.indices.capacity() + level.ends.capacity());
+    for (const WorldParts& level : levels_) bytes += level.bytes();
     return bytes;
 }
 

@@ -18,6 +18,7 @@
 
 #include "collision/broad/kernels.h"
 #include "collision/broad/strip_grid.h"
+#include "collision/broad/world_parts.h"
 
 namespace collision {
 
@@ -36,20 +37,11 @@ public:
     std::size_t bytes() const;  // of memory in use
 
 private:
-    // What a world, or a part of one, was cut into.
-    struct Level {
-        Cells cells;
-        std::vector<Aabb> boxes;             // part by part
-        std::vector<std::uint32_t> indices;  // beside them
-        std::vector<std::uint32_t> ends;     // of the parts
-    };
-
-    void cut(const BoxList& list, StripParts parts, Level& level);
     void find(const BoxList& list, unsigned depth, PairWriter& writer);
     void sweep(PairWriter& writer);
 
     const Kernels* kernels_;
-    std::vector<Level> levels_;
+    std::vector<WorldParts> levels_;
     StripGrid grid_{*kernels_};
 };
 

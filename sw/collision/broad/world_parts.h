@@ -1,0 +1,39 @@
+// world_parts.h - boxes copied into the parts of the world that they reach.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "collision/broad/box_list.h"
+#include "collision/broad/grid_parts.h"
+
+namespace collision {
+
+class WorldParts {
+public:
+    // Into all parts that a box reaches, as a visitor into all but the lowest; into half as many
+    // parts and so on where there would be more than MOST_COPIES visitors a box.  O(count + parts).
+    void cut(const BoxList& list, StripParts parts);
+
+    static constexpr unsigned MOST_COPIES = 2;
+
+    // Valid until the next cut.
+    unsigned count() const { return static_cast<unsigned>(ends_.size()); }
+    BoxList part(unsigned i) const {
+        const std::uint32_t start = i == 0 ? 0 : ends_[i - 1];
+        return {nullptr, entries_.data() + start, ends_[i] - start};
+    }
+
+    std::size_t bytes() const {  // of memory in use
+        return entries_.capacity() * sizeof(Entry) + 4 * ends_.capacity();
+    }
+
+private:
+    bool measure(const BoxList& list, const StripParts& parts);
+
+    std::vector<Entry> entries_;       // part by part
+    std::vector<std::uint32_t> ends_;  // of the parts
+    std::uint64_t total_ = 0;          // entries
+};
+
+}  // namespace collision
