@@ -21,6 +21,10 @@ struct BoxList {
 
     const Aabb& box(unsigned i) const { return boxes ? boxes[i] : entries[i].box; }
     std::uint32_t index(unsigned i) const { return boxes ? i : entries[i].index; }
+
+    BoxList section(unsigned from, unsigned n) const {  // which calls its boxes 0, 1, 2 again
+        return {boxes ? boxes + from : nullptr, entries + (boxes ? 0 : from), n};
+    }
 };
 
 [[gnu::always_inline]] inline const Aabb& box_of(const Aabb& box) { return box; }

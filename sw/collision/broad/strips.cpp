@@ -77,7 +77,7 @@ void Strips::find(const BoxList& list, unsigned depth, PairWriter& writer) {
     }
 
     WorldParts& level = levels_[depth];
-    level.cut(list, parts);
+    level.cut(*kernels_, list, parts);
     // Cutting again is worth it only where this time has made a difference.
     const unsigned crowd = std::max(FEW, CROWDED * (list.count / strips));
     const unsigned most = list.count - list.count / 4;

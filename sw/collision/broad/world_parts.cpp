@@ -1,48 +1,73 @@
 // world_parts.cpp - see world_parts.h
 #include "collision/broad/world_parts.h"
 
-#include "collision/broad/fill_rows.h"
+#include <algorithm>
+#include <array>
 
 namespace collision {
+namespace {
 
-// Where each part begins, without a look at those between the first and the last that a box
-// reaches.  False if there are too many copies.
-bool WorldParts::measure(const BoxList& list, const StripParts& parts) {
-    const StripParts part_of =
-        parts;  // a copy, or each count that is written might have changed it
-    std::vector<std::uint32_t>& more = ends_;  // than in the part before, modulo 2^32
-    more.assign(part_of.count + 1, 0);
-    for (unsigned i = 0; i < list.count; ++i) {
-        const Aabb& box = list.box(i);
-        ++more[part_of(box.min.y)];
-        --more[part_of(box.max.y) + 1];
+constexpr unsigned CHUNK = 1024;  // boxes whose parts stay in the cache nearest to the processor
+
+// Calls see(entry, part) for each box, then see_tall(entry, part, last) for those that go on beyond
+// their first part; chunk by chunk.
+template <class See, class SeeTall>
+void deal(const Kernels& kernels, const BoxList& list, const StripParts& parts, See see,
+          SeeTall see_tall) {
+    std::array<std::uint32_t, CHUNK + BOX_CELLS_SLACK> part_of, tall;
+    for (unsigned start = 0; start < list.count; start += CHUNK) {
+        const BoxList chunk = list.section(start, std::min(CHUNK, list.count - start));
+        const unsigned tall_count =
+            kernels.box_cells(chunk, {parts, {0, 0, 1}}, part_of.data(), tall.data());
+        for (unsigned i = 0; i < chunk.count; ++i) see(start + i, part_of[i]);
+        for (unsigned k = 0; k < tall_count; ++k) {
+            const unsigned i = tall[k];
+            see_tall(start + i, part_of[i], parts(chunk.box(i).max.y));
+        }
     }
-    std::uint64_t start = 0;
-    std::uint32_t in_part = 0;
-    for (std::uint32_t& at : ends_) {
-        in_part += at;
-        at = static_cast<std::uint32_t>(start);
-        start += in_part;
-    }
-    ends_.pop_back();
-    total_ = start;
-    return start <= (1 + MOST_COPIES) * std::uint64_t{list.count};
 }
 
-void WorldParts::cut(const BoxList& list, StripParts parts) {
-    while (!measure(list, parts)) parts = {parts.first, parts.last, parts.count / 2};
-    if (entries_.size() < total_) entries_.resize(total_ + total_ / 8);
+}  // namespace
+
+// Finds where each part begins.  False if there are too many copies.
+bool WorldParts::measure(const Kernels& kernels, const BoxList& list, const StripParts& parts) {
+    ends_.assign(parts.count, 0);
+    std::uint32_t* counts = ends_.data();
+    std::uint64_t room = MOST_COPIES * std::uint64_t{list.count};  // for more copies
+    bool enough = true;
+    deal(
+        kernels, list, parts, [=](unsigned, std::uint32_t part) { ++counts[part]; },
+        [&room, &enough, counts](unsigned, std::uint32_t part, std::uint32_t last) {
+            enough &= last - part <= room;
+            if (!enough) return;
+            room -= last - part;
+            while (part < last) ++counts[++part];
+        });
+    std::uint32_t start = 0;
+    for (std::uint32_t& at : ends_) {
+        const std::uint32_t count = at;
+        at = start;
+        start += count;
+    }
+    if (enough && entries_.size() < start) entries_.resize(start + start / 8);
+    return enough;
+}
+
+void WorldParts::cut(const Kernels& kernels, const BoxList& list, StripParts parts) {
+    while (!measure(kernels, list, parts)) parts = {parts.first, parts.last, parts.count / 2};
     Entry* entries = entries_.data();
     std::uint32_t* ends = ends_.data();  // of what is there so far
-    const StripParts part_of = parts;
-    for (unsigned i = 0; i < list.count; ++i) {
-        Entry entry = {list.box(i), list.index(i)};
-        std::uint32_t part = part_of(entry.box.min.y);
-        const std::uint32_t last = part_of(entry.box.max.y);
-        entries[ends[part]++] = entry;
-        entry.box.min.y = VISITOR;
-        while (part < last) entries[ends[++part]++] = entry;
-    }
+    const BoxList from = list;           // a copy, or each entry that is written might change it
+    deal(
+        kernels, list, parts,
+        [=](unsigned i, std::uint32_t part) {
+            entries[ends[part]++] = {from.box(i), from.index(i)};
+        },
+        [=](unsigned i, std::uint32_t part, std::uint32_t last) {
+            Entry entry = {from.box(i), from.index(i)};
+            entry.box.min.y = VISITOR;
+            while (part < last) entries[ends[++part]++] = entry;
+        });
 }
 
 }  // namespace collision

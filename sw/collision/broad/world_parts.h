@@ -4,8 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "collision/broad/box_list.h"
-#include "collision/broad/grid_parts.h"
+#include "collision/broad/kernels.h"
 
 namespace collision {
 
@@ -13,7 +12,7 @@ class WorldParts {
 public:
     // Into all parts that a box reaches, as a visitor into all but the lowest; into half as many
     // parts and so on where there would be more than MOST_COPIES visitors a box.  O(count + parts).
-    void cut(const BoxList& list, StripParts parts);
+    void cut(const Kernels& kernels, const BoxList& list, StripParts parts);
 
     static constexpr unsigned MOST_COPIES = 2;
 
@@ -29,11 +28,10 @@ public:
     }
 
 private:
-    bool measure(const BoxList& list, const StripParts& parts);
+    bool measure(const Kernels& kernels, const BoxList& list, const StripParts& parts);
 
     std::vector<Entry> entries_;       // part by part
     std::vector<std::uint32_t> ends_;  // of the parts
-    std::uint64_t total_ = 0;          // entries
 };
 
 }  // namespace collision
