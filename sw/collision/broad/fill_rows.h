@@ -20,36 +20,40 @@ struct RowArrays {
     std::uint32_t* index;
 };
 
+constexpr unsigned FILL_ROWS_SLACK =
+    8;  // places that fill_rows() may read or write beyond the last
+
 template <class Lanes, class Box>
-[[gnu::always_inline]] inline void rows_of(const Box* boxes, const RowArrays& arrays,
-                                           std::size_t from, std::size_t to) {
+[[gnu::always_inline]] inline void rows_of(const Box* boxes, const std::uint32_t* order,
+                                           unsigned count, const RowArrays& arrays) {
     using Ints = typename Lanes::Ints;
-    const RowArrays rows = arrays;
+    const RowArrays rows = arrays;  // a copy, or each vector that is written might have changed it
     const Ints visitor = VISITOR - Ints{};
-    for (std::size_t i = from; i < to; i += Lanes::INTS) {
-        const auto order = lanes::load<Ints>(rows.index + i);
-        const Ints bare = order & ~visitor;
-        std::memcpy(rows.index + i, &bare, sizeof bare);
+    for (unsigned i = 0; i < count; i += Lanes::INTS) {
+        const auto entries = lanes::load<Ints>(order + i);
+        const Ints bare = entries & ~visitor;
+        std::uint32_t which[Lanes::INTS];
+        std::memcpy(which, &bare, sizeof bare);
         const auto box = columns<Lanes>(
-            [&](unsigned k) [[gnu::always_inline]] { return box_of(boxes[rows.index[i + k]]); });
+            [&](unsigned k) [[gnu::always_inline]] { return box_of(boxes[which[k]]); });
         if constexpr (std::is_same_v<Box, Entry>)
-            for (std::size_t k = i; k < i + Lanes::INTS; ++k)
-                rows.index[k] = boxes[rows.index[k]].index;
-        const Ints min_y = order < 0 ? visitor : box.min_y;
+            for (std::uint32_t& index : which) index = boxes[index].index;
+        const Ints min_y = entries < 0 ? visitor : box.min_y;
         std::memcpy(rows.min_x + i, &box.min_x, sizeof(Ints));
         std::memcpy(rows.max_x + i, &box.max_x, sizeof(Ints));
         std::memcpy(rows.min_y + i, &min_y, sizeof(Ints));
         std::memcpy(rows.max_y + i, &box.max_y, sizeof(Ints));
+        std::memcpy(rows.index + i, which, sizeof which);
     }
 }
 
-// index[from .. to) says which box belongs there, with AS_VISITOR or without; becomes what the box
-// is called, and the other arrays are filled.  Up to 7 places after `to` are read and written as
-// well: there must be numbers of boxes.  O(to - from).
+// Fetches the boxes that order[0 .. count) names, with AS_VISITOR or without, and whatever its slack
+// names.  O(count).
 template <class Lanes>
-void fill_rows(const BoxList& list, const RowArrays& rows, std::size_t from, std::size_t to) {
-    list.boxes ? rows_of<Lanes>(list.boxes, rows, from, to)
-               : rows_of<Lanes>(list.entries, rows, from, to);
+void fill_rows(const BoxList& list, const std::uint32_t* order, unsigned count,
+               const RowArrays& rows) {
+    list.boxes ? rows_of<Lanes>(list.boxes, order, count, rows)
+               : rows_of<Lanes>(list.entries, order, count, rows);
 }
 
 }  // namespace collision

@@ -23,7 +23,8 @@ struct Kernels {
     unsigned (*short_rows)(const ShortBoxes& shorts, unsigned count, unsigned row, ShortHits& hits);
     unsigned (*box_cells)(const BoxList& list, const GridParts& parts, std::uint32_t* cells,
                           std::uint32_t* tall);
-    void (*fill_rows)(const BoxList& list, const RowArrays& rows, std::size_t from, std::size_t to);
+    void (*fill_rows)(const BoxList& list, const std::uint32_t* order, unsigned count,
+                      const RowArrays& rows);
     unsigned (*strip_rows)(const StripRows& strip, unsigned row, PairRoom& room);
 };
 

@@ -15,62 +15,32 @@ constexpr std::uint64_t UNEVEN = 12;
 
 }  // namespace
 
-void StripGrid::reserve(std::size_t places) {
-    strips_.clear();
-    if (index_.size() >= places) return;
-    stride_ = (places + places / 8 + PAGE - 1) / PAGE * PAGE + SKEW;
-    edges_.resize(4 * stride_);
-    index_.resize(stride_);
-}
-
-RowArrays StripGrid::arrays() {
-    std::int32_t* edges = edges_.data();
-    return {edges, edges + stride_, edges + 2 * stride_, edges + 3 * stride_, index_.data()};
-}
-
-// The order of the boxes is in the index.
-void StripGrid::end_strip(const BoxList& list, std::size_t start, std::size_t end,
-                          const BucketParts& buckets) {
-    const RowArrays rows = arrays();
-    std::fill_n(rows.index + end, StripRows::PADDING, 0u);
-    kernels_->fill_rows(list, rows, start, end);
-    for (std::int32_t* edge : {rows.min_x, rows.max_x, rows.min_y, rows.max_y})
-        std::fill_n(edge + end, StripRows::PADDING, std::numeric_limits<std::int32_t>::max());
-    strips_.push_back({rows.min_x + start, rows.max_x + start, rows.min_y + start,
-                       rows.max_y + start, rows.index + start, static_cast<unsigned>(end - start),
-                       buckets.first, buckets.last, (std::uint32_t{1} << buckets.shift) - 1});
-}
-
 bool StripGrid::sort(const BoxList& list, const GridParts& parts) {
+    ends_.clear();
     if (!cells_.count(*kernels_, list, parts)) return false;
-    const unsigned buckets = parts.buckets.count;
-    std::uint32_t* places = cells_.counts().data();
+    std::vector<std::uint32_t>& counts = cells_.counts();
     std::uint32_t place = 0;
     std::uint64_t squares = 0;
-    for (unsigned strip = 0; strip < parts.strips.count; ++strip) {
-        for (unsigned bucket = 0; bucket < buckets; ++bucket) {
-            std::uint32_t& in_bucket = places[strip * buckets + bucket];
-            const std::uint32_t count = in_bucket;
-            squares += std::uint64_t{count} * count;
-            in_bucket = place;
-            place += count;
-        }
-        place += StripRows::PADDING;
+    for (std::uint32_t& in_bucket : counts) {
+        const std::uint32_t count = in_bucket;
+        squares += std::uint64_t{count} * count;
+        in_bucket = place;  // where the bucket begins
+        place += count;
     }
     if (squares > UNEVEN * list.count) return false;
 
-    reserve(place);
-    std::uint32_t* order = index_.data();
+    list_ = list;
+    buckets_ = parts.buckets;
+    along_y_ = false;
+    if (order_.size() < place + FILL_ROWS_SLACK) order_.resize(place + place / 8 + FILL_ROWS_SLACK);
+    std::uint32_t *order = order_.data(), *places = counts.data();
     cells_.deal(
         list, [=](unsigned i, std::uint32_t cell) { order[places[cell]++] = i; },
         [=](unsigned i, std::uint32_t cell) { order[places[cell]++] = i | AS_VISITOR; });
+    std::fill_n(order + place, FILL_ROWS_SLACK, 0u);
     // Now each place is where the next bucket begins.
-    std::size_t start = 0;
-    for (unsigned strip = 1; strip <= parts.strips.count; ++strip) {
-        const std::size_t end = places[strip * buckets - 1];
-        end_strip(list, start, end, parts.buckets);
-        start = end + StripRows::PADDING;
-    }
+    for (unsigned strip = 1; strip <= parts.strips.count; ++strip)
+        ends_.push_back(places[strip * parts.buckets.count - 1]);
     return true;
 }
 
@@ -82,23 +52,42 @@ void StripGrid::sort_exactly(const BoxList& list) {
 }
 
 void StripGrid::arrange(const BoxList& list, const std::vector<std::uint64_t>& keys, bool along_y) {
-    reserve(keys.size() + StripRows::PADDING);
-    for (std::size_t i = 0; i < keys.size(); ++i) index_[i] = index_of(keys[i]);
+    list_ = list;
+    along_y_ = along_y;
     const auto at = [along_y](const Aabb& box) { return along_y ? box.min.y : box.min.x; };
-    const std::int32_t first = at(list.box(index_of(keys.front())));
-    const std::int32_t last = at(list.box(index_of(keys.back())));
-    BucketParts units = {first, last, 2};
-    units.shift = 0;
-    end_strip(list, 0, keys.size(), units);
-    if (!along_y) return;
-    StripRows& rows = strips_.back();
-    std::swap(rows.min_x, rows.min_y);
-    std::swap(rows.max_x, rows.max_y);
+    buckets_ = {at(list.box(index_of(keys.front()))), at(list.box(index_of(keys.back()))), 2};
+    buckets_.shift = 0;
+    order_.assign(keys.size() + FILL_ROWS_SLACK, 0);
+    for (std::size_t i = 0; i < keys.size(); ++i) order_[i] = index_of(keys[i]);
+    ends_.assign(1, static_cast<std::uint32_t>(keys.size()));
+}
+
+StripRows StripGrid::rows(unsigned strip) {
+    const std::uint32_t start = strip == 0 ? 0 : ends_[strip - 1];
+    const std::uint32_t count = ends_[strip] - start;
+    if (index_.size() < count + StripRows::PADDING) {
+        stride_ = (count + count / 8 + StripRows::PADDING + PAGE - 1) / PAGE * PAGE + SKEW;
+        edges_.resize(4 * stride_);
+        index_.resize(stride_);
+    }
+    std::int32_t *min_x = edges_.data(), *max_x = min_x + stride_;
+    std::int32_t *min_y = max_x + stride_, *max_y = min_y + stride_;
+    kernels_->fill_rows(list_, order_.data() + start, count,
+                        {min_x, max_x, min_y, max_y, index_.data()});
+    for (std::int32_t* edge : {min_x, max_x, min_y, max_y})
+        std::fill_n(edge + count, StripRows::PADDING, std::numeric_limits<std::int32_t>::max());
+    if (along_y_) {
+        std::swap(min_x, min_y);
+        std::swap(max_x, max_y);
+    }
+    return {min_x,          max_x,         min_y,
+            max_y,          index_.data(), count,
+            buckets_.first, buckets_.last, (std::uint32_t{1} << buckets_.shift) - 1};
 }
 
 std::size_t StripGrid::bytes() const {
-    return cells_.bytes() + 4 * (edges_.capacity() + index_.capacity()) +
-           8 * (keys_.capacity() + spare_.capacity()) + strips_.capacity() * sizeof(StripRows);
+    return cells_.bytes() + 8 * (keys_.capacity() + spare_.capacity()) +
+           4 * (order_.capacity() + ends_.capacity() + edges_.capacity() + index_.capacity());
 }
 
 }  // namespace collision

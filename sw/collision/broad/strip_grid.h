@@ -9,6 +9,8 @@
 
 namespace collision {
 
+// First one of the three that sort, then rows() for each strip.  The boxes must stay where they are
+// meanwhile.
 class StripGrid {
 public:
     explicit StripGrid(const Kernels& kernels) : kernels_{&kernels} {}
@@ -25,25 +27,30 @@ public:
     // `along_y`.  At least one.  O(keys).
     void arrange(const BoxList& list, const std::vector<std::uint64_t>& keys, bool along_y);
 
-    // Valid until the next call of any of these.
-    const std::vector<StripRows>& strips() const { return strips_; }
+    unsigned strips() const { return static_cast<unsigned>(ends_.size()); }
+
+    // The boxes of a strip, fetched into the place of those of the strip before, so that they are
+    // still in the cache when they are swept.  O(boxes in the strip).
+    StripRows rows(unsigned strip);
 
     std::size_t bytes() const;  // of memory in use
 
 private:
-    void reserve(std::size_t places);
-    void end_strip(const BoxList& list, std::size_t start, std::size_t end,
-                   const BucketParts& buckets);
-
-    RowArrays arrays();
-
     const Kernels* kernels_;
     Cells cells_;
-    std::size_t stride_ = 0;  // from one array to the next
+    std::vector<std::uint64_t> keys_, spare_;
+
+    // What was sorted.
+    BoxList list_{};
+    BucketParts buckets_ = {0, 0, 1};
+    bool along_y_ = false;
+    std::vector<std::uint32_t> order_;  // of boxes, strip by strip, and some slack
+    std::vector<std::uint32_t> ends_;   // of the strips
+
+    // One strip.
+    std::size_t stride_ = 0;  // from one array of edges to the next
     std::vector<std::int32_t> edges_;
     std::vector<std::uint32_t> index_;
-    std::vector<StripRows> strips_;
-    std::vector<std::uint64_t> keys_, spare_;
 };
 
 }  // namespace collision

@@ -94,7 +94,8 @@ void Strips::find(const BoxList& list, unsigned depth, PairWriter& writer) {
 }
 
 void Strips::sweep(PairWriter& writer) {
-    for (const StripRows& rows : grid_.strips()) {
+    for (unsigned strip = 0; strip < grid_.strips(); ++strip) {
+        const StripRows rows = grid_.rows(strip);
         unsigned row = 0;
         writer.write(rows.count + StripRows::PADDING, [&](PairRoom& room) {
             row = kernels_->strip_rows(rows, row, room);

@@ -72,10 +72,11 @@ void Sweep::find(const Aabb* boxes, unsigned count, PairList& overlaps) {
     if (keys_.size() != count || !repair(boxes)) sort(boxes, count);
     sorted_.arrange({boxes, nullptr, count}, keys_, along_y_);
 
+    const StripRows rows = sorted_.rows(0);
     unsigned row = 0;
     PairWriter writer(overlaps);
     writer.write(count + StripRows::PADDING, [&](PairRoom& room) {
-        row = kernels_->strip_rows(sorted_.strips()[0], row, room);
+        row = kernels_->strip_rows(rows, row, room);
         return row == count;
     });
     writer.finish();
