@@ -20,6 +20,10 @@ constexpr unsigned LANES = 16;
 __m512i load(const void* from) { return _mm512_loadu_si512(from); }
 __m512i all(std::int32_t value) { return _mm512_set1_epi32(value); }
 
+// With a mask of all lanes, since what g++ 12 makes those without a mask from is uninitialised.
+__m512i larger(__m512i a, __m512i b) { return _mm512_maskz_max_epi32(0xffff, a, b); }
+__m512i smaller(__m512i a, __m512i b) { return _mm512_maskz_min_epi32(0xffff, a, b); }
+
 // The pairs of a and four lanes of `others`, those from 4 * HALF on.
 template <int HALF>
 [[gnu::always_inline]] inline void write_four(CollisionPair* to, __m256i a, __m256i others) {
@@ -50,8 +54,8 @@ template <int HALF>
     room.next += count;
 }
 
-// The pairs of the ROWS boxes from `row` on, but the first `skip` times k-th, with the LANES boxes
-// from `j` on: each vector is loaded once for all rows.
+// The pairs of the ROWS boxes from `row` on with the LANES boxes from `j` on: each vector is loaded
+// once for all rows.  FIRST: j is row + 1, and the lanes hold all rows but the first, too.
 template <unsigned ROWS, bool FIRST>
 [[gnu::always_inline]] inline void sweep_lanes(const StripRows& strip, unsigned row,
                                                std::uint32_t j, PairRoom& room) {
@@ -61,16 +65,14 @@ template <unsigned ROWS, bool FIRST>
     const __m512i min_x = load(strip.min_x + j), max_x = load(strip.max_x + j);
     const __m512i min_y = load(strip.min_y + j), max_y = load(strip.max_y + j);
     const __m512i index = load(strip.index + j);
-    const unsigned residents = _mm512_cmpneq_epi32_mask(min_y, all(VISITOR));
     for (unsigned k = 0; k < ROWS; ++k) {
-        const unsigned after = FIRST ? 0xffffu << k : 0xffffu;
-        const unsigned resident = row_min_y[k] != VISITOR;
-        auto on_x = static_cast<__mmask16>(after & (residents | (0u - resident)));
-        on_x = _mm512_mask_cmple_epi32_mask(on_x, min_x, all(row_max_x[k]));
-        on_x = _mm512_mask_cmpge_epi32_mask(on_x, max_x, all(row_min_x[k]));
-        __mmask16 on_y = _mm512_cmple_epi32_mask(min_y, all(row_max_y[k]));
-        on_y = _mm512_mask_cmpge_epi32_mask(on_y, max_y, all(row_min_y[k]));
-        const __mmask16 hits = _kand_mask16(on_x, on_y);
+        auto hits = static_cast<__mmask16>(FIRST ? 0xffffu << k : 0xffffu);
+        hits = _mm512_mask_cmple_epi32_mask(hits, min_x, all(row_max_x[k]));
+        hits = _mm512_mask_cmpge_epi32_mask(hits, max_x, all(row_min_x[k]));
+        // Of two visitors the higher lower edge, less 1, wraps around to the highest of all.
+        const __m512i lower = _mm512_sub_epi32(larger(min_y, all(row_min_y[k])), all(1));
+        const __m512i upper = smaller(max_y, all(row_max_y[k]));
+        hits = _mm512_mask_cmplt_epi32_mask(hits, lower, upper);
         append(room, row_index[k], _mm512_maskz_compress_epi32(hits, index),
                static_cast<unsigned>(__builtin_popcount(hits)));
     }
