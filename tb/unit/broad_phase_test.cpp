@@ -345,6 +345,44 @@ TEST(Strips, FindsTheSamePairsAsAnewWhereBoxesCrowdAfterTicksInWhichTheyDidNot) 
     }
 }
 
+// By a sort and a sweep of its own: too many for brute force.
+Sorted sorted_sweep(const Boxes& boxes) {
+    std::vector<std::uint32_t> order(boxes.size());
+    std::iota(order.begin(), order.end(), 0u);
+    std::sort(order.begin(), order.end(),
+              [&](auto a, auto b) { return boxes[a].min.x < boxes[b].min.x; });
+    Sorted pairs;
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        const Aabb& a = boxes[order[i]];
+        for (std::size_t j = i + 1; j < order.size(); ++j) {
+            const Aabb& b = boxes[order[j]];
+            if (b.min.x > a.max.x) break;
+            if (gap(a.min.y, a.max.y, b.min.y, b.max.y) <= 0)
+                pairs.push_back(pair_of(order[i], order[j]));
+        }
+    }
+    std::sort(pairs.begin(), pairs.end());
+    return pairs;
+}
+
+// So many that the world is cut into parts by a sample, and boxes that no sample would expect: first
+// all is even, then most of those between every few hundredth lie in one part.
+TEST(Strips, FindsAllPairsAmongMoreBoxesThanItSortsAtOnce) {
+    std::mt19937 random(4);
+    std::uniform_int_distribution<std::int64_t> place(0, FAR - 1), sides(0, 3'000'000);
+    for (const bool even : {true, false}) {
+        Boxes boxes;
+        for (int i = 0; i < 150'000; ++i) {
+            const bool sampled = i % 61 == 0 || i % 586 == 0;
+            const std::int64_t y = even || sampled ? place(random) : FAR / 2 + place(random) / 16;
+            boxes.push_back(box(place(random), y, sides(random), sides(random)));
+        }
+        const Sorted truth = sorted_sweep(boxes);
+        for (const Kernels* kernels : available_kernels())
+            EXPECT_EQ(finder<Strips>("strips", *kernels)(boxes), truth) << kernels->name;
+    }
+}
+
 // ---- What it takes ----
 
 TEST(Strips, TakesLessThanAHundredBytesABoxWhereEveryBoxIsTall) {

@@ -25,7 +25,8 @@ public:
     template <class Put, class PutVisitor>
     [[gnu::always_inline]] void deal(const BoxList& list, Put put, PutVisitor put_visitor) const {
         const std::uint32_t* cells = cells_.data();
-        for (unsigned i = 0; i < list.count; ++i) put(i, cells[i]);
+        const unsigned count = list.count;  // a copy, or what is put might have changed it
+        for (unsigned i = 0; i < count; ++i) put(i, cells[i]);
         for (unsigned k = 0; k < tall_count_; ++k) {
             const unsigned i = tall_[k];
             std::uint32_t cell = cells[i];

@@ -8,7 +8,7 @@ namespace collision {
 namespace {
 
 constexpr unsigned MOST_IN_GRID = 1 << 17;  // boxes; their order then fits the cache
-constexpr unsigned IN_BAND = 1 << 16;       // boxes that more are cut into
+constexpr unsigned IN_BAND = 1 << 14;       // boxes that more are cut into
 constexpr unsigned MOST_STRIPS = 1024;
 constexpr unsigned MOST_LEVELS = 8;
 constexpr unsigned IN_BUCKET = 2;  // boxes at least, on average
@@ -45,8 +45,8 @@ struct Sample {
     StripParts strips(unsigned heights) const {
         const std::uint32_t span =
             static_cast<std::uint32_t>(max.y) - static_cast<std::uint32_t>(min.y);
-        const auto wanted =
-            std::min<std::uint64_t>(span / (heights * height) + 1, std::uint64_t{MOST_STRIPS});
+        const std::uint64_t strip = heights * height;
+        const auto wanted = std::clamp<std::uint64_t>((span + strip / 2) / strip, 1, MOST_STRIPS);
         return {min.y, max.y, static_cast<unsigned>(wanted)};
     }
     BucketParts buckets(unsigned in_strip) const {

@@ -8,6 +8,9 @@ namespace collision {
 namespace {
 
 constexpr unsigned CHUNK = 1024;  // boxes whose parts stay in the cache nearest to the processor
+constexpr unsigned AHEAD = 32;    // entries; more streams than a processor foresees by itself
+constexpr unsigned GUESS_FROM = 1 << 16;  // boxes, for less it is not worth it
+constexpr unsigned GUESS_BY = 61;         // every so many-th box
 
 // Calls see(entry, part) for each box, then see_tall(entry, part, last) for those that go on beyond
 // their first part; chunk by chunk.
@@ -29,7 +32,14 @@ void deal(const Kernels& kernels, const BoxList& list, const StripParts& parts, 
 
 }  // namespace
 
-// Finds where each part begins.  False if there are too many copies.
+// Room for what a sample makes likely, and a third more.
+void WorldParts::guess(const BoxList& list, const StripParts& parts) {
+    ends_.assign(parts.count, 0);
+    for (unsigned i = 0; i < list.count; i += GUESS_BY) ++ends_[parts(list.box(i).min.y)];
+    for (std::uint32_t& count : ends_) count = count * (GUESS_BY + GUESS_BY / 3) + CHUNK;
+}
+
+// Room for exactly what there is.  False if there are too many copies.
 bool WorldParts::measure(const Kernels& kernels, const BoxList& list, const StripParts& parts) {
     ends_.assign(parts.count, 0);
     std::uint32_t* counts = ends_.data();
@@ -43,31 +53,56 @@ bool WorldParts::measure(const Kernels& kernels, const BoxList& list, const Stri
             room -= last - part;
             while (part < last) ++counts[++part];
         });
-    std::uint32_t start = 0;
-    for (std::uint32_t& at : ends_) {
-        const std::uint32_t count = at;
-        at = start;
-        start += count;
-    }
-    if (enough && entries_.size() < start) entries_.resize(start + start / 8);
     return enough;
 }
 
-void WorldParts::cut(const Kernels& kernels, const BoxList& list, StripParts parts) {
-    while (!measure(kernels, list, parts)) parts = {parts.first, parts.last, parts.count / 2};
+// From the room of each part.  False if that is not enough for one.
+bool WorldParts::scatter(const Kernels& kernels, const BoxList& list, const StripParts& parts) {
+    starts_.clear();
+    std::uint32_t start = 0;
+    for (const std::uint32_t room : ends_) {
+        starts_.push_back(start);
+        start += room;
+    }
+    starts_.push_back(start);
+    if (entries_.size() < start) entries_.resize(start + start / 8);
+    std::copy(starts_.begin(), starts_.end() - 1, ends_.begin());
+
     Entry* entries = entries_.data();
     std::uint32_t* ends = ends_.data();  // of what is there so far
-    const BoxList from = list;           // a copy, or each entry that is written might change it
+    const std::uint32_t* limits = starts_.data() + 1;
+    const BoxList from = list;  // a copy, or each entry that is written might change it
+    bool enough = true;
+    const auto put = [=, &enough](const Entry& entry, std::uint32_t part) {
+        const std::uint32_t to = ends[part];
+        if (to == limits[part]) {
+            enough = false;
+            return;
+        }
+        __builtin_prefetch(entries + to + AHEAD, 1);
+        entries[to] = entry;
+        ends[part] = to + 1;
+    };
     deal(
         kernels, list, parts,
         [=](unsigned i, std::uint32_t part) {
-            entries[ends[part]++] = {from.box(i), from.index(i)};
+            put({from.box(i), from.index(i)}, part);
         },
         [=](unsigned i, std::uint32_t part, std::uint32_t last) {
             Entry entry = {from.box(i), from.index(i)};
             entry.box.min.y = VISITOR;
-            while (part < last) entries[ends[++part]++] = entry;
+            while (part < last) put(entry, ++part);
         });
+    return enough;
+}
+
+void WorldParts::cut(const Kernels& kernels, const BoxList& list, StripParts parts) {
+    if (list.count >= GUESS_FROM) {
+        guess(list, parts);
+        if (scatter(kernels, list, parts)) return;
+    }
+    while (!measure(kernels, list, parts)) parts = {parts.first, parts.last, parts.count / 2};
+    scatter(kernels, list, parts);
 }
 
 }  // namespace collision

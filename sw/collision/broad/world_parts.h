@@ -19,19 +19,21 @@ public:
     // Valid until the next cut.
     unsigned count() const { return static_cast<unsigned>(ends_.size()); }
     BoxList part(unsigned i) const {
-        const std::uint32_t start = i == 0 ? 0 : ends_[i - 1];
-        return {nullptr, entries_.data() + start, ends_[i] - start};
+        return {nullptr, entries_.data() + starts_[i], ends_[i] - starts_[i]};
     }
 
     std::size_t bytes() const {  // of memory in use
-        return entries_.capacity() * sizeof(Entry) + 4 * ends_.capacity();
+        return entries_.capacity() * sizeof(Entry) + 4 * (starts_.capacity() + ends_.capacity());
     }
 
 private:
+    void guess(const BoxList& list, const StripParts& parts);
     bool measure(const Kernels& kernels, const BoxList& list, const StripParts& parts);
+    bool scatter(const Kernels& kernels, const BoxList& list, const StripParts& parts);
 
-    std::vector<Entry> entries_;       // part by part
-    std::vector<std::uint32_t> ends_;  // of the parts
+    std::vector<Entry> entries_;         // part by part
+    std::vector<std::uint32_t> starts_;  // of the room for each part, and the end of the last
+    std::vector<std::uint32_t> ends_;    // of what is there; before that, how much room it takes
 };
 
 }  // namespace collision
