@@ -16,7 +16,7 @@ template <class Ints>
     at = at > least ? at : least;
     at = at < most ? at : most;
     using Unsigned [[gnu::vector_size(sizeof(Ints))]] = std::uint32_t;
-    return reinterpret_cast<Unsigned>(at - least);
+    return reinterpret_cast<Unsigned>(at) - reinterpret_cast<Unsigned>(least);
 }
 
 template <class Lanes, class Box>
@@ -28,13 +28,14 @@ template <class Lanes, class Box>
     std::uint32_t* next = tall;
     Ints indices;
     for (unsigned i = 0; i < Lanes::INTS; ++i) indices[i] = static_cast<std::int32_t>(i);
-    const auto strip_of = [&grid](Ints y) [[gnu::always_inline]] {
+    const auto strip_of = [&grid](Ints y) __attribute__((always_inline)) {
         const StripParts& to = grid.strips;
         return (offsets_in(to.first, to.last, y) >> to.shift) * to.scale >> 16;
     };
-    const auto vector = [&](unsigned i, const Box* from) [[gnu::always_inline]] {
-        const auto box =
-            columns<Lanes>([from](unsigned k) [[gnu::always_inline]] { return box_of(from[k]); });
+    const auto vector = [&](unsigned i, const Box* from) __attribute__((always_inline)) {
+        const auto box = columns<Lanes>([from](unsigned k) __attribute__((always_inline)) {
+            return box_of(from[k]);
+        });
         const auto strip = strip_of(box.min_y);
         const BucketParts& to = grid.buckets;
         const auto cell = strip * to.count + (offsets_in(to.first, to.last, box.min_x) >> to.shift);

@@ -13,7 +13,7 @@ struct Entry {
     std::uint32_t index;
 };
 
-// Not owned.  Fewer than 2^31.
+// Not owned.  Fewer than 2^30, so that with their copies they can be counted in 32 bits.
 struct BoxList {
     const Aabb* boxes;     // called 0, 1, 2 ..., or null
     const Entry* entries;  // where `boxes` is null

@@ -28,7 +28,7 @@ template <class Lanes, class Box>
                 __builtin_shufflevector(max_ab, max_cd, 0, 1, 4, 5),
                 __builtin_shufflevector(max_ab, max_cd, 2, 3, 6, 7)};
     } else {
-        const auto both = [&box](unsigned i) [[gnu::always_inline]] -> Ints {
+        const auto both = [&box](unsigned i) __attribute__((always_inline))->Ints {
             return __builtin_shufflevector(four(box(i)), four(box(i + 4)), 0, 1, 2, 3, 4, 5, 6, 7);
         };
         const Ints a = both(0), b = both(1), c = both(2), d = both(3);

@@ -34,8 +34,9 @@ template <class Lanes, class Box>
         const Ints bare = entries & ~visitor;
         std::uint32_t which[Lanes::INTS];
         std::memcpy(which, &bare, sizeof bare);
-        const auto box = columns<Lanes>(
-            [&](unsigned k) [[gnu::always_inline]] { return box_of(boxes[which[k]]); });
+        const auto box = columns<Lanes>([&](unsigned k) __attribute__((always_inline)) {
+            return box_of(boxes[which[k]]);
+        });
         if constexpr (std::is_same_v<Box, Entry>)
             for (std::uint32_t& index : which) index = boxes[index].index;
         const Ints min_y = entries < 0 ? visitor : box.min_y;

@@ -29,7 +29,7 @@ struct StripParts {
         const std::uint32_t span = offset_in(first, last, last);
         while (span >> shift >= 1u << 16) ++shift;
         const std::uint32_t units = (span >> shift) + 1;
-        count = std::min(wanted, units);
+        count = static_cast<unsigned>(std::min<std::uint32_t>(wanted, units));
         scale = static_cast<std::uint32_t>((std::uint64_t{count} << 16) / units);
     }
     [[gnu::always_inline]] std::uint32_t operator()(std::int32_t at) const {

@@ -44,7 +44,7 @@ struct Vectors {
         unsigned count = 0;
         for (unsigned i = 0; i < INTS; ++i) {
             to[count] = static_cast<std::uint32_t>(numbers[i]);
-            count += mask[i] & 1u;
+            count += static_cast<unsigned>(mask[i]) & 1u;
         }
         return count;
     }
@@ -75,7 +75,8 @@ struct Plain : Vectors<16> {
 
     static std::uint64_t bits(Shorts mask) {
         std::uint64_t all = 0;
-        for (unsigned i = 0; i < SHORTS; ++i) all |= std::uint64_t{mask[i] & 1u} << (STRIDE * i);
+        for (unsigned i = 0; i < SHORTS; ++i)
+            all |= std::uint64_t{static_cast<unsigned>(mask[i]) & 1u} << (STRIDE * i);
         return all;
     }
     static void append(PairRoom& room, std::uint32_t a, const std::uint32_t* others, Ints mask) {

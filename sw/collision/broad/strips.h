@@ -8,6 +8,10 @@
 //
 // Strips are a few mean heights tall, so that most boxes lie in one or two of them whatever their
 // sizes; where one still holds far more than its share, as in a cluster, it is cut in the same way.
+// More boxes than the caches hold are first copied into parts of the world, each then a world.
+//
+// Along x a strip is only sorted into buckets of a few boxes: a row is swept to the end of the
+// bucket in which its box ends, and whether the two touch is asked in full.
 //
 // Source: cell lists (Hockney and Eastwood, Computer Simulation Using Particles, 1981) along one
 // axis, sort and sweep (Baraff 1992) along the other.
@@ -28,13 +32,14 @@ public:
 
     // Clears `overlaps`, then fills it with every pair of boxes that overlap, touching included,
     // each once with first < second, in no particular order.  Exact for coordinates up to
-    // COORDINATE_LIMIT; min <= max in every box; count < 2^31.  Remembers nothing but its memory.
+    // COORDINATE_LIMIT; min <= max in every box; count < 2^30.  Remembers nothing but its memory.
     //
     // n boxes, k pairs: O(n + k) where neither tall nor wide boxes crowd a place without
     // overlapping there.  Allocates only when there are more boxes or pairs than ever before.
     void find(const Aabb* boxes, unsigned count, PairList& overlaps);
 
-    std::size_t bytes() const;  // of memory in use
+    // Of memory in use: 35 a box at 100,000 boxes, 36 at a million, XX at 1,000.
+    std::size_t bytes() const;
 
 private:
     void find(const BoxList& list, unsigned depth, PairWriter& writer);
