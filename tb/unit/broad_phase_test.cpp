@@ -365,8 +365,8 @@ Sorted sorted_sweep(const Boxes& boxes) {
     return pairs;
 }
 
-// So many that the world is cut into parts by a sample, and boxes that no sample would expect: first
-// all is even, then most of those between every few hundredth lie in one part.
+// So many that the world is cut into parts by a sample.  First all is even, then most boxes that no
+// sample sees crowd in one place.
 TEST(Strips, FindsAllPairsAmongMoreBoxesThanItSortsAtOnce) {
     std::mt19937 random(4);
     std::uniform_int_distribution<std::int64_t> place(0, FAR - 1), sides(0, 3'000'000);

@@ -48,8 +48,8 @@ template <class Lanes, class Box>
     }
 }
 
-// Fetches the boxes that order[0 .. count) names, with AS_VISITOR or without, and whatever its slack
-// names.  O(count).
+// Fetches the boxes that order[0 .. count) names, with AS_VISITOR or without, and whatever its
+// slack names.  O(count).
 template <class Lanes>
 void fill_rows(const BoxList& list, const std::uint32_t* order, unsigned count,
                const RowArrays& rows) {

@@ -6,8 +6,8 @@
 
 namespace collision {
 
-// Positions outside `first` to `last` belong to the first and the last part of an axis.  Returns the
-// distance from `first`.
+// The distance from `first`.  Positions outside `first` to `last` belong to the first and the last
+// part of an axis.
 [[gnu::always_inline]] inline std::uint32_t offset_in(std::int32_t first, std::int32_t last,
                                                       std::int32_t at) {
     return static_cast<std::uint32_t>(at < first  ? first
@@ -16,8 +16,9 @@ namespace collision {
            static_cast<std::uint32_t>(first);
 }
 
-// Equal strips.  Keeps the order of any two positions, so boxes that overlap have a strip in common.
-// All in 32 bits, since vectors have no wider product: `shift` makes 16 of an offset.
+// Equal strips, to within 2^-16 of all.  Keeps the order of any two positions, so that boxes that
+// overlap have a strip in common.  All in 32 bits, since vectors have no wider product: `shift`
+// makes 16 of an offset.
 struct StripParts {
     std::int32_t first, last;
     unsigned count, shift;

@@ -10,8 +10,9 @@ namespace {
 constexpr std::size_t PAGE = 1024, SKEW = 208;  // elements
 
 // Boxes spread at random with m others in their bucket on average: the sum of the squares of the
-// numbers of boxes is then m + 1 times the number of boxes.
-constexpr std::uint64_t UNEVEN = 12;
+// numbers of boxes is then m + 1 times the number of boxes.  A few vectors of others cost less than
+// to cut the world again.
+constexpr std::uint64_t UNEVEN = 32;
 
 }  // namespace
 

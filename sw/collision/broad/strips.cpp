@@ -13,6 +13,7 @@ constexpr unsigned IN_PART = 1 << 14;     // boxes that more are cut into
 constexpr unsigned MOST_STRIPS = 1024;
 constexpr unsigned MOST_LEVELS = 8;
 constexpr unsigned IN_BUCKET = 2;  // boxes at least, on average
+constexpr unsigned FINER = 2;      // buckets a box where boxes are known to crowd
 constexpr unsigned FEW = 256;      // boxes that are not worth cutting again
 constexpr unsigned CROWDED = 4;    // times the mean number of boxes in a strip
 
@@ -89,7 +90,8 @@ void Strips::find(const BoxList& list, unsigned depth, PairWriter& writer) {
             find(part, depth + 1, writer);
             continue;
         }
-        if (!grid_.sort(part, {ONE_STRIP, sample.buckets(part.count)})) grid_.sort_exactly(part);
+        if (!grid_.sort(part, {ONE_STRIP, sample.buckets(IN_BUCKET * FINER * part.count)}))
+            grid_.sort_exactly(part);
         sweep(writer);
     }
 }
