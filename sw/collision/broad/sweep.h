@@ -32,7 +32,7 @@ public:
     //
     // n boxes, k pairs that overlap on the axis: O(n + k), a vector at a time, plus the exchanges
     // that the order takes; beyond MOST_MOVES a box it is sorted anew in O(n).  For n boxes all
-    // over a square k is O(n sqrt(n)) at best.  47 bytes a box.
+    // over a square k is O(n sqrt(n)) at best.  43 bytes a box.
     void find(const Aabb* boxes, unsigned count, PairList& overlaps);
 
 private:
