@@ -345,6 +345,44 @@ TEST(Strips, FindsTheSamePairsAsAnewWhereBoxesCrowdAfterTicksInWhichTheyDidNot) 
     }
 }
 
+// By a sort and a sweep of its own: too many for brute force.
+Sorted sorted_sweep(const Boxes& boxes) {
+    std::vector<std::uint32_t> order(boxes.size());
+    std::iota(order.begin(), order.end(), 0u);
+    std::sort(order.begin(), order.end(),
+              [&](auto a, auto b) { return boxes[a].min.x < boxes[b].min.x; });
+    Sorted pairs;
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        const Aabb& a = boxes[order[i]];
+        for (std::size_t j = i + 1; j < order.size(); ++j) {
+            const Aabb& b = boxes[order[j]];
+            if (b.min.x > a.max.x) break;
+            if (gap(a.min.y, a.max.y, b.min.y, b.max.y) <= 0)
+                pairs.push_back(pair_of(order[i], order[j]));
+        }
+    }
+    std::sort(pairs.begin(), pairs.end());
+    return pairs;
+}
+
+// So many that the world is cut into parts by a sample.  First all is even, then most boxes that no
+// sample sees crowd in one place.
+TEST(Strips, FindsAllPairsAmongMoreBoxesThanItSortsAtOnce) {
+    std::mt19937 random(4);
+    std::uniform_int_distribution<std::int64_t> place(0, FAR - 1), sides(0, 3'000'000);
+    for (const bool even : {true, false}) {
+        Boxes boxes;
+        for (int i = 0; i < 150'000; ++i) {
+            const bool sampled = i % 61 == 0 || i % 586 == 0;
+            const std::int64_t y = even || sampled ? place(random) : FAR / 2 + place(random) / 16;
+            boxes.push_back(box(place(random), y, sides(random), sides(random)));
+        }
+        const Sorted truth = sorted_sweep(boxes);
+        for (const Kernels* kernels : available_kernels())
+            EXPECT_EQ(finder<Strips>("strips", *kernels)(boxes), truth) << kernels->name;
+    }
+}
+
 // ---- What it takes ----
 
 TEST(Strips, TakesLessThanAHundredBytesABoxWhereEveryBoxIsTall) {
@@ -357,8 +395,10 @@ TEST(Strips, TakesLessThanAHundredBytesABoxWhereEveryBoxIsTall) {
 }
 
 #if defined(__x86_64__)
-TEST(Kernels, AreThoseForAvx2WhereTheProcessorHasIt) {
-    EXPECT_STREQ(fastest_kernels().name, __builtin_cpu_supports("avx2") ? "AVX2" : "SSE2");
+TEST(Kernels, AreTheWidestThatTheProcessorHas) {
+    const bool avx512 = __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl");
+    const char* avx2_or_less = __builtin_cpu_supports("avx2") ? "AVX2" : "SSE2";
+    EXPECT_STREQ(fastest_kernels().name, avx512 ? "AVX-512" : avx2_or_less);
 }
 #endif
 

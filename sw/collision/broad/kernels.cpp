@@ -2,13 +2,14 @@
 #include "collision/broad/kernels.h"
 
 #include "collision/broad/kernels_avx2.h"
+#include "collision/broad/kernels_avx512.h"
 
 namespace collision {
 namespace {
 
 template <class Lanes>
 constexpr Kernels kernels_of(const char* name) {
-    return {name, short_rows<Lanes>, strip_rows<Lanes>};
+    return {name, 4, short_rows<Lanes>, box_cells<Lanes>, fill_rows<Lanes>, strip_rows<Lanes>};
 }
 
 constexpr Kernels BASELINE[] = {
@@ -24,14 +25,12 @@ constexpr Kernels BASELINE[] = {
 
 KernelList available_kernels() {
     KernelList list = {};
+    if (const Kernels* avx512 = avx512_kernels()) list.kernels[list.count++] = avx512;
     if (const Kernels* avx2 = avx2_kernels()) list.kernels[list.count++] = avx2;
     for (const Kernels& kernels : BASELINE) list.kernels[list.count++] = &kernels;
     return list;
 }
 
-const Kernels& fastest_kernels() {
-    const Kernels* avx2 = avx2_kernels();
-    return avx2 ? *avx2 : BASELINE[0];
-}
+const Kernels& fastest_kernels() { return *available_kernels().kernels[0]; }
 
 }  // namespace collision

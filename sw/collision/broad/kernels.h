@@ -5,6 +5,9 @@
 
 #include <cstddef>
 
+#include "collision/broad/box_cells.h"
+#include "collision/broad/box_list.h"
+#include "collision/broad/fill_rows.h"
 #include "collision/broad/pair_writer.h"
 #include "collision/broad/short_rows.h"
 #include "collision/broad/strip_rows.h"
@@ -12,16 +15,22 @@
 namespace collision {
 
 struct Kernels {
-    const char* name;  // "plain", "SSE2", "AVX2", "NEON"
+    const char* name;  // "plain", "SSE2", "AVX2", "AVX-512", "NEON"
 
-    // See short_rows.h and strip_rows.h.
+    unsigned strip_heights;  // of a strip, in mean heights of a box, that suits strip_rows
+
+    // See the header of the same name.
     unsigned (*short_rows)(const ShortBoxes& shorts, unsigned count, unsigned row, ShortHits& hits);
+    unsigned (*box_cells)(const BoxList& list, const GridParts& parts, std::uint32_t* cells,
+                          std::uint32_t* tall);
+    void (*fill_rows)(const BoxList& list, const std::uint32_t* order, unsigned count,
+                      const RowArrays& rows);
     unsigned (*strip_rows)(const StripRows& strip, unsigned row, PairRoom& room);
 };
 
-// Those that this machine can run, the fastest first: one to three.
+// Those that this machine can run, the fastest first: one to four.
 struct KernelList {
-    const Kernels* kernels[3];
+    const Kernels* kernels[4];
     std::size_t count;
 
     const Kernels* const* begin() const { return kernels; }

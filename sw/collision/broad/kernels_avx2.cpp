@@ -8,7 +8,12 @@ namespace collision {
 
 const Kernels* avx2_kernels() {
 #if defined(__AVX2__)
-    static constexpr Kernels KERNELS = {"AVX2", short_rows<lanes::Avx2>, strip_rows<lanes::Avx2>};
+    static constexpr Kernels KERNELS = {"AVX2",
+                                        4,
+                                        short_rows<lanes::Avx2>,
+                                        box_cells<lanes::Avx2>,
+                                        fill_rows<lanes::Avx2>,
+                                        strip_rows<lanes::Avx2>};
     return __builtin_cpu_supports("avx2") ? &KERNELS : nullptr;
 #else
     return nullptr;

@@ -10,6 +10,9 @@
 //     append(room, a, others, mask)
 //                     the pairs of a and others[i] where lane i of a mask of ints is all ones; INTS
 //                     places must be left
+//     collect(to, numbers, mask)
+//                     writes numbers[i] to `to` for each lane i of a mask of ints that is all ones,
+//                     in order, and returns how many; INTS places must be left
 //
 // Which of them exist depends on the flags of the file that includes this: Avx2 under -mavx2.  The
 // structs have different names, so that no function of one can be linked in place of another's.
@@ -34,6 +37,17 @@ struct Vectors {
     static constexpr unsigned SHORTS = BYTES / 2, INTS = BYTES / 4;
     using Shorts [[gnu::vector_size(BYTES)]] = std::int16_t;
     using Ints [[gnu::vector_size(BYTES)]] = std::int32_t;
+
+    template <class Numbers>  // Ints
+    [[gnu::always_inline]] static unsigned collect(std::uint32_t* to, Numbers numbers,
+                                                   Numbers mask) {
+        unsigned count = 0;
+        for (unsigned i = 0; i < INTS; ++i) {
+            to[count] = static_cast<std::uint32_t>(numbers[i]);
+            count += static_cast<unsigned>(mask[i]) & 1u;
+        }
+        return count;
+    }
 };
 
 // From any address that is a multiple of the element's size.
@@ -61,7 +75,8 @@ struct Plain : Vectors<16> {
 
     static std::uint64_t bits(Shorts mask) {
         std::uint64_t all = 0;
-        for (unsigned i = 0; i < SHORTS; ++i) all |= std::uint64_t{mask[i] & 1u} << (STRIDE * i);
+        for (unsigned i = 0; i < SHORTS; ++i)
+            all |= std::uint64_t{static_cast<unsigned>(mask[i]) & 1u} << (STRIDE * i);
         return all;
     }
     static void append(PairRoom& room, std::uint32_t a, const std::uint32_t* others, Ints mask) {
@@ -96,11 +111,8 @@ struct Avx2 : Vectors<32> {
     // Without a branch on the mask: the wanted lanes are moved to the front, all eight pairs are
     // written, and only those that are wanted count.
     static void append(PairRoom& room, std::uint32_t a, const std::uint32_t* others, Ints mask) {
-        const auto bits = static_cast<unsigned>(_mm256_movemask_ps(reinterpret_cast<__m256>(mask)));
-        const __m256i order =
-            _mm256_cvtepu8_epi32(_mm_loadl_epi64(reinterpret_cast<const __m128i*>(&FRONT[bits])));
-        const __m256i wanted = _mm256_permutevar8x32_epi32(
-            _mm256_loadu_si256(reinterpret_cast<const __m256i*>(others)), order);
+        const unsigned bits = int_bits(mask);
+        const __m256i wanted = to_front(load<Ints>(others), bits);
         const __m256i all_a = _mm256_set1_epi32(static_cast<int>(a));
         const __m256i first = _mm256_min_epu32(all_a, wanted);
         const __m256i second = _mm256_max_epu32(all_a, wanted);
@@ -109,8 +121,23 @@ struct Avx2 : Vectors<32> {
         _mm256_storeu_si256(to + 1, _mm256_unpackhi_epi32(first, second));
         room.next += __builtin_popcount(bits);
     }
+    static unsigned collect(std::uint32_t* to, Ints numbers, Ints mask) {
+        const unsigned bits = int_bits(mask);
+        const __m256i wanted = _mm256_permute4x64_epi64(to_front(numbers, bits), 0xD8);
+        _mm256_storeu_si256(reinterpret_cast<__m256i*>(to), wanted);
+        return static_cast<unsigned>(__builtin_popcount(bits));
+    }
 
 private:
+    static unsigned int_bits(Ints mask) {
+        return static_cast<unsigned>(_mm256_movemask_ps(reinterpret_cast<__m256>(mask)));
+    }
+    static __m256i to_front(Ints numbers, unsigned bits) {
+        const __m256i order =
+            _mm256_cvtepu8_epi32(_mm_loadl_epi64(reinterpret_cast<const __m128i*>(&FRONT[bits])));
+        return _mm256_permutevar8x32_epi32(reinterpret_cast<__m256i>(numbers), order);
+    }
+
     // For each mask the lane that goes to each place, a byte a place.  unpacklo and unpackhi make
     // pairs 0, 1, 4, 5 and 2, 3, 6, 7 of the places 0 .. 7.
     static constexpr std::array<std::uint64_t, 256> front() {

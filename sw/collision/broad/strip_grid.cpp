@@ -9,127 +9,86 @@ namespace {
 // Arrays a multiple of 4 KiB apart push each other out of the cache: these never are.
 constexpr std::size_t PAGE = 1024, SKEW = 208;  // elements
 
-// Boxes spread at random over as many buckets share theirs with one other on average: the sum of
-// the squares of the numbers of boxes is then twice the number of boxes.
-constexpr std::uint64_t UNEVEN = 12;
-constexpr std::uint64_t MOST_COPIES = 2;  // of a box, on average
+// Boxes spread at random with m others in their bucket on average: the sum of the squares of the
+// numbers of boxes is then m + 1 times the number of boxes.  A few vectors of others cost less than
+// to cut the world again.
+constexpr std::uint64_t UNEVEN = 32;
 
 }  // namespace
 
-void StripGrid::reserve(std::size_t places) {
-    if (index_.size() >= places) return;
-    stride_ = (places + places / 8 + PAGE - 1) / PAGE * PAGE + SKEW;
-    edges_.resize(4 * stride_);
-    sorted_.resize(stride_);
-    index_.resize(stride_);
-}
-
-void StripGrid::put(std::size_t place, const Aabb& box, std::int32_t min_y, std::uint32_t index) {
-    sorted_[place] = {{box.min.x, min_y}, box.max};
-    index_[place] = index;
-}
-
-void StripGrid::end_strip(std::size_t start, std::size_t end, const BucketOf& bucket_of) {
-    for (std::size_t i = end; i < end + StripRows::PADDING; ++i) {
-        constexpr std::int32_t MOST = std::numeric_limits<std::int32_t>::max();
-        put(i, {{MOST, MOST}, {MOST, MOST}}, MOST, 0);
-    }
-    std::int32_t *min_x = edge(0), *max_x = edge(1), *min_y = edge(2), *max_y = edge(3);
-    for (std::size_t i = start; i < end + StripRows::PADDING; ++i) {
-        const auto& [min, max] = sorted_[i];
-        min_x[i] = min.x;
-        max_x[i] = max.x;
-        min_y[i] = min.y;
-        max_y[i] = max.y;
-    }
-    strips_.push_back({edge(0) + start, edge(1) + start, edge(2) + start, edge(3) + start,
-                       index_.data() + start, static_cast<unsigned>(end - start), bucket_of.left,
-                       bucket_of.right, (std::uint32_t{1} << bucket_of.shift) - 1});
-}
-
-template <class Source, class Strip>
-bool StripGrid::sort(const Source& source, unsigned count, const Strip& strip_of,
-                     const BucketOf& bucket_of) {
-    strips_.clear();
-    const unsigned buckets = bucket_of.count;
-    places_.assign(std::size_t{buckets} * strip_of.count, 0);
-    std::uint32_t* places = places_.data();
-    std::uint64_t copies = 0;
-    for (unsigned i = 0; i < count; ++i) {
-        const Aabb& box = source.box(i);
-        const std::uint32_t first = strip_of(box.min.y), last = strip_of(box.max.y);
-        std::uint32_t* in_strip = places + first * buckets + bucket_of(box.min.x);
-        ++*in_strip;
-        for (std::uint32_t strip = first; strip < last; ++strip) ++*(in_strip += buckets);
-        copies += last - first;
-    }
-    if (copies > MOST_COPIES * count) return false;
-
+bool StripGrid::sort(const BoxList& list, const GridParts& parts) {
+    ends_.clear();
+    if (!cells_.count(*kernels_, list, parts)) return false;
+    std::vector<std::uint32_t>& counts = cells_.counts();
     std::uint32_t place = 0;
     std::uint64_t squares = 0;
-    for (unsigned strip = 0; strip < strip_of.count; ++strip) {
-        for (unsigned bucket = 0; bucket < buckets; ++bucket, ++places) {
-            const std::uint32_t in_bucket = *places;
-            squares += std::uint64_t{in_bucket} * in_bucket;
-            *places = place;
-            place += in_bucket;
-        }
-        place += StripRows::PADDING;
+    for (std::uint32_t& in_bucket : counts) {
+        const std::uint32_t count = in_bucket;
+        squares += std::uint64_t{count} * count;
+        in_bucket = place;  // where the bucket begins
+        place += count;
     }
-    if (squares > UNEVEN * count) return false;
+    if (squares > UNEVEN * list.count) return false;
 
-    reserve(place);
-    places = places_.data();
-    for (unsigned i = 0; i < count; ++i) {
-        const Aabb& box = source.box(i);
-        const std::uint32_t index = source.index(i);
-        const std::uint32_t first = strip_of(box.min.y), last = strip_of(box.max.y);
-        std::uint32_t* in_strip = places + first * buckets + bucket_of(box.min.x);
-        put((*in_strip)++, box, box.min.y, index);
-        for (std::uint32_t strip = first; strip < last; ++strip)
-            put((*(in_strip += buckets))++, box, VISITOR, index);
-    }
+    list_ = list;
+    buckets_ = parts.buckets;
+    along_y_ = false;
+    if (order_.size() < place + FILL_ROWS_SLACK) order_.resize(place + place / 8 + FILL_ROWS_SLACK);
+    std::uint32_t *order = order_.data(), *places = counts.data();
+    cells_.deal(
+        list, [=](unsigned i, std::uint32_t cell) { order[places[cell]++] = i; },
+        [=](unsigned i, std::uint32_t cell) { order[places[cell]++] = i | AS_VISITOR; });
+    std::fill_n(order + place, FILL_ROWS_SLACK, 0u);
     // Now each place is where the next bucket begins.
-    std::size_t start = 0;
-    for (unsigned strip = 0; strip < strip_of.count; ++strip) {
-        const std::size_t end = places_[(strip + 1) * std::size_t{buckets} - 1];
-        end_strip(start, end, bucket_of);
-        start = end + StripRows::PADDING;
-    }
+    for (unsigned strip = 1; strip <= parts.strips.count; ++strip)
+        ends_.push_back(places[strip * parts.buckets.count - 1]);
     return true;
 }
 
-template bool StripGrid::sort(const FromBoxes&, unsigned, const StripOf&, const BucketOf&);
-template bool StripGrid::sort(const FromEntries&, unsigned, const StripOf&, const BucketOf&);
-template bool StripGrid::sort(const FromEntries&, unsigned, const OneStrip&, const BucketOf&);
-
-void StripGrid::sort_exactly(const Entry* entries, unsigned count) {
-    keys_.resize(count);
-    for (unsigned i = 0; i < count; ++i) keys_[i] = sort_key(entries[i].box.min.x, i);
+void StripGrid::sort_exactly(const BoxList& list) {
+    keys_.resize(list.count);
+    for (unsigned i = 0; i < list.count; ++i) keys_[i] = sort_key(list.box(i).min.x, i);
     radix_sort(keys_, spare_);
-    arrange(FromEntries{entries}, keys_);
+    arrange(list, keys_, false);
 }
 
-template <class Source>
-void StripGrid::arrange(const Source& source, const std::vector<std::uint64_t>& keys) {
-    strips_.clear();
-    reserve(keys.size() + StripRows::PADDING);
-    std::size_t place = 0;
-    for (const std::uint64_t key : keys) {
-        const Aabb& box = source.box(index_of(key));
-        put(place++, box, box.min.y, source.index(index_of(key)));
+void StripGrid::arrange(const BoxList& list, const std::vector<std::uint64_t>& keys, bool along_y) {
+    list_ = list;
+    along_y_ = along_y;
+    const auto at = [along_y](const Aabb& box) { return along_y ? box.min.y : box.min.x; };
+    buckets_ = {at(list.box(index_of(keys.front()))), at(list.box(index_of(keys.back()))), 2};
+    buckets_.shift = 0;
+    order_.assign(keys.size() + FILL_ROWS_SLACK, 0);
+    for (std::size_t i = 0; i < keys.size(); ++i) order_[i] = index_of(keys[i]);
+    ends_.assign(1, static_cast<std::uint32_t>(keys.size()));
+}
+
+StripRows StripGrid::rows(unsigned strip) {
+    const std::uint32_t start = strip == 0 ? 0 : ends_[strip - 1];
+    const std::uint32_t count = ends_[strip] - start;
+    if (index_.size() < count + StripRows::PADDING) {
+        stride_ = (count + count / 8 + StripRows::PADDING + PAGE - 1) / PAGE * PAGE + SKEW;
+        edges_.resize(4 * stride_);
+        index_.resize(stride_);
     }
-    BucketOf units = {sorted_[0].min.x, sorted_[place - 1].min.x, 1};
-    units.shift = 0;
-    end_strip(0, place, units);
+    std::int32_t *min_x = edges_.data(), *max_x = min_x + stride_;
+    std::int32_t *min_y = max_x + stride_, *max_y = min_y + stride_;
+    kernels_->fill_rows(list_, order_.data() + start, count,
+                        {min_x, max_x, min_y, max_y, index_.data()});
+    for (std::int32_t* edge : {min_x, max_x, min_y, max_y})
+        std::fill_n(edge + count, StripRows::PADDING, std::numeric_limits<std::int32_t>::max());
+    if (along_y_) {
+        std::swap(min_x, min_y);
+        std::swap(max_x, max_y);
+    }
+    return {min_x,          max_x,         min_y,
+            max_y,          index_.data(), count,
+            buckets_.first, buckets_.last, (std::uint32_t{1} << buckets_.shift) - 1};
 }
-
-template void StripGrid::arrange(const FromAxis&, const std::vector<std::uint64_t>&);
 
 std::size_t StripGrid::bytes() const {
-    return 4 * (edges_.capacity() + index_.capacity() + places_.capacity()) +
-           8 * (keys_.capacity() + spare_.capacity()) + sizeof(Aabb) * sorted_.capacity() +
-           strips_.capacity() * sizeof(StripRows);
+    return cells_.bytes() + 8 * (keys_.capacity() + spare_.capacity()) +
+           4 * (order_.capacity() + ends_.capacity() + edges_.capacity() + index_.capacity());
 }
 
 }  // namespace collision

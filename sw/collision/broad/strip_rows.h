@@ -5,20 +5,18 @@
 #include <cstdint>
 #include <limits>
 
+#include "collision/broad/fill_rows.h"
 #include "collision/broad/lanes.h"
 #include "collision/broad/pair_writer.h"
 
 namespace collision {
 
-// In place of min.y: the box also lies in a strip below.  Two such boxes are not this strip's pair.
-constexpr std::int32_t VISITOR = std::numeric_limits<std::int32_t>::min();
-
 // One strip: `count` boxes in the order of their buckets of min.x, an array an edge, and PADDING
 // places more, where boxes lie to the right of all others.  The buckets are mask + 1 units wide,
 // the first from `left` on; whatever is left of it belongs to it too, and to the last what is
-// beyond `right`.
+// beyond `right`.  Two visitors are not this strip's pair.
 struct StripRows {
-    static constexpr unsigned PADDING = 8;
+    static constexpr unsigned PADDING = 16;
 
     const std::int32_t *min_x, *max_x, *min_y, *max_y;
     const std::uint32_t* index;

@@ -39,20 +39,24 @@ void Sweep::choose_axis(const Aabb* boxes, unsigned count) {
     keys_.clear();
 }
 
+std::uint64_t Sweep::key(const Aabb& box, std::uint32_t index) const {
+    return sort_key(along_y_ ? box.min.y : box.min.x, index);
+}
+
 // The keys of all boxes, anew.
-void Sweep::sort(const FromAxis& source, unsigned count) {
+void Sweep::sort(const Aabb* boxes, unsigned count) {
     keys_.resize(count);
-    for (unsigned i = 0; i < count; ++i) keys_[i] = sort_key(source.box(i).min.x, i);
+    for (unsigned i = 0; i < count; ++i) keys_[i] = key(boxes[i], i);
     radix_sort(keys_, spare_);
 }
 
 // Takes the new boxes over in the old order and sorts by insertion; false if that is too much work.
-bool Sweep::repair(const FromAxis& source) {
+bool Sweep::repair(const Aabb* boxes) {
     std::size_t moves = 0;
     const std::size_t most = MOST_MOVES * keys_.size();
     for (std::size_t i = 0; i < keys_.size(); ++i) {
         const std::uint32_t index = index_of(keys_[i]);
-        const std::uint64_t moved = sort_key(source.box(index).min.x, index);
+        const std::uint64_t moved = key(boxes[index], index);
         std::size_t place = i;
         for (; place > 0 && keys_[place - 1] > moved; --place) keys_[place] = keys_[place - 1];
         keys_[place] = moved;
@@ -65,14 +69,14 @@ bool Sweep::repair(const FromAxis& source) {
 void Sweep::find(const Aabb* boxes, unsigned count, PairList& overlaps) {
     if (count == 0) return overlaps.clear();
     choose_axis(boxes, count);
-    const FromAxis source = {boxes, along_y_};
-    if (keys_.size() != count || !repair(source)) sort(source, count);
-    sorted_.arrange(source, keys_);
+    if (keys_.size() != count || !repair(boxes)) sort(boxes, count);
+    sorted_.arrange({boxes, nullptr, count}, keys_, along_y_);
 
+    const StripRows rows = sorted_.rows(0);
     unsigned row = 0;
     PairWriter writer(overlaps);
     writer.write(count + StripRows::PADDING, [&](PairRoom& room) {
-        row = kernels_->strip_rows(sorted_.rows(0), row, room);
+        row = kernels_->strip_rows(rows, row, room);
         return row == count;
     });
     writer.finish();

@@ -1,0 +1,60 @@
+// fill_rows.h - a kernel of Strips: boxes fetched in their order and turned into an array an edge.
+#pragma once
+
+#include <limits>
+#include <type_traits>
+
+#include "collision/broad/box_list.h"
+#include "collision/broad/columns.h"
+
+namespace collision {
+
+// In place of min.y: the box also lies in a strip below.
+constexpr std::int32_t VISITOR = std::numeric_limits<std::int32_t>::min();
+
+// In an order: this box as a visitor.
+constexpr std::uint32_t AS_VISITOR = 0x80000000;
+
+struct RowArrays {
+    std::int32_t *min_x, *max_x, *min_y, *max_y;
+    std::uint32_t* index;
+};
+
+constexpr unsigned FILL_ROWS_SLACK =
+    8;  // places that fill_rows() may read or write beyond the last
+
+template <class Lanes, class Box>
+[[gnu::always_inline]] inline void rows_of(const Box* boxes, const std::uint32_t* order,
+                                           unsigned count, const RowArrays& arrays) {
+    using Ints = typename Lanes::Ints;
+    const RowArrays rows = arrays;  // a copy, or each vector that is written might have changed it
+    const Ints visitor = VISITOR - Ints{};
+    for (unsigned i = 0; i < count; i += Lanes::INTS) {
+        const auto entries = lanes::load<Ints>(order + i);
+        const Ints bare = entries & ~visitor;
+        std::uint32_t which[Lanes::INTS];
+        std::memcpy(which, &bare, sizeof bare);
+        const auto box = columns<Lanes>([&](unsigned k) __attribute__((always_inline)) {
+            return box_of(boxes[which[k]]);
+        });
+        if constexpr (std::is_same_v<Box, Entry>)
+            for (std::uint32_t& index : which) index = boxes[index].index;
+        const Ints min_y = entries < 0 ? visitor : box.min_y;
+        std::memcpy(rows.min_x + i, &box.min_x, sizeof(Ints));
+        std::memcpy(rows.max_x + i, &box.max_x, sizeof(Ints));
+        std::memcpy(rows.min_y + i, &min_y, sizeof(Ints));
+        std::memcpy(rows.max_y + i, &box.max_y, sizeof(Ints));
+        std::memcpy(rows.index + i, which, sizeof which);
+    }
+}
+
+// Fetches the boxes that order[0 .. count) names, with AS_VISITOR or without, and whatever its
+// slack names.  O(count).
+template <class Lanes>
+void fill_rows(const BoxList& list, const std::uint32_t* order, unsigned count,
+               const RowArrays& rows) {
+    list.boxes ? rows_of<Lanes>(list.boxes, order, count, rows)
+               : rows_of<Lanes>(list.entries, order, count, rows);
+}
+
+}  // namespace collision

@@ -1,0 +1,39 @@
+// world_parts.h - boxes copied into the parts of the world that they reach.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "collision/broad/kernels.h"
+
+namespace collision {
+
+class WorldParts {
+public:
+    // Into all parts that a box reaches, as a visitor into all but the lowest; into half as many
+    // parts and so on where there would be more than MOST_COPIES visitors a box.  O(count + parts).
+    void cut(const Kernels& kernels, const BoxList& list, StripParts parts);
+
+    static constexpr unsigned MOST_COPIES = 2;
+
+    // Valid until the next cut.
+    unsigned count() const { return static_cast<unsigned>(ends_.size()); }
+    BoxList part(unsigned i) const {
+        return {nullptr, entries_.data() + starts_[i], ends_[i] - starts_[i]};
+    }
+
+    std::size_t bytes() const {  // of memory in use
+        return entries_.capacity() * sizeof(Entry) + 4 * (starts_.capacity() + ends_.capacity());
+    }
+
+private:
+    void guess(const BoxList& list, const StripParts& parts);
+    bool measure(const Kernels& kernels, const BoxList& list, const StripParts& parts);
+    bool scatter(const Kernels& kernels, const BoxList& list, const StripParts& parts);
+
+    std::vector<Entry> entries_;         // part by part
+    std::vector<std::uint32_t> starts_;  // of the room for each part, and the end of the last
+    std::vector<std::uint32_t> ends_;    // of what is there; before that, how much room it takes
+};
+
+}  // namespace collision
