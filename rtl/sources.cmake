@@ -7,6 +7,7 @@ set(RTL_SOURCES
     bus/axi_read.v bus/axi_write.v bus/h2f_bridge.v bus/lw_bridge.v bus/lw_decode.v
     common/fifo.v common/sync.v
     gpio/output_port.v gpio/pio.v
+    jtag_uart/jtag_uart.v
     keypad/keypad.v keypad/keypad_scan.v
     sysid/sysid.v
     timer/interval_timer.v

@@ -6,13 +6,15 @@
 //
 // rdata_o is the oldest word while !empty_o, from the clock after its push.  A push when full is
 // dropped, even beside a pop; a pop when empty does nothing; clear_i empties and beats a push.
-// The memory is never read at the address that is written in the same clock.
+// The memory is never read at the address that is written in the same clock.  It is a memory for
+// each SLICE bits: so narrow that a block RAM would stand nearly empty, it becomes look-up tables.
 
 `default_nettype none
 
 module fifo #(
     parameter WIDTH      = 32,
-    parameter DEPTH_LOG2 = 7
+    parameter DEPTH_LOG2 = 7,
+    parameter SLICE      = WIDTH    // a divisor of WIDTH
 ) (
     input  wire                clk_i,
     input  wire                rst_i,
@@ -43,8 +45,8 @@ module fifo #(
     end
 
     // ---- Words ------------------------------------------------------------
-    reg [WIDTH-1:0]      memory [0:(1 << DEPTH_LOG2) - 1];
-    reg [WIDTH-1:0]      memory_q, passed_q;
+    wire [WIDTH-1:0]     memory_q;
+    reg [WIDTH-1:0]      passed_q;
     reg [DEPTH_LOG2-1:0] write_q, read_q;        // where the next word goes, where the head lies
     reg                  head_passed_q;
 
@@ -53,10 +55,17 @@ module fifo #(
 
     assign rdata_o = head_passed_q ? passed_q : memory_q;
 
-    always @(posedge clk_i) begin
-        if (push) memory[write_q] <= wdata_i;
-        if (pop && !pass) memory_q <= memory[next_read];
-    end
+    genvar n;
+    generate for (n = 0; n < WIDTH; n = n + SLICE) begin : slice
+        reg [SLICE-1:0] memory [0:(1 << DEPTH_LOG2) - 1];
+        reg [SLICE-1:0] word_q;
+        assign memory_q[n +: SLICE] = word_q;
+
+        always @(posedge clk_i) begin
+            if (push) memory[write_q] <= wdata_i[n +: SLICE];
+            if (pop && !pass) word_q <= memory[next_read];
+        end
+    end endgenerate
 
     always @(posedge clk_i) begin
         if (push) write_q <= write_q + ONE[DEPTH_LOG2-1:0];

@@ -51,11 +51,12 @@ module fifo_formal (
 
     // ---- Invariants: the words behind the head lie in the memory ----
     wire [1:0] dut__read_q, dut__write_q;
-    wire [3:0] dut__memory__0, dut__memory__1, dut__memory__2, dut__memory__3;
+    wire [3:0] dut__slice_0__memory__0, dut__slice_0__memory__1, dut__slice_0__memory__2,
+               dut__slice_0__memory__3;
     function [3:0] word_at;
         input [1:0] place;
-        word_at = place == 2'd0 ? dut__memory__0 : place == 2'd1 ? dut__memory__1
-                  : place == 2'd2 ? dut__memory__2 : dut__memory__3;
+        word_at = place == 2'd0 ? dut__slice_0__memory__0 : place == 2'd1 ? dut__slice_0__memory__1
+                  : place == 2'd2 ? dut__slice_0__memory__2 : dut__slice_0__memory__3;
     endfunction
 
     always @(*) if (live) begin

@@ -8,7 +8,8 @@ copy of the sources, and 0 means that the assert PROPERTY was seen to fail (all 
 and so is induction where it would need invariants, i_...).
 
 A harness sees into its instance `dut` by wires that it leaves undriven: dut__name is dut.name,
-dut__name__3 is word 3 of a memory.  They carry invariants that induction needs.
+dut__name__3 is word 3 of a memory, dut__block_0__name is in block[0] of a generate loop.  They
+carry invariants that induction needs.
 """
 import argparse
 import pathlib
@@ -45,8 +46,10 @@ def write_smt2(arguments, sources):
               f"cd {top}"]
     for name in sorted(set(re.findall(r"\bdut__\w+", text))):
         inner = name.replace("dut__", "dut.", 1)
+        inner = re.sub(r"\.([a-z]+)_(\d+)__", r".\1[\2].", inner)
         word = re.fullmatch(r"(.+)__(\d+)", inner)
         if word:
+            inner = f"{name}_word"
             script.append(f"rename {word[1]}[{word[2]}] {inner}")
         script.append(f"connect -nounset -set {name} {inner}")
     smt2 = arguments.work / f"{top}.smt2"
