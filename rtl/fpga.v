@@ -3,6 +3,7 @@
 //   lw_*  --> lw_bridge --+--> ledr hex sw key jp1 jp2 sysid
 //                         +--> keypad ---- JP1 D7-D0
 //                         +--> audio ----- WM8731
+//                         +--> jtag uarts  the host's terminal
 //                         +--> vga ------- ADV7123
 //   h2f_* --> h2f_bridge --> picture_store --^
 //
@@ -110,18 +111,28 @@ module fpga #(
     input  wire            aud_adcdat_i,
     output wire            i2c_sclk_o,
     output wire            i2c_sdat_oe_o,  // 1 = pull low
-    input  wire            i2c_sdat_i
+    input  wire            i2c_sdat_i,
+
+    // Host's side of the JTAG UARTs, bit or byte n of number n: see jtag_uart.v
+    input  wire [1:0]      jtag_take_i,
+    output wire [1:0]      jtag_sent_o,
+    output wire [15:0]     jtag_sent_data_o,
+    output wire [1:0]      jtag_room_o,
+    input  wire [1:0]      jtag_typed_i,
+    input  wire [15:0]     jtag_typed_data_i,
+    input  wire [1:0]      jtag_idle_i
 );
     `include "regmap.vh"
     `include "lw_blocks.vh"
 
     // ---- Bridges ----------------------------------------------------------
-    wire [13:0] we, re;
+    wire [15:0] we, re;
     wire [11:0] waddr, raddr;
     wire [31:0] wdata;
     wire [3:0]  wstrb;
     wire [31:0] ledr_rdata, hex3_0_rdata, hex5_4_rdata, sw_rdata, key_rdata, jp1_rdata, jp2_rdata;
     wire [31:0] sysid_rdata, vga_rdata, audio_rdata, keypad_rdata, timer0_rdata, timer1_rdata;
+    wire [31:0] jtag0_rdata, jtag1_rdata;
 
     lw_bridge #(.ID_W(ID_W)) lw (
         .clk_i(clk_i), .rst_i(rst_i),
@@ -137,7 +148,7 @@ module fpga #(
         .re_o(re), .raddr_o(raddr),
         .rdata_i(ledr_rdata | hex3_0_rdata | hex5_4_rdata | sw_rdata | key_rdata | jp1_rdata
                  | jp2_rdata | sysid_rdata | vga_rdata | audio_rdata | keypad_rdata
-                 | timer0_rdata | timer1_rdata)
+                 | timer0_rdata | timer1_rdata | jtag0_rdata | jtag1_rdata)
     );
 
     wire [3:0]  picture_we;
@@ -276,11 +287,32 @@ module fpga #(
         .irq_o(timer1_irq)
     );
 
+    // ---- JTAG UARTs -------------------------------------------------------
+    wire jtag0_irq;
+
+    jtag_uart jtag_uart0 (
+        .clk_i(clk_i), .rst_i(rst_i), .we_i(we[SEL_JTAG0]), .wstrb_i(wstrb), .waddr_i(waddr),
+        .wdata_i(wdata), .re_i(re[SEL_JTAG0]), .raddr_i(raddr), .rdata_o(jtag0_rdata),
+        .irq_o(jtag0_irq), .take_i(jtag_take_i[0]), .sent_o(jtag_sent_o[0]),
+        .sent_data_o(jtag_sent_data_o[7:0]), .room_o(jtag_room_o[0]), .typed_i(jtag_typed_i[0]),
+        .typed_data_i(jtag_typed_data_i[7:0]), .idle_i(jtag_idle_i[0])
+    );
+    // The second has no interrupt in the DE1-SoC Computer.
+    // verilator lint_off PINCONNECTEMPTY
+    jtag_uart jtag_uart1 (
+        .clk_i(clk_i), .rst_i(rst_i), .we_i(we[SEL_JTAG1]), .wstrb_i(wstrb), .waddr_i(waddr),
+        .wdata_i(wdata), .re_i(re[SEL_JTAG1]), .raddr_i(raddr), .rdata_o(jtag1_rdata),
+        .irq_o(), .take_i(jtag_take_i[1]), .sent_o(jtag_sent_o[1]),
+        .sent_data_o(jtag_sent_data_o[15:8]), .room_o(jtag_room_o[1]), .typed_i(jtag_typed_i[1]),
+        .typed_data_i(jtag_typed_data_i[15:8]), .idle_i(jtag_idle_i[1])
+    );
+    // verilator lint_on PINCONNECTEMPTY
+
     // ---- Interrupts -------------------------------------------------------
     assign irq_o = {31'd0, key_irq} << KEY_IRQ | {31'd0, audio_irq} << AUDIO_IRQ
                    | {31'd0, jp1_irq} << JP1_IRQ | {31'd0, jp2_irq} << JP2_IRQ
                    | {31'd0, keypad_irq} << KEYPAD_IRQ | {31'd0, timer0_irq} << TIMER0_IRQ
-                   | {31'd0, timer1_irq} << TIMER1_IRQ;
+                   | {31'd0, timer1_irq} << TIMER1_IRQ | {31'd0, jtag0_irq} << JTAG_UART0_IRQ;
 endmodule
 
 `default_nettype wire

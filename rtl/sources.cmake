@@ -5,8 +5,9 @@ set(RTL_SOURCES
     audio/audio.v audio/audio_clocks.v audio/codec_setup.v audio/i2c_writer.v audio/i2s_rx.v
     audio/i2s_tx.v
     bus/axi_read.v bus/axi_write.v bus/h2f_bridge.v bus/lw_bridge.v bus/lw_decode.v
-    common/fifo.v common/sync.v
+    common/fifo.v common/small_fifo.v common/sync.v
     gpio/output_port.v gpio/pio.v
+    jtag_uart/jtag_uart.v
     keypad/keypad.v keypad/keypad_scan.v
     sysid/sysid.v
     timer/interval_timer.v
@@ -14,8 +15,8 @@ set(RTL_SOURCES
 # Only on the board: pins, clock, processor.
 set(BOARD_SOURCES
     board/de1_soc/de1_soc_top.v board/de1_soc/header.v board/de1_soc/hps.v common/reset_sync.v)
-# In their places where there is neither a PLL nor a bridge: make bitstream-open.
-set(OPEN_SOURCES board/de1_soc/open_hps.v board/de1_soc/open_pll.v)
+# In the primitives' places where there are none: make bitstream-open.
+set(OPEN_SOURCES board/de1_soc/open_hps.v board/de1_soc/open_jtag.v board/de1_soc/open_pll.v)
 set(RTL_INCLUDES regmap bus vga)
 
 # verilate_rtl(TARGET TOP [TRACE_FST] SOURCES files under rtl/... ARGS for Verilator...)

@@ -15,5 +15,7 @@ localparam SEL_AUDIO     = 10;   // AUDIO and CODEC
 localparam SEL_KEYPAD    = 11;
 localparam SEL_TIMER0    = 12;
 localparam SEL_TIMER1    = 13;
-localparam SELECTS       = 14;
+localparam SEL_JTAG0     = 14;   // JTAG_UART0
+localparam SEL_JTAG1     = 15;
+localparam SELECTS       = 16;
 // verilator lint_on UNUSEDPARAM

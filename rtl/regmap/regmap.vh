@@ -1,7 +1,7 @@
 // regmap.vh - generated from regmap.def by `make regmap`; do not edit.
 // Every module uses a few of these constants.
 // verilator lint_off UNUSEDPARAM
-localparam [31:0] REGMAP_HASH = 32'hc29f9c6a;
+localparam [31:0] REGMAP_HASH = 32'h783edb5f;
 
 localparam [31:0] PICTURE0_BASE = 32'hc8000000;
 localparam [31:0] PICTURE0_SIZE = 32'h00080000;
@@ -61,6 +61,56 @@ localparam [31:0] JP2_MASK = 32'hff200078;
 localparam [31:0] JP2_MASK_RESET = 32'h00000000;
 localparam [31:0] JP2_EDGE = 32'hff20007c;
 localparam [31:0] JP2_EDGE_RESET = 32'h00000000;
+
+localparam [31:0] JTAG_UART0_BASE = 32'hff201000;
+localparam [31:0] JTAG_UART0_SIZE = 32'h00000008;
+localparam [31:0] JTAG_UART0_DATA = 32'hff201000;
+localparam [31:0] JTAG_UART0_DATA_RESET = 32'h00000000;
+localparam JTAG_UART0_DATA_DATA_LSB = 0;
+localparam JTAG_UART0_DATA_DATA_W = 8;
+localparam JTAG_UART0_DATA_RVALID_LSB = 15;
+localparam JTAG_UART0_DATA_RVALID_W = 1;
+localparam JTAG_UART0_DATA_RAVAIL_LSB = 16;
+localparam JTAG_UART0_DATA_RAVAIL_W = 16;
+localparam [31:0] JTAG_UART0_CONTROL = 32'hff201004;
+localparam [31:0] JTAG_UART0_CONTROL_RESET = 32'h00400000;
+localparam JTAG_UART0_CONTROL_RE_LSB = 0;
+localparam JTAG_UART0_CONTROL_RE_W = 1;
+localparam JTAG_UART0_CONTROL_WE_LSB = 1;
+localparam JTAG_UART0_CONTROL_WE_W = 1;
+localparam JTAG_UART0_CONTROL_RI_LSB = 8;
+localparam JTAG_UART0_CONTROL_RI_W = 1;
+localparam JTAG_UART0_CONTROL_WI_LSB = 9;
+localparam JTAG_UART0_CONTROL_WI_W = 1;
+localparam JTAG_UART0_CONTROL_AC_LSB = 10;
+localparam JTAG_UART0_CONTROL_AC_W = 1;
+localparam JTAG_UART0_CONTROL_WSPACE_LSB = 16;
+localparam JTAG_UART0_CONTROL_WSPACE_W = 16;
+
+localparam [31:0] JTAG_UART1_BASE = 32'hff201008;
+localparam [31:0] JTAG_UART1_SIZE = 32'h00000008;
+localparam [31:0] JTAG_UART1_DATA = 32'hff201008;
+localparam [31:0] JTAG_UART1_DATA_RESET = 32'h00000000;
+localparam JTAG_UART1_DATA_DATA_LSB = 0;
+localparam JTAG_UART1_DATA_DATA_W = 8;
+localparam JTAG_UART1_DATA_RVALID_LSB = 15;
+localparam JTAG_UART1_DATA_RVALID_W = 1;
+localparam JTAG_UART1_DATA_RAVAIL_LSB = 16;
+localparam JTAG_UART1_DATA_RAVAIL_W = 16;
+localparam [31:0] JTAG_UART1_CONTROL = 32'hff20100c;
+localparam [31:0] JTAG_UART1_CONTROL_RESET = 32'h00400000;
+localparam JTAG_UART1_CONTROL_RE_LSB = 0;
+localparam JTAG_UART1_CONTROL_RE_W = 1;
+localparam JTAG_UART1_CONTROL_WE_LSB = 1;
+localparam JTAG_UART1_CONTROL_WE_W = 1;
+localparam JTAG_UART1_CONTROL_RI_LSB = 8;
+localparam JTAG_UART1_CONTROL_RI_W = 1;
+localparam JTAG_UART1_CONTROL_WI_LSB = 9;
+localparam JTAG_UART1_CONTROL_WI_W = 1;
+localparam JTAG_UART1_CONTROL_AC_LSB = 10;
+localparam JTAG_UART1_CONTROL_AC_W = 1;
+localparam JTAG_UART1_CONTROL_WSPACE_LSB = 16;
+localparam JTAG_UART1_CONTROL_WSPACE_W = 16;
 
 localparam [31:0] TIMER0_BASE = 32'hff202000;
 localparam [31:0] TIMER0_SIZE = 32'h00000020;
@@ -235,6 +285,8 @@ localparam KEY_IRQ = 1;  // GIC ID 73
 localparam TIMER1_IRQ = 2;  // GIC ID 74
 
 localparam AUDIO_IRQ = 6;  // GIC ID 78
+
+localparam JTAG_UART0_IRQ = 8;  // GIC ID 80
 
 localparam JP1_IRQ = 11;  // GIC ID 83
 

@@ -37,6 +37,7 @@ Board::Board(const sc_core::sc_module_name& name, Audience& audience, Software s
       }},
       keypad{"keypad", seed, [this] { fpga.inputs().jp1 = jp1(); }},
       fpga{"fpga", *this, trace_file},
+      jtag_host{"jtag_host", fpga, [&audience](char character) { audience.console(character); }},
       ddr3{"ddr3", DDR3_SIZE, sc_core::sc_time{60, sc_core::SC_NS}},
       hps{"hps",
           {[&audience](char character) { audience.console(character); },
@@ -74,6 +75,10 @@ void Board::headers(const HeaderPins& pins, std::uint64_t, FabricInputs& in) {
     header_pins_ = pins;
     in.jp1 = jp1();
     in.jp2 = pins.jp2 | ~pins.jp2_oe;  // nothing is plugged in: pull-ups
+}
+
+void Board::jtag_byte(unsigned number, char byte, FabricInputs& in) {
+    jtag_host.byte(number, byte, in);
 }
 
 std::uint32_t Board::jp1() const {

@@ -5,6 +5,7 @@
 //                     +- Fpga lw, h2f --pins--+- Monitor   (VGA)
 //                                             +- Wm8731    (audio)
 //                                             +- Keypad    (JP1 D7-D0)
+//                                             +- JtagHost  (JTAG UARTs)
 //                                             +- KEY, SW, LEDR, HEX
 #pragma once
 
@@ -13,6 +14,7 @@
 #include <string>
 #include <variant>
 
+#include "sim/board/jtag_host.h"
 #include "sim/board/keypad.h"
 #include "sim/board/monitor.h"
 #include "sim/board/wm8731.h"
@@ -54,10 +56,14 @@ public:
     void hold(std::uint16_t keypad, std::uint8_t keys, std::uint16_t switches);
     void release(std::uint16_t keypad, std::uint8_t keys, std::uint16_t switches);
 
+    // At the first JTAG UART's terminal.
+    void type(const std::string& text) { jtag_host.type(text); }
+
 private:
     void video(const std::uint32_t* samples, std::size_t count) override;
     void codec(const CodecPins& pins, std::uint64_t time_ps, FabricInputs& in) override;
     void headers(const HeaderPins& pins, std::uint64_t time_ps, FabricInputs& in) override;
+    void jtag_byte(unsigned number, char byte, FabricInputs& in) override;
     std::uint32_t jp1() const;
 
     HeaderPins header_pins_{};
@@ -68,6 +74,7 @@ public:  // the parts, in the order in which they are soldered
     Wm8731 codec_chip;
     Keypad keypad;
     Fpga fpga;
+    JtagHost jtag_host;
     Memory ddr3;
     Peripherals hps;
     Bus bus;

@@ -86,6 +86,11 @@ inline void Fabric::clock() {
     top.jp2_i = in.jp2;
     top.aud_adcdat_i = in.adcdat;
     top.i2c_sdat_i = in.sdat;
+    top.jtag_take_i = in.jtag.take;
+    top.jtag_typed_i = in.jtag.typed;
+    top.jtag_typed_data_i = in.jtag.bytes;
+    top.jtag_idle_i = in.jtag.idle;
+    in.jtag.typed = in.jtag.idle = 0;
 
     top.clk_i = 1;
     top.eval();
@@ -122,6 +127,8 @@ inline void Fabric::clock() {
         was = {top.jp1_o, top.jp1_oe_o, top.jp2_o, top.jp2_oe_o};
         pins_.headers(was, time_ps(), in);
     }
+    for (unsigned sent = top.jtag_sent_o, n = 0; sent >> n; ++n)
+        if (sent >> n & 1) pins_.jtag_byte(n, static_cast<char>(top.jtag_sent_data_o >> 8 * n), in);
 }
 
 void Fabric::run(std::uint64_t clocks) {
@@ -222,5 +229,6 @@ AxiResponse Fabric::read(Bridge bridge, std::uint32_t address, std::uint8_t* dat
 std::uint16_t Fabric::ledr() const { return model_->top.ledr_o; }
 std::uint64_t Fabric::hex_n() const { return model_->top.hex_no; }
 std::uint32_t Fabric::irq() const { return model_->top.irq_o; }
+std::uint8_t Fabric::jtag_room() const { return model_->top.jtag_room_o; }
 
 }  // namespace sim

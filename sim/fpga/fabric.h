@@ -28,11 +28,20 @@ struct HeaderPins {
     std::uint32_t jp1, jp1_oe, jp2, jp2_oe;  // levels driven, and where they are driven
 };
 
+// The host's side of the JTAG UARTs, bit or byte n of number n.
+struct JtagInputs {
+    std::uint8_t take = 0;    // the host takes bytes
+    std::uint8_t typed = 0;   // a byte from the host, for one clock
+    std::uint8_t idle = 0;    // the host has nothing to send, for one clock
+    std::uint16_t bytes = 0;  // typed
+};
+
 struct FabricInputs {
     std::uint16_t sw = 0;
     std::uint8_t key_n = 0xf;
     std::uint32_t jp1 = 0xffffffff, jp2 = 0xffffffff;
     bool adcdat = false, sdat = true;
+    JtagInputs jtag;
 };
 
 class PinListener {
@@ -42,6 +51,8 @@ public:
     // Called after a clock in which one of them moved; may change `in`.
     virtual void codec(const CodecPins& pins, std::uint64_t time_ps, FabricInputs& in) = 0;
     virtual void headers(const HeaderPins& pins, std::uint64_t time_ps, FabricInputs& in) = 0;
+    // JTAG UART `number` has sent a byte; may change `in`.
+    virtual void jtag_byte(unsigned number, char byte, FabricInputs& in) = 0;
 
 protected:
     ~PinListener() = default;
@@ -75,8 +86,9 @@ public:
                       unsigned bytes);
 
     std::uint16_t ledr() const;
-    std::uint64_t hex_n() const;  // HEX5 in 41:35 ... HEX0 in 6:0, 0 = lit
-    std::uint32_t irq() const;    // bit n is interrupt ID 72 + n
+    std::uint64_t hex_n() const;     // HEX5 in 41:35 ... HEX0 in 6:0, 0 = lit
+    std::uint32_t irq() const;       // bit n is interrupt ID 72 + n
+    std::uint8_t jtag_room() const;  // bit n: JTAG UART n takes a byte from the host
 
     static bool can_trace();
 

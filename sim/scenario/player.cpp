@@ -99,6 +99,8 @@ void Player::act(const Release& step) {
     board_.release(step.controls.keypad, step.controls.keys, step.controls.switches);
 }
 
+void Player::act(const TypeSerial& step) { board_.type(step.text); }
+
 void Player::act(const WaitFrame& step) {
     const std::uint64_t pictures = senses_.new_pictures;
     const std::uint64_t number =

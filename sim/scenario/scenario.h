@@ -32,6 +32,9 @@ struct Hold {
 struct Release {
     Controls controls;
 };
+struct TypeSerial {  // goes on to the next step at once
+    std::string text;
+};
 struct WaitFrame {
     enum class What { NUMBER, NEXT, NEXT_SWAP };
     What what = What::NEXT;
@@ -67,8 +70,9 @@ struct TakeScreenshot {
     std::filesystem::path save_to;  // relative to the output folder, and inside it
 };
 
-using Action = std::variant<Delay, Press, Hold, Release, WaitFrame, WaitSerial, ExpectFrame,
-                            ExpectTone, ExpectSilence, ExpectLeds, ExpectHex, TakeScreenshot>;
+using Action =
+    std::variant<Delay, Press, Hold, Release, TypeSerial, WaitFrame, WaitSerial, ExpectFrame,
+                 ExpectTone, ExpectSilence, ExpectLeds, ExpectHex, TakeScreenshot>;
 
 struct Step {
     int line = 0;  // in the file, from 1

@@ -27,6 +27,24 @@ module altera_pll #(
 );
 endmodule
 
+module alt_jtag_atlantic #(
+    parameter INSTANCE_ID = 0,
+    parameter LOG2_RXFIFO_DEPTH = 0,
+    parameter LOG2_TXFIFO_DEPTH = 0,
+    parameter SLD_AUTO_INSTANCE_INDEX = "NO"
+) (
+    input  wire clk,
+    input  wire rst_n,
+    input  wire [7:0] r_dat,
+    input  wire r_val,
+    output wire r_ena,
+    output wire [7:0] t_dat,
+    input  wire t_dav,
+    output wire t_ena,
+    output wire t_pause
+);
+endmodule
+
 module cyclonev_hps_interface_clocks_resets (
     output wire h2f_rst_n,
     input  wire f2h_cold_rst_req_n,

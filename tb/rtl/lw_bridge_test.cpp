@@ -244,7 +244,7 @@ TEST_F(LwBridge, FindsABlockForEveryRegisterAndNoneElsewhere) {
         finish();
         EXPECT_EQ(axi.beats.back().resp, OKAY) << reg.name;
     }
-    for (std::uint32_t addr : {0x80u, 0x1000u, 0x2048u, 0x3050u, 0x5020u, 0x5110u, 0x1ffffcu}) {
+    for (std::uint32_t addr : {0x80u, 0x1010u, 0x2048u, 0x3050u, 0x5020u, 0x5110u, 0x1ffffcu}) {
         axi.read({1, addr, 1, 2, INCR});
         finish();
         EXPECT_EQ(axi.beats.back().resp, DECERR) << std::hex << addr;

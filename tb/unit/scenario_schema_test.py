@@ -22,6 +22,7 @@ GOOD_STEPS = [
     "delay: 500ms", "delay: 1.5s", "delay: 0.001ns",
     "press: {keypad: '5'}", "press: {keypad: 5, for: 80ms}", "press: {keypad: [A, '1', 2]}",
     "press: {key: 0, switch: [0, 9]}", "hold: {key: [0, 1, 2, 3]}", "hold: {switch: 3}",
+    "type-serial: 'ls -l'", "type-serial: \"\\n\"",
     "wait-frame: 120", "wait-frame: next", "wait-frame: next-swap",
     "wait-frame: {frame: 1, timeout: 2s}",
     "wait-serial: ready", "wait-serial: {text: '42', timeout: 1ns}",

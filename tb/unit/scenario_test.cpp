@@ -173,7 +173,12 @@ TEST(TakeScreenshot, TakesANameInTheOutputFolder) {
               "shots/a.b.png");
 }
 
+TEST(TypeSerial, TakesATextWithItsLineEnds) {
+    EXPECT_EQ(action<TypeSerial>("type-serial: \"ls\\n\"").text, "ls\n");
+}
+
 TEST(SayStep, SoundsLikeAPerson) {
+    EXPECT_EQ(step("type-serial: \"ls\\n\"").text, "type \"ls\\x0a\"");
     EXPECT_EQ(step("delay: 1500us").text, "wait 1.5ms");
     EXPECT_EQ(step("press: {keypad: [\"5\", \"1\"], key: 0}").text,
               "press keypad 1 and 5, key 0 for 100ms");

@@ -29,7 +29,7 @@ list() { sed -n "s/^set_global_assignment -name $1 //p" "$project" | tr '\n' ' '
 includes=$(list SEARCH_PATH | sed 's/[^ ]*/-I&/g; s/-I *$//')
 files=$(list VERILOG_FILE | sed 's/[^ ]*\/hps\.v//')
 yosys -q -l "$out/yosys.log" -p "
-    read_verilog $includes $files open_hps.v open_pll.v
+    read_verilog $includes $files open_hps.v open_jtag.v open_pll.v
     hierarchy -check -top de1_soc_top; proc; flatten; hierarchy -top de1_soc_top
     tribuf; simplemap t:\$tribuf; opt_clean
     iopadmap -bits -outpad MISTRAL_OB I:PAD -inpad MISTRAL_IB O:PAD \

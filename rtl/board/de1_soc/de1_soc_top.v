@@ -99,6 +99,8 @@ module de1_soc_top (
                     h2f_arvalid, h2f_arready, h2f_rlast, h2f_rvalid, h2f_rready;
     wire [31:0]     h2f_wdata, h2f_rdata;
     wire [31:0]     irq;
+    wire [1:0]      jtag_take, jtag_sent, jtag_room, jtag_typed, jtag_idle;
+    wire [15:0]     jtag_sent_data, jtag_typed_data;
 
     hps #(.ID_W(ID_W)) hps (
         .clk_i                (clk),
@@ -256,8 +258,37 @@ module de1_soc_top (
         .aud_adcdat_i         (AUD_ADCDAT),
         .i2c_sclk_o           (FPGA_I2C_SCLK),
         .i2c_sdat_oe_o        (sdat_oe),
-        .i2c_sdat_i           (FPGA_I2C_SDAT)
+        .i2c_sdat_i           (FPGA_I2C_SDAT),
+
+        .jtag_take_i          (jtag_take),
+        .jtag_sent_o          (jtag_sent),
+        .jtag_sent_data_o     (jtag_sent_data),
+        .jtag_room_o          (jtag_room),
+        .jtag_typed_i         (jtag_typed),
+        .jtag_typed_data_i    (jtag_typed_data),
+        .jtag_idle_i          (jtag_idle)
     );
+
+    // ---- The host's terminals, by the chip's JTAG pins ---------------------
+    genvar n;
+    generate for (n = 0; n < 2; n = n + 1) begin : jtag
+        alt_jtag_atlantic #(
+            .INSTANCE_ID             (n),
+            .LOG2_RXFIFO_DEPTH       (6),
+            .LOG2_TXFIFO_DEPTH       (6),
+            .SLD_AUTO_INSTANCE_INDEX ("YES")
+        ) atlantic (
+            .clk     (clk),
+            .rst_n   (!rst),
+            .r_ena   (jtag_take[n]),
+            .r_val   (jtag_sent[n]),
+            .r_dat   (jtag_sent_data[8 * n +: 8]),
+            .t_dav   (jtag_room[n]),
+            .t_ena   (jtag_typed[n]),
+            .t_dat   (jtag_typed_data[8 * n +: 8]),
+            .t_pause (jtag_idle[n])
+        );
+    end endgenerate
 endmodule
 
 `default_nettype wire

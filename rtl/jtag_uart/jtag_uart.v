@@ -1,0 +1,110 @@
+// jtag_uart.v - JTAG UART in the register layout of the DE1-SoC Computer, 64 bytes deep each way
+//
+//   +0 DATA      read: RAVAIL[31:16] left after this one, RVALID bit 15, the oldest byte, which
+//                goes away; write: a byte to the host, dropped if WSPACE is 0
+//   +4 CONTROL   RE bit 0, WE bit 1: let RI and WI come and interrupt; AC bit 10: the host was
+//                here, write 1 clears; WSPACE[31:16]: room for bytes to the host
+//                RI bit 8: there is room for 8 bytes from the host or fewer, or it has paused
+//                behind bytes and DATA was not read since
+//                WI bit 9: 8 bytes or fewer wait for the host
+//
+// The host's side has the timing and meaning of the ports of Quartus' alt_jtag_atlantic:
+//
+//   take_i  (r_ena)    the host takes a byte in this clock, if there is one
+//   sent_o  (r_val)    one clock later: here it is, in sent_data_o (r_dat)
+//   room_o  (t_dav)    the host may send
+//   typed_i (t_ena)    a byte from the host, in typed_data_i (t_dat)
+//   idle_i  (t_pause)  the host has looked and has nothing to send
+//
+// Source: Embedded Peripherals IP User Guide, JTAG UART Core, with its thresholds of 8.
+
+`default_nettype none
+
+module jtag_uart (
+    input  wire        clk_i,
+    input  wire        rst_i,
+
+    input  wire        we_i,
+    // Only the register's place in the block counts; few bits can be written.
+    // verilator lint_off UNUSED
+    input  wire [3:0]  wstrb_i,
+    input  wire [11:0] waddr_i,
+    input  wire [11:0] raddr_i,
+    input  wire [31:0] wdata_i,
+    // verilator lint_on UNUSED
+    input  wire        re_i,
+    output reg  [31:0] rdata_o,
+    output wire        irq_o,
+
+    input  wire        take_i,
+    output reg         sent_o,
+    output reg  [7:0]  sent_data_o,
+    output reg         room_o,
+    input  wire        typed_i,
+    input  wire [7:0]  typed_data_i,
+    input  wire        idle_i
+);
+    `include "regmap.vh"
+
+    localparam [6:0] DEPTH = 7'd64, THRESHOLD = 7'd8;
+
+    wire we_data    = we_i && wstrb_i[0] && waddr_i[2] == JTAG_UART0_DATA[2];
+    wire we_control = we_i && waddr_i[2] == JTAG_UART0_CONTROL[2];
+    wire re_data    = re_i && raddr_i[2] == JTAG_UART0_DATA[2];
+
+    // ---- To the host ------------------------------------------------------
+    wire [6:0] write_count;
+    wire [7:0] write_head;
+
+    // A write to a full FIFO is dropped by the FIFO; programs ask WSPACE before.
+    small_fifo write_fifo (
+        .clk_i(clk_i), .rst_i(rst_i), .push_i(we_data), .wdata_i(wdata_i[7:0]),
+        .pop_i(take_i), .rdata_o(write_head), .count_o(write_count)
+    );
+
+    always @(posedge clk_i) begin
+        sent_o <= 1'b0;
+        if (take_i && write_count != 7'd0) begin
+            sent_o      <= !rst_i;
+            sent_data_o <= write_head;
+        end
+    end
+
+    // ---- From the host ----------------------------------------------------
+    wire [6:0] read_count;
+    wire [7:0] read_head;
+    wire       read_empty = read_count == 7'd0;
+
+    small_fifo read_fifo (
+        .clk_i(clk_i), .rst_i(rst_i), .push_i(typed_i), .wdata_i(typed_data_i),
+        .pop_i(re_data), .rdata_o(read_head), .count_o(read_count)
+    );
+
+    always @(posedge clk_i) room_o <= read_count != DEPTH && !rst_i;
+
+    // ---- Registers --------------------------------------------------------
+    reg  re_q, we_q, ac_q, paused_q;
+    wire active = typed_i || idle_i;
+    wire ri     = re_q && (paused_q || DEPTH - read_count <= THRESHOLD);
+    wire wi     = we_q && write_count <= THRESHOLD;
+
+    assign irq_o = ri || wi;
+
+    always @(posedge clk_i) begin
+        if (we_control && wstrb_i[0]) {we_q, re_q} <= wdata_i[1:0];
+        if (active) ac_q <= 1'b1;
+        else if (we_control && wstrb_i[1] && wdata_i[JTAG_UART0_CONTROL_AC_LSB]) ac_q <= 1'b0;
+        if (idle_i && !read_empty) paused_q <= 1'b1;
+        else if (re_data) paused_q <= 1'b0;
+        if (rst_i) {re_q, we_q, ac_q, paused_q} <= 4'd0;
+    end
+
+    always @(posedge clk_i) begin
+        rdata_o <= 32'd0;
+        if (re_data && !read_empty) rdata_o <= {9'd0, read_count - 7'd1, 1'b1, 7'd0, read_head};
+        else if (re_i && !re_data)
+            rdata_o <= {9'd0, DEPTH - write_count, 5'd0, ac_q, wi, ri, 6'd0, we_q, re_q};
+    end
+endmodule
+
+`default_nettype wire
