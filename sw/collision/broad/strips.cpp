@@ -7,9 +7,10 @@
 namespace collision {
 namespace {
 
-constexpr unsigned MOST_IN_GRID = 1
-                                  << 17;  // boxes; to fetch more one by one costs more than a copy
-constexpr unsigned IN_PART = 1 << 14;     // boxes that more are cut into
+// Boxes.  To fetch more than these one by one costs more than to copy them into parts, which are
+// the strips unless those were smaller than is worth a part.
+constexpr unsigned MOST_IN_GRID = 1 << 17;
+constexpr unsigned LEAST_IN_PART = 1 << 12;
 constexpr unsigned MOST_STRIPS = 1024;
 constexpr unsigned MOST_LEVELS = 8;
 constexpr unsigned IN_BUCKET = 2;  // boxes at least, on average
@@ -75,7 +76,7 @@ void Strips::find(const BoxList& list, unsigned depth, PairWriter& writer) {
     if (list.count <= MOST_IN_GRID) {
         if (grid_.sort(list, {parts, sample.buckets(list.count / strips)})) return sweep(writer);
     } else {
-        parts = {parts.first, parts.last, std::min(strips, list.count / IN_PART)};
+        parts = {parts.first, parts.last, std::min(strips, list.count / LEAST_IN_PART)};
     }
 
     WorldParts& level = levels_[depth];
