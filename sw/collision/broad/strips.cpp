@@ -72,8 +72,9 @@ void Strips::find(const Aabb* boxes, unsigned count, PairList& overlaps) {
 void Strips::find(const BoxList& list, unsigned depth, PairWriter& writer) {
     const Sample sample(list);
     StripParts parts = sample.strips(kernels_->strip_heights);
+    const bool large = list.count > MOST_IN_GRID;  // which is no sign that boxes crowd
     const unsigned strips = parts.count;
-    if (list.count <= MOST_IN_GRID) {
+    if (!large) {
         if (grid_.sort(list, {parts, sample.buckets(list.count / strips)})) return sweep(writer);
     } else {
         parts = {parts.first, parts.last, std::min(strips, list.count / LEAST_IN_PART)};
@@ -91,8 +92,8 @@ void Strips::find(const BoxList& list, unsigned depth, PairWriter& writer) {
             find(part, depth + 1, writer);
             continue;
         }
-        if (!grid_.sort(part, {ONE_STRIP, sample.buckets(IN_BUCKET * FINER * part.count)}))
-            grid_.sort_exactly(part);
+        const unsigned for_buckets = IN_BUCKET * (large ? 1 : FINER) * part.count;
+        if (!grid_.sort(part, {ONE_STRIP, sample.buckets(for_buckets)})) grid_.sort_exactly(part);
         sweep(writer);
     }
 }
