@@ -383,6 +383,26 @@ TEST(Strips, FindsAllPairsAmongMoreBoxesThanItSortsAtOnce) {
     }
 }
 
+// Each tick all boxes to the right of `calm` are somewhere else there, and no others.
+TEST(Sweep, FindsAllPairsWhereverItsOrderIsLost) {
+    std::mt19937 random(5);
+    std::uniform_int_distribution<std::int64_t> place(0, 1'000'000), sides(0, 10'000);
+    Boxes boxes;
+    for (int i = 0; i < 5000; ++i)
+        boxes.push_back(box(place(random), place(random), sides(random), sides(random)));
+    std::vector<Finder> finders;
+    for (const Kernels* kernels : available_kernels())
+        finders.push_back(finder<Sweep>(kernels->name, *kernels));
+    for (const std::int64_t calm : {1'000'000, 999'000, 500'000, 2'000, 0}) {
+        for (Aabb& b : boxes)
+            if (b.min.x > calm)
+                b = box(calm + 1 + place(random) % (1'000'000 - calm), b.min.y, 5'000, 5'000);
+        const Sorted truth = sorted_sweep(boxes);
+        for (Finder& find : finders)
+            EXPECT_EQ(find(boxes), truth) << find.name << ", calm up to " << calm;
+    }
+}
+
 // ---- What it takes ----
 
 TEST(Strips, TakesLessThanAHundredBytesABoxWhereEveryBoxIsTall) {

@@ -30,13 +30,13 @@ public:
         for (unsigned k = 0; k < tall_count_; ++k) {
             const unsigned i = tall_[k];
             std::uint32_t cell = cells[i];
-            for (unsigned more = strips_above(list.box(i)); more > 0; --more)
+            for (unsigned more = above_[k]; more > 0; --more)
                 put_visitor(i, cell += parts_.buckets.count);
         }
     }
 
     std::size_t bytes() const {
-        return 4 * (cells_.capacity() + tall_.capacity() + counts_.capacity());
+        return 4 * (cells_.capacity() + tall_.capacity() + above_.capacity() + counts_.capacity());
     }
 
 private:
@@ -45,7 +45,8 @@ private:
     }
 
     GridParts parts_ = {{0, 0, 1}, {0, 0, 1}};
-    std::vector<std::uint32_t> cells_, tall_, counts_;
+    std::vector<std::uint32_t> cells_, counts_;
+    std::vector<std::uint32_t> tall_, above_;  // boxes, and in how many strips each is a visitor
     unsigned tall_count_ = 0;
 };
 

@@ -20,16 +20,20 @@ struct RowArrays {
     std::uint32_t* index;
 };
 
-constexpr unsigned FILL_ROWS_SLACK =
-    8;  // places that fill_rows() may read or write beyond the last
+constexpr unsigned FETCH_AHEAD = 16;      // boxes, where a processor does not look that far itself
+constexpr unsigned FETCH_FROM = 1 << 15;  // boxes: as many as its second cache cannot hold
+constexpr unsigned FILL_ROWS_SLACK = FETCH_AHEAD + 8;  // places that are read beyond the last
 
-template <class Lanes, class Box>
+template <class Lanes, bool AHEAD, class Box>
 [[gnu::always_inline]] inline void rows_of(const Box* boxes, const std::uint32_t* order,
                                            unsigned count, const RowArrays& arrays) {
     using Ints = typename Lanes::Ints;
     const RowArrays rows = arrays;  // a copy, or each vector that is written might have changed it
     const Ints visitor = VISITOR - Ints{};
     for (unsigned i = 0; i < count; i += Lanes::INTS) {
+        if constexpr (AHEAD)
+            for (unsigned k = 0; k < Lanes::INTS; ++k)
+                __builtin_prefetch(boxes + (order[i + FETCH_AHEAD + k] & ~AS_VISITOR));
         const auto entries = lanes::load<Ints>(order + i);
         const Ints bare = entries & ~visitor;
         std::uint32_t which[Lanes::INTS];
@@ -48,13 +52,17 @@ template <class Lanes, class Box>
     }
 }
 
-// Fetches the boxes that order[0 .. count) names, with AS_VISITOR or without, and whatever its
-// slack names.  O(count).
+// Fetches the boxes that order[0 .. count) names, with AS_VISITOR or without.  What the slack names
+// must be boxes, too; up to 7 rows more are written.  O(count).
 template <class Lanes>
 void fill_rows(const BoxList& list, const std::uint32_t* order, unsigned count,
                const RowArrays& rows) {
-    list.boxes ? rows_of<Lanes>(list.boxes, order, count, rows)
-               : rows_of<Lanes>(list.entries, order, count, rows);
+    if (!list.boxes)
+        rows_of<Lanes, false>(list.entries, order, count, rows);
+    else if (list.count < FETCH_FROM)
+        rows_of<Lanes, false>(list.boxes, order, count, rows);
+    else
+        rows_of<Lanes, true>(list.boxes, order, count, rows);
 }
 
 }  // namespace collision

@@ -58,8 +58,9 @@ void StripGrid::arrange(const BoxList& list, const std::vector<std::uint64_t>& k
     const auto at = [along_y](const Aabb& box) { return along_y ? box.min.y : box.min.x; };
     buckets_ = {at(list.box(index_of(keys.front()))), at(list.box(index_of(keys.back()))), 2};
     buckets_.shift = 0;
-    order_.assign(keys.size() + FILL_ROWS_SLACK, 0);
+    order_.resize(keys.size() + FILL_ROWS_SLACK);
     for (std::size_t i = 0; i < keys.size(); ++i) order_[i] = index_of(keys[i]);
+    std::fill_n(order_.data() + keys.size(), FILL_ROWS_SLACK, 0u);
     ends_.assign(1, static_cast<std::uint32_t>(keys.size()));
 }
 

@@ -7,9 +7,10 @@
 namespace collision {
 namespace {
 
-constexpr unsigned MOST_IN_GRID = 1
-                                  << 17;  // boxes; to fetch more one by one costs more than a copy
-constexpr unsigned IN_PART = 1 << 14;     // boxes that more are cut into
+// Boxes.  To fetch more than these one by one costs more than to copy them into parts, which are
+// the strips unless those were smaller than is worth a part.
+constexpr unsigned MOST_IN_GRID = 1 << 17;
+constexpr unsigned LEAST_IN_PART = 1 << 12;
 constexpr unsigned MOST_STRIPS = 1024;
 constexpr unsigned MOST_LEVELS = 8;
 constexpr unsigned IN_BUCKET = 2;  // boxes at least, on average
@@ -71,11 +72,12 @@ void Strips::find(const Aabb* boxes, unsigned count, PairList& overlaps) {
 void Strips::find(const BoxList& list, unsigned depth, PairWriter& writer) {
     const Sample sample(list);
     StripParts parts = sample.strips(kernels_->strip_heights);
+    const bool large = list.count > MOST_IN_GRID;  // which is no sign that boxes crowd
     const unsigned strips = parts.count;
-    if (list.count <= MOST_IN_GRID) {
+    if (!large) {
         if (grid_.sort(list, {parts, sample.buckets(list.count / strips)})) return sweep(writer);
     } else {
-        parts = {parts.first, parts.last, std::min(strips, list.count / IN_PART)};
+        parts = {parts.first, parts.last, std::min(strips, list.count / LEAST_IN_PART)};
     }
 
     WorldParts& level = levels_[depth];
@@ -90,8 +92,8 @@ void Strips::find(const BoxList& list, unsigned depth, PairWriter& writer) {
             find(part, depth + 1, writer);
             continue;
         }
-        if (!grid_.sort(part, {ONE_STRIP, sample.buckets(IN_BUCKET * FINER * part.count)}))
-            grid_.sort_exactly(part);
+        const unsigned for_buckets = IN_BUCKET * (large ? 1 : FINER) * part.count;
+        if (!grid_.sort(part, {ONE_STRIP, sample.buckets(for_buckets)})) grid_.sort_exactly(part);
         sweep(writer);
     }
 }

@@ -29,7 +29,8 @@ public:
 private:
     void guess(const BoxList& list, const StripParts& parts);
     bool measure(const Kernels& kernels, const BoxList& list, const StripParts& parts);
-    bool scatter(const Kernels& kernels, const BoxList& list, const StripParts& parts);
+    bool scatter(const Kernels& kernels, const BoxList& list, const StripParts& parts,
+                 unsigned spare);
 
     std::vector<Entry> entries_;         // part by part
     std::vector<std::uint32_t> starts_;  // of the room for each part, and the end of the last
