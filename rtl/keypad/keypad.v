@@ -47,8 +47,9 @@ module keypad #(
     reg  [15:0] told_q;     // keys as the events so far tell them
     reg  [3:0]  walk_q;
     wire        event_now = keys[walk_q] != told_q[walk_q];
-    wire        event_full, event_empty, pop;
+    wire        pop;
     wire [4:0]  event_head, event_count;
+    wire        event_empty = event_count == 5'd0;
 
     always @(posedge clk_i) begin
         if (keys != told_q) begin
@@ -63,10 +64,9 @@ module keypad #(
         end
     end
 
-    fifo #(.WIDTH(5), .DEPTH_LOG2(4)) events (
-        .clk_i(clk_i), .rst_i(rst_i), .clear_i(!enable_o),
-        .push_i(event_now), .wdata_i({keys[walk_q], walk_q}), .pop_i(pop), .rdata_o(event_head),
-        .count_o(event_count), .full_o(event_full), .empty_o(event_empty)
+    shift_fifo #(.WIDTH(5), .DEPTH_LOG2(4)) events (
+        .clk_i(clk_i), .rst_i(off), .push_i(event_now), .wdata_i({keys[walk_q], walk_q}),
+        .pop_i(pop), .rdata_o(event_head), .count_o(event_count)
     );
 
     // ---- Registers --------------------------------------------------------
@@ -88,7 +88,7 @@ module keypad #(
             end
             default: ;
         endcase
-        if (event_now && event_full) overflow_q <= 1'b1;
+        if (event_now && event_count[4]) overflow_q <= 1'b1;
         if (ghost) ghost_q <= 1'b1;
         if (rst_i) begin
             enable_o   <= 1'b0;

@@ -1,6 +1,7 @@
-// fifo_formal.v - no word lost, none invented, none out of order; the flags. By 2-step induction.
+// fifo_formal.v - no word lost, none invented, none out of order; the flags. By 4-step induction.
 //
-// The reference is a shift register of four words: a push appends, a pop moves all down.
+// The three FIFOs side by side.  The reference is a shift register of four words: a push appends, a
+// pop moves all down.
 
 `default_nettype none
 
@@ -19,6 +20,18 @@ module fifo_formal (
     fifo #(.WIDTH(4), .DEPTH_LOG2(2)) dut (
         .clk_i(clk_i), .rst_i(rst_i), .clear_i(clear_i), .push_i(push_i), .wdata_i(wdata_i),
         .pop_i(pop_i), .rdata_o(rdata), .count_o(count), .full_o(full), .empty_o(empty)
+    );
+
+    wire [3:0] small_rdata, shift_rdata;
+    wire [2:0] small_count, shift_count;
+
+    small_fifo #(.WIDTH(4), .DEPTH_LOG2(2)) small (
+        .clk_i(clk_i), .rst_i(rst_i || clear_i), .push_i(push_i), .wdata_i(wdata_i),
+        .pop_i(pop_i), .rdata_o(small_rdata), .count_o(small_count)
+    );
+    shift_fifo #(.WIDTH(4), .DEPTH_LOG2(2)) shift (
+        .clk_i(clk_i), .rst_i(rst_i || clear_i), .push_i(push_i), .wdata_i(wdata_i),
+        .pop_i(pop_i), .rdata_o(shift_rdata), .count_o(shift_count)
     );
 
     // ---- The reference ----
@@ -46,7 +59,13 @@ module fifo_formal (
         a_count: assert (count == words_q);
         a_full:  assert (full == (words_q == 3'd4));
         a_empty: assert (empty == (words_q == 3'd0));
-        if (words_q != 3'd0) a_order: assert (rdata == first_q);
+        a_small_count: assert (small_count == words_q);
+        a_shift_count: assert (shift_count == words_q);
+        if (words_q != 3'd0) begin
+            a_order:       assert (rdata == first_q);
+            a_small_order: assert (small_rdata == first_q);
+            a_shift_order: assert (shift_rdata == first_q);
+        end
     end
 
     // ---- Invariants: the words behind the head lie in the memory ----
@@ -58,11 +77,26 @@ module fifo_formal (
                   : place == 2'd2 ? dut__memory__2 : dut__memory__3;
     endfunction
 
+    wire [15:0] shift__words_q;
+    wire [2:0]  small__read_q;
+    wire [3:0]  small__memory__0, small__memory__1, small__memory__2, small__memory__3;
+    function [3:0] small_at;
+        input [1:0] place;
+        small_at = place == 2'd0 ? small__memory__0 : place == 2'd1 ? small__memory__1
+                   : place == 2'd2 ? small__memory__2 : small__memory__3;
+    endfunction
+
     always @(*) if (live) begin
         i_pointers: assert (dut__write_q == dut__read_q + words_q[1:0]);
         if (words_q > 3'd1) i_second: assert (word_at(dut__read_q + 2'd1) == second_q);
         if (words_q > 3'd2) i_third:  assert (word_at(dut__read_q + 2'd2) == third_q);
         if (words_q > 3'd3) i_fourth: assert (word_at(dut__read_q + 2'd3) == fourth_q);
+        if (words_q > 3'd1) i_shift2: assert (shift__words_q[7:4] == second_q);
+        if (words_q > 3'd2) i_shift3: assert (shift__words_q[11:8] == third_q);
+        if (words_q > 3'd3) i_shift4: assert (shift__words_q[15:12] == fourth_q);
+        if (words_q > 3'd1) i_small2: assert (small_at(small__read_q[1:0] + 2'd1) == second_q);
+        if (words_q > 3'd2) i_small3: assert (small_at(small__read_q[1:0] + 2'd2) == third_q);
+        if (words_q > 3'd3) i_small4: assert (small_at(small__read_q[1:0] + 2'd3) == fourth_q);
     end
 endmodule
 

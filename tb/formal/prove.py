@@ -8,7 +8,7 @@ copy of the sources, and 0 means that the assert PROPERTY was seen to fail (all 
 within N clocks of a reset, or else, with --induction, one clock after N clocks of any states in
 which the invariants, i_..., held.
 
-A harness sees into its instance `dut` by wires that it leaves undriven: dut__name is dut.name,
+A harness sees into its instances by wires that it leaves undriven: dut__name is dut.name,
 dut__name__3 is word 3 of a memory.  They carry invariants that induction needs.
 """
 import argparse
@@ -44,8 +44,8 @@ def write_smt2(arguments, step, sources):
     script = [f"read_verilog -sv -formal {includes} {files}",
               f"hierarchy -check -top {top}; proc; memory_collect; memory_map; flatten",
               f"cd {top}"]
-    for name in sorted(set(re.findall(r"\bdut__\w+", text))):
-        inner = name.replace("dut__", "dut.", 1)
+    for name in sorted(set(re.findall(r"\b[a-z]+__\w+", text))):
+        inner = name.replace("__", ".", 1)
         word = re.fullmatch(r"(.+)__(\d+)", inner)
         if word:
             script.append(f"rename {word[1]}[{word[2]}] {inner}")

@@ -59,18 +59,6 @@ module MISTRAL_FF (
         else if (ENA) Q <= !SCLR & (SLOAD ? SDATA : DATAIN);
 endmodule
 
-// Read in the clock, written at its edge.
-module MISTRAL_MLAB (
-    input wire [4:0] A1ADDR,
-    input wire       A1DATA, A1EN, CLK1,
-    input wire [4:0] B1ADDR,
-    output wire      B1DATA
-);
-    reg [31:0] mem = 32'd0;
-    always @(posedge CLK1) if (A1EN) mem[A1ADDR] <= A1DATA;
-    assign B1DATA = mem[B1ADDR];
-endmodule
-
 // A1EN is active low; a word read while it is written gives the old one.
 module MISTRAL_M10K #(
     parameter CFG_ABITS = 10,

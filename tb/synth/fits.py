@@ -1,11 +1,11 @@
 """fits.py FOLDER KEPT [--keep] - what the netlist takes of the 5CSEMA5F31C6, and whether it may.
 
 FOLDER holds Yosys' cells.txt, check.txt and yosys.log.  Fails above 80 % of what the device has, on
-a latch, a combinational loop, a memory that became registers, and on growth by more than 5 % over
-the numbers kept in KEPT (--keep writes them anew).
+a latch, a combinational loop, a memory that did not become M10Ks, and on growth by more than 5 %
+over the numbers kept in KEPT (--keep writes them anew).
 
 ALMs are bounded from above, as nothing is placed: a table of 5 or 6 inputs takes one, of fewer a
-half, an adder bit a half, a bit of MLAB a whole LAB of ten.  Four registers fit into an ALM.
+half, an adder bit a half.  Four registers fit into an ALM.
 """
 import json
 import pathlib
@@ -22,11 +22,11 @@ def counted(folder):
     halves = sum(cells.get(f"MISTRAL_{name}", 0)
                  for name in ("ALUT2", "ALUT3", "ALUT4", "NOT", "ALUT_ARITH"))
     whole = cells.get("MISTRAL_ALUT5", 0) + cells.get("MISTRAL_ALUT6", 0)
-    registers, mlabs = cells.get("MISTRAL_FF", 0), cells.get("MISTRAL_MLAB", 0)
-    return {"ALMs": max(whole + (halves + 1) // 2 + 10 * mlabs, (registers + 3) // 4),
+    registers = cells.get("MISTRAL_FF", 0)
+    return {"ALMs": max(whole + (halves + 1) // 2, (registers + 3) // 4),
             "registers": registers, "M10Ks": cells.get("MISTRAL_M10K", 0),
             "DSPs": sum(n for name, n in cells.items() if name.startswith("MISTRAL_MUL")),
-            "MLAB bits": mlabs}
+            "bits in MLABs": cells.get("MISTRAL_MLAB", 0)}
 
 
 def complaints(folder, used, kept):
@@ -36,6 +36,8 @@ def complaints(folder, used, kept):
     for name, was in kept.items():
         if used[name] > GROWTH * was:
             yield f"{name} grew from {was} to {used[name]}: make it less or run fits.py --keep"
+    if used["bits in MLABs"]:
+        yield f"{used['bits in MLABs']} memory cells are MLABs, not M10Ks"
     log = (folder / "yosys.log").read_text()
     yield from re.findall(r"^Latch inferred for .*$", log, re.M)
     yield from re.findall(r"^Mapping memory .*$", log, re.M)    # to registers

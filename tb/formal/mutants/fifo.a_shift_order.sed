@@ -1,0 +1,1 @@
+s/left == n/count_o == n/

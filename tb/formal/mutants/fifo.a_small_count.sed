@@ -1,0 +1,1 @@
+s/push_i \&\& count_o != FULL/push_i/
