@@ -109,11 +109,14 @@ way_to_bridges() {
 free_kib() {
     place=$root/
     [ ! -d "$opt" ] || place=$opt
-    df -Pk "$place" | {
-        read -r _
-        read -r _ _ _ free _
-        echo "$free"
-    }
+    free=$(df -Pk "$place" 2>/dev/null |
+        sed -n '2s/^[^ ]*  *[0-9]*  *[0-9]*  *\([0-9]*\) .*/\1/p')
+    # busybox's df knows no place below a root that is not mounted, as in a chroot.
+    [ -n "$free" ] || free=$(stat -f -c '%a %S' "$place" | {
+        read -r blocks size
+        echo $((blocks * (size / 512) / 2))
+    })
+    echo "$free"
 }
 
 # point LINK TO: at every moment the link points to the one before or to the new one
