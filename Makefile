@@ -10,8 +10,10 @@ all: build
 setup:                  ## install the Debian packages that are missing
 	@.ci/setup
 
+# A list of sources that has changed is read here: Verilator's rules would run with the old one.
 configure: setup
-	@[ -f build/build.ninja ] || cmake --preset default
+	@[ -f build/build.ninja ] && [ -z "$$(find rtl sim sw tb -newer build/build.ninja \
+	    '(' -name CMakeLists.txt -o -name '*.cmake' ')')" ] || cmake --preset default
 
 build: configure        ## build/bin/de1sim and the tests
 	@cmake --build build

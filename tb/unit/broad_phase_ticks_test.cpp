@@ -1,0 +1,122 @@
+// broad_phase_ticks_test.cpp - what strips and sweep keep from tick to tick, worlds too large for
+// brute force, and what it all takes.
+#include <gtest/gtest.h>
+
+#include <numeric>
+#include <random>
+
+#include "tb/unit/broad_phase_worlds.h"
+
+namespace {
+
+using namespace collision;
+using namespace tb;
+
+// As many as go through more than one level, heaped up tick by tick at the lower edge, then tall.
+TEST(Strips, FindsTheSamePairsAsAnewWhereBoxesCrowdAfterTicksInWhichTheyDidNot) {
+    std::mt19937 random(3);
+    std::uniform_int_distribution<std::int64_t> place(0, 1'000'000), sides(0, 10'000);
+    Strips kept;
+    PairList found, anew;
+    for (int tick = 0; tick < 8; ++tick) {
+        Boxes boxes;
+        for (int i = 0; i < 6000; ++i) {
+            const std::int64_t y = i % 8 < tick && i % 300 != 0 ? place(random) / 8 : place(random);
+            boxes.push_back(box(place(random), y, sides(random), sides(random)));
+            if (tick == 7 && i % 2 == 0) boxes.back() = box(place(random), y, 10, 40'000);
+        }
+        const auto count = static_cast<unsigned>(boxes.size());
+        kept.find(boxes.data(), count, found);
+        Strips{}.find(boxes.data(), count, anew);
+        std::sort(found.begin(), found.end());
+        std::sort(anew.begin(), anew.end());
+        EXPECT_EQ(found, anew) << "tick " << tick;
+        EXPECT_EQ(found, brute_force(boxes)) << "tick " << tick;
+    }
+}
+
+// By a sort and a sweep of its own: too many for brute force.
+Sorted sorted_sweep(const Boxes& boxes) {
+    std::vector<std::uint32_t> order(boxes.size());
+    std::iota(order.begin(), order.end(), 0u);
+    std::sort(order.begin(), order.end(),
+              [&](auto a, auto b) { return boxes[a].min.x < boxes[b].min.x; });
+    Sorted pairs;
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        const Aabb& a = boxes[order[i]];
+        for (std::size_t j = i + 1; j < order.size(); ++j) {
+            const Aabb& b = boxes[order[j]];
+            if (b.min.x > a.max.x) break;
+            if (gap(a.min.y, a.max.y, b.min.y, b.max.y) <= 0)
+                pairs.push_back(pair_of(order[i], order[j]));
+        }
+    }
+    std::sort(pairs.begin(), pairs.end());
+    return pairs;
+}
+
+// So many that the world is cut into parts by a sample.  First all is even, then most boxes that no
+// sample sees crowd in one place.
+TEST(Strips, FindsAllPairsAmongMoreBoxesThanItSortsAtOnce) {
+    std::mt19937 random(4);
+    std::uniform_int_distribution<std::int64_t> place(0, FAR - 1), sides(0, 3'000'000);
+    for (const bool even : {true, false}) {
+        Boxes boxes;
+        for (int i = 0; i < 150'000; ++i) {
+            const bool sampled = i % 61 == 0 || i % 586 == 0;
+            const std::int64_t y = even || sampled ? place(random) : FAR / 2 + place(random) / 16;
+            boxes.push_back(box(place(random), y, sides(random), sides(random)));
+        }
+        const Sorted truth = sorted_sweep(boxes);
+        for (const Kernels* kernels : available_kernels())
+            EXPECT_EQ(finder<Strips>("strips", *kernels)(boxes), truth) << kernels->name;
+    }
+}
+
+// Each tick all boxes to the right of `calm` are somewhere else there, and no others.
+TEST(Sweep, FindsAllPairsWhereverItsOrderIsLost) {
+    std::mt19937 random(5);
+    std::uniform_int_distribution<std::int64_t> place(0, 1'000'000), sides(0, 10'000);
+    Boxes boxes;
+    for (int i = 0; i < 5000; ++i)
+        boxes.push_back(box(place(random), place(random), sides(random), sides(random)));
+    std::vector<Finder> finders;
+    for (const Kernels* kernels : available_kernels())
+        finders.push_back(finder<Sweep>(kernels->name, *kernels));
+    for (const std::int64_t calm : {1'000'000, 999'000, 500'000, 2'000, 0}) {
+        for (Aabb& b : boxes)
+            if (b.min.x > calm)
+                b = box(calm + 1 + place(random) % (1'000'000 - calm), b.min.y, 5'000, 5'000);
+        const Sorted truth = sorted_sweep(boxes);
+        for (Finder& find : finders)
+            EXPECT_EQ(find(boxes), truth) << find.name << ", calm up to " << calm;
+    }
+}
+
+// ---- What it takes ----
+
+TEST(Strips, TakesLessThanAHundredBytesABoxWhereEveryBoxIsTall) {
+    Boxes boxes;
+    for (int i = 0; i < 100'000; ++i) boxes.push_back(box(i * 10, i % 1000 * 20, 5, 20'000));
+    Strips strips;
+    PairList overlaps;
+    strips.find(boxes.data(), static_cast<unsigned>(boxes.size()), overlaps);
+    EXPECT_LT(strips.bytes(), 100 * boxes.size());
+}
+
+#if defined(__x86_64__)
+TEST(Kernels, AreTheWidestThatTheProcessorHas) {
+    const bool avx512 = __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl");
+    const char* avx2_or_less = __builtin_cpu_supports("avx2") ? "AVX2" : "SSE2";
+    EXPECT_STREQ(fastest_kernels().name, avx512 ? "AVX-512" : avx2_or_less);
+}
+#endif
+
+TEST(Kernels, EndWithThePlainOnes) {
+    const KernelList list = available_kernels();
+    ASSERT_GE(list.count, 1u);
+    EXPECT_STREQ(list.kernels[list.count - 1]->name, "plain");
+    EXPECT_STREQ(list.kernels[0]->name, fastest_kernels().name);
+}
+
+}  // namespace
