@@ -1,20 +1,15 @@
-// The Cortex-A9 and its exceptions, time and interrupts, by small programs (arm/cpu_test.S).
+// The Cortex-A9 boots and takes its time, by small programs (arm/time.S).
 #include <gmock/gmock.h>
 
 #include "tb/sim/arm_system.h"
 
 namespace {
 
+using namespace tb::arm;
 using sc_core::SC_NS;
 using sc_core::sc_time;
-using sc_core::SC_US;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
-using ::testing::IsEmpty;
-
-constexpr std::uint32_t NOBODY = 0x80000000;
-constexpr std::uint32_t SVC_MODE = 0x13, IRQ_MODE = 0x12, FIQ_MODE = 0x11, ABT_MODE = 0x17,
-                        UND_MODE = 0x1b, MODE = 0x1f, I = 0x80, F = 0x40, THUMB = 0x20;
 
 class ArmCpu : public tb::ArmTest {
 protected:
@@ -42,185 +37,6 @@ TEST_F(ArmCpu, TellsProgramsWhereItsPrivatePeripheralsAre) {
 TEST_F(ArmCpu, StartsThumbProgramsByTheEntrysLowestBit) {
     run_to_end("test_thumb_abort", true);
     EXPECT_EQ(record().spsr & THUMB, THUMB);
-}
-
-// ---- Exceptions ---------------------------------------------------------------------------------
-
-TEST_F(ArmCpu, EntersTheUndefinedVectorWithTheNextAddress) {
-    run_to_end("test_undefined");
-    EXPECT_EQ(record().vector, 1u);
-    EXPECT_EQ(record().link, address_of("test_undefined") + 4);
-    EXPECT_EQ(record().cpsr & MODE, UND_MODE);
-    EXPECT_EQ(result(), 99u) << "goes on behind it";
-}
-
-TEST_F(ArmCpu, EntersTheSvcVectorWithTheNextAddress) {
-    run_to_end("test_svc");
-    EXPECT_EQ(record().vector, 2u);
-    EXPECT_EQ(record().link, address_of("test_svc") + 4);
-    EXPECT_EQ(record().cpsr & MODE, SVC_MODE);
-    EXPECT_EQ(result(), 99u);
-}
-
-TEST_F(ArmCpu, AbortsAReadThatNobodyAnswersWithItsAddressAndPc) {
-    run_to_end("test_read_abort");
-    EXPECT_EQ(record().vector, 4u);
-    EXPECT_EQ(record().link, address_of("at_read_abort") + 8);
-    EXPECT_EQ(record().cpsr & (MODE | I), ABT_MODE | I);
-    EXPECT_EQ(record().spsr & MODE, SVC_MODE);
-    EXPECT_EQ(record().status, 0x008u) << "synchronous external abort, read";
-    EXPECT_EQ(record().address, NOBODY + 4);
-}
-
-TEST_F(ArmCpu, LeavesTheRegistersOfAnAbortedReadAsTheyWere) {
-    run_to_end("test_read_abort");
-    EXPECT_EQ(result(0), 42u) << "not loaded";
-    EXPECT_EQ(result(1), NOBODY) << "no write-back";
-}
-
-TEST_F(ArmCpu, LeavesTheBaseOfAnAbortedMultipleReadAsItWas) {
-    run_to_end("test_ldm_abort");
-    EXPECT_EQ(record().link, address_of("at_ldm_abort") + 8);
-    EXPECT_EQ(record().address, NOBODY);
-    EXPECT_EQ(result(0), NOBODY);
-    EXPECT_EQ(system->bus.counts().errors, 1u) << "the second word is not asked for";
-}
-
-TEST_F(ArmCpu, AbortsAWriteThatNobodyAnswersAndSaysThatItWasOne) {
-    run_to_end("test_write_abort");
-    EXPECT_EQ(record().link, address_of("at_write_abort") + 8);
-    EXPECT_EQ(record().status, 0x808u);
-    EXPECT_EQ(record().address, NOBODY + 7);
-    EXPECT_EQ(result(), 99u);
-}
-
-TEST_F(ArmCpu, AbortsInThumbCodeWithTheSameLink) {
-    run_to_end("test_thumb_abort", true);
-    EXPECT_EQ(record().link, address_of("at_thumb_abort") + 8);
-    EXPECT_EQ(record().cpsr & THUMB, 0u);
-}
-
-TEST_F(ArmCpu, LogsAnAbortInOneLineWithAddressPcAndFunction) {
-    run_to_end("test_read_abort");
-    char pc[32];
-    std::snprintf(pc, sizeof pc, "PC 0x%08X in at_read_abort", address_of("at_read_abort"));
-    ASSERT_EQ(system->log.size(), 1u);
-    EXPECT_THAT(system->log[0], HasSubstr("data abort: read of 4 bytes at 0x80000004"));
-    EXPECT_THAT(system->log[0], HasSubstr(pc));
-}
-
-TEST_F(ArmCpu, AbortsAFetchFromWhereNoMemoryIs) {
-    run_to_end("test_prefetch_abort");
-    EXPECT_EQ(record().vector, 3u);
-    EXPECT_EQ(record().link, NOBODY + 4);
-    EXPECT_EQ(record().status, 0x008u);
-    EXPECT_EQ(record().address, NOBODY);
-    EXPECT_EQ(result(), 99u);
-}
-
-TEST_F(ArmCpu, TakesABreakpointInstructionAsAPrefetchAbortOfItsOwnKind) {
-    run_to_end("test_bkpt");
-    EXPECT_EQ(record().vector, 3u);
-    EXPECT_EQ(record().link, address_of("at_bkpt") + 4);
-    EXPECT_EQ(record().status, 0x002u) << "debug event";
-}
-
-TEST_F(ArmCpu, FindsItsVectorsAtTheTopWhenToldSo) {
-    run_to_end("test_high_vectors");
-    EXPECT_EQ(record().vector, 2u);
-}
-
-TEST_F(ArmCpu, FailsAProgramWithoutTheVectorThatItNeeds) {
-    load("test_no_vector");
-    run_ms(1);
-    EXPECT_THAT(system->cpu.fault().value_or(""), HasSubstr("supervisor call at 0.0"));
-    EXPECT_THAT(system->cpu.fault().value_or(""), HasSubstr("no vector at 0x00200008"));
-}
-
-TEST_F(ArmCpu, FailsAProgramThatAbortsInItsAbortHandler) {
-    load("test_abort_in_handler");
-    run_ms(1);
-    EXPECT_THAT(system->cpu.fault().value_or(""), HasSubstr("for the second time within its"));
-}
-
-TEST_F(ArmCpu, StartsAgainAtTheEntryAfterAWarmReset) {
-    run_to_end("test_reset");
-    EXPECT_EQ(result(), 2u);
-    EXPECT_THAT(system->log, ElementsAre(HasSubstr("warm reset")));
-}
-
-TEST_F(ArmCpu, ReachesDevicesThroughItsTranslationTables) {
-    run_to_end("test_mmu");
-    EXPECT_EQ(system->probe.values[0], 0x1234u);
-    EXPECT_EQ(result(0), 0x1234u);
-}
-
-TEST_F(ArmCpu, AbortsWhatTheTranslationTablesRefuse) {
-    run_to_end("test_mmu");
-    ASSERT_EQ(system->log.size(), 2u) << "a read and a fetch";
-    EXPECT_THAT(system->log[0], HasSubstr("data abort"));
-    EXPECT_THAT(system->log[0], HasSubstr("in at_mmu_abort"));
-    EXPECT_EQ(result(1), NOBODY) << "no write-back";
-    EXPECT_THAT(system->log[1], HasSubstr("prefetch abort"));
-    EXPECT_EQ(system->bus.counts().errors, 0u);
-}
-
-// ---- Interrupts ---------------------------------------------------------------------------------
-
-TEST_F(ArmCpu, TakesAnIrqThatItSendsItselfBeforeTheNextInstruction) {
-    run_to_end("test_irq");
-    EXPECT_EQ(record().vector, 6u);
-    EXPECT_EQ(record().link, address_of("after_irq") + 4);
-    EXPECT_EQ(record().cpsr & (MODE | I | F), IRQ_MODE | I | F);
-    EXPECT_EQ(result(0), 3u) << "the ID";
-    EXPECT_EQ(result(1), 99u) << "goes on where it was";
-}
-
-TEST_F(ArmCpu, TakesAnFiqWithBothMasked) {
-    run_to_end("test_fiq");
-    EXPECT_EQ(record().vector, 7u);
-    EXPECT_EQ(record().cpsr & (MODE | I | F), FIQ_MODE | I | F);
-}
-
-TEST_F(ArmCpu, LetsAWaitingIrqInWithin64InstructionsOfItsBeingEnabled) {
-    run_to_end("test_irq_when_let_in");
-    EXPECT_EQ(result(2), 0u) << "while it was masked";
-    EXPECT_EQ(result(0), 3u);
-    EXPECT_LE(result(1), 64u / 4 + 1) << "turns of a loop of 4";
-}
-
-TEST_F(ArmCpu, TakesATimersIrqWithinAnInstructionOfItsTime) {
-    load("test_busy_irq");
-    run_ms(2);
-    ASSERT_EQ(system->probe.writes.size(), 1u);
-    const sc_time taken = system->probe.writes[0].second;
-    // The timer starts within the first microsecond and runs for a millisecond; the handler's
-    // write is its third instruction.
-    EXPECT_GT(taken, sc_time(1, sc_core::SC_MS));
-    EXPECT_LT(taken, sc_time(1, sc_core::SC_MS) + sc_time(700, SC_NS));
-}
-
-// ---- Sleep --------------------------------------------------------------------------------------
-
-TEST_F(ArmCpu, SleepsInWfiUntilTheInterrupt) {
-    run_to_end("test_wfi");
-    ASSERT_EQ(system->probe.writes.size(), 2u);
-    EXPECT_LT(system->cpu.counts().instructions, 100u);
-    EXPECT_EQ(system->cpu.counts().interrupts, 1u);
-    EXPECT_GT(system->cpu.counts().asleep, sc_time(999, SC_US));
-}
-
-TEST_F(ArmCpu, WakesFromWfiByAnInterruptThatIsMasked) {
-    load("test_wfi_masked");
-    run_ms(2);
-    ASSERT_EQ(system->probe.writes.size(), 1u);
-    EXPECT_EQ(system->cpu.counts().interrupts, 0u);
-    EXPECT_NEAR(system->probe.writes[0].second.to_seconds() * 1e3, 1.0, 0.001);
-}
-
-TEST_F(ArmCpu, GoesOnFromWfeWithoutAnInterrupt) {
-    run_to_end("test_wfe");
-    EXPECT_EQ(result(), 99u);
 }
 
 // ---- Time ---------------------------------------------------------------------------------------

@@ -15,6 +15,15 @@
 #include "sim/hps/memory.h"
 #include "sim/hps/peripherals.h"
 
+// Names and bits that the small programs' tests speak of.
+namespace tb::arm {
+
+constexpr std::uint32_t NOBODY = 0x80000000;  // no bus answers there
+constexpr std::uint32_t SVC_MODE = 0x13, IRQ_MODE = 0x12, FIQ_MODE = 0x11, ABT_MODE = 0x17,
+                        UND_MODE = 0x1b, MODE = 0x1f, I = 0x80, F = 0x40, THUMB = 0x20;
+
+}  // namespace tb::arm
+
 namespace tb {
 
 // Registers that remember, and when they were written; every access takes 10 ns.

@@ -1,0 +1,53 @@
+// arm_engine.h - what ArmCore's files share of Unicorn: its handle, and what is mapped.
+#pragma once
+
+#include <unicorn/unicorn.h>
+
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "sim/hps/arm_core.h"
+
+namespace sim {
+
+inline void check_uc(uc_err error, const char* what) {
+    if (error != UC_ERR_OK)
+        throw std::runtime_error{std::string{"unicorn: "} + what + ": " + uc_strerror(error)};
+}
+
+struct ArmCore::Engine {
+    struct Ram {  // `bytes` are the owner's
+        std::uint32_t base;
+        std::uint64_t size;
+        std::uint8_t* bytes;
+    };
+    struct Window {  // to the bus, what its hooks are handed
+        ArmCore* core;
+        std::uint32_t bus_base;
+        std::uint32_t base;
+        std::uint64_t size;
+    };
+
+    uc_engine* uc = nullptr;
+    uc_hook watch = 0;
+    std::vector<Ram> ram;
+    std::vector<std::unique_ptr<Window>> windows;
+
+    Engine() {
+        check_uc(uc_open(UC_ARCH_ARM, UC_MODE_ARM, &uc), "uc_open");
+        check_uc(uc_ctl_set_cpu_model(uc, UC_CPU_ARM_CORTEX_A9), "cpu model");
+    }
+    ~Engine() { uc_close(uc); }
+
+    const Ram* find(std::uint32_t address, std::size_t bytes) const {
+        for (const Ram& area : ram) {
+            const std::uint32_t offset = address - area.base;
+            if (offset < area.size && bytes <= area.size - offset) return &area;
+        }
+        return nullptr;
+    }
+};
+
+}  // namespace sim
