@@ -2,6 +2,7 @@
 
 set(RTL_SOURCES
     fpga.v
+    adc/adc.v
     audio/audio.v audio/audio_clocks.v audio/codec_setup.v audio/i2c_writer.v audio/i2s_rx.v
     audio/i2s_tx.v
     bus/axi_read.v bus/axi_write.v bus/h2f_bridge.v bus/lw_bridge.v bus/lw_decode.v

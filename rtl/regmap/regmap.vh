@@ -1,7 +1,7 @@
 // regmap.vh - generated from regmap.def by `make regmap`; do not edit.
 // Every module uses a few of these constants.
 // verilator lint_off UNUSEDPARAM
-localparam [31:0] REGMAP_HASH = 32'h783edb5f;
+localparam [31:0] REGMAP_HASH = 32'h8f123d7c;
 
 localparam [31:0] PICTURE0_BASE = 32'hc8000000;
 localparam [31:0] PICTURE0_SIZE = 32'h00080000;
@@ -225,6 +225,57 @@ localparam [31:0] AUDIO_LEFTDATA = 32'hff203048;
 localparam [31:0] AUDIO_LEFTDATA_RESET = 32'h00000000;
 localparam [31:0] AUDIO_RIGHTDATA = 32'hff20304c;
 localparam [31:0] AUDIO_RIGHTDATA_RESET = 32'h00000000;
+
+localparam [31:0] ADC_BASE = 32'hff204000;
+localparam [31:0] ADC_SIZE = 32'h00000020;
+localparam [31:0] ADC_CH_0 = 32'hff204000;
+localparam [31:0] ADC_CH_0_RESET = 32'h00000000;
+localparam ADC_CH_0_VALUE_LSB = 0;
+localparam ADC_CH_0_VALUE_W = 12;
+localparam ADC_CH_0_NEW_LSB = 15;
+localparam ADC_CH_0_NEW_W = 1;
+localparam [31:0] ADC_CH_1 = 32'hff204004;
+localparam [31:0] ADC_CH_1_RESET = 32'h00000000;
+localparam ADC_CH_1_VALUE_LSB = 0;
+localparam ADC_CH_1_VALUE_W = 12;
+localparam ADC_CH_1_NEW_LSB = 15;
+localparam ADC_CH_1_NEW_W = 1;
+localparam [31:0] ADC_CH_2 = 32'hff204008;
+localparam [31:0] ADC_CH_2_RESET = 32'h00000000;
+localparam ADC_CH_2_VALUE_LSB = 0;
+localparam ADC_CH_2_VALUE_W = 12;
+localparam ADC_CH_2_NEW_LSB = 15;
+localparam ADC_CH_2_NEW_W = 1;
+localparam [31:0] ADC_CH_3 = 32'hff20400c;
+localparam [31:0] ADC_CH_3_RESET = 32'h00000000;
+localparam ADC_CH_3_VALUE_LSB = 0;
+localparam ADC_CH_3_VALUE_W = 12;
+localparam ADC_CH_3_NEW_LSB = 15;
+localparam ADC_CH_3_NEW_W = 1;
+localparam [31:0] ADC_CH_4 = 32'hff204010;
+localparam [31:0] ADC_CH_4_RESET = 32'h00000000;
+localparam ADC_CH_4_VALUE_LSB = 0;
+localparam ADC_CH_4_VALUE_W = 12;
+localparam ADC_CH_4_NEW_LSB = 15;
+localparam ADC_CH_4_NEW_W = 1;
+localparam [31:0] ADC_CH_5 = 32'hff204014;
+localparam [31:0] ADC_CH_5_RESET = 32'h00000000;
+localparam ADC_CH_5_VALUE_LSB = 0;
+localparam ADC_CH_5_VALUE_W = 12;
+localparam ADC_CH_5_NEW_LSB = 15;
+localparam ADC_CH_5_NEW_W = 1;
+localparam [31:0] ADC_CH_6 = 32'hff204018;
+localparam [31:0] ADC_CH_6_RESET = 32'h00000000;
+localparam ADC_CH_6_VALUE_LSB = 0;
+localparam ADC_CH_6_VALUE_W = 12;
+localparam ADC_CH_6_NEW_LSB = 15;
+localparam ADC_CH_6_NEW_W = 1;
+localparam [31:0] ADC_CH_7 = 32'hff20401c;
+localparam [31:0] ADC_CH_7_RESET = 32'h00000000;
+localparam ADC_CH_7_VALUE_LSB = 0;
+localparam ADC_CH_7_VALUE_W = 12;
+localparam ADC_CH_7_NEW_LSB = 15;
+localparam ADC_CH_7_NEW_W = 1;
 
 localparam [31:0] KEYPAD_BASE = 32'hff205000;
 localparam [31:0] KEYPAD_SIZE = 32'h00000020;

@@ -1,0 +1,116 @@
+// adc.v - the DE1-SoC Computer's AD converter port, on an LTC2308
+//
+//   +00 ... +1C  CH_0 ... CH_7   bits 11:0 the voltage, 1 mV each; bit 15: new since last read
+//   +00          CH_0            a write of any value has all channels converted once
+//   +04          CH_1            a write of bit 0 = 1 has them converted again and again
+//
+// A round is nine transfers, since the chip answers with the conversion that the transfer before has
+// asked for: CONVST for one clock, 1.6 us of patience, then 12 bits at 12.5 MHz each way.
+//
+//   CONVST _/^\________ ... ______________________________
+//   SCK    ____________ ... __/^\_/^\_/^\ ... /^\_________   a bit is read as SCK rises and
+//   SDI    ____________ ... X S/D X O/S X ... X___________   changes as it falls
+//
+// A round takes 9 x 65 clocks, 23.4 us.
+//
+// Source: Linear Technology, LTC2308; University Program, ADC Controller for DE-series Boards.
+
+`default_nettype none
+
+module adc (
+    input  wire        clk_i,           // 25 MHz
+    input  wire        rst_i,
+
+    input  wire        we_i,
+    // Only the register's place in the block and bit 0 count.
+    // verilator lint_off UNUSED
+    input  wire [3:0]  wstrb_i,
+    input  wire [11:0] waddr_i,
+    input  wire [31:0] wdata_i,
+    input  wire [11:0] raddr_i,
+    // verilator lint_on UNUSED
+    input  wire        re_i,
+    output reg  [31:0] rdata_o,
+
+    output reg         convst_o,
+    output reg         sck_o,
+    output wire        sdi_o,
+    input  wire        sdo_i
+);
+    `include "regmap.vh"
+
+    localparam [6:0] CONVERTED = 7'd40,              // SCK rises 1.64 us after CONVST
+                     LAST      = CONVERTED + 7'd24;  // two for each bit
+    localparam [3:0] LAST_TRANSFER = 4'd8;
+
+    reg        busy_q, auto_q;
+    reg [3:0]  transfer_q;   // 0 - 7: asks for that channel; gives the one before
+    reg [6:0]  step_q;
+    reg [11:0] bits_q;       // to send from the top, what has come at the bottom
+
+    assign sdi_o = bits_q[11];
+
+    // Single-ended, unipolar, awake: S/D, O/S, S1, S0, UNI, SLP.  O/S is the channel's lowest bit.
+    function [11:0] request;
+        input [2:0] channel;
+        request = {1'b1, channel[0], channel[2:1], 1'b1, 1'b0, 6'd0};
+    endfunction
+
+    // ---- Transfers --------------------------------------------------------
+    wire done = busy_q && step_q == LAST;
+
+    always @(posedge clk_i) if (busy_q || auto_q || we_i || rst_i) begin
+        if (we_i && waddr_i[4:0] == ADC_CH_1[4:0] && wstrb_i[0]) auto_q <= wdata_i[0];
+        if (!busy_q) begin
+            if (auto_q || (we_i && waddr_i[4:0] == ADC_CH_0[4:0])) begin
+                busy_q     <= 1'b1;
+                convst_o   <= 1'b1;
+                transfer_q <= 4'd0;
+                step_q     <= 7'd0;
+                bits_q     <= request(3'd0);
+            end
+        end else begin
+            convst_o <= 1'b0;
+            step_q   <= step_q + 7'd1;
+            if (step_q >= CONVERTED && step_q != LAST) begin
+                sck_o <= !sck_o;
+                if (sck_o) bits_q <= {bits_q[10:0], sdo_i};
+            end
+            if (step_q == LAST) begin
+                step_q     <= 7'd0;
+                transfer_q <= transfer_q + 4'd1;
+                bits_q     <= request(transfer_q[2:0] + 3'd1);
+                convst_o   <= transfer_q != LAST_TRANSFER;
+                busy_q     <= transfer_q != LAST_TRANSFER;
+            end
+        end
+        if (rst_i) begin
+            busy_q   <= 1'b0;
+            auto_q   <= 1'b0;
+            convst_o <= 1'b0;
+            sck_o    <= 1'b0;
+        end
+    end
+
+    // ---- Channels ---------------------------------------------------------
+    reg [95:0] values_q;
+    reg [7:0]  new_q;
+
+    wire [2:0] answered = transfer_q[2:0] - 3'd1;
+
+    always @(posedge clk_i) if (re_i || done || rst_i) begin
+        if (re_i) new_q[raddr_i[4:2]] <= 1'b0;
+        if (done && transfer_q != 4'd0) begin
+            values_q[answered * 12 +: 12] <= bits_q;
+            new_q[answered]               <= 1'b1;
+        end
+        if (rst_i) new_q <= 8'd0;
+    end
+
+    always @(posedge clk_i) begin
+        rdata_o <= 32'd0;
+        if (re_i) rdata_o <= {16'd0, new_q[raddr_i[4:2]], 3'd0, values_q[raddr_i[4:2] * 12 +: 12]};
+    end
+endmodule
+
+`default_nettype wire
