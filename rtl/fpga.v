@@ -4,6 +4,7 @@
 //                         +--> keypad ---- JP1 D7-D0
 //                         +--> audio ----- WM8731
 //                         +--> jtag uarts  the host's terminal
+//                         +--> adc ------- LTC2308
 //                         +--> vga ------- ADV7123
 //   h2f_* --> h2f_bridge --> picture_store --^
 //
@@ -113,6 +114,12 @@ module fpga #(
     output wire            i2c_sdat_oe_o,  // 1 = pull low
     input  wire            i2c_sdat_i,
 
+    // LTC2308
+    output wire            adc_convst_o,
+    output wire            adc_sck_o,
+    output wire            adc_sdi_o,
+    input  wire            adc_sdo_i,
+
     // Host's side of the JTAG UARTs, bit or byte n of number n: see jtag_uart.v
     input  wire [1:0]      jtag_take_i,
     output wire [1:0]      jtag_sent_o,
@@ -126,13 +133,13 @@ module fpga #(
     `include "lw_blocks.vh"
 
     // ---- Bridges ----------------------------------------------------------
-    wire [15:0] we, re;
+    wire [16:0] we, re;
     wire [11:0] waddr, raddr;
     wire [31:0] wdata;
     wire [3:0]  wstrb;
     wire [31:0] ledr_rdata, hex3_0_rdata, hex5_4_rdata, sw_rdata, key_rdata, jp1_rdata, jp2_rdata;
     wire [31:0] sysid_rdata, vga_rdata, audio_rdata, keypad_rdata, timer0_rdata, timer1_rdata;
-    wire [31:0] jtag0_rdata, jtag1_rdata;
+    wire [31:0] jtag0_rdata, jtag1_rdata, adc_rdata;
 
     lw_bridge #(.ID_W(ID_W)) lw (
         .clk_i(clk_i), .rst_i(rst_i),
@@ -148,7 +155,8 @@ module fpga #(
         .re_o(re), .raddr_o(raddr),
         .rdata_i(ledr_rdata | hex3_0_rdata | hex5_4_rdata | sw_rdata | key_rdata | jp1_rdata
                  | jp2_rdata | sysid_rdata | vga_rdata | audio_rdata | keypad_rdata
-                 | timer0_rdata | timer1_rdata | jtag0_rdata | jtag1_rdata)
+                 | timer0_rdata | timer1_rdata | jtag0_rdata | jtag1_rdata
+                 | adc_rdata)
     );
 
     wire [3:0]  picture_we;
@@ -307,6 +315,13 @@ module fpga #(
         .typed_data_i(jtag_typed_data_i[15:8]), .idle_i(jtag_idle_i[1])
     );
     // verilator lint_on PINCONNECTEMPTY
+
+    // ---- AD converter -----------------------------------------------------
+    adc adc_block (
+        .clk_i(clk_i), .rst_i(rst_i), .we_i(we[SEL_ADC]), .wstrb_i(wstrb), .waddr_i(waddr),
+        .wdata_i(wdata), .re_i(re[SEL_ADC]), .raddr_i(raddr), .rdata_o(adc_rdata),
+        .convst_o(adc_convst_o), .sck_o(adc_sck_o), .sdi_o(adc_sdi_o), .sdo_i(adc_sdo_i)
+    );
 
     // ---- Interrupts -------------------------------------------------------
     assign irq_o = {31'd0, key_irq} << KEY_IRQ | {31'd0, audio_irq} << AUDIO_IRQ

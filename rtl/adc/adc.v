@@ -4,14 +4,15 @@
 //   +00          CH_0            a write of any value has all channels converted once
 //   +04          CH_1            a write of bit 0 = 1 has them converted again and again
 //
-// A round is nine transfers, since the chip answers with the conversion that the transfer before has
-// asked for: CONVST for one clock, 1.6 us of patience, then 12 bits at 12.5 MHz each way.
+// A round is nine transfers, since the chip answers with the conversion that the transfer before
+// has asked for: CONVST for one clock, 1.6 us of patience, then 12 bits at 12.5 MHz each way.
 //
 //   CONVST _/^\________ ... ______________________________
 //   SCK    ____________ ... __/^\_/^\_/^\ ... /^\_________   a bit is read as SCK rises and
 //   SDI    ____________ ... X S/D X O/S X ... X___________   changes as it falls
 //
-// A round takes 9 x 65 clocks, 23.4 us.
+// A round takes 9 x 65 clocks, 23.4 us; at its end all channels are new.  A write in its course
+// asks for another.
 //
 // Source: Linear Technology, LTC2308; University Program, ADC Controller for DE-series Boards.
 
@@ -43,7 +44,7 @@ module adc (
                      LAST      = CONVERTED + 7'd24;  // two for each bit
     localparam [3:0] LAST_TRANSFER = 4'd8;
 
-    reg        busy_q, auto_q;
+    reg        busy_q, asked_q, auto_q;
     reg [3:0]  transfer_q;   // 0 - 7: asks for that channel; gives the one before
     reg [6:0]  step_q;
     reg [11:0] bits_q;       // to send from the top, what has come at the bottom
@@ -57,13 +58,16 @@ module adc (
     endfunction
 
     // ---- Transfers --------------------------------------------------------
-    wire done = busy_q && step_q == LAST;
+    wire done  = busy_q && step_q == LAST;
+    wire ended = done && transfer_q == LAST_TRANSFER;
 
-    always @(posedge clk_i) if (busy_q || auto_q || we_i || rst_i) begin
+    always @(posedge clk_i) if (busy_q || asked_q || auto_q || we_i || rst_i) begin
+        if (we_i && waddr_i[4:0] == ADC_CH_0[4:0]) asked_q <= 1'b1;
         if (we_i && waddr_i[4:0] == ADC_CH_1[4:0] && wstrb_i[0]) auto_q <= wdata_i[0];
         if (!busy_q) begin
-            if (auto_q || (we_i && waddr_i[4:0] == ADC_CH_0[4:0])) begin
+            if (auto_q || asked_q) begin
                 busy_q     <= 1'b1;
+                asked_q    <= we_i && waddr_i[4:0] == ADC_CH_0[4:0];
                 convst_o   <= 1'b1;
                 transfer_q <= 4'd0;
                 step_q     <= 7'd0;
@@ -76,16 +80,17 @@ module adc (
                 sck_o <= !sck_o;
                 if (sck_o) bits_q <= {bits_q[10:0], sdo_i};
             end
-            if (step_q == LAST) begin
+            if (done) begin
                 step_q     <= 7'd0;
                 transfer_q <= transfer_q + 4'd1;
                 bits_q     <= request(transfer_q[2:0] + 3'd1);
-                convst_o   <= transfer_q != LAST_TRANSFER;
-                busy_q     <= transfer_q != LAST_TRANSFER;
+                convst_o   <= !ended;
+                busy_q     <= !ended;
             end
         end
         if (rst_i) begin
             busy_q   <= 1'b0;
+            asked_q  <= 1'b0;
             auto_q   <= 1'b0;
             convst_o <= 1'b0;
             sck_o    <= 1'b0;
@@ -100,10 +105,8 @@ module adc (
 
     always @(posedge clk_i) if (re_i || done || rst_i) begin
         if (re_i) new_q[raddr_i[4:2]] <= 1'b0;
-        if (done && transfer_q != 4'd0) begin
-            values_q[answered * 12 +: 12] <= bits_q;
-            new_q[answered]               <= 1'b1;
-        end
+        if (done && transfer_q != 4'd0) values_q[answered * 12 +: 12] <= bits_q;
+        if (ended) new_q <= 8'hff;
         if (rst_i) new_q <= 8'd0;
     end
 

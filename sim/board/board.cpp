@@ -1,5 +1,7 @@
 #include "sim/board/board.h"
 
+#include <cmath>
+
 namespace sim {
 
 namespace {
@@ -77,6 +79,11 @@ void Board::headers(const HeaderPins& pins, std::uint64_t, FabricInputs& in) {
     in.jp2 = pins.jp2 | ~pins.jp2_oe;  // nothing is plugged in: pull-ups
 }
 
+void Board::adc(const AdcPins& pins, std::uint64_t time_ps, FabricInputs& in) {
+    adc_chip.drive(pins.convst, pins.sck, pins.sdi, time_ps);
+    in.adc_sdo = adc_chip.sdo();
+}
+
 void Board::jtag_byte(unsigned number, char byte, FabricInputs& in) {
     jtag_host.byte(number, byte, in);
 }
@@ -86,6 +93,10 @@ std::uint32_t Board::jp1() const {
     const std::uint32_t open = p.jp1 | ~p.jp1_oe;
     return (open & ~0xffu) |
            keypad.levels(static_cast<std::uint8_t>(p.jp1), static_cast<std::uint8_t>(p.jp1_oe));
+}
+
+void Board::set_voltage(unsigned channel, double volts) {
+    adc_chip.set(channel, static_cast<int>(std::lround(volts * 1000)));
 }
 
 void Board::hold(std::uint16_t keys16, std::uint8_t keys, std::uint16_t switches) {

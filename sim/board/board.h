@@ -4,6 +4,7 @@
 //                     +- Peripherals (GIC, timers, UART0, GPIO1, managers, on-chip RAM)
 //                     +- Fpga lw, h2f --pins--+- Monitor   (VGA)
 //                                             +- Wm8731    (audio)
+//                                             +- Ltc2308   (AD converter)
 //                                             +- Keypad    (JP1 D7-D0)
 //                                             +- JtagHost  (JTAG UARTs)
 //                                             +- KEY, SW, LEDR, HEX
@@ -16,6 +17,7 @@
 
 #include "sim/board/jtag_host.h"
 #include "sim/board/keypad.h"
+#include "sim/board/ltc2308.h"
 #include "sim/board/monitor.h"
 #include "sim/board/wm8731.h"
 #include "sim/fpga/fpga.h"
@@ -56,6 +58,9 @@ public:
     void hold(std::uint16_t keypad, std::uint8_t keys, std::uint16_t switches);
     void release(std::uint16_t keypad, std::uint8_t keys, std::uint16_t switches);
 
+    // From the next conversion on; `channel` is 0 to 7.
+    void set_voltage(unsigned channel, double volts);
+
     // At the first JTAG UART's terminal.
     void type(const std::string& text) { jtag_host.type(text); }
 
@@ -63,6 +68,7 @@ private:
     void video(const std::uint32_t* samples, std::size_t count) override;
     void codec(const CodecPins& pins, std::uint64_t time_ps, FabricInputs& in) override;
     void headers(const HeaderPins& pins, std::uint64_t time_ps, FabricInputs& in) override;
+    void adc(const AdcPins& pins, std::uint64_t time_ps, FabricInputs& in) override;
     void jtag_byte(unsigned number, char byte, FabricInputs& in) override;
     std::uint32_t jp1() const;
 
@@ -72,6 +78,7 @@ private:
 public:  // the parts, in the order in which they are soldered
     Monitor monitor;
     Wm8731 codec_chip;
+    Ltc2308 adc_chip;
     Keypad keypad;
     Fpga fpga;
     JtagHost jtag_host;

@@ -86,6 +86,7 @@ inline void Fabric::clock() {
     top.jp2_i = in.jp2;
     top.aud_adcdat_i = in.adcdat;
     top.i2c_sdat_i = in.sdat;
+    top.adc_sdo_i = in.adc_sdo;
     top.jtag_take_i = in.jtag.take;
     top.jtag_typed_i = in.jtag.typed;
     top.jtag_typed_data_i = in.jtag.bytes;
@@ -126,6 +127,12 @@ inline void Fabric::clock() {
         (top.jp2_oe_o ^ was.jp2_oe)) {
         was = {top.jp1_o, top.jp1_oe_o, top.jp2_o, top.jp2_oe_o};
         pins_.headers(was, time_ps(), in);
+    }
+    const std::uint32_t adc =
+        static_cast<std::uint32_t>(top.adc_convst_o | top.adc_sck_o << 1 | top.adc_sdi_o << 2);
+    if (adc != adc_was_) {
+        adc_was_ = adc;
+        pins_.adc({top.adc_convst_o != 0, top.adc_sck_o != 0, top.adc_sdi_o != 0}, time_ps(), in);
     }
     for (unsigned sent = top.jtag_sent_o, n = 0; sent >> n; ++n)
         if (sent >> n & 1) pins_.jtag_byte(n, static_cast<char>(top.jtag_sent_data_o >> 8 * n), in);

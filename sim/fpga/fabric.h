@@ -28,6 +28,10 @@ struct HeaderPins {
     std::uint32_t jp1, jp1_oe, jp2, jp2_oe;  // levels driven, and where they are driven
 };
 
+struct AdcPins {
+    bool convst, sck, sdi;
+};
+
 // The host's side of the JTAG UARTs, bit or byte n of number n.
 struct JtagInputs {
     std::uint8_t take = 0;    // the host takes bytes
@@ -40,7 +44,7 @@ struct FabricInputs {
     std::uint16_t sw = 0;
     std::uint8_t key_n = 0xf;
     std::uint32_t jp1 = 0xffffffff, jp2 = 0xffffffff;
-    bool adcdat = false, sdat = true;
+    bool adcdat = false, sdat = true, adc_sdo = false;
     JtagInputs jtag;
 };
 
@@ -51,6 +55,7 @@ public:
     // Called after a clock in which one of them moved; may change `in`.
     virtual void codec(const CodecPins& pins, std::uint64_t time_ps, FabricInputs& in) = 0;
     virtual void headers(const HeaderPins& pins, std::uint64_t time_ps, FabricInputs& in) = 0;
+    virtual void adc(const AdcPins& pins, std::uint64_t time_ps, FabricInputs& in) = 0;
     // JTAG UART `number` has sent a byte; may change `in`.
     virtual void jtag_byte(unsigned number, char byte, FabricInputs& in) = 0;
 
@@ -105,7 +110,7 @@ private:
     std::uint64_t clocks_ = 0;
     std::uint32_t video_[VIDEO_BATCH];
     unsigned video_count_ = 0;
-    std::uint32_t codec_was_ = 0;
+    std::uint32_t codec_was_ = 0, adc_was_ = 0;
     HeaderPins headers_was_{0, 0, 0, 0};
 };
 

@@ -35,6 +35,10 @@ struct Release {
 struct TypeSerial {  // goes on to the next step at once
     std::string text;
 };
+struct SetVoltage {
+    unsigned channel = 0;
+    double volts = 0;
+};
 struct WaitFrame {
     enum class What { NUMBER, NEXT, NEXT_SWAP };
     What what = What::NEXT;
@@ -71,8 +75,8 @@ struct TakeScreenshot {
 };
 
 using Action =
-    std::variant<Delay, Press, Hold, Release, TypeSerial, WaitFrame, WaitSerial, ExpectFrame,
-                 ExpectTone, ExpectSilence, ExpectLeds, ExpectHex, TakeScreenshot>;
+    std::variant<Delay, Press, Hold, Release, TypeSerial, SetVoltage, WaitFrame, WaitSerial,
+                 ExpectFrame, ExpectTone, ExpectSilence, ExpectLeds, ExpectHex, TakeScreenshot>;
 
 struct Step {
     int line = 0;  // in the file, from 1

@@ -76,6 +76,16 @@ const std::vector<StepForm>& step_forms() {
          {},
          {{"text", TEXT, Need::REQUIRED, "", "The text."}},
          [](const Values& v) -> Action { return TypeSerial{v.get<std::string>("text")}; }},
+        {"set-voltage",
+         "Apply a voltage to an input of the AD converter and go on; all begin at 0 V.",
+         Notation::MAP,
+         {},
+         {{"channel", CHANNEL, Need::REQUIRED, "", "The input, CH0 to CH7."},
+          {"volts", VOLTS, Need::REQUIRED, "", "Against ground."}},
+         [](const Values& v) -> Action {
+             return SetVoltage{static_cast<unsigned>(v.get<std::uint64_t>("channel")),
+                               v.get<double>("volts")};
+         }},
         {"wait-frame",
          "Wait for a frame on the monitor.",
          Notation::BOTH,

@@ -94,6 +94,12 @@ Read read_hertz(const YamlNode& node) {
     return std::nullopt;
 }
 
+Read read_volts(const YamlNode& node) {
+    if (!is_plain(node)) return std::nullopt;
+    if (const auto volts = decimal(node.text, 0, 5)) return *volts;
+    return std::nullopt;
+}
+
 Read read_frame(const YamlNode& node) {
     if (node.text == "next") return WaitFrame{WaitFrame::What::NEXT, 0, {}};
     if (node.text == "next-swap") return WaitFrame{WaitFrame::What::NEXT_SWAP, 0, {}};
@@ -166,6 +172,10 @@ const ValueType KEY{"a key number, 0 to 3", R"({"type": "integer", "minimum": 0,
 const ValueType SWITCH{"a switch number, 0 to 9",
                        R"({"type": "integer", "minimum": 0, "maximum": 9})",
                        read_whole<0, SWITCHES - 1>, true};
+const ValueType CHANNEL{"a channel number, 0 to 7",
+                        R"({"type": "integer", "minimum": 0, "maximum": 7})", read_whole<0, 7>};
+const ValueType VOLTS{"a number of volts, 0 to 5",
+                      R"({"type": "number", "minimum": 0, "maximum": 5})", read_volts};
 const ValueType LEDS{"ten characters 0 or 1, LEDR9 first, or a number from 0 to 1023",
                      R"({"anyOf": [{"type": "string", "pattern": "^[01]{10}$"},
                                    {"type": "integer", "minimum": 0, "maximum": 1023}]})",

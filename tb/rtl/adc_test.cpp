@@ -123,13 +123,23 @@ TEST_F(Adc, KeepsToTheChipsTimes) {
     EXPECT_GT(acquisitions.size(), 20u);
 }
 
-TEST_F(Adc, TakesAWriteDuringARoundForWhatItIs) {
+TEST_F(Adc, ConvertsOnceMoreForAWriteInTheCourseOfARound) {
     write(CH_0, 0);
     clock(150);
+    chip.set(0, 2222);
     write(CH_0, 0);
-    EXPECT_EQ(channel(0) & VALUE, 17u) << "the first has come";
-    clock(ROUND);
-    EXPECT_EQ(chip.conversions(), 9u) << "it was being done";
+    clock(2 * ROUND);
+    EXPECT_EQ(channel(0), NEW | 2222);
+    EXPECT_EQ(chip.conversions(), 18u);
+}
+
+TEST_F(Adc, SaysThatChannelsAreNewWhenTheRoundIsOver) {
+    write(CH_0, 0);
+    clock(400);
+    EXPECT_EQ(channel(0) & NEW, 0u);
+    clock(200);
+    EXPECT_EQ(channel(0) & NEW, NEW);
+    EXPECT_EQ(channel(7) & NEW, NEW);
 }
 
 TEST_F(Adc, AnswersNothingWhenNotAsked) {

@@ -173,6 +173,16 @@ TEST(TakeScreenshot, TakesANameInTheOutputFolder) {
               "shots/a.b.png");
 }
 
+TEST(SetVoltage, TakesAChannelAndVolts) {
+    const auto set = action<SetVoltage>("set-voltage: {channel: 7, volts: 1.25}");
+    EXPECT_EQ(set.channel, 7u);
+    EXPECT_EQ(set.volts, 1.25);
+}
+
+TEST(SetVoltage, SaysWhatItApplies) {
+    EXPECT_EQ(step("set-voltage: {channel: 0, volts: 3}").text, "apply 3 V to CH0");
+}
+
 TEST(TypeSerial, TakesATextWithItsLineEnds) {
     EXPECT_EQ(action<TypeSerial>("type-serial: \"ls\\n\"").text, "ls\n");
 }

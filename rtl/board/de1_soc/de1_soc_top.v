@@ -6,7 +6,7 @@
 // Pins are named as on the board's schematic, so that de1_soc.qsf can be checked against pins.tsv.
 // JP1 and JP2: bits 31:0 are the header's pins 35:19, 17, 15:3, 1; the four others stay open.
 //
-// Not handled: pins of what the system has not (SDRAM, ADC, PS/2, IrDA, video-in, USB-Blaster); the
+// Not handled: pins of what the system has not (SDRAM, PS/2, IrDA, video-in, USB-Blaster); the
 // project leaves them as inputs with weak pull-ups.
 
 `default_nettype none
@@ -42,7 +42,12 @@ module de1_soc_top (
     output wire        AUD_ADCLRCK,
     input  wire        AUD_ADCDAT,
     output wire        FPGA_I2C_SCLK,
-    inout  wire        FPGA_I2C_SDAT
+    inout  wire        FPGA_I2C_SDAT,
+
+    output wire        ADC_CS_N,     // CONVST
+    output wire        ADC_SCLK,
+    output wire        ADC_DIN,
+    input  wire        ADC_DOUT
 );
     localparam ID_W = 12;
 
@@ -259,6 +264,11 @@ module de1_soc_top (
         .i2c_sclk_o           (FPGA_I2C_SCLK),
         .i2c_sdat_oe_o        (sdat_oe),
         .i2c_sdat_i           (FPGA_I2C_SDAT),
+
+        .adc_convst_o         (ADC_CS_N),
+        .adc_sck_o            (ADC_SCLK),
+        .adc_sdi_o            (ADC_DIN),
+        .adc_sdo_i            (ADC_DOUT),
 
         .jtag_take_i          (jtag_take),
         .jtag_sent_o          (jtag_sent),

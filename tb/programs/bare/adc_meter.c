@@ -1,0 +1,26 @@
+// adc_meter.c - a voltmeter: SW2-0 choose the channel, HEX3-0 show its millivolts.
+//
+// With SW9 up the converter goes on by itself and the program only looks; else it asks for each
+// value and waits for it.  LEDR counts the values that were new.
+#include "registers.h"
+
+static void show(uint32_t millivolts) {
+    uint32_t digits = 0;
+    for (int n = 0; n < 4; ++n, millivolts /= 10)
+        digits |= (uint32_t)DIGITS[millivolts % 10] << 8 * n;
+    HEX3_0 = digits;
+}
+
+int main(void) {
+    uint32_t count = 0;
+    for (;;) {
+        const uint32_t channel = SW & 7, automatic = SW >> 9 & 1;
+        ADC_CH[1] = automatic;
+        if (!automatic) ADC_CH[0] = 1;
+        uint32_t value;
+        do value = ADC_CH[channel];
+        while ((value & 0x8000) == 0);
+        show(value & 0xFFF);
+        LEDR = ++count;
+    }
+}
