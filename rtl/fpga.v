@@ -130,7 +130,7 @@ module fpga #(
     wire [11:0] waddr, raddr;
     wire [31:0] wdata;
     wire [3:0]  wstrb;
-    wire [31:0] ledr_rdata, hex3_0_rdata, hex5_4_rdata, sw_rdata, key_rdata, jp1_rdata, jp2_rdata;
+    wire [31:0] ledr_rdata, hex_rdata, sw_rdata, key_rdata, jp1_rdata, jp2_rdata;
     wire [31:0] sysid_rdata, vga_rdata, audio_rdata, keypad_rdata, timer0_rdata, timer1_rdata;
     wire [31:0] jtag0_rdata, jtag1_rdata;
 
@@ -146,7 +146,7 @@ module fpga #(
         .rvalid_o(lw_rvalid_o), .rready_i(lw_rready_i),
         .we_o(we), .waddr_o(waddr), .wdata_o(wdata), .wstrb_o(wstrb),
         .re_o(re), .raddr_o(raddr),
-        .rdata_i(ledr_rdata | hex3_0_rdata | hex5_4_rdata | sw_rdata | key_rdata | jp1_rdata
+        .rdata_i(ledr_rdata | hex_rdata | sw_rdata | key_rdata | jp1_rdata
                  | jp2_rdata | sysid_rdata | vga_rdata | audio_rdata | keypad_rdata
                  | timer0_rdata | timer1_rdata | jtag0_rdata | jtag1_rdata)
     );
@@ -178,24 +178,19 @@ module fpga #(
     wire        keypad_enable, key_irq, jp1_irq, jp2_irq, keypad_irq, audio_irq;
     wire [3:0]  keypad_col_low;
     wire [31:0] jp1_out, jp1_oe;
-    // Bits that the ports do not have stay 0.
+    // Bits that the port does not have stay 0.
     // verilator lint_off UNUSED
-    wire [31:0] hex3_0, hex5_4, ledr;
+    wire [31:0] ledr;
     // verilator lint_on UNUSED
 
     output_port #(.BITS(32'h0000_03ff)) ledr_port (
         .clk_i(clk_i), .rst_i(rst_i), .we_i(we[SEL_LEDR]), .wstrb_i(wstrb), .waddr_i(waddr),
         .wdata_i(wdata), .re_i(re[SEL_LEDR]), .raddr_i(raddr), .rdata_o(ledr_rdata), .pins_o(ledr)
     );
-    output_port #(.BITS(32'h7f7f_7f7f)) hex3_0_port (
-        .clk_i(clk_i), .rst_i(rst_i), .we_i(we[SEL_HEX3_0]), .wstrb_i(wstrb), .waddr_i(waddr),
-        .wdata_i(wdata), .re_i(re[SEL_HEX3_0]), .raddr_i(raddr), .rdata_o(hex3_0_rdata),
-        .pins_o(hex3_0)
-    );
-    output_port #(.BITS(32'h0000_7f7f)) hex5_4_port (
-        .clk_i(clk_i), .rst_i(rst_i), .we_i(we[SEL_HEX5_4]), .wstrb_i(wstrb), .waddr_i(waddr),
-        .wdata_i(wdata), .re_i(re[SEL_HEX5_4]), .raddr_i(raddr), .rdata_o(hex5_4_rdata),
-        .pins_o(hex5_4)
+    hex_port hex (
+        .clk_i(clk_i), .rst_i(rst_i), .we_low_i(we[SEL_HEX3_0]), .we_high_i(we[SEL_HEX5_4]),
+        .wstrb_i(wstrb), .waddr_i(waddr), .wdata_i(wdata), .re_low_i(re[SEL_HEX3_0]),
+        .re_high_i(re[SEL_HEX5_4]), .raddr_i(raddr), .rdata_o(hex_rdata), .hex_no(hex_no)
     );
     // Inputs only: these ports drive nothing.
     // verilator lint_off PINCONNECTEMPTY
@@ -225,8 +220,6 @@ module fpga #(
     );
 
     assign ledr_o = ledr[9:0];
-    assign hex_no = ~{hex5_4[14:8], hex5_4[6:0], hex3_0[30:24], hex3_0[22:16], hex3_0[14:8],
-                      hex3_0[6:0]};
 
     // ---- Keypad: columns on JP1 D7 (left) to D4, rows on D3 (top) to D0 -----
     keypad keypad_block (

@@ -6,7 +6,7 @@ set(RTL_SOURCES
     audio/i2s_tx.v
     bus/axi_read.v bus/axi_write.v bus/h2f_bridge.v bus/lw_bridge.v bus/lw_decode.v
     common/fifo.v common/shift_fifo.v common/small_fifo.v common/sync.v
-    gpio/output_port.v gpio/pio.v
+    gpio/hex_port.v gpio/output_port.v gpio/pio.v
     jtag_uart/jtag_uart.v
     keypad/keypad.v keypad/keypad_scan.v
     sysid/sysid.v

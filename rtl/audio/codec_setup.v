@@ -48,21 +48,23 @@ module codec_setup (
 
     localparam [3:0] LAST_STEP = 4'd10;
 
-    reg [15:0] word;
-
-    always @* case (step_o)
-        4'd0:    word = {7'd15, RESET};
-        4'd1:    word = {7'd6, MICPD | OSCPD | CLKOUTPD};
-        4'd2:    word = {7'd0, LINVOL_0DB};
-        4'd3:    word = {7'd1, LINVOL_0DB};
-        4'd4:    word = {7'd2, HPVOL_0DB};
-        4'd5:    word = {7'd3, HPVOL_0DB};
-        4'd6:    word = {7'd4, MUTEMIC | DACSEL};
-        4'd7:    word = {7'd5, DAC_ON};
-        4'd8:    word = {7'd7, FORMAT_I2S | IWL_24};
-        4'd9:    word = {7'd8, fast_i ? SR_48K : SR_8K};
-        default: word = {7'd9, ACTIVE};
-    endcase
+    function [15:0] word;
+        input [3:0] step;
+        input       fast;
+        case (step)
+            4'd0:    word = {7'd15, RESET};
+            4'd1:    word = {7'd6, MICPD | OSCPD | CLKOUTPD};
+            4'd2:    word = {7'd0, LINVOL_0DB};
+            4'd3:    word = {7'd1, LINVOL_0DB};
+            4'd4:    word = {7'd2, HPVOL_0DB};
+            4'd5:    word = {7'd3, HPVOL_0DB};
+            4'd6:    word = {7'd4, MUTEMIC | DACSEL};
+            4'd7:    word = {7'd5, DAC_ON};
+            4'd8:    word = {7'd7, FORMAT_I2S | IWL_24};
+            4'd9:    word = {7'd8, fast ? SR_48K : SR_8K};
+            default: word = {7'd9, ACTIVE};
+        endcase
+    endfunction
 
     // ---- One word after the other -----------------------------------------
     wire busy, done, nack;
@@ -70,12 +72,12 @@ module codec_setup (
     wire start = !busy && !done && !ready_o && !error_o && !restart_q;
 
     i2c_writer writer (
-        .clk_i(clk_i), .rst_i(rst_i), .start_i(start), .word_i(word),
+        .clk_i(clk_i), .rst_i(rst_i), .start_i(start), .word_i(word(step_o, fast_i)),
         .busy_o(busy), .done_o(done), .nack_o(nack),
         .sclk_o(sclk_o), .sdat_oe_o(sdat_oe_o), .sdat_i(sdat_i)
     );
 
-    always @(posedge clk_i) begin
+    always @(posedge clk_i) if (done || restart_i || restart_q || rst_i) begin
         if (done) begin
             if (nack) error_o <= 1'b1;
             else if (step_o == LAST_STEP) ready_o <= 1'b1;
