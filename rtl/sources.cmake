@@ -2,8 +2,8 @@
 
 set(RTL_SOURCES
     fpga.v
-    audio/audio.v audio/audio_clocks.v audio/codec_setup.v audio/i2c_writer.v audio/i2s_rx.v
-    audio/i2s_tx.v
+    audio/audio.v audio/audio_clocks.v audio/av_config.v audio/codec_setup.v audio/i2c_writer.v
+    audio/i2s_rx.v audio/i2s_tx.v
     bus/axi_read.v bus/axi_write.v bus/h2f_bridge.v bus/lw_bridge.v bus/lw_decode.v
     common/fifo.v common/shift_fifo.v common/small_fifo.v common/sync.v
     gpio/hex_port.v gpio/output_port.v gpio/pio.v

@@ -2,7 +2,7 @@
 //
 //   LEFTDATA, RIGHTDATA --> 2 FIFOs of 128 --> i2s_tx --> DACDAT
 //   LEFTDATA, RIGHTDATA <-- 2 FIFOs of 128 <-- i2s_rx <-- ADCDAT
-//   RATE --> codec_setup --> I2C
+//   RATE, AV_CONFIG --> codec_setup --> I2C
 //
 // Samples are 32-bit words, of which the codec takes and gives bits 31:8; 7:0 read 0.
 //
@@ -21,7 +21,7 @@ module audio (
     input  wire        clk_i,          // 25 MHz
     input  wire        rst_i,
 
-    input  wire        we_i,           // AUDIO or CODEC is addressed
+    input  wire        we_i,           // AUDIO, AV_CONFIG or CODEC is addressed
     input  wire [3:0]  wstrb_i,
     input  wire [11:0] waddr_i,
     input  wire [31:0] wdata_i,
@@ -154,9 +154,22 @@ module audio (
     wire       codec_ready, codec_error;
     wire [3:0] codec_step;
 
+    wire       config_restart, config_send, config_busy, config_nack, config_ready;
+    wire [6:0] config_address;
+    wire [8:0] config_data;
+
+    av_config config_block (
+        .clk_i(clk_i), .rst_i(rst_i), .we_i(we_i && waddr_i[11:4] == AV_CONFIG_BASE[11:4]),
+        .wstrb_i(wstrb_i), .waddr_i(waddr_i), .wdata_i(wdata_i),
+        .restart_o(config_restart), .send_o(config_send), .address_o(config_address),
+        .data_o(config_data), .busy_i(config_busy), .ready_o(config_ready)
+    );
+
     codec_setup setup (
-        .clk_i(clk_i), .rst_i(rst_i), .restart_i(we_rate), .fast_i(fast_q),
+        .clk_i(clk_i), .rst_i(rst_i), .restart_i(we_rate || config_restart), .fast_i(fast_q),
         .ready_o(codec_ready), .error_o(codec_error), .step_o(codec_step),
+        .send_i(config_send), .send_word_i({config_address, config_data}),
+        .busy_o(config_busy), .nack_o(config_nack),
         .sclk_o(i2c_sclk_o), .sdat_oe_o(i2c_sdat_oe_o), .sdat_i(i2c_sdat_i)
     );
 
@@ -191,6 +204,10 @@ module audio (
             CODEC_RATE[11:0]:      rdata_o <= {31'd0, fast_q};
             CODEC_STATUS[11:0]:    rdata_o <= {24'd0, codec_step, 2'd0, codec_error, codec_ready};
             CODEC_UNDERRUNS[11:0]: rdata_o <= underruns_q;
+            AV_CONFIG_STATUS[11:0]: rdata_o <= {23'd0, codec_ready, 6'd0, config_ready,
+                                                (config_nack && !config_send) || codec_error};
+            AV_CONFIG_ADDRESS[11:0]: rdata_o <= {25'd0, config_address};
+            AV_CONFIG_DATA[11:0]:    rdata_o <= {23'd0, config_data};
             default: ;
         endcase
     end

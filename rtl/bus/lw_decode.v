@@ -38,6 +38,7 @@ module lw_decode (
             decode[SEL_RESAMPLER] = hit(addr, RESAMPLER_BASE[20:0], RESAMPLER_SIZE[20:0]);
             decode[SEL_PIXEL]     = hit(addr, PIXEL_BASE[20:0], PIXEL_SIZE[20:0]);
             decode[SEL_AUDIO]     = hit(addr, AUDIO_BASE[20:0], AUDIO_SIZE[20:0])
+                                    || hit(addr, AV_CONFIG_BASE[20:0], AV_CONFIG_SIZE[20:0])
                                     || hit(addr, CODEC_BASE[20:0], CODEC_SIZE[20:0]);
             decode[SEL_KEYPAD]    = hit(addr, KEYPAD_BASE[20:0], KEYPAD_SIZE[20:0]);
             decode[SEL_TIMER0]    = hit(addr, TIMER0_BASE[20:0], TIMER0_SIZE[20:0]);

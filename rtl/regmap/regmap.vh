@@ -1,7 +1,7 @@
 // regmap.vh - generated from regmap.def by `make regmap`; do not edit.
 // Every module uses a few of these constants.
 // verilator lint_off UNUSEDPARAM
-localparam [31:0] REGMAP_HASH = 32'h783edb5f;
+localparam [31:0] REGMAP_HASH = 32'hb6027c85;
 
 localparam [31:0] PICTURE0_BASE = 32'hc8000000;
 localparam [31:0] PICTURE0_SIZE = 32'h00080000;
@@ -194,6 +194,27 @@ localparam PIXEL_STATUS_A_LSB = 1;
 localparam PIXEL_STATUS_A_W = 1;
 localparam PIXEL_STATUS_EN_LSB = 2;
 localparam PIXEL_STATUS_EN_W = 1;
+
+localparam [31:0] AV_CONFIG_BASE = 32'hff203000;
+localparam [31:0] AV_CONFIG_SIZE = 32'h00000010;
+localparam [31:0] AV_CONFIG_CONTROL = 32'hff203000;
+localparam [31:0] AV_CONFIG_CONTROL_RESET = 32'h00000000;
+localparam AV_CONFIG_CONTROL_RESET_LSB = 0;
+localparam AV_CONFIG_CONTROL_RESET_W = 1;
+localparam [31:0] AV_CONFIG_STATUS = 32'hff203004;
+localparam [31:0] AV_CONFIG_STATUS_RESET = 32'h00000000;
+localparam AV_CONFIG_STATUS_ACK_LSB = 0;
+localparam AV_CONFIG_STATUS_ACK_W = 1;
+localparam AV_CONFIG_STATUS_RDY_LSB = 1;
+localparam AV_CONFIG_STATUS_RDY_W = 1;
+localparam AV_CONFIG_STATUS_AIS_LSB = 8;
+localparam AV_CONFIG_STATUS_AIS_W = 1;
+localparam AV_CONFIG_STATUS_CFG_LSB = 16;
+localparam AV_CONFIG_STATUS_CFG_W = 8;
+localparam [31:0] AV_CONFIG_ADDRESS = 32'hff203008;
+localparam [31:0] AV_CONFIG_ADDRESS_RESET = 32'h00000000;
+localparam [31:0] AV_CONFIG_DATA = 32'hff20300c;
+localparam [31:0] AV_CONFIG_DATA_RESET = 32'h00000000;
 
 localparam [31:0] AUDIO_BASE = 32'hff203040;
 localparam [31:0] AUDIO_SIZE = 32'h00000010;
