@@ -3,6 +3,7 @@
 //   lw_*  --> lw_bridge --+--> ledr hex sw key jp1 jp2 sysid
 //                         +--> keypad ---- JP1 D7-D0
 //                         +--> audio ----- WM8731
+//                         +--> ps2 ------- keyboard
 //                         +--> jtag uarts  the host's terminal
 //                         +--> adc ------- LTC2308
 //                         +--> vga ------- ADV7123
@@ -120,6 +121,12 @@ module fpga #(
     output wire            adc_sdi_o,
     input  wire            adc_sdo_i,
 
+    // PS/2, bit n of port n
+    input  wire [1:0]      ps2_clk_i,
+    input  wire [1:0]      ps2_dat_i,
+    output wire [1:0]      ps2_clk_low_o,  // 1 = pull low
+    output wire [1:0]      ps2_dat_low_o,
+
     // Host's side of the JTAG UARTs, bit or byte n of number n: see jtag_uart.v
     input  wire [1:0]      jtag_take_i,
     output wire [1:0]      jtag_sent_o,
@@ -133,13 +140,12 @@ module fpga #(
     `include "lw_blocks.vh"
 
     // ---- Bridges ----------------------------------------------------------
-    wire [16:0] we, re;
+    wire [18:0] we, re;
     wire [11:0] waddr, raddr;
     wire [31:0] wdata;
     wire [3:0]  wstrb;
-    wire [31:0] ledr_rdata, hex3_0_rdata, hex5_4_rdata, sw_rdata, key_rdata, jp1_rdata, jp2_rdata;
-    wire [31:0] sysid_rdata, vga_rdata, audio_rdata, keypad_rdata, timer0_rdata, timer1_rdata;
-    wire [31:0] jtag0_rdata, jtag1_rdata, adc_rdata;
+    wire [31:0] ports_rdata, sysid_rdata, vga_rdata, audio_rdata, keypad_rdata, timer0_rdata;
+    wire [31:0] timer1_rdata, jtag_rdata, ps2_rdata, adc_rdata;
 
     lw_bridge #(.ID_W(ID_W)) lw (
         .clk_i(clk_i), .rst_i(rst_i),
@@ -153,10 +159,8 @@ module fpga #(
         .rvalid_o(lw_rvalid_o), .rready_i(lw_rready_i),
         .we_o(we), .waddr_o(waddr), .wdata_o(wdata), .wstrb_o(wstrb),
         .re_o(re), .raddr_o(raddr),
-        .rdata_i(ledr_rdata | hex3_0_rdata | hex5_4_rdata | sw_rdata | key_rdata | jp1_rdata
-                 | jp2_rdata | sysid_rdata | vga_rdata | audio_rdata | keypad_rdata
-                 | timer0_rdata | timer1_rdata | jtag0_rdata | jtag1_rdata
-                 | adc_rdata)
+        .rdata_i(ports_rdata | sysid_rdata | vga_rdata | audio_rdata | keypad_rdata
+                 | timer0_rdata | timer1_rdata | jtag_rdata | ps2_rdata | adc_rdata)
     );
 
     wire [3:0]  picture_we;
@@ -186,55 +190,18 @@ module fpga #(
     wire        keypad_enable, key_irq, jp1_irq, jp2_irq, keypad_irq, audio_irq;
     wire [3:0]  keypad_col_low;
     wire [31:0] jp1_out, jp1_oe;
-    // Bits that the ports do not have stay 0.
-    // verilator lint_off UNUSED
-    wire [31:0] hex3_0, hex5_4, ledr;
-    // verilator lint_on UNUSED
 
-    output_port #(.BITS(32'h0000_03ff)) ledr_port (
-        .clk_i(clk_i), .rst_i(rst_i), .we_i(we[SEL_LEDR]), .wstrb_i(wstrb), .waddr_i(waddr),
-        .wdata_i(wdata), .re_i(re[SEL_LEDR]), .raddr_i(raddr), .rdata_o(ledr_rdata), .pins_o(ledr)
-    );
-    output_port #(.BITS(32'h7f7f_7f7f)) hex3_0_port (
-        .clk_i(clk_i), .rst_i(rst_i), .we_i(we[SEL_HEX3_0]), .wstrb_i(wstrb), .waddr_i(waddr),
-        .wdata_i(wdata), .re_i(re[SEL_HEX3_0]), .raddr_i(raddr), .rdata_o(hex3_0_rdata),
-        .pins_o(hex3_0)
-    );
-    output_port #(.BITS(32'h0000_7f7f)) hex5_4_port (
-        .clk_i(clk_i), .rst_i(rst_i), .we_i(we[SEL_HEX5_4]), .wstrb_i(wstrb), .waddr_i(waddr),
-        .wdata_i(wdata), .re_i(re[SEL_HEX5_4]), .raddr_i(raddr), .rdata_o(hex5_4_rdata),
-        .pins_o(hex5_4)
-    );
-    // Inputs only: these ports drive nothing.
-    // verilator lint_off PINCONNECTEMPTY
-    pio #(.WIDTH(10), .HAS_OUTPUT(0), .HAS_EDGE(0)) sw_port (
-        .clk_i(clk_i), .rst_i(rst_i), .we_i(we[SEL_SW]), .wstrb_i(wstrb), .waddr_i(waddr),
-        .wdata_i(wdata), .re_i(re[SEL_SW]), .raddr_i(raddr), .rdata_o(sw_rdata), .irq_o(),
-        .pins_i(sw_i), .pins_o(), .oe_o()
-    );
-    pio #(.WIDTH(4), .HAS_OUTPUT(0)) key_port (
-        .clk_i(clk_i), .rst_i(rst_i), .we_i(we[SEL_KEY]), .wstrb_i(wstrb), .waddr_i(waddr),
-        .wdata_i(wdata), .re_i(re[SEL_KEY]), .raddr_i(raddr), .rdata_o(key_rdata),
-        .irq_o(key_irq), .pins_i(~key_ni), .pins_o(), .oe_o()
-    );
-    // verilator lint_on PINCONNECTEMPTY
-    pio jp1_port (
-        .clk_i(clk_i), .rst_i(rst_i), .we_i(we[SEL_JP1]), .wstrb_i(wstrb), .waddr_i(waddr),
-        .wdata_i(wdata), .re_i(re[SEL_JP1]), .raddr_i(raddr), .rdata_o(jp1_rdata),
-        .irq_o(jp1_irq), .pins_i(jp1_i), .pins_o(jp1_out), .oe_o(jp1_oe)
-    );
-    pio jp2_port (
-        .clk_i(clk_i), .rst_i(rst_i), .we_i(we[SEL_JP2]), .wstrb_i(wstrb), .waddr_i(waddr),
-        .wdata_i(wdata), .re_i(re[SEL_JP2]), .raddr_i(raddr), .rdata_o(jp2_rdata),
-        .irq_o(jp2_irq), .pins_i(jp2_i), .pins_o(jp2_o), .oe_o(jp2_oe_o)
+    parallel_ports ports (
+        .clk_i(clk_i), .rst_i(rst_i), .we_i(we[SEL_JP2:SEL_LEDR]), .wstrb_i(wstrb),
+        .waddr_i(waddr), .wdata_i(wdata), .re_i(re[SEL_JP2:SEL_LEDR]), .raddr_i(raddr),
+        .rdata_o(ports_rdata), .key_irq_o(key_irq), .jp1_irq_o(jp1_irq), .jp2_irq_o(jp2_irq),
+        .ledr_o(ledr_o), .hex_no(hex_no), .sw_i(sw_i), .key_ni(key_ni),
+        .jp1_i(jp1_i), .jp1_o(jp1_out), .jp1_oe_o(jp1_oe),
+        .jp2_i(jp2_i), .jp2_o(jp2_o), .jp2_oe_o(jp2_oe_o)
     );
     sysid sysid_block (
         .clk_i(clk_i), .re_i(re[SEL_SYSID]), .raddr_i(raddr), .rdata_o(sysid_rdata)
     );
-
-    assign ledr_o = ledr[9:0];
-    assign hex_no = ~{hex5_4[14:8], hex5_4[6:0], hex3_0[30:24], hex3_0[22:16], hex3_0[14:8],
-                      hex3_0[6:0]};
 
     // ---- Keypad: columns on JP1 D7 (left) to D4, rows on D3 (top) to D0 -----
     keypad keypad_block (
@@ -296,25 +263,16 @@ module fpga #(
     );
 
     // ---- JTAG UARTs -------------------------------------------------------
-    wire jtag0_irq;
+    wire jtag_irq;
 
-    jtag_uart jtag_uart0 (
-        .clk_i(clk_i), .rst_i(rst_i), .we_i(we[SEL_JTAG0]), .wstrb_i(wstrb), .waddr_i(waddr),
-        .wdata_i(wdata), .re_i(re[SEL_JTAG0]), .raddr_i(raddr), .rdata_o(jtag0_rdata),
-        .irq_o(jtag0_irq), .take_i(jtag_take_i[0]), .sent_o(jtag_sent_o[0]),
-        .sent_data_o(jtag_sent_data_o[7:0]), .room_o(jtag_room_o[0]), .typed_i(jtag_typed_i[0]),
-        .typed_data_i(jtag_typed_data_i[7:0]), .idle_i(jtag_idle_i[0])
+    jtag_uarts jtag (
+        .clk_i(clk_i), .rst_i(rst_i), .we_i(we[SEL_JTAG1:SEL_JTAG0]), .wstrb_i(wstrb),
+        .waddr_i(waddr), .wdata_i(wdata), .re_i(re[SEL_JTAG1:SEL_JTAG0]), .raddr_i(raddr),
+        .rdata_o(jtag_rdata), .irq_o(jtag_irq),
+        .take_i(jtag_take_i), .sent_o(jtag_sent_o), .sent_data_o(jtag_sent_data_o),
+        .room_o(jtag_room_o), .typed_i(jtag_typed_i), .typed_data_i(jtag_typed_data_i),
+        .idle_i(jtag_idle_i)
     );
-    // The second has no interrupt in the DE1-SoC Computer.
-    // verilator lint_off PINCONNECTEMPTY
-    jtag_uart jtag_uart1 (
-        .clk_i(clk_i), .rst_i(rst_i), .we_i(we[SEL_JTAG1]), .wstrb_i(wstrb), .waddr_i(waddr),
-        .wdata_i(wdata), .re_i(re[SEL_JTAG1]), .raddr_i(raddr), .rdata_o(jtag1_rdata),
-        .irq_o(), .take_i(jtag_take_i[1]), .sent_o(jtag_sent_o[1]),
-        .sent_data_o(jtag_sent_data_o[15:8]), .room_o(jtag_room_o[1]), .typed_i(jtag_typed_i[1]),
-        .typed_data_i(jtag_typed_data_i[15:8]), .idle_i(jtag_idle_i[1])
-    );
-    // verilator lint_on PINCONNECTEMPTY
 
     // ---- AD converter -----------------------------------------------------
     adc adc_block (
@@ -323,11 +281,23 @@ module fpga #(
         .convst_o(adc_convst_o), .sck_o(adc_sck_o), .sdi_o(adc_sdi_o), .sdo_i(adc_sdo_i)
     );
 
+    // ---- PS/2 -------------------------------------------------------------
+    wire [1:0] ps2_irq;
+
+    ps2_ports ps2 (
+        .clk_i(clk_i), .rst_i(rst_i), .we_i(we[SEL_PS2_1:SEL_PS2_0]), .wstrb_i(wstrb),
+        .waddr_i(waddr), .wdata_i(wdata), .re_i(re[SEL_PS2_1:SEL_PS2_0]), .raddr_i(raddr),
+        .rdata_o(ps2_rdata), .irq_o(ps2_irq),
+        .ps2_clk_i(ps2_clk_i), .ps2_dat_i(ps2_dat_i),
+        .ps2_clk_low_o(ps2_clk_low_o), .ps2_dat_low_o(ps2_dat_low_o)
+    );
+
     // ---- Interrupts -------------------------------------------------------
     assign irq_o = {31'd0, key_irq} << KEY_IRQ | {31'd0, audio_irq} << AUDIO_IRQ
                    | {31'd0, jp1_irq} << JP1_IRQ | {31'd0, jp2_irq} << JP2_IRQ
                    | {31'd0, keypad_irq} << KEYPAD_IRQ | {31'd0, timer0_irq} << TIMER0_IRQ
-                   | {31'd0, timer1_irq} << TIMER1_IRQ | {31'd0, jtag0_irq} << JTAG_UART0_IRQ;
+                   | {31'd0, timer1_irq} << TIMER1_IRQ | {31'd0, jtag_irq} << JTAG_UART0_IRQ
+                   | {31'd0, ps2_irq[0]} << PS2_0_IRQ | {31'd0, ps2_irq[1]} << PS2_1_IRQ;
 endmodule
 
 `default_nettype wire

@@ -2,7 +2,7 @@
 //
 //   LEFTDATA, RIGHTDATA --> 2 FIFOs of 128 --> i2s_tx --> DACDAT
 //   LEFTDATA, RIGHTDATA <-- 2 FIFOs of 128 <-- i2s_rx <-- ADCDAT
-//   RATE --> codec_setup --> I2C
+//   RATE, AV_CONFIG --> codec_setup --> I2C
 //
 // Samples are 32-bit words, of which the codec takes and gives bits 31:8; 7:0 read 0.
 //
@@ -21,14 +21,14 @@ module audio (
     input  wire        clk_i,          // 25 MHz
     input  wire        rst_i,
 
-    input  wire        we_i,           // AUDIO or CODEC is addressed
+    input  wire        we_i,           // AUDIO, AV_CONFIG or CODEC is addressed
     input  wire [3:0]  wstrb_i,
     input  wire [11:0] waddr_i,
     input  wire [31:0] wdata_i,
     input  wire        re_i,
     input  wire [11:0] raddr_i,
     output reg  [31:0] rdata_o,        // one clock after re_i; 0 at other times
-    output wire        irq_o,          // level
+    output reg         irq_o,          // level, a clock behind what raises it
 
     output wire        aud_xck_o,
     output wire        aud_bclk_o,
@@ -50,20 +50,22 @@ module audio (
     wire we_left      = we && waddr_i == AUDIO_LEFTDATA[11:0];
     wire we_right     = we && waddr_i == AUDIO_RIGHTDATA[11:0];
     wire we_rate      = we && waddr_i == CODEC_RATE[11:0];
-    wire we_underruns = we && waddr_i == CODEC_UNDERRUNS[11:0];
     wire re_left      = re_i && raddr_i == AUDIO_LEFTDATA[11:0];
     wire re_right     = re_i && raddr_i == AUDIO_RIGHTDATA[11:0];
 
     reg ri_enable_q, wi_enable_q, hold_in_q, hold_out_q, fast_q;
 
     always @(posedge clk_i) begin
-        if (we && wstrb_i[0] && waddr_i == AUDIO_CONTROL[11:0]) begin
-            ri_enable_q <= wdata_i[AUDIO_CONTROL_RE_LSB];
-            wi_enable_q <= wdata_i[AUDIO_CONTROL_WE_LSB];
-            hold_in_q   <= wdata_i[AUDIO_CONTROL_CR_LSB];
-            hold_out_q  <= wdata_i[AUDIO_CONTROL_CW_LSB];
-        end
-        if (we_rate && wstrb_i[0]) fast_q <= wdata_i[CODEC_RATE_FAST_LSB];
+        if (we_i && wstrb_i[0]) case (waddr_i)
+            AUDIO_CONTROL[11:0]: begin
+                ri_enable_q <= wdata_i[AUDIO_CONTROL_RE_LSB];
+                wi_enable_q <= wdata_i[AUDIO_CONTROL_WE_LSB];
+                hold_in_q   <= wdata_i[AUDIO_CONTROL_CR_LSB];
+                hold_out_q  <= wdata_i[AUDIO_CONTROL_CW_LSB];
+            end
+            CODEC_RATE[11:0]: fast_q <= wdata_i[CODEC_RATE_FAST_LSB];
+            default: ;
+        endcase
         if (rst_i) begin
             ri_enable_q <= 1'b0;
             wi_enable_q <= 1'b0;
@@ -115,10 +117,12 @@ module audio (
     reg [31:0] underruns_q;
 
     always @(posedge clk_i) begin
-        if (we_underruns) underruns_q <= 32'd0;
+        if (we && waddr_i == CODEC_UNDERRUNS[11:0]) underruns_q <= 32'd0;
         if (take) begin
             paired_q <= pair;
-            if (paired_q && !pair) underruns_q <= we_underruns ? 32'd1 : underruns_q + 32'd1;
+            if (paired_q && !pair)
+                underruns_q <= we && waddr_i == CODEC_UNDERRUNS[11:0] ? 32'd1
+                               : underruns_q + 32'd1;
         end
         if (rst_i) begin
             paired_q    <= 1'b0;
@@ -150,32 +154,60 @@ module audio (
     wire       codec_ready, codec_error;
     wire [3:0] codec_step;
 
+    wire       config_restart, config_send, config_busy, config_nack, config_ready;
+    wire [6:0] config_address;
+    wire [8:0] config_data;
+
+    av_config config_block (
+        .clk_i(clk_i), .rst_i(rst_i), .we_i(we_i && waddr_i[11:4] == AV_CONFIG_BASE[11:4]),
+        .wstrb_i(wstrb_i), .waddr_i(waddr_i), .wdata_i(wdata_i),
+        .restart_o(config_restart), .send_o(config_send), .address_o(config_address),
+        .data_o(config_data), .busy_i(config_busy), .ready_o(config_ready)
+    );
+
     codec_setup setup (
-        .clk_i(clk_i), .rst_i(rst_i), .restart_i(we_rate), .fast_i(fast_q),
+        .clk_i(clk_i), .rst_i(rst_i), .restart_i(we_rate || config_restart), .fast_i(fast_q),
         .ready_o(codec_ready), .error_o(codec_error), .step_o(codec_step),
+        .send_i(config_send), .send_word_i({config_address, config_data}),
+        .busy_o(config_busy), .nack_o(config_nack),
         .sclk_o(i2c_sclk_o), .sdat_oe_o(i2c_sdat_oe_o), .sdat_i(i2c_sdat_i)
     );
 
     // ---- Reads and interrupt -----------------------------------------------
-    wire [7:0] left_room  = DEPTH - left_out_count;
-    wire [7:0] right_room = DEPTH - right_out_count;
-    wire       ri         = left_in_count >= THRESHOLD || right_in_count >= THRESHOLD;
-    wire       wi         = left_room >= THRESHOLD || right_room >= THRESHOLD;
+    function reached;                  // by a count of either channel
+        input [7:0] left;
+        input [7:0] right;
+        reached = left >= THRESHOLD || right >= THRESHOLD;
+    endfunction
 
-    assign irq_o = (ri_enable_q && ri) || (wi_enable_q && wi);
+    function [1:0] wi_ri;
+        input [7:0] left_room;
+        input [7:0] right_room;
+        wi_ri = {reached(left_room, right_room), reached(left_in_count, right_in_count)};
+    endfunction
+
+    always @(posedge clk_i) if (ri_enable_q || wi_enable_q || irq_o || rst_i)
+        irq_o <= !rst_i && ({wi_enable_q, ri_enable_q}
+                            & wi_ri(DEPTH - left_out_count, DEPTH - right_out_count)) != 2'd0;
 
     always @(posedge clk_i) begin
         rdata_o <= 32'd0;
         if (re_i) case (raddr_i)
-            AUDIO_CONTROL[11:0]:   rdata_o <= {22'd0, wi, ri, 4'd0, hold_out_q, hold_in_q,
-                                               wi_enable_q, ri_enable_q};
-            AUDIO_FIFOSPACE[11:0]: rdata_o <= {left_room, right_room,
+            AUDIO_CONTROL[11:0]:   rdata_o <= {22'd0, wi_ri(DEPTH - left_out_count,
+                                                            DEPTH - right_out_count),
+                                               4'd0, hold_out_q, hold_in_q, wi_enable_q,
+                                               ri_enable_q};
+            AUDIO_FIFOSPACE[11:0]: rdata_o <= {DEPTH - left_out_count, DEPTH - right_out_count,
                                                left_in_count, right_in_count};
             AUDIO_LEFTDATA[11:0]:  if (!left_in_empty) rdata_o <= {left_in, 8'd0};
             AUDIO_RIGHTDATA[11:0]: if (!right_in_empty) rdata_o <= {right_in, 8'd0};
             CODEC_RATE[11:0]:      rdata_o <= {31'd0, fast_q};
             CODEC_STATUS[11:0]:    rdata_o <= {24'd0, codec_step, 2'd0, codec_error, codec_ready};
             CODEC_UNDERRUNS[11:0]: rdata_o <= underruns_q;
+            AV_CONFIG_STATUS[11:0]: rdata_o <= {23'd0, codec_ready, 6'd0, config_ready,
+                                                (config_nack && !config_send) || codec_error};
+            AV_CONFIG_ADDRESS[11:0]: rdata_o <= {25'd0, config_address};
+            AV_CONFIG_DATA[11:0]:    rdata_o <= {23'd0, config_data};
             default: ;
         endcase
     end

@@ -36,9 +36,13 @@ module audio_clocks (
 
     always @(posedge clk_i) begin
         xck_o  <= !xck_o;
-        half_q <= !bclk_edge ? half_q - 5'd1 : fast_i ? FAST_LAST : SLOW_LAST;
-        if (bclk_edge) bclk_o <= !bclk_o;
-        if (fall_o) slot_q <= next_slot_o;
+        if (!bclk_edge) begin
+            half_q <= half_q - 5'd1;
+        end else begin
+            half_q <= fast_i ? FAST_LAST : SLOW_LAST;
+            bclk_o <= !bclk_o;
+            if (bclk_o) slot_q <= next_slot_o;
+        end
         if (rst_i) begin
             xck_o  <= 1'b0;
             half_q <= SLOW_LAST;

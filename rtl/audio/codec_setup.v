@@ -1,4 +1,4 @@
-// codec_setup.v - sets up the WM8731 over I2C after reset, and again at each restart_i
+// codec_setup.v - sets up the WM8731 over I2C after reset and at each restart_i, and sends words
 //
 //   step  register                      step  register
 //   0     R15 reset                     6     R4  analogue path: the DAC, no bypass
@@ -10,6 +10,9 @@
 // A word that is not acknowledged ends the set-up: error_o, and its number in step_o.  While
 // ready_o is high step_o stays at 10.  A restart lets the word on the wire end and then begins at
 // word 0.
+//
+// send_i sends one word more; busy_o until it is sent.  nack_o: the last such word was not
+// acknowledged.
 //
 // Not handled: a reset of the FPGA while the codec pulls SDA low can spoil word 0; a restart helps.
 
@@ -25,6 +28,11 @@ module codec_setup (
     output reg        ready_o,
     output reg        error_o,
     output reg  [3:0] step_o,
+
+    input  wire        send_i,       // not while busy_o
+    input  wire [15:0] send_word_i,  // stands until then
+    output wire        busy_o,       // sets up, or sends
+    output reg         nack_o,
 
     output wire       sclk_o,
     output wire       sdat_oe_o,
@@ -48,39 +56,56 @@ module codec_setup (
 
     localparam [3:0] LAST_STEP = 4'd10;
 
-    reg [15:0] word;
-
-    always @* case (step_o)
-        4'd0:    word = {7'd15, RESET};
-        4'd1:    word = {7'd6, MICPD | OSCPD | CLKOUTPD};
-        4'd2:    word = {7'd0, LINVOL_0DB};
-        4'd3:    word = {7'd1, LINVOL_0DB};
-        4'd4:    word = {7'd2, HPVOL_0DB};
-        4'd5:    word = {7'd3, HPVOL_0DB};
-        4'd6:    word = {7'd4, MUTEMIC | DACSEL};
-        4'd7:    word = {7'd5, DAC_ON};
-        4'd8:    word = {7'd7, FORMAT_I2S | IWL_24};
-        4'd9:    word = {7'd8, fast_i ? SR_48K : SR_8K};
-        default: word = {7'd9, ACTIVE};
-    endcase
+    function [15:0] word;
+        input [3:0] step;
+        input       fast;
+        case (step)
+            4'd0:    word = {7'd15, RESET};
+            4'd1:    word = {7'd6, MICPD | OSCPD | CLKOUTPD};
+            4'd2:    word = {7'd0, LINVOL_0DB};
+            4'd3:    word = {7'd1, LINVOL_0DB};
+            4'd4:    word = {7'd2, HPVOL_0DB};
+            4'd5:    word = {7'd3, HPVOL_0DB};
+            4'd6:    word = {7'd4, MUTEMIC | DACSEL};
+            4'd7:    word = {7'd5, DAC_ON};
+            4'd8:    word = {7'd7, FORMAT_I2S | IWL_24};
+            4'd9:    word = {7'd8, fast ? SR_48K : SR_8K};
+            default: word = {7'd9, ACTIVE};
+        endcase
+    endfunction
 
     // ---- One word after the other -----------------------------------------
     wire busy, done, nack;
     reg  restart_q;                  // when the word on the wire has ended
-    wire start = !busy && !done && !ready_o && !error_o && !restart_q;
+    reg  send_q;                     // a word more is to be sent
+    reg  more_q;                     // it is on the wire
+    wire sets_up = !ready_o && !error_o;
+    wire start   = (sets_up || send_q) && !busy && !done && !restart_q;
+
+    assign busy_o = sets_up || send_q;
 
     i2c_writer writer (
-        .clk_i(clk_i), .rst_i(rst_i), .start_i(start), .word_i(word),
+        .clk_i(clk_i), .rst_i(rst_i), .start_i(start),
+        .word_i(sets_up ? word(step_o, fast_i) : send_word_i),
         .busy_o(busy), .done_o(done), .nack_o(nack),
         .sclk_o(sclk_o), .sdat_oe_o(sdat_oe_o), .sdat_i(sdat_i)
     );
 
-    always @(posedge clk_i) begin
-        if (done) begin
+    always @(posedge clk_i) if (start || done || send_i || restart_i || restart_q
+                                  || rst_i) begin
+        if (send_i) begin
+            send_q <= 1'b1;
+            nack_o <= 1'b0;
+        end
+        if (done && more_q) begin
+            send_q <= 1'b0;
+            nack_o <= nack;
+        end else if (done) begin
             if (nack) error_o <= 1'b1;
             else if (step_o == LAST_STEP) ready_o <= 1'b1;
             else step_o <= step_o + 4'd1;
         end
+        if (start) more_q <= !sets_up;
         if (restart_i) restart_q <= 1'b1;
         if (restart_i || restart_q) begin
             ready_o <= 1'b0;
@@ -95,6 +120,8 @@ module codec_setup (
             error_o   <= 1'b0;
             step_o    <= 4'd0;
             restart_q <= 1'b0;
+            send_q    <= 1'b0;
+            nack_o    <= 1'b0;
         end
     end
 endmodule

@@ -49,7 +49,7 @@ module i2c_writer #(
 
     wire ack_cell = cell_q == 5'd9 || cell_q == 5'd18 || cell_q == 5'd27;
 
-    always @(posedge clk_i) begin
+    always @(posedge clk_i) if (busy_o || start_i || done_o || rst_i) begin
         done_o <= 1'b0;
         if (!busy_o) begin
             if (start_i) begin

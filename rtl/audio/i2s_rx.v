@@ -28,8 +28,9 @@ module i2s_rx (
     sync adcdat_sync (.clk_i(clk_i), .async_i(adcdat_i), .sync_o(adcdat));
 
     always @(posedge clk_i) begin
-        valid_o <= fall_i && next_slot_i == RIGHT_END;
+        valid_o <= 1'b0;
         if (fall_i) begin
+            valid_o <= next_slot_i == RIGHT_END;
             shift_q <= {shift_q[21:0], adcdat};
             if (next_slot_i == LEFT_END) left_o <= {shift_q, adcdat};
             if (next_slot_i == RIGHT_END) right_o <= {shift_q, adcdat};

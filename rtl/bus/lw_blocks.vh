@@ -11,12 +11,14 @@ localparam SEL_JP2       = 6;
 localparam SEL_SYSID     = 7;
 localparam SEL_RESAMPLER = 8;
 localparam SEL_PIXEL     = 9;
-localparam SEL_AUDIO     = 10;   // AUDIO and CODEC
+localparam SEL_AUDIO     = 10;   // AUDIO, AV_CONFIG and CODEC
 localparam SEL_KEYPAD    = 11;
 localparam SEL_TIMER0    = 12;
 localparam SEL_TIMER1    = 13;
 localparam SEL_JTAG0     = 14;   // JTAG_UART0
 localparam SEL_JTAG1     = 15;
-localparam SEL_ADC       = 16;
-localparam SELECTS       = 17;
+localparam SEL_PS2_0     = 16;
+localparam SEL_PS2_1     = 17;
+localparam SEL_ADC       = 18;
+localparam SELECTS       = 19;
 // verilator lint_on UNUSEDPARAM

@@ -29,46 +29,46 @@ module fifo #(
 );
     localparam [DEPTH_LOG2:0] ONE = 1;
 
-    // ---- Fill -------------------------------------------------------------
-    wire push = push_i && !full_o;
-    wire pop  = pop_i && !empty_o;
-
-    assign full_o  = count_o[DEPTH_LOG2];
-    assign empty_o = count_o == {(DEPTH_LOG2 + 1){1'b0}};
-
-    always @(posedge clk_i) begin
-        if (push && !pop) count_o <= count_o + ONE;
-        if (pop && !push) count_o <= count_o - ONE;
-        if (rst_i || clear_i) count_o <= {(DEPTH_LOG2 + 1){1'b0}};
-    end
-
-    // ---- Words ------------------------------------------------------------
     reg [WIDTH-1:0]      memory [0:(1 << DEPTH_LOG2) - 1];
     reg [WIDTH-1:0]      memory_q, passed_q;
     reg [DEPTH_LOG2-1:0] write_q, read_q;        // where the next word goes, where the head lies
     reg                  head_passed_q;
 
-    wire [DEPTH_LOG2-1:0] next_read = read_q + ONE[DEPTH_LOG2-1:0];
-    wire                  pass      = push && (pop ? count_o == ONE : empty_o);
+    function [DEPTH_LOG2-1:0] behind;
+        input [DEPTH_LOG2-1:0] place;
+        behind = place + ONE[DEPTH_LOG2-1:0];
+    endfunction
 
+    assign full_o  = count_o[DEPTH_LOG2];
+    assign empty_o = count_o == {(DEPTH_LOG2 + 1){1'b0}};
     assign rdata_o = head_passed_q ? passed_q : memory_q;
 
-    always @(posedge clk_i) begin
-        if (push) memory[write_q] <= wdata_i;
-        if (pop && !pass) memory_q <= memory[next_read];
-    end
+    function [DEPTH_LOG2:0] next_count;
+        input push;
+        input pop;
+        next_count = push == pop ? count_o : push ? count_o + ONE : count_o - ONE;
+    endfunction
 
-    always @(posedge clk_i) begin
-        if (push) write_q <= write_q + ONE[DEPTH_LOG2-1:0];
-        if (pop) begin
-            read_q        <= next_read;
-            head_passed_q <= 1'b0;
+    // One test a clock while nobody asks; reads stand before writes, so that a simulator needs no
+    // copies of what both touch.
+    always @(posedge clk_i) if (push_i || pop_i || clear_i || rst_i) begin
+        if (pop_i && !empty_o) begin
+            if (count_o != ONE) memory_q <= memory[behind(read_q)];
+            read_q <= behind(read_q);
         end
-        if (pass) begin
+        if (push_i && !full_o) begin
+            memory[write_q] <= wdata_i;
+            write_q         <= behind(write_q);
+        end
+        if (push_i && (empty_o || (pop_i && count_o == ONE))) begin
             passed_q      <= wdata_i;
             head_passed_q <= 1'b1;
+        end else if (pop_i && !empty_o) begin
+            head_passed_q <= 1'b0;
         end
-        if (rst_i || clear_i) begin
+        count_o <= next_count(push_i && !full_o, pop_i && !empty_o);
+        if (clear_i || rst_i) begin
+            count_o <= {(DEPTH_LOG2 + 1){1'b0}};
             write_q <= {DEPTH_LOG2{1'b0}};
             read_q  <= {DEPTH_LOG2{1'b0}};
         end

@@ -23,22 +23,28 @@ module shift_fifo #(
     localparam DEPTH = 1 << DEPTH_LOG2;
     localparam [DEPTH_LOG2:0] ONE = 1;
 
-    reg  [DEPTH * WIDTH - 1:0] words_q;
-    wire                       push = push_i && !count_o[DEPTH_LOG2];
-    wire                       pop  = pop_i && count_o != {(DEPTH_LOG2 + 1){1'b0}};
-    wire [DEPTH_LOG2:0]        left = pop ? count_o - ONE : count_o;
+    reg [DEPTH * WIDTH - 1:0] words_q;
 
     assign rdata_o = words_q[WIDTH-1:0];
 
+    // The words that are left after a pop.
+    function [DEPTH_LOG2:0] left;
+        input pop;
+        left = pop && count_o != 0 ? count_o - ONE : count_o;
+    endfunction
+
+    // One test a clock while nobody asks.
     integer n;
-    always @(posedge clk_i) begin
-        if (pop) words_q <= words_q >> WIDTH;
-        if (push) begin
+    always @(posedge clk_i) if (push_i || pop_i || rst_i) begin
+        if (pop_i && count_o != 0) words_q <= words_q >> WIDTH;
+        if (push_i && !count_o[DEPTH_LOG2]) begin
             for (n = 0; n < DEPTH; n = n + 1)
-                if (left == n[DEPTH_LOG2:0]) words_q[n * WIDTH +: WIDTH] <= wdata_i;
+                if (left(pop_i) == n[DEPTH_LOG2:0]) words_q[n * WIDTH +: WIDTH] <= wdata_i;
+            count_o <= left(pop_i) + ONE;
+        end else begin
+            count_o <= left(pop_i);
         end
-        if (push || pop) count_o <= push ? left + ONE : left;
-        if (rst_i) count_o <= {(DEPTH_LOG2 + 1){1'b0}};
+        if (rst_i) count_o <= 0;
     end
 endmodule
 

@@ -17,25 +17,34 @@ module small_fifo #(
     input  wire                pop_i,
     output wire [WIDTH-1:0]    rdata_o,
 
-    output wire [DEPTH_LOG2:0] count_o
+    output reg  [DEPTH_LOG2:0] count_o
 );
-    localparam [DEPTH_LOG2:0] ONE = 1, FULL = 1 << DEPTH_LOG2;
+    localparam [DEPTH_LOG2:0] ONE = 1;
 
-    reg [WIDTH-1:0]    memory [0:(1 << DEPTH_LOG2) - 1];
-    reg [DEPTH_LOG2:0] write_q, read_q;   // a bit more than an address: full is not empty
+    reg [WIDTH-1:0]      memory [0:(1 << DEPTH_LOG2) - 1];
+    reg [DEPTH_LOG2-1:0] write_q, read_q;
 
-    assign count_o = write_q - read_q;
-    assign rdata_o = memory[read_q[DEPTH_LOG2-1:0]];
+    assign rdata_o = memory[read_q];
 
-    always @(posedge clk_i) begin
-        if (push_i && count_o != FULL) begin
-            memory[write_q[DEPTH_LOG2-1:0]] <= wdata_i;
-            write_q <= write_q + ONE;
+    function [DEPTH_LOG2:0] next_count;
+        input push;
+        input pop;
+        next_count = push == pop ? count_o : push ? count_o + ONE : count_o - ONE;
+    endfunction
+
+    // One test a clock while nobody asks; reads stand before writes, so that a simulator needs no
+    // copies of what both touch.
+    always @(posedge clk_i) if (push_i || pop_i || rst_i) begin
+        if (push_i && !count_o[DEPTH_LOG2]) begin
+            memory[write_q] <= wdata_i;
+            write_q         <= write_q + ONE[DEPTH_LOG2-1:0];
         end
-        if (pop_i && write_q != read_q) read_q <= read_q + ONE;
+        if (pop_i && count_o != 0) read_q <= read_q + ONE[DEPTH_LOG2-1:0];
+        count_o <= next_count(push_i && !count_o[DEPTH_LOG2], pop_i && count_o != 0);
         if (rst_i) begin
-            write_q <= {(DEPTH_LOG2 + 1){1'b0}};
-            read_q  <= {(DEPTH_LOG2 + 1){1'b0}};
+            count_o <= 0;
+            write_q <= 0;
+            read_q  <= 0;
         end
     end
 endmodule

@@ -24,13 +24,9 @@ module output_port #(
     `include "lanes.vh"
 
     always @(posedge clk_i) begin
+        rdata_o <= re_i && raddr_i[3:0] == 4'd0 ? pins_o : 32'd0;
         if (we_i && waddr_i[3:0] == 4'd0) pins_o <= merged(pins_o, wdata_i, wstrb_i) & BITS;
         if (rst_i) pins_o <= 32'd0;
-    end
-
-    always @(posedge clk_i) begin
-        rdata_o <= 32'd0;
-        if (re_i && raddr_i[3:0] == 4'd0) rdata_o <= pins_o;
     end
 endmodule
 

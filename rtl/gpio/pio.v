@@ -40,7 +40,10 @@ module pio #(
         input [WIDTH-1:0] old_bits;
         written = merged(old_bits, wdata_i, wstrb_i);
     endfunction
-    wire [WIDTH-1:0] written_ones = wdata_i & lanes(wstrb_i);
+    function [WIDTH-1:0] ones;
+        input [3:0] strobes;
+        ones = wdata_i & lanes(strobes);
+    endfunction
     // verilator lint_on WIDTH
 
     // ---- Pins -------------------------------------------------------------
@@ -52,19 +55,29 @@ module pio #(
     assign irq_o = (edge_q & mask_q) != {WIDTH{1'b0}};
 
     // ---- Registers: the offsets are JP1's, the widest of these ports -------
+    // Reads stand before writes: a simulator then needs no copies of what both touch.
     always @(posedge clk_i) begin
+        rdata_o <= 32'd0;
+        // Zero-extension to the bus, for every width.
+        // verilator lint_off WIDTH
+        if (re_i) case (raddr_i[3:0])
+            JP1_DATA[3:0]: rdata_o <= data;
+            JP1_DIR[3:0]:  rdata_o <= oe_o;
+            JP1_MASK[3:0]: rdata_o <= mask_q;
+            default:       rdata_o <= edge_q;
+        endcase
+        // verilator lint_on WIDTH
+
+        if (HAS_EDGE != 0 && (we_i || data != data_was_q))
+            edge_q <= (we_i && waddr_i[3:0] == JP1_EDGE[3:0] ? edge_q & ~ones(wstrb_i) : edge_q)
+                      | (data_was_q & ~data);
+        data_was_q <= data;
         if (we_i) case (waddr_i[3:0])
             JP1_DATA[3:0]: if (HAS_OUTPUT != 0) pins_o <= written(pins_o);
             JP1_DIR[3:0]:  if (HAS_OUTPUT != 0) oe_o <= written(oe_o);
             JP1_MASK[3:0]: if (HAS_EDGE != 0) mask_q <= written(mask_q);
             default: ;
         endcase
-        data_was_q <= data;
-        if (HAS_EDGE != 0) begin
-            if (data != data_was_q) edge_q <= edge_q | (data_was_q & ~data);
-            if (we_i && waddr_i[3:0] == JP1_EDGE[3:0])
-                edge_q <= (edge_q & ~written_ones) | (data_was_q & ~data);
-        end
         if (rst_i) begin
             pins_o     <= {WIDTH{1'b0}};
             oe_o       <= {WIDTH{1'b0}};
@@ -73,19 +86,6 @@ module pio #(
             data_was_q <= {WIDTH{1'b0}};   // nothing falls at reset
         end
     end
-
-    // Zero-extension to the bus, for every width.
-    // verilator lint_off WIDTH
-    always @(posedge clk_i) begin
-        rdata_o <= 32'd0;
-        if (re_i) case (raddr_i[3:0])
-            JP1_DATA[3:0]: rdata_o <= data;
-            JP1_DIR[3:0]:  rdata_o <= oe_o;
-            JP1_MASK[3:0]: rdata_o <= mask_q;
-            default:       rdata_o <= edge_q;
-        endcase
-    end
-    // verilator lint_on WIDTH
 endmodule
 
 `default_nettype wire

@@ -52,58 +52,51 @@ module jtag_uart (
     wire we_control = we_i && waddr_i[2] == JTAG_UART0_CONTROL[2];
     wire re_data    = re_i && raddr_i[2] == JTAG_UART0_DATA[2];
 
-    // ---- To the host ------------------------------------------------------
-    wire [6:0] write_count;
-    wire [7:0] write_head;
+    // ---- Bytes to the host and from it ------------------------------------
+    wire [6:0] write_count, read_count;
+    wire [7:0] write_head, read_head;
 
     // A write to a full FIFO is dropped by the FIFO; programs ask WSPACE before.
+    wire take = take_i && write_count != 7'd0;
     small_fifo write_fifo (
         .clk_i(clk_i), .rst_i(rst_i), .push_i(we_data), .wdata_i(wdata_i[7:0]),
-        .pop_i(take_i), .rdata_o(write_head), .count_o(write_count)
+        .pop_i(take), .rdata_o(write_head), .count_o(write_count)
     );
-
-    always @(posedge clk_i) begin
-        sent_o <= 1'b0;
-        if (take_i && write_count != 7'd0) begin
-            sent_o      <= !rst_i;
-            sent_data_o <= write_head;
-        end
-    end
-
-    // ---- From the host ----------------------------------------------------
-    wire [6:0] read_count;
-    wire [7:0] read_head;
-    wire       read_empty = read_count == 7'd0;
-
     small_fifo read_fifo (
         .clk_i(clk_i), .rst_i(rst_i), .push_i(typed_i), .wdata_i(typed_data_i),
         .pop_i(re_data), .rdata_o(read_head), .count_o(read_count)
     );
 
-    always @(posedge clk_i) room_o <= read_count != DEPTH && !rst_i;
+    // ---- Registers: asleep unless something stirs now or did a clock ago ----
+    reg  stirred_q, re_q, we_q, ac_q, paused_q;
+    wire stirs = we_i || re_i || take || typed_i || idle_i || rst_i;
 
-    // ---- Registers --------------------------------------------------------
-    reg  re_q, we_q, ac_q, paused_q;
-    wire active = typed_i || idle_i;
-    wire ri     = re_q && (paused_q || DEPTH - read_count <= THRESHOLD);
-    wire wi     = we_q && write_count <= THRESHOLD;
+    wire ri    = re_q && (paused_q || DEPTH - read_count <= THRESHOLD);
+    wire wi    = we_q && write_count <= THRESHOLD;
 
     assign irq_o = ri || wi;
 
-    always @(posedge clk_i) begin
-        if (we_control && wstrb_i[0]) {we_q, re_q} <= wdata_i[1:0];
-        if (active) ac_q <= 1'b1;
-        else if (we_control && wstrb_i[1] && wdata_i[JTAG_UART0_CONTROL_AC_LSB]) ac_q <= 1'b0;
-        if (idle_i && !read_empty) paused_q <= 1'b1;
-        else if (re_data) paused_q <= 1'b0;
-        if (rst_i) {re_q, we_q, ac_q, paused_q} <= 4'd0;
-    end
+    always @(posedge clk_i) if (stirs || stirred_q) begin
+        stirred_q <= stirs;
 
-    always @(posedge clk_i) begin
         rdata_o <= 32'd0;
-        if (re_data && !read_empty) rdata_o <= {9'd0, read_count - 7'd1, 1'b1, 7'd0, read_head};
-        else if (re_i && !re_data)
+        if (re_data) begin
+            if (read_count != 7'd0)
+                rdata_o <= {9'd0, read_count - 7'd1, 1'b1, 7'd0, read_head};
+        end else if (re_i) begin
             rdata_o <= {9'd0, DEPTH - write_count, 5'd0, ac_q, wi, ri, 6'd0, we_q, re_q};
+        end
+
+        room_o <= read_count != DEPTH && !rst_i;
+        sent_o <= take && !rst_i;
+        if (take) sent_data_o <= write_head;
+
+        if (idle_i && read_count != 7'd0) paused_q <= 1'b1;
+        else if (re_data) paused_q <= 1'b0;
+        if (typed_i || idle_i) ac_q <= 1'b1;
+        else if (we_control && wstrb_i[1] && wdata_i[JTAG_UART0_CONTROL_AC_LSB]) ac_q <= 1'b0;
+        if (we_control && wstrb_i[0]) {we_q, re_q} <= wdata_i[1:0];
+        if (rst_i) {re_q, we_q, ac_q, paused_q} <= 4'd0;
     end
 endmodule
 

@@ -46,18 +46,15 @@ module keypad #(
     // ---- Events: a walk over the keys, one a clock -------------------------
     reg  [15:0] told_q;     // keys as the events so far tell them
     reg  [3:0]  walk_q;
-    wire        event_now = keys[walk_q] != told_q[walk_q];
+    wire        telling   = keys != told_q;
+    wire        event_now = telling && keys[walk_q] != told_q[walk_q];
     wire        pop;
     wire [4:0]  event_head, event_count;
     wire        event_empty = event_count == 5'd0;
 
-    always @(posedge clk_i) begin
-        if (keys != told_q) begin
-            walk_q         <= walk_q + 4'd1;
-            told_q[walk_q] <= keys[walk_q];
-        end else begin
-            walk_q <= 4'd0;
-        end
+    always @(posedge clk_i) if (telling || walk_q != 4'd0 || off) begin
+        told_q[walk_q] <= keys[walk_q];
+        walk_q         <= telling ? walk_q + 4'd1 : 4'd0;
         if (off) begin
             walk_q <= 4'd0;
             told_q <= 16'd0;

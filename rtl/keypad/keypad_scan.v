@@ -46,16 +46,6 @@ module keypad_scan #(
     reg [1:0]        col_q;
 
     wire slot_end = slot_q == SLOT_LAST;
-    wire scan_end = slot_end && col_q == 2'd3;
-
-    always @(posedge clk_i) begin
-        slot_q <= slot_end ? {SLOT_W{1'b0}} : slot_q + 1'b1;
-        if (slot_end) col_q <= col_q + 2'd1;
-        if (rst_i) begin
-            slot_q <= 0;
-            col_q  <= 2'd0;
-        end
-    end
 
     assign col_low_o = 4'b0001 << col_q;
 
@@ -66,18 +56,26 @@ module keypad_scan #(
     reg        scanned_q;                   // last_q and equal_q are new
 
     always @(posedge clk_i) begin
-        scanned_q <= scan_end;
-        if (slot_end) case (col_q)
-            2'd0: rows0_q <= ~row_n;
-            2'd1: rows1_q <= ~row_n;
-            2'd2: rows2_q <= ~row_n;
-            default: begin
-                last_q <= {~row_n, rows2_q, rows1_q, rows0_q};
-                if ({~row_n, rows2_q, rows1_q, rows0_q} != last_q) equal_q <= 8'd1;
-                else if (equal_q != 8'hff) equal_q <= equal_q + 8'd1;
-            end
-        endcase
+        scanned_q <= 1'b0;
+        slot_q    <= slot_q + 1'b1;
+        if (slot_end) begin
+            case (col_q)
+                2'd0: rows0_q <= ~row_n;
+                2'd1: rows1_q <= ~row_n;
+                2'd2: rows2_q <= ~row_n;
+                default: begin
+                    if ({~row_n, rows2_q, rows1_q, rows0_q} != last_q) equal_q <= 8'd1;
+                    else if (equal_q != 8'hff) equal_q <= equal_q + 8'd1;
+                    last_q    <= {~row_n, rows2_q, rows1_q, rows0_q};
+                    scanned_q <= 1'b1;
+                end
+            endcase
+            col_q  <= col_q + 2'd1;
+            slot_q <= 0;
+        end
         if (rst_i) begin
+            slot_q    <= 0;
+            col_q     <= 2'd0;
             scanned_q <= 1'b0;
             last_q    <= 16'd0;
             equal_q   <= 8'd0;
@@ -99,8 +97,8 @@ module keypad_scan #(
                     || two_common(scan[7:4], scan[15:12]) || two_common(scan[11:8], scan[15:12]);
     endfunction
 
-    always @(posedge clk_i) begin
-        if (scanned_q && equal_q >= debounce_i) begin
+    always @(posedge clk_i) if (scanned_q || rst_i) begin
+        if (equal_q >= debounce_i) begin
             ghost_o <= rectangle(last_q);
             if (!rectangle(last_q))   // from a nibble a column to a nibble a row
                 keys_o <= {last_q[15], last_q[11], last_q[7], last_q[3],

@@ -43,52 +43,27 @@ module interval_timer (
     assign irq_o = to_q && ito_q;
 
     // ---- Counter ----------------------------------------------------------
-    wire        we_status  = we_i && waddr_i[4:0] == TIMER0_STATUS[4:0];
-    wire        we_control = we_i && waddr_i[4:0] == TIMER0_CONTROL[4:0] && wstrb_i[0];
-    wire        we_low     = we_i && waddr_i[4:0] == TIMER0_PERIOD_LOW[4:0];
-    wire        we_high    = we_i && waddr_i[4:0] == TIMER0_PERIOD_HIGH[4:0];
-    wire        we_snap    = we_i && (waddr_i[4:0] == TIMER0_SNAP_LOW[4:0]
-                                      || waddr_i[4:0] == TIMER0_SNAP_HIGH[4:0]);
-
-    wire        ends  = run_q && counter_q < TICKS;
-    wire [31:0] late  = TICKS - 32'd1 - counter_q;  // ticks behind the end, where it ends
-    wire [31:0] begun = cont_q && period_q >= late ? period_q - late : period_q;
+    // The counter anew, given the ticks behind the end.
+    function [31:0] begun;
+        input [31:0] late;
+        begun = cont_q && period_q >= late ? period_q - late : period_q;
+    endfunction
 
     // Half words, in the low half of a word on the bus.
     // verilator lint_off WIDTH
-    wire [15:0] low  = merged(period_q[15:0], wdata_i, wstrb_i);
-    wire [15:0] high = merged(period_q[31:16], wdata_i, wstrb_i);
+    function [15:0] half;
+        input [15:0] old_half;
+        half = merged(old_half, wdata_i, wstrb_i);
+    endfunction
     // verilator lint_on WIDTH
-    wire [31:0] period = {we_high ? high : period_q[31:16], we_low ? low : period_q[15:0]};
 
-    always @(posedge clk_i) begin
-        if (run_q) counter_q <= ends ? begun : counter_q - TICKS;
-        if (ends) begin
-            to_q  <= 1'b1;
-            run_q <= cont_q;
-        end
-        if (we_status) to_q <= 1'b0;
-        if (we_snap) snap_q <= counter_q;
-        if (we_control) begin
-            ito_q  <= wdata_i[0];
-            cont_q <= wdata_i[1];
-            if (wdata_i[3]) run_q <= 1'b0;
-            if (wdata_i[2]) run_q <= 1'b1;
-        end
-        if (we_low || we_high) begin
-            period_q  <= period;
-            counter_q <= period;
-            run_q     <= 1'b0;
-        end
-        if (rst_i) begin
-            period_q  <= {TIMER0_PERIOD_HIGH_RESET[15:0], TIMER0_PERIOD_LOW_RESET[15:0]};
-            counter_q <= {TIMER0_PERIOD_HIGH_RESET[15:0], TIMER0_PERIOD_LOW_RESET[15:0]};
-            snap_q    <= 32'd0;
-            {to_q, run_q, ito_q, cont_q} <= 4'd0;
-        end
-    end
+    // The period as written, its high half or its low one.
+    function [31:0] period;
+        input high;
+        period = high ? {half(period_q[31:16]), period_q[15:0]}
+                 : {period_q[31:16], half(period_q[15:0])};
+    endfunction
 
-    // ---- Registers --------------------------------------------------------
     always @(posedge clk_i) begin
         rdata_o <= 32'd0;
         if (re_i) case (raddr_i[4:0])
@@ -100,6 +75,39 @@ module interval_timer (
             TIMER0_SNAP_HIGH[4:0]:   rdata_o <= {16'd0, snap_q[31:16]};
             default: ;
         endcase
+
+        if (we_i && (waddr_i[4:0] == TIMER0_SNAP_LOW[4:0]
+                     || waddr_i[4:0] == TIMER0_SNAP_HIGH[4:0])) snap_q <= counter_q;
+        if (run_q) begin
+            if (counter_q < TICKS) begin
+                counter_q <= begun(TICKS - 32'd1 - counter_q);
+                to_q      <= 1'b1;
+                run_q     <= cont_q;
+            end else begin
+                counter_q <= counter_q - TICKS;
+            end
+        end
+        if (we_i) case (waddr_i[4:0])
+            TIMER0_STATUS[4:0]: to_q <= 1'b0;
+            TIMER0_CONTROL[4:0]: if (wstrb_i[0]) begin
+                ito_q  <= wdata_i[0];
+                cont_q <= wdata_i[1];
+                if (wdata_i[3]) run_q <= 1'b0;
+                if (wdata_i[2]) run_q <= 1'b1;
+            end
+            TIMER0_PERIOD_LOW[4:0], TIMER0_PERIOD_HIGH[4:0]: begin
+                counter_q <= period(waddr_i[4:0] == TIMER0_PERIOD_HIGH[4:0]);
+                period_q  <= period(waddr_i[4:0] == TIMER0_PERIOD_HIGH[4:0]);
+                run_q     <= 1'b0;
+            end
+            default: ;
+        endcase
+        if (rst_i) begin
+            period_q  <= {TIMER0_PERIOD_HIGH_RESET[15:0], TIMER0_PERIOD_LOW_RESET[15:0]};
+            counter_q <= {TIMER0_PERIOD_HIGH_RESET[15:0], TIMER0_PERIOD_LOW_RESET[15:0]};
+            snap_q    <= 32'd0;
+            {to_q, run_q, ito_q, cont_q} <= 4'd0;
+        end
     end
 endmodule
 

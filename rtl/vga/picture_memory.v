@@ -1,8 +1,9 @@
 // picture_memory.v - the two pictures, one behind the other: 76,800 words of two pixels
 //
-// One write port and one read port on one clock: a simple dual-port memory of 8 bits for each byte
-// lane, 304 M10K blocks in all (two memories of half the depth would take 320).  What a read gives
-// of a word that is written in the same clock is not defined.
+// One write port and one read port on one clock.  Each byte lane is two simple dual-port memories,
+// of 5 bits (38 M10K blocks of 2,048 x 5) and of 3 (30 of 8,192 x 1), so no bit of a block lies
+// idle: 272 blocks in all, where memories of 8 bits take 304.  What a read gives of a word that is
+// written in the same clock is not defined.
 
 `default_nettype none
 
@@ -17,17 +18,22 @@ module picture_memory #(
     input  wire [16:0] rindex_i,
     output reg  [31:0] rdata_o     // one clock later; stays until the next read
 );
-    reg [7:0] lane0 [0:WORDS-1];
-    reg [7:0] lane1 [0:WORDS-1];
-    reg [7:0] lane2 [0:WORDS-1];
-    reg [7:0] lane3 [0:WORDS-1];
+    reg [4:0] low0 [0:WORDS-1];
+    reg [4:0] low1 [0:WORDS-1];
+    reg [4:0] low2 [0:WORDS-1];
+    reg [4:0] low3 [0:WORDS-1];
+    reg [2:0] high0 [0:WORDS-1];
+    reg [2:0] high1 [0:WORDS-1];
+    reg [2:0] high2 [0:WORDS-1];
+    reg [2:0] high3 [0:WORDS-1];
 
     always @(posedge clk_i) begin
-        if (we_i[0]) lane0[windex_i] <= wdata_i[7:0];
-        if (we_i[1]) lane1[windex_i] <= wdata_i[15:8];
-        if (we_i[2]) lane2[windex_i] <= wdata_i[23:16];
-        if (we_i[3]) lane3[windex_i] <= wdata_i[31:24];
-        if (re_i) rdata_o <= {lane3[rindex_i], lane2[rindex_i], lane1[rindex_i], lane0[rindex_i]};
+        if (we_i[0]) {high0[windex_i], low0[windex_i]} <= wdata_i[7:0];
+        if (we_i[1]) {high1[windex_i], low1[windex_i]} <= wdata_i[15:8];
+        if (we_i[2]) {high2[windex_i], low2[windex_i]} <= wdata_i[23:16];
+        if (we_i[3]) {high3[windex_i], low3[windex_i]} <= wdata_i[31:24];
+        if (re_i) rdata_o <= {high3[rindex_i], low3[rindex_i], high2[rindex_i], low2[rindex_i],
+                              high1[rindex_i], low1[rindex_i], high0[rindex_i], low0[rindex_i]};
     end
 endmodule
 

@@ -59,52 +59,40 @@ module vga (
         .frame_end_i(h == 10'd0 && v == 10'd480), .front_o(front), .enable_o(enable)
     );
 
-    // ---- Fetch ------------------------------------------------------------
+    // ---- Fetch: of each four clocks, one to ask, one in the store, one to take ----
     reg  [19:0] offset_q;   // in the picture's window, of the word to fetch; bit 19: past its end
-    reg         fetched_q, stored_q, stored2_q;
-    wire        fetch = shown && h[1:0] == 2'd0;
-    wire        in0   = front[31:19] == PICTURE0_BASE[31:19];
-    wire        in1   = front[31:19] == PICTURE1_BASE[31:19];
+    reg         stored_q;
+    reg  [31:0] word_q;
+    wire        in0 = front[31:19] == PICTURE0_BASE[31:19];
+    wire        in1 = front[31:19] == PICTURE1_BASE[31:19];
 
     always @(posedge clk_i) begin
-        if (line_end) offset_q <= {1'b0, front[18:2], 2'b00} + {1'b0, row_next, 10'd0};
-        else if (fetch) offset_q <= offset_q + 20'd4;
-        fetch_o   <= fetch;
-        fetched_q <= fetch_o;
-        if (fetch) begin
+        fetch_o <= 1'b0;
+        if (h[1:0] == 2'd2) word_q <= stored_q ? word_i : 32'd0;
+        if (shown && h[1:0] == 2'd0) begin
+            fetch_o  <= 1'b1;
             stored_q <= stored(offset_q[18:0]) && !offset_q[19] && (in0 || in1) && enable;
             index_o  <= picture_index(in1, offset_q[18:0]);
+            offset_q <= offset_q + 20'd4;
         end
-        if (fetch_o) stored2_q <= stored_q;
+        if (line_end) offset_q <= {1'b0, front[18:2], 2'b00} + {1'b0, row_next, 10'd0};
     end
 
-    // ---- Pixels -----------------------------------------------------------
-    reg  [31:0] word_q;
-    reg  [1:0]  age_q;      // clocks that word_q has been on screen
-    reg  [2:0]  sync1_q, sync2_q, sync3_q;
-    wire [15:0] pixel = age_q[1] ? word_q[31:16] : word_q[15:0];
+    // ---- Pins: a pixel of the picture is two clocks long -------------------
+    reg  [8:0]  sync_q;     // HS, VS, shown of the last three clocks
+    wire [15:0] pixel = h[1] ? word_q[15:0] : word_q[31:16];
 
-    always @(posedge clk_i) begin
-        if (fetched_q) begin
-            word_q <= stored2_q ? word_i : 32'd0;
-            age_q  <= 2'd0;
-        end else begin
-            age_q <= age_q + 2'd1;
-        end
-        sync1_q <= {hs_n, vs_n, shown};
-        sync2_q <= sync1_q;
-        sync3_q <= sync2_q;
-    end
-
-    // ---- Pins -------------------------------------------------------------
     assign vga_clk_o   = ~clk_i;   // rises in the middle of a pixel
     assign vga_sync_no = 1'b0;     // no sync on green
 
     always @(posedge clk_i) begin
-        {vga_hs_no, vga_vs_no, vga_blank_no} <= sync3_q;
-        vga_r_o <= sync3_q[0] ? {pixel[15:11], pixel[15:13]} : 8'd0;
-        vga_g_o <= sync3_q[0] ? {pixel[10:5], pixel[10:9]} : 8'd0;
-        vga_b_o <= sync3_q[0] ? {pixel[4:0], pixel[4:2]} : 8'd0;
+        {vga_hs_no, vga_vs_no, vga_blank_no} <= sync_q[8:6];
+        if (h[0] || rst_i) begin
+            vga_r_o <= sync_q[6] ? {pixel[15:11], pixel[15:13]} : 8'd0;
+            vga_g_o <= sync_q[6] ? {pixel[10:5], pixel[10:9]} : 8'd0;
+            vga_b_o <= sync_q[6] ? {pixel[4:0], pixel[4:2]} : 8'd0;
+        end
+        sync_q <= {sync_q[5:0], hs_n, vs_n, shown};
     end
 endmodule
 

@@ -26,6 +26,9 @@ struct Speaker {
     std::string operator()(const SetVoltage& s) const {
         return fmt::format("apply {:.6g} V to CH{}", s.volts, s.channel);
     }
+    std::string operator()(const TypeKeys& s) const {
+        return "type " + in_quotes(s.text) + " on the keyboard";
+    }
     std::string operator()(const WaitFrame& s) const {
         const std::string what = s.what == WaitFrame::What::NUMBER
                                      ? fmt::format("frame {}", s.number)

@@ -35,6 +35,9 @@ struct Release {
 struct TypeSerial {  // goes on to the next step at once
     std::string text;
 };
+struct TypeKeys {  // goes on to the next step at once
+    std::string text;
+};
 struct SetVoltage {
     unsigned channel = 0;
     double volts = 0;
@@ -74,9 +77,9 @@ struct TakeScreenshot {
     std::filesystem::path save_to;  // relative to the output folder, and inside it
 };
 
-using Action =
-    std::variant<Delay, Press, Hold, Release, TypeSerial, SetVoltage, WaitFrame, WaitSerial,
-                 ExpectFrame, ExpectTone, ExpectSilence, ExpectLeds, ExpectHex, TakeScreenshot>;
+using Action = std::variant<Delay, Press, Hold, Release, TypeSerial, TypeKeys, SetVoltage,
+                            WaitFrame, WaitSerial, ExpectFrame, ExpectTone, ExpectSilence,
+                            ExpectLeds, ExpectHex, TakeScreenshot>;
 
 struct Step {
     int line = 0;  // in the file, from 1

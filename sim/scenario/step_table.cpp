@@ -86,6 +86,12 @@ const std::vector<StepForm>& step_forms() {
              return SetVoltage{static_cast<unsigned>(v.get<std::uint64_t>("channel")),
                                v.get<double>("volts")};
          }},
+        {"type-keys",
+         "Type a text on the PS/2 keyboard and go on; a key takes 40 ms.",
+         Notation::BARE,
+         {},
+         {{"text", KEYS_TEXT, Need::REQUIRED, "", "The text."}},
+         [](const Values& v) -> Action { return TypeKeys{v.get<std::string>("text")}; }},
         {"wait-frame",
          "Wait for a frame on the monitor.",
          Notation::BOTH,

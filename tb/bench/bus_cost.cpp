@@ -23,6 +23,7 @@ struct NoPins : sim::PinListener {
     void codec(const sim::CodecPins&, std::uint64_t, sim::FabricInputs&) override {}
     void headers(const sim::HeaderPins&, std::uint64_t, sim::FabricInputs&) override {}
     void adc(const sim::AdcPins&, std::uint64_t, sim::FabricInputs&) override {}
+    void ps2(unsigned, unsigned, sim::FabricInputs&) override {}
     void jtag_byte(unsigned, char, sim::FabricInputs&) override {}
 };
 

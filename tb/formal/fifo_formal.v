@@ -78,7 +78,7 @@ module fifo_formal (
     endfunction
 
     wire [15:0] shift__words_q;
-    wire [2:0]  small__read_q;
+    wire [1:0]  small__read_q, small__write_q;
     wire [3:0]  small__memory__0, small__memory__1, small__memory__2, small__memory__3;
     function [3:0] small_at;
         input [1:0] place;
@@ -94,9 +94,10 @@ module fifo_formal (
         if (words_q > 3'd1) i_shift2: assert (shift__words_q[7:4] == second_q);
         if (words_q > 3'd2) i_shift3: assert (shift__words_q[11:8] == third_q);
         if (words_q > 3'd3) i_shift4: assert (shift__words_q[15:12] == fourth_q);
-        if (words_q > 3'd1) i_small2: assert (small_at(small__read_q[1:0] + 2'd1) == second_q);
-        if (words_q > 3'd2) i_small3: assert (small_at(small__read_q[1:0] + 2'd2) == third_q);
-        if (words_q > 3'd3) i_small4: assert (small_at(small__read_q[1:0] + 2'd3) == fourth_q);
+        i_small_pointers: assert (small__write_q == small__read_q + words_q[1:0]);
+        if (words_q > 3'd1) i_small2: assert (small_at(small__read_q + 2'd1) == second_q);
+        if (words_q > 3'd2) i_small3: assert (small_at(small__read_q + 2'd2) == third_q);
+        if (words_q > 3'd3) i_small4: assert (small_at(small__read_q + 2'd3) == fourth_q);
     end
 endmodule
 

@@ -1,7 +1,8 @@
 // vga_formal.v - every pixel on the pins is the front picture's, in time; blanking is black.
 //
-// By 8-step induction over the VGA output, the pictures' store and a memory that holds a pattern.
-// The beam, the bus, the processor's reads and the front address are free.
+// From five clocks after a reset on, by 8-step induction over the VGA output, the pictures' store
+// and a memory that holds a pattern.  The beam, the bus, the processor's reads and the front
+// address are free.
 
 `default_nettype none
 
@@ -56,7 +57,7 @@ module vga_formal (
     wire        dut__enable;
 
     reg         live = 1'b0;
-    reg  [2:0]  age_q = 3'd0;                // clocks since the beginning
+    reg  [2:0]  age_q = 3'd0;                // clocks since the last reset
     reg  [18:0] line_q;                      // where in the pictures' window this line begins
     reg         past_q;                      // ... and whether it begins past its end
     wire        shown = dut__h < 10'd640 && dut__v < 10'd480;
@@ -72,7 +73,7 @@ module vga_formal (
 
     always @(posedge clk_i) begin
         live    <= 1'b1;
-        if (age_q != 3'd7) age_q <= age_q + 3'd1;
+        age_q   <= rst_i ? 3'd0 : age_q == 3'd7 ? 3'd7 : age_q + 3'd1;
         if (dut__h == 10'd799)
             {past_q, line_q} <= {1'b0, dut__front[18:2], 2'd0} + {row_next, 10'd0};
         if (shown && dut__h[1:0] == 2'd0)
@@ -100,7 +101,6 @@ module vga_formal (
     wire [19:0] dut__offset_q;
     wire [9:0]  done = dut__h > 10'd640 ? 10'd640 : (dut__h + 10'd3) & ~10'd3;
     always @(*) if (live) begin
-        i_age:    assert (age_q != 3'd0);
         i_beam:   assert (dut__h < 10'd800 && dut__v < 10'd525);
         i_offset: assert (dut__v >= 10'd480
                           || dut__offset_q == {past_q, line_q} + {10'd0, done});

@@ -33,6 +33,7 @@ protected:
     void SetUp() override {
         dut.rst_i = 1;
         dut.restart_i = 0;
+        dut.send_i = 0;
         dut.fast_i = 0;
         dut.sdat_i = 1;
         dut.clk_i = 0;

@@ -27,6 +27,7 @@ struct NoPins : sim::PinListener {
         header = pins;
     }
     void adc(const sim::AdcPins&, std::uint64_t, sim::FabricInputs&) override {}
+    void ps2(unsigned, unsigned, sim::FabricInputs&) override {}
     void jtag_byte(unsigned, char, sim::FabricInputs&) override {}
     sim::HeaderPins header{};
 };

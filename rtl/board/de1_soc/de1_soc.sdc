@@ -22,6 +22,9 @@ set_false_path -to [get_ports {GPIO_0[*] GPIO_1[*]}]
 # its rising edge, hundreds of nanoseconds later.  Its answers pass two flip-flops.
 set_false_path -to [get_ports {AUD_* FPGA_I2C_SCLK FPGA_I2C_SDAT}]
 set_false_path -from [get_ports {AUD_ADCDAT FPGA_I2C_SDAT}]
+# PS/2, 17 kHz at most, in by two flip-flops; the ADC, a bit in two clocks and taken where it stands.
+set_false_path -to [get_ports {PS2_* ADC_CS_N ADC_SCLK ADC_DIN}]
+set_false_path -from [get_ports {PS2_* ADC_DOUT}]
 # Constant.
 set_false_path -to [get_ports VGA_SYNC_N]
 # The reset is released through two flip-flops of its own.

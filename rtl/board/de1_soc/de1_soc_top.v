@@ -1,12 +1,11 @@
 // de1_soc_top.v - the chip on the board: its pins, its clock, its processor, and fpga.v
 //
-//   CLOCK_50 --> altera_pll --> 25 MHz --> fpga.v, hps.v (its bridges run on the fabric's clock)
-//   PLL locked, HPS out of reset --> reset_sync --> rst
+//   CLOCK_50 --> clock_reset --> 25 MHz --> fpga.v, hps.v (its bridges run on the fabric's clock)
 //
 // Pins are named as on the board's schematic, so that de1_soc.qsf can be checked against pins.tsv.
 // JP1 and JP2: bits 31:0 are the header's pins 35:19, 17, 15:3, 1; the four others stay open.
 //
-// Not handled: pins of what the system has not (SDRAM, PS/2, IrDA, video-in, USB-Blaster); the
+// Not handled: pins of what the system has not (SDRAM, IrDA, video-in, USB-Blaster); the
 // project leaves them as inputs with weak pull-ups.
 
 `default_nettype none
@@ -47,43 +46,36 @@ module de1_soc_top (
     output wire        ADC_CS_N,     // CONVST
     output wire        ADC_SCLK,
     output wire        ADC_DIN,
-    input  wire        ADC_DOUT
+    input  wire        ADC_DOUT,
+
+    inout  wire        PS2_CLK,
+    inout  wire        PS2_DAT,
+    inout  wire        PS2_CLK2,
+    inout  wire        PS2_DAT2
 );
     localparam ID_W = 12;
 
     // ---- Clock and reset --------------------------------------------------
-    wire clk, locked, hps_rst_n, rst;
+    wire clk, hps_rst_n, rst;
 
-    altera_pll #(
-        .reference_clock_frequency ("50.0 MHz"),
-        .operation_mode            ("direct"),
-        .fractional_vco_multiplier ("false"),
-        .number_of_clocks          (1),
-        .output_clock_frequency0   ("25.000000 MHz"),
-        .phase_shift0              ("0 ps"),
-        .duty_cycle0               (50),
-        .pll_type                  ("General"),
-        .pll_subtype               ("General")
-    ) pll (
-        .refclk   (CLOCK_50),
-        .rst      (1'b0),
-        .fbclk    (1'b0),
-        // verilator lint_off PINCONNECTEMPTY
-        .fboutclk (),
-        // verilator lint_on PINCONNECTEMPTY
-        .outclk   (clk),
-        .locked   (locked)
+    clock_reset clock_reset (
+        .refclk_i(CLOCK_50), .rst_ni(hps_rst_n), .clk_o(clk), .rst_o(rst)
     );
 
-    reset_sync reset_sync (.clk_i(clk), .rst_ni(locked && hps_rst_n), .rst_o(rst));
-
-    // ---- Headers and I2C: open unless driven ------------------------------
+    // ---- Headers, I2C, PS/2: open unless driven ------------------------------
     wire [31:0] jp1, jp1_out, jp1_oe, jp2, jp2_out, jp2_oe;
     wire        sdat_oe;
 
     header header_0 (.pins_io(GPIO_0), .in_o(jp1), .out_i(jp1_out), .oe_i(jp1_oe));
     header header_1 (.pins_io(GPIO_1), .in_o(jp2), .out_i(jp2_out), .oe_i(jp2_oe));
     assign FPGA_I2C_SDAT = sdat_oe ? 1'b0 : 1'bz;
+
+    wire [1:0]  ps2_clk_low, ps2_dat_low;
+
+    assign PS2_CLK  = ps2_clk_low[0] ? 1'b0 : 1'bz;
+    assign PS2_DAT  = ps2_dat_low[0] ? 1'b0 : 1'bz;
+    assign PS2_CLK2 = ps2_clk_low[1] ? 1'b0 : 1'bz;
+    assign PS2_DAT2 = ps2_dat_low[1] ? 1'b0 : 1'bz;
 
     // ---- Processor and fabric ---------------------------------------------
     wire [ID_W-1:0] lw_awid, lw_bid, lw_arid, lw_rid;
@@ -270,6 +262,11 @@ module de1_soc_top (
         .adc_sdi_o            (ADC_DIN),
         .adc_sdo_i            (ADC_DOUT),
 
+        .ps2_clk_i            ({PS2_CLK2, PS2_CLK}),
+        .ps2_dat_i            ({PS2_DAT2, PS2_DAT}),
+        .ps2_clk_low_o        (ps2_clk_low),
+        .ps2_dat_low_o        (ps2_dat_low),
+
         .jtag_take_i          (jtag_take),
         .jtag_sent_o          (jtag_sent),
         .jtag_sent_data_o     (jtag_sent_data),
@@ -280,25 +277,17 @@ module de1_soc_top (
     );
 
     // ---- The host's terminals, by the chip's JTAG pins ---------------------
-    genvar n;
-    generate for (n = 0; n < 2; n = n + 1) begin : jtag
-        alt_jtag_atlantic #(
-            .INSTANCE_ID             (n),
-            .LOG2_RXFIFO_DEPTH       (6),
-            .LOG2_TXFIFO_DEPTH       (6),
-            .SLD_AUTO_INSTANCE_INDEX ("YES")
-        ) atlantic (
-            .clk     (clk),
-            .rst_n   (!rst),
-            .r_ena   (jtag_take[n]),
-            .r_val   (jtag_sent[n]),
-            .r_dat   (jtag_sent_data[8 * n +: 8]),
-            .t_dav   (jtag_room[n]),
-            .t_ena   (jtag_typed[n]),
-            .t_dat   (jtag_typed_data[8 * n +: 8]),
-            .t_pause (jtag_idle[n])
-        );
-    end endgenerate
+    jtag_terminals terminals (
+        .clk_i        (clk),
+        .rst_i        (rst),
+        .take_o       (jtag_take),
+        .sent_i       (jtag_sent),
+        .sent_data_i  (jtag_sent_data),
+        .room_i       (jtag_room),
+        .typed_o      (jtag_typed),
+        .typed_data_o (jtag_typed_data),
+        .idle_o       (jtag_idle)
+    );
 endmodule
 
 `default_nettype wire

@@ -1,1 +1,1 @@
-s/wire push = push_i \&\& !full_o;/wire push = push_i;/
+s/next_count(push_i \&\& !full_o,/next_count(push_i,/

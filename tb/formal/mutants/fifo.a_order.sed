@@ -1,1 +1,1 @@
-s/wire  *pass  *= .*/wire pass = push \&\& empty_o;/
+s/empty_o || (pop_i \&\& count_o == ONE)/empty_o/

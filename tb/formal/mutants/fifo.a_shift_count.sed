@@ -1,1 +1,1 @@
-s/count_o <= push ? left + ONE : left/count_o <= push ? count_o + ONE : left/
+s/count_o <= left(pop_i) + ONE/count_o <= count_o + ONE/

@@ -1,1 +1,1 @@
-s/push_i \&\& count_o != FULL/push_i/
+s/next_count(push_i \&\& !count_o\[DEPTH_LOG2\],/next_count(push_i,/

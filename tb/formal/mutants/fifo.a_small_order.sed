@@ -1,1 +1,1 @@
-s/memory\[read_q\[DEPTH_LOG2-1:0\]\]/memory[0]/
+s/memory\[read_q\]/memory[0]/

@@ -1,1 +1,1 @@
-s/vga_blank_no} <= sync3_q/vga_blank_no} <= sync2_q/
+s/vga_blank_no} <= sync_q\[8:6\]/vga_blank_no} <= sync_q[5:3]/

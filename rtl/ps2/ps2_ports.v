@@ -1,0 +1,44 @@
+// ps2_ports.v - the two PS/2 ports of the DE1-SoC Computer; bit n belongs to number n
+//
+// Registers: ps2_port.v.
+
+`default_nettype none
+
+module ps2_ports (
+    input  wire        clk_i,
+    input  wire        rst_i,
+
+    input  wire [1:0]  we_i,
+    input  wire [3:0]  wstrb_i,
+    input  wire [11:0] waddr_i,
+    input  wire [31:0] wdata_i,
+    input  wire [1:0]  re_i,
+    input  wire [11:0] raddr_i,
+    output wire [31:0] rdata_o,
+    output wire [1:0]  irq_o,
+
+    input  wire [1:0]  ps2_clk_i,
+    input  wire [1:0]  ps2_dat_i,
+    output wire [1:0]  ps2_clk_low_o,    // 1 = pull low
+    output wire [1:0]  ps2_dat_low_o
+);
+    wire        slow_tick;
+    wire [63:0] rdata;
+
+    assign rdata_o = rdata[31:0] | rdata[63:32];
+
+    tick slow (.clk_i(clk_i), .rst_i(rst_i), .tick_o(slow_tick));
+
+    genvar n;
+    generate for (n = 0; n < 2; n = n + 1) begin : port
+        ps2_port ps2 (
+            .clk_i(clk_i), .rst_i(rst_i), .tick_i(slow_tick), .we_i(we_i[n]), .wstrb_i(wstrb_i),
+            .waddr_i(waddr_i), .wdata_i(wdata_i), .re_i(re_i[n]), .raddr_i(raddr_i),
+            .rdata_o(rdata[32 * n +: 32]), .irq_o(irq_o[n]),
+            .ps2_clk_i(ps2_clk_i[n]), .ps2_dat_i(ps2_dat_i[n]),
+            .ps2_clk_low_o(ps2_clk_low_o[n]), .ps2_dat_low_o(ps2_dat_low_o[n])
+        );
+    end endgenerate
+endmodule
+
+`default_nettype wire

@@ -1,0 +1,36 @@
+// av_config.c - waits for the codec to be set up, plays 500 Hz, and mutes it while KEY0 is held.
+//
+// The resampler says what the pixels are: 16 bits (0x14), or LEDR shows 1 and nothing plays.
+#include "registers.h"
+
+enum { DIGITAL_PATH = 5, MUTE = 8, AUTO_INIT_OK = 0x100, READY = 2, NOT_ACKNOWLEDGED = 1 };
+
+static void codec(uint32_t number, uint32_t value) {
+    while ((AV_CONFIG_STATUS & READY) == 0) {
+    }
+    AV_CONFIG_ADDRESS = number;
+    AV_CONFIG_DATA = value;
+    while ((AV_CONFIG_STATUS & READY) == 0) {
+    }
+    if (AV_CONFIG_STATUS & NOT_ACKNOWLEDGED) LEDR = 2;
+}
+
+int main(void) {
+    if (RESAMPLER_STATUS != 0x14) {
+        LEDR = 1;
+        return 1;
+    }
+    while ((AV_CONFIG_STATUS & AUTO_INIT_OK) == 0) {
+    }
+    LEDR = 0x200;
+    for (uint32_t n = 0, muted = 0;; ++n) {
+        const uint32_t held = KEY & 1;
+        if (held != muted) codec(DIGITAL_PATH, held ? MUTE : 0);
+        muted = held;
+        const uint32_t sample = n / 8 % 2 ? 0x10000000 : 0xF0000000;
+        while ((AUDIO_SPACE & 0x00FF0000) == 0) {
+        }
+        AUDIO_LEFT = sample;
+        AUDIO_RIGHT = sample;
+    }
+}

@@ -1,0 +1,103 @@
+// av_config_test.cpp - the audio/video configuration's registers, and the codec behind them
+#include "tb/rtl/audio_bench.h"
+
+namespace {
+
+using namespace regmap;
+using namespace tb;
+
+constexpr std::uint32_t ACK = 1, RDY = 2, AIS = 1 << 8;
+constexpr int LEFT_HEADPHONE = 2, DIGITAL_PATH = 5;
+
+class AvConfig : public Audio {
+protected:
+    void wait_until_ready() {
+        for (int i = 0; i < 20'000 && !(read(AV_CONFIG_STATUS) & RDY); ++i) clock(10);
+        EXPECT_TRUE(read(AV_CONFIG_STATUS) & RDY) << "never ready";
+    }
+    void send(std::uint32_t codec_register, std::uint32_t value) {
+        write(AV_CONFIG_ADDRESS, codec_register);
+        write(AV_CONFIG_DATA, value);
+    }
+};
+
+TEST_F(AvConfig, SaysThatTheCodecIsSetUp) {
+    EXPECT_EQ(read(0xFF203004), RDY | AIS);
+    EXPECT_EQ(read(0xFF203000), 0u);
+}
+
+TEST_F(AvConfig, SendsNineBitsToTheRegisterAddressed) {
+    send(LEFT_HEADPHONE, 0x0f0);
+    EXPECT_EQ(read(AV_CONFIG_STATUS), AIS);
+    wait_until_ready();
+    EXPECT_EQ(codec.reg(LEFT_HEADPHONE), 0x0f0);
+    send(LEFT_HEADPHONE, 0x155);
+    wait_until_ready();
+    EXPECT_EQ(codec.reg(LEFT_HEADPHONE), 0x155);
+    EXPECT_EQ(read(AV_CONFIG_ADDRESS), 2u);
+    EXPECT_EQ(read(AV_CONFIG_DATA), 0x155u);
+    EXPECT_EQ(read(AV_CONFIG_STATUS), RDY | AIS);
+}
+
+TEST_F(AvConfig, SendsOneWordForOneWrite) {
+    const std::uint64_t words = codec.words();
+    send(LEFT_HEADPHONE, 0x0f0);
+    wait_until_ready();
+    clock(50'000);
+    EXPECT_EQ(codec.words(), words + 1);
+}
+
+TEST_F(AvConfig, DropsAWordWhileAnotherIsUnderWay) {
+    const std::uint64_t words = codec.words();
+    send(LEFT_HEADPHONE, 0x0f0);
+    send(DIGITAL_PATH, 0x008);
+    wait_until_ready();
+    clock(50'000);
+    EXPECT_EQ(codec.words(), words + 1);
+    EXPECT_EQ(codec.reg(LEFT_HEADPHONE), 0x0f0);
+    EXPECT_EQ(codec.reg(DIGITAL_PATH), 0x000);
+}
+
+TEST_F(AvConfig, ShowsAWordThatWasNotAcknowledgedUntilTheNext) {
+    codec.refuse_word(codec.words() + 1);
+    send(LEFT_HEADPHONE, 0x0f0);
+    wait_until_ready();
+    EXPECT_EQ(read(AV_CONFIG_STATUS), RDY | AIS | ACK);
+    send(LEFT_HEADPHONE, 0x0f0);
+    EXPECT_EQ(read(AV_CONFIG_STATUS) & ACK, 0u);
+    wait_until_ready();
+    EXPECT_EQ(read(AV_CONFIG_STATUS), RDY | AIS);
+}
+
+TEST_F(AvConfig, SetsTheCodecUpAgain) {
+    send(LEFT_HEADPHONE, 0x0f0);
+    wait_until_ready();
+    write(AV_CONFIG_CONTROL, 1);
+    clock(2);
+    EXPECT_EQ(read(AV_CONFIG_STATUS), 0u);
+    wait_until_ready();
+    EXPECT_EQ(read(AV_CONFIG_STATUS), RDY | AIS);
+    EXPECT_EQ(codec.reg(LEFT_HEADPHONE), 0x079);
+}
+
+TEST_F(AvConfig, LetsAWordOnTheWireEndBeforeANewSetUp) {
+    const std::uint64_t words = codec.words();
+    send(LEFT_HEADPHONE, 0x0f0);
+    clock(1000);
+    write(AV_CONFIG_CONTROL, 1);
+    clock(2);
+    wait_until_ready();
+    EXPECT_EQ(read(AV_CONFIG_STATUS), RDY | AIS);
+    EXPECT_EQ(codec.words(), words + 12);
+    EXPECT_EQ(codec.reg(LEFT_HEADPHONE), 0x079);
+}
+
+TEST_F(AvConfig, ShowsASetUpThatFailed) {
+    codec.refuse_word(codec.words() + 3);
+    write(AV_CONFIG_CONTROL, 1);
+    clock(2);
+    wait_until_ready();
+    EXPECT_EQ(read(AV_CONFIG_STATUS), RDY | ACK);
+}
+
+}  // namespace
