@@ -97,13 +97,13 @@ pgo: setup              ## a faster de1sim, built with a profile of the demo -> 
 	@cmake -P sim/pgo.cmake
 
 # Without CMake, which has Verilator read regmap.vh.
-regmap: setup           ## print regmap.vh, REGISTERS.md and the scenario schema anew
+regmap: setup           ## print regmap.vh, REGISTERS.md, the font and the scenario schema anew
 	@mkdir -p build
 	@$(CXX) -std=c++17 -Irtl/regmap -o build/gen_regmap rtl/regmap/gen_regmap.cpp
 	@build/gen_regmap vh > build/regmap.vh && mv build/regmap.vh rtl/regmap/
 	@build/gen_regmap md > build/REGISTERS.md && mv build/REGISTERS.md rtl/regmap/
 	@$(MAKE) --no-print-directory configure
-	@cmake --build build --target schema_files
+	@cmake --build build --target font_files schema_files
 
 format: setup           ## lay out all C++
 	@git ls-files '*.h' '*.cpp' | xargs -d '\n' clang-format -i

@@ -19,6 +19,7 @@ localparam SEL_JTAG0     = 14;   // JTAG_UART0
 localparam SEL_JTAG1     = 15;
 localparam SEL_PS2_0     = 16;
 localparam SEL_PS2_1     = 17;
-localparam SEL_ADC       = 18;
-localparam SELECTS       = 19;
+localparam SEL_TEXT      = 18;
+localparam SEL_ADC       = 19;
+localparam SELECTS       = 20;
 // verilator lint_on UNUSEDPARAM
