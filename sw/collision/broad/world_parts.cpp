@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 
+#include "collision/broad/huge_pages.h"
+
 namespace collision {
 namespace {
 
@@ -100,7 +102,7 @@ bool WorldParts::scatter(const Kernels& kernels, const BoxList& list, const Stri
         start += room;
     }
     starts_.push_back(start);
-    if (entries_.size() < start) entries_.resize(start + start / 8);
+    if (entries_.size() < start) resize_in_huge_pages(entries_, start + start / 8);
     std::copy(starts_.begin(), starts_.end() - 1, ends_.begin());
     const std::uint32_t* limits = starts_.data() + 1;
     return list.boxes ? write(kernels, list.boxes, list, parts, entries_.data(), ends_.data(),
