@@ -73,6 +73,30 @@ TEST(Strips, FindsAllPairsAmongMoreBoxesThanItSortsAtOnce) {
     }
 }
 
+// In a large world boxes are copied, those with sides below 2^16 in a shorter form.
+TEST(Strips, FindsAllPairsInLargeWorldsWhereSidesAreAboutTheLongestThatItCanPack) {
+    constexpr std::int32_t LONGEST = 65'535;
+    std::mt19937 random(6);
+    std::uniform_int_distribution<std::int64_t> place(-15'000'000, 15'000'000);
+    std::uniform_int_distribution<std::int64_t> sides(LONGEST - 9, LONGEST);
+    std::vector<Finder> finders;
+    for (const Kernels* kernels : available_kernels())
+        finders.push_back(finder<Strips>(kernels->name, *kernels));
+    for (const Vec2 special :
+         {Vec2{LONGEST, LONGEST}, {LONGEST + 1, 0}, {LONGEST, LONGEST}, {0, LONGEST + 1}, {0, 0}}) {
+        Boxes boxes;
+        for (int i = 0; i < 150'000; ++i) {
+            boxes.push_back(box(place(random), place(random), sides(random), sides(random)));
+            Aabb& b = boxes.back();
+            if (i % 1000 == 999) b.max = {b.min.x + special.x, b.min.y + special.y};
+        }
+        const Sorted truth = sorted_sweep(boxes);
+        for (Finder& find : finders)
+            EXPECT_EQ(find(boxes), truth)
+                << find.name << ", some of " << special.x << " x " << special.y;
+    }
+}
+
 // Each tick all boxes to the right of `calm` are somewhere else there, and no others.
 TEST(Sweep, FindsAllPairsWhereverItsOrderIsLost) {
     std::mt19937 random(5);
