@@ -11,12 +11,11 @@
 
 namespace collision {
 
-// To `size` elements, none of which keeps its value.  Where many places of an array are written to
-// by turns, a processor cannot keep in mind where as many small pages are.  It only asks: elsewhere
-// than on Linux, or where the system has no such pages left, this is resize().
+// For an array that is still empty.  Where many places of an array are written to by turns, a
+// processor cannot keep in mind where as many small pages are.  It only asks: elsewhere than on
+// Linux, or where the system has no such pages left, this is reserve().
 template <class Element>
-void resize_in_huge_pages(std::vector<Element>& array, std::size_t size) {
-    array.clear();
+void reserve_in_huge_pages(std::vector<Element>& array, std::size_t size) {
     array.reserve(size);
 #if defined(__linux__)
     constexpr std::uintptr_t PAGE = 2 << 20;
@@ -25,7 +24,6 @@ void resize_in_huge_pages(std::vector<Element>& array, std::size_t size) {
     const auto last = (start + array.capacity() * sizeof(Element)) & ~(PAGE - 1);
     if (first < last) madvise(reinterpret_cast<void*>(first), last - first, MADV_HUGEPAGE);
 #endif
-    array.resize(size);
 }
 
 }  // namespace collision

@@ -102,7 +102,11 @@ WorldParts::Outcome WorldParts::scatter(const Kernels& kernels, const BoxList& l
         start += room;
     }
     starts_.push_back(start);
-    if (entries.size() < start) resize_in_huge_pages(entries, start + start / 8);
+    if (entries.size() < start) {
+        entries.clear();
+        reserve_in_huge_pages(entries, start + start / 8);
+        entries.resize(start + start / 8);
+    }
     std::copy(starts_.begin(), starts_.end() - 1, ends_.begin());
     Outcome outcome = Outcome::DONE;
     all_short_ = true;
