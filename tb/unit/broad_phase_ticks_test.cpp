@@ -128,6 +128,19 @@ TEST(Strips, TakesLessThanAHundredBytesABoxWhereEveryBoxIsTall) {
     EXPECT_LT(strips.bytes(), 100 * boxes.size());
 }
 
+TEST(Strips, GivesBackWhatItTookForShortSidesWhenOneIsLong) {
+    Boxes boxes;
+    for (int i = 0; i < 150'000; ++i) boxes.push_back(box(i % 400 * 10, i / 400 * 10, 7, 7));
+    const auto count = static_cast<unsigned>(boxes.size());
+    Strips kept;
+    PairList overlaps;
+    kept.find(boxes.data(), count, overlaps);
+    const std::size_t while_short = kept.bytes();
+    boxes.back() = box(0, 0, 100'000, 7);
+    kept.find(boxes.data(), count, overlaps);
+    EXPECT_LT(kept.bytes(), while_short * 3 / 2);  // 20 bytes an entry in place of 16
+}
+
 #if defined(__x86_64__)
 TEST(Kernels, AreTheWidestThatTheProcessorHas) {
     const bool avx512 = __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl");

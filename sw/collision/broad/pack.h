@@ -11,7 +11,10 @@ class ShortSides {
 public:
     // Width and height, then both less than 0.
     Four operator()(const Aabb& box) {
-        const Four sides = exchanged(four(box)) - four(box);
+        using Unsigned [[gnu::vector_size(16)]] = std::uint32_t;  // 2^31 at most
+        const auto from = reinterpret_cast<Unsigned>(four(box));
+        const auto to = reinterpret_cast<Unsigned>(exchanged(four(box)));
+        const Four sides = reinterpret_cast<Four>(to - from);
         all_ |= sides;
         return sides;
     }
@@ -21,6 +24,7 @@ private:
     Four all_ = {};
 };
 
+// Looks at the sides, too, so that the next time they may be packed.
 struct Unpacked {
     using Written = Entry;
     static constexpr bool ANY_SIDES = true;

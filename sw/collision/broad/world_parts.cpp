@@ -143,9 +143,9 @@ void WorldParts::cut(const Kernels& kernels, const BoxList& list, const StripPar
     const bool try_packed = list.packed || (list.boxes && all_short_);
     is_packed_ = try_packed && cut_as<Packed>(kernels, list, parts, packed_);
     if (is_packed_) {
-        entries_ = {};
+        std::vector<Entry>().swap(entries_);
     } else {
-        packed_ = {};
+        std::vector<PackedEntry>().swap(packed_);
         cut_as<Unpacked>(kernels, list, parts, entries_);
     }
 }
