@@ -73,6 +73,30 @@ TEST(Strips, FindsAllPairsAmongMoreBoxesThanItSortsAtOnce) {
     }
 }
 
+// In a large world boxes are copied, those with sides below 2^16 in a shorter form.
+TEST(Strips, FindsAllPairsInLargeWorldsWhereSidesAreAboutTheLongestThatItCanPack) {
+    constexpr std::int32_t LONGEST = 65'535;
+    std::mt19937 random(6);
+    std::uniform_int_distribution<std::int64_t> place(-15'000'000, 15'000'000);
+    std::uniform_int_distribution<std::int64_t> sides(LONGEST - 9, LONGEST);
+    std::vector<Finder> finders;
+    for (const Kernels* kernels : available_kernels())
+        finders.push_back(finder<Strips>(kernels->name, *kernels));
+    for (const Vec2 special :
+         {Vec2{LONGEST, LONGEST}, {LONGEST + 1, 0}, {LONGEST, LONGEST}, {0, LONGEST + 1}, {0, 0}}) {
+        Boxes boxes;
+        for (int i = 0; i < 150'000; ++i) {
+            boxes.push_back(box(place(random), place(random), sides(random), sides(random)));
+            Aabb& b = boxes.back();
+            if (i % 1000 == 999) b.max = {b.min.x + special.x, b.min.y + special.y};
+        }
+        const Sorted truth = sorted_sweep(boxes);
+        for (Finder& find : finders)
+            EXPECT_EQ(find(boxes), truth)
+                << find.name << ", some of " << special.x << " x " << special.y;
+    }
+}
+
 // Each tick all boxes to the right of `calm` are somewhere else there, and no others.
 TEST(Sweep, FindsAllPairsWhereverItsOrderIsLost) {
     std::mt19937 random(5);
@@ -102,6 +126,19 @@ TEST(Strips, TakesLessThanAHundredBytesABoxWhereEveryBoxIsTall) {
     PairList overlaps;
     strips.find(boxes.data(), static_cast<unsigned>(boxes.size()), overlaps);
     EXPECT_LT(strips.bytes(), 100 * boxes.size());
+}
+
+TEST(Strips, GivesBackWhatItTookForShortSidesWhenOneIsLong) {
+    Boxes boxes;
+    for (int i = 0; i < 150'000; ++i) boxes.push_back(box(i % 400 * 10, i / 400 * 10, 7, 7));
+    const auto count = static_cast<unsigned>(boxes.size());
+    Strips kept;
+    PairList overlaps;
+    kept.find(boxes.data(), count, overlaps);
+    const std::size_t while_short = kept.bytes();
+    boxes.back() = box(0, 0, 100'000, 7);
+    kept.find(boxes.data(), count, overlaps);
+    EXPECT_LT(kept.bytes(), while_short * 3 / 2);  // 20 bytes an entry in place of 16
 }
 
 #if defined(__x86_64__)

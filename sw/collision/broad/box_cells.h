@@ -33,9 +33,10 @@ template <class Lanes, class Box>
         return (offsets_in(to.first, to.last, y) >> to.shift) * to.scale >> 16;
     };
     const auto vector = [&](unsigned i, const Box* from) __attribute__((always_inline)) {
-        const auto box = columns<Lanes>([from](unsigned k) __attribute__((always_inline)) {
-            return box_of(from[k]);
-        });
+        const auto box =
+            columns<Lanes>([from](unsigned k) __attribute__((always_inline))->const Box& {
+                return from[k];
+            });
         const auto strip = strip_of(box.min_y);
         const BucketParts& to = grid.buckets;
         const auto cell = strip * to.count + (offsets_in(to.first, to.last, box.min_x) >> to.shift);
@@ -58,8 +59,9 @@ template <class Lanes, class Box>
 template <class Lanes>
 unsigned box_cells(const BoxList& list, const GridParts& parts, std::uint32_t* cells,
                    std::uint32_t* tall) {
-    return list.boxes ? cells_of<Lanes>(list.boxes, list.count, parts, cells, tall)
-                      : cells_of<Lanes>(list.entries, list.count, parts, cells, tall);
+    return list.boxes     ? cells_of<Lanes>(list.boxes, list.count, parts, cells, tall)
+           : list.entries ? cells_of<Lanes>(list.entries, list.count, parts, cells, tall)
+                          : cells_of<Lanes>(list.packed, list.count, parts, cells, tall);
 }
 
 }  // namespace collision

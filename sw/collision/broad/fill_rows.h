@@ -1,19 +1,11 @@
 // fill_rows.h - a kernel of Strips: boxes fetched in their order and turned into an array an edge.
 #pragma once
 
-#include <limits>
 #include <type_traits>
 
-#include "collision/broad/box_list.h"
 #include "collision/broad/columns.h"
 
 namespace collision {
-
-// In place of min.y: the box also lies in a strip below.
-constexpr std::int32_t VISITOR = std::numeric_limits<std::int32_t>::min();
-
-// In an order: this box as a visitor.
-constexpr std::uint32_t AS_VISITOR = 0x80000000;
 
 struct RowArrays {
     std::int32_t *min_x, *max_x, *min_y, *max_y;
@@ -38,11 +30,13 @@ template <class Lanes, bool AHEAD, class Box>
         const Ints bare = entries & ~visitor;
         std::uint32_t which[Lanes::INTS];
         std::memcpy(which, &bare, sizeof bare);
-        const auto box = columns<Lanes>([&](unsigned k) __attribute__((always_inline)) {
-            return box_of(boxes[which[k]]);
+        const auto box = columns<Lanes>([&](unsigned k) __attribute__((always_inline))->const Box& {
+            return boxes[which[k]];
         });
         if constexpr (std::is_same_v<Box, Entry>)
             for (std::uint32_t& index : which) index = boxes[index].index;
+        if constexpr (std::is_same_v<Box, PackedEntry>)
+            std::memcpy(which, &box.index, sizeof which);
         const Ints min_y = entries < 0 ? visitor : box.min_y;
         std::memcpy(rows.min_x + i, &box.min_x, sizeof(Ints));
         std::memcpy(rows.max_x + i, &box.max_x, sizeof(Ints));
@@ -57,7 +51,9 @@ template <class Lanes, bool AHEAD, class Box>
 template <class Lanes>
 void fill_rows(const BoxList& list, const std::uint32_t* order, unsigned count,
                const RowArrays& rows) {
-    if (!list.boxes)
+    if (list.packed)
+        rows_of<Lanes, false>(list.packed, order, count, rows);
+    else if (list.entries)
         rows_of<Lanes, false>(list.entries, order, count, rows);
     else if (list.count < FETCH_FROM)
         rows_of<Lanes, false>(list.boxes, order, count, rows);

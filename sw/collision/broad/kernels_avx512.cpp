@@ -78,13 +78,21 @@ template <unsigned ROWS, bool FIRST>
     }
 }
 
+template <unsigned COUNT>
+[[gnu::always_inline]] inline std::int32_t largest(const std::int32_t* of) {
+    static_assert(COUNT == 1 || COUNT == 4, "one, or a vector of them");
+    if constexpr (COUNT == 1) return *of;
+    __m128i max = _mm_loadu_si128(reinterpret_cast<const __m128i*>(of));
+    max = _mm_max_epi32(max, _mm_shuffle_epi32(max, 0x4e));  // with those two places away
+    max = _mm_max_epi32(max, _mm_shuffle_epi32(max, 0xb1));  // with the neighbours
+    return _mm_cvtsi128_si32(max);
+}
+
 // The pairs of ROWS boxes from `row` on with those after them.
 template <unsigned ROWS>
 [[gnu::always_inline]] inline void sweep_rows(const StripRows& strip, unsigned row,
                                               PairRoom& room) {
-    std::int32_t max_x = strip.max_x[row];
-    for (unsigned k = 1; k < ROWS; ++k) max_x = std::max(max_x, strip.max_x[row + k]);
-    const std::int32_t reach = strip.last_in_bucket(max_x);
+    const std::int32_t reach = strip.last_in_bucket(largest<ROWS>(strip.max_x + row));
     std::uint32_t j = row + 1;
     sweep_lanes<ROWS, true>(strip, row, j, room);
     for (j += LANES; j < strip.count && strip.min_x[j] <= reach; j += LANES)

@@ -1,8 +1,10 @@
 // pair_writer.h - fills a list of pairs through plain pointers: push_back costs time.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 
+#include "collision/broad/huge_pages.h"
 #include "collision/pair_list.h"
 
 namespace collision {
@@ -35,13 +37,23 @@ public:
             const bool done = fill(room);
             used_ = static_cast<std::size_t>(room.next - list_.data());
             if (done) return;
-            list_.resize(list_.size() + more);
+            grow(list_.size() + more);
         }
     }
 
     void finish() { list_.resize(used_); }  // to what was written
 
 private:
+    void grow(std::size_t size) {
+        if (size > list_.capacity()) {
+            PairList larger;
+            reserve_in_huge_pages(larger, std::max(size, 2 * list_.size()));
+            larger.assign(list_.begin(), list_.end());
+            list_.swap(larger);
+        }
+        list_.resize(size);
+    }
+
     PairList& list_;
     std::size_t used_ = 0;
 };

@@ -29,7 +29,7 @@ struct Sample {
         const unsigned step = list.count / 256 + 1;
         unsigned taken = 0;
         for (unsigned i = 0; i < list.count; i += step) {
-            const Aabb& box = list.box(i);
+            const Aabb box = list.box(i);
             min.x = std::min(min.x, box.min.x);
             max.x = std::max(max.x, box.min.x);
             if (box.min.y == VISITOR) continue;
@@ -37,7 +37,7 @@ struct Sample {
             max.y = std::max(max.y, box.min.y);
         }
         for (unsigned i = 0; i < list.count; i += step, ++taken) {
-            const Aabb& box = list.box(i);
+            const Aabb box = list.box(i);
             const std::int64_t top = std::min(box.max.y, max.y);
             height += static_cast<std::uint64_t>(
                 std::max<std::int64_t>(top - std::max(box.min.y, min.y), 0));
@@ -65,7 +65,7 @@ const BucketParts ONE_BUCKET = {0, 0, 1};
 void Strips::find(const Aabb* boxes, unsigned count, PairList& overlaps) {
     PairWriter writer(overlaps);
     levels_.resize(MOST_LEVELS);
-    if (count > 1) find({boxes, nullptr, count}, 0, writer);
+    if (count > 1) find(list_of(boxes, count), 0, writer);
     writer.finish();
 }
 

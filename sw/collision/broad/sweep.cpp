@@ -80,7 +80,7 @@ void Sweep::find(const Aabb* boxes, unsigned count, PairList& overlaps) {
     if (count == 0) return overlaps.clear();
     choose_axis(boxes, count);
     if (keys_.size() != count || !repair(boxes)) sort(boxes, count);
-    sorted_.arrange({boxes, nullptr, count}, keys_, along_y_);
+    sorted_.arrange(list_of(boxes, count), keys_, along_y_);
 
     const StripRows rows = sorted_.rows(0);
     unsigned row = 0;
