@@ -17,12 +17,12 @@ void print_header() {
 }
 
 void print_ratio(const std::string& what, double ours, const std::string& their_name,
-                 std::optional<double> theirs, double wanted) {
-    const std::string goal = fmt::format(">= {:g} x", wanted);
+                 std::optional<double> theirs, std::optional<double> wanted) {
+    const std::string goal = wanted ? fmt::format(">= {:g} x", *wanted) : "";
     if (theirs)
         fmt::print(ROW, what, fmt::format("{:.1f}", ours), their_name,
                    fmt::format("{:.1f}", *theirs), fmt::format("{:.2f} x", *theirs / ours), goal,
-                   verdict(*theirs / ours >= wanted));
+                   wanted ? verdict(*theirs / ours >= *wanted) : "");
     else
         fmt::print(ROW, what, fmt::format("{:.1f}", ours), their_name, "", "", goal,
                    "not installed");

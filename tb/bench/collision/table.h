@@ -11,7 +11,7 @@ void print_header();
 // One row: our ns a box, theirs, how many times ours is the faster, and whether that is `wanted`.
 // Without `theirs`: not installed.
 void print_ratio(const std::string& what, double ours, const std::string& their_name,
-                 std::optional<double> theirs, double wanted);
+                 std::optional<double> theirs, std::optional<double> wanted);
 
 // One row: a number that must be at most, or below, `wanted`.
 void print_limit(const std::string& what, double measured, const char* unit, double wanted);
