@@ -14,7 +14,7 @@ module character_store (
     input  wire        rst_i,
 
     input  wire        clear_i,
-    output reg         clearing_o,
+    output reg         clearing_o,       // after clear_i, not after a reset
     output reg         any_o,
 
     input  wire        screen_re_i,
@@ -36,31 +36,34 @@ module character_store (
     reg [7:0]  lane1 [0:2047];
     reg [7:0]  lane2 [0:2047];
     reg [7:0]  lane3 [0:2047];
-    reg [10:0] clear_q;
+    reg [10:0] fill_q;
+    reg        filling_q;
 
     wire [10:0] read  = screen_re_i ? screen_index_i : rindex_i;
     wire        write = we_i != 4'd0;
-    wire        fill  = clearing_o && !write;
-    wire [10:0] place = write ? windex_i : clear_q;
+    wire        fill  = filling_q && !write;
+    wire [10:0] place = write ? windex_i : fill_q;
     wire [31:0] wdata = write ? wdata_i : BLANKS;
 
     // One test a clock each while nobody reads or writes.
     always @(posedge clk_i)
         if (screen_re_i || re_i) rdata_o <= {lane3[read], lane2[read], lane1[read], lane0[read]};
 
-    always @(posedge clk_i) if (write || clearing_o || clear_i || rst_i) begin
+    always @(posedge clk_i) if (write || filling_q || clear_i || rst_i) begin
         if (we_i[0] || fill) lane0[place] <= wdata[7:0];
         if (we_i[1] || fill) lane1[place] <= wdata[15:8];
         if (we_i[2] || fill) lane2[place] <= wdata[23:16];
         if (we_i[3] || fill) lane3[place] <= wdata[31:24];
         if (fill) begin
-            clearing_o <= clear_q != LAST;
-            clear_q    <= clear_q + 11'd1;
+            filling_q <= fill_q != LAST;
+            if (fill_q == LAST) clearing_o <= 1'b0;
+            fill_q    <= fill_q + 11'd1;
         end
         if (((wdata_i ^ BLANKS) & lanes(we_i)) != 32'd0) any_o <= 1'b1;
         if (clear_i || rst_i) begin
-            clear_q    <= 11'd0;
-            clearing_o <= 1'b1;
+            fill_q     <= 11'd0;
+            filling_q  <= 1'b1;
+            clearing_o <= !rst_i;
             any_o      <= 1'b0;
         end
     end
