@@ -3,6 +3,7 @@
 //   lw_*  --> lw_bridge --+--> ledr hex sw key jp1 jp2 sysid
 //                         +--> keypad ---- JP1 D7-D0
 //                         +--> audio ----- WM8731
+//                         +--> ps2 ------- keyboard
 //                         +--> jtag uarts  the host's terminal
 //                         +--> vga ------- ADV7123
 //   h2f_* --> h2f_bridge --> picture_store --^
@@ -113,6 +114,12 @@ module fpga #(
     output wire            i2c_sdat_oe_o,  // 1 = pull low
     input  wire            i2c_sdat_i,
 
+    // PS/2, bit n of port n
+    input  wire [1:0]      ps2_clk_i,
+    input  wire [1:0]      ps2_dat_i,
+    output wire [1:0]      ps2_clk_low_o,  // 1 = pull low
+    output wire [1:0]      ps2_dat_low_o,
+
     // Host's side of the JTAG UARTs, bit or byte n of number n: see jtag_uart.v
     input  wire [1:0]      jtag_take_i,
     output wire [1:0]      jtag_sent_o,
@@ -126,13 +133,13 @@ module fpga #(
     `include "lw_blocks.vh"
 
     // ---- Bridges ----------------------------------------------------------
-    wire [15:0] we, re;
+    wire [17:0] we, re;
     wire [11:0] waddr, raddr;
     wire [31:0] wdata;
     wire [3:0]  wstrb;
     wire [31:0] ledr_rdata, hex_rdata, sw_rdata, key_rdata, jp1_rdata, jp2_rdata;
     wire [31:0] sysid_rdata, vga_rdata, audio_rdata, keypad_rdata, timer0_rdata, timer1_rdata;
-    wire [31:0] jtag0_rdata, jtag1_rdata;
+    wire [31:0] jtag0_rdata, jtag1_rdata, ps2_0_rdata, ps2_1_rdata;
 
     lw_bridge #(.ID_W(ID_W)) lw (
         .clk_i(clk_i), .rst_i(rst_i),
@@ -148,7 +155,8 @@ module fpga #(
         .re_o(re), .raddr_o(raddr),
         .rdata_i(ledr_rdata | hex_rdata | sw_rdata | key_rdata | jp1_rdata
                  | jp2_rdata | sysid_rdata | vga_rdata | audio_rdata | keypad_rdata
-                 | timer0_rdata | timer1_rdata | jtag0_rdata | jtag1_rdata)
+                 | timer0_rdata | timer1_rdata | jtag0_rdata | jtag1_rdata
+                 | ps2_0_rdata | ps2_1_rdata)
     );
 
     wire [3:0]  picture_we;
@@ -301,11 +309,32 @@ module fpga #(
     );
     // verilator lint_on PINCONNECTEMPTY
 
+    // ---- PS/2 -------------------------------------------------------------
+    wire ps2_0_irq, ps2_1_irq, slow_tick;
+
+    tick slow (.clk_i(clk_i), .rst_i(rst_i), .tick_o(slow_tick));
+
+    ps2_port ps2_0 (
+        .clk_i(clk_i), .rst_i(rst_i), .tick_i(slow_tick), .we_i(we[SEL_PS2_0]), .wstrb_i(wstrb),
+        .waddr_i(waddr), .wdata_i(wdata), .re_i(re[SEL_PS2_0]), .raddr_i(raddr),
+        .rdata_o(ps2_0_rdata), .irq_o(ps2_0_irq),
+        .ps2_clk_i(ps2_clk_i[0]), .ps2_dat_i(ps2_dat_i[0]),
+        .ps2_clk_low_o(ps2_clk_low_o[0]), .ps2_dat_low_o(ps2_dat_low_o[0])
+    );
+    ps2_port ps2_1 (
+        .clk_i(clk_i), .rst_i(rst_i), .tick_i(slow_tick), .we_i(we[SEL_PS2_1]), .wstrb_i(wstrb),
+        .waddr_i(waddr), .wdata_i(wdata), .re_i(re[SEL_PS2_1]), .raddr_i(raddr),
+        .rdata_o(ps2_1_rdata), .irq_o(ps2_1_irq),
+        .ps2_clk_i(ps2_clk_i[1]), .ps2_dat_i(ps2_dat_i[1]),
+        .ps2_clk_low_o(ps2_clk_low_o[1]), .ps2_dat_low_o(ps2_dat_low_o[1])
+    );
+
     // ---- Interrupts -------------------------------------------------------
     assign irq_o = {31'd0, key_irq} << KEY_IRQ | {31'd0, audio_irq} << AUDIO_IRQ
                    | {31'd0, jp1_irq} << JP1_IRQ | {31'd0, jp2_irq} << JP2_IRQ
                    | {31'd0, keypad_irq} << KEYPAD_IRQ | {31'd0, timer0_irq} << TIMER0_IRQ
-                   | {31'd0, timer1_irq} << TIMER1_IRQ | {31'd0, jtag0_irq} << JTAG_UART0_IRQ;
+                   | {31'd0, timer1_irq} << TIMER1_IRQ | {31'd0, jtag0_irq} << JTAG_UART0_IRQ
+                   | {31'd0, ps2_0_irq} << PS2_0_IRQ | {31'd0, ps2_1_irq} << PS2_1_IRQ;
 endmodule
 
 `default_nettype wire

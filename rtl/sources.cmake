@@ -5,10 +5,11 @@ set(RTL_SOURCES
     audio/audio.v audio/audio_clocks.v audio/av_config.v audio/codec_setup.v audio/i2c_writer.v
     audio/i2s_rx.v audio/i2s_tx.v
     bus/axi_read.v bus/axi_write.v bus/h2f_bridge.v bus/lw_bridge.v bus/lw_decode.v
-    common/fifo.v common/shift_fifo.v common/small_fifo.v common/sync.v
+    common/fifo.v common/shift_fifo.v common/small_fifo.v common/sync.v common/tick.v
     gpio/hex_port.v gpio/output_port.v gpio/pio.v
     jtag_uart/jtag_uart.v
     keypad/keypad.v keypad/keypad_scan.v
+    ps2/ps2_link.v ps2/ps2_port.v
     sysid/sysid.v
     timer/interval_timer.v
     vga/picture_memory.v vga/picture_store.v vga/pixel_registers.v vga/vga.v vga/vga_timing.v)

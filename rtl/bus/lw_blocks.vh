@@ -17,5 +17,7 @@ localparam SEL_TIMER0    = 12;
 localparam SEL_TIMER1    = 13;
 localparam SEL_JTAG0     = 14;   // JTAG_UART0
 localparam SEL_JTAG1     = 15;
-localparam SELECTS       = 16;
+localparam SEL_PS2_0     = 16;
+localparam SEL_PS2_1     = 17;
+localparam SELECTS       = 18;
 // verilator lint_on UNUSEDPARAM

@@ -1,7 +1,7 @@
 // regmap.vh - generated from regmap.def by `make regmap`; do not edit.
 // Every module uses a few of these constants.
 // verilator lint_off UNUSEDPARAM
-localparam [31:0] REGMAP_HASH = 32'hb6027c85;
+localparam [31:0] REGMAP_HASH = 32'hf1e9048d;
 
 localparam [31:0] PICTURE0_BASE = 32'hc8000000;
 localparam [31:0] PICTURE0_SIZE = 32'h00080000;
@@ -61,6 +61,44 @@ localparam [31:0] JP2_MASK = 32'hff200078;
 localparam [31:0] JP2_MASK_RESET = 32'h00000000;
 localparam [31:0] JP2_EDGE = 32'hff20007c;
 localparam [31:0] JP2_EDGE_RESET = 32'h00000000;
+
+localparam [31:0] PS2_0_BASE = 32'hff200100;
+localparam [31:0] PS2_0_SIZE = 32'h00000008;
+localparam [31:0] PS2_0_DATA = 32'hff200100;
+localparam [31:0] PS2_0_DATA_RESET = 32'h00000000;
+localparam PS2_0_DATA_DATA_LSB = 0;
+localparam PS2_0_DATA_DATA_W = 8;
+localparam PS2_0_DATA_RVALID_LSB = 15;
+localparam PS2_0_DATA_RVALID_W = 1;
+localparam PS2_0_DATA_RAVAIL_LSB = 16;
+localparam PS2_0_DATA_RAVAIL_W = 16;
+localparam [31:0] PS2_0_CONTROL = 32'hff200104;
+localparam [31:0] PS2_0_CONTROL_RESET = 32'h00000000;
+localparam PS2_0_CONTROL_RE_LSB = 0;
+localparam PS2_0_CONTROL_RE_W = 1;
+localparam PS2_0_CONTROL_RI_LSB = 8;
+localparam PS2_0_CONTROL_RI_W = 1;
+localparam PS2_0_CONTROL_CE_LSB = 10;
+localparam PS2_0_CONTROL_CE_W = 1;
+
+localparam [31:0] PS2_1_BASE = 32'hff200108;
+localparam [31:0] PS2_1_SIZE = 32'h00000008;
+localparam [31:0] PS2_1_DATA = 32'hff200108;
+localparam [31:0] PS2_1_DATA_RESET = 32'h00000000;
+localparam PS2_1_DATA_DATA_LSB = 0;
+localparam PS2_1_DATA_DATA_W = 8;
+localparam PS2_1_DATA_RVALID_LSB = 15;
+localparam PS2_1_DATA_RVALID_W = 1;
+localparam PS2_1_DATA_RAVAIL_LSB = 16;
+localparam PS2_1_DATA_RAVAIL_W = 16;
+localparam [31:0] PS2_1_CONTROL = 32'hff20010c;
+localparam [31:0] PS2_1_CONTROL_RESET = 32'h00000000;
+localparam PS2_1_CONTROL_RE_LSB = 0;
+localparam PS2_1_CONTROL_RE_W = 1;
+localparam PS2_1_CONTROL_RI_LSB = 8;
+localparam PS2_1_CONTROL_RI_W = 1;
+localparam PS2_1_CONTROL_CE_LSB = 10;
+localparam PS2_1_CONTROL_CE_W = 1;
 
 localparam [31:0] JTAG_UART0_BASE = 32'hff201000;
 localparam [31:0] JTAG_UART0_SIZE = 32'h00000008;
@@ -307,6 +345,8 @@ localparam TIMER1_IRQ = 2;  // GIC ID 74
 
 localparam AUDIO_IRQ = 6;  // GIC ID 78
 
+localparam PS2_0_IRQ = 7;  // GIC ID 79
+
 localparam JTAG_UART0_IRQ = 8;  // GIC ID 80
 
 localparam JP1_IRQ = 11;  // GIC ID 83
@@ -314,4 +354,6 @@ localparam JP1_IRQ = 11;  // GIC ID 83
 localparam JP2_IRQ = 12;  // GIC ID 84
 
 localparam KEYPAD_IRQ = 13;  // GIC ID 85
+
+localparam PS2_1_IRQ = 17;  // GIC ID 89
 // verilator lint_on UNUSEDPARAM

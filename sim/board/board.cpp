@@ -36,6 +36,7 @@ Board::Board(const sc_core::sc_module_name& name, Audience& audience, Software s
                           static_cast<std::int16_t>(sample.right >> 16));
       }},
       keypad{"keypad", seed, [this] { fpga.inputs().jp1 = jp1(); }},
+      ps2_keyboard{"ps2_keyboard", [this] { ps2_wires(fpga.inputs()); }},
       fpga{"fpga", *this, trace_file},
       jtag_host{"jtag_host", fpga, [&audience](char character) { audience.console(character); }},
       ddr3{"ddr3", DDR3_SIZE, sc_core::sc_time{60, sc_core::SC_NS}},
@@ -75,6 +76,19 @@ void Board::headers(const HeaderPins& pins, std::uint64_t, FabricInputs& in) {
     header_pins_ = pins;
     in.jp1 = jp1();
     in.jp2 = pins.jp2 | ~pins.jp2_oe;  // nothing is plugged in: pull-ups
+}
+
+void Board::ps2(unsigned clk_low, unsigned dat_low, FabricInputs& in) {
+    ps2_clk_low_ = clk_low;
+    ps2_dat_low_ = dat_low;
+    ps2_keyboard.host(clk_low & 1, dat_low & 1);
+    ps2_wires(in);
+}
+
+// Open collectors with pull-ups; nothing is plugged into the second port.
+void Board::ps2_wires(FabricInputs& in) const {
+    in.ps2_clk = static_cast<std::uint8_t>(3 & ~(ps2_clk_low_ | ps2_keyboard.clk_low()));
+    in.ps2_dat = static_cast<std::uint8_t>(3 & ~(ps2_dat_low_ | ps2_keyboard.dat_low()));
 }
 
 void Board::jtag_byte(unsigned number, char byte, FabricInputs& in) {

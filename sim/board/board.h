@@ -6,6 +6,7 @@
 //                                             +- Wm8731    (audio)
 //                                             +- Keypad    (JP1 D7-D0)
 //                                             +- JtagHost  (JTAG UARTs)
+//                                             +- Ps2Keyboard  (first PS/2 port)
 //                                             +- KEY, SW, LEDR, HEX
 #pragma once
 
@@ -17,6 +18,7 @@
 #include "sim/board/jtag_host.h"
 #include "sim/board/keypad.h"
 #include "sim/board/monitor.h"
+#include "sim/board/ps2_keyboard.h"
 #include "sim/board/wm8731.h"
 #include "sim/fpga/fpga.h"
 #include "sim/hps/arm_cpu.h"
@@ -58,21 +60,27 @@ public:
 
     // At the first JTAG UART's terminal.
     void type(const std::string& text) { jtag_host.type(text); }
+    // On the PS/2 keyboard: characters with a scan_code().
+    void type_keys(const std::string& text) { ps2_keyboard.type(text); }
 
 private:
     void video(const std::uint32_t* samples, std::size_t count) override;
     void codec(const CodecPins& pins, std::uint64_t time_ps, FabricInputs& in) override;
     void headers(const HeaderPins& pins, std::uint64_t time_ps, FabricInputs& in) override;
+    void ps2(unsigned clk_low, unsigned dat_low, FabricInputs& in) override;
     void jtag_byte(unsigned number, char byte, FabricInputs& in) override;
     std::uint32_t jp1() const;
+    void ps2_wires(FabricInputs& in) const;
 
     HeaderPins header_pins_{};
-    double rate_hz_ = 0;  // of the samples given to the audience so far
+    unsigned ps2_clk_low_ = 0, ps2_dat_low_ = 0;  // by the FPGA
+    double rate_hz_ = 0;                          // of the samples given to the audience so far
 
 public:  // the parts, in the order in which they are soldered
     Monitor monitor;
     Wm8731 codec_chip;
     Keypad keypad;
+    Ps2Keyboard ps2_keyboard;
     Fpga fpga;
     JtagHost jtag_host;
     Memory ddr3;

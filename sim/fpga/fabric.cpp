@@ -86,6 +86,8 @@ inline void Fabric::clock() {
     top.jp2_i = in.jp2;
     top.aud_adcdat_i = in.adcdat;
     top.i2c_sdat_i = in.sdat;
+    top.ps2_clk_i = in.ps2_clk;
+    top.ps2_dat_i = in.ps2_dat;
     top.jtag_take_i = in.jtag.take;
     top.jtag_typed_i = in.jtag.typed;
     top.jtag_typed_data_i = in.jtag.bytes;
@@ -126,6 +128,11 @@ inline void Fabric::clock() {
         (top.jp2_oe_o ^ was.jp2_oe)) {
         was = {top.jp1_o, top.jp1_oe_o, top.jp2_o, top.jp2_oe_o};
         pins_.headers(was, time_ps(), in);
+    }
+    const unsigned ps2 = static_cast<unsigned>(top.ps2_clk_low_o | top.ps2_dat_low_o << 2);
+    if (ps2 != ps2_was_) {
+        ps2_was_ = ps2;
+        pins_.ps2(ps2 & 3, ps2 >> 2, in);
     }
     for (unsigned sent = top.jtag_sent_o, n = 0; sent >> n; ++n)
         if (sent >> n & 1) pins_.jtag_byte(n, static_cast<char>(top.jtag_sent_data_o >> 8 * n), in);

@@ -42,6 +42,7 @@ struct FabricInputs {
     std::uint32_t jp1 = 0xffffffff, jp2 = 0xffffffff;
     bool adcdat = false, sdat = true;
     JtagInputs jtag;
+    std::uint8_t ps2_clk = 3, ps2_dat = 3;  // bit n of port n
 };
 
 class PinListener {
@@ -51,6 +52,8 @@ public:
     // Called after a clock in which one of them moved; may change `in`.
     virtual void codec(const CodecPins& pins, std::uint64_t time_ps, FabricInputs& in) = 0;
     virtual void headers(const HeaderPins& pins, std::uint64_t time_ps, FabricInputs& in) = 0;
+    // What the PS/2 ports pull low, bit n of port n.
+    virtual void ps2(unsigned clk_low, unsigned dat_low, FabricInputs& in) = 0;
     // JTAG UART `number` has sent a byte; may change `in`.
     virtual void jtag_byte(unsigned number, char byte, FabricInputs& in) = 0;
 
@@ -107,6 +110,7 @@ private:
     unsigned video_count_ = 0;
     std::uint32_t codec_was_ = 0;
     HeaderPins headers_was_{0, 0, 0, 0};
+    unsigned ps2_was_ = 0;
 };
 
 }  // namespace sim

@@ -101,6 +101,8 @@ void Player::act(const Release& step) {
 
 void Player::act(const TypeSerial& step) { board_.type(step.text); }
 
+void Player::act(const TypeKeys& step) { board_.type_keys(step.text); }
+
 void Player::act(const WaitFrame& step) {
     const std::uint64_t pictures = senses_.new_pictures;
     const std::uint64_t number =

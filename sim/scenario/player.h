@@ -37,6 +37,7 @@ private:
     void act(const Hold& step);
     void act(const Release& step);
     void act(const TypeSerial& step);
+    void act(const TypeKeys& step);
     void act(const WaitFrame& step);
     void act(const WaitSerial& step);
     void act(const ExpectFrame& step);

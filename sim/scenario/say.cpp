@@ -23,6 +23,9 @@ struct Speaker {
     std::string operator()(const Hold& s) const { return "hold " + to_string(s.controls); }
     std::string operator()(const Release& s) const { return "release " + to_string(s.controls); }
     std::string operator()(const TypeSerial& s) const { return "type " + in_quotes(s.text); }
+    std::string operator()(const TypeKeys& s) const {
+        return "type " + in_quotes(s.text) + " on the keyboard";
+    }
     std::string operator()(const WaitFrame& s) const {
         const std::string what = s.what == WaitFrame::What::NUMBER
                                      ? fmt::format("frame {}", s.number)

@@ -35,6 +35,9 @@ struct Release {
 struct TypeSerial {  // goes on to the next step at once
     std::string text;
 };
+struct TypeKeys {  // goes on to the next step at once
+    std::string text;
+};
 struct WaitFrame {
     enum class What { NUMBER, NEXT, NEXT_SWAP };
     What what = What::NEXT;
@@ -71,8 +74,8 @@ struct TakeScreenshot {
 };
 
 using Action =
-    std::variant<Delay, Press, Hold, Release, TypeSerial, WaitFrame, WaitSerial, ExpectFrame,
-                 ExpectTone, ExpectSilence, ExpectLeds, ExpectHex, TakeScreenshot>;
+    std::variant<Delay, Press, Hold, Release, TypeSerial, TypeKeys, WaitFrame, WaitSerial,
+                 ExpectFrame, ExpectTone, ExpectSilence, ExpectLeds, ExpectHex, TakeScreenshot>;
 
 struct Step {
     int line = 0;  // in the file, from 1

@@ -6,6 +6,7 @@
 #include <charconv>
 #include <string_view>
 
+#include "sim/board/scan_codes.h"
 #include "sim/scenario/words.h"
 
 namespace sim {
@@ -52,6 +53,12 @@ std::optional<double> decimal(std::string_view text, double least, double most) 
 Read read_text(const YamlNode& node) {
     if (!is_text(node) || node.text.empty()) return std::nullopt;
     return node.text;
+}
+
+Read read_keys(const YamlNode& node) {
+    if (!std::all_of(node.text.begin(), node.text.end(), [](char c) { return scan_code(c); }))
+        return std::nullopt;
+    return read_text(node);
 }
 
 Read read_line(const YamlNode& node) {
@@ -129,6 +136,8 @@ namespace value_types {
 const ValueType LINE{"a line of text",
                      R"({"type": "string", "pattern": "^[^\\u0000-\\u001f\\u007f]+$"})", read_line};
 const ValueType TEXT{"text", R"({"type": "string", "minLength": 1})", read_text};
+const ValueType KEYS_TEXT{"text of characters that a US keyboard has",
+                          R"({"type": "string", "pattern": "^[\\t\\n -~]+$"})", read_keys};
 const ValueType PNG_NAME{
     "a name such as start.png inside the output folder",
     R"({"type": "string", "pattern": "^(?!/)(?!(.*/)?\\.\\.(/|$))[^\\u0000-\\u001f\\u007f]*)"

@@ -22,8 +22,8 @@ struct ValueType {
 
 namespace value_types {
 
-extern const ValueType LINE, TEXT, PNG_NAME, VERSION, SEED, PIXELS, TIME, SOME_TIME, PERCENT, HERTZ,
-    FRAME, KEYPAD, KEY, SWITCH, LEDS, HEX;
+extern const ValueType LINE, TEXT, KEYS_TEXT, PNG_NAME, VERSION, SEED, PIXELS, TIME, SOME_TIME,
+    PERCENT, HERTZ, FRAME, KEYPAD, KEY, SWITCH, LEDS, HEX;
 extern const ValueType STEPS;  // has no read: reader.cpp reads the list
 
 }  // namespace value_types

@@ -22,6 +22,7 @@ struct NoPins : sim::PinListener {
     void video(const std::uint32_t*, std::size_t) override {}
     void codec(const sim::CodecPins&, std::uint64_t, sim::FabricInputs&) override {}
     void headers(const sim::HeaderPins&, std::uint64_t, sim::FabricInputs&) override {}
+    void ps2(unsigned, unsigned, sim::FabricInputs&) override {}
     void jtag_byte(unsigned, char, sim::FabricInputs&) override {}
 };
 

@@ -26,6 +26,7 @@ struct NoPins : sim::PinListener {
     void headers(const sim::HeaderPins& pins, std::uint64_t, sim::FabricInputs&) override {
         header = pins;
     }
+    void ps2(unsigned, unsigned, sim::FabricInputs&) override {}
     void jtag_byte(unsigned, char, sim::FabricInputs&) override {}
     sim::HeaderPins header{};
 };

@@ -22,7 +22,7 @@ GOOD_STEPS = [
     "delay: 500ms", "delay: 1.5s", "delay: 0.001ns",
     "press: {keypad: '5'}", "press: {keypad: 5, for: 80ms}", "press: {keypad: [A, '1', 2]}",
     "press: {key: 0, switch: [0, 9]}", "hold: {key: [0, 1, 2, 3]}", "hold: {switch: 3}",
-    "type-serial: 'ls -l'", "type-serial: \"\\n\"",
+    "type-keys: 'Hi ~'", "type-keys: \"\\t\\n\"", "type-serial: 'ls -l'", "type-serial: \"\\n\"",
     "wait-frame: 120", "wait-frame: next", "wait-frame: next-swap",
     "wait-frame: {frame: 1, timeout: 2s}",
     "wait-serial: ready", "wait-serial: {text: '42', timeout: 1ns}",
@@ -46,6 +46,7 @@ BAD_FILES = [
 ]
 
 BAD_STEPS = [
+    "type-serial: ''", "type-serial: {}", "type-keys: ''", "type-keys: \"\\e\"",
     "jump: 1", "delay:", "delay: 500", "delay: -1s", "delay: 1 s", "delay: 1min", "delay: .5s",
     "delay: {time: 1s}", "delay: [1s]",
     "press: 5", "press: {}", "press: {for: 1s}", "press: {keypad: G}", "press: {keypad: a}",

@@ -177,7 +177,12 @@ TEST(TypeSerial, TakesATextWithItsLineEnds) {
     EXPECT_EQ(action<TypeSerial>("type-serial: \"ls\\n\"").text, "ls\n");
 }
 
+TEST(TypeKeys, TakesWhatAKeyboardHas) {
+    EXPECT_EQ(action<TypeKeys>("type-keys: \"Hi!\\n\"").text, "Hi!\n");
+}
+
 TEST(SayStep, SoundsLikeAPerson) {
+    EXPECT_EQ(step("type-keys: 'Hi!'").text, "type \"Hi!\" on the keyboard");
     EXPECT_EQ(step("type-serial: \"ls\\n\"").text, "type \"ls\\x0a\"");
     EXPECT_EQ(step("delay: 1500us").text, "wait 1.5ms");
     EXPECT_EQ(step("press: {keypad: [\"5\", \"1\"], key: 0}").text,

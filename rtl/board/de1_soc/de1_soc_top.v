@@ -6,7 +6,7 @@
 // Pins are named as on the board's schematic, so that de1_soc.qsf can be checked against pins.tsv.
 // JP1 and JP2: bits 31:0 are the header's pins 35:19, 17, 15:3, 1; the four others stay open.
 //
-// Not handled: pins of what the system has not (SDRAM, ADC, PS/2, IrDA, video-in, USB-Blaster); the
+// Not handled: pins of what the system has not (SDRAM, ADC, IrDA, video-in, USB-Blaster); the
 // project leaves them as inputs with weak pull-ups.
 
 `default_nettype none
@@ -42,7 +42,12 @@ module de1_soc_top (
     output wire        AUD_ADCLRCK,
     input  wire        AUD_ADCDAT,
     output wire        FPGA_I2C_SCLK,
-    inout  wire        FPGA_I2C_SDAT
+    inout  wire        FPGA_I2C_SDAT,
+
+    inout  wire        PS2_CLK,
+    inout  wire        PS2_DAT,
+    inout  wire        PS2_CLK2,
+    inout  wire        PS2_DAT2
 );
     localparam ID_W = 12;
 
@@ -72,13 +77,20 @@ module de1_soc_top (
 
     reset_sync reset_sync (.clk_i(clk), .rst_ni(locked && hps_rst_n), .rst_o(rst));
 
-    // ---- Headers and I2C: open unless driven ------------------------------
+    // ---- Headers, I2C, PS/2: open unless driven ------------------------------
     wire [31:0] jp1, jp1_out, jp1_oe, jp2, jp2_out, jp2_oe;
     wire        sdat_oe;
 
     header header_0 (.pins_io(GPIO_0), .in_o(jp1), .out_i(jp1_out), .oe_i(jp1_oe));
     header header_1 (.pins_io(GPIO_1), .in_o(jp2), .out_i(jp2_out), .oe_i(jp2_oe));
     assign FPGA_I2C_SDAT = sdat_oe ? 1'b0 : 1'bz;
+
+    wire [1:0]  ps2_clk_low, ps2_dat_low;
+
+    assign PS2_CLK  = ps2_clk_low[0] ? 1'b0 : 1'bz;
+    assign PS2_DAT  = ps2_dat_low[0] ? 1'b0 : 1'bz;
+    assign PS2_CLK2 = ps2_clk_low[1] ? 1'b0 : 1'bz;
+    assign PS2_DAT2 = ps2_dat_low[1] ? 1'b0 : 1'bz;
 
     // ---- Processor and fabric ---------------------------------------------
     wire [ID_W-1:0] lw_awid, lw_bid, lw_arid, lw_rid;
@@ -259,6 +271,11 @@ module de1_soc_top (
         .i2c_sclk_o           (FPGA_I2C_SCLK),
         .i2c_sdat_oe_o        (sdat_oe),
         .i2c_sdat_i           (FPGA_I2C_SDAT),
+
+        .ps2_clk_i            ({PS2_CLK2, PS2_CLK}),
+        .ps2_dat_i            ({PS2_DAT2, PS2_DAT}),
+        .ps2_clk_low_o        (ps2_clk_low),
+        .ps2_dat_low_o        (ps2_dat_low),
 
         .jtag_take_i          (jtag_take),
         .jtag_sent_o          (jtag_sent),

@@ -1,0 +1,82 @@
+// ps2_port.v - PS/2 port in the register layout of the DE1-SoC Computer, 256 bytes deep
+//
+//   +0 DATA      read: RAVAIL[31:16] bytes with this one, RVALID bit 15, the oldest byte, which
+//                goes away; write: a byte to the device, dropped while another is being sent
+//   +4 CONTROL   RE bit 0: interrupt while RI; RI bit 8: a byte waits; CE bit 10: a byte was not
+//                acknowledged by the device, write 0 clears
+//
+// A byte that comes when 256 wait is lost.
+//
+// Source: PS/2 Core for Altera DE-Series Boards.
+
+`default_nettype none
+
+module ps2_port (
+    input  wire        clk_i,
+    input  wire        rst_i,
+    input  wire        tick_i,         // every 32 clocks
+
+    input  wire        we_i,
+    // Only the register's place in the block counts; registers have few bits.
+    // verilator lint_off UNUSED
+    input  wire [3:0]  wstrb_i,
+    input  wire [11:0] waddr_i,
+    input  wire [11:0] raddr_i,
+    input  wire [31:0] wdata_i,
+    // verilator lint_on UNUSED
+    input  wire        re_i,
+    output reg  [31:0] rdata_o,
+    output wire        irq_o,
+
+    input  wire        ps2_clk_i,      // asynchronous
+    input  wire        ps2_dat_i,
+    output wire        ps2_clk_low_o,  // 1 = pull low
+    output wire        ps2_dat_low_o
+);
+    `include "regmap.vh"
+
+    wire re_data = re_i && raddr_i[2] == PS2_0_DATA[2];
+
+    // ---- Bytes ------------------------------------------------------------
+    wire       busy, failed, come, empty;
+    wire [7:0] come_data, head;
+    wire [8:0] count;
+
+    ps2_link link (
+        .clk_i(clk_i), .rst_i(rst_i), .tick_i(tick_i),
+        .send_i(we_i && wstrb_i[0] && waddr_i[2] == PS2_0_DATA[2] && !busy),
+        .send_data_i(wdata_i[7:0]),
+        .busy_o(busy), .failed_o(failed), .come_o(come), .come_data_o(come_data),
+        .ps2_clk_i(ps2_clk_i), .ps2_dat_i(ps2_dat_i),
+        .ps2_clk_low_o(ps2_clk_low_o), .ps2_dat_low_o(ps2_dat_low_o)
+    );
+
+    // verilator lint_off PINCONNECTEMPTY
+    fifo #(.WIDTH(8), .DEPTH_LOG2(8)) fifo (
+        .clk_i(clk_i), .rst_i(rst_i), .clear_i(1'b0), .push_i(come && tick_i),
+        .wdata_i(come_data), .pop_i(re_data), .rdata_o(head), .count_o(count), .full_o(),
+        .empty_o(empty)
+    );
+    // verilator lint_on PINCONNECTEMPTY
+
+    // ---- Registers: asleep but for accesses, the clock after a read, and ticks ----
+    reg re_q, ce_q, read_q;
+
+    assign irq_o = re_q && !empty;
+
+    always @(posedge clk_i) if (we_i || re_i || read_q || tick_i || rst_i) begin
+        read_q  <= re_i;
+        rdata_o <= 32'd0;
+        if (re_data) rdata_o <= {7'd0, count, !empty, 7'd0, empty ? 8'd0 : head};
+        else if (re_i) rdata_o <= {21'd0, ce_q, 1'b0, !empty, 7'd0, re_q};
+
+        if (we_i && waddr_i[2] == PS2_0_CONTROL[2]) begin
+            if (wstrb_i[0]) re_q <= wdata_i[PS2_0_CONTROL_RE_LSB];
+            if (wstrb_i[1] && !wdata_i[PS2_0_CONTROL_CE_LSB]) ce_q <= 1'b0;
+        end
+        if (failed && tick_i) ce_q <= 1'b1;
+        if (rst_i) {re_q, ce_q} <= 2'd0;
+    end
+endmodule
+
+`default_nettype wire

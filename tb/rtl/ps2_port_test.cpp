@@ -1,0 +1,180 @@
+// ps2_port_test.cpp - the PS/2 port's registers, with a device on its two wires.
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "Vps2_port.h"
+#include "tb/support/register_bus.h"
+
+namespace {
+
+constexpr int DATA = 0x0, CONTROL = 0x4;
+constexpr std::uint32_t RE = 1, RI = 1 << 8, CE = 1 << 10, RVALID = 1 << 15;
+constexpr unsigned QUARTER = 500;  // of a bit of 80 us
+
+class Ps2Port : public tb::RegisterBus<Vps2_port> {
+protected:
+    bool clk_low = false, dat_low = false;  // by the device
+
+    void SetUp() override {
+        after_clock();
+        reset();
+        clock(100);
+    }
+    void after_clock() override {
+        dut.ps2_clk_i = !(clk_low || dut.ps2_clk_low_o);
+        dut.ps2_dat_i = !(dat_low || dut.ps2_dat_low_o);
+        dut.tick_i = clocks % 32 == 0;
+    }
+    // One bit from the device: stable around CLK's low half.
+    void device_bit(bool level) {
+        dat_low = !level;
+        clock(QUARTER);
+        clk_low = true;
+        clock(2 * QUARTER);
+        clk_low = false;
+        clock(QUARTER);
+        dat_low = false;
+    }
+    // Start, eight bits, parity, stop; odd parity unless spoilt.
+    void device_sends(std::uint8_t byte, bool parity_right = true, bool stop = true) {
+        device_bit(false);
+        bool parity = parity_right;
+        for (int i = 0; i < 8; ++i) {
+            device_bit(byte >> i & 1);
+            parity ^= byte >> i & 1;
+        }
+        device_bit(parity);
+        device_bit(stop);
+        clock(QUARTER);
+    }
+    // Waits for the host's request, takes ten bits, acknowledges or not.  -1: no request.
+    int device_takes(bool acknowledge = true) {
+        for (unsigned i = 0; i < 10'000 && !(dut.ps2_dat_low_o && !dut.ps2_clk_low_o); ++i) clock();
+        if (!dut.ps2_dat_low_o || dut.ps2_clk_low_o) return -1;
+        int bits = 0;
+        for (int bit = 0; bit < 10; ++bit) {
+            clock(QUARTER);
+            clk_low = true;
+            clock(2 * QUARTER);
+            clk_low = false;
+            bits |= dut.ps2_dat_i << bit;
+            clock(QUARTER);
+        }
+        device_bit(!acknowledge);
+        return bits;
+    }
+};
+
+TEST_F(Ps2Port, GivesBytesOnceWithTheNumberThatWaits) {
+    for (const std::uint8_t byte : {0x1c, 0xf0, 0xff, 0x00}) device_sends(byte);
+    EXPECT_EQ(read(DATA), 4u << 16 | RVALID | 0x1c);
+    EXPECT_EQ(read(DATA), 3u << 16 | RVALID | 0xf0);
+    EXPECT_EQ(read(DATA), 2u << 16 | RVALID | 0xff);
+    EXPECT_EQ(read(DATA), 1u << 16 | RVALID | 0x00);
+    EXPECT_EQ(read(DATA), 0u);
+}
+
+TEST_F(Ps2Port, DropsBytesWithWrongParityOrWithoutAStopBit) {
+    device_sends(0x55, false);
+    device_sends(0x55, true, false);
+    EXPECT_EQ(read(DATA), 0u);
+    device_sends(0x55);
+    EXPECT_EQ(read(DATA), 1u << 16 | RVALID | 0x55);
+}
+
+TEST_F(Ps2Port, IgnoresSpikesOnTheClock) {
+    for (int i = 0; i < 40; ++i) {
+        clk_low = true;
+        clock(6);
+        clk_low = false;
+        clock(30);
+    }
+    device_sends(0xa5);
+    EXPECT_EQ(read(DATA), 1u << 16 | RVALID | 0xa5);
+}
+
+TEST_F(Ps2Port, BeginsAnewWhenAFrameBreaksOff) {
+    for (int i = 0; i < 5; ++i) device_bit(false);
+    clock(60'000);  // 2.4 ms
+    device_sends(0x12);
+    EXPECT_EQ(read(DATA), 1u << 16 | RVALID | 0x12);
+}
+
+TEST_F(Ps2Port, InterruptsWhileAByteWaitsIfAsked) {
+    device_sends(0x1c);
+    EXPECT_EQ(dut.irq_o, 0);
+    EXPECT_EQ(read(CONTROL), RI);
+    write(CONTROL, RE);
+    EXPECT_EQ(dut.irq_o, 1);
+    EXPECT_EQ(read(CONTROL), RI | RE);
+    read(DATA);
+    EXPECT_EQ(dut.irq_o, 0);
+    EXPECT_EQ(read(CONTROL), RE);
+}
+
+TEST_F(Ps2Port, Keeps256Bytes) {
+    for (unsigned i = 0; i < 258; ++i) device_sends(static_cast<std::uint8_t>(i * 7));
+    for (unsigned i = 0; i < 256; ++i)
+        ASSERT_EQ(read(DATA), (256 - i) << 16 | RVALID | (i * 7 & 0xff)) << i;
+    EXPECT_EQ(read(DATA), 0u);
+}
+
+TEST_F(Ps2Port, HoldsTheClockLowFor100MicrosecondsBeforeItSends) {
+    write(DATA, 0xf4);
+    unsigned low = 0;
+    while (dut.ps2_clk_low_o && low < 10'000) {
+        EXPECT_EQ(dut.ps2_dat_low_o, 0);
+        clock();
+        ++low;
+    }
+    EXPECT_GE(low, 2'500u);
+    EXPECT_LE(low, 5'000u);
+    EXPECT_EQ(dut.ps2_dat_low_o, 1);
+}
+
+TEST_F(Ps2Port, SendsEightBitsOddParityAndStop) {
+    write(DATA, 0xf4);
+    EXPECT_EQ(device_takes(), 0xf4 | 0 << 8 | 1 << 9);
+    write(DATA, 0xed);
+    EXPECT_EQ(device_takes(), 0xed | 1 << 8 | 1 << 9);
+    EXPECT_EQ(read(CONTROL), 0u);
+    EXPECT_EQ(device_takes(), -1);
+}
+
+TEST_F(Ps2Port, TakesTheAnswerBehindAByteSent) {
+    write(DATA, 0xf4);
+    device_takes();
+    device_sends(0xfa);
+    EXPECT_EQ(read(DATA), 1u << 16 | RVALID | 0xfa);
+}
+
+TEST_F(Ps2Port, ShowsAByteThatWasNotAcknowledgedUntilThatIsCleared) {
+    write(DATA, 0xf4);
+    device_takes(false);
+    EXPECT_EQ(read(CONTROL), CE);
+    write(CONTROL, CE);
+    EXPECT_EQ(read(CONTROL), CE);
+    write(CONTROL, 0);
+    EXPECT_EQ(read(CONTROL), 0u);
+}
+
+TEST_F(Ps2Port, GivesUpWhenNobodyTakesTheByteIn15Milliseconds) {
+    write(DATA, 0xf4);
+    clock(340'000);
+    EXPECT_EQ(read(CONTROL), 0u);
+    clock(50'000);
+    EXPECT_EQ(read(CONTROL), CE);
+    EXPECT_EQ(dut.ps2_dat_low_o, 0);
+    device_sends(0xaa);
+    EXPECT_EQ(read(DATA), 1u << 16 | RVALID | 0xaa);
+}
+
+TEST_F(Ps2Port, DropsAByteWhileAnotherIsSent) {
+    write(DATA, 0xf4);
+    write(DATA, 0xff);
+    EXPECT_EQ(device_takes() & 0xff, 0xf4);
+    EXPECT_EQ(device_takes(), -1);
+}
+
+}  // namespace
