@@ -52,7 +52,11 @@ module axi_read #(
     reg [ADDR_W-1:0] step_q;      // bytes a beat
     reg              refuse_q;    // not a burst we serve
 
-    wire serve = arburst_i == INCR && arsize_i <= 3'd2;
+    function serves;
+        input [1:0] burst;
+        input [2:0] size;
+        serves = burst == INCR && size <= 3'd2;
+    endfunction
 
     assign arready_o = !busy_q;
     assign rlast_o   = left_q == 4'd0;
@@ -81,9 +85,9 @@ module axi_read #(
             addr_q   <= araddr_i;
             left_q   <= arlen_i;
             step_q   <= {{ADDR_W-1{1'b0}}, 1'b1} << arsize_i;
-            refuse_q <= !serve;
-            re_o     <= serve;
-            rvalid_o <= !serve;
+            refuse_q <= !serves(arburst_i, arsize_i);
+            re_o     <= serves(arburst_i, arsize_i);
+            rvalid_o <= !serves(arburst_i, arsize_i);
             rdata_o  <= 32'd0;
             rresp_o  <= SLVERR;
         end

@@ -34,7 +34,7 @@ module small_fifo #(
 
     // One test a clock while nobody asks; reads stand before writes, so that a simulator needs no
     // copies of what both touch.
-    always @(posedge clk_i) if (push_i || pop_i || rst_i) begin
+    always @(posedge clk_i) if (push_i || (pop_i && count_o != 0) || rst_i) begin
         if (push_i && !count_o[DEPTH_LOG2]) begin
             memory[write_q] <= wdata_i;
             write_q         <= write_q + ONE[DEPTH_LOG2-1:0];

@@ -57,10 +57,9 @@ module jtag_uart (
     wire [7:0] write_head, read_head;
 
     // A write to a full FIFO is dropped by the FIFO; programs ask WSPACE before.
-    wire take = take_i && write_count != 7'd0;
     small_fifo write_fifo (
         .clk_i(clk_i), .rst_i(rst_i), .push_i(we_data), .wdata_i(wdata_i[7:0]),
-        .pop_i(take), .rdata_o(write_head), .count_o(write_count)
+        .pop_i(take_i), .rdata_o(write_head), .count_o(write_count)
     );
     small_fifo read_fifo (
         .clk_i(clk_i), .rst_i(rst_i), .push_i(typed_i), .wdata_i(typed_data_i),
@@ -69,15 +68,20 @@ module jtag_uart (
 
     // ---- Registers: asleep unless something stirs now or did a clock ago ----
     reg  stirred_q, re_q, we_q, ac_q, paused_q;
-    wire stirs = we_i || re_i || take || typed_i || idle_i || rst_i;
+
+    function stirs;
+        input any;               // waits for the host
+        stirs = we_i || re_i || (take_i && any) || typed_i || idle_i || rst_i;
+    endfunction
+
 
     wire ri    = re_q && (paused_q || DEPTH - read_count <= THRESHOLD);
     wire wi    = we_q && write_count <= THRESHOLD;
 
     assign irq_o = ri || wi;
 
-    always @(posedge clk_i) if (stirs || stirred_q) begin
-        stirred_q <= stirs;
+    always @(posedge clk_i) if (stirs(write_count != 7'd0) || stirred_q) begin
+        stirred_q <= stirs(write_count != 7'd0);
 
         rdata_o <= 32'd0;
         if (re_data) begin
@@ -88,8 +92,8 @@ module jtag_uart (
         end
 
         room_o <= read_count != DEPTH && !rst_i;
-        sent_o <= take && !rst_i;
-        if (take) sent_data_o <= write_head;
+        sent_o <= take_i && write_count != 7'd0 && !rst_i;
+        if (take_i) sent_data_o <= write_head;
 
         if (idle_i && read_count != 7'd0) paused_q <= 1'b1;
         else if (re_data) paused_q <= 1'b0;

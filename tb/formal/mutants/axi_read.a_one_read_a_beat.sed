@@ -1,1 +1,1 @@
-s/re_o     <= serve/re_o     <= 1/
+s/re_o     <= serves(arburst_i, arsize_i)/re_o     <= 1/
