@@ -96,8 +96,8 @@ bench-collision: setup  ## the broad phases beside their peers (.ci/packages-ben
 pgo: setup              ## a faster de1sim, built with a profile of the demo -> build/pgo/bin/de1sim
 	@cmake -P sim/pgo.cmake
 
-regmap: configure       ## print regmap.vh, REGISTERS.md and the scenario schema anew
-	@cmake --build build --target regmap_files schema_files
+regmap: configure       ## print regmap.vh, REGISTERS.md, the font and the scenario schema anew
+	@cmake --build build --target regmap_files font_files schema_files
 
 format: setup           ## lay out all C++
 	@git ls-files '*.h' '*.cpp' | xargs -d '\n' clang-format -i

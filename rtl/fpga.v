@@ -133,7 +133,7 @@ module fpga #(
     `include "lw_blocks.vh"
 
     // ---- Bridges ----------------------------------------------------------
-    wire [17:0] we, re;
+    wire [18:0] we, re;
     wire [11:0] waddr, raddr;
     wire [31:0] wdata;
     wire [3:0]  wstrb;
@@ -162,7 +162,8 @@ module fpga #(
     wire [3:0]  picture_we;
     wire        picture_re, picture_grant;
     wire [16:0] picture_windex, picture_rindex;
-    wire [31:0] picture_wdata, picture_rdata;
+    wire [31:0] picture_wdata, picture_rdata, cells_rdata;
+    wire [3:0]  cells_we;
 
     h2f_bridge #(.ID_W(ID_W)) h2f (
         .clk_i(clk_i), .rst_i(rst_i),
@@ -177,9 +178,10 @@ module fpga #(
         .arready_o(h2f_arready_o),
         .rid_o(h2f_rid_o), .rdata_o(h2f_rdata_o), .rresp_o(h2f_rresp_o), .rlast_o(h2f_rlast_o),
         .rvalid_o(h2f_rvalid_o), .rready_i(h2f_rready_i),
-        .we_o(picture_we), .windex_o(picture_windex), .wdata_o(picture_wdata),
+        .we_o(picture_we), .cell_we_o(cells_we), .windex_o(picture_windex),
+        .wdata_o(picture_wdata),
         .re_o(picture_re), .rindex_o(picture_rindex), .rgrant_i(picture_grant),
-        .rdata_i(picture_rdata)
+        .rdata_i(picture_rdata), .cells_i(cells_rdata)
     );
 
     // ---- Parallel ports ---------------------------------------------------
@@ -244,14 +246,17 @@ module fpga #(
                        : jp1_oe[7:0]};
 
     // ---- Video and audio --------------------------------------------------
-    wire        fetch;
+    wire        fetch, cell_fetch, cells_any, cells_clear, cells_clearing;
+    wire [10:0] cell_index;
     wire [16:0] fetch_index;
 
     vga vga_block (
         .clk_i(clk_i), .rst_i(rst_i), .we_i(we[SEL_PIXEL]), .wstrb_i(wstrb), .waddr_i(waddr),
         .wdata_i(wdata), .re_i(re[SEL_PIXEL]), .resampler_re_i(re[SEL_RESAMPLER]),
-        .raddr_i(raddr), .rdata_o(vga_rdata),
+        .text_we_i(we[SEL_TEXT]), .text_re_i(re[SEL_TEXT]), .raddr_i(raddr), .rdata_o(vga_rdata),
         .fetch_o(fetch), .index_o(fetch_index), .word_i(picture_rdata),
+        .cell_o(cell_fetch), .cell_index_o(cell_index), .cells_i(cells_rdata),
+        .cells_any_i(cells_any), .clear_o(cells_clear), .clearing_i(cells_clearing),
         .vga_clk_o(vga_clk_o), .vga_hs_no(vga_hs_no), .vga_vs_no(vga_vs_no),
         .vga_blank_no(vga_blank_no), .vga_sync_no(vga_sync_no),
         .vga_r_o(vga_r_o), .vga_g_o(vga_g_o), .vga_b_o(vga_b_o)
@@ -263,6 +268,14 @@ module fpga #(
         .re_i(picture_re), .rindex_i(picture_rindex), .rgrant_o(picture_grant),
         .rdata_o(picture_rdata),
         .we_i(picture_we), .windex_i(picture_windex), .wdata_i(picture_wdata)
+    );
+
+    character_store characters (
+        .clk_i(clk_i), .rst_i(rst_i), .clear_i(cells_clear), .clearing_o(cells_clearing),
+        .any_o(cells_any), .screen_re_i(cell_fetch), .screen_index_i(cell_index),
+        .re_i(picture_re && picture_grant), .rindex_i(picture_rindex[10:0]),
+        .rdata_o(cells_rdata),
+        .we_i(cells_we), .windex_i(picture_windex[10:0]), .wdata_i(picture_wdata)
     );
 
     audio audio_block (

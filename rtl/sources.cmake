@@ -12,7 +12,8 @@ set(RTL_SOURCES
     ps2/ps2_link.v ps2/ps2_port.v
     sysid/sysid.v
     timer/interval_timer.v
-    vga/picture_memory.v vga/picture_store.v vga/pixel_registers.v vga/vga.v vga/vga_timing.v)
+    vga/character_store.v vga/picture_memory.v vga/picture_store.v vga/pixel_registers.v vga/vga.v
+    vga/vga_timing.v)
 # Only on the board: pins, clock, processor.
 set(BOARD_SOURCES
     board/de1_soc/de1_soc_top.v board/de1_soc/header.v board/de1_soc/hps.v common/reset_sync.v)

@@ -1,6 +1,7 @@
-// h2f_bridge.v - full HPS bridge: AXI3 slave in front, the two pictures behind
+// h2f_bridge.v - full HPS bridge: AXI3 slave in front, the two pictures and the characters behind
 //
 //   PICTURE0, PICTURE1: 320 x 240 RGB565, pixel (x, y) at y << 10 | x << 1 (regmap.def).
+//   CHARACTERS: 80 x 60 bytes, (x, y) at y << 7 | x.
 //   The bytes between the rows' ends and behind the last row are nobody's storage: they read 0 and
 //   ignore writes, because programs clear whole powers of two.  Any other address: DECERR.
 //
@@ -44,13 +45,15 @@ module h2f_bridge #(
     output wire            rvalid_o,
     input  wire            rready_i,
 
-    output reg  [3:0]      we_o,        // byte lanes
-    output reg  [16:0]     windex_o,    // picture_index.vh
+    output reg  [3:0]      we_o,        // byte lanes, to the pictures
+    output reg  [3:0]      cell_we_o,   // to the characters
+    output reg  [16:0]     windex_o,    // picture_index.vh, or row << 5 | word of characters
     output reg  [31:0]     wdata_o,
     output reg             re_o,        // held until rgrant_i
     output reg  [16:0]     rindex_o,
     input  wire            rgrant_i,
-    input  wire [31:0]     rdata_i      // one clock after the grant
+    input  wire [31:0]     rdata_i,     // one clock after the grant
+    input  wire [31:0]     cells_i
 );
     `include "regmap.vh"
     `include "picture_index.vh"
@@ -58,6 +61,16 @@ module h2f_bridge #(
     // Offset of a picture's window in the bridge, without the bits inside the window.
     localparam [10:0] WINDOW0 = PICTURE0_BASE[29:19];
     localparam [10:0] WINDOW1 = PICTURE1_BASE[29:19];
+    localparam [16:0] CELLS   = CHARACTERS_BASE[29:13];
+
+    // Whether a byte offset among the characters is on the screen.
+    // The two lowest bits choose a lane.
+    // verilator lint_off UNUSED
+    function cells_stored;
+        input [12:0] offset;
+        cells_stored = offset[12:7] < 6'd60 && offset[6:2] < 5'd20;
+    endfunction
+    // verilator lint_on UNUSED
 
     // ---- Writes -----------------------------------------------------------
     wire        we;
@@ -66,6 +79,7 @@ module h2f_bridge #(
     wire [3:0]  wstrb;
     wire        win0 = waddr[29:19] == WINDOW0;
     wire        win1 = waddr[29:19] == WINDOW1;
+    wire        winc = waddr[29:13] == CELLS;
     reg         werror_q;
 
     axi_write #(.ADDR_W(30), .ID_W(ID_W)) writer (
@@ -78,14 +92,16 @@ module h2f_bridge #(
     );
 
     always @(posedge clk_i) begin
-        we_o <= 4'd0;
+        we_o      <= 4'd0;
+        cell_we_o <= 4'd0;
         if (we) begin
-            we_o     <= (win0 || win1) && stored(waddr[18:0]) ? wstrb : 4'd0;
-            windex_o <= picture_index(win1, waddr[18:0]);
-            wdata_o  <= wdata;
-            werror_q <= !(win0 || win1);
+            we_o      <= (win0 || win1) && stored(waddr[18:0]) ? wstrb : 4'd0;
+            cell_we_o <= winc && cells_stored(waddr[12:0]) ? wstrb : 4'd0;
+            windex_o  <= winc ? {6'd0, waddr[12:2]} : picture_index(win1, waddr[18:0]);
+            wdata_o   <= wdata;
+            werror_q  <= !(win0 || win1 || winc);
         end
-        if (rst_i) we_o <= 4'd0;
+        if (rst_i) {we_o, cell_we_o} <= 8'd0;
     end
 
     // ---- Reads ------------------------------------------------------------
@@ -93,7 +109,8 @@ module h2f_bridge #(
     wire [29:0] raddr;
     wire        rin0 = raddr[29:19] == WINDOW0;
     wire        rin1 = raddr[29:19] == WINDOW1;
-    reg         rempty_q, rerror_q, granted_q;
+    wire        rinc = raddr[29:13] == CELLS;
+    reg         rempty_q, rcells_q, rerror_q, granted_q;
 
     axi_read #(.ADDR_W(30), .ID_W(ID_W)) reader (
         .clk_i(clk_i), .rst_i(rst_i),
@@ -102,15 +119,17 @@ module h2f_bridge #(
         .rid_o(rid_o), .rdata_o(rdata_o), .rresp_o(rresp_o), .rlast_o(rlast_o),
         .rvalid_o(rvalid_o), .rready_i(rready_i),
         .re_o(re), .raddr_o(raddr), .rgrant_i(1'b1),
-        .rdone_i(granted_q), .rdata_i(rempty_q ? 32'd0 : rdata_i), .rerror_i(rerror_q)
+        .rdone_i(granted_q), .rdata_i(rempty_q ? 32'd0 : rcells_q ? cells_i : rdata_i),
+        .rerror_i(rerror_q)
     );
 
     always @(posedge clk_i) begin
         if (re) begin
             re_o     <= 1'b1;
-            rindex_o <= picture_index(rin1, raddr[18:0]);
-            rempty_q <= !stored(raddr[18:0]);
-            rerror_q <= !(rin0 || rin1);
+            rindex_o <= rinc ? {6'd0, raddr[12:2]} : picture_index(rin1, raddr[18:0]);
+            rempty_q <= rinc ? !cells_stored(raddr[12:0]) : !stored(raddr[18:0]);
+            rcells_q <= rinc;
+            rerror_q <= !(rin0 || rin1 || rinc);
         end else if (rgrant_i) begin
             re_o <= 1'b0;
         end

@@ -19,5 +19,6 @@ localparam SEL_JTAG0     = 14;   // JTAG_UART0
 localparam SEL_JTAG1     = 15;
 localparam SEL_PS2_0     = 16;
 localparam SEL_PS2_1     = 17;
-localparam SELECTS       = 18;
+localparam SEL_TEXT      = 18;
+localparam SELECTS       = 19;
 // verilator lint_on UNUSEDPARAM

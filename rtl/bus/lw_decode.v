@@ -10,7 +10,7 @@ module lw_decode (
     input  wire        rst_i,
     input  wire        enable_i,
     input  wire [20:0] addr_i,   // offset in the bridge's 2 MB
-    output reg  [17:0] sel_o,    // one line a block for one clock, numbered in lw_blocks.vh
+    output reg  [18:0] sel_o,    // one line a block for one clock, numbered in lw_blocks.vh
     output reg         none_o    // the last address had no block
 );
     `include "regmap.vh"
@@ -23,10 +23,10 @@ module lw_decode (
         hit = ((addr ^ base) & ~(size - 21'd1)) == 21'd0;
     endfunction
 
-    function [17:0] decode;
+    function [18:0] decode;
         input [20:0] addr;
         begin
-            decode                = 18'd0;
+            decode                = 19'd0;
             decode[SEL_LEDR]      = hit(addr, LEDR_BASE[20:0], LEDR_SIZE[20:0]);
             decode[SEL_HEX3_0]    = hit(addr, HEX3_0_BASE[20:0], HEX3_0_SIZE[20:0]);
             decode[SEL_HEX5_4]    = hit(addr, HEX5_4_BASE[20:0], HEX5_4_SIZE[20:0]);
@@ -42,6 +42,7 @@ module lw_decode (
                                     || hit(addr, CODEC_BASE[20:0], CODEC_SIZE[20:0]);
             decode[SEL_PS2_0]     = hit(addr, PS2_0_BASE[20:0], PS2_0_SIZE[20:0]);
             decode[SEL_PS2_1]     = hit(addr, PS2_1_BASE[20:0], PS2_1_SIZE[20:0]);
+            decode[SEL_TEXT]      = hit(addr, TEXT_BASE[20:0], TEXT_SIZE[20:0]);
             decode[SEL_KEYPAD]    = hit(addr, KEYPAD_BASE[20:0], KEYPAD_SIZE[20:0]);
             decode[SEL_TIMER0]    = hit(addr, TIMER0_BASE[20:0], TIMER0_SIZE[20:0]);
             decode[SEL_TIMER1]    = hit(addr, TIMER1_BASE[20:0], TIMER1_SIZE[20:0]);
@@ -51,12 +52,12 @@ module lw_decode (
     endfunction
 
     always @(posedge clk_i) begin
-        sel_o <= 18'd0;
+        sel_o <= 19'd0;
         if (enable_i) begin
             sel_o  <= decode(addr_i);
-            none_o <= decode(addr_i) == 18'd0;
+            none_o <= decode(addr_i) == 19'd0;
         end
-        if (rst_i) sel_o <= 18'd0;
+        if (rst_i) sel_o <= 19'd0;
     end
 endmodule
 

@@ -1,13 +1,16 @@
 // regmap.vh - generated from regmap.def by `make regmap`; do not edit.
 // Every module uses a few of these constants.
 // verilator lint_off UNUSEDPARAM
-localparam [31:0] REGMAP_HASH = 32'hf1e9048d;
+localparam [31:0] REGMAP_HASH = 32'h071d5e61;
 
 localparam [31:0] PICTURE0_BASE = 32'hc8000000;
 localparam [31:0] PICTURE0_SIZE = 32'h00080000;
 
 localparam [31:0] PICTURE1_BASE = 32'hc0000000;
 localparam [31:0] PICTURE1_SIZE = 32'h00080000;
+
+localparam [31:0] CHARACTERS_BASE = 32'hc9000000;
+localparam [31:0] CHARACTERS_SIZE = 32'h00002000;
 
 localparam [31:0] LEDR_BASE = 32'hff200000;
 localparam [31:0] LEDR_SIZE = 32'h00000010;
@@ -232,6 +235,25 @@ localparam PIXEL_STATUS_A_LSB = 1;
 localparam PIXEL_STATUS_A_W = 1;
 localparam PIXEL_STATUS_EN_LSB = 2;
 localparam PIXEL_STATUS_EN_W = 1;
+
+localparam [31:0] TEXT_BASE = 32'hff203030;
+localparam [31:0] TEXT_SIZE = 32'h00000010;
+localparam [31:0] TEXT_BUFFER = 32'hff203030;
+localparam [31:0] TEXT_BUFFER_RESET = 32'hc9000000;
+localparam TEXT_BUFFER_CLEAR_LSB = 16;
+localparam TEXT_BUFFER_CLEAR_W = 1;
+localparam [31:0] TEXT_BACK_BUFFER = 32'hff203034;
+localparam [31:0] TEXT_BACK_BUFFER_RESET = 32'hc9000000;
+localparam [31:0] TEXT_RESOLUTION = 32'hff203038;
+localparam [31:0] TEXT_RESOLUTION_RESET = 32'h003c0050;
+localparam [31:0] TEXT_STATUS = 32'hff20303c;
+localparam [31:0] TEXT_STATUS_RESET = 32'h06070004;
+localparam TEXT_STATUS_S_LSB = 0;
+localparam TEXT_STATUS_S_W = 1;
+localparam TEXT_STATUS_A_LSB = 1;
+localparam TEXT_STATUS_A_W = 1;
+localparam TEXT_STATUS_EN_LSB = 2;
+localparam TEXT_STATUS_EN_W = 1;
 
 localparam [31:0] AV_CONFIG_BASE = 32'hff203000;
 localparam [31:0] AV_CONFIG_SIZE = 32'h00000010;

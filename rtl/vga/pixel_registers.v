@@ -1,4 +1,4 @@
-// pixel_registers.v - the pixel buffer controller's registers, and the swap
+// pixel_registers.v - the registers of the pixel or the character buffer controller, and the swap
 //
 //   BUFFER write (any value)   S = 1
 //   frame_end_i while S = 1    BUFFER and BACK_BUFFER change places, S = 0
@@ -7,7 +7,11 @@
 
 `default_nettype none
 
-module pixel_registers (
+module pixel_registers #(
+    parameter [31:0] BUFFER     = 32'hC800_0000,
+    parameter [31:0] RESOLUTION = 32'h00F0_0140,
+    parameter [31:0] STATUS     = 32'h0809_0F04
+) (
     input  wire        clk_i,
     input  wire        rst_i,
 
@@ -31,42 +35,36 @@ module pixel_registers (
     `include "lanes.vh"
 
     reg [31:0] back_q;
-    reg        swap_q;
+    reg        swap_q, read_q;
 
-    wire swap_now = frame_end_i && swap_q;
+    always @(posedge clk_i)
+        if (we_i || re_i || resampler_re_i || read_q || frame_end_i || rst_i) begin
+            read_q  <= re_i || resampler_re_i;
+            rdata_o <= 32'd0;
+            if (re_i) case (raddr_i[3:0])
+                PIXEL_BUFFER[3:0]:      rdata_o <= front_o;
+                PIXEL_BACK_BUFFER[3:0]: rdata_o <= back_q;
+                PIXEL_RESOLUTION[3:0]:  rdata_o <= RESOLUTION;
+                default:                rdata_o <= {STATUS[31:3], enable_o, 1'b0, swap_q};
+            endcase
+            if (resampler_re_i) rdata_o <= RESAMPLER_STATUS_RESET;
 
-    // ---- Writes and the swap ----------------------------------------------
-    always @(posedge clk_i) begin
-        if (swap_now) begin
-            front_o <= back_q;
-            back_q  <= front_o;
-            swap_q  <= 1'b0;
+            if (we_i && waddr_i[3:0] == PIXEL_BACK_BUFFER[3:0])
+                back_q <= merged(frame_end_i && swap_q ? front_o : back_q, wdata_i, wstrb_i);
+            else if (frame_end_i && swap_q) back_q <= front_o;
+            if (frame_end_i && swap_q) front_o <= back_q;
+
+            if (we_i && waddr_i[3:0] == PIXEL_BUFFER[3:0] && wstrb_i != 4'd0) swap_q <= 1'b1;
+            else if (frame_end_i) swap_q <= 1'b0;
+            if (we_i && waddr_i[3:0] == PIXEL_STATUS[3:0] && wstrb_i[0])
+                enable_o <= wdata_i[PIXEL_STATUS_EN_LSB];
+            if (rst_i) begin
+                front_o  <= BUFFER;
+                back_q   <= BUFFER;
+                swap_q   <= 1'b0;
+                enable_o <= STATUS[PIXEL_STATUS_EN_LSB];
+            end
         end
-        if (we_i) case (waddr_i[3:0])
-            PIXEL_BUFFER[3:0]:      if (wstrb_i != 4'd0) swap_q <= 1'b1;
-            PIXEL_BACK_BUFFER[3:0]: back_q <= merged(swap_now ? front_o : back_q, wdata_i, wstrb_i);
-            PIXEL_STATUS[3:0]:      if (wstrb_i[0]) enable_o <= wdata_i[PIXEL_STATUS_EN_LSB];
-            default: ;
-        endcase
-        if (rst_i) begin
-            front_o  <= PIXEL_BUFFER_RESET;
-            back_q   <= PIXEL_BACK_BUFFER_RESET;
-            swap_q   <= 1'b0;
-            enable_o <= PIXEL_STATUS_RESET[PIXEL_STATUS_EN_LSB];
-        end
-    end
-
-    // ---- Reads ------------------------------------------------------------
-    always @(posedge clk_i) begin
-        rdata_o <= 32'd0;
-        if (re_i) case (raddr_i[3:0])
-            PIXEL_BUFFER[3:0]:      rdata_o <= front_o;
-            PIXEL_BACK_BUFFER[3:0]: rdata_o <= back_q;
-            PIXEL_RESOLUTION[3:0]:  rdata_o <= PIXEL_RESOLUTION_RESET;
-            default:                rdata_o <= {PIXEL_STATUS_RESET[31:3], enable_o, 1'b0, swap_q};
-        endcase
-        if (resampler_re_i) rdata_o <= RESAMPLER_STATUS_RESET;
-    end
 endmodule
 
 `default_nettype wire

@@ -39,8 +39,11 @@ module vga_formal (
 
     vga dut (
         .clk_i(clk_i), .rst_i(rst_i), .we_i(we_i), .wstrb_i(wstrb_i), .waddr_i(waddr_i),
-        .wdata_i(wdata_i), .re_i(1'b0), .resampler_re_i(1'b0), .raddr_i(12'd0), .rdata_o(),
+        .wdata_i(wdata_i), .re_i(1'b0), .resampler_re_i(1'b0),
+        .text_we_i(1'b0), .text_re_i(1'b0), .raddr_i(12'd0), .rdata_o(),
         .fetch_o(screen_re), .index_o(screen_index), .word_i(word),
+        .cell_o(), .cell_index_o(), .cells_i(32'd0), .cells_any_i(1'b0), .clear_o(),
+        .clearing_i(1'b0),
         .vga_clk_o(), .vga_hs_no(), .vga_vs_no(), .vga_blank_no(blank_n), .vga_sync_no(),
         .vga_r_o(r), .vga_g_o(g), .vga_b_o(b)
     );
@@ -99,8 +102,11 @@ module vga_formal (
 
     // ---- Invariants: the beam is in its frame; the fetch is where the line and the beam are ----
     wire [19:0] dut__offset_q;
+    wire        dut__text_q;
+    wire [7:0]  dut__strokes_q;
     wire [9:0]  done = dut__h > 10'd640 ? 10'd640 : (dut__h + 10'd3) & ~10'd3;
     always @(*) if (live) begin
+        i_text:   assert (!dut__text_q && dut__strokes_q == 8'd0);
         i_beam:   assert (dut__h < 10'd800 && dut__v < 10'd525);
         i_offset: assert (dut__v >= 10'd480
                           || dut__offset_q == {past_q, line_q} + {10'd0, done});

@@ -1,4 +1,4 @@
-// picture_bench.v - the full bridge and the picture store together, with the screen's port outside.
+// picture_bench.v - the full bridge and both stores together, with the screen's port outside.
 
 `default_nettype none
 
@@ -37,9 +37,16 @@ module picture_bench (
 
     input  wire            screen_re_i,
     input  wire [16:0]     screen_index_i,
-    output wire [31:0]     screen_word_o
+    output wire [31:0]     screen_word_o,
+
+    input  wire            clear_i,
+    output wire            clearing_o,
+    output wire            any_o,           // some character is not a blank
+    input  wire            cell_re_i,       // only beside screen_re_i
+    input  wire [10:0]     cell_index_i,
+    output wire [31:0]     cells_o
 );
-    wire [3:0]  we;
+    wire [3:0]  we, cell_we;
     wire        re, grant;
     wire [16:0] windex, rindex;
     wire [31:0] wdata;
@@ -54,9 +61,9 @@ module picture_bench (
         .arburst_i(arburst_i), .arvalid_i(arvalid_i), .arready_o(arready_o),
         .rid_o(rid_o), .rdata_o(rdata_o), .rresp_o(rresp_o), .rlast_o(rlast_o),
         .rvalid_o(rvalid_o), .rready_i(rready_i),
-        .we_o(we), .windex_o(windex), .wdata_o(wdata),
+        .we_o(we), .cell_we_o(cell_we), .windex_o(windex), .wdata_o(wdata),
         .re_o(re), .rindex_o(rindex), .rgrant_i(grant),
-        .rdata_i(screen_word_o)
+        .rdata_i(screen_word_o), .cells_i(cells_o)
     );
 
     picture_store store (
@@ -64,6 +71,13 @@ module picture_bench (
         .screen_re_i(screen_re_i), .screen_index_i(screen_index_i),
         .re_i(re), .rindex_i(rindex), .rgrant_o(grant), .rdata_o(screen_word_o),
         .we_i(we), .windex_i(windex), .wdata_i(wdata)
+    );
+
+    character_store characters (
+        .clk_i(clk_i), .rst_i(rst_i), .clear_i(clear_i), .clearing_o(clearing_o), .any_o(any_o),
+        .screen_re_i(cell_re_i), .screen_index_i(cell_index_i),
+        .re_i(re && grant), .rindex_i(rindex[10:0]), .rdata_o(cells_o),
+        .we_i(cell_we), .windex_i(windex[10:0]), .wdata_i(wdata)
     );
 endmodule
 

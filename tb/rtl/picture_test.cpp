@@ -33,6 +33,7 @@ protected:
     void SetUp() override {
         dut.rst_i = 1;
         dut.awvalid_i = dut.wvalid_i = dut.arvalid_i = dut.screen_re_i = 0;
+        dut.cell_re_i = dut.clear_i = 0;
         clock();
         clock();
         dut.rst_i = 0;

@@ -1,1 +1,1 @@
-s/wire swap_now = .*/wire swap_now = swap_q;/
+s/frame_end_i \&\& swap_q/swap_q/g

@@ -1,1 +1,1 @@
-s/wire swap_now = .*/wire swap_now = frame_end_i;/
+s/frame_end_i \&\& swap_q/frame_end_i/g

@@ -1,0 +1,72 @@
+// character_store.v - 80 x 60 characters, four a word, read by the screen and the processor
+//
+// An index is row << 5 | word, word below 20: four byte lanes of 2,048 characters, two M10K blocks
+// each.  The screen's reads go before the processor's, which picture_store.v grants: the screen
+// reads characters only where it reads pixels, too.
+//
+// clear_i and a reset fill everything with blanks, in 1,920 clocks without writes.  any_o says that
+// since then something else has been written, so that an empty screen need not be looked at.
+
+`default_nettype none
+
+module character_store (
+    input  wire        clk_i,
+    input  wire        rst_i,
+
+    input  wire        clear_i,
+    output reg         clearing_o,       // after clear_i, not after a reset
+    output reg         any_o,
+
+    input  wire        screen_re_i,
+    input  wire [10:0] screen_index_i,
+    input  wire        re_i,
+    input  wire [10:0] rindex_i,
+    output reg  [31:0] rdata_o,          // one clock after whichever read; stays until the next
+
+    input  wire [3:0]  we_i,             // byte lanes
+    input  wire [10:0] windex_i,
+    input  wire [31:0] wdata_i
+);
+    `include "lanes.vh"
+
+    localparam [10:0] LAST   = 11'd1919;
+    localparam [31:0] BLANKS = 32'h2020_2020;
+
+    reg [7:0]  lane0 [0:2047];
+    reg [7:0]  lane1 [0:2047];
+    reg [7:0]  lane2 [0:2047];
+    reg [7:0]  lane3 [0:2047];
+    reg [10:0] fill_q;
+    reg        filling_q;
+
+    wire [10:0] read  = screen_re_i ? screen_index_i : rindex_i;
+    wire        write = we_i != 4'd0;
+    wire        fill  = filling_q && !write;
+    wire [10:0] place = write ? windex_i : fill_q;
+    wire [31:0] wdata = write ? wdata_i : BLANKS;
+
+    // One test a clock each while nobody reads or writes.
+    always @(posedge clk_i)
+        if (screen_re_i || re_i) rdata_o <= {lane3[read], lane2[read], lane1[read], lane0[read]};
+
+    always @(posedge clk_i) if (write || filling_q || clear_i || rst_i) begin
+        if (we_i[0] || fill) lane0[place] <= wdata[7:0];
+        if (we_i[1] || fill) lane1[place] <= wdata[15:8];
+        if (we_i[2] || fill) lane2[place] <= wdata[23:16];
+        if (we_i[3] || fill) lane3[place] <= wdata[31:24];
+        if (fill) begin
+            filling_q <= fill_q != LAST;
+            if (fill_q == LAST) clearing_o <= 1'b0;
+            fill_q    <= fill_q + 11'd1;
+        end
+        if (((wdata_i ^ BLANKS) & lanes(we_i)) != 32'd0) any_o <= 1'b1;
+        if (clear_i || rst_i) begin
+            fill_q     <= 11'd0;
+            filling_q  <= 1'b1;
+            clearing_o <= !rst_i;
+            any_o      <= 1'b0;
+        end
+    end
+endmodule
+
+`default_nettype wire

@@ -1,0 +1,40 @@
+// gen_font.cpp - prints character_font.vh from the letters of sw/gfx
+#include <cstdint>
+#include <cstdio>
+#include <string>
+
+#include "gfx/font.h"
+
+namespace {
+
+constexpr int COLUMNS = 5, ROWS = 8;
+constexpr int MARGIN = 1;  // of 8 columns, left
+
+// Bit 8 * row + column.
+std::uint64_t strokes(char letter) {
+    static gfx::Canvas canvas;
+    canvas.clear();
+    gfx::text(canvas, MARGIN, 0, std::string(1, letter), gfx::rgb(255, 255, 255));
+    std::uint64_t bits = 0;
+    for (int row = 0; row < ROWS; ++row)
+        for (int column = MARGIN; column < MARGIN + COLUMNS; ++column)
+            if (canvas.row(row)[column]) bits |= std::uint64_t{1} << (8 * row + column);
+    return bits;
+}
+
+}  // namespace
+
+int main() {
+    std::puts(
+        "// character_font.vh - generated from sw/gfx/font.cpp by `make regmap`; do not edit.");
+    std::puts(
+        "// 8 x 8 pixels a letter: bit 64 * code + 8 * row + column; blank where there is none.\n");
+    std::puts("localparam [8191:0] LETTERS = {");
+    for (int code = 127; code >= 0; --code) {
+        const bool has = code > ' ' && code <= '~';
+        std::printf("    64'h%016llx%s  // %02x\n",
+                    has ? static_cast<unsigned long long>(strokes(static_cast<char>(code))) : 0ull,
+                    code ? "," : "", static_cast<unsigned>(code));
+    }
+    std::puts("};");
+}

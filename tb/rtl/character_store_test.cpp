@@ -1,0 +1,209 @@
+// h2f_bridge.v and character_store.v: 80 x 60 characters written, read back, shown and cleared.
+#include <gtest/gtest.h>
+
+#include <random>
+#include <vector>
+
+#include "Vpicture_bench.h"
+#include "tb/support/axi_master.h"
+#include "tb/support/random_registers.h"
+
+namespace {
+
+using namespace tb;
+
+constexpr std::uint32_t CHARACTERS = 0x09000000;  // offset in the bridge
+constexpr std::uint32_t COLUMNS = 80, ROWS = 60;
+
+class CharacterStore : public ::testing::Test {
+protected:
+    Vpicture_bench dut;
+    AxiMaster<Vpicture_bench> axi{dut};
+    std::uint64_t clocks = 0;
+
+    static void SetUpTestSuite() { start_with_random_registers(); }
+
+    void SetUp() override {
+        dut.rst_i = 1;
+        dut.awvalid_i = dut.wvalid_i = dut.arvalid_i = 0;
+        dut.screen_re_i = dut.cell_re_i = dut.clear_i = 0;
+        clock();
+        clock();
+        dut.rst_i = 0;
+        axi.forget();
+        clear();
+    }
+    void clock() {
+        dut.clk_i = 0;
+        axi.before_edge();
+        dut.eval();
+        dut.clk_i = 1;
+        dut.eval();
+        axi.after_edge();
+        ++clocks;
+    }
+    unsigned clear() {
+        dut.clear_i = 1;
+        clock();
+        dut.clear_i = 0;
+        unsigned count = 1;
+        while (dut.clearing_o && ++count < 2000) clock();
+        return count;
+    }
+    void finish() {
+        for (int i = 0; i < 2000 && !axi.idle(); ++i) clock();
+        ASSERT_TRUE(axi.idle()) << "the bridge did not answer";
+    }
+    std::uint32_t read(std::uint32_t offset) {
+        axi.forget();
+        axi.read({1, CHARACTERS + offset, 1, 2, INCR});
+        finish();
+        EXPECT_EQ(axi.beats[0].resp, OKAY);
+        return axi.beats[0].data;
+    }
+    void write(std::uint32_t offset, std::uint32_t value, std::uint8_t strobes = 0xf) {
+        axi.forget();
+        axi.write({1, CHARACTERS + offset, 2, INCR, {value}, {strobes}});
+        finish();
+        EXPECT_EQ(axi.written[0].resp, OKAY);
+    }
+    // One character, as strb does.
+    void put(std::uint32_t x, std::uint32_t y, std::uint8_t code) {
+        write(y << 7 | (x & ~3u), 0x01010101u * code, static_cast<std::uint8_t>(1 << x % 4));
+    }
+    void fill() {
+        for (std::uint32_t y = 0; y < ROWS; ++y)
+            for (std::uint32_t word = 0; word < COLUMNS / 4; ++word) write(y << 7 | word << 2, ~0u);
+    }
+    // The word of four that the screen gets.
+    std::uint32_t shown(std::uint32_t word, std::uint32_t row) {
+        dut.screen_re_i = dut.cell_re_i = 1;
+        dut.cell_index_i = static_cast<std::uint16_t>(row << 5 | word);
+        clock();
+        dut.screen_re_i = dut.cell_re_i = 0;
+        return dut.cells_o;
+    }
+};
+
+TEST_F(CharacterStore, KeepsEveryCharacterApart) {
+    std::mt19937 random{3};
+    std::vector<std::uint8_t> text(COLUMNS * ROWS);
+    for (auto& code : text) code = static_cast<std::uint8_t>(random());
+    for (std::uint32_t y = 0; y < ROWS; ++y)
+        for (std::uint32_t x = 0; x < COLUMNS; ++x) put(x, y, text[y * COLUMNS + x]);
+    for (std::uint32_t y = 0; y < ROWS; ++y)
+        for (std::uint32_t word = 0; word < COLUMNS / 4; ++word) {
+            std::uint32_t four = 0;
+            for (unsigned i = 0; i < 4; ++i)
+                four |= static_cast<std::uint32_t>(text[y * COLUMNS + 4 * word + i]) << 8 * i;
+            ASSERT_EQ(read(y << 7 | word << 2), four) << word << "," << y;
+            ASSERT_EQ(shown(word, y), four) << word << "," << y;
+        }
+}
+
+TEST_F(CharacterStore, WritesBurstsByTheirStrobes) {
+    std::mt19937 random{5};
+    std::vector<std::uint32_t> row(COLUMNS / 4, 0x20202020);
+    for (int round = 0; round < 200; ++round) {
+        const auto beats = static_cast<std::uint32_t>(1 + random() % 16);
+        const auto first = static_cast<std::uint32_t>(random() % (21 - beats));
+        WriteRequest burst{3, CHARACTERS + (7 << 7) + 4 * first, 2, INCR, {}, {}};
+        for (std::uint32_t i = 0; i < beats; ++i) {
+            burst.data.push_back(static_cast<std::uint32_t>(random()));
+            burst.strobes.push_back(static_cast<std::uint8_t>(random() % 16));
+            for (unsigned lane = 0; lane < 4; ++lane)
+                if (burst.strobes[i] >> lane & 1) {
+                    const std::uint32_t mask = 0xffu << 8 * lane;
+                    row[first + i] = (row[first + i] & ~mask) | (burst.data[i] & mask);
+                }
+        }
+        axi.forget();
+        axi.write(burst);
+        axi.read({4, CHARACTERS + (7 << 7) + 4 * first, static_cast<std::uint8_t>(beats), 2, INCR});
+        finish();
+        for (std::uint32_t word = 0; word < row.size(); ++word)
+            ASSERT_EQ(shown(word, 7), row[word]) << round << ": " << word;
+    }
+}
+
+TEST_F(CharacterStore, TakesWritesBesideTheScreenWithoutHarm) {
+    for (const std::uint32_t offset : {80u, 124u, 60u << 7, 0x1ffcu}) {
+        write(offset, 0xdeadbeef);
+        EXPECT_EQ(read(offset), 0u) << std::hex << offset;
+    }
+    for (std::uint32_t y = 0; y < ROWS; ++y)
+        for (std::uint32_t word = 0; word < COLUMNS / 4; ++word)
+            ASSERT_EQ(shown(word, y), 0x20202020u) << word << "," << y;
+}
+
+TEST_F(CharacterStore, AnswersAddressesBehindItWithDecerr) {
+    for (const std::uint32_t offset : {0x2000u, 0xfffffcu}) {
+        axi.forget();
+        axi.write({1, CHARACTERS + offset, 2, INCR, {1}, {0xf}});
+        axi.read({1, CHARACTERS + offset, 1, 2, INCR});
+        finish();
+        EXPECT_EQ(axi.written[0].resp, DECERR) << std::hex << offset;
+        EXPECT_EQ(axi.beats[0].resp, DECERR) << std::hex << offset;
+    }
+}
+
+TEST_F(CharacterStore, ClearsToBlanksIn1920Clocks) {
+    fill();
+    EXPECT_NEAR(clear(), 1920, 2);
+    for (std::uint32_t y = 0; y < ROWS; ++y)
+        for (std::uint32_t word = 0; word < COLUMNS / 4; ++word)
+            ASSERT_EQ(shown(word, y), 0x20202020u) << word << "," << y;
+}
+
+TEST_F(CharacterStore, IsBlankAfterAReset) {
+    fill();
+    dut.rst_i = 1;
+    clock();
+    dut.rst_i = 0;
+    EXPECT_EQ(dut.clearing_o, 0);
+    for (int i = 0; i < 1921; ++i) clock();
+    EXPECT_EQ(shown(0, 0), 0x20202020u);
+    EXPECT_EQ(shown(19, 59), 0x20202020u);
+    EXPECT_EQ(dut.any_o, 0);
+}
+
+TEST_F(CharacterStore, SaysWhetherAnythingButBlanksWasWrittenSinceTheClear) {
+    EXPECT_EQ(dut.any_o, 0);
+    write(0, 0x20202020);
+    write(4, 0x41414141, 0);
+    write(80, 0x41414141);
+    EXPECT_EQ(dut.any_o, 0);
+    put(79, 59, 'A');
+    EXPECT_EQ(dut.any_o, 1);
+    put(79, 59, ' ');
+    EXPECT_EQ(dut.any_o, 1);
+    clear();
+    EXPECT_EQ(dut.any_o, 0);
+}
+
+TEST_F(CharacterStore, LosesNoBlankToAWriteMeanwhile) {
+    fill();
+    dut.clear_i = 1;
+    clock();
+    dut.clear_i = 0;
+    for (std::uint32_t word = 0; word < COLUMNS / 4; ++word) write(59 << 7 | word << 2, ~0u);
+    while (dut.clearing_o && clocks < 100'000) clock();
+    for (std::uint32_t y = 0; y < ROWS; ++y)
+        for (std::uint32_t word = 0; word < COLUMNS / 4; ++word)
+            ASSERT_EQ(shown(word, y), 0x20202020u) << word << "," << y;
+}
+
+TEST_F(CharacterStore, SharesNothingWithThePictures) {
+    write(0, 0x41414141);
+    axi.write({1, 0x08000000, 2, INCR, {0x12345678}, {0xf}});
+    finish();
+    EXPECT_EQ(read(0), 0x41414141u);
+    write(0, 0x42424242);
+    axi.forget();
+    axi.read({1, 0x08000000, 1, 2, INCR});
+    finish();
+    EXPECT_EQ(axi.beats[0].data, 0x12345678u);
+    EXPECT_EQ(read(0), 0x42424242u);
+}
+
+}  // namespace
