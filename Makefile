@@ -96,14 +96,16 @@ bench-collision: setup  ## the broad phases beside their peers (.ci/packages-ben
 pgo: setup              ## a faster de1sim, built with a profile of the demo -> build/pgo/bin/de1sim
 	@cmake -P sim/pgo.cmake
 
-# Without CMake, which has Verilator read regmap.vh.
+# Without CMake, which has Verilator read them.
 regmap: setup           ## print regmap.vh, REGISTERS.md, the font and the scenario schema anew
 	@mkdir -p build
 	@$(CXX) -std=c++17 -Irtl/regmap -o build/gen_regmap rtl/regmap/gen_regmap.cpp
 	@build/gen_regmap vh > build/regmap.vh && mv build/regmap.vh rtl/regmap/
 	@build/gen_regmap md > build/REGISTERS.md && mv build/REGISTERS.md rtl/regmap/
+	@$(CXX) -std=c++17 -Isw -o build/gen_font rtl/vga/gen_font.cpp sw/gfx/font.cpp sw/gfx/canvas.cpp
+	@build/gen_font > build/character_font.vh && mv build/character_font.vh rtl/vga/
 	@$(MAKE) --no-print-directory configure
-	@cmake --build build --target font_files schema_files
+	@cmake --build build --target schema_files
 
 format: setup           ## lay out all C++
 	@git ls-files '*.h' '*.cpp' | xargs -d '\n' clang-format -i

@@ -101,18 +101,32 @@ module adc (
     reg [95:0] values_q;
     reg [7:0]  new_q;
 
-    wire [2:0] answered = transfer_q[2:0] - 3'd1;
-
+    integer n;
     always @(posedge clk_i) if (re_i || done || rst_i) begin
         if (re_i) new_q[raddr_i[4:2]] <= 1'b0;
-        if (done && transfer_q != 4'd0) values_q[answered * 12 +: 12] <= bits_q;
+        for (n = 0; n < 8; n = n + 1)
+            if (done && transfer_q == n[3:0] + 4'd1) values_q[12 * n +: 12] <= bits_q;
         if (ended) new_q <= 8'hff;
         if (rst_i) new_q <= 8'd0;
     end
 
+    function [31:0] channel;
+        input [2:0] number;
+        case (number)
+            3'd0: channel = {16'd0, new_q[0], 3'd0, values_q[11:0]};
+            3'd1: channel = {16'd0, new_q[1], 3'd0, values_q[23:12]};
+            3'd2: channel = {16'd0, new_q[2], 3'd0, values_q[35:24]};
+            3'd3: channel = {16'd0, new_q[3], 3'd0, values_q[47:36]};
+            3'd4: channel = {16'd0, new_q[4], 3'd0, values_q[59:48]};
+            3'd5: channel = {16'd0, new_q[5], 3'd0, values_q[71:60]};
+            3'd6: channel = {16'd0, new_q[6], 3'd0, values_q[83:72]};
+            default: channel = {16'd0, new_q[7], 3'd0, values_q[95:84]};
+        endcase
+    endfunction
+
     always @(posedge clk_i) begin
         rdata_o <= 32'd0;
-        if (re_i) rdata_o <= {16'd0, new_q[raddr_i[4:2]], 3'd0, values_q[raddr_i[4:2] * 12 +: 12]};
+        if (re_i) rdata_o <= channel(raddr_i[4:2]);
     end
 endmodule
 

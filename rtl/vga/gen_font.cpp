@@ -27,14 +27,10 @@ std::uint64_t strokes(char letter) {
 int main() {
     std::puts(
         "// character_font.vh - generated from sw/gfx/font.cpp by `make regmap`; do not edit.");
-    std::puts(
-        "// 8 x 8 pixels a letter: bit 64 * code + 8 * row + column; blank where there is none.\n");
-    std::puts("localparam [8191:0] LETTERS = {");
-    for (int code = 127; code >= 0; --code) {
-        const bool has = code > ' ' && code <= '~';
-        std::printf("    64'h%016llx%s  // %02x\n",
-                    has ? static_cast<unsigned long long>(strokes(static_cast<char>(code))) : 0ull,
-                    code ? "," : "", static_cast<unsigned>(code));
-    }
-    std::puts("};");
+    std::puts("// 8 x 8 pixels a letter: bit 8 * row + column; blank where there is none.\n");
+    std::puts("function [63:0] letter;\n    input [6:0] code;\n    case (code)");
+    for (char code = ' ' + 1; code <= '~'; ++code)
+        std::printf("        7'h%02x:   letter = 64'h%016llx;\n", static_cast<unsigned>(code),
+                    static_cast<unsigned long long>(strokes(code)));
+    std::puts("        default: letter = 64'd0;\n    endcase\nendfunction");
 }

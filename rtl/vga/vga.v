@@ -129,9 +129,15 @@ module vga (
     reg  [7:0]  strokes_q;  // bit 0 now, bit 1 in the next clock; 0 without text_q
     wire [6:0]  code = cells_i[{lane_q, 3'd0} +: 7];
 
+    function [7:0] line_of;
+        input [63:0] pixels;
+        input [2:0]  line;
+        line_of = pixels[{line, 3'd0} +: 8];
+    endfunction
+
     always @(posedge clk_i) begin
         if (text_q) begin
-            strokes_q <= shown && h[2:0] == 3'd2 ? LETTERS[{code, line_q, 3'd0} +: 8]
+            strokes_q <= shown && h[2:0] == 3'd2 ? line_of(letter(code), line_q)
                          : {1'b0, strokes_q[7:1]};
             cell_o    <= 1'b0;
             if (shown && h[2:0] == 3'd0) begin

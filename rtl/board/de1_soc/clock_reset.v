@@ -11,7 +11,9 @@ module clock_reset (
     output wire clk_o,
     output wire rst_o
 );
-    wire locked;
+    wire clk, locked;
+
+    assign clk_o = clk;
 
     altera_pll #(
         .reference_clock_frequency ("50.0 MHz"),
@@ -30,11 +32,11 @@ module clock_reset (
         // verilator lint_off PINCONNECTEMPTY
         .fboutclk (),
         // verilator lint_on PINCONNECTEMPTY
-        .outclk   (clk_o),
+        .outclk   (clk),
         .locked   (locked)
     );
 
-    reset_sync reset_sync (.clk_i(clk_o), .rst_ni(locked && rst_ni), .rst_o(rst_o));
+    reset_sync reset_sync (.clk_i(clk), .rst_ni(locked && rst_ni), .rst_o(rst_o));
 endmodule
 
 `default_nettype wire
