@@ -1,96 +1,14 @@
 // vga.v: registers, swap and pixels; the test is the picture store and looks at the ADV7123's pins.
-#include <array>
-#include <string>
-#include <vector>
-
-#include "Vvga.h"
-#include "gfx/font.h"
 #include "regmap.h"
-#include "tb/support/register_bus.h"
+#include "tb/rtl/vga_bench.h"
 
 namespace {
 
 using namespace regmap;
+using tb::FRAME;
+using tb::LINE;
 
-constexpr int LINE = 800, LINES = 525, FRAME = LINE * LINES;
-
-class Vga : public tb::RegisterBus<Vvga> {
-protected:
-    struct Pins {
-        bool hs, vs, blank_n;
-        std::uint32_t rgb;
-    };
-    std::array<std::vector<std::uint32_t>, 2> picture{std::vector<std::uint32_t>(38400),
-                                                      std::vector<std::uint32_t>(38400)};
-    std::vector<Pins> seen;
-    std::array<std::uint8_t, 80 * 60> text{};
-    std::uint32_t word = 0, cells = 0;
-    unsigned fetches = 0, cell_fetches = 0;
-
-    void SetUp() override {
-        dut.resampler_re_i = dut.text_we_i = dut.text_re_i = dut.clearing_i = 0;
-        dut.cells_any_i = 1;
-        reset();
-    }
-
-    void after_clock() override {
-        dut.word_i = word;  // asked for a clock ago
-        dut.cells_i = cells;
-        cells = 0x41414141;  // holds only for the clock after the fetch
-        if (dut.cell_o) {
-            ++cell_fetches;
-            ASSERT_TRUE(dut.fetch_o) << "the processor may read now";
-            const unsigned at = (dut.cell_index_o >> 5) * 80 + (dut.cell_index_o & 31) * 4;
-            ASSERT_LT(at, text.size());
-            cells = text[at] | text[at + 1] << 8 | text[at + 2] << 16 |
-                    static_cast<std::uint32_t>(text[at + 3]) << 24;
-        }
-        if (dut.fetch_o) {
-            ++fetches;
-            ASSERT_LT(dut.index_o, 76800u);
-            word = picture[dut.index_o / 38400][dut.index_o % 38400];
-        } else {
-            word = 0xdeadbeef;  // holds only for the clock after the fetch
-        }
-        seen.push_back(
-            {dut.vga_hs_no != 0, dut.vga_vs_no != 0, dut.vga_blank_no != 0,
-             static_cast<std::uint32_t>(dut.vga_r_o << 16 | dut.vga_g_o << 8 | dut.vga_b_o)});
-    }
-
-    // Runs to the end of the frame on screen and returns the 640 x 480 shown after the next one.
-    std::vector<std::uint32_t> shown() {
-        while (!(dut.vga_vs_no == 0)) clock();
-        while (dut.vga_vs_no == 0) clock();
-        seen.clear();
-        clock(FRAME);
-        std::vector<std::uint32_t> pixels;
-        for (const Pins& p : seen)
-            if (p.blank_n) pixels.push_back(p.rgb);
-        return pixels;
-    }
-
-    void write_text(std::uint32_t address, std::uint32_t value) {
-        dut.text_we_i = 1;
-        dut.waddr_i = address & 0xfff;
-        dut.wdata_i = value;
-        dut.wstrb_i = 0xf;
-        clock();
-        dut.text_we_i = 0;
-    }
-    std::uint32_t read_text(std::uint32_t address) {
-        dut.text_re_i = 1;
-        dut.raddr_i = address & 0xfff;
-        clock();
-        dut.text_re_i = 0;
-        return dut.rdata_o;
-    }
-
-    void poke(int which, int x, int y, std::uint16_t colour) {
-        std::uint32_t& w = picture[which][y * 160 + x / 2];
-        w = x % 2 ? (w & 0x0000ffff) | static_cast<std::uint32_t>(colour) << 16
-                  : (w & 0xffff0000) | colour;
-    }
-};
+using Vga = tb::VgaBench;
 
 TEST_F(Vga, KeepsTheStandardsTimingInEveryLineAndFrame) {
     shown();
@@ -244,94 +162,6 @@ TEST_F(Vga, AnswersTheResamplersStatus) {
     EXPECT_EQ(dut.rdata_o, 0x14u);
     clock();
     EXPECT_EQ(dut.rdata_o, 0u);
-}
-
-TEST_F(Vga, ShowsLettersInWhiteOverThePixelsAndNothingForOtherCodes) {
-    for (int y = 0; y < 240; ++y)
-        for (int x = 0; x < 320; ++x) poke(0, x, y, static_cast<std::uint16_t>(x * 7 + y * 331));
-    const auto bare = shown();
-    for (unsigned i = 0; i < text.size(); ++i) text[i] = static_cast<std::uint8_t>(i * 5 % 128);
-    const auto pixels = shown();
-    unsigned strokes = 0;
-    for (unsigned cell = 0; cell < text.size(); ++cell) {
-        gfx::Canvas letter;
-        if (text[cell] >= ' ' && text[cell] <= '~')
-            gfx::text(letter, 1, 0, std::string(1, static_cast<char>(text[cell])), gfx::Colour{1});
-        for (int y = 0; y < 8; ++y)
-            for (int x = 0; x < 8; ++x) {
-                const std::size_t at =
-                    (cell / 80 * 8 + static_cast<unsigned>(y)) * 640 + cell % 80 * 8 + x;
-                const bool stroke = letter.row(y)[x] != 0;
-                strokes += stroke;
-                ASSERT_EQ(pixels[at], stroke ? 0xffffffu : bare[at]) << cell << ": " << x << y;
-            }
-    }
-    EXPECT_GT(strokes, 10'000u);
-}
-
-TEST_F(Vga, TakesCharactersModulo128) {
-    text[0] = 'A';
-    const auto pixels = shown();
-    text[0] = 'A' | 0x80;
-    EXPECT_EQ(shown(), pixels);
-    text[0] = 0;
-    EXPECT_NE(shown(), pixels);
-}
-
-TEST_F(Vga, ReadsOneCharacterForEightClocks) {
-    shown();
-    cell_fetches = 0;
-    clock(FRAME);
-    EXPECT_EQ(cell_fetches, 480u * 80);
-}
-
-TEST_F(Vga, ReadsAndShowsNoCharactersWhileThereAreOnlyBlanks) {
-    for (auto& code : text) code = 'A';
-    dut.cells_any_i = 0;
-    shown();
-    cell_fetches = 0;
-    for (const std::uint32_t rgb : shown()) ASSERT_EQ(rgb, 0u);
-    EXPECT_EQ(cell_fetches, 0u);
-}
-
-TEST_F(Vga, ShowsNoCharactersWhileTheyAreDisabled) {
-    for (auto& code : text) code = 'A';
-    write_text(TEXT_STATUS, 0);
-    for (const std::uint32_t rgb : shown()) ASSERT_EQ(rgb, 0u);
-}
-
-TEST_F(Vga, HasTheDocumentedCharacterRegistersAfterReset) {
-    EXPECT_EQ(read_text(0xFF203030), 0xC9000000u);
-    EXPECT_EQ(read_text(0xFF203034), 0xC9000000u);
-    EXPECT_EQ(read_text(0xFF203038), 0x003C0050u);
-    EXPECT_EQ(read_text(0xFF20303C) & 7, 4u);
-}
-
-TEST_F(Vga, SwapsCharacterBuffersAtTheFramesEndApartFromThePictures) {
-    write_text(TEXT_BACK_BUFFER, 0xC9000800);
-    write_text(TEXT_BUFFER, 1);
-    EXPECT_EQ(read_text(TEXT_STATUS) & 1, 1u);
-    EXPECT_EQ(read(PIXEL_STATUS) & 1, 0u);
-    clock(FRAME);
-    EXPECT_EQ(read_text(TEXT_STATUS) & 1, 0u);
-    EXPECT_EQ(read_text(TEXT_BUFFER), 0xC9000800u);
-}
-
-TEST_F(Vga, ClearsTheCharactersOnBit16OfBufferAlone) {
-    write_text(TEXT_BUFFER, 1);
-    clock();
-    EXPECT_EQ(dut.clear_o, 0);
-    write_text(TEXT_BACK_BUFFER, 1 << 16);
-    EXPECT_EQ(dut.clear_o, 0);
-    write_text(TEXT_BUFFER, 1 << 16);
-    EXPECT_EQ(dut.clear_o, 1);
-    dut.clearing_i = 1;
-    clock();
-    EXPECT_EQ(dut.clear_o, 0);
-    EXPECT_EQ(read_text(TEXT_BUFFER) >> 16 & 1, 1u);
-    EXPECT_EQ(read_text(TEXT_RESOLUTION), 0x003C0050u);
-    dut.clearing_i = 0;
-    EXPECT_EQ(read_text(TEXT_BUFFER) >> 16 & 1, 0u);
 }
 
 TEST_F(Vga, ClocksTheDacInTheMiddleOfAPixel) {

@@ -1,0 +1,93 @@
+// vga_bench.h - test fixture for vga.v: the stores of pictures and characters, and who looks at the
+// ADV7123's pins.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "Vvga.h"
+#include "tb/support/register_bus.h"
+
+namespace tb {
+
+constexpr int LINE = 800, LINES = 525, FRAME = LINE * LINES;
+
+class VgaBench : public RegisterBus<Vvga> {
+protected:
+    struct Pins {
+        bool hs, vs, blank_n;
+        std::uint32_t rgb;
+    };
+    std::array<std::vector<std::uint32_t>, 2> picture{std::vector<std::uint32_t>(38400),
+                                                      std::vector<std::uint32_t>(38400)};
+    std::vector<Pins> seen;
+    std::array<std::uint8_t, 80 * 60> text{};
+    std::uint32_t word = 0, cells = 0;
+    unsigned fetches = 0, cell_fetches = 0;
+
+    void SetUp() override {
+        dut.resampler_re_i = dut.text_we_i = dut.text_re_i = dut.clearing_i = 0;
+        dut.cells_any_i = 1;
+        reset();
+    }
+
+    void after_clock() override {
+        dut.word_i = word;  // asked for a clock ago
+        dut.cells_i = cells;
+        cells = 0x41414141;  // holds only for the clock after the fetch
+        if (dut.cell_o) {
+            ++cell_fetches;
+            ASSERT_TRUE(dut.fetch_o) << "the processor may read now";
+            const unsigned at = (dut.cell_index_o >> 5) * 80 + (dut.cell_index_o & 31) * 4;
+            ASSERT_LT(at, text.size());
+            cells = text[at] | text[at + 1] << 8 | text[at + 2] << 16 |
+                    static_cast<std::uint32_t>(text[at + 3]) << 24;
+        }
+        if (dut.fetch_o) {
+            ++fetches;
+            ASSERT_LT(dut.index_o, 76800u);
+            word = picture[dut.index_o / 38400][dut.index_o % 38400];
+        } else {
+            word = 0xdeadbeef;  // holds only for the clock after the fetch
+        }
+        seen.push_back(
+            {dut.vga_hs_no != 0, dut.vga_vs_no != 0, dut.vga_blank_no != 0,
+             static_cast<std::uint32_t>(dut.vga_r_o << 16 | dut.vga_g_o << 8 | dut.vga_b_o)});
+    }
+
+    // Runs to the end of the frame on screen and returns the 640 x 480 shown after the next one.
+    std::vector<std::uint32_t> shown() {
+        while (!(dut.vga_vs_no == 0)) clock();
+        while (dut.vga_vs_no == 0) clock();
+        seen.clear();
+        clock(FRAME);
+        std::vector<std::uint32_t> pixels;
+        for (const Pins& p : seen)
+            if (p.blank_n) pixels.push_back(p.rgb);
+        return pixels;
+    }
+
+    void write_text(std::uint32_t address, std::uint32_t value) {
+        dut.text_we_i = 1;
+        dut.waddr_i = address & 0xfff;
+        dut.wdata_i = value;
+        dut.wstrb_i = 0xf;
+        clock();
+        dut.text_we_i = 0;
+    }
+    std::uint32_t read_text(std::uint32_t address) {
+        dut.text_re_i = 1;
+        dut.raddr_i = address & 0xfff;
+        clock();
+        dut.text_re_i = 0;
+        return dut.rdata_o;
+    }
+
+    void poke(int which, int x, int y, std::uint16_t colour) {
+        std::uint32_t& w = picture[which][y * 160 + x / 2];
+        w = x % 2 ? (w & 0x0000ffff) | static_cast<std::uint32_t>(colour) << 16
+                  : (w & 0xffff0000) | colour;
+    }
+};
+
+}  // namespace tb

@@ -1,0 +1,103 @@
+// vga.v: the characters over the pixels, and their controller.
+#include <string>
+
+#include "gfx/font.h"
+#include "regmap.h"
+#include "tb/rtl/vga_bench.h"
+
+namespace {
+
+using namespace regmap;
+using tb::FRAME;
+
+using VgaText = tb::VgaBench;
+
+TEST_F(VgaText, ShowsLettersInWhiteOverThePixelsAndNothingForOtherCodes) {
+    for (int y = 0; y < 240; ++y)
+        for (int x = 0; x < 320; ++x) poke(0, x, y, static_cast<std::uint16_t>(x * 7 + y * 331));
+    const auto bare = shown();
+    for (unsigned i = 0; i < text.size(); ++i) text[i] = static_cast<std::uint8_t>(i * 5 % 128);
+    const auto pixels = shown();
+    unsigned strokes = 0;
+    for (unsigned cell = 0; cell < text.size(); ++cell) {
+        gfx::Canvas letter;
+        if (text[cell] >= ' ' && text[cell] <= '~')
+            gfx::text(letter, 1, 0, std::string(1, static_cast<char>(text[cell])), gfx::Colour{1});
+        for (int y = 0; y < 8; ++y)
+            for (int x = 0; x < 8; ++x) {
+                const std::size_t at =
+                    (cell / 80 * 8 + static_cast<unsigned>(y)) * 640 + cell % 80 * 8 + x;
+                const bool stroke = letter.row(y)[x] != 0;
+                strokes += stroke;
+                ASSERT_EQ(pixels[at], stroke ? 0xffffffu : bare[at]) << cell << ": " << x << y;
+            }
+    }
+    EXPECT_GT(strokes, 10'000u);
+}
+
+TEST_F(VgaText, TakesCharactersModulo128) {
+    text[0] = 'A';
+    const auto pixels = shown();
+    text[0] = 'A' | 0x80;
+    EXPECT_EQ(shown(), pixels);
+    text[0] = 0;
+    EXPECT_NE(shown(), pixels);
+}
+
+TEST_F(VgaText, ReadsOneCharacterForEightClocks) {
+    shown();
+    cell_fetches = 0;
+    clock(FRAME);
+    EXPECT_EQ(cell_fetches, 480u * 80);
+}
+
+TEST_F(VgaText, ReadsAndShowsNoCharactersWhileThereAreOnlyBlanks) {
+    for (auto& code : text) code = 'A';
+    dut.cells_any_i = 0;
+    shown();
+    cell_fetches = 0;
+    for (const std::uint32_t rgb : shown()) ASSERT_EQ(rgb, 0u);
+    EXPECT_EQ(cell_fetches, 0u);
+}
+
+TEST_F(VgaText, ShowsNoCharactersWhileTheyAreDisabled) {
+    for (auto& code : text) code = 'A';
+    write_text(TEXT_STATUS, 0);
+    for (const std::uint32_t rgb : shown()) ASSERT_EQ(rgb, 0u);
+}
+
+TEST_F(VgaText, HasTheDocumentedCharacterRegistersAfterReset) {
+    EXPECT_EQ(read_text(0xFF203030), 0xC9000000u);
+    EXPECT_EQ(read_text(0xFF203034), 0xC9000000u);
+    EXPECT_EQ(read_text(0xFF203038), 0x003C0050u);
+    EXPECT_EQ(read_text(0xFF20303C) & 7, 4u);
+}
+
+TEST_F(VgaText, SwapsCharacterBuffersAtTheFramesEndApartFromThePictures) {
+    write_text(TEXT_BACK_BUFFER, 0xC9000800);
+    write_text(TEXT_BUFFER, 1);
+    EXPECT_EQ(read_text(TEXT_STATUS) & 1, 1u);
+    EXPECT_EQ(read(PIXEL_STATUS) & 1, 0u);
+    clock(FRAME);
+    EXPECT_EQ(read_text(TEXT_STATUS) & 1, 0u);
+    EXPECT_EQ(read_text(TEXT_BUFFER), 0xC9000800u);
+}
+
+TEST_F(VgaText, ClearsTheCharactersOnBit16OfBufferAlone) {
+    write_text(TEXT_BUFFER, 1);
+    clock();
+    EXPECT_EQ(dut.clear_o, 0);
+    write_text(TEXT_BACK_BUFFER, 1 << 16);
+    EXPECT_EQ(dut.clear_o, 0);
+    write_text(TEXT_BUFFER, 1 << 16);
+    EXPECT_EQ(dut.clear_o, 1);
+    dut.clearing_i = 1;
+    clock();
+    EXPECT_EQ(dut.clear_o, 0);
+    EXPECT_EQ(read_text(TEXT_BUFFER) >> 16 & 1, 1u);
+    EXPECT_EQ(read_text(TEXT_RESOLUTION), 0x003C0050u);
+    dut.clearing_i = 0;
+    EXPECT_EQ(read_text(TEXT_BUFFER) >> 16 & 1, 0u);
+}
+
+}  // namespace
