@@ -1,6 +1,5 @@
 // arm_core_memory.cpp - ArmCore's memory: what is mapped where, and RAM seen from outside.
 #include <algorithm>
-#include <cstring>
 
 #include "sim/hps/arm_engine.h"
 
@@ -32,14 +31,16 @@ std::optional<std::uint32_t> ArmCore::bus_address(std::uint32_t address) const {
 
 bool ArmCore::read_ram(std::uint32_t address, void* data, std::size_t bytes) const {
     const Engine::Ram* area = engine_->find(address, bytes);
-    if (area) std::memcpy(data, area->bytes + (address - area->base), bytes);
+    if (area)
+        std::copy_n(area->bytes + (address - area->base), bytes, static_cast<std::uint8_t*>(data));
     return area != nullptr;
 }
 
 bool ArmCore::write_ram(std::uint32_t address, const void* data, std::size_t bytes) {
     const Engine::Ram* area = engine_->find(address, bytes);
     if (!area) return false;
-    std::memcpy(area->bytes + (address - area->base), data, bytes);
+    std::copy_n(static_cast<const std::uint8_t*>(data), bytes,
+                area->bytes + (address - area->base));
     forget_translations(address, bytes);
     return true;
 }
