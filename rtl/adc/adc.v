@@ -15,6 +15,8 @@
 // asks for another.
 //
 // Source: Linear Technology, LTC2308; University Program, ADC Controller for DE-series Boards.
+//
+// Not handled: the AD7928 that early revisions of the board have in its place.
 
 `default_nettype none
 
@@ -112,16 +114,12 @@ module adc (
 
     function [31:0] channel;
         input [2:0] number;
-        case (number)
-            3'd0: channel = {16'd0, new_q[0], 3'd0, values_q[11:0]};
-            3'd1: channel = {16'd0, new_q[1], 3'd0, values_q[23:12]};
-            3'd2: channel = {16'd0, new_q[2], 3'd0, values_q[35:24]};
-            3'd3: channel = {16'd0, new_q[3], 3'd0, values_q[47:36]};
-            3'd4: channel = {16'd0, new_q[4], 3'd0, values_q[59:48]};
-            3'd5: channel = {16'd0, new_q[5], 3'd0, values_q[71:60]};
-            3'd6: channel = {16'd0, new_q[6], 3'd0, values_q[83:72]};
-            default: channel = {16'd0, new_q[7], 3'd0, values_q[95:84]};
-        endcase
+        integer k;
+        begin
+            channel = 32'd0;
+            for (k = 0; k < 8; k = k + 1)
+                if (number == k[2:0]) channel = {16'd0, new_q[k], 3'd0, values_q[12 * k +: 12]};
+        end
     endfunction
 
     always @(posedge clk_i) begin

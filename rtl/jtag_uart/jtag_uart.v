@@ -74,7 +74,6 @@ module jtag_uart (
         stirs = we_i || re_i || (take_i && any) || typed_i || idle_i || rst_i;
     endfunction
 
-
     wire ri    = re_q && (paused_q || DEPTH - read_count <= THRESHOLD);
     wire wi    = we_q && write_count <= THRESHOLD;
 

@@ -8,9 +8,9 @@
 `default_nettype none
 
 module pixel_registers #(
-    parameter [31:0] BUFFER     = 32'hC800_0000,
-    parameter [31:0] RESOLUTION = 32'h00F0_0140,
-    parameter [31:0] STATUS     = 32'h0809_0F04
+    parameter [31:0] BUFFER     = 32'd0,  // after reset, of BACK_BUFFER too
+    parameter [31:0] RESOLUTION = 32'd0,
+    parameter [31:0] STATUS     = 32'd0
 ) (
     input  wire        clk_i,
     input  wire        rst_i,

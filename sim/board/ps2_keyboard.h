@@ -26,8 +26,8 @@ public:
     // `moved` is called after each change of clk_low() or dat_low().
     Ps2Keyboard(const sc_core::sc_module_name& name, std::function<void()> moved);
 
-    // Presses the keys of characters that have a scan_code(), after the other, each
-    // down for 20 ms and up for 20 ms, from now on.
+    // Presses the keys of characters that have a scan_code(), one after the other, each down for
+    // 20 ms and up for 20 ms, from now on.
     void type(const std::string& text);
 
     // What the host pulls low.

@@ -6,25 +6,14 @@ source=$1
 scratch=$2/bitstream_open_test
 copy="$scratch/a folder"
 script="$copy/rtl/board/de1_soc/bitstream_open.sh"
-rm -rf "$scratch"
-mkdir -p "$copy" "$scratch/none" "$scratch/tools"
+. "$(dirname "$0")/bitstream_bench.sh"
+mkdir -p "$copy"
 cp -r "$source/rtl" "$copy/"
-for tool in sh dirname mkdir sed tr; do
-    ln -s "$(command -v $tool)" "$scratch/none/$tool"
-done
 
-fail() { echo "FAILED: $1"; cat "$scratch/said" 2>&1; exit 1; }
-# run PATH: its exit code in $code, what it said in said
-run() { code=0; PATH="$1" "$script" >"$scratch/said" 2>&1 || code=$?; }
-
-run "$scratch/none"
-[ $code = 3 ] || fail "without tools: exit $code, not 3"
-[ "$(wc -l <"$scratch/said")" = 1 ] || fail "without tools: more than a line"
-grep -q "yosys is not on the PATH" "$scratch/said" || fail "without tools: not named"
-ln -s "$(command -v yosys)" "$scratch/none/yosys"
-run "$scratch/none"
-[ $code = 3 ] || fail "without nextpnr-mistral: exit $code, not 3"
-grep -q "nextpnr-mistral is not on the PATH" "$scratch/said" || fail "nextpnr-mistral not named"
+only sh dirname mkdir sed tr
+misses yosys
+only yosys
+misses nextpnr-mistral
 
 cat >"$scratch/tools/nextpnr-mistral" <<'EOT'
 #!/bin/sh
