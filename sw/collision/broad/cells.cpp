@@ -17,6 +17,7 @@ bool Cells::count(const Kernels& kernels, const BoxList& list, const GridParts& 
         visitors += above_[k];
     }
     if (visitors > MOST_COPIES * std::uint64_t{list.count}) return false;
+    entries_ = list.count + static_cast<unsigned>(visitors);
 
     counts_.assign(parts.cells(), 0);
     std::uint32_t* counts = counts_.data();

@@ -20,6 +20,7 @@ public:
 
     // Valid after count().  The counts may be turned into what the caller likes.
     std::vector<std::uint32_t>& counts() { return counts_; }
+    unsigned entries() const { return entries_; }  // of all cells
 
     // Calls put(box, cell) for each box in order, then put_visitor(box, cell) for each visitor.
     template <class Put, class PutVisitor>
@@ -47,7 +48,7 @@ private:
     GridParts parts_ = {{0, 0, 1}, {0, 0, 1}};
     std::vector<std::uint32_t> cells_, counts_;
     std::vector<std::uint32_t> tall_, above_;  // boxes, and in how many strips each is a visitor
-    unsigned tall_count_ = 0;
+    unsigned tall_count_ = 0, entries_ = 0;
 };
 
 }  // namespace collision

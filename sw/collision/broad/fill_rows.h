@@ -1,6 +1,8 @@
 // fill_rows.h - a kernel of Strips: boxes fetched in their order and turned into an array an edge.
 #pragma once
 
+#include <algorithm>
+#include <limits>
 #include <type_traits>
 
 #include "collision/broad/columns.h"
@@ -10,6 +12,35 @@ namespace collision {
 struct RowArrays {
     std::int32_t *min_x, *max_x, *min_y, *max_y;
     std::uint32_t* index;
+
+    template <class Ints>
+    [[gnu::always_inline]] void put(unsigned i, Ints left, Ints right, Ints lower, Ints upper,
+                                    const void* indices) const {
+        std::memcpy(min_x + i, &left, sizeof(Ints));
+        std::memcpy(max_x + i, &right, sizeof(Ints));
+        std::memcpy(min_y + i, &lower, sizeof(Ints));
+        std::memcpy(max_y + i, &upper, sizeof(Ints));
+        std::memcpy(index + i, indices, sizeof(Ints));
+    }
+};
+
+// The least lane of all vectors that it is given.
+template <class Lanes>
+class Least {
+public:
+    using Ints = typename Lanes::Ints;
+
+    [[gnu::always_inline]] void operator()(Ints numbers) {
+        least_ = numbers < least_ ? numbers : least_;
+    }
+    [[gnu::always_inline]] std::int32_t of_all() const {
+        std::int32_t least = least_[0];
+        for (unsigned i = 1; i < Lanes::INTS; ++i) least = std::min<std::int32_t>(least, least_[i]);
+        return least;
+    }
+
+private:
+    Ints least_ = std::numeric_limits<std::int32_t>::max() - Ints{};
 };
 
 constexpr unsigned FETCH_AHEAD = 16;      // boxes, where a processor does not look that far itself
@@ -17,11 +48,12 @@ constexpr unsigned FETCH_FROM = 1 << 15;  // boxes: as many as its second cache 
 constexpr unsigned FILL_ROWS_SLACK = FETCH_AHEAD + 8;  // places that are read beyond the last
 
 template <class Lanes, bool AHEAD, class Box>
-[[gnu::always_inline]] inline void rows_of(const Box* boxes, const std::uint32_t* order,
-                                           unsigned count, const RowArrays& arrays) {
+[[gnu::always_inline]] inline std::int32_t rows_of(const Box* boxes, const std::uint32_t* order,
+                                                   unsigned count, const RowArrays& arrays) {
     using Ints = typename Lanes::Ints;
     const RowArrays rows = arrays;  // a copy, or each vector that is written might have changed it
     const Ints visitor = VISITOR - Ints{};
+    Least<Lanes> narrowest;
     for (unsigned i = 0; i < count; i += Lanes::INTS) {
         if constexpr (AHEAD)
             for (unsigned k = 0; k < Lanes::INTS; ++k)
@@ -37,28 +69,22 @@ template <class Lanes, bool AHEAD, class Box>
             for (std::uint32_t& index : which) index = boxes[index].index;
         if constexpr (std::is_same_v<Box, PackedEntry>)
             std::memcpy(which, &box.index, sizeof which);
-        const Ints min_y = entries < 0 ? visitor : box.min_y;
-        std::memcpy(rows.min_x + i, &box.min_x, sizeof(Ints));
-        std::memcpy(rows.max_x + i, &box.max_x, sizeof(Ints));
-        std::memcpy(rows.min_y + i, &min_y, sizeof(Ints));
-        std::memcpy(rows.max_y + i, &box.max_y, sizeof(Ints));
-        std::memcpy(rows.index + i, which, sizeof which);
+        narrowest(box.max_x - box.min_x);
+        rows.put(i, box.min_x, box.max_x, entries < 0 ? visitor : box.min_y, box.max_y, which);
     }
+    return narrowest.of_all();
 }
 
 // Fetches the boxes that order[0 .. count) names, with AS_VISITOR or without.  What the slack names
-// must be boxes, too; up to 7 rows more are written.  O(count).
+// must be boxes, too; up to 7 rows more are written.  Returns the least width of a box, or less.
+// O(count).
 template <class Lanes>
-void fill_rows(const BoxList& list, const std::uint32_t* order, unsigned count,
-               const RowArrays& rows) {
-    if (list.packed)
-        rows_of<Lanes, false>(list.packed, order, count, rows);
-    else if (list.entries)
-        rows_of<Lanes, false>(list.entries, order, count, rows);
-    else if (list.count < FETCH_FROM)
-        rows_of<Lanes, false>(list.boxes, order, count, rows);
-    else
-        rows_of<Lanes, true>(list.boxes, order, count, rows);
+std::int32_t fill_rows(const BoxList& list, const std::uint32_t* order, unsigned count,
+                       const RowArrays& rows) {
+    return list.packed               ? rows_of<Lanes, false>(list.packed, order, count, rows)
+           : list.entries            ? rows_of<Lanes, false>(list.entries, order, count, rows)
+           : list.count < FETCH_FROM ? rows_of<Lanes, false>(list.boxes, order, count, rows)
+                                     : rows_of<Lanes, true>(list.boxes, order, count, rows);
 }
 
 }  // namespace collision

@@ -9,7 +9,14 @@ namespace {
 
 template <class Lanes>
 constexpr Kernels kernels_of(const char* name) {
-    return {name, 4, short_rows<Lanes>, box_cells<Lanes>, fill_rows<Lanes>, strip_rows<Lanes>};
+    return {name,
+            4,
+            short_rows<Lanes>,
+            box_cells<Lanes>,
+            fill_rows<Lanes>,
+            packed_buckets<Lanes>,
+            packed_rows<Lanes>,
+            strip_rows<Lanes>};
 }
 
 constexpr Kernels BASELINE[] = {

@@ -8,7 +8,8 @@
 #include "collision/broad/box_cells.h"
 #include "collision/broad/box_list.h"
 #include "collision/broad/fill_rows.h"
-#include "collision/broad/pair_writer.h"
+#include "collision/broad/packed_rows.h"
+#include "collision/broad/pair_room.h"
 #include "collision/broad/short_rows.h"
 #include "collision/broad/strip_rows.h"
 
@@ -23,9 +24,12 @@ struct Kernels {
     unsigned (*short_rows)(const ShortBoxes& shorts, unsigned count, unsigned row, ShortHits& hits);
     unsigned (*box_cells)(const BoxList& list, const GridParts& parts, std::uint32_t* cells,
                           std::uint32_t* tall);
-    void (*fill_rows)(const BoxList& list, const std::uint32_t* order, unsigned count,
-                      const RowArrays& rows);
-    unsigned (*strip_rows)(const StripRows& strip, unsigned row, PairRoom& room);
+    std::int32_t (*fill_rows)(const BoxList& list, const std::uint32_t* order, unsigned count,
+                              const RowArrays& rows);
+    void (*packed_buckets)(const PackedEntry* entries, unsigned count, const BucketParts& parts,
+                           std::uint32_t* buckets);
+    std::int32_t (*packed_rows)(const PackedEntry* entries, unsigned count, const RowArrays& rows);
+    void (*strip_rows)(const StripRows& strip, PairRoom& room);
 };
 
 // Those that this machine can run, the fastest first: one to four.

@@ -13,6 +13,8 @@ const Kernels* avx2_kernels() {
                                         short_rows<lanes::Avx2>,
                                         box_cells<lanes::Avx2>,
                                         fill_rows<lanes::Avx2>,
+                                        packed_buckets<lanes::Avx2>,
+                                        packed_rows<lanes::Avx2>,
                                         strip_rows<lanes::Avx2>};
     return __builtin_cpu_supports("avx2") ? &KERNELS : nullptr;
 #else

@@ -5,7 +5,8 @@
 
 namespace collision {
 
-// Those for AVX2 but for strip_rows; null where there is no AVX-512 (F and VL).
+// Those for AVX2 but for strip_rows; null where there is no AVX-512 with F, VL, BW and VBMI2: Ice
+// Lake, Zen 4 and later.
 const Kernels* avx512_kernels();
 
 }  // namespace collision

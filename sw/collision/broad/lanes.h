@@ -28,7 +28,7 @@
 #include <arm_neon.h>
 #endif
 
-#include "collision/broad/pair_writer.h"
+#include "collision/broad/pair_room.h"
 
 namespace collision::lanes {
 

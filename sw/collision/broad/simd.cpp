@@ -7,30 +7,24 @@ namespace collision {
 
 void Simd::find(const Aabb* boxes, unsigned count, PairList& overlaps) {
     if (count > CAPACITY) return strips_.find(boxes, count, overlaps);
-    PairWriter writer(overlaps);
+    PairRoom room(overlaps);
     if (count <= FEW) {
-        std::uint32_t row = 0;
-        writer.write(count, [&](PairRoom& room) {
-            for (; row < count && room.left() >= count; ++row)
-                for (std::uint32_t j = row + 1; j < count; ++j)
-                    room.append(row, j, overlap(boxes[row], boxes[j]));
-            return row == count;
-        });
-        return writer.finish();
+        for (std::uint32_t row = 0; row < count; ++row) {
+            room.need(count);
+            for (std::uint32_t j = row + 1; j < count; ++j)
+                room.append(row, j, overlap(boxes[row], boxes[j]));
+        }
+        return room.finish();
     }
     shorts_.assign(boxes, count);
     for (unsigned row = 0; row < count;) {
         row = kernels_->short_rows(shorts_, count, row, hits_);
-        unsigned hit = 0;
-        writer.write(count + MOST_IN_HIT, [&](PairRoom& room) {
-            for (; hit < hits_.count; ++hit) {
-                if (room.left() < MOST_IN_HIT) return false;
-                append(boxes, hits_.hits[hit], room);
-            }
-            return true;
-        });
+        for (unsigned hit = 0; hit < hits_.count; ++hit) {
+            room.need(MOST_IN_HIT);
+            append(boxes, hits_.hits[hit], room);
+        }
     }
-    writer.finish();
+    room.finish();
 }
 
 // Rounding made boxes larger, so that those that are really apart are left out here.

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "collision/broad/cells.h"
+#include "collision/broad/row_store.h"
 
 namespace collision {
 
@@ -47,10 +48,7 @@ private:
     std::vector<std::uint32_t> order_;  // of boxes, strip by strip, and some slack
     std::vector<std::uint32_t> ends_;   // of the strips
 
-    // One strip.
-    std::size_t stride_ = 0;  // from one array of edges to the next
-    std::vector<std::int32_t> edges_;
-    std::vector<std::uint32_t> index_;
+    RowStore store_;  // for one strip
 };
 
 }  // namespace collision

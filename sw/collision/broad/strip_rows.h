@@ -7,22 +7,36 @@
 
 #include "collision/broad/fill_rows.h"
 #include "collision/broad/lanes.h"
-#include "collision/broad/pair_writer.h"
+#include "collision/broad/pair_room.h"
 
 namespace collision {
 
 // One strip: `count` boxes in the order of their buckets of min.x, an array an edge, and PADDING
-// places more, where boxes lie to the right of all others.  The buckets are mask + 1 units wide,
-// the first from `left` on; whatever is left of it belongs to it too, and to the last what is
-// beyond `right`.  Two visitors are not this strip's pair.
+// places more, with boxes to the right of all others that not even touch themselves.  The buckets
+// are mask + 1 units wide, the first from `left` on; whatever is left of it belongs to it too, and
+// to the last what is beyond `right`.  Two visitors are not this strip's pair.
 struct StripRows {
-    static constexpr unsigned PADDING = 16;
+    static constexpr unsigned PADDING = 32;
 
     const std::int32_t *min_x, *max_x, *min_y, *max_y;
     const std::uint32_t* index;
     unsigned count;
     std::int32_t left, right;
     std::uint32_t mask;
+    std::int32_t narrowest;  // no box is narrower
+
+    // Whether none of the boxes from `row` on to before `end` begins only after one has ended that
+    // comes later: no box is narrower than a bucket, and none of these is in the first or the last
+    // one, which know no limits.
+    [[gnu::always_inline]] bool in_order(unsigned row, unsigned end) const {
+        const std::int64_t second = std::int64_t{left} + mask + 1;
+        const std::int64_t last =
+            left +
+            std::int64_t{(static_cast<std::uint32_t>(right) - static_cast<std::uint32_t>(left)) &
+                         ~mask};
+        return narrowest >= std::int64_t{mask} && std::min(min_x[row], right) >= second &&
+               min_x[end - 1] < last;
+    }
 
     // The end of the bucket that `at` belongs to: boxes in later buckets begin beyond.
     [[gnu::always_inline]] std::int32_t last_in_bucket(std::int32_t at) const {
@@ -35,15 +49,14 @@ struct StripRows {
     }
 };
 
-// Writes the pairs of each row from `row` on with those after it.  Stops before a row that `room`
-// may be too small for and returns it, or `count` at the end.
+// Writes the pairs of each row with those after it.
 template <class Lanes>
-unsigned strip_rows(const StripRows& rows, unsigned row, PairRoom& to) {
+void strip_rows(const StripRows& rows, PairRoom& to) {
     using Ints = typename Lanes::Ints;
     const StripRows strip = rows;  // copies, or each store of a vector might have changed them
     PairRoom room = to;
-    for (; row < strip.count; ++row) {
-        if (room.left() < strip.count - row + Lanes::INTS) break;
+    for (unsigned row = 0; row < strip.count; ++row) {
+        room.need(strip.count - row + Lanes::INTS);
         const std::int32_t reach = strip.last_in_bucket(strip.max_x[row]);
         const Ints min_x = strip.min_x[row] - Ints{}, max_x = strip.max_x[row] - Ints{};
         const Ints max_y = strip.max_y[row] - Ints{};
@@ -63,7 +76,6 @@ unsigned strip_rows(const StripRows& rows, unsigned row, PairRoom& to) {
         } while (j < strip.count && strip.min_x[j] <= reach);
     }
     to = room;
-    return row;
 }
 
 }  // namespace collision

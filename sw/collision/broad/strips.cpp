@@ -63,19 +63,19 @@ const BucketParts ONE_BUCKET = {0, 0, 1};
 }  // namespace
 
 void Strips::find(const Aabb* boxes, unsigned count, PairList& overlaps) {
-    PairWriter writer(overlaps);
+    PairRoom room(overlaps);
     levels_.resize(MOST_LEVELS);
-    if (count > 1) find(list_of(boxes, count), 0, writer);
-    writer.finish();
+    if (count > 1) find(list_of(boxes, count), 0, room);
+    room.finish();
 }
 
-void Strips::find(const BoxList& list, unsigned depth, PairWriter& writer) {
+void Strips::find(const BoxList& list, unsigned depth, PairRoom& room) {
     const Sample sample(list);
     StripParts parts = sample.strips(kernels_->strip_heights);
     const bool large = list.count > MOST_IN_GRID;  // which is no sign that boxes crowd
     const unsigned strips = parts.count;
     if (!large) {
-        if (grid_.sort(list, {parts, sample.buckets(list.count / strips)})) return sweep(writer);
+        if (grid_.sort(list, {parts, sample.buckets(list.count / strips)})) return sweep(room);
     } else {
         parts = {parts.first, parts.last, std::min(strips, list.count / LEAST_IN_PART)};
     }
@@ -89,28 +89,29 @@ void Strips::find(const BoxList& list, unsigned depth, PairWriter& writer) {
         const BoxList part = level.part(i);
         if (part.count < 2) continue;
         if (part.count > crowd && part.count < most && depth + 1 < MOST_LEVELS) {
-            find(part, depth + 1, writer);
+            find(part, depth + 1, room);
             continue;
         }
-        const unsigned for_buckets = IN_BUCKET * (large ? 1 : FINER) * part.count;
-        if (!grid_.sort(part, {ONE_STRIP, sample.buckets(for_buckets)})) grid_.sort_exactly(part);
-        sweep(writer);
+        const BucketParts buckets = sample.buckets(IN_BUCKET * (large ? 1 : FINER) * part.count);
+        if (part.packed) {
+            const BoxList soon = level.part(i + 1 < level.count() ? i + 1 : i);
+            if (packed_.sort(part.packed, part.count, buckets, soon.packed)) {
+                kernels_->strip_rows(packed_.rows(), room);
+                continue;
+            }
+        }
+        if (part.packed || !grid_.sort(part, {ONE_STRIP, buckets})) grid_.sort_exactly(part);
+        sweep(room);
     }
 }
 
-void Strips::sweep(PairWriter& writer) {
-    for (unsigned strip = 0; strip < grid_.strips(); ++strip) {
-        const StripRows rows = grid_.rows(strip);
-        unsigned row = 0;
-        writer.write(rows.count + StripRows::PADDING, [&](PairRoom& room) {
-            row = kernels_->strip_rows(rows, row, room);
-            return row == rows.count;
-        });
-    }
+void Strips::sweep(PairRoom& room) {
+    for (unsigned strip = 0; strip < grid_.strips(); ++strip)
+        kernels_->strip_rows(grid_.rows(strip), room);
 }
 
 std::size_t Strips::bytes() const {
-    std::size_t bytes = grid_.bytes();
+    std::size_t bytes = grid_.bytes() + packed_.bytes();
     for (const WorldParts& level : levels_) bytes += level.bytes();
     return bytes;
 }

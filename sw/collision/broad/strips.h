@@ -8,8 +8,8 @@
 //
 // Strips are a few mean heights tall, so that most boxes lie in one or two of them whatever their
 // sizes; where one still holds far more than its share, as in a cluster, it is cut in the same way.
-// More boxes than the caches hold are first copied, strip by strip: 11 ns a box at a million where
-// ten thousand take 7.2; 11.7 where a side is as long as 2^16, since all are then copied in full.
+// More boxes than the caches hold are first copied, strip by strip: 9 ns a box at a million where
+// ten thousand take 6.5; 11 where a side is as long as 2^16, since all are then copied in full.
 //
 // Along x a strip is only sorted into buckets of a few boxes: a row is swept to the end of the
 // bucket in which its box ends, and whether the two touch is asked in full.
@@ -22,6 +22,7 @@
 #include <vector>
 
 #include "collision/broad/kernels.h"
+#include "collision/broad/packed_strip.h"
 #include "collision/broad/strip_grid.h"
 #include "collision/broad/world_parts.h"
 
@@ -44,12 +45,13 @@ public:
     std::size_t bytes() const;
 
 private:
-    void find(const BoxList& list, unsigned depth, PairWriter& writer);
-    void sweep(PairWriter& writer);
+    void find(const BoxList& list, unsigned depth, PairRoom& room);
+    void sweep(PairRoom& room);
 
     const Kernels* kernels_;
     std::vector<WorldParts> levels_;
     StripGrid grid_{*kernels_};
+    PackedStrip packed_{*kernels_};
 };
 
 }  // namespace collision

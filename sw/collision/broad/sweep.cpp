@@ -1,7 +1,7 @@
 // sweep.cpp - see sweep.h
 #include "collision/broad/sweep.h"
 
-#include "collision/broad/pair_writer.h"
+#include "collision/broad/pair_room.h"
 #include "collision/broad/radix_sort.h"
 
 namespace collision {
@@ -82,14 +82,9 @@ void Sweep::find(const Aabb* boxes, unsigned count, PairList& overlaps) {
     if (keys_.size() != count || !repair(boxes)) sort(boxes, count);
     sorted_.arrange(list_of(boxes, count), keys_, along_y_);
 
-    const StripRows rows = sorted_.rows(0);
-    unsigned row = 0;
-    PairWriter writer(overlaps);
-    writer.write(count + StripRows::PADDING, [&](PairRoom& room) {
-        row = kernels_->strip_rows(rows, row, room);
-        return row == count;
-    });
-    writer.finish();
+    PairRoom room(overlaps);
+    kernels_->strip_rows(sorted_.rows(0), room);
+    room.finish();
 }
 
 }  // namespace collision

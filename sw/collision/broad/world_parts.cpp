@@ -12,7 +12,8 @@ namespace {
 
 constexpr unsigned CHUNK = 512;    // boxes whose parts stay in the cache nearest to the processor
 constexpr unsigned AHEAD = 8;      // entries; more streams than a processor foresees by itself
-constexpr unsigned GUESS_BY = 61;  // every so many-th box
+constexpr unsigned GUESS_BY = 61;  // every so many-th cache line
+constexpr unsigned IN_LINE = 64 / sizeof(Aabb);
 constexpr unsigned GUESS_FROM = 2048;   // boxes a part, or room to spare would be most of it all
 constexpr unsigned MARGIN = 4 * CHUNK;  // entries, for parts that have more than the sample's share
 constexpr unsigned SPARE = CHUNK;       // what one chunk may add to a part at most
@@ -69,7 +70,8 @@ bool write(const Box* boxes, const Chunk& chunk, const StripParts& parts,
 // Room for what a sample makes likely, and a third more.
 void WorldParts::guess(const BoxList& list, const StripParts& parts) {
     ends_.assign(parts.count, 0);
-    for (unsigned i = 0; i < list.count; i += GUESS_BY) ++ends_[parts(list.box(i).min.y)];
+    for (unsigned i = 0; i + IN_LINE <= list.count; i += IN_LINE * GUESS_BY)
+        for (unsigned k = 0; k < IN_LINE; ++k) ++ends_[parts(list.box(i + k).min.y)];
     for (std::uint32_t& count : ends_) count = count * (GUESS_BY + GUESS_BY / 3) + MARGIN + SPARE;
 }
 
