@@ -6,8 +6,7 @@
 //                         +--> ps2 ------- keyboard
 //                         +--> jtag uarts  the host's terminal
 //                         +--> adc ------- LTC2308
-//                         +--> vga ------- ADV7123
-//   h2f_* --> h2f_bridge --> picture_store --^
+//   h2f_* --> h2f_bridge -+--> video ----- ADV7123
 //
 // One clock domain of 25 MHz, the pixel clock.  On the board de1_soc_top.v connects the bridges to
 // the HPS and the pins to the package; in the simulation a TLM target does.
@@ -163,11 +162,10 @@ module fpga #(
                  | timer0_rdata | timer1_rdata | jtag_rdata | ps2_rdata | adc_rdata)
     );
 
-    wire [3:0]  picture_we;
+    wire [3:0]  picture_we, cells_we;
     wire        picture_re, picture_grant;
     wire [16:0] picture_windex, picture_rindex;
     wire [31:0] picture_wdata, picture_rdata, cells_rdata;
-    wire [3:0]  cells_we;
 
     h2f_bridge #(.ID_W(ID_W)) h2f (
         .clk_i(clk_i), .rst_i(rst_i),
@@ -220,36 +218,16 @@ module fpga #(
                        : jp1_oe[7:0]};
 
     // ---- Video and audio --------------------------------------------------
-    wire        fetch, cell_fetch, cells_any, cells_clear, cells_clearing;
-    wire [10:0] cell_index;
-    wire [16:0] fetch_index;
-
-    vga vga_block (
+    video video_block (
         .clk_i(clk_i), .rst_i(rst_i), .we_i(we[SEL_PIXEL]), .wstrb_i(wstrb), .waddr_i(waddr),
         .wdata_i(wdata), .re_i(re[SEL_PIXEL]), .resampler_re_i(re[SEL_RESAMPLER]),
         .text_we_i(we[SEL_TEXT]), .text_re_i(re[SEL_TEXT]), .raddr_i(raddr), .rdata_o(vga_rdata),
-        .fetch_o(fetch), .index_o(fetch_index), .word_i(picture_rdata),
-        .cell_o(cell_fetch), .cell_index_o(cell_index), .cells_i(cells_rdata),
-        .cells_any_i(cells_any), .clear_o(cells_clear), .clearing_i(cells_clearing),
+        .picture_we_i(picture_we), .cells_we_i(cells_we), .windex_i(picture_windex),
+        .picture_i(picture_wdata), .picture_re_i(picture_re), .rindex_i(picture_rindex),
+        .rgrant_o(picture_grant), .picture_o(picture_rdata), .cells_o(cells_rdata),
         .vga_clk_o(vga_clk_o), .vga_hs_no(vga_hs_no), .vga_vs_no(vga_vs_no),
         .vga_blank_no(vga_blank_no), .vga_sync_no(vga_sync_no),
         .vga_r_o(vga_r_o), .vga_g_o(vga_g_o), .vga_b_o(vga_b_o)
-    );
-
-    picture_store store (
-        .clk_i(clk_i),
-        .screen_re_i(fetch), .screen_index_i(fetch_index),
-        .re_i(picture_re), .rindex_i(picture_rindex), .rgrant_o(picture_grant),
-        .rdata_o(picture_rdata),
-        .we_i(picture_we), .windex_i(picture_windex), .wdata_i(picture_wdata)
-    );
-
-    character_store characters (
-        .clk_i(clk_i), .rst_i(rst_i), .clear_i(cells_clear), .clearing_o(cells_clearing),
-        .any_o(cells_any), .screen_re_i(cell_fetch), .screen_index_i(cell_index),
-        .re_i(picture_re && picture_grant), .rindex_i(picture_rindex[10:0]),
-        .rdata_o(cells_rdata),
-        .we_i(cells_we), .windex_i(picture_windex[10:0]), .wdata_i(picture_wdata)
     );
 
     audio audio_block (

@@ -14,7 +14,7 @@ set(RTL_SOURCES
     sysid/sysid.v
     timer/interval_timer.v
     vga/character_store.v vga/picture_memory.v vga/picture_store.v vga/pixel_registers.v vga/vga.v
-    vga/vga_timing.v)
+    vga/vga_timing.v vga/video.v)
 # Only on the board: pins, clock, processor.
 set(BOARD_SOURCES
     board/de1_soc/clock_reset.v board/de1_soc/de1_soc_top.v board/de1_soc/header.v
