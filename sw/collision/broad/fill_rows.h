@@ -24,14 +24,17 @@ struct RowArrays {
     }
 };
 
-// The least lane of all vectors that it is given.
+// The least width of all boxes that it is given; 2^31 counts as negative.
 template <class Lanes>
-class Least {
+class Narrowest {
 public:
     using Ints = typename Lanes::Ints;
 
-    [[gnu::always_inline]] void operator()(Ints numbers) {
-        least_ = numbers < least_ ? numbers : least_;
+    [[gnu::always_inline]] void operator()(Ints left, Ints right) {
+        using Unsigned [[gnu::vector_size(sizeof(Ints))]] = std::uint32_t;
+        const auto widths = reinterpret_cast<Ints>(reinterpret_cast<Unsigned>(right) -
+                                                   reinterpret_cast<Unsigned>(left));
+        least_ = widths < least_ ? widths : least_;
     }
     [[gnu::always_inline]] std::int32_t of_all() const {
         std::int32_t least = least_[0];
@@ -53,7 +56,7 @@ template <class Lanes, bool AHEAD, class Box>
     using Ints = typename Lanes::Ints;
     const RowArrays rows = arrays;  // a copy, or each vector that is written might have changed it
     const Ints visitor = VISITOR - Ints{};
-    Least<Lanes> narrowest;
+    Narrowest<Lanes> narrowest;
     for (unsigned i = 0; i < count; i += Lanes::INTS) {
         if constexpr (AHEAD)
             for (unsigned k = 0; k < Lanes::INTS; ++k)
@@ -69,7 +72,7 @@ template <class Lanes, bool AHEAD, class Box>
             for (std::uint32_t& index : which) index = boxes[index].index;
         if constexpr (std::is_same_v<Box, PackedEntry>)
             std::memcpy(which, &box.index, sizeof which);
-        narrowest(box.max_x - box.min_x);
+        narrowest(box.min_x, box.max_x);
         rows.put(i, box.min_x, box.max_x, entries < 0 ? visitor : box.min_y, box.max_y, which);
     }
     return narrowest.of_all();

@@ -28,13 +28,13 @@ void packed_buckets(const PackedEntry* entries, unsigned count, const BucketPart
 template <class Lanes>
 std::int32_t packed_rows(const PackedEntry* entries, unsigned count, const RowArrays& arrays) {
     const RowArrays rows = arrays;  // a copy, or each vector that is written might have changed it
-    Least<Lanes> narrowest;
+    Narrowest<Lanes> narrowest;
     for (unsigned i = 0; i < count; i += Lanes::INTS) {
         const auto box =
             columns<Lanes>([=](unsigned k) __attribute__((always_inline))->const PackedEntry& {
                 return entries[i + k];
             });
-        narrowest(box.max_x - box.min_x);
+        narrowest(box.min_x, box.max_x);
         rows.put(i, box.min_x, box.max_x, box.min_y, box.max_y, &box.index);
     }
     return narrowest.of_all();
