@@ -24,7 +24,7 @@ bool near(Vec2 point, const Line& line) {
     for (unsigned i = 0; i < 4; ++i)
         if (truth::meet({corners[i], corners[(i + 1) % 4]}, twice)) return true;
     const auto inside = [&](Vec2 at) {
-        return std::abs(at.x - p.x) <= 1 && std::abs(at.y - p.y) <= 1;
+        return std::abs(std::int64_t{at.x} - p.x) <= 1 && std::abs(std::int64_t{at.y} - p.y) <= 1;
     };
     return inside(twice.a) && inside(twice.b);
 }
