@@ -2,8 +2,10 @@
 // brute force, and what it all takes.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <numeric>
 #include <random>
+#include <string>
 
 #include "tb/unit/broad_phase_worlds.h"
 
@@ -161,6 +163,28 @@ TEST(Kernels, AreTheWidestThatTheProcessorHas) {
     EXPECT_STREQ(fastest_kernels().name, avx512 ? "AVX-512" : avx2_or_less);
 }
 #endif
+
+// The other tests go through the kernels that this processor can run.  So that nobody takes the
+// others for tested, each is named here.
+class KernelsFor : public ::testing::TestWithParam<const char*> {};
+
+TEST_P(KernelsFor, ThisProcessorAreTested) {
+    const KernelList list = available_kernels();
+    const bool there = std::any_of(list.begin(), list.end(), [](const Kernels* kernels) {
+        return std::string{kernels->name} == GetParam();
+    });
+    if (!there) GTEST_SKIP() << GetParam() << " kernels: not tested, this processor has no such";
+}
+
+#if defined(__x86_64__)
+INSTANTIATE_TEST_SUITE_P(X86, KernelsFor, ::testing::Values("AVX-512", "AVX2", "SSE2"),
+                         [](const auto& kernels) {
+                             std::string name = kernels.param;
+                             name.erase(std::remove(name.begin(), name.end(), '-'), name.end());
+                             return name;
+                         });
+#endif
+GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(KernelsFor);
 
 TEST(Kernels, EndWithThePlainOnes) {
     const KernelList list = available_kernels();

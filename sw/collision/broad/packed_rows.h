@@ -9,7 +9,8 @@ namespace collision {
 
 constexpr unsigned PACKED_SLACK = 8;  // entries that are read and rows that are written beyond
 
-// Writes the bucket of each entry, and up to 7 numbers more.  O(count), without a branch.
+// Writes the bucket of each entry, and up to 7 numbers more, for which as many entries more are
+// read.  O(count), without a branch.
 template <class Lanes>
 void packed_buckets(const PackedEntry* entries, unsigned count, const BucketParts& parts,
                     std::uint32_t* buckets) {

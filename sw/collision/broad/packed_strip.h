@@ -14,9 +14,9 @@ class PackedStrip {
 public:
     explicit PackedStrip(const Kernels& kernels) : kernels_{&kernels} {}
 
-    // Into the buckets of min.x.  False if most share theirs with many others.  Of `soon`, the
-    // entries of the part to come, as many are fetched into the cache meanwhile.
-    // O(count + buckets).
+    // Into the buckets of min.x; PACKED_SLACK entries more are read, whatever they are.  False if
+    // most share theirs with many others.  Of `soon`, the entries of the part to come, as many are
+    // fetched into the cache meanwhile.  O(count + buckets).
     bool sort(const PackedEntry* entries, unsigned count, const BucketParts& buckets,
               const PackedEntry* soon);
 

@@ -104,10 +104,11 @@ WorldParts::Outcome WorldParts::scatter(const Kernels& kernels, const BoxList& l
         start += room;
     }
     starts_.push_back(start);
-    if (entries.size() < start) {
+    if (entries.size() < start + PACKED_SLACK) {
+        const std::size_t room = start + start / 8 + PACKED_SLACK;
         entries.clear();
-        reserve_in_huge_pages(entries, start + start / 8);
-        entries.resize(start + start / 8);
+        reserve_in_huge_pages(entries, room);
+        entries.resize(room);
     }
     std::copy(starts_.begin(), starts_.end() - 1, ends_.begin());
     Outcome outcome = Outcome::DONE;

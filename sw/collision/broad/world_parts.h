@@ -16,7 +16,7 @@ public:
 
     static constexpr unsigned MOST_COPIES = 2;
 
-    // Valid until the next cut.
+    // Valid until the next cut.  PACKED_SLACK entries of some kind lie behind each part.
     unsigned count() const { return static_cast<unsigned>(ends_.size()); }
     BoxList part(unsigned i) const {
         const unsigned count = ends_[i] - starts_[i];
