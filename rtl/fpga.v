@@ -163,7 +163,7 @@ module fpga #(
     );
 
     wire [3:0]  picture_we, cells_we;
-    wire        picture_re, picture_grant;
+    wire        picture_re, picture_grant, cells_wait;
     wire [16:0] picture_windex, picture_rindex;
     wire [31:0] picture_wdata, picture_rdata, cells_rdata;
 
@@ -183,7 +183,7 @@ module fpga #(
         .we_o(picture_we), .cell_we_o(cells_we), .windex_o(picture_windex),
         .wdata_o(picture_wdata),
         .re_o(picture_re), .rindex_o(picture_rindex), .rgrant_i(picture_grant),
-        .rdata_i(picture_rdata), .cells_i(cells_rdata)
+        .rdata_i(picture_rdata), .cells_i(cells_rdata), .cells_wait_i(cells_wait)
     );
 
     // ---- Parallel ports ---------------------------------------------------
@@ -225,6 +225,7 @@ module fpga #(
         .picture_we_i(picture_we), .cells_we_i(cells_we), .windex_i(picture_windex),
         .picture_i(picture_wdata), .picture_re_i(picture_re), .rindex_i(picture_rindex),
         .rgrant_o(picture_grant), .picture_o(picture_rdata), .cells_o(cells_rdata),
+        .cells_wait_o(cells_wait),
         .vga_clk_o(vga_clk_o), .vga_hs_no(vga_hs_no), .vga_vs_no(vga_vs_no),
         .vga_blank_no(vga_blank_no), .vga_sync_no(vga_sync_no),
         .vga_r_o(vga_r_o), .vga_g_o(vga_g_o), .vga_b_o(vga_b_o)

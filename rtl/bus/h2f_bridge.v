@@ -6,7 +6,8 @@
 //   ignore writes, because programs clear whole powers of two.  Any other address: DECERR.
 //
 // Writes go at a beat a clock.  Reads take turns with the screen, which has first call on one clock
-// in four: 6 clocks a word, at most 7.
+// in four: 6 clocks a word, at most 7.  Beats to and from the characters wait while those are
+// cleared, after a reset and when a program asks for it.
 
 `default_nettype none
 
@@ -53,7 +54,8 @@ module h2f_bridge #(
     output reg  [16:0]     rindex_o,
     input  wire            rgrant_i,
     input  wire [31:0]     rdata_i,     // one clock after the grant
-    input  wire [31:0]     cells_i
+    input  wire [31:0]     cells_i,
+    input  wire            cells_wait_i // the characters are being cleared
 );
     `include "regmap.vh"
     `include "picture_index.vh"
@@ -81,12 +83,19 @@ module h2f_bridge #(
     wire        win1 = waddr[29:19] == WINDOW1;
     wire        winc = waddr[29:13] == CELLS;
     reg         werror_q;
+    reg         wcells_q;               // the burst is one of characters: none crosses 4 KB
+    wire        wwait = wcells_q && cells_wait_i;
+    wire        wready;
+
+    assign wready_o = wready && !wwait;
+    always @(posedge clk_i)
+        if (awvalid_i && awready_o) wcells_q <= awaddr_i[29:13] == CELLS;
 
     axi_write #(.ADDR_W(30), .ID_W(ID_W)) writer (
         .clk_i(clk_i), .rst_i(rst_i),
         .awid_i(awid_i), .awaddr_i(awaddr_i), .awlen_i(awlen_i), .awsize_i(awsize_i),
         .awburst_i(awburst_i), .awvalid_i(awvalid_i), .awready_o(awready_o),
-        .wdata_i(wdata_i), .wstrb_i(wstrb_i), .wvalid_i(wvalid_i), .wready_o(wready_o),
+        .wdata_i(wdata_i), .wstrb_i(wstrb_i), .wvalid_i(wvalid_i && !wwait), .wready_o(wready),
         .bid_o(bid_o), .bresp_o(bresp_o), .bvalid_o(bvalid_o), .bready_i(bready_i),
         .we_o(we), .waddr_o(waddr), .wdata_o(wdata), .wstrb_o(wstrb), .werror_i(werror_q)
     );
@@ -110,6 +119,7 @@ module h2f_bridge #(
     wire        rin0 = raddr[29:19] == WINDOW0;
     wire        rin1 = raddr[29:19] == WINDOW1;
     wire        rinc = raddr[29:13] == CELLS;
+    wire        rwait = rinc && cells_wait_i;
     reg         rempty_q, rcells_q, rerror_q, granted_q;
 
     axi_read #(.ADDR_W(30), .ID_W(ID_W)) reader (
@@ -118,13 +128,13 @@ module h2f_bridge #(
         .arburst_i(arburst_i), .arvalid_i(arvalid_i), .arready_o(arready_o),
         .rid_o(rid_o), .rdata_o(rdata_o), .rresp_o(rresp_o), .rlast_o(rlast_o),
         .rvalid_o(rvalid_o), .rready_i(rready_i),
-        .re_o(re), .raddr_o(raddr), .rgrant_i(1'b1),
+        .re_o(re), .raddr_o(raddr), .rgrant_i(!rwait),
         .rdone_i(granted_q), .rdata_i(rempty_q ? 32'd0 : rcells_q ? cells_i : rdata_i),
         .rerror_i(rerror_q)
     );
 
     always @(posedge clk_i) begin
-        if (re) begin
+        if (re && !rwait) begin
             re_o     <= 1'b1;
             rindex_o <= rinc ? {6'd0, raddr[12:2]} : picture_index(rin1, raddr[18:0]);
             rempty_q <= rinc ? !cells_stored(raddr[12:0]) : !stored(raddr[18:0]);

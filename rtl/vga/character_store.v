@@ -4,8 +4,10 @@
 // each.  The screen's reads go before the processor's, which picture_store.v grants: the screen
 // reads characters only where it reads pixels, too.
 //
-// clear_i and a reset fill everything with blanks, in 1,920 clocks without writes.  any_o says that
-// since then something else has been written, so that an empty screen need not be looked at.
+// clear_i and a reset fill everything with blanks, in 1,920 clocks without writes.  The processor
+// waits meanwhile, by filling_o, which is high from clear_i on: what it wrote could be blanked and
+// what it read could be old.  any_o says that since then something else has been written, so that
+// an empty screen need not be looked at.
 
 `default_nettype none
 
@@ -15,6 +17,7 @@ module character_store (
 
     input  wire        clear_i,
     output reg         clearing_o,       // after clear_i, not after a reset
+    output wire        filling_o,        // with and after either
     output reg         any_o,
 
     input  wire        screen_re_i,
@@ -38,6 +41,8 @@ module character_store (
     reg [7:0]  lane3 [0:2047];
     reg [10:0] fill_q;
     reg        filling_q;
+
+    assign filling_o = filling_q || clear_i;
 
     wire [10:0] read  = screen_re_i ? screen_index_i : rindex_i;
     wire        write = we_i != 4'd0;

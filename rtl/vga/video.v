@@ -31,6 +31,7 @@ module video (
     output wire        rgrant_o,
     output wire [31:0] picture_o,
     output wire [31:0] cells_o,
+    output wire        cells_wait_o,    // the characters are being cleared
 
     output wire        vga_clk_o,       // ADV7123
     output wire        vga_hs_no,
@@ -65,7 +66,8 @@ module video (
 
     character_store characters (
         .clk_i(clk_i), .rst_i(rst_i), .clear_i(cells_clear), .clearing_o(cells_clearing),
-        .any_o(cells_any), .screen_re_i(cell_fetch), .screen_index_i(cell_index),
+        .filling_o(cells_wait_o), .any_o(cells_any),
+        .screen_re_i(cell_fetch), .screen_index_i(cell_index),
         .re_i(picture_re_i && rgrant_o), .rindex_i(rindex_i[10:0]), .rdata_o(cells_o),
         .we_i(cells_we_i), .windex_i(windex_i[10:0]), .wdata_i(picture_i)
     );

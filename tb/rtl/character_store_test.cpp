@@ -24,14 +24,17 @@ protected:
     static void SetUpTestSuite() { start_with_random_registers(); }
 
     void SetUp() override {
-        dut.rst_i = 1;
         dut.awvalid_i = dut.wvalid_i = dut.arvalid_i = 0;
         dut.screen_re_i = dut.cell_re_i = dut.clear_i = 0;
+        reset();
+        axi.forget();
+        clear();
+    }
+    void reset() {
+        dut.rst_i = 1;
         clock();
         clock();
         dut.rst_i = 0;
-        axi.forget();
-        clear();
     }
     void clock() {
         dut.clk_i = 0;
@@ -74,6 +77,25 @@ protected:
     void fill() {
         for (std::uint32_t y = 0; y < ROWS; ++y)
             for (std::uint32_t word = 0; word < COLUMNS / 4; ++word) write(y << 7 | word << 2, ~0u);
+    }
+    // Writes some characters, the first at once and the others in the next 2,000 clocks or so, and
+    // looks at all of them: those are kept and the others are blanks.
+    void expect_kept_what_is_written(unsigned seed) {
+        std::mt19937 random{seed};
+        std::vector<std::uint32_t> words(ROWS * COLUMNS / 4, 0x20202020);
+        for (int i = 0; i < 6; ++i) {
+            const auto at = static_cast<std::uint32_t>(random() % words.size());
+            const auto value = static_cast<std::uint32_t>(random());
+            const auto strobes = static_cast<std::uint8_t>(random() % 16);
+            write(at / 20 << 7 | at % 20 << 2, value, strobes);
+            for (unsigned lane = 0; lane < 4; ++lane)
+                if (strobes >> lane & 1)
+                    words[at] = (words[at] & ~(0xffu << 8 * lane)) | (value & 0xffu << 8 * lane);
+            for (auto clocks_between = random() % 700; clocks_between--;) clock();
+        }
+        for (int i = 0; i < 2000; ++i) clock();
+        for (std::uint32_t at = 0; at < words.size(); ++at)
+            ASSERT_EQ(shown(at % 20, at / 20), words[at]) << seed << ": " << at;
     }
     // The word of four that the screen gets.
     std::uint32_t shown(std::uint32_t word, std::uint32_t row) {
@@ -181,16 +203,65 @@ TEST_F(CharacterStore, SaysWhetherAnythingButBlanksWasWrittenSinceTheClear) {
     EXPECT_EQ(dut.any_o, 0);
 }
 
-TEST_F(CharacterStore, LosesNoBlankToAWriteMeanwhile) {
+TEST_F(CharacterStore, KeepsWhatIsWrittenFromTheFirstClockAfterAReset) {
+    for (unsigned round = 0; round < 40; ++round) {
+        fill();
+        reset();
+        expect_kept_what_is_written(round);
+    }
+}
+
+TEST_F(CharacterStore, KeepsWhatIsWrittenFromTheFirstClockAfterAClear) {
+    for (unsigned round = 0; round < 40; ++round) {
+        fill();
+        dut.clear_i = 1;
+        clock();
+        dut.clear_i = 0;
+        expect_kept_what_is_written(round);
+    }
+}
+
+TEST_F(CharacterStore, ReadsBlanksAndWhatWasWrittenFromTheFirstClockAfterAReset) {
+    const std::uint32_t last = (ROWS - 1) << 7 | 4 * (COLUMNS / 4 - 1);
     fill();
+    reset();
+    EXPECT_EQ(read(last), 0x20202020u);
+    fill();
+    reset();
+    write(last, 0x44434241, 0x6);
+    EXPECT_EQ(read(last), 0x20434220u);
+}
+
+TEST_F(CharacterStore, LetsABurstWaitThatAClearMeets) {
+    fill();
+    axi.forget();
+    WriteRequest burst{1, CHARACTERS + (59 << 7), 2, INCR, {}, {}};
+    for (std::uint32_t i = 0; i < 16; ++i)
+        burst.data.push_back(0x41414141), burst.strobes.push_back(0xf);
+    axi.write(burst);
+    for (int i = 0; i < 8; ++i) clock();
     dut.clear_i = 1;
     clock();
     dut.clear_i = 0;
-    for (std::uint32_t word = 0; word < COLUMNS / 4; ++word) write(59 << 7 | word << 2, ~0u);
-    while (dut.clearing_o && clocks < 100'000) clock();
-    for (std::uint32_t y = 0; y < ROWS; ++y)
-        for (std::uint32_t word = 0; word < COLUMNS / 4; ++word)
-            ASSERT_EQ(shown(word, y), 0x20202020u) << word << "," << y;
+    EXPECT_FALSE(axi.idle());
+    finish();
+    EXPECT_EQ(shown(0, 59), 0x20202020u) << "written before";
+    EXPECT_EQ(shown(15, 59), 0x41414141u) << "written behind";
+}
+
+TEST_F(CharacterStore, KeepsNoPictureWaitingWhileItClears) {
+    const auto picture = [this] {
+        axi.forget();
+        axi.write({1, 0x08000000, 2, INCR, {0x12345678}, {0xf}});
+        axi.read({1, 0x08000000, 1, 2, INCR});
+        const std::uint64_t begin = clocks;
+        finish();
+        return clocks - begin;
+    };
+    const std::uint64_t took = picture();
+    EXPECT_LT(took, 20u);
+    reset();
+    EXPECT_EQ(picture(), took);
 }
 
 TEST_F(CharacterStore, SharesNothingWithThePictures) {

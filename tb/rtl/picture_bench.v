@@ -47,7 +47,7 @@ module picture_bench (
     output wire [31:0]     cells_o
 );
     wire [3:0]  we, cell_we;
-    wire        re, grant;
+    wire        re, grant, cells_wait;
     wire [16:0] windex, rindex;
     wire [31:0] wdata;
 
@@ -63,7 +63,7 @@ module picture_bench (
         .rvalid_o(rvalid_o), .rready_i(rready_i),
         .we_o(we), .cell_we_o(cell_we), .windex_o(windex), .wdata_o(wdata),
         .re_o(re), .rindex_o(rindex), .rgrant_i(grant),
-        .rdata_i(screen_word_o), .cells_i(cells_o)
+        .rdata_i(screen_word_o), .cells_i(cells_o), .cells_wait_i(cells_wait)
     );
 
     picture_store store (
@@ -74,7 +74,8 @@ module picture_bench (
     );
 
     character_store characters (
-        .clk_i(clk_i), .rst_i(rst_i), .clear_i(clear_i), .clearing_o(clearing_o), .any_o(any_o),
+        .clk_i(clk_i), .rst_i(rst_i), .clear_i(clear_i), .clearing_o(clearing_o),
+        .filling_o(cells_wait), .any_o(any_o),
         .screen_re_i(cell_re_i), .screen_index_i(cell_index_i),
         .re_i(re && grant), .rindex_i(rindex[10:0]), .rdata_o(cells_o),
         .we_i(cell_we), .windex_i(windex[10:0]), .wdata_i(wdata)
