@@ -12,6 +12,7 @@ A harness sees into its instances by wires that it leaves undriven: dut__name is
 dut__name__3 is word 3 of a memory.  They carry invariants that induction needs.
 """
 import argparse
+import os
 import pathlib
 import re
 import subprocess
@@ -19,7 +20,8 @@ import sys
 
 
 def run(command, log):
-    done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+    done = subprocess.run(command, cwd=log.parent, stdout=subprocess.PIPE,
+                          stderr=subprocess.STDOUT, text=True)
     log.write_text(done.stdout)
     return done
 
@@ -39,8 +41,10 @@ def mutated(arguments, sources):
 def write_smt2(arguments, step, sources):
     top = arguments.harness.stem
     text = arguments.harness.read_text()
-    includes = " ".join(f"-I{arguments.rtl / folder}" for folder in ("regmap", "bus", "vga"))
-    files = " ".join(map(str, sources))
+    # From the folder of the outputs, since Yosys splits paths at blanks.
+    rtl = os.path.relpath(arguments.rtl, arguments.work)
+    includes = " ".join(f"-I{rtl}/{folder}" for folder in ("regmap", "bus", "vga"))
+    files = " ".join(os.path.relpath(source, arguments.work) for source in sources)
     script = [f"read_verilog -sv -formal {includes} {files}",
               f"hierarchy -check -top {top}; proc; memory_collect; memory_map; flatten",
               f"cd {top}"]
@@ -57,7 +61,7 @@ def write_smt2(arguments, step, sources):
         script.append(f"select -set others t:$assert c:{arguments.mutant.suffixes[0][1:]} %d; "
                       "delete @others")
     script.append(f"cd ..; prep -top {top} -nordff; opt -fast; check -assert; async2sync; "
-                  f"dffunmap; write_smt2 -wires {smt2}")
+                  f"dffunmap; write_smt2 -wires {smt2.name}")
     if run(["yosys", "-q", "-p", "; ".join(script)], arguments.work / "yosys.log").returncode:
         sys.exit((arguments.work / "yosys.log").read_text())
     return smt2
