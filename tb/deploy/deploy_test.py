@@ -53,7 +53,7 @@ class Deploy(DeployTest):
         old = int(text(self.board.root / "run/de1sim/pid"))
         self.deploy(self.version("B"), at_line=end_the_program)
         self.assert_says("B runs")
-        first.communicate(timeout=10)
+        first.communicate(timeout=60)
 
     def test_StartsAgainAfterAPowerCut(self):
         self.good_a()
