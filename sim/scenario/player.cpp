@@ -7,6 +7,7 @@
 
 #include "sim/report/tone.h"
 #include "sim/report/whole_file.h"
+#include "sim/scenario/seven_segment.h"
 
 namespace sim {
 
@@ -117,11 +118,14 @@ void Player::act(const WaitFrame& step) {
 }
 
 void Player::act(const WaitSerial& step) {
-    const bool met = wait_until(senses_.printed, step.timeout,
-                                [&] { return senses_.text.find(step.text) != std::string::npos; });
-    decide(met,
-           met ? ""
-               : fmt::format("the console printed {} characters without it", senses_.text.size()));
+    ConsoleText& text = senses_.text;
+    if (wait_until(senses_.printed, step.timeout, [&] { return text.take(step.text); }))
+        return decide(true, "");
+    std::string detail = fmt::format(
+        "the console printed {} characters behind the last match, but not that", text.unread());
+    if (text.forgotten())
+        detail += fmt::format("; the first {} were too old to be looked at", text.forgotten());
+    decide(false, detail);
 }
 
 void Player::act(const ExpectFrame& step) {
@@ -199,15 +203,17 @@ void Player::act(const ExpectLeds& step) {
 }
 
 void Player::act(const ExpectHex& step) {
-    const auto shown = [&] {
+    std::string shown;
+    const auto as_expected = [&] {
         const std::uint64_t lit = ~board_.fpga.fabric().hex_n();
         HexSegments segments{};
         for (unsigned i = 0; i < HEX_DIGITS; ++i)
             segments[i] = static_cast<std::uint8_t>(lit >> (7 * i) & 0x7f);
-        return segments;
+        shown = hex_text(segments, step.text);
+        return shown == step.text;
     };
-    const bool met = poll_until(step.timeout, [&] { return shown() == step.segments; });
-    decide(met, "HEX shows \"" + hex_text(shown()) + "\"");
+    const bool met = poll_until(step.timeout, as_expected);
+    decide(met, "HEX shows \"" + shown + "\"");
 }
 
 void Player::act(const TakeScreenshot& step) {

@@ -60,7 +60,6 @@ private:
     const std::vector<Step>& steps_;
     const std::filesystem::path out_;
     std::size_t current_ = 0;
-    std::size_t serial_read_ = 0;  // console text before this has been waited for
     std::vector<Expectation> results_;
     std::vector<std::string> faults_;
     bool finished_ = false;

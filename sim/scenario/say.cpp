@@ -55,7 +55,7 @@ struct Speaker {
         return "expect LEDs " + std::bitset<10>(s.leds).to_string() + within(s.timeout);
     }
     std::string operator()(const ExpectHex& s) const {
-        return "expect \"" + hex_text(s.segments) + "\" on HEX" + within(s.timeout);
+        return "expect \"" + s.text + "\" on HEX" + within(s.timeout);
     }
     std::string operator()(const TakeScreenshot& s) const {
         return "take screenshot " + printable(s.save_to.string());

@@ -14,7 +14,6 @@
 #include <vector>
 
 #include "sim/scenario/controls.h"
-#include "sim/scenario/seven_segment.h"
 #include "sim/scenario/sim_time.h"
 
 namespace sim {
@@ -70,7 +69,7 @@ struct ExpectLeds {
     SimTime timeout;         // 0 = now
 };
 struct ExpectHex {
-    HexSegments segments{};
+    std::string text;  // six characters, HEX5 first
     SimTime timeout;
 };
 struct TakeScreenshot {

@@ -8,7 +8,6 @@ namespace sim {
 namespace {
 
 constexpr std::size_t HEARD_SECONDS = 10;
-constexpr std::size_t TEXT_LIMIT = 1 << 20;
 
 }  // namespace
 
@@ -32,7 +31,8 @@ void Senses::sample_rate(double hz) {
 }
 
 void Senses::console(char character) {
-    if (text.size() < TEXT_LIMIT) text += character;
+    text.print(character);
+    tap.print(character);
     printed.notify(sc_core::SC_ZERO_TIME);
 }
 

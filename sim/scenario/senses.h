@@ -3,12 +3,13 @@
 
 #include <cstdint>
 #include <deque>
-#include <string>
 #include <utility>
 #include <vector>
 
 #include "sim/board/monitor.h"
 #include "sim/report/png.h"
+#include "sim/report/tap.h"
+#include "sim/scenario/console_text.h"
 
 #include <systemc>
 
@@ -31,7 +32,8 @@ public:
     // rate changed in between.  At most ten seconds are kept.
     std::vector<std::int16_t> last_samples(std::uint64_t count) const;
 
-    std::string text;  // all that the console printed
+    ConsoleText text;  // what the console printed
+    TapReader tap;     // the checks in it
 
     sc_core::sc_event frame_shown, printed;
 

@@ -5,25 +5,24 @@
 
 namespace sim {
 
-std::optional<HexSegments> hex_segments(std::string_view text) {
-    if (text.size() != HEX_DIGITS) return std::nullopt;
-    HexSegments segments{};
-    for (unsigned i = 0; i < HEX_DIGITS; ++i) {
-        const auto* glyph = std::find_if(std::begin(GLYPHS), std::end(GLYPHS),
-                                         [&](Glyph g) { return g.character == text[i]; });
-        if (glyph == std::end(GLYPHS)) return std::nullopt;
-        segments[HEX_DIGITS - 1 - i] = glyph->segments;
-    }
-    return segments;
+bool is_hex_text(std::string_view text) {
+    return text.size() == HEX_DIGITS && std::all_of(text.begin(), text.end(), [](char c) {
+               return std::any_of(std::begin(GLYPHS), std::end(GLYPHS),
+                                  [c](Glyph g) { return g.character == c; });
+           });
 }
 
-std::string hex_text(const HexSegments& segments) {
+std::string hex_text(const HexSegments& segments, std::string_view expected) {
     std::string text;
-    for (unsigned i = HEX_DIGITS; i-- > 0;) {
-        const auto* glyph = std::find_if(std::begin(GLYPHS), std::end(GLYPHS), [&](Glyph g) {
-            return g.segments == (segments[i] & 0x7F);
-        });
-        text += glyph == std::end(GLYPHS) ? '?' : glyph->character;
+    for (unsigned place = 0; place < HEX_DIGITS; ++place) {
+        const unsigned pattern = segments[HEX_DIGITS - 1 - place] & 0x7F;
+        char character = '?';
+        for (const Glyph& glyph : GLYPHS) {
+            if (glyph.segments != pattern) continue;
+            const bool wanted = place < expected.size() && expected[place] == glyph.character;
+            if (wanted || character == '?') character = glyph.character;
+        }
+        text += character;
     }
     return text;
 }

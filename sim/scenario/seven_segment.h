@@ -3,7 +3,6 @@
 
 #include <array>
 #include <cstdint>
-#include <optional>
 #include <string>
 #include <string_view>
 
@@ -19,19 +18,21 @@ struct Glyph {
     std::uint8_t segments;
 };
 
-// One character a pattern, one pattern a character: B and D have the shapes of b and d.
+// Each character's usual form first; B and D have the shapes of b and d.  Programs write 6, 7 and 9
+// in two forms each, so that a B may also be a 6.
 constexpr Glyph GLYPHS[] = {
-    {'0', 0x3F}, {'1', 0x06}, {'2', 0x5B}, {'3', 0x4F}, {'4', 0x66}, {'5', 0x6D},
-    {'6', 0x7D}, {'7', 0x07}, {'8', 0x7F}, {'9', 0x6F}, {'A', 0x77}, {'B', 0x7C},
-    {'C', 0x39}, {'D', 0x5E}, {'E', 0x79}, {'F', 0x71}, {' ', 0x00}, {'-', 0x40},
-    {'_', 0x08}, {'H', 0x76}, {'L', 0x38}, {'P', 0x73}, {'U', 0x3E}, {'n', 0x54},
-    {'o', 0x5C}, {'r', 0x50}, {'t', 0x78}, {'u', 0x1C}, {'y', 0x6E},
+    {'0', 0x3F}, {'1', 0x06}, {'2', 0x5B}, {'3', 0x4F}, {'4', 0x66}, {'5', 0x6D}, {'6', 0x7D},
+    {'7', 0x07}, {'8', 0x7F}, {'9', 0x6F}, {'A', 0x77}, {'B', 0x7C}, {'C', 0x39}, {'D', 0x5E},
+    {'E', 0x79}, {'F', 0x71}, {' ', 0x00}, {'-', 0x40}, {'_', 0x08}, {'H', 0x76}, {'L', 0x38},
+    {'P', 0x73}, {'U', 0x3E}, {'n', 0x54}, {'o', 0x5C}, {'r', 0x50}, {'t', 0x78}, {'u', 0x1C},
+    {'y', 0x6E}, {'6', 0x7C}, {'7', 0x27}, {'9', 0x67},
 };
 
-// Six characters, HEX5 first; nothing for any other length or a character without a glyph.
-std::optional<HexSegments> hex_segments(std::string_view text);
+// Six characters with a glyph each, HEX5 first.
+bool is_hex_text(std::string_view text);
 
-// The six characters, '?' for a pattern without a glyph.
-std::string hex_text(const HexSegments& segments);
+// What the digits show, HEX5 first: the character of `expected` where the pattern is a form of it,
+// else the first that has the pattern, '?' if none has.
+std::string hex_text(const HexSegments& segments, std::string_view expected = "");
 
 }  // namespace sim

@@ -3,10 +3,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
+#include <iterator>
 #include <map>
+#include <regex>
 #include <string>
 
+#include "sim/report/run_files.h"
 #include "sim/scenario/words.h"
 #include "sim/scenario/yaml_tree.h"
 
@@ -48,6 +52,43 @@ private:
     std::array<int, CONTROLS> held_since_{};  // line; 0 = free
 };
 
+// The files that the screenshots become, in the output folder.
+class Screenshots {
+public:
+    void check(const Step& step) {
+        const auto* shot = std::get_if<TakeScreenshot>(&step.action);
+        if (!shot) return;
+        static const std::regex taken{RUN_NAMES};
+        const std::filesystem::path file = shot->save_to.lexically_normal();
+        const std::string name = in_quotes(shot->save_to.string());
+        if (std::regex_match(file.begin()->string(), taken))
+            refuse_step(step, "a file that the run does not write itself", name);
+
+        // Paths are in the order of their parts: what is below one follows it.
+        const auto next = lines_.lower_bound(file);
+        const auto refuse_beside = [&](const char* where, const auto& other) {
+            refuse_step(step, "a new file name",
+                        fmt::format("{} {} {} of line {}", name, where,
+                                    in_quotes(other.first.string()), other.second));
+        };
+        if (next != lines_.end() && next->first == file)
+            refuse_step(step, "a new file name",
+                        fmt::format("{} again, first in line {}", name, next->second));
+        if (next != lines_.end() && is_below(next->first, file)) refuse_beside("above", *next);
+        if (next != lines_.begin() && is_below(file, std::prev(next)->first))
+            refuse_beside("below", *std::prev(next));
+        lines_.emplace_hint(next, file, step.line);
+    }
+
+private:
+    static bool is_below(const std::filesystem::path& file, const std::filesystem::path& folder) {
+        return std::mismatch(folder.begin(), folder.end(), file.begin(), file.end()).first ==
+               folder.end();
+    }
+
+    std::map<std::filesystem::path, int> lines_;
+};
+
 // The time that a step takes whatever the board does.
 std::uint64_t least_ps(const Action& action) {
     if (const auto* delay = std::get_if<Delay>(&action)) return delay->time.ps;
@@ -75,17 +116,10 @@ void check_times(const Scenario& scenario) {
 
 void check_steps(const Scenario& scenario) {
     Hands hands;
-    std::map<std::filesystem::path, int> screenshots;
+    Screenshots screenshots;
     for (const Step& step : scenario.steps) {
         hands.check(step);
-        if (const auto* shot = std::get_if<TakeScreenshot>(&step.action)) {
-            const auto [known, is_new] =
-                screenshots.try_emplace(shot->save_to.lexically_normal(), step.line);
-            if (!is_new)
-                refuse_step(step, "a new file name",
-                            fmt::format("{} again, first in line {}",
-                                        in_quotes(shot->save_to.string()), known->second));
-        }
+        screenshots.check(step);
     }
     check_times(scenario);
 }

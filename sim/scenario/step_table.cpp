@@ -106,7 +106,7 @@ const std::vector<StepForm>& step_forms() {
              return step;
          }},
         {"wait-serial",
-         "Wait until the firmware has printed a text.",
+         "Wait until the firmware has printed a text; the next wait-serial looks behind it.",
          Notation::BOTH,
          {},
          {{"text", TEXT, Need::REQUIRED, "", "The text."}, timeout(SOME_TIME, "10s", WAIT_HELP)},
@@ -157,11 +157,11 @@ const std::vector<StepForm>& step_forms() {
          Notation::BOTH,
          {},
          {{"equals", HEX, Need::REQUIRED, "",
-           "Six characters in quotes, HEX5 first: 0-9 A-F H L P U n o r t u y - _ and blank."},
+           "Six characters in quotes, HEX5 first: 0-9 A-F H L P U n o r t u y - _ and blank. "
+           "6, 7 and 9 count in both of their usual forms."},
           timeout(TIME, "0s", POLL_HELP)},
          [](const Values& v) -> Action {
-             return ExpectHex{*hex_segments(v.get<std::string>("equals")),
-                              v.get<SimTime>("timeout")};
+             return ExpectHex{v.get<std::string>("equals"), v.get<SimTime>("timeout")};
          }},
         {"take-screenshot",
          "Save the picture on the monitor as PNG.",

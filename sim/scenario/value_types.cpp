@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "sim/board/scan_codes.h"
+#include "sim/scenario/seven_segment.h"
 #include "sim/scenario/words.h"
 
 namespace sim {
@@ -129,7 +130,7 @@ Read read_leds(const YamlNode& node) {
 }
 
 Read read_hex(const YamlNode& node) {
-    if (!is_text(node) || !hex_segments(node.text)) return std::nullopt;
+    if (!is_text(node) || !is_hex_text(node.text)) return std::nullopt;
     return node.text;
 }
 

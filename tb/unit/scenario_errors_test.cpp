@@ -214,4 +214,26 @@ TEST(ScenarioError, RefusesTwoScreenshotsOfOneName) {
         "a.yaml:5:3: expected a new file name, got \"./a.png\" again, first in line 4");
 }
 
+TEST(ScenarioError, RefusesAScreenshotBelowAnother) {
+    EXPECT_EQ(
+        step_error("take-screenshot: {save-to: a.png}\n- take-screenshot: {save-to: a.png/b.png}"),
+        "a.yaml:5:3: expected a new file name, got \"a.png/b.png\" below \"a.png\" of line 4");
+    EXPECT_EQ(
+        step_error("take-screenshot: {save-to: a.png/b.png}\n- take-screenshot: {save-to: a.png}"),
+        "a.yaml:5:3: expected a new file name, got \"a.png\" above \"a.png/b.png\" of line 4");
+}
+
+TEST(ScenarioError, RefusesAScreenshotInPlaceOfAFileOfTheRun) {
+    for (const std::string name :
+         {"junit.xml/x.png", "./report.json/x.png", "console.txt//a/x.png", "audio.wav/x.png",
+          "audio-2.wav/x.png", "report.json.part/x.png", "frames/frame_000001.png", "frames/x.png",
+          "mismatch/line4_a_actual.png"})
+        EXPECT_EQ(
+            step_error("delay: 1ms\n- take-screenshot: {save-to: " + name + "}"),
+            "a.yaml:5:3: expected a file that the run does not write itself, got \"" + name + "\"");
+    for (const std::string name : {"frames.png", "shots/frames/x.png", "report.json.png",
+                                   "shots/report.json/x.png", "audio-x.wav/x.png"})
+        EXPECT_EQ(step_error("take-screenshot: {save-to: " + name + "}"), "no error");
+}
+
 }  // namespace

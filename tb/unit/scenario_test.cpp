@@ -1,5 +1,6 @@
 // scenario_test.cpp - what each step of a scenario file means
 #include "sim/scenario/scenario.h"
+#include "sim/scenario/seven_segment.h"
 
 #include <gmock/gmock.h>
 
@@ -161,7 +162,7 @@ TEST(ExpectLeds, TakesAPatternOrANumberNowOrWithinATime) {
 
 TEST(ExpectHex, TakesSixCharactersLeftmostFirst) {
     const auto hex = action<ExpectHex>("expect-hex: \"   100\"");
-    EXPECT_EQ(hex.segments, (HexSegments{0x3F, 0x3F, 0x06, 0, 0, 0}));
+    EXPECT_EQ(hex.text, "   100");
     EXPECT_EQ(hex.timeout.ps, 0u);
     EXPECT_EQ(action<ExpectHex>("expect-hex: {equals: Error-, timeout: 1s}").timeout.ps,
               1'000 * MS);
@@ -269,11 +270,38 @@ TEST(SimTime, IsPrintedInTheLargestUnitThatFits) {
         EXPECT_EQ(to_string(*SimTime::parse(text)), text);
 }
 
-TEST(SevenSegment, ReadsBackEveryCharacterThatItCanShow) {
+std::string shown(std::uint8_t rightmost, const std::string& expected = "") {
+    return hex_text({rightmost, 0x3F, 0x06, 0x5B, 0x4F, 0x00}, expected);
+}
+
+TEST(SevenSegment, ReadsEveryCharacterInEachOfItsForms) {
     for (const Glyph& glyph : GLYPHS) {
-        const std::string text = std::string("12345") + glyph.character;
-        EXPECT_EQ(hex_text(*hex_segments(text)), text);
+        const std::string text = std::string(" 3210") + glyph.character;
+        EXPECT_TRUE(is_hex_text(text));
+        EXPECT_EQ(shown(glyph.segments, text), text);
     }
+}
+
+TEST(SevenSegment, ReadsSixSevenAndNineWithAndWithoutTheirBars) {
+    EXPECT_EQ(shown(0x7D), " 32106");
+    EXPECT_EQ(shown(0x07), " 32107");
+    EXPECT_EQ(shown(0x27), " 32107");
+    EXPECT_EQ(shown(0x6F), " 32109");
+    EXPECT_EQ(shown(0x67), " 32109");
+}
+
+TEST(SevenSegment, ReadsASixWithoutItsBarWhereASixIsExpectedAndElseAsB) {
+    EXPECT_EQ(shown(0x7C, " 32106"), " 32106");
+    EXPECT_EQ(shown(0x7C, " 3210B"), " 3210B");
+    EXPECT_EQ(shown(0x7C, " 32108"), " 3210B");
+    EXPECT_EQ(shown(0x7D, " 3210B"), " 32106");
+}
+
+TEST(SevenSegment, TakesSixCharactersThatItCanShow) {
+    EXPECT_TRUE(is_hex_text("Error-"));
+    EXPECT_FALSE(is_hex_text("12345"));
+    EXPECT_FALSE(is_hex_text("1234567"));
+    EXPECT_FALSE(is_hex_text("12345x"));
 }
 
 TEST(SevenSegment, ShowsAQuestionMarkForAPatternThatIsNoCharacter) {

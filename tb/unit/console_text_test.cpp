@@ -1,0 +1,90 @@
+// console_text.h: what was waited for is read, and new text is found however much there was.
+#include "sim/scenario/console_text.h"
+
+#include <gtest/gtest.h>
+
+namespace {
+
+using sim::ConsoleText;
+
+struct Console : ConsoleText {
+    void print_all(const std::string& text) {
+        for (const char c : text) print(c);
+    }
+};
+
+TEST(ConsoleText, IsReadOnceUpToTheEndOfWhatWasTaken) {
+    Console console;
+    console.print_all("one two three");
+    EXPECT_TRUE(console.take("two"));
+    EXPECT_FALSE(console.take("two"));
+    EXPECT_FALSE(console.take("one"));
+    EXPECT_TRUE(console.take(" three"));
+    EXPECT_EQ(console.unread(), 0u);
+}
+
+TEST(ConsoleText, IsTakenAtItsFirstPlaceAndWithoutOverlaps) {
+    Console console;
+    console.print_all("aaab aa");
+    EXPECT_TRUE(console.take("aa"));
+    EXPECT_EQ(console.unread(), 5u);
+    EXPECT_TRUE(console.take("aa"));
+    EXPECT_FALSE(console.take("a"));
+}
+
+TEST(ConsoleText, IsFoundWhenItComesInPieces) {
+    Console console;
+    console.print_all("re");
+    EXPECT_FALSE(console.take("ready"));
+    console.print_all("area");
+    EXPECT_FALSE(console.take("ready"));
+    console.print_all("dy!");
+    EXPECT_TRUE(console.take("ready"));
+    EXPECT_EQ(console.unread(), 1u);
+}
+
+TEST(ConsoleText, IsLookedThroughFromTheBeginningForAnotherText) {
+    Console console;
+    console.print_all("one two");
+    EXPECT_FALSE(console.take("three"));
+    EXPECT_TRUE(console.take("one"));
+}
+
+TEST(ConsoleText, IsFoundBehindAnyAmountAndAcrossWhereOldTextIsForgotten) {
+    Console console;
+    for (std::size_t i = 0; i < 2 * ConsoleText::LIMIT - 3; ++i) console.print('.');
+    EXPECT_FALSE(console.take("ready"));
+    console.print_all("ready");
+    EXPECT_EQ(console.forgotten(), ConsoleText::LIMIT);
+    EXPECT_EQ(console.unread(), 2 * ConsoleText::LIMIT + 2);
+    EXPECT_TRUE(console.take("ready"));
+    EXPECT_EQ(console.forgotten(), 0u);
+}
+
+TEST(ConsoleText, IsFoundThoughItIsLongerThanWhatIsKeptOtherwise) {
+    Console console;
+    std::string text;
+    for (std::size_t i = 0; i < 3 * ConsoleText::LIMIT; ++i)
+        text += static_cast<char>('a' + i * i % 23);
+    console.print_all("before");
+    EXPECT_FALSE(console.take(text));
+    for (std::size_t i = 0; i < 5 * ConsoleText::LIMIT; ++i) console.print('.');
+    console.print_all(text);
+    EXPECT_TRUE(console.take(text));
+}
+
+TEST(ConsoleText, KeepsAsManyUnreadCharactersAsItPromises) {
+    Console console;
+    console.print('!');
+    for (std::size_t i = 0; i < 2 * ConsoleText::LIMIT - 2; ++i) console.print('.');
+    EXPECT_TRUE(console.take("!"));
+    console.print('?');
+    for (std::size_t i = 0; i < ConsoleText::LIMIT - 1; ++i) console.print('.');
+    EXPECT_TRUE(console.take("?"));
+    console.print('?');
+    for (std::size_t i = 0; i < 2 * ConsoleText::LIMIT; ++i) console.print('.');
+    EXPECT_FALSE(console.take("?"));
+    EXPECT_GT(console.forgotten(), 0u);
+}
+
+}  // namespace
