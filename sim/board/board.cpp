@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "sim/board/fpga_places.h"
+
 namespace sim {
 
 namespace {
@@ -46,8 +48,8 @@ Board::Board(const sc_core::sc_module_name& name, Audience& audience, Software s
           {[&audience](char character) { audience.console(character); },
            [this](bool irq, bool fiq) { cpu.interrupt(irq, fiq); }, [this] { cpu.warm_reset(); },
            [this](std::uint32_t in_reset) {
-               bus.answer("h2f", !(in_reset & ResetManager::H2F));
-               bus.answer("lw", !(in_reset & ResetManager::LWH2F));
+               h2f_gate_(!(in_reset & ResetManager::H2F));
+               lw_gate_(!(in_reset & ResetManager::LWH2F));
            }}},
       bus{"bus"},
       processor_{processor_for(std::move(software), audience)},
@@ -58,6 +60,12 @@ Board::Board(const sc_core::sc_module_name& name, Audience& audience, Software s
     bus.window("h2f", H2F_BASE, H2F_SIZE).bind(fpga.h2f);
     bus.window("lw", LW_BASE, LW_SIZE).bind(fpga.lw);
     hps.bind(bus);
+    h2f_gate_ = bus.gate("h2f");
+    lw_gate_ = bus.gate("lw");
+    bus.describe("ddr3", "the DDR3", {{"the DDR3", DDR3_BASE, DDR3_SIZE}});
+    bus.describe("h2f", "the full bridge", fpga_places(H2F_BASE, H2F_SIZE));
+    bus.describe("lw", "the lightweight bridge", fpga_places(LW_BASE, LW_SIZE));
+    cpu.explain_by([this](auto... access) { return bus.refusal(access...); });
     fpga.on_interrupts([this](std::uint32_t levels) { hps.fpga_interrupts(levels); });
 }
 

@@ -12,6 +12,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 #include <variant>
@@ -79,8 +80,9 @@ private:
     void ps2_wires(FabricInputs& in) const;
 
     HeaderPins header_pins_{};
-    unsigned ps2_clk_low_ = 0, ps2_dat_low_ = 0;  // by the FPGA
-    double rate_hz_ = 0;                          // of the samples given to the audience so far
+    unsigned ps2_clk_low_ = 0, ps2_dat_low_ = 0;    // by the FPGA
+    double rate_hz_ = 0;                            // of the samples given to the audience so far
+    std::function<void(bool)> h2f_gate_, lw_gate_;  // true: out of reset
 
 public:  // the parts, in the order in which they are soldered
     Monitor monitor;

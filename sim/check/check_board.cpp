@@ -1,10 +1,13 @@
 // check_board.cpp - see check_board.h
 #include "sim/check/check_board.h"
 
+#include <new>
+
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include "sim/report/compare.h"
+#include "sim/report/messages.h"
 #include "sim/report/whole_file.h"
 
 #include "check_board_scenario.h"
@@ -24,14 +27,17 @@ void add_check_board_options(CLI::App& command, RunOptions& options) {
     options.frames = {FrameChoice::Which::LAST, 1};
     options.arguments = {"--self-test"};
     command.add_option("--out", options.out, "folder for report.json and the other files of a run")
+        ->check(named)
         ->capture_default_str();
-    command.add_option_function<std::string>(
-        "--elf",
-        [&](const std::string& file) {
-            options.elf = file;
-            options.cpu = "arm";
-        },
-        "collide-linux, to run its --self-test on the modelled Cortex-A9");
+    command
+        .add_option_function<std::string>(
+            "--elf",
+            [&](const std::string& file) {
+                options.elf = file;
+                options.cpu = "arm";
+            },
+            "collide-linux, to run its --self-test on the modelled Cortex-A9")
+        ->check(named);
     command.add_flag("--quiet", options.quiet, "no progress, no summary unless something failed");
 }
 
@@ -39,14 +45,17 @@ ExitCode compare_reports(const std::filesystem::path& a, const std::filesystem::
     const std::string first = read_whole_file(a, MAX_REPORT_BYTES);
     const std::string second = read_whole_file(b, MAX_REPORT_BYTES);
     const auto lines = differences(first, a.string(), second, b.string());
-    for (const std::string& line : lines) fmt::print("{}\n", line);
-    if (lines.empty())
-        fmt::print("the same checks with the same results\n");
-    else
-        fmt::print("{} of the checks differ\n", lines.size());
+    std::string text;
+    for (const std::string& line : lines) text += line + "\n";
+    text += lines.empty() ? "the same checks with the same results\n"
+                          : fmt::format("{} of the checks differ\n", lines.size());
+    if (!print_result(text)) return WRONG_INPUT;
     return lines.empty() ? PASSED : FAILED;
+} catch (const std::bad_alloc&) {
+    complain("out of memory while comparing the reports");
+    return WRONG_INPUT;
 } catch (const std::exception& error) {
-    fmt::print(stderr, "de1sim: {}\n", error.what());
+    complain(error.what());
     return WRONG_INPUT;
 }
 

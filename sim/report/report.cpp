@@ -92,6 +92,7 @@ const char* to_string(RunEnd end) {
         case RunEnd::DURATION_REACHED: return "duration reached";
         case RunEnd::INTERRUPTED: return "interrupted";
         case RunEnd::FIRMWARE_FAULT: return "firmware fault";
+        case RunEnd::INTERNAL_ERROR: return "internal error";
     }
     return "unknown";
 }

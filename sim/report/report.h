@@ -19,7 +19,13 @@ struct Expectation {
 };
 
 // How the run came to its end.
-enum class RunEnd { ALL_STEPS_DONE, DURATION_REACHED, INTERRUPTED, FIRMWARE_FAULT };
+enum class RunEnd {
+    ALL_STEPS_DONE,
+    DURATION_REACHED,
+    INTERRUPTED,
+    FIRMWARE_FAULT,
+    INTERNAL_ERROR,  // of the simulator; the faults say which
+};
 
 const char* to_string(RunEnd end);  // "all steps done", ...
 

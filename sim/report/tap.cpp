@@ -1,10 +1,9 @@
 // tap.cpp - TAP 13 (testanything.org)
 #include "sim/report/tap.h"
 
-#include <algorithm>
 #include <cctype>
 #include <charconv>
-#include <optional>
+#include <string_view>
 
 namespace sim {
 
@@ -19,14 +18,6 @@ bool take(std::string_view& text, std::string_view word) {
 void take_blanks(std::string_view& text) {
     while (take(text, " ")) {
     }
-}
-
-std::string_view take_line(std::string_view& text) {
-    const std::size_t end = std::min(text.find('\n'), text.size());
-    std::string_view line = text.substr(0, end);
-    text.remove_prefix(std::min(end + 1, text.size()));
-    if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
-    return line;
 }
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
@@ -71,27 +62,45 @@ std::optional<std::size_t> plan(std::string_view line) {
 
 }  // namespace
 
-std::vector<Check> tap_checks(std::string_view console) {
-    while (take_line(console) != "TAP version 13")
-        if (console.empty()) return {};
+void TapReader::print(char character) {
+    if (character == '\n')
+        end_line();
+    else if (line_.size() < LINE)
+        line_ += character;
+}
 
-    std::vector<Check> checks;
-    std::optional<std::size_t> planned;
-    while (!console.empty()) {
-        std::string_view line = take_line(console);
+void TapReader::end_line() {
+    std::string_view line = line_;
+    if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
+    if (state_ == State::BEFORE) {
+        if (line == "TAP version 13") state_ = State::WITHIN;
+    } else if (state_ == State::WITHIN) {
         if (take(line, "Bail out!")) {
             take_blanks(line);
-            checks.push_back({"bail out", false, std::string{line}});
-            return checks;
+            checks_.push_back({"bail out", false, std::string{line}});
+            state_ = State::BEHIND;
+        } else if (const auto count = plan(line)) {
+            planned_ = count;
+        } else if (auto check = result(line, made_ + 1)) {
+            if (++made_ <= CHECKS) checks_.push_back(*std::move(check));
         }
-        if (const auto count = plan(line)) planned = count;
-        if (auto check = result(line, checks.size() + 1)) checks.push_back(*std::move(check));
     }
-    if (planned && checks.size() != *planned)
-        checks.push_back({"the plan", false,
-                          std::to_string(*planned) + " checks were promised, " +
-                              std::to_string(checks.size()) + " made"});
-    return checks;
+    line_.clear();
+}
+
+std::vector<Check> TapReader::checks() const {
+    TapReader all = *this;
+    all.end_line();
+    if (all.state_ != State::WITHIN) return all.checks_;
+    if (all.made_ > CHECKS)
+        all.checks_.push_back({"the number of checks", false,
+                               std::to_string(all.made_) + " were made, only the first " +
+                                   std::to_string(CHECKS) + " are kept"});
+    if (all.planned_ && all.made_ != *all.planned_)
+        all.checks_.push_back({"the plan", false,
+                               std::to_string(*all.planned_) + " checks were promised, " +
+                                   std::to_string(all.made_) + " made"});
+    return all.checks_;
 }
 
 }  // namespace sim

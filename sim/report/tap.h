@@ -1,8 +1,9 @@
 // tap.h - a program's own tests: what it printed in the Test Anything Protocol, version 13
 #pragma once
 
+#include <cstddef>
+#include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace sim {
@@ -13,9 +14,31 @@ struct Check {
     std::string detail;  // what stands behind the name's ": "
 };
 
-// The checks in `console`, from the line "TAP version 13" on; none without that line.  "\r\n" ends
-// a line, too.  What the plan "1..N" promises and the text does not hold, and "Bail out!", are
-// checks that are not met.  "# TODO" and "# SKIP" count as met, as TAP wants it.
-std::vector<Check> tap_checks(std::string_view console);
+// Reads what a program prints, character by character, from the line "TAP version 13" on; there are
+// no checks without that line.  "\r\n" ends a line, too.  What the plan "1..N" promises and the
+// text does not hold, and "Bail out!", are checks that are not met.  "# TODO" and "# SKIP" count as
+// met, as TAP wants it.
+//
+// However much is printed: of a line it reads the first LINE characters, and it keeps CHECKS
+// checks; when there are more, one more that is not met says so.
+class TapReader {
+public:
+    static constexpr std::size_t LINE = 4096, CHECKS = 100'000;
+
+    void print(char character);
+    // In all that was printed so far, the line that is not ended included.
+    std::vector<Check> checks() const;
+
+private:
+    enum class State { BEFORE, WITHIN, BEHIND };  // the first line; a bail out
+
+    void end_line();
+
+    State state_ = State::BEFORE;
+    std::string line_;
+    std::vector<Check> checks_;
+    std::size_t made_ = 0;
+    std::optional<std::size_t> planned_;
+};
 
 }  // namespace sim

@@ -31,7 +31,7 @@ ArmRun::ArmRun(ArmCpu& cpu, const RunOptions& options, bool on_linux, Recorder& 
             LinuxKernel::Outside{[&recorder](char c) { recorder.console(c); },
                                  [&recorder](const std::string& line) { recorder.log(line); }});
     if (!options.profile.empty()) {
-        profile_.emplace(cpu.core(), cpu.program().elf);
+        profile_.emplace(cpu.program().elf);
         cpu.core().attach(&*profile_);
     }
     recorder.on_frame = [this] { budget_.frame_ended(cpu_.counts(), sc_core::sc_time_stamp()); };

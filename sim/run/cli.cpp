@@ -6,6 +6,8 @@
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
+#include <new>
+#include <sstream>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -13,29 +15,31 @@
 #include "selftest/self_test.h"
 #include "sim/check/check_board.h"
 #include "sim/fpga/fabric.h"
-#include "sim/report/printable.h"
+#include "sim/report/messages.h"
 #include "sim/run/run.h"
 
 namespace sim {
 
 namespace {
 
-constexpr const char* TRACING_BUILD = "de1sim-trace";
-
-// The ordinary build pays nothing for tracing: the tracing one takes over, with the same arguments.
-[[noreturn]] void become_tracing_build(char** argv) {
+// The ordinary build pays nothing for tracing: the tracing one of the same program, which lies
+// beside it, takes over with the same arguments.
+ExitCode become_tracing_build(char** argv) {
     std::error_code error;
     const auto self = std::filesystem::read_symlink("/proc/self/exe", error);
-    const auto path = self.parent_path() / TRACING_BUILD;
-    if (!error) execv(path.c_str(), argv);
-    fmt::print(stderr, "de1sim: {}: cannot be started for --trace: {}\n", path.string(),
-               std::strerror(errno));
-    std::exit(WRONG_INPUT);
+    if (error) {
+        complain("--trace: cannot find the tracing build: /proc/self/exe: " + error.message());
+        return WRONG_INPUT;
+    }
+    auto tracing = self;
+    tracing += "-trace";
+    execv(tracing.c_str(), argv);
+    complain(fmt::format("--trace: {} has no tracing build: {}: {}", self.filename().string(),
+                         tracing.string(), std::strerror(errno)));
+    return WRONG_INPUT;
 }
 
-}  // namespace
-
-int main(int argc, char** argv, const Firmware& firmware) {
+int command_line(int argc, char** argv, const Firmware& firmware) {
     CLI::App app{
         "DE1-SoC, headless: your Verilog and your firmware, with picture and sound as files",
         "de1sim"};
@@ -44,7 +48,8 @@ int main(int argc, char** argv, const Firmware& firmware) {
     app.footer(
         "What follows -- are the arguments of a Linux program.\n"
         "Exit code: 0 all expectations met; 1 an expectation missed or the firmware faulted;\n"
-        "2 wrong usage or input; 130 interrupted.");
+        "2 wrong usage or input, or an output that cannot be written, or an internal error;\n"
+        "130 interrupted.");
 
     RunOptions options, check_options;
     CLI::App& run_command = *app.add_subcommand("run", "play a scenario");
@@ -55,8 +60,8 @@ int main(int argc, char** argv, const Firmware& firmware) {
     std::filesystem::path reports[2];
     CLI::App& compare_command = *app.add_subcommand(
         "compare", "compare the checks in two report.json: of a board and of a simulation");
-    compare_command.add_option("A", reports[0], "report.json")->required();
-    compare_command.add_option("B", reports[1], "another")->required();
+    compare_command.add_option("A", reports[0], "report.json")->check(named)->required();
+    compare_command.add_option("B", reports[1], "another")->check(named)->required();
     compare_command.footer(
         "Exit code: 0 they say the same; 1 they differ; 2 wrong usage or input.");
 
@@ -69,20 +74,38 @@ int main(int argc, char** argv, const Firmware& firmware) {
         if (run_command.parsed()) check_run_options(run_command, options);
         if (arguments && options.cpu != "arm") throw CLI::ValidationError("--", "is for --cpu arm");
     } catch (const CLI::ParseError& e) {
-        if (e.get_exit_code() == 0) return app.exit(e), PASSED;  // --help, --version
-        fmt::print(stderr, "de1sim: {} (see de1sim --help)\n",
-                   argc > 1 && app.get_subcommands().empty()
-                       ? fmt::format("expected run, check-board or compare, got \"{}\"",
-                                     printable(argv[1]))
-                       : std::string{e.what()});
+        if (e.get_exit_code() == 0) {  // --help, --version
+            std::ostringstream text;
+            app.exit(e, text, text);
+            return print_result(text.str()) ? PASSED : WRONG_INPUT;
+        }
+        complain(fmt::format(
+            "{} (see de1sim --help)",
+            argc > 1 && app.get_subcommands().empty()
+                ? fmt::format("expected run, check-board or compare, got \"{}\"", argv[1])
+                : std::string{e.what()}));
         return WRONG_INPUT;
     }
-    if (!options.trace.empty() && !Fabric::can_trace()) become_tracing_build(argv);
+    if (!options.trace.empty() && !Fabric::can_trace()) return become_tracing_build(argv);
     if (compare_command.parsed()) return compare_reports(reports[0], reports[1]);
     if (check_command.parsed())
         return run(check_options,
                    [](hal::Mmio& io, hal::Cpu& cpu) { (void)selftest::run(io, cpu); });
     return run(options, firmware);
+}
+
+}  // namespace
+
+int main(int argc, char** argv, const Firmware& firmware) {
+    prepare_standard_streams();
+    try {
+        return command_line(argc, argv, firmware);
+    } catch (const std::bad_alloc&) {
+        complain("out of memory while reading the command line");
+    } catch (const std::exception& e) {
+        complain(e.what());
+    }
+    return WRONG_INPUT;
 }
 
 }  // namespace sim

@@ -20,6 +20,10 @@ std::uint64_t number(const std::string& text, const char* option) {
 
 }  // namespace
 
+std::string named(const std::string& name) {
+    return name.empty() ? "expected a name, got an empty one" : "";
+}
+
 std::optional<FrameChoice> FrameChoice::parse(const std::string& text) {
     if (text == "all") return FrameChoice{Which::ALL, 1};
     if (text == "last") return FrameChoice{Which::LAST, 1};
@@ -34,6 +38,7 @@ std::optional<FrameChoice> FrameChoice::parse(const std::string& text) {
 
 void add_run_options(CLI::App& command, RunOptions& options) {
     command.add_option("SCENARIO", options.scenario, "YAML file with the steps to play")
+        ->check(named)
         ->required();
     command
         .add_option("--cpu", options.cpu,
@@ -41,7 +46,7 @@ void add_run_options(CLI::App& command, RunOptions& options) {
                     "arm: the board's own program, on a model of its Cortex-A9")
         ->check(CLI::IsMember({"native", "arm"}))
         ->capture_default_str();
-    command.add_option("--elf", options.elf, "the program for --cpu arm");
+    command.add_option("--elf", options.elf, "the program for --cpu arm")->check(named);
     command
         .add_option("--cpi", options.cpi,
                     "clocks of 800 MHz that an instruction takes, for --cpu arm: 0.1 to 100")
@@ -61,16 +66,21 @@ void add_run_options(CLI::App& command, RunOptions& options) {
                     "as its ABI note says")
         ->check(CLI::IsMember({"auto", "bare", "linux"}))
         ->capture_default_str();
-    command.add_option("--linux-root", options.linux_root,
-                       "folder that a Linux program sees as /; without it there are no files\n"
-                       "but /dev/mem");
-    command.add_option("--profile", options.profile,
-                       "write instructions by function, for --cpu arm (callgrind format,\n"
-                       "for KCachegrind and callgrind_annotate)");
+    command
+        .add_option("--linux-root", options.linux_root,
+                    "folder that a Linux program sees as /; without it there are no files\n"
+                    "but /dev/mem")
+        ->check(named);
+    command
+        .add_option("--profile", options.profile,
+                    "write instructions by function, for --cpu arm (callgrind format,\n"
+                    "for KCachegrind and callgrind_annotate)")
+        ->check(named);
     command
         .add_option("--out", options.out,
                     "folder for frames/, audio.wav, console.txt, report.json, junit.xml;\n"
                     "files of those names from an earlier run are replaced")
+        ->check(named)
         ->capture_default_str();
     command.add_option_function<std::string>(
         "--frames",
@@ -94,7 +104,8 @@ void add_run_options(CLI::App& command, RunOptions& options) {
     command.add_option_function<std::string>(
         "--seed", [&](const std::string& text) { options.seed = number(text, "--seed"); },
         "seed of the contact bounce, instead of the scenario's");
-    command.add_option("--trace", options.trace, "write waveforms (FST, for GTKWave); slow");
+    command.add_option("--trace", options.trace, "write waveforms (FST, for GTKWave); slow")
+        ->check(named);
     command.add_flag("--quiet", options.quiet, "no progress, no summary unless something failed");
 }
 

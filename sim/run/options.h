@@ -46,6 +46,9 @@ struct RunOptions {
     bool quiet = false;
 };
 
+// A check for CLI11: what is wrong with the name of a file or folder, or nothing.
+std::string named(const std::string& name);
+
 // Describes the options to CLI11, which fills `options` when it parses.
 void add_run_options(CLI::App& command, RunOptions& options);
 // Those that do not go together.  CLI::ValidationError.

@@ -3,10 +3,11 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <string>
 
 #include <fmt/format.h>
+
+#include "sim/report/messages.h"
 
 namespace sim {
 
@@ -31,7 +32,7 @@ void Progress::show(double simulated_s, std::uint64_t frames) {
     line +=
         fmt::format(", {} frames, {:.2f} x real time", frames, wall > 0 ? simulated_s / wall : 0);
     if (!terminal_) {
-        fmt::print(stderr, "{}\n", line);
+        message(line);
         return;
     }
     std::string bar;
@@ -40,13 +41,12 @@ void Progress::show(double simulated_s, std::uint64_t frames) {
         const auto full = static_cast<std::size_t>(std::min(1.0, simulated_s / *total_s_) * WIDTH);
         bar = "[" + std::string(full, '#') + std::string(WIDTH - full, '.') + "] ";
     }
-    fmt::print(stderr, "\r\033[K{}{}", bar, line);
-    std::fflush(stderr);
+    draw("\r\033[K" + bar + line);
     shown_ = true;
 }
 
 void Progress::done() {
-    if (shown_) fmt::print(stderr, "\r\033[K");
+    if (shown_) draw("\r\033[K");
     shown_ = false;
 }
 

@@ -1,6 +1,7 @@
 // recorder.h - the audience that writes everything down: pictures, sound, console.
 #pragma once
 
+#include <exception>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -13,15 +14,15 @@
 #include "sim/report/wav.h"
 #include "sim/report/whole_file.h"
 #include "sim/run/options.h"
+#include "sim/run/output_folder.h"
 #include "sim/scenario/senses.h"
 
 namespace sim {
 
-// A failure to write pauses SystemC and is kept for error(): nothing may be thrown through it.
+// A failure to write pauses SystemC and is kept for close(): nothing may be thrown through it.
 class Recorder : public Audience {
 public:
-    // Makes the folder, and removes what an earlier run left in it under the names of this one's
-    // files.  IoError.
+    // Makes and locks the folder, see OutputFolder.  IoError.
     Recorder(const std::filesystem::path& out, FrameChoice frames);
 
     void frame(const Monitor::Frame& frame) override;
@@ -36,24 +37,24 @@ public:
     // Called at the end of each frame that the monitor shows.
     std::function<void()> on_frame = [] {};
     Senses& senses() { return senses_; }
-    const std::optional<IoError>& error() const { return error_; }
+    bool failed() const { return error_ != nullptr; }
 
-    // Writes what is still open.  IoError, also one from before.
+    // Writes what is still open.  IoError or another error, also one from before.
     void close();
 
 private:
     template <class Write>
     void attempt(Write write);
 
-    std::filesystem::path out_;
     FrameChoice frames_;
+    OutputFolder folder_;  // before what writes into it
     Senses senses_;
     std::optional<FrameWriter> frame_writer_;
     WavWriter wav_;
     WholeFile console_;
     std::vector<std::string> log_;
     std::uint64_t log_lines_ = 0;
-    std::optional<IoError> error_;
+    std::exception_ptr error_;
 };
 
 }  // namespace sim

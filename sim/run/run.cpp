@@ -1,19 +1,19 @@
 #include "sim/run/run.h"
 
 #include <csignal>
+#include <new>
 
 #include <fmt/format.h>
 
-#include "regmap.h"
 #include "sim/board/board.h"
 #include "sim/debug/debugger.h"
-#include "sim/report/printable.h"
+#include "sim/report/messages.h"
 #include "sim/report/report.h"
-#include "sim/report/sha256.h"
 #include "sim/report/trace_file.h"
 #include "sim/run/arm_run.h"
 #include "sim/run/progress.h"
 #include "sim/run/recorder.h"
+#include "sim/run/results.h"
 #include "sim/scenario/player.h"
 #include "sim/scenario/scenario.h"
 
@@ -41,10 +41,6 @@ private:
     void pause() { sc_core::sc_pause(); }
 };
 
-std::uint64_t underruns(Board& board) {
-    return board.fpga.peek(regmap::CODEC_UNDERRUNS - 0xFF200000).value_or(0);
-}
-
 RunEnd play(Board& board, Player& player, Recorder& recorder, std::optional<SimTime> duration,
             Progress& progress, Debugger* debugger) {
     const sc_core::sc_time slice{1, sc_core::SC_MS};
@@ -53,7 +49,7 @@ RunEnd play(Board& board, Player& player, Recorder& recorder, std::optional<SimT
     for (;;) {
         if (debugger) debugger->poll();
         if (interrupted || (debugger && debugger->killed())) return RunEnd::INTERRUPTED;
-        if (recorder.error()) return RunEnd::INTERRUPTED;
+        if (recorder.failed()) return RunEnd::INTERRUPTED;
         if (board.cpu.fault()) return RunEnd::FIRMWARE_FAULT;
         if (!duration && player.finished()) return RunEnd::ALL_STEPS_DONE;
         const sc_core::sc_time now = sc_core::sc_time_stamp();
@@ -64,89 +60,67 @@ RunEnd play(Board& board, Player& player, Recorder& recorder, std::optional<SimT
     }
 }
 
-RunReport report_of(const Scenario& scenario, const RunOptions& options, std::uint64_t seed,
-                    RunEnd end, Board& board, const ArmRun* arm, const Player& player,
-                    Recorder& recorder, double wall_s) {
-    RunReport report;
-    report.scenario = scenario.name;
-    report.file = scenario.file.string();
-    report.seed = seed;
-    report.cpu = options.cpu;
-    if (arm) report.program = arm->program();
-    report.end = end;
-    report.simulated_s = sc_core::sc_time_stamp().to_seconds();
-    report.wall_s = wall_s;
-    report.frames_shown = board.monitor.frames();
-    report.frames_swapped = board.monitor.new_pictures();
-    if (report.frames_shown > 0)
-        report.last_frame_sha256 = sha256_hex(recorder.senses().picture().rgb);
-    const BusCounts& bus = board.bus.counts();
-    report.bus = {bus.reads, bus.writes, bus.bursts, bus.errors};
-    report.audio = {recorder.senses().rate_hz, recorder.senses().samples, underruns(board)};
-    report.key_events = board.keypad.presses() + board.keypad.releases();
-    report.timing_violation_count = board.monitor.violations();
-    report.timing_violations = board.monitor.messages();
-    if (board.cpu.fault()) report.faults.push_back(*board.cpu.fault());
-    for (const std::string& fault : board.codec_chip.errors()) report.faults.push_back(fault);
-    for (const std::string& fault : player.faults()) report.faults.push_back(fault);
-    report.log_lines = recorder.log_lines();
-    report.log = recorder.log();
-    report.expectations = player.results();
-    report.checks = tap_checks(recorder.senses().text);
-    return report;
+// How the simulator itself failed.  SystemC wraps what a process throws.
+std::string what_broke(const std::exception& error, const std::string& doing) {
+    const auto* wrapped = dynamic_cast<const sc_core::sc_report*>(&error);
+    const std::string what = wrapped ? wrapped->get_msg() : error.what();
+    if (what == std::bad_alloc{}.what()) return "out of memory while " + doing;
+    return "internal error while " + doing + ": " + what;
 }
 
-void summarise(const RunReport& report, const std::filesystem::path& out) {
-    std::size_t met = 0;
-    for (const Expectation& e : report.expectations) {
-        met += e.met;
-        if (!e.met)
-            fmt::print(stderr, "{}:{}: {}: not met: {}\n", report.file, e.line, e.step, e.detail);
+// Carries out the parts of a run that has begun.  One that fails is written down and the others
+// still come; only an IoError ends them all.
+class Parts {
+public:
+    template <class Part>
+    void carry_out(const char* doing, Part part) {
+        try {
+            part();
+        } catch (const IoError&) {
+            throw;
+        } catch (const std::exception& error) {
+            const double now_s = sc_core::sc_time_stamp().to_seconds();
+            failures.push_back(what_broke(error, fmt::format("{}, at {:.6f} s", doing, now_s)));
+        }
     }
-    for (const Check& check : report.checks) {
-        met += check.met;
-        if (!check.met)
-            fmt::print(stderr, "{}: not met: {}\n", printable(check.name), printable(check.detail));
-    }
-    for (const std::string& fault : report.faults) fmt::print(stderr, "de1sim: {}\n", fault);
-    if (report.program && report.end == RunEnd::DURATION_REACHED) {
-        const RunReport::Program& p = *report.program;
-        fmt::print(stderr, "de1sim: the program was at PC 0x{:08X}{}{}{}{}\n", p.pc,
-                   p.function.empty() ? "" : " in ", p.function,
-                   p.waiting.empty() ? "" : ", waiting for ", p.waiting);
-    }
-    if (report.timing_violation_count)
-        fmt::print(stderr, "de1sim: {} VGA timing violations; {}\n", report.timing_violation_count,
-                   report.timing_violations.front());
-    if (report.frames_shown == 0)
-        fmt::print(stderr, "de1sim: the monitor found no picture\n");
-    else if (report.frames_shown > 1 && report.frames_swapped == 1)
-        fmt::print(stderr, "de1sim: the picture never changed: the firmware did not swap\n");
-    fmt::print(
-        "{}: {}; {:.3f} s simulated in {:.2f} s, {} frames ({} new pictures), "
-        "{} of {} {} met; see {}\n",
-        report.scenario, to_string(report.end), report.simulated_s, report.wall_s,
-        report.frames_shown, report.frames_swapped, met,
-        report.expectations.size() + report.checks.size(),
-        report.checks.empty() ? "expectations" : "expectations and checks", out.string());
+
+    std::vector<std::string> failures;
+};
+
+void catch_signals() {
+    std::signal(SIGINT, on_interrupt);
+    std::signal(SIGTERM, on_interrupt);
+    if (std::signal(SIGHUP, on_interrupt) == SIG_IGN) std::signal(SIGHUP, SIG_IGN);  // nohup
+    std::signal(SIGXFSZ, SIG_IGN);  // a file too large is an error like a full disk
 }
 
-}  // namespace
+ExitCode exit_code(const RunReport& report) {
+    switch (report.end) {
+        case RunEnd::INTERRUPTED: return INTERRUPTED;
+        case RunEnd::INTERNAL_ERROR: return WRONG_INPUT;
+        default: return report.passed() ? PASSED : FAILED;
+    }
+}
 
-ExitCode run(const RunOptions& options, const Firmware& firmware) try {
+// `doing` is what a message says when it throws.
+ExitCode run_doing(const char*& doing, const RunOptions& options, const Firmware& firmware) {
+    doing = "reading the scenario";
     const Scenario scenario = options.scenario_text
                                   ? parse_scenario(*options.scenario_text, options.scenario)
                                   : load_scenario(options.scenario);
     const std::uint64_t seed = options.seed.value_or(scenario.seed);
     const std::optional<SimTime> duration = options.duration ? options.duration : scenario.duration;
 
+    doing = "loading the program";
     Board::Software software = firmware;
     const bool on_linux = options.cpu == "arm" && runs_on_linux(options);
     if (options.cpu == "arm") software = load_program(options, on_linux);
 
+    doing = "setting up the board";
     std::optional<GdbConnection> gdb;
     if (options.gdb) gdb.emplace(*options.gdb);
 
+    catch_signals();
     Recorder recorder{options.out, options.frames};
     std::optional<TraceFile> trace;
     if (!options.trace.empty()) trace.emplace(options.trace);
@@ -159,39 +133,59 @@ ExitCode run(const RunOptions& options, const Firmware& firmware) try {
     std::optional<Debugger> debugger;
     if (gdb) debugger.emplace(*board.arm, *gdb, [] { return interrupted != 0; });
 
-    std::signal(SIGINT, on_interrupt);
-    std::signal(SIGTERM, on_interrupt);
-    std::signal(SIGXFSZ, SIG_IGN);  // a file too large is an error like a full disk
     Progress progress{
         options.quiet,
         duration ? std::optional<double>{static_cast<double>(duration->ps) * 1e-12} : std::nullopt};
-    if (gdb) fmt::print(stderr, "waiting for gdb at 127.0.0.1:{}\n", gdb->port());
-    const RunEnd end =
-        play(board, player, recorder, duration, progress, debugger ? &*debugger : nullptr);
-    progress.done();
-    board.fpga.catch_up();
-    recorder.close();
-    if (arm) arm->write_profile();
-    if (trace) {
-        board.fpga.end_trace();
-        trace->commit();
-    }
+    if (gdb) message(fmt::format("waiting for gdb at 127.0.0.1:{}", gdb->port()));
 
-    const RunReport report = report_of(scenario, options, seed, end, board, arm ? &*arm : nullptr,
-                                       player, recorder, progress.wall_s());
+    RunReport report;
+    report.scenario = scenario.name;
+    report.file = scenario.file.string();
+    report.seed = seed;
+    report.cpu = options.cpu;
+    Parts parts;
+    parts.carry_out("simulating", [&] {
+        report.end =
+            play(board, player, recorder, duration, progress, debugger ? &*debugger : nullptr);
+        board.fpga.catch_up();
+    });
+    progress.done();
+    report.wall_s = progress.wall_s();
+    parts.carry_out("writing pictures, sound and console", [&] { recorder.close(); });
+    if (arm) parts.carry_out("writing the profile", [&] { arm->write_profile(); });
+    if (trace)
+        parts.carry_out("writing the waveforms", [&] {
+            board.fpga.end_trace();
+            trace->commit();
+        });
+    parts.carry_out("writing the report",
+                    [&] { add_results(report, board, arm ? &*arm : nullptr, player, recorder); });
+    if (!parts.failures.empty()) report.end = RunEnd::INTERNAL_ERROR;
+    report.faults.insert(report.faults.begin(), parts.failures.begin(), parts.failures.end());
+
+    doing = "writing the report";
     write_whole_file(options.out / "report.json", to_json(report));
     write_whole_file(options.out / "junit.xml", to_junit(report));
-    if (!options.quiet || !report.passed()) summarise(report, options.out);
-    const ExitCode code = end == RunEnd::INTERRUPTED ? INTERRUPTED
-                          : report.passed()          ? PASSED
-                                                     : FAILED;
+    ExitCode code = exit_code(report);
+    if ((!options.quiet || !report.passed()) && !summarise(report, options.out) && code == PASSED)
+        code = WRONG_INPUT;
     if (debugger) debugger->ended(code);
     return code;
-} catch (const ScenarioError& e) {
-    fmt::print(stderr, "{}\n", e.what());
-    return WRONG_INPUT;
-} catch (const std::exception& e) {  // IoError, a trace file that cannot be opened
-    fmt::print(stderr, "de1sim: {}\n", e.what());
+}
+
+}  // namespace
+
+ExitCode run(const RunOptions& options, const Firmware& firmware) {
+    const char* doing = "";
+    try {
+        return run_doing(doing, options, firmware);
+    } catch (const ScenarioError& e) {
+        message(e.what());
+    } catch (const std::bad_alloc&) {
+        complain(std::string{"out of memory while "} + doing);
+    } catch (const std::exception& e) {  // IoError, an ELF that is none
+        complain(e.what());
+    }
     return WRONG_INPUT;
 }
 

@@ -74,11 +74,22 @@ struct Channel {
 
 }  // namespace
 
+bool has_terminals() {
+    int ours = -1, theirs = -1;
+    if (openpty(&ours, &theirs, nullptr, nullptr, nullptr) != 0) return false;
+    close(ours);
+    close(theirs);
+    return true;
+}
+
 Outcome run_program(const Command& command) {
     std::vector<char*> argv;
+    const std::vector<std::string> by_shell{"/bin/sh", "-c", command.shell + "; exec \"$@\"", "sh"};
+    if (!command.shell.empty())
+        for (const std::string& word : by_shell) argv.push_back(const_cast<char*>(word.c_str()));
     for (const std::string& word : command.words) argv.push_back(const_cast<char*>(word.c_str()));
     argv.push_back(nullptr);
-    check(access(argv[0], X_OK), argv[0]);
+    check(access(command.words.at(0).c_str(), X_OK), command.words[0].c_str());
 
     Channel out{false}, err{command.on_terminal};
     const pid_t child = fork();
@@ -97,7 +108,7 @@ Outcome run_program(const Command& command) {
         if (ends[0].revents && !out.read_into(outcome.out)) ends[0].fd = -1;
         if (ends[1].revents && !err.read_into(outcome.err)) ends[1].fd = -1;
         if (!interrupted && command.interrupt_when()) {
-            kill(child, SIGINT);
+            kill(child, command.interrupt_by);
             interrupted = true;
         }
         if (!outcome.timed_out && Clock::now() > end) {

@@ -1,6 +1,7 @@
 // run_program.h - runs a program to its end, as a shell would, and keeps what it said.
 #pragma once
 
+#include <csignal>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -12,10 +13,15 @@ namespace tb {
 struct Command {
     std::vector<std::string> words;               // path and arguments
     std::function<bool()> interrupt_when = {};    // Ctrl-C as soon as this is true
+    int interrupt_by = SIGINT;                    // or another signal than Ctrl-C's
+    std::string shell = {};                       // what a shell does before: "exec 2>&-"
     std::optional<std::uint64_t> disk_full = {};  // no file grows beyond so many bytes
     bool on_terminal = false;                     // stderr is one, of 80 x 24
-    double timeout_s = 40;                        // then it is killed
+    double timeout_s = 600;                       // then it hangs, and is killed
 };
+
+// False where the machine has no terminals to give (/dev/pts is not mounted).
+bool has_terminals();
 
 struct Outcome {
     int exit_code = -1;  // minus the signal, if one ended it

@@ -52,7 +52,6 @@ protected:
         std::vector<std::string> words{"run", "s.yaml", "--quiet", "--out", to.string(), "--cpu"};
         words.insert(words.end(), cpu.begin(), cpu.end());
         tb::Command command;
-        command.timeout_s = 170;  // three at once, on a machine that may have other work
         const tb::Outcome outcome = de1sim(words, command);
         EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
         return to;

@@ -18,11 +18,17 @@ protected:
         EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
         return folder.get("callgrind.out");
     }
-    std::string counted() const { return profile_of(LINUX_PROGRAMS "counted", "duration: 1ms\n"); }
+    std::string counted(const std::string& name = "counted") const {
+        return profile_of(LINUX_PROGRAMS + name, "duration: 1ms\n");
+    }
 };
 
-TEST_F(ProfileRun, CountsTheInstructionsOfEachFunction) {
-    const std::string profile = counted();
+class ProfileOfCounted : public ProfileRun, public ::testing::WithParamInterface<std::string> {};
+INSTANTIATE_TEST_SUITE_P(As, ProfileOfCounted, ::testing::Values("counted", "counted_thumb"),
+                         [](const auto& given) { return given.param; });
+
+TEST_P(ProfileOfCounted, HasTheInstructionsOfEachFunction) {
+    const std::string profile = counted(GetParam());
     EXPECT_THAT(profile, HasSubstr("events: Instructions\nsummary: 224\n"));
     EXPECT_EQ(report()["program"]["instructions"], 224);
     EXPECT_THAT(profile, ::testing::ContainsRegex("fn=\\([0-9]+\\) _start\n0 34\n"));
@@ -31,8 +37,8 @@ TEST_F(ProfileRun, CountsTheInstructionsOfEachFunction) {
     EXPECT_THAT(profile, ::testing::ContainsRegex("fn=\\([0-9]+\\) last\n0 20\n"));
 }
 
-TEST_F(ProfileRun, CountsCallsWithAllThatTheyCost) {
-    const std::string profile = counted();
+TEST_P(ProfileOfCounted, HasTheCallsWithAllThatTheyCost) {
+    const std::string profile = counted(GetParam());
     EXPECT_THAT(profile, ::testing::ContainsRegex("\\) _start\n0 34\ncfn=\\([0-9]+\\) outer\n"
                                                   "calls=10 0\n0 190\n"));
     EXPECT_THAT(profile, ::testing::ContainsRegex("\\) outer\n0 150\ncfn=\\([0-9]+\\) inner\n"

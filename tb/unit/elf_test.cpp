@@ -30,9 +30,11 @@ protected:
         folder.put("a.elf", bytes);
         return sim::load_elf(folder / "a.elf", memory);
     }
+    // Both of what reads a file see it.
     std::string refusal(const std::string& bytes) const {
         try {
             load(bytes);
+            sim::expects_linux(folder / "a.elf");
             return "loaded";
         } catch (const sim::ElfError& e) {
             return e.what();

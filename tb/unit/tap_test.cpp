@@ -11,20 +11,26 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
+std::vector<sim::Check> tap_checks(const std::string& console) {
+    sim::TapReader reader;
+    for (const char c : console) reader.print(c);
+    return reader.checks();
+}
+
 std::vector<std::string> read(const std::string& lines) {
     std::vector<std::string> all;
-    for (const sim::Check& check : sim::tap_checks("TAP version 13\n" + lines))
+    for (const sim::Check& check : tap_checks("TAP version 13\n" + lines))
         all.push_back((check.met ? "+" : "-") + check.name + "|" + check.detail);
     return all;
 }
 
 TEST(Tap, IsNoneWithoutItsFirstLine) {
-    EXPECT_THAT(sim::tap_checks("ok 1 - a\nready\n"), IsEmpty());
-    EXPECT_THAT(sim::tap_checks(""), IsEmpty());
+    EXPECT_THAT(tap_checks("ok 1 - a\nready\n"), IsEmpty());
+    EXPECT_THAT(tap_checks(""), IsEmpty());
 }
 
 TEST(Tap, BeginsBehindWhateverTheProgramSaidBefore) {
-    const auto checks = sim::tap_checks("ready\r\nTAP version 13\r\nok 1 - a\r\n1..1\r\n");
+    const auto checks = tap_checks("ready\r\nTAP version 13\r\nok 1 - a\r\n1..1\r\n");
     ASSERT_EQ(checks.size(), 1u);
     EXPECT_EQ(checks[0].name, "a");
 }
@@ -61,6 +67,33 @@ TEST(Tap, MissesChecksThatThePlanPromised) {
 TEST(Tap, EndsAtABailOut) {
     EXPECT_THAT(read("1..9\nok 1 - a\nBail out! no board\nok 2 - b\n"),
                 ElementsAre("+a|", "-bail out|no board"));
+}
+
+TEST(Tap, ReadsALineThatIsNotEndedYet) {
+    EXPECT_THAT(read("ok 1 - a\nok 2 - b"), ElementsAre("+a|", "+b|"));
+}
+
+TEST(Tap, ReadsChecksBehindAnyAmountOfText) {
+    const auto checks =
+        tap_checks(std::string(5'000'000, 'x') + "\nTAP version 13\nnot ok 1 - late\n");
+    ASSERT_EQ(checks.size(), 1u);
+    EXPECT_EQ(checks[0].name, "late");
+}
+
+TEST(Tap, KeepsSoManyChecksAndSaysWhenThereWereMore) {
+    std::string lines;
+    for (std::size_t i = 0; i < sim::TapReader::CHECKS; ++i) lines += "ok\n";
+    EXPECT_EQ(read(lines).size(), sim::TapReader::CHECKS);
+    const auto more = read(lines + "not ok\n");
+    ASSERT_EQ(more.size(), sim::TapReader::CHECKS + 1);
+    EXPECT_EQ(more.back(),
+              "-the number of checks|100001 were made, only the first 100000 are kept");
+}
+
+TEST(Tap, CutsALineThatNeverEnds) {
+    const auto checks = read("not ok 1 - " + std::string(10'000'000, 'x'));
+    ASSERT_EQ(checks.size(), 1u);
+    EXPECT_LT(checks[0].size(), 5000u);
 }
 
 // ---- Compare ----

@@ -1,0 +1,16 @@
+// run_files.h - the names that a run writes in its output folder, as regular expressions.
+#pragma once
+
+namespace sim {
+
+constexpr const char* RUN_FILES = R"(audio(-\d+)?\.wav|report\.json|junit\.xml|console\.txt)";
+constexpr const char* FRAME_FILES = R"(frame_\d{6,}\.png)";  // in frames/
+constexpr const char* MISMATCH_FILES =
+    R"(line\d+_.*_(actual|expected|difference)\.png)";  // mismatch/
+
+// What nothing else in the folder may be called: the files, also while they are written, and the
+// two folders.
+constexpr const char* RUN_NAMES =
+    R"((audio(-\d+)?\.wav|report\.json|junit\.xml|console\.txt)(\.part)?|frames|mismatch)";
+
+}  // namespace sim

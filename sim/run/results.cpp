@@ -1,0 +1,83 @@
+// results.cpp - see results.h
+#include "sim/run/results.h"
+
+#include <fmt/format.h>
+
+#include "regmap.h"
+#include "sim/report/messages.h"
+#include "sim/report/printable.h"
+#include "sim/report/sha256.h"
+#include "sim/report/tap.h"
+
+namespace sim {
+
+namespace {
+
+std::uint64_t underruns(Board& board) {
+    return board.fpga.peek(regmap::CODEC_UNDERRUNS - 0xFF200000).value_or(0);
+}
+
+}  // namespace
+
+void add_results(RunReport& report, Board& board, const ArmRun* arm, const Player& player,
+                 Recorder& recorder) {
+    report.simulated_s = sc_core::sc_time_stamp().to_seconds();
+    if (board.cpu.fault())
+        report.faults.push_back(*board.cpu.fault());
+    else if (const auto fault = board.cpu.unfinished())
+        report.faults.push_back(*fault);
+    for (const std::string& fault : board.codec_chip.errors()) report.faults.push_back(fault);
+    for (const std::string& fault : player.faults()) report.faults.push_back(fault);
+    report.expectations = player.results();
+    report.checks = recorder.senses().tap.checks();
+    report.log_lines = recorder.log_lines();
+    report.log = recorder.log();
+    report.frames_shown = board.monitor.frames();
+    report.frames_swapped = board.monitor.new_pictures();
+    if (report.frames_shown > 0)
+        report.last_frame_sha256 = sha256_hex(recorder.senses().picture().rgb);
+    const BusCounts& bus = board.bus.counts();
+    report.bus = {bus.reads, bus.writes, bus.bursts, bus.errors};
+    report.key_events = board.keypad.presses() + board.keypad.releases();
+    report.timing_violation_count = board.monitor.violations();
+    report.timing_violations = board.monitor.messages();
+    if (arm) report.program = arm->program();
+    report.audio = {recorder.senses().rate_hz, recorder.senses().samples, underruns(board)};
+}
+
+bool summarise(const RunReport& report, const std::filesystem::path& out) {
+    std::size_t met = 0;
+    for (const Expectation& e : report.expectations) {
+        met += e.met;
+        if (!e.met)
+            message(fmt::format("{}:{}: {}: not met: {}", report.file, e.line, e.step, e.detail));
+    }
+    for (const Check& check : report.checks) {
+        met += check.met;
+        if (!check.met) message(fmt::format("{}: not met: {}", check.name, check.detail));
+    }
+    for (const std::string& fault : report.faults) complain(fault);
+    if (report.program && report.end == RunEnd::DURATION_REACHED) {
+        const RunReport::Program& p = *report.program;
+        complain(fmt::format("the program was at PC 0x{:08X}{}{}{}{}", p.pc,
+                             p.function.empty() ? "" : " in ", p.function,
+                             p.waiting.empty() ? "" : ", waiting for ", p.waiting));
+    }
+    if (report.timing_violation_count)
+        complain(fmt::format("{} VGA timing violations; {}", report.timing_violation_count,
+                             report.timing_violations.front()));
+    if (report.frames_shown == 0)
+        complain("the monitor found no picture");
+    else if (report.frames_shown > 1 && report.frames_swapped == 1)
+        complain("the picture never changed: the firmware did not swap");
+    return print_result(
+        fmt::format("{}: {}; {:.3f} s simulated in {:.2f} s, {} frames ({} new pictures), "
+                    "{} of {} {} met; see {}\n",
+                    printable(report.scenario), to_string(report.end), report.simulated_s,
+                    report.wall_s, report.frames_shown, report.frames_swapped, met,
+                    report.expectations.size() + report.checks.size(),
+                    report.checks.empty() ? "expectations" : "expectations and checks",
+                    printable(out.string())));
+}
+
+}  // namespace sim

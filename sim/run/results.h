@@ -1,0 +1,24 @@
+// results.h - what a run has come to: as a report, and as the lines that a person reads.
+#pragma once
+
+#include <filesystem>
+
+#include "sim/board/board.h"
+#include "sim/report/report.h"
+#include "sim/run/arm_run.h"
+#include "sim/run/recorder.h"
+#include "sim/scenario/player.h"
+
+namespace sim {
+
+// Adds to `report` what the board, its program (if it is an ARM's), the person at it and the
+// recorder know.  What they know without moving the board comes first: should a part of this throw,
+// the rest is there.
+void add_results(RunReport& report, Board& board, const ArmRun* arm, const Player& player,
+                 Recorder& recorder);
+
+// What was missed and found, a line each on stderr, and a line on stdout.  False, with a line on
+// stderr, where stdout could not be written.
+[[nodiscard]] bool summarise(const RunReport& report, const std::filesystem::path& out);
+
+}  // namespace sim

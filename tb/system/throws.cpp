@@ -1,0 +1,28 @@
+// throws.cpp - a de1sim whose firmware throws after 50 ms: an error of C++ that nobody catches, or
+// with SW0 up that there is no more memory.
+#include <cstdlib>
+#include <new>
+#include <stdexcept>
+
+#include "regmap.h"
+#include "sim/run/cli.h"
+
+#include <systemc>
+
+namespace {
+
+void throws(hal::Mmio& io, hal::Cpu& cpu) {
+    cpu.print("begun\n");
+    for (int i = 0; i < 1000; ++i) cpu.idle();  // 50 us each
+    if (io.read(regmap::SW_DATA) & 1) throw std::bad_alloc{};
+    throw std::logic_error{"nobody thought of \x1b this"};
+}
+
+}  // namespace
+
+int sc_main(int argc, char** argv) { return sim::main(argc, argv, throws); }
+
+int main(int argc, char** argv) {
+    setenv("SYSTEMC_DISABLE_COPYRIGHT_MESSAGE", "1", 1);
+    return sc_core::sc_elab_and_sim(argc, argv);
+}
