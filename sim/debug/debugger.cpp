@@ -76,14 +76,10 @@ std::uint64_t Debugger::on_quantum(ArmCore& core, std::uint64_t limit) {
 }
 
 // The instruction at which the debugger resumes is not stopped at again.
-bool Debugger::before(std::uint32_t pc) {
+bool Debugger::before(std::uint32_t) {
     if (core_.instructions() == resumed_at_) return false;
-    for (const GdbPoint& point : points_) {
-        if (point.kind != GdbPoint::BREAK || point.address != pc) continue;
-        reply_ = stopped_by(SIGNAL_TRAP);
-        return hit_ = true;
-    }
-    return false;
+    reply_ = stopped_by(SIGNAL_TRAP);
+    return hit_ = true;
 }
 
 bool Debugger::touched(std::uint32_t address, unsigned bytes, bool write) {
@@ -245,10 +241,11 @@ void Debugger::remove(const GdbPoint& point) {
 
 // The core is only looked at while there is something to look for.
 void Debugger::points_changed() {
-    const auto is_break = [](const GdbPoint& point) { return point.kind == GdbPoint::BREAK; };
-    const auto breaks = std::count_if(points_.begin(), points_.end(), is_break);
-    core_.attach(breaks ? this : nullptr);
-    core_.watch(static_cast<std::size_t>(breaks) < points_.size() ? this : nullptr);
+    std::vector<std::uint32_t> breaks;
+    for (const GdbPoint& point : points_)
+        if (point.kind == GdbPoint::BREAK) breaks.push_back(point.address);
+    core_.attach(breaks.empty() ? nullptr : static_cast<ArmProbe*>(this), breaks);
+    core_.watch(breaks.size() < points_.size() ? this : nullptr);
 }
 
 std::string Debugger::monitor(std::string_view command) {

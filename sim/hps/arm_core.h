@@ -1,21 +1,32 @@
-// arm_core.h - the Cortex-A9's instructions, by Unicorn: runs, counts, stops exactly where asked.
+// arm_core.h - the Cortex-A9's instructions: runs, counts, stops exactly where asked.
 //
 // No SystemC here, and no time.  RAM is shared with whoever owns it; all other addresses go to an
-// ArmBus, one call an aligned access of 1, 2 or 4 bytes (longer ones are split, low address first).
+// ArmBus, one call per aligned access of 1, 2 or 4 bytes (longer ones are split, the low address
+// first).
 // run() comes back before an instruction, never within one, with `pc` exact.
 //
 // Exceptions are not entered here: run() says what happened, arm_exceptions.h enters the vector.
 //
-// Costs 2 - 3 ns of the host an instruction, 50 ns more each store to RAM (Unicorn 2.0.1 checks
-// every one for code), 40 ns each bus access beside what the bus takes, 0.3 us a call of run().
+// Two engines can be behind this header.  dynarmic (sim/hps/dynarmic) translates the program to
+// the host's instructions: about 1 ns per instruction, 0.1 us per bus access beside what the bus
+// takes, 10 us per basic block that is met for the first time.  Unicorn (sim/hps/unicorn), where
+// dynarmic is missing: 20 to 50 ns per instruction.  Both count and stop alike, but for one thing:
+// with dynarmic, the first bus access of an instruction that has only met RAM before can be counted
+// early by less than a basic block, the same in every run.
 //
-// Not handled: the second core; caches (instructions that maintain them do nothing); PMCCNTR
-// (reads 0); SMC and HVC are undefined instructions.
+// Not handled: the second core; caches (instructions that maintain them do nothing); alignment
+// faults; SMC and HVC are undefined instructions.  With dynarmic also: LDRT, STRT and their kind,
+// SWP, and these of NEON, which are undefined: VQRSHL, V(R)ADDHN, V(R)SUBHN, VQDMLAL, VQDMLSL,
+// VQDMULL, VQADD and VQSUB of 64 bits; FPSCR's cumulative flags of exceptions are not exact; code
+// that the translation tables keep from the user mode is translated anew after each return to that
+// mode.  With Unicorn also: no memory is Normal to the bus, PMCCNTR reads 0, DFAR of an abort from
+// the translation tables reads 0.
 #pragma once
 
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <vector>
 
 namespace sim {
 
@@ -23,15 +34,20 @@ namespace sim {
 // instruction, and nothing of the core may be changed but by stop_soon().
 class ArmBus {
 public:
-    // False: nobody answers.  The instruction then has no effect and run() ends with DATA_ABORT.
+    // False: nobody answers.  The instruction then has no effect and run() ends with DATA_ABORT;
+    // but an access to several words may have done those before, its base is as it was.
     virtual bool read(std::uint32_t address, unsigned bytes, std::uint32_t& value) = 0;
     virtual bool write(std::uint32_t address, unsigned bytes, std::uint32_t value) = 0;
+    // A store to what the translation tables call Normal memory: it may be joined with the next.
+    virtual bool write_normal(std::uint32_t address, unsigned bytes, std::uint32_t value) {
+        return write(address, bytes, value);
+    }
 
 protected:
     ~ArmBus() = default;
 };
 
-// A debugger's breakpoints, a profiler's counts.
+// A debugger's breakpoints.
 class ArmProbe {
 public:
     // Before the instruction at `pc`; true ends run() before it, with LIMIT.
@@ -41,11 +57,30 @@ protected:
     ~ArmProbe() = default;
 };
 
+// A profiler's counts.
+class ArmTally {
+public:
+    struct Run {
+        std::uint32_t begin;         // of the first instruction
+        std::uint64_t instructions;  // all in its function
+        std::uint32_t link;          // r14 before the first
+        // Behind the last, which is in r14 then, if that was a BL or BLX; else something else.
+        std::uint32_t end;
+    };
+    virtual void ran(const Run& run) = 0;
+    // Asked once where code is met for the first time.
+    virtual bool same_function(std::uint32_t pc, std::uint32_t other) const = 0;
+
+protected:
+    ~ArmTally() = default;
+};
+
 // A debugger's watchpoints.
 class ArmWatch {
 public:
     // Within the load or store, once each of its accesses; true ends run() with LIMIT and pc at it.
-    // Its registers and what it would do on the bus are then undone; a store to RAM is not.
+    // Its registers and what it would do on the bus are then undone; a store to RAM is not, nor
+    // what a load of several registers has loaded before.
     virtual bool touched(std::uint32_t address, unsigned bytes, bool write) = 0;
 
 protected:
@@ -61,12 +96,15 @@ enum class ArmStop {
     BREAKPOINT,      // BKPT; pc is at it
     PREFETCH_ABORT,  // pc is where no instruction can be read from
     DATA_ABORT,      // pc is at the load or store
+    RAN_OFF,         // pc is where memory holds nothing but zeros: the program has left its code
 };
 
 struct ArmFault {
-    std::uint32_t address = 0;  // of the data
+    std::uint32_t address = 0;  // virtual: of the data, or where an instruction is missing
     bool write = false;
     bool mmu = false;  // refused by the translation tables or where nothing is mapped
+    // Of an abort by the translation tables: fault status as in DFSR and IFSR, without DFSR.WnR.
+    std::uint32_t status = 0x5;
 };
 
 // Numbers of the exceptions' modes in the CPSR.
@@ -91,9 +129,10 @@ struct Cp15 {
 };
 
 namespace cp15 {
-constexpr Cp15 SCTLR{1, 0, 0, 0}, CPACR{1, 0, 0, 2}, SCR{1, 0, 1, 0}, DFSR{5, 0, 0, 0},
-    IFSR{5, 0, 0, 1}, DFAR{6, 0, 0, 0}, IFAR{6, 0, 0, 2}, VBAR{12, 0, 0, 0}, TPIDRURO{13, 0, 0, 3},
-    CBAR{15, 4, 0, 0};
+constexpr Cp15 SCTLR{1, 0, 0, 0}, CPACR{1, 0, 0, 2}, SCR{1, 0, 1, 0}, TTBR0{2, 0, 0, 0},
+    TTBR1{2, 0, 0, 1}, TTBCR{2, 0, 0, 2}, DACR{3, 0, 0, 0}, DFSR{5, 0, 0, 0}, IFSR{5, 0, 0, 1},
+    DFAR{6, 0, 0, 0}, IFAR{6, 0, 0, 2}, VBAR{12, 0, 0, 0}, CONTEXTIDR{13, 0, 0, 1},
+    TPIDRURW{13, 0, 0, 2}, TPIDRURO{13, 0, 0, 3}, TPIDRPRW{13, 0, 0, 4}, CBAR{15, 4, 0, 0};
 }
 
 class ArmCore {
@@ -111,8 +150,11 @@ public:
     // What the bus calls `address`, if that is mapped to the bus.
     std::optional<std::uint32_t> bus_address(std::uint32_t address) const;
 
-    // Sees every instruction; nullptr takes it away.
-    void attach(ArmProbe* probe) { probe_ = probe; }
+    // Asked at these addresses; nullptr takes it away.  Costs nothing elsewhere.  Not in run().
+    void attach(ArmProbe* probe, const std::vector<std::uint32_t>& at = {});
+    // Sees all instructions; nullptr takes it away.  Costs 0.1 us per change of function.  Not in
+    // run().
+    void attach(ArmTally* tally);
     // Sees every load and store; nullptr takes it away.  Not in run().
     void watch(ArmWatch* watch);
 
@@ -126,9 +168,10 @@ public:
     // From the bus: run() ends when `left` instructions behind the present one are done.
     void stop_after(std::uint64_t left) { limit_ = count_ + left; }
 
-    std::uint64_t instructions() const { return count_; }   // since the beginning
-    const ArmFault& fault() const { return fault_; }        // of the last abort
-    std::uint32_t instruction() const { return last_pc_; }  // the one in progress, or the last
+    std::uint64_t instructions() const { return count_; }  // since the beginning
+    const ArmFault& fault() const { return fault_; }       // of the last abort
+    // The one that is on the bus, if one is.
+    std::uint32_t instruction() const { return last_pc_; }
 
     std::uint32_t pc() const { return reg(15); }
     std::uint32_t reg(unsigned number) const;  // r0 - r15 of the present mode
@@ -151,21 +194,11 @@ public:
     void forget_translations(std::uint32_t address, std::size_t bytes);
 
 private:
-    struct Hooks;
     struct Engine;
 
-    void abort(void* uc, std::uint32_t address, bool write);
-    unsigned hint() const;
-
     std::unique_ptr<Engine> engine_;
-    ArmBus& bus_;
-    ArmProbe* probe_ = nullptr;
-    ArmWatch* watch_ = nullptr;
     std::uint64_t count_ = 0, limit_ = 0;
     std::uint32_t last_pc_ = 0;
-    int exception_ = 0;  // number that Unicorn gave, or 0
-    bool aborted_ = false;
-    bool watched_ = false;  // the access in progress is not to be done
     ArmFault fault_;
 };
 

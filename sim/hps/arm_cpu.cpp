@@ -15,7 +15,7 @@ namespace {
 constexpr double CLOCK_PS = 1250;             // 800 MHz
 constexpr std::uint32_t STACK = 0x3FFFFFF8;   // top of DDR3
 constexpr std::uint64_t MASKED_QUANTUM = 64;  // with an interrupt waiting to be let in
-constexpr std::size_t STACK_BYTES = 1 << 20;  // of the host, for what Unicorn nests
+constexpr std::size_t STACK_BYTES = 1 << 20;  // of the host, for a translator's nesting
 
 std::uint64_t picoseconds(double cpi) {
     return static_cast<std::uint64_t>(std::llround(CLOCK_PS * cpi));
@@ -115,6 +115,8 @@ void ArmCpu::warm_reset() {
 
 void ArmCpu::start() {
     reset_ = false;
+    stores_.page = 1;
+    open_.reset();
     core_.reset(program_.elf.entry, STACK);
     if (kernel_) kernel_->boot(core_);
 }
@@ -140,8 +142,10 @@ void ArmCpu::run() {
         running_ = true;
         const ArmStop stop = core_.run(std::min(limit, most));
         running_ = false;
+        drain();
         account();
         handle(stop);
+        look_for_death();
     }
 }
 
@@ -168,25 +172,33 @@ void ArmCpu::handle(ArmStop stop) {
         case ArmStop::UNDEFINED: raise(ArmException::UNDEFINED, 0, "undefined instruction"); break;
         case ArmStop::PREFETCH_ABORT:
             raise(ArmException::PREFETCH_ABORT,
-                  core_.fault().mmu ? fault_status::TRANSLATION : fault_status::EXTERNAL,
+                  core_.fault().mmu ? core_.fault().status & 0x40F : fault_status::EXTERNAL,
                   "prefetch abort: no instruction to be read");
             break;
         case ArmStop::BREAKPOINT:
             raise(ArmException::PREFETCH_ABORT, fault_status::DEBUG, "breakpoint instruction");
             break;
+        case ArmStop::RAN_OFF: run_off(); break;
         case ArmStop::DATA_ABORT: {
             const ArmFault& f = core_.fault();
             const std::uint32_t direction = f.write ? fault_status::WRITE : 0;
             if (f.mmu)
-                raise(ArmException::DATA_ABORT, fault_status::TRANSLATION,
+                raise(ArmException::DATA_ABORT, f.status | direction,
                       "data abort: refused by the translation tables");
             else
                 raise(ArmException::DATA_ABORT, fault_status::EXTERNAL | direction,
                       fmt::format("data abort: {} of {} bytes at 0x{:08X} ({})",
-                                  f.write ? "write" : "read", refused_bytes_, f.address,
+                                  f.write ? "write" : "read", refused_bytes_, refused_address_,
                                   bus_answer_));
         }
     }
+}
+
+// The program has left its code, which no handler of its own would notice.
+void ArmCpu::run_off() {
+    const std::string why = fmt::format("the program ran off its code into zeros {}; LR 0x{:08X}{}",
+                                        where(), core_.reg(14), callers());
+    if (!inspector_ || !inspector_->on_failure(core_, ArmException::UNDEFINED)) fail(why);
 }
 
 std::string ArmCpu::where() const {
@@ -207,8 +219,9 @@ void ArmCpu::raise(ArmException exception, std::uint32_t status, const std::stri
     counts_.aborts += abort;
     const std::string text = what + " " + where();
     const std::uint32_t vector = vector_of(core_, exception);
+    if (!in_handler()) open_.reset();
     const auto give_up = [&](const std::string& why) {
-        if (!inspector_ || !inspector_->on_failure(core_, exception)) fail(text + why);
+        if (!inspector_ || !inspector_->on_failure(core_, exception)) fail(text + why + callers());
     };
     std::uint32_t word = 0;
     if (core_.pc() - (vector & ~0x1fu) < 0x20 && !asynchronous)
@@ -216,9 +229,12 @@ void ArmCpu::raise(ArmException exception, std::uint32_t status, const std::stri
     if (!core_.read_ram(vector, &word, sizeof word) || word == 0)
         return give_up(fmt::format("; no vector at 0x{:08X}", vector));
     if (unhandled(exception)) return give_up(", for the second time within its handler");
-    if (abort || exception == ArmException::UNDEFINED) log_(text);
-    const bool data = exception == ArmException::DATA_ABORT;
-    enter(core_, exception, status, data ? core_.fault().address : core_.pc());
+    if (abort || exception == ArmException::UNDEFINED) {
+        log_(text);
+        if (!open_) open_ = Open{exception, text, now(), now()};
+    }
+    const bool debug = status == fault_status::DEBUG;  // there, IFAR is UNKNOWN
+    enter(core_, exception, status, abort && !debug ? core_.fault().address : core_.pc());
 }
 
 // True when an abort or undefined instruction is met again at the same place of its own handler.

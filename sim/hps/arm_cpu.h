@@ -13,6 +13,12 @@
 //   - within 32 us (a scan line) of what happens in the fabric by itself,
 //   - within 64 instructions of the program's enabling interrupts with the line already up.
 //
+// Stores to memory on the HPS-to-FPGA bridge that the translation tables call Normal are joined as
+// the A9's store buffer joins them: those that follow one another at rising addresses go as one
+// burst, to the next multiple of 64 bytes at most.  It goes when another access does, so that all
+// stay in the program's order, or at the quantum's end.  The first store into a page of 4 KB goes
+// alone, so that one which nobody answers is aborted where it is.
+//
 // WFI sleeps until the interrupt controller raises IRQ or FIQ, masked or not.  WFE sleeps for 1 us
 // or until then: other cores that could send an event are in reset, and to wake for nothing is
 // allowed.  SEV does nothing.
@@ -28,13 +34,26 @@
 // that has no vector for an exception (the table's word is 0 or no memory), or that faults in the
 // vector table, or again and again at the same place of its abort handler, has failed: fault().
 //
+// The message of a program that has failed says who called its last function: LR, and what on the
+// stack is behind a BL or BLX, the last five.  So it may name one that has returned long ago.
+//
+// A program that takes an abort or an undefined instruction must come back from it: leave the mode
+// of its handler, ABT or UND, for another than IRQ and FIQ.  Otherwise it is dead, and has failed:
+//   - when it has spun on the spot (b .) in that mode for 100 ms, IRQ and FIQ masked: at once;
+//   - when the run ends while it spins on the spot, or is in that mode for whatever reason more
+//     than 1 ms after the exception: unfinished().
+// So a handler may take its time, print, sleep and be interrupted, as long as it comes to an end.
+//
 // Deterministic: nothing depends on the host's time.
 //
-// Not handled: see arm_core.h.  DFAR of an abort from the translation tables reads 0.
+// Not handled: see arm_core.h.  A handler that changes its mode to SVC or SYS and stays there
+// counts as left.  One that spins until a watchdog resets the board has those 100 ms for it.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 
 #include "sim/hps/arm_core.h"
@@ -104,6 +123,8 @@ public:
     // Of the program; ahead of SystemC's by what it has run of its quantum.
     sc_core::sc_time now() const { return sc_core::sc_time_stamp() + ahead_; }
 
+    std::optional<std::string> unfinished() const override;
+
     // For an inspector: as the program would, RAM and registers alike, in no time.  False: nobody
     // answers.
     bool read_memory(std::uint32_t address, void* data, unsigned bytes);
@@ -138,8 +159,11 @@ public:
 private:
     bool read(std::uint32_t address, unsigned bytes, std::uint32_t& value) override;
     bool write(std::uint32_t address, unsigned bytes, std::uint32_t value) override;
+    bool write_normal(std::uint32_t address, unsigned bytes, std::uint32_t value) override;
 
     static constexpr unsigned POLLS = 8;
+    static sc_core::sc_time spin_limit() { return {100, sc_core::SC_MS}; }
+    static sc_core::sc_time moment() { return {1, sc_core::SC_MS}; }
     static sc_core::sc_time nap() { return {1, sc_core::SC_US}; }
     static sc_core::sc_time short_nap() { return {100, sc_core::SC_NS}; }
     // How far the core may run ahead: to the next thing in SystemC, but 100 us at most.
@@ -155,11 +179,18 @@ private:
     void run_on();
     void sleep(const sc_core::sc_time& at_most);
     void poll(std::uint32_t address, std::uint32_t value);
+    void drain();
     bool access(tlm::tlm_command command, std::uint32_t address, unsigned bytes, void* data);
     void take_interrupt();
+    void run_off();
     void handle(ArmStop stop);
     void raise(ArmException exception, std::uint32_t status, const std::string& what);
     bool unhandled(ArmException exception);
+    bool in_handler() const;
+    bool spins() const;
+    std::string death() const;
+    std::string callers() const;
+    void look_for_death();
 
     ArmProgram program_;
     Log log_;
@@ -183,9 +214,23 @@ private:
         std::uint32_t pc = 0, address = 0, value = 0;
         unsigned same_address = 0, same_value = 0;
     } poll_;
-    std::string bus_answer_;  // to the access that was refused last
+    struct StoreBuffer {
+        std::uint32_t begin = 0, bytes = 0;
+        std::uint32_t page = 1;  // of 4 KB, that is known to answer; 1 is none
+        std::array<std::uint8_t, 64> data;
+    } stores_;
+    std::string bus_answer_;             // to the access that was refused last
+    std::uint32_t refused_address_ = 0;  // on the bus
     unsigned refused_bytes_ = 0;
     std::uint32_t nested_pc_ = 1;  // of the last abort within an abort
+
+    struct Open {
+        ArmException exception;
+        std::string text;             // what and where it was
+        sc_core::sc_time since;       // taken
+        sc_core::sc_time spins_from;  // on the spot; the processor's time when it does not
+    };
+    std::optional<Open> open_;  // the abort or undefined instruction that it is in the handler of
 };
 
 }  // namespace sim

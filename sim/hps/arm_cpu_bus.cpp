@@ -2,10 +2,20 @@
 #include "sim/hps/arm_cpu.h"
 
 #include <algorithm>
+#include <cstring>
+#include <utility>
+
+#include <fmt/format.h>
 
 namespace sim {
 
 using sc_core::sc_time;
+
+namespace {
+
+constexpr std::uint32_t H2F_BASE = 0xC0000000, H2F_END = 0xFC000000;
+
+}  // namespace
 
 // RAM is what grants direct access; everything else goes by the bus, so that it gets an answer.
 void ArmCpu::map() {
@@ -18,7 +28,7 @@ void ArmCpu::map() {
         const bool ram = socket->get_direct_mem_ptr(tx, dmi);
         const auto base = static_cast<std::uint32_t>(address);
         std::uint64_t size = dmi.get_end_address() + 1 - address;
-        // Unicorn maps whole pages of 4 KB; blocks that share one are mapped together.
+        // The core maps whole pages of 4 KB; blocks that share one are mapped together.
         if (!ram) size = (size + 0xFFF) & ~std::uint64_t{0xFFF};
         if (ram)
             core_.map_ram(base, size, dmi.get_dmi_ptr());
@@ -45,11 +55,13 @@ bool ArmCpu::access(tlm::tlm_command command, std::uint32_t address, unsigned by
     counts_.on_bus += sc_core::sc_time_stamp() + ahead_ - before;
     if (answer.empty()) return true;
     bus_answer_ = std::move(answer);
+    refused_address_ = address;
     refused_bytes_ = bytes;
     return false;
 }
 
 bool ArmCpu::read(std::uint32_t address, unsigned bytes, std::uint32_t& value) {
+    drain();
     value = 0;
     if (!access(tlm::TLM_READ_COMMAND, address, bytes, &value)) return false;
     poll(address, value);
@@ -58,10 +70,40 @@ bool ArmCpu::read(std::uint32_t address, unsigned bytes, std::uint32_t& value) {
 }
 
 bool ArmCpu::write(std::uint32_t address, unsigned bytes, std::uint32_t value) {
+    drain();
+    stores_.page = 1;
     poll_ = {};
     if (!access(tlm::TLM_WRITE_COMMAND, address, bytes, &value)) return false;
     run_on();
     return true;
+}
+
+bool ArmCpu::write_normal(std::uint32_t address, unsigned bytes, std::uint32_t value) {
+    const std::uint32_t page = address & ~0xFFFu;
+    if (page != stores_.page) {
+        if (!write(address, bytes, value)) return false;
+        if (address >= H2F_BASE && address < H2F_END) stores_.page = page;
+        return true;
+    }
+    const bool follows = address == stores_.begin + stores_.bytes;
+    if (!follows) drain();
+    if (stores_.bytes == 0) stores_.begin = address;
+    std::memcpy(stores_.data.data() + stores_.bytes, &value, bytes);
+    stores_.bytes += bytes;
+    const bool full = (address + bytes) % stores_.data.size() == 0;
+    if (full) drain();
+    if (full || !follows) run_on();
+    return true;
+}
+
+void ArmCpu::drain() {
+    const unsigned bytes = std::exchange(stores_.bytes, 0);
+    if (bytes == 0) return;
+    poll_ = {};
+    if (access(tlm::TLM_WRITE_COMMAND, stores_.begin, bytes, stores_.data.data())) return;
+    fail(fmt::format("burst of {} bytes refused at 0x{:08X} {} ({})", bytes, stores_.begin, where(),
+                     bus_answer_));
+    core_.stop_soon();
 }
 
 void ArmCpu::poll(std::uint32_t address, std::uint32_t value) {

@@ -17,13 +17,28 @@ tlm_utils::simple_initiator_socket<Bus>& Bus::window(const std::string& name, st
                             ("window " + name + " overlaps window " + other.name).c_str());
     windows_.push_back(
         {name, base, size,
-         std::make_unique<tlm_utils::simple_initiator_socket<Bus>>(("to_" + name).c_str()), true});
+         std::make_unique<tlm_utils::simple_initiator_socket<Bus>>(("to_" + name).c_str())});
     return *windows_.back().socket;
 }
 
-void Bus::answer(const std::string& name, bool on) {
-    for (Window& window : windows_)
-        if (window.name == name) window.on = on;
+std::size_t Bus::number_of(const std::string& name) const {
+    std::string names;
+    for (std::size_t i = 0; i < windows_.size(); ++i) {
+        if (windows_[i].name == name) return i;
+        names += (i ? ", " : "") + windows_[i].name;
+    }
+    SC_REPORT_FATAL(this->name(), ("no window " + name + "; there are: " + names).c_str());
+    return 0;  // not reached, unless SystemC was told to go on after fatal errors
+}
+
+std::function<void(bool)> Bus::gate(const std::string& name) {
+    return [this, i = number_of(name)](bool on) { windows_[i].on = on; };
+}
+
+void Bus::describe(const std::string& name, std::string title, std::vector<Place> places) {
+    Window& window = windows_[number_of(name)];
+    window.title = std::move(title);
+    window.places = std::move(places);
 }
 
 Bus::Window* Bus::find(std::uint64_t address, unsigned bytes) {

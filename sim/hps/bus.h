@@ -4,11 +4,16 @@
 // An address that no window owns, or an access that leaves its window, is TLM_ADDRESS_ERROR; so is
 // one to a window that is switched off, as a bridge in reset is.
 //
+// refusal() says in words why an access was refused: for that, describe() tells what there is
+// within a window, where that is not all of it.
+//
 // Direct access (DMI) is asked of the window's target.  Refused, the range that comes back is the
 // one without direct access around the address: a window, or the gap between two.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -37,8 +42,23 @@ public:
     tlm_utils::simple_initiator_socket<Bus>& window(const std::string& name, std::uint32_t base,
                                                     std::uint32_t size);
 
-    // Switches the window `name` on or off; all are on at first.
-    void answer(const std::string& name, bool on);
+    // The switch of the window `name`: true is on, as all are at first.  A name that no window has
+    // is a fault in the assembly: SC_REPORT_FATAL.
+    std::function<void(bool)> gate(const std::string& name);
+
+    // A block or memory that answers.
+    struct Place {
+        std::string name;
+        std::uint32_t base, size;
+        std::string of = "";       // what it is the first part of on the board, if of anything,
+        std::uint32_t extent = 0;  // and how long that is
+    };
+    // What is within the window `name`, which a person calls `title`.  As gate().
+    void describe(const std::string& name, std::string title, std::vector<Place> places);
+
+    // "nothing answers there: the nearest is LEDR, 0xFF200000 to 0xFF20000F".
+    std::string refusal(std::uint32_t address, unsigned bytes, bool write,
+                        tlm::tlm_response_status answer) const;
 
     const BusCounts& counts() const { return counts_; }
 
@@ -48,11 +68,14 @@ private:
         std::uint32_t base, size;
         std::unique_ptr<tlm_utils::simple_initiator_socket<Bus>> socket;
         bool on = true;
+        std::string title = name;
+        std::vector<Place> places = {{name, base, size}};
     };
 
     void b_transport(tlm::tlm_generic_payload& tx, sc_core::sc_time& delay);
     bool get_direct_mem_ptr(tlm::tlm_generic_payload& tx, tlm::tlm_dmi& dmi);
     Window* find(std::uint64_t address, unsigned bytes);
+    std::size_t number_of(const std::string& name) const;
 
     std::vector<Window> windows_;
     BusCounts counts_;

@@ -41,10 +41,8 @@ public:
     bool expects_linux() {
         open();
         if (header_->e_ident[EI_OSABI] == ELFOSABI_LINUX) return true;
-        std::size_t count = 0;
-        const Elf32_Phdr* headers = elf32_getphdr(elf_.get());
-        if (elf_getphdrnum(elf_.get(), &count) != 0 || !headers) return false;
-        return std::any_of(headers, headers + count,
+        const std::vector<Elf32_Phdr> headers = program_headers();
+        return std::any_of(headers.begin(), headers.end(),
                            [this](const Elf32_Phdr& header) { return has_linux_tag(header); });
     }
 
@@ -113,32 +111,41 @@ private:
             refuse("is cut off: its tables lie beyond its end");
     }
 
-    void read_segments(ElfProgram& program) {
+    // Copies, as everything that libelf points to: a damaged file has it where it is not aligned.
+    std::vector<Elf32_Phdr> program_headers() const {
         std::size_t count = 0;
-        const Elf32_Phdr* headers = elf32_getphdr(elf_.get());
+        const void* headers = elf32_getphdr(elf_.get());
         if (elf_getphdrnum(elf_.get(), &count) != 0 || (count > 0 && !headers))
             refuse("a damaged ELF file: {}", elf_errmsg(-1));
+        std::vector<Elf32_Phdr> copies(count);
+        if (count > 0) std::memcpy(copies.data(), headers, count * sizeof copies[0]);
+        return copies;
+    }
+
+    void read_segments(ElfProgram& program) {
+        const std::vector<Elf32_Phdr> headers = program_headers();
         bool entry_found = false;
-        for (const Elf32_Phdr* header = headers; header != headers + count; ++header) {
-            if (header->p_type == PT_INTERP || header->p_type == PT_DYNAMIC)
+        for (const Elf32_Phdr& header : headers) {
+            if (header.p_type == PT_INTERP || header.p_type == PT_DYNAMIC)
                 refuse("dynamically linked, expected a static executable");
-            if (header->p_type != PT_LOAD || header->p_memsz == 0) continue;
-            check_place(*header, program);
+            if (header.p_type != PT_LOAD || header.p_memsz == 0) continue;
+            check_place(header, program);
             const auto* data = reinterpret_cast<const std::uint8_t*>(bytes_.data());
             program.segments.push_back(
-                {header->p_paddr,
-                 header->p_vaddr,
-                 header->p_memsz,
-                 {data + header->p_offset, data + header->p_offset + header->p_filesz},
-                 (header->p_flags & PF_W) != 0,
-                 (header->p_flags & PF_X) != 0});
-            const std::uint32_t table = header_->e_phoff - header->p_offset;
-            if (table < header->p_filesz && count * sizeof *headers <= header->p_filesz - table) {
-                program.headers = header->p_vaddr + table;
-                program.header_count = static_cast<std::uint32_t>(count);
+                {header.p_paddr,
+                 header.p_vaddr,
+                 header.p_memsz,
+                 {data + header.p_offset, data + header.p_offset + header.p_filesz},
+                 (header.p_flags & PF_W) != 0,
+                 (header.p_flags & PF_X) != 0});
+            const std::uint32_t table = header_->e_phoff - header.p_offset;
+            if (table < header.p_filesz &&
+                headers.size() * sizeof header <= header.p_filesz - table) {
+                program.headers = header.p_vaddr + table;
+                program.header_count = static_cast<std::uint32_t>(headers.size());
             }
-            if ((header->p_flags & PF_X) &&
-                (header_->e_entry & ~1u) - header->p_vaddr < header->p_memsz)
+            if ((header.p_flags & PF_X) &&
+                (header_->e_entry & ~1u) - header.p_vaddr < header.p_memsz)
                 entry_found = true;
         }
         if (program.segments.empty()) refuse("nothing to load: no PT_LOAD segment");
@@ -165,18 +172,20 @@ private:
     // Names are a comfort: what is wrong with them is left out, not refused.
     void read_functions(ElfProgram& program) const {
         for (Elf_Scn* section = nullptr; (section = elf_nextscn(elf_.get(), section));) {
-            const Elf32_Shdr* header = elf32_getshdr(section);
-            if (!header || header->sh_type != SHT_SYMTAB) continue;
+            GElf_Shdr header;
+            if (!gelf_getshdr(section, &header) || header.sh_type != SHT_SYMTAB) continue;
             const Elf_Data* data = elf_getdata(section, nullptr);
             if (!data || !data->d_buf) continue;
-            const auto* symbols = static_cast<const Elf32_Sym*>(data->d_buf);
-            for (std::size_t i = 0; i < data->d_size / sizeof *symbols; ++i) {
-                const unsigned type = ELF32_ST_TYPE(symbols[i].st_info);
-                const char* name = elf_strptr(elf_.get(), header->sh_link, symbols[i].st_name);
-                if (symbols[i].st_shndx == SHN_UNDEF || !name || !*name || *name == '$') continue;
+            Elf32_Sym symbol;
+            const auto* symbols = static_cast<const char*>(data->d_buf);
+            for (std::size_t at = 0; at + sizeof symbol <= data->d_size; at += sizeof symbol) {
+                std::memcpy(&symbol, symbols + at, sizeof symbol);
+                const unsigned type = ELF32_ST_TYPE(symbol.st_info);
+                const char* name = elf_strptr(elf_.get(), header.sh_link, symbol.st_name);
+                if (symbol.st_shndx == SHN_UNDEF || !name || !*name || *name == '$') continue;
                 if (type != STT_FUNC && type != STT_NOTYPE) continue;
-                if (type == STT_NOTYPE && !is_code(symbols[i].st_shndx)) continue;
-                program.functions.push_back({symbols[i].st_value & ~1u, symbols[i].st_size, name});
+                if (type == STT_NOTYPE && !is_code(symbol.st_shndx)) continue;
+                program.functions.push_back({symbol.st_value & ~1u, symbol.st_size, name});
             }
         }
         // Of several names for one place, the one with a size, then the first by the alphabet.
@@ -195,8 +204,8 @@ private:
 
     bool is_code(unsigned index) const {
         Elf_Scn* section = elf_getscn(elf_.get(), index);
-        const Elf32_Shdr* header = section ? elf32_getshdr(section) : nullptr;
-        return header && (header->sh_flags & SHF_EXECINSTR);
+        GElf_Shdr header;
+        return section && gelf_getshdr(section, &header) && (header.sh_flags & SHF_EXECINSTR);
     }
 
     const std::filesystem::path& file_;

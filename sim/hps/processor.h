@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 
@@ -20,6 +21,14 @@ public:
     // Notified with the fault.
     const sc_core::sc_event& faulted() const { return faulted_; }
 
+    // At the run's end: what the program is in that it can not have meant to end in.
+    virtual std::optional<std::string> unfinished() const { return {}; }
+
+    // Says in words why an access was refused; Bus::refusal().
+    using Refusal = std::function<std::string(std::uint32_t address, unsigned bytes, bool write,
+                                              tlm::tlm_response_status answer)>;
+    void explain_by(Refusal refusal) { refusal_ = std::move(refusal); }
+
     // The levels of the interrupt controller's two wires.
     virtual void interrupt(bool /*irq*/, bool /*fiq*/) {}
     // A warm reset, as the reset manager or a watchdog asks for.
@@ -29,7 +38,7 @@ protected:
     explicit Processor(const sc_core::sc_module_name& module_name)
         : sc_module{module_name}, socket{"socket"} {}
 
-    // One transaction; its time is added to delay.  "", or what the target said instead of OK.
+    // One transaction; its time is added to delay.  "", or why it was refused.
     std::string transport(tlm::tlm_command command, std::uint32_t address, void* data,
                           unsigned bytes, sc_core::sc_time& delay) {
         tlm::tlm_generic_payload tx;
@@ -40,7 +49,8 @@ protected:
         tx.set_streaming_width(bytes);
         tx.set_response_status(tlm::TLM_INCOMPLETE_RESPONSE);
         socket->b_transport(tx, delay);
-        return tx.is_response_ok() ? std::string{} : tx.get_response_string();
+        if (tx.is_response_ok()) return {};
+        return refusal_(address, bytes, tx.is_write(), tx.get_response_status());
     }
 
     void fail(std::string why) {
@@ -50,6 +60,7 @@ protected:
 
 private:
     std::optional<std::string> fault_;
+    Refusal refusal_ = [](auto...) { return std::string{"refused"}; };
     sc_core::sc_event faulted_;
 };
 

@@ -12,38 +12,36 @@ constexpr std::size_t DEEPEST = 100'000;  // calls; a program that never returns
 
 }  // namespace
 
-Profile::Profile(const ArmCore& core, const ElfProgram& elf)
-    : core_{core}, elf_{elf}, own_(elf.functions.size() + 1), function_{elf.functions.size()} {}
+Profile::Profile(const ElfProgram& elf)
+    : elf_{elf}, own_(elf.functions.size() + 1), here_{elf.functions.size(), 0, 0} {}
 
-bool Profile::before(std::uint32_t pc) {
-    if (pc - begin_ >= end_ - begin_ || begin_ > end_) change(pc);
-    ++own_[function_];
-    ++count_;
-    last_pc_ = pc;
-    return false;
+void Profile::ran(const Run& run) {
+    if (run.begin - here_.begin >= here_.end - here_.begin) change(run.begin, run.link);
+    own_[here_.function] += run.instructions;
+    count_ += run.instructions;
+    last_end_ = run.end;
 }
 
-void Profile::locate(std::uint32_t pc) {
+Profile::Place Profile::place_of(std::uint32_t pc) const {
     const auto& all = elf_.functions;
     const auto next = std::upper_bound(
         all.begin(), all.end(), pc,
         [](std::uint32_t value, const ElfFunction& f) { return value < f.address; });
-    const std::uint32_t border = next == all.end() ? 0xFFFFFFFF : next->address;
-    function_ = all.size();
-    begin_ = pc;
-    end_ = pc + 1;
-    if (next == all.begin()) return;
+    if (next == all.begin()) return {all.size(), pc, pc + 1};
     const ElfFunction& f = *(next - 1);
+    const std::uint32_t border = next == all.end() ? 0xFFFFFFFF : next->address;
     const std::uint32_t end = f.size == 0 ? border : std::min(border, f.address + f.size);
-    if (pc >= end) return;
-    function_ = static_cast<std::size_t>(next - 1 - all.begin());
-    begin_ = f.address;
-    end_ = end;
+    if (pc >= end) return {all.size(), pc, pc + 1};
+    return {static_cast<std::size_t>(next - 1 - all.begin()), f.address, end};
 }
 
-void Profile::change(std::uint32_t pc) {
-    const std::size_t before = function_;
-    locate(pc);
+bool Profile::same_function(std::uint32_t pc, std::uint32_t other) const {
+    return place_of(pc).function == place_of(other).function;
+}
+
+void Profile::change(std::uint32_t pc, std::uint32_t link) {
+    const std::size_t before = here_.function;
+    here_ = place_of(pc);
     const auto back = std::find_if(calls_.rbegin(), calls_.rend(),
                                    [pc](const Call& call) { return call.return_to == pc; });
     if (back != calls_.rend()) {
@@ -54,10 +52,9 @@ void Profile::change(std::uint32_t pc) {
         }
         return;
     }
-    const std::uint32_t link = core_.reg(14) & ~1u;
-    const bool called = link == last_pc_ + 4 || link == last_pc_ + 2;
-    if (called && function_ != before && calls_.size() < DEEPEST)
-        calls_.push_back({before, function_, link, count_});
+    const bool called = (link & ~1u) == last_end_;
+    if (called && here_.function != before && calls_.size() < DEEPEST)
+        calls_.push_back({before, here_.function, last_end_, count_});
 }
 
 void Profile::leave(Edges& edges, const Call& call) const {

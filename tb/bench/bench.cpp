@@ -16,6 +16,7 @@
 #include "tb/bench/arm_speed.h"
 #include "tb/bench/bare_model.h"
 #include "tb/bench/bus_cost.h"
+#include "tb/bench/crowd.h"
 #include "tb/bench/measured_run.h"
 
 namespace {
@@ -91,9 +92,10 @@ int main(int argc, char** argv) try {
     const bool fast = speed(argv[1], argv[2], out);
     const bool small = memory(argv[1], argv[2], out);
     const bool arm_fast = bench::arm_speed(argv[1], argv[2], out, argv[4], argv[5]);
+    const bool full_rate = bench::crowd(argv[1], argv[3], argv[4]);
     bus();
     fmt::print("again: make bench\n");
-    return fast && small && arm_fast ? 0 : 1;
+    return fast && small && arm_fast && full_rate ? 0 : 1;
 } catch (const std::exception& e) {
     fmt::print(stderr, "de1sim_bench: {}\n", e.what());
     return 2;

@@ -39,25 +39,25 @@ int run_quietly(std::vector<std::string> words, rusage& used) {
 
 }  // namespace
 
-MeasuredRun measure_run(const std::string& de1sim, const std::string& scenario, unsigned duration_s,
-                        const std::filesystem::path& out, const std::vector<std::string>& options) {
+MeasuredRun measure_run(const std::string& de1sim, const std::string& scenario,
+                        std::optional<unsigned> duration_s, const std::filesystem::path& out,
+                        const std::vector<std::string>& options) {
     std::filesystem::remove_all(out);
     rusage used{};
     const auto begin = std::chrono::steady_clock::now();
-    std::vector<std::string> words{
-        de1sim,    "run",   scenario,    "--duration", fmt::format("{}s", duration_s),
-        "--quiet", "--out", out.string()};
+    std::vector<std::string> words{de1sim, "run", scenario, "--quiet", "--out", out.string()};
+    if (duration_s) words.insert(words.end(), {"--duration", fmt::format("{}s", *duration_s)});
     words.insert(words.end(), options.begin(), options.end());
     const int status = run_quietly(words, used);
     const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - begin;
-    if (!WIFEXITED(status) || WEXITSTATUS(status) > 1)
+    if (!WIFEXITED(status) || WEXITSTATUS(status) > (duration_s ? 1 : 0))
         throw std::runtime_error(
             fmt::format("{} run {} ended with status {:#x}", de1sim, scenario, status));
 
     std::ifstream file{out / "report.json"};
     const auto report = nlohmann::json::parse(file);
-    if (std::abs(report.at("simulated_s").get<double>() - duration_s) > 1e-9 ||
-        !report.at("faults").empty())
+    const double simulated_s = report.at("simulated_s").get<double>();
+    if ((duration_s && std::abs(simulated_s - *duration_s) > 1e-9) || !report.at("faults").empty())
         throw std::runtime_error("the run did not go as it should: see " + out.string());
     std::uint64_t pictures = 0;
     if (std::filesystem::exists(out / "frames"))
@@ -68,10 +68,19 @@ MeasuredRun measure_run(const std::string& de1sim, const std::string& scenario, 
     const auto seconds = [](const timeval& t) {
         return static_cast<double>(t.tv_sec) + static_cast<double>(t.tv_usec) * 1e-6;
     };
-    return {
-        wall.count(), static_cast<double>(used.ru_maxrss) / 1024, pictures,
-        seconds(used.ru_utime) + seconds(used.ru_stime),
-        report.contains("program") ? report["program"]["instructions"].get<std::uint64_t>() : 0};
+    MeasuredRun run;
+    run.wall_s = wall.count();
+    run.peak_mb = static_cast<double>(used.ru_maxrss) / 1024;
+    run.frames = pictures;
+    run.cpu_s = seconds(used.ru_utime) + seconds(used.ru_stime);
+    run.shown = report.at("frames").at("shown");
+    run.swapped = report.at("frames").at("swapped");
+    if (report.contains("program")) {
+        run.instructions = report["program"]["instructions"];
+        if (report["program"].contains("frames"))
+            run.busy_share = report["program"]["frames"]["busy_share"]["median"];
+    }
+    return run;
 }
 
 }  // namespace bench

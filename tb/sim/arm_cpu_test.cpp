@@ -126,7 +126,7 @@ TEST_F(ArmCpu, StepsByOneInstructionWithoutChangingTheResult) {
 struct Breakpoint : sim::ArmProbe, sim::ArmInspector {
     std::uint32_t address = 0;
     std::vector<std::uint32_t> stopped_at;
-    bool before(std::uint32_t pc) override { return pc == address && stopped_at.empty(); }
+    bool before(std::uint32_t) override { return stopped_at.empty(); }
     std::uint64_t on_quantum(sim::ArmCore& core, std::uint64_t limit) override {
         if (core.pc() == address) stopped_at.push_back(core.reg(3));
         return limit;
@@ -137,7 +137,7 @@ TEST_F(ArmCpu, StopsBeforeTheInstructionThatAProbeNames) {
     load("test_read_abort");
     Breakpoint breakpoint;
     breakpoint.address = address_of("at_read_abort");
-    system->cpu.core().attach(&breakpoint);
+    system->cpu.core().attach(&breakpoint, {breakpoint.address});
     system->cpu.attach(&breakpoint);
     run_ms(1);
     EXPECT_THAT(breakpoint.stopped_at, ElementsAre(NOBODY));

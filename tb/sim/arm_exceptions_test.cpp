@@ -83,6 +83,13 @@ TEST_F(ArmExceptions, AbortsAFetchFromWhereNoMemoryIs) {
     EXPECT_EQ(result(), 99u);
 }
 
+TEST_F(ArmExceptions, TellsWhereTheSecondHalfOfAnInstructionIsMissing) {
+    run_to_end("test_half_prefetch_abort");
+    EXPECT_EQ(record().vector, 3u);
+    EXPECT_EQ(record().link, 0x3FFFFFFEu + 4);
+    EXPECT_EQ(record().address, 0x40000000u);
+}
+
 TEST_F(ArmExceptions, TakesABreakpointInstructionAsAPrefetchAbortOfItsOwnKind) {
     run_to_end("test_bkpt");
     EXPECT_EQ(record().vector, 3u);

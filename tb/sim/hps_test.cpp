@@ -43,6 +43,17 @@ struct Overlapping : sc_core::sc_module {
     }
 };
 
+// Asked for the switch of a window.
+struct Gated : sc_core::sc_module {
+    sim::Bus bus{"bus"};
+
+    Gated(const sc_core::sc_module_name& name, const std::string& window) : sc_module{name} {
+        bus.window("h2f", 0x1000, 0x1000);
+        bus.window("lw", 0x2000, 0x1000);
+        bus.gate(window)(false);
+    }
+};
+
 class BusDeathTest : public ::testing::Test {};
 
 class Hps : public ::testing::Test {
@@ -153,6 +164,18 @@ TEST_F(BusDeathTest, RefusesTwoWindowsThatOverlap) {
 TEST_F(BusDeathTest, RefusesAWindowAroundAnother) {
     EXPECT_DEATH(Overlapping("two", 0x0000, 0x8000), "");  // SystemC prints to stdout
 }
+
+TEST_F(BusDeathTest, RefusesToSwitchAWindowThatItDoesNotHaveAndNamesThoseThatItHas) {
+    sc_core::sc_report_handler::set_actions(sc_core::SC_FATAL, sc_core::SC_THROW);
+    try {
+        Gated("one", "lwh2f");
+        ADD_FAILURE() << "it was taken";
+    } catch (const sc_core::sc_report& report) {
+        EXPECT_STREQ(report.get_msg(), "no window lwh2f; there are: h2f, lw");
+    }
+}
+
+TEST_F(BusDeathTest, SwitchesAWindowThatItHas) { EXPECT_NO_THROW(Gated("one", "lw")); }
 
 TEST_F(BusDeathTest, TakesWindowsThatTouch) { EXPECT_NO_THROW(Overlapping("two", 0x2000, 0x1000)); }
 

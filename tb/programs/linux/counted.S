@@ -1,4 +1,4 @@
-// counted.S - a program whose instructions can be counted by hand
+// counted.S - a program whose instructions can be counted by hand, as many in ARM as in Thumb
 //
 //              own instructions                    calls
 //   _start     1 + 10 * 3 + 3 = 34                 outer, 10 times
@@ -6,7 +6,11 @@
 //   inner      10 * 2 = 20
 //   last       10 * 2 = 20
         .syntax unified
+#ifdef __thumb__
+        .thumb
+#else
         .arm
+#endif
         .text
 
         .global _start

@@ -56,6 +56,20 @@ at_ldm_abort:
     str r1, [r0]
     done
 
+    program test_half_prefetch_abort
+    ldr r11, =1f
+    ldr r1, =0x3FFFFFFE             @ the end of DDR3
+    ldr r2, =0xF100                 @ the first half of add.w
+    strh r2, [r1]
+    add r1, r1, #1
+    bx r1
+    .thumb
+1:  cpsid if
+    wfi
+    b .
+    .ltorg
+    .arm
+
     program test_bkpt
     ldr r11, =1f
     .global at_bkpt
@@ -93,6 +107,73 @@ at_bkpt:
     ldr r3, [r2]
 1:  ldr r3, [r2]
     done
+
+    @ Sends aborts of data to \handler.
+    .macro data_aborts_to handler
+    ldr r0, =\handler
+    ldr r1, =0x300000
+    str r0, [r1, #56]
+    ldr r0, =0xE59FF020             @ ldr pc, [pc, #32]
+    str r0, [r1, #16]
+    mcr p15, 0, r1, c12, c0, 0
+    ldr r2, =NOBODY
+    .endm
+
+    program test_spin_in_handler
+    data_aborts_to 1f
+    ldr r3, [r2]
+1:  b 1b
+
+    program test_thumb_spin_in_handler
+    data_aborts_to 1f + 1
+    ldr r3, [r2]
+    .thumb
+1:  b.n 1b
+    nop
+    .arm
+
+    program test_wide_spin_in_handler
+    data_aborts_to 1f + 1
+    ldr r3, [r2]
+    .thumb
+1:  b.w 1b
+    .arm
+
+    program test_spin_with_interrupts
+    data_aborts_to 1f
+    ldr r3, [r2]
+1:  cpsie if
+2:  b 2b
+
+    program test_sleep_in_handler
+    data_aborts_to 1f
+    ldr r3, [r2]
+1:  wfi
+    b 1b
+
+    program test_slow_handler           @ 5 ms
+    data_aborts_to 1f
+    ldr r3, [r2]
+    done
+1:  ldr r4, =2000000
+2:  subs r4, r4, #1
+    bne 2b
+    subs pc, lr, #4
+
+    program test_many_aborts
+    data_aborts_to 2f
+1:  ldr r3, [r2]
+    b 1b
+2:  mov r4, #100
+3:  subs r4, r4, #1
+    bne 3b
+    subs pc, lr, #4
+
+    program test_spin_behind_aborts
+    ldr r2, =NOBODY
+    ldr r3, [r2]
+    ldr r3, [r2]
+    b .
 
     program test_reset
     ldr r0, =result

@@ -1,4 +1,4 @@
-// arm_engine.h - what ArmCore's files share of Unicorn: its handle, and what is mapped.
+// engine.h - what ArmCore's files share of Unicorn: its handle, what is mapped, who looks in.
 #pragma once
 
 #include <unicorn/unicorn.h>
@@ -6,6 +6,7 @@
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <unordered_set>
 #include <vector>
 
 #include "sim/hps/arm_core.h"
@@ -31,11 +32,21 @@ struct ArmCore::Engine {
     };
 
     uc_engine* uc = nullptr;
-    uc_hook watch = 0;
+    ArmBus& bus;
+    uc_hook watch_hook = 0;
+    ArmProbe* probe = nullptr;
+    std::unordered_set<std::uint32_t> probed;
+    ArmTally* tally = nullptr;
+    ArmWatch* watch = nullptr;
+    ArmTally::Run tallied{0, 0, 0, 0};  // the instruction in progress
+    int exception = 0;                  // number that Unicorn gave, or 0
+    bool aborted = false;
+    bool watched = false;  // the access in progress is not to be done
     std::vector<Ram> ram;
     std::vector<std::unique_ptr<Window>> windows;
 
-    Engine() {
+    struct Hooks;
+    explicit Engine(ArmBus& bus_) : bus{bus_} {
         check_uc(uc_open(UC_ARCH_ARM, UC_MODE_ARM, &uc), "uc_open");
         check_uc(uc_ctl_set_cpu_model(uc, UC_CPU_ARM_CORTEX_A9), "cpu model");
     }

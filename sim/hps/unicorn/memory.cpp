@@ -1,7 +1,7 @@
-// arm_core_memory.cpp - ArmCore's memory: what is mapped where, and RAM seen from outside.
+// memory.cpp - ArmCore's memory: what is mapped where, and RAM seen from outside.
 #include <algorithm>
 
-#include "sim/hps/arm_engine.h"
+#include "sim/hps/unicorn/engine.h"
 
 namespace sim {
 

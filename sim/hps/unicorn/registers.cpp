@@ -1,5 +1,5 @@
-// arm_core_registers.cpp - ArmCore's registers, and how they are after reset.
-#include "sim/hps/arm_engine.h"
+// registers.cpp - ArmCore's registers, and how they are after reset.
+#include "sim/hps/unicorn/engine.h"
 
 namespace sim {
 

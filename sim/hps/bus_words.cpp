@@ -1,0 +1,58 @@
+// bus_words.cpp - why an access was refused, in the words of the board's map
+#include <fmt/format.h>
+
+#include "sim/hps/bus.h"
+
+namespace sim {
+
+namespace {
+
+std::uint32_t last_of(const Bus::Place& place) { return place.base + (place.size - 1); }
+
+bool holds(const Bus::Place& place, std::uint32_t address) {
+    return address - place.base < place.size;
+}
+
+std::uint32_t distance(const Bus::Place& place, std::uint32_t address) {
+    if (holds(place, address)) return 0;
+    return address < place.base ? place.base - address : address - last_of(place);
+}
+
+std::string range(const Bus::Place& place) {
+    return fmt::format("0x{:08X} to 0x{:08X}", place.base, last_of(place));
+}
+
+}  // namespace
+
+std::string Bus::refusal(std::uint32_t address, unsigned bytes, bool write,
+                         tlm::tlm_response_status answer) const {
+    const Place* nearest = nullptr;
+    for (const Window& window : windows_) {
+        if (!window.on && address - window.base < window.size) return window.title + " is in reset";
+        for (const Place& place : window.places)
+            if (!nearest || distance(place, address) < distance(*nearest, address))
+                nearest = &place;
+    }
+    if (!nearest) return "nothing is on the bus";
+    switch (answer) {
+        case tlm::TLM_ADDRESS_ERROR_RESPONSE:
+            if (holds(*nearest, address))
+                return fmt::format("{} ends at 0x{:08X}", nearest->name, last_of(*nearest));
+            if (address - nearest->base < nearest->extent)
+                return fmt::format("no memory there: of {} only {} is there", nearest->of,
+                                   range(*nearest));
+            return fmt::format("nothing answers there: the nearest is {}, {}", nearest->name,
+                               range(*nearest));
+        case tlm::TLM_BURST_ERROR_RESPONSE:
+            return fmt::format("{} of {} bytes are not taken there: {} takes aligned words",
+                               write ? "writes" : "reads", bytes, nearest->name);
+        case tlm::TLM_COMMAND_ERROR_RESPONSE:
+            return fmt::format("{} takes no {}", nearest->name, write ? "writes" : "reads");
+        case tlm::TLM_BYTE_ENABLE_ERROR_RESPONSE:
+            return fmt::format("{} takes no byte enables", nearest->name);
+        case tlm::TLM_INCOMPLETE_RESPONSE: return nearest->name + " did not answer";
+        default: return nearest->name + " answered with an error";
+    }
+}
+
+}  // namespace sim

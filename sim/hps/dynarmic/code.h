@@ -1,0 +1,105 @@
+// code.h - what is known of the program's instructions: where translated code has to stop, how
+// long it may run without looking at its count, and which words have been translated.
+//
+// Translated code subtracts a basic block's instructions at the block's end and looks at what is
+// left at each branch.  So `longest` instructions without a branch can be done too many: run()
+// leaves that many over and does the last ones in smaller pieces.
+#pragma once
+
+#include <array>
+#include <bitset>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <optional>
+#include <unordered_map>
+#include <vector>
+
+namespace sim {
+
+class Code {
+public:
+    // The 16 bits at an address of code; nothing where none can be read.
+    using Fetch = std::function<std::optional<std::uint16_t>(std::uint32_t)>;
+    explicit Code(Fetch fetch) : fetch_{std::move(fetch)} {}
+
+    // ---- Instructions in memory ----
+
+    std::optional<std::uint32_t> instruction(std::uint32_t pc, bool thumb) const;
+    // Behind `count` instructions from `pc` on.
+    std::uint32_t after(std::uint32_t pc, std::uint64_t count, bool thumb) const;
+
+    // Instructions from `pc` to the next branch, that included; FAR if there is none so soon.
+    static constexpr unsigned FAR = 16384;
+    // Answers are kept, and may be those of before a write to words that are not translated yet.
+    unsigned to_next_branch(std::uint32_t pc, bool thumb);
+    unsigned to_next_branch_now(std::uint32_t pc, bool thumb);
+    // Nothing but zeros follows, for at least 64 instructions.
+    bool is_blank(std::uint32_t pc, bool thumb) const;
+
+    // ---- Where translated code stops, to be executed one by one ----
+
+    // `pc` reaches what translated code must not do by itself (the bus, a page that refuses, words
+    // that are code).  `direct`: it can be done without a step (direct.h).
+    void mark(std::uint32_t pc, bool direct);
+    bool is_marked(std::uint32_t pc) const {
+        return !marks_.empty() && marks_.find(pc) != marks_.end();
+    }
+    bool is_direct(std::uint32_t pc) const {
+        const auto mark = marks_.find(pc);
+        return mark != marks_.end() && mark->second.direct;
+    }
+    // It was done, and reached that or did not.  True: it has not for long, and is unmarked.
+    bool settle(std::uint32_t pc, bool reached);
+
+    // ---- Blocks and words that have been translated ----
+
+    // The instruction at `pc`, of the block from `begin` on, which is read up to `end` now.  What
+    // comes back is the begin of another block, which was read with this instruction cut in two (as
+    // Thumb where this is ARM, or from its second half on), and is no longer known.
+    std::optional<std::uint32_t> translated(std::uint32_t begin, std::uint32_t pc,
+                                            std::uint32_t end);
+    bool is_begin(std::uint32_t pc) const { return blocks_.count(pc) != 0; }
+    // Lets the block around `pc` end there; false if there is none.
+    bool split(std::uint32_t pc);
+    // The state of the IT block (CPSR's IT[7:0]) in which the instruction at `pc` was translated.
+    void set_it(std::uint32_t pc, unsigned it);
+    unsigned it(std::uint32_t pc) const;
+    // Instructions of the block around `pc` that are done before it.
+    unsigned done_before(std::uint32_t pc, bool thumb) const;
+
+    struct Page {
+        std::uint32_t physical;   // number
+        std::bitset<1024> words;  // those that translated code was made from
+    };
+    // `page` and `physical` are page numbers.
+    Page& use(std::uint32_t page, std::uint32_t physical);
+    bool has_code(std::uint32_t physical) const { return pages_of_.count(physical) != 0; }
+    // Calls `invalidate(virtual address, bytes)` for what was translated from these words.
+    void written(std::uint32_t physical_address, std::uint32_t bytes,
+                 const std::function<void(std::uint32_t, std::uint32_t)>& invalidate);
+    void forget();  // all but the marks
+
+private:
+    struct Mark {
+        unsigned quiet = 0, patience = 0;  // steps that did not reach it; how many are borne
+        bool direct = false;
+    };
+
+    struct Straight {
+        std::uint32_t pc = 0, thumb = 0;
+        unsigned count = 0;  // 0: empty
+    };
+
+    Fetch fetch_;
+    std::array<Straight, 1024> straight_;        // answers of to_next_branch()
+    std::uint32_t far_begin_ = 1, far_end_ = 0;  // no branch between these, of the last FAR one
+    std::unordered_map<std::uint32_t, Mark> marks_;
+    std::unordered_map<std::uint32_t, unsigned> patience_;  // of those unmarked again
+    std::unordered_map<std::uint32_t, unsigned> it_;        // all but zeros
+    std::map<std::uint32_t, std::uint32_t> blocks_;         // begin to end
+    std::unordered_map<std::uint32_t, Page> pages_;         // by virtual number
+    std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> pages_of_;  // by physical number
+};
+
+}  // namespace sim

@@ -1,0 +1,48 @@
+// page_table.h - virtual pages of 4 KB: the host's bytes where translated code may use them by
+// itself, and a small cache of what the other pages are.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace sim {
+
+class PageTable {
+public:
+    static constexpr std::size_t PAGES = 1u << 20;
+    using Direct = std::array<std::uint8_t*, PAGES>;
+
+    // What a page is, for the present privilege.
+    struct Page {
+        std::uint32_t number = ~0u;     // virtual
+        std::uint32_t physical = 0;     // address of its begin: on the bus, or where its RAM is
+        std::uint8_t* bytes = nullptr;  // of RAM; nullptr: the bus, or nothing
+        unsigned access = 0;            // arm_access
+        bool no_code = false;           // by the translation tables
+        bool normal = false;            // Normal memory, by the translation tables
+        std::uint32_t status = 0;       // of what is not allowed
+    };
+
+    PageTable();
+    Direct* direct() { return direct_.get(); }
+
+    // Translated code may read and write the page without asking.
+    void open(std::uint32_t page, std::uint8_t* bytes);
+    void close_bytes(const std::uint8_t* bytes);  // every page that is opened onto them
+    void close_all();                             // and empties the cache
+
+    // The cache's place for a page, which may hold another one.
+    Page& slot(std::uint32_t page) { return cache_[page % cache_.size()]; }
+
+private:
+    struct Unmap {
+        void operator()(Direct* direct) const;
+    };
+    std::unique_ptr<Direct, Unmap> direct_;
+    std::vector<std::uint32_t> opened_;
+    std::array<Page, 64> cache_;
+};
+
+}  // namespace sim

@@ -1,0 +1,195 @@
+// Code that is overwritten by the program itself: the next instructions to be executed are the new
+// ones, with and without cache maintenance, and each is counted once.
+//
+// An ARMv7-A program must clean and invalidate (B2.2.7, B3.10); the model needs none of it.
+#include <gmock/gmock.h>
+
+#include <array>
+
+#include "tb/sim/arm_core/bench.h"
+
+namespace {
+
+using namespace tb::core;
+using sim::ArmStop;
+
+constexpr std::uint32_t NOP = 0xE320F000, WFI = 0xE320F003;
+constexpr std::uint32_t ADD_1 = 0xE2800001, ADD_16 = 0xE2800010;  // ADD r0, r0, #n
+constexpr unsigned LAPS = 10;
+
+class OverwrittenCode : public ::testing::Test {
+protected:
+    OverwrittenCode() { bench.core.map_ram(TOP, 0x1000, top.data()); }
+
+    static constexpr std::uint32_t TOP = 0xFFFFF000;
+
+    // Runs `code` from `at` to its WFI, in one piece and then in smaller ones, with the address
+    // that it is to overwrite in r1; what comes of it in r0.
+    void expect(const std::vector<std::uint32_t>& code, std::uint32_t at, std::uint32_t overwritten,
+                std::uint32_t result, std::uint64_t instructions) {
+        for (const std::uint64_t piece : {1000u, 1u, 2u, 3u, 7u, 1000u}) {
+            SCOPED_TRACE("in pieces of " + std::to_string(piece));
+            bench.put(at, code);
+            const auto word = [&](std::uint32_t address) { return code[(address - at) / 4]; };
+            bench.core.set_cpsr(0x1D3);
+            bench.core.set_reg(0, 0);
+            bench.core.set_reg(1, overwritten);
+            bench.core.set_reg(2, word(overwritten));
+            bench.core.set_reg(3, word(overwritten + 4));
+            bench.core.set_reg(4, LAPS);
+            bench.core.set_reg(5, 0x11);  // from the one ADD to the other
+            bench.core.set_reg(15, at);
+            const std::uint64_t before = bench.core.instructions();
+            ArmStop stop = ArmStop::LIMIT;
+            while (stop == ArmStop::LIMIT && bench.core.instructions() - before < 1000) {
+                const std::uint64_t now = bench.core.instructions();
+                stop = bench.core.run(piece);
+                ASSERT_LE(bench.core.instructions(), now + piece);
+            }
+            ASSERT_EQ(stop, ArmStop::WFI);
+            ASSERT_EQ(bench.core.reg(0), result);
+            ASSERT_EQ(bench.core.instructions() - before, instructions);
+        }
+    }
+
+    alignas(4096) std::array<std::uint8_t, 4096> top{};
+    Bench bench;
+};
+
+struct Store {
+    const char* name;
+    std::uint32_t words[2];
+};
+constexpr Store STORES[] = {
+    {"STR", {NOP, 0xE5812000}},          // STR r2, [r1]
+    {"STRB", {NOP, 0xE5C12000}},         // STRB r2, [r1]
+    {"STRH", {NOP, 0xE1C120B0}},         // STRH r2, [r1]
+    {"STRD", {NOP, 0xE1C120F0}},         // STRD r2, r3, [r1]
+    {"STM", {NOP, 0xE881000C}},          // STM r1, {r2, r3}
+    {"VSTR", {0xEE002A10, 0xED810A00}},  // VMOV s0, r2;      VSTR s0, [r1]
+    {"VST1", {0xEC432B10, 0xF401078F}},  // VMOV d0, r2, r3;  VST1.32 {d0}, [r1]
+    {"VSTM", {0xEC432B11, 0xEC811B02}},  // VMOV d1, r2, r3;  VSTM r1, {d1}
+};
+// In a page; over the end of one; at the end of all addresses.
+constexpr std::uint32_t PLACES[] = {0x8000, 0x8FF0, 0x9FF4, 0xFFFFF000, 0xFFFFFFC0};
+
+template <class F>
+void each_store_and_place(F&& test) {
+    for (const Store& store : STORES)
+        for (const std::uint32_t at : PLACES) {
+            SCOPED_TRACE(store.name);
+            SCOPED_TRACE(at);
+            test(store, at);
+        }
+}
+
+// Half of the laps add 16, the other half 1.
+constexpr std::uint32_t SUM = LAPS / 2 * (16 + 1);
+
+TEST_F(OverwrittenCode, IsNewRightBehindTheStore) {
+    each_store_and_place([this](const Store& store, std::uint32_t at) {
+        expect(
+            {
+                0xE0222005,  // EOR r2, r2, r5
+                store.words[0],
+                store.words[1],
+                ADD_1,
+                0xE2544001,  // SUBS r4, r4, #1
+                0x1AFFFFF9,  // BNE to the begin
+                WFI,
+            },
+            at, at + 12, SUM, 6 * LAPS + 1);
+    });
+}
+
+TEST_F(OverwrittenCode, IsNewInTheNextBlock) {
+    each_store_and_place([this](const Store& store, std::uint32_t at) {
+        expect(
+            {
+                0xE0222005,  // EOR r2, r2, r5
+                store.words[0],
+                store.words[1],
+                0xEAFFFFFF,  // B to the next
+                ADD_1,
+                0xE2544001,  // SUBS r4, r4, #1
+                0x1AFFFFF8,  // BNE to the begin
+                WFI,
+            },
+            at, at + 16, SUM, 7 * LAPS + 1);
+    });
+}
+
+TEST_F(OverwrittenCode, IsNewInABlockThatHasBeenExecutedBefore) {
+    each_store_and_place([this](const Store& store, std::uint32_t at) {
+        expect(
+            {
+                ADD_1,
+                0xEAFFFFFF,  // B to the next
+                0xE0222005,  // EOR r2, r2, r5
+                store.words[0],
+                store.words[1],
+                0xE2544001,  // SUBS r4, r4, #1
+                0x1AFFFFF8,  // BNE to the begin
+                WFI,
+            },
+            at, at, SUM, 7 * LAPS + 1);
+    });
+}
+
+TEST_F(OverwrittenCode, IsNewAsWellWithTheMaintenanceThatARealProcessorNeeds) {
+    for (const std::uint32_t at : PLACES)
+        expect(
+            {
+                0xE0222005,  // EOR r2, r2, r5
+                0xE5812000,  // STR r2, [r1]
+                0xEE071F3B,  // MCR p15, 0, r1, c7, c11, 1: DCCMVAU
+                0xF57FF04F,  // DSB
+                0xEE071F35,  // MCR p15, 0, r1, c7, c5, 1: ICIMVAU
+                0xEE070FD5,  // MCR p15, 0, r0, c7, c5, 6: BPIALL
+                0xF57FF04F,  // DSB
+                0xF57FF06F,  // ISB
+                ADD_1,
+                0xE2544001,  // SUBS r4, r4, #1
+                0x1AFFFFF4,  // BNE to the begin
+                WFI,
+            },
+            at, at + 32, SUM, 11 * LAPS + 1);
+}
+
+TEST_F(OverwrittenCode, MayBeALiteralInTheMidst) {
+    for (const std::uint32_t at : PLACES)
+        expect(
+            {
+                0xE0222005,  // EOR r2, r2, r5
+                0xE5812000,  // STR r2, [r1]
+                0xE59F300C,  // LDR r3, [pc, #12]
+                0xE0800003,  // ADD r0, r0, r3
+                0xE2544001,  // SUBS r4, r4, #1
+                0x1AFFFFF9,  // BNE to the begin
+                WFI,
+                1,  // the literal: 16 and 1 in turn
+                0,
+            },
+            at, at + 28, SUM, 6 * LAPS + 1);
+}
+
+// A branch that the program has come near to, but not executed, becomes a NOP.
+TEST_F(OverwrittenCode, ChangesHowFarItIsToTheNextBranch) {
+    bench.put(0x8000, {
+                          NOP,
+                          0xE5812000,  // STR r2, [r1]
+                          NOP, NOP,
+                          0xEAFFFFFE,  // B to itself
+                      });
+    std::vector<std::uint32_t> behind(20, NOP);
+    behind.push_back(0xEAFFFFFE);
+    bench.put(0x8014, behind);
+    bench.core.set_reg(1, 0x8010);
+    bench.core.set_reg(2, NOP);
+    bench.core.set_reg(15, 0x8000);
+    for (const unsigned limit : {1, 1, 5}) ASSERT_EQ(bench.core.run(limit), ArmStop::LIMIT);
+    EXPECT_EQ(bench.core.instructions(), 7u);
+    EXPECT_EQ(bench.core.pc(), 0x801Cu);
+}
+
+}  // namespace

@@ -1,0 +1,203 @@
+// Registers of coprocessor 15, what is accepted there, and who may do it (ARM ARM, B3.17, B4.1,
+// C12; Cortex-A9 TRM, chapters 4 and 11).
+#include <gmock/gmock.h>
+
+#include "tb/sim/arm_core/system_bench.h"
+
+namespace {
+
+using namespace tb::core;
+using sim::Cp15;
+
+class SystemRegisters : public SystemTest {
+protected:
+    void write(const Cp15& name, std::uint32_t value) {
+        set(1, value);
+        done(mcr(name));
+    }
+    std::uint32_t read(const Cp15& name) {
+        done(mrc(name));
+        return reg(2);
+    }
+};
+
+TEST_P(SystemRegisters, KeepWhatIsWritten) {
+    const Cp15 names[] = {
+        sim::cp15::TTBR0,    sim::cp15::TTBR1,    sim::cp15::TTBCR,      sim::cp15::DACR,
+        sim::cp15::DFSR,     sim::cp15::IFSR,     sim::cp15::DFAR,       sim::cp15::IFAR,
+        sim::cp15::VBAR,     sim::cp15::TPIDRURW, sim::cp15::CONTEXTIDR, sim::cp15::TPIDRURO,
+        sim::cp15::TPIDRPRW,
+    };
+    std::uint32_t value = 0;
+    for (const Cp15& name : names) write(name, value += 0x20);
+    value = 0;
+    for (const Cp15& name : names) EXPECT_EQ(read(name), value += 0x20);
+}
+
+TEST_P(SystemRegisters, TellWhatTheProcessorIs) {
+    EXPECT_EQ(read({0, 0, 0, 0}), 0x413FC090u) << "MIDR: Cortex-A9 r3p0";
+    EXPECT_EQ(read({0, 0, 0, 5}), 0x80000000u) << "MPIDR: the first core";
+    EXPECT_EQ(read(sim::cp15::CBAR), 0xFFFEC000u);
+    EXPECT_EQ(read(sim::cp15::SCTLR), 0x00C50078u) << "after reset";
+    write(sim::cp15::SCTLR, 0x1804);
+    EXPECT_EQ(read(sim::cp15::SCTLR), 0x00C5187Cu) << "caches and branch prediction on";
+}
+
+TEST_P(SystemRegisters, SetFlagsWhenTheyAreReadToPc) {
+    write(sim::cp15::TPIDRURW, N | C | 0x0FFFFFFF);
+    become(SVC | V);
+    done(mrc(sim::cp15::TPIDRURW, 15));
+    EXPECT_EQ(cpsr(), SVC | N | C);
+}
+
+// ---- Operations ---------------------------------------------------------------------------------
+
+constexpr Cp15 BARRIERS[] = {{7, 0, 5, 4}, {7, 0, 10, 4}, {7, 0, 10, 5}};  // ISB, DSB, DMB
+constexpr Cp15 OPERATIONS[] = {
+    {7, 0, 1, 0},  {7, 0, 1, 6},                                // ICIALLUIS, BPIALLIS
+    {7, 0, 5, 0},  {7, 0, 5, 1},  {7, 0, 5, 6},  {7, 0, 5, 7},  // ICIALLU, ICIMVAU, BPIALL, BPIMVA
+    {7, 0, 6, 1},  {7, 0, 6, 2},                                // DCIMVAC, DCISW
+    {7, 0, 10, 1}, {7, 0, 10, 2}, {7, 0, 11, 1},                // DCCMVAC, DCCSW, DCCMVAU
+    {7, 0, 14, 1}, {7, 0, 14, 2},                               // DCCIMVAC, DCCISW
+    {8, 0, 3, 0},  {8, 0, 3, 1},  {8, 0, 3, 2},  {8, 0, 3, 3},  // TLBs of all cores
+    {8, 0, 5, 0},  {8, 0, 5, 1},  {8, 0, 5, 2},                 // of instructions
+    {8, 0, 6, 0},  {8, 0, 6, 1},  {8, 0, 6, 2},                 // of data
+    {8, 0, 7, 0},  {8, 0, 7, 1},  {8, 0, 7, 2},  {8, 0, 7, 3},  // of both
+};
+
+TEST_P(SystemRegisters, AcceptMaintenanceOfCachesAndTlbs) {
+    set(1, 0x4000);
+    bench.put(0x4000, {0x12345678});
+    for (const Cp15& operation : OPERATIONS) done(mcr(operation));
+    for (const Cp15& barrier : BARRIERS) done(mcr(barrier));
+    EXPECT_EQ(bench.word(0x4000), 0x12345678u) << "invalidated, but there is no cache";
+}
+
+TEST_P(SystemRegisters, RefuseWhatDoesNotExist) {
+    for (const std::uint32_t word : {
+             0xEE102710u,  // MRC p7, 0, r2, c0, c0, 0
+             0xEE001710u,  // MCR p7, 0, r1, c0, c0, 0
+             0xEE142F10u,  // MRC p15, 0, r2, c4, c0, 0
+             0xEE041F10u,  // MCR p15, 0, r1, c4, c0, 0
+             0xEC421F02u,  // MCRR p15, 0, r1, r2, c2
+             0xEC521F02u,  // MRRC p15, 0, r1, r2, c2
+             0xEE000F00u,  // CDP p15, 0, c0, c0, c0, 0
+             0xED910F00u,  // LDC p15, c0, [r1]
+         })
+        refused({word, word});
+}
+
+// ---- The user mode ------------------------------------------------------------------------------
+
+TEST_P(SystemRegisters, AreOutOfTheUsersReachButForThoseOfThreads) {
+    write(sim::cp15::TPIDRURO, 0x1111);
+    become(USR | Z);
+    for (const Cp15& name :
+         {sim::cp15::SCTLR, sim::cp15::CPACR, sim::cp15::TTBR0, sim::cp15::DACR, sim::cp15::DFSR,
+          sim::cp15::DFAR, sim::cp15::VBAR, sim::cp15::CONTEXTIDR, sim::cp15::TPIDRPRW}) {
+        refused(mrc(name));
+        refused(mcr(name));
+    }
+    refused(mrc({0, 0, 0, 0}));
+    for (const Cp15& operation : OPERATIONS) refused(mcr(operation));
+    for (const Cp15& barrier : BARRIERS) done(mcr(barrier));
+    write(sim::cp15::TPIDRURW, 0x2222);
+    EXPECT_EQ(read(sim::cp15::TPIDRURW), 0x2222u);
+    EXPECT_EQ(read(sim::cp15::TPIDRURO), 0x1111u);
+    refused(mcr(sim::cp15::TPIDRURO));
+    EXPECT_EQ(cpsr(), USR | Z);
+}
+
+// ---- The cycle counter, which counts instructions -----------------------------------------------
+
+constexpr Cp15 PMCR{9, 0, 12, 0}, PMCNTENSET{9, 0, 12, 1}, PMCNTENCLR{9, 0, 12, 2},
+    PMCCNTR{9, 0, 13, 0}, PMUSERENR{9, 0, 14, 0}, PMINTENSET{9, 0, 14, 1};
+constexpr std::uint32_t CYCLES = 1u << 31, ENABLE = 1, CLEAR = 4;
+
+class CycleCounter : public SystemRegisters {
+protected:
+    // From one reading to the next, with a WFI between them.
+    std::uint32_t counted() {
+        const std::uint32_t before = read(PMCCNTR);
+        return read(PMCCNTR) - before;
+    }
+    void start() {
+        write(PMCNTENSET, CYCLES);
+        write(PMCR, ENABLE | CLEAR);
+    }
+};
+
+TEST_P(CycleCounter, CountsEachInstructionBetweenTwoReadings) {
+    start();
+    constexpr unsigned NOPS = 50;
+    std::vector<std::uint32_t> arm{mrc(PMCCNTR, 2).arm};
+    std::vector<std::uint16_t> halves{0xEE19, 0x2F1D};
+    arm.insert(arm.end(), NOPS, 0xE320F000);
+    halves.insert(halves.end(), NOPS, 0xBF00);
+    arm.insert(arm.end(), {mrc(PMCCNTR, 3).arm, 0xE320F003, 0xEAFFFFFE});
+    halves.insert(halves.end(), {0xEE19, 0x3F1D, 0xBF30, 0xE7FE});
+    thumb() ? bench.put_halves(AT, halves) : bench.put(AT, arm);
+    set(15, AT);
+    ASSERT_EQ(run(), sim::ArmStop::WFI);
+    EXPECT_EQ(reg(3) - reg(2), NOPS + 1);
+}
+
+TEST_P(CycleCounter, StandsUnlessBothOfItsSwitchesAreOn) {
+    EXPECT_EQ(counted(), 0u) << "after reset";
+    write(PMCR, ENABLE);
+    EXPECT_EQ(counted(), 0u) << "not in PMCNTENSET";
+    start();
+    EXPECT_EQ(counted(), 2u) << "runs";
+    write(PMCNTENCLR, 1);
+    EXPECT_EQ(counted(), 2u) << "another counter is stopped";
+    write(PMCNTENCLR, CYCLES);
+    EXPECT_EQ(read(PMCNTENSET) & CYCLES, 0u);
+    const std::uint32_t stopped = read(PMCCNTR);
+    EXPECT_EQ(read(PMCCNTR), stopped) << "PMCNTENCLR";
+    write(PMCNTENSET, CYCLES);
+    EXPECT_EQ(read(PMCNTENCLR) & CYCLES, CYCLES);
+    EXPECT_EQ(read(PMCCNTR), stopped + 4) << "goes on where it was";
+    write(PMCR, 0);
+    EXPECT_EQ(counted(), 0u) << "PMCR.E clear";
+    EXPECT_EQ(read(PMCR), 0x41093000u);
+}
+
+TEST_P(CycleCounter, IsSetAndCleared) {
+    start();
+    write(PMCCNTR, 0xFFFFFFFE);
+    EXPECT_EQ(read(PMCCNTR), 0u) << "two instructions later";
+    write(PMCR, ENABLE | CLEAR);
+    EXPECT_EQ(read(PMCCNTR), 2u);
+    EXPECT_EQ(read(PMCR), 0x41093000 | ENABLE) << "C reads as zero";
+}
+
+// C12.8: PMUSERENR itself can always be read.
+TEST_P(CycleCounter, IsTheUsersWhenPmuserenrSaysSo) {
+    start();
+    become(USR);
+    for (const Cp15& name : {PMCCNTR, PMCR, PMCNTENSET, PMCNTENCLR}) {
+        refused(mrc(name));
+        refused(mcr(name));
+    }
+    EXPECT_EQ(read(PMUSERENR), 0u);
+    become(SVC);
+    write(PMUSERENR, 1);
+    become(USR);
+    EXPECT_EQ(read(PMUSERENR), 1u);
+    EXPECT_EQ(counted(), 2u);
+    write(PMCR, ENABLE | CLEAR);
+    EXPECT_EQ(read(PMCCNTR), 2u);
+    write(PMCNTENCLR, CYCLES);
+    EXPECT_EQ(counted(), 0u);
+    EXPECT_EQ(read(PMCNTENSET), 0u);
+    refused(mcr(PMUSERENR));
+    refused(mrc(PMINTENSET));
+    refused(mcr(PMINTENSET));
+}
+
+INSTANTIATE_TEST_SUITE_P(In, SystemRegisters,
+                         ::testing::Combine(::testing::Bool(), ::testing::Bool()), name_of_way);
+INSTANTIATE_TEST_SUITE_P(In, CycleCounter, ::testing::Combine(::testing::Bool(), ::testing::Bool()),
+                         name_of_way);
+
+}  // namespace
