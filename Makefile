@@ -1,7 +1,7 @@
 # The menu. Each entry shows the real command.
 
 .PHONY: all setup configure build firmware demo test fast asan coverage bench bench-collision
-.PHONY: formal formal-mutants synth netlist table1 fuzz pgo qsf bitstream
+.PHONY: formal formal-mutants synth netlist table1 fuzz instructions pgo qsf bitstream
 .PHONY: bitstream-open regmap format clean
 .PHONY: deploy rollback deploy-jtag
 
@@ -83,10 +83,14 @@ bench: configure        ## how fast, beside the bare Verilated model in the same
 table1: configure       ## the paper's experiments -> out/table1/, sw/collision/REPRODUCTION.md
 	@cmake --build build --target table1
 
-fuzz:                   ## a minute of any bytes as polygons, with clang's libFuzzer
+fuzz:                   ## any bytes as polygons (libFuzzer), 600 damaged programs through de1sim
 	@.ci/setup packages packages-fuzz
 	@cmake --preset default > /dev/null
 	@cmake --build build --target fuzz
+
+instructions: configure ## 10^9 random ones on the processor and QEMU's [ARM_CORE_SEED=n]
+	@cmake --build build --target arm_core_unicorn_test
+	@ARM_CORE_INSTRUCTIONS=1000000000 build/bin/arm_core_unicorn_test --gtest_filter='Against*'
 
 bench-collision: setup  ## the broad phases beside their peers (.ci/packages-bench)
 	@cmake --preset default > /dev/null
