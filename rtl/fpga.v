@@ -10,6 +10,8 @@
 //
 // One clock domain of 25 MHz, the pixel clock.  On the board de1_soc_top.v connects the bridges to
 // the HPS and the pins to the package; in the simulation a TLM target does.
+//
+// Blocks that sleep together are a group with a clock of its own (fpga_clocks.v).
 
 `default_nettype none
 
@@ -18,6 +20,12 @@ module fpga #(
 ) (
     input  wire            clk_i,          // 25 MHz
     input  wire            rst_i,          // synchronous, active high
+
+    // For a simulator; on the board all of moved_i is 1, skip_i is 0.
+    input  wire [2:0]      moved_i,        // since the clock before: lw_*, h2f_*, pins; rst_i: all
+    output wire [9:0]      rest_o,         // so many clocks after this one nothing will happen,
+    input  wire [9:0]      skip_i,         // so many of them are left out
+    output wire            stirs_o,        // in this clock others than the beam can move a pin
 
     // Lightweight bridge, 0xFF200000, 2 MB: AXI3, 32 bits
     input  wire [ID_W-1:0] lw_awid_i,
@@ -93,8 +101,7 @@ module fpga #(
     output wire [31:0]     jp2_o,
     output wire [31:0]     jp2_oe_o,
 
-    // ADV7123
-    output wire            vga_clk_o,
+    // ADV7123, whose clock is the inverted clk_i
     output wire            vga_hs_no,
     output wire            vga_vs_no,
     output wire            vga_blank_no,
@@ -138,6 +145,29 @@ module fpga #(
     `include "regmap.vh"
     `include "lw_blocks.vh"
 
+    // ---- Time, and who sleeps ---------------------------------------------
+    wire        clk, lw_clk, h2f_clk, ports_clk, audio_clk;
+    wire        lw_awake, h2f_awake, cells_awake, audio_awake;
+    wire [8:0]  ports_awake;
+    wire        audio_due, keypad_due, ps2_due, timer0_due, timer1_due;
+    wire        frame_end, cells_clear, cell_fetch;
+    wire [29:0] now;
+    wire [9:0]  beam_rest, audio_rest, keypad_rest, ps2_rest, timer0_rest, timer1_rest;
+
+    fpga_clocks clocks (
+        .clk_i(clk_i), .rst_i(rst_i), .moved_i(moved_i), .skip_i(skip_i), .rest_o(rest_o),
+        .stirs_o(stirs_o),
+        .lw_wakes_i(lw_awake),
+        .h2f_wakes_i(h2f_awake || cells_awake || cells_clear || cell_fetch),
+        .audio_wakes_i(audio_awake || audio_due || we[SEL_AUDIO] || re[SEL_AUDIO]),
+        .ports_wakes_i(ports_awake != 9'd0 || we != 20'd0 || re != 20'd0 || frame_end
+                       || keypad_due || ps2_due || timer0_due || timer1_due),
+        .beam_rest_i(beam_rest), .audio_rest_i(audio_rest), .keypad_rest_i(keypad_rest),
+        .ps2_rest_i(ps2_rest), .timer0_rest_i(timer0_rest), .timer1_rest_i(timer1_rest),
+        .clk_o(clk), .lw_clk_o(lw_clk), .h2f_clk_o(h2f_clk), .ports_clk_o(ports_clk),
+        .audio_clk_o(audio_clk), .now_o(now)
+    );
+
     // ---- Bridges ----------------------------------------------------------
     wire [19:0] we, re;
     wire [11:0] waddr, raddr;
@@ -147,7 +177,7 @@ module fpga #(
     wire [31:0] timer1_rdata, jtag_rdata, ps2_rdata, adc_rdata;
 
     lw_bridge #(.ID_W(ID_W)) lw (
-        .clk_i(clk_i), .rst_i(rst_i),
+        .clk_i(lw_clk), .rst_i(rst_i),
         .awid_i(lw_awid_i), .awaddr_i(lw_awaddr_i), .awlen_i(lw_awlen_i), .awsize_i(lw_awsize_i),
         .awburst_i(lw_awburst_i), .awvalid_i(lw_awvalid_i), .awready_o(lw_awready_o),
         .wdata_i(lw_wdata_i), .wstrb_i(lw_wstrb_i), .wvalid_i(lw_wvalid_i), .wready_o(lw_wready_o),
@@ -159,7 +189,8 @@ module fpga #(
         .we_o(we), .waddr_o(waddr), .wdata_o(wdata), .wstrb_o(wstrb),
         .re_o(re), .raddr_o(raddr),
         .rdata_i(ports_rdata | sysid_rdata | vga_rdata | audio_rdata | keypad_rdata
-                 | timer0_rdata | timer1_rdata | jtag_rdata | ps2_rdata | adc_rdata)
+                 | timer0_rdata | timer1_rdata | jtag_rdata | ps2_rdata | adc_rdata),
+        .awake_o(lw_awake)
     );
 
     wire [3:0]  picture_we, cells_we;
@@ -168,7 +199,7 @@ module fpga #(
     wire [31:0] picture_wdata, picture_rdata, cells_rdata;
 
     h2f_bridge #(.ID_W(ID_W)) h2f (
-        .clk_i(clk_i), .rst_i(rst_i),
+        .clk_i(h2f_clk), .rst_i(rst_i),
         .awid_i(h2f_awid_i), .awaddr_i(h2f_awaddr_i), .awlen_i(h2f_awlen_i),
         .awsize_i(h2f_awsize_i), .awburst_i(h2f_awburst_i), .awvalid_i(h2f_awvalid_i),
         .awready_o(h2f_awready_o),
@@ -183,7 +214,8 @@ module fpga #(
         .we_o(picture_we), .cell_we_o(cells_we), .windex_o(picture_windex),
         .wdata_o(picture_wdata),
         .re_o(picture_re), .rindex_o(picture_rindex), .rgrant_i(picture_grant),
-        .rdata_i(picture_rdata), .cells_i(cells_rdata), .cells_wait_i(cells_wait)
+        .rdata_i(picture_rdata), .cells_i(cells_rdata), .cells_wait_i(cells_wait),
+        .awake_o(h2f_awake)
     );
 
     // ---- Parallel ports ---------------------------------------------------
@@ -192,23 +224,27 @@ module fpga #(
     wire [31:0] jp1_out, jp1_oe;
 
     parallel_ports ports (
-        .clk_i(clk_i), .rst_i(rst_i), .we_i(we[SEL_JP2:SEL_LEDR]), .wstrb_i(wstrb),
+        .clk_i(ports_clk), .rst_i(rst_i), .we_i(we[SEL_JP2:SEL_LEDR]), .wstrb_i(wstrb),
         .waddr_i(waddr), .wdata_i(wdata), .re_i(re[SEL_JP2:SEL_LEDR]), .raddr_i(raddr),
         .rdata_o(ports_rdata), .key_irq_o(key_irq), .jp1_irq_o(jp1_irq), .jp2_irq_o(jp2_irq),
         .ledr_o(ledr_o), .hex_no(hex_no), .sw_i(sw_i), .key_ni(key_ni),
         .jp1_i(jp1_i), .jp1_o(jp1_out), .jp1_oe_o(jp1_oe),
-        .jp2_i(jp2_i), .jp2_o(jp2_o), .jp2_oe_o(jp2_oe_o)
+        .jp2_i(jp2_i), .jp2_o(jp2_o), .jp2_oe_o(jp2_oe_o),
+        .awake_o(ports_awake[0])
     );
     sysid sysid_block (
-        .clk_i(clk_i), .re_i(re[SEL_SYSID]), .raddr_i(raddr), .rdata_o(sysid_rdata)
+        .clk_i(ports_clk), .re_i(re[SEL_SYSID]), .raddr_i(raddr), .rdata_o(sysid_rdata),
+        .awake_o(ports_awake[1])
     );
 
     // ---- Keypad: columns on JP1 D7 (left) to D4, rows on D3 (top) to D0 -----
     keypad keypad_block (
-        .clk_i(clk_i), .rst_i(rst_i), .we_i(we[SEL_KEYPAD]), .wstrb_i(wstrb), .waddr_i(waddr),
-        .wdata_i(wdata), .re_i(re[SEL_KEYPAD]), .raddr_i(raddr), .rdata_o(keypad_rdata),
+        .clk_i(ports_clk), .rst_i(rst_i), .now_i(now), .we_i(we[SEL_KEYPAD]),
+        .wstrb_i(wstrb), .waddr_i(waddr), .wdata_i(wdata), .re_i(re[SEL_KEYPAD]), .raddr_i(raddr),
+        .rdata_o(keypad_rdata),
         .irq_o(keypad_irq), .enable_o(keypad_enable), .col_low_o(keypad_col_low),
-        .row_ni({jp1_i[0], jp1_i[1], jp1_i[2], jp1_i[3]})
+        .row_ni({jp1_i[0], jp1_i[1], jp1_i[2], jp1_i[3]}),
+        .awake_o(ports_awake[2]), .due_o(keypad_due), .rest_o(keypad_rest)
     );
 
     assign jp1_o    = {jp1_out[31:8], keypad_enable ? 8'h00 : jp1_out[7:0]};
@@ -219,69 +255,83 @@ module fpga #(
 
     // ---- Video and audio --------------------------------------------------
     video video_block (
-        .clk_i(clk_i), .rst_i(rst_i), .we_i(we[SEL_PIXEL]), .wstrb_i(wstrb), .waddr_i(waddr),
+        .clk_i(clk), .registers_clk_i(ports_clk), .cells_clk_i(h2f_clk),
+        .rst_i(rst_i), .now_i(now), .we_i(we[SEL_PIXEL]), .wstrb_i(wstrb), .waddr_i(waddr),
         .wdata_i(wdata), .re_i(re[SEL_PIXEL]), .resampler_re_i(re[SEL_RESAMPLER]),
         .text_we_i(we[SEL_TEXT]), .text_re_i(re[SEL_TEXT]), .raddr_i(raddr), .rdata_o(vga_rdata),
         .picture_we_i(picture_we), .cells_we_i(cells_we), .windex_i(picture_windex),
         .picture_i(picture_wdata), .picture_re_i(picture_re), .rindex_i(picture_rindex),
         .rgrant_o(picture_grant), .picture_o(picture_rdata), .cells_o(cells_rdata),
         .cells_wait_o(cells_wait),
-        .vga_clk_o(vga_clk_o), .vga_hs_no(vga_hs_no), .vga_vs_no(vga_vs_no),
+        .vga_hs_no(vga_hs_no), .vga_vs_no(vga_vs_no),
         .vga_blank_no(vga_blank_no), .vga_sync_no(vga_sync_no),
-        .vga_r_o(vga_r_o), .vga_g_o(vga_g_o), .vga_b_o(vga_b_o)
+        .vga_r_o(vga_r_o), .vga_g_o(vga_g_o), .vga_b_o(vga_b_o),
+        .registers_awake_o(ports_awake[8]), .cells_awake_o(cells_awake),
+        .frame_end_o(frame_end), .cells_clear_o(cells_clear), .cell_fetch_o(cell_fetch),
+        .rest_o(beam_rest)
     );
 
     audio audio_block (
-        .clk_i(clk_i), .rst_i(rst_i), .we_i(we[SEL_AUDIO]), .wstrb_i(wstrb), .waddr_i(waddr),
-        .wdata_i(wdata), .re_i(re[SEL_AUDIO]), .raddr_i(raddr), .rdata_o(audio_rdata),
+        .clk_i(audio_clk), .rst_i(rst_i), .now_i(now), .we_i(we[SEL_AUDIO]),
+        .wstrb_i(wstrb), .waddr_i(waddr), .wdata_i(wdata), .re_i(re[SEL_AUDIO]), .raddr_i(raddr),
+        .rdata_o(audio_rdata),
         .irq_o(audio_irq),
         .aud_xck_o(aud_xck_o), .aud_bclk_o(aud_bclk_o), .aud_daclrck_o(aud_daclrck_o),
         .aud_dacdat_o(aud_dacdat_o), .aud_adclrck_o(aud_adclrck_o), .aud_adcdat_i(aud_adcdat_i),
-        .i2c_sclk_o(i2c_sclk_o), .i2c_sdat_oe_o(i2c_sdat_oe_o), .i2c_sdat_i(i2c_sdat_i)
+        .i2c_sclk_o(i2c_sclk_o), .i2c_sdat_oe_o(i2c_sdat_oe_o), .i2c_sdat_i(i2c_sdat_i),
+        .awake_o(audio_awake), .due_o(audio_due), .rest_o(audio_rest)
     );
 
     // ---- Interval timers --------------------------------------------------
     wire timer0_irq, timer1_irq;
 
     interval_timer timer0 (
-        .clk_i(clk_i), .rst_i(rst_i), .we_i(we[SEL_TIMER0]), .wstrb_i(wstrb), .waddr_i(waddr),
-        .wdata_i(wdata), .re_i(re[SEL_TIMER0]), .raddr_i(raddr), .rdata_o(timer0_rdata),
-        .irq_o(timer0_irq)
+        .clk_i(ports_clk), .rst_i(rst_i), .now_i(now), .we_i(we[SEL_TIMER0]),
+        .wstrb_i(wstrb), .waddr_i(waddr), .wdata_i(wdata), .re_i(re[SEL_TIMER0]), .raddr_i(raddr),
+        .rdata_o(timer0_rdata),
+        .irq_o(timer0_irq),
+        .awake_o(ports_awake[3]), .due_o(timer0_due), .rest_o(timer0_rest)
     );
     interval_timer timer1 (
-        .clk_i(clk_i), .rst_i(rst_i), .we_i(we[SEL_TIMER1]), .wstrb_i(wstrb), .waddr_i(waddr),
-        .wdata_i(wdata), .re_i(re[SEL_TIMER1]), .raddr_i(raddr), .rdata_o(timer1_rdata),
-        .irq_o(timer1_irq)
+        .clk_i(ports_clk), .rst_i(rst_i), .now_i(now), .we_i(we[SEL_TIMER1]),
+        .wstrb_i(wstrb), .waddr_i(waddr), .wdata_i(wdata), .re_i(re[SEL_TIMER1]), .raddr_i(raddr),
+        .rdata_o(timer1_rdata),
+        .irq_o(timer1_irq),
+        .awake_o(ports_awake[4]), .due_o(timer1_due), .rest_o(timer1_rest)
     );
 
     // ---- JTAG UARTs -------------------------------------------------------
     wire jtag_irq;
 
     jtag_uarts jtag (
-        .clk_i(clk_i), .rst_i(rst_i), .we_i(we[SEL_JTAG1:SEL_JTAG0]), .wstrb_i(wstrb),
+        .clk_i(ports_clk), .rst_i(rst_i), .we_i(we[SEL_JTAG1:SEL_JTAG0]), .wstrb_i(wstrb),
         .waddr_i(waddr), .wdata_i(wdata), .re_i(re[SEL_JTAG1:SEL_JTAG0]), .raddr_i(raddr),
         .rdata_o(jtag_rdata), .irq_o(jtag_irq),
         .take_i(jtag_take_i), .sent_o(jtag_sent_o), .sent_data_o(jtag_sent_data_o),
         .room_o(jtag_room_o), .typed_i(jtag_typed_i), .typed_data_i(jtag_typed_data_i),
-        .idle_i(jtag_idle_i)
+        .idle_i(jtag_idle_i),
+        .awake_o(ports_awake[5])
     );
 
     // ---- AD converter -----------------------------------------------------
     adc adc_block (
-        .clk_i(clk_i), .rst_i(rst_i), .we_i(we[SEL_ADC]), .wstrb_i(wstrb), .waddr_i(waddr),
+        .clk_i(ports_clk), .rst_i(rst_i), .we_i(we[SEL_ADC]), .wstrb_i(wstrb), .waddr_i(waddr),
         .wdata_i(wdata), .re_i(re[SEL_ADC]), .raddr_i(raddr), .rdata_o(adc_rdata),
-        .convst_o(adc_convst_o), .sck_o(adc_sck_o), .sdi_o(adc_sdi_o), .sdo_i(adc_sdo_i)
+        .convst_o(adc_convst_o), .sck_o(adc_sck_o), .sdi_o(adc_sdi_o), .sdo_i(adc_sdo_i),
+        .awake_o(ports_awake[6])
     );
 
     // ---- PS/2 -------------------------------------------------------------
     wire [1:0] ps2_irq;
 
     ps2_ports ps2 (
-        .clk_i(clk_i), .rst_i(rst_i), .we_i(we[SEL_PS2_1:SEL_PS2_0]), .wstrb_i(wstrb),
-        .waddr_i(waddr), .wdata_i(wdata), .re_i(re[SEL_PS2_1:SEL_PS2_0]), .raddr_i(raddr),
+        .clk_i(ports_clk), .rst_i(rst_i), .now_i(now),
+        .we_i(we[SEL_PS2_1:SEL_PS2_0]), .wstrb_i(wstrb), .waddr_i(waddr), .wdata_i(wdata),
+        .re_i(re[SEL_PS2_1:SEL_PS2_0]), .raddr_i(raddr),
         .rdata_o(ps2_rdata), .irq_o(ps2_irq),
         .ps2_clk_i(ps2_clk_i), .ps2_dat_i(ps2_dat_i),
-        .ps2_clk_low_o(ps2_clk_low_o), .ps2_dat_low_o(ps2_dat_low_o)
+        .ps2_clk_low_o(ps2_clk_low_o), .ps2_dat_low_o(ps2_dat_low_o),
+        .awake_o(ports_awake[7]), .due_o(ps2_due), .rest_o(ps2_rest)
     );
 
     // ---- Interrupts -------------------------------------------------------

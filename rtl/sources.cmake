@@ -1,20 +1,21 @@
 # sources.cmake - the files of fpga.v, and how a module of rtl/ becomes a Verilated class.
 
 set(RTL_SOURCES
-    fpga.v
+    fpga.v fpga_clocks.v
     adc/adc.v
     audio/audio.v audio/audio_clocks.v audio/av_config.v audio/codec_setup.v audio/i2c_writer.v
     audio/i2s_rx.v audio/i2s_tx.v
     bus/axi_read.v bus/axi_write.v bus/h2f_bridge.v bus/lw_bridge.v bus/lw_decode.v
-    common/fifo.v common/shift_fifo.v common/small_fifo.v common/sync.v common/tick.v
+    common/fifo.v common/group_clock.v common/root_clock.v common/shift_fifo.v
+    common/small_fifo.v common/sync.v common/timebase.v
     gpio/hex_port.v gpio/output_port.v gpio/parallel_ports.v gpio/pio.v
     jtag_uart/jtag_uart.v jtag_uart/jtag_uarts.v
     keypad/keypad.v keypad/keypad_scan.v
     ps2/ps2_link.v ps2/ps2_port.v ps2/ps2_ports.v
     sysid/sysid.v
     timer/interval_timer.v
-    vga/character_store.v vga/picture_memory.v vga/picture_store.v vga/pixel_registers.v vga/vga.v
-    vga/vga_timing.v vga/video.v)
+    vga/character_store.v vga/picture_memory.v vga/picture_store.v vga/pixel_registers.v
+    vga/screen_registers.v vga/vga.v vga/vga_timing.v vga/video.v)
 # Only on the board: pins, clock, processor.
 set(BOARD_SOURCES
     board/de1_soc/clock_reset.v board/de1_soc/de1_soc_top.v board/de1_soc/header.v
@@ -23,12 +24,25 @@ set(BOARD_SOURCES
 set(OPEN_SOURCES board/de1_soc/open_hps.v board/de1_soc/open_jtag.v board/de1_soc/open_pll.v)
 set(RTL_INCLUDES regmap bus vga)
 
-# verilate_rtl(TARGET TOP [TRACE_FST] SOURCES files under rtl/... ARGS for Verilator...)
+# What every Verilated class runs on, compiled once: verilate() would do so in each target.
+set(RUNTIME_SOURCES verilated.cpp verilated_threads.cpp)
+if(DE1SIM_COVERAGE)
+    list(APPEND RUNTIME_SOURCES verilated_cov.cpp)
+endif()
+list(TRANSFORM RUNTIME_SOURCES PREPEND ${VERILATOR_ROOT}/include/)
+add_library(verilated_runtime STATIC ${RUNTIME_SOURCES})
+target_include_directories(verilated_runtime SYSTEM PUBLIC ${VERILATOR_ROOT}/include
+    ${VERILATOR_ROOT}/include/vltstd)
+target_compile_definitions(verilated_runtime PUBLIC VL_TIME_CONTEXT)
+target_link_libraries(verilated_runtime PUBLIC Threads::Threads)
+
+# verilate_rtl(TARGET TOP [TRACE_FST] [FOR_TEST] SOURCES files under rtl/... ARGS for Verilator...)
 #
-# Adds class V<TOP> to the target.  Paths are relative, because Verilator 5.006 stumbles over blanks
-# in those of its sources.
+# Adds class V<TOP> to the target; FOR_TEST, where it runs for milliseconds, as one source, little
+# optimised.  Paths are relative, because Verilator 5.006 stumbles over blanks in those of its
+# sources.
 function(verilate_rtl target top)
-    cmake_parse_arguments(arg "TRACE_FST" "" "SOURCES;ARGS" ${ARGN})
+    cmake_parse_arguments(arg "TRACE_FST;FOR_TEST" "" "SOURCES;ARGS" ${ARGN})
     file(RELATIVE_PATH rtl ${CMAKE_CURRENT_SOURCE_DIR} ${CMAKE_SOURCE_DIR}/rtl)
     list(TRANSFORM arg_SOURCES PREPEND ${rtl}/)
     list(TRANSFORM RTL_INCLUDES PREPEND -I${rtl}/ OUTPUT_VARIABLE includes)
@@ -43,12 +57,21 @@ function(verilate_rtl target top)
         target_link_options(${target} INTERFACE LINKER:--wrap=_ZN13VerilatedSymsD2Ev)
     endif()
     if(DE1SIM_SANITIZE)
-        set(unchecked OPT_FAST -fno-sanitize=all OPT_SLOW -fno-sanitize=all)  # not ours, and hot
+        set(unchecked -fno-sanitize=all)  # not ours, and hot
     endif()
-    verilate(${target} ${trace} ${coverage} ${unchecked} PREFIX V${top} TOP_MODULE ${top}
+    if(arg_FOR_TEST)
+        set_target_properties(${target} PROPERTIES UNITY_BUILD ON)
+        target_compile_options(${target} PRIVATE -O1 ${unchecked})
+    else()
+        set(flags OPT_FAST ${unchecked} OPT_SLOW ${unchecked})
+    endif()
+    verilate(${target} ${trace} ${coverage} ${flags} PREFIX V${top} TOP_MODULE ${top}
         SOURCES ${arg_SOURCES} VERILATOR_ARGS -Wall ${includes} ${arg_ARGS})
-    # Verilator's headers and what it makes are not ours to warn about.
-    target_include_directories(${target} SYSTEM PUBLIC ${VERILATOR_ROOT}/include
-        ${VERILATOR_ROOT}/include/vltstd
+    get_target_property(sources ${target} SOURCES)
+    list(REMOVE_ITEM sources ${RUNTIME_SOURCES})
+    set_target_properties(${target} PROPERTIES SOURCES "${sources}")
+    target_link_libraries(${target} PUBLIC verilated_runtime)
+    # What Verilator makes is not ours to warn about.
+    target_include_directories(${target} SYSTEM PUBLIC
         ${CMAKE_CURRENT_BINARY_DIR}/CMakeFiles/${target}.dir/V${top}.dir)
 endfunction()

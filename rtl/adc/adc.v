@@ -38,7 +38,9 @@ module adc (
     output reg         convst_o,
     output reg         sck_o,
     output wire        sdi_o,
-    input  wire        sdo_i
+    input  wire        sdo_i,
+
+    output wire        awake_o
 );
     `include "regmap.vh"
 
@@ -51,7 +53,8 @@ module adc (
     reg [6:0]  step_q;
     reg [11:0] bits_q;       // to send from the top, what has come at the bottom
 
-    assign sdi_o = bits_q[11];
+    assign sdi_o   = bits_q[11];
+    assign awake_o = busy_q || asked_q || auto_q || rdata_o != 32'd0;
 
     // Single-ended, unipolar, awake: S/D, O/S, S1, S0, UNI, SLP.  O/S is the channel's lowest bit.
     function [11:0] request;
@@ -63,7 +66,7 @@ module adc (
     wire done  = busy_q && step_q == LAST;
     wire ended = done && transfer_q == LAST_TRANSFER;
 
-    always @(posedge clk_i) if (busy_q || asked_q || auto_q || we_i || rst_i) begin
+    always @(posedge clk_i) begin
         if (we_i && waddr_i[4:0] == ADC_CH_0[4:0]) asked_q <= 1'b1;
         if (we_i && waddr_i[4:0] == ADC_CH_1[4:0] && wstrb_i[0]) auto_q <= wdata_i[0];
         if (!busy_q) begin
@@ -104,7 +107,7 @@ module adc (
     reg [7:0]  new_q;
 
     integer n;
-    always @(posedge clk_i) if (re_i || done || rst_i) begin
+    always @(posedge clk_i) begin
         if (re_i) new_q[raddr_i[4:2]] <= 1'b0;
         for (n = 0; n < 8; n = n + 1)
             if (done && transfer_q == n[3:0] + 4'd1) values_q[12 * n +: 12] <= bits_q;

@@ -20,6 +20,7 @@
 module audio (
     input  wire        clk_i,          // 25 MHz
     input  wire        rst_i,
+    input  wire [29:0] now_i,
 
     input  wire        we_i,           // AUDIO, AV_CONFIG or CODEC is addressed
     input  wire [3:0]  wstrb_i,
@@ -38,12 +39,19 @@ module audio (
     input  wire        aud_adcdat_i,   // asynchronous
     output wire        i2c_sclk_o,
     output wire        i2c_sdat_oe_o,  // 1 = pull low
-    input  wire        i2c_sdat_i      // asynchronous
+    input  wire        i2c_sdat_i,     // asynchronous
+
+    output wire        awake_o,
+    output wire        due_o,
+    output wire [9:0]  rest_o
 );
     `include "regmap.vh"
 
     localparam [7:0] DEPTH     = 8'd128;
     localparam [7:0] THRESHOLD = 8'd96;   // samples, or room for them, that raise RI or WI
+
+    wire       rx_awake, config_awake, setup_awake;
+    wire [3:0] fifos_awake;
 
     // ---- Writes and pops ---------------------------------------------------
     wire we = we_i && wstrb_i != 4'd0;
@@ -81,8 +89,9 @@ module audio (
     wire       lrck;
 
     audio_clocks clocks (
-        .clk_i(clk_i), .rst_i(rst_i), .fast_i(fast_q), .xck_o(aud_xck_o), .bclk_o(aud_bclk_o),
-        .lrck_o(lrck), .fall_o(fall), .next_slot_o(next_slot)
+        .clk_i(clk_i), .rst_i(rst_i), .now_i(now_i), .fast_i(fast_q), .xck_o(aud_xck_o),
+        .bclk_o(aud_bclk_o), .lrck_o(lrck), .fall_o(fall), .next_slot_o(next_slot),
+        .due_o(due_o), .rest_o(rest_o)
     );
     assign aud_daclrck_o = lrck;
     assign aud_adclrck_o = lrck;
@@ -98,12 +107,12 @@ module audio (
     fifo #(.WIDTH(24)) left_out_fifo (
         .clk_i(clk_i), .rst_i(rst_i), .clear_i(hold_out_q), .push_i(we_left),
         .wdata_i(wdata_i[31:8]), .pop_i(pop), .rdata_o(left_out), .count_o(left_out_count),
-        .full_o(), .empty_o(left_out_empty)
+        .full_o(), .empty_o(left_out_empty), .awake_o(fifos_awake[0])
     );
     fifo #(.WIDTH(24)) right_out_fifo (
         .clk_i(clk_i), .rst_i(rst_i), .clear_i(hold_out_q), .push_i(we_right),
         .wdata_i(wdata_i[31:8]), .pop_i(pop), .rdata_o(right_out), .count_o(right_out_count),
-        .full_o(), .empty_o(right_out_empty)
+        .full_o(), .empty_o(right_out_empty), .awake_o(fifos_awake[1])
     );
     // verilator lint_on PINCONNECTEMPTY
 
@@ -137,17 +146,18 @@ module audio (
 
     i2s_rx rx (
         .clk_i(clk_i), .rst_i(rst_i), .fall_i(fall), .next_slot_i(next_slot),
-        .adcdat_i(aud_adcdat_i), .valid_o(come), .left_o(come_left), .right_o(come_right)
+        .adcdat_i(aud_adcdat_i), .valid_o(come), .left_o(come_left), .right_o(come_right),
+        .awake_o(rx_awake)
     );
     fifo #(.WIDTH(24)) left_in_fifo (
         .clk_i(clk_i), .rst_i(rst_i), .clear_i(hold_in_q), .push_i(push), .wdata_i(come_left),
         .pop_i(re_left), .rdata_o(left_in), .count_o(left_in_count), .full_o(left_in_full),
-        .empty_o(left_in_empty)
+        .empty_o(left_in_empty), .awake_o(fifos_awake[2])
     );
     fifo #(.WIDTH(24)) right_in_fifo (
         .clk_i(clk_i), .rst_i(rst_i), .clear_i(hold_in_q), .push_i(push), .wdata_i(come_right),
         .pop_i(re_right), .rdata_o(right_in), .count_o(right_in_count), .full_o(right_in_full),
-        .empty_o(right_in_empty)
+        .empty_o(right_in_empty), .awake_o(fifos_awake[3])
     );
 
     // ---- Codec -------------------------------------------------------------
@@ -162,7 +172,8 @@ module audio (
         .clk_i(clk_i), .rst_i(rst_i), .we_i(we_i && waddr_i[11:4] == AV_CONFIG_BASE[11:4]),
         .wstrb_i(wstrb_i), .waddr_i(waddr_i), .wdata_i(wdata_i),
         .restart_o(config_restart), .send_o(config_send), .address_o(config_address),
-        .data_o(config_data), .busy_i(config_busy), .ready_o(config_ready)
+        .data_o(config_data), .busy_i(config_busy), .ready_o(config_ready),
+        .awake_o(config_awake)
     );
 
     codec_setup setup (
@@ -170,7 +181,8 @@ module audio (
         .ready_o(codec_ready), .error_o(codec_error), .step_o(codec_step),
         .send_i(config_send), .send_word_i({config_address, config_data}),
         .busy_o(config_busy), .nack_o(config_nack),
-        .sclk_o(i2c_sclk_o), .sdat_oe_o(i2c_sdat_oe_o), .sdat_i(i2c_sdat_i)
+        .sclk_o(i2c_sclk_o), .sdat_oe_o(i2c_sdat_oe_o), .sdat_i(i2c_sdat_i),
+        .awake_o(setup_awake)
     );
 
     // ---- Reads and interrupt -----------------------------------------------
@@ -186,9 +198,13 @@ module audio (
         wi_ri = {reached(left_room, right_room), reached(left_in_count, right_in_count)};
     endfunction
 
-    always @(posedge clk_i) if (ri_enable_q || wi_enable_q || irq_o || rst_i)
-        irq_o <= !rst_i && ({wi_enable_q, ri_enable_q}
-                            & wi_ri(DEPTH - left_out_count, DEPTH - right_out_count)) != 2'd0;
+    wire irq = ({wi_enable_q, ri_enable_q}
+                & wi_ri(DEPTH - left_out_count, DEPTH - right_out_count)) != 2'd0;
+
+    always @(posedge clk_i) irq_o <= !rst_i && irq;
+
+    assign awake_o = rdata_o != 32'd0 || irq != irq_o || rx_awake || config_awake || setup_awake
+                     || fifos_awake != 4'd0;
 
     always @(posedge clk_i) begin
         rdata_o <= 32'd0;

@@ -13,39 +13,45 @@
 module audio_clocks (
     input  wire       clk_i,
     input  wire       rst_i,
+    // Half a BCLK is 24 clocks at most.
+    // verilator lint_off UNUSED
+    input  wire [29:0] now_i,
+    // verilator lint_on UNUSED
 
     input  wire       fast_i,
 
-    output reg        xck_o,
+    output wire       xck_o,       // moves in every clock, also while this block sleeps
     output reg        bclk_o,
     output wire       lrck_o,
 
     output wire       fall_o,      // BCLK falls at the end of this clock
-    output wire [5:0] next_slot_o  // beside fall_o: the slot that then begins
-);
-    localparam [4:0] SLOW_LAST = 5'd23;   // half a BCLK is 24 clocks
-    localparam [4:0] FAST_LAST = 5'd3;    // and here 4
+    output wire [5:0] next_slot_o, // beside fall_o: the slot that then begins
 
-    reg  [4:0] half_q;                    // clocks to the next edge of BCLK
+    output wire       due_o,
+    output wire [9:0] rest_o
+);
+    localparam [4:0] SLOW_HALF = 5'd24;   // clocks
+    localparam [4:0] FAST_HALF = 5'd4;
+
+    reg  [4:0] due_q;                     // the clock of the next edge of BCLK
     reg  [5:0] slot_q;
-    wire       bclk_edge = half_q == 5'd0;
+    wire       bclk_edge = due_q == now_i[4:0];
 
     assign fall_o      = bclk_edge && bclk_o;
     assign next_slot_o = slot_q + 6'd1;
     assign lrck_o      = slot_q[5];
+    assign xck_o       = now_i[0];
+    assign due_o       = bclk_edge;
+    assign rest_o      = {5'd0, due_q - now_i[4:0] - 5'd1};
 
     always @(posedge clk_i) begin
-        xck_o  <= !xck_o;
-        if (!bclk_edge) begin
-            half_q <= half_q - 5'd1;
-        end else begin
-            half_q <= fast_i ? FAST_LAST : SLOW_LAST;
+        if (bclk_edge) begin
+            due_q  <= now_i[4:0] + (fast_i ? FAST_HALF : SLOW_HALF);
             bclk_o <= !bclk_o;
             if (bclk_o) slot_q <= next_slot_o;
         end
         if (rst_i) begin
-            xck_o  <= 1'b0;
-            half_q <= SLOW_LAST;
+            due_q  <= SLOW_HALF - 5'd1;   // after a reset now_i begins at 0
             bclk_o <= 1'b0;
             slot_q <= 6'd63;              // the first fall of BCLK begins a frame
         end

@@ -32,13 +32,17 @@ module av_config (
     output reg  [6:0]  address_o,
     output reg  [8:0]  data_o,
     input  wire        busy_i,
-    output wire        ready_o      // RDY
+    output wire        ready_o,     // RDY
+
+    output wire        awake_o
 );
     `include "regmap.vh"
 
     assign ready_o = !(busy_i || send_o || restart_o);
 
-    always @(posedge clk_i) if (we_i || restart_o || send_o || rst_i) begin
+    assign awake_o = restart_o || send_o;
+
+    always @(posedge clk_i) begin
         if (we_i && ready_o && wstrb_i[0]) case (waddr_i[3:0])
             AV_CONFIG_ADDRESS[3:0]: address_o <= wdata_i[6:0];
             AV_CONFIG_DATA[3:0]:    data_o    <= {wstrb_i[1] && wdata_i[8], wdata_i[7:0]};

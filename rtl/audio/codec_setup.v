@@ -36,7 +36,9 @@ module codec_setup (
 
     output wire       sclk_o,
     output wire       sdat_oe_o,
-    input  wire       sdat_i
+    input  wire       sdat_i,
+
+    output wire       awake_o
 );
     // ---- Register fields, by their names in the datasheet ------------------
     localparam [8:0] RESET      = 9'd0;          // R15
@@ -75,7 +77,7 @@ module codec_setup (
     endfunction
 
     // ---- One word after the other -----------------------------------------
-    wire busy, done, nack;
+    wire busy, done, nack, writer_awake;
     reg  restart_q;                  // when the word on the wire has ended
     reg  send_q;                     // a word more is to be sent
     reg  more_q;                     // it is on the wire
@@ -88,11 +90,13 @@ module codec_setup (
         .clk_i(clk_i), .rst_i(rst_i), .start_i(start),
         .word_i(sets_up ? word(step_o, fast_i) : send_word_i),
         .busy_o(busy), .done_o(done), .nack_o(nack),
-        .sclk_o(sclk_o), .sdat_oe_o(sdat_oe_o), .sdat_i(sdat_i)
+        .sclk_o(sclk_o), .sdat_oe_o(sdat_oe_o), .sdat_i(sdat_i),
+        .awake_o(writer_awake)
     );
 
-    always @(posedge clk_i) if (start || done || send_i || restart_i || restart_q
-                                  || rst_i) begin
+    assign awake_o = start || restart_q || writer_awake;
+
+    always @(posedge clk_i) begin
         if (send_i) begin
             send_q <= 1'b1;
             nack_o <= 1'b0;

@@ -26,7 +26,9 @@ module i2c_writer #(
 
     output reg         sclk_o,
     output reg         sdat_oe_o,     // 1 = pull SDA low
-    input  wire        sdat_i         // asynchronous
+    input  wire        sdat_i,        // asynchronous
+
+    output wire        awake_o
 );
     localparam [6:0] ADDRESS      = 7'h1a;   // CSB is tied low
     localparam       WRITE        = 1'b0;
@@ -40,7 +42,10 @@ module i2c_writer #(
     // verilator lint_on WIDTH
 
     wire sdat;
-    sync sdat_sync (.clk_i(clk_i), .async_i(sdat_i), .sync_o(sdat));
+    wire sdat_awake;
+    sync sdat_sync (.clk_i(clk_i), .async_i(sdat_i), .sync_o(sdat), .awake_o(sdat_awake));
+
+    assign awake_o = busy_o || done_o || sdat_awake;
 
     reg [CLOCK_W-1:0] clock_q;        // of the quarter
     reg [1:0]  quarter_q;             // of the cell
@@ -49,7 +54,7 @@ module i2c_writer #(
 
     wire ack_cell = cell_q == 5'd9 || cell_q == 5'd18 || cell_q == 5'd27;
 
-    always @(posedge clk_i) if (busy_o || start_i || done_o || rst_i) begin
+    always @(posedge clk_i) begin
         done_o <= 1'b0;
         if (!busy_o) begin
             if (start_i) begin

@@ -17,7 +17,9 @@ module i2s_rx (
 
     output reg         valid_o,       // one clock a frame, beside the new pair
     output reg  [23:0] left_o,
-    output reg  [23:0] right_o
+    output reg  [23:0] right_o,
+
+    output wire        awake_o
 );
     localparam [5:0] LEFT_END  = 6'd25;   // the slot after the last bit: bits are in 1 to 24
     localparam [5:0] RIGHT_END = 6'd57;
@@ -25,7 +27,12 @@ module i2s_rx (
     wire       adcdat;
     reg [22:0] shift_q;
 
-    sync adcdat_sync (.clk_i(clk_i), .async_i(adcdat_i), .sync_o(adcdat));
+    wire       adcdat_awake;
+    sync adcdat_sync (
+        .clk_i(clk_i), .async_i(adcdat_i), .sync_o(adcdat), .awake_o(adcdat_awake)
+    );
+
+    assign awake_o = valid_o || adcdat_awake;
 
     always @(posedge clk_i) begin
         valid_o <= 1'b0;

@@ -41,7 +41,9 @@ module axi_read #(
     input  wire              rgrant_i,
     input  wire              rdone_i,
     input  wire [31:0]       rdata_i,
-    input  wire              rerror_i
+    input  wire              rerror_i,
+
+    output wire              awake_o
 );
     localparam [1:0] INCR = 2'b01;
     localparam [1:0] OKAY = 2'b00, SLVERR = 2'b10, DECERR = 2'b11;
@@ -58,6 +60,7 @@ module axi_read #(
         serves = burst == INCR && size <= 3'd2;
     endfunction
 
+    assign awake_o   = busy_q;
     assign arready_o = !busy_q;
     assign rlast_o   = left_q == 4'd0;
     assign raddr_o   = {addr_q[ADDR_W-1:2], 2'b00};

@@ -44,7 +44,9 @@ module axi_write #(
     output reg  [ADDR_W-1:0] waddr_o,     // word aligned
     output reg  [31:0]       wdata_o,
     output reg  [3:0]        wstrb_o,
-    input  wire              werror_i
+    input  wire              werror_i,
+
+    output wire              awake_o
 );
     localparam [1:0] INCR = 2'b01;
     localparam [1:0] OKAY = 2'b00, SLVERR = 2'b10, DECERR = 2'b11;
@@ -57,6 +59,7 @@ module axi_write #(
     reg              we_was_q;    // its werror_i comes now
     reg [1:0]        drain_q;     // the last beat is on its way to the block
 
+    assign awake_o   = busy_q;
     assign awready_o = !busy_q;
 
     always @(posedge clk_i) begin

@@ -55,7 +55,9 @@ module h2f_bridge #(
     input  wire            rgrant_i,
     input  wire [31:0]     rdata_i,     // one clock after the grant
     input  wire [31:0]     cells_i,
-    input  wire            cells_wait_i // the characters are being cleared
+    input  wire            cells_wait_i, // the characters are being cleared
+
+    output wire            awake_o
 );
     `include "regmap.vh"
     `include "picture_index.vh"
@@ -85,7 +87,7 @@ module h2f_bridge #(
     reg         werror_q;
     reg         wcells_q;               // the burst is one of characters: none crosses 4 KB
     wire        wwait = wcells_q && cells_wait_i;
-    wire        wready;
+    wire        wready, writer_awake, reader_awake;
 
     assign wready_o = wready && !wwait;
     always @(posedge clk_i)
@@ -97,7 +99,8 @@ module h2f_bridge #(
         .awburst_i(awburst_i), .awvalid_i(awvalid_i), .awready_o(awready_o),
         .wdata_i(wdata_i), .wstrb_i(wstrb_i), .wvalid_i(wvalid_i && !wwait), .wready_o(wready),
         .bid_o(bid_o), .bresp_o(bresp_o), .bvalid_o(bvalid_o), .bready_i(bready_i),
-        .we_o(we), .waddr_o(waddr), .wdata_o(wdata), .wstrb_o(wstrb), .werror_i(werror_q)
+        .we_o(we), .waddr_o(waddr), .wdata_o(wdata), .wstrb_o(wstrb), .werror_i(werror_q),
+        .awake_o(writer_awake)
     );
 
     always @(posedge clk_i) begin
@@ -130,8 +133,11 @@ module h2f_bridge #(
         .rvalid_o(rvalid_o), .rready_i(rready_i),
         .re_o(re), .raddr_o(raddr), .rgrant_i(!rwait),
         .rdone_i(granted_q), .rdata_i(rempty_q ? 32'd0 : rcells_q ? cells_i : rdata_i),
-        .rerror_i(rerror_q)
+        .rerror_i(rerror_q), .awake_o(reader_awake)
     );
+
+    assign awake_o = writer_awake || we || we_o != 4'd0 || cell_we_o != 4'd0
+                     || reader_awake || re || re_o || granted_q;
 
     always @(posedge clk_i) begin
         if (re && !rwait) begin

@@ -50,7 +50,9 @@ module lw_bridge #(
     output reg  [3:0]      wstrb_o,
     output wire [19:0]     re_o,
     output wire [11:0]     raddr_o,
-    input  wire [31:0]     rdata_i
+    input  wire [31:0]     rdata_i,
+
+    output wire            awake_o
 );
     // ---- Writes -----------------------------------------------------------
     wire        we;
@@ -58,6 +60,7 @@ module lw_bridge #(
     wire [31:0] wdata;
     wire [3:0]  wstrb;
     wire        wnobody;
+    wire        writer_awake, write_decode_awake, reader_awake, read_decode_awake;
 
     axi_write #(.ADDR_W(21), .ID_W(ID_W)) writer (
         .clk_i(clk_i), .rst_i(rst_i),
@@ -65,11 +68,13 @@ module lw_bridge #(
         .awburst_i(awburst_i), .awvalid_i(awvalid_i), .awready_o(awready_o),
         .wdata_i(wdata_i), .wstrb_i(wstrb_i), .wvalid_i(wvalid_i), .wready_o(wready_o),
         .bid_o(bid_o), .bresp_o(bresp_o), .bvalid_o(bvalid_o), .bready_i(bready_i),
-        .we_o(we), .waddr_o(waddr), .wdata_o(wdata), .wstrb_o(wstrb), .werror_i(wnobody)
+        .we_o(we), .waddr_o(waddr), .wdata_o(wdata), .wstrb_o(wstrb), .werror_i(wnobody),
+        .awake_o(writer_awake)
     );
 
     lw_decode write_decode (
-        .clk_i(clk_i), .rst_i(rst_i), .enable_i(we), .addr_i(waddr), .sel_o(we_o), .none_o(wnobody)
+        .clk_i(clk_i), .rst_i(rst_i), .enable_i(we), .addr_i(waddr), .sel_o(we_o), .none_o(wnobody),
+        .awake_o(write_decode_awake)
     );
 
     always @(posedge clk_i) if (we) begin
@@ -91,12 +96,16 @@ module lw_bridge #(
         .rid_o(rid_o), .rdata_o(rdata_o), .rresp_o(rresp_o), .rlast_o(rlast_o),
         .rvalid_o(rvalid_o), .rready_i(rready_i),
         .re_o(re), .raddr_o(raddr), .rgrant_i(1'b1),
-        .rdone_i(done_q), .rdata_i(rdata_i), .rerror_i(rnobody)
+        .rdone_i(done_q), .rdata_i(rdata_i), .rerror_i(rnobody), .awake_o(reader_awake)
     );
 
     lw_decode read_decode (
-        .clk_i(clk_i), .rst_i(rst_i), .enable_i(re), .addr_i(raddr), .sel_o(re_o), .none_o(rnobody)
+        .clk_i(clk_i), .rst_i(rst_i), .enable_i(re), .addr_i(raddr), .sel_o(re_o), .none_o(rnobody),
+        .awake_o(read_decode_awake)
     );
+
+    assign awake_o = writer_awake || we || write_decode_awake
+                     || reader_awake || re || read_decode_awake || asked_q || done_q;
 
     assign raddr_o = raddr[11:0];   // stands still until the beat is done
 

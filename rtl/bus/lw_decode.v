@@ -1,7 +1,6 @@
 // lw_decode.v - which block owns an address on the lightweight bridge
 //
-// Blocks are where regmap.def puts them.  No line is high where nobody is at home.  Registered and
-// enabled, so that an idle bus costs a simulator nothing.
+// Blocks are where regmap.def puts them.  No line is high where nobody is at home.
 
 `default_nettype none
 
@@ -11,7 +10,8 @@ module lw_decode (
     input  wire        enable_i,
     input  wire [20:0] addr_i,   // offset in the bridge's 2 MB
     output reg  [19:0] sel_o,    // one line a block for one clock, numbered in lw_blocks.vh
-    output reg         none_o    // the last address had no block
+    output reg         none_o,   // the last address had no block
+    output wire        awake_o
 );
     `include "regmap.vh"
     `include "lw_blocks.vh"
@@ -51,6 +51,8 @@ module lw_decode (
             decode[SEL_JTAG1]     = hit(addr, JTAG_UART1_BASE[20:0], JTAG_UART1_SIZE[20:0]);
         end
     endfunction
+
+    assign awake_o = sel_o != 20'd0;
 
     always @(posedge clk_i) begin
         sel_o <= 20'd0;

@@ -25,7 +25,8 @@ module fifo #(
 
     output reg  [DEPTH_LOG2:0] count_o,
     output wire                full_o,
-    output wire                empty_o
+    output wire                empty_o,
+    output wire                awake_o   // clear_i is still to have its effect
 );
     localparam [DEPTH_LOG2:0] ONE = 1;
 
@@ -42,6 +43,7 @@ module fifo #(
     assign full_o  = count_o[DEPTH_LOG2];
     assign empty_o = count_o == {(DEPTH_LOG2 + 1){1'b0}};
     assign rdata_o = head_passed_q ? passed_q : memory_q;
+    assign awake_o = clear_i && {count_o, write_q, read_q} != {(3 * DEPTH_LOG2 + 1){1'b0}};
 
     function [DEPTH_LOG2:0] next_count;
         input push;
@@ -49,9 +51,8 @@ module fifo #(
         next_count = push == pop ? count_o : push ? count_o + ONE : count_o - ONE;
     endfunction
 
-    // One test a clock while nobody asks; reads stand before writes, so that a simulator needs no
-    // copies of what both touch.
-    always @(posedge clk_i) if (push_i || pop_i || clear_i || rst_i) begin
+    // Reads stand before writes, so that a simulator needs no copies of what both touch.
+    always @(posedge clk_i) begin
         if (pop_i && !empty_o) begin
             if (count_o != ONE) memory_q <= memory[behind(read_q)];
             read_q <= behind(read_q);

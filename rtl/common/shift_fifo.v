@@ -33,9 +33,8 @@ module shift_fifo #(
         left = pop && count_o != 0 ? count_o - ONE : count_o;
     endfunction
 
-    // One test a clock while nobody asks.
     integer n;
-    always @(posedge clk_i) if (push_i || pop_i || rst_i) begin
+    always @(posedge clk_i) begin
         if (pop_i && count_o != 0) words_q <= words_q >> WIDTH;
         if (push_i && !count_o[DEPTH_LOG2]) begin
             for (n = 0; n < DEPTH; n = n + 1)

@@ -32,9 +32,8 @@ module small_fifo #(
         next_count = push == pop ? count_o : push ? count_o + ONE : count_o - ONE;
     endfunction
 
-    // One test a clock while nobody asks; reads stand before writes, so that a simulator needs no
-    // copies of what both touch.
-    always @(posedge clk_i) if (push_i || (pop_i && count_o != 0) || rst_i) begin
+    // Reads stand before writes, so that a simulator needs no copies of what both touch.
+    always @(posedge clk_i) begin
         if (push_i && !count_o[DEPTH_LOG2]) begin
             memory[write_q] <= wdata_i;
             write_q         <= write_q + ONE[DEPTH_LOG2-1:0];

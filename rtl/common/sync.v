@@ -9,9 +9,12 @@ module sync #(
 ) (
     input  wire             clk_i,
     input  wire [WIDTH-1:0] async_i,
-    output reg  [WIDTH-1:0] sync_o    // two clocks later
+    output reg  [WIDTH-1:0] sync_o,   // two clocks later
+    output wire             awake_o
 );
     reg [WIDTH-1:0] meta_q;
+
+    assign awake_o = meta_q != sync_o;
 
     always @(posedge clk_i) begin
         meta_q <= async_i;

@@ -21,8 +21,11 @@ module hex_port (
     input  wire        re_high_i,
     output reg  [31:0] rdata_o,
 
-    output reg  [41:0] hex_no        // HEX5 in 41:35 ... HEX0 in 6:0, segments g..a, 0 = lit
+    output reg  [41:0] hex_no,       // HEX5 in 41:35 ... HEX0 in 6:0, segments g..a, 0 = lit
+    output wire        awake_o
 );
+    assign awake_o = rdata_o != 32'd0;
+
     always @(posedge clk_i) begin
         rdata_o <= 32'd0;
         if (re_low_i && raddr_i[3:0] == 4'd0)

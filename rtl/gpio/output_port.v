@@ -19,9 +19,12 @@ module output_port #(
     input  wire        re_i,
     output reg  [31:0] rdata_o,
 
-    output reg  [31:0] pins_o
+    output reg  [31:0] pins_o,
+    output wire        awake_o
 );
     `include "lanes.vh"
+
+    assign awake_o = rdata_o != 32'd0;
 
     always @(posedge clk_i) begin
         rdata_o <= re_i && raddr_i[3:0] == 4'd0 ? pins_o : 32'd0;

@@ -28,7 +28,9 @@ module parallel_ports (
     output wire [31:0] jp1_oe_o,
     input  wire [31:0] jp2_i,
     output wire [31:0] jp2_o,
-    output wire [31:0] jp2_oe_o
+    output wire [31:0] jp2_oe_o,
+
+    output wire        awake_o
 );
     `include "lw_blocks.vh"
 
@@ -41,38 +43,44 @@ module parallel_ports (
     assign rdata_o = ledr_rdata | hex_rdata | sw_rdata | key_rdata | jp1_rdata | jp2_rdata;
     assign ledr_o  = ledr[9:0];
 
+    wire [5:0] awake;
+    assign awake_o = awake != 6'd0;
+
     output_port #(.BITS(32'h0000_03ff)) ledr_port (
         .clk_i(clk_i), .rst_i(rst_i), .we_i(we_i[SEL_LEDR]), .wstrb_i(wstrb_i), .waddr_i(waddr_i),
         .wdata_i(wdata_i), .re_i(re_i[SEL_LEDR]), .raddr_i(raddr_i), .rdata_o(ledr_rdata),
-        .pins_o(ledr)
+        .pins_o(ledr), .awake_o(awake[0])
     );
     hex_port hex (
         .clk_i(clk_i), .rst_i(rst_i), .we_low_i(we_i[SEL_HEX3_0]), .we_high_i(we_i[SEL_HEX5_4]),
         .wstrb_i(wstrb_i), .waddr_i(waddr_i), .wdata_i(wdata_i), .re_low_i(re_i[SEL_HEX3_0]),
-        .re_high_i(re_i[SEL_HEX5_4]), .raddr_i(raddr_i), .rdata_o(hex_rdata), .hex_no(hex_no)
+        .re_high_i(re_i[SEL_HEX5_4]), .raddr_i(raddr_i), .rdata_o(hex_rdata), .hex_no(hex_no),
+        .awake_o(awake[1])
     );
     // Inputs only: these ports drive nothing.
     // verilator lint_off PINCONNECTEMPTY
     pio #(.WIDTH(10), .HAS_OUTPUT(0), .HAS_EDGE(0)) sw_port (
         .clk_i(clk_i), .rst_i(rst_i), .we_i(we_i[SEL_SW]), .wstrb_i(wstrb_i), .waddr_i(waddr_i),
         .wdata_i(wdata_i), .re_i(re_i[SEL_SW]), .raddr_i(raddr_i), .rdata_o(sw_rdata), .irq_o(),
-        .pins_i(sw_i), .pins_o(), .oe_o()
+        .pins_i(sw_i), .pins_o(), .oe_o(), .awake_o(awake[2])
     );
     pio #(.WIDTH(4), .HAS_OUTPUT(0)) key_port (
         .clk_i(clk_i), .rst_i(rst_i), .we_i(we_i[SEL_KEY]), .wstrb_i(wstrb_i), .waddr_i(waddr_i),
         .wdata_i(wdata_i), .re_i(re_i[SEL_KEY]), .raddr_i(raddr_i), .rdata_o(key_rdata),
-        .irq_o(key_irq_o), .pins_i(~key_ni), .pins_o(), .oe_o()
+        .irq_o(key_irq_o), .pins_i(~key_ni), .pins_o(), .oe_o(), .awake_o(awake[3])
     );
     // verilator lint_on PINCONNECTEMPTY
     pio jp1_port (
         .clk_i(clk_i), .rst_i(rst_i), .we_i(we_i[SEL_JP1]), .wstrb_i(wstrb_i), .waddr_i(waddr_i),
         .wdata_i(wdata_i), .re_i(re_i[SEL_JP1]), .raddr_i(raddr_i), .rdata_o(jp1_rdata),
-        .irq_o(jp1_irq_o), .pins_i(jp1_i), .pins_o(jp1_o), .oe_o(jp1_oe_o)
+        .irq_o(jp1_irq_o), .pins_i(jp1_i), .pins_o(jp1_o), .oe_o(jp1_oe_o),
+        .awake_o(awake[4])
     );
     pio jp2_port (
         .clk_i(clk_i), .rst_i(rst_i), .we_i(we_i[SEL_JP2]), .wstrb_i(wstrb_i), .waddr_i(waddr_i),
         .wdata_i(wdata_i), .re_i(re_i[SEL_JP2]), .raddr_i(raddr_i), .rdata_o(jp2_rdata),
-        .irq_o(jp2_irq_o), .pins_i(jp2_i), .pins_o(jp2_o), .oe_o(jp2_oe_o)
+        .irq_o(jp2_irq_o), .pins_i(jp2_i), .pins_o(jp2_o), .oe_o(jp2_oe_o),
+        .awake_o(awake[5])
     );
 endmodule
 

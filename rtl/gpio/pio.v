@@ -29,7 +29,9 @@ module pio #(
 
     input  wire [WIDTH-1:0] pins_i,   // asynchronous
     output reg  [WIDTH-1:0] pins_o,
-    output reg  [WIDTH-1:0] oe_o
+    output reg  [WIDTH-1:0] oe_o,
+
+    output wire             awake_o
 );
     `include "regmap.vh"
     `include "lanes.vh"
@@ -50,9 +52,13 @@ module pio #(
     wire [WIDTH-1:0] data;
     reg  [WIDTH-1:0] data_was_q, mask_q, edge_q;
 
-    sync #(.WIDTH(WIDTH)) pin_sync (.clk_i(clk_i), .async_i(pins_i), .sync_o(data));
+    wire pins_awake;
+    sync #(.WIDTH(WIDTH)) pin_sync (
+        .clk_i(clk_i), .async_i(pins_i), .sync_o(data), .awake_o(pins_awake)
+    );
 
-    assign irq_o = (edge_q & mask_q) != {WIDTH{1'b0}};
+    assign irq_o   = (edge_q & mask_q) != {WIDTH{1'b0}};
+    assign awake_o = rdata_o != 32'd0 || pins_awake || data != data_was_q;
 
     // ---- Registers: the offsets are JP1's, the widest of these ports -------
     // Reads stand before writes: a simulator then needs no copies of what both touch.
@@ -68,7 +74,7 @@ module pio #(
         endcase
         // verilator lint_on WIDTH
 
-        if (HAS_EDGE != 0 && (we_i || data != data_was_q))
+        if (HAS_EDGE != 0)
             edge_q <= (we_i && waddr_i[3:0] == JP1_EDGE[3:0] ? edge_q & ~ones(wstrb_i) : edge_q)
                       | (data_was_q & ~data);
         data_was_q <= data;

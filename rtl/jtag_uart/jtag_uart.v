@@ -42,7 +42,9 @@ module jtag_uart (
     output reg         room_o,
     input  wire        typed_i,
     input  wire [7:0]  typed_data_i,
-    input  wire        idle_i
+    input  wire        idle_i,
+
+    output wire        awake_o
 );
     `include "regmap.vh"
 
@@ -66,22 +68,18 @@ module jtag_uart (
         .pop_i(re_data), .rdata_o(read_head), .count_o(read_count)
     );
 
-    // ---- Registers: asleep unless something stirs now or did a clock ago ----
-    reg  stirred_q, re_q, we_q, ac_q, paused_q;
+    // ---- Registers --------------------------------------------------------
+    reg  re_q, we_q, ac_q, paused_q;
 
-    function stirs;
-        input any;               // waits for the host
-        stirs = we_i || re_i || (take_i && any) || typed_i || idle_i || rst_i;
-    endfunction
-
+    wire takes = take_i && write_count != 7'd0;
+    wire room  = read_count != DEPTH;
     wire ri    = re_q && (paused_q || DEPTH - read_count <= THRESHOLD);
     wire wi    = we_q && write_count <= THRESHOLD;
 
-    assign irq_o = ri || wi;
+    assign irq_o   = ri || wi;
+    assign awake_o = rdata_o != 32'd0 || write_count != 7'd0 || sent_o || room != room_o;
 
-    always @(posedge clk_i) if (stirs(write_count != 7'd0) || stirred_q) begin
-        stirred_q <= stirs(write_count != 7'd0);
-
+    always @(posedge clk_i) begin
         rdata_o <= 32'd0;
         if (re_data) begin
             if (read_count != 7'd0)
@@ -90,9 +88,9 @@ module jtag_uart (
             rdata_o <= {9'd0, DEPTH - write_count, 5'd0, ac_q, wi, ri, 6'd0, we_q, re_q};
         end
 
-        room_o <= read_count != DEPTH && !rst_i;
-        sent_o <= take_i && write_count != 7'd0 && !rst_i;
-        if (take_i) sent_data_o <= write_head;
+        room_o <= room && !rst_i;
+        sent_o <= takes && !rst_i;
+        if (takes) sent_data_o <= write_head;
 
         if (idle_i && read_count != 7'd0) paused_q <= 1'b1;
         else if (re_data) paused_q <= 1'b0;

@@ -13,6 +13,7 @@ module keypad #(
 ) (
     input  wire        clk_i,
     input  wire        rst_i,
+    input  wire [29:0] now_i,
 
     input  wire        we_i,
     input  wire [3:0]  wstrb_i,
@@ -28,7 +29,11 @@ module keypad #(
 
     output reg         enable_o,    // the scanner owns the pins
     output wire [3:0]  col_low_o,
-    input  wire [3:0]  row_ni
+    input  wire [3:0]  row_ni,
+
+    output wire        awake_o,
+    output wire        due_o,
+    output wire [9:0]  rest_o
 );
     `include "regmap.vh"
 
@@ -36,11 +41,16 @@ module keypad #(
     reg  [7:0]  debounce_q;
     wire [15:0] keys;
     wire        ghost;
-    wire        off = rst_i || !enable_o;
+    reg         on_q;                        // enable_o of the clock before
+    wire        off = rst_i || (on_q && !enable_o);
+    wire        scanner_awake;
+
+    always @(posedge clk_i) on_q <= enable_o && !rst_i;
 
     keypad_scan #(.SLOT_CYCLES(SLOT_CYCLES)) scanner (
-        .clk_i(clk_i), .rst_i(off), .debounce_i(debounce_q),
-        .col_low_o(col_low_o), .row_ni(row_ni), .keys_o(keys), .ghost_o(ghost)
+        .clk_i(clk_i), .rst_i(off), .now_i(now_i), .run_i(enable_o), .debounce_i(debounce_q),
+        .col_low_o(col_low_o), .row_ni(row_ni), .keys_o(keys), .ghost_o(ghost),
+        .awake_o(scanner_awake), .due_o(due_o), .rest_o(rest_o)
     );
 
     // ---- Events: a walk over the keys, one a clock -------------------------
@@ -52,7 +62,7 @@ module keypad #(
     wire [4:0]  event_head, event_count;
     wire        event_empty = event_count == 5'd0;
 
-    always @(posedge clk_i) if (telling || walk_q != 4'd0 || off) begin
+    always @(posedge clk_i) begin
         told_q[walk_q] <= keys[walk_q];
         walk_q         <= telling ? walk_q + 4'd1 : 4'd0;
         if (off) begin
@@ -73,6 +83,9 @@ module keypad #(
 
     assign pop   = we_i && wstrb_i != 4'd0 && waddr_i[4:0] == KEYPAD_EVENT[4:0];
     assign irq_o = (status & mask_q) != 3'd0;
+
+    assign awake_o = rdata_o != 32'd0 || on_q != enable_o || scanner_awake || telling
+                     || walk_q != 4'd0 || (ghost && !ghost_q);
 
     always @(posedge clk_i) begin
         if (we_i && wstrb_i[0]) case (waddr_i[4:0])

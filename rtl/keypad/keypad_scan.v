@@ -22,6 +22,11 @@ module keypad_scan #(
 ) (
     input  wire        clk_i,
     input  wire        rst_i,
+    // Modulo the slot.
+    // verilator lint_off UNUSED
+    input  wire [29:0] now_i,
+    // verilator lint_on UNUSED
+    input  wire        run_i,      // else it keeps still; rst_i in between, to begin anew
 
     input  wire [7:0]  debounce_i, // equal scans that make a change; 0 counts as 1
 
@@ -29,7 +34,11 @@ module keypad_scan #(
     input  wire [3:0]  row_ni,     // asynchronous, pulled up; bit r is row r from the top
 
     output reg  [15:0] keys_o,     // bit 4 * r + c: key held
-    output reg         ghost_o
+    output reg         ghost_o,
+
+    output wire        awake_o,
+    output wire        due_o,
+    output wire [9:0]  rest_o
 );
     localparam SLOT_W = $clog2(SLOT_CYCLES);
     // The constant fits: the width was computed from it.
@@ -39,15 +48,26 @@ module keypad_scan #(
 
     // ---- Rows into this clock domain --------------------------------------
     wire [3:0] row_n;
-    sync #(.WIDTH(4)) row_sync (.clk_i(clk_i), .async_i(row_ni), .sync_o(row_n));
+    wire       rows_awake;
+    sync #(.WIDTH(4)) row_sync (
+        .clk_i(clk_i), .async_i(row_ni), .sync_o(row_n), .awake_o(rows_awake)
+    );
 
     // ---- Column walk ------------------------------------------------------
-    reg [SLOT_W-1:0] slot_q;
+    reg              runs_q;
+    reg [SLOT_W-1:0] due_q;                 // the clock in which the slot ends
     reg [1:0]        col_q;
 
-    wire slot_end = slot_q == SLOT_LAST;
+    wire [SLOT_W-1:0] now      = now_i[SLOT_W-1:0];
+    wire [SLOT_W-1:0] left     = due_q - now;
+    wire              slot_end = runs_q && due_q == now;
 
     assign col_low_o = 4'b0001 << col_q;
+    assign awake_o   = run_i != runs_q || scanned_q || rows_awake;
+    assign due_o     = slot_end;
+    // verilator lint_off WIDTH
+    assign rest_o    = runs_q && left < 1024 ? left - 1 : 10'd1023;
+    // verilator lint_on WIDTH
 
     // ---- Debounce over whole scans ----------------------------------------
     reg [3:0]  rows0_q, rows1_q, rows2_q;   // columns read so far
@@ -57,7 +77,8 @@ module keypad_scan #(
 
     always @(posedge clk_i) begin
         scanned_q <= 1'b0;
-        slot_q    <= slot_q + 1'b1;
+        runs_q    <= run_i;
+        if (run_i && !runs_q) due_q <= now + SLOT_LAST;
         if (slot_end) begin
             case (col_q)
                 2'd0: rows0_q <= ~row_n;
@@ -71,10 +92,10 @@ module keypad_scan #(
                 end
             endcase
             col_q  <= col_q + 2'd1;
-            slot_q <= 0;
+            due_q  <= now + SLOT_LAST + 1'b1;
         end
         if (rst_i) begin
-            slot_q    <= 0;
+            runs_q    <= 1'b0;
             col_q     <= 2'd0;
             scanned_q <= 1'b0;
             last_q    <= 16'd0;
@@ -97,8 +118,8 @@ module keypad_scan #(
                     || two_common(scan[7:4], scan[15:12]) || two_common(scan[11:8], scan[15:12]);
     endfunction
 
-    always @(posedge clk_i) if (scanned_q || rst_i) begin
-        if (equal_q >= debounce_i) begin
+    always @(posedge clk_i) begin
+        if (scanned_q && equal_q >= debounce_i) begin
             ghost_o <= rectangle(last_q);
             if (!rectangle(last_q))   // from a nibble a column to a nibble a row
                 keys_o <= {last_q[15], last_q[11], last_q[7], last_q[3],

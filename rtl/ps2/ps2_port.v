@@ -31,7 +31,10 @@ module ps2_port (
     input  wire        ps2_clk_i,      // asynchronous
     input  wire        ps2_dat_i,
     output wire        ps2_clk_low_o,  // 1 = pull low
-    output wire        ps2_dat_low_o
+    output wire        ps2_dat_low_o,
+
+    output wire        awake_o,
+    output wire        stirs_o         // the next tick counts
 );
     `include "regmap.vh"
 
@@ -48,24 +51,25 @@ module ps2_port (
         .send_data_i(wdata_i[7:0]),
         .busy_o(busy), .failed_o(failed), .come_o(come), .come_data_o(come_data),
         .ps2_clk_i(ps2_clk_i), .ps2_dat_i(ps2_dat_i),
-        .ps2_clk_low_o(ps2_clk_low_o), .ps2_dat_low_o(ps2_dat_low_o)
+        .ps2_clk_low_o(ps2_clk_low_o), .ps2_dat_low_o(ps2_dat_low_o),
+        .stirs_o(stirs_o)
     );
 
     // verilator lint_off PINCONNECTEMPTY
     fifo #(.WIDTH(8), .DEPTH_LOG2(8)) fifo (
         .clk_i(clk_i), .rst_i(rst_i), .clear_i(1'b0), .push_i(come && tick_i),
         .wdata_i(come_data), .pop_i(re_data), .rdata_o(head), .count_o(count), .full_o(),
-        .empty_o(empty)
+        .empty_o(empty), .awake_o()
     );
     // verilator lint_on PINCONNECTEMPTY
 
-    // ---- Registers: asleep but for accesses, the clock after a read, and ticks ----
-    reg re_q, ce_q, read_q;
+    // ---- Registers --------------------------------------------------------
+    reg re_q, ce_q;
 
-    assign irq_o = re_q && !empty;
+    assign irq_o   = re_q && !empty;
+    assign awake_o = rdata_o != 32'd0;
 
-    always @(posedge clk_i) if (we_i || re_i || read_q || tick_i || rst_i) begin
-        read_q  <= re_i;
+    always @(posedge clk_i) begin
         rdata_o <= 32'd0;
         if (re_data) rdata_o <= {7'd0, count, !empty, 7'd0, empty ? 8'd0 : head};
         else if (re_i) rdata_o <= {21'd0, ce_q, 1'b0, !empty, 7'd0, re_q};

@@ -7,6 +7,10 @@
 module ps2_ports (
     input  wire        clk_i,
     input  wire        rst_i,
+    // The looks at the wires are 32 clocks apart.
+    // verilator lint_off UNUSED
+    input  wire [29:0] now_i,
+    // verilator lint_on UNUSED
 
     input  wire [1:0]  we_i,
     input  wire [3:0]  wstrb_i,
@@ -20,23 +24,31 @@ module ps2_ports (
     input  wire [1:0]  ps2_clk_i,
     input  wire [1:0]  ps2_dat_i,
     output wire [1:0]  ps2_clk_low_o,    // 1 = pull low
-    output wire [1:0]  ps2_dat_low_o
+    output wire [1:0]  ps2_dat_low_o,
+
+    output wire        awake_o,
+    output wire        due_o,
+    output wire [9:0]  rest_o
 );
-    wire        slow_tick;
+    wire        tick = now_i[4:0] == 5'd0;
+    wire [1:0]  awake, stirs;
     wire [63:0] rdata;
 
     assign rdata_o = rdata[31:0] | rdata[63:32];
 
-    tick slow (.clk_i(clk_i), .rst_i(rst_i), .tick_o(slow_tick));
+    assign awake_o = awake != 2'd0;
+    assign due_o   = tick && stirs != 2'd0;
+    assign rest_o  = stirs == 2'd0 ? 10'd1023 : {5'd0, 5'd31 - now_i[4:0]};
 
     genvar n;
     generate for (n = 0; n < 2; n = n + 1) begin : port
         ps2_port ps2 (
-            .clk_i(clk_i), .rst_i(rst_i), .tick_i(slow_tick), .we_i(we_i[n]), .wstrb_i(wstrb_i),
+            .clk_i(clk_i), .rst_i(rst_i), .tick_i(tick), .we_i(we_i[n]), .wstrb_i(wstrb_i),
             .waddr_i(waddr_i), .wdata_i(wdata_i), .re_i(re_i[n]), .raddr_i(raddr_i),
             .rdata_o(rdata[32 * n +: 32]), .irq_o(irq_o[n]),
             .ps2_clk_i(ps2_clk_i[n]), .ps2_dat_i(ps2_dat_i[n]),
-            .ps2_clk_low_o(ps2_clk_low_o[n]), .ps2_dat_low_o(ps2_dat_low_o[n])
+            .ps2_clk_low_o(ps2_clk_low_o[n]), .ps2_dat_low_o(ps2_dat_low_o[n]),
+            .awake_o(awake[n]), .stirs_o(stirs[n])
         );
     end endgenerate
 endmodule

@@ -9,9 +9,12 @@ module sysid (
     // verilator lint_off UNUSED
     input  wire [11:0] raddr_i,
     // verilator lint_on UNUSED
-    output reg  [31:0] rdata_o
+    output reg  [31:0] rdata_o,
+    output wire        awake_o
 );
     `include "regmap.vh"
+
+    assign awake_o = rdata_o != 32'd0;
 
     always @(posedge clk_i) begin
         rdata_o <= 32'd0;

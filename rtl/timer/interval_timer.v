@@ -19,6 +19,7 @@
 module interval_timer (
     input  wire        clk_i,
     input  wire        rst_i,
+    input  wire [29:0] now_i,
 
     input  wire        we_i,
     input  wire [3:0]  wstrb_i,
@@ -30,24 +31,31 @@ module interval_timer (
     // verilator lint_on UNUSED
     input  wire        re_i,
     output reg  [31:0] rdata_o,
-    output wire        irq_o
+    output wire        irq_o,
+    output wire        awake_o,
+    output wire        due_o,
+    output wire [9:0]  rest_o
 );
     `include "regmap.vh"
     `include "lanes.vh"
 
     localparam [31:0] TICKS = 32'd4;  // of 100 MHz in a clock
+    localparam [31:0] PERIOD_RESET = {TIMER0_PERIOD_HIGH_RESET[15:0],
+                                      TIMER0_PERIOD_LOW_RESET[15:0]};
 
-    reg [31:0] period_q, counter_q, snap_q;
+    reg [31:0] period_q, snap_q;
     reg        to_q, run_q, ito_q, cont_q;
 
-    assign irq_o = to_q && ito_q;
-
     // ---- Counter ----------------------------------------------------------
-    // The counter anew, given the ticks behind the end.
-    function [31:0] begun;
-        input [31:0] late;
-        begun = cont_q && period_q >= late ? period_q - late : period_q;
-    endfunction
+    // While it runs it is not counted down, but told from the clock in which it ends.
+    reg  [29:0] due_q;    // that clock; or, while it stands, bits 31:2 of the counter
+    reg  [1:0]  phase_q;  // bits 1:0 of the counter
+    wire [29:0] left = due_q - now_i;
+
+    assign irq_o   = to_q && ito_q;
+    assign due_o   = run_q && due_q == now_i;
+    assign awake_o = rdata_o != 32'd0;
+    assign rest_o  = run_q && left[29:10] == 20'd0 ? left[9:0] - 10'd1 : 10'd1023;
 
     // Half words, in the low half of a word on the bus.
     // verilator lint_off WIDTH
@@ -64,6 +72,47 @@ module interval_timer (
                  : {period_q[31:16], half(period_q[15:0])};
     endfunction
 
+    // verilator lint_off BLKSEQ
+    always @(posedge clk_i) begin : count
+        reg [31:0] counter, late, next;   // now; ticks behind its end; after this clock
+        reg        run;                   // after this clock
+
+        counter = {run_q ? left : due_q, phase_q};
+        late    = TICKS - 32'd1 - counter;
+        next    = run_q ? counter - TICKS : counter;
+        run     = run_q;
+        if (due_o) begin
+            next = cont_q && period_q >= late ? period_q - late : period_q;
+            run  = cont_q;
+            to_q <= 1'b1;
+        end
+        if (we_i) case (waddr_i[4:0])
+            TIMER0_STATUS[4:0]: to_q <= 1'b0;
+            TIMER0_CONTROL[4:0]: if (wstrb_i[0]) begin
+                {cont_q, ito_q} <= wdata_i[1:0];
+                run             = wdata_i[2] || (run && !wdata_i[3]);
+            end
+            TIMER0_PERIOD_LOW[4:0], TIMER0_PERIOD_HIGH[4:0]: begin
+                next     = period(waddr_i[4:0] == TIMER0_PERIOD_HIGH[4:0]);
+                period_q <= next;
+                run      = 1'b0;
+            end
+            TIMER0_SNAP_LOW[4:0], TIMER0_SNAP_HIGH[4:0]: snap_q <= counter;
+            default: ;
+        endcase
+        due_q   <= run ? now_i - ~next[31:2] : next[31:2];   // now_i + 1 + next, by one adder
+        phase_q <= next[1:0];
+        run_q   <= run;
+        if (rst_i) begin
+            period_q         <= PERIOD_RESET;
+            {due_q, phase_q} <= PERIOD_RESET;
+            snap_q           <= 32'd0;
+            {to_q, run_q, ito_q, cont_q} <= 4'd0;
+        end
+    end
+    // verilator lint_on BLKSEQ
+
+    // ---- Reads ------------------------------------------------------------
     always @(posedge clk_i) begin
         rdata_o <= 32'd0;
         if (re_i) case (raddr_i[4:0])
@@ -75,39 +124,6 @@ module interval_timer (
             TIMER0_SNAP_HIGH[4:0]:   rdata_o <= {16'd0, snap_q[31:16]};
             default: ;
         endcase
-
-        if (we_i && (waddr_i[4:0] == TIMER0_SNAP_LOW[4:0]
-                     || waddr_i[4:0] == TIMER0_SNAP_HIGH[4:0])) snap_q <= counter_q;
-        if (run_q) begin
-            if (counter_q < TICKS) begin
-                counter_q <= begun(TICKS - 32'd1 - counter_q);
-                to_q      <= 1'b1;
-                run_q     <= cont_q;
-            end else begin
-                counter_q <= counter_q - TICKS;
-            end
-        end
-        if (we_i) case (waddr_i[4:0])
-            TIMER0_STATUS[4:0]: to_q <= 1'b0;
-            TIMER0_CONTROL[4:0]: if (wstrb_i[0]) begin
-                ito_q  <= wdata_i[0];
-                cont_q <= wdata_i[1];
-                if (wdata_i[3]) run_q <= 1'b0;
-                if (wdata_i[2]) run_q <= 1'b1;
-            end
-            TIMER0_PERIOD_LOW[4:0], TIMER0_PERIOD_HIGH[4:0]: begin
-                counter_q <= period(waddr_i[4:0] == TIMER0_PERIOD_HIGH[4:0]);
-                period_q  <= period(waddr_i[4:0] == TIMER0_PERIOD_HIGH[4:0]);
-                run_q     <= 1'b0;
-            end
-            default: ;
-        endcase
-        if (rst_i) begin
-            period_q  <= {TIMER0_PERIOD_HIGH_RESET[15:0], TIMER0_PERIOD_LOW_RESET[15:0]};
-            counter_q <= {TIMER0_PERIOD_HIGH_RESET[15:0], TIMER0_PERIOD_LOW_RESET[15:0]};
-            snap_q    <= 32'd0;
-            {to_q, run_q, ito_q, cont_q} <= 4'd0;
-        end
     end
 endmodule
 

@@ -28,7 +28,9 @@ module character_store (
 
     input  wire [3:0]  we_i,             // byte lanes
     input  wire [10:0] windex_i,
-    input  wire [31:0] wdata_i
+    input  wire [31:0] wdata_i,
+
+    output wire        awake_o
 );
     `include "lanes.vh"
 
@@ -50,11 +52,12 @@ module character_store (
     wire [10:0] place = write ? windex_i : fill_q;
     wire [31:0] wdata = write ? wdata_i : BLANKS;
 
-    // One test a clock each while nobody reads or writes.
+    assign awake_o = filling_q;
+
     always @(posedge clk_i)
         if (screen_re_i || re_i) rdata_o <= {lane3[read], lane2[read], lane1[read], lane0[read]};
 
-    always @(posedge clk_i) if (write || filling_q || clear_i || rst_i) begin
+    always @(posedge clk_i) begin
         if (we_i[0] || fill) lane0[place] <= wdata[7:0];
         if (we_i[1] || fill) lane1[place] <= wdata[15:8];
         if (we_i[2] || fill) lane2[place] <= wdata[23:16];

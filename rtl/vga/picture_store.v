@@ -1,7 +1,7 @@
 // picture_store.v - the pictures' memory and who reads it when
 //
-// The screen's reads always go first; the processor's wait, one clock at the most, since the screen
-// reads one clock in four.  Writes never wait.
+// The screen's reads always go first; the processor's wait, two clocks at the most, since the
+// screen reads in one clock of four and keeps what it has read for another.  Writes never wait.
 
 `default_nettype none
 
@@ -9,6 +9,7 @@ module picture_store (
     input  wire        clk_i,
 
     input  wire        screen_re_i,
+    input  wire        screen_keep_i,  // rdata_o stays as it is
     input  wire [16:0] screen_index_i,
 
     input  wire        re_i,           // processor; held until rgrant_o
@@ -21,11 +22,12 @@ module picture_store (
     input  wire [16:0] windex_i,
     input  wire [31:0] wdata_i
 );
-    assign rgrant_o = !screen_re_i;
+    assign rgrant_o = !screen_re_i && !screen_keep_i;
 
     picture_memory memory (
         .clk_i(clk_i), .we_i(we_i), .windex_i(windex_i), .wdata_i(wdata_i),
-        .re_i(screen_re_i || re_i), .rindex_i(screen_re_i ? screen_index_i : rindex_i),
+        .re_i(screen_re_i || (re_i && rgrant_o)),
+        .rindex_i(screen_re_i ? screen_index_i : rindex_i),
         .rdata_o(rdata_o)
     );
 endmodule

@@ -29,42 +29,43 @@ module pixel_registers #(
 
     input  wire        frame_end_i,   // the last line has been fetched
     output reg  [31:0] front_o,       // address of the picture on screen
-    output reg         enable_o
+    output reg         enable_o,
+    output wire        awake_o
 );
     `include "regmap.vh"
     `include "lanes.vh"
 
     reg [31:0] back_q;
-    reg        swap_q, read_q;
+    reg        swap_q;
 
-    always @(posedge clk_i)
-        if (we_i || re_i || resampler_re_i || read_q || frame_end_i || rst_i) begin
-            read_q  <= re_i || resampler_re_i;
-            rdata_o <= 32'd0;
-            if (re_i) case (raddr_i[3:0])
-                PIXEL_BUFFER[3:0]:      rdata_o <= front_o;
-                PIXEL_BACK_BUFFER[3:0]: rdata_o <= back_q;
-                PIXEL_RESOLUTION[3:0]:  rdata_o <= RESOLUTION;
-                default:                rdata_o <= {STATUS[31:3], enable_o, 1'b0, swap_q};
-            endcase
-            if (resampler_re_i) rdata_o <= RESAMPLER_STATUS_RESET;
+    assign awake_o = rdata_o != 32'd0;
 
-            if (we_i && waddr_i[3:0] == PIXEL_BACK_BUFFER[3:0])
-                back_q <= merged(frame_end_i && swap_q ? front_o : back_q, wdata_i, wstrb_i);
-            else if (frame_end_i && swap_q) back_q <= front_o;
-            if (frame_end_i && swap_q) front_o <= back_q;
+    always @(posedge clk_i) begin
+        rdata_o <= 32'd0;
+        if (re_i) case (raddr_i[3:0])
+            PIXEL_BUFFER[3:0]:      rdata_o <= front_o;
+            PIXEL_BACK_BUFFER[3:0]: rdata_o <= back_q;
+            PIXEL_RESOLUTION[3:0]:  rdata_o <= RESOLUTION;
+            default:                rdata_o <= {STATUS[31:3], enable_o, 1'b0, swap_q};
+        endcase
+        if (resampler_re_i) rdata_o <= RESAMPLER_STATUS_RESET;
 
-            if (we_i && waddr_i[3:0] == PIXEL_BUFFER[3:0] && wstrb_i != 4'd0) swap_q <= 1'b1;
-            else if (frame_end_i) swap_q <= 1'b0;
-            if (we_i && waddr_i[3:0] == PIXEL_STATUS[3:0] && wstrb_i[0])
-                enable_o <= wdata_i[PIXEL_STATUS_EN_LSB];
-            if (rst_i) begin
-                front_o  <= BUFFER;
-                back_q   <= BUFFER;
-                swap_q   <= 1'b0;
-                enable_o <= STATUS[PIXEL_STATUS_EN_LSB];
-            end
+        if (we_i && waddr_i[3:0] == PIXEL_BACK_BUFFER[3:0])
+            back_q <= merged(frame_end_i && swap_q ? front_o : back_q, wdata_i, wstrb_i);
+        else if (frame_end_i && swap_q) back_q <= front_o;
+        if (frame_end_i && swap_q) front_o <= back_q;
+
+        if (we_i && waddr_i[3:0] == PIXEL_BUFFER[3:0] && wstrb_i != 4'd0) swap_q <= 1'b1;
+        else if (frame_end_i) swap_q <= 1'b0;
+        if (we_i && waddr_i[3:0] == PIXEL_STATUS[3:0] && wstrb_i[0])
+            enable_o <= wdata_i[PIXEL_STATUS_EN_LSB];
+        if (rst_i) begin
+            front_o  <= BUFFER;
+            back_q   <= BUFFER;
+            swap_q   <= 1'b0;
+            enable_o <= STATUS[PIXEL_STATUS_EN_LSB];
         end
+    end
 endmodule
 
 `default_nettype wire

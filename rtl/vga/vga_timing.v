@@ -2,43 +2,77 @@
 //
 //   pixels:  |<-- 640 shown -->|< 16 >|<-- 96 HS low -->|<-- 48 -->|   800 a line
 //   lines:   |<-- 480 shown -->|< 10 >|<--  2 VS low -->|<-- 33 -->|   525 a frame
+//
+// The pins follow the beam four clocks later, when its pixels are there.  Between the edges of
+// these three signals and the ends of lines nothing changes here.
 
 `default_nettype none
 
 module vga_timing (
-    input  wire       clk_i,        // the pixel clock, 25 MHz
+    input  wire       clk_i,
     input  wire       rst_i,
+    // Modulo the line.
+    // verilator lint_off UNUSED
+    input  wire [29:0] now_i,
+    // verilator lint_on UNUSED
 
-    output reg  [9:0] h_o,          // 0 to 799; 0 to 639 are shown
-    output reg  [9:0] v_o,          // 0 to 524; 0 to 479 are shown
+    output wire [9:0] h_o,
+    output reg  [9:0] v_o,
     output wire       line_end_o,   // last clock of a line
     output wire [8:0] row_next_o,   // row of the picture that the next line shows, if it is shown
-    output wire       hs_no,
+    output wire       visible_o,    // on the pins from the next clock on
+    output reg        hs_no,
     output reg        vs_no,        // moves with the leading edge of HS
-    output wire       shown_o
+    output reg        blank_no,
+
+    output wire [9:0] rest_o
 );
     localparam [9:0] H_SHOWN = 640, H_FRONT = 16, H_SYNC = 96, H_TOTAL = 800;
     localparam [9:0] V_SHOWN = 480, V_FRONT = 10, V_SYNC = 2, V_TOTAL = 525;
+    localparam [9:0] LATER = 3;     // edges from the beam to the pins, less one
+    localparam [9:0] SHOW = LATER, HIDE = H_SHOWN + LATER, SYNC = H_SHOWN + H_FRONT + LATER,
+                     SYNC_END = SYNC + H_SYNC, LAST = H_TOTAL - 1;
 
+    reg  [9:0] begun_q;             // the clock in which the line began
     wire [9:0] v_next = v_o == V_TOTAL - 10'd1 ? 10'd0 : v_o + 10'd1;
 
-    assign line_end_o = h_o == H_TOTAL - 10'd1;
+    assign h_o        = now_i[9:0] - begun_q;
+    assign line_end_o = h_o == LAST;
     assign row_next_o = v_next[9:1];
+    assign visible_o  = h_o >= SHOW && h_o < HIDE && v_o < V_SHOWN;
+
+    wire show = h_o == SHOW && v_o < V_SHOWN;
+    wire hide = h_o == HIDE && v_o < V_SHOWN;
 
     always @(posedge clk_i) begin
-        h_o <= line_end_o ? 10'd0 : h_o + 10'd1;
-        if (line_end_o) v_o <= v_next;
-        if (h_o == H_SHOWN + H_FRONT - 10'd1)
+        if (show) blank_no <= 1'b1;
+        if (hide) blank_no <= 1'b0;
+        if (h_o == SYNC) begin
+            hs_no <= 1'b0;
             vs_no <= !(v_next >= V_SHOWN + V_FRONT && v_next < V_SHOWN + V_FRONT + V_SYNC);
+        end
+        if (h_o == SYNC_END) hs_no <= 1'b1;
+        if (line_end_o) begin
+            begun_q <= now_i[9:0] + 10'd1;
+            v_o     <= v_next;
+        end
         if (rst_i) begin
-            h_o   <= 10'd0;
-            v_o   <= V_SHOWN;   // begin with the blanking: the first frame is a whole one
-            vs_no <= 1'b1;
+            begun_q  <= 10'd0;      // after a reset now_i begins at 0
+            v_o      <= V_SHOWN;    // begin with the blanking: the first frame is a whole one
+            hs_no    <= 1'b1;
+            vs_no    <= 1'b1;
+            blank_no <= 1'b0;
         end
     end
 
-    assign hs_no   = !(h_o >= H_SHOWN + H_FRONT && h_o < H_SHOWN + H_FRONT + H_SYNC);
-    assign shown_o = h_o < H_SHOWN && v_o < V_SHOWN;
+    // ---- Clocks rest_until something comes next --------------------------------
+    function [9:0] rest_until;
+        input [9:0] h;              // later than h_o
+        rest_until = h - h_o - 10'd1;
+    endfunction
+
+    assign rest_o = h_o < HIDE && v_o < V_SHOWN ? 10'd0 : h_o < SYNC ? rest_until(SYNC)
+                    : h_o < SYNC_END ? rest_until(SYNC_END) : h_o < LAST ? rest_until(LAST) : 10'd0;
 endmodule
 
 `default_nettype wire

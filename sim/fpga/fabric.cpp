@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <utility>
 
 #include "Vfpga.h"
 #include "verilated.h"
@@ -10,6 +11,9 @@
 #endif
 
 namespace sim {
+
+// Bits of moved_i.
+enum Moved : std::uint8_t { LIGHTWEIGHT = 1, FULL = 2, PINS = 4 };
 
 // The signals of one AXI3 port; both bridges have the same shapes.
 struct Fabric::AxiPort {
@@ -37,6 +41,7 @@ struct Fabric::Model {
 #ifdef DE1SIM_TRACE
     VerilatedFstC trace;
 #endif
+    void edge(std::uint64_t time_ps);
     AxiPort& port(Bridge bridge) { return bridge == Bridge::LIGHTWEIGHT ? lw : h2f; }
 };
 
@@ -53,10 +58,16 @@ Fabric::Fabric(PinListener& pins, const std::string& trace_file)
 #else
     if (!trace_file.empty()) throw std::logic_error("this build of the fabric has no tracing");
 #endif
+    apply_inputs();
     model_->lw.bready = model_->lw.rready = model_->h2f.bready = model_->h2f.rready = 1;
+    constexpr std::uint8_t all = LIGHTWEIGHT | FULL | PINS;
     top.rst_i = 1;
-    run(8);
+    for (int i = 0; i < 8; ++i) {
+        moved_ = all;
+        clock(1);
+    }
     top.rst_i = 0;
+    moved_ = all;
 }
 
 Fabric::~Fabric() {
@@ -78,7 +89,7 @@ bool Fabric::can_trace() {
 #endif
 }
 
-inline void Fabric::clock() {
+void Fabric::apply_inputs() {
     Vfpga& top = model_->top;
     top.sw_i = in.sw;
     top.key_ni = in.key_n;
@@ -93,28 +104,69 @@ inline void Fabric::clock() {
     top.jtag_typed_i = in.jtag.typed;
     top.jtag_typed_data_i = in.jtag.bytes;
     top.jtag_idle_i = in.jtag.idle;
+    applied_ = in;
+    look_ = true;
+    moved_ |= PINS;
     in.jtag.typed = in.jtag.idle = 0;
+}
 
+// One clock of the model.
+inline void Fabric::Model::edge([[maybe_unused]] std::uint64_t time_ps) {
+#ifdef DE1SIM_EVERY_CLOCK
     top.clk_i = 1;
     top.eval();
 #ifdef DE1SIM_TRACE
-    if (model_->trace.isOpen()) model_->trace.dump(time_ps());
+    if (trace.isOpen()) trace.dump(time_ps);
 #endif
     top.clk_i = 0;  // VGA_CLK rises
     top.eval();
 #ifdef DE1SIM_TRACE
-    if (model_->trace.isOpen()) model_->trace.dump(time_ps() + FABRIC_PERIOD_PS / 2);
+    if (trace.isOpen()) trace.dump(time_ps + FABRIC_PERIOD_PS / 2);
 #endif
-    ++clocks_;
+#else
+    top.clk_i = !top.clk_i;  // sim/fpga/root_clock.v
+    top.eval();
+#endif
+}
 
-    video_[video_count_++] = static_cast<std::uint32_t>(top.vga_r_o) << 16 |
-                             static_cast<std::uint32_t>(top.vga_g_o) << 8 | top.vga_b_o |
-                             static_cast<std::uint32_t>(top.vga_hs_no) << 24 |
-                             static_cast<std::uint32_t>(top.vga_vs_no) << 25 |
-                             static_cast<std::uint32_t>(top.vga_blank_no) << 26 |
-                             static_cast<std::uint32_t>(top.vga_sync_no) << 27;
-    if (video_count_ == VIDEO_BATCH) flush();
+// Runs one clock, and leaves out those after it in which nothing happens: `most` in all.  Returns
+// how many have passed.
+inline std::uint64_t Fabric::clock(std::uint64_t most) {
+    Vfpga& top = model_->top;
+    if (std::exchange(look_, false) && (in.jtag.typed || in.jtag.idle || !(in == applied_)))
+        apply_inputs();
+#ifdef DE1SIM_EVERY_CLOCK
+    const bool stirs = true;
+    const std::uint64_t passed = 1;
+    (void)most;
+#else
+    const bool stirs = moved_ || top.stirs_o;
+    const std::uint64_t skip = moved_ ? 0 : std::min<std::uint64_t>(top.rest_o, most - 1);
+    const std::uint64_t passed = 1 + skip;
+    top.skip_i = static_cast<SData>(skip);
+    top.moved_i = moved_;
+#endif
+    moved_ = 0;
+    model_->edge(time_ps());
+    clocks_ += passed;
 
+    const std::uint32_t sample = static_cast<std::uint32_t>(top.vga_r_o) << 16 |
+                                 static_cast<std::uint32_t>(top.vga_g_o) << 8 | top.vga_b_o |
+                                 static_cast<std::uint32_t>(top.vga_hs_no) << 24 |
+                                 static_cast<std::uint32_t>(top.vga_vs_no) << 25 |
+                                 static_cast<std::uint32_t>(top.vga_blank_no) << 26 |
+                                 static_cast<std::uint32_t>(top.vga_sync_no) << 27;
+    for (std::uint64_t i = 0; i < passed; ++i) {
+        video_[video_count_++] = sample;
+        if (video_count_ == VIDEO_BATCH) flush();
+    }
+    if (stirs) tell_pins();  // else only the picture can have moved
+    return passed;
+}
+
+void Fabric::tell_pins() {
+    Vfpga& top = model_->top;
+    look_ = true;
     const std::uint32_t codec = static_cast<std::uint32_t>(
         top.aud_bclk_o | top.aud_daclrck_o << 1 | top.aud_adclrck_o << 2 | top.aud_dacdat_o << 3 |
         top.i2c_sclk_o << 4 | top.i2c_sdat_oe_o << 5);
@@ -146,7 +198,8 @@ inline void Fabric::clock() {
 }
 
 void Fabric::run(std::uint64_t clocks) {
-    while (clocks--) clock();
+    look_ = true;
+    while (clocks) clocks -= clock(clocks);
 }
 
 void Fabric::flush() {
@@ -159,7 +212,7 @@ void Fabric::flush() {
 bool Fabric::clock_until(const std::uint8_t& ready) {
     for (unsigned i = 0; i < ANSWER_CLOCKS; ++i) {
         const bool taken = ready;
-        clock();
+        clock(1);
         if (taken) return true;
     }
     return false;
@@ -179,6 +232,7 @@ unsigned size_of(std::uint32_t address, unsigned bytes) {
 
 AxiResponse Fabric::write(Bridge bridge, std::uint32_t address, const std::uint8_t* data,
                           unsigned bytes) {
+    look_ = true;
     AxiPort& axi = model_->port(bridge);
     const std::uint32_t first = address / 4, last = (address + bytes - 1) / 4;
     axi.awaddr = address;
@@ -186,6 +240,7 @@ AxiResponse Fabric::write(Bridge bridge, std::uint32_t address, const std::uint8
     axi.awsize = static_cast<CData>(size_of(address, bytes));
     axi.awburst = 1;  // INCR
     axi.awvalid = 1;
+    moved_ |= bridge == Bridge::LIGHTWEIGHT ? LIGHTWEIGHT : FULL;
     bool alive = clock_until(axi.awready);
     axi.awvalid = 0;
     const std::uint32_t end = address + bytes;
@@ -205,15 +260,16 @@ AxiResponse Fabric::write(Bridge bridge, std::uint32_t address, const std::uint8
     axi.wvalid = 0;
     for (unsigned i = 0; alive && !axi.bvalid; ++i) {
         if (i == ANSWER_CLOCKS) alive = false;
-        clock();
+        clock(1);
     }
     if (!alive) return AxiResponse::NONE;
     const auto response = static_cast<AxiResponse>(axi.bresp);
-    clock();
+    clock(1);
     return response;
 }
 
 AxiResponse Fabric::read(Bridge bridge, std::uint32_t address, std::uint8_t* data, unsigned bytes) {
+    look_ = true;
     AxiPort& axi = model_->port(bridge);
     const std::uint32_t first = address / 4, last = (address + bytes - 1) / 4,
                         end = address + bytes;
@@ -222,20 +278,21 @@ AxiResponse Fabric::read(Bridge bridge, std::uint32_t address, std::uint8_t* dat
     axi.arsize = static_cast<CData>(size_of(address, bytes));
     axi.arburst = 1;  // INCR
     axi.arvalid = 1;
+    moved_ |= bridge == Bridge::LIGHTWEIGHT ? LIGHTWEIGHT : FULL;
     bool alive = clock_until(axi.arready);
     axi.arvalid = 0;
     AxiResponse response = AxiResponse::OKAY;
     for (std::uint32_t word = first; alive && word <= last; ++word) {
         for (unsigned i = 0; alive && !axi.rvalid; ++i) {
             if (i == ANSWER_CLOCKS) alive = false;
-            clock();
+            clock(1);
         }
         if (!alive) break;
         if (axi.rresp != 0) response = static_cast<AxiResponse>(axi.rresp);
         const std::uint32_t from = std::max(address, word * 4), to = std::min(end, word * 4 + 4);
         for (std::uint32_t a = from; a < to; ++a)
             data[a - address] = static_cast<std::uint8_t>(axi.rdata >> (a % 4 * 8));
-        clock();
+        clock(1);
     }
     return alive ? response : AxiResponse::NONE;
 }

@@ -38,6 +38,10 @@ struct JtagInputs {
     std::uint8_t typed = 0;   // a byte from the host, for one clock
     std::uint8_t idle = 0;    // the host has nothing to send, for one clock
     std::uint16_t bytes = 0;  // typed
+
+    bool operator==(const JtagInputs& o) const {
+        return take == o.take && typed == o.typed && idle == o.idle && bytes == o.bytes;
+    }
 };
 
 struct FabricInputs {
@@ -47,6 +51,12 @@ struct FabricInputs {
     bool adcdat = false, sdat = true, adc_sdo = false;
     JtagInputs jtag;
     std::uint8_t ps2_clk = 3, ps2_dat = 3;  // bit n of port n
+
+    bool operator==(const FabricInputs& o) const {
+        return sw == o.sw && key_n == o.key_n && jp1 == o.jp1 && jp2 == o.jp2 &&
+               adcdat == o.adcdat && sdat == o.sdat && adc_sdo == o.adc_sdo && jtag == o.jtag &&
+               ps2_clk == o.ps2_clk && ps2_dat == o.ps2_dat;
+    }
 };
 
 class PinListener {
@@ -105,11 +115,16 @@ private:
     struct AxiPort;
     static constexpr unsigned VIDEO_BATCH = 800, ANSWER_CLOCKS = 10'000;
 
-    void clock();
+    std::uint64_t clock(std::uint64_t most);
+    void apply_inputs();
+    void tell_pins();
     bool clock_until(const std::uint8_t& ready);
 
     PinListener& pins_;
     std::unique_ptr<Model> model_;
+    FabricInputs applied_;
+    bool look_ = true;        // `in` may differ from applied_
+    std::uint8_t moved_ = 0;  // inputs since the last clock
     std::uint64_t clocks_ = 0;
     std::uint32_t video_[VIDEO_BATCH];
     unsigned video_count_ = 0;

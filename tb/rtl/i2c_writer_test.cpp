@@ -19,10 +19,12 @@ protected:
         dut.rst_i = 1;
         dut.start_i = 0;
         dut.sdat_i = 1;
-        dut.clk_i = 0;
-        dut.eval();
-        dut.clk_i = 1;
-        dut.eval();
+        for (int i = 0; i < 2; ++i) {  // as many as the synchroniser has flip-flops
+            dut.clk_i = 0;
+            dut.eval();
+            dut.clk_i = 1;
+            dut.eval();
+        }
         dut.rst_i = 0;
     }
     void TearDown() override { EXPECT_THAT(bus.faults, IsEmpty()); }

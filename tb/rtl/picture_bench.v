@@ -36,6 +36,7 @@ module picture_bench (
     input  wire            rready_i,
 
     input  wire            screen_re_i,
+    input  wire            screen_keep_i,
     input  wire [16:0]     screen_index_i,
     output wire [31:0]     screen_word_o,
 
@@ -51,6 +52,7 @@ module picture_bench (
     wire [16:0] windex, rindex;
     wire [31:0] wdata;
 
+    // verilator lint_off PINCONNECTEMPTY
     h2f_bridge bridge (
         .clk_i(clk_i), .rst_i(rst_i),
         .awid_i(awid_i), .awaddr_i(awaddr_i), .awlen_i(awlen_i), .awsize_i(awsize_i),
@@ -63,13 +65,14 @@ module picture_bench (
         .rvalid_o(rvalid_o), .rready_i(rready_i),
         .we_o(we), .cell_we_o(cell_we), .windex_o(windex), .wdata_o(wdata),
         .re_o(re), .rindex_o(rindex), .rgrant_i(grant),
-        .rdata_i(screen_word_o), .cells_i(cells_o), .cells_wait_i(cells_wait)
+        .rdata_i(screen_word_o), .cells_i(cells_o), .cells_wait_i(cells_wait), .awake_o()
     );
 
     picture_store store (
         .clk_i(clk_i),
-        .screen_re_i(screen_re_i), .screen_index_i(screen_index_i),
-        .re_i(re), .rindex_i(rindex), .rgrant_o(grant), .rdata_o(screen_word_o),
+        .screen_re_i(screen_re_i), .screen_keep_i(screen_keep_i),
+        .screen_index_i(screen_index_i), .re_i(re), .rindex_i(rindex), .rgrant_o(grant),
+        .rdata_o(screen_word_o),
         .we_i(we), .windex_i(windex), .wdata_i(wdata)
     );
 
@@ -78,8 +81,9 @@ module picture_bench (
         .filling_o(cells_wait), .any_o(any_o),
         .screen_re_i(cell_re_i), .screen_index_i(cell_index_i),
         .re_i(re && grant), .rindex_i(rindex[10:0]), .rdata_o(cells_o),
-        .we_i(cell_we), .windex_i(windex[10:0]), .wdata_i(wdata)
+        .we_i(cell_we), .windex_i(windex[10:0]), .wdata_i(wdata), .awake_o()
     );
+    // verilator lint_on PINCONNECTEMPTY
 endmodule
 
 `default_nettype wire

@@ -22,8 +22,8 @@ protected:
     bool screen = true;
     std::map<std::uint32_t, std::uint32_t> expected;  // bridge offset of a word -> its value
 
-    // What the screen asked for a clock ago.
-    bool asked = false;
+    // What the screen asked for a clock ago, and two.
+    bool asked = false, kept = false;
     std::uint32_t asked_offset = 0;
     unsigned wrong_pixels = 0, checked_pixels = 0;
     std::uint32_t screen_offset = PICTURE0;
@@ -33,7 +33,7 @@ protected:
     void SetUp() override {
         dut.rst_i = 1;
         dut.awvalid_i = dut.wvalid_i = dut.arvalid_i = dut.screen_re_i = 0;
-        dut.cell_re_i = dut.clear_i = 0;
+        dut.cell_re_i = dut.clear_i = dut.screen_keep_i = 0;
         clock();
         clock();
         dut.rst_i = 0;
@@ -43,13 +43,18 @@ protected:
     void clock() {
         dut.clk_i = 0;
         axi.before_edge();
-        if (asked && expected.count(asked_offset)) {
-            ++checked_pixels;
-            wrong_pixels += dut.screen_word_o != expected[asked_offset];
+        if (asked || kept) {
+            const auto wanted = expected.find(asked_offset);
+            if (wanted != expected.end()) {
+                ++checked_pixels;
+                wrong_pixels += dut.screen_word_o != wanted->second;
+            }
         }
+        kept = asked;
+        dut.screen_keep_i = kept;
         asked = screen && clocks % 4 == 0;
         dut.screen_re_i = asked;
-        asked_offset = screen_offset;
+        if (asked) asked_offset = screen_offset;
         dut.screen_index_i = (screen_offset < PICTURE0 ? 38400 : 0) +
                              (screen_offset >> 10 & 0xff) * 160 + (screen_offset >> 2 & 0xff);
         dut.eval();

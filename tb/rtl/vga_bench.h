@@ -1,18 +1,18 @@
-// vga_bench.h - test fixture for vga.v: the stores of pictures and characters, and who looks at the
-// ADV7123's pins.
+// vga_bench.h - test fixture for vga_bench.v: the stores of pictures and characters, and who looks
+// at the ADV7123's pins.
 #pragma once
 
 #include <array>
 #include <vector>
 
-#include "Vvga.h"
+#include "Vvga_bench.h"
 #include "tb/support/register_bus.h"
 
 namespace tb {
 
 constexpr int LINE = 800, LINES = 525, FRAME = LINE * LINES;
 
-class VgaBench : public RegisterBus<Vvga> {
+class VgaBench : public RegisterBus<Vvga_bench> {
 protected:
     struct Pins {
         bool hs, vs, blank_n;
@@ -47,8 +47,8 @@ protected:
             ++fetches;
             ASSERT_LT(dut.index_o, 76800u);
             word = picture[dut.index_o / 38400][dut.index_o % 38400];
-        } else {
-            word = 0xdeadbeef;  // holds only for the clock after the fetch
+        } else if (!dut.keep_o) {
+            word = 0xdeadbeef;  // the processor may have read
         }
         seen.push_back(
             {dut.vga_hs_no != 0, dut.vga_vs_no != 0, dut.vga_blank_no != 0,

@@ -164,13 +164,4 @@ TEST_F(Vga, AnswersTheResamplersStatus) {
     EXPECT_EQ(dut.rdata_o, 0u);
 }
 
-TEST_F(Vga, ClocksTheDacInTheMiddleOfAPixel) {
-    dut.clk_i = 1;
-    dut.eval();
-    EXPECT_EQ(dut.vga_clk_o, 0);
-    dut.clk_i = 0;
-    dut.eval();
-    EXPECT_EQ(dut.vga_clk_o, 1);
-}
-
 }  // namespace

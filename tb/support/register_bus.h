@@ -17,6 +17,15 @@ protected:
     Dut dut;
     std::uint64_t clocks = 0;
 
+    // timebase.v, for blocks that want to know the number of the clock.
+    template <class Block>
+    static auto tell_time(Block& block, int) -> decltype(void(block.now_i)) {
+        block.now_i = block.rst_i ? 0 : (block.now_i + 1) & 0x3fffffff;
+        block.eval();
+    }
+    template <class Block>
+    static void tell_time(Block&, long) {}
+
     // Called after each rising edge, for what hangs on the pins.
     virtual void after_clock() {}
 
@@ -26,6 +35,7 @@ protected:
             dut.eval();
             dut.clk_i = 1;
             dut.eval();
+            tell_time(dut, 0);
             ++clocks;
             after_clock();
         }

@@ -1,0 +1,67 @@
+// fpga_clocks.v - a clock for each group of blocks that sleep together (README.md, Sleep)
+//
+//   clk_i --> root_clock --+--> clk_o: the beam, the pictures' memory, the number of the clock
+//                          +--> group_clock --> lw_clk_o ... audio_clk_o
+//
+// A group gets a clock if it wakes or if one of its inputs from outside has moved.  In a reset all
+// of moved_i is 1.
+
+`default_nettype none
+
+module fpga_clocks (
+    input  wire        clk_i,
+    input  wire        rst_i,
+
+    input  wire [2:0]  moved_i,        // as fpga.v says
+    input  wire [9:0]  skip_i,
+    output reg  [9:0]  rest_o,
+    output wire        stirs_o,
+
+    input  wire        lw_wakes_i,     // a block is awake or due, or another group speaks to it
+    input  wire        h2f_wakes_i,
+    input  wire        audio_wakes_i,
+    input  wire        ports_wakes_i,
+    input  wire [9:0]  beam_rest_i,    // rest_o of the blocks that wait
+    input  wire [9:0]  audio_rest_i,
+    input  wire [9:0]  keypad_rest_i,
+    input  wire [9:0]  ps2_rest_i,
+    input  wire [9:0]  timer0_rest_i,
+    input  wire [9:0]  timer1_rest_i,
+
+    output wire        clk_o,
+    output wire        lw_clk_o,
+    output wire        h2f_clk_o,
+    output wire        ports_clk_o,
+    output wire        audio_clk_o,
+    output wire [29:0] now_o
+);
+    wire lw_awake    = lw_wakes_i || moved_i[0];
+    wire h2f_awake   = h2f_wakes_i || moved_i[1];
+    wire ports_awake = ports_wakes_i || moved_i[2];
+    wire audio_awake = audio_wakes_i || moved_i[2];
+
+    root_clock root (.clk_i(clk_i), .clk_o(clk_o));
+    group_clock lw_group (.clk_i(clk_o), .awake_i(lw_awake), .clk_o(lw_clk_o));
+    group_clock h2f_group (.clk_i(clk_o), .awake_i(h2f_awake), .clk_o(h2f_clk_o));
+    group_clock ports_group (.clk_i(clk_o), .awake_i(ports_awake), .clk_o(ports_clk_o));
+    group_clock audio_group (.clk_i(clk_o), .awake_i(audio_awake), .clk_o(audio_clk_o));
+
+    timebase base (.clk_i(clk_o), .rst_i(rst_i), .skip_i(skip_i), .now_o(now_o));
+
+    assign stirs_o = ports_wakes_i || audio_wakes_i;
+
+    // While anybody is awake nobody knows whom that wakes next.
+    always @* begin
+        rest_o = 10'd0;
+        if (!(lw_wakes_i || h2f_wakes_i || ports_wakes_i || audio_wakes_i)) begin
+            rest_o = beam_rest_i;
+            if (audio_rest_i < rest_o) rest_o = audio_rest_i;
+            if (keypad_rest_i < rest_o) rest_o = keypad_rest_i;
+            if (ps2_rest_i < rest_o) rest_o = ps2_rest_i;
+            if (timer0_rest_i < rest_o) rest_o = timer0_rest_i;
+            if (timer1_rest_i < rest_o) rest_o = timer1_rest_i;
+        end
+    end
+endmodule
+
+`default_nettype wire

@@ -1,0 +1,65 @@
+// vga_bench.v - the beam and the registers that it shows by, on one clock.
+
+`default_nettype none
+
+module vga_bench (
+    input  wire        clk_i,
+    input  wire        rst_i,
+    input  wire [29:0] now_i,
+
+    input  wire        we_i,
+    input  wire [3:0]  wstrb_i,
+    input  wire [11:0] waddr_i,
+    input  wire [31:0] wdata_i,
+    input  wire        re_i,
+    input  wire        resampler_re_i,
+    input  wire        text_we_i,
+    input  wire        text_re_i,
+    input  wire [11:0] raddr_i,
+    output wire [31:0] rdata_o,
+
+    output wire        fetch_o,
+    output wire        keep_o,
+    output wire [16:0] index_o,
+    input  wire [31:0] word_i,
+    output wire        cell_o,
+    output wire [10:0] cell_index_o,
+    input  wire [31:0] cells_i,
+    input  wire        cells_any_i,
+    output wire        clear_o,
+    input  wire        clearing_i,
+
+    output wire        vga_hs_no,
+    output wire        vga_vs_no,
+    output wire        vga_blank_no,
+    output wire        vga_sync_no,
+    output wire [7:0]  vga_r_o,
+    output wire [7:0]  vga_g_o,
+    output wire [7:0]  vga_b_o
+);
+    wire [31:0] front;
+    wire        enable, text_enable, frame_end;
+
+    // Every clock happens here.
+    // verilator lint_off PINCONNECTEMPTY
+    screen_registers registers (
+        .clk_i(clk_i), .rst_i(rst_i), .we_i(we_i), .wstrb_i(wstrb_i), .waddr_i(waddr_i),
+        .wdata_i(wdata_i), .re_i(re_i), .resampler_re_i(resampler_re_i),
+        .text_we_i(text_we_i), .text_re_i(text_re_i), .raddr_i(raddr_i), .rdata_o(rdata_o),
+        .frame_end_i(frame_end), .front_o(front), .enable_o(enable), .text_enable_o(text_enable),
+        .clear_o(clear_o), .clearing_i(clearing_i), .awake_o()
+    );
+    vga beam (
+        .clk_i(clk_i), .rst_i(rst_i), .now_i(now_i),
+        .front_i(front), .enable_i(enable), .text_enable_i(text_enable), .frame_end_o(frame_end),
+        .fetch_o(fetch_o), .keep_o(keep_o), .index_o(index_o), .word_i(word_i),
+        .cell_o(cell_o), .cell_index_o(cell_index_o), .cells_i(cells_i),
+        .cells_any_i(cells_any_i),
+        .vga_hs_no(vga_hs_no), .vga_vs_no(vga_vs_no), .vga_blank_no(vga_blank_no),
+        .vga_sync_no(vga_sync_no), .vga_r_o(vga_r_o), .vga_g_o(vga_g_o), .vga_b_o(vga_b_o),
+        .rest_o()
+    );
+    // verilator lint_on PINCONNECTEMPTY
+endmodule
+
+`default_nettype wire
