@@ -1,4 +1,5 @@
-// interval_timer_formal.v - the interrupt is high exactly while an end that was not cleared counts.
+// interval_timer_formal.v - the interrupt is high exactly while an end that was not cleared counts,
+// and every register reads what it should, snapshots of the running counter too.
 //
 // By 2-step induction, against a counter that takes the four ticks of a clock one by one, as the
 // manual tells it.  Every write, at any time, of whole half words; periods of four ticks or more.
@@ -10,18 +11,23 @@ module interval_timer_formal (
     input wire        rst_i,
     input wire        we_i,
     input wire [11:0] waddr_i,
-    input wire [31:0] wdata_i
+    input wire [31:0] wdata_i,
+    input wire        re_i,
+    input wire [11:0] raddr_i
 );
-    wire irq;
+    wire        irq;
+    wire [31:0] rdata;
+    reg  [29:0] now_q;
 
     interval_timer dut (
-        .clk_i(clk_i), .rst_i(rst_i), .we_i(we_i), .wstrb_i(4'b1111), .waddr_i(waddr_i),
-        .raddr_i(12'd0), .wdata_i(wdata_i), .re_i(1'b0), .rdata_o(), .irq_o(irq)
+        .clk_i(clk_i), .rst_i(rst_i), .now_i(now_q), .we_i(we_i), .wstrb_i(4'b1111),
+        .waddr_i(waddr_i), .raddr_i(raddr_i), .wdata_i(wdata_i), .re_i(re_i), .rdata_o(rdata),
+        .irq_o(irq)
     );
 
     // ---- The reference: a tick at a time ----
-    reg         live = 1'b0;
-    reg  [31:0] period_q, counter_q, counter;
+    reg         live = 1'b0, known_q = 1'b0;  // known: reset before the last clock
+    reg  [31:0] period_q, counter_q, counter, snap_q, read_q;
     reg         to_q, run_q, ito_q, cont_q, to, run;
     wire [4:0]  register = waddr_i[4:0];
     integer     tick;
@@ -41,7 +47,9 @@ module interval_timer_formal (
     end
 
     always @(posedge clk_i) begin
-        live <= 1'b1;
+        live    <= 1'b1;
+        known_q <= live;
+        now_q   <= rst_i ? 30'd0 : now_q + 30'd1;
         {counter_q, to_q, run_q} <= {counter, to, run};
         if (we_i) case (register)
             5'h00: to_q <= 1'b0;
@@ -59,9 +67,21 @@ module interval_timer_formal (
                 counter_q       <= {wdata_i[15:0], period_q[15:0]};
                 run_q           <= 1'b0;
             end
+            5'h10, 5'h14: snap_q <= counter_q;
+            default: ;
+        endcase
+        read_q <= 32'd0;
+        if (re_i) case (raddr_i[4:0])
+            5'h00: read_q[1:0]  <= {run_q, to_q};
+            5'h04: read_q[1:0]  <= {cont_q, ito_q};
+            5'h08: read_q[15:0] <= period_q[15:0];
+            5'h0c: read_q[15:0] <= period_q[31:16];
+            5'h10: read_q[15:0] <= snap_q[15:0];
+            5'h14: read_q[15:0] <= snap_q[31:16];
             default: ;
         endcase
         if (rst_i) begin
+            snap_q    <= 32'd0;
             period_q  <= 32'd12_499_999;   // 125 ms
             counter_q <= 32'd12_499_999;
             {to_q, run_q, ito_q, cont_q} <= 4'd0;
@@ -71,13 +91,18 @@ module interval_timer_formal (
     always @(*) if (live) assume (period_q >= 32'd3);
 
     // ---- What must hold, and the invariants ----
-    wire [31:0] dut__period_q, dut__counter_q;
+    wire [31:0] dut__period_q, dut__snap_q;
+    wire [29:0] dut__due_q;
+    wire [1:0]  dut__phase_q;
     wire        dut__to_q, dut__run_q, dut__ito_q, dut__cont_q;
 
     always @(*) if (live) begin
         a_irq: assert (irq == (to_q && ito_q));
+        if (known_q) a_reads: assert (rdata == read_q);
         i_period: assert (dut__period_q == period_q);
-        i_counter: assert (dut__counter_q == counter_q && counter_q <= period_q);
+        i_counter: assert (dut__phase_q == counter_q[1:0] && counter_q <= period_q);
+        i_due: assert ((run_q ? dut__due_q - now_q : dut__due_q) == counter_q[31:2]);
+        i_snap: assert (dut__snap_q == snap_q);
         i_flags: assert ({dut__to_q, dut__run_q, dut__ito_q, dut__cont_q}
                          == {to_q, run_q, ito_q, cont_q});
     end

@@ -1,13 +1,14 @@
 // keypad_scan_formal.v - one column low; no key moves before its debounce time, and then it does.
 //
-// By 3-step induction, with slots of three clocks.  Rows and debounce time are free; one key, any
-// of the sixteen, is followed through a scan of the harness's own.
+// By 3-step induction, with slots of three clocks.  Rows, debounce time and pauses are free; one
+// key, any of the sixteen, is followed through a scan of the harness's own.
 
 `default_nettype none
 
 module keypad_scan_formal (
     input wire       clk_i,
     input wire       rst_i,
+    input wire       run_i,
     input wire [7:0] debounce_i,
     input wire [3:0] row_ni
 );
@@ -16,10 +17,11 @@ module keypad_scan_formal (
     wire [3:0]  col_low;
     wire [15:0] keys;
     wire        ghost;
+    reg  [29:0] clock_q;
 
     keypad_scan #(.SLOT_CYCLES(3)) dut (
-        .clk_i(clk_i), .rst_i(rst_i), .debounce_i(debounce_i), .col_low_o(col_low),
-        .row_ni(row_ni), .keys_o(keys), .ghost_o(ghost)
+        .clk_i(clk_i), .rst_i(rst_i), .now_i(clock_q), .run_i(run_i), .debounce_i(debounce_i),
+        .col_low_o(col_low), .row_ni(row_ni), .keys_o(keys), .ghost_o(ghost)
     );
 
     // ---- The reference: where the scan is, what it has read -----------------
@@ -28,7 +30,8 @@ module keypad_scan_formal (
 
     reg         live = 1'b0;
     reg  [3:0]  row1_q, row2_q;              // the rows as the synchroniser delivers them
-    reg  [1:0]  slot_q, col_q;
+    reg         runs_q;                      // a slot was under way in the last clock, or began
+    reg  [1:0]  slot_q, col_q;               // clock of the slot, which begins with run_i
     reg  [15:0] now_q, scan_q;               // read in this scan; the whole scan before
     reg         whole_q;                     // a scan was completed by the last clock
     reg  [7:0]  same_q;                      // equal scans in a row, saturating
@@ -38,7 +41,7 @@ module keypad_scan_formal (
     reg  [7:0]  debounce_q;
     reg         whole_was_q;
     reg  [7:0]  same_was_q;
-    wire        slot_end = slot_q == SLOT_LAST;
+    wire        slot_end = runs_q && slot_q == SLOT_LAST;
     wire [15:0] now = {~row2_q, now_q[11:0]};
     integer     c;
 
@@ -52,7 +55,9 @@ module keypad_scan_formal (
         corners_q   <= corners;
         row1_q      <= row_ni;
         row2_q      <= row1_q;
-        slot_q      <= slot_end ? 2'd0 : slot_q + 2'd1;
+        clock_q     <= rst_i ? 30'd0 : clock_q + 30'd1;
+        runs_q      <= run_i;
+        slot_q      <= slot_end || !run_i ? 2'd0 : slot_q + 2'd1;
         whole_q     <= slot_end && col_q == 2'd3;
         if (slot_end) begin
             col_q <= col_q + 2'd1;
@@ -70,7 +75,7 @@ module keypad_scan_formal (
         end
         if (rst_i) begin
             {slot_q, col_q, same_q, run_q, scan_q} <= 0;
-            {whole_q, held_q} <= 0;
+            {whole_q, held_q, runs_q} <= 0;
         end
     end
     always @(*) if (!live) assume (rst_i);
@@ -100,17 +105,19 @@ module keypad_scan_formal (
     end
 
     // ---- Invariants -----------------------------------------------------------
-    wire [1:0]  dut__slot_q, dut__col_q;
+    wire [1:0]  dut__due_q, dut__col_q;
     wire [3:0]  dut__rows0_q, dut__rows1_q, dut__rows2_q, dut__row_n;
     wire [15:0] dut__last_q;
     wire [7:0]  dut__equal_q;
-    wire        dut__scanned_q;
+    wire        dut__scanned_q, dut__runs_q;
     reg  [1:0]  age_q = 2'd0;
     always @(posedge clk_i) if (age_q != 2'd3) age_q <= age_q + 2'd1;
     wire        sampled = col_q > col;       // the followed key has been read in this scan
 
     always @(*) if (live) begin
-        i_place: assert (dut__slot_q == slot_q && dut__col_q == col_q);
+        i_place: assert (dut__runs_q == runs_q && dut__col_q == col_q);
+        i_due:  assert (!runs_q || dut__due_q == clock_q[1:0] + SLOT_LAST - slot_q);
+        i_still: assert (runs_q || slot_q == 2'd0);
         if (age_q == 2'd3) i_row: assert (dut__row_n == row2_q);
         i_age:  assert (age_q >= 2'd1);
         i_whole: assert (dut__scanned_q == whole_q);

@@ -103,4 +103,5 @@ def main():
             sys.exit(f"{wanted} holds in spite of the mutant; failed: {sorted(failed)}")
 
 
-main()
+if __name__ == "__main__":
+    main()

@@ -1,7 +1,8 @@
 // vga_timing_formal.v - sync positions, blanking, totals of the VGA's beam
 //
-// By 3-step induction, so from any place of the beam.
-// The numbers are VESA DMT's for 640 x 480 at 60 Hz; VS moves where HS begins.
+// By 6-step induction, so from any place of the beam.
+// The numbers are VESA DMT's for 640 x 480 at 60 Hz; VS moves where HS begins.  The pins follow the
+// beam four clocks later.
 
 `default_nettype none
 
@@ -11,37 +12,50 @@ module vga_timing_formal (
 );
     wire [9:0] h, v;
     wire [8:0] row_next;
-    wire       line_end, hs_n, vs_n, shown;
+    wire       line_end, visible, hs_n, vs_n, blank_n;
+    reg [29:0] now_q;
 
     vga_timing dut (
-        .clk_i(clk_i), .rst_i(rst_i), .h_o(h), .v_o(v), .line_end_o(line_end),
-        .row_next_o(row_next), .hs_no(hs_n), .vs_no(vs_n), .shown_o(shown)
+        .clk_i(clk_i), .rst_i(rst_i), .now_i(now_q), .h_o(h), .v_o(v), .line_end_o(line_end),
+        .row_next_o(row_next), .visible_o(visible), .hs_no(hs_n), .vs_no(vs_n),
+        .blank_no(blank_n)
     );
+
+    // VS is low from HS before line 490 begins up to HS before line 492 begins.
+    wire hs_low = h >= 10'd656 && h < 10'd752;
+    wire vs_low = (v == 10'd489 && h >= 10'd656) || v == 10'd490
+                  || (v == 10'd491 && h < 10'd656);
+    wire shown  = h < 10'd640 && v < 10'd480;
 
     reg       live = 1'b0, moved_q = 1'b0;
     reg [9:0] h_q, v_q;
+    reg [3:0] hs_low_q, vs_low_q, shown_q;   // of 1 to 4 clocks before
     always @(posedge clk_i) begin
-        live    <= 1'b1;
-        moved_q <= !rst_i;
-        h_q     <= h;
-        v_q     <= v;
+        live     <= 1'b1;
+        moved_q  <= !rst_i;
+        now_q    <= rst_i ? 30'd0 : now_q + 30'd1;
+        h_q      <= h;
+        v_q      <= v;
+        hs_low_q <= rst_i ? 4'd0 : {hs_low_q[2:0], hs_low};
+        vs_low_q <= rst_i ? 4'd0 : {vs_low_q[2:0], vs_low};
+        shown_q  <= rst_i ? 4'd0 : {shown_q[2:0], shown};
     end
     always @(*) if (!live) assume (rst_i);
 
-    // VS is low from HS before line 490 begins up to HS before line 492 begins.
-    wire vs_low = (v == 10'd489 && h >= 10'd656) || v == 10'd490
-                  || (v == 10'd491 && h < 10'd656);
     always @(*) if (live) begin
         a_in_frame:  assert (h < 10'd800 && v < 10'd525);
-        a_hs:        assert (hs_n == !(h >= 10'd656 && h < 10'd752));
-        a_vs:        assert (vs_n == !vs_low);
-        a_shown:     assert (shown == (h < 10'd640 && v < 10'd480));
+        a_hs:        assert (hs_n == !hs_low_q[3]);
+        a_vs:        assert (vs_n == !vs_low_q[3]);
+        a_blank:     assert (blank_n == shown_q[3]);
+        a_visible:   assert (visible == shown_q[2]);
         a_line_end:  assert (line_end == (h == 10'd799));
         a_row_next:  assert (row_next == (v == 10'd524 ? 9'd0 : (v + 10'd1) >> 1));
         if (moved_q) begin
             a_line_total:  assert (h == (h_q == 10'd799 ? 10'd0 : h_q + 10'd1));
             a_frame_total: assert (v == (h_q != 10'd799 ? v_q : v_q == 10'd524 ? 10'd0
                                          : v_q + 10'd1));
+        end else begin
+            a_begins_with_the_blanking: assert (h == 10'd0 && v == 10'd480);
         end
     end
 endmodule

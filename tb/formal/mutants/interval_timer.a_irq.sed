@@ -1,1 +1,1 @@
-s/irq_o = to_q/irq_o = run_q/
+s/irq_o   = to_q/irq_o   = run_q/

@@ -1,1 +1,1 @@
-s/vga_blank_no} <= sync_q\[8:6\]/vga_blank_no} <= sync_q[5:3]/
+s/SHOW = LATER,/SHOW = LATER + 10'd1,/

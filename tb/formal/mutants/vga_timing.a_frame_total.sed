@@ -1,1 +1,1 @@
-s/if (line_end_o) v_o/if (h_o == 10'd0) v_o/
+s/if (line_end_o) begin/if (!h_o) v_o <= v_next; if (line_end_o) begin/; s/v_o     <= v_next;//

@@ -1,1 +1,1 @@
-s/line_end_o = h_o == .*/line_end_o = h_o == H_TOTAL - 10'd2;/
+s/line_end_o = h_o == LAST/line_end_o = h_o == LAST - 10'd1/

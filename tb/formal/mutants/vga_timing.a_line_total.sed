@@ -1,1 +1,1 @@
-s/h_o + 10.d1;/h_o + 10'd2;/
+s/begun_q <= now_i\[9:0\] + 10'd1/begun_q <= now_i[9:0]/

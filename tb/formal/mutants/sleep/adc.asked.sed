@@ -1,0 +1,1 @@
+s/busy_q || asked_q || auto_q/busy_q || auto_q/

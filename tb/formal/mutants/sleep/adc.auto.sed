@@ -1,0 +1,1 @@
+s/asked_q || auto_q || rdata/asked_q || rdata/

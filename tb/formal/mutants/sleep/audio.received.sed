@@ -1,0 +1,1 @@
+s/valid_o || adcdat_awake/adcdat_awake/

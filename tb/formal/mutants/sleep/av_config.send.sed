@@ -1,0 +1,1 @@
+s/restart_o || send_o;/restart_o;/

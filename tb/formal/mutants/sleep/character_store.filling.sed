@@ -1,0 +1,1 @@
+s/awake_o = filling_q/awake_o = 1'b0/

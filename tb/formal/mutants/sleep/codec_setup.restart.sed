@@ -1,0 +1,1 @@
+s/start || restart_q ||/start ||/

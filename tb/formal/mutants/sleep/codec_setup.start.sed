@@ -1,0 +1,1 @@
+s/awake_o = start || /awake_o = /

@@ -1,0 +1,1 @@
+s/ || cells_clear || cell_fetch)/ || cells_clear)/

@@ -1,0 +1,1 @@
+s/if (timer1_rest_i < rest_o) rest_o = timer1_rest_i;//

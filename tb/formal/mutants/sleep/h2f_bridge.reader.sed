@@ -1,0 +1,1 @@
+s/|| reader_awake || re ||/|| re ||/

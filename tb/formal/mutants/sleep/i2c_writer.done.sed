@@ -1,0 +1,1 @@
+s/busy_o || done_o/busy_o/

@@ -1,0 +1,1 @@
+s/ || sdat_awake;/;/

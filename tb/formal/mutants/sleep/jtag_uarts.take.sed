@@ -1,0 +1,1 @@
+s/ || write_count != 7'd0//

@@ -1,0 +1,1 @@
+s/run_i != runs_q || //

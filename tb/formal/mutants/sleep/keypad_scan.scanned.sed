@@ -1,0 +1,1 @@
+s/ || scanned_q//

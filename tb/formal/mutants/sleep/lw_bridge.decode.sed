@@ -1,0 +1,1 @@
+s/ || write_decode_awake$//

@@ -1,0 +1,1 @@
+s/ || asked_q || done_q;/ || asked_q;/

@@ -1,0 +1,1 @@
+s/writer_awake || we ||/we ||/

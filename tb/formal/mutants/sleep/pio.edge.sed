@@ -1,0 +1,1 @@
+s/ || data != data_was_q;/;/

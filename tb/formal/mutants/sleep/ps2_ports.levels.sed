@@ -1,0 +1,1 @@
+s/ || {clk_q, dat_q} != meta_q;/;/

@@ -1,0 +1,1 @@
+s/ || wires_q != meta_q$//

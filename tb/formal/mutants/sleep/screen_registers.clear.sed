@@ -1,0 +1,1 @@
+s/ || clear_o || clearing_rdata_q;/ || clearing_rdata_q;/

@@ -1,0 +1,1 @@
+s/pixel_awake || text_awake/pixel_awake/

@@ -1,0 +1,1 @@
+s/cell_o    <= 1'b0;/cell_o    <= cell_o;/

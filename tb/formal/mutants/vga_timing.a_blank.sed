@@ -1,0 +1,1 @@
+s/HIDE = H_SHOWN + LATER/HIDE = H_SHOWN + LATER - 10'd1/

@@ -1,0 +1,254 @@
+"""sleep.py - proves with Yosys and z3 that a block which sleeps would not have changed.
+
+What awake_o, due_o and rest_o promise is in rtl/README.md, Sleep.
+
+sleep.py --rtl DIR --work DIR [--strobes PORT...] [--pins PORT...] [--mutant FILE.sed]
+         --sources SOURCE...
+
+The first source is the block.  It is proved from any state, reachable or not, behind any clock
+before it, a reset too:
+
+    sleeps       not awake, not due, no strobe, pins as in the clock before: the next clock leaves
+                 every register and every word of memory as it is
+    stays        and awake_o stays 0
+    rests        with rest_o = r > 0 the clock after that is not due either, and has r - 1 to come
+
+Any other input, such as an address, data or the time, may do what it likes.  Of vga.v, whose clock
+never stops, `rests` says that in the r clocks behind this one nothing changes and nobody is spoken
+to; of timebase.v, `leaps`, that a leap over n + 1 clocks is one over n and a clock.  Of fpga.v with
+the simulation's group_clock.v, `sleeps` is said of each group, and `rests` of all together.
+
+0 if all of it holds; with --mutant, which changes a copy of the sources, if some of it does not.
+Where it does not, counterexample.txt in the work folder has a line a signal, and a column a clock.
+"""
+import argparse
+import json
+import os
+import pathlib
+import re
+import subprocess
+import sys
+
+from prove import mutated
+
+
+class Block:
+    """The block as SMT2, and terms of it."""
+
+    def __init__(self, arguments, sources):
+        self.name = sources[0].stem
+        rtl = os.path.relpath(arguments.rtl, arguments.work)  # Yosys splits paths at blanks
+        includes = " ".join(f"-I{rtl}/{folder}" for folder in ("regmap", "bus", "vga"))
+        files = " ".join(os.path.relpath(source, arguments.work) for source in sources)
+        script = (f"read_verilog {includes} {files}; hierarchy -check -top {self.name}; "
+                  "proc -norom; flatten; memory_collect; opt_clean; write_smt2 -wires block.smt2; "
+                  "write_json block.json")
+        done = subprocess.run(["yosys", "-q", "-p", script], cwd=arguments.work, text=True,
+                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+        if done.returncode:
+            sys.exit(done.stdout)
+        text = (arguments.work / "block.smt2").read_text()
+        self.widths = {name: int(width) for name, width in
+                       re.findall(r"^; yosys-smt2-wire (\S+) (\d+)$", text, re.M)}
+        # Functions of a state become constants with its name: z3 is slow with nested functions.
+        self.registers = re.findall(r"^\(declare-fun \|(.+?)\| \(\|\w+\|\) (.*)$", text, re.M)
+        self.wires = re.findall(r"^\(define-fun \|(.+?)\| \(\(state \|\w+\|\)\) (.*)$", text, re.M)
+        self.edges = re.findall(r"^  \(= .* next_state\)\) ;.*$", text, re.M)
+        netlist = json.loads((arguments.work / "block.json").read_text())["modules"][self.name]
+        nets = {}
+        for net, bits in netlist["netnames"].items():
+            nets.setdefault(bits["bits"][0], set()).add(net)
+        # The names of its clock, for each cell that has one.
+        self.clocks = {name.replace("\\", "/"): nets[cell["connections"][port][0]]
+                       for name, cell in netlist["cells"].items()
+                       for port in ("CLK", "WR_CLK") if port in cell["connections"]}
+
+    def edges_of(self, clock):
+        cell = re.compile(r" next_state\)\) ; (\S+)")
+        return [edge for edge in self.edges if clock in self.clocks[cell.search(edge)[1]]]
+
+    def states(self, names):
+        """Declares them."""
+        lines = []
+        for state in names:
+            lines += [f"(declare-const |{name} {state}| {sort}" for name, sort in self.registers]
+            lines += [f"(define-fun |{name} {state}| () {self.told(body, 'state', state)}"
+                      for name, body in self.wires]
+        return "\n".join(lines)
+
+    @staticmethod
+    def told(term, argument, state):
+        return re.sub(rf"\(\|([^|]+)\| {argument}\)", rf"|\1 {state}|", term)
+
+    def at(self, signal, state):
+        return f"|{self.name}_n {signal} {state}|"
+
+    def clock(self, before, after, edges=None):
+        """What the clock makes of the state before is the state after, in all or some registers."""
+        edges = "\n".join(edges or self.edges)
+        return f"(and {self.told(self.told(edges, 'state', before), 'next_state', after)}\n)"
+
+    def stands(self, state, edges=None):
+        """A clock would not change the state."""
+        return self.clock(state, state, edges)
+
+    def kept(self, before, after, edges):
+        """There was no clock."""
+        registers = re.findall(r"\(\|([^|]+)\| next_state\)", "\n".join(edges))
+        return f"(and {' '.join(f'(= |{name} {before}| |{name} {after}|)' for name in registers)})"
+
+    def low(self, signal, state):
+        if self.widths[signal] == 1:
+            return f"(not {self.at(signal, state)})"
+        return f"(= {self.at(signal, state)} {self.number(0, signal)})"
+
+    def same(self, signal, before, after, more=0):
+        number = self.at(signal, before)
+        if more:
+            number = f"(bvadd {number} {self.number(more, signal)})"
+        return f"(= {self.at(signal, after)} {number})"
+
+    def number(self, value, signal):
+        return f"(_ bv{value} {self.widths[signal]})"
+
+    def rests(self, state):
+        return f"(not {self.low('rest_o', state)})"
+
+    def one_less(self, before, after):
+        one = self.number(1, "rest_o")
+        return f"(bvuge {self.at('rest_o', after)} (bvsub {self.at('rest_o', before)} {one}))"
+
+
+def sleep(block, strobes, pins):
+    """What holds of a block with awake_o: (name, premises, conclusions)."""
+    def quiet(state, before):
+        return [block.clock(before, state), *(block.low(name, state) for name in strobes),
+                *(block.same(name, before, state) for name in pins),
+                *(block.low(name, state) for name in ("rst_i",) if name in block.widths)]
+
+    asleep = [*quiet("s1", "s0"), block.low("awake_o", "s1"),
+              *(block.low(name, "s1") for name in ("due_o",) if name in block.widths)]
+    later = [*asleep, *quiet("s2", "s1")]
+    yield "sleeps", asleep, [block.stands("s1")]
+    yield "stays", later, [block.low("awake_o", "s2")]
+    if "rest_o" in block.widths:
+        yield ("rests", [*later, block.rests("s1"), block.same("now_i", "s1", "s2", 1)],
+               [block.low("due_o", "s2"), block.one_less("s1", "s2")])
+
+
+def framed(block, state, beam=""):
+    """The invariant of vga.v that its rest_o needs."""
+    h, v, cell, shown, text = (block.at(beam + name, state)
+                               for name in ("h", "v", "cell_o", "shown", "text_q"))
+    return [f"(and (bvult {h} (_ bv800 10)) (bvult {v} (_ bv525 10)))",
+            f"(=> {cell} (and {shown} {text} (= ((_ extract 2 0) {h}) #b001)))"]
+
+
+def beam(block):
+    """What holds of vga.v."""
+    reset = [block.clock("s0", "s1"), block.at("rst_i", "s0"), block.low("now_i", "s1")]
+    ticks = [block.clock("s0", "s1"), block.low("rst_i", "s0"), *framed(block, "s0"),
+             block.same("now_i", "s0", "s1", 1)]
+    yield "framed by a reset", reset, framed(block, "s1")
+    yield "framed", ticks, framed(block, "s1")
+    yield ("rests", [*ticks, block.low("rst_i", "s1"), block.rests("s0")],
+           [block.stands("s1"), block.one_less("s0", "s1"),
+            *(block.low(name, "s1") for name in ("fetch_o", "frame_end_o", "cell_o"))])
+
+
+def fabric(block, strobes, pins):
+    """What holds of fpga.v, whose registers without a group are the beam's and the time."""
+    groups = tuple(f"clocks.{name}_group" for name in ("lw", "h2f", "ports", "audio"))
+    ours = {group: block.edges_of(f"{group}.clk_o") for group in groups}
+    grouped = sum(ours.values(), [])
+    others = [edge for edge in block.edges if edge not in grouped]
+    timeless = [edge for edge in others if r"\clocks.base.now_o" not in edge]
+
+    def unmoved(name, state):
+        bit = 0 if name.startswith("lw_") else 1 if name.startswith("h2f_") else 2
+        return f"(= ((_ extract {bit} {bit}) {block.at('moved_i', state)}) #b0)"
+
+    told = [f"(=> {block.at('rst_i', 's1')} (= {block.at('moved_i', 's1')} #b111))",
+            *(f"(=> {unmoved(name, 's1')} {block.low(name, 's1')})" for name in strobes),
+            *(f"(=> {unmoved(name, 's1')} {block.same(name, 's0', 's1')})" for name in pins)]
+    for group in groups:
+        yield (f"{group} sleeps",
+               [block.clock("s0", "s1"), *told, block.low(f"{group}.awake_i", "s1")],
+               [block.stands("s1", ours[group])])
+    yield ("rests", [block.clock("s0", "s1", others), block.kept("s0", "s1", grouped),
+                     *framed(block, "s0", "video_block.vga_block."), block.low("skip_i", "s0"),
+                     *(block.low(name, state) for name in ("moved_i", "rst_i")
+                       for state in ("s0", "s1")), block.rests("s0")],
+           [block.stands("s1", timeless), block.one_less("s0", "s1"),
+            *(block.low(f"{group}.awake_i", "s1") for group in groups)])
+
+
+def leap(block):
+    """What holds of timebase.v: s0 leaps to s1; s2, at the same time, leaps one less, to s3."""
+    yield ("leaps", [block.clock("s0", "s1"), block.clock("s2", "s3"), block.clock("s3", "s4"),
+                     block.same("now_o", "s0", "s2"), block.same("skip_i", "s2", "s0", 1),
+                     f"(not {block.low('skip_i', 's0')})", block.low("skip_i", "s3"),
+                     *(block.low("rst_i", state) for state in ("s0", "s2", "s3"))],
+           [block.same("now_o", "s1", "s4")])
+
+
+def ask(asked, work):
+    problem = work / "problem.smt2"
+    problem.write_text("\n".join(asked) + "\n")
+    return subprocess.run(["z3", str(problem)], stdout=subprocess.PIPE, text=True).stdout
+
+
+def holds(block, claim, work):
+    """Whether the claim does: its premises can be, but not without one of its conclusions."""
+    name, premises, conclusions = claim
+    states = sorted(set(re.findall(r" (s\d)\|", " ".join(premises))))
+    signals = [block.at(name, state) for name in block.widths for state in states]
+    asked = [block.states(states), f"(assert (and {' '.join(premises)}))"]
+    if ask([*asked, "(check-sat)"], work) != "sat\n":
+        sys.exit(f"{name}: this never is the case")
+    for conclusion in conclusions:
+        broken = [*asked, f"(assert (not {conclusion}))", "(check-sat)"]
+        answer = ask(broken, work)
+        if answer == "unsat\n":
+            continue
+        if answer != "sat\n":
+            sys.exit(answer)
+        values = dict(re.findall(r"(\|.+?\|) (\S+?)\)+\n",
+                                 ask([*broken, f"(get-value ({' '.join(signals)}))"], work)))
+        (work / "counterexample.txt").write_text("".join(
+            f"{name:40} {' '.join(values[block.at(name, state)] for state in states)}\n"
+            for name in block.widths))
+        return False
+    return True
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    parser.add_argument("--rtl", type=pathlib.Path, required=True)
+    parser.add_argument("--work", type=pathlib.Path, required=True)
+    parser.add_argument("--strobes", nargs="*", default=[])
+    parser.add_argument("--pins", nargs="*", default=[])
+    parser.add_argument("--mutant", type=pathlib.Path)
+    parser.add_argument("--sources", type=pathlib.Path, nargs="+", required=True)
+    arguments = parser.parse_args()
+    arguments.work.mkdir(parents=True, exist_ok=True)
+    sources = [arguments.rtl / source for source in arguments.sources]
+    if arguments.mutant:
+        sources = mutated(arguments, sources)
+    block = Block(arguments, sources)
+    if block.name == "vga":
+        claims = beam(block)
+    elif block.name == "timebase":
+        claims = leap(block)
+    else:
+        claims = (fabric if block.name == "fpga" else sleep)(block, arguments.strobes,
+                                                             arguments.pins)
+    failed = next((claim[0] for claim in claims if not holds(block, claim, arguments.work)), None)
+    if arguments.mutant and not failed:
+        sys.exit("all holds in spite of the mutant")
+    if failed and not arguments.mutant:
+        sys.exit(f"{failed}: does not hold, see {arguments.work}/counterexample.txt")
+
+
+if __name__ == "__main__":
+    main()
