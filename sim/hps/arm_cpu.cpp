@@ -43,7 +43,8 @@ void ArmCpu::account() {
 }
 
 sc_time ArmCpu::horizon() {
-    return std::min(sc_core::sc_time_to_pending_activity(), sc_time{100, sc_core::SC_US});
+    static const sc_time longest{100, sc_core::SC_US};
+    return std::min(sc_core::sc_time_to_pending_activity(), longest);
 }
 
 void ArmCpu::sync() {

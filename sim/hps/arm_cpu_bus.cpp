@@ -51,7 +51,7 @@ bool ArmCpu::access(tlm::tlm_command command, std::uint32_t address, unsigned by
     account();
     sync();
     const sc_time before = sc_core::sc_time_stamp() + ahead_;
-    std::string answer = transport(command, address, data, bytes, ahead_);
+    std::string answer = transport(payload_, command, address, data, bytes, ahead_);
     counts_.on_bus += sc_core::sc_time_stamp() + ahead_ - before;
     if (answer.empty()) return true;
     bus_answer_ = std::move(answer);

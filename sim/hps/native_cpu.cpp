@@ -33,7 +33,7 @@ void NativeCpu::access(tlm::tlm_command command, std::uint32_t address, void* da
         wait(ahead_);
         ahead_ = sc_core::SC_ZERO_TIME;
     }
-    const std::string answer = transport(command, address, data, bytes, ahead_);
+    const std::string answer = transport(payload_, command, address, data, bytes, ahead_);
     if (answer.empty()) return;
 
     const sc_time now = sc_core::sc_time_stamp() + ahead_;

@@ -42,6 +42,12 @@ protected:
     std::string transport(tlm::tlm_command command, std::uint32_t address, void* data,
                           unsigned bytes, sc_core::sc_time& delay) {
         tlm::tlm_generic_payload tx;
+        return transport(tx, command, address, data, bytes, delay);
+    }
+    // The same with a payload that is kept: to make one takes longer than much of the access.
+    std::string transport(tlm::tlm_generic_payload& tx, tlm::tlm_command command,
+                          std::uint32_t address, void* data, unsigned bytes,
+                          sc_core::sc_time& delay) {
         tx.set_command(command);
         tx.set_address(address);
         tx.set_data_ptr(static_cast<unsigned char*>(data));
@@ -52,6 +58,8 @@ protected:
         if (tx.is_response_ok()) return {};
         return refusal_(address, bytes, tx.is_write(), tx.get_response_status());
     }
+
+    tlm::tlm_generic_payload payload_;  // of the program's own accesses
 
     void fail(std::string why) {
         fault_ = std::move(why);
