@@ -1,0 +1,11 @@
+// bare_clocks.cpp - so many clocks of the bare model, for a profiler to count instructions in.
+//
+//   bare_clocks CLOCKS
+#include <cstdlib>
+
+#include "tb/bench/bare_model.h"
+
+int main(int argc, char** argv) {
+    if (argc != 2) return 2;
+    bench::bare_model_s(std::strtoull(argv[1], nullptr, 10), true);
+}
