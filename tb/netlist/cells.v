@@ -34,6 +34,15 @@ module MISTRAL_ALUT6 #(parameter [63:0] LUT = 0) (input wire A, B, C, D, E, F, o
     assign Q = LUT[{F, E, D, C, B, A}];
 endmodule
 
+// Any of those above, of which bit 0 is flipped where FLIP_LUT_BIT is in the environment.
+// Inputs that it does not have are 0.
+module FLIPPABLE_ALUT #(parameter [63:0] LUT = 0) (input tri0 A, B, C, D, E, F, output wire Q);
+    wire [5:0] at = {F, E, D, C, B, A};
+    reg flips;
+    initial flips = $c("std::getenv(\"FLIP_LUT_BIT\") != nullptr");
+    assign Q = LUT[at] ^ (flips && at == 0);
+endmodule
+
 // A full adder of two functions; the second goes in inverted.
 module MISTRAL_ALUT_ARITH #(
     parameter [15:0] LUT0 = 0,

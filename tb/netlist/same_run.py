@@ -1,7 +1,7 @@
-"""same_run.py DE1SIM OTHER SCENARIO OUT [--differs] - two de1sims, one scenario, the same bytes?
+"""same_run.py DE1SIM OTHER SCENARIO OUT [--differs] [OPTION...] - two de1sims, the same bytes?
 
 Compares every picture, the sound, the console and the report but for its wall time.  0 if they are
-the same, with --differs if they are not.
+the same, with --differs if they are not.  Further options go to both.
 """
 import json
 import pathlib
@@ -25,13 +25,15 @@ def files(folder):
 def main():
     programs, scenario, out = sys.argv[1:3], sys.argv[3], pathlib.Path(sys.argv[4])
     shutil.rmtree(out, ignore_errors=True)
+    options = [word for word in sys.argv[5:] if word != "--differs"]
     codes, runs = [], []
-    for name, program in zip(("verilog", "netlist"), programs):
+    for name, program in zip(("one", "other"), programs):
         done = subprocess.run([program, "run", "--quiet", "--frames", "all", "--out",
-                               str(out / name), scenario])
+                               str(out / name), scenario, *options])
         codes.append(done.returncode)
         runs.append(files(out / name))
-    if codes[0] != 0 or not any(name.endswith(".png") for name in runs[0]):
+    pictures = sum(name.endswith(".png") for name in runs[0])
+    if codes[0] != 0 or (pictures == 0 and not options):  # a program need not show any
         sys.exit(f"{programs[0]} failed with {codes[0]} or made no picture")
     names = sorted(set(runs[0]) | set(runs[1]))
     different = [name for name in names if runs[0].get(name) != runs[1].get(name)]
