@@ -20,7 +20,7 @@ std::string press(char key) {
 
 // Key 2 makes an X, key 0 ten more.
 std::string scenario(unsigned shapes) {
-    std::string text = "name: crowd\nsteps:\n  - wait-serial: ready\n";
+    std::string text = "name: crowd\nversion: 1\nsteps:\n  - wait-serial: ready\n";
     for (unsigned i = 0; i < 10; ++i) text += press('2');
     for (unsigned i = 10; i < shapes; i += 10) text += press('0');
     return text + fmt::format("  - delay: {}s\n  - expect-hex: \"{:>6}\"\n", SECONDS, shapes);

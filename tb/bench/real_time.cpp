@@ -21,7 +21,7 @@ constexpr double CLOCKS = DURATION_S * 1e12 / sim::FABRIC_PERIOD_PS;
 // Frames per second for each Mclock/s of the bare model that leaves nothing out.  That model is
 // FASTER times as fast as it was before blocks slept; where it then did 10 Mclocks/s, 60 frames per
 // second are wanted with the modelled processor and 75 with the native one.
-constexpr double FASTER = 1.6, BEFORE = 10;
+constexpr double FASTER = 2.4, BEFORE = 10;
 constexpr double LEAST_ARM = 60 / (FASTER * BEFORE), LEAST_NATIVE = 75 / (FASTER * BEFORE);
 constexpr double LEAST_BOXES = 0.75;  // of the demo's speed
 
