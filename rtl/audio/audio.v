@@ -192,14 +192,10 @@ module audio (
         reached = left >= THRESHOLD || right >= THRESHOLD;
     endfunction
 
-    function [1:0] wi_ri;
-        input [7:0] left_room;
-        input [7:0] right_room;
-        wi_ri = {reached(left_room, right_room), reached(left_in_count, right_in_count)};
-    endfunction
-
-    wire irq = ({wi_enable_q, ri_enable_q}
-                & wi_ri(DEPTH - left_out_count, DEPTH - right_out_count)) != 2'd0;
+    wire [7:0] left_room  = DEPTH - left_out_count;
+    wire [7:0] right_room = DEPTH - right_out_count;
+    wire [1:0] wi_ri = {reached(left_room, right_room), reached(left_in_count, right_in_count)};
+    wire       irq   = ({wi_enable_q, ri_enable_q} & wi_ri) != 2'd0;
 
     always @(posedge clk_i) irq_o <= !rst_i && irq;
 
@@ -209,12 +205,10 @@ module audio (
     always @(posedge clk_i) begin
         rdata_o <= 32'd0;
         if (re_i) case (raddr_i)
-            AUDIO_CONTROL[11:0]:   rdata_o <= {22'd0, wi_ri(DEPTH - left_out_count,
-                                                            DEPTH - right_out_count),
-                                               4'd0, hold_out_q, hold_in_q, wi_enable_q,
-                                               ri_enable_q};
-            AUDIO_FIFOSPACE[11:0]: rdata_o <= {DEPTH - left_out_count, DEPTH - right_out_count,
-                                               left_in_count, right_in_count};
+            AUDIO_CONTROL[11:0]:   rdata_o <= {22'd0, wi_ri, 4'd0, hold_out_q, hold_in_q,
+                                               wi_enable_q, ri_enable_q};
+            AUDIO_FIFOSPACE[11:0]: rdata_o <= {left_room, right_room, left_in_count,
+                                               right_in_count};
             AUDIO_LEFTDATA[11:0]:  if (!left_in_empty) rdata_o <= {left_in, 8'd0};
             AUDIO_RIGHTDATA[11:0]: if (!right_in_empty) rdata_o <= {right_in, 8'd0};
             CODEC_RATE[11:0]:      rdata_o <= {31'd0, fast_q};

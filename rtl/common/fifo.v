@@ -45,29 +45,26 @@ module fifo #(
     assign rdata_o = head_passed_q ? passed_q : memory_q;
     assign awake_o = clear_i && {count_o, write_q, read_q} != {(3 * DEPTH_LOG2 + 1){1'b0}};
 
-    function [DEPTH_LOG2:0] next_count;
-        input push;
-        input pop;
-        next_count = push == pop ? count_o : push ? count_o + ONE : count_o - ONE;
-    endfunction
+    wire push = push_i && !full_o;
+    wire pop  = pop_i && !empty_o;
 
     // Reads stand before writes, so that a simulator needs no copies of what both touch.
     always @(posedge clk_i) begin
-        if (pop_i && !empty_o) begin
+        if (pop) begin
             if (count_o != ONE) memory_q <= memory[behind(read_q)];
             read_q <= behind(read_q);
         end
-        if (push_i && !full_o) begin
+        if (push) begin
             memory[write_q] <= wdata_i;
             write_q         <= behind(write_q);
         end
         if (push_i && (empty_o || (pop_i && count_o == ONE))) begin
             passed_q      <= wdata_i;
             head_passed_q <= 1'b1;
-        end else if (pop_i && !empty_o) begin
+        end else if (pop) begin
             head_passed_q <= 1'b0;
         end
-        count_o <= next_count(push_i && !full_o, pop_i && !empty_o);
+        count_o <= push == pop ? count_o : push ? count_o + ONE : count_o - ONE;
         if (clear_i || rst_i) begin
             count_o <= {(DEPTH_LOG2 + 1){1'b0}};
             write_q <= {DEPTH_LOG2{1'b0}};

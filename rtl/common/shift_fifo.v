@@ -27,21 +27,18 @@ module shift_fifo #(
 
     assign rdata_o = words_q[WIDTH-1:0];
 
-    // The words that are left after a pop.
-    function [DEPTH_LOG2:0] left;
-        input pop;
-        left = pop && count_o != 0 ? count_o - ONE : count_o;
-    endfunction
+    wire                pop  = pop_i && count_o != 0;
+    wire [DEPTH_LOG2:0] left = pop ? count_o - ONE : count_o;   // after a pop
 
     integer n;
     always @(posedge clk_i) begin
-        if (pop_i && count_o != 0) words_q <= words_q >> WIDTH;
+        if (pop) words_q <= words_q >> WIDTH;
         if (push_i && !count_o[DEPTH_LOG2]) begin
             for (n = 0; n < DEPTH; n = n + 1)
-                if (left(pop_i) == n[DEPTH_LOG2:0]) words_q[n * WIDTH +: WIDTH] <= wdata_i;
-            count_o <= left(pop_i) + ONE;
+                if (left == n[DEPTH_LOG2:0]) words_q[n * WIDTH +: WIDTH] <= wdata_i;
+            count_o <= left + ONE;
         end else begin
-            count_o <= left(pop_i);
+            count_o <= left;
         end
         if (rst_i) count_o <= 0;
     end

@@ -26,20 +26,17 @@ module small_fifo #(
 
     assign rdata_o = memory[read_q];
 
-    function [DEPTH_LOG2:0] next_count;
-        input push;
-        input pop;
-        next_count = push == pop ? count_o : push ? count_o + ONE : count_o - ONE;
-    endfunction
+    wire push = push_i && !count_o[DEPTH_LOG2];
+    wire pop  = pop_i && count_o != 0;
 
     // Reads stand before writes, so that a simulator needs no copies of what both touch.
     always @(posedge clk_i) begin
-        if (push_i && !count_o[DEPTH_LOG2]) begin
+        if (push) begin
             memory[write_q] <= wdata_i;
             write_q         <= write_q + ONE[DEPTH_LOG2-1:0];
         end
-        if (pop_i && count_o != 0) read_q <= read_q + ONE[DEPTH_LOG2-1:0];
-        count_o <= next_count(push_i && !count_o[DEPTH_LOG2], pop_i && count_o != 0);
+        if (pop) read_q <= read_q + ONE[DEPTH_LOG2-1:0];
+        count_o <= push == pop ? count_o : push ? count_o + ONE : count_o - ONE;
         if (rst_i) begin
             count_o <= 0;
             write_q <= 0;

@@ -60,18 +60,9 @@ module ps2_link (
     assign come_data_o = bits_q[7:0];
 
     // CLK is held low in front of a byte to send, and let go at last.
-    function opens;
-        input [13:0] timer;
-        opens = ps2_clk_low_o && timer == INHIBIT;
-    endfunction
-    function falls;
-        input [3:0] was;
-        falls = !ps2_clk_low_o && clk_q && was == 4'h0;
-    endfunction
-    function late;
-        input [13:0] timer;
-        late = !ps2_clk_low_o && timer == (busy_o && edge_q == 4'd0 ? PATIENCE : BETWEEN);
-    endfunction
+    wire opens = ps2_clk_low_o && timer_q == INHIBIT;
+    wire falls = !ps2_clk_low_o && clk_q && clk_was_q == 4'h0;
+    wire late  = !ps2_clk_low_o && timer_q == (busy_o && edge_q == 4'd0 ? PATIENCE : BETWEEN);
 
     // At rest no byte is under way, and both wires have been seen as they are.
     reg [1:0] wires_q;
@@ -92,7 +83,7 @@ module ps2_link (
             edge_q        <= 4'd0;
             busy_o        <= !rst_i;
             ps2_clk_low_o <= !rst_i;
-        end else if (falls(clk_was_q)) begin
+        end else if (falls) begin
             // Now: stop on the wire; in bits_q start, data, parity.
             come_o        <= !busy_o && edge_q == LAST && dat_q && !bits_q[0] && ^bits_q[9:1];
             failed_o      <= busy_o && edge_q == LAST && dat_q;
@@ -103,12 +94,12 @@ module ps2_link (
             edge_q        <= edge_q == LAST ? 4'd0 : edge_q + 4'd1;
         end else begin
             come_o        <= 1'b0;
-            failed_o      <= late(timer_q) && busy_o;
-            if (opens(timer_q)) begin
+            failed_o      <= late && busy_o;
+            if (opens) begin
                 ps2_clk_low_o <= 1'b0;
                 ps2_dat_low_o <= 1'b1;       // the start bit
                 timer_q       <= 14'd0;
-            end else if (late(timer_q)) begin
+            end else if (late) begin
                 ps2_dat_low_o <= 1'b0;
                 edge_q        <= 4'd0;
                 busy_o        <= 1'b0;

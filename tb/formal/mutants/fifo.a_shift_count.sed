@@ -1,1 +1,1 @@
-s/count_o <= left(pop_i) + ONE/count_o <= count_o + ONE/
+s/count_o <= left + ONE/count_o <= count_o + ONE/

@@ -1,1 +1,1 @@
-s/left(pop_i) == n/count_o == n/
+s/(left == n/(count_o == n/

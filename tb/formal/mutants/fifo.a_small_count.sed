@@ -1,1 +1,1 @@
-s/next_count(push_i \&\& !count_o\[DEPTH_LOG2\],/next_count(push_i,/
+s/count_o <= push == pop ? count_o : push ?/count_o <= push_i == pop ? count_o : push_i ?/
