@@ -5,9 +5,9 @@
 //   The bytes between the rows' ends and behind the last row are nobody's storage: they read 0 and
 //   ignore writes, because programs clear whole powers of two.  Any other address: DECERR.
 //
-// Writes go at a beat a clock.  Reads take turns with the screen, which has first call on one clock
-// in four: 6 clocks a word, at most 7.  Beats to and from the characters wait while those are
-// cleared, after a reset and when a program asks for it.
+// Writes go at a beat a clock.  Reads take turns with the screen, which has first call on two
+// clocks in four: 6 clocks a word, at most 8.  Beats to and from the characters wait while those
+// are cleared, after a reset and when a program asks for it.
 
 `default_nettype none
 

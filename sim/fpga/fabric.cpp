@@ -131,14 +131,13 @@ inline void Fabric::Model::edge([[maybe_unused]] std::uint64_t time_ps) {
 
 // Runs one clock, and leaves out those after it in which nothing happens: `most` in all.  Returns
 // how many have passed.
-inline std::uint64_t Fabric::clock(std::uint64_t most) {
+inline std::uint64_t Fabric::clock([[maybe_unused]] std::uint64_t most) {
     Vfpga& top = model_->top;
     if (std::exchange(look_, false) && (in.jtag.typed || in.jtag.idle || !(in == applied_)))
         apply_inputs();
 #ifdef DE1SIM_EVERY_CLOCK
     const bool stirs = true;
     const std::uint64_t passed = 1;
-    (void)most;
 #else
     const bool stirs = moved_ || top.stirs_o;
     const std::uint64_t skip = moved_ ? 0 : std::min<std::uint64_t>(top.rest_o, most - 1);
