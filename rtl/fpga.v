@@ -22,7 +22,8 @@ module fpga #(
     input  wire            rst_i,          // synchronous, active high
 
     // For a simulator; on the board all of moved_i is 1, skip_i is 0.
-    input  wire [2:0]      moved_i,        // since the clock before: lw_*, h2f_*, pins; rst_i: all
+    input  wire [2:0]      moved_i,        // an input has moved since the clock before: bit 0 of
+                                           // lw_*, 1 of h2f_*, 2 of the pins; all in a reset
     output wire [9:0]      rest_o,         // so many clocks after this one nothing will happen,
     input  wire [9:0]      skip_i,         // so many of them are left out
     output wire            stirs_o,        // in this clock others than the beam can move a pin

@@ -10,7 +10,7 @@ module sync #(
     input  wire             clk_i,
     input  wire [WIDTH-1:0] async_i,
     output reg  [WIDTH-1:0] sync_o,   // two clocks later
-    output wire             awake_o
+    output wire             awake_o   // a level is still on its way
 );
     reg [WIDTH-1:0] meta_q;
 

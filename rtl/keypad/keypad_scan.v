@@ -22,11 +22,11 @@ module keypad_scan #(
 ) (
     input  wire        clk_i,
     input  wire        rst_i,
-    // Modulo the slot.
+    // Only the clocks of one slot are told apart.
     // verilator lint_off UNUSED
     input  wire [29:0] now_i,
     // verilator lint_on UNUSED
-    input  wire        run_i,      // else it keeps still; rst_i in between, to begin anew
+    input  wire        run_i,      // scans while high; a reset must stand between two runs
 
     input  wire [7:0]  debounce_i, // equal scans that make a change; 0 counts as 1
 
@@ -65,6 +65,7 @@ module keypad_scan #(
     assign col_low_o = 4'b0001 << col_q;
     assign awake_o   = run_i != runs_q || scanned_q || rows_awake;
     assign due_o     = slot_end;
+    // Slots may be shorter than what rest_o can say.
     // verilator lint_off WIDTH
     assign rest_o    = runs_q && left < 1024 ? left - 1 : 10'd1023;
     // verilator lint_on WIDTH

@@ -11,13 +11,13 @@
 module vga_timing (
     input  wire       clk_i,
     input  wire       rst_i,
-    // Modulo the line.
+    // Only the clocks of one line are told apart.
     // verilator lint_off UNUSED
     input  wire [29:0] now_i,
     // verilator lint_on UNUSED
 
-    output wire [9:0] h_o,
-    output reg  [9:0] v_o,
+    output wire [9:0] h_o,          // 0 to 799; 0 to 639 are shown
+    output reg  [9:0] v_o,          // 0 to 524; 0 to 479 are shown
     output wire       line_end_o,   // last clock of a line
     output wire [8:0] row_next_o,   // row of the picture that the next line shows, if it is shown
     output wire       visible_o,    // on the pins from the next clock on
@@ -65,7 +65,7 @@ module vga_timing (
         end
     end
 
-    // ---- Clocks rest_until something comes next --------------------------------
+    // ---- Clocks until something comes next --------------------------------
     function [9:0] rest_until;
         input [9:0] h;              // later than h_o
         rest_until = h - h_o - 10'd1;

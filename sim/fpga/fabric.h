@@ -2,6 +2,8 @@
 //
 // No SystemC here.  A Fabric is run clock by clock (25 MHz, 40 ns); what leaves by the pins goes to
 // a PinListener, what the board puts on the inputs lies in `in` and counts from the next clock on.
+// Clocks in which nothing would happen are left out of the model (rtl/README.md, Sleep), but not of
+// what is told: it is the same as with every one of them.
 #pragma once
 
 #include <cstddef>
@@ -115,7 +117,7 @@ private:
     struct AxiPort;
     static constexpr unsigned VIDEO_BATCH = 800, ANSWER_CLOCKS = 10'000;
 
-    std::uint64_t clock(std::uint64_t most);
+    std::uint64_t clock(std::uint64_t most);  // how many have passed, 1 or more
     void apply_inputs();
     void tell_pins();
     bool clock_until(const std::uint8_t& ready);

@@ -44,7 +44,7 @@ protected:
         tlm::tlm_generic_payload tx;
         return transport(tx, command, address, data, bytes, delay);
     }
-    // The same with a payload that is kept: to make one takes longer than much of the access.
+    // The same with a payload of the caller's, since constructing one allocates memory.
     std::string transport(tlm::tlm_generic_payload& tx, tlm::tlm_command command,
                           std::uint32_t address, void* data, unsigned bytes,
                           sc_core::sc_time& delay) {

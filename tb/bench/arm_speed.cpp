@@ -13,11 +13,6 @@ namespace {
 
 constexpr unsigned RUNS = 3, DURATION_S = 3;
 
-double median(std::vector<double> values) {
-    std::sort(values.begin(), values.end());
-    return values[values.size() / 2];
-}
-
 }  // namespace
 
 void arm_speed(const std::string& de1sim, const std::string& scenario, const std::string& out,

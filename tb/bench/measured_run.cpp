@@ -5,6 +5,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <fstream>
@@ -81,6 +82,11 @@ MeasuredRun measure_run(const std::string& de1sim, const std::string& scenario,
             run.busy_share = report["program"]["frames"]["busy_share"]["median"];
     }
     return run;
+}
+
+double median(std::vector<double> values) {
+    std::sort(values.begin(), values.end());
+    return values[values.size() / 2];
 }
 
 }  // namespace bench

@@ -27,4 +27,6 @@ MeasuredRun measure_run(const std::string& de1sim, const std::string& scenario,
                         std::optional<unsigned> duration_s, const std::filesystem::path& out,
                         const std::vector<std::string>& options = {"--frames", "all"});
 
+double median(std::vector<double> values);  // not of none
+
 }  // namespace bench

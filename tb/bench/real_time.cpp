@@ -25,11 +25,6 @@ constexpr double FASTER = 2.4, BEFORE = 10;
 constexpr double LEAST_ARM = 60 / (FASTER * BEFORE), LEAST_NATIVE = 75 / (FASTER * BEFORE);
 constexpr double LEAST_BOXES = 0.75;  // of the demo's speed
 
-double median(std::vector<double> values) {
-    std::sort(values.begin(), values.end());
-    return values[values.size() / 2];
-}
-
 std::string load() {
     double averages[1] = {};
     if (getloadavg(averages, 1) != 1) return "load unknown";
