@@ -7,6 +7,7 @@
 //                         +--> jtag uarts  the host's terminal
 //                         +--> adc ------- LTC2308
 //   h2f_* --> h2f_bridge -+--> video ----- ADV7123
+//                         +--> sdram ----- IS42S16320D
 //
 // One clock domain of 25 MHz, the pixel clock.  On the board de1_soc_top.v connects the bridges to
 // the HPS and the pins to the package; in the simulation a TLM target does.
@@ -111,6 +112,18 @@ module fpga #(
     output wire [7:0]      vga_g_o,
     output wire [7:0]      vga_b_o,
 
+    // IS42S16320D, whose clock is the inverted clk_i; CKE is 1
+    output wire            dram_cs_no,
+    output wire            dram_ras_no,
+    output wire            dram_cas_no,
+    output wire            dram_we_no,
+    output wire [1:0]      dram_ba_o,
+    output wire [12:0]     dram_addr_o,
+    output wire [1:0]      dram_dqm_o,
+    output wire [15:0]     dram_dq_o,
+    output wire            dram_dq_oe_o,
+    input  wire [15:0]     dram_dq_i,
+
     // WM8731
     output wire            aud_xck_o,
     output wire            aud_bclk_o,
@@ -147,26 +160,31 @@ module fpga #(
     `include "lw_blocks.vh"
 
     // ---- Time, and who sleeps ---------------------------------------------
-    wire        clk, lw_clk, h2f_clk, ports_clk, audio_clk;
-    wire        lw_awake, h2f_awake, cells_awake, audio_awake;
+    wire        clk, lw_clk, h2f_clk, memory_clk, ports_clk, audio_clk;
+    wire        lw_awake, h2f_awake, cells_awake, sdram_awake, audio_awake;
     wire [8:0]  ports_awake;
-    wire        audio_due, keypad_due, ps2_due, timer0_due, timer1_due;
-    wire        frame_end, cells_clear, cell_fetch;
+    wire        audio_due, sdram_due, keypad_due, ps2_due, timer0_due, timer1_due;
+    wire        frame_end, cells_clear, cell_fetch, fetch_awake, fetch_due;
     wire [29:0] now;
-    wire [9:0]  beam_rest, audio_rest, keypad_rest, ps2_rest, timer0_rest, timer1_rest;
+    wire [9:0]  beam_rest, fetch_rest, sdram_rest, audio_rest, keypad_rest, ps2_rest;
+    wire [9:0]  timer0_rest, timer1_rest;
 
     fpga_clocks clocks (
         .clk_i(clk_i), .rst_i(rst_i), .moved_i(moved_i), .skip_i(skip_i), .rest_o(rest_o),
         .stirs_o(stirs_o),
         .lw_wakes_i(lw_awake),
         .h2f_wakes_i(h2f_awake || cells_awake || cells_clear || cell_fetch),
+        .memory_wakes_i(fetch_awake || onchip_we != 4'd0 || onchip_re || sdram_awake || sdram_due
+                        || sdram_req),
+        .fetch_due_i(fetch_due),
         .audio_wakes_i(audio_awake || audio_due || we[SEL_AUDIO] || re[SEL_AUDIO]),
         .ports_wakes_i(ports_awake != 9'd0 || we != 20'd0 || re != 20'd0 || frame_end
                        || keypad_due || ps2_due || timer0_due || timer1_due),
-        .beam_rest_i(beam_rest), .audio_rest_i(audio_rest), .keypad_rest_i(keypad_rest),
-        .ps2_rest_i(ps2_rest), .timer0_rest_i(timer0_rest), .timer1_rest_i(timer1_rest),
-        .clk_o(clk), .lw_clk_o(lw_clk), .h2f_clk_o(h2f_clk), .ports_clk_o(ports_clk),
-        .audio_clk_o(audio_clk), .now_o(now)
+        .beam_rest_i(beam_rest), .fetch_rest_i(fetch_rest), .sdram_rest_i(sdram_rest),
+        .audio_rest_i(audio_rest), .keypad_rest_i(keypad_rest), .ps2_rest_i(ps2_rest),
+        .timer0_rest_i(timer0_rest), .timer1_rest_i(timer1_rest),
+        .clk_o(clk), .lw_clk_o(lw_clk), .h2f_clk_o(h2f_clk), .memory_clk_o(memory_clk),
+        .ports_clk_o(ports_clk), .audio_clk_o(audio_clk), .now_o(now)
     );
 
     // ---- Bridges ----------------------------------------------------------
@@ -194,10 +212,14 @@ module fpga #(
         .awake_o(lw_awake)
     );
 
-    wire [3:0]  picture_we, cells_we;
-    wire        picture_re, picture_grant, cells_wait;
-    wire [16:0] picture_windex, picture_rindex;
-    wire [31:0] picture_wdata, picture_rdata, cells_rdata;
+    wire [3:0]  onchip_we, cells_we, sdram_wstrb;
+    wire        onchip_re, onchip_grant, cells_wait;
+    wire [15:0] onchip_windex, onchip_rindex;
+    wire [31:0] onchip_wdata, onchip_rdata, cells_rdata;
+    wire        sdram_req, sdram_we, sdram_take, sdram_valid;
+    wire [23:0] sdram_index, screen_index;
+    wire [31:0] sdram_wdata, sdram_rdata;
+    wire        screen_req, screen_take, screen_valid;
 
     h2f_bridge #(.ID_W(ID_W)) h2f (
         .clk_i(h2f_clk), .rst_i(rst_i),
@@ -212,11 +234,27 @@ module fpga #(
         .arready_o(h2f_arready_o),
         .rid_o(h2f_rid_o), .rdata_o(h2f_rdata_o), .rresp_o(h2f_rresp_o), .rlast_o(h2f_rlast_o),
         .rvalid_o(h2f_rvalid_o), .rready_i(h2f_rready_i),
-        .we_o(picture_we), .cell_we_o(cells_we), .windex_o(picture_windex),
-        .wdata_o(picture_wdata),
-        .re_o(picture_re), .rindex_o(picture_rindex), .rgrant_i(picture_grant),
-        .rdata_i(picture_rdata), .cells_i(cells_rdata), .cells_wait_i(cells_wait),
+        .we_o(onchip_we), .cell_we_o(cells_we), .windex_o(onchip_windex), .wdata_o(onchip_wdata),
+        .re_o(onchip_re), .rindex_o(onchip_rindex), .rgrant_i(onchip_grant),
+        .rdata_i(onchip_rdata), .cells_i(cells_rdata), .cells_wait_i(cells_wait),
+        .sdram_req_o(sdram_req), .sdram_we_o(sdram_we), .sdram_index_o(sdram_index),
+        .sdram_wdata_o(sdram_wdata), .sdram_wstrb_o(sdram_wstrb), .sdram_take_i(sdram_take),
+        .sdram_valid_i(sdram_valid), .sdram_i(sdram_rdata),
         .awake_o(h2f_awake)
+    );
+
+    // ---- SDRAM ------------------------------------------------------------
+    sdram sdram_block (
+        .clk_i(memory_clk), .rst_i(rst_i), .now_i(now),
+        .screen_req_i(screen_req), .screen_index_i(screen_index), .screen_take_o(screen_take),
+        .screen_valid_o(screen_valid),
+        .req_i(sdram_req), .we_i(sdram_we), .index_i(sdram_index), .wdata_i(sdram_wdata),
+        .wstrb_i(sdram_wstrb), .take_o(sdram_take), .valid_o(sdram_valid), .rdata_o(sdram_rdata),
+        .dram_cs_no(dram_cs_no), .dram_ras_no(dram_ras_no), .dram_cas_no(dram_cas_no),
+        .dram_we_no(dram_we_no), .dram_ba_o(dram_ba_o), .dram_addr_o(dram_addr_o),
+        .dram_dqm_o(dram_dqm_o), .dram_dq_o(dram_dq_o), .dram_dq_oe_o(dram_dq_oe_o),
+        .dram_dq_i(dram_dq_i),
+        .awake_o(sdram_awake), .due_o(sdram_due), .rest_o(sdram_rest)
     );
 
     // ---- Parallel ports ---------------------------------------------------
@@ -256,19 +294,22 @@ module fpga #(
 
     // ---- Video and audio --------------------------------------------------
     video video_block (
-        .clk_i(clk), .registers_clk_i(ports_clk), .cells_clk_i(h2f_clk),
+        .clk_i(clk), .registers_clk_i(ports_clk), .memory_clk_i(memory_clk), .cells_clk_i(h2f_clk),
         .rst_i(rst_i), .now_i(now), .we_i(we[SEL_PIXEL]), .wstrb_i(wstrb), .waddr_i(waddr),
         .wdata_i(wdata), .re_i(re[SEL_PIXEL]), .resampler_re_i(re[SEL_RESAMPLER]),
         .text_we_i(we[SEL_TEXT]), .text_re_i(re[SEL_TEXT]), .raddr_i(raddr), .rdata_o(vga_rdata),
-        .picture_we_i(picture_we), .cells_we_i(cells_we), .windex_i(picture_windex),
-        .picture_i(picture_wdata), .picture_re_i(picture_re), .rindex_i(picture_rindex),
-        .rgrant_o(picture_grant), .picture_o(picture_rdata), .cells_o(cells_rdata),
+        .onchip_we_i(onchip_we), .cells_we_i(cells_we), .windex_i(onchip_windex),
+        .onchip_i(onchip_wdata), .onchip_re_i(onchip_re), .rindex_i(onchip_rindex),
+        .rgrant_o(onchip_grant), .onchip_o(onchip_rdata), .cells_o(cells_rdata),
         .cells_wait_o(cells_wait),
+        .sdram_req_o(screen_req), .sdram_index_o(screen_index), .sdram_take_i(screen_take),
+        .sdram_valid_i(screen_valid), .sdram_i(sdram_rdata),
         .vga_hs_no(vga_hs_no), .vga_vs_no(vga_vs_no),
         .vga_blank_no(vga_blank_no), .vga_sync_no(vga_sync_no),
         .vga_r_o(vga_r_o), .vga_g_o(vga_g_o), .vga_b_o(vga_b_o),
         .registers_awake_o(ports_awake[8]), .cells_awake_o(cells_awake),
         .frame_end_o(frame_end), .cells_clear_o(cells_clear), .cell_fetch_o(cell_fetch),
+        .fetch_awake_o(fetch_awake), .fetch_due_o(fetch_due), .fetch_rest_o(fetch_rest),
         .rest_o(beam_rest)
     );
 

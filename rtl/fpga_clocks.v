@@ -1,6 +1,6 @@
 // fpga_clocks.v - a clock for each group of blocks that sleep together (README.md, Sleep)
 //
-//   clk_i --> root_clock --+--> clk_o: the beam, the pictures' memory, the number of the clock
+//   clk_i --> root_clock --+--> clk_o: the beam, the number of the clock
 //                          +--> group_clock --> lw_clk_o ... audio_clk_o
 //
 // A group gets a clock if it wakes or if one of its inputs from outside has moved.  In a reset all
@@ -19,9 +19,13 @@ module fpga_clocks (
 
     input  wire        lw_wakes_i,     // a block is awake or due, or another group speaks to it
     input  wire        h2f_wakes_i,
+    input  wire        memory_wakes_i,
+    input  wire        fetch_due_i,    // of that group, and wakes nobody else
     input  wire        audio_wakes_i,
     input  wire        ports_wakes_i,
     input  wire [9:0]  beam_rest_i,    // rest_o of the blocks that wait
+    input  wire [9:0]  fetch_rest_i,
+    input  wire [9:0]  sdram_rest_i,
     input  wire [9:0]  audio_rest_i,
     input  wire [9:0]  keypad_rest_i,
     input  wire [9:0]  ps2_rest_i,
@@ -31,18 +35,21 @@ module fpga_clocks (
     output wire        clk_o,
     output wire        lw_clk_o,
     output wire        h2f_clk_o,
+    output wire        memory_clk_o,
     output wire        ports_clk_o,
     output wire        audio_clk_o,
     output wire [29:0] now_o
 );
     wire lw_awake    = lw_wakes_i || moved_i[0];
     wire h2f_awake   = h2f_wakes_i || moved_i[1];
+    wire memory_awake = memory_wakes_i || fetch_due_i || rst_i;
     wire ports_awake = ports_wakes_i || moved_i[2];
     wire audio_awake = audio_wakes_i || moved_i[2];
 
     root_clock root (.clk_i(clk_i), .clk_o(clk_o));
     group_clock lw_group (.clk_i(clk_o), .awake_i(lw_awake), .clk_o(lw_clk_o));
     group_clock h2f_group (.clk_i(clk_o), .awake_i(h2f_awake), .clk_o(h2f_clk_o));
+    group_clock memory_group (.clk_i(clk_o), .awake_i(memory_awake), .clk_o(memory_clk_o));
     group_clock ports_group (.clk_i(clk_o), .awake_i(ports_awake), .clk_o(ports_clk_o));
     group_clock audio_group (.clk_i(clk_o), .awake_i(audio_awake), .clk_o(audio_clk_o));
 
@@ -53,8 +60,10 @@ module fpga_clocks (
     // While anybody is awake nobody knows whom that wakes next.
     always @* begin
         rest_o = 10'd0;
-        if (!(lw_wakes_i || h2f_wakes_i || ports_wakes_i || audio_wakes_i)) begin
+        if (!(lw_wakes_i || h2f_wakes_i || memory_wakes_i || ports_wakes_i || audio_wakes_i)) begin
             rest_o = beam_rest_i;
+            if (fetch_rest_i < rest_o) rest_o = fetch_rest_i;
+            if (sdram_rest_i < rest_o) rest_o = sdram_rest_i;
             if (audio_rest_i < rest_o) rest_o = audio_rest_i;
             if (keypad_rest_i < rest_o) rest_o = keypad_rest_i;
             if (ps2_rest_i < rest_o) rest_o = ps2_rest_i;

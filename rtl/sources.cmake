@@ -11,10 +11,12 @@ set(RTL_SOURCES
     gpio/hex_port.v gpio/output_port.v gpio/parallel_ports.v gpio/pio.v
     jtag_uart/jtag_uart.v jtag_uart/jtag_uarts.v
     keypad/keypad.v keypad/keypad_scan.v
+    onchip/onchip_memory.v onchip/onchip_store.v
     ps2/ps2_link.v ps2/ps2_port.v ps2/ps2_ports.v
+    sdram/sdram.v sdram/sdram_controller.v
     sysid/sysid.v
     timer/interval_timer.v
-    vga/character_store.v vga/picture_memory.v vga/picture_store.v vga/pixel_registers.v
+    vga/character_store.v vga/line_buffer.v vga/pixel_dma.v vga/pixel_registers.v
     vga/screen_registers.v vga/vga.v vga/vga_timing.v vga/video.v)
 # Only on the board: pins, clock, processor.
 set(BOARD_SOURCES

@@ -1,13 +1,17 @@
-// h2f_bridge.v - full HPS bridge: AXI3 slave in front, the two pictures and the characters behind
+// h2f_bridge.v - full HPS bridge: AXI3 slave in front, the FPGA's memories behind
 //
-//   PICTURE0, PICTURE1: 320 x 240 RGB565, pixel (x, y) at y << 10 | x << 1 (regmap.def).
-//   CHARACTERS: 80 x 60 bytes, (x, y) at y << 7 | x.
-//   The bytes between the rows' ends and behind the last row are nobody's storage: they read 0 and
-//   ignore writes, because programs clear whole powers of two.  Any other address: DECERR.
+//   SDRAM: 64 MB, through sdram/sdram.v.
+//   ONCHIP: 256 KB.  The 256 KB behind it are nobody's storage: they read 0 and ignore writes,
+//   because programs clear a little more than there is.
+//   CHARACTERS: 80 x 60 bytes, (x, y) at y << 7 | x; what lies between reads 0 and ignores writes.
+//   Any other address: DECERR.
 //
-// Writes go at a beat a clock.  Reads take turns with the screen, which has first call on two
-// clocks in four: 6 clocks a word, at most 8.  Beats to and from the characters wait while those
-// are cleared, after a reset and when a program asks for it.
+// Writes to the on-chip memory and to the characters go at a beat a clock.  Reads of these take
+// turns with the screen, which has first call on two clocks in four: 6 clocks a word, at most 8.
+// Beats to and from the characters wait while those are cleared, after a reset and when a program
+// asks for it.
+//
+// Writes to the SDRAM are posted: two beats wait here for it, and a read waits for them.
 
 `default_nettype none
 
@@ -46,26 +50,34 @@ module h2f_bridge #(
     output wire            rvalid_o,
     input  wire            rready_i,
 
-    output reg  [3:0]      we_o,        // byte lanes, to the pictures
+    output reg  [3:0]      we_o,        // byte lanes, to the on-chip memory
     output reg  [3:0]      cell_we_o,   // to the characters
-    output reg  [16:0]     windex_o,    // picture_index.vh, or row << 5 | word of characters
+    output reg  [15:0]     windex_o,    // of a word; row << 5 | word of characters
     output reg  [31:0]     wdata_o,
     output reg             re_o,        // held until rgrant_i
-    output reg  [16:0]     rindex_o,
+    output reg  [15:0]     rindex_o,
     input  wire            rgrant_i,
     input  wire [31:0]     rdata_i,     // one clock after the grant
     input  wire [31:0]     cells_i,
     input  wire            cells_wait_i, // the characters are being cleared
 
+    output wire            sdram_req_o,  // stays until sdram_take_i
+    output wire            sdram_we_o,
+    output wire [23:0]     sdram_index_o,
+    output wire [31:0]     sdram_wdata_o,
+    output wire [3:0]      sdram_wstrb_o,
+    input  wire            sdram_take_i,
+    input  wire            sdram_valid_i, // the word that was read
+    input  wire [31:0]     sdram_i,
+
     output wire            awake_o
 );
     `include "regmap.vh"
-    `include "picture_index.vh"
 
-    // Offset of a picture's window in the bridge, without the bits inside the window.
-    localparam [10:0] WINDOW0 = PICTURE0_BASE[29:19];
-    localparam [10:0] WINDOW1 = PICTURE1_BASE[29:19];
-    localparam [16:0] CELLS   = CHARACTERS_BASE[29:13];
+    // Offset in the bridge, without the bits inside the window.
+    localparam [3:0]  DRAM   = SDRAM_BASE[29:26];
+    localparam [10:0] CHIP   = ONCHIP_BASE[29:19];     // and as much behind it
+    localparam [16:0] CELLS  = CHARACTERS_BASE[29:13];
 
     // Whether a byte offset among the characters is on the screen.
     // The two lowest bits choose a lane.
@@ -76,22 +88,30 @@ module h2f_bridge #(
     endfunction
     // verilator lint_on UNUSED
 
+    wire        re, we;
+    wire [29:0] raddr;
+
     // ---- Writes -----------------------------------------------------------
-    wire        we;
     wire [29:0] waddr;
     wire [31:0] wdata;
     wire [3:0]  wstrb;
-    wire        win0 = waddr[29:19] == WINDOW0;
-    wire        win1 = waddr[29:19] == WINDOW1;
-    wire        winc = waddr[29:13] == CELLS;
+    wire        wdram = waddr[29:26] == DRAM;
+    wire        wchip = waddr[29:19] == CHIP;
+    wire        winc  = waddr[29:13] == CELLS;
     reg         werror_q;
-    reg         wcells_q;               // the burst is one of characters: none crosses 4 KB
-    wire        wwait = wcells_q && cells_wait_i;
+    reg         wcells_q, wdram_q;      // where the burst goes: none crosses 4 KB
+    wire [1:0]  posted;                 // beats
+    wire        full  = {1'b0, posted} + {2'd0, we} >= 3'd2;
+    wire        wwait = (wcells_q && cells_wait_i) || (wdram_q && full);
+    wire [23:0] post_index;
     wire        wready, writer_awake, reader_awake;
 
     assign wready_o = wready && !wwait;
     always @(posedge clk_i)
-        if (awvalid_i && awready_o) wcells_q <= awaddr_i[29:13] == CELLS;
+        if (awvalid_i && awready_o) begin
+            wcells_q <= awaddr_i[29:13] == CELLS;
+            wdram_q  <= awaddr_i[29:26] == DRAM;
+        end
 
     axi_write #(.ADDR_W(30), .ID_W(ID_W)) writer (
         .clk_i(clk_i), .rst_i(rst_i),
@@ -107,23 +127,32 @@ module h2f_bridge #(
         we_o      <= 4'd0;
         cell_we_o <= 4'd0;
         if (we) begin
-            we_o      <= (win0 || win1) && stored(waddr[18:0]) ? wstrb : 4'd0;
+            we_o      <= wchip && !waddr[18] ? wstrb : 4'd0;
             cell_we_o <= winc && cells_stored(waddr[12:0]) ? wstrb : 4'd0;
-            windex_o  <= winc ? {6'd0, waddr[12:2]} : picture_index(win1, waddr[18:0]);
+            windex_o  <= winc ? {5'd0, waddr[12:2]} : waddr[17:2];
             wdata_o   <= wdata;
-            werror_q  <= !(win0 || win1 || winc);
+            werror_q  <= !(wdram || wchip || winc);
         end
         if (rst_i) {we_o, cell_we_o} <= 8'd0;
     end
 
+    shift_fifo #(.WIDTH(60), .DEPTH_LOG2(1)) posts (
+        .clk_i(clk_i), .rst_i(rst_i), .push_i(we && wdram), .wdata_i({waddr[25:2], wstrb, wdata}),
+        .pop_i(sdram_take_i && sdram_we_o), .rdata_o({post_index, sdram_wstrb_o, sdram_wdata_o}),
+        .count_o(posted)
+    );
+
     // ---- Reads ------------------------------------------------------------
-    wire        re;
-    wire [29:0] raddr;
-    wire        rin0 = raddr[29:19] == WINDOW0;
-    wire        rin1 = raddr[29:19] == WINDOW1;
-    wire        rinc = raddr[29:13] == CELLS;
-    wire        rwait = rinc && cells_wait_i;
+    wire        rdram = raddr[29:26] == DRAM;
+    wire        rchip = raddr[29:19] == CHIP;
+    wire        rinc  = raddr[29:13] == CELLS;
+    wire        rwait = rdram ? sdram_we_o || !sdram_take_i : rinc && cells_wait_i;
+    reg         rdram_q;                // a read of the SDRAM waits, so a post does
     reg         rempty_q, rcells_q, rerror_q, granted_q;
+
+    assign sdram_we_o    = posted != 2'd0 && !rdram_q;
+    assign sdram_req_o   = sdram_we_o || (re && rdram);
+    assign sdram_index_o = sdram_we_o ? post_index : raddr[25:2];
 
     axi_read #(.ADDR_W(30), .ID_W(ID_W)) reader (
         .clk_i(clk_i), .rst_i(rst_i),
@@ -132,24 +161,26 @@ module h2f_bridge #(
         .rid_o(rid_o), .rdata_o(rdata_o), .rresp_o(rresp_o), .rlast_o(rlast_o),
         .rvalid_o(rvalid_o), .rready_i(rready_i),
         .re_o(re), .raddr_o(raddr), .rgrant_i(!rwait),
-        .rdone_i(granted_q), .rdata_i(rempty_q ? 32'd0 : rcells_q ? cells_i : rdata_i),
+        .rdone_i(granted_q || sdram_valid_i),
+        .rdata_i(sdram_valid_i ? sdram_i : rempty_q ? 32'd0 : rcells_q ? cells_i : rdata_i),
         .rerror_i(rerror_q), .awake_o(reader_awake)
     );
 
-    assign awake_o = writer_awake || we || we_o != 4'd0 || cell_we_o != 4'd0
-                     || reader_awake || re || re_o || granted_q;
+    assign awake_o = writer_awake || we || posted != 2'd0 || we_o != 4'd0 || cell_we_o != 4'd0
+                     || reader_awake || re || rdram_q || re_o || granted_q;
 
     always @(posedge clk_i) begin
         if (re && !rwait) begin
-            re_o     <= 1'b1;
-            rindex_o <= rinc ? {6'd0, raddr[12:2]} : picture_index(rin1, raddr[18:0]);
-            rempty_q <= rinc ? !cells_stored(raddr[12:0]) : !stored(raddr[18:0]);
+            re_o     <= !rdram;
+            rindex_o <= rinc ? {5'd0, raddr[12:2]} : raddr[17:2];
+            rempty_q <= rinc ? !cells_stored(raddr[12:0]) : raddr[18];
             rcells_q <= rinc;
-            rerror_q <= !(rin0 || rin1 || rinc);
+            rerror_q <= !(rdram || rchip || rinc);
         end else if (rgrant_i) begin
             re_o <= 1'b0;
         end
         granted_q <= re_o && rgrant_i;
+        rdram_q   <= re && rdram && rwait && !sdram_we_o && !rst_i;
         if (rst_i) begin
             re_o      <= 1'b0;
             granted_q <= 1'b0;

@@ -1,13 +1,13 @@
 // regmap.vh - generated from regmap.def by `make regmap`; do not edit.
 // Every module uses a few of these constants.
 // verilator lint_off UNUSEDPARAM
-localparam [31:0] REGMAP_HASH = 32'h4edf579a;
+localparam [31:0] REGMAP_HASH = 32'he5fc9923;
 
-localparam [31:0] PICTURE0_BASE = 32'hc8000000;
-localparam [31:0] PICTURE0_SIZE = 32'h00080000;
+localparam [31:0] SDRAM_BASE = 32'hc0000000;
+localparam [31:0] SDRAM_SIZE = 32'h04000000;
 
-localparam [31:0] PICTURE1_BASE = 32'hc0000000;
-localparam [31:0] PICTURE1_SIZE = 32'h00080000;
+localparam [31:0] ONCHIP_BASE = 32'hc8000000;
+localparam [31:0] ONCHIP_SIZE = 32'h00040000;
 
 localparam [31:0] CHARACTERS_BASE = 32'hc9000000;
 localparam [31:0] CHARACTERS_SIZE = 32'h00002000;

@@ -1,8 +1,7 @@
 // character_store.v - 80 x 60 characters, four a word, read by the screen and the processor
 //
 // An index is row << 5 | word, word below 20: four byte lanes of 2,048 characters, two M10K blocks
-// each.  The screen's reads go before the processor's, which picture_store.v grants: the screen
-// reads characters only where it reads pixels, too.
+// each.  The screen's reads go before the processor's, which wait for those (video.v).
 //
 // clear_i and a reset fill everything with blanks, in 1,920 clocks without writes.  The processor
 // waits meanwhile, by filling_o, which is high from clear_i on: what it wrote could be blanked and

@@ -3,14 +3,16 @@
 //   BUFFER write (any value)   S = 1
 //   frame_end_i while S = 1    BUFFER and BACK_BUFFER change places, S = 0
 //
-// A direct write never loads BUFFER.  STATUS.EN = 0 blanks the screen; the rest of STATUS is fixed.
+// A direct write never loads BUFFER.  STATUS.EN = 0 blanks the screen; STATUS.A = 1, where HAS_A,
+// means rows without gaps; the rest of STATUS is fixed.
 
 `default_nettype none
 
 module pixel_registers #(
     parameter [31:0] BUFFER     = 32'd0,  // after reset, of BACK_BUFFER too
     parameter [31:0] RESOLUTION = 32'd0,
-    parameter [31:0] STATUS     = 32'd0
+    parameter [31:0] STATUS     = 32'd0,
+    parameter        HAS_A      = 0       // else it is fixed, too
 ) (
     input  wire        clk_i,
     input  wire        rst_i,
@@ -30,6 +32,7 @@ module pixel_registers #(
     input  wire        frame_end_i,   // the last line has been fetched
     output reg  [31:0] front_o,       // address of the picture on screen
     output reg         enable_o,
+    output reg         consecutive_o,
     output wire        awake_o
 );
     `include "regmap.vh"
@@ -46,7 +49,7 @@ module pixel_registers #(
             PIXEL_BUFFER[3:0]:      rdata_o <= front_o;
             PIXEL_BACK_BUFFER[3:0]: rdata_o <= back_q;
             PIXEL_RESOLUTION[3:0]:  rdata_o <= RESOLUTION;
-            default:                rdata_o <= {STATUS[31:3], enable_o, 1'b0, swap_q};
+            default:                rdata_o <= {STATUS[31:3], enable_o, consecutive_o, swap_q};
         endcase
         if (resampler_re_i) rdata_o <= RESAMPLER_STATUS_RESET;
 
@@ -57,13 +60,16 @@ module pixel_registers #(
 
         if (we_i && waddr_i[3:0] == PIXEL_BUFFER[3:0] && wstrb_i != 4'd0) swap_q <= 1'b1;
         else if (frame_end_i) swap_q <= 1'b0;
-        if (we_i && waddr_i[3:0] == PIXEL_STATUS[3:0] && wstrb_i[0])
-            enable_o <= wdata_i[PIXEL_STATUS_EN_LSB];
+        if (we_i && waddr_i[3:0] == PIXEL_STATUS[3:0] && wstrb_i[0]) begin
+            enable_o      <= wdata_i[PIXEL_STATUS_EN_LSB];
+            consecutive_o <= HAS_A != 0 && wdata_i[PIXEL_STATUS_A_LSB];
+        end
         if (rst_i) begin
             front_o  <= BUFFER;
             back_q   <= BUFFER;
             swap_q   <= 1'b0;
-            enable_o <= STATUS[PIXEL_STATUS_EN_LSB];
+            enable_o      <= STATUS[PIXEL_STATUS_EN_LSB];
+            consecutive_o <= STATUS[PIXEL_STATUS_A_LSB];
         end
     end
 endmodule

@@ -23,6 +23,7 @@ module screen_registers (
     input  wire        frame_end_i,     // the last line has been fetched
     output wire [31:0] front_o,         // address of the picture on screen
     output wire        enable_o,
+    output wire        consecutive_o,   // the picture's rows are without gaps
     output wire        text_enable_o,
     output reg         clear_o,         // the characters, for one clock
     input  wire        clearing_i,
@@ -37,12 +38,13 @@ module screen_registers (
 
     pixel_registers #(
         .BUFFER(PIXEL_BUFFER_RESET), .RESOLUTION(PIXEL_RESOLUTION_RESET),
-        .STATUS(PIXEL_STATUS_RESET)
+        .STATUS(PIXEL_STATUS_RESET), .HAS_A(1)
     ) pixel (
         .clk_i(clk_i), .rst_i(rst_i),
         .we_i(we_i), .wstrb_i(wstrb_i), .waddr_i(waddr_i), .wdata_i(wdata_i),
         .re_i(re_i), .resampler_re_i(resampler_re_i), .raddr_i(raddr_i), .rdata_o(pixel_rdata),
-        .frame_end_i(frame_end_i), .front_o(front_o), .enable_o(enable_o), .awake_o(pixel_awake)
+        .frame_end_i(frame_end_i), .front_o(front_o), .enable_o(enable_o),
+        .consecutive_o(consecutive_o), .awake_o(pixel_awake)
     );
     // verilator lint_off PINCONNECTEMPTY
     pixel_registers #(
@@ -51,7 +53,8 @@ module screen_registers (
         .clk_i(clk_i), .rst_i(rst_i),
         .we_i(text_we_i), .wstrb_i(wstrb_i), .waddr_i(waddr_i), .wdata_i(wdata_i),
         .re_i(text_re_i), .resampler_re_i(1'b0), .raddr_i(raddr_i), .rdata_o(text_rdata),
-        .frame_end_i(frame_end_i), .front_o(), .enable_o(text_enable_o), .awake_o(text_awake)
+        .frame_end_i(frame_end_i), .front_o(), .enable_o(text_enable_o),
+        .consecutive_o(), .awake_o(text_awake)
     );
     // verilator lint_on PINCONNECTEMPTY
 

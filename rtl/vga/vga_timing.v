@@ -19,7 +19,7 @@ module vga_timing (
     output wire [9:0] h_o,          // 0 to 799; 0 to 639 are shown
     output reg  [9:0] v_o,          // 0 to 524; 0 to 479 are shown
     output wire       line_end_o,   // last clock of a line
-    output wire [8:0] row_next_o,   // row of the picture that the next line shows, if it is shown
+    output wire [9:0] v_next_o,     // the next line
     output wire       visible_o,    // on the pins from the next clock on
     output reg        hs_no,
     output reg        vs_no,        // moves with the leading edge of HS
@@ -34,11 +34,10 @@ module vga_timing (
                      SYNC_END = SYNC + H_SYNC, LAST = H_TOTAL - 1;
 
     reg  [9:0] begun_q;             // the clock in which the line began
-    wire [9:0] v_next = v_o == V_TOTAL - 10'd1 ? 10'd0 : v_o + 10'd1;
 
     assign h_o        = now_i[9:0] - begun_q;
     assign line_end_o = h_o == LAST;
-    assign row_next_o = v_next[9:1];
+    assign v_next_o   = v_o == V_TOTAL - 10'd1 ? 10'd0 : v_o + 10'd1;
     assign visible_o  = h_o >= SHOW && h_o < HIDE && v_o < V_SHOWN;
 
     wire show = h_o == SHOW && v_o < V_SHOWN;
@@ -49,12 +48,12 @@ module vga_timing (
         if (hide) blank_no <= 1'b0;
         if (h_o == SYNC) begin
             hs_no <= 1'b0;
-            vs_no <= !(v_next >= V_SHOWN + V_FRONT && v_next < V_SHOWN + V_FRONT + V_SYNC);
+            vs_no <= !(v_next_o >= V_SHOWN + V_FRONT && v_next_o < V_SHOWN + V_FRONT + V_SYNC);
         end
         if (h_o == SYNC_END) hs_no <= 1'b1;
         if (line_end_o) begin
             begun_q <= now_i[9:0] + 10'd1;
-            v_o     <= v_next;
+            v_o     <= v_next_o;
         end
         if (rst_i) begin
             begun_q  <= 10'd0;      // after a reset now_i begins at 0

@@ -1,15 +1,17 @@
 // video.v - the VGA controller and the memories that it shows
 //
-//   h2f_bridge --+--> picture_store ----+--> vga --> ADV7123
-//                +--> character_store --+
+//   h2f_bridge --+--> onchip_store --+--> pixel_dma --> line_buffer --+--> vga --> ADV7123
+//                |    SDRAM ---------+                                |
+//                +--> character_store --------------------------------+
 //
-// The screen's reads go before the processor's in both.
+// The screen's reads go before the processor's in all of them.
 
 `default_nettype none
 
 module video (
-    input  wire        clk_i,           // of the beam and the pictures' memory
+    input  wire        clk_i,           // of the beam
     input  wire        registers_clk_i,
+    input  wire        memory_clk_i,    // of the on-chip memory and the picture's fetch
     input  wire        cells_clk_i,     // of the characters' memory
     input  wire        rst_i,
     input  wire [29:0] now_i,
@@ -25,16 +27,22 @@ module video (
     input  wire [11:0] raddr_i,
     output wire [31:0] rdata_o,
 
-    input  wire [3:0]  picture_we_i,    // full bridge: byte lanes of a word of the pictures
+    input  wire [3:0]  onchip_we_i,     // full bridge: byte lanes of a word of the on-chip memory
     input  wire [3:0]  cells_we_i,      // and of the characters
-    input  wire [16:0] windex_i,
-    input  wire [31:0] picture_i,
-    input  wire        picture_re_i,    // both; held until rgrant_o, data one clock later
-    input  wire [16:0] rindex_i,
+    input  wire [15:0] windex_i,
+    input  wire [31:0] onchip_i,
+    input  wire        onchip_re_i,     // both; held until rgrant_o, data one clock later
+    input  wire [15:0] rindex_i,
     output wire        rgrant_o,
-    output wire [31:0] picture_o,
+    output wire [31:0] onchip_o,
     output wire [31:0] cells_o,
     output wire        cells_wait_o,    // the characters are being cleared
+
+    output wire        sdram_req_o,     // the screen's reads of the SDRAM
+    output wire [23:0] sdram_index_o,
+    input  wire        sdram_take_i,
+    input  wire        sdram_valid_i,
+    input  wire [31:0] sdram_i,
 
     output wire        vga_hs_no,       // ADV7123
     output wire        vga_vs_no,
@@ -49,25 +57,36 @@ module video (
     output wire        frame_end_o,     // wakes the registers
     output wire        cells_clear_o,   // these two wake the characters' memory
     output wire        cell_fetch_o,
+    output wire        fetch_awake_o,
+    output wire        fetch_due_o,
+    output wire [9:0]  fetch_rest_o,
     output wire [9:0]  rest_o
 );
-    wire        fetch, keep, cells_any, cells_clearing, enable, text_enable;
+    wire        cells_any, cells_clearing, enable, text_enable, consecutive;
     wire [31:0] front;
     wire [10:0] cell_index;
-    wire [16:0] fetch_index;
 
     screen_registers registers (
         .clk_i(registers_clk_i), .rst_i(rst_i), .we_i(we_i), .wstrb_i(wstrb_i), .waddr_i(waddr_i),
         .wdata_i(wdata_i), .re_i(re_i), .resampler_re_i(resampler_re_i),
         .text_we_i(text_we_i), .text_re_i(text_re_i), .raddr_i(raddr_i), .rdata_o(rdata_o),
         .frame_end_i(frame_end_o), .front_o(front), .enable_o(enable), .text_enable_o(text_enable),
+        .consecutive_o(consecutive),
         .clear_o(cells_clear_o), .clearing_i(cells_clearing), .awake_o(registers_awake_o)
     );
 
+    // ---- The beam and the rows of the picture -----------------------------
+    wire        odd, pixel, flat, line_we, line_end;
+    wire [8:0]  pixel_index, line_windex;
+    wire [9:0]  v_next;
+    wire [31:0] pixel_word, line_wdata;
+
     vga vga_block (
         .clk_i(clk_i), .rst_i(rst_i), .now_i(now_i),
-        .front_i(front), .enable_i(enable), .text_enable_i(text_enable), .frame_end_o(frame_end_o),
-        .fetch_o(fetch), .keep_o(keep), .index_o(fetch_index), .word_i(picture_o),
+        .upper_i(front[1]), .enable_i(enable), .text_enable_i(text_enable),
+        .frame_end_o(frame_end_o), .odd_o(odd), .line_end_o(line_end), .v_next_o(v_next),
+        .pixel_o(pixel), .index_o(pixel_index), .word_i(pixel_word),
+        .flat_i(flat),
         .cell_o(cell_fetch_o), .cell_index_o(cell_index), .cells_i(cells_o),
         .cells_any_i(cells_any),
         .vga_hs_no(vga_hs_no), .vga_vs_no(vga_vs_no), .vga_blank_no(vga_blank_no),
@@ -75,18 +94,41 @@ module video (
         .rest_o(rest_o)
     );
 
-    picture_store pictures (
-        .clk_i(clk_i), .screen_re_i(fetch), .screen_keep_i(keep), .screen_index_i(fetch_index),
-        .re_i(picture_re_i), .rindex_i(rindex_i), .rgrant_o(rgrant_o), .rdata_o(picture_o),
-        .we_i(picture_we_i), .windex_i(windex_i), .wdata_i(picture_i)
+    line_buffer rows (
+        .wclk_i(memory_clk_i), .we_i(line_we), .windex_i(line_windex), .wdata_i(line_wdata),
+        .rclk_i(clk_i), .re_i(pixel), .rindex_i(pixel_index), .rdata_o(pixel_word), .flat_o(flat)
+    );
+
+    wire        fetch, grant;
+    wire [15:0] fetch_index;
+
+    pixel_dma dma (
+        .clk_i(memory_clk_i), .rst_i(rst_i), .odd_i(odd), .line_end_i(line_end), .v_next_i(v_next),
+        .front_i(front), .consecutive_i(consecutive),
+        .onchip_re_o(fetch), .onchip_read_i(onchip_re_i && rgrant_o),
+        .onchip_index_o(fetch_index), .onchip_word_i(onchip_o),
+        .sdram_req_o(sdram_req_o), .sdram_index_o(sdram_index_o), .sdram_take_i(sdram_take_i),
+        .sdram_valid_i(sdram_valid_i), .sdram_word_i(sdram_i),
+        .we_o(line_we), .windex_o(line_windex), .wdata_o(line_wdata),
+        .awake_o(fetch_awake_o), .due_o(fetch_due_o), .rest_o(fetch_rest_o)
+    );
+
+    // ---- Memories ---------------------------------------------------------
+    assign rgrant_o = grant && !cell_fetch_o;
+
+    onchip_store onchip (
+        .clk_i(memory_clk_i), .screen_re_i(fetch), .screen_index_i(fetch_index),
+        .re_i(onchip_re_i && !cell_fetch_o), .rindex_i(rindex_i), .rgrant_o(grant),
+        .rdata_o(onchip_o),
+        .we_i(onchip_we_i), .windex_i(windex_i), .wdata_i(onchip_i)
     );
 
     character_store characters (
         .clk_i(cells_clk_i), .rst_i(rst_i), .clear_i(cells_clear_o), .clearing_o(cells_clearing),
         .filling_o(cells_wait_o), .any_o(cells_any),
         .screen_re_i(cell_fetch_o), .screen_index_i(cell_index),
-        .re_i(picture_re_i && rgrant_o), .rindex_i(rindex_i[10:0]), .rdata_o(cells_o),
-        .we_i(cells_we_i), .windex_i(windex_i[10:0]), .wdata_i(picture_i),
+        .re_i(onchip_re_i && rgrant_o), .rindex_i(rindex_i[10:0]), .rdata_o(cells_o),
+        .we_i(cells_we_i), .windex_i(windex_i[10:0]), .wdata_i(onchip_i),
         .awake_o(cells_awake_o)
     );
 endmodule

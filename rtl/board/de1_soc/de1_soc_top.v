@@ -5,7 +5,7 @@
 // Pins are named as on the board's schematic, so that de1_soc.qsf can be checked against pins.tsv.
 // JP1 and JP2: bits 31:0 are the header's pins 35:19, 17, 15:3, 1; the four others stay open.
 //
-// Not handled: pins of what the system has not (SDRAM, IrDA, video-in, USB-Blaster); the
+// Not handled: pins of what the system has not (IrDA, video-in, USB-Blaster); the
 // project leaves them as inputs with weak pull-ups.
 
 `default_nettype none
@@ -33,6 +33,18 @@ module de1_soc_top (
     output wire [7:0]  VGA_R,
     output wire [7:0]  VGA_G,
     output wire [7:0]  VGA_B,
+
+    output wire        DRAM_CLK,
+    output wire        DRAM_CKE,
+    output wire        DRAM_CS_N,
+    output wire        DRAM_RAS_N,
+    output wire        DRAM_CAS_N,
+    output wire        DRAM_WE_N,
+    output wire [1:0]  DRAM_BA,
+    output wire [12:0] DRAM_ADDR,
+    output wire        DRAM_LDQM,
+    output wire        DRAM_UDQM,
+    inout  wire [15:0] DRAM_DQ,
 
     output wire        AUD_XCK,
     output wire        AUD_BCLK,
@@ -76,6 +88,14 @@ module de1_soc_top (
     assign PS2_DAT  = ps2_dat_low[0] ? 1'b0 : 1'bz;
     assign PS2_CLK2 = ps2_clk_low[1] ? 1'b0 : 1'bz;
     assign PS2_DAT2 = ps2_dat_low[1] ? 1'b0 : 1'bz;
+
+    // ---- SDRAM: its clock rises in the middle of a command ------------------
+    wire [15:0] dram_dq;
+    wire        dram_dq_oe;
+
+    assign DRAM_CLK = ~clk;
+    assign DRAM_CKE = 1'b1;
+    assign DRAM_DQ  = dram_dq_oe ? dram_dq : 16'bz;
 
     // ---- Processor and fabric ---------------------------------------------
     wire [ID_W-1:0] lw_awid, lw_bid, lw_arid, lw_rid;
@@ -253,6 +273,17 @@ module de1_soc_top (
         .vga_r_o              (VGA_R),
         .vga_g_o              (VGA_G),
         .vga_b_o              (VGA_B),
+
+        .dram_cs_no           (DRAM_CS_N),
+        .dram_ras_no          (DRAM_RAS_N),
+        .dram_cas_no          (DRAM_CAS_N),
+        .dram_we_no           (DRAM_WE_N),
+        .dram_ba_o            (DRAM_BA),
+        .dram_addr_o          (DRAM_ADDR),
+        .dram_dqm_o           ({DRAM_UDQM, DRAM_LDQM}),
+        .dram_dq_o            (dram_dq),
+        .dram_dq_oe_o         (dram_dq_oe),
+        .dram_dq_i            (DRAM_DQ),
 
         .aud_xck_o            (AUD_XCK),
         .aud_bclk_o           (AUD_BCLK),

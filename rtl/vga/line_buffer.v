@@ -1,0 +1,51 @@
+// line_buffer.v - two rows of the picture: one on the screen, one being fetched
+//
+// A row is 161 words of two pixels: one that begins in the upper half of a word ends in the lower
+// half of another.  Two M10K blocks.
+//
+// flat_o: the 16 pixels of the block of rindex_i are as the one before them.  What is on the screen
+// then stays, and nobody need read them.  Words come in the order of their places.
+//
+// On the device both clocks are one.
+
+`default_nettype none
+
+module line_buffer (
+    input  wire        wclk_i,
+    input  wire        we_i,
+    input  wire [8:0]  windex_i,   // row's parity, word
+    input  wire [31:0] wdata_i,
+
+    input  wire        rclk_i,
+    input  wire        re_i,
+    input  wire [8:0]  rindex_i,
+    output reg  [31:0] rdata_o,    // one clock later; stays until the next read
+    output wire        flat_o
+);
+    reg [31:0] words [0:511];
+    reg [19:0] even_q, odd_q;      // flat blocks of the even and the odd row; eight words are one
+    reg [15:0] last_q;             // the pixel before
+    reg        so_far_q;           // all of this block's are like it
+
+    wire [4:0] block = windex_i[7:3];
+    wire       same  = wdata_i == {last_q, last_q} && (so_far_q || windex_i[2:0] == 3'd0);
+
+    wire       flat  = same && windex_i[2:0] == 3'd7;
+
+    // Before the first block there is nothing.
+    wire [4:0] shown = rindex_i[7:3];
+    assign flat_o = shown != 5'd0 && (rindex_i[8] ? odd_q[shown] : even_q[shown]);
+
+    always @(posedge wclk_i)
+        if (we_i) begin
+            words[windex_i] <= wdata_i;
+            last_q          <= wdata_i[31:16];
+            so_far_q        <= same;
+            if (windex_i[8]) odd_q[block] <= flat;
+            else even_q[block] <= flat;
+        end
+
+    always @(posedge rclk_i) if (re_i) rdata_o <= words[rindex_i];
+endmodule
+
+`default_nettype wire
