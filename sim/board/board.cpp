@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "regmap.h"
 #include "sim/board/fpga_places.h"
 
 namespace sim {
@@ -25,12 +26,13 @@ std::unique_ptr<Processor> processor_for(Board::Software software, Audience& aud
 
 const std::vector<MemoryRange>& program_memory() {
     static const std::vector<MemoryRange> memory{{DDR3_BASE, DDR3_SIZE},
-                                                 {ON_CHIP_RAM_BASE, ON_CHIP_RAM_SIZE}};
+                                                 {ON_CHIP_RAM_BASE, ON_CHIP_RAM_SIZE},
+                                                 {regmap::SDRAM_BASE, regmap::SDRAM_SIZE}};
     return memory;
 }
 
 Board::Board(const sc_core::sc_module_name& name, Audience& audience, Software software,
-             std::uint64_t seed, const std::string& trace_file)
+             std::uint64_t seed, const std::string& trace_file, Fpga::Memory memory)
     : sc_module{name},
       monitor{[&audience](const Monitor::Frame& frame) { audience.frame(frame); }},
       codec_chip{[this, &audience](const StereoSample& sample, std::uint64_t) {
@@ -41,7 +43,7 @@ Board::Board(const sc_core::sc_module_name& name, Audience& audience, Software s
       }},
       keypad{"keypad", seed, [this] { fpga.inputs().jp1 = jp1(); }},
       ps2_keyboard{"ps2_keyboard", [this] { ps2_wires(fpga.inputs()); }},
-      fpga{"fpga", *this, trace_file},
+      fpga{"fpga", *this, trace_file, memory, sdram_chip.bytes()},
       jtag_host{"jtag_host", fpga, [&audience](char character) { audience.console(character); }},
       ddr3{"ddr3", DDR3_SIZE, sc_core::sc_time{60, sc_core::SC_NS}},
       hps{"hps",
@@ -91,6 +93,14 @@ void Board::headers(const HeaderPins& pins, std::uint64_t, FabricInputs& in) {
 void Board::adc(const AdcPins& pins, std::uint64_t time_ps, FabricInputs& in) {
     adc_chip.drive(pins.convst, pins.sck, pins.sdi, time_ps);
     in.adc_sdo = adc_chip.sdo();
+}
+
+void Board::sdram(const SdramPins& pins, std::uint64_t time_ps, std::uint16_t& dq, bool& more) {
+    sdram_chip.clock({pins.cs_n, pins.ras_n, pins.cas_n, pins.we_n, pins.ba, pins.addr, pins.dqm,
+                      pins.dq_driven, pins.dq},
+                     time_ps);
+    dq = sdram_chip.dq();
+    more = sdram_chip.busy();
 }
 
 void Board::ps2(unsigned clk_low, unsigned dat_low, FabricInputs& in) {

@@ -5,6 +5,7 @@
 //                     +- Fpga lw, h2f --pins--+- Monitor   (VGA)
 //                                             +- Wm8731    (audio)
 //                                             +- Ltc2308   (AD converter)
+//                                             +- Is42s16320d  (SDRAM)
 //                                             +- Keypad    (JP1 D7-D0)
 //                                             +- JtagHost  (JTAG UARTs)
 //                                             +- Ps2Keyboard  (first PS/2 port)
@@ -17,6 +18,7 @@
 #include <string>
 #include <variant>
 
+#include "sim/board/is42s16320d.h"
 #include "sim/board/jtag_host.h"
 #include "sim/board/keypad.h"
 #include "sim/board/ltc2308.h"
@@ -55,7 +57,8 @@ public:
     using Software = std::variant<Firmware, ArmProgram>;
 
     Board(const sc_core::sc_module_name& name, Audience& audience, Software software,
-          std::uint64_t seed, const std::string& trace_file);
+          std::uint64_t seed, const std::string& trace_file,
+          Fpga::Memory memory = Fpga::Memory::BRIDGED);
 
     // Hands on the board: masks of keypad keys (4 * row + column), KEY3-0 and SW9-0.
     void hold(std::uint16_t keypad, std::uint8_t keys, std::uint16_t switches);
@@ -74,6 +77,8 @@ private:
     void codec(const CodecPins& pins, std::uint64_t time_ps, FabricInputs& in) override;
     void headers(const HeaderPins& pins, std::uint64_t time_ps, FabricInputs& in) override;
     void adc(const AdcPins& pins, std::uint64_t time_ps, FabricInputs& in) override;
+    void sdram(const SdramPins& pins, std::uint64_t time_ps, std::uint16_t& dq,
+               bool& more) override;
     void ps2(unsigned clk_low, unsigned dat_low, FabricInputs& in) override;
     void jtag_byte(unsigned number, char byte, FabricInputs& in) override;
     std::uint32_t jp1() const;
@@ -88,6 +93,7 @@ public:  // the parts, in the order in which they are soldered
     Monitor monitor;
     Wm8731 codec_chip;
     Ltc2308 adc_chip;
+    Is42s16320d sdram_chip;
     Keypad keypad;
     Ps2Keyboard ps2_keyboard;
     Fpga fpga;

@@ -6,6 +6,9 @@
 
 #include "Vfpga.h"
 #include "verilated.h"
+#ifndef DE1SIM_NETLIST
+#include "Vfpga___024root.h"
+#endif
 #ifdef DE1SIM_TRACE
 #include "verilated_fst_c.h"
 #endif
@@ -73,6 +76,7 @@ Fabric::Fabric(PinListener& pins, const std::string& trace_file)
 Fabric::~Fabric() {
     end_trace();
     model_->top.final();
+    Verilated::threadContextp(&model_->context);  // that of the scopes which go now
 }
 
 void Fabric::end_trace() {
@@ -159,8 +163,17 @@ inline std::uint64_t Fabric::clock([[maybe_unused]] std::uint64_t most) {
         video_[video_count_++] = sample;
         if (video_count_ == VIDEO_BATCH) flush();
     }
+    if ((!top.dram_cs_no || sdram_) && !top.rst_i) tell_sdram();
     if (stirs) tell_pins();  // else only the picture can have moved
     return passed;
+}
+
+void Fabric::tell_sdram() {
+    Vfpga& top = model_->top;
+    pins_.sdram(
+        {top.dram_cs_no != 0, top.dram_ras_no != 0, top.dram_cas_no != 0, top.dram_we_no != 0,
+         top.dram_ba_o, top.dram_dqm_o, top.dram_addr_o, top.dram_dq_o, top.dram_dq_oe_o != 0},
+        time_ps() - FABRIC_PERIOD_PS / 2, top.dram_dq_i, sdram_);
 }
 
 void Fabric::tell_pins() {
@@ -295,6 +308,30 @@ AxiResponse Fabric::read(Bridge bridge, std::uint32_t address, std::uint8_t* dat
     }
     return alive ? response : AxiResponse::NONE;
 }
+
+#ifdef DE1SIM_NETLIST
+bool Fabric::has_memory() const { return false; }
+void Fabric::read_onchip(std::uint32_t, std::uint8_t*, unsigned) const {}
+void Fabric::write_onchip(std::uint32_t, const std::uint8_t*, unsigned) {}
+#else
+#define LANE(n) &top.rootp->fpga__DOT__video_block__DOT__onchip__DOT__memory__DOT__lane##n[0]
+#define LANES \
+    { LANE(0), LANE(1), LANE(2), LANE(3) }
+
+bool Fabric::has_memory() const { return true; }
+
+void Fabric::read_onchip(std::uint32_t offset, std::uint8_t* data, unsigned bytes) const {
+    Vfpga& top = model_->top;
+    const CData* const lanes[] = LANES;
+    for (unsigned i = 0; i < bytes; ++i, ++offset) data[i] = lanes[offset % 4][offset / 4];
+}
+
+void Fabric::write_onchip(std::uint32_t offset, const std::uint8_t* data, unsigned bytes) {
+    Vfpga& top = model_->top;
+    CData* const lanes[] = LANES;
+    for (unsigned i = 0; i < bytes; ++i, ++offset) lanes[offset % 4][offset / 4] = data[i];
+}
+#endif
 
 std::uint16_t Fabric::ledr() const { return model_->top.ledr_o; }
 std::uint64_t Fabric::hex_n() const { return model_->top.hex_no; }

@@ -30,6 +30,14 @@ struct HeaderPins {
     std::uint32_t jp1, jp1_oe, jp2, jp2_oe;  // levels driven, and where they are driven
 };
 
+// At a rising edge of DRAM_CLK, in the middle of a clock.
+struct SdramPins {
+    bool cs_n, ras_n, cas_n, we_n;
+    std::uint8_t ba, dqm;
+    std::uint16_t addr, dq;
+    bool dq_driven;
+};
+
 struct AdcPins {
     bool convst, sck, sdi;
 };
@@ -69,6 +77,10 @@ public:
     virtual void codec(const CodecPins& pins, std::uint64_t time_ps, FabricInputs& in) = 0;
     virtual void headers(const HeaderPins& pins, std::uint64_t time_ps, FabricInputs& in) = 0;
     virtual void adc(const AdcPins& pins, std::uint64_t time_ps, FabricInputs& in) = 0;
+    // Called in each clock in which CS_N is low, and in the next ones for as long as `more` stays
+    // true.  `dq` is what is on DQ when the next clock begins.
+    virtual void sdram(const SdramPins& pins, std::uint64_t time_ps, std::uint16_t& dq,
+                       bool& more) = 0;
     // What the PS/2 ports pull low, bit n of port n.
     virtual void ps2(unsigned clk_low, unsigned dat_low, FabricInputs& in) = 0;
     // JTAG UART `number` has sent a byte; may change `in`.
@@ -105,6 +117,11 @@ public:
     AxiResponse write(Bridge bridge, std::uint32_t address, const std::uint8_t* data,
                       unsigned bytes);
 
+    // The on-chip memory's 256 KB behind the Verilog's back, in no time; not in every build.
+    bool has_memory() const;
+    void read_onchip(std::uint32_t offset, std::uint8_t* data, unsigned bytes) const;
+    void write_onchip(std::uint32_t offset, const std::uint8_t* data, unsigned bytes);
+
     std::uint16_t ledr() const;
     std::uint64_t hex_n() const;     // HEX5 in 41:35 ... HEX0 in 6:0, 0 = lit
     std::uint32_t irq() const;       // bit n is interrupt ID 72 + n
@@ -120,6 +137,7 @@ private:
     std::uint64_t clock(std::uint64_t most);  // how many have passed, 1 or more
     void apply_inputs();
     void tell_pins();
+    void tell_sdram();
     bool clock_until(const std::uint8_t& ready);
 
     PinListener& pins_;
@@ -127,6 +145,7 @@ private:
     FabricInputs applied_;
     bool look_ = true;        // `in` may differ from applied_
     std::uint8_t moved_ = 0;  // inputs since the last clock
+    bool sdram_ = false;      // it wants to see the next clock
     std::uint64_t clocks_ = 0;
     std::uint32_t video_[VIDEO_BATCH];
     unsigned video_count_ = 0;

@@ -3,12 +3,16 @@
 #include <algorithm>
 #include <cstring>
 
+#include "regmap.h"
+
 namespace sim {
 
 using sc_core::sc_time;
 using sc_core::sc_time_stamp;
 
 namespace {
+
+constexpr std::uint32_t H2F_BASE = 0xC0000000;
 
 const sc_time scan_line_time{32, sc_core::SC_US};
 
@@ -24,6 +28,9 @@ tlm::tlm_response_status status_of(AxiResponse response) {
     }
 }
 
+constexpr std::uint32_t SDRAM = regmap::SDRAM_BASE - H2F_BASE,
+                        ONCHIP = regmap::ONCHIP_BASE - H2F_BASE;
+
 // Bytes of the next AXI burst: at most 16 words, and not across 4 KB.
 unsigned burst_bytes(std::uint32_t address, unsigned left) {
     const unsigned words = 64 - address % 4, page = 4096 - address % 4096;
@@ -32,8 +39,15 @@ unsigned burst_bytes(std::uint32_t address, unsigned left) {
 
 }  // namespace
 
-Fpga::Fpga(const sc_core::sc_module_name& name, PinListener& pins, const std::string& trace_file)
-    : sc_module{name}, lw{"lw"}, h2f{"h2f"}, fabric_{pins, trace_file} {
+Fpga::Fpga(const sc_core::sc_module_name& name, PinListener& pins, const std::string& trace_file,
+           Memory memory, std::uint8_t* sdram)
+    : sc_module{name},
+      lw{"lw"},
+      h2f{"h2f"},
+      fabric_{pins, trace_file},
+      memory_{fabric_.has_memory() ? memory : Memory::BRIDGED},
+      sdram_{sdram} {
+    h2f.register_get_direct_mem_ptr(this, &Fpga::direct_memory);
     lw.register_b_transport(this, &Fpga::lightweight_transport);
     h2f.register_b_transport(this, &Fpga::full_transport);
     SC_HAS_PROCESS(Fpga);
@@ -84,6 +98,34 @@ void Fpga::full_transport(tlm::tlm_generic_payload& tx, sc_time& delay) {
     transport(Bridge::FULL, tx, delay);
 }
 
+bool Fpga::direct_memory(tlm::tlm_generic_payload& tx, tlm::tlm_dmi& dmi) {
+    if (!sdram_ || tx.get_address() - SDRAM >= regmap::SDRAM_SIZE) return false;
+    dmi.set_dmi_ptr(sdram_);
+    dmi.set_start_address(SDRAM);
+    dmi.set_end_address(SDRAM + regmap::SDRAM_SIZE - 1);
+    memory_ == Memory::MAPPED ? dmi.allow_read_write() : dmi.allow_read();
+    return true;
+}
+
+// A burst to or from a memory.  Returns the clocks that it takes the bridge while neither the
+// screen nor a refresh is in its way; 0 if it is elsewhere.
+std::uint64_t Fpga::mapped(bool write, std::uint32_t address, std::uint8_t* data, unsigned bytes) {
+    const std::uint64_t words = (address + bytes - 1) / 4 - address / 4 + 1;
+    if (address - ONCHIP < regmap::ONCHIP_SIZE) {
+        if (write)
+            fabric_.write_onchip(address - ONCHIP, data, bytes);
+        else
+            fabric_.read_onchip(address - ONCHIP, data, bytes);
+        return write ? 4 + words : 1 + 4 * words;
+    }
+    if (!sdram_ || address - SDRAM >= regmap::SDRAM_SIZE) return 0;
+    if (write)
+        std::memcpy(sdram_ + (address - SDRAM), data, bytes);
+    else
+        std::memcpy(data, sdram_ + (address - SDRAM), bytes);
+    return write ? std::max<std::uint64_t>(5, 2 + 2 * words) : 1 + 6 * words;
+}
+
 void Fpga::transport(Bridge bridge, tlm::tlm_generic_payload& tx, sc_time& delay) {
     const unsigned bytes = tx.get_data_length();
     if (tx.get_command() == tlm::TLM_IGNORE_COMMAND) {
@@ -106,17 +148,21 @@ void Fpga::transport(Bridge bridge, tlm::tlm_generic_payload& tx, sc_time& delay
     run_to(sc_time_stamp() + delay);
     for (unsigned left = bytes; left && response == AxiResponse::OKAY;) {
         const unsigned now = burst_bytes(address, left);
-        response = write ? fabric_.write(bridge, address, data, now)
-                         : fabric_.read(bridge, address, data, now);
+        std::uint64_t later = 0;
+        if (bridge == Bridge::FULL && memory_ == Memory::MAPPED)
+            later = mapped(write, address, data, now) * FABRIC_PERIOD_PS;
+        if (!later)
+            response = write ? fabric_.write(bridge, address, data, now)
+                             : fabric_.read(bridge, address, data, now);
         address += now;
         data += now;
         left -= now;
-        delay = picoseconds(fabric_.time_ps()) - sc_time_stamp();
+        delay = picoseconds(fabric_.time_ps() + later) - sc_time_stamp();
         if (left && delay >= sc_core::sc_time_to_pending_activity()) {
             wait(delay);
             delay = sc_core::SC_ZERO_TIME;
-            run_to(sc_time_stamp());
         }
+        if (left) run_to(sc_time_stamp() + delay);
     }
     tell_interrupts();
     tx.set_response_status(status_of(response));

@@ -10,6 +10,15 @@
 // Interrupts are levels, told when the fabric has caught up with their change: at once when a
 // transaction makes it, else within a scan line (32 us).
 //
+// Memory::MAPPED: the memories behind the full bridge, the SDRAM chip and the on-chip memory, are
+// reached without the bridge's Verilog, since a program that draws pixel by pixel would spend all
+// its time there.  There is one storage, so the screen sees the same.  A transaction takes the time
+// that the bridge takes while nothing holds it up.  The SDRAM also grants direct access (DMI),
+// which takes none.
+//
+// Memory::BRIDGED: every access goes through the Verilog; the SDRAM grants direct access for
+// instructions alone.
+//
 // A response other than OKAY ends the transaction: DECERR is TLM_ADDRESS_ERROR, SLVERR is
 // TLM_GENERIC_ERROR, no answer in 10,000 clocks is TLM_INCOMPLETE.
 #pragma once
@@ -30,7 +39,11 @@ class Fpga : public sc_core::sc_module {
 public:
     tlm_utils::simple_target_socket<Fpga> lw, h2f;
 
-    Fpga(const sc_core::sc_module_name& name, PinListener& pins, const std::string& trace_file);
+    enum class Memory { MAPPED, BRIDGED };
+
+    // `sdram`: the chip's 64 MB.
+    Fpga(const sc_core::sc_module_name& name, PinListener& pins, const std::string& trace_file,
+         Memory memory = Memory::BRIDGED, std::uint8_t* sdram = nullptr);
 
     // `told` is called with Fabric::irq() whenever it has changed.
     void on_interrupts(std::function<void(std::uint32_t levels)> told) { told_ = std::move(told); }
@@ -51,11 +64,15 @@ private:
     void lightweight_transport(tlm::tlm_generic_payload& tx, sc_core::sc_time& delay);
     void full_transport(tlm::tlm_generic_payload& tx, sc_core::sc_time& delay);
     void transport(Bridge bridge, tlm::tlm_generic_payload& tx, sc_core::sc_time& delay);
+    bool direct_memory(tlm::tlm_generic_payload& tx, tlm::tlm_dmi& dmi);
+    std::uint64_t mapped(bool write, std::uint32_t address, std::uint8_t* data, unsigned bytes);
     void run_to(const sc_core::sc_time& time);
     void scan_line();
     void tell_interrupts();
 
     Fabric fabric_;
+    const Memory memory_;
+    std::uint8_t* const sdram_;
     std::function<void(std::uint32_t)> told_ = [](std::uint32_t) {};
     std::uint32_t irq_ = 0;
 };

@@ -141,9 +141,11 @@ public:
     ~ArmCore();
 
     // All in multiples of 4096 bytes, and not in run().  `bus_base` is what the bus calls `base`;
-    // what is unmapped was mapped by one call.  `access` is a sum of arm_access.
+    // what is unmapped was mapped by one call.  `access` is a sum of arm_access.  `data_by_bus`:
+    // loads and stores go by the bus, which calls it `base`, too; instructions are read from the
+    // RAM none the less.  (Unicorn's core has no such thing: there they do not.)
     void map_ram(std::uint32_t base, std::uint64_t size, void* bytes,
-                 unsigned access = arm_access::ALL);
+                 unsigned access = arm_access::ALL, bool data_by_bus = false);
     void map_bus(std::uint32_t base, std::uint64_t size, std::uint32_t bus_base,
                  unsigned access = arm_access::READ | arm_access::WRITE);
     void unmap(std::uint32_t base, std::uint64_t size);

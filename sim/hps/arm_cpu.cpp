@@ -124,7 +124,7 @@ void ArmCpu::start() {
 
 void ArmCpu::run() {
     if (!kernel_) {
-        map();
+        map(0, 0xFFFFFFFF);
         load();
     }
     start();
@@ -133,6 +133,10 @@ void ArmCpu::run() {
         if (reset_) {
             log_(fmt::format("warm reset {}", where()));
             start();
+        }
+        if (remap_) {
+            map(remap_->first, remap_->last);
+            remap_.reset();
         }
         account();
         sync();

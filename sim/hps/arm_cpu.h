@@ -170,7 +170,8 @@ private:
     static sc_core::sc_time horizon();
 
     void run();
-    void map();
+    void map(std::uint64_t first, std::uint64_t last);
+    void direct_access_changed(sc_dt::uint64 first, sc_dt::uint64 last) override;
     void load();
     void start();
     void account();
@@ -198,7 +199,11 @@ private:
     ArmInspector* inspector_ = nullptr;
     ArmKernel* kernel_ = nullptr;
     const std::uint64_t instruction_ps_;
-    bool mapped_ = false;
+    struct Range {
+        std::uint64_t first, last;
+    };
+    std::vector<Range> mapped_;                 // one for each call of the core
+    std::optional<Range> remap_;                // whose direct access is no longer what it was
     bool running_ = false;                      // in ArmCore::run()
     std::uint64_t inspected_end_ = UINT64_MAX;  // instructions, where the inspector wants a stop
 

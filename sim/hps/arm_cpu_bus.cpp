@@ -18,9 +18,16 @@ constexpr std::uint32_t H2F_BASE = 0xC0000000, H2F_END = 0xFC000000;
 }  // namespace
 
 // RAM is what grants direct access; everything else goes by the bus, so that it gets an answer.
-void ArmCpu::map() {
-    std::uint64_t address = 0;
-    while (address <= 0xFFFFFFFF) {
+// What may be read alone, without its side effects, is read for instructions alone.
+void ArmCpu::map(std::uint64_t first, std::uint64_t last) {
+    const auto within = [&](const Range& range) {
+        return range.first >= first && range.first <= last;
+    };
+    for (const Range& range : mapped_)
+        if (within(range))
+            core_.unmap(static_cast<std::uint32_t>(range.first), range.last - range.first + 1);
+    mapped_.erase(std::remove_if(mapped_.begin(), mapped_.end(), within), mapped_.end());
+    for (std::uint64_t address = first; address <= last;) {
         tlm::tlm_generic_payload tx;
         tx.set_address(address);
         tx.set_read();
@@ -31,11 +38,19 @@ void ArmCpu::map() {
         // The core maps whole pages of 4 KB; blocks that share one are mapped together.
         if (!ram) size = (size + 0xFFF) & ~std::uint64_t{0xFFF};
         if (ram)
-            core_.map_ram(base, size, dmi.get_dmi_ptr());
+            core_.map_ram(base, size, dmi.get_dmi_ptr(), arm_access::ALL, !dmi.is_write_allowed());
         else
             core_.map_bus(base, size, base);
+        mapped_.push_back({address, address + size - 1});
         address += size;
     }
+}
+
+// Told in the middle of a store to the reset manager: done before the next instruction.
+void ArmCpu::direct_access_changed(sc_dt::uint64 first, sc_dt::uint64 last) {
+    if (mapped_.empty()) return;  // by a kernel, or not yet
+    remap_ = Range{first, last};
+    if (running_) core_.stop_soon();
 }
 
 void ArmCpu::load() {

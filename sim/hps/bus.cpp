@@ -1,6 +1,7 @@
 #include "sim/hps/bus.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace sim {
 
@@ -32,7 +33,11 @@ std::size_t Bus::number_of(const std::string& name) const {
 }
 
 std::function<void(bool)> Bus::gate(const std::string& name) {
-    return [this, i = number_of(name)](bool on) { windows_[i].on = on; };
+    return [this, i = number_of(name)](bool on) {
+        Window& window = windows_[i];
+        if (std::exchange(window.on, on) != on && socket.get_base_port().size() > 0)
+            socket->invalidate_direct_mem_ptr(window.base, window.base + (window.size - 1));
+    };
 }
 
 void Bus::describe(const std::string& name, std::string title, std::vector<Place> places) {
@@ -69,7 +74,7 @@ bool Bus::get_direct_mem_ptr(tlm::tlm_generic_payload& tx, tlm::tlm_dmi& dmi) {
     if (Window* window = find(address, 1)) {
         const std::uint64_t last = window->size - 1;
         tx.set_address(address - window->base);
-        const bool granted = (*window->socket)->get_direct_mem_ptr(tx, dmi);
+        const bool granted = window->on && (*window->socket)->get_direct_mem_ptr(tx, dmi);
         tx.set_address(address);
         if (!granted) dmi.set_start_address(0), dmi.set_end_address(last);
         dmi.set_start_address(window->base + dmi.get_start_address());

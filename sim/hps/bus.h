@@ -7,8 +7,9 @@
 // refusal() says in words why an access was refused: for that, describe() tells what there is
 // within a window, where that is not all of it.
 //
-// Direct access (DMI) is asked of the window's target.  Refused, the range that comes back is the
-// one without direct access around the address: a window, or the gap between two.
+// Direct access (DMI) is asked of the window's target, and invalidated when the window is switched.
+// Refused, the range that comes back is the one without direct access around the address: a window,
+// or the gap between two.
 #pragma once
 
 #include <cstddef>
@@ -50,8 +51,6 @@ public:
     struct Place {
         std::string name;
         std::uint32_t base, size;
-        std::string of = "";       // what it is the first part of on the board, if of anything,
-        std::uint32_t extent = 0;  // and how long that is
     };
     // What is within the window `name`, which a person calls `title`.  As gate().
     void describe(const std::string& name, std::string title, std::vector<Place> places);

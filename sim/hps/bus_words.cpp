@@ -38,9 +38,6 @@ std::string Bus::refusal(std::uint32_t address, unsigned bytes, bool write,
         case tlm::TLM_ADDRESS_ERROR_RESPONSE:
             if (holds(*nearest, address))
                 return fmt::format("{} ends at 0x{:08X}", nearest->name, last_of(*nearest));
-            if (address - nearest->base < nearest->extent)
-                return fmt::format("no memory there: of {} only {} is there", nearest->of,
-                                   range(*nearest));
             return fmt::format("nothing answers there: the nearest is {}, {}", nearest->name,
                                range(*nearest));
         case tlm::TLM_BURST_ERROR_RESPONSE:

@@ -36,7 +36,12 @@ public:
 
 protected:
     explicit Processor(const sc_core::sc_module_name& module_name)
-        : sc_module{module_name}, socket{"socket"} {}
+        : sc_module{module_name}, socket{"socket"} {
+        socket.register_invalidate_direct_mem_ptr(this, &Processor::direct_access_changed);
+    }
+
+    // What was granted as direct access to these addresses, or refused, is so no longer.
+    virtual void direct_access_changed(sc_dt::uint64 /*first*/, sc_dt::uint64 /*last*/) {}
 
     // One transaction; its time is added to delay.  "", or why it was refused.
     std::string transport(tlm::tlm_command command, std::uint32_t address, void* data,

@@ -108,8 +108,10 @@ std::string to_json(const RunReport& report) {
                                 {"time_s", e.time_s},
                                 {"met", e.met},
                                 {"detail", e.detail}});
-    std::vector<std::string> violations = report.timing_violations;
-    violations.resize(std::min(violations.size(), MAX_VIOLATIONS_PRINTED));
+    const auto first = [](std::vector<std::string> violations) {
+        violations.resize(std::min(violations.size(), MAX_VIOLATIONS_PRINTED));
+        return violations;
+    };
     const double frames_per_s =
         report.wall_s > 0 ? static_cast<double>(report.frames_shown) / report.wall_s : 0;
 
@@ -136,7 +138,10 @@ std::string to_json(const RunReport& report) {
           {"samples", report.audio.samples},
           {"underruns", report.audio.underruns}}},
         {"key_events", report.key_events},
-        {"timing_violations", {{"count", report.timing_violation_count}, {"first", violations}}},
+        {"timing_violations",
+         {{"count", report.timing_violation_count}, {"first", first(report.timing_violations)}}},
+        {"sdram_violations",
+         {{"count", report.sdram_violation_count}, {"first", first(report.sdram_violations)}}},
         {"expectations", expectations},
         {"faults", report.faults},
         {"log", {{"lines", report.log_lines}, {"first", report.log}}},

@@ -82,6 +82,8 @@ struct RunReport {
 
     std::uint64_t timing_violation_count = 0;
     std::vector<std::string> timing_violations;  // the first 20; more are not printed
+    std::uint64_t sdram_violation_count = 0;
+    std::vector<std::string> sdram_violations;  // the same
     std::vector<std::string> faults;
     std::uint64_t log_lines = 0;
     std::vector<std::string> log;  // the first of them: aborts that the program handled, resets

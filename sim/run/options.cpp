@@ -51,6 +51,13 @@ void add_run_options(CLI::App& command, RunOptions& options) {
         .add_option("--cpi", options.cpi,
                     "clocks of 800 MHz that an instruction takes, for --cpu arm: 0.1 to 100")
         ->capture_default_str();
+    command
+        .add_option(
+            "--fpga-memory", options.memory,
+            "how the processor reaches the SDRAM and the on-chip memory.  mapped: at once;\n"
+            "bridge: every access goes through the bridge's Verilog")
+        ->check(CLI::IsMember({"mapped", "bridge"}))
+        ->capture_default_str();
     command.add_option_function<std::string>(
         "--gdb",
         [&](const std::string& text) {

@@ -34,6 +34,7 @@ struct RunOptions {
     std::string cpu = "native";
     std::filesystem::path elf;           // for the processor "arm", or empty
     double cpi = 1;                      // clocks an instruction of that processor
+    std::string memory = "mapped";       // how it reaches the FPGA's memories: or "bridge"
     std::string system = "auto";         // what the ELF expects: "bare", "linux", "auto"
     std::filesystem::path linux_root;    // the Linux program's /, or empty
     std::vector<std::string> arguments;  // the Linux program's, behind its name

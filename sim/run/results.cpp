@@ -41,6 +41,8 @@ void add_results(RunReport& report, Board& board, const ArmRun* arm, const Playe
     report.key_events = board.keypad.presses() + board.keypad.releases();
     report.timing_violation_count = board.monitor.violations();
     report.timing_violations = board.monitor.messages();
+    report.sdram_violation_count = board.sdram_chip.violations();
+    report.sdram_violations = board.sdram_chip.messages();
     if (arm) report.program = arm->program();
     report.audio = {recorder.senses().rate_hz, recorder.senses().samples, underruns(board)};
 }
@@ -66,6 +68,9 @@ bool summarise(const RunReport& report, const std::filesystem::path& out) {
     if (report.timing_violation_count)
         complain(fmt::format("{} VGA timing violations; {}", report.timing_violation_count,
                              report.timing_violations.front()));
+    if (report.sdram_violation_count)
+        complain(fmt::format("{} violations of the SDRAM's timing; {}",
+                             report.sdram_violation_count, report.sdram_violations.front()));
     if (report.frames_shown == 0)
         complain("the monitor found no picture");
     else if (report.frames_shown > 1 && report.frames_swapped == 1)

@@ -124,7 +124,12 @@ ExitCode run_doing(const char*& doing, const RunOptions& options, const Firmware
     Recorder recorder{options.out, options.frames};
     std::optional<TraceFile> trace;
     if (!options.trace.empty()) trace.emplace(options.trace);
-    Board board{"board", recorder, std::move(software), seed, trace ? trace->part().string() : ""};
+    Board board{"board",
+                recorder,
+                std::move(software),
+                seed,
+                trace ? trace->part().string() : "",
+                options.memory == "bridge" ? Fpga::Memory::BRIDGED : Fpga::Memory::MAPPED};
     std::optional<ArmRun> arm;
     if (board.arm) arm.emplace(*board.arm, options, on_linux, recorder);
     Player player{"player", board, recorder.senses(), scenario.steps, options.out};

@@ -36,7 +36,8 @@ const PageTable::Page& ArmCore::Engine::page_of(std::uint32_t address) {
     page.access &= area->access;
     const std::uint32_t offset = to.physical - area->base;
     page.physical = area->bytes ? to.physical : area->bus_base + offset;
-    page.bytes = area->bytes ? area->bytes + offset : nullptr;
+    page.code = area->bytes ? area->bytes + offset : nullptr;
+    page.bytes = area->bytes && !area->data_by_bus ? area->bytes + offset : nullptr;
     return page;
 }
 
@@ -130,6 +131,7 @@ void ArmCore::Engine::store(std::uint32_t address, T value) {
                               : bus.write(physical, bytes, word)))
                 refuse(at, true, false, 0);
             if (aborted) return;
+            if (page.code && code.has_code(physical >> 12)) invalidate(at, bytes);
             continue;
         }
         if (code.has_code(physical >> 12)) {

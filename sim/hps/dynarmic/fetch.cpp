@@ -23,9 +23,9 @@ constexpr std::uint32_t THUMB_CALL = 0xDF00, MOST_THUMB = 0xFF;
 
 std::optional<std::uint16_t> ArmCore::Engine::half_of_code(std::uint32_t address) {
     const PageTable::Page& page = page_of(address);
-    if (!page.bytes || !(page.access & arm_access::EXECUTE)) return std::nullopt;
+    if (!page.code || !(page.access & arm_access::EXECUTE)) return std::nullopt;
     std::uint16_t half;
-    std::memcpy(&half, page.bytes + (address & 0xFFE), sizeof half);
+    std::memcpy(&half, page.code + (address & 0xFFE), sizeof half);
     return half;
 }
 
@@ -92,12 +92,12 @@ std::optional<std::uint32_t> ArmCore::Engine::MemoryReadCode(std::uint32_t addre
         if (!call) return std::nullopt;
     }
     const PageTable::Page& page = page_of(address);
-    if (!page.bytes || !(page.access & arm_access::EXECUTE)) return std::nullopt;
+    if (!page.code || !(page.access & arm_access::EXECUTE)) return std::nullopt;
     if (!user_may(address, arm_access::EXECUTE)) privileged_code.insert(address >> 12);
-    if (!code.has_code(page.physical >> 12)) pages.close_bytes(page.bytes);
+    if (page.bytes && !code.has_code(page.physical >> 12)) pages.close_bytes(page.bytes);
     code.use(address >> 12, page.physical >> 12).words[(address & 0xFFF) / 4] = true;
     std::uint32_t word;
-    std::memcpy(&word, page.bytes + (address & 0xFFC), sizeof word);
+    std::memcpy(&word, page.code + (address & 0xFFC), sizeof word);
 
     const auto half_as = [&](std::uint32_t half) {
         return block.next & 2 ? (word & 0xFFFF) | half << 16 : (word & 0xFFFF0000) | half;

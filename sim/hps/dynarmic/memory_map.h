@@ -12,9 +12,10 @@ public:
     struct Area {
         std::uint32_t base;
         std::uint64_t size;
-        std::uint8_t* bytes;     // RAM; nullptr: the bus
-        std::uint32_t bus_base;  // what the bus calls `base`
-        unsigned access;         // arm_access
+        std::uint8_t* bytes;       // RAM; nullptr: the bus
+        std::uint32_t bus_base;    // what the bus calls `base`
+        unsigned access;           // arm_access
+        bool data_by_bus = false;  // RAM, but loads and stores go by the bus
 
         bool contains(std::uint32_t address) const { return address - base < size; }
     };

@@ -19,10 +19,11 @@ public:
         std::uint32_t number = ~0u;     // virtual
         std::uint32_t physical = 0;     // address of its begin: on the bus, or where its RAM is
         std::uint8_t* bytes = nullptr;  // of RAM; nullptr: the bus, or nothing
-        unsigned access = 0;            // arm_access
-        bool no_code = false;           // by the translation tables
-        bool normal = false;            // Normal memory, by the translation tables
-        std::uint32_t status = 0;       // of what is not allowed
+        const std::uint8_t* code = nullptr;  // of RAM, also where loads and stores take the bus
+        unsigned access = 0;                 // arm_access
+        bool no_code = false;                // by the translation tables
+        bool normal = false;                 // Normal memory, by the translation tables
+        std::uint32_t status = 0;            // of what is not allowed
     };
 
     PageTable();

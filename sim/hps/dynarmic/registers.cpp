@@ -100,8 +100,9 @@ void ArmCore::watch(ArmWatch* watch) {
 
 // ---- Memory -------------------------------------------------------------------------------------
 
-void ArmCore::map_ram(std::uint32_t base, std::uint64_t size, void* bytes, unsigned access) {
-    engine_->memory.add({base, size, static_cast<std::uint8_t*>(bytes), 0, access});
+void ArmCore::map_ram(std::uint32_t base, std::uint64_t size, void* bytes, unsigned access,
+                      bool data_by_bus) {
+    engine_->memory.add({base, size, static_cast<std::uint8_t*>(bytes), 0, access, data_by_bus});
     engine_->pages.close_all();
 }
 
