@@ -14,9 +14,9 @@ class Display {
 public:
     static constexpr unsigned WIDTH = 320, HEIGHT = 240;
 
-    // PICTURE0 on screen as after reset, PICTURE1 as the back picture.
+    // The one in the on-chip memory on screen as after reset, the SDRAM's as the back picture.
     explicit Display(Mmio& io) : io_{io} {
-        io_.write(regmap::PIXEL_BACK_BUFFER, regmap::PICTURE1_BASE);
+        io_.write(regmap::PIXEL_BACK_BUFFER, regmap::SDRAM_BASE);
     }
 
     // Words `first` to `first + count - 1` of a row of the back picture, two pixels a word with the
@@ -31,16 +31,16 @@ public:
     // True once after the swap that was asked for has taken place.
     bool swapped() {
         if (io_.read(regmap::PIXEL_STATUS) & regmap::PIXEL_STATUS_S_MASK) return false;
-        back_ = back_ == regmap::PICTURE1_BASE ? regmap::PICTURE0_BASE : regmap::PICTURE1_BASE;
+        back_ = back_ == regmap::SDRAM_BASE ? regmap::ONCHIP_BASE : regmap::SDRAM_BASE;
         return true;
     }
 
     // Which of the two pictures is the back one: 0 or 1.
-    unsigned back() const { return back_ == regmap::PICTURE1_BASE; }
+    unsigned back() const { return back_ == regmap::SDRAM_BASE; }
 
 private:
     Mmio& io_;
-    std::uint32_t back_ = regmap::PICTURE1_BASE;
+    std::uint32_t back_ = regmap::SDRAM_BASE;
 };
 
 }  // namespace hal

@@ -65,8 +65,8 @@ bool swap(Bench& bench) {
 
 }  // namespace
 
-Finding picture0(Bench& bench) { return keeps(bench, regmap::PICTURE0_BASE); }
-Finding picture1(Bench& bench) { return keeps(bench, regmap::PICTURE1_BASE); }
+Finding picture0(Bench& bench) { return keeps(bench, regmap::ONCHIP_BASE); }
+Finding picture1(Bench& bench) { return keeps(bench, regmap::SDRAM_BASE); }
 
 // Drawn into picture 1, which the display then shows.
 Finding drawn_picture(Bench& bench) {
@@ -85,14 +85,14 @@ Finding drawn_picture(Bench& bench) {
     }
     for (std::uint32_t y = 0; y < hal::Display::HEIGHT; ++y)
         for (std::uint32_t i = 0; i < WORDS; ++i)
-            kept.add(bench.io.read(regmap::PICTURE1_BASE + (y << 10) + 4 * i));
+            kept.add(bench.io.read(regmap::SDRAM_BASE + (y << 10) + 4 * i));
     if (!swap(bench)) return unmet("the swap never took place");
-    return equal(regmap::PICTURE1_BASE, kept.value, sent.value);
+    return equal(regmap::SDRAM_BASE, kept.value, sent.value);
 }
 
 void reset_display(Bench& bench) {
-    if (bench.io.read(regmap::PIXEL_BUFFER) == regmap::PICTURE0_BASE) return;
-    bench.io.write(regmap::PIXEL_BACK_BUFFER, regmap::PICTURE0_BASE);
+    if (bench.io.read(regmap::PIXEL_BUFFER) == regmap::ONCHIP_BASE) return;
+    bench.io.write(regmap::PIXEL_BACK_BUFFER, regmap::ONCHIP_BASE);
     (void)swap(bench);
 }
 

@@ -21,7 +21,8 @@ alignas(16 * 1024) std::uint32_t table[4096];
 
 std::uint32_t attributes(std::uint32_t base) {
     if (base < DDR3_SIZE) return CACHED;
-    if (base == regmap::PICTURE0_BASE || base == regmap::PICTURE1_BASE) return UNCACHED;
+    if (base - regmap::SDRAM_BASE < regmap::SDRAM_SIZE || base == regmap::ONCHIP_BASE)
+        return UNCACHED;
     return DEVICE;
 }
 
