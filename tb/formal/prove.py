@@ -4,12 +4,13 @@ prove.py --rtl DIR --work DIR --depth N [--induction] [--mutant FILE.PROPERTY.se
 
 Without --mutant: 0 if every assert holds for N clocks from any state that a reset clock leads out
 of, and with --induction for ever (N-step induction).  With --mutant: the sed script is applied to a
-copy of the sources, and 0 means that the assert PROPERTY was seen to fail (all others left out):
-within N clocks of a reset, or else, with --induction, one clock after N clocks of any states in
-which the invariants, i_..., held.
+copy of the sources, and 0 means that the assert PROPERTY was seen to fail: within N clocks of a
+reset, or else, with --induction, first of all, one clock after N clocks of any states in which every
+assert held.
 
 A harness sees into its instances by wires that it leaves undriven: dut__name is dut.name,
-dut__name__3 is word 3 of a memory.  They carry invariants that induction needs.
+dut__name__3 is word 3 of a memory.  They carry invariants that induction needs.  Where no word of a
+memory is named, memories are the solver's arrays.
 """
 import argparse
 import os
@@ -45,10 +46,12 @@ def write_smt2(arguments, step, sources):
     rtl = os.path.relpath(arguments.rtl, arguments.work)
     includes = " ".join(f"-I{rtl}/{folder}" for folder in ("regmap", "bus", "vga"))
     files = " ".join(os.path.relpath(source, arguments.work) for source in sources)
+    names = sorted(set(re.findall(r"\b[a-z]+__\w+", text)))
+    words = "memory_map" if any(re.search(r"__\d+$", name) for name in names) else ""
     script = [f"read_verilog -sv -formal {includes} {files}",
-              f"hierarchy -check -top {top}; proc; memory_collect; memory_map; flatten",
+              f"hierarchy -check -top {top}; proc; memory_collect; {words}; flatten",
               f"cd {top}"]
-    for name in sorted(set(re.findall(r"\b[a-z]+__\w+", text))):
+    for name in names:
         inner = name.replace("__", ".", 1)
         word = re.fullmatch(r"(.+)__(\d+)", inner)
         if word:
@@ -56,10 +59,9 @@ def write_smt2(arguments, step, sources):
         script.append(f"connect -nounset -set {name} {inner}")
     smt2 = arguments.work / f"{step}.smt2"
     if arguments.mutant:
-        if step == "induction":
-            script.append("chformal -assert2assume c:i_*; chformal -delay 1 c:i_*")
         script.append(f"select -set others t:$assert c:{arguments.mutant.suffixes[0][1:]} %d; "
-                      "delete @others")
+                      + ("chformal -assert2assume @others; chformal -delay 1 @others"
+                         if step == "induction" else "delete @others"))
     script.append(f"cd ..; prep -top {top} -nordff; opt -fast; check -assert; async2sync; "
                   f"dffunmap; write_smt2 -wires {smt2.name}")
     if run(["yosys", "-q", "-p", "; ".join(script)], arguments.work / "yosys.log").returncode:

@@ -131,34 +131,51 @@ def sleep(block, strobes, pins):
     later = [*asleep, *quiet("s2", "s1")]
     yield "sleeps", asleep, [block.stands("s1")]
     yield "stays", later, [block.low("awake_o", "s2")]
-    if "rest_o" in block.widths:
+    if "line_end_i" in block.widths:
+        # It waits for the beam, and rests in the clock that is due, too.
+        yield ("rests", [block.clock("s0", "s1"), block.clock("s1", "s2"),
+                         *(block.low(name, state) for name in ("rst_i", "line_end_i", *strobes)
+                           for state in ("s1", "s2")),
+                         f"(xor {block.at('odd_i', 's1')} {block.at('odd_i', 's2')})",
+                         block.low("awake_o", "s1"), block.rests("s1")],
+               [block.low("awake_o", "s2"), block.low("due_o", "s2"), block.one_less("s1", "s2")])
+    elif "rest_o" in block.widths:
         yield ("rests", [*later, block.rests("s1"), block.same("now_i", "s1", "s2", 1)],
                [block.low("due_o", "s2"), block.one_less("s1", "s2")])
 
 
 def framed(block, state, beam=""):
     """The invariant of vga.v that its rest_o needs."""
-    h, v, cell, shown, text = (block.at(beam + name, state)
-                               for name in ("h", "v", "cell_o", "shown", "text_q"))
+    h, v, cell, shown, text, flat, half, pixel, word = (
+        block.at(beam + name, state) for name in ("h", "v", "cell_o", "shown", "text_q", "flat_q",
+                                                  "half_q", "pixel_q", "word_i"))
     return [f"(and (bvult {h} (_ bv800 10)) (bvult {v} (_ bv525 10)))",
-            f"(=> {cell} (and {shown} {text} (= ((_ extract 2 0) {h}) #b001)))"]
+            f"(=> {cell} (and {shown} {text} (= ((_ extract 2 0) {h}) #b001)))",
+            f"(=> {flat} (and (not {text}) (bvule #b{34:010b} {h}) (bvule {h} #b{641:010b})"
+            f" (bvult {v} (_ bv480 10))"
+            f" (= {pixel} (ite {half} ((_ extract 31 16) {word}) ((_ extract 15 0) {word})))))"]
 
 
 def beam(block):
-    """What holds of vga.v."""
+    """What holds of vga.v.  As line_buffer.v has it, a row does not begin with a flat block, and a
+    word that was read stays until another is."""
     reset = [block.clock("s0", "s1"), block.at("rst_i", "s0"), block.low("now_i", "s1")]
     ticks = [block.clock("s0", "s1"), block.low("rst_i", "s0"), *framed(block, "s0"),
-             block.same("now_i", "s0", "s1", 1)]
+             block.same("now_i", "s0", "s1", 1),
+             f"(not (and {block.at('flat_i', 's0')}"
+             f" (= ((_ extract 7 3) {block.at('index_o', 's0')}) #b00000)))",
+             f"(or {block.at('pixel_o', 's0')} {block.same('word_i', 's0', 's1')})"]
     yield "framed by a reset", reset, framed(block, "s1")
     yield "framed", ticks, framed(block, "s1")
     yield ("rests", [*ticks, block.low("rst_i", "s1"), block.rests("s0")],
            [block.stands("s1"), block.one_less("s0", "s1"),
-            *(block.low(name, "s1") for name in ("fetch_o", "frame_end_o", "cell_o"))])
+            *(block.low(name, "s1") for name in ("pixel_o", "line_end_o", "frame_end_o",
+                                                 "cell_o"))])
 
 
 def fabric(block, strobes, pins):
     """What holds of fpga.v, whose registers without a group are the beam's and the time."""
-    groups = tuple(f"clocks.{name}_group" for name in ("lw", "h2f", "ports", "audio"))
+    groups = tuple(f"clocks.{name}_group" for name in ("lw", "h2f", "memory", "ports", "audio"))
     ours = {group: block.edges_of(f"{group}.clk_o") for group in groups}
     grouped = sum(ours.values(), [])
     others = [edge for edge in block.edges if edge not in grouped]
@@ -175,7 +192,12 @@ def fabric(block, strobes, pins):
         yield (f"{group} sleeps",
                [block.clock("s0", "s1"), *told, block.low(f"{group}.awake_i", "s1")],
                [block.stands("s1", ours[group])])
-    yield ("rests", [block.clock("s0", "s1", others), block.kept("s0", "s1", grouped),
+    # The clock that the picture's fetch has waited for is its group's alone.
+    memory = ours["clocks.memory_group"]
+    still = [edge for edge in grouped if edge not in memory]
+    fetches = (f"(ite {block.low('clocks.memory_group.awake_i', 's0')}"
+               f" {block.kept('s0', 's1', memory)} {block.clock('s0', 's1', memory)})")
+    yield ("rests", [block.clock("s0", "s1", others), block.kept("s0", "s1", still), fetches,
                      *framed(block, "s0", "video_block.vga_block."), block.low("skip_i", "s0"),
                      *(block.low(name, state) for name in ("moved_i", "rst_i")
                        for state in ("s0", "s1")), block.rests("s0")],

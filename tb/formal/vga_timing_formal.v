@@ -10,14 +10,13 @@ module vga_timing_formal (
     input wire clk_i,
     input wire rst_i
 );
-    wire [9:0] h, v;
-    wire [8:0] row_next;
+    wire [9:0] h, v, v_next;
     wire       line_end, visible, hs_n, vs_n, blank_n;
     reg [29:0] now_q;
 
     vga_timing dut (
         .clk_i(clk_i), .rst_i(rst_i), .now_i(now_q), .h_o(h), .v_o(v), .line_end_o(line_end),
-        .row_next_o(row_next), .visible_o(visible), .hs_no(hs_n), .vs_no(vs_n),
+        .v_next_o(v_next), .visible_o(visible), .hs_no(hs_n), .vs_no(vs_n),
         .blank_no(blank_n)
     );
 
@@ -49,7 +48,7 @@ module vga_timing_formal (
         a_blank:     assert (blank_n == shown_q[3]);
         a_visible:   assert (visible == shown_q[2]);
         a_line_end:  assert (line_end == (h == 10'd799));
-        a_row_next:  assert (row_next == (v == 10'd524 ? 9'd0 : (v + 10'd1) >> 1));
+        a_v_next:    assert (v_next == (v == 10'd524 ? 10'd0 : v + 10'd1));
         if (moved_q) begin
             a_line_total:  assert (h == (h_q == 10'd799 ? 10'd0 : h_q + 10'd1));
             a_frame_total: assert (v == (h_q != 10'd799 ? v_q : v_q == 10'd524 ? 10'd0

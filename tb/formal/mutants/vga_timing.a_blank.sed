@@ -1,1 +1,1 @@
-s/HIDE = H_SHOWN + LATER/HIDE = H_SHOWN + LATER - 10'd1/
+s/if (hide) blank_no/if (hide \&\& v_o[0]) blank_no/

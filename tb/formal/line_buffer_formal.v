@@ -1,0 +1,85 @@
+// line_buffer_formal.v - words are kept; a flat block's pixels are as the one before them.
+//
+// By 3-step induction, of a place that the solver chooses.  Words are written in the order of their
+// places, from the first, and as many as may be; so what is said of a block holds from when it has
+// been written whole until its row begins anew.
+
+`default_nettype none
+
+module line_buffer_formal (
+    input wire        clk_i,
+    input wire        we_i,
+    input wire [8:0]  windex_i,
+    input wire [31:0] wdata_i,
+    input wire        re_i,
+    input wire [8:0]  rindex_i
+);
+    (* anyconst *) reg [8:0] place;
+    wire [31:0] rdata, other_rdata;
+    wire        flat;
+
+    // Who reads changes nothing but what was read: so of one the chosen place is always read, and
+    // of the other what may be.
+    line_buffer dut (
+        .wclk_i(clk_i), .we_i(we_i), .windex_i(windex_i), .wdata_i(wdata_i),
+        .rclk_i(clk_i), .re_i(1'b1), .rindex_i(place), .rdata_o(rdata), .flat_o(flat)
+    );
+    line_buffer other (
+        .wclk_i(clk_i), .we_i(we_i), .windex_i(windex_i), .wdata_i(wdata_i),
+        .rclk_i(clk_i), .re_i(re_i), .rindex_i(rindex_i), .rdata_o(other_rdata), .flat_o()
+    );
+
+    // ---- The reference ----
+    wire [8:0]  block = {place[8:3], 3'd0};      // its first word
+    reg         begun_q = 1'b0;                  // some row has been
+    reg         written_q = 1'b0, read_q = 1'b0, ran_q = 1'b0, re_q, whole_q = 1'b0;
+    reg  [8:0]  last_q;                          // where the last word went
+    reg  [31:0] word_q, word_was_q, other_q;     // at the place
+    reg  [15:0] before_q;                        // the pixel before the block
+    wire        first = we_i && windex_i[7:0] == 8'd0;
+
+    always @(posedge clk_i) begin
+        ran_q      <= 1'b1;
+        re_q       <= re_i;
+        other_q    <= other_rdata;
+        read_q     <= written_q;
+        word_was_q <= word_q;
+        if (we_i) begin
+            begun_q <= 1'b1;
+            last_q  <= windex_i;
+            if (windex_i == place) begin
+                written_q <= 1'b1;
+                word_q    <= wdata_i;
+            end
+            if (windex_i == block - 9'd1) before_q <= wdata_i[31:16];
+            if (windex_i == block + 9'd7) whole_q <= 1'b1;
+            if (first && windex_i[8] == place[8]) whole_q <= 1'b0;
+        end
+    end
+    always @(*) assume (!we_i || first || (begun_q && windex_i == last_q + 9'd1));
+
+    // ---- What must hold ----
+    always @(*) begin
+        a_kept:  assert (!read_q || rdata == word_was_q);
+        a_stays: assert (!ran_q || re_q || other_rdata == other_q);
+        a_flat:  assert (!(flat && whole_q) || (written_q && word_q == {before_q, before_q}));
+        a_first_block_is_not_flat: assert (!flat || block[7:0] != 8'd0);
+    end
+
+    // ---- Invariants, while the block is being written ----
+    wire        dut__so_far_q;
+    wire [15:0] dut__last_q;
+    wire        inside = begun_q && last_q >= block && last_q < block + 9'd7;
+    always @(*) begin
+        i_begins: assert (!begun_q || last_q != block - 9'd1 || dut__last_q == before_q);
+        i_before: assert (!(inside && dut__so_far_q) || block[7:0] == 8'd0
+                          || dut__last_q == before_q);
+        i_so_far: assert (!(inside && dut__so_far_q && last_q >= place) || block[7:0] == 8'd0
+                          || word_q == {before_q, before_q});
+        i_written: assert (!(inside && last_q >= place) || written_q);
+        i_whole:  assert (!whole_q || (begun_q && written_q
+                          && !(last_q[8] == place[8] && last_q < block + 9'd7)));
+    end
+endmodule
+
+`default_nettype wire

@@ -1,0 +1,1 @@
+s/if (re_i) rdata_o/rdata_o/

@@ -1,0 +1,1 @@
+s/windex_o = {parity_q, got_q}/windex_o = {!parity_q, got_q}/

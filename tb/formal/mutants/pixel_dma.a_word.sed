@@ -1,0 +1,1 @@
+s/(odd_i || onchip_read_i)/odd_i/

@@ -1,0 +1,1 @@
+s/HAS_A != 0 \&\& wdata_i/wdata_i/

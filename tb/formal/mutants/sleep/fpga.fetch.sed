@@ -1,0 +1,1 @@
+s/memory_wakes_i || fetch_due_i ||/memory_wakes_i ||/

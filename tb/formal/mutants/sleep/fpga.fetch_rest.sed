@@ -1,0 +1,1 @@
+s/if (fetch_rest_i < rest_o) rest_o = fetch_rest_i;//

@@ -1,0 +1,1 @@
+s/fetch_awake || onchip_we != 4'd0 ||/fetch_awake ||/

@@ -1,0 +1,1 @@
+s/sdram_awake || sdram_due$/sdram_awake/

@@ -1,0 +1,1 @@
+s/ || posted != 2'd0 || we_o/ || we_o/

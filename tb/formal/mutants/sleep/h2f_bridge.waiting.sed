@@ -1,0 +1,1 @@
+s/|| re || rdram_q || re_o/|| re || re_o/

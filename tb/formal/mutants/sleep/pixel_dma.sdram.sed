@@ -1,0 +1,1 @@
+s/awake_o = busy_q \&\& sdram_q/awake_o = busy_q \&\& sdram_req_o/

@@ -1,0 +1,1 @@
+s/controller_awake || begun_q ||/controller_awake ||/

@@ -1,1 +1,0 @@
-s/rgrant_o = !screen_re_i/rgrant_o = 1'b1/
