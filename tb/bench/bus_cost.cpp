@@ -19,6 +19,7 @@ constexpr std::uint32_t LW_BASE = 0xFF200000, H2F_BASE = 0xC0000000;
 constexpr unsigned REGISTER_ACCESSES = 1'000'000, ROWS = 240, ROW_BYTES = 640, PICTURES = 20;
 
 struct NoPins : sim::PinListener {
+    void sdram(const sim::SdramPins&, std::uint64_t, std::uint16_t&, bool&) override {}
     void video(const std::uint32_t*, std::size_t) override {}
     void codec(const sim::CodecPins&, std::uint64_t, sim::FabricInputs&) override {}
     void headers(const sim::HeaderPins&, std::uint64_t, sim::FabricInputs&) override {}
@@ -61,7 +62,7 @@ private:
     }
     double row_ns_a_word(tlm::tlm_command command) {
         return 4.0 / ROW_BYTES * ns_each(PICTURES * ROWS, [&](unsigned i) {
-                   access(h2f, command, regmap::PICTURE0_BASE - H2F_BASE + i % ROWS * 1024,
+                   access(h2f, command, regmap::ONCHIP_BASE - H2F_BASE + i % ROWS * 1024,
                           ROW_BYTES);
                });
     }

@@ -28,8 +28,9 @@ def main():
     options = [word for word in sys.argv[5:] if word != "--differs"]
     codes, runs = [], []
     for name, program in zip(("one", "other"), programs):
-        done = subprocess.run([program, "run", "--quiet", "--frames", "all", "--out",
-                               str(out / name), scenario, *options])
+        done = subprocess.run([program, "run", "--quiet", "--frames", "all",
+                               "--fpga-memory", "bridge", "--out", str(out / name), scenario,
+                               *options])
         codes.append(done.returncode)
         runs.append(files(out / name))
     pictures = sum(name.endswith(".png") for name in runs[0])

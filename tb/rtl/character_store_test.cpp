@@ -25,7 +25,7 @@ protected:
 
     void SetUp() override {
         dut.awvalid_i = dut.wvalid_i = dut.arvalid_i = 0;
-        dut.screen_re_i = dut.screen_keep_i = dut.cell_re_i = dut.clear_i = 0;
+        dut.screen_re_i = dut.screen_req_i = dut.cell_re_i = dut.clear_i = 0;
         reset();
         axi.forget();
         clear();

@@ -1,4 +1,4 @@
-// picture_bench.v - the full bridge and both stores together, with the screen's port outside.
+// picture_bench.v - the full bridge and its memories together, with the screen's ports outside.
 
 `default_nettype none
 
@@ -36,9 +36,25 @@ module picture_bench (
     input  wire            rready_i,
 
     input  wire            screen_re_i,
-    input  wire            screen_keep_i,
-    input  wire [16:0]     screen_index_i,
+    input  wire [15:0]     screen_index_i,
     output wire [31:0]     screen_word_o,
+
+    input  wire [29:0]     now_i,
+    input  wire            screen_req_i,    // of the SDRAM
+    input  wire [23:0]     screen_sdram_index_i,
+    output wire            screen_take_o,
+    output wire            screen_valid_o,
+    output wire [31:0]     sdram_word_o,
+    output wire            dram_cs_no,
+    output wire            dram_ras_no,
+    output wire            dram_cas_no,
+    output wire            dram_we_no,
+    output wire [1:0]      dram_ba_o,
+    output wire [12:0]     dram_addr_o,
+    output wire [1:0]      dram_dqm_o,
+    output wire [15:0]     dram_dq_o,
+    output wire            dram_dq_oe_o,
+    input  wire [15:0]     dram_dq_i,
 
     input  wire            clear_i,
     output wire            clearing_o,
@@ -47,10 +63,11 @@ module picture_bench (
     input  wire [10:0]     cell_index_i,
     output wire [31:0]     cells_o
 );
-    wire [3:0]  we, cell_we;
-    wire        re, grant, cells_wait;
-    wire [16:0] windex, rindex;
-    wire [31:0] wdata;
+    wire [3:0]  we, cell_we, sdram_wstrb;
+    wire        re, grant, cells_wait, sdram_req, sdram_we, sdram_take, sdram_valid;
+    wire [15:0] windex, rindex;
+    wire [23:0] sdram_index;
+    wire [31:0] wdata, sdram_wdata;
 
     // verilator lint_off PINCONNECTEMPTY
     h2f_bridge bridge (
@@ -65,12 +82,27 @@ module picture_bench (
         .rvalid_o(rvalid_o), .rready_i(rready_i),
         .we_o(we), .cell_we_o(cell_we), .windex_o(windex), .wdata_o(wdata),
         .re_o(re), .rindex_o(rindex), .rgrant_i(grant),
-        .rdata_i(screen_word_o), .cells_i(cells_o), .cells_wait_i(cells_wait), .awake_o()
+        .rdata_i(screen_word_o), .cells_i(cells_o), .cells_wait_i(cells_wait),
+        .sdram_req_o(sdram_req), .sdram_we_o(sdram_we), .sdram_index_o(sdram_index),
+        .sdram_wdata_o(sdram_wdata), .sdram_wstrb_o(sdram_wstrb), .sdram_take_i(sdram_take),
+        .sdram_valid_i(sdram_valid), .sdram_i(sdram_word_o), .awake_o()
     );
 
-    picture_store store (
+    sdram sdram (
+        .clk_i(clk_i), .rst_i(rst_i), .now_i(now_i),
+        .screen_req_i(screen_req_i), .screen_index_i(screen_sdram_index_i),
+        .screen_take_o(screen_take_o), .screen_valid_o(screen_valid_o),
+        .req_i(sdram_req), .we_i(sdram_we), .index_i(sdram_index), .wdata_i(sdram_wdata),
+        .wstrb_i(sdram_wstrb), .take_o(sdram_take), .valid_o(sdram_valid), .rdata_o(sdram_word_o),
+        .dram_cs_no(dram_cs_no), .dram_ras_no(dram_ras_no), .dram_cas_no(dram_cas_no),
+        .dram_we_no(dram_we_no), .dram_ba_o(dram_ba_o), .dram_addr_o(dram_addr_o),
+        .dram_dqm_o(dram_dqm_o), .dram_dq_o(dram_dq_o), .dram_dq_oe_o(dram_dq_oe_o),
+        .dram_dq_i(dram_dq_i), .awake_o(), .due_o(), .rest_o()
+    );
+
+    onchip_store store (
         .clk_i(clk_i),
-        .screen_re_i(screen_re_i), .screen_keep_i(screen_keep_i),
+        .screen_re_i(screen_re_i),
         .screen_index_i(screen_index_i), .re_i(re), .rindex_i(rindex), .rgrant_o(grant),
         .rdata_o(screen_word_o),
         .we_i(we), .windex_i(windex), .wdata_i(wdata)

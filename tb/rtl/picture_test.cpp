@@ -1,10 +1,13 @@
-// h2f_bridge.v and picture_store.v: the processor writes and reads back while the screen reads.
+// h2f_bridge.v and the memories: the processor writes and reads back while the screen reads.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <deque>
 #include <map>
 #include <random>
 
 #include "Vpicture_bench.h"
+#include "sim/board/is42s16320d.h"
 #include "tb/support/axi_master.h"
 #include "tb/support/random_registers.h"
 
@@ -12,7 +15,8 @@ namespace {
 
 using namespace tb;
 
-constexpr std::uint32_t PICTURE0 = 0x08000000, PICTURE1 = 0x00000000;  // offsets in the bridge
+constexpr std::uint32_t ONCHIP = 0x08000000, SDRAM = 0x00000000;  // offsets in the bridge
+constexpr std::uint64_t HALF_CLOCK_PS = 20'000;
 
 class Picture : public ::testing::Test {
 protected:
@@ -22,43 +26,84 @@ protected:
     bool screen = true;
     std::map<std::uint32_t, std::uint32_t> expected;  // bridge offset of a word -> its value
 
-    // What the screen asked for a clock ago, and two.
-    bool asked = false, kept = false;
+    // What the screen asked the on-chip memory for a clock ago.
+    bool asked = false;
     std::uint32_t asked_offset = 0;
     unsigned wrong_pixels = 0, checked_pixels = 0;
-    std::uint32_t screen_offset = PICTURE0;
+    std::uint32_t screen_offset = ONCHIP;
+
+    sim::Is42s16320d chip;
+    bool sdram_screen = false;  // the screen wants a row of the SDRAM in 1,600 clocks
+    unsigned row_left = 0;      // words of it
+    std::uint32_t sdram_next = 0;
+    std::deque<std::uint32_t> sdram_asked;
+    unsigned waited = 0, longest = 0;  // clocks until a request of the screen's is taken
 
     static void SetUpTestSuite() { start_with_random_registers(); }
 
     void SetUp() override {
         dut.rst_i = 1;
         dut.awvalid_i = dut.wvalid_i = dut.arvalid_i = dut.screen_re_i = 0;
-        dut.cell_re_i = dut.clear_i = dut.screen_keep_i = 0;
+        dut.cell_re_i = dut.clear_i = dut.screen_req_i = dut.now_i = 0;
         clock();
         clock();
         dut.rst_i = 0;
         axi.forget();
     }
+    void TearDown() override {
+        EXPECT_EQ(chip.violations(), 0u)
+            << (chip.messages().empty() ? "" : chip.messages().front());
+    }
+
+    // DRAM_CLK rises in the middle of a clock.
+    void chip_sees_its_pins() {
+        chip.clock(
+            {dut.dram_cs_no != 0, dut.dram_ras_no != 0, dut.dram_cas_no != 0, dut.dram_we_no != 0,
+             dut.dram_ba_o, dut.dram_addr_o, dut.dram_dqm_o, dut.dram_dq_oe_o != 0, dut.dram_dq_o},
+            clocks * 2 * HALF_CLOCK_PS + HALF_CLOCK_PS);
+        dut.dram_dq_i = chip.dq();
+    }
+
+    // The screen's reads of the SDRAM, answered in the order of the requests.
+    void screen_reads_sdram() {
+        if (dut.screen_valid_o && !sdram_asked.empty()) {
+            const auto wanted = expected.find(sdram_asked.front());
+            sdram_asked.pop_front();
+            ++checked_pixels;
+            wrong_pixels += wanted == expected.end() || dut.sdram_word_o != wanted->second;
+        }
+        if (clocks % 1600 == 0) row_left = 161;
+        dut.screen_req_i = sdram_screen && row_left;
+        dut.screen_sdram_index_i = sdram_next / 4;
+        dut.eval();
+        waited = dut.screen_req_i && !dut.screen_take_o ? waited + 1 : 0;
+        longest = std::max(longest, waited);
+        if (!dut.screen_take_o) return;
+        --row_left;
+        sdram_asked.push_back(sdram_next);
+        sdram_next = (sdram_next + 4) % 640;
+    }
 
     void clock() {
         dut.clk_i = 0;
         axi.before_edge();
-        if (asked || kept) {
+        if (asked) {
             const auto wanted = expected.find(asked_offset);
             if (wanted != expected.end()) {
                 ++checked_pixels;
                 wrong_pixels += dut.screen_word_o != wanted->second;
             }
         }
-        kept = asked;
-        dut.screen_keep_i = kept;
-        asked = screen && clocks % 4 == 0;
+        screen_reads_sdram();
+        asked = screen && clocks % 2 == 0;
         dut.screen_re_i = asked;
         if (asked) asked_offset = screen_offset;
-        dut.screen_index_i = (screen_offset < PICTURE0 ? 38400 : 0) +
-                             (screen_offset >> 10 & 0xff) * 160 + (screen_offset >> 2 & 0xff);
+        dut.screen_index_i = screen_offset >> 2 & 0xffff;
         dut.eval();
         dut.clk_i = 1;
+        dut.eval();
+        dut.now_i = dut.rst_i ? 0 : dut.now_i + 1;
+        chip_sees_its_pins();
         dut.eval();
         axi.after_edge();
         ++clocks;
@@ -82,42 +127,44 @@ protected:
     }
 };
 
-TEST_F(Picture, KeepsTheCornersOfBothPicturesApart) {
-    const std::uint32_t corners[] = {0, 159 * 4, 239 << 10, (239 << 10) + 159 * 4};
+TEST_F(Picture, KeepsEveryCornerOfBothMemoriesApart) {
+    const std::uint32_t onchip[] = {0, 640, 0x3fc, 0x3c000, 0x3fffc},
+                        dram[] = {0, 0x7fc, 0x800, 0x40000, 0x80000, 0x2000000, 0x3fffffc};
     std::uint32_t value = 1;
-    for (const std::uint32_t base : {PICTURE0, PICTURE1})
-        for (const std::uint32_t corner : corners) write(base + corner, value++);
+    for (const std::uint32_t at : onchip) write(ONCHIP + at, value++);
+    for (const std::uint32_t at : dram) write(SDRAM + at, value++);
     value = 1;
-    for (const std::uint32_t base : {PICTURE0, PICTURE1})
-        for (const std::uint32_t corner : corners) EXPECT_EQ(read(base + corner), value++);
+    for (const std::uint32_t at : onchip) EXPECT_EQ(read(ONCHIP + at), value++);
+    for (const std::uint32_t at : dram) EXPECT_EQ(read(SDRAM + at), value++);
+    EXPECT_EQ(chip.bytes()[0x3fffffc], value - 1);  // where the chip's description says
 }
 
 TEST_F(Picture, WritesSinglePixelsAndBytes) {
-    write(PICTURE0 + 1024, 0);
-    write(PICTURE0 + 1024, 0x0000abcd, 0x3);
-    write(PICTURE0 + 1026, 0x12340000, 0xc);
-    EXPECT_EQ(read(PICTURE0 + 1024), 0x1234abcdu);
-    write(PICTURE0 + 1024, 0x00550000, 0x4);
-    EXPECT_EQ(read(PICTURE0 + 1024), 0x1255abcdu);
-    write(PICTURE0 + 1024, 0xffffffff, 0x0);
-    EXPECT_EQ(read(PICTURE0 + 1024), 0x1255abcdu);
+    for (const std::uint32_t memory : {ONCHIP, SDRAM}) {
+        write(memory + 1024, 0);
+        write(memory + 1024, 0x0000abcd, 0x3);
+        write(memory + 1026, 0x12340000, 0xc);
+        EXPECT_EQ(read(memory + 1024), 0x1234abcdu);
+        write(memory + 1024, 0x00550000, 0x4);
+        EXPECT_EQ(read(memory + 1024), 0x1255abcdu);
+        write(memory + 1024, 0xffffffff, 0x0);
+        EXPECT_EQ(read(memory + 1024), 0x1255abcdu);
+    }
 }
 
-TEST_F(Picture, TakesWritesBetweenAndBehindTheRowsWithoutHarm) {
-    write(PICTURE0, 0x22222222);
-    write(PICTURE0 + 1024, 0x11111111);
-    for (const std::uint32_t hole :
-         {160u * 4, 255u * 4, 240u << 10, 0x3fffcu, 0x40000u, 0x7fffcu}) {
-        write(PICTURE0 + hole, 0xdeadbeef);
-        EXPECT_EQ(read(PICTURE0 + hole), 0u) << std::hex << hole;
+TEST_F(Picture, TakesWritesBehindTheOnChipMemoryWithoutHarm) {
+    write(ONCHIP, 0x22222222);
+    write(ONCHIP + 0x3fffc, 0x11111111);
+    for (const std::uint32_t hole : {0x40000u, 0x7fffcu}) {
+        write(ONCHIP + hole, 0xdeadbeef);
+        EXPECT_EQ(read(ONCHIP + hole), 0u) << std::hex << hole;
     }
-    EXPECT_EQ(read(PICTURE0), 0x22222222u);
-    EXPECT_EQ(read(PICTURE0 + 1024), 0x11111111u);
+    EXPECT_EQ(read(ONCHIP), 0x22222222u);
+    EXPECT_EQ(read(ONCHIP + 0x3fffc), 0x11111111u);
 }
 
 TEST_F(Picture, AnswersOtherAddressesWithDecerr) {
-    for (const std::uint32_t address :
-         {0x00080000u, 0x04000000u, 0x07fffffcu, 0x08080000u, 0x3ffffffcu}) {
+    for (const std::uint32_t address : {0x04000000u, 0x07fffffcu, 0x08080000u, 0x3ffffffcu}) {
         axi.forget();
         axi.write({1, address, 2, INCR, {1}, {0xf}});
         axi.read({1, address, 1, 2, INCR});
@@ -127,18 +174,44 @@ TEST_F(Picture, AnswersOtherAddressesWithDecerr) {
     }
 }
 
-TEST_F(Picture, WritesABeatAClock) {
+TEST_F(Picture, WritesABeatPerClockToTheOnChipMemory) {
     axi.stall = 0;
-    WriteRequest burst{1,
-                       PICTURE0,
-                       2,
-                       INCR,
-                       std::vector<std::uint32_t>(16, 7),
-                       std::vector<std::uint8_t>(16, 0xf)};
+    WriteRequest burst{
+        1, ONCHIP, 2, INCR, std::vector<std::uint32_t>(16, 7), std::vector<std::uint8_t>(16, 0xf)};
     axi.write(burst);
     const std::uint64_t begin = clocks;
     finish();
     EXPECT_LE(clocks - begin, 16u + 5);
+}
+
+TEST_F(Picture, WritesABeatInTwoClocksToAnOpenRowOfTheSdram) {
+    axi.stall = 0;
+    read(SDRAM);  // the initialisation is over, the row is open
+    axi.forget();
+    axi.write(
+        {1, SDRAM, 2, INCR, std::vector<std::uint32_t>(16, 7), std::vector<std::uint8_t>(16, 0xf)});
+    const std::uint64_t begin = clocks;
+    finish();
+    EXPECT_LE(clocks - begin, 2u * 16 + 8);
+}
+
+TEST_F(Picture, ReadsAWordOfTheSdramInNineClocks) {
+    axi.stall = 0;
+    read(SDRAM);
+    axi.forget();
+    axi.read({1, SDRAM, 16, 2, INCR});
+    const std::uint64_t begin = clocks;
+    finish();
+    EXPECT_LE(clocks - begin, 16u * 9 + 6);
+}
+
+TEST_F(Picture, RefreshesTheSdramWhateverTheTraffic) {
+    sdram_screen = true;
+    for (std::uint32_t i = 0; i < 160; ++i) write(SDRAM + 4 * i, i);
+    const std::uint64_t begin = clocks;
+    while (clocks - begin < 1'650'000) clock();  // 66 ms; the chip counts the refreshes
+    write(SDRAM + 0x100000, 1);                  // it looks back over 64 ms when a row opens
+    EXPECT_EQ(read(SDRAM + 0x100000), 1u);
 }
 
 TEST_F(Picture, ReadsAWordInAtMostSevenClocksWhileTheScreenReads) {
@@ -146,7 +219,7 @@ TEST_F(Picture, ReadsAWordInAtMostSevenClocksWhileTheScreenReads) {
     for (std::uint32_t phase = 0; phase < 4; ++phase) {
         while (clocks % 4 != phase) clock();
         axi.forget();
-        axi.read({1, PICTURE0, 16, 2, INCR});
+        axi.read({1, ONCHIP, 16, 2, INCR});
         const std::uint64_t begin = clocks;
         finish();
         EXPECT_LE(clocks - begin, 16u * 7);
@@ -156,16 +229,18 @@ TEST_F(Picture, ReadsAWordInAtMostSevenClocksWhileTheScreenReads) {
 // Random bursts with random strobes and pauses; the screen keeps reading words that are known.
 TEST_F(Picture, GivesScreenAndProcessorTheRightWordsUnderRandomTraffic) {
     std::mt19937 random{7};
-    for (std::uint32_t i = 0; i < 160; ++i) {  // row 0 of PICTURE0 is the screen's
-        write(PICTURE0 + 4 * i, i * 0x01010101);
-        expected[PICTURE0 + 4 * i] = i * 0x01010101;
-    }
+    for (const std::uint32_t memory : {ONCHIP, SDRAM})  // their rows 0 are the screen's
+        for (std::uint32_t i = 0; i < 160; ++i) {
+            write(memory + 4 * i, i * 0x01010101);
+            expected[memory + 4 * i] = i * 0x01010101;
+        }
     for (int round = 0; round < 400; ++round) {
         axi.forget();
         axi.stall = static_cast<unsigned>(round % 3) * 30;
-        screen_offset = PICTURE0 + 4 * (random() % 160);
+        screen_offset = ONCHIP + 4 * (random() % 160);
         const auto beats = static_cast<std::uint8_t>(1 + random() % 16);
-        const std::uint32_t base = random() % 2 ? PICTURE0 : PICTURE1;
+        sdram_screen = random() % 2;
+        const std::uint32_t base = random() % 2 ? ONCHIP : SDRAM + (random() % 8 << 22);
         const auto row = static_cast<std::uint32_t>(1 + random() % 239);
         const std::uint32_t start = base + (row << 10) + 4 * (random() % (161 - beats));
         WriteRequest burst{3, start, 2, INCR, {}, {}};
@@ -190,6 +265,8 @@ TEST_F(Picture, GivesScreenAndProcessorTheRightWordsUnderRandomTraffic) {
     }
     EXPECT_GT(checked_pixels, 1000u);
     EXPECT_EQ(wrong_pixels, 0u);
+    EXPECT_GT(longest, 0u);
+    EXPECT_LE(longest, 16u) << "clocks that the SDRAM let the screen wait";
 }
 
 }  // namespace

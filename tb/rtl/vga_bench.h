@@ -1,8 +1,10 @@
-// vga_bench.h - test fixture for vga_bench.v: the stores of pictures and characters, and who looks
-// at the ADV7123's pins.
+// vga_bench.h - test fixture for vga_bench.v: the memories of pictures and characters, and who
+// looks at the ADV7123's pins.
 #pragma once
 
 #include <array>
+#include <deque>
+#include <random>
 #include <vector>
 
 #include "Vvga_bench.h"
@@ -18,8 +20,15 @@ protected:
         bool hs, vs, blank_n;
         std::uint32_t rgb;
     };
-    std::array<std::vector<std::uint32_t>, 2> picture{std::vector<std::uint32_t>(38400),
-                                                      std::vector<std::uint32_t>(38400)};
+    static constexpr std::size_t ONCHIP_WORDS = 65536, SDRAM_WORDS = 1 << 18;  // again and again
+    std::vector<std::uint32_t> onchip = std::vector<std::uint32_t>(ONCHIP_WORDS),
+                               sdram = std::vector<std::uint32_t>(SDRAM_WORDS);
+    struct Answer {
+        std::uint64_t clock;
+        std::uint32_t word;
+    };
+    std::deque<Answer> answers;  // the SDRAM's
+    std::mt19937 random{1};
     std::vector<Pins> seen;
     std::array<std::uint8_t, 80 * 60> text{};
     std::uint32_t word = 0, cells = 0;
@@ -27,6 +36,7 @@ protected:
 
     void SetUp() override {
         dut.resampler_re_i = dut.text_we_i = dut.text_re_i = dut.clearing_i = 0;
+        dut.onchip_read_i = dut.sdram_take_i = dut.sdram_valid_i = 0;
         dut.cells_any_i = 1;
         reset();
     }
@@ -37,22 +47,39 @@ protected:
         cells = 0x41414141;  // holds only for the clock after the fetch
         if (dut.cell_o) {
             ++cell_fetches;
-            ASSERT_TRUE(dut.fetch_o) << "the processor may read now";
             const unsigned at = (dut.cell_index_o >> 5) * 80 + (dut.cell_index_o & 31) * 4;
             ASSERT_LT(at, text.size());
             cells = text[at] | text[at + 1] << 8 | text[at + 2] << 16 |
                     static_cast<std::uint32_t>(text[at + 3]) << 24;
         }
+        dut.onchip_read_i = 0;
+        dut.eval();
         if (dut.fetch_o) {
             ++fetches;
-            ASSERT_LT(dut.index_o, 76800u);
-            word = picture[dut.index_o / 38400][dut.index_o % 38400];
-        } else if (!dut.keep_o) {
-            word = 0xdeadbeef;  // the processor may have read
+            word = onchip[dut.index_o];
+        } else if (random() % 4 == 0) {
+            dut.onchip_read_i = 1;
+            word = 0xdeadbeef;
         }
+        answer();
         seen.push_back(
             {dut.vga_hs_no != 0, dut.vga_vs_no != 0, dut.vga_blank_no != 0,
              static_cast<std::uint32_t>(dut.vga_r_o << 16 | dut.vga_g_o << 8 | dut.vga_b_o)});
+    }
+
+    // The SDRAM takes a request when it has time, and answers four clocks later.
+    void answer() {
+        dut.sdram_valid_i = !answers.empty() && answers.front().clock == clocks;
+        if (dut.sdram_valid_i) {
+            dut.sdram_i = answers.front().word;
+            answers.pop_front();
+        }
+        dut.sdram_take_i = dut.sdram_req_o && random() % 3 == 0;
+        if (dut.sdram_take_i) {
+            ++fetches;
+            answers.push_back({clocks + 4, sdram[dut.sdram_index_o % SDRAM_WORDS]});
+        }
+        dut.eval();
     }
 
     // Runs to the end of the frame on screen and returns the 640 x 480 shown after the next one.
@@ -83,10 +110,16 @@ protected:
         return dut.rdata_o;
     }
 
-    void poke(int which, int x, int y, std::uint16_t colour) {
-        std::uint32_t& w = picture[which][y * 160 + x / 2];
-        w = x % 2 ? (w & 0x0000ffff) | static_cast<std::uint32_t>(colour) << 16
-                  : (w & 0xffff0000) | colour;
+    // A half-word at a byte offset.
+    static void poke(std::vector<std::uint32_t>& memory, std::uint32_t at, std::uint16_t colour) {
+        std::uint32_t& w = memory[at / 4];
+        w = at & 2 ? (w & 0x0000ffff) | static_cast<std::uint32_t>(colour) << 16
+                   : (w & 0xffff0000) | colour;
+    }
+    // A pixel of a picture at offset 0.
+    static void poke(std::vector<std::uint32_t>& memory, unsigned x, unsigned y,
+                     std::uint16_t colour) {
+        poke(memory, y << 10 | x << 1, colour);
     }
 };
 

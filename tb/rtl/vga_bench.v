@@ -18,10 +18,15 @@ module vga_bench (
     input  wire [11:0] raddr_i,
     output wire [31:0] rdata_o,
 
-    output wire        fetch_o,
-    output wire        keep_o,
-    output wire [16:0] index_o,
+    output wire        fetch_o,         // the on-chip memory
+    output wire [15:0] index_o,
+    input  wire        onchip_read_i,   // the processor reads it
     input  wire [31:0] word_i,
+    output wire        sdram_req_o,
+    output wire [23:0] sdram_index_o,
+    input  wire        sdram_take_i,
+    input  wire        sdram_valid_i,
+    input  wire [31:0] sdram_i,
     output wire        cell_o,
     output wire [10:0] cell_index_o,
     input  wire [31:0] cells_i,
@@ -38,7 +43,10 @@ module vga_bench (
     output wire [7:0]  vga_b_o
 );
     wire [31:0] front;
-    wire        enable, text_enable, frame_end;
+    wire        enable, consecutive, text_enable, frame_end, line_end, odd, pixel, flat, line_we;
+    wire [9:0]  v_next;
+    wire [8:0]  pixel_index, line_windex;
+    wire [31:0] pixel_word, line_wdata;
 
     // Every clock happens here.
     // verilator lint_off PINCONNECTEMPTY
@@ -46,18 +54,35 @@ module vga_bench (
         .clk_i(clk_i), .rst_i(rst_i), .we_i(we_i), .wstrb_i(wstrb_i), .waddr_i(waddr_i),
         .wdata_i(wdata_i), .re_i(re_i), .resampler_re_i(resampler_re_i),
         .text_we_i(text_we_i), .text_re_i(text_re_i), .raddr_i(raddr_i), .rdata_o(rdata_o),
-        .frame_end_i(frame_end), .front_o(front), .enable_o(enable), .text_enable_o(text_enable),
+        .frame_end_i(frame_end), .front_o(front), .enable_o(enable),
+        .consecutive_o(consecutive), .text_enable_o(text_enable),
         .clear_o(clear_o), .clearing_i(clearing_i), .awake_o()
     );
     vga beam (
         .clk_i(clk_i), .rst_i(rst_i), .now_i(now_i),
-        .front_i(front), .enable_i(enable), .text_enable_i(text_enable), .frame_end_o(frame_end),
-        .fetch_o(fetch_o), .keep_o(keep_o), .index_o(index_o), .word_i(word_i),
+        .upper_i(front[1]), .enable_i(enable), .text_enable_i(text_enable),
+        .frame_end_o(frame_end), .odd_o(odd), .line_end_o(line_end), .v_next_o(v_next),
+        .pixel_o(pixel), .index_o(pixel_index), .word_i(pixel_word),
+        .flat_i(flat),
         .cell_o(cell_o), .cell_index_o(cell_index_o), .cells_i(cells_i),
         .cells_any_i(cells_any_i),
         .vga_hs_no(vga_hs_no), .vga_vs_no(vga_vs_no), .vga_blank_no(vga_blank_no),
         .vga_sync_no(vga_sync_no), .vga_r_o(vga_r_o), .vga_g_o(vga_g_o), .vga_b_o(vga_b_o),
         .rest_o()
+    );
+    line_buffer rows (
+        .wclk_i(clk_i), .we_i(line_we), .windex_i(line_windex), .wdata_i(line_wdata),
+        .rclk_i(clk_i), .re_i(pixel), .rindex_i(pixel_index), .rdata_o(pixel_word), .flat_o(flat)
+    );
+    pixel_dma dma (
+        .clk_i(clk_i), .rst_i(rst_i), .odd_i(odd), .line_end_i(line_end), .v_next_i(v_next),
+        .front_i(front), .consecutive_i(consecutive),
+        .onchip_re_o(fetch_o), .onchip_read_i(onchip_read_i), .onchip_index_o(index_o),
+        .onchip_word_i(word_i),
+        .sdram_req_o(sdram_req_o), .sdram_index_o(sdram_index_o), .sdram_take_i(sdram_take_i),
+        .sdram_valid_i(sdram_valid_i), .sdram_word_i(sdram_i),
+        .we_o(line_we), .windex_o(line_windex), .wdata_o(line_wdata),
+        .awake_o(), .due_o(), .rest_o()
     );
     // verilator lint_on PINCONNECTEMPTY
 endmodule

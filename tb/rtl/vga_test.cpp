@@ -1,4 +1,5 @@
-// vga.v: registers, swap and pixels; the test is the picture store and looks at the ADV7123's pins.
+// vga.v and pixel_dma.v: registers, swap and pixels; the test is the memories and looks at the
+// ADV7123's pins.
 #include "regmap.h"
 #include "tb/rtl/vga_bench.h"
 
@@ -40,8 +41,9 @@ TEST_F(Vga, KeepsTheStandardsTimingInEveryLineAndFrame) {
 }
 
 TEST_F(Vga, ShowsEveryPixelTwoByTwo) {
-    for (int y = 0; y < 240; ++y)
-        for (int x = 0; x < 320; ++x) poke(0, x, y, static_cast<std::uint16_t>(x * 7 + y * 331));
+    for (unsigned y = 0; y < 240; ++y)
+        for (unsigned x = 0; x < 320; ++x)
+            poke(onchip, x, y, static_cast<std::uint16_t>(x * 7 + y * 331));
     const auto pixels = shown();
     ASSERT_EQ(pixels.size(), 640u * 480);
     for (int y = 0; y < 480; ++y)
@@ -55,22 +57,22 @@ TEST_F(Vga, ShowsEveryPixelTwoByTwo) {
 }
 
 TEST_F(Vga, IsBlackInTheBlanking) {
-    for (auto& w : picture[0]) w = 0xffffffff;
+    for (auto& w : onchip) w = 0xffffffff;
     shown();
     for (const Pins& p : seen) ASSERT_TRUE(p.blank_n || p.rgb == 0u);
 }
 
-TEST_F(Vga, ReadsOneWordForFourClocks) {
+TEST_F(Vga, FetchesEachRowOnce) {
     shown();
     fetches = 0;
     clock(FRAME);
-    EXPECT_EQ(fetches, 480u * 160);
+    EXPECT_EQ(fetches, 240u * 161);
 }
 
 TEST_F(Vga, SwapsOnlyWhenTheFrameEnds) {
-    for (auto& w : picture[0]) w = 0x11111111;
-    for (auto& w : picture[1]) w = 0x22222222;
-    write(PIXEL_BACK_BUFFER, PICTURE1_BASE);
+    for (auto& w : onchip) w = 0x11111111;
+    for (auto& w : sdram) w = 0x22222222;
+    write(PIXEL_BACK_BUFFER, SDRAM_BASE);
     const std::uint32_t before = shown()[0];
     while (!dut.vga_blank_no) clock();
     clock(100 * LINE);
@@ -88,7 +90,7 @@ TEST_F(Vga, SwapsOnlyWhenTheFrameEnds) {
 }
 
 TEST_F(Vga, SwapsBackAndForth) {
-    write(PIXEL_BACK_BUFFER, PICTURE1_BASE);
+    write(PIXEL_BACK_BUFFER, SDRAM_BASE);
     for (int i = 0; i < 3; ++i) {
         write(PIXEL_BUFFER, 1);
         clock(FRAME);
@@ -102,7 +104,7 @@ TEST_F(Vga, NeverLoadsTheBufferRegisterDirectly) {
     write(PIXEL_BUFFER, 0x12345678);
     EXPECT_EQ(read(PIXEL_BUFFER), 0xC8000000u);
     clock(FRAME);
-    EXPECT_EQ(read(PIXEL_BUFFER), 0xC8000000u);  // both registers point at PICTURE0 after reset
+    EXPECT_EQ(read(PIXEL_BUFFER), 0xC8000000u);  // both registers point at it after reset
 }
 
 TEST_F(Vga, HasTheDocumentedRegistersAfterReset) {
@@ -125,7 +127,7 @@ TEST_F(Vga, WritesTheBackBufferByLanes) {
 }
 
 TEST_F(Vga, GoesBlackWhileDisabledAndKeepsItsTiming) {
-    for (auto& w : picture[0]) w = 0xffffffff;
+    for (auto& w : onchip) w = 0xffffffff;
     write(PIXEL_STATUS, 0);
     EXPECT_EQ(read(PIXEL_STATUS), 0x08090F00u);
     auto pixels = shown();
@@ -136,8 +138,8 @@ TEST_F(Vga, GoesBlackWhileDisabledAndKeepsItsTiming) {
 }
 
 TEST_F(Vga, StartsAtTheRowThatTheBufferAddressNames) {
-    for (int y = 0; y < 240; ++y) poke(1, 0, y, y == 200 ? 0xf800 : 0x07e0);
-    write(PIXEL_BACK_BUFFER, PICTURE1_BASE + (200 << 10));
+    for (unsigned y = 0; y < 240; ++y) poke(sdram, 0u, y, y == 200 ? 0xf800 : 0x07e0);
+    write(PIXEL_BACK_BUFFER, SDRAM_BASE + (200 << 10));
     write(PIXEL_BUFFER, 1);
     clock(FRAME);
     const auto pixels = shown();
@@ -146,13 +148,59 @@ TEST_F(Vga, StartsAtTheRowThatTheBufferAddressNames) {
     for (int y = 2 * 40; y < 480; ++y) ASSERT_EQ(pixels[y * 640], 0u) << "row " << y;
 }
 
-TEST_F(Vga, ShowsBlackForAnAddressOutsideThePictures) {
-    for (auto& p : picture)
-        for (auto& w : p) w = 0xffffffff;
+TEST_F(Vga, ShowsBlackForAnAddressOutsideTheMemories) {
+    for (auto* memory : {&onchip, &sdram})
+        for (auto& w : *memory) w = 0xffffffff;
     write(PIXEL_BACK_BUFFER, 0xC4000000);
     write(PIXEL_BUFFER, 1);
     clock(FRAME);
     for (const std::uint32_t rgb : shown()) ASSERT_EQ(rgb, 0u);
+}
+
+std::uint32_t widened(unsigned c) {
+    const unsigned r = c >> 11, g = c >> 5 & 63, b = c & 31;
+    return (r << 3 | r >> 2) << 16 | (g << 2 | g >> 4) << 8 | (b << 3 | b >> 2);
+}
+
+// Random runs of a few colours, so that some blocks of 16 pixels are as the pixel before them.
+TEST_F(Vga, ShowsAnyPictureFromAnyPlaceOfBothMemories) {
+    for (auto* memory : {&onchip, &sdram}) {
+        std::uint16_t colour = 0;
+        for (std::uint32_t at = 0; at < 4 * memory->size(); at += 2) {
+            if (random() % 24 == 0) colour = static_cast<std::uint16_t>(random());
+            poke(*memory, at, colour);
+        }
+    }
+    struct Case {
+        std::uint32_t front;
+        bool consecutive;
+    };
+    for (const Case& c : {Case{0xC8000000, false}, Case{0xC8000402, false}, Case{0xC8001234, true},
+                          Case{0xC0000000, false}, Case{0xC012357A, true}, Case{0xC0FFFFFE, false},
+                          Case{0xC8039000, false}, Case{0xC3FFF002, true}, Case{0xC7FFF000, true},
+                          Case{0x00012340, false}, Case{0x7FFFF000, true}}) {
+        SCOPED_TRACE(testing::Message() << std::hex << c.front << (c.consecutive ? " A" : ""));
+        write(PIXEL_BACK_BUFFER, c.front);
+        write(PIXEL_STATUS, c.consecutive ? 6 : 4);
+        EXPECT_EQ(read(PIXEL_STATUS) >> 1 & 3, c.consecutive ? 3u : 2u);
+        write(PIXEL_BUFFER, 1);
+        clock(FRAME);
+        const auto pixels = shown();
+        ASSERT_EQ(pixels.size(), 640u * 480);
+        for (std::uint32_t y = 0; y < 480; ++y)
+            for (std::uint32_t x = 0; x < 640; ++x) {
+                const std::uint32_t stride = c.consecutive ? 640 : 1024;
+                const std::uint32_t begins = (c.front + y / 2 * stride) & 0x3fffffff,
+                                    at = begins + x / 2 * 2;
+                std::uint32_t shows = 0;
+                if (begins < 0x04000000 && at < 0x04000000)
+                    shows = sdram[at / 4 % SDRAM_WORDS];
+                else if (at >= 0x08000000 && at < 0x08040000)
+                    shows = onchip[(at - 0x08000000) / 4];
+                ASSERT_EQ(pixels[y * 640 + x], widened(at & 2 ? shows >> 16 : shows & 0xffff))
+                    << x << "," << y;
+            }
+    }
 }
 
 TEST_F(Vga, AnswersTheResamplersStatus) {

@@ -13,8 +13,9 @@ using tb::FRAME;
 using VgaText = tb::VgaBench;
 
 TEST_F(VgaText, ShowsLettersInWhiteOverThePixelsAndNothingForOtherCodes) {
-    for (int y = 0; y < 240; ++y)
-        for (int x = 0; x < 320; ++x) poke(0, x, y, static_cast<std::uint16_t>(x * 7 + y * 331));
+    for (unsigned y = 0; y < 240; ++y)
+        for (unsigned x = 0; x < 320; ++x)
+            poke(onchip, x, y, static_cast<std::uint16_t>(x * 7 + y * 331));
     const auto bare = shown();
     for (unsigned i = 0; i < text.size(); ++i) text[i] = static_cast<std::uint8_t>(i * 5 % 128);
     const auto pixels = shown();

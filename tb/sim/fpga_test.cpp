@@ -11,15 +11,26 @@
 #include <tlm_utils/simple_initiator_socket.h>
 
 #include "regmap.h"
+#include "sim/board/is42s16320d.h"
 
 namespace {
 
 using sc_core::sc_time;
 
 constexpr std::uint32_t LW = 0xFF200000;
-constexpr std::uint32_t PICTURE0 = regmap::PICTURE0_BASE - 0xC0000000;
+constexpr std::uint32_t ONCHIP = regmap::ONCHIP_BASE - 0xC0000000,
+                        SDRAM = regmap::SDRAM_BASE - 0xC0000000;
 
-struct NoPins : sim::PinListener {
+// Nothing but the SDRAM is there.
+struct Pins : sim::PinListener {
+    sim::Is42s16320d chip;
+    void sdram(const sim::SdramPins& p, std::uint64_t time_ps, std::uint16_t& dq,
+               bool& more) override {
+        chip.clock({p.cs_n, p.ras_n, p.cas_n, p.we_n, p.ba, p.addr, p.dqm, p.dq_driven, p.dq},
+                   time_ps);
+        dq = chip.dq();
+        more = chip.busy();
+    }
     std::uint64_t samples = 0;
     void video(const std::uint32_t*, std::size_t count) override { samples += count; }
     void codec(const sim::CodecPins&, std::uint64_t, sim::FabricInputs&) override {}
@@ -52,7 +63,7 @@ private:
 
 class FpgaTest : public ::testing::Test {
 protected:
-    NoPins pins;
+    Pins pins;
     sim::Fpga fpga{"fpga", pins, ""};
     Initiator cpu{"cpu"};
     sc_time delay;
@@ -143,18 +154,18 @@ TEST_F(FpgaTest, WritesAndReadsAnyLengthAtAnyAlignment) {
     run([this] {
         std::mt19937 random{1};
         std::vector<std::uint8_t> row(640), back(640);
-        access(cpu.h2f, tlm::TLM_WRITE_COMMAND, PICTURE0 + 5 * 1024, row.data(), 640);
+        access(cpu.h2f, tlm::TLM_WRITE_COMMAND, ONCHIP + 5 * 1024, row.data(), 640);
         for (int i = 0; i < 300; ++i) {
             const auto at = static_cast<unsigned>(random() % 640);
             const auto bytes = 1 + static_cast<unsigned>(random() % (640 - at));
             for (unsigned b = 0; b < bytes; ++b) row[at + b] = static_cast<std::uint8_t>(random());
-            ASSERT_EQ(access(cpu.h2f, tlm::TLM_WRITE_COMMAND, PICTURE0 + 5 * 1024 + at,
+            ASSERT_EQ(access(cpu.h2f, tlm::TLM_WRITE_COMMAND, ONCHIP + 5 * 1024 + at,
                              row.data() + at, bytes),
                       tlm::TLM_OK_RESPONSE);
             const auto from = static_cast<unsigned>(random() % 640);
             const auto count = 1 + static_cast<unsigned>(random() % (640 - from));
-            ASSERT_EQ(access(cpu.h2f, tlm::TLM_READ_COMMAND, PICTURE0 + 5 * 1024 + from,
-                             back.data(), count),
+            ASSERT_EQ(access(cpu.h2f, tlm::TLM_READ_COMMAND, ONCHIP + 5 * 1024 + from, back.data(),
+                             count),
                       tlm::TLM_OK_RESPONSE);
             ASSERT_EQ(std::memcmp(back.data(), row.data() + from, count), 0)
                 << "from " << from << " bytes " << count;
@@ -202,7 +213,7 @@ TEST_F(FpgaTest, TakesTheTimeThatItsClocksTake) {
         wait(1, sc_core::SC_MS);
         std::vector<std::uint8_t> row(640);
         const sc_time begin = sc_core::sc_time_stamp();
-        access(cpu.h2f, tlm::TLM_WRITE_COMMAND, PICTURE0, row.data(), 640);
+        access(cpu.h2f, tlm::TLM_WRITE_COMMAND, ONCHIP, row.data(), 640);
         const sc_time took = sc_core::sc_time_stamp() + delay - begin;
         EXPECT_GE(took, sc_time(160 * 40, sc_core::SC_NS));  // a word a clock at best
         EXPECT_LE(took, sc_time(160 * 40 * 2, sc_core::SC_NS));
@@ -234,6 +245,65 @@ TEST_F(FpgaTest, HandsTheKeypadsPinsToTheScannerOnlyWhileItIsEnabled) {
         EXPECT_EQ(pins.header.jp1_oe, 0x1f0u);
         EXPECT_EQ(pins.header.jp1, 0x1a0u);
     });
+}
+
+// Two FPGAs, one of which has its memories mapped.
+class MappedMemory : public FpgaTest {
+protected:
+    Pins other_pins;
+    sim::Fpga mapped{"mapped", other_pins, "", sim::Fpga::Memory::MAPPED, other_pins.chip.bytes()};
+    Initiator other{"other"};
+
+    void run_both(std::function<void()> body) {
+        other.lw.bind(mapped.lw);
+        other.h2f.bind(mapped.h2f);
+        other.body = [] { sc_core::wait(sc_time(1000, sc_core::SC_SEC)); };  // it has no program
+        run(std::move(body));
+    }
+    // The same access to both, at the same time; the clocks that it took each.
+    struct Took {
+        double bridged, mapped;
+    };
+    Took both(tlm::tlm_command command, std::uint32_t address, std::uint8_t* data,
+              std::uint8_t* other_data, unsigned bytes) {
+        const sc_time period{40, sc_core::SC_NS};
+        wait(sc_time(10, sc_core::SC_US));
+        delay = sc_core::SC_ZERO_TIME;
+        access(other.h2f, command, address, other_data, bytes);
+        const sc_time first = delay;
+        delay = sc_core::SC_ZERO_TIME;
+        access(cpu.h2f, command, address, data, bytes);
+        return {delay / period, first / period};
+    }
+};
+
+TEST_F(MappedMemory, HoldsAndTakesWhatTheVerilogDoes) {
+    run_both([this] {
+        wait(1, sc_core::SC_MS);
+        std::mt19937 random{1};
+        int slower = 0;  // where the screen or a refresh was in the way
+        for (int i = 0; i < 2000; ++i) {
+            const std::uint32_t memory = random() % 2 ? ONCHIP : SDRAM;
+            const auto bytes =
+                static_cast<unsigned>(random() % 3 ? 1 << random() % 3 : 1 + random() % 64);
+            const auto at = static_cast<std::uint32_t>(memory + random() % 2048 / bytes * bytes);
+            std::uint8_t one[64], two[64];
+            for (unsigned b = 0; b < bytes; ++b)
+                one[b] = two[b] = static_cast<std::uint8_t>(random());
+            const bool write = random() % 2;
+            const auto took =
+                both(write ? tlm::TLM_WRITE_COMMAND : tlm::TLM_READ_COMMAND, at, one, two, bytes);
+            ASSERT_EQ(std::memcmp(one, two, bytes), 0) << "at " << at << " bytes " << bytes;
+            if (memory == ONCHIP && write) {
+                ASSERT_EQ(took.bridged, took.mapped);
+            }
+            ASSERT_GE(took.bridged, took.mapped - 1) << write << " bytes " << bytes;
+            ASSERT_LE(took.bridged, took.mapped + 20) << write << " bytes " << bytes;
+            slower += took.bridged > took.mapped + 2;
+        }
+        EXPECT_LT(slower, 200);
+    });
+    EXPECT_EQ(pins.chip.violations(), 0u);
 }
 
 }  // namespace

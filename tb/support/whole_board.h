@@ -65,6 +65,7 @@ protected:
     void TearDown() override {
         ASSERT_TRUE(board);
         EXPECT_EQ(board->monitor.violations(), 0u) << board->monitor.messages().front();
+        EXPECT_EQ(board->sdram_chip.violations(), 0u) << board->sdram_chip.messages().front();
         EXPECT_EQ(board->codec_chip.errors(), std::vector<std::string>{});
     }
 

@@ -36,8 +36,7 @@ TEST_F(DisplayOnTheBoard, NeverTearsAPictureHoweverFastTheyAreDrawnAndSwapped) {
     power_on([](hal::Mmio& io, hal::Cpu&) {
         hal::Display display{io};
         for (unsigned number = 0;; ++number) {
-            fill(io, display.back() ? regmap::PICTURE1_BASE : regmap::PICTURE0_BASE,
-                 colour(number));
+            fill(io, display.back() ? regmap::SDRAM_BASE : regmap::ONCHIP_BASE, colour(number));
             display.swap();
             while (!display.swapped()) {
             }
@@ -57,8 +56,8 @@ TEST_F(DisplayOnTheBoard, ShowsOldPixelsOrNewOnesAndNothingElseWhileTheFrontPict
     const Colour &old_one = COLOURS[0], &new_one = COLOURS[2];
     power_on([&](hal::Mmio& io, hal::Cpu&) {
         for (;;) {
-            fill(io, regmap::PICTURE0_BASE, old_one);
-            fill(io, regmap::PICTURE0_BASE, new_one);
+            fill(io, regmap::ONCHIP_BASE, old_one);
+            fill(io, regmap::ONCHIP_BASE, new_one);
         }
     });
     next_picture();  // of before the first was filled

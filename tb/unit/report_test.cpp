@@ -29,6 +29,8 @@ RunReport sample() {
     r.key_events = 8;
     r.timing_violation_count = 1;
     r.timing_violations = {"H total 799"};
+    r.sdram_violation_count = 2;
+    r.sdram_violations = {"READ at 1.00 us: bank 1 has no open row"};
     r.expectations = {{"expect LEDs 1", 7, 0.25, true, ""},
                       {"expect silence", 9, 1.5, false, "a sample of 3"}};
     return r;
@@ -57,6 +59,7 @@ TEST(ReportJson, SaysEverythingThatTheRunKnows) {
         "audio": {"rate_hz": 8138.02, "samples": 20345, "underruns": 6},
         "key_events": 8,
         "timing_violations": {"count": 1, "first": ["H total 799"]},
+        "sdram_violations": {"count": 2, "first": ["READ at 1.00 us: bank 1 has no open row"]},
         "expectations": [
             {"step": "expect LEDs 1", "line": 7, "time_s": 0.25, "met": true, "detail": ""},
             {"step": "expect silence", "line": 9, "time_s": 1.5, "met": false,
