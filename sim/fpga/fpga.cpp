@@ -145,24 +145,27 @@ void Fpga::transport(Bridge bridge, tlm::tlm_generic_payload& tx, sc_time& delay
     std::uint8_t* data = tx.get_data_ptr();
     AxiResponse response = AxiResponse::OKAY;
 
-    run_to(sc_time_stamp() + delay);
+    const bool map = bridge == Bridge::FULL && memory_ == Memory::MAPPED;
     for (unsigned left = bytes; left && response == AxiResponse::OKAY;) {
         const unsigned now = burst_bytes(address, left);
-        std::uint64_t later = 0;
-        if (bridge == Bridge::FULL && memory_ == Memory::MAPPED)
-            later = mapped(write, address, data, now) * FABRIC_PERIOD_PS;
-        if (!later)
+        const sc_time begin = sc_time_stamp() + delay;
+        std::uint64_t end = map ? mapped(write, address, data, now) : 0;
+        if (end) {
+            end += std::max<std::uint64_t>(begin.value() / FABRIC_PERIOD_PS, fabric_.clocks());
+        } else {
+            run_to(begin);
             response = write ? fabric_.write(bridge, address, data, now)
                              : fabric_.read(bridge, address, data, now);
+            end = fabric_.clocks();
+        }
         address += now;
         data += now;
         left -= now;
-        delay = picoseconds(fabric_.time_ps() + later) - sc_time_stamp();
+        delay = picoseconds(end * FABRIC_PERIOD_PS) - sc_time_stamp();
         if (left && delay >= sc_core::sc_time_to_pending_activity()) {
             wait(delay);
             delay = sc_core::SC_ZERO_TIME;
         }
-        if (left) run_to(sc_time_stamp() + delay);
     }
     tell_interrupts();
     tx.set_response_status(status_of(response));

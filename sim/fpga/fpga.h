@@ -12,9 +12,9 @@
 //
 // Memory::MAPPED: the memories behind the full bridge, the SDRAM chip and the on-chip memory, are
 // reached without the bridge's Verilog, since a program that draws pixel by pixel would spend all
-// its time there.  There is one storage, so the screen sees the same.  A transaction takes the time
-// that the bridge takes while nothing holds it up.  The SDRAM also grants direct access (DMI),
-// which takes none.
+// its time there.  There is one storage, so the screen sees the same, up to a scan line sooner: the
+// fabric does not catch up for it.  A transaction takes the time that the bridge takes while
+// nothing holds it up.  The SDRAM also grants direct access (DMI), which takes none.
 //
 // Memory::BRIDGED: every access goes through the Verilog; the SDRAM grants direct access for
 // instructions alone.
