@@ -30,13 +30,8 @@ void add_check_board_options(CLI::App& command, RunOptions& options) {
         ->check(named)
         ->capture_default_str();
     command
-        .add_option_function<std::string>(
-            "--elf",
-            [&](const std::string& file) {
-                options.elf = file;
-                options.cpu = "arm";
-            },
-            "collide-linux, to run its --self-test on the modelled Cortex-A9")
+        .add_option("--elf", options.elf,
+                    "collide-linux, to run its --self-test on the modelled Cortex-A9")
         ->check(named);
     command.add_flag("--quiet", options.quiet, "no progress, no summary unless something failed");
 }

@@ -1,6 +1,6 @@
-// debugger.h - GDB at the processor: de1sim run ... --cpu arm --elf FILE --gdb PORT.
+// debugger.h - GDB at the processor: de1sim FILE.elf --gdb PORT.
 //
-//   build/bin/de1sim run s.yaml --cpu arm --elf p.elf --gdb 3333
+//   build/bin/de1sim run s.yaml --elf p.elf --gdb 3333
 //   gdb-multiarch p.elf -ex "target remote :3333"
 //
 // The processor stands before its first instruction until a debugger has come.  While it stands,

@@ -151,6 +151,7 @@ void ArmCpu::run() {
         account();
         handle(stop);
         look_for_death();
+        look_for_end();
     }
 }
 

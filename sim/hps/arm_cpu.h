@@ -125,6 +125,10 @@ public:
 
     std::optional<std::string> unfinished() const override;
 
+    // How long the program has been over: ended by its kernel, or spinning on the spot with IRQ and
+    // FIQ masked, so that nothing but a reset can move it.  0 before, and under an inspector.
+    sc_core::sc_time ended_for() const;
+
     // For an inspector: as the program would, RAM and registers alike, in no time.  False: nobody
     // answers.
     bool read_memory(std::uint32_t address, void* data, unsigned bytes);
@@ -189,8 +193,10 @@ private:
     bool unhandled(ArmException exception);
     bool in_handler() const;
     bool spins() const;
+    bool stands_still() const;
     std::string death() const;
     std::string callers() const;
+    void look_for_end();
     void look_for_death();
 
     ArmProgram program_;
@@ -235,6 +241,7 @@ private:
         sc_core::sc_time since;       // taken
         sc_core::sc_time spins_from;  // on the spot; the processor's time when it does not
     };
+    std::optional<sc_core::sc_time> over_since_;  // see ended_for()
     std::optional<Open> open_;  // the abort or undefined instruction that it is in the handler of
 };
 

@@ -1,7 +1,11 @@
-// arm_death.cpp - ArmCpu's programs that never come back from an abort or undefined instruction
+// arm_death.cpp - ArmCpu's programs that never come back: from an abort, or from their end
 #include "sim/hps/arm_cpu.h"
 
+#include <algorithm>
+
 namespace sim {
+
+using sc_core::sc_time;
 
 namespace {
 
@@ -29,6 +33,11 @@ bool ArmCpu::spins() const {
     return core_.read_ram(core_.pc(), &code, 4) && code == THUMB2_SPIN;
 }
 
+bool ArmCpu::stands_still() const {
+    constexpr std::uint32_t MASKED = arm_cpsr::I | arm_cpsr::F;
+    return (core_.cpsr() & MASKED) == MASKED && spins();
+}
+
 std::string ArmCpu::death() const { return open_->text + "; never left its handler: " + where(); }
 
 std::optional<std::string> ArmCpu::unfinished() const {
@@ -40,10 +49,9 @@ std::optional<std::string> ArmCpu::unfinished() const {
 // Called behind each quantum.
 void ArmCpu::look_for_death() {
     if (!open_) return;
-    constexpr std::uint32_t MASKED = arm_cpsr::I | arm_cpsr::F;
     if (!in_handler()) {
         open_.reset();
-    } else if ((core_.cpsr() & MASKED) != MASKED || !spins()) {
+    } else if (!stands_still()) {
         open_->spins_from = now();
     } else if (now() - open_->spins_from >= spin_limit()) {
         const std::string text = death();
@@ -51,6 +59,19 @@ void ArmCpu::look_for_death() {
         open_.reset();
         if (!goes_on) fail(text);
     }
+}
+
+// Called behind each quantum.
+void ArmCpu::look_for_end() {
+    if (!ended_ && (inspector_ || open_ || !stands_still()))
+        over_since_.reset();
+    else if (!over_since_)
+        over_since_ = now();
+}
+
+sc_time ArmCpu::ended_for() const {
+    return over_since_ ? sc_core::sc_time_stamp() - std::min(*over_since_, sc_core::sc_time_stamp())
+                       : sc_core::SC_ZERO_TIME;
 }
 
 }  // namespace sim

@@ -243,6 +243,14 @@ ElfProgram load_elf(const std::filesystem::path& file, const std::vector<MemoryR
     return Reader{file, memory}.load();
 }
 
+bool is_elf(const std::filesystem::path& file) {
+    std::error_code error;
+    if (!std::filesystem::is_regular_file(file, error)) return false;  // a pipe would wait for ever
+    char magic[SELFMAG] = {};
+    return std::ifstream{file, std::ios::binary}.read(magic, SELFMAG) &&
+           std::memcmp(magic, ELFMAG, SELFMAG) == 0;
+}
+
 bool expects_linux(const std::filesystem::path& file) { return Reader{file, {}}.expects_linux(); }
 
 }  // namespace sim

@@ -54,6 +54,9 @@ struct MemoryRange {
 // ElfError.  Segments have to lie in `memory`.
 ElfProgram load_elf(const std::filesystem::path& file, const std::vector<MemoryRange>& memory);
 
+// It begins as an ELF file does; false also where it cannot be read.
+bool is_elf(const std::filesystem::path& file);
+
 // A program for Linux: its OS ABI is Linux (GNU), or it has a note "GNU" with an ABI tag of Linux,
 // as everything has that is linked with glibc's start files.  ElfError.
 bool expects_linux(const std::filesystem::path& file);

@@ -90,6 +90,7 @@ const char* to_string(RunEnd end) {
     switch (end) {
         case RunEnd::ALL_STEPS_DONE: return "all steps done";
         case RunEnd::DURATION_REACHED: return "duration reached";
+        case RunEnd::PROGRAM_ENDED: return "the program ended";
         case RunEnd::INTERRUPTED: return "interrupted";
         case RunEnd::FIRMWARE_FAULT: return "firmware fault";
         case RunEnd::INTERNAL_ERROR: return "internal error";

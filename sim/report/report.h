@@ -22,6 +22,7 @@ struct Expectation {
 enum class RunEnd {
     ALL_STEPS_DONE,
     DURATION_REACHED,
+    PROGRAM_ENDED,  // where there is no scenario
     INTERRUPTED,
     FIRMWARE_FAULT,
     INTERNAL_ERROR,  // of the simulator; the faults say which

@@ -6,6 +6,7 @@
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
+#include <iterator>
 #include <new>
 #include <sstream>
 
@@ -39,6 +40,18 @@ ExitCode become_tracing_build(char** argv) {
     return WRONG_INPUT;
 }
 
+// `de1sim prog.elf` is `de1sim run prog.elf`: a first word that is a file stands for itself.
+bool names_a_file(const std::string& word) {
+    std::error_code error;
+    return std::filesystem::is_regular_file(word, error);
+}
+
+bool names_a_command(CLI::App& app, const std::string& word) {
+    const auto commands = app.get_subcommands([](const CLI::App*) { return true; });
+    return std::any_of(commands.begin(), commands.end(),
+                       [&](const CLI::App* command) { return command->get_name() == word; });
+}
+
 int command_line(int argc, char** argv, const Firmware& firmware) {
     CLI::App app{
         "DE1-SoC, headless: your Verilog and your firmware, with picture and sound as files",
@@ -46,13 +59,14 @@ int command_line(int argc, char** argv, const Firmware& firmware) {
     app.set_version_flag("--version", "de1sim " DE1SIM_VERSION);
     app.require_subcommand(1);
     app.footer(
+        "`de1sim FILE ...` is `de1sim run FILE ...`.\n"
         "What follows -- are the arguments of a Linux program.\n"
         "Exit code: 0 all expectations met; 1 an expectation missed or the firmware faulted;\n"
         "2 wrong usage or input, or an output that cannot be written, or an internal error;\n"
         "130 interrupted.");
 
     RunOptions options, check_options;
-    CLI::App& run_command = *app.add_subcommand("run", "play a scenario");
+    CLI::App& run_command = *app.add_subcommand("run", "play a scenario, or run a program");
     add_run_options(run_command, options);
     CLI::App& check_command = *app.add_subcommand(
         "check-board", "check registers, memory, timing, keys and lamps of the simulated board");
@@ -68,11 +82,16 @@ int command_line(int argc, char** argv, const Firmware& firmware) {
     try {
         const auto words = std::find_if(
             argv, argv + argc, [](const char* word) { return std::strcmp(word, "--") == 0; });
-        const bool arguments = words != argv + argc;
-        if (arguments) options.arguments.assign(words + 1, argv + argc);
-        app.parse(static_cast<int>(words - argv), argv);
-        if (run_command.parsed()) check_run_options(run_command, options);
-        if (arguments && options.cpu != "arm") throw CLI::ValidationError("--", "is for --cpu arm");
+        if (words != argv + argc) options.arguments.assign(words + 1, argv + argc);
+        std::vector<std::string> ours(std::reverse_iterator{words},
+                                      std::reverse_iterator{argv + 1});  // as CLI11 wants them
+        if (!ours.empty() && !names_a_command(app, ours.back()) && names_a_file(ours.back()))
+            ours.push_back("run");
+        app.parse(std::move(ours));
+        if (run_command.parsed())
+            settle_run_options(run_command, options);
+        else if (!options.arguments.empty())
+            throw CLI::ValidationError("--", "is for de1sim run");
     } catch (const CLI::ParseError& e) {
         if (e.get_exit_code() == 0) {  // --help, --version
             std::ostringstream text;

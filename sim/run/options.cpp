@@ -2,8 +2,11 @@
 #include "sim/run/options.h"
 
 #include <charconv>
+#include <stdexcept>
 
 #include <CLI/CLI.hpp>
+
+#include "sim/hps/elf.h"
 
 namespace sim {
 
@@ -37,16 +40,20 @@ std::optional<FrameChoice> FrameChoice::parse(const std::string& text) {
 }
 
 void add_run_options(CLI::App& command, RunOptions& options) {
-    command.add_option("SCENARIO", options.scenario, "YAML file with the steps to play")
-        ->check(named)
-        ->required();
+    command
+        .add_option("FILE", options.scenario,
+                    "scenario: YAML file with the steps to play; or a program: ELF file, to run\n"
+                    "until it ends")
+        ->check(named);
     command
         .add_option("--cpu", options.cpu,
                     "native: the firmware compiled for this machine;\n"
-                    "arm: the board's own program, on a model of its Cortex-A9")
-        ->check(CLI::IsMember({"native", "arm"}))
+                    "arm: the board's own program, on a model of its Cortex-A9;\n"
+                    "auto: arm if there is a program")
+        ->check(CLI::IsMember({"auto", "native", "arm"}))
         ->capture_default_str();
-    command.add_option("--elf", options.elf, "the program for --cpu arm")->check(named);
+    command.add_option("--elf", options.elf, "the program, instead of the scenario's")
+        ->check(named);
     command
         .add_option("--cpi", options.cpi,
                     "clocks of 800 MHz that an instruction takes, for --cpu arm: 0.1 to 100")
@@ -107,7 +114,7 @@ void add_run_options(CLI::App& command, RunOptions& options) {
                 throw CLI::ValidationError(
                     "--duration", "expected a time such as 500ms or 10s, got \"" + text + "\"");
         },
-        "simulated time to run for, instead of the scenario's: 500ms, 10s");
+        "simulated time to run for at most, instead of the scenario's: 500ms, 10s");
     command.add_option_function<std::string>(
         "--seed", [&](const std::string& text) { options.seed = number(text, "--seed"); },
         "seed of the contact bounce, instead of the scenario's");
@@ -116,16 +123,35 @@ void add_run_options(CLI::App& command, RunOptions& options) {
     command.add_flag("--quiet", options.quiet, "no progress, no summary unless something failed");
 }
 
-void check_run_options(const CLI::App& command, const RunOptions& options) {
-    if (options.cpu == "arm" && options.elf.empty())
-        throw CLI::ValidationError("--cpu", "arm needs a program: --elf FILE");
+void settle_run_options(const CLI::App& command, RunOptions& options) {
+    if (!options.scenario.empty() && is_elf(options.scenario)) {
+        if (!options.elf.empty())
+            throw CLI::ValidationError("--elf",
+                                       "and a program in place of the scenario exclude "
+                                       "each other");
+        options.elf = std::move(options.scenario);
+        options.scenario.clear();
+    }
+    if (options.scenario.empty() && options.elf.empty())
+        throw CLI::ValidationError("FILE", "expected a scenario or a program");
+    if (options.cpu == "native" && !options.elf.empty())
+        throw CLI::ValidationError("--elf", "is for --cpu arm");
     if (!(options.cpi >= 0.1 && options.cpi <= 100))  // nor NaN, which CLI::Range lets through
         throw CLI::ValidationError("--cpi", "expected a number from 0.1 to 100");
-    for (const char* option : {"--elf", "--cpi", "--gdb", "--system", "--linux-root", "--profile"})
-        if (options.cpu != "arm" && command.count(option) > 0)
-            throw CLI::ValidationError(option, "is for --cpu arm");
+    for (const char* option : {"--cpi", "--gdb", "--system", "--linux-root", "--profile"})
+        if (command.count(option) > 0) options.for_arm.push_back(option);
+    if (!options.arguments.empty()) options.for_arm.push_back("--");
     if (options.gdb && !options.profile.empty())
         throw CLI::ValidationError("--profile", "and --gdb exclude each other");
+}
+
+void choose_processor(RunOptions& options, const std::filesystem::path& scenario_program) {
+    if (options.elf.empty() && options.cpu != "native") options.elf = scenario_program;
+    if (options.cpu == "auto") options.cpu = options.elf.empty() ? "native" : "arm";
+    if (options.cpu == "arm" && options.elf.empty())
+        throw std::runtime_error{"--cpu: arm needs a program: --elf FILE"};
+    if (options.cpu == "native" && !options.for_arm.empty())
+        throw std::runtime_error{options.for_arm.front() + ": is for --cpu arm"};
 }
 
 }  // namespace sim

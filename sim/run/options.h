@@ -28,11 +28,12 @@ struct FrameChoice {
 };
 
 struct RunOptions {
-    std::filesystem::path scenario;
+    std::filesystem::path scenario;            // or empty: the program alone
     std::optional<std::string> scenario_text;  // instead of the file's
     std::filesystem::path out = "out";
-    std::string cpu = "native";
+    std::string cpu = "auto";            // "native", "arm"; "auto": arm, if there is a program
     std::filesystem::path elf;           // for the processor "arm", or empty
+    std::vector<std::string> for_arm;    // options that were given and are for "arm" alone
     double cpi = 1;                      // clocks an instruction of that processor
     std::string memory = "mapped";       // how it reaches the FPGA's memories: or "bridge"
     std::string system = "auto";         // what the ELF expects: "bare", "linux", "auto"
@@ -52,7 +53,12 @@ std::string named(const std::string& name);
 
 // Describes the options to CLI11, which fills `options` when it parses.
 void add_run_options(CLI::App& command, RunOptions& options);
-// Those that do not go together.  CLI::ValidationError.
-void check_run_options(const CLI::App& command, const RunOptions& options);
+// What they mean together: a program in the scenario's place, options that exclude each other.
+// CLI::ValidationError.
+void settle_run_options(const CLI::App& command, RunOptions& options);
+
+// The processor, now that it is known whether the scenario names a program.  std::runtime_error for
+// options that it has no use for.
+void choose_processor(RunOptions& options, const std::filesystem::path& scenario_program);
 
 }  // namespace sim

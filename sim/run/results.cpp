@@ -17,6 +17,12 @@ std::uint64_t underruns(Board& board) {
     return board.fpga.peek(regmap::CODEC_UNDERRUNS - 0xFF200000).value_or(0);
 }
 
+// The scenario's, or the program's where there is none.
+std::string name_of(const RunReport& report) {
+    if (!report.scenario.empty() || !report.program) return report.scenario;
+    return std::filesystem::path{report.program->elf}.filename().string();
+}
+
 }  // namespace
 
 void add_results(RunReport& report, Board& board, const ArmRun* arm, const Player& player,
@@ -75,14 +81,15 @@ bool summarise(const RunReport& report, const std::filesystem::path& out) {
         complain("the monitor found no picture");
     else if (report.frames_shown > 1 && report.frames_swapped == 1)
         complain("the picture never changed: the firmware did not swap");
-    return print_result(
-        fmt::format("{}: {}; {:.3f} s simulated in {:.2f} s, {} frames ({} new pictures), "
-                    "{} of {} {} met; see {}\n",
-                    printable(report.scenario), to_string(report.end), report.simulated_s,
-                    report.wall_s, report.frames_shown, report.frames_swapped, met,
-                    report.expectations.size() + report.checks.size(),
-                    report.checks.empty() ? "expectations" : "expectations and checks",
-                    printable(out.string())));
+    const std::size_t decided = report.expectations.size() + report.checks.size();
+    const std::string verdict =
+        fmt::format("{} of {} {} met; ", met, decided,
+                    report.checks.empty() ? "expectations" : "expectations and checks");
+    return print_result(fmt::format(
+        "{}: {}; {:.3f} s simulated in {:.2f} s, {} frames ({} new pictures), {}see {}\n",
+        printable(name_of(report)), to_string(report.end), report.simulated_s, report.wall_s,
+        report.frames_shown, report.frames_swapped, decided ? verdict : "",
+        printable(out.string())));
 }
 
 }  // namespace sim

@@ -41,9 +41,11 @@ private:
     void pause() { sc_core::sc_pause(); }
 };
 
+// `alone`: the program has no scenario, which would say when the run ends.
 RunEnd play(Board& board, Player& player, Recorder& recorder, std::optional<SimTime> duration,
-            Progress& progress, Debugger* debugger) {
+            bool alone, Progress& progress, Debugger* debugger) {
     const sc_core::sc_time slice{1, sc_core::SC_MS};
+    const sc_core::sc_time last_looks{100, sc_core::SC_MS};  // at what the program has left behind
     const sc_core::sc_time end =
         duration ? sc_core::sc_time::from_value(duration->ps) : sc_core::sc_max_time();
     for (;;) {
@@ -51,10 +53,11 @@ RunEnd play(Board& board, Player& player, Recorder& recorder, std::optional<SimT
         if (interrupted || (debugger && debugger->killed())) return RunEnd::INTERRUPTED;
         if (recorder.failed()) return RunEnd::INTERRUPTED;
         if (board.cpu.fault()) return RunEnd::FIRMWARE_FAULT;
-        if (!duration && player.finished()) return RunEnd::ALL_STEPS_DONE;
+        if (alone && board.arm->ended_for() >= last_looks) return RunEnd::PROGRAM_ENDED;
+        if (!duration && !alone && player.finished()) return RunEnd::ALL_STEPS_DONE;
         const sc_core::sc_time now = sc_core::sc_time_stamp();
         if (now >= end)
-            return player.finished() ? RunEnd::ALL_STEPS_DONE : RunEnd::DURATION_REACHED;
+            return player.finished() && !alone ? RunEnd::ALL_STEPS_DONE : RunEnd::DURATION_REACHED;
         sc_core::sc_start(std::min(slice, end - now));
         progress.show(sc_core::sc_time_stamp().to_seconds(), board.monitor.frames());
     }
@@ -102,12 +105,17 @@ ExitCode exit_code(const RunReport& report) {
     }
 }
 
+Scenario scenario_of(const RunOptions& options) {
+    if (options.scenario.empty()) return {};
+    return options.scenario_text ? parse_scenario(*options.scenario_text, options.scenario)
+                                 : load_scenario(options.scenario);
+}
+
 // `doing` is what a message says when it throws.
-ExitCode run_doing(const char*& doing, const RunOptions& options, const Firmware& firmware) {
+ExitCode run_doing(const char*& doing, RunOptions options, const Firmware& firmware) {
     doing = "reading the scenario";
-    const Scenario scenario = options.scenario_text
-                                  ? parse_scenario(*options.scenario_text, options.scenario)
-                                  : load_scenario(options.scenario);
+    const Scenario scenario = scenario_of(options);
+    choose_processor(options, scenario.program);
     const std::uint64_t seed = options.seed.value_or(scenario.seed);
     const std::optional<SimTime> duration = options.duration ? options.duration : scenario.duration;
 
@@ -150,8 +158,8 @@ ExitCode run_doing(const char*& doing, const RunOptions& options, const Firmware
     report.cpu = options.cpu;
     Parts parts;
     parts.carry_out("simulating", [&] {
-        report.end =
-            play(board, player, recorder, duration, progress, debugger ? &*debugger : nullptr);
+        report.end = play(board, player, recorder, duration, options.scenario.empty(), progress,
+                          debugger ? &*debugger : nullptr);
         board.fpga.catch_up();
     });
     progress.done();

@@ -140,6 +140,8 @@ Scenario read_scenario(std::string_view text, const std::filesystem::path& file)
     scenario.name = values.get<std::string>("name");
     scenario.seed = values.get<std::uint64_t>("seed");
     if (values.find("duration")) scenario.duration = values.get<SimTime>("duration");
+    if (values.find("program"))
+        scenario.program = file.parent_path() / values.get<std::string>("program");
     for (std::size_t i = 0; i < root.keys.size(); ++i)
         if (root.keys[i].text == "steps") scenario.steps = read_steps(root.items[i]);
     if (scenario.steps.empty() && !scenario.duration)

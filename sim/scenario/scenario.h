@@ -92,7 +92,8 @@ struct Scenario {
     std::filesystem::path file;
     std::uint64_t seed = 1;
     std::optional<SimTime> duration;
-    std::vector<Step> steps;  // may be empty when there is a duration
+    std::filesystem::path program;  // ELF, relative to the working directory, or absolute; or empty
+    std::vector<Step> steps;        // may be empty when there is a duration
 };
 
 // what() is one printable line, "file:line:column: expected ..., got ...".  Line and column count

@@ -45,6 +45,8 @@ const std::vector<Field>& file_fields() {
         {"seed", SEED, Need::OPTIONAL, "1", "Seed of the contact bounce; same seed, same run."},
         {"duration", SOME_TIME, Need::OPTIONAL, "",
          "Simulated time at which the run ends. Without it the run ends with the last step."},
+        {"program", LINE, Need::OPTIONAL, "",
+         "The ELF to run, relative to the scenario file, unless the command line names another."},
         {"steps", STEPS, Need::OPTIONAL, "", "What happens, in order."},
     };
     return FIELDS;

@@ -145,7 +145,7 @@ TEST_F(ArmRun, RefusesAProgramThatIsNoneInOneLine) {
 
 TEST_F(ArmRun, RefusesOptionsOfTheOtherProcessorAndClocksThatMakeNoSense) {
     scenario("duration: 1s\n");
-    refused(play("s.yaml", {"--elf", LEDS_ELF}), "--elf: is for --cpu arm");
+    refused(play("s.yaml", {"--cpu", "native", "--elf", LEDS_ELF}), "--elf: is for --cpu arm");
     refused(play("s.yaml", {"--cpi", "2"}), "--cpi: is for --cpu arm");
     for (const char* cpi : {"0", "-1", "1000", "nan", "one", "1e99"})
         refused(arm(LEDS_ELF, "duration: 1s\n", {"--cpi", cpi}), "--cpi");

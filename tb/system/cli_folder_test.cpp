@@ -106,7 +106,7 @@ TEST_F(OutputFolder, EmptyNamesOfOtherFilesAreRefusedToo) {
         EXPECT_THAT(outcome.err, HasSubstr(std::string{what} + ": expected a name, got an empty"));
     };
     refused({"run", "s.yaml", "--out", out, "--trace", ""}, "--trace");
-    refused({"run", ""}, "SCENARIO");
+    refused({"run", ""}, "FILE");
     refused({"compare", "", "b"}, "A");
 }
 

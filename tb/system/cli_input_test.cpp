@@ -99,7 +99,7 @@ TEST_F(WrongInput, ATraceThatCanNotBeWrittenIsNamed) {
 
 TEST_F(WrongInput, NoArgumentsAreAnsweredWithWhatIsMissing) {
     usage({}, "subcommand is required");
-    usage({"run"}, "SCENARIO is required");
+    usage({"run"}, "FILE: expected a scenario or a program");
 }
 
 TEST_F(WrongInput, UnknownWordsAreNamed) {

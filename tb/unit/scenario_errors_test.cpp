@@ -26,7 +26,8 @@ TEST(ScenarioError, NamesTheNearestFieldOfAFile) {
     EXPECT_EQ(error_of("nam: a"),
               "a.yaml:1:1: expected a field of a scenario, got \"nam\" (did you mean \"name\"?)");
     EXPECT_EQ(error_of("name: a\ncolour: red"),
-              "a.yaml:2:1: expected a field of a scenario: name, version, seed, duration or steps, "
+              "a.yaml:2:1: expected a field of a scenario: name, version, seed, duration, "
+              "program or steps, "
               "got \"colour\"");
 }
 
