@@ -15,6 +15,7 @@ namespace {
 constexpr double CLOCK_PS = 1250;             // 800 MHz
 constexpr std::uint32_t STACK = 0x3FFFFFF8;   // top of DDR3
 constexpr std::uint64_t MASKED_QUANTUM = 64;  // with an interrupt waiting to be let in
+constexpr std::uint32_t PUSHED = 128;         // bytes, by one instruction
 constexpr std::size_t STACK_BYTES = 1 << 20;  // of the host, for a translator's nesting
 
 std::uint64_t picoseconds(double cpi) {
@@ -118,6 +119,7 @@ void ArmCpu::start() {
     reset_ = false;
     stores_.page = 1;
     open_.reset();
+    stacks_ = {};
     core_.reset(program_.elf.entry, STACK);
     if (kernel_) kernel_->boot(core_);
 }
@@ -141,7 +143,8 @@ void ArmCpu::run() {
         account();
         sync();
         if (!inspector_ || !inspector_->holds_interrupts()) take_interrupt();
-        const std::uint64_t most = std::max<std::uint64_t>(budget(), 1);
+        const bool closely = open_ && met_ >= AGAIN;
+        const std::uint64_t most = closely ? 1 : std::max<std::uint64_t>(budget(), 1);
         const std::uint64_t limit = inspector_ ? inspector_->on_quantum(core_, most) : most;
         inspected_end_ = limit < most ? core_.instructions() + limit : UINT64_MAX;
         running_ = true;
@@ -150,6 +153,7 @@ void ArmCpu::run() {
         drain();
         account();
         handle(stop);
+        look_astray();
         look_for_death();
         look_for_end();
     }
@@ -184,7 +188,7 @@ void ArmCpu::handle(ArmStop stop) {
         case ArmStop::BREAKPOINT:
             raise(ArmException::PREFETCH_ABORT, fault_status::DEBUG, "breakpoint instruction");
             break;
-        case ArmStop::RAN_OFF: run_off(); break;
+        case ArmStop::RAN_OFF: lost("the program ran off its code into zeros"); break;
         case ArmStop::DATA_ABORT: {
             const ArmFault& f = core_.fault();
             const std::uint32_t direction = f.write ? fault_status::WRITE : 0;
@@ -198,13 +202,6 @@ void ArmCpu::handle(ArmStop stop) {
                                   bus_answer_));
         }
     }
-}
-
-// The program has left its code, which no handler of its own would notice.
-void ArmCpu::run_off() {
-    const std::string why = fmt::format("the program ran off its code into zeros {}; LR 0x{:08X}{}",
-                                        where(), core_.reg(14), callers());
-    if (!inspector_ || !inspector_->on_failure(core_, ArmException::UNDEFINED)) fail(why);
 }
 
 std::string ArmCpu::where() const {
@@ -221,9 +218,16 @@ void ArmCpu::raise(ArmException exception, std::uint32_t status, const std::stri
     if (kernel_ && !asynchronous) return kernel_->exception(core_, exception, core_.fault(), what);
     const bool abort =
         exception == ArmException::DATA_ABORT || exception == ArmException::PREFETCH_ABORT;
+    const bool astray = abort || exception == ArmException::UNDEFINED;
+    if (astray)
+        if (const ElfSection* data = data_at(core_.pc()))
+            return lost("the program went into its data, " + data->name + ",");
     counts_.interrupts += asynchronous;
     counts_.aborts += abort;
-    const std::string text = what + " " + where();
+    const std::uint32_t sp = core_.reg(13);
+    const bool push = exception == ArmException::DATA_ABORT && sp - core_.fault().address <= PUSHED;
+    const std::string stack = astray ? overgrown(push ? core_.fault().address : sp, true) : "";
+    const std::string text = what + " " + where() + (stack.empty() ? "" : "; ") + stack;
     const std::uint32_t vector = vector_of(core_, exception);
     if (!in_handler()) open_.reset();
     const auto give_up = [&](const std::string& why) {
@@ -235,8 +239,9 @@ void ArmCpu::raise(ArmException exception, std::uint32_t status, const std::stri
     if (!core_.read_ram(vector, &word, sizeof word) || word == 0)
         return give_up(fmt::format("; no vector at 0x{:08X}", vector));
     if (unhandled(exception)) return give_up(", for the second time within its handler");
-    if (abort || exception == ArmException::UNDEFINED) {
+    if (astray) {
         log_(text);
+        meet();
         if (!open_) open_ = Open{exception, text, now(), now()};
     }
     const bool debug = status == fault_status::DEBUG;  // there, IFAR is UNKNOWN

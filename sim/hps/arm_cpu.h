@@ -39,15 +39,24 @@
 //
 // A program that takes an abort or an undefined instruction must come back from it: leave the mode
 // of its handler, ABT or UND, for another than IRQ and FIQ.  Otherwise it is dead, and has failed:
-//   - when it has spun on the spot (b .) in that mode for 100 ms, IRQ and FIQ masked: at once;
+//   - when it has spun on the spot (b .) in that mode for 100 ms, IRQ masked: at once;
+//   - when its handler has led back to the same instruction with the same registers a thousand
+//     times: at once;
 //   - when the run ends while it spins on the spot, or is in that mode for whatever reason more
 //     than 1 ms after the exception: unfinished().
 // So a handler may take its time, print, sleep and be interrupted, as long as it comes to an end.
+//
+// No handler would notice what has gone astray, so a program has failed, behind the quantum in
+// which it is seen,
+//   - when it executes zeros (ArmStop::RAN_OFF), or the data of its ELF (ElfSection::is_data);
+//   - when its stack grows below the memory that it was in, or into its code.
 //
 // Deterministic: nothing depends on the host's time.
 //
 // Not handled: see arm_core.h.  A handler that changes its mode to SVC or SYS and stays there
 // counts as left.  One that spins until a watchdog resets the board has those 100 ms for it.
+// A program that puts instructions into its data and runs them has failed.  A stack that grows into
+// data, or in a program without a section table, is not seen.
 #pragma once
 
 #include <array>
@@ -187,14 +196,18 @@ private:
     void drain();
     bool access(tlm::tlm_command command, std::uint32_t address, unsigned bytes, void* data);
     void take_interrupt();
-    void run_off();
     void handle(ArmStop stop);
     void raise(ArmException exception, std::uint32_t status, const std::string& what);
     bool unhandled(ArmException exception);
     bool in_handler() const;
     bool spins() const;
     bool stands_still() const;
+    void meet();
     std::string death() const;
+    void lost(const std::string& what);
+    const ElfSection* data_at(std::uint32_t address) const;
+    std::string overgrown(std::uint32_t lowest, bool through) const;
+    void look_astray();
     std::string callers() const;
     void look_for_end();
     void look_for_death();
@@ -241,6 +254,17 @@ private:
         sc_core::sc_time since;       // taken
         sc_core::sc_time spins_from;  // on the spot; the processor's time when it does not
     };
+    // An exception that comes again and again: the registers that it was met with, and how often.
+    // From AGAIN on its handler is followed instruction by instruction.
+    static constexpr unsigned AGAIN = 1000;
+    std::array<std::uint32_t, 17> met_with_{};
+    unsigned met_ = 0;
+
+    struct Stack {
+        std::uint32_t top = 0, now = 0;  // r13: where it began as far as it was seen, and is
+    };
+    std::array<Stack, 16> stacks_;  // of each mode, by CPSR[3:0]
+
     std::optional<sc_core::sc_time> over_since_;  // see ended_for()
     std::optional<Open> open_;  // the abort or undefined instruction that it is in the handler of
 };

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include <fmt/format.h>
+
 namespace sim {
 
 using sc_core::sc_time;
@@ -46,18 +48,35 @@ std::optional<std::string> ArmCpu::unfinished() const {
     return death();
 }
 
+// Counts the exceptions that are met at the same instruction with the same registers.
+void ArmCpu::meet() {
+    decltype(met_with_) registers;
+    for (unsigned i = 0; i < 16; ++i) registers[i] = core_.reg(i);
+    registers[16] = core_.cpsr();
+    met_ = registers == met_with_ ? met_ + 1 : 1;
+    met_with_ = registers;
+}
+
 // Called behind each quantum.
 void ArmCpu::look_for_death() {
     if (!open_) return;
-    if (!in_handler()) {
-        open_.reset();
-    } else if (!stands_still()) {
-        open_->spins_from = now();
-    } else if (now() - open_->spins_from >= spin_limit()) {
-        const std::string text = death();
+    const auto dies = [this](const std::string& text) {
         const bool goes_on = inspector_ && inspector_->on_failure(core_, open_->exception);
         open_.reset();
+        met_ = 0;
         if (!goes_on) fail(text);
+    };
+    if (!in_handler()) {
+        const bool back_at_it = met_ >= AGAIN && core_.pc() == met_with_[15];
+        if (back_at_it)
+            return dies(
+                fmt::format("{}; its handler leads back to it, {} times", open_->text, met_));
+        if (met_ >= AGAIN) met_ = 0;
+        open_.reset();
+    } else if (!(core_.cpsr() & arm_cpsr::I) || !spins()) {
+        open_->spins_from = now();
+    } else if (now() - open_->spins_from >= spin_limit()) {
+        dies(death());
     }
 }
 

@@ -34,6 +34,7 @@ public:
         program.file = file_;
         program.entry = header_->e_entry;
         read_segments(program);
+        read_sections(program);
         read_functions(program);
         return program;
     }
@@ -169,7 +170,19 @@ private:
                 refuse("{} overlaps the one at 0x{:08X}", name, other.physical);
     }
 
-    // Names are a comfort: what is wrong with them is left out, not refused.
+    // Sections and names are a comfort: what is wrong with them is left out, not refused.
+    void read_sections(ElfProgram& program) const {
+        for (Elf_Scn* section = nullptr; (section = elf_nextscn(elf_.get(), section));) {
+            GElf_Shdr header;
+            if (!gelf_getshdr(section, &header) || !(header.sh_flags & SHF_ALLOC)) continue;
+            const char* name = elf_strptr(elf_.get(), header_->e_shstrndx, header.sh_name);
+            program.sections.push_back({static_cast<std::uint32_t>(header.sh_addr),
+                                        static_cast<std::uint32_t>(header.sh_size),
+                                        name ? name : "", (header.sh_flags & SHF_WRITE) != 0,
+                                        (header.sh_flags & SHF_EXECINSTR) != 0});
+        }
+    }
+
     void read_functions(ElfProgram& program) const {
         for (Elf_Scn* section = nullptr; (section = elf_nextscn(elf_.get(), section));) {
             GElf_Shdr header;

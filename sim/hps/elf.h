@@ -34,6 +34,17 @@ struct ElfFunction {
     std::string name;
 };
 
+// What a linker keeps apart in memory: ".text", ".data".
+struct ElfSection {
+    std::uint32_t address, size;
+    std::string name;
+    bool writable, executable;
+
+    bool holds(std::uint32_t at) const { return at - address < size; }
+    // Data by all that is said of it: a table of vectors may be called neither.
+    bool is_data() const { return !executable && (writable || name.rfind(".rodata", 0) == 0); }
+};
+
 struct ElfProgram {
     std::filesystem::path file;
     std::uint32_t entry = 0;         // bit 0: Thumb
@@ -41,6 +52,7 @@ struct ElfProgram {
     std::uint32_t header_count = 0;  // of 32 bytes each
     std::vector<ElfSegment> segments;
     std::vector<ElfFunction> functions;  // by address
+    std::vector<ElfSection> sections;    // those in memory; none in a file that has lost its names
 
     // The function around `address`, demangled: "main", "main+0x10"; "" if there is none.
     std::string function(std::uint32_t address) const;

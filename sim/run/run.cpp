@@ -11,6 +11,7 @@
 #include "sim/report/report.h"
 #include "sim/report/trace_file.h"
 #include "sim/run/arm_run.h"
+#include "sim/run/last_words.h"
 #include "sim/run/progress.h"
 #include "sim/run/recorder.h"
 #include "sim/run/results.h"
@@ -43,11 +44,12 @@ private:
 
 // `alone`: the program has no scenario, which would say when the run ends.
 RunEnd play(Board& board, Player& player, Recorder& recorder, std::optional<SimTime> duration,
-            bool alone, Progress& progress, Debugger* debugger) {
+            bool alone, Progress& progress, Debugger* debugger, LastWords& last_words) {
     const sc_core::sc_time slice{1, sc_core::SC_MS};
     const sc_core::sc_time last_looks{100, sc_core::SC_MS};  // at what the program has left behind
     const sc_core::sc_time end =
         duration ? sc_core::sc_time::from_value(duration->ps) : sc_core::sc_max_time();
+    double renew_s = 0;
     for (;;) {
         if (debugger) debugger->poll();
         if (interrupted || (debugger && debugger->killed())) return RunEnd::INTERRUPTED;
@@ -59,7 +61,12 @@ RunEnd play(Board& board, Player& player, Recorder& recorder, std::optional<SimT
         if (now >= end)
             return player.finished() && !alone ? RunEnd::ALL_STEPS_DONE : RunEnd::DURATION_REACHED;
         sc_core::sc_start(std::min(slice, end - now));
-        progress.show(sc_core::sc_time_stamp().to_seconds(), board.monitor.frames());
+        const double now_s = sc_core::sc_time_stamp().to_seconds();
+        progress.show(now_s, board.monitor.frames());
+        if (now_s >= renew_s) {
+            last_words.renew(now_s, board.monitor.frames());
+            renew_s = now_s + 0.05;
+        }
     }
 }
 
@@ -156,10 +163,11 @@ ExitCode run_doing(const char*& doing, RunOptions options, const Firmware& firmw
     report.file = scenario.file.string();
     report.seed = seed;
     report.cpu = options.cpu;
+    LastWords last_words{options.out, report};
     Parts parts;
     parts.carry_out("simulating", [&] {
         report.end = play(board, player, recorder, duration, options.scenario.empty(), progress,
-                          debugger ? &*debugger : nullptr);
+                          debugger ? &*debugger : nullptr, last_words);
         board.fpga.catch_up();
     });
     progress.done();

@@ -13,9 +13,9 @@ enum ExitCode {
     INTERRUPTED = 130,  // Ctrl-C; the files so far are whole
 };
 
-// Plays the scenario, or runs the program until it ends, and writes frames/, audio.wav, console.txt,
-// report.json and junit.xml into options.out.  Errors go to stderr, a line each; progress too,
-// unless quiet.  A run that an internal error ends leaves its report as well.
+// Plays the scenario, or runs the program until it ends, and writes frames/, audio.wav,
+// console.txt, report.json and junit.xml into options.out.  Errors go to stderr, a line each;
+// progress too, unless quiet.  A run that an internal error ends leaves its report as well.
 ExitCode run(const RunOptions& options, const Firmware& firmware);
 
 }  // namespace sim

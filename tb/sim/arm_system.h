@@ -85,6 +85,7 @@ struct ArmSystem : sc_core::sc_module {
     sim::Memory ddr3{"ddr3", 0x40000000, sc_core::sc_time{60, sc_core::SC_NS}};
     Probe probe{"probe"};
     Bridge bridge{"bridge"};
+    sim::Memory more_ram{"more_ram", 0x1000, sc_core::SC_ZERO_TIME};
     sim::Bus bus{"bus"};
     sim::ArmCpu cpu;
     sim::Peripherals hps{
@@ -100,13 +101,17 @@ struct ArmSystem : sc_core::sc_module {
         bus.window("ddr3", 0x00000000, 0x40000000).bind(ddr3.socket);
         bus.window("probe", 0xFF200000, 0x1000).bind(probe.socket);
         bus.window("bridge", 0xC0000000, 0x200000).bind(bridge.socket);
+        bus.window("more_ram", 0xD0000000, 0x1000).bind(more_ram.socket);
         hps.bind(bus);
     }
 };
 
 class ArmTest : public ::testing::Test {
 protected:
-    sim::ElfProgram elf = sim::load_elf(CPU_TEST_ELF, {{0, 0x40000000}});
+    explicit ArmTest(const char* file = CPU_TEST_ELF)
+        : elf{sim::load_elf(file, {{0, 0x40000000}})} {}
+
+    sim::ElfProgram elf;
     std::unique_ptr<ArmSystem> system;
 
     std::uint32_t address_of(const std::string& name) const {

@@ -1,6 +1,8 @@
 // cli_message_test.cpp - what is said never ends a run, and a run that breaks says so.
 #include <gmock/gmock.h>
 
+#include <csignal>
+
 #include "tb/system/cli.h"
 
 namespace {
@@ -155,6 +157,28 @@ TEST_F(BrokenRun, LeavesAReportThatSaysWhatBroke) {
     EXPECT_THAT(files(), Contains(frame(2)));
     EXPECT_THAT(files(), Each(Not(EndsWith(".part"))));
 }
+
+#ifndef __SANITIZE_ADDRESS__  // which has its own words for it
+TEST_F(BrokenRun, ThatASignalKillsLeavesAReportThatSaysSo) {
+    for (const auto& [signal, name] : {std::pair{SIGSEGV, "SIGSEGV"}, {SIGABRT, "SIGABRT"}}) {
+        std::filesystem::remove_all(out);
+        tb::Command command;
+        command.interrupt_when = [this] { return std::filesystem::exists(out / frame(6)); };
+        command.interrupt_by = signal;
+        const tb::Outcome outcome =
+            play(scenario("duration: 1000s\n"), {"--quiet", "--frames", "all"}, command);
+        const std::string fault = std::string{"internal error: de1sim was ended by "} + name;
+        EXPECT_EQ(outcome.exit_code, 2);
+        EXPECT_EQ(outcome.err, "de1sim: " + fault + "\n");
+        EXPECT_EQ(report()["end"], "internal error");
+        EXPECT_FALSE(report()["passed"]);
+        EXPECT_EQ(report()["scenario"], "test");
+        EXPECT_EQ(report()["faults"], nlohmann::json::array({fault}));
+        EXPECT_GE(report()["simulated_s"], 0.05);
+        EXPECT_THAT(file("junit.xml"), HasSubstr("<error message=\"" + fault));
+    }
+}
+#endif
 
 TEST_F(BrokenRun, OfWhichTheMemoryWasNotEnoughSaysSo) {
     const tb::Outcome outcome =
