@@ -64,7 +64,7 @@ Board::Board(const sc_core::sc_module_name& name, Audience& audience, Software s
     hps.bind(bus);
     h2f_gate_ = bus.gate("h2f");
     lw_gate_ = bus.gate("lw");
-    bus.describe("ddr3", "the DDR3", {{"the DDR3", DDR3_BASE, DDR3_SIZE}});
+    bus.describe("ddr3", "the DDR3", {{"the DDR3", DDR3_BASE, DDR3_SIZE, true}});
     bus.describe("h2f", "the full bridge", fpga_places(H2F_BASE, H2F_SIZE));
     bus.describe("lw", "the lightweight bridge", fpga_places(LW_BASE, LW_SIZE));
     cpu.explain_by([this](auto... access) { return bus.refusal(access...); });

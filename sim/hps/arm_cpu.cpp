@@ -183,7 +183,7 @@ void ArmCpu::handle(ArmStop stop) {
         case ArmStop::PREFETCH_ABORT:
             raise(ArmException::PREFETCH_ABORT,
                   core_.fault().mmu ? core_.fault().status & 0x40F : fault_status::EXTERNAL,
-                  "prefetch abort: no instruction to be read");
+                  "prefetch abort: no instruction to be read" + no_code());
             break;
         case ArmStop::BREAKPOINT:
             raise(ArmException::PREFETCH_ABORT, fault_status::DEBUG, "breakpoint instruction");
@@ -202,6 +202,13 @@ void ArmCpu::handle(ArmStop stop) {
                                   bus_answer_));
         }
     }
+}
+
+// Why there is none at pc, and where it came from: " (LEDR holds no instructions; LR 0x...)".
+std::string ArmCpu::no_code() const {
+    const std::optional<std::uint32_t> on_bus = core_.bus_address(core_.fault().address);
+    if (kernel_ || core_.fault().mmu || !on_bus) return "";
+    return fmt::format(" ({}; LR 0x{:08X}{})", why_refused(*on_bus), core_.reg(14), callers());
 }
 
 std::string ArmCpu::where() const {

@@ -209,6 +209,7 @@ private:
     std::string overgrown(std::uint32_t lowest, bool through) const;
     void look_astray();
     std::string callers() const;
+    std::string no_code() const;
     void look_for_end();
     void look_for_death();
 

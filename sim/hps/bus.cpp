@@ -16,9 +16,9 @@ tlm_utils::simple_initiator_socket<Bus>& Bus::window(const std::string& name, st
         if (base - other.base < other.size || other.base - base < size)
             SC_REPORT_FATAL(this->name(),
                             ("window " + name + " overlaps window " + other.name).c_str());
-    windows_.push_back(
-        {name, base, size,
-         std::make_unique<tlm_utils::simple_initiator_socket<Bus>>(("to_" + name).c_str())});
+    const std::string port = "to_" + std::to_string(windows_.size());
+    windows_.push_back({name, base, size,
+                        std::make_unique<tlm_utils::simple_initiator_socket<Bus>>(port.c_str())});
     return *windows_.back().socket;
 }
 
@@ -62,6 +62,7 @@ void Bus::b_transport(tlm::tlm_generic_payload& tx, sc_core::sc_time& delay) {
         tx.set_address(address - window->base);
         (*window->socket)->b_transport(tx, delay);
         tx.set_address(address);
+        window->written |= tx.is_write();
     } else {
         tx.set_response_status(tlm::TLM_ADDRESS_ERROR_RESPONSE);  // never a default target
     }

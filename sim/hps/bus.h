@@ -47,26 +47,32 @@ public:
     // is a fault in the assembly: SC_REPORT_FATAL.
     std::function<void(bool)> gate(const std::string& name);
 
-    // A block or memory that answers.
+    // A block of registers, or memory.
     struct Place {
         std::string name;
         std::uint32_t base, size;
+        bool is_memory = false;
     };
     // What is within the window `name`, which a person calls `title`.  As gate().
     void describe(const std::string& name, std::string title, std::vector<Place> places);
+    // What the board has and no window stands for.
+    void leave_out(std::vector<Place> places) { absent_ = std::move(places); }
 
-    // "nothing answers there: the nearest is LEDR, 0xFF200000 to 0xFF20000F".
+    // "no memory at 0xC4000000: SDRAM ends at 0xC3FFFFFF", "no block at 0xFF2FF000: the nearest is
+    // LEDR, 0xFF200000 to 0xFF20000F".  Without bytes it is an instruction that was to be read.
     std::string refusal(std::uint32_t address, unsigned bytes, bool write,
                         tlm::tlm_response_status answer) const;
 
     const BusCounts& counts() const { return counts_; }
+    // Something was written through the window `name`; as gate().
+    bool written(const std::string& name) const { return windows_[number_of(name)].written; }
 
 private:
     struct Window {
         std::string name;
         std::uint32_t base, size;
         std::unique_ptr<tlm_utils::simple_initiator_socket<Bus>> socket;
-        bool on = true;
+        bool on = true, written = false;
         std::string title = name;
         std::vector<Place> places = {{name, base, size}};
     };
@@ -77,6 +83,7 @@ private:
     std::size_t number_of(const std::string& name) const;
 
     std::vector<Window> windows_;
+    std::vector<Place> absent_;
     BusCounts counts_;
 };
 

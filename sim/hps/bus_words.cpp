@@ -22,6 +22,18 @@ std::string range(const Bus::Place& place) {
     return fmt::format("0x{:08X} to 0x{:08X}", place.base, last_of(place));
 }
 
+// Registers lie from here on, memory below; but for the processor's own RAM at the very end.
+constexpr std::uint32_t REGISTERS = 0xFC000000;
+
+std::string nothing(std::uint32_t address, const Bus::Place& nearest) {
+    if (address >= REGISTERS)
+        return fmt::format("no block at 0x{:08X}: the nearest is {}, {}", address, nearest.name,
+                           range(nearest));
+    const bool above = address > last_of(nearest);
+    return fmt::format("no memory at 0x{:08X}: {} {} at 0x{:08X}", address, nearest.name,
+                       above ? "ends" : "begins", above ? last_of(nearest) : nearest.base);
+}
+
 }  // namespace
 
 std::string Bus::refusal(std::uint32_t address, unsigned bytes, bool write,
@@ -29,24 +41,27 @@ std::string Bus::refusal(std::uint32_t address, unsigned bytes, bool write,
     const Place* nearest = nullptr;
     for (const Window& window : windows_) {
         if (!window.on && address - window.base < window.size) return window.title + " is in reset";
-        for (const Place& place : window.places)
+        for (const Place& place : window.places) {
+            if (!place.is_memory && address < REGISTERS) continue;
             if (!nearest || distance(place, address) < distance(*nearest, address))
                 nearest = &place;
+        }
     }
+    for (const Place& place : absent_)
+        if (holds(place, address))
+            return fmt::format("{}, {}, is not modelled", place.name, range(place));
     if (!nearest) return "nothing is on the bus";
+    if (bytes == 0 && holds(*nearest, address)) return nearest->name + " holds no instructions";
     switch (answer) {
         case tlm::TLM_ADDRESS_ERROR_RESPONSE:
             if (holds(*nearest, address))
                 return fmt::format("{} ends at 0x{:08X}", nearest->name, last_of(*nearest));
-            return fmt::format("nothing answers there: the nearest is {}, {}", nearest->name,
-                               range(*nearest));
+            return nothing(address, *nearest);
         case tlm::TLM_BURST_ERROR_RESPONSE:
-            return fmt::format("{} of {} bytes are not taken there: {} takes aligned words",
-                               write ? "writes" : "reads", bytes, nearest->name);
+            return fmt::format("{} takes no {} of {} bytes at 0x{:08X}: aligned words only",
+                               nearest->name, write ? "writes" : "reads", bytes, address);
         case tlm::TLM_COMMAND_ERROR_RESPONSE:
             return fmt::format("{} takes no {}", nearest->name, write ? "writes" : "reads");
-        case tlm::TLM_BYTE_ENABLE_ERROR_RESPONSE:
-            return fmt::format("{} takes no byte enables", nearest->name);
         case tlm::TLM_INCOMPLETE_RESPONSE: return nearest->name + " did not answer";
         default: return nearest->name + " answered with an error";
     }

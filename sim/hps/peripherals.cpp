@@ -1,5 +1,7 @@
 #include "sim/hps/peripherals.h"
 
+#include "sim/hps/absent_blocks.h"
+
 namespace sim {
 
 namespace {
@@ -34,23 +36,28 @@ Peripherals::Peripherals(const sc_core::sc_module_name& name, Wires wires)
       on_chip_ram{"on_chip_ram", 0x10000, sc_core::sc_time{10, sc_core::SC_NS}} {}
 
 void Peripherals::bind(Bus& bus) {
-    bus.window("fpga_manager", 0xFF706000, 0x1000).bind(fpga_manager.socket);
-    bus.window("gpio1", 0xFF709000, 0x1000).bind(gpio1.socket);
-    bus.window("l3", 0xFF800000, 0x80000).bind(l3.socket);
-    bus.window("uart0", 0xFFC02000, 0x1000).bind(uart0.socket);
-    bus.window("timer0", 0xFFC08000, 0x1000).bind(timer0.socket);
-    bus.window("timer1", 0xFFC09000, 0x1000).bind(timer1.socket);
-    bus.window("timer2", 0xFFD00000, 0x1000).bind(timer2.socket);
-    bus.window("timer3", 0xFFD01000, 0x1000).bind(timer3.socket);
-    bus.window("reset_manager", 0xFFD05000, 0x1000).bind(reset_manager.socket);
-    bus.window("system_manager", 0xFFD08000, 0x4000).bind(system_manager.socket);
-    bus.window("scu", 0xFFFEC000, 0x100).bind(scu.socket);
-    bus.window("gic_cpu", 0xFFFEC100, 0x100).bind(gic.cpu_interface.socket);
-    bus.window("global_timer", 0xFFFEC200, 0x100).bind(global_timer.socket);
-    bus.window("private_timer", 0xFFFEC600, 0x100).bind(private_timer.socket);
-    bus.window("gic_distributor", 0xFFFED000, 0x1000).bind(gic.distributor.socket);
-    bus.window("l2_cache", 0xFFFEF000, 0x1000).bind(l2_cache.socket);
-    bus.window("on_chip_ram", 0xFFFF0000, 0x10000).bind(on_chip_ram.socket);
+    const auto add = [&bus](auto& target, const char* title, std::uint32_t base,
+                            std::uint32_t size) {
+        bus.window(title, base, size).bind(target.socket);
+    };
+    add(fpga_manager, "the FPGA manager", 0xFF706000, 0x1000);
+    add(gpio1, "GPIO1 of the HPS", 0xFF709000, 0x1000);
+    add(l3, "the L3 interconnect", 0xFF800000, 0x80000);
+    add(uart0, "UART0", 0xFFC02000, 0x1000);
+    add(timer0, "HPS timer 0", 0xFFC08000, 0x1000);
+    add(timer1, "HPS timer 1", 0xFFC09000, 0x1000);
+    add(timer2, "HPS timer 2", 0xFFD00000, 0x1000);
+    add(timer3, "HPS timer 3", 0xFFD01000, 0x1000);
+    add(reset_manager, "the reset manager", 0xFFD05000, 0x1000);
+    add(system_manager, "the system manager", 0xFFD08000, 0x4000);
+    add(scu, "the A9's SCU", 0xFFFEC000, 0x100);
+    add(gic.cpu_interface, "the GIC's CPU interface", 0xFFFEC100, 0x100);
+    add(global_timer, "the A9's global timer", 0xFFFEC200, 0x100);
+    add(private_timer, "the A9's private timer", 0xFFFEC600, 0x100);
+    add(gic.distributor, "the GIC's distributor", 0xFFFED000, 0x1000);
+    add(l2_cache, "the L2 cache controller", 0xFFFEF000, 0x1000);
+    add(on_chip_ram, "the HPS's on-chip RAM", 0xFFFF0000, 0x10000);
+    bus.leave_out(absent_blocks());
 }
 
 void Peripherals::fpga_interrupts(std::uint32_t levels) {

@@ -8,8 +8,7 @@
 //   timers              0xFFC08000 0xFFC09000 0xFFD00000 0xFFD01000      IDs 199 - 202
 //   managers            0xFF706000 FPGA, 0xFFD05000 reset, 0xFFD08000 system; 0xFF800000 L3
 //
-// Cyclone V HPS memory map.  What the HPS has besides - clock manager, SD card, USB, Ethernet, DMA,
-// I2C, SPI, CAN, NAND, QSPI, UART1, GPIO0 and 2 - does not answer.
+// Cyclone V HPS memory map.  What the HPS has besides does not answer: absent_blocks.h.
 #pragma once
 
 #include <cstdint>

@@ -24,7 +24,8 @@ public:
     // At the run's end: what the program is in that it can not have meant to end in.
     virtual std::optional<std::string> unfinished() const { return {}; }
 
-    // Says in words why an access was refused; Bus::refusal().
+    // Says in words why an access was refused, or without bytes why there is no instruction;
+    // Bus::refusal().
     using Refusal = std::function<std::string(std::uint32_t address, unsigned bytes, bool write,
                                               tlm::tlm_response_status answer)>;
     void explain_by(Refusal refusal) { refusal_ = std::move(refusal); }
@@ -62,6 +63,11 @@ protected:
         socket->b_transport(tx, delay);
         if (tx.is_response_ok()) return {};
         return refusal_(address, bytes, tx.is_write(), tx.get_response_status());
+    }
+
+    // For an instruction.
+    std::string why_refused(std::uint32_t address) const {
+        return refusal_(address, 0, false, tlm::TLM_ADDRESS_ERROR_RESPONSE);
     }
 
     tlm::tlm_generic_payload payload_;  // of the program's own accesses

@@ -87,7 +87,8 @@ struct RunReport {
     std::vector<std::string> sdram_violations;  // the same
     std::vector<std::string> faults;
     std::uint64_t log_lines = 0;
-    std::vector<std::string> log;  // the first of them: aborts that the program handled, resets
+    std::vector<std::string> log;     // the first of them: aborts that the program handled, resets
+    std::vector<std::string> advice;  // what may be why it looks as it does; for the summary alone
     std::vector<Expectation> expectations;
     std::vector<Check> checks;  // that the program made itself; not in the file if there is none
 

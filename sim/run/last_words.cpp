@@ -66,10 +66,14 @@ void on_death(int signal) {
     _exit(WRONG_INPUT);
 }
 
+// A signal that somebody knows better what to do with stays theirs, as SIGBUS with waveforms.
 void handle_by(void (*handler)(int)) {
 #ifndef __SANITIZE_ADDRESS__
     for (const Ending& ending : ENDINGS) {
         struct sigaction action {};
+        sigaction(ending.signal, nullptr, &action);
+        if (action.sa_handler != SIG_DFL && action.sa_handler != on_death) continue;
+        action = {};
         action.sa_handler = handler;
         action.sa_flags = SA_ONSTACK | SA_RESETHAND;
         sigaction(ending.signal, &action, nullptr);

@@ -17,6 +17,17 @@ std::uint64_t underruns(Board& board) {
     return board.fpga.peek(regmap::CODEC_UNDERRUNS - 0xFF200000).value_or(0);
 }
 
+constexpr double FIRST_FRAMES_S = 0.034;  // the first is whole where the second begins
+
+// The program has given the display something to show: a picture, or a place for one.
+bool has_drawn(Board& board) {
+    const auto holds = [&board](std::uint32_t address, std::uint32_t value) {
+        return board.fpga.peek(address - 0xFF200000).value_or(value) == value;
+    };
+    return board.bus.written("h2f") || !holds(regmap::PIXEL_BUFFER, regmap::ONCHIP_BASE) ||
+           !holds(regmap::PIXEL_BACK_BUFFER, regmap::ONCHIP_BASE);
+}
+
 // The scenario's, or the program's where there is none.
 std::string name_of(const RunReport& report) {
     if (!report.scenario.empty() || !report.program) return report.scenario;
@@ -50,6 +61,11 @@ void add_results(RunReport& report, Board& board, const ArmRun* arm, const Playe
     report.sdram_violation_count = board.sdram_chip.violations();
     report.sdram_violations = board.sdram_chip.messages();
     if (arm) report.program = arm->program();
+    if (report.simulated_s > FIRST_FRAMES_S && report.frames_shown == 0)
+        report.advice.push_back("the monitor found no picture");
+    if (report.frames_shown > 1 && report.frames_swapped == 1 && recorder.senses().is_black() &&
+        has_drawn(board))
+        report.advice.push_back("the picture never changed: the firmware did not swap");
     report.audio = {recorder.senses().rate_hz, recorder.senses().samples, underruns(board)};
 }
 
@@ -77,10 +93,7 @@ bool summarise(const RunReport& report, const std::filesystem::path& out) {
     if (report.sdram_violation_count)
         complain(fmt::format("{} violations of the SDRAM's timing; {}",
                              report.sdram_violation_count, report.sdram_violations.front()));
-    if (report.frames_shown == 0)
-        complain("the monitor found no picture");
-    else if (report.frames_shown > 1 && report.frames_swapped == 1)
-        complain("the picture never changed: the firmware did not swap");
+    for (const std::string& line : report.advice) complain(line);
     const std::size_t decided = report.expectations.size() + report.checks.size();
     const std::string verdict =
         fmt::format("{} of {} {} met; ", met, decided,

@@ -36,6 +36,10 @@ void Senses::console(char character) {
     printed.notify(sc_core::SC_ZERO_TIME);
 }
 
+bool Senses::is_black() const {
+    return std::all_of(pixels_.begin(), pixels_.end(), [](std::uint32_t pixel) { return !pixel; });
+}
+
 Image Senses::picture() const {
     return image_of(pixels_.empty() ? std::vector<std::uint32_t>(Monitor::WIDTH * Monitor::HEIGHT)
                                     : pixels_);

@@ -23,6 +23,7 @@ public:
     void sample_rate(double hz);
     void console(char character);
 
+    bool is_black() const;  // all of the picture
     Image picture() const;  // 640 x 480; black before the first frame
     std::uint64_t frames = 0, new_pictures = 0;
 

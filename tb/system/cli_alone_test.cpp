@@ -46,6 +46,11 @@ TEST_F(ProgramAlone, RunsOnUntilItsLastPictureIsSeenWhenABareMetalProgramStandsS
     EXPECT_EQ(report()["frames"]["swapped"], 1u);
 }
 
+TEST_F(ProgramAlone, GetsNoAdviceOnADisplayThatItDoesNotUse) {
+    for (const char* elf : {LINUX_PROGRAMS "hello", STANDS_STILL_ELF})
+        EXPECT_EQ(alone(elf).err, "") << elf << " shows nothing, or just what it has drawn";
+}
+
 TEST_F(ProgramAlone, RunsAsLongAsTheCommandLineSays) {
     const tb::Outcome outcome = alone(LEDS_ELF, {"--duration", "150ms"});
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;

@@ -29,9 +29,11 @@ TEST_F(DyingProgram, FailsWhenItsUndefinedInstructionEndsInASpinningVector) {
 }
 
 TEST_F(DyingProgram, FailsWhenItsPrefetchAbortEndsInASpinningVector) {
-    dies(PREFETCH_ABORT_ELF,
-         "prefetch abort: no instruction to be read at [0-9.]+ ms, PC 0x80000000; "
-         "never left its handler: " PLACE);
+    dies(
+        PREFETCH_ABORT_ELF,
+        "prefetch abort: no instruction to be read \\(no memory at 0x80000000: [A-Z0-9]+ begins at "
+        "0xC0000000; LR 0x[0-9A-F]+; called from main.*\\) at [0-9.]+ ms, PC 0x80000000; "
+        "never left its handler: " PLACE);
 }
 
 TEST_F(DyingProgram, FailsWhenItsDataAbortEndsInASpinningVector) {

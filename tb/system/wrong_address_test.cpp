@@ -28,13 +28,20 @@ protected:
 TEST_F(WrongAddress, BetweenTheRegistersIsADataAbortWithAddressAndTime) {
     abort_with([](hal::Mmio& io, hal::Cpu&) { io.read(0xFF2FF000); },
                "data abort: read of 4 bytes at 0xFF2FF000 at 2\\.000[0-9]* ms "
-               "\\(nothing answers there: the nearest is CODEC, 0xFF205100 to 0xFF20510F\\)");
+               "\\(no block at 0xFF2FF000: the nearest is CODEC, 0xFF205100 to 0xFF20510F\\)");
 }
 
 TEST_F(WrongAddress, BehindTheSdramIsADataAbortWithAddressAndTime) {
     abort_with([](hal::Mmio& io, hal::Cpu&) { io.write(0xC4000000, 1); },
                "data abort: write of 4 bytes at 0xC4000000 at 2\\.000[0-9]* ms "
-               "\\(nothing answers there: the nearest is SDRAM, 0xC0000000 to 0xC3FFFFFF\\)");
+               "\\(no memory at 0xC4000000: SDRAM ends at 0xC3FFFFFF\\)");
+}
+
+TEST_F(WrongAddress, OfABlockOfTheHpsThatIsNotModelledSaysWhichItIs) {
+    abort_with([](hal::Mmio& io, hal::Cpu&) { io.read(0xFFC04010); },
+               "data abort: read of 4 bytes at 0xFFC04010 at 2\\.000[0-9]* ms "
+               "\\(I2C0 of the HPS \\(the accelerometer\\), 0xFFC04000 to 0xFFC04FFF, "
+               "is not modelled\\)");
 }
 
 TEST_F(WrongAddress, BehindABridgeInResetIsADataAbortThatSaysSo) {
@@ -54,13 +61,19 @@ TEST_F(WrongAddress, WithAWrongSizeIsADataAbortThatSaysSo) {
             io.write_words(0xFFFEC200, words, 2);
         },
         "data abort: write of 8 bytes at 0xFFFEC200 at 2\\.000[0-9]* ms "
-        "\\(writes of 8 bytes are not taken there: global_timer takes aligned words\\)");
+        "\\(the A9's global timer takes no writes of 8 bytes at 0xFFFEC200: aligned words only\\)");
 }
 
 TEST_F(WrongAddress, WhereTheBoardHasNothingIsADataAbortWithAddressAndTime) {
     abort_with([](hal::Mmio& io, hal::Cpu&) { io.read(0x80000000); },
                "data abort: read of 4 bytes at 0x80000000 at 2\\.000[0-9]* ms "
-               "\\(nothing answers there: .*\\)");
+               "\\(no memory at 0x80000000: [A-Z0-9]+ begins at 0xC0000000\\)");
+}
+
+TEST_F(WrongAddress, BehindTheDdr3IsADataAbortThatSaysWhereItEnds) {
+    abort_with([](hal::Mmio& io, hal::Cpu&) { io.write(0x40000000, 0); },
+               "data abort: write of 4 bytes at 0x40000000 at 2\\.000[0-9]* ms "
+               "\\(no memory at 0x40000000: the DDR3 ends at 0x3FFFFFFF\\)");
 }
 
 TEST_F(WrongAddress, InTheMiddleOfABurstIsADataAbortOfTheBurst) {
@@ -70,7 +83,7 @@ TEST_F(WrongAddress, InTheMiddleOfABurstIsADataAbortOfTheBurst) {
             io.write_words(0xC8080000 - 64, words, 32);  // half of it behind the window
         },
         "data abort: write of 128 bytes at 0xC807FFC0 at 2\\.00[0-9]* ms "
-        "\\(nothing answers there: the nearest is ONCHIP, 0xC8000000 to 0xC803FFFF\\)");
+        "\\(no memory at 0xC807FFC0: ONCHIP ends at 0xC803FFFF\\)");
 }
 
 }  // namespace

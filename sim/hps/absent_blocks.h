@@ -1,0 +1,53 @@
+// absent_blocks.h - what the HPS has and the simulation has not, by name and address.
+//
+// Source: Cyclone V HPS memory map (cv_5v4, address map for HPS).
+#pragma once
+
+#include <vector>
+
+#include "sim/hps/bus.h"
+
+namespace sim {
+
+inline std::vector<Bus::Place> absent_blocks() {
+    return {
+        {"the trace module STM", 0xFC000000, 0x3000000},
+        {"the debug access port", 0xFF000000, 0x200000},
+        {"the registers of the lightweight bridge", 0xFF400000, 0x100000},
+        {"the registers of the HPS-to-FPGA bridge", 0xFF500000, 0x100000},
+        {"the registers of the FPGA-to-HPS bridge", 0xFF600000, 0x100000},
+        {"Ethernet, EMAC0", 0xFF700000, 0x2000},
+        {"Ethernet, EMAC1", 0xFF702000, 0x2000},
+        {"the SD card's controller", 0xFF704000, 0x1000},
+        {"the QSPI flash's controller", 0xFF705000, 0x1000},
+        {"the ACP's mapper", 0xFF707000, 0x1000},
+        {"GPIO0 of the HPS", 0xFF708000, 0x1000},
+        {"GPIO2 of the HPS", 0xFF70A000, 0x1000},
+        {"the NAND flash", 0xFF900000, 0x100000},
+        {"the QSPI flash", 0xFFA00000, 0x100000},
+        {"USB0", 0xFFB00000, 0x40000},
+        {"USB1", 0xFFB40000, 0x40000},
+        {"the NAND flash's controller", 0xFFB80000, 0x10000},
+        {"the FPGA manager's data port", 0xFFB90000, 0x1000},
+        {"CAN0", 0xFFC00000, 0x1000},
+        {"CAN1", 0xFFC01000, 0x1000},
+        {"UART1", 0xFFC03000, 0x1000},
+        {"I2C0 of the HPS (the accelerometer)", 0xFFC04000, 0x1000},
+        {"I2C1 of the HPS", 0xFFC05000, 0x1000},
+        {"I2C2 of the HPS", 0xFFC06000, 0x1000},
+        {"I2C3 of the HPS", 0xFFC07000, 0x1000},
+        {"the DDR3's controller", 0xFFC20000, 0x20000},
+        {"watchdog 0 of the HPS", 0xFFD02000, 0x1000},
+        {"watchdog 1 of the HPS", 0xFFD03000, 0x1000},
+        {"the clock manager", 0xFFD04000, 0x1000},
+        {"the DMA controller", 0xFFE00000, 0x2000},
+        {"SPI slave 0", 0xFFE02000, 0x1000},
+        {"SPI slave 1", 0xFFE03000, 0x1000},
+        {"SPI master 0", 0xFFF00000, 0x1000},
+        {"SPI master 1", 0xFFF01000, 0x1000},
+        {"the scan manager", 0xFFF02000, 0x1000},
+        {"the boot ROM", 0xFFFD0000, 0x10000},
+    };
+}
+
+}  // namespace sim
