@@ -15,6 +15,8 @@ constexpr std::uint32_t H2F_BASE = 0xC0000000, H2F_SIZE = 0x3C000000;
 constexpr std::uint32_t LW_BASE = 0xFF200000, LW_SIZE = 0x00200000;
 constexpr std::uint32_t ON_CHIP_RAM_BASE = 0xFFFF0000, ON_CHIP_RAM_SIZE = 0x10000;
 
+double seconds(std::uint64_t ps) { return static_cast<double>(ps) * 1e-12; }
+
 std::unique_ptr<Processor> processor_for(Board::Software software, Audience& audience) {
     if (auto* firmware = std::get_if<Firmware>(&software))
         return std::make_unique<NativeCpu>("cpu", std::move(*firmware));
@@ -34,6 +36,7 @@ const std::vector<MemoryRange>& program_memory() {
 Board::Board(const sc_core::sc_module_name& name, Audience& audience, Software software,
              std::uint64_t seed, const std::string& trace_file, Fpga::Memory memory)
     : sc_module{name},
+      audience_{audience},
       monitor{[&audience](const Monitor::Frame& frame) { audience.frame(frame); }},
       codec_chip{[this, &audience](const StereoSample& sample, std::uint64_t) {
           if (codec_chip.rate_hz() != rate_hz_)
@@ -68,6 +71,10 @@ Board::Board(const sc_core::sc_module_name& name, Audience& audience, Software s
     bus.describe("h2f", "the full bridge", fpga_places(H2F_BASE, H2F_SIZE));
     bus.describe("lw", "the lightweight bridge", fpga_places(LW_BASE, LW_SIZE));
     cpu.explain_by([this](auto... access) { return bus.refusal(access...); });
+    hps.gpio1.on_led([this](bool lit, const sc_core::sc_time& now) {
+        lamps_.hps_led = lit;
+        audience_.lamps(lamps_, now.to_seconds());
+    });
     fpga.on_interrupts([this](std::uint32_t levels) { hps.fpga_interrupts(levels); });
 }
 
@@ -84,10 +91,33 @@ void Board::codec(const CodecPins& pins, std::uint64_t time_ps, FabricInputs& in
     in.adcdat = codec_chip.adcdat();
 }
 
-void Board::headers(const HeaderPins& pins, std::uint64_t, FabricInputs& in) {
+void Board::headers(const HeaderPins& pins, std::uint64_t time_ps, FabricInputs& in) {
     header_pins_ = pins;
     in.jp1 = jp1();
     in.jp2 = pins.jp2 | ~pins.jp2_oe;  // nothing is plugged in: pull-ups
+    lamps_.jp1 = {in.jp1, pins.jp1_oe};
+    lamps_.jp2 = {in.jp2, pins.jp2_oe};
+    audience_.lamps(lamps_, seconds(time_ps));
+}
+
+void Board::lamps(const LampPins& pins, std::uint64_t time_ps) {
+    constexpr std::uint64_t SEGMENTS = (std::uint64_t{1} << 42) - 1;
+    lamps_.ledr = pins.ledr;
+    lamps_.hex = ~pins.hex_n & SEGMENTS;
+    audience_.lamps(lamps_, seconds(time_ps));
+}
+
+std::vector<std::string> Board::characters() {
+    constexpr unsigned ROWS = 60, COLUMNS = 80, BURST = 40;
+    std::vector<std::string> rows;
+    for (unsigned y = 0; y < ROWS; ++y) {
+        std::string row(COLUMNS, ' ');
+        for (unsigned x = 0; x < COLUMNS; x += BURST)
+            fpga.peek_full(regmap::CHARACTERS_BASE - H2F_BASE + (y << 7) + x,
+                           reinterpret_cast<std::uint8_t*>(&row[x]), BURST);
+        rows.push_back(row);
+    }
+    return rows;
 }
 
 void Board::adc(const AdcPins& pins, std::uint64_t time_ps, FabricInputs& in) {

@@ -34,6 +34,20 @@
 
 namespace sim {
 
+// What can be seen without a monitor.
+struct Lamps {
+    struct Header {
+        std::uint32_t levels, outputs;  // of JP1 or JP2 as bits 31:0 of its registers have them
+        bool operator==(const Header& o) const {
+            return levels == o.levels && outputs == o.outputs;
+        }
+    };
+    std::uint16_t ledr = 0;
+    std::uint64_t hex = 0;  // segments that are lit, HEX5's in 41:35 ... HEX0's in 6:0
+    bool hps_led = false;
+    Header jp1{0xFFFFFFFF, 0}, jp2{0xFFFFFFFF, 0};
+};
+
 // Where what the board shows, plays and prints goes.
 class Audience {
 public:
@@ -41,6 +55,8 @@ public:
     virtual void sample(std::int16_t left, std::int16_t right) = 0;
     virtual void sample_rate(double hz) = 0;
     virtual void console(char character) = 0;
+    // Whenever one of them has moved.
+    virtual void lamps(const Lamps& /*lamps*/, double /*time_s*/) {}
     // What a person should know of the program: aborts, resets.
     virtual void log(const std::string& /*line*/) {}
 
@@ -72,6 +88,12 @@ public:
     // On the PS/2 keyboard: characters with a scan_code().
     void type_keys(const std::string& text) { ps2_keyboard.type(text); }
 
+    // As of the last clock that was run.
+    const Lamps& lamps() const { return lamps_; }
+    // The character buffer's 60 rows of 80, as the processor would read it; once the run is over,
+    // outside simulated time.  The monitor shows letters, but only as pixels.
+    std::vector<std::string> characters();
+
 private:
     void video(const std::uint32_t* samples, std::size_t count) override;
     void codec(const CodecPins& pins, std::uint64_t time_ps, FabricInputs& in) override;
@@ -79,11 +101,14 @@ private:
     void adc(const AdcPins& pins, std::uint64_t time_ps, FabricInputs& in) override;
     void sdram(const SdramPins& pins, std::uint64_t time_ps, std::uint16_t& dq,
                bool& more) override;
+    void lamps(const LampPins& pins, std::uint64_t time_ps) override;
     void ps2(unsigned clk_low, unsigned dat_low, FabricInputs& in) override;
     void jtag_byte(unsigned number, char byte, FabricInputs& in) override;
     std::uint32_t jp1() const;
     void ps2_wires(FabricInputs& in) const;
 
+    Audience& audience_;
+    Lamps lamps_;
     HeaderPins header_pins_{};
     unsigned ps2_clk_low_ = 0, ps2_dat_low_ = 0;    // by the FPGA
     double rate_hz_ = 0;                            // of the samples given to the audience so far

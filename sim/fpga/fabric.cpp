@@ -194,6 +194,11 @@ void Fabric::tell_pins() {
         was = {top.jp1_o, top.jp1_oe_o, top.jp2_o, top.jp2_oe_o};
         pins_.headers(was, time_ps(), in);
     }
+    const bool lamps_moved = top.ledr_o != lamps_was_.ledr || top.hex_no != lamps_was_.hex_n;
+    if (lamps_moved && !top.rst_i) {  // before, they are of a model that has not begun
+        lamps_was_ = {top.ledr_o, top.hex_no};
+        pins_.lamps(lamps_was_, time_ps());
+    }
     const std::uint32_t adc =
         static_cast<std::uint32_t>(top.adc_convst_o | top.adc_sck_o << 1 | top.adc_sdi_o << 2);
     if (adc != adc_was_) {

@@ -38,6 +38,11 @@ struct SdramPins {
     bool dq_driven;
 };
 
+struct LampPins {
+    std::uint16_t ledr;
+    std::uint64_t hex_n;  // as Fabric::hex_n()
+};
+
 struct AdcPins {
     bool convst, sck, sdi;
 };
@@ -76,6 +81,7 @@ public:
     // Called after a clock in which one of them moved; may change `in`.
     virtual void codec(const CodecPins& pins, std::uint64_t time_ps, FabricInputs& in) = 0;
     virtual void headers(const HeaderPins& pins, std::uint64_t time_ps, FabricInputs& in) = 0;
+    virtual void lamps(const LampPins& /*pins*/, std::uint64_t /*time_ps*/) {}
     virtual void adc(const AdcPins& pins, std::uint64_t time_ps, FabricInputs& in) = 0;
     // Called in each clock in which CS_N is low, and in the next ones for as long as `more` stays
     // true.  `dq` is what is on DQ when the next clock begins.
@@ -151,6 +157,7 @@ private:
     unsigned video_count_ = 0;
     std::uint32_t codec_was_ = 0, adc_was_ = 0;
     HeaderPins headers_was_{0, 0, 0, 0};
+    LampPins lamps_was_{0, (std::uint64_t{1} << 42) - 1};
     unsigned ps2_was_ = 0;
 };
 

@@ -85,6 +85,10 @@ std::optional<std::uint32_t> Fpga::peek(std::uint32_t offset) {
     return value;
 }
 
+bool Fpga::peek_full(std::uint32_t offset, std::uint8_t* bytes, unsigned count) {
+    return fabric_.read(Bridge::FULL, offset, bytes, count) == AxiResponse::OKAY;
+}
+
 void Fpga::scan_line() {
     catch_up();
     next_trigger(scan_line_time);

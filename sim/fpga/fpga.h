@@ -56,6 +56,9 @@ public:
     // A register on the lightweight bridge, read outside simulated time once the run is over.
     std::optional<std::uint32_t> peek(std::uint32_t offset);
 
+    // The same for `count` bytes on the full bridge, one AXI burst.  False: nobody answers.
+    bool peek_full(std::uint32_t offset, std::uint8_t* bytes, unsigned count);
+
     void end_trace() { fabric_.end_trace(); }
 
     const Fabric& fabric() const { return fabric_; }

@@ -46,8 +46,9 @@ std::uint32_t HpsGpio::read(std::uint32_t offset, const sc_core::sc_time&) {
     }
 }
 
-void HpsGpio::write(std::uint32_t offset, std::uint32_t value, const sc_core::sc_time&) {
+void HpsGpio::write(std::uint32_t offset, std::uint32_t value, const sc_core::sc_time& now) {
     const std::uint32_t before = pins();
+    const bool was_lit = led();
     switch (offset) {
         case DATA: data_ = value & ALL; break;
         case DIRECTION: direction_ = value & ALL; break;
@@ -61,6 +62,7 @@ void HpsGpio::write(std::uint32_t offset, std::uint32_t value, const sc_core::sc
         default: break;
     }
     pins_moved(before);
+    if (led() != was_lit) told_(led(), now);
 }
 
 }  // namespace sim

@@ -26,6 +26,10 @@ public:
     HpsGpio(const sc_core::sc_module_name& module_name, std::function<void(bool up)> line)
         : Registers{module_name}, line_{std::move(line)} {}
 
+    // Called with the processor's time when the LED goes on or off.
+    void on_led(std::function<void(bool lit, const sc_core::sc_time& now)> told) {
+        told_ = std::move(told);
+    }
     bool led() const { return pins() >> LED & 1 && direction_ >> LED & 1; }
     void press_key(bool pressed) { drive(KEY, !pressed); }
 
@@ -45,6 +49,7 @@ private:
     std::uint32_t outside_ = ALL;  // what the board drives or pulls
     std::uint32_t captured_ = 0;   // edges
     std::function<void(bool)> line_;
+    std::function<void(bool, const sc_core::sc_time&)> told_ = [](bool, const auto&) {};
 };
 
 }  // namespace sim

@@ -69,6 +69,32 @@ nlohmann::ordered_json program_json(const RunReport::Program& program) {
     return json;
 }
 
+nlohmann::ordered_json shown_json(const std::vector<RunReport::Shown>& all) {
+    using Json = nlohmann::ordered_json;
+    Json json = Json::object();
+    for (const RunReport::Shown& shown : all) {
+        Json one = Json::object(), changes = Json::array();
+        for (const auto& [name, value] : shown.at_end) one[name] = value;
+        for (const auto& [time_s, fields] : shown.changes) {
+            Json change = {{"time_s", time_s}};
+            for (const auto& [name, value] : fields) change[name] = value;
+            changes.push_back(std::move(change));
+        }
+        one["changes"] = {{"count", shown.changes.size() + shown.left_out},
+                          {"first", std::move(changes)}};
+        json[shown.name] = std::move(one);
+    }
+    return json;
+}
+
+// The rows that have something in them, numbered from 0.
+nlohmann::ordered_json characters_json(const std::vector<std::string>& rows) {
+    nlohmann::ordered_json json = nlohmann::ordered_json::array();
+    for (std::size_t y = 0; y < rows.size(); ++y)
+        if (!rows[y].empty()) json.push_back({{"row", y}, {"text", rows[y]}});
+    return json;
+}
+
 // What went wrong with the run as a whole, beside its expectations.
 std::vector<std::string> run_errors(const RunReport& report) {
     std::vector<std::string> errors = report.faults;
@@ -139,6 +165,8 @@ std::string to_json(const RunReport& report) {
           {"samples", report.audio.samples},
           {"underruns", report.audio.underruns}}},
         {"key_events", report.key_events},
+        {"shown", shown_json(report.shown)},
+        {"characters", characters_json(report.characters)},
         {"timing_violations",
          {{"count", report.timing_violation_count}, {"first", first(report.timing_violations)}}},
         {"sdram_violations",

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "sim/report/tap.h"
@@ -51,6 +52,15 @@ struct RunReport {
         Spread bus_share;   // of the frame's time, waiting for registers and FPGA memory
     };
 
+    // What a lamp, a row of digits or a header showed.
+    struct Shown {
+        using Fields = std::vector<std::pair<std::string, std::string>>;
+        std::string name;
+        Fields at_end;
+        std::vector<std::pair<double, Fields>> changes;  // the first of them, by seconds
+        std::uint64_t left_out = 0;                      // that came then
+    };
+
     // Only of the processor "arm".
     struct Program {
         std::string elf;
@@ -80,6 +90,8 @@ struct RunReport {
     Bus bus;
     Audio audio;
     std::uint64_t key_events = 0;
+    std::vector<Shown> shown;
+    std::vector<std::string> characters;  // rows of the character buffer, at the end
 
     std::uint64_t timing_violation_count = 0;
     std::vector<std::string> timing_violations;  // the first 20; more are not printed
@@ -87,7 +99,8 @@ struct RunReport {
     std::vector<std::string> sdram_violations;  // the same
     std::vector<std::string> faults;
     std::uint64_t log_lines = 0;
-    std::vector<std::string> log;     // the first of them: aborts that the program handled, resets
+    std::vector<std::string> log;  // the first of them: aborts that the program handled, resets
+    std::string lamps;             // what is lit in the end, as a person says it; for the summary
     std::vector<std::string> advice;  // what may be why it looks as it does; for the summary alone
     std::vector<Expectation> expectations;
     std::vector<Check> checks;  // that the program made itself; not in the file if there is none

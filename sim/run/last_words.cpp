@@ -66,13 +66,15 @@ void on_death(int signal) {
     _exit(WRONG_INPUT);
 }
 
-// A signal that somebody knows better what to do with stays theirs, as SIGBUS with waveforms.
+// SIGBUS is that of a full disk where waveforms are written, and stays theirs.  What a translator
+// of instructions has put on SIGSEGV only says so and goes on.
 void handle_by(void (*handler)(int)) {
 #ifndef __SANITIZE_ADDRESS__
     for (const Ending& ending : ENDINGS) {
         struct sigaction action {};
         sigaction(ending.signal, nullptr, &action);
-        if (action.sa_handler != SIG_DFL && action.sa_handler != on_death) continue;
+        const bool theirs = action.sa_handler != SIG_DFL && action.sa_handler != on_death;
+        if (ending.signal == SIGBUS && theirs) continue;
         action = {};
         action.sa_handler = handler;
         action.sa_flags = SA_ONSTACK | SA_RESETHAND;

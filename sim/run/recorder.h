@@ -13,6 +13,7 @@
 #include "sim/report/frame_writer.h"
 #include "sim/report/wav.h"
 #include "sim/report/whole_file.h"
+#include "sim/run/lamp_log.h"
 #include "sim/run/options.h"
 #include "sim/run/output_folder.h"
 #include "sim/scenario/senses.h"
@@ -29,6 +30,7 @@ public:
     void sample(std::int16_t left, std::int16_t right) override;
     void sample_rate(double hz) override;
     void console(char character) override;
+    void lamps(const Lamps& lamps, double time_s) override { lamp_log_.show(lamps, time_s); }
     // To stderr as it comes, and kept; from the 21st line on they are only counted.
     void log(const std::string& line) override;
 
@@ -37,6 +39,7 @@ public:
     // Called at the end of each frame that the monitor shows.
     std::function<void()> on_frame = [] {};
     Senses& senses() { return senses_; }
+    const LampLog& lamp_log() const { return lamp_log_; }
     bool failed() const { return error_ != nullptr; }
 
     // Writes what is still open.  IoError or another error, also one from before.
@@ -52,6 +55,7 @@ private:
     std::optional<FrameWriter> frame_writer_;
     WavWriter wav_;
     WholeFile console_;
+    LampLog lamp_log_;
     std::vector<std::string> log_;
     std::uint64_t log_lines_ = 0;
     std::exception_ptr error_;

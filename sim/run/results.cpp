@@ -28,6 +28,27 @@ bool has_drawn(Board& board) {
            !holds(regmap::PIXEL_BACK_BUFFER, regmap::ONCHIP_BASE);
 }
 
+// A row of characters without the blanks at its end; what is no letter in ASCII is "?".
+std::string text_of(std::string row) {
+    for (char& c : row)
+        if (c == 0)
+            c = ' ';
+        else if (c < ' ' || c > '~')
+            c = '?';
+    return row.substr(0, row.find_last_not_of(' ') + 1);
+}
+
+// What is seen besides pictures, a line each.
+std::string seen(const RunReport& report) {
+    constexpr unsigned MOST = 10;
+    std::string text = report.lamps.empty() ? "" : report.lamps + "\n";
+    unsigned rows = 0;
+    for (const std::string& row : report.characters)
+        if (!row.empty() && ++rows <= MOST) text += "  | " + row + "\n";
+    if (rows > MOST) text += fmt::format("  and {} more rows of characters\n", rows - MOST);
+    return text;
+}
+
 // The scenario's, or the program's where there is none.
 std::string name_of(const RunReport& report) {
     if (!report.scenario.empty() || !report.program) return report.scenario;
@@ -55,18 +76,23 @@ void add_results(RunReport& report, Board& board, const ArmRun* arm, const Playe
         report.last_frame_sha256 = sha256_hex(recorder.senses().picture().rgb);
     const BusCounts& bus = board.bus.counts();
     report.bus = {bus.reads, bus.writes, bus.bursts, bus.errors};
+    report.shown = recorder.lamp_log().shown();
+    report.lamps = recorder.lamp_log().say();
     report.key_events = board.keypad.presses() + board.keypad.releases();
     report.timing_violation_count = board.monitor.violations();
     report.timing_violations = board.monitor.messages();
     report.sdram_violation_count = board.sdram_chip.violations();
     report.sdram_violations = board.sdram_chip.messages();
     if (arm) report.program = arm->program();
+    report.audio = {recorder.senses().rate_hz, recorder.senses().samples, 0};
     if (report.simulated_s > FIRST_FRAMES_S && report.frames_shown == 0)
         report.advice.push_back("the monitor found no picture");
+    // From here on, reading moves the board.
+    report.audio.underruns = underruns(board);
+    for (const std::string& row : board.characters()) report.characters.push_back(text_of(row));
     if (report.frames_shown > 1 && report.frames_swapped == 1 && recorder.senses().is_black() &&
         has_drawn(board))
         report.advice.push_back("the picture never changed: the firmware did not swap");
-    report.audio = {recorder.senses().rate_hz, recorder.senses().samples, underruns(board)};
 }
 
 bool summarise(const RunReport& report, const std::filesystem::path& out) {
@@ -99,10 +125,10 @@ bool summarise(const RunReport& report, const std::filesystem::path& out) {
         fmt::format("{} of {} {} met; ", met, decided,
                     report.checks.empty() ? "expectations" : "expectations and checks");
     return print_result(fmt::format(
-        "{}: {}; {:.3f} s simulated in {:.2f} s, {} frames ({} new pictures), {}see {}\n",
+        "{}: {}; {:.3f} s simulated in {:.2f} s, {} frames ({} new pictures), {}see {}\n{}",
         printable(name_of(report)), to_string(report.end), report.simulated_s, report.wall_s,
-        report.frames_shown, report.frames_swapped, decided ? verdict : "",
-        printable(out.string())));
+        report.frames_shown, report.frames_swapped, decided ? verdict : "", printable(out.string()),
+        seen(report)));
 }
 
 }  // namespace sim

@@ -27,6 +27,9 @@ RunReport sample() {
     r.bus = {1, 2, 3, 4};
     r.audio = {8138.02, 20345, 6};
     r.key_events = 8;
+    const RunReport::Shown::Fields digits{{"text", "    12"}, {"segments", "00 00 00 00 06 5B"}};
+    r.shown = {{"hex", digits, {{0.5, digits}}, 41}};
+    r.characters = {"", " hello", ""};
     r.timing_violation_count = 1;
     r.timing_violations = {"H total 799"};
     r.sdram_violation_count = 2;
@@ -58,6 +61,11 @@ TEST(ReportJson, SaysEverythingThatTheRunKnows) {
         "bus": {"reads": 1, "writes": 2, "bursts": 3, "errors": 4},
         "audio": {"rate_hz": 8138.02, "samples": 20345, "underruns": 6},
         "key_events": 8,
+        "shown": {
+            "hex": {"text": "    12", "segments": "00 00 00 00 06 5B",
+                    "changes": {"count": 42, "first": [
+                        {"time_s": 0.5, "text": "    12", "segments": "00 00 00 00 06 5B"}]}}},
+        "characters": [{"row": 1, "text": " hello"}],
         "timing_violations": {"count": 1, "first": ["H total 799"]},
         "sdram_violations": {"count": 2, "first": ["READ at 1.00 us: bank 1 has no open row"]},
         "expectations": [

@@ -1,0 +1,79 @@
+#include "sim/run/lamp_log.h"
+
+#include <fmt/format.h>
+
+#include "sim/scenario/seven_segment.h"
+
+namespace sim {
+
+namespace {
+
+using Fields = RunReport::Shown::Fields;
+
+std::string bits(std::uint16_t ledr) { return fmt::format("{:010b}", ledr); }
+
+HexSegments segments(std::uint64_t hex) {
+    HexSegments digits{};
+    for (std::uint8_t& digit : digits) {
+        digit = hex & 0x7F;
+        hex >>= 7;
+    }
+    return digits;
+}
+
+Fields ledr_fields(std::uint16_t ledr) { return {{"lit", bits(ledr)}}; }
+
+Fields hex_fields(std::uint64_t hex) {
+    const HexSegments digits = segments(hex);
+    std::string all;
+    for (auto digit = digits.rbegin(); digit != digits.rend(); ++digit)
+        all += fmt::format("{}{:02X}", all.empty() ? "" : " ", *digit);
+    return {{"text", hex_text(digits)}, {"segments", all}};
+}
+
+Fields led_fields(bool lit) { return {{"lit", lit ? "1" : "0"}}; }
+
+Fields header_fields(const Lamps::Header& header) {
+    return {{"levels", fmt::format("0x{:08X}", header.levels)},
+            {"outputs", fmt::format("0x{:08X}", header.outputs)}};
+}
+
+template <class State, class ToFields>
+RunReport::Shown shown_of(const char* name, const Changes<State>& changes, ToFields to_fields) {
+    RunReport::Shown shown{name, to_fields(changes.now()), {}, changes.left_out()};
+    for (const auto& [time_s, state] : changes.first())
+        shown.changes.emplace_back(time_s, to_fields(state));
+    return shown;
+}
+
+}  // namespace
+
+void LampLog::show(const Lamps& lamps, double time_s) {
+    ledr_.show(time_s, lamps.ledr);
+    hex_.show(time_s, lamps.hex);
+    hps_led_.show(time_s, lamps.hps_led);
+    jp1_.show(time_s, lamps.jp1);
+    jp2_.show(time_s, lamps.jp2);
+}
+
+std::vector<RunReport::Shown> LampLog::shown() const {
+    return {shown_of("ledr", ledr_, ledr_fields), shown_of("hex", hex_, hex_fields),
+            shown_of("hps_led", hps_led_, led_fields), shown_of("jp1", jp1_, header_fields),
+            shown_of("jp2", jp2_, header_fields)};
+}
+
+std::string LampLog::say() const {
+    std::string text;
+    const auto add = [&text](bool there, const std::string& what) {
+        if (there) text += (text.empty() ? "" : ", ") + what;
+    };
+    add(ledr_.now() != 0, "LEDR " + bits(ledr_.now()));
+    add(hex_.now() != 0, "HEX \"" + hex_text(segments(hex_.now())) + "\"");
+    add(hps_led_.now(), "the HPS's LED is lit");
+    for (const auto& [name, header] : {std::pair{"JP1", jp1_.now()}, {"JP2", jp2_.now()}})
+        add(header.outputs != 0, fmt::format("{} puts 0x{:08X} on 0x{:08X}", name,
+                                             header.levels & header.outputs, header.outputs));
+    return text;
+}
+
+}  // namespace sim

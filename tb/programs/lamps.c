@@ -1,0 +1,30 @@
+// lamps.c - what shows without a monitor: LEDR, HEX, the HPS's LED, JP1's pins, characters.
+//
+// HEX shows 6, 7 and 9 in the forms that programs use besides a font's, and two dark digits.  With
+// KEY0 pressed it goes on: LEDR counts to 300 as fast as it can.
+#include "bare/registers.h"
+
+#define HPS_GPIO1_DATA REGISTER(0xFF709000)
+#define HPS_GPIO1_DIRECTION REGISTER(0xFF709004)
+#define CHARACTERS ((volatile char*)0xC9000000)
+
+static void print(unsigned x, unsigned y, const char* text) {
+    for (volatile char* to = CHARACTERS + (y << 7) + x; *text; ++text, ++to) *to = *text;
+}
+
+int main(void) {
+    LEDR = 0x201;
+    LEDR = 0x2AA;
+    HEX3_0 = 0x7C276700;  // "679 " in HEX3 to HEX0
+    HEX5_4 = 0x0000;
+    HPS_GPIO1_DIRECTION = 1u << 24;
+    HPS_GPIO1_DATA = 1u << 24;
+    JP1_DIRECTION = 0x0000F000;
+    JP1 = 0x00005000;
+    print(2, 1, "score 12");
+    print(0, 59, "\"end\"");
+    while (!(KEY & 1)) {
+    }
+    for (unsigned i = 1; i <= 300; ++i) LEDR = i;
+    for (;;) __asm volatile("");
+}
