@@ -46,7 +46,7 @@ demo: configure         ## ten seconds of the demo -> out/
 	@cmake --build build --target de1sim firmware
 	build/bin/de1sim run tb/system/demo.yaml --cpu arm --elf build/firmware/collide.elf --out out
 	@echo
-	@echo "  out/frames/frame_000300.png   what the monitor showed (any image viewer)"
+	@echo "  out/frames/*.png              what the monitor showed (any image viewer)"
 	@echo "  out/audio.wav                 what the line-out played (any audio player)"
 	@echo "  out/report.json, junit.xml    what was counted and expected"
 

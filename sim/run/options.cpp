@@ -28,6 +28,7 @@ std::string named(const std::string& name) {
 }
 
 std::optional<FrameChoice> FrameChoice::parse(const std::string& text) {
+    if (text == "new") return FrameChoice{Which::NEW, 1};
     if (text == "all") return FrameChoice{Which::ALL, 1};
     if (text == "last") return FrameChoice{Which::LAST, 1};
     if (text == "none") return FrameChoice{Which::NONE, 1};
@@ -102,10 +103,11 @@ void add_run_options(CLI::App& command, RunOptions& options) {
             const auto choice = FrameChoice::parse(text);
             if (!choice)
                 throw CLI::ValidationError(
-                    "--frames", "expected all, every:N, last or none, got \"" + text + "\"");
+                    "--frames", "expected new, all, every:N, last or none, got \"" + text + "\"");
             options.frames = *choice;
         },
-        "which frames become PNG: all (default), every:N, last, none");
+        "which frames become PNG: new, whose picture differs from the frame before (default),\n"
+        "all, every:N, last, none");
     command.add_option_function<std::string>(
         "--duration",
         [&](const std::string& text) {

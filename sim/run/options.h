@@ -16,14 +16,15 @@ class App;
 namespace sim {
 
 struct FrameChoice {
-    enum class Which { ALL, EVERY, LAST, NONE };
-    Which which = Which::ALL;
-    std::uint64_t every = 1;  // for EVERY: frames whose number is a multiple of it
+    enum class Which { NEW, ALL, EVERY, LAST, NONE };
+    Which which = Which::NEW;  // those whose picture differs from the frame before
+    std::uint64_t every = 1;   // for EVERY: frames whose number is a multiple of it
 
-    // "all", "every:N" with N > 0, "last", "none"
+    // "new", "all", "every:N" with N > 0, "last", "none"
     static std::optional<FrameChoice> parse(const std::string& text);
-    bool wants(std::uint64_t number) const {
-        return which == Which::ALL || (which == Which::EVERY && number % every == 0);
+    bool wants(std::uint64_t number, bool is_new) const {
+        return which == Which::ALL || (which == Which::NEW && is_new) ||
+               (which == Which::EVERY && number % every == 0);
     }
 };
 

@@ -23,7 +23,7 @@ void Recorder::attempt(Write write) {
 void Recorder::frame(const Monitor::Frame& frame) {
     senses_.frame(frame);
     on_frame();
-    if (frame_writer_ && frames_.wants(frame.number))
+    if (frame_writer_ && frames_.wants(frame.number, frame.is_new))
         attempt([&] { frame_writer_->push(frame.number, image_of(frame.pixels)); });
 }
 
@@ -39,7 +39,7 @@ void Recorder::sample_rate(double hz) {
 
 void Recorder::console(char character) {
     senses_.console(character);
-    attempt([&] { console_.write(&character, 1); });
+    attempt([&] { console_.print(character); });
 }
 
 void Recorder::log(const std::string& line) {

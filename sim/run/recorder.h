@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "sim/board/board.h"
+#include "sim/report/console_file.h"
 #include "sim/report/frame_writer.h"
 #include "sim/report/wav.h"
-#include "sim/report/whole_file.h"
 #include "sim/run/lamp_log.h"
 #include "sim/run/options.h"
 #include "sim/run/output_folder.h"
@@ -54,7 +54,7 @@ private:
     Senses senses_;
     std::optional<FrameWriter> frame_writer_;
     WavWriter wav_;
-    WholeFile console_;
+    ConsoleFile console_;
     LampLog lamp_log_;
     std::vector<std::string> log_;
     std::uint64_t log_lines_ = 0;

@@ -5,6 +5,7 @@
 
 namespace {
 
+using ::testing::Contains;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::Not;
@@ -44,6 +45,8 @@ TEST_F(ProgramAlone, RunsOnUntilItsLastPictureIsSeenWhenABareMetalProgramStandsS
     EXPECT_LT(report()["simulated_s"], 0.3);
     EXPECT_GE(report()["frames"]["shown"], 5u);
     EXPECT_EQ(report()["frames"]["swapped"], 1u);
+    EXPECT_THAT(files(), Contains(frame(1)));
+    EXPECT_THAT(files(), Not(Contains(frame(2)))) << "it is the same picture";
 }
 
 TEST_F(ProgramAlone, GetsNoAdviceOnADisplayThatItDoesNotUse) {

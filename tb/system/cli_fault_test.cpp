@@ -29,7 +29,7 @@ protected:
 TEST_F(FailingRun, InterruptedLeavesWholeFilesAndSaysSo) {
     tb::Command command;
     command.interrupt_when = [this] { return std::filesystem::exists(out / frame(6)); };
-    const tb::Outcome outcome = play(scenario("duration: 1000s\n"), {}, command);
+    const tb::Outcome outcome = play(scenario("duration: 1000s\n"), {"--frames", "all"}, command);
     EXPECT_EQ(outcome.exit_code, 130);
     EXPECT_THAT(outcome.out, HasSubstr("interrupted"));
     EXPECT_TRUE(report()["interrupted"]);
@@ -102,7 +102,8 @@ TEST_F(FailingRun, OfFirmwareThatNeverSwapsMissesTheSwapThatWasExpected) {
 }
 
 TEST_F(FailingRun, OfFirmwareThatReadsAWrongAddressEndsThereAndNamesIt) {
-    const tb::Outcome outcome = play(scenario("duration: 1s\n"), {"--quiet"}, {}, BAD_ADDRESS);
+    const tb::Outcome outcome =
+        play(scenario("duration: 1s\n"), {"--quiet", "--frames", "all"}, {}, BAD_ADDRESS);
     EXPECT_EQ(outcome.exit_code, 1);
     const std::string fault = "data abort: read of 4 bytes at 0xFF2FF000 at 50.0";
     EXPECT_THAT(outcome.err, HasSubstr(fault));
@@ -118,7 +119,8 @@ TEST_F(FailingRun, WithAnotherPictureThanTheGoldenLeavesThreePicturesAndPrintsWh
     const sim::Image black{640, 480, std::vector<std::uint8_t>(640 * 480 * 3)};
     sim::write_png(folder / "black.png", black);
     const tb::Outcome outcome =
-        play(scenario("steps:\n  - delay: 100ms\n  - expect-frame: {equals: black.png}\n"));
+        play(scenario("steps:\n  - delay: 100ms\n  - expect-frame: {equals: black.png}\n"),
+             {"--frames", "all"});
     EXPECT_EQ(outcome.exit_code, 1);
     const std::string stem = (out / "mismatch/line5_black_").string();
     for (const char* what : {"actual", "expected", "difference"})

@@ -30,7 +30,7 @@ protected:
             first_frame_stayed = std::filesystem::exists(out / frame(1));
             return true;
         };
-        first_run = play(scenario("duration: 1000s\n"), {}, first);
+        first_run = play(scenario("duration: 1000s\n"), {"--frames", "all"}, first);
         return second;
     }
 

@@ -116,7 +116,7 @@ TEST_F(WrongInput, ValuesThatMakeNoSenseAreNamed) {
         usage({"run", "s.yaml", "--out", out, option + "=" + value}, message);
     };
     for (const char* value : {"some", "every", "every:", "every:0", "every:-1", "every:2x"})
-        wrong("--frames", value, "--frames: expected all, every:N, last or none, got \"");
+        wrong("--frames", value, "--frames: expected new, all, every:N, last or none, got \"");
     for (const char* value : {"5", "-1s", "0s", "1h", "s", "2000000s"})
         wrong("--duration", value, "--duration: expected a time such as 500ms or 10s, got \"");
     for (const char* value : {"-1", "one", "0x10", "1.5", "18446744073709551616"})

@@ -121,7 +121,7 @@ TEST_F(HungUp, EndsARunLikeAnInterruption) {
     tb::Command command;
     command.interrupt_when = [this] { return std::filesystem::exists(out / frame(6)); };
     command.interrupt_by = SIGHUP;
-    EXPECT_EQ(play(scenario("duration: 1000s\n"), {}, command).exit_code, 130);
+    EXPECT_EQ(play(scenario("duration: 1000s\n"), {"--frames", "all"}, command).exit_code, 130);
     EXPECT_TRUE(report()["interrupted"]);
     EXPECT_THAT(files(), Each(Not(EndsWith(".part"))));
     EXPECT_THAT(files(), Contains("console.txt"));
@@ -132,7 +132,7 @@ TEST_F(HungUp, UnderNohupEndsNothing) {
     command.interrupt_when = [this] { return std::filesystem::exists(out / frame(2)); };
     command.interrupt_by = SIGHUP;
     command.shell = "trap '' HUP";
-    EXPECT_EQ(play(scenario("duration: 100ms\n"), {}, command).exit_code, 0);
+    EXPECT_EQ(play(scenario("duration: 100ms\n"), {"--frames", "all"}, command).exit_code, 0);
     EXPECT_FALSE(report()["interrupted"]);
     EXPECT_EQ(report()["simulated_s"], 0.1);
 }
@@ -140,8 +140,8 @@ TEST_F(HungUp, UnderNohupEndsNothing) {
 class BrokenRun : public tb::CommandLine {};
 
 TEST_F(BrokenRun, LeavesAReportThatSaysWhatBroke) {
-    const tb::Outcome outcome =
-        play(scenario("duration: 1s\nsteps:\n  - wait-frame: 50\n"), {"--quiet"}, {}, THROWS);
+    const tb::Outcome outcome = play(scenario("duration: 1s\nsteps:\n  - wait-frame: 50\n"),
+                                     {"--quiet", "--frames", "all"}, {}, THROWS);
     EXPECT_EQ(outcome.exit_code, 2);
     const std::string fault = "internal error while simulating, at 0.050";
     EXPECT_THAT(outcome.err, HasSubstr("de1sim: " + fault));

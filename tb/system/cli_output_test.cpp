@@ -55,7 +55,7 @@ TEST_F(CommandLineRun, OfVersionIsOneLine) {
 }
 
 TEST_F(CommandLineRun, WritesTheFilesThatItPromisesAndNoOthers) {
-    EXPECT_EQ(play(scenario("duration: 100ms\n")).exit_code, 0);
+    EXPECT_EQ(play(scenario("duration: 100ms\n"), {"--frames", "all"}).exit_code, 0);
     Names expected{"audio.wav", "console.txt", "junit.xml", "report.json"};
     for (unsigned number = 1; number <= FRAMES_IN_100_MS; ++number) expected.insert(frame(number));
     EXPECT_EQ(files(), expected);
@@ -73,6 +73,10 @@ TEST_F(CommandLineRun, WritesTheFilesThatItPromisesAndNoOthers) {
 
 TEST_F(CommandLineRun, WritesTheFramesThatWereChosen) {
     scenario("duration: 100ms\n");
+    Names all;
+    for (unsigned number = 1; number <= FRAMES_IN_100_MS; ++number) all.insert(frame(number));
+    EXPECT_EQ(play("s.yaml", {"--frames", "all"}).exit_code, 0);
+    EXPECT_EQ(frame_files(), all);
     EXPECT_EQ(play("s.yaml", {"--frames", "every:2"}).exit_code, 0);
     EXPECT_EQ(frame_files(), (Names{frame(2), frame(4)}));
     EXPECT_EQ(play("s.yaml", {"--frames", "last"}).exit_code, 0);

@@ -49,7 +49,8 @@ protected:
     std::filesystem::path played(const std::string& name,
                                  const std::vector<std::string>& cpu) const {
         const std::filesystem::path to = folder / name;
-        std::vector<std::string> words{"run", "s.yaml", "--quiet", "--out", to.string(), "--cpu"};
+        std::vector<std::string> words{"run", "s.yaml", "--quiet",   "--frames",
+                                       "all", "--out",  to.string(), "--cpu"};
         words.insert(words.end(), cpu.begin(), cpu.end());
         tb::Command command;
         const tb::Outcome outcome = de1sim(words, command);
