@@ -83,8 +83,14 @@ public:
     // From the next conversion on; `channel` is 0 to 7.
     void set_voltage(unsigned channel, double volts);
 
-    // At the first JTAG UART's terminal.
-    void type(const std::string& text) { jtag_host.type(text); }
+    // At the first JTAG UART's terminal, and at another one if there is one.
+    void type(const std::string& text) {
+        jtag_host.type(text);
+        typed_(text);
+    }
+    void also_type_to(std::function<void(const std::string&)> terminal) {
+        typed_ = std::move(terminal);
+    }
     // On the PS/2 keyboard: characters with a scan_code().
     void type_keys(const std::string& text) { ps2_keyboard.type(text); }
 
@@ -108,6 +114,7 @@ private:
     void ps2_wires(FabricInputs& in) const;
 
     Audience& audience_;
+    std::function<void(const std::string&)> typed_ = [](const std::string&) {};
     Lamps lamps_;
     HeaderPins header_pins_{};
     unsigned ps2_clk_low_ = 0, ps2_dat_low_ = 0;    // by the FPGA

@@ -146,6 +146,7 @@ public:
     // For a kernel.  How to let some time go by, asleep; the program's end, a fault if `why` is not
     // empty.
     void pause(const sc_core::sc_time& time);
+    void pause(const sc_core::sc_event& until);
     void end(const std::string& why = "");
     std::string where() const;  // "at 12.345678 ms, PC 0x00001234 in main+0x10"
 
@@ -192,6 +193,8 @@ private:
     std::uint64_t budget() const;
     void run_on();
     void sleep(const sc_core::sc_time& at_most);
+    template <class Until>
+    void pause_until(const Until& until);
     void poll(std::uint32_t address, std::uint32_t value);
     void drain();
     bool access(tlm::tlm_command command, std::uint32_t address, unsigned bytes, void* data);

@@ -15,7 +15,7 @@ std::int64_t LinuxFiles::read(int fd, void* data, std::size_t bytes) {
     switch (file->kind) {
         case File::Kind::HOST: return or_error(::read(file->host->fd(), data, bytes));
         case File::Kind::MEMORY: return -EFAULT;
-        default: return 0;
+        default: return console_.read(static_cast<char*>(data), bytes);
     }
 }
 
@@ -25,7 +25,7 @@ std::int64_t LinuxFiles::write(int fd, const void* data, std::size_t bytes) {
     if (file->kind == File::Kind::HOST) return or_error(::write(file->host->fd(), data, bytes));
     if (file->kind == File::Kind::MEMORY) return -EFAULT;
     const char* text = static_cast<const char*>(data);
-    for (std::size_t i = 0; i < bytes; ++i) console_(text[i]);
+    for (std::size_t i = 0; i < bytes; ++i) console_.print(text[i]);
     return static_cast<std::int64_t>(bytes);
 }
 

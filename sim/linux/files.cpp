@@ -46,7 +46,8 @@ int host_flags(std::uint32_t flags) {
 
 }  // namespace
 
-LinuxFiles::LinuxFiles(const std::filesystem::path& root, std::function<void(char)> console)
+LinuxFiles::LinuxFiles(const std::filesystem::path& root, const std::filesystem::path& input,
+                       Console console)
     : console_{std::move(console)} {
     if (!root.empty()) {
         root_ = std::make_shared<Handle>(::open(root.c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC));
@@ -54,7 +55,18 @@ LinuxFiles::LinuxFiles(const std::filesystem::path& root, std::function<void(cha
             throw std::runtime_error{
                 root.string() + ": cannot open as the program's root: " + std::strerror(errno)};
     }
-    add(std::make_shared<File>(File{File::Kind::NOTHING, arm_open::RDONLY}), 0, false);
+    auto in = std::make_shared<File>(File{File::Kind::CONSOLE, arm_open::RDONLY});
+    if (!input.empty()) {
+        in->kind = File::Kind::HOST;
+        in->host = std::make_shared<Handle>(
+            ::open(input.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY));
+        const int error = in->host->fd() < 0 ? errno : -host_status(in->host->fd()).first;
+        const bool folder = std::filesystem::is_directory(input);
+        if (error || folder)
+            throw std::runtime_error{input.string() + ": cannot be standard input: " +
+                                     (folder ? "is a folder" : std::strerror(error))};
+    }
+    add(std::move(in), 0, false);
     const auto out = std::make_shared<File>(File{File::Kind::CONSOLE, arm_open::WRONLY});
     add(out, 1, false);
     add(out, 2, false);
@@ -172,7 +184,7 @@ int LinuxFiles::set_close_on_exec(int fd, bool on) {
 
 bool LinuxFiles::is_console(int fd) const {
     const File* file = find(fd);
-    return file && (file->kind == File::Kind::CONSOLE || file->kind == File::Kind::NOTHING);
+    return file && file->kind == File::Kind::CONSOLE;
 }
 
 bool LinuxFiles::is_memory(int fd) const {

@@ -1,6 +1,6 @@
 // files.h - a Linux process's open files: the console, /dev/mem, and files under a folder.
 //
-//   0 stdin    always at its end            /dev/mem    for mmap; see address_space.h
+//   0 stdin    the console, or a file       /dev/mem    for mmap; see address_space.h
 //   1, 2       the console                  PATH        ROOT/PATH on the host
 //
 // A path is taken from the root, "." and ".." by their text; one that would leave the root is
@@ -34,8 +34,14 @@ struct FileStatus {
 
 class LinuxFiles {
 public:
-    // `root` may be empty.  std::runtime_error if it is no folder that can be opened.
-    LinuxFiles(const std::filesystem::path& root, std::function<void(char)> console);
+    struct Console {
+        std::function<void(char)> print;
+        std::function<std::int64_t(char* to, std::size_t bytes)> read;
+    };
+    // `root` and `input`, which is standard input instead of the console, may be empty.
+    // std::runtime_error if one is no folder, or no file, that can be opened.
+    LinuxFiles(const std::filesystem::path& root, const std::filesystem::path& input,
+               Console console);
 
     int open(const std::string& path, std::uint32_t flags, std::uint32_t mode);
     int close(int fd);
@@ -79,7 +85,7 @@ private:
     };
 
     std::shared_ptr<Handle> root_;  // may be none
-    std::function<void(char)> console_;
+    Console console_;
     std::map<int, Slot> slots_;
     mutable std::map<std::pair<std::uint64_t, std::uint64_t>, std::uint64_t> numbers_;  // of files
 };

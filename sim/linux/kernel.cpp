@@ -27,7 +27,13 @@ LinuxKernel::LinuxKernel(ArmCpu& cpu, LinuxSettings settings, Outside outside)
       outside_{std::move(outside)},
       memory_{cpu.core()},
       helpers_{cpu.core()},
-      files_{settings_.root, outside_.console},
+      terminal_{{[&cpu] { return cpu.now(); },
+                 [&cpu](const sc_core::sc_time& time) { cpu.pause(time); },
+                 [&cpu](const sc_core::sc_event& until) { cpu.pause(until); }, outside_.console}},
+      files_{settings_.root,
+             settings_.input,
+             {outside_.console,
+              [this](char* to, std::size_t bytes) { return terminal_.read(to, bytes); }}},
       random_{SEED} {
     cpu.attach(this);
 }

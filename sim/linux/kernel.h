@@ -10,7 +10,7 @@
 // A wrong access is SIGSEGV, an access that nobody on the bus answers SIGBUS, and so on: handlers
 // are called, and without one the program ends.  That and an exit code other than 0 are faults of
 // the processor (ArmCpu::fault()), told in one line.  What is not emulated is named once on the
-// log and answered ENOSYS.  ioctl is ENOTTY, but to the question whether the console is a terminal.
+// log and answered ENOSYS.  ioctl is ENOTTY, but for the settings of the console: a terminal.
 //
 // Not handled: threads, processes, timers that signal, job control; VFP registers are not saved for
 // a signal's handler; no vDSO, so that the C library makes system calls.
@@ -30,12 +30,14 @@
 #include "sim/linux/files.h"
 #include "sim/linux/signals.h"
 #include "sim/linux/start.h"
+#include "sim/linux/terminal.h"
 
 namespace sim {
 
 struct LinuxSettings {
     std::filesystem::path root;  // the folder that is / to the program; empty: nothing there
     std::vector<std::string> arguments;  // behind the program's name
+    std::filesystem::path input;         // standard input; empty: the console
 };
 
 // Where a Linux program may lie.
@@ -50,6 +52,10 @@ public:
 
     // Attaches itself.  std::runtime_error if the root cannot be opened.
     LinuxKernel(ArmCpu& cpu, LinuxSettings settings, Outside outside);
+
+    // At the console.
+    Terminal& terminal() { return terminal_; }
+    const Terminal& terminal() const { return terminal_; }
 
     // The program's, once it has called exit.
     std::optional<int> exit_code() const { return exit_code_; }
@@ -175,6 +181,7 @@ private:
     const Outside outside_;
     AddressSpace memory_;
     KernelHelpers helpers_;
+    Terminal terminal_;
     LinuxFiles files_;
     LinuxSignals signals_;
     std::uint32_t break_begin_ = 0, break_ = 0;

@@ -10,7 +10,8 @@ namespace sim {
 namespace {
 
 constexpr std::uint32_t MOST_BYTES = 0x7FFFF000;  // of one transfer, as the kernel has it
-constexpr std::uint32_t TCGETS = 0x5401, TIOCGWINSZ = 0x5413;
+constexpr std::uint32_t TCGETS = 0x5401, TCSETS = 0x5402, TCSETSF = 0x5404, TIOCGWINSZ = 0x5413,
+                        FIONREAD = 0x541B;
 
 int fd_of(std::uint32_t value) { return static_cast<int>(value); }
 
@@ -127,12 +128,13 @@ LinuxKernel::Result LinuxKernel::sys_ioctl(const Arguments& a) {
     const int fd = fd_of(a[0]);
     if (files_.flags(fd) < 0) return -EBADF;
     if (!files_.is_console(fd)) return -ENOTTY;
-    if (a[1] == TCGETS) {
-        struct {  // struct termios: modes, line discipline, control characters
-            std::uint32_t input = 0x500, output = 5, control = 0x1CB2, local = 0x8A3B;
-            std::uint8_t line_and_characters[20] = {};
-        } const settings;
-        return memory_.write(a[2], &settings, 36) ? 0 : -EFAULT;
+    Terminal::Settings& settings = terminal_.settings;
+    if (a[1] == TCGETS) return memory_.write(a[2], &settings, sizeof settings) ? 0 : -EFAULT;
+    if (a[1] >= TCSETS && a[1] <= TCSETSF)
+        return memory_.read(a[2], &settings, sizeof settings) ? 0 : -EFAULT;
+    if (a[1] == FIONREAD) {
+        const std::uint32_t count = terminal_.ready();
+        return memory_.write(a[2], &count, sizeof count) ? 0 : -EFAULT;
     }
     if (a[1] == TIOCGWINSZ) {
         constexpr std::uint16_t SIZE[4] = {24, 80, 0, 0};

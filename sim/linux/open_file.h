@@ -26,7 +26,7 @@ private:
 };
 
 struct LinuxFiles::File {
-    enum class Kind { NOTHING, CONSOLE, MEMORY, HOST } kind;
+    enum class Kind { CONSOLE, MEMORY, HOST } kind;
     std::uint32_t flags;
     std::shared_ptr<Handle> host = nullptr;
 };

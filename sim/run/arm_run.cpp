@@ -20,6 +20,9 @@ ArmProgram load_program(const RunOptions& options, bool on_linux) {
     if (!on_linux && !options.linux_root.empty())
         throw std::runtime_error{options.elf.string() +
                                  ": --linux-root is for Linux programs (--system linux)"};
+    if (!on_linux && !options.input.empty())
+        throw std::runtime_error{options.elf.string() +
+                                 ": --stdin is for Linux programs (--system linux)"};
     return {load_elf(options.elf, on_linux ? linux_memory() : program_memory()), options.cpi};
 }
 
@@ -27,7 +30,7 @@ ArmRun::ArmRun(ArmCpu& cpu, const RunOptions& options, bool on_linux, Recorder& 
     : options_{options}, cpu_{cpu} {
     if (on_linux)
         kernel_.emplace(
-            cpu, LinuxSettings{options.linux_root, options.arguments},
+            cpu, LinuxSettings{options.linux_root, options.arguments, options.input},
             LinuxKernel::Outside{[&recorder](char c) { recorder.console(c); },
                                  [&recorder](const std::string& line) { recorder.log(line); }});
     if (!options.profile.empty()) {
@@ -54,6 +57,8 @@ RunReport::Program ArmRun::program() const {
     if (kernel_) program.exit_code = kernel_->exit_code();
     if (at.ended)
         program.waiting = "nothing: it has ended";
+    else if (kernel_ && kernel_->terminal().waits())
+        program.waiting = "standard input";
     else if (at.sleeping)
         program.waiting = kernel_ ? "the time to wake up" : "an interrupt";
     else if (at.polling)

@@ -25,6 +25,14 @@ public:
     // Attaches to the processor and to the recorder's frames.
     ArmRun(ArmCpu& cpu, const RunOptions& options, bool on_linux, Recorder& recorder);
 
+    // At the console of a Linux program; or that nobody will.
+    void type(const std::string& text) {
+        if (kernel_) kernel_->terminal().type(text);
+    }
+    void close_input() {
+        if (kernel_) kernel_->terminal().close();
+    }
+
     RunReport::Program program() const;
     void write_profile() const;  // if it was asked for; IoError
 

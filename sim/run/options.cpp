@@ -87,6 +87,11 @@ void add_run_options(CLI::App& command, RunOptions& options) {
                     "but /dev/mem")
         ->check(named);
     command
+        .add_option("--stdin", options.input,
+                    "file that is a Linux program's standard input, instead of what type-serial "
+                    "types")
+        ->check(named);
+    command
         .add_option("--profile", options.profile,
                     "write instructions by function, for --cpu arm (callgrind format,\n"
                     "for KCachegrind and callgrind_annotate)")
@@ -140,7 +145,8 @@ void settle_run_options(const CLI::App& command, RunOptions& options) {
         throw CLI::ValidationError("--elf", "is for --cpu arm");
     if (!(options.cpi >= 0.1 && options.cpi <= 100))  // nor NaN, which CLI::Range lets through
         throw CLI::ValidationError("--cpi", "expected a number from 0.1 to 100");
-    for (const char* option : {"--cpi", "--gdb", "--system", "--linux-root", "--profile"})
+    for (const char* option :
+         {"--cpi", "--gdb", "--system", "--linux-root", "--stdin", "--profile"})
         if (command.count(option) > 0) options.for_arm.push_back(option);
     if (!options.arguments.empty()) options.for_arm.push_back("--");
     if (options.gdb && !options.profile.empty())

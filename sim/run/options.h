@@ -40,6 +40,7 @@ struct RunOptions {
     std::string system = "auto";         // what the ELF expects: "bare", "linux", "auto"
     std::filesystem::path linux_root;    // the Linux program's /, or empty
     std::vector<std::string> arguments;  // the Linux program's, behind its name
+    std::filesystem::path input;         // the Linux program's standard input, or empty
     std::filesystem::path profile;       // callgrind file, or empty
     std::optional<unsigned> gdb;         // port for a debugger of that processor
     FrameChoice frames;

@@ -147,6 +147,8 @@ ExitCode run_doing(const char*& doing, RunOptions options, const Firmware& firmw
                 options.memory == "bridge" ? Fpga::Memory::BRIDGED : Fpga::Memory::MAPPED};
     std::optional<ArmRun> arm;
     if (board.arm) arm.emplace(*board.arm, options, on_linux, recorder);
+    if (arm) board.also_type_to([&arm](const std::string& text) { arm->type(text); });
+    if (arm && options.scenario.empty()) arm->close_input();  // there is nobody to type
     Player player{"player", board, recorder.senses(), scenario.steps, options.out};
     Finish finish{"finish", player.done(), board.cpu.faulted()};
 

@@ -84,6 +84,54 @@ TEST_F(LinuxProgram, SeesNoFilesWithoutARoot) {
     EXPECT_THAT(outcome.err, HasSubstr("the program ended with exit code 1 "));
 }
 
+TEST_F(LinuxProgram, WaitsInSimulatedTimeForALineThatIsTyped) {
+    const tb::Outcome outcome = linux_run("asks", {}, {},
+                                          "steps:\n  - wait-serial: \"Number? \"\n"
+                                          "  - delay: 50ms\n"
+                                          "  - type-serial: \"1\"\n  - delay: 20ms\n"
+                                          "  - type-serial: \"6\\x082\\n\"\n"
+                                          "  - wait-serial: squared 144\n"
+                                          "  - expect-leds: 144\n"
+                                          "  - type-serial: \"3\\n4\\n\\x04\"\n"
+                                          "  - wait-serial: no more\n");
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_EQ(console(),
+              "Number? 12\nsquared 144\nNumber? 3\nsquared 9\nNumber? 4\nsquared 16\n"
+              "Number? no more\n");
+    const double asked_s = report()["expectations"][0]["time_s"],
+                 answered_s = report()["expectations"][1]["time_s"];
+    EXPECT_NEAR(answered_s - asked_s, 0.074, 0.0005) << "a character takes 1 ms";
+}
+
+TEST_F(LinuxProgram, SaysThatItWaitsForInputWhichDoesNotCome) {
+    linux_run("asks");
+    EXPECT_EQ(report()["program"]["at"]["waiting_for"], "standard input");
+    EXPECT_EQ(console(), "Number? ");
+}
+
+TEST_F(LinuxProgram, ReadsItsInputFromAFile) {
+    folder.put("in.txt", "5\n7");
+    EXPECT_EQ(linux_run("asks", {}, {"--stdin", folder / "in.txt"}).exit_code, 0);
+    EXPECT_EQ(console(),
+              "Number? squared 25 (no terminal)\nNumber? squared 49 (no terminal)\n"
+              "Number? no more\n");
+}
+
+TEST_F(LinuxProgram, TakesCharactersAsTheyComeWhenItAsksTheTerminalTo) {
+    const tb::Outcome outcome = linux_run("asks", {"keys"}, {},
+                                          "steps:\n  - delay: 5ms\n  - type-serial: \"wa\"\n"
+                                          "  - wait-serial: \"[a]\"\n"
+                                          "  - type-serial: \"q\"\n"
+                                          "  - wait-serial: \"[q]\"\n");
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_EQ(console(), "[w]\n[a]\n[q]\n");
+}
+
+TEST_F(LinuxProgram, WithoutAScenarioHasAnInputThatIsAtItsEnd) {
+    EXPECT_EQ(de1sim({LINUX_PROGRAMS "asks", "--quiet", "--out", out.string()}).exit_code, 0);
+    EXPECT_EQ(console(), "Number? no more\n");
+}
+
 TEST_F(LinuxProgram, SleepsInSimulatedTimeByEveryClock) {
     EXPECT_EQ(linux_run("clocks").exit_code, 0);
     EXPECT_EQ(console(),
@@ -160,6 +208,12 @@ TEST_F(LinuxProgram, RefusesOptionsThatAreNotForItsSystem) {
             "arguments behind -- are for Linux programs");
     refused(play("s.yaml", {"--cpu", "arm", "--elf", LEDS_ELF, "--linux-root", "."}),
             "--linux-root is for Linux programs");
+    refused(play("s.yaml", {"--elf", LEDS_ELF, "--stdin", "s.yaml"}),
+            "--stdin is for Linux programs");
+    refused(linux_run("hello", {}, {"--stdin", folder / "none"}),
+            "none: cannot be standard input: No such file or directory");
+    refused(linux_run("hello", {}, {"--stdin", folder.path()}),
+            ": cannot be standard input: is a folder");
     refused(play("s.yaml", {"--", "x"}), "--: is for --cpu arm");
     refused(play("s.yaml", {"--system", "linux"}), "--system: is for --cpu arm");
     refused(linux_run("hello", {}, {"--linux-root", folder / "none"}),

@@ -1,0 +1,63 @@
+// terminal.h - the terminal of a Linux program's console: lines that are typed, one after another.
+//
+// A character takes 1 ms, as at the JTAG UART.  As a terminal does, it gives a line when it has
+// been ended, takes back what a DEL or backspace is typed behind, ends the input at ^D, and echoes;
+// with ICANON off a program gets each character as it comes, with VMIN of 0 also none, and with
+// ECHO off nothing is echoed (TCSETS).  A carriage return is a newline.
+//
+// Not handled: the echo comes when the line is read, not when it is typed; signals by ^C and ^Z;
+// VTIME, O_NONBLOCK; windows, modems and speeds are remembered and mean nothing.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <string>
+
+#include <systemc>
+
+namespace sim {
+
+class Terminal {
+public:
+    using Settings = std::array<std::uint8_t, 36>;  // the kernel's struct termios
+
+    // `sleep` lets simulated time go by in the program: so long, or until the event.
+    struct Outside {
+        std::function<sc_core::sc_time()> now;  // the program's
+        std::function<void(const sc_core::sc_time&)> sleep;
+        std::function<void(const sc_core::sc_event&)> sleep_until;
+        std::function<void(char)> echo;
+    };
+    explicit Terminal(Outside outside);
+
+    void type(const std::string& text);
+    void close() { closed_ = true; }  // nobody will type: at its end once all is read
+
+    // As read(2): waits for a line, or with ICANON off for a character.
+    std::int64_t read(char* to, std::size_t bytes);
+    std::uint32_t ready() const;  // characters that could be read at once
+    bool waits() const { return waits_; }
+
+    Settings settings;
+
+private:
+    struct Key {
+        char character;
+        sc_core::sc_time at;
+    };
+
+    bool by_line() const;
+    bool arrived(std::size_t count) const;
+    std::size_t unit() const;
+    std::int64_t take(char* to, std::size_t bytes);
+
+    Outside outside_;
+    std::deque<Key> typed_;
+    std::string line_;  // the rest of the one that is being read
+    bool closed_ = false, waits_ = false;
+    sc_core::sc_event more_;
+};
+
+}  // namespace sim
