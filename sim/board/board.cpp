@@ -75,6 +75,7 @@ Board::Board(const sc_core::sc_module_name& name, Audience& audience, Software s
         lamps_.hps_led = lit;
         audience_.lamps(lamps_, now.to_seconds());
     });
+    fpga.spread_phases(seed);
     fpga.on_interrupts([this](std::uint32_t levels) { hps.fpga_interrupts(levels); });
 }
 

@@ -16,6 +16,8 @@ constexpr std::uint32_t H2F_BASE = 0xC0000000;
 
 const sc_time scan_line_time{32, sc_core::SC_US};
 
+constexpr std::uint64_t HALF_CLOCK_PS = FABRIC_PERIOD_PS / 2;
+
 sc_time picoseconds(std::uint64_t ps) { return sc_time::from_value(ps); }  // resolution: 1 ps
 
 tlm::tlm_response_status status_of(AxiResponse response) {
@@ -89,9 +91,18 @@ bool Fpga::peek_full(std::uint32_t offset, std::uint8_t* bytes, unsigned count) 
     return fabric_.read(Bridge::FULL, offset, bytes, count) == AxiResponse::OKAY;
 }
 
+// 0 to a clock; Vigna's splitmix64.
+sc_time Fpga::phase() {
+    if (!seed_) return picoseconds(HALF_CLOCK_PS);
+    std::uint64_t z = *seed_ + ++meetings_ * 0x9E3779B97F4A7C15;
+    z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9;
+    z = (z ^ (z >> 27)) * 0x94D049BB133111EB;
+    return picoseconds((z ^ (z >> 31)) % FABRIC_PERIOD_PS);
+}
+
 void Fpga::scan_line() {
     catch_up();
-    next_trigger(scan_line_time);
+    next_trigger(scan_line_time - picoseconds(HALF_CLOCK_PS) + phase());
 }
 
 void Fpga::lightweight_transport(tlm::tlm_generic_payload& tx, sc_time& delay) {
@@ -171,6 +182,7 @@ void Fpga::transport(Bridge bridge, tlm::tlm_generic_payload& tx, sc_time& delay
             delay = sc_core::SC_ZERO_TIME;
         }
     }
+    delay = std::max(delay, picoseconds(HALF_CLOCK_PS)) - picoseconds(HALF_CLOCK_PS) + phase();
     tell_interrupts();
     tx.set_response_status(status_of(response));
 }

@@ -19,6 +19,11 @@
 // Memory::BRIDGED: every access goes through the Verilog; the SDRAM grants direct access for
 // instructions alone.
 //
+// Phase: the processor's clocks and the fabric's come from two oscillators on the board, here from
+// one.  What the fabric's clock quantises - an answer, by 40 ns, and the catching up once a scan
+// line - so reaches the processor up to half a clock earlier or later, by a hash of the number of
+// such meetings and of the seed: evenly spread over the clock, and the same in every run.
+//
 // A response other than OKAY ends the transaction: DECERR is TLM_ADDRESS_ERROR, SLVERR is
 // TLM_GENERIC_ERROR, no answer in 10,000 clocks is TLM_INCOMPLETE.
 #pragma once
@@ -44,6 +49,9 @@ public:
     // `sdram`: the chip's 64 MB.
     Fpga(const sc_core::sc_module_name& name, PinListener& pins, const std::string& trace_file,
          Memory memory = Memory::BRIDGED, std::uint8_t* sdram = nullptr);
+
+    // Spreads the phases from now on; before, all are in the middle of the fabric's clock.
+    void spread_phases(std::uint64_t seed) { seed_ = seed; }
 
     // `told` is called with Fabric::irq() whenever it has changed.
     void on_interrupts(std::function<void(std::uint32_t levels)> told) { told_ = std::move(told); }
@@ -72,10 +80,13 @@ private:
     void run_to(const sc_core::sc_time& time);
     void scan_line();
     void tell_interrupts();
+    sc_core::sc_time phase();
 
     Fabric fabric_;
     const Memory memory_;
     std::uint8_t* const sdram_;
+    std::optional<std::uint64_t> seed_;
+    std::uint64_t meetings_ = 0;  // of the two clocks
     std::function<void(std::uint32_t)> told_ = [](std::uint32_t) {};
     std::uint32_t irq_ = 0;
 };
