@@ -101,12 +101,13 @@ pgo: setup              ## a faster de1sim, built with a profile of the demo -> 
 	@cmake -P sim/pgo.cmake
 
 # Without CMake, which has Verilator read them.
-regmap: setup           ## print regmap.vh, REGISTERS.md, the font and the scenario schema anew
+regmap: setup           ## print the register map's views, the font and the scenario schema anew
 	@mkdir -p build
 	@$(CXX) -std=c++17 -Irtl/regmap -o build/gen_regmap rtl/regmap/gen_regmap.cpp
 	@build/gen_regmap vh > build/regmap.vh && mv build/regmap.vh rtl/regmap/
+	@build/gen_regmap decode > build/lw_decode.vh && mv build/lw_decode.vh rtl/regmap/
 	@build/gen_regmap md > build/REGISTERS.md && mv build/REGISTERS.md rtl/regmap/
-	@$(CXX) -std=c++17 -Isw -o build/gen_font rtl/vga/gen_font.cpp sw/gfx/font.cpp sw/gfx/canvas.cpp
+	@$(CXX) -std=c++17 -Isw -o build/gen_font sw/gfx/gen_font.cpp sw/gfx/font.cpp sw/gfx/canvas.cpp
 	@build/gen_font > build/character_font.vh && mv build/character_font.vh rtl/vga/
 	@$(MAKE) --no-print-directory configure
 	@cmake --build build --target schema_files

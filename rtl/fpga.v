@@ -157,7 +157,6 @@ module fpga #(
     input  wire [1:0]      jtag_idle_i
 );
     `include "regmap.vh"
-    `include "lw_blocks.vh"
 
     // ---- Time, and who sleeps ---------------------------------------------
     wire        clk, lw_clk, h2f_clk, memory_clk, ports_clk, audio_clk;
@@ -177,8 +176,8 @@ module fpga #(
         .memory_wakes_i(fetch_awake || onchip_we != 4'd0 || onchip_re || sdram_awake || sdram_due
                         || sdram_req),
         .fetch_due_i(fetch_due),
-        .audio_wakes_i(audio_awake || audio_due || we[SEL_AUDIO] || re[SEL_AUDIO]),
-        .ports_wakes_i(ports_awake != 9'd0 || we != 20'd0 || re != 20'd0 || frame_end
+        .audio_wakes_i(audio_awake || audio_due || audio_we || audio_re),
+        .ports_wakes_i(ports_awake != 9'd0 || we != 32'd0 || re != 32'd0 || frame_end
                        || keypad_due || ps2_due || timer0_due || timer1_due),
         .beam_rest_i(beam_rest), .fetch_rest_i(fetch_rest), .sdram_rest_i(sdram_rest),
         .audio_rest_i(audio_rest), .keypad_rest_i(keypad_rest), .ps2_rest_i(ps2_rest),
@@ -188,7 +187,7 @@ module fpga #(
     );
 
     // ---- Bridges ----------------------------------------------------------
-    wire [19:0] we, re;
+    wire [31:0] we, re;
     wire [11:0] waddr, raddr;
     wire [31:0] wdata;
     wire [3:0]  wstrb;
@@ -263,8 +262,8 @@ module fpga #(
     wire [31:0] jp1_out, jp1_oe;
 
     parallel_ports ports (
-        .clk_i(ports_clk), .rst_i(rst_i), .we_i(we[SEL_JP2:SEL_LEDR]), .wstrb_i(wstrb),
-        .waddr_i(waddr), .wdata_i(wdata), .re_i(re[SEL_JP2:SEL_LEDR]), .raddr_i(raddr),
+        .clk_i(ports_clk), .rst_i(rst_i), .we_i(we), .wstrb_i(wstrb),
+        .waddr_i(waddr), .wdata_i(wdata), .re_i(re), .raddr_i(raddr),
         .rdata_o(ports_rdata), .key_irq_o(key_irq), .jp1_irq_o(jp1_irq), .jp2_irq_o(jp2_irq),
         .ledr_o(ledr_o), .hex_no(hex_no), .sw_i(sw_i), .key_ni(key_ni),
         .jp1_i(jp1_i), .jp1_o(jp1_out), .jp1_oe_o(jp1_oe),
@@ -313,9 +312,12 @@ module fpga #(
         .rest_o(beam_rest)
     );
 
+    wire audio_we = we[SEL_AUDIO] || we[SEL_AV_CONFIG] || we[SEL_CODEC];
+    wire audio_re = re[SEL_AUDIO] || re[SEL_AV_CONFIG] || re[SEL_CODEC];
+
     audio audio_block (
-        .clk_i(audio_clk), .rst_i(rst_i), .now_i(now), .we_i(we[SEL_AUDIO]),
-        .wstrb_i(wstrb), .waddr_i(waddr), .wdata_i(wdata), .re_i(re[SEL_AUDIO]), .raddr_i(raddr),
+        .clk_i(audio_clk), .rst_i(rst_i), .now_i(now), .we_i(audio_we),
+        .wstrb_i(wstrb), .waddr_i(waddr), .wdata_i(wdata), .re_i(audio_re), .raddr_i(raddr),
         .rdata_o(audio_rdata),
         .irq_o(audio_irq),
         .aud_xck_o(aud_xck_o), .aud_bclk_o(aud_bclk_o), .aud_daclrck_o(aud_daclrck_o),
@@ -346,8 +348,9 @@ module fpga #(
     wire jtag_irq;
 
     jtag_uarts jtag (
-        .clk_i(ports_clk), .rst_i(rst_i), .we_i(we[SEL_JTAG1:SEL_JTAG0]), .wstrb_i(wstrb),
-        .waddr_i(waddr), .wdata_i(wdata), .re_i(re[SEL_JTAG1:SEL_JTAG0]), .raddr_i(raddr),
+        .clk_i(ports_clk), .rst_i(rst_i),
+        .we_i({we[SEL_JTAG_UART1], we[SEL_JTAG_UART0]}), .wstrb_i(wstrb), .waddr_i(waddr),
+        .wdata_i(wdata), .re_i({re[SEL_JTAG_UART1], re[SEL_JTAG_UART0]}), .raddr_i(raddr),
         .rdata_o(jtag_rdata), .irq_o(jtag_irq),
         .take_i(jtag_take_i), .sent_o(jtag_sent_o), .sent_data_o(jtag_sent_data_o),
         .room_o(jtag_room_o), .typed_i(jtag_typed_i), .typed_data_i(jtag_typed_data_i),
@@ -368,8 +371,8 @@ module fpga #(
 
     ps2_ports ps2 (
         .clk_i(ports_clk), .rst_i(rst_i), .now_i(now),
-        .we_i(we[SEL_PS2_1:SEL_PS2_0]), .wstrb_i(wstrb), .waddr_i(waddr), .wdata_i(wdata),
-        .re_i(re[SEL_PS2_1:SEL_PS2_0]), .raddr_i(raddr),
+        .we_i({we[SEL_PS2_1], we[SEL_PS2_0]}), .wstrb_i(wstrb), .waddr_i(waddr), .wdata_i(wdata),
+        .re_i({re[SEL_PS2_1], re[SEL_PS2_0]}), .raddr_i(raddr),
         .rdata_o(ps2_rdata), .irq_o(ps2_irq),
         .ps2_clk_i(ps2_clk_i), .ps2_dat_i(ps2_dat_i),
         .ps2_clk_low_o(ps2_clk_low_o), .ps2_dat_low_o(ps2_dat_low_o),

@@ -44,11 +44,11 @@ module lw_bridge #(
     output wire            rvalid_o,
     input  wire            rready_i,
 
-    output wire [19:0]     we_o,      // one line a block, numbered in lw_blocks.vh
+    output wire [31:0]     we_o,      // one line a block, SEL_... of regmap.vh
     output reg  [11:0]     waddr_o,   // low 12 bits of the address, word aligned
     output reg  [31:0]     wdata_o,
     output reg  [3:0]      wstrb_o,
-    output wire [19:0]     re_o,
+    output wire [31:0]     re_o,
     output wire [11:0]     raddr_o,
     input  wire [31:0]     rdata_i,
 

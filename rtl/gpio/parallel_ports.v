@@ -1,6 +1,6 @@
 // parallel_ports.v - the DE1-SoC Computer's parallel ports: LEDR, HEX, SW, KEY, JP1, JP2
 //
-// we_i, re_i: a line a port, numbered in lw_blocks.vh.
+// we_i, re_i: the lines of all blocks, SEL_... of regmap.vh.
 
 `default_nettype none
 
@@ -8,11 +8,14 @@ module parallel_ports (
     input  wire        clk_i,
     input  wire        rst_i,
 
-    input  wire [6:0]  we_i,
+    // Other blocks' lines are among them.
+    // verilator lint_off UNUSED
+    input  wire [31:0] we_i,
+    input  wire [31:0] re_i,
+    // verilator lint_on UNUSED
     input  wire [3:0]  wstrb_i,
     input  wire [11:0] waddr_i,
     input  wire [31:0] wdata_i,
-    input  wire [6:0]  re_i,
     input  wire [11:0] raddr_i,
     output wire [31:0] rdata_o,
     output wire        key_irq_o,
@@ -32,7 +35,7 @@ module parallel_ports (
 
     output wire        awake_o
 );
-    `include "lw_blocks.vh"
+    `include "regmap.vh"
 
     wire [31:0] ledr_rdata, hex_rdata, sw_rdata, key_rdata, jp1_rdata, jp2_rdata;
     // Bits that the port does not have stay 0.

@@ -1,6 +1,7 @@
 // gen_regmap.cpp - prints the other views of regmap.def:
-//   gen_regmap vh   regmap.vh, included by the RTL
-//   gen_regmap md   REGISTERS.md, for people
+//   gen_regmap vh       regmap.vh, included by the RTL
+//   gen_regmap decode   lw_decode.vh, which block owns an address on the lightweight bridge
+//   gen_regmap md       REGISTERS.md, for people
 #include <cstdio>
 #include <cstring>
 
@@ -13,13 +14,17 @@ void print_verilog() {
     std::puts("// Every module uses a few of these constants.");
     std::puts("// verilator lint_off UNUSEDPARAM");
     std::printf("localparam [31:0] REGMAP_HASH = 32'h%08x;\n", regmap::REGMAP_HASH);
-#define BLOCK(b, base, size)                                            \
+    std::puts("\n// Select lines of the lightweight bridge.");
+    for (const auto& block : regmap::BLOCKS)
+        if (regmap::on_lightweight_bridge(block))
+            std::printf("localparam SEL_%s = %d;\n", block.name, regmap::select(block));
+#define BLOCK(b, base, size, text)                                      \
     std::printf("\nlocalparam [31:0] %s_BASE = 32'h%08x;\n", #b, base); \
     std::printf("localparam [31:0] %s_SIZE = 32'h%08x;\n", #b, size);
-#define REG(b, r, offset, access, reset)                                           \
+#define REG(b, r, offset, access, reset, text)                                     \
     std::printf("localparam [31:0] %s_%s = 32'h%08x;\n", #b, #r, regmap::b##_##r); \
     std::printf("localparam [31:0] %s_%s_RESET = 32'h%08x;\n", #b, #r, reset);
-#define FIELD(b, r, f, lsb, width)                                   \
+#define FIELD(b, r, f, lsb, width, text)                             \
     std::printf("localparam %s_%s_%s_LSB = %d;\n", #b, #r, #f, lsb); \
     std::printf("localparam %s_%s_%s_W = %d;\n", #b, #r, #f, width);
 #define IRQ(name, id) std::printf("\nlocalparam %s_IRQ = %d;  // GIC ID %d\n", #name, id - 72, id);
@@ -31,44 +36,76 @@ void print_verilog() {
     std::puts("// verilator lint_on UNUSEDPARAM");
 }
 
-void print_markdown() {
-    std::puts("# Registers\n");
-    std::puts("Generated from regmap.def by `make regmap`; do not edit. Comments stand there.\n");
-    std::puts("| register | address | access | reset | fields |\n|---|---|---|---|---|");
-    const char* const access[] = {"RO", "RW", "WO"};
-    for (const auto& reg : regmap::REGS) {
-        std::printf("| `%s` | `0x%08X` | %s | `0x%08X` |", reg.name, reg.addr,
-                    access[static_cast<int>(reg.access)], reg.reset);
-        for (const auto& field : regmap::FIELDS) {
-            if (std::strcmp(field.reg, reg.name) != 0) continue;
-            if (field.width == 1)
-                std::printf(" %s[%u]", field.name, field.lsb);
-            else
-                std::printf(" %s[%u:%u]", field.name, field.lsb + field.width - 1, field.lsb);
-        }
-        std::puts(" |");
+int log2(std::uint32_t size) {
+    int bits = 0;
+    while (size >>= 1) ++bits;
+    return bits;
+}
+
+void print_decoder() {
+    std::puts("// lw_decode.vh - generated from regmap.def by `make regmap`; do not edit.");
+    std::puts("// The select line of the block that owns an address on the lightweight bridge.\n");
+    std::printf("function [%d:0] line_of;\n", regmap::LW_SELECTS - 1);
+    std::puts("    // All registers are words.\n    // verilator lint_off UNUSED");
+    std::printf("    input [%d:0] addr;\n", log2(regmap::LW_SIZE) - 1);
+    std::puts("    // verilator lint_on UNUSED\n    begin");
+    std::printf("        line_of = %d'd0;\n", regmap::LW_SELECTS);
+    for (const auto& block : regmap::BLOCKS) {
+        if (!regmap::on_lightweight_bridge(block)) continue;
+        const int top = log2(regmap::LW_SIZE) - 1, low = log2(block.size);
+        std::printf("        line_of[SEL_%s] = addr[%d:%d] == %s_BASE[%d:%d];\n", block.name, top,
+                    low, block.name, top, low);
     }
-    std::printf("\n`SYSID_HASH` reads `0x%08X` for this map.\n", regmap::REGMAP_HASH);
-    std::puts("\n| window | base | bytes |\n|---|---|---|");
-    for (const auto& block : regmap::BLOCKS)
-        std::printf("| %s | `0x%08X` | `0x%X` |\n", block.name, block.base, block.size);
-    std::puts("\n| interrupt | GIC ID |\n|---|---|");
-#define BLOCK(b, base, size)
-#define REG(b, r, offset, access, reset)
-#define FIELD(b, r, f, lsb, width)
-#define IRQ(name, id) std::printf("| %s | %d |\n", #name, id);
+    std::puts("    end\nendfunction");
+}
+
+void print_block(const regmap::Block& block) {
+    std::printf("\n## %s\n\n`0x%08X`, `0x%X` bytes", block.name, block.base, block.size);
+#define BLOCK(b, base, size, text)
+#define REG(b, r, offset, access, reset, text)
+#define FIELD(b, r, f, lsb, width, text)
+#define IRQ(irq, id) \
+    if (std::strcmp(#irq, block.name) == 0) std::printf("; interrupt %d", id);
 #include "regmap.def"
 #undef BLOCK
 #undef REG
 #undef FIELD
 #undef IRQ
+    std::printf(": %s.\n", block.text);
+    const char* const access[] = {"RO", "RW", "WO"};
+    bool first = true;
+    for (const auto& reg : regmap::REGS) {
+        if (reg.addr - block.base >= block.size) continue;
+        if (first) std::puts("\n| register | address | access | reset | |\n|---|---|---|---|---|");
+        first = false;
+        std::printf("| `%s` | `0x%08X` | %s | `0x%08X` | %s |\n", reg.name, reg.addr,
+                    access[static_cast<int>(reg.access)], reg.reset, reg.text);
+        for (const auto& field : regmap::FIELDS) {
+            if (std::strcmp(field.reg, reg.name) != 0) continue;
+            if (field.width == 1)
+                std::printf("| %s | bit %u", field.name, field.lsb);
+            else
+                std::printf("| %s | bits %u:%u", field.name, field.lsb + field.width - 1,
+                            field.lsb);
+            std::printf(" | | | %s |\n", field.text);
+        }
+    }
+}
+
+void print_markdown() {
+    std::puts("# Registers\n");
+    std::puts("Generated from regmap.def by `make regmap`; do not edit.");
+    std::printf("`SYSID_HASH` reads `0x%08X` for this map.\n", regmap::REGMAP_HASH);
+    for (const auto& block : regmap::BLOCKS) print_block(block);
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-    if (argc == 2 && std::strcmp(argv[1], "vh") == 0) return print_verilog(), 0;
-    if (argc == 2 && std::strcmp(argv[1], "md") == 0) return print_markdown(), 0;
-    std::fprintf(stderr, "usage: gen_regmap vh|md\n");
+    const char* const view = argc == 2 ? argv[1] : "";
+    if (std::strcmp(view, "vh") == 0) return print_verilog(), 0;
+    if (std::strcmp(view, "decode") == 0) return print_decoder(), 0;
+    if (std::strcmp(view, "md") == 0) return print_markdown(), 0;
+    std::fprintf(stderr, "usage: gen_regmap vh|decode|md\n");
     return 2;
 }

@@ -14,6 +14,7 @@ enum class Access { RO, RW, WO };
 struct Block {
     const char* name;
     std::uint32_t base, size;  // bytes
+    const char* text;
 };
 
 struct Reg {
@@ -21,40 +22,43 @@ struct Reg {
     std::uint32_t addr;  // as the processor sees it
     Access access;
     std::uint32_t reset;
+    const char* text;
 };
 
 struct Field {
     const char *reg, *name;
     unsigned lsb, width;
+    const char* text;
 };
 
-#define BLOCK(b, base, size)
-#define REG(b, r, offset, access, reset)
-#define FIELD(b, r, f, lsb, width)
+#define BLOCK(b, base, size, text)
+#define REG(b, r, offset, access, reset, text)
+#define FIELD(b, r, f, lsb, width, text)
 #define IRQ(name, id)
 
 // AUDIO_BASE, AUDIO_SIZE
 #undef BLOCK
-#define BLOCK(b, base, size) constexpr std::uint32_t b##_BASE = base, b##_SIZE = size;
+#define BLOCK(b, base, size, text) constexpr std::uint32_t b##_BASE = base, b##_SIZE = size;
 #include "regmap.def"
 #undef BLOCK
-#define BLOCK(b, base, size)
+#define BLOCK(b, base, size, text)
 
-// AUDIO_CONTROL
+// AUDIO_CONTROL, AUDIO_CONTROL_RESET
 #undef REG
-#define REG(b, r, offset, access, reset) constexpr std::uint32_t b##_##r = b##_BASE + offset;
+#define REG(b, r, offset, access, reset, text) \
+    constexpr std::uint32_t b##_##r = b##_BASE + offset, b##_##r##_RESET = reset;
 #include "regmap.def"
 #undef REG
-#define REG(b, r, offset, access, reset)
+#define REG(b, r, offset, access, reset, text)
 
 // AUDIO_CONTROL_RE_LSB, AUDIO_CONTROL_RE_MASK (the mask is already shifted)
 #undef FIELD
-#define FIELD(b, r, f, lsb, width)                     \
+#define FIELD(b, r, f, lsb, width, text)               \
     constexpr std::uint32_t b##_##r##_##f##_LSB = lsb; \
     constexpr std::uint32_t b##_##r##_##f##_MASK = ((std::uint64_t{1} << (width)) - 1) << (lsb);
 #include "regmap.def"
 #undef FIELD
-#define FIELD(b, r, f, lsb, width)
+#define FIELD(b, r, f, lsb, width, text)
 
 // AUDIO_IRQ_ID
 #undef IRQ
@@ -65,26 +69,26 @@ struct Field {
 
 constexpr Block BLOCKS[] = {
 #undef BLOCK
-#define BLOCK(b, base, size) {#b, base, size},
+#define BLOCK(b, base, size, text) {#b, base, size, text},
 #include "regmap.def"
 #undef BLOCK
-#define BLOCK(b, base, size)
+#define BLOCK(b, base, size, text)
 };
 
 constexpr Reg REGS[] = {
 #undef REG
-#define REG(b, r, offset, access, reset) {#b "_" #r, b##_##r, Access::access, reset},
+#define REG(b, r, offset, access, reset, text) {#b "_" #r, b##_##r, Access::access, reset, text},
 #include "regmap.def"
 #undef REG
-#define REG(b, r, offset, access, reset)
+#define REG(b, r, offset, access, reset, text)
 };
 
 constexpr Field FIELDS[] = {
 #undef FIELD
-#define FIELD(b, r, f, lsb, width) {#b "_" #r, #f, lsb, width},
+#define FIELD(b, r, f, lsb, width, text) {#b "_" #r, #f, lsb, width, text},
 #include "regmap.def"
 #undef FIELD
-#define FIELD(b, r, f, lsb, width)
+#define FIELD(b, r, f, lsb, width, text)
 };
 
 // ---- What a reviewer would otherwise have to check by eye ----
@@ -93,13 +97,13 @@ constexpr Field FIELDS[] = {
 #undef REG
 #undef FIELD
 #undef IRQ
-#define BLOCK(b, base, size)                                                   \
+#define BLOCK(b, base, size, text)                                             \
     static_assert(((size) & ((size)-1)) == 0, #b ": size not a power of two"); \
     static_assert((base) % (size) == 0, #b ": base not aligned to size");
-#define REG(b, r, offset, access, reset)                              \
+#define REG(b, r, offset, access, reset, text)                        \
     static_assert((offset) % 4 == 0, #b "_" #r ": not word aligned"); \
     static_assert((offset) < b##_SIZE, #b "_" #r ": outside its block");
-#define FIELD(b, r, f, lsb, width) \
+#define FIELD(b, r, f, lsb, width, text) \
     static_assert((lsb) + (width) <= 32, #b "_" #r "_" #f ": past bit 31");
 #define IRQ(name, id) static_assert((id) >= 72 && (id) < 136, #name ": not an FPGA interrupt");
 #include "regmap.def"
@@ -124,6 +128,22 @@ constexpr bool blocks_are_apart() {
 }
 static_assert(blocks_are_apart(), "two blocks overlap");
 
+// ---- Select lines of the lightweight bridge ----
+
+constexpr std::uint32_t LW_BASE = 0xFF200000, LW_SIZE = 0x00200000;
+constexpr int LW_SELECTS = 32;  // lines there are
+
+constexpr bool on_lightweight_bridge(const Block& block) { return block.base - LW_BASE < LW_SIZE; }
+
+// The block's line: they are numbered as the blocks stand in regmap.def.
+constexpr int select(const Block& block) {
+    int lines = 0;
+    for (const Block* before = BLOCKS; before != &block; ++before)
+        lines += on_lightweight_bridge(*before);
+    return lines;
+}
+static_assert(select(*(std::end(BLOCKS) - 1)) < LW_SELECTS, "more blocks than select lines");
+
 // FNV-1a over every name, address, access, reset, field and interrupt: what SYSID_HASH reads.
 constexpr std::uint32_t hash() {
     std::uint32_t h = 2166136261u;
@@ -139,9 +159,9 @@ constexpr std::uint32_t hash() {
     for (const Reg& r : REGS)
         text(r.name), word(r.addr), word(static_cast<std::uint32_t>(r.access)), word(r.reset);
     for (const Field& f : FIELDS) text(f.reg), text(f.name), word(f.lsb), word(f.width);
-#define BLOCK(b, base, size)
-#define REG(b, r, offset, access, reset)
-#define FIELD(b, r, f, lsb, width)
+#define BLOCK(b, base, size, text)
+#define REG(b, r, offset, access, reset, text)
+#define FIELD(b, r, f, lsb, width, text)
 #define IRQ(name, id) text(#name), word(id);
 #include "regmap.def"
 #undef BLOCK

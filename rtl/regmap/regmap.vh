@@ -3,6 +3,30 @@
 // verilator lint_off UNUSEDPARAM
 localparam [31:0] REGMAP_HASH = 32'he5fc9923;
 
+// Select lines of the lightweight bridge.
+localparam SEL_LEDR = 0;
+localparam SEL_HEX3_0 = 1;
+localparam SEL_HEX5_4 = 2;
+localparam SEL_SW = 3;
+localparam SEL_KEY = 4;
+localparam SEL_JP1 = 5;
+localparam SEL_JP2 = 6;
+localparam SEL_PS2_0 = 7;
+localparam SEL_PS2_1 = 8;
+localparam SEL_JTAG_UART0 = 9;
+localparam SEL_JTAG_UART1 = 10;
+localparam SEL_TIMER0 = 11;
+localparam SEL_TIMER1 = 12;
+localparam SEL_SYSID = 13;
+localparam SEL_RESAMPLER = 14;
+localparam SEL_PIXEL = 15;
+localparam SEL_TEXT = 16;
+localparam SEL_AV_CONFIG = 17;
+localparam SEL_AUDIO = 18;
+localparam SEL_ADC = 19;
+localparam SEL_KEYPAD = 20;
+localparam SEL_CODEC = 21;
+
 localparam [31:0] SDRAM_BASE = 32'hc0000000;
 localparam [31:0] SDRAM_SIZE = 32'h04000000;
 

@@ -7,7 +7,7 @@
 namespace hal {
 
 inline bool system_id_matches(Mmio& io) {
-    return io.read(regmap::SYSID_ID) == 0x44453153 &&
+    return io.read(regmap::SYSID_ID) == regmap::SYSID_ID_RESET &&
            io.read(regmap::SYSID_HASH) == regmap::REGMAP_HASH;
 }
 

@@ -23,7 +23,8 @@ Finding reads_back(Bench& bench, std::uint32_t address, std::uint32_t mask) {
 
 Finding system_id(Bench& bench) {
     if (hal::system_id_matches(bench.io)) return met("DE1S");
-    const Finding id = equal(regmap::SYSID_ID, bench.io.read(regmap::SYSID_ID), 0x44453153);
+    const Finding id =
+        equal(regmap::SYSID_ID, bench.io.read(regmap::SYSID_ID), regmap::SYSID_ID_RESET);
     if (!id.met) return id;
     return equal(regmap::SYSID_HASH, bench.io.read(regmap::SYSID_HASH), regmap::REGMAP_HASH);
 }

@@ -22,8 +22,8 @@ class LwBridge : public ::testing::Test {
 protected:
     Vlw_bridge dut;
     AxiMaster<Vlw_bridge> axi{dut};
-    std::map<std::uint32_t, std::uint32_t> words;  // block << 12 | address
-    std::vector<std::uint32_t> write_order, read_order;
+    std::map<std::uint64_t, std::uint32_t> words;  // block << 12 | address
+    std::vector<std::uint32_t> write_order, read_order, lines_read;
     std::uint32_t rdata = 0;
 
     static void SetUpTestSuite() { start_with_random_registers(); }
@@ -48,12 +48,13 @@ protected:
             EXPECT_EQ(dut.re_o & (dut.re_o - 1), 0) << "more than one block is read";
         }
         if (dut.re_o) {
-            const std::uint32_t at = static_cast<std::uint32_t>(dut.re_o) << 12 | dut.raddr_o;
+            const std::uint64_t at = std::uint64_t{dut.re_o} << 12 | dut.raddr_o;
             read_order.push_back(dut.raddr_o);
+            lines_read.push_back(dut.re_o);
             answer = words[at];
         }
         if (dut.we_o) {
-            std::uint32_t& word = words[static_cast<std::uint32_t>(dut.we_o) << 12 | dut.waddr_o];
+            std::uint32_t& word = words[std::uint64_t{dut.we_o} << 12 | dut.waddr_o];
             for (int lane = 0; lane < 4; ++lane)
                 if (dut.wstrb_o >> lane & 1) {
                     const std::uint32_t mask = 0xffu << 8 * lane;
@@ -234,6 +235,33 @@ TEST_F(LwBridge, KeepsOrderIdsAndDataUnderRandomBackPressure) {
                 ASSERT_EQ(axi.beats[i].resp, OKAY);
             }
         }
+    }
+}
+
+// The select line of the block that has this address in regmap.def; 0 where nobody is at home.
+std::uint32_t line_of(std::uint32_t offset) {
+    std::uint32_t line = 1;
+    for (const auto& block : regmap::BLOCKS) {
+        if (block.base < 0xFF200000) continue;
+        if (0xFF200000 + offset - block.base < block.size) return line;
+        line <<= 1;
+    }
+    return 0;
+}
+
+TEST_F(LwBridge, SelectsTheBlockOfEachOfItsAddressesAndNoOther) {
+    for (std::uint32_t begin = 0; begin < 0x200000; begin += 64) {
+        lines_read.clear();
+        axi.forget();
+        axi.read({1, begin, 16, 2, INCR});
+        finish();
+        std::vector<std::uint32_t> lines;
+        for (std::uint32_t word = 0; word < 16; ++word) {
+            const std::uint32_t line = line_of(begin + 4 * word);
+            ASSERT_EQ(axi.beats[word].resp, line ? OKAY : DECERR) << std::hex << begin + 4 * word;
+            if (line) lines.push_back(line);
+        }
+        ASSERT_EQ(lines_read, lines) << "from " << std::hex << begin;
     }
 }
 

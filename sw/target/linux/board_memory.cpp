@@ -56,8 +56,8 @@ std::string BoardMemory::open() {
     close(memory);
     if (problem.empty() && !hal::system_id_matches(*this))
         problem = "system ID " + hex(read(regmap::SYSID_ID)) + ", register map " +
-                  hex(read(regmap::SYSID_HASH)) + ": expected 0x44453153, " +
-                  hex(regmap::REGMAP_HASH) + ": program and bitstream are not of one build";
+                  hex(read(regmap::SYSID_HASH)) + ": expected " + hex(regmap::SYSID_ID_RESET) +
+                  ", " + hex(regmap::REGMAP_HASH) + ": program and bitstream are not of one build";
     return problem;
 }
 

@@ -1,1 +1,1 @@
-s/ || re != 20'd0 || frame_end$/ || re != 20'd0/
+s/ || re != 32'd0 || frame_end$/ || re != 32'd0/

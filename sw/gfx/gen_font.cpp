@@ -1,4 +1,4 @@
-// gen_font.cpp - prints character_font.vh from the letters of sw/gfx
+// gen_font.cpp - prints rtl/vga/character_font.vh from the letters of font.cpp
 #include <cstdint>
 #include <cstdio>
 #include <string>
