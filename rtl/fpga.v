@@ -9,8 +9,9 @@
 //   h2f_* --> h2f_bridge -+--> video ----- ADV7123
 //                         +--> sdram ----- IS42S16320D
 //
-// One clock domain of 25 MHz, the pixel clock.  On the board de1_soc_top.v connects the bridges to
-// the HPS and the pins to the package; in the simulation a TLM target does.
+// Two clock domains: 25 MHz, the pixel clock, and inside audio a multiple of the sample rate.  On
+// the board de1_soc_top.v connects the bridges to the HPS and the pins to the package; in the
+// simulation a TLM target does.
 //
 // Blocks that sleep together are a group with a clock of its own (fpga_clocks.v).
 
@@ -21,6 +22,9 @@ module fpga #(
 ) (
     input  wire            clk_i,          // 25 MHz
     input  wire            rst_i,          // synchronous, active high
+    input  wire            clk_audio_i,    // 128 a sample, asynchronous to clk_i; 1.024 MHz, or
+    input  wire            rst_audio_i,    // 6.144 MHz with audio_48k_i.  Its reset ends first.
+    input  wire            audio_48k_i,    // constant: 48,000 samples a second, not 8,000
 
     // For a simulator; on the board all of moved_i is 1, skip_i is 0.
     input  wire [2:0]      moved_i,        // an input has moved since the clock before: bit 0 of
@@ -124,8 +128,7 @@ module fpga #(
     output wire            dram_dq_oe_o,
     input  wire [15:0]     dram_dq_i,
 
-    // WM8731
-    output wire            aud_xck_o,
+    // WM8731, whose XCK of 12.288 MHz does not come from here
     output wire            aud_bclk_o,
     output wire            aud_daclrck_o,
     output wire            aud_dacdat_o,
@@ -162,10 +165,10 @@ module fpga #(
     wire        clk, lw_clk, h2f_clk, memory_clk, ports_clk, audio_clk;
     wire        lw_awake, h2f_awake, cells_awake, sdram_awake, audio_awake;
     wire [8:0]  ports_awake;
-    wire        audio_due, sdram_due, keypad_due, ps2_due, timer0_due, timer1_due;
+    wire        sdram_due, keypad_due, ps2_due, timer0_due, timer1_due;
     wire        frame_end, cells_clear, cell_fetch, fetch_awake, fetch_due;
     wire [29:0] now;
-    wire [9:0]  beam_rest, fetch_rest, sdram_rest, audio_rest, keypad_rest, ps2_rest;
+    wire [9:0]  beam_rest, fetch_rest, sdram_rest, keypad_rest, ps2_rest;
     wire [9:0]  timer0_rest, timer1_rest;
 
     fpga_clocks clocks (
@@ -176,11 +179,11 @@ module fpga #(
         .memory_wakes_i(fetch_awake || onchip_we != 4'd0 || onchip_re || sdram_awake || sdram_due
                         || sdram_req),
         .fetch_due_i(fetch_due),
-        .audio_wakes_i(audio_awake || audio_due || audio_we || audio_re),
+        .audio_wakes_i(audio_awake || audio_we || audio_re),
         .ports_wakes_i(ports_awake != 9'd0 || we != 32'd0 || re != 32'd0 || frame_end
                        || keypad_due || ps2_due || timer0_due || timer1_due),
         .beam_rest_i(beam_rest), .fetch_rest_i(fetch_rest), .sdram_rest_i(sdram_rest),
-        .audio_rest_i(audio_rest), .keypad_rest_i(keypad_rest), .ps2_rest_i(ps2_rest),
+        .keypad_rest_i(keypad_rest), .ps2_rest_i(ps2_rest),
         .timer0_rest_i(timer0_rest), .timer1_rest_i(timer1_rest),
         .clk_o(clk), .lw_clk_o(lw_clk), .h2f_clk_o(h2f_clk), .memory_clk_o(memory_clk),
         .ports_clk_o(ports_clk), .audio_clk_o(audio_clk), .now_o(now)
@@ -316,14 +319,14 @@ module fpga #(
     wire audio_re = re[SEL_AUDIO] || re[SEL_AV_CONFIG] || re[SEL_CODEC];
 
     audio audio_block (
-        .clk_i(audio_clk), .rst_i(rst_i), .now_i(now), .we_i(audio_we),
-        .wstrb_i(wstrb), .waddr_i(waddr), .wdata_i(wdata), .re_i(audio_re), .raddr_i(raddr),
-        .rdata_o(audio_rdata),
-        .irq_o(audio_irq),
-        .aud_xck_o(aud_xck_o), .aud_bclk_o(aud_bclk_o), .aud_daclrck_o(aud_daclrck_o),
-        .aud_dacdat_o(aud_dacdat_o), .aud_adclrck_o(aud_adclrck_o), .aud_adcdat_i(aud_adcdat_i),
+        .clk_i(audio_clk), .rst_i(rst_i), .clk_audio_i(clk_audio_i), .rst_audio_i(rst_audio_i),
+        .fast_i(audio_48k_i),
+        .we_i(audio_we), .wstrb_i(wstrb), .waddr_i(waddr), .wdata_i(wdata), .re_i(audio_re),
+        .raddr_i(raddr), .rdata_o(audio_rdata), .irq_o(audio_irq),
+        .aud_bclk_o(aud_bclk_o), .aud_daclrck_o(aud_daclrck_o), .aud_dacdat_o(aud_dacdat_o),
+        .aud_adclrck_o(aud_adclrck_o), .aud_adcdat_i(aud_adcdat_i),
         .i2c_sclk_o(i2c_sclk_o), .i2c_sdat_oe_o(i2c_sdat_oe_o), .i2c_sdat_i(i2c_sdat_i),
-        .awake_o(audio_awake), .due_o(audio_due), .rest_o(audio_rest)
+        .awake_o(audio_awake)
     );
 
     // ---- Interval timers --------------------------------------------------

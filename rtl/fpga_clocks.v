@@ -26,7 +26,6 @@ module fpga_clocks (
     input  wire [9:0]  beam_rest_i,    // rest_o of the blocks that wait
     input  wire [9:0]  fetch_rest_i,
     input  wire [9:0]  sdram_rest_i,
-    input  wire [9:0]  audio_rest_i,
     input  wire [9:0]  keypad_rest_i,
     input  wire [9:0]  ps2_rest_i,
     input  wire [9:0]  timer0_rest_i,
@@ -64,7 +63,6 @@ module fpga_clocks (
             rest_o = beam_rest_i;
             if (fetch_rest_i < rest_o) rest_o = fetch_rest_i;
             if (sdram_rest_i < rest_o) rest_o = sdram_rest_i;
-            if (audio_rest_i < rest_o) rest_o = audio_rest_i;
             if (keypad_rest_i < rest_o) rest_o = keypad_rest_i;
             if (ps2_rest_i < rest_o) rest_o = ps2_rest_i;
             if (timer0_rest_i < rest_o) rest_o = timer0_rest_i;

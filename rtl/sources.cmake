@@ -3,11 +3,11 @@
 set(RTL_SOURCES
     fpga.v fpga_clocks.v
     adc/adc.v
-    audio/audio.v audio/audio_clocks.v audio/av_config.v audio/codec_setup.v audio/i2c_writer.v
+    audio/audio.v audio/audio_serial.v audio/av_config.v audio/codec_setup.v audio/i2c_writer.v
     audio/i2s_rx.v audio/i2s_tx.v
     bus/axi_read.v bus/axi_write.v bus/h2f_bridge.v bus/lw_bridge.v bus/lw_decode.v
-    common/fifo.v common/group_clock.v common/root_clock.v common/shift_fifo.v
-    common/small_fifo.v common/sync.v common/timebase.v
+    common/dual_clock_fifo.v common/fifo.v common/group_clock.v common/root_clock.v
+    common/shift_fifo.v common/small_fifo.v common/sync.v common/timebase.v
     gpio/hex_port.v gpio/output_port.v gpio/parallel_ports.v gpio/pio.v
     jtag_uart/jtag_uart.v jtag_uart/jtag_uarts.v
     keypad/keypad.v keypad/keypad_scan.v
@@ -20,8 +20,9 @@ set(RTL_SOURCES
     vga/screen_registers.v vga/vga.v vga/vga_timing.v vga/video.v)
 # Only on the board: pins, clock, processor.
 set(BOARD_SOURCES
-    board/de1_soc/clock_reset.v board/de1_soc/de1_soc_top.v board/de1_soc/header.v
-    board/de1_soc/hps.v board/de1_soc/jtag_terminals.v common/reset_sync.v)
+    board/de1_soc/audio_clock.v board/de1_soc/clock_reset.v board/de1_soc/de1_soc_top.v
+    board/de1_soc/header.v board/de1_soc/hps.v board/de1_soc/jtag_terminals.v
+    common/reset_sync.v)
 # In the primitives' places where there are none: make bitstream-open.
 set(OPEN_SOURCES board/de1_soc/open_hps.v board/de1_soc/open_jtag.v board/de1_soc/open_pll.v)
 set(RTL_INCLUDES regmap bus vga)

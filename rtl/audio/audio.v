@@ -1,26 +1,28 @@
 // audio.v - the audio block: the DE1-SoC Computer's audio core, and the codec's set-up
 //
-//   LEFTDATA, RIGHTDATA --> 2 FIFOs of 128 --> i2s_tx --> DACDAT
-//   LEFTDATA, RIGHTDATA <-- 2 FIFOs of 128 <-- i2s_rx <-- ADCDAT
-//   RATE, AV_CONFIG --> codec_setup --> I2C
+//                             clk_i | clk_audio_i
+//   LEFTDATA, RIGHTDATA --> 2 FIFOs of 128 --> send_fifo --> audio_serial --> DACDAT
+//   LEFTDATA, RIGHTDATA <-- 2 FIFOs of 128 <-- come_fifo <-- audio_serial <-- ADCDAT
+//   AV_CONFIG --> codec_setup --> I2C
 //
 // Samples are 32-bit words, of which the codec takes and gives bits 31:8; 7:0 read 0.
 //
-// A write to a full FIFO is dropped.  When a frame begins, a pair leaves if both FIFOs hold a
-// sample, else zeros do.  UNDERRUNS counts the frames of zeros that follow a frame with a pair, so
-// a long silence counts once.  A pair that comes in while one of its FIFOs is full is dropped, so
-// left and right stay in step.  Reading an empty FIFO gives 0.
+// A write to a full FIFO is dropped.  Once a frame a pair leaves if both FIFOs hold a sample, else
+// zeros do.  UNDERRUNS counts the frames of zeros that follow a frame with a pair, so a long
+// silence counts once.  A pair that comes in while one of its FIFOs is full is dropped, so left and
+// right stay in step.  Reading an empty FIFO gives 0.
 //
-// A write with any byte strobe pushes the whole word on wdata_i, clears UNDERRUNS, or (RATE) sets
-// the codec up again; CONTROL and RATE.FAST change by their byte lane.  A write with none does
-// nothing.
+// A write with any byte strobe pushes the whole word on wdata_i or clears UNDERRUNS; CONTROL
+// changes by its byte lane.  A write with none does nothing.
 
 `default_nettype none
 
 module audio (
     input  wire        clk_i,          // 25 MHz
     input  wire        rst_i,
-    input  wire [29:0] now_i,
+    input  wire        clk_audio_i,    // 128 a sample: 1.024 MHz, or 6.144 MHz with fast_i
+    input  wire        rst_audio_i,
+    input  wire        fast_i,         // 48,000 samples a second, not 8,000; constant
 
     input  wire        we_i,           // AUDIO, AV_CONFIG or CODEC is addressed
     input  wire [3:0]  wstrb_i,
@@ -31,79 +33,87 @@ module audio (
     output reg  [31:0] rdata_o,        // one clock after re_i; 0 at other times
     output reg         irq_o,          // level, a clock behind what raises it
 
-    output wire        aud_xck_o,
     output wire        aud_bclk_o,
     output wire        aud_daclrck_o,
     output wire        aud_dacdat_o,
     output wire        aud_adclrck_o,
-    input  wire        aud_adcdat_i,   // asynchronous
+    input  wire        aud_adcdat_i,
     output wire        i2c_sclk_o,
     output wire        i2c_sdat_oe_o,  // 1 = pull low
     input  wire        i2c_sdat_i,     // asynchronous
 
-    output wire        awake_o,
-    output wire        due_o,
-    output wire [9:0]  rest_o
+    output wire        awake_o
 );
     `include "regmap.vh"
 
-    localparam [7:0] DEPTH     = 8'd128;
+    localparam [31:0] FAST_HZ  = 32'd48000;
+    localparam [7:0] DEPTH     = AUDIO_FIFOSPACE_RESET[AUDIO_FIFOSPACE_WSLC_LSB +: 8];
     localparam [7:0] THRESHOLD = 8'd96;   // samples, or room for them, that raise RI or WI
 
-    wire       rx_awake, config_awake, setup_awake;
+    wire       config_awake, setup_awake;
     wire [3:0] fifos_awake;
 
     // ---- Writes and pops ---------------------------------------------------
     wire we = we_i && wstrb_i != 4'd0;
     wire we_left      = we && waddr_i == AUDIO_LEFTDATA[11:0];
     wire we_right     = we && waddr_i == AUDIO_RIGHTDATA[11:0];
-    wire we_rate      = we && waddr_i == CODEC_RATE[11:0];
     wire re_left      = re_i && raddr_i == AUDIO_LEFTDATA[11:0];
     wire re_right     = re_i && raddr_i == AUDIO_RIGHTDATA[11:0];
 
-    reg ri_enable_q, wi_enable_q, hold_in_q, hold_out_q, fast_q;
+    reg ri_enable_q, wi_enable_q, hold_in_q, hold_out_q;
 
     always @(posedge clk_i) begin
-        if (we_i && wstrb_i[0]) case (waddr_i)
-            AUDIO_CONTROL[11:0]: begin
-                ri_enable_q <= wdata_i[AUDIO_CONTROL_RE_LSB];
-                wi_enable_q <= wdata_i[AUDIO_CONTROL_WE_LSB];
-                hold_in_q   <= wdata_i[AUDIO_CONTROL_CR_LSB];
-                hold_out_q  <= wdata_i[AUDIO_CONTROL_CW_LSB];
-            end
-            CODEC_RATE[11:0]: fast_q <= wdata_i[CODEC_RATE_FAST_LSB];
-            default: ;
-        endcase
+        if (we_i && wstrb_i[0] && waddr_i == AUDIO_CONTROL[11:0]) begin
+            ri_enable_q <= wdata_i[AUDIO_CONTROL_RE_LSB];
+            wi_enable_q <= wdata_i[AUDIO_CONTROL_WE_LSB];
+            hold_in_q   <= wdata_i[AUDIO_CONTROL_CR_LSB];
+            hold_out_q  <= wdata_i[AUDIO_CONTROL_CW_LSB];
+        end
         if (rst_i) begin
             ri_enable_q <= 1'b0;
             wi_enable_q <= 1'b0;
             hold_in_q   <= 1'b0;
             hold_out_q  <= 1'b0;
-            fast_q      <= 1'b0;
         end
     end
 
-    // ---- Samples -----------------------------------------------------------
-    wire       fall;
-    wire [5:0] next_slot;
-    wire       lrck;
-
-    audio_clocks clocks (
-        .clk_i(clk_i), .rst_i(rst_i), .now_i(now_i), .fast_i(fast_q), .xck_o(aud_xck_o),
-        .bclk_o(aud_bclk_o), .lrck_o(lrck), .fall_o(fall), .next_slot_o(next_slot),
-        .due_o(due_o), .rest_o(rest_o)
-    );
-    assign aud_daclrck_o = lrck;
-    assign aud_adclrck_o = lrck;
-
-    wire        take, left_out_empty, right_out_empty;
+    // ---- The serial side, in a clock domain of its own ---------------------
+    // A received pair, one a frame, says that it is time for the next pair to send.
+    wire        none_came, none_waits, serial_takes, serial_received, come_awake, sent_awake;
+    wire [47:0] come, waiting, serial_pair;
+    wire        frame = !none_came;
     wire [7:0]  left_out_count, right_out_count;
     wire [23:0] left_out, right_out;
+    wire        left_out_empty, right_out_empty;
     wire        pair = !left_out_empty && !right_out_empty;
-    wire        pop  = take && pair;
+    wire        pop  = frame && pair;
 
-    // The bits that the codec does not take are not stored; a full FIFO drops by itself.
+    audio_serial serial (
+        .clk_i(clk_audio_i), .rst_i(rst_audio_i),
+        .bclk_o(aud_bclk_o), .lrck_o(aud_daclrck_o), .dacdat_o(aud_dacdat_o),
+        .adcdat_i(aud_adcdat_i),
+        .waits_i(!none_waits), .pair_i(waiting), .take_o(serial_takes),
+        .received_o(serial_received), .pair_o(serial_pair)
+    );
+    assign aud_adclrck_o = aud_daclrck_o;
+
+    // Neither can be full: each is emptied in the frame in which a pair came.
     // verilator lint_off PINCONNECTEMPTY
+    dual_clock_fifo send_fifo (
+        .wclk_i(clk_i), .wrst_i(rst_i), .push_i(pop), .wdata_i({left_out, right_out}),
+        .full_o(), .wawake_o(sent_awake),
+        .rclk_i(clk_audio_i), .rrst_i(rst_audio_i), .pop_i(serial_takes), .rdata_o(waiting),
+        .empty_o(none_waits), .rawake_o()
+    );
+    dual_clock_fifo come_fifo (
+        .wclk_i(clk_audio_i), .wrst_i(rst_audio_i), .push_i(serial_received),
+        .wdata_i(serial_pair), .full_o(), .wawake_o(),
+        .rclk_i(clk_i), .rrst_i(rst_i), .pop_i(1'b1), .rdata_o(come), .empty_o(none_came),
+        .rawake_o(come_awake)
+    );
+
+    // ---- Samples -----------------------------------------------------------
+    // The bits that the codec does not take are not stored; a full FIFO drops by itself.
     fifo #(.WIDTH(24)) left_out_fifo (
         .clk_i(clk_i), .rst_i(rst_i), .clear_i(hold_out_q), .push_i(we_left),
         .wdata_i(wdata_i[31:8]), .pop_i(pop), .rdata_o(left_out), .count_o(left_out_count),
@@ -116,18 +126,12 @@ module audio (
     );
     // verilator lint_on PINCONNECTEMPTY
 
-    i2s_tx tx (
-        .clk_i(clk_i), .rst_i(rst_i), .fall_i(fall), .next_slot_i(next_slot), .take_o(take),
-        .left_i(pair ? left_out : 24'd0), .right_i(pair ? right_out : 24'd0),
-        .dacdat_o(aud_dacdat_o)
-    );
-
     reg        paired_q;               // the frame before had a pair
     reg [31:0] underruns_q;
 
     always @(posedge clk_i) begin
         if (we && waddr_i == CODEC_UNDERRUNS[11:0]) underruns_q <= 32'd0;
-        if (take) begin
+        if (frame) begin
             paired_q <= pair;
             if (paired_q && !pair)
                 underruns_q <= we && waddr_i == CODEC_UNDERRUNS[11:0] ? 32'd1
@@ -139,23 +143,18 @@ module audio (
         end
     end
 
-    wire        come, left_in_full, right_in_full, left_in_empty, right_in_empty;
-    wire [23:0] come_left, come_right, left_in, right_in;
+    wire        left_in_full, right_in_full, left_in_empty, right_in_empty;
+    wire [23:0] left_in, right_in;
     wire [7:0]  left_in_count, right_in_count;
-    wire        push = come && !left_in_full && !right_in_full;
+    wire        push = frame && !left_in_full && !right_in_full;
 
-    i2s_rx rx (
-        .clk_i(clk_i), .rst_i(rst_i), .fall_i(fall), .next_slot_i(next_slot),
-        .adcdat_i(aud_adcdat_i), .valid_o(come), .left_o(come_left), .right_o(come_right),
-        .awake_o(rx_awake)
-    );
     fifo #(.WIDTH(24)) left_in_fifo (
-        .clk_i(clk_i), .rst_i(rst_i), .clear_i(hold_in_q), .push_i(push), .wdata_i(come_left),
+        .clk_i(clk_i), .rst_i(rst_i), .clear_i(hold_in_q), .push_i(push), .wdata_i(come[47:24]),
         .pop_i(re_left), .rdata_o(left_in), .count_o(left_in_count), .full_o(left_in_full),
         .empty_o(left_in_empty), .awake_o(fifos_awake[2])
     );
     fifo #(.WIDTH(24)) right_in_fifo (
-        .clk_i(clk_i), .rst_i(rst_i), .clear_i(hold_in_q), .push_i(push), .wdata_i(come_right),
+        .clk_i(clk_i), .rst_i(rst_i), .clear_i(hold_in_q), .push_i(push), .wdata_i(come[23:0]),
         .pop_i(re_right), .rdata_o(right_in), .count_o(right_in_count), .full_o(right_in_full),
         .empty_o(right_in_empty), .awake_o(fifos_awake[3])
     );
@@ -177,7 +176,7 @@ module audio (
     );
 
     codec_setup setup (
-        .clk_i(clk_i), .rst_i(rst_i), .restart_i(we_rate || config_restart), .fast_i(fast_q),
+        .clk_i(clk_i), .rst_i(rst_i), .restart_i(config_restart), .fast_i(fast_i),
         .ready_o(codec_ready), .error_o(codec_error), .step_o(codec_step),
         .send_i(config_send), .send_word_i({config_address, config_data}),
         .busy_o(config_busy), .nack_o(config_nack),
@@ -199,8 +198,8 @@ module audio (
 
     always @(posedge clk_i) irq_o <= !rst_i && irq;
 
-    assign awake_o = rdata_o != 32'd0 || irq != irq_o || rx_awake || config_awake || setup_awake
-                     || fifos_awake != 4'd0;
+    assign awake_o = rdata_o != 32'd0 || irq != irq_o || frame || come_awake || sent_awake
+                     || config_awake || setup_awake || fifos_awake != 4'd0;
 
     always @(posedge clk_i) begin
         rdata_o <= 32'd0;
@@ -211,7 +210,7 @@ module audio (
                                                right_in_count};
             AUDIO_LEFTDATA[11:0]:  if (!left_in_empty) rdata_o <= {left_in, 8'd0};
             AUDIO_RIGHTDATA[11:0]: if (!right_in_empty) rdata_o <= {right_in, 8'd0};
-            CODEC_RATE[11:0]:      rdata_o <= {31'd0, fast_q};
+            CODEC_RATE[11:0]:      rdata_o <= fast_i ? FAST_HZ : CODEC_RATE_RESET;
             CODEC_STATUS[11:0]:    rdata_o <= {24'd0, codec_step, 2'd0, codec_error, codec_ready};
             CODEC_UNDERRUNS[11:0]: rdata_o <= underruns_q;
             AV_CONFIG_STATUS[11:0]: rdata_o <= {23'd0, codec_ready, 6'd0, config_ready,

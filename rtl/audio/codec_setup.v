@@ -4,7 +4,7 @@
 //   0     R15 reset                     6     R4  analogue path: the DAC, no bypass
 //   1     R6  power down                7     R5  digital path: not muted
 //   2, 3  R0, R1 line in, 0 dB          8     R7  interface: I2S, 24 bits, slave
-//   4, 5  R2, R3 headphones, 0 dB       9     R8  sampling: 8 or 48 kHz
+//   4, 5  R2, R3 headphones, 0 dB       9     R8  sampling: 8 or 48 kHz from 12.288 MHz
 //                                       10    R9  active
 //
 // A word that is not acknowledged ends the set-up: error_o, and its number in step_o.  While

@@ -13,8 +13,8 @@ module i2s_tx (
     input  wire        clk_i,
     input  wire        rst_i,
 
-    input  wire        fall_i,        // from audio_clocks
-    input  wire [5:0]  next_slot_i,
+    input  wire        fall_i,        // BCLK falls at the end of this clock
+    input  wire [5:0]  next_slot_i,   // and this slot begins
 
     output wire        take_o,
     input  wire [23:0] left_i,

@@ -1,7 +1,7 @@
 // regmap.vh - generated from regmap.def by `make regmap`; do not edit.
 // Every module uses a few of these constants.
 // verilator lint_off UNUSEDPARAM
-localparam [31:0] REGMAP_HASH = 32'he5fc9923;
+localparam [31:0] REGMAP_HASH = 32'ha946d335;
 
 // Select lines of the lightweight bridge.
 localparam SEL_LEDR = 0;
@@ -420,9 +420,7 @@ localparam [31:0] KEYPAD_MASK_RESET = 32'h00000000;
 localparam [31:0] CODEC_BASE = 32'hff205100;
 localparam [31:0] CODEC_SIZE = 32'h00000010;
 localparam [31:0] CODEC_RATE = 32'hff205100;
-localparam [31:0] CODEC_RATE_RESET = 32'h00000000;
-localparam CODEC_RATE_FAST_LSB = 0;
-localparam CODEC_RATE_FAST_W = 1;
+localparam [31:0] CODEC_RATE_RESET = 32'h00001f40;
 localparam [31:0] CODEC_STATUS = 32'hff205104;
 localparam [31:0] CODEC_STATUS_RESET = 32'h00000000;
 localparam CODEC_STATUS_READY_LSB = 0;

@@ -34,7 +34,8 @@ const std::vector<MemoryRange>& program_memory() {
 }
 
 Board::Board(const sc_core::sc_module_name& name, Audience& audience, Software software,
-             std::uint64_t seed, const std::string& trace_file, Fpga::Memory memory)
+             std::uint64_t seed, const std::string& trace_file, Fpga::Memory memory,
+             unsigned audio_rate)
     : sc_module{name},
       audience_{audience},
       monitor{[&audience](const Monitor::Frame& frame) { audience.frame(frame); }},
@@ -46,7 +47,7 @@ Board::Board(const sc_core::sc_module_name& name, Audience& audience, Software s
       }},
       keypad{"keypad", seed, [this] { fpga.inputs().jp1 = jp1(); }},
       ps2_keyboard{"ps2_keyboard", [this] { ps2_wires(fpga.inputs()); }},
-      fpga{"fpga", *this, trace_file, memory, sdram_chip.bytes()},
+      fpga{"fpga", *this, trace_file, memory, sdram_chip.bytes(), audio_rate},
       jtag_host{"jtag_host", fpga, [&audience](char character) { audience.console(character); }},
       ddr3{"ddr3", DDR3_SIZE, sc_core::sc_time{60, sc_core::SC_NS}},
       hps{"hps",

@@ -74,7 +74,7 @@ public:
 
     Board(const sc_core::sc_module_name& name, Audience& audience, Software software,
           std::uint64_t seed, const std::string& trace_file,
-          Fpga::Memory memory = Fpga::Memory::BRIDGED);
+          Fpga::Memory memory = Fpga::Memory::BRIDGED, unsigned audio_rate = 8'000);
 
     // Hands on the board: masks of keypad keys (4 * row + column), KEY3-0 and SW9-0.
     void hold(std::uint16_t keypad, std::uint8_t keys, std::uint16_t switches);

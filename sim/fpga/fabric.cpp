@@ -44,12 +44,12 @@ struct Fabric::Model {
 #ifdef DE1SIM_TRACE
     VerilatedFstC trace;
 #endif
-    void edge(std::uint64_t time_ps);
+    void eval([[maybe_unused]] std::uint64_t time_ps);
     AxiPort& port(Bridge bridge) { return bridge == Bridge::LIGHTWEIGHT ? lw : h2f; }
 };
 
-Fabric::Fabric(PinListener& pins, const std::string& trace_file)
-    : pins_{pins}, model_{std::make_unique<Model>()} {
+Fabric::Fabric(PinListener& pins, const std::string& trace_file, unsigned audio_rate)
+    : pins_{pins}, model_{std::make_unique<Model>()}, audio_clock_{audio_rate} {
     Vfpga& top = model_->top;
 #ifdef DE1SIM_TRACE
     if (!trace_file.empty()) {
@@ -64,7 +64,15 @@ Fabric::Fabric(PinListener& pins, const std::string& trace_file)
     apply_inputs();
     model_->lw.bready = model_->lw.rready = model_->h2f.bready = model_->h2f.rready = 1;
     constexpr std::uint8_t all = LIGHTWEIGHT | FULL | PINS;
-    top.rst_i = 1;
+    top.audio_48k_i = audio_rate == 48'000;
+    top.rst_i = top.rst_audio_i = 1;
+    for (int i = 0; i < 2; ++i) {  // on the board too this reset ends first
+        top.clk_audio_i = 1;
+        top.eval();
+        top.clk_audio_i = 0;
+        top.eval();
+    }
+    top.rst_audio_i = 0;
     for (int i = 0; i < 8; ++i) {
         moved_ = all;
         clock(1);
@@ -99,7 +107,6 @@ void Fabric::apply_inputs() {
     top.key_ni = in.key_n;
     top.jp1_i = in.jp1;
     top.jp2_i = in.jp2;
-    top.aud_adcdat_i = in.adcdat;
     top.i2c_sdat_i = in.sdat;
     top.adc_sdo_i = in.adc_sdo;
     top.ps2_clk_i = in.ps2_clk;
@@ -114,43 +121,58 @@ void Fabric::apply_inputs() {
     in.jtag.typed = in.jtag.idle = 0;
 }
 
-// One clock of the model.
-inline void Fabric::Model::edge([[maybe_unused]] std::uint64_t time_ps) {
-#ifdef DE1SIM_EVERY_CLOCK
-    top.clk_i = 1;
+inline void Fabric::Model::eval([[maybe_unused]] std::uint64_t time_ps) {
     top.eval();
 #ifdef DE1SIM_TRACE
     if (trace.isOpen()) trace.dump(time_ps);
 #endif
-    top.clk_i = 0;  // VGA_CLK rises
-    top.eval();
-#ifdef DE1SIM_TRACE
-    if (trace.isOpen()) trace.dump(time_ps + FABRIC_PERIOD_PS / 2);
-#endif
-#else
-    top.clk_i = !top.clk_i;  // sim/fpga/root_clock.v
-    top.eval();
-#endif
 }
 
-// Runs one clock, and leaves out those after it in which nothing happens: `most` in all.  Returns
-// how many have passed.
+// What the audio clock does before so many halves of the fabric's have passed.
+inline void Fabric::audio_edges(std::uint64_t halves) {
+    Vfpga& top = model_->top;
+    while (audio_clock_.before(halves)) {
+        const std::uint64_t time_ps = audio_clock_.time_ps();
+        const bool rises = audio_clock_.rises();
+        top.clk_audio_i = rises;
+        if (rises) top.aud_adcdat_i = in.adcdat;
+        model_->eval(time_ps);
+        if (rises) tell_codec(time_ps);
+        audio_clock_.next();
+#ifndef DE1SIM_EVERY_CLOCK
+        top.clk_audio_i = 0;  // changes nothing: the next eval() will do
+        audio_clock_.next();
+#endif
+    }
+}
+
+// Runs one clock, and leaves out those after it in which nothing happens: `most` in all, and none
+// behind the next edge of the audio clock.  Returns how many have passed.
 inline std::uint64_t Fabric::clock([[maybe_unused]] std::uint64_t most) {
     Vfpga& top = model_->top;
+#ifdef DE1SIM_EVERY_CLOCK
+    audio_edges(2 * clocks_ + 1);
+    top.clk_i = 0;  // VGA_CLK rises
+    model_->eval(time_ps() + FABRIC_PERIOD_PS / 2);
+#endif
+    audio_edges(2 * clocks_ + 2);
     if (std::exchange(look_, false) && (in.jtag.typed || in.jtag.idle || !(in == applied_)))
         apply_inputs();
 #ifdef DE1SIM_EVERY_CLOCK
     const bool stirs = true;
     const std::uint64_t passed = 1;
+    top.clk_i = 1;
 #else
     const bool stirs = moved_ || top.stirs_o;
+    most = std::min(most, audio_clock_.clocks() - clocks_);
     const std::uint64_t skip = moved_ ? 0 : std::min<std::uint64_t>(top.rest_o, most - 1);
     const std::uint64_t passed = 1 + skip;
     top.skip_i = static_cast<SData>(skip);
     top.moved_i = moved_;
+    top.clk_i = !top.clk_i;  // sim/fpga/root_clock.v
 #endif
     moved_ = 0;
-    model_->edge(time_ps());
+    model_->eval(time_ps() + FABRIC_PERIOD_PS);
     clocks_ += passed;
 
     const std::uint32_t sample = static_cast<std::uint32_t>(top.vga_r_o) << 16 |
@@ -179,15 +201,7 @@ void Fabric::tell_sdram() {
 void Fabric::tell_pins() {
     Vfpga& top = model_->top;
     look_ = true;
-    const std::uint32_t codec = static_cast<std::uint32_t>(
-        top.aud_bclk_o | top.aud_daclrck_o << 1 | top.aud_adclrck_o << 2 | top.aud_dacdat_o << 3 |
-        top.i2c_sclk_o << 4 | top.i2c_sdat_oe_o << 5);
-    if (codec != codec_was_) {
-        codec_was_ = codec;
-        pins_.codec({top.aud_bclk_o != 0, top.aud_daclrck_o != 0, top.aud_adclrck_o != 0,
-                     top.aud_dacdat_o != 0, top.i2c_sclk_o != 0, top.i2c_sdat_oe_o != 0},
-                    time_ps(), in);
-    }
+    tell_codec(time_ps());
     HeaderPins& was = headers_was_;
     if ((top.jp1_o ^ was.jp1) | (top.jp1_oe_o ^ was.jp1_oe) | (top.jp2_o ^ was.jp2) |
         (top.jp2_oe_o ^ was.jp2_oe)) {
@@ -212,6 +226,18 @@ void Fabric::tell_pins() {
     }
     for (unsigned sent = top.jtag_sent_o, n = 0; sent >> n; ++n)
         if (sent >> n & 1) pins_.jtag_byte(n, static_cast<char>(top.jtag_sent_data_o >> 8 * n), in);
+}
+
+void Fabric::tell_codec(std::uint64_t time_ps) {
+    const Vfpga& top = model_->top;
+    const std::uint32_t codec = static_cast<std::uint32_t>(
+        top.aud_bclk_o | top.aud_daclrck_o << 1 | top.aud_adclrck_o << 2 | top.aud_dacdat_o << 3 |
+        top.i2c_sclk_o << 4 | top.i2c_sdat_oe_o << 5);
+    if (codec == codec_was_) return;
+    codec_was_ = codec;
+    pins_.codec({top.aud_bclk_o != 0, top.aud_daclrck_o != 0, top.aud_adclrck_o != 0,
+                 top.aud_dacdat_o != 0, top.i2c_sclk_o != 0, top.i2c_sdat_oe_o != 0},
+                time_ps, in);
 }
 
 void Fabric::run(std::uint64_t clocks) {

@@ -1,7 +1,8 @@
 // fabric.h - the Verilated fpga.v as plain C++: its clock, its pins, its two AXI bridges.
 //
-// No SystemC here.  A Fabric is run clock by clock (25 MHz, 40 ns); what leaves by the pins goes to
-// a PinListener, what the board puts on the inputs lies in `in` and counts from the next clock on.
+// No SystemC here.  A Fabric is run clock by clock (25 MHz, 40 ns), the audio clock in its own time
+// between them; what leaves by the pins goes to a PinListener, what the board puts on the inputs
+// lies in `in` and counts from the next clock on (adcdat from the audio clock's next rise).
 // Clocks in which nothing would happen are left out of the model (rtl/README.md, Sleep), but not of
 // what is told: it is the same as with every one of them.
 #pragma once
@@ -12,9 +13,9 @@
 #include <string>
 #include <vector>
 
-namespace sim {
+#include "sim/fpga/audio_clock.h"
 
-constexpr std::uint64_t FABRIC_PERIOD_PS = 40'000;  // 25 MHz
+namespace sim {
 
 // One sample of the ADV7123's pins at a rising edge of VGA_CLK.
 namespace video {
@@ -68,9 +69,9 @@ struct FabricInputs {
     std::uint8_t ps2_clk = 3, ps2_dat = 3;  // bit n of port n
 
     bool operator==(const FabricInputs& o) const {
-        return sw == o.sw && key_n == o.key_n && jp1 == o.jp1 && jp2 == o.jp2 &&
-               adcdat == o.adcdat && sdat == o.sdat && adc_sdo == o.adc_sdo && jtag == o.jtag &&
-               ps2_clk == o.ps2_clk && ps2_dat == o.ps2_dat;
+        return sw == o.sw && key_n == o.key_n && jp1 == o.jp1 && jp2 == o.jp2 && sdat == o.sdat &&
+               adc_sdo == o.adc_sdo && jtag == o.jtag && ps2_clk == o.ps2_clk &&
+               ps2_dat == o.ps2_dat;
     }
 };
 
@@ -102,8 +103,8 @@ enum class AxiResponse : std::uint8_t { OKAY = 0, EXOKAY = 1, SLVERR = 2, DECERR
 class Fabric {
 public:
     // Comes up in reset and leaves it after 8 clocks.  `trace_file`: FST waveforms, if not empty
-    // (only in a build with tracing).
-    Fabric(PinListener& pins, const std::string& trace_file = "");
+    // (only in a build with tracing).  `audio_rate`: samples a second, 8,000 or 48,000.
+    Fabric(PinListener& pins, const std::string& trace_file = "", unsigned audio_rate = 8'000);
     ~Fabric();
 
     void end_trace();  // writes out the rest of the waveforms; what follows is not in them
@@ -141,13 +142,16 @@ private:
     static constexpr unsigned VIDEO_BATCH = 800, ANSWER_CLOCKS = 10'000;
 
     std::uint64_t clock(std::uint64_t most);  // how many have passed, 1 or more
+    void audio_edges(std::uint64_t halves);
     void apply_inputs();
     void tell_pins();
+    void tell_codec(std::uint64_t time_ps);
     void tell_sdram();
     bool clock_until(const std::uint8_t& ready);
 
     PinListener& pins_;
     std::unique_ptr<Model> model_;
+    AudioClock audio_clock_;
     FabricInputs applied_;
     bool look_ = true;        // `in` may differ from applied_
     std::uint8_t moved_ = 0;  // inputs since the last clock

@@ -42,11 +42,11 @@ unsigned burst_bytes(std::uint32_t address, unsigned left) {
 }  // namespace
 
 Fpga::Fpga(const sc_core::sc_module_name& name, PinListener& pins, const std::string& trace_file,
-           Memory memory, std::uint8_t* sdram)
+           Memory memory, std::uint8_t* sdram, unsigned audio_rate)
     : sc_module{name},
       lw{"lw"},
       h2f{"h2f"},
-      fabric_{pins, trace_file},
+      fabric_{pins, trace_file, audio_rate},
       memory_{fabric_.has_memory() ? memory : Memory::BRIDGED},
       sdram_{sdram} {
     h2f.register_get_direct_mem_ptr(this, &Fpga::direct_memory);

@@ -48,7 +48,8 @@ public:
 
     // `sdram`: the chip's 64 MB.
     Fpga(const sc_core::sc_module_name& name, PinListener& pins, const std::string& trace_file,
-         Memory memory = Memory::BRIDGED, std::uint8_t* sdram = nullptr);
+         Memory memory = Memory::BRIDGED, std::uint8_t* sdram = nullptr,
+         unsigned audio_rate = 8'000);
 
     // Spreads the phases from now on; before, all are in the middle of the fabric's clock.
     void spread_phases(std::uint64_t seed) { seed_ = seed; }

@@ -125,6 +125,13 @@ void add_run_options(CLI::App& command, RunOptions& options) {
     command.add_option_function<std::string>(
         "--seed", [&](const std::string& text) { options.seed = number(text, "--seed"); },
         "seed of the contact bounce, instead of the scenario's");
+    command
+        .add_option(
+            "--audio-rate", options.audio_rate,
+            "samples a second of the audio core and codec: 8000 as in the DE1-SoC Computer,\n"
+            "or 48000, which is a parameter of the system on the board")
+        ->check(CLI::IsMember({8'000u, 48'000u}))
+        ->capture_default_str();
     command.add_option("--trace", options.trace, "write waveforms (FST, for GTKWave); slow")
         ->check(named);
     command.add_flag("--quiet", options.quiet, "no progress, no summary unless something failed");

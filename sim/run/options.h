@@ -47,6 +47,7 @@ struct RunOptions {
     std::optional<SimTime> duration;    // instead of the scenario's
     std::optional<std::uint64_t> seed;  // instead of the scenario's
     std::string trace;                  // FST file, or empty
+    unsigned audio_rate = 8'000;        // samples a second
     bool quiet = false;
 };
 

@@ -14,15 +14,14 @@ namespace app {
 
 namespace {
 
-constexpr SampleRate RATE{25'000'000, 3072};  // CODEC_RATE as after reset
 constexpr unsigned FIFO = 128;
 constexpr unsigned FRAME_IDLES = 1000;  // several frames, if idle() is as short as 50 us
 
-void feed(Mixer& mixer, hal::AudioOut& audio) {
+void feed(Mixer& mixer, hal::AudioOut& audio, unsigned rate_hz) {
     StereoSample samples[FIFO];
     const unsigned space = audio.space();
     const unsigned count = space < FIFO ? space : FIFO;
-    mixer.mix(samples, count, RATE);
+    mixer.mix(samples, count, rate_hz);
     for (unsigned i = 0; i < count; ++i) audio.push(samples[i].left, samples[i].right);
 }
 
@@ -34,6 +33,7 @@ public:
           keypad_{io},
           display_{io},
           audio_{io},
+          rate_hz_{audio_.rate_hz()},
           world_{1 + panel_.switches()} {}
 
     void frame() {
@@ -46,10 +46,10 @@ public:
             else
                 break;
         step(world_, {{keys, count}});
-        feed(mixer_, audio_);
+        feed(mixer_, audio_, rate_hz_);
         draw(world_, {tick_us_}, canvas_);
         presenter_.present(canvas_, display_);
-        feed(mixer_, audio_);
+        feed(mixer_, audio_, rate_hz_);
         sound_collisions(world_, mixer_);
         panel_.number(world_.count);
         panel_.leds(world_.pairs.size() < 1023 ? static_cast<std::uint32_t>(world_.pairs.size())
@@ -59,7 +59,7 @@ public:
         display_.swap();
         for (unsigned i = 0; i < FRAME_IDLES && !display_.swapped(); ++i) {
             cpu_.idle();
-            feed(mixer_, audio_);
+            feed(mixer_, audio_, rate_hz_);
         }
     }
 
@@ -69,6 +69,7 @@ private:
     hal::Keypad keypad_;
     hal::Display display_;
     hal::AudioOut audio_;
+    const unsigned rate_hz_;
     World world_;
     Mixer mixer_;
     gfx::Canvas canvas_;

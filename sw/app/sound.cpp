@@ -38,16 +38,16 @@ void Mixer::note(unsigned size_a, unsigned size_b, int x) {
     next_ = (next_ + 1) % VOICES;
 }
 
-void Mixer::mix(StereoSample* out, unsigned count, SampleRate rate) {
+void Mixer::mix(StereoSample* out, unsigned count, unsigned rate_hz) {
     std::fill(out, out + count, StereoSample{0, 0});
-    for (Voice& voice : voices_) add(voice, out, count, rate);
+    for (Voice& voice : voices_) add(voice, out, count, rate_hz);
 }
 
-void Mixer::add(Voice& voice, StereoSample* out, unsigned count, SampleRate rate) {
+void Mixer::add(Voice& voice, StereoSample* out, unsigned count, unsigned rate_hz) {
     // 2^32 a turn and 2^32 a tone, a second of both spread over the samples in it.
-    const std::uint64_t turn = (std::uint64_t{1} << 32) * rate.divisor;
-    const auto phase_step = static_cast<Angle>(turn * voice.pitch_hz / rate.clock_hz);
-    const std::uint64_t age_step = turn * 1000 / TONE_MS / rate.clock_hz;
+    const std::uint64_t turn = std::uint64_t{1} << 32;
+    const auto phase_step = static_cast<Angle>(turn * voice.pitch_hz / rate_hz);
+    const std::uint64_t age_step = turn * 1000 / TONE_MS / rate_hz;
 
     for (unsigned i = 0; i < count && voice.pitch_hz; ++i) {
         const std::int64_t left_of_tone = SINE_ONE - static_cast<std::int32_t>(voice.age >> 16);

@@ -17,11 +17,6 @@ struct StereoSample {
     std::int32_t left, right;  // full scale is all 32 bits
 };
 
-// Sample rate: clock_hz / divisor, as the codec divides it; neither is 0.
-struct SampleRate {
-    std::uint32_t clock_hz, divisor;
-};
-
 // Of the tone when shapes of these sizes (pixels) meet: 440 Hz * 2 ^ ((32 - size_a - size_b) / 8),
 // so 220 Hz for two of the largest and 880 Hz for two of the smallest; other sizes count as those.
 unsigned pitch_hz(unsigned size_a, unsigned size_b);
@@ -34,8 +29,8 @@ public:
     // x is where on the screen, in pixels: left edge 2 : 1 in favour of the left, right edge 1 : 2.
     void note(unsigned size_a, unsigned size_b, int x);
 
-    // Writes the next `count` samples; exactly 0 while no tone sounds.
-    void mix(StereoSample* out, unsigned count, SampleRate rate);
+    // Writes the next `count` samples of `rate_hz` a second; exactly 0 while no tone sounds.
+    void mix(StereoSample* out, unsigned count, unsigned rate_hz);
 
 private:
     struct Voice {
@@ -45,7 +40,7 @@ private:
         std::int32_t left = 0, right = 0;  // loudness, at most LOUDEST
     };
 
-    void add(Voice& voice, StereoSample* out, unsigned count, SampleRate rate);
+    void add(Voice& voice, StereoSample* out, unsigned count, unsigned rate_hz);
 
     std::array<Voice, VOICES> voices_{};
     unsigned next_ = 0;  // all tones last equally long: the voice after the newest is the oldest

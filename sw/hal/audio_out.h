@@ -12,6 +12,9 @@ class AudioOut {
 public:
     explicit AudioOut(Mmio& io) : io_{io} {}
 
+    // Samples a second.
+    unsigned rate_hz() const { return io_.read(regmap::CODEC_RATE); }
+
     // Stereo samples that fit now, 0 to 128.
     unsigned space() const {
         const std::uint32_t space = io_.read(regmap::AUDIO_FIFOSPACE);

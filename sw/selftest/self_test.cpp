@@ -25,7 +25,7 @@ constexpr Check CHECKS[] = {
     {"the audio codec has acknowledged its set-up", codec},
     {"the interval timer ends a period of 10 ms", interval_timer},
     {"a frame takes 16.8 ms", frame_rate},
-    {"128 samples leave in 15.7 ms", sample_rate},
+    {"128 samples leave in 16 ms", sample_rate},
     {"picture 0 keeps what is written", picture0},
     {"picture 1 keeps what is written", picture1},
     {"a drawn picture has its checksum", drawn_picture},

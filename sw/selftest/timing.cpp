@@ -48,8 +48,8 @@ Finding interval_timer(Bench& bench) {
         return (bench.io.read(regmap::TIMER0_STATUS) & regmap::TIMER0_STATUS_TO_MASK) != 0;
     });
     bench.io.write(regmap::TIMER0_STATUS, 0);
-    bench.io.write(regmap::TIMER0_PERIOD_LOW, 0xBC1F);
-    bench.io.write(regmap::TIMER0_PERIOD_HIGH, 0xBE);
+    bench.io.write(regmap::TIMER0_PERIOD_LOW, regmap::TIMER0_PERIOD_LOW_RESET);
+    bench.io.write(regmap::TIMER0_PERIOD_HIGH, regmap::TIMER0_PERIOD_HIGH_RESET);
     return between(us, 9'800, 15'000, "9.8 to 15 ms");
 }
 

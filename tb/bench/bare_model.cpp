@@ -4,6 +4,7 @@
 #include <chrono>
 
 #include "Vfpga.h"
+#include "sim/fpga/audio_clock.h"
 #include "verilated.h"
 
 namespace bench {
@@ -12,14 +13,36 @@ namespace {
 
 constexpr unsigned ALL = 7;  // of moved_i
 
-void run(Vfpga& top, std::uint64_t clocks, bool skip) {
-    while (clocks) {
-        top.skip_i = skip ? static_cast<SData>(std::min<std::uint64_t>(top.rest_o, clocks - 1)) : 0;
-        top.clk_i = !top.clk_i;  // sim/fpga/root_clock.v
-        top.eval();
-        clocks -= 1 + top.skip_i;
+class Bare {
+public:
+    explicit Bare(Vfpga& top) : top_{top} {}
+
+    void run(std::uint64_t clocks, bool skip) {
+        while (clocks) {
+            if (audio_.clocks() <= clocks_) audio_edge();
+            const std::uint64_t most = std::min(clocks, audio_.clocks() - clocks_);
+            top_.skip_i =
+                skip ? static_cast<SData>(std::min<std::uint64_t>(top_.rest_o, most - 1)) : 0;
+            top_.clk_i = !top_.clk_i;  // sim/fpga/root_clock.v
+            top_.eval();
+            clocks -= 1 + top_.skip_i;
+            clocks_ += 1 + top_.skip_i;
+        }
     }
-}
+
+private:
+    void audio_edge() {
+        top_.clk_audio_i = 1;
+        top_.eval();
+        top_.clk_audio_i = 0;
+        audio_.next();
+        audio_.next();
+    }
+
+    Vfpga& top_;
+    sim::AudioClock audio_{8'000};
+    std::uint64_t clocks_ = 0;
+};
 
 }  // namespace
 
@@ -32,14 +55,17 @@ double bare_model_s(std::uint64_t clocks, bool skip) {
     top.ps2_clk_i = top.ps2_dat_i = 3;
     top.lw_bready_i = top.lw_rready_i = top.h2f_bready_i = top.h2f_rready_i = 1;
     top.moved_i = ALL;
-    top.rst_i = 1;
-    run(top, 8, false);
+    Bare bare{top};
+    top.rst_i = top.rst_audio_i = 1;
+    bare.run(100, false);
+    top.rst_audio_i = 0;
+    bare.run(8, false);
     top.rst_i = 0;
-    run(top, 1, false);
+    bare.run(1, false);
     top.moved_i = 0;
-    run(top, CLOCKS_OF_SET_UP, skip);
+    bare.run(CLOCKS_OF_SET_UP, skip);
     const auto begin = std::chrono::steady_clock::now();
-    run(top, clocks, skip);
+    bare.run(clocks, skip);
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
     top.final();
     return took.count();

@@ -1,12 +1,15 @@
 """prove.py - proves one harness with Yosys and z3, or shows that a mutant breaks a named property.
 
-prove.py --rtl DIR --work DIR --depth N [--induction] [--mutant FILE.PROPERTY.sed] HARNESS SOURCE...
+prove.py --rtl DIR --work DIR --depth N [--induction] [--clocks] [--mutant FILE.PROPERTY.sed]
+         HARNESS SOURCE...
 
 Without --mutant: 0 if every assert holds for N clocks from any state that a reset clock leads out
 of, and with --induction for ever (N-step induction).  With --mutant: the sed script is applied to a
 copy of the sources, and 0 means that the assert PROPERTY was seen to fail: within N clocks of a
 reset, or else, with --induction, first of all, one clock after N clocks of any states in which every
 assert held.
+
+With --clocks the clocks are inputs like others, and N counts steps in which each may tick or not.
 
 A harness sees into its instances by wires that it leaves undriven: dut__name is dut.name,
 dut__name__3 is word 3 of a memory.  They carry invariants that induction needs.  Where no word of a
@@ -52,8 +55,8 @@ def write_smt2(arguments, step, sources):
               f"hierarchy -check -top {top}; proc; memory_collect; {words}; flatten",
               f"cd {top}"]
     for name in names:
-        inner = name.replace("__", ".", 1)
-        word = re.fullmatch(r"(.+)__(\d+)", inner)
+        inner = name.replace("__", ".")
+        word = re.fullmatch(r"(.+)\.(\d+)", inner)
         if word:
             script.append(f"rename {word[1]}[{word[2]}] {inner}")
         script.append(f"connect -nounset -set {name} {inner}")
@@ -62,7 +65,8 @@ def write_smt2(arguments, step, sources):
         script.append(f"select -set others t:$assert c:{arguments.mutant.suffixes[0][1:]} %d; "
                       + ("chformal -assert2assume @others; chformal -delay 1 @others"
                          if step == "induction" else "delete @others"))
-    script.append(f"cd ..; prep -top {top} -nordff; opt -fast; check -assert; async2sync; "
+    script.append(f"cd ..; prep -top {top} -nordff; opt -fast; check -assert; "
+                  f"{'clk2fflogic' if arguments.clocks else 'async2sync'}; "
                   f"dffunmap; write_smt2 -wires {smt2.name}")
     if run(["yosys", "-q", "-p", "; ".join(script)], arguments.work / "yosys.log").returncode:
         sys.exit((arguments.work / "yosys.log").read_text())
@@ -75,6 +79,7 @@ def main():
     parser.add_argument("--work", type=pathlib.Path, required=True)
     parser.add_argument("--depth", type=int, required=True)
     parser.add_argument("--induction", action="store_true")
+    parser.add_argument("--clocks", action="store_true")
     parser.add_argument("--mutant", type=pathlib.Path)
     parser.add_argument("harness", type=pathlib.Path)
     parser.add_argument("sources", type=pathlib.Path, nargs="+")

@@ -13,7 +13,8 @@ before it, a reset too:
     stays        and awake_o stays 0
     rests        with rest_o = r > 0 the clock after that is not due either, and has r - 1 to come
 
-Any other input, such as an address, data or the time, may do what it likes.  Of vga.v, whose clock
+Any other input, such as an address, data or the time, may do what it likes, and so may registers
+of the audio clock, which does not tick in `stays` and `rests`.  Of vga.v, whose clock
 never stops, `rests` says that in the r clocks behind this one nothing changes and nobody is spoken
 to; of timebase.v, `leaps`, that a leap over n + 1 clocks is one over n and a clock.  Of fpga.v with
 the simulation's group_clock.v, `sleeps` is said of each group, and `rests` of all together.
@@ -62,6 +63,9 @@ class Block:
         self.clocks = {name.replace("\\", "/"): nets[cell["connections"][port][0]]
                        for name, cell in netlist["cells"].items()
                        for port in ("CLK", "WR_CLK") if port in cell["connections"]}
+        # Of another clock, which ticks when it likes.
+        self.foreign = self.edges_of("clk_audio_i")
+        self.edges = [edge for edge in self.edges if edge not in self.foreign]
 
     def edges_of(self, clock):
         cell = re.compile(r" next_state\)\) ; (\S+)")
@@ -95,7 +99,8 @@ class Block:
     def kept(self, before, after, edges):
         """There was no clock."""
         registers = re.findall(r"\(\|([^|]+)\| next_state\)", "\n".join(edges))
-        return f"(and {' '.join(f'(= |{name} {before}| |{name} {after}|)' for name in registers)})"
+        same = " ".join(f"(= |{name} {before}| |{name} {after}|)" for name in registers)
+        return f"(and true {same})"
 
     def low(self, signal, state):
         if self.widths[signal] == 1:
@@ -128,7 +133,7 @@ def sleep(block, strobes, pins):
 
     asleep = [*quiet("s1", "s0"), block.low("awake_o", "s1"),
               *(block.low(name, "s1") for name in ("due_o",) if name in block.widths)]
-    later = [*asleep, *quiet("s2", "s1")]
+    later = [*asleep, *quiet("s2", "s1"), block.kept("s1", "s2", block.foreign)]
     yield "sleeps", asleep, [block.stands("s1")]
     yield "stays", later, [block.low("awake_o", "s2")]
     if "line_end_i" in block.widths:
@@ -197,7 +202,8 @@ def fabric(block, strobes, pins):
     still = [edge for edge in grouped if edge not in memory]
     fetches = (f"(ite {block.low('clocks.memory_group.awake_i', 's0')}"
                f" {block.kept('s0', 's1', memory)} {block.clock('s0', 's1', memory)})")
-    yield ("rests", [block.clock("s0", "s1", others), block.kept("s0", "s1", still), fetches,
+    yield ("rests", [block.clock("s0", "s1", others), fetches,
+                     block.kept("s0", "s1", still + block.foreign),
                      *framed(block, "s0", "video_block.vga_block."), block.low("skip_i", "s0"),
                      *(block.low(name, state) for name in ("moved_i", "rst_i")
                        for state in ("s0", "s1")), block.rests("s0")],

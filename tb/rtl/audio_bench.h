@@ -6,25 +6,27 @@
 #include "Vaudio.h"
 #include "regmap.h"
 #include "sim/board/wm8731.h"
+#include "sim/fpga/audio_clock.h"
 #include "tb/support/random_registers.h"
 #include "tb/support/register_bus.h"
 
 namespace tb {
 
-constexpr std::uint64_t CLOCK_PS = 40'000;
-constexpr unsigned SLOW_FRAME = 3072, FAST_FRAME = 512;  // clocks
+constexpr unsigned SLOW_FRAME = 3125, FAST_FRAME = 521;  // clocks, the last one in part
 constexpr std::uint32_t CONTROL_CW = 8, CONTROL_CR = 4, CONTROL_RI = 0x100, CONTROL_WI = 0x200;
 
 // Pair number n, n > 0: both channels differ, no sample is 0, the low 8 bits are noise.
 inline std::uint32_t left_of(unsigned n) { return (n * 0x010203u << 8) | 0x5a; }
 inline std::uint32_t right_of(unsigned n) { return (~(n * 0x030201u) << 8) | 0xa5; }
 
+// At 48,000 samples a second.
 class Audio : public RegisterBus<Vaudio> {
 protected:
     using Pair = std::pair<std::uint32_t, std::uint32_t>;
 
     std::vector<Pair> heard;  // every frame
     unsigned line_in = 0;     // pairs played in so far
+    sim::AudioClock audio_clock{8'000};
     bool line_in_on = false;
     sim::Wm8731 codec{
         [this](const sim::StereoSample& s, std::uint64_t) { heard.emplace_back(s.left, s.right); },
@@ -36,21 +38,39 @@ protected:
         }};
 
     static void SetUpTestSuite() { start_with_random_registers(); }
-    void SetUp() override {
-        dut.i2c_sdat_i = 1;
-        reset();
-        write(regmap::CODEC_RATE, 1);
+    void SetUp() override { begin(48'000); }
+    void begin(unsigned rate_hz) {
+        power_on(rate_hz);
         wait_for_set_up();
         write(regmap::AUDIO_CONTROL, CONTROL_CR);  // drop the silence that has come in so far
         write(regmap::AUDIO_CONTROL, 0);
     }
     void TearDown() override { EXPECT_THAT(codec.errors(), ::testing::IsEmpty()); }
 
+    void power_on(unsigned rate_hz) {
+        audio_clock = sim::AudioClock{rate_hz};
+        dut.fast_i = rate_hz == 48'000;
+        dut.i2c_sdat_i = 1;
+        dut.rst_i = dut.rst_audio_i = 1;
+        dut.we_i = dut.re_i = 0;
+        clock(100);
+        dut.rst_audio_i = 0;
+        clock(4);
+        dut.rst_i = 0;
+    }
     void after_clock() override {
+        drive(clocks * sim::FABRIC_PERIOD_PS);
+        for (; audio_clock.clocks() <= clocks; audio_clock.next()) {
+            dut.clk_audio_i = audio_clock.rises();
+            dut.aud_adcdat_i = codec.adcdat();
+            dut.eval();
+            drive(audio_clock.time_ps());
+        }
+    }
+    void drive(std::uint64_t time_ps) {
         codec.drive({dut.aud_bclk_o != 0, dut.aud_daclrck_o != 0, dut.aud_adclrck_o != 0,
                      dut.aud_dacdat_o != 0, dut.i2c_sclk_o != 0, sda()},
-                    clocks * CLOCK_PS);
-        dut.aud_adcdat_i = codec.adcdat();
+                    time_ps);
         dut.i2c_sdat_i = sda();
     }
     bool sda() const { return !dut.i2c_sdat_oe_o && !codec.pulls_sda_low(); }
@@ -59,8 +79,9 @@ protected:
         for (int i = 0; i < 20'000 && !(read(regmap::CODEC_STATUS) & 3); ++i) clock(10);
         EXPECT_TRUE(read(regmap::CODEC_STATUS) & 3) << "the set-up does not end";
     }
-    void rate(bool fast) {
-        write(regmap::CODEC_RATE, fast);
+    void set_up_again() {
+        write(regmap::AV_CONFIG_CONTROL, regmap::AV_CONFIG_CONTROL_RESET_MASK);
+        clock();
         wait_for_set_up();
     }
     void push(unsigned n) {
@@ -70,11 +91,28 @@ protected:
     void push(unsigned first, unsigned last) {
         for (unsigned n = first; n <= last; ++n) push(n);
     }
-    // To just behind the first bit of a frame; the next pair leaves nearly a frame later.
+    // To just behind the first bit of a frame; the next pair leaves the FIFOs 7/8 of a frame later.
     void to_frame() {
         while (!dut.aud_daclrck_o) clock();
         while (dut.aud_daclrck_o) clock();
         while (!dut.aud_bclk_o) clock();
+    }
+    // A hundred frames of line-in, each `frame` clocks long.
+    void read_line_in(unsigned frame) {
+        write(regmap::AUDIO_CONTROL, CONTROL_CR);
+        line_in_on = true;
+        clock(2 * frame);
+        to_frame();
+        const unsigned first = line_in;  // the pair of the frame that has just begun
+        write(regmap::AUDIO_CONTROL, 0);
+        clock(100 * frame);
+        const std::uint32_t count = left_waiting();
+        EXPECT_NEAR(count, 100, 1);
+        EXPECT_EQ(right_waiting(), count);
+        for (unsigned n = first; n < first + count; ++n) {
+            ASSERT_EQ(read(regmap::AUDIO_LEFTDATA), left_of(n) & ~0xffu);
+            ASSERT_EQ(read(regmap::AUDIO_RIGHTDATA), right_of(n) & ~0xffu);
+        }
     }
     std::uint32_t left_room() { return read(regmap::AUDIO_FIFOSPACE) >> 24; }
     std::uint32_t right_room() { return read(regmap::AUDIO_FIFOSPACE) >> 16 & 0xff; }
@@ -101,6 +139,11 @@ protected:
             result.emplace_back(left_of(n) & ~0xffu, right_of(n) & ~0xffu);
         return result;
     }
+};
+
+class SlowAudio : public Audio {
+protected:
+    void SetUp() override { begin(8'000); }
 };
 
 }  // namespace tb

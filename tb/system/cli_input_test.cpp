@@ -121,6 +121,8 @@ TEST_F(WrongInput, ValuesThatMakeNoSenseAreNamed) {
         wrong("--duration", value, "--duration: expected a time such as 500ms or 10s, got \"");
     for (const char* value : {"-1", "one", "0x10", "1.5", "18446744073709551616"})
         wrong("--seed", value, "--seed: expected a whole number, got \"");
+    for (const char* value : {"44100", "0", "-8000", "fast"})
+        wrong("--audio-rate", value, "--audio-rate: ");
     wrong("--cpu", "m68k", "m68k");
 }
 

@@ -67,8 +67,20 @@ TEST_F(CommandLineRun, WritesTheFilesThatItPromisesAndNoOthers) {
     sf_close(wav);
     EXPECT_EQ(sound.format, SF_FORMAT_WAV | SF_FORMAT_PCM_16);
     EXPECT_EQ(sound.channels, 2);
-    EXPECT_EQ(sound.samplerate, 8138);
+    EXPECT_EQ(sound.samplerate, 8000);
     EXPECT_EQ(sound.frames, report()["audio"]["samples"]);
+}
+
+TEST_F(CommandLineRun, PlaysAtTheRateThatWasChosen) {
+    scenario("duration: 100ms\n");
+    EXPECT_EQ(play("s.yaml", {"--frames", "none", "--audio-rate", "48000"}).exit_code, 0);
+    EXPECT_NEAR(report()["audio"]["rate_hz"], 48'000, 0.01);
+    EXPECT_NEAR(report()["audio"]["samples"], 4'800, 2);
+    SF_INFO sound{};
+    SNDFILE* wav = sf_open((out / "audio.wav").c_str(), SFM_READ, &sound);
+    ASSERT_TRUE(wav) << sf_strerror(nullptr);
+    sf_close(wav);
+    EXPECT_EQ(sound.samplerate, 48'000);
 }
 
 TEST_F(CommandLineRun, WritesTheFramesThatWereChosen) {

@@ -25,7 +25,7 @@ RunReport sample() {
     r.frames_swapped = 75;
     r.last_frame_sha256 = "e3b0";
     r.bus = {1, 2, 3, 4};
-    r.audio = {8138.02, 20345, 6};
+    r.audio = {8000.0, 20000, 6};
     r.key_events = 8;
     const RunReport::Shown::Fields digits{{"text", "    12"}, {"segments", "00 00 00 00 06 5B"}};
     r.shown = {{"hex", digits, {{0.5, digits}}, 41}};
@@ -59,7 +59,7 @@ TEST(ReportJson, SaysEverythingThatTheRunKnows) {
         "end": "duration reached", "interrupted": false, "passed": false, "simulated_s": 2.5,
         "frames": {"shown": 150, "swapped": 75, "last_sha256": "e3b0"},
         "bus": {"reads": 1, "writes": 2, "bursts": 3, "errors": 4},
-        "audio": {"rate_hz": 8138.02, "samples": 20345, "underruns": 6},
+        "audio": {"rate_hz": 8000.0, "samples": 20000, "underruns": 6},
         "key_events": 8,
         "shown": {
             "hex": {"text": "    12", "segments": "00 00 00 00 06 5B",

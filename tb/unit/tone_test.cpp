@@ -11,7 +11,7 @@ namespace {
 
 using namespace sim;
 
-constexpr double RATE_HZ = 8138.02;
+constexpr double RATE_HZ = 8000;
 
 std::vector<std::int16_t> sound(double seconds, const std::function<double(double)>& wave,
                                 double rate_hz = RATE_HZ) {
@@ -35,7 +35,7 @@ TEST(Tone, IsFoundToHalfAPercentInATenthOfASecond) {
 
 TEST(Tone, IsFoundAtTheFastRateToo) {
     for (const double hz : {100.0, 440.0, 1000.0, 3500.0, 15000.0})
-        EXPECT_NEAR(analyse_tone(sound(0.1, sine(hz), 48828.125), 48828.125).hz, hz, 0.005 * hz);
+        EXPECT_NEAR(analyse_tone(sound(0.1, sine(hz), 48000), 48000).hz, hz, 0.005 * hz);
 }
 
 TEST(Tone, HasTheLevelOfItsAmplitude) {

@@ -46,33 +46,32 @@ protected:
 };
 
 TEST_F(Wav, HoldsEverySampleAtTheNearestWholeRate) {
-    wav.rate_changed(8138.0208);
+    wav.rate_changed(8000);
     wav.push(1, -2);
     wav.push(32767, -32768);
     wav.push(0, 0);
     EXPECT_THAT(wav.close(), ElementsAre(folder / "audio.wav"));
-    EXPECT_EQ(facts("audio.wav"), "8138 2 16 3 ");
+    EXPECT_EQ(facts("audio.wav"), "8000 2 16 3 ");
     EXPECT_THAT(samples("audio.wav"), ElementsAre(1, -2, 32767, -32768, 0, 0));
     EXPECT_EQ(folder.count(), 1u);
 }
 
 TEST_F(Wav, BeginsWithThePlainestHeaderThereIs) {
-    wav.rate_changed(48828.125);
+    wav.rate_changed(48000);
     wav.push(0x1234, 0x5678);
     wav.close();
-    EXPECT_EQ(
-        folder.get("audio.wav"),
-        std::string("RIFF\x28\0\0\0WAVEfmt \x10\0\0\0\1\0\2\0\xBC\xBE\0\0\xF0\xFA\2\0\4\0\x10\0"
-                    "data\4\0\0\0\x34\x12\x78\x56",
-                    48));
+    EXPECT_EQ(folder.get("audio.wav"),
+              std::string("RIFF\x28\0\0\0WAVEfmt \x10\0\0\0\1\0\2\0\x80\xBB\0\0\0\xEE\2\0\4\0\x10\0"
+                          "data\4\0\0\0\x34\x12\x78\x56",
+                          48));
 }
 
 TEST_F(Wav, AppearsOnlyWhenItIsClosed) {
-    wav.rate_changed(8138);
+    wav.rate_changed(8000);
     for (int i = 0; i < 10000; ++i) wav.push(1, 1);
     EXPECT_FALSE(std::filesystem::exists(folder / "audio.wav"));
     wav.close();
-    EXPECT_EQ(facts("audio.wav"), "8138 2 16 10000 ");
+    EXPECT_EQ(facts("audio.wav"), "8000 2 16 10000 ");
     EXPECT_EQ(folder.count(), 1u);
 }
 
@@ -80,7 +79,7 @@ TEST_F(Wav, KeepsWhatWasHeardBeforeTheRateWasKnown) {
     silence(2);
     wav.push(5, 6);
     silence(1);
-    wav.rate_changed(8138);
+    wav.rate_changed(8000);
     wav.push(7, 8);
     wav.close();
     EXPECT_THAT(samples("audio.wav"), ElementsAre(0, 0, 0, 0, 5, 6, 0, 0, 7, 8));
@@ -99,41 +98,41 @@ TEST_F(Wav, StartsAnewWithSilenceOfEqualLengthWhileNothingWasHeard) {
 }
 
 TEST_F(Wav, BeginsASecondFileWhenTheRateChangesAfterASound) {
-    wav.rate_changed(8138);
+    wav.rate_changed(8000);
     wav.push(1, 1);
-    wav.rate_changed(48828.125);
+    wav.rate_changed(48000);
     EXPECT_TRUE(std::filesystem::exists(folder / "audio.wav"));
     silence(1);
     wav.push(2, 2);
-    wav.rate_changed(8138);
+    wav.rate_changed(8000);
     wav.push(3, 3);
     EXPECT_THAT(wav.close(),
                 ElementsAre(folder / "audio.wav", folder / "audio-2.wav", folder / "audio-3.wav"));
     EXPECT_THAT(samples("audio.wav"), ElementsAre(1, 1));
-    EXPECT_EQ(facts("audio-2.wav"), "48828 2 16 2 ");
+    EXPECT_EQ(facts("audio-2.wav"), "48000 2 16 2 ");
     EXPECT_THAT(samples("audio-2.wav"), ElementsAre(0, 0, 2, 2));
     EXPECT_THAT(samples("audio-3.wav"), ElementsAre(3, 3));
 }
 
 TEST_F(Wav, GoesOnWhenTheRateChangesByLessThanItsHeaderCanSay) {
-    wav.rate_changed(8138.0);
+    wav.rate_changed(8000.0);
     wav.push(1, 1);
-    wav.rate_changed(8138.4);
+    wav.rate_changed(8000.4);
     wav.push(2, 2);
     EXPECT_EQ(wav.close().size(), 1u);
 }
 
 TEST_F(Wav, IsWrittenEvenIfAllWasSilent) {
-    wav.rate_changed(8138);
-    silence(8138);
+    wav.rate_changed(8000);
+    silence(8000);
     EXPECT_EQ(wav.close().size(), 1u);
-    EXPECT_EQ(facts("audio.wav"), "8138 2 16 8138 ");
+    EXPECT_EQ(facts("audio.wav"), "8000 2 16 8000 ");
 }
 
 TEST_F(Wav, IsNotWrittenWithoutARateOrASample) {
     silence(5);
     EXPECT_TRUE(wav.close().empty());
-    wav.rate_changed(8138);
+    wav.rate_changed(8000);
     EXPECT_EQ(WavWriter(folder.path()).close().size(), 0u);
     EXPECT_EQ(folder.count(), 0u);
 }
@@ -141,7 +140,7 @@ TEST_F(Wav, IsNotWrittenWithoutARateOrASample) {
 TEST_F(Wav, LeavesNothingWhenItIsDroppedUnclosed) {
     {
         WavWriter dropped(folder.path());
-        dropped.rate_changed(8138);
+        dropped.rate_changed(8000);
         dropped.push(1, 1);
     }
     EXPECT_EQ(folder.count(), 0u);
@@ -162,7 +161,7 @@ TEST_F(Wav, RefusesEndlessSoundWithoutARate) {
 TEST_F(Wav, SaysThatTheDiskIsFull) {
     std::filesystem::create_symlink("/dev/full", folder / "audio.wav.part");
     const auto play = [&] {
-        wav.rate_changed(8138);
+        wav.rate_changed(8000);
         wav.push(1, 1);
         wav.close();
     };
@@ -188,7 +187,7 @@ TEST_F(Wav, NeverLeavesHalfAFileWhenTheDiskFillsUp) {
         bool refused = false;
         try {
             WavWriter full(folder.path());
-            full.rate_changed(8138);
+            full.rate_changed(8000);
             for (int i = 0; i < 10000; ++i) full.push(1, 1);
             full.close();
         } catch (const IoError&) {
@@ -206,10 +205,10 @@ TEST_F(Wav, NeedsNoMoreMemoryForTenMinutesThanForOneSecond) {
         getrusage(RUSAGE_SELF, &usage);
         return usage.ru_maxrss;
     };
-    wav.rate_changed(8138);
-    for (int i = 0; i < 8138; ++i) wav.push(1, 1);
+    wav.rate_changed(8000);
+    for (int i = 0; i < 8000; ++i) wav.push(1, 1);
     const long before_kb = peak_kb();
-    for (int i = 0; i < 600 * 8138; ++i) wav.push(1, 1);
+    for (int i = 0; i < 600 * 8000; ++i) wav.push(1, 1);
     EXPECT_LT(peak_kb() - before_kb, 2000);
     wav.close();
 }

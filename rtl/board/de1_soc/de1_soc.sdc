@@ -6,7 +6,7 @@ derive_clock_uncertainty
 
 # ---- VGA: the ADV7123 samples at the rising edge of VGA_CLK, which is the pixel clock upside down.
 # Its datasheet: set-up 0.2 ns, hold 1.5 ns.
-set pixel_clock [get_pins -compatibility_mode {*pll*|*outclk*divclk}]
+set pixel_clock [get_pins -compatibility_mode {*clock_reset*pll*divclk}]
 create_generated_clock -name VGA_CLK -source $pixel_clock -invert [get_ports VGA_CLK]
 set vga [get_ports {VGA_R[*] VGA_G[*] VGA_B[*] VGA_HS VGA_VS VGA_BLANK_N}]
 set_output_delay -clock VGA_CLK -max 0.2 $vga
@@ -23,14 +23,22 @@ set_output_delay -clock DRAM_CLK -min -0.8 $dram
 set_input_delay -clock DRAM_CLK -max 5.4 [get_ports DRAM_DQ[*]]
 set_input_delay -clock DRAM_CLK -min 2.7 [get_ports DRAM_DQ[*]]
 
+# ---- Audio: a domain of its own, constrained for 48 kHz.  Pairs cross by FIFOs with pointers in
+# Gray code (common/dual_clock_fifo.v), which move in one bit at a time and slower than any wire is
+# long.
+set xck [get_pins -compatibility_mode {*audio_clock*pll*divclk}]
+create_generated_clock -name AUDIO -source $xck -divide_by 2 [get_registers {*audio_clock*clk_q}]
+set_clock_groups -asynchronous -group [get_clocks {*clock_reset*pll*divclk VGA_CLK DRAM_CLK}] \
+    -group [get_clocks {*audio_clock*pll*divclk AUDIO}]
+
 # ---- What has no timing against the clock, and why.
 # Hands and wires: two flip-flops bring them in.
 set_false_path -from [get_ports {KEY[*] SW[*] GPIO_0[*] GPIO_1[*]}]
 # Eyes, and headers without a clock.
 set_false_path -to [get_ports {LEDR[*] HEX0[*] HEX1[*] HEX2[*] HEX3[*] HEX4[*] HEX5[*]}]
 set_false_path -to [get_ports {GPIO_0[*] GPIO_1[*]}]
-# The codec: 1 / 16 and less of the clock's rate; data moves on BCLK's falling edge and is taken on
-# its rising edge, hundreds of nanoseconds later.  Its answers pass two flip-flops.
+# The codec: data moves on BCLK's falling edge and is taken on its rising edge, 160 ns or more later,
+# at both ends.  I2C is slower still, and its answers pass two flip-flops.
 set_false_path -to [get_ports {AUD_* FPGA_I2C_SCLK FPGA_I2C_SDAT}]
 set_false_path -from [get_ports {AUD_ADCDAT FPGA_I2C_SDAT}]
 # PS/2, 17 kHz at most, in by two flip-flops; the ADC, a bit in two clocks and taken where it stands.

@@ -1,6 +1,8 @@
 // de1_soc_top.v - the chip on the board: its pins, its clock, its processor, and fpga.v
 //
-//   CLOCK_50 --> clock_reset --> 25 MHz --> fpga.v, hps.v (its bridges run on the fabric's clock)
+//   CLOCK_50 -+-> clock_reset --> 25 MHz --> fpga.v, hps.v (its bridges run on the fabric's clock)
+//             +-> audio_clock -+-> 12.288 MHz --> AUD_XCK
+//                              +-> 128 * AUDIO_RATE --> fpga.v
 //
 // Pins are named as on the board's schematic, so that de1_soc.qsf can be checked against pins.tsv.
 // JP1 and JP2: bits 31:0 are the header's pins 35:19, 17, 15:3, 1; the four others stay open.
@@ -10,7 +12,9 @@
 
 `default_nettype none
 
-module de1_soc_top (
+module de1_soc_top #(
+    parameter AUDIO_RATE = 8000      // samples a second: 8000, as in the DE1-SoC Computer, or 48000
+) (
     input  wire        CLOCK_50,
 
     input  wire [3:0]  KEY,          // 0 = pressed
@@ -68,10 +72,15 @@ module de1_soc_top (
     localparam ID_W = 12;
 
     // ---- Clock and reset --------------------------------------------------
-    wire clk, hps_rst_n, rst;
+    wire clk, hps_rst_n, rst, clk_audio, rst_audio;
 
+    audio_clock #(.RATE(AUDIO_RATE)) audio_clock (
+        .refclk_i(CLOCK_50), .rst_ni(hps_rst_n), .xck_o(AUD_XCK), .clk_o(clk_audio),
+        .rst_o(rst_audio)
+    );
+    // The audio clock's reset ends first: common/dual_clock_fifo.v.
     clock_reset clock_reset (
-        .refclk_i(CLOCK_50), .rst_ni(hps_rst_n), .clk_o(clk), .rst_o(rst)
+        .refclk_i(CLOCK_50), .rst_ni(hps_rst_n && !rst_audio), .clk_o(clk), .rst_o(rst)
     );
 
     // ---- Headers, I2C, PS/2: open unless driven ------------------------------
@@ -190,6 +199,9 @@ module de1_soc_top (
     fpga #(.ID_W(ID_W)) fpga (
         .clk_i                (clk),
         .rst_i                (rst),
+        .clk_audio_i          (clk_audio),
+        .rst_audio_i          (rst_audio),
+        .audio_48k_i          (AUDIO_RATE == 48000),
         .moved_i              (3'b111),
         .rest_o               (),
         .skip_i               (10'd0),
@@ -285,7 +297,6 @@ module de1_soc_top (
         .dram_dq_oe_o         (dram_dq_oe),
         .dram_dq_i            (DRAM_DQ),
 
-        .aud_xck_o            (AUD_XCK),
         .aud_bclk_o           (AUD_BCLK),
         .aud_daclrck_o        (AUD_DACLRCK),
         .aud_dacdat_o         (AUD_DACDAT),

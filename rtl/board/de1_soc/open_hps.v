@@ -82,17 +82,17 @@ module hps #(
     // ---- One word after the other -----------------------------------------
     reg       address_q, data_q, done_q;         // to be taken; the last word was answered
     reg [7:0] row_q, word_q;
-    reg [3:0] age_q;                             // the fabric's reset lasts a few clocks
+    reg [6:0] age_q;                             // the fabric's reset lasts some forty clocks
 
     initial {address_q, data_q, done_q, row_q, word_q, age_q} = 0;
 
     always @(posedge clk_i) begin
         if (h2f_awready_i) address_q <= 1'b0;
         if (h2f_wready_i) data_q <= 1'b0;
-        if (age_q != 4'd15) begin
-            age_q     <= age_q + 4'd1;
-            address_q <= age_q == 4'd14;
-            data_q    <= age_q == 4'd14;
+        if (age_q != 7'd127) begin
+            age_q     <= age_q + 7'd1;
+            address_q <= age_q == 7'd126;
+            data_q    <= age_q == 7'd126;
         end else if (h2f_bvalid_i && row_q == ROW_LAST && word_q == WORD_LAST) done_q <= 1'b1;
         else if (h2f_bvalid_i) begin
             {address_q, data_q} <= 2'b11;

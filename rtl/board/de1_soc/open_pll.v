@@ -1,6 +1,6 @@
-// open_pll.v - in the PLL's place where there is none: 25 MHz is CLOCK_50 divided by two
+// open_pll.v - in a PLL's place where there is none: 25 MHz is CLOCK_50 divided by two
 //
-// The parameters say nothing here.
+// 12.288 MHz would be 12.5: sound is 1.7 % too fast.  The other parameters say nothing here.
 
 `default_nettype none
 // verilator lint_off DECLFILENAME
@@ -18,8 +18,15 @@ module altera_pll #(
     output reg  outclk,
     output wire locked
 );
+    localparam SLOW = output_clock_frequency0 == "12.288000 MHz";
+
+    reg half_q = 1'b0;
+
     initial outclk = 1'b0;
-    always @(posedge refclk) outclk <= !outclk;
+    always @(posedge refclk) begin
+        half_q <= !half_q;
+        if (half_q || !SLOW) outclk <= !outclk;
+    end
     assign fboutclk = 1'b0;
     assign locked   = 1'b1;
 endmodule

@@ -1,0 +1,1 @@
+s/write_gray_q <= gray(write_q + ONE)/write_gray_q <= gray(write_q)/

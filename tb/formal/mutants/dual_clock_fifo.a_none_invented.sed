@@ -1,0 +1,1 @@
+s/pop_i \&\& !empty_o/pop_i/

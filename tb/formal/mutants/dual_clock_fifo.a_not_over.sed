@@ -1,0 +1,1 @@
+s/push_i \&\& !full_o/push_i/

@@ -1,0 +1,1 @@
+s/read_coming || read_gray_q != read_seen/read_coming/

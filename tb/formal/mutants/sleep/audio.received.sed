@@ -1,1 +1,0 @@
-s/valid_o || adcdat_awake/adcdat_awake/

@@ -1,0 +1,1 @@
+s/ || sent_awake//
