@@ -6,6 +6,7 @@
 //                         +--> ps2 ------- keyboard
 //                         +--> jtag uarts  the host's terminal
 //                         +--> adc ------- LTC2308
+//                         +--> irda ------ infrared receiver and LED
 //   h2f_* --> h2f_bridge -+--> video ----- ADV7123
 //                         +--> sdram ----- IS42S16320D
 //
@@ -150,6 +151,10 @@ module fpga #(
     output wire [1:0]      ps2_clk_low_o,  // 1 = pull low
     output wire [1:0]      ps2_dat_low_o,
 
+    // Infrared
+    input  wire            irda_rxd_i,     // high while it is dark
+    output wire            irda_txd_o,     // 1 = light
+
     // Host's side of the JTAG UARTs, bit or byte n of number n: see jtag_uart.v
     input  wire [1:0]      jtag_take_i,
     output wire [1:0]      jtag_sent_o,
@@ -164,7 +169,7 @@ module fpga #(
     // ---- Time, and who sleeps ---------------------------------------------
     wire        clk, lw_clk, h2f_clk, memory_clk, ports_clk, audio_clk;
     wire        lw_awake, h2f_awake, cells_awake, sdram_awake, audio_awake;
-    wire [8:0]  ports_awake;
+    wire [9:0]  ports_awake;
     wire        sdram_due, keypad_due, ps2_due, timer0_due, timer1_due;
     wire        frame_end, cells_clear, cell_fetch, fetch_awake, fetch_due;
     wire [29:0] now;
@@ -180,7 +185,7 @@ module fpga #(
                         || sdram_req),
         .fetch_due_i(fetch_due),
         .audio_wakes_i(audio_awake || audio_we || audio_re),
-        .ports_wakes_i(ports_awake != 9'd0 || we != 32'd0 || re != 32'd0 || frame_end
+        .ports_wakes_i(ports_awake != 10'd0 || we != 32'd0 || re != 32'd0 || frame_end
                        || keypad_due || ps2_due || timer0_due || timer1_due),
         .beam_rest_i(beam_rest), .fetch_rest_i(fetch_rest), .sdram_rest_i(sdram_rest),
         .keypad_rest_i(keypad_rest), .ps2_rest_i(ps2_rest),
@@ -195,7 +200,7 @@ module fpga #(
     wire [31:0] wdata;
     wire [3:0]  wstrb;
     wire [31:0] ports_rdata, sysid_rdata, vga_rdata, audio_rdata, keypad_rdata, timer0_rdata;
-    wire [31:0] timer1_rdata, jtag_rdata, ps2_rdata, adc_rdata;
+    wire [31:0] timer1_rdata, jtag_rdata, ps2_rdata, adc_rdata, irda_rdata;
 
     lw_bridge #(.ID_W(ID_W)) lw (
         .clk_i(lw_clk), .rst_i(rst_i),
@@ -210,7 +215,8 @@ module fpga #(
         .we_o(we), .waddr_o(waddr), .wdata_o(wdata), .wstrb_o(wstrb),
         .re_o(re), .raddr_o(raddr),
         .rdata_i(ports_rdata | sysid_rdata | vga_rdata | audio_rdata | keypad_rdata
-                 | timer0_rdata | timer1_rdata | jtag_rdata | ps2_rdata | adc_rdata),
+                 | timer0_rdata | timer1_rdata | jtag_rdata | ps2_rdata | adc_rdata
+                 | irda_rdata),
         .awake_o(lw_awake)
     );
 
@@ -382,12 +388,23 @@ module fpga #(
         .awake_o(ports_awake[7]), .due_o(ps2_due), .rest_o(ps2_rest)
     );
 
+    // ---- Infrared ---------------------------------------------------------
+    wire irda_irq;
+
+    irda irda_block (
+        .clk_i(ports_clk), .rst_i(rst_i), .we_i(we[SEL_IRDA]), .wstrb_i(wstrb), .waddr_i(waddr),
+        .wdata_i(wdata), .re_i(re[SEL_IRDA]), .raddr_i(raddr), .rdata_o(irda_rdata),
+        .irq_o(irda_irq), .rxd_i(irda_rxd_i), .txd_o(irda_txd_o),
+        .awake_o(ports_awake[9])
+    );
+
     // ---- Interrupts -------------------------------------------------------
     assign irq_o = {31'd0, key_irq} << KEY_IRQ | {31'd0, audio_irq} << AUDIO_IRQ
                    | {31'd0, jp1_irq} << JP1_IRQ | {31'd0, jp2_irq} << JP2_IRQ
                    | {31'd0, keypad_irq} << KEYPAD_IRQ | {31'd0, timer0_irq} << TIMER0_IRQ
                    | {31'd0, timer1_irq} << TIMER1_IRQ | {31'd0, jtag_irq} << JTAG_UART0_IRQ
-                   | {31'd0, ps2_irq[0]} << PS2_0_IRQ | {31'd0, ps2_irq[1]} << PS2_1_IRQ;
+                   | {31'd0, ps2_irq[0]} << PS2_0_IRQ | {31'd0, ps2_irq[1]} << PS2_1_IRQ
+                   | {31'd0, irda_irq} << IRDA_IRQ;
 endmodule
 
 `default_nettype wire

@@ -9,6 +9,7 @@ set(RTL_SOURCES
     common/dual_clock_fifo.v common/fifo.v common/group_clock.v common/root_clock.v
     common/shift_fifo.v common/small_fifo.v common/sync.v common/timebase.v
     gpio/hex_port.v gpio/output_port.v gpio/parallel_ports.v gpio/pio.v
+    irda/irda.v irda/irda_rx.v irda/irda_tx.v
     jtag_uart/jtag_uart.v jtag_uart/jtag_uarts.v
     keypad/keypad.v keypad/keypad_scan.v
     onchip/onchip_memory.v onchip/onchip_store.v

@@ -19,6 +19,7 @@ function [31:0] line_of;
         line_of[SEL_PS2_1] = addr[20:3] == PS2_1_BASE[20:3];
         line_of[SEL_JTAG_UART0] = addr[20:3] == JTAG_UART0_BASE[20:3];
         line_of[SEL_JTAG_UART1] = addr[20:3] == JTAG_UART1_BASE[20:3];
+        line_of[SEL_IRDA] = addr[20:3] == IRDA_BASE[20:3];
         line_of[SEL_TIMER0] = addr[20:5] == TIMER0_BASE[20:5];
         line_of[SEL_TIMER1] = addr[20:5] == TIMER1_BASE[20:5];
         line_of[SEL_SYSID] = addr[20:3] == SYSID_BASE[20:3];

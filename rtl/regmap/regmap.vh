@@ -1,7 +1,7 @@
 // regmap.vh - generated from regmap.def by `make regmap`; do not edit.
 // Every module uses a few of these constants.
 // verilator lint_off UNUSEDPARAM
-localparam [31:0] REGMAP_HASH = 32'ha946d335;
+localparam [31:0] REGMAP_HASH = 32'h0af75103;
 
 // Select lines of the lightweight bridge.
 localparam SEL_LEDR = 0;
@@ -15,17 +15,18 @@ localparam SEL_PS2_0 = 7;
 localparam SEL_PS2_1 = 8;
 localparam SEL_JTAG_UART0 = 9;
 localparam SEL_JTAG_UART1 = 10;
-localparam SEL_TIMER0 = 11;
-localparam SEL_TIMER1 = 12;
-localparam SEL_SYSID = 13;
-localparam SEL_RESAMPLER = 14;
-localparam SEL_PIXEL = 15;
-localparam SEL_TEXT = 16;
-localparam SEL_AV_CONFIG = 17;
-localparam SEL_AUDIO = 18;
-localparam SEL_ADC = 19;
-localparam SEL_KEYPAD = 20;
-localparam SEL_CODEC = 21;
+localparam SEL_IRDA = 11;
+localparam SEL_TIMER0 = 12;
+localparam SEL_TIMER1 = 13;
+localparam SEL_SYSID = 14;
+localparam SEL_RESAMPLER = 15;
+localparam SEL_PIXEL = 16;
+localparam SEL_TEXT = 17;
+localparam SEL_AV_CONFIG = 18;
+localparam SEL_AUDIO = 19;
+localparam SEL_ADC = 20;
+localparam SEL_KEYPAD = 21;
+localparam SEL_CODEC = 22;
 
 localparam [31:0] SDRAM_BASE = 32'hc0000000;
 localparam [31:0] SDRAM_SIZE = 32'h04000000;
@@ -176,6 +177,29 @@ localparam JTAG_UART1_CONTROL_AC_LSB = 10;
 localparam JTAG_UART1_CONTROL_AC_W = 1;
 localparam JTAG_UART1_CONTROL_WSPACE_LSB = 16;
 localparam JTAG_UART1_CONTROL_WSPACE_W = 16;
+
+localparam [31:0] IRDA_BASE = 32'hff201020;
+localparam [31:0] IRDA_SIZE = 32'h00000008;
+localparam [31:0] IRDA_DATA = 32'hff201020;
+localparam [31:0] IRDA_DATA_RESET = 32'h00000000;
+localparam IRDA_DATA_DATA_LSB = 0;
+localparam IRDA_DATA_DATA_W = 8;
+localparam IRDA_DATA_RVALID_LSB = 15;
+localparam IRDA_DATA_RVALID_W = 1;
+localparam IRDA_DATA_RAVAIL_LSB = 16;
+localparam IRDA_DATA_RAVAIL_W = 8;
+localparam [31:0] IRDA_CONTROL = 32'hff201024;
+localparam [31:0] IRDA_CONTROL_RESET = 32'h00800000;
+localparam IRDA_CONTROL_RE_LSB = 0;
+localparam IRDA_CONTROL_RE_W = 1;
+localparam IRDA_CONTROL_WE_LSB = 1;
+localparam IRDA_CONTROL_WE_W = 1;
+localparam IRDA_CONTROL_RI_LSB = 8;
+localparam IRDA_CONTROL_RI_W = 1;
+localparam IRDA_CONTROL_WI_LSB = 9;
+localparam IRDA_CONTROL_WI_W = 1;
+localparam IRDA_CONTROL_WSPACE_LSB = 16;
+localparam IRDA_CONTROL_WSPACE_W = 8;
 
 localparam [31:0] TIMER0_BASE = 32'hff202000;
 localparam [31:0] TIMER0_SIZE = 32'h00000020;
@@ -443,6 +467,8 @@ localparam AUDIO_IRQ = 6;  // GIC ID 78
 localparam PS2_0_IRQ = 7;  // GIC ID 79
 
 localparam JTAG_UART0_IRQ = 8;  // GIC ID 80
+
+localparam IRDA_IRQ = 9;  // GIC ID 81
 
 localparam JP1_IRQ = 11;  // GIC ID 83
 

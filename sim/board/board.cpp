@@ -47,6 +47,7 @@ Board::Board(const sc_core::sc_module_name& name, Audience& audience, Software s
       }},
       keypad{"keypad", seed, [this] { fpga.inputs().jp1 = jp1(); }},
       ps2_keyboard{"ps2_keyboard", [this] { ps2_wires(fpga.inputs()); }},
+      remote_control{"remote_control", [this] { fpga.inputs().irda_rxd = remote_control.dark(); }},
       fpga{"fpga", *this, trace_file, memory, sdram_chip.bytes(), audio_rate},
       jtag_host{"jtag_host", fpga, [&audience](char character) { audience.console(character); }},
       ddr3{"ddr3", DDR3_SIZE, sc_core::sc_time{60, sc_core::SC_NS}},

@@ -9,6 +9,7 @@
 //                                             +- Keypad    (JP1 D7-D0)
 //                                             +- JtagHost  (JTAG UARTs)
 //                                             +- Ps2Keyboard  (first PS/2 port)
+//                                             +- RemoteControl  (infrared receiver)
 //                                             +- KEY, SW, LEDR, HEX
 #pragma once
 
@@ -24,6 +25,7 @@
 #include "sim/board/ltc2308.h"
 #include "sim/board/monitor.h"
 #include "sim/board/ps2_keyboard.h"
+#include "sim/board/remote_control.h"
 #include "sim/board/wm8731.h"
 #include "sim/fpga/fpga.h"
 #include "sim/hps/arm_cpu.h"
@@ -93,6 +95,8 @@ public:
     }
     // On the PS/2 keyboard: characters with a scan_code().
     void type_keys(const std::string& text) { ps2_keyboard.type(text); }
+    // On the infrared remote control: the code of a button.
+    void press_remote(std::uint8_t button) { remote_control.press(button); }
 
     // As of the last clock that was run.
     const Lamps& lamps() const { return lamps_; }
@@ -128,6 +132,7 @@ public:  // the parts, in the order in which they are soldered
     Is42s16320d sdram_chip;
     Keypad keypad;
     Ps2Keyboard ps2_keyboard;
+    RemoteControl remote_control;
     Fpga fpga;
     JtagHost jtag_host;
     Memory ddr3;

@@ -109,6 +109,7 @@ void Fabric::apply_inputs() {
     top.jp2_i = in.jp2;
     top.i2c_sdat_i = in.sdat;
     top.adc_sdo_i = in.adc_sdo;
+    top.irda_rxd_i = in.irda_rxd;
     top.ps2_clk_i = in.ps2_clk;
     top.ps2_dat_i = in.ps2_dat;
     top.jtag_take_i = in.jtag.take;

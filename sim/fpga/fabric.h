@@ -64,14 +64,14 @@ struct FabricInputs {
     std::uint16_t sw = 0;
     std::uint8_t key_n = 0xf;
     std::uint32_t jp1 = 0xffffffff, jp2 = 0xffffffff;
-    bool adcdat = false, sdat = true, adc_sdo = false;
+    bool adcdat = false, sdat = true, adc_sdo = false, irda_rxd = true;
     JtagInputs jtag;
     std::uint8_t ps2_clk = 3, ps2_dat = 3;  // bit n of port n
 
     bool operator==(const FabricInputs& o) const {
         return sw == o.sw && key_n == o.key_n && jp1 == o.jp1 && jp2 == o.jp2 && sdat == o.sdat &&
-               adc_sdo == o.adc_sdo && jtag == o.jtag && ps2_clk == o.ps2_clk &&
-               ps2_dat == o.ps2_dat;
+               adc_sdo == o.adc_sdo && irda_rxd == o.irda_rxd && jtag == o.jtag &&
+               ps2_clk == o.ps2_clk && ps2_dat == o.ps2_dat;
     }
 };
 

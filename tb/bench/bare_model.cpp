@@ -52,6 +52,7 @@ double bare_model_s(std::uint64_t clocks, bool skip) {
     top.key_ni = 0xf;
     top.jp1_i = top.jp2_i = 0xffffffff;
     top.i2c_sdat_i = 1;
+    top.irda_rxd_i = 1;
     top.ps2_clk_i = top.ps2_dat_i = 3;
     top.lw_bready_i = top.lw_rready_i = top.h2f_bready_i = top.h2f_rready_i = 1;
     top.moved_i = ALL;

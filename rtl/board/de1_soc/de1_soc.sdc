@@ -41,6 +41,9 @@ set_false_path -to [get_ports {GPIO_0[*] GPIO_1[*]}]
 # at both ends.  I2C is slower still, and its answers pass two flip-flops.
 set_false_path -to [get_ports {AUD_* FPGA_I2C_SCLK FPGA_I2C_SDAT}]
 set_false_path -from [get_ports {AUD_ADCDAT FPGA_I2C_SDAT}]
+# Infrared, 115 kHz, in by two flip-flops.
+set_false_path -to [get_ports IRDA_TXD]
+set_false_path -from [get_ports IRDA_RXD]
 # PS/2, 17 kHz at most, in by two flip-flops; the ADC, a bit in two clocks and taken where it stands.
 set_false_path -to [get_ports {PS2_* ADC_CS_N ADC_SCLK ADC_DIN}]
 set_false_path -from [get_ports {PS2_* ADC_DOUT}]

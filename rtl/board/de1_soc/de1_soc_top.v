@@ -7,7 +7,7 @@
 // Pins are named as on the board's schematic, so that de1_soc.qsf can be checked against pins.tsv.
 // JP1 and JP2: bits 31:0 are the header's pins 35:19, 17, 15:3, 1; the four others stay open.
 //
-// Not handled: pins of what the system has not (IrDA, video-in, USB-Blaster); the
+// Not handled: pins of what the system has not (video-in, USB-Blaster); the
 // project leaves them as inputs with weak pull-ups.
 
 `default_nettype none
@@ -67,7 +67,10 @@ module de1_soc_top #(
     inout  wire        PS2_CLK,
     inout  wire        PS2_DAT,
     inout  wire        PS2_CLK2,
-    inout  wire        PS2_DAT2
+    inout  wire        PS2_DAT2,
+
+    input  wire        IRDA_RXD,
+    output wire        IRDA_TXD
 );
     localparam ID_W = 12;
 
@@ -315,6 +318,9 @@ module de1_soc_top #(
         .ps2_dat_i            ({PS2_DAT2, PS2_DAT}),
         .ps2_clk_low_o        (ps2_clk_low),
         .ps2_dat_low_o        (ps2_dat_low),
+
+        .irda_rxd_i           (IRDA_RXD),
+        .irda_txd_o           (IRDA_TXD),
 
         .jtag_take_i          (jtag_take),
         .jtag_sent_o          (jtag_sent),

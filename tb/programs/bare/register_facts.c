@@ -33,6 +33,7 @@ static void ports(void) {
     fact(4, JP1_DIRECTION == 0 && JP1 == 0xFFFFFFFF && JP2 == 0xFFFFFFFF);
     JP2_DIRECTION = 0xFFFF0000, JP2 = 0x12345678;
     fact(5, JP2_DIRECTION == 0xFFFF0000 && JP2 == 0x1234FFFF);
+    fact(22, IRDA_DATA == 0 && IRDA_CONTROL == 0x00800000);
 }
 
 static void picture(void) {

@@ -1,0 +1,98 @@
+// irda.v - the DE1-SoC Computer's IrDA port: bytes by infrared light
+//
+//   +0 DATA      read: RAVAIL[23:16], RVALID bit 15, the oldest byte [7:0], which it removes
+//                write: sends the byte [7:0]; dropped when 128 wait
+//   +4 CONTROL   WSPACE[23:16], WI bit 9, RI bit 8, WE bit 1, RE bit 0
+//
+// RI: with RE, 96 bytes or more to read; WI: with WE, room for 96 or more.  Each interrupts.
+//
+// Source: the IrDA UART core of Altera's University Program as the DE1-SoC Computer has it, at
+// 115,200 baud.  The board's receiver passes light of 38 kHz only and lets go slowly, so what comes
+// in from a remote control are runs of zeros: as many bytes as the light lasts 87 us.
+//
+// Not handled: parity (PE, bit 9 of DATA, is 0: the computer has none).
+
+`default_nettype none
+
+module irda (
+    input  wire        clk_i,
+    input  wire        rst_i,
+
+    input  wire        we_i,
+    // Only the register's place in the block counts, and the low byte lane.
+    // verilator lint_off UNUSED
+    input  wire [3:0]  wstrb_i,
+    input  wire [11:0] waddr_i,
+    input  wire [31:0] wdata_i,
+    input  wire [11:0] raddr_i,
+    // verilator lint_on UNUSED
+    input  wire        re_i,
+    output reg  [31:0] rdata_o,
+    output reg         irq_o,
+
+    input  wire        rxd_i,     // asynchronous, high while it is dark
+    output wire        txd_o,     // 1 = light
+
+    output wire        awake_o
+);
+    `include "regmap.vh"
+
+    localparam [7:0] DEPTH     = IRDA_CONTROL_RESET[IRDA_CONTROL_WSPACE_LSB +: 8];
+    localparam [7:0] THRESHOLD = 8'd96;
+
+    wire we_low     = we_i && wstrb_i[0];
+    wire we_data    = we_low && waddr_i[2] == IRDA_DATA[2];
+    wire we_control = we_low && waddr_i[2] == IRDA_CONTROL[2];
+    wire re_data    = re_i && raddr_i[2] == IRDA_DATA[2];
+
+    // ---- Bytes ------------------------------------------------------------
+    wire       received, take, none_in, none_out, rx_awake, tx_awake;
+    wire [7:0] byte_in, read_byte, byte_out, in_count, out_count;
+
+    irda_rx rx (
+        .clk_i(clk_i), .rst_i(rst_i), .rxd_i(rxd_i), .valid_o(received), .data_o(byte_in),
+        .awake_o(rx_awake)
+    );
+    // A full FIFO drops by itself, and nothing clears one.
+    // verilator lint_off PINCONNECTEMPTY
+    fifo #(.WIDTH(8)) in_fifo (
+        .clk_i(clk_i), .rst_i(rst_i), .clear_i(1'b0), .push_i(received), .wdata_i(byte_in),
+        .pop_i(re_data), .rdata_o(read_byte), .count_o(in_count), .full_o(), .empty_o(none_in),
+        .awake_o()
+    );
+    fifo #(.WIDTH(8)) out_fifo (
+        .clk_i(clk_i), .rst_i(rst_i), .clear_i(1'b0), .push_i(we_data), .wdata_i(wdata_i[7:0]),
+        .pop_i(take), .rdata_o(byte_out), .count_o(out_count), .full_o(), .empty_o(none_out),
+        .awake_o()
+    );
+    // verilator lint_on PINCONNECTEMPTY
+    irda_tx tx (
+        .clk_i(clk_i), .rst_i(rst_i), .waits_i(!none_out), .data_i(byte_out), .take_o(take),
+        .txd_o(txd_o), .awake_o(tx_awake)
+    );
+
+    // ---- Interrupt and registers -------------------------------------------
+    reg        re_q, we_q;
+    wire [7:0] space = DEPTH - out_count;
+    wire       ri    = re_q && in_count >= THRESHOLD;
+    wire       wi    = we_q && space >= THRESHOLD;
+
+    assign awake_o = rdata_o != 32'd0 || irq_o != (ri || wi) || rx_awake || tx_awake;
+
+    always @(posedge clk_i) begin
+        irq_o   <= ri || wi;
+        rdata_o <= 32'd0;
+        if (re_data) begin
+            if (!none_in) rdata_o <= {8'd0, in_count, 1'b1, 7'd0, read_byte};
+        end else if (re_i) begin
+            rdata_o <= {8'd0, space, 6'd0, wi, ri, 6'd0, we_q, re_q};
+        end
+        if (we_control) {we_q, re_q} <= wdata_i[1:0];
+        if (rst_i) begin
+            irq_o        <= 1'b0;
+            {we_q, re_q} <= 2'b00;
+        end
+    end
+endmodule
+
+`default_nettype wire

@@ -1,0 +1,1 @@
+s/waits_i || busy_q;/waits_i;/

@@ -1,0 +1,1 @@
+s/ || !rxd || busy_q/ || busy_q/
