@@ -6,8 +6,8 @@ prove.py --rtl DIR --work DIR --depth N [--induction] [--clocks] [--mutant FILE.
 Without --mutant: 0 if every assert holds for N clocks from any state that a reset clock leads out
 of, and with --induction for ever (N-step induction).  With --mutant: the sed script is applied to a
 copy of the sources, and 0 means that the assert PROPERTY was seen to fail: within N clocks of a
-reset, or else, with --induction, first of all, one clock after N clocks of any states in which every
-assert held.
+reset, or else, with --induction, first of all, one clock after N clocks of any states in which
+every assert held.
 
 With --clocks the clocks are inputs like others, and N counts steps in which each may tick or not.
 
