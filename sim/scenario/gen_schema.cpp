@@ -1,4 +1,4 @@
-// gen_schema.cpp - prints scenario.schema.json from the step table
+// gen_schema.cpp - prints scenario.schema.json from the forms of the steps
 #include <iostream>
 #include <nlohmann/json.hpp>
 
@@ -11,7 +11,7 @@ using Json = nlohmann::ordered_json;
 Json steps_schema();
 
 Json field_schema(const sim::Field& field) {
-    if (!field.type.schema) {
+    if (field.type.schema.empty()) {
         Json list = {{"description", field.help}, {"type", "array"}, {"minItems", 1}};
         list["items"] = steps_schema();
         return list;
@@ -74,9 +74,10 @@ Json steps_schema() {
 }  // namespace
 
 int main() {
-    Json schema = {{"$schema", "http://json-schema.org/draft-07/schema#"},
-                   {"title", "Scenario for de1sim"},
-                   {"$comment", "Generated from step_table.cpp by the target schema_files."}};
+    Json schema = {
+        {"$schema", "http://json-schema.org/draft-07/schema#"},
+        {"title", "Scenario for de1sim"},
+        {"$comment", "Generated from the forms of the steps by the target schema_files."}};
     schema.update(object(sim::file_fields()));
     schema["anyOf"] = any_of({"steps", "duration"});
     std::cout << schema.dump(2) << "\n";

@@ -1,0 +1,54 @@
+// stage.h - the board as the person in front of it has it: hands, eyes, ears and a watch
+//
+// What steps act on.  Player puts it before the simulated board; the tests of steps, which need no
+// simulation, before a board of their own.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <string>
+
+#include "sim/report/png.h"
+#include "sim/scenario/controls.h"
+#include "sim/scenario/senses.h"
+#include "sim/scenario/seven_segment.h"
+#include "sim/scenario/sim_time.h"
+
+namespace sim {
+
+class Stage {
+public:
+    // ---- Time ----
+
+    virtual void wait(SimTime time) = 0;
+
+    enum class Each { FRAME, CHARACTER, MILLISECOND };  // that was shown, printed, passed
+    // Waits until `met`, looking now, after each of these, and at the end; false: not in this time.
+    virtual bool wait_until(Each each, SimTime timeout, const std::function<bool()>& met) = 0;
+
+    // ---- Hands ----
+
+    virtual void hold(const Controls& controls) = 0;
+    virtual void release(const Controls& controls) = 0;
+    virtual void set_voltage(unsigned channel, double volts) = 0;  // at the AD converter
+    virtual void type_serial(const std::string& text) = 0;         // both go on at once
+    virtual void type_keys(const std::string& text) = 0;
+
+    // ---- Eyes and ears: what there is now ----
+
+    virtual Senses& senses() = 0;
+    virtual std::uint16_t ledr() = 0;
+    virtual HexSegments hex() = 0;
+
+    // ---- The output folder ----
+
+    virtual const std::filesystem::path& folder() const = 0;
+    // False: it could not be written, which the report tells as a fault.
+    virtual bool save(const std::filesystem::path& path, const Image& image) = 0;
+
+protected:
+    ~Stage() = default;
+};
+
+}  // namespace sim
