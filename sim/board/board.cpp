@@ -32,7 +32,8 @@ const std::vector<MemoryRange>& program_memory() {
 }
 
 Board::Board(const sc_core::sc_module_name& name, Audience& audience, Software software,
-             std::uint64_t seed, const std::string& trace_file, Fpga::Memory memory)
+             std::uint64_t seed, const std::string& trace_file, Fpga::Memory memory,
+             Ps2Ports ps2_ports)
     : sc_module{name},
       monitor{[&audience](const Monitor::Frame& frame) { audience.frame(frame); }},
       codec_chip{[this, &audience](const StereoSample& sample, std::uint64_t) {
@@ -43,6 +44,7 @@ Board::Board(const sc_core::sc_module_name& name, Audience& audience, Software s
       }},
       keypad{"keypad", seed, [this] { fpga.inputs().jp1 = jp1(); }},
       ps2_keyboard{"ps2_keyboard", [this] { ps2_wires(fpga.inputs()); }},
+      ps2_mouse{"ps2_mouse", [this] { ps2_wires(fpga.inputs()); }},
       fpga{"fpga", *this, trace_file, memory, sdram_chip.bytes()},
       jtag_host{"jtag_host", fpga, [&audience](char character) { audience.console(character); }},
       ddr3{"ddr3", DDR3_SIZE, sc_core::sc_time{60, sc_core::SC_NS}},
@@ -57,6 +59,14 @@ Board::Board(const sc_core::sc_module_name& name, Audience& audience, Software s
       processor_{processor_for(std::move(software), audience)},
       cpu{*processor_},
       arm{dynamic_cast<ArmCpu*>(processor_.get())} {
+    const auto plugged = [this](Ps2Plug plug) -> Ps2Device* {
+        switch (plug) {
+            case Ps2Plug::KEYBOARD: return &ps2_keyboard;
+            case Ps2Plug::MOUSE: return &ps2_mouse;
+            default: return nullptr;
+        }
+    };
+    ps2_ = {plugged(ps2_ports.first), plugged(ps2_ports.second)};
     cpu.socket.bind(bus.socket);
     bus.window("ddr3", DDR3_BASE, DDR3_SIZE).bind(ddr3.socket);
     bus.window("h2f", H2F_BASE, H2F_SIZE).bind(fpga.h2f);
@@ -106,14 +116,21 @@ void Board::sdram(const SdramPins& pins, std::uint64_t time_ps, std::uint16_t& d
 void Board::ps2(unsigned clk_low, unsigned dat_low, FabricInputs& in) {
     ps2_clk_low_ = clk_low;
     ps2_dat_low_ = dat_low;
-    ps2_keyboard.host(clk_low & 1, dat_low & 1);
+    for (unsigned port = 0; port < ps2_.size(); ++port)
+        if (ps2_[port]) ps2_[port]->host(clk_low >> port & 1, dat_low >> port & 1);
     ps2_wires(in);
 }
 
-// Open collectors with pull-ups; nothing is plugged into the second port.
+// Open collectors with pull-ups.
 void Board::ps2_wires(FabricInputs& in) const {
-    in.ps2_clk = static_cast<std::uint8_t>(3 & ~(ps2_clk_low_ | ps2_keyboard.clk_low()));
-    in.ps2_dat = static_cast<std::uint8_t>(3 & ~(ps2_dat_low_ | ps2_keyboard.dat_low()));
+    unsigned clk_low = ps2_clk_low_, dat_low = ps2_dat_low_;
+    for (unsigned port = 0; port < ps2_.size(); ++port) {
+        if (!ps2_[port]) continue;
+        clk_low |= unsigned{ps2_[port]->clk_low()} << port;
+        dat_low |= unsigned{ps2_[port]->dat_low()} << port;
+    }
+    in.ps2_clk = static_cast<std::uint8_t>(3 & ~clk_low);
+    in.ps2_dat = static_cast<std::uint8_t>(3 & ~dat_low);
 }
 
 void Board::jtag_byte(unsigned number, char byte, FabricInputs& in) {

@@ -8,10 +8,11 @@
 //                                             +- Is42s16320d  (SDRAM)
 //                                             +- Keypad    (JP1 D7-D0)
 //                                             +- JtagHost  (JTAG UARTs)
-//                                             +- Ps2Keyboard  (first PS/2 port)
+//                                             +- Ps2Keyboard, Ps2Mouse  (PS/2 ports)
 //                                             +- KEY, SW, LEDR, HEX
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -24,6 +25,8 @@
 #include "sim/board/ltc2308.h"
 #include "sim/board/monitor.h"
 #include "sim/board/ps2_keyboard.h"
+#include "sim/board/ps2_mouse.h"
+#include "sim/board/ps2_ports.h"
 #include "sim/board/wm8731.h"
 #include "sim/fpga/fpga.h"
 #include "sim/hps/arm_cpu.h"
@@ -58,7 +61,7 @@ public:
 
     Board(const sc_core::sc_module_name& name, Audience& audience, Software software,
           std::uint64_t seed, const std::string& trace_file,
-          Fpga::Memory memory = Fpga::Memory::BRIDGED);
+          Fpga::Memory memory = Fpga::Memory::BRIDGED, Ps2Ports ps2_ports = {});
 
     // Hands on the board: masks of keypad keys (4 * row + column), KEY3-0 and SW9-0.
     void hold(std::uint16_t keypad, std::uint8_t keys, std::uint16_t switches);
@@ -69,8 +72,6 @@ public:
 
     // At the first JTAG UART's terminal.
     void type(const std::string& text) { jtag_host.type(text); }
-    // On the PS/2 keyboard: characters with a scan_code().
-    void type_keys(const std::string& text) { ps2_keyboard.type(text); }
 
 private:
     void video(const std::uint32_t* samples, std::size_t count) override;
@@ -86,6 +87,7 @@ private:
 
     HeaderPins header_pins_{};
     unsigned ps2_clk_low_ = 0, ps2_dat_low_ = 0;    // by the FPGA
+    std::array<Ps2Device*, 2> ps2_{};               // in each port; may be none
     double rate_hz_ = 0;                            // of the samples given to the audience so far
     std::function<void(bool)> h2f_gate_, lw_gate_;  // true: out of reset
 
@@ -96,6 +98,7 @@ public:  // the parts, in the order in which they are soldered
     Is42s16320d sdram_chip;
     Keypad keypad;
     Ps2Keyboard ps2_keyboard;
+    Ps2Mouse ps2_mouse;
     Fpga fpga;
     JtagHost jtag_host;
     Memory ddr3;

@@ -129,7 +129,8 @@ ExitCode run_doing(const char*& doing, const RunOptions& options, const Firmware
                 std::move(software),
                 seed,
                 trace ? trace->part().string() : "",
-                options.memory == "bridge" ? Fpga::Memory::BRIDGED : Fpga::Memory::MAPPED};
+                options.memory == "bridge" ? Fpga::Memory::BRIDGED : Fpga::Memory::MAPPED,
+                scenario.ps2};
     std::optional<ArmRun> arm;
     if (board.arm) arm.emplace(*board.arm, options, on_linux, recorder);
     Player player{"player", board, recorder.senses(), scenario.steps, options.out};

@@ -73,7 +73,13 @@ void Player::hold(const Controls& c) { board_.hold(c.keypad, c.keys, c.switches)
 void Player::release(const Controls& c) { board_.release(c.keypad, c.keys, c.switches); }
 void Player::set_voltage(unsigned channel, double volts) { board_.set_voltage(channel, volts); }
 void Player::type_serial(const std::string& text) { board_.type(text); }
-void Player::type_keys(const std::string& text) { board_.type_keys(text); }
+void Player::type_keys(const std::string& text) { board_.ps2_keyboard.type(text); }
+void Player::hold_key(std::uint16_t code) { board_.ps2_keyboard.press(code); }
+void Player::release_key(std::uint16_t code) { board_.ps2_keyboard.release(code); }
+void Player::move_mouse(int right, int up) { board_.ps2_mouse.move(right, up); }
+void Player::turn_wheel(int notches) { board_.ps2_mouse.turn(notches); }
+void Player::hold_button(MouseButton button) { board_.ps2_mouse.button(button, true); }
+void Player::release_button(MouseButton button) { board_.ps2_mouse.button(button, false); }
 
 // ---- Eyes and ears ----
 

@@ -41,6 +41,12 @@ private:
     void set_voltage(unsigned channel, double volts) override;
     void type_serial(const std::string& text) override;
     void type_keys(const std::string& text) override;
+    void hold_key(std::uint16_t code) override;
+    void release_key(std::uint16_t code) override;
+    void move_mouse(int right, int up) override;
+    void turn_wheel(int notches) override;
+    void hold_button(MouseButton button) override;
+    void release_button(MouseButton button) override;
     Senses& senses() override;
     std::uint16_t ledr() override;
     HexSegments hex() override;

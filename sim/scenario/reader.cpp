@@ -123,6 +123,11 @@ void need_text(std::string_view text) {
     }
 }
 
+Ps2Ports ps2_ports(const Numbers& devices) {
+    return {static_cast<Ps2Plug>(devices.at(0)),
+            devices.size() > 1 ? static_cast<Ps2Plug>(devices[1]) : Ps2Plug::NOTHING};
+}
+
 Scenario read_scenario(std::string_view text, const Path& file) {
     if (text.size() > MAX_FILE_BYTES)
         throw Refusal{0, 0,
@@ -141,6 +146,7 @@ Scenario read_scenario(std::string_view text, const Path& file) {
     scenario.name = values.get<std::string>("name");
     scenario.seed = values.get<std::uint64_t>("seed");
     if (values.find("duration")) scenario.duration = values.get<SimTime>("duration");
+    if (values.find("ps2")) scenario.ps2 = ps2_ports(values.list("ps2"));
     for (std::size_t i = 0; i < root.keys.size(); ++i)
         if (root.keys[i].text == "steps") scenario.steps = read_steps(folder, root.items[i]);
     if (scenario.steps.empty() && !scenario.duration)

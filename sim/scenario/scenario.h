@@ -13,6 +13,7 @@
 #include <string_view>
 #include <vector>
 
+#include "sim/board/ps2_ports.h"
 #include "sim/scenario/sim_time.h"
 #include "sim/scenario/step.h"
 
@@ -30,6 +31,7 @@ struct Scenario {
     std::filesystem::path file;
     std::uint64_t seed = 1;
     std::optional<SimTime> duration;
+    Ps2Ports ps2;
     std::vector<ScenarioStep> steps;  // may be empty when there is a duration
 };
 

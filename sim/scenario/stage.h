@@ -9,6 +9,7 @@
 #include <functional>
 #include <string>
 
+#include "sim/board/ps2_ports.h"
 #include "sim/report/png.h"
 #include "sim/scenario/controls.h"
 #include "sim/scenario/senses.h"
@@ -34,6 +35,12 @@ public:
     virtual void set_voltage(unsigned channel, double volts) = 0;  // at the AD converter
     virtual void type_serial(const std::string& text) = 0;         // both go on at once
     virtual void type_keys(const std::string& text) = 0;
+    virtual void hold_key(std::uint16_t code) = 0;  // of the keyboard, see scan_codes.h
+    virtual void release_key(std::uint16_t code) = 0;
+    virtual void move_mouse(int right, int up) = 0;
+    virtual void turn_wheel(int notches) = 0;  // towards the hand
+    virtual void hold_button(MouseButton button) = 0;
+    virtual void release_button(MouseButton button) = 0;
 
     // ---- Eyes and ears: what there is now ----
 

@@ -46,6 +46,11 @@ void StaticChecks::release(const std::string& control) {
         refuse_step("a control that is held", control + ", which is not");
 }
 
+void StaticChecks::need(Ps2Plug plug) const {
+    if (!scenario_.ps2.has(plug))
+        refuse_step(plug == Ps2Plug::MOUSE ? "a mouse among ps2" : "a keyboard among ps2", "none");
+}
+
 // ---- Files ----
 
 void StaticChecks::new_file(const std::filesystem::path& as_written) {
@@ -73,7 +78,7 @@ void StaticChecks::new_file(const std::filesystem::path& as_written) {
 // ---- The clock ----
 
 void check_steps(const Scenario& scenario) {
-    StaticChecks checks;
+    StaticChecks checks{scenario};
     for (const ScenarioStep& step : scenario.steps) {
         checks.step_ = &step;
         step.step->check(checks);

@@ -12,10 +12,14 @@ namespace sim {
 // What a step may ask about the steps before it; what is wrong is a Refusal at its place.
 class StaticChecks {
 public:
+    explicit StaticChecks(const Scenario& scenario) : scenario_{scenario} {}
+
     // A control by its name, "keypad 6": held by one step, and then free again by another.
     void need_free(const std::string& control) const;
     void hold(const std::string& control);
     void release(const std::string& control);
+
+    void need(Ps2Plug plug) const;
 
     // A file in the output folder that no other step and no run writes.
     void new_file(const std::filesystem::path& file);
@@ -24,6 +28,7 @@ private:
     friend void check_steps(const Scenario& scenario);
     [[noreturn]] void refuse_step(const std::string& expected, const std::string& got) const;
 
+    const Scenario& scenario_;
     const ScenarioStep* step_ = nullptr;
     std::map<std::string, int> held_since_;         // line
     std::map<std::filesystem::path, int> written_;  // line

@@ -43,10 +43,17 @@ public:
         const Value* value = find(name);
         return value ? std::get<T>(*value) : otherwise;
     }
-    // For whole numbers and sets of them.
     template <class Number>
     Number number(const std::string& name) const {
         return static_cast<Number>(get<std::uint64_t>(name));
+    }
+    // A list of numbers, and the same with a bit for each.
+    Numbers list(const std::string& name) const { return get<Numbers>(name); }
+    template <class Mask>
+    Mask mask(const std::string& name) const {
+        std::uint64_t bits = 0;
+        for (const std::uint64_t number : list(name)) bits |= std::uint64_t{1} << number;
+        return static_cast<Mask>(bits);
     }
     // A file named as seen from the scenario's.
     std::filesystem::path path(const std::string& name) const {

@@ -22,6 +22,12 @@ const ValueType VERSION{"1, the version of the format", R"({"type": "integer", "
 const ValueType SEED = whole_number("a whole number from 0 to 18446744073709551615", 0,
                                     std::numeric_limits<std::uint64_t>::max());
 const ValueType STEPS{"a list of steps", "", nullptr};  // reader.cpp reads the list
+const ValueType PS2 = [] {
+    ValueType type = word("keyboard, mouse or nothing", {"keyboard", "mouse", "nothing"});
+    type.list_of = "device";
+    type.at_most = 2;
+    return type;
+}();
 
 }  // namespace
 
@@ -48,6 +54,9 @@ const std::vector<Field>& file_fields() {
         {"seed", SEED, Need::OPTIONAL, "1", "Seed of the contact bounce; same seed, same run."},
         {"duration", SOME_TIME, Need::OPTIONAL, "",
          "Simulated time at which the run ends. Without it the run ends with the last step."},
+        {"ps2", PS2, Need::OPTIONAL, "",
+         "What is in the first PS/2 port, or a list: in the first and in the second. Without it a "
+         "keyboard and a mouse."},
         {"steps", STEPS, Need::OPTIONAL, "", "What happens, in order."},
     };
     return FIELDS;

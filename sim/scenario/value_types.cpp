@@ -86,6 +86,18 @@ ValueType whole_number(const std::string& expected, std::uint64_t least, std::ui
             }};
 }
 
+ValueType signed_number(const std::string& expected, std::uint64_t most) {
+    return {expected,
+            fmt::format(R"({{"type": "integer", "minimum": -{0}, "maximum": {0}}})", most),
+            [most](const YamlNode& node) -> Reading {
+                if (!is_plain(node)) return std::nullopt;
+                const bool minus = node.text.substr(0, 1) == "-";
+                const auto size = parse_whole(node.text.substr(minus), minus, most);
+                if (!size) return std::nullopt;
+                return minus ? std::uint64_t{0} - *size : *size;
+            }};
+}
+
 ValueType decimal_number(const std::string& expected, double least, double most) {
     return {expected,
             fmt::format(R"({{"type": "number", "minimum": {}, "maximum": {}}})", least, most),
@@ -97,13 +109,14 @@ ValueType decimal_number(const std::string& expected, double least, double most)
 }
 
 ValueType word(const std::string& expected, const std::vector<std::string>& words) {
-    return {expected, fmt::format(R"({{"enum": ["{}"]}})", fmt::join(words, R"(", ")")),
+    return {expected,
+            fmt::format(R"({{"type": "string", "enum": ["{}"]}})", fmt::join(words, R"(", ")")),
             [words](const YamlNode& node) -> Reading {
                 const auto at = std::find(words.begin(), words.end(), node.text);
                 if (!is_text(node) || at == words.end()) return std::nullopt;
                 return static_cast<std::uint64_t>(at - words.begin());
             },
-            false, words};
+            "", words};
 }
 
 }  // namespace value_types
@@ -129,16 +142,20 @@ Value read_one(const ValueType& type, const YamlNode& node) {
 }  // namespace
 
 Value read_value(const ValueType& type, const YamlNode& node) {
-    if (!type.set) return read_one(type, node);
+    if (type.list_of.empty()) return read_one(type, node);
     const bool is_list = node.kind == YamlNode::Kind::LIST;
     if (is_list && node.items.empty()) refuse(node, type.expected, "an empty list");
-    std::uint64_t mask = 0;
+    if (type.at_most && node.items.size() > type.at_most)
+        refuse(node, fmt::format("at most {} in a list", type.at_most),
+               std::to_string(node.items.size()));
+    Numbers numbers;
     for (const YamlNode& item : is_list ? node.items : std::vector<YamlNode>{node}) {
-        const auto bit = std::uint64_t{1} << std::get<std::uint64_t>(read_one(type, item));
-        if (mask & bit) refuse(item, "each control once", describe(item) + " again");
-        mask |= bit;
+        const auto number = std::get<std::uint64_t>(read_one(type, item));
+        if (std::count(numbers.begin(), numbers.end(), number))
+            refuse(item, "each " + type.list_of + " once", describe(item) + " again");
+        numbers.push_back(number);
     }
-    return mask;
+    return numbers;
 }
 
 }  // namespace sim

@@ -17,15 +17,17 @@
 
 namespace sim {
 
-using Value = std::variant<std::uint64_t, double, std::string, SimTime>;
+using Numbers = std::vector<std::uint64_t>;
+using Value = std::variant<std::uint64_t, double, std::string, SimTime, Numbers>;
 using Reading = std::optional<Value>;  // nothing: not such a value
 
 struct ValueType {
     std::string expected;  // completes "expected ..."
     std::string schema;    // JSON Schema of one value
     std::function<Reading(const YamlNode&)> read;
-    bool set = false;                     // one value or a list: numbers, read into a bit mask
+    std::string list_of = "";  // one value or a list of different numbers, and their name
     std::vector<std::string> words = {};  // for the hint at a slip
+    std::size_t at_most = 0;              // in a list; 0: as many as there are
 };
 
 namespace value_types {
@@ -34,6 +36,8 @@ extern const ValueType LINE, TEXT, TIME, SOME_TIME;
 
 ValueType whole_number(const std::string& expected, std::uint64_t least, std::uint64_t most);
 ValueType decimal_number(const std::string& expected, double least, double most);
+// From -most to most; Values::number() gives it with its sign.
+ValueType signed_number(const std::string& expected, std::uint64_t most);
 // One of these words, read as its place in the list.
 ValueType word(const std::string& expected, const std::vector<std::string>& words);
 

@@ -25,9 +25,10 @@ TEST(ScenarioError, CarriesFilePlaceAndMessageApart) {
 TEST(ScenarioError, NamesTheNearestFieldOfAFile) {
     EXPECT_EQ(error_of("nam: a"),
               "a.yaml:1:1: expected a field of a scenario, got \"nam\" (did you mean \"name\"?)");
-    EXPECT_EQ(error_of("name: a\ncolour: red"),
-              "a.yaml:2:1: expected a field of a scenario: name, version, seed, duration or steps, "
-              "got \"colour\"");
+    EXPECT_EQ(
+        error_of("name: a\ncolour: red"),
+        "a.yaml:2:1: expected a field of a scenario: name, version, seed, duration, ps2 or steps, "
+        "got \"colour\"");
 }
 
 TEST(ScenarioError, NamesTheNearestStep) {
@@ -52,6 +53,19 @@ TEST(ScenarioError, SaysWhichFieldOfTheFileIsMissing) {
               "a.yaml:1:1: expected \"version\" in a scenario, got none");
     EXPECT_EQ(error_of("name: a\nversion: 1"),
               "a.yaml:1:1: expected \"steps\" or \"duration\" in a scenario, got none");
+}
+
+TEST(ScenarioError, SaysWhatCanBeInAPs2Port) {
+    const auto error = [](const std::string& ps2) {
+        return error_of("name: a\nversion: 1\nduration: 1s\nps2: " + ps2);
+    };
+    EXPECT_EQ(error("mous"),
+              "a.yaml:4:6: expected keyboard, mouse or nothing, got \"mous\" (did "
+              "you mean \"mouse\"?)");
+    EXPECT_EQ(error("[mouse, mouse]"),
+              "a.yaml:4:14: expected each device once, got \"mouse\" again");
+    EXPECT_EQ(error("[mouse, keyboard, nothing]"),
+              "a.yaml:4:6: expected at most 2 in a list, got 3");
 }
 
 TEST(ScenarioError, SaysWhichFieldOfAStepIsMissing) {

@@ -16,6 +16,7 @@ GOOD_FILES = [
     HEAD + "duration: 1s\n",
     HEAD + "seed: 18446744073709551615\nduration: 0.5ms\nsteps: [{delay: 0s}]\n",
     "version: 1\nsteps: [{delay: 3600s}]\nname: 'a: b'\n",
+    HEAD + "duration: 1s\nps2: mouse\n", HEAD + "duration: 1s\nps2: [nothing, keyboard]\n",
 ]
 
 GOOD_STEPS = [
@@ -24,6 +25,11 @@ GOOD_STEPS = [
     "press: {key: 0, switch: [0, 9]}", "hold: {key: [0, 1, 2, 3]}", "hold: {switch: 3}",
     "set-voltage: {channel: 0, volts: 0}", "set-voltage: {channel: 7, volts: 4.095}",
     "type-keys: 'Hi ~'", "type-keys: \"\\t\\n\"", "type-serial: 'ls -l'", "type-serial: \"\\n\"",
+    "press-key: Left", "press-key: 1", "press-key: [Ctrl, c, '/']", "press-key: {key: A, for: 1s}",
+    "hold-key: F12", "hold-key: {key: [Shift, Numpad5]}",
+    "move-mouse: {right: -5}", "move-mouse: {right: 5, down: 5000, for: 1s}",
+    "click-mouse: left", "click-mouse: {button: middle, for: 1s}", "hold-mouse: right",
+    "drag-mouse: {down: 1}", "drag-mouse: {down: 1, button: right}", "turn-wheel: -8",
     "wait-frame: 120", "wait-frame: next", "wait-frame: next-swap",
     "wait-frame: {frame: 1, timeout: 2s}",
     "wait-serial: ready", "wait-serial: {text: '42', timeout: 1ns}",
@@ -42,6 +48,9 @@ BAD_FILES = [
     HEAD + "duration: 1s\nseed: -1\n", HEAD + "duration: 1s\nseed: 18446744073709551616\n",
     HEAD + "duration: 1s\nseed: 1.5\n", HEAD + "duration: 0s\n", HEAD + "duration: 1\n",
     HEAD + "duration: 1s\ncolour: red\n", HEAD + "steps: []\n", HEAD + "steps: {delay: 1s}\n",
+    HEAD + "duration: 1s\nps2: trackball\n", HEAD + "duration: 1s\nps2: []\n",
+    HEAD + "duration: 1s\nps2: [mouse, mouse]\n",
+    HEAD + "duration: 1s\nps2: [mouse, keyboard, nothing]\n",
     HEAD + "steps: [delay]\n", HEAD + "steps: [{}]\n",
     HEAD + "steps: [{delay: 1s, hold: {key: 0}}]\n",
 ]
@@ -57,6 +66,11 @@ BAD_STEPS = [
     "set-voltage: {channel: 8, volts: 1}", "set-voltage: {channel: 0, volts: 5.1}",
     "set-voltage: {channel: 0}", "set-voltage: {volts: 1}", "set-voltage: 1",
     "set-voltage: {channel: 0, volts: -1}", "set-voltage: {channel: 0, volts: '1'}",
+    "press-key: '!'", "press-key: left", "press-key: []", "press-key: [Up, Up]", "press-key:",
+    "press-key: {for: 1s}", "hold-key: {key: Up, for: 1s}", "press-key: '10'", "press-key: 10",
+    "move-mouse: {}", "move-mouse: {for: 1s}", "move-mouse: {right: 5001}", "move-mouse: 5",
+    "move-mouse: {right: 1.5}", "click-mouse: up", "click-mouse: {for: 1s}", "drag-mouse: {}",
+    "turn-wheel: 9", "turn-wheel: fast", "turn-wheel: {notches: 1}",
     "wait-frame: 0", "wait-frame: 1000001", "wait-frame: later", "wait-frame: {timeout: 1s}",
     "wait-frame: {frame: 1, timeout: 0s}", "wait-serial: ''", "wait-serial: 42", "wait-serial: yes",
     "expect-frame: a.png", "expect-frame: {}", "expect-frame: {equals: a, differing-pixels: -1}",

@@ -35,6 +35,18 @@ TEST(Scenario, TakesEverySeedOf64Bits) {
     EXPECT_EQ(parse("name: a\nversion: 1\nduration: 1s\nseed: 0xFF").seed, 255u);
 }
 
+TEST(Scenario, SaysWhatIsPluggedIntoThePs2Ports) {
+    const auto ports = [](const std::string& line) {
+        const Ps2Ports ps2 = parse("name: a\nversion: 1\nduration: 1s\n" + line).ps2;
+        return std::pair{ps2.first, ps2.second};
+    };
+    EXPECT_EQ(ports(""), (std::pair{Ps2Plug::KEYBOARD, Ps2Plug::MOUSE}));
+    EXPECT_EQ(ports("ps2: [mouse, keyboard]"), (std::pair{Ps2Plug::MOUSE, Ps2Plug::KEYBOARD}));
+    EXPECT_EQ(ports("ps2: [nothing, mouse]"), (std::pair{Ps2Plug::NOTHING, Ps2Plug::MOUSE}));
+    EXPECT_EQ(ports("ps2: mouse"), (std::pair{Ps2Plug::MOUSE, Ps2Plug::NOTHING}));
+    EXPECT_EQ(ports("ps2: nothing"), (std::pair{Ps2Plug::NOTHING, Ps2Plug::NOTHING}));
+}
+
 TEST(Scenario, MayBeADurationAlone) {
     EXPECT_TRUE(parse("name: a\nversion: 1\nduration: 1s").steps.empty());
 }

@@ -27,8 +27,8 @@ private:
 class OnControls : public Action {
 protected:
     explicit OnControls(const Values& v)
-        : controls_{v.number<std::uint16_t>("keypad"), v.number<std::uint8_t>("key"),
-                    v.number<std::uint16_t>("switch")} {}
+        : controls_{v.mask<std::uint16_t>("keypad"), v.mask<std::uint8_t>("key"),
+                    v.mask<std::uint16_t>("switch")} {}
 
     template <class Check>
     void for_each(Check check) const {
@@ -86,8 +86,8 @@ Reading read_keypad(const YamlNode& node) {
     return std::uint64_t{*key};
 }
 
-ValueType set_of(ValueType type) {
-    type.set = true;
+ValueType list_of(ValueType type) {
+    type.list_of = "control";
     return type;
 }
 
@@ -95,9 +95,9 @@ const ValueType KEYPAD{
     "a keypad key, 0-9 or A-F",
     R"({"enum": ["0", "1", "2", "3", "4", "5", "6", "7", "8", "9", "A", "B", "C", "D", "E", "F",
                  0, 1, 2, 3, 4, 5, 6, 7, 8, 9]})",
-    read_keypad, true};
-const ValueType KEY = set_of(whole_number("a key number, 0 to 3", 0, KEYS - 1));
-const ValueType SWITCH = set_of(whole_number("a switch number, 0 to 9", 0, SWITCHES - 1));
+    read_keypad, "control"};
+const ValueType KEY = list_of(whole_number("a key number, 0 to 3", 0, KEYS - 1));
+const ValueType SWITCH = list_of(whole_number("a switch number, 0 to 9", 0, SWITCHES - 1));
 
 const std::vector<const char*> ANY_CONTROL = {"keypad", "key", "switch"};
 

@@ -34,7 +34,7 @@ const ValueType FRAME{"a frame number from 1 to 1000000, next or next-swap",
                       R"({"anyOf": [{"type": "integer", "minimum": 1, "maximum": 1000000},
                   {"enum": ["next", "next-swap"]}]})",
                       read_frame,
-                      false,
+                      "",
                       {"next", "next-swap"}};
 
 class WaitFrame : public Claim {

@@ -21,6 +21,7 @@ public:
     std::vector<std::pair<std::string, sim::Image>> saved;
     sim::Senses seen;
     std::uint16_t leds = 0;
+    int mouse_right = 0, mouse_up = 0;
     sim::HexSegments segments{};
     std::function<void()> meanwhile = [] {};
     bool disk_full = false;
@@ -46,6 +47,23 @@ public:
     }
     void type_serial(const std::string& text) override { done.push_back("serial " + text); }
     void type_keys(const std::string& text) override { done.push_back("keys " + text); }
+    void hold_key(std::uint16_t code) override {
+        done.push_back(fmt::format("key {:04X} down", code));
+    }
+    void release_key(std::uint16_t code) override {
+        done.push_back(fmt::format("key {:04X} up", code));
+    }
+    void move_mouse(int right, int up) override {
+        mouse_right += right;
+        mouse_up += up;
+    }
+    void turn_wheel(int notches) override { done.push_back(fmt::format("wheel {}", notches)); }
+    void hold_button(sim::MouseButton button) override {
+        done.push_back(fmt::format("button {} down", static_cast<int>(button)));
+    }
+    void release_button(sim::MouseButton button) override {
+        done.push_back(fmt::format("button {} up", static_cast<int>(button)));
+    }
     sim::Senses& senses() override { return seen; }
     std::uint16_t ledr() override { return leds; }
     sim::HexSegments hex() override { return segments; }
