@@ -15,6 +15,9 @@ constexpr std::uint32_t H2F_BASE = 0xC0000000, H2F_SIZE = 0x3C000000;
 constexpr std::uint32_t LW_BASE = 0xFF200000, LW_SIZE = 0x00200000;
 constexpr std::uint32_t ON_CHIP_RAM_BASE = 0xFFFF0000, ON_CHIP_RAM_SIZE = 0x10000;
 
+// Bits of hold() and release().
+constexpr unsigned ALL_KEYS = 0x0F, HPS_KEY = 0x10;
+
 std::unique_ptr<Processor> processor_for(Board::Software software, Audience& audience) {
     if (auto* firmware = std::get_if<Firmware>(&software))
         return std::make_unique<NativeCpu>("cpu", std::move(*firmware));
@@ -42,7 +45,7 @@ Board::Board(const sc_core::sc_module_name& name, Audience& audience, Software s
           audience.sample(static_cast<std::int16_t>(sample.left >> 16),
                           static_cast<std::int16_t>(sample.right >> 16));
       }},
-      keypad{"keypad", seed, [this] { fpga.inputs().jp1 = jp1(); }},
+      keypad{"keypad", seed, [this] { header_wires(fpga.inputs()); }},
       ps2_keyboard{"ps2_keyboard", [this] { ps2_wires(fpga.inputs()); }},
       ps2_mouse{"ps2_mouse", [this] { ps2_wires(fpga.inputs()); }},
       fpga{"fpga", *this, trace_file, memory, sdram_chip.bytes()},
@@ -95,9 +98,23 @@ void Board::codec(const CodecPins& pins, std::uint64_t time_ps, FabricInputs& in
 }
 
 void Board::headers(const HeaderPins& pins, std::uint64_t, FabricInputs& in) {
-    header_pins_ = pins;
-    in.jp1 = jp1();
-    in.jp2 = pins.jp2 | ~pins.jp2_oe;  // nothing is plugged in: pull-ups
+    jp1_.fpga(pins.jp1, pins.jp1_oe);
+    jp2_.fpga(pins.jp2, pins.jp2_oe);
+    header_wires(in);
+}
+
+// The keypad joins wires of JP1 D7-D0.
+void Board::header_wires(FabricInputs& in) const {
+    const std::uint32_t jp1 = jp1_.levels();
+    in.jp1 = (jp1 & ~0xffu) | keypad.levels(static_cast<std::uint8_t>(jp1),
+                                            static_cast<std::uint8_t>(jp1_.driven()));
+    in.jp2 = jp2_.levels();
+}
+
+void Board::drive_pins(std::uint32_t jp1, std::uint32_t jp2, PinLevel level) {
+    jp1_.outside(jp1, level);
+    jp2_.outside(jp2, level);
+    header_wires(fpga.inputs());
 }
 
 void Board::adc(const AdcPins& pins, std::uint64_t time_ps, FabricInputs& in) {
@@ -137,13 +154,6 @@ void Board::jtag_byte(unsigned number, char byte, FabricInputs& in) {
     jtag_host.byte(number, byte, in);
 }
 
-std::uint32_t Board::jp1() const {
-    const HeaderPins& p = header_pins_;
-    const std::uint32_t open = p.jp1 | ~p.jp1_oe;
-    return (open & ~0xffu) |
-           keypad.levels(static_cast<std::uint8_t>(p.jp1), static_cast<std::uint8_t>(p.jp1_oe));
-}
-
 void Board::set_voltage(unsigned channel, double volts) {
     adc_chip.set(channel, static_cast<int>(std::lround(volts * 1000)));
 }
@@ -152,13 +162,15 @@ void Board::hold(std::uint16_t keys16, std::uint8_t keys, std::uint16_t switches
     if (keys16) keypad.press(keys16);
     FabricInputs& in = fpga.inputs();
     in.key_n = static_cast<std::uint8_t>(in.key_n & ~keys);
+    if (keys & HPS_KEY) hps.gpio1.press_key(true);
     in.sw = static_cast<std::uint16_t>(in.sw | switches);
 }
 
 void Board::release(std::uint16_t keys16, std::uint8_t keys, std::uint16_t switches) {
     if (keys16) keypad.release(keys16);
     FabricInputs& in = fpga.inputs();
-    in.key_n = static_cast<std::uint8_t>(in.key_n | keys);
+    in.key_n = static_cast<std::uint8_t>(in.key_n | (keys & ALL_KEYS));
+    if (keys & HPS_KEY) hps.gpio1.press_key(false);
     in.sw = static_cast<std::uint16_t>(in.sw & ~switches);
 }
 

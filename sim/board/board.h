@@ -9,6 +9,7 @@
 //                                             +- Keypad    (JP1 D7-D0)
 //                                             +- JtagHost  (JTAG UARTs)
 //                                             +- Ps2Keyboard, Ps2Mouse  (PS/2 ports)
+//                                             +- Header    (JP1, JP2)
 //                                             +- KEY, SW, LEDR, HEX
 #pragma once
 
@@ -19,6 +20,7 @@
 #include <string>
 #include <variant>
 
+#include "sim/board/header.h"
 #include "sim/board/is42s16320d.h"
 #include "sim/board/jtag_host.h"
 #include "sim/board/keypad.h"
@@ -63,12 +65,15 @@ public:
           std::uint64_t seed, const std::string& trace_file,
           Fpga::Memory memory = Fpga::Memory::BRIDGED, Ps2Ports ps2_ports = {});
 
-    // Hands on the board: masks of keypad keys (4 * row + column), KEY3-0 and SW9-0.
+    // Hands on the board: masks of keypad keys (4 * row + column), HPS_KEY and KEY3-0, and SW9-0.
     void hold(std::uint16_t keypad, std::uint8_t keys, std::uint16_t switches);
     void release(std::uint16_t keypad, std::uint8_t keys, std::uint16_t switches);
 
     // From the next conversion on; `channel` is 0 to 7.
     void set_voltage(unsigned channel, double volts);
+
+    // Drives pins of the headers from outside: masks of their D31-D0.
+    void drive_pins(std::uint32_t jp1, std::uint32_t jp2, PinLevel level);
 
     // At the first JTAG UART's terminal.
     void type(const std::string& text) { jtag_host.type(text); }
@@ -82,10 +87,10 @@ private:
                bool& more) override;
     void ps2(unsigned clk_low, unsigned dat_low, FabricInputs& in) override;
     void jtag_byte(unsigned number, char byte, FabricInputs& in) override;
-    std::uint32_t jp1() const;
+    void header_wires(FabricInputs& in) const;
     void ps2_wires(FabricInputs& in) const;
 
-    HeaderPins header_pins_{};
+    Header jp1_, jp2_;
     unsigned ps2_clk_low_ = 0, ps2_dat_low_ = 0;    // by the FPGA
     std::array<Ps2Device*, 2> ps2_{};               // in each port; may be none
     double rate_hz_ = 0;                            // of the samples given to the audience so far

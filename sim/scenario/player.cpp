@@ -71,6 +71,9 @@ bool Player::wait_until(Each each, SimTime timeout, const std::function<bool()>&
 
 void Player::hold(const Controls& c) { board_.hold(c.keypad, c.keys, c.switches); }
 void Player::release(const Controls& c) { board_.release(c.keypad, c.keys, c.switches); }
+void Player::drive_pins(std::uint32_t jp1, std::uint32_t jp2, PinLevel level) {
+    board_.drive_pins(jp1, jp2, level);
+}
 void Player::set_voltage(unsigned channel, double volts) { board_.set_voltage(channel, volts); }
 void Player::type_serial(const std::string& text) { board_.type(text); }
 void Player::type_keys(const std::string& text) { board_.ps2_keyboard.type(text); }
@@ -100,6 +103,16 @@ HexSegments Player::hex() {
     for (unsigned i = 0; i < HEX_DIGITS; ++i)
         segments[i] = static_cast<std::uint8_t>(lit >> (7 * i) & 0x7f);
     return segments;
+}
+
+std::uint32_t Player::jp1() {
+    board_.fpga.catch_up();
+    return board_.fpga.fabric().in.jp1;
+}
+
+std::uint32_t Player::jp2() {
+    board_.fpga.catch_up();
+    return board_.fpga.fabric().in.jp2;
 }
 
 // ---- The output folder ----

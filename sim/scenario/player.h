@@ -38,6 +38,7 @@ private:
     bool wait_until(Each each, SimTime timeout, const std::function<bool()>& met) override;
     void hold(const Controls& controls) override;
     void release(const Controls& controls) override;
+    void drive_pins(std::uint32_t jp1, std::uint32_t jp2, PinLevel level) override;
     void set_voltage(unsigned channel, double volts) override;
     void type_serial(const std::string& text) override;
     void type_keys(const std::string& text) override;
@@ -50,6 +51,9 @@ private:
     Senses& senses() override;
     std::uint16_t ledr() override;
     HexSegments hex() override;
+    bool hps_led() override { return board_.hps.gpio1.led(); }
+    std::uint32_t jp1() override;
+    std::uint32_t jp2() override;
     const std::filesystem::path& folder() const override { return out_; }
     bool save(const std::filesystem::path& path, const Image& image) override;
 

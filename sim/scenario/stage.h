@@ -9,6 +9,7 @@
 #include <functional>
 #include <string>
 
+#include "sim/board/header.h"
 #include "sim/board/ps2_ports.h"
 #include "sim/report/png.h"
 #include "sim/scenario/controls.h"
@@ -32,6 +33,7 @@ public:
 
     virtual void hold(const Controls& controls) = 0;
     virtual void release(const Controls& controls) = 0;
+    virtual void drive_pins(std::uint32_t jp1, std::uint32_t jp2, PinLevel level) = 0;
     virtual void set_voltage(unsigned channel, double volts) = 0;  // at the AD converter
     virtual void type_serial(const std::string& text) = 0;         // both go on at once
     virtual void type_keys(const std::string& text) = 0;
@@ -47,6 +49,9 @@ public:
     virtual Senses& senses() = 0;
     virtual std::uint16_t ledr() = 0;
     virtual HexSegments hex() = 0;
+    virtual bool hps_led() = 0;
+    virtual std::uint32_t jp1() = 0;  // levels of the wires D31-D0, whoever drives them
+    virtual std::uint32_t jp2() = 0;
 
     // ---- The output folder ----
 

@@ -86,9 +86,9 @@ Reading read_keypad(const YamlNode& node) {
     return std::uint64_t{*key};
 }
 
-ValueType list_of(ValueType type) {
-    type.list_of = "control";
-    return type;
+Reading read_key(const YamlNode& node) {
+    if (node.text == "hps") return std::uint64_t{HPS_KEY};
+    return whole_number("", 0, HPS_KEY - 1).read(node);
 }
 
 const ValueType KEYPAD{
@@ -96,15 +96,23 @@ const ValueType KEYPAD{
     R"({"enum": ["0", "1", "2", "3", "4", "5", "6", "7", "8", "9", "A", "B", "C", "D", "E", "F",
                  0, 1, 2, 3, 4, 5, 6, 7, 8, 9]})",
     read_keypad, "control"};
-const ValueType KEY = list_of(whole_number("a key number, 0 to 3", 0, KEYS - 1));
-const ValueType SWITCH = list_of(whole_number("a switch number, 0 to 9", 0, SWITCHES - 1));
+const ValueType KEY{
+    "a key number, 0 to 3, or hps",
+    R"({"anyOf": [{"type": "integer", "minimum": 0, "maximum": 3}, {"const": "hps"}]})", read_key,
+    "control"};
+const ValueType SWITCH = [] {
+    ValueType type = whole_number("a switch number, 0 to 9", 0, SWITCHES - 1);
+    type.list_of = "control";
+    return type;
+}();
 
 const std::vector<const char*> ANY_CONTROL = {"keypad", "key", "switch"};
 
 std::vector<Field> controls_and(const std::vector<Field>& others) {
     std::vector<Field> fields = {
         {"keypad", KEYPAD, Need::OPTIONAL, "", "Keypad key, 0-9 or A-F, or a list of them."},
-        {"key", KEY, Need::OPTIONAL, "", "Push button KEY0 to KEY3, or a list of numbers."},
+        {"key", KEY, Need::OPTIONAL, "",
+         "Push button KEY0 to KEY3 by its number, hps: HPS_KEY, or a list."},
         {"switch", SWITCH, Need::OPTIONAL, "", "Slide switch SW0 to SW9, or a list of numbers."},
     };
     for (const Field& other : others) fields.push_back(other);

@@ -1,4 +1,4 @@
-// lamps.cpp - expect-leds, expect-hex: eyes on the board's LEDs and seven-segment digits
+// lamps.cpp - expect-leds, expect-hps-led, expect-hex: eyes on the LEDs and seven-segment digits
 #include <bitset>
 
 #include "sim/scenario/stage.h"
@@ -43,6 +43,29 @@ public:
 
 private:
     Leds leds_;
+    SimTime timeout_;
+};
+
+// ---- expect-hps-led ----
+
+const ValueType LIT = word("dark or lit", {"dark", "lit"});
+
+class ExpectHpsLed : public Claim {
+public:
+    explicit ExpectHpsLed(const Values& v)
+        : lit_{v.number<bool>("equals")}, timeout_{v.get<SimTime>("timeout")} {}
+
+    std::string say() const override {
+        return std::string{"expect the HPS LED "} + (lit_ ? "lit" : "dark") + within(timeout_);
+    }
+    Verdict decide(Stage& stage) const override {
+        const bool met = stage.wait_until(Stage::Each::MILLISECOND, timeout_,
+                                          [&] { return stage.hps_led() == lit_; });
+        return {met, stage.hps_led() ? "it is lit" : "it is dark"};
+    }
+
+private:
+    bool lit_;
     SimTime timeout_;
 };
 
@@ -92,6 +115,13 @@ std::vector<StepForm> lamps() {
            "Ten characters 0 or 1 in quotes, LEDR9 first, or the number they make."},
           {"timeout", TIME, Need::OPTIONAL, "0s", TIMEOUT_HELP}},
          make<ExpectLeds>},
+        {"expect-hps-led",
+         "Look at the green LED of the processor.",
+         Notation::BOTH,
+         {},
+         {{"equals", LIT, Need::REQUIRED, "", "dark or lit."},
+          {"timeout", TIME, Need::OPTIONAL, "0s", TIMEOUT_HELP}},
+         make<ExpectHpsLed>},
         {"expect-hex",
          "Read the six seven-segment digits.",
          Notation::BOTH,

@@ -33,6 +33,12 @@ TEST_F(ControlSteps, TakeListsOfEachKindOfControl) {
                 ElementsAre("hold keypad 1 and 5 and D, key 0 and 3, switch 0 and 9"));
 }
 
+TEST_F(ControlSteps, TakeTheProcessorsKeyAmongTheOthers) {
+    EXPECT_THAT(acts("press: {key: hps, for: 1s}"),
+                ElementsAre("hold key hps", "wait 1s", "release key hps"));
+    EXPECT_THAT(acts("hold: {key: [hps, 2]}"), ElementsAre("hold key 2 and hps"));
+}
+
 TEST_F(ControlSteps, ReleaseLetsGo) {
     const auto s = sim::parse_scenario(
         "name: a\nversion: 1\nsteps:\n- hold: {keypad: A, key: 1, switch: 2}\n"

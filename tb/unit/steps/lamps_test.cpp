@@ -1,4 +1,4 @@
-// lamps_test.cpp - expect-leds, expect-hex
+// lamps_test.cpp - expect-leds, expect-hps-led, expect-hex
 #include "tb/unit/steps/step_bench.h"
 
 namespace {
@@ -25,6 +25,17 @@ TEST_F(LampSteps, LookOnceOrForATime) {
     EXPECT_EQ(stage.now_ms(), 0u);
     EXPECT_EQ(finds("expect-leds: {equals: 1, timeout: 1s}"), "met");
     EXPECT_EQ(stage.now_ms(), 40u);
+}
+
+TEST_F(LampSteps, LookAtTheHpsLed) {
+    EXPECT_EQ(finds("expect-hps-led: dark"), "met");
+    EXPECT_EQ(finds("expect-hps-led: lit"), "it is dark");
+    stage.meanwhile = [&] { stage.lit = stage.now_ms() >= 40; };
+    EXPECT_EQ(finds("expect-hps-led: {equals: lit, timeout: 1s}"), "met");
+    EXPECT_EQ(stage.now_ms(), 40u);
+    EXPECT_EQ(finds("expect-hps-led: dark"), "it is lit");
+    EXPECT_EQ(said("expect-hps-led: {equals: lit, timeout: 1s}"),
+              "expect the HPS LED lit within 1s");
 }
 
 TEST_F(LampSteps, ReadSixDigitsLeftmostFirst) {

@@ -21,6 +21,8 @@ public:
     std::vector<std::pair<std::string, sim::Image>> saved;
     sim::Senses seen;
     std::uint16_t leds = 0;
+    bool lit = false;
+    std::uint32_t pins[2] = {};
     int mouse_right = 0, mouse_up = 0;
     sim::HexSegments segments{};
     std::function<void()> meanwhile = [] {};
@@ -42,6 +44,9 @@ public:
     }
     void hold(const sim::Controls& c) override { done.push_back("hold " + to_string(c)); }
     void release(const sim::Controls& c) override { done.push_back("release " + to_string(c)); }
+    void drive_pins(std::uint32_t one, std::uint32_t two, sim::PinLevel level) override {
+        done.push_back(fmt::format("pins {:X} {:X} {}", one, two, static_cast<int>(level)));
+    }
     void set_voltage(unsigned channel, double volts) override {
         done.push_back(fmt::format("CH{} {} V", channel, volts));
     }
@@ -67,6 +72,9 @@ public:
     sim::Senses& senses() override { return seen; }
     std::uint16_t ledr() override { return leds; }
     sim::HexSegments hex() override { return segments; }
+    bool hps_led() override { return lit; }
+    std::uint32_t jp1() override { return pins[0]; }
+    std::uint32_t jp2() override { return pins[1]; }
     const std::filesystem::path& folder() const override { return folder_; }
     bool save(const std::filesystem::path& path, const sim::Image& image) override {
         if (!disk_full) saved.emplace_back(path.string(), image);
