@@ -40,11 +40,13 @@ Board::Board(const sc_core::sc_module_name& name, Audience& audience, Software s
     : sc_module{name},
       monitor{[&audience](const Monitor::Frame& frame) { audience.frame(frame); }},
       codec_chip{[this, &audience](const StereoSample& sample, std::uint64_t) {
-          if (codec_chip.rate_hz() != rate_hz_)
-              audience.sample_rate(rate_hz_ = codec_chip.rate_hz());
-          audience.sample(static_cast<std::int16_t>(sample.left >> 16),
-                          static_cast<std::int16_t>(sample.right >> 16));
-      }},
+                     if (codec_chip.rate_hz() != rate_hz_)
+                         audience.sample_rate(rate_hz_ = codec_chip.rate_hz());
+                     audience.sample(static_cast<std::int16_t>(sample.left >> 16),
+                                     static_cast<std::int16_t>(sample.right >> 16));
+                 },
+                 [this] { return line_in.sample(codec_chip.time_ps(), codec_chip.rate_hz()); },
+                 [this] { return microphone.sample(codec_chip.time_ps(), codec_chip.rate_hz()); }},
       keypad{"keypad", seed, [this] { header_wires(fpga.inputs()); }},
       ps2_keyboard{"ps2_keyboard", [this] { ps2_wires(fpga.inputs()); }},
       ps2_mouse{"ps2_mouse", [this] { ps2_wires(fpga.inputs()); }},

@@ -3,7 +3,7 @@
 //   Processor -- Bus -+- DDR3
 //                     +- Peripherals (GIC, timers, UART0, GPIO1, managers, on-chip RAM)
 //                     +- Fpga lw, h2f --pins--+- Monitor   (VGA)
-//                                             +- Wm8731    (audio)
+//                                             +- Wm8731    (audio)  <-- SoundSource
 //                                             +- Ltc2308   (AD converter)
 //                                             +- Is42s16320d  (SDRAM)
 //                                             +- Keypad    (JP1 D7-D0)
@@ -29,6 +29,7 @@
 #include "sim/board/ps2_keyboard.h"
 #include "sim/board/ps2_mouse.h"
 #include "sim/board/ps2_ports.h"
+#include "sim/board/sound_source.h"
 #include "sim/board/wm8731.h"
 #include "sim/fpga/fpga.h"
 #include "sim/hps/arm_cpu.h"
@@ -98,6 +99,7 @@ private:
 
 public:  // the parts, in the order in which they are soldered
     Monitor monitor;
+    SoundSource line_in, microphone;
     Wm8731 codec_chip;
     Ltc2308 adc_chip;
     Is42s16320d sdram_chip;

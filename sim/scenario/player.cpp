@@ -84,6 +84,19 @@ void Player::turn_wheel(int notches) { board_.ps2_mouse.turn(notches); }
 void Player::hold_button(MouseButton button) { board_.ps2_mouse.button(button, true); }
 void Player::release_button(MouseButton button) { board_.ps2_mouse.button(button, false); }
 
+SoundSource& Player::source(SoundInput input) {
+    board_.fpga.catch_up();
+    return input == SoundInput::LINE_IN ? board_.line_in : board_.microphone;
+}
+
+void Player::play(SoundInput input, std::shared_ptr<const Recording> recording, bool for_ever) {
+    source(input).play(std::move(recording), for_ever, sc_time_stamp().value());
+}
+void Player::play_tone(SoundInput input, double hz, double level) {
+    source(input).tone(hz, level, sc_time_stamp().value());
+}
+void Player::play_silence(SoundInput input) { source(input).silence(); }
+
 // ---- Eyes and ears ----
 
 Senses& Player::senses() {

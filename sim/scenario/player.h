@@ -32,6 +32,7 @@ public:
 
 private:
     void run();
+    SoundSource& source(SoundInput input);
     static Expectation expectation(const ScenarioStep& step, Verdict verdict);
 
     void wait(SimTime time) override;
@@ -48,6 +49,9 @@ private:
     void turn_wheel(int notches) override;
     void hold_button(MouseButton button) override;
     void release_button(MouseButton button) override;
+    void play(SoundInput input, std::shared_ptr<const Recording> recording, bool for_ever) override;
+    void play_tone(SoundInput input, double hz, double level) override;
+    void play_silence(SoundInput input) override;
     Senses& senses() override;
     std::uint16_t ledr() override;
     HexSegments hex() override;

@@ -189,7 +189,7 @@ Scenario load_scenario(const std::filesystem::path& file) {
     Scenario scenario = parse_scenario(text, file);
     for (const ScenarioStep& step : scenario.steps) {
         try {
-            step.step->check_files();
+            step.step->load();
         } catch (const std::runtime_error& error) {
             throw ScenarioError(file, step.line, step.column, error.what());
         }

@@ -23,7 +23,7 @@ struct ScenarioStep {
     int line = 0;  // in the file, from 1
     int column = 0;
     std::string text;  // what step->say() says
-    std::unique_ptr<const Step> step;
+    std::unique_ptr<Step> step;
 };
 
 struct Scenario {

@@ -7,10 +7,12 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <string>
 
 #include "sim/board/header.h"
 #include "sim/board/ps2_ports.h"
+#include "sim/board/sound_source.h"
 #include "sim/report/png.h"
 #include "sim/scenario/controls.h"
 #include "sim/scenario/senses.h"
@@ -43,6 +45,12 @@ public:
     virtual void turn_wheel(int notches) = 0;  // towards the hand
     virtual void hold_button(MouseButton button) = 0;
     virtual void release_button(MouseButton button) = 0;
+
+    // Into an input of the codec, from now on.
+    virtual void play(SoundInput input, std::shared_ptr<const Recording> recording,
+                      bool for_ever) = 0;
+    virtual void play_tone(SoundInput input, double hz, double level) = 0;
+    virtual void play_silence(SoundInput input) = 0;
 
     // ---- Eyes and ears: what there is now ----
 

@@ -36,8 +36,8 @@ public:
     // Refuses what can be known to be wrong from the steps before it.
     virtual void check(StaticChecks&) const {}
 
-    // Throws std::runtime_error, "expected ..., got ...", for a file that it needs and can not use.
-    virtual void check_files() const {}
+    // Reads the files that it needs; std::runtime_error, "expected ..., got ...", if it can not.
+    virtual void load() {}
 
     virtual bool decides() const = 0;
     virtual std::optional<Verdict> play(Stage& stage) const = 0;  // there is one if it decides()

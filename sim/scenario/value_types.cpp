@@ -108,6 +108,17 @@ ValueType decimal_number(const std::string& expected, double least, double most)
             }};
 }
 
+ValueType percent(const std::string& expected, double least, double most) {
+    return {expected, R"({"type": "string", "pattern": "^(0|[1-9][0-9]*)(\\.[0-9]+)?%$"})",
+            [least, most](const YamlNode& node) -> Reading {
+                const std::string_view text = node.text;
+                if (!is_text(node) || text.empty() || text.back() != '%') return std::nullopt;
+                const auto number = parse_decimal(text.substr(0, text.size() - 1), least, most);
+                if (!number) return std::nullopt;
+                return *number / 100;
+            }};
+}
+
 ValueType word(const std::string& expected, const std::vector<std::string>& words) {
     return {expected,
             fmt::format(R"({{"type": "string", "enum": ["{}"]}})", fmt::join(words, R"(", ")")),

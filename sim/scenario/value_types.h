@@ -36,6 +36,8 @@ extern const ValueType LINE, TEXT, TIME, SOME_TIME;
 
 ValueType whole_number(const std::string& expected, std::uint64_t least, std::uint64_t most);
 ValueType decimal_number(const std::string& expected, double least, double most);
+// Digits and %, read as a fraction: 0.03 for 3%.
+ValueType percent(const std::string& expected, double least, double most);
 // From -most to most; Values::number() gives it with its sign.
 ValueType signed_number(const std::string& expected, std::uint64_t most);
 // One of these words, read as its place in the list.

@@ -34,6 +34,8 @@ GOOD_STEPS = [
     "expect-hps-led: {equals: dark, timeout: 1s}",
     "set-pins: {jp1: 0, level: low}", "set-pins: {jp1: [0, 31], jp2: 5, level: released}",
     "expect-pins: {jp2: 31, level: high, timeout: 1s}",
+    "play-tone: {hz: 440}", "play-tone: {hz: 20, level: 100%, into: microphone}",
+    "play-silence: {}", "play-silence: {into: line-in}",
     "wait-frame: 120", "wait-frame: next", "wait-frame: next-swap",
     "wait-frame: {frame: 1, timeout: 2s}",
     "wait-serial: ready", "wait-serial: {text: '42', timeout: 1ns}",
@@ -78,6 +80,8 @@ BAD_STEPS = [
     "press: {key: HPS}", "expect-hps-led: on", "expect-hps-led: {}", "set-pins: {level: low}",
     "set-pins: {jp1: 0}", "set-pins: {jp1: 32, level: low}", "set-pins: {jp1: 0, level: 1}",
     "expect-pins: {jp1: 0, level: released}", "expect-pins: {jp1: [], level: low}",
+    "play-tone: {}", "play-tone: 440", "play-tone: {hz: 440, into: ear}", "play-file: {}",
+    "play-file: {file: a.wav, repeat: twice}", "play-silence: ear", "play-silence:",
     "wait-frame: 0", "wait-frame: 1000001", "wait-frame: later", "wait-frame: {timeout: 1s}",
     "wait-frame: {frame: 1, timeout: 0s}", "wait-serial: ''", "wait-serial: 42", "wait-serial: yes",
     "expect-frame: a.png", "expect-frame: {}", "expect-frame: {equals: a, differing-pixels: -1}",
@@ -94,6 +98,7 @@ BAD_STEPS = [
 # What a schema can not see: places of files, times that add up, hands, YAML itself.
 BAD_FOR_THE_READER_ALONE = [
     HEAD + "steps: [{expect-frame: {equals: missing.png}}]\n",
+    HEAD + "steps: [{play-file: missing.wav}]\n",
     HEAD + "steps: [{delay: 3601s}]\n", HEAD + "duration: 1s\nsteps: [{delay: 2s}]\n",
     HEAD + "steps: [{hold: {key: 0}}, {press: {key: 0}}]\n",
     HEAD + "steps: [{release: {key: 0}}]\n",

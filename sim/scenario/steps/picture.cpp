@@ -80,7 +80,7 @@ public:
         if (differing_pixels_) text += fmt::format(" but for {} pixels", differing_pixels_);
         return text;
     }
-    void check_files() const override {
+    void load() override {
         try {
             read_golden(golden_);
         } catch (const std::runtime_error& error) {  // IoError or PngError, with the path

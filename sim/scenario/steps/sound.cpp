@@ -17,17 +17,7 @@ using namespace value_types;
 
 // ---- expect-tone ----
 
-Reading read_percent(const YamlNode& node) {
-    const std::string_view text = node.text;
-    if (!is_text(node) || text.empty() || text.back() != '%') return std::nullopt;
-    const auto percent = parse_decimal(text.substr(0, text.size() - 1), 0.01, 50);
-    if (!percent) return std::nullopt;
-    return *percent / 100;
-}
-
-const ValueType PERCENT{"a percentage such as 3%, from 0.01% to 50%",
-                        R"({"type": "string", "pattern": "^(0|[1-9][0-9]*)(\\.[0-9]+)?%$"})",
-                        read_percent};
+const ValueType PERCENT = percent("a percentage such as 3%, from 0.01% to 50%", 0.01, 50);
 const ValueType HERTZ = decimal_number("a frequency in hertz, 20 to 20000", 20, 20000);
 
 class ExpectTone : public Claim {

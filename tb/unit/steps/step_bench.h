@@ -69,6 +69,17 @@ public:
     void release_button(sim::MouseButton button) override {
         done.push_back(fmt::format("button {} up", static_cast<int>(button)));
     }
+    void play(sim::SoundInput input, std::shared_ptr<const sim::Recording> recording,
+              bool for_ever) override {
+        done.push_back(fmt::format("play {} into {} {}", recording->samples.size(),
+                                   static_cast<int>(input), for_ever));
+    }
+    void play_tone(sim::SoundInput input, double hz, double level) override {
+        done.push_back(fmt::format("tone {} {} into {}", hz, level, static_cast<int>(input)));
+    }
+    void play_silence(sim::SoundInput input) override {
+        done.push_back(fmt::format("silence into {}", static_cast<int>(input)));
+    }
     sim::Senses& senses() override { return seen; }
     std::uint16_t ledr() override { return leds; }
     sim::HexSegments hex() override { return segments; }
