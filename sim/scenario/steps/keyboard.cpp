@@ -147,9 +147,14 @@ public:
 namespace steps {
 
 std::vector<StepForm> keyboard() {
-    const Field key{"key", key_type(), Need::REQUIRED, "",
-                    "A key of the PS/2 keyboard by its name or by the character that it makes "
-                    "without Shift, or a list: they go down in this order and up in the other."};
+    const Field key{
+        "key", key_type(), Need::REQUIRED, "",
+        "A key by the character that it makes without Shift, or Esc, F1 to F12, "
+        "PrintScreen, ScrollLock, Pause, Backspace, Tab, Enter, Space, CapsLock, Shift, "
+        "RightShift, Ctrl, RightCtrl, Alt, RightAlt, Win, RightWin, Menu, Insert, Home, "
+        "PageUp, Delete, End, PageDown, Up, Left, Down, Right, NumLock, Numpad0 to "
+        "Numpad9, NumpadEnter, NumpadPlus, NumpadMinus, NumpadStar, NumpadSlash, "
+        "NumpadPoint; or a list: down in this order, up in the other."};
     return {
         {"type-keys",
          "Type a text on the PS/2 keyboard and go on; a key takes 40 ms.",
