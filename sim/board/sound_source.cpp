@@ -32,6 +32,7 @@ void SoundSource::play(std::shared_ptr<const Recording> recording, bool for_ever
 StereoSample SoundSource::sample(std::uint64_t now_ps, double rate_hz) {
     if (rate_hz == 0 || now_ps < began_ps_) return {};
     if (recording_) return next(now_ps, rate_hz);
+    if (level_ == 0) return {};
     const double time_s = static_cast<double>(now_ps - began_ps_) / SECOND_PS;
     const auto value = static_cast<std::int32_t>(
         std::lround(level_ * 0x7fffffff * std::sin(TWO_PI * hz_ * time_s)));

@@ -1,7 +1,10 @@
 // step_bench.h - test fixture: a step read from its text, on a stage that writes down what it does
 #pragma once
 
+#include <algorithm>
+#include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
