@@ -44,16 +44,16 @@ TEST_F(CodecSetup, TellsTheWordThatTheCodecRefusedAndWorksWhenItIsDoneAgain) {
 class LineIn : public tb::WholeBoard {};
 
 TEST_F(LineIn, ComesOutOfTheFifosSampleBySample) {
-    sim::Recording recording{25e6 / 3072, {}};
+    const auto recording = std::make_shared<sim::Recording>();
     for (int i = 0; i < 400; ++i)
-        recording.samples.push_back({(1000 + i) << 8, -((1000 + i) << 8)});
-    const auto shared = std::make_shared<sim::Recording>(recording);
+        recording->samples.push_back({(1000 + i) << 8, -((1000 + i) << 8)});
     std::vector<std::uint32_t> left_in, right_in;
     run_to_end([&](hal::Mmio& io, hal::Cpu& cpu) {
         idle_ms(cpu, SETUP_MS);
         io.write(regmap::AUDIO_CONTROL, regmap::AUDIO_CONTROL_CR_MASK);
         io.write(regmap::AUDIO_CONTROL, 0);
-        board->line_in.play(shared, false, sc_core::sc_time_stamp().value());
+        recording->rate_hz = board->codec_chip.rate_hz();
+        board->line_in.play(recording, false, sc_core::sc_time_stamp().value());
         while (left_in.size() < 450) {
             cpu.idle();
             while (io.read(regmap::AUDIO_FIFOSPACE) & 0xff) {
