@@ -101,7 +101,7 @@ pgo: setup              ## a faster de1sim, built with a profile of the demo -> 
 	@cmake -P sim/pgo.cmake
 
 # Without CMake, which has Verilator read them.
-regmap: setup           ## print the register map's views, the font and the scenario schema anew
+regmap: setup           ## print the register map's views, the font, the schema and STEPS.md anew
 	@mkdir -p build
 	@$(CXX) -std=c++17 -Irtl/regmap -o build/gen_regmap rtl/regmap/gen_regmap.cpp
 	@build/gen_regmap vh > build/regmap.vh && mv build/regmap.vh rtl/regmap/

@@ -15,6 +15,9 @@ constexpr std::uint32_t H2F_BASE = 0xC0000000, H2F_SIZE = 0x3C000000;
 constexpr std::uint32_t LW_BASE = 0xFF200000, LW_SIZE = 0x00200000;
 constexpr std::uint32_t ON_CHIP_RAM_BASE = 0xFFFF0000, ON_CHIP_RAM_SIZE = 0x10000;
 
+// Bits of hold() and release().
+constexpr unsigned ALL_KEYS = 0x0F, HPS_KEY = 0x10;
+
 double seconds(std::uint64_t ps) { return static_cast<double>(ps) * 1e-12; }
 
 std::unique_ptr<Processor> processor_for(Board::Software software, Audience& audience) {
@@ -35,18 +38,21 @@ const std::vector<MemoryRange>& program_memory() {
 
 Board::Board(const sc_core::sc_module_name& name, Audience& audience, Software software,
              std::uint64_t seed, const std::string& trace_file, Fpga::Memory memory,
-             unsigned audio_rate)
+             unsigned audio_rate, Ps2Ports ps2_ports)
     : sc_module{name},
       audience_{audience},
       monitor{[&audience](const Monitor::Frame& frame) { audience.frame(frame); }},
       codec_chip{[this, &audience](const StereoSample& sample, std::uint64_t) {
-          if (codec_chip.rate_hz() != rate_hz_)
-              audience.sample_rate(rate_hz_ = codec_chip.rate_hz());
-          audience.sample(static_cast<std::int16_t>(sample.left >> 16),
-                          static_cast<std::int16_t>(sample.right >> 16));
-      }},
-      keypad{"keypad", seed, [this] { fpga.inputs().jp1 = jp1(); }},
+                     if (codec_chip.rate_hz() != rate_hz_)
+                         audience.sample_rate(rate_hz_ = codec_chip.rate_hz());
+                     audience.sample(static_cast<std::int16_t>(sample.left >> 16),
+                                     static_cast<std::int16_t>(sample.right >> 16));
+                 },
+                 [this] { return line_in.sample(codec_chip.time_ps(), codec_chip.rate_hz()); },
+                 [this] { return microphone.sample(codec_chip.time_ps(), codec_chip.rate_hz()); }},
+      keypad{"keypad", seed, [this] { header_wires(fpga.inputs()); }},
       ps2_keyboard{"ps2_keyboard", [this] { ps2_wires(fpga.inputs()); }},
+      ps2_mouse{"ps2_mouse", [this] { ps2_wires(fpga.inputs()); }},
       remote_control{"remote_control", [this] { fpga.inputs().irda_rxd = remote_control.dark(); }},
       fpga{"fpga", *this, trace_file, memory, sdram_chip.bytes(), audio_rate},
       jtag_host{"jtag_host", fpga, [&audience](char character) { audience.console(character); }},
@@ -62,6 +68,14 @@ Board::Board(const sc_core::sc_module_name& name, Audience& audience, Software s
       processor_{processor_for(std::move(software), audience)},
       cpu{*processor_},
       arm{dynamic_cast<ArmCpu*>(processor_.get())} {
+    const auto plugged = [this](Ps2Plug plug) -> Ps2Device* {
+        switch (plug) {
+            case Ps2Plug::KEYBOARD: return &ps2_keyboard;
+            case Ps2Plug::MOUSE: return &ps2_mouse;
+            default: return nullptr;
+        }
+    };
+    ps2_ = {plugged(ps2_ports.first), plugged(ps2_ports.second)};
     cpu.socket.bind(bus.socket);
     bus.window("ddr3", DDR3_BASE, DDR3_SIZE).bind(ddr3.socket);
     bus.window("h2f", H2F_BASE, H2F_SIZE).bind(fpga.h2f);
@@ -95,12 +109,27 @@ void Board::codec(const CodecPins& pins, std::uint64_t time_ps, FabricInputs& in
 }
 
 void Board::headers(const HeaderPins& pins, std::uint64_t time_ps, FabricInputs& in) {
-    header_pins_ = pins;
-    in.jp1 = jp1();
-    in.jp2 = pins.jp2 | ~pins.jp2_oe;  // nothing is plugged in: pull-ups
-    lamps_.jp1 = {in.jp1, pins.jp1_oe};
-    lamps_.jp2 = {in.jp2, pins.jp2_oe};
+    jp1_.fpga(pins.jp1, pins.jp1_oe);
+    jp2_.fpga(pins.jp2, pins.jp2_oe);
+    header_wires(in);
     audience_.lamps(lamps_, seconds(time_ps));
+}
+
+// The keypad joins wires of JP1 D7-D0.
+void Board::header_wires(FabricInputs& in) {
+    const std::uint32_t jp1 = jp1_.levels();
+    in.jp1 = (jp1 & ~0xffu) | keypad.levels(static_cast<std::uint8_t>(jp1),
+                                            static_cast<std::uint8_t>(jp1_.driven()));
+    in.jp2 = jp2_.levels();
+    lamps_.jp1 = {in.jp1, jp1_.outputs()};
+    lamps_.jp2 = {in.jp2, jp2_.outputs()};
+}
+
+void Board::drive_pins(std::uint32_t jp1, std::uint32_t jp2, PinLevel level) {
+    jp1_.outside(jp1, level);
+    jp2_.outside(jp2, level);
+    header_wires(fpga.inputs());
+    audience_.lamps(lamps_, sc_core::sc_time_stamp().to_seconds());
 }
 
 void Board::lamps(const LampPins& pins, std::uint64_t time_ps) {
@@ -139,25 +168,25 @@ void Board::sdram(const SdramPins& pins, std::uint64_t time_ps, std::uint16_t& d
 void Board::ps2(unsigned clk_low, unsigned dat_low, FabricInputs& in) {
     ps2_clk_low_ = clk_low;
     ps2_dat_low_ = dat_low;
-    ps2_keyboard.host(clk_low & 1, dat_low & 1);
+    for (unsigned port = 0; port < ps2_.size(); ++port)
+        if (ps2_[port]) ps2_[port]->host(clk_low >> port & 1, dat_low >> port & 1);
     ps2_wires(in);
 }
 
-// Open collectors with pull-ups; nothing is plugged into the second port.
+// Open collectors with pull-ups.
 void Board::ps2_wires(FabricInputs& in) const {
-    in.ps2_clk = static_cast<std::uint8_t>(3 & ~(ps2_clk_low_ | ps2_keyboard.clk_low()));
-    in.ps2_dat = static_cast<std::uint8_t>(3 & ~(ps2_dat_low_ | ps2_keyboard.dat_low()));
+    unsigned clk_low = ps2_clk_low_, dat_low = ps2_dat_low_;
+    for (unsigned port = 0; port < ps2_.size(); ++port) {
+        if (!ps2_[port]) continue;
+        clk_low |= unsigned{ps2_[port]->clk_low()} << port;
+        dat_low |= unsigned{ps2_[port]->dat_low()} << port;
+    }
+    in.ps2_clk = static_cast<std::uint8_t>(3 & ~clk_low);
+    in.ps2_dat = static_cast<std::uint8_t>(3 & ~dat_low);
 }
 
 void Board::jtag_byte(unsigned number, char byte, FabricInputs& in) {
     jtag_host.byte(number, byte, in);
-}
-
-std::uint32_t Board::jp1() const {
-    const HeaderPins& p = header_pins_;
-    const std::uint32_t open = p.jp1 | ~p.jp1_oe;
-    return (open & ~0xffu) |
-           keypad.levels(static_cast<std::uint8_t>(p.jp1), static_cast<std::uint8_t>(p.jp1_oe));
 }
 
 void Board::set_voltage(unsigned channel, double volts) {
@@ -168,13 +197,15 @@ void Board::hold(std::uint16_t keys16, std::uint8_t keys, std::uint16_t switches
     if (keys16) keypad.press(keys16);
     FabricInputs& in = fpga.inputs();
     in.key_n = static_cast<std::uint8_t>(in.key_n & ~keys);
+    if (keys & HPS_KEY) hps.gpio1.press_key(true);
     in.sw = static_cast<std::uint16_t>(in.sw | switches);
 }
 
 void Board::release(std::uint16_t keys16, std::uint8_t keys, std::uint16_t switches) {
     if (keys16) keypad.release(keys16);
     FabricInputs& in = fpga.inputs();
-    in.key_n = static_cast<std::uint8_t>(in.key_n | keys);
+    in.key_n = static_cast<std::uint8_t>(in.key_n | (keys & ALL_KEYS));
+    if (keys & HPS_KEY) hps.gpio1.press_key(false);
     in.sw = static_cast<std::uint16_t>(in.sw & ~switches);
 }
 

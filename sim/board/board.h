@@ -3,29 +3,35 @@
 //   Processor -- Bus -+- DDR3
 //                     +- Peripherals (GIC, timers, UART0, GPIO1, managers, on-chip RAM)
 //                     +- Fpga lw, h2f --pins--+- Monitor   (VGA)
-//                                             +- Wm8731    (audio)
+//                                             +- Wm8731    (audio)  <-- SoundSource
 //                                             +- Ltc2308   (AD converter)
 //                                             +- Is42s16320d  (SDRAM)
 //                                             +- Keypad    (JP1 D7-D0)
 //                                             +- JtagHost  (JTAG UARTs)
-//                                             +- Ps2Keyboard  (first PS/2 port)
+//                                             +- Ps2Keyboard, Ps2Mouse  (PS/2 ports)
 //                                             +- RemoteControl  (infrared receiver)
+//                                             +- Header    (JP1, JP2)
 //                                             +- KEY, SW, LEDR, HEX
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <memory>
 #include <string>
 #include <variant>
 
+#include "sim/board/header.h"
 #include "sim/board/is42s16320d.h"
 #include "sim/board/jtag_host.h"
 #include "sim/board/keypad.h"
 #include "sim/board/ltc2308.h"
 #include "sim/board/monitor.h"
 #include "sim/board/ps2_keyboard.h"
+#include "sim/board/ps2_mouse.h"
+#include "sim/board/ps2_ports.h"
 #include "sim/board/remote_control.h"
+#include "sim/board/sound_source.h"
 #include "sim/board/wm8731.h"
 #include "sim/fpga/fpga.h"
 #include "sim/hps/arm_cpu.h"
@@ -76,14 +82,18 @@ public:
 
     Board(const sc_core::sc_module_name& name, Audience& audience, Software software,
           std::uint64_t seed, const std::string& trace_file,
-          Fpga::Memory memory = Fpga::Memory::BRIDGED, unsigned audio_rate = 8'000);
+          Fpga::Memory memory = Fpga::Memory::BRIDGED, unsigned audio_rate = 8'000,
+          Ps2Ports ps2_ports = {});
 
-    // Hands on the board: masks of keypad keys (4 * row + column), KEY3-0 and SW9-0.
+    // Hands on the board: masks of keypad keys (4 * row + column), HPS_KEY and KEY3-0, and SW9-0.
     void hold(std::uint16_t keypad, std::uint8_t keys, std::uint16_t switches);
     void release(std::uint16_t keypad, std::uint8_t keys, std::uint16_t switches);
 
     // From the next conversion on; `channel` is 0 to 7.
     void set_voltage(unsigned channel, double volts);
+
+    // Drives pins of the headers from outside: masks of their D31-D0.
+    void drive_pins(std::uint32_t jp1, std::uint32_t jp2, PinLevel level);
 
     // At the first JTAG UART's terminal, and at another one if there is one.
     void type(const std::string& text) {
@@ -93,8 +103,6 @@ public:
     void also_type_to(std::function<void(const std::string&)> terminal) {
         typed_ = std::move(terminal);
     }
-    // On the PS/2 keyboard: characters with a scan_code().
-    void type_keys(const std::string& text) { ps2_keyboard.type(text); }
     // On the infrared remote control: the code of a button.
     void press_remote(std::uint8_t button) { remote_control.press(button); }
 
@@ -114,24 +122,27 @@ private:
     void lamps(const LampPins& pins, std::uint64_t time_ps) override;
     void ps2(unsigned clk_low, unsigned dat_low, FabricInputs& in) override;
     void jtag_byte(unsigned number, char byte, FabricInputs& in) override;
-    std::uint32_t jp1() const;
+    void header_wires(FabricInputs& in);
     void ps2_wires(FabricInputs& in) const;
 
     Audience& audience_;
     std::function<void(const std::string&)> typed_ = [](const std::string&) {};
     Lamps lamps_;
-    HeaderPins header_pins_{};
+    Header jp1_, jp2_;
     unsigned ps2_clk_low_ = 0, ps2_dat_low_ = 0;    // by the FPGA
+    std::array<Ps2Device*, 2> ps2_{};               // in each port; may be none
     double rate_hz_ = 0;                            // of the samples given to the audience so far
     std::function<void(bool)> h2f_gate_, lw_gate_;  // true: out of reset
 
 public:  // the parts, in the order in which they are soldered
     Monitor monitor;
+    SoundSource line_in, microphone;
     Wm8731 codec_chip;
     Ltc2308 adc_chip;
     Is42s16320d sdram_chip;
     Keypad keypad;
     Ps2Keyboard ps2_keyboard;
+    Ps2Mouse ps2_mouse;
     RemoteControl remote_control;
     Fpga fpga;
     JtagHost jtag_host;

@@ -1,5 +1,7 @@
 #include "sim/board/ps2_keyboard.h"
 
+#include <utility>
+
 #include "sim/board/scan_codes.h"
 
 namespace sim {
@@ -8,159 +10,141 @@ using sc_core::sc_time;
 
 namespace {
 
-const sc_time self_test{500, sc_core::SC_MS}, key_time{20, sc_core::SC_MS};
-const sc_time quarter{20, sc_core::SC_US};  // of a bit
+const sc_time key_time{20, sc_core::SC_MS};
 
-constexpr std::uint8_t PASSED = 0xAA, ACKNOWLEDGE = 0xFA, RESEND = 0xFE, BREAK = 0xF0,
-                       LEFT_SHIFT = 0x12;
-
-bool odd(std::uint8_t byte) {
-    bool odd = false;
-    for (; byte; byte = static_cast<std::uint8_t>(byte & (byte - 1))) odd = !odd;
-    return odd;
-}
+constexpr std::uint8_t LAMPS = 0xED, ECHO = 0xEE, CODE_SET = 0xF0, IDENTITY = 0xF2, RATE = 0xF3,
+                       ON = 0xF4, OFF = 0xF5, DEFAULTS = 0xF6, AGAIN = 0xFE, RESET = 0xFF;
+constexpr std::uint8_t DEFAULT_RATE = 0x2B;  // 500 ms, then 10.9 a second
 
 }  // namespace
 
 Ps2Keyboard::Ps2Keyboard(const sc_core::sc_module_name& name, std::function<void()> moved)
-    : sc_module{name}, moved_{std::move(moved)} {
+    : Ps2Device{name, std::move(moved)} {
     SC_HAS_PROCESS(Ps2Keyboard);
-    SC_THREAD(serve);
-    SC_THREAD(press_keys);
+    SC_THREAD(strike_keys);
+    SC_THREAD(repeat);
+}
+
+// ---- The keys ----
+
+void Ps2Keyboard::press(std::uint16_t key) {
+    moves_.push_back({key, true});
+    scan();
+}
+
+void Ps2Keyboard::release(std::uint16_t key) {
+    moves_.push_back({key, false});
+    scan();
+}
+
+void Ps2Keyboard::scan() {
+    if (!ready()) return;
+    for (; !moves_.empty(); moves_.pop_front()) {
+        const auto [key, down] = moves_.front();
+        if (down || key == repeating_) {
+            repeating_ = down ? key : std::uint16_t{0};
+            changed_.notify(sc_core::SC_ZERO_TIME);
+        }
+        if (enabled_) report(down ? make_code(key) : break_code(key));
+    }
+}
+
+void Ps2Keyboard::repeat() {
+    for (;;) {
+        wait(changed_);
+        for (sc_time pause = delay_; repeating_;) {
+            wait(pause, changed_);
+            const bool another = changed_.triggered();
+            if (!another && enabled_ && idle()) report(repeat_code(repeating_));
+            pause = another ? delay_ : period_;
+        }
+    }
 }
 
 void Ps2Keyboard::type(const std::string& text) {
-    keys_.insert(keys_.end(), text.begin(), text.end());
-    key_.notify(sc_core::SC_ZERO_TIME);
+    typed_.insert(typed_.end(), text.begin(), text.end());
+    type_.notify(sc_core::SC_ZERO_TIME);
 }
 
-void Ps2Keyboard::press_keys() {
+void Ps2Keyboard::strike_keys() {
     for (;;) {
-        while (keys_.empty()) wait(key_);
-        const char character = keys_.front();
-        keys_.pop_front();
-        const ScanCode key = scan_code(character).value();
-        const auto send_if_on = [this](std::initializer_list<std::uint8_t> codes) {
-            if (enabled_) to_send_.insert(to_send_.end(), codes);
-            work_.notify(sc_core::SC_ZERO_TIME);
-        };
-        if (key.shift) send_if_on({LEFT_SHIFT});
-        send_if_on({key.code});
+        while (typed_.empty() || !ready()) wait(type_);
+        const Stroke stroke = sim::stroke(typed_.front()).value();
+        typed_.pop_front();
+        if (stroke.shift) press(LEFT_SHIFT);
+        press(stroke.key);
         wait(key_time);
-        send_if_on({BREAK, key.code});
-        if (key.shift) send_if_on({BREAK, LEFT_SHIFT});
+        release(stroke.key);
+        if (stroke.shift) release(LEFT_SHIFT);
         wait(key_time);
     }
 }
 
-void Ps2Keyboard::host(bool clk_low, bool dat_low) {
-    host_clk_low_ = clk_low;
-    host_dat_low_ = dat_low;
-    work_.notify(sc_core::SC_ZERO_TIME);
-}
+// ---- The host ----
 
-void Ps2Keyboard::drive(bool clk_low, bool dat_low) {
-    clk_low_ = clk_low;
-    dat_low_ = dat_low;
-    moved_();
-}
-
-void Ps2Keyboard::reset() {
-    to_send_.clear();
-    argument_of_ = lamps_ = 0;
-    enabled_ = false;
-    wait(self_test);
+void Ps2Keyboard::start() {
+    lamps_ = argument_of_ = 0;
     enabled_ = true;
-    to_send_.push_back(PASSED);
+    defaults();
+    answer({PASSED});
+    type_.notify(sc_core::SC_ZERO_TIME);
+    scan();
 }
 
-void Ps2Keyboard::serve() {
-    reset();
-    for (;;) {
-        if (!host_clk_low_ && host_dat_low_) {
-            receive();
-        } else if (!host_clk_low_ && !to_send_.empty()) {
-            if (send(to_send_.front())) {
-                last_ = to_send_.front();
-                to_send_.pop_front();
-            }
-            wait(2 * quarter);
-        } else {
-            wait(work_);
-        }
-    }
+void Ps2Keyboard::defaults() {
+    drop_reports();
+    repeating_ = 0;
+    set_rate(DEFAULT_RATE);
 }
 
-bool Ps2Keyboard::send(std::uint8_t byte) {
-    const unsigned frame = static_cast<unsigned>(byte) << 1 | (odd(byte) ? 0u : 0x200u) | 0x400u;
-    for (unsigned bit = 0; bit < 11; ++bit) {
-        if (host_clk_low_ && bit < 10) {
-            drive(false, false);
-            return false;
-        }
-        const bool low = !(frame >> bit & 1);
-        drive(false, low);
-        wait(quarter);
-        drive(true, low);
-        wait(2 * quarter);
-        drive(false, low);
-        wait(quarter);
+void Ps2Keyboard::set_rate(std::uint8_t byte) {
+    const unsigned period = (8u + (byte & 7u)) << (byte >> 3 & 3);  // in 1/240 s
+    period_ = sc_time{period / 240.0, sc_core::SC_SEC};
+    delay_ = sc_time{250.0 * (1 + (byte >> 5)), sc_core::SC_MS};
+}
+
+bool Ps2Keyboard::argument(std::uint8_t of, std::uint8_t byte) {
+    if (of == LAMPS && byte < 0x08) {
+        lamps_ = byte;
+        answer({ACKNOWLEDGE});
+    } else if (of == RATE && byte < 0x80) {
+        set_rate(byte);
+        answer({ACKNOWLEDGE});
+    } else if (of == CODE_SET && byte == 2) {
+        answer({ACKNOWLEDGE});
+    } else if (of == CODE_SET && byte == 0) {
+        answer({ACKNOWLEDGE, 2});
+    } else {
+        return false;
     }
-    drive(false, false);
     return true;
 }
 
-void Ps2Keyboard::receive() {
-    unsigned bits = 0;
-    for (unsigned bit = 0; bit < 10; ++bit) {  // 8 of data, parity, stop
-        wait(quarter);
-        drive(true, false);
-        wait(2 * quarter);
-        drive(false, false);
-        if (!host_dat_low_) bits |= 1u << bit;
-        wait(quarter);
-    }
-    const auto byte = static_cast<std::uint8_t>(bits);
-    const bool right = (bits >> 8 & 1) != odd(byte) && (bits >> 9 & 1);
-    drive(false, true);
-    wait(quarter);
-    drive(true, true);
-    wait(2 * quarter);
-    drive(false, false);
-    wait(quarter);
-    if (right)
-        command(byte);
-    else
-        to_send_.push_front(RESEND);
-}
-
 void Ps2Keyboard::command(std::uint8_t byte) {
-    if (argument_of_) {
-        if (argument_of_ == 0xED) lamps_ = byte;
-        argument_of_ = 0;
-        to_send_ = {ACKNOWLEDGE};
-        return;
-    }
+    if (argument_of_ && argument(std::exchange(argument_of_, std::uint8_t{0}), byte)) return;
     switch (byte) {
-        case 0xFF:
-            while (!send(ACKNOWLEDGE)) wait(work_);
-            reset();
-            break;
-        case 0xFE: to_send_.push_front(last_); break;
-        case 0xF6: to_send_ = {ACKNOWLEDGE}; break;
-        case 0xF5:
-        case 0xF4:
-            enabled_ = byte == 0xF4;
-            to_send_ = {ACKNOWLEDGE};
-            break;
-        case 0xF3:
-        case 0xED:
+        case RESET: reset(); break;
+        case AGAIN: answer({last_sent()}); break;
+        case ECHO: answer({ECHO}); break;
+        case IDENTITY: answer({ACKNOWLEDGE, 0xAB, 0x83}); break;
+        case LAMPS:
+        case RATE:
+        case CODE_SET:
             argument_of_ = byte;
-            to_send_ = {ACKNOWLEDGE};
+            answer({ACKNOWLEDGE});
             break;
-        case 0xF2: to_send_ = {ACKNOWLEDGE, 0xAB, 0x83}; break;
-        case 0xEE: to_send_ = {0xEE}; break;
-        default: to_send_ = {RESEND}; break;
+        case ON:
+            drop_reports();
+            enabled_ = true;
+            answer({ACKNOWLEDGE});
+            break;
+        case OFF:
+        case DEFAULTS:
+            defaults();
+            if (byte == OFF) enabled_ = false;
+            answer({ACKNOWLEDGE});
+            break;
+        default: answer({RESEND}); break;
     }
 }
 

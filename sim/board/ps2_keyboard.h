@@ -1,59 +1,66 @@
-// ps2_keyboard.h - a PS/2 keyboard with scan code set 2, on two open-collector wires.
+// ps2_keyboard.h - a PS/2 keyboard with 104 keys and scan code set 2.
 //
-// 500 ms after power-on it has tested itself and says AA.  A key sends its make code when it goes
-// down and F0 and the code when it comes up; a letter that needs it has the left shift (12) around
-// it.  Bits are 80 us long.  While the host holds CLK low, bytes wait; one that this interrupts
-// before its stop bit is sent again.
+// When it has tested itself it says AA.  A key sends its make code when it goes down and its break
+// code when it comes up (scan_codes.h); the last that went down repeats while it is held: after
+// 500 ms 10.9 times a second, or as command F3 says, and only when nothing else waits to be sent.
+// What is done to the keys during the test counts when it is over.
 //
-// Commands: FF reset (FA, after 500 ms AA), FE resend, F6 defaults, F5 off and F4 on again (keys
-// send nothing in between), F3 rate and ED lamps with a byte more each, F2 identity (AB 83) and
-// EE echo.  All but EE and FE are answered with FA; others and wrong parity with FE.
+//   FF reset (FA; after the test AA)      F4 on, F5 off: keys send nothing (FA)
+//   FE the last byte again                F6 defaults (FA)
+//   EE echo (EE)                          F2 identity (FA AB 83)
+//   ED lamps, F3 repeat, F0 code set: FA, and FA again for a byte more; F0 00 is answered FA 02
 //
-// Not handled: other scan code sets, keys that repeat while held, keys without a character.
+// Anything else is answered with FE.  Between a command and its byte more, keys wait.
+//
+// Not handled: code sets but 2 (FE); the shifts that a keyboard puts around its cursor keys while
+// Shift is held or the Num Lock lamp is lit; Ctrl with Pause and Alt with PrintScreen.
 #pragma once
 
 #include <cstdint>
 #include <deque>
-#include <functional>
 #include <string>
 
-#include <systemc>
+#include "sim/board/ps2_device.h"
 
 namespace sim {
 
-class Ps2Keyboard : public sc_core::sc_module {
+class Ps2Keyboard : public Ps2Device {
 public:
-    // `moved` is called after each change of clk_low() or dat_low().
     Ps2Keyboard(const sc_core::sc_module_name& name, std::function<void()> moved);
 
-    // Presses the keys of characters that have a scan_code(), one after the other, each down for
-    // 20 ms and up for 20 ms, from now on.
-    void type(const std::string& text);
+    // A key by its code (scan_codes.h): down from now on until release().
+    void press(std::uint16_t key);
+    void release(std::uint16_t key);
 
-    // What the host pulls low.
-    void host(bool clk_low, bool dat_low);
-    // What the keyboard pulls low.
-    bool clk_low() const { return clk_low_; }
-    bool dat_low() const { return dat_low_; }
+    // Strikes the keys of characters that have a stroke(), one after the other, each down for 20 ms
+    // and up for 20 ms, from now on.
+    void type(const std::string& text);
 
     bool enabled() const { return enabled_; }
     std::uint8_t lamps() const { return lamps_; }  // as of command ED
 
 private:
-    void serve();
-    void press_keys();
-    bool send(std::uint8_t byte);
-    void receive();
-    void command(std::uint8_t byte);
-    void reset();
-    void drive(bool clk_low, bool dat_low);
+    struct Move {
+        std::uint16_t key;
+        bool down;
+    };
 
-    std::function<void()> moved_;
-    std::deque<std::uint8_t> to_send_;
-    std::deque<char> keys_;
-    sc_core::sc_event work_, key_;
-    std::uint8_t last_ = 0, argument_of_ = 0, lamps_ = 0;
-    bool clk_low_ = false, dat_low_ = false, host_clk_low_ = false, host_dat_low_ = false;
+    void start() override;
+    void command(std::uint8_t byte) override;
+    bool may_report() const override { return argument_of_ == 0; }
+    bool argument(std::uint8_t of, std::uint8_t byte);
+    void defaults();
+    void set_rate(std::uint8_t byte);
+    void scan();
+    void strike_keys();
+    void repeat();
+
+    std::deque<Move> moves_;  // that the keyboard has not looked at yet
+    std::deque<char> typed_;
+    std::uint16_t repeating_ = 0;  // 0: none
+    sc_core::sc_event type_, changed_;
+    sc_core::sc_time delay_, period_;  // of the repetition
+    std::uint8_t argument_of_ = 0, lamps_ = 0;
     bool enabled_ = false;
 };
 

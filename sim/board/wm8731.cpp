@@ -17,11 +17,12 @@ constexpr unsigned LEFT_IN = 0, RIGHT_IN = 1, RIGHT_OUT = 3, ANALOGUE = 4, DIGIT
 constexpr std::array<std::uint16_t, Wm8731::REGISTERS> DEFAULTS{0x097, 0x097, 0x079, 0x079, 0x00a,
                                                                 0x008, 0x09f, 0x00a, 0x000, 0x000};
 
-constexpr unsigned BOTH = 1u << 8;                     // R0 - R3
-constexpr unsigned LINMUTE = 1u << 7;                  // R0, R1
-constexpr unsigned INSEL = 1u << 2, DACSEL = 1u << 4;  // R4
-constexpr unsigned DACMU = 1u << 3;                    // R5
-constexpr unsigned LINEINPD = 1u << 0, ADCPD = 1u << 2, DACPD = 1u << 3, OUTPD = 1u << 4,
+constexpr unsigned BOTH = 1u << 8;                                        // R0 - R3
+constexpr unsigned LINMUTE = 1u << 7;                                     // R0, R1
+constexpr unsigned MUTEMIC = 1u << 1, INSEL = 1u << 2, DACSEL = 1u << 4;  // R4
+constexpr unsigned DACMU = 1u << 3;                                       // R5
+constexpr unsigned LINEINPD = 1u << 0, MICPD = 1u << 1, ADCPD = 1u << 2, DACPD = 1u << 3,
+                   OUTPD = 1u << 4,
                    POWEROFF = 1u << 7;                                                // R6
 constexpr unsigned LRP = 1u << 4, LRSWAP = 1u << 5, MS = 1u << 6, BCLKINV = 1u << 7;  // R7
 constexpr unsigned ACTIVE = 1u << 0;                                                  // R9
@@ -46,12 +47,13 @@ bool within_1_percent(std::uint64_t a, std::uint64_t b) {
 
 }  // namespace
 
-Wm8731::Wm8731(Sink sink, Source line_in)
+Wm8731::Wm8731(Sink sink, Source line_in, Source microphone)
     : sink_{std::move(sink)},
       line_in_{std::move(line_in)},
+      microphone_{std::move(microphone)},
       control_{[this](unsigned number, std::uint8_t value) { return byte(number, value); },
                [this](unsigned bytes, unsigned bits) { end_of_transfer(bytes, bits); }},
-      adc_{[this] { return this->line_in(); }},
+      adc_{[this] { return input(); }},
       registers_{DEFAULTS} {
     apply();
 }
@@ -171,13 +173,17 @@ void Wm8731::measure_rate() {
 
 double Wm8731::rate_hz() const { return period_ps_ ? 1e12 / static_cast<double>(period_ps_) : 0.0; }
 
-StereoSample Wm8731::line_in() {
+StereoSample Wm8731::input() {
+    const bool from_microphone = (registers_[ANALOGUE] & INSEL) != 0;
+    const Source& source = from_microphone ? microphone_ : line_in_;
+    const unsigned off = ADCPD | POWEROFF | (from_microphone ? MICPD : LINEINPD);
     StereoSample sample;
-    if (line_in_) sample = top_24_bits(line_in_());
-    const bool on = active_ && !(registers_[POWER_DOWN] & (LINEINPD | ADCPD | POWEROFF)) &&
-                    !(registers_[ANALOGUE] & INSEL);
-    if (!on || registers_[LEFT_IN] & LINMUTE) sample.left = 0;
-    if (!on || registers_[RIGHT_IN] & LINMUTE) sample.right = 0;
+    if (source) sample = top_24_bits(source());
+    if (from_microphone) sample.right = sample.left;
+    if (!active_ || registers_[POWER_DOWN] & off) return {};
+    if (from_microphone) return registers_[ANALOGUE] & MUTEMIC ? StereoSample{} : sample;
+    if (registers_[LEFT_IN] & LINMUTE) sample.left = 0;
+    if (registers_[RIGHT_IN] & LINMUTE) sample.right = 0;
     return sample;
 }
 

@@ -6,9 +6,12 @@
 //
 // Sound: takes DACDAT and gives ADCDAT in the format of R7, in step with BCLK and each LRCK.  Every
 // frame of DACLRCK is one sample for the sink: zeros while R9 is not active, R5 mutes, R6 powers
-// down the DAC, the outputs or the chip, or R4 does not select the DAC.
+// down the DAC, the outputs or the chip, or R4 does not select the DAC.  The ADC has what is at
+// LINE IN or at the microphone, by R4: zeros while R9 is not active, R6 powers down that input, the
+// ADC or the chip, or R0, R1 or R4 mutes it.
 //
-// Not handled: master mode (an error), volumes, filters, the microphone, bypass and sidetone; XCK,
+// Not handled: master mode (an error), volumes and the microphone's gain, filters, bypass and
+// sidetone; XCK,
 // hence whether the rate in R8 fits LRCK; the delays of the pins (ADCDAT moves with BCLK's edge).
 #pragma once
 
@@ -33,8 +36,9 @@ public:
     using Sink = std::function<void(const StereoSample& sample, std::uint64_t time_ps)>;
     using Source = std::function<StereoSample()>;
 
-    // `line_in` is asked once a frame of ADCLRCK; without one it is silent.
-    explicit Wm8731(Sink sink, Source line_in = {});
+    // The input that R4 selects is asked once a frame of ADCLRCK; without a source it is silent.
+    // Of the microphone the left side counts, for both channels.
+    explicit Wm8731(Sink sink, Source line_in = {}, Source microphone = {});
     Wm8731(const Wm8731&) = delete;
     Wm8731& operator=(const Wm8731&) = delete;
 
@@ -54,6 +58,7 @@ public:
     std::uint64_t refused_words() const { return refused_words_; }
     std::uint64_t samples() const { return samples_; }
 
+    std::uint64_t time_ps() const { return now_ps_; }  // of the last drive()
     // Of DACLRCK, from two frames in a row that agree within 1 %; later ones that differ less from
     // it do not change it.  0: not known yet.
     double rate_hz() const;
@@ -71,11 +76,11 @@ private:
     void check_timing(const Pins& was, bool sampling);
     void frame(const AudioReceiver::Frame& frame);
     void measure_rate();
-    StereoSample line_in();
+    StereoSample input();
     void error(const std::string& text);
 
     Sink sink_;
-    Source line_in_;
+    Source line_in_, microphone_;
     I2cTarget control_;
     AudioReceiver dac_;
     AudioTransmitter adc_;

@@ -145,7 +145,8 @@ ExitCode run_doing(const char*& doing, RunOptions options, const Firmware& firmw
                 seed,
                 trace ? trace->part().string() : "",
                 options.memory == "bridge" ? Fpga::Memory::BRIDGED : Fpga::Memory::MAPPED,
-                options.audio_rate};
+                options.audio_rate,
+                scenario.ps2};
     std::optional<ArmRun> arm;
     if (board.arm) arm.emplace(*board.arm, options, on_linux, recorder);
     if (arm) board.also_type_to([&arm](const std::string& text) { arm->type(text); });

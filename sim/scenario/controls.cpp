@@ -7,14 +7,15 @@ namespace sim {
 
 namespace {
 
+std::string cap(unsigned n) { return std::string(1, KEYPAD_CAPS[n]); }
+std::string key(unsigned n) { return n == HPS_KEY ? "hps" : std::to_string(n); }
+std::string digit(unsigned n) { return std::to_string(n); }
+
 // "keypad 1 and 5"; nothing for an empty mask.
-std::string name_all(const char* kind, unsigned mask, unsigned count, bool is_keypad) {
+std::string name_all(const char* kind, unsigned mask, unsigned count, std::string name(unsigned)) {
     std::string out;
-    for (unsigned n = 0; n < count; ++n) {
-        if (!(mask >> n & 1)) continue;
-        out += out.empty() ? std::string(kind) + " " : " and ";
-        out += is_keypad ? std::string(1, KEYPAD_CAPS[n]) : std::to_string(n);
-    }
+    for (unsigned n = 0; n < count; ++n)
+        if (mask >> n & 1) out += (out.empty() ? std::string(kind) + " " : " and ") + name(n);
     return out;
 }
 
@@ -36,15 +37,15 @@ std::vector<unsigned> control_numbers(const Controls& controls) {
 }
 
 std::string control_name(unsigned number) {
-    if (number < KEYPAD_KEYS) return std::string("keypad ") + KEYPAD_CAPS[number];
-    if (number < KEYPAD_KEYS + KEYS) return "key " + std::to_string(number - KEYPAD_KEYS);
-    return "switch " + std::to_string(number - KEYPAD_KEYS - KEYS);
+    if (number < KEYPAD_KEYS) return "keypad " + cap(number);
+    if (number < KEYPAD_KEYS + KEYS) return "key " + key(number - KEYPAD_KEYS);
+    return "switch " + digit(number - KEYPAD_KEYS - KEYS);
 }
 
 std::string to_string(const Controls& controls) {
-    std::string out = name_all("keypad", controls.keypad, KEYPAD_KEYS, true);
-    for (const std::string& part : {name_all("key", controls.keys, KEYS, false),
-                                    name_all("switch", controls.switches, SWITCHES, false)})
+    std::string out = name_all("keypad", controls.keypad, KEYPAD_KEYS, cap);
+    for (const std::string& part : {name_all("key", controls.keys, KEYS, key),
+                                    name_all("switch", controls.switches, SWITCHES, digit)})
         if (!part.empty()) out += (out.empty() ? "" : ", ") + part;
     return out;
 }

@@ -1,4 +1,4 @@
-// controls.h - what a hand can hold on the board: keypad keys, KEY3-KEY0, SW9-SW0
+// controls.h - what a hand can hold on the board: keypad keys, KEY3-KEY0, HPS_KEY, SW9-SW0
 #pragma once
 
 #include <cstdint>
@@ -11,10 +11,11 @@ namespace sim {
 // The keypad's caps by key number, 4 * row + column.
 constexpr char KEYPAD_CAPS[] = "123A456B789C0FED";
 constexpr unsigned KEYPAD_KEYS = 16;
-constexpr unsigned KEYS = 4;
+constexpr unsigned HPS_KEY = 4;  // among the KEYs
+constexpr unsigned KEYS = 5;
 constexpr unsigned SWITCHES = 10;
 
-// Masks: bit n is keypad key number n, KEYn, SWn.
+// Masks: bit n is keypad key number n, KEYn or HPS_KEY, SWn.
 struct Controls {
     std::uint16_t keypad = 0;
     std::uint8_t keys = 0;
@@ -31,7 +32,7 @@ std::optional<unsigned> keypad_key(char cap);
 // One number for each control: keypad keys, then KEYs, then switches.
 constexpr unsigned CONTROLS = KEYPAD_KEYS + KEYS + SWITCHES;
 std::vector<unsigned> control_numbers(const Controls& controls);
-std::string control_name(unsigned number);  // "keypad 5", "key 0", "switch 3"
+std::string control_name(unsigned number);  // "keypad 5", "key 0", "key hps", "switch 3"
 
 // "keypad 5", "keypad 1 and 5, key 0".
 std::string to_string(const Controls& controls);

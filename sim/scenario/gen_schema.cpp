@@ -1,4 +1,4 @@
-// gen_schema.cpp - prints scenario.schema.json from the step table
+// gen_schema.cpp - prints scenario.schema.json from the forms of the steps
 #include <iostream>
 #include <nlohmann/json.hpp>
 
@@ -10,16 +10,24 @@ using Json = nlohmann::ordered_json;
 
 Json steps_schema();
 
+// Of types with long lists of words, which would else stand at each field.
+Json definitions = Json::object();
+
 Json field_schema(const sim::Field& field) {
-    if (!field.type.schema) {
+    if (field.type.schema.empty()) {
         Json list = {{"description", field.help}, {"type", "array"}, {"minItems", 1}};
         list["items"] = steps_schema();
         return list;
     }
-    const Json one = Json::parse(field.type.schema);
+    Json one = Json::parse(field.type.schema);
+    if (one.contains("enum") && one["enum"].size() > 20) {
+        definitions[field.name] = std::move(one);
+        one = {{"$ref", std::string{"#/definitions/"} + field.name}};
+    }
     Json out = {{"description", field.help}};
-    if (field.type.set) {
+    if (!field.type.list_of.empty()) {
         Json list = {{"type", "array"}, {"minItems", 1}, {"uniqueItems", true}};
+        if (field.type.at_most) list["maxItems"] = field.type.at_most;
         list["items"] = one;
         out["anyOf"] = {one, list};
     } else {
@@ -74,10 +82,12 @@ Json steps_schema() {
 }  // namespace
 
 int main() {
-    Json schema = {{"$schema", "http://json-schema.org/draft-07/schema#"},
-                   {"title", "Scenario for de1sim"},
-                   {"$comment", "Generated from step_table.cpp by the target schema_files."}};
+    Json schema = {
+        {"$schema", "http://json-schema.org/draft-07/schema#"},
+        {"title", "Scenario for de1sim"},
+        {"$comment", "Generated from the forms of the steps by the target schema_files."}};
     schema.update(object(sim::file_fields()));
+    if (!definitions.empty()) schema["definitions"] = definitions;
     schema["anyOf"] = any_of({"steps", "duration"});
     std::cout << schema.dump(2) << "\n";
 }

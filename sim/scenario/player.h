@@ -2,63 +2,70 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
 #include "sim/board/board.h"
 #include "sim/report/report.h"
 #include "sim/scenario/scenario.h"
-#include "sim/scenario/senses.h"
+#include "sim/scenario/stage.h"
 
 #include <systemc>
 
 namespace sim {
 
-class Player : public sc_core::sc_module {
+class Player : public sc_core::sc_module, private Stage {
 public:
-    // Runs through `steps` from time 0, then notifies done().  Screenshots go into `out`.
+    // Runs through `steps` from time 0, then notifies done().  Pictures go into `out`.
     Player(const sc_core::sc_module_name& name, Board& board, Senses& senses,
-           const std::vector<Step>& steps, std::filesystem::path out);
+           const std::vector<ScenarioStep>& steps, std::filesystem::path out);
 
     const sc_core::sc_event& done() const { return done_; }
     bool finished() const { return finished_; }
 
-    // One for each expectation and each wait with a timeout, in order.  Those that the run's end
-    // cut off are there too, not met.
+    // One for each claim, in order.  Those that the run's end cut off are there too, not met.
     std::vector<Expectation> results() const;
 
-    // Why a screenshot or difference picture could not be written; empty if all could.
+    // Why a picture could not be written; empty if all could.
     const std::vector<std::string>& faults() const { return faults_; }
 
 private:
     void run();
-    void act(const Delay& step);
-    void act(const Press& step);
-    void act(const Hold& step);
-    void act(const Release& step);
-    void act(const TypeSerial& step);
-    void act(const SetVoltage& step);
-    void act(const TypeKeys& step);
-    void act(const WaitFrame& step);
-    void act(const WaitSerial& step);
-    void act(const ExpectFrame& step);
-    void act(const ExpectTone& step);
-    void act(const ExpectSilence& step);
-    void act(const ExpectLeds& step);
-    void act(const ExpectHex& step);
-    void act(const TakeScreenshot& step);
+    SoundSource& source(SoundInput input);
+    static Expectation expectation(const ScenarioStep& step, Verdict verdict);
 
-    void decide(bool met, std::string detail);
-    // Waits for `event` until `met()` or the timeout; false on timeout.
-    template <class Condition>
-    bool wait_until(const sc_core::sc_event& event, SimTime timeout, Condition met);
-    template <class Condition>
-    bool poll_until(SimTime timeout, Condition met);
+    void wait(SimTime time) override;
+    bool wait_until(Each each, SimTime timeout, const std::function<bool()>& met) override;
+    void hold(const Controls& controls) override;
+    void release(const Controls& controls) override;
+    void drive_pins(std::uint32_t jp1, std::uint32_t jp2, PinLevel level) override;
+    void set_voltage(unsigned channel, double volts) override;
+    void type_serial(const std::string& text) override;
+    void type_keys(const std::string& text) override;
+    void hold_key(std::uint16_t code) override;
+    void release_key(std::uint16_t code) override;
+    void move_mouse(int right, int up) override;
+    void turn_wheel(int notches) override;
+    void hold_button(MouseButton button) override;
+    void release_button(MouseButton button) override;
+    void play(SoundInput input, std::shared_ptr<const Recording> recording, bool for_ever) override;
+    void play_tone(SoundInput input, double hz, double level) override;
+    void play_silence(SoundInput input) override;
+    Senses& senses() override;
+    std::uint16_t ledr() override;
+    HexSegments hex() override;
+    bool hps_led() override { return board_.hps.gpio1.led(); }
+    std::uint32_t jp1() override;
+    std::uint32_t jp2() override;
+    const std::filesystem::path& folder() const override { return out_; }
+    bool save(const std::filesystem::path& path, const Image& image) override;
 
     Board& board_;
     Senses& senses_;
-    const std::vector<Step>& steps_;
+    const std::vector<ScenarioStep>& steps_;
     const std::filesystem::path out_;
+    sc_core::sc_event frame_shown_, printed_;
     std::size_t current_ = 0;
     std::vector<Expectation> results_;
     std::vector<std::string> faults_;

@@ -1,10 +1,9 @@
-// reader.cpp - YAML tree to Scenario, driven by the step table
+// reader.cpp - YAML tree to Scenario, driven by the forms of the steps
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <utility>
 
-#include "sim/report/png.h"
 #include "sim/report/printable.h"
 #include "sim/report/whole_file.h"
 #include "sim/scenario/scenario.h"
@@ -16,6 +15,8 @@
 namespace sim {
 
 namespace {
+
+using Path = std::filesystem::path;
 
 constexpr std::size_t MAX_FILE_BYTES = 1u << 20;
 
@@ -43,9 +44,8 @@ Value preset_value(const Field& field) {
 }
 
 // `whole` names the map in messages; `at` is where it is missing something.
-Values read_fields(const std::vector<Field>& fields, const YamlNode& map, const YamlNode& at,
-                   const std::string& whole) {
-    Values values;
+Values read_fields(Values values, const std::vector<Field>& fields, const YamlNode& map,
+                   const YamlNode& at, const std::string& whole) {
     for (std::size_t i = 0; i < map.keys.size(); ++i) {
         const Field& field = find(fields, map.keys[i], "a field of " + whole);
         if (!field.type.read) continue;
@@ -60,22 +60,22 @@ Values read_fields(const std::vector<Field>& fields, const YamlNode& map, const 
     return values;
 }
 
-Values read_bare(const StepForm& form, const YamlNode& value) {
-    Values values;
+Values read_bare(Values values, const StepForm& form, const YamlNode& value) {
     values.set(form.fields[0].name, read_value(form.fields[0].type, value));
     for (std::size_t i = 1; i < form.fields.size(); ++i)
         values.set(form.fields[i].name, preset_value(form.fields[i]));
     return values;
 }
 
-Values read_step_values(const StepForm& form, const YamlNode& key, const YamlNode& value) {
+Values read_step_values(const Path& folder, const StepForm& form, const YamlNode& key,
+                        const YamlNode& value) {
     const bool is_map = value.kind == YamlNode::Kind::MAP;
     if (form.notation == Notation::BARE || (form.notation == Notation::BOTH && !is_map))
-        return read_bare(form, value);
+        return read_bare({folder, key.line}, form, value);
     if (!is_map)
         refuse(value, fmt::format("a map with {} in {}", list_of(names(form.fields)), form.name),
                describe(value));
-    const Values values = read_fields(form.fields, value, key, form.name);
+    Values values = read_fields({folder, key.line}, form.fields, value, key, form.name);
     const bool has_any = std::any_of(form.any_of.begin(), form.any_of.end(),
                                      [&](const char* name) { return values.find(name); });
     if (!form.any_of.empty() && !has_any)
@@ -86,7 +86,7 @@ Values read_step_values(const StepForm& form, const YamlNode& key, const YamlNod
     return values;
 }
 
-Step read_step(const YamlNode& node) {
+ScenarioStep read_step(const Path& folder, const YamlNode& node) {
     if (node.kind != YamlNode::Kind::MAP)
         refuse(node, "a step such as `delay: 500ms`", describe(node));
     if (node.keys.empty()) refuse(node, "a step such as `delay: 500ms`", "an empty map");
@@ -95,16 +95,16 @@ Step read_step(const YamlNode& node) {
     if (node.keys.size() > 1)
         refuse(node.keys[1], "one step in an item of the list",
                describe(node.keys[1]) + " after " + describe(key) + " (is it to be indented?)");
-    Step step{key.line, key.column, "", form.make(read_step_values(form, key, node.items[0]))};
-    step.text = say(step.action);
-    return step;
+    auto step = form.make(read_step_values(folder, form, key, node.items[0]));
+    std::string text = step->say();
+    return {key.line, key.column, std::move(text), std::move(step)};
 }
 
-std::vector<Step> read_steps(const YamlNode& list) {
+std::vector<ScenarioStep> read_steps(const Path& folder, const YamlNode& list) {
     if (list.kind != YamlNode::Kind::LIST) refuse(list, "a list of steps", describe(list));
     if (list.items.empty()) refuse(list, "one step or more", "an empty list");
-    std::vector<Step> steps;
-    for (const YamlNode& item : list.items) steps.push_back(read_step(item));
+    std::vector<ScenarioStep> steps;
+    for (const YamlNode& item : list.items) steps.push_back(read_step(folder, item));
     return steps;
 }
 
@@ -123,7 +123,12 @@ void need_text(std::string_view text) {
     }
 }
 
-Scenario read_scenario(std::string_view text, const std::filesystem::path& file) {
+Ps2Ports ps2_ports(const Numbers& devices) {
+    return {static_cast<Ps2Plug>(devices.at(0)),
+            devices.size() > 1 ? static_cast<Ps2Plug>(devices[1]) : Ps2Plug::NOTHING};
+}
+
+Scenario read_scenario(std::string_view text, const Path& file) {
     if (text.size() > MAX_FILE_BYTES)
         throw Refusal{0, 0,
                       "expected at most 1 MiB, got " + std::to_string(text.size()) + " bytes"};
@@ -134,26 +139,24 @@ Scenario read_scenario(std::string_view text, const std::filesystem::path& file)
     if (root.kind != YamlNode::Kind::MAP)
         refuse(root, "a map with name, version and steps", describe(root));
 
-    const Values values = read_fields(file_fields(), root, root, "a scenario");
+    const Path folder = file.parent_path();
+    const Values values = read_fields({folder, root.line}, file_fields(), root, root, "a scenario");
     Scenario scenario;
     scenario.file = file;
     scenario.name = values.get<std::string>("name");
     scenario.seed = values.get<std::uint64_t>("seed");
     if (values.find("duration")) scenario.duration = values.get<SimTime>("duration");
-    if (values.find("program"))
-        scenario.program = file.parent_path() / values.get<std::string>("program");
+    if (values.find("program")) scenario.program = values.path("program");
+    if (values.find("ps2")) scenario.ps2 = ps2_ports(values.list("ps2"));
     for (std::size_t i = 0; i < root.keys.size(); ++i)
-        if (root.keys[i].text == "steps") scenario.steps = read_steps(root.items[i]);
+        if (root.keys[i].text == "steps") scenario.steps = read_steps(folder, root.items[i]);
     if (scenario.steps.empty() && !scenario.duration)
         refuse(root, "\"steps\" or \"duration\" in a scenario", "none");
-    for (Step& step : scenario.steps)
-        if (auto* frame = std::get_if<ExpectFrame>(&step.action))
-            frame->golden = file.parent_path() / frame->golden;
     check_steps(scenario);
     return scenario;
 }
 
-std::string place(const std::filesystem::path& file, int line, int column) {
+std::string place(const Path& file, int line, int column) {
     std::string out = printable(file.string()) + ":";
     if (line) out += fmt::format("{}:{}:", line, column);
     return out + " ";
@@ -185,15 +188,11 @@ Scenario load_scenario(const std::filesystem::path& file) {
         throw ScenarioError(file, 0, 0, "expected a scenario file, got: " + error.problem());
     }
     Scenario scenario = parse_scenario(text, file);
-    for (const Step& step : scenario.steps) {
-        const auto* frame = std::get_if<ExpectFrame>(&step.action);
-        if (!frame) continue;
+    for (const ScenarioStep& step : scenario.steps) {
         try {
-            read_golden(frame->golden);
-        } catch (const std::runtime_error& error) {  // IoError or PngError, with the path
-            throw ScenarioError(
-                file, step.line, step.column,
-                std::string("expected a picture of 640 x 480, got ") + error.what());
+            step.step->load();
+        } catch (const std::runtime_error& error) {
+            throw ScenarioError(file, step.line, step.column, error.what());
         }
     }
     return scenario;

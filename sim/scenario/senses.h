@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <deque>
+#include <functional>
 #include <utility>
 #include <vector>
 
@@ -10,8 +11,6 @@
 #include "sim/report/png.h"
 #include "sim/report/tap.h"
 #include "sim/scenario/console_text.h"
-
-#include <systemc>
 
 namespace sim {
 
@@ -36,7 +35,7 @@ public:
     ConsoleText text;  // what the console printed
     TapReader tap;     // the checks in it
 
-    sc_core::sc_event frame_shown, printed;
+    std::function<void()> frame_shown, printed;  // called after each frame and character
 
 private:
     std::vector<std::uint32_t> pixels_;

@@ -1,13 +1,40 @@
-// static_checks.h - mistakes that can be seen before the run
+// static_checks.h - mistakes that can be seen before the run: what hands hold, files, the clock
 #pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
 
 #include "sim/scenario/scenario.h"
 
 namespace sim {
 
-// Throws Refusal for: holding or pressing what is held already, releasing what is not held, two
-// screenshots of one name, one where a file of the run or another screenshot has to be, and steps
-// that the duration leaves no time for.
+// What a step may ask about the steps before it; what is wrong is a Refusal at its place.
+class StaticChecks {
+public:
+    explicit StaticChecks(const Scenario& scenario) : scenario_{scenario} {}
+
+    // A control by its name, "keypad 6": held by one step, and then free again by another.
+    void need_free(const std::string& control) const;
+    void hold(const std::string& control);
+    void release(const std::string& control);
+
+    void need(Ps2Plug plug) const;
+
+    // A file in the output folder that no other step and no run writes.
+    void new_file(const std::filesystem::path& file);
+
+private:
+    friend void check_steps(const Scenario& scenario);
+    [[noreturn]] void refuse_step(const std::string& expected, const std::string& got) const;
+
+    const Scenario& scenario_;
+    const ScenarioStep* step_ = nullptr;
+    std::map<std::string, int> held_since_;         // line
+    std::map<std::filesystem::path, int> written_;  // line
+};
+
+// Throws Refusal for what a step refuses, and for steps that the duration leaves no time for.
 void check_steps(const Scenario& scenario);
 
 }  // namespace sim

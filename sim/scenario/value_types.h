@@ -1,32 +1,59 @@
 // value_types.h - the kinds of value that a field can have: how to read, describe and complete them
+//
+// Here are those of several files and what others are made of; one that only a file of steps/ has
+// is in that file.
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <variant>
+#include <vector>
 
-#include "sim/scenario/scenario.h"
+#include "sim/scenario/sim_time.h"
 #include "sim/scenario/yaml_tree.h"
 
 namespace sim {
 
-using Value = std::variant<std::uint64_t, double, std::string, SimTime, WaitFrame>;
+using Numbers = std::vector<std::uint64_t>;
+using Value = std::variant<std::uint64_t, double, std::string, SimTime, Numbers>;
+using Reading = std::optional<Value>;  // nothing: not such a value
 
 struct ValueType {
-    const char* expected;                           // completes "expected ..."
-    const char* schema;                             // JSON Schema of one value
-    std::optional<Value> (*read)(const YamlNode&);  // nothing: not such a value
-    bool set = false;  // one value or a list: numbers, read into a bit mask
+    std::string expected;  // completes "expected ..."
+    std::string schema;    // JSON Schema of one value
+    std::function<Reading(const YamlNode&)> read;
+    std::string list_of = "";  // one value or a list of different numbers, and their name
+    std::vector<std::string> words = {};  // for the hint at a slip
+    std::size_t at_most = 0;              // in a list; 0: as many as there are
 };
 
 namespace value_types {
 
-extern const ValueType LINE, TEXT, KEYS_TEXT, PNG_NAME, VERSION, SEED, PIXELS, TIME, SOME_TIME,
-    PERCENT, HERTZ, FRAME, KEYPAD, KEY, SWITCH, CHANNEL, VOLTS, LEDS, HEX;
-extern const ValueType STEPS;  // has no read: reader.cpp reads the list
+extern const ValueType LINE, TEXT, TIME, SOME_TIME;
+
+ValueType whole_number(const std::string& expected, std::uint64_t least, std::uint64_t most);
+ValueType decimal_number(const std::string& expected, double least, double most);
+// Digits and %, read as a fraction: 0.03 for 3%.
+ValueType percent(const std::string& expected, double least, double most);
+// From -most to most; Values::number() gives it with its sign.
+ValueType signed_number(const std::string& expected, std::uint64_t most);
+// One of these words, read as its place in the list.
+ValueType word(const std::string& expected, const std::vector<std::string>& words);
 
 }  // namespace value_types
+
+// ---- Parts of readers ----
+
+// Not in quotes.
+bool is_plain(const YamlNode& node);
+// Decimal without leading zeros, or 0x and hex digits.
+std::optional<std::uint64_t> parse_whole(std::string_view text, std::uint64_t least,
+                                         std::uint64_t most);
+// Digits, perhaps a point and more digits.
+std::optional<double> parse_decimal(std::string_view text, double least, double most);
 
 // Throws Refusal, with a hint when quotes are all that is wrong.
 Value read_value(const ValueType& type, const YamlNode& node);

@@ -58,6 +58,10 @@ std::string list_of(const std::vector<std::string>& words) {
     return out;
 }
 
+std::string within(SimTime timeout) {
+    return timeout.ps == 0 ? "" : " within " + to_string(timeout);
+}
+
 std::string in_quotes(std::string_view text) {
     std::size_t end = 0;
     while (end < text.size() && end < MAX_QUOTED_BYTES) next_utf8(text, end);

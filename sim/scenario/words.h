@@ -5,6 +5,8 @@
 #include <string_view>
 #include <vector>
 
+#include "sim/scenario/sim_time.h"
+
 namespace sim {
 
 // The candidate that differs in the fewest letters, if it is close enough to be a slip; else "".
@@ -15,6 +17,9 @@ std::string did_you_mean(std::string_view word, const std::vector<std::string>& 
 
 // "a, b or c".
 std::string list_of(const std::vector<std::string>& words);
+
+// " within 2s"; "" for no time at all.
+std::string within(SimTime timeout);
 
 // Text from a file in double quotes, printable and at most some 60 characters long.
 std::string in_quotes(std::string_view text);

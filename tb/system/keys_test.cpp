@@ -40,6 +40,51 @@ TEST_F(KeyOnTheBoard, ReleaseIsCapturedAndInterruptsUntilItIsCleared) {
     });
 }
 
+TEST_F(KeyOnTheBoard, OfTheProcessorIsReadAtItsOwnPort) {
+    constexpr std::uint32_t PINS = 0xFF709050, HPS_KEY = 1u << 25;
+    run_to_end([this](hal::Mmio& io, hal::Cpu& cpu) {
+        EXPECT_NE(io.read(PINS) & HPS_KEY, 0u);
+        board->hold(0, 1u << 4 | 1u << 0, 0);
+        cpu.idle();
+        EXPECT_EQ(io.read(PINS) & HPS_KEY, 0u);
+        EXPECT_EQ(io.read(regmap::KEY_DATA), 0b0001u);
+        board->release(0, 1u << 4, 0);
+        cpu.idle();
+        EXPECT_NE(io.read(PINS) & HPS_KEY, 0u);
+        EXPECT_EQ(io.read(regmap::KEY_DATA), 0b0001u);
+    });
+}
+
+class Ps2OnTheBoard : public tb::WholeBoard {
+protected:
+    static std::vector<std::uint32_t> received(hal::Mmio& io, std::uint32_t port) {
+        std::vector<std::uint32_t> bytes;
+        for (std::uint32_t data; (data = io.read(port)) & regmap::PS2_0_DATA_RVALID_MASK;)
+            bytes.push_back(data & regmap::PS2_0_DATA_DATA_MASK);
+        return bytes;
+    }
+};
+
+TEST_F(Ps2OnTheBoard, HasAKeyboardInTheFirstPortAndAMouseInTheSecond) {
+    run_to_end(
+        [this](hal::Mmio& io, hal::Cpu& cpu) {
+            idle_ms(cpu, 510);
+            EXPECT_THAT(received(io, regmap::PS2_0_DATA), ElementsAre(0xAA));
+            EXPECT_THAT(received(io, regmap::PS2_1_DATA), ElementsAre(0xAA, 0x00));
+            io.write(regmap::PS2_1_DATA, 0xF4);
+            io.write(regmap::PS2_1_CONTROL, regmap::PS2_1_CONTROL_RE_MASK);
+            idle_ms(cpu, 5);
+            EXPECT_THAT(received(io, regmap::PS2_1_DATA), ElementsAre(0xFA));
+            board->ps2_mouse.move(-3, 4);
+            board->ps2_keyboard.press(0x1C);
+            idle_ms(cpu, 15);
+            EXPECT_EQ(board->fpga.fabric().irq(), 1u << (regmap::PS2_1_IRQ_ID - 72));
+            EXPECT_THAT(received(io, regmap::PS2_1_DATA), ElementsAre(0x18, 0xFD, 0x04));
+            EXPECT_THAT(received(io, regmap::PS2_0_DATA), ElementsAre(0x1C));
+        },
+        600);
+}
+
 class KeypadOnTheBoard : public tb::WholeBoard {
 protected:
     static constexpr unsigned SETTLED_MS = 12;  // 5 ms of bounce, 5 ms of debouncing

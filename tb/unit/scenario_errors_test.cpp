@@ -27,7 +27,7 @@ TEST(ScenarioError, NamesTheNearestFieldOfAFile) {
               "a.yaml:1:1: expected a field of a scenario, got \"nam\" (did you mean \"name\"?)");
     EXPECT_EQ(error_of("name: a\ncolour: red"),
               "a.yaml:2:1: expected a field of a scenario: name, version, seed, duration, "
-              "program or steps, "
+              "program, ps2 or steps, "
               "got \"colour\"");
 }
 
@@ -53,6 +53,19 @@ TEST(ScenarioError, SaysWhichFieldOfTheFileIsMissing) {
               "a.yaml:1:1: expected \"version\" in a scenario, got none");
     EXPECT_EQ(error_of("name: a\nversion: 1"),
               "a.yaml:1:1: expected \"steps\" or \"duration\" in a scenario, got none");
+}
+
+TEST(ScenarioError, SaysWhatCanBeInAPs2Port) {
+    const auto error = [](const std::string& ps2) {
+        return error_of("name: a\nversion: 1\nduration: 1s\nps2: " + ps2);
+    };
+    EXPECT_EQ(error("mous"),
+              "a.yaml:4:6: expected keyboard, mouse or nothing, got \"mous\" (did "
+              "you mean \"mouse\"?)");
+    EXPECT_EQ(error("[mouse, mouse]"),
+              "a.yaml:4:14: expected each device once, got \"mouse\" again");
+    EXPECT_EQ(error("[mouse, keyboard, nothing]"),
+              "a.yaml:4:6: expected at most 2 in a list, got 3");
 }
 
 TEST(ScenarioError, SaysWhichFieldOfAStepIsMissing) {
@@ -107,10 +120,10 @@ TEST(ScenarioError, SaysWhatAValueShouldHaveBeen) {
         {"press: {keypad: [\"1\", 1]}", 25, "expected each control once, got 1 again"},
         {"press: {keypad: []}", 19, "expected a keypad key, 0-9 or A-F, got an empty list"},
         {"press: {keypad: [[1]]}", 20, "expected a keypad key, 0-9 or A-F, got a list"},
-        {"press: {key: 4}", 16, "expected a key number, 0 to 3, got 4"},
-        {"press: {key: -1}", 16, "expected a key number, 0 to 3, got -1"},
+        {"press: {key: 4}", 16, "expected a key number, 0 to 3, or hps, got 4"},
+        {"press: {key: -1}", 16, "expected a key number, 0 to 3, or hps, got -1"},
         {"press: {key: \"1\"}", 16,
-         "expected a key number, 0 to 3, got \"1\" (leave out the quotes)"},
+         "expected a key number, 0 to 3, or hps, got \"1\" (leave out the quotes)"},
         {"press: {switch: 10}", 19, "expected a switch number, 0 to 9, got 10"},
         {"press: {switch: 1.5}", 19, "expected a switch number, 0 to 9, got 1.5"},
         {"press: 5", 10, "expected a map with keypad, key, switch or for in press, got 5"},

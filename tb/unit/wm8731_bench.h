@@ -31,7 +31,7 @@ protected:
     };
 
     std::vector<Heard> heard;
-    sim::StereoSample line_in;
+    sim::StereoSample line_in, microphone;
     unsigned asked = 0;
     std::uint64_t now_ps = 0;
     sim::Wm8731::Pins pins{false, true, true, false, true, true};
@@ -44,7 +44,8 @@ protected:
                      [this] {
                          ++asked;
                          return line_in;
-                     }};
+                     },
+                     [this] { return microphone; }};
 
     // ---- I2C ----
 

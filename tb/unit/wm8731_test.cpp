@@ -182,6 +182,32 @@ TEST_F(Wm8731Chip, PlaysZerosWhenAnyRegisterSaysSo) {
     }
 }
 
+TEST_F(Wm8731Chip, SendsTheMicrophoneOnBothSidesWhenR4SelectsIt) {
+    line_in = {0x11110000, 0x22220000};
+    microphone = {0x12340000, 0x43210000};
+    const auto sent = [this] {
+        for (int i = 0; i < 4; ++i) {
+            adc_bits.clear();
+            slot(true, std::string(16, '0'));
+            slot(false, std::string(16, '0'));
+        }
+        return adc_bits;
+    };
+    const std::string voice = binary(0x12340000, 16), silence(32, '0');
+    set_up(LEFT | BITS16);
+    EXPECT_EQ(sent(), binary(0x11110000, 16) + binary(0x22220000, 16));
+    set(4, 0x014);  // INSEL
+    EXPECT_EQ(sent(), voice + voice);
+    set(0, 0x097);  // the line's mutes do not count
+    set(6, 0x001);  // nor does its power
+    EXPECT_EQ(sent(), voice + voice);
+    set(6, 0x002);  // MICPD
+    EXPECT_EQ(sent(), silence);
+    set(6, 0);
+    set(4, 0x016);  // MUTEMIC
+    EXPECT_EQ(sent(), silence);
+}
+
 TEST_F(Wm8731Chip, SendsZerosWhenAnyRegisterSaysSo) {
     line_in = {-1, -1};
     const auto ones = [this] {

@@ -1,0 +1,36 @@
+// header.h - the 32 data wires of JP1 or JP2: the FPGA, what is plugged in outside, and pull-ups.
+//
+// A wire that nobody drives is high.
+//
+// Not handled: a wire that one drives high and the other low is low here, and a damaged pin on a
+// board.
+#pragma once
+
+#include <cstdint>
+
+namespace sim {
+
+enum class PinLevel { LOW, HIGH, RELEASED };
+
+class Header {
+public:
+    // What the FPGA drives, where `enable` is 1.
+    void fpga(std::uint32_t levels, std::uint32_t enable) {
+        high_ = levels & enable;
+        low_ = ~levels & enable;
+    }
+    // From now on, on the wires of `pins`.
+    void outside(std::uint32_t pins, PinLevel level) {
+        outside_high_ = (outside_high_ & ~pins) | (level == PinLevel::HIGH ? pins : 0);
+        outside_low_ = (outside_low_ & ~pins) | (level == PinLevel::LOW ? pins : 0);
+    }
+
+    std::uint32_t outputs() const { return high_ | low_; }  // of the FPGA
+    std::uint32_t driven() const { return high_ | low_ | outside_high_ | outside_low_; }
+    std::uint32_t levels() const { return ~(low_ | outside_low_); }
+
+private:
+    std::uint32_t high_ = 0, low_ = 0, outside_high_ = 0, outside_low_ = 0;
+};
+
+}  // namespace sim

@@ -1,0 +1,74 @@
+// ps2_device.h - a device's end of PS/2: bytes to the host and from it on two open-collector wires.
+//
+//   device to host   start 0, 8 bits from bit 0, odd parity, stop 1; the device makes CLK, and DAT
+//                    moves while it is high
+//   host to device   the host holds CLK low, pulls DAT low, and lets go of CLK; the device clocks
+//                    in 8 bits, parity and stop, and pulls DAT low for the acknowledge
+//
+// Bits are 80 us long.  While the host holds CLK low, bytes wait; one that this interrupts before
+// its stop bit is sent again.  A byte with wrong parity is answered with FE.
+//
+// For 500 ms after power-on and after a reset the device tests itself and neither sends nor takes.
+//
+// Source: IBM Personal System/2 Hardware Interface Technical Reference, keyboard and auxiliary
+// device controller.
+//
+// Not handled: the host breaking off a byte that it sends.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <vector>
+
+#include <systemc>
+
+namespace sim {
+
+class Ps2Device : public sc_core::sc_module {
+public:
+    // `moved` is called after each change of clk_low() or dat_low().
+    Ps2Device(const sc_core::sc_module_name& name, std::function<void()> moved);
+
+    // What the host pulls low.
+    void host(bool clk_low, bool dat_low);
+    // What the device pulls low.
+    bool clk_low() const { return clk_low_; }
+    bool dat_low() const { return dat_low_; }
+
+protected:
+    using Bytes = std::vector<std::uint8_t>;
+    static constexpr std::uint8_t PASSED = 0xAA, ACKNOWLEDGE = 0xFA, RESEND = 0xFE;
+
+    // The test has passed: the device takes its defaults and answers with what it says then.
+    virtual void start() = 0;
+    // A byte from the host.
+    virtual void command(std::uint8_t byte) = 0;
+    // False: what it reports waits.
+    virtual bool may_report() const = 0;
+
+    void answer(const Bytes& bytes);  // before all reports
+    void report(const Bytes& bytes);  // in turn
+    void drop_reports() { reports_.clear(); }
+    void reset();  // acknowledges, then tests itself
+
+    bool ready() const { return ready_; }  // not in its test
+    bool idle() const { return answers_.empty() && reports_.empty(); }
+    std::uint8_t last_sent() const { return last_sent_; }
+
+private:
+    void serve();
+    void test();
+    bool send(std::uint8_t byte);
+    void receive();
+    void drive(bool clk_low, bool dat_low);
+
+    std::function<void()> moved_;
+    std::deque<std::uint8_t> answers_, reports_;
+    sc_core::sc_event work_;
+    std::uint8_t last_sent_ = 0;
+    bool clk_low_ = false, dat_low_ = false, host_clk_low_ = false, host_dat_low_ = false;
+    bool ready_ = false, to_reset_ = false;
+};
+
+}  // namespace sim

@@ -1,0 +1,25 @@
+// recording.h - a sound file in memory, to be played into the board.
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "sim/board/digital_audio.h"
+
+namespace sim {
+
+struct Recording {
+    double rate_hz = 0;
+    std::vector<StereoSample> samples;  // a mono file is on both sides
+};
+
+// Any file that libsndfile reads, WAV among them; 16 and 24 bits come through exactly.
+// std::runtime_error, the path and what is wrong: no such file, no sound, more than two channels,
+// longer than five minutes.
+Recording read_recording(const std::filesystem::path& path);
+
+// The same sound at another rate; the same samples when the rates differ by less than a crystal
+// may be off, 0.01 %.
+Recording at_rate(const Recording& recording, double rate_hz);
+
+}  // namespace sim

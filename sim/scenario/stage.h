@@ -1,0 +1,74 @@
+// stage.h - the board as the person in front of it has it: hands, eyes, ears and a watch
+//
+// What steps act on.  Player puts it before the simulated board; the tests of steps, which need no
+// simulation, before a board of their own.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "sim/board/header.h"
+#include "sim/board/ps2_ports.h"
+#include "sim/board/sound_source.h"
+#include "sim/report/png.h"
+#include "sim/scenario/controls.h"
+#include "sim/scenario/senses.h"
+#include "sim/scenario/seven_segment.h"
+#include "sim/scenario/sim_time.h"
+
+namespace sim {
+
+class Stage {
+public:
+    // ---- Time ----
+
+    virtual void wait(SimTime time) = 0;
+
+    enum class Each { FRAME, CHARACTER, MILLISECOND };  // that was shown, printed, passed
+    // Waits until `met`, looking now, after each of these, and at the end; false: not in this time.
+    virtual bool wait_until(Each each, SimTime timeout, const std::function<bool()>& met) = 0;
+
+    // ---- Hands ----
+
+    virtual void hold(const Controls& controls) = 0;
+    virtual void release(const Controls& controls) = 0;
+    virtual void drive_pins(std::uint32_t jp1, std::uint32_t jp2, PinLevel level) = 0;
+    virtual void set_voltage(unsigned channel, double volts) = 0;  // at the AD converter
+    virtual void type_serial(const std::string& text) = 0;         // both go on at once
+    virtual void type_keys(const std::string& text) = 0;
+    virtual void hold_key(std::uint16_t code) = 0;  // of the keyboard, see scan_codes.h
+    virtual void release_key(std::uint16_t code) = 0;
+    virtual void move_mouse(int right, int up) = 0;
+    virtual void turn_wheel(int notches) = 0;  // towards the hand
+    virtual void hold_button(MouseButton button) = 0;
+    virtual void release_button(MouseButton button) = 0;
+
+    // Into an input of the codec, from now on.
+    virtual void play(SoundInput input, std::shared_ptr<const Recording> recording,
+                      bool for_ever) = 0;
+    virtual void play_tone(SoundInput input, double hz, double level) = 0;
+    virtual void play_silence(SoundInput input) = 0;
+
+    // ---- Eyes and ears: what there is now ----
+
+    virtual Senses& senses() = 0;
+    virtual std::uint16_t ledr() = 0;
+    virtual HexSegments hex() = 0;
+    virtual bool hps_led() = 0;
+    virtual std::uint32_t jp1() = 0;  // levels of the wires D31-D0, whoever drives them
+    virtual std::uint32_t jp2() = 0;
+
+    // ---- The output folder ----
+
+    virtual const std::filesystem::path& folder() const = 0;
+    // False: it could not be written, which the report tells as a fault.
+    virtual bool save(const std::filesystem::path& path, const Image& image) = 0;
+
+protected:
+    ~Stage() = default;
+};
+
+}  // namespace sim

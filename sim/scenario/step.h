@@ -1,0 +1,72 @@
+// step.h - what a step of a scenario is
+//
+// A step is a class in a file of steps/, with an entry in that file's list (step_form.h).  It does
+// something to the board, an Action, or finds something out, a Claim.  There is no third kind, and
+// nothing but a claim is met or not: so of each claim that the end of a run cuts off, the report
+// says that it was not met.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "sim/scenario/sim_time.h"
+
+namespace sim {
+
+class Stage;
+class StaticChecks;
+
+struct Verdict {
+    bool met;
+    std::string detail;  // what was there instead; may be empty when met
+};
+
+class Step {
+public:
+    virtual ~Step() = default;
+    Step(const Step&) = delete;
+    Step& operator=(const Step&) = delete;
+
+    // One line as a person would say it: "press keypad 5 for 80ms".
+    virtual std::string say() const = 0;
+
+    // The time that it takes whatever the board does.
+    virtual SimTime least() const { return {}; }
+
+    // Refuses what can be known to be wrong from the steps before it.
+    virtual void check(StaticChecks&) const {}
+
+    // Reads the files that it needs; std::runtime_error, "expected ..., got ...", if it can not.
+    virtual void load() {}
+
+    virtual bool decides() const = 0;
+    virtual std::optional<Verdict> play(Stage& stage) const = 0;  // there is one if it decides()
+
+private:
+    friend class Action;
+    friend class Claim;
+    Step() = default;
+};
+
+class Action : public Step {
+public:
+    bool decides() const final { return false; }
+    std::optional<Verdict> play(Stage& stage) const final {
+        act(stage);
+        return std::nullopt;
+    }
+
+private:
+    virtual void act(Stage& stage) const = 0;
+};
+
+class Claim : public Step {
+public:
+    bool decides() const final { return true; }
+    std::optional<Verdict> play(Stage& stage) const final { return decide(stage); }
+
+private:
+    virtual Verdict decide(Stage& stage) const = 0;
+};
+
+}  // namespace sim

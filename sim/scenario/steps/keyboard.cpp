@@ -1,0 +1,189 @@
+// keyboard.cpp - type-keys, press-key, hold-key, release-key: the PS/2 keyboard
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+
+#include "sim/board/scan_codes.h"
+#include "sim/scenario/stage.h"
+#include "sim/scenario/static_checks.h"
+#include "sim/scenario/step_form.h"
+#include "sim/scenario/words.h"
+
+namespace sim {
+
+namespace {
+
+using namespace value_types;
+
+// ---- type-keys ----
+
+Reading read_text_of_keys(const YamlNode& node) {
+    if (!std::all_of(node.text.begin(), node.text.end(), [](char c) { return stroke(c); }))
+        return std::nullopt;
+    return TEXT.read(node);
+}
+
+const ValueType KEYS_TEXT{"text of characters that a US keyboard has",
+                          R"({"type": "string", "pattern": "^[\\t\\n -~]+$"})", read_text_of_keys};
+
+class TypeKeys : public Action {
+public:
+    explicit TypeKeys(const Values& v) : text_{v.get<std::string>("text")} {}
+
+    std::string say() const override { return "type " + in_quotes(text_) + " on the keyboard"; }
+    void check(StaticChecks& checks) const override { checks.need(Ps2Plug::KEYBOARD); }
+    void act(Stage& stage) const override { stage.type_keys(text_); }
+
+private:
+    std::string text_;
+};
+
+// ---- Keys by their names ----
+
+// A key is its place in keys().
+Reading read_key(const YamlNode& node) {
+    std::string name = node.text;
+    if (name.size() == 1) name[0] = static_cast<char>(std::tolower(name[0]));
+    const auto at = std::find_if(keys().begin(), keys().end(),
+                                 [&](const Key& key) { return key.name == name; });
+    if (at == keys().end()) return std::nullopt;
+    return static_cast<std::uint64_t>(at - keys().begin());
+}
+
+const ValueType& key_type() {
+    static const ValueType TYPE = [] {
+        std::vector<std::string> names, choices;
+        for (const Key& key : keys()) {
+            names.push_back(key.name);
+            choices.push_back(key.name == "\\" ? R"("\\")" : '"' + key.name + '"');
+            if (key.name.size() > 1) continue;
+            if (std::isdigit(key.name[0])) choices.push_back(key.name);
+            if (std::isalpha(key.name[0]))
+                choices.push_back(
+                    std::string{'"', static_cast<char>(std::toupper(key.name[0])), '"'});
+        }
+        return ValueType{
+            "a key: Left, Esc, F1, Ctrl, RightCtrl, Numpad5 and so on, or the "
+            "character that it makes",
+            fmt::format(R"({{"enum": [{}]}})", fmt::join(choices, ", ")), read_key, "key", names};
+    }();
+    return TYPE;
+}
+
+class OnKeys : public Action {
+protected:
+    explicit OnKeys(const Values& v) {
+        for (const std::uint64_t place : v.list("key")) keys_.push_back(&keys()[place]);
+    }
+
+    std::string names() const {
+        std::string all;
+        for (const Key* key : keys_) all += (all.empty() ? "" : " and ") + key->name;
+        return all + " on the keyboard";
+    }
+    template <class Check>
+    void for_each(StaticChecks& checks, Check check) const {
+        checks.need(Ps2Plug::KEYBOARD);
+        for (const Key* key : keys_) check(key->name + " on the keyboard");
+    }
+
+    void hold(Stage& stage) const {
+        for (const Key* key : keys_) stage.hold_key(key->code);
+    }
+    void release(Stage& stage) const {
+        for (auto key = keys_.rbegin(); key != keys_.rend(); ++key) stage.release_key((*key)->code);
+    }
+
+private:
+    std::vector<const Key*> keys_;
+};
+
+class PressKey : public OnKeys {
+public:
+    explicit PressKey(const Values& v) : OnKeys{v}, time_{v.get<SimTime>("for")} {}
+
+    std::string say() const override {
+        return fmt::format("press {} for {}", names(), to_string(time_));
+    }
+    SimTime least() const override { return time_; }
+    void check(StaticChecks& checks) const override {
+        for_each(checks, [&](const std::string& key) { checks.need_free(key); });
+    }
+    void act(Stage& stage) const override {
+        hold(stage);
+        stage.wait(time_);
+        release(stage);
+    }
+
+private:
+    SimTime time_;
+};
+
+class HoldKey : public OnKeys {
+public:
+    explicit HoldKey(const Values& v) : OnKeys{v} {}
+
+    std::string say() const override { return "hold " + names(); }
+    void check(StaticChecks& checks) const override {
+        for_each(checks, [&](const std::string& key) { checks.hold(key); });
+    }
+    void act(Stage& stage) const override { hold(stage); }
+};
+
+class ReleaseKey : public OnKeys {
+public:
+    explicit ReleaseKey(const Values& v) : OnKeys{v} {}
+
+    std::string say() const override { return "release " + names(); }
+    void check(StaticChecks& checks) const override {
+        for_each(checks, [&](const std::string& key) { checks.release(key); });
+    }
+    void act(Stage& stage) const override { release(stage); }
+};
+
+}  // namespace
+
+namespace steps {
+
+std::vector<StepForm> keyboard() {
+    const Field key{
+        "key", key_type(), Need::REQUIRED, "",
+        "A key by the character that it makes without Shift, or Esc, F1 to F12, "
+        "PrintScreen, ScrollLock, Pause, Backspace, Tab, Enter, Space, CapsLock, Shift, "
+        "RightShift, Ctrl, RightCtrl, Alt, RightAlt, Win, RightWin, Menu, Insert, Home, "
+        "PageUp, Delete, End, PageDown, Up, Left, Down, Right, NumLock, Numpad0 to "
+        "Numpad9, NumpadEnter, NumpadPlus, NumpadMinus, NumpadStar, NumpadSlash, "
+        "NumpadPoint; or a list: down in this order, up in the other."};
+    return {
+        {"type-keys",
+         "Type a text on the PS/2 keyboard and go on; a key takes 40 ms.",
+         Notation::BARE,
+         {},
+         {{"text", KEYS_TEXT, Need::REQUIRED, "", "The text."}},
+         make<TypeKeys>},
+        {"press-key",
+         "Hold keys of the PS/2 keyboard for a while and let go; the next step comes after that. "
+         "From 500 ms on the last repeats.",
+         Notation::BOTH,
+         {},
+         {key, {"for", SOME_TIME, Need::OPTIONAL, "100ms", "How long."}},
+         make<PressKey>},
+        {"hold-key",
+         "Begin to hold keys of the PS/2 keyboard and go on to the next step.",
+         Notation::BOTH,
+         {},
+         {key},
+         make<HoldKey>},
+        {"release-key",
+         "Let go of keys of the PS/2 keyboard that are held.",
+         Notation::BOTH,
+         {},
+         {key},
+         make<ReleaseKey>},
+    };
+}
+
+}  // namespace steps
+
+}  // namespace sim

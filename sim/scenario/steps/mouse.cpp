@@ -1,0 +1,227 @@
+// mouse.cpp - move-mouse, click-mouse, hold-mouse, release-mouse, drag-mouse, turn-wheel
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "sim/scenario/stage.h"
+#include "sim/scenario/static_checks.h"
+#include "sim/scenario/step_form.h"
+
+namespace sim {
+
+namespace {
+
+using namespace value_types;
+
+constexpr const char* BUTTONS[] = {"left", "right", "middle"};  // as MouseButton
+
+std::string name_of(MouseButton button) {
+    return fmt::format("the {} mouse button", BUTTONS[static_cast<std::size_t>(button)]);
+}
+
+// ---- Parts of the steps ----
+
+// A way of the mouse, at one speed.
+class Way {
+public:
+    explicit Way(const Values& v)
+        : right_{v.number<int>("right")},
+          down_{v.number<int>("down")},
+          time_{v.get<SimTime>("for")} {}
+
+    std::string say() const {
+        return fmt::format("the mouse {} to the right and {} down in {}", right_, down_,
+                           to_string(time_));
+    }
+    SimTime time() const { return time_; }
+    void go(Stage& stage) const {
+        constexpr std::uint64_t PIECE_PS = 1'000'000'000;  // 1 ms
+        int gone_right = 0, gone_down = 0;
+        for (std::uint64_t now = 0; now < time_.ps;) {
+            const std::uint64_t next = std::min(now + PIECE_PS, time_.ps);
+            stage.wait(SimTime{next - now});
+            now = next;
+            const double share = static_cast<double>(now) / static_cast<double>(time_.ps);
+            const int right = static_cast<int>(right_ * share),
+                      down = static_cast<int>(down_ * share);
+            if (right != gone_right || down != gone_down)
+                stage.move_mouse(right - gone_right, gone_down - down);
+            gone_right = right;
+            gone_down = down;
+        }
+    }
+
+private:
+    int right_, down_;
+    SimTime time_;
+};
+
+class OnButton : public Action {
+protected:
+    explicit OnButton(const Values& v) : button_{v.number<MouseButton>("button")} {}
+
+    void check(StaticChecks& checks) const override {
+        checks.need(Ps2Plug::MOUSE);
+        check_button(checks, name_of(button_));
+    }
+    virtual void check_button(StaticChecks& checks, const std::string& name) const {
+        checks.need_free(name);
+    }
+
+    MouseButton button_;
+};
+
+// ---- The steps ----
+
+class MoveMouse : public Action {
+public:
+    explicit MoveMouse(const Values& v) : way_{v} {}
+
+    std::string say() const override { return "move " + way_.say(); }
+    SimTime least() const override { return way_.time(); }
+    void check(StaticChecks& checks) const override { checks.need(Ps2Plug::MOUSE); }
+    void act(Stage& stage) const override { way_.go(stage); }
+
+private:
+    Way way_;
+};
+
+class ClickMouse : public OnButton {
+public:
+    explicit ClickMouse(const Values& v) : OnButton{v}, time_{v.get<SimTime>("for")} {}
+
+    std::string say() const override {
+        return fmt::format("press {} for {}", name_of(button_), to_string(time_));
+    }
+    SimTime least() const override { return time_; }
+    void act(Stage& stage) const override {
+        stage.hold_button(button_);
+        stage.wait(time_);
+        stage.release_button(button_);
+    }
+
+private:
+    SimTime time_;
+};
+
+class HoldMouse : public OnButton {
+public:
+    explicit HoldMouse(const Values& v) : OnButton{v} {}
+
+    std::string say() const override { return "hold " + name_of(button_); }
+    void check_button(StaticChecks& checks, const std::string& name) const override {
+        checks.hold(name);
+    }
+    void act(Stage& stage) const override { stage.hold_button(button_); }
+};
+
+class ReleaseMouse : public OnButton {
+public:
+    explicit ReleaseMouse(const Values& v) : OnButton{v} {}
+
+    std::string say() const override { return "release " + name_of(button_); }
+    void check_button(StaticChecks& checks, const std::string& name) const override {
+        checks.release(name);
+    }
+    void act(Stage& stage) const override { stage.release_button(button_); }
+};
+
+class DragMouse : public OnButton {
+public:
+    explicit DragMouse(const Values& v) : OnButton{v}, way_{v} {}
+
+    std::string say() const override {
+        return fmt::format("drag {} with {}", way_.say(), name_of(button_));
+    }
+    SimTime least() const override { return {way_.time().ps + 2 * STILL.ps}; }
+    void act(Stage& stage) const override {
+        stage.hold_button(button_);
+        stage.wait(STILL);
+        way_.go(stage);
+        stage.wait(STILL);
+        stage.release_button(button_);
+    }
+
+private:
+    // A packet comes in between at all rates from 40 a second on.
+    static constexpr SimTime STILL{30'000'000'000};
+
+    Way way_;
+};
+
+class TurnWheel : public Action {
+public:
+    explicit TurnWheel(const Values& v) : notches_{v.number<int>("notches")} {}
+
+    std::string say() const override {
+        return fmt::format("turn the mouse wheel by {} {}", std::abs(notches_),
+                           notches_ < 0 ? "away from the hand" : "towards the hand");
+    }
+    void check(StaticChecks& checks) const override { checks.need(Ps2Plug::MOUSE); }
+    void act(Stage& stage) const override { stage.turn_wheel(notches_); }
+
+private:
+    int notches_;
+};
+
+const ValueType DISTANCE = signed_number("a distance from -5000 to 5000", 5000);
+const ValueType NOTCHES = signed_number("a number of notches from -8 to 8", 8);
+const ValueType BUTTON = word("left, right or middle", {std::begin(BUTTONS), std::end(BUTTONS)});
+
+std::vector<Field> way_and(const std::vector<Field>& others) {
+    std::vector<Field> fields = others;
+    for (const Field& field : std::vector<Field>{
+             {"right", DISTANCE, Need::OPTIONAL, "",
+              "In quarters of a millimetre: counts, unless the program sets another resolution. "
+              "Less than 0 is to the left; without it 0."},
+             {"down", DISTANCE, Need::OPTIONAL, "", "Likewise; less than 0 is up."},
+             {"for", SOME_TIME, Need::OPTIONAL, "100ms", "How long the way takes."}})
+        fields.push_back(field);
+    return fields;
+}
+
+}  // namespace
+
+namespace steps {
+
+std::vector<StepForm> mouse() {
+    const std::vector<const char*> any_way = {"right", "down"};
+    const Field button{"button", BUTTON, Need::REQUIRED, "", "left, right or middle."};
+    const Field left{"button", BUTTON, Need::OPTIONAL, "left", "left, right or middle."};
+    return {
+        {"move-mouse", "Move the PS/2 mouse; the next step comes when it has arrived.",
+         Notation::MAP, any_way, way_and({}), make<MoveMouse>},
+        {"click-mouse",
+         "Hold a button of the PS/2 mouse for a while and let go.",
+         Notation::BOTH,
+         {},
+         {button, {"for", SOME_TIME, Need::OPTIONAL, "100ms", "How long."}},
+         make<ClickMouse>},
+        {"hold-mouse",
+         "Begin to hold a button of the PS/2 mouse and go on to the next step.",
+         Notation::BOTH,
+         {},
+         {button},
+         make<HoldMouse>},
+        {"release-mouse",
+         "Let go of a button of the PS/2 mouse that is held.",
+         Notation::BOTH,
+         {},
+         {button},
+         make<ReleaseMouse>},
+        {"drag-mouse", "Move the PS/2 mouse with a button held, 30 ms longer at each end.",
+         Notation::MAP, any_way, way_and({left}), make<DragMouse>},
+        {"turn-wheel",
+         "Turn the wheel of the PS/2 mouse at once and go on.",
+         Notation::BARE,
+         {},
+         {{"notches", NOTCHES, Need::REQUIRED, "",
+           "Towards the hand, as for going down in a text; less than 0 is away from it."}},
+         make<TurnWheel>},
+    };
+}
+
+}  // namespace steps
+
+}  // namespace sim

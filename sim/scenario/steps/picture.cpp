@@ -1,0 +1,189 @@
+// picture.cpp - wait-frame, expect-frame, take-screenshot: eyes on the monitor
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "sim/report/printable.h"
+#include "sim/report/whole_file.h"
+#include "sim/scenario/stage.h"
+#include "sim/scenario/static_checks.h"
+#include "sim/scenario/step_form.h"
+#include "sim/scenario/words.h"
+
+namespace sim {
+
+namespace {
+
+using namespace value_types;
+
+// ---- wait-frame ----
+
+// Beside the numbers, which begin with 1.
+constexpr std::uint64_t NEXT = 0, NEXT_SWAP = std::numeric_limits<std::uint64_t>::max();
+
+Reading read_frame(const YamlNode& node) {
+    if (node.text == "next") return NEXT;
+    if (node.text == "next-swap") return NEXT_SWAP;
+    if (const auto number = is_plain(node) ? parse_whole(node.text, 1, 1'000'000) : std::nullopt)
+        return *number;
+    return std::nullopt;
+}
+
+const ValueType FRAME{"a frame number from 1 to 1000000, next or next-swap",
+                      R"({"anyOf": [{"type": "integer", "minimum": 1, "maximum": 1000000},
+                  {"enum": ["next", "next-swap"]}]})",
+                      read_frame,
+                      "",
+                      {"next", "next-swap"}};
+
+class WaitFrame : public Claim {
+public:
+    explicit WaitFrame(const Values& v)
+        : frame_{v.number<std::uint64_t>("frame")}, timeout_{v.get<SimTime>("timeout")} {}
+
+    std::string say() const override {
+        const std::string what = frame_ == NEXT        ? "the next frame"
+                                 : frame_ == NEXT_SWAP ? "the next new picture"
+                                                       : fmt::format("frame {}", frame_);
+        return "wait for " + what + within(timeout_);
+    }
+    Verdict decide(Stage& stage) const override {
+        const Senses& eyes = stage.senses();
+        const std::uint64_t pictures = eyes.new_pictures;
+        const std::uint64_t number = frame_ == NEXT ? eyes.frames + 1 : frame_;
+        const bool met = stage.wait_until(Stage::Each::FRAME, timeout_, [&] {
+            return frame_ == NEXT_SWAP ? eyes.new_pictures > pictures : eyes.frames >= number;
+        });
+        return {met, fmt::format("{} frames shown, {} of them new pictures", eyes.frames,
+                                 eyes.new_pictures)};
+    }
+
+private:
+    std::uint64_t frame_;
+    SimTime timeout_;
+};
+
+// ---- expect-frame ----
+
+const ValueType PIXELS = whole_number("a whole number from 0 to 307200", 0, 307200);
+
+class ExpectFrame : public Claim {
+public:
+    explicit ExpectFrame(const Values& v)
+        : line_{v.line()},
+          golden_{v.path("equals")},
+          differing_pixels_{v.number<std::size_t>("differing-pixels")} {}
+
+    std::string say() const override {
+        std::string text = "expect the picture " + printable(golden_.filename().string());
+        if (differing_pixels_) text += fmt::format(" but for {} pixels", differing_pixels_);
+        return text;
+    }
+    void load() override {
+        try {
+            read_golden(golden_);
+        } catch (const std::runtime_error& error) {  // IoError or PngError, with the path
+            throw std::runtime_error(std::string{"expected a picture of 640 x 480, got "} +
+                                     error.what());
+        }
+    }
+    Verdict decide(Stage& stage) const override {
+        Image golden;
+        try {
+            golden = read_golden(golden_);
+        } catch (const std::exception& e) {
+            return {false, e.what()};
+        }
+        const Image picture = stage.senses().picture();
+        const std::size_t different = differing_pixels(picture, golden);
+        std::string detail =
+            fmt::format("frame {}: {} pixels differ", stage.senses().frames, different);
+        if (different <= differing_pixels_) return {true, detail};
+
+        const auto file = [&](const char* what) {
+            return stage.folder() / "mismatch" /
+                   fmt::format("line{}_{}_{}.png", line_, golden_.stem().string(), what);
+        };
+        const auto actual = file("actual"), expected = file("expected"),
+                   difference = file("difference");
+        if (stage.save(actual, picture) && stage.save(expected, golden) &&
+            stage.save(difference, difference_image(golden, picture)))
+            detail += fmt::format("; see {}, {} and {}", actual.string(), expected.string(),
+                                  difference.string());
+        return {false, detail};
+    }
+
+private:
+    int line_;
+    std::filesystem::path golden_;
+    std::size_t differing_pixels_;
+};
+
+// ---- take-screenshot ----
+
+Reading read_png_name(const YamlNode& node) {
+    const auto value = LINE.read(node);
+    if (!value) return std::nullopt;
+    const std::filesystem::path path(node.text);
+    const bool climbs = std::find(path.begin(), path.end(), "..") != path.end();
+    if (path.is_absolute() || climbs || path.extension() != ".png") return std::nullopt;
+    return value;
+}
+
+const ValueType PNG_NAME{
+    "a name such as start.png inside the output folder",
+    R"({"type": "string", "pattern": "^(?!/)(?!(.*/)?\\.\\.(/|$))[^\\u0000-\\u001f\\u007f]*)"
+    R"([^/\\u0000-\\u001f\\u007f]\\.png$"})",
+    read_png_name};
+
+class TakeScreenshot : public Action {
+public:
+    explicit TakeScreenshot(const Values& v) : save_to_{v.get<std::string>("save-to")} {}
+
+    std::string say() const override { return "take screenshot " + printable(save_to_.string()); }
+    void check(StaticChecks& checks) const override { checks.new_file(save_to_); }
+    void act(Stage& stage) const override {
+        stage.save(stage.folder() / save_to_, stage.senses().picture());
+    }
+
+private:
+    std::filesystem::path save_to_;  // relative to the output folder, and inside it
+};
+
+}  // namespace
+
+namespace steps {
+
+std::vector<StepForm> picture() {
+    return {
+        {"wait-frame",
+         "Wait for a frame on the monitor.",
+         Notation::BOTH,
+         {},
+         {{"frame", FRAME, Need::REQUIRED, "",
+           "The n-th frame since power-on (1 is the first), next: the next frame, next-swap: the "
+           "next frame with a new picture."},
+          {"timeout", SOME_TIME, Need::OPTIONAL, "10s",
+           "Longest wait in simulated time; then the run fails."}},
+         make<WaitFrame>},
+        {"expect-frame",
+         "Compare the picture on the monitor with a PNG of 640 x 480 pixels.",
+         Notation::MAP,
+         {},
+         {{"equals", LINE, Need::REQUIRED, "", "The PNG, relative to the scenario file."},
+          {"differing-pixels", PIXELS, Need::OPTIONAL, "0", "At most so many pixels may differ."}},
+         make<ExpectFrame>},
+        {"take-screenshot",
+         "Save the picture on the monitor as PNG.",
+         Notation::MAP,
+         {},
+         {{"save-to", PNG_NAME, Need::REQUIRED, "",
+           "File name, relative to the output folder and inside it."}},
+         make<TakeScreenshot>},
+    };
+}
+
+}  // namespace steps
+
+}  // namespace sim

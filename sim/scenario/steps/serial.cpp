@@ -1,0 +1,74 @@
+// serial.cpp - type-serial, wait-serial: the terminal at the board's serial line and JTAG UART
+#include <fmt/format.h>
+
+#include "sim/scenario/stage.h"
+#include "sim/scenario/step_form.h"
+#include "sim/scenario/words.h"
+
+namespace sim {
+
+namespace {
+
+using namespace value_types;
+
+class TypeSerial : public Action {
+public:
+    explicit TypeSerial(const Values& v) : text_{v.get<std::string>("text")} {}
+
+    std::string say() const override { return "type " + in_quotes(text_); }
+    void act(Stage& stage) const override { stage.type_serial(text_); }
+
+private:
+    std::string text_;
+};
+
+class WaitSerial : public Claim {
+public:
+    explicit WaitSerial(const Values& v)
+        : text_{v.get<std::string>("text")}, timeout_{v.get<SimTime>("timeout")} {}
+
+    std::string say() const override {
+        return "wait for " + in_quotes(text_) + " on the serial line" + within(timeout_);
+    }
+    Verdict decide(Stage& stage) const override {
+        ConsoleText& text = stage.senses().text;
+        if (stage.wait_until(Stage::Each::CHARACTER, timeout_, [&] { return text.take(text_); }))
+            return {true, ""};
+        std::string detail = fmt::format(
+            "the console printed {} characters behind the last match, but not that", text.unread());
+        if (text.forgotten())
+            detail += fmt::format("; the first {} were too old to be looked at", text.forgotten());
+        return {false, detail};
+    }
+
+private:
+    std::string text_;
+    SimTime timeout_;
+};
+
+}  // namespace
+
+namespace steps {
+
+std::vector<StepForm> serial() {
+    return {
+        {"type-serial",
+         "Type a text at the terminal of the JTAG UART and go on; a character takes 1 ms.",
+         Notation::BARE,
+         {},
+         {{"text", TEXT, Need::REQUIRED, "", "The text."}},
+         make<TypeSerial>},
+        {"wait-serial",
+         "Wait until the firmware has printed a text; the next wait-serial looks behind it.",
+         Notation::BOTH,
+         {},
+         {{"text", TEXT, Need::REQUIRED, "", "The text."},
+          {"timeout", SOME_TIME, Need::OPTIONAL, "10s",
+           "Longest wait in simulated time; then the run fails."}},
+         make<WaitSerial>},
+    };
+}
+
+}  // namespace steps
+
+}  // namespace sim

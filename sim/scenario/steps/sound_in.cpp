@@ -1,0 +1,113 @@
+// sound_in.cpp - play-file, play-tone, play-silence: what LINE IN and the microphone get
+#include <fmt/format.h>
+
+#include "sim/board/recording.h"
+#include "sim/report/printable.h"
+#include "sim/scenario/stage.h"
+#include "sim/scenario/step_form.h"
+
+namespace sim {
+
+namespace {
+
+using namespace value_types;
+
+class IntoInput : public Action {
+protected:
+    explicit IntoInput(const Values& v) : input_{v.number<SoundInput>("into")} {}
+
+    std::string into() const {
+        return input_ == SoundInput::LINE_IN ? " into LINE IN" : " into the microphone";
+    }
+
+    SoundInput input_;
+};
+
+class PlayFile : public IntoInput {
+public:
+    explicit PlayFile(const Values& v)
+        : IntoInput{v}, file_{v.path("file")}, for_ever_{v.number<bool>("repeat")} {}
+
+    std::string say() const override {
+        return "play " + printable(file_.filename().string()) + into() +
+               (for_ever_ ? " for ever" : "");
+    }
+    void load() override {
+        try {
+            recording_ = std::make_shared<Recording>(read_recording(file_));
+        } catch (const std::runtime_error& error) {
+            throw std::runtime_error(std::string{"expected a sound file, got "} + error.what());
+        }
+    }
+    void act(Stage& stage) const override { stage.play(input_, recording_, for_ever_); }
+
+private:
+    std::filesystem::path file_;
+    bool for_ever_;
+    std::shared_ptr<const Recording> recording_ = std::make_shared<Recording>();
+};
+
+class PlayTone : public IntoInput {
+public:
+    explicit PlayTone(const Values& v)
+        : IntoInput{v}, hz_{v.get<double>("hz")}, level_{v.get<double>("level")} {}
+
+    std::string say() const override {
+        return fmt::format("play {:.6g} Hz at {:.6g}%{}", hz_, 100 * level_, into());
+    }
+    void act(Stage& stage) const override { stage.play_tone(input_, hz_, level_); }
+
+private:
+    double hz_, level_;
+};
+
+class PlaySilence : public IntoInput {
+public:
+    explicit PlaySilence(const Values& v) : IntoInput{v} {}
+
+    std::string say() const override { return "play nothing" + into(); }
+    void act(Stage& stage) const override { stage.play_silence(input_); }
+};
+
+const ValueType INPUT = word("line-in or microphone", {"line-in", "microphone"});
+const ValueType REPEAT = word("once or forever", {"once", "forever"});
+const ValueType HERTZ = decimal_number("a frequency in hertz, 20 to 20000", 20, 20000);
+const ValueType LEVEL = percent("a percentage such as 50%, from 1% to 100%", 1, 100);
+
+}  // namespace
+
+namespace steps {
+
+std::vector<StepForm> sound_in() {
+    const Field into{"into", INPUT, Need::OPTIONAL, "line-in", "line-in or microphone."};
+    return {
+        {"play-file",
+         "Play a sound file into the codec and go on; it takes the place of what was played there.",
+         Notation::BOTH,
+         {},
+         {{"file", LINE, Need::REQUIRED, "",
+           "A WAV file, or another that libsndfile reads, relative to the scenario file; its rate "
+           "becomes the codec's."},
+          into,
+          {"repeat", REPEAT, Need::OPTIONAL, "once", "once, or forever from the beginning."}},
+         make<PlayFile>},
+        {"play-tone",
+         "Play a sine tone into the codec and go on, until something else is played there.",
+         Notation::MAP,
+         {},
+         {{"hz", HERTZ, Need::REQUIRED, "", "Its frequency in hertz."},
+          {"level", LEVEL, Need::OPTIONAL, "50%", "Its amplitude in parts of full scale."},
+          into},
+         make<PlayTone>},
+        {"play-silence",
+         "Play nothing into the codec any more.",
+         Notation::MAP,
+         {},
+         {into},
+         make<PlaySilence>},
+    };
+}
+
+}  // namespace steps
+
+}  // namespace sim

@@ -1,0 +1,49 @@
+// voltage.cpp - set-voltage: what is wired to the AD converter's inputs
+#include <fmt/format.h>
+
+#include "sim/scenario/stage.h"
+#include "sim/scenario/step_form.h"
+
+namespace sim {
+
+namespace {
+
+using namespace value_types;
+
+class SetVoltage : public Action {
+public:
+    explicit SetVoltage(const Values& v)
+        : channel_{v.number<unsigned>("channel")}, volts_{v.get<double>("volts")} {}
+
+    std::string say() const override {
+        return fmt::format("apply {:.6g} V to CH{}", volts_, channel_);
+    }
+    void act(Stage& stage) const override { stage.set_voltage(channel_, volts_); }
+
+private:
+    unsigned channel_;
+    double volts_;
+};
+
+const ValueType CHANNEL = whole_number("a channel number, 0 to 7", 0, 7);
+const ValueType VOLTS = decimal_number("a number of volts, 0 to 5", 0, 5);
+
+}  // namespace
+
+namespace steps {
+
+std::vector<StepForm> voltage() {
+    return {
+        {"set-voltage",
+         "Apply a voltage to an input of the AD converter and go on; all begin at 0 V.",
+         Notation::MAP,
+         {},
+         {{"channel", CHANNEL, Need::REQUIRED, "", "The input, CH0 to CH7."},
+          {"volts", VOLTS, Need::REQUIRED, "", "Against ground."}},
+         make<SetVoltage>},
+    };
+}
+
+}  // namespace steps
+
+}  // namespace sim

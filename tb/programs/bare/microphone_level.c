@@ -1,0 +1,43 @@
+// microphone_level.c - how loud it is, a lamp of LEDR9-0 more each 6 dB: at LINE IN, or at the
+// microphone while SW0 is up.
+#include "registers.h"
+
+enum { ANALOGUE_PATH = 4, POWER_DOWN = 6, LINE = 0x12, MICROPHONE = 0x14, WINDOW = 160 };
+enum { AUTO_INIT_OK = 0x100, READY = 2 };
+
+static void codec(uint32_t number, uint32_t value) {
+    while ((AV_CONFIG_STATUS & READY) == 0) {
+    }
+    AV_CONFIG_ADDRESS = number;
+    AV_CONFIG_DATA = value;
+}
+
+static uint32_t bar(int32_t peak) {
+    uint32_t lamps = 0;
+    for (int32_t level = 0x40000000; level >= 0x00200000; level /= 2)
+        lamps = lamps << 1 | (peak >= level);
+    return lamps;
+}
+
+int main(void) {
+    while ((AV_CONFIG_STATUS & AUTO_INIT_OK) == 0) {
+    }
+    codec(POWER_DOWN, 0);
+    AUDIO_CONTROL = 4;  // read FIFOs empty
+    AUDIO_CONTROL = 0;
+    for (uint32_t up = 0;;) {
+        int32_t peak = 0;
+        for (int count = 0; count < WINDOW; ++count) {
+            while ((AUDIO_SPACE & 0xFF) == 0) {
+            }
+            const int32_t left = (int32_t)AUDIO_LEFT, right = (int32_t)AUDIO_RIGHT;
+            if (left > peak) peak = left;
+            if (right > peak) peak = right;
+        }
+        LEDR = bar(peak);
+        if ((SW & 1) != up) {
+            up = SW & 1;
+            codec(ANALOGUE_PATH, up ? MICROPHONE : LINE);
+        }
+    }
+}

@@ -1,0 +1,39 @@
+// header_test.cpp - one wire with every pair of drivers, and 32 of them side by side.
+#include "sim/board/header.h"
+
+#include <gtest/gtest.h>
+
+namespace {
+
+using sim::Header;
+using sim::PinLevel;
+
+TEST(Header, IsLowWhereAnybodyPullsLowAndElseHigh) {
+    for (const bool enabled : {false, true})
+        for (const bool fpga : {false, true})
+            for (const PinLevel outside : {PinLevel::LOW, PinLevel::HIGH, PinLevel::RELEASED}) {
+                Header header;
+                header.fpga(fpga ? 1 : 0, enabled ? 1 : 0);
+                header.outside(1, outside);
+                const bool low = (enabled && !fpga) || outside == PinLevel::LOW;
+                EXPECT_EQ(header.levels(), low ? 0xfffffffe : 0xffffffff);
+                EXPECT_EQ(header.driven(), enabled || outside != PinLevel::RELEASED ? 1u : 0u);
+            }
+}
+
+TEST(Header, RemembersEachWireUntilToldOtherwise) {
+    Header header;
+    header.outside(0xff, PinLevel::LOW);
+    header.outside(0x0f, PinLevel::HIGH);
+    header.outside(0x80000000, PinLevel::LOW);
+    EXPECT_EQ(header.levels(), 0x7fffff0fu);
+    EXPECT_EQ(header.driven(), 0x800000ffu);
+    header.fpga(0, 0x100);
+    header.outside(0xff, PinLevel::RELEASED);
+    EXPECT_EQ(header.levels(), 0x7ffffeffu);
+    EXPECT_EQ(header.driven(), 0x80000100u);
+    header.fpga(0, 0);
+    EXPECT_EQ(header.levels(), 0x7fffffffu);
+}
+
+}  // namespace

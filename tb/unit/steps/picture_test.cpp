@@ -1,0 +1,95 @@
+// picture_test.cpp - wait-frame, expect-frame, take-screenshot
+#include "sim/report/png.h"
+#include "tb/unit/steps/step_bench.h"
+#include "tb/unit/temp_folder.h"
+
+namespace {
+
+using namespace tb;
+using testing::ElementsAre;
+using testing::EndsWith;
+using testing::IsEmpty;
+
+class PictureSteps : public StepTest {
+protected:
+    // A frame each 10 ms, every third a new picture.
+    void SetUp() override {
+        stage.meanwhile = [&] {
+            if (stage.now_ms() % 10 == 0) show_frame(stage.now_ms() % 30 == 0);
+        };
+    }
+
+    const TempFolder files;
+    static constexpr std::size_t BYTES = 640 * 480 * 3;
+
+    std::string expect_frame(const std::string& rest = "") {
+        const std::string step = "expect-frame: {equals: golden.png" + rest + "}";
+        const auto verdict =
+            read_step(step, (files / "run.yaml").string()).step->play(stage).value();
+        return verdict.met ? "met" : verdict.detail;
+    }
+};
+
+TEST_F(PictureSteps, WaitForANumberTheNextOrTheNextNewPicture) {
+    EXPECT_EQ(finds("wait-frame: 2"), "met");
+    EXPECT_EQ(stage.now_ms(), 20u);
+    EXPECT_EQ(finds("wait-frame: 2"), "met");
+    EXPECT_EQ(stage.now_ms(), 20u);
+    EXPECT_EQ(finds("wait-frame: next"), "met");
+    EXPECT_EQ(stage.now_ms(), 30u);
+    EXPECT_EQ(finds("wait-frame: {frame: next-swap}"), "met");
+    EXPECT_EQ(stage.now_ms(), 60u);
+}
+
+TEST_F(PictureSteps, GiveUpAfterTenSecondsUnlessTheySaySo) {
+    EXPECT_EQ(finds("wait-frame: {frame: 7, timeout: 65ms}"),
+              "6 frames shown, 2 of them new pictures");
+    stage.meanwhile = [] {};
+    EXPECT_NE(finds("wait-frame: next"), "met");
+    EXPECT_EQ(stage.now_ms(), 10'065u);
+}
+
+TEST_F(PictureSteps, CompareWithThePictureBesideTheScenario) {
+    sim::write_png(files / "golden.png", {640, 480, std::vector<std::uint8_t>(BYTES, 0x80)});
+    show_frame(true, 0x808080);
+    EXPECT_EQ(expect_frame(), "met");
+    EXPECT_THAT(stage.saved, IsEmpty());
+}
+
+TEST_F(PictureSteps, KeepWhatDiffers) {
+    sim::Image golden{640, 480, std::vector<std::uint8_t>(BYTES)};
+    golden.rgb[0] = golden.rgb[300] = 1;
+    sim::write_png(files / "golden.png", golden);
+    EXPECT_EQ(expect_frame(", differing-pixels: 2"), "met");
+    EXPECT_EQ(expect_frame(", differing-pixels: 1"),
+              "frame 0: 2 pixels differ; see out/mismatch/line4_golden_actual.png, "
+              "out/mismatch/line4_golden_expected.png and "
+              "out/mismatch/line4_golden_difference.png");
+    ASSERT_EQ(stage.saved.size(), 3u);
+    EXPECT_EQ(stage.saved[1].first, "out/mismatch/line4_golden_expected.png");
+    EXPECT_EQ(stage.saved[1].second, golden);
+    stage.disk_full = true;
+    EXPECT_EQ(expect_frame(), "frame 0: 2 pixels differ");
+}
+
+TEST_F(PictureSteps, AreNotMetWithoutTheirPicture) {
+    EXPECT_THAT(expect_frame(), EndsWith("golden.png: cannot read: No such file or directory"));
+}
+
+TEST_F(PictureSteps, TakeAScreenshotIntoTheOutputFolder) {
+    EXPECT_FALSE(play("take-screenshot: {save-to: shots/a.b.png}"));
+    ASSERT_EQ(stage.saved.size(), 1u);
+    EXPECT_EQ(stage.saved[0].first, "out/shots/a.b.png");
+    EXPECT_EQ(stage.saved[0].second.rgb, std::vector<std::uint8_t>(BYTES));
+}
+
+TEST_F(PictureSteps, SoundLikeAPerson) {
+    EXPECT_EQ(said("wait-frame: 120"), "wait for frame 120 within 10s");
+    EXPECT_EQ(said("wait-frame: {frame: next, timeout: 1s}"), "wait for the next frame within 1s");
+    EXPECT_EQ(said("wait-frame: next-swap"), "wait for the next new picture within 10s");
+    EXPECT_EQ(said("expect-frame: {equals: a/b.png, differing-pixels: 3}"),
+              "expect the picture b.png but for 3 pixels");
+    EXPECT_EQ(said("take-screenshot: {save-to: a.png}"), "take screenshot a.png");
+}
+
+}  // namespace

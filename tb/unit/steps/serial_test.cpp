@@ -1,0 +1,52 @@
+// serial_test.cpp - type-serial, wait-serial
+#include "tb/unit/steps/step_bench.h"
+
+namespace {
+
+using namespace tb;
+using testing::ElementsAre;
+
+class SerialSteps : public StepTest {
+protected:
+    void print(const std::string& text) {
+        for (const char c : text) stage.seen.console(c);
+    }
+};
+
+TEST_F(SerialSteps, TypeATextWithItsLineEnds) {
+    EXPECT_THAT(acts("type-serial: \"ls\\n\""), ElementsAre("serial ls\n"));
+    EXPECT_EQ(said("type-serial: \"ls\\n\""), "type \"ls\\x0a\"");
+}
+
+TEST_F(SerialSteps, WaitUntilATextIsPrinted) {
+    stage.meanwhile = [&] {
+        if (stage.now_ms() == 30) print("ready\n");
+    };
+    EXPECT_EQ(finds("wait-serial: \"ready\\n\""), "met");
+    EXPECT_EQ(stage.now_ms(), 30u);
+}
+
+TEST_F(SerialSteps, LookBehindTheTextThatWasFoundBefore) {
+    print("ready ready");
+    EXPECT_EQ(finds("wait-serial: ready"), "met");
+    EXPECT_EQ(finds("wait-serial: ready"), "met");
+    EXPECT_EQ(finds("wait-serial: {text: ready, timeout: 1ms}"),
+              "the console printed 0 characters behind the last match, but not that");
+}
+
+TEST_F(SerialSteps, GiveUpAfterTenSecondsUnlessTheySaySo) {
+    print("go!");
+    EXPECT_EQ(finds("wait-serial: ready"),
+              "the console printed 3 characters behind the last match, but not that");
+    EXPECT_EQ(stage.now_ms(), 10'000u);
+    finds("wait-serial: {text: ready, timeout: 2s}");
+    EXPECT_EQ(stage.now_ms(), 12'000u);
+}
+
+TEST_F(SerialSteps, NeverSayAControlCharacter) {
+    EXPECT_EQ(said("wait-serial: ready"), "wait for \"ready\" on the serial line within 10s");
+    EXPECT_EQ(said("wait-serial: \"a\\e[31m\\n\""),
+              "wait for \"a\\x1b[31m\\x0a\" on the serial line within 10s");
+}
+
+}  // namespace

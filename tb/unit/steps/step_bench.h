@@ -1,0 +1,151 @@
+// step_bench.h - test fixture: a step read from its text, on a stage that writes down what it does
+#pragma once
+
+#include <algorithm>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+
+#include "sim/scenario/scenario.h"
+#include "sim/scenario/stage.h"
+
+namespace tb {
+
+// Time passes in milliseconds; after each `meanwhile` happens.
+class RecordingStage : public sim::Stage {
+public:
+    std::vector<std::string> done;  // "wait 80ms"
+    std::vector<std::pair<std::string, sim::Image>> saved;
+    sim::Senses seen;
+    std::uint16_t leds = 0;
+    bool lit = false;
+    std::uint32_t pins[2] = {};
+    int mouse_right = 0, mouse_up = 0;
+    sim::HexSegments segments{};
+    std::function<void()> meanwhile = [] {};
+    bool disk_full = false;
+
+    std::uint64_t now_ms() const { return now_ps_ / MS; }
+
+    void wait(sim::SimTime time) override {
+        done.push_back("wait " + to_string(time));
+        pass(now_ps_ + time.ps);
+    }
+    bool wait_until(Each, sim::SimTime timeout, const std::function<bool()>& met) override {
+        const std::uint64_t end = now_ps_ + timeout.ps;
+        for (;;) {
+            if (met()) return true;
+            if (now_ps_ >= end) return false;
+            pass(std::min(end, now_ps_ + MS));
+        }
+    }
+    void hold(const sim::Controls& c) override { done.push_back("hold " + to_string(c)); }
+    void release(const sim::Controls& c) override { done.push_back("release " + to_string(c)); }
+    void drive_pins(std::uint32_t one, std::uint32_t two, sim::PinLevel level) override {
+        done.push_back(fmt::format("pins {:X} {:X} {}", one, two, static_cast<int>(level)));
+    }
+    void set_voltage(unsigned channel, double volts) override {
+        done.push_back(fmt::format("CH{} {} V", channel, volts));
+    }
+    void type_serial(const std::string& text) override { done.push_back("serial " + text); }
+    void type_keys(const std::string& text) override { done.push_back("keys " + text); }
+    void hold_key(std::uint16_t code) override {
+        done.push_back(fmt::format("key {:04X} down", code));
+    }
+    void release_key(std::uint16_t code) override {
+        done.push_back(fmt::format("key {:04X} up", code));
+    }
+    void move_mouse(int right, int up) override {
+        mouse_right += right;
+        mouse_up += up;
+    }
+    void turn_wheel(int notches) override { done.push_back(fmt::format("wheel {}", notches)); }
+    void hold_button(sim::MouseButton button) override {
+        done.push_back(fmt::format("button {} down", static_cast<int>(button)));
+    }
+    void release_button(sim::MouseButton button) override {
+        done.push_back(fmt::format("button {} up", static_cast<int>(button)));
+    }
+    void play(sim::SoundInput input, std::shared_ptr<const sim::Recording> recording,
+              bool for_ever) override {
+        done.push_back(fmt::format("play {} into {} {}", recording->samples.size(),
+                                   static_cast<int>(input), for_ever));
+    }
+    void play_tone(sim::SoundInput input, double hz, double level) override {
+        done.push_back(fmt::format("tone {} {} into {}", hz, level, static_cast<int>(input)));
+    }
+    void play_silence(sim::SoundInput input) override {
+        done.push_back(fmt::format("silence into {}", static_cast<int>(input)));
+    }
+    sim::Senses& senses() override { return seen; }
+    std::uint16_t ledr() override { return leds; }
+    sim::HexSegments hex() override { return segments; }
+    bool hps_led() override { return lit; }
+    std::uint32_t jp1() override { return pins[0]; }
+    std::uint32_t jp2() override { return pins[1]; }
+    const std::filesystem::path& folder() const override { return folder_; }
+    bool save(const std::filesystem::path& path, const sim::Image& image) override {
+        if (!disk_full) saved.emplace_back(path.string(), image);
+        return !disk_full;
+    }
+
+private:
+    static constexpr std::uint64_t MS = 1'000'000'000;  // in ps
+
+    void pass(std::uint64_t until_ps) {
+        while (now_ps_ < until_ps) {
+            now_ps_ = std::min(until_ps, now_ps_ + MS);
+            meanwhile();
+        }
+    }
+
+    const std::filesystem::path folder_ = "out";
+    std::uint64_t now_ps_ = 0;
+};
+
+// The only step of a scenario, written as it stands behind "- ".
+inline sim::ScenarioStep read_step(const std::string& text,
+                                   const std::string& file = "tests/run.yaml") {
+    const std::string head = "name: a\nversion: 1\nsteps:\n  - ";
+    return std::move(sim::parse_scenario(head + text + "\n", file).steps.at(0));
+}
+
+inline std::string said(const std::string& text) { return read_step(text).text; }
+
+class StepTest : public ::testing::Test {
+protected:
+    RecordingStage stage;
+
+    std::optional<sim::Verdict> play(const std::string& text) {
+        const sim::ScenarioStep step = read_step(text);
+        std::optional<sim::Verdict> verdict = step.step->play(stage);
+        EXPECT_EQ(verdict.has_value(), step.step->decides());
+        return verdict;
+    }
+    // Of an action: what it did.
+    std::vector<std::string> acts(const std::string& text) {
+        EXPECT_FALSE(play(text));
+        return std::exchange(stage.done, {});
+    }
+    // Of a claim: "met" or what there was instead.
+    std::string finds(const std::string& text) {
+        const auto verdict = play(text);
+        if (!verdict) return "no claim";
+        return verdict->met ? "met" : verdict->detail;
+    }
+    void show_frame(bool is_new, std::uint32_t colour = 0) {
+        const std::vector<std::uint32_t> pixels(sim::Monitor::WIDTH * sim::Monitor::HEIGHT, colour);
+        stage.seen.frame({++frames_, is_new, pixels});
+    }
+
+private:
+    std::uint64_t frames_ = 0;
+};
+
+}  // namespace tb
