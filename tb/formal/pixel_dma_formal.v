@@ -1,8 +1,9 @@
 // pixel_dma_formal.v - no pixel is late: a row is whole before it is on the screen.
 //
-// By 2-step induction.  The SDRAM takes a request in the ninth clock at the latest (what
-// sdram_formal.v proves) and answers it four clocks later.  The processor reads the on-chip memory
-// as it likes when it may.  The picture begins anywhere, and is addressed in one way for a frame.
+// By 2-step induction.  The SDRAM takes a request in the eleventh clock at the latest, or in the
+// seventh if it came in the clock after the one before was taken, and answers it four clocks later:
+// sdram_wait_formal.v and sdram_formal.v prove that.  The processor reads the on-chip memory as it
+// likes when it may.  The picture begins anywhere, and is addressed in one way for a frame.
 //
 // Each word of a memory holds its own address, and so tells where it is from.
 
@@ -17,7 +18,7 @@ module pixel_dma_formal (
     input wire        sdram_take_i,
     input wire [31:0] other_i        // what it gives; on the SDRAM's data while nobody waits
 );
-    localparam [3:0]  TAKEN = 4'd9;
+    localparam [3:0]  FIRST = 4'd11, NEXT = 4'd7;
     localparam [7:0]  WORDS = 8'd161;
 
     reg         live = 1'b0;
@@ -72,7 +73,7 @@ module pixel_dma_formal (
     wire [7:0]  row_next = v_next == 10'd523 ? 8'd0 : v_next[8:1] + 8'd1;
 
     reg  [27:0] front_q, base_q;      // words: where the picture begins, and the row
-    reg         consecutive_q, req_q;
+    reg         consecutive_q, req_q, next_q;
     reg  [7:0]  count_q;              // words of the row that have been written
     reg  [3:0]  wait_q;               // clocks that the request has stood
     reg  [23:0] sdram_index_q;
@@ -98,6 +99,7 @@ module pixel_dma_formal (
             count_q       <= 8'd0;
         end
         wait_q        <= req && !sdram_take_i ? wait_q + 4'd1 : 4'd0;
+        next_q        <= req && (sdram_take_i || next_q) && !rst_i;
         req_q         <= req && !sdram_take_i && !rst_i;
         sdram_index_q <= sdram_index;
         if (rst_i) begin
@@ -109,7 +111,7 @@ module pixel_dma_formal (
     always @(*) begin
         if (!live) assume (rst_i);
         assume (!sdram_take_i || req);
-        assume (!req || sdram_take_i || wait_q != TAKEN - 4'd1);
+        assume (!req || sdram_take_i || wait_q != (next_q ? NEXT : FIRST) - 4'd1);
         if (fetching) assume (consecutive_i == consecutive_q);
     end
 
@@ -142,7 +144,8 @@ module pixel_dma_formal (
     wire [27:0] last   = base_q + {20'd0, dut__asked_q} - 28'd1;
     wire [27:0] oldest = base_q + {20'd0, dut__got_q};
     wire [1:0]  age    = taken_q[0] ? 2'd0 : taken_q[1] ? 2'd1 : taken_q[2] ? 2'd2 : 2'd3;
-    wire [10:0] words_took = {3'd0, dut__asked_q} * TAKEN
+    wire [10:0] words_took = (dut__asked_q == 8'd0 ? 11'd0
+                              : {dut__asked_q, 3'd0} + 11'd3)   // 8 each; the first may be late
                              + {7'd0, req ? wait_q : taken_q != 4'd0 ? {2'd0, age}
                                       : h_q[0] ? 4'd6 : 4'd5};
 
@@ -160,7 +163,7 @@ module pixel_dma_formal (
     always @(*) if (live) begin
         i_beam:   assert (h_q < 10'd800 && v_q < 10'd525);
         i_idle:   assert (fetching || (!dut__busy_q && taken_q == 4'd0));
-        i_waits:  assert (wait_q < TAKEN && (req || wait_q == 4'd0));
+        i_waits:  assert (wait_q < (next_q ? NEXT : FIRST) && (req || wait_q == 4'd0));
         i_coming: assert (!dut__waiting_q || (dut__busy_q && taken_q == 4'd0));
         if (fetching) begin
             i_row:   assert (base_q == begin_of(row, front_q, consecutive_q)
@@ -172,6 +175,7 @@ module pixel_dma_formal (
                              == dut__got_q + {5'd0, dut__waiting_q ? 3'd1 : coming});
             i_sdram: assert (dut__sdram_q == in_sdram(base_q)
                              && (taken_q == 4'd0 || (dut__sdram_q && in_sdram(last))));
+            i_next:  assert (!req || next_q == (dut__asked_q != 8'd0));
             i_address: assert (dut__address_q == base_q + {20'd0, dut__asked_q});
             i_index1: assert (!taken_q[0] || index1_q == last[23:0]);
             i_index2: assert (!taken_q[1] || index2_q == last[23:0] - {23'd0, taken_q[0]});

@@ -11,9 +11,9 @@ every assert held.
 
 With --clocks the clocks are inputs like others, and N counts steps in which each may tick or not.
 
-A harness sees into its instances by wires that it leaves undriven: dut__name is dut.name,
-dut__name__3 is word 3 of a memory.  They carry invariants that induction needs.  Where no word of a
-memory is named, memories are the solver's arrays.
+A harness sees into its instances by wires that it leaves undriven: dut__part__name is
+dut.part.name, dut__name__3 is word 3 of a memory.  They carry invariants that induction needs.
+Where no word of a memory is named, memories are the solver's arrays.
 """
 import argparse
 import os

@@ -1,0 +1,1 @@
+s/go    = !wait_q \&\& ready/go    = ready/

@@ -1,0 +1,1 @@
+s/take_o         = take \&\& !screen/take_o         = take/

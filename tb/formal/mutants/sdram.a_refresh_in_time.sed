@@ -1,0 +1,1 @@
+s/(opened_q || !refresh_q)/(open_q != 0 || !refresh_q)/
