@@ -103,8 +103,6 @@ public:
     void also_type_to(std::function<void(const std::string&)> terminal) {
         typed_ = std::move(terminal);
     }
-    // On the infrared remote control: the code of a button.
-    void press_remote(std::uint8_t button) { remote_control.press(button); }
 
     // As of the last clock that was run.
     const Lamps& lamps() const { return lamps_; }

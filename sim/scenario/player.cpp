@@ -79,6 +79,7 @@ void Player::type_serial(const std::string& text) { board_.type(text); }
 void Player::type_keys(const std::string& text) { board_.ps2_keyboard.type(text); }
 void Player::hold_key(std::uint16_t code) { board_.ps2_keyboard.press(code); }
 void Player::release_key(std::uint16_t code) { board_.ps2_keyboard.release(code); }
+void Player::press_remote(std::uint8_t button) { board_.remote_control.press(button); }
 void Player::move_mouse(int right, int up) { board_.ps2_mouse.move(right, up); }
 void Player::turn_wheel(int notches) { board_.ps2_mouse.turn(notches); }
 void Player::hold_button(MouseButton button) { board_.ps2_mouse.button(button, true); }

@@ -45,6 +45,7 @@ private:
     void type_keys(const std::string& text) override;
     void hold_key(std::uint16_t code) override;
     void release_key(std::uint16_t code) override;
+    void press_remote(std::uint8_t button) override;
     void move_mouse(int right, int up) override;
     void turn_wheel(int notches) override;
     void hold_button(MouseButton button) override;

@@ -41,6 +41,7 @@ public:
     virtual void type_keys(const std::string& text) = 0;
     virtual void hold_key(std::uint16_t code) = 0;  // of the keyboard, see scan_codes.h
     virtual void release_key(std::uint16_t code) = 0;
+    virtual void press_remote(std::uint8_t button) = 0;  // see nec_frame.h; goes on at once
     virtual void move_mouse(int right, int up) = 0;
     virtual void turn_wheel(int notches) = 0;  // towards the hand
     virtual void hold_button(MouseButton button) = 0;

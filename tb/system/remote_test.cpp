@@ -39,7 +39,7 @@ protected:
 TEST_F(Remote, SendsTheCodesOfItsButtons) {
     power_on([this](hal::Mmio& io, hal::Cpu& cpu) { decode(io, cpu, 3); });
     for (const char* name : {"5", "power", "volume-down"})
-        board->press_remote(sim::remote_button(name).value());
+        board->remote_control.press(sim::remote_button(name).value());
     run_ms(350);
     EXPECT_EQ(words, (std::vector<std::uint32_t>{0xfa056b86, 0xed126b86, 0xe01f6b86}));
 }
@@ -54,7 +54,7 @@ TEST_F(Remote, InterruptsAsIrda) {
         after = board->fpga.fabric().irq();
     });
     run_ms(5);
-    board->press_remote(0);
+    board->remote_control.press(0);
     run_ms(20);
     EXPECT_EQ(before, 0u);
     EXPECT_EQ(after, 1u << (81 - 72));

@@ -61,6 +61,9 @@ public:
     void release_key(std::uint16_t code) override {
         done.push_back(fmt::format("key {:04X} up", code));
     }
+    void press_remote(std::uint8_t button) override {
+        done.push_back(fmt::format("remote {:02X}", button));
+    }
     void move_mouse(int right, int up) override {
         mouse_right += right;
         mouse_up += up;
