@@ -25,8 +25,8 @@
 //
 // A register polled in a tight loop - POLLS reads of one address by one instruction and no other
 // access between - lets the core sleep a while a read on top, never past the next thing in SystemC:
-// 1 us where the answer was the same POLLS times, 100 ns where it changes, as a running counter's
-// does.  So such a loop may see what it waits for that much late.
+// 1 us where the answer was the same POLLS times, 5 us after MANY_POLLS, 100 ns where it changes,
+// as a running counter's does.  So such a loop may see what it waits for that much late.
 //
 // Boot: pc is the ELF's entry, SVC mode, interrupts off, VFP and NEON on, SP at the top of DDR3.
 //
@@ -175,11 +175,12 @@ private:
     bool write(std::uint32_t address, unsigned bytes, std::uint32_t value) override;
     bool write_normal(std::uint32_t address, unsigned bytes, std::uint32_t value) override;
 
-    static constexpr unsigned POLLS = 8;
+    static constexpr unsigned POLLS = 8, MANY_POLLS = 64;
     static sc_core::sc_time spin_limit() { return {100, sc_core::SC_MS}; }
     static sc_core::sc_time moment() { return {1, sc_core::SC_MS}; }
     static sc_core::sc_time nap() { return {1, sc_core::SC_US}; }
     static sc_core::sc_time short_nap() { return {100, sc_core::SC_NS}; }
+    static sc_core::sc_time long_nap() { return {5, sc_core::SC_US}; }
     // How far the core may run ahead: to the next thing in SystemC, but 100 us at most.
     static sc_core::sc_time horizon();
 

@@ -128,7 +128,9 @@ void ArmCpu::poll(std::uint32_t address, std::uint32_t value) {
     poll_ = {pc, address, value, again ? poll_.same_address + 1 : 0,
              same ? poll_.same_value + 1 : 0};
     if (poll_.same_address < POLLS) return;
-    const sc_time end = horizon(), rest = poll_.same_value < POLLS ? short_nap() : nap();
+    const sc_time end = horizon(), rest = poll_.same_value < POLLS        ? short_nap()
+                                          : poll_.same_value < MANY_POLLS ? nap()
+                                                                          : long_nap();
     if (end > ahead_) ahead_ += std::min(rest, end - ahead_);
 }
 
