@@ -9,9 +9,10 @@
 // frame is in time.  Bits 31:30 of an address are not looked at, as in the board's controller: one
 // in the DDR3 shows the SDRAM.
 //
-// The on-chip memory is read in every second clock, beside the beam; a read of the processor's
-// between two of these takes the word out of its way.  The SDRAM gives a word in two clocks.  161
-// words in 1,600 clocks leave both time (tb/formal/pixel_dma_formal.v).
+// The on-chip memory is read in every odd clock of the line, and its word is taken in the next odd
+// clock, or in the even one between them if the processor reads the memory then.  The SDRAM gives a
+// word in two clocks.  A row has 1,600 clocks for its 161 words, which is enough from either memory
+// (tb/formal/pixel_dma_formal.v).
 
 `default_nettype none
 

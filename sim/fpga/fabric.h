@@ -124,7 +124,8 @@ public:
     AxiResponse write(Bridge bridge, std::uint32_t address, const std::uint8_t* data,
                       unsigned bytes);
 
-    // The on-chip memory's 256 KB behind the Verilog's back, in no time; not in every build.
+    // The on-chip memory's 256 KB, without its ports and in no time.  has_memory(): this build can;
+    // one with the netlist cannot, and then the other two do nothing.
     bool has_memory() const;
     void read_onchip(std::uint32_t offset, std::uint8_t* data, unsigned bytes) const;
     void write_onchip(std::uint32_t offset, const std::uint8_t* data, unsigned bytes);

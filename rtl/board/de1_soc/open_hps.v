@@ -75,7 +75,7 @@ module hps #(
     output wire            h2f_rready_o
 );
     localparam [7:0] ROW_LAST  = 8'd239, WORD_LAST = 8'd159;
-    localparam       PICTURE0  = 30'h08000000;   // of the bridge's window at 0xC0000000
+    localparam       ONCHIP    = 30'h08000000;   // of the bridge's window at 0xC0000000
 
     assign rst_no = 1'b1;
 
@@ -106,7 +106,7 @@ module hps #(
     wire [15:0] colour = {{5{!bar[1]}}, {6{!bar[2]}}, {5{!bar[0]}}};
 
     assign h2f_awid_o    = {ID_W{1'b0}};
-    assign h2f_awaddr_o  = PICTURE0 + {12'd0, row_q, word_q, 2'd0};
+    assign h2f_awaddr_o  = ONCHIP + {12'd0, row_q, word_q, 2'd0};
     assign h2f_awlen_o   = 4'd0;
     assign h2f_awsize_o  = 3'd2;
     assign h2f_awburst_o = 2'd1;
