@@ -9,16 +9,10 @@
 // Not handled: interrupts; firmware for this processor polls.
 #pragma once
 
-#include <functional>
-
-#include "hal/cpu.h"
-#include "hal/mmio.h"
 #include "sim/hps/processor.h"
+#include "sim/run/program.h"
 
 namespace sim {
-
-// What a program for this processor is: runs for ever or returns when it is done.
-using Firmware = std::function<void(hal::Mmio&, hal::Cpu&)>;
 
 class NativeCpu : public Processor, private hal::Mmio, private hal::Cpu {
 public:

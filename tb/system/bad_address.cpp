@@ -1,9 +1,6 @@
 // bad_address.cpp - a de1sim whose firmware reads where nothing is, after 50 ms.
-#include <cstdlib>
 
-#include "sim/run/cli.h"
-
-#include <systemc>
+#include "sim/run/program.h"
 
 namespace {
 
@@ -14,9 +11,4 @@ void bad_address(hal::Mmio& io, hal::Cpu& cpu) {
 
 }  // namespace
 
-int sc_main(int argc, char** argv) { return sim::main(argc, argv, bad_address); }
-
-int main(int argc, char** argv) {
-    setenv("SYSTEMC_DISABLE_COPYRIGHT_MESSAGE", "1", 1);
-    return sc_core::sc_elab_and_sim(argc, argv);
-}
+int main(int argc, char** argv) { return sim::program(argc, argv, bad_address); }

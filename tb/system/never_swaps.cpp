@@ -1,10 +1,7 @@
 // never_swaps.cpp - a de1sim whose firmware draws into the back picture and never shows it.
-#include <cstdlib>
 
 #include "hal/display.h"
-#include "sim/run/cli.h"
-
-#include <systemc>
+#include "sim/run/program.h"
 
 namespace {
 
@@ -19,9 +16,4 @@ void never_swaps(hal::Mmio& io, hal::Cpu& cpu) {
 
 }  // namespace
 
-int sc_main(int argc, char** argv) { return sim::main(argc, argv, never_swaps); }
-
-int main(int argc, char** argv) {
-    setenv("SYSTEMC_DISABLE_COPYRIGHT_MESSAGE", "1", 1);
-    return sc_core::sc_elab_and_sim(argc, argv);
-}
+int main(int argc, char** argv) { return sim::program(argc, argv, never_swaps); }

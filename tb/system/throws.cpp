@@ -1,13 +1,10 @@
 // throws.cpp - a de1sim whose firmware throws after 50 ms: an error of C++ that nobody catches, or
 // with SW0 up that there is no more memory.
-#include <cstdlib>
 #include <new>
 #include <stdexcept>
 
 #include "regmap.h"
-#include "sim/run/cli.h"
-
-#include <systemc>
+#include "sim/run/program.h"
 
 namespace {
 
@@ -20,9 +17,4 @@ void throws(hal::Mmio& io, hal::Cpu& cpu) {
 
 }  // namespace
 
-int sc_main(int argc, char** argv) { return sim::main(argc, argv, throws); }
-
-int main(int argc, char** argv) {
-    setenv("SYSTEMC_DISABLE_COPYRIGHT_MESSAGE", "1", 1);
-    return sc_core::sc_elab_and_sim(argc, argv);
-}
+int main(int argc, char** argv) { return sim::program(argc, argv, throws); }

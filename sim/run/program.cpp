@@ -1,9 +1,10 @@
-#include "sim/run/cli.h"
+#include "sim/run/program.h"
 
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
+#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <iterator>
@@ -12,6 +13,7 @@
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <systemc>
 
 #include "selftest/self_test.h"
 #include "sim/check/check_board.h"
@@ -56,7 +58,7 @@ int command_line(int argc, char** argv, const Firmware& firmware) {
     CLI::App app{
         "DE1-SoC, headless: your Verilog and your firmware, with picture and sound as files",
         "de1sim"};
-    app.set_version_flag("--version", "de1sim " DE1SIM_VERSION);
+    app.set_version_flag("--version", VERSION);
     app.require_subcommand(1);
     app.footer(
         "`de1sim FILE ...` is `de1sim run FILE ...`.\n"
@@ -113,18 +115,27 @@ int command_line(int argc, char** argv, const Firmware& firmware) {
     return run(options, firmware);
 }
 
+// sc_main() gets it no other way.
+const Firmware* the_firmware = nullptr;
+
 }  // namespace
 
-int main(int argc, char** argv, const Firmware& firmware) {
-    prepare_standard_streams();
-    try {
-        return command_line(argc, argv, firmware);
-    } catch (const std::bad_alloc&) {
-        complain("out of memory while reading the command line");
-    } catch (const std::exception& e) {
-        complain(e.what());
-    }
-    return WRONG_INPUT;
+int program(int argc, char** argv, const Firmware& firmware) {
+    the_firmware = &firmware;
+    setenv("SYSTEMC_DISABLE_COPYRIGHT_MESSAGE", "1", 1);  // libsystemc's banner
+    return sc_core::sc_elab_and_sim(argc, argv);
 }
 
 }  // namespace sim
+
+int sc_main(int argc, char** argv) {
+    sim::prepare_standard_streams();
+    try {
+        return sim::command_line(argc, argv, *sim::the_firmware);
+    } catch (const std::bad_alloc&) {
+        sim::complain("out of memory while reading the command line");
+    } catch (const std::exception& e) {
+        sim::complain(e.what());
+    }
+    return sim::WRONG_INPUT;
+}
