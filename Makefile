@@ -1,22 +1,26 @@
 # The menu. Each entry shows the real command.
 
-.PHONY: all setup configure build firmware demo test fast asan coverage bench bench-collision
+.PHONY: all build setup help demo test fast asan coverage bench bench-collision firmware package
 .PHONY: formal formal-mutants synth netlist table1 fuzz instructions pgo qsf bitstream
-.PHONY: bitstream-open regmap format clean
+.PHONY: bitstream-open regmap format clean configure everything
 .PHONY: deploy rollback deploy-jtag
 
 all: build
 
-setup:                  ## install the Debian packages that are missing
-	@.ci/setup
+build: configure        ## build/bin/de1sim
+	@cmake --build build --target tool
 
-# A list of sources that has changed is read here: Verilator's rules would run with the old one.
-configure: setup
-	@[ -f build/build.ninja ] && [ -z "$$(find rtl sim sw tb -newer build/build.ninja \
-	    '(' -name CMakeLists.txt -o -name '*.cmake' ')')" ] || cmake --preset default
+help:                   ## print this menu
+	@sed -n 's/^\([a-z][a-z0-9-]*\):.*## */\1\t/p' Makefile | while IFS=$$(printf '\t') read -r name what; do \
+	    printf '%-16s %s\n' "$$name" "$$what"; done
 
-build: configure        ## build/bin/de1sim and the tests
-	@cmake --build build
+setup:                  ## [FOR="tool firmware test"] install the Debian packages that are missing
+	@.ci/setup $(FOR)
+
+configure:
+	@.ci/configure
+everything:
+	@.ci/configure FIRMWARE TESTS PROOFS BENCH BOARD
 
 qsf:                    ## write the Quartus project anew from the top module's ports and pins.tsv
 	@/usr/bin/python3 -B rtl/board/de1_soc/gen_qsf.py > build/de1_soc.qsf
@@ -30,7 +34,8 @@ bitstream-open:         ## with Yosys and nextpnr-mistral: colour bars, no PLL, 
 
 deploy:                 ## BOARD=user@host [RBF=file] [DRY_RUN=1]: to the board's Linux (sw/deploy)
 	@sw/deploy/deploy.sh arguments
-	@$(MAKE) --no-print-directory firmware
+	@.ci/configure FIRMWARE BOARD
+	@cmake --build build --target firmware overlays
 	@sw/deploy/deploy.sh deploy
 
 rollback:               ## BOARD=user@host [DRY_RUN=1]: the version before
@@ -39,10 +44,13 @@ rollback:               ## BOARD=user@host [DRY_RUN=1]: the version before
 deploy-jtag:            ## [RBF=file] [DRY_RUN=1]: the bitstream over USB, with openFPGALoader
 	@sw/deploy/jtag.sh
 
-firmware: configure     ## what the board runs -> build/firmware/collide.elf, collide-linux
+firmware:               ## what the board runs -> build/firmware/collide.elf, collide-linux
+	@.ci/configure FIRMWARE
 	@cmake --build build --target firmware
 
-demo: configure         ## ten seconds of the demo -> out/
+demo:                   ## ten seconds of the demo -> out/, packages first
+	@.ci/setup tool firmware
+	@.ci/configure FIRMWARE
 	@cmake --build build --target de1sim firmware
 	build/bin/de1sim run tb/system/demo.yaml --cpu arm --elf build/firmware/collide.elf --out out
 	@echo
@@ -50,58 +58,67 @@ demo: configure         ## ten seconds of the demo -> out/
 	@echo "  out/audio.wav                 what the line-out played (any audio player)"
 	@echo "  out/report.json, junit.xml    what was counted and expected"
 
-test: build             ## every test
-	@ctest --preset default
+package:                ## build/package/de1sim_*.deb
+	@.ci/configure FIRMWARE
+	@cmake --build build --target deb
 
-fast: build             ## every test but the whole-system ones
+test:                   ## every test, packages first
+	@.ci/setup tool firmware board test
+	@.ci/configure FIRMWARE TESTS PROOFS BENCH BOARD
+	@cmake --build build
+	@ctest --preset test
+
+fast: everything        ## every test but the whole-system ones
+	@cmake --build build
 	@ctest --preset fast
 
-asan: setup             ## every test, with address and undefined-behaviour sanitizers
+asan:                   ## every test, with address and undefined-behaviour sanitizers
+	@.ci/setup --check tool firmware board test
 	@cmake --preset asan
 	@cmake --build build/asan
 	@ctest --preset asan
 
-coverage: setup         ## lines and toggles of the RTL -> build/coverage/html/index.html
+coverage:               ## lines and toggles of the RTL -> build/coverage/html/index.html
+	@.ci/setup --check tool firmware board test
 	@cmake --preset coverage
 	@cmake --build build/coverage --target coverage
 
-formal: configure       ## proofs with Yosys and z3 (tb/formal)
+formal: everything      ## proofs with Yosys and z3 (tb/formal)
 	@cmake --build build --target formal
 
-formal-mutants: configure  ## each property seen to fail on a mutant
+formal-mutants: everything ## each property seen to fail on a mutant
 	@cmake --build build --target formal-mutants
 
-synth: configure        ## what the netlist takes of the device, and the limits (tb/synth)
+synth: everything       ## what the netlist takes of the device, and the limits (tb/synth)
 	@cmake --build build --target synth
 
-netlist: configure      ## the netlist plays the demo's beginning as the Verilog does
+netlist: everything     ## the netlist plays the demo's beginning as the Verilog does
 	@cmake --build build --target netlist
 
-bench: configure        ## how fast, beside the bare Verilated model in the same run
+bench: everything       ## how fast, beside the bare Verilated model in the same run
 	@cmake --build build --target bench
 
-table1: configure       ## the paper's experiments -> out/table1/, sw/collision/REPRODUCTION.md
+table1: everything      ## the paper's experiments -> out/table1/, sw/collision/REPRODUCTION.md
 	@cmake --build build --target table1
 
 fuzz:                   ## any bytes as polygons (libFuzzer), 600 damaged programs through de1sim
-	@.ci/setup packages packages-fuzz
-	@cmake --preset default > /dev/null
+	@.ci/setup --check fuzz
+	@$(MAKE) --no-print-directory everything
 	@cmake --build build --target fuzz
 
-instructions: configure ## 10^9 random ones on the processor and QEMU's [ARM_CORE_SEED=n]
+instructions: everything ## 10^9 random ones on the processor and QEMU's [ARM_CORE_SEED=n]
 	@cmake --build build --target arm_core_unicorn_test
 	@ARM_CORE_INSTRUCTIONS=1000000000 build/bin/arm_core_unicorn_test --gtest_filter='Against*'
 
-bench-collision: setup  ## the broad phases beside their peers (.ci/packages-bench)
-	@cmake --preset default > /dev/null
+bench-collision: everything  ## the broad phases beside their peers, those that are installed
 	@cmake --build build --target bench_collision
 	@build/bin/bench_collision
 
-pgo: setup              ## a faster de1sim, built with a profile of the demo -> build/pgo/bin/de1sim
+pgo: configure          ## a faster de1sim, built with a profile of the demo -> build/pgo/bin/de1sim
 	@cmake -P sim/pgo.cmake
 
-# Without CMake, which has Verilator read them.
-regmap: setup           ## print the register map's views, the font, the schema and STEPS.md anew
+# The first of them without CMake, which has Verilator read them.
+regmap: configure       ## print the register map's views, the font, the schema and STEPS.md anew
 	@mkdir -p build
 	@$(CXX) -std=c++17 -Irtl/regmap -o build/gen_regmap rtl/regmap/gen_regmap.cpp
 	@build/gen_regmap vh > build/regmap.vh && mv build/regmap.vh rtl/regmap/
@@ -109,10 +126,9 @@ regmap: setup           ## print the register map's views, the font, the schema 
 	@build/gen_regmap md > build/REGISTERS.md && mv build/REGISTERS.md rtl/regmap/
 	@$(CXX) -std=c++17 -Isw -o build/gen_font sw/gfx/gen_font.cpp sw/gfx/font.cpp sw/gfx/canvas.cpp
 	@build/gen_font > build/character_font.vh && mv build/character_font.vh rtl/vga/
-	@$(MAKE) --no-print-directory configure
 	@cmake --build build --target schema_files
 
-format: setup           ## lay out all C++
+format:                 ## lay out all C++
 	@git ls-files '*.h' '*.cpp' | xargs -d '\n' clang-format -i
 
 clean:
