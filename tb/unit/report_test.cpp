@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "sim/report/report_keys.h"
 #include "tb/unit/temp_folder.h"
 
 namespace {
@@ -74,6 +75,49 @@ TEST(ReportJson, SaysEverythingThatTheRunKnows) {
              "detail": "a sample of 3"}],
         "faults": [], "log": {"lines": 0, "first": []},
         "wall": {"seconds": 5.0, "frames_per_s": 30.0}})"));
+}
+
+// The paths of all that is in a file, with [] for a list's entries.
+void collect_paths(const json& value, const std::string& path, std::set<std::string>& all) {
+    if (value.is_array())
+        for (const json& entry : value) collect_paths(entry, path + "[]", all);
+    else if (value.is_object())
+        for (const auto& [name, inner] : value.items())
+            collect_paths(inner, path.empty() ? name : path + "." + name, all);
+    else
+        all.insert(path);
+}
+
+// Whether a path is of a key, in which "*" is any name.
+bool is_of(const std::string& path, std::string_view key) {
+    std::istringstream ours{path}, theirs{std::string{key}};
+    for (std::string name, wanted;;) {
+        const bool more = bool(std::getline(ours, name, '.'));
+        if (more != bool(std::getline(theirs, wanted, '.'))) return false;
+        if (!more) return true;
+        if (wanted != "*" && wanted != name) return false;
+    }
+}
+
+TEST(ReportKeys, AreThoseOfTheFile) {
+    RunReport full = sample();
+    full.faults = {"a fault"};
+    full.log = {"a line"};
+    full.checks = {{"adds", true, ""}};
+    full.program.emplace();
+    full.program->exit_code = 0;
+    full.program->frames.count = 1;
+    std::set<std::string> paths;
+    collect_paths(json::parse(to_json(full)), "", paths);
+    for (const std::string& path : paths)
+        EXPECT_TRUE(std::any_of(std::begin(REPORT_KEYS), std::end(REPORT_KEYS),
+                                [&](const ReportKey& key) { return is_of(path, key.path); }))
+            << path << " is in report.json and not in report_keys.h";
+    for (const ReportKey& key : REPORT_KEYS)
+        EXPECT_TRUE(key.path == "shown" ||
+                    std::any_of(paths.begin(), paths.end(),
+                                [&](const std::string& path) { return is_of(path, key.path); }))
+            << key.path << " is in report_keys.h and not in report.json";
 }
 
 TEST(ReportJson, DiffersBetweenTwoMachinesOnlyUnderWall) {

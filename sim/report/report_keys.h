@@ -1,0 +1,89 @@
+// report_keys.h - every key of report.json, in the file's order, with what it says
+//
+// REPORT.md is printed from this table, and a test holds it against what is written.
+#pragma once
+
+#include <string_view>
+
+namespace sim {
+
+struct ReportKey {
+    // "frames.shown"; of the entries of a list "expectations[].step".  "*" is any name.
+    std::string_view path;
+    std::string_view what;
+};
+
+inline constexpr ReportKey REPORT_KEYS[] = {
+    {"scenario", "The scenario's name; empty if a program ran without one."},
+    {"file", "The scenario's file as it was named; empty without one."},
+    {"seed", "Seed of the contacts' bounce."},
+    {"cpu", "`arm`: the modelled Cortex-A9; `native`: firmware compiled for this machine."},
+    {"end",
+     "How the run ended: `all steps done`, `duration reached`, `the program ended`, "
+     "`interrupted`, `firmware fault` or `internal error`."},
+    {"interrupted", "Whether a person or a signal ended it."},
+    {"passed",
+     "Every expectation and every check of the program's was met, nothing faulted, and "
+     "nobody interrupted it. Exit code 0."},
+    {"simulated_s", "Simulated time, in seconds."},
+    {"frames.shown", "Frames that the monitor saw."},
+    {"frames.swapped", "Of these, frames that began with a new picture."},
+    {"frames.last_sha256",
+     "SHA-256 of the last frame's 640 x 480 RGB bytes; empty if there was none."},
+    {"bus.reads", "Loads over the bus, of up to a word."},
+    {"bus.writes", "Stores over the bus, of up to a word."},
+    {"bus.bursts", "Transfers of more than a word."},
+    {"bus.errors", "Accesses that were answered with an error."},
+    {"audio.rate_hz",
+     "Samples per second and channel that the codec played; 0 before it was set up."},
+    {"audio.samples", "Samples per channel that were played."},
+    {"audio.underruns", "Samples that were due while the FIFO was empty."},
+    {"key_events", "Keys of the keypad pressed and released."},
+    {"shown", "What is seen without a monitor, by name: `ledr`, `hex`, `hps_led`, `jp1`, `jp2`."},
+    {"shown.*.*",
+     "What it showed at the end. LEDs: `lit`, a digit each, LEDR9 first; HEX: `text` and "
+     "`segments`, "
+     "HEX5 first; a header: `levels` of its pins and which are `outputs`, bit 0 for D0."},
+    {"shown.*.changes.count", "How often it changed."},
+    {"shown.*.changes.first[].time_s", "When, in simulated seconds; the first changes only."},
+    {"shown.*.changes.first[].*", "What it showed from then on."},
+    {"characters[].row",
+     "A row of the character buffer with text in it at the end, from 0 at the top."},
+    {"characters[].text", "The text there."},
+    {"timing_violations.count", "Deviations of the VGA signal from its standard."},
+    {"timing_violations.first[]", "The first 20 of them."},
+    {"sdram_violations.count", "Deviations from the SDRAM's datasheet."},
+    {"sdram_violations.first[]", "The first 20 of them."},
+    {"expectations[].step", "An expectation of the scenario, in words."},
+    {"expectations[].line", "Its line in the file."},
+    {"expectations[].time_s", "When it was decided, in simulated seconds."},
+    {"expectations[].met", "Whether it was met."},
+    {"expectations[].detail", "If it was not: what there was instead."},
+    {"faults[]", "What went wrong with the run as a whole."},
+    {"log.lines", "Notes on what is no failure: aborts that the program handled, resets."},
+    {"log.first[]", "The first of them."},
+    {"wall.seconds", "Time that the run took on this machine."},
+    {"wall.frames_per_s", "Frames per second of that time."},
+    {"checks[].name", "A check that the program made itself and printed as TAP."},
+    {"checks[].met", "Whether it was `ok`."},
+    {"checks[].detail", "What the program said about it."},
+    {"program.elf", "The program; this and the following only for `cpu` `arm`."},
+    {"program.cpi", "Clocks per instruction."},
+    {"program.instructions", "Instructions executed."},
+    {"program.interrupts", "Interrupts taken."},
+    {"program.aborts", "Aborts taken."},
+    {"program.asleep_s", "Simulated seconds in WFI and WFE."},
+    {"program.on_bus_s", "Simulated seconds waiting for registers and FPGA memory."},
+    {"program.at.pc", "Where it was at the end."},
+    {"program.at.function", "The function there; empty if it has no name."},
+    {"program.at.waiting_for", "What it was waiting for there, or empty."},
+    {"program.frames.count",
+     "Frames that the figures below are taken of; without any they are left "
+     "out. A frame is the time from one frame's end to the next."},
+    {"program.frames.instructions.*", "Instructions per frame: `min`, `median`, `max`."},
+    {"program.frames.busy_share.*", "Share of the frame in which the processor was not asleep."},
+    {"program.frames.bus_share.*", "Share of the frame in which it waited for the FPGA."},
+    {"program.exit_code", "Of a Linux program that has ended."},
+};
+
+}  // namespace sim
