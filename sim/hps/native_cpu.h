@@ -10,7 +10,7 @@
 #pragma once
 
 #include "sim/hps/processor.h"
-#include "sim/run/program.h"
+#include "sim/program.h"
 
 namespace sim {
 

@@ -5,7 +5,7 @@
 # an executable NAME that is de1sim with another firmware than the demo, and NAME-trace, which NAME
 # starts for --trace.  The sources define main():
 #
-#   #include "sim/run/program.h"
+#   #include "sim/program.h"
 #   int main(int argc, char** argv) { return sim::program(argc, argv, my_firmware); }
 
 include(${CMAKE_CURRENT_LIST_DIR}/de1sim-targets.cmake)

@@ -1,6 +1,6 @@
 // bad_address.cpp - a de1sim whose firmware reads where nothing is, after 50 ms.
 
-#include "sim/run/program.h"
+#include "sim/program.h"
 
 namespace {
 

@@ -1,7 +1,7 @@
 // never_swaps.cpp - a de1sim whose firmware draws into the back picture and never shows it.
 
 #include "hal/display.h"
-#include "sim/run/program.h"
+#include "sim/program.h"
 
 namespace {
 

@@ -4,7 +4,7 @@
 #include <stdexcept>
 
 #include "regmap.h"
-#include "sim/run/program.h"
+#include "sim/program.h"
 
 namespace {
 

@@ -1,6 +1,6 @@
 // blinker.cpp - a firmware in C++ for this machine: LEDR shows the switches.
 #include "regmap.h"
-#include "sim/run/program.h"
+#include "sim/program.h"
 
 namespace {
 

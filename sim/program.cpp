@@ -1,4 +1,4 @@
-#include "sim/run/program.h"
+#include "sim/program.h"
 
 #include <unistd.h>
 
