@@ -51,7 +51,9 @@ TEST_F(CommandLineRun, OfHelpNamesEveryOptionAndTheExitCodes) {
 TEST_F(CommandLineRun, OfVersionIsOneLine) {
     const tb::Outcome version = de1sim({"--version"});
     EXPECT_EQ(version.exit_code, 0);
-    EXPECT_THAT(version.out, MatchesRegex("de1sim [0-9]+\\.[0-9]+\\.[0-9]+\n"));
+    EXPECT_THAT(version.out,
+                MatchesRegex("de1sim [0-9]+\\.[0-9]+\\.[0-9]+ \\((commit [0-9a-f]+(-dirty)?, )?"
+                             "[a-z]+ for the ARM(, .*)?\\)\n"));
 }
 
 TEST_F(CommandLineRun, WritesTheFilesThatItPromisesAndNoOthers) {
