@@ -14,7 +14,7 @@ namespace {
 // Vectors of 16 bytes.
 template <class Lanes>
 constexpr Kernels kernels_of(const char* name) {
-    return {name, 256, locate<Lanes>, gather<Lanes>, sweep<Lanes>, compare_all<Lanes>};
+    return {name, 80, locate<Lanes>, gather<Lanes>, sweep<Lanes>, compare_all<Lanes>};
 }
 
 constexpr Kernels BASELINE[] = {

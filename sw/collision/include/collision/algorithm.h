@@ -24,7 +24,9 @@ inline constexpr std::array ALGORITHMS = {
     Algorithm::IMPROVED_VECTOR,  Algorithm::SWEEP,
     Algorithm::STRIPS,           Algorithm::SIMD};
 
-// The default.
+// The default.  On the modelled Cortex-A9 it takes the fewest instructions of all, to within 2 %:
+// for 20, 100 and 200 squares 5,200, 57,500 and 179,000, where SWEEP takes 8,700, 56,500 and
+// 191,000, and STRIPS 9,300, 57,500 and 179,000 (README.md).
 inline constexpr Algorithm BEST = Algorithm::SIMD;
 
 const char* name(Algorithm algorithm);  // "original_all_lines"
