@@ -10,13 +10,13 @@
 #include <string>
 #include <vector>
 
-#include "collision/broad/simd.h"
-#include "collision/broad/strips.h"
-#include "collision/broad/sweep.h"
+#include "collision/broad_phase.h"
 
 namespace tb {
 
 using namespace collision;
+using detail::available_kernels;
+using detail::Kernels;
 
 // The same worlds on every run; set RC_PARAMS to look for others.
 inline const bool SEEDED = setenv("RC_PARAMS", "seed=1 max_success=200", 0) == 0;

@@ -12,7 +12,7 @@
 #include <exception>
 #include <map>
 
-#include "collision/broad/strips.h"
+#include "collision/broad_phase.h"
 #include "race.h"
 #include "table.h"
 
@@ -90,7 +90,7 @@ void worlds(const Plan& plan) {
     }
     print_limit(fmt::format("strips: ns a box at {} over {}", strips_ns.rbegin()->first,
                             strips_ns.begin()->first),
-                strips_ns.rbegin()->second / strips_ns.begin()->second, "x", 1.5);
+                strips_ns.rbegin()->second / strips_ns.begin()->second, "x", 2.5);
 }
 
 void special(const Plan& plan) {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "collision/pair_list.h"
+#include "collision/collision_pair.h"
 #include "collision/polygon.h"
 
 namespace bench {

@@ -1,7 +1,5 @@
 // ours.cpp - the project's broad phases as contenders.
-#include "collision/broad/simd.h"
-#include "collision/broad/strips.h"
-#include "collision/broad/sweep.h"
+#include "collision/broad_phase.h"
 #include "contender.h"
 
 namespace bench {

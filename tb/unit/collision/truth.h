@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "collision/pair_list.h"
+#include "collision/collision_pair.h"
 #include "collision/polygon.h"
 
 namespace truth {

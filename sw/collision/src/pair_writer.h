@@ -1,0 +1,41 @@
+// pair_writer.h - fills a list of pairs through plain pointers, because push_back costs time.
+#pragma once
+
+#include <cstddef>
+
+#include "collision/collision_pair.h"
+
+namespace collision::detail {
+
+// Where the next pair of a list goes, and where its places end.  Writes over what the list holds;
+// within its old size nothing is allocated or cleared.  A kernel works on a copy of this and hands
+// that back, so that the compiler keeps it in registers.
+class PairWriter {
+public:
+    explicit PairWriter(PairList& list)
+        : next{list.data()}, end_{list.data() + list.size()}, list_{&list} {}
+
+    CollisionPair* next;
+
+    // Makes at least so many places.  New ones are cleared by the vector, so ask for few.
+    [[gnu::always_inline]] void need(std::size_t places) {
+        if (static_cast<std::size_t>(end_ - next) < places) *this = larger(places);
+    }
+
+    // Appends a pair if `wanted` is true, without a branch.  At least one place must be left.
+    [[gnu::always_inline]] void append(std::uint32_t a, std::uint32_t b, bool wanted) {
+        *next = a < b ? CollisionPair{a, b} : CollisionPair{b, a};
+        next += wanted;
+    }
+
+    void finish() { list_->resize(used()); }  // to what was written
+
+private:
+    std::size_t used() const { return static_cast<std::size_t>(next - list_->data()); }
+    PairWriter larger(std::size_t places) const;  // not inline: see kernels_avx2.cpp
+
+    CollisionPair* end_;
+    PairList* list_;
+};
+
+}  // namespace collision::detail
