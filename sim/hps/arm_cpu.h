@@ -134,6 +134,7 @@ public:
 
     std::optional<std::string> unfinished() const override;
 
+    std::string accessed() const override;
     // How long the program has been over: ended by its kernel, or spinning on the spot with IRQ and
     // FIQ masked, so that nothing but a reset can move it.  0 before, and under an inspector.
     sc_core::sc_time ended_for() const;

@@ -134,6 +134,14 @@ void ArmCpu::poll(std::uint32_t address, std::uint32_t value) {
     if (end > ahead_) ahead_ += std::min(rest, end - ahead_);
 }
 
+// Of joined stores it is the one that had them go.
+std::string ArmCpu::accessed() const {
+    const std::uint32_t pc = core_.instruction();
+    const std::string function = program_.elf.function(pc);
+    return fmt::format(", at {:.6f} ms, PC 0x{:08X}{}{}", now().to_seconds() * 1e3, pc,
+                       function.empty() ? "" : " in ", function);
+}
+
 bool ArmCpu::read_memory(std::uint32_t address, void* data, unsigned bytes) {
     if (core_.read_ram(address, data, bytes)) return true;
     sc_time no_time;
