@@ -42,6 +42,11 @@ public:
     virtual bool write_normal(std::uint32_t address, unsigned bytes, std::uint32_t value) {
         return write(address, bytes, value);
     }
+    // At a WFI: whether it has nothing to wait for, so that run() goes on.  (Unicorn's core neither
+    // asks this nor tells of unmasked().)
+    virtual bool passes_wfi() { return false; }
+    // An instruction clears CPSR.I or F.
+    virtual void unmasked() {}
 
 protected:
     ~ArmBus() = default;
@@ -165,6 +170,8 @@ public:
 
     // Runs at most `limit` instructions.
     ArmStop run(std::uint64_t limit);
+    // Whether it tells the bus of what waits for interrupts, and lets them in.
+    static const bool TELLS_OF_MASKS;
     // From the bus: run() ends before the next instruction.
     void stop_soon() { limit_ = count_; }
     // From the bus: run() ends when `left` instructions behind the present one are done.

@@ -59,12 +59,13 @@ std::uint64_t ArmCpu::budget() const {
     const sc_time end = horizon();
     if (end <= ahead_) return 0;
     const std::uint64_t left = ((end - ahead_).value() + instruction_ps_ - 1) / instruction_ps_;
-    return irq_ || fiq_ ? std::min(left, MASKED_QUANTUM) : left;
+    const bool looks_itself = !ArmCore::TELLS_OF_MASKS && (irq_ || fiq_);
+    return looks_itself ? std::min(left, MASKED_QUANTUM) : left;
 }
 
 // Behind an access, which has moved the time and perhaps the interrupt lines.
 void ArmCpu::run_on() {
-    const bool stop = irq_ || fiq_ || reset_;
+    const bool stop = let_in() || reset_;
     core_.stop_after(stop ? 0 : std::min(budget(), inspected_end_ - core_.instructions()));
 }
 
@@ -163,12 +164,19 @@ void ArmCpu::run() {
     }
 }
 
+std::optional<ArmException> ArmCpu::let_in() const {
+    if (fiq_ && !(core_.cpsr() & arm_cpsr::F)) return ArmException::FIQ;
+    if (irq_ && !(core_.cpsr() & arm_cpsr::I)) return ArmException::IRQ;
+    return std::nullopt;
+}
+
+void ArmCpu::unmasked() {
+    if (irq_ || fiq_) core_.stop_soon();
+}
+
 void ArmCpu::take_interrupt() {
-    const std::uint32_t masks = core_.cpsr();
-    if (fiq_ && !(masks & arm_cpsr::F))
-        raise(ArmException::FIQ, 0, "FIQ");
-    else if (irq_ && !(masks & arm_cpsr::I))
-        raise(ArmException::IRQ, 0, "IRQ");
+    if (const auto exception = let_in())
+        raise(*exception, 0, *exception == ArmException::FIQ ? "FIQ" : "IRQ");
 }
 
 void ArmCpu::handle(ArmStop stop) {

@@ -11,7 +11,8 @@
 //   - at once when a bus access of the program's own raises the line,
 //   - at the expiry of a timer, exactly,
 //   - within 32 us (a scan line) of what happens in the fabric by itself,
-//   - within 64 instructions of the program's enabling interrupts with the line already up.
+//   - at once when the program enables interrupts with the line already up (with Unicorn's core,
+//     within 64 instructions).
 //
 // Stores to memory on the HPS-to-FPGA bridge that the translation tables call Normal are joined as
 // the A9's store buffer joins them: those that follow one another at rising addresses go as one
@@ -175,6 +176,8 @@ private:
     bool read(std::uint32_t address, unsigned bytes, std::uint32_t& value) override;
     bool write(std::uint32_t address, unsigned bytes, std::uint32_t value) override;
     bool write_normal(std::uint32_t address, unsigned bytes, std::uint32_t value) override;
+    bool passes_wfi() override { return irq_ || fiq_ || reset_; }
+    void unmasked() override;
 
     static constexpr unsigned POLLS = 8, MANY_POLLS = 64;
     static sc_core::sc_time spin_limit() { return {100, sc_core::SC_MS}; }
@@ -200,6 +203,7 @@ private:
     void poll(std::uint32_t address, std::uint32_t value);
     void drain();
     bool access(tlm::tlm_command command, std::uint32_t address, unsigned bytes, void* data);
+    std::optional<ArmException> let_in() const;  // the interrupt that is up and not masked
     void take_interrupt();
     void handle(ArmStop stop);
     void raise(ArmException exception, std::uint32_t status, const std::string& what);

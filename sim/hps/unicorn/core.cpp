@@ -23,6 +23,8 @@ unsigned hint(const ArmCore& core) {
 
 }  // namespace
 
+const bool ArmCore::TELLS_OF_MASKS = false;
+
 struct ArmCore::Engine::Hooks {
     // Before every instruction.  Costs most of what this simulator takes, and buys exactness: it
     // makes Unicorn keep the program counter right, in bus accesses too.
