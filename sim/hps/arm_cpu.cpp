@@ -84,19 +84,21 @@ void ArmCpu::sleep(const sc_time& at_most) {
     counts_.asleep += sc_core::sc_time_stamp() - asleep_since_;
 }
 
-template <class Until>
-void ArmCpu::pause_until(const Until& until) {
+template <class... Until>
+void ArmCpu::pause_until(const Until&... until) {
     wait(ahead_);
     ahead_ = SC_ZERO_TIME;
     asleep_since_ = sc_core::sc_time_stamp();
     asleep_ = true;
-    wait(until);
+    wait(until...);
     asleep_ = false;
     counts_.asleep += sc_core::sc_time_stamp() - asleep_since_;
 }
 
 void ArmCpu::pause(const sc_time& time) { pause_until(time); }
-void ArmCpu::pause(const sc_core::sc_event& until) { pause_until(until); }
+void ArmCpu::pause(const sc_core::sc_event& until, const sc_time& at_most) {
+    pause_until(at_most, until);
+}
 
 void ArmCpu::end(const std::string& why) {
     ended_ = true;

@@ -134,8 +134,8 @@ public:
     sc_core::sc_time now() const { return sc_core::sc_time_stamp() + ahead_; }
 
     std::optional<std::string> unfinished() const override;
-
     std::string accessed() const override;
+
     // How long the program has been over: ended by its kernel, or spinning on the spot with IRQ and
     // FIQ masked, so that nothing but a reset can move it.  0 before, and under an inspector.
     sc_core::sc_time ended_for() const;
@@ -148,7 +148,7 @@ public:
     // For a kernel.  How to let some time go by, asleep; the program's end, a fault if `why` is not
     // empty.
     void pause(const sc_core::sc_time& time);
-    void pause(const sc_core::sc_event& until);
+    void pause(const sc_core::sc_event& until, const sc_core::sc_time& at_most);
     void end(const std::string& why = "");
     std::string where() const;  // "at 12.345678 ms, PC 0x00001234 in main+0x10"
 
@@ -198,8 +198,8 @@ private:
     std::uint64_t budget() const;
     void run_on();
     void sleep(const sc_core::sc_time& at_most);
-    template <class Until>
-    void pause_until(const Until& until);
+    template <class... Until>
+    void pause_until(const Until&... until);
     void poll(std::uint32_t address, std::uint32_t value);
     void drain();
     bool access(tlm::tlm_command command, std::uint32_t address, unsigned bytes, void* data);
