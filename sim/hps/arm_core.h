@@ -154,6 +154,8 @@ public:
     void map_bus(std::uint32_t base, std::uint64_t size, std::uint32_t bus_base,
                  unsigned access = arm_access::READ | arm_access::WRITE);
     void unmap(std::uint32_t base, std::uint64_t size);
+    // No instruction is read from these virtual addresses from now on: PREFETCH_ABORT there.
+    void forbid_code(std::uint32_t base, std::uint32_t size);
     // What the bus calls `address`, if that is mapped to the bus.
     std::optional<std::uint32_t> bus_address(std::uint32_t address) const;
 

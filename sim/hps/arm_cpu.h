@@ -47,10 +47,11 @@
 //     than 1 ms after the exception: unfinished().
 // So a handler may take its time, print, sleep and be interrupted, as long as it comes to an end.
 //
-// No handler would notice what has gone astray, so a program has failed, behind the quantum in
-// which it is seen,
-//   - when it executes zeros (ArmStop::RAN_OFF), or the data of its ELF (ElfSection::is_data);
-//   - when its stack grows below the memory that it was in, or into its code.
+// No handler would notice what has gone astray, so a program has failed
+//   - when it comes to the data of its ELF (ElfSection::is_data), before it executes any of it;
+//   - when it executes zeros (ArmStop::RAN_OFF);
+//   - when its stack grows below the memory that it was in, or into its code, behind the quantum in
+//     which it is seen.
 //
 // Deterministic: nothing depends on the host's time.
 //

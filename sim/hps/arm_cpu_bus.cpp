@@ -60,6 +60,8 @@ void ArmCpu::load() {
         core_.write_ram(segment.physical + static_cast<std::uint32_t>(segment.data.size()),
                         zeros.data(), zeros.size());
     }
+    for (const ElfSection& section : program_.elf.sections)
+        if (section.is_data()) core_.forbid_code(section.address, section.size);
 }
 
 bool ArmCpu::access(tlm::tlm_command command, std::uint32_t address, unsigned bytes, void* data) {
