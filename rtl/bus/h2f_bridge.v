@@ -3,7 +3,7 @@
 //   SDRAM: 64 MB, through sdram/sdram.v.
 //   ONCHIP: 256 KB.  The 256 KB behind it are nobody's storage: they read 0 and ignore writes,
 //   because programs clear a little more than there is.
-//   CHARACTERS: 80 x 60 bytes, (x, y) at y << 7 | x; what lies between reads 0 and ignores writes.
+//   CHARACTERS: 8 KB, (x, y) at y << 7 | x; memory also where the screen does not show it.
 //   Any other address: DECERR.
 //
 // Writes to the on-chip memory and to the characters go at a beat a clock.  Reads of these take
@@ -79,20 +79,13 @@ module h2f_bridge #(
     localparam [10:0] CHIP   = ONCHIP_BASE[29:19];     // and as much behind it
     localparam [16:0] CELLS  = CHARACTERS_BASE[29:13];
 
-    // Whether a byte offset among the characters is on the screen.
-    // The two lowest bits choose a lane.
+    wire        re, we;
+    // The two lowest bits choose a lane, which the strobes name.
     // verilator lint_off UNUSED
-    function cells_stored;
-        input [12:0] offset;
-        cells_stored = offset[12:7] < 6'd60 && offset[6:2] < 5'd20;
-    endfunction
+    wire [29:0] raddr, waddr;
     // verilator lint_on UNUSED
 
-    wire        re, we;
-    wire [29:0] raddr;
-
     // ---- Writes -----------------------------------------------------------
-    wire [29:0] waddr;
     wire [31:0] wdata;
     wire [3:0]  wstrb;
     wire        wdram = waddr[29:26] == DRAM;
@@ -128,7 +121,7 @@ module h2f_bridge #(
         cell_we_o <= 4'd0;
         if (we) begin
             we_o      <= wchip && !waddr[18] ? wstrb : 4'd0;
-            cell_we_o <= winc && cells_stored(waddr[12:0]) ? wstrb : 4'd0;
+            cell_we_o <= winc ? wstrb : 4'd0;
             windex_o  <= winc ? {5'd0, waddr[12:2]} : waddr[17:2];
             wdata_o   <= wdata;
             werror_q  <= !(wdram || wchip || winc);
@@ -173,7 +166,7 @@ module h2f_bridge #(
         if (re && !rwait) begin
             re_o     <= !rdram;
             rindex_o <= rinc ? {5'd0, raddr[12:2]} : raddr[17:2];
-            rempty_q <= rinc ? !cells_stored(raddr[12:0]) : raddr[18];
+            rempty_q <= !rinc && raddr[18];
             rcells_q <= rinc;
             rerror_q <= !(rdram || rchip || rinc);
         end else if (rgrant_i) begin

@@ -96,6 +96,9 @@ void print_markdown() {
     std::puts("# Registers\n");
     std::puts("Generated from regmap.def by `make regmap`; do not edit.");
     std::printf("`SYSID_HASH` reads `0x%08X` for this map.\n", regmap::REGMAP_HASH);
+    std::puts(
+        "\nA block reads 0 and loses writes where it has no register; a read-only register loses");
+    std::puts("writes.  A run says so, once a block.");
     for (const auto& block : regmap::BLOCKS) print_block(block);
 }
 

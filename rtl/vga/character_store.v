@@ -1,9 +1,10 @@
 // character_store.v - 80 x 60 characters, four a word, read by the screen and the processor
 //
-// An index is row << 5 | word, word below 20: four byte lanes of 2,048 characters, two M10K blocks
-// each.  The screen's reads go before the processor's, which wait for those (video.v).
+// An index is row << 5 | word: four byte lanes of 2,048 characters, two M10K blocks each.  Words
+// from 20 and rows from 60 on are memory that is not shown.  The screen's reads go before the
+// processor's, which wait for those (video.v).
 //
-// clear_i and a reset fill everything with blanks, in 1,920 clocks without writes.  The processor
+// clear_i and a reset fill the 60 rows with blanks, in 1,920 clocks without writes.  The processor
 // waits meanwhile, by filling_o, which is high from clear_i on: what it wrote could be blanked and
 // what it read could be old.  any_o says that since then something else has been written, so that
 // an empty screen need not be looked at.

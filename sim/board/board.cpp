@@ -86,6 +86,11 @@ Board::Board(const sc_core::sc_module_name& name, Audience& audience, Software s
     bus.describe("ddr3", "the DDR3", {{"the DDR3", DDR3_BASE, DDR3_SIZE, true}});
     bus.describe("h2f", "the full bridge", fpga_places(H2F_BASE, H2F_SIZE));
     bus.describe("lw", "the lightweight bridge", fpga_places(LW_BASE, LW_SIZE));
+    for (const char* bridge : {"h2f", "lw"})
+        bus.on_answered(bridge, [this](std::uint32_t address, unsigned bytes, bool write) {
+            if (const auto lost = lost_accesses_.look(address, bytes, write))
+                audience_.log(*lost + cpu.accessed());
+        });
     cpu.explain_by([this](auto... access) { return bus.refusal(access...); });
     hps.gpio1.on_led([this](bool lit, const sc_core::sc_time& now) {
         lamps_.hps_led = lit;

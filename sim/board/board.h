@@ -25,6 +25,7 @@
 #include "sim/board/is42s16320d.h"
 #include "sim/board/jtag_host.h"
 #include "sim/board/keypad.h"
+#include "sim/board/lost_accesses.h"
 #include "sim/board/ltc2308.h"
 #include "sim/board/monitor.h"
 #include "sim/board/ps2_keyboard.h"
@@ -131,6 +132,7 @@ private:
     std::array<Ps2Device*, 2> ps2_{};               // in each port; may be none
     double rate_hz_ = 0;                            // of the samples given to the audience so far
     std::function<void(bool)> h2f_gate_, lw_gate_;  // true: out of reset
+    LostAccesses lost_accesses_;
 
 public:  // the parts, in the order in which they are soldered
     Monitor monitor;

@@ -42,6 +42,11 @@ public:
     virtual bool write_normal(std::uint32_t address, unsigned bytes, std::uint32_t value) {
         return write(address, bytes, value);
     }
+    // At a WFI: whether it has nothing to wait for, so that run() goes on.  (Unicorn's core neither
+    // asks this nor tells of unmasked().)
+    virtual bool passes_wfi() { return false; }
+    // An instruction clears CPSR.I or F.
+    virtual void unmasked() {}
 
 protected:
     ~ArmBus() = default;
@@ -149,6 +154,8 @@ public:
     void map_bus(std::uint32_t base, std::uint64_t size, std::uint32_t bus_base,
                  unsigned access = arm_access::READ | arm_access::WRITE);
     void unmap(std::uint32_t base, std::uint64_t size);
+    // No instruction is read from these virtual addresses from now on: PREFETCH_ABORT there.
+    void forbid_code(std::uint32_t base, std::uint32_t size);
     // What the bus calls `address`, if that is mapped to the bus.
     std::optional<std::uint32_t> bus_address(std::uint32_t address) const;
 
@@ -165,6 +172,8 @@ public:
 
     // Runs at most `limit` instructions.
     ArmStop run(std::uint64_t limit);
+    // Whether it tells the bus of what waits for interrupts, and lets them in.
+    static const bool TELLS_OF_MASKS;
     // From the bus: run() ends before the next instruction.
     void stop_soon() { limit_ = count_; }
     // From the bus: run() ends when `left` instructions behind the present one are done.

@@ -59,12 +59,13 @@ std::uint64_t ArmCpu::budget() const {
     const sc_time end = horizon();
     if (end <= ahead_) return 0;
     const std::uint64_t left = ((end - ahead_).value() + instruction_ps_ - 1) / instruction_ps_;
-    return irq_ || fiq_ ? std::min(left, MASKED_QUANTUM) : left;
+    const bool looks_itself = !ArmCore::TELLS_OF_MASKS && (irq_ || fiq_);
+    return looks_itself ? std::min(left, MASKED_QUANTUM) : left;
 }
 
 // Behind an access, which has moved the time and perhaps the interrupt lines.
 void ArmCpu::run_on() {
-    const bool stop = irq_ || fiq_ || reset_;
+    const bool stop = let_in() || reset_;
     core_.stop_after(stop ? 0 : std::min(budget(), inspected_end_ - core_.instructions()));
 }
 
@@ -83,19 +84,21 @@ void ArmCpu::sleep(const sc_time& at_most) {
     counts_.asleep += sc_core::sc_time_stamp() - asleep_since_;
 }
 
-template <class Until>
-void ArmCpu::pause_until(const Until& until) {
+template <class... Until>
+void ArmCpu::pause_until(const Until&... until) {
     wait(ahead_);
     ahead_ = SC_ZERO_TIME;
     asleep_since_ = sc_core::sc_time_stamp();
     asleep_ = true;
-    wait(until);
+    wait(until...);
     asleep_ = false;
     counts_.asleep += sc_core::sc_time_stamp() - asleep_since_;
 }
 
 void ArmCpu::pause(const sc_time& time) { pause_until(time); }
-void ArmCpu::pause(const sc_core::sc_event& until) { pause_until(until); }
+void ArmCpu::pause(const sc_core::sc_event& until, const sc_time& at_most) {
+    pause_until(at_most, until);
+}
 
 void ArmCpu::end(const std::string& why) {
     ended_ = true;
@@ -163,12 +166,19 @@ void ArmCpu::run() {
     }
 }
 
+std::optional<ArmException> ArmCpu::let_in() const {
+    if (fiq_ && !(core_.cpsr() & arm_cpsr::F)) return ArmException::FIQ;
+    if (irq_ && !(core_.cpsr() & arm_cpsr::I)) return ArmException::IRQ;
+    return std::nullopt;
+}
+
+void ArmCpu::unmasked() {
+    if (irq_ || fiq_) core_.stop_soon();
+}
+
 void ArmCpu::take_interrupt() {
-    const std::uint32_t masks = core_.cpsr();
-    if (fiq_ && !(masks & arm_cpsr::F))
-        raise(ArmException::FIQ, 0, "FIQ");
-    else if (irq_ && !(masks & arm_cpsr::I))
-        raise(ArmException::IRQ, 0, "IRQ");
+    if (const auto exception = let_in())
+        raise(*exception, 0, *exception == ArmException::FIQ ? "FIQ" : "IRQ");
 }
 
 void ArmCpu::handle(ArmStop stop) {

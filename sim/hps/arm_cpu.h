@@ -11,7 +11,8 @@
 //   - at once when a bus access of the program's own raises the line,
 //   - at the expiry of a timer, exactly,
 //   - within 32 us (a scan line) of what happens in the fabric by itself,
-//   - within 64 instructions of the program's enabling interrupts with the line already up.
+//   - at once when the program enables interrupts with the line already up (with Unicorn's core,
+//     within 64 instructions).
 //
 // Stores to memory on the HPS-to-FPGA bridge that the translation tables call Normal are joined as
 // the A9's store buffer joins them: those that follow one another at rising addresses go as one
@@ -46,10 +47,11 @@
 //     than 1 ms after the exception: unfinished().
 // So a handler may take its time, print, sleep and be interrupted, as long as it comes to an end.
 //
-// No handler would notice what has gone astray, so a program has failed, behind the quantum in
-// which it is seen,
-//   - when it executes zeros (ArmStop::RAN_OFF), or the data of its ELF (ElfSection::is_data);
-//   - when its stack grows below the memory that it was in, or into its code.
+// No handler would notice what has gone astray, so a program has failed
+//   - when it comes to the data of its ELF (ElfSection::is_data), before it executes any of it;
+//   - when it executes zeros (ArmStop::RAN_OFF);
+//   - when its stack grows below the memory that it was in, or into its code, behind the quantum in
+//     which it is seen.
 //
 // Deterministic: nothing depends on the host's time.
 //
@@ -133,6 +135,7 @@ public:
     sc_core::sc_time now() const { return sc_core::sc_time_stamp() + ahead_; }
 
     std::optional<std::string> unfinished() const override;
+    std::string accessed() const override;
 
     // How long the program has been over: ended by its kernel, or spinning on the spot with IRQ and
     // FIQ masked, so that nothing but a reset can move it.  0 before, and under an inspector.
@@ -146,7 +149,7 @@ public:
     // For a kernel.  How to let some time go by, asleep; the program's end, a fault if `why` is not
     // empty.
     void pause(const sc_core::sc_time& time);
-    void pause(const sc_core::sc_event& until);
+    void pause(const sc_core::sc_event& until, const sc_core::sc_time& at_most);
     void end(const std::string& why = "");
     std::string where() const;  // "at 12.345678 ms, PC 0x00001234 in main+0x10"
 
@@ -174,6 +177,8 @@ private:
     bool read(std::uint32_t address, unsigned bytes, std::uint32_t& value) override;
     bool write(std::uint32_t address, unsigned bytes, std::uint32_t value) override;
     bool write_normal(std::uint32_t address, unsigned bytes, std::uint32_t value) override;
+    bool passes_wfi() override { return irq_ || fiq_ || reset_; }
+    void unmasked() override;
 
     static constexpr unsigned POLLS = 8, MANY_POLLS = 64;
     static sc_core::sc_time spin_limit() { return {100, sc_core::SC_MS}; }
@@ -194,11 +199,12 @@ private:
     std::uint64_t budget() const;
     void run_on();
     void sleep(const sc_core::sc_time& at_most);
-    template <class Until>
-    void pause_until(const Until& until);
+    template <class... Until>
+    void pause_until(const Until&... until);
     void poll(std::uint32_t address, std::uint32_t value);
     void drain();
     bool access(tlm::tlm_command command, std::uint32_t address, unsigned bytes, void* data);
+    std::optional<ArmException> let_in() const;  // the interrupt that is up and not masked
     void take_interrupt();
     void handle(ArmStop stop);
     void raise(ArmException exception, std::uint32_t status, const std::string& what);

@@ -60,6 +60,8 @@ void ArmCpu::load() {
         core_.write_ram(segment.physical + static_cast<std::uint32_t>(segment.data.size()),
                         zeros.data(), zeros.size());
     }
+    for (const ElfSection& section : program_.elf.sections)
+        if (section.is_data()) core_.forbid_code(section.address, section.size);
 }
 
 bool ArmCpu::access(tlm::tlm_command command, std::uint32_t address, unsigned bytes, void* data) {
@@ -132,6 +134,14 @@ void ArmCpu::poll(std::uint32_t address, std::uint32_t value) {
                                           : poll_.same_value < MANY_POLLS ? nap()
                                                                           : long_nap();
     if (end > ahead_) ahead_ += std::min(rest, end - ahead_);
+}
+
+// Of joined stores it is the one that had them go.
+std::string ArmCpu::accessed() const {
+    const std::uint32_t pc = core_.instruction();
+    const std::string function = program_.elf.function(pc);
+    return fmt::format(", at {:.6f} ms, PC 0x{:08X}{}{}", now().to_seconds() * 1e3, pc,
+                       function.empty() ? "" : " in ", function);
 }
 
 bool ArmCpu::read_memory(std::uint32_t address, void* data, unsigned bytes) {

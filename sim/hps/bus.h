@@ -63,6 +63,10 @@ public:
     std::string refusal(std::uint32_t address, unsigned bytes, bool write,
                         tlm::tlm_response_status answer) const;
 
+    // `told` is called behind each access to the window `name` that was answered OK; as gate().
+    using Told = std::function<void(std::uint32_t address, unsigned bytes, bool write)>;
+    void on_answered(const std::string& name, Told told);
+
     const BusCounts& counts() const { return counts_; }
     // Something was written through the window `name`; as gate().
     bool written(const std::string& name) const { return windows_[number_of(name)].written; }
@@ -75,6 +79,7 @@ private:
         bool on = true, written = false;
         std::string title = name;
         std::vector<Place> places = {{name, base, size}};
+        Told told = {};  // may be none
     };
 
     void b_transport(tlm::tlm_generic_payload& tx, sc_core::sc_time& delay);

@@ -24,6 +24,10 @@ public:
     // At the run's end: what the program is in that it can not have meant to end in.
     virtual std::optional<std::string> unfinished() const { return {}; }
 
+    // Where the program's access that is on the bus was made: ", at 12.345 ms, PC 0x00001234 in
+    // main+0x10", or "".
+    virtual std::string accessed() const { return ""; }
+
     // Says in words why an access was refused, or without bytes why there is no instruction;
     // Bus::refusal().
     using Refusal = std::function<std::string(std::uint32_t address, unsigned bytes, bool write,

@@ -11,7 +11,8 @@ namespace sim {
 
 namespace arm_open {
 constexpr std::uint32_t ACCESS = 3, RDONLY = 0, WRONLY = 1, RDWR = 2, CREAT = 0100, EXCL = 0200,
-                        TRUNC = 01000, APPEND = 02000, DIRECTORY = 040000, CLOEXEC = 02000000;
+                        TRUNC = 01000, APPEND = 02000, NONBLOCK = 04000, DIRECTORY = 040000,
+                        CLOEXEC = 02000000;
 }
 
 namespace arm_mmap {

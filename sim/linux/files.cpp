@@ -167,7 +167,16 @@ int LinuxFiles::duplicate_onto(int fd, int other) {
 
 int LinuxFiles::flags(int fd) const {
     const File* file = find(fd);
-    return file ? static_cast<int>(file->flags & (arm_open::ACCESS | arm_open::APPEND)) : -EBADF;
+    return file ? static_cast<int>(file->flags &
+                                   (arm_open::ACCESS | arm_open::APPEND | arm_open::NONBLOCK))
+                : -EBADF;
+}
+
+int LinuxFiles::set_flags(int fd, std::uint32_t flags) {
+    if (!find(fd)) return -EBADF;
+    std::uint32_t& kept = slots_[fd].file->flags;
+    kept = (kept & ~arm_open::NONBLOCK) | (flags & arm_open::NONBLOCK);
+    return 0;
 }
 
 int LinuxFiles::close_on_exec(int fd) const {

@@ -45,9 +45,10 @@ public:
 
     int open(const std::string& path, std::uint32_t flags, std::uint32_t mode);
     int close(int fd);
-    int duplicate(int fd, int at_least);    // the lowest free number from there on
-    int duplicate_onto(int fd, int other);  // closes that first
-    int flags(int fd) const;                // of open(), without those that only open() minds
+    int duplicate(int fd, int at_least);         // the lowest free number from there on
+    int duplicate_onto(int fd, int other);       // closes that first
+    int flags(int fd) const;                     // of open(), without those that only open() minds
+    int set_flags(int fd, std::uint32_t flags);  // O_NONBLOCK, which is up to the caller to mind
     int set_close_on_exec(int fd, bool on);
     int close_on_exec(int fd) const;
 

@@ -29,7 +29,10 @@ LinuxKernel::LinuxKernel(ArmCpu& cpu, LinuxSettings settings, Outside outside)
       helpers_{cpu.core()},
       terminal_{{[&cpu] { return cpu.now(); },
                  [&cpu](const sc_core::sc_time& time) { cpu.pause(time); },
-                 [&cpu](const sc_core::sc_event& until) { cpu.pause(until); }, outside_.console}},
+                 [&cpu](const sc_core::sc_event& until, const sc_core::sc_time& at_most) {
+                     cpu.pause(until, at_most);
+                 },
+                 outside_.console}},
       files_{settings_.root,
              settings_.input,
              {outside_.console,
@@ -186,6 +189,13 @@ const std::vector<LinuxKernel::Call>& LinuxKernel::calls() {
         {NR_futex_time64, &K::sys_futex},
         {NR_pause, &K::sys_pause},
         {NR_sched_yield, &K::sys_done},
+
+        {NR__newselect, &K::sys_select},
+        {NR_pselect6, &K::sys_pselect6},
+        {NR_pselect6_time64, &K::sys_pselect6_time64},
+        {NR_poll, &K::sys_poll},
+        {NR_ppoll, &K::sys_ppoll},
+        {NR_ppoll_time64, &K::sys_ppoll_time64},
 
         {NR_exit, &K::sys_exit},
         {NR_exit_group, &K::sys_exit},

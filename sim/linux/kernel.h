@@ -148,6 +148,22 @@ private:
     std::int64_t sleep(std::uint32_t flags, std::uint32_t span, bool wide, std::uint32_t left);
     std::int64_t give_time(std::uint32_t to, std::uint64_t ns, bool wide);
 
+    // kernel_wait.cpp
+    Result sys_select(const Arguments&);
+    Result sys_pselect6(const Arguments&);
+    Result sys_pselect6_time64(const Arguments&);
+    Result sys_poll(const Arguments&);
+    Result sys_ppoll(const Arguments&);
+    Result sys_ppoll_time64(const Arguments&);
+    enum class Span { TIMEVAL, TIMESPEC, TIMESPEC64 };  // struct timeval and so on
+    std::int64_t span_at(std::uint32_t address, Span kind) const;
+    void give_span(std::uint32_t address, Span kind, std::uint64_t ns);
+    std::pair<std::int64_t, std::uint64_t> wait_for(std::int64_t span_ns, bool at_console,
+                                                    const std::function<std::int64_t()>& look);
+    bool is_readable(int fd) const;
+    std::int64_t select(const Arguments&, Span kind);
+    std::int64_t poll(std::uint32_t list, std::uint32_t count, std::int64_t span_ns);
+
     // kernel_process.cpp
     Result sys_exit(const Arguments&);
     Result sys_set_tls(const Arguments&);

@@ -44,7 +44,10 @@ LinuxKernel::Result LinuxKernel::sys_close(const Arguments& a) { return files_.c
 LinuxKernel::Result LinuxKernel::sys_read(const Arguments& a) {
     const std::uint32_t count = std::min(a[2], MOST_BYTES);
     std::uint8_t* to = memory_.bytes(a[1], count, arm_access::WRITE);
-    return to ? files_.read(fd_of(a[0]), to, count) : -EFAULT;
+    if (!to) return -EFAULT;
+    const int fd = fd_of(a[0]), flags = files_.flags(fd);
+    if (flags >= 0 && (flags & arm_open::NONBLOCK) && !is_readable(fd)) return -EAGAIN;
+    return files_.read(fd, to, count);
 }
 
 LinuxKernel::Result LinuxKernel::sys_write(const Arguments& a) {
@@ -117,7 +120,7 @@ LinuxKernel::Result LinuxKernel::sys_fcntl(const Arguments& a) {
         case arm_fcntl::GETFD: return files_.close_on_exec(fd);
         case arm_fcntl::SETFD: return files_.set_close_on_exec(fd, a[2] & 1);
         case arm_fcntl::GETFL: return files_.flags(fd);
-        case arm_fcntl::SETFL: return std::min(files_.flags(fd), 0);
+        case arm_fcntl::SETFL: return files_.set_flags(fd, a[2]);
         default: return -EINVAL;
     }
 }

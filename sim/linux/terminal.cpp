@@ -11,6 +11,7 @@ constexpr char END = 4, BACKSPACE = 8, DELETE = 127;
 constexpr std::size_t LOCAL = 12, VMIN = 17 + 6;  // bytes of struct termios
 constexpr std::uint8_t ICANON = 2, ECHO = 8;
 const sc_core::sc_time character_time{1, sc_core::SC_MS};
+const sc_core::sc_time forever{8'640'000, sc_core::SC_SEC};  // 100 days; SystemC's time is finite
 
 // struct termios of a console at 115,200 baud: modes, line discipline, control characters.
 Terminal::Settings console_settings() {
@@ -54,6 +55,24 @@ std::uint32_t Terminal::ready() const {
     return arrived(count) ? static_cast<std::uint32_t>(count) : 0;
 }
 
+bool Terminal::readable() const { return ready() > 0 || (closed_ && unit() == 0); }
+
+// Until something is typed that was not there, or what was typed has arrived.
+void Terminal::doze(const sc_core::sc_time& at_most) {
+    const std::size_t count = unit();
+    waits_ = true;
+    if (count == 0)
+        outside_.sleep_until(more_, at_most);
+    else
+        outside_.sleep(std::min(at_most, typed_[count - 1].at - outside_.now()));
+    waits_ = false;
+}
+
+void Terminal::wait(const sc_core::sc_time& at_most) {
+    const sc_core::sc_time end = outside_.now() + at_most;
+    while (!readable() && outside_.now() < end) doze(end - outside_.now());
+}
+
 std::int64_t Terminal::take(char* to, std::size_t bytes) {
     const std::size_t count = std::min(bytes, line_.size());
     std::memcpy(to, line_.data(), count);
@@ -68,12 +87,7 @@ std::int64_t Terminal::read(char* to, std::size_t bytes) {
     while (!arrived(count = unit())) {
         if (count == 0 && closed_) return 0;
         if (!by_line() && settings[VMIN] == 0) return 0;
-        waits_ = true;
-        if (count == 0)
-            outside_.sleep_until(more_);
-        else
-            outside_.sleep(typed_[count - 1].at - outside_.now());
-        waits_ = false;
+        doze(forever);
     }
     for (; count > 0; --count) {
         const char c = typed_.front().character;

@@ -6,7 +6,7 @@
 // ECHO off nothing is echoed (TCSETS).  A carriage return is a newline.
 //
 // Not handled: the echo comes when the line is read, not when it is typed; signals by ^C and ^Z;
-// VTIME, O_NONBLOCK; windows, modems and speeds are remembered and mean nothing.
+// VTIME; windows, modems and speeds are remembered and mean nothing.
 #pragma once
 
 #include <array>
@@ -23,11 +23,11 @@ class Terminal {
 public:
     using Settings = std::array<std::uint8_t, 36>;  // the kernel's struct termios
 
-    // `sleep` lets simulated time go by in the program: so long, or until the event.
+    // `sleep` lets simulated time go by in the program: so long; `sleep_until` the event.
     struct Outside {
         std::function<sc_core::sc_time()> now;  // the program's
         std::function<void(const sc_core::sc_time&)> sleep;
-        std::function<void(const sc_core::sc_event&)> sleep_until;
+        std::function<void(const sc_core::sc_event&, const sc_core::sc_time& at_most)> sleep_until;
         std::function<void(char)> echo;
     };
     explicit Terminal(Outside outside);
@@ -38,6 +38,8 @@ public:
     // As read(2): waits for a line, or with ICANON off for a character.
     std::int64_t read(char* to, std::size_t bytes);
     std::uint32_t ready() const;  // characters that could be read at once
+    bool readable() const;        // read() would not wait: there are some, or never will be
+    void wait(const sc_core::sc_time& at_most);  // until it is readable
     bool waits() const { return waits_; }
 
     Settings settings;
@@ -51,6 +53,7 @@ private:
     bool by_line() const;
     bool arrived(std::size_t count) const;
     std::size_t unit() const;
+    void doze(const sc_core::sc_time& at_most);
     std::int64_t take(char* to, std::size_t bytes);
 
     Outside outside_;

@@ -25,6 +25,14 @@ TEST_F(AstrayProgram, FailsInItsData) {
                       HasSubstr("PC 0x00020000"), HasSubstr("called from test_goes_into_data")));
 }
 
+TEST_F(AstrayProgram, FailsInItsDataBeforeTheFirstInstruction) {
+    EXPECT_THAT(
+        fault_of("test_returns_from_its_data"),
+        AllOf(HasSubstr("the program went into its data, .data, at 0."), HasSubstr("PC 0x00020008"),
+              HasSubstr("called from test_returns_from_its_data")));
+    EXPECT_LE(system->cpu.counts().instructions, 20u);
+}
+
 TEST_F(AstrayProgram, FailsWhereItsDataIsNoInstruction) {
     EXPECT_THAT(fault_of("test_comes_to_a_wrong_instruction_in_data"),
                 AllOf(HasSubstr("the program went into its data, .data, at 0."),

@@ -127,6 +127,37 @@ TEST_F(LinuxProgram, TakesCharactersAsTheyComeWhenItAsksTheTerminalTo) {
     EXPECT_EQ(console(), "[w]\n[a]\n[q]\n");
 }
 
+TEST_F(LinuxProgram, LooksForAKeyInItsLoopWithoutWaiting) {
+    for (const std::string how : {"select", "poll", "read"}) {
+        const tb::Outcome outcome = linux_run("game", {how}, {},
+                                              "steps:\n  - delay: 50ms\n"
+                                              "  - expect-leds: \"0000100000\"\n"
+                                              "  - type-serial: \"aad\"\n  - delay: 90ms\n"
+                                              "  - expect-leds: \"0001000000\"\n"
+                                              "  - delay: 55ms\n  - type-serial: \"q\"\n"
+                                              "  - wait-serial: over\n  - delay: 1ms\n");
+        EXPECT_EQ(outcome.exit_code, 0) << how << outcome.err;
+        EXPECT_EQ(console(), "over after 11 pictures\n") << how;
+        EXPECT_THAT(report()["log"]["first"], IsEmpty()) << how;
+    }
+}
+
+TEST_F(LinuxProgram, WaitsForAKeyAsLongAsItSays) {
+    const tb::Outcome outcome = linux_run("game", {"waits"}, {},
+                                          "steps:\n  - wait-serial: type\n  - delay: 40ms\n"
+                                          "  - type-serial: \"ab\"\n  - delay: 40ms\n"
+                                          "  - type-serial: \"\\n\"\n"
+                                          "  - wait-serial: \"poll: 2, \"\n  - delay: 1ms\n");
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_EQ(console(),
+              "select: 0 after 50 ms, 0 us left\npoll: 0 after 30 ms\ntype\n"
+              "select: 1, in time\npoll: 1\nab\nread: 3\nselect: 0\npoll: 2, 1, 1\n");
+    EXPECT_NEAR(report()["expectations"][1]["time_s"].get<double>() -
+                    report()["expectations"][0]["time_s"].get<double>(),
+                0.081, 0.0005)
+        << "when the line is there";
+}
+
 TEST_F(LinuxProgram, WithoutAScenarioHasAnInputThatIsAtItsEnd) {
     EXPECT_EQ(de1sim({LINUX_PROGRAMS "asks", "--quiet", "--out", out.string()}).exit_code, 0);
     EXPECT_EQ(console(), "Number? no more\n");

@@ -39,6 +39,8 @@ ArmCore::Engine::Engine(ArmCore& core_, ArmBus& bus_)
     jit = std::make_unique<Dynarmic::A32::Jit>(config);
 }
 
+const bool ArmCore::TELLS_OF_MASKS = true;
+
 ArmCore::ArmCore(ArmBus& bus) : engine_{std::make_unique<Engine>(*this, bus)} {}
 ArmCore::~ArmCore() = default;
 
@@ -133,7 +135,10 @@ void ArmCore::Engine::ExceptionRaised(std::uint32_t pc, Dynarmic::A32::Exception
         case Exception::PreloadData:
         case Exception::PreloadDataWithIntentToWrite:
         case Exception::PreloadInstruction: return;
-        case Exception::WaitForInterrupt: event = Event::HINT_WFI; break;
+        case Exception::WaitForInterrupt:
+            if (bus.passes_wfi()) return;
+            event = Event::HINT_WFI;
+            break;
         case Exception::WaitForEvent: event = Event::HINT_WFE; break;
         case Exception::Breakpoint: event = Event::BREAKPOINT; break;
         case Exception::NoExecuteFault: event = Event::NO_CODE; break;

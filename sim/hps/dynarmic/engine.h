@@ -16,6 +16,7 @@
 #include <optional>
 #include <unordered_map>
 #include <unordered_set>
+#include <utility>
 #include <vector>
 
 #include "sim/hps/arm_core.h"
@@ -111,6 +112,8 @@ struct ArmCore::Engine final : Dynarmic::A32::UserCallbacks {
     // ---- fetch.cpp ----
 
     std::optional<std::uint16_t> half_of_code(std::uint32_t address);
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> forbidden;  // base and size
+    bool is_forbidden(std::uint32_t address) const;
     bool user_may(std::uint32_t address, unsigned right) const;
     void forget_privileged_code();
     std::unordered_set<std::uint32_t> privileged_code;  // virtual page numbers

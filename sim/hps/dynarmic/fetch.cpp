@@ -21,7 +21,19 @@ constexpr std::uint32_t THUMB_CALL = 0xDF00, MOST_THUMB = 0xFF;
 
 }  // namespace
 
+void ArmCore::forbid_code(std::uint32_t base, std::uint32_t size) {
+    engine_->forbidden.emplace_back(base, size);
+    engine_->forget_code(base, size);
+}
+
+bool ArmCore::Engine::is_forbidden(std::uint32_t address) const {
+    for (const auto& [base, size] : forbidden)
+        if (address - base < size) return true;
+    return false;
+}
+
 std::optional<std::uint16_t> ArmCore::Engine::half_of_code(std::uint32_t address) {
+    if (is_forbidden(address)) return std::nullopt;
     const PageTable::Page& page = page_of(address);
     if (!page.code || !(page.access & arm_access::EXECUTE)) return std::nullopt;
     std::uint16_t half;
@@ -91,6 +103,7 @@ std::optional<std::uint32_t> ArmCore::Engine::MemoryReadCode(std::uint32_t addre
                block.instructions <= (block.thumb ? MOST_THUMB : MOST_ARM);
         if (!call) return std::nullopt;
     }
+    if (is_forbidden(second_half ? address : block.next)) return std::nullopt;
     const PageTable::Page& page = page_of(address);
     if (!page.code || !(page.access & arm_access::EXECUTE)) return std::nullopt;
     if (!user_may(address, arm_access::EXECUTE)) privileged_code.insert(address >> 12);

@@ -50,6 +50,7 @@ void ArmCore::Engine::set_cpsr(std::uint32_t value) {
         if (is == arm_mode::USR) forget_privileged_code();
         if (other_rights && floating_point_rights() == 1) forget_mappings();
     }
+    if (jit->Cpsr() & ~value & (arm_cpsr::I | arm_cpsr::F)) bus.unmasked();
     jit->SetCpsr(value);
 }
 

@@ -23,6 +23,8 @@ unsigned hint(const ArmCore& core) {
 
 }  // namespace
 
+const bool ArmCore::TELLS_OF_MASKS = false;
+
 struct ArmCore::Engine::Hooks {
     // Before every instruction.  Costs most of what this simulator takes, and buys exactness: it
     // makes Unicorn keep the program counter right, in bus accesses too.
@@ -34,6 +36,12 @@ struct ArmCore::Engine::Hooks {
         }
         Engine& e = *core.engine_;
         const auto pc = static_cast<std::uint32_t>(address);
+        for (const auto& [base, size] : e.forbidden)
+            if (pc - base < size) {
+                e.exception = EXCP_PREFETCH_ABORT;
+                uc_emu_stop(uc);
+                return;
+            }
         if (!e.probed.empty() && e.probed.count(pc) && e.probe->before(pc)) {
             core.limit_ = core.count_;
             uc_emu_stop(uc);

@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <string>
 #include <unordered_set>
+#include <utility>
 #include <vector>
 
 #include "sim/hps/arm_core.h"
@@ -44,6 +45,7 @@ struct ArmCore::Engine {
     bool watched = false;  // the access in progress is not to be done
     std::vector<Ram> ram;
     std::vector<std::unique_ptr<Window>> windows;
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> forbidden;  // to fetch from: base and size
 
     struct Hooks;
     explicit Engine(ArmBus& bus_) : bus{bus_} {

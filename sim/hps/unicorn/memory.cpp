@@ -23,6 +23,10 @@ void ArmCore::unmap(std::uint32_t base, std::uint64_t size) {
                   windows.end());
 }
 
+void ArmCore::forbid_code(std::uint32_t base, std::uint32_t size) {
+    engine_->forbidden.emplace_back(base, size);
+}
+
 std::optional<std::uint32_t> ArmCore::bus_address(std::uint32_t address) const {
     for (const auto& window : engine_->windows)
         if (address - window->base < window->size)

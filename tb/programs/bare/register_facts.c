@@ -1,7 +1,5 @@
-// register_facts.c - what programs may rely on of the registers, one fact after the other.
-//
-// All LEDs: every fact holds.  Otherwise the LEDs show the number of the first one that does not.
-#include "registers.h"
+// register_facts.c - what programs may rely on of the registers
+#include "facts.h"
 
 #define JP2 REGISTER(0xFF200070)
 #define JP2_DIRECTION REGISTER(0xFF200074)
@@ -12,14 +10,7 @@
 #define ON_CHIP_RAM 0xFFFF0000
 #define A9_TIMER_COUNTER REGISTER(0xFFFEC604)
 
-enum { DEPTH = 128, ALL_LEDS = 0x3FF };
-
-static void fact(uint32_t number, int holds) {
-    if (holds) return;
-    LEDR = number;
-    for (;;) {
-    }
-}
+enum { DEPTH = 128 };
 
 static void ports(void) {
     LEDR = 0xFFFFFFFF;

@@ -17,6 +17,11 @@
     blx r0
     done
 
+    program test_returns_from_its_data
+    ldr r0, =harmless
+    blx r0
+    done
+
     program test_comes_to_a_wrong_instruction_in_data
     ldr r0, =wrong
     blx r0
@@ -102,5 +107,8 @@ table:
     b .
 wrong:
     udf #3
+harmless:
+    add r1, r1, #1
+    bx lr
     .space 128
 stack_in_data:

@@ -34,7 +34,8 @@ public:
 
     std::vector<std::uint8_t> ram = std::vector<std::uint8_t>(RAM + 0x1000);
     std::vector<Access> accesses;
-    std::function<void()> on_access = [] {};
+    std::function<void()> on_access = [] {}, on_unmasked = [] {};
+    bool interrupt_waits = false;
     sim::ArmCore core{*this};
 
     Bench() {
@@ -72,6 +73,8 @@ public:
         note(address, bytes, true, bytes == 4 ? value : value & ((1u << 8 * bytes) - 1));
         return true;
     }
+    bool passes_wfi() override { return interrupt_waits; }
+    void unmasked() override { on_unmasked(); }
 
 private:
     void note(std::uint32_t address, unsigned bytes, bool is_write, std::uint32_t value) {

@@ -24,6 +24,7 @@ struct Both {
 };
 
 constexpr Both cps(std::uint32_t mode) { return {0xF1020000 | mode, 0xF3AF8100 | mode}; }
+constexpr Both CPSIE_I{0xF1080080, 0xB662}, CPSID_I{0xF10C0080, 0xB672};
 // MSR CPSR_, r1 and MSR SPSR_, r1; fields c, x, s, f are bits 0 to 3.
 constexpr Both msr_cpsr(unsigned fields) {
     return {0xE120F001 | fields << 16, 0xF3818000 | fields << 8};

@@ -1,0 +1,66 @@
+// A bus on which an interrupt waits, masked: what run() asks and tells it (ARM DDI 0406C, B1.8.13).
+#include <gmock/gmock.h>
+
+#include "tb/sim/arm_core/system_bench.h"
+
+namespace {
+
+using namespace tb::core;
+using sim::ArmStop;
+
+class WaitingInterrupt : public SystemTest {
+protected:
+    WaitingInterrupt() { bench.interrupt_waits = true; }
+
+    // WFI, and back to it.
+    void put_sleepers_loop() {
+        if (thumb())
+            bench.put_halves(AT, {0xBF30, 0xE7FD});
+        else
+            bench.put(AT, {0xE320F003, 0xEAFFFFFD});
+        set(15, AT);
+    }
+};
+
+TEST_P(WaitingInterrupt, HasWfiGoOnWithoutLeavingTheTranslatedCode) {
+    put_sleepers_loop();
+    EXPECT_EQ(bench.core.run(1001), ArmStop::LIMIT);
+    EXPECT_EQ(bench.core.instructions(), 1001u);
+    EXPECT_EQ(bench.core.pc(), AT + (thumb() ? 2 : 4));
+    bench.interrupt_waits = false;
+    EXPECT_EQ(bench.core.run(1001), ArmStop::WFI);
+    EXPECT_EQ(bench.core.instructions(), 1003u);
+}
+
+TEST_P(WaitingInterrupt, IsToldOfByTheInstructionThatLetsItIn) {
+    unsigned told = 0;
+    bench.on_unmasked = [&] { ++told; };
+    bench.interrupt_waits = false;
+    become(SVC | I | F);
+    told = 0;
+    done(CPSID_I);
+    EXPECT_EQ(told, 0u);
+    done(CPSIE_I);
+    EXPECT_EQ(told, 1u);
+    done(CPSIE_I);
+    EXPECT_EQ(told, 1u) << "nothing was masked";
+    set(1, SVC | I);
+    done(msr_cpsr(1));
+    EXPECT_EQ(told, 2u) << "F";
+}
+
+TEST_P(WaitingInterrupt, CanStopTheRunBehindThatInstruction) {
+    bench.interrupt_waits = false;
+    become(SVC | I | F);
+    bench.on_unmasked = [&] { bench.core.stop_soon(); };
+    put(CPSIE_I);
+    set(15, AT);
+    EXPECT_EQ(bench.core.run(1000), ArmStop::LIMIT);
+    EXPECT_EQ(bench.core.pc(), AT + (thumb() ? 2 : 4));
+    EXPECT_EQ(cpsr() & (I | F), F);
+}
+
+INSTANTIATE_TEST_SUITE_P(EachWay, WaitingInterrupt,
+                         ::testing::Combine(::testing::Bool(), ::testing::Bool()), name_of_way);
+
+}  // namespace

@@ -1,0 +1,74 @@
+// lost_accesses.h: what a program is told that it writes or reads in vain.
+#include <gmock/gmock.h>
+
+#include <string>
+
+#include "regmap.h"
+#include "sim/board/lost_accesses.h"
+
+namespace {
+
+using ::testing::HasSubstr;
+
+class LostAccesses : public ::testing::Test {
+protected:
+    sim::LostAccesses lost;
+
+    std::string write(std::uint32_t address, unsigned bytes = 4) {
+        return lost.look(address, bytes, true).value_or("");
+    }
+    std::string read(std::uint32_t address, unsigned bytes = 4) {
+        return lost.look(address, bytes, false).value_or("");
+    }
+};
+
+TEST_F(LostAccesses, BehindTheOnChipMemoryAreSaidOnceForWritesAndOnceForReads) {
+    EXPECT_EQ(write(0xC803FFFC), "");
+    EXPECT_EQ(write(0xC8040000),
+              "wrote 0xC8040000: the on-chip memory ends at 0xC803FFFF; the write is lost, on the "
+              "board it would change the SDRAM at 0xC0040000");
+    EXPECT_EQ(write(0xC8041000), "");
+    EXPECT_EQ(read(0xC807FFFE, 2),
+              "read 0xC807FFFE: the on-chip memory ends at 0xC803FFFF; it reads 0, on the board it "
+              "would be of the SDRAM at 0xC007FFFE");
+    EXPECT_EQ(read(0xC8040000), "");
+}
+
+TEST_F(LostAccesses, AreThoseOfABurstThatRunsOverTheEnd) {
+    EXPECT_EQ(write(0xC803FFC0, 64), "");
+    EXPECT_THAT(write(0xC803FFE0, 64), HasSubstr("wrote 0xC8040000: "));
+}
+
+TEST_F(LostAccesses, AreNoneInTheMemories) {
+    for (const std::uint32_t address :
+         {0xC0000000u, 0xC3FFFFFCu, 0xC8000000u, 0xC9000000u, 0xC9000050u, 0xC9001FFCu}) {
+        EXPECT_EQ(write(address), "");
+        EXPECT_EQ(read(address), "");
+    }
+}
+
+TEST_F(LostAccesses, AreWhereABlockHasNoRegister) {
+    EXPECT_EQ(write(0xFF200054), "wrote 0xFF200054: KEY has no register there; the write is lost");
+    EXPECT_EQ(read(0xFF200055, 1), "read 0xFF200054: KEY has no register there; it reads 0");
+    EXPECT_THAT(write(0xFF202018), HasSubstr("TIMER0 has no register there"));
+    EXPECT_THAT(write(0xFF202038), HasSubstr("TIMER1 has no register there"));
+}
+
+TEST_F(LostAccesses, AreWritesToReadOnlyRegisters) {
+    EXPECT_EQ(write(0xFF200050), "wrote 0xFF200050: KEY_DATA is read-only; the write is lost");
+    EXPECT_EQ(write(0xFF203028),
+              "wrote 0xFF203028: PIXEL_RESOLUTION is read-only; the write is lost");
+    EXPECT_EQ(read(0xFF200050), "");
+}
+
+TEST_F(LostAccesses, AreNoneAtRegisters) {
+    for (const regmap::Reg& reg : regmap::REGS) {
+        EXPECT_EQ(read(reg.addr), "") << reg.name;
+        if (reg.access == regmap::Access::RO) continue;
+        EXPECT_EQ(write(reg.addr), "") << reg.name;
+    }
+}
+
+TEST_F(LostAccesses, AreNotLookedForBetweenTheBlocks) { EXPECT_EQ(write(0xFF2FF000), ""); }
+
+}  // namespace
