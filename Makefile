@@ -43,7 +43,7 @@ firmware: configure     ## what the board runs -> build/firmware/collide.elf, co
 	@cmake --build build --target firmware
 
 demo: configure         ## ten seconds of the demo -> out/
-	@cmake --build build --target de1sim firmware
+	@cmake --build build --target de1sim firmware/collide.elf
 	build/bin/de1sim run tb/system/demo.yaml --cpu arm --elf build/firmware/collide.elf --out out
 	@echo
 	@echo "  out/frames/*.png              what the monitor showed (any image viewer)"
