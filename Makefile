@@ -1,7 +1,7 @@
 # The menu. Each entry shows the real command.
 
 .PHONY: all setup configure build firmware demo test fast asan coverage bench bench-collision
-.PHONY: formal formal-mutants synth netlist table1 fuzz instructions pgo qsf bitstream
+.PHONY: formal formal-mutants synth netlist table1 fuzz instructions qsf bitstream
 .PHONY: bitstream-open regmap format clean
 .PHONY: deploy rollback deploy-jtag
 
@@ -96,9 +96,6 @@ bench-collision: setup  ## the broad phases beside their peers (.ci/packages-ben
 	@cmake --preset default > /dev/null
 	@cmake --build build --target bench_collision
 	@build/bin/bench_collision
-
-pgo: setup              ## a faster de1sim, built with a profile of the demo -> build/pgo/bin/de1sim
-	@cmake -P sim/pgo.cmake
 
 # Without CMake, which has Verilator read them.
 regmap: setup           ## print the register map's views, the font, the schema and STEPS.md anew
