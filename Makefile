@@ -1,7 +1,7 @@
 # The menu. Each entry shows the real command.
 
 .PHONY: all build setup help demo test fast asan coverage bench bench-collision firmware package
-.PHONY: formal formal-mutants synth netlist table1 fuzz instructions pgo qsf bitstream
+.PHONY: formal formal-mutants synth netlist table1 fuzz instructions qsf bitstream
 .PHONY: bitstream-open regmap format clean configure everything
 .PHONY: deploy rollback deploy-jtag
 
@@ -51,7 +51,7 @@ firmware:               ## what the board runs -> build/firmware/collide.elf, co
 demo:                   ## ten seconds of the demo -> out/, packages first
 	@.ci/setup tool firmware
 	@.ci/configure FIRMWARE
-	@cmake --build build --target de1sim firmware
+	@cmake --build build --target de1sim firmware_bare
 	build/bin/de1sim run tb/system/demo.yaml --cpu arm --elf build/firmware/collide.elf --out out
 	@echo
 	@echo "  out/frames/*.png              what the monitor showed (any image viewer)"
@@ -113,9 +113,6 @@ instructions: everything ## 10^9 random ones on the processor and QEMU's [ARM_CO
 bench-collision: everything  ## the broad phases beside their peers, those that are installed
 	@cmake --build build --target bench_collision
 	@build/bin/bench_collision
-
-pgo: configure          ## a faster de1sim, built with a profile of the demo -> build/pgo/bin/de1sim
-	@cmake -P sim/pgo.cmake
 
 # The first of them without CMake, which has Verilator read them.
 regmap: configure       ## print the register map's views, the font, the schema and STEPS.md anew

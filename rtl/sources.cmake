@@ -29,7 +29,7 @@ set(OPEN_SOURCES board/de1_soc/open_hps.v board/de1_soc/open_jtag.v board/de1_so
 set(RTL_INCLUDES regmap bus vga)
 
 # What every Verilated class runs on, compiled once: verilate() would do so in each target.
-set(RUNTIME_SOURCES verilated.cpp verilated_threads.cpp)
+set(RUNTIME_SOURCES verilated.cpp verilated_dpi.cpp verilated_threads.cpp)
 if(DE1SIM_COVERAGE)
     list(APPEND RUNTIME_SOURCES verilated_cov.cpp)
 endif()
@@ -67,7 +67,7 @@ function(verilate_rtl target top)
         set_target_properties(${target} PROPERTIES UNITY_BUILD ON)
         target_compile_options(${target} PRIVATE -O1 ${unchecked})
     else()
-        set(flags OPT_FAST ${unchecked} OPT_SLOW ${unchecked})
+        set(flags OPT_FAST ${unchecked} OPT_SLOW -O0 ${unchecked})  # slow: what runs once
     endif()
     # What was made from a file that is gone would ask for it in each configuration.
     set(made ${CMAKE_CURRENT_BINARY_DIR}/CMakeFiles/${target}.dir/V${top}.dir/V${top}_copy.cmake)

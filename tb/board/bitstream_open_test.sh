@@ -35,6 +35,8 @@ cat >"$scratch/tools/nextpnr-mistral" <<'EOT'
 echo "ERROR: unsupported device" >&2
 exit 255
 EOT
+# Yosys would make the same netlist again, for a minute.
+ln -s "$(command -v true)" "$scratch/tools/yosys"
 rm "$out/de1_soc.rbf"
 run "$scratch/tools:$PATH"
 [ $code = 255 ] || fail "no data for the device: exit $code"
