@@ -7,12 +7,13 @@
 //                         +--> jtag uarts  the host's terminal
 //                         +--> adc ------- LTC2308
 //                         +--> irda ------ infrared receiver and LED
+//                         +--> video_in -- ADV7180
 //   h2f_* --> h2f_bridge -+--> video ----- ADV7123
 //                         +--> sdram ----- IS42S16320D
 //
-// Two clock domains: 25 MHz, the pixel clock, and inside audio a multiple of the sample rate.  On
-// the board de1_soc_top.v connects the bridges to the HPS and the pins to the package; in the
-// simulation a TLM target does.
+// Three clock domains: 25 MHz, the pixel clock; inside audio a multiple of the sample rate; inside
+// video_in the decoder's 27 MHz.  On the board de1_soc_top.v connects the bridges to the HPS and
+// the pins to the package; in the simulation a TLM target does.
 //
 // Blocks that sleep together are a group with a clock of its own (fpga_clocks.v).
 
@@ -26,6 +27,8 @@ module fpga #(
     input  wire            clk_audio_i,    // 128 a sample, asynchronous to clk_i; 1.024 MHz, or
     input  wire            rst_audio_i,    // 6.144 MHz with audio_48k_i.  Its reset ends first.
     input  wire            audio_48k_i,    // constant: 48,000 samples a second, not 8,000
+    input  wire            clk_td_i,       // 27 MHz, asynchronous to both
+    input  wire            rst_td_i,       // ends first, too
 
     // For a simulator; on the board all of moved_i is 1, skip_i is 0.
     input  wire [2:0]      moved_i,        // an input has moved since the clock before: bit 0 of
@@ -33,6 +36,7 @@ module fpga #(
     output wire [9:0]      rest_o,         // so many clocks after this one nothing will happen,
     input  wire [9:0]      skip_i,         // so many of them are left out
     output wire            stirs_o,        // in this clock others than the beam can move a pin
+    output wire            td_awake_o,     // clk_td_i could change something
 
     // Lightweight bridge, 0xFF200000, 2 MB: AXI3, 32 bits
     input  wire [ID_W-1:0] lw_awid_i,
@@ -155,6 +159,9 @@ module fpga #(
     input  wire            irda_rxd_i,     // high while it is dark
     output wire            irda_txd_o,     // 1 = light
 
+    // ADV7180; its HS and VS say nothing that the data do not
+    input  wire [7:0]      td_data_i,      // of clk_td_i
+
     // Host's side of the JTAG UARTs, bit or byte n of number n: see jtag_uart.v
     input  wire [1:0]      jtag_take_i,
     output wire [1:0]      jtag_sent_o,
@@ -169,7 +176,8 @@ module fpga #(
     // ---- Time, and who sleeps ---------------------------------------------
     wire        clk, lw_clk, h2f_clk, memory_clk, ports_clk, audio_clk;
     wire        lw_awake, h2f_awake, cells_awake, sdram_awake, audio_awake;
-    wire [9:0]  ports_awake;
+    wire        turns_awake;
+    wire [10:0] ports_awake;
     wire        sdram_due, keypad_due, ps2_due, timer0_due, timer1_due;
     wire        frame_end, cells_clear, cell_fetch, fetch_awake, fetch_due;
     wire [29:0] now;
@@ -182,10 +190,10 @@ module fpga #(
         .lw_wakes_i(lw_awake),
         .h2f_wakes_i(h2f_awake || cells_awake || cells_clear || cell_fetch),
         .memory_wakes_i(fetch_awake || onchip_we != 4'd0 || onchip_re || sdram_awake || sdram_due
-                        || sdram_req),
+                        || sdram_req || turns_awake),
         .fetch_due_i(fetch_due),
         .audio_wakes_i(audio_awake || audio_we || audio_re),
-        .ports_wakes_i(ports_awake != 10'd0 || we != 32'd0 || re != 32'd0 || frame_end
+        .ports_wakes_i(ports_awake != 11'd0 || we != 32'd0 || re != 32'd0 || frame_end
                        || keypad_due || ps2_due || timer0_due || timer1_due),
         .beam_rest_i(beam_rest), .fetch_rest_i(fetch_rest), .sdram_rest_i(sdram_rest),
         .keypad_rest_i(keypad_rest), .ps2_rest_i(ps2_rest),
@@ -201,6 +209,7 @@ module fpga #(
     wire [3:0]  wstrb;
     wire [31:0] ports_rdata, sysid_rdata, vga_rdata, audio_rdata, keypad_rdata, timer0_rdata;
     wire [31:0] timer1_rdata, jtag_rdata, ps2_rdata, adc_rdata, irda_rdata;
+    wire [31:0] video_in_rdata;
 
     lw_bridge #(.ID_W(ID_W)) lw (
         .clk_i(lw_clk), .rst_i(rst_i),
@@ -216,7 +225,7 @@ module fpga #(
         .re_o(re), .raddr_o(raddr),
         .rdata_i(ports_rdata | sysid_rdata | vga_rdata | audio_rdata | keypad_rdata
                  | timer0_rdata | timer1_rdata | jtag_rdata | ps2_rdata | adc_rdata
-                 | irda_rdata),
+                 | irda_rdata | video_in_rdata),
         .awake_o(lw_awake)
     );
 
@@ -251,13 +260,35 @@ module fpga #(
         .awake_o(h2f_awake)
     );
 
-    // ---- SDRAM ------------------------------------------------------------
+    // ---- SDRAM, and what video-in writes to the memories ------------------
+    wire [3:0]  chip_we, dram_wstrb;
+    wire [15:0] chip_windex;
+    wire [31:0] chip_wdata, dram_wdata, camera_wdata;
+    wire [23:0] dram_index, camera_index;
+    wire        dram_req, dram_we, dram_take;
+    wire        camera_onchip, camera_onchip_take, camera_sdram, camera_sdram_take;
+
+    write_turns turns (
+        .clk_i(memory_clk), .rst_i(rst_i),
+        .onchip_busy_i(onchip_we != 4'd0 || cells_we != 4'd0), .onchip_we_i(onchip_we),
+        .onchip_windex_i(onchip_windex), .onchip_wdata_i(onchip_wdata),
+        .req_i(sdram_req), .we_i(sdram_we), .index_i(sdram_index), .wdata_i(sdram_wdata),
+        .wstrb_i(sdram_wstrb), .take_o(sdram_take),
+        .video_onchip_i(camera_onchip), .video_onchip_take_o(camera_onchip_take),
+        .video_sdram_i(camera_sdram), .video_sdram_take_o(camera_sdram_take),
+        .video_index_i(camera_index), .video_wdata_i(camera_wdata),
+        .onchip_we_o(chip_we), .onchip_windex_o(chip_windex), .onchip_wdata_o(chip_wdata),
+        .sdram_req_o(dram_req), .sdram_we_o(dram_we), .sdram_index_o(dram_index),
+        .sdram_wdata_o(dram_wdata), .sdram_wstrb_o(dram_wstrb), .sdram_take_i(dram_take),
+        .awake_o(turns_awake)
+    );
+
     sdram sdram_block (
         .clk_i(memory_clk), .rst_i(rst_i), .now_i(now),
         .screen_req_i(screen_req), .screen_index_i(screen_index), .screen_take_o(screen_take),
         .screen_valid_o(screen_valid),
-        .req_i(sdram_req), .we_i(sdram_we), .index_i(sdram_index), .wdata_i(sdram_wdata),
-        .wstrb_i(sdram_wstrb), .take_o(sdram_take), .valid_o(sdram_valid), .rdata_o(sdram_rdata),
+        .req_i(dram_req), .we_i(dram_we), .index_i(dram_index), .wdata_i(dram_wdata),
+        .wstrb_i(dram_wstrb), .take_o(dram_take), .valid_o(sdram_valid), .rdata_o(sdram_rdata),
         .dram_cs_no(dram_cs_no), .dram_ras_no(dram_ras_no), .dram_cas_no(dram_cas_no),
         .dram_we_no(dram_we_no), .dram_ba_o(dram_ba_o), .dram_addr_o(dram_addr_o),
         .dram_dqm_o(dram_dqm_o), .dram_dq_o(dram_dq_o), .dram_dq_oe_o(dram_dq_oe_o),
@@ -306,8 +337,8 @@ module fpga #(
         .rst_i(rst_i), .now_i(now), .we_i(we[SEL_PIXEL]), .wstrb_i(wstrb), .waddr_i(waddr),
         .wdata_i(wdata), .re_i(re[SEL_PIXEL]), .resampler_re_i(re[SEL_RESAMPLER]),
         .text_we_i(we[SEL_TEXT]), .text_re_i(re[SEL_TEXT]), .raddr_i(raddr), .rdata_o(vga_rdata),
-        .onchip_we_i(onchip_we), .cells_we_i(cells_we), .windex_i(onchip_windex),
-        .onchip_i(onchip_wdata), .onchip_re_i(onchip_re), .rindex_i(onchip_rindex),
+        .onchip_we_i(chip_we), .cells_we_i(cells_we), .windex_i(chip_windex),
+        .onchip_i(chip_wdata), .onchip_re_i(onchip_re), .rindex_i(onchip_rindex),
         .rgrant_o(onchip_grant), .onchip_o(onchip_rdata), .cells_o(cells_rdata),
         .cells_wait_o(cells_wait),
         .sdram_req_o(screen_req), .sdram_index_o(screen_index), .sdram_take_i(screen_take),
@@ -396,6 +427,19 @@ module fpga #(
         .wdata_i(wdata), .re_i(re[SEL_IRDA]), .raddr_i(raddr), .rdata_o(irda_rdata),
         .irq_o(irda_irq), .rxd_i(irda_rxd_i), .txd_o(irda_txd_o),
         .awake_o(ports_awake[9])
+    );
+
+    // ---- Video in ---------------------------------------------------------
+    video_in video_in_block (
+        .clk_i(ports_clk), .rst_i(rst_i), .clk_td_i(clk_td_i), .rst_td_i(rst_td_i),
+        .td_data_i(td_data_i),
+        .we_i(we[SEL_VIDEO_IN]), .edges_we_i(we[SEL_EDGE_DETECTION]), .wstrb_i(wstrb),
+        .waddr_i(waddr), .wdata_i(wdata), .re_i(re[SEL_VIDEO_IN]),
+        .edges_re_i(re[SEL_EDGE_DETECTION]), .raddr_i(raddr), .rdata_o(video_in_rdata),
+        .onchip_req_o(camera_onchip), .onchip_take_i(camera_onchip_take),
+        .sdram_req_o(camera_sdram), .sdram_take_i(camera_sdram_take),
+        .index_o(camera_index), .wdata_o(camera_wdata),
+        .awake_o(ports_awake[10]), .td_awake_o(td_awake_o)
     );
 
     // ---- Interrupts -------------------------------------------------------

@@ -18,7 +18,9 @@ set(RTL_SOURCES
     sysid/sysid.v
     timer/interval_timer.v
     vga/character_store.v vga/line_buffer.v vga/pixel_dma.v vga/pixel_registers.v
-    vga/screen_registers.v vga/vga.v vga/vga_timing.v vga/video.v)
+    vga/screen_registers.v vga/vga.v vga/vga_timing.v vga/video.v
+    video_in/bt656_rx.v video_in/sobel.v video_in/video_capture.v video_in/video_in.v
+    video_in/video_writer.v video_in/write_turns.v video_in/ycbcr_to_rgb.v)
 # Only on the board: pins, clock, processor.
 set(BOARD_SOURCES
     board/de1_soc/audio_clock.v board/de1_soc/clock_reset.v board/de1_soc/de1_soc_top.v

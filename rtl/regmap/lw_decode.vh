@@ -26,6 +26,8 @@ function [31:0] line_of;
         line_of[SEL_RESAMPLER] = addr[20:4] == RESAMPLER_BASE[20:4];
         line_of[SEL_PIXEL] = addr[20:4] == PIXEL_BASE[20:4];
         line_of[SEL_TEXT] = addr[20:4] == TEXT_BASE[20:4];
+        line_of[SEL_VIDEO_IN] = addr[20:4] == VIDEO_IN_BASE[20:4];
+        line_of[SEL_EDGE_DETECTION] = addr[20:4] == EDGE_DETECTION_BASE[20:4];
         line_of[SEL_AV_CONFIG] = addr[20:4] == AV_CONFIG_BASE[20:4];
         line_of[SEL_AUDIO] = addr[20:4] == AUDIO_BASE[20:4];
         line_of[SEL_ADC] = addr[20:5] == ADC_BASE[20:5];

@@ -1,7 +1,7 @@
 // regmap.vh - generated from regmap.def by `make regmap`; do not edit.
 // Every module uses a few of these constants.
 // verilator lint_off UNUSEDPARAM
-localparam [31:0] REGMAP_HASH = 32'h0af75103;
+localparam [31:0] REGMAP_HASH = 32'hbe845bcc;
 
 // Select lines of the lightweight bridge.
 localparam SEL_LEDR = 0;
@@ -22,11 +22,13 @@ localparam SEL_SYSID = 14;
 localparam SEL_RESAMPLER = 15;
 localparam SEL_PIXEL = 16;
 localparam SEL_TEXT = 17;
-localparam SEL_AV_CONFIG = 18;
-localparam SEL_AUDIO = 19;
-localparam SEL_ADC = 20;
-localparam SEL_KEYPAD = 21;
-localparam SEL_CODEC = 22;
+localparam SEL_VIDEO_IN = 18;
+localparam SEL_EDGE_DETECTION = 19;
+localparam SEL_AV_CONFIG = 20;
+localparam SEL_AUDIO = 21;
+localparam SEL_ADC = 22;
+localparam SEL_KEYPAD = 23;
+localparam SEL_CODEC = 24;
 
 localparam [31:0] SDRAM_BASE = 32'hc0000000;
 localparam [31:0] SDRAM_SIZE = 32'h04000000;
@@ -302,6 +304,30 @@ localparam TEXT_STATUS_A_LSB = 1;
 localparam TEXT_STATUS_A_W = 1;
 localparam TEXT_STATUS_EN_LSB = 2;
 localparam TEXT_STATUS_EN_W = 1;
+
+localparam [31:0] VIDEO_IN_BASE = 32'hff203060;
+localparam [31:0] VIDEO_IN_SIZE = 32'h00000010;
+localparam [31:0] VIDEO_IN_BUFFER = 32'hff203060;
+localparam [31:0] VIDEO_IN_BUFFER_RESET = 32'hc8000000;
+localparam [31:0] VIDEO_IN_BACK_BUFFER = 32'hff203064;
+localparam [31:0] VIDEO_IN_BACK_BUFFER_RESET = 32'hc8000000;
+localparam [31:0] VIDEO_IN_RESOLUTION = 32'hff203068;
+localparam [31:0] VIDEO_IN_RESOLUTION_RESET = 32'h00f00140;
+localparam [31:0] VIDEO_IN_STATUS = 32'hff20306c;
+localparam [31:0] VIDEO_IN_STATUS_RESET = 32'h08090f00;
+localparam VIDEO_IN_STATUS_S_LSB = 0;
+localparam VIDEO_IN_STATUS_S_W = 1;
+localparam VIDEO_IN_STATUS_A_LSB = 1;
+localparam VIDEO_IN_STATUS_A_W = 1;
+localparam VIDEO_IN_STATUS_EN_LSB = 2;
+localparam VIDEO_IN_STATUS_EN_W = 1;
+
+localparam [31:0] EDGE_DETECTION_BASE = 32'hff203070;
+localparam [31:0] EDGE_DETECTION_SIZE = 32'h00000010;
+localparam [31:0] EDGE_DETECTION_CONTROL = 32'hff203070;
+localparam [31:0] EDGE_DETECTION_CONTROL_RESET = 32'h00000000;
+localparam EDGE_DETECTION_CONTROL_ON_LSB = 0;
+localparam EDGE_DETECTION_CONTROL_ON_W = 1;
 
 localparam [31:0] AV_CONFIG_BASE = 32'hff203000;
 localparam [31:0] AV_CONFIG_SIZE = 32'h00000010;

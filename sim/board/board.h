@@ -4,6 +4,7 @@
 //                     +- Peripherals (GIC, timers, UART0, GPIO1, managers, on-chip RAM)
 //                     +- Fpga lw, h2f --pins--+- Monitor   (VGA)
 //                                             +- Wm8731    (audio)  <-- SoundSource
+//                                             +- Adv7180   (video in)
 //                                             +- Ltc2308   (AD converter)
 //                                             +- Is42s16320d  (SDRAM)
 //                                             +- Keypad    (JP1 D7-D0)
@@ -21,6 +22,7 @@
 #include <string>
 #include <variant>
 
+#include "sim/board/adv7180.h"
 #include "sim/board/header.h"
 #include "sim/board/is42s16320d.h"
 #include "sim/board/jtag_host.h"
@@ -121,6 +123,7 @@ private:
     void lamps(const LampPins& pins, std::uint64_t time_ps) override;
     void ps2(unsigned clk_low, unsigned dat_low, FabricInputs& in) override;
     void jtag_byte(unsigned number, char byte, FabricInputs& in) override;
+    std::uint8_t td_data(std::uint64_t rise) override { return video_decoder.data(rise); }
     void header_wires(FabricInputs& in);
     void ps2_wires(FabricInputs& in) const;
 
@@ -138,6 +141,7 @@ public:  // the parts, in the order in which they are soldered
     Monitor monitor;
     SoundSource line_in, microphone;
     Wm8731 codec_chip;
+    Adv7180 video_decoder;
     Ltc2308 adc_chip;
     Is42s16320d sdram_chip;
     Keypad keypad;

@@ -49,7 +49,10 @@ struct Fabric::Model {
 };
 
 Fabric::Fabric(PinListener& pins, const std::string& trace_file, unsigned audio_rate)
-    : pins_{pins}, model_{std::make_unique<Model>()}, audio_clock_{audio_rate} {
+    : pins_{pins},
+      model_{std::make_unique<Model>()},
+      audio_clock_{audio_clock(audio_rate)},
+      td_clock_{decoder_clock()} {
     Vfpga& top = model_->top;
 #ifdef DE1SIM_TRACE
     if (!trace_file.empty()) {
@@ -65,14 +68,17 @@ Fabric::Fabric(PinListener& pins, const std::string& trace_file, unsigned audio_
     model_->lw.bready = model_->lw.rready = model_->h2f.bready = model_->h2f.rready = 1;
     constexpr std::uint8_t all = LIGHTWEIGHT | FULL | PINS;
     top.audio_48k_i = audio_rate == 48'000;
-    top.rst_i = top.rst_audio_i = 1;
-    for (int i = 0; i < 2; ++i) {  // on the board too this reset ends first
-        top.clk_audio_i = 1;
+    top.rst_i = top.rst_audio_i = top.rst_td_i = 1;
+    for (int i = 0; i < 2; ++i) {  // on the board too these resets end first
+        top.clk_audio_i = top.clk_td_i = 1;
         top.eval();
-        top.clk_audio_i = 0;
+        top.clk_audio_i = top.clk_td_i = 0;
         top.eval();
     }
-    top.rst_audio_i = 0;
+    top.rst_audio_i = top.rst_td_i = 0;
+#ifdef DE1SIM_EVERY_CLOCK
+    td_on_ = true;
+#endif
     for (int i = 0; i < 8; ++i) {
         moved_ = all;
         clock(1);
@@ -129,34 +135,68 @@ inline void Fabric::Model::eval([[maybe_unused]] std::uint64_t time_ps) {
 #endif
 }
 
-// What the audio clock does before so many halves of the fabric's have passed.
-inline void Fabric::audio_edges(std::uint64_t halves) {
-    Vfpga& top = model_->top;
-    while (audio_clock_.before(halves)) {
-        const std::uint64_t time_ps = audio_clock_.time_ps();
-        const bool rises = audio_clock_.rises();
-        top.clk_audio_i = rises;
-        if (rises) top.aud_adcdat_i = in.adcdat;
-        model_->eval(time_ps);
-        if (rises) tell_codec(time_ps);
-        audio_clock_.next();
-#ifndef DE1SIM_EVERY_CLOCK
-        top.clk_audio_i = 0;  // changes nothing: the next eval() will do
-        audio_clock_.next();
-#endif
+// What the other clocks do before so many halves of the fabric's have passed.
+inline void Fabric::other_edges(std::uint64_t halves) {
+    for (;;) {
+        const bool audio = audio_clock_.before(halves), td = td_on_ && td_clock_.before(halves);
+        if (td && !(audio && audio_clock_.time_ps() < td_clock_.time_ps()))
+            td_edge();
+        else if (audio)
+            audio_edge();
+        else
+            break;
     }
 }
 
+void Fabric::audio_edge() {
+    Vfpga& top = model_->top;
+    const std::uint64_t time_ps = audio_clock_.time_ps();
+    const bool rises = audio_clock_.rises();
+    top.clk_audio_i = rises;
+    if (rises) top.aud_adcdat_i = in.adcdat;
+    model_->eval(time_ps);
+    if (rises) tell_codec(time_ps);
+    audio_clock_.next();
+#ifndef DE1SIM_EVERY_CLOCK
+    top.clk_audio_i = 0;  // changes nothing: the next eval() will do
+    audio_clock_.next();
+#endif
+}
+
+void Fabric::td_edge() {
+    Vfpga& top = model_->top;
+    const std::uint64_t time_ps = td_clock_.time_ps();
+    const bool rises = td_clock_.rises();
+    if (std::exchange(td_falls_, false)) model_->eval(time_ps);  // rises twice in a clock
+    top.clk_td_i = rises;
+    if (rises) top.td_data_i = pins_.td_data(td_clock_.number());
+    model_->eval(time_ps);
+    td_clock_.next();
+#ifndef DE1SIM_EVERY_CLOCK
+    top.clk_td_i = 0;
+    td_falls_ = true;
+    td_clock_.next();
+#endif
+}
+
+#ifndef DE1SIM_EVERY_CLOCK
+// The decoder's clock goes on as if it had never stopped.
+void Fabric::wake_td() {
+    if (std::exchange(td_on_, model_->top.td_awake_o != 0) || !td_on_) return;
+    td_clock_.skip_to(clocks_);
+}
+#endif
+
 // Runs one clock, and leaves out those after it in which nothing happens: `most` in all, and none
-// behind the next edge of the audio clock.  Returns how many have passed.
+// behind the next edge of another clock.  Returns how many have passed.
 inline std::uint64_t Fabric::clock([[maybe_unused]] std::uint64_t most) {
     Vfpga& top = model_->top;
 #ifdef DE1SIM_EVERY_CLOCK
-    audio_edges(2 * clocks_ + 1);
+    other_edges(2 * clocks_ + 1);
     top.clk_i = 0;  // VGA_CLK rises
     model_->eval(time_ps() + FABRIC_PERIOD_PS / 2);
 #endif
-    audio_edges(2 * clocks_ + 2);
+    other_edges(2 * clocks_ + 2);
     if (std::exchange(look_, false) && (in.jtag.typed || in.jtag.idle || !(in == applied_)))
         apply_inputs();
 #ifdef DE1SIM_EVERY_CLOCK
@@ -165,7 +205,7 @@ inline std::uint64_t Fabric::clock([[maybe_unused]] std::uint64_t most) {
     top.clk_i = 1;
 #else
     const bool stirs = moved_ || top.stirs_o;
-    most = std::min(most, audio_clock_.clocks() - clocks_);
+    most = td_on_ ? 1 : std::min(most, audio_clock_.clocks() - clocks_);
     const std::uint64_t skip = moved_ ? 0 : std::min<std::uint64_t>(top.rest_o, most - 1);
     const std::uint64_t passed = 1 + skip;
     top.skip_i = static_cast<SData>(skip);
@@ -175,6 +215,10 @@ inline std::uint64_t Fabric::clock([[maybe_unused]] std::uint64_t most) {
     moved_ = 0;
     model_->eval(time_ps() + FABRIC_PERIOD_PS);
     clocks_ += passed;
+#ifndef DE1SIM_EVERY_CLOCK
+    td_falls_ = false;
+    if (stirs || td_on_) wake_td();
+#endif
 
     const std::uint32_t sample = static_cast<std::uint32_t>(top.vga_r_o) << 16 |
                                  static_cast<std::uint32_t>(top.vga_g_o) << 8 | top.vga_b_o |

@@ -1,8 +1,9 @@
 // fabric.h - the Verilated fpga.v as plain C++: its clock, its pins, its two AXI bridges.
 //
-// No SystemC here.  A Fabric is run clock by clock (25 MHz, 40 ns), the audio clock in its own time
-// between them; what leaves by the pins goes to a PinListener, what the board puts on the inputs
-// lies in `in` and counts from the next clock on (adcdat from the audio clock's next rise).
+// No SystemC here.  A Fabric is run clock by clock (25 MHz, 40 ns), the audio clock and the video
+// decoder's in their own time between them; what leaves by the pins goes to a PinListener, what the
+// board puts on the inputs lies in `in` and counts from the next clock on (adcdat from the audio
+// clock's next rise).
 // Clocks in which nothing would happen are left out of the model (rtl/README.md, Sleep), but not of
 // what is told: it is the same as with every one of them.
 #pragma once
@@ -13,7 +14,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/fpga/audio_clock.h"
+#include "sim/fpga/asynchronous_clock.h"
 
 namespace sim {
 
@@ -92,6 +93,9 @@ public:
     virtual void ps2(unsigned clk_low, unsigned dat_low, FabricInputs& in) = 0;
     // JTAG UART `number` has sent a byte; may change `in`.
     virtual void jtag_byte(unsigned number, char byte, FabricInputs& in) = 0;
+    // TD_DATA at a rise of TD_CLK27, the first of which is number 0.  Asked of those alone at which
+    // somebody captures, in their order.
+    virtual std::uint8_t td_data(std::uint64_t /*rise*/) { return 0; }
 
 protected:
     ~PinListener() = default;
@@ -143,7 +147,10 @@ private:
     static constexpr unsigned VIDEO_BATCH = 800, ANSWER_CLOCKS = 10'000;
 
     std::uint64_t clock(std::uint64_t most);  // how many have passed, 1 or more
-    void audio_edges(std::uint64_t halves);
+    void other_edges(std::uint64_t halves);
+    void audio_edge();
+    void td_edge();
+    void wake_td();
     void apply_inputs();
     void tell_pins();
     void tell_codec(std::uint64_t time_ps);
@@ -152,11 +159,13 @@ private:
 
     PinListener& pins_;
     std::unique_ptr<Model> model_;
-    AudioClock audio_clock_;
+    AsynchronousClock audio_clock_, td_clock_;
     FabricInputs applied_;
     bool look_ = true;        // `in` may differ from applied_
     std::uint8_t moved_ = 0;  // inputs since the last clock
     bool sdram_ = false;      // it wants to see the next clock
+    bool td_on_ = false;      // somebody wants the decoder's clock
+    bool td_falls_ = false;   // ... which has fallen since the model was looked at
     std::uint64_t clocks_ = 0;
     std::uint32_t video_[VIDEO_BATCH];
     unsigned video_count_ = 0;

@@ -98,6 +98,11 @@ void Player::play_tone(SoundInput input, double hz, double level) {
 }
 void Player::play_silence(SoundInput input) { source(input).silence(); }
 
+void Player::show_picture(std::shared_ptr<const Image> picture) {
+    board_.fpga.catch_up();
+    board_.video_decoder.show(std::move(picture));
+}
+
 // ---- Eyes and ears ----
 
 Senses& Player::senses() {

@@ -53,6 +53,7 @@ private:
     void play(SoundInput input, std::shared_ptr<const Recording> recording, bool for_ever) override;
     void play_tone(SoundInput input, double hz, double level) override;
     void play_silence(SoundInput input) override;
+    void show_picture(std::shared_ptr<const Image> picture) override;
     Senses& senses() override;
     std::uint16_t ledr() override;
     HexSegments hex() override;

@@ -53,6 +53,8 @@ public:
     virtual void play_tone(SoundInput input, double hz, double level) = 0;
     virtual void play_silence(SoundInput input) = 0;
 
+    virtual void show_picture(std::shared_ptr<const Image> picture) = 0;  // to the camera
+
     // ---- Eyes and ears: what there is now ----
 
     virtual Senses& senses() = 0;

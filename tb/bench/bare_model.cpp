@@ -4,7 +4,7 @@
 #include <chrono>
 
 #include "Vfpga.h"
-#include "sim/fpga/audio_clock.h"
+#include "sim/fpga/asynchronous_clock.h"
 #include "verilated.h"
 
 namespace bench {
@@ -40,7 +40,7 @@ private:
     }
 
     Vfpga& top_;
-    sim::AudioClock audio_{8'000};
+    sim::AsynchronousClock audio_ = sim::audio_clock(8'000);
     std::uint64_t clocks_ = 0;
 };
 

@@ -14,10 +14,11 @@ before it, a reset too:
     rests        with rest_o = r > 0 the clock after that is not due either, and has r - 1 to come
 
 Any other input, such as an address, data or the time, may do what it likes, and so may registers
-of the audio clock, which does not tick in `stays` and `rests`.  Of vga.v, whose clock
-never stops, `rests` says that in the r clocks behind this one nothing changes and nobody is spoken
-to; of timebase.v, `leaps`, that a leap over n + 1 clocks is one over n and a clock.  Of fpga.v with
-the simulation's group_clock.v, `sleeps` is said of each group, and `rests` of all together.
+of the audio clock and the video decoder's, which do not tick in `stays` and `rests`.  Of vga.v,
+whose clock never stops, `rests` says that in the r clocks behind this one nothing changes and
+nobody is spoken to; of timebase.v, `leaps`, that a leap over n + 1 clocks is one over n and a
+clock.  Of fpga.v with the simulation's group_clock.v, `sleeps` is said of each group, and `rests`
+of all together.
 
 0 if all of it holds; with --mutant, which changes a copy of the sources, if some of it does not.
 Where it does not, counterexample.txt in the work folder has a line a signal, and a column a clock.
@@ -64,7 +65,7 @@ class Block:
                        for name, cell in netlist["cells"].items()
                        for port in ("CLK", "WR_CLK") if port in cell["connections"]}
         # Of another clock, which ticks when it likes.
-        self.foreign = self.edges_of("clk_audio_i")
+        self.foreign = self.edges_of("clk_audio_i") + self.edges_of("clk_td_i")
         self.edges = [edge for edge in self.edges if edge not in self.foreign]
 
     def edges_of(self, clock):

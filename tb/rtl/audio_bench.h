@@ -6,7 +6,7 @@
 #include "Vaudio.h"
 #include "regmap.h"
 #include "sim/board/wm8731.h"
-#include "sim/fpga/audio_clock.h"
+#include "sim/fpga/asynchronous_clock.h"
 #include "tb/support/random_registers.h"
 #include "tb/support/register_bus.h"
 
@@ -26,7 +26,7 @@ protected:
 
     std::vector<Pair> heard;  // every frame
     unsigned line_in = 0;     // pairs played in so far
-    sim::AudioClock audio_clock{8'000};
+    sim::AsynchronousClock audio_clock = sim::audio_clock(8'000);
     bool line_in_on = false;
     sim::Wm8731 codec{
         [this](const sim::StereoSample& s, std::uint64_t) { heard.emplace_back(s.left, s.right); },
@@ -48,7 +48,7 @@ protected:
     void TearDown() override { EXPECT_THAT(codec.errors(), ::testing::IsEmpty()); }
 
     void power_on(unsigned rate_hz) {
-        audio_clock = sim::AudioClock{rate_hz};
+        audio_clock = sim::audio_clock(rate_hz);
         dut.fast_i = rate_hz == 48'000;
         dut.i2c_sdat_i = 1;
         dut.rst_i = dut.rst_audio_i = 1;

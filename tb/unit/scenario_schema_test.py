@@ -82,6 +82,7 @@ BAD_STEPS = [
     "press: {key: HPS}", "expect-hps-led: on", "expect-hps-led: {}", "set-pins: {level: low}",
     "set-pins: {jp1: 0}", "set-pins: {jp1: 32, level: low}", "set-pins: {jp1: 0, level: 1}",
     "expect-pins: {jp1: 0, level: released}", "expect-pins: {jp1: [], level: low}",
+    "show-picture: {}", "show-picture: {picture: a.png}",
     "play-tone: {}", "play-tone: 440", "play-tone: {hz: 440, into: ear}", "play-file: {}",
     "play-file: {file: a.wav, repeat: twice}", "play-silence: ear", "play-silence:",
     "wait-frame: 0", "wait-frame: 1000001", "wait-frame: later", "wait-frame: {timeout: 1s}",

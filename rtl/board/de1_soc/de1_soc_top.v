@@ -7,7 +7,7 @@
 // Pins are named as on the board's schematic, so that de1_soc.qsf can be checked against pins.tsv.
 // JP1 and JP2: bits 31:0 are the header's pins 35:19, 17, 15:3, 1; the four others stay open.
 //
-// Not handled: pins of what the system has not (video-in, USB-Blaster); the
+// Not handled: pins of what the system has not (USB-Blaster, the video decoder's HS and VS); the
 // project leaves them as inputs with weak pull-ups.
 
 `default_nettype none
@@ -70,7 +70,11 @@ module de1_soc_top #(
     inout  wire        PS2_DAT2,
 
     input  wire        IRDA_RXD,
-    output wire        IRDA_TXD
+    output wire        IRDA_TXD,
+
+    input  wire        TD_CLK27,     // ADV7180, which needs no set-up
+    input  wire [7:0]  TD_DATA,
+    output wire        TD_RESET_N
 );
     localparam ID_W = 12;
 
@@ -100,6 +104,12 @@ module de1_soc_top #(
     assign PS2_DAT  = ps2_dat_low[0] ? 1'b0 : 1'bz;
     assign PS2_CLK2 = ps2_clk_low[1] ? 1'b0 : 1'bz;
     assign PS2_DAT2 = ps2_dat_low[1] ? 1'b0 : 1'bz;
+
+    // ---- Video decoder: out of its reset, else it drives nothing, its clock neither -----
+    wire rst_td;
+
+    assign TD_RESET_N = 1'b1;
+    reset_sync td_reset_sync (.clk_i(TD_CLK27), .rst_ni(hps_rst_n), .rst_o(rst_td));
 
     // ---- SDRAM: its clock rises in the middle of a command ------------------
     wire [15:0] dram_dq;
@@ -205,10 +215,13 @@ module de1_soc_top #(
         .clk_audio_i          (clk_audio),
         .rst_audio_i          (rst_audio),
         .audio_48k_i          (AUDIO_RATE == 48000),
+        .clk_td_i             (TD_CLK27),
+        .rst_td_i             (rst_td),
         .moved_i              (3'b111),
         .rest_o               (),
         .skip_i               (10'd0),
         .stirs_o              (),
+        .td_awake_o           (),
 
         .lw_awid_i            (lw_awid),
         .lw_awaddr_i          (lw_awaddr),
@@ -321,6 +334,8 @@ module de1_soc_top #(
 
         .irda_rxd_i           (IRDA_RXD),
         .irda_txd_o           (IRDA_TXD),
+
+        .td_data_i            (TD_DATA),
 
         .jtag_take_i          (jtag_take),
         .jtag_sent_o          (jtag_sent),

@@ -43,6 +43,29 @@ static void picture(void) {
     fact(11, *(volatile uint16_t*)0xC800027E == 0x07E0);
 }
 
+static void camera(void) {
+    fact(23, VIDEO_IN_BUFFER == 0xC8000000 && VIDEO_IN_BACK == 0xC8000000);
+    fact(24, VIDEO_IN_RESOLUTION == 0x00F00140 && VIDEO_IN_STATUS == 0x08090F00);
+    EDGE_DETECTION = 0xFFFFFFFF;
+    fact(25, EDGE_DETECTION == 1);
+    EDGE_DETECTION = 0, VIDEO_IN_BACK = 0xC0040000;
+    fact(26, EDGE_DETECTION == 0 && VIDEO_IN_BACK == 0xC0040000);
+    REGISTER(0xC0040000) = 0x12345678;
+    VIDEO_IN_BUFFER = 0x12345678;  // asks for the swap and is not loaded
+    fact(27, VIDEO_IN_BUFFER == 0xC8000000 && VIDEO_IN_STATUS == 0x08090F01);
+    VIDEO_IN_STATUS = 4;
+    fact(28, VIDEO_IN_STATUS == 0x08090F05);
+    while (VIDEO_IN_STATUS & 1) {
+    }
+    fact(29, VIDEO_IN_BUFFER == 0xC0040000 && VIDEO_IN_BACK == 0xC8000000);
+    VIDEO_IN_BUFFER = 1;
+    while (VIDEO_IN_STATUS & 1) {
+    }
+    VIDEO_IN_STATUS = 0;  // no camera: blue
+    fact(30, VIDEO_IN_STATUS == 0x08090F00 && REGISTER(0xC0040000) == 0x10F510F5);
+    fact(31, REGISTER(0xC0040000) == REGISTER(0xC8000000));
+}
+
 static void sound(void) {
     fact(12, AUDIO_SPACE >> 24 == DEPTH && (AUDIO_SPACE >> 16 & 0xFF) == DEPTH);
     for (int i = 0; i < 2 * DEPTH; ++i) AUDIO_LEFT = 0;  // what does not fit is dropped
@@ -77,6 +100,7 @@ static void processor_side(void) {
 int main(void) {
     ports();
     picture();
+    camera();
     sound();
     processor_side();
     LEDR = ALL_LEDS;

@@ -86,6 +86,9 @@ public:
     void play_silence(sim::SoundInput input) override {
         done.push_back(fmt::format("silence into {}", static_cast<int>(input)));
     }
+    void show_picture(std::shared_ptr<const sim::Image> picture) override {
+        done.push_back(fmt::format("camera {} x {}", picture->width, picture->height));
+    }
     sim::Senses& senses() override { return seen; }
     std::uint16_t ledr() override { return leds; }
     sim::HexSegments hex() override { return segments; }

@@ -1,0 +1,89 @@
+// video_writer.v - video-in's words into the memory, row by row
+//
+//   came_i --> fifo, 128 words --> on-chip memory (0xC8000000, 256 KB)
+//                                  SDRAM          (0xC0000000, 64 MB)
+//                                  anything else: nowhere
+//
+// A row is 160 words, and 1,024 bytes behind the row before.  Nothing is written but 240 such rows
+// from buffer_i on, as it was when the picture began, whatever comes in.  The lowest two bits and
+// bits 31:30 of that address are not looked at.
+//
+// Words come in every 7.4 clocks while a row does.  The screen can have the SDRAM for a row of its
+// own, 322 clocks and some refreshes; 128 words are 947.
+
+`default_nettype none
+
+module video_writer (
+    input  wire        clk_i,
+    input  wire        rst_i,
+
+    input  wire        enable_i,       // 0: drop what comes, and what was to be written
+    // Words, and where they are.
+    // verilator lint_off UNUSED
+    input  wire [31:0] buffer_i,
+    // verilator lint_on UNUSED
+
+    input  wire        came_i,         // a word, every time
+    input  wire [33:0] word_i,         // as in video_capture.v
+
+    output wire        onchip_req_o,   // these two stay until taken
+    input  wire        onchip_take_i,
+    output wire        sdram_req_o,
+    input  wire        sdram_take_i,
+    output wire [23:0] index_o,        // of a word in either
+    output wire [31:0] wdata_o,
+
+    output wire        end_o,          // the last word of a picture goes
+    output wire        awake_o
+);
+    `include "regmap.vh"
+
+    localparam [7:0]  WORDS = 8'd160, LAST_ROW = 8'd239;
+    localparam [27:0] PITCH = 28'd256;
+
+    // ---- Words that wait --------------------------------------------------
+    wire        none, taken, first, row;
+
+    // It never is full, and nothing clears it.
+    // verilator lint_off PINCONNECTEMPTY
+    fifo #(.WIDTH(34)) words (
+        .clk_i(clk_i), .rst_i(rst_i), .clear_i(1'b0), .push_i(came_i), .wdata_i(word_i),
+        .pop_i(taken), .rdata_o({first, row, wdata_o}), .count_o(), .full_o(), .empty_o(none),
+        .awake_o()
+    );
+    // verilator lint_on PINCONNECTEMPTY
+
+    // ---- Where the next one goes ------------------------------------------
+    reg         run_q;                 // a picture has begun
+    reg  [27:0] row_q, next_q;         // addresses of this row, of its next word
+    reg  [7:0]  x_q, y_q;              // words of it that have gone, its number
+    wire [27:0] address = first ? buffer_i[29:2] : row ? row_q + PITCH : next_q;
+    wire        belongs  = enable_i && (first || (run_q && (row ? y_q != LAST_ROW : x_q != WORDS)));
+    wire        onchip  = address[27:16] == ONCHIP_BASE[29:18];
+    wire        sdram   = address[27:24] == SDRAM_BASE[29:26];
+
+    assign onchip_req_o = !none && belongs && onchip;
+    assign sdram_req_o  = !none && belongs && sdram;
+    assign index_o      = address[23:0];
+    assign taken        = !none && !(onchip_req_o && !onchip_take_i)
+                          && !(sdram_req_o && !sdram_take_i);
+    assign end_o        = taken && belongs && !first && !row && y_q == LAST_ROW
+                          && x_q == WORDS - 8'd1;
+
+    assign awake_o = came_i || !none || (run_q && !enable_i);
+
+    always @(posedge clk_i) begin
+        if (taken && belongs) begin
+            run_q  <= 1'b1;
+            next_q <= address + 28'd1;
+            x_q    <= first || row ? 8'd1 : x_q + 8'd1;
+            if (first || row) begin
+                row_q <= address;
+                y_q   <= first ? 8'd0 : y_q + 8'd1;
+            end
+        end
+        if (!enable_i || rst_i) run_q <= 1'b0;
+    end
+endmodule
+
+`default_nettype wire

@@ -1,0 +1,55 @@
+// adv7180.h - the board's video decoder and a camera before a picture: ITU-R BT.656, 525 lines
+//
+//   FF 00 00 EAV | 80 10 ... 80 10 | FF 00 00 SAV | Cb Y Cr Y ... 720 pixels |
+//   0              4                 272            276                        1716 clocks
+//
+//   The first field (F = 0) begins in line 4, the second one (F = 1) in line 266.  V rises in lines
+//   1 and 264 and falls in lines 10 and 273, as the chip powers up: revision 3 of the standard, and
+//   not 20 and 283 as in revision 4.
+//
+// The camera's picture is stretched to 720 x 480 pixels, the nearest one each.  Rows 0, 2 ... are
+// lines 22 to 261, rows 1, 3 ... are lines 285 to 524; the other lines are black.  Colours are by
+// ITU-R BT.601, of every second pixel.  Without a camera the chip shows blue: DEF_VAL_AUTO_EN is
+// set after a reset, DEF_Y and DEF_C say Y = 0x34, Cb = 0xC0, Cr = 0x70.
+//
+// Nobody has to set it up over I2C: out of its reset it detects the signal, and gives 8 bits of
+// BT.656.  Its RESET_N must be high, else it stays in its reset; the FPGA holds it there.
+//
+// Source: ITU-R BT.656 and BT.601; Analog Devices' ADV7180 datasheet.
+//
+// Not handled: HS and VS, I2C, PAL, the time that the chip takes to lock to a signal, the noise and
+// the limited bandwidth of a real one.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+
+#include "sim/report/png.h"
+
+namespace sim {
+
+class Adv7180 {
+public:
+    static constexpr unsigned LINE_CLOCKS = 1716, LINES = 525;
+    static constexpr unsigned WIDTH = 720, HEIGHT = 480;
+
+    // The camera sees this from the next line on; nothing: there is no camera.
+    void show(std::shared_ptr<const Image> picture);
+
+    // Its data pins at a rise of its clock, the first of which is number 0 and begins line 1.
+    std::uint8_t data(std::uint64_t rise) {
+        if (rise / LINE_CLOCKS != line_) make_line(rise / LINE_CLOCKS);
+        return bytes_[rise % LINE_CLOCKS];
+    }
+
+private:
+    void make_line(std::uint64_t line);
+    void make_row(unsigned row);
+
+    std::shared_ptr<const Image> picture_;
+    std::uint64_t line_ = ~std::uint64_t{0};  // of the bytes, counted from the first one
+    std::array<std::uint8_t, LINE_CLOCKS> bytes_{};
+};
+
+}  // namespace sim

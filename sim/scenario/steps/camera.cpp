@@ -1,0 +1,54 @@
+// camera.cpp - show-picture: what the camera at the video input sees
+#include "sim/report/printable.h"
+#include "sim/scenario/stage.h"
+#include "sim/scenario/step_form.h"
+
+namespace sim {
+
+namespace {
+
+using namespace value_types;
+
+class ShowPicture : public Action {
+public:
+    explicit ShowPicture(const Values& v) : file_{v.path("file")} {}
+
+    std::string say() const override {
+        return "show the camera " + printable(file_.filename().string());
+    }
+    void load() override {
+        try {
+            picture_ = std::make_shared<Image>(read_png(file_));
+        } catch (const std::runtime_error& error) {
+            throw std::runtime_error(std::string{"expected a picture, got "} + error.what());
+        }
+    }
+    void act(Stage& stage) const override { stage.show_picture(picture_); }
+
+private:
+    std::filesystem::path file_;
+    std::shared_ptr<const Image> picture_ = std::make_shared<Image>(Image{1, 1, {0, 0, 0}});
+};
+
+}  // namespace
+
+namespace steps {
+
+std::vector<StepForm> camera() {
+    return {
+        {"show-picture",
+         "Show the camera at the video input a picture and go on; before the first one there is no "
+         "camera.",
+         Notation::BOTH,
+         {},
+         {{"file", LINE, Need::REQUIRED, "",
+           "A PNG, relative to the scenario file; stretched to 720 x 480, of which programs get "
+           "the "
+           "middle 640."}},
+         make<ShowPicture>},
+    };
+}
+
+}  // namespace steps
+
+}  // namespace sim

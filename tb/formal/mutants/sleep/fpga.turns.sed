@@ -1,0 +1,1 @@
+s/ || turns_awake),/),/

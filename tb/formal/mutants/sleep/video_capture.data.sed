@@ -1,0 +1,1 @@
+s/if (run) data_q <= /data_q <= /

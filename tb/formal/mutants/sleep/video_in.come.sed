@@ -1,0 +1,1 @@
+s/ || come_awake//

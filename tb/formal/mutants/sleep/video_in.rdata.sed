@@ -1,0 +1,1 @@
+s/ || edges_rdata_q || / || /

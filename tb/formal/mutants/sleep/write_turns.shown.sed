@@ -1,0 +1,1 @@
+s/awake_o = shown_q || /awake_o = /

@@ -1,0 +1,77 @@
+// decoder_clock_test.cpp - the video decoder's clock stands still while nobody captures
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "regmap.h"
+#include "sim/fpga/fabric.h"
+
+namespace {
+
+constexpr std::uint32_t STATUS = regmap::VIDEO_IN_STATUS - 0xFF200000;
+
+// Notes at which rises of its clock the decoder is asked for a byte.
+struct Pins : sim::PinListener {
+    std::vector<std::uint64_t> rises;
+
+    std::uint8_t td_data(std::uint64_t rise) override {
+        rises.push_back(rise);
+        return 0x80;
+    }
+    void video(const std::uint32_t*, std::size_t) override {}
+    void codec(const sim::CodecPins&, std::uint64_t, sim::FabricInputs&) override {}
+    void headers(const sim::HeaderPins&, std::uint64_t, sim::FabricInputs&) override {}
+    void adc(const sim::AdcPins&, std::uint64_t, sim::FabricInputs&) override {}
+    void sdram(const sim::SdramPins&, std::uint64_t, std::uint16_t&, bool& more) override {
+        more = false;
+    }
+    void ps2(unsigned, unsigned, sim::FabricInputs&) override {}
+    void jtag_byte(unsigned, char, sim::FabricInputs&) override {}
+};
+
+class StandingClock : public ::testing::Test {
+protected:
+    Pins pins;
+    sim::Fabric fabric{pins};
+
+    void capture(bool on) {
+        const std::uint8_t word[4] = {static_cast<std::uint8_t>(on ? 4 : 0), 0, 0, 0};
+        ASSERT_EQ(fabric.write(sim::Bridge::LIGHTWEIGHT, STATUS, word, 4), sim::AxiResponse::OKAY);
+    }
+    // Those that have passed by now: the first is a period of 25 / 27 clocks behind the beginning.
+    double rises_by_now() const { return static_cast<double>(fabric.clocks()) * 27 / 25; }
+};
+
+TEST_F(StandingClock, DoesNotRiseUntilSomebodyCaptures) {
+    fabric.run(100'000);
+    EXPECT_TRUE(pins.rises.empty());
+}
+
+TEST_F(StandingClock, GoesOnWhereItWouldBeHadItNeverStood) {
+    for (const unsigned pause : {10u, 1'000u, 123'457u}) {
+        fabric.run(pause);
+        pins.rises.clear();
+        const double before = rises_by_now();
+        capture(true);
+        fabric.run(10'000);
+        ASSERT_FALSE(pins.rises.empty());
+        EXPECT_GE(static_cast<double>(pins.rises.front()), before - 2);
+        EXPECT_LE(static_cast<double>(pins.rises.front()), before + 12) << "a write takes 5 clocks";
+        EXPECT_NEAR(static_cast<double>(pins.rises.back()), rises_by_now(), 2);
+        for (std::size_t i = 1; i < pins.rises.size(); ++i)
+            ASSERT_EQ(pins.rises[i], pins.rises[i - 1] + 1);
+        capture(false);
+    }
+}
+
+TEST_F(StandingClock, StandsStillAFewClocksAfterTheCapture) {
+    capture(true);
+    fabric.run(1'000);
+    capture(false);
+    fabric.run(10);
+    const std::size_t seen = pins.rises.size();
+    fabric.run(100'000);
+    EXPECT_EQ(pins.rises.size(), seen);
+}
+
+}  // namespace

@@ -1,0 +1,41 @@
+// camera_test.cpp - show-picture
+#include "tb/unit/scenario_errors.h"
+#include "tb/unit/steps/step_bench.h"
+#include "tb/unit/temp_folder.h"
+
+namespace {
+
+using namespace tb;
+using testing::ElementsAre;
+using testing::EndsWith;
+
+class CameraSteps : public StepTest {
+protected:
+    const TempFolder files;
+
+    sim::Scenario load(const std::string& step) {
+        files.put("run.yaml", "name: a\nversion: 1\nsteps:\n- " + step);
+        return sim::load_scenario(files / "run.yaml");
+    }
+};
+
+TEST_F(CameraSteps, ShowAPictureBesideTheScenario) {
+    sim::write_png(files / "a.png", {3, 2, std::vector<std::uint8_t>(18, 7)});
+    load("show-picture: a.png").steps.at(0).step->play(stage);
+    load("show-picture: {file: a.png}").steps.at(0).step->play(stage);
+    EXPECT_THAT(stage.done, ElementsAre("camera 3 x 2", "camera 3 x 2"));
+    EXPECT_EQ(said("show-picture: b/a.png"), "show the camera a.png");
+}
+
+TEST_F(CameraSteps, RefuseAFileThatIsNoPicture) {
+    files.put("b.png", "words");
+    try {
+        load("show-picture: b.png");
+        FAIL();
+    } catch (const sim::ScenarioError& error) {
+        EXPECT_THAT(error.what(), testing::HasSubstr("run.yaml:4:3: expected a picture, got " +
+                                                     (files / "b.png").string()));
+    }
+}
+
+}  // namespace
