@@ -13,6 +13,7 @@ import difflib
 import os
 import pathlib
 import re
+import shlex
 import shutil
 import socket
 import subprocess
@@ -52,10 +53,10 @@ def free_port():
 def run(chapter, arguments):
     """The exit code, and what each block printed, up to the one that failed."""
     script = "set -e -o pipefail\n"
-    port = free_port()
+    port, examples = free_port(), shlex.quote(str(arguments.examples.resolve()))
     for number, (commands, _) in enumerate(chapter):
         script += f"echo; echo '{MARK.format(number)}'\n"
-        script += commands.replace(INSTALLED, str(arguments.examples.resolve())).replace(PORT, port)
+        script += commands.replace(INSTALLED, examples).replace(PORT, port)
     path = f"{arguments.bin.resolve()}:{os.environ['PATH']}"
     environment = dict(os.environ, PATH=path, LC_ALL="C")
     done = subprocess.run(["bash", "-c", script], cwd=arguments.folder, env=environment,
