@@ -1,5 +1,5 @@
 // aborts_twice.c - reads where nothing is, and a register whose bridge is in reset; then hangs.
-#include "bare/registers.h"
+#include "registers.h"
 
 // Skips the access.
 void __attribute__((naked)) on_data_abort(void) { __asm("subs pc, lr, #4"); }

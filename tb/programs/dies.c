@@ -2,7 +2,7 @@
 //
 // DIES_BY 1: undefined instruction, 2: prefetch abort, 3: data abort, all into a vector that spins
 // (start.S); 4: data abort into a handler that goes round and round.
-#include "bare/registers.h"
+#include "registers.h"
 
 #if DIES_BY == 4
 void on_data_abort(void) {

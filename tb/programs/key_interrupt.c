@@ -1,6 +1,6 @@
 // key_interrupt.c - KEY1 interrupts through the GIC (ID 73) and shows how often on HEX; sleeps in
 // between.  In the manner of the DE1-SoC Computer's courses: edge capture, cleared by the handler.
-#include "bare/registers.h"
+#include "registers.h"
 
 enum { KEY_ID = 73 };
 

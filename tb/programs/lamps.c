@@ -2,7 +2,7 @@
 //
 // HEX shows 6, 7 and 9 in the forms that programs use besides a font's, and two dark digits.  With
 // KEY0 pressed it goes on: LEDR counts to 300 as fast as it can.
-#include "bare/registers.h"
+#include "registers.h"
 
 #define HPS_GPIO1_DATA REGISTER(0xFF709000)
 #define HPS_GPIO1_DIRECTION REGISTER(0xFF709004)

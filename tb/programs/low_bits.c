@@ -1,7 +1,7 @@
 // low_bits.c - how often the A9's private timer, read behind KEY, ends in each of 16 ways.
 //
 // Then the same in the interrupt of an interval timer: both as programs take random numbers.
-#include "bare/registers.h"
+#include "registers.h"
 
 #define PRIVATE_LOAD REGISTER(0xFFFEC600)
 #define PRIVATE_COUNTER REGISTER(0xFFFEC604)

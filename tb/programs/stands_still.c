@@ -1,5 +1,5 @@
 // stands_still.c - draws a white line and is at its end: it spins on the spot.
-#include "bare/registers.h"
+#include "registers.h"
 
 int main(void) {
     for (unsigned x = 0; x < 320; ++x) *(volatile unsigned short*)(0xC8000000 + 2 * x) = 0xFFFF;
