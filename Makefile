@@ -11,8 +11,9 @@ build: configure        ## build/bin/de1sim
 	@cmake --build build --target tool
 
 help:                   ## print this menu
-	@sed -n 's/^\([a-z][a-z0-9-]*\):.*## */\1\t/p' Makefile | while IFS=$$(printf '\t') read -r name what; do \
-	    printf '%-16s %s\n' "$$name" "$$what"; done
+	@sed -n 's/^\([a-z][a-z0-9-]*\):.*## */\1\t/p' Makefile | \
+	    while IFS=$$(printf '\t') read -r name what; do \
+	        printf '%-16s %s\n' "$$name" "$$what"; done
 
 setup:                  ## [FOR="tool firmware test"] install the Debian packages that are missing
 	@.ci/setup $(FOR)

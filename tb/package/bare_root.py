@@ -1,7 +1,7 @@
 """bare_root.py - a Debian with nothing but a package's dependencies, made of this machine's files.
 
-So that a package can be tried without a network: the files of the packages that it depends on, and of
-those that every Debian has, are copied into a folder, with dpkg's records of them.
+So that a package can be tried without a network: the files of the packages that it depends on, and
+of those that every Debian has, are copied into a folder, with dpkg's records of them.
 """
 
 import os
@@ -12,6 +12,7 @@ import subprocess
 
 STATUS = pathlib.Path("/var/lib/dpkg/status")
 INFO = pathlib.Path("/var/lib/dpkg/info")
+RECORDS = {"list", "md5sums", "shlibs", "symbols", "triggers"}
 
 
 def installed():
@@ -25,13 +26,15 @@ def installed():
 
 
 def closure(depends, packages):
-    """Names of the packages that `depends`, a field of a package, asks for, and of the essential."""
+    """Names of the packages that `depends`, a package's field, asks for, and of the essential."""
     provided = {}
     for name, fields in packages.items():
-        for virtual in re.findall(r"[a-z0-9.+-]+", re.sub(r"\(.*?\)", "", fields.get("Provides", ""))):
-            provided.setdefault(virtual, name)
+        virtual = re.sub(r"\(.*?\)", "", fields.get("Provides", ""))
+        for one in re.findall(r"[a-z0-9.+-]+", virtual):
+            provided.setdefault(one, name)
     chosen = set()
-    wanted = [name for name, fields in packages.items() if fields.get("Essential") == "yes"] + ["dpkg"]
+    wanted = [name for name, fields in packages.items() if fields.get("Essential") == "yes"]
+    wanted.append("dpkg")
 
     def ask(field):
         for alternatives in filter(None, field.split(",")):
@@ -85,7 +88,7 @@ def make(root, depends):
         architecture = packages[name]["Architecture"]
         for label in (name, f"{name}:{architecture}"):
             for record in INFO.glob(f"{label}.*"):
-                if record.name[len(label) + 1:] in ("list", "md5sums", "shlibs", "symbols", "triggers"):
+                if record.name[len(label) + 1:] in RECORDS:
                     shutil.copy2(record, root / "var/lib/dpkg/info")
         for path in subprocess.check_output(["dpkg-query", "-L", name], text=True).splitlines():
             if path.startswith("/") and path != "/.":

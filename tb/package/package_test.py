@@ -1,4 +1,4 @@
-"""package_test.py CPACK_CONFIG WORK - the Debian package, on a Debian with nothing but what it asks for
+"""package_test.py CPACK_CONFIG WORK - the Debian package, where nothing is but what it asks for
 
 Its dependencies suffice, an example plays there, and when it is removed nothing of it is left.
 """
@@ -60,8 +60,8 @@ class Package(unittest.TestCase):
         self.assertRegex(self.inside("de1sim", "--version"),
                          rf"^de1sim {field(self.deb, 'Version')} \(")
         self.inside("cp", "-r", "/usr/share/de1sim/examples", "/tmp/my examples")
-        self.inside("de1sim", "run", "/tmp/my examples/first_led/first_led.yaml", "--out", "/tmp/out",
-                    "--quiet")
+        self.inside("de1sim", "run", "/tmp/my examples/first_led/first_led.yaml",
+                    "--out", "/tmp/out", "--quiet")
         report = json.loads((self.root / "tmp/out/report.json").read_text())
         self.assertTrue(report["passed"])
         self.inside("rm", "-r", "/tmp/my examples", "/tmp/out")
