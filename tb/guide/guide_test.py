@@ -60,6 +60,8 @@ def run(chapter, arguments):
     path = f"{arguments.bin.resolve()}:{os.environ['PATH']}"
     # A build of the project is not optimised: what it plays is short, and compiling it is not.
     environment = dict(os.environ, PATH=path, LC_ALL="C", CMAKE_BUILD_TYPE="Unoptimised")
+    for name in ["MAKEFLAGS", "MAKELEVEL", "MFLAGS"]:  # of `make test`
+        environment.pop(name, None)
     done = subprocess.run(["bash", "-c", script], cwd=arguments.folder, env=environment,
                           stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
                           stderr=subprocess.STDOUT, text=True, check=False)

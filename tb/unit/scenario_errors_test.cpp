@@ -38,7 +38,8 @@ TEST(ScenarioError, NamesTheNearestStep) {
               "a.yaml:4:3: expected a step, got \"wait-frmae\" (did you mean \"wait-frame\"?)");
     EXPECT_EQ(step_error("hlod: {key: 0}"),
               "a.yaml:4:3: expected a step, got \"hlod\" (did you mean \"hold\"?)");
-    EXPECT_THAT(step_error("jump: 1"), StartsWith("a.yaml:4:3: expected a step: delay, press, "));
+    EXPECT_THAT(step_error("jump: 1"),
+                StartsWith("a.yaml:4:3: expected a step: show-picture, delay, press, "));
 }
 
 TEST(ScenarioError, NamesTheNearestFieldOfAStep) {
