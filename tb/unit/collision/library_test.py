@@ -44,7 +44,7 @@ def example(cmake_lines, *definitions):
 
 
 def subfolder():
-    lines = blocks()["cmake"].replace("path/to/sw/collision", LIBRARY.as_posix())
+    lines = blocks()["cmake"].replace("path/to/sw/collision", f'"{LIBRARY.as_posix()}"')
     assert "add_subdirectory(" in lines
     example(lines)
 
