@@ -35,8 +35,7 @@ bitstream-open:         ## with Yosys and nextpnr-mistral: colour bars, no PLL, 
 
 deploy:                 ## BOARD=user@host [RBF=file] [DRY_RUN=1]: to the board's Linux (sw/deploy)
 	@sw/deploy/deploy.sh arguments
-	@.ci/configure FIRMWARE BOARD
-	@cmake --build build --target firmware overlays
+	@$(MAKE) --no-print-directory firmware
 	@sw/deploy/deploy.sh deploy
 
 rollback:               ## BOARD=user@host [DRY_RUN=1]: the version before
@@ -45,8 +44,8 @@ rollback:               ## BOARD=user@host [DRY_RUN=1]: the version before
 deploy-jtag:            ## [RBF=file] [DRY_RUN=1]: the bitstream over USB, with openFPGALoader
 	@sw/deploy/jtag.sh
 
-firmware:               ## what the board runs -> build/firmware/collide.elf, collide-linux
-	@.ci/configure FIRMWARE
+firmware:               ## what the board runs -> build/firmware/, and its overlays -> build/deploy/
+	@.ci/configure FIRMWARE BOARD
 	@cmake --build build --target firmware
 
 demo:                   ## ten seconds of the demo -> out/, packages first
