@@ -36,11 +36,11 @@
 #include "sim/board/remote_control.h"
 #include "sim/board/sound_source.h"
 #include "sim/board/wm8731.h"
+#include "sim/cpu/arm_cpu.h"
+#include "sim/cpu/native_cpu.h"
 #include "sim/fpga/fpga.h"
-#include "sim/hps/arm_cpu.h"
 #include "sim/hps/bus.h"
 #include "sim/hps/memory.h"
-#include "sim/hps/native_cpu.h"
 #include "sim/hps/peripherals.h"
 
 namespace sim {

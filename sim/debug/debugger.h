@@ -32,9 +32,9 @@
 #include <string>
 #include <vector>
 
+#include "sim/cpu/arm_cpu.h"
 #include "sim/debug/gdb_commands.h"
 #include "sim/debug/gdb_connection.h"
-#include "sim/hps/arm_cpu.h"
 
 namespace sim {
 

@@ -15,7 +15,7 @@
 #include <optional>
 #include <string>
 
-#include "sim/hps/arm_core.h"
+#include "sim/cpu/arm_core.h"
 
 namespace sim {
 

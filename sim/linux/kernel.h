@@ -25,7 +25,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/hps/arm_cpu.h"
+#include "sim/cpu/arm_cpu.h"
 #include "sim/linux/address_space.h"
 #include "sim/linux/files.h"
 #include "sim/linux/signals.h"

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "sim/hps/arm_core.h"
+#include "sim/cpu/arm_core.h"
 #include "sim/linux/address_space.h"
 
 namespace sim {

@@ -11,8 +11,8 @@
 #include <string>
 #include <vector>
 
-#include "sim/hps/arm_core.h"
-#include "sim/hps/elf.h"
+#include "sim/cpu/arm_core.h"
+#include "sim/cpu/elf.h"
 #include "sim/linux/address_space.h"
 
 namespace sim {

@@ -6,7 +6,7 @@
 
 #include <vector>
 
-#include "sim/hps/arm_cpu.h"
+#include "sim/cpu/arm_cpu.h"
 #include "sim/report/report.h"
 
 namespace sim {

@@ -20,8 +20,8 @@
 #include <utility>
 #include <vector>
 
-#include "sim/hps/arm_core.h"
-#include "sim/hps/elf.h"
+#include "sim/cpu/arm_core.h"
+#include "sim/cpu/elf.h"
 
 namespace sim {
 

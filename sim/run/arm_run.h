@@ -4,7 +4,7 @@
 #include <memory>
 #include <optional>
 
-#include "sim/hps/arm_cpu.h"
+#include "sim/cpu/arm_cpu.h"
 #include "sim/linux/kernel.h"
 #include "sim/profile/frame_budget.h"
 #include "sim/profile/profile.h"

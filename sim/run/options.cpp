@@ -6,7 +6,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "sim/hps/elf.h"
+#include "sim/cpu/elf.h"
 
 namespace sim {
 

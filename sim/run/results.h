@@ -4,10 +4,10 @@
 #include <filesystem>
 
 #include "sim/board/board.h"
+#include "sim/play/player.h"
 #include "sim/report/report.h"
 #include "sim/run/arm_run.h"
 #include "sim/run/recorder.h"
-#include "sim/scenario/player.h"
 
 namespace sim {
 

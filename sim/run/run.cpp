@@ -7,6 +7,7 @@
 
 #include "sim/board/board.h"
 #include "sim/debug/debugger.h"
+#include "sim/play/player.h"
 #include "sim/report/messages.h"
 #include "sim/report/report.h"
 #include "sim/report/trace_file.h"
@@ -15,7 +16,6 @@
 #include "sim/run/progress.h"
 #include "sim/run/recorder.h"
 #include "sim/run/results.h"
-#include "sim/scenario/player.h"
 #include "sim/scenario/scenario.h"
 
 namespace sim {

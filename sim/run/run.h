@@ -1,7 +1,7 @@
 // run.h - one simulation from its options to its files; once per process, as SystemC wants it.
 #pragma once
 
-#include "sim/hps/native_cpu.h"
+#include "sim/cpu/native_cpu.h"
 #include "sim/run/options.h"
 
 namespace sim {

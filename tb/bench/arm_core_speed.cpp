@@ -9,7 +9,7 @@
 
 #include <fmt/format.h>
 
-#include "sim/hps/arm_core.h"
+#include "sim/cpu/arm_core.h"
 
 namespace {
 

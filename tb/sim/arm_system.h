@@ -10,7 +10,7 @@
 
 #include <gtest/gtest.h>
 
-#include "sim/hps/arm_cpu.h"
+#include "sim/cpu/arm_cpu.h"
 #include "sim/hps/bus.h"
 #include "sim/hps/memory.h"
 #include "sim/hps/peripherals.h"

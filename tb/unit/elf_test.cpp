@@ -8,7 +8,7 @@
 #include <functional>
 #include <iterator>
 
-#include "sim/hps/elf.h"
+#include "sim/cpu/elf.h"
 #include "tb/unit/temp_folder.h"
 
 namespace {

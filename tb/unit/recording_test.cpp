@@ -7,7 +7,7 @@
 #include <sndfile.h>
 #include <sys/stat.h>
 
-#include "sim/report/tone.h"
+#include "sim/scenario/tone.h"
 #include "tb/unit/temp_folder.h"
 
 namespace {

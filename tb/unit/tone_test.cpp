@@ -1,5 +1,5 @@
 // tone_test.cpp - the ear: sines of known frequency, level and company
-#include "sim/report/tone.h"
+#include "sim/scenario/tone.h"
 
 #include <gmock/gmock.h>
 

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/report/tone.h"
 #include "sim/scenario/stage.h"
 #include "sim/scenario/step_form.h"
+#include "sim/scenario/tone.h"
 #include "sim/scenario/words.h"
 
 namespace sim {

@@ -177,7 +177,7 @@ TEST_F(AgainstUnicorn, ArmInstructionsOfAllKindsDoTheSame) { execute(false, Kind
 TEST_F(AgainstUnicorn, ThumbInstructionsOfAllKindsDoTheSame) { execute(true, Kind::MIXED, 10); }
 
 // As a program of the user mode, on a QEMU that is some years younger.  No loads and stores: it
-// refuses unaligned ones where ARM does, the processor does not (sim/hps/arm_core.h).
+// refuses unaligned ones where ARM does, the processor does not (sim/cpu/arm_core.h).
 class AgainstQemu : public Against {
 protected:
     AgainstQemu() : Against{qemu(), 0x10} {}

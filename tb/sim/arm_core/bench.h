@@ -11,7 +11,7 @@
 #include <functional>
 #include <vector>
 
-#include "sim/hps/arm_core.h"
+#include "sim/cpu/arm_core.h"
 
 namespace tb::core {
 

@@ -8,7 +8,7 @@
 
 namespace tb::core {
 
-// ---- The processor: "Not handled" in sim/hps/arm_core.h ----
+// ---- The processor: "Not handled" in sim/cpu/arm_core.h ----
 
 // IOC, DZC, OFC, UFC, IXC and IDC, the cumulative flags of exceptions, are not exact.
 constexpr std::uint32_t FPSCR_COMPARED = 0xFFFFFF60;

@@ -1,7 +1,7 @@
 // The processor under test as a Machine.
 #include <fmt/format.h>
 
-#include "sim/hps/arm_core.h"
+#include "sim/cpu/arm_core.h"
 #include "tb/sim/arm_core/machine.h"
 
 namespace tb::core {

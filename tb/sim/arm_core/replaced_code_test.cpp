@@ -2,7 +2,7 @@
 // where ARM code was, under a breakpoint.  The new one is executed, and counted exactly.
 #include <gmock/gmock.h>
 
-#include "sim/hps/arm_exceptions.h"
+#include "sim/cpu/arm_exceptions.h"
 #include "tb/sim/arm_core/bench.h"
 
 namespace {

@@ -18,7 +18,7 @@ constexpr std::uint32_t USR = 0x10, FIQ = 0x11, IRQ = 0x12, SVC = 0x13, ABT = 0x
                         SYS = 0x1F, MODE = 0x1F;
 constexpr std::uint32_t MODES[] = {FIQ, IRQ, SVC, ABT, UND, SYS};
 
-// An instruction in both sets; a Thumb one as in sim/hps/dynarmic/instructions.h.
+// An instruction in both sets; a Thumb one as in sim/cpu/dynarmic/instructions.h.
 struct Both {
     std::uint32_t arm, thumb;
 };

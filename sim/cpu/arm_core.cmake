@@ -1,0 +1,39 @@
+# arm_core.cmake - the engine behind arm_core.h: dynarmic, or Unicorn where that is missing.
+
+# Not by dynarmic's CMake package, which asks for all that LLVM's needs and this project does not.
+find_path(DYNARMIC_INCLUDE_DIR dynarmic/interface/A32/a32.h)
+find_library(DYNARMIC_LIBRARY dynarmic)
+pkg_check_modules(Unicorn IMPORTED_TARGET unicorn>=2.0.1)
+
+if(DYNARMIC_INCLUDE_DIR AND DYNARMIC_LIBRARY)
+    set(default_engine dynarmic)
+else()
+    set(default_engine unicorn)
+endif()
+set(DE1SIM_ARM_ENGINE ${default_engine} CACHE STRING "dynarmic, or unicorn, which is slower")
+
+add_library(arm_core STATIC)
+target_include_directories(arm_core PUBLIC ${CMAKE_SOURCE_DIR})
+target_link_libraries(arm_core PRIVATE warnings_strict)
+if(DE1SIM_ARM_ENGINE STREQUAL dynarmic)
+    target_sources(arm_core PRIVATE
+        cpu/dynarmic/absent.cpp cpu/dynarmic/code.cpp cpu/dynarmic/core.cpp
+        cpu/dynarmic/cp15.cpp cpu/dynarmic/data.cpp cpu/dynarmic/direct.cpp
+        cpu/dynarmic/fetch.cpp cpu/dynarmic/instructions.cpp cpu/dynarmic/memory_map.cpp
+        cpu/dynarmic/modes.cpp cpu/dynarmic/multiples.cpp cpu/dynarmic/page_table.cpp
+        cpu/dynarmic/registers.cpp cpu/dynarmic/steps.cpp cpu/dynarmic/system.cpp
+        cpu/dynarmic/translation_tables.cpp)
+    target_include_directories(arm_core SYSTEM PRIVATE ${DYNARMIC_INCLUDE_DIR})
+    target_link_libraries(arm_core PRIVATE ${DYNARMIC_LIBRARY})
+elseif(DE1SIM_ARM_ENGINE STREQUAL unicorn)
+    if(NOT Unicorn_FOUND)
+        message(FATAL_ERROR "An engine for the ARM processor is needed: libdynarmic-dev, or "
+            "libunicorn-dev, which is slower.")
+    endif()
+    message(STATUS "--cpu arm runs on Unicorn; with libdynarmic-dev it is many times faster.")
+    target_sources(arm_core PRIVATE
+        cpu/unicorn/core.cpp cpu/unicorn/memory.cpp cpu/unicorn/registers.cpp)
+    target_link_libraries(arm_core PRIVATE PkgConfig::Unicorn)
+else()
+    message(FATAL_ERROR "DE1SIM_ARM_ENGINE is \"${DE1SIM_ARM_ENGINE}\": dynarmic or unicorn?")
+endif()

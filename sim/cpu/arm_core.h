@@ -1,0 +1,216 @@
+// arm_core.h - the Cortex-A9's instructions: runs, counts, stops exactly where asked.
+//
+// No SystemC here, and no time.  RAM is shared with whoever owns it; all other addresses go to an
+// ArmBus, one call per aligned access of 1, 2 or 4 bytes (longer ones are split, the low address
+// first).
+// run() comes back before an instruction, never within one, with `pc` exact.
+//
+// Exceptions are not entered here: run() says what happened, arm_exceptions.h enters the vector.
+//
+// Two engines can be behind this header.  dynarmic (sim/cpu/dynarmic) translates the program to
+// the host's instructions: about 1 ns per instruction, 0.1 us per bus access beside what the bus
+// takes, 10 us per basic block that is met for the first time.  Unicorn (sim/cpu/unicorn), where
+// dynarmic is missing: 20 to 50 ns per instruction.  Both count and stop alike, but for one thing:
+// with dynarmic, the first bus access of an instruction that has only met RAM before can be counted
+// early by less than a basic block, the same in every run.
+//
+// Not handled: the second core; caches (instructions that maintain them do nothing); alignment
+// faults; SMC and HVC are undefined instructions.  With dynarmic also: LDRT, STRT and their kind,
+// SWP, and these of NEON, which are undefined: VQRSHL, V(R)ADDHN, V(R)SUBHN, VQDMLAL, VQDMLSL,
+// VQDMULL, VQADD and VQSUB of 64 bits; FPSCR's cumulative flags of exceptions are not exact; code
+// that the translation tables keep from the user mode is translated anew after each return to that
+// mode.  With Unicorn also: no memory is Normal to the bus, PMCCNTR reads 0, DFAR of an abort from
+// the translation tables reads 0.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace sim {
+
+// What the core sees beyond RAM.  Called in the middle of run(): registers are those before the
+// instruction, and nothing of the core may be changed but by stop_soon().
+class ArmBus {
+public:
+    // False: nobody answers.  The instruction then has no effect and run() ends with DATA_ABORT;
+    // but an access to several words may have done those before, its base is as it was.
+    virtual bool read(std::uint32_t address, unsigned bytes, std::uint32_t& value) = 0;
+    virtual bool write(std::uint32_t address, unsigned bytes, std::uint32_t value) = 0;
+    // A store to what the translation tables call Normal memory: it may be joined with the next.
+    virtual bool write_normal(std::uint32_t address, unsigned bytes, std::uint32_t value) {
+        return write(address, bytes, value);
+    }
+    // At a WFI: whether it has nothing to wait for, so that run() goes on.  (Unicorn's core neither
+    // asks this nor tells of unmasked().)
+    virtual bool passes_wfi() { return false; }
+    // An instruction clears CPSR.I or F.
+    virtual void unmasked() {}
+
+protected:
+    ~ArmBus() = default;
+};
+
+// A debugger's breakpoints.
+class ArmProbe {
+public:
+    // Before the instruction at `pc`; true ends run() before it, with LIMIT.
+    virtual bool before(std::uint32_t pc) = 0;
+
+protected:
+    ~ArmProbe() = default;
+};
+
+// A profiler's counts.
+class ArmTally {
+public:
+    struct Run {
+        std::uint32_t begin;         // of the first instruction
+        std::uint64_t instructions;  // all in its function
+        std::uint32_t link;          // r14 before the first
+        // Behind the last, which is in r14 then, if that was a BL or BLX; else something else.
+        std::uint32_t end;
+    };
+    virtual void ran(const Run& run) = 0;
+    // Asked once where code is met for the first time.
+    virtual bool same_function(std::uint32_t pc, std::uint32_t other) const = 0;
+
+protected:
+    ~ArmTally() = default;
+};
+
+// A debugger's watchpoints.
+class ArmWatch {
+public:
+    // Within the load or store, once each of its accesses; true ends run() with LIMIT and pc at it.
+    // Its registers and what it would do on the bus are then undone; a store to RAM is not, nor
+    // what a load of several registers has loaded before.
+    virtual bool touched(std::uint32_t address, unsigned bytes, bool write) = 0;
+
+protected:
+    ~ArmWatch() = default;
+};
+
+enum class ArmStop {
+    LIMIT,           // all instructions done, or stop_soon()
+    WFI,             // pc is behind it
+    WFE,             // pc is behind it
+    SVC,             // pc is behind it
+    UNDEFINED,       // pc is at it
+    BREAKPOINT,      // BKPT; pc is at it
+    PREFETCH_ABORT,  // pc is where no instruction can be read from
+    DATA_ABORT,      // pc is at the load or store
+    RAN_OFF,         // pc is where memory holds nothing but zeros: the program has left its code
+};
+
+struct ArmFault {
+    std::uint32_t address = 0;  // virtual: of the data, or where an instruction is missing
+    bool write = false;
+    bool mmu = false;  // refused by the translation tables or where nothing is mapped
+    // Of an abort by the translation tables: fault status as in DFSR and IFSR, without DFSR.WnR.
+    std::uint32_t status = 0x5;
+};
+
+// Numbers of the exceptions' modes in the CPSR.
+namespace arm_mode {
+constexpr std::uint32_t USR = 0x10, FIQ = 0x11, IRQ = 0x12, SVC = 0x13, ABT = 0x17, UND = 0x1b,
+                        SYS = 0x1f;
+}
+
+namespace arm_cpsr {
+constexpr std::uint32_t T = 1u << 5, F = 1u << 6, I = 1u << 7, A = 1u << 8, E = 1u << 9,
+                        J = 1u << 24, IT = 0x0600fc00, MODE = 0x1f;
+}
+
+// What programs may do with memory.
+namespace arm_access {
+constexpr unsigned READ = 1, WRITE = 2, EXECUTE = 4, ALL = 7;
+}
+
+// A register of coprocessor 15: MRC p15, op1, Rt, CRn, CRm, op2.
+struct Cp15 {
+    unsigned crn, op1, crm, op2;
+};
+
+namespace cp15 {
+constexpr Cp15 SCTLR{1, 0, 0, 0}, CPACR{1, 0, 0, 2}, SCR{1, 0, 1, 0}, TTBR0{2, 0, 0, 0},
+    TTBR1{2, 0, 0, 1}, TTBCR{2, 0, 0, 2}, DACR{3, 0, 0, 0}, DFSR{5, 0, 0, 0}, IFSR{5, 0, 0, 1},
+    DFAR{6, 0, 0, 0}, IFAR{6, 0, 0, 2}, VBAR{12, 0, 0, 0}, CONTEXTIDR{13, 0, 0, 1},
+    TPIDRURW{13, 0, 0, 2}, TPIDRURO{13, 0, 0, 3}, TPIDRPRW{13, 0, 0, 4}, CBAR{15, 4, 0, 0};
+}
+
+class ArmCore {
+public:
+    explicit ArmCore(ArmBus& bus);
+    ~ArmCore();
+
+    // All in multiples of 4096 bytes, and not in run().  `bus_base` is what the bus calls `base`;
+    // what is unmapped was mapped by one call.  `access` is a sum of arm_access.  `data_by_bus`:
+    // loads and stores go by the bus, which calls it `base`, too; instructions are read from the
+    // RAM none the less.  (Unicorn's core has no such thing: there they do not.)
+    void map_ram(std::uint32_t base, std::uint64_t size, void* bytes,
+                 unsigned access = arm_access::ALL, bool data_by_bus = false);
+    void map_bus(std::uint32_t base, std::uint64_t size, std::uint32_t bus_base,
+                 unsigned access = arm_access::READ | arm_access::WRITE);
+    void unmap(std::uint32_t base, std::uint64_t size);
+    // No instruction is read from these virtual addresses from now on: PREFETCH_ABORT there.
+    void forbid_code(std::uint32_t base, std::uint32_t size);
+    // What the bus calls `address`, if that is mapped to the bus.
+    std::optional<std::uint32_t> bus_address(std::uint32_t address) const;
+
+    // Asked at these addresses; nullptr takes it away.  Costs nothing elsewhere.  Not in run().
+    void attach(ArmProbe* probe, const std::vector<std::uint32_t>& at = {});
+    // Sees all instructions; nullptr takes it away.  Costs 0.1 us per change of function.  Not in
+    // run().
+    void attach(ArmTally* tally);
+    // Sees every load and store; nullptr takes it away.  Not in run().
+    void watch(ArmWatch* watch);
+
+    // SVC mode, interrupts off, VFP and NEON on, MMU and caches off; `entry` bit 0 is Thumb.
+    void reset(std::uint32_t entry, std::uint32_t stack);
+
+    // Runs at most `limit` instructions.
+    ArmStop run(std::uint64_t limit);
+    // Whether it tells the bus of what waits for interrupts, and lets them in.
+    static const bool TELLS_OF_MASKS;
+    // From the bus: run() ends before the next instruction.
+    void stop_soon() { limit_ = count_; }
+    // From the bus: run() ends when `left` instructions behind the present one are done.
+    void stop_after(std::uint64_t left) { limit_ = count_ + left; }
+
+    std::uint64_t instructions() const { return count_; }  // since the beginning
+    const ArmFault& fault() const { return fault_; }       // of the last abort
+    // The one that is on the bus, if one is.
+    std::uint32_t instruction() const { return last_pc_; }
+
+    std::uint32_t pc() const { return reg(15); }
+    std::uint32_t reg(unsigned number) const;  // r0 - r15 of the present mode
+    void set_reg(unsigned number, std::uint32_t value);
+    std::uint32_t cpsr() const;
+    void set_cpsr(std::uint32_t value);  // banks r13 and r14 with the mode
+    std::uint32_t spsr() const;
+    void set_spsr(std::uint32_t value);
+    std::uint64_t vfp(unsigned number) const;  // d0 - d31
+    void set_vfp(unsigned number, std::uint64_t value);
+    std::uint32_t fpscr() const;
+    void set_fpscr(std::uint32_t value);
+    std::uint32_t cp15(const Cp15& name) const;
+    void set_cp15(const Cp15& name, std::uint32_t value);
+
+    // RAM by physical address; false where there is none.
+    bool read_ram(std::uint32_t address, void* data, std::size_t bytes) const;
+    // Also drops what was translated from there: for whoever writes instructions.
+    bool write_ram(std::uint32_t address, const void* data, std::size_t bytes);
+    void forget_translations(std::uint32_t address, std::size_t bytes);
+
+private:
+    struct Engine;
+
+    std::unique_ptr<Engine> engine_;
+    std::uint64_t count_ = 0, limit_ = 0;
+    std::uint32_t last_pc_ = 0;
+    ArmFault fault_;
+};
+
+}  // namespace sim

@@ -1,0 +1,299 @@
+#include "sim/cpu/arm_cpu.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace sim {
+
+using sc_core::sc_time;
+using sc_core::SC_ZERO_TIME;
+
+namespace {
+
+constexpr double CLOCK_PS = 1250;             // 800 MHz
+constexpr std::uint32_t STACK = 0x3FFFFFF8;   // top of DDR3
+constexpr std::uint64_t MASKED_QUANTUM = 64;  // with an interrupt waiting to be let in
+constexpr std::uint32_t PUSHED = 128;         // bytes, by one instruction
+constexpr std::size_t STACK_BYTES = 1 << 20;  // of the host, for a translator's nesting
+
+std::uint64_t picoseconds(double cpi) {
+    return static_cast<std::uint64_t>(std::llround(CLOCK_PS * cpi));
+}
+
+}  // namespace
+
+ArmCpu::ArmCpu(const sc_core::sc_module_name& name, ArmProgram program, Log log)
+    : Processor{name},
+      program_{std::move(program)},
+      log_{std::move(log)},
+      core_{*this},
+      instruction_ps_{picoseconds(program_.cpi)} {
+    SC_HAS_PROCESS(ArmCpu);
+    SC_THREAD(run);
+    set_stack_size(STACK_BYTES);
+}
+
+// ---- Time ---------------------------------------------------------------------------------------
+
+void ArmCpu::account() {
+    const std::uint64_t done = core_.instructions() - accounted_;
+    accounted_ += done;
+    ahead_ += sc_time::from_value(done * instruction_ps_);
+}
+
+sc_time ArmCpu::horizon() {
+    static const sc_time longest{100, sc_core::SC_US};
+    return std::min(sc_core::sc_time_to_pending_activity(), longest);
+}
+
+void ArmCpu::sync() {
+    if (ahead_ < horizon()) return;
+    wait(ahead_);
+    ahead_ = SC_ZERO_TIME;
+}
+
+// Instructions until the next thing that SystemC has to do.
+std::uint64_t ArmCpu::budget() const {
+    const sc_time end = horizon();
+    if (end <= ahead_) return 0;
+    const std::uint64_t left = ((end - ahead_).value() + instruction_ps_ - 1) / instruction_ps_;
+    const bool looks_itself = !ArmCore::TELLS_OF_MASKS && (irq_ || fiq_);
+    return looks_itself ? std::min(left, MASKED_QUANTUM) : left;
+}
+
+// Behind an access, which has moved the time and perhaps the interrupt lines.
+void ArmCpu::run_on() {
+    const bool stop = let_in() || reset_;
+    core_.stop_after(stop ? 0 : std::min(budget(), inspected_end_ - core_.instructions()));
+}
+
+void ArmCpu::sleep(const sc_time& at_most) {
+    wait(ahead_);
+    ahead_ = SC_ZERO_TIME;
+    asleep_since_ = sc_core::sc_time_stamp();
+    asleep_ = true;
+    if (!irq_ && !fiq_ && !reset_) {
+        if (at_most == SC_ZERO_TIME)
+            wait(wake_);
+        else
+            wait(at_most, wake_);
+    }
+    asleep_ = false;
+    counts_.asleep += sc_core::sc_time_stamp() - asleep_since_;
+}
+
+template <class... Until>
+void ArmCpu::pause_until(const Until&... until) {
+    wait(ahead_);
+    ahead_ = SC_ZERO_TIME;
+    asleep_since_ = sc_core::sc_time_stamp();
+    asleep_ = true;
+    wait(until...);
+    asleep_ = false;
+    counts_.asleep += sc_core::sc_time_stamp() - asleep_since_;
+}
+
+void ArmCpu::pause(const sc_time& time) { pause_until(time); }
+void ArmCpu::pause(const sc_core::sc_event& until, const sc_time& at_most) {
+    pause_until(at_most, until);
+}
+
+void ArmCpu::end(const std::string& why) {
+    ended_ = true;
+    if (!why.empty()) fail(why);
+}
+
+void ArmCpu::interrupt(bool irq, bool fiq) {
+    if (irq == irq_ && fiq == fiq_) return;
+    irq_ = irq;
+    fiq_ = fiq;
+    if (!irq && !fiq) return;
+    wake_.notify(SC_ZERO_TIME);
+    if (running_) core_.stop_soon();
+}
+
+void ArmCpu::warm_reset() {
+    reset_ = true;
+    wake_.notify(SC_ZERO_TIME);
+    if (running_) core_.stop_soon();
+}
+
+// ---- The program --------------------------------------------------------------------------------
+
+void ArmCpu::start() {
+    reset_ = false;
+    stores_.page = 1;
+    open_.reset();
+    stacks_ = {};
+    core_.reset(program_.elf.entry, STACK);
+    if (kernel_) kernel_->boot(core_);
+}
+
+void ArmCpu::run() {
+    if (!kernel_) {
+        map(0, 0xFFFFFFFF);
+        load();
+    }
+    start();
+    if (inspector_) inspector_->on_start(core_);
+    while (!fault() && !ended_) {
+        if (reset_) {
+            log_(fmt::format("warm reset {}", where()));
+            start();
+        }
+        if (remap_) {
+            map(remap_->first, remap_->last);
+            remap_.reset();
+        }
+        account();
+        sync();
+        if (!inspector_ || !inspector_->holds_interrupts()) take_interrupt();
+        const bool closely = open_ && met_ >= AGAIN;
+        const std::uint64_t most = closely ? 1 : std::max<std::uint64_t>(budget(), 1);
+        const std::uint64_t limit = inspector_ ? inspector_->on_quantum(core_, most) : most;
+        inspected_end_ = limit < most ? core_.instructions() + limit : UINT64_MAX;
+        running_ = true;
+        const ArmStop stop = core_.run(std::min(limit, most));
+        running_ = false;
+        drain();
+        account();
+        handle(stop);
+        look_astray();
+        look_for_death();
+        look_for_end();
+    }
+}
+
+std::optional<ArmException> ArmCpu::let_in() const {
+    if (fiq_ && !(core_.cpsr() & arm_cpsr::F)) return ArmException::FIQ;
+    if (irq_ && !(core_.cpsr() & arm_cpsr::I)) return ArmException::IRQ;
+    return std::nullopt;
+}
+
+void ArmCpu::unmasked() {
+    if (irq_ || fiq_) core_.stop_soon();
+}
+
+void ArmCpu::take_interrupt() {
+    if (const auto exception = let_in())
+        raise(*exception, 0, *exception == ArmException::FIQ ? "FIQ" : "IRQ");
+}
+
+void ArmCpu::handle(ArmStop stop) {
+    switch (stop) {
+        case ArmStop::LIMIT: break;
+        case ArmStop::WFI: sleep(kernel_ ? nap() : SC_ZERO_TIME); break;
+        case ArmStop::WFE: sleep(nap()); break;
+        case ArmStop::SVC:
+            if (inspector_ && inspector_->on_svc(core_)) break;
+            if (kernel_)
+                kernel_->call(core_);
+            else
+                raise(ArmException::SVC, 0, "supervisor call");
+            break;
+        case ArmStop::UNDEFINED: raise(ArmException::UNDEFINED, 0, "undefined instruction"); break;
+        case ArmStop::PREFETCH_ABORT:
+            raise(ArmException::PREFETCH_ABORT,
+                  core_.fault().mmu ? core_.fault().status & 0x40F : fault_status::EXTERNAL,
+                  "prefetch abort: no instruction to be read" + no_code());
+            break;
+        case ArmStop::BREAKPOINT:
+            raise(ArmException::PREFETCH_ABORT, fault_status::DEBUG, "breakpoint instruction");
+            break;
+        case ArmStop::RAN_OFF: lost("the program ran off its code into zeros"); break;
+        case ArmStop::DATA_ABORT: {
+            const ArmFault& f = core_.fault();
+            const std::uint32_t direction = f.write ? fault_status::WRITE : 0;
+            if (f.mmu)
+                raise(ArmException::DATA_ABORT, f.status | direction,
+                      "data abort: refused by the translation tables");
+            else
+                raise(ArmException::DATA_ABORT, fault_status::EXTERNAL | direction,
+                      fmt::format("data abort: {} of {} bytes at 0x{:08X} ({})",
+                                  f.write ? "write" : "read", refused_bytes_, refused_address_,
+                                  bus_answer_));
+        }
+    }
+}
+
+// Why there is none at pc, and where it came from: " (LEDR holds no instructions; LR 0x...)".
+std::string ArmCpu::no_code() const {
+    const std::optional<std::uint32_t> on_bus = core_.bus_address(core_.fault().address);
+    if (kernel_ || core_.fault().mmu || !on_bus) return "";
+    return fmt::format(" ({}; LR 0x{:08X}{})", why_refused(*on_bus), core_.reg(14), callers());
+}
+
+std::string ArmCpu::where() const {
+    const Position p = position();
+    return fmt::format("at {:.6f} ms, PC 0x{:08X}{}{}", now().to_seconds() * 1e3, p.pc,
+                       p.function.empty() ? "" : " in ", p.function);
+}
+
+void ArmCpu::raise(ArmException exception, std::uint32_t status, const std::string& what) {
+    const bool asynchronous = exception == ArmException::IRQ || exception == ArmException::FIQ;
+    if (!asynchronous && inspector_ && exception != ArmException::SVC &&
+        inspector_->on_exception(core_, exception, core_.fault()))
+        return;
+    if (kernel_ && !asynchronous) return kernel_->exception(core_, exception, core_.fault(), what);
+    const bool abort =
+        exception == ArmException::DATA_ABORT || exception == ArmException::PREFETCH_ABORT;
+    const bool astray = abort || exception == ArmException::UNDEFINED;
+    if (astray)
+        if (const ElfSection* data = data_at(core_.pc()))
+            return lost("the program went into its data, " + data->name + ",");
+    counts_.interrupts += asynchronous;
+    counts_.aborts += abort;
+    const std::uint32_t sp = core_.reg(13);
+    const bool push = exception == ArmException::DATA_ABORT && sp - core_.fault().address <= PUSHED;
+    const std::string stack = astray ? overgrown(push ? core_.fault().address : sp, true) : "";
+    const std::string text = what + " " + where() + (stack.empty() ? "" : "; ") + stack;
+    const std::uint32_t vector = vector_of(core_, exception);
+    if (!in_handler()) open_.reset();
+    const auto give_up = [&](const std::string& why) {
+        if (!inspector_ || !inspector_->on_failure(core_, exception)) fail(text + why + callers());
+    };
+    std::uint32_t word = 0;
+    if (core_.pc() - (vector & ~0x1fu) < 0x20 && !asynchronous)
+        return give_up(", in the vector table itself");
+    if (!core_.read_ram(vector, &word, sizeof word) || word == 0)
+        return give_up(fmt::format("; no vector at 0x{:08X}", vector));
+    if (unhandled(exception)) return give_up(", for the second time within its handler");
+    if (astray) {
+        log_(text);
+        meet();
+        if (!open_) open_ = Open{exception, text, now(), now()};
+    }
+    const bool debug = status == fault_status::DEBUG;  // there, IFAR is UNKNOWN
+    enter(core_, exception, status, abort && !debug ? core_.fault().address : core_.pc());
+}
+
+// True when an abort or undefined instruction is met again at the same place of its own handler.
+bool ArmCpu::unhandled(ArmException exception) {
+    if (exception == ArmException::IRQ || exception == ArmException::FIQ ||
+        exception == ArmException::SVC)
+        return false;
+    const std::uint32_t mode = core_.cpsr() & arm_cpsr::MODE;
+    const bool nested =
+        mode == (exception == ArmException::UNDEFINED ? arm_mode::UND : arm_mode::ABT);
+    if (!nested) return false;
+    const bool again = nested_pc_ == core_.pc();
+    nested_pc_ = core_.pc();
+    return again;
+}
+
+ArmCpu::Position ArmCpu::position() const {
+    const std::uint32_t pc = core_.pc();
+    return {pc,     program_.elf.function(pc),   asleep_,
+            ended_, poll_.same_address >= POLLS, poll_.address};
+}
+
+ArmCpu::Counts ArmCpu::counts() const {
+    Counts counts = counts_;
+    counts.instructions = core_.instructions();
+    if (asleep_) counts.asleep += sc_core::sc_time_stamp() - asleep_since_;
+    return counts;
+}
+
+}  // namespace sim

@@ -1,0 +1,283 @@
+// arm_cpu.h - the HPS's Cortex-A9 running the board's own ELF, as a TLM initiator in quanta.
+//
+// Time: an instruction takes CPI clocks of 800 MHz, a bus access what its target says on top; RAM
+// is within the CPI.  CPI is 1 unless --cpi says otherwise: the A9 issues up to two instructions a
+// clock and waits for its caches in others, neither of which is modelled, so 1 stands between.
+// A program's own figure is cycles by instructions, read on the board with the PMU.
+//
+// Quantum: the core runs ahead of SystemC until the next thing that SystemC has to do, so never
+// past a timer's expiry, a pin that the board moves or a scan line.  Interrupts are taken at a
+// quantum's end, which is
+//   - at once when a bus access of the program's own raises the line,
+//   - at the expiry of a timer, exactly,
+//   - within 32 us (a scan line) of what happens in the fabric by itself,
+//   - at once when the program enables interrupts with the line already up (with Unicorn's core,
+//     within 64 instructions).
+//
+// Stores to memory on the HPS-to-FPGA bridge that the translation tables call Normal are joined as
+// the A9's store buffer joins them: those that follow one another at rising addresses go as one
+// burst, to the next multiple of 64 bytes at most.  It goes when another access does, so that all
+// stay in the program's order, or at the quantum's end.  The first store into a page of 4 KB goes
+// alone, so that one which nobody answers is aborted where it is.
+//
+// WFI sleeps until the interrupt controller raises IRQ or FIQ, masked or not.  WFE sleeps for 1 us
+// or until then: other cores that could send an event are in reset, and to wake for nothing is
+// allowed.  SEV does nothing.
+//
+// A register polled in a tight loop - POLLS reads of one address by one instruction and no other
+// access between - lets the core sleep a while a read on top, never past the next thing in SystemC:
+// 1 us where the answer was the same POLLS times, 5 us after MANY_POLLS, 100 ns where it changes,
+// as a running counter's does.  So such a loop may see what it waits for that much late.
+//
+// Boot: pc is the ELF's entry, SVC mode, interrupts off, VFP and NEON on, SP at the top of DDR3.
+//
+// An access that nobody answers is a data abort in the program, and a line to `log`.  A program
+// that has no vector for an exception (the table's word is 0 or no memory), or that faults in the
+// vector table, or again and again at the same place of its abort handler, has failed: fault().
+//
+// The message of a program that has failed says who called its last function: LR, and what on the
+// stack is behind a BL or BLX, the last five.  So it may name one that has returned long ago.
+//
+// A program that takes an abort or an undefined instruction must come back from it: leave the mode
+// of its handler, ABT or UND, for another than IRQ and FIQ.  Otherwise it is dead, and has failed:
+//   - when it has spun on the spot (b .) in that mode for 100 ms, IRQ masked: at once;
+//   - when its handler has led back to the same instruction with the same registers a thousand
+//     times: at once;
+//   - when the run ends while it spins on the spot, or is in that mode for whatever reason more
+//     than 1 ms after the exception: unfinished().
+// So a handler may take its time, print, sleep and be interrupted, as long as it comes to an end.
+//
+// No handler would notice what has gone astray, so a program has failed
+//   - when it comes to the data of its ELF (ElfSection::is_data), before it executes any of it;
+//   - when it executes zeros (ArmStop::RAN_OFF);
+//   - when its stack grows below the memory that it was in, or into its code, behind the quantum in
+//     which it is seen.
+//
+// Deterministic: nothing depends on the host's time.
+//
+// Not handled: see arm_core.h.  A handler that changes its mode to SVC or SYS and stays there
+// counts as left.  One that spins until a watchdog resets the board has those 100 ms for it.
+// A program that puts instructions into its data and runs them has failed.  A stack that grows into
+// data, or in a program without a section table, is not seen.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "sim/cpu/arm_core.h"
+#include "sim/cpu/arm_exceptions.h"
+#include "sim/cpu/elf.h"
+#include "sim/cpu/processor.h"
+
+namespace sim {
+
+struct ArmProgram {
+    ElfProgram elf;
+    double cpi = 1;  // clocks an instruction, 0.1 - 100; rounded to whole picoseconds
+};
+
+// Who looks into the processor: a debugger, a kernel's emulation, a profile.  Everything is called
+// in the processor's thread, outside of ArmCore::run(), so all of the core may be read and changed.
+class ArmInspector {
+public:
+    // Once, with the program loaded, before its first instruction.
+    virtual void on_start(ArmCore&) {}
+    // Before each quantum of `limit` instructions; returns how many to run instead, at most that.
+    virtual std::uint64_t on_quantum(ArmCore&, std::uint64_t limit) { return limit; }
+    // A supervisor call, pc behind it; true: done, the program goes on at pc.
+    virtual bool on_svc(ArmCore&) { return false; }
+    // Before any other synchronous exception is entered; true: done, the program goes on at pc.
+    virtual bool on_exception(ArmCore&, ArmException, const ArmFault&) { return false; }
+    // Before the program is ended because of an exception; true: it goes on at pc after all.
+    virtual bool on_failure(ArmCore&, ArmException) { return false; }
+    // Before each quantum: true keeps IRQ and FIQ waiting.
+    virtual bool holds_interrupts() { return false; }
+
+protected:
+    ~ArmInspector() = default;
+};
+
+// An operating system in the simulator's place: programs run in its address space and call it.
+// Called like an ArmInspector, which is asked before it.  With a kernel, interrupts stay masked.
+class ArmKernel {
+public:
+    // In place of the memory map, the loading and the boot that this header describes; after a warm
+    // reset too.
+    virtual void boot(ArmCore&) = 0;
+    // A supervisor call, pc behind it.
+    virtual void call(ArmCore&) = 0;
+    // Any other synchronous exception, pc at it; `what` says it to a person.
+    virtual void exception(ArmCore&, ArmException, const ArmFault&, const std::string& what) = 0;
+
+protected:
+    ~ArmKernel() = default;
+};
+
+class ArmCpu : public Processor, private ArmBus {
+public:
+    using Log = std::function<void(const std::string&)>;
+
+    ArmCpu(const sc_core::sc_module_name& name, ArmProgram program, Log log);
+
+    void attach(ArmInspector* inspector) { inspector_ = inspector; }
+    void attach(ArmKernel* kernel) { kernel_ = kernel; }
+    ArmCore& core() { return core_; }
+
+    void interrupt(bool irq, bool fiq) override;
+    void warm_reset() override;
+    // Ends a WFI or WFE, as a debug event does.
+    void wake() { wake_.notify(sc_core::SC_ZERO_TIME); }
+
+    // Of the program; ahead of SystemC's by what it has run of its quantum.
+    sc_core::sc_time now() const { return sc_core::sc_time_stamp() + ahead_; }
+
+    std::optional<std::string> unfinished() const override;
+    std::string accessed() const override;
+
+    // How long the program has been over: ended by its kernel, or spinning on the spot with IRQ and
+    // FIQ masked, so that nothing but a reset can move it.  0 before, and under an inspector.
+    sc_core::sc_time ended_for() const;
+
+    // For an inspector: as the program would, RAM and registers alike, in no time.  False: nobody
+    // answers.
+    bool read_memory(std::uint32_t address, void* data, unsigned bytes);
+    bool write_memory(std::uint32_t address, const void* data, unsigned bytes);
+
+    // For a kernel.  How to let some time go by, asleep; the program's end, a fault if `why` is not
+    // empty.
+    void pause(const sc_core::sc_time& time);
+    void pause(const sc_core::sc_event& until, const sc_core::sc_time& at_most);
+    void end(const std::string& why = "");
+    std::string where() const;  // "at 12.345678 ms, PC 0x00001234 in main+0x10"
+
+    struct Position {
+        std::uint32_t pc;
+        std::string function;  // "main+0x10", "" if it is in none
+        bool sleeping;         // in WFI, or in a kernel's pause
+        bool ended;            // by its kernel
+        bool polling;          // the register `address`
+        std::uint32_t address;
+    };
+    Position position() const;
+
+    struct Counts {
+        std::uint64_t instructions = 0;
+        std::uint64_t interrupts = 0;  // taken, IRQ and FIQ
+        std::uint64_t aborts = 0;      // taken, data and prefetch
+        sc_core::sc_time asleep;       // in WFI and WFE
+        sc_core::sc_time on_bus;       // waiting for targets
+    };
+    Counts counts() const;
+    const ArmProgram& program() const { return program_; }
+
+private:
+    bool read(std::uint32_t address, unsigned bytes, std::uint32_t& value) override;
+    bool write(std::uint32_t address, unsigned bytes, std::uint32_t value) override;
+    bool write_normal(std::uint32_t address, unsigned bytes, std::uint32_t value) override;
+    bool passes_wfi() override { return irq_ || fiq_ || reset_; }
+    void unmasked() override;
+
+    static constexpr unsigned POLLS = 8, MANY_POLLS = 64;
+    static sc_core::sc_time spin_limit() { return {100, sc_core::SC_MS}; }
+    static sc_core::sc_time moment() { return {1, sc_core::SC_MS}; }
+    static sc_core::sc_time nap() { return {1, sc_core::SC_US}; }
+    static sc_core::sc_time short_nap() { return {100, sc_core::SC_NS}; }
+    static sc_core::sc_time long_nap() { return {5, sc_core::SC_US}; }
+    // How far the core may run ahead: to the next thing in SystemC, but 100 us at most.
+    static sc_core::sc_time horizon();
+
+    void run();
+    void map(std::uint64_t first, std::uint64_t last);
+    void direct_access_changed(sc_dt::uint64 first, sc_dt::uint64 last) override;
+    void load();
+    void start();
+    void account();
+    void sync();
+    std::uint64_t budget() const;
+    void run_on();
+    void sleep(const sc_core::sc_time& at_most);
+    template <class... Until>
+    void pause_until(const Until&... until);
+    void poll(std::uint32_t address, std::uint32_t value);
+    void drain();
+    bool access(tlm::tlm_command command, std::uint32_t address, unsigned bytes, void* data);
+    std::optional<ArmException> let_in() const;  // the interrupt that is up and not masked
+    void take_interrupt();
+    void handle(ArmStop stop);
+    void raise(ArmException exception, std::uint32_t status, const std::string& what);
+    bool unhandled(ArmException exception);
+    bool in_handler() const;
+    bool spins() const;
+    bool stands_still() const;
+    void meet();
+    std::string death() const;
+    void lost(const std::string& what);
+    const ElfSection* data_at(std::uint32_t address) const;
+    std::string overgrown(std::uint32_t lowest, bool through) const;
+    void look_astray();
+    std::string callers() const;
+    std::string no_code() const;
+    void look_for_end();
+    void look_for_death();
+
+    ArmProgram program_;
+    Log log_;
+    ArmCore core_;
+    ArmInspector* inspector_ = nullptr;
+    ArmKernel* kernel_ = nullptr;
+    const std::uint64_t instruction_ps_;
+    struct Range {
+        std::uint64_t first, last;
+    };
+    std::vector<Range> mapped_;                 // one for each call of the core
+    std::optional<Range> remap_;                // whose direct access is no longer what it was
+    bool running_ = false;                      // in ArmCore::run()
+    std::uint64_t inspected_end_ = UINT64_MAX;  // instructions, where the inspector wants a stop
+
+    sc_core::sc_time ahead_;       // of SystemC's time, by what is accounted for
+    std::uint64_t accounted_ = 0;  // instructions
+    Counts counts_;
+
+    bool irq_ = false, fiq_ = false, reset_ = false, asleep_ = false, ended_ = false;
+    sc_core::sc_time asleep_since_;
+    sc_core::sc_event wake_;
+
+    struct Poll {
+        std::uint32_t pc = 0, address = 0, value = 0;
+        unsigned same_address = 0, same_value = 0;
+    } poll_;
+    struct StoreBuffer {
+        std::uint32_t begin = 0, bytes = 0;
+        std::uint32_t page = 1;  // of 4 KB, that is known to answer; 1 is none
+        std::array<std::uint8_t, 64> data;
+    } stores_;
+    std::string bus_answer_;             // to the access that was refused last
+    std::uint32_t refused_address_ = 0;  // on the bus
+    unsigned refused_bytes_ = 0;
+    std::uint32_t nested_pc_ = 1;  // of the last abort within an abort
+
+    struct Open {
+        ArmException exception;
+        std::string text;             // what and where it was
+        sc_core::sc_time since;       // taken
+        sc_core::sc_time spins_from;  // on the spot; the processor's time when it does not
+    };
+    // An exception that comes again and again: the registers that it was met with, and how often.
+    // From AGAIN on its handler is followed instruction by instruction.
+    static constexpr unsigned AGAIN = 1000;
+    std::array<std::uint32_t, 17> met_with_{};
+    unsigned met_ = 0;
+
+    struct Stack {
+        std::uint32_t top = 0, now = 0;  // r13: where it began as far as it was seen, and is
+    };
+    std::array<Stack, 16> stacks_;  // of each mode, by CPSR[3:0]
+
+    std::optional<sc_core::sc_time> over_since_;  // see ended_for()
+    std::optional<Open> open_;  // the abort or undefined instruction that it is in the handler of
+};
+
+}  // namespace sim

@@ -1,0 +1,164 @@
+// arm_cpu_bus.cpp - ArmCpu's memory map, and its accesses to the bus
+#include "sim/cpu/arm_cpu.h"
+
+#include <algorithm>
+#include <cstring>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace sim {
+
+using sc_core::sc_time;
+
+namespace {
+
+constexpr std::uint32_t H2F_BASE = 0xC0000000, H2F_END = 0xFC000000;
+
+}  // namespace
+
+// RAM is what grants direct access; everything else goes by the bus, so that it gets an answer.
+// What may be read alone, without its side effects, is read for instructions alone.
+void ArmCpu::map(std::uint64_t first, std::uint64_t last) {
+    const auto within = [&](const Range& range) {
+        return range.first >= first && range.first <= last;
+    };
+    for (const Range& range : mapped_)
+        if (within(range))
+            core_.unmap(static_cast<std::uint32_t>(range.first), range.last - range.first + 1);
+    mapped_.erase(std::remove_if(mapped_.begin(), mapped_.end(), within), mapped_.end());
+    for (std::uint64_t address = first; address <= last;) {
+        tlm::tlm_generic_payload tx;
+        tx.set_address(address);
+        tx.set_read();
+        tlm::tlm_dmi dmi;
+        const bool ram = socket->get_direct_mem_ptr(tx, dmi);
+        const auto base = static_cast<std::uint32_t>(address);
+        std::uint64_t size = dmi.get_end_address() + 1 - address;
+        // The core maps whole pages of 4 KB; blocks that share one are mapped together.
+        if (!ram) size = (size + 0xFFF) & ~std::uint64_t{0xFFF};
+        if (ram)
+            core_.map_ram(base, size, dmi.get_dmi_ptr(), arm_access::ALL, !dmi.is_write_allowed());
+        else
+            core_.map_bus(base, size, base);
+        mapped_.push_back({address, address + size - 1});
+        address += size;
+    }
+}
+
+// Told in the middle of a store to the reset manager: done before the next instruction.
+void ArmCpu::direct_access_changed(sc_dt::uint64 first, sc_dt::uint64 last) {
+    if (mapped_.empty()) return;  // by a kernel, or not yet
+    remap_ = Range{first, last};
+    if (running_) core_.stop_soon();
+}
+
+void ArmCpu::load() {
+    for (const ElfSegment& segment : program_.elf.segments) {
+        const std::vector<std::uint8_t> zeros(segment.size - segment.data.size());
+        core_.write_ram(segment.physical, segment.data.data(), segment.data.size());
+        core_.write_ram(segment.physical + static_cast<std::uint32_t>(segment.data.size()),
+                        zeros.data(), zeros.size());
+    }
+    for (const ElfSection& section : program_.elf.sections)
+        if (section.is_data()) core_.forbid_code(section.address, section.size);
+}
+
+bool ArmCpu::access(tlm::tlm_command command, std::uint32_t address, unsigned bytes, void* data) {
+    account();
+    sync();
+    const sc_time before = sc_core::sc_time_stamp() + ahead_;
+    std::string answer = transport(payload_, command, address, data, bytes, ahead_);
+    counts_.on_bus += sc_core::sc_time_stamp() + ahead_ - before;
+    if (answer.empty()) return true;
+    bus_answer_ = std::move(answer);
+    refused_address_ = address;
+    refused_bytes_ = bytes;
+    return false;
+}
+
+bool ArmCpu::read(std::uint32_t address, unsigned bytes, std::uint32_t& value) {
+    drain();
+    value = 0;
+    if (!access(tlm::TLM_READ_COMMAND, address, bytes, &value)) return false;
+    poll(address, value);
+    run_on();
+    return true;
+}
+
+bool ArmCpu::write(std::uint32_t address, unsigned bytes, std::uint32_t value) {
+    drain();
+    stores_.page = 1;
+    poll_ = {};
+    if (!access(tlm::TLM_WRITE_COMMAND, address, bytes, &value)) return false;
+    run_on();
+    return true;
+}
+
+bool ArmCpu::write_normal(std::uint32_t address, unsigned bytes, std::uint32_t value) {
+    const std::uint32_t page = address & ~0xFFFu;
+    if (page != stores_.page) {
+        if (!write(address, bytes, value)) return false;
+        if (address >= H2F_BASE && address < H2F_END) stores_.page = page;
+        return true;
+    }
+    const bool follows = address == stores_.begin + stores_.bytes;
+    if (!follows) drain();
+    if (stores_.bytes == 0) stores_.begin = address;
+    std::memcpy(stores_.data.data() + stores_.bytes, &value, bytes);
+    stores_.bytes += bytes;
+    const bool full = (address + bytes) % stores_.data.size() == 0;
+    if (full) drain();
+    if (full || !follows) run_on();
+    return true;
+}
+
+void ArmCpu::drain() {
+    const unsigned bytes = std::exchange(stores_.bytes, 0);
+    if (bytes == 0) return;
+    poll_ = {};
+    if (access(tlm::TLM_WRITE_COMMAND, stores_.begin, bytes, stores_.data.data())) return;
+    fail(fmt::format("burst of {} bytes refused at 0x{:08X} {} ({})", bytes, stores_.begin, where(),
+                     bus_answer_));
+    core_.stop_soon();
+}
+
+void ArmCpu::poll(std::uint32_t address, std::uint32_t value) {
+    const std::uint32_t pc = core_.instruction();
+    const bool again = poll_.pc == pc && poll_.address == address;
+    const bool same = again && poll_.value == value;
+    poll_ = {pc, address, value, again ? poll_.same_address + 1 : 0,
+             same ? poll_.same_value + 1 : 0};
+    if (poll_.same_address < POLLS) return;
+    const sc_time end = horizon(), rest = poll_.same_value < POLLS        ? short_nap()
+                                          : poll_.same_value < MANY_POLLS ? nap()
+                                                                          : long_nap();
+    if (end > ahead_) ahead_ += std::min(rest, end - ahead_);
+}
+
+// Of joined stores it is the one that had them go.
+std::string ArmCpu::accessed() const {
+    const std::uint32_t pc = core_.instruction();
+    const std::string function = program_.elf.function(pc);
+    return fmt::format(", at {:.6f} ms, PC 0x{:08X}{}{}", now().to_seconds() * 1e3, pc,
+                       function.empty() ? "" : " in ", function);
+}
+
+bool ArmCpu::read_memory(std::uint32_t address, void* data, unsigned bytes) {
+    if (core_.read_ram(address, data, bytes)) return true;
+    sc_time no_time;
+    const std::optional<std::uint32_t> on_bus = core_.bus_address(address);
+    return on_bus && transport(tlm::TLM_READ_COMMAND, *on_bus, data, bytes, no_time).empty();
+}
+
+bool ArmCpu::write_memory(std::uint32_t address, const void* data, unsigned bytes) {
+    if (core_.write_ram(address, data, bytes)) return true;
+    sc_time no_time;
+    const std::optional<std::uint32_t> on_bus = core_.bus_address(address);
+    // A write only reads the data, but TLM has one pointer for both directions.
+    return on_bus &&
+           transport(tlm::TLM_WRITE_COMMAND, *on_bus, const_cast<void*>(data), bytes, no_time)
+               .empty();
+}
+
+}  // namespace sim

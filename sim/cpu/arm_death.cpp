@@ -1,0 +1,96 @@
+// arm_death.cpp - ArmCpu's programs that never come back: from an abort, or from their end
+#include "sim/cpu/arm_cpu.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+namespace sim {
+
+using sc_core::sc_time;
+
+namespace {
+
+// Branches to themselves: ARM's, Thumb's of 16 bits and of 32.
+constexpr std::uint32_t ARM_SPIN = 0xEAFFFFFE, THUMB_SPIN = 0xE7FE, THUMB2_SPIN = 0xBFFEF7FF;
+
+}  // namespace
+
+// Of an abort or undefined instruction, or in an interrupt of it.
+bool ArmCpu::in_handler() const {
+    switch (core_.cpsr() & arm_cpsr::MODE) {
+        case arm_mode::ABT:
+        case arm_mode::UND:
+        case arm_mode::IRQ:
+        case arm_mode::FIQ: return true;
+    }
+    return false;
+}
+
+bool ArmCpu::spins() const {
+    std::uint32_t code = 0;
+    if (!(core_.cpsr() & arm_cpsr::T))
+        return core_.read_ram(core_.pc(), &code, 4) && code == ARM_SPIN;
+    if (core_.read_ram(core_.pc(), &code, 2) && code == THUMB_SPIN) return true;
+    return core_.read_ram(core_.pc(), &code, 4) && code == THUMB2_SPIN;
+}
+
+bool ArmCpu::stands_still() const {
+    constexpr std::uint32_t MASKED = arm_cpsr::I | arm_cpsr::F;
+    return (core_.cpsr() & MASKED) == MASKED && spins();
+}
+
+std::string ArmCpu::death() const { return open_->text + "; never left its handler: " + where(); }
+
+std::optional<std::string> ArmCpu::unfinished() const {
+    if (!open_ || !in_handler()) return std::nullopt;
+    if (!spins() && now() - open_->since <= moment()) return std::nullopt;
+    return death();
+}
+
+// Counts the exceptions that are met at the same instruction with the same registers.
+void ArmCpu::meet() {
+    decltype(met_with_) registers;
+    for (unsigned i = 0; i < 16; ++i) registers[i] = core_.reg(i);
+    registers[16] = core_.cpsr();
+    met_ = registers == met_with_ ? met_ + 1 : 1;
+    met_with_ = registers;
+}
+
+// Called behind each quantum.
+void ArmCpu::look_for_death() {
+    if (!open_) return;
+    const auto dies = [this](const std::string& text) {
+        const bool goes_on = inspector_ && inspector_->on_failure(core_, open_->exception);
+        open_.reset();
+        met_ = 0;
+        if (!goes_on) fail(text);
+    };
+    if (!in_handler()) {
+        const bool back_at_it = met_ >= AGAIN && core_.pc() == met_with_[15];
+        if (back_at_it)
+            return dies(
+                fmt::format("{}; its handler leads back to it, {} times", open_->text, met_));
+        if (met_ >= AGAIN) met_ = 0;
+        open_.reset();
+    } else if (!(core_.cpsr() & arm_cpsr::I) || !spins()) {
+        open_->spins_from = now();
+    } else if (now() - open_->spins_from >= spin_limit()) {
+        dies(death());
+    }
+}
+
+// Called behind each quantum.
+void ArmCpu::look_for_end() {
+    if (!ended_ && (inspector_ || open_ || !stands_still()))
+        over_since_.reset();
+    else if (!over_since_)
+        over_since_ = now();
+}
+
+sc_time ArmCpu::ended_for() const {
+    return over_since_ ? sc_core::sc_time_stamp() - std::min(*over_since_, sc_core::sc_time_stamp())
+                       : sc_core::SC_ZERO_TIME;
+}
+
+}  // namespace sim

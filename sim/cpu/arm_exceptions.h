@@ -1,0 +1,36 @@
+// arm_exceptions.h - how an ARMv7-A processor enters an exception: mode, banked registers, vector.
+//
+//   exception        mode  vector  r14                              also sets
+//   undefined        UND   +0x04   behind the instruction           I
+//   SVC              SVC   +0x08   behind the instruction           I
+//   prefetch abort   ABT   +0x0C   the instruction + 4              I A, IFSR, IFAR
+//   data abort       ABT   +0x10   the instruction + 8              I A, DFSR, DFAR
+//   IRQ              IRQ   +0x18   the next instruction + 4         I A
+//   FIQ              FIQ   +0x1C   the next instruction + 4         I A F
+//
+// The table is at VBAR, or at 0xFFFF0000 with SCTLR.V.  Source: ARM DDI 0406C, B1.8 and B1.9.
+//
+// Not handled: Monitor and Hyp mode (no security extensions).
+#pragma once
+
+#include <cstdint>
+
+#include "sim/cpu/arm_core.h"
+
+namespace sim {
+
+enum class ArmException { UNDEFINED, SVC, PREFETCH_ABORT, DATA_ABORT, IRQ, FIQ };
+
+// Fault status: an abort from the bus (synchronous external, not on a table walk), one from the
+// translation tables, a BKPT instruction.
+namespace fault_status {
+constexpr std::uint32_t EXTERNAL = 0x8, TRANSLATION = 0x5, DEBUG = 0x2, WRITE = 1u << 11;
+}
+
+std::uint32_t vector_of(const ArmCore& core, ArmException exception);
+
+// The core stands as run() left it (ArmStop).  `status` and `address` are an abort's.
+void enter(ArmCore& core, ArmException exception, std::uint32_t status = 0,
+           std::uint32_t address = 0);
+
+}  // namespace sim

@@ -1,0 +1,291 @@
+// core.cpp - ArmCore's run(): translated code as long as it can, single steps where it must.
+#include "sim/cpu/dynarmic/engine.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "sim/cpu/dynarmic/direct.h"
+#include "sim/cpu/dynarmic/instructions.h"
+#include "sim/cpu/dynarmic/thread_registers.h"
+
+namespace sim {
+
+namespace {
+
+using Dynarmic::HaltReason;
+constexpr HaltReason EVENT = HaltReason::UserDefined1;
+constexpr std::size_t CODE_CACHE = 32 << 20;  // bytes; what does not fit is translated anew
+
+}  // namespace
+
+ArmCore::Engine::Engine(ArmCore& core_, ArmBus& bus_)
+    : core{core_}, bus{bus_}, code{[this](std::uint32_t a) { return half_of_code(a); }} {
+    using Dynarmic::OptimizationFlag;
+    Dynarmic::A32::UserConfig config;
+    config.callbacks = this;
+    config.global_monitor = &monitor;
+    config.arch_version = Dynarmic::A32::ArchVersion::v7;
+    // Returns and indirect branches go by the dispatcher, which looks at what is left to do;
+    // predicted, they would not, and a loop of them would never end.
+    config.optimizations = Dynarmic::all_safe_optimizations &
+                           ~(OptimizationFlag::ReturnStackBuffer | OptimizationFlag::FastDispatch);
+    config.page_table = pages.direct();
+    config.detect_misaligned_access_via_page_table = 16 | 32 | 64;
+    config.only_detect_misalignment_via_page_table_on_page_boundary = true;
+    config.coprocessors[15] = std::make_shared<ThreadRegisters>(cp15);
+    config.hook_hint_instructions = true;
+    config.check_halt_on_memory_access = true;
+    config.code_cache_size = CODE_CACHE;
+    jit = std::make_unique<Dynarmic::A32::Jit>(config);
+}
+
+const bool ArmCore::TELLS_OF_MASKS = true;
+
+ArmCore::ArmCore(ArmBus& bus) : engine_{std::make_unique<Engine>(*this, bus)} {}
+ArmCore::~ArmCore() = default;
+
+// ---- What translated code calls -----------------------------------------------------------------
+
+void ArmCore::Engine::AddTicks(std::uint64_t ticks) {
+    if (stepping) return;
+    if (tally) {
+        called |= ticks & CALL;
+        ticks &= TALLIED;
+    }
+    core.count_ += ticks;
+}
+
+// For run_translated(), and again after each callback of a block, whose own instructions are still
+// to be subtracted.
+std::uint64_t ArmCore::Engine::GetTicksRemaining() {
+    const std::uint64_t done = core.count_ + unaccounted;
+    const std::uint64_t left = core.limit_ > done ? core.limit_ - done : 0;
+    std::uint64_t most = left > longest ? left - longest : 0;
+    if (tally) most = std::min(most, TALLIED / 2);
+    return std::max<std::uint64_t>(std::exchange(unaccounted, 0) + most, 1);
+}
+
+void ArmCore::Engine::CallSVC(std::uint32_t number) {
+    const std::uint32_t pc = r()[15] - (thumb() ? 2 : 4);
+    if (!stepping && code.is_marked(pc) && done_directly(pc, number)) return;
+    if (event == Event::NONE) event = Event::SVC;
+    jit->HaltExecution(EVENT);
+}
+
+// The load or store at `pc`, which fetch.cpp has made a call, with all registers as before it and
+// `before` of its block's instructions done.  False: it has aborted.
+bool ArmCore::Engine::done_directly(std::uint32_t pc, std::uint32_t before) {
+    const bool in_thumb = thumb();
+    const auto word = code.instruction(pc, in_thumb);
+    const auto access =
+        single_access(word.value_or(0), in_thumb, pc, r().data(), jit->Cpsr() >> 29 & 1);
+    unaccounted = before + 1;
+    core.count_ += unaccounted;
+    core.last_pc_ = pc;
+    stepping = true;
+    reached = false;
+    std::uint32_t value = r()[access->target];
+    switch (access->bytes) {
+        case 1:
+            if (access->load)
+                value = load<std::uint8_t>(access->address);
+            else
+                store(access->address, static_cast<std::uint8_t>(value));
+            if (access->is_signed)
+                value = static_cast<std::uint32_t>(static_cast<std::int8_t>(value));
+            break;
+        case 2:
+            if (access->load)
+                value = in_order(load<std::uint16_t>(access->address));
+            else
+                store(access->address, in_order(static_cast<std::uint16_t>(value)));
+            if (access->is_signed)
+                value = static_cast<std::uint32_t>(static_cast<std::int16_t>(value));
+            break;
+        default:
+            if (access->load)
+                value = in_order(load<std::uint32_t>(access->address));
+            else
+                store(access->address, in_order(value));
+    }
+    stepping = false;
+    core.count_ -= unaccounted;
+    if (aborted) {
+        event = Event::ABORT;
+        event_pc = pc;
+        return false;
+    }
+    if (access->write_back) r()[access->base] = access->new_base;
+    if (access->load) r()[access->target] = value;
+    r()[15] = pc + (in_thumb && *word <= 0xFFFF ? 2 : 4);
+    if (code.settle(pc, reached)) invalidate(pc, 2);
+    return true;
+}
+
+void ArmCore::Engine::InterpreterFallback(std::uint32_t pc, std::size_t) {
+    ExceptionRaised(pc, Dynarmic::A32::Exception::UndefinedInstruction);
+}
+
+void ArmCore::Engine::ExceptionRaised(std::uint32_t pc, Dynarmic::A32::Exception exception) {
+    using Dynarmic::A32::Exception;
+    switch (exception) {
+        case Exception::SendEvent:
+        case Exception::SendEventLocal:
+        case Exception::Yield:
+        case Exception::PreloadData:
+        case Exception::PreloadDataWithIntentToWrite:
+        case Exception::PreloadInstruction: return;
+        case Exception::WaitForInterrupt:
+            if (bus.passes_wfi()) return;
+            event = Event::HINT_WFI;
+            break;
+        case Exception::WaitForEvent: event = Event::HINT_WFE; break;
+        case Exception::Breakpoint: event = Event::BREAKPOINT; break;
+        case Exception::NoExecuteFault: event = Event::NO_CODE; break;
+        default: event = Event::UNDEFINED; break;
+    }
+    event_pc = pc;
+    jit->HaltExecution(EVENT);
+}
+
+// ---- Running ------------------------------------------------------------------------------------
+
+ArmStop ArmCore::run(std::uint64_t limit) {
+    limit_ = count_ + limit;
+    while (count_ < limit_)
+        if (const auto stop = engine_->next(limit_ - count_)) return *stop;
+    return ArmStop::LIMIT;
+}
+
+std::optional<ArmStop> ArmCore::Engine::next(std::uint64_t left) {
+    if (overfull) forget_blocks();
+    const std::uint32_t pc = r()[15];
+    if (!probed.empty() && probed.count(pc)) {
+        if (probe->before(pc)) return ArmStop::LIMIT;
+        return step();
+    }
+    if (code.is_marked(pc) && (watch || !code.is_direct(pc))) return step();
+    if (left > longest) return run_translated(longest);
+    const unsigned straight = code.to_next_branch(pc, thumb());
+    if (straight == Code::FAR && code.is_blank(pc, thumb())) return ArmStop::RAN_OFF;
+    if (straight > left || straight == Code::FAR) return step();
+    return run_translated(static_cast<unsigned>(std::min<std::uint64_t>(left, Code::FAR - 1)));
+}
+
+std::optional<ArmStop> ArmCore::Engine::run_translated(unsigned without_branch) {
+    const std::uint64_t before = core.count_;
+    const std::uint32_t begin = r()[15];
+    const std::uint32_t link = r()[14];
+    unaccounted = 0;
+    left_over = without_branch;
+    event = Event::NONE;
+    missed = retranslate = aborted = watched = called = false;
+    block = {};
+    jit->Run();
+
+    std::optional<ArmStop> stop;
+    if (missed) {
+        take_back_miss();
+    } else if (event == Event::NO_CODE) {
+        --core.count_;  // of the exception
+        back_to_event();
+        if (retranslate) {
+            invalidate(event_pc, 2);
+        } else if (!code.is_marked(event_pc) && !probed.count(event_pc)) {
+            stop = ended();
+        }
+    } else {
+        stop = ended();
+    }
+    const std::uint64_t done = core.count_ - before;
+    if (tally && done > 0) {
+        const std::uint32_t now = r()[14];
+        tally->ran({begin, done, link, called ? now & ~1u : now + 1});
+    }
+    if (event == Event::NO_CODE && retranslate &&
+        code.to_next_branch(event_pc, thumb()) == Code::FAR)
+        return next(1);
+    return stop;
+}
+
+// Translated code has come to an access that a step must do: back to before its instruction.
+void ArmCore::Engine::take_back_miss() {
+    const std::uint32_t pc = r()[15], cpsr = jit->Cpsr();
+    const bool in_thumb = thumb(), carry = cpsr >> 29 & 1;
+    const std::uint32_t word = code.instruction(pc, in_thumb).value_or(0);
+    if (const auto change = early_write_back(word, in_thumb, r().data(), carry, missed_address))
+        r()[change->base] -= change->added;
+    core.count_ += code.done_before(pc, in_thumb);
+    const bool direct =
+        !(cpsr & arm_cpsr::IT) && single_access(word, in_thumb, pc, r().data(), carry);
+    code.mark(pc, direct);
+    invalidate(pc, 2);
+    missed = false;
+}
+
+std::optional<ArmStop> ArmCore::Engine::step() {
+    const std::uint32_t pc = r()[15], cpsr = jit->Cpsr();
+    const auto saved = r();
+    const auto saved_vfp = jit->ExtRegs();
+    event = Event::NONE;
+    missed = retranslate = aborted = watched = reached = false;
+    block = {};
+    core.last_pc_ = pc;
+    ++core.count_;
+    stepping = true;
+    jit->Step();
+    std::optional<ArmStop> stop;
+    if (aborted || watched) {
+        stop = aborted ? ArmStop::DATA_ABORT : ArmStop::LIMIT;
+    } else {
+        stop = ended();
+        if (aborted) stop = ArmStop::DATA_ABORT;  // by one of system.cpp
+    }
+    stepping = false;
+    if (aborted || watched) {
+        r() = saved;
+        jit->ExtRegs() = saved_vfp;
+        jit->SetCpsr(cpsr);
+        if (watched) --core.count_;
+        return stop;
+    }
+    if (code.settle(pc, reached)) invalidate(pc, 2);
+    if (tally) tally->ran({pc, 1, saved[14], code.after(pc, 1, cpsr & arm_cpsr::T)});
+    return stop;
+}
+
+// Dynarmic raises an exception with pc and the state of an IT block behind the instruction.
+void ArmCore::Engine::back_to_event() {
+    if (thumb()) jit->SetCpsr(with_it_state(jit->Cpsr(), code.it(event_pc)));
+    r()[15] = event_pc;
+}
+
+// What the last instructions have come to, with pc as ArmStop says.
+std::optional<ArmStop> ArmCore::Engine::ended() {
+    switch (event) {
+        case Event::NONE: return std::nullopt;
+        case Event::HINT_WFI: return ArmStop::WFI;
+        case Event::HINT_WFE: return ArmStop::WFE;
+        case Event::SVC: return ArmStop::SVC;
+        case Event::ABORT: r()[15] = event_pc; return ArmStop::DATA_ABORT;
+        case Event::BREAKPOINT: back_to_event(); return ArmStop::BREAKPOINT;
+        case Event::UNDEFINED:
+            back_to_event();
+            if (system(event_pc)) return std::nullopt;
+            if (aborted) return ArmStop::DATA_ABORT;
+            if (!watched) return ArmStop::UNDEFINED;
+            if (!stepping) --core.count_;
+            return ArmStop::LIMIT;
+        case Event::NO_CODE: break;
+    }
+    if (stepping) --core.count_;
+    back_to_event();
+    const std::uint32_t second = thumb() && half_of_code(event_pc) ? event_pc + 2 : event_pc;
+    const PageTable::Page& page = page_of(second);
+    const bool by_tables = page.no_code;
+    core.fault_ = {second, false, by_tables, page.status};
+    invalidate(event_pc, 2);
+    return ArmStop::PREFETCH_ABORT;
+}
+
+}  // namespace sim

@@ -1,0 +1,172 @@
+// data.cpp - loads and stores that the page table does not take: pages met for the first time,
+// pages with code in them, accesses across two pages, the bus, and what nobody answers.
+//
+// Only a single step may reach the bus or abort, since then the count and all registers are those
+// before the instruction.  In translated code such an access stops it before its instruction.
+#include <cstring>
+
+#include "sim/cpu/dynarmic/engine.h"
+#include "sim/cpu/dynarmic/translation_tables.h"
+
+namespace sim {
+
+namespace {
+
+constexpr std::uint32_t PAGE_MASK = 0xFFF;
+
+}  // namespace
+
+const PageTable::Page& ArmCore::Engine::page_of(std::uint32_t address) {
+    PageTable::Page& page = pages.slot(address >> 12);
+    if (page.number == address >> 12) return page;
+    const Translation to = translate(cp15, memory, address & ~PAGE_MASK, privileged());
+    page = {};
+    page.status = to.status;
+    page.access = to.access;
+    page.normal = to.normal;
+    page.no_code = !(to.access & arm_access::EXECUTE);
+    if (to.access == 0) return page;  // which is not kept, as in a TLB (B3.9.1)
+    page.number = address >> 12;
+    const MemoryMap::Area* const area = memory.find(to.physical);
+    if (!area) {
+        page.access = 0;
+        page.status = 0x5;  // translation fault
+        return page;
+    }
+    page.access &= area->access;
+    const std::uint32_t offset = to.physical - area->base;
+    page.physical = area->bytes ? to.physical : area->bus_base + offset;
+    page.code = area->bytes ? area->bytes + offset : nullptr;
+    page.bytes = area->bytes && !area->data_by_bus ? area->bytes + offset : nullptr;
+    return page;
+}
+
+// Translated code stops before the present instruction; a step does it then.
+bool ArmCore::Engine::miss(std::uint32_t address) {
+    if (stepping) return false;
+    missed = true;
+    missed_address = address;
+    jit->HaltExecution(Dynarmic::HaltReason::MemoryAbort);
+    return true;
+}
+
+bool ArmCore::Engine::refuse(std::uint32_t address, bool write, bool by_tables,
+                             std::uint32_t status) {
+    aborted = true;
+    core.fault_ = {address, write, by_tables, status};
+    jit->HaltExecution(Dynarmic::HaltReason::MemoryAbort);
+    return false;
+}
+
+// False: the access must not be done.
+bool ArmCore::Engine::before_access(std::uint32_t address, unsigned bytes, bool write) {
+    if (aborted || watched || missed) return false;
+    const PageTable::Page& page = page_of(address);
+    const bool allowed = page.access & (write ? arm_access::WRITE : arm_access::READ);
+    const bool in_ram = allowed && page.bytes;
+    if (!in_ram && miss(address)) return false;
+    if (watch && watch->touched(address, bytes, write)) {
+        if (miss(address)) return false;
+        watched = true;
+        jit->HaltExecution(Dynarmic::HaltReason::MemoryAbort);
+        return false;
+    }
+    if (in_ram) return true;
+    reached = true;
+    if (allowed) return true;
+    return refuse(address, write, true, page.status);
+}
+
+template <class T>
+T ArmCore::Engine::load(std::uint32_t address) {
+    const bool in_page = (address & PAGE_MASK) + sizeof(T) <= PAGE_MASK + 1;
+    if (!in_page || !page_of(address).bytes) return load_pieces<T>(address);
+    if (!before_access(address, sizeof(T), false)) return 0;
+    const PageTable::Page& page = page_of(address);
+    if (!watch && (page.access & arm_access::WRITE) && !code.has_code(page.physical >> 12))
+        pages.open(page.number, page.bytes);
+    T value;
+    std::memcpy(&value, page.bytes + (address & PAGE_MASK), sizeof value);
+    return value;
+}
+
+// Aligned pieces of at most four bytes, the lowest address first.
+template <class T>
+T ArmCore::Engine::load_pieces(std::uint32_t address) {
+    std::uint64_t value = 0;
+    for (unsigned done = 0, bytes; done < sizeof(T); done += bytes) {
+        const std::uint32_t at = address + done;
+        bytes = sizeof(T) - done >= 4 && at % 4 == 0   ? 4
+                : sizeof(T) - done >= 2 && at % 2 == 0 ? 2
+                                                       : 1;
+        if (!before_access(at, bytes, false)) return 0;
+        const PageTable::Page& page = page_of(at);
+        std::uint32_t piece = 0;
+        if (page.bytes)
+            std::memcpy(&piece, page.bytes + (at & PAGE_MASK), bytes);
+        else if (!bus.read(page.physical | (at & PAGE_MASK), bytes, piece))
+            refuse(at, false, false, 0);
+        if (aborted) return 0;
+        value |= std::uint64_t{piece} << (8 * done);
+    }
+    return static_cast<T>(value);
+}
+
+template <class T>
+void ArmCore::Engine::store(std::uint32_t address, T value) {
+    for (unsigned done = 0, bytes; done < sizeof(T); done += bytes) {
+        const std::uint32_t at = address + done, left = sizeof(T) - done;
+        const bool in_page = (at & PAGE_MASK) + left <= PAGE_MASK + 1;
+        if (!before_access(at, in_page ? left : 1, true)) return;
+        const PageTable::Page& page = page_of(at);
+        bytes = page.bytes && in_page      ? left
+                : left >= 4 && at % 4 == 0 ? 4
+                : left >= 2 && at % 2 == 0 ? 2
+                                           : 1;
+        const std::uint32_t physical = page.physical | (at & PAGE_MASK);
+        const auto piece = static_cast<std::uint64_t>(value) >> (8 * done);
+        if (!page.bytes) {
+            const auto word = static_cast<std::uint32_t>(piece);
+            if (!(page.normal ? bus.write_normal(physical, bytes, word)
+                              : bus.write(physical, bytes, word)))
+                refuse(at, true, false, 0);
+            if (aborted) return;
+            if (page.code && code.has_code(physical >> 12)) invalidate(at, bytes);
+            continue;
+        }
+        if (code.has_code(physical >> 12)) {
+            bool hit = false;
+            code.written(physical, bytes, [&](std::uint32_t begin, std::uint32_t size) {
+                hit = true;
+                if (stepping) invalidate(begin, size);
+            });
+            if (hit && miss(at)) return;
+            reached |= hit;
+        } else if (!watch && (page.access & arm_access::READ)) {
+            pages.open(page.number, page.bytes);
+        }
+        std::memcpy(page.bytes + (at & PAGE_MASK), &piece, bytes);
+    }
+}
+
+template <class T>
+bool ArmCore::Engine::store_exclusive(std::uint32_t address, T value, T expected) {
+    if (load<T>(address) != expected) return false;
+    store(address, value);
+    return true;
+}
+
+template std::uint8_t ArmCore::Engine::load(std::uint32_t);
+template std::uint16_t ArmCore::Engine::load(std::uint32_t);
+template std::uint32_t ArmCore::Engine::load(std::uint32_t);
+template std::uint64_t ArmCore::Engine::load(std::uint32_t);
+template void ArmCore::Engine::store(std::uint32_t, std::uint8_t);
+template void ArmCore::Engine::store(std::uint32_t, std::uint16_t);
+template void ArmCore::Engine::store(std::uint32_t, std::uint32_t);
+template void ArmCore::Engine::store(std::uint32_t, std::uint64_t);
+template bool ArmCore::Engine::store_exclusive(std::uint32_t, std::uint8_t, std::uint8_t);
+template bool ArmCore::Engine::store_exclusive(std::uint32_t, std::uint16_t, std::uint16_t);
+template bool ArmCore::Engine::store_exclusive(std::uint32_t, std::uint32_t, std::uint32_t);
+template bool ArmCore::Engine::store_exclusive(std::uint32_t, std::uint64_t, std::uint64_t);
+
+}  // namespace sim

@@ -1,0 +1,203 @@
+// engine.h - what ArmCore's files share: dynarmic, its callbacks, and the state around it.
+//
+//   core.cpp      run(): translated code, single steps, what they end with
+//   fetch.cpp     code as it is translated
+//   data.cpp      loads and stores that are not in the page table
+//   direct.h      single loads and stores, decoded
+//   system.cpp    instructions that dynarmic leaves to us; multiples.cpp, steps.cpp: more of them
+//   registers.cpp ArmCore's registers and memory, seen from outside
+#pragma once
+
+#include <dynarmic/interface/A32/a32.h>
+#include <dynarmic/interface/exclusive_monitor.h>
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <unordered_map>
+#include <unordered_set>
+#include <utility>
+#include <vector>
+
+#include "sim/cpu/arm_core.h"
+#include "sim/cpu/dynarmic/code.h"
+#include "sim/cpu/dynarmic/cp15.h"
+#include "sim/cpu/dynarmic/memory_map.h"
+#include "sim/cpu/dynarmic/modes.h"
+#include "sim/cpu/dynarmic/page_table.h"
+
+namespace sim {
+
+struct ArmCore::Engine final : Dynarmic::A32::UserCallbacks {
+    Engine(ArmCore& core, ArmBus& bus);
+
+    ArmCore& core;
+    ArmBus& bus;
+    MemoryMap memory;
+    PageTable pages;
+    Cp15Registers cp15;
+    BankedRegisters banked;
+    std::uint32_t fpexc = 1u << 30;
+    Code code;
+    Dynarmic::ExclusiveMonitor monitor{1};
+    std::unique_ptr<Dynarmic::A32::Jit> jit;
+
+    ArmProbe* probe = nullptr;
+    std::unordered_set<std::uint32_t> probed;
+    ArmTally* tally = nullptr;
+    // For the tally, what may leave a function takes so many ticks more, which no run has left: it
+    // ends behind its block.  They say what it was, too.
+    static constexpr std::uint64_t CALL = 1u << 24, JUMP = 2u << 24, TALLIED = CALL - 1;
+    bool called = false;
+    ArmWatch* watch = nullptr;
+
+    std::array<std::uint32_t, 16>& r() { return jit->Regs(); }
+    bool thumb() const { return jit->Cpsr() & arm_cpsr::T; }
+    std::uint32_t mode() const { return jit->Cpsr() & arm_cpsr::MODE; }
+    bool privileged() const { return mode() != arm_mode::USR; }
+    // CPACR's cp10: 1 is for privileged modes, 3 for all.
+    unsigned floating_point_rights() const { return cp15.value(cp15::CPACR) >> 20 & 3; }
+    bool may_use_floating_point() const {
+        return floating_point_rights() == 3 || (floating_point_rights() == 1 && privileged());
+    }
+    bool floating_point() const { return (fpexc >> 30 & 1) && may_use_floating_point(); }
+
+    void set_cpsr(std::uint32_t value);
+    void forget_mappings();  // of addresses, and all translated code
+    void forget_code(std::uint32_t address, std::uint32_t bytes);
+    void invalidate(std::uint32_t address, std::uint32_t bytes);  // what was translated from there
+    void translates(std::uint32_t pc);                            // a block from there on
+    void forget_blocks();                                         // all that was translated
+    std::unordered_map<std::uint32_t, unsigned> translations;     // so far, by pages of 4 KB
+    bool overfull = false;                                        // a page of them
+
+    // ---- core.cpp ----
+
+    // Translated code or one instruction.  What it ended with, if run() is to end, too.
+    std::optional<ArmStop> next(std::uint64_t left);
+    std::optional<ArmStop> run_translated(unsigned without_branch);
+    std::optional<ArmStop> step();
+    std::optional<ArmStop> ended();
+    void back_to_event();
+    void take_back_miss();
+
+    // What a callback has met.
+    enum class Event { NONE, HINT_WFI, HINT_WFE, SVC, BREAKPOINT, UNDEFINED, NO_CODE, ABORT };
+    Event event = Event::NONE;
+    std::uint32_t event_pc = 0;
+    bool stepping = false;  // one instruction is being done, and may do anything
+    bool missed = false;    // an access in translated code must be done by a step
+    std::uint32_t missed_address = 0;
+    bool aborted = false, watched = false, reached = false;  // in a step
+    std::uint64_t unaccounted = 0;  // instructions of the present block, in a callback
+    bool done_directly(std::uint32_t pc, std::uint32_t before);
+
+    // ---- system.cpp: true if the instruction at `pc` was done ----
+
+    bool system(std::uint32_t pc);
+    bool arm_system(std::uint32_t word);
+    bool thumb_system(std::uint32_t word);
+    bool coprocessor(std::uint32_t word);
+    bool status(std::uint32_t word);
+    bool exception_return(std::uint32_t word);
+    bool load_store_multiple(std::uint32_t word);
+    bool load_with_base(unsigned base, unsigned list, bool up, bool before);
+    bool newton_step(std::uint32_t word);
+    void write_status(bool saved, unsigned mask, std::uint32_t value);
+    void change_state(unsigned imod, bool change_mode, std::uint32_t masks, std::uint32_t mode);
+    bool return_from(std::uint32_t base, bool up, bool before, std::optional<unsigned> write_back);
+    bool save_return(std::uint32_t mode, bool up, bool before, bool write_back);
+    std::uint32_t& spsr() { return banked.spsr(mode()); }
+
+    // ---- fetch.cpp ----
+
+    std::optional<std::uint16_t> half_of_code(std::uint32_t address);
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> forbidden;  // base and size
+    bool is_forbidden(std::uint32_t address) const;
+    bool user_may(std::uint32_t address, unsigned right) const;
+    void forget_privileged_code();
+    std::unordered_set<std::uint32_t> privileged_code;  // virtual page numbers
+    std::optional<std::uint32_t> MemoryReadCode(std::uint32_t address) override;
+    bool IsReadOnlyMemory(std::uint32_t address) override;
+    std::uint64_t GetTicksForCode(bool thumb, std::uint32_t pc, std::uint32_t word);
+    std::uint64_t ticks_of_departure(bool thumb, std::uint32_t pc, std::uint32_t word) const;
+    struct Block {
+        std::uint32_t begin = 1, next = 1;  // `next`: of the instruction to be read
+        bool thumb = false;
+        unsigned instructions = 0;  // read so far
+        unsigned it = 0;            // state of the IT block for the next one
+        bool linked = false;        // ends before the begin of another one, or of a function
+    } block;
+    unsigned longest = 32;   // instructions without a branch that have been translated
+    unsigned left_over = 0;  // instructions without a branch that what runs now leaves room for
+    bool retranslate = false;
+
+    // ---- data.cpp ----
+
+    const PageTable::Page& page_of(std::uint32_t address);
+
+    // A value in the order of bytes that CPSR.E asks for, from the other one or into it; translated
+    // code sees to that by itself.
+    template <class T>
+    T in_order(T value) const {
+        if (!(jit->Cpsr() & arm_cpsr::E)) return value;
+        if constexpr (sizeof(T) == 4) return __builtin_bswap32(value);
+        if constexpr (sizeof(T) == 2) return __builtin_bswap16(value);
+        return value;
+    }
+
+    template <class T>
+    T load(std::uint32_t address);
+    template <class T>
+    void store(std::uint32_t address, T value);
+    template <class T>
+    bool store_exclusive(std::uint32_t address, T value, T expected);
+    bool refuse(std::uint32_t address, bool write, bool by_tables, std::uint32_t status);
+    bool before_access(std::uint32_t address, unsigned bytes, bool write);
+    bool miss(std::uint32_t address);
+    template <class T>
+    T load_pieces(std::uint32_t address);
+
+    std::uint8_t MemoryRead8(std::uint32_t address) override { return load<std::uint8_t>(address); }
+    std::uint16_t MemoryRead16(std::uint32_t address) override {
+        return load<std::uint16_t>(address);
+    }
+    std::uint32_t MemoryRead32(std::uint32_t address) override {
+        return load<std::uint32_t>(address);
+    }
+    std::uint64_t MemoryRead64(std::uint32_t address) override {
+        return load<std::uint64_t>(address);
+    }
+    void MemoryWrite8(std::uint32_t address, std::uint8_t value) override { store(address, value); }
+    void MemoryWrite16(std::uint32_t address, std::uint16_t value) override {
+        store(address, value);
+    }
+    void MemoryWrite32(std::uint32_t address, std::uint32_t value) override {
+        store(address, value);
+    }
+    void MemoryWrite64(std::uint32_t address, std::uint64_t value) override {
+        store(address, value);
+    }
+    bool MemoryWriteExclusive8(std::uint32_t a, std::uint8_t v, std::uint8_t e) override {
+        return store_exclusive(a, v, e);
+    }
+    bool MemoryWriteExclusive16(std::uint32_t a, std::uint16_t v, std::uint16_t e) override {
+        return store_exclusive(a, v, e);
+    }
+    bool MemoryWriteExclusive32(std::uint32_t a, std::uint32_t v, std::uint32_t e) override {
+        return store_exclusive(a, v, e);
+    }
+    bool MemoryWriteExclusive64(std::uint32_t a, std::uint64_t v, std::uint64_t e) override {
+        return store_exclusive(a, v, e);
+    }
+
+    // ---- core.cpp ----
+
+    void InterpreterFallback(std::uint32_t pc, std::size_t) override;
+    void CallSVC(std::uint32_t) override;
+    void ExceptionRaised(std::uint32_t pc, Dynarmic::A32::Exception exception) override;
+    void AddTicks(std::uint64_t ticks) override;
+    std::uint64_t GetTicksRemaining() override;
+};
+
+}  // namespace sim

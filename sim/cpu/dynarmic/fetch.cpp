@@ -1,0 +1,165 @@
+// fetch.cpp - code as dynarmic translates it: from where, how far, and with what left out.
+#include <algorithm>
+#include <cstring>
+
+#include "sim/cpu/dynarmic/engine.h"
+#include "sim/cpu/dynarmic/instructions.h"
+#include "sim/cpu/dynarmic/translation_tables.h"
+
+namespace sim {
+
+namespace {
+
+constexpr std::uint32_t ARM_UNDEFINED = 0xE7F000F0;  // UDF #0
+constexpr std::uint32_t THUMB_UNDEFINED = 0xDE00;
+constexpr std::uint32_t THUMB_UNDEFINED_FIRST = 0xF7F0, THUMB_UNDEFINED_SECOND = 0xA000;
+constexpr std::uint32_t ARM_LINK = 0xEAFFFFFE, THUMB_LINK = 0xE7FE;  // B to itself
+// Instructions of a block.  Conditional ones cost dynarmic a look at all before them in the block.
+constexpr unsigned LONGEST_BLOCK = 64;
+constexpr std::uint32_t ARM_CALL = 0x0F000000, MOST_ARM = 0xFFFFFF;  // SVC #n, the largest n
+constexpr std::uint32_t THUMB_CALL = 0xDF00, MOST_THUMB = 0xFF;
+
+}  // namespace
+
+void ArmCore::forbid_code(std::uint32_t base, std::uint32_t size) {
+    engine_->forbidden.emplace_back(base, size);
+    engine_->forget_code(base, size);
+}
+
+bool ArmCore::Engine::is_forbidden(std::uint32_t address) const {
+    for (const auto& [base, size] : forbidden)
+        if (address - base < size) return true;
+    return false;
+}
+
+std::optional<std::uint16_t> ArmCore::Engine::half_of_code(std::uint32_t address) {
+    if (is_forbidden(address)) return std::nullopt;
+    const PageTable::Page& page = page_of(address);
+    if (!page.code || !(page.access & arm_access::EXECUTE)) return std::nullopt;
+    std::uint16_t half;
+    std::memcpy(&half, page.code + (address & 0xFFE), sizeof half);
+    return half;
+}
+
+// The translation tables do not keep it from the user mode.
+bool ArmCore::Engine::user_may(std::uint32_t address, unsigned right) const {
+    return translate(cp15, memory, address, false).access & right;
+}
+
+// Before the user mode comes to what was translated for privileged ones alone.
+void ArmCore::Engine::forget_privileged_code() {
+    for (const std::uint32_t page : privileged_code) invalidate(page << 12, 0x1000);
+    privileged_code.clear();
+}
+
+// Dynarmic reads a block's words from its begin on, a Thumb instruction of 32 bits as two words if
+// it lies in two, and tells each instruction by GetTicksForCode.  What is answered with nothing
+// ends the block before it and raises NoExecuteFault there.
+//
+// A single load or store that reaches the bus is read as a supervisor call, whose number is that of
+// the block's instructions before it: done_directly() in core.cpp does it then.
+//
+// Blocks do not overlap, so that it is known which one has come to an instruction: where another
+// block begins, this one ends with a branch there, which does not count.
+std::optional<std::uint32_t> ArmCore::Engine::MemoryReadCode(std::uint32_t address) {
+    const std::uint32_t begin = r()[15];
+    const bool second_half = block.begin == begin && block.thumb && (block.next & 2) &&
+                             address == (block.next & ~3u) + 4;
+    if (!second_half) {
+        const bool first = block.begin != begin || address != (block.next & ~3u);
+        if (first) {
+            block = {begin, begin, thumb(), 0, it_state(jit->Cpsr()), false};
+            translates(begin);
+        }
+        const std::uint32_t pc = block.next;
+        if (block.thumb) code.set_it(pc, block.it);
+        if (!stepping) {
+            if (!probed.empty() && probed.count(pc)) return std::nullopt;
+            if (first) {
+                const unsigned straight = code.to_next_branch_now(pc, block.thumb);
+                if (straight > left_over) {
+                    if (straight < Code::FAR) longest = std::max(longest, straight);
+                    retranslate = true;
+                    return std::nullopt;
+                }
+                if (code.split(pc)) invalidate(pc, 2);
+            }
+        }
+    }
+    const bool inside = block.instructions > 0 && block.it == 0 && !second_half && !stepping;
+    const auto ends_function = [&] {
+        return tally && !tally->same_function(block.begin, block.next);
+    };
+    const bool enough = block.instructions >= LONGEST_BLOCK;
+    if (inside && (enough || code.is_begin(block.next) || ends_function()) &&
+        (code.is_direct(block.next) || !code.is_marked(block.next))) {
+        block.linked = true;
+        if (!block.thumb) return ARM_LINK;
+        return block.next & 2 ? THUMB_LINK << 16 : THUMB_LINK;
+    }
+    bool call = false;
+    if (!second_half && !stepping && code.is_marked(block.next)) {
+        call = !watch && code.is_direct(block.next) &&
+               block.instructions <= (block.thumb ? MOST_THUMB : MOST_ARM);
+        if (!call) return std::nullopt;
+    }
+    if (is_forbidden(second_half ? address : block.next)) return std::nullopt;
+    const PageTable::Page& page = page_of(address);
+    if (!page.code || !(page.access & arm_access::EXECUTE)) return std::nullopt;
+    if (!user_may(address, arm_access::EXECUTE)) privileged_code.insert(address >> 12);
+    if (page.bytes && !code.has_code(page.physical >> 12)) pages.close_bytes(page.bytes);
+    code.use(address >> 12, page.physical >> 12).words[(address & 0xFFF) / 4] = true;
+    std::uint32_t word;
+    std::memcpy(&word, page.code + (address & 0xFFC), sizeof word);
+
+    const auto half_as = [&](std::uint32_t half) {
+        return block.next & 2 ? (word & 0xFFFF) | half << 16 : (word & 0xFFFF0000) | half;
+    };
+    if (call)
+        return block.thumb ? half_as(THUMB_CALL | block.instructions)
+                           : (word & 0xF0000000) | ARM_CALL | block.instructions;
+    const auto whole = code.instruction(block.next, block.thumb);
+    if (!whole || !is_system(*whole, block.thumb, floating_point())) return word;
+    if (!block.thumb) return ARM_UNDEFINED;
+    // As long as the instruction, which a condition may leave out.
+    if (*whole <= 0xFFFF) return half_as(THUMB_UNDEFINED);
+    if (second_half) return (word & 0xFFFF0000) | THUMB_UNDEFINED_SECOND;
+    return block.next & 2 ? half_as(THUMB_UNDEFINED_FIRST)
+                          : THUMB_UNDEFINED_FIRST | THUMB_UNDEFINED_SECOND << 16;
+}
+
+std::uint64_t ArmCore::Engine::GetTicksForCode(bool is_thumb, std::uint32_t pc,
+                                               std::uint32_t word) {
+    if (block.linked) return tally && !tally->same_function(block.begin, pc) ? JUMP : 0;
+    block.next = pc + (is_thumb && word <= 0xFFFF ? 2 : 4);
+    ++block.instructions;
+    block.it = is_thumb && is_it(word) ? word & 0xFF : next_it(block.it);
+    if (stepping) return 1;
+    if (const auto other = code.translated(block.begin, pc, block.next)) invalidate(*other, 2);
+    return tally ? 1 + ticks_of_departure(is_thumb, pc, word) : 1;
+}
+
+std::uint64_t ArmCore::Engine::ticks_of_departure(bool is_thumb, std::uint32_t pc,
+                                                  std::uint32_t word) const {
+    const auto to = departure(word, is_thumb, pc);
+    if (!to) return 0;
+    if (to->call) return CALL;
+    const bool stays =
+        to->target && tally->same_function(pc, *to->target) && tally->same_function(pc, block.next);
+    return stays ? 0 : JUMP;
+}
+
+// A load from an address that is known while it is translated, so a literal among the code, becomes
+// a constant.  A store there is noticed, like one to an instruction.
+bool ArmCore::Engine::IsReadOnlyMemory(std::uint32_t address) {
+    const PageTable::Page& page = page_of(address);
+    if (watch || !page.bytes || !(page.access & arm_access::READ) ||
+        !code.has_code(page.physical >> 12) || (address & 0xFFF) > 0xFF8 ||
+        !user_may(address, arm_access::READ))
+        return false;
+    auto& words = code.use(address >> 12, page.physical >> 12).words;
+    words[(address & 0xFFF) / 4] = words[(address & 0xFFF) / 4 + 1] = true;
+    return true;
+}
+
+}  // namespace sim

@@ -1,0 +1,180 @@
+// registers.cpp - ArmCore's registers and memory as others see them, and how they are after reset.
+#include <algorithm>
+
+#include "sim/cpu/dynarmic/engine.h"
+
+namespace sim {
+
+namespace {
+
+constexpr std::uint32_t SCTLR_M = 1;
+
+}  // namespace
+
+// ---- Registers ----------------------------------------------------------------------------------
+
+void ArmCore::reset(std::uint32_t entry, std::uint32_t stack) {
+    Engine& e = *engine_;
+    e.jit->Reset();
+    e.jit->ExtRegs().fill(0);
+    e.jit->SetFpscr(0);
+    e.jit->ClearExclusiveState();
+    e.cp15.reset();
+    e.banked = {};
+    e.fpexc = 1u << 30;
+    e.jit->SetCpsr(arm_mode::SVC | arm_cpsr::A | arm_cpsr::I | arm_cpsr::F |
+                   (entry & 1 ? arm_cpsr::T : 0));
+    e.r().fill(0);
+    set_reg(13, stack);
+    set_reg(15, entry);
+    e.forget_mappings();
+}
+
+std::uint32_t ArmCore::reg(unsigned number) const { return engine_->jit->Regs()[number & 15]; }
+
+void ArmCore::set_reg(unsigned number, std::uint32_t value) {
+    const std::uint32_t unaligned = engine_->thumb() ? 1 : 3;
+    engine_->r()[number & 15] = (number & 15) == 15 ? value & ~unaligned : value;
+}
+
+std::uint32_t ArmCore::cpsr() const { return engine_->jit->Cpsr(); }
+void ArmCore::set_cpsr(std::uint32_t value) { engine_->set_cpsr(value); }
+
+void ArmCore::Engine::set_cpsr(std::uint32_t value) {
+    const std::uint32_t was = mode(), is = value & arm_cpsr::MODE;
+    if (was != is) {
+        banked.change(r(), was, is);
+        jit->ClearExclusiveState();
+        const bool other_rights = (was == arm_mode::USR) != (is == arm_mode::USR);
+        if (other_rights && (cp15.value(cp15::SCTLR) & SCTLR_M)) pages.close_all();
+        if (is == arm_mode::USR) forget_privileged_code();
+        if (other_rights && floating_point_rights() == 1) forget_mappings();
+    }
+    if (jit->Cpsr() & ~value & (arm_cpsr::I | arm_cpsr::F)) bus.unmasked();
+    jit->SetCpsr(value);
+}
+
+std::uint32_t ArmCore::spsr() const { return engine_->spsr(); }
+void ArmCore::set_spsr(std::uint32_t value) { engine_->spsr() = value; }
+
+std::uint64_t ArmCore::vfp(unsigned number) const {
+    const auto& words = engine_->jit->ExtRegs();
+    const unsigned low = 2 * (number & 31);
+    return words[low] | std::uint64_t{words[low + 1]} << 32;
+}
+
+void ArmCore::set_vfp(unsigned number, std::uint64_t value) {
+    auto& words = engine_->jit->ExtRegs();
+    const unsigned low = 2 * (number & 31);
+    words[low] = static_cast<std::uint32_t>(value);
+    words[low + 1] = static_cast<std::uint32_t>(value >> 32);
+}
+
+std::uint32_t ArmCore::fpscr() const { return engine_->jit->Fpscr(); }
+void ArmCore::set_fpscr(std::uint32_t value) { engine_->jit->SetFpscr(value); }
+
+std::uint32_t ArmCore::cp15(const Cp15& name) const { return engine_->cp15.value(name); }
+void ArmCore::set_cp15(const Cp15& name, std::uint32_t value) { engine_->cp15.set(name, value); }
+
+// ---- Who looks in -------------------------------------------------------------------------------
+
+void ArmCore::attach(ArmProbe* probe, const std::vector<std::uint32_t>& at) {
+    Engine& e = *engine_;
+    for (const std::uint32_t pc : e.probed) e.invalidate(pc & ~1u, 2);
+    e.probe = probe;
+    e.probed.clear();
+    if (!probe) return;
+    e.probed.insert(at.begin(), at.end());
+    for (const std::uint32_t pc : at) e.invalidate(pc & ~1u, 2);
+}
+
+void ArmCore::attach(ArmTally* tally) {
+    engine_->tally = tally;
+    engine_->forget_mappings();
+}
+
+// Every access asks while nothing is in the page table, and no literal is a constant.
+void ArmCore::watch(ArmWatch* watch) {
+    if ((watch == nullptr) != (engine_->watch == nullptr)) engine_->forget_mappings();
+    engine_->watch = watch;
+}
+
+// ---- Memory -------------------------------------------------------------------------------------
+
+void ArmCore::map_ram(std::uint32_t base, std::uint64_t size, void* bytes, unsigned access,
+                      bool data_by_bus) {
+    engine_->memory.add({base, size, static_cast<std::uint8_t*>(bytes), 0, access, data_by_bus});
+    engine_->pages.close_all();
+}
+
+void ArmCore::map_bus(std::uint32_t base, std::uint64_t size, std::uint32_t bus_base,
+                      unsigned access) {
+    engine_->memory.add({base, size, nullptr, bus_base, access});
+    engine_->pages.close_all();
+}
+
+void ArmCore::unmap(std::uint32_t base, std::uint64_t size) {
+    engine_->memory.remove(base);
+    engine_->pages.close_all();
+    engine_->forget_code(
+        base, static_cast<std::uint32_t>(std::min<std::uint64_t>(size, 0x100000000 - base - 1)));
+}
+
+std::optional<std::uint32_t> ArmCore::bus_address(std::uint32_t address) const {
+    const MemoryMap::Area* const area = engine_->memory.find(address);
+    if (!area || area->bytes) return std::nullopt;
+    return area->bus_base + (address - area->base);
+}
+
+bool ArmCore::read_ram(std::uint32_t address, void* data, std::size_t bytes) const {
+    const std::uint8_t* const from = engine_->memory.ram(address, bytes);
+    if (from) std::copy_n(from, bytes, static_cast<std::uint8_t*>(data));
+    return from != nullptr;
+}
+
+bool ArmCore::write_ram(std::uint32_t address, const void* data, std::size_t bytes) {
+    std::uint8_t* const to = engine_->memory.ram(address, bytes);
+    if (!to) return false;
+    std::copy_n(static_cast<const std::uint8_t*>(data), bytes, to);
+    forget_translations(address, bytes);
+    return true;
+}
+
+void ArmCore::forget_translations(std::uint32_t address, std::size_t bytes) {
+    engine_->forget_code(address, static_cast<std::uint32_t>(bytes));
+}
+
+void ArmCore::Engine::forget_code(std::uint32_t address, std::uint32_t bytes) {
+    if (bytes == 0) return;
+    code.written(address, bytes,
+                 [this](std::uint32_t begin, std::uint32_t size) { invalidate(begin, size); });
+}
+
+void ArmCore::Engine::invalidate(std::uint32_t address, std::uint32_t bytes) {
+    jit->InvalidateCacheRange(address, bytes);
+}
+
+// Dynarmic keeps every branch that has ever been translated to a place, and goes through them all
+// when the place is translated anew.  And its table of blocks hashes by address alone: blocks for
+// several modes of FPSCR begin at one address, and when they are more than the addresses around
+// them it grows without end.  So all is forgotten when a page has been translated often; not at
+// once, since the first memory access would then end what is being translated.
+void ArmCore::Engine::translates(std::uint32_t pc) {
+    constexpr unsigned OFTEN = 1024;
+    if (++translations[pc >> 12] == OFTEN) overfull = true;
+}
+
+void ArmCore::Engine::forget_blocks() {
+    translations.clear();
+    overfull = false;
+    jit->ClearCache();
+}
+
+void ArmCore::Engine::forget_mappings() {
+    pages.close_all();
+    code.forget();
+    privileged_code.clear();
+    forget_blocks();
+}
+
+}  // namespace sim

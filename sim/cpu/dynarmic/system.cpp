@@ -1,0 +1,237 @@
+// system.cpp - the instructions of an operating system: status registers, modes, exception returns,
+// coprocessors (ARM DDI 0406C, B9).  Dynarmic is an engine for programs of the user mode.
+//
+// What they do to registers comes after all their accesses, so one that aborts has done nothing.
+#include "sim/cpu/dynarmic/engine.h"
+#include "sim/cpu/dynarmic/instructions.h"
+
+namespace sim {
+
+namespace {
+
+constexpr bool is(std::uint32_t word, std::uint32_t mask, std::uint32_t value) {
+    return (word & mask) == value;
+}
+
+std::uint32_t turned(std::uint32_t value, unsigned by) {
+    return by ? value >> by | value << (32 - by) : value;
+}
+
+constexpr std::uint32_t SEEN_BY_MRS = 0xF8FF03DF;  // neither T nor IT nor J
+constexpr std::uint32_t FPSID = 0x41033094, MVFR0 = 0x10110222, MVFR1 = 0x01111111;
+
+}  // namespace
+
+bool ArmCore::Engine::system(std::uint32_t pc) {
+    const bool in_thumb = thumb();
+    const auto word = code.instruction(pc, in_thumb);
+    if (!word || is_absent(*word, in_thumb)) return false;
+    const unsigned bytes = in_thumb && *word <= 0xFFFF ? 2 : 4;
+    const bool was_stepping = stepping;
+    stepping = true;  // its accesses may go to the bus
+    r()[15] = pc + bytes;
+    bool done = true;
+    if (in_thumb) {
+        const std::uint32_t cpsr = jit->Cpsr();
+        jit->SetCpsr(with_it_state(cpsr, next_it(it_state(cpsr))));
+        done = thumb_system(*word);
+        if (!done) jit->SetCpsr(cpsr);
+    } else if (*word >> 28 == 15 || condition_holds(*word >> 28, jit->Cpsr())) {
+        done = arm_system(*word);
+    }
+    if (!done) r()[15] = pc;
+    jit->ClearHalt(Dynarmic::HaltReason::MemoryAbort);  // of its accesses: nothing runs now
+    stepping = was_stepping;
+    return done;
+}
+
+bool ArmCore::Engine::arm_system(std::uint32_t w) {
+    const bool up = w >> 23 & 1, before = w >> 24 & 1, write = w >> 21 & 1;
+    if (is(w, 0xFFF1FE20, 0xF1000000)) {
+        change_state(w >> 18 & 3, w >> 17 & 1, w & 0x1C0, w & 0x1F);
+        return true;
+    }
+    if (is(w, 0xFE50FFFF, 0xF8100A00)) {
+        const unsigned base = w >> 16 & 0xF;
+        return return_from(r()[base], up, before, write ? std::optional{base} : std::nullopt);
+    }
+    if (is(w, 0xFE5FFFE0, 0xF84D0500)) return save_return(w & 0x1F, up, before, write);
+    if (w >> 28 != 15) {
+        if (is(w, 0x0FB00000, 0x01000000) || is(w, 0x0FB00000, 0x01200000) ||
+            is(w, 0x0FB0F000, 0x0320F000)) {
+            if (status(w)) return true;
+        }
+        if (loads_its_base(w, false)) return load_with_base(w >> 16 & 0xF, w & 0xFFFF, up, before);
+        if (is(w, 0x0E400000, 0x08400000)) return load_store_multiple(w);
+        if (is(w, 0x0C10F000, 0x0010F000)) return exception_return(w);
+    }
+    if (w >> 28 == 15)
+        return is(w, 0xFD30F000, 0xF410F000) ||  // PLI
+               (is_newton_step(w, false) && newton_step(w));
+    return is(w, 0x0C000000, 0x0C000000) && coprocessor(w);
+}
+
+bool ArmCore::Engine::thumb_system(std::uint32_t w) {
+    if (loads_its_base(w, true)) {
+        if (w <= 0xFFFF) return load_with_base(w >> 8 & 7, w & 0xFF, true, false);
+        const bool up = w >> 23 & 1;
+        return load_with_base(w >> 16 & 0xF, w & 0xFFFF, up, !up);
+    }
+    if (is_newton_step(w, true)) return newton_step(w);
+    if (is(w, 0xFFFFFFE8, 0xB660)) {
+        change_state(w >> 4 & 1 ? 3 : 2, false, (w & 7) << 6, 0);
+        return true;
+    }
+    if (is(w, 0xFFE0F0FF, 0xF3808000)) {
+        write_status(w >> 20 & 1, w >> 8 & 0xF, r()[w >> 16 & 0xF]);
+        return true;
+    }
+    if (is(w, 0xFFEFF0FF, 0xF3EF8000)) {
+        const bool saved = w >> 20 & 1;
+        if (saved && !privileged()) return false;
+        r()[w >> 8 & 0xF] = saved ? spsr() : jit->Cpsr() & SEEN_BY_MRS;
+        return true;
+    }
+    if (is(w, 0xFFFFF800, 0xF3AF8000)) {
+        change_state(w >> 9 & 3, w >> 8 & 1, (w & 0xE0) << 1, w & 0x1F);
+        return true;
+    }
+    if (is(w, 0xFFFFFF00, 0xF3DE8F00)) {
+        if (!privileged() || mode() == arm_mode::SYS) return false;
+        const std::uint32_t to = r()[14] - (w & 0xFF);
+        set_cpsr(spsr());
+        core.set_reg(15, to);
+        return true;
+    }
+    const bool up = is(w, 0xFF800000, 0xE9800000), write = w >> 21 & 1;
+    if (is(w, 0xFFD0FFFF, 0xE810C000) || is(w, 0xFFD0FFFF, 0xE990C000)) {
+        const unsigned base = w >> 16 & 0xF;
+        return return_from(r()[base], up, !up, write ? std::optional{base} : std::nullopt);
+    }
+    if (is(w, 0xFFDFFFE0, 0xE80DC000) || is(w, 0xFFDFFFE0, 0xE98DC000))
+        return save_return(w & 0x1F, up, !up, write);
+    return is(w, 0xEC000000, 0xEC000000) && coprocessor(w);
+}
+
+// ---- Status registers ---------------------------------------------------------------------------
+
+// MRS and MSR; false for what else is encoded among them.
+bool ArmCore::Engine::status(std::uint32_t w) {
+    const bool saved = w >> 22 & 1;
+    if (is(w, 0x0FBF0FFF, 0x010F0000)) {
+        if (saved && !privileged()) return false;
+        r()[w >> 12 & 0xF] = saved ? spsr() : jit->Cpsr() & SEEN_BY_MRS;
+        return true;
+    }
+    const bool immediate = is(w, 0x0FB0F000, 0x0320F000);
+    if (!immediate && !is(w, 0x0FB0FFF0, 0x0120F000)) return false;
+    write_status(saved, w >> 16 & 0xF, immediate ? turned(w & 0xFF, w >> 7 & 0x1E) : r()[w & 0xF]);
+    return true;
+}
+
+// `mask`: which bytes of the register, the lowest first.
+void ArmCore::Engine::write_status(bool saved, unsigned mask, std::uint32_t value) {
+    std::uint32_t bits = 0;
+    for (unsigned byte = 0; byte < 4; ++byte)
+        if (mask >> byte & 1) bits |= 0xFFu << (8 * byte);
+    if (saved) {
+        if (privileged() && mode() != arm_mode::SYS) spsr() = (spsr() & ~bits) | (value & bits);
+        return;
+    }
+    bits &= privileged() ? 0xF80F03DFu : 0xF80F0200u;  // neither T nor IT nor J
+    set_cpsr((jit->Cpsr() & ~bits) | (value & bits));
+}
+
+// CPS: `imod` 2 enables, 3 disables what `masks` (A, I, F as in the CPSR) names.
+void ArmCore::Engine::change_state(unsigned imod, bool change_mode, std::uint32_t masks,
+                                   std::uint32_t to) {
+    if (!privileged()) return;
+    std::uint32_t value = jit->Cpsr();
+    if (imod == 2) value &= ~masks;
+    if (imod == 3) value |= masks;
+    if (change_mode) value = (value & ~arm_cpsr::MODE) | to;
+    set_cpsr(value);
+}
+
+// ---- Returns from exceptions --------------------------------------------------------------------
+
+// MOVS pc, SUBS pc and all others that compute: CPSR from SPSR.
+bool ArmCore::Engine::exception_return(std::uint32_t w) {
+    if (!privileged() || mode() == arm_mode::SYS) return false;
+    const std::uint32_t cpsr = jit->Cpsr(), pc = r()[15] + 4;
+    const auto reg = [&](unsigned n, bool by_register) {
+        return n == 15 ? pc + (by_register ? 4 : 0) : r()[n];
+    };
+    bool carry = cpsr >> 29 & 1;
+    const bool in = carry, by_register = !(w >> 25 & 1) && (w >> 4 & 1);
+    const std::uint32_t a = reg(w >> 16 & 0xF, by_register);
+    const std::uint32_t b =
+        w >> 25 & 1
+            ? turned(w & 0xFF, w >> 7 & 0x1E)
+            : shifted(reg(w & 0xF, by_register), w >> 5 & 3,
+                      by_register ? r()[w >> 8 & 0xF] & 0xFF : w >> 7 & 0x1F, by_register, carry);
+    std::uint32_t to = 0;
+    switch (w >> 21 & 0xF) {
+        case 0: to = a & b; break;
+        case 1: to = a ^ b; break;
+        case 2: to = a - b; break;
+        case 3: to = b - a; break;
+        case 4: to = a + b; break;
+        case 5: to = a + b + in; break;
+        case 6: to = a - b - !in; break;
+        case 7: to = b - a - !in; break;
+        case 12: to = a | b; break;
+        case 13: to = b; break;
+        case 14: to = a & ~b; break;
+        case 15: to = ~b; break;
+        default: return false;
+    }
+    set_cpsr(spsr());
+    core.set_reg(15, to);
+    return true;
+}
+
+// ---- Coprocessors -------------------------------------------------------------------------------
+
+// MRC and MCR of coprocessor 15, VMRS and VMSR of VFP's system registers.
+bool ArmCore::Engine::coprocessor(std::uint32_t w) {
+    const bool to_core = w >> 20 & 1;
+    const unsigned number = w >> 8 & 0xF, target_reg = w >> 12 & 0xF;
+    if (!is(w, 0x0F000010, 0x0E000010)) return false;
+    if (is(w, 0x0FE00FFF, 0x0EE00A10)) {
+        const unsigned which = w >> 16 & 0xF;
+        if (!privileged() || !may_use_floating_point()) return false;
+        if (!to_core) {
+            if (which != 8) return which == 0;
+            const bool was = floating_point();
+            fpexc = r()[target_reg] & 0xE0000000;
+            if (was != floating_point()) forget_mappings();
+            return true;
+        }
+        switch (which) {
+            case 0: r()[target_reg] = FPSID; return true;
+            case 6: r()[target_reg] = MVFR1; return true;
+            case 7: r()[target_reg] = MVFR0; return true;
+            case 8: r()[target_reg] = fpexc; return true;
+            default: return false;
+        }
+    }
+    if (number != 15) return false;
+    const Cp15 name{w >> 16 & 0xF, w >> 21 & 7, w & 0xF, w >> 5 & 7};
+    if (to_core) {
+        const auto value = cp15.read(name, privileged(), core.count_);
+        if (!value) return false;
+        if (target_reg == 15)
+            set_cpsr((jit->Cpsr() & 0x0FFFFFFF) | (*value & 0xF0000000));
+        else
+            r()[target_reg] = *value;
+        return true;
+    }
+    const std::uint32_t value = target_reg == 15 ? 0 : r()[target_reg];
+    const auto effect = cp15.write(name, value, privileged(), core.count_);
+    if (!effect) return false;
+    if (*effect != Cp15Registers::Effect::NONE) forget_mappings();
+    return true;
+}
+
+}  // namespace sim

@@ -1,0 +1,109 @@
+#include "sim/cpu/dynarmic/translation_tables.h"
+
+#include <cstring>
+#include <optional>
+
+namespace sim {
+
+namespace {
+
+constexpr std::uint32_t SCTLR_M = 1, SCTLR_TRE = 1u << 28, SCTLR_AFE = 1u << 29;
+constexpr std::uint32_t TTBCR_PD0 = 1u << 4, TTBCR_PD1 = 1u << 5;
+constexpr Cp15 PRRR{10, 0, 2, 0};
+
+// DFSR's and IFSR's status; the page's is the section's + 2.
+constexpr std::uint32_t TRANSLATION = 0x5, ACCESS_FLAG_SECTION = 0x3, ACCESS_FLAG_PAGE = 0x6,
+                        DOMAIN = 0x9, PERMISSION = 0xD, EXTERNAL_WALK_1 = 0xC,
+                        EXTERNAL_WALK_2 = 0xE;
+
+std::optional<std::uint32_t> word_at(const MemoryMap& memory, std::uint32_t address) {
+    const std::uint8_t* const bytes = memory.ram(address, 4);
+    if (!bytes) return std::nullopt;
+    std::uint32_t word;
+    std::memcpy(&word, bytes, 4);
+    return word;
+}
+
+// AP[2:0] to arm_access, without EXECUTE (B3.7.1).
+unsigned permitted(unsigned ap, bool privileged, bool access_flag) {
+    using namespace arm_access;
+    if (access_flag) ap = (ap & 0b110) | 1;  // AP[0] is the flag; the model has AP[2:1] alone
+    switch (ap) {
+        case 0b001: return privileged ? READ | WRITE : 0;
+        case 0b010: return privileged ? READ | WRITE : READ;
+        case 0b011: return READ | WRITE;
+        case 0b101: return privileged ? READ : 0;
+        case 0b110:
+        case 0b111: return READ;
+        default: return 0;
+    }
+}
+
+// TEX, C and B to the memory's type (B3.8.2, B3.8.3; PRRR: B4.1.127).
+bool is_normal(const Cp15Registers& cp15, unsigned tex, unsigned cb) {
+    if (cp15.value(cp15::SCTLR) & SCTLR_TRE)
+        return (cp15.value(PRRR) >> (2 * ((tex & 1) << 2 | cb)) & 3) == 2;
+    switch (tex) {
+        case 0: return cb >= 2;
+        case 1: return cb == 0 || cb == 3;
+        default: return tex >= 4;
+    }
+}
+
+}  // namespace
+
+Translation translate(const Cp15Registers& cp15, const MemoryMap& memory, std::uint32_t address,
+                      bool privileged) {
+    const std::uint32_t control = cp15.value(cp15::SCTLR);
+    if (!(control & SCTLR_M)) return {address, arm_access::ALL, 0};
+
+    const std::uint32_t split = cp15.value(cp15::TTBCR), n = split & 7;
+    const bool second_table = n != 0 && address >> (32 - n) != 0;
+    if (split & (second_table ? TTBCR_PD1 : TTBCR_PD0)) return {0, 0, TRANSLATION};
+    const std::uint32_t base = second_table ? cp15.value(cp15::TTBR1) & ~0x3FFFu
+                                            : cp15.value(cp15::TTBR0) & ~((1u << (14 - n)) - 1);
+    const std::uint32_t index = second_table ? address >> 20 : (address << n >> n) >> 20;
+    const auto first = word_at(memory, base + 4 * index);
+    if (!first) return {0, 0, EXTERNAL_WALK_1};
+
+    const std::uint32_t kind = *first & 3;
+    if (kind == 0 || kind == 3) return {0, 0, TRANSLATION};
+    const bool section = kind == 2, super = section && (*first >> 18 & 1);
+    const std::uint32_t domain = super ? 0 : *first >> 5 & 0xF;
+    const std::uint32_t in_status = domain << 4, level = section ? 0 : 2;
+
+    std::uint32_t physical;
+    unsigned ap;
+    bool never, normal;
+    if (section) {
+        const std::uint32_t inside = super ? 0x00FFFFFF : 0x000FFFFF;
+        physical = (*first & ~inside) | (address & inside);
+        ap = (*first >> 10 & 3) | (*first >> 13 & 4);
+        never = *first >> 4 & 1;
+        normal = is_normal(cp15, *first >> 12 & 7, *first >> 2 & 3);
+    } else {
+        const auto second = word_at(memory, (*first & ~0x3FFu) + 4 * (address >> 12 & 0xFF));
+        if (!second) return {0, 0, EXTERNAL_WALK_2 | in_status};
+        if ((*second & 3) == 0) return {0, 0, TRANSLATION | level | in_status};
+        const bool large = (*second & 3) == 1;
+        const std::uint32_t inside = large ? 0xFFFF : 0xFFF;
+        physical = (*second & ~inside) | (address & inside);
+        ap = (*second >> 4 & 3) | (*second >> 7 & 4);
+        never = large ? *second >> 15 & 1 : *second & 1;
+        normal = is_normal(cp15, *second >> (large ? 12 : 6) & 7, *second >> 2 & 3);
+    }
+
+    const bool access_flag = control & SCTLR_AFE;
+    if (access_flag && !(ap & 1))
+        return {0, 0, (section ? ACCESS_FLAG_SECTION : ACCESS_FLAG_PAGE) | in_status};
+    switch (cp15.value(cp15::DACR) >> (2 * domain) & 3) {
+        case 1: break;
+        case 3: return {physical, arm_access::ALL, 0, normal};
+        default: return {0, 0, DOMAIN | level | in_status};
+    }
+    unsigned access = permitted(ap, privileged, access_flag);
+    if ((access & arm_access::READ) && !never) access |= arm_access::EXECUTE;
+    return {physical, access, PERMISSION | level | in_status, normal};
+}
+
+}  // namespace sim

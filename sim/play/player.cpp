@@ -1,0 +1,150 @@
+#include "sim/play/player.h"
+
+#include <algorithm>
+
+#include "sim/report/whole_file.h"
+
+namespace sim {
+
+using sc_core::sc_time;
+using sc_core::sc_time_stamp;
+
+namespace {
+
+const sc_time millisecond{1, sc_core::SC_MS};
+
+sc_time to_sc(SimTime time) { return sc_time::from_value(time.ps); }  // resolution: 1 ps
+
+}  // namespace
+
+Player::Player(const sc_core::sc_module_name& name, Board& board, Senses& senses,
+               const std::vector<ScenarioStep>& steps, std::filesystem::path out)
+    : sc_module{name}, board_{board}, senses_{senses}, steps_{steps}, out_{std::move(out)} {
+    senses_.frame_shown = [this] { frame_shown_.notify(sc_core::SC_ZERO_TIME); };
+    senses_.printed = [this] { printed_.notify(sc_core::SC_ZERO_TIME); };
+    SC_HAS_PROCESS(Player);
+    SC_THREAD(run);
+}
+
+void Player::run() {
+    for (; current_ < steps_.size(); ++current_) {
+        const ScenarioStep& step = steps_[current_];
+        if (auto verdict = step.step->play(*this))
+            results_.push_back(expectation(step, *std::move(verdict)));
+    }
+    finished_ = true;
+    done_.notify(sc_core::SC_ZERO_TIME);
+}
+
+Expectation Player::expectation(const ScenarioStep& step, Verdict verdict) {
+    return {step.text, step.line, sc_time_stamp().to_seconds(), verdict.met,
+            std::move(verdict.detail)};
+}
+
+std::vector<Expectation> Player::results() const {
+    std::vector<Expectation> all = results_;
+    for (std::size_t i = current_; i < steps_.size(); ++i)
+        if (steps_[i].step->decides())
+            all.push_back(expectation(steps_[i], {false, "the run ended before"}));
+    return all;
+}
+
+// ---- Time ----
+
+void Player::wait(SimTime time) { sc_module::wait(to_sc(time)); }
+
+bool Player::wait_until(Each each, SimTime timeout, const std::function<bool()>& met) {
+    const sc_time end = sc_time_stamp() + to_sc(timeout);
+    for (;;) {
+        if (met()) return true;
+        if (sc_time_stamp() >= end) return false;
+        const sc_time rest = end - sc_time_stamp();
+        switch (each) {
+            case Each::FRAME: sc_module::wait(rest, frame_shown_); break;
+            case Each::CHARACTER: sc_module::wait(rest, printed_); break;
+            case Each::MILLISECOND: sc_module::wait(std::min(millisecond, rest)); break;
+        }
+    }
+}
+
+// ---- Hands ----
+
+void Player::hold(const Controls& c) { board_.hold(c.keypad, c.keys, c.switches); }
+void Player::release(const Controls& c) { board_.release(c.keypad, c.keys, c.switches); }
+void Player::drive_pins(std::uint32_t jp1, std::uint32_t jp2, PinLevel level) {
+    board_.drive_pins(jp1, jp2, level);
+}
+void Player::set_voltage(unsigned channel, double volts) { board_.set_voltage(channel, volts); }
+void Player::type_serial(const std::string& text) { board_.type(text); }
+void Player::type_keys(const std::string& text) { board_.ps2_keyboard.type(text); }
+void Player::hold_key(std::uint16_t code) { board_.ps2_keyboard.press(code); }
+void Player::release_key(std::uint16_t code) { board_.ps2_keyboard.release(code); }
+void Player::press_remote(std::uint8_t button) { board_.remote_control.press(button); }
+void Player::move_mouse(int right, int up) { board_.ps2_mouse.move(right, up); }
+void Player::turn_wheel(int notches) { board_.ps2_mouse.turn(notches); }
+void Player::hold_button(MouseButton button) { board_.ps2_mouse.button(button, true); }
+void Player::release_button(MouseButton button) { board_.ps2_mouse.button(button, false); }
+
+SoundSource& Player::source(SoundInput input) {
+    board_.fpga.catch_up();
+    return input == SoundInput::LINE_IN ? board_.line_in : board_.microphone;
+}
+
+void Player::play(SoundInput input, std::shared_ptr<const Recording> recording, bool for_ever) {
+    source(input).play(std::move(recording), for_ever, sc_time_stamp().value());
+}
+void Player::play_tone(SoundInput input, double hz, double level) {
+    source(input).tone(hz, level, sc_time_stamp().value());
+}
+void Player::play_silence(SoundInput input) { source(input).silence(); }
+
+void Player::show_picture(std::shared_ptr<const Image> picture) {
+    board_.fpga.catch_up();
+    board_.video_decoder.show(std::move(picture));
+}
+
+// ---- Eyes and ears ----
+
+Senses& Player::senses() {
+    board_.fpga.catch_up();
+    return senses_;
+}
+
+std::uint16_t Player::ledr() {
+    board_.fpga.catch_up();
+    return board_.fpga.fabric().ledr();
+}
+
+HexSegments Player::hex() {
+    board_.fpga.catch_up();
+    const std::uint64_t lit = ~board_.fpga.fabric().hex_n();
+    HexSegments segments{};
+    for (unsigned i = 0; i < HEX_DIGITS; ++i)
+        segments[i] = static_cast<std::uint8_t>(lit >> (7 * i) & 0x7f);
+    return segments;
+}
+
+std::uint32_t Player::jp1() {
+    board_.fpga.catch_up();
+    return board_.fpga.fabric().in.jp1;
+}
+
+std::uint32_t Player::jp2() {
+    board_.fpga.catch_up();
+    return board_.fpga.fabric().in.jp2;
+}
+
+// ---- The output folder ----
+
+bool Player::save(const std::filesystem::path& path, const Image& image) {
+    try {
+        make_folder(path.parent_path());
+        write_png(path, image);
+        return true;
+    } catch (const IoError& e) {
+        faults_.push_back(e.what());
+        return false;
+    }
+}
+
+}  // namespace sim
