@@ -70,6 +70,17 @@ int command_line(int argc, char** argv, const Firmware& firmware) {
     RunOptions options, check_options;
     CLI::App& run_command = *app.add_subcommand("run", "play a scenario, or run a program");
     add_run_options(run_command, options);
+    ProjectOptions project;
+    CLI::App& build_command =
+        *app.add_subcommand("build", "build a Quartus project for run --project");
+    CLI::App& examine_command = *app.add_subcommand(
+        "check", "print what a Quartus project consists of, and what is wrong with it");
+    for (CLI::App* command : {&build_command, &examine_command}) {
+        command->add_option("PROJECT", project.place, ".qsf, .qpf or folder of Verilog")
+            ->check(named)
+            ->required();
+        add_project_options(*command, project);
+    }
     CLI::App& check_command = *app.add_subcommand(
         "check-board", "check registers, memory, timing, keys and lamps of the simulated board");
     add_check_board_options(check_command, check_options);
@@ -103,11 +114,15 @@ int command_line(int argc, char** argv, const Firmware& firmware) {
         complain(fmt::format(
             "{} (see de1sim --help)",
             argc > 1 && app.get_subcommands().empty()
-                ? fmt::format("expected run, check-board or compare, got \"{}\"", argv[1])
+                ? fmt::format("expected run, build, check, check-board or compare, got \"{}\"",
+                              argv[1])
                 : std::string{e.what()}));
         return WRONG_INPUT;
     }
-    if (!options.trace.empty() && !Fabric::can_trace()) return become_tracing_build(argv);
+    if (!options.trace.empty() && options.project.place.empty() && !Fabric::can_trace())
+        return become_tracing_build(argv);
+    if (build_command.parsed()) return build_project(project);
+    if (examine_command.parsed()) return check_project(project);
     if (compare_command.parsed()) return compare_reports(reports[0], reports[1]);
     if (check_command.parsed())
         return run(check_options,

@@ -2,43 +2,19 @@
 
 #include <cmath>
 
-#include "regmap.h"
-#include "sim/board/fpga_places.h"
-
 namespace sim {
 
 namespace {
-
-// Cyclone V HPS memory map.
-constexpr std::uint32_t DDR3_BASE = 0x00000000, DDR3_SIZE = 0x40000000;
-constexpr std::uint32_t H2F_BASE = 0xC0000000, H2F_SIZE = 0x3C000000;
-constexpr std::uint32_t LW_BASE = 0xFF200000, LW_SIZE = 0x00200000;
-constexpr std::uint32_t ON_CHIP_RAM_BASE = 0xFFFF0000, ON_CHIP_RAM_SIZE = 0x10000;
 
 // Bits of hold() and release().
 constexpr unsigned ALL_KEYS = 0x0F, HPS_KEY = 0x10;
 
 double seconds(std::uint64_t ps) { return static_cast<double>(ps) * 1e-12; }
 
-std::unique_ptr<Processor> processor_for(Board::Software software, Audience& audience) {
-    if (auto* firmware = std::get_if<Firmware>(&software))
-        return std::make_unique<NativeCpu>("cpu", std::move(*firmware));
-    return std::make_unique<ArmCpu>("cpu", std::get<ArmProgram>(std::move(software)),
-                                    [&audience](const std::string& line) { audience.log(line); });
-}
-
 }  // namespace
 
-const std::vector<MemoryRange>& program_memory() {
-    static const std::vector<MemoryRange> memory{{DDR3_BASE, DDR3_SIZE},
-                                                 {ON_CHIP_RAM_BASE, ON_CHIP_RAM_SIZE},
-                                                 {regmap::SDRAM_BASE, regmap::SDRAM_SIZE}};
-    return memory;
-}
-
-Board::Board(const sc_core::sc_module_name& name, Audience& audience, Software software,
-             std::uint64_t seed, const std::string& trace_file, Fpga::Memory memory,
-             unsigned audio_rate, Ps2Ports ps2_ports)
+Board::Board(const sc_core::sc_module_name& name, Audience& audience, std::uint64_t seed,
+             Ps2Ports ps2_ports, const ChipMaker& make_chip)
     : sc_module{name},
       audience_{audience},
       monitor{[&audience](const Monitor::Frame& frame) { audience.frame(frame); }},
@@ -50,24 +26,11 @@ Board::Board(const sc_core::sc_module_name& name, Audience& audience, Software s
                  },
                  [this] { return line_in.sample(codec_chip.time_ps(), codec_chip.rate_hz()); },
                  [this] { return microphone.sample(codec_chip.time_ps(), codec_chip.rate_hz()); }},
-      keypad{"keypad", seed, [this] { header_wires(fpga.inputs()); }},
-      ps2_keyboard{"ps2_keyboard", [this] { ps2_wires(fpga.inputs()); }},
-      ps2_mouse{"ps2_mouse", [this] { ps2_wires(fpga.inputs()); }},
-      remote_control{"remote_control", [this] { fpga.inputs().irda_rxd = remote_control.dark(); }},
-      fpga{"fpga", *this, trace_file, memory, sdram_chip.bytes(), audio_rate},
-      jtag_host{"jtag_host", fpga, [&audience](char character) { audience.console(character); }},
-      ddr3{"ddr3", DDR3_SIZE, sc_core::sc_time{60, sc_core::SC_NS}},
-      hps{"hps",
-          {[&audience](char character) { audience.console(character); },
-           [this](bool irq, bool fiq) { cpu.interrupt(irq, fiq); }, [this] { cpu.warm_reset(); },
-           [this](std::uint32_t in_reset) {
-               h2f_gate_(!(in_reset & ResetManager::H2F));
-               lw_gate_(!(in_reset & ResetManager::LWH2F));
-           }}},
-      bus{"bus"},
-      processor_{processor_for(std::move(software), audience)},
-      cpu{*processor_},
-      arm{dynamic_cast<ArmCpu*>(processor_.get())} {
+      keypad{"keypad", seed, [this] { header_wires(chip_->inputs()); }},
+      ps2_keyboard{"ps2_keyboard", [this] { ps2_wires(chip_->inputs()); }},
+      ps2_mouse{"ps2_mouse", [this] { ps2_wires(chip_->inputs()); }},
+      remote_control{"remote_control",
+                     [this] { chip_->inputs().irda_rxd = remote_control.dark(); }} {
     const auto plugged = [this](Ps2Plug plug) -> Ps2Device* {
         switch (plug) {
             case Ps2Plug::KEYBOARD: return &ps2_keyboard;
@@ -76,28 +39,7 @@ Board::Board(const sc_core::sc_module_name& name, Audience& audience, Software s
         }
     };
     ps2_ = {plugged(ps2_ports.first), plugged(ps2_ports.second)};
-    cpu.socket.bind(bus.socket);
-    bus.window("ddr3", DDR3_BASE, DDR3_SIZE).bind(ddr3.socket);
-    bus.window("h2f", H2F_BASE, H2F_SIZE).bind(fpga.h2f);
-    bus.window("lw", LW_BASE, LW_SIZE).bind(fpga.lw);
-    hps.bind(bus);
-    h2f_gate_ = bus.gate("h2f");
-    lw_gate_ = bus.gate("lw");
-    bus.describe("ddr3", "the DDR3", {{"the DDR3", DDR3_BASE, DDR3_SIZE, true}});
-    bus.describe("h2f", "the full bridge", fpga_places(H2F_BASE, H2F_SIZE));
-    bus.describe("lw", "the lightweight bridge", fpga_places(LW_BASE, LW_SIZE));
-    for (const char* bridge : {"h2f", "lw"})
-        bus.on_answered(bridge, [this](std::uint32_t address, unsigned bytes, bool write) {
-            if (const auto lost = lost_accesses_.look(address, bytes, write))
-                audience_.log(*lost + cpu.accessed());
-        });
-    cpu.explain_by([this](auto... access) { return bus.refusal(access...); });
-    hps.gpio1.on_led([this](bool lit, const sc_core::sc_time& now) {
-        lamps_.hps_led = lit;
-        audience_.lamps(lamps_, now.to_seconds());
-    });
-    fpga.spread_phases(seed);
-    fpga.on_interrupts([this](std::uint32_t levels) { hps.fpga_interrupts(levels); });
+    chip_ = make_chip(*this, audience, sdram_chip.bytes());
 }
 
 void Board::video(const std::uint32_t* samples, std::size_t count) {
@@ -105,7 +47,7 @@ void Board::video(const std::uint32_t* samples, std::size_t count) {
 }
 
 // SDAT is open-drain with a pull-up.
-void Board::codec(const CodecPins& pins, std::uint64_t time_ps, FabricInputs& in) {
+void Board::codec(const CodecPins& pins, std::uint64_t time_ps, ChipInputs& in) {
     const bool sdat = !pins.sdat_low && !codec_chip.pulls_sda_low();
     codec_chip.drive({pins.bclk, pins.daclrck, pins.adclrck, pins.dacdat, pins.sclk, sdat},
                      time_ps);
@@ -113,7 +55,7 @@ void Board::codec(const CodecPins& pins, std::uint64_t time_ps, FabricInputs& in
     in.adcdat = codec_chip.adcdat();
 }
 
-void Board::headers(const HeaderPins& pins, std::uint64_t time_ps, FabricInputs& in) {
+void Board::headers(const HeaderPins& pins, std::uint64_t time_ps, ChipInputs& in) {
     jp1_.fpga(pins.jp1, pins.jp1_oe);
     jp2_.fpga(pins.jp2, pins.jp2_oe);
     header_wires(in);
@@ -121,7 +63,7 @@ void Board::headers(const HeaderPins& pins, std::uint64_t time_ps, FabricInputs&
 }
 
 // The keypad joins wires of JP1 D7-D0.
-void Board::header_wires(FabricInputs& in) {
+void Board::header_wires(ChipInputs& in) {
     const std::uint32_t jp1 = jp1_.levels();
     in.jp1 = (jp1 & ~0xffu) | keypad.levels(static_cast<std::uint8_t>(jp1),
                                             static_cast<std::uint8_t>(jp1_.driven()));
@@ -133,7 +75,7 @@ void Board::header_wires(FabricInputs& in) {
 void Board::drive_pins(std::uint32_t jp1, std::uint32_t jp2, PinLevel level) {
     jp1_.outside(jp1, level);
     jp2_.outside(jp2, level);
-    header_wires(fpga.inputs());
+    header_wires(chip_->inputs());
     audience_.lamps(lamps_, sc_core::sc_time_stamp().to_seconds());
 }
 
@@ -144,20 +86,12 @@ void Board::lamps(const LampPins& pins, std::uint64_t time_ps) {
     audience_.lamps(lamps_, seconds(time_ps));
 }
 
-std::vector<std::string> Board::characters() {
-    constexpr unsigned ROWS = 60, COLUMNS = 80, BURST = 40;
-    std::vector<std::string> rows;
-    for (unsigned y = 0; y < ROWS; ++y) {
-        std::string row(COLUMNS, ' ');
-        for (unsigned x = 0; x < COLUMNS; x += BURST)
-            fpga.peek_full(regmap::CHARACTERS_BASE - H2F_BASE + (y << 7) + x,
-                           reinterpret_cast<std::uint8_t*>(&row[x]), BURST);
-        rows.push_back(row);
-    }
-    return rows;
+void Board::hps_led(bool lit, std::uint64_t time_ps) {
+    lamps_.hps_led = lit;
+    audience_.lamps(lamps_, seconds(time_ps));
 }
 
-void Board::adc(const AdcPins& pins, std::uint64_t time_ps, FabricInputs& in) {
+void Board::adc(const AdcPins& pins, std::uint64_t time_ps, ChipInputs& in) {
     adc_chip.drive(pins.convst, pins.sck, pins.sdi, time_ps);
     in.adc_sdo = adc_chip.sdo();
 }
@@ -170,7 +104,7 @@ void Board::sdram(const SdramPins& pins, std::uint64_t time_ps, std::uint16_t& d
     more = sdram_chip.busy();
 }
 
-void Board::ps2(unsigned clk_low, unsigned dat_low, FabricInputs& in) {
+void Board::ps2(unsigned clk_low, unsigned dat_low, ChipInputs& in) {
     ps2_clk_low_ = clk_low;
     ps2_dat_low_ = dat_low;
     for (unsigned port = 0; port < ps2_.size(); ++port)
@@ -179,7 +113,7 @@ void Board::ps2(unsigned clk_low, unsigned dat_low, FabricInputs& in) {
 }
 
 // Open collectors with pull-ups.
-void Board::ps2_wires(FabricInputs& in) const {
+void Board::ps2_wires(ChipInputs& in) const {
     unsigned clk_low = ps2_clk_low_, dat_low = ps2_dat_low_;
     for (unsigned port = 0; port < ps2_.size(); ++port) {
         if (!ps2_[port]) continue;
@@ -190,27 +124,23 @@ void Board::ps2_wires(FabricInputs& in) const {
     in.ps2_dat = static_cast<std::uint8_t>(3 & ~dat_low);
 }
 
-void Board::jtag_byte(unsigned number, char byte, FabricInputs& in) {
-    jtag_host.byte(number, byte, in);
-}
-
 void Board::set_voltage(unsigned channel, double volts) {
     adc_chip.set(channel, static_cast<int>(std::lround(volts * 1000)));
 }
 
 void Board::hold(std::uint16_t keys16, std::uint8_t keys, std::uint16_t switches) {
     if (keys16) keypad.press(keys16);
-    FabricInputs& in = fpga.inputs();
+    ChipInputs& in = chip_->inputs();
     in.key_n = static_cast<std::uint8_t>(in.key_n & ~keys);
-    if (keys & HPS_KEY) hps.gpio1.press_key(true);
+    if (keys & HPS_KEY) chip_->hps_key(true);
     in.sw = static_cast<std::uint16_t>(in.sw | switches);
 }
 
 void Board::release(std::uint16_t keys16, std::uint8_t keys, std::uint16_t switches) {
     if (keys16) keypad.release(keys16);
-    FabricInputs& in = fpga.inputs();
+    ChipInputs& in = chip_->inputs();
     in.key_n = static_cast<std::uint8_t>(in.key_n | (keys & ALL_KEYS));
-    if (keys & HPS_KEY) hps.gpio1.press_key(false);
+    if (keys & HPS_KEY) chip_->hps_key(false);
     in.sw = static_cast<std::uint16_t>(in.sw & ~switches);
 }
 

@@ -118,14 +118,15 @@ void Fabric::apply_inputs() {
     top.irda_rxd_i = in.irda_rxd;
     top.ps2_clk_i = in.ps2_clk;
     top.ps2_dat_i = in.ps2_dat;
-    top.jtag_take_i = in.jtag.take;
-    top.jtag_typed_i = in.jtag.typed;
-    top.jtag_typed_data_i = in.jtag.bytes;
-    top.jtag_idle_i = in.jtag.idle;
+    top.jtag_take_i = jtag.take;
+    top.jtag_typed_i = jtag.typed;
+    top.jtag_typed_data_i = jtag.bytes;
+    top.jtag_idle_i = jtag.idle;
     applied_ = in;
+    applied_jtag_ = jtag;
     look_ = true;
     moved_ |= PINS;
-    in.jtag.typed = in.jtag.idle = 0;
+    jtag.typed = jtag.idle = 0;
 }
 
 inline void Fabric::Model::eval([[maybe_unused]] std::uint64_t time_ps) {
@@ -197,7 +198,8 @@ inline std::uint64_t Fabric::clock([[maybe_unused]] std::uint64_t most) {
     model_->eval(time_ps() + FABRIC_PERIOD_PS / 2);
 #endif
     other_edges(2 * clocks_ + 2);
-    if (std::exchange(look_, false) && (in.jtag.typed || in.jtag.idle || !(in == applied_)))
+    if (std::exchange(look_, false) &&
+        (jtag.typed || jtag.idle || !(jtag == applied_jtag_) || !(in == applied_)))
         apply_inputs();
 #ifdef DE1SIM_EVERY_CLOCK
     const bool stirs = true;
@@ -270,7 +272,7 @@ void Fabric::tell_pins() {
         pins_.ps2(ps2 & 3, ps2 >> 2, in);
     }
     for (unsigned sent = top.jtag_sent_o, n = 0; sent >> n; ++n)
-        if (sent >> n & 1) pins_.jtag_byte(n, static_cast<char>(top.jtag_sent_data_o >> 8 * n), in);
+        if (sent >> n & 1) jtag_sent_(n, static_cast<char>(top.jtag_sent_data_o >> 8 * n), jtag);
 }
 
 void Fabric::tell_codec(std::uint64_t time_ps) {

@@ -10,44 +10,15 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "sim/fpga/asynchronous_clock.h"
+#include "sim/pins/pins.h"
 
 namespace sim {
-
-// One sample of the ADV7123's pins at a rising edge of VGA_CLK.
-namespace video {
-constexpr std::uint32_t RGB = 0x00ffffff;  // R 23:16, G 15:8, B 7:0
-constexpr std::uint32_t HS = 1u << 24, VS = 1u << 25, BLANK_N = 1u << 26, SYNC_N = 1u << 27;
-}  // namespace video
-
-struct CodecPins {
-    bool bclk, daclrck, adclrck, dacdat, sclk, sdat_low;  // sdat_low: the FPGA pulls SDAT low
-};
-
-struct HeaderPins {
-    std::uint32_t jp1, jp1_oe, jp2, jp2_oe;  // levels driven, and where they are driven
-};
-
-// At a rising edge of DRAM_CLK, in the middle of a clock.
-struct SdramPins {
-    bool cs_n, ras_n, cas_n, we_n;
-    std::uint8_t ba, dqm;
-    std::uint16_t addr, dq;
-    bool dq_driven;
-};
-
-struct LampPins {
-    std::uint16_t ledr;
-    std::uint64_t hex_n;  // as Fabric::hex_n()
-};
-
-struct AdcPins {
-    bool convst, sck, sdi;
-};
 
 // The host's side of the JTAG UARTs, bit or byte n of number n.
 struct JtagInputs {
@@ -59,46 +30,6 @@ struct JtagInputs {
     bool operator==(const JtagInputs& o) const {
         return take == o.take && typed == o.typed && idle == o.idle && bytes == o.bytes;
     }
-};
-
-struct FabricInputs {
-    std::uint16_t sw = 0;
-    std::uint8_t key_n = 0xf;
-    std::uint32_t jp1 = 0xffffffff, jp2 = 0xffffffff;
-    bool adcdat = false, sdat = true, adc_sdo = false, irda_rxd = true;
-    JtagInputs jtag;
-    std::uint8_t ps2_clk = 3, ps2_dat = 3;  // bit n of port n
-
-    bool operator==(const FabricInputs& o) const {
-        return sw == o.sw && key_n == o.key_n && jp1 == o.jp1 && jp2 == o.jp2 && sdat == o.sdat &&
-               adc_sdo == o.adc_sdo && irda_rxd == o.irda_rxd && jtag == o.jtag &&
-               ps2_clk == o.ps2_clk && ps2_dat == o.ps2_dat;
-    }
-};
-
-class PinListener {
-public:
-    // A sample a clock, in order, in batches of up to a scan line.
-    virtual void video(const std::uint32_t* samples, std::size_t count) = 0;
-    // Called after a clock in which one of them moved; may change `in`.
-    virtual void codec(const CodecPins& pins, std::uint64_t time_ps, FabricInputs& in) = 0;
-    virtual void headers(const HeaderPins& pins, std::uint64_t time_ps, FabricInputs& in) = 0;
-    virtual void lamps(const LampPins& /*pins*/, std::uint64_t /*time_ps*/) {}
-    virtual void adc(const AdcPins& pins, std::uint64_t time_ps, FabricInputs& in) = 0;
-    // Called in each clock in which CS_N is low, and in the next ones for as long as `more` stays
-    // true.  `dq` is what is on DQ when the next clock begins.
-    virtual void sdram(const SdramPins& pins, std::uint64_t time_ps, std::uint16_t& dq,
-                       bool& more) = 0;
-    // What the PS/2 ports pull low, bit n of port n.
-    virtual void ps2(unsigned clk_low, unsigned dat_low, FabricInputs& in) = 0;
-    // JTAG UART `number` has sent a byte; may change `in`.
-    virtual void jtag_byte(unsigned number, char byte, FabricInputs& in) = 0;
-    // TD_DATA at a rise of TD_CLK27, the first of which is number 0.  Asked of those alone at which
-    // somebody captures, in their order.
-    virtual std::uint8_t td_data(std::uint64_t /*rise*/) { return 0; }
-
-protected:
-    ~PinListener() = default;
 };
 
 enum class Bridge { LIGHTWEIGHT, FULL };
@@ -113,7 +44,12 @@ public:
 
     void end_trace();  // writes out the rest of the waveforms; what follows is not in them
 
-    FabricInputs in;
+    ChipInputs in;
+    JtagInputs jtag;
+
+    // Called when JTAG UART `number` has sent a byte; may change `in`, which is `jtag`.
+    using JtagSent = std::function<void(unsigned number, char byte, JtagInputs& in)>;
+    void on_jtag_byte(JtagSent sent) { jtag_sent_ = std::move(sent); }
 
     void run(std::uint64_t clocks);
     std::uint64_t clocks() const { return clocks_; }
@@ -160,7 +96,9 @@ private:
     PinListener& pins_;
     std::unique_ptr<Model> model_;
     AsynchronousClock audio_clock_, td_clock_;
-    FabricInputs applied_;
+    ChipInputs applied_;
+    JtagInputs applied_jtag_;
+    JtagSent jtag_sent_ = [](unsigned, char, JtagInputs&) {};
     bool look_ = true;        // `in` may differ from applied_
     std::uint8_t moved_ = 0;  // inputs since the last clock
     bool sdram_ = false;      // it wants to see the next clock

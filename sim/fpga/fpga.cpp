@@ -74,9 +74,14 @@ void Fpga::catch_up() {
     fabric_.flush();
 }
 
-FabricInputs& Fpga::inputs() {
+ChipInputs& Fpga::inputs() {
     run_to(sc_time_stamp());
     return fabric_.in;
+}
+
+JtagInputs& Fpga::jtag() {
+    run_to(sc_time_stamp());
+    return fabric_.jtag;
 }
 
 std::optional<std::uint32_t> Fpga::peek(std::uint32_t offset) {

@@ -61,7 +61,10 @@ public:
     void on_interrupts(std::function<void(std::uint32_t levels)> told) { told_ = std::move(told); }
 
     // The input pins, as of now: the fabric has caught up when this returns.
-    FabricInputs& inputs();
+    ChipInputs& inputs();
+    // The same for the host's side of the JTAG UARTs.
+    JtagInputs& jtag();
+    void on_jtag_byte(Fabric::JtagSent sent) { fabric_.on_jtag_byte(std::move(sent)); }
     // Everything up to now has been run and handed to the listener.
     void catch_up();
 

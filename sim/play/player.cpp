@@ -86,7 +86,7 @@ void Player::hold_button(MouseButton button) { board_.ps2_mouse.button(button, t
 void Player::release_button(MouseButton button) { board_.ps2_mouse.button(button, false); }
 
 SoundSource& Player::source(SoundInput input) {
-    board_.fpga.catch_up();
+    board_.chip().catch_up();
     return input == SoundInput::LINE_IN ? board_.line_in : board_.microphone;
 }
 
@@ -99,25 +99,25 @@ void Player::play_tone(SoundInput input, double hz, double level) {
 void Player::play_silence(SoundInput input) { source(input).silence(); }
 
 void Player::show_picture(std::shared_ptr<const Image> picture) {
-    board_.fpga.catch_up();
+    board_.chip().catch_up();
     board_.video_decoder.show(std::move(picture));
 }
 
 // ---- Eyes and ears ----
 
 Senses& Player::senses() {
-    board_.fpga.catch_up();
+    board_.chip().catch_up();
     return senses_;
 }
 
 std::uint16_t Player::ledr() {
-    board_.fpga.catch_up();
-    return board_.fpga.fabric().ledr();
+    board_.chip().catch_up();
+    return board_.lamps().ledr;
 }
 
 HexSegments Player::hex() {
-    board_.fpga.catch_up();
-    const std::uint64_t lit = ~board_.fpga.fabric().hex_n();
+    board_.chip().catch_up();
+    const std::uint64_t lit = board_.lamps().hex;
     HexSegments segments{};
     for (unsigned i = 0; i < HEX_DIGITS; ++i)
         segments[i] = static_cast<std::uint8_t>(lit >> (7 * i) & 0x7f);
@@ -125,13 +125,13 @@ HexSegments Player::hex() {
 }
 
 std::uint32_t Player::jp1() {
-    board_.fpga.catch_up();
-    return board_.fpga.fabric().in.jp1;
+    board_.chip().catch_up();
+    return board_.lamps().jp1.levels;
 }
 
 std::uint32_t Player::jp2() {
-    board_.fpga.catch_up();
-    return board_.fpga.fabric().in.jp2;
+    board_.chip().catch_up();
+    return board_.lamps().jp2.levels;
 }
 
 // ---- The output folder ----

@@ -57,7 +57,7 @@ private:
     Senses& senses() override;
     std::uint16_t ledr() override;
     HexSegments hex() override;
-    bool hps_led() override { return board_.hps.gpio1.led(); }
+    bool hps_led() override { return board_.lamps().hps_led; }
     std::uint32_t jp1() override;
     std::uint32_t jp2() override;
     const std::filesystem::path& folder() const override { return out_; }

@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "sim/board/board.h"
+#include "sim/chip/computer.h"
 #include "sim/report/whole_file.h"
 
 namespace sim {

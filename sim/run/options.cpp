@@ -53,6 +53,12 @@ void add_run_options(CLI::App& command, RunOptions& options) {
                     "auto: arm if there is a program")
         ->check(CLI::IsMember({"auto", "native", "arm"}))
         ->capture_default_str();
+    command
+        .add_option("--project", options.project.place,
+                    "a Quartus project (.qsf, .qpf) or a folder of Verilog as the chip's content,\n"
+                    "which then has no processor; built first if it has changed")
+        ->check(named);
+    add_project_options(command, options.project);
     command.add_option("--elf", options.elf, "the program, instead of the scenario's")
         ->check(named);
     command
@@ -148,6 +154,13 @@ void settle_run_options(const CLI::App& command, RunOptions& options) {
     }
     if (options.scenario.empty() && options.elf.empty())
         throw CLI::ValidationError("FILE", "expected a scenario or a program");
+    if (!options.project.place.empty()) {
+        if (options.scenario.empty())
+            throw CLI::ValidationError("--project", "expected a scenario to play with it");
+        for (const char* option : {"--cpu", "--elf", "--fpga-memory", "--audio-rate"})
+            if (command.count(option) > 0)
+                throw CLI::ValidationError(option, "and --project exclude each other");
+    }
     if (options.cpu == "native" && !options.elf.empty())
         throw CLI::ValidationError("--elf", "is for --cpu arm");
     if (!(options.cpi >= 0.1 && options.cpi <= 100))  // nor NaN, which CLI::Range lets through
@@ -161,6 +174,14 @@ void settle_run_options(const CLI::App& command, RunOptions& options) {
 }
 
 void choose_processor(RunOptions& options, const std::filesystem::path& scenario_program) {
+    if (!options.project.place.empty()) {
+        options.cpu = "none";
+        if (!scenario_program.empty())
+            throw std::runtime_error{"--project: has no processor for the scenario's program"};
+        if (!options.for_arm.empty())
+            throw std::runtime_error{options.for_arm.front() + ": is for --cpu arm"};
+        return;
+    }
     if (options.elf.empty() && options.cpu != "native") options.elf = scenario_program;
     if (options.cpu == "auto") options.cpu = options.elf.empty() ? "native" : "arm";
     if (options.cpu == "arm" && options.elf.empty())

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "sim/run/project_commands.h"
 #include "sim/scenario/sim_time.h"
 
 namespace CLI {
@@ -33,6 +34,7 @@ struct RunOptions {
     std::optional<std::string> scenario_text;  // instead of the file's
     std::filesystem::path out = "out";
     std::string cpu = "auto";            // "native", "arm"; "auto": arm, if there is a program
+    ProjectOptions project;              // in the chip, without a processor; or none
     std::filesystem::path elf;           // for the processor "arm", or empty
     std::vector<std::string> for_arm;    // options that were given and are for "arm" alone
     double cpi = 1;                      // clocks an instruction of that processor

@@ -13,18 +13,18 @@ namespace sim {
 
 namespace {
 
-std::uint64_t underruns(Board& board) {
-    return board.fpga.peek(regmap::CODEC_UNDERRUNS - 0xFF200000).value_or(0);
+std::uint64_t underruns(Computer& computer) {
+    return computer.fpga.peek(regmap::CODEC_UNDERRUNS - 0xFF200000).value_or(0);
 }
 
 constexpr double FIRST_FRAMES_S = 0.034;  // the first is whole where the second begins
 
 // The program has given the display something to show: a picture, or a place for one.
-bool has_drawn(Board& board) {
-    const auto holds = [&board](std::uint32_t address, std::uint32_t value) {
-        return board.fpga.peek(address - 0xFF200000).value_or(value) == value;
+bool has_drawn(Computer& computer) {
+    const auto holds = [&computer](std::uint32_t address, std::uint32_t value) {
+        return computer.fpga.peek(address - 0xFF200000).value_or(value) == value;
     };
-    return board.bus.written("h2f") || !holds(regmap::PIXEL_BUFFER, regmap::ONCHIP_BASE) ||
+    return computer.bus.written("h2f") || !holds(regmap::PIXEL_BUFFER, regmap::ONCHIP_BASE) ||
            !holds(regmap::PIXEL_BACK_BUFFER, regmap::ONCHIP_BASE);
 }
 
@@ -57,12 +57,12 @@ std::string name_of(const RunReport& report) {
 
 }  // namespace
 
-void add_results(RunReport& report, Board& board, const ArmRun* arm, const Player& player,
-                 Recorder& recorder) {
+void add_results(RunReport& report, Board& board, Computer* computer, const ArmRun* arm,
+                 const Player& player, Recorder& recorder) {
     report.simulated_s = sc_core::sc_time_stamp().to_seconds();
-    if (board.cpu.fault())
-        report.faults.push_back(*board.cpu.fault());
-    else if (const auto fault = board.cpu.unfinished())
+    if (computer && computer->cpu.fault())
+        report.faults.push_back(*computer->cpu.fault());
+    else if (const auto fault = computer ? computer->cpu.unfinished() : std::nullopt)
         report.faults.push_back(*fault);
     for (const std::string& fault : board.codec_chip.errors()) report.faults.push_back(fault);
     for (const std::string& fault : player.faults()) report.faults.push_back(fault);
@@ -74,7 +74,7 @@ void add_results(RunReport& report, Board& board, const ArmRun* arm, const Playe
     report.frames_swapped = board.monitor.new_pictures();
     if (report.frames_shown > 0)
         report.last_frame_sha256 = sha256_hex(recorder.senses().picture().rgb);
-    const BusCounts& bus = board.bus.counts();
+    const BusCounts bus = computer ? computer->bus.counts() : BusCounts{};
     report.bus = {bus.reads, bus.writes, bus.bursts, bus.errors};
     report.shown = recorder.lamp_log().shown();
     report.lamps = recorder.lamp_log().say();
@@ -87,11 +87,12 @@ void add_results(RunReport& report, Board& board, const ArmRun* arm, const Playe
     report.audio = {recorder.senses().rate_hz, recorder.senses().samples, 0};
     if (report.simulated_s > FIRST_FRAMES_S && report.frames_shown == 0)
         report.advice.push_back("the monitor found no picture");
+    if (!computer) return;
     // From here on, reading moves the board.
-    report.audio.underruns = underruns(board);
-    for (const std::string& row : board.characters()) report.characters.push_back(text_of(row));
+    report.audio.underruns = underruns(*computer);
+    for (const std::string& row : computer->characters()) report.characters.push_back(text_of(row));
     if (report.frames_shown > 1 && report.frames_swapped == 1 && recorder.senses().is_black() &&
-        has_drawn(board))
+        has_drawn(*computer))
         report.advice.push_back("the picture never changed: the firmware did not swap");
 }
 

@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "sim/board/board.h"
+#include "sim/chip/computer.h"
 #include "sim/play/player.h"
 #include "sim/report/report.h"
 #include "sim/run/arm_run.h"
@@ -11,11 +12,11 @@
 
 namespace sim {
 
-// Adds to `report` what the board, its program (if it is an ARM's), the person at it and the
-// recorder know.  What they know without moving the board comes first: should a part of this throw,
+// Adds to `report` what the board, the computer in its chip (if that is what is in it), its
+// program (if it is an ARM's), the person at it and the recorder know.  What they know without moving the board comes first: should a part of this throw,
 // the rest is there.
-void add_results(RunReport& report, Board& board, const ArmRun* arm, const Player& player,
-                 Recorder& recorder);
+void add_results(RunReport& report, Board& board, Computer* computer, const ArmRun* arm,
+                 const Player& player, Recorder& recorder);
 
 // What was missed and found, a line each on stderr, and a line on stdout.  False, with a line on
 // stderr, where stdout could not be written.

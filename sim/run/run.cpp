@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 
 #include "sim/board/board.h"
+#include "sim/chip/computer.h"
+#include "sim/chip/project_chip.h"
 #include "sim/debug/debugger.h"
 #include "sim/play/player.h"
 #include "sim/report/messages.h"
@@ -43,8 +45,9 @@ private:
 };
 
 // `alone`: the program has no scenario, which would say when the run ends.
-RunEnd play(Board& board, Player& player, Recorder& recorder, std::optional<SimTime> duration,
-            bool alone, Progress& progress, Debugger* debugger, LastWords& last_words) {
+RunEnd play(Board& board, Computer* computer, Player& player, Recorder& recorder,
+            std::optional<SimTime> duration, bool alone, Progress& progress, Debugger* debugger,
+            LastWords& last_words) {
     const sc_core::sc_time slice{1, sc_core::SC_MS};
     const sc_core::sc_time last_looks{100, sc_core::SC_MS};  // at what the program has left behind
     const sc_core::sc_time end =
@@ -54,8 +57,8 @@ RunEnd play(Board& board, Player& player, Recorder& recorder, std::optional<SimT
         if (debugger) debugger->poll();
         if (interrupted || (debugger && debugger->killed())) return RunEnd::INTERRUPTED;
         if (recorder.failed()) return RunEnd::INTERRUPTED;
-        if (board.cpu.fault()) return RunEnd::FIRMWARE_FAULT;
-        if (alone && board.arm->ended_for() >= last_looks) return RunEnd::PROGRAM_ENDED;
+        if (computer && computer->cpu.fault()) return RunEnd::FIRMWARE_FAULT;
+        if (alone && computer->arm->ended_for() >= last_looks) return RunEnd::PROGRAM_ENDED;
         if (!duration && !alone && player.finished()) return RunEnd::ALL_STEPS_DONE;
         const sc_core::sc_time now = sc_core::sc_time_stamp();
         if (now >= end)
@@ -112,6 +115,12 @@ ExitCode exit_code(const RunReport& report) {
     }
 }
 
+// Where a project's own files are.
+std::string project_folder_of(const std::filesystem::path& place) {
+    const auto whole = std::filesystem::absolute(place);
+    return (std::filesystem::is_directory(whole) ? whole : whole.parent_path()).string();
+}
+
 Scenario scenario_of(const RunOptions& options) {
     if (options.scenario.empty()) return {};
     return options.scenario_text ? parse_scenario(*options.scenario_text, options.scenario)
@@ -127,7 +136,7 @@ ExitCode run_doing(const char*& doing, RunOptions options, const Firmware& firmw
     const std::optional<SimTime> duration = options.duration ? options.duration : scenario.duration;
 
     doing = "loading the program";
-    Board::Software software = firmware;
+    Computer::Software software = firmware;
     const bool on_linux = options.cpu == "arm" && runs_on_linux(options);
     if (options.cpu == "arm") software = load_program(options, on_linux);
 
@@ -139,23 +148,39 @@ ExitCode run_doing(const char*& doing, RunOptions options, const Firmware& firmw
     Recorder recorder{options.out, options.frames};
     std::optional<TraceFile> trace;
     if (!options.trace.empty()) trace.emplace(options.trace);
-    Board board{"board",
-                recorder,
-                std::move(software),
-                seed,
-                trace ? trace->part().string() : "",
-                options.memory == "bridge" ? Fpga::Memory::BRIDGED : Fpga::Memory::MAPPED,
-                options.audio_rate,
-                scenario.ps2};
+    const Computer::Settings settings{
+        seed, trace ? trace->part().string() : "",
+        options.memory == "bridge" ? Fpga::Memory::BRIDGED : Fpga::Memory::MAPPED,
+        options.audio_rate};
+    std::optional<project::Built> built;
+    if (!options.project.place.empty()) {
+        doing = "building the project";
+        built = build_with_progress(options.project, !options.trace.empty(), options.quiet);
+        doing = "setting up the board";
+    }
+    const std::string project_folder = project_folder_of(options.project.place);
+    Computer* computer = nullptr;
+    Board board{
+        "board", recorder, seed, scenario.ps2,
+        [&](PinListener& pins, Audience& audience, std::uint8_t* sdram) -> std::unique_ptr<Chip> {
+            if (built)
+                return std::make_unique<ProjectChip>("chip", pins, built->library, project_folder,
+                                                     settings.trace_file);
+            auto chip = std::make_unique<Computer>("computer", pins, audience, sdram,
+                                                   std::move(software), settings);
+            computer = chip.get();
+            return chip;
+        }};
     std::optional<ArmRun> arm;
-    if (board.arm) arm.emplace(*board.arm, options, on_linux, recorder);
+    if (computer && computer->arm) arm.emplace(*computer->arm, options, on_linux, recorder);
     if (arm) board.also_type_to([&arm](const std::string& text) { arm->type(text); });
     if (arm && options.scenario.empty()) arm->close_input();  // there is nobody to type
     Player player{"player", board, recorder.senses(), scenario.steps, options.out};
-    Finish finish{"finish", player.done(), board.cpu.faulted()};
+    const sc_core::sc_event never;
+    Finish finish{"finish", player.done(), computer ? computer->cpu.faulted() : never};
 
     std::optional<Debugger> debugger;
-    if (gdb) debugger.emplace(*board.arm, *gdb, [] { return interrupted != 0; });
+    if (gdb) debugger.emplace(*computer->arm, *gdb, [] { return interrupted != 0; });
 
     Progress progress{
         options.quiet,
@@ -170,9 +195,9 @@ ExitCode run_doing(const char*& doing, RunOptions options, const Firmware& firmw
     LastWords last_words{options.out, report};
     Parts parts;
     parts.carry_out("simulating", [&] {
-        report.end = play(board, player, recorder, duration, options.scenario.empty(), progress,
-                          debugger ? &*debugger : nullptr, last_words);
-        board.fpga.catch_up();
+        report.end = play(board, computer, player, recorder, duration, options.scenario.empty(),
+                          progress, debugger ? &*debugger : nullptr, last_words);
+        board.chip().catch_up();
     });
     progress.done();
     report.wall_s = progress.wall_s();
@@ -180,11 +205,12 @@ ExitCode run_doing(const char*& doing, RunOptions options, const Firmware& firmw
     if (arm) parts.carry_out("writing the profile", [&] { arm->write_profile(); });
     if (trace)
         parts.carry_out("writing the waveforms", [&] {
-            board.fpga.end_trace();
+            board.chip().end_trace();
             trace->commit();
         });
-    parts.carry_out("writing the report",
-                    [&] { add_results(report, board, arm ? &*arm : nullptr, player, recorder); });
+    parts.carry_out("writing the report", [&] {
+        add_results(report, board, computer, arm ? &*arm : nullptr, player, recorder);
+    });
     if (!parts.failures.empty()) report.end = RunEnd::INTERNAL_ERROR;
     report.faults.insert(report.faults.begin(), parts.failures.begin(), parts.failures.end());
 

@@ -21,11 +21,10 @@ constexpr unsigned REGISTER_ACCESSES = 1'000'000, ROWS = 240, ROW_BYTES = 640, P
 struct NoPins : sim::PinListener {
     void sdram(const sim::SdramPins&, std::uint64_t, std::uint16_t&, bool&) override {}
     void video(const std::uint32_t*, std::size_t) override {}
-    void codec(const sim::CodecPins&, std::uint64_t, sim::FabricInputs&) override {}
-    void headers(const sim::HeaderPins&, std::uint64_t, sim::FabricInputs&) override {}
-    void adc(const sim::AdcPins&, std::uint64_t, sim::FabricInputs&) override {}
-    void ps2(unsigned, unsigned, sim::FabricInputs&) override {}
-    void jtag_byte(unsigned, char, sim::FabricInputs&) override {}
+    void codec(const sim::CodecPins&, std::uint64_t, sim::ChipInputs&) override {}
+    void headers(const sim::HeaderPins&, std::uint64_t, sim::ChipInputs&) override {}
+    void adc(const sim::AdcPins&, std::uint64_t, sim::ChipInputs&) override {}
+    void ps2(unsigned, unsigned, sim::ChipInputs&) override {}
 };
 
 class Processor : public sc_core::sc_module {

@@ -19,14 +19,13 @@ struct Pins : sim::PinListener {
         return 0x80;
     }
     void video(const std::uint32_t*, std::size_t) override {}
-    void codec(const sim::CodecPins&, std::uint64_t, sim::FabricInputs&) override {}
-    void headers(const sim::HeaderPins&, std::uint64_t, sim::FabricInputs&) override {}
-    void adc(const sim::AdcPins&, std::uint64_t, sim::FabricInputs&) override {}
+    void codec(const sim::CodecPins&, std::uint64_t, sim::ChipInputs&) override {}
+    void headers(const sim::HeaderPins&, std::uint64_t, sim::ChipInputs&) override {}
+    void adc(const sim::AdcPins&, std::uint64_t, sim::ChipInputs&) override {}
     void sdram(const sim::SdramPins&, std::uint64_t, std::uint16_t&, bool& more) override {
         more = false;
     }
-    void ps2(unsigned, unsigned, sim::FabricInputs&) override {}
-    void jtag_byte(unsigned, char, sim::FabricInputs&) override {}
+    void ps2(unsigned, unsigned, sim::ChipInputs&) override {}
 };
 
 class StandingClock : public ::testing::Test {

@@ -33,13 +33,12 @@ struct Pins : sim::PinListener {
     }
     std::uint64_t samples = 0;
     void video(const std::uint32_t*, std::size_t count) override { samples += count; }
-    void codec(const sim::CodecPins&, std::uint64_t, sim::FabricInputs&) override {}
-    void headers(const sim::HeaderPins& pins, std::uint64_t, sim::FabricInputs&) override {
+    void codec(const sim::CodecPins&, std::uint64_t, sim::ChipInputs&) override {}
+    void headers(const sim::HeaderPins& pins, std::uint64_t, sim::ChipInputs&) override {
         header = pins;
     }
-    void adc(const sim::AdcPins&, std::uint64_t, sim::FabricInputs&) override {}
-    void ps2(unsigned, unsigned, sim::FabricInputs&) override {}
-    void jtag_byte(unsigned, char, sim::FabricInputs&) override {}
+    void adc(const sim::AdcPins&, std::uint64_t, sim::ChipInputs&) override {}
+    void ps2(unsigned, unsigned, sim::ChipInputs&) override {}
     sim::HeaderPins header{};
 };
 

@@ -13,6 +13,7 @@
 #include <gtest/gtest.h>
 
 #include "sim/board/board.h"
+#include "sim/chip/computer.h"
 
 namespace tb {
 
@@ -26,6 +27,7 @@ struct Picture {
 class WholeBoard : public ::testing::Test, private sim::Audience {
 protected:
     std::unique_ptr<sim::Board> board;
+    sim::Computer* computer = nullptr;  // in its chip
 
     // Since power-on.
     std::vector<std::int16_t> left, right;
@@ -33,8 +35,17 @@ protected:
     std::string printed;
 
     void power_on(sim::Firmware firmware, std::uint64_t seed = 1) {
-        sim::Audience& audience = *this;
-        board = std::make_unique<sim::Board>("board", audience, std::move(firmware), seed, "");
+        sim::Computer::Settings settings;
+        settings.seed = seed;
+        sim::Audience& ours = *this;
+        board = std::make_unique<sim::Board>(
+            "board", ours, seed, sim::Ps2Ports{},
+            [&](sim::PinListener& pins, sim::Audience& audience, std::uint8_t* sdram) {
+                auto chip = std::make_unique<sim::Computer>("computer", pins, audience, sdram,
+                                                            std::move(firmware), settings);
+                computer = chip.get();
+                return chip;
+            });
     }
 
     // The same for firmware that comes to an end, and runs to there.
@@ -45,13 +56,13 @@ protected:
             done = true;
         });
         const sc_core::sc_time limit{limit_ms, sc_core::SC_MS};
-        while (!done && !board->cpu.fault() && sc_core::sc_time_stamp() < limit) run_ms(1);
-        ASSERT_TRUE(done) << board->cpu.fault().value_or("still running");
+        while (!done && !computer->cpu.fault() && sc_core::sc_time_stamp() < limit) run_ms(1);
+        ASSERT_TRUE(done) << computer->cpu.fault().value_or("still running");
     }
 
     void run_ms(double ms) {
         sc_core::sc_start(sc_core::sc_time{ms, sc_core::SC_MS});
-        board->fpga.catch_up();
+        board->chip().catch_up();
     }
 
     // Runs until the monitor has the next whole picture, as of which the test then acts.

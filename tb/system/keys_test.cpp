@@ -20,8 +20,8 @@ TEST_F(KeyOnTheBoard, ReleaseIsCapturedAndInterruptsUntilItIsCleared) {
     run_to_end([this](hal::Mmio& io, hal::Cpu& cpu) {
         const auto interrupts = [&] {
             cpu.idle();
-            board->fpga.catch_up();
-            return board->fpga.fabric().irq();
+            board->chip().catch_up();
+            return computer->fpga.fabric().irq();
         };
         io.write(regmap::KEY_MASK, 1u << 2);
         board->hold(0, 1u << 2 | 1u << 1, 0);
@@ -78,7 +78,7 @@ TEST_F(Ps2OnTheBoard, HasAKeyboardInTheFirstPortAndAMouseInTheSecond) {
             board->ps2_mouse.move(-3, 4);
             board->ps2_keyboard.press(0x1C);
             idle_ms(cpu, 15);
-            EXPECT_EQ(board->fpga.fabric().irq(), 1u << (regmap::PS2_1_IRQ_ID - 72));
+            EXPECT_EQ(computer->fpga.fabric().irq(), 1u << (regmap::PS2_1_IRQ_ID - 72));
             EXPECT_THAT(received(io, regmap::PS2_1_DATA), ElementsAre(0x18, 0xFD, 0x04));
             EXPECT_THAT(received(io, regmap::PS2_0_DATA), ElementsAre(0x1C));
         },

@@ -18,8 +18,8 @@ protected:
         });
         run_ms(3);
         EXPECT_FALSE(after);
-        EXPECT_THAT(board->cpu.fault().value_or("no fault"), MatchesRegex(fault));
-        EXPECT_EQ(board->bus.counts().errors, 1u);
+        EXPECT_THAT(computer->cpu.fault().value_or("no fault"), MatchesRegex(fault));
+        EXPECT_EQ(computer->bus.counts().errors, 1u);
         next_picture();  // the FPGA goes on
         next_picture();
     }

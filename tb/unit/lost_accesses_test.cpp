@@ -4,7 +4,7 @@
 #include <string>
 
 #include "regmap.h"
-#include "sim/board/lost_accesses.h"
+#include "sim/chip/lost_accesses.h"
 
 namespace {
 

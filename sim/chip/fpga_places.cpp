@@ -1,4 +1,4 @@
-#include "sim/board/fpga_places.h"
+#include "sim/chip/fpga_places.h"
 
 #include <algorithm>
 

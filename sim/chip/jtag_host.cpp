@@ -1,4 +1,4 @@
-#include "sim/board/jtag_host.h"
+#include "sim/chip/jtag_host.h"
 
 namespace sim {
 
@@ -10,6 +10,8 @@ const sc_core::sc_time usb_frame{1, sc_core::SC_MS};
 
 JtagHost::JtagHost(const sc_core::sc_module_name& name, Fpga& fpga, std::function<void(char)> shown)
     : sc_module{name}, fpga_{fpga}, shown_{std::move(shown)} {
+    fpga_.on_jtag_byte(
+        [this](auto number, char character, auto& in) { byte(number, character, in); });
     SC_HAS_PROCESS(JtagHost);
     SC_METHOD(look);
     sensitive << look_;
@@ -17,14 +19,14 @@ JtagHost::JtagHost(const sc_core::sc_module_name& name, Fpga& fpga, std::functio
     look_.notify(usb_frame);
 }
 
-void JtagHost::byte(unsigned number, char character, FabricInputs& in) {
+void JtagHost::byte(unsigned number, char character, JtagInputs& jtag) {
     shown_(character);
     if (++taken_[number] == PACKET)
-        in.jtag.take = static_cast<std::uint8_t>(in.jtag.take & ~(1u << number));
+        jtag.take = static_cast<std::uint8_t>(jtag.take & ~(1u << number));
 }
 
 void JtagHost::look() {
-    JtagInputs& jtag = fpga_.inputs().jtag;
+    JtagInputs& jtag = fpga_.jtag();
     for (unsigned& taken : taken_) taken = 0;
     jtag.take = (1u << UARTS) - 1;
     jtag.idle = jtag.take;

@@ -1,4 +1,4 @@
-#include "sim/board/lost_accesses.h"
+#include "sim/chip/lost_accesses.h"
 
 #include <algorithm>
 

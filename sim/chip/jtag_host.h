@@ -25,13 +25,11 @@ public:
 
     void type(const std::string& text) { typed_.insert(typed_.end(), text.begin(), text.end()); }
 
-    // From the fabric: JTAG UART `number` has sent a byte.
-    void byte(unsigned number, char character, FabricInputs& in);
-
 private:
     static constexpr unsigned UARTS = 2, PACKET = 64;
 
     void look();
+    void byte(unsigned number, char character, JtagInputs& jtag);
 
     Fpga& fpga_;
     std::function<void(char)> shown_;

@@ -1,0 +1,40 @@
+// audience.h - where what the board shows, plays and prints goes.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "sim/board/monitor.h"
+
+namespace sim {
+
+// What can be seen without a monitor.
+struct Lamps {
+    struct Header {
+        std::uint32_t levels, outputs;  // of JP1 or JP2 as bits 31:0 of its registers have them
+        bool operator==(const Header& o) const {
+            return levels == o.levels && outputs == o.outputs;
+        }
+    };
+    std::uint16_t ledr = 0;
+    std::uint64_t hex = 0;  // segments that are lit, HEX5's in 41:35 ... HEX0's in 6:0
+    bool hps_led = false;
+    Header jp1{0xFFFFFFFF, 0}, jp2{0xFFFFFFFF, 0};
+};
+
+class Audience {
+public:
+    virtual void frame(const Monitor::Frame& frame) = 0;
+    virtual void sample(std::int16_t left, std::int16_t right) = 0;
+    virtual void sample_rate(double hz) = 0;
+    virtual void console(char character) = 0;
+    // Whenever one of them has moved.
+    virtual void lamps(const Lamps& /*lamps*/, double /*time_s*/) {}
+    // What a person should know of the program: aborts, resets.
+    virtual void log(const std::string& /*line*/) {}
+
+protected:
+    ~Audience() = default;
+};
+
+}  // namespace sim

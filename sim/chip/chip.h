@@ -1,0 +1,36 @@
+// chip.h - what is in the Cyclone V, as the board and its user meet it: pins and time, nothing else.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "sim/board/audience.h"
+#include "sim/pins/pins.h"
+
+namespace sim {
+
+class Chip {
+public:
+    virtual ~Chip() = default;
+
+    // The input pins, as of now: the chip has caught up when this returns, so that what is written
+    // here counts from now on.
+    virtual ChipInputs& inputs() = 0;
+    // Everything up to now has been run and handed to the listener.
+    virtual void catch_up() = 0;
+
+    // HPS_KEY, and what a person types at the terminal of a program in the chip.
+    virtual void hps_key(bool /*pressed*/) {}
+    virtual void type(const std::string& /*text*/) {}
+
+    // Writes out the rest of the waveforms; what follows is not in them.
+    virtual void end_trace() {}
+};
+
+// Puts a chip on the board: onto these pins, with this audience for what it prints.  `sdram` are the
+// 64 MB of the chip beside it.
+using ChipMaker = std::function<std::unique_ptr<Chip>(PinListener& pins, Audience& audience,
+                                                      std::uint8_t* sdram)>;
+
+}  // namespace sim

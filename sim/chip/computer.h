@@ -1,0 +1,74 @@
+// computer.h - the chip as this project fills it: the fabric of rtl/, and the processor with its
+// silicon.
+//
+//   Processor -- Bus -+- DDR3
+//                     +- Peripherals (GIC, timers, UART0, GPIO1, managers, on-chip RAM)
+//                     +- Fpga lw, h2f --> pins
+//                          +- JtagHost (JTAG UARTs)
+#pragma once
+
+#include <memory>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "sim/chip/chip.h"
+#include "sim/chip/jtag_host.h"
+#include "sim/chip/lost_accesses.h"
+#include "sim/cpu/arm_cpu.h"
+#include "sim/cpu/native_cpu.h"
+#include "sim/fpga/fpga.h"
+#include "sim/hps/bus.h"
+#include "sim/hps/memory.h"
+#include "sim/hps/peripherals.h"
+
+namespace sim {
+
+// The memory that programs are loaded into.
+const std::vector<MemoryRange>& program_memory();
+
+class Computer : public sc_core::sc_module, public Chip {
+public:
+    // What runs on it, and so which processor it has: NativeCpu or ArmCpu.
+    using Software = std::variant<Firmware, ArmProgram>;
+
+    struct Settings {
+        std::uint64_t seed = 1;  // of the phases between the processor's clock and the fabric's
+        std::string trace_file;  // waveforms, or empty
+        Fpga::Memory memory = Fpga::Memory::BRIDGED;
+        unsigned audio_rate = 8'000;  // samples per second: or 48,000
+    };
+
+    Computer(const sc_core::sc_module_name& name, PinListener& pins, Audience& audience,
+             std::uint8_t* sdram, Software software, const Settings& settings);
+
+    ChipInputs& inputs() override { return fpga.inputs(); }
+    void catch_up() override { fpga.catch_up(); }
+    void hps_key(bool pressed) override { hps.gpio1.press_key(pressed); }
+    void type(const std::string& text) override { jtag_host.type(text); }
+    void end_trace() override { fpga.end_trace(); }
+
+    // The character buffer's 60 rows of 80, as the processor would read it; once the run is over,
+    // outside simulated time.  The monitor shows letters, but only as pixels.
+    std::vector<std::string> characters();
+
+private:
+    std::function<void(bool)> h2f_gate_, lw_gate_;  // true: out of reset
+    LostAccesses lost_accesses_;
+
+public:
+    Fpga fpga;
+    JtagHost jtag_host;
+    Memory ddr3;
+    Peripherals hps;
+    Bus bus;
+
+private:
+    std::unique_ptr<Processor> processor_;
+
+public:
+    Processor& cpu;
+    ArmCpu* const arm;  // the same, if that is what it is
+};
+
+}  // namespace sim

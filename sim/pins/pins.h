@@ -1,0 +1,85 @@
+// pins.h - the seam between the chip and the board: the pins, in groups that move together.
+//
+// On one side is whatever is in the chip, which calls a PinListener when its outputs have moved and
+// reads ChipInputs; on the other are the parts of the board, which never ask what drives them.
+// A wire that both sides may drive is two values: the level that the chip drives, or that it pulls
+// the wire low, and the level that is on the wire.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+namespace sim {
+
+// One sample of the ADV7123's pins at a rising edge of VGA_CLK.
+namespace video {
+constexpr std::uint32_t RGB = 0x00ffffff;  // R 23:16, G 15:8, B 7:0
+constexpr std::uint32_t HS = 1u << 24, VS = 1u << 25, BLANK_N = 1u << 26, SYNC_N = 1u << 27;
+}  // namespace video
+
+struct CodecPins {
+    bool bclk, daclrck, adclrck, dacdat, sclk, sdat_low;  // sdat_low: the FPGA pulls SDAT low
+};
+
+struct HeaderPins {
+    std::uint32_t jp1, jp1_oe, jp2, jp2_oe;  // levels driven, and where they are driven
+};
+
+// At a rising edge of DRAM_CLK, in the middle of a clock.
+struct SdramPins {
+    bool cs_n, ras_n, cas_n, we_n;
+    std::uint8_t ba, dqm;
+    std::uint16_t addr, dq;
+    bool dq_driven;
+};
+
+struct LampPins {
+    std::uint16_t ledr;
+    std::uint64_t hex_n;  // HEX5 in 41:35 ... HEX0 in 6:0, 0 = lit
+};
+
+struct AdcPins {
+    bool convst, sck, sdi;
+};
+
+struct ChipInputs {
+    std::uint16_t sw = 0;
+    std::uint8_t key_n = 0xf;
+    std::uint32_t jp1 = 0xffffffff, jp2 = 0xffffffff;
+    bool adcdat = false, sdat = true, adc_sdo = false, irda_rxd = true;
+    std::uint8_t ps2_clk = 3, ps2_dat = 3;  // bit n of port n
+
+    bool operator==(const ChipInputs& o) const {
+        return sw == o.sw && key_n == o.key_n && jp1 == o.jp1 && jp2 == o.jp2 && sdat == o.sdat &&
+               adc_sdo == o.adc_sdo && irda_rxd == o.irda_rxd && ps2_clk == o.ps2_clk &&
+               ps2_dat == o.ps2_dat;
+    }
+};
+
+class PinListener {
+public:
+    // A sample a clock, in order, in batches of up to a scan line.
+    virtual void video(const std::uint32_t* samples, std::size_t count) = 0;
+    // Called after a clock in which one of them moved; may change `in`.
+    virtual void codec(const CodecPins& pins, std::uint64_t time_ps, ChipInputs& in) = 0;
+    virtual void headers(const HeaderPins& pins, std::uint64_t time_ps, ChipInputs& in) = 0;
+    virtual void lamps(const LampPins& /*pins*/, std::uint64_t /*time_ps*/) {}
+    virtual void adc(const AdcPins& pins, std::uint64_t time_ps, ChipInputs& in) = 0;
+    // Called in each clock in which CS_N is low, and in the next ones for as long as `more` stays
+    // true.  `dq` is what is on DQ when the next clock begins.
+    virtual void sdram(const SdramPins& pins, std::uint64_t time_ps, std::uint16_t& dq,
+                       bool& more) = 0;
+    // What the PS/2 ports pull low, bit n of port n.
+    virtual void ps2(unsigned clk_low, unsigned dat_low, ChipInputs& in) = 0;
+    // TD_DATA at a rise of TD_CLK27, the first of which is number 0.  Asked of those alone at which
+    // somebody captures, in their order.
+    virtual std::uint8_t td_data(std::uint64_t /*rise*/) { return 0; }
+
+    // HPS_LED.
+    virtual void hps_led(bool /*lit*/, std::uint64_t /*time_ps*/) {}
+
+protected:
+    ~PinListener() = default;
+};
+
+}  // namespace sim

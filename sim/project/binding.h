@@ -1,0 +1,36 @@
+// binding.h - which bit of which port of a design is which pin of the board.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "sim/project/elaborated.h"
+
+namespace sim::project {
+
+struct Binding {
+    struct Bit {
+        std::string wire;  // "SW[3]", or empty: no pin
+    };
+    struct BoundPort {
+        Port port;
+        std::vector<Bit> bits;  // from the left
+    };
+    std::vector<BoundPort> ports;
+    std::vector<std::string> notes;  // what fits nowhere, and what was assumed
+    bool has_vga_clk = false, has_td_clk = false;
+    std::uint64_t header_outputs[2] = {0, 0};  // pins of GPIO_0 and GPIO_1 that it always drives
+};
+
+// By the location that is assigned to a port's bit; without one, by the port's name.  Of a colour
+// with more or fewer than 8 bits the upper ones count.
+Binding bind(const std::vector<Port>& ports,
+             const std::map<std::string, std::string>& locations,        // "SW[3]" -> "PIN_AF9"
+             const std::map<std::string, std::string>& signals_by_pin);  // "PIN_AF9" -> "SW[3]"
+
+// The Verilog that de1sim_chip.v includes: the instance of `top`, and what drives outputs that it
+// has not.
+std::string design_text(const Binding& binding, const std::string& top);
+
+}  // namespace sim::project

@@ -1,0 +1,300 @@
+#include "sim/project/build.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+
+#include <fmt/format.h>
+
+#include "sim/project/command.h"
+#include "sim/project/file_finder.h"
+#include "sim/project/normalise.h"
+#include "sim/report/sha256.h"
+#include "sim/report/whole_file.h"
+
+namespace sim::project {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr unsigned LIMIT_S = 600;  // for one run of Verilator or of the compiler
+
+fs::path program_folder() {
+    std::error_code error;
+    return fs::read_symlink("/proc/self/exe", error).parent_path();
+}
+
+std::string hash_of(const std::string& text) {
+    return sha256_hex(text.data(), text.size()).substr(0, 16);
+}
+
+bool is_writable(const fs::path& folder) { return access(folder.c_str(), W_OK) == 0; }
+
+// Where the project's folder cannot be written to, the user's cache.
+fs::path place_for(const fs::path& folder) {
+    if (is_writable(folder)) return folder / ".de1sim";
+    const char* cache = std::getenv("XDG_CACHE_HOME");
+    const char* home = std::getenv("HOME");
+    const fs::path root = cache && cache[0] ? fs::path{cache}
+                          : home            ? fs::path{home} / ".cache"
+                                            : fs::temp_directory_path();
+    return root / "de1sim" / hash_of(folder.string());
+}
+
+// Only if it differs, so that a compiler that looks at times sees what is new.
+void write_if_new(const fs::path& file, const std::string& text) {
+    std::error_code error;
+    if (fs::is_regular_file(file, error) && text_of(file) == text) return;
+    write_whole_file(file, text);
+}
+
+// Verilator's first error, in a line: "pong.v:12:5: syntax error, unexpected ...".
+std::string first_error(const Outcome& outcome, const std::string& tool) {
+    if (outcome.code == TIMED_OUT)
+        return fmt::format("{} did not end in {} s: the design is too large, or oscillates", tool,
+                           LIMIT_S);
+    if (outcome.code == 127)
+        return tool + " is not installed: apt install verilator g++ (packages of Debian)";
+    std::istringstream lines{outcome.output};
+    std::string first;
+    for (std::string line; std::getline(lines, line);) {
+        const std::size_t mark = line.find("%Error");
+        if (mark != std::string::npos) {
+            if (line.find("Exiting due to") != std::string::npos) continue;
+            const std::size_t colon = line.find(": ", mark);
+            return colon == std::string::npos ? line : line.substr(colon + 2);
+        }
+        if (first.empty() && line.find("error:") != std::string::npos) first = line;
+    }
+    return first.empty() ? fmt::format("{} ended with code {}: {}", tool, outcome.code,
+                                       outcome.output.substr(0, 200))
+                         : first;
+}
+
+// A name without blanks in `folder` for `target`: Verilator stumbles over those.
+void link_to(const fs::path& target, const fs::path& link) {
+    std::error_code error;
+    if (fs::read_symlink(link, error) == target) return;
+    fs::remove(link, error);
+    fs::create_directory_symlink(target, link);
+}
+
+std::string include_link(std::size_t number) { return fmt::format("include{}", number); }
+
+std::vector<std::string> verilator_words(const Project& project) {
+    std::vector<std::string> words{"verilator",
+                                   "-Wno-fatal",
+                                   "-Wno-lint",
+                                   "-Wno-style",
+                                   "-Wno-BLKANDNBLK",
+                                   "-Wno-STMTDLY",
+                                   "-Wno-MULTIDRIVEN",
+                                   "-Wno-UNOPTFLAT",
+                                   "-Wno-TIMESCALEMOD",
+                                   "-Wno-COMBDLY",
+                                   "-Wno-INITIALDLY",
+                                   "-Wno-PINMISSING",
+                                   "-Wno-MODDUP",
+                                   "-Wno-SYMRSVDWORD",
+                                   "-Wno-SPLITVAR",
+                                   "-Wno-TICKCOUNT",
+                                   "--no-timing",
+                                   "--x-initial",
+                                   "0",
+                                   "--x-assign",
+                                   "0"};
+    for (const std::string& macro : project.macros) words.push_back("-D" + macro);
+    for (std::size_t n = 0; n < project.includes.size(); ++n)
+        words.push_back("-I" + include_link(n));
+    words.insert(words.end(), {"-y", "data/rtl/ip", "-Idata/rtl/ip"});
+    return words;
+}
+
+std::string tap_text(const std::vector<PllClock>& clocks) {
+    std::string text =
+        "// Written by de1sim: the PLLs' outputs, as inputs of the chip.\n"
+        "module de1sim_pll_tap #(\n"
+        "    parameter [63:0] PERIOD_FS = 64'd0,\n"
+        "    parameter [63:0] PHASE_FS  = 64'd0,\n"
+        "    parameter [63:0] HIGH_FS   = 64'd0\n"
+        ") (\n    output wire clk\n);\n    generate\n";
+    for (std::size_t n = 0; n < clocks.size(); ++n)
+        text += fmt::format(
+            "        if (PERIOD_FS == 64'd{} && PHASE_FS == 64'd{} && HIGH_FS == 64'd{})\n"
+            "            assign clk = de1sim_chip.pll_clocks[{}];\n",
+            clocks[n].period_fs, clocks[n].phase_fs, clocks[n].high_fs, n);
+    return text + "    endgenerate\nendmodule\n";
+}
+
+std::string clocks_text(const Design& design) {
+    std::string text =
+        "// Written by de1sim.\n#pragma once\n"
+        "struct PllClock {\n    unsigned long long period_fs, phase_fs;\n};\n"
+        "constexpr PllClock PLL_CLOCKS[] = {";
+    for (const PllClock& clock : design.elaborated.pll_clocks)
+        text += fmt::format("{{{}ull, {}ull}}, ", clock.period_fs, clock.phase_fs);
+    return text + fmt::format(
+                      "{{0, 0}}}};\nconstexpr unsigned PLL_CLOCK_COUNT = {};\n"
+                      "constexpr bool TD_CLK27_USED = {};\n",
+                      design.elaborated.pll_clocks.size(), design.binding.has_td_clk);
+}
+
+}  // namespace
+
+fs::path data_folder() { return (program_folder() / "../share/de1sim").lexically_normal(); }
+
+Builder::Builder(const Request& request, bool trace) : request_{request}, trace_{trace} {
+    const fs::path models = data_folder() / "rtl" / "ip";
+    request_.is_model = [models](const std::string& module) {
+        std::error_code error;
+        return fs::is_regular_file(models / (module + ".v"), error);
+    };
+}
+
+void Builder::write_sources() {
+    fs::create_directories(folder_ / "source");
+    link_to(data_folder(), folder_ / "data");
+    for (std::size_t n = 0; n < design_.project.includes.size(); ++n)
+        link_to(design_.project.includes[n], folder_ / include_link(n));
+    files_.clear();
+    unsigned number = 0;
+    const OpenInputs open_inputs = read_open_inputs(data_folder() / "rtl/ip/defaults.tsv");
+    for (const SourceFile& file : design_.project.sources) {
+        const std::string name = file.path.lexically_relative(design_.project.folder).string();
+        if (file.language == SourceFile::Language::VHDL)
+            throw ProjectError{name + ": VHDL cannot be simulated yet, expected Verilog"};
+        const bool system_verilog = file.language == SourceFile::Language::SYSTEM_VERILOG;
+        Normalised clean = normalise(text_of(file.path), name, system_verilog, open_inputs);
+        design_.changes.insert(design_.changes.end(), clean.changes.begin(), clean.changes.end());
+        const fs::path to = fmt::format("source/{:03}{}", number++, system_verilog ? ".sv" : ".v");
+        write_if_new(folder_ / to, fmt::format("`line 1 \"{}\" 0\n{}", name, clean.text));
+        files_.push_back(to);
+    }
+}
+
+const Design& Builder::examine() {
+    if (examined_) return design_;
+    design_.project = read_project(request_);
+    folder_ = place_for(design_.project.folder);
+    write_sources();
+    auto words = verilator_words(design_.project);
+    words.insert(words.end(), {"--xml-only", "--xml-output", "design.xml", "--Mdir", "xml",
+                               "--top-module", design_.project.top});
+    for (const fs::path& file : files_) words.push_back(file.string());
+    const Outcome outcome = run_command(words, folder_, LIMIT_S);
+    if (outcome.code != 0) throw ProjectError{first_error(outcome, "verilator")};
+    design_.elaborated = read_elaborated(folder_ / "design.xml", design_.project.top);
+    design_.binding =
+        sim::project::bind(design_.elaborated.ports, design_.project.pins,
+                           signals_by_pin(data_folder() / "rtl/board/de1_soc/pins.tsv"));
+    if (design_.elaborated.pll_clocks.size() > 64)
+        throw ProjectError{fmt::format("the design has {} PLL clocks, expected at most 64",
+                                       design_.elaborated.pll_clocks.size())};
+    generate();
+    examined_ = true;
+    return design_;
+}
+
+void Builder::generate() {
+    write_if_new(folder_ / "de1sim_design.vh", design_text(design_.binding, design_.project.top));
+    write_if_new(folder_ / "de1sim_pll_tap.v", tap_text(design_.elaborated.pll_clocks));
+    write_if_new(folder_ / "de1sim_clocks.h", clocks_text(design_));
+}
+
+std::string Builder::key() const {
+    std::string all = fmt::format("{} {}\n", trace_, design_.project.top);
+    for (const char* name : {"project", "rtl/ip"}) {
+        const FileFinder ours{data_folder() / name};
+        for (const fs::path& file : ours.files()) all += text_of(file);
+    }
+    for (const auto& word : verilator_words(design_.project)) all += word + "\n";
+    for (const fs::path& file : files_) all += text_of(folder_ / file);
+    for (const char* name : {"de1sim_design.vh", "de1sim_pll_tap.v", "de1sim_clocks.h"})
+        all += text_of(folder_ / name);
+    return hash_of(all);
+}
+
+Built Builder::build(const Progress& progress) {
+    examine();
+    const std::string name = fmt::format("chip-{}{}.so", key(), trace_ ? "-trace" : "");
+    const fs::path library = folder_ / name;
+    std::error_code error;
+    if (fs::is_regular_file(library, error)) return {library, true};
+
+    const fs::path data = data_folder(), objects = folder_ / (trace_ ? "objects-trace" : "objects");
+    fs::remove_all(objects, error);
+    fs::create_directories(objects);
+    progress(fmt::format("translating {} (Verilator)", design_.project.top));
+    auto words = verilator_words(design_.project);
+    words.insert(
+        words.end(),
+        {"--cc", "-O3", "--noassert", "--prefix", "Vde1sim_chip", "--Mdir", objects.string(),
+         "--top-module", "de1sim_chip", "-I" + folder_.string(),
+         fmt::format("-DDE1SIM_PLL_CLOCKS={}", design_.elaborated.pll_clocks.size()),
+         fmt::format("-DDE1SIM_VGA_CLK={}", design_.binding.has_vga_clk ? "VGA_CLK" : "CLOCK_50"),
+         fmt::format("-DDE1SIM_GPIO_0_OUTPUTS=36'd{}", design_.binding.header_outputs[0]),
+         fmt::format("-DDE1SIM_GPIO_1_OUTPUTS=36'd{}", design_.binding.header_outputs[1])});
+    if (trace_) words.push_back("--trace-fst");
+    words.push_back("data/project/de1sim_chip.v");
+    words.push_back("de1sim_pll_tap.v");
+    for (const fs::path& file : files_) words.push_back(file.string());
+    Outcome outcome = run_command(words, folder_, LIMIT_S);
+    if (outcome.code != 0) throw ProjectError{first_error(outcome, "verilator")};
+
+    progress("compiling");
+    std::string fast, slow;
+    for (const auto& entry : fs::directory_iterator{objects}) {
+        const std::string file = entry.path().filename().string();
+        if (entry.path().extension() != ".cpp") continue;
+        (file.find("__Slow") != std::string::npos ? slow : fast) +=
+            fmt::format("#include \"{}\"\n", file);
+    }
+    write_whole_file(objects / "fast.cxx", fast);
+    write_whole_file(objects / "slow.cxx", slow);
+    const fs::path verilator_root = VERILATOR_INCLUDE;
+    const std::vector<std::string> common{"g++",
+                                          "-std=c++17",
+                                          "-fPIC",
+                                          "-DVL_TIME_CONTEXT",
+                                          "-w",
+                                          "-c",
+                                          "-I.",
+                                          "-I" + folder_.string(),
+                                          "-I" + (data / "include").string(),
+                                          "-I" + verilator_root.string(),
+                                          "-I" + (verilator_root / "vltstd").string()};
+    const auto compile = [&](const fs::path& source, const std::string& object, const char* level) {
+        auto command = common;
+        command.insert(command.end(), {level, source.string(), "-o", object});
+        if (trace_) command.emplace_back("-DDE1SIM_TRACE");
+        return command;
+    };
+    std::vector<std::vector<std::string>> commands{
+        compile("fast.cxx", "fast.o", "-O2"), compile(data / "project/model.cpp", "model.o", "-O2"),
+        compile("slow.cxx", "slow.o", "-O0")};
+    if (trace_) commands.push_back(compile(verilator_root / "verilated_fst_c.cpp", "fst.o", "-O1"));
+    for (const Outcome& one : run_commands(commands, objects, LIMIT_S))
+        if (one.code != 0) throw ProjectError{first_error(one, "g++")};
+    std::vector<std::string> link{"g++", "-shared", "-o", "chip.so", "fast.o", "slow.o", "model.o"};
+    if (trace_) link.push_back("fst.o");
+    for (const char* runtime : {"libinit_file.a", "libverilated_runtime.a"})
+        link.push_back(
+            (program_folder() / ".." / LIBRARY_FOLDER / runtime).lexically_normal().string());
+    link.insert(link.end(), {"-pthread", "-lz"});
+    outcome = run_command(link, objects, LIMIT_S);
+    if (outcome.code != 0) throw ProjectError{first_error(outcome, "g++")};
+    // Those of other states of the design are of no use any more.
+    for (const auto& entry : fs::directory_iterator{folder_}) {
+        const std::string old = entry.path().filename().string();
+        if (old.compare(0, 5, "chip-") == 0 && (old.find("-trace") != std::string::npos) == trace_)
+            fs::remove(entry.path(), error);
+    }
+    fs::rename(objects / "chip.so", library);
+    return {library, false};
+}
+
+}  // namespace sim::project

@@ -1,0 +1,57 @@
+// build.h - from a project to a library that can be loaded: `de1sim build`, `de1sim check`.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "sim/project/binding.h"
+#include "sim/project/project.h"
+
+namespace sim::project {
+
+struct Design {
+    Project project;
+    Elaborated elaborated;
+    Binding binding;
+    std::vector<std::string> changes;  // by the normaliser
+};
+
+struct Built {
+    std::filesystem::path library;
+    bool was_up_to_date;
+};
+
+// What is said while it goes on: "translating 12 files (Verilator)".
+using Progress = std::function<void(const std::string& line)>;
+
+class Builder {
+public:
+    // `trace`: with waveforms, which is another library.  ProjectError.
+    Builder(const Request& request, bool trace);
+
+    // Reads and elaborates the design, without compiling it.  ProjectError: a module is missing, a
+    // file has an error, with the place.
+    const Design& examine();
+
+    // Compiles it, unless that has been done with the same files, options and tools.  ProjectError;
+    // what is half built is never used.
+    Built build(const Progress& progress);
+
+private:
+    void write_sources();
+    void generate();
+    std::string key() const;
+
+    Request request_;
+    bool trace_;
+    Design design_;
+    std::filesystem::path folder_;  // .de1sim beside the project, or in the user's cache
+    std::vector<std::filesystem::path> files_;  // cleaned copies, in folder_
+    bool examined_ = false;
+};
+
+// Files that de1sim comes with: `share` of an installation, or of the build tree.
+std::filesystem::path data_folder();
+
+}  // namespace sim::project

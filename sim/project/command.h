@@ -1,0 +1,25 @@
+// command.h - other programs: Verilator, the compiler.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace sim::project {
+
+struct Outcome {
+    int code;            // exit code; 127: there is no such program; 128 + n: ended by signal n
+    std::string output;  // stdout and stderr
+};
+
+// Runs the program, found on the PATH, in `folder`, without a shell.  After `limit_s` seconds it and
+// what it has started are ended, and the code is TIMED_OUT.
+constexpr int TIMED_OUT = -1;
+Outcome run_command(const std::vector<std::string>& words, const std::filesystem::path& folder,
+                    unsigned limit_s);
+
+// The same for several, as many at once as the machine has processors; outcomes in their order.
+std::vector<Outcome> run_commands(const std::vector<std::vector<std::string>>& commands,
+                                  const std::filesystem::path& folder, unsigned limit_s);
+
+}  // namespace sim::project

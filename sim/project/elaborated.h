@@ -1,0 +1,36 @@
+// elaborated.h - what Verilator knows of a design: the top's ports, and the PLLs' clocks.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "sim/project/board_pins.h"
+
+namespace sim::project {
+
+struct Port {
+    std::string name;
+    Direction direction;
+    int left, right;  // [7:0] is 7 and 0; a scalar's are 0
+    bool vector;      // has a range
+};
+
+// One output of a PLL, in femtoseconds.
+struct PllClock {
+    std::uint64_t period_fs, phase_fs, high_fs;
+    bool operator==(const PllClock& o) const {
+        return period_fs == o.period_fs && phase_fs == o.phase_fs && high_fs == o.high_fs;
+    }
+};
+
+struct Elaborated {
+    std::vector<Port> ports;
+    std::vector<PllClock> pll_clocks;  // each once
+};
+
+// From the file that `verilator --xml-only` writes.  ProjectError.
+Elaborated read_elaborated(const std::filesystem::path& xml, const std::string& top);
+
+}  // namespace sim::project

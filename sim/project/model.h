@@ -1,0 +1,35 @@
+// model.h - a design, Verilated and loaded: what its library offers to de1sim.
+//
+// The library is compiled beside the project from runtime/ and Verilator's output, against this
+// header and sim/pins/pins.h alone.
+#pragma once
+
+#include <cstdint>
+
+#include "sim/pins/pins.h"
+
+namespace sim::project {
+
+class Model {
+public:
+    virtual ~Model() = default;
+
+    ChipInputs in;  // what the board puts on the pins; counts from the next clock edge on
+
+    // Runs all clock edges up to and with `until_ps`.  What moves at the outputs goes to the
+    // PinListener, in order; a batch of video samples may come later, at flush().
+    virtual void run(std::uint64_t until_ps) = 0;
+    virtual void flush() = 0;
+    virtual void end_trace() = 0;
+};
+
+struct ModelSettings {
+    const char* folder;      // the project's: $readmemh and other files are opened from there
+    const char* trace_file;  // FST, or empty
+    void (*say)(const char* line);  // what a person should know
+};
+
+// `extern "C"` as de1sim_open_model; the caller deletes what it gets.
+using OpenModel = Model*(PinListener& pins, const ModelSettings& settings);
+
+}  // namespace sim::project

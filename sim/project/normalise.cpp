@@ -1,0 +1,249 @@
+#include "sim/project/normalise.h"
+
+#include <algorithm>
+#include <cctype>
+#include <iterator>
+#include <map>
+#include <sstream>
+
+#include <fmt/format.h>
+
+#include "sim/project/settings.h"
+#include "sim/project/tokens.h"
+
+namespace sim::project {
+
+namespace {
+
+using Kind = Token::Kind;
+
+// Words that SystemVerilog has taken; and those with which a .v file shows that it is meant as such.
+bool is_new_keyword(std::string_view word) {
+    static constexpr std::string_view WORDS[] = {
+        "assert",  "before", "bind",       "bit",           "break",    "byte",     "chandle",
+        "checker", "class",  "clocking",   "const",         "context",  "continue", "cover",
+        "cross",   "dist",   "do",         "expect",        "export",   "extends",  "extern",
+        "final",   "global", "iff",        "ignore_bins",   "implies",  "import",   "inside",
+        "int",     "let",    "local",      "longint",       "matches",  "modport",  "new",
+        "next",    "null",   "packed",     "priority",      "program",  "property", "protected",
+        "pure",    "rand",   "ref",        "restrict",      "return",   "sequence", "shortint",
+        "solve",   "static", "string",     "strong",        "struct",   "super",    "table",
+        "tagged",  "this",   "throughout", "timeprecision", "timeunit", "type",     "typedef",
+        "union",   "unique", "until",      "var",           "virtual",  "void",     "weak",
+        "within"};
+    return std::binary_search(std::begin(WORDS), std::end(WORDS), word);
+}
+bool shows_system_verilog(std::string_view word) {
+    static constexpr std::string_view WORDS[] = {"always_comb", "always_ff", "always_latch",
+                                                 "enum",        "interface", "logic",
+                                                 "package",     "typedef"};
+    return std::binary_search(std::begin(WORDS), std::end(WORDS), word);
+}
+
+class Normaliser {
+public:
+    Normaliser(std::string_view text, const std::string& name, const OpenInputs& open_inputs)
+        : tokens_{tokens_of(text)}, name_{name} {
+        for (std::size_t i = 0; i < tokens_.all.size(); ++i)
+            if (tokens_.all[i].kind == Kind::NAME && open_inputs.count(tokens_.all[i].text))
+                connect(i, open_inputs);
+    }
+
+    Normalised run(bool system_verilog) {
+        Normalised result;
+        if (!system_verilog) choose_keywords(result.text);
+        for (std::size_t i = 0; i < tokens_.all.size(); ++i) {
+            const Token& token = tokens_.all[i];
+            result.text += token.gap;
+            if (token.is(",") && next(i) && next(i)->is(")")) {
+                changed(token, "dropped the comma before \")\"");
+            } else if (token.kind == Kind::NUMBER) {
+                result.text += literal(token);
+            } else {
+                result.text += token.text;
+            }
+            if (const auto here = values_.find(i); here != values_.end())
+                result.text += here->second;
+            if (unnamed_instance(i)) {
+                changed(token, fmt::format("named the instance of {}", token.text));
+                add_name(i);
+            }
+            if (const auto here = names_.find(i); here != names_.end())
+                result.text += " " + here->second + " ";
+        }
+        result.text += tokens_.tail;
+        if (begun_) result.text += "\n`end_keywords\n";
+        result.changes = std::move(changes_);
+        return result;
+    }
+
+private:
+    const Token* next(std::size_t i, std::size_t ahead = 1) const {
+        return i + ahead < tokens_.all.size() ? &tokens_.all[i + ahead] : nullptr;
+    }
+    void changed(const Token& token, const std::string& what) {
+        changes_.push_back(fmt::format("{}:{}: {}", name_, token.line, what));
+    }
+
+    void choose_keywords(std::string& text) {
+        const Token* first = nullptr;
+        for (const Token& token : tokens_.all) {
+            if (token.kind != Kind::NAME) continue;
+            if (shows_system_verilog(token.text)) return;
+            if (!first && is_new_keyword(token.text)) first = &token;
+        }
+        if (!first) return;
+        changed(*first, fmt::format("\"{}\" is read as a name, as in Verilog-2005", first->text));
+        text += "`begin_keywords \"1364-2005\" ";
+        begun_ = true;
+    }
+
+    // NAME ( .port or NAME #(...) ( where a statement of a module begins.
+    bool unnamed_instance(std::size_t i) const {
+        const Token& token = tokens_.all[i];
+        if (token.kind != Kind::NAME || is_keyword(token.text) || i == 0 ||
+            !begins_item(tokens_.all[i - 1]))
+            return false;
+        if (!next(i)) return false;
+        std::size_t open = i + 1;
+        if (tokens_.all[open].is("#")) {
+            open = closing(open + 1) + 1;
+            return open < tokens_.all.size() && tokens_.all[open].is("(");
+        }
+        return tokens_.all[open].is("(") && next(open) && next(open)->is(".");
+    }
+    void add_name(std::size_t i) {
+        std::size_t at = i;
+        if (tokens_.all[i + 1].is("#")) at = closing(i + 2);
+        names_[at] = fmt::format("de1sim_unnamed_{}", ++unnamed_);
+    }
+    // Adds the connections that the instance of a model at `i` leaves open.
+    void connect(std::size_t i, const OpenInputs& open_inputs) {
+        std::size_t open = i + 1;
+        if (next(i) && next(i)->is("#")) open = closing(open + 1) + 1;
+        if (open < tokens_.all.size() && tokens_.all[open].kind == Kind::NAME) ++open;
+        if (open + 1 >= tokens_.all.size() || !tokens_.all[open].is("(") ||
+            !tokens_.all[open + 1].is("."))
+            return;
+        const std::size_t close = closing(open);
+        std::map<std::string, std::size_t, std::less<>> connected;  // to its parenthesis
+        for (std::size_t at = open + 1; at + 2 < close; ++at)
+            if (tokens_.all[at].is(".") && tokens_.all[at + 2].is("(")) {
+                connected.emplace(tokens_.all[at + 1].text, at + 2);
+                at = closing(at + 2);
+            }
+        std::string added;
+        const auto [begin, end] = open_inputs.equal_range(tokens_.all[i].text);
+        for (auto input = begin; input != end; ++input) {
+            const auto there = connected.find(input->second);
+            if (there == connected.end())
+                added += fmt::format(".{}(-1), ", input->second);
+            else if (tokens_.all[there->second + 1].is(")"))
+                values_[there->second] = "-1";
+        }
+        values_[open] += added;
+    }
+    static bool begins_item(const Token& before) {
+        return before.is(";") || before.is("begin") || before.is("end") || before.is("*)") ||
+               before.is("generate") || before.is("endgenerate") || before.is("endfunction") ||
+               before.is("endtask") || before.is("else");
+    }
+    // The parenthesis that closes the one at `open`; where there is none, the last token.
+    std::size_t closing(std::size_t open) const {
+        int depth = 0;
+        for (std::size_t i = open; i < tokens_.all.size(); ++i) {
+            depth += tokens_.all[i].is("(") - tokens_.all[i].is(")");
+            if (depth == 0) return i;
+        }
+        return tokens_.all.size() - 1;
+    }
+
+    std::string literal(const Token& token) {
+        const std::string_view text = token.text;
+        const std::size_t quote = text.find('\'');
+        if (quote == 0 || quote == std::string_view::npos) return std::string{text};
+        std::size_t base = quote + 1;
+        if (text[base] == 's' || text[base] == 'S') ++base;
+        unsigned bits_per_digit = 0;
+        switch (std::tolower(static_cast<unsigned char>(text[base]))) {
+            case 'b': bits_per_digit = 1; break;
+            case 'o': bits_per_digit = 3; break;
+            case 'h': bits_per_digit = 4; break;
+            default: return decimal(token, quote, base);
+        }
+        const unsigned long size = size_of(text.substr(0, quote));
+        std::string digits;
+        for (const char c : text.substr(base + 1))
+            if (c != '_' && c != ' ' && c != '\t') digits += c;
+        const unsigned long most = (size + bits_per_digit - 1) / bits_per_digit;
+        if (size == 0) return std::string{text};
+        std::string kept = digits.size() > most ? digits.substr(digits.size() - most) : digits;
+        const unsigned over = static_cast<unsigned>(most * bits_per_digit - size);
+        const bool cut_digit = kept.size() == most && over > 0 && value_of(kept[0]) >= 0 &&
+                               value_of(kept[0]) >> (bits_per_digit - over) != 0;
+        if (cut_digit)
+            kept[0] = "0123456789abcdef"[value_of(kept[0]) & ((1 << (bits_per_digit - over)) - 1)];
+        if (digits.size() <= most && !cut_digit) return std::string{text};
+        const std::string now = std::string{text.substr(0, base + 1)} + kept;
+        if (cut_digit || digits.find_first_not_of('0') < digits.size() - most)
+            changed(token, fmt::format("{} has too many digits, taken as {}", text, now));
+        else
+            changed(token, fmt::format("{} has too many digits, shortened to {}", text, now));
+        return now;
+    }
+    std::string decimal(const Token& token, std::size_t quote, std::size_t base) {
+        const unsigned long size = size_of(token.text.substr(0, quote));
+        std::string digits;
+        for (const char c : token.text.substr(base + 1))
+            if (std::isdigit(static_cast<unsigned char>(c))) digits += c;
+        if (size == 0 || size >= 64 || digits.empty() || digits.size() > 18)
+            return std::string{token.text};
+        const unsigned long long value = std::stoull(digits), mask = (1ull << size) - 1;
+        if (value <= mask) return std::string{token.text};
+        const std::string now = fmt::format("{}{}", token.text.substr(0, base + 1), value & mask);
+        changed(token,
+                fmt::format("{} does not fit in {} bits, taken as {}", token.text, size, now));
+        return now;
+    }
+    static int value_of(char c) {
+        if (c >= '0' && c <= '9') return c - '0';
+        const int letter = std::tolower(static_cast<unsigned char>(c));
+        return letter >= 'a' && letter <= 'f' ? letter - 'a' + 10 : -1;
+    }
+    static unsigned long size_of(std::string_view text) {
+        std::string digits;
+        for (const char c : text)
+            if (std::isdigit(static_cast<unsigned char>(c))) digits += c;
+        return digits.empty() || digits.size() > 6 ? 0 : std::stoul(digits);
+    }
+
+    Tokens tokens_;
+    const std::string& name_;
+    std::map<std::size_t, std::string> values_;  // to write behind that token
+    std::vector<std::string> changes_;
+    std::map<std::size_t, std::string> names_;  // to write behind that token
+    unsigned unnamed_ = 0;
+    bool begun_ = false;
+};
+
+}  // namespace
+
+OpenInputs read_open_inputs(const std::filesystem::path& table) {
+    OpenInputs inputs;
+    std::istringstream lines{text_of(table)};
+    std::string line;
+    std::getline(lines, line);  // the titles
+    while (std::getline(lines, line)) {
+        const std::size_t first = line.find('\t'), second = line.find('\t', first + 1);
+        if (second != std::string::npos)
+            inputs.emplace(line.substr(0, first), line.substr(first + 1, second - first - 1));
+    }
+    return inputs;
+}
+
+Normalised normalise(std::string_view text, const std::string& name, bool system_verilog,
+                     const OpenInputs& open_inputs) {
+    return Normaliser{text, name, open_inputs}.run(system_verilog);
+}
+
+}  // namespace sim::project

@@ -1,0 +1,34 @@
+// normalise.h - Verilog as Quartus takes it, made into what the standard and Verilator take.
+//
+// Changed, each with a line that says so:
+//   an instance without a name               gets one
+//   a literal with more digits than its size  loses the leading ones, as in Quartus
+//   a comma before a closing parenthesis      goes
+//   a .v file with words of SystemVerilog as names  is read with the keywords of Verilog-2005
+//
+// Lines stay where they are, and messages name the original file.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace sim::project {
+
+struct Normalised {
+    std::string text;
+    std::vector<std::string> changes;  // "pong.v:12: named the instance of ball"
+};
+
+// Inputs of models of Intel's IP that are 1 where a design leaves them open: module, port.  Such a
+// connection is added, which is not told as a change: Quartus does the same.
+using OpenInputs = std::multimap<std::string, std::string, std::less<>>;
+OpenInputs read_open_inputs(const std::filesystem::path& table);  // rtl/ip/defaults.tsv
+
+// `name` is the file's in messages; `system_verilog`: it is read as such, keywords and all.
+Normalised normalise(std::string_view text, const std::string& name, bool system_verilog,
+                     const OpenInputs& open_inputs = {});
+
+}  // namespace sim::project

@@ -1,0 +1,264 @@
+#include "sim/project/project.h"
+
+#include <algorithm>
+#include <deque>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "sim/project/board_pins.h"
+#include "sim/project/file_finder.h"
+#include "sim/project/source.h"
+
+namespace sim::project {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+using Language = SourceFile::Language;
+
+std::optional<Language> language_of(const fs::path& path) {
+    const std::string ending = lower(path.extension().string());
+    if (ending == ".v" || ending == ".vo" || ending == ".vt") return Language::VERILOG;
+    if (ending == ".sv") return Language::SYSTEM_VERILOG;
+    if (ending == ".vhd" || ending == ".vhdl") return Language::VHDL;
+    return {};
+}
+
+// The settings file that `place` names or holds; empty: a folder without one.
+fs::path settings_at(const fs::path& place) {
+    std::error_code error;
+    if (fs::is_regular_file(place, error)) {
+        const std::string ending = lower(place.extension().string());
+        if (ending == ".qsf") return place;
+        if (ending == ".qpf") {
+            fs::path qsf = place;
+            qsf.replace_extension(".qsf");
+            if (fs::is_regular_file(qsf, error)) return qsf;
+            throw ProjectError{place.string() + ": there is no " + qsf.filename().string() +
+                               " beside it"};
+        }
+        throw ProjectError{place.string() + ": expected a .qsf, a .qpf or a folder"};
+    }
+    if (!fs::is_directory(place, error))
+        throw ProjectError{place.string() + ": no such file or folder"};
+    std::vector<fs::path> found;
+    for (const auto& entry : fs::directory_iterator{place, error})
+        if (lower(entry.path().extension().string()) == ".qsf") found.push_back(entry.path());
+    std::sort(found.begin(), found.end());
+    if (found.size() > 1) {
+        std::string names;
+        for (const fs::path& f : found)
+            names += (names.empty() ? "" : ", ") + f.filename().string();
+        throw ProjectError{place.string() + ": has several projects, name one: " + names};
+    }
+    return found.empty() ? fs::path{} : found.front();
+}
+
+class ProjectReader {
+public:
+    explicit ProjectReader(const Request& request)
+        : request_{request},
+          settings_{settings_at(request.place)},
+          folder_{(settings_.empty() ? fs::absolute(request.place)
+                                     : fs::absolute(settings_).parent_path())
+                      .lexically_normal()},
+          finder_{folder_} {
+        project_.folder = folder_;
+        project_.settings = settings_;
+        project_.top = request.top;
+        project_.macros = request.macros;
+    }
+
+    Project run() {
+        if (!settings_.empty()) {
+            for (const Assignment& a : read_settings(settings_)) take(a);
+            if (project_.top.empty()) project_.top = settings_.stem().string();
+        }
+        const bool folder_alone = sources_.empty();
+        if (folder_alone) {
+            for (const fs::path& file : finder_.files())
+                if (const auto language = language_of(file)) add(file, *language, true);
+            if (sources_.empty())
+                throw ProjectError{folder_.string() + ": no Verilog or VHDL files found here"};
+        }
+        choose_top();
+        take_what_it_needs();
+        return std::move(project_);
+    }
+
+private:
+    struct Source {
+        SourceFile file;
+        SourceText text;
+    };
+    struct Definition {
+        std::size_t source;
+        const ModuleText* module;
+    };
+
+    void note(std::string text) { project_.notes.push_back(std::move(text)); }
+    std::string place(const fs::path& file) const {
+        return file.lexically_relative(folder_).string();
+    }
+
+    void take(const Assignment& a) {
+        const std::string& name = a.name;
+        if (name == "LOCATION") {
+            project_.pins[a.to] = a.value;
+        } else if (name == "TOP_LEVEL_ENTITY") {
+            if (request_.top.empty()) project_.top = a.value;
+        } else if (name == "VERILOG_MACRO") {
+            project_.macros.push_back(a.value);
+        } else if (name == "SEARCH_PATH") {
+            std::string path = a.value;
+            std::replace(path.begin(), path.end(), '\\', '/');
+            project_.includes.push_back((folder_ / path).lexically_normal());
+        } else if (name == "DEVICE") {
+            if (a.value != "5CSEMA5F31C6")
+                note(fmt::format("DEVICE is {}; the DE1-SoC has a 5CSEMA5F31C6", a.value));
+        } else if (name == "VERILOG_FILE" || name == "SYSTEMVERILOG_FILE" || name == "VHDL_FILE" ||
+                   name == "SOURCE_FILE") {
+            take_source(a);
+        } else if (name == "QIP_FILE") {
+            if (const auto file = resolve(a))
+                for (const Assignment& inner : read_settings(*file)) take(inner);
+        } else if (name == "QSYS_FILE" || name == "BDF_FILE") {
+            unsupported_.push_back(fmt::format(
+                "{}:{}: {}: {}", place(a.file), a.line, a.value,
+                name == "QSYS_FILE" ? "a Qsys system: what it generates is encrypted or for the "
+                                      "processor; cannot be simulated here"
+                                    : "a schematic; save it as Verilog in Quartus (File, Create "
+                                      "HDL Design File)"));
+        }
+    }
+
+    std::optional<fs::path> resolve(const Assignment& a) {
+        const auto found =
+            finder_.find(a.value, a.in_qip_folder ? fs::absolute(a.file).parent_path() : folder_);
+        if (!found) {
+            note(fmt::format("{}:{}: {} is not there", place(fs::absolute(a.file)), a.line,
+                             a.value));
+            return {};
+        }
+        if (!found->exact)
+            note(fmt::format("{}:{}: {} is taken from {}", place(fs::absolute(a.file)), a.line,
+                             a.value, place(found->path)));
+        return found->path;
+    }
+
+    void take_source(const Assignment& a) {
+        const auto file = resolve(a);
+        if (!file) return;
+        const auto by_ending = language_of(*file);
+        Language language = by_ending.value_or(Language::VERILOG);
+        if (a.name == "SYSTEMVERILOG_FILE") language = Language::SYSTEM_VERILOG;
+        if (a.name == "VHDL_FILE") language = Language::VHDL;
+        add(*file, language, true);
+    }
+
+    void add(const fs::path& file, Language language, bool listed) {
+        if (!known_.insert(file).second) return;
+        Source source{{file, language, listed}, {}};
+        if (language != Language::VHDL) source.text = scan(text_of(file));
+        sources_.push_back(std::move(source));
+        const std::size_t n = sources_.size() - 1;
+        for (const ModuleText& module : sources_[n].text.modules)
+            modules_.emplace(module.name, Definition{n, &module});
+    }
+
+    // The definition of a module, also by a file of its name that the project does not list.
+    const Definition* definition(const std::string& name) {
+        if (const auto i = modules_.find(name); i != modules_.end()) return &i->second;
+        for (const fs::path& file : finder_.with_stem(name))
+            if (const auto language = language_of(file); language && !known_.count(file)) {
+                add(file, *language, false);
+                if (const auto i = modules_.find(name); i != modules_.end()) {
+                    note(fmt::format("{} is not listed; it defines {}", place(file), name));
+                    return &i->second;
+                }
+            }
+        return nullptr;
+    }
+
+    void choose_top() {
+        if (!project_.top.empty() && definition(project_.top)) return;
+        if (!request_.top.empty())
+            throw ProjectError{fmt::format("--top {}: no file defines that module", request_.top)};
+        std::set<std::string> instanced;
+        for (const auto& [name, d] : modules_)
+            instanced.insert(d.module->wants.begin(), d.module->wants.end());
+        std::vector<std::pair<std::size_t, std::string>> candidates;
+        for (const auto& [name, d] : modules_) {
+            if (instanced.count(name) || d.module->is_package) continue;
+            const auto& ports = d.module->ports;
+            const auto count = std::count_if(ports.begin(), ports.end(), [](const auto& port) {
+                return board_signal(port).has_value();
+            });
+            if (count > 0) candidates.emplace_back(static_cast<std::size_t>(count), name);
+        }
+        std::sort(candidates.rbegin(), candidates.rend());
+        if (candidates.empty())
+            throw ProjectError{fmt::format(
+                "{}: {}; no module has the board's pins as ports (CLOCK_50, KEY, VGA_R ...)",
+                (settings_.empty() ? folder_ : settings_).string(),
+                project_.top.empty() ? "no top module is named"
+                                     : "the top module " + project_.top + " is not there")};
+        std::string others;
+        for (std::size_t i = 1; i < candidates.size() && i < 6; ++i)
+            others += (others.empty() ? "; also possible: " : ", ") + candidates[i].second;
+        if (candidates.size() > 1 && candidates[0].first == candidates[1].first)
+            throw ProjectError{
+                fmt::format("{}: two top modules are possible, choose by --top: {}{}",
+                            folder_.string(), candidates[0].second, others)};
+        note(fmt::format("the top module is taken to be {}, which has {} of the board's pins{}",
+                         candidates[0].second, candidates[0].first, others));
+        project_.top = candidates[0].second;
+    }
+
+    void take_what_it_needs() {
+        std::set<std::string> seen;
+        std::set<std::size_t> packages, others;
+        std::deque<std::pair<std::string, std::string>> open{{project_.top, ""}};
+        while (!open.empty()) {
+            const auto [name, by] = open.front();
+            open.pop_front();
+            if (!seen.insert(name).second || request_.is_model(name)) continue;
+            const Definition* d = definition(name);
+            if (!d) {
+                if (!by.empty()) project_.missing.push_back(name + " (wanted by " + by + ")");
+                continue;
+            }
+            (d->module->is_package ? packages : others).insert(d->source);
+            const SourceText& text = sources_[d->source].text;
+            for (const std::string& package : text.packages) open.emplace_back(package, name);
+            for (const std::string& wanted : d->module->wants) open.emplace_back(wanted, name);
+        }
+        for (const auto* group : {&packages, &others})
+            for (const std::size_t n : *group)
+                if (group == &packages || !packages.count(n))
+                    project_.sources.push_back(sources_[n].file);
+        std::set<fs::path> folders{folder_};
+        for (const SourceFile& source : project_.sources) folders.insert(source.path.parent_path());
+        project_.includes.insert(project_.includes.end(), folders.begin(), folders.end());
+        if (!project_.missing.empty() && !unsupported_.empty())
+            throw ProjectError{unsupported_.front()};
+        for (const std::string& line : unsupported_) note(line);
+    }
+
+    const Request& request_;
+    const fs::path settings_, folder_;
+    const FileFinder finder_;
+    Project project_;
+    std::deque<Source> sources_;  // whose modules stay where they are
+    std::set<fs::path> known_;
+    std::map<std::string, Definition> modules_;
+    std::vector<std::string> unsupported_;
+};
+
+}  // namespace
+
+Project read_project(const Request& request) { return ProjectReader{request}.run(); }
+
+}  // namespace sim::project

@@ -1,0 +1,51 @@
+// project.h - somebody's design for the DE1-SoC: its files, its top module, its pins.
+//
+// From a Quartus project (.qsf or .qpf) or from a folder of Verilog.  What Quartus finds by itself
+// is found here too: modules in files that are not listed, by the name of the file; paths with
+// backslashes, in another case, or absolute ones of another machine.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "sim/project/settings.h"
+
+namespace sim::project {
+
+struct SourceFile {
+    enum class Language { VERILOG, SYSTEM_VERILOG, VHDL };
+    std::filesystem::path path;
+    Language language;
+    bool listed;  // in the project, or found
+};
+
+struct Project {
+    std::filesystem::path folder;    // absolute
+    std::filesystem::path settings;  // the .qsf, or empty
+    std::string top;
+    std::vector<SourceFile> sources;  // what the top needs, packages first
+    std::vector<std::filesystem::path> includes;
+    std::vector<std::string> macros;          // NAME or NAME=VALUE
+    std::map<std::string, std::string> pins;  // "SW[3]" -> "PIN_AF9"
+    std::vector<std::string> missing;         // modules that no file defines, with who wants them
+    std::vector<std::string> notes;           // what a person should know, a line each
+};
+
+struct Request {
+    std::filesystem::path place;      // .qsf, .qpf or folder
+    std::string top;                  // instead of the project's, or empty
+    std::vector<std::string> macros;  // besides the project's
+    // Modules that need no file, since there are models of them.
+    std::function<bool(const std::string& module)> is_model = [](const std::string&) {
+        return false;
+    };
+};
+
+// ProjectError: nothing there, no top module or several, a part that cannot be simulated (the
+// processor's Qsys system, Nios, a schematic, encrypted files).
+Project read_project(const Request& request);
+
+}  // namespace sim::project

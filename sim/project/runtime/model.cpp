@@ -1,0 +1,236 @@
+// model.cpp - runs the Verilated de1sim_chip: its clocks, and who is told when its pins move.
+#include "sim/project/model.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <climits>
+#include <string>
+#include <vector>
+
+#include "Vde1sim_chip.h"
+#include "verilated.h"
+#ifdef DE1SIM_TRACE
+#include "verilated_fst_c.h"
+#endif
+
+#include "sim/project/init_file.h"
+
+#include "de1sim_clocks.h"  // PLL_CLOCKS[]: period and phase of each in fs; TD_CLK27_USED
+
+namespace sim::project {
+
+namespace {
+
+constexpr std::uint64_t FS_PER_PS = 1'000, CLOCK_50_FS = 20'000'000, CLOCK_27_FS = 37'037'037;
+constexpr unsigned VIDEO_BATCH = 800;
+
+// JP1's and JP2's D31-D0 among the 36 pins of a header: rtl/board/de1_soc/header.v.
+constexpr std::uint64_t D13_D1 = 0x1fff, D31_D15 = 0x1ffff;
+std::uint32_t bits_of(std::uint64_t pins) {
+    return static_cast<std::uint32_t>((pins >> 1 & 1) | (pins >> 3 & D13_D1) << 1 |
+                                      (pins >> 17 & 1) << 14 | (pins >> 19 & D31_D15) << 15);
+}
+std::uint64_t pins_of(std::uint64_t bits) {
+    return (bits & 1) << 1 | (bits >> 1 & D13_D1) << 3 | (bits >> 14 & 1) << 17 |
+           (bits >> 15 & D31_D15) << 19;
+}
+
+struct Clock {
+    std::uint64_t next_fs, period_fs;
+    unsigned number;  // of a PLL's clock, or one of the two below
+};
+constexpr unsigned IS_CLOCK_50 = 64, IS_CLOCK_27 = 65;
+
+class VerilatedModel final : public Model {
+public:
+    VerilatedModel(PinListener& pins, const ModelSettings& settings) : pins_{pins} {
+        clocks_.push_back({CLOCK_50_FS, CLOCK_50_FS, IS_CLOCK_50});
+        if (TD_CLK27_USED) clocks_.push_back({CLOCK_27_FS, CLOCK_27_FS, IS_CLOCK_27});
+        for (unsigned n = 0; n < PLL_CLOCK_COUNT; ++n)
+            clocks_.push_back({CLOCK_50_FS + PLL_CLOCKS[n].phase_fs, PLL_CLOCKS[n].period_fs, n});
+#ifdef DE1SIM_TRACE
+        if (settings.trace_file[0]) {
+            context_.traceEverOn(true);
+            top_.trace(&trace_, 99);
+            trace_.open(settings.trace_file);
+        }
+#endif
+        ::project::set_init_folders({settings.folder, {}},
+                                    [say = settings.say](const std::string& line) {
+                                        say(line.c_str());
+                                    });
+        apply_inputs();
+        // The design opens its files in its own folder.
+        char here[PATH_MAX];
+        const bool moved = getcwd(here, sizeof here) && chdir(settings.folder) == 0;
+        eval();
+        if (moved && chdir(here) != 0) return;
+        look();
+    }
+    ~VerilatedModel() override {
+        end_trace();
+        top_.final();
+    }
+
+    void run(std::uint64_t until_ps) override {
+        const std::uint64_t until_fs = until_ps * FS_PER_PS;
+        apply_inputs();
+        for (;;) {
+            std::uint64_t next = clocks_[0].next_fs;
+            for (const Clock& clock : clocks_) next = std::min(next, clock.next_fs);
+            if (next > until_fs) return;
+            now_fs_ = next;
+            for (Clock& clock : clocks_)
+                if (clock.next_fs == next) tick(clock);
+            if (look_) apply_inputs();
+            eval();
+            look();
+        }
+    }
+
+    void flush() override {
+        const unsigned count = video_count_;
+        video_count_ = 0;
+        if (count) pins_.video(video_, count);
+    }
+
+    void end_trace() override {
+#ifdef DE1SIM_TRACE
+        trace_.close();
+#endif
+    }
+
+private:
+    std::uint64_t now_ps() const { return now_fs_ / FS_PER_PS; }
+
+    void tick(Clock& clock) {
+        clock.next_fs += clock.period_fs;
+        if (clock.number == IS_CLOCK_50) {
+            top_.clock_50_i = !top_.clock_50_i;
+        } else if (clock.number == IS_CLOCK_27) {
+            top_.clock_27_i = !top_.clock_27_i;
+            top_.td_data_i = pins_.td_data(rises_27_++);
+        } else {
+            top_.pll_clocks_i ^= std::uint64_t{1} << clock.number;
+        }
+    }
+
+    void apply_inputs() {
+        look_ = false;
+        top_.sw_i = in.sw;
+        top_.key_ni = in.key_n;
+        top_.gpio_0_low_i = pins_of(~std::uint64_t{in.jp1} & ~std::uint64_t{headers_.jp1_oe});
+        top_.gpio_1_low_i = pins_of(~std::uint64_t{in.jp2} & ~std::uint64_t{headers_.jp2_oe});
+        top_.aud_adcdat_i = in.adcdat;
+        top_.i2c_sdat_low_i = !in.sdat && !sdat_low_;
+        top_.adc_dout_i = in.adc_sdo;
+        top_.irda_rxd_i = in.irda_rxd;
+        top_.ps2_clk_low_i = ~in.ps2_clk & 3 & ~ps2_ & 3;
+        top_.ps2_dat_low_i = ~in.ps2_dat & 3 & ~(ps2_ >> 2) & 3;
+    }
+
+    void eval() {
+        top_.eval();
+#ifdef DE1SIM_TRACE
+        if (trace_.isOpen()) trace_.dump(now_ps());
+#endif
+    }
+
+    void look() {
+        if (top_.vga_sample_o != vga_sample_) {
+            vga_sample_ = top_.vga_sample_o;
+            video_[video_count_++] = top_.vga_o;
+            if (video_count_ == VIDEO_BATCH) flush();
+        }
+        if (top_.dram_sample_o != dram_sample_) look_at_sdram();
+        const LampPins lamps{top_.ledr_o, top_.hex_no};
+        if (lamps.ledr != lamps_.ledr || lamps.hex_n != lamps_.hex_n) {
+            lamps_ = lamps;
+            pins_.lamps(lamps_, now_ps());
+        }
+        look_at_headers();
+        look_at_codec();
+        if (top_.adc_o != adc_) {
+            adc_ = top_.adc_o;
+            pins_.adc({(adc_ & 1) != 0, (adc_ & 2) != 0, (adc_ & 4) != 0}, now_ps(), in);
+            look_ = true;
+        }
+        const unsigned ps2 = (~top_.ps2_clk_o & 3u & ~unsigned{top_.ps2_clk_low_i}) |
+                             (~top_.ps2_dat_o & 3u & ~unsigned{top_.ps2_dat_low_i}) << 2;
+        if (ps2 != ps2_) {
+            ps2_ = ps2;
+            pins_.ps2(ps2 & 3, ps2 >> 2, in);
+            look_ = true;
+        }
+    }
+
+    void look_at_headers() {
+        if (top_.gpio_0_o == gpio_0_ && top_.gpio_1_o == gpio_1_ && top_.gpio_0_oe_o == oe_0_ &&
+            top_.gpio_1_oe_o == oe_1_)
+            return;
+        gpio_0_ = top_.gpio_0_o;
+        gpio_1_ = top_.gpio_1_o;
+        oe_0_ = top_.gpio_0_oe_o;
+        oe_1_ = top_.gpio_1_oe_o;
+        headers_ = {bits_of(gpio_0_), bits_of(oe_0_), bits_of(gpio_1_), bits_of(oe_1_)};
+        pins_.headers(headers_, now_ps(), in);
+        look_ = true;
+    }
+
+    void look_at_codec() {
+        const bool sdat_low = !top_.i2c_sdat_o && !top_.i2c_sdat_low_i;
+        const unsigned codec =
+            top_.aud_o | top_.aud_dacdat_o << 3 | top_.i2c_sclk_o << 4 | unsigned{sdat_low} << 5;
+        if (codec == codec_) return;
+        codec_ = codec;
+        sdat_low_ = sdat_low;
+        pins_.codec({(codec & 4) != 0, (codec & 2) != 0, (codec & 1) != 0, (codec & 8) != 0,
+                     (codec & 16) != 0, sdat_low},
+                    now_ps(), in);
+        look_ = true;
+    }
+
+    // DQ is the memory's while it has a read to answer.
+    void look_at_sdram() {
+        dram_sample_ = top_.dram_sample_o;
+        const unsigned pins = top_.dram_o;
+        const bool selected = !(pins >> 20 & 1);
+        if (!selected && !sdram_busy_) return;
+        const bool reads = (pins >> 17 & 15) == 5, writes = (pins >> 17 & 15) == 4;
+        if (reads || writes) reading_ = reads;
+        pins_.sdram({!selected, (pins >> 19 & 1) != 0, (pins >> 18 & 1) != 0, (pins >> 17 & 1) != 0,
+                     static_cast<std::uint8_t>(pins >> 15 & 3), static_cast<std::uint8_t>(pins & 3),
+                     static_cast<std::uint16_t>(pins >> 2 & 0x1fff), top_.dram_dq_o, writes},
+                    now_ps(), top_.dram_dq_i, sdram_busy_);
+        top_.dram_dq_en_i = sdram_busy_ && reading_;
+    }
+
+    PinListener& pins_;
+    VerilatedContext context_;
+    Vde1sim_chip top_{&context_};
+#ifdef DE1SIM_TRACE
+    VerilatedFstC trace_;
+#endif
+    std::vector<Clock> clocks_;
+    std::uint64_t now_fs_ = 0, rises_27_ = 0;
+    bool look_ = true;  // `in` may have changed
+
+    std::uint32_t video_[VIDEO_BATCH];
+    unsigned video_count_ = 0;
+    bool vga_sample_ = false, dram_sample_ = false, sdram_busy_ = false, reading_ = false;
+    LampPins lamps_{0, (std::uint64_t{1} << 42) - 1};
+    std::uint64_t gpio_0_ = 0, gpio_1_ = 0, oe_0_ = 0, oe_1_ = 0;
+    HeaderPins headers_{0, 0, 0, 0};
+    unsigned codec_ = 0, adc_ = 0, ps2_ = 0;  // ps2_: bit n port n's clock, bit 2 + n its data
+    bool sdat_low_ = false;
+};
+
+}  // namespace
+
+}  // namespace sim::project
+
+extern "C" sim::project::Model* de1sim_open_model(sim::PinListener& pins,
+                                                  const sim::project::ModelSettings& settings) {
+    return new sim::project::VerilatedModel{pins, settings};
+}

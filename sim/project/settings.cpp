@@ -1,0 +1,170 @@
+#include "sim/project/settings.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+
+namespace sim::project {
+
+namespace fs = std::filesystem;
+
+std::string text_of(const fs::path& file) {
+    constexpr std::uintmax_t MOST = 64u << 20;
+    std::error_code error;
+    if (fs::is_directory(file, error))
+        throw ProjectError{file.string() + ": is a folder, expected a file"};
+    const auto size = fs::file_size(file, error);
+    if (!error && size > MOST)
+        throw ProjectError{file.string() + ": larger than 64 MB, expected a source file"};
+    std::ifstream in{file, std::ios::binary};
+    if (!in) throw ProjectError{file.string() + ": " + std::strerror(errno)};
+    return {std::istreambuf_iterator<char>{in}, {}};
+}
+
+namespace {
+
+struct Command {
+    std::vector<std::string> words;
+    unsigned line;
+};
+
+// A word in [brackets] is kept with them: what the command would give is not known here.
+class TclReader {
+public:
+    explicit TclReader(const std::string& text) : text_{text} {}
+
+    std::vector<Command> commands() {
+        std::vector<Command> all;
+        while (at_ < text_.size()) {
+            skip_blanks();
+            Command command{{}, line_};
+            if (peek() == '#') {
+                while (at_ < text_.size() && peek() != '\n') ++at_;
+            } else {
+                while (at_ < text_.size() && peek() != '\n' && peek() != ';') {
+                    command.words.push_back(word());
+                    skip_blanks();
+                }
+            }
+            next();
+            if (!command.words.empty()) all.push_back(std::move(command));
+        }
+        return all;
+    }
+
+private:
+    char peek() const { return at_ < text_.size() ? text_[at_] : '\0'; }
+    char next() {
+        if (at_ >= text_.size()) return '\0';
+        line_ += text_[at_] == '\n';
+        return text_[at_++];
+    }
+    bool continued() const {  // a backslash at the line's end
+        if (text_.compare(at_, 2, "\\\n") == 0) return true;
+        return text_.compare(at_, 3, "\\\r\n") == 0;
+    }
+    void skip_blanks() {
+        for (;;) {
+            if (continued())
+                while (next() != '\n') {
+                }
+            else if (peek() == ' ' || peek() == '\t' || peek() == '\r')
+                next();
+            else
+                return;
+        }
+    }
+    std::string word() {
+        std::string word;
+        if (peek() == '"') {
+            next();
+            while (at_ < text_.size() && peek() != '"' && peek() != '\n') word += next();
+            if (peek() == '"') next();
+            return word;
+        }
+        if (peek() == '{' || peek() == '[') {
+            const char open = peek(), close = open == '{' ? '}' : ']';
+            int depth = 0;
+            do {
+                const char c = next();
+                depth += (c == open) - (c == close);
+                word += c;
+            } while (depth > 0 && at_ < text_.size());
+            return open == '{' ? word.substr(1, word.size() - 2) : word;
+        }
+        int depth = 0;  // of brackets in the word: SW[3]
+        const auto ends = [&](char c) {
+            return c == '\n' || (depth <= 0 && (c == ' ' || c == '\t' || c == '\r' || c == ';'));
+        };
+        while (at_ < text_.size() && !ends(peek()) && !continued()) {
+            depth += (peek() == '[') - (peek() == ']');
+            word += next();
+        }
+        return word;
+    }
+
+    const std::string& text_;
+    std::size_t at_ = 0;
+    unsigned line_ = 1;
+};
+
+// [file join $::quartus(qip_path) "pll.v"] -> pll.v
+bool joined_to_qip(std::string& value) {
+    if (value.compare(0, 10, "[file join") != 0) return false;
+    const std::size_t variable = value.find("quartus(qip_path)");
+    if (variable == std::string::npos) return false;
+    std::string rest = value.substr(variable + 17);
+    rest.erase(std::remove_if(rest.begin(), rest.end(),
+                              [](char c) { return c == '"' || c == ']' || c == '}'; }),
+               rest.end());
+    const std::size_t begin = rest.find_first_not_of(" \t");
+    const std::size_t end = rest.find_last_not_of(" \t");
+    value = begin == std::string::npos ? "" : rest.substr(begin, end - begin + 1);
+    return true;
+}
+
+void read_into(std::vector<Assignment>& all, const fs::path& file, unsigned depth) {
+    constexpr unsigned DEEPEST = 8;
+    const std::string text = text_of(file);
+    for (const Command& command : TclReader{text}.commands()) {
+        const auto& words = command.words;
+        if (words[0] == "source" && words.size() > 1 && depth < DEEPEST) {
+            std::error_code error;
+            const fs::path other = file.parent_path() / words.back();
+            if (fs::is_regular_file(other, error)) read_into(all, other, depth + 1);
+        }
+        const bool location = words[0] == "set_location_assignment";
+        if (!location && words[0] != "set_global_assignment" &&
+            words[0] != "set_instance_assignment")
+            continue;
+        Assignment a{location ? "LOCATION" : "", "", "", file, command.line, false};
+        for (std::size_t i = 1; i < words.size(); ++i) {
+            const std::string& word = words[i];
+            if (word == "-to" && i + 1 < words.size())
+                a.to = words[++i];
+            else if (word == "-name" && i + 1 < words.size())
+                a.name = words[++i];
+            else if (word.size() > 1 && word[0] == '-' && std::isalpha(word[1]) != 0 &&
+                     word != "-disable" && word != "-remove" && i + 1 < words.size())
+                ++i;  // -library x, -section_id y
+            else if (a.value.empty())
+                a.value = word;
+        }
+        a.in_qip_folder = joined_to_qip(a.value);
+        std::transform(a.name.begin(), a.name.end(), a.name.begin(), ::toupper);
+        all.push_back(std::move(a));
+    }
+}
+
+}  // namespace
+
+std::vector<Assignment> read_settings(const fs::path& file) {
+    std::vector<Assignment> all;
+    read_into(all, file, 0);
+    return all;
+}
+
+}  // namespace sim::project

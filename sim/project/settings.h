@@ -1,0 +1,40 @@
+// settings.h - Quartus' settings files: .qsf, .qip, and the Tcl that they `source`.
+//
+// They are Tcl.  Read are the assignments, which is all that Quartus writes itself:
+//
+//   set_global_assignment -name TOP_LEVEL_ENTITY pong
+//   set_location_assignment PIN_AF14 -to CLOCK_50
+//   set_global_assignment -library pll -name VERILOG_FILE [file join $::quartus(qip_path) "pll.v"]
+//
+// with quotes, braces and continued lines; other commands are passed over.
+#pragma once
+
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace sim::project {
+
+// What is wrong with a project, in a line: file, line, what, what was expected.
+class ProjectError : public std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+struct Assignment {
+    std::string name;   // TOP_LEVEL_ENTITY; LOCATION for set_location_assignment
+    std::string value;  // pong; PIN_AF14
+    std::string to;     // SW[3], or empty
+    std::filesystem::path file;
+    unsigned line;
+    bool in_qip_folder;  // the value is a path from the .qip's folder on
+};
+
+// In the order of the files, with those that they `source` where they do so.  ProjectError if
+// `file` cannot be read; one that is sourced and missing is passed over.
+std::vector<Assignment> read_settings(const std::filesystem::path& file);
+
+// The file's text.  ProjectError: it cannot be read, or is larger than 64 MB.
+std::string text_of(const std::filesystem::path& file);
+
+}  // namespace sim::project

@@ -1,0 +1,94 @@
+#include "sim/project/source.h"
+
+#include "sim/project/tokens.h"
+
+namespace sim::project {
+
+namespace {
+
+using Kind = Token::Kind;
+
+bool is_name(const Token& token) { return token.kind == Kind::NAME && !is_keyword(token.text); }
+
+class Reader {
+public:
+    explicit Reader(std::string_view text) : tokens_{tokens_of(text).all} {}
+
+    SourceText run() {
+        for (at_ = 0; at_ < tokens_.size(); ++at_) {
+            const Token& token = tokens_[at_];
+            if (token.is("module") || token.is("macromodule") || token.is("package") ||
+                token.is("interface"))
+                begin(token);
+            else if (token.is("endmodule") || token.is("endpackage") || token.is("endinterface"))
+                module_ = nullptr;
+            else if (token.is("::") && at_ > 0)
+                source_.packages.emplace(tokens_[at_ - 1].text);
+            else if (module_)
+                in_module(token);
+        }
+        return std::move(source_);
+    }
+
+private:
+    const Token* peek(std::size_t ahead = 1) const {
+        return at_ + ahead < tokens_.size() ? &tokens_[at_ + ahead] : nullptr;
+    }
+
+    void begin(const Token& token) {
+        const Token* name = peek();
+        if (name && (name->is("automatic") || name->is("static"))) name = peek(2);
+        if (!name || name->kind != Kind::NAME) return;
+        source_.modules.push_back(
+            {std::string{name->text}, name->line, {}, {}, token.is("package")});
+        module_ = &source_.modules.back();
+        at_ = static_cast<std::size_t>(name - tokens_.data());
+    }
+
+    void in_module(const Token& token) {
+        if (token.is("input") || token.is("output") || token.is("inout")) {
+            ports();
+        } else if (is_name(token)) {
+            const Token* next = peek();
+            if (!next) return;
+            if (next->is("#") ||
+                (is_name(*next) && peek(2) && (peek(2)->is("(") || peek(2)->is("["))))
+                module_->wants.emplace(token.text);
+            else if (next->is("(") && at_ > 0 && peek(2) && peek(2)->is(".") && begins_statement())
+                module_->wants.emplace(token.text);  // an instance without a name
+        }
+    }
+
+    bool begins_statement() const {
+        const Token& before = tokens_[at_ - 1];
+        return before.is(";") || before.is("begin") || before.is("end") || before.is(")") ||
+               before.is("generate") || before.is("*)");
+    }
+
+    // The names of one declaration, up to what ends it.
+    void ports() {
+        int depth = 0;
+        for (std::size_t i = at_ + 1; i < tokens_.size(); ++i) {
+            const Token& token = tokens_[i];
+            if (token.is("[") || token.is("(") || token.is("{")) ++depth;
+            if (token.is("]") || token.is("}")) --depth;
+            if (token.is(")") && --depth < 0) break;
+            if (token.is(";") || token.is("input") || token.is("output") || token.is("inout"))
+                break;
+            if (depth == 0 && is_name(token) && !token.is("logic") && i + 1 < tokens_.size() &&
+                !is_name(tokens_[i + 1]))
+                module_->ports.emplace_back(token.text);
+        }
+    }
+
+    std::vector<Token> tokens_;
+    std::size_t at_ = 0;
+    SourceText source_;
+    ModuleText* module_ = nullptr;
+};
+
+}  // namespace
+
+SourceText scan(std::string_view text) { return Reader{text}.run(); }
+
+}  // namespace sim::project

@@ -1,0 +1,95 @@
+#include "sim/run/project_commands.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "sim/report/messages.h"
+#include "sim/run/run.h"
+
+namespace sim {
+
+using project::Binding;
+using project::Direction;
+
+namespace {
+
+// "LEDR[9:0] -> LEDR", or bit by bit where they lie elsewhere.
+std::string bound(const Binding::BoundPort& port) {
+    const std::string range =
+        port.port.vector ? fmt::format("[{}:{}]", port.port.left, port.port.right) : "";
+    std::string wires;
+    for (const auto& bit : port.bits)
+        wires += (wires.empty() ? "" : " ") + (bit.wire.empty() ? std::string{"-"} : bit.wire);
+    if (port.bits.size() > 1 && !port.bits.front().wire.empty() && !port.bits.back().wire.empty())
+        wires = port.bits.front().wire + " ... " + port.bits.back().wire;
+    return fmt::format("  {:6} {:24} {}\n",
+                       port.port.direction == Direction::INPUT    ? "input"
+                       : port.port.direction == Direction::OUTPUT ? "output"
+                                                                  : "inout",
+                       port.port.name + range, wires);
+}
+
+std::string lines(const char* title, const std::vector<std::string>& all) {
+    std::string text;
+    for (const std::string& line : all) text += "  " + line + "\n";
+    return all.empty() ? "" : fmt::format("{}:\n{}", title, text);
+}
+
+}  // namespace
+
+project::Request ProjectOptions::request() const {
+    project::Request request;
+    request.place = place;
+    request.top = top;
+    request.macros = macros;
+    return request;
+}
+
+void add_project_options(CLI::App& command, ProjectOptions& options) {
+    command.add_option("--top", options.top, "the project's top module, instead of its own choice");
+    command.add_option("-D,--define", options.macros, "a Verilog macro: NAME or NAME=VALUE")
+        ->take_all();
+}
+
+project::Built build_with_progress(const ProjectOptions& options, bool trace, bool quiet) {
+    project::Builder builder{options.request(), trace};
+    const project::Design& design = builder.examine();
+    if (!quiet) {
+        for (const std::string& note : design.project.notes) message(note);
+        for (const std::string& note : design.binding.notes) message(note);
+    }
+    return builder.build([quiet](const std::string& line) {
+        if (!quiet) message(line);
+    });
+}
+
+int build_project(const ProjectOptions& options) {
+    const project::Built built = build_with_progress(options, false, false);
+    return print_result(fmt::format("{}: {}\n", built.library.string(),
+                                    built.was_up_to_date ? "is up to date" : "built"))
+               ? PASSED
+               : WRONG_INPUT;
+}
+
+int check_project(const ProjectOptions& options) {
+    project::Builder builder{options.request(), false};
+    const project::Design& design = builder.examine();
+    std::string text = fmt::format("top module: {}\nfiles:\n", design.project.top);
+    for (const auto& file : design.project.sources)
+        text +=
+            fmt::format("  {}{}\n", file.path.lexically_relative(design.project.folder).string(),
+                        file.listed ? "" : "  (found, not listed)");
+    text += "ports:\n";
+    for (const auto& port : design.binding.ports) text += bound(port);
+    text += "clocks:\n  CLOCK_50: 50 MHz\n";
+    for (const auto& clock : design.elaborated.pll_clocks)
+        text += fmt::format("  PLL: {:.6f} MHz, phase {:.3f} ns\n",
+                            1e9 / static_cast<double>(clock.period_fs),
+                            static_cast<double>(clock.phase_fs) * 1e-6);
+    text += lines("notes", design.project.notes);
+    text += lines("pins", design.binding.notes);
+    text += lines("changed for the simulation", design.changes);
+    return print_result(text) ? PASSED : WRONG_INPUT;
+}
+
+}  // namespace sim

@@ -1,0 +1,34 @@
+// project_commands.h - `de1sim build` and `de1sim check`, and what `run --project` needs of them.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "sim/project/build.h"
+
+namespace CLI {
+class App;
+}
+
+namespace sim {
+
+struct ProjectOptions {
+    std::filesystem::path place;  // .qsf, .qpf or folder; or empty
+    std::string top;
+    std::vector<std::string> macros;
+
+    project::Request request() const;
+};
+
+// --top and -D, to which CLI11 adds what it parses.
+void add_project_options(CLI::App& command, ProjectOptions& options);
+
+// Both print to stdout, and return an exit code.  project::ProjectError.
+int build_project(const ProjectOptions& options);
+int check_project(const ProjectOptions& options);
+
+// With a line on stderr for each thing that takes time, unless `quiet`.
+project::Built build_with_progress(const ProjectOptions& options, bool trace, bool quiet);
+
+}  // namespace sim
