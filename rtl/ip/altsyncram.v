@@ -111,7 +111,10 @@ module altsyncram #(
     localparam WORDS_B = NUMWORDS_B ? NUMWORDS_B : 1 << WIDTHAD_B;
     localparam WORDS   = (WORDS_A + PARTS_A - 1) / PARTS_A;
 
+    // Two ports with clocks of their own write it.
+    // verilator lint_off MULTIDRIVEN
     reg [WIDTH-1:0] memory [0:WORDS-1];
+    // verilator lint_on MULTIDRIVEN
 
     // The file has words of port A's width, unless it says otherwise.
     localparam FILE_B     = DUAL && (INIT_FILE_LAYOUT == "PORT_B"

@@ -16,8 +16,9 @@
 // Not handled: ECC.
 
 `default_nettype none
-// Texts of different lengths, and parameters with numbers.
+// Texts of different lengths, parameters with numbers, and numbers with 0.
 // verilator lint_off WIDTH
+// verilator lint_off UNSIGNED
 
 module scfifo #(
     parameter lpm_width = 1, LPM_WIDTH = lpm_width,
@@ -101,6 +102,7 @@ module scfifo #(
     assign almost_full = count_q >= ALMOST_FULL_VALUE;
     assign almost_empty = count_q < ALMOST_EMPTY_VALUE;
     assign eccstatus = 2'd0;
+// verilator lint_on UNSIGNED
 // verilator lint_on WIDTH
 endmodule
 
