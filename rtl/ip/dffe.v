@@ -1,0 +1,22 @@
+// dffe.v - primitive: a flip-flop with clock enable; clrn before prn, both at once
+
+`default_nettype none
+
+module dffe (
+    input  wire d,
+    input  wire clk,
+    input  wire clrn,
+    input  wire prn,
+    input  wire ena,
+    output wire q
+);
+    reg q_q;
+    always @(posedge clk or negedge clrn or negedge prn)
+        if (!clrn) q_q <= 1'b0;
+        else if (!prn) q_q <= 1'b1;
+        else if (ena) q_q <= d;
+
+    assign q = q_q;
+endmodule
+
+`default_nettype wire

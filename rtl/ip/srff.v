@@ -1,0 +1,22 @@
+// srff.v - primitive: s sets, r clears, both toggle; clrn before prn, both at once
+
+`default_nettype none
+
+module srff (
+    input  wire s,
+    input  wire r,
+    input  wire clk,
+    input  wire clrn,
+    input  wire prn,
+    output wire q
+);
+    reg q_q;
+    always @(posedge clk or negedge clrn or negedge prn)
+        if (!clrn) q_q <= 1'b0;
+        else if (!prn) q_q <= 1'b1;
+        else q_q <= s && !q_q || !r && q_q;
+
+    assign q = q_q;
+endmodule
+
+`default_nettype wire
