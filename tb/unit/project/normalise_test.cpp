@@ -1,0 +1,74 @@
+// What Quartus takes and Verilator does not, and what must stay as it is.
+#include "sim/project/normalise.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace {
+
+using sim::project::normalise;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+std::string cleaned(const std::string& text) { return normalise(text, "f.v", false).text; }
+
+TEST(Normalise, LeavesAsItIsWhatIsInOrder) {
+    const std::string text =
+        "module m(input a, output b);\n  sub u (.a(a), .b(), .c(8'hff));\n"
+        "  always @* begin if (a) $display(\"4'b00000 ,)\"); end\nendmodule\n";
+    const auto result = normalise(text, "f.v", false);
+    EXPECT_EQ(result.text, text);
+    EXPECT_THAT(result.changes, IsEmpty());
+}
+
+TEST(Normalise, NamesInstances) {
+    const auto result =
+        normalise("module m;\nsub (.a(x));\nram #(.W(2)) (.q(y));\nendmodule", "f.v", false);
+    EXPECT_THAT(result.text, HasSubstr("sub de1sim_unnamed_1  (.a(x));"));
+    EXPECT_THAT(result.text, HasSubstr("ram #(.W(2)) de1sim_unnamed_2  (.q(y));"));
+    EXPECT_THAT(result.changes, ElementsAre("f.v:2: named the instance of sub",
+                                            "f.v:3: named the instance of ram"));
+}
+
+TEST(Normalise, ShortensLiteralsAsQuartusDoes) {
+    EXPECT_EQ(cleaned("x = 4'b010101;"), "x = 4'b0101;");
+    EXPECT_EQ(cleaned("x = 4'h1F;"), "x = 4'hF;");
+    EXPECT_EQ(cleaned("x = 3'hF;"), "x = 3'h7;");
+    EXPECT_EQ(cleaned("x = 4'd17;"), "x = 4'd1;");
+    EXPECT_EQ(cleaned("x = 10'b00000_00000;"), "x = 10'b00000_00000;");
+    EXPECT_EQ(cleaned("x = 8'shff;"), "x = 8'shff;");
+    EXPECT_EQ(cleaned("x = 4'bzzzz;"), "x = 4'bzzzz;");
+}
+
+TEST(Normalise, DropsTrailingCommas) {
+    EXPECT_EQ(cleaned("module m(input a,\n output b,\n);"), "module m(input a,\n output b\n);");
+    EXPECT_EQ(cleaned("sub u (.a(a), );"), "sub u (.a(a) );");
+}
+
+TEST(Normalise, NewKeywordsAreNamesInAVFile) {
+    const auto result = normalise("module m(input do, output final);\nendmodule\n", "f.v", false);
+    EXPECT_EQ(result.text.find("`begin_keywords \"1364-2005\" module"), 0u);
+    EXPECT_THAT(result.changes, ElementsAre("f.v:1: \"do\" is read as a name, as in Verilog-2005"));
+    EXPECT_THAT(normalise("module m(input logic do);", "f.v", false).changes, IsEmpty());
+    EXPECT_THAT(normalise("module m(input do);", "f.sv", true).changes, IsEmpty());
+}
+
+TEST(Normalise, GivesOpenInputsOfModelsTheirLevel) {
+    const sim::project::OpenInputs open{
+        {"altsyncram", "clocken0"}, {"altsyncram", "rden_b"}, {"altsyncram", "byteena_a"}};
+    const auto result = normalise("altsyncram #(.W(1)) u (.clock0(c), .rden_b(), .byteena_a(b));",
+                                  "f.v", false, open);
+    EXPECT_THAT(result.text, HasSubstr(".clocken0(-1)"));
+    EXPECT_THAT(result.text, HasSubstr(".rden_b(-1)"));
+    EXPECT_THAT(result.text, HasSubstr(".byteena_a(b)"));
+    EXPECT_THAT(result.changes, IsEmpty());
+}
+
+TEST(Normalise, LinesStayWhereTheyAre) {
+    const std::string text = "module m(a,\n);\n/* \n */ sub (.x(1'b11));\n\nendmodule\n";
+    const std::string now = cleaned(text);
+    EXPECT_EQ(std::count(now.begin(), now.end(), '\n'), std::count(text.begin(), text.end(), '\n'));
+}
+
+}  // namespace
