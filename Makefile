@@ -114,7 +114,8 @@ bench-collision: everything  ## the broad phases beside their peers, those that 
 	@cmake --build build --target bench_collision
 	@build/bin/bench_collision
 
-# The first of them without CMake, which has Verilator read them.
+# The register map's views are printed without CMake, because its configuration runs Verilator on
+# them.
 regmap: configure       ## print the register map's views, the font, the schema and STEPS.md anew
 	@mkdir -p build
 	@$(CXX) -std=c++17 -Irtl/regmap -o build/gen_regmap rtl/regmap/gen_regmap.cpp

@@ -1,4 +1,4 @@
-// fpga.v - the whole fabric: everything behind the HPS bridges, up to the pins
+// fpga.v - the whole fabric: everything from the HPS bridges to the pins
 //
 //   lw_*  --> lw_bridge --+--> ledr hex sw key jp1 jp2 sysid
 //                         +--> keypad ---- JP1 D7-D0
@@ -24,18 +24,18 @@ module fpga #(
 ) (
     input  wire            clk_i,          // 25 MHz
     input  wire            rst_i,          // synchronous, active high
-    input  wire            clk_audio_i,    // 128 a sample, asynchronous to clk_i; 1.024 MHz, or
-    input  wire            rst_audio_i,    // 6.144 MHz with audio_48k_i.  Its reset ends first.
-    input  wire            audio_48k_i,    // constant: 48,000 samples a second, not 8,000
+    input  wire            clk_audio_i,    // 128 per sample, asynchronous to clk_i; 1.024 MHz,
+    input  wire            rst_audio_i,    // or 6.144 MHz with audio_48k_i; its reset ends first
+    input  wire            audio_48k_i,    // constant: 48,000 samples per second, not 8,000
     input  wire            clk_td_i,       // 27 MHz, asynchronous to both
     input  wire            rst_td_i,       // ends first, too
 
     // For a simulator; on the board all of moved_i is 1, skip_i is 0.
     input  wire [2:0]      moved_i,        // an input has moved since the clock before: bit 0 of
                                            // lw_*, 1 of h2f_*, 2 of the pins; all in a reset
-    output wire [9:0]      rest_o,         // so many clocks after this one nothing will happen,
-    input  wire [9:0]      skip_i,         // so many of them are left out
-    output wire            stirs_o,        // in this clock others than the beam can move a pin
+    output wire [9:0]      rest_o,         // clocks after this one in which nothing will happen,
+    input  wire [9:0]      skip_i,         // and how many of them are left out
+    output wire            stirs_o,        // others than the beam can change a pin in this clock
     output wire            td_awake_o,     // clk_td_i could change something
 
     // Lightweight bridge, 0xFF200000, 2 MB: AXI3, 32 bits
@@ -159,7 +159,7 @@ module fpga #(
     input  wire            irda_rxd_i,     // high while it is dark
     output wire            irda_txd_o,     // 1 = light
 
-    // ADV7180; its HS and VS say nothing that the data do not
+    // ADV7180; its HS and VS are redundant, so not connected
     input  wire [7:0]      td_data_i,      // of clk_td_i
 
     // Host's side of the JTAG UARTs, bit or byte n of number n: see jtag_uart.v

@@ -1,6 +1,6 @@
 // fpga_clocks.v - a clock for each group of blocks that sleep together (README.md, Sleep)
 //
-//   clk_i --> root_clock --+--> clk_o: the beam, the number of the clock
+//   clk_i --> root_clock --+--> clk_o: the beam, the numbering of the clocks
 //                          +--> group_clock --> lw_clk_o ... audio_clk_o
 //
 // A group gets a clock if it wakes or if one of its inputs from outside has moved.  In a reset all
@@ -17,10 +17,10 @@ module fpga_clocks (
     output reg  [9:0]  rest_o,
     output wire        stirs_o,
 
-    input  wire        lw_wakes_i,     // a block is awake or due, or another group speaks to it
+    input  wire        lw_wakes_i,     // a block is awake or due, or another group accesses it
     input  wire        h2f_wakes_i,
     input  wire        memory_wakes_i,
-    input  wire        fetch_due_i,    // of that group, and wakes nobody else
+    input  wire        fetch_due_i,    // of the memories' group, and wakes no other
     input  wire        audio_wakes_i,
     input  wire        ports_wakes_i,
     input  wire [9:0]  beam_rest_i,    // rest_o of the blocks that wait
@@ -56,7 +56,7 @@ module fpga_clocks (
 
     assign stirs_o = ports_wakes_i || audio_wakes_i;
 
-    // While anybody is awake nobody knows whom that wakes next.
+    // While a group is awake it may wake another one in any clock, so no clock can be left out.
     always @* begin
         rest_o = 10'd0;
         if (!(lw_wakes_i || h2f_wakes_i || memory_wakes_i || ports_wakes_i || audio_wakes_i)) begin

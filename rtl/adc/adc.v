@@ -1,18 +1,19 @@
 // adc.v - the DE1-SoC Computer's AD converter port, on an LTC2308
 //
 //   +00 ... +1C  CH_0 ... CH_7   bits 11:0 the voltage, 1 mV each; bit 15: new since last read
-//   +00          CH_0            a write of any value has all channels converted once
-//   +04          CH_1            a write of bit 0 = 1 has them converted again and again
+//   +00          CH_0            a write of any value converts all channels once
+//   +04          CH_1            a write of bit 0 = 1 converts them continuously
 //
-// A round is nine transfers, since the chip answers with the conversion that the transfer before
-// has asked for: CONVST for one clock, 1.6 us of patience, then 12 bits at 12.5 MHz each way.
+// A round is nine transfers, because a transfer returns the conversion that the previous one asked
+// for.  A transfer is CONVST for one clock, 1.6 us for the conversion, then 12 bits at 12.5 MHz
+// each way.
 //
 //   CONVST _/^\________ ... ______________________________
 //   SCK    ____________ ... __/^\_/^\_/^\ ... /^\_________   a bit is read as SCK rises and
 //   SDI    ____________ ... X S/D X O/S X ... X___________   changes as it falls
 //
-// A round takes 9 x 65 clocks, 23.4 us; at its end all channels are new.  A write in its course
-// asks for another.
+// A round takes 9 x 65 clocks, 23.4 us; at its end all channels are new.  A write during a round
+// asks for one more.
 //
 // Source: Linear Technology, LTC2308; University Program, ADC Controller for DE-series Boards.
 //
@@ -25,7 +26,7 @@ module adc (
     input  wire        rst_i,
 
     input  wire        we_i,
-    // Only the register's place in the block and bit 0 count.
+    // Only the register's offset in the block and bit 0 are used.
     // verilator lint_off UNUSED
     input  wire [3:0]  wstrb_i,
     input  wire [11:0] waddr_i,
@@ -49,9 +50,9 @@ module adc (
     localparam [3:0] LAST_TRANSFER = 4'd8;
 
     reg        busy_q, asked_q, auto_q;
-    reg [3:0]  transfer_q;   // 0 - 7: asks for that channel; gives the one before
+    reg [3:0]  transfer_q;   // 0 - 7: asks for this channel, returns the previous one
     reg [6:0]  step_q;
-    reg [11:0] bits_q;       // to send from the top, what has come at the bottom
+    reg [11:0] bits_q;       // sent from the top, received at the bottom
 
     assign sdi_o   = bits_q[11];
     assign awake_o = busy_q || asked_q || auto_q || rdata_o != 32'd0;

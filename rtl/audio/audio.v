@@ -7,10 +7,10 @@
 //
 // Samples are 32-bit words, of which the codec takes and gives bits 31:8; 7:0 read 0.
 //
-// A write to a full FIFO is dropped.  Once a frame a pair leaves if both FIFOs hold a sample, else
-// zeros do.  UNDERRUNS counts the frames of zeros that follow a frame with a pair, so a long
-// silence counts once.  A pair that comes in while one of its FIFOs is full is dropped, so left and
-// right stay in step.  Reading an empty FIFO gives 0.
+// A write to a full FIFO is dropped.  Once per frame a pair is sent if both FIFOs hold a sample,
+// otherwise zeros are.  UNDERRUNS counts the frames of zeros that follow a frame with a pair, so a
+// long silence counts once.  A pair that comes in while one of its FIFOs is full is dropped, so
+// left and right stay in step.  Reading an empty FIFO gives 0.
 //
 // A write with any byte strobe pushes the whole word on wdata_i or clears UNDERRUNS; CONTROL
 // changes by its byte lane.  A write with none does nothing.
@@ -20,9 +20,9 @@
 module audio (
     input  wire        clk_i,          // 25 MHz
     input  wire        rst_i,
-    input  wire        clk_audio_i,    // 128 a sample: 1.024 MHz, or 6.144 MHz with fast_i
+    input  wire        clk_audio_i,    // 128 per sample: 1.024 MHz, or 6.144 MHz with fast_i
     input  wire        rst_audio_i,
-    input  wire        fast_i,         // 48,000 samples a second, not 8,000; constant
+    input  wire        fast_i,         // 48,000 samples per second, not 8,000; constant
 
     input  wire        we_i,           // AUDIO, AV_CONFIG or CODEC is addressed
     input  wire [3:0]  wstrb_i,
@@ -31,7 +31,7 @@ module audio (
     input  wire        re_i,
     input  wire [11:0] raddr_i,
     output reg  [31:0] rdata_o,        // one clock after re_i; 0 at other times
-    output reg         irq_o,          // level, a clock behind what raises it
+    output reg         irq_o,          // level, one clock after its cause
 
     output wire        aud_bclk_o,
     output wire        aud_daclrck_o,
@@ -78,7 +78,7 @@ module audio (
     end
 
     // ---- The serial side, in a clock domain of its own ---------------------
-    // A received pair, one a frame, says that it is time for the next pair to send.
+    // One pair is received per frame; its arrival is the time to offer the next pair to send.
     wire        none_came, none_waits, serial_takes, serial_received, come_awake, sent_awake;
     wire [47:0] come, waiting, serial_pair;
     wire        frame = !none_came;

@@ -1,12 +1,13 @@
 // audio_serial.v - the serial side of the audio block: BCLK and LRCK of a WM8731 in slave mode
 //
-//   clk_i   _|~|_|~|_|~|_|~|_|~|_   128 a frame
-//   BCLK    ~~~|___|~~~|___|~~~|_   64 a frame
+//   clk_i   _|~|_|~|_|~|_|~|_|~|_   128 per frame
+//   BCLK    ~~~|___|~~~|___|~~~|_   64 per frame
 //   slot      63   | 0     | 1      LRCK is low for slots 0 to 31 and high for 32 to 63
 //
-// LRCK and data move when BCLK falls.  A frame takes a pair to send when it begins, zeros if none
-// waits, and has received one when slot 56 is half over.  That pair is also what tells the other
-// clock domain of the frame: 15 clocks are left for the answer, the next frame's pair.
+// LRCK and data move when BCLK falls.  A frame takes the pair that it sends when it begins, or
+// zeros if none waits.  It has received a pair in the middle of slot 56.  The other clock domain
+// learns of the frame by this received pair, and has the 15 clocks that are left to provide the
+// pair of the next frame.
 
 `default_nettype none
 
@@ -17,13 +18,13 @@ module audio_serial (
     output reg         bclk_o,
     output wire        lrck_o,
     output wire        dacdat_o,
-    input  wire        adcdat_i,    // moves behind BCLK's fall
+    input  wire        adcdat_i,    // changes after BCLK falls
 
     input  wire        waits_i,     // a pair to send
     input  wire [47:0] pair_i,      // left, right
     output wire        take_o,      // it counts in this clock
 
-    output wire        received_o,  // one clock a frame
+    output wire        received_o,  // one clock per frame
     output wire [47:0] pair_o
 );
     reg  [5:0] slot_q;

@@ -2,7 +2,7 @@
 //
 //   +0 CONTROL   a write of RESET bit 0 sets the codec up as at reset
 //   +4 STATUS    ACK bit 0: 1 = the last word was not acknowledged; RDY bit 1: no word is on its
-//                way; AIS bit 8: the set-up has ended well; CFG[23:16] = 0: an audio codec alone
+//                way; AIS bit 8: the set-up has succeeded; CFG[23:16] = 0: an audio codec alone
 //   +8 ADDRESS   the codec's register, bits 6:0
 //   +C DATA      9 bits; a write sends them to that register, 0.3 ms; one while RDY is 0 is dropped
 //
@@ -20,7 +20,7 @@ module av_config (
     input  wire        rst_i,
 
     input  wire        we_i,
-    // Only the register's place in the block counts; registers are narrow.
+    // Only the register's offset in the block is used; registers are narrow.
     // verilator lint_off UNUSED
     input  wire [3:0]  wstrb_i,
     input  wire [11:0] waddr_i,

@@ -7,11 +7,11 @@
 //   4, 5  R2, R3 headphones, 0 dB       9     R8  sampling: 8 or 48 kHz from 12.288 MHz
 //                                       10    R9  active
 //
-// A word that is not acknowledged ends the set-up: error_o, and its number in step_o.  While
-// ready_o is high step_o stays at 10.  A restart lets the word on the wire end and then begins at
-// word 0.
+// A word that is not acknowledged ends the set-up: error_o is high, step_o is the number of that
+// word.  While ready_o is high, step_o is 10.  A restart waits for the end of the word on the wire,
+// then begins at word 0.
 //
-// send_i sends one word more; busy_o until it is sent.  nack_o: the last such word was not
+// send_i sends one word by hand, during which busy_o is high.  nack_o: the last such word was not
 // acknowledged.
 //
 // Not handled: a reset of the FPGA while the codec pulls SDA low can spoil word 0; a restart helps.
@@ -30,7 +30,7 @@ module codec_setup (
     output reg  [3:0] step_o,
 
     input  wire        send_i,       // not while busy_o
-    input  wire [15:0] send_word_i,  // stands until then
+    input  wire [15:0] send_word_i,  // stable until then
     output wire        busy_o,       // sets up, or sends
     output reg         nack_o,
 
@@ -44,7 +44,7 @@ module codec_setup (
     localparam [8:0] RESET      = 9'd0;          // R15
     localparam [8:0] MICPD      = 9'd1 << 1;     // R6: no microphone,
     localparam [8:0] OSCPD      = 9'd1 << 5;     //     XCK is the FPGA's, not a crystal's,
-    localparam [8:0] CLKOUTPD   = 9'd1 << 6;     //     nobody hears CLKOUT
+    localparam [8:0] CLKOUTPD   = 9'd1 << 6;     // CLKOUT is not connected
     localparam [8:0] LINVOL_0DB = 9'b1_0111;     // R0, R1; LINMUTE (bit 7) is 0
     localparam [8:0] HPVOL_0DB  = 9'b111_1001;   // R2, R3
     localparam [8:0] MUTEMIC    = 9'd1 << 1;     // R4; INSEL (bit 2), BYPASS (bit 3) are 0

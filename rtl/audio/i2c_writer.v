@@ -22,7 +22,7 @@ module i2c_writer #(
     input  wire [15:0] word_i,
     output reg         busy_o,
     output reg         done_o,        // one clock, when busy_o falls
-    output reg         nack_o,        // beside done_o: a byte was not acknowledged
+    output reg         nack_o,        // with done_o: a byte was not acknowledged
 
     output reg         sclk_o,
     output reg         sdat_oe_o,     // 1 = pull SDA low

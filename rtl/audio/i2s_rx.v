@@ -1,7 +1,8 @@
-// i2s_rx.v - receives a stereo pair a frame in I2S format, 24 bits in slots of 32
+// i2s_rx.v - receives a stereo pair per frame in I2S format, 24 bits in slots of 32
 //
-// The codec moves ADCDAT when BCLK, which is ours, falls.  Read when BCLK rises, half a BCLK later:
-// the codec's 35 ns and the board's delays have passed, so no flip-flops stand in between.
+// The codec changes ADCDAT when BCLK falls, and BCLK is an output of the FPGA.  ADCDAT is sampled
+// when BCLK rises, half a period later.  The codec's 35 ns and the board's delays have passed by
+// then, so no synchroniser is needed.
 
 `default_nettype none
 
@@ -14,7 +15,7 @@ module i2s_rx (
 
     input  wire        adcdat_i,
 
-    output reg         valid_o,       // one clock a frame, beside the new pair
+    output reg         valid_o,       // one clock per frame, with the new pair
     output reg  [23:0] left_o,
     output reg  [23:0] right_o
 );

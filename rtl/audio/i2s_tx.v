@@ -1,11 +1,11 @@
-// i2s_tx.v - sends a stereo pair a frame in I2S format, 24 bits in slots of 32
+// i2s_tx.v - sends a stereo pair per frame in I2S format, 24 bits in slots of 32
 //
 //   LRCK  ~~|_______________________________|~~~~~~~~~~~
 //   slot  63| 0 | 1 | 2 | ...  |24 |25 |... |32 |33 | ...
 //   data   0| 0 |L31|L30| ...  |L8 | 0 |... | 0 |R31| ...
 //
-// The pair is taken when slot 0 begins: take_o is high for the clock at whose end that happens, and
-// left_i and right_i count in it.  Bits 7:0 of a sample are not sent.
+// The pair is taken when slot 0 begins: take_o is high in the clock at whose end that happens, and
+// left_i and right_i must be valid in it.  Bits 7:0 of a sample are not sent.
 
 `default_nettype none
 
@@ -30,7 +30,7 @@ module i2s_tx (
         if (fall_i) begin
             dacdat_o <= shift_q[23];
             shift_q  <= {shift_q[22:0], 1'b0};
-            // A word has left as a whole by now, and zeros after it.
+            // By now a whole word has been sent, and zeros after it.
             if (next_slot_i == 6'd0) begin
                 shift_q <= left_i;
                 right_q <= right_i;

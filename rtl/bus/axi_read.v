@@ -7,8 +7,9 @@
 //   R                    =D0=        held until RREADY; then the next beat's re_o
 //
 // INCR bursts of 1 to 16 beats, beats of 1, 2 or 4 bytes, unaligned starts: every beat returns the
-// whole word that holds it, the master takes its lanes.  DECERR on a beat that nobody owns.  FIXED,
-// WRAP and beats wider than the bus: SLVERR on every beat, and nothing is read.
+// whole word that holds it, and the master takes its lanes.  A beat at an address that no block
+// owns gets DECERR.  FIXED, WRAP and beats wider than the bus: SLVERR on every beat, and nothing is
+// read.
 //
 // Not handled: exclusive access (answered OKAY, so the master sees that it failed).
 
@@ -24,7 +25,7 @@ module axi_read #(
     input  wire [ID_W-1:0]   arid_i,
     input  wire [ADDR_W-1:0] araddr_i,
     input  wire [3:0]        arlen_i,     // beats - 1
-    input  wire [2:0]        arsize_i,    // log2(bytes a beat)
+    input  wire [2:0]        arsize_i,    // log2(bytes per beat)
     input  wire [1:0]        arburst_i,
     input  wire              arvalid_i,
     output wire              arready_o,
@@ -48,11 +49,11 @@ module axi_read #(
     localparam [1:0] INCR = 2'b01;
     localparam [1:0] OKAY = 2'b00, SLVERR = 2'b10, DECERR = 2'b11;
 
-    reg              busy_q;      // a burst is under way; else nothing here moves
+    reg              busy_q;      // a burst is under way; otherwise nothing changes here
     reg [ADDR_W-1:0] addr_q;
     reg [3:0]        left_q;      // beats to come after this one
-    reg [ADDR_W-1:0] step_q;      // bytes a beat
-    reg              refuse_q;    // not a burst we serve
+    reg [ADDR_W-1:0] step_q;      // bytes per beat
+    reg              refuse_q;    // this kind of burst is refused
 
     function serves;
         input [1:0] burst;

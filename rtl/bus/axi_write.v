@@ -2,16 +2,17 @@
 //
 //   clk      _/0\_/1\_/2\_/3\_/4\_/5\_
 //   AW       =A0=                        accepted when idle
-//   W            =D0==D1=                a beat a clock
+//   W            =D0==D1=                one beat per clock
 //   we_o             =D0==D1=            with waddr_o, wdata_o, wstrb_o
-//   werror_i             =E0==E1=        one clock after we_o: nobody owns that address
+//   werror_i             =E0==E1=        one clock after we_o: no block owns that address
 //   B                            =OK=    DECERR if any beat met an error
 //
 // INCR bursts of 1 to 16 beats, beats of 1, 2 or 4 bytes, unaligned starts; byte lanes by WSTRB.
-// FIXED, WRAP and beats wider than the bus are taken whole, written nowhere, and get SLVERR.
+// FIXED and WRAP bursts, and beats wider than the bus, are accepted to the end, write nothing, and
+// get SLVERR.
 //
 // Not handled: exclusive access (answered OKAY, so the master sees that it failed), write
-// interleaving (no master on the HPS bridges interleaves; WID is not looked at).
+// interleaving (no master on the HPS bridges interleaves; WID is ignored).
 
 `default_nettype none
 
@@ -25,7 +26,7 @@ module axi_write #(
     input  wire [ID_W-1:0]   awid_i,
     input  wire [ADDR_W-1:0] awaddr_i,
     input  wire [3:0]        awlen_i,     // beats - 1
-    input  wire [2:0]        awsize_i,    // log2(bytes a beat)
+    input  wire [2:0]        awsize_i,    // log2(bytes per beat)
     input  wire [1:0]        awburst_i,
     input  wire              awvalid_i,
     output wire              awready_o,
@@ -51,11 +52,11 @@ module axi_write #(
     localparam [1:0] INCR = 2'b01;
     localparam [1:0] OKAY = 2'b00, SLVERR = 2'b10, DECERR = 2'b11;
 
-    reg              busy_q;      // a burst is under way; else nothing here moves
+    reg              busy_q;      // a burst is under way; otherwise nothing changes here
     reg [ADDR_W-1:0] addr_q;
     reg [3:0]        left_q;      // beats to come after this one
-    reg [ADDR_W-1:0] step_q;      // bytes a beat
-    reg              refuse_q;    // not a burst we serve
+    reg [ADDR_W-1:0] step_q;      // bytes per beat
+    reg              refuse_q;    // this kind of burst is refused
     reg              we_was_q;    // its werror_i comes now
     reg [1:0]        drain_q;     // the last beat is on its way to the block
 

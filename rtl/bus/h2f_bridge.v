@@ -1,17 +1,18 @@
-// h2f_bridge.v - full HPS bridge: AXI3 slave in front, the FPGA's memories behind
+// h2f_bridge.v - full HPS bridge: from its AXI3 slave port to the FPGA's memories
 //
 //   SDRAM: 64 MB, through sdram/sdram.v.
-//   ONCHIP: 256 KB.  The 256 KB behind it are nobody's storage: they read 0 and ignore writes,
-//   because programs clear a little more than there is.
+//   ONCHIP: 256 KB.  The 256 KB after it have no storage: they read 0 and ignore writes, because
+//   programs clear a little more than there is.
 //   CHARACTERS: 8 KB, (x, y) at y << 7 | x; memory also where the screen does not show it.
 //   Any other address: DECERR.
 //
-// Writes to the on-chip memory and to the characters go at a beat a clock.  Reads of these take
-// turns with the screen, which has first call on two clocks in four: 6 clocks a word, at most 8.
-// Beats to and from the characters wait while those are cleared, after a reset and when a program
-// asks for it.
+// Writes to the on-chip memory and to the characters take one clock per beat.  Reads of these take
+// turns with the screen, which has priority in two clocks out of four: a word takes 6 to 8 clocks.
+// Beats to and from the characters wait while the characters are being cleared, which happens
+// after a reset and when a program asks for it.
 //
-// Writes to the SDRAM are posted: two beats wait here for it, and a read waits for them.
+// Writes to the SDRAM are posted: up to two beats wait here, and a read waits until they are
+// written.
 
 `default_nettype none
 
@@ -76,7 +77,7 @@ module h2f_bridge #(
 
     // Offset in the bridge, without the bits inside the window.
     localparam [3:0]  DRAM   = SDRAM_BASE[29:26];
-    localparam [10:0] CHIP   = ONCHIP_BASE[29:19];     // and as much behind it
+    localparam [10:0] CHIP   = ONCHIP_BASE[29:19];     // and as much after it
     localparam [16:0] CELLS  = CHARACTERS_BASE[29:13];
 
     wire        re, we;
@@ -140,7 +141,7 @@ module h2f_bridge #(
     wire        rchip = raddr[29:19] == CHIP;
     wire        rinc  = raddr[29:13] == CELLS;
     wire        rwait = rdram ? sdram_we_o || !sdram_take_i : rinc && cells_wait_i;
-    reg         rdram_q;                // a read of the SDRAM waits, so a post does
+    reg         rdram_q;                // a read of the SDRAM waits, so posted writes wait too
     reg         rempty_q, rcells_q, rerror_q, granted_q;
 
     assign sdram_we_o    = posted != 2'd0 && !rdram_q;

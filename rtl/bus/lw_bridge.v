@@ -1,11 +1,12 @@
-// lw_bridge.v - lightweight HPS bridge: AXI3 slave in front, select lines and register bus behind
+// lw_bridge.v - lightweight HPS bridge: from its AXI3 slave port to select lines and the register
+// bus
 //
 //   write:  we_o[block] for one clock, with waddr_o, wdata_o, wstrb_o; always taken
-//   read:   re_o[block] for one clock, with raddr_o; rdata_i is looked at one clock later and is
+//   read:   re_o[block] for one clock, with raddr_o; rdata_i is sampled one clock later and is
 //           the OR of all blocks, so a block that was not asked gives 0
 //
 // A register read takes 5 clocks from ARVALID to RVALID, a single write 5 from AWVALID to BVALID.
-// DECERR where no block is at home.
+// An address that no block owns gets DECERR.
 
 `default_nettype none
 
@@ -44,7 +45,7 @@ module lw_bridge #(
     output wire            rvalid_o,
     input  wire            rready_i,
 
-    output wire [31:0]     we_o,      // one line a block, SEL_... of regmap.vh
+    output wire [31:0]     we_o,      // one line per block, SEL_... of regmap.vh
     output reg  [11:0]     waddr_o,   // low 12 bits of the address, word aligned
     output reg  [31:0]     wdata_o,
     output reg  [3:0]      wstrb_o,
@@ -107,7 +108,7 @@ module lw_bridge #(
     assign awake_o = writer_awake || we || write_decode_awake
                      || reader_awake || re || read_decode_awake || asked_q || done_q;
 
-    assign raddr_o = raddr[11:0];   // stands still until the beat is done
+    assign raddr_o = raddr[11:0];   // stable until the beat is done
 
     always @(posedge clk_i) begin
         asked_q <= re;

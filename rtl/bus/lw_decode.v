@@ -1,6 +1,6 @@
 // lw_decode.v - which block owns an address on the lightweight bridge
 //
-// Blocks are where regmap.def puts them.  No line is high where nobody is at home.
+// The addresses are those of regmap.def.  No line is high for an address that no block owns.
 
 `default_nettype none
 
@@ -9,7 +9,7 @@ module lw_decode (
     input  wire        rst_i,
     input  wire        enable_i,
     input  wire [20:0] addr_i,   // offset in the bridge's 2 MB
-    output reg  [31:0] sel_o,    // one line a block for one clock, SEL_... of regmap.vh
+    output reg  [31:0] sel_o,    // one line per block for one clock, SEL_... of regmap.vh
     output reg         none_o,   // the last address had no block
     output wire        awake_o
 );

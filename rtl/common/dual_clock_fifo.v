@@ -3,10 +3,10 @@
 //   push --> words, write_q --> Gray code --> two flip-flops of rclk_i --> empty_o
 //   full_o <-- two flip-flops of wclk_i <-- Gray code <-- read_q <-- pop
 //
-// A pointer in Gray code moves in one bit at a time, so the other side reads the old place or the
-// new one, whenever it looks.  It hears of a push or a pop two of its clocks later, and errs on the
-// safe side until then.  A push when full is dropped; a pop when empty does nothing.  Words lie in
-// registers: it is for a few.
+// A pointer in Gray code changes one bit at a time, so the other side samples the old value or the
+// new one, never a third.  It sees a push or a pop two of its clocks later; until then it takes the
+// FIFO for emptier (reader) or fuller (writer) than it is.  A push when full is dropped; a pop when
+// empty does nothing.  Words lie in registers, so keep the FIFO small.
 //
 // Each reset lasts until the other side has been reset, and two clocks more.
 
@@ -21,25 +21,25 @@ module dual_clock_fifo #(
     input  wire             push_i,
     input  wire [WIDTH-1:0] wdata_i,
     output wire             full_o,
-    output wire             wawake_o,   // a pop is still to be heard of
+    output wire             wawake_o,   // a pop has not been seen here yet
 
     input  wire             rclk_i,
     input  wire             rrst_i,
     input  wire             pop_i,
     output reg  [WIDTH-1:0] rdata_o,    // the oldest word while !empty_o
     output wire             empty_o,
-    output wire             rawake_o    // a push is still to be heard of
+    output wire             rawake_o    // a push has not been seen here yet
 );
     localparam DEPTH = 1 << DEPTH_LOG2;
     localparam [DEPTH_LOG2:0] ONE = 1;
-    localparam [DEPTH_LOG2:0] FULL = 3 << (DEPTH_LOG2 - 1);   // what the codes differ by
+    localparam [DEPTH_LOG2:0] FULL = 3 << (DEPTH_LOG2 - 1);   // XOR of the codes when full
 
     function [DEPTH_LOG2:0] gray;
         input [DEPTH_LOG2:0] count;
         gray = count ^ (count >> 1);
     endfunction
 
-    // ---- Write side: write_q counts the words that came, once around behind the last --------
+    // ---- Write side: write_q counts the words pushed, modulo twice the depth ---------
     reg  [DEPTH * WIDTH - 1:0] words_q;
     reg  [DEPTH_LOG2:0] write_q, write_gray_q, read_q, read_gray_q;
     wire [DEPTH_LOG2:0] read_seen, write_seen;

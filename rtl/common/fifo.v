@@ -2,11 +2,12 @@
 //
 //   wdata_i --+--> memory --> memory_q --+
 //             |                          +--> rdata_o
-//             +--> passed_q -------------+    (a word that is the head at once)
+//             +--> passed_q -------------+    (a word that is the oldest at once)
 //
 // rdata_o is the oldest word while !empty_o, from the clock after its push.  A push when full is
-// dropped, even beside a pop; a pop when empty does nothing; clear_i empties and beats a push.
-// The memory is never read at the address that is written in the same clock.
+// dropped, even together with a pop.  A pop when empty does nothing.  clear_i empties the FIFO and
+// has priority over a push.  The memory is never read at the address that is written in the same
+// clock.
 
 `default_nettype none
 
@@ -26,13 +27,13 @@ module fifo #(
     output reg  [DEPTH_LOG2:0] count_o,
     output wire                full_o,
     output wire                empty_o,
-    output wire                awake_o   // clear_i is still to have its effect
+    output wire                awake_o   // clear_i has not taken effect yet
 );
     localparam [DEPTH_LOG2:0] ONE = 1;
 
     reg [WIDTH-1:0]      memory [0:(1 << DEPTH_LOG2) - 1];
     reg [WIDTH-1:0]      memory_q, passed_q;
-    reg [DEPTH_LOG2-1:0] write_q, read_q;        // where the next word goes, where the head lies
+    reg [DEPTH_LOG2-1:0] write_q, read_q;        // where the next word goes, where the oldest lies
     reg                  head_passed_q;
 
     function [DEPTH_LOG2-1:0] behind;
@@ -48,7 +49,7 @@ module fifo #(
     wire push = push_i && !full_o;
     wire pop  = pop_i && !empty_o;
 
-    // Reads stand before writes, so that a simulator needs no copies of what both touch.
+    // Reads come before writes, so that a simulator needs no copies of what both touch.
     always @(posedge clk_i) begin
         if (pop) begin
             if (count_o != ONE) memory_q <= memory[behind(read_q)];

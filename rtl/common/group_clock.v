@@ -1,8 +1,8 @@
 // group_clock.v - the clock of blocks that sleep together: on the device the clock itself
 //
-// A block says in awake_o whether a clock could change anything in it (README.md, Sleep).  Where it
-// could not, an edge more or less makes no difference, so a wire will do.  The simulation has its
-// own version of this file, sim/fpga/group_clock.v, which leaves the edges out.
+// A block says in awake_o whether a clock could change anything in it (README.md, Sleep).  While it
+// could not, an additional edge changes nothing, so on the device a wire will do.  The simulation
+// has its own version of this file, sim/fpga/group_clock.v, which leaves the edges out.
 
 `default_nettype none
 

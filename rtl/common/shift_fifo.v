@@ -1,8 +1,8 @@
 // shift_fifo.v - first-word fall-through FIFO of registers, no memory: for a few bits
 //
-// The oldest word lies at the bottom, and a pop moves all down.  rdata_o is the oldest word while
-// count_o > 0, from the clock after its push.  A push when full is dropped, even beside a pop; a
-// pop when empty does nothing.
+// The oldest word lies at the bottom, and a pop shifts all words down.  rdata_o is the oldest word
+// while count_o > 0, from the clock after its push.  A push when full is dropped, even together
+// with a pop.  A pop when empty does nothing.
 
 `default_nettype none
 

@@ -1,7 +1,7 @@
-// small_fifo.v - first-word fall-through FIFO that reads its memory at once: for a few words
+// small_fifo.v - first-word fall-through FIFO with an asynchronous read: for a few words
 //
 // rdata_o is the oldest word while !empty_o, from the clock after its push.  A push when full is
-// dropped, even beside a pop; a pop when empty does nothing.
+// dropped, even together with a pop.  A pop when empty does nothing.
 
 `default_nettype none
 
@@ -29,7 +29,7 @@ module small_fifo #(
     wire push = push_i && !count_o[DEPTH_LOG2];
     wire pop  = pop_i && count_o != 0;
 
-    // Reads stand before writes, so that a simulator needs no copies of what both touch.
+    // Reads come before writes, so that a simulator needs no copies of what both touch.
     always @(posedge clk_i) begin
         if (push) begin
             memory[write_q] <= wdata_i;

@@ -1,8 +1,8 @@
-// timebase.v - the number of the clock, for all that waits
+// timebase.v - numbers the clocks, for all blocks that wait
 //
-// A block that waits keeps the number of the clock in which it goes on, and compares: so it can
-// sleep meanwhile.  skip_i: so many clocks after this one are left out, since nothing would happen
-// in them (a simulator's business; 0 on the device).
+// A block that waits keeps the number of the clock in which it goes on, and compares; so it can
+// sleep meanwhile.  skip_i: the number of clocks after this one that are left out, because nothing
+// would happen in them.  Only a simulator leaves clocks out; on the device skip_i is 0.
 
 `default_nettype none
 

@@ -1,6 +1,7 @@
 // hex_port.v - HEX3-0 and HEX5-4: six digits of seven segments, a byte each, bit 7 reads 0
 //
-// The registers hold what the pins show, so a digit is written and read through an inverter.
+// The registers hold the pins' levels, so a digit is inverted when it is written and when it is
+// read.
 
 `default_nettype none
 
@@ -11,7 +12,7 @@ module hex_port (
     input  wire        we_low_i,     // HEX3_0 is addressed
     input  wire        we_high_i,    // HEX5_4 is
     input  wire [3:0]  wstrb_i,
-    // Only the register's place in the block counts, and seven bits of each byte.
+    // Only the register's offset in the block is used, and seven bits of each byte.
     // verilator lint_off UNUSED
     input  wire [11:0] waddr_i,
     input  wire [11:0] raddr_i,

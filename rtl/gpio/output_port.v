@@ -10,7 +10,7 @@ module output_port #(
 
     input  wire        we_i,
     input  wire [3:0]  wstrb_i,
-    // Only the register's place in the block counts.
+    // Only the register's offset in the block is used.
     // verilator lint_off UNUSED
     input  wire [11:0] waddr_i,
     input  wire [11:0] raddr_i,

@@ -17,7 +17,7 @@ module pio #(
 
     input  wire             we_i,
     input  wire [3:0]       wstrb_i,
-    // Ports differ in width, and only the register's place in the block counts.
+    // Ports differ in width, and only the register's offset in the block is used.
     // verilator lint_off UNUSED
     input  wire [11:0]      waddr_i,
     input  wire [11:0]      raddr_i,
@@ -61,7 +61,7 @@ module pio #(
     assign awake_o = rdata_o != 32'd0 || pins_awake || data != data_was_q;
 
     // ---- Registers: the offsets are JP1's, the widest of these ports -------
-    // Reads stand before writes: a simulator then needs no copies of what both touch.
+    // Reads come before writes, so that a simulator needs no copies of what both touch.
     always @(posedge clk_i) begin
         rdata_o <= 32'd0;
         // Zero-extension to the bus, for every width.

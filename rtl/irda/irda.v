@@ -7,8 +7,8 @@
 // RI: with RE, 96 bytes or more to read; WI: with WE, room for 96 or more.  Each interrupts.
 //
 // Source: the IrDA UART core of Altera's University Program as the DE1-SoC Computer has it, at
-// 115,200 baud.  The board's receiver passes light of 38 kHz only and lets go slowly, so what comes
-// in from a remote control are runs of zeros: as many bytes as the light lasts 87 us.
+// 115,200 baud.  The board's receiver passes light of 38 kHz only and is slow to release its
+// output.  So a remote control is received as runs of zero bytes: one byte per 87 us of light.
 //
 // Not handled: parity (PE, bit 9 of DATA, is 0: the computer has none).
 
@@ -19,7 +19,7 @@ module irda (
     input  wire        rst_i,
 
     input  wire        we_i,
-    // Only the register's place in the block counts, and the low byte lane.
+    // Only the register's offset in the block is used, and the low byte lane.
     // verilator lint_off UNUSED
     input  wire [3:0]  wstrb_i,
     input  wire [11:0] waddr_i,

@@ -3,8 +3,8 @@
 //   rxd_i  ~|_|~~~~~~~~|_|~~~~~~~~~~~~~~~~~~~|_|~~   low: light
 //           start 0     bit 0 = 0  bit 1 = 1  bit 2 = 0
 //
-// A byte begins with the first low level, and each of its ten bits is what the level is 1.2 us into
-// it, stop bit included, which nobody checks.  So one long low level is byte after byte of zeros.
+// A byte begins with the first low level.  Each of its ten bits is the level 1.2 us after the bit's
+// begin; the stop bit is not checked.  So one long low level is received as consecutive zero bytes.
 
 `default_nettype none
 
@@ -14,13 +14,13 @@ module irda_rx (
 
     input  wire       rxd_i,       // asynchronous, high while it is dark
 
-    output reg        valid_o,     // one clock, beside the byte
+    output reg        valid_o,     // one clock, with the byte
     output wire [7:0] data_o,
 
     output wire       awake_o
 );
     localparam [7:0] SAMPLE = 8'd30;    // 1.2 us
-    localparam [7:0] LAST   = 8'd216;   // 8.68 us a bit
+    localparam [7:0] LAST   = 8'd216;   // 8.68 us per bit
     localparam [7:0] END    = 8'd212;   // of the stop bit: early, so as not to fall behind
 
     wire rxd, rxd_awake;
@@ -29,7 +29,7 @@ module irda_rx (
     reg       busy_q;
     reg [7:0] clock_q;   // of the bit
     reg [3:0] bit_q;
-    reg [8:0] bits_q;    // the youngest on top; the start bit has left it in the end
+    reg [8:0] bits_q;    // the latest on top; in the end the start bit has been shifted out
 
     assign data_o  = bits_q[7:0];
     assign awake_o = rxd_awake || !rxd || busy_q || valid_o;

@@ -15,12 +15,12 @@ module irda_tx (
     output wire       awake_o
 );
     localparam [7:0] PULSE = 8'd41;    // 1.63 us
-    localparam [7:0] LAST  = 8'd216;   // 8.68 us a bit
+    localparam [7:0] LAST  = 8'd216;   // 8.68 us per bit
 
     reg       busy_q;
     reg [7:0] clock_q;   // of the bit
     reg [3:0] bit_q;
-    reg [9:0] bits_q;    // start, 8 of data, stop; the one that is sent below
+    reg [9:0] bits_q;    // start, 8 of data, stop; bit 0 is the one on the wire
 
     assign take_o  = waits_i && !busy_q;
     assign awake_o = waits_i || busy_q;

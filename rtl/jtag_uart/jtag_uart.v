@@ -2,10 +2,10 @@
 //
 //   +0 DATA      read: RAVAIL[31:16] left after this one, RVALID bit 15, the oldest byte, which
 //                goes away; write: a byte to the host, dropped if WSPACE is 0
-//   +4 CONTROL   RE bit 0, WE bit 1: let RI and WI come and interrupt; AC bit 10: the host was
-//                here, write 1 clears; WSPACE[31:16]: room for bytes to the host
-//                RI bit 8: there is room for 8 bytes from the host or fewer, or it has paused
-//                behind bytes and DATA was not read since
+//   +4 CONTROL   RE bit 0, WE bit 1: enable RI and WI, which interrupt; AC bit 10: the host has
+//                been active, write 1 clears; WSPACE[31:16]: room for bytes to the host
+//                RI bit 8: there is room for 8 bytes from the host or fewer, or the host has paused
+//                after bytes and DATA has not been read since
 //                WI bit 9: 8 bytes or fewer wait for the host
 //
 // The host's side has the timing and meaning of the ports of Quartus' alt_jtag_atlantic:
@@ -25,7 +25,7 @@ module jtag_uart (
     input  wire        rst_i,
 
     input  wire        we_i,
-    // Only the register's place in the block counts; few bits can be written.
+    // Only the register's offset in the block is used; few bits can be written.
     // verilator lint_off UNUSED
     input  wire [3:0]  wstrb_i,
     input  wire [11:0] waddr_i,

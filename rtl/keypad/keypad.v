@@ -1,10 +1,10 @@
 // keypad.v - the keypad block: scanner, event FIFO, registers, interrupt
 //
-//   scanner --keys--> one event a changed key --> FIFO of 16 --> EVENT
+//   scanner --keys--> one event per changed key --> FIFO of 16 --> EVENT
 //
 // Events of one scan come in the order of the key numbers.  An event that finds the FIFO full is
-// lost and sets OVERFLOW; KEYS is always true.  While CONTROL.EN = 0 the scanner, KEYS and the FIFO
-// are held in reset and the pins are left to JP1.
+// lost and sets OVERFLOW; KEYS is right even then.  While CONTROL.EN = 0 the scanner, KEYS and the
+// FIFO are held in reset and the pins are left to JP1.
 
 `default_nettype none
 
@@ -17,7 +17,7 @@ module keypad #(
 
     input  wire        we_i,
     input  wire [3:0]  wstrb_i,
-    // Only the register's place in the block and its bits count.
+    // Only the register's offset in the block and its bits are used.
     // verilator lint_off UNUSED
     input  wire [11:0] waddr_i,
     input  wire [11:0] raddr_i,
@@ -54,7 +54,7 @@ module keypad #(
     );
 
     // ---- Events: a walk over the keys, one a clock -------------------------
-    reg  [15:0] told_q;     // keys as the events so far tell them
+    reg  [15:0] told_q;     // keys according to the events so far
     reg  [3:0]  walk_q;
     wire        telling   = keys != told_q;
     wire        event_now = telling && keys[walk_q] != told_q[walk_q];

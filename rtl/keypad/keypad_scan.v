@@ -8,25 +8,26 @@
 //                 row_ni sampled
 //
 // keys_o moves only after debounce_i equal scans in a row, all keys at once, so a reader never sees
-// half of a chord.  One scan is 4 * SLOT_CYCLES clocks; a press shows debounce_i to debounce_i + 1
-// scans after it has come to rest.
+// half of a chord.  One scan is 4 * SLOT_CYCLES clocks; a press appears debounce_i to debounce_i +
+// 1 scans after its contact has stopped bouncing.
 //
 // Three keys on the corners of a rectangle close the path of the fourth (the matrix has no diodes),
-// so a scan with four corners does not tell which key is real.  While one lasts, ghost_o is high
-// and keys_o stays as it was: no key is invented; what is true shows when the ambiguity is gone.
+// so a scan with four corners does not tell which keys are real.  While such a scan lasts, ghost_o
+// is high and keys_o keeps its value, so no key is invented.  Once the scan is unambiguous again,
+// keys_o follows it.
 
 `default_nettype none
 
 module keypad_scan #(
-    parameter SLOT_CYCLES = 1250   // 50 us at 25 MHz, so 0.2 ms a scan
+    parameter SLOT_CYCLES = 1250   // 50 us at 25 MHz, so 0.2 ms per scan
 ) (
     input  wire        clk_i,
     input  wire        rst_i,
-    // Only the clocks of one slot are told apart.
+    // Only the low bits are used: enough for the clocks of one slot.
     // verilator lint_off UNUSED
     input  wire [29:0] now_i,
     // verilator lint_on UNUSED
-    input  wire        run_i,      // scans while high; a reset must stand between two runs
+    input  wire        run_i,      // scans while high; must be reset between two runs
 
     input  wire [7:0]  debounce_i, // equal scans that make a change; 0 counts as 1
 
@@ -65,14 +66,14 @@ module keypad_scan #(
     assign col_low_o = 4'b0001 << col_q;
     assign awake_o   = run_i != runs_q || scanned_q || rows_awake;
     assign due_o     = slot_end;
-    // Slots may be shorter than what rest_o can say.
+    // Slots may be shorter than the largest rest_o.
     // verilator lint_off WIDTH
     assign rest_o    = runs_q && left < 1024 ? left - 1 : 10'd1023;
     // verilator lint_on WIDTH
 
     // ---- Debounce over whole scans ----------------------------------------
     reg [3:0]  rows0_q, rows1_q, rows2_q;   // columns read so far
-    reg [15:0] last_q;                      // the whole scan before this one, a nibble a column
+    reg [15:0] last_q;                      // the previous whole scan, one nibble per column
     reg [7:0]  equal_q;                     // equal scans so far, saturating
     reg        scanned_q;                   // last_q and equal_q are new
 
@@ -122,7 +123,7 @@ module keypad_scan #(
     always @(posedge clk_i) begin
         if (scanned_q && equal_q >= debounce_i) begin
             ghost_o <= rectangle(last_q);
-            if (!rectangle(last_q))   // from a nibble a column to a nibble a row
+            if (!rectangle(last_q))   // from one nibble per column to one per row
                 keys_o <= {last_q[15], last_q[11], last_q[7], last_q[3],
                            last_q[14], last_q[10], last_q[6], last_q[2],
                            last_q[13], last_q[9], last_q[5], last_q[1],

@@ -1,7 +1,7 @@
 // onchip_memory.v - the FPGA's on-chip memory: 256 KB, 65,536 words in byte lanes
 //
-// One write port and one read port on one clock.  A byte lane is 64 M10K blocks of 1,024 x 8.  What
-// a read gives of a word that is written in the same clock is not defined.
+// One write port and one read port on one clock.  A byte lane is 64 M10K blocks of 1,024 x 8.  A
+// read of a word that is written in the same clock gives an undefined value.
 
 `default_nettype none
 

@@ -1,7 +1,7 @@
-// onchip_store.v - the on-chip memory and who reads it when
+// onchip_store.v - the on-chip memory and the arbiter of its reads
 //
-// The screen's reads always go first; the processor's wait a clock for them, since the screen reads
-// in every second clock at the most.  Writes never wait.
+// The screen's reads have priority.  The processor's wait for one clock at most, because the screen
+// reads in every second clock at most.  Writes never wait.
 
 `default_nettype none
 
@@ -15,7 +15,7 @@ module onchip_store (
     input  wire [15:0] rindex_i,
     output wire        rgrant_o,
 
-    output wire [31:0] rdata_o,        // one clock after whichever read, until the next
+    output wire [31:0] rdata_o,        // one clock after a read of either, until the next
 
     input  wire [3:0]  we_i,
     input  wire [15:0] windex_i,

@@ -3,10 +3,10 @@
 //   device to host:  CLK ~~~|_|~|_|~ ... 11 falling edges: start 0, 8 bits from bit 0, odd parity,
 //                    stop 1; a frame with a wrong one is dropped
 //   host to device:  CLK low for 120 us, then DAT low and CLK open; at each falling edge that the
-//                    device now makes the next bit: 8 bits, parity, open for stop; at the eleventh
-//                    the device holds DAT low, which is its acknowledge
+//                    device then makes, the next bit: 8 bits, parity, open for stop; at the
+//                    eleventh the device holds DAT low, which is its acknowledge
 //
-// The wires are looked at once a tick; a level counts when it has been the same for four ticks, 4
+// The wires are sampled once per tick; a level counts when it has been the same for four ticks, 4
 // to 5 us.  Both are open collectors with pull-ups.  An edge that does not come within 2 ms ends a
 // frame; a device has 15 ms to begin to take a byte.
 //
@@ -21,11 +21,11 @@ module ps2_link (
     input  wire       tick_i,        // every 32 clocks, 1.28 us
 
     input  wire       send_i,        // not while busy_o
-    input  wire [7:0] send_data_i,   // taken beside send_i
-    output reg        busy_o,        // sends
-    output reg        failed_o,      // at one tick: not acknowledged, or nobody there
+    input  wire [7:0] send_data_i,   // valid with send_i
+    output reg        busy_o,        // a byte is being sent
+    output reg        failed_o,      // for one tick: not acknowledged, or no device
 
-    output reg        come_o,        // at one tick, beside come_data_o
+    output reg        come_o,        // for one tick, with come_data_o
     output wire [7:0] come_data_o,
 
     input  wire       ps2_clk_i,     // asynchronous
@@ -40,7 +40,7 @@ module ps2_link (
     localparam [13:0] PATIENCE = 14'd11_719;    // 15 ms
     localparam [3:0]  LAST     = 4'd10;         // edge of 11
 
-    // ---- Wires: a flip-flop that may hang, and those that look at it a tick later ----
+    // ---- Wires: a flip-flop that may be metastable, and those that sample it a tick later ----
     reg [1:0]  meta_q;
     reg [3:0]  clk_was_q;
     reg        clk_q, dat_q;
@@ -59,12 +59,12 @@ module ps2_link (
 
     assign come_data_o = bits_q[7:0];
 
-    // CLK is held low in front of a byte to send, and let go at last.
+    // CLK is held low before a byte is sent, and released when INHIBIT is over.
     wire opens = ps2_clk_low_o && timer_q == INHIBIT;
     wire falls = !ps2_clk_low_o && clk_q && clk_was_q == 4'h0;
     wire late  = !ps2_clk_low_o && timer_q == (busy_o && edge_q == 4'd0 ? PATIENCE : BETWEEN);
 
-    // At rest no byte is under way, and both wires have been seen as they are.
+    // At rest no byte is under way, and the levels of both wires have passed the filter.
     reg [1:0] wires_q;
 
     always @(posedge clk_i) wires_q <= {ps2_clk_i, ps2_dat_i};

@@ -5,7 +5,7 @@
 //   +4 CONTROL   RE bit 0: interrupt while RI; RI bit 8: a byte waits; CE bit 10: a byte was not
 //                acknowledged by the device, write 0 clears
 //
-// A byte that comes when 256 wait is lost.
+// A byte that arrives when 256 wait is lost.
 //
 // Source: PS/2 Core for Altera DE-Series Boards.
 
@@ -17,7 +17,7 @@ module ps2_port (
     input  wire        tick_i,         // every 32 clocks
 
     input  wire        we_i,
-    // Only the register's place in the block counts; registers have few bits.
+    // Only the register's offset in the block is used; registers have few bits.
     // verilator lint_off UNUSED
     input  wire [3:0]  wstrb_i,
     input  wire [11:0] waddr_i,

@@ -7,7 +7,7 @@
 module ps2_ports (
     input  wire        clk_i,
     input  wire        rst_i,
-    // The looks at the wires are 32 clocks apart.
+    // The wires are sampled every 32 clocks.
     // verilator lint_off UNUSED
     input  wire [29:0] now_i,
     // verilator lint_on UNUSED

@@ -98,7 +98,7 @@ void print_markdown() {
     std::printf("`SYSID_HASH` reads `0x%08X` for this map.\n", regmap::REGMAP_HASH);
     std::puts(
         "\nA block reads 0 and loses writes where it has no register; a read-only register loses");
-    std::puts("writes.  A run says so, once a block.");
+    std::puts("writes.  A run reports it, once per block.");
     for (const auto& block : regmap::BLOCKS) print_block(block);
 }
 

@@ -131,11 +131,11 @@ static_assert(blocks_are_apart(), "two blocks overlap");
 // ---- Select lines of the lightweight bridge ----
 
 constexpr std::uint32_t LW_BASE = 0xFF200000, LW_SIZE = 0x00200000;
-constexpr int LW_SELECTS = 32;  // lines there are
+constexpr int LW_SELECTS = 32;  // number of select lines
 
 constexpr bool on_lightweight_bridge(const Block& block) { return block.base - LW_BASE < LW_SIZE; }
 
-// The block's line: they are numbered as the blocks stand in regmap.def.
+// The block's select line: lines are numbered in the order of the blocks in regmap.def.
 constexpr int select(const Block& block) {
     int lines = 0;
     for (const Block* before = BLOCKS; before != &block; ++before)

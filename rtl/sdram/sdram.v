@@ -1,7 +1,7 @@
-// sdram.v - who reads and writes the SDRAM when: the screen first, then the processor
+// sdram.v - arbiter of the SDRAM: the screen first, then the processor
 //
-// A request stays as it is until it is taken.  Words that were read come back in the order of the
-// requests, each to who asked.
+// A request must not change until it is taken.  Words that were read come back in the order of the
+// requests, each to its requester.
 
 `default_nettype none
 
@@ -40,11 +40,11 @@ module sdram (
     output wire        due_o,
     output wire [9:0]  rest_o
 );
-    // A request that has begun, with a command to a row, is not left before its access.
+    // A request for which a row has been opened or closed is served before any other.
     reg        begun_q;                  // the processor's has
     wire       screen = screen_req_i && !begun_q;
     wire       take, valid, controller_awake;
-    reg  [3:0] screen_q;                 // of 1 to 4 clocks before: the read was the screen's
+    reg  [3:0] screen_q;                 // the read of 1 to 4 clocks ago was the screen's
 
     assign screen_take_o  = take && screen;
     assign take_o         = take && !screen;

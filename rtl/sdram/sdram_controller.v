@@ -6,12 +6,14 @@
 //   dq                       =low==hi=      by the chip, whose clock is the inverse of clk_i
 //   rvalid_o                          =D=
 //
-// A word is a burst of two columns.  A row stays open until another row of its bank is wanted or
-// all are closed for a refresh: 8,192 of these in 64 ms.  An access to an open row takes 2 clocks
-// (a write behind a read waits 2 more for the bus), to a closed one 3, to another row 4.
+// A word is a burst of two columns.  A row stays open until another row of its bank is needed or
+// all are closed for a refresh; there are 8,192 refreshes in 64 ms.  An access takes 2 clocks if
+// its row is open, 3 if its bank has no open row, 4 if another row is open.  A write after a read
+// waits 2 more for the bus.
 //
 // At 40 ns per clock the datasheet's times of a -7 part (tRCD and tRP 15 ns, tRAS 37, tRC 60,
-// tRFC 60, tWR 14, tMRD 14) are 1 or 2 clocks, and hold by the order in which commands can follow.
+// tRFC 60, tWR 14, tMRD 14) are 1 or 2 clocks, and the order in which commands can follow each
+// other keeps them.
 //
 // Not handled: power-down and self-refresh.
 
@@ -20,12 +22,12 @@
 module sdram_controller (
     input  wire        clk_i,          // 25 MHz
     input  wire        rst_i,
-    // Only so many clocks are told apart.
+    // Only the low bits are used: enough for the longest wait.
     // verilator lint_off UNUSED
     input  wire [29:0] now_i,
     // verilator lint_on UNUSED
 
-    input  wire        req_i,          // stays as it is until take_o
+    input  wire        req_i,          // must not change until take_o
     input  wire        we_i,
     input  wire [23:0] index_i,        // of a word: row 23:11, bank 10:9, pair of columns 8:0
     input  wire [31:0] wdata_i,
@@ -69,10 +71,10 @@ module sdram_controller (
     // ---- Banks, and what the next command is ------------------------------
     reg  [3:0]  step_q;                          // of the initialisation
     reg         wait_q;                          // no command in this clock
-    reg         opened_q;                        // the last command has opened a row: its access
-    reg  [3:0]  open_q;                          //   goes before all else
+    reg         opened_q;                        // the last command has opened a row: the access
+    reg  [3:0]  open_q;                          //   to it has priority over all else
     reg  [51:0] rows_q;                          // the open ones
-    reg  [2:0]  pipe_q;                          // a read of 1, 2, 3 clocks before
+    reg  [2:0]  pipe_q;                          // a read 1, 2, 3 clocks ago
     wire [12:0] row   = index_i[23:11];
     wire [1:0]  bank  = index_i[10:9];
     wire        ready = step_q == READY;

@@ -5,7 +5,7 @@
 module sysid (
     input  wire        clk_i,
     input  wire        re_i,
-    // Only the register's place in the block counts.
+    // Only the register's offset in the block is used.
     // verilator lint_off UNUSED
     input  wire [11:0] raddr_i,
     // verilator lint_on UNUSED

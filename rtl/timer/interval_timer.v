@@ -7,12 +7,12 @@
 //   +10, +14       SNAP_LOW, SNAP_HIGH: any write keeps the counter's value there
 //
 // The counter falls from the period to 0, sets TO and begins again: a period is PERIOD + 1 ticks.
-// Four ticks of 100 MHz pass in a clock of 25 MHz; what is left of the four behind 0 counts towards
-// the next period, so that the rate is exact and TO is at most 40 ns late.
+// Four ticks of 100 MHz pass per clock of 25 MHz.  The ticks of these four that come after 0 count
+// towards the next period, so the rate is exact and TO is at most 40 ns late.
 //
 // Source: Embedded Peripherals IP User Guide, Interval Timer Core.
 //
-// Not handled: periods of less than four ticks, which end once a clock.
+// Not handled: periods of less than four ticks; they end once per clock.
 
 `default_nettype none
 
@@ -23,7 +23,7 @@ module interval_timer (
 
     input  wire        we_i,
     input  wire [3:0]  wstrb_i,
-    // Only the register's place in the block counts; registers have 16 bits.
+    // Only the register's offset in the block is used; registers have 16 bits.
     // verilator lint_off UNUSED
     input  wire [11:0] waddr_i,
     input  wire [11:0] raddr_i,
@@ -39,7 +39,7 @@ module interval_timer (
     `include "regmap.vh"
     `include "lanes.vh"
 
-    localparam [31:0] TICKS = 32'd4;  // of 100 MHz in a clock
+    localparam [31:0] TICKS = 32'd4;  // of 100 MHz per clock
     localparam [31:0] PERIOD_RESET = {TIMER0_PERIOD_HIGH_RESET[15:0],
                                       TIMER0_PERIOD_LOW_RESET[15:0]};
 
@@ -47,8 +47,9 @@ module interval_timer (
     reg        to_q, run_q, ito_q, cont_q;
 
     // ---- Counter ----------------------------------------------------------
-    // While it runs it is not counted down, but told from the clock in which it ends.
-    reg  [29:0] due_q;    // that clock; or, while it stands, bits 31:2 of the counter
+    // While the timer runs nothing counts down: the counter is computed from the clock in which it
+    // ends.
+    reg  [29:0] due_q;    // that clock; or, while stopped, bits 31:2 of the counter
     reg  [1:0]  phase_q;  // bits 1:0 of the counter
     wire [29:0] left = due_q - now_i;
 
@@ -57,7 +58,7 @@ module interval_timer (
     assign awake_o = rdata_o != 32'd0;
     assign rest_o  = run_q && left[29:10] == 20'd0 ? left[9:0] - 10'd1 : 10'd1023;
 
-    // Half words, in the low half of a word on the bus.
+    // Registers have 16 bits, in the low half of the bus's word.
     // verilator lint_off WIDTH
     function [15:0] half;
         input [15:0] old_half;
@@ -65,7 +66,7 @@ module interval_timer (
     endfunction
     // verilator lint_on WIDTH
 
-    // The period as written, its high half or its low one.
+    // The period after a write to its high or its low half.
     function [31:0] period;
         input high;
         period = high ? {half(period_q[31:16]), period_q[15:0]}
@@ -74,7 +75,7 @@ module interval_timer (
 
     // verilator lint_off BLKSEQ
     always @(posedge clk_i) begin : count
-        reg [31:0] counter, late, next;   // now; ticks behind its end; after this clock
+        reg [31:0] counter, late, next;   // now; ticks after its end; after this clock
         reg        run;                   // after this clock
 
         counter = {run_q ? left : due_q, phase_q};

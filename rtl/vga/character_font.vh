@@ -1,5 +1,5 @@
 // character_font.vh - generated from sw/gfx/font.cpp by `make regmap`; do not edit.
-// 8 x 8 pixels a letter: bit 8 * row + column; blank where there is none.
+// 8 x 8 pixels per letter: bit 8 * row + column; blank where there is none.
 
 function [63:0] letter;
     input [6:0] code;

@@ -1,13 +1,13 @@
-// character_store.v - 80 x 60 characters, four a word, read by the screen and the processor
+// character_store.v - 80 x 60 characters, four per word, read by the screen and the processor
 //
 // An index is row << 5 | word: four byte lanes of 2,048 characters, two M10K blocks each.  Words
-// from 20 and rows from 60 on are memory that is not shown.  The screen's reads go before the
-// processor's, which wait for those (video.v).
+// from 20 and rows from 60 on are memory that is not shown.  The screen's reads have priority; the
+// processor's wait for them (video.v).
 //
-// clear_i and a reset fill the 60 rows with blanks, in 1,920 clocks without writes.  The processor
-// waits meanwhile, by filling_o, which is high from clear_i on: what it wrote could be blanked and
-// what it read could be old.  any_o says that since then something else has been written, so that
-// an empty screen need not be looked at.
+// clear_i and a reset fill the 60 rows with blanks, in 1,920 clocks without writes.  Meanwhile
+// filling_o, high from clear_i on, makes the processor wait: otherwise its writes could be blanked
+// and its reads could be stale.  any_o is high once something else than blanks has been written
+// since, so that nothing is fetched for an empty screen.
 
 `default_nettype none
 
@@ -17,14 +17,14 @@ module character_store (
 
     input  wire        clear_i,
     output reg         clearing_o,       // after clear_i, not after a reset
-    output wire        filling_o,        // with and after either
+    output wire        filling_o,        // during and after either
     output reg         any_o,
 
     input  wire        screen_re_i,
     input  wire [10:0] screen_index_i,
     input  wire        re_i,
     input  wire [10:0] rindex_i,
-    output reg  [31:0] rdata_o,          // one clock after whichever read; stays until the next
+    output reg  [31:0] rdata_o,          // one clock after a read of either; stays until the next
 
     input  wire [3:0]  we_i,             // byte lanes
     input  wire [10:0] windex_i,

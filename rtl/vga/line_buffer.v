@@ -1,12 +1,12 @@
 // line_buffer.v - two rows of the picture: one on the screen, one being fetched
 //
-// A row is 161 words of two pixels: one that begins in the upper half of a word ends in the lower
-// half of another.  Two M10K blocks.
+// A row is up to 161 words of two pixels: a row of 320 that begins in the upper half of a word ends
+// in the lower half of the 161st.  Two M10K blocks.
 //
-// flat_o: the 16 pixels of the block of rindex_i are as the one before them.  What is on the screen
-// then stays, and nobody need read them.  Words come in the order of their places.
+// flat_o: the 16 pixels of the block of rindex_i equal the pixel before them.  The colour on the
+// screen then stays, and these pixels need not be read.  Words must be written in ascending order.
 //
-// On the device both clocks are one.
+// On the device both clocks are the same.
 
 `default_nettype none
 
@@ -23,16 +23,16 @@ module line_buffer (
     output wire        flat_o
 );
     reg [31:0] words [0:511];
-    reg [19:0] even_q, odd_q;      // flat blocks of the even and the odd row; eight words are one
+    reg [19:0] even_q, odd_q;      // flat blocks (of eight words) of the even and the odd row
     reg [15:0] last_q;             // the pixel before
-    reg        so_far_q;           // all of this block's are like it
+    reg        so_far_q;           // all pixels of this block so far equal it
 
     wire [4:0] block = windex_i[7:3];
     wire       same  = wdata_i == {last_q, last_q} && (so_far_q || windex_i[2:0] == 3'd0);
 
     wire       flat  = same && windex_i[2:0] == 3'd7;
 
-    // Before the first block there is nothing.
+    // The first block has no pixel before it.
     wire [4:0] shown = rindex_i[7:3];
     assign flat_o = shown != 5'd0 && (rindex_i[8] ? odd_q[shown] : even_q[shown]);
 

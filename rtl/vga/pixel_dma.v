@@ -6,13 +6,13 @@
 //
 // Each row is on the screen for two lines; while it is, the next one is fetched.  The first row is
 // fetched in the last two lines of the blanking, so a change of the front address at the end of a
-// frame is in time.  Bits 31:30 of an address are not looked at, as in the board's controller: one
+// frame is in time.  Bits 31:30 of an address are ignored, as in the board's controller: an address
 // in the DDR3 shows the SDRAM.
 //
-// The on-chip memory is read in every odd clock of the line, and its word is taken in the next odd
-// clock, or in the even one between them if the processor reads the memory then.  The SDRAM gives a
-// word in two clocks.  A row has 1,600 clocks for its 161 words, which is enough from either memory
-// (tb/formal/pixel_dma_formal.v).
+// The on-chip memory is read in every odd clock of the line.  Its word is taken in the next odd
+// clock, or already in the even clock between if the processor reads the memory in that one.  The
+// SDRAM gives a word every two clocks.  A row has 1,600 clocks for its 161 words, which is enough
+// from either memory (tb/formal/pixel_dma_formal.v).
 
 `default_nettype none
 
@@ -20,10 +20,10 @@ module pixel_dma (
     input  wire        clk_i,
     input  wire        rst_i,
 
-    input  wire        odd_i,           // clock of the beam's line
+    input  wire        odd_i,           // an odd clock of the beam's line
     input  wire        line_end_i,
     input  wire [9:0]  v_next_i,        // the line that begins after line_end_i
-    // A pixel that begins in the middle of a word is the line buffer's reader's business.
+    // Bits 1:0: vga.v handles a picture that begins in the middle of a word.
     // verilator lint_off UNUSED
     input  wire [31:0] front_i,         // address of the picture
     // verilator lint_on UNUSED
@@ -52,7 +52,7 @@ module pixel_dma (
 
     localparam [7:0]  WORDS     = 8'd161;
     localparam [9:0]  FIRST_ROW = 10'd523, LAST_PAIR = 10'd476;
-    localparam [27:0] XY = 28'd256, CONSECUTIVE = 28'd160;   // words from row to row
+    localparam [27:0] XY = 28'd256, CONSECUTIVE = 28'd160;   // words per row
 
     reg         busy_q, parity_q;        // parity_q: of the row
     reg  [7:0]  asked_q, got_q;          // words

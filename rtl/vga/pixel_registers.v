@@ -12,14 +12,14 @@ module pixel_registers #(
     parameter [31:0] BUFFER     = 32'd0,  // after reset, of BACK_BUFFER too
     parameter [31:0] RESOLUTION = 32'd0,
     parameter [31:0] STATUS     = 32'd0,
-    parameter        HAS_A      = 0       // else it is fixed, too
+    parameter        HAS_A      = 0       // otherwise it is fixed, too
 ) (
     input  wire        clk_i,
     input  wire        rst_i,
 
     input  wire        we_i,
     input  wire [3:0]  wstrb_i,
-    // Only the register's place in the block counts.
+    // Only the register's offset in the block is used.
     // verilator lint_off UNUSED
     input  wire [11:0] waddr_i,
     input  wire [11:0] raddr_i,

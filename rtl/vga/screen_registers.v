@@ -1,7 +1,6 @@
 // screen_registers.v - the registers of the pixel and the character buffer controller
 //
-// The characters are where they are: of their buffer's registers only STATUS and CLEAR do
-// something.
+// The character buffer cannot be moved: of its registers only STATUS and CLEAR have an effect.
 
 `default_nettype none
 

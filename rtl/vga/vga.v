@@ -4,15 +4,14 @@
 //   h_o        n = 2x + 1     2x + 2      2x + 3          2x + 4
 //              address ----> line buffer ------> rgb ---> pins show pixel x, for two clocks
 //
-// pixel_dma.v has fetched the row before.
+// By then pixel_dma.v has fetched the row.
 //
 // Every eighth clock a character is fetched; its strokes are white, the rest of its 8 x 8 pixels is
-// transparent.  Codes are ASCII, bit 7 is not looked at.  Whether there are any characters to show
-// is looked at between lines.
+// transparent.  Codes are ASCII; bit 7 is ignored.  Whether there are any characters to show is
+// sampled between lines.
 //
-// Where no character can be, two clocks show one pixel: then this block sleeps in each second one,
-// between the lines, and for 16 pixels where line_buffer.v says that they are all as the one before
-// them.
+// Without characters a pixel lasts two clocks.  Then this block sleeps in every second clock,
+// between the lines, and for each block of 16 pixels that line_buffer.v reports as flat.
 
 `default_nettype none
 
@@ -26,13 +25,13 @@ module vga (
     input  wire        text_enable_i,
     output wire        frame_end_o,     // the last line has been fetched
 
-    output wire        odd_o,           // clock of the line, for the picture's fetch
+    output wire        odd_o,           // an odd clock of the line, for the picture's fetch
     output wire        line_end_o,
     output wire [9:0]  v_next_o,
     output wire        pixel_o,         // to the line buffer; data one clock later
     output wire [8:0]  index_o,
     input  wire [31:0] word_i,
-    input  wire        flat_i,          // the 16 pixels from index_o on are as the one before
+    input  wire        flat_i,          // the 16 pixels from index_o on equal the one before
 
     output reg         cell_o,          // to the character store; data one clock later
     output reg  [10:0] cell_index_o,
@@ -62,7 +61,7 @@ module vga (
         .blank_no(vga_blank_no), .rest_o(timing_rest)
     );
 
-    // In these clocks of a shown line something can happen, up to where the last pixel leaves.
+    // Only in these clocks of a shown line can anything change: up to the end of the last pixel.
     reg  text_q;                         // there are characters, in this line
     wire shown = h < H_SHOWN && v < V_SHOWN;
     wire draws = h <= H_SHOWN + 10'd3 && v < V_SHOWN && (h[0] || text_q);
@@ -73,14 +72,14 @@ module vga (
                          : timing_rest;
 
     // ---- Pixels -----------------------------------------------------------
-    // A block of 16 begins; what its flatness is, and whether that counts.
+    // A block of 16 begins; whether it is flat, and whether that matters.
     reg         flat_q;
     wire        begins = h[4:0] == 5'd1;
     wire        flat   = shown && (begins ? flat_i && !text_q && !upper_i : flat_q);
 
-    wire [8:0]  place = h[9:1] + {8'd0, upper_i};    // of the pixel among the row's half words
+    wire [8:0]  place = h[9:1] + {8'd0, upper_i};    // the pixel's half word in the row
     reg         half_q;
-    reg  [15:0] pixel_q;                             // of the clock before
+    reg  [15:0] pixel_q;                             // in the clock before
     wire [15:0] pixel = !h[0] ? pixel_q : half_q ? word_i[31:16] : word_i[15:0];
 
     assign pixel_o = shown && h[0] && !flat;

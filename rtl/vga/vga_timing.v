@@ -1,17 +1,17 @@
 // vga_timing.v - 640 x 480 at 60 Hz: where the beam is (VESA DMT; 25 MHz / (800 * 525) = 59.52 Hz)
 //
-//   pixels:  |<-- 640 shown -->|< 16 >|<-- 96 HS low -->|<-- 48 -->|   800 a line
-//   lines:   |<-- 480 shown -->|< 10 >|<--  2 VS low -->|<-- 33 -->|   525 a frame
+//   pixels:  |<-- 640 shown -->|< 16 >|<-- 96 HS low -->|<-- 48 -->|   800 per line
+//   lines:   |<-- 480 shown -->|< 10 >|<--  2 VS low -->|<-- 33 -->|   525 per frame
 //
-// The pins follow the beam four clocks later, when its pixels are there.  Between the edges of
-// these three signals and the ends of lines nothing changes here.
+// The pins follow the beam four clocks later, the time that a pixel takes to reach its pins.
+// Registers change only at edges of HS, VS and the visible area and at ends of lines.
 
 `default_nettype none
 
 module vga_timing (
     input  wire       clk_i,
     input  wire       rst_i,
-    // Only the clocks of one line are told apart.
+    // Only the low bits are used: enough for the clocks of one line.
     // verilator lint_off UNUSED
     input  wire [29:0] now_i,
     // verilator lint_on UNUSED

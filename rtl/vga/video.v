@@ -4,7 +4,7 @@
 //                |    SDRAM ---------+                                |
 //                +--> character_store --------------------------------+
 //
-// The screen's reads go before the processor's in all of them.
+// In all of them the screen's reads have priority over the processor's.
 
 `default_nettype none
 

@@ -4,21 +4,21 @@
 //        SAV                                      EAV
 //   XY = 1 F V H P3 P2 P1 P0: field, vertical blanking, end of the line, and their protection
 //
-// Each field is a picture of its own, 320 x 240: of the 720 pixels of a line the middle 640, and of
-// these every second one, that with a Cb and a Cr of its own.  The first row is line 22 in the
-// first field, line 285 in the second.  Lines are counted from where F changes, since revisions 3
-// and 4 of the standard disagree on where V does.
+// Each field becomes a picture of 320 x 240 pixels.  It has the middle 640 of a line's 720 pixels,
+// and of these every second one, the pixels for which Cb and Cr are sampled.  The first row is line
+// 22 in the first field, line 285 in the second.  Lines are counted from the change of F, because
+// revisions 3 and 4 of the standard disagree on the change of V.
 //
 // Source: ITU-R BT.656; the clipper and the scaler of the DE1-SoC Computer's video-in.
 //
-// Not handled: codes with a wrong bit are not corrected but ignored; 625 lines (PAL) are clipped to
-// the first 240 behind the same place.
+// Not handled: codes with a wrong bit are not corrected but ignored; of 625 lines (PAL) the 240
+// from the same line on are taken.
 
 `default_nettype none
 
 module bt656_rx (
     input  wire       clk_i,     // 27 MHz, the decoder's
-    input  wire       run_i,     // 0 forgets all
+    input  wire       run_i,     // 0 resets the state
 
     input  wire [7:0] data_i,
 
@@ -29,13 +29,13 @@ module bt656_rx (
     output reg  [7:0] cb_o,
     output reg  [7:0] cr_o
 );
-    localparam [8:0]  FIRST_LINE = 9'd18;              // behind the change of F; 1 more with F = 1
+    localparam [8:0]  FIRST_LINE = 9'd18;              // after the change of F; 1 more with F = 1
     localparam [8:0]  ROWS = 9'd240, NOWHERE = 9'd511;
     localparam [8:0]  FIRST_PAIR = 9'd20, PAIRS = 9'd320;
     localparam [10:0] LAST = 11'd1439;                 // byte of a line
 
     // ---- Timing reference codes -------------------------------------------
-    reg  [1:0] code_q;            // so many bytes of one
+    reg  [1:0] code_q;            // how many bytes of a code have come
     wire       f = data_i[6], v = data_i[5], h = data_i[4];
     wire       code   = code_q == 2'd3 && data_i[7]
                         && data_i[3:0] == {v ^ h, f ^ h, f ^ v, f ^ v ^ h};
@@ -49,7 +49,7 @@ module bt656_rx (
 
     // ---- Lines ------------------------------------------------------------
     reg        known_q, f_q;      // the field
-    reg  [8:0] line_q;            // behind the change of F; NOWHERE before the first one
+    reg  [8:0] line_q;            // after the change of F; NOWHERE before the first one
     reg        shown_q, top_q;    // this line is a row of the picture, the first one
     wire [8:0] line = known_q && f != f_q ? 9'd0 : line_q == NOWHERE ? NOWHERE : line_q + 9'd1;
     wire [8:0] row  = line - FIRST_LINE - {8'd0, f};

@@ -4,12 +4,12 @@
 //   gx = | -2 0 2 |   gy = |  0  0  0 |   edge_o = (|gx| + |gy|) / 4, 255 at most
 //        | -1 0 1 |        |  1  2  1 |
 //
-// It looks at the pixel, the two before it and the same in the two rows above, so the edges lie a
-// pixel to the right of the picture's and a row below; where there are no such pixels they are 0.
-// The two rows above are an M10K block.
+// It uses the pixel, the two before it, and the same three of the two rows above.  So an edge
+// appears one pixel to the right of its place in the picture, and one row below.  Where those
+// pixels do not exist, edge_o is 0.  The two rows above are an M10K block.
 //
-// Source: the Sobel operator of the DE1-SoC Computer's edge detection, which sees 720 pixels a row,
-// smoothes before it and thins the lines behind it.
+// Source: the Sobel operator of the DE1-SoC Computer's edge detection, which sees 720 pixels per
+// row, smoothes the picture first and thins the lines afterwards.
 //
 // Not handled: that smoothing and thinning.
 
@@ -17,16 +17,16 @@
 
 module sobel (
     input  wire       clk_i,
-    input  wire       run_i,     // 0: pixel_i does not count
+    input  wire       run_i,     // 0: pixel_i is ignored
 
     input  wire       pixel_i,   // at most in every third clock
     input  wire       row_i,     // the first of its row
     input  wire       first_i,   // ... and of the picture
-    input  wire [7:0] y_i,       // stays for a clock more
+    input  wire [7:0] y_i,       // stable for one clock more
 
-    output wire [7:0] edge_o     // two clocks later, until another one's
+    output wire [7:0] edge_o     // two clocks later, until the next pixel's
 );
-    reg  [15:0] rows [0:511];    // in a column: the pixel above, and in 15:8 the one above that
+    reg  [15:0] rows [0:511];    // per column: the pixel above, and in 15:8 the one above that
     reg  [15:0] above_q;
     reg         read_q;          // above_q is this pixel's
     reg  [8:0]  column_q;

@@ -17,7 +17,7 @@ module video_capture (
     output wire        push_o,
     output wire [33:0] word_o,     // first of a picture, of a row; right pixel, left pixel
 
-    output wire        awake_o     // without enable_i: it still is to come to rest
+    output wire        awake_o     // although enable_i is low: it has not come to rest yet
 );
     wire run, edges, sync_awake;
     reg  rests_q;
@@ -45,7 +45,7 @@ module video_capture (
         .edge_o(brightness)
     );
 
-    // Two clocks later, as long as the edge takes.
+    // Delayed by two clocks, the delay of sobel.v.
     reg  [2:0]  came_q, ready_q;     // pixel, row, first
     wire [15:0] rgb;
 

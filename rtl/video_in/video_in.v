@@ -8,12 +8,12 @@
 //   +0 BUFFER      where pictures go; a write of any value asks for a swap with BACK_BUFFER, which
 //   +4 BACK_BUFFER takes place when a picture is whole
 //   +8 RESOLUTION  320 x 240
-//   +C STATUS      EN bit 2: 1 = pictures come in, 59.94 a second; 0 = the buffer stays as it is
+//   +C STATUS      EN bit 2: 1 = pictures come in, 59.94 per second; 0 = the buffer stays as it is
 //
-//   EDGE_DETECTION +0 CONTROL  bit 0: the edges in the picture instead of it
+//   EDGE_DETECTION +0 CONTROL  bit 0: 1 = the picture's edges instead of the picture
 //
-// A write of EN = 1 lets the next field begin a picture; one of 0 stops at once, in the middle of a
-// row if need be.
+// After a write of EN = 1 the next field begins a picture.  A write of EN = 0 stops at once, even
+// in the middle of a row.
 //
 // Source: the DE1-SoC Computer's video-in subsystem: each field is a picture, X-Y addressing alone,
 // off after a reset.
@@ -45,7 +45,7 @@ module video_in (
     output wire [31:0] wdata_o,
 
     output wire        awake_o,
-    output wire        td_awake_o         // clk_td_i is wanted
+    output wire        td_awake_o         // clk_td_i is needed
 );
     `include "regmap.vh"
 

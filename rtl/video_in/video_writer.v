@@ -4,12 +4,12 @@
 //                                  SDRAM          (0xC0000000, 64 MB)
 //                                  anything else: nowhere
 //
-// A row is 160 words, and 1,024 bytes behind the row before.  Nothing is written but 240 such rows
-// from buffer_i on, as it was when the picture began, whatever comes in.  The lowest two bits and
-// bits 31:30 of that address are not looked at.
+// A row is 160 words; rows are 1,024 bytes apart.  Whatever comes in, only 240 such rows are
+// written, from the address that buffer_i had when the picture began.  Bits 31:30 and 1:0 of that
+// address are ignored.
 //
-// Words come in every 7.4 clocks while a row does.  The screen can have the SDRAM for a row of its
-// own, 322 clocks and some refreshes; 128 words are 947.
+// During a row a word comes every 7.4 clocks.  The screen can keep the SDRAM busy for one of its
+// rows, 322 clocks and some refreshes.  The FIFO's 128 words last for 947 clocks.
 
 `default_nettype none
 
@@ -18,13 +18,13 @@ module video_writer (
     input  wire        rst_i,
 
     input  wire        enable_i,       // 0: drop what comes, and what was to be written
-    // Words, and where they are.
+    // Only a word's address in the memories is used.
     // verilator lint_off UNUSED
     input  wire [31:0] buffer_i,
     // verilator lint_on UNUSED
 
-    input  wire        came_i,         // a word, every time
-    input  wire [33:0] word_i,         // as in video_capture.v
+    input  wire        came_i,         // one word in each clock in which it is high
+    input  wire [33:0] word_i,         // in the format of video_capture.v
 
     output wire        onchip_req_o,   // these two stay until taken
     input  wire        onchip_take_i,
@@ -33,7 +33,7 @@ module video_writer (
     output wire [23:0] index_o,        // of a word in either
     output wire [31:0] wdata_o,
 
-    output wire        end_o,          // the last word of a picture goes
+    output wire        end_o,          // the last word of a picture is written
     output wire        awake_o
 );
     `include "regmap.vh"
@@ -56,7 +56,7 @@ module video_writer (
     // ---- Where the next one goes ------------------------------------------
     reg         run_q;                 // a picture has begun
     reg  [27:0] row_q, next_q;         // addresses of this row, of its next word
-    reg  [7:0]  x_q, y_q;              // words of it that have gone, its number
+    reg  [7:0]  x_q, y_q;              // words of it that are written; number of the row
     wire [27:0] address = first ? buffer_i[29:2] : row ? row_q + PITCH : next_q;
     wire        belongs  = enable_i && (first || (run_q && (row ? y_q != LAST_ROW : x_q != WORDS)));
     wire        onchip  = address[27:16] == ONCHIP_BASE[29:18];

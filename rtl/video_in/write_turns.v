@@ -1,7 +1,8 @@
 // write_turns.v - video-in's writes among the processor's accesses to the FPGA's memories
 //
 // On-chip memory: the processor first.  It leaves four clocks free in a burst of sixteen writes.
-// SDRAM: video-in first, but a request that was shown stays until it is taken, as sdram.v wants it.
+// SDRAM: video-in first, but a request that sdram.v has seen stays until it is taken, as sdram.v
+// requires.
 
 `default_nettype none
 
@@ -50,7 +51,7 @@ module write_turns (
     assign onchip_wdata_o  = onchip ? video_wdata_i : onchip_wdata_i;
 
     // ---- SDRAM ------------------------------------------------------------
-    reg  shown_q;                          // the processor's request was shown, and not taken
+    reg  shown_q;                          // the processor's request is before sdram.v, not taken
     wire video = video_sdram_i && !shown_q;
 
     assign video_sdram_take_o = sdram_take_i && video;

@@ -4,8 +4,9 @@
 //   G = 1.164 (Y - 16) - 0.391 (Cb - 128)  - 0.813 (Cr - 128)
 //   B = 1.164 (Y - 16) + 2.018 (Cb - 128)
 //
-// in 256ths, rounded, and clipped to 0 to 255; the lowest bits are then left out.  Logic alone: a
-// factor is a sum of shifts, since the device's multipliers have no cell in the open tools.
+// in 256ths, rounded, and clipped to 0 to 255; the lowest bits are then left out.  A factor is a
+// sum of shifts and not a multiplier, because the open tools have no cell for the device's
+// multipliers.
 
 `default_nettype none
 
@@ -27,7 +28,7 @@ module ycbcr_to_rgb (
                                      - (cr <<< 7) - (cr <<< 6) - (cr <<< 4);
     wire signed [18:0] blue  = light + (cb <<< 9) + (cb <<< 2);
 
-    // What is behind the sixth bit does not count.
+    // Bits below the upper six are left out.
     // verilator lint_off UNUSED
     function [5:0] clipped;
         input [18:0] value;

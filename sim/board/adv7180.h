@@ -1,19 +1,19 @@
-// adv7180.h - the board's video decoder and a camera before a picture: ITU-R BT.656, 525 lines
+// adv7180.h - the board's video decoder, and a camera that films a picture: ITU-R BT.656, 525 lines
 //
 //   FF 00 00 EAV | 80 10 ... 80 10 | FF 00 00 SAV | Cb Y Cr Y ... 720 pixels |
 //   0              4                 272            276                        1716 clocks
 //
 //   The first field (F = 0) begins in line 4, the second one (F = 1) in line 266.  V rises in lines
-//   1 and 264 and falls in lines 10 and 273, as the chip powers up: revision 3 of the standard, and
-//   not 20 and 283 as in revision 4.
+//   1 and 264 and falls in lines 10 and 273, the chip's setting after power-up.  That is revision 3
+//   of the standard; in revision 4 V falls in lines 20 and 283.
 //
-// The camera's picture is stretched to 720 x 480 pixels, the nearest one each.  Rows 0, 2 ... are
+// The camera's picture is stretched to 720 x 480 pixels by nearest neighbour.  Rows 0, 2 ... are
 // lines 22 to 261, rows 1, 3 ... are lines 285 to 524; the other lines are black.  Colours are by
 // ITU-R BT.601, of every second pixel.  Without a camera the chip shows blue: DEF_VAL_AUTO_EN is
 // set after a reset, DEF_Y and DEF_C say Y = 0x34, Cb = 0xC0, Cr = 0x70.
 //
-// Nobody has to set it up over I2C: out of its reset it detects the signal, and gives 8 bits of
-// BT.656.  Its RESET_N must be high, else it stays in its reset; the FPGA holds it there.
+// It needs no set-up over I2C: after its reset it detects the signal and sends 8-bit BT.656.
+// RESET_N is an input from the FPGA; while it is low the chip stays in reset.
 //
 // Source: ITU-R BT.656 and BT.601; Analog Devices' ADV7180 datasheet.
 //
@@ -34,7 +34,7 @@ public:
     static constexpr unsigned LINE_CLOCKS = 1716, LINES = 525;
     static constexpr unsigned WIDTH = 720, HEIGHT = 480;
 
-    // The camera sees this from the next line on; nothing: there is no camera.
+    // The camera sees this picture from the next line on; null: there is no camera.
     void show(std::shared_ptr<const Image> picture);
 
     // Its data pins at a rise of its clock, the first of which is number 0 and begins line 1.

@@ -36,7 +36,7 @@ std::int32_t AudioReceiver::word(unsigned number) const {
     if (held == 0) return 0;  // else a shift by 64
     std::uint64_t bits = bits_;
     if (held < last)
-        bits <<= last - held;  // too short: what is missing is 0
+        bits <<= last - held;  // too short: the missing bits are 0
     else if (format_.framing != AudioFormat::RIGHT)
         bits >>= held - last;
     return static_cast<std::int32_t>(static_cast<std::uint32_t>(bits << (32 - format_.bits)));
@@ -59,7 +59,7 @@ void AudioTransmitter::sampled() {
 
 void AudioTransmitter::begin_slot() {
     const bool dsp = format_.framing == AudioFormat::DSP;
-    if (dsp && !level_) return;  // only the rising edge of LRCK means something
+    if (dsp && !level_) return;  // only the rising edge of LRCK matters
     slot_bclks_ = std::exchange(bclks_, 0u);
     const bool left = dsp || format_.is_left(level_);
     if (left) sample_ = next_();

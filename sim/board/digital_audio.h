@@ -68,7 +68,7 @@ public:
 private:
     void begin_slot();
 
-    std::function<StereoSample()> next_;  // asked once a frame
+    std::function<StereoSample()> next_;  // called once per frame
     AudioFormat format_;
     StereoSample sample_;
     bool level_ = false;

@@ -1,9 +1,10 @@
-// header.h - the 32 data wires of JP1 or JP2: the FPGA, what is plugged in outside, and pull-ups.
+// header.h - the 32 data wires of JP1 or JP2: driven by the FPGA, by what is plugged in, and by
+// pull-ups.
 //
-// A wire that nobody drives is high.
+// A wire without a driver is high.
 //
-// Not handled: a wire that one drives high and the other low is low here, and a damaged pin on a
-// board.
+// Not handled: contention.  A wire that one side drives high and the other low is low here; on a
+// board it may damage a pin.
 #pragma once
 
 #include <cstdint>

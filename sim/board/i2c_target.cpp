@@ -23,7 +23,7 @@ void I2cTarget::begin_or_end(bool start) {
     bits_ = bytes_ = 0;
 }
 
-// SCL has fallen: the bit counts, since START or STOP can no longer take its place.
+// SCL has fallen: the bit is valid, because it can no longer turn into START or STOP.
 void I2cTarget::bit_ends() {
     if (std::exchange(acknowledging_, false)) return;
     value_ = static_cast<std::uint8_t>(value_ << 1 | (bit_ ? 1 : 0));

@@ -23,7 +23,7 @@ std::uint16_t lanes(unsigned mask) {
 
 }  // namespace
 
-// calloc() gives pages of zeros as they are touched.
+// calloc() lets the host allocate zeroed pages when they are touched.
 Is42s16320d::Is42s16320d()
     : cells_{static_cast<std::uint16_t*>(std::calloc(SIZE / 2, 2))}, refreshed_(ROWS, 0) {
     if (!cells_) throw std::bad_alloc{};
@@ -148,7 +148,8 @@ std::uint32_t Is42s16320d::cell() const {
     return static_cast<std::uint32_t>(banks_[bank_].row) << 12 | bank_ << 10 | column;
 }
 
-// A column is written or goes on its way to DQ, which it reaches latency_ - 1 edges later.
+// A column is written, or is put into the pipeline to DQ, where it arrives latency_ - 1 edges
+// later.
 void Is42s16320d::burst(const Pins& pins) {
     const bool drove = drives_;
     drives_ = driving_ & 1;

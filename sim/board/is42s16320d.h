@@ -6,12 +6,13 @@
 // or interleaved, CAS latency 2 or 3, data masks, auto-precharge, burst stop.  Begins with zeros,
 // where the real chip's content is unknown.
 //
-// A command that the datasheet does not allow then and there is a violation: before the
-// initialisation's end, to a bank in the wrong state, too early after another one (tRCD, tRP, tRAS,
-// tRC, tRRD, tWR, tMRD), refreshes more than 64 ms apart for a row, data driven by both sides.  It
-// is done none the less, as far as that has a meaning.
+// A command that the datasheet does not allow is a violation: before the end of the initialisation,
+// to a bank in the wrong state, too early after another one (tRCD, tRP, tRAS, tRC, tRRD, tWR,
+// tMRD), refreshes of a row more than 64 ms apart, data driven by both sides.  The command is
+// executed even so, as far as possible.
 //
-// Not handled: CKE low (power-down, self-refresh, clock suspend); a row does not forget.
+// Not handled: CKE low (power-down, self-refresh, clock suspend); loss of data in rows that are not
+// refreshed.
 #pragma once
 
 #include <array>
@@ -35,14 +36,14 @@ public:
         bool driven;         // DQ, by the other side
         std::uint16_t dq;
     };
-    // std::bad_alloc if the host has not the address space.
+    // std::bad_alloc if the host lacks the address space.
     Is42s16320d();
 
     // A rising edge of CLK.  Edges with CS_N high may be left out unless busy().
     void clock(const Pins& pins, std::uint64_t time_ps);
     // A burst is under way.
     bool busy() const { return left_ != 0 || driving_ != 0 || drives_; }
-    // What it drives on DQ until the next edge; anything where it drives nothing.
+    // What it drives on DQ until the next edge; undefined while it drives nothing.
     std::uint16_t dq() const { return dq_; }
 
     std::uint64_t violations() const { return violations_; }

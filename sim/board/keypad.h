@@ -2,15 +2,15 @@
 //
 //            D7   D6   D5   D4      columns, left to right
 //      D3     1    2    3    A      A closed switch joins its row's and its column's wire.  Joined
-//      D2     4    5    6    B      wires have one level: low if anybody pulls low, else high by
+//      D2     4    5    6    B      wires have one level: low if one is pulled low, else high by
 //      D1     7    8    9    C      pull-ups.  So three corners of a rectangle close the path of
 //      D0     0    F    E    D      the fourth, in both directions.
 //
 // A contact that closes or opens bounces for up to 5 ms: 1 to 6 times open and closed again at
 // times drawn from a generator with the given seed.
 //
-// Not handled: contact resistance; a wire that one output drives high and another low is low here,
-// and a damaged pin on a board.
+// Not handled: contact resistance; contention.  A wire that one output drives high and another low
+// is low here; on a board it may damage a pin.
 #pragma once
 
 #include <cstdint>

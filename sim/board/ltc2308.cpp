@@ -10,7 +10,7 @@ constexpr unsigned SINGLE_ENDED = 0x20, ODD_SIGN = 0x10, UNIPOLAR = 0x02, WORD_B
 
 }  // namespace
 
-// The result of what the last word has chosen, 12 bits.
+// The result for the channel that the last word has chosen, 12 bits.
 unsigned Ltc2308::convert() const {
     const unsigned pair = word_ >> 2 & 3, odd = word_ & ODD_SIGN ? 1 : 0;
     const unsigned plus = 2 * pair + odd, minus = 2 * pair + (1 - odd);

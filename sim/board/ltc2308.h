@@ -1,11 +1,11 @@
 // ltc2308.h - "LTC2308 low noise, 500 ksps, 8-channel, 12-bit ADC" (Linear Technology) at its pins.
 //
-//     CONVST  rises: converts, 1.6 us, what the word before has chosen
+//     CONVST  rises: converts for 1.6 us what the previous word has chosen
 //     SDI     a word of 6 bits, as SCK rises: S/D O/S S1 S0 UNI SLP
 //     SDO     the result, highest bit first, from the end of the conversion; moves as SCK falls
 //
-// Unipolar 0 to 4.095 V, bipolar -2.048 to 2.047 V (two's complement), 1 mV a step, clipped; COM is
-// grounded on the DE1-SoC.  After power-on the word is 0: differential, CH0 - CH1, bipolar.
+// Unipolar 0 to 4.095 V, bipolar -2.048 to 2.047 V (two's complement), 1 mV per step, clipped; COM
+// is grounded on the DE1-SoC.  After power-on the word is 0: differential, CH0 - CH1, bipolar.
 //
 // Not handled: SLP, noise, and how long the inputs take to settle; SDO is low where it is open.
 #pragma once
@@ -39,7 +39,7 @@ private:
     bool converting_ = false;
     std::uint64_t since_ps_ = 0;  // of the conversion
     unsigned word_ = 0, bits_ = 0;
-    unsigned result_ = 0;  // what is left of it, from bit 11 on
+    unsigned result_ = 0;  // its remaining bits, the next one in bit 11
     std::uint64_t conversions_ = 0, disturbed_ = 0;
 };
 

@@ -5,15 +5,16 @@
 //   host to device   the host holds CLK low, pulls DAT low, and lets go of CLK; the device clocks
 //                    in 8 bits, parity and stop, and pulls DAT low for the acknowledge
 //
-// Bits are 80 us long.  While the host holds CLK low, bytes wait; one that this interrupts before
-// its stop bit is sent again.  A byte with wrong parity is answered with FE.
+// Bits are 80 us long.  While the host holds CLK low, bytes wait.  A byte that is interrupted so
+// before its stop bit is sent again.  A byte with wrong parity is answered with FE.
 //
-// For 500 ms after power-on and after a reset the device tests itself and neither sends nor takes.
+// For 500 ms after power-on and after a reset the device tests itself and neither sends nor
+// receives.
 //
 // Source: IBM Personal System/2 Hardware Interface Technical Reference, keyboard and auxiliary
 // device controller.
 //
-// Not handled: the host breaking off a byte that it sends.
+// Not handled: a host that aborts a byte while sending it.
 #pragma once
 
 #include <cstdint>
@@ -40,15 +41,15 @@ protected:
     using Bytes = std::vector<std::uint8_t>;
     static constexpr std::uint8_t PASSED = 0xAA, ACKNOWLEDGE = 0xFA, RESEND = 0xFE;
 
-    // The test has passed: the device takes its defaults and answers with what it says then.
+    // The self-test has passed: the device sets its defaults and sends its answer.
     virtual void start() = 0;
     // A byte from the host.
     virtual void command(std::uint8_t byte) = 0;
-    // False: what it reports waits.
+    // False: reports have to wait.
     virtual bool may_report() const = 0;
 
     void answer(const Bytes& bytes);  // before all reports
-    void report(const Bytes& bytes);  // in turn
+    void report(const Bytes& bytes);  // after earlier reports
     void drop_reports() { reports_.clear(); }
     void reset();  // acknowledges, then tests itself
 

@@ -1,19 +1,19 @@
 // ps2_keyboard.h - a PS/2 keyboard with 104 keys and scan code set 2.
 //
-// When it has tested itself it says AA.  A key sends its make code when it goes down and its break
-// code when it comes up (scan_codes.h); the last that went down repeats while it is held: after
-// 500 ms 10.9 times a second, or as command F3 says, and only when nothing else waits to be sent.
-// What is done to the keys during the test counts when it is over.
+// After its self-test it sends AA.  A key sends its make code when it goes down and its break code
+// when it comes up (scan_codes.h).  The last key that went down repeats while it is held: after
+// 500 ms 10.9 times per second, or as command F3 says, and only if nothing else waits to be sent.
+// Keys moved during the self-test are processed after it.
 //
 //   FF reset (FA; after the test AA)      F4 on, F5 off: keys send nothing (FA)
 //   FE the last byte again                F6 defaults (FA)
 //   EE echo (EE)                          F2 identity (FA AB 83)
-//   ED lamps, F3 repeat, F0 code set: FA, and FA again for a byte more; F0 00 is answered FA 02
+//   ED lamps, F3 repeat, F0 code set: FA, and FA again for the argument; F0 00 is answered FA 02
 //
-// Anything else is answered with FE.  Between a command and its byte more, keys wait.
+// Any other byte is answered with FE.  Between a command and its argument, keys wait.
 //
-// Not handled: code sets but 2 (FE); the shifts that a keyboard puts around its cursor keys while
-// Shift is held or the Num Lock lamp is lit; Ctrl with Pause and Alt with PrintScreen.
+// Not handled: other code sets than 2 (FE); the shifts that a keyboard puts around its cursor keys
+// while Shift is held or the Num Lock lamp is lit; Ctrl with Pause and Alt with PrintScreen.
 #pragma once
 
 #include <cstdint>
@@ -55,7 +55,7 @@ private:
     void strike_keys();
     void repeat();
 
-    std::deque<Move> moves_;  // that the keyboard has not looked at yet
+    std::deque<Move> moves_;  // that the keyboard has not processed yet
     std::deque<char> typed_;
     std::uint16_t repeating_ = 0;  // 0: none
     sc_core::sc_event type_, changed_;

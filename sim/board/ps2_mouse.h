@@ -1,17 +1,17 @@
 // ps2_mouse.h - a PS/2 mouse with three buttons and a wheel, as IBM's and Microsoft's answer.
 //
-// When it has tested itself it says AA 00.  In stream mode, if it is on, it sends at most so many
-// packets a second as its rate says, each after something has moved:
+// After its self-test it sends AA 00.  In stream mode, if enabled, it sends a packet after each
+// change, at most as many per second as its rate says:
 //
 //   bit   7           6           5       4       3  2       1      0
 //   1     Y overflow  X overflow  Y sign  X sign  1  middle  right  left
 //   2, 3  X to the right, Y up: the lower 8 bits of 9
 //   4     the wheel, -8 to 7, where it has been asked for: towards the hand is positive
 //
-// A counter stops at -255 and 255, and sets its overflow bit; a packet sent, and any command but
-// FE, sets it to 0.
+// A counter saturates at -255 and 255, and sets its overflow bit.  It is set to 0 when a packet is
+// sent, and by any command except FE.
 //
-//   FF reset (FA; after the test AA 00)   F6 defaults (FA): 100 a second, 4 a mm, 1:1, stream, off
+//   FF reset (FA; after the test AA 00)   F6 defaults (FA): 100 per s, 4 per mm, 1:1, stream, off
 //   F4 on, F5 off (FA)                    EA stream, F0 remote: speaks when asked (FA)
 //   F3 rate, E8 resolution (FA, and FA for the byte more: 10 20 40 60 80 100 200; 0 to 3)
 //   E6 scale 1:1, E7 2:1 (FA), the latter in stream mode only
@@ -20,7 +20,7 @@
 //   EE wrap: every byte comes back (FA) until EC (FA) or FF
 //
 // The rates 200, 100, 80 in a row ask for the wheel: the identity is then 03, until a reset.
-// Anything else is answered with FE, and with FC a second time in a row.
+// Any other byte is answered with FE, and with FC if it is the second in a row.
 //
 // Source: IBM Personal System/2 Hardware Interface Technical Reference, auxiliary device; the
 // packet with a wheel as Microsoft's IntelliMouse sends it.
@@ -40,7 +40,7 @@ class Ps2Mouse : public Ps2Device {
 public:
     Ps2Mouse(const sc_core::sc_module_name& name, std::function<void()> moved);
 
-    // By so many quarters of a millimetre, each of which is a count at 4 a mm.
+    // In quarters of a millimetre; each is one count at 4 counts per mm.
     void move(int right, int up);
     void turn(int notches);  // of the wheel, towards the hand
     void button(MouseButton which, bool down);
@@ -49,7 +49,7 @@ private:
     // What one axis has moved since the last packet.
     struct Counter {
         int counts = 0;
-        int rest = 0;  // of a count, in quarters
+        int rest = 0;  // fraction of a count, in quarters
         bool overflow = false;
 
         void add(int quarters);
@@ -76,7 +76,7 @@ private:
     sc_core::sc_event stir_;
 
     std::array<std::uint8_t, 3> rates_{};  // the last that were set, the newest last
-    std::uint8_t resolution_ = 0;          // 2^n counts a mm
+    std::uint8_t resolution_ = 0;          // 2^n counts per mm
     bool on_ = false, remote_ = false, twice_ = false, wraps_ = false, has_wheel_ = false;
     std::uint8_t argument_of_ = 0;
     bool refused_ = false;  // the last byte

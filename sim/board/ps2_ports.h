@@ -7,7 +7,7 @@ enum class Ps2Plug { KEYBOARD, MOUSE, NOTHING };
 
 enum class MouseButton { LEFT, RIGHT, MIDDLE };  // in the order of their bits in a packet
 
-// Each of them in one port at most.
+// Each device is in one port at most.
 struct Ps2Ports {
     Ps2Plug first = Ps2Plug::KEYBOARD;
     Ps2Plug second = Ps2Plug::MOUSE;

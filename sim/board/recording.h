@@ -10,7 +10,7 @@ namespace sim {
 
 struct Recording {
     double rate_hz = 0;
-    std::vector<StereoSample> samples;  // a mono file is on both sides
+    std::vector<StereoSample> samples;  // a mono file is on both channels
 };
 
 // Any file that libsndfile reads, WAV among them; 16 and 24 bits come through exactly.
@@ -18,8 +18,8 @@ struct Recording {
 // longer than five minutes.
 Recording read_recording(const std::filesystem::path& path);
 
-// The same sound at another rate; the same samples when the rates differ by less than a crystal
-// may be off, 0.01 %.
+// The same sound at another rate.  The samples are unchanged if the rates differ by less than a
+// crystal's tolerance, 0.01 %.
 Recording at_rate(const Recording& recording, double rate_hz);
 
 }  // namespace sim

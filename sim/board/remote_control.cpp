@@ -10,7 +10,7 @@ using sc_core::sc_time;
 
 namespace {
 
-const sc_time frame_time{108, sc_core::SC_MS};  // from one to the next
+const sc_time frame_time{108, sc_core::SC_MS};  // from one frame to the next
 
 }  // namespace
 

@@ -1,7 +1,8 @@
 // remote_control.h - the board's infrared remote control, and the receiver that it is pointed at.
 //
-// A button that is pressed sends one frame (nec_frame.h) of 67.5 ms, and the next one begins 108 ms
-// after it.  The receiver (IRM-V538) takes the 38 kHz away: its output is low while there is light.
+// A button that is pressed sends one frame (nec_frame.h) of 67.5 ms; frames begin at least 108 ms
+// apart.  The receiver (IRM-V538) removes the 38 kHz carrier: its output is low while there is
+// light.
 //
 // Not handled: the repeat codes of a button that is held; the receiver's delays; the board's own
 // LED, which the receiver would see if it blinked at 38 kHz.
@@ -20,7 +21,7 @@ public:
     // `moved` is called after each change of dark().
     RemoteControl(const sc_core::sc_module_name& name, std::function<void()> moved);
 
-    // Presses the button of this code, behind those that were pressed before.
+    // Presses the button of this code, after those that were pressed before.
     void press(std::uint8_t button);
 
     bool dark() const { return dark_; }

@@ -18,7 +18,7 @@ constexpr std::uint8_t CODES[] = {0x0E, 0x16, 0x1E, 0x26, 0x25, 0x2E, 0x36, 0x3D
                                   0x22, 0x21, 0x2A, 0x32, 0x31, 0x3A, 0x41, 0x49, 0x4A, 0x29};
 static_assert(sizeof PLAIN == sizeof SHIFTED && sizeof CODES == sizeof PLAIN - 1);
 
-// Those that make no character, or have a name beside it.
+// Keys without a character, or with a name besides it.
 const Key NAMED[] = {
     {"Esc", 0x76},         {"F1", 0x05},
     {"F2", 0x06},          {"F3", 0x04},

@@ -1,7 +1,7 @@
 // sound_source.h - what is at an input of the codec: silence, a tone, or a recording.
 //
-// It sounds in simulated time, whether the codec listens or not.  Of a recording whose rate is the
-// codec's, every sample comes as it is and each once, as long as the codec goes on listening.
+// It plays in simulated time, whether the codec samples it or not.  If a recording has the codec's
+// rate, each of its samples is delivered once and unchanged, as long as the codec keeps sampling.
 #pragma once
 
 #include <cstdint>
@@ -16,12 +16,12 @@ enum class SoundInput { LINE_IN, MICROPHONE };
 
 class SoundSource {
 public:
-    // Each takes the place of what there was; `now_ps` is when it begins.
+    // Each replaces what was playing; `now_ps` is when it begins.
     void silence();
     void tone(double hz, double level, std::uint64_t now_ps);  // 1 is full scale
     void play(std::shared_ptr<const Recording> recording, bool for_ever, std::uint64_t now_ps);
 
-    // For a codec that samples at this rate; silence while that is 0, not known.
+    // For a codec that samples at this rate; silence while the rate is unknown (0).
     StereoSample sample(std::uint64_t now_ps, double rate_hz);
 
 private:
@@ -32,7 +32,7 @@ private:
     std::shared_ptr<const Recording> recording_;
     bool for_ever_ = false;
     std::optional<Recording> played_;  // at the codec's rate, once that is known
-    std::uint64_t place_ = 0;          // in it
+    std::uint64_t place_ = 0;          // index in it
 };
 
 }  // namespace sim

@@ -32,7 +32,7 @@ AudioFormat format_of(unsigned r7) {
     AudioFormat format{static_cast<AudioFormat::Framing>(r7 & 3), BITS[r7 >> 2 & 3],
                        (r7 & LRP) != 0};
     if (format.framing == AudioFormat::RIGHT && format.bits == 32)
-        format.bits = 24;  // a note says so
+        format.bits = 24;  // an error reports it
     return format;
 }
 
@@ -91,7 +91,7 @@ void Wm8731::check_timing(const Pins& was, bool sampling) {
 bool Wm8731::byte(unsigned number, std::uint8_t value) {
     switch (number) {
         case 0:
-            if (value >> 1 != ADDRESS) return false;  // somebody else is meant
+            if (value >> 1 != ADDRESS) return false;  // another device is addressed
             ++words_;
             if (value & 1) return refuse("I2C: a read, but the chip is write-only");
             if (words_ != refuse_word_) return true;
@@ -115,7 +115,7 @@ bool Wm8731::refuse(const std::string& why) {
 }
 
 void Wm8731::end_of_transfer(unsigned bytes, unsigned bits) {
-    if (bytes == 0 || (bytes == 3 && bits == 0)) return;  // not for us, or as it should be
+    if (bytes == 0 || (bytes == 3 && bits == 0)) return;  // for another device, or complete
     error(fmt::format("I2C: a word ends after {} bytes and {} bits", bytes, bits));
 }
 
@@ -152,7 +152,7 @@ void Wm8731::frame(const AudioReceiver::Frame& frame) {
     const bool first = frame_ps_ == 0;
     if (!first) measure_rate();
     frame_ps_ = now_ps_;
-    if (first) return;  // it had begun before we looked
+    if (first) return;  // it began before the first sample
     if (active_ && frame.whole && frame.least_bclks < format_.least_bclks())
         error(fmt::format("DACDAT: slots of {} BCLKs for words of {} bits", frame.least_bclks,
                           format_.bits));

@@ -29,15 +29,15 @@ namespace sim {
 
 class Wm8731 {
 public:
-    // Levels at the chip's pins; sda is what the wire shows, with our pull.
+    // Levels at the chip's pins; sda is the wire's level, with the chip's own pull included.
     struct Pins {
         bool bclk, daclrck, adclrck, dacdat, sclk, sda;
     };
     using Sink = std::function<void(const StereoSample& sample, std::uint64_t time_ps)>;
     using Source = std::function<StereoSample()>;
 
-    // The input that R4 selects is asked once a frame of ADCLRCK; without a source it is silent.
-    // Of the microphone the left side counts, for both channels.
+    // The input that R4 selects is sampled once per frame of ADCLRCK; without a source it is
+    // silent.  The microphone's left channel is used for both channels.
     explicit Wm8731(Sink sink, Source line_in = {}, Source microphone = {});
     Wm8731(const Wm8731&) = delete;
     Wm8731& operator=(const Wm8731&) = delete;
@@ -54,13 +54,13 @@ public:
     // 9 bits, R0 to R9; a write with a BOTH bit has changed the other channel's register too.
     std::uint16_t reg(unsigned number) const { return registers_.at(number); }
 
-    std::uint64_t words() const { return words_; }  // that began with our address
+    std::uint64_t words() const { return words_; }  // that began with the chip's address
     std::uint64_t refused_words() const { return refused_words_; }
     std::uint64_t samples() const { return samples_; }
 
     std::uint64_t time_ps() const { return now_ps_; }  // of the last drive()
-    // Of DACLRCK, from two frames in a row that agree within 1 %; later ones that differ less from
-    // it do not change it.  0: not known yet.
+    // Rate of DACLRCK, from two frames in a row that agree within 1 %. It changes only when later
+    // frames differ by more than that.  0: not known yet.
     double rate_hz() const;
 
     std::uint64_t error_count() const { return error_count_; }
@@ -92,7 +92,7 @@ private:
     std::uint8_t first_byte_ = 0;
     std::uint64_t words_ = 0, refused_words_ = 0, refuse_word_ = 0;
 
-    // What the registers mean.
+    // The decoded registers.
     AudioFormat format_;
     bool inverted_ = false;  // BCLK samples when it falls
     bool active_ = false, heard_ = false, swapped_ = false;

@@ -12,12 +12,12 @@
 
 namespace sim {
 
-// --out, --elf, --quiet.  Fills in `options` the run of selftest::run(), or of an ELF that takes
-// --self-test, under the scenario check_board.yaml, which plays the person.
+// --out, --elf, --quiet.  Sets `options` to a run of selftest::run(), or of an ELF that takes
+// --self-test, with the scenario check_board.yaml in the person's place.
 void add_check_board_options(CLI::App& command, RunOptions& options);
 
-// Prints what differs, or that nothing does.  PASSED, FAILED where the reports differ, WRONG_INPUT
-// with a line on stderr where one cannot be read or holds no checks.
+// Prints what differs, or that nothing does.  Returns PASSED, FAILED if the reports differ, or
+// WRONG_INPUT, with a line on stderr, if one cannot be read or has no checks.
 ExitCode compare_reports(const std::filesystem::path& a, const std::filesystem::path& b);
 
 }  // namespace sim

@@ -1,4 +1,5 @@
-// fpga_places.h - the FPGA's blocks and memories in words, for accesses that nothing answers
+// fpga_places.h - the names of the FPGA's blocks and memories, for messages about accesses without
+// a target
 #pragma once
 
 #include <cstdint>

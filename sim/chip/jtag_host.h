@@ -1,9 +1,10 @@
 // jtag_host.h - a PC on the USB-Blaster with a nios2-terminal for each of the two JTAG UARTs.
 //
-// Every millisecond, a frame of full-speed USB, it looks at both: from then on it takes up to 64
-// bytes of each, a packet of the cable's FT245, as they come; it sends the next byte of what was
-// typed to the first, if there is room; to the others it tells that it has looked.
-// So 64 kB/s come out, 1 kB/s goes in, and AC is set a millisecond after power-on.
+// It polls both every millisecond, a frame of full-speed USB.  In that millisecond it takes up to
+// 64 bytes of each as they come, a packet of the cable's FT245.  It sends the next typed byte to
+// the first JTAG UART if there is room; to one without a byte it signals that the host has looked
+// (idle_i).  So each sends 64 kB/s at most and receives 1 kB/s, and AC is set a millisecond after
+// power-on.
 //
 // Not handled: the JTAG chain below; cables that are faster or slower; typing to the second.
 #pragma once

@@ -25,7 +25,7 @@ const char* name_of(std::uint32_t address) {
 
 }  // namespace
 
-// What lies between the blocks answers with an error.
+// Addresses between the blocks answer with an error.
 LostAccesses::LostAccesses() : words_(regmap::LW_SIZE / 4, READ_WRITE) {
     for (const regmap::Block& block : regmap::BLOCKS)
         if (regmap::on_lightweight_bridge(block))

@@ -1,14 +1,15 @@
-// lost_accesses.h - accesses that the FPGA answers and that come to nothing, each said once
+// lost_accesses.h - accesses that the FPGA answers but that have no effect; each is reported once
 //
-// A write is lost, and a read gives 0, in the half of the on-chip memory's window behind its 256 KB
-// and in a block of registers where the map has none.  A write to a read-only register is lost.
+// A write is lost, and a read gives 0, in the second half of the on-chip memory's window (after its
+// 256 KB), and in a block at an offset without a register.  A write to a read-only register is
+// lost.
 //
-// Programs clear too far, or use a register that another system has, and mostly no harm comes of
-// it.  So such an access ends nothing; but what it was meant for is not there, so it is told.
+// Programs clear too far, or use a register of another system, mostly without harm.  So such an
+// access does not end the run; but it does not do what the program meant, so it is reported.
 //
-// On the board the interconnect gives what no slave owns to the one with the largest address span,
-// which on the full bridge is the SDRAM (Intel, Platform Designer User Guide, Accessing Undefined
-// Memory Regions; support article 000086447).
+// On the board the interconnect routes an address that no slave owns to the slave with the largest
+// span, which on the full bridge is the SDRAM (Intel, Platform Designer User Guide, Accessing
+// Undefined Memory Regions; support article 000086447).
 #pragma once
 
 #include <cstdint>
@@ -24,8 +25,8 @@ class LostAccesses {
 public:
     LostAccesses();
 
-    // Of an access that was answered, what a person should know; the first time that a program
-    // writes, or reads, in vain at this block or memory.
+    // A message about an access that was answered but lost.  Only for the first write, and the
+    // first read, in each block or memory.
     std::optional<std::string> look(std::uint32_t address, unsigned bytes, bool write);
 
 private:

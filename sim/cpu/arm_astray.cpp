@@ -1,4 +1,4 @@
-// arm_astray.cpp - ArmCpu's programs whose pc or stack is where nobody can have meant it to be
+// arm_astray.cpp - ArmCpu's detection of programs whose pc or stack has gone where it cannot belong
 #include <algorithm>
 
 #include <fmt/format.h>
@@ -9,8 +9,8 @@ namespace sim {
 
 namespace {
 
-// A stack that is found farther away than this was set, and has not grown there: more than the
-// bytes that a quantum's instructions can push.
+// A stack pointer that has moved farther than this was assigned, and has not grown: it is more than
+// a quantum's instructions can push.  In bytes.
 constexpr std::uint32_t JUMP = 1 << 20;
 
 }  // namespace
@@ -29,12 +29,13 @@ const ElfSection* ArmCpu::data_at(std::uint32_t address) const {
     return nullptr;
 }
 
-// What is wrong with the present mode's stack, or "".  `lowest`: where it has been written, or was
-// to be.  `through`: it may have come out below the code, which has suffered from it already.
+// What is wrong with the present mode's stack, or "".  `lowest`: the lowest address that was
+// written, or was about to be.  `through`: the stack may have passed the code already, and have
+// overwritten it.
 std::string ArmCpu::overgrown(std::uint32_t lowest, bool through) const {
     const Stack& stack = stacks_[core_.cpsr() & 0xF];
     if (stack.top == 0 || stack.now - lowest > JUMP)
-        return "";  // it has not grown since it was seen
+        return "";  // it has not grown since it was first seen
     std::uint8_t byte;
     if (core_.read_ram(stack.now, &byte, 1) && !core_.read_ram(lowest, &byte, 1))
         return fmt::format("the stack has grown below its memory (SP 0x{:08X})", core_.reg(13));
@@ -48,7 +49,7 @@ std::string ArmCpu::overgrown(std::uint32_t lowest, bool through) const {
     return "";
 }
 
-// Called behind each quantum.
+// Called after each quantum.
 void ArmCpu::look_astray() {
     if (kernel_ || fault()) return;
     if (const ElfSection* data = data_at(core_.pc()))

@@ -1,4 +1,4 @@
-// arm_callers.cpp - who called a program's last function, as far as its stack still tells
+// arm_callers.cpp - who called a program's last function, as far as its stack shows
 #include <array>
 #include <cstring>
 
@@ -8,9 +8,9 @@ namespace sim {
 
 namespace {
 
-constexpr unsigned WORDS = 256, MOST = 5;  // of the stack that are looked at; names
+constexpr unsigned WORDS = 256, MOST = 5;  // words of the stack that are examined; names
 
-// What is right before `address` is a BL or BLX, by the encodings of ARM DDI 0406C, A8.8.25 - 26.
+// The instruction before `address` is a BL or BLX, by the encodings of ARM DDI 0406C, A8.8.25 - 26.
 bool is_behind_a_call(const ArmCore& core, std::uint32_t address) {
     if (address & 1) {
         std::array<std::uint16_t, 2> halves{};

@@ -1,18 +1,17 @@
 // arm_core.h - the Cortex-A9's instructions: runs, counts, stops exactly where asked.
 //
-// No SystemC here, and no time.  RAM is shared with whoever owns it; all other addresses go to an
-// ArmBus, one call per aligned access of 1, 2 or 4 bytes (longer ones are split, the low address
-// first).
-// run() comes back before an instruction, never within one, with `pc` exact.
+// No SystemC here, and no time.  RAM belongs to the caller and is shared; all other addresses go to
+// an ArmBus, one call per aligned access of 1, 2 or 4 bytes (longer ones are split, the low address
+// first).  run() returns between two instructions, never within one, with `pc` exact.
 //
-// Exceptions are not entered here: run() says what happened, arm_exceptions.h enters the vector.
+// Exceptions are not entered here: run() returns what happened, arm_exceptions.h enters the vector.
 //
-// Two engines can be behind this header.  dynarmic (sim/cpu/dynarmic) translates the program to
-// the host's instructions: about 1 ns per instruction, 0.1 us per bus access beside what the bus
-// takes, 10 us per basic block that is met for the first time.  Unicorn (sim/cpu/unicorn), where
-// dynarmic is missing: 20 to 50 ns per instruction.  Both count and stop alike, but for one thing:
-// with dynarmic, the first bus access of an instruction that has only met RAM before can be counted
-// early by less than a basic block, the same in every run.
+// Two engines implement this header.  dynarmic (sim/cpu/dynarmic) translates the program to the
+// host's instructions: about 1 ns per instruction, 0.1 us per bus access besides what the bus
+// takes, 10 us for each new basic block.  Unicorn (sim/cpu/unicorn) replaces it if dynarmic is
+// missing: 20 to 50 ns per instruction.  Both count and stop alike, with one exception.  With
+// dynarmic, the first bus access of an instruction that has only accessed RAM before can happen at
+// too low a count, by less than a basic block; it is the same in every run.
 //
 // Not handled: the second core; caches (instructions that maintain them do nothing); alignment
 // faults; SMC and HVC are undefined instructions.  With dynarmic also: LDRT, STRT and their kind,
@@ -30,20 +29,21 @@
 
 namespace sim {
 
-// What the core sees beyond RAM.  Called in the middle of run(): registers are those before the
-// instruction, and nothing of the core may be changed but by stop_soon().
+// The core's access to everything except RAM.  Called in the middle of run(): registers are those
+// before the instruction, and the core must not be changed except by stop_soon().
 class ArmBus {
 public:
-    // False: nobody answers.  The instruction then has no effect and run() ends with DATA_ABORT;
-    // but an access to several words may have done those before, its base is as it was.
+    // False: no target answers.  The instruction then has no effect and run() ends with DATA_ABORT.
+    // An access to several words may have done the words before, but its base register is
+    // unchanged.
     virtual bool read(std::uint32_t address, unsigned bytes, std::uint32_t& value) = 0;
     virtual bool write(std::uint32_t address, unsigned bytes, std::uint32_t value) = 0;
     // A store to what the translation tables call Normal memory: it may be joined with the next.
     virtual bool write_normal(std::uint32_t address, unsigned bytes, std::uint32_t value) {
         return write(address, bytes, value);
     }
-    // At a WFI: whether it has nothing to wait for, so that run() goes on.  (Unicorn's core neither
-    // asks this nor tells of unmasked().)
+    // At a WFI: true if there is nothing to wait for, so that run() goes on.  (Unicorn's core calls
+    // neither this nor unmasked().)
     virtual bool passes_wfi() { return false; }
     // An instruction clears CPSR.I or F.
     virtual void unmasked() {}
@@ -69,11 +69,11 @@ public:
         std::uint32_t begin;         // of the first instruction
         std::uint64_t instructions;  // all in its function
         std::uint32_t link;          // r14 before the first
-        // Behind the last, which is in r14 then, if that was a BL or BLX; else something else.
+        // If the last was a BL or BLX: the address after it, now in r14.  Otherwise not that.
         std::uint32_t end;
     };
     virtual void ran(const Run& run) = 0;
-    // Asked once where code is met for the first time.
+    // Asked once for each piece of code, when it is first executed.
     virtual bool same_function(std::uint32_t pc, std::uint32_t other) const = 0;
 
 protected:
@@ -83,9 +83,9 @@ protected:
 // A debugger's watchpoints.
 class ArmWatch {
 public:
-    // Within the load or store, once each of its accesses; true ends run() with LIMIT and pc at it.
-    // Its registers and what it would do on the bus are then undone; a store to RAM is not, nor
-    // what a load of several registers has loaded before.
+    // Called within the load or store, once per access; true ends run() with LIMIT and pc at it.
+    // Its effects on registers and on the bus are then undone.  A store to RAM is not undone, nor
+    // are the registers that a load of several has loaded before.
     virtual bool touched(std::uint32_t address, unsigned bytes, bool write) = 0;
 
 protected:
@@ -94,9 +94,9 @@ protected:
 
 enum class ArmStop {
     LIMIT,           // all instructions done, or stop_soon()
-    WFI,             // pc is behind it
-    WFE,             // pc is behind it
-    SVC,             // pc is behind it
+    WFI,             // pc is after it
+    WFE,             // pc is after it
+    SVC,             // pc is after it
     UNDEFINED,       // pc is at it
     BREAKPOINT,      // BKPT; pc is at it
     PREFETCH_ABORT,  // pc is where no instruction can be read from
@@ -107,7 +107,7 @@ enum class ArmStop {
 struct ArmFault {
     std::uint32_t address = 0;  // virtual: of the data, or where an instruction is missing
     bool write = false;
-    bool mmu = false;  // refused by the translation tables or where nothing is mapped
+    bool mmu = false;  // by the translation tables, or nothing is mapped
     // Of an abort by the translation tables: fault status as in DFSR and IFSR, without DFSR.WnR.
     std::uint32_t status = 0x5;
 };
@@ -145,10 +145,10 @@ public:
     explicit ArmCore(ArmBus& bus);
     ~ArmCore();
 
-    // All in multiples of 4096 bytes, and not in run().  `bus_base` is what the bus calls `base`;
-    // what is unmapped was mapped by one call.  `access` is a sum of arm_access.  `data_by_bus`:
-    // loads and stores go by the bus, which calls it `base`, too; instructions are read from the
-    // RAM none the less.  (Unicorn's core has no such thing: there they do not.)
+    // All in multiples of 4096 bytes, and not in run().  `bus_base` is the bus's address of `base`.
+    // Only what one call has mapped can be unmapped.  `access` is a sum of arm_access.
+    // `data_by_bus`: loads and stores use the bus, at the address `base`; instructions are still
+    // read from the RAM.  (Unicorn's core ignores it: there loads and stores use the RAM, too.)
     void map_ram(std::uint32_t base, std::uint64_t size, void* bytes,
                  unsigned access = arm_access::ALL, bool data_by_bus = false);
     void map_bus(std::uint32_t base, std::uint64_t size, std::uint32_t bus_base,
@@ -156,7 +156,7 @@ public:
     void unmap(std::uint32_t base, std::uint64_t size);
     // No instruction is read from these virtual addresses from now on: PREFETCH_ABORT there.
     void forbid_code(std::uint32_t base, std::uint32_t size);
-    // What the bus calls `address`, if that is mapped to the bus.
+    // The bus's address of `address`, if that is mapped to the bus.
     std::optional<std::uint32_t> bus_address(std::uint32_t address) const;
 
     // Asked at these addresses; nullptr takes it away.  Costs nothing elsewhere.  Not in run().
@@ -172,16 +172,16 @@ public:
 
     // Runs at most `limit` instructions.
     ArmStop run(std::uint64_t limit);
-    // Whether it tells the bus of what waits for interrupts, and lets them in.
+    // Whether the core calls ArmBus::passes_wfi() and unmasked().
     static const bool TELLS_OF_MASKS;
     // From the bus: run() ends before the next instruction.
     void stop_soon() { limit_ = count_; }
-    // From the bus: run() ends when `left` instructions behind the present one are done.
+    // From the bus: run() ends when `left` more instructions are done after the present one.
     void stop_after(std::uint64_t left) { limit_ = count_ + left; }
 
     std::uint64_t instructions() const { return count_; }  // since the beginning
     const ArmFault& fault() const { return fault_; }       // of the last abort
-    // The one that is on the bus, if one is.
+    // The address of the instruction that is using the bus, if one is.
     std::uint32_t instruction() const { return last_pc_; }
 
     std::uint32_t pc() const { return reg(15); }
@@ -200,7 +200,7 @@ public:
 
     // RAM by physical address; false where there is none.
     bool read_ram(std::uint32_t address, void* data, std::size_t bytes) const;
-    // Also drops what was translated from there: for whoever writes instructions.
+    // Also drops the translation of these bytes, so instructions may be written.
     bool write_ram(std::uint32_t address, const void* data, std::size_t bytes);
     void forget_translations(std::uint32_t address, std::size_t bytes);
 

@@ -14,9 +14,9 @@ namespace {
 
 constexpr double CLOCK_PS = 1250;             // 800 MHz
 constexpr std::uint32_t STACK = 0x3FFFFFF8;   // top of DDR3
-constexpr std::uint64_t MASKED_QUANTUM = 64;  // with an interrupt waiting to be let in
+constexpr std::uint64_t MASKED_QUANTUM = 64;  // while an interrupt is pending but masked
 constexpr std::uint32_t PUSHED = 128;         // bytes, by one instruction
-constexpr std::size_t STACK_BYTES = 1 << 20;  // of the host, for a translator's nesting
+constexpr std::size_t STACK_BYTES = 1 << 20;  // of the host: the translator recurses
 
 std::uint64_t picoseconds(double cpi) {
     return static_cast<std::uint64_t>(std::llround(CLOCK_PS * cpi));
@@ -54,7 +54,7 @@ void ArmCpu::sync() {
     ahead_ = SC_ZERO_TIME;
 }
 
-// Instructions until the next thing that SystemC has to do.
+// Instructions until SystemC's next event.
 std::uint64_t ArmCpu::budget() const {
     const sc_time end = horizon();
     if (end <= ahead_) return 0;
@@ -63,7 +63,7 @@ std::uint64_t ArmCpu::budget() const {
     return looks_itself ? std::min(left, MASKED_QUANTUM) : left;
 }
 
-// Behind an access, which has moved the time and perhaps the interrupt lines.
+// After an access, which has advanced the time and may have changed the interrupt lines.
 void ArmCpu::run_on() {
     const bool stop = let_in() || reset_;
     core_.stop_after(stop ? 0 : std::min(budget(), inspected_end_ - core_.instructions()));
@@ -218,7 +218,7 @@ void ArmCpu::handle(ArmStop stop) {
     }
 }
 
-// Why there is none at pc, and where it came from: " (LEDR holds no instructions; LR 0x...)".
+// Why there is no code at pc, and where it came from: " (LEDR holds no instructions; LR 0x...)".
 std::string ArmCpu::no_code() const {
     const std::optional<std::uint32_t> on_bus = core_.bus_address(core_.fault().address);
     if (kernel_ || core_.fault().mmu || !on_bus) return "";
@@ -269,7 +269,7 @@ void ArmCpu::raise(ArmException exception, std::uint32_t status, const std::stri
     enter(core_, exception, status, abort && !debug ? core_.fault().address : core_.pc());
 }
 
-// True when an abort or undefined instruction is met again at the same place of its own handler.
+// True if an abort or undefined instruction happens again at the same place of its own handler.
 bool ArmCpu::unhandled(ArmException exception) {
     if (exception == ArmException::IRQ || exception == ArmException::FIQ ||
         exception == ArmException::SVC)

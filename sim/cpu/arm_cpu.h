@@ -1,64 +1,67 @@
 // arm_cpu.h - the HPS's Cortex-A9 running the board's own ELF, as a TLM initiator in quanta.
 //
-// Time: an instruction takes CPI clocks of 800 MHz, a bus access what its target says on top; RAM
-// is within the CPI.  CPI is 1 unless --cpi says otherwise: the A9 issues up to two instructions a
-// clock and waits for its caches in others, neither of which is modelled, so 1 stands between.
-// A program's own figure is cycles by instructions, read on the board with the PMU.
+// Time: an instruction takes CPI clocks of 800 MHz.  A bus access takes in addition what its target
+// says; accesses to RAM are included in the CPI.  CPI is 1 unless --cpi says otherwise: the A9
+// issues up to two instructions per clock, and in other clocks it waits for its caches.  Neither is
+// modelled, and 1 is a value between the two.  The CPI of a real program is cycles / instructions,
+// measured on the board with the PMU.
 //
-// Quantum: the core runs ahead of SystemC until the next thing that SystemC has to do, so never
-// past a timer's expiry, a pin that the board moves or a scan line.  Interrupts are taken at a
-// quantum's end, which is
-//   - at once when a bus access of the program's own raises the line,
+// Quantum: the core runs ahead of SystemC until SystemC's next event, so never past a timer's
+// expiry, a pin that the board changes or a scan line.  Interrupts are taken at a quantum's end,
+// which is
+//   - at once when a bus access of the program raises the line,
 //   - at the expiry of a timer, exactly,
-//   - within 32 us (a scan line) of what happens in the fabric by itself,
+//   - within 32 us (a scan line) of an event inside the fabric,
 //   - at once when the program enables interrupts with the line already up (with Unicorn's core,
 //     within 64 instructions).
 //
-// Stores to memory on the HPS-to-FPGA bridge that the translation tables call Normal are joined as
-// the A9's store buffer joins them: those that follow one another at rising addresses go as one
-// burst, to the next multiple of 64 bytes at most.  It goes when another access does, so that all
-// stay in the program's order, or at the quantum's end.  The first store into a page of 4 KB goes
-// alone, so that one which nobody answers is aborted where it is.
+// Stores to memory on the HPS-to-FPGA bridge that the translation tables call Normal are merged as
+// in the A9's store buffer: consecutive stores at rising addresses become one burst, up to the next
+// multiple of 64 bytes.  The burst is sent before the next other access, which keeps the program's
+// order, or at the quantum's end.  The first store into a page of 4 KB is not merged, so that a
+// store without a target aborts at its own instruction.
 //
 // WFI sleeps until the interrupt controller raises IRQ or FIQ, masked or not.  WFE sleeps for 1 us
-// or until then: other cores that could send an event are in reset, and to wake for nothing is
-// allowed.  SEV does nothing.
+// or until then: no other core can send an event, because they are in reset, and a spurious wake-up
+// is allowed.  SEV does nothing.
 //
-// A register polled in a tight loop - POLLS reads of one address by one instruction and no other
-// access between - lets the core sleep a while a read on top, never past the next thing in SystemC:
-// 1 us where the answer was the same POLLS times, 5 us after MANY_POLLS, 100 ns where it changes,
-// as a running counter's does.  So such a loop may see what it waits for that much late.
+// A register is polled in a tight loop if one instruction reads it POLLS times with no other access
+// between.  Then each read takes additional time, never past SystemC's next event: 1 us if the
+// value was the same POLLS times, 5 us after MANY_POLLS, 100 ns if it changes like a running
+// counter.  So such a loop may notice a change that much late.
 //
 // Boot: pc is the ELF's entry, SVC mode, interrupts off, VFP and NEON on, SP at the top of DDR3.
 //
-// An access that nobody answers is a data abort in the program, and a line to `log`.  A program
-// that has no vector for an exception (the table's word is 0 or no memory), or that faults in the
-// vector table, or again and again at the same place of its abort handler, has failed: fault().
+// An access without a target is a data abort in the program, and a line to `log`.  A program has
+// failed, see fault(), if it has no vector for an exception (the table's word is 0 or there is no
+// memory), if it faults in the vector table, or if it faults repeatedly at the same place of its
+// abort handler.
 //
-// The message of a program that has failed says who called its last function: LR, and what on the
-// stack is behind a BL or BLX, the last five.  So it may name one that has returned long ago.
+// The message of a program that has failed names the callers of its last function: LR, and the last
+// five words on the stack that are return addresses of a BL or BLX.  So it may name a function that
+// has returned long ago.
 //
-// A program that takes an abort or an undefined instruction must come back from it: leave the mode
-// of its handler, ABT or UND, for another than IRQ and FIQ.  Otherwise it is dead, and has failed:
-//   - when it has spun on the spot (b .) in that mode for 100 ms, IRQ masked: at once;
-//   - when its handler has led back to the same instruction with the same registers a thousand
-//     times: at once;
-//   - when the run ends while it spins on the spot, or is in that mode for whatever reason more
-//     than 1 ms after the exception: unfinished().
+// A program that takes an abort or an undefined instruction must return from it: leave the mode
+// of its handler, ABT or UND, for another than IRQ and FIQ.  Otherwise it has failed:
+//   - at once when it has looped on one instruction (b .) in that mode for 100 ms, with IRQ masked;
+//   - at once when its handler has returned to the same instruction with the same registers a
+//     thousand times;
+//   - when the run ends while it loops on one instruction, or is still in that mode more than 1 ms
+//     after the exception: unfinished().
 // So a handler may take its time, print, sleep and be interrupted, as long as it comes to an end.
 //
-// No handler would notice what has gone astray, so a program has failed
+// Some errors cause no exception, so a program has also failed
 //   - when it comes to the data of its ELF (ElfSection::is_data), before it executes any of it;
 //   - when it executes zeros (ArmStop::RAN_OFF);
-//   - when its stack grows below the memory that it was in, or into its code, behind the quantum in
-//     which it is seen.
+//   - when its stack grows below the memory that it was in, or into its code; this is checked after
+//     each quantum.
 //
 // Deterministic: nothing depends on the host's time.
 //
 // Not handled: see arm_core.h.  A handler that changes its mode to SVC or SYS and stays there
-// counts as left.  One that spins until a watchdog resets the board has those 100 ms for it.
-// A program that puts instructions into its data and runs them has failed.  A stack that grows into
-// data, or in a program without a section table, is not seen.
+// counts as left.  A handler that loops until a watchdog resets the board must be reset within
+// those 100 ms.  A program that puts instructions into its data and runs them has failed.  A stack
+// that grows into data, or in a program without a section table, is not seen.
 #pragma once
 
 #include <array>
@@ -76,18 +79,18 @@ namespace sim {
 
 struct ArmProgram {
     ElfProgram elf;
-    double cpi = 1;  // clocks an instruction, 0.1 - 100; rounded to whole picoseconds
+    double cpi = 1;  // clocks per instruction, 0.1 - 100; rounded to whole picoseconds
 };
 
-// Who looks into the processor: a debugger, a kernel's emulation, a profile.  Everything is called
-// in the processor's thread, outside of ArmCore::run(), so all of the core may be read and changed.
+// Inspects the processor: a debugger, a kernel's emulation, a profiler.  Everything is called in
+// the processor's thread, outside of ArmCore::run(), so all of the core may be read and changed.
 class ArmInspector {
 public:
     // Once, with the program loaded, before its first instruction.
     virtual void on_start(ArmCore&) {}
     // Before each quantum of `limit` instructions; returns how many to run instead, at most that.
     virtual std::uint64_t on_quantum(ArmCore&, std::uint64_t limit) { return limit; }
-    // A supervisor call, pc behind it; true: done, the program goes on at pc.
+    // A supervisor call, pc after it; true: done, the program goes on at pc.
     virtual bool on_svc(ArmCore&) { return false; }
     // Before any other synchronous exception is entered; true: done, the program goes on at pc.
     virtual bool on_exception(ArmCore&, ArmException, const ArmFault&) { return false; }
@@ -100,16 +103,16 @@ protected:
     ~ArmInspector() = default;
 };
 
-// An operating system in the simulator's place: programs run in its address space and call it.
-// Called like an ArmInspector, which is asked before it.  With a kernel, interrupts stay masked.
+// An operating system that the simulator emulates: programs run in its address space and call it.
+// Called like an ArmInspector, and after it.  With a kernel, interrupts stay masked.
 class ArmKernel {
 public:
-    // In place of the memory map, the loading and the boot that this header describes; after a warm
-    // reset too.
+    // Replaces the memory map, the loading and the boot that this header describes; called after a
+    // warm reset, too.
     virtual void boot(ArmCore&) = 0;
-    // A supervisor call, pc behind it.
+    // A supervisor call, pc after it.
     virtual void call(ArmCore&) = 0;
-    // Any other synchronous exception, pc at it; `what` says it to a person.
+    // Any other synchronous exception, pc at it; `what` describes it in words.
     virtual void exception(ArmCore&, ArmException, const ArmFault&, const std::string& what) = 0;
 
 protected:
@@ -131,23 +134,24 @@ public:
     // Ends a WFI or WFE, as a debug event does.
     void wake() { wake_.notify(sc_core::SC_ZERO_TIME); }
 
-    // Of the program; ahead of SystemC's by what it has run of its quantum.
+    // The program's time: SystemC's plus what it has run of its quantum.
     sc_core::sc_time now() const { return sc_core::sc_time_stamp() + ahead_; }
 
     std::optional<std::string> unfinished() const override;
     std::string accessed() const override;
 
-    // How long the program has been over: ended by its kernel, or spinning on the spot with IRQ and
-    // FIQ masked, so that nothing but a reset can move it.  0 before, and under an inspector.
+    // How long the program has been over: ended by its kernel, or looping on one instruction with
+    // IRQ and FIQ masked, so that only a reset could end the loop.  0 before, and under an
+    // inspector.
     sc_core::sc_time ended_for() const;
 
-    // For an inspector: as the program would, RAM and registers alike, in no time.  False: nobody
-    // answers.
+    // For an inspector: reads as the program would, RAM and registers alike, in no time.  False: no
+    // target answers.
     bool read_memory(std::uint32_t address, void* data, unsigned bytes);
     bool write_memory(std::uint32_t address, const void* data, unsigned bytes);
 
-    // For a kernel.  How to let some time go by, asleep; the program's end, a fault if `why` is not
-    // empty.
+    // For a kernel: lets time pass while the program sleeps; ends the program, with a fault if
+    // `why` is not empty.
     void pause(const sc_core::sc_time& time);
     void pause(const sc_core::sc_event& until, const sc_core::sc_time& at_most);
     void end(const std::string& why = "");
@@ -186,7 +190,7 @@ private:
     static sc_core::sc_time nap() { return {1, sc_core::SC_US}; }
     static sc_core::sc_time short_nap() { return {100, sc_core::SC_NS}; }
     static sc_core::sc_time long_nap() { return {5, sc_core::SC_US}; }
-    // How far the core may run ahead: to the next thing in SystemC, but 100 us at most.
+    // How far the core may run ahead: to SystemC's next event, but 100 us at most.
     static sc_core::sc_time horizon();
 
     void run();
@@ -204,7 +208,7 @@ private:
     void poll(std::uint32_t address, std::uint32_t value);
     void drain();
     bool access(tlm::tlm_command command, std::uint32_t address, unsigned bytes, void* data);
-    std::optional<ArmException> let_in() const;  // the interrupt that is up and not masked
+    std::optional<ArmException> let_in() const;  // the interrupt that is pending and not masked
     void take_interrupt();
     void handle(ArmStop stop);
     void raise(ArmException exception, std::uint32_t status, const std::string& what);
@@ -233,11 +237,11 @@ private:
         std::uint64_t first, last;
     };
     std::vector<Range> mapped_;                 // one for each call of the core
-    std::optional<Range> remap_;                // whose direct access is no longer what it was
+    std::optional<Range> remap_;                // whose direct access has changed
     bool running_ = false;                      // in ArmCore::run()
-    std::uint64_t inspected_end_ = UINT64_MAX;  // instructions, where the inspector wants a stop
+    std::uint64_t inspected_end_ = UINT64_MAX;  // count at which the inspector stops it
 
-    sc_core::sc_time ahead_;       // of SystemC's time, by what is accounted for
+    sc_core::sc_time ahead_;       // of SystemC's time, as far as accounted
     std::uint64_t accounted_ = 0;  // instructions
     Counts counts_;
 
@@ -254,7 +258,7 @@ private:
         std::uint32_t page = 1;  // of 4 KB, that is known to answer; 1 is none
         std::array<std::uint8_t, 64> data;
     } stores_;
-    std::string bus_answer_;             // to the access that was refused last
+    std::string bus_answer_;             // to the last access that was refused
     std::uint32_t refused_address_ = 0;  // on the bus
     unsigned refused_bytes_ = 0;
     std::uint32_t nested_pc_ = 1;  // of the last abort within an abort
@@ -263,21 +267,21 @@ private:
         ArmException exception;
         std::string text;             // what and where it was
         sc_core::sc_time since;       // taken
-        sc_core::sc_time spins_from;  // on the spot; the processor's time when it does not
+        sc_core::sc_time spins_from;  // loops on one instruction; now, if it does not
     };
-    // An exception that comes again and again: the registers that it was met with, and how often.
-    // From AGAIN on its handler is followed instruction by instruction.
+    // An exception that repeats: the registers with which it happened, and how often.  From AGAIN
+    // times on its handler is executed in single steps.
     static constexpr unsigned AGAIN = 1000;
     std::array<std::uint32_t, 17> met_with_{};
     unsigned met_ = 0;
 
     struct Stack {
-        std::uint32_t top = 0, now = 0;  // r13: where it began as far as it was seen, and is
+        std::uint32_t top = 0, now = 0;  // r13: its highest value seen, its present one
     };
     std::array<Stack, 16> stacks_;  // of each mode, by CPSR[3:0]
 
     std::optional<sc_core::sc_time> over_since_;  // see ended_for()
-    std::optional<Open> open_;  // the abort or undefined instruction that it is in the handler of
+    std::optional<Open> open_;                    // the exception whose handler it is in
 };
 
 }  // namespace sim

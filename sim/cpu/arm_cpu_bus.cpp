@@ -17,8 +17,8 @@ constexpr std::uint32_t H2F_BASE = 0xC0000000, H2F_END = 0xFC000000;
 
 }  // namespace
 
-// RAM is what grants direct access; everything else goes by the bus, so that it gets an answer.
-// What may be read alone, without its side effects, is read for instructions alone.
+// RAM is what grants direct access; everything else uses the bus, which answers or refuses it.
+// Memory that grants direct reads alone is used for fetching instructions alone.
 void ArmCpu::map(std::uint64_t first, std::uint64_t last) {
     const auto within = [&](const Range& range) {
         return range.first >= first && range.first <= last;
@@ -46,7 +46,7 @@ void ArmCpu::map(std::uint64_t first, std::uint64_t last) {
     }
 }
 
-// Told in the middle of a store to the reset manager: done before the next instruction.
+// Called in the middle of a store to the reset manager; takes effect before the next instruction.
 void ArmCpu::direct_access_changed(sc_dt::uint64 first, sc_dt::uint64 last) {
     if (mapped_.empty()) return;  // by a kernel, or not yet
     remap_ = Range{first, last};
@@ -136,7 +136,7 @@ void ArmCpu::poll(std::uint32_t address, std::uint32_t value) {
     if (end > ahead_) ahead_ += std::min(rest, end - ahead_);
 }
 
-// Of joined stores it is the one that had them go.
+// For merged stores it is the access that caused the burst to be sent.
 std::string ArmCpu::accessed() const {
     const std::uint32_t pc = core_.instruction();
     const std::string function = program_.elf.function(pc);

@@ -1,4 +1,5 @@
-// arm_death.cpp - ArmCpu's programs that never come back: from an abort, or from their end
+// arm_death.cpp - ArmCpu's detection of programs that never return from an abort, or that have
+// ended
 #include "sim/cpu/arm_cpu.h"
 
 #include <algorithm>
@@ -16,7 +17,7 @@ constexpr std::uint32_t ARM_SPIN = 0xEAFFFFFE, THUMB_SPIN = 0xE7FE, THUMB2_SPIN 
 
 }  // namespace
 
-// Of an abort or undefined instruction, or in an interrupt of it.
+// In the handler of an abort or undefined instruction, or in an interrupt of that handler.
 bool ArmCpu::in_handler() const {
     switch (core_.cpsr() & arm_cpsr::MODE) {
         case arm_mode::ABT:
@@ -48,7 +49,7 @@ std::optional<std::string> ArmCpu::unfinished() const {
     return death();
 }
 
-// Counts the exceptions that are met at the same instruction with the same registers.
+// Counts the exceptions that happen at the same instruction with the same registers.
 void ArmCpu::meet() {
     decltype(met_with_) registers;
     for (unsigned i = 0; i < 16; ++i) registers[i] = core_.reg(i);
@@ -57,7 +58,7 @@ void ArmCpu::meet() {
     met_with_ = registers;
 }
 
-// Called behind each quantum.
+// Called after each quantum.
 void ArmCpu::look_for_death() {
     if (!open_) return;
     const auto dies = [this](const std::string& text) {
@@ -80,7 +81,7 @@ void ArmCpu::look_for_death() {
     }
 }
 
-// Called behind each quantum.
+// Called after each quantum.
 void ArmCpu::look_for_end() {
     if (!ended_ && (inspector_ || open_ || !stands_still()))
         over_since_.reset();

@@ -10,7 +10,7 @@ constexpr std::uint32_t V = 1u << 13, EE = 1u << 25, TE = 1u << 30;
 
 struct Entry {
     std::uint32_t offset, mode, masks;
-    std::uint32_t arm_return, thumb_return;  // r14 less pc
+    std::uint32_t arm_return, thumb_return;  // r14 - pc
 };
 
 Entry entry_of(ArmException exception) {

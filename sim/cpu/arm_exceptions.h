@@ -1,8 +1,8 @@
 // arm_exceptions.h - how an ARMv7-A processor enters an exception: mode, banked registers, vector.
 //
 //   exception        mode  vector  r14                              also sets
-//   undefined        UND   +0x04   behind the instruction           I
-//   SVC              SVC   +0x08   behind the instruction           I
+//   undefined        UND   +0x04   after the instruction            I
+//   SVC              SVC   +0x08   after the instruction            I
 //   prefetch abort   ABT   +0x0C   the instruction + 4              I A, IFSR, IFAR
 //   data abort       ABT   +0x10   the instruction + 8              I A, DFSR, DFAR
 //   IRQ              IRQ   +0x18   the next instruction + 4         I A
@@ -29,7 +29,7 @@ constexpr std::uint32_t EXTERNAL = 0x8, TRANSLATION = 0x5, DEBUG = 0x2, WRITE = 
 
 std::uint32_t vector_of(const ArmCore& core, ArmException exception);
 
-// The core stands as run() left it (ArmStop).  `status` and `address` are an abort's.
+// The core must be as run() left it (ArmStop).  `status` and `address` are those of an abort.
 void enter(ArmCore& core, ArmException exception, std::uint32_t status = 0,
            std::uint32_t address = 0);
 

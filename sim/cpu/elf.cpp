@@ -112,7 +112,7 @@ private:
             refuse("is cut off: its tables lie beyond its end");
     }
 
-    // Copies, as everything that libelf points to: a damaged file has it where it is not aligned.
+    // Copies, because in a damaged file what libelf points to may be unaligned.
     std::vector<Elf32_Phdr> program_headers() const {
         std::size_t count = 0;
         const void* headers = elf32_getphdr(elf_.get());
@@ -170,7 +170,7 @@ private:
                 refuse("{} overlaps the one at 0x{:08X}", name, other.physical);
     }
 
-    // Sections and names are a comfort: what is wrong with them is left out, not refused.
+    // Sections and names are optional: wrong ones are left out, not refused.
     void read_sections(ElfProgram& program) const {
         for (Elf_Scn* section = nullptr; (section = elf_nextscn(elf_.get(), section));) {
             GElf_Shdr header;
@@ -201,7 +201,8 @@ private:
                 program.functions.push_back({symbol.st_value & ~1u, symbol.st_size, name});
             }
         }
-        // Of several names for one place, the one with a size, then the first by the alphabet.
+        // Of several names for one address, the one with a size, then the first in alphabetical
+        // order.
         std::sort(program.functions.begin(), program.functions.end(),
                   [](const ElfFunction& a, const ElfFunction& b) {
                       if (a.address != b.address) return a.address < b.address;
@@ -258,7 +259,9 @@ ElfProgram load_elf(const std::filesystem::path& file, const std::vector<MemoryR
 
 bool is_elf(const std::filesystem::path& file) {
     std::error_code error;
-    if (!std::filesystem::is_regular_file(file, error)) return false;  // a pipe would wait for ever
+    if (!std::filesystem::is_regular_file(file, error))
+        return false;  // a pipe would block for
+                       // ever
     char magic[SELFMAG] = {};
     return std::ifstream{file, std::ios::binary}.read(magic, SELFMAG) &&
            std::memcmp(magic, ELFMAG, SELFMAG) == 0;

@@ -34,14 +34,14 @@ struct ElfFunction {
     std::string name;
 };
 
-// What a linker keeps apart in memory: ".text", ".data".
+// A section that is in memory: ".text", ".data".
 struct ElfSection {
     std::uint32_t address, size;
     std::string name;
     bool writable, executable;
 
     bool holds(std::uint32_t at) const { return at - address < size; }
-    // Data by all that is said of it: a table of vectors may be called neither.
+    // Data by flags or name; a vector table may be neither executable nor writable.
     bool is_data() const { return !executable && (writable || name.rfind(".rodata", 0) == 0); }
 };
 
@@ -52,7 +52,7 @@ struct ElfProgram {
     std::uint32_t header_count = 0;  // of 32 bytes each
     std::vector<ElfSegment> segments;
     std::vector<ElfFunction> functions;  // by address
-    std::vector<ElfSection> sections;    // those in memory; none in a file that has lost its names
+    std::vector<ElfSection> sections;    // those in memory; none in a stripped file
 
     // The function around `address`, demangled: "main", "main+0x10"; "" if there is none.
     std::string function(std::uint32_t address) const;
@@ -66,11 +66,11 @@ struct MemoryRange {
 // ElfError.  Segments have to lie in `memory`.
 ElfProgram load_elf(const std::filesystem::path& file, const std::vector<MemoryRange>& memory);
 
-// It begins as an ELF file does; false also where it cannot be read.
+// The file begins like an ELF file; false also if it cannot be read.
 bool is_elf(const std::filesystem::path& file);
 
 // A program for Linux: its OS ABI is Linux (GNU), or it has a note "GNU" with an ABI tag of Linux,
-// as everything has that is linked with glibc's start files.  ElfError.
+// like every program linked with glibc's start files.  ElfError.
 bool expects_linux(const std::filesystem::path& file);
 
 }  // namespace sim

@@ -9,7 +9,7 @@ namespace sim {
 
 using sc_core::sc_time;
 
-// SystemC gives a thread 64 KB, which a hundred shapes in a build with sanitizers outgrow.
+// SystemC's default is 64 KB, too little for a hundred shapes in a build with sanitizers.
 constexpr std::size_t STACK_BYTES = 1 << 20;
 
 NativeCpu::NativeCpu(const sc_core::sc_module_name& name, Firmware firmware)
@@ -23,7 +23,7 @@ void NativeCpu::run() {
     try {
         hal::Clock{*this}.start();
         firmware_(*this, *this);
-    } catch (const Abort&) {  // which fault() tells
+    } catch (const Abort&) {  // which fault() reports
     }
 }
 

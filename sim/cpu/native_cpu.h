@@ -1,8 +1,8 @@
 // native_cpu.h - the firmware compiled for the host, as a TLM initiator.
 //
 // The firmware runs in an SC_THREAD.  Its instructions take no time; bus accesses take what the
-// target says, idle() takes 50 us.  It runs ahead of SystemC until the next thing that SystemC has
-// to do, so no pin that the board moves is ever late for it.
+// target says, idle() takes 50 us.  It runs ahead of SystemC until SystemC's next event, so never
+// past a change of a pin by the board.
 //
 // An access that is not answered OK ends the firmware, as a data abort would: see fault().
 //

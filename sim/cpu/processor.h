@@ -1,4 +1,4 @@
-// processor.h - what the board knows of a processor, whichever it is: its bus, its wires, its end.
+// processor.h - the board's interface to a processor of any kind: its bus, its wires, its end.
 #pragma once
 
 #include <cstdint>
@@ -21,11 +21,11 @@ public:
     // Notified with the fault.
     const sc_core::sc_event& faulted() const { return faulted_; }
 
-    // At the run's end: what the program is in that it can not have meant to end in.
+    // At the run's end: the state in which the program cannot have meant to end, in words.
     virtual std::optional<std::string> unfinished() const { return {}; }
 
-    // Where the program's access that is on the bus was made: ", at 12.345 ms, PC 0x00001234 in
-    // main+0x10", or "".
+    // Where the access that is on the bus was made: ", at 12.345 ms, PC 0x00001234 in main+0x10",
+    // or "".
     virtual std::string accessed() const { return ""; }
 
     // Says in words why an access was refused, or without bytes why there is no instruction;
@@ -45,7 +45,7 @@ protected:
         socket.register_invalidate_direct_mem_ptr(this, &Processor::direct_access_changed);
     }
 
-    // What was granted as direct access to these addresses, or refused, is so no longer.
+    // Direct access to these addresses has changed: ask for it again.
     virtual void direct_access_changed(sc_dt::uint64 /*first*/, sc_dt::uint64 /*last*/) {}
 
     // One transaction; its time is added to delay.  "", or why it was refused.

@@ -9,7 +9,7 @@ namespace sim {
 
 namespace {
 
-constexpr int WAIT_MS = 50;  // between two looks at whether somebody has given up
+constexpr int WAIT_MS = 50;  // between two calls of given_up()
 constexpr std::uint32_t PAGE = 4096;
 
 // GDB's numbers of signals (include/gdb/signals.def).
@@ -35,12 +35,12 @@ bool is_breakpoint_instruction(const ArmCore& core) {
     return thumb ? (word & 0xff00) == 0xbe00 : (word & 0x0ff000f0) == 0x01200070;
 }
 
-// Bytes of the next access to a register: as wide as both the address and what is left allow.
+// Bytes of the next access to a register: as many as the alignment and the rest allow.
 unsigned access_bytes(std::uint32_t address, std::size_t left) {
     return address % 4 == 0 && left >= 4 ? 4 : address % 2 == 0 && left >= 2 ? 2 : 1;
 }
 
-// Bytes of RAM that may be asked for in one piece.
+// Bytes of RAM that may be read in one piece.
 std::size_t piece(std::uint32_t address, std::size_t left) {
     return std::min<std::size_t>(left, PAGE - address % PAGE);
 }
@@ -115,7 +115,7 @@ bool Debugger::on_failure(ArmCore& core, ArmException exception) {
     return core.pc() != pc;
 }
 
-// The core may be within an instruction here, so nothing of it is touched.
+// The core may be within an instruction here, so it must not be changed.
 void Debugger::poll() {
     if (!connection_.connected()) {
         interrupt_ = connection_.accept(0) || !points_.empty();
@@ -239,7 +239,7 @@ void Debugger::remove(const GdbPoint& point) {
     points_changed();
 }
 
-// The core is only looked at while there is something to look for.
+// The core is only observed while there are points.
 void Debugger::points_changed() {
     std::vector<std::uint32_t> breaks;
     for (const GdbPoint& point : points_)

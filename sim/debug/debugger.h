@@ -3,27 +3,27 @@
 //   build/bin/de1sim run s.yaml --elf p.elf --gdb 3333
 //   gdb-multiarch p.elf -ex "target remote :3333"
 //
-// The processor stands before its first instruction until a debugger has come.  While it stands,
-// its thread sits in the socket, so all of SystemC stands, and simulated time with it; only reads
-// and writes of registers in the FPGA take the fabric's clocks that they need.  A run that is
-// never stopped but by that is the same to the byte as one without a debugger.
+// The processor waits before its first instruction until a debugger has connected.  While it is
+// stopped, its thread blocks in the socket, so all of SystemC and simulated time stand still; only
+// reads and writes of FPGA registers take the clocks that they need.  A run that is not stopped
+// later gives the same files, byte for byte, as one without a debugger.
 //
 // A breakpoint stops before its instruction, a watchpoint before the load or store is done, as GDB
 // expects of ARM.  Ctrl-C arrives within 1 ms of simulated time and ends a WFI.  Single steps keep
 // interrupts out (as QEMU's do), so stepping through a loop that waits for a handler does not end.
-// Memory is by physical address; device registers are read and written through the bus, in aligned
-// words or halfwords where the request allows, and what nobody answers is an error in the debugger
-// and none in the program.
+// Memory is by physical address.  Device registers are read and written through the bus, in aligned
+// words or halfwords where the request allows.  An access without a target is an error in the
+// debugger, not in the program.
 //
 // Stops by itself: a BKPT instruction (SIGTRAP), an exception that the program has no vector for
-// (SIGILL, SIGSEGV, SIGSYS).  The end of the run is told as an exit with de1sim's code.
+// (SIGILL, SIGSEGV, SIGSYS).  The end of the run is reported as an exit with de1sim's code.
 //
-// Detached, or with the connection lost, the run goes on without breakpoints; a debugger that
-// comes then stops it.  `kill` ends the run as Ctrl-C on the terminal does.
+// If the debugger detaches or the connection is lost, the run goes on without breakpoints.  A
+// debugger that connects later stops it.  `kill` ends the run as Ctrl-C on the terminal does.
 // `monitor time`: the simulated time, and instructions so far.
 //
-// Costs nothing until a point is set.  A breakpoint costs where it is met; a watchpoint makes every
-// load and store ask, which then takes about 10 ns.
+// Costs nothing until a point is set.  A breakpoint costs time when it is reached.  A watchpoint is
+// checked at every load and store, about 10 ns each.
 //
 // Not handled: translation tables that are not flat, banked registers of other modes, CP15.
 #pragma once
@@ -40,7 +40,8 @@ namespace sim {
 
 class Debugger : public ArmInspector, private ArmProbe, private ArmWatch, private GdbTarget {
 public:
-    // Attaches itself.  `given_up`: somebody wants the run to end, so do not wait any longer.
+    // Attaches itself.  `given_up`: true once the run has been asked to end, so do not wait any
+    // longer.
     Debugger(ArmCpu& cpu, GdbConnection& connection, std::function<bool()> given_up);
     ~Debugger();
 

@@ -14,7 +14,7 @@ namespace {
 
 const char* const OK = "OK";
 const char* const ERROR = "E01";
-constexpr std::size_t MOST_BYTES = GDB_PACKET_BYTES / 2 - 16;  // of memory in one answer
+constexpr std::size_t MOST_BYTES = GDB_PACKET_BYTES / 2 - 16;  // bytes of memory per answer
 
 bool begins(std::string_view text, std::string_view with) {
     return text.substr(0, with.size()) == with;
@@ -44,7 +44,7 @@ std::string set_all_registers(GdbTarget& target, std::string_view digits) {
     std::size_t needed = 0, at = 0;
     for (unsigned n = 0; n < gdb_register::COUNT; ++n) needed += gdb_register::bytes(n);
     if (!bytes || bytes->size() != needed) return ERROR;
-    // CPSR first: its mode says which r13 and r14 are meant.
+    // CPSR first: its mode selects the banked r13 and r14.
     std::vector<std::uint64_t> values;
     for (unsigned n = 0; n < gdb_register::COUNT; at += gdb_register::bytes(n++))
         values.push_back(value_of(std::string_view{*bytes}.substr(at, gdb_register::bytes(n))));

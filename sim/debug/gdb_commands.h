@@ -1,4 +1,4 @@
-// gdb_commands.h - what each packet of GDB's remote serial protocol asks, and the answer to it.
+// gdb_commands.h - the packets of GDB's remote serial protocol, and their answers.
 //
 //   g G p P       r0 - r15, cpsr, d0 - d31, fpscr, as the target description names them
 //   m M X         memory
@@ -8,8 +8,8 @@
 //   ? H T qC qfThreadInfo qsThreadInfo qAttached qSupported qXfer:features QStartNoAckMode
 //   qRcmd         `monitor`
 //
-// Everything else gets the empty answer, which means "not known"; a known packet that is wrong in
-// itself gets E01 and changes nothing.  Source: "Debugging with GDB", E.2 and following.
+// Everything else gets the empty answer, which means "not known"; a known packet with an error gets
+// E01 and changes nothing.  Source: "Debugging with GDB", E.2 and following.
 #pragma once
 
 #include <cstdint>
@@ -38,13 +38,13 @@ class GdbTarget {
 public:
     virtual std::uint64_t reg(unsigned number) = 0;
     virtual void set_reg(unsigned number, std::uint64_t value) = 0;
-    // How many of the bytes, from the first on, somebody answered for.
+    // How many bytes, from the first on, were answered by a target.
     virtual std::size_t read(std::uint32_t address, void* data, std::size_t bytes) = 0;
     virtual std::size_t write(std::uint32_t address, const void* data, std::size_t bytes) = 0;
-    // To insert what is there, or remove what is not, changes nothing.
+    // Inserting a point that exists, or removing one that does not, changes nothing.
     virtual void insert(const GdbPoint& point) = 0;
     virtual void remove(const GdbPoint& point) = 0;
-    virtual std::string stop_reply() = 0;  // "T05...": why it stands
+    virtual std::string stop_reply() = 0;  // "T05...": why it has stopped
     virtual std::string monitor(std::string_view command) = 0;
 
 protected:

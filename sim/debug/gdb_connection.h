@@ -1,10 +1,11 @@
 // gdb_connection.h - a debugger at a TCP port of 127.0.0.1, one at a time.
 //
-// Debian has no library of the protocol's stub side: what there is (QEMU's, Valgrind's, OpenOCD's)
-// is a part of its program.  The protocol is small; the socket is POSIX.
+// Debian has no library of the protocol's stub side: existing ones (QEMU's, Valgrind's, OpenOCD's)
+// are parts of their programs.  The protocol is small; the socket is POSIX.
 //
-// Answers + and - and repeats by itself.  A connection that fails or ends is not connected() any
-// more, and the next debugger may come.  An answer that is not taken within 5 s ends it, too.
+// Handles +, - and repetitions by itself.  After a connection fails or ends, connected() is false
+// and the next debugger may connect.  An answer that is not received within 5 s ends the
+// connection, too.
 #pragma once
 
 #include <optional>
@@ -17,7 +18,7 @@ namespace sim {
 
 class GdbConnection {
 public:
-    // Listens; port 0 takes a free one.  std::runtime_error with the port if it cannot be had.
+    // Listens; port 0 chooses a free one.  std::runtime_error with the port if it is not available.
     explicit GdbConnection(unsigned port);
     ~GdbConnection();
     GdbConnection(const GdbConnection&) = delete;
@@ -26,9 +27,9 @@ public:
     unsigned port() const { return port_; }
     bool connected() const { return client_ >= 0; }
 
-    // True when somebody has come within the time.
+    // True if a debugger has connected within the time.
     bool accept(int wait_ms);
-    // A packet, see text(), or INTERRUPT; nothing within the time, or the connection is lost.
+    // A packet, see text(), or INTERRUPT; no value if none came in time or the connection is lost.
     std::optional<GdbEvent> receive(int wait_ms);
     const std::string& text() const { return reader_.text(); }
 

@@ -1,9 +1,9 @@
 // gdb_packet.h - the envelope of GDB's remote serial protocol: $text#sum, + and -, Ctrl-C.
 //
 // Source: "Debugging with GDB", E.1 Overview.  The checksum is the sum of the raw bytes, modulo
-// 256; '}' and a byte XOR 0x20 stand for a byte that has a meaning of its own.
+// 256; '}' and a byte XOR 0x20 stand for a byte with a special meaning.
 //
-// Not handled: run-length encoding (nobody sends it to a stub) and sequence numbers (obsolete).
+// Not handled: run-length encoding (not sent to a stub) and sequence numbers (obsolete).
 #pragma once
 
 #include <cstddef>
@@ -18,7 +18,7 @@ constexpr std::size_t GDB_PACKET_BYTES = 0x4000;  // longest text, as told to GD
 
 enum class GdbEvent {
     PACKET,     // its text is ready
-    CORRUPT,    // wrong checksum or too long: to be asked for again
+    CORRUPT,    // wrong checksum or too long: must be requested again
     REPEAT,     // '-': the last answer did not arrive
     INTERRUPT,  // Ctrl-C
 };
@@ -33,19 +33,19 @@ private:
     enum class State { BETWEEN, TEXT, ESCAPED, SUM_HIGH, SUM_LOW } state_ = State::BETWEEN;
     std::string text_;
     unsigned sum_ = 0;  // so far
-    int told_ = 0;      // by the sender; negative: no number
+    int told_ = 0;      // the sender's sum; negative: not a number
     bool too_long_ = false;
 };
 
 // $text#sum, escaped.
 std::string gdb_packet(std::string_view text);
 
-// Two digits a byte, lower case.
+// Two digits per byte, lower case.
 std::string to_hex(const void* data, std::size_t bytes);
-// Nothing unless all of it is pairs of digits.
+// No value unless the text consists of pairs of digits.
 std::optional<std::string> from_hex(std::string_view digits);
 
-// The parts of a packet's text, from left to right.  After a mistake nothing more is found.
+// Parses a packet's text from left to right.  After an error every call fails.
 class GdbFields {
 public:
     explicit GdbFields(std::string_view text) : rest_{text} {}

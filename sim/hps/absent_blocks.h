@@ -1,4 +1,4 @@
-// absent_blocks.h - what the HPS has and the simulation has not, by name and address.
+// absent_blocks.h - blocks of the HPS that the simulation does not have, by name and address.
 //
 // Source: Cyclone V HPS memory map (cv_5v4, address map for HPS).
 #pragma once

@@ -19,7 +19,8 @@ public:
         dont_initialize();
     }
 
-    // Instead of what was set before; nothing: never.  A time that has passed rings at once.
+    // Replaces the time that was set before; without a value it never rings.  A time that has
+    // passed rings at once.
     void set(std::optional<std::uint64_t> time_ps) {
         event_.cancel();
         if (!time_ps) return;

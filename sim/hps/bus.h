@@ -4,11 +4,11 @@
 // An address that no window owns, or an access that leaves its window, is TLM_ADDRESS_ERROR; so is
 // one to a window that is switched off, as a bridge in reset is.
 //
-// refusal() says in words why an access was refused: for that, describe() tells what there is
-// within a window, where that is not all of it.
+// refusal() says in words why an access was refused.  For that, describe() names the places within
+// a window that does not answer everywhere.
 //
-// Direct access (DMI) is asked of the window's target, and invalidated when the window is switched.
-// Refused, the range that comes back is the one without direct access around the address: a window,
+// Requests for direct access (DMI) are passed to the window's target; they are invalidated when the
+// window is switched.  If it is refused, the range that is returned has no direct access: a window,
 // or the gap between two.
 #pragma once
 
@@ -53,17 +53,17 @@ public:
         std::uint32_t base, size;
         bool is_memory = false;
     };
-    // What is within the window `name`, which a person calls `title`.  As gate().
+    // The places within the window `name`; `title` is its name in messages.  As gate().
     void describe(const std::string& name, std::string title, std::vector<Place> places);
-    // What the board has and no window stands for.
+    // Places of the board that have no window.
     void leave_out(std::vector<Place> places) { absent_ = std::move(places); }
 
     // "no memory at 0xC4000000: SDRAM ends at 0xC3FFFFFF", "no block at 0xFF2FF000: the nearest is
-    // LEDR, 0xFF200000 to 0xFF20000F".  Without bytes it is an instruction that was to be read.
+    // LEDR, 0xFF200000 to 0xFF20000F".  `bytes` 0: an instruction fetch.
     std::string refusal(std::uint32_t address, unsigned bytes, bool write,
                         tlm::tlm_response_status answer) const;
 
-    // `told` is called behind each access to the window `name` that was answered OK; as gate().
+    // `told` is called after each access to the window `name` that was answered OK; as gate().
     using Told = std::function<void(std::uint32_t address, unsigned bytes, bool write)>;
     void on_answered(const std::string& name, Told told);
 

@@ -22,7 +22,8 @@ std::string range(const Bus::Place& place) {
     return fmt::format("0x{:08X} to 0x{:08X}", place.base, last_of(place));
 }
 
-// Registers lie from here on, memory below; but for the processor's own RAM at the very end.
+// Registers lie from here on, memory below; the processor's own RAM at the very end is an
+// exception.
 constexpr std::uint32_t REGISTERS = 0xFC000000;
 
 std::string nothing(std::uint32_t address, const Bus::Place& nearest) {

@@ -1,8 +1,8 @@
-// countdown.h - a counter that counts down to 0 and, if it reloads, starts again; as a calculation.
+// countdown.h - a counter that counts down to 0 and, if it reloads, starts again.
 //
-// No events: the count at any time follows from the time at which it was last set.  A period with
-// reload is load + 1 ticks: the counter is at 0 for one of them.  With a load of 0 it stays at 0
-// and reaches it no more.
+// Nothing is stepped: the count at any time follows from the time at which it was last set.  A
+// period with reload is load + 1 ticks: the counter is at 0 for one of them.  With a reload of 0 it
+// stays at 0 and does not reach it again.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@ namespace sim {
 
 class Countdown {
 public:
-    // From `now_ps` on: counts from `value`, a tick every `tick_ps`, if it is `running`.
+    // From `now_ps` on, if `running`: counts down from `value` by one every `tick_ps`.
     void set(std::uint64_t now_ps, std::uint32_t value, std::uint64_t tick_ps, bool running,
              std::optional<std::uint32_t> reload) {
         begin_ps_ = now_ps;
@@ -38,7 +38,7 @@ public:
         return first + (n - value_) / (std::uint64_t{*reload_} + 1);
     }
 
-    // When 0 is reached for the `number`th time, from 1 on; nothing if it never is.
+    // When 0 is reached for the `number`th time (from 1 on); no value if never.
     std::optional<std::uint64_t> zero_ps(std::uint64_t number) const {
         if (!running_) return {};
         const std::uint64_t later = value_ > 0 ? number - 1 : number;

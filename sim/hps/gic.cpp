@@ -4,7 +4,7 @@ namespace sim {
 
 namespace {
 
-// Distributor: banks of a bit, two bits, or a byte an interrupt.
+// Distributor: banks with one bit, two bits, or one byte per interrupt.
 constexpr std::uint32_t ICDDCR = 0x000, ICDICTR = 0x004, ICDIIDR = 0x008, ICDISR = 0x080,
                         ICDISER = 0x100, ICDICER = 0x180, ICDISPR = 0x200, ICDICPR = 0x280,
                         ICDABR = 0x300, ICDIPR = 0x400, ICDIPTR = 0x800, ICDICFR = 0xC00,
@@ -109,7 +109,7 @@ void GicDistributor::write(std::uint32_t offset, std::uint32_t value, const sc_c
     gic_.update();
 }
 
-// To itself, or to a list that names it; to all others there is nobody.
+// To itself, or to a list that includes it; the other processors do not exist.
 void GicDistributor::send(std::uint32_t value) {
     const std::uint32_t filter = value >> 24 & 3;
     if (filter == 2 || (filter == 0 && (value >> 16 & 1))) gic_.state_.latched[value & 0xF] = true;

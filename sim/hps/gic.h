@@ -7,15 +7,15 @@
 // IDs 0-15 are software's own (ICDSGIR), 27 global timer, 28 nFIQ, 29 private timer, 30 watchdog,
 // 31 nIRQ, 32-255 the HPS and, from 72 on, the FPGA.  A level interrupt is pending while its line
 // is up; an edge one from the line's rise to its acknowledge.  IDs from 32 on reach the processor
-// only if ICDIPTR names it, which it does not after reset.  1023 is read where there is nothing to
-// take.
+// only if ICDIPTR names it, which it does not after reset.  ICCIAR reads 1023 if no interrupt can
+// be taken.
 //
 // The processor is in the Secure state, as after reset: ICDISR 0 makes an interrupt Secure,
 // signalled as IRQ or, with ICCICR.FIQEn, as FIQ.
 //
 // Source: ARM IHI 0048A (GIC architecture 1.0), ARM DDI 0407G (Cortex-A9 MPCore, chapter 3).
 //
-// Not handled: the second processor (what is sent to it alone is dropped); lockdown.
+// Not handled: the second processor (interrupts sent only to it are dropped); lockdown.
 #pragma once
 
 #include <array>

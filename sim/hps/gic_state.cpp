@@ -68,7 +68,7 @@ unsigned GicState::acknowledge() {
     return id;
 }
 
-// Out of order is allowed; what is not active is ignored.
+// Ends may come out of order; one of an inactive interrupt is ignored.
 void GicState::end(unsigned id) {
     const auto last = std::find(running_.rbegin(), running_.rend(), id);
     if (last == running_.rend()) return;

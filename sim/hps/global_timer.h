@@ -5,8 +5,8 @@
 //   +0x10 comparator low   +0x14 comparator high   +0x18 auto-increment
 //
 // PERIPHCLK is a quarter of the processor's 800 MHz.  Read high, low, high to get all 64 bits.  The
-// status is set while compare is on and the counter is at or past the comparator, which
-// auto-increment then moves on.
+// status is set while compare is on and the counter is at or past the comparator.  Auto-increment
+// then advances the comparator.
 //
 // Source: ARM DDI 0407G, 4.3 and 4.4.
 //

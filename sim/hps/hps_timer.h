@@ -5,7 +5,8 @@
 //   +0x0C EOI: reading clears   +0x10 interrupt status, masked
 //   +0xA0 status   +0xA4 EOI   +0xA8 raw status   +0xAC version
 //
-// The counter starts from the load count when enable goes from 0 to 1; 0 takes the interrupt back.
+// The counter starts from the load count when enable goes from 0 to 1; writing 0 to it clears the
+// interrupt.
 // Period: load + 1 clocks.
 //
 // Source: Cyclone V Hard Processor System Technical Reference Manual, chapter Timer.

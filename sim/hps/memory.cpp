@@ -9,7 +9,7 @@ namespace sim {
 
 Memory::Memory(const sc_core::sc_module_name& name, std::uint32_t size, sc_core::sc_time latency)
     : sc_module{name}, socket{"socket"}, size_{size}, latency_{latency} {
-    // The host gives pages of zeros as they are touched; 1 GB costs nothing before.
+    // The host allocates zeroed pages when they are touched, so 1 GB costs nothing at first.
     void* area = mmap(nullptr, size, PROT_READ | PROT_WRITE,
                       MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
     if (area == MAP_FAILED) throw std::bad_alloc{};

@@ -1,7 +1,7 @@
-// memory.h - DDR3 and on-chip RAM: bytes that remember, allocated by the host when first touched.
+// memory.h - DDR3 and on-chip RAM, allocated by the host when first touched.
 //
 // Reads as 0 where nothing was written.  An access by the bus takes `latency`, whatever its length.
-// Grants its whole range for direct access (DMI): an initiator that uses it sees the same bytes.
+// Grants direct access (DMI) to its whole range, that is to the same bytes.
 //
 // Not handled: refresh, banks, and the caches in front of it; byte enables (TLM_BYTE_ENABLE_ERROR).
 #pragma once
@@ -18,7 +18,7 @@ class Memory : public sc_core::sc_module {
 public:
     tlm_utils::simple_target_socket<Memory> socket;
 
-    // std::bad_alloc if the host has not even the address space.
+    // std::bad_alloc if the host lacks the address space.
     Memory(const sc_core::sc_module_name& name, std::uint32_t size, sc_core::sc_time latency);
     ~Memory() override;
 

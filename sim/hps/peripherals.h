@@ -8,7 +8,7 @@
 //   timers              0xFFC08000 0xFFC09000 0xFFD00000 0xFFD01000      IDs 199 - 202
 //   managers            0xFF706000 FPGA, 0xFFD05000 reset, 0xFFD08000 system; 0xFF800000 L3
 //
-// Cyclone V HPS memory map.  What the HPS has besides does not answer: absent_blocks.h.
+// Cyclone V HPS memory map.  The HPS's other blocks do not answer: absent_blocks.h.
 #pragma once
 
 #include <cstdint>
@@ -29,7 +29,7 @@ namespace sim {
 
 class Peripherals : public sc_core::sc_module {
 public:
-    // Where their wires go.
+    // The wires that leave the peripherals.
     struct Wires {
         std::function<void(char)> console;
         std::function<void(bool irq, bool fiq)> interrupt;     // to the processor

@@ -37,7 +37,7 @@ void PrivateCounter::write_control(std::uint32_t value, std::uint64_t now_ps) {
     const std::uint32_t now = count(now_ps);
     const bool starts = (value & ENABLE) && !(control & ENABLE);
     control = value;
-    // A counter that stands at 0 starts with a reload.
+    // A counter that is started at 0 reloads first.
     restart(starts && now == 0 && (value & AUTO_RELOAD) ? load_ : now, now_ps);
 }
 
@@ -125,7 +125,7 @@ void PrivateTimer::update(std::uint64_t now_ps) {
         was_reset_ = true;
         reset_();
     }
-    // Only what somebody will notice needs an event.
+    // Only a change with an effect outside needs an event.
     std::optional<std::uint64_t> next;
     if (timer_.control & INTERRUPT) next = timer_.next_ps(now_ps);
     if (mode || (watchdog_.control & INTERRUPT)) {

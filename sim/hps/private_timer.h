@@ -35,7 +35,7 @@ public:
     std::uint32_t count(std::uint64_t now_ps) const { return countdown_.count(now_ps); }
     bool status(std::uint64_t now_ps) const { return countdown_.zeros(now_ps) > seen_ || status_; }
     bool line(std::uint64_t now_ps) const { return (control & 4) && status(now_ps); }
-    // When the status will be set next; nothing if it is or will not be.
+    // When the status will be set next; no value if it is set or never will be.
     std::optional<std::uint64_t> next_ps(std::uint64_t now_ps) const;
 
 private:

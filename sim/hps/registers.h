@@ -1,9 +1,9 @@
-// registers.h - a TLM target of 32-bit registers: checks accesses, leaves the meaning to its heir.
+// registers.h - a TLM target of 32-bit registers: checks accesses, which derived classes answer.
 //
 // An access that is not one aligned word is TLM_BURST_ERROR, with byte enables
-// TLM_BYTE_ENABLE_ERROR.  An heir may take aligned bytes and half-words too: reading gives a part
-// of the register, writing changes a part of what it reads as.  Every access takes 10 ns (L4 bus,
-// 100 MHz).
+// TLM_BYTE_ENABLE_ERROR.  A derived class may accept aligned bytes and half-words too.  Reading
+// them gives a part of the register; writing them reads the register, changes that part and writes
+// the result.  Every access takes 10 ns (L4 bus, 100 MHz).
 #pragma once
 
 #include <cstdint>
@@ -25,7 +25,7 @@ protected:
         socket.register_b_transport(this, &Registers::b_transport);
     }
 
-    // `now` is the initiator's local time.  What is no register reads 0 and ignores writes.
+    // `now` is the initiator's local time.  Offsets without a register read 0 and ignore writes.
     virtual std::uint32_t read(std::uint32_t offset, const sc_core::sc_time& now) = 0;
     virtual void write(std::uint32_t offset, std::uint32_t value, const sc_core::sc_time& now) = 0;
     virtual bool takes_bytes() const { return false; }

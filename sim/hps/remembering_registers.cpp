@@ -5,8 +5,8 @@ namespace sim::remembering {
 // ARM DDI 0407G, 2.2.2: two processors, neither in SMP, tag RAMs of 32 KB caches.
 std::vector<FixedRegisters> scu() { return {{0x04, 0x04, 0x00000501}}; }
 
-// ARM DDI 0246F: cache ID (r3p3), and maintenance that has always been done: the operations' busy
-// bits read 0.
+// ARM DDI 0246F: cache ID (r3p3); maintenance is complete at once: the operations' busy bits read
+// 0.
 std::vector<FixedRegisters> l2_cache() { return {{0x000, 0x000, 0x410000C9}, {0x730, 0x7FC, 0}}; }
 
 // Cyclone V HPS TRM, siliconid1: a Cyclone V, first revision.

@@ -1,8 +1,8 @@
-// remembering_registers.h - blocks of which programs need only that they are there: registers that
-// remember what was written and do nothing, beside some that always read the same.
+// remembering_registers.h - blocks that only need to exist for programs: some registers keep what
+// was written and do nothing, others always read the same.
 //
 //   scu             0xFFFEC000  enable remembers; configuration: two processors, 32 KB caches
-//   l2_cache        0xFFFEF000  PL310: control remembers; maintenance is done when it is asked for
+//   l2_cache        0xFFFEF000  PL310: control remembers; maintenance is complete at once
 //   system_manager  0xFFD08000  silicon ID of a Cyclone V; the rest remembers
 //   fpga_manager    0xFF706000  user mode, MSEL 01010, pins nSTATUS, CONF_DONE and INIT_DONE high
 //   l3              0xFF800000  remap and security bits remember
@@ -25,7 +25,7 @@ struct FixedRegisters {
 
 class RememberingRegisters : public Registers {
 public:
-    // What is neither fixed nor in `reset` reads 0 until it is written.
+    // Registers that are neither fixed nor in `reset` read 0 until they are written.
     RememberingRegisters(const sc_core::sc_module_name& module_name,
                          std::vector<FixedRegisters> fixed,
                          std::map<std::uint32_t, std::uint32_t> reset = {})

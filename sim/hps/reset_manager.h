@@ -4,8 +4,8 @@
 //   +0x04 ctrl: bit 0 cold, bit 1 warm
 //   +0x1C brgmodrst: 1 = in reset: bit 0 h2f, bit 1 lwh2f, bit 2 f2h.  All others remember.
 //
-// After power-on all bridges are out of reset, as the boot loader hands them over.  A cold reset is
-// a warm one here: memory and the FPGA keep what they have.
+// After power-on all bridges are out of reset, as the boot loader leaves them.  A cold reset acts
+// as a warm one: memory and the FPGA keep their contents.
 //
 // Source: Cyclone V HPS TRM, chapter Reset Manager.
 //

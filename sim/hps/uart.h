@@ -33,7 +33,7 @@ private:
     std::function<void(char)> sent_;
     std::function<void(bool)> line_;
     std::uint32_t divisor_ = 0, ier_ = 0, fcr_ = 0, lcr_ = 0, mcr_ = 0, scr_ = 0;
-    bool thr_empty_ = false;  // as an interrupt that IIR has not told yet
+    bool thr_empty_ = false;  // an interrupt that IIR has not reported yet
 };
 
 }  // namespace sim

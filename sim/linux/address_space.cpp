@@ -44,7 +44,7 @@ void AddressSpace::disconnect(Areas::const_iterator area) {
 
 // ---- Areas --------------------------------------------------------------------------------------
 
-// Makes `address` a border.
+// Splits the area around `address` there.
 void AddressSpace::split(std::uint32_t address) {
     auto area = areas_.upper_bound(address);
     if (area == areas_.begin()) return;
@@ -58,7 +58,7 @@ void AddressSpace::split(std::uint32_t address) {
     connect(areas_.emplace(address, upper).first);
 }
 
-// With the one behind it, if that is alike.
+// Joins it with the one after it, if both are alike.
 void AddressSpace::join(Areas::iterator area) {
     const auto next = std::next(area);
     if (next == areas_.end() || next->first != area->second.end ||

@@ -3,9 +3,9 @@
 //   0x00001000 ... program, heap ->   <- areas that find_room() chose | stack   0xBF000000
 //
 // Pages are of 4096 bytes; addresses and lengths given here are multiples, below TOP.  RAM is zero
-// when mapped, and taken from the host when touched.  An area on the bus reaches it from `physical`
-// on.  Areas that touch and are alike become one, since the core keeps a list of them: an operation
-// costs O(log n) here for n areas, O(n) and some us there.
+// when mapped, and allocated by the host when touched.  An area on the bus maps bus addresses from
+// `physical` on.  Adjacent areas that are alike become one, because the core keeps a list of them:
+// for n areas an operation costs O(log n) here, and O(n) and some us in the core.
 //
 // Not handled: memory shared with files or processes, guard pages that grow.
 #pragma once
@@ -23,10 +23,10 @@ class AddressSpace {
 public:
     static constexpr std::uint32_t PAGE = 4096;
     static constexpr std::uint32_t BOTTOM = 0x1000, TOP = 0xBF000000;
-    static constexpr std::uint64_t RAM = 1u << 30;  // that may be mapped in all, as on the board
+    static constexpr std::uint64_t RAM = 1u << 30;  // limit of all that is mapped, as on the board
 
     struct Area {
-        std::uint32_t end;  // first address behind
+        std::uint32_t end;  // first address after it
         unsigned access;    // arm_access; 0: nothing may be done
         bool on_bus;
         std::uint32_t physical;  // of the begin, on the bus
@@ -40,27 +40,27 @@ public:
     ~AddressSpace();
     AddressSpace(const AddressSpace&) = delete;
 
-    // Takes the place of what is there.  False, and nothing done, when RAM is used up.
+    // Replaces what is mapped there.  False, and nothing done, if RAM is used up.
     bool map(std::uint32_t begin, std::uint32_t bytes, unsigned access);
     void map_bus(std::uint32_t begin, std::uint32_t bytes, unsigned access, std::uint32_t physical);
     void unmap(std::uint32_t begin, std::uint32_t bytes);
     void unmap_all() { unmap(BOTTOM, TOP - BOTTOM); }
-    // False, and nothing done, when some of it is not mapped.
+    // False, and nothing done, if a part of it is not mapped.
     bool protect(std::uint32_t begin, std::uint32_t bytes, unsigned access);
 
     bool is_mapped(std::uint32_t begin, std::uint32_t bytes) const;  // all of it
     bool is_free(std::uint32_t begin, std::uint32_t bytes) const;    // all of it
-    // The highest room below the stack's, or nothing.
+    // The highest free range below the stack's; no value if there is none.
     std::optional<std::uint32_t> find_room(std::uint32_t bytes) const;
     // The area around `address`: its begin and what it is.
     std::optional<std::pair<std::uint32_t, Area>> at(std::uint32_t address) const;
 
-    // As the kernel reads and writes what a program points to: RAM that allows it, else false.
+    // Accesses of the kernel through a program's pointer: false unless it is RAM that allows it.
     bool read(std::uint32_t address, void* data, std::size_t bytes) const;
     bool write(std::uint32_t address, const void* data, std::size_t bytes);
     // The same bytes in the simulator's memory, or nullptr.
     std::uint8_t* bytes(std::uint32_t address, std::size_t bytes, unsigned access) const;
-    // Up to the zero; nothing if it is not readable, or longer than 4096.
+    // Up to the terminating zero; no value if it is not readable, or longer than 4096.
     std::optional<std::string> string(std::uint32_t address) const;
 
 private:

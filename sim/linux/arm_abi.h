@@ -1,7 +1,7 @@
 // arm_abi.h - numbers of Linux's user interface for 32-bit ARM (EABI) that differ from the host's.
 //
-// Errors, signals and whence are the same on all machines that Debian's <cerrno>, <csignal> and
-// <unistd.h> stand for here, so those headers are used for them.
+// Errors, signals and whence are the same on ARM and on the hosts, so <cerrno>, <csignal> and
+// <unistd.h> are used for them.
 // Source: Linux 6.1, include/uapi/asm-generic/, arch/arm/include/uapi/asm/.
 #pragma once
 

@@ -17,7 +17,7 @@ namespace {
 
 constexpr int MOST_FILES = 1024;
 
-// The components of a path from the root, or nothing where it leaves the root.
+// The components of a path from the root; no value if it leaves the root.
 bool components(const std::string& path, std::vector<std::string>& names) {
     for (std::size_t begin = 0; begin < path.size();) {
         const std::size_t end = std::min(path.find('/', begin), path.size());
@@ -34,7 +34,7 @@ bool components(const std::string& path, std::vector<std::string>& names) {
 }
 
 int host_flags(std::uint32_t flags) {
-    int host = O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK | O_NOCTTY;  // no FIFO may hold us up
+    int host = O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK | O_NOCTTY;  // opening a FIFO must not block
     host |= static_cast<int>(flags & arm_open::ACCESS);
     if (flags & arm_open::CREAT) host |= O_CREAT;
     if (flags & arm_open::EXCL) host |= O_EXCL;

@@ -3,12 +3,13 @@
 //   0 stdin    the console, or a file       /dev/mem    for mmap; see address_space.h
 //   1, 2       the console                  PATH        ROOT/PATH on the host
 //
-// A path is taken from the root, "." and ".." by their text; one that would leave the root is
-// refused (EACCES), symbolic links are not followed (ELOOP), what is neither file nor folder is
-// refused (EACCES).  Without a root there is nothing but /dev/mem (ENOENT).  What is told of a file
-// does not depend on the host: owner 0, times 0, numbered as they are first seen.
+// A path is relative to the root; "." and ".." are resolved as text.  A path that would leave the
+// root is refused (EACCES), symbolic links are not followed (ELOOP), and anything that is neither
+// file nor folder is refused (EACCES).  Without a root there is only /dev/mem (others: ENOENT).  A
+// file's status does not depend on the host: owner 0, times 0, inodes numbered in the order of
+// first use.
 //
-// Results are as the kernel's: a number of at least 0, or an error as its negative.  Flags, modes
+// Results are like the kernel's: a number of at least 0, or minus the error.  Flags, modes
 // and errors are Linux's for ARM.
 //
 // Not handled: reading folders, links, pipes, sockets, locks, reading /dev/mem by read().
@@ -39,7 +40,7 @@ public:
         std::function<std::int64_t(char* to, std::size_t bytes)> read;
     };
     // `root` and `input`, which is standard input instead of the console, may be empty.
-    // std::runtime_error if one is no folder, or no file, that can be opened.
+    // std::runtime_error if the folder or the file cannot be opened.
     LinuxFiles(const std::filesystem::path& root, const std::filesystem::path& input,
                Console console);
 
@@ -47,8 +48,8 @@ public:
     int close(int fd);
     int duplicate(int fd, int at_least);         // the lowest free number from there on
     int duplicate_onto(int fd, int other);       // closes that first
-    int flags(int fd) const;                     // of open(), without those that only open() minds
-    int set_flags(int fd, std::uint32_t flags);  // O_NONBLOCK, which is up to the caller to mind
+    int flags(int fd) const;                     // of open(), without those for open() alone
+    int set_flags(int fd, std::uint32_t flags);  // O_NONBLOCK, which the caller has to obey
     int set_close_on_exec(int fd, bool on);
     int close_on_exec(int fd) const;
 

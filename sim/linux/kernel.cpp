@@ -47,7 +47,7 @@ void LinuxKernel::boot(ArmCore& core) {
     try {
         break_begin_ = break_ =
             start_linux_program(core, memory_, cpu_.program().elf, settings_.arguments);
-    } catch (const std::runtime_error& e) {  // nothing may be thrown through SystemC
+    } catch (const std::runtime_error& e) {  // SystemC must not see exceptions
         cpu_.end(e.what());
     }
 }

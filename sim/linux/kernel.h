@@ -1,16 +1,18 @@
 // kernel.h - the Linux kernel's user interface for one program: static, single-threaded, 32 bits.
 //
-// System calls are answered by the simulator, as gem5's syscall emulation does; the program itself
-// runs instruction by instruction in user mode, and reaches registers by mapping /dev/mem.
+// The simulator executes system calls, like gem5's syscall emulation.  The program itself runs on
+// the modelled processor in user mode, and accesses registers by mapping /dev/mem.
 //
-// Time is the simulated time since power-on, the same on all clocks; CLOCK_REALTIME so begins in
-// 1970.  A system call takes no time but that of its instruction; sleeping lets simulated time go
-// by.  Process number 1, user 0, AT_RANDOM and getrandom from a fixed seed: every run is alike.
+// Time is the simulated time since power-on, the same on all clocks; CLOCK_REALTIME therefore
+// begins in 1970.  A system call takes only the time of its instruction; sleeping lets simulated
+// time pass.  Process number 1, user 0, AT_RANDOM and getrandom from a fixed seed: every run is
+// identical.
 //
-// A wrong access is SIGSEGV, an access that nobody on the bus answers SIGBUS, and so on: handlers
-// are called, and without one the program ends.  That and an exit code other than 0 are faults of
-// the processor (ArmCpu::fault()), told in one line.  What is not emulated is named once on the
-// log and answered ENOSYS.  ioctl is ENOTTY, but for the settings of the console: a terminal.
+// A wrong access is SIGSEGV, an access without a target on the bus is SIGBUS, and so on: the
+// program's handler is called, or without one the program ends.  Such an end and an exit code other
+// than 0 are faults of the processor (ArmCpu::fault()), reported in one line.  A call that is not
+// emulated is reported once in the log and returns ENOSYS.  ioctl returns ENOTTY, except for the
+// settings of the console, which is a terminal.
 //
 // Not handled: threads, processes, timers that signal, job control; VFP registers are not saved for
 // a signal's handler; no vDSO, so that the C library makes system calls.
@@ -35,8 +37,8 @@
 namespace sim {
 
 struct LinuxSettings {
-    std::filesystem::path root;  // the folder that is / to the program; empty: nothing there
-    std::vector<std::string> arguments;  // behind the program's name
+    std::filesystem::path root;          // the program's /; empty: it has no files
+    std::vector<std::string> arguments;  // after the program's name
     std::filesystem::path input;         // standard input; empty: the console
 };
 
@@ -61,7 +63,7 @@ public:
     std::optional<int> exit_code() const { return exit_code_; }
 
 private:
-    // Of a system call: r0 - r6, and what becomes r0 - nothing leaves the registers as they are.
+    // Of a system call: r0 - r6, and the new r0; without a value the registers stay unchanged.
     using Arguments = std::array<std::uint32_t, 7>;
     using Result = std::optional<std::int64_t>;
     struct Call {
@@ -185,7 +187,8 @@ private:
     Result sys_rt_sigreturn(const Arguments&);
     Result sys_kill(const Arguments&);
     Result sys_tgkill(const Arguments&);
-    // Calls the handler, or ends the program.  `forced`: by its own instruction, so not to be held.
+    // Calls the handler, or ends the program.  `forced`: caused by its own instruction, so it
+    // cannot be blocked.
     void signal(unsigned number, std::uint32_t address, const std::string& why, bool forced);
     void deliver_pending();
 

@@ -75,7 +75,7 @@ std::int64_t LinuxKernel::each_vector(const Arguments& a, bool write) {
 LinuxKernel::Result LinuxKernel::sys_readv(const Arguments& a) { return each_vector(a, false); }
 LinuxKernel::Result LinuxKernel::sys_writev(const Arguments& a) { return each_vector(a, true); }
 
-// 64-bit values lie in an even register and the one behind it.
+// 64-bit values lie in an even register and the next one.
 LinuxKernel::Result LinuxKernel::sys_pread64(const Arguments& a) {
     const std::uint32_t count = std::min(a[2], MOST_BYTES);
     std::uint8_t* to = memory_.bytes(a[1], count, arm_access::WRITE);
@@ -125,8 +125,8 @@ LinuxKernel::Result LinuxKernel::sys_fcntl(const Arguments& a) {
     }
 }
 
-// A C library asks for the terminal's settings to learn whether it is one: then it writes lines as
-// they end, on the board's serial console and here.
+// A C library requests the terminal's settings to find out whether it is one.  If so, it flushes
+// its output at each end of a line, on the board's serial console and here.
 LinuxKernel::Result LinuxKernel::sys_ioctl(const Arguments& a) {
     const int fd = fd_of(a[0]);
     if (files_.flags(fd) < 0) return -EBADF;

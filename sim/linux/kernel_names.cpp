@@ -1,4 +1,4 @@
-// kernel_names.cpp - LinuxKernel's calls on paths, and what is told of files
+// kernel_names.cpp - LinuxKernel's calls on paths, and on the status of files
 #include <algorithm>
 #include <cerrno>
 
@@ -40,7 +40,7 @@ constexpr std::uint32_t BASIC_STATS = 0x7FF;
 
 }  // namespace
 
-// Relative paths are from /, where the program always is: other folders cannot be opened to walk.
+// Relative paths begin at /, the program's working directory: other folders cannot be opened.
 std::pair<std::int64_t, std::string> LinuxKernel::path_at(std::uint32_t folder,
                                                           std::uint32_t address) const {
     const auto text = memory_.string(address);
@@ -145,7 +145,7 @@ LinuxKernel::Result LinuxKernel::sys_renameat(const Arguments& a) {
     return files_.rename(from, to);
 }
 
-// The one link there is leads to the program itself.
+// The only link is /proc/self/exe, to the program itself.
 std::int64_t LinuxKernel::give_link(const std::string& path, std::uint32_t to, std::uint32_t size) {
     if (path != "/proc/self/exe") {
         const int error = files_.status_of(path).first;

@@ -37,7 +37,7 @@ LinuxKernel::Result LinuxKernel::sys_set_tls(const Arguments& a) {
     return 0;
 }
 
-// Sequences are never restarted, since nothing comes between; the program always runs on core 0.
+// Sequences are never restarted, because nothing preempts them; the program always runs on core 0.
 LinuxKernel::Result LinuxKernel::sys_rseq(const Arguments& a) {
     constexpr std::uint32_t CORE[2] = {0, 0};
     return memory_.write(a[0], CORE, sizeof CORE) ? 0 : -EFAULT;

@@ -1,4 +1,4 @@
-// kernel_time.cpp - LinuxKernel's calls for time: clocks that tell it, sleep that lets it go by
+// kernel_time.cpp - LinuxKernel's calls for time: clocks and sleep
 #include <algorithm>
 #include <cerrno>
 
@@ -66,7 +66,7 @@ LinuxKernel::Result LinuxKernel::sys_times(const Arguments& a) {
     return ticks & 0x7FFFFFFF;
 }
 
-// Nothing can cut a sleep short, so nothing is ever left of it.
+// Nothing can interrupt a sleep, so the remaining time is never returned.
 std::int64_t LinuxKernel::sleep(std::uint32_t flags, std::uint32_t span, bool wide,
                                 std::uint32_t left) {
     std::uint64_t time[2];
@@ -102,7 +102,7 @@ LinuxKernel::Result LinuxKernel::sys_clock_nanosleep_time64(const Arguments& a) 
     return a[0] < CLOCKS ? sleep(a[1], a[2], true, a[3]) : -EINVAL;
 }
 
-// With one thread there is nobody to wake, nor to be woken by.
+// With one thread there is no other thread to wake or to be woken by.
 LinuxKernel::Result LinuxKernel::sys_futex(const Arguments& a) {
     switch (a[1] & FUTEX_COMMAND) {
         case FUTEX_WAKE:

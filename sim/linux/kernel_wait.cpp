@@ -1,6 +1,6 @@
 // kernel_wait.cpp - LinuxKernel's calls that wait for open files: select, poll and their kind
 //
-// Only a console can have nothing to read; all else is ready at once, and for writing all is.
+// Only reading from the console can have to wait; everything else is always ready.
 #include <algorithm>
 #include <cerrno>
 #include <vector>
@@ -39,7 +39,7 @@ std::int64_t LinuxKernel::span_at(std::uint32_t address, Span kind) const {
     return seconds * static_cast<std::int64_t>(NS) + time[1];
 }
 
-// What is left of it, as the kernel gives it back.
+// Stores the remaining time as the kernel does.
 void LinuxKernel::give_span(std::uint32_t address, Span kind, std::uint64_t ns) {
     if (address == 0) return;
     if (kind == Span::TIMEVAL) {
@@ -51,7 +51,7 @@ void LinuxKernel::give_span(std::uint32_t address, Span kind, std::uint64_t ns) 
     }
 }
 
-// Until `look` gives anything but 0, or for `span_ns`; returns what `look` gives, and what is left.
+// Waits until `look` returns other than 0, or for `span_ns`; returns its result and the time left.
 std::pair<std::int64_t, std::uint64_t> LinuxKernel::wait_for(
     std::int64_t span_ns, bool at_console, const std::function<std::int64_t()>& look) {
     const std::uint64_t end = now_ns() + static_cast<std::uint64_t>(span_ns);

@@ -1,4 +1,4 @@
-// open_file.h - what LinuxFiles keeps of an open file
+// open_file.h - LinuxFiles' record of an open file
 #pragma once
 
 #include <unistd.h>
@@ -38,7 +38,7 @@ struct LinuxFiles::Place {
 
 constexpr const char* MEMORY_PATH = "/dev/mem";
 
-// A result of the host's, as the kernel gives it.
+// The host's result, as the kernel returns it.
 inline std::int64_t or_error(std::int64_t result) { return result < 0 ? -errno : result; }
 
 }  // namespace sim

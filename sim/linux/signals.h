@@ -1,4 +1,4 @@
-// signals.h - a Linux process's signals: what is to be done with them, and a handler's frame.
+// signals.h - a Linux process's signals: their actions, and a handler's frame.
 //
 // Source: Linux 6.1, arch/arm/kernel/signal.c: struct sigframe, rt_sigframe, sigcontext.
 #pragma once
@@ -31,9 +31,9 @@ public:
     // The pending signal to deliver next.
     std::optional<unsigned> next() const;
 
-    // Makes the frame on the program's stack and goes to the handler; false: no room there.
+    // Writes the frame to the program's stack and jumps to the handler; false: no room there.
     bool enter(ArmCore& core, AddressSpace& memory, unsigned number, std::uint32_t address);
-    // Back from it; `rt` as the frame was made.  False: the frame cannot be read.
+    // Returns from it; `rt`: the kind of frame.  False: the frame cannot be read.
     bool leave(ArmCore& core, const AddressSpace& memory, bool rt);
 };
 

@@ -80,7 +80,7 @@ void map_segments(AddressSpace& memory, const ElfProgram& program) {
         }
         memory.write(segment.address, segment.data.data(), segment.data.size());
     }
-    // Pages that two segments share may do what either may.
+    // Pages that two segments share have the rights of both.
     for (const ElfSegment& segment : program.segments) {
         const std::uint32_t begin = page_down(segment.address);
         const std::uint32_t end = page_up(segment.address + segment.size);

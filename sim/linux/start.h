@@ -4,7 +4,7 @@
 //   0xFFFF0000: __kuser_cmpxchg64 +0xF60, memory_barrier +0xFA0, cmpxchg +0xFC0, get_tls +0xFE0,
 //               version +0xFFC
 //
-// The environment is empty but for PATH, HOME and TERM.  Source: Linux 6.1, fs/binfmt_elf.c;
+// The environment is empty except for PATH, HOME and TERM.  Source: Linux 6.1, fs/binfmt_elf.c;
 // Documentation/arm/kernel_user_helpers.rst.
 #pragma once
 
@@ -17,7 +17,7 @@
 
 namespace sim {
 
-// Ends of a signal's handler that brings none of its own.
+// Return code for signal handlers without sa_restorer.
 constexpr std::uint32_t SIGRETURN_CODE = 0xFFFF0500, RT_SIGRETURN_CODE = 0xFFFF0508;
 
 // The page of helpers; it lasts as long as the core uses it.
@@ -34,11 +34,11 @@ private:
     std::uint8_t* page_;
 };
 
-// What uname, /proc/self/exe and AT_EXECFN say of a program: "/collide-linux".
+// The program's path in /proc/self/exe and AT_EXECFN: "/collide-linux".
 std::string path_of(const ElfProgram& program);
 
 // Maps and fills everything and sets the registers: user mode, pc at the entry.  Returns the first
-// address behind the program, where its heap begins.  std::runtime_error if it does not fit.
+// address after the program, where its heap begins.  std::runtime_error if it does not fit.
 std::uint32_t start_linux_program(ArmCore& core, AddressSpace& memory, const ElfProgram& program,
                                   const std::vector<std::string>& arguments);
 

@@ -41,7 +41,7 @@ bool Terminal::arrived(std::size_t count) const {
     return count > 0 && typed_[count - 1].at <= outside_.now();
 }
 
-// Keys that make something to read: a line, or one character; 0 if they are not typed yet.
+// Characters of the next line, or 1 without ICANON; 0 if they are not typed yet.
 std::size_t Terminal::unit() const {
     if (!by_line()) return typed_.empty() ? 0 : 1;
     const auto end = std::find_if(typed_.begin(), typed_.end(),
@@ -57,7 +57,7 @@ std::uint32_t Terminal::ready() const {
 
 bool Terminal::readable() const { return ready() > 0 || (closed_ && unit() == 0); }
 
-// Until something is typed that was not there, or what was typed has arrived.
+// Sleeps until something new is typed, or what was typed has arrived.
 void Terminal::doze(const sc_core::sc_time& at_most) {
     const std::size_t count = unit();
     waits_ = true;

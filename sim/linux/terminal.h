@@ -1,12 +1,12 @@
 // terminal.h - the terminal of a Linux program's console: lines that are typed, one after another.
 //
-// A character takes 1 ms, as at the JTAG UART.  As a terminal does, it gives a line when it has
-// been ended, takes back what a DEL or backspace is typed behind, ends the input at ^D, and echoes;
-// with ICANON off a program gets each character as it comes, with VMIN of 0 also none, and with
-// ECHO off nothing is echoed (TCSETS).  A carriage return is a newline.
+// A character takes 1 ms, as at the JTAG UART.  Like a terminal, it delivers a line when it is
+// complete, DEL or backspace deletes the character before, ^D ends the input, and it echoes.  With
+// ICANON off a program gets each character as it comes, with VMIN = 0 possibly none; with ECHO off
+// nothing is echoed (TCSETS).  A carriage return is a newline.
 //
 // Not handled: the echo comes when the line is read, not when it is typed; signals by ^C and ^Z;
-// VTIME; windows, modems and speeds are remembered and mean nothing.
+// VTIME; settings of windows, modems and speeds are kept without effect.
 #pragma once
 
 #include <array>
@@ -23,7 +23,7 @@ class Terminal {
 public:
     using Settings = std::array<std::uint8_t, 36>;  // the kernel's struct termios
 
-    // `sleep` lets simulated time go by in the program: so long; `sleep_until` the event.
+    // `sleep` lets simulated time pass in the program; `sleep_until` waits for the event.
     struct Outside {
         std::function<sc_core::sc_time()> now;  // the program's
         std::function<void(const sc_core::sc_time&)> sleep;
@@ -33,12 +33,12 @@ public:
     explicit Terminal(Outside outside);
 
     void type(const std::string& text);
-    void close() { closed_ = true; }  // nobody will type: at its end once all is read
+    void close() { closed_ = true; }  // no more input: at its end once all is read
 
     // As read(2): waits for a line, or with ICANON off for a character.
     std::int64_t read(char* to, std::size_t bytes);
     std::uint32_t ready() const;  // characters that could be read at once
-    bool readable() const;        // read() would not wait: there are some, or never will be
+    bool readable() const;        // read() would not block: there is input, or its end
     void wait(const sc_core::sc_time& at_most);  // until it is readable
     bool waits() const { return waits_; }
 

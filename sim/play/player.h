@@ -24,7 +24,7 @@ public:
     const sc_core::sc_event& done() const { return done_; }
     bool finished() const { return finished_; }
 
-    // One for each claim, in order.  Those that the run's end cut off are there too, not met.
+    // One for each claim, in order.  Claims that the run's end cut off are included as not met.
     std::vector<Expectation> results() const;
 
     // Why a picture could not be written; empty if all could.

@@ -1,7 +1,7 @@
 // frame_budget.h - how much of a frame's time a program uses, from the processor's own counters.
 //
 // A frame is the time between two ends of frames on the monitor, 16.8 ms.  Costs one reading of the
-// counters and 24 bytes a frame.
+// counters and 24 bytes per frame.
 #pragma once
 
 #include <vector>

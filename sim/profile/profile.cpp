@@ -8,7 +8,7 @@ namespace sim {
 
 namespace {
 
-constexpr std::size_t DEEPEST = 100'000;  // calls; a program that never returns from one has more
+constexpr std::size_t DEEPEST = 100'000;  // calls; only a program that does not return has more
 
 }  // namespace
 

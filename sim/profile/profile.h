@@ -1,14 +1,14 @@
 // profile.h - where a program's instructions go: by function, and by who called whom.
 //
-// Follows every instruction.  A function is entered by a call when control comes to another one and
-// LR points behind the instruction before; it is left when control comes to a return address that
-// is waiting on the list of calls.  Anything else - a tail call, a branch, an exception's entry and
-// end - changes the function without a call.  Instructions outside of all functions are in "???".
+// Follows every instruction.  It is a call when control reaches another function and LR points
+// after the previous instruction.  It is a return when control reaches a return address on the list
+// of open calls.  Anything else (a tail call, a branch, the entry and end of an exception) changes
+// the function without a call.  Instructions outside of all functions are in "???".
 //
-// The processor stops where control may leave a function: 0.1 us each time, which makes a run of
-// the demo's hundred shapes 2 % longer.
+// The processor stops wherever control may leave a function.  That costs 0.1 us each time, 2 % of a
+// run of the demo with a hundred shapes.
 //
-// Not handled: a function that calls itself is counted as one call; MOV LR, PC and a jump are no
+// Not handled: recursion is counted as one call; MOV LR, PC and a jump are not recognised as a
 // call; source lines.
 //
 // Format: callgrind profile data, version 1, as the Valgrind manual describes it.
@@ -33,7 +33,7 @@ public:
     void ran(const Run& run) override;
     bool same_function(std::uint32_t pc, std::uint32_t other) const override;
 
-    // The file's text.  Calls that are still going on are counted up to here.
+    // The file's text.  Calls that are still open are counted up to now.
     std::string callgrind() const;
 
 private:
@@ -50,7 +50,7 @@ private:
     // Of the function list; its size is "???".
     struct Place {
         std::size_t function;
-        std::uint32_t begin, end;  // addresses around it that are known to be of the same
+        std::uint32_t begin, end;  // addresses around it known to be in the same function
     };
     Place place_of(std::uint32_t pc) const;
     void change(std::uint32_t pc, std::uint32_t link);
@@ -63,7 +63,7 @@ private:
     std::vector<Call> calls_;
     std::uint64_t count_ = 0;
     Place here_;
-    std::uint32_t last_end_ = 1;  // behind the instruction before
+    std::uint32_t last_end_ = 1;  // address after the previous instruction
 };
 
 }  // namespace sim

@@ -1,4 +1,4 @@
-// changes.h - what something showed in the course of time: the first changes, and how many came
+// changes.h - what something showed over time: the first changes, and the number of all
 #pragma once
 
 #include <cstddef>

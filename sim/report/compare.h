@@ -7,8 +7,8 @@
 
 namespace sim {
 
-// A line a difference, "CHECK: DETAIL OF a, DETAIL OF b"; none where both say the same.  `a` and
-// `b` are the texts of two report.json; compared are the checks by name and detail and whether the
+// One line per difference, "CHECK: DETAIL OF a, DETAIL OF b"; none if both are equal.  `a` and `b`
+// are the texts of two report.json.  It compares the checks, by name and detail, and whether the
 // run passed.  std::runtime_error, "expected a report with checks, got ...", with `a: ` or `b: `
 // replaced by the given names.
 std::vector<std::string> differences(std::string_view a, const std::string& name_a,

@@ -51,7 +51,7 @@ void FrameWriter::work() {
     while (true) {
         changed_.wait(lock, [this] { return closing_ || !queue_.empty(); });
         if (queue_.empty()) return;
-        const Frame& frame = queue_.front();  // a deque's front stays put while others push
+        const Frame& frame = queue_.front();  // a push does not move a deque's front
         lock.unlock();
         std::exception_ptr error;
         try {

@@ -1,4 +1,4 @@
-// frame_writer.h - writes OUT/frames/frame_NNNNNN.png beside the simulation, on a thread of its own
+// frame_writer.h - writes OUT/frames/frame_NNNNNN.png in parallel with the simulation, in a thread
 #pragma once
 
 #include <condition_variable>
@@ -13,13 +13,13 @@
 
 namespace sim {
 
-// After the first failure nothing more is written, and every push() and close() throws it:
-// IoError for a full or unwritable disk.
+// After the first failure nothing more is written, and every push() and close() throws that
+// failure: IoError for a full or unwritable disk.
 class FrameWriter {
 public:
     // Makes the folder `out`/frames.
     explicit FrameWriter(const std::filesystem::path& out);
-    ~FrameWriter();  // as close(), but an error is lost: call close() to see it
+    ~FrameWriter();  // like close(), but errors are lost: call close() to get them
 
     // Waits while eight pictures are queued.
     void push(std::uint64_t number, Image image);

@@ -16,7 +16,7 @@ namespace sim {
 
 namespace {
 
-// 0, or what went wrong.  A descriptor that another program made non-blocking is waited for.
+// 0 or an error number.  Waits for a descriptor that another program made non-blocking.
 int write_all(int descriptor, std::string_view text) noexcept {
     while (!text.empty()) {
         const ssize_t written = ::write(descriptor, text.data(), text.size());

@@ -57,7 +57,7 @@ std::vector<std::uint8_t> encode_png(const Image& image) {
     // Nothing with a destructor may be declared from here to the last png_ call: libpng longjmps.
     if (!info || setjmp(png_jmpbuf(png))) {
         png_destroy_write_struct(&png, &info);
-        throw std::bad_alloc();  // writing to memory, all else was checked above
+        throw std::bad_alloc();  // the only possible failure: it writes to memory
     }
     png_set_write_fn(png, &out, append, nullptr);
     png_set_IHDR(png, info, image.width, image.height, 8, PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,

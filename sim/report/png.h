@@ -13,7 +13,7 @@ namespace sim {
 struct Image {
     unsigned width = 0;
     unsigned height = 0;
-    std::vector<std::uint8_t> rgb;  // rows from the top, three bytes a pixel
+    std::vector<std::uint8_t> rgb;  // rows from the top, three bytes per pixel
 
     bool operator==(const Image& other) const {
         return width == other.width && height == other.height && rgb == other.rgb;

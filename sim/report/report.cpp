@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t MAX_VIOLATIONS_PRINTED = 20;
 
-// XML has no way to write most control characters, so they go as \xNN.
+// XML cannot represent most control characters, so they are written as \xNN.
 std::string xml(const std::string& text) {
     std::string out;
     for (const char c : printable(text)) {
@@ -95,7 +95,7 @@ nlohmann::ordered_json characters_json(const std::vector<std::string>& rows) {
     return json;
 }
 
-// What went wrong with the run as a whole, beside its expectations.
+// What went wrong with the run as a whole, apart from its expectations.
 std::vector<std::string> run_errors(const RunReport& report) {
     std::vector<std::string> errors = report.faults;
     if (report.end == RunEnd::FIRMWARE_FAULT && errors.empty()) errors.push_back("firmware fault");

@@ -12,18 +12,18 @@
 namespace sim {
 
 struct Expectation {
-    std::string step;   // as a person would say it
+    std::string step;   // in words
     int line = 0;       // in the scenario file
     double time_s = 0;  // simulated, when it was decided
     bool met = false;
-    std::string detail;  // what was there instead; may be empty when met
+    std::string detail;  // what was found instead; may be empty when met
 };
 
 // How the run came to its end.
 enum class RunEnd {
     ALL_STEPS_DONE,
     DURATION_REACHED,
-    PROGRAM_ENDED,  // where there is no scenario
+    PROGRAM_ENDED,  // if there is no scenario
     INTERRUPTED,
     FIRMWARE_FAULT,
     INTERNAL_ERROR,  // of the simulator; the faults say which
@@ -40,8 +40,9 @@ struct RunReport {
         std::uint64_t samples = 0, underruns = 0;
     };
 
-    // Least, middle and most of a value over all frames, each from one frame's end to the next;
-    // the first, in which the program starts, is left out.  Not in the file where there is none.
+    // Minimum, median and maximum of a value over all frames, each from one frame's end to the
+    // next.  The first frame, in which the program starts, is left out.  Not in the file if there
+    // are none.
     struct Spread {
         double least = 0, median = 0, most = 0;
     };
@@ -58,7 +59,7 @@ struct RunReport {
         std::string name;
         Fields at_end;
         std::vector<std::pair<double, Fields>> changes;  // the first of them, by seconds
-        std::uint64_t left_out = 0;                      // that came then
+        std::uint64_t left_out = 0;                      // later changes
     };
 
     // Only of the processor "arm".
@@ -76,7 +77,7 @@ struct RunReport {
     };
 
     std::string scenario;  // its name
-    std::string file;      // and where it stands; both empty without one
+    std::string file;      // and its path; both empty without one
     std::uint64_t seed = 1;
     std::string cpu;  // "native" or "arm"
     std::optional<Program> program;
@@ -99,9 +100,9 @@ struct RunReport {
     std::vector<std::string> sdram_violations;  // the same
     std::vector<std::string> faults;
     std::uint64_t log_lines = 0;
-    std::vector<std::string> log;  // the first of them: aborts that the program handled, resets
-    std::string lamps;             // what is lit in the end, as a person says it; for the summary
-    std::vector<std::string> advice;  // what may be why it looks as it does; for the summary alone
+    std::vector<std::string> log;     // the first of them: aborts that the program handled, resets
+    std::string lamps;                // what is lit at the end, in words; for the summary
+    std::vector<std::string> advice;  // possible causes of the result; only for the summary
     std::vector<Expectation> expectations;
     std::vector<Check> checks;  // that the program made itself; not in the file if there is none
 
@@ -111,12 +112,12 @@ struct RunReport {
     bool passed() const;
 };
 
-// Keys in a fixed order.  What depends on the machine is under "wall" alone: without that key, two
-// runs of the same inputs are equal byte for byte.
+// Keys in a fixed order.  Only the key "wall" depends on the machine: without it, two runs of the
+// same inputs are equal byte for byte.
 std::string to_json(const RunReport& report);
 
-// One test case an expectation or check, and one for the run itself, which faults and an
-// interruption turn into an error.  Times are simulated.
+// One test case per expectation or check, and one for the run itself.  Faults and an interruption
+// make the latter an error.  Times are simulated.
 std::string to_junit(const RunReport& report);
 
 }  // namespace sim

@@ -1,6 +1,6 @@
-// report_keys.h - every key of report.json, in the file's order, with what it says
+// report_keys.h - every key of report.json, in the file's order, with its meaning
 //
-// REPORT.md is printed from this table, and a test holds it against what is written.
+// REPORT.md is printed from this table, and a test compares it with the files of real runs.
 #pragma once
 
 #include <string_view>

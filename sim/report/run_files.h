@@ -8,8 +8,8 @@ constexpr const char* FRAME_FILES = R"(frame_\d{6,}\.png)";  // in frames/
 constexpr const char* MISMATCH_FILES =
     R"(line\d+_.*_(actual|expected|difference)\.png)";  // mismatch/
 
-// What nothing else in the folder may be called: the files, also while they are written, and the
-// two folders.
+// Names that no other file in the folder may have: those of the files, also while they are written,
+// and of the two folders.
 constexpr const char* RUN_NAMES =
     R"((audio(-\d+)?\.wav|report\.json|junit\.xml|console\.txt)(\.part)?|frames|mismatch)";
 

@@ -22,7 +22,7 @@ void take_blanks(std::string_view& text) {
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
-// "TODO ..." or "SKIP ...", in any case, behind the "#".
+// "TODO ..." or "SKIP ...", in upper or lower case, after the "#".
 bool excuses(std::string_view directive) {
     take_blanks(directive);
     std::string word{directive.substr(0, 4)};

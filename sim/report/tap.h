@@ -11,16 +11,16 @@ namespace sim {
 struct Check {
     std::string name;
     bool met = false;
-    std::string detail;  // what stands behind the name's ": "
+    std::string detail;  // the text after the name's ": "
 };
 
 // Reads what a program prints, character by character, from the line "TAP version 13" on; there are
-// no checks without that line.  "\r\n" ends a line, too.  What the plan "1..N" promises and the
-// text does not hold, and "Bail out!", are checks that are not met.  "# TODO" and "# SKIP" count as
-// met, as TAP wants it.
+// no checks without that line.  "\r\n" ends a line, too.  Tests of the plan "1..N" that do not
+// appear, and "Bail out!", are checks that are not met. "# TODO" and "# SKIP" count as met, as TAP
+// specifies.
 //
-// However much is printed: of a line it reads the first LINE characters, and it keeps CHECKS
-// checks; when there are more, one more that is not met says so.
+// Its memory is limited: it reads the first LINE characters of a line and keeps CHECKS checks.  If
+// there are more, an additional check that is not met says so.
 class TapReader {
 public:
     static constexpr std::size_t LINE = 4096, CHECKS = 100'000;

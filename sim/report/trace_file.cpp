@@ -18,10 +18,10 @@ namespace {
 constexpr const char* CUT_OFF = "cannot write: it was cut off (is the disk full?)";
 constexpr int WRONG_INPUT = 2;
 
-// What the handler needs, ready before it is needed: it can neither allocate nor format.
+// Prepared for the signal handler, which can neither allocate nor format.
 char last_words[8192];
 char part_name[4096];
-char hierarchy_name[4096 + 8];  // the writer's own, beside the file until it is closed
+char hierarchy_name[4096 + 8];  // the writer's temporary file, until it is closed
 
 void copy(char* to, std::size_t capacity, const std::string& text) {
     std::strncpy(to, text.c_str(), capacity - 1);

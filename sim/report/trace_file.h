@@ -1,8 +1,8 @@
-// trace_file.h - an FST file that another library writes: it appears whole or not at all.
+// trace_file.h - an FST file written by another library; it appears complete or not at all.
 //
-// GTKWave's FST writer reports no error.  On a full disk it cuts its file short without a word, or
-// dies by SIGBUS in a temporary file that it has mapped.  So the file is checked before it appears,
-// and SIGBUS ends the program with the line and the exit code of any other full disk.
+// GTKWave's FST writer reports no error.  On a full disk it truncates its file silently, or raises
+// SIGBUS in a temporary file that it has mapped.  So the file is checked before it appears, and
+// SIGBUS ends the program with the same message and exit code as any other full disk.
 #pragma once
 
 #include <filesystem>
@@ -11,8 +11,8 @@
 
 namespace sim {
 
-// Is it blocks from end to end, with a header, a geometry and a hierarchy among them?  Reads the
-// head of each block only.
+// True if the file consists of complete blocks, among them a header, a geometry and a hierarchy.
+// Reads only the head of each block.
 bool is_whole_fst(const std::filesystem::path& path);
 
 // One at a time: SIGBUS has one handler.
@@ -23,7 +23,7 @@ public:
 
     const std::filesystem::path& part() const { return file_.part(); }  // to be written here
 
-    void commit();  // once its writer has closed it: IoError if it is not whole
+    void commit();  // once its writer has closed it: IoError if incomplete
 
 private:
     WholeFile file_;

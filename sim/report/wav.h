@@ -1,9 +1,9 @@
-// wav.h - the sound of a run as 16-bit stereo WAV, written while it plays
+// wav.h - the sound of a run as 16-bit stereo WAV, written during the run
 //
-// The header's sample rate is the true rate rounded to whole hertz.  Silence at the start is only
-// counted, not written, so that a codec which changes its rate before the first sound costs
-// nothing: the silence keeps its length.  After the first sound a new rate begins a new file:
-// audio.wav, audio-2.wav, audio-3.wav.  Each file appears whole when its part ends.
+// The header's sample rate is the true rate rounded to whole hertz.  Silence at the start is
+// counted, and written only when the first sound comes.  So a codec may change its rate before the
+// first sound, and the silence still has the right length.  After the first sound a new rate begins
+// a new file: audio.wav, audio-2.wav, audio-3.wav.  Each file appears whole when its part ends.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,7 @@ namespace sim {
 class WavWriter {
 public:
     explicit WavWriter(std::filesystem::path folder);  // which must exist
-    ~WavWriter();                                      // without close(): the open part is dropped
+    ~WavWriter();                                      // without close() the open part is dropped
     WavWriter(const WavWriter&) = delete;
     WavWriter& operator=(const WavWriter&) = delete;
 
@@ -24,11 +24,11 @@ public:
     // samples are a std::logic_error.
     void push(std::int16_t left, std::int16_t right);
 
-    // One that rounds to the present whole rate changes nothing.  1 to 384,000 Hz, else
+    // A rate that rounds to the present one changes nothing.  1 to 384,000 Hz, else
     // std::invalid_argument.
     void rate_changed(double hz);
 
-    // The files written, in order.  Sound whose rate never became known is in none of them.
+    // The files written, in order.  Sound without a known rate is in none of them.
     std::vector<std::filesystem::path> close();
 
 private:

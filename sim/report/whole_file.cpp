@@ -15,7 +15,7 @@ namespace sim {
 
 namespace {
 
-// Not strerror(), which two threads must not call at once.
+// Not strerror(), which is not thread-safe.
 std::string reason(int error_number) {
     return std::error_code(error_number, std::generic_category()).message();
 }

@@ -1,4 +1,4 @@
-// whole_file.h - files that appear whole or not at all
+// whole_file.h - files that appear complete or not at all
 //
 // The bytes go into NAME.part in the same folder; commit() renames it to NAME.
 #pragma once
@@ -25,7 +25,7 @@ private:
     std::string problem_;
 };
 
-// Every failure throws IoError.  Destroyed without commit(): nothing is left behind.
+// Every failure throws IoError.  Destruction without commit() removes the temporary file.
 class WholeFile {
 public:
     explicit WholeFile(std::filesystem::path path);
@@ -53,8 +53,8 @@ void write_whole_file(const std::filesystem::path& path, std::string_view text);
 // With parents; one that exists is fine.
 void make_folder(const std::filesystem::path& path);
 
-// The bytes of a regular file of at most `max_bytes`; anything else is an IoError.  Not even
-// opened unless it is a regular file: a pipe would wait for ever.
+// The bytes of a regular file of at most `max_bytes`; anything else is an IoError.  Opens nothing
+// but regular files: a pipe would block for ever.
 std::string read_whole_file(const std::filesystem::path& path, std::size_t max_bytes);
 
 }  // namespace sim

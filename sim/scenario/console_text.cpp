@@ -20,7 +20,7 @@ bool ConsoleText::take(std::string_view text) {
     }
     const std::size_t at = unread_.find(text, searched_);
     if (at == std::string::npos) {
-        const std::size_t open = text.empty() ? 0 : text.size() - 1;  // may be its beginning
+        const std::size_t open = text.empty() ? 0 : text.size() - 1;  // may be the text's beginning
         searched_ = unread_.size() - std::min(open, unread_.size());
         return false;
     }

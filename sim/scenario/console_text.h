@@ -1,8 +1,8 @@
-// console_text.h - what a program prints, as somebody reads it who waits for one text after another
+// console_text.h - what a program prints, read by waiting for one text after another
 //
-// What has been waited for is read, and so is all before it: the next wait begins behind it.  Of
-// what is not read yet at least the last LIMIT characters are kept, or as many as the text waited
-// for has, and twice as many at most.
+// The text that was found counts as read, together with everything before it; the next wait begins
+// after it.  Of the unread text at least the last LIMIT characters are kept (more if the text that
+// is waited for is longer), and at most twice as many.
 #pragma once
 
 #include <cstddef>
@@ -22,7 +22,7 @@ public:
     bool take(std::string_view text);
 
     std::uint64_t unread() const { return forgotten_ + unread_.size(); }
-    std::uint64_t forgotten() const { return forgotten_; }  // of those, too old to be looked at
+    std::uint64_t forgotten() const { return forgotten_; }  // unread characters that were dropped
 
 private:
     std::string unread_;

@@ -1,4 +1,4 @@
-// controls.h - what a hand can hold on the board: keypad keys, KEY3-KEY0, HPS_KEY, SW9-SW0
+// controls.h - the controls that can be held: keypad keys, KEY3-KEY0, HPS_KEY, SW9-SW0
 #pragma once
 
 #include <cstdint>

@@ -10,7 +10,7 @@ using Json = nlohmann::ordered_json;
 
 Json steps_schema();
 
-// Of types with long lists of words, which would else stand at each field.
+// Of types with long lists of words, so that the lists are not repeated at each field.
 Json definitions = Json::object();
 
 Json field_schema(const sim::Field& field) {

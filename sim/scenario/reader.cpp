@@ -43,7 +43,7 @@ Value preset_value(const Field& field) {
     return read_value(field.type, node);
 }
 
-// `whole` names the map in messages; `at` is where it is missing something.
+// `whole` names the map in messages; `at` is the place of messages about missing fields.
 Values read_fields(Values values, const std::vector<Field>& fields, const YamlNode& map,
                    const YamlNode& at, const std::string& whole) {
     for (std::size_t i = 0; i < map.keys.size(); ++i) {
@@ -108,7 +108,7 @@ std::vector<ScenarioStep> read_steps(const Path& folder, const YamlNode& list) {
     return steps;
 }
 
-// Says the place of the first byte that can not be in a text.
+// Refuses, with its place, the first byte that cannot be in a text.
 void need_text(std::string_view text) {
     int line = 1, column = 1;
     for (std::size_t at = 0; at < text.size();) {

@@ -36,8 +36,8 @@ struct Scenario {
     std::vector<ScenarioStep> steps;  // may be empty when there is a duration
 };
 
-// what() is one printable line, "file:line:column: expected ..., got ...".  Line and column count
-// from 1, columns in bytes; both are 0, and left out of what(), when the whole file is meant.
+// what() is one printable line, "file:line:column: expected ..., got ...".  Lines and columns (in
+// bytes) count from 1; both are 0, and left out of what(), if the error concerns the whole file.
 class ScenarioError : public std::runtime_error {
 public:
     ScenarioError(std::filesystem::path file, int line, int column, std::string message);

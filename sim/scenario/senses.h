@@ -14,7 +14,7 @@
 
 namespace sim {
 
-// Sees and hears what a person would: the last whole picture, the sound, the console.
+// Records what a person would see and hear: the last whole picture, the sound, the console.
 class Senses {
 public:
     void frame(const Monitor::Frame& frame);

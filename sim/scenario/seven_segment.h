@@ -18,8 +18,8 @@ struct Glyph {
     std::uint8_t segments;
 };
 
-// Each character's usual form first; B and D have the shapes of b and d.  Programs write 6, 7 and 9
-// in two forms each, so that a B may also be a 6.
+// Each character's usual form comes first; B and D have the shapes of b and d.  Programs write 6, 7
+// and 9 in two forms each, and one form of 6 equals B.
 constexpr Glyph GLYPHS[] = {
     {'0', 0x3F}, {'1', 0x06}, {'2', 0x5B}, {'3', 0x4F}, {'4', 0x66}, {'5', 0x6D}, {'6', 0x7D},
     {'7', 0x07}, {'8', 0x7F}, {'9', 0x6F}, {'A', 0x77}, {'B', 0x7C}, {'C', 0x39}, {'D', 0x5E},
@@ -31,8 +31,8 @@ constexpr Glyph GLYPHS[] = {
 // Six characters with a glyph each, HEX5 first.
 bool is_hex_text(std::string_view text);
 
-// What the digits show, HEX5 first: the character of `expected` where the pattern is a form of it,
-// else the first that has the pattern, '?' if none has.
+// The digits as text, HEX5 first: the character of `expected` if the pattern is one of its forms,
+// otherwise the first character with that pattern, '?' if there is none.
 std::string hex_text(const HexSegments& segments, std::string_view expected = "");
 
 }  // namespace sim

@@ -11,8 +11,8 @@ namespace sim {
 struct SimTime {
     std::uint64_t ps = 0;
 
-    // Digits, perhaps a point and more digits, then s, ms, us or ns.  Nothing for all else, for
-    // more than an hour, and for what is not a whole number of picoseconds.
+    // Digits, perhaps a point and more digits, then s, ms, us or ns.  No value for any other text,
+    // for more than an hour, and for fractions of a picosecond.
     static std::optional<SimTime> parse(std::string_view text);
 
     bool operator==(SimTime other) const { return ps == other.ps; }
@@ -21,7 +21,7 @@ struct SimTime {
 
 constexpr SimTime MAX_SIM_TIME{3'600'000'000'000'000};  // an hour
 
-// In the largest unit of which there is one or more, exactly: "1.5s", "80ms", "0s".
+// In the largest unit that gives at least 1, exactly: "1.5s", "80ms", "0s".
 std::string to_string(SimTime time);
 
 }  // namespace sim

@@ -1,7 +1,8 @@
-// stage.h - the board as the person in front of it has it: hands, eyes, ears and a watch
+// stage.h - the board from the point of view of the person in front of it: hands, eyes, ears and a
+// watch
 //
-// What steps act on.  Player puts it before the simulated board; the tests of steps, which need no
-// simulation, before a board of their own.
+// Steps act on this interface.  Player implements it for the simulated board; the tests of steps,
+// which need no simulation, implement it for a mock board.
 #pragma once
 
 #include <cstdint>
@@ -28,7 +29,8 @@ public:
     virtual void wait(SimTime time) = 0;
 
     enum class Each { FRAME, CHARACTER, MILLISECOND };  // that was shown, printed, passed
-    // Waits until `met`, looking now, after each of these, and at the end; false: not in this time.
+    // Waits until `met`, which it calls now, after each of these, and at the end; false: not in
+    // time.
     virtual bool wait_until(Each each, SimTime timeout, const std::function<bool()>& met) = 0;
 
     // ---- Hands ----
@@ -61,13 +63,13 @@ public:
     virtual std::uint16_t ledr() = 0;
     virtual HexSegments hex() = 0;
     virtual bool hps_led() = 0;
-    virtual std::uint32_t jp1() = 0;  // levels of the wires D31-D0, whoever drives them
+    virtual std::uint32_t jp1() = 0;  // levels of the wires D31-D0
     virtual std::uint32_t jp2() = 0;
 
     // ---- The output folder ----
 
     virtual const std::filesystem::path& folder() const = 0;
-    // False: it could not be written, which the report tells as a fault.
+    // False: it could not be written, which the report has as a fault.
     virtual bool save(const std::filesystem::path& path, const Image& image) = 0;
 
 protected:

@@ -1,4 +1,4 @@
-// static_checks.cpp - follows hands and clock through the steps
+// static_checks.cpp - tracks held controls, files and the time through the steps
 #include "sim/scenario/static_checks.h"
 
 #include <fmt/format.h>
@@ -60,7 +60,7 @@ void StaticChecks::new_file(const std::filesystem::path& as_written) {
     if (std::regex_match(file.begin()->string(), taken))
         refuse_step("a file that the run does not write itself", name);
 
-    // Paths are in the order of their parts: what is below one follows it.
+    // Paths are sorted by their components, so what is below a folder follows it.
     const auto next = written_.lower_bound(file);
     const auto refuse_beside = [&](const char* where, const auto& other) {
         refuse_step("a new file name", fmt::format("{} {} {} of line {}", name, where,

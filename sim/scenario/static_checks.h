@@ -1,4 +1,5 @@
-// static_checks.h - mistakes that can be seen before the run: what hands hold, files, the clock
+// static_checks.h - mistakes that can be found before the run: controls that are held, files, the
+// duration
 #pragma once
 
 #include <filesystem>
@@ -9,7 +10,7 @@
 
 namespace sim {
 
-// What a step may ask about the steps before it; what is wrong is a Refusal at its place.
+// What a step may ask about the steps before it.  A mistake is thrown as a Refusal with its place.
 class StaticChecks {
 public:
     explicit StaticChecks(const Scenario& scenario) : scenario_{scenario} {}
@@ -34,7 +35,7 @@ private:
     std::map<std::filesystem::path, int> written_;  // line
 };
 
-// Throws Refusal for what a step refuses, and for steps that the duration leaves no time for.
+// Throws Refusal if a step does, and for steps for which the duration leaves no time.
 void check_steps(const Scenario& scenario);
 
 }  // namespace sim

@@ -1,9 +1,8 @@
 // step.h - what a step of a scenario is
 //
-// A step is a class in a file of steps/, with an entry in that file's list (step_form.h).  It does
-// something to the board, an Action, or finds something out, a Claim.  There is no third kind, and
-// nothing but a claim is met or not: so of each claim that the end of a run cuts off, the report
-// says that it was not met.
+// A step is a class in a file of steps/, with an entry in that file's list (step_form.h).  It
+// either does something to the board, an Action, or checks something, a Claim.  Only a claim can be
+// met or not met.  A claim that the end of a run cuts off is reported as not met.
 #pragma once
 
 #include <optional>
@@ -18,7 +17,7 @@ class StaticChecks;
 
 struct Verdict {
     bool met;
-    std::string detail;  // what was there instead; may be empty when met
+    std::string detail;  // what was found instead; may be empty when met
 };
 
 class Step {
@@ -30,17 +29,17 @@ public:
     // One line as a person would say it: "press keypad 5 for 80ms".
     virtual std::string say() const = 0;
 
-    // The time that it takes whatever the board does.
+    // The least time that it takes, whatever the board does.
     virtual SimTime least() const { return {}; }
 
-    // Refuses what can be known to be wrong from the steps before it.
+    // Throws Refusal if the steps before it show that it is wrong.
     virtual void check(StaticChecks&) const {}
 
     // Reads the files that it needs; std::runtime_error, "expected ..., got ...", if it can not.
     virtual void load() {}
 
     virtual bool decides() const = 0;
-    virtual std::optional<Verdict> play(Stage& stage) const = 0;  // there is one if it decides()
+    virtual std::optional<Verdict> play(Stage& stage) const = 0;  // a value if it decides()
 
 private:
     friend class Action;

@@ -20,14 +20,14 @@ struct Field {
     const char* name;
     const ValueType& type;
     Need need;
-    const char* preset;  // as the file would say it; "" = none
+    const char* preset;  // as written in a file; "" = none
     const char* help;
 };
 
 // The values of a map's fields, presets filled in.
 class Values {
 public:
-    // Of a file in `folder`, and there in this line.
+    // Of a step in this line of a file in `folder`.
     Values(std::filesystem::path folder, int line) : folder_{std::move(folder)}, line_{line} {}
 
     void set(std::string name, Value value) {
@@ -47,7 +47,7 @@ public:
     Number number(const std::string& name) const {
         return static_cast<Number>(get<std::uint64_t>(name));
     }
-    // A list of numbers, and the same with a bit for each.
+    // A list of numbers, and the same as a mask.
     Numbers list(const std::string& name) const { return get<Numbers>(name); }
     template <class Mask>
     Mask mask(const std::string& name) const {
@@ -74,7 +74,7 @@ enum class Notation { BARE, MAP, BOTH };
 struct StepForm {
     const char* name;
     const char* help;
-    Notation notation;                // bare, the value is that of the first field
+    Notation notation;                // BARE: the value is that of the first field
     std::vector<const char*> any_of;  // at least one of these fields; empty = no such rule
     std::vector<Field> fields;
     std::unique_ptr<Step> (*make)(const Values&);

@@ -13,7 +13,7 @@ namespace sim {
 namespace {
 
 constexpr std::size_t MIN_SAMPLES = 32;
-constexpr std::size_t PADDING = 8;  // at least so many bins of the transform a bin of the window
+constexpr std::size_t PADDING = 8;  // at least so many bins of the transform per bin of the window
 constexpr std::size_t STRETCHES = 8;
 constexpr double MIN_SHARE = 0.5;
 constexpr double MIN_LEVEL_DBFS = -60;
@@ -27,7 +27,8 @@ std::vector<double> magnitudes(const std::vector<std::int16_t>& samples, double 
     while (size < PADDING * count) size *= 2;
     std::vector<double> in(size, 0.0);
     std::vector<std::complex<double>> out(size / 2 + 1);
-    // FFTW_ESTIMATE leaves the arrays alone and chooses without measuring: the same plan each run.
+    // FFTW_ESTIMATE keeps the arrays' content and chooses without measuring: the same plan in each
+    // run.
     fftw_plan plan =
         fftw_plan_dft_r2c_1d(static_cast<int>(size), in.data(),
                              reinterpret_cast<fftw_complex*>(out.data()), FFTW_ESTIMATE);

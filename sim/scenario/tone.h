@@ -12,8 +12,8 @@ struct Tone {
     double share = 0;          // of the energy, 0 to 1, that lies at that frequency
 };
 
-// Good to 0.5 % for a steady tone of ten or more periods.  The mean is taken off first.  Fewer than
-// 32 samples, or all equal, are no tone.
+// Accurate to 0.5 % for a steady tone of ten or more periods.  The mean is subtracted first.  Fewer
+// than 32 samples, or equal ones, are no tone.
 Tone analyse_tone(const std::vector<std::int16_t>& samples, double rate_hz);
 
 // True when the strongest frequency is `hz` to within the fraction `within` (0.03 = 3 %), has half

@@ -1,4 +1,4 @@
-// value_types.cpp - one reader a kind of value, and its JSON Schema beside it
+// value_types.cpp - one reader per kind of value, with its JSON Schema
 #include "sim/scenario/value_types.h"
 
 #include <fmt/format.h>

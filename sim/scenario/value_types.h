@@ -1,7 +1,7 @@
 // value_types.h - the kinds of value that a field can have: how to read, describe and complete them
 //
-// Here are those of several files and what others are made of; one that only a file of steps/ has
-// is in that file.
+// Here are the types that several files use and the building blocks of others.  A type that only
+// one file of steps/ uses is in that file.
 #pragma once
 
 #include <cstdint>
@@ -19,15 +19,15 @@ namespace sim {
 
 using Numbers = std::vector<std::uint64_t>;
 using Value = std::variant<std::uint64_t, double, std::string, SimTime, Numbers>;
-using Reading = std::optional<Value>;  // nothing: not such a value
+using Reading = std::optional<Value>;  // no value: the node is of another type
 
 struct ValueType {
     std::string expected;  // completes "expected ..."
     std::string schema;    // JSON Schema of one value
     std::function<Reading(const YamlNode&)> read;
     std::string list_of = "";  // one value or a list of different numbers, and their name
-    std::vector<std::string> words = {};  // for the hint at a slip
-    std::size_t at_most = 0;              // in a list; 0: as many as there are
+    std::vector<std::string> words = {};  // for the hint at a typing mistake
+    std::size_t at_most = 0;              // entries of a list; 0: no limit
 };
 
 namespace value_types {
@@ -55,7 +55,7 @@ std::optional<std::uint64_t> parse_whole(std::string_view text, std::uint64_t le
 // Digits, perhaps a point and more digits.
 std::optional<double> parse_decimal(std::string_view text, double least, double most);
 
-// Throws Refusal, with a hint when quotes are all that is wrong.
+// Throws Refusal, with a hint if only quotes are missing or superfluous.
 Value read_value(const ValueType& type, const YamlNode& node);
 
 }  // namespace sim

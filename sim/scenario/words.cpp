@@ -11,7 +11,7 @@ namespace sim {
 namespace {
 
 constexpr std::size_t MAX_QUOTED_BYTES = 60;
-constexpr std::size_t MAX_WORD_BYTES = 40;  // longer ones are no slip, and cost time
+constexpr std::size_t MAX_WORD_BYTES = 40;  // longer ones are no typing mistake, and cost time
 
 // Letters put in, left out, replaced, or swapped with their neighbour.
 std::size_t edit_distance(std::string_view a, std::string_view b) {

@@ -9,7 +9,8 @@
 
 namespace sim {
 
-// The candidate that differs in the fewest letters, if it is close enough to be a slip; else "".
+// The candidate that differs in the fewest letters, if it is close enough to be a typing mistake;
+// else "".
 std::string nearest(std::string_view word, const std::vector<std::string>& candidates);
 
 // ` (did you mean "press"?)`, or "" when no candidate is near.

@@ -1,7 +1,7 @@
-// yaml_tree.cpp - builds the tree from yaml-cpp's events, and stops at the first surprise
+// yaml_tree.cpp - builds the tree from yaml-cpp's events, and stops at the first error
 //
-// Events rather than yaml-cpp's own tree: that one keeps the last of two equal keys, follows
-// aliases, and descends as deep as the file says before anybody can object.
+// It uses events and not yaml-cpp's own tree, which keeps the last of two equal keys, follows
+// aliases, and descends to any depth before the caller can refuse the file.
 #include "sim/scenario/yaml_tree.h"
 
 #include <yaml-cpp/eventhandler.h>
@@ -123,7 +123,7 @@ private:
         if (parent.kind == YamlNode::Kind::MAP && parent.keys.size() == parent.items.size())
             return add_key(std::move(made));
         if (parent.kind == YamlNode::Kind::MAP && made.kind == YamlNode::Kind::NOTHING) {
-            made.line = parent.keys.back().line;  // yaml-cpp gives some place after it
+            made.line = parent.keys.back().line;  // yaml-cpp gives a place after it
             made.column = parent.keys.back().column;
         }
         parent.items.push_back(std::move(made));

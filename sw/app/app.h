@@ -1,4 +1,4 @@
-// app.h - the program: keypad in, picture and sound out, sixty times a second.
+// app.h - the program: keypad in, picture and sound out, 60 times per second.
 //
 //   keypad -> step -> draw -> back picture -> swap -+-> wait for the frame's end, feeding the sound
 //      ^--------------------------------------------'
@@ -9,8 +9,8 @@
 
 namespace app {
 
-// Runs for ever.  Returns only where the system ID is not the one it was built for, after saying so
-// on the console.  SW9-SW0, read once at the start, choose the seed of the shapes.
+// Runs for ever.  Returns only if the system ID is not the one that it was built for, after a
+// message on the console.  SW9-SW0, read once at the start, choose the seed of the shapes.
 void run(hal::Mmio& io, hal::Cpu& cpu);
 
 }  // namespace app

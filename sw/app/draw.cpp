@@ -15,7 +15,7 @@ using gfx::Canvas;
 constexpr gfx::Colour EDGE_COLOUR = gfx::rgb(96, 96, 96), BOX_COLOUR = gfx::rgb(0, 96, 0),
                       FLASH_COLOUR = gfx::WHITE, TEXT_COLOUR = gfx::rgb(255, 230, 120);
 
-// A line of text in the making; what does not fit on the screen is left out.
+// A line of text that is being put together; what does not fit on the screen is left out.
 class Text {
 public:
     Text& operator<<(std::string_view piece) {
@@ -49,7 +49,7 @@ void draw_box(const collision::Aabb& box, Canvas& canvas) {
     canvas.rect(x, y, box.max.x / PIXEL - x + 1, box.max.y / PIXEL - y + 1, BOX_COLOUR);
 }
 
-// On a black ground: shapes pass behind it.
+// On a black background, which covers the shapes.
 void write(std::string_view text, int x, int y, Canvas& canvas) {
     canvas.fill(x - 2, y - 2, gfx::text_width(text) + 3, gfx::CELL_HEIGHT + 2, gfx::BLACK);
     gfx::text(canvas, x, y, text, TEXT_COLOUR);

@@ -8,7 +8,7 @@
 
 namespace app {
 
-// What the picture says that the world does not know.
+// What the picture shows besides the world.
 struct Overlay {
     std::uint32_t tick_us = 0;  // measured time of a tick
 };

@@ -26,7 +26,7 @@ void Presenter::send_difference(unsigned y, const gfx::Colour* now, Row& shown,
             continue;
         }
         const unsigned first = x;
-        unsigned end = ++x;  // behind the last word that differs
+        unsigned end = ++x;  // one past the last word that differs
         for (; x < WORDS && x < end + JOIN; ++x)
             if (differs(x)) end = x + 1;
         std::memcpy(&shown[first], now + 2 * first, sizeof shown[0] * (end - first));

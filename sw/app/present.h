@@ -10,14 +10,14 @@
 namespace app {
 
 // Remembers both pictures, 307,200 bytes.  A call compares 38,400 words and sends those that differ
-// from what lies on the back picture, row by row, in bursts: a gap of fewer than JOIN words that
-// are the same is sent too, which costs less than to begin again.
+// from the back picture, row by row, in bursts.  A gap of fewer than JOIN equal words is sent too,
+// which costs less than a new burst.
 class Presenter {
 public:
     void present(const gfx::Canvas& canvas, hal::Display& display);
 
 private:
-    static constexpr unsigned WORDS = gfx::Canvas::WIDTH / 2;  // a row; two pixels a word
+    static constexpr unsigned WORDS = gfx::Canvas::WIDTH / 2;  // per row; two pixels per word
     static constexpr unsigned JOIN = 8;
 
     using Row = std::array<std::uint32_t, WORDS>;

@@ -1,11 +1,11 @@
-// random.h - small seeded random numbers: the same on every machine, and a value like any other.
+// random.h - a small seeded random number generator: the same numbers on every machine.
 #pragma once
 
 #include <cstdint>
 
 namespace app {
 
-// A Weyl sequence (odd step, so all 2^32 states come by) behind a bit mixer.
+// A Weyl sequence (odd step, so it visits all 2^32 states), then a bit mixer.
 class Random {
 public:
     explicit Random(std::uint32_t seed) : state_{seed} {}

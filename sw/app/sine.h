@@ -1,4 +1,4 @@
-// sine.h - sine and cosine from a table of integers: 1024 steps a turn, exactly symmetric.
+// sine.h - sine and cosine from a table of integers: 1024 steps per turn, exactly symmetric.
 #pragma once
 
 #include <array>
@@ -6,7 +6,7 @@
 
 namespace app {
 
-using Angle = std::uint32_t;  // 2^32 a turn, so that adding wraps by itself
+using Angle = std::uint32_t;  // 2^32 per turn, so that sums wrap by themselves
 
 constexpr Angle QUARTER_TURN = Angle{1} << 30;
 constexpr std::int32_t SINE_ONE = 65536;

@@ -16,8 +16,8 @@ static_assert(std::size(PITCHES_HZ) == 2 * (MAX_SIZE - MIN_SIZE) + 1, "a pitch f
 
 constexpr std::int32_t LOUDEST = 256;
 
-// Sine and envelope have 16 bits each, of which 16 are dropped again, and loudness has 8: 24 bits,
-// times this below 2^28, an eighth of full scale.
+// The product of sine and envelope (16 bits each) is cut to 16 bits; times the loudness (8 bits) it
+// has 24.  Times GAIN it stays below 2^28, an eighth of full scale.
 constexpr std::int32_t GAIN = 15;
 
 }  // namespace
@@ -44,7 +44,7 @@ void Mixer::mix(StereoSample* out, unsigned count, unsigned rate_hz) {
 }
 
 void Mixer::add(Voice& voice, StereoSample* out, unsigned count, unsigned rate_hz) {
-    // 2^32 a turn and 2^32 a tone, a second of both spread over the samples in it.
+    // The phase counts 2^32 per turn, the age 2^32 per tone; both steps are per sample.
     const std::uint64_t turn = std::uint64_t{1} << 32;
     const auto phase_step = static_cast<Angle>(turn * voice.pitch_hz / rate_hz);
     const std::uint64_t age_step = turn * 1000 / TONE_MS / rate_hz;

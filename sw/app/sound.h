@@ -1,8 +1,8 @@
 // sound.h - a short tone for every new collision, mixed from up to eight voices.
 //
-// A tone is a sine that falls to silence in TONE_MS, twice as fast at first as at the end.  Each
-// voice has at most an eighth of full scale, so no sum can clip.  When all sound, a new tone takes
-// the place of the oldest.
+// A tone is a sine that fades to silence in TONE_MS, at first twice as fast as on average.  Each
+// voice has at most an eighth of full scale, so no sum can clip.  If all voices are in use, a new
+// tone replaces the oldest.
 #pragma once
 
 #include <array>
@@ -17,7 +17,7 @@ struct StereoSample {
     std::int32_t left, right;  // full scale is all 32 bits
 };
 
-// Of the tone when shapes of these sizes (pixels) meet: 440 Hz * 2 ^ ((32 - size_a - size_b) / 8),
+// The pitch when shapes of these sizes (pixels) meet: 440 Hz * 2 ^ ((32 - size_a - size_b) / 8),
 // so 220 Hz for two of the largest and 880 Hz for two of the smallest; other sizes count as those.
 unsigned pitch_hz(unsigned size_a, unsigned size_b);
 
@@ -26,10 +26,11 @@ public:
     static constexpr unsigned VOICES = 8;
     static constexpr unsigned TONE_MS = 100;
 
-    // x is where on the screen, in pixels: left edge 2 : 1 in favour of the left, right edge 1 : 2.
+    // x is the position on the screen, in pixels: left to right is 2 : 1 at the left edge, 1 : 2 at
+    // the right.
     void note(unsigned size_a, unsigned size_b, int x);
 
-    // Writes the next `count` samples of `rate_hz` a second; exactly 0 while no tone sounds.
+    // Writes the next `count` samples at `rate_hz`; exactly 0 while no tone sounds.
     void mix(StereoSample* out, unsigned count, unsigned rate_hz);
 
 private:

@@ -36,7 +36,7 @@ void insert(World& world, Shape shape) {
     body.velocity.x = static_cast<std::int32_t>(speed * cosine(direction) / SINE_ONE);
     body.velocity.y = static_cast<std::int32_t>(speed * sine(direction) / SINE_ONE);
     body.angle = random.next();
-    body.spin = random.between(-(1 << 25), 1 << 25);  // up to 1/128 turn a tick
+    body.spin = random.between(-(1 << 25), 1 << 25);  // up to 1/128 turn per tick
     body.colour = COLOURS[random.between(0, std::size(COLOURS) - 1)];
 }
 
@@ -55,7 +55,7 @@ void press(World& world, char key) {
         case 'B': world.paused = !world.paused; break;
         case 'C':
             world.count = 0;
-            world.pairs_before.clear();  // their indices mean nothing any more
+            world.pairs_before.clear();  // their indices are no longer valid
             break;
         case 'D': world.show_boxes = !world.show_boxes; break;
         case 'E':
@@ -97,8 +97,8 @@ collision::Polygon place(Body& body) {
 }  // namespace
 
 World::World(std::uint32_t seed) : random{seed} {
-    // In the middle of the outermost pixels, and a hair apart at the corners: edges never collide
-    // with each other, yet no corner of a shape fits between them.
+    // The edges lie in the middle of the outermost pixels, with a tiny gap at the corners: so edges
+    // never collide with each other, yet no corner of a shape fits between them.
     constexpr std::int32_t NEAR = PIXEL / 2, FAR_X = WIDTH - NEAR, FAR_Y = HEIGHT - NEAR;
     polygons[LEFT].lines[0] = {{NEAR, 0}, {NEAR, HEIGHT}};
     polygons[RIGHT].lines[0] = {{FAR_X, 0}, {FAR_X, HEIGHT}};

@@ -12,7 +12,7 @@
 // A new shape's place, size, velocity, spin and colour come from the seeded generator.  With
 // CAPACITY shapes there, further ones are ignored; so are all other keys.
 //
-// A World takes about 80 KB: mind a small stack.
+// A World takes about 80 KB, which may be too much for a stack.
 #pragma once
 
 #include <array>
@@ -39,7 +39,7 @@ struct World {
     std::array<collision::Polygon, EDGES + CAPACITY> polygons{};
     // Of this tick and of the one before, in lexicographic order.
     collision::PairList pairs, pairs_before;
-    collision::Detector detector;  // its buffers: no part of the state
+    collision::Detector detector;  // only buffers: not part of the state
 
     collision::Algorithm algorithm = collision::BEST;
     bool paused = false;
@@ -57,7 +57,7 @@ struct Input {
 // Same world and input, same next world, bit for bit.
 void step(World& world, const Input& input);
 
-// The three parts of a step, in order, for who wants to time the detection alone as the paper did.
+// The three parts of a step, in order, to time the detection alone as the paper did.
 void advance(World& world, const Input& input);  // keys, movement, polygons and their boxes
 void find_pairs(World& world);                   // with the chosen algorithm
 void respond(World& world);                      // new velocities

@@ -30,7 +30,7 @@ public:
     }
 
 private:
-    // Microseconds for the whole film so many times over, each tick copied to one place first.
+    // Microseconds for `rounds` times the whole film; each tick is first copied to the same place.
     std::uint32_t play(unsigned rounds, bool detect) {
         const std::uint32_t begin = cpu_.micros();
         for (; rounds > 0; --rounds)

@@ -5,10 +5,10 @@
 
 namespace bench {
 
-// Prints a line a cell, "square,100,simd,12345": shape, shapes inserted, algorithm, nanoseconds a
-// tick for the pairs alone; "table1 done" at last.  16-pixel shapes as in workload.h.  A cell is
-// repeated until it has taken 2 ms, so that the microseconds of cpu.micros() do; what bringing the
-// shapes into place takes is subtracted.
+// Prints a line per cell, "square,100,simd,12345": shape, shapes inserted, algorithm, nanoseconds
+// per tick for the pairs alone; then "table1 done".  16-pixel shapes as in workload.h.  A cell is
+// repeated until it has taken 2 ms, so that the resolution of cpu.micros() suffices.  The time to
+// copy the shapes is subtracted.
 void table1(hal::Cpu& cpu);
 
 }  // namespace bench

@@ -14,7 +14,7 @@ using collision::Polygon;
 using collision::Vec2;
 
 struct Flying {
-    Vec2 at, way;  // grid units, a tick
+    Vec2 at, way;  // grid units; grid units per tick
     app::Angle angle;
     std::int32_t spin;
 };

@@ -19,8 +19,8 @@ struct Workload {
 using Tick = std::vector<collision::Polygon>;
 
 // `ticks` ticks of shapes that fly about on 320 x 240 pixels, turn, and bounce off the edges, but
-// not off each other.  Beyond 200 shapes the screen grows, so that they are as dense as 200.  Same
-// arguments, same film.
+// not off each other.  For more than 200 shapes the screen grows, so that they are as dense as 200.
+// The same arguments give the same film.
 std::vector<Tick> film(const Workload& workload, unsigned ticks);
 
 }  // namespace bench

@@ -36,7 +36,7 @@ fail() {  # CODE MESSAGE
     exit "$1"
 }
 
-# Names the step about to be done, and what the board runs if it is cut off from now on.
+# Prints the next step, and notes what the board runs if the connection is cut from now on.
 step() {
     step=$((step + 1))
     doing=$1

@@ -4,7 +4,7 @@
 # StrictHostKeyChecking=yes: an unknown key ends the deployment and is never learnt.  ssh itself
 # asks for a password where no key is at hand, once, at the terminal.
 
-# run_ssh COMMAND: its exit code, or an end with the promise of the step if the connection broke
+# run_ssh COMMAND: its exit code; if the connection broke, exits with what step() noted
 run_ssh() {
     if [ -n "$dry_run" ]; then
         printf '    ssh %s %s\n' "$BOARD" "$1"

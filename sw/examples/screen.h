@@ -14,7 +14,7 @@ static inline uint16_t rgb(unsigned red, unsigned green, unsigned blue) {
     return (uint16_t)(red >> 3 << 11 | green >> 2 << 5 | blue >> 3);
 }
 
-static uint32_t screen_picture;  // where the picture is that is not shown
+static uint32_t screen_picture;  // address of the picture that is not shown
 
 // A pixel of that picture.  (0, 0) is the upper left corner; outside of it nothing happens.
 static inline void screen_plot(int x, int y, uint16_t colour) {

@@ -21,7 +21,7 @@ void Canvas::pixel(int x, int y, Colour colour) {
 
 void Canvas::line(int x0, int y0, int x1, int y1, Colour colour) {
     // Step along the major axis, upwards; `rise` may go either way.  A difference of two ints needs
-    // 33 bits, a product of two of them without sign just fits 64.
+    // 33 bits; an unsigned product of two such differences just fits 64.
     const auto distance = [](int from, int to) {
         return static_cast<std::uint64_t>(to > from ? std::int64_t{to} - from
                                                     : std::int64_t{from} - to);

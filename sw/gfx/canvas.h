@@ -16,8 +16,8 @@ public:
 
     void pixel(int x, int y, Colour colour);
 
-    // Bresenham's line, both ends included; the same pixels from either end, and clipping leaves
-    // exactly those of the whole line that lie inside.
+    // Bresenham's line, both ends included.  Exchanging the ends gives the same pixels, and
+    // clipping removes exactly the pixels of the line that lie outside.
     void line(int x0, int y0, int x1, int y1, Colour colour);
 
     // An outline and a filled rectangle; nothing if width or height is below 1.

@@ -8,7 +8,7 @@
 namespace {
 
 constexpr int COLUMNS = 5, ROWS = 8;
-constexpr int MARGIN = 1;  // of 8 columns, left
+constexpr int MARGIN = 1;  // blank columns on the left, of 8
 
 // Bit 8 * row + column.
 std::uint64_t strokes(char letter) {
@@ -27,7 +27,7 @@ std::uint64_t strokes(char letter) {
 int main() {
     std::puts(
         "// character_font.vh - generated from sw/gfx/font.cpp by `make regmap`; do not edit.");
-    std::puts("// 8 x 8 pixels a letter: bit 8 * row + column; blank where there is none.\n");
+    std::puts("// 8 x 8 pixels per letter: bit 8 * row + column; blank where there is none.\n");
     std::puts("function [63:0] letter;\n    input [6:0] code;\n    case (code)");
     for (char code = ' ' + 1; code <= '~'; ++code)
         std::printf("        7'h%02x:   letter = 64'h%016llx;\n", static_cast<unsigned>(code),

@@ -12,7 +12,7 @@ class AudioOut {
 public:
     explicit AudioOut(Mmio& io) : io_{io} {}
 
-    // Samples a second.
+    // Samples per second.
     unsigned rate_hz() const { return io_.read(regmap::CODEC_RATE); }
 
     // Stereo samples that fit now, 0 to 128.

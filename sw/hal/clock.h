@@ -11,11 +11,11 @@ class Clock {
 public:
     explicit Clock(Mmio& io) : io_{io} {}
 
-    // Harmless where it runs already; it counts on from where it is.
+    // May be called while it runs: it counts on from its value.
     void start() { io_.write(CONTROL, 1); }
 
-    // Microseconds, modulo 2^32: subtract two to get a time span of up to 71 minutes.  0 until it
-    // is started.
+    // Microseconds, modulo 2^32: subtract two values to get a time span of up to 71 minutes.  0
+    // until it is started.
     std::uint32_t micros() const {
         std::uint32_t high = io_.read(HIGH), low, again;
         for (;; high = again) {  // once more only if the low word has just wrapped

@@ -19,7 +19,7 @@ public:
         }
     }
 
-    // Gives up after 100,000 looks at a transmitter that stays full.
+    // Gives up if the transmitter is still full after 100,000 reads of its status.
     void send(char character) {
         for (unsigned i = 0; i < 100'000 && !(io_.read(LSR) & THR_EMPTY); ++i) {
         }

@@ -14,13 +14,14 @@ class Display {
 public:
     static constexpr unsigned WIDTH = 320, HEIGHT = 240;
 
-    // The one in the on-chip memory on screen as after reset, the SDRAM's as the back picture.
+    // The picture in the on-chip memory is on screen, as after reset; the one in the SDRAM is the
+    // back picture.
     explicit Display(Mmio& io) : io_{io} {
         io_.write(regmap::PIXEL_BACK_BUFFER, regmap::SDRAM_BASE);
     }
 
-    // Words `first` to `first + count - 1` of a row of the back picture, two pixels a word with the
-    // left one in the low half; first + count <= WIDTH / 2.
+    // Words `first` to `first + count - 1` of a row of the back picture, two pixels per word with
+    // the left one in the low half; first + count <= WIDTH / 2.
     void write_row(unsigned row, unsigned first, const std::uint32_t* words, unsigned count) {
         io_.write_words(back_ + (row << 10) + (first << 2), words, count);
     }

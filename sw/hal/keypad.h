@@ -15,7 +15,7 @@ public:
         io_.write(regmap::KEYPAD_CONTROL, regmap::KEYPAD_CONTROL_EN_MASK);
     }
 
-    // The oldest press that was not yet told ('0'-'9', 'A'-'F'), or 0.  Releases are passed over.
+    // The oldest press that was not yet returned ('0'-'9', 'A'-'F'), or 0.  Releases are skipped.
     char pressed() {
         for (unsigned i = 0; i < 16; ++i) {  // as many as the FIFO holds
             const std::uint32_t event = io_.read(regmap::KEYPAD_EVENT);

@@ -7,7 +7,8 @@ namespace hal {
 
 class Mmio {
 public:
-    // One aligned 32-bit access.  One that nobody answers is a data abort: it does not return.
+    // One aligned 32-bit access.  At an address without a target it is a data abort and does not
+    // return.
     virtual std::uint32_t read(std::uint32_t address) = 0;
     virtual void write(std::uint32_t address, std::uint32_t value) = 0;
 

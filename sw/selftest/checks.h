@@ -20,7 +20,7 @@ struct Finding {
 
 Finding met(const char* detail);
 Finding unmet(const char* detail);
-// Met if they are the same; both stand in the detail where not.
+// Met if both are equal; otherwise the detail has both.
 Finding equal(std::uint32_t address, std::uint32_t got, std::uint32_t expected);
 
 // ---- registers.cpp ----

@@ -11,7 +11,7 @@ namespace {
 
 constexpr unsigned WORDS = hal::Display::WIDTH / 2;  // a row
 
-// Each word holds its own address, so that one that lands elsewhere is seen; then the complement.
+// Each word holds its own address, so that a write to a wrong place shows; then the complement.
 Finding keeps(Bench& bench, std::uint32_t base) {
     for (const std::uint32_t flip : {0u, 0xFFFFFFFFu}) {
         for (std::uint32_t y = 0; y < hal::Display::HEIGHT; ++y) {

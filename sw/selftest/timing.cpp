@@ -1,6 +1,6 @@
 // timing.cpp - the FPGA's clocks against the processor's
 //
-// Limits are wide enough for a Linux that looks away for a few milliseconds now and then.
+// The limits allow for a Linux that now and then runs something else for a few milliseconds.
 #include <cstdio>
 
 #include "hal/audio_out.h"
@@ -53,7 +53,8 @@ Finding interval_timer(Bench& bench) {
     return between(us, 9'800, 15'000, "9.8 to 15 ms");
 }
 
-// From a frame's end, over twenty more.  Even, so that the picture on screen is the one of before.
+// Over twenty frames, from the end of one on.  The number is even, so that afterwards the same
+// picture is on screen.
 Finding frame_rate(Bench& bench) {
     constexpr unsigned FRAMES = 21;
     hal::Display display{bench.io};

@@ -1,6 +1,6 @@
 // arm_core_speed.cpp - the modelled processor's engine alone: no SystemC, no fabric.
 //
-// The aims are those of a processor whose own speed is never what a run waits for; they hold on a
+// The targets ensure that the processor's engine is never what limits a run's speed; they hold on a
 // quiet machine.
 #include <algorithm>
 #include <chrono>
@@ -65,7 +65,7 @@ Speed loop(std::uint32_t second, std::uint64_t instructions) {
     return {static_cast<double>(instructions) / took.count(), bus.accesses};
 }
 
-// The best of several: what disturbs a run only makes it slower.
+// The best of several, because disturbances only make a run slower.
 double best(std::uint32_t second, std::uint64_t instructions) {
     double most = 0;
     for (int i = 0; i < RUNS; ++i)
@@ -86,7 +86,7 @@ int main() {
                ram / 1e6, verdict(ram >= 800e6));
     fmt::print("  the same with one to a register      {:6.0f} M instructions/s\n", device / 1e6);
     fmt::print(
-        "  an access to a register              {:6.0f} ns beside the bus (150 wanted: {})\n",
+        "  an access to a register              {:6.0f} ns besides the bus (150 wanted: {})\n",
         access_ns, verdict(access_ns <= 150));
     fmt::print("  a delay loop of one simulated second {:6.2f} s (1 wanted: {})\n", SECOND / ram,
                verdict(SECOND / ram <= 1));

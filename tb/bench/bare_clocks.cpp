@@ -1,4 +1,5 @@
-// bare_clocks.cpp - so many clocks of the bare model, for a profiler to count instructions in.
+// bare_clocks.cpp - runs the bare model for a number of clocks, so that a profiler can count
+// instructions.
 //
 //   bare_clocks CLOCKS
 #include <cstdio>

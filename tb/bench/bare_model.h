@@ -1,4 +1,4 @@
-// bare_model.h - the Verilated fpga.v in a plain loop: nothing drives it, nobody looks.
+// bare_model.h - the Verilated fpga.v in a plain loop: inputs idle, outputs not read.
 #pragma once
 
 #include <cstdint>

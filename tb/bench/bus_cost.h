@@ -1,9 +1,9 @@
-// bus_cost.h - what the firmware's accesses cost the simulating machine.
+// bus_cost.h - host time of the firmware's accesses.
 #pragma once
 
 namespace bench {
 
-// Through b_transport, the AXI pins and the RTL, the clocks that go by included.
+// Through b_transport, the AXI pins and the RTL, including the clocks that pass.
 struct BusCost {
     double register_read_ns;
     double register_write_ns;
@@ -11,7 +11,7 @@ struct BusCost {
     double burst_read_ns_a_word;
 };
 
-// Elaborates SystemC: once a process.
+// Elaborates SystemC: call it once per process.
 BusCost bus_cost();
 
 }  // namespace bench

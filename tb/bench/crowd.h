@@ -5,9 +5,9 @@
 
 namespace bench {
 
-// Ten seconds of 200 X and of 250 by the ARM `elf`, after as long as it takes to put them there by
-// the keypad.  Prints the new pictures and the processor's load.  False unless 200 have a new
-// picture in every frame.
+// Runs the ARM `elf` for ten seconds with 200 X and with 250, after creating them by the keypad.
+// Prints the number of new pictures and the processor's load.  False unless the run with 200 has a
+// new picture in every frame.
 bool crowd(const std::string& de1sim, const std::string& folder, const std::string& elf);
 
 }  // namespace bench

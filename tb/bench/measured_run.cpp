@@ -19,7 +19,7 @@ namespace bench {
 
 namespace {
 
-// Says nothing: what is missed at a shortened run's end is no news.  Returns wait4's status.
+// Discards its messages: a shortened run misses expectations at its end.  Returns wait4's status.
 int run_quietly(std::vector<std::string> words, rusage& used) {
     std::vector<char*> argv;
     for (std::string& word : words) argv.push_back(word.data());

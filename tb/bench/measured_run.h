@@ -15,14 +15,15 @@ struct MeasuredRun {
     std::uint64_t frames = 0;        // PNG files written
     double cpu_s = 0;                // of all of its threads
     std::uint64_t instructions = 0;  // of the program's, with --cpu arm
-    double busy_share = 0;           // of a frame that it does not sleep, median; with --cpu arm
+    double busy_share = 0;           // share of a frame in which it is awake, median; with --cpu
+                                     // arm
     std::uint64_t shown = 0, swapped = 0;  // frames; those with a new picture
 };
 
 // Writes every frame, or what `options` say, into `out`, which is removed before and after.
-// std::runtime_error if it does not end as a run of `duration_s` should; a scenario's missed
-// expectations are none of that, since a shortened run cannot meet them all.  Without `duration_s`
-// the scenario says when it ends, and is to be met.
+// std::runtime_error if it does not end as a run of `duration_s` should.  Missed expectations of
+// the scenario are no error then, because a shortened run cannot meet them all.  Without
+// `duration_s` the scenario ends the run, and must be met.
 MeasuredRun measure_run(const std::string& de1sim, const std::string& scenario,
                         std::optional<unsigned> duration_s, const std::filesystem::path& out,
                         const std::vector<std::string>& options = {"--frames", "all"});

@@ -10,8 +10,8 @@ struct Programs {
     std::string boxes, boxes_elf;  // one that writes pixel by pixel, then polls for the swap
 };
 
-// Prints how busy the machine is, the speeds of the bare model, and of runs in which every frame
-// becomes a PNG.  False if one is slower, set beside the bare model, than this project promises.
+// Prints the machine's load, the speed of the bare model, and that of runs in which every frame
+// becomes a PNG.  False if one is slower, relative to the bare model, than this project promises.
 bool real_time(const std::string& de1sim, const std::string& out, const Programs& programs);
 
 }  // namespace bench

@@ -1,6 +1,7 @@
 # bitstream_bench.sh - sourced, to test $script in the folder $scratch, which is emptied.
 #
-# As a PATH $scratch/none has the few tools that only() names; $scratch/tools is for stand-ins.
+# Two folders for the PATH: $scratch/none with the few tools that only() names, $scratch/tools for
+# stand-ins.
 # shellcheck shell=sh disable=SC2154  # they are the caller's
 rm -rf "$scratch"
 mkdir -p "$scratch/none" "$scratch/tools"
@@ -8,9 +9,9 @@ mkdir -p "$scratch/none" "$scratch/tools"
 fail() { echo "FAILED: $1"; cat "$scratch/said" 2>&1; exit 1; }
 # only TOOL...: these are in none
 only() { for tool; do ln -s "$(command -v "$tool")" "$scratch/none/$tool"; done; }
-# run PATH: its exit code in $code, what it said in said
+# run PATH: its exit code in $code, its output in the file said
 run() { code=0; PATH="$1" "$script" >"$scratch/said" 2>&1 || code=$?; }
-# misses TOOL: with none's tools it says in a line that this one is not there
+# misses TOOL: with the tools of none alone it reports in one line that this one is missing
 misses() {
     run "$scratch/none"
     [ "$code" = 3 ] || fail "without $1: exit $code, not 3"

@@ -35,7 +35,7 @@ cat >"$scratch/tools/nextpnr-mistral" <<'EOT'
 echo "ERROR: unsupported device" >&2
 exit 255
 EOT
-# Yosys would make the same netlist again, for a minute.
+# Saves a minute: Yosys would make the same netlist again.
 ln -s "$(command -v true)" "$scratch/tools/yosys"
 rm "$out/de1_soc.rbf"
 run "$scratch/tools:$PATH"

@@ -1,5 +1,5 @@
 #!/bin/sh
-# bitstream_test.sh PROJECT SCRATCH - bitstream.sh without Quartus, and with a stand-in that says
+# bitstream_test.sh PROJECT SCRATCH - bitstream.sh without Quartus, and with a stand-in that reports
 # what Quartus would: timing met, missed, not analysed, a compilation that fails.
 set -eu
 project=$1

@@ -1,7 +1,7 @@
 // Writes the coverage counters of every Verilated model when it ends, into a file of its own.
 //
-// The counters lie in the model and die with it, and the tests' models die with their fixtures: too
-// early for a write at exit.  So the linker (--wrap) puts this in front of the destructor of
+// The counters are part of the model, and the tests' models are destroyed with their fixtures,
+// before the process exits.  So the linker (--wrap) calls this before the destructor of
 // VerilatedSyms, the base class of each model's data.
 #include <unistd.h>
 

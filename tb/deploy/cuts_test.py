@@ -8,7 +8,7 @@ import unittest
 
 from fixture import DeployTest
 
-LINES = 18  # that deploy.sh prints on a board that had a version
+LINES = 18  # number that deploy.sh prints on a board that had a version
 
 
 class DeployCut(DeployTest):
@@ -79,7 +79,7 @@ class DeployCut(DeployTest):
                            "exec busybox tar \"$@\"\n")
         version = self.version("B")
         with open(version["RBF"], "ab") as rbf:
-            rbf.write(b"x" * 8_000_000)  # more than ssh has under way
+            rbf.write(b"x" * 8_000_000)  # more than ssh buffers
 
         def at_line():
             if self.lines[-1].startswith("[3]"):

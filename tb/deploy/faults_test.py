@@ -1,4 +1,4 @@
-"""faults_test.py NAME - what goes wrong on the way to the board, and what the board runs then."""
+"""faults_test.py NAME - errors during a deployment, and what the board runs after them."""
 import os
 import unittest
 

@@ -93,7 +93,7 @@ class DeployTest(unittest.TestCase):
         self.assertIn(part, self.said())
 
     def installed(self):
-        """The name of the version that `current` points to, after a look at its sums; or None."""
+        """The name of the version that `current` points to, after checking its sums; or None."""
         current = self.board.root / "opt/de1sim/current"
         if not current.is_symlink():
             return None
@@ -103,7 +103,7 @@ class DeployTest(unittest.TestCase):
         return (current / "de1_soc.rbf").read_bytes().split(b"\n")[0].split()[1].decode()
 
     def assert_works(self, *names):
-        """One of these versions is current, in the FPGA, behind open bridges, and it runs."""
+        """One of these versions is current and loaded, the bridges are on, and its program runs."""
         self.board.wait_for_rest()
         name = self.installed()
         self.assertIn(name, names, self.said())

@@ -1,4 +1,4 @@
-"""standin.py - a folder that plays the board: its files, its kernel, its programs, its sshd.
+"""standin.py - a folder in place of the board: its files, its kernel, its programs, its sshd.
 
 The kernel is a thread: it sees what is written to the overlay's `path` or to /dev/fpga0, takes the
 bitstream and says `operating`, or `write init error` for one that starts as `refused`.  A bitstream
@@ -214,7 +214,7 @@ Host board
             self.connections.append((connection, server))
 
     def cut(self):
-        """As if the cable were drawn: now, and until heal()."""
+        """As if the cable were unplugged, until heal()."""
         self.refuses = True
         for connection, _ in self.connections:
             try:

@@ -1,6 +1,6 @@
 // axi_write_formal.v - one answer to each write request, its ID, its beats, its code. By induction.
 //
-// The master is free: it may do anything at any time, also take back a VALID.
+// The master is unconstrained: it may do anything at any time, even withdraw a VALID.
 
 `default_nettype none
 

@@ -1,4 +1,4 @@
-// dual_clock_fifo_formal.v - no word lost, none invented, none out of order, whatever the clocks do
+// dual_clock_fifo_formal.v - no word lost, none invented, none out of order, for any clocks
 //
 // Both clocks are free: each may tick at any time, or both at once, or one never.  The reference is
 // a log of the words that were pushed.  By 14-step induction.

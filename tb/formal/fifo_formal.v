@@ -68,7 +68,7 @@ module fifo_formal (
         end
     end
 
-    // ---- Invariants: the words behind the head lie in the memory ----
+    // ---- Invariants: the words after the head lie in the memory ----
     wire [1:0] dut__read_q, dut__write_q;
     wire [3:0] dut__memory__0, dut__memory__1, dut__memory__2, dut__memory__3;
     function [3:0] word_at;

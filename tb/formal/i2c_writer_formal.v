@@ -1,7 +1,7 @@
 // i2c_writer_formal.v - START and STOP only where I2C allows them, its times, and the word as sent.
 //
 // By 3-step induction, with quarters of four clocks; at 63 they are the 100 kHz standard's times.
-// What the slave does to SDA and when words are asked for is free.
+// The slave's effect on SDA and the times of the requests are unconstrained.
 
 `default_nettype none
 

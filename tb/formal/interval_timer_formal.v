@@ -1,8 +1,8 @@
-// interval_timer_formal.v - the interrupt is high exactly while an end that was not cleared counts,
+// interval_timer_formal.v - the interrupt is high exactly while an end is not cleared and enabled,
 // and every register reads what it should, snapshots of the running counter too.
 //
-// By 2-step induction, against a counter that takes the four ticks of a clock one by one, as the
-// manual tells it.  Every write, at any time, of whole half words; periods of four ticks or more.
+// By 2-step induction, against a reference that counts the four ticks of a clock one by one, as in
+// the manual.  Writes of whole half words are free, at any time; periods are four ticks or more.
 
 `default_nettype none
 

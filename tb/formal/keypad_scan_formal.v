@@ -1,7 +1,8 @@
 // keypad_scan_formal.v - one column low; no key moves before its debounce time, and then it does.
 //
-// By 3-step induction, with slots of three clocks.  Rows, debounce time and pauses are free; one
-// key, any of the sixteen, is followed through a scan of the harness's own.
+// By 3-step induction, with slots of three clocks.  Rows, debounce time and pauses are
+// unconstrained.  The harness has a reference scan, in which it follows one key that the solver
+// chooses.
 
 `default_nettype none
 

@@ -1,8 +1,8 @@
 // line_buffer_formal.v - words are kept; a flat block's pixels are as the one before them.
 //
-// By 3-step induction, of a place that the solver chooses.  Words are written in the order of their
-// places, from the first, and as many as may be; so what is said of a block holds from when it has
-// been written whole until its row begins anew.
+// By 3-step induction, for a place that the solver chooses.  Words are written in ascending order,
+// from the first on; any number of them.  So the claims about a block hold from when it has been
+// written completely until its row begins anew.
 
 `default_nettype none
 
@@ -18,8 +18,8 @@ module line_buffer_formal (
     wire [31:0] rdata, other_rdata;
     wire        flat;
 
-    // Who reads changes nothing but what was read: so of one the chosen place is always read, and
-    // of the other what may be.
+    // A read changes nothing but its own result.  So one instance always reads the chosen place,
+    // and the other reads any place.
     line_buffer dut (
         .wclk_i(clk_i), .we_i(we_i), .windex_i(windex_i), .wdata_i(wdata_i),
         .rclk_i(clk_i), .re_i(1'b1), .rindex_i(place), .rdata_o(rdata), .flat_o(flat)
@@ -31,7 +31,7 @@ module line_buffer_formal (
 
     // ---- The reference ----
     wire [8:0]  block = {place[8:3], 3'd0};      // its first word
-    reg         begun_q = 1'b0;                  // some row has been
+    reg         begun_q = 1'b0;                  // a row has begun
     reg         written_q = 1'b0, read_q = 1'b0, ran_q = 1'b0, re_q, whole_q = 1'b0;
     reg  [8:0]  last_q;                          // where the last word went
     reg  [31:0] word_q, word_was_q, other_q;     // at the place

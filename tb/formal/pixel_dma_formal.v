@@ -1,11 +1,12 @@
 // pixel_dma_formal.v - no pixel is late: a row is whole before it is on the screen.
 //
-// By 2-step induction.  The SDRAM takes a request in the eleventh clock at the latest, or in the
-// seventh if it came in the clock after the one before was taken, and answers it four clocks later:
-// sdram_wait_formal.v and sdram_formal.v prove that.  The processor reads the on-chip memory as it
-// likes when it may.  The picture begins anywhere, and is addressed in one way for a frame.
+// By 2-step induction.  The SDRAM takes a request in its eleventh clock at the latest, or in its
+// seventh if the request came in the clock after the previous one was taken.  It answers four
+// clocks later.  sdram_wait_formal.v and sdram_formal.v prove both.  The processor may read the
+// on-chip memory in any clock that is free for it.  The picture begins anywhere; the addressing
+// mode is constant during a frame.
 //
-// Each word of a memory holds its own address, and so tells where it is from.
+// Each word of a memory holds its own address, which shows where it was read.
 
 `default_nettype none
 
@@ -16,7 +17,7 @@ module pixel_dma_formal (
     input wire        consecutive_i,
     input wire        re_i,          // the processor's read of the on-chip memory
     input wire        sdram_take_i,
-    input wire [31:0] other_i        // what it gives; on the SDRAM's data while nobody waits
+    input wire [31:0] other_i        // what it gives; on the SDRAM's data while no read waits
 );
     localparam [3:0]  FIRST = 4'd11, NEXT = 4'd7;
     localparam [7:0]  WORDS = 8'd161;
@@ -75,7 +76,7 @@ module pixel_dma_formal (
     reg  [27:0] front_q, base_q;      // words: where the picture begins, and the row
     reg         consecutive_q, req_q, next_q;
     reg  [7:0]  count_q;              // words of the row that have been written
-    reg  [3:0]  wait_q;               // clocks that the request has stood
+    reg  [3:0]  wait_q;               // clocks since the request
     reg  [23:0] sdram_index_q;
 
     function [27:0] begin_of;
@@ -124,7 +125,7 @@ module pixel_dma_formal (
         input [27:0] address;
         in_onchip = {address, 2'd0} >= 30'h800_0000 && {address, 2'd0} < 30'h804_0000;
     endfunction
-    function [31:0] word_of;          // a row that goes on behind the last address is black there
+    function [31:0] word_of;          // a row is black after the last address
         input [27:0] base;
         input [7:0]  n;
         reg [27:0] address;

@@ -1,7 +1,7 @@
 // pixel_registers_formal.v - the picture changes only at the frame's end, and only when asked.
 //
-// By 3-step induction; every write and read, at any time, with any strobes.  STATUS of one that has
-// the bit A and of one that has not: what was written last, in the bits that can be.
+// By 3-step induction; every write and read, at any time, with any strobes.  STATUS, of one
+// instance with the bit A and of one without: what was written last, in its writable bits.
 
 `default_nettype none
 

@@ -1,11 +1,11 @@
 // sdram_formal.v - legal commands, refreshes in time, no word lost or out of order.
 //
-// By 8-step induction, against what the datasheet of the IS42S16320D-7 says of a bank that the
-// solver chooses, and with one word of that bank in the chip: of any other it gives what it likes.
-// The requests are free, but stay until they are taken.
+// By 8-step induction, against the datasheet of the IS42S16320D-7, for a bank that the solver
+// chooses.  The chip stores one word of that bank; reads of other words give any value.  The
+// requests are unconstrained, but stable until they are taken.
 //
-// The chip sees the pins in the middle of a clock.  What it reads then is on DQ in the middle of
-// the next, so at the end of that clock.
+// The chip samples the pins in the middle of a clock.  The data of a read is on DQ in the middle of
+// the next clock, so at the end of that clock.
 
 `default_nettype none
 

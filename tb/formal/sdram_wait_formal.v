@@ -1,6 +1,7 @@
-// sdram_wait_formal.v - how long the screen waits for the SDRAM while the processor hammers on it.
+// sdram_wait_formal.v - how long the screen waits for the SDRAM while the processor accesses it
+// continuously.
 //
-// By 12-step induction.  The requests are free, but stay until they are taken.
+// By 12-step induction.  The requests are unconstrained, but stable until they are taken.
 
 `default_nettype none
 
@@ -13,8 +14,9 @@ module sdram_wait_formal (
     input wire        we_i,
     input wire [23:0] index_i
 );
-    // Clocks up to the one in which it is taken, as in pixel_dma_formal.v: of a request that finds
-    // the processor's begun, and of one that comes in the clock after the one before was taken.
+    // Clocks up to the one in which a request is taken, as in pixel_dma_formal.v: FIRST if the
+    // processor's request has begun, NEXT if it comes in the clock after the previous one was
+    // taken.
     localparam [3:0]  FIRST = 4'd11, NEXT = 4'd7;
     localparam [12:0] POWER_UP = 13'd5000, INTERVAL = 13'd192;
 
@@ -38,7 +40,7 @@ module sdram_wait_formal (
 
     reg         screen_held_q, held_q, held_we_q, next_q;
     reg  [23:0] screen_held_index_q, held_index_q;
-    reg  [3:0]  wait_q;                  // clocks that the screen's request has stood
+    reg  [3:0]  wait_q;                  // clocks since the screen's request
     reg  [12:0] phase_q;                 // clocks to the next refresh
     reg         begun_q;                 // one has been due
 

@@ -5,7 +5,7 @@ What awake_o, due_o and rest_o promise is in rtl/README.md, Sleep.
 sleep.py --rtl DIR --work DIR [--strobes PORT...] [--pins PORT...] [--mutant FILE.sed]
          --sources SOURCE...
 
-The first source is the block.  It is proved from any state, reachable or not, behind any clock
+The first source is the block.  It is proved from any state, reachable or not, after any clock
 before it, a reset too:
 
     sleeps       not awake, not due, no strobe, pins as in the clock before: the next clock leaves
@@ -15,7 +15,7 @@ before it, a reset too:
 
 Any other input, such as an address, data or the time, may do what it likes, and so may registers
 of the audio clock and the video decoder's, which do not tick in `stays` and `rests`.  Of vga.v,
-whose clock never stops, `rests` says that in the r clocks behind this one nothing changes and
+whose clock never stops, `rests` says that in the r clocks after this one nothing changes and
 nobody is spoken to; of timebase.v, `leaps`, that a leap over n + 1 clocks is one over n and a
 clock.  Of fpga.v with the simulation's group_clock.v, `sleeps` is said of each group, and `rests`
 of all together.
@@ -64,7 +64,7 @@ class Block:
         self.clocks = {name.replace("\\", "/"): nets[cell["connections"][port][0]]
                        for name, cell in netlist["cells"].items()
                        for port in ("CLK", "WR_CLK") if port in cell["connections"]}
-        # Of another clock, which ticks when it likes.
+        # Registers on another clock, which may tick at any time.
         self.foreign = self.edges_of("clk_audio_i") + self.edges_of("clk_td_i")
         self.edges = [edge for edge in self.edges if edge not in self.foreign]
 
@@ -89,7 +89,7 @@ class Block:
         return f"|{self.name}_n {signal} {state}|"
 
     def clock(self, before, after, edges=None):
-        """What the clock makes of the state before is the state after, in all or some registers."""
+        """The state after is the state before plus one clock, in all or some registers."""
         edges = "\n".join(edges or self.edges)
         return f"(and {self.told(self.told(edges, 'state', before), 'next_state', after)}\n)"
 
@@ -98,7 +98,7 @@ class Block:
         return self.clock(state, state, edges)
 
     def kept(self, before, after, edges):
-        """There was no clock."""
+        """The state after is the state before: there was no clock."""
         registers = re.findall(r"\(\|([^|]+)\| next_state\)", "\n".join(edges))
         same = " ".join(f"(= |{name} {before}| |{name} {after}|)" for name in registers)
         return f"(and true {same})"
@@ -138,7 +138,7 @@ def sleep(block, strobes, pins):
     yield "sleeps", asleep, [block.stands("s1")]
     yield "stays", later, [block.low("awake_o", "s2")]
     if "line_end_i" in block.widths:
-        # It waits for the beam, and rests in the clock that is due, too.
+        # It waits for the beam, and may also rest in a clock in which it is due.
         yield ("rests", [block.clock("s0", "s1"), block.clock("s1", "s2"),
                          *(block.low(name, state) for name in ("rst_i", "line_end_i", *strobes)
                            for state in ("s1", "s2")),
@@ -198,7 +198,7 @@ def fabric(block, strobes, pins):
         yield (f"{group} sleeps",
                [block.clock("s0", "s1"), *told, block.low(f"{group}.awake_i", "s1")],
                [block.stands("s1", ours[group])])
-    # The clock that the picture's fetch has waited for is its group's alone.
+    # The clock for which the picture's fetch has waited is a clock of its group alone.
     memory = ours["clocks.memory_group"]
     still = [edge for edge in grouped if edge not in memory]
     fetches = (f"(ite {block.low('clocks.memory_group.awake_i', 's0')}"
@@ -213,7 +213,7 @@ def fabric(block, strobes, pins):
 
 
 def leap(block):
-    """What holds of timebase.v: s0 leaps to s1; s2, at the same time, leaps one less, to s3."""
+    """What holds of timebase.v: s0 skips to s1; s2, at the same time, skips one less, to s3."""
     yield ("leaps", [block.clock("s0", "s1"), block.clock("s2", "s3"), block.clock("s3", "s4"),
                      block.same("now_o", "s0", "s2"), block.same("skip_i", "s2", "s0", 1),
                      f"(not {block.low('skip_i', 's0')})", block.low("skip_i", "s3"),
@@ -228,7 +228,7 @@ def ask(asked, work):
 
 
 def holds(block, claim, work):
-    """Whether the claim does: its premises can be, but not without one of its conclusions."""
+    """Whether the claim holds: its premises are satisfiable, but not without its conclusions."""
     name, premises, conclusions = claim
     states = sorted(set(re.findall(r" (s\d)\|", " ".join(premises))))
     signals = [block.at(name, state) for name in block.widths for state in states]

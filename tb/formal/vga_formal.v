@@ -1,8 +1,8 @@
 // vga_formal.v - every pixel on the pins is the line buffer's, in time; blanking is black.
 //
-// By 5-step induction.  The beam, what is in the line buffer and which blocks it calls flat are
-// free, as far as these are.  What begins with the first clock of a line stays until its last:
-// whether the picture is shown, and in which half of a word it begins.
+// By 5-step induction.  The beam, the content of the line buffer and its flat blocks are
+// unconstrained, within their own rules.  Two inputs are constant during a line: whether the
+// picture is shown, and in which half of a word it begins.
 
 `default_nettype none
 
@@ -58,7 +58,7 @@ module vga_formal (
     always @(*) begin
         if (!live) assume (rst_i);
         if (dut__h != 10'd0) assume (enable_i == enable_q && upper_i == upper_q);
-        // A flat block is as the pixel before it, so the first is not.
+        // A flat block equals the pixel before it, so the first block is not flat.
         if (begins && dut__h < 10'd32) assume (!flat_i);
         if (shown && dut__h[0] && flat) assume (word == {pixel1_q, pixel1_q});
     end

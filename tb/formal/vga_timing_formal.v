@@ -1,8 +1,7 @@
 // vga_timing_formal.v - sync positions, blanking, totals of the VGA's beam
 //
-// By 6-step induction, so from any place of the beam.
-// The numbers are VESA DMT's for 640 x 480 at 60 Hz; VS moves where HS begins.  The pins follow the
-// beam four clocks later.
+// By 6-step induction, so from any position of the beam.  The numbers are VESA DMT's for 640 x 480
+// at 60 Hz; VS moves where HS begins.  The pins follow the beam four clocks later.
 
 `default_nettype none
 

@@ -1,7 +1,7 @@
 // video_writer_formal.v - video-in writes into its buffer alone, and every word that belongs there.
 //
-// By 2-step induction; any words at any time, and memories that take them when they like.  The
-// buffer's address moves only when a picture has ended, as pixel_registers.v has it.
+// By 2-step induction; words may come at any time, and memories take them at any time.  The
+// buffer's address changes only when a picture has ended, as pixel_registers.v guarantees.
 
 `default_nettype none
 

@@ -58,7 +58,7 @@ def run(chapter, arguments):
         script += f"echo; echo '{MARK.format(number)}'\n"
         script += commands.replace(INSTALLED, examples).replace(PORT, port)
     path = f"{arguments.bin.resolve()}:{os.environ['PATH']}"
-    # A build of the project is not optimised: what it plays is short, and compiling it is not.
+    # A build of the project is not optimised, because its runs are short and compiling is long.
     environment = dict(os.environ, PATH=path, LC_ALL="C", CMAKE_BUILD_TYPE="Unoptimised")
     for name in ["MAKEFLAGS", "MAKELEVEL", "MFLAGS"]:  # of `make test`
         environment.pop(name, None)

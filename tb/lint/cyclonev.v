@@ -1,6 +1,6 @@
-// cyclonev.v - ports of the Cyclone V primitives that rtl/board uses, with nothing behind them
+// cyclonev.v - ports of the Cyclone V primitives that rtl/board uses, without function
 //
-// For linters: a wrong port name, width or direction is seen without the vendor's libraries.
+// For linters: they find a wrong port name, width or direction without the vendor's libraries.
 
 `default_nettype none
 /* verilator lint_off DECLFILENAME */

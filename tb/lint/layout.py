@@ -1,4 +1,4 @@
-"""layout.py ROOT - what no formatter checks: characters, lengths, header lines, default_nettype."""
+"""layout.py ROOT - checks that no formatter does: characters, lengths, headers, default_nettype."""
 import pathlib
 import re
 import sys

@@ -57,7 +57,7 @@ module MISTRAL_ALUT_ARITH #(
     assign CO = (first & second) | (CI & (first | second));
 endmodule
 
-// ENA gates SCLR and SLOAD, too; SCLR beats SLOAD.
+// ENA gates SCLR and SLOAD, too; SCLR has priority over SLOAD.
 module MISTRAL_FF (
     input wire DATAIN, CLK, ACLR, ENA, SCLR, SLOAD, SDATA,
     output reg Q

@@ -1,4 +1,4 @@
-"""package_test.py CPACK_CONFIG WORK - the Debian package, where nothing is but what it asks for
+"""package_test.py CPACK_CONFIG WORK - the Debian package in a system with only its dependencies
 
 Its dependencies suffice, an example plays there, and when it is removed nothing of it is left.
 """
@@ -46,7 +46,7 @@ class Package(unittest.TestCase):
         shutil.rmtree(cls.root)
 
     def inside(self, *command, passes=True):
-        # Whoever is not root is root in a user namespace of his own.
+        # Without root it becomes root in a user namespace.
         become = [] if os.geteuid() == 0 else ["unshare", "--map-root-user"]
         done = subprocess.run([*become, "chroot", self.root, "/usr/bin/env", "-i", PATH, *command],
                               stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)

@@ -1,4 +1,5 @@
-// aborts_twice.c - reads where nothing is, and a register whose bridge is in reset; then hangs.
+// aborts_twice.c - reads an address without a target, and a register whose bridge is in reset; then
+// loops for ever.
 #include "registers.h"
 
 // Skips the access.

@@ -1,7 +1,7 @@
-// dies.c - an exception that it never comes back from.
+// dies.c - an exception whose handler never returns.
 //
 // DIES_BY 1: undefined instruction, 2: prefetch abort, 3: data abort, all into a vector that spins
-// (start.S); 4: data abort into a handler that goes round and round.
+// (start.S); 4: data abort into a handler with an endless loop.
 #include "registers.h"
 
 #if DIES_BY == 4

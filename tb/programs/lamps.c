@@ -1,4 +1,5 @@
-// lamps.c - what shows without a monitor: LEDR, HEX, the HPS's LED, JP1's pins, characters.
+// lamps.c - outputs besides the monitor's picture: LEDR, HEX, the HPS's LED, JP1's pins,
+// characters.
 //
 // HEX shows 6, 7 and 9 in the forms that programs use besides a font's, and two dark digits.  With
 // KEY0 pressed it goes on: LEDR counts to 300 as fast as it can.

@@ -1,4 +1,4 @@
-// low_bits.c - how often the A9's private timer, read behind KEY, ends in each of 16 ways.
+// low_bits.c - how often the A9's private timer, read after KEY, ends in each of 16 ways.
 //
 // Then the same in the interrupt of an interval timer: both as programs take random numbers.
 #include "registers.h"

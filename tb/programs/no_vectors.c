@@ -1,4 +1,4 @@
-// no_vectors.c - reads where nothing is, with nothing to handle that: entry at main, no start-up.
+// no_vectors.c - reads an address without a target, without a handler: entry at main, no start-up.
 #include <stdint.h>
 
 void main_without_vectors(void) {

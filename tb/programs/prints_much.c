@@ -1,4 +1,5 @@
-// prints_much.c - 1.25 MiB on the serial line, then its checks; what it said first is long gone by.
+// prints_much.c - 1.25 MiB on the serial line, then its checks, so that its first output has been
+// dropped.
 #include "registers.h"
 
 #define UART_THR REGISTER(0xFFC02000)

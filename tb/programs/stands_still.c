@@ -1,4 +1,4 @@
-// stands_still.c - draws a white line and is at its end: it spins on the spot.
+// stands_still.c - draws a white line and ends: it branches to itself.
 #include "registers.h"
 
 int main(void) {

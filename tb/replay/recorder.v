@@ -1,8 +1,8 @@
-// recorder.v - bound to a block in its test: a line a clock, what goes in and what comes out
+// recorder.v - bound to a block in its test: records inputs and outputs, one line per clock
 //
-// Inputs, then outputs before the edge and behind it.
-// A test makes many models, one after the other.  A line begins with 0 where another begins, whose
-// registers hold anything; it is flushed, since Verilator keeps the last model's file open.
+// A line has the inputs, then the outputs before the edge and after it.  A test makes many models,
+// one after the other.  The first line of a model, whose registers have random values, begins with
+// 0.  Each line is flushed, because Verilator keeps the last model's file open.
 `default_nettype none
 
 module recorder #(

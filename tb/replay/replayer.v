@@ -1,7 +1,8 @@
-// replayer.v - the recorded inputs into the block again; counts outputs that are not as recorded
+// replayer.v - drives the recorded inputs into the block; counts outputs that differ from the
+// record
 //
-// An output that is X is not as recorded.  Not compared: clocks in reset, and those of a model
-// before its first reset.
+// An output that is X counts as different.  Not compared: clocks in reset, and those before a
+// model's first reset.
 `default_nettype none
 
 module replayer;

@@ -1,4 +1,5 @@
-// audio_bench.h - audio.v with a WM8731 on its pins, somebody at its line-in and line-out
+// audio_bench.h - audio.v with a WM8731 on its pins; the test plays into line-in and records
+// line-out
 #pragma once
 
 #include <gmock/gmock.h>
@@ -19,7 +20,7 @@ constexpr std::uint32_t CONTROL_CW = 8, CONTROL_CR = 4, CONTROL_RI = 0x100, CONT
 inline std::uint32_t left_of(unsigned n) { return (n * 0x010203u << 8) | 0x5a; }
 inline std::uint32_t right_of(unsigned n) { return (~(n * 0x030201u) << 8) | 0xa5; }
 
-// At 48,000 samples a second.
+// At 48,000 samples per second.
 class Audio : public RegisterBus<Vaudio> {
 protected:
     using Pair = std::pair<std::uint32_t, std::uint32_t>;
@@ -91,7 +92,7 @@ protected:
     void push(unsigned first, unsigned last) {
         for (unsigned n = first; n <= last; ++n) push(n);
     }
-    // To just behind the first bit of a frame; the next pair leaves the FIFOs 7/8 of a frame later.
+    // To just after the first bit of a frame; the next pair leaves the FIFOs 7/8 of a frame later.
     void to_frame() {
         while (!dut.aud_daclrck_o) clock();
         while (dut.aud_daclrck_o) clock();
@@ -119,7 +120,7 @@ protected:
     std::uint32_t left_waiting() { return read(regmap::AUDIO_FIFOSPACE) >> 8 & 0xff; }
     std::uint32_t right_waiting() { return read(regmap::AUDIO_FIFOSPACE) & 0xff; }
 
-    // What was heard and not silence, in order; it must be in one piece.
+    // The part of the output that is not silence, in order; it must be contiguous.
     std::vector<Pair> sound() const {
         std::vector<Pair> result;
         bool over = false;

@@ -119,7 +119,7 @@ TEST_F(AudioSerial, SendsEveryBitInItsPlace) {
     }
 }
 
-// The far end moves ADCDAT behind BCLK's fall, and long before it rises.
+// The codec changes ADCDAT after BCLK's fall, and long before it rises.
 TEST_F(AudioSerial, ReadsTheBitsOfAdcdatThatBelongToBclksRisingEdges) {
     const std::uint64_t left = 0xa5c3f1, right = 0x7ffffe;
     const std::uint64_t word = left << (63 - 24) | right << (31 - 24);

@@ -1,4 +1,4 @@
-// av_config_test.cpp - the audio/video configuration's registers, and the codec behind them
+// av_config_test.cpp - the audio/video configuration's registers, and their effect on the codec
 #include "tb/rtl/audio_bench.h"
 
 namespace {

@@ -139,8 +139,8 @@ TEST_F(CodecSetup, TriesAgainAfterAnErrorWhenRestarted) {
     EXPECT_THAT(words(5), ElementsAreArray(SLOW));
 }
 
-// A restart in each clock of two words' time, in steps: whatever was on the wire ends as a word,
-// and the last words are a whole set-up.
+// Restarts at many clocks within the time of two words.  The word on the wire must be completed,
+// and the last words must be a whole set-up.
 TEST_F(CodecSetup, EndsTheWordOnTheWireBeforeItBeginsAgain) {
     for (int wait = 0; wait < 2 * 7400; wait += 397) {
         finish();

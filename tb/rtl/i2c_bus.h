@@ -1,4 +1,4 @@
-// i2c_bus.h - an I2C bus with a target that acknowledges, and a referee for the standard's rules.
+// i2c_bus.h - an I2C bus with a target that acknowledges, and checks of the standard's rules.
 //
 // Times are those of UM10204, table 10, for 100 kHz.  The target samples SDA when SCL rises and
 // moves it one clock after SCL has fallen.

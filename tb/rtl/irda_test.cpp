@@ -68,7 +68,7 @@ TEST_F(Irda, KeepsBytesThatFollowEachOtherInTheirOrder) {
     EXPECT_EQ(read(DATA), 0u) << "empty";
 }
 
-// What a remote control's receiver lets through: 562.5 us are 64.8 bits.
+// The output of a remote control's receiver: 562.5 us are 64.8 bits.
 TEST_F(Irda, TakesALongLightForBytesOfZeros) {
     dut.rxd_i = 0;
     wait_us(562.5);
@@ -127,7 +127,7 @@ TEST_F(Irda, SendsAPulseForTheStartAndEachZero) {
     wait_us(12 * BIT_US);
     ASSERT_EQ(begins.size(), 5u);
     EXPECT_THAT(pulses, Each(AllOf(Ge(1.41), Le(2.23))));
-    for (unsigned n = 1; n < 5; ++n)  // bits 4 to 7 behind the start bit
+    for (unsigned n = 1; n < 5; ++n)  // bits 4 to 7 after the start bit
         EXPECT_NEAR(begins[n] - begins[0], (4 + n) * BIT_US, 0.02);
 }
 

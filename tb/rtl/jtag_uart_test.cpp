@@ -21,7 +21,7 @@ protected:
     void after_clock() override {
         if (dut.sent_o) sent += static_cast<char>(dut.sent_data_o);
     }
-    // The host takes one byte, as alt_jtag_atlantic does: until it has been told of one.
+    // The host takes one byte, as alt_jtag_atlantic does: it requests until sent_o.
     void take() {
         const auto before = sent.size();
         dut.take_i = 1;

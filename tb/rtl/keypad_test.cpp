@@ -1,4 +1,4 @@
-// keypad.v with its scanner: 16 switches without diodes hang on the pins.  A slot is 8 clocks here.
+// keypad.v with its scanner: 16 switches without diodes are on the pins.  A slot is 8 clocks here.
 #include <random>
 
 #include "Vkeypad.h"
@@ -114,7 +114,7 @@ TEST_F(Keypad, InventsNoKeyWhenThreeCornersAreHeld) {
     hold(0x0013);  // and row 0 of column 1: the fourth corner's path closes
     EXPECT_EQ(read(KEYPAD_KEYS), 0x0011u);
     EXPECT_EQ(read(KEYPAD_STATUS) & 0xc, 0xcu);
-    hold(0x0012);  // two of them stay: no doubt any more
+    hold(0x0012);  // two of them stay: unambiguous again
     EXPECT_EQ(read(KEYPAD_KEYS), 0x0012u);
     EXPECT_EQ(read(KEYPAD_STATUS) & 0xc, 0x4u);
     write(KEYPAD_STATUS, 0x4);

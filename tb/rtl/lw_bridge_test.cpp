@@ -238,7 +238,7 @@ TEST_F(LwBridge, KeepsOrderIdsAndDataUnderRandomBackPressure) {
     }
 }
 
-// The select line of the block that has this address in regmap.def; 0 where nobody is at home.
+// The select line of the block that has this address in regmap.def; 0 if there is none.
 std::uint32_t line_of(std::uint32_t offset) {
     std::uint32_t line = 1;
     for (const auto& block : regmap::BLOCKS) {
@@ -265,7 +265,7 @@ TEST_F(LwBridge, SelectsTheBlockOfEachOfItsAddressesAndNoOther) {
     }
 }
 
-// The map's blocks, restated in the test: each address reaches one block or nobody.
+// The map's blocks, restated in the test: each address selects one block or none.
 TEST_F(LwBridge, FindsABlockForEveryRegisterAndNoneElsewhere) {
     for (const auto& reg : regmap::REGS) {
         axi.read({1, reg.addr & 0x1fffff, 1, 2, INCR});

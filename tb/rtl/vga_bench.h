@@ -1,5 +1,5 @@
-// vga_bench.h - test fixture for vga_bench.v: the memories of pictures and characters, and who
-// looks at the ADV7123's pins.
+// vga_bench.h - test fixture for vga_bench.v: the memories of pictures and characters, and the
+// samples of the ADV7123's pins.
 #pragma once
 
 #include <array>

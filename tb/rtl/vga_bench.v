@@ -48,7 +48,7 @@ module vga_bench (
     wire [8:0]  pixel_index, line_windex;
     wire [31:0] pixel_word, line_wdata;
 
-    // Every clock happens here.
+    // No clock is left out here.
     // verilator lint_off PINCONNECTEMPTY
     screen_registers registers (
         .clk_i(clk_i), .rst_i(rst_i), .we_i(we_i), .wstrb_i(wstrb_i), .waddr_i(waddr_i),

@@ -162,7 +162,7 @@ std::uint32_t widened(unsigned c) {
     return (r << 3 | r >> 2) << 16 | (g << 2 | g >> 4) << 8 | (b << 3 | b >> 2);
 }
 
-// Random runs of a few colours, so that some blocks of 16 pixels are as the pixel before them.
+// Random runs of a few colours, so that some blocks of 16 pixels equal the pixel before them.
 TEST_F(Vga, ShowsAnyPictureFromAnyPlaceOfBothMemories) {
     for (auto* memory : {&onchip, &sdram}) {
         std::uint16_t colour = 0;

@@ -1,4 +1,5 @@
-// video_in_bench.h - video_in.v with the decoder chip on its pins, memories that note what comes
+// video_in_bench.h - video_in.v with the decoder chip on its pins, and memories that record what is
+// written
 #pragma once
 
 #include <gmock/gmock.h>
@@ -21,9 +22,10 @@ protected:
     sim::Adv7180 chip;
     std::map<std::uint32_t, std::uint32_t> written;  // word by address
     std::uint64_t writes = 0;
-    std::uint64_t ahead = 0;                // the chip began so many of its clocks earlier
+    std::uint64_t ahead = 0;                // the chip's clock is ahead by so many clocks
     std::uint8_t damage = 0;                // bits that are wrong in each code
-    std::uint64_t busy_for = 0, every = 1;  // the memories take nothing in so many clocks of each
+    std::uint64_t busy_for = 0, every = 1;  // the memories are busy for `busy_for` of `every`
+                                            // clocks
     sim::AsynchronousClock td_clock = sim::decoder_clock();
 
     void SetUp() override {
@@ -51,14 +53,14 @@ protected:
         if (dut.sdram_req_o) note(regmap::SDRAM_BASE);
     }
 
-    // The line at which the chip is, counted from 1: so a test need not wait for it.
+    // Moves the chip to this line, counted from 1, so that a test need not wait.
     void to_line(unsigned line) {
         const std::uint64_t frame = std::uint64_t{525} * sim::Adv7180::LINE_CLOCKS;
         const std::uint64_t now = td_clock.number() + ahead;
         ahead += 2 * frame + (line - 1) * sim::Adv7180::LINE_CLOCKS - now % frame;
     }
     void lines(unsigned count) { clock(std::uint64_t{count} * LINE_CLOCKS); }
-    // A whole field of the first or the second kind, from before its first line to behind its last.
+    // A whole field, the first or the second, from before its first line until after its last.
     void field(unsigned number) {
         to_line(number == 1 ? 3 : 265);
         lines(263);

@@ -1,4 +1,4 @@
-// Programs that go where nobody can have meant them to, and one that does not (arm/astray.S).
+// Programs whose pc or stack goes where it cannot belong, and one without that (arm/astray.S).
 #include <gmock/gmock.h>
 
 #include "tb/sim/arm_system.h"

@@ -88,7 +88,7 @@ TEST_F(ArmCpu, SaysWhereAHangingProgramIs) {
     EXPECT_EQ(system->cpu.counts().instructions, 800'000u);
 }
 
-// ---- Those who look in --------------------------------------------------------------------------
+// ---- Inspectors ---------------------------------------------------------------------------------
 
 struct Kernel : sim::ArmInspector {
     unsigned calls = 0;

@@ -1,4 +1,4 @@
-// Programs that never come back from an abort, and others that only look so (arm/exceptions.S).
+// Programs that never return from an abort, and others that only seem so (arm/exceptions.S).
 #include <gmock/gmock.h>
 
 #include "tb/sim/arm_system.h"

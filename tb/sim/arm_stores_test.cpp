@@ -1,4 +1,4 @@
-// Stores to Normal memory on the bridge are joined, and stay in order, by arm/stores.S.
+// Stores to Normal memory on the bridge are merged, and stay in order, by arm/stores.S.
 #include <gmock/gmock.h>
 
 #include "tb/sim/arm_system.h"

@@ -18,7 +18,7 @@
 // Names and bits that the small programs' tests speak of.
 namespace tb::arm {
 
-constexpr std::uint32_t NOBODY = 0x80000000;  // no bus answers there
+constexpr std::uint32_t NOBODY = 0x80000000;  // no target on the bus
 constexpr std::uint32_t SVC_MODE = 0x13, IRQ_MODE = 0x12, FIQ_MODE = 0x11, ABT_MODE = 0x17,
                         UND_MODE = 0x1b, MODE = 0x1f, I = 0x80, F = 0x40, THUMB = 0x20;
 
@@ -26,7 +26,7 @@ constexpr std::uint32_t SVC_MODE = 0x13, IRQ_MODE = 0x12, FIQ_MODE = 0x11, ABT_M
 
 namespace tb {
 
-// Registers that remember, and when they were written; every access takes 10 ns.
+// Registers that keep their value and the time of each write; every access takes 10 ns.
 class Probe : public sim::Registers {
 public:
     explicit Probe(const sc_core::sc_module_name& name_) : Registers{name_} {}
@@ -46,7 +46,7 @@ private:
     }
 };
 
-// Memory behind a bridge that takes bursts, 100 ns each, and remembers what came.
+// Memory on a bridge that takes bursts, 100 ns each, and records them.
 class Bridge : public sc_core::sc_module {
 public:
     tlm_utils::simple_target_socket<Bridge> socket;

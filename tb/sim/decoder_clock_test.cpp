@@ -1,4 +1,4 @@
-// decoder_clock_test.cpp - the video decoder's clock stands still while nobody captures
+// decoder_clock_test.cpp - the video decoder's clock stands still while nothing is captured
 #include <gtest/gtest.h>
 
 #include <vector>
@@ -37,7 +37,7 @@ protected:
         const std::uint8_t word[4] = {static_cast<std::uint8_t>(on ? 4 : 0), 0, 0, 0};
         ASSERT_EQ(fabric.write(sim::Bridge::LIGHTWEIGHT, STATUS, word, 4), sim::AxiResponse::OKAY);
     }
-    // Those that have passed by now: the first is a period of 25 / 27 clocks behind the beginning.
+    // Those that have passed by now: the first is one period, 25 / 27 clocks, after the beginning.
     double rises_by_now() const { return static_cast<double>(fabric.clocks()) * 27 / 25; }
 };
 

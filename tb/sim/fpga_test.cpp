@@ -21,7 +21,7 @@ constexpr std::uint32_t LW = 0xFF200000;
 constexpr std::uint32_t ONCHIP = regmap::ONCHIP_BASE - 0xC0000000,
                         SDRAM = regmap::SDRAM_BASE - 0xC0000000;
 
-// Nothing but the SDRAM is there.
+// The board has only the SDRAM.
 struct Pins : sim::PinListener {
     sim::Is42s16320d chip;
     void sdram(const sim::SdramPins& p, std::uint64_t time_ps, std::uint16_t& dq,
@@ -214,7 +214,7 @@ TEST_F(FpgaTest, TakesTheTimeThatItsClocksTake) {
         const sc_time begin = sc_core::sc_time_stamp();
         access(cpu.h2f, tlm::TLM_WRITE_COMMAND, ONCHIP, row.data(), 640);
         const sc_time took = sc_core::sc_time_stamp() + delay - begin;
-        EXPECT_GE(took, sc_time(160 * 40, sc_core::SC_NS));  // a word a clock at best
+        EXPECT_GE(took, sc_time(160 * 40, sc_core::SC_NS));  // one word per clock at best
         EXPECT_LE(took, sc_time(160 * 40 * 2, sc_core::SC_NS));
     });
 }
@@ -280,7 +280,7 @@ TEST_F(MappedMemory, HoldsAndTakesWhatTheVerilogDoes) {
     run_both([this] {
         wait(1, sc_core::SC_MS);
         std::mt19937 random{1};
-        int slower = 0;  // where the screen or a refresh was in the way
+        int slower = 0;  // where the screen or a refresh had priority
         for (int i = 0; i < 2000; ++i) {
             const std::uint32_t memory = random() % 2 ? ONCHIP : SDRAM;
             const auto bytes =

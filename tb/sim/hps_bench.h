@@ -1,4 +1,4 @@
-// hps_bench.h - test fixture: the silicon around the processor on its bus, and who accesses it.
+// hps_bench.h - test fixture: the silicon around the processor on its bus, and an initiator.
 #pragma once
 
 #include <cstdint>
@@ -49,7 +49,7 @@ protected:
         board.cpu->b_transport(tx, delay);
         return tx.get_response_status();
     }
-    // Each takes no simulated time beyond the 10 ns that the target adds and nobody waits for.
+    // Each takes no simulated time: the 10 ns that the target adds are not waited for.
     std::uint32_t read(std::uint32_t address, unsigned bytes = 4) {
         std::uint32_t value = 0;
         EXPECT_EQ(access(tlm::TLM_READ_COMMAND, address, &value, bytes), tlm::TLM_OK_RESPONSE);

@@ -1,4 +1,4 @@
-// The HPS models behind the bus: decode, memory, global timer, UART, and what wrong accesses get.
+// The HPS models on the bus: decode, memory, global timer, UART, and the answers to wrong accesses.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -43,7 +43,7 @@ struct Overlapping : sc_core::sc_module {
     }
 };
 
-// Asked for the switch of a window.
+// Requests the switch of a window.
 struct Gated : sc_core::sc_module {
     sim::Bus bus{"bus"};
 

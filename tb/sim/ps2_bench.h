@@ -1,4 +1,5 @@
-// ps2_bench.h - test fixture: a PS/2 device at the board's PS/2 port in Verilog, a clock a tick.
+// ps2_bench.h - test fixture: a PS/2 device at the board's PS/2 port in Verilog, one tick per
+// clock.
 #pragma once
 
 #include <string>

@@ -59,13 +59,13 @@ TEST_F(KeyboardModel, RepeatsTheKeyThatWentDownLastUntilThatComesUp) {
 
 TEST_F(KeyboardModel, RepeatsAsTheHostHasAsked) {
     power_on();
-    EXPECT_THAT(answers({0xF3, 0x00}), ElementsAre(0xFA, 0xFA));  // 250 ms, 30 a second
+    EXPECT_THAT(answers({0xF3, 0x00}), ElementsAre(0xFA, 0xFA));  // 250 ms, 30 per second
     device.press(A);
     EXPECT_EQ(within_ms(250), repeats(1));
     EXPECT_EQ(within_ms(1004), repeats(31));
     device.release(A);
     EXPECT_THAT(within_ms(5), ElementsAre(0xF0, 0x1C));
-    EXPECT_THAT(answers({0xF3, 0x7F}), ElementsAre(0xFA, 0xFA));  // 1 s, 2 a second
+    EXPECT_THAT(answers({0xF3, 0x7F}), ElementsAre(0xFA, 0xFA));  // 1 s, 2 per second
     device.press(A);
     EXPECT_EQ(within_ms(1000), repeats(1));
     EXPECT_EQ(within_ms(1005), repeats(3));

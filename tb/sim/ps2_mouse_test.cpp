@@ -15,7 +15,7 @@ protected:
         power_on();
         ASSERT_THAT(answers({0xF4}), ElementsAre(0xFA));
     }
-    // The next packet, which comes within the 10 ms of 100 packets a second.
+    // The next packet, which comes within the 10 ms of 100 packets per second.
     Bytes packet() { return within_ms(14); }
 };
 

@@ -1,8 +1,8 @@
 // asan_main_stack.cpp - tells AddressSanitizer where the main stack lies; in sanitized builds only.
 //
-// libsystemc reports each switch between coroutines, but with no bounds for the one that is the
-// main stack.  From the first switch on, an exception there would leave marks of dead variables
-// behind and end in a false alarm.  This stands between the two and fills the bounds in.
+// libsystemc reports each switch between coroutines, but without bounds for the main stack.  After
+// the first switch an exception there would not clear the marks of dead variables, which ends in a
+// false alarm.  This wraps the call and adds the bounds.
 #include <dlfcn.h>
 #include <pthread.h>
 

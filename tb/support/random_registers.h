@@ -1,4 +1,5 @@
-// random_registers.h - registers that nobody resets start with random values, so that it shows.
+// random_registers.h - registers without a reset start with random values, so that a missing reset
+// shows.
 #pragma once
 
 #include <verilated.h>

@@ -17,7 +17,7 @@ protected:
     Dut dut;
     std::uint64_t clocks = 0;
 
-    // timebase.v, for blocks that want to know the number of the clock.
+    // timebase.v, for blocks that need the number of the clock.
     template <class Block>
     static auto tell_time(Block& block, int) -> decltype(void(block.now_i)) {
         block.now_i = block.rst_i ? 0 : (block.now_i + 1) & 0x3fffffff;
@@ -26,7 +26,7 @@ protected:
     template <class Block>
     static void tell_time(Block&, long) {}
 
-    // Called after each rising edge, for what hangs on the pins.
+    // Called after each rising edge, for models on the pins.
     virtual void after_clock() {}
 
     void clock(std::uint64_t count = 1) {

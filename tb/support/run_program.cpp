@@ -48,7 +48,7 @@ struct Channel {
         theirs = -1;
     }
 
-    // False at its end; a terminal that nobody holds any more gives an error.
+    // False at its end; a terminal without an open end gives an error.
     bool read_into(std::string& text) const {
         char bytes[4096];
         const ssize_t count = read(ours, bytes, sizeof bytes);

@@ -1,4 +1,4 @@
-// run_program.h - runs a program to its end, as a shell would, and keeps what it said.
+// run_program.h - runs a program to its end, as a shell would, and keeps its output.
 #pragma once
 
 #include <csignal>
@@ -14,10 +14,10 @@ struct Command {
     std::vector<std::string> words;               // path and arguments
     std::function<bool()> interrupt_when = {};    // Ctrl-C as soon as this is true
     int interrupt_by = SIGINT;                    // or another signal than Ctrl-C's
-    std::string shell = {};                       // what a shell does before: "exec 2>&-"
+    std::string shell = {};                       // commands of a shell before it: "exec 2>&-"
     std::optional<std::uint64_t> disk_full = {};  // no file grows beyond so many bytes
     bool on_terminal = false;                     // stderr is one, of 80 x 24
-    double timeout_s = 600;                       // then it hangs, and is killed
+    double timeout_s = 600;                       // then it is killed as hanging
 };
 
 // False where the machine has no terminals to give (/dev/pts is not mounted).

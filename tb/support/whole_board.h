@@ -1,6 +1,6 @@
 // whole_board.h - test fixture: the whole board with a firmware of the test's choice.
 //
-// A firmware that a test writes may also be the hand on the board: it calls board->hold().
+// A test's firmware may also operate the board: it calls board->hold().
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-"""fits.py FOLDER KEPT [--keep] - what the netlist takes of the 5CSEMA5F31C6, and whether it may.
+"""fits.py FOLDER KEPT [--keep] - what the netlist uses of the 5CSEMA5F31C6, and the limits.
 
 FOLDER holds Yosys' cells.txt, check.txt and yosys.log.  Fails above 80 % of what the device has, on
 a latch, a combinational loop, a memory that did not become M10Ks, and on growth by more than 5 %

@@ -1,4 +1,4 @@
-// bad_address.cpp - a de1sim whose firmware reads where nothing is, after 50 ms.
+// bad_address.cpp - a de1sim whose firmware reads an address without a target, after 50 ms.
 
 #include "sim/program.h"
 

@@ -77,7 +77,7 @@ TEST_F(ArmRun, ReportsTheProgramItsInstructionsAndItsTime) {
     EXPECT_EQ(report["cpu"], "arm");
     EXPECT_EQ(report["program"]["elf"], LEDS_ELF);
     EXPECT_EQ(report["program"]["cpi"], 2.0);
-    // What the processor did and what it waited for is all of the time: 2.5 ns an instruction.
+    // The whole time is instructions, 2.5 ns each, and waiting.
     const double instructions = report["program"]["instructions"];
     const double on_bus_s = report["program"]["on_bus_s"];
     EXPECT_NEAR(instructions * 2.5e-9 + on_bus_s, 0.02, 0.0001);

@@ -77,7 +77,7 @@ TEST_F(FailingRun, OnADiskThatFillsWithWaveformsLeavesNoTraceThatIsCutOff) {
 TEST_F(FailingRun, OfFirmwareThatNeverSwapsEndsAtItsDurationAndSaysSo) {
     const tb::Outcome outcome =
         play(scenario("duration: 150ms\nsteps:\n  - delay: 100ms\n"), {}, {}, NEVER_SWAPS);
-    EXPECT_EQ(outcome.exit_code, 0);  // nothing was expected of it
+    EXPECT_EQ(outcome.exit_code, 0);  // the scenario has no expectations
     EXPECT_THAT(outcome.err, HasSubstr("the picture never changed: the firmware did not swap"));
     EXPECT_NEAR(report()["simulated_s"].get<double>(), 0.15, 1e-9);
     EXPECT_EQ(report()["frames"]["shown"], 8u);

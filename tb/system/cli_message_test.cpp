@@ -1,4 +1,4 @@
-// cli_message_test.cpp - what is said never ends a run, and a run that breaks says so.
+// cli_message_test.cpp - messages never end a run, and a run that fails reports it.
 #include <gmock/gmock.h>
 
 #include <csignal>
@@ -54,7 +54,7 @@ TEST_F(Message, WithoutAReaderLeavesTheRunAsItIs) {
     const std::string pipe = folder / "pipe";
     const std::string shell =
         "mkfifo '" + pipe + "'; true <'" + pipe + "' & exec 2>'" + pipe + "'; wait";
-    EXPECT_EQ(play_after(shell, WITHOUT, NEVER_SWAPS).exit_code, 0);  // which is told
+    EXPECT_EQ(play_after(shell, WITHOUT, NEVER_SWAPS).exit_code, 0);  // which is reported
     EXPECT_TRUE(report()["passed"]);
 }
 
@@ -158,7 +158,7 @@ TEST_F(BrokenRun, LeavesAReportThatSaysWhatBroke) {
     EXPECT_THAT(files(), Each(Not(EndsWith(".part"))));
 }
 
-#ifndef __SANITIZE_ADDRESS__  // which has its own words for it
+#ifndef __SANITIZE_ADDRESS__  // which reports it in its own words
 TEST_F(BrokenRun, ThatASignalKillsLeavesAReportThatSaysSo) {
     for (const auto& [signal, name] : {std::pair{SIGSEGV, "SIGSEGV"}, {SIGABRT, "SIGABRT"}}) {
         std::filesystem::remove_all(out);

@@ -1,4 +1,4 @@
-// cli_output_test.cpp - what de1sim writes, and what it says meanwhile.
+// cli_output_test.cpp - the files that de1sim writes, and its messages.
 #include <gmock/gmock.h>
 #include <sndfile.h>
 
@@ -27,7 +27,7 @@ protected:
             if (name.rfind("frames/", 0) == 0) names.insert(name);
         return names;
     }
-    // The report's bytes but for the time that the machine took, which comes last.
+    // The report's bytes without the host's time, which comes last.
     std::string report_of_the_run() const {
         const std::string all = file("report.json");
         const std::size_t wall = all.find("\"wall\":");

@@ -9,7 +9,7 @@ namespace {
 
 class Phases : public tb::CommandLine {
 protected:
-    // The numbers behind `name` on the console.
+    // The numbers after `name` on the console.
     std::vector<double> counts(const std::string& name) const {
         const std::string text = file("console.txt");
         std::istringstream line{text.substr(text.find(name) + name.size())};

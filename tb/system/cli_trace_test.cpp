@@ -1,4 +1,4 @@
-// cli_trace_test.cpp - --trace records the program that was asked, and no other.
+// cli_trace_test.cpp - --trace records the program that was started, and no other.
 #include <gmock/gmock.h>
 
 #include "tb/system/cli.h"
@@ -13,7 +13,7 @@ class Trace : public tb::CommandLine {
 protected:
     const std::filesystem::path trace = folder / "trace.fst";
 
-    // The report but for the time that the machine took.
+    // The report without the host's time.
     nlohmann::json outcome_of(const std::string& program, std::vector<std::string> words) const {
         words.insert(words.end(), {"--frames", "none", "--quiet"});
         exit_code = play("s.yaml", words, {}, program).exit_code;

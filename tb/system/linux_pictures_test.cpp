@@ -12,10 +12,10 @@ namespace {
 
 // Thirty-four shapes, two algorithms, faster, with boxes, paused and cleared, in three seconds.
 //
-// Keys are pressed where a frame begins.  The scanner starts when the program enables it, and how
-// long a program takes to there depends on the processor: so the moments at which it can tell a key
-// differ by up to a scan, 0.2 ms.  5 ms of bounce and 5 ms of debounce behind a frame's begin all
-// processors read the key for the same tick; close to a frame's end they need not.
+// Keys are pressed where a frame begins.  The scanner starts when the program enables it, at a time
+// that depends on the processor.  So the times at which it reports a key differ by up to a scan,
+// 0.2 ms.  A key is pressed at a frame's begin and reported after 5 ms of bounce and 5 ms of
+// debounce: then all processors read it in the same tick.  Close to a frame's end they might not.
 constexpr const char* MANY_KEYS =
     "duration: 3s\nsteps:\n"
     "  - wait-frame: next\n  - press: {keypad: \"2\", for: 60ms}\n"
@@ -59,8 +59,8 @@ protected:
     }
 };
 
-// Where the time of the tick stands: from behind the shortest words before it to the end of the
-// longest time, and no higher than the text on its ground; pixels are shown 2 x 2.
+// The area of the tick's time: from after the shortest text before it to the end of the longest
+// time, and as high as the text with its background; pixels are shown 2 x 2.
 bool shows_time(unsigned x, unsigned y) {
     constexpr unsigned MARGIN = 5;
     const unsigned begin = MARGIN + gfx::text_width("1 shape  simd  ");

@@ -14,7 +14,7 @@ using ::testing::SizeIs;
 
 class LinuxProgram : public tb::CommandLine {
 protected:
-    // Runs the program NAME with `words` behind --, and `options` before.
+    // Runs the program NAME with `words` after --, and `options` before.
     tb::Outcome linux_run(const std::string& name, const std::vector<std::string>& words = {},
                           std::vector<std::string> options = {},
                           const std::string& steps = "duration: 100ms\n") const {

@@ -1,4 +1,4 @@
-// profile_test.cpp - --profile, and the figures of report.json a frame.
+// profile_test.cpp - --profile, and report.json's figures per frame.
 #include <gmock/gmock.h>
 
 #include "tb/system/cli.h"

@@ -1,7 +1,7 @@
-// replay.h - the same world as the firmware's, stepped along with the pictures on the monitor.
+// replay.h - the same world as the firmware's, stepped in time with the pictures on the monitor.
 //
-// Which tick takes a key depends on the contacts' bounce, so a picture may be that of the next tick
-// without a key or with the one that is due: a replay follows whichever it is.
+// Which tick takes a key depends on the contacts' bounce.  So a picture may be that of the next
+// tick with or without the expected key; the replay accepts either.
 #pragma once
 
 #include <cstdint>
@@ -23,7 +23,7 @@ public:
     // The pairs are to be found by the algorithm that is not the chosen one.
     void use_the_other_algorithm() { other_ = true; }
 
-    // The key that will be pressed; the one before has to have been taken.
+    // The key that will be pressed; the previous one must have been taken.
     void expect_key(char key) { key_ = key; }
     bool key_is_due() const { return key_ != 0; }
 
@@ -57,7 +57,7 @@ private:
         return differing_ == 0;
     }
 
-    // The time a tick took is the processor's affair: read off the picture, a digit at a time.
+    // The time of a tick depends on the processor, so it is read from the picture, digit by digit.
     std::uint32_t time_on(const Picture& picture, const app::World& world) {
         std::uint32_t time_us = 0;
         for (const std::uint32_t weight_us : {1000u, 100u, 10u}) {

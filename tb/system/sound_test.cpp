@@ -1,4 +1,4 @@
-// sound_test.cpp - a collision is heard: when it happens, at its pitch, and never else.
+// sound_test.cpp - a collision is heard when it happens, at its pitch, and at no other time.
 #include <algorithm>
 #include <cmath>
 
@@ -68,8 +68,8 @@ TEST_P(SoundOfACollision, BeginsWithItAtItsPitchAndEndsInSilence) {
     ASSERT_EQ(notes.size(), 1u);
     ASSERT_EQ(with_edge, GetParam().with_edge);
 
-    // The tick was computed while the picture before was on the screen, that is since the one
-    // before that had ended.
+    // The tick was computed while the previous picture was on the screen, that is, after the end of
+    // the one before that.
     const std::size_t picture = notes[0];
     EXPECT_TRUE(silent(0, played[picture - 2]));
 

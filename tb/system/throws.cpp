@@ -1,5 +1,5 @@
-// throws.cpp - a de1sim whose firmware throws after 50 ms: an error of C++ that nobody catches, or
-// with SW0 up that there is no more memory.
+// throws.cpp - a de1sim whose firmware throws after 50 ms: an exception that is not caught, or with
+// SW0 up std::bad_alloc.
 #include <new>
 #include <stdexcept>
 

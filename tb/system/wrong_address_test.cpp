@@ -1,4 +1,4 @@
-// wrong_address_test.cpp - an access that nothing answers ends the firmware, and nothing else.
+// wrong_address_test.cpp - an access without a target ends the firmware, and nothing else.
 #include <gmock/gmock.h>
 
 #include "tb/support/whole_board.h"
@@ -80,7 +80,7 @@ TEST_F(WrongAddress, InTheMiddleOfABurstIsADataAbortOfTheBurst) {
     abort_with(
         [](hal::Mmio& io, hal::Cpu&) {
             const std::uint32_t words[32] = {};
-            io.write_words(0xC8080000 - 64, words, 32);  // half of it behind the window
+            io.write_words(0xC8080000 - 64, words, 32);  // half of it after the window
         },
         "data abort: write of 128 bytes at 0xC807FFC0 at 2\\.00[0-9]* ms "
         "\\(no memory at 0xC807FFC0: ONCHIP ends at 0xC803FFFF\\)");

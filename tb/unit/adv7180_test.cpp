@@ -28,7 +28,7 @@ protected:
     int pixel_byte(unsigned line, unsigned n) { return chip.data((line - 1) * LINE + 276 + n); }
 };
 
-// As a receiver that knows nothing finds them.
+// Found as by a receiver without any state.
 TEST_F(DecoderChip, BeginsAndEndsEachLineWithACodeThatIsRight) {
     std::vector<std::uint64_t> begins;
     for (std::uint64_t n = 0; n < 2 * FRAME; ++n) {

@@ -1,4 +1,4 @@
-// app_bounce_test.cpp - collisions against the textbook, and the numbers underneath.
+// app_bounce_test.cpp - collisions against the textbook's formulas, and the arithmetic below them.
 #include <gtest/gtest.h>
 
 #include <cmath>

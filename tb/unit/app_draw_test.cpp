@@ -1,4 +1,4 @@
-// app_draw_test.cpp - what of a world is to be seen, and where.
+// app_draw_test.cpp - which parts of a world are drawn, and where.
 #include <gtest/gtest.h>
 
 #include <algorithm>

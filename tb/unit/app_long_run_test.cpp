@@ -34,7 +34,7 @@ void expect_inside_the_screen(const World& world) {
     }
 }
 
-// 200 shapes cover most of the screen; they must stay in it, with the energy they came with.
+// 200 shapes cover most of the screen; they must stay in it and keep their energy.
 void run_full_screen(std::string_view keys) {
     World world{11};
     world.algorithm = Algorithm::ORIGINAL;  // half the time of the other

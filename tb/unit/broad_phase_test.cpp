@@ -122,7 +122,7 @@ TEST(BroadPhase, FindsWhatBruteForceFindsAmongTwoThousandOfAnySize) {
     }
 }
 
-// A world in a corner of a world in a corner of a world, and tall boxes through all of them.
+// Three nested worlds, each in a corner of the next, and tall boxes through all of them.
 TEST(BroadPhase, FindsWhatBruteForceFindsInClustersWithinClusters) {
     std::mt19937 random(2);
     Boxes boxes;

@@ -1,5 +1,5 @@
 // broad_phase_ticks_test.cpp - what strips and sweep keep from tick to tick, worlds too large for
-// brute force, and what it all takes.
+// brute force, and their cost.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -14,7 +14,8 @@ namespace {
 using namespace collision;
 using namespace tb;
 
-// As many as go through more than one level, heaped up tick by tick at the lower edge, then tall.
+// Enough boxes for more than one level; they gather at the lower edge tick by tick, then become
+// tall.
 TEST(Strips, FindsTheSamePairsAsAnewWhereBoxesCrowdAfterTicksInWhichTheyDidNot) {
     std::mt19937 random(3);
     std::uniform_int_distribution<std::int64_t> place(0, 1'000'000), sides(0, 10'000);
@@ -57,8 +58,8 @@ Sorted sorted_sweep(const Boxes& boxes) {
     return pairs;
 }
 
-// First all is even, then most boxes crowd in one place, and the sample that tells Strips where the
-// boxes are has none of these.
+// First the boxes are spread evenly, then most crowd in one place.  Strips' sample of their places
+// has none of those.
 TEST(Strips, FindsAllPairsInALargeWorldThatItsSampleMisrepresents) {
     std::mt19937 random(4);
     std::uniform_int_distribution<std::int64_t> place(0, FAR - 1), sides(0, 3'000'000);
@@ -112,7 +113,7 @@ TEST(Strips, FindsAllPairsInLargeWorldsWhereBoxesAreNarrow) {
         EXPECT_EQ(finder<Strips>("strips", *kernels)(boxes), truth) << kernels->name;
 }
 
-// Each tick all boxes to the right of `calm` are somewhere else there, and no others.
+// In each tick all boxes to the right of `calm` get new places there; the others stay.
 TEST(Sweep, FindsAllPairsWhereverItsOrderIsLost) {
     std::mt19937 random(5);
     std::uniform_int_distribution<std::int64_t> place(0, 1'000'000), sides(0, 10'000);
@@ -149,8 +150,8 @@ TEST(Kernels, AreTheWidestThatTheProcessorHas) {
 }
 #endif
 
-// The other tests go through the kernels that this processor can run.  So that nobody takes the
-// others for tested, each is named here.
+// The other tests use the kernels that this processor can run.  Each kernel is named here, so that
+// it shows which ones were not tested.
 class KernelsFor : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(KernelsFor, ThisProcessorAreTested) {

@@ -109,7 +109,7 @@ inline Boxes random_world(int most, std::int64_t reach, std::int64_t side) {
     return boxes;
 }
 
-// Boxes around a few places, the sizes of which go with a world of their own each.
+// Boxes around a few places, each with a scale of its own.
 inline Boxes clustered_world(int most) {
     Boxes boxes(static_cast<std::size_t>(number(0, most)));
     const auto clusters = number(1, 6);

@@ -1,4 +1,5 @@
-// console_file_test.cpp - console.txt is whole up to a limit, and beyond its beginning and its end
+// console_file_test.cpp - console.txt is complete up to a limit; longer output keeps its beginning
+// and end
 #include <gmock/gmock.h>
 
 #include "sim/report/console_file.h"
@@ -10,7 +11,7 @@ using sim::ConsoleFile;
 
 class ConsoleOnDisk : public ::testing::Test {
 protected:
-    // Bytes of which no two stretches are alike for long.
+    // Bytes without long repetitions.
     static std::string bytes(std::size_t count) {
         std::string text;
         for (std::size_t i = 0; text.size() < count; ++i) text += std::to_string(i) + "\n";

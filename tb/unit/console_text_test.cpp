@@ -1,4 +1,5 @@
-// console_text.h: what was waited for is read, and new text is found however much there was.
+// console_text.h: text that was found counts as read, and new text is found after any amount of
+// output.
 #include "sim/scenario/console_text.h"
 
 #include <gtest/gtest.h>

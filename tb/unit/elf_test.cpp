@@ -1,4 +1,4 @@
-// ELF files: a real one, cut off and bent in every way that the loader has to notice.
+// ELF files: a real one, truncated and corrupted in every way that the loader must detect.
 #include <gmock/gmock.h>
 
 #include <elf.h>
@@ -30,7 +30,7 @@ protected:
         folder.put("a.elf", bytes);
         return sim::load_elf(folder / "a.elf", memory);
     }
-    // Both of what reads a file see it.
+    // The message of both functions that read a file.
     std::string refusal(const std::string& bytes) const {
         try {
             load(bytes);

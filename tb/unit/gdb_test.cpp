@@ -1,4 +1,4 @@
-// gdb_test.cpp - GDB's packets: the envelope, and the answers of a processor made of an array.
+// gdb_test.cpp - GDB's packets: their format, and the answers of a mock processor.
 #include "sim/debug/gdb_commands.h"
 #include "sim/debug/gdb_packet.h"
 
@@ -237,7 +237,7 @@ TEST_F(GdbCommands, WhatIsWrongInItselfIsAnErrorAndChangesNothing) {
     EXPECT_EQ(target.regs, FakeTarget{}.regs);
 }
 
-// Mutations of true packets: none may crash, hang, or be answered with more than a packet holds.
+// Mutations of real packets: none may crash, hang, or have an answer longer than a packet.
 TEST_F(GdbCommands, AnyBytesAreSurvived) {
     const std::vector<std::string> seeds{"g",
                                          "p3",

@@ -1,4 +1,4 @@
-// header_test.cpp - one wire with every pair of drivers, and 32 of them side by side.
+// header_test.cpp - one wire with every pair of drivers, and all 32 wires.
 #include "sim/board/header.h"
 
 #include <gtest/gtest.h>

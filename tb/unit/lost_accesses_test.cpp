@@ -1,4 +1,4 @@
-// lost_accesses.h: what a program is told that it writes or reads in vain.
+// lost_accesses.h: messages about writes and reads without effect.
 #include <gmock/gmock.h>
 
 #include <string>

@@ -10,7 +10,7 @@ protected:
     sim::Ltc2308 chip;
     std::uint64_t now_ps = 1'000'000;
 
-    // One transfer: the result of the conversion that the word before has chosen.
+    // One transfer: the result of the conversion that the previous word has chosen.
     int transfer(unsigned word, std::uint64_t patience_ps = sim::Ltc2308::CONVERSION_PS) {
         pins(true, false, false);
         now_ps += patience_ps;

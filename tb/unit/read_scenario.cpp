@@ -1,4 +1,4 @@
-// read_scenario.cpp - says for each file named whether the reader takes it: "ok", or the error
+// read_scenario.cpp - prints for each file whether the reader accepts it: "ok", or the error
 #include <iostream>
 
 #include "sim/scenario/scenario.h"

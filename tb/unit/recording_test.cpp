@@ -1,4 +1,4 @@
-// recording_test.cpp - sound files, written by libsndfile, as they come into the simulation.
+// recording_test.cpp - sound files, written by libsndfile, read into the simulation.
 #include "sim/board/recording.h"
 
 #include <cmath>

@@ -29,7 +29,7 @@ std::string io_error(const Call& call) {
     return "no error";
 }
 
-// Makes the next write of NAME meet a full disk: its temporary file is the device that always is.
+// Makes the next write of NAME fail with a full disk: its temporary file is /dev/full.
 void fill_disk_for(const fs::path& name) {
     fs::create_symlink("/dev/full", name.string() + ".part");
 }
@@ -140,7 +140,7 @@ TEST(FrameWriter, ReportsAFullDiskToAProducerThatWaitsForRoom) {
 TEST(FrameWriter, MakesTheProducerWaitWhileEightPicturesAreQueued) {
     const TempFolder folder;
     FrameWriter writer(folder.path());
-    // The first picture goes into a pipe, which holds the worker up when 64 KiB are in it.
+    // The first picture goes into a pipe, which blocks the worker when it holds 64 KiB.
     const std::string pipe = (folder / "frames/frame_000000.png.part").string();
     ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
     const int reader = open(pipe.c_str(), O_RDWR | O_NONBLOCK);

@@ -144,7 +144,7 @@ TEST(ReportJson, SaysWhereAProgramOfTheArmWas) {
     r.program->function = "main+0x4";
     r.program->waiting = "a change of 0xFF200050";
     json program = json::parse(to_json(r))["program"];
-    program.erase("frames");  // of which other tests speak
+    program.erase("frames");  // which other tests check
     EXPECT_EQ(program, json::parse(R"({
         "elf": "a.elf", "cpi": 1.5, "instructions": 1000, "interrupts": 3, "aborts": 2,
         "asleep_s": 0.25, "on_bus_s": 0.5,

@@ -1,4 +1,4 @@
-// scenario_errors.h - what the reader says of a scenario, "no error" if nothing
+// scenario_errors.h - the reader's message about a scenario, "no error" if there is none
 #pragma once
 
 #include <filesystem>

@@ -98,7 +98,7 @@ BAD_STEPS = [
     "take-screenshot: {save-to: a.jpg}", "take-screenshot: {save-to: .png}",
 ]
 
-# What a schema can not see: places of files, times that add up, hands, YAML itself.
+# Errors that a schema cannot express: files, sums of times, controls that are held, YAML itself.
 BAD_FOR_THE_READER_ALONE = [
     HEAD + "steps: [{expect-frame: {equals: missing.png}}]\n",
     HEAD + "steps: [{play-file: missing.wav}]\n",

@@ -1,4 +1,4 @@
-// selftest_test.cpp - the board's self-test sees a board that is wrong: registers, memory, clocks.
+// selftest_test.cpp - the board's self-test detects errors of a board: registers, memory, clocks.
 #include "selftest/checks.h"
 
 #include <gmock/gmock.h>
@@ -11,7 +11,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-// A board that remembers; what a test replaces is what is wrong with it.
+// A mock board that works; a test replaces one part by a faulty one.
 class FakeBoard : public hal::Mmio, public hal::Cpu {
 public:
     std::map<std::uint32_t, std::uint32_t> kept;

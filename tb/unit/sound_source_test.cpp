@@ -1,4 +1,4 @@
-// sound_source_test.cpp - what the codec finds at its input, sample by sample.
+// sound_source_test.cpp - what the codec gets at its input, sample by sample.
 #include "sim/board/sound_source.h"
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// tone_test.cpp - the ear: sines of known frequency, level and company
+// tone_test.cpp - tone detection: sines of known frequency and level, alone and with other sounds
 #include "sim/scenario/tone.h"
 
 #include <gmock/gmock.h>

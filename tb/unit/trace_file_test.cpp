@@ -1,4 +1,4 @@
-// trace_file_test.cpp - a waveform file that was cut off never appears
+// trace_file_test.cpp - a truncated waveform file never appears
 #include "sim/report/trace_file.h"
 
 #include <csignal>
@@ -12,7 +12,7 @@
 
 namespace {
 
-// An FST block: a type, eight bytes of length (itself included), what it holds.
+// An FST block: a type, eight bytes of length (these included), the content.
 std::string block(unsigned char type, std::size_t bytes) {
     std::string text(1, static_cast<char>(type));
     for (int shift = 56; shift >= 0; shift -= 8)

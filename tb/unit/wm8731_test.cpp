@@ -198,8 +198,8 @@ TEST_F(Wm8731Chip, SendsTheMicrophoneOnBothSidesWhenR4SelectsIt) {
     EXPECT_EQ(sent(), binary(0x11110000, 16) + binary(0x22220000, 16));
     set(4, 0x014);  // INSEL
     EXPECT_EQ(sent(), voice + voice);
-    set(0, 0x097);  // the line's mutes do not count
-    set(6, 0x001);  // nor does its power
+    set(0, 0x097);  // LINE IN's mutes have no effect
+    set(6, 0x001);  // nor has its power
     EXPECT_EQ(sent(), voice + voice);
     set(6, 0x002);  // MICPD
     EXPECT_EQ(sent(), silence);

@@ -3,12 +3,12 @@
 //   refclk_i, 50 MHz --> altera_pll --> xck_o, 12.288 MHz --> / 12 or / 2 --> clk_o, 128 * RATE
 //   PLL locked, rst_ni high --> reset_sync --> rst_o, synchronous to clk_o
 //
-// The two clocks of the fabric are then asynchronous, as 12.288 MHz and 25 MHz need be.
+// This clock is asynchronous to the fabric's: 12.288 MHz to 25 MHz is 1,536 to 3,125.
 
 `default_nettype none
 
 module audio_clock #(
-    parameter RATE = 8000   // samples a second: 8000 or 48000
+    parameter RATE = 8000   // samples per second: 8000 or 48000
 ) (
     input  wire refclk_i,
     input  wire rst_ni,     // asynchronous, active low
@@ -43,7 +43,7 @@ module audio_clock #(
         .locked   (locked)
     );
 
-    // Nobody needs to know when it begins, so it has no reset.
+    // Its phase does not matter, so it has no reset.
     reg       clk_q   = 1'b0;
     reg [2:0] count_q = 3'd0;
 

@@ -23,7 +23,7 @@ mkdir -p "$out"
 grep -E 'Logic utilization|Total registers|Total block memory|RAM Blocks|DSP|PLL' \
     "$out/de1_soc.fit.summary"
 
-# Each "Slack : -0.123" of every corner and check; the smallest of them.
+# The smallest of all "Slack : -0.123", over every corner and check.
 worst=$(awk '$1 == "Slack" { if (n++ == 0 || $3 + 0 < w) w = $3 + 0 } END { if (n) print w }' \
     "$out/de1_soc.sta.summary")
 if [ -z "$worst" ]; then

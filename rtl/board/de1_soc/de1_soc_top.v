@@ -7,13 +7,13 @@
 // Pins are named as on the board's schematic, so that de1_soc.qsf can be checked against pins.tsv.
 // JP1 and JP2: bits 31:0 are the header's pins 35:19, 17, 15:3, 1; the four others stay open.
 //
-// Not handled: pins of what the system has not (USB-Blaster, the video decoder's HS and VS); the
-// project leaves them as inputs with weak pull-ups.
+// Not handled: pins of parts that the system does not use (USB-Blaster, the video decoder's HS and
+// VS); the project leaves them as inputs with weak pull-ups.
 
 `default_nettype none
 
 module de1_soc_top #(
-    parameter AUDIO_RATE = 8000      // samples a second: 8000, as in the DE1-SoC Computer, or 48000
+    parameter AUDIO_RATE = 8000      // samples per second: 8000, the DE1-SoC Computer's, or 48000
 ) (
     input  wire        CLOCK_50,
 
@@ -207,7 +207,7 @@ module de1_soc_top #(
 
     assign VGA_CLK = ~clk;   // rises in the middle of a pixel
 
-    // Every clock happens.
+    // On the device no clock is left out.
     // verilator lint_off PINCONNECTEMPTY
     fpga #(.ID_W(ID_W)) fpga (
         .clk_i                (clk),

@@ -2,8 +2,7 @@
 //
 // Cyclone V primitives (Cyclone V Device Handbook, volume 3, HPS-FPGA bridges).  Both bridges run
 // on the fabric's clock; the full one is 32 bits wide (port_size_config 0).  f2h_irq[n] is
-// interrupt ID 72 + n.  Where pins, clocks and DDR3 of the HPS go is set up by the boot loader, not
-// here.
+// interrupt ID 72 + n.  The boot loader sets up pins, clocks and DDR3 of the HPS.
 //
 // Not handled: the FPGA-to-HPS bridge and the FPGA's ports to DDR3, which are switched off.
 
@@ -87,7 +86,7 @@ module hps #(
     cyclonev_hps_interface_interrupts interrupts (.irq({32'b0, irq_i}));
 
     // ---- Bridges ----------------------------------------------------------
-    // Locks, caches, protection and write IDs mean nothing to the fabric's slaves.
+    // The fabric's slaves ignore locks, caches, protection and write IDs.
     // verilator lint_off PINCONNECTEMPTY
     cyclonev_hps_interface_hps2fpga_light_weight lightweight (
         .clk     (clk_i),

@@ -1,7 +1,7 @@
-// open_hps.v - in the processor's place where there are no bridges: paints colour bars, once
+// open_hps.v - replaces the processor in tools without its bridges: paints colour bars, once
 //
-// The fabric as it is then shows them: bus, picture memory, VGA.  Ports as in hps.v.  Registers
-// come up as `initial` says, since nothing resets the processor's place.
+// The unchanged fabric shows them: bus, picture memory, VGA.  Ports as in hps.v.  Registers get
+// their values by `initial`, because this module has no reset.
 
 `default_nettype none
 // verilator lint_off DECLFILENAME
@@ -80,7 +80,7 @@ module hps #(
     assign rst_no = 1'b1;
 
     // ---- One word after the other -----------------------------------------
-    reg       address_q, data_q, done_q;         // to be taken; the last word was answered
+    reg       address_q, data_q, done_q;         // to be accepted; the last word was answered
     reg [7:0] row_q, word_q;
     reg [6:0] age_q;                             // the fabric's reset lasts some forty clocks
 
@@ -101,7 +101,7 @@ module hps #(
         end
     end
 
-    // Eight bars: white, yellow, cyan, green, magenta, red, blue, black; 20 words a bar.
+    // Eight bars: white, yellow, cyan, green, magenta, red, blue, black; 20 words per bar.
     wire [7:0]  bar    = word_q / 8'd20;
     wire [15:0] colour = {{5{!bar[1]}}, {6{!bar[2]}}, {5{!bar[0]}}};
 

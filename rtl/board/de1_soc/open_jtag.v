@@ -1,6 +1,6 @@
-// open_jtag.v - in the JTAG primitive's place where there is none: a terminal that nobody reads
+// open_jtag.v - replaces the JTAG primitive in tools without it: a terminal that nobody reads
 //
-// The parameters say nothing here.
+// The parameters are ignored.
 
 `default_nettype none
 // verilator lint_off DECLFILENAME

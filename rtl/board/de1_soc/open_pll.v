@@ -1,6 +1,6 @@
-// open_pll.v - in a PLL's place where there is none: 25 MHz is CLOCK_50 divided by two
+// open_pll.v - replaces a PLL in tools without one: 25 MHz is CLOCK_50 divided by two
 //
-// 12.288 MHz would be 12.5: sound is 1.7 % too fast.  The other parameters say nothing here.
+// 12.288 MHz becomes 12.5 MHz, so sound is 1.7 % too fast.  The other parameters are ignored.
 
 `default_nettype none
 // verilator lint_off DECLFILENAME

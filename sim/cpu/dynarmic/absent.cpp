@@ -1,5 +1,5 @@
-// absent.cpp - instructions that dynarmic has and the Cortex-A9 has not, and words that are no
-// instructions but would be one with another condition.
+// absent.cpp - instructions that dynarmic has and the Cortex-A9 has not, and words that would be
+// instructions only with another condition.
 #include <cstddef>
 
 #include "sim/cpu/dynarmic/instructions.h"
@@ -24,7 +24,7 @@ bool is_one_of(const Encoding (&encodings)[N], std::uint32_t word) {
 }
 
 // Of NEON's data processing, as ARM encodings (ARM DDI 0406C, A7.4).  Undefined on the Cortex-A9,
-// but for the six that dynarmic misses.
+// except for the six that dynarmic misses.
 constexpr Encoding NEON[] = {
     // Three registers of the same length
     {0xFE800F10, 0xF2000510},                            // VQRSHL: missed

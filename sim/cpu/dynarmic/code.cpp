@@ -8,8 +8,8 @@ namespace sim {
 
 namespace {
 
-constexpr unsigned BLANK = 64;            // instructions of zeros that nobody writes on purpose
-constexpr unsigned FIRST_PATIENCE = 64;   // steps without the bus until a mark is taken away
+constexpr unsigned BLANK = 64;            // zero words in a row that cannot be meant as code
+constexpr unsigned FIRST_PATIENCE = 64;   // steps without a bus access until a mark is removed
 constexpr std::uint32_t LITERALS = 4200;  // how far a load may be from its literal, and more
 
 }  // namespace
@@ -42,9 +42,9 @@ unsigned Code::to_next_branch(std::uint32_t pc, bool thumb) {
     }
     if (count == FAR) {
         far_begin_ = pc;
-        far_end_ = pc + (at - pc) / 2;  // so the second half is looked at again
+        far_end_ = pc + (at - pc) / 2;  // so the second half is scanned again
     }
-    // Also for those behind it, where steps come next.
+    // Also for those after it, which are stepped next.
     std::uint32_t next = pc;
     for (unsigned i = 0; i < std::min<std::size_t>(count, straight_.size() / 2); ++i) {
         straight_[next / 2 % straight_.size()] = {next, thumb, count == FAR ? FAR : count - i};

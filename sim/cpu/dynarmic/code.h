@@ -1,9 +1,9 @@
-// code.h - what is known of the program's instructions: where translated code has to stop, how
-// long it may run without looking at its count, and which words have been translated.
+// code.h - what is known of the program's instructions: where translated code has to stop, how long
+// it runs without checking its count, and which words have been translated.
 //
-// Translated code subtracts a basic block's instructions at the block's end and looks at what is
-// left at each branch.  So `longest` instructions without a branch can be done too many: run()
-// leaves that many over and does the last ones in smaller pieces.
+// Translated code subtracts a basic block's instructions at the block's end, and checks the rest at
+// each branch.  So it can overrun by `longest`, the longest run of instructions without a branch.
+// run() therefore stops that many instructions early, and does the last ones in smaller pieces.
 #pragma once
 
 #include <array>
@@ -26,12 +26,12 @@ public:
     // ---- Instructions in memory ----
 
     std::optional<std::uint32_t> instruction(std::uint32_t pc, bool thumb) const;
-    // Behind `count` instructions from `pc` on.
+    // The address after `count` instructions from `pc` on.
     std::uint32_t after(std::uint32_t pc, std::uint64_t count, bool thumb) const;
 
-    // Instructions from `pc` to the next branch, that included; FAR if there is none so soon.
+    // Instructions from `pc` to the next branch, including it; FAR if it is farther away.
     static constexpr unsigned FAR = 16384;
-    // Answers are kept, and may be those of before a write to words that are not translated yet.
+    // Answers are cached; a write to words that are not translated yet does not invalidate them.
     unsigned to_next_branch(std::uint32_t pc, bool thumb);
     unsigned to_next_branch_now(std::uint32_t pc, bool thumb);
     // Nothing but zeros follows, for at least 64 instructions.
@@ -39,8 +39,8 @@ public:
 
     // ---- Where translated code stops, to be executed one by one ----
 
-    // `pc` reaches what translated code must not do by itself (the bus, a page that refuses, words
-    // that are code).  `direct`: it can be done without a step (direct.h).
+    // The instruction at `pc` accesses what translated code must not access by itself (the bus, a
+    // page that refuses, words that are code).  `direct`: it needs no single step (direct.h).
     void mark(std::uint32_t pc, bool direct);
     bool is_marked(std::uint32_t pc) const {
         return !marks_.empty() && marks_.find(pc) != marks_.end();
@@ -49,14 +49,15 @@ public:
         const auto mark = marks_.find(pc);
         return mark != marks_.end() && mark->second.direct;
     }
-    // It was done, and reached that or did not.  True: it has not for long, and is unmarked.
+    // It was executed, and `reached` says whether it made such an access.  True: it has made none
+    // for long, and is unmarked.
     bool settle(std::uint32_t pc, bool reached);
 
     // ---- Blocks and words that have been translated ----
 
-    // The instruction at `pc`, of the block from `begin` on, which is read up to `end` now.  What
-    // comes back is the begin of another block, which was read with this instruction cut in two (as
-    // Thumb where this is ARM, or from its second half on), and is no longer known.
+    // The instruction at `pc`, of the block from `begin` on, which is read up to `end` now.
+    // Returns the begin of another block that decodes these words differently (as Thumb instead of
+    // ARM, or from the second half of this instruction on); that block is forgotten.
     std::optional<std::uint32_t> translated(std::uint32_t begin, std::uint32_t pc,
                                             std::uint32_t end);
     bool is_begin(std::uint32_t pc) const { return blocks_.count(pc) != 0; }
@@ -70,7 +71,7 @@ public:
 
     struct Page {
         std::uint32_t physical;   // number
-        std::bitset<1024> words;  // those that translated code was made from
+        std::bitset<1024> words;  // those that have been translated
     };
     // `page` and `physical` are page numbers.
     Page& use(std::uint32_t page, std::uint32_t physical);
@@ -82,7 +83,7 @@ public:
 
 private:
     struct Mark {
-        unsigned quiet = 0, patience = 0;  // steps that did not reach it; how many are borne
+        unsigned quiet = 0, patience = 0;  // steps without such an access; how many are allowed
         bool direct = false;
     };
 

@@ -1,4 +1,4 @@
-// core.cpp - ArmCore's run(): translated code as long as it can, single steps where it must.
+// core.cpp - ArmCore's run(): translated code where possible, single steps where necessary.
 #include "sim/cpu/dynarmic/engine.h"
 
 #include <algorithm>
@@ -14,7 +14,7 @@ namespace {
 
 using Dynarmic::HaltReason;
 constexpr HaltReason EVENT = HaltReason::UserDefined1;
-constexpr std::size_t CODE_CACHE = 32 << 20;  // bytes; what does not fit is translated anew
+constexpr std::size_t CODE_CACHE = 32 << 20;  // bytes; blocks that do not fit are translated anew
 
 }  // namespace
 
@@ -25,8 +25,8 @@ ArmCore::Engine::Engine(ArmCore& core_, ArmBus& bus_)
     config.callbacks = this;
     config.global_monitor = &monitor;
     config.arch_version = Dynarmic::A32::ArchVersion::v7;
-    // Returns and indirect branches go by the dispatcher, which looks at what is left to do;
-    // predicted, they would not, and a loop of them would never end.
+    // Returns and indirect branches must use the dispatcher, which checks the count.  Predicted
+    // ones would not check it, and a loop of them would never end.
     config.optimizations = Dynarmic::all_safe_optimizations &
                            ~(OptimizationFlag::ReturnStackBuffer | OptimizationFlag::FastDispatch);
     config.page_table = pages.direct();
@@ -55,8 +55,8 @@ void ArmCore::Engine::AddTicks(std::uint64_t ticks) {
     core.count_ += ticks;
 }
 
-// For run_translated(), and again after each callback of a block, whose own instructions are still
-// to be subtracted.
+// Called by run_translated(), and again after each callback, when the instructions of the present
+// block have not been subtracted yet.
 std::uint64_t ArmCore::Engine::GetTicksRemaining() {
     const std::uint64_t done = core.count_ + unaccounted;
     const std::uint64_t left = core.limit_ > done ? core.limit_ - done : 0;
@@ -72,8 +72,8 @@ void ArmCore::Engine::CallSVC(std::uint32_t number) {
     jit->HaltExecution(EVENT);
 }
 
-// The load or store at `pc`, which fetch.cpp has made a call, with all registers as before it and
-// `before` of its block's instructions done.  False: it has aborted.
+// Does the load or store at `pc`, which fetch.cpp has replaced by a supervisor call.  Registers are
+// those before it, and `before` of its block's instructions are done.  False: it has aborted.
 bool ArmCore::Engine::done_directly(std::uint32_t pc, std::uint32_t before) {
     const bool in_thumb = thumb();
     const auto word = code.instruction(pc, in_thumb);
@@ -208,7 +208,8 @@ std::optional<ArmStop> ArmCore::Engine::run_translated(unsigned without_branch) 
     return stop;
 }
 
-// Translated code has come to an access that a step must do: back to before its instruction.
+// Translated code has reached an access that a step must do: restores the state before its
+// instruction.
 void ArmCore::Engine::take_back_miss() {
     const std::uint32_t pc = r()[15], cpsr = jit->Cpsr();
     const bool in_thumb = thumb(), carry = cpsr >> 29 & 1;
@@ -254,13 +255,14 @@ std::optional<ArmStop> ArmCore::Engine::step() {
     return stop;
 }
 
-// Dynarmic raises an exception with pc and the state of an IT block behind the instruction.
+// Dynarmic raises an exception with pc and the IT state after the instruction; this restores those
+// of the instruction.
 void ArmCore::Engine::back_to_event() {
     if (thumb()) jit->SetCpsr(with_it_state(jit->Cpsr(), code.it(event_pc)));
     r()[15] = event_pc;
 }
 
-// What the last instructions have come to, with pc as ArmStop says.
+// How the last instructions have ended, with pc as ArmStop says.
 std::optional<ArmStop> ArmCore::Engine::ended() {
     switch (event) {
         case Event::NONE: return std::nullopt;

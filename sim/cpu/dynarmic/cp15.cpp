@@ -4,7 +4,7 @@ namespace sim {
 
 namespace {
 
-// Registers that hold what was written, with what they hold after reset.
+// Registers that hold what was written, and their reset values.
 struct Reset {
     Cp15 name;
     std::uint32_t value;
@@ -77,7 +77,7 @@ constexpr std::uint32_t PMCR_E = 1, PMCR_C = 1u << 2, PM_CYCLES = 1u << 31;
 constexpr bool same(const Cp15& a, const Cp15& b) {
     return a.crn == b.crn && a.op1 == b.op1 && a.crm == b.crm && a.op2 == b.op2;
 }
-// Barriers of before ARMv7: ISB, DSB, DMB.
+// Barriers as before ARMv7, by CP15: ISB, DSB, DMB.
 bool is_barrier(const Cp15& n) {
     return n.crn == 7 && n.op1 == 0 &&
            ((n.crm == 5 && n.op2 == 4) || (n.crm == 10 && (n.op2 == 4 || n.op2 == 5)));
@@ -108,7 +108,7 @@ std::uint64_t Cp15Registers::cycles(std::uint64_t instructions) const {
     return stopped_at_.value_or(instructions) - cycles_begin_;
 }
 
-// Of the performance monitor, and given to the user mode.
+// A register of the performance monitor that the user mode may use.
 bool Cp15Registers::is_users_counter(const Cp15& n) const {
     return n.crn == 9 && n.op1 == 0 && (n.crm == 12 || n.crm == 13) && (value(PMUSERENR) & 1);
 }

@@ -1,8 +1,8 @@
 // cp15.h - the system control coprocessor of the Cortex-A9 (ARM DDI 0388I, chapter 4).
 //
 // Identification is that of the Cyclone V's r3p0.  Cache maintenance and barriers do nothing: the
-// simulator has no caches and sees by itself that code is overwritten.  The performance monitor has
-// its cycle counter, which counts instructions, each of them whatever PMCR.D says.
+// simulator has no caches and detects by itself that code is overwritten.  The performance monitor
+// has its cycle counter, which counts instructions; PMCR.D has no effect.
 //
 // Not handled: event counters (read 0), address translation operations, lockdown, the second bank
 // of registers for the Secure state.
@@ -21,7 +21,7 @@ public:
     Cp15Registers() { reset(); }
     void reset();
 
-    // What a write changes beside the register.
+    // What a write changes besides the register.
     enum class Effect { NONE, TRANSLATION, FLOATING_POINT };
 
     // As MRC and MCR do.  Nothing: the instruction is undefined.  `instructions`: so far.
@@ -30,11 +30,11 @@ public:
     std::optional<Effect> write(const Cp15& name, std::uint32_t value, bool privileged,
                                 std::uint64_t instructions);
 
-    // Without any rule, for the simulator.
+    // Without checks, for the simulator.
     std::uint32_t value(const Cp15& name) const;
     void set(const Cp15& name, std::uint32_t value) { at(name) = value; }
 
-    // Those that translated code reads and writes by itself.
+    // Registers that translated code reads and writes by itself.
     std::uint32_t tpidrurw = 0, tpidruro = 0, tpidrprw = 0;
 
 private:

@@ -1,8 +1,9 @@
-// data.cpp - loads and stores that the page table does not take: pages met for the first time,
-// pages with code in them, accesses across two pages, the bus, and what nobody answers.
+// data.cpp - loads and stores that the page table does not serve: pages used for the first time,
+// pages with code in them, accesses across two pages, the bus, and addresses without a target.
 //
-// Only a single step may reach the bus or abort, since then the count and all registers are those
-// before the instruction.  In translated code such an access stops it before its instruction.
+// Only a single step may access the bus or abort, because only then the count and all registers are
+// those before the instruction.  In translated code such an access stops the run before its
+// instruction.
 #include <cstring>
 
 #include "sim/cpu/dynarmic/engine.h"
@@ -25,7 +26,7 @@ const PageTable::Page& ArmCore::Engine::page_of(std::uint32_t address) {
     page.access = to.access;
     page.normal = to.normal;
     page.no_code = !(to.access & arm_access::EXECUTE);
-    if (to.access == 0) return page;  // which is not kept, as in a TLB (B3.9.1)
+    if (to.access == 0) return page;  // which is not cached, as in a TLB (B3.9.1)
     page.number = address >> 12;
     const MemoryMap::Area* const area = memory.find(to.physical);
     if (!area) {

@@ -16,7 +16,7 @@ struct Registers {
     std::uint32_t operator[](unsigned n) const { return n == 15 ? pc : r[n]; }
 };
 
-// Fills in the addresses; nothing if the instruction is not one of ours after all.
+// Fills in the addresses; nothing if the instruction turns out to be none of those in direct.h.
 std::optional<SingleAccess> addressed(SingleAccess a, const Registers& r, std::uint32_t offset,
                                       bool up, bool pre, bool write) {
     const std::uint32_t to = up ? r[a.base] + offset : r[a.base] - offset;

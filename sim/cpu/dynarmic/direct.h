@@ -1,4 +1,4 @@
-// direct.h - single loads and stores, decoded: those by which programs reach registers.
+// direct.h - single loads and stores, decoded: programs access device registers by these.
 //
 // LDR, STR and their kinds for bytes and halfwords, in ARM and Thumb, in all addressing modes.
 // Source: ARM DDI 0406C, A5.3, A6.2.4, A6.3.7 - A6.3.10.

@@ -4,7 +4,7 @@
 //   fetch.cpp     code as it is translated
 //   data.cpp      loads and stores that are not in the page table
 //   direct.h      single loads and stores, decoded
-//   system.cpp    instructions that dynarmic leaves to us; multiples.cpp, steps.cpp: more of them
+//   system.cpp    instructions that dynarmic does not have; multiples.cpp, steps.cpp: more of them
 //   registers.cpp ArmCore's registers and memory, seen from outside
 #pragma once
 
@@ -45,8 +45,8 @@ struct ArmCore::Engine final : Dynarmic::A32::UserCallbacks {
     ArmProbe* probe = nullptr;
     std::unordered_set<std::uint32_t> probed;
     ArmTally* tally = nullptr;
-    // For the tally, what may leave a function takes so many ticks more, which no run has left: it
-    // ends behind its block.  They say what it was, too.
+    // For the tally, an instruction that may leave a function costs so many ticks more than any run
+    // has left, so the run ends after its block.  The values also say which kind it was.
     static constexpr std::uint64_t CALL = 1u << 24, JUMP = 2u << 24, TALLIED = CALL - 1;
     bool called = false;
     ArmWatch* watch = nullptr;
@@ -73,7 +73,7 @@ struct ArmCore::Engine final : Dynarmic::A32::UserCallbacks {
 
     // ---- core.cpp ----
 
-    // Translated code or one instruction.  What it ended with, if run() is to end, too.
+    // Runs translated code or one instruction.  Returns how it ended, if run() has to end, too.
     std::optional<ArmStop> next(std::uint64_t left);
     std::optional<ArmStop> run_translated(unsigned without_branch);
     std::optional<ArmStop> step();
@@ -81,7 +81,7 @@ struct ArmCore::Engine final : Dynarmic::A32::UserCallbacks {
     void back_to_event();
     void take_back_miss();
 
-    // What a callback has met.
+    // What happened in a callback.
     enum class Event { NONE, HINT_WFI, HINT_WFE, SVC, BREAKPOINT, UNDEFINED, NO_CODE, ABORT };
     Event event = Event::NONE;
     std::uint32_t event_pc = 0;
@@ -129,15 +129,14 @@ struct ArmCore::Engine final : Dynarmic::A32::UserCallbacks {
         bool linked = false;        // ends before the begin of another one, or of a function
     } block;
     unsigned longest = 32;   // instructions without a branch that have been translated
-    unsigned left_over = 0;  // instructions without a branch that what runs now leaves room for
+    unsigned left_over = 0;  // instructions without a branch for which the present run leaves room
     bool retranslate = false;
 
     // ---- data.cpp ----
 
     const PageTable::Page& page_of(std::uint32_t address);
 
-    // A value in the order of bytes that CPSR.E asks for, from the other one or into it; translated
-    // code sees to that by itself.
+    // Swaps a value's bytes if CPSR.E asks for big-endian data; translated code does so by itself.
     template <class T>
     T in_order(T value) const {
         if (!(jit->Cpsr() & arm_cpsr::E)) return value;

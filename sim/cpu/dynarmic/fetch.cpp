@@ -1,4 +1,5 @@
-// fetch.cpp - code as dynarmic translates it: from where, how far, and with what left out.
+// fetch.cpp - the code that dynarmic reads for translation: from where, how far, and what is
+// replaced.
 #include <algorithm>
 #include <cstring>
 
@@ -14,7 +15,7 @@ constexpr std::uint32_t ARM_UNDEFINED = 0xE7F000F0;  // UDF #0
 constexpr std::uint32_t THUMB_UNDEFINED = 0xDE00;
 constexpr std::uint32_t THUMB_UNDEFINED_FIRST = 0xF7F0, THUMB_UNDEFINED_SECOND = 0xA000;
 constexpr std::uint32_t ARM_LINK = 0xEAFFFFFE, THUMB_LINK = 0xE7FE;  // B to itself
-// Instructions of a block.  Conditional ones cost dynarmic a look at all before them in the block.
+// Instructions per block.  For each conditional one dynarmic scans all before it in the block.
 constexpr unsigned LONGEST_BLOCK = 64;
 constexpr std::uint32_t ARM_CALL = 0x0F000000, MOST_ARM = 0xFFFFFF;  // SVC #n, the largest n
 constexpr std::uint32_t THUMB_CALL = 0xDF00, MOST_THUMB = 0xFF;
@@ -46,21 +47,21 @@ bool ArmCore::Engine::user_may(std::uint32_t address, unsigned right) const {
     return translate(cp15, memory, address, false).access & right;
 }
 
-// Before the user mode comes to what was translated for privileged ones alone.
+// Called before the user mode can reach code that was translated for privileged modes alone.
 void ArmCore::Engine::forget_privileged_code() {
     for (const std::uint32_t page : privileged_code) invalidate(page << 12, 0x1000);
     privileged_code.clear();
 }
 
-// Dynarmic reads a block's words from its begin on, a Thumb instruction of 32 bits as two words if
-// it lies in two, and tells each instruction by GetTicksForCode.  What is answered with nothing
-// ends the block before it and raises NoExecuteFault there.
+// Dynarmic reads a block's words from its begin on (a Thumb instruction of 32 bits may lie in two
+// words), and calls GetTicksForCode for each instruction.  A result without a value ends the block
+// before that instruction and raises NoExecuteFault there.
 //
-// A single load or store that reaches the bus is read as a supervisor call, whose number is that of
-// the block's instructions before it: done_directly() in core.cpp does it then.
+// A single load or store that accesses the bus is replaced by a supervisor call, whose number is
+// that of the block's instructions before it.  done_directly() in core.cpp then does the access.
 //
-// Blocks do not overlap, so that it is known which one has come to an instruction: where another
-// block begins, this one ends with a branch there, which does not count.
+// Blocks do not overlap, so each instruction belongs to one known block.  Where another block
+// begins, this one ends with a branch to it, which is not counted.
 std::optional<std::uint32_t> ArmCore::Engine::MemoryReadCode(std::uint32_t address) {
     const std::uint32_t begin = r()[15];
     const bool second_half = block.begin == begin && block.thumb && (block.next & 2) &&
@@ -121,7 +122,7 @@ std::optional<std::uint32_t> ArmCore::Engine::MemoryReadCode(std::uint32_t addre
     const auto whole = code.instruction(block.next, block.thumb);
     if (!whole || !is_system(*whole, block.thumb, floating_point())) return word;
     if (!block.thumb) return ARM_UNDEFINED;
-    // As long as the instruction, which a condition may leave out.
+    // UDF of the same length, because the instruction may be skipped by its condition.
     if (*whole <= 0xFFFF) return half_as(THUMB_UNDEFINED);
     if (second_half) return (word & 0xFFFF0000) | THUMB_UNDEFINED_SECOND;
     return block.next & 2 ? half_as(THUMB_UNDEFINED_FIRST)
@@ -149,8 +150,8 @@ std::uint64_t ArmCore::Engine::ticks_of_departure(bool is_thumb, std::uint32_t p
     return stays ? 0 : JUMP;
 }
 
-// A load from an address that is known while it is translated, so a literal among the code, becomes
-// a constant.  A store there is noticed, like one to an instruction.
+// A load from an address that is known at translation, that is a literal in the code, becomes a
+// constant.  A store to it is detected like a store to an instruction.
 bool ArmCore::Engine::IsReadOnlyMemory(std::uint32_t address) {
     const PageTable::Page& page = page_of(address);
     if (watch || !page.bytes || !(page.access & arm_access::READ) ||

@@ -18,7 +18,7 @@ unsigned bits_of(std::uint32_t word) {
 unsigned coprocessor(std::uint32_t word) { return word >> 8 & 0xF; }
 bool is_vfp(std::uint32_t word) { return (coprocessor(word) & 0xE) == 0xA; }
 
-// MRC and MCR of a thread's own registers, which translated code does by itself.
+// MRC and MCR of the thread registers, which translated code executes by itself.
 bool is_thread_register(std::uint32_t word) {
     const unsigned op2 = word >> 5 & 7;
     const bool load = word >> 20 & 1;

@@ -1,4 +1,4 @@
-// instructions.h - what the engine has to know of ARM and Thumb encodings (ARM DDI 0406C).
+// instructions.h - the ARM and Thumb encodings that the engine treats specially (ARM DDI 0406C).
 //
 // An instruction is `word`; a Thumb one of 16 bits has its bits 31:16 clear, one of 32 bits has
 // its first halfword there.
@@ -11,29 +11,29 @@ namespace sim {
 
 inline unsigned thumb_bytes(std::uint16_t first) { return first < 0xE800 ? 2 : 4; }
 
-// Dynarmic cannot do it, or does something else: it is left to system.h.  `floating_point`: the
-// program may use VFP and NEON.
+// Dynarmic does not execute it, or does so wrongly: the engine's system.cpp executes it.
+// `floating_point`: the program may use VFP and NEON.
 bool is_system(std::uint32_t word, bool thumb, bool floating_point);
 
-// The Cortex-A9 has no such instruction, or dynarmic misses it: it is undefined.  Dynarmic may
-// take it for another one, or end the process.
+// The Cortex-A9 has no such instruction, or dynarmic misses it: it is undefined.  Given to
+// dynarmic, it could be taken for another instruction, or end the process.
 bool is_absent(std::uint32_t word, bool thumb);
 
-// A branch, after which translated code looks at how many instructions are left.  Some instructions
+// A branch, after which translated code checks how many instructions are left.  Some instructions
 // that branch by other means are not recognised.
 bool is_branch(std::uint32_t word, bool thumb);
 
-// Where the program may go on, if that is not only behind the instruction at `pc`: by a call or
-// not, to a target that is known or not.  TBB and TBH are left out.
+// Where the program may go on, other than after the instruction at `pc`: whether by a call, and the
+// target if it is known.  TBB and TBH are left out.
 struct Departure {
     bool call;
     std::optional<std::uint32_t> target;
 };
 std::optional<Departure> departure(std::uint32_t word, bool thumb, std::uint32_t pc);
 
-// Dynarmic changes the base register of some loads and stores before the access.  If `word` is one
-// of them: the register, and what has been added to it.  `r`: r0 - r15 as after the change;
-// `address`: of the access.
+// For some loads and stores dynarmic changes the base register before the access.  If `word` is one
+// of them: that register, and the value added to it.  `r`: r0 - r15 as after the change; `address`:
+// of the access.
 struct WriteBack {
     unsigned base;
     std::uint32_t added;
@@ -41,8 +41,8 @@ struct WriteBack {
 std::optional<WriteBack> early_write_back(std::uint32_t word, bool thumb, const std::uint32_t* r,
                                           bool carry, std::uint32_t address);
 
-// LDM with its base in the list and without write-back, which dynarmic would lose where a later
-// access is done again.
+// LDM with its base in the list and without write-back.  Dynarmic would lose the base if a later
+// access has to be repeated.
 bool loads_its_base(std::uint32_t word, bool thumb);
 // VRECPS and VRSQRTS.
 bool is_newton_step(std::uint32_t word, bool thumb);

@@ -12,12 +12,12 @@ namespace sim {
 
 class BankedRegisters {
 public:
-    // Puts the registers of mode `from` away and those of mode `to` in their place.  Numbers of
-    // modes are those of the CPSR; one that does not exist counts as USR.
+    // Saves the registers of mode `from` and loads those of mode `to`.  Numbers of modes are those
+    // of the CPSR; one that does not exist counts as USR.
     void change(std::array<std::uint32_t, 16>& r, std::uint32_t from, std::uint32_t to);
     // r`number`, 8 to 14, of the user mode while the processor is in mode `mode`.
     std::uint32_t& user(std::array<std::uint32_t, 16>& r, std::uint32_t mode, unsigned number);
-    // USR and SYS have none: a word that nothing reads.
+    // USR and SYS have none: returns a word that is never used.
     std::uint32_t& spsr(std::uint32_t mode) { return spsr_[bank_of(mode)]; }
     const std::uint32_t& spsr(std::uint32_t mode) const { return spsr_[bank_of(mode)]; }
 

@@ -1,7 +1,7 @@
-// multiples.cpp - loads and stores of several registers that dynarmic leaves to us: RFE, SRS, LDM
+// multiples.cpp - loads and stores of several registers that dynarmic does not have: RFE, SRS, LDM
 // and STM of the user mode's registers, LDM with its base in the list.
 //
-// What they do to registers comes after all their accesses, so one that aborts has done nothing.
+// They change registers after all their accesses, so one that aborts has changed nothing.
 #include "sim/cpu/dynarmic/engine.h"
 
 namespace sim {

@@ -6,7 +6,7 @@
 
 namespace sim {
 
-// Taken from the host as it is touched: 8 MB, of which a program uses a few KB.
+// The host allocates it as it is touched: 8 MB, of which a program uses a few KB.
 PageTable::PageTable() {
     void* const memory = mmap(nullptr, sizeof(Direct), PROT_READ | PROT_WRITE,
                               MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);

@@ -1,5 +1,5 @@
-// page_table.h - virtual pages of 4 KB: the host's bytes where translated code may use them by
-// itself, and a small cache of what the other pages are.
+// page_table.h - virtual pages of 4 KB: the host's bytes where translated code may access them
+// directly, and a small cache of the attributes of the other pages.
 #pragma once
 
 #include <array>
@@ -16,14 +16,14 @@ public:
 
     // What a page is, for the present privilege.
     struct Page {
-        std::uint32_t number = ~0u;     // virtual
-        std::uint32_t physical = 0;     // address of its begin: on the bus, or where its RAM is
-        std::uint8_t* bytes = nullptr;  // of RAM; nullptr: the bus, or nothing
+        std::uint32_t number = ~0u;          // virtual
+        std::uint32_t physical = 0;          // its first address, on the bus or in RAM
+        std::uint8_t* bytes = nullptr;       // of RAM; nullptr: the bus, or nothing
         const std::uint8_t* code = nullptr;  // of RAM, also where loads and stores take the bus
         unsigned access = 0;                 // arm_access
         bool no_code = false;                // by the translation tables
         bool normal = false;                 // Normal memory, by the translation tables
-        std::uint32_t status = 0;            // of what is not allowed
+        std::uint32_t status = 0;            // fault status of an access that is not allowed
     };
 
     PageTable();
@@ -34,7 +34,7 @@ public:
     void close_bytes(const std::uint8_t* bytes);  // every page that is opened onto them
     void close_all();                             // and empties the cache
 
-    // The cache's place for a page, which may hold another one.
+    // The cache's slot for a page; it may hold another page.
     Page& slot(std::uint32_t page) { return cache_[page % cache_.size()]; }
 
 private:

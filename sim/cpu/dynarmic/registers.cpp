@@ -1,4 +1,4 @@
-// registers.cpp - ArmCore's registers and memory as others see them, and how they are after reset.
+// registers.cpp - ArmCore's registers and memory seen from outside, and their state after reset.
 #include <algorithm>
 
 #include "sim/cpu/dynarmic/engine.h"
@@ -76,7 +76,7 @@ void ArmCore::set_fpscr(std::uint32_t value) { engine_->jit->SetFpscr(value); }
 std::uint32_t ArmCore::cp15(const Cp15& name) const { return engine_->cp15.value(name); }
 void ArmCore::set_cp15(const Cp15& name, std::uint32_t value) { engine_->cp15.set(name, value); }
 
-// ---- Who looks in -------------------------------------------------------------------------------
+// ---- Inspectors ---------------------------------------------------------------------------------
 
 void ArmCore::attach(ArmProbe* probe, const std::vector<std::uint32_t>& at) {
     Engine& e = *engine_;
@@ -93,7 +93,7 @@ void ArmCore::attach(ArmTally* tally) {
     engine_->forget_mappings();
 }
 
-// Every access asks while nothing is in the page table, and no literal is a constant.
+// With an empty page table every access is a callback; literals must not be constants either.
 void ArmCore::watch(ArmWatch* watch) {
     if ((watch == nullptr) != (engine_->watch == nullptr)) engine_->forget_mappings();
     engine_->watch = watch;
@@ -154,11 +154,11 @@ void ArmCore::Engine::invalidate(std::uint32_t address, std::uint32_t bytes) {
     jit->InvalidateCacheRange(address, bytes);
 }
 
-// Dynarmic keeps every branch that has ever been translated to a place, and goes through them all
-// when the place is translated anew.  And its table of blocks hashes by address alone: blocks for
-// several modes of FPSCR begin at one address, and when they are more than the addresses around
-// them it grows without end.  So all is forgotten when a page has been translated often; not at
-// once, since the first memory access would then end what is being translated.
+// Dynarmic keeps a list of every branch ever translated to a place, and walks through it when the
+// place is translated anew.  Also, its table of blocks hashes by address alone: for many modes of
+// FPSCR there are many blocks at one address, and then the table grows without bound.  So
+// everything is dropped when a page has been translated often.  It is not dropped at once, because
+// the first memory access would then end the translation that is in progress.
 void ArmCore::Engine::translates(std::uint32_t pc) {
     constexpr unsigned OFTEN = 1024;
     if (++translations[pc >> 12] == OFTEN) overfull = true;

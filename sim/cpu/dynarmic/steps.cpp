@@ -9,7 +9,7 @@ namespace sim {
 
 namespace {
 
-// As NEON computes whatever FPSCR says: denormal numbers are zeros, one NaN, to the nearest.
+// NEON ignores FPSCR: denormal numbers are zeros, there is one NaN, rounding is to the nearest.
 float flushed(double value) {
     constexpr double LEAST = std::numeric_limits<float>::min();
     return static_cast<float>(std::abs(value) < LEAST ? std::copysign(0.0, value) : value);

@@ -1,7 +1,7 @@
 // system.cpp - the instructions of an operating system: status registers, modes, exception returns,
-// coprocessors (ARM DDI 0406C, B9).  Dynarmic is an engine for programs of the user mode.
+// coprocessors (ARM DDI 0406C, B9).  Dynarmic only executes programs of the user mode.
 //
-// What they do to registers comes after all their accesses, so one that aborts has done nothing.
+// They change registers after all their accesses, so one that aborts has changed nothing.
 #include "sim/cpu/dynarmic/engine.h"
 #include "sim/cpu/dynarmic/instructions.h"
 
@@ -115,7 +115,7 @@ bool ArmCore::Engine::thumb_system(std::uint32_t w) {
 
 // ---- Status registers ---------------------------------------------------------------------------
 
-// MRS and MSR; false for what else is encoded among them.
+// MRS and MSR; false for other instructions in the same encoding space.
 bool ArmCore::Engine::status(std::uint32_t w) {
     const bool saved = w >> 22 & 1;
     if (is(w, 0x0FBF0FFF, 0x010F0000)) {
@@ -155,7 +155,7 @@ void ArmCore::Engine::change_state(unsigned imod, bool change_mode, std::uint32_
 
 // ---- Returns from exceptions --------------------------------------------------------------------
 
-// MOVS pc, SUBS pc and all others that compute: CPSR from SPSR.
+// MOVS pc, SUBS pc and all other data processing that writes pc with S: CPSR from SPSR.
 bool ArmCore::Engine::exception_return(std::uint32_t w) {
     if (!privileged() || mode() == arm_mode::SYS) return false;
     const std::uint32_t cpsr = jit->Cpsr(), pc = r()[15] + 4;

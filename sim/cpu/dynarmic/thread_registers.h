@@ -1,4 +1,5 @@
-// thread_registers.h - what translated code does itself of the coprocessors: TPIDRURW, TPIDRURO.
+// thread_registers.h - the coprocessor registers that translated code accesses by itself: TPIDRURW,
+// TPIDRURO.
 #pragma once
 
 #include <dynarmic/interface/A32/coprocessor.h>

@@ -23,7 +23,8 @@ struct Translation {
     bool normal = false;  // Normal memory; else Device or Strongly-ordered
 };
 
-// `privileged`: the access is not of the user mode.  With SCTLR.M clear every address is itself.
+// `privileged`: the access is not of the user mode.  With SCTLR.M clear the physical address is the
+// virtual one.
 Translation translate(const Cp15Registers& cp15, const MemoryMap& memory, std::uint32_t address,
                       bool privileged);
 

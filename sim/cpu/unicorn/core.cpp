@@ -7,7 +7,7 @@ namespace {
 // QEMU's numbers of exceptions, which UC_HOOK_INTR gives.
 constexpr int EXCP_SWI = 2, EXCP_PREFETCH_ABORT = 3, EXCP_DATA_ABORT = 4, EXCP_BKPT = 7;
 
-constexpr std::uint64_t NEVER = 1;  // an `until` that no program counter equals
+constexpr std::uint64_t NEVER = 1;  // an `until` that the program counter never equals
 
 // The number of the hint that the last instruction was: 1 YIELD, 2 WFE, 3 WFI; else 0.
 unsigned hint(const ArmCore& core) {
@@ -26,8 +26,8 @@ unsigned hint(const ArmCore& core) {
 const bool ArmCore::TELLS_OF_MASKS = false;
 
 struct ArmCore::Engine::Hooks {
-    // Before every instruction.  Costs most of what this simulator takes, and buys exactness: it
-    // makes Unicorn keep the program counter right, in bus accesses too.
+    // Called before every instruction.  It takes most of the simulation's time, but it makes
+    // Unicorn keep the program counter exact, in bus accesses too.
     static void instruction(uc_engine* uc, std::uint64_t address, std::uint32_t bytes, void* self) {
         ArmCore& core = *static_cast<ArmCore*>(self);
         if (core.count_ >= core.limit_) {
@@ -57,8 +57,8 @@ struct ArmCore::Engine::Hooks {
         uc_emu_stop(uc);
     }
 
-    // uc_emu_stop here leaves pc at the load, its register as it was: it would be repeated by the
-    // next uc_emu_start, which is right for an abort and for nothing else.
+    // uc_emu_stop here leaves pc at the load and its register unchanged, so the next uc_emu_start
+    // would repeat the load.  That is right only for an abort.
     static std::uint64_t read(uc_engine* uc, std::uint64_t offset, unsigned bytes, void* window) {
         const auto& [core, bus_base, base, size] = *static_cast<Engine::Window*>(window);
         const std::uint32_t address = bus_base + static_cast<std::uint32_t>(offset);
@@ -137,7 +137,8 @@ void ArmCore::watch(ArmWatch* watch) {
             uc_hook_add(engine_->uc, &engine_->watch_hook, UC_HOOK_MEM_READ | UC_HOOK_MEM_WRITE,
                         reinterpret_cast<void*>(&Engine::Hooks::access), this, 1, 0),
             "hook of accesses");
-        // What is translated looks away.  UC_CTL_TB_FLUSH takes 2 s, this some milliseconds.
+        // Translated code does not have the hook.  UC_CTL_TB_FLUSH takes 2 s, this some
+        // milliseconds.
         for (const Engine::Ram& area : engine_->ram)
             uc_ctl_remove_cache(engine_->uc, area.base, area.base + area.size);
     }
@@ -177,7 +178,7 @@ ArmStop ArmCore::run(std::uint64_t limit) {
         fault_.address = pc();
         return ArmStop::PREFETCH_ABORT;
     }
-    // WFI ends uc_emu_start without a word, WFE and YIELD as if they were undefined.
+    // WFI ends uc_emu_start without an exception, WFE and YIELD as if they were undefined.
     const bool executed = count_ != begin && pc() != last_pc_;
     if (executed && (error == UC_ERR_OK || error == UC_ERR_INSN_INVALID)) {
         switch (hint(*this)) {
@@ -188,7 +189,7 @@ ArmStop ArmCore::run(std::uint64_t limit) {
         }
     }
     if (exception != 0 || error == UC_ERR_INSN_INVALID || error == UC_ERR_EXCEPTION) {
-        set_reg(15, last_pc_);  // SMC and HVC have gone past themselves
+        set_reg(15, last_pc_);  // after SMC and HVC pc is past them
         return ArmStop::UNDEFINED;
     }
     check_uc(error, "uc_emu_start");

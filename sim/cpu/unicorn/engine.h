@@ -1,4 +1,4 @@
-// engine.h - what ArmCore's files share of Unicorn: its handle, what is mapped, who looks in.
+// engine.h - what ArmCore's files share: Unicorn's handle, the mappings, the inspectors.
 #pragma once
 
 #include <unicorn/unicorn.h>
@@ -25,7 +25,7 @@ struct ArmCore::Engine {
         std::uint64_t size;
         std::uint8_t* bytes;
     };
-    struct Window {  // to the bus, what its hooks are handed
+    struct Window {  // to the bus: the argument of its hooks
         ArmCore* core;
         std::uint32_t bus_base;
         std::uint32_t base;
@@ -42,7 +42,7 @@ struct ArmCore::Engine {
     ArmTally::Run tallied{0, 0, 0, 0};  // the instruction in progress
     int exception = 0;                  // number that Unicorn gave, or 0
     bool aborted = false;
-    bool watched = false;  // the access in progress is not to be done
+    bool watched = false;  // the access in progress must not be done
     std::vector<Ram> ram;
     std::vector<std::unique_ptr<Window>> windows;
     std::vector<std::pair<std::uint32_t, std::uint32_t>> forbidden;  // to fetch from: base and size

@@ -10,14 +10,15 @@ constexpr int REGISTERS[] = {UC_ARM_REG_R0,  UC_ARM_REG_R1, UC_ARM_REG_R2,  UC_A
                              UC_ARM_REG_R8,  UC_ARM_REG_R9, UC_ARM_REG_R10, UC_ARM_REG_R11,
                              UC_ARM_REG_R12, UC_ARM_REG_SP, UC_ARM_REG_LR,  UC_ARM_REG_PC};
 
-constexpr std::uint32_t BANK = 0;  // of CP15's two, the one that programs see
+constexpr std::uint32_t BANK = 0;  // of CP15's two banks, the one that programs see
 
 constexpr std::uint32_t SCR_NS = 1, SCR_FW = 1u << 4, SCR_AW = 1u << 5;
 
 }  // namespace
 
 void ArmCore::reset(std::uint32_t entry, std::uint32_t stack) {
-    // Unicorn's core is in the Non-secure state, where it ignores changes of A and F but for these.
+    // Unicorn's core is in the Non-secure state, where it ignores changes of A and F without these
+    // bits.
     set_cp15(cp15::SCR, SCR_NS | SCR_FW | SCR_AW);
     set_cpsr(arm_mode::SVC | arm_cpsr::A | arm_cpsr::I | arm_cpsr::F |
              (entry & 1 ? arm_cpsr::T : 0));

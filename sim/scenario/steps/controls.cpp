@@ -1,4 +1,4 @@
-// controls.cpp - delay, press, hold, release: a hand on the board's controls, or in the pocket
+// controls.cpp - delay, press, hold, release: the board's controls, and waiting
 #include <fmt/format.h>
 
 #include "sim/scenario/controls.h"

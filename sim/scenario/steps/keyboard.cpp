@@ -41,7 +41,7 @@ private:
 
 // ---- Keys by their names ----
 
-// A key is its place in keys().
+// A key is read as its index in keys().
 Reading read_key(const YamlNode& node) {
     std::string name = node.text;
     if (name.size() == 1) name[0] = static_cast<char>(std::tolower(name[0]));

@@ -22,7 +22,7 @@ std::string name_of(MouseButton button) {
 
 // ---- Parts of the steps ----
 
-// A way of the mouse, at one speed.
+// A movement of the mouse, at constant speed.
 class Way {
 public:
     explicit Way(const Values& v)
@@ -144,7 +144,7 @@ public:
     }
 
 private:
-    // A packet comes in between at all rates from 40 a second on.
+    // Long enough for a packet at every rate from 40 per second on.
     static constexpr SimTime STILL{30'000'000'000};
 
     Way way_;

@@ -19,7 +19,7 @@ using namespace value_types;
 
 // ---- wait-frame ----
 
-// Beside the numbers, which begin with 1.
+// Values besides the frame numbers, which begin with 1.
 constexpr std::uint64_t NEXT = 0, NEXT_SWAP = std::numeric_limits<std::uint64_t>::max();
 
 Reading read_frame(const YamlNode& node) {

@@ -59,7 +59,7 @@ std::vector<StepForm> serial() {
          {{"text", TEXT, Need::REQUIRED, "", "The text."}},
          make<TypeSerial>},
         {"wait-serial",
-         "Wait until the firmware has printed a text; the next wait-serial looks behind it.",
+         "Wait until the firmware has printed a text; the next wait-serial searches after it.",
          Notation::BOTH,
          {},
          {{"text", TEXT, Need::REQUIRED, "", "The text."},

@@ -56,7 +56,7 @@ public:
 private:
     double hz_;
     double within_;  // fraction: 0.03 for 3%
-    SimTime time_;   // begins within `timeout` and lasts so long
+    SimTime time_;   // it begins within `timeout` and lasts so long
     SimTime timeout_;
 };
 

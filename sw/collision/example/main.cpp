@@ -13,7 +13,7 @@ int main() {
     constexpr Vec2 CENTRE = {4 * PIXEL, 4 * PIXEL};
     constexpr Turn EIGHTH = {46341, 46341};  // cosine and sine of 45 degrees, times 65536
     Polygon square;
-    Aabb box;  // which no turn about the centre leaves, so that it need not be measured every tick
+    Aabb box;  // large enough for every turn about the centre, so it is not measured in every tick
     if (square.outline(SQUARE, 4) != Error::NONE) return 1;
     if (fixed_box(square, CENTRE, box) != Error::NONE) return 1;
 

@@ -1,4 +1,4 @@
-// box_check.h - are polygons such that the algorithms can take them?  Four coordinates at a time.
+// box_check.h - are polygons valid input of the algorithms?  Four coordinates at a time.
 #pragma once
 
 #include <algorithm>
@@ -8,7 +8,7 @@
 
 namespace collision {
 
-// See each polygon once, then ask.
+// Call see() once for each polygon, then ask for the verdict.
 class BoxCheck {
 public:
     // Returns its box as a vector: min.x, min.y, max.x, max.y.

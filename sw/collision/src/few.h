@@ -1,8 +1,8 @@
-// few.h - brute force over a handful of boxes: a comparison of vectors a pair, nothing to prepare.
+// few.h - brute force over a handful of boxes: one comparison of vectors per pair.
 //
-// Each box is kept twice, so that four comparisons "this edge lies beyond that one" are one: `low`
-// of a box against `high` of the other.  ~x is -x - 1, which turns the order of any two numbers
-// round without ever overflowing.
+// Each box is stored twice, as `low` and `high`, so that the four comparisons of edges are one
+// comparison of vectors: `low` of one box with `high` of the other.  Coordinates are complemented
+// where the order must be reversed: ~x is -x - 1, which never overflows.
 #pragma once
 
 #include <array>
@@ -42,7 +42,7 @@ public:
     CollisionPair* find(CollisionPair* pairs) const {
         for (std::uint32_t i = 0; i < count_; ++i)
             for (std::uint32_t j = i + 1; j < count_; j += STEP) {
-                // Most are apart: one branch for four pairs.
+                // Most pairs do not overlap: one branch for four of them.
                 unsigned bits = none(low_[i] > high_[j], low_[i] > high_[j + 1],
                                      low_[i] > high_[j + 2], low_[i] > high_[j + 3]);
                 for (; bits; bits &= bits - 1) *pairs++ = {i, j + lowest_bit(bits)};

@@ -10,7 +10,7 @@
 namespace collision {
 namespace {
 
-// The least whole number of which the square is at least `square`, below 2^64.
+// The square root of `square`, rounded up to a whole number.
 std::uint64_t root_rounded_up(std::uint64_t square) {
     std::uint64_t root = 0;
     for (std::uint64_t bit = std::uint64_t{1} << 31; bit; bit >>= 1)

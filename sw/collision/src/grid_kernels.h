@@ -19,13 +19,13 @@ template <class Ints>
     return reinterpret_cast<Unsigned>(at) - reinterpret_cast<Unsigned>(least);
 }
 
-// A visitor begins below all boxes that are at home in its strip, so that its cell here is in the
-// lowest strip whatever its min.y.
+// A visitor counts as beginning below all boxes that are at home in its strip.  So its cell here is
+// in the lowest strip, whatever its min.y.
 template <class Lanes, bool ENTRIES>
 [[gnu::always_inline]] inline void locate_all(const BoxList& list, const StripScale& strips,
                                               const Buckets& buckets, std::uint32_t* cells,
                                               std::uint32_t* above) {
-    const BoxList from = list;  // copies: else each vector written might have changed them
+    const BoxList from = list;  // copies: the compiler must assume that stores change the originals
     const StripScale strip_of = strips;
     const Buckets to = buckets;
     const auto vector = [=](unsigned i, auto index) __attribute__((always_inline)) {
@@ -44,7 +44,7 @@ template <class Lanes, bool ENTRIES>
     for (; i + Lanes::INTS <= from.count; i += Lanes::INTS)
         vector(
             i, [i](unsigned k) __attribute__((always_inline)) { return i + k; });
-    const unsigned last = from.count - 1;  // fills up the last vector
+    const unsigned last = from.count - 1;  // repeated to fill the last vector
     if (i < from.count) vector(i, [i, last](unsigned k) { return std::min(i + k, last); });
 }
 
@@ -59,7 +59,7 @@ template <class Lanes>
 void gather(const Aabb* boxes, const std::uint32_t* entries, unsigned count,
             const EdgeArrays& arrays) {
     using Ints = typename Lanes::Ints;
-    const EdgeArrays to = arrays;  // a copy: else each vector written might have changed it
+    const EdgeArrays to = arrays;  // a copy: stores might change the original
     for (unsigned i = 0; i < count; i += Lanes::INTS) {
         const auto named = lanes::load<Ints>(entries + i);
         const Ints bare = named & static_cast<std::int32_t>(~VISITOR_BIT);

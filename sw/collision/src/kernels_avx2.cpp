@@ -1,7 +1,7 @@
 // kernels_avx2.cpp - the kernels for AVX2, where compiler and processor have it.
 //
-// Compiled with -mavx2, so nothing here may be linked in place of a function of another file: the
-// kernels are templates of lanes::Avx2, and all that they call is inlined.
+// Compiled with -mavx2, so the linker must not take a function from here for one of another file.
+// The kernels are therefore templates of lanes::Avx2, and all that they call is inlined.
 #include "collision/detail/kernels.h"
 
 #include "grid_kernels.h"

@@ -12,7 +12,8 @@
 //                     places must be left
 //
 // Which of them exist depends on the flags of the file that includes this: Avx2 under -mavx2.  The
-// structs have different names, so that no function of one can be linked in place of another's.
+// structs have different names, so that the linker cannot take a function of one for that of
+// another.
 #pragma once
 
 #include <array>
@@ -45,7 +46,7 @@ template <class Vector, class Element>
     return vector;
 }
 
-// One box a lane, an edge a vector.
+// One box per lane, one vector per edge.
 template <class Lanes>
 struct Edges {
     typename Lanes::Ints min_x, min_y, max_x, max_y;
@@ -94,7 +95,8 @@ template <class Lanes, class Box>
     for (; bits != 0; bits &= bits - 1) pairs.append(a, others[lowest_bit(bits)], true);
 }
 
-// Standard C++ but for the vector types, which the compiler takes apart where there are none.
+// Standard C++ except for the vector types, which the compiler splits on processors without
+// vectors.
 struct Plain : Vectors<16> {
     static constexpr unsigned STRIDE = 8;
 
@@ -157,8 +159,8 @@ private:
         return _mm256_permutevar8x32_epi32(reinterpret_cast<__m256i>(numbers), order);
     }
 
-    // For each mask the lane that goes to each place, a byte a place.  unpacklo and unpackhi make
-    // pairs 0, 1, 4, 5 and 2, 3, 6, 7 of the places 0 .. 7.
+    // For each mask the lane that goes to each place, one byte per place.  unpacklo and unpackhi
+    // make pairs 0, 1, 4, 5 and 2, 3, 6, 7 of the places 0 .. 7.
     static constexpr std::array<std::uint64_t, 256> front() {
         constexpr unsigned PLACES[] = {0, 1, 4, 5, 2, 3, 6, 7};
         std::array<std::uint64_t, 256> table{};

@@ -24,8 +24,8 @@ AVX2 __m128i load(const Line& line) {
     return _mm_load_si128(reinterpret_cast<const __m128i*>(&line));
 }
 
-// The first lines that have a bit, which are taken out of `bits`; where they are fewer than four,
-// the last of them again.
+// The first four lines that have a bit in `bits`; their bits are cleared.  If there are fewer than
+// four, the last one is repeated.
 AVX2 FourLines next_four(const Polygon& polygon, unsigned& bits) {
     unsigned left = bits;
     const auto next = [&bits, &left] {
@@ -54,14 +54,14 @@ AVX2 __m256i one_side(__m256i s, __m256i t) {
                            _mm256_and_si256(_mm256_sub_epi64(zero, s), _mm256_sub_epi64(zero, t)));
 }
 
-// `apart`: the sign bit says that the sides keep the lines apart.  `level`: all ones where all
-// sides are 0, so that only the boxes can tell.
+// `apart`: the sign bit is set if the sides show that the lines do not meet.  `level`: all ones if
+// all sides are 0; then only the boxes decide.
 struct Verdict {
     __m256i apart, level;
 };
 
 // The rule of crossing.h.  Four differences of products, of which the last follows from the others:
-// the sides of p's ends differ by as much as those of q's ends do, the other way round.
+// the difference between the sides of p's ends is minus that of q's ends.
 AVX2 Verdict compare(const FourLines& p, const FourLines& q) {
     const __m256i px = _mm256_sub_epi32(p.bx, p.ax), py = _mm256_sub_epi32(p.by, p.ay);
     const __m256i qx = _mm256_sub_epi32(q.bx, q.ax), qy = _mm256_sub_epi32(q.by, q.ay);

@@ -1,4 +1,4 @@
-// narrow.h - do the lines of two polygons meet?  Only lines that reach where they could are tested.
+// narrow.h - do the lines of two polygons meet?  Tests only lines that reach into both boxes.
 //
 // A common point lies in both boxes, so in their intersection, the window; so does a part of each
 // line through it.  Beyond the paper, which tests all lines; it is how clipping begins (Cohen and
@@ -17,16 +17,16 @@ namespace collision {
 
 static_assert(Polygon::MAX_LINES <= 32, "a bit a line");
 
-// A line is left out if both its ends lie beyond the same side of the box.  One that passes by a
-// corner may be kept: it is for the line test to say.
+// A line is left out if both its ends lie beyond the same side of the box.  A line that passes
+// outside a corner may be kept; the line test decides.
 class Window {
 public:
     explicit Window(const Aabb& box)
         : min_{box.min.x, box.min.y, box.min.x, box.min.y},
           max_{box.max.x, box.max.y, box.max.x, box.max.y} {}
 
-    // Bit i is 1 where line i of `polygon` may reach into the box.  O(lines), without a branch but
-    // for the loop's.
+    // Bit i is 1 where line i of `polygon` may reach into the box.  O(lines); the loop has the only
+    // branch.
     unsigned reached_by(const Polygon& polygon) const {
         unsigned lines = 0;
         for (unsigned i = 0; i < polygon.count; ++i)
@@ -40,7 +40,7 @@ private:
         return any((below & exchanged(below)) | (above & exchanged(above)));
     }
 
-    // x and y, as of one end of a line, and again, as of the other.
+    // x and y twice: once for each end of a line.
     Four min_, max_;
 };
 

@@ -41,7 +41,7 @@ struct VectorPolygon {
     Aabb aabb;
 };
 
-// Not inlined: the copies that the caller makes are what this is about.
+// Not inlined, so that the caller really makes the copies.
 template <class Counter>
 [[gnu::noinline]] bool colliding_by_copy(VectorPolygon shape, VectorPolygon other,
                                          Counter& counter) {

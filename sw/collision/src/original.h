@@ -11,18 +11,19 @@
 
 namespace collision {
 
-// As the paper tells it: boxes by centre and half width first, lines against lines where the boxes
-// overlap.  n (n - 1) box tests, up to k m^2 line tests: each pair is met from both sides.
+// As the paper describes it: boxes by centre and half width first, then lines against lines where
+// the boxes overlap.  n (n - 1) box tests, up to k m^2 line tests: each pair is tested from both
+// sides.
 template <class Counter>
 void find_original(Polygons shapes, PairList& pairs, Counter& counter);
 
-// A reading under which its published times make sense: lines are tested for every ordered pair,
-// whatever the boxes say.  Up to n (n - 1) m^2 line tests.
+// An interpretation under which its published times make sense: lines are tested for every ordered
+// pair, even if the boxes do not overlap.  Up to n (n - 1) m^2 line tests.
 template <class Counter>
 void find_original_all_lines(Polygons shapes, PairList& pairs, Counter& counter);
 
-// The same, and the polygons are handed over by value with their lines in a std::vector, as a
-// function `colliding(Polygon, Polygon)` does: 2 n (n - 1) copies, each with an allocation.
+// The same, and polygons, with their lines in a std::vector, are passed by value, as a function
+// `colliding(Polygon, Polygon)` does: 2 n (n - 1) copies, each with an allocation.
 template <class Counter>
 void find_original_by_copy(Polygons shapes, PairList& pairs, Counter& counter);
 

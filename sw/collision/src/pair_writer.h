@@ -7,9 +7,9 @@
 
 namespace collision::detail {
 
-// Where the next pair of a list goes, and where its places end.  Writes over what the list holds;
-// within its old size nothing is allocated or cleared.  A kernel works on a copy of this and hands
-// that back, so that the compiler keeps it in registers.
+// Points to the place of the next pair in a list, and to the end of its places.  It overwrites the
+// list's content; within the old size nothing is allocated or cleared.  A kernel works on a copy of
+// this object and returns it, so that the compiler keeps it in registers.
 class PairWriter {
 public:
     explicit PairWriter(PairList& list)
@@ -17,7 +17,7 @@ public:
 
     CollisionPair* next;
 
-    // Makes at least so many places.  New ones are cleared by the vector, so ask for few.
+    // Ensures at least so many places.  The vector clears new ones, so ask for few.
     [[gnu::always_inline]] void need(std::size_t places) {
         if (static_cast<std::size_t>(end_ - next) < places) *this = larger(places);
     }

@@ -6,7 +6,7 @@
 
 namespace collision::detail {
 
-// A position that orders as unsigned, over the index of what lies there.
+// The position in the upper half, biased so that it orders as unsigned; the index in the lower.
 inline std::uint64_t sort_key(std::int32_t position, std::uint32_t index) {
     return std::uint64_t{static_cast<std::uint32_t>(position) ^ 0x80000000u} << 32 | index;
 }

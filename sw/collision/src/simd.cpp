@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::int32_t LAST = std::numeric_limits<std::int16_t>::max() - 1;
 
-// From one axis of the world to -32768 .. LAST.
+// Maps one axis of the world to -32768 .. LAST.
 struct Scale {
     std::uint32_t origin;
     unsigned shift;
@@ -58,7 +58,7 @@ void ShortBoxes::assign(const Aabb* boxes, unsigned count) {
 
 namespace {
 
-constexpr unsigned FEW = 12;          // boxes that vectors do not pay for
+constexpr unsigned FEW = 12;          // up to so many boxes vectors do not pay
 constexpr unsigned MOST_IN_HIT = 16;  // lanes
 
 // No branch: four comparisons.
@@ -89,7 +89,7 @@ void Simd::find(const Aabb* boxes, unsigned count, PairList& overlaps) {
             for (std::uint64_t bits = hit.bits; bits != 0; bits &= bits - 1) {
                 const std::uint32_t other =
                     hit.other + detail::lanes::lowest_bit(bits) / hits_.stride;
-                // Rounding made boxes larger: those that are really apart are left out here.
+                // Rounding made boxes larger; this leaves out those that do not overlap.
                 pairs.append(hit.box, other, overlap(boxes[hit.box], boxes[other]));
             }
         }

@@ -7,7 +7,7 @@ namespace collision::detail {
 
 namespace {
 
-// Arrays a multiple of 4 KiB apart push each other out of the cache: these never are.
+// Arrays that are a multiple of 4 KiB apart evict each other from the cache; these never are.
 constexpr std::size_t PAGE = 1024, SKEW = 208;  // elements
 
 }  // namespace

@@ -16,7 +16,7 @@ StripScale::StripScale(std::int32_t bottom_most, std::int32_t top_most, unsigned
 
 bool StripGrid::sort(const Kernels& kernels, const BoxList& list, const StripScale& scale,
                      const Buckets& buckets) {
-    const BoxList boxes = list;  // copies: else each number written might have changed them
+    const BoxList boxes = list;  // copies: stores might change the originals
     const std::uint32_t in_strip = buckets.count;
     if (cells_.size() < boxes.count + SLACK) {
         const std::size_t size = boxes.count + boxes.count / 8 + SLACK;
@@ -32,7 +32,7 @@ bool StripGrid::sort(const Kernels& kernels, const BoxList& list, const StripSca
     std::uint64_t entries = boxes.count;
     for (unsigned i = 0; i < boxes.count; ++i) {
         ++places[cells[i]];
-        tall[tall_count] = i;  // without a branch, which no processor would foresee
+        tall[tall_count] = i;  // without a branch, which would be mispredicted
         tall_count += above[i] != 0;
         entries += above[i];
     }
@@ -41,8 +41,8 @@ bool StripGrid::sort(const Kernels& kernels, const BoxList& list, const StripSca
         for (std::uint32_t cell = cells[tall[k]], left = above[tall[k]]; left > 0; --left)
             ++places[cell += in_strip];
 
-    // Where does each cell begin?  Boxes spread at random with m others in their bucket on average
-    // have a sum of the squares of the buckets' counts of m + 1 times their number.
+    // Where does each cell begin?  For n boxes spread at random, with m others in their bucket on
+    // average, the sum of the squares of the buckets' counts is n (m + 1).
     constexpr std::uint64_t UNEVEN = 32;
     strips_.clear();
     std::uint32_t place = 0;

@@ -14,14 +14,14 @@ using detail::BoxList;
 using detail::Buckets;
 using detail::StripScale;
 
-constexpr unsigned STRIP_HEIGHT = 4;  // mean heights of a box: then few are visitors
+constexpr unsigned STRIP_HEIGHT = 4;  // in mean heights of a box, so that few are visitors
 constexpr unsigned IN_BUCKET = 2;     // boxes, on average
 constexpr unsigned MOST_STRIPS = 1024;
 constexpr unsigned MOST_LEVELS = 8;
-constexpr unsigned FEW = 64;  // boxes in a strip that are not worth cutting again
+constexpr unsigned FEW = 64;  // a strip with so many boxes or fewer is not divided again
 
-// Where the boxes are and how tall, from some hundreds of them.  Boxes outside are still found;
-// only the speed depends on it.
+// The extent of the boxes and their mean height, estimated from some hundreds of them.  Boxes
+// outside are found, too; only the speed depends on this.
 struct Sample {
     Vec2 min = {std::numeric_limits<std::int32_t>::max(), std::numeric_limits<std::int32_t>::max()};
     Vec2 max = {std::numeric_limits<std::int32_t>::min(), std::numeric_limits<std::int32_t>::min()};
@@ -38,7 +38,7 @@ struct Sample {
             min.y = std::min(min.y, box.min.y);
             max.y = std::max(max.y, box.min.y);
         }
-        if (min.y > max.y) min.y = max.y;  // nothing but visitors
+        if (min.y > max.y) min.y = max.y;  // there are only visitors
         for (unsigned i = 0; i < list.count; i += step, ++taken) {
             const Aabb box = list.box(i);
             const std::int64_t top = std::min(box.max.y, max.y);
@@ -79,12 +79,12 @@ void Strips::find(const BoxList& list, unsigned depth, detail::PairWriter& pairs
                 sorted_.fill(*kernels_, strip.boxes, strip.entries, strip.count, buckets), pairs);
         else if (strip.count <= list.count - list.count / 4 && depth + 1 < MOST_LEVELS)
             find(strip, depth + 1, pairs);
-        else  // to cut it again would change little
+        else  // dividing it again would change little
             sweep_exactly(strip, pairs);
     }
 }
 
-// In the exact order of min.x, whatever the boxes of a strip share.
+// In the exact order of min.x, without buckets.
 void Strips::sweep_exactly(const BoxList& strip, detail::PairWriter& pairs) {
     keys_.clear();
     for (unsigned i = 0; i < strip.count; ++i)

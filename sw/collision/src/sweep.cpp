@@ -23,17 +23,17 @@ struct Spread {
     }
 };
 
-// What sorting costs, in exchanges of neighbours by insertion.
-constexpr unsigned OUT_OF_PLACE = 16;  // a box besides: no processor foresees which, nor how far
-constexpr unsigned ANEW = 6;           // a box by radix, less what one in its place costs
-constexpr unsigned ALLOWANCE = 64;     // for the first few boxes, which tell nothing
+// The cost of sorting; the unit is one exchange of neighbours in the insertion sort.
+constexpr unsigned OUT_OF_PLACE = 16;  // per misplaced box: mispredicted branches
+constexpr unsigned ANEW = 6;           // per box by radix, less that of one in place
+constexpr unsigned ALLOWANCE = 64;     // the first few boxes say little
 
-constexpr unsigned SAMPLE = 256;  // boxes that tell whether an axis is still good enough
+constexpr unsigned SAMPLE = 256;  // boxes by which the present axis is judged
 
 }  // namespace
 
-// The axis along which the centres vary most.  The other one must be twice as good to be worth the
-// sorting.  To keep one, a sample will do.
+// The axis along which the centres vary most.  The axis changes only if the other one is twice as
+// good, because a change means sorting anew.  A sample is enough to keep the axis.
 void Sweep::choose_axis(const Aabb* boxes, unsigned count) {
     const unsigned step = keys_.size() == count ? count / SAMPLE + 1 : 1;
     Spread x, y;
@@ -53,15 +53,15 @@ std::uint64_t Sweep::key(const Aabb& box, std::uint32_t index) const {
     return detail::sort_key(along_y_ ? box.min.y : box.min.x, index);
 }
 
-// The keys of all boxes, anew.
+// Computes and sorts the keys of all boxes.
 void Sweep::sort(const Aabb* boxes, unsigned count) {
     keys_.resize(count);
     for (unsigned i = 0; i < count; ++i) keys_[i] = key(boxes[i], i);
     detail::radix_sort(keys_, spare_);
 }
 
-// Takes the new boxes over in the old order and sorts by insertion; false as soon as that has been
-// more work than to sort anew would be.
+// Sorts the new boxes by insertion, beginning with the old order.  False as soon as that has cost
+// more than sorting anew would.
 bool Sweep::repair(const Aabb* boxes) {
     std::size_t work = 0, most = ALLOWANCE;
     for (std::size_t i = 0; i < keys_.size(); ++i) {

@@ -22,20 +22,21 @@ namespace collision::detail {
                : std::numeric_limits<std::int32_t>::max();
 }
 
-// Writes the pairs of each box with those after it.  A box is swept to the end of the bucket in
-// which it ends; whether two overlap is asked in full.  Two visitors are not this strip's pair.
+// Writes the pairs of each box with those after it.  A box is compared with all up to the end of
+// the bucket in which it ends, on all four edges.  A pair of two visitors does not belong to this
+// strip.
 template <class Lanes>
 void sweep(const SortedBoxes& sorted, PairWriter& to) {
     using Ints = typename Lanes::Ints;
-    const SortedBoxes boxes = sorted;  // a copy: else each pair written might have changed it
+    const SortedBoxes boxes = sorted;  // a copy: stores might change the original
     PairWriter pairs = to;
     for (unsigned row = 0; row < boxes.count; ++row) {
         pairs.need(boxes.count - row + Lanes::INTS);
         const std::int32_t reach = last_in_bucket(boxes, boxes.max_x[row]);
         const Ints min_x = boxes.min_x[row] - Ints{}, max_x = boxes.max_x[row] - Ints{};
         const Ints max_y = boxes.max_y[row] - Ints{};
-        // A visitor begins below all boxes that are at home here, so that one of the four tests
-        // need not be made; it is made to leave out the other visitors instead.
+        // A visitor begins below all boxes that are at home here, so one of the four tests is not
+        // needed.  That test is used to leave out the other visitors instead.
         const bool visitor = boxes.min_y[row] == VISITOR_MIN_Y;
         const std::int32_t* upper = visitor ? boxes.min_y : boxes.max_y;
         const Ints lower = boxes.min_y[row] + visitor - Ints{};

@@ -1,8 +1,8 @@
 #!/bin/sh
-# facts.sh - first part of board.sh: where things are on the board, and what there is
+# facts.sh - first part of board.sh: paths and registers of the board, and queries of its state
 #
-# DE1SIM_ROOT stands before every path, so that a folder can play the board.  Needs no more than
-# busybox: sh, tar, sha256sum, flock, mv -T.  Changes nothing but /run/de1sim.
+# DE1SIM_ROOT is put before every path, so that in tests a folder can stand for the board.  Needs no
+# more than busybox: sh, tar, sha256sum, flock, mv -T.  Changes nothing but /run/de1sim.
 set -u
 umask 022
 
@@ -17,7 +17,7 @@ FPGA_STAT=0xFF706000     # Cyclone V HPS TRM, FPGA manager: mode 2:0, MSEL 7:3
 BRIDGE_RESET=0xFFD0501C  # reset manager, brgmodrst: hps2fpga 0, lwhps2fpga 1; 1 is off
 L3_REMAP=0xFF800000      # write-only: RAM at 0, hps2fpga and lwhps2fpga visible are 0, 3, 4
 
-# A reader who is gone is no reason to stop.
+# A closed output is no reason to stop.
 say() {
     printf 'board: %s\n' "$1" 2>/dev/null || :
 }
@@ -119,7 +119,7 @@ free_kib() {
     echo "$free"
 }
 
-# point LINK TO: at every moment the link points to the one before or to the new one
+# point LINK TO: atomically; at every moment the link points to the old target or to the new one
 point() {
     rm -f "$1.new"
     ln -s "$2" "$1.new" && mv -fT "$1.new" "$1"

@@ -1,6 +1,6 @@
-# main.sh - last part of board.sh: one command a call
+# main.sh - last part of board.sh: one command per call
 #
-# In a function, so that a script of which the end is missing does nothing.
+# In a function, so that a truncated script does nothing.
 
 main() {
     case ${1:-} in

@@ -39,7 +39,7 @@ receive() {
     say "version $1 arrived whole"
 }
 
-# The one deployment at a time; the lock goes with its process.
+# One deployment at a time; the lock ends with its process.
 lock() {
     mkdir -p "$run" || die "cannot write to $run"
     exec 9>"$run/lock"
@@ -52,7 +52,7 @@ lock() {
     done
 }
 
-# switch ID [BEFORE]: the one moment in which the board changes its version
+# switch ID [BEFORE]: changes the board's version, atomically
 switch() {
     if [ -n "${2:-}" ]; then
         echo "$2" >"$opt/versions/$1/previous" || return 1

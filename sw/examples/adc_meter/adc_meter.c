@@ -1,7 +1,7 @@
 // adc_meter.c - a voltmeter: SW2-0 choose the channel, HEX3-0 show its millivolts.
 //
-// With SW9 up the converter goes on by itself and the program only looks; else it asks for each
-// value and waits for it.  LEDR counts the values that were new.
+// With SW9 up the converter runs continuously and the program only reads; otherwise the program
+// starts each conversion and waits for it.  LEDR counts the new values.
 #include "registers.h"
 
 static void show(uint32_t millivolts) {

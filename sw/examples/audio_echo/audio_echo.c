@@ -1,5 +1,5 @@
 // audio_echo.c - what comes in is played, and again 100 ms later at half the loudness, and so on.
-// KEY1 puts 40 ms of 1 kHz in, in place of the microphone.
+// KEY1 puts in 40 ms of 1 kHz instead of the microphone's sound.
 #include "registers.h"
 
 enum { DELAY = 800, BURST = 320, HALF_PERIOD = 4, LOUD = 0x20000000 };

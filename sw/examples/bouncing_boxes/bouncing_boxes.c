@@ -1,7 +1,7 @@
 // bouncing_boxes.c - eight boxes on a line that closes on itself, in two pictures by turns.
 //
-// The visible picture is in the on-chip SRAM, the other in the SDRAM.  Positions are floats: the
-// VFP has to be on.  Clears 260 rows of 512 pixels, so writes beyond the on-chip SRAM, too.
+// One picture is in the on-chip SRAM, the other in the SDRAM.  Positions are floats: the VFP has to
+// be on.  It clears 260 rows of 512 pixels, so it also writes beyond the on-chip SRAM.
 #include "registers.h"
 
 enum { WIDTH = 320, HEIGHT = 240, ROWS = 260, BOXES = 8, SIZE = 8 };

@@ -5,7 +5,7 @@ namespace {
 
 class Keys {
 public:
-    // Those let go since the last call.
+    // Keys released since the last call.
     unsigned edges() {
         const uint32_t seen = KEY_EDGE;
         KEY_EDGE = seen;

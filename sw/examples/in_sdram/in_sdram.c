@@ -31,7 +31,7 @@ static struct Node* insert(struct Node* first, uint32_t value) {
     return first;
 }
 
-// Goes NUMBERS deep on the stack.  0 if the list is not sorted.
+// Recursive, NUMBERS deep on the stack.  0 if the list is not sorted.
 static uint32_t sum(const struct Node* node) {
     if (!node) return 0;
     if (node->next && node->next->value < node->value) return 0;

@@ -1,6 +1,6 @@
 // interval_timers.c - the FPGA's two timers: the first polled, the second by interrupt (ID 74).
 //
-// LEDR counts quarters of the first one's default period of 125 ms, HEX0 the second one's 10 ms.
+// LEDR counts periods of the first (a quarter of its default 125 ms), HEX0 of the second (10 ms).
 #include "registers.h"
 
 #define TIMER0 0xFF202000

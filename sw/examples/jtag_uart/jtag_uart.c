@@ -1,6 +1,6 @@
 // jtag_uart.c - the terminal: a prompt longer than the FIFO, then an echo of what is typed.
 //
-// LEDR counts the characters typed, behind an LED of its own once the host has been seen (AC).
+// LEDR9 is lit once the host has been seen (AC); the other LEDs count the characters typed.
 #include "registers.h"
 
 static void put(char c) {

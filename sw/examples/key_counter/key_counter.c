@@ -9,10 +9,10 @@ enum { KEYS = 73 };  // the number of the keys' interrupt
 static volatile unsigned count;  // volatile: changed by on_irq(), read by main()
 
 void __attribute__((interrupt("IRQ"))) on_irq(void) {
-    const uint32_t id = ICCIAR;  // who interrupts; the interrupt controller now waits for ICCEOIR
+    const uint32_t id = ICCIAR;  // which interrupt; the interrupt controller now waits for ICCEOIR
     if (id == KEYS) {
         const uint32_t pressed = KEY_EDGE;
-        KEY_EDGE = pressed;  // a 1 clears its bit, else the interrupt would come again at once
+        KEY_EDGE = pressed;  // a 1 clears its bit; otherwise the interrupt would come again at once
         if (pressed & 1) ++count;
         if (pressed & 2) --count;
     }
@@ -22,7 +22,7 @@ void __attribute__((interrupt("IRQ"))) on_irq(void) {
 int main(void) {
     KEY_MASK = 3;  // KEY0 and KEY1 may interrupt
     interrupt_on(KEYS);
-    __asm volatile("cpsie i");  // and so may whoever interrupts this processor
+    __asm volatile("cpsie i");  // interrupts are enabled in the processor
     for (;;) {
         const unsigned now = count;
         HEX3_0 = (uint32_t)DIGITS[now / 10 % 10] << 8 | DIGITS[now % 10];

@@ -1,5 +1,5 @@
-// keypad_jp1.c - the keypad on JP1 D7-D0 without the scanner: columns out and rows in say the row,
-// then the other way round says the column.  Shows the last key on HEX0, LEDR0 while one is down.
+// keypad_jp1.c - the keypad on JP1 D7-D0 without the scanner: columns as outputs give the row,
+// then rows as outputs give the column.  Shows the last key on HEX0, LEDR0 while one is down.
 #include "registers.h"
 
 enum { COLUMNS_OUT = 0xF0, ROWS_OUT = 0x0F };

@@ -1,5 +1,5 @@
 // line_in_echo.c - what comes in at LINE IN is played at once, and once more 250 ms later at half the
-// loudness.  LEDR9-0 show how loud it is: a lamp more each 6 dB.
+// loudness.  LEDR9-0 show how loud it is: 6 dB per LED.
 #include "registers.h"
 
 enum { DELAY = 2000, WINDOW = 160 };

@@ -1,5 +1,5 @@
-// microphone_level.c - how loud it is, a lamp of LEDR9-0 more each 6 dB: at LINE IN, or at the
-// microphone while SW0 is up.
+// microphone_level.c - how loud it is on LEDR9-0, 6 dB per LED: at LINE IN, or at the microphone
+// while SW0 is up.
 #include "registers.h"
 
 enum { ANALOGUE_PATH = 4, POWER_DOWN = 6, LINE = 0x12, MICROPHONE = 0x14, WINDOW = 160 };

@@ -1,7 +1,7 @@
 // oscilloscope.c - what comes in at LINE IN on the screen, from a rise through zero on; its frequency
 // as text and on HEX.  KEY0 holds the picture.
 //
-// A pixel is a sample of 8 kHz, 40 a division; a division up is a quarter of full scale.
+// A pixel is a sample at 8 kHz, 40 per division; a vertical division is a quarter of full scale.
 #include "registers.h"
 
 enum { WIDTH = 320, HEIGHT = 240, MIDDLE = 120, DIVISION = 40, RATE = 8000, NOISE = 0x00800000 };
@@ -13,7 +13,7 @@ static uint16_t* pixel(uint32_t picture, int x, int y) {
 }
 
 static void record(void) {
-    AUDIO_CONTROL = 4;  // what came while the picture was drawn is old
+    AUDIO_CONTROL = 4;  // drops the samples of the time in which the picture was drawn
     AUDIO_CONTROL = 0;
     for (int i = 0; i < 2 * WIDTH; ++i) {
         while ((AUDIO_SPACE & 0xFF) == 0) {
@@ -23,7 +23,7 @@ static void record(void) {
     }
 }
 
-// The next place behind `from` where it rises through zero, 0 if there is none before `end`.
+// The next place after `from` where it rises through zero, 0 if there is none before `end`.
 static int rise(int from, int end) {
     int low = 0;
     for (int i = from; i < end; ++i) {

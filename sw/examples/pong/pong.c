@@ -1,7 +1,7 @@
 // pong.c - the arrow keys hold a bat under a ball; a hit beeps and counts on HEX, a miss is the end.
 //
 // All of it is in the SDRAM, the pictures are a global array that is shown by turns.  The ball goes
-// two pixels a picture to the side and three down; it is faster after each hit.
+// two pixels per picture to the side and three down; it is faster after each hit.
 #include "registers.h"
 
 enum { WIDTH = 320, HEIGHT = 240, BALL = 8, BAT = 48, FLOOR = 228, STEP = 5 };

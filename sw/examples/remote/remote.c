@@ -1,8 +1,8 @@
 // remote.c - shows the last button of the infrared remote control: its code on HEX1-0, their number
 // on the LEDs.
 //
-// The IrDA port takes light for bytes of zeros, so a byte after a pause begins a light.  From one
-// beginning to the next it is 1.1 ms for a 0 and 2.3 ms for a 1; the lead takes 13.5 ms.
+// The IrDA port receives light as zero bytes, so the first byte after a pause marks the begin of a
+// light.  From one begin to the next it is 1.1 ms for a 0, 2.3 ms for a 1, 13.5 ms for the lead.
 #include "registers.h"
 
 #define GLOBAL_TIMER REGISTER(0xFFFEC200)

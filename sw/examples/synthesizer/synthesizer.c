@@ -5,9 +5,9 @@
 //     7 8 9 C      D5 E5 F5 G5
 //     0 F E D      A5 B5 C6 D6
 //
-// Two things happen at their own pace.  The audio core interrupts 83 times per second or more, when it
-// has room for 96 samples: on_irq() computes them.  main() looks at the keys and draws, 60 times per
-// second.  They share a few variables, which are volatile.
+// Two activities run at different rates.  The audio core interrupts 83 times per second or more,
+// when it has room for 96 samples: on_irq() computes them.  main() looks at the keys and draws, 60
+// times per second.  They share a few variables, which are volatile.
 #include "screen.h"
 
 enum { AUDIO = 78, WRITE_INTERRUPT = 2 };
@@ -69,8 +69,8 @@ void __attribute__((interrupt("IRQ"))) on_irq(void) {
 
 // ---- Keys: a column is pulled low, then a key that is down pulls its row low ----
 //
-// Three keys at the corners of a rectangle join the fourth one's wires, too, and it seems to be down:
-// the keypad has no diodes.
+// Three keys at the corners of a rectangle also connect the wires of the fourth, which then seems
+// pressed: the keypad has no diodes.
 
 static uint32_t read_keys(void) {
     uint32_t down = 0;
@@ -125,7 +125,7 @@ static void write_names(void) {
     }
 }
 
-// As many LEDs as the loudest of the last samples has parts of ten.
+// The loudest of the last samples, in tenths of 8,192, as a number of LEDs.
 static void show_loudness(void) {
     int peak = 0;
     for (unsigned i = 0; i < WAVE; ++i)

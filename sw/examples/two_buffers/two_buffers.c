@@ -1,6 +1,6 @@
-// two_buffers.c - two pictures in the SDRAM, one behind the other, by turns; a ball on a chessboard
+// two_buffers.c - two pictures in the SDRAM, one after the other, by turns; a ball on a chessboard
 //
-// A picture is 240 rows of 1,024 bytes, so the second one begins 0x3C000 behind the first.
+// A picture is 240 rows of 1,024 bytes, so the second one begins 0x3C000 after the first.
 #include "registers.h"
 
 enum { WIDTH = 320, HEIGHT = 240, FIRST = 0xC0000000, SECOND = 0xC003C000 };

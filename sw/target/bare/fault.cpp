@@ -1,4 +1,4 @@
-// fault.cpp - an exception that nobody expected: one line on the console, and the end.
+// fault.cpp - an unexpected exception: one line on the console, then the program ends.
 #include <cstdint>
 #include <cstdio>
 

@@ -26,7 +26,7 @@ std::uint32_t attributes(std::uint32_t base) {
     return DEVICE;
 }
 
-// The L2 cache controller, PL310: nothing to do where a boot loader has switched it on.
+// The L2 cache controller, PL310: nothing to do if a boot loader has switched it on.
 void second_level_on() {
     const auto reg = [](std::uint32_t offset) -> volatile std::uint32_t& {
         return *reinterpret_cast<volatile std::uint32_t*>(0xFFFEF000 + offset);

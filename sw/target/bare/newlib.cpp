@@ -1,4 +1,4 @@
-// newlib.cpp - what newlib asks of a system: memory, a console, an end.
+// newlib.cpp - the system calls of newlib: memory, a console, exit.
 #include <sys/stat.h>
 
 #include <cerrno>

@@ -28,7 +28,7 @@ void Registers::write_words(std::uint32_t address, const std::uint32_t* words, u
     auto* to = reinterpret_cast<std::uint32_t*>(address);
     for (; count >= 4; count -= 4, to += 4, words += 4) vst1q_u32(to, vld1q_u32(words));
     for (; count > 0; --count) *at(reinterpret_cast<std::uintptr_t>(to++)) = *words++;
-    asm volatile("dsb" ::: "memory");  // before whatever a register is told next
+    asm volatile("dsb" ::: "memory");  // before the next write to a register
 }
 
 Processor::Processor(hal::Mmio& io) : io_{io}, clock_{io}, console_{io} {

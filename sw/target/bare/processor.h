@@ -12,14 +12,15 @@ class Registers : public hal::Mmio {
 public:
     std::uint32_t read(std::uint32_t address) override;
     void write(std::uint32_t address, std::uint32_t value) override;
-    // Four words an instruction, which the store buffer may join to a burst.  Done when it returns.
+    // Four words per instruction, which the store buffer may join to a burst.  Complete when it
+    // returns.
     void write_words(std::uint32_t address, const std::uint32_t* words, unsigned count) override;
 };
 
 class Processor : public hal::Cpu {
 public:
     // Starts the global timer, and sets up the private timer and the interrupt controller to wake
-    // it: interrupts stay masked, WFI ends all the same.
+    // the processor.  Interrupts stay masked: WFI ends even so.
     explicit Processor(hal::Mmio& io);
 
     void idle() override;  // 50 us in WFI

@@ -50,8 +50,8 @@ _start:
     ldr     r1, =vectors
     mcr     p15, 0, r1, c12, c0, 0  // VBAR
 
-    // What a data cache that was on has yet to write goes to memory.  One that was off holds
-    // nothing but chance, and must not.
+    // A data cache that was on is cleaned: its dirty lines go to memory.  One that was off holds
+    // random lines, which are only invalidated.
     bl      empty_data_cache
     mov     r1, #0
     mcr     p15, 0, r1, c7, c5, 0   // ICIALLU

@@ -11,9 +11,9 @@ namespace linux_target {
 // Maps what the program touches and nothing else.  An access outside ends the process by SIGSEGV.
 class BoardMemory : public hal::Mmio {
 public:
-    // Looks before it touches the FPGA, where an access that nobody answers can hang the board: is
-    // it configured, are both bridges out of reset, is its register map the one of this program?
-    // Returns "" and is ready, or returns what is wrong and what to do.
+    // Checks the FPGA before the first access, because an access without an answer can hang the
+    // board: is it configured, are both bridges out of reset, is its register map the one of this
+    // program?  Returns "" if all is well, otherwise what is wrong and what to do.
     std::string open();
 
     std::uint32_t read(std::uint32_t address) override;

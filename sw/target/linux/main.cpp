@@ -1,7 +1,7 @@
 // main.cpp - collide-linux: the program on the board's Linux.
 //
 //   collide-linux                    the program, for ever
-//   collide-linux --check            do board and program go together?  0 if so
+//   collide-linux --check            do board and program match?  Exit code 0 if so
 //   collide-linux --self-test[=FILE] the checks of selftest/, and into FILE a report of them
 //   collide-linux --table1           the paper's table, which needs no FPGA
 #include <cerrno>

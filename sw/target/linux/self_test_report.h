@@ -11,8 +11,8 @@ class SelfTestReport : public selftest::Listener {
 public:
     void decided(const char* name, bool met, const char* detail) override;
 
-    // Writes FILE.part and renames it, so that FILE is whole or as it was.  False, and errno, if it
-    // cannot.
+    // Writes FILE.part and renames it, so that FILE is either complete or unchanged.  False, with
+    // errno, on failure.
     bool write(const std::string& file, bool passed) const;
 
 private:

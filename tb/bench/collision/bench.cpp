@@ -59,11 +59,11 @@ std::string title(const Workload& workload) {
     strips()->tick(workload.ticks[0], list);
     pairs = list.size();
     const auto size = workload.ticks[0].size();
-    return fmt::format("{} {}, {:.2f} pairs a box", workload.name, size,
+    return fmt::format("{} {}, {:.2f} pairs per box", workload.name, size,
                        static_cast<double>(pairs) / static_cast<double>(size));
 }
 
-// What a screen holds: no target, only which is the best there.
+// As many shapes as a screen holds: no target, only which algorithm is the best.
 void screens(const Plan& plan) {
     for (const unsigned size : plan.screens) {
         const Workload world = uniform(size, ticks(size));
@@ -88,7 +88,7 @@ void worlds(const Plan& plan) {
         print_row("", results, "strips", "Bullet", bullet_wanted.at(size));
         print_row("", results, "strips", "Box2D", box2d_wanted.at(size));
     }
-    print_limit(fmt::format("strips: ns a box at {} over {}", strips_ns.rbegin()->first,
+    print_limit(fmt::format("strips: ns per box at {} over {}", strips_ns.rbegin()->first,
                             strips_ns.begin()->first),
                 strips_ns.rbegin()->second / strips_ns.begin()->second, "x", 2.5);
 }

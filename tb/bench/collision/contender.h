@@ -17,7 +17,7 @@ public:
     virtual ~Contender() = default;
 
     // Fills `pairs` with every pair of boxes that overlap, each once with first < second.  The
-    // boxes of a contender's life are always as many, and box i is always the same one, moved.
+    // number of boxes is the same in all calls, and box i is always the same box, moved.
     virtual void tick(const Boxes& boxes, collision::PairList& pairs) = 0;
 };
 
@@ -28,12 +28,12 @@ struct Entry {
 };
 
 std::unique_ptr<Contender> strips();
-std::unique_ptr<Contender> strips_anew();  // thrown away after each tick
+std::unique_ptr<Contender> strips_anew();  // built anew in each tick
 std::unique_ptr<Contender> sweep();
 std::unique_ptr<Contender> sweep_anew();
 std::unique_ptr<Contender> simd();
 
-// Of each peer the variants that are worth a try; the best counts.  Empty: not installed.
+// Variants of each peer with different settings; the best one counts.  Empty: not installed.
 std::vector<Entry> cgal();    // box_self_intersection_d, by cutoff
 std::vector<Entry> bullet();  // btDbvtBroadphase, at once and deferred
 std::vector<Entry> box2d();   // b2BroadPhase

@@ -23,7 +23,7 @@ public:
             } else if (!broad_phase_.GetFatAABB(proxies_[i]).Contains(box)) {
                 broad_phase_.MoveProxy(proxies_[i], box, b2Vec2_zero);
             } else {
-                // Rare here.  MoveProxy would leave its pairs out, TouchProxy make them twice.
+                // Rare here.  MoveProxy would omit its pairs, TouchProxy would report them twice.
                 broad_phase_.DestroyProxy(proxies_[i]);
                 proxies_[i] = broad_phase_.CreateProxy(box, user_data);
             }

@@ -39,8 +39,7 @@ public:
         pairs.clear();
         const btBroadphasePairArray& found =
             broadphase_.getOverlappingPairCache()->getOverlappingPairArray();
-        for (int i = 0; i < found.size();
-             ++i) {  // the cache keeps pairs that have parted for a while
+        for (int i = 0; i < found.size(); ++i) {  // the cache keeps separated pairs for a while
             const btBroadphaseProxy &a = *found[i].m_pProxy0, &b = *found[i].m_pProxy1;
             if (a.m_aabbMin.x() <= b.m_aabbMax.x() && b.m_aabbMin.x() <= a.m_aabbMax.x() &&
                 a.m_aabbMin.y() <= b.m_aabbMax.y() && b.m_aabbMin.y() <= a.m_aabbMax.y())

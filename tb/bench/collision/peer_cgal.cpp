@@ -12,7 +12,8 @@ namespace {
 
 using Box = CGAL::Box_intersection_d::Box_with_info_d<int, 2, std::uint32_t>;
 
-// The boxes are sorted in place, so they are made anew each tick, as the manual's examples do.
+// The boxes are sorted in place, so they are created anew in each tick, as in the manual's
+// examples.
 template <int CUTOFF>
 class Cgal : public Contender {
 public:
@@ -44,7 +45,7 @@ Entry entry() {
 }  // namespace
 
 std::vector<Entry> cgal() {
-    // To where all sizes are past their best.
+    // Up to cutoffs that are too large for all sizes.
     return {entry<10>(),  entry<30>(),   entry<70>(),   entry<150>(), entry<300>(),
             entry<700>(), entry<1500>(), entry<3000>(), entry<6000>()};
 }

@@ -19,17 +19,17 @@ double ns(Clock::duration duration) {
 struct Lane {
     std::string name;
     std::unique_ptr<Contender> contender;
-    std::vector<double> times;  // ns a tick
+    std::vector<double> times;  // ns per tick
 };
 
-// What an application has at hand: its boxes, which it has just moved, and one list of pairs.
+// The data of an application: its boxes, which it has just moved, and one list of pairs.
 struct Application {
     Boxes boxes;
     collision::PairList pairs;
 };
 
-// The ticks one after the other, then their pairs: checking in between would cool the caches.  The
-// first tick finds in the caches what the contender before has left there, and is not counted.
+// First all ticks, then the check of their pairs: checking in between would evict the caches.  The
+// first tick finds the caches filled by the previous contender, and is not counted.
 std::vector<double> round(Lane& lane, const Workload& workload, Application& application,
                           std::vector<collision::PairList>& found,
                           const std::vector<collision::PairList>& truth) {

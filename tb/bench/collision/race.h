@@ -14,14 +14,14 @@ struct Result {
 };
 
 struct Limits {
-    double seconds;   // for all contenders together, except that
-    unsigned rounds;  // so many are always run
+    double seconds;   // limit for all contenders together; but
+    unsigned rounds;  // at least so many rounds are run
 };
 
-// A round is all ticks of the workload by each contender in turn, so that what disturbs the
-// machine disturbs all.  A contender's first round is not counted, nor the first tick of a round,
-// so a workload needs two.  Boxes and pairs lie where they lay the tick before.  Throws
-// std::runtime_error, with the name, if any tick's pairs are not the reference's.
+// In a round each contender in turn runs all ticks of the workload, so that disturbances of the
+// machine affect all.  A contender's first round and the first tick of each round are not counted,
+// so a workload needs at least two ticks.  Boxes and pairs keep their addresses from tick to tick.
+// Throws std::runtime_error, with the name, if any tick's pairs are not the reference's.
 std::vector<Result> race(const Workload& workload, const std::vector<Entry>& entries,
                          const Limits& limits);
 

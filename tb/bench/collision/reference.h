@@ -1,4 +1,4 @@
-// reference.h - what a tick should have found, by the simplest means.
+// reference.h - the pairs that a tick must find, computed in the simplest way.
 #pragma once
 
 #include "contender.h"
@@ -9,7 +9,7 @@ namespace bench {
 // best.
 collision::PairList reference(const Boxes& boxes);
 
-// Sorts `found`; a pair found twice is as wrong as one that is missing.
+// Sorts `found`; a duplicate pair is an error like a missing one.
 bool agrees(collision::PairList& found, const collision::PairList& reference);
 
 }  // namespace bench

@@ -1,4 +1,4 @@
-// table.h - the rows that `make bench-collision` prints: what was measured, what was wanted.
+// table.h - the rows that `make bench-collision` prints: measured and required values.
 #pragma once
 
 #include <optional>
@@ -8,8 +8,8 @@ namespace bench {
 
 void print_header();
 
-// One row: our ns a box, theirs, how many times ours is the faster, and whether that is `wanted`.
-// Without `theirs`: not installed.
+// One row: our ns per box, theirs, the factor by which ours is faster, and whether it is at least
+// `wanted`.  Without `theirs`: not installed.
 void print_ratio(const std::string& what, double ours, const std::string& their_name,
                  std::optional<double> theirs, std::optional<double> wanted);
 

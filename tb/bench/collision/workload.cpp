@@ -11,9 +11,9 @@ namespace {
 
 constexpr double PI = 3.14159265358979;
 constexpr double WORLD = 1 << 23;   // sides of the square in which the boxes begin
-constexpr double PAIRS = 1.5;       // a box
-constexpr double MEAN_SIDE = 0.75;  // of sides between a half and 1
-constexpr double RATIO = 1000;      // of the largest side to the smallest where they differ
+constexpr double PAIRS = 1.5;       // per box
+constexpr double MEAN_SIDE = 0.75;  // of sides between 0.5 and 1
+constexpr double RATIO = 1000;      // of the largest side to the smallest
 
 using Random = std::mt19937;
 
@@ -66,8 +66,8 @@ Workload uniform(unsigned size, unsigned ticks) {
     });
 }
 
-// The clusters stay where they are.  Two points of one normal distribution of deviation d are as
-// likely to be close as two in a square of the area 4 pi d^2.
+// The clusters do not move.  Two points of one normal distribution of deviation d are as likely to
+// be close as two in a square of the area 4 pi d^2.
 Workload clustered(unsigned size, unsigned ticks) {
     const auto places = clusters();
     double density = 0;

@@ -2,8 +2,8 @@
 //
 //   collision_bench --benchmark_filter=simd/X
 //
-// Counters, an iteration (a tick): pairs tested (boxes compared, pairs put into an axis' set, or
-// polygons of which lines were looked at, whichever is most), lines tested, pairs found.
+// Counters per iteration (a tick): pairs tested (boxes compared, pairs put into an axis' set, or
+// polygons whose lines were tested, whichever is most), lines tested, pairs found.
 #include <algorithm>
 #include <cstdio>
 #include <string>

@@ -1,4 +1,4 @@
-// measure.cpp - times every algorithm on the paper's workloads and writes a row a cell.
+// measure.cpp - times every algorithm on the paper's workloads and writes one row per cell.
 //
 //   table1_measure BUILD SIZE COUNTS ALGORITHMS SECONDS >> CSV
 //
@@ -29,7 +29,7 @@ using namespace bench;
 constexpr double BATCH_MS = 2, WANTED = 0.03;
 constexpr unsigned MOST_BATCHES = 2000;
 
-// Of a film: as many as all algorithms can go through in seconds.
+// Ticks of a film: as many as all algorithms can process in some seconds.
 unsigned ticks_of(unsigned inserted) { return inserted > 1000 ? 4 : inserted >= 100 ? 24 : 64; }
 
 // One algorithm on one workload.
@@ -37,13 +37,13 @@ struct Cell {
     Algorithm algorithm;
     Detector detector{};
     PairList pairs{};
-    unsigned ticks = 0;  // a batch
+    unsigned ticks = 0;  // per batch
     unsigned next = 0;   // tick of the film
     std::vector<double> clock_ms{}, fine_ms{};
     double spent_ms = 0;
 
-    // The shapes lie where the tick before left them, as in a program that moves them: each tick of
-    // the film is copied there first, and what copying alone takes is subtracted.
+    // The shapes are always at the same addresses, as in a program that moves them: each tick of
+    // the film is first copied there.  The time of the copying alone is subtracted.
     void batch(const std::vector<Tick>& film) {
         Tick shapes = film[0];
         const auto play = [&](bool detect) {
@@ -65,7 +65,8 @@ struct Cell {
     bool settled() const { return spread(fine_ms).uncertainty < WANTED; }
 };
 
-// Once through the film, as warm-up and proof that all find the same, and to size the batches.
+// Runs once through the film: as warm-up, to check that all find the same pairs, and to choose the
+// size of the batches.
 void rehearse(Cell& cell, const std::vector<Tick>& film, std::vector<PairList>& expected) {
     const CpuTime begin = CpuTime::now();
     for (std::size_t i = 0; i < film.size(); ++i) {
@@ -108,7 +109,7 @@ void print_row(const char* build, const Workload& work, const Cell& cell, const 
     std::fflush(stdout);
 }
 
-// All algorithms in turn, a batch each, so that a slow moment of the machine hits all alike.
+// All algorithms in turn, one batch each, so that a slow moment of the machine affects all alike.
 void measure(const char* build, const Workload& work, const std::vector<Algorithm>& algorithms,
              double seconds) {
     const std::vector<Tick> ticks = film(work, ticks_of(work.inserted));

@@ -1,4 +1,4 @@
-// stopwatch.h - CPU time of this process by two clocks, and what many readings say together.
+// stopwatch.h - CPU time of this process by two clocks, and statistics of readings.
 #pragma once
 
 #include <ctime>
@@ -21,7 +21,7 @@ inline CpuTime operator-(CpuTime a, CpuTime b) {
 struct Spread {
     double median = 0;
     double low = 0, high = 0;  // the quartiles
-    double uncertainty = 1;    // half the 95 % interval of the median, as a part of it
+    double uncertainty = 1;    // half the 95 % interval of the median, relative to it
 };
 
 // The interval is that of order statistics: no distribution is assumed.  At least one reading.

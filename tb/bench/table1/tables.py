@@ -8,7 +8,7 @@ HEADER = ("build,size,shape,inserted,algorithm,clock_ms,fine_ms,low_ms,high_ms,u
 SHAPES = ["square", "X"]
 COUNTS = [1, 10, 100, 200]
 
-# The paper's Table 1, ms a tick and factor.
+# The paper's Table 1: ms per tick, and the factor.
 PAPER = {("square", 1): (0.133668, 0.0506073, 2.6), ("square", 10): (1.57945, 0.110429, 14.3),
          ("square", 100): (90.6606, 2.97351, 30.5), ("square", 200): (195.187, 9.15208, 21.3),
          ("X", 1): (0.241546, 0.0365497, 6.6), ("X", 10): (12.4563, 0.202086, 61.7),
@@ -62,7 +62,7 @@ def table1(cells):
 
 
 def all_algorithms(cells):
-    """Microseconds a tick, and half the middle half of the readings in percent."""
+    """Microseconds per tick, and half the interquartile range of the readings in percent."""
     names = algorithms(cells, "optimised")
 
     def entry(cell):
@@ -73,7 +73,7 @@ def all_algorithms(cells):
     def row(shape, count):
         return [shape, count] + [entry(cells["optimised", 16, shape, count, name])
                                  for name in names]
-    return table(["us a tick", "Inserted"] + names, each(row))
+    return table(["us per tick", "Inserted"] + names, each(row))
 
 
 READINGS = [("optimised", 16), ("-O0", 16), ("-O0", 8)]
@@ -95,7 +95,7 @@ def readings(cells):
 
 
 def nearest(cells):
-    """How far the reading with the largest factors stays from the paper's."""
+    """The paper's factors relative to those of the reading with the largest."""
     away = [PAPER[shape, count][2] * ms(cells, "-O0", 8, shape, count, "improved")
             / ms(cells, "-O0", 8, shape, count, "original_by_copy")
             for shape in SHAPES for count in COUNTS]
@@ -125,7 +125,7 @@ def best(cells):
                   f"original_by_copy / {BEST}", "Paper's factor", ""], each(row))
 
 
-CLOCK_MHZ = 800  # of the modelled A9, an instruction a clock
+CLOCK_MHZ = 800  # of the modelled A9, one instruction per clock
 
 
 def board_rows(console):
@@ -156,7 +156,7 @@ def board(cells):
 
 
 def board_instructions(cells):
-    """Thousands of instructions a tick on the modelled A9."""
+    """Thousands of instructions per tick on the modelled A9."""
     names = algorithms(cells, "board")
 
     def row(shape, count):

@@ -1,4 +1,4 @@
-// fuzz.cpp - libFuzzer's way in: make fuzz.
+// fuzz.cpp - libFuzzer's entry point: make fuzz.
 #include "tb/fuzz/collision/world.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t count) {

@@ -17,7 +17,7 @@ namespace {
 
 using namespace collision;
 
-// What the bytes say, and zeros after their end.
+// Reads the bytes, and zeros after their end.
 class Bytes {
 public:
     Bytes(const std::uint8_t* bytes, std::size_t count) : at_{bytes}, left_{count} {}

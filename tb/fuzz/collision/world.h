@@ -8,8 +8,8 @@ namespace fuzz {
 
 // Reads polygons from the bytes, right and wrong ones (NaN, infinities, coordinates beyond the
 // grid, no lines, too many, boxes inside out or too small), and hands them to every algorithm.
-// Aborts if two of them disagree about shapes that are as they should be, if a refusal leaves pairs
-// behind, or if a contact is missing.
+// Aborts if two of them disagree about valid shapes, if a refused call leaves pairs in its result,
+// or if a contact is missing.
 void try_world(const std::uint8_t* bytes, std::size_t count);
 
 }  // namespace fuzz

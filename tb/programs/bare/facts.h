@@ -1,4 +1,4 @@
-// facts.h - what programs may rely on of the board, one numbered fact after the other.
+// facts.h - checks of what programs may rely on, one numbered fact after the other.
 //
 // All LEDs: every fact holds.  Otherwise the LEDs show the number of the first one that does not.
 #pragma once
@@ -18,7 +18,7 @@ static inline int about(uint32_t value, uint32_t expected, uint32_t off) {
     return value + off >= expected && value <= expected + off;
 }
 
-// By the A9's private timer, at 200 MHz, which is polled: so up to 6 us longer.
+// By polling the A9's private timer at 200 MHz, so up to 6 us longer.
 static inline void wait_us(uint32_t us) {
     A9_TIMER_CONTROL = 0, A9_TIMER_STATUS = 1;
     A9_TIMER_LOAD = 200 * us, A9_TIMER_CONTROL = 1;

@@ -1,7 +1,7 @@
-// hand_facts.c - what programs may rely on of interrupts, and of what hands do
+// hand_facts.c - facts about interrupts, and about keys, pins, mouse and remote control
 //
-// HEX0 says what the hand is to do: 1 press KEY2, 2 hold HPS_KEY, 3 let go of it, 4 pull JP1 D20
-// low, 5 move the mouse in the second PS/2 port, 6 release JP1 D20, 7 press the remote control.
+// HEX0 shows what the scenario has to do: 1 press KEY2, 2 hold HPS_KEY, 3 let go of it, 4 pull JP1
+// D20 low, 5 move the mouse in the second PS/2 port, 6 release JP1 D20, 7 press the remote control.
 #include "facts.h"
 
 #define JP(number, offset) REGISTER(0xFF200060 + 0x10 * (number) + (offset))
@@ -20,7 +20,8 @@ static uint32_t interrupt(void) {
     return id;
 }
 
-// Let through by the GIC, it comes; `on` is what the block's register takes to ask for it.
+// With the GIC set up, the interrupt comes; `on` is the value that enables it in the block's
+// register.
 static void fact_of(uint32_t id, volatile uint32_t* mask, uint32_t on) {
     fact(id, ICCIAR == NONE);
     interrupt_on(id);

@@ -1,7 +1,8 @@
-// memory_facts.c - what programs may rely on of the FPGA's memories and of what the screen shows
+// memory_facts.c - facts about the FPGA's memories and about what the screen shows
 //
-// HEX0 says what is on the screen: 1 a picture in the SDRAM by X-Y addressing, 2 the same without
-// gaps between its rows, 3 nothing since the controller is off, 4 two letters in its upper corners.
+// HEX0 shows what is on the screen: 1 a picture in the SDRAM by X-Y addressing, 2 the same without
+// gaps between its rows, 3 nothing because the controller is off, 4 two letters in its upper
+// corners.
 #include "facts.h"
 
 #define TEXT_BACK REGISTER(0xFF203034)
@@ -12,7 +13,7 @@
 enum { SDRAM = 0xC0000000, ON_CHIP = 0xC8000000, CHARACTERS = 0xC9000000 };
 enum { S = 1, A = 2, EN = 4 };
 
-// Whether each line of the address, and each lane, is there and is one of its own.
+// Whether each address line and each byte lane exists and is independent of the others.
 static int is_memory(uint32_t base, uint32_t size) {
     REGISTER(base) = base;
     for (uint32_t line = 4; line < size; line <<= 1) REGISTER(base + line) = base + line;
@@ -94,7 +95,7 @@ static void characters(void) {
     fact(20, TEXT_RESOLUTION == 0x003C0050 && TEXT_BACK == CHARACTERS);
     fact(21, TEXT_STATUS & EN);
     BYTE(CHARACTERS) = 'F', BYTE(CHARACTERS + 79) = 'P';
-    REGISTER(CHARACTERS + 80) = 0x58585858;  // behind the row, and behind the last one: not shown
+    REGISTER(CHARACTERS + 80) = 0x58585858;  // after the row, and after the last row: not shown
     REGISTER(CHARACTERS + (60 << 7)) = 0x58585858;
     show(4);
     TEXT_CONTROL = 1 << 16;

@@ -1,4 +1,4 @@
-// register_facts.c - what programs may rely on of the registers
+// register_facts.c - facts about the registers
 #include "facts.h"
 
 #define JP2 REGISTER(0xFF200070)
@@ -38,7 +38,7 @@ static void picture(void) {
     }
     fact(10, PIXEL_BUFFER == 0xC0000000 && PIXEL_BACK == 0xC8000000);
     REGISTER(0xC803FFFC) = 1, REGISTER(0xC8040000) = 2, REGISTER(0xC8041000) = 3;
-    *(volatile uint16_t*)0xC8000280 = 0xF81F;  // behind the 320th pixel of a row: not shown
+    *(volatile uint16_t*)0xC8000280 = 0xF81F;  // after the 320th pixel of a row: not shown
     *(volatile uint16_t*)0xC800027E = 0x07E0;
     fact(11, *(volatile uint16_t*)0xC800027E == 0x07E0);
 }

@@ -1,4 +1,4 @@
-// time_facts.c - what programs may rely on of the timers and of the sound's rate
+// time_facts.c - facts about the timers and the sound's rate
 #include "facts.h"
 
 #define TIMER(number, offset) REGISTER(0xFF202000 + 0x20 * (number) + (offset))

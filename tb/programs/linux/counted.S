@@ -1,4 +1,5 @@
-// counted.S - a program whose instructions can be counted by hand, as many in ARM as in Thumb
+// counted.S - a program whose instructions can be counted by hand; the same number in ARM and in
+// Thumb
 //
 //              own instructions                    calls
 //   _start     1 + 10 * 3 + 3 = 34                 outer, 10 times

@@ -1,4 +1,4 @@
-// files.c - files under the root, and what lies beyond it
+// files.c - files under the root, and paths that leave it
 #include <errno.h>
 #include <fcntl.h>
 #include <stdio.h>

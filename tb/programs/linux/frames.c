@@ -4,7 +4,7 @@
 int main(void) {
     const struct timespec rest = {0, 840000};
     for (;;) {
-        // Two instructions a round, of 2.5 ns each with --cpi 2.
+        // Two instructions per iteration, 2.5 ns each with --cpi 2.
         for (int i = 0; i < 168000; ++i) __asm__ volatile("");
         nanosleep(&rest, 0);
     }

@@ -1,7 +1,7 @@
-// game.c - a dot on LEDR that a and d move: each 20 ms a look whether a key is there, until a q.
+// game.c - a dot on LEDR that a and d move: it checks for a key every 20 ms, until a q.
 //
-// With the argument "poll" it looks by poll(), with "read" by read() that does not block.  "waits"
-// measures how long select() and poll() wait for nothing, and for a line.
+// With the argument "poll" it uses poll(), with "read" a non-blocking read().  "waits" measures how
+// long select() and poll() wait until a timeout, and for a line.
 #include <errno.h>
 #include <fcntl.h>
 #include <poll.h>

@@ -1,4 +1,4 @@
-// hello.cpp - what a C++ program asks of its system: arguments, streams, memory, containers
+// hello.cpp - what a C++ program needs of its system: arguments, streams, memory, containers
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>

@@ -1,4 +1,4 @@
-@ astray.S - programs that go where nobody can have meant them to, for arm_astray_test.cpp
+@ astray.S - programs whose pc or stack goes where it cannot belong, for arm_astray_test.cpp
 #include "program.inc"
     .text
 
@@ -61,7 +61,7 @@
     b recursion
     .ltorg
 
-@ Below, nobody answers.
+@ Below there is no target.
     program test_stack_below_more_ram
     handled_by 2f
     ldr sp, =MORE_RAM + 8

@@ -67,7 +67,7 @@ fill:
     str r0, [r0]
     str r0, [r0, #4]
     str r0, [r0, #8]
-    str r0, [r3]                    @ not behind it
+    str r0, [r3]                    @ not after it
     str r0, [r3, #4]
     str r1, [r1]                    @ Device
     str r0, [r0, #12]
@@ -94,7 +94,7 @@ fill:
     normal_program test_stores_to_nobody
     add r0, r0, #0x7000
     add r0, r0, #0xFF0
-    mov r1, #8                      @ four of them where nobody answers
+    mov r1, #8                      @ four of them without a target
     bl fill
     done
 

@@ -50,7 +50,7 @@ on_data_abort:
     str r10, [r12, #12]
     mrc p15, 0, r10, c6, c0, 0
     str r10, [r12, #16]
-    subs pc, lr, #4                 @ behind the instruction of an ARM program
+    subs pc, lr, #4                 @ after the instruction of an ARM program
 on_irq:
     ldr r10, =PROBE
     str r10, [r10]                  @ as early as can be, for its time

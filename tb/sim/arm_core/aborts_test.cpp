@@ -1,6 +1,6 @@
-// A load or store that nobody answers has no effect: registers, flags, IT block and pc are those
-// before it, whether it is met for the first time or has been translated long ago.  What a load of
-// several registers may have loaded is UNKNOWN (B1.9.8), but for its base.
+// A load or store without a target has no effect: registers, flags, IT block and pc are those
+// before it, whether it is executed for the first time or has been translated long ago.  The
+// registers of a load of several are UNKNOWN (B1.9.8), except for its base.
 #include <gmock/gmock.h>
 
 #include <array>
@@ -17,7 +17,7 @@ using namespace tb::core;
 using sim::ArmStop;
 
 constexpr std::uint32_t AT = 0x8000;
-constexpr std::uint32_t ISLAND = 0x200000;  // 4 KB of RAM, behind which nobody answers
+constexpr std::uint32_t ISLAND = 0x200000;  // 4 KB of RAM, after which there is no target
 constexpr std::uint32_t FLAGS = 0x60000000, MODE = 0x1D3, THUMB = 0x20, IN_IT = 0x800;
 
 struct Registers16 {
@@ -31,7 +31,7 @@ struct Case {
     std::uint32_t word;
     bool thumb, it;
     Registers registers;
-    bool loads_pc = false;  // it may go anywhere
+    bool loads_pc = false;  // so it may branch anywhere
 };
 
 class Aborts : public ::testing::Test {
@@ -134,7 +134,7 @@ void Aborts::try_all_ways(const Case& c) {
         aborted += go(c, "for the first time");
         put(c);
         set(c, RAM / 2);
-        go(c, "in RAM");  // but for RRX, which leaves it
+        go(c, "in RAM");  // except for RRX, which leaves it
         for (const char* when : {"behind RAM", "again"}) {
             set(c, place);
             aborted += go(c, when);

@@ -1,7 +1,7 @@
 // Random instructions do the same on the processor, on Unicorn and on qemu-arm.
 //
 //   ARM_CORE_INSTRUCTIONS=1000000000 build/bin/arm_core_unicorn_test    make instructions
-//   ARM_CORE_SEED=7                                                     others than seed 1's
+//   ARM_CORE_SEED=7 other instructions than with seed 1
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -18,7 +18,7 @@ namespace {
 
 using namespace tb::core;
 
-constexpr unsigned STATES = 4;  // with which each stream runs
+constexpr unsigned STATES = 4;  // initial states for each stream
 
 std::uint64_t number_of(const char* variable, std::uint64_t otherwise) {
     const char* const text = std::getenv(variable);
@@ -27,7 +27,7 @@ std::uint64_t number_of(const char* variable, std::uint64_t otherwise) {
 
 class Against : public ::testing::Test {
 protected:
-    // `mode`: bits 8:0 of the CPSR but for T.
+    // `mode`: bits 8:0 of the CPSR except T.
     Against(std::unique_ptr<Machine> expected, std::uint32_t mode)
         : expected_{std::move(expected)}, mode_{mode} {}
     void execute(bool thumb, Kind kind, unsigned percent);

@@ -1,8 +1,8 @@
-// bench.h - an ArmCore with RAM, and a bus that remembers.
+// bench.h - an ArmCore with RAM, and a bus that records accesses.
 //
 //   0x00000000  1 MB of RAM
 //   0x00100000  4 KB of the bus that answer
-//   0x00101000  4 KB of the bus where nobody answers
+//   0x00101000  4 KB of the bus without a target
 //   0x00102000  nothing
 #pragma once
 

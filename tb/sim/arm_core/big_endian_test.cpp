@@ -1,5 +1,5 @@
-// Data with the lowest byte last, as CPSR.E says (ARM ARM, A3.3, A8.8.160): in RAM and on the bus,
-// for what is translated and for what is not.
+// Big-endian data, by CPSR.E (ARM ARM, A3.3, A8.8.160): in RAM and on the bus, for instructions
+// that are translated and for others.
 #include <gmock/gmock.h>
 
 #include "tb/sim/arm_core/system_bench.h"
@@ -61,7 +61,8 @@ TEST_P(BigEndian, LoadsMultiplesWithAndWithoutTheirBase) {
     EXPECT_EQ(reg(2), 0x88776655u);
 }
 
-// The same instruction several times: at first it only looks as if it were to meet RAM.
+// The same instruction several times: at its first execution it is translated as if it accessed
+// RAM.
 TEST_P(BigEndian, TurnsWhatIsOnTheBusEachTime) {
     const auto again = [&](const std::function<void()>& check) {
         for (unsigned i = 0; i < 4; ++i) {

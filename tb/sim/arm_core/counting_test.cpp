@@ -155,7 +155,7 @@ TEST_P(Counting, StopsAsManyInstructionsBehindAnAccessAsItAsksFor) {
     });
 }
 
-// Breakpoints at a few addresses, some of which nobody reaches; each holds half of the times.
+// Breakpoints at a few addresses, some of them never reached; each stops half of the times.
 TEST_P(Counting, AsksTheProbeBeforeEachInstructionAtItsAddressesAndNowhereElse) {
     struct Probe final : sim::ArmProbe {
         bool before(std::uint32_t pc) override {

@@ -26,8 +26,8 @@ constexpr const char* NEAREST_ALONE[] = {"VCVT from fixed"};
 
 // In an IT block MOVS of 16 bits is UNPREDICTABLE (A8.8.104).
 //
-// An ISB leaves the IT block as it is (A2.5.2); with Unicorn the instructions behind it lose
-// their conditions.
+// An ISB leaves the IT block as it is (A2.5.2); with Unicorn the instructions after it lose their
+// conditions.
 constexpr const char* NOT_IN_IT[] = {"MOVS", "ISB"};
 
 template <std::size_t N>

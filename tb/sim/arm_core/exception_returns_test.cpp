@@ -63,7 +63,7 @@ TEST_P(ExceptionReturns, GoOnInTheMidstOfAnItBlock) {
     become(IRQ);
     set(0, 0);
     set(14, LAND);
-    bench.core.set_spsr(USR | T | 0x0C00);  // as behind ITE EQ
+    bench.core.set_spsr(USR | T | 0x0C00);  // as after ITE EQ
     ASSERT_EQ(execute({0xE1B0F00E, 0xF3DE8F00}), ArmStop::WFI);
     EXPECT_EQ(reg(0), 0x30u);
     EXPECT_EQ(bench.core.cpsr(), USR | T) << "the third sets flags";

@@ -1,4 +1,4 @@
-// VFP and NEON are there when CPACR and FPEXC say so (ARM ARM, B1.11.1, B9.3.21 - B9.3.22).
+// VFP and NEON can be used when CPACR and FPEXC allow it (ARM ARM, B1.11.1, B9.3.21 - B9.3.22).
 #include <gmock/gmock.h>
 
 #include "tb/sim/arm_core/system_bench.h"

@@ -31,8 +31,8 @@ public:
     virtual ~Machine() = default;
     virtual void set(const State& state) = 0;
     virtual State state() const = 0;
-    // From `begin` until `end`, which is `instructions` away.  Returns the pc where it ended, or
-    // says what else has happened by an odd number.
+    // From `begin` until `end`, which is `instructions` away.  Returns the pc where it ended, or an
+    // odd number for any other event.
     virtual std::uint32_t run(std::uint32_t begin, std::uint32_t end, unsigned instructions) = 0;
     // So many instructions from `begin` on, wherever they go.  Returns the pc.
     virtual std::uint32_t run_on(std::uint32_t begin, unsigned instructions) = 0;
@@ -44,12 +44,12 @@ public:
     std::unique_ptr<Memory> memory = std::make_unique<Memory>();
 };
 
-// In one piece, or an instruction at a time.
+// In one piece, or one instruction at a time.
 std::unique_ptr<Machine> processor(bool stepping);
 std::unique_ptr<Machine> unicorn();
 std::unique_ptr<Machine> qemu();  // run() ends at an undefined instruction; no run_on()
 
-// What differs, a line each; nothing if nothing does.
+// What differs, one line each; empty if there is no difference.
 std::string difference(const State& expected, const State& actual, std::uint32_t fpscr_mask);
 
 }  // namespace tb::core

@@ -10,7 +10,7 @@ namespace tb::core {
 
 using Random = std::mt19937_64;
 
-// Numbers of the registers that no row writes but by write-back.
+// Numbers of the registers that rows write only by write-back.
 struct Registers {
     unsigned low_base = 0, low_any = 0, high_any = 0, low_index = 0, high_index = 0;
 };
@@ -24,7 +24,7 @@ public:
     unsigned below(unsigned end) { return static_cast<unsigned>(random_() % end); }
     std::uint32_t word(const Encoding& row);
 
-    // A register for the letter t, which no row writes meanwhile; and its return.
+    // Reserves a register for the letter t, which no row writes meanwhile; and releases it.
     void take();
     void give_back() { free_ |= 1u << held_; }
     void keep(unsigned number) { free_ &= ~(1u << number); }  // for good

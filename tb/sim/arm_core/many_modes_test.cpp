@@ -1,5 +1,5 @@
-// A program that runs in many of FPSCR's modes is translated for each, which must not fill the
-// host's memory.
+// A program that runs in many of FPSCR's modes is translated for each of them.  That must not
+// exhaust the host's memory.
 #include <gtest/gtest.h>
 
 #include <sys/resource.h>

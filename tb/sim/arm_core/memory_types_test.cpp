@@ -33,7 +33,7 @@ protected:
         bench.core.set_cp15(sim::cp15::DACR, 1);
     }
 
-    // Whether a store by way of the descriptor is one to Normal memory.
+    // Whether a store through the descriptor is one to Normal memory.
     bool is_normal(std::uint32_t address) {
         bench.core.set_cp15(sim::cp15::SCTLR, control);
         bench.core.set_reg(0, address);
@@ -67,7 +67,7 @@ TEST_F(MemoryTypes, AreThoseOfTexCAndB) {
     // Rows: TEX 0 to 7; columns: CB 0 to 3.  Reserved ones are not Normal.
     const bool normal[8][4] = {
         {false, false, true, true},  // Strongly-ordered, Device, write-through, write-back
-        {true, false, false, true},  // not cached, reserved, ours to define, write-allocate
+        {true, false, false, true},  // not cached, reserved, implementation defined, write-allocate
         {false, false, false, false}, {false, false, false, false}, {true, true, true, true},
         {true, true, true, true},     {true, true, true, true},     {true, true, true, true},
     };

@@ -28,7 +28,7 @@ bool multiple(Word w) {
     }
 }
 
-// One lane: index_align by size and number of registers (A8.8.321 and behind).
+// One lane: index_align by size and number of registers (A8.8.321 and following).
 bool one(Word w) {
     const Word n = field(w, 9, 8), size = field(w, 11, 10), a = field(w, 7, 4);
     if (size == 3) return false;

@@ -1,5 +1,5 @@
-// Code that is overwritten by the program itself: the next instructions to be executed are the new
-// ones, with and without cache maintenance, and each is counted once.
+// Code that the program itself overwrites: from the next instruction on the new ones are executed,
+// with and without cache maintenance, and each is counted once.
 //
 // An ARMv7-A program must clean and invalidate (B2.2.7, B3.10); the model needs none of it.
 #include <gmock/gmock.h>
@@ -173,7 +173,7 @@ TEST_F(OverwrittenCode, MayBeALiteralInTheMidst) {
             at, at + 28, SUM, 6 * LAPS + 1);
 }
 
-// A branch that the program has come near to, but not executed, becomes a NOP.
+// A branch that the program has come close to, but has not executed, becomes a NOP.
 TEST_F(OverwrittenCode, ChangesHowFarItIsToTheNextBranch) {
     bench.put(0x8000, {
                           NOP,

@@ -38,7 +38,7 @@ public:
         return state;
     }
 
-    // The branch behind the stream, to itself, belongs to its block.
+    // The branch after the stream, to itself, belongs to its block.
     std::uint32_t run(std::uint32_t begin, std::uint32_t, unsigned instructions) override {
         core_.set_reg(15, begin);
         auto stop = sim::ArmStop::LIMIT;

@@ -7,7 +7,7 @@ namespace {
 bool has_list(std::uint32_t w) { return (w & 0xFFFF & ((w & 0xFFFF) - 1)) != 0; }
 bool no_base(std::uint32_t w) { return has_list(w) && !bit(w, field(w, 19, 16)); }
 
-// Without write-back: what a register points to stays the same for ever.
+// Without write-back: base registers never change.
 const std::vector<Encoding> ARM_BUS{
     {"LDR", "cccc01011001qqqqdddd000xxxxxxx00"},
     {"STR", "cccc01011000qqqqnnnn000xxxxxxx00"},
@@ -59,7 +59,7 @@ std::uint32_t arm_end(const Block& block, std::uint32_t at, std::uint32_t to) {
         case End::BRANCH: return 0xEA000000 | offset;
         case End::CALL: return 0xEB000000 | offset;
         case End::RETURN: return 0xE12FFF1E;
-        case End::LOAD: return 0xE51FF004;  // of the word behind it
+        case End::LOAD: return 0xE51FF004;  // of the word after it
         case End::SVC: return 0xEF000000;
         case End::WFI: return 0xE320F003;
         default: return 0xE320F002;

@@ -11,7 +11,7 @@ namespace tb::core {
 
 struct Program {
     bool thumb;
-    // low_any: on the bus, or in RAM; high_any: at the end of RAM, with the bus behind
+    // low_any: on the bus, or in RAM; high_any: at the end of RAM, followed by the bus
     Registers registers;
     std::vector<std::uint16_t> code;
     std::vector<std::uint32_t> blocks;  // addresses; the first is the entry

@@ -1,4 +1,4 @@
-// qemu_shared.h - what qemu.cpp and its guest, qemu_guest.c, tell each other through a file
+// qemu_shared.h - what qemu.cpp and its guest, qemu_guest.c, exchange through a file
 //
 // The guest is a program for ARM Linux that qemu-arm runs.  It stops at an undefined instruction or
 // another signal, writes its registers into the file, says so by a byte on standard output, and
@@ -17,7 +17,7 @@ struct QemuShared {
     uint32_t r[16];  // up to pc
     uint32_t cpsr, fpscr;
     uint64_t d[32];
-    uint32_t signal;                        // from the guest: what it has met
+    uint32_t signal;                        // from the guest: its signal
     uint32_t changed_begin, changed_bytes;  // to the guest: of the code, since the last time
     uint8_t unused[4096 - 4 * 18 - 8 * 32 - 4 * 3];
     uint8_t code[QEMU_PART], data[QEMU_PART];

@@ -167,7 +167,7 @@ TEST_F(ReplacedState, IsEitherAtOnceWhereAWordIsBoth) {
     EXPECT_EQ(result(), 50u);
 }
 
-// The bus is met behind the begin of a Thumb block of before.
+// The bus access comes after the begin of an earlier Thumb block.
 TEST_F(ReplacedState, CountsArmCodeAnewWhereThumbCodeWas) {
     bench.put_halves(TARGET,
                      {0xBF00, 0xBF00, 0xBF00, 0xBF00, 0xBF00, 0xBF30, 0xE7FE});  // NOPs, WFI, B

@@ -29,7 +29,7 @@ struct Stream {
     Registers registers;
 
     unsigned instructions() const;
-    // Of the first `count` items, with UDF behind them.
+    // Of the first `count` items, followed by UDF.
     std::vector<std::uint16_t> code(std::size_t count) const;
 };
 

@@ -76,7 +76,7 @@ protected:
         else
             bench.put_halves(AT, {static_cast<std::uint16_t>(instruction.thumb), 0xBF30, 0xE7FE});
     }
-    // It, and the WFI behind it or where it has gone.
+    // It, and the WFI after it or at its target.
     sim::ArmStop execute(Both instruction) {
         put(instruction);
         bench.core.set_reg(15, AT);

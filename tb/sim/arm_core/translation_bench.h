@@ -1,4 +1,4 @@
-// translation_bench.h - the processor behind its translation tables.
+// translation_bench.h - the processor with translation tables.
 //
 //   0x00000000  1 MB, itself: the tests' code, for all modes
 //   elsewhere   what the test puts there

@@ -1,5 +1,5 @@
-// Translation tables that change, accesses over the border of two pages, and code behind the tables
-// (ARM ARM, B3.7.2, B3.9 - B3.10).
+// Translation tables that change, accesses across the border of two pages, and code at translated
+// addresses (ARM ARM, B3.7.2, B3.9 - B3.10).
 #include <gmock/gmock.h>
 
 #include "tb/sim/arm_core/translation_bench.h"

@@ -1,4 +1,4 @@
-// Data behind the translation tables: descriptors, domains, permissions, faults (ARM ARM,
+// Data at translated addresses: descriptors, domains, permissions, faults (ARM ARM,
 // B3.5 - B3.13).
 #include <gmock/gmock.h>
 
@@ -92,7 +92,7 @@ TEST_P(Translation, DoesNotWalkATableThatIsSwitchedOff) {
     EXPECT_EQ(load(SECTION + PHYSICAL), 0x1111u);
     expect_refused(LDR, 0x80200000 + PHYSICAL, TRANSLATION);
     set(1, 1 | 1u << 4);
-    execute(mcr(sim::cp15::TTBCR));  // what is behind it is gone
+    execute(mcr(sim::cp15::TTBCR));  // the table after it is no longer used
     EXPECT_EQ(run(), sim::ArmStop::PREFETCH_ABORT);
     EXPECT_TRUE(bench.core.fault().mmu);
     EXPECT_EQ(bench.core.fault().status, TRANSLATION);

@@ -13,8 +13,8 @@ namespace {
 using namespace worlds;
 using truth::Wide;
 
-// Is `point` within half a grid unit, on each axis, of a point of the line?  The square about the
-// point, doubled to have whole corners, meets the line.
+// Is `point` within half a grid unit, on each axis, of a point of the line?  That is so if the unit
+// square about the point meets the line; both are doubled to have integer corners.
 bool near(Vec2 point, const Line& line) {
     const auto doubled = [](Vec2 at) { return Vec2{2 * at.x, 2 * at.y}; };
     const Line twice = {doubled(line.a), doubled(line.b)};

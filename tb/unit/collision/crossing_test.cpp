@@ -72,7 +72,7 @@ TEST(Crossing, IsExactForNearMissesAllOverTheGrid) {
         const auto there = [part](std::int64_t a, std::int64_t b) {
             return static_cast<std::int32_t>(a + (b - a) * part / 1000);
         };
-        // q ends a hair from a point of p.
+        // q ends very close to a point of p.
         const Vec2 end = point({there(p.a.x, p.b.x), there(p.a.y, p.b.y)}, 2);
         const Line q = {anywhere(), end};
         RC_ASSERT(cross(p, q) == truth::meet(p, q));

@@ -1,4 +1,4 @@
-"""library_test.py CASE SW_COLLISION WORK [CXX] - the library as somebody uses it without this tree.
+"""library_test.py CASE SW_COLLISION WORK [CXX] - the library used without the rest of this tree.
 
 readme      the README shows example/main.cpp as it is, the CMake that the other cases build it
             with, and what it prints

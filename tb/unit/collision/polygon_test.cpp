@@ -1,4 +1,4 @@
-// polygon_test.cpp - outlines, boxes, moving and turning, and the way onto the grid.
+// polygon_test.cpp - outlines, boxes, moving and turning, and conversion to the grid.
 #include "collision/polygon.h"
 
 #include <cmath>

@@ -64,7 +64,7 @@ inline Extent extent(const Polygon& shape, std::int32_t Vec2::*axis) {
 
 inline bool apart(Extent a, Extent b) { return a.high < b.low || b.high < a.low; }
 
-// In lexicographic order.  Shapes that lie apart on an axis are passed over, to be in time.
+// In lexicographic order.  Shapes that are separate on an axis are skipped to save time.
 inline collision::PairList pairs(const std::vector<Polygon>& shapes) {
     std::vector<Extent> x, y;
     for (const Polygon& shape : shapes) {

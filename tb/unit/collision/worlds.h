@@ -48,7 +48,7 @@ inline Polygon x_shape(std::int32_t x, std::int32_t y) {
     return polygon(corners);
 }
 
-// What a fresh detector says, and one that counts says too.
+// The result of a fresh detector, checked against that of one that counts.
 inline PairList found(Algorithm algorithm, const Shapes& shapes) {
     PairList pairs{{7, 9}};
     Detector detector;
@@ -100,7 +100,7 @@ struct Kind {
     Shapes (*make)();
 };
 
-// Everywhere, in heaps, on few places, on one, in a row, as points, and over the whole grid.
+// Spread out, in clusters, at a few places, at one, in a row, as points, and over the whole grid.
 inline const Kind KINDS[] = {
     {"random", [] { return any(100'000, 20'000, 5, 60); }},
     {"clustered",

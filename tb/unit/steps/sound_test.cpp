@@ -13,7 +13,7 @@ protected:
     double hz = 0;  // of what is heard; 0: silence
     std::uint64_t from_ms = 0;
 
-    // 8 samples a millisecond.
+    // 8 samples per millisecond.
     void SetUp() override {
         stage.seen.sample_rate(8000);
         stage.meanwhile = [&] {

@@ -1,4 +1,4 @@
-// step_bench.h - test fixture: a step read from its text, on a stage that writes down what it does
+// step_bench.h - test fixture: a step read from its text, on a mock stage that records its actions
 #pragma once
 
 #include <algorithm>
@@ -115,7 +115,7 @@ private:
     std::uint64_t now_ps_ = 0;
 };
 
-// The only step of a scenario, written as it stands behind "- ".
+// The only step of a scenario, in the text after "- ".
 inline sim::ScenarioStep read_step(const std::string& text,
                                    const std::string& file = "tests/run.yaml") {
     const std::string head = "name: a\nversion: 1\nsteps:\n  - ";
@@ -139,7 +139,7 @@ protected:
         EXPECT_FALSE(play(text));
         return std::exchange(stage.done, {});
     }
-    // Of a claim: "met" or what there was instead.
+    // Of a claim: "met" or what was found instead.
     std::string finds(const std::string& text) {
         const auto verdict = play(text);
         if (!verdict) return "no claim";

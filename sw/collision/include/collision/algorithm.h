@@ -8,10 +8,10 @@
 namespace collision {
 
 enum class Algorithm {
-    ORIGINAL,            // the paper's Alg. 1 as told: every box against every other box
+    ORIGINAL,            // the paper's Alg. 1 as described: every box against every other box
     ORIGINAL_ALL_LINES,  // and the lines of every ordered pair, whatever the boxes say
     ORIGINAL_BY_COPY,    // and polygons copied by value
-    IMPROVED,            // the paper's own as told: sorted intervals on two axes (intervals.h)
+    IMPROVED,            // the paper's own as described: sorted intervals on two axes (intervals.h)
     IMPROVED_VECTOR,     // and a vector in place of its linked list
     SWEEP,               // broad_phase.h: one sorted axis, kept from tick to tick
     STRIPS,              // broad_phase.h: a sweep in each of many strips, the one that scales
@@ -24,9 +24,13 @@ inline constexpr std::array ALGORITHMS = {
     Algorithm::IMPROVED_VECTOR,  Algorithm::SWEEP,
     Algorithm::STRIPS,           Algorithm::SIMD};
 
-// The default.  On the modelled Cortex-A9 it takes the fewest instructions of all, to within 2 %:
-// for 20, 100 and 200 squares 5,200, 57,500 and 179,000, where SWEEP takes 8,700, 56,500 and
-// 191,000, and STRIPS 9,300, 57,500 and 179,000 (README.md).
+// The default.  On the modelled Cortex-A9 it takes the fewest instructions of all, to within 2 %
+// (README.md has more).  Instructions per tick:
+//
+//     squares      20       100       200
+//     SIMD      5,200    57,500   179,000
+//     SWEEP     8,700    56,500   191,000
+//     STRIPS    9,300    57,500   179,000
 inline constexpr Algorithm BEST = Algorithm::SIMD;
 
 const char* name(Algorithm algorithm);  // "original_all_lines"

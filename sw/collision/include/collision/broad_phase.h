@@ -6,9 +6,9 @@
 //
 // It replaces `overlaps` by every pair of boxes that overlap, touching included, each once with
 // first < second, in no particular order.  Exact for coordinates up to COORDINATE_LIMIT; min <= max
-// in every box; count < 2^30.  They differ in speed alone.  What they keep from call to call is
-// memory, and Sweep its order; the boxes of two calls need not have anything in common.  They
-// allocate only when there are more boxes or pairs than ever before.
+// in every box; count < 2^30.  They differ in speed alone.  From call to call they keep their
+// memory, and Sweep also its order; the boxes of two calls need not be related.  They allocate only
+// when there are more boxes or pairs than ever before.
 #pragma once
 
 #include <cstddef>
@@ -31,12 +31,12 @@ namespace collision {
 //            |--c--|
 //                       |-d-|
 //
-// The axis is the one along which the boxes are spread more.  Their order is kept: where boxes move
-// little, insertion sort puts it right in about one step a box; where that turns out to be more
-// work than a radix sort, it is given up early.
+// The axis is the one along which the boxes are spread more.  The order is kept from call to call:
+// if boxes move little, insertion sort restores it in about one step per box.  If that turns out to
+// be more work than a radix sort, it is given up early.
 //
 // n boxes, k pairs that overlap on the axis: O(n + k).  For n boxes all over a square, k is
-// O(n sqrt(n)) at best.  43 bytes a box.
+// O(n sqrt(n)) at best.  43 bytes per box.
 //
 // Source: Baraff, "Dynamic simulation of non-penetrating rigid bodies" (1992); the choice of the
 // axis is that of Ericson, Real-Time Collision Detection (2005), 7.5.2.
@@ -60,11 +60,11 @@ private:
     detail::SortedBoxStore sorted_;
 };
 
-// A sweep in each of many strips: the algorithm that scales.  Strips are some mean heights of a box
-// tall; in each the boxes are sorted into buckets along x and swept (detail/strip_grid.h).  A strip
-// in which they crowd is cut into strips of its own.
+// A sweep in each of many strips: the algorithm that scales.  A strip is a few times as tall as the
+// mean box.  In each strip the boxes are sorted into buckets along x and swept
+// (detail/strip_grid.h).  A strip that is crowded is divided into strips again.
 //
-// n boxes, k pairs: O(n + k), unless boxes crowd a place without overlapping there.
+// n boxes, k pairs: O(n + k), unless many boxes lie close together without overlapping.
 class Strips {
 public:
     explicit Strips(const detail::Kernels& kernels = detail::fastest_kernels())
@@ -85,10 +85,10 @@ private:
     detail::SortedBoxStore sorted_;  // of one strip
 };
 
-// Brute force, eight or sixteen boxes in a vector of 16-bit coordinates: for the number of shapes
-// that fits a screen there is no order to keep and nothing to build.  Where that is no longer the
-// fastest (from 81 boxes on with vectors of eight, from 257 on with those of sixteen), it leaves
-// them to Strips.
+// Brute force, eight or sixteen boxes per vector of 16-bit coordinates.  It keeps no order and
+// builds no structure, which is fastest for the number of shapes that fits on a screen.  From 81
+// boxes on with vectors of eight, or 257 with vectors of sixteen, it calls Strips, which is then
+// faster.
 //
 // Idea: tests of quantised boxes, as in the leaves of quantised bounding volume trees (Terdiman,
 // "Memory-optimized bounding-volume hierarchies", 2001); here without the tree.

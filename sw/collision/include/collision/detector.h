@@ -1,4 +1,4 @@
-// detector.h - all algorithms behind one call: same polygons, same pairs.
+// detector.h - one call for all algorithms: same polygons, same pairs.
 #pragma once
 
 #include <vector>
@@ -13,16 +13,16 @@
 namespace collision {
 
 // Owns the buffers that SWEEP, STRIPS and SIMD keep from tick to tick: after the first ticks they
-// allocate nothing.  What it found before changes its speed, never its answer.
+// allocate nothing.  Previous calls change the speed of a call, never its result.
 template <class Counter>
 class BasicDetector {
 public:
-    // Replaces `pairs` by every two polygons of which lines meet (crossing.h), first < second, each
+    // Replaces `pairs` by all pairs of polygons whose lines meet (crossing.h), first < second, each
     // once, in lexicographic order.  `shapes` have boxes that contain their lines (polygon.h); any
     // number from 0 on.
     //
     // Refuses, in O(shapes) and before anything is compared, with `pairs` empty: TOO_MANY_LINES,
-    // OUTSIDE_GRID, BOX_INSIDE_OUT, the first of these that holds anywhere.
+    // OUTSIDE_GRID, BOX_INSIDE_OUT, in this order of precedence.
     //
     // Cost: that of the algorithm (algorithm.h, broad_phase.h).  For SWEEP, STRIPS and SIMD also,
     // for each pair of overlapping boxes, O(lines) to leave out the lines that do not reach into

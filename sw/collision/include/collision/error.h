@@ -1,11 +1,11 @@
-// error.h - why the library refused its input.  All else it handles.
+// error.h - why the library refused its input.  Any other input is handled.
 #pragma once
 
 namespace collision {
 
 enum class [[nodiscard]] Error{
     NONE,
-    NOT_FINITE,      // NaN or an infinity on the way to the grid
+    NOT_FINITE,      // NaN or an infinity given to to_grid()
     OUTSIDE_GRID,    // a coordinate that is not below COORDINATE_LIMIT in size
     TOO_MANY_LINES,  // more than Polygon::MAX_LINES
     BOX_INSIDE_OUT,  // a box with min above max on an axis

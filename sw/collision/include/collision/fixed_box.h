@@ -2,9 +2,9 @@
 //
 // From the paper's conclusions: "assign an AABB to a shape upon creation, large enough that no
 // rotation could make the shape extend outside of the AABB.  Then, the AABB could just be updated
-// by the velocity of the Polygon every tick".  Put it into Polygon::aabb in place of update()'s:
-// every algorithm takes boxes as they are.  Larger boxes overlap more often, so more lines are
-// tested; the pairs found are the same.
+// by the velocity of the Polygon every tick".  Put it into Polygon::aabb in place of the box by
+// update(): every algorithm uses boxes as they are.  Larger boxes overlap more often, so more lines
+// are tested; the pairs found are the same.
 #pragma once
 
 #include "collision/polygon.h"

@@ -1,4 +1,4 @@
-// grid.h - from floating-point pixels to the grid: the one door by which a NaN could come in.
+// grid.h - from floating-point pixels to the grid: the only function that can be given a NaN.
 #pragma once
 
 #include "collision/error.h"

@@ -4,8 +4,9 @@
 //
 // The paper's section "Improvement to the initial algorithm", Fig. 5, and the last paragraph of its
 // conclusions: "the improved algorithm could be easily extended to work in n dimensions".  Sort the
-// ends of all boxes along an axis, walk them with the boxes now open, pair whatever opens with all
-// that is open; the pairs of all axes, intersected, are the overlapping boxes.
+// ends of all boxes along an axis.  Walk along it with a list of the open boxes, and pair each box
+// that opens with all that are open.  The pairs that all axes have in common are the overlapping
+// boxes.
 //
 // n boxes, d axes, k overlaps on an axis: d O(n log n) to sort, d O(k log k) to keep the sets, up
 // to O(n) to find a box among the open ones when it closes.
@@ -33,15 +34,15 @@ struct Interval {
     bool opening;
     std::uint32_t index;  // of the box
 
-    // At one position openings come first: closed boxes that only touch overlap.
+    // At equal positions openings come first, because closed boxes that only touch overlap.
     bool operator<(const Interval& other) const {
         return *position != *other.position ? *position < *other.position
                                             : opening && !other.opening;
     }
 };
 
-// The boxes now open, as the paper has them: a linked list, with the newest in front, where the one
-// that closes next is likely to be.
+// The open boxes, as the paper has them: a linked list with the newest in front.  A box that closes
+// is likely to be near the front.
 class OpenList {
 public:
     explicit OpenList(std::size_t) {}
@@ -59,8 +60,8 @@ private:
     std::forward_list<std::uint32_t> open_;
 };
 
-// The paper's first idea for later, "a vector of some estimated size": the newest at the end; the
-// last one takes the place of the one that closes.
+// The paper's first idea for future work, "a vector of some estimated size": the newest is at the
+// end.  When a box closes, the last one moves to its place.
 class OpenVector {
 public:
     explicit OpenVector(std::size_t estimate) { open_.reserve(estimate); }

@@ -19,15 +19,15 @@ struct Aabb {
     Vec2 min, max;
 };
 
-// Lines need not be connected, and may be of no length (a point).  Every algorithm takes `aabb` as
-// it is, so it must contain all lines: a snug box by update(), or one of fixed_box.h.  With one
-// that does not, pairs may be missed; nothing worse happens.
+// Lines need not be connected, and may be of no length (a point).  Every algorithm uses `aabb` as
+// it is, so it must contain all lines: a tight box by update(), or one of fixed_box.h.  If it does
+// not, pairs may be missed; nothing worse happens.
 struct Polygon {
     static constexpr unsigned MAX_LINES = 16;
 
     Aabb aabb{};
     unsigned count = 0;  // of lines in use; a polygon of none collides with nothing
-    alignas(16) std::array<Line, MAX_LINES> lines{};  // a vector each
+    alignas(16) std::array<Line, MAX_LINES> lines{};  // one vector register each
 
     // Joins `corners` into a closed outline (one corner: a point) and measures its box.
     // TOO_MANY_LINES or OUTSIDE_GRID, and nothing is changed.  O(corners).

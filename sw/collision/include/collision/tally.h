@@ -1,4 +1,4 @@
-// tally.h - how often an algorithm does what; or nothing of it, at no cost.
+// tally.h - counters of what an algorithm does, and a version that counts nothing at no cost.
 //
 // Algorithms are templates over one of these two.
 #pragma once
@@ -7,11 +7,11 @@
 
 namespace collision {
 
-// Counts, a call.
+// Operations per call.
 struct Tally {
     std::uint64_t box_tests = 0;       // two boxes compared, equations (1) to (4)
-    std::uint64_t interval_pairs = 0;  // pairs put into the set of an axis, again or anew
-    std::uint64_t polygon_tests = 0;   // two polygons whose lines were looked at
+    std::uint64_t interval_pairs = 0;  // insertions into the set of an axis, repeated ones too
+    std::uint64_t polygon_tests = 0;   // two polygons whose lines were tested
     std::uint64_t line_tests = 0;      // a line against a line
     std::uint64_t copies = 0;          // polygons copied
 

@@ -13,14 +13,13 @@ struct Turn {
     std::int32_t cosine = TURN_ONE, sine = 0;
 };
 
-// Both return the polygon with its box measured anew.  A point becomes one point whatever line it
-// ends, so lines that were joined stay joined.  O(lines).  The result must be on the grid; where it
-// is not, coordinates wrap, and a Detector refuses the polygon unless it wrapped back onto the
-// grid.
+// Both return the polygon with its box measured anew.  Equal points stay equal, so lines that were
+// joined stay joined.  O(lines).  The result must be on the grid.  If it is not, coordinates wrap,
+// and a Detector refuses the polygon unless it wrapped back onto the grid.
 Polygon moved(const Polygon& polygon, Vec2 by);
 
-// Turns about `centre`; each coordinate is rounded to the nearest grid unit, so turn the shape as
-// created rather than the last tick's, or it wears off.
+// Turns about `centre`; each coordinate is rounded to the nearest grid unit.  So turn the shape as
+// created rather than that of the last tick, or rounding errors add up.
 Polygon turned(const Polygon& polygon, Vec2 centre, Turn turn);
 
 }  // namespace collision

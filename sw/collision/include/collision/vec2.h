@@ -7,8 +7,8 @@ namespace collision {
 
 constexpr std::int32_t PIXEL = 65536;  // grid units
 
-// Every |coordinate| is below this: then a difference fits 32 bits and a product of two differences
-// fits 64, so that the line test is exact.
+// Every |coordinate| is below this.  A difference then fits 32 bits and a product of two
+// differences fits 64, which makes the line test exact.
 constexpr std::int32_t COORDINATE_LIMIT = 1 << 30;  // 16384 pixels
 
 struct Vec2 {

@@ -1,6 +1,6 @@
 // kernels.h - the inner loops of the broad phases, compiled once for each kind of processor.
 //
-// All find the same pairs and differ in speed alone.  The broad phases take the fastest.
+// All find the same pairs and differ in speed alone.  The broad phases use the fastest.
 #pragma once
 
 #include <cstdint>
@@ -29,8 +29,8 @@ struct Kernels {
     // Boxes up to which BruteForce is mostly faster than Strips, measured on the paper's workload.
     unsigned brute_force_up_to;
 
-    // For each box of `list` the cell in which it begins, strip * buckets.count + bucket, and the
-    // number of strips above that one that it reaches.  Up to SLACK numbers more are written.
+    // For each box of `list`: the cell in which it begins, strip * buckets.count + bucket, and how
+    // many strips above that one it reaches.  Up to SLACK more numbers are written.
     void (*locate)(const BoxList& list, const StripScale& strips, const Buckets& buckets,
                    std::uint32_t* cells, std::uint32_t* above);
 
@@ -42,8 +42,8 @@ struct Kernels {
     // Writes the pairs of each box with those after it.
     void (*sweep)(const SortedBoxes& boxes, PairWriter& pairs);
 
-    // Compares each box from `row` on with those after it.  Stops when `hits` may be full; returns
-    // the row to go on with, or `count` at the end.
+    // Compares each box from `row` on with those after it.  Stops before `hits` could overflow.
+    // Returns the row to go on with, or `count` at the end.
     unsigned (*compare_all)(const ShortBoxes& boxes, unsigned count, unsigned row, ShortHits& hits);
 };
 

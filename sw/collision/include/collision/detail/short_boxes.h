@@ -1,4 +1,4 @@
-// short_boxes.h - boxes in 16 bits a coordinate, one array an edge, for brute force by vectors.
+// short_boxes.h - boxes of 16-bit coordinates, one array per edge, for brute force by vectors.
 #pragma once
 
 #include <array>
@@ -9,8 +9,8 @@
 namespace collision::detail {
 
 // Every coordinate is moved and shifted right so that the wider axis fits 16 bits.  Rounding down
-// keeps the order of any two numbers: boxes that overlap also overlap here, and only boxes less
-// than one 65,535th of the world apart may overlap here alone.
+// keeps the order of any two numbers, so boxes that overlap also overlap here.  The converse can
+// fail only for boxes that are less than one 65,535th of the world apart.
 struct ShortBoxes {
     static constexpr unsigned CAPACITY = 256;
     static constexpr unsigned PADDING = 16;  // a vector may begin at the last box
@@ -21,20 +21,20 @@ struct ShortBoxes {
     void assign(const Aabb* boxes, unsigned count);  // count <= CAPACITY.  O(count)
 };
 
-// One vector in which a box found others: bit `stride` * i stands for the box `other` + i.
+// One vector with boxes that overlap box `box`: bit `stride` * i stands for the box `other` + i.
 struct ShortHit {
     std::uint64_t bits;  // not 0
     std::uint32_t box, other;
 };
 
-// Whether a vector has a hit is hard to foresee, so hits are written down without a branch first,
-// and told apart afterwards.
+// A branch on whether a vector has a hit would often be mispredicted.  So hits are first stored
+// without a branch, and split into pairs afterwards.
 struct ShortHits {
     static constexpr unsigned A_ROW = ShortBoxes::CAPACITY / 8;  // vectors, at most
 
     std::array<ShortHit, 8 * A_ROW> hits;
     unsigned count;
-    unsigned stride;  // bits a box
+    unsigned stride;  // bits per box
 };
 
 }  // namespace collision::detail

@@ -23,12 +23,12 @@ constexpr unsigned SLACK = 8;
 // In place of a visitor's min.y.  Below every coordinate of the grid.
 constexpr std::int32_t VISITOR_MIN_Y = std::numeric_limits<std::int32_t>::min();
 
-// Each array has `count` boxes, then PADDING places with boxes that overlap nothing, so that a
-// vector may be read beyond the end.
+// Each array has `count` boxes, then PADDING boxes that overlap nothing, so that a vector may be
+// read beyond the end.
 //
 // They are sorted exactly, or only into buckets of min_x: the buckets are mask + 1 units wide (a
-// power of two) and the first begins at `left`; what lies left of that belongs to the first bucket,
-// what lies right of `right` to the last.
+// power of two) and the first begins at `left`; positions left of that belong to the first bucket,
+// positions right of `right` to the last.
 struct SortedBoxes {
     static constexpr unsigned PADDING = 32;
 
@@ -56,7 +56,7 @@ struct Buckets {
     }
 };
 
-// The memory behind SortedBoxes, kept from call to call.
+// The memory to which SortedBoxes points, kept from call to call.
 class SortedBoxStore {
 public:
     // Copies the boxes of entries[0 .. count), visitors as such, in this order, which is that of

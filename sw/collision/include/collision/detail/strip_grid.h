@@ -19,7 +19,7 @@
 
 namespace collision::detail {
 
-// Boxes of an array, by their entries: indices, with VISITOR_BIT or without.
+// Boxes of an array, given by entries: indices, with VISITOR_BIT or without.
 struct BoxList {
     const Aabb* boxes;
     const std::uint32_t* entries;  // null: boxes 0, 1, 2 ...
@@ -34,8 +34,8 @@ struct BoxList {
     }
 };
 
-// Strips between two y, of equal height to within 2^-16 of all.  A higher position is never in a
-// lower strip.  What lies outside belongs to the lowest or the highest strip.
+// Strips between two y, of equal height to within 2^-16 of the whole.  A higher position is never
+// in a lower strip.  Positions outside belong to the lowest or the highest strip.
 struct StripScale {
     std::int32_t bottom, top;
     unsigned count, shift;
@@ -45,8 +45,8 @@ struct StripScale {
     // 0 < wanted < 2^16.
     StripScale(std::int32_t bottom, std::int32_t top, unsigned wanted);
 
-    // The strip of a position `height` above the bottom.  In 32 bits, because vectors have no wider
-    // product; so `shift` leaves 16 bits of a height.
+    // The strip of a position `height` above the bottom.  It is computed in 32 bits, because
+    // vectors have no wider product; so `shift` reduces a height to 16 bits.
     template <class Unsigned>
     Unsigned operator()(Unsigned height) const {
         return (height >> shift) * scale >> 16;
@@ -57,11 +57,11 @@ class StripGrid {
 public:
     struct Strip {
         std::uint32_t begin, end;  // in entries()
-        bool even;                 // false: most boxes share their bucket with many others
+        bool even;                 // false: most boxes share a bucket with many others
     };
 
-    // Sorts the boxes.  False, and nothing to be read, if there are more than MOST_VISITORS
-    // visitors a box: fewer strips are then wanted.  O(count + strips * buckets).
+    // Sorts the boxes.  False, and no result, if there are more than MOST_VISITORS visitors per
+    // box: call it with fewer strips then.  O(count + strips * buckets).
     bool sort(const Kernels& kernels, const BoxList& list, const StripScale& strips,
               const Buckets& buckets);
 
