@@ -201,19 +201,22 @@ const Design& Builder::examine() {
 
 void Builder::generate() {
     write_if_new(folder_ / "de1sim_design.vh", design_text(design_.binding, design_.project.top));
-    write_if_new(folder_ / "de1sim_pll_tap.v", tap_text(design_.elaborated.pll_clocks));
+    write_if_new(folder_ / "de1sim_pll_taps.v", tap_text(design_.elaborated.pll_clocks));
     write_if_new(folder_ / "de1sim_clocks.h", clocks_text(design_));
 }
 
 std::string Builder::key() const {
-    std::string all = fmt::format("{} {}\n", trace_, design_.project.top);
+    const fs::path self = "/proc/self/exe";
+    std::string all = fmt::format("{} {} {} {}\n", trace_, design_.project.top,
+                                  fs::file_size(self),
+                                  fs::last_write_time(self).time_since_epoch().count());
     for (const char* name : {"project", "rtl/ip"}) {
         const FileFinder ours{data_folder() / name};
         for (const fs::path& file : ours.files()) all += text_of(file);
     }
     for (const auto& word : verilator_words(design_.project)) all += word + "\n";
     for (const fs::path& file : files_) all += text_of(folder_ / file);
-    for (const char* name : {"de1sim_design.vh", "de1sim_pll_tap.v", "de1sim_clocks.h"})
+    for (const char* name : {"de1sim_design.vh", "de1sim_pll_taps.v", "de1sim_clocks.h"})
         all += text_of(folder_ / name);
     return hash_of(all);
 }
@@ -232,15 +235,15 @@ Built Builder::build(const Progress& progress) {
     auto words = verilator_words(design_.project);
     words.insert(
         words.end(),
-        {"--cc", "-O3", "--noassert", "--prefix", "Vde1sim_chip", "--Mdir", objects.string(),
-         "--top-module", "de1sim_chip", "-I" + folder_.string(),
+        {"--cc", "-O3", "--noassert", "--prefix", "Vde1sim_chip", "--Mdir",
+         objects.filename().string(), "--top-module", "de1sim_chip", "-I.",
          fmt::format("-DDE1SIM_PLL_CLOCKS={}", design_.elaborated.pll_clocks.size()),
          fmt::format("-DDE1SIM_VGA_CLK={}", design_.binding.has_vga_clk ? "VGA_CLK" : "CLOCK_50"),
          fmt::format("-DDE1SIM_GPIO_0_OUTPUTS=36'd{}", design_.binding.header_outputs[0]),
          fmt::format("-DDE1SIM_GPIO_1_OUTPUTS=36'd{}", design_.binding.header_outputs[1])});
     if (trace_) words.push_back("--trace-fst");
     words.push_back("data/project/de1sim_chip.v");
-    words.push_back("de1sim_pll_tap.v");
+    words.push_back("de1sim_pll_taps.v");
     for (const fs::path& file : files_) words.push_back(file.string());
     Outcome outcome = run_command(words, folder_, LIMIT_S);
     if (outcome.code != 0) throw ProjectError{first_error(outcome, "verilator")};

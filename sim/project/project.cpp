@@ -61,8 +61,9 @@ public:
     explicit ProjectReader(const Request& request)
         : request_{request},
           settings_{settings_at(request.place)},
-          folder_{(settings_.empty() ? fs::absolute(request.place)
-                                     : fs::absolute(settings_).parent_path())
+          folder_{(settings_.empty()
+                       ? fs::absolute(request.place / "x").lexically_normal().parent_path()
+                       : fs::absolute(settings_).parent_path())
                       .lexically_normal()},
           finder_{folder_} {
         project_.folder = folder_;
@@ -186,9 +187,10 @@ private:
         if (!project_.top.empty() && definition(project_.top)) return;
         if (!request_.top.empty())
             throw ProjectError{fmt::format("--top {}: no file defines that module", request_.top)};
-        std::set<std::string> instanced;
+        std::set<std::string> instanced;  // but by test benches, which have no ports
         for (const auto& [name, d] : modules_)
-            instanced.insert(d.module->wants.begin(), d.module->wants.end());
+            if (!d.module->ports.empty())
+                instanced.insert(d.module->wants.begin(), d.module->wants.end());
         std::vector<std::pair<std::size_t, std::string>> candidates;
         for (const auto& [name, d] : modules_) {
             if (instanced.count(name) || d.module->is_package) continue;

@@ -154,6 +154,7 @@ void read_into(std::vector<Assignment>& all, const fs::path& file, unsigned dept
                 a.value = word;
         }
         a.in_qip_folder = joined_to_qip(a.value);
+        a.to.erase(std::remove(a.to.begin(), a.to.end(), '\\'), a.to.end());  // KEY\[0\]
         std::transform(a.name.begin(), a.name.end(), a.name.begin(), ::toupper);
         all.push_back(std::move(a));
     }

@@ -1,0 +1,21 @@
+"""example_test.py DE1SIM EXAMPLE FOLDER - builds and plays a project of rtl/examples.
+
+In a copy at a path with a blank and a letter that is not ASCII; then the same again, which must not
+build anything.
+"""
+import pathlib
+import shutil
+import subprocess
+import sys
+
+de1sim, example, folder = sys.argv[1], pathlib.Path(sys.argv[2]), pathlib.Path(sys.argv[3])
+copy = folder / "a project é" / example.name
+shutil.rmtree(copy, ignore_errors=True)
+shutil.copytree(example, copy)
+played = subprocess.run([de1sim, "run", f"{example.name}.yaml", "--project", f"{example.name}.qsf"],
+                        cwd=copy)
+if played.returncode != 0:
+    sys.exit(played.returncode)
+again = subprocess.run([de1sim, "build", "."], cwd=copy, capture_output=True, text=True)
+if "is up to date" not in again.stdout or again.stderr:
+    sys.exit(f"built again: {again.stdout}{again.stderr}")

@@ -1,0 +1,209 @@
+"""projects_test.py DE1SIM FOLDER - projects as people have them: odd, incomplete or wrong.
+
+Each is a few lines of Verilog and settings, written into FOLDER/NAME.
+"""
+import pathlib
+import shutil
+import subprocess
+import sys
+import unittest
+
+DE1SIM, FOLDER = sys.argv[1], pathlib.Path(sys.argv[2])
+LEDS = "module top(input [9:0] SW, output [9:0] LEDR); assign LEDR = {}; endmodule\n"
+
+
+class Case(unittest.TestCase):
+    def setUp(self):
+        self.folder = FOLDER / self.id().split(".")[-1]
+        shutil.rmtree(self.folder, ignore_errors=True)
+        self.folder.mkdir(parents=True)
+
+    def write(self, **files):
+        """top_v="..." becomes top.v; two underscores are a folder."""
+        for name, text in files.items():
+            path = self.folder / (name.replace("__", "/")[::-1].replace("_", ".", 1)[::-1])
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_text(text)
+
+    def de1sim(self, *words):
+        return subprocess.run([DE1SIM, *words], cwd=self.folder, capture_output=True, text=True)
+
+    def refused(self, message, *words):
+        done = self.de1sim(*(words or ("check", ".")))
+        self.assertEqual(done.returncode, 2, done.stdout + done.stderr)
+        self.assertIn(message, done.stderr)
+        self.assertEqual(len(done.stderr.splitlines()), 1, done.stderr)
+
+    def checked(self, *lines):
+        done = self.de1sim("check", ".")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        for line in lines:
+            self.assertIn(line, done.stdout)
+
+    def leds(self, expected, switches=0, wait="1ms", project="."):
+        held = [i for i in range(10) if switches >> i & 1]
+        hold = f"  - hold: {{switch: {held}}}\n" if held else ""
+        (self.folder / "s.yaml").write_text(
+            f"name: leds\nversion: 1\nsteps:\n{hold}  - delay: {wait}\n"
+            f'  - expect-leds: "{expected:010b}"\n')
+        done = self.de1sim("run", "s.yaml", "--project", project)
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        return done.stderr
+
+
+class Reading(Case):
+    def test_a_folder_without_settings(self):
+        self.write(other_v=LEDS.format("~SW").replace("top", "chosen"),
+                   bench_v="module bench; chosen u (); endmodule\n")
+        self.assertIn("the top module is taken to be chosen", self.leds(0x3FE, 1))
+
+    def test_modules_that_are_not_listed(self):
+        self.write(p_qsf="set_global_assignment -name TOP_LEVEL_ENTITY top\n"
+                         "set_global_assignment -name VERILOG_FILE top.v\n",
+                   top_v=LEDS.format("y") .replace("; assign", "; wire [9:0] y; sub u (SW, y); assign"),
+                   lib__Sub_v="module sub(input [9:0] a, output [9:0] b); assign b = a; endmodule\n")
+        self.assertIn("lib/Sub.v is not listed", self.leds(5, 5))
+
+    def test_paths_of_another_machine(self):
+        self.write(p_qsf="set_global_assignment -name TOP_LEVEL_ENTITY top\n"
+                         "set_global_assignment -name VERILOG_FILE \"C:/Users/me/lab1/SRC\\\\Top.V\"\n",
+                   src__top_v=LEDS.format("SW"))
+        self.leds(3, 3)
+
+    def test_pins_before_names(self):
+        self.write(p_qsf="set_global_assignment -name TOP_LEVEL_ENTITY top\n"
+                         "set_global_assignment -name VERILOG_FILE top.v\n"
+                         "set_location_assignment PIN_AB12 -to x\n"
+                         "set_location_assignment PIN_W16 -to y\n",
+                   top_v="module top(input x, output y); assign y = x; endmodule\n")
+        self.leds(2, 1)
+
+    def test_another_device_is_said(self):
+        self.write(p_qsf="set_global_assignment -name DEVICE EP4CE115F29C7\n"
+                         "set_global_assignment -name TOP_LEVEL_ENTITY top\n", top_v=LEDS.format("SW"))
+        self.checked("DEVICE is EP4CE115F29C7; the DE1-SoC has a 5CSEMA5F31C6")
+
+
+class AsQuartusTakesIt(Case):
+    def test_odd_verilog(self):
+        self.write(top_v="module sub(input a, output b); assign b = a; endmodule\n"
+                         "module top(input [9:0] SW, output [9:0] LEDR,);\n"
+                         "wire do = SW[0]; reg [3:0] q;\n"
+                         "sub (.a(do), .b(LEDR[0]));\n"
+                         "always @* begin q = 4'b010101; q[1] = SW[1]; end\n"
+                         "assign LEDR[4:1] = q; assign LEDR[9:5] = 0;\nendmodule\n")
+        self.leds(0b1011, 1)
+        self.checked("top.v:2: dropped the comma", 'top.v:3: "do" is read as a name',
+                     "top.v:4: named the instance of sub", "top.v:5: 4'b010101 has too many digits")
+
+    def test_blocking_and_non_blocking_mixed(self):
+        self.write(top_v="module top(input CLOCK_50, output [9:0] LEDR); reg [9:0] n;\n"
+                         "always @(posedge CLOCK_50) if (n < 100) n = n + 1; else n <= 5;\n"
+                         "assign LEDR = n < 200; endmodule\n")
+        self.leds(1)
+
+    def test_pulls_of_the_wizards_files(self):
+        """tri0 and tri1 in the wizard's file and in the instantiating one: the memory must write."""
+        self.write(top_v="module top(input CLOCK_50, output [9:0] LEDR);\n"
+                         "reg [3:0] n = 0; always @(posedge CLOCK_50) n <= n + 1;\n"
+                         "tri1 clock = CLOCK_50; tri0 wren = 1;\n"
+                         "ram r (.address(n), .clock(clock), .data({n, n}), .wren(wren), .q(LEDR[7:0]));\n"
+                         "assign LEDR[9:8] = 0; endmodule\n",
+                   ram_v="module ram(address, clock, data, wren, q);\n"
+                         "input [3:0] address; input clock; input [7:0] data; input wren;\n"
+                         "output [7:0] q; tri1 clock; tri0 wren;\n"
+                         "altsyncram a (.address_a(address), .clock0(clock), .data_a(data),\n"
+                         "  .wren_a(wren), .q_a(q));\n"
+                         "defparam a.operation_mode = \"SINGLE_PORT\", a.width_a = 8,\n"
+                         "  a.widthad_a = 4, a.numwords_a = 16, a.outdata_reg_a = \"UNREGISTERED\",\n"
+                         "  a.read_during_write_mode_port_a = \"NEW_DATA_NO_NBE_READ\";\nendmodule\n")
+        self.write(s_yaml="name: ram\nversion: 1\nsteps:\n  - delay: 1ms\n")
+        done = self.de1sim("run", "s.yaml", "--project", ".")
+        self.assertRegex(done.stdout, r"LEDR 00(\d{4})\1")
+        self.assertNotIn("LEDR 0000000000", done.stdout)
+
+    def test_registers_power_up_at_zero_and_initial_counts(self):
+        self.write(top_v="module top(input CLOCK_50, output [9:0] LEDR); reg [4:0] a, b;\n"
+                         "initial b = 5'd21; assign LEDR = {a, b}; endmodule\n")
+        self.leds(21)
+
+    def test_a_file_for_readmemh_is_read_at_run_time(self):
+        self.write(top_v="module top(output [9:0] LEDR); reg [7:0] m [0:3];\n"
+                         'initial $readmemh("words.hex", m); assign LEDR = m[2]; endmodule\n',
+                   words_hex="01 02 a5 04\n")
+        self.leds(0xA5)
+        self.write(words_hex="01 02 3c 04\n")
+        self.assertNotIn("translating", self.leds(0x3C))
+
+
+class Clocks(Case):
+    def test_keys_and_dividers(self):
+        self.write(top_v="module top(input CLOCK_50, input [3:0] KEY, output [9:0] LEDR);\n"
+                         "reg [4:0] n = 0; always @(negedge KEY[0]) n <= n + 1;\n"
+                         "reg d = 0; always @(posedge CLOCK_50) d <= ~d;\n"
+                         "reg [4:0] m = 0; always @(posedge d) m <= m == 20 ? 20 : m + 1;\n"
+                         "assign LEDR = {m, n}; endmodule\n",
+                   s_yaml="name: keys\nversion: 1\nsteps:\n  - press: {key: 0, for: 1ms}\n"
+                          "  - delay: 1ms\n  - press: {key: 0, for: 1ms}\n"
+                          '  - expect-leds: "1010000010"\n')
+        done = self.de1sim("run", "s.yaml", "--project", ".")
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+
+    def test_plls_have_their_true_ratio(self):
+        pll = ("altpll p (.inclk({1'b0, CLOCK_50}), .clk(c));\n"
+               'defparam p.inclk0_input_frequency = 20000, p.clk0_multiply_by = 3,\n'
+               '  p.clk0_divide_by = 5, p.port_clk0 = "PORT_USED", p.width_clock = 5;\n')
+        self.write(top_v="module top(input CLOCK_50, output [9:0] LEDR);\nwire [4:0] c;\n" + pll +
+                         "reg [15:0] a = 0, b = 0; reg done = 0;\n"
+                         "always @(posedge CLOCK_50) if (a != 1000) a <= a + 1; else done <= 1;\n"
+                         "always @(posedge c[0]) if (!done) b <= b + 1;\n"
+                         "assign LEDR = b; endmodule\n")
+        self.checked("PLL: 30.000000 MHz")
+        self.assertIn("", self.leds(601))
+
+
+class Wrong(Case):
+    def test_no_such_place(self):
+        self.refused("nowhere.qsf: no such file or folder", "check", "nowhere.qsf")
+
+    def test_an_empty_folder(self):
+        self.refused("no Verilog or VHDL files found here")
+
+    def test_no_module_has_the_boards_pins(self):
+        self.write(a_v="module a(input x); endmodule\n")
+        self.refused("no top module is named; no module has the board's pins")
+
+    def test_two_tops(self):
+        self.write(a_v=LEDS.format("SW"), b_v=LEDS.format("SW").replace("top", "top2"))
+        self.refused("two top modules are possible, choose by --top")
+
+    def test_a_missing_module(self):
+        self.write(top_v=LEDS.format("SW").replace("; assign", ";\ngone u (SW); assign"))
+        self.refused("top.v:2:1: Cannot find file containing module: 'gone'")
+
+    def test_a_syntax_error(self):
+        self.write(top_v="module top(input [9:0] SW, output [9:0] LEDR);\nassign LEDR = SW +;\nendmodule\n")
+        self.refused("top.v:2:")
+
+    def test_garbage(self):
+        (self.folder / "top.v").write_bytes(bytes(range(256)) * 4000)
+        self.refused("no module has the board's pins")
+
+    def test_a_processors_system(self):
+        self.write(p_qsf="set_global_assignment -name TOP_LEVEL_ENTITY top\n"
+                         "set_global_assignment -name QSYS_FILE system.qsys\n",
+                   top_v="module top(input CLOCK_50); system u (.clk(CLOCK_50)); endmodule\n")
+        self.refused("system.qsys: a Qsys system")
+
+    def test_a_processors_program(self):
+        self.write(top_v=LEDS.format("SW"), s_yaml="name: x\nversion: 1\nprogram: x.elf\nsteps: [delay: 1ms]\n")
+        self.refused("has no processor", "run", "s.yaml", "--project", ".")
+
+    def test_options_of_a_processor(self):
+        self.write(top_v=LEDS.format("SW"), s_yaml="name: x\nversion: 1\nsteps: [delay: 1ms]\n")
+        self.refused("--cpu: and --project exclude each other", "run", "s.yaml", "--project", ".",
+                     "--cpu", "arm")
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])
