@@ -66,9 +66,10 @@ function(verilate_rtl target top)
         set(unchecked -fno-sanitize=all)  # not ours, and hot
     endif()
     if(arg_FOR_TEST)
-        set_target_properties(${target} PROPERTIES UNITY_BUILD ON)
+        set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 0)
         target_compile_options(${target} PRIVATE -O1 ${unchecked})
     else()
+        set_target_properties(${target} PROPERTIES UNITY_BUILD OFF)
         set(flags OPT_FAST ${unchecked} OPT_SLOW -O0 ${unchecked})  # slow: what runs once
     endif()
     # What was made from a file that is gone would ask for it in each configuration.

@@ -16,16 +16,27 @@ endif()
 # of them include come compiled, from HEADERS of tb/support.  A test that forgets to include one
 # is found by `make asan`, which is without.
 set(TEST_OPTIMISATION -O1)
+function(compile_as_test name headers)
+    target_compile_options(${name} PRIVATE ${TEST_OPTIMISATION})
+    target_precompile_headers(${name} REUSE_FROM ${headers})
+    target_link_libraries(${name} PRIVATE warnings)
+    target_include_directories(${name} PRIVATE ${CMAKE_SOURCE_DIR})
+endfunction()
 function(test_program name)
     cmake_parse_arguments(arg "" "HEADERS" "SOURCES;LIBS" ${ARGN})
     if(NOT arg_HEADERS)
         set(arg_HEADERS test_support)
     endif()
     add_executable(${name} ${arg_SOURCES})
-    target_compile_options(${name} PRIVATE ${TEST_OPTIMISATION})
-    target_precompile_headers(${name} REUSE_FROM ${arg_HEADERS})
-    target_link_libraries(${name} PRIVATE ${arg_LIBS} warnings GTest::gmock_main)
-    target_include_directories(${name} PRIVATE ${CMAKE_SOURCE_DIR})
+    target_link_libraries(${name} PRIVATE ${arg_LIBS} GTest::gmock_main)
+    compile_as_test(${name} ${arg_HEADERS})
+endfunction()
+
+# test_library(NAME sources...): what several of them share, compiled once.
+function(test_library name)
+    add_library(${name} STATIC ${ARGN})
+    target_link_libraries(${name} PRIVATE GTest::gmock)
+    compile_as_test(${name} test_support)
 endfunction()
 
 # de1_test(NAME LABEL [TIMEOUT seconds] [COST seconds] ...): a test_program() and its tests, of one

@@ -40,6 +40,9 @@ public:
 protected:
     using Bytes = std::vector<std::uint8_t>;
     static constexpr std::uint8_t PASSED = 0xAA, ACKNOWLEDGE = 0xFA, RESEND = 0xFE;
+    // Commands of both kinds of device; RATE has an argument.
+    static constexpr std::uint8_t IDENTITY = 0xF2, RATE = 0xF3, ON = 0xF4, OFF = 0xF5,
+                                  DEFAULTS = 0xF6, AGAIN = 0xFE, RESET = 0xFF;
 
     // The self-test has passed: the device sets its defaults and sends its answer.
     virtual void start() = 0;

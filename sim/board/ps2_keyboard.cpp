@@ -12,11 +12,11 @@ namespace {
 
 const sc_time key_time{20, sc_core::SC_MS};
 
-constexpr std::uint8_t LAMPS = 0xED, ECHO = 0xEE, CODE_SET = 0xF0, IDENTITY = 0xF2, RATE = 0xF3,
-                       ON = 0xF4, OFF = 0xF5, DEFAULTS = 0xF6, AGAIN = 0xFE, RESET = 0xFF;
 constexpr std::uint8_t DEFAULT_RATE = 0x2B;  // 500 ms, then 10.9 per second
 
 }  // namespace
+
+enum Ps2Keyboard::Command : std::uint8_t { LAMPS = 0xED, ECHO = 0xEE, CODE_SET = 0xF0 };
 
 Ps2Keyboard::Ps2Keyboard(const sc_core::sc_module_name& name, std::function<void()> moved)
     : Ps2Device{name, std::move(moved)} {

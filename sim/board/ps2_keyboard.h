@@ -40,6 +40,8 @@ public:
     std::uint8_t lamps() const { return lamps_; }  // as of command ED
 
 private:
+    enum Command : std::uint8_t;  // beside those of every device
+
     struct Move {
         std::uint16_t key;
         bool down;

@@ -10,11 +10,7 @@ using sc_core::sc_time;
 
 namespace {
 
-constexpr std::uint8_t SCALE_1 = 0xE6, SCALE_2 = 0xE7, RESOLUTION = 0xE8, STATUS = 0xE9,
-                       STREAM = 0xEA, READ = 0xEB, UNWRAP = 0xEC, WRAP = 0xEE, REMOTE = 0xF0,
-                       IDENTITY = 0xF2, RATE = 0xF3, ON = 0xF4, OFF = 0xF5, DEFAULTS = 0xF6,
-                       FAILURE = 0xFC, AGAIN = 0xFE, RESET = 0xFF;
-constexpr int MOST = 255;
+constexpr std::uint8_t FAILURE = 0xFC;
 constexpr std::array<std::uint8_t, 3> ASKS_FOR_WHEEL{200, 100, 80};
 
 int twofold(int counts) {
@@ -24,6 +20,18 @@ int twofold(int counts) {
 }
 
 }  // namespace
+
+enum Ps2Mouse::Command : std::uint8_t {
+    SCALE_1 = 0xE6,
+    SCALE_2 = 0xE7,
+    RESOLUTION = 0xE8,
+    STATUS = 0xE9,
+    STREAM = 0xEA,
+    READ = 0xEB,
+    UNWRAP = 0xEC,
+    WRAP = 0xEE,
+    REMOTE = 0xF0
+};
 
 Ps2Mouse::Ps2Mouse(const sc_core::sc_module_name& name, std::function<void()> moved)
     : Ps2Device{name, std::move(moved)} {

@@ -46,6 +46,10 @@ public:
     void button(MouseButton which, bool down);
 
 private:
+    enum Command : std::uint8_t;  // beside those of every device
+
+    static constexpr int MOST = 255;  // counts in a packet
+
     // What one axis has moved since the last packet.
     struct Counter {
         int counts = 0;

@@ -16,7 +16,6 @@ constexpr double CLOCK_PS = 1250;             // 800 MHz
 constexpr std::uint32_t STACK = 0x3FFFFFF8;   // top of DDR3
 constexpr std::uint64_t MASKED_QUANTUM = 64;  // while an interrupt is pending but masked
 constexpr std::uint32_t PUSHED = 128;         // bytes, by one instruction
-constexpr std::size_t STACK_BYTES = 1 << 20;  // of the host: the translator recurses
 
 std::uint64_t picoseconds(double cpi) {
     return static_cast<std::uint64_t>(std::llround(CLOCK_PS * cpi));

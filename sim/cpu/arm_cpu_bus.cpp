@@ -13,7 +13,7 @@ using sc_core::sc_time;
 
 namespace {
 
-constexpr std::uint32_t H2F_BASE = 0xC0000000, H2F_END = 0xFC000000;
+constexpr std::uint32_t FABRIC = 0xC0000000, FABRIC_END = 0xFC000000;
 
 }  // namespace
 
@@ -99,7 +99,7 @@ bool ArmCpu::write_normal(std::uint32_t address, unsigned bytes, std::uint32_t v
     const std::uint32_t page = address & ~0xFFFu;
     if (page != stores_.page) {
         if (!write(address, bytes, value)) return false;
-        if (address >= H2F_BASE && address < H2F_END) stores_.page = page;
+        if (address >= FABRIC && address < FABRIC_END) stores_.page = page;
         return true;
     }
     const bool follows = address == stores_.begin + stores_.bytes;

@@ -9,9 +9,6 @@ namespace sim {
 
 using sc_core::sc_time;
 
-// SystemC's default is 64 KB, too little for a hundred shapes in a build with sanitizers.
-constexpr std::size_t STACK_BYTES = 1 << 20;
-
 NativeCpu::NativeCpu(const sc_core::sc_module_name& name, Firmware firmware)
     : Processor{name}, firmware_{std::move(firmware)} {
     SC_HAS_PROCESS(NativeCpu);

@@ -40,6 +40,10 @@ public:
     virtual void warm_reset() {}
 
 protected:
+    // Of the host, for the thread: SystemC gives it 64 KB, which a translator's nesting outgrows,
+    // and a hundred shapes in a build with sanitizers.
+    static constexpr std::size_t STACK_BYTES = 1 << 20;
+
     explicit Processor(const sc_core::sc_module_name& module_name)
         : sc_module{module_name}, socket{"socket"} {
         socket.register_invalidate_direct_mem_ptr(this, &Processor::direct_access_changed);

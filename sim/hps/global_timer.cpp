@@ -5,9 +5,6 @@ namespace sim {
 namespace {
 
 constexpr std::uint64_t PERIPHCLK_PS = 5000;  // 200 MHz
-constexpr std::uint32_t LOW = 0x00, HIGH = 0x04, CONTROL = 0x08, STATUS = 0x0C,
-                        COMPARATOR_LOW = 0x10, COMPARATOR_HIGH = 0x14, INCREMENT = 0x18;
-constexpr std::uint32_t ENABLE = 1, COMPARE = 2, INTERRUPT = 4, AUTO_INCREMENT = 8;
 
 std::uint64_t with_low(std::uint64_t value, std::uint32_t low) {
     return (value & ~0xffffffffull) | low;
@@ -17,6 +14,22 @@ std::uint64_t with_high(std::uint64_t value, std::uint32_t high) {
 }
 
 }  // namespace
+
+enum GlobalTimer::Offset : std::uint32_t {
+    LOW = 0x00,
+    HIGH = 0x04,
+    CONTROL = 0x08,
+    STATUS = 0x0C,
+    COMPARATOR_LOW = 0x10,
+    COMPARATOR_HIGH = 0x14,
+    INCREMENT = 0x18
+};
+enum GlobalTimer::Bit : std::uint32_t {
+    ENABLE = 1,
+    COMPARE = 2,
+    INTERRUPT = 4,
+    AUTO_INCREMENT = 8
+};
 
 GlobalTimer::GlobalTimer(const sc_core::sc_module_name& module_name, std::function<void(bool)> line)
     : Registers{module_name}, line_{std::move(line)}, alarm_{"alarm", [this] {

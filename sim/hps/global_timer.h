@@ -27,6 +27,9 @@ public:
         std::function<void(bool up)> line = [](bool) {});
 
 private:
+    enum Offset : std::uint32_t;  // of a register
+    enum Bit : std::uint32_t;     // of CONTROL
+
     std::uint32_t read(std::uint32_t offset, const sc_core::sc_time& now) override;
     void write(std::uint32_t offset, std::uint32_t value, const sc_core::sc_time& now) override;
     std::uint64_t tick_ps() const;

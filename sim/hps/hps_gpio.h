@@ -34,6 +34,8 @@ public:
     void press_key(bool pressed) { drive(KEY, !pressed); }
 
 private:
+    enum Offset : std::uint32_t;  // of a register
+
     std::uint32_t read(std::uint32_t offset, const sc_core::sc_time& now) override;
     void write(std::uint32_t offset, std::uint32_t value, const sc_core::sc_time& now) override;
 

@@ -5,12 +5,22 @@ namespace sim {
 namespace {
 
 constexpr std::uint64_t PS_PER_S = 1'000'000'000'000;
-constexpr std::uint32_t LOAD = 0x00, CURRENT = 0x04, CONTROL = 0x08, EOI = 0x0C, STATUS = 0x10,
-                        ALL_STATUS = 0xA0, ALL_EOI = 0xA4, ALL_RAW = 0xA8, VERSION = 0xAC;
-constexpr std::uint32_t ENABLE = 1, USER_DEFINED = 2, MASKED = 4;
 constexpr std::uint32_t VERSION_2_05 = 0x3230352A;
 
 }  // namespace
+
+enum HpsTimer::Offset : std::uint32_t {
+    LOAD = 0x00,
+    CURRENT = 0x04,
+    CONTROL = 0x08,
+    EOI = 0x0C,
+    STATUS = 0x10,
+    ALL_STATUS = 0xA0,
+    ALL_EOI = 0xA4,
+    ALL_RAW = 0xA8,
+    VERSION = 0xAC
+};
+enum HpsTimer::Bit : std::uint32_t { ENABLE = 1, USER_DEFINED = 2, MASKED = 4 };
 
 HpsTimer::HpsTimer(const sc_core::sc_module_name& module_name, std::uint64_t hz,
                    std::function<void(bool)> line)

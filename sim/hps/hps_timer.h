@@ -26,6 +26,9 @@ public:
              std::function<void(bool up)> line);
 
 private:
+    enum Offset : std::uint32_t;  // of a register
+    enum Bit : std::uint32_t;     // of CONTROL
+
     std::uint32_t read(std::uint32_t offset, const sc_core::sc_time& now) override;
     void write(std::uint32_t offset, std::uint32_t value, const sc_core::sc_time& now) override;
     bool raw(std::uint64_t now_ps) const { return raised_ || countdown_.zeros(now_ps) > seen_; }

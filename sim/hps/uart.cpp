@@ -9,7 +9,8 @@ constexpr std::uint32_t THR = 0x00, IER = 0x04, FCR = 0x08, LCR = 0x0C, MCR = 0x
 constexpr std::uint32_t DLAB = 0x80, ETBEI = 2;
 constexpr std::uint32_t TRANSMITTER_EMPTY = 0x60, FIFO_EMPTY_NOT_FULL = 0x06;
 constexpr std::uint32_t NONE_PENDING = 1, THR_EMPTY = 2, FIFOS_ON = 0xC0;
-constexpr std::uint32_t PARAMETERS = 0x000373F2, VERSION = 0x3331312A, TYPE = 0x44570110;
+constexpr std::uint32_t PARAMETERS = 0x000373F2, COMPONENT_VERSION = 0x3331312A,
+                        COMPONENT_TYPE = 0x44570110;
 
 }  // namespace
 
@@ -33,8 +34,8 @@ std::uint32_t Uart::read(std::uint32_t offset, const sc_core::sc_time&) {
         case SCR: return scr_;
         case USR: return FIFO_EMPTY_NOT_FULL;
         case CPR: return PARAMETERS;
-        case UCV: return VERSION;
-        case CTR: return TYPE;
+        case UCV: return COMPONENT_VERSION;
+        case CTR: return COMPONENT_TYPE;
         default: return 0;
     }
 }

@@ -135,6 +135,8 @@ private:
     std::int64_t give_link(const std::string& path, std::uint32_t to, std::uint32_t size);
 
     // kernel_time.cpp
+    static constexpr std::uint64_t NS = 1'000'000'000;                 // per second
+    static constexpr std::uint64_t LONGEST_NS = NS * 3600 * 24 * 100;  // SystemC's time is finite
     Result sys_clock_gettime(const Arguments&);
     Result sys_clock_gettime64(const Arguments&);
     Result sys_clock_getres(const Arguments&);

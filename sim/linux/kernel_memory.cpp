@@ -9,14 +9,14 @@ namespace sim {
 
 namespace {
 
-constexpr std::uint32_t PAGE = AddressSpace::PAGE;
 constexpr unsigned ACCESS = arm_access::ALL;  // PROT_ bits have the same places
 
-bool aligned(std::uint32_t address) { return address % PAGE == 0; }
+bool aligned(std::uint32_t address) { return address % AddressSpace::PAGE == 0; }
 
 // Whole pages, 0 when that is more than a process has.
 std::uint32_t pages(std::uint32_t bytes) {
-    return bytes > AddressSpace::TOP ? 0 : (bytes + PAGE - 1) & ~(PAGE - 1);
+    return bytes > AddressSpace::TOP ? 0
+                                     : (bytes + AddressSpace::PAGE - 1) & ~(AddressSpace::PAGE - 1);
 }
 
 bool inside(std::uint32_t begin, std::uint32_t bytes) {
@@ -28,7 +28,7 @@ bool inside(std::uint32_t begin, std::uint32_t bytes) {
 
 LinuxKernel::Result LinuxKernel::sys_brk(const Arguments& a) {
     const std::uint32_t wish = a[0];
-    if (wish < break_begin_ || wish > AddressSpace::TOP - PAGE) return break_;
+    if (wish < break_begin_ || wish > AddressSpace::TOP - AddressSpace::PAGE) return break_;
     const std::uint32_t was = pages(break_), will = pages(wish);
     if (will < was) memory_.unmap(will, was - will);
     if (will > was && (!memory_.is_free(was, will - was) ||
@@ -40,7 +40,7 @@ LinuxKernel::Result LinuxKernel::sys_brk(const Arguments& a) {
 std::optional<std::uint32_t> LinuxKernel::place_of(std::uint32_t wish, std::uint32_t bytes,
                                                    std::uint32_t flags) const {
     if (flags & (arm_mmap::FIXED | arm_mmap::FIXED_NOREPLACE)) return wish;
-    wish &= ~(PAGE - 1);
+    wish &= ~(AddressSpace::PAGE - 1);
     if (wish != 0 && inside(wish, bytes) && memory_.is_free(wish, bytes)) return wish;
     return memory_.find_room(bytes);
 }
@@ -69,7 +69,8 @@ LinuxKernel::Result LinuxKernel::sys_mmap2(const Arguments& a) {
     const auto place = place_of(wish, bytes, flags);
     if (!place || !memory_.map(*place, bytes, anonymous ? access : ACCESS)) return -ENOMEM;
     if (anonymous) return *place;
-    const std::int64_t error = fill_from_file(fd, *place, bytes, std::int64_t{page} * PAGE);
+    const std::int64_t error =
+        fill_from_file(fd, *place, bytes, std::int64_t{page} * AddressSpace::PAGE);
     if (error < 0) memory_.unmap(*place, bytes);
     if (error < 0) return error;
     memory_.protect(*place, bytes, access);
@@ -77,7 +78,7 @@ LinuxKernel::Result LinuxKernel::sys_mmap2(const Arguments& a) {
 }
 
 std::int64_t LinuxKernel::map_bus(const Arguments& a, std::uint32_t bytes, unsigned access) {
-    const std::uint64_t physical = std::uint64_t{a[5]} * PAGE;
+    const std::uint64_t physical = std::uint64_t{a[5]} * AddressSpace::PAGE;
     if (physical + bytes > std::uint64_t{1} << 32) return -EINVAL;
     const auto place = place_of(a[0], bytes, a[3]);
     if (!place) return -ENOMEM;

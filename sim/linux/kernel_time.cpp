@@ -8,10 +8,8 @@ namespace sim {
 
 namespace {
 
-constexpr std::uint64_t NS = 1'000'000'000;
 constexpr std::uint32_t CLOCKS = 12, ABSOLUTE = 1;
-constexpr std::uint64_t TICK_NS = 10'000'000;               // of times()
-constexpr std::uint64_t LONGEST_NS = NS * 3600 * 24 * 100;  // SystemC's time is finite
+constexpr std::uint64_t TICK_NS = 10'000'000;  // of times()
 constexpr std::uint32_t FUTEX_WAIT = 0, FUTEX_WAKE = 1, FUTEX_WAIT_BITSET = 9,
                         FUTEX_WAKE_BITSET = 10, FUTEX_COMMAND = 0x7F;
 

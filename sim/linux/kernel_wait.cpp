@@ -12,9 +12,6 @@ namespace sim {
 
 namespace {
 
-constexpr std::uint64_t NS = 1'000'000'000;
-constexpr std::uint64_t LONGEST_NS = NS * 3600 * 24 * 100;  // SystemC's time is finite
-
 struct PollEntry {
     std::int32_t fd;
     std::int16_t events, found;

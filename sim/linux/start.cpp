@@ -13,7 +13,7 @@ namespace sim {
 
 namespace {
 
-constexpr std::uint32_t PAGE = AddressSpace::PAGE, HELPERS = 0xFFFF0000;
+constexpr std::uint32_t HELPERS = 0xFFFF0000;
 constexpr std::uint32_t STACK_BYTES = 8 << 20, HEADER_BYTES = 32, TICKS_A_SECOND = 100;
 constexpr std::size_t MOST_ARGUMENT_BYTES = 128 << 10;
 
@@ -57,8 +57,8 @@ const std::vector<Code>& helper_code() {
     return code;
 }
 
-std::uint32_t page_down(std::uint32_t address) { return address & ~(PAGE - 1); }
-std::uint32_t page_up(std::uint32_t address) { return page_down(address + PAGE - 1); }
+std::uint32_t page_down(std::uint32_t address) { return address & ~(AddressSpace::PAGE - 1); }
+std::uint32_t page_up(std::uint32_t address) { return page_down(address + AddressSpace::PAGE - 1); }
 
 void map_segments(AddressSpace& memory, const ElfProgram& program) {
     for (const ElfSegment& segment : program.segments) {
@@ -68,8 +68,9 @@ void map_segments(AddressSpace& memory, const ElfProgram& program) {
             const std::uint32_t border = there ? std::min(end, there->second.end) : end;
             bool mapped = there.has_value();
             if (!there) {
-                std::uint32_t free_end = page + PAGE;
-                while (free_end < end && memory.is_free(free_end, PAGE)) free_end += PAGE;
+                std::uint32_t free_end = page + AddressSpace::PAGE;
+                while (free_end < end && memory.is_free(free_end, AddressSpace::PAGE))
+                    free_end += AddressSpace::PAGE;
                 mapped = memory.map(page, free_end - page, arm_access::READ | arm_access::WRITE);
                 page = free_end;
             } else {
@@ -84,13 +85,14 @@ void map_segments(AddressSpace& memory, const ElfProgram& program) {
     for (const ElfSegment& segment : program.segments) {
         const std::uint32_t begin = page_down(segment.address);
         const std::uint32_t end = page_up(segment.address + segment.size);
-        for (std::uint32_t page = begin; page < end; page += PAGE) {
+        for (std::uint32_t page = begin; page < end; page += AddressSpace::PAGE) {
             unsigned access = arm_access::READ;
             for (const ElfSegment& other : program.segments)
-                if (page + PAGE > other.address && page < other.address + other.size)
+                if (page + AddressSpace::PAGE > other.address && page < other.address + other.size)
                     access |= (other.writable ? arm_access::WRITE : 0) |
                               (other.executable ? arm_access::EXECUTE : 0);
-            if (memory.at(page)->second.access != access) memory.protect(page, PAGE, access);
+            if (memory.at(page)->second.access != access)
+                memory.protect(page, AddressSpace::PAGE, access);
         }
     }
 }
@@ -127,9 +129,9 @@ std::uint32_t make_stack(AddressSpace& memory, const ElfProgram& program,
         throw std::runtime_error{program.file.string() + ": no room for its stack"};
     Stack stack{memory, AddressSpace::TOP - 4};
     const std::uint32_t name = stack.push(path_of(program)), platform = stack.push("v7l");
-    static const std::uint8_t SEED[16] = {0x9E, 0x37, 0x79, 0xB9, 0x7F, 0x4A, 0x7C, 0x15,
-                                          0xF3, 0x9C, 0xC0, 0x60, 0x5C, 0xED, 0xC8, 0x34};
-    const std::uint32_t random = stack.push(SEED, sizeof SEED);
+    static const std::uint8_t RANDOM_BYTES[16] = {0x9E, 0x37, 0x79, 0xB9, 0x7F, 0x4A, 0x7C, 0x15,
+                                                  0xF3, 0x9C, 0xC0, 0x60, 0x5C, 0xED, 0xC8, 0x34};
+    const std::uint32_t random = stack.push(RANDOM_BYTES, sizeof RANDOM_BYTES);
 
     std::vector<std::uint32_t> words{static_cast<std::uint32_t>(arguments.size() + 1), name};
     for (const std::string& argument : arguments) words.push_back(stack.push(argument));
@@ -144,28 +146,40 @@ std::uint32_t make_stack(AddressSpace& memory, const ElfProgram& program,
     if (program.headers != 0)
         words.insert(words.end(),
                      {PHDR, program.headers, PHENT, HEADER_BYTES, PHNUM, program.header_count});
-    words.insert(words.end(),
-                 {PAGESZ,   PAGE,     BASE,   0,      FLAGS,  0,    ENTRY,  program.entry,
-                  UID,      0,        EUID,   0,      GID,    0,    EGID,   0,
-                  PLATFORM, platform, HWCAP,  able,   HWCAP2, 0,    CLKTCK, TICKS_A_SECOND,
-                  SECURE,   0,        RANDOM, random, EXECFN, name, END,    0});
+    words.insert(words.end(), {PAGESZ,   AddressSpace::PAGE,
+                               BASE,     0,
+                               FLAGS,    0,
+                               ENTRY,    program.entry,
+                               UID,      0,
+                               EUID,     0,
+                               GID,      0,
+                               EGID,     0,
+                               PLATFORM, platform,
+                               HWCAP,    able,
+                               HWCAP2,   0,
+                               CLKTCK,   TICKS_A_SECOND,
+                               SECURE,   0,
+                               RANDOM,   random,
+                               EXECFN,   name,
+                               END,      0});
     return stack.push_words(words);
 }
 
 }  // namespace
 
 KernelHelpers::KernelHelpers(ArmCore& core) : core_{core} {
-    void* page = mmap(nullptr, PAGE, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+    void* page = mmap(nullptr, AddressSpace::PAGE, PROT_READ | PROT_WRITE,
+                      MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
     if (page == MAP_FAILED) throw std::bad_alloc{};
     page_ = static_cast<std::uint8_t*>(page);
     for (const Code& code : helper_code())
         std::memcpy(page_ + code.offset, code.words.data(), 4 * code.words.size());
 }
 
-KernelHelpers::~KernelHelpers() { munmap(page_, PAGE); }
+KernelHelpers::~KernelHelpers() { munmap(page_, AddressSpace::PAGE); }
 
 void KernelHelpers::connect() {
-    core_.map_ram(HELPERS, PAGE, page_, arm_access::READ | arm_access::EXECUTE);
+    core_.map_ram(HELPERS, AddressSpace::PAGE, page_, arm_access::READ | arm_access::EXECUTE);
 }
 
 void KernelHelpers::set_tls(std::uint32_t value) {

@@ -59,8 +59,8 @@ void on_death(int signal) {
     for (std::size_t i = 0; i < std::size(ENDINGS); ++i) {
         if (ENDINGS[i].signal != signal) continue;
         for (const File& file : prepared[counts].endings[i]) write_prepared(file);
-        constexpr std::string_view NAME = "de1sim: ", END = "\n";
-        for (const std::string_view text : {NAME, std::string_view{ENDINGS[i].fault}, END})
+        constexpr std::string_view NAME = "de1sim: ", NEWLINE = "\n";
+        for (const std::string_view text : {NAME, std::string_view{ENDINGS[i].fault}, NEWLINE})
             [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, text.data(), text.size());
     }
     _exit(WRONG_INPUT);

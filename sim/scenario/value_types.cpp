@@ -130,6 +130,8 @@ ValueType word(const std::string& expected, const std::vector<std::string>& word
             "", words};
 }
 
+const ValueType HERTZ = decimal_number("a frequency in hertz, 20 to 20000", 20, 20000);
+
 }  // namespace value_types
 
 namespace {

@@ -32,7 +32,7 @@ struct ValueType {
 
 namespace value_types {
 
-extern const ValueType LINE, TEXT, TIME, SOME_TIME;
+extern const ValueType LINE, TEXT, TIME, SOME_TIME, HERTZ;
 
 ValueType whole_number(const std::string& expected, std::uint64_t least, std::uint64_t most);
 ValueType decimal_number(const std::string& expected, double least, double most);

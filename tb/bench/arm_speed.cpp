@@ -9,12 +9,6 @@
 
 namespace bench {
 
-namespace {
-
-constexpr unsigned RUNS = 3, DURATION_S = 3;
-
-}  // namespace
-
 void arm_speed(const std::string& de1sim, const std::string& scenario, const std::string& out,
                const std::string& elf, const std::string& loop) {
     const auto run = [&](const std::vector<std::string>& options, unsigned duration_s) {

@@ -28,6 +28,9 @@ MeasuredRun measure_run(const std::string& de1sim, const std::string& scenario,
                         std::optional<unsigned> duration_s, const std::filesystem::path& out,
                         const std::vector<std::string>& options = {"--frames", "all"});
 
+// How often each is measured, and how long a run is.
+constexpr unsigned RUNS = 3, DURATION_S = 3;
+
 double median(std::vector<double> values);  // not of none
 
 }  // namespace bench

@@ -15,7 +15,6 @@ namespace bench {
 
 namespace {
 
-constexpr unsigned RUNS = 3, DURATION_S = 3;
 constexpr double CLOCKS = DURATION_S * 1e12 / sim::FABRIC_PERIOD_PS;
 
 // Frames per second for each Mclock/s of the bare model that leaves nothing out.  That model is

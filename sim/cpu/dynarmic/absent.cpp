@@ -8,10 +8,6 @@ namespace sim {
 
 namespace {
 
-constexpr bool is(std::uint32_t word, std::uint32_t mask, std::uint32_t value) {
-    return (word & mask) == value;
-}
-
 struct Encoding {
     std::uint32_t mask, value;
 };

@@ -16,6 +16,8 @@
 
 namespace sim {
 
+constexpr std::uint32_t SCTLR_M = 1;  // addresses are translated
+
 class Cp15Registers {
 public:
     Cp15Registers() { reset(); }

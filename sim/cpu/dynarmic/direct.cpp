@@ -6,10 +6,6 @@ namespace sim {
 
 namespace {
 
-constexpr bool is(std::uint32_t word, std::uint32_t mask, std::uint32_t value) {
-    return (word & mask) == value;
-}
-
 struct Registers {
     const std::uint32_t* r;
     std::uint32_t pc;  // as an instruction reads it, aligned

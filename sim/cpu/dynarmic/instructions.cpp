@@ -4,16 +4,6 @@ namespace sim {
 
 namespace {
 
-constexpr bool is(std::uint32_t word, std::uint32_t mask, std::uint32_t value) {
-    return (word & mask) == value;
-}
-
-unsigned bits_of(std::uint32_t word) {
-    unsigned count = 0;
-    for (; word != 0; word &= word - 1) ++count;
-    return count;
-}
-
 // Of coprocessor instructions: 10 and 11 are VFP.
 unsigned coprocessor(std::uint32_t word) { return word >> 8 & 0xF; }
 bool is_vfp(std::uint32_t word) { return (coprocessor(word) & 0xE) == 0xA; }

@@ -9,6 +9,17 @@
 
 namespace sim {
 
+// Whether `word` has these bits where `mask` has ones.
+constexpr bool is(std::uint32_t word, std::uint32_t mask, std::uint32_t value) {
+    return (word & mask) == value;
+}
+// How many ones: of an LDM's list, its registers.
+constexpr unsigned bits_of(std::uint32_t word) {
+    unsigned count = 0;
+    for (; word != 0; word &= word - 1) ++count;
+    return count;
+}
+
 inline unsigned thumb_bytes(std::uint16_t first) { return first < 0xE800 ? 2 : 4; }
 
 // Dynarmic does not execute it, or does so wrongly: the engine's system.cpp executes it.

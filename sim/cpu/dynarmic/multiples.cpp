@@ -3,16 +3,11 @@
 //
 // They change registers after all their accesses, so one that aborts has changed nothing.
 #include "sim/cpu/dynarmic/engine.h"
+#include "sim/cpu/dynarmic/instructions.h"
 
 namespace sim {
 
 namespace {
-
-unsigned bits_of(std::uint32_t list) {
-    unsigned count = 0;
-    for (; list != 0; list &= list - 1) ++count;
-    return count;
-}
 
 // The lowest address of `bytes`, of which `base` is one end.
 std::uint32_t first_address(std::uint32_t base, std::uint32_t bytes, bool up, bool before) {

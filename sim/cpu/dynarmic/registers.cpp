@@ -5,12 +5,6 @@
 
 namespace sim {
 
-namespace {
-
-constexpr std::uint32_t SCTLR_M = 1;
-
-}  // namespace
-
 // ---- Registers ----------------------------------------------------------------------------------
 
 void ArmCore::reset(std::uint32_t entry, std::uint32_t stack) {

@@ -9,10 +9,6 @@ namespace sim {
 
 namespace {
 
-constexpr bool is(std::uint32_t word, std::uint32_t mask, std::uint32_t value) {
-    return (word & mask) == value;
-}
-
 std::uint32_t turned(std::uint32_t value, unsigned by) {
     return by ? value >> by | value << (32 - by) : value;
 }

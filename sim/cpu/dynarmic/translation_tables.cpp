@@ -7,7 +7,7 @@ namespace sim {
 
 namespace {
 
-constexpr std::uint32_t SCTLR_M = 1, SCTLR_TRE = 1u << 28, SCTLR_AFE = 1u << 29;
+constexpr std::uint32_t SCTLR_TRE = 1u << 28, SCTLR_AFE = 1u << 29;
 constexpr std::uint32_t TTBCR_PD0 = 1u << 4, TTBCR_PD1 = 1u << 5;
 constexpr Cp15 PRRR{10, 0, 2, 0};
 

@@ -42,7 +42,7 @@ private:
 // ---- Keys by their names ----
 
 // A key is read as its index in keys().
-Reading read_key(const YamlNode& node) {
+Reading read_keyboard_key(const YamlNode& node) {
     std::string name = node.text;
     if (name.size() == 1) name[0] = static_cast<char>(std::tolower(name[0]));
     const auto at = std::find_if(keys().begin(), keys().end(),
@@ -66,7 +66,8 @@ const ValueType& key_type() {
         return ValueType{
             "a key: Left, Esc, F1, Ctrl, RightCtrl, Numpad5 and so on, or the "
             "character that it makes",
-            fmt::format(R"({{"enum": [{}]}})", fmt::join(choices, ", ")), read_key, "key", names};
+            fmt::format(R"({{"enum": [{}]}})", fmt::join(choices, ", ")), read_keyboard_key, "key",
+            names};
     }();
     return TYPE;
 }

@@ -18,7 +18,6 @@ using namespace value_types;
 // ---- expect-tone ----
 
 const ValueType PERCENT = percent("a percentage such as 3%, from 0.01% to 50%", 0.01, 50);
-const ValueType HERTZ = decimal_number("a frequency in hertz, 20 to 20000", 20, 20000);
 
 class ExpectTone : public Claim {
 public:

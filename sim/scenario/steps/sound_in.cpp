@@ -71,8 +71,7 @@ public:
 
 const ValueType INPUT = word("line-in or microphone", {"line-in", "microphone"});
 const ValueType REPEAT = word("once or forever", {"once", "forever"});
-const ValueType HERTZ = decimal_number("a frequency in hertz, 20 to 20000", 20, 20000);
-const ValueType LEVEL = percent("a percentage such as 50%, from 1% to 100%", 1, 100);
+const ValueType AMPLITUDE = percent("a percentage such as 50%, from 1% to 100%", 1, 100);
 
 }  // namespace
 
@@ -96,7 +95,7 @@ std::vector<StepForm> sound_in() {
          Notation::MAP,
          {},
          {{"hz", HERTZ, Need::REQUIRED, "", "Its frequency in hertz."},
-          {"level", LEVEL, Need::OPTIONAL, "50%", "Its amplitude in parts of full scale."},
+          {"level", AMPLITUDE, Need::OPTIONAL, "50%", "Its amplitude in parts of full scale."},
           into},
          make<PlayTone>},
         {"play-silence",

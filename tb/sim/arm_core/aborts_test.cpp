@@ -11,7 +11,7 @@
 #include "tb/sim/arm_core/bench.h"
 #include "tb/sim/arm_core/maker.h"
 
-namespace {
+namespace aborts {
 
 using namespace tb::core;
 using sim::ArmStop;
@@ -209,4 +209,4 @@ TEST_F(Aborts, OfVfpLeaveRegistersAloneInThumb) { each(vfp_encodings(), true, tr
 TEST_F(Aborts, OfNeonLeaveRegistersAloneInArm) { each(neon_memory_encodings(), false, true); }
 TEST_F(Aborts, OfNeonLeaveRegistersAloneInThumb) { each(neon_memory_encodings(), true, true); }
 
-}  // namespace
+}  // namespace aborts

@@ -14,7 +14,7 @@
 #include "tb/sim/arm_core/machine.h"
 #include "tb/sim/arm_core/states.h"
 
-namespace {
+namespace against_emulators {
 
 using namespace tb::core;
 
@@ -190,4 +190,4 @@ TEST_F(AgainstQemu, VfpInThumbComputesTheSame) { execute(true, Kind::VFP, 5); }
 TEST_F(AgainstQemu, NeonInArmComputesTheSame) { execute(false, Kind::NEON_COMPUTING, 5); }
 TEST_F(AgainstQemu, NeonInThumbComputesTheSame) { execute(true, Kind::NEON_COMPUTING, 5); }
 
-}  // namespace
+}  // namespace against_emulators

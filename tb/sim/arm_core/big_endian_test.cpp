@@ -4,7 +4,7 @@
 
 #include "tb/sim/arm_core/system_bench.h"
 
-namespace {
+namespace big_endian {
 
 using namespace tb::core;
 
@@ -119,4 +119,4 @@ TEST_P(BigEndian, SavesAndTakesTheUsersRegistersSo) {
 INSTANTIATE_TEST_SUITE_P(In, BigEndian, ::testing::Combine(::testing::Bool(), ::testing::Bool()),
                          name_of_way);
 
-}  // namespace
+}  // namespace big_endian

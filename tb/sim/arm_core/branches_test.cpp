@@ -7,7 +7,7 @@
 #include "tb/sim/arm_core/machine.h"
 #include "tb/sim/arm_core/program.h"
 
-namespace {
+namespace branches {
 
 using namespace tb::core;
 
@@ -41,4 +41,4 @@ void go(bool thumb) {
 TEST(BranchesAgainstUnicorn, GoToTheSameInArm) { go(false); }
 TEST(BranchesAgainstUnicorn, GoToTheSameInThumb) { go(true); }
 
-}  // namespace
+}  // namespace branches

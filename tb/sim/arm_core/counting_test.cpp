@@ -10,7 +10,7 @@
 #include "tb/sim/arm_core/bench.h"
 #include "tb/sim/arm_core/program.h"
 
-namespace {
+namespace counting {
 
 using namespace tb::core;
 using sim::ArmStop;
@@ -301,4 +301,4 @@ TEST_P(Overlapping, CountWhatWasDoneBeforeAnAccessFromWhereverItWasEntered) {
 INSTANTIATE_TEST_SUITE_P(Blocks, Overlapping, ::testing::Bool(),
                          [](const auto& given) { return given.param ? "Thumb" : "Arm"; });
 
-}  // namespace
+}  // namespace counting

@@ -4,7 +4,7 @@
 
 #include "tb/sim/arm_core/system_bench.h"
 
-namespace {
+namespace exception_returns {
 
 using namespace tb::core;
 using sim::ArmStop;
@@ -275,4 +275,4 @@ INSTANTIATE_TEST_SUITE_P(Only, ArmExceptionReturns,
                          ::testing::Combine(::testing::Values(false), ::testing::Bool()),
                          name_of_way);
 
-}  // namespace
+}  // namespace exception_returns

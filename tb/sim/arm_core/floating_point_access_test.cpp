@@ -3,7 +3,7 @@
 
 #include "tb/sim/arm_core/system_bench.h"
 
-namespace {
+namespace floating_point_access {
 
 using namespace tb::core;
 
@@ -127,4 +127,4 @@ TEST_P(FloatingPointAccess, IsLostInTheMidstOfALoop) {
 INSTANTIATE_TEST_SUITE_P(In, FloatingPointAccess,
                          ::testing::Combine(::testing::Bool(), ::testing::Bool()), name_of_way);
 
-}  // namespace
+}  // namespace floating_point_access

@@ -6,7 +6,7 @@
 
 #include "tb/sim/arm_core/bench.h"
 
-namespace {
+namespace many_modes {
 
 using namespace tb::core;
 
@@ -31,4 +31,4 @@ TEST(ManyModesOfFpscr, TakeNoMoreMemoryThanAFew) {
     }
 }
 
-}  // namespace
+}  // namespace many_modes

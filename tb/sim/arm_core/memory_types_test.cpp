@@ -4,7 +4,7 @@
 
 #include "tb/sim/arm_core/bench.h"
 
-namespace {
+namespace memory_types {
 
 using namespace tb::core;
 
@@ -95,4 +95,4 @@ TEST_F(MemoryTypes, AreNotNormalWithTheMmuOff) {
     EXPECT_FALSE(is_normal(BUS));
 }
 
-}  // namespace
+}  // namespace memory_types

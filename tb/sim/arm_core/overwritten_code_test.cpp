@@ -8,7 +8,7 @@
 
 #include "tb/sim/arm_core/bench.h"
 
-namespace {
+namespace overwritten_code {
 
 using namespace tb::core;
 using sim::ArmStop;
@@ -192,4 +192,4 @@ TEST_F(OverwrittenCode, ChangesHowFarItIsToTheNextBranch) {
     EXPECT_EQ(bench.core.pc(), 0x801Cu);
 }
 
-}  // namespace
+}  // namespace overwritten_code

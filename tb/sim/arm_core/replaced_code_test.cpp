@@ -5,7 +5,7 @@
 #include "sim/cpu/arm_exceptions.h"
 #include "tb/sim/arm_core/bench.h"
 
-namespace {
+namespace replaced_code {
 
 using namespace tb::core;
 using sim::ArmStop;
@@ -239,4 +239,4 @@ TEST_F(ReplacedLoop, KeepsABreakpointAndLosesItAsItIsTold) {
     EXPECT_EQ(breakpoint.met.size(), 4u);
 }
 
-}  // namespace
+}  // namespace replaced_code

@@ -4,7 +4,7 @@
 
 #include "tb/sim/arm_core/system_bench.h"
 
-namespace {
+namespace running_off {
 
 using namespace tb::core;
 using sim::ArmStop;
@@ -151,4 +151,4 @@ TEST(RunningOffInThumb, InTheMidstOfAnInstructionAborts) {
     }
 }
 
-}  // namespace
+}  // namespace running_off

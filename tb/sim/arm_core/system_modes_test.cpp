@@ -3,7 +3,7 @@
 
 #include "tb/sim/arm_core/system_bench.h"
 
-namespace {
+namespace system_modes {
 
 using namespace tb::core;
 
@@ -181,4 +181,4 @@ TEST(SystemModesInThumb, AreReadAndFlagsWrittenInAnItBlock) {
     EXPECT_EQ(bench.core.instructions(), 5u);
 }
 
-}  // namespace
+}  // namespace system_modes

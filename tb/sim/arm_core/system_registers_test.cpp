@@ -4,7 +4,7 @@
 
 #include "tb/sim/arm_core/system_bench.h"
 
-namespace {
+namespace system_registers {
 
 using namespace tb::core;
 using sim::Cp15;
@@ -200,4 +200,4 @@ INSTANTIATE_TEST_SUITE_P(In, SystemRegisters,
 INSTANTIATE_TEST_SUITE_P(In, CycleCounter, ::testing::Combine(::testing::Bool(), ::testing::Bool()),
                          name_of_way);
 
-}  // namespace
+}  // namespace system_registers

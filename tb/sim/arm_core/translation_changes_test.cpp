@@ -4,7 +4,7 @@
 
 #include "tb/sim/arm_core/translation_bench.h"
 
-namespace {
+namespace translation_changes {
 
 using namespace tb::core;
 using sim::ArmStop;
@@ -223,4 +223,4 @@ INSTANTIATE_TEST_SUITE_P(In, TranslationChanges,
 INSTANTIATE_TEST_SUITE_P(In, TranslatedCode,
                          ::testing::Combine(::testing::Bool(), ::testing::Bool()), name_of_way);
 
-}  // namespace
+}  // namespace translation_changes

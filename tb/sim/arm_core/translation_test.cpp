@@ -4,7 +4,7 @@
 
 #include "tb/sim/arm_core/translation_bench.h"
 
-namespace {
+namespace translation {
 
 using namespace tb::core;
 
@@ -215,4 +215,4 @@ TEST_P(Translation, AllowsWhatTheSimplerPermissionsSay) {
 INSTANTIATE_TEST_SUITE_P(In, Translation, ::testing::Combine(::testing::Bool(), ::testing::Bool()),
                          name_of_way);
 
-}  // namespace
+}  // namespace translation

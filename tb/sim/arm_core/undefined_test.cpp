@@ -10,7 +10,7 @@
 #include "tb/sim/arm_core/machine.h"
 #include "tb/sim/arm_core/states.h"
 
-namespace {
+namespace undefined {
 
 using namespace tb::core;
 
@@ -120,4 +120,4 @@ TEST_F(UndefinedWords, AreThoseAroundMemoryHints) {
     compare("111101xxxxxxxxxxxxxxxxxxxxxxxxxx", false, in_hints);
 }
 
-}  // namespace
+}  // namespace undefined

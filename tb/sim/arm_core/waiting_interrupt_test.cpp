@@ -3,7 +3,7 @@
 
 #include "tb/sim/arm_core/system_bench.h"
 
-namespace {
+namespace waiting_interrupt {
 
 using namespace tb::core;
 using sim::ArmStop;
@@ -63,4 +63,4 @@ TEST_P(WaitingInterrupt, CanStopTheRunBehindThatInstruction) {
 INSTANTIATE_TEST_SUITE_P(EachWay, WaitingInterrupt,
                          ::testing::Combine(::testing::Bool(), ::testing::Bool()), name_of_way);
 
-}  // namespace
+}  // namespace waiting_interrupt

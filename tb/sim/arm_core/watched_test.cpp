@@ -4,7 +4,7 @@
 
 #include "tb/sim/arm_core/system_bench.h"
 
-namespace {
+namespace watched {
 
 using namespace tb::core;
 using sim::ArmStop;
@@ -91,4 +91,4 @@ TEST_P(Watched, StopsWhatIsLeftOutOfTranslatedCode) {
 INSTANTIATE_TEST_SUITE_P(In, Watched, ::testing::Combine(::testing::Bool(), ::testing::Bool()),
                          name_of_way);
 
-}  // namespace
+}  // namespace watched
