@@ -38,10 +38,13 @@ const std::vector<MemoryRange>& program_memory() {
 
 Board::Board(const sc_core::sc_module_name& name, Audience& audience, Software software,
              std::uint64_t seed, const std::string& trace_file, Fpga::Memory memory,
-             unsigned audio_rate, Ps2Ports ps2_ports)
+             unsigned audio_rate, Ps2Ports ps2_ports, Monitor::Strictness vga)
     : sc_module{name},
       audience_{audience},
-      monitor{[&audience](const Monitor::Frame& frame) { audience.frame(frame); }},
+      monitor{[&audience](const Monitor::Frame& frame) { audience.frame(frame); }, vga,
+              [&audience, vga](const std::string& line) {
+                  if (vga == Monitor::Strictness::TOLERANT) audience.log("monitor: " + line);
+              }},
       codec_chip{[this, &audience](const StereoSample& sample, std::uint64_t) {
                      if (codec_chip.rate_hz() != rate_hz_)
                          audience.sample_rate(rate_hz_ = codec_chip.rate_hz());

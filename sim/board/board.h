@@ -68,7 +68,7 @@ public:
     virtual void console(char character) = 0;
     // Whenever one of them has moved.
     virtual void lamps(const Lamps& /*lamps*/, double /*time_s*/) {}
-    // What a person should know of the program: aborts, resets.
+    // What a person should know of the run: aborts, resets, what a tolerant monitor locks on to.
     virtual void log(const std::string& /*line*/) {}
 
 protected:
@@ -86,7 +86,7 @@ public:
     Board(const sc_core::sc_module_name& name, Audience& audience, Software software,
           std::uint64_t seed, const std::string& trace_file,
           Fpga::Memory memory = Fpga::Memory::BRIDGED, unsigned audio_rate = 8'000,
-          Ps2Ports ps2_ports = {});
+          Ps2Ports ps2_ports = {}, Monitor::Strictness vga = Monitor::Strictness::STRICT);
 
     // Hands on the board: masks of keypad keys (4 * row + column), HPS_KEY and KEY3-0, and SW9-0.
     void hold(std::uint16_t keypad, std::uint8_t keys, std::uint16_t switches);
