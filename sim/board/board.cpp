@@ -14,10 +14,13 @@ double seconds(std::uint64_t ps) { return static_cast<double>(ps) * 1e-12; }
 }  // namespace
 
 Board::Board(const sc_core::sc_module_name& name, Audience& audience, std::uint64_t seed,
-             Ps2Ports ps2_ports, const ChipMaker& make_chip)
+             Ps2Ports ps2_ports, const ChipMaker& make_chip, Monitor::Strictness vga)
     : sc_module{name},
       audience_{audience},
-      monitor{[&audience](const Monitor::Frame& frame) { audience.frame(frame); }},
+      monitor{[&audience](const Monitor::Frame& frame) { audience.frame(frame); }, vga,
+              [&audience, vga](const std::string& line) {
+                  if (vga == Monitor::Strictness::TOLERANT) audience.log("monitor: " + line);
+              }},
       codec_chip{[this, &audience](const StereoSample& sample, std::uint64_t) {
                      if (codec_chip.rate_hz() != rate_hz_)
                          audience.sample_rate(rate_hz_ = codec_chip.rate_hz());

@@ -43,7 +43,8 @@ class Board : public sc_core::sc_module, private PinListener {
 public:
     // `seed` of the keypad's contact bounce.
     Board(const sc_core::sc_module_name& name, Audience& audience, std::uint64_t seed,
-          Ps2Ports ps2_ports, const ChipMaker& make_chip);
+          Ps2Ports ps2_ports, const ChipMaker& make_chip,
+          Monitor::Strictness vga = Monitor::Strictness::STRICT);
 
     // Hands on the board: masks of keypad keys (4 * row + column), HPS_KEY and KEY3-0, and SW9-0.
     void hold(std::uint16_t keypad, std::uint8_t keys, std::uint16_t switches);
@@ -71,6 +72,8 @@ public:
 
 private:
     void video(const std::uint32_t* samples, std::size_t count) override;
+    void video_clock(std::uint64_t period_ps) override { monitor.clock_ps(period_ps); }
+    void video_idle(std::uint64_t time_ps) override { monitor.idle(time_ps); }
     void codec(const CodecPins& pins, std::uint64_t time_ps, ChipInputs& in) override;
     void headers(const HeaderPins& pins, std::uint64_t time_ps, ChipInputs& in) override;
     void adc(const AdcPins& pins, std::uint64_t time_ps, ChipInputs& in) override;

@@ -1,6 +1,7 @@
 #include "sim/board/monitor.h"
 
 #include <algorithm>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -11,11 +12,38 @@ namespace sim {
 namespace {
 
 constexpr std::uint32_t CONTROL = video::HS | video::VS | video::BLANK_N;
-constexpr unsigned LINE_CLOCKS = 800, HS_CLOCKS = 96, PICTURE_CLOCK = 144;
-constexpr unsigned FRAME_LINES = 525, VS_LINES = 2, PICTURE_LINE = 35;
-constexpr std::size_t MESSAGES = 20;
+constexpr Placement STRICT_PLACE{640, 480};
+constexpr std::uint64_t MS = 1'000'000'000;  // in ps
+constexpr std::uint64_t LONGEST_FRAME = 100 * MS, PATIENCE = 1000 * MS;
+constexpr unsigned MOST_UNLIKE = 2;
+
+// 12000 as 12,000.
+std::string grouped(std::uint64_t number) {
+    std::string digits = std::to_string(number);
+    for (std::size_t at = digits.size(); at > 3;) digits.insert(at -= 3, ",");
+    return digits;
+}
+
+std::string moved(const char* name, std::uint64_t edges) {
+    if (edges == 0) return fmt::format("{} never moved", name);
+    return fmt::format("{} moved {} time{}", name, grouped(edges), edges == 1 ? "" : "s");
+}
 
 }  // namespace
+
+Monitor::Monitor(Sink sink, Strictness strictness, Tell tell)
+    : sink_{std::move(sink)},
+      strictness_{strictness},
+      tell_{std::move(tell)},
+      raster_{STRICT_PLACE},
+      sample_ps_{FABRIC_PERIOD_PS} {}
+
+void Monitor::clock_ps(std::uint64_t period) {
+    if (period == sample_ps_) return;
+    sample_ps_ = period;
+    before_ = {};
+    unlock();
+}
 
 // The pins' levels last for many clocks: work on runs of equal control levels.
 void Monitor::samples(const std::uint32_t* pins, std::size_t count) {
@@ -29,96 +57,103 @@ void Monitor::samples(const std::uint32_t* pins, std::size_t count) {
 }
 
 void Monitor::run_of(std::uint32_t control, const std::uint32_t* pins, unsigned count) {
-    const bool first = control_ == ~0u;
-    const std::uint32_t fell = first ? 0 : control_ & ~control,
-                        rose = first ? 0 : ~control_ & control;
-    if (rose & video::HS && line_known_) check("HS low", hs_low_, HS_CLOCKS, "clocks");
-    if (rose & video::VS && in_step_) check("VS low", vs_low_, VS_LINES * LINE_CLOCKS, "clocks");
-    // VS may begin with HS or in the middle of a line, which then counts as the frame's first.
-    if (fell & video::HS) {
-        if (line_known_) end_line();
-        begin_line();
+    FrameMeter::Begins begins = meter_.run(control, count);
+    const bool measured = begins.frame;
+    if (strict()) {
+        check_.run(control, pins, count);
+        const std::uint32_t fell = control_ == ~0u ? 0 : control_ & ~control;
+        begins = {(fell & video::HS) != 0, (fell & video::VS) != 0};
+        control_ = control;
     }
-    if (fell & video::VS) begin_frame();
-    control_ = control;
+    if (begins.line) raster_.begin_line();
+    if (begins.frame) end_frame();
+    if (measured) judge();
+    raster_.run(pins, count, control & video::BLANK_N);
 
-    if (!(control & video::HS)) hs_low_ += count;
-    if (!(control & video::VS)) vs_low_ += count;
-    if (control & video::BLANK_N) {
-        if (row_pixels_ == 0) row_begin_ = clock_;
-        for (unsigned i = 0; i < count && row_pixels_ + i < WIDTH; ++i)
-            row_[row_pixels_ + i] = pins[i] & video::RGB;
-        row_pixels_ += count;
-    } else if (!colour_told_) {
-        std::uint32_t colour = 0;
-        for (unsigned i = 0; i < count; ++i) colour |= pins[i] & video::RGB;
-        if (colour) {
-            unsigned at = 0;
-            while (!(pins[at] & video::RGB)) ++at;
-            clock_ += at;
-            violation(fmt::format("colour 0x{:06X} during blanking", pins[at] & video::RGB));
-            clock_ -= at;
-            colour_told_ = true;
-        }
+    now_ps_ += count * sample_ps_;
+    if (!lock_) {
+        unlocked_.samples += count;
+        unlocked_.coloured += static_cast<std::uint64_t>(
+            std::count_if(pins, pins + count, [](auto pin) { return pin & video::RGB; }));
     }
-    clock_ += count;
+    look_at_the_time();
 }
 
-void Monitor::begin_line() {
-    line_known_ = true;
-    clock_ = hs_low_ = 0;
-    row_pixels_ = 0;
-    colour_told_ = false;
+void Monitor::idle(std::uint64_t until_ps) {
+    now_ps_ = std::max(now_ps_, until_ps);
+    look_at_the_time();
 }
 
-void Monitor::end_line() {
-    check("line", clock_, LINE_CLOCKS, "clocks");
-    if (row_pixels_) {
-        check("picture begins after", row_begin_, PICTURE_CLOCK, "clocks from HS");
-        check("picture row", row_pixels_, WIDTH, "clocks");
-        if (rows_ == 0) first_row_line_ = line_;
-        if (rows_ < HEIGHT) {
-            std::fill(row_.begin() + std::min(row_pixels_, WIDTH), row_.end(), 0u);
-            const auto row = pixels_.begin() + rows_ * WIDTH;
-            if (!std::equal(row_.begin(), row_.end(), row)) {
-                std::copy(row_.begin(), row_.end(), row);
-                is_new_ = true;
-            }
-        }
-        ++rows_;
-    }
-    ++line_;
-}
-
-void Monitor::begin_frame() {
-    if (in_step_) {
-        check("frame", line_, FRAME_LINES, "lines");
-        check("picture begins after", first_row_line_, PICTURE_LINE, "lines from VS");
-        check("picture", rows_, HEIGHT, "rows");
-    }
-    if (in_step_ && rows_ > 0) {
-        if (rows_ < HEIGHT) std::fill(pixels_.begin() + rows_ * WIDTH, pixels_.end(), 0u);
+void Monitor::end_frame() {
+    const bool like_the_lock =
+        strict() || (in_range_ && lock_ && meter_.signal().similar_to(*lock_));
+    if (raster_.end_frame() && like_the_lock) {
+        const bool is_new = raster_.take_is_new();
         ++frames_;
-        const bool is_new = is_new_ || frames_ == 1;
         new_pictures_ += is_new;
-        if (sink_) sink_({frames_, is_new, pixels_});
+        const Placement& place = raster_.place();
+        if (sink_) sink_({frames_, is_new, raster_.pixels(), place.width, place.height});
     }
-    in_step_ = line_known_;
-    line_ = 0;
-    vs_low_ = 0;
-    rows_ = 0;
-    is_new_ = false;
+    raster_.begin_frame();
 }
 
-void Monitor::check(const char* what, std::uint64_t got, std::uint64_t expected, const char* unit) {
-    if (got != expected) violation(fmt::format("{} {} {}, expected {}", what, got, unit, expected));
+void Monitor::judge() {
+    const VideoSignal& signal = meter_.signal();
+    frame_ps_ = now_ps_;
+    const bool steady = signal.similar_to(before_);
+    before_ = signal;
+    if (lock_ && signal.similar_to(*lock_)) {
+        unlike_ = 0;
+    } else if (!lock_ || ++unlike_ > MOST_UNLIKE) {
+        unlock();
+        if (steady) lock();
+    }
 }
 
-void Monitor::violation(const std::string& what) {
-    ++violations_;
-    if (messages_.size() < MESSAGES)
-        messages_.push_back(
-            fmt::format("frame {}, line {}, clock {}: {}", frames_ + 1, line_, clock_, what));
+void Monitor::lock() {
+    lock_ = meter_.signal();
+    unlike_ = 0;
+    meter_.expect_line(lock_->line_samples);
+    const PictureLock found = lock_on(*lock_, sample_ps_);
+    in_range_ = found.picture.has_value();
+    if (in_range_ && !strict()) {
+        raster_ = Raster{*found.picture};
+        raster_.begin_line();
+        raster_.begin_frame();
+    }
+    tell(found.text);
+}
+
+void Monitor::unlock() {
+    if (!lock_) return;
+    lock_.reset();
+    meter_.expect_line(0);
+    unlocked_ = {now_ps_, 0, 0, meter_.hs().edges(), meter_.vs().edges(), false};
+}
+
+void Monitor::look_at_the_time() {
+    if (lock_) {
+        if (now_ps_ - frame_ps_ > LONGEST_FRAME) unlock();
+    } else if (!unlocked_.told && now_ps_ - unlocked_.since_ps >= PATIENCE) {
+        unlocked_.told = true;
+        tell(no_signal());
+    }
+}
+
+std::string Monitor::no_signal() const {
+    if (unlocked_.samples == 0) return "no signal: not one sample, VGA_CLK does not rise";
+    const std::uint64_t hs = meter_.hs().edges() - unlocked_.hs_edges,
+                        vs = meter_.vs().edges() - unlocked_.vs_edges;
+    return fmt::format("{}: {}; {}; VGA_R/G/B were {}", hs && vs ? "no steady signal" : "no signal",
+                       moved("HS", hs), moved("VS", vs),
+                       unlocked_.coloured == 0
+                           ? "always 0"
+                           : fmt::format("not 0 in {} samples", grouped(unlocked_.coloured)));
+}
+
+void Monitor::tell(const std::string& line) {
+    told_ = line;
+    if (tell_) tell_(line);
 }
 
 }  // namespace sim

@@ -1,76 +1,107 @@
-// monitor.h - a VGA monitor: finds the picture in HS, VS, BLANK and the colours, and checks timing.
+// monitor.h - a VGA monitor: finds the picture in HS, VS, BLANK_N and the colours
 //
-// It knows the standard (VESA DMT 640 x 480 at 60 Hz) and the ADV7123's pins, nothing else:
+//   pins --+--> FrameMeter --> lock_on --> Raster --> Frame
+//          +--> VesaCheck
 //
-//                      total   sync width   sync begin to picture   picture   polarity
-//   clocks of a line     800           96                     144       640   negative
-//   lines of a frame     525            2                      35       480   negative
+//              locks on to                     picture                       violations
+//   STRICT     nothing: 640 x 480 at 60 Hz,    where BLANK_N is high         what is not VESA's
+//              HS and VS negative, always
+//   TOLERANT   any mode of video_mode.h, in    as picture_lock.h finds it    none
+//              two frames that are alike
 //
-// A line begins where HS begins, a frame where VS begins; the last picture row of a frame and all
-// before it are then whole, and the picture is given to the sink.  What differs from the table, and
-// colour while BLANK is active, is a violation with frame, line and clock.
+// A tolerant monitor shows the frames that are like those it has locked on to.  It loses the lock
+// with the third frame in a row that is not, or when no frame has ended for 100 ms.  What it has
+// locked on to is told once per lock, a second without a lock once as "no signal".  A strict one
+// measures and tells the same, and shows what it shows regardless.
 //
-// Not handled: other video modes (each frame of one is a violation), sync on green.
+// The samples are the pins at each rising edge of VGA_CLK, or of any other clock that is fast
+// enough.  The time is the number of samples times the clock's period, unless idle() says more.
+//
+// Not handled: interlace, sync on green, composite sync, a line without its HS.
 #pragma once
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
+
+#include "sim/board/frame_meter.h"
+#include "sim/board/raster.h"
+#include "sim/board/vesa_check.h"
 
 namespace sim {
 
 class Monitor {
 public:
-    static constexpr unsigned WIDTH = 640, HEIGHT = 480;
+    enum class Strictness { STRICT, TOLERANT };
 
     struct Frame {
-        std::uint64_t number;                      // 1 is the first one since power-on
-        bool is_new;                               // its picture differs from the frame before
+        std::uint64_t number;  // 1 is the first one since power-on
+        bool is_new;  // its picture differs from the frame before, or it is the first of a lock
         const std::vector<std::uint32_t>& pixels;  // 0x00RRGGBB, row by row
+        unsigned width, height;
     };
     using Sink = std::function<void(const Frame&)>;
+    using Tell = std::function<void(const std::string& line)>;
 
-    explicit Monitor(Sink sink) : sink_{std::move(sink)} {}
+    explicit Monitor(Sink sink, Strictness strictness = Strictness::STRICT, Tell tell = {});
 
-    // The pins at each rising edge of VGA_CLK, in order (bits: sim/fpga/fabric.h, video).
+    // The period of the samples from the next one on, more than 0; without it that of our own
+    // system's 25 MHz.  The lock is lost when it changes.
+    void clock_ps(std::uint64_t period);
+    // The pins, in order (bits: sim/fpga/fabric.h, video).
     void samples(const std::uint32_t* pins, std::size_t count);
+    // There was no sample up to this time since power-on.  Nothing happens if it is in the past.
+    void idle(std::uint64_t until_ps);
+
+    // What was told last: "640 x 480 at 59.5 Hz, HS and VS negative, 800 x 525 clocks", "out of
+    // range: ..." or "no signal: ..."; empty before.
+    const std::string& signal() const { return told_; }
 
     std::uint64_t frames() const { return frames_; }
     std::uint64_t new_pictures() const { return new_pictures_; }
 
-    std::uint64_t violations() const { return violations_; }
-    // The first 20, a line each: "frame 3, line 12, clock 656: HS low for 95 clocks, expected 96".
-    const std::vector<std::string>& messages() const { return messages_; }
+    // Of a strict monitor.
+    std::uint64_t violations() const { return check_.violations(); }
+    const std::vector<std::string>& messages() const { return check_.messages(); }
 
 private:
+    // Since the lock was lost or power came.
+    struct Unlocked {
+        std::uint64_t since_ps = 0, samples = 0, coloured = 0;
+        std::uint64_t hs_edges = 0, vs_edges = 0;  // before that
+        bool told = false;
+    };
+
+    bool strict() const { return strictness_ == Strictness::STRICT; }
     void run_of(std::uint32_t control, const std::uint32_t* pins, unsigned count);
-    void begin_line();
-    void end_line();
-    void begin_frame();
-    void check(const char* what, std::uint64_t got, std::uint64_t expected, const char* unit);
-    void violation(const std::string& what);
+    void end_frame();
+    void judge();
+    void lock();
+    void unlock();
+    void look_at_the_time();
+    std::string no_signal() const;
+    void tell(const std::string& line);
 
     Sink sink_;
+    Strictness strictness_;
+    Tell tell_;
 
+    VesaCheck check_;
+    FrameMeter meter_;
+    Raster raster_;
     std::uint32_t control_ = ~0u;  // HS, VS, BLANK_N of the sample before; ~0: none yet
-    std::uint64_t clock_ = 0;      // of this line, 0 where HS began
-    std::uint64_t line_ = 0;       // of this frame, 0 where VS began
-    bool in_step_ = false;         // a whole frame may be expected: VS has begun once
-    bool line_known_ = false;      // HS has begun once
-    std::uint64_t hs_low_ = 0, vs_low_ = 0;
-    std::uint64_t row_begin_ = 0;  // clock at which this line's picture began
-    unsigned row_pixels_ = 0;      // pixels of this line so far
-    std::uint64_t first_row_line_ = 0;
-    unsigned rows_ = 0;         // rows of this frame so far
-    bool colour_told_ = false;  // one violation a line for colour in the blanking
 
-    bool is_new_ = false;
-    std::vector<std::uint32_t> pixels_ = std::vector<std::uint32_t>(WIDTH * HEIGHT);
-    std::vector<std::uint32_t> row_ = std::vector<std::uint32_t>(WIDTH);
+    std::optional<VideoSignal> lock_;
+    bool in_range_ = false;  // and the raster shows it
+    VideoSignal before_;     // the frame before
+    unsigned unlike_ = 0;    // frames in a row that are not like the lock's
+    Unlocked unlocked_;
+    std::string told_;
 
-    std::uint64_t frames_ = 0, new_pictures_ = 0, violations_ = 0;
-    std::vector<std::string> messages_;
+    std::uint64_t sample_ps_, now_ps_ = 0, frame_ps_ = 0;  // frame_ps_: when the last frame ended
+    std::uint64_t frames_ = 0, new_pictures_ = 0;
 };
 
 }  // namespace sim

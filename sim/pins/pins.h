@@ -60,6 +60,10 @@ class PinListener {
 public:
     // A sample a clock, in order, in batches of up to a scan line.
     virtual void video(const std::uint32_t* samples, std::size_t count) = 0;
+    // Before samples at another period than the fabric's clock, and when it changes by 1 %.
+    virtual void video_clock(std::uint64_t /*period_ps*/) {}
+    // There has been no sample up to now for more than a millisecond.
+    virtual void video_idle(std::uint64_t /*time_ps*/) {}
     // Called after a clock in which one of them moved; may change `in`.
     virtual void codec(const CodecPins& pins, std::uint64_t time_ps, ChipInputs& in) = 0;
     virtual void headers(const HeaderPins& pins, std::uint64_t time_ps, ChipInputs& in) = 0;

@@ -86,6 +86,7 @@ Binding bind(const std::vector<Port>& ports, const std::map<std::string, std::st
             }
             any = any || !wire.empty();
             if (wire == "VGA_CLK" && port.direction != Direction::INPUT) binding.has_vga_clk = true;
+            if (wire == "VGA_HS") binding.has_vga_hs = true;
             if (wire == "TD_CLK27") binding.has_td_clk = true;
             if (port.direction == Direction::OUTPUT && wire.compare(0, 5, "GPIO_") == 0)
                 binding.header_outputs[wire[5] - '0'] |= std::uint64_t{1}

@@ -139,8 +139,9 @@ std::string clocks_text(const Design& design) {
         text += fmt::format("{{{}ull, {}ull}}, ", clock.period_fs, clock.phase_fs);
     return text + fmt::format(
                       "{{0, 0}}}};\nconstexpr unsigned PLL_CLOCK_COUNT = {};\n"
-                      "constexpr bool TD_CLK27_USED = {};\n",
-                      design.elaborated.pll_clocks.size(), design.binding.has_td_clk);
+                      "constexpr bool TD_CLK27_USED = {}, VGA_USED = {};\n",
+                      design.elaborated.pll_clocks.size(), design.binding.has_td_clk,
+                      design.binding.has_vga_hs);
 }
 
 }  // namespace
@@ -207,8 +208,7 @@ void Builder::generate() {
 
 std::string Builder::key() const {
     const fs::path self = "/proc/self/exe";
-    std::string all = fmt::format("{} {} {} {}\n", trace_, design_.project.top,
-                                  fs::file_size(self),
+    std::string all = fmt::format("{} {} {} {}\n", trace_, design_.project.top, fs::file_size(self),
                                   fs::last_write_time(self).time_since_epoch().count());
     for (const char* name : {"project", "rtl/ip"}) {
         const FileFinder ours{data_folder() / name};

@@ -18,8 +18,6 @@ namespace {
 
 constexpr unsigned MAX_SIDE = 4096;
 constexpr std::size_t MAX_FILE_BYTES = 64u << 20;
-constexpr unsigned GOLDEN_WIDTH = 640;
-constexpr unsigned GOLDEN_HEIGHT = 480;
 constexpr char END_CHUNK[] = "\0\0\0\0IEND\xAE\x42\x60\x82";
 
 void append(png_structp png, png_bytep bytes, std::size_t size) {
@@ -109,14 +107,6 @@ Image read_png(const std::filesystem::path& path) {
 void write_png(const std::filesystem::path& path, const Image& image) {
     const auto bytes = encode_png(image);
     write_whole_file(path, bytes.data(), bytes.size());
-}
-
-Image read_golden(const std::filesystem::path& path) {
-    Image image = read_png(path);
-    if (image.width != GOLDEN_WIDTH || image.height != GOLDEN_HEIGHT)
-        throw PngError(fmt::format("{}: {} x {} pixels, not {} x {}", printable(path.string()),
-                                   image.width, image.height, GOLDEN_WIDTH, GOLDEN_HEIGHT));
-    return image;
 }
 
 std::size_t differing_pixels(const Image& a, const Image& b) {

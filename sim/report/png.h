@@ -39,9 +39,6 @@ Image read_png(const std::filesystem::path& path);
 
 void write_png(const std::filesystem::path& path, const Image& image);
 
-// A picture to compare the monitor's with: read_png, and PngError unless it is 640 x 480.
-Image read_golden(const std::filesystem::path& path);
-
 // Both images must be of one size: std::invalid_argument.
 std::size_t differing_pixels(const Image& a, const Image& b);
 

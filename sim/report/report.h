@@ -88,6 +88,7 @@ struct RunReport {
     std::uint64_t frames_shown = 0;
     std::uint64_t frames_swapped = 0;
     std::string last_frame_sha256;  // of the RGB bytes; empty when no frame was shown
+    std::string signal;             // that the monitor has locked on to, or why it has not
     Bus bus;
     Audio audio;
     std::uint64_t key_events = 0;

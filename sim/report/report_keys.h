@@ -28,8 +28,10 @@ inline constexpr ReportKey REPORT_KEYS[] = {
     {"simulated_s", "Simulated time, in seconds."},
     {"frames.shown", "Frames that the monitor saw."},
     {"frames.swapped", "Of these, frames that began with a new picture."},
-    {"frames.last_sha256",
-     "SHA-256 of the last frame's 640 x 480 RGB bytes; empty if there was none."},
+    {"frames.last_sha256", "SHA-256 of the last frame's RGB bytes; empty if there was none."},
+    {"frames.signal",
+     "What the monitor has locked on to last, or why it has not: size, rate, polarities, clocks; "
+     "empty in the first frames."},
     {"bus.reads", "Loads over the bus, of up to a word."},
     {"bus.writes", "Stores over the bus, of up to a word."},
     {"bus.bursts", "Transfers of more than a word."},

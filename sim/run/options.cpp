@@ -59,6 +59,11 @@ void add_run_options(CLI::App& command, RunOptions& options) {
                     "which then has no processor; built first if it has changed")
         ->check(named);
     add_project_options(command, options.project);
+    command.add_flag_function(
+        "--strict-vga,!--no-strict-vga",
+        [&](std::int64_t times) { options.strict_vga = times > 0; },
+        "what is not 640 x 480 at 60 Hz by VESA is a violation (default, but for --project);\n"
+        "else the monitor locks on to what comes");
     command.add_option("--elf", options.elf, "the program, instead of the scenario's")
         ->check(named);
     command

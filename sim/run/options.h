@@ -35,6 +35,7 @@ struct RunOptions {
     std::filesystem::path out = "out";
     std::string cpu = "auto";            // "native", "arm"; "auto": arm, if there is a program
     ProjectOptions project;              // in the chip, without a processor; or none
+    std::optional<bool> strict_vga;      // else: yes, but for a project
     std::filesystem::path elf;           // for the processor "arm", or empty
     std::vector<std::string> for_arm;    // options that were given and are for "arm" alone
     double cpi = 1;                      // clocks an instruction of that processor

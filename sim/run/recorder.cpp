@@ -24,7 +24,9 @@ void Recorder::frame(const Monitor::Frame& frame) {
     senses_.frame(frame);
     on_frame();
     if (frame_writer_ && frames_.wants(frame.number, frame.is_new))
-        attempt([&] { frame_writer_->push(frame.number, image_of(frame.pixels)); });
+        attempt([&] {
+            frame_writer_->push(frame.number, image_of(frame.pixels, frame.width, frame.height));
+        });
 }
 
 void Recorder::sample(std::int16_t left, std::int16_t right) {

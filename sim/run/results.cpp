@@ -74,6 +74,7 @@ void add_results(RunReport& report, Board& board, Computer* computer, const ArmR
     report.frames_swapped = board.monitor.new_pictures();
     if (report.frames_shown > 0)
         report.last_frame_sha256 = sha256_hex(recorder.senses().picture().rgb);
+    report.signal = board.monitor.signal();
     const BusCounts bus = computer ? computer->bus.counts() : BusCounts{};
     report.bus = {bus.reads, bus.writes, bus.bursts, bus.errors};
     report.shown = recorder.lamp_log().shown();
@@ -86,7 +87,8 @@ void add_results(RunReport& report, Board& board, Computer* computer, const ArmR
     if (arm) report.program = arm->program();
     report.audio = {recorder.senses().rate_hz, recorder.senses().samples, 0};
     if (report.simulated_s > FIRST_FRAMES_S && report.frames_shown == 0)
-        report.advice.push_back("the monitor found no picture");
+        report.advice.push_back("the monitor found no picture" +
+                                (report.signal.empty() ? "" : ": " + report.signal));
     if (!computer) return;
     // From here on, reading moves the board.
     report.audio.underruns = underruns(*computer);

@@ -14,7 +14,11 @@ constexpr std::size_t HEARD_SECONDS = 10;
 void Senses::frame(const Monitor::Frame& frame) {
     frames = frame.number;
     new_pictures += frame.is_new;
-    if (frame.is_new) pixels_ = frame.pixels;
+    if (frame.is_new) {
+        pixels_ = frame.pixels;
+        width_ = frame.width;
+        height_ = frame.height;
+    }
     if (frame_shown) frame_shown();
 }
 
@@ -40,10 +44,7 @@ bool Senses::is_black() const {
     return std::all_of(pixels_.begin(), pixels_.end(), [](std::uint32_t pixel) { return !pixel; });
 }
 
-Image Senses::picture() const {
-    return image_of(pixels_.empty() ? std::vector<std::uint32_t>(Monitor::WIDTH * Monitor::HEIGHT)
-                                    : pixels_);
-}
+Image Senses::picture() const { return image_of(pixels_, width_, height_); }
 
 std::vector<std::int16_t> Senses::last_samples(std::uint64_t count) const {
     const auto n = static_cast<std::ptrdiff_t>(std::min<std::uint64_t>(count, heard_.size()));
@@ -59,8 +60,8 @@ std::vector<std::int16_t> Senses::last_samples(std::uint64_t count) const {
     return mono;
 }
 
-Image image_of(const std::vector<std::uint32_t>& pixels) {
-    Image image{Monitor::WIDTH, Monitor::HEIGHT, std::vector<std::uint8_t>(pixels.size() * 3)};
+Image image_of(const std::vector<std::uint32_t>& pixels, unsigned width, unsigned height) {
+    Image image{width, height, std::vector<std::uint8_t>(pixels.size() * 3)};
     std::uint8_t* to = image.rgb.data();
     for (const std::uint32_t pixel : pixels) {
         *to++ = static_cast<std::uint8_t>(pixel >> 16);

@@ -23,7 +23,7 @@ public:
     void console(char character);
 
     bool is_black() const;  // all of the picture
-    Image picture() const;  // 640 x 480; black before the first frame
+    Image picture() const;  // the last frame; before the first one 640 x 480, black
     std::uint64_t frames = 0, new_pictures = 0;
 
     std::uint64_t samples = 0;  // since power-on
@@ -38,11 +38,12 @@ public:
     std::function<void()> frame_shown, printed;  // called after each frame and character
 
 private:
-    std::vector<std::uint32_t> pixels_;
+    std::vector<std::uint32_t> pixels_ = std::vector<std::uint32_t>(640 * 480);
+    unsigned width_ = 640, height_ = 480;
     std::deque<std::pair<std::int16_t, std::int16_t>> heard_;
 };
 
-// 0x00RRGGBB to PNG's bytes.
-Image image_of(const std::vector<std::uint32_t>& pixels);
+// 0x00RRGGBB to PNG's bytes; as many pixels as the size says.
+Image image_of(const std::vector<std::uint32_t>& pixels, unsigned width, unsigned height);
 
 }  // namespace sim

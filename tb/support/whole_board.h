@@ -17,7 +17,7 @@
 
 namespace tb {
 
-// What the monitor showed: 640 x 480 of 0x00RRGGBB.
+// What the monitor showed: 640 x 480 of 0x00RRGGBB, or what a tolerant one has locked on to.
 struct Picture {
     std::uint64_t number;
     bool is_new;
@@ -33,8 +33,10 @@ protected:
     std::vector<std::int16_t> left, right;
     double rate_hz = 0;
     std::string printed;
+    std::vector<std::string> logged;
 
-    void power_on(sim::Firmware firmware, std::uint64_t seed = 1) {
+    void power_on(sim::Firmware firmware, std::uint64_t seed = 1,
+                  sim::Monitor::Strictness vga = sim::Monitor::Strictness::STRICT) {
         sim::Computer::Settings settings;
         settings.seed = seed;
         sim::Audience& ours = *this;
@@ -45,7 +47,8 @@ protected:
                                                             std::move(firmware), settings);
                 computer = chip.get();
                 return chip;
-            });
+            },
+            vga);
     }
 
     // The same for firmware that comes to an end, and runs to there.
@@ -94,6 +97,7 @@ private:
     }
     void sample_rate(double hz) override { rate_hz = hz; }
     void console(char character) override { printed += character; }
+    void log(const std::string& line) override { logged.push_back(line); }
 
     std::deque<Picture> shown_;
 };

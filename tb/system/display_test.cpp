@@ -73,4 +73,20 @@ TEST_F(DisplayOnTheBoard, ShowsOldPixelsOrNewOnesAndNothingElseWhileTheFrontPict
     EXPECT_GT(mixed, 0u) << "nothing was drawn while it was shown";
 }
 
+// The fabric's clock is 25 MHz, not VESA's 25.175 MHz.
+TEST_F(DisplayOnTheBoard, IsFoundByATolerantMonitorWithoutBeingTold) {
+    power_on(
+        [](hal::Mmio& io, hal::Cpu& cpu) {
+            fill(io, regmap::ONCHIP_BASE, COLOURS[1]);
+            idle_ms(cpu, 1000);
+        },
+        1, sim::Monitor::Strictness::TOLERANT);
+    EXPECT_EQ(next_picture().pixels.size(), 640u * 480);
+    const std::vector<std::uint32_t> pixels = next_picture().pixels;
+    EXPECT_EQ(std::set<std::uint32_t>(pixels.begin(), pixels.end()),
+              std::set<std::uint32_t>{COLOURS[1].rgb888});
+    EXPECT_EQ(logged, std::vector<std::string>{"monitor: 640 x 480 at 59.5 Hz, HS and VS negative, "
+                                               "800 x 525 clocks"});
+}
+
 }  // namespace

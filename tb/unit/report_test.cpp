@@ -25,6 +25,7 @@ RunReport sample() {
     r.frames_shown = 150;
     r.frames_swapped = 75;
     r.last_frame_sha256 = "e3b0";
+    r.signal = "640 x 480";
     r.bus = {1, 2, 3, 4};
     r.audio = {8000.0, 20000, 6};
     r.key_events = 8;
@@ -58,7 +59,8 @@ TEST(ReportJson, SaysEverythingThatTheRunKnows) {
     EXPECT_EQ(json::parse(to_json(sample())), json::parse(R"({
         "scenario": "Two shapes", "file": "demo.yaml", "seed": 18446744073709551615, "cpu": "arm",
         "end": "duration reached", "interrupted": false, "passed": false, "simulated_s": 2.5,
-        "frames": {"shown": 150, "swapped": 75, "last_sha256": "e3b0"},
+        "frames": {"shown": 150, "swapped": 75, "last_sha256": "e3b0",
+                   "signal": "640 x 480"},
         "bus": {"reads": 1, "writes": 2, "bursts": 3, "errors": 4},
         "audio": {"rate_hz": 8000.0, "samples": 20000, "underruns": 6},
         "key_events": 8,

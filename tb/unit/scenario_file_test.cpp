@@ -55,13 +55,11 @@ TEST_F(ScenarioFile, IsRefusedWhenItIsLargerThanAMebibyte) {
 }
 
 TEST_F(ScenarioFile, IsRefusedWithoutItsGoldenPicture) {
-    const std::string place = at(":4:3: expected a picture of 640 x 480, got ");
+    const std::string place = at(":4:3: expected a picture, got ");
     const std::string png = (folder / "g.png").string();
     EXPECT_EQ(load(expect), place + png + ": cannot read: No such file or directory");
     folder.put("g.png", "hello");
     EXPECT_EQ(load(expect), place + png + ": not a PNG");
-    write_png(folder / "g.png", Image{320, 240, std::vector<std::uint8_t>(320 * 240 * 3)});
-    EXPECT_EQ(load(expect), place + png + ": 320 x 240 pixels, not 640 x 480");
     write_png(folder / "g.png", Image{640, 480, std::vector<std::uint8_t>(640 * 480 * 3)});
     EXPECT_EQ(load(expect), "no error");
 }

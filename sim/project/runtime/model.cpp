@@ -16,13 +16,14 @@
 
 #include "sim/project/init_file.h"
 
-#include "de1sim_clocks.h"  // PLL_CLOCKS[]: period and phase of each in fs; TD_CLK27_USED
+#include "de1sim_clocks.h"  // PLL_CLOCKS[]: period and phase of each in fs; TD_CLK27_USED, VGA_USED
 
 namespace sim::project {
 
 namespace {
 
 constexpr std::uint64_t FS_PER_PS = 1'000, CLOCK_50_FS = 20'000'000, CLOCK_27_FS = 37'037'037;
+constexpr std::uint64_t QUIET_FS = 1'000'000'000'000;  // 1 ms
 constexpr unsigned VIDEO_BATCH = 800;
 
 // JP1's and JP2's D31-D0 among the 36 pins of a header: rtl/board/de1_soc/header.v.
@@ -56,10 +57,9 @@ public:
             trace_.open(settings.trace_file);
         }
 #endif
-        ::project::set_init_folders({settings.folder, {}},
-                                    [say = settings.say](const std::string& line) {
-                                        say(line.c_str());
-                                    });
+        ::project::set_init_folders(
+            {settings.folder, {}},
+            [say = settings.say](const std::string& line) { say(line.c_str()); });
         apply_inputs();
         // The design opens its files in its own folder.
         char here[PATH_MAX];
@@ -92,7 +92,12 @@ public:
     void flush() override {
         const unsigned count = video_count_;
         video_count_ = 0;
-        if (count) pins_.video(video_, count);
+        if (count) {
+            tell_video_clock(count);
+            pins_.video(video_, count);
+        } else if (VGA_USED && now_fs_ - last_sample_fs_ > QUIET_FS) {
+            pins_.video_idle(now_ps());
+        }
     }
 
     void end_trace() override {
@@ -140,6 +145,8 @@ private:
     void look() {
         if (top_.vga_sample_o != vga_sample_) {
             vga_sample_ = top_.vga_sample_o;
+            if (video_count_ == 0) first_sample_fs_ = now_fs_;
+            last_sample_fs_ = now_fs_;
             video_[video_count_++] = top_.vga_o;
             if (video_count_ == VIDEO_BATCH) flush();
         }
@@ -163,6 +170,18 @@ private:
             pins_.ps2(ps2 & 3, ps2 >> 2, in);
             look_ = true;
         }
+    }
+
+    // From enough samples for 1 %.
+    void tell_video_clock(unsigned count) {
+        if (count < VIDEO_BATCH / 2) return;
+        const std::uint64_t period_ps =
+            (last_sample_fs_ - first_sample_fs_) / (count - 1) / FS_PER_PS;
+        const std::uint64_t most = std::max(period_ps, period_ps_),
+                            least = std::min(period_ps, period_ps_);
+        if (most - least <= most / 100) return;
+        period_ps_ = period_ps;
+        pins_.video_clock(period_ps);
     }
 
     void look_at_headers() {
@@ -218,6 +237,8 @@ private:
 
     std::uint32_t video_[VIDEO_BATCH];
     unsigned video_count_ = 0;
+    std::uint64_t first_sample_fs_ = 0, last_sample_fs_ = 0;  // of the batch
+    std::uint64_t period_ps_ = 40'000;                        // that the board knows
     bool vga_sample_ = false, dram_sample_ = false, sdram_busy_ = false, reading_ = false;
     LampPins lamps_{0, (std::uint64_t{1} << 42) - 1};
     std::uint64_t gpio_0_ = 0, gpio_1_ = 0, oe_0_ = 0, oe_1_ = 0;

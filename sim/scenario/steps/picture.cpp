@@ -66,7 +66,8 @@ private:
 
 // ---- expect-frame ----
 
-const ValueType PIXELS = whole_number("a whole number from 0 to 307200", 0, 307200);
+// Of 1280 x 1024, the largest picture that the monitor shows.
+const ValueType PIXELS = whole_number("a whole number from 0 to 1310720", 0, 1310720);
 
 class ExpectFrame : public Claim {
 public:
@@ -82,29 +83,37 @@ public:
     }
     void load() override {
         try {
-            read_golden(golden_);
+            read_png(golden_);
         } catch (const std::runtime_error& error) {  // IoError or PngError, with the path
-            throw std::runtime_error(std::string{"expected a picture of 640 x 480, got "} +
-                                     error.what());
+            throw std::runtime_error(std::string{"expected a picture, got "} + error.what());
         }
     }
     Verdict decide(Stage& stage) const override {
         Image golden;
         try {
-            golden = read_golden(golden_);
+            golden = read_png(golden_);
         } catch (const std::exception& e) {
             return {false, e.what()};
         }
         const Image picture = stage.senses().picture();
+        const auto file = [&](const char* what) {
+            return stage.folder() / "mismatch" /
+                   fmt::format("line{}_{}_{}.png", line_, golden_.stem().string(), what);
+        };
+        if (picture.width != golden.width || picture.height != golden.height) {
+            std::string detail =
+                fmt::format("frame {}: {} x {} pixels, but {} has {} x {}", stage.senses().frames,
+                            picture.width, picture.height, printable(golden_.filename().string()),
+                            golden.width, golden.height);
+            const auto actual = file("actual");
+            if (stage.save(actual, picture)) detail += "; see " + actual.string();
+            return {false, detail};
+        }
         const std::size_t different = differing_pixels(picture, golden);
         std::string detail =
             fmt::format("frame {}: {} pixels differ", stage.senses().frames, different);
         if (different <= differing_pixels_) return {true, detail};
 
-        const auto file = [&](const char* what) {
-            return stage.folder() / "mismatch" /
-                   fmt::format("line{}_{}_{}.png", line_, golden_.stem().string(), what);
-        };
         const auto actual = file("actual"), expected = file("expected"),
                    difference = file("difference");
         if (stage.save(actual, picture) && stage.save(expected, golden) &&
@@ -168,7 +177,7 @@ std::vector<StepForm> picture() {
            "Longest wait in simulated time; then the run fails."}},
          make<WaitFrame>},
         {"expect-frame",
-         "Compare the picture on the monitor with a PNG of 640 x 480 pixels.",
+         "Compare the picture on the monitor with a PNG of its size.",
          Notation::MAP,
          {},
          {{"equals", LINE, Need::REQUIRED, "", "The PNG, relative to the scenario file."},

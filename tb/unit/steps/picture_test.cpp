@@ -72,6 +72,24 @@ TEST_F(PictureSteps, KeepWhatDiffers) {
     EXPECT_EQ(expect_frame(), "frame 0: 2 pixels differ");
 }
 
+TEST_F(PictureSteps, TakeAPictureOfAnySize) {
+    sim::write_png(files / "golden.png", {800, 600, std::vector<std::uint8_t>(800 * 600 * 3, 7)});
+    stage.seen.frame({1, true, std::vector<std::uint32_t>(800 * 600, 0x070707), 800, 600});
+    EXPECT_EQ(expect_frame(), "met");
+    EXPECT_FALSE(play("take-screenshot: {save-to: a.png}"));
+    EXPECT_EQ(stage.saved.at(0).second.width, 800u);
+}
+
+TEST_F(PictureSteps, SayBothSizesWhereTheyDiffer) {
+    sim::write_png(files / "golden.png", {800, 600, std::vector<std::uint8_t>(800 * 600 * 3)});
+    EXPECT_EQ(expect_frame(", differing-pixels: 1310720"),
+              "frame 0: 640 x 480 pixels, but golden.png has 800 x 600; see "
+              "out/mismatch/line4_golden_actual.png");
+    EXPECT_EQ(stage.saved.size(), 1u);
+    stage.disk_full = true;
+    EXPECT_EQ(expect_frame(), "frame 0: 640 x 480 pixels, but golden.png has 800 x 600");
+}
+
 TEST_F(PictureSteps, AreNotMetWithoutTheirPicture) {
     EXPECT_THAT(expect_frame(), EndsWith("golden.png: cannot read: No such file or directory"));
 }

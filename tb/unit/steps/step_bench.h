@@ -146,8 +146,8 @@ protected:
         return verdict->met ? "met" : verdict->detail;
     }
     void show_frame(bool is_new, std::uint32_t colour = 0) {
-        const std::vector<std::uint32_t> pixels(sim::Monitor::WIDTH * sim::Monitor::HEIGHT, colour);
-        stage.seen.frame({++frames_, is_new, pixels});
+        const std::vector<std::uint32_t> pixels(640 * 480, colour);
+        stage.seen.frame({++frames_, is_new, pixels, 640, 480});
     }
 
 private:
