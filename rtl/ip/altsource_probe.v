@@ -25,7 +25,15 @@ module altsource_probe #(
 ) (
     input  wire [(PROBE_WIDTH ? PROBE_WIDTH : 1)-1:0]   probe,
     input  wire                                         source_clk, source_ena,
-    output wire [(SOURCE_WIDTH ? SOURCE_WIDTH : 1)-1:0] source
+    output wire [(SOURCE_WIDTH ? SOURCE_WIDTH : 1)-1:0] source,
+
+    // The JTAG side, which some files connect by hand.
+    input  wire                    raw_tck, tdi, usr1, clr, ena,
+    input  wire                    jtag_state_cdr, jtag_state_sdr, jtag_state_e1dr,
+    input  wire                    jtag_state_udr, jtag_state_cir, jtag_state_uir, jtag_state_tlr,
+    input  wire [SLD_IR_WIDTH-1:0] ir_in,
+    output wire [SLD_IR_WIDTH-1:0] ir_out,
+    output wire                    tdo
 );
     function [255:0] hexadecimal(input [8*64-1:0] text);
         integer i;
@@ -42,6 +50,8 @@ module altsource_probe #(
     endfunction
 
     assign source = hexadecimal(SOURCE_INITIAL_VALUE);
+    assign ir_out = {SLD_IR_WIDTH{1'b0}};
+    assign tdo = 1'b0;
 // verilator lint_on WIDTH
 endmodule
 

@@ -14,6 +14,8 @@ import pathlib
 import posixpath
 import sys
 
+ELSEWHERE = "rtl/ip/"  # not of our FPGA
+
 
 def points(dat):
     """Yields the fields of each point, by Verilator's short names, and its count."""
@@ -84,14 +86,16 @@ def main():
         path = posixpath.normpath(point["f"])
         while path.startswith("../"):
             path = path[3:]
-        if path.startswith("rtl/"):
+        if path.startswith("rtl/") and not path.startswith(ELSEWHERE):
             files[path].add(point, count)
 
     table = []
     missed = []
     with arguments.info.open("w") as info:
-        for path in sorted(str(p.relative_to(arguments.root)) for p in
-                           (arguments.root / "rtl").rglob("*.v*")):
+        sources = (arguments.root / "rtl").rglob("*.v*")
+        for path in sorted(str(p.relative_to(arguments.root)) for p in sources):
+            if path.startswith(ELSEWHERE):
+                continue
             file = files[path]
             file.write_info(info, arguments.root / path)
             lines = file.lines()

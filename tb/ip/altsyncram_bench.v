@@ -19,7 +19,9 @@ module altsyncram_bench (
     output wire [31:0] wide_o,         // written by 8, read by 32 bits; another clock
     output wire [15:0] true_a_o,       // true dual port of 16 and 8 bits, two clocks
     output wire [7:0]  true_b_o,
-    output wire [39:0] hex_o           // words.hex, two read ports of one clock
+    output wire [39:0] hex_o,          // words.hex, two read ports of one clock
+    output wire [7:0]  lpm_rom_o,      // words.mif, an output register of the other clock
+    output wire [7:0]  lpm_ram_o       // without output register
 );
     wizard_rom rom (.address(address_a_i[2:0]), .clock(clock_i[0]), .q(rom_o));
 
@@ -114,6 +116,14 @@ module altsyncram_bench (
     ) hex (
         .clock0(clock_i[0]), .address_a(2'd0), .address_b(address_b_i[1:0]), .data_a(40'd0),
         .data_b(40'd0), .wren_a(1'b0), .wren_b(1'b0), .rden_a(1'b1), .rden_b(1'b1), .q_b(hex_o));
+
+    lpm_rom #(
+        .LPM_WIDTH(8), .LPM_WIDTHAD(3), .LPM_NUMWORDS(6), .LPM_FILE("../words.mif")
+    ) old_rom (
+        .inclock(clock_i[0]), .outclock(clock_i[1]), .address(address_a_i[2:0]), .q(lpm_rom_o));
+    lpm_ram_dq #(.LPM_WIDTH(8), .LPM_WIDTHAD(4), .LPM_OUTDATA("UNREGISTERED")) old_ram (
+        .inclock(clock_i[0]), .address(address_a_i[3:0]), .data(data_a_i[7:0]), .we(wren_a_i),
+        .q(lpm_ram_o));
 endmodule
 
 `default_nettype wire

@@ -258,6 +258,19 @@ TEST_F(Altsyncram, ReadsTheOldDataOfTheOtherPort) {
     EXPECT_EQ(dut.true_b_o, 0x34);
 }
 
+TEST_F(Altsyncram, IsBehindTheMemoriesOfTheLpmLibrary) {
+    dut.address_a_i = 4;
+    clock(1);
+    EXPECT_EQ(dut.lpm_rom_o, 0);
+    clock(2);
+    EXPECT_EQ(dut.lpm_rom_o, 0x14);
+    write_a(4, 0x42);
+    EXPECT_EQ(dut.lpm_ram_o, 0x42);
+    dut.address_a_i = 5;
+    clock();
+    EXPECT_EQ(dut.lpm_ram_o, 0);
+}
+
 TEST_F(Altsyncram, EndsWithTheMessageOfAFileThatIsBroken) {
     write("words.mif", "WIDTH=8; DEPTH=6;\nCONTENT BEGIN 0: 1FF; END;");
     Valtsyncram_bench broken;

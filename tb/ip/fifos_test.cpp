@@ -173,9 +173,10 @@ TEST_F(Fifo, CarriesAWriteAcrossInTheClocksOfTheGuide) {
     clock(WRITE);
     EXPECT_EQ(dut.two_wrused_o, 1);
     EXPECT_EQ(until(READ, [&] { return !(dut.rdempty_o & 1); }), 2u);
+    EXPECT_EQ(dut.rdempty_o & 3, 2);  // the other one has three stages
     EXPECT_EQ(dut.two_rdused_o, 0);
     clock(READ);
-    EXPECT_EQ(dut.rdempty_o & 3, 0);  // that with three stages as well
+    EXPECT_EQ(dut.rdempty_o & 3, 0);
     EXPECT_EQ(dut.two_rdused_o, 1);
     EXPECT_EQ(dut.two_ahead_o, 0x42);
 }
