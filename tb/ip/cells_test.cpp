@@ -164,7 +164,10 @@ TEST_F(Cells, KeepABit) {
     EXPECT_EQ(after(0, 0, D), 0u);
     dut.enable_i = 0;
     EXPECT_EQ(after(1, 0, D | 0x80), 1u);  // only dff has no enable
-    EXPECT_EQ(after(1, 3, D), 5u);         // dffea loads adata
+    dut.b_i = 3;
+    dut.eval();
+    EXPECT_EQ(dut.cells_o & D, 5u);  // dffea loads adata at once
+    EXPECT_EQ(after(1, 3, D), 5u);
     dut.enable_i = 1;
     EXPECT_EQ(after(0, 5, 8), 8u);  // dffeas loads asdata
     dut.sclr_i = 1;
