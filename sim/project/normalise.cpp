@@ -54,7 +54,7 @@ public:
         if (!system_verilog) choose_keywords(result.text);
         for (std::size_t i = 0; i < tokens_.all.size(); ++i) {
             const Token& token = tokens_.all[i];
-            result.text += token.gap;
+            result.text += without_pragmas(token.gap);
             if (token.is(",") && next(i) && next(i)->is(")")) {
                 changed(token, "dropped the comma before \")\"");
             } else if (token.kind == Kind::NUMBER) {
@@ -83,6 +83,23 @@ private:
     }
     void changed(const Token& token, const std::string& what) {
         changes_.push_back(fmt::format("{}:{}: {}", name_, token.line, what));
+    }
+
+    // A comment that begins with the tool's name is an order to Verilator, unless it is one that it
+    // does not know, which is an error.
+    static std::string without_pragmas(std::string_view gap) {
+        std::string text{gap};
+        for (const char* open : {"//", "/*"})
+            for (std::size_t at = text.find(open); at != std::string::npos;
+                 at = text.find(open, at + 2)) {
+                const std::size_t word = text.find_first_not_of(" \t", at + 2);
+                if (word == std::string::npos) break;
+                std::string name = text.substr(word, 19);
+                std::transform(name.begin(), name.end(), name.begin(), ::tolower);
+                if (name.compare(0, 9, "verilator") == 0 && name.compare(9, 6, " lint_") != 0)
+                    text.insert(at + 2, " -");
+            }
+        return text;
     }
 
     void choose_keywords(std::string& text) {

@@ -4,6 +4,7 @@
 //   an instance without a name               gets one
 //   a literal with more digits than its size  loses the leading ones, as in Quartus
 //   a comma before a closing parenthesis      goes
+//   a comment that Verilator would take for an order to itself  is changed (not told)
 //   a .v file with words of SystemVerilog as names  is read with the keywords of Verilog-2005
 //
 // Lines stay where they are, and messages name the original file.

@@ -161,7 +161,10 @@ ExitCode run_doing(const char*& doing, RunOptions options, const Firmware& firmw
     const std::string project_folder = project_folder_of(options.project.place);
     Computer* computer = nullptr;
     Board board{
-        "board", recorder, seed, scenario.ps2,
+        "board",
+        recorder,
+        seed,
+        scenario.ps2,
         [&](PinListener& pins, Audience& audience, std::uint8_t* sdram) -> std::unique_ptr<Chip> {
             if (built)
                 return std::make_unique<ProjectChip>("chip", pins, built->library, project_folder,
@@ -170,7 +173,9 @@ ExitCode run_doing(const char*& doing, RunOptions options, const Firmware& firmw
                                                    std::move(software), settings);
             computer = chip.get();
             return chip;
-        }};
+        },
+        options.strict_vga.value_or(!built) ? Monitor::Strictness::STRICT
+                                            : Monitor::Strictness::TOLERANT};
     std::optional<ArmRun> arm;
     if (computer && computer->arm) arm.emplace(*computer->arm, options, on_linux, recorder);
     if (arm) board.also_type_to([&arm](const std::string& text) { arm->type(text); });

@@ -65,6 +65,11 @@ TEST(Normalise, GivesOpenInputsOfModelsTheirLevel) {
     EXPECT_THAT(result.changes, IsEmpty());
 }
 
+TEST(Normalise, CommentsAreNoOrders) {
+    EXPECT_EQ(cleaned("// Verilator is a tool\nx"), "// - Verilator is a tool\nx");
+    EXPECT_EQ(cleaned("/* verilator lint_off WIDTH */ x"), "/* verilator lint_off WIDTH */ x");
+}
+
 TEST(Normalise, LinesStayWhereTheyAre) {
     const std::string text = "module m(a,\n);\n/* \n */ sub (.x(1'b11));\n\nendmodule\n";
     const std::string now = cleaned(text);
