@@ -1,4 +1,4 @@
-// chip.h - what is in the Cyclone V, as the board and its user meet it: pins and time, nothing else.
+// chip.h - what is in the Cyclone V, as the board and its user meet it: pins and time.
 #pragma once
 
 #include <functional>
@@ -28,8 +28,8 @@ public:
     virtual void end_trace() {}
 };
 
-// Puts a chip on the board: onto these pins, with this audience for what it prints.  `sdram` are the
-// 64 MB of the chip beside it.
+// Puts a chip on the board: onto these pins, with this audience for what it prints.  `sdram` points
+// to the 64 MB of the memory chip beside it.
 using ChipMaker = std::function<std::unique_ptr<Chip>(PinListener& pins, Audience& audience,
                                                       std::uint8_t* sdram)>;
 

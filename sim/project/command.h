@@ -12,8 +12,8 @@ struct Outcome {
     std::string output;  // stdout and stderr
 };
 
-// Runs the program, found on the PATH, in `folder`, without a shell.  After `limit_s` seconds it and
-// what it has started are ended, and the code is TIMED_OUT.
+// Runs the program, found on the PATH, in `folder`, without a shell.  After `limit_s` seconds it is
+// ended with all that it has started, and the code is TIMED_OUT.
 constexpr int TIMED_OUT = -1;
 Outcome run_command(const std::vector<std::string>& words, const std::filesystem::path& folder,
                     unsigned limit_s);

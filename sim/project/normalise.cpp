@@ -17,7 +17,7 @@ namespace {
 
 using Kind = Token::Kind;
 
-// Words that SystemVerilog has taken; and those with which a .v file shows that it is meant as such.
+// Words that SystemVerilog has taken; and those that show that a .v file is SystemVerilog.
 bool is_new_keyword(std::string_view word) {
     static constexpr std::string_view WORDS[] = {
         "assert",  "before", "bind",       "bit",           "break",    "byte",     "chandle",

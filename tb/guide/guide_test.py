@@ -1,8 +1,9 @@
 """guide_test.py README BIN EXAMPLES FOLDER [SOURCE] - does what a chapter of the guide says.
 
 All blocks ```sh of README run in order, in one bash, in the empty FOLDER; BIN is in front of PATH.
-What is not there in a test is put in its place: EXAMPLES for /usr/share/de1sim/examples, and a port
-that is free for 3333.  With SOURCE, FOLDER holds a copy of the project, as a clone would.
+What is not there in a test is put in its place: EXAMPLES for /usr/share/de1sim/examples, this
+project's rtl/ for /usr/share/de1sim/rtl, and a port that is free for 3333.  With SOURCE, FOLDER
+holds a copy of the project, as a clone would.
 
 A block ```text that comes next is what the commands print.  There "..." is any text within a line,
 and alone on a line any number of lines.  Exit code 1 and the difference if something else was
@@ -22,6 +23,8 @@ import sys
 PARTS = ["CMakeLists.txt", "CMakePresets.json", "Makefile", "LICENSE", "CHANGELOG.md", ".ci", "rtl",
          "sim", "sw", "tb"]
 INSTALLED = "/usr/share/de1sim/examples"
+INSTALLED_RTL = "/usr/share/de1sim/rtl"
+RTL = pathlib.Path(__file__).resolve().parents[2] / "rtl"
 PORT = "3333"
 MARK = "@@ block {} @@"
 
@@ -56,6 +59,7 @@ def run(chapter, arguments):
     port, examples = free_port(), shlex.quote(str(arguments.examples.resolve()))
     for number, (commands, _) in enumerate(chapter):
         script += f"echo; echo '{MARK.format(number)}'\n"
+        commands = commands.replace(INSTALLED_RTL, shlex.quote(str(RTL)))
         script += commands.replace(INSTALLED, examples).replace(PORT, port)
     path = f"{arguments.bin.resolve()}:{os.environ['PATH']}"
     # A build of the project is not optimised, because its runs are short and compiling is long.

@@ -60,13 +60,16 @@ class Reading(Case):
     def test_modules_that_are_not_listed(self):
         self.write(p_qsf="set_global_assignment -name TOP_LEVEL_ENTITY top\n"
                          "set_global_assignment -name VERILOG_FILE top.v\n",
-                   top_v=LEDS.format("y") .replace("; assign", "; wire [9:0] y; sub u (SW, y); assign"),
-                   lib__Sub_v="module sub(input [9:0] a, output [9:0] b); assign b = a; endmodule\n")
+                   top_v=LEDS.format("y").replace("; assign", "; wire [9:0] y; sub u(SW, y); assign"
+                                                  ),
+                   lib__Sub_v="module sub(input [9:0] a, output [9:0] b);\n"
+                              "assign b = a; endmodule\n")
         self.assertIn("lib/Sub.v is not listed", self.leds(5, 5))
 
     def test_paths_of_another_machine(self):
         self.write(p_qsf="set_global_assignment -name TOP_LEVEL_ENTITY top\n"
-                         "set_global_assignment -name VERILOG_FILE \"C:/Users/me/lab1/SRC\\\\Top.V\"\n",
+                         "set_global_assignment -name VERILOG_FILE "
+                         "\"C:/Users/me/lab1/SRC\\\\Top.V\"\n",
                    src__top_v=LEDS.format("SW"))
         self.leds(3, 3)
 
@@ -80,7 +83,8 @@ class Reading(Case):
 
     def test_another_device_is_said(self):
         self.write(p_qsf="set_global_assignment -name DEVICE EP4CE115F29C7\n"
-                         "set_global_assignment -name TOP_LEVEL_ENTITY top\n", top_v=LEDS.format("SW"))
+                         "set_global_assignment -name TOP_LEVEL_ENTITY top\n",
+                   top_v=LEDS.format("SW"))
         self.checked("DEVICE is EP4CE115F29C7; the DE1-SoC has a 5CSEMA5F31C6")
 
 
@@ -103,11 +107,12 @@ class AsQuartusTakesIt(Case):
         self.leds(1)
 
     def test_pulls_of_the_wizards_files(self):
-        """tri0 and tri1 in the wizard's file and in the instantiating one: the memory must write."""
+        """tri0 and tri1 in the wizard's file and where it is instanced: the memory must write."""
         self.write(top_v="module top(input CLOCK_50, output [9:0] LEDR);\n"
                          "reg [3:0] n = 0; always @(posedge CLOCK_50) n <= n + 1;\n"
                          "tri1 clock = CLOCK_50; tri0 wren = 1;\n"
-                         "ram r (.address(n), .clock(clock), .data({n, n}), .wren(wren), .q(LEDR[7:0]));\n"
+                         "ram r (.address(n), .clock(clock), .data({n, n}), .wren(wren),\n"
+                         "  .q(LEDR[7:0]));\n"
                          "assign LEDR[9:8] = 0; endmodule\n",
                    ram_v="module ram(address, clock, data, wren, q);\n"
                          "input [3:0] address; input clock; input [7:0] data; input wren;\n"
@@ -115,8 +120,10 @@ class AsQuartusTakesIt(Case):
                          "altsyncram a (.address_a(address), .clock0(clock), .data_a(data),\n"
                          "  .wren_a(wren), .q_a(q));\n"
                          "defparam a.operation_mode = \"SINGLE_PORT\", a.width_a = 8,\n"
-                         "  a.widthad_a = 4, a.numwords_a = 16, a.outdata_reg_a = \"UNREGISTERED\",\n"
-                         "  a.read_during_write_mode_port_a = \"NEW_DATA_NO_NBE_READ\";\nendmodule\n")
+                         "  a.widthad_a = 4, a.numwords_a = 16,\n"
+                         "  a.outdata_reg_a = \"UNREGISTERED\",\n"
+                         "  a.read_during_write_mode_port_a = \"NEW_DATA_NO_NBE_READ\";\n"
+                         "endmodule\n")
         self.write(s_yaml="name: ram\nversion: 1\nsteps:\n  - delay: 1ms\n")
         done = self.de1sim("run", "s.yaml", "--project", ".")
         self.assertRegex(done.stdout, r"LEDR 00(\d{4})\1")
@@ -182,7 +189,8 @@ class Wrong(Case):
         self.refused("top.v:2:1: Cannot find file containing module: 'gone'")
 
     def test_a_syntax_error(self):
-        self.write(top_v="module top(input [9:0] SW, output [9:0] LEDR);\nassign LEDR = SW +;\nendmodule\n")
+        self.write(top_v="module top(input [9:0] SW, output [9:0] LEDR);\n"
+                         "assign LEDR = SW +;\nendmodule\n")
         self.refused("top.v:2:")
 
     def test_garbage(self):
@@ -196,7 +204,8 @@ class Wrong(Case):
         self.refused("system.qsys: a Qsys system")
 
     def test_a_processors_program(self):
-        self.write(top_v=LEDS.format("SW"), s_yaml="name: x\nversion: 1\nprogram: x.elf\nsteps: [delay: 1ms]\n")
+        self.write(top_v=LEDS.format("SW"),
+                   s_yaml="name: x\nversion: 1\nprogram: x.elf\nsteps: [delay: 1ms]\n")
         self.refused("has no processor", "run", "s.yaml", "--project", ".")
 
     def test_options_of_a_processor(self):

@@ -1,7 +1,7 @@
 // framebuffer.v - a picture of 160 x 120 in three colours' bits, in a memory that starts with one
 //
 // The memory is the wizard's (picture_ram.v, with house.mif), and so is the pixel clock's PLL.
-// SW2-SW0 is a colour, KEY0 paints the whole picture with it, from the top, 4,000 pixels per second.
+// SW2-SW0 is a colour; KEY0 paints the picture with it from the top, 4,000 pixels per second.
 
 module framebuffer (
     input        CLOCK_50,

@@ -33,8 +33,10 @@ module pong (
 
     localparam BALL = 8, BAT = 64, BAT_WIDTH = 8, LEFT_X = 24, RIGHT_X = 608, STEP = 4;
 
-    wire hits_left  = ball_x == LEFT_X + BAT_WIDTH && ball_y + BALL > left_y && ball_y < left_y + BAT;
-    wire hits_right = ball_x + BALL == RIGHT_X && ball_y + BALL > right_y && ball_y < right_y + BAT;
+    wire hits_left  = ball_x == LEFT_X + BAT_WIDTH &&
+                      ball_y + BALL > left_y && ball_y < left_y + BAT;
+    wire hits_right = ball_x + BALL == RIGHT_X &&
+                      ball_y + BALL > right_y && ball_y < right_y + BAT;
 
     always @(posedge clock)
         if (frame) begin
@@ -51,7 +53,8 @@ module pong (
                     else left_points <= left_points + 1;
                 end else begin
                     to_right <= hits_left ? 1 : hits_right ? 0 : to_right;
-                    ball_x <= (hits_left || to_right && !hits_right) ? ball_x + STEP : ball_x - STEP;
+                    ball_x <= (hits_left || to_right && !hits_right) ? ball_x + STEP
+                                                                    : ball_x - STEP;
                     if (ball_y == 0) to_bottom <= 1;
                     if (ball_y == 480 - BALL) to_bottom <= 0;
                     ball_y <= (ball_y == 0 || to_bottom && ball_y != 480 - BALL) ? ball_y + STEP

@@ -7,8 +7,8 @@
 // evaluation.  The video DAC and the SDRAM take their pins at a rising edge of a clock that the
 // design makes, so these are sampled here, as they would be in their input registers.
 //
-// A wire that both sides may drive has a pull-up, as on the board: X_low_i is where the outside pulls
-// it low, X_o its level.
+// A wire that both sides may drive has a pull-up, as on the board: X_low_i says where the outside
+// pulls it low, X_o is its level.
 
 `default_nettype none
 
