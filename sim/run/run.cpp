@@ -158,7 +158,7 @@ ExitCode run_doing(const char*& doing, RunOptions options, const Firmware& firmw
         built = build_with_progress(options.project, !options.trace.empty(), options.quiet);
         doing = "setting up the board";
     }
-    const std::string project_folder = project_folder_of(options.project.place);
+    const std::string project_folder = built ? project_folder_of(options.project.place) : "";
     Computer* computer = nullptr;
     Board board{
         "board",
