@@ -24,8 +24,8 @@ ProjectChip::ProjectChip(const sc_core::sc_module_name& name, PinListener& pins,
     const auto open =
         reinterpret_cast<project::OpenModel*>(dlsym(library_.get(), "de1sim_open_model"));
     if (!open) throw std::runtime_error{library.string() + ": is not a design that was built here"};
-    model_.reset(open(pins, {folder.c_str(), trace_file.c_str(),
-                             [](const char* line) { complain(line); }}));
+    model_.reset(
+        open(pins, {folder.c_str(), trace_file.c_str(), [](const char* line) { complain(line); }}));
     SC_HAS_PROCESS(ProjectChip);
     SC_METHOD(look);
     sensitive << look_;

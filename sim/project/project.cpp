@@ -61,10 +61,9 @@ public:
     explicit ProjectReader(const Request& request)
         : request_{request},
           settings_{settings_at(request.place)},
-          folder_{(settings_.empty()
-                       ? fs::absolute(request.place / "x").lexically_normal().parent_path()
-                       : fs::absolute(settings_).parent_path())
-                      .lexically_normal()},
+          folder_{fs::absolute(settings_.empty() ? request.place / "x" : settings_)
+                      .lexically_normal()
+                      .parent_path()},
           finder_{folder_} {
         project_.folder = folder_;
         project_.settings = settings_;

@@ -64,9 +64,11 @@ TEST_F(WrongInput, OverlappingTimesAreRefused) {
     refused(play(scenario("duration: 1s\nsteps:\n  - delay: 2s\n")), "s.yaml:5:5: expected steps");
 }
 
-TEST_F(WrongInput, AGoldenOfAnotherSizeIsRefusedBeforeTheRun) {
+TEST_F(WrongInput, AGoldenOfAnotherSizeIsNotMetAndBothSizesAreSaid) {
     sim::write_png(folder / "small.png", {320, 240, std::vector<std::uint8_t>(320 * 240 * 3)});
-    refused(play(scenario("steps:\n  - expect-frame: {equals: small.png}\n")), "320 x 240");
+    const Outcome outcome = play(scenario("steps:\n  - expect-frame: {equals: small.png}\n"));
+    EXPECT_EQ(outcome.exit_code, 1);
+    EXPECT_THAT(outcome.err, HasSubstr("640 x 480 pixels, but small.png has 320 x 240"));
 }
 
 TEST_F(WrongInput, AGoldenThatIsNotThereOrNoPictureIsRefusedBeforeTheRun) {
