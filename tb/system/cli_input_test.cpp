@@ -66,7 +66,7 @@ TEST_F(WrongInput, OverlappingTimesAreRefused) {
 
 TEST_F(WrongInput, AGoldenOfAnotherSizeIsNotMetAndBothSizesAreSaid) {
     sim::write_png(folder / "small.png", {320, 240, std::vector<std::uint8_t>(320 * 240 * 3)});
-    const Outcome outcome = play(scenario("steps:\n  - expect-frame: {equals: small.png}\n"));
+    const auto outcome = play(scenario("steps:\n  - expect-frame: {equals: small.png}\n"));
     EXPECT_EQ(outcome.exit_code, 1);
     EXPECT_THAT(outcome.err, HasSubstr("640 x 480 pixels, but small.png has 320 x 240"));
 }
