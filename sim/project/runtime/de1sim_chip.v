@@ -7,6 +7,9 @@
 // evaluation.  The video DAC and the SDRAM take their pins at a rising edge of a clock that the
 // design makes, so these are sampled here, as they would be in their input registers.
 //
+// The other inputs are taken over when moved_i changes.  An evaluation then need not look at them,
+// and all that hangs on them, at every clock.
+//
 // A wire that both sides may drive has a pull-up, as on the board: X_low_i says where the outside
 // pulls it low, X_o is its level.
 
@@ -16,6 +19,8 @@ module de1sim_chip (
     input  wire        clock_50_i,
     input  wire        clock_27_i,      // the video decoder's
     input  wire [63:0] pll_clocks_i,
+
+    input  wire        moved_i,         // changes after an input below has
 
     input  wire [3:0]  key_ni,
     input  wire [9:0]  sw_i,
@@ -79,12 +84,35 @@ module de1sim_chip (
 
     // ---- Wires of the board ----
 
-    wire [3:0]  KEY      = key_ni;
-    wire [9:0]  SW       = sw_i;
-    wire        AUD_ADCDAT = aud_adcdat_i;
-    wire        ADC_DOUT = adc_dout_i;
-    wire        IRDA_RXD = irda_rxd_i;
-    wire [7:0]  TD_DATA  = td_data_i;
+    reg  [3:0]  KEY = 4'hf;
+    reg  [9:0]  SW = 10'd0;
+    reg  [35:0] gpio_0_low = 36'd0, gpio_1_low = 36'd0;
+    reg  [15:0] dram_dq = 16'd0;
+    reg         dram_dq_en = 1'b0;
+    reg         AUD_ADCDAT = 1'b0, ADC_DOUT = 1'b0, IRDA_RXD = 1'b1;
+    reg         i2c_sdat_low = 1'b0;
+    reg  [2:0]  aud = 3'd0;
+    reg         aud_en = 1'b0;
+    reg  [1:0]  ps2_clk_low = 2'd0, ps2_dat_low = 2'd0;
+
+    always @(posedge moved_i or negedge moved_i) begin
+        KEY <= key_ni;
+        SW <= sw_i;
+        gpio_0_low <= gpio_0_low_i;
+        gpio_1_low <= gpio_1_low_i;
+        dram_dq <= dram_dq_i;
+        dram_dq_en <= dram_dq_en_i;
+        AUD_ADCDAT <= aud_adcdat_i;
+        ADC_DOUT <= adc_dout_i;
+        IRDA_RXD <= irda_rxd_i;
+        i2c_sdat_low <= i2c_sdat_low_i;
+        aud <= aud_i;
+        aud_en <= aud_en_i;
+        ps2_clk_low <= ps2_clk_low_i;
+        ps2_dat_low <= ps2_dat_low_i;
+    end
+
+    wire [7:0]  TD_DATA = td_data_i;
     wire        TD_HS    = 1'b1;
     wire        TD_VS    = 1'b1;
 
@@ -109,20 +137,20 @@ module de1sim_chip (
         for (n = 0; n < 36; n = n + 1) begin : header
             pullup(GPIO_0[n]);
             pullup(GPIO_1[n]);
-            assign GPIO_0[n] = gpio_0_low_i[n] ? 1'b0 : 1'bz;
-            assign GPIO_1[n] = gpio_1_low_i[n] ? 1'b0 : 1'bz;
+            assign GPIO_0[n] = gpio_0_low[n] ? 1'b0 : 1'bz;
+            assign GPIO_1[n] = gpio_1_low[n] ? 1'b0 : 1'bz;
         end
     endgenerate
 
-    assign DRAM_DQ = dram_dq_en_i ? dram_dq_i : 16'bz;
-    assign AUD_BCLK = aud_en_i ? aud_i[2] : 1'bz;
-    assign AUD_DACLRCK = aud_en_i ? aud_i[1] : 1'bz;
-    assign AUD_ADCLRCK = aud_en_i ? aud_i[0] : 1'bz;
-    assign FPGA_I2C_SDAT = i2c_sdat_low_i ? 1'b0 : 1'bz;
-    assign PS2_CLK = ps2_clk_low_i[0] ? 1'b0 : 1'bz;
-    assign PS2_DAT = ps2_dat_low_i[0] ? 1'b0 : 1'bz;
-    assign PS2_CLK2 = ps2_clk_low_i[1] ? 1'b0 : 1'bz;
-    assign PS2_DAT2 = ps2_dat_low_i[1] ? 1'b0 : 1'bz;
+    assign DRAM_DQ = dram_dq_en ? dram_dq : 16'bz;
+    assign AUD_BCLK = aud_en ? aud[2] : 1'bz;
+    assign AUD_DACLRCK = aud_en ? aud[1] : 1'bz;
+    assign AUD_ADCLRCK = aud_en ? aud[0] : 1'bz;
+    assign FPGA_I2C_SDAT = i2c_sdat_low ? 1'b0 : 1'bz;
+    assign PS2_CLK = ps2_clk_low[0] ? 1'b0 : 1'bz;
+    assign PS2_DAT = ps2_dat_low[0] ? 1'b0 : 1'bz;
+    assign PS2_CLK2 = ps2_clk_low[1] ? 1'b0 : 1'bz;
+    assign PS2_DAT2 = ps2_dat_low[1] ? 1'b0 : 1'bz;
     pullup(FPGA_I2C_SDAT);
     pullup(PS2_CLK);
     pullup(PS2_DAT);
@@ -139,8 +167,8 @@ module de1sim_chip (
     assign hex_no = {HEX5, HEX4, HEX3, HEX2, HEX1, HEX0};
     assign gpio_0_o = GPIO_0;
     assign gpio_1_o = GPIO_1;
-    assign gpio_0_oe_o = `DE1SIM_GPIO_0_OUTPUTS | ~GPIO_0 & ~gpio_0_low_i;
-    assign gpio_1_oe_o = `DE1SIM_GPIO_1_OUTPUTS | ~GPIO_1 & ~gpio_1_low_i;
+    assign gpio_0_oe_o = `DE1SIM_GPIO_0_OUTPUTS | ~GPIO_0 & ~gpio_0_low;
+    assign gpio_1_oe_o = `DE1SIM_GPIO_1_OUTPUTS | ~GPIO_1 & ~gpio_1_low;
     assign aud_o = {AUD_BCLK, AUD_DACLRCK, AUD_ADCLRCK};
     assign aud_dacdat_o = AUD_DACDAT;
     assign i2c_sclk_o = FPGA_I2C_SCLK;
