@@ -76,6 +76,7 @@ public:
             for (const Assignment& a : read_settings(settings_)) take(a);
             if (project_.top.empty()) project_.top = settings_.stem().string();
         }
+        if (other_device_) project_.pins.clear();
         const bool folder_alone = sources_.empty();
         if (folder_alone) {
             for (const fs::path& file : finder_.files())
@@ -116,8 +117,10 @@ private:
             std::replace(path.begin(), path.end(), '\\', '/');
             project_.includes.push_back((folder_ / path).lexically_normal());
         } else if (name == "DEVICE") {
-            if (a.value != "5CSEMA5F31C6")
-                note(fmt::format("DEVICE is {}; the DE1-SoC has a 5CSEMA5F31C6", a.value));
+            if (lower(a.value).compare(0, 12, "5csema5f31c6") == 0) return;
+            note(fmt::format(
+                "DEVICE is {}, not the DE1-SoC's 5CSEMA5F31C6: ports go by their names", a.value));
+            other_device_ = true;
         } else if (name == "VERILOG_FILE" || name == "SYSTEMVERILOG_FILE" || name == "VHDL_FILE" ||
                    name == "SOURCE_FILE") {
             take_source(a);
@@ -256,6 +259,7 @@ private:
     std::set<fs::path> known_;
     std::map<std::string, Definition> modules_;
     std::vector<std::string> unsupported_;
+    bool other_device_ = false;  // so its pins' locations mean other signals
 };
 
 }  // namespace

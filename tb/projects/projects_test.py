@@ -82,10 +82,13 @@ class Reading(Case):
         self.leds(2, 1)
 
     def test_another_device_is_said(self):
+        """And its pins are not taken: PIN_AB12 is SW0 here."""
         self.write(p_qsf="set_global_assignment -name DEVICE EP4CE115F29C7\n"
-                         "set_global_assignment -name TOP_LEVEL_ENTITY top\n",
+                         "set_global_assignment -name TOP_LEVEL_ENTITY top\n"
+                         "set_location_assignment PIN_AB12 -to LEDR[3]\n",
                    top_v=LEDS.format("SW"))
-        self.checked("DEVICE is EP4CE115F29C7; the DE1-SoC has a 5CSEMA5F31C6")
+        self.assertIn("DEVICE is EP4CE115F29C7, not the DE1-SoC's 5CSEMA5F31C6",
+                      self.leds(0b1000, 0b1000))
 
 
 class AsQuartusTakesIt(Case):
