@@ -114,6 +114,17 @@ std::vector<std::string> verilator_words(const Project& project) {
     return words;
 }
 
+// What it translates runs on the library of one version.
+void check_version() {
+    const Outcome outcome = run_command({"verilator", "--version"}, "/", LIMIT_S);
+    if (outcome.code != 0) throw ProjectError{first_error(outcome, "verilator")};
+    const std::string expected = fmt::format("Verilator {} ", VERILATOR_VERSION);
+    if (outcome.output.compare(0, expected.size(), expected) != 0)
+        throw ProjectError{
+            fmt::format("{} is installed, expected version {}, with which de1sim was built",
+                        outcome.output.substr(0, outcome.output.find(' ', 10)), VERILATOR_VERSION)};
+}
+
 std::string tap_text(const std::vector<PllClock>& clocks) {
     std::string text =
         "// Written by de1sim: the PLLs' outputs, as inputs of the chip.\n"
@@ -182,6 +193,7 @@ const Design& Builder::examine() {
     design_.project = read_project(request_);
     folder_ = place_for(design_.project.folder);
     write_sources();
+    check_version();
     auto words = verilator_words(design_.project);
     words.insert(words.end(), {"--xml-only", "--xml-output", "design.xml", "--Mdir", "xml",
                                "--top-module", design_.project.top});

@@ -211,6 +211,20 @@ class Wrong(Case):
                    s_yaml="name: x\nversion: 1\nprogram: x.elf\nsteps: [delay: 1ms]\n")
         self.refused("has no processor", "run", "s.yaml", "--project", ".")
 
+    def test_no_verilator_and_another_one(self):
+        self.write(top_v=LEDS.format("SW"))
+        program = self.folder / "bin" / "verilator"
+        program.parent.mkdir()
+        for text, message in (
+                ("exit 127", "verilator is not installed: apt install verilator g++"),
+                ("echo Verilator 5.020 2024", "Verilator 5.020 is installed, expected")):
+            program.write_text(f"#!/bin/sh\n{text}\n")
+            program.chmod(0o755)
+            done = subprocess.run([DE1SIM, "check", "."], cwd=self.folder, capture_output=True,
+                                  text=True, env={"PATH": f"{program.parent}:/usr/bin:/bin"})
+            self.assertEqual(done.returncode, 2)
+            self.assertIn(message, done.stderr)
+
     def test_options_of_a_processor(self):
         self.write(top_v=LEDS.format("SW"), s_yaml="name: x\nversion: 1\nsteps: [delay: 1ms]\n")
         self.refused("--cpu: and --project exclude each other", "run", "s.yaml", "--project", ".",
