@@ -1,14 +1,16 @@
 # completion.bash - completion of de1sim's command line; what it offers is what --help says
 
 _de1sim() {
-    local word=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD - 1]} command=run choices
+    local word=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD - 1]} command=run choices=
     case ${COMP_WORDS[1]} in
         run | build | check | check-board | compare) command=${COMP_WORDS[1]} ;;
     esac
     COMPREPLY=()
     # "--cpu TEXT:{auto,native,arm}=auto"
-    choices=$("$1" "$command" --help 2> /dev/null |
-        sed -n "s/^ *$before [A-Z]*:{\([^}]*\)}.*/\1/p" | tr , ' ')
+    if [[ $before == --* ]]; then
+        choices=$("$1" "$command" --help 2> /dev/null |
+            sed -n "s/^ *$before [A-Z]*:{\([^}]*\)}.*/\1/p" | tr , ' ')
+    fi
     if [[ $before == --frames ]]; then
         choices="new all every: last none"
     fi

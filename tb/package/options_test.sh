@@ -3,11 +3,12 @@
 set -euo pipefail
 de1sim=$1 folder=$2
 
-options=$(for command in run check-board compare; do "$de1sim" $command --help; done |
+page=$(sed 's/\\-/-/g' "$folder/de1sim.1")
+options=$(for command in run build check check-board compare; do "$de1sim" $command --help; done |
     grep -o -E '^ +(-h,)?--[a-z-]+' | grep -o -E -- '--[a-z-]+' | sort -u)
 [ "$(wc -w <<< "$options")" -gt 15 ]
 for option in $options; do
-    sed 's/\\-/-/g' "$folder/de1sim.1" | grep -q -E -- "$option([^a-z-]|$)" || {
+    grep -q -E -- "$option([^a-z-]|$)" <<< "$page" || {
         echo "de1sim.1 does not mention $option"
         exit 1
     }
