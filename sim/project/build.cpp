@@ -1,17 +1,18 @@
 #include "sim/project/build.h"
 
+#include <fcntl.h>
+#include <sys/file.h>
 #include <unistd.h>
 
-#include <algorithm>
+#include <cerrno>
 #include <cstdlib>
-#include <fstream>
-#include <sstream>
+#include <cstring>
 
 #include <fmt/format.h>
 
-#include "sim/project/command.h"
 #include "sim/project/file_finder.h"
 #include "sim/project/normalise.h"
+#include "sim/project/tools.h"
 #include "sim/report/sha256.h"
 #include "sim/report/whole_file.h"
 
@@ -20,13 +21,6 @@ namespace sim::project {
 namespace fs = std::filesystem;
 
 namespace {
-
-constexpr unsigned LIMIT_S = 600;  // for one run of Verilator or of the compiler
-
-fs::path program_folder() {
-    std::error_code error;
-    return fs::read_symlink("/proc/self/exe", error).parent_path();
-}
 
 std::string hash_of(const std::string& text) {
     return sha256_hex(text.data(), text.size()).substr(0, 16);
@@ -50,29 +44,6 @@ void write_if_new(const fs::path& file, const std::string& text) {
     std::error_code error;
     if (fs::is_regular_file(file, error) && text_of(file) == text) return;
     write_whole_file(file, text);
-}
-
-// Verilator's first error, in a line: "pong.v:12:5: syntax error, unexpected ...".
-std::string first_error(const Outcome& outcome, const std::string& tool) {
-    if (outcome.code == TIMED_OUT)
-        return fmt::format("{} did not end in {} s: the design is too large, or oscillates", tool,
-                           LIMIT_S);
-    if (outcome.code == 127)
-        return tool + " is not installed: apt install verilator g++ (packages of Debian)";
-    std::istringstream lines{outcome.output};
-    std::string first;
-    for (std::string line; std::getline(lines, line);) {
-        const std::size_t mark = line.find("%Error");
-        if (mark != std::string::npos) {
-            if (line.find("Exiting due to") != std::string::npos) continue;
-            const std::size_t colon = line.find(": ", mark);
-            return colon == std::string::npos ? line : line.substr(colon + 2);
-        }
-        if (first.empty() && line.find("error:") != std::string::npos) first = line;
-    }
-    return first.empty() ? fmt::format("{} ended with code {}: {}", tool, outcome.code,
-                                       outcome.output.substr(0, 200))
-                         : first;
 }
 
 // A name without blanks in `folder` for `target`: Verilator stumbles over those.
@@ -114,17 +85,6 @@ std::vector<std::string> verilator_words(const Project& project) {
     return words;
 }
 
-// What it translates runs on the library of one version.
-void check_version() {
-    const Outcome outcome = run_command({"verilator", "--version"}, "/", LIMIT_S);
-    if (outcome.code != 0) throw ProjectError{first_error(outcome, "verilator")};
-    const std::string expected = fmt::format("Verilator {} ", VERILATOR_VERSION);
-    if (outcome.output.compare(0, expected.size(), expected) != 0)
-        throw ProjectError{
-            fmt::format("{} is installed, expected version {}, with which de1sim was built",
-                        outcome.output.substr(0, outcome.output.find(' ', 10)), VERILATOR_VERSION)};
-}
-
 std::string tap_text(const std::vector<PllClock>& clocks) {
     std::string text =
         "// Written by de1sim: the PLLs' outputs, as inputs of the chip.\n"
@@ -157,7 +117,15 @@ std::string clocks_text(const Design& design) {
 
 }  // namespace
 
-fs::path data_folder() { return (program_folder() / "../share/de1sim").lexically_normal(); }
+FolderLock::~FolderLock() {
+    if (descriptor_ >= 0) close(descriptor_);
+}
+
+void FolderLock::take(const fs::path& file) {
+    descriptor_ = open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+    if (descriptor_ < 0) throw ProjectError{file.string() + ": " + std::strerror(errno)};
+    flock(descriptor_, LOCK_EX);  // where a file system has none, there is no other process either
+}
 
 Builder::Builder(const Request& request, bool trace) : request_{request}, trace_{trace} {
     const fs::path models = data_folder() / "rtl" / "ip";
@@ -169,6 +137,7 @@ Builder::Builder(const Request& request, bool trace) : request_{request}, trace_
 
 void Builder::write_sources() {
     fs::create_directories(folder_ / "source");
+    lock_.take(folder_ / "lock");
     link_to(data_folder(), folder_ / "data");
     for (std::size_t n = 0; n < design_.project.includes.size(); ++n)
         link_to(design_.project.includes[n], folder_ / include_link(n));
@@ -193,13 +162,12 @@ const Design& Builder::examine() {
     design_.project = read_project(request_);
     folder_ = place_for(design_.project.folder);
     write_sources();
-    check_version();
+    check_verilator();
     auto words = verilator_words(design_.project);
     words.insert(words.end(), {"--xml-only", "--xml-output", "design.xml", "--Mdir", "xml",
                                "--top-module", design_.project.top});
     for (const fs::path& file : files_) words.push_back(file.string());
-    const Outcome outcome = run_command(words, folder_, LIMIT_S);
-    if (outcome.code != 0) throw ProjectError{first_error(outcome, "verilator")};
+    run_tool(words, folder_);
     design_.elaborated = read_elaborated(folder_ / "design.xml", design_.project.top);
     design_.binding =
         sim::project::bind(design_.elaborated.ports, design_.project.pins,
@@ -240,7 +208,7 @@ Built Builder::build(const Progress& progress) {
     std::error_code error;
     if (fs::is_regular_file(library, error)) return {library, true};
 
-    const fs::path data = data_folder(), objects = folder_ / (trace_ ? "objects-trace" : "objects");
+    const fs::path objects = folder_ / (trace_ ? "objects-trace" : "objects");
     fs::remove_all(objects, error);
     fs::create_directories(objects);
     progress(fmt::format("translating {} (Verilator)", design_.project.top));
@@ -257,51 +225,10 @@ Built Builder::build(const Progress& progress) {
     words.push_back("data/project/de1sim_chip.v");
     words.push_back("de1sim_pll_taps.v");
     for (const fs::path& file : files_) words.push_back(file.string());
-    Outcome outcome = run_command(words, folder_, LIMIT_S);
-    if (outcome.code != 0) throw ProjectError{first_error(outcome, "verilator")};
+    run_tool(words, folder_);
 
     progress("compiling");
-    std::string fast, slow;
-    for (const auto& entry : fs::directory_iterator{objects}) {
-        const std::string file = entry.path().filename().string();
-        if (entry.path().extension() != ".cpp") continue;
-        (file.find("__Slow") != std::string::npos ? slow : fast) +=
-            fmt::format("#include \"{}\"\n", file);
-    }
-    write_whole_file(objects / "fast.cxx", fast);
-    write_whole_file(objects / "slow.cxx", slow);
-    const fs::path verilator_root = VERILATOR_INCLUDE;
-    const std::vector<std::string> common{"g++",
-                                          "-std=c++17",
-                                          "-fPIC",
-                                          "-DVL_TIME_CONTEXT",
-                                          "-w",
-                                          "-c",
-                                          "-I.",
-                                          "-I" + folder_.string(),
-                                          "-I" + (data / "include").string(),
-                                          "-I" + verilator_root.string(),
-                                          "-I" + (verilator_root / "vltstd").string()};
-    const auto compile = [&](const fs::path& source, const std::string& object, const char* level) {
-        auto command = common;
-        command.insert(command.end(), {level, source.string(), "-o", object});
-        if (trace_) command.emplace_back("-DDE1SIM_TRACE");
-        return command;
-    };
-    std::vector<std::vector<std::string>> commands{
-        compile("fast.cxx", "fast.o", "-O2"), compile(data / "project/model.cpp", "model.o", "-O2"),
-        compile("slow.cxx", "slow.o", "-O0")};
-    if (trace_) commands.push_back(compile(verilator_root / "verilated_fst_c.cpp", "fst.o", "-O1"));
-    for (const Outcome& one : run_commands(commands, objects, LIMIT_S))
-        if (one.code != 0) throw ProjectError{first_error(one, "g++")};
-    std::vector<std::string> link{"g++", "-shared", "-o", "chip.so", "fast.o", "slow.o", "model.o"};
-    if (trace_) link.push_back("fst.o");
-    for (const char* runtime : {"libinit_file.a", "libverilated_runtime.a"})
-        link.push_back(
-            (program_folder() / ".." / LIBRARY_FOLDER / runtime).lexically_normal().string());
-    link.insert(link.end(), {"-pthread", "-lz"});
-    outcome = run_command(link, objects, LIMIT_S);
-    if (outcome.code != 0) throw ProjectError{first_error(outcome, "g++")};
+    compile_library(folder_, objects, trace_);
     // Those of other states of the design are of no use any more.
     for (const auto& entry : fs::directory_iterator{folder_}) {
         const std::string old = entry.path().filename().string();

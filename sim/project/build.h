@@ -25,6 +25,20 @@ struct Built {
 // What is said while it goes on: "translating 12 files (Verilator)".
 using Progress = std::function<void(const std::string& line)>;
 
+// Held by one process at a time; others wait.
+class FolderLock {
+public:
+    FolderLock() = default;
+    ~FolderLock();
+    FolderLock(const FolderLock&) = delete;
+    FolderLock& operator=(const FolderLock&) = delete;
+
+    void take(const std::filesystem::path& file);  // ProjectError: cannot be written
+
+private:
+    int descriptor_ = -1;
+};
+
 class Builder {
 public:
     // `trace`: with waveforms, which is another library.  ProjectError.
@@ -43,6 +57,7 @@ private:
     void generate();
     std::string key() const;
 
+    FolderLock lock_;  // from examine() on: two runs of one project do not build at once
     Request request_;
     bool trace_;
     Design design_;
@@ -50,8 +65,5 @@ private:
     std::vector<std::filesystem::path> files_;  // cleaned copies, in folder_
     bool examined_ = false;
 };
-
-// Files that de1sim comes with: `share` of an installation, or of the build tree.
-std::filesystem::path data_folder();
 
 }  // namespace sim::project

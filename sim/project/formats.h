@@ -6,9 +6,9 @@
 
 #include "sim/project/memory_image.h"
 
-namespace project {
+namespace sim::project {
 
 void read_mif(std::string_view text, const std::string& name, MemoryImage& image);
 void read_intel_hex(std::string_view text, const std::string& name, MemoryImage& image);
 
-}  // namespace project
+}  // namespace sim::project

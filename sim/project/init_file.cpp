@@ -10,7 +10,7 @@
 
 #include "sim/project/memory_image.h"
 
-namespace project {
+namespace sim::project {
 namespace {
 
 namespace fs = std::filesystem;
@@ -67,12 +67,12 @@ void set_init_folders(InitFolders folders, std::function<void(const std::string&
     search() = {std::move(folders), std::move(missing)};
 }
 
-}  // namespace project
+}  // namespace sim::project
 
-// ---- DPI ------------------------------------------------------------------------------------
+// ---- DPI ----
 
 extern "C" int de1sim_init_file(const char* file, const char* memory, int width, int words) {
-    using namespace project;
+    using namespace sim::project;
     const std::string name = file;
     if (name.empty() || lower(name) == "unused" || lower(name) == "none") return 0;
     const auto found = find_init_file(name, search().folders);
@@ -90,6 +90,6 @@ extern "C" int de1sim_init_file(const char* file, const char* memory, int width,
 }
 
 extern "C" int de1sim_init_part(int word, int part) {
-    return static_cast<int>(project::search().image.part(static_cast<std::size_t>(word),
-                                                         static_cast<std::size_t>(part)));
+    return static_cast<int>(sim::project::search().image.part(static_cast<std::size_t>(word),
+                                                              static_cast<std::size_t>(part)));
 }

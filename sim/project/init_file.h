@@ -18,7 +18,7 @@
 #include <string>
 #include <vector>
 
-namespace project {
+namespace sim::project {
 
 struct InitFolders {
     std::filesystem::path project;
@@ -32,4 +32,4 @@ std::optional<std::filesystem::path> find_init_file(std::string name, const Init
 // Holds for all models of the process: a DPI function has no other context.
 void set_init_folders(InitFolders folders, std::function<void(const std::string&)> missing = {});
 
-}  // namespace project
+}  // namespace sim::project

@@ -6,7 +6,7 @@
 
 #include "sim/project/formats.h"
 
-namespace project {
+namespace sim::project {
 namespace {
 
 int digit(char c) {
@@ -89,4 +89,4 @@ void read_intel_hex(std::string_view text, const std::string& name, MemoryImage&
     }
 }
 
-}  // namespace project
+}  // namespace sim::project

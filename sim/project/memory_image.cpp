@@ -10,7 +10,7 @@
 
 #include "sim/project/formats.h"
 
-namespace project {
+namespace sim::project {
 
 MemoryImage::MemoryImage(unsigned width, std::size_t words)
     : width_{width}, words_{words}, parts_{(width + 31) / 32}, bits_(words * parts_) {}
@@ -46,4 +46,4 @@ MemoryImage read_memory_image(const std::filesystem::path& file, unsigned width,
     return image;
 }
 
-}  // namespace project
+}  // namespace sim::project

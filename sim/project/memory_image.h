@@ -19,7 +19,7 @@
 #include <filesystem>
 #include <vector>
 
-namespace project {
+namespace sim::project {
 
 class MemoryImage {
 public:
@@ -46,4 +46,4 @@ private:
 // "FILE:LINE: ..., expected ..." on a file that is broken, and "FILE: ..." if it cannot be read.
 MemoryImage read_memory_image(const std::filesystem::path& file, unsigned width, std::size_t words);
 
-}  // namespace project
+}  // namespace sim::project

@@ -8,7 +8,7 @@
 
 #include "sim/project/formats.h"
 
-namespace project {
+namespace sim::project {
 namespace {
 
 using Word = std::vector<std::uint32_t>;
@@ -197,4 +197,4 @@ void read_mif(std::string_view text, const std::string& name, MemoryImage& image
     Mif{text, name}.read(image);
 }
 
-}  // namespace project
+}  // namespace sim::project

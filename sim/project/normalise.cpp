@@ -20,24 +20,27 @@ using Kind = Token::Kind;
 // Words that SystemVerilog has taken; and those that show that a .v file is SystemVerilog.
 bool is_new_keyword(std::string_view word) {
     static constexpr std::string_view WORDS[] = {
-        "assert",  "before", "bind",       "bit",           "break",    "byte",     "chandle",
-        "checker", "class",  "clocking",   "const",         "context",  "continue", "cover",
-        "cross",   "dist",   "do",         "expect",        "export",   "extends",  "extern",
-        "final",   "global", "iff",        "ignore_bins",   "implies",  "import",   "inside",
-        "int",     "let",    "local",      "longint",       "matches",  "modport",  "new",
-        "next",    "null",   "packed",     "priority",      "program",  "property", "protected",
-        "pure",    "rand",   "ref",        "restrict",      "return",   "sequence", "shortint",
-        "solve",   "static", "string",     "strong",        "struct",   "super",    "table",
-        "tagged",  "this",   "throughout", "timeprecision", "timeunit", "type",     "typedef",
-        "union",   "unique", "until",      "var",           "virtual",  "void",     "weak",
-        "within"};
-    return std::binary_search(std::begin(WORDS), std::end(WORDS), word);
+        "assert",   "before",    "bind",       "bit",           "break",
+        "byte",     "chandle",   "checker",    "class",         "clocking",
+        "const",    "context",   "continue",   "cover",         "cross",
+        "dist",     "do",        "expect",     "export",        "extends",
+        "extern",   "final",     "global",     "iff",           "ignore_bins",
+        "implies",  "import",    "inside",     "int",           "let",
+        "local",    "longint",   "matches",    "modport",       "new",
+        "next",     "null",      "packed",     "priority",      "program",
+        "property", "protected", "pure",       "rand",          "ref",
+        "restrict", "return",    "sequence",   "shortint",      "solve",
+        "static",   "string",    "strong",     "struct",        "super",
+        "tagged",   "this",      "throughout", "timeprecision", "timeunit",
+        "type",     "typedef",   "union",      "unique",        "until",
+        "var",      "virtual",   "void",       "weak",          "within"};
+    return std::find(std::begin(WORDS), std::end(WORDS), word) != std::end(WORDS);
 }
 bool shows_system_verilog(std::string_view word) {
     static constexpr std::string_view WORDS[] = {"always_comb", "always_ff", "always_latch",
                                                  "enum",        "interface", "logic",
                                                  "package",     "typedef"};
-    return std::binary_search(std::begin(WORDS), std::end(WORDS), word);
+    return std::find(std::begin(WORDS), std::end(WORDS), word) != std::end(WORDS);
 }
 
 class Normaliser {

@@ -201,7 +201,7 @@ bool is_keyword(std::string_view name) {
         "time",      "tran",       "tri",      "tri0",      "tri1",        "unsigned",
         "vectored",  "wait",       "wand",     "while",     "wire",        "wor",
         "xnor",      "xor"};
-    return std::binary_search(std::begin(KEYWORDS), std::end(KEYWORDS), name);
+    return std::find(std::begin(KEYWORDS), std::end(KEYWORDS), name) != std::end(KEYWORDS);
 }
 
 }  // namespace sim::project

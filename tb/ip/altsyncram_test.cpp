@@ -22,8 +22,8 @@ protected:
         write("words.mif", "WIDTH=8; DEPTH=6; CONTENT BEGIN 0: 10 11 12 13 14 15; END;");
         write("quartus/wide.mif", "WIDTH=32; DEPTH=8; CONTENT BEGIN [0..7]: 44332211; END;");
         write("quartus/deep/words.hex", ":050001000102030405EB\n:00000001FF\n");
-        project::set_init_folders({folder / "quartus", {}},
-                                  [this](const std::string& text) { missing.push_back(text); });
+        sim::project::set_init_folders(
+            {folder / "quartus", {}}, [this](const std::string& text) { missing.push_back(text); });
         dut.clocken_i = 15;
         dut.byteena_a_i = 15;
         dut.rden_a_i = dut.rden_b_i = 1;

@@ -18,7 +18,7 @@ protected:
     Cells() {
         fs::create_directories(folder);
         std::ofstream(folder / "small.mif") << "WIDTH=8; DEPTH=16; CONTENT BEGIN 2: 77; END;";
-        project::set_init_folders({folder, {}});
+        sim::project::set_init_folders({folder, {}});
         dut.enable_i = dut.clrn_i = dut.prn_i = 1;
         dut.byteena_i = 3;
         dut.eval();

@@ -11,7 +11,7 @@
 namespace {
 
 namespace fs = std::filesystem;
-using project::MemoryImage;
+using sim::project::MemoryImage;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
@@ -28,7 +28,7 @@ protected:
 
     // The words of a file, as numbers.
     std::vector<std::uint64_t> read(const std::string& text, unsigned width, std::size_t words) {
-        const MemoryImage image = project::read_memory_image(write("x", text), width, words);
+        const MemoryImage image = sim::project::read_memory_image(write("x", text), width, words);
         std::vector<std::uint64_t> result;
         for (std::size_t i = 0; i < words; ++i) {
             result.push_back(std::uint64_t{image.part(i, 1)} << 32 | image.part(i, 0));
@@ -162,8 +162,8 @@ TEST_F(InitFile, SaysWhereIntelHexIsBroken) {
 }
 
 TEST_F(InitFile, SaysThatAFileCannotBeRead) {
-    EXPECT_THROW(project::read_memory_image(folder / "none", 8, 4), std::runtime_error);
-    EXPECT_THROW(project::read_memory_image(folder, 8, 4), std::runtime_error);
+    EXPECT_THROW(sim::project::read_memory_image(folder / "none", 8, 4), std::runtime_error);
+    EXPECT_THROW(sim::project::read_memory_image(folder, 8, 4), std::runtime_error);
 }
 
 TEST_F(InitFile, IsSoughtFromTheProjectsFolderFirst) {
@@ -171,20 +171,21 @@ TEST_F(InitFile, IsSoughtFromTheProjectsFolderFirst) {
     const auto above = write("x.mif", "");
     const auto source = write("rtl/y.mif", "");
     write("project/b/y.mif", "");
-    const project::InitFolders folders{folder / "project", {folder / "rtl"}};
-    EXPECT_EQ(project::find_init_file("a/x.mif", folders), there);
-    EXPECT_EQ(project::find_init_file("../x.mif", folders), above);
-    EXPECT_EQ(project::find_init_file("./y.mif", folders), source);
-    EXPECT_EQ(project::find_init_file(".\\a\\x.mif", folders), there);
+    const sim::project::InitFolders folders{folder / "project", {folder / "rtl"}};
+    EXPECT_EQ(sim::project::find_init_file("a/x.mif", folders), there);
+    EXPECT_EQ(sim::project::find_init_file("../x.mif", folders), above);
+    EXPECT_EQ(sim::project::find_init_file("./y.mif", folders), source);
+    EXPECT_EQ(sim::project::find_init_file(".\\a\\x.mif", folders), there);
 }
 
 TEST_F(InitFile, IsFoundByItsNameBelowTheProjectsFolder) {
     const auto there = write("deep/er/font.mif", "");
     write("deep/a/Font.MIF", "");
-    const project::InitFolders folders{folder, {}};
-    EXPECT_EQ(project::find_init_file("C:\\work\\font.mif", folders), there);
-    EXPECT_EQ(project::find_init_file("../other/FONT.mif", folders), folder / "deep/a/Font.MIF");
-    EXPECT_FALSE(project::find_init_file("no.mif", folders));
+    const sim::project::InitFolders folders{folder, {}};
+    EXPECT_EQ(sim::project::find_init_file("C:\\work\\font.mif", folders), there);
+    EXPECT_EQ(sim::project::find_init_file("../other/FONT.mif", folders),
+              folder / "deep/a/Font.MIF");
+    EXPECT_FALSE(sim::project::find_init_file("no.mif", folders));
 }
 
 }  // namespace

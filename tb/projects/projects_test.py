@@ -172,6 +172,16 @@ class Clocks(Case):
         self.assertIn("", self.leds(601))
 
 
+class Building(Case):
+    def test_two_at_once_build_once(self):
+        self.write(top_v=LEDS.format("SW"))
+        both = [subprocess.Popen([DE1SIM, "build", "."], cwd=self.folder, text=True,
+                                 stdout=subprocess.PIPE, stderr=subprocess.DEVNULL)
+                for _ in range(2)]
+        said = [one.communicate()[0].rsplit(": ", 1)[1].strip() for one in both]
+        self.assertEqual(sorted(said), ["built", "is up to date"])
+
+
 class Wrong(Case):
     def test_no_such_place(self):
         self.refused("nowhere.qsf: no such file or folder", "check", "nowhere.qsf")

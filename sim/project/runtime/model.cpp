@@ -1,11 +1,10 @@
 // model.cpp - runs the Verilated de1sim_chip: its clocks, and who is told when its pins move.
 #include "sim/project/model.h"
 
-#include <unistd.h>
-
 #include <algorithm>
-#include <climits>
+#include <filesystem>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include "Vde1sim_chip.h"
@@ -43,6 +42,21 @@ struct Clock {
 };
 constexpr unsigned IS_CLOCK_50 = 64, IS_CLOCK_27 = 65;
 
+// The working directory, for as long as it lives, also where the design's files are broken.
+class InFolder {
+public:
+    explicit InFolder(const char* folder) : here_{std::filesystem::current_path()} {
+        std::filesystem::current_path(folder);
+    }
+    ~InFolder() {
+        std::error_code error;
+        std::filesystem::current_path(here_, error);
+    }
+
+private:
+    const std::filesystem::path here_;
+};
+
 class VerilatedModel final : public Model {
 public:
     VerilatedModel(PinListener& pins, const ModelSettings& settings) : pins_{pins} {
@@ -57,14 +71,10 @@ public:
             trace_.open(settings.trace_file);
         }
 #endif
-        ::project::set_init_folders(
-            {settings.folder, {}},
-            [say = settings.say](const std::string& line) { say(line.c_str()); });
-        // The design opens its files in its own folder.
-        char here[PATH_MAX];
-        const bool moved = getcwd(here, sizeof here) && chdir(settings.folder) == 0;
+        set_init_folders({settings.folder, {}},
+                         [say = settings.say](const std::string& line) { say(line.c_str()); });
+        const InFolder in_folder{settings.folder};  // where the design's files are
         eval();
-        if (moved && chdir(here) != 0) return;
         settle();
     }
     ~VerilatedModel() override {

@@ -1,0 +1,110 @@
+#include "sim/project/tools.h"
+
+#include <sstream>
+
+#include <fmt/format.h>
+
+#include "sim/project/command.h"
+#include "sim/project/settings.h"
+#include "sim/report/whole_file.h"
+
+namespace sim::project {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr unsigned LIMIT_S = 600;
+
+fs::path program_folder() {
+    std::error_code error;
+    return fs::read_symlink("/proc/self/exe", error).parent_path();
+}
+
+// Verilator's first error, in a line: "pong.v:12:5: syntax error, unexpected ...".
+std::string first_error(const Outcome& outcome, const std::string& tool) {
+    if (outcome.code == TIMED_OUT)
+        return fmt::format("{} did not end in {} s: the design is too large, or oscillates", tool,
+                           LIMIT_S);
+    if (outcome.code == 127)
+        return tool + " is not installed: apt install verilator g++ (packages of Debian)";
+    std::istringstream lines{outcome.output};
+    std::string first;
+    for (std::string line; std::getline(lines, line);) {
+        const std::size_t mark = line.find("%Error");
+        if (mark != std::string::npos) {
+            if (line.find("Exiting due to") != std::string::npos) continue;
+            const std::size_t colon = line.find(": ", mark);
+            return colon == std::string::npos ? line : line.substr(colon + 2);
+        }
+        if (first.empty() && line.find("error:") != std::string::npos) first = line;
+    }
+    return first.empty() ? fmt::format("{} ended with code {}: {}", tool, outcome.code,
+                                       outcome.output.substr(0, 200))
+                         : first;
+}
+
+}  // namespace
+
+fs::path data_folder() { return (program_folder() / "../share/de1sim").lexically_normal(); }
+
+void run_tool(const std::vector<std::string>& words, const fs::path& folder) {
+    const Outcome outcome = run_command(words, folder, LIMIT_S);
+    if (outcome.code != 0) throw ProjectError{first_error(outcome, words[0])};
+}
+
+void check_verilator() {
+    const Outcome outcome = run_command({"verilator", "--version"}, "/", LIMIT_S);
+    if (outcome.code != 0) throw ProjectError{first_error(outcome, "verilator")};
+    const std::string expected = fmt::format("Verilator {} ", VERILATOR_VERSION);
+    if (outcome.output.compare(0, expected.size(), expected) != 0)
+        throw ProjectError{
+            fmt::format("{} is installed, expected version {}, with which de1sim was built",
+                        outcome.output.substr(0, outcome.output.find(' ', 10)), VERILATOR_VERSION)};
+}
+
+void compile_library(const fs::path& folder, const fs::path& objects, bool trace) {
+    const fs::path data = data_folder();
+    std::string fast, slow;
+    for (const auto& entry : fs::directory_iterator{objects}) {
+        const std::string file = entry.path().filename().string();
+        if (entry.path().extension() != ".cpp") continue;
+        (file.find("__Slow") != std::string::npos ? slow : fast) +=
+            fmt::format("#include \"{}\"\n", file);
+    }
+    write_whole_file(objects / "fast.cxx", fast);
+    write_whole_file(objects / "slow.cxx", slow);
+    const fs::path verilator_root = VERILATOR_INCLUDE;
+    const std::vector<std::string> common{"g++",
+                                          "-std=c++17",
+                                          "-fPIC",
+                                          "-DVL_TIME_CONTEXT",
+                                          "-w",
+                                          "-c",
+                                          "-I.",
+                                          "-I" + folder.string(),
+                                          "-I" + (data / "include").string(),
+                                          "-I" + verilator_root.string(),
+                                          "-I" + (verilator_root / "vltstd").string()};
+    const auto compile = [&](const fs::path& source, const std::string& object, const char* level) {
+        auto command = common;
+        command.insert(command.end(), {level, source.string(), "-o", object});
+        if (trace) command.emplace_back("-DDE1SIM_TRACE");
+        return command;
+    };
+    std::vector<std::vector<std::string>> commands{
+        compile("fast.cxx", "fast.o", "-O2"), compile(data / "project/model.cpp", "model.o", "-O2"),
+        compile("slow.cxx", "slow.o", "-O0")};
+    if (trace) commands.push_back(compile(verilator_root / "verilated_fst_c.cpp", "fst.o", "-O1"));
+    for (const Outcome& one : run_commands(commands, objects, LIMIT_S))
+        if (one.code != 0) throw ProjectError{first_error(one, "g++")};
+    std::vector<std::string> link{"g++", "-shared", "-o", "chip.so", "fast.o", "slow.o", "model.o"};
+    if (trace) link.push_back("fst.o");
+    for (const char* runtime : {"libinit_file.a", "libverilated_runtime.a"})
+        link.push_back(
+            (program_folder() / ".." / LIBRARY_FOLDER / runtime).lexically_normal().string());
+    link.insert(link.end(), {"-pthread", "-lz"});
+    run_tool(link, objects);
+}
+
+}  // namespace sim::project
