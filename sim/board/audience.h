@@ -1,17 +1,19 @@
 // audience.h - where what the board shows, plays and prints goes.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string>
 
 #include "sim/board/monitor.h"
+#include "sim/pins/header_bits.h"
 
 namespace sim {
 
 // What can be seen without a monitor.
 struct Lamps {
     struct Header {
-        std::uint32_t levels, outputs;  // of JP1 or JP2 as bits 31:0 of its registers have them
+        std::uint64_t levels, outputs;  // bit n is GPIO_x[n]
         bool operator==(const Header& o) const {
             return levels == o.levels && outputs == o.outputs;
         }
@@ -19,7 +21,7 @@ struct Lamps {
     std::uint16_t ledr = 0;
     std::uint64_t hex = 0;  // segments that are lit, HEX5's in 41:35 ... HEX0's in 6:0
     bool hps_led = false;
-    Header jp1{0xFFFFFFFF, 0}, jp2{0xFFFFFFFF, 0};
+    std::array<Header, 2> gpio{{{ALL_HEADER_PINS, 0}, {ALL_HEADER_PINS, 0}}};
 };
 
 class Audience {

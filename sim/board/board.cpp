@@ -59,25 +59,26 @@ void Board::codec(const CodecPins& pins, std::uint64_t time_ps, ChipInputs& in) 
 }
 
 void Board::headers(const HeaderPins& pins, std::uint64_t time_ps, ChipInputs& in) {
-    jp1_.fpga(pins.jp1, pins.jp1_oe);
-    jp2_.fpga(pins.jp2, pins.jp2_oe);
+    for (unsigned n = 0; n < headers_.size(); ++n) headers_[n].fpga(pins.levels[n], pins.enable[n]);
     header_wires(in);
     audience_.lamps(lamps_, seconds(time_ps));
 }
 
 // The keypad joins wires of JP1 D7-D0.
 void Board::header_wires(ChipInputs& in) {
-    const std::uint32_t jp1 = jp1_.levels();
-    in.jp1 = (jp1 & ~0xffu) | keypad.levels(static_cast<std::uint8_t>(jp1),
-                                            static_cast<std::uint8_t>(jp1_.driven()));
-    in.jp2 = jp2_.levels();
-    lamps_.jp1 = {in.jp1, jp1_.outputs()};
-    lamps_.jp2 = {in.jp2, jp2_.outputs()};
+    const auto jp1_d7_d0 = [](std::uint64_t pins) {
+        return static_cast<std::uint8_t>(bits_of_pins(pins));
+    };
+    in.gpio = {headers_[0].levels(), headers_[1].levels()};
+    in.gpio[0] =
+        (in.gpio[0] & ~pins_of_bits(0xff)) |
+        pins_of_bits(keypad.levels(jp1_d7_d0(in.gpio[0]), jp1_d7_d0(headers_[0].driven())));
+    for (unsigned n = 0; n < headers_.size(); ++n)
+        lamps_.gpio[n] = {in.gpio[n], headers_[n].outputs()};
 }
 
-void Board::drive_pins(std::uint32_t jp1, std::uint32_t jp2, PinLevel level) {
-    jp1_.outside(jp1, level);
-    jp2_.outside(jp2, level);
+void Board::drive_pins(const HeaderMasks& pins, PinLevel level) {
+    for (unsigned n = 0; n < headers_.size(); ++n) headers_[n].outside(pins[n], level);
     header_wires(chip_->inputs());
     audience_.lamps(lamps_, sc_core::sc_time_stamp().to_seconds());
 }

@@ -8,7 +8,7 @@
 //                +- Keypad    (JP1 D7-D0)
 //                +- Ps2Keyboard, Ps2Mouse  (PS/2 ports)
 //                +- RemoteControl  (infrared receiver)
-//                +- Header    (JP1, JP2)
+//                +- Header    (GPIO_0, GPIO_1)
 //                +- KEY, SW, LEDR, HEX, HPS_KEY, HPS_LED
 //
 // What is in the chip is not known here: sim/chip/chip.h.
@@ -53,8 +53,8 @@ public:
     // From the next conversion on; `channel` is 0 to 7.
     void set_voltage(unsigned channel, double volts);
 
-    // Drives pins of the headers from outside: masks of their D31-D0.
-    void drive_pins(std::uint32_t jp1, std::uint32_t jp2, PinLevel level);
+    // Drives pins of the headers from outside.
+    void drive_pins(const HeaderMasks& pins, PinLevel level);
 
     // At the terminal of the program in the chip, and at another one if there is one.
     void type(const std::string& text) {
@@ -89,7 +89,7 @@ private:
     Audience& audience_;
     std::function<void(const std::string&)> typed_ = [](const std::string&) {};
     Lamps lamps_;
-    Header jp1_, jp2_;
+    std::array<Header, 2> headers_;
     unsigned ps2_clk_low_ = 0, ps2_dat_low_ = 0;  // by the FPGA
     std::array<Ps2Device*, 2> ps2_{};             // in each port; may be none
     double rate_hz_ = 0;                          // of the samples given to the audience so far

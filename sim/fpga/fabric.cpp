@@ -111,8 +111,8 @@ void Fabric::apply_inputs() {
     Vfpga& top = model_->top;
     top.sw_i = in.sw;
     top.key_ni = in.key_n;
-    top.jp1_i = in.jp1;
-    top.jp2_i = in.jp2;
+    top.jp1_i = bits_of_pins(in.gpio[0]);
+    top.jp2_i = bits_of_pins(in.gpio[1]);
     top.i2c_sdat_i = in.sdat;
     top.adc_sdo_i = in.adc_sdo;
     top.irda_rxd_i = in.irda_rxd;
@@ -249,11 +249,13 @@ void Fabric::tell_pins() {
     Vfpga& top = model_->top;
     look_ = true;
     tell_codec(time_ps());
-    HeaderPins& was = headers_was_;
+    HeaderBits& was = headers_was_;
     if ((top.jp1_o ^ was.jp1) | (top.jp1_oe_o ^ was.jp1_oe) | (top.jp2_o ^ was.jp2) |
         (top.jp2_oe_o ^ was.jp2_oe)) {
         was = {top.jp1_o, top.jp1_oe_o, top.jp2_o, top.jp2_oe_o};
-        pins_.headers(was, time_ps(), in);
+        pins_.headers({{pins_of_bits(was.jp1), pins_of_bits(was.jp2)},
+                       {pins_of_bits(was.jp1_oe), pins_of_bits(was.jp2_oe)}},
+                      time_ps(), in);
     }
     const bool lamps_moved = top.ledr_o != lamps_was_.ledr || top.hex_no != lamps_was_.hex_n;
     if (lamps_moved && !top.rst_i) {  // before, they are of a model that has not begun

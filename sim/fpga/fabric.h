@@ -108,7 +108,9 @@ private:
     std::uint32_t video_[VIDEO_BATCH];
     unsigned video_count_ = 0;
     std::uint32_t codec_was_ = 0, adc_was_ = 0;
-    HeaderPins headers_was_{0, 0, 0, 0};
+    struct HeaderBits {
+        std::uint32_t jp1, jp1_oe, jp2, jp2_oe;
+    } headers_was_{0, 0, 0, 0};
     LampPins lamps_was_{0, (std::uint64_t{1} << 42) - 1};
     unsigned ps2_was_ = 0;
 };

@@ -6,8 +6,11 @@
 // the wire low, and the level that is on the wire.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
+
+#include "sim/pins/header_bits.h"
 
 namespace sim {
 
@@ -21,8 +24,11 @@ struct CodecPins {
     bool bclk, daclrck, adclrck, dacdat, sclk, sdat_low;  // sdat_low: the FPGA pulls SDAT low
 };
 
+// Of both headers: bit n of [0] is GPIO_0[n], of [1] GPIO_1[n].
+using HeaderMasks = std::array<std::uint64_t, 2>;
+
 struct HeaderPins {
-    std::uint32_t jp1, jp1_oe, jp2, jp2_oe;  // levels driven, and where they are driven
+    HeaderMasks levels, enable;  // levels driven, and where they are driven
 };
 
 // At a rising edge of DRAM_CLK, in the middle of a clock.
@@ -45,12 +51,12 @@ struct AdcPins {
 struct ChipInputs {
     std::uint16_t sw = 0;
     std::uint8_t key_n = 0xf;
-    std::uint32_t jp1 = 0xffffffff, jp2 = 0xffffffff;
+    HeaderMasks gpio{ALL_HEADER_PINS, ALL_HEADER_PINS};
     bool adcdat = false, sdat = true, adc_sdo = false, irda_rxd = true;
     std::uint8_t ps2_clk = 3, ps2_dat = 3;  // bit n of port n
 
     bool operator==(const ChipInputs& o) const {
-        return sw == o.sw && key_n == o.key_n && jp1 == o.jp1 && jp2 == o.jp2 && sdat == o.sdat &&
+        return sw == o.sw && key_n == o.key_n && gpio == o.gpio && sdat == o.sdat &&
                adc_sdo == o.adc_sdo && irda_rxd == o.irda_rxd && ps2_clk == o.ps2_clk &&
                ps2_dat == o.ps2_dat;
     }

@@ -71,9 +71,7 @@ bool Player::wait_until(Each each, SimTime timeout, const std::function<bool()>&
 
 void Player::hold(const Controls& c) { board_.hold(c.keypad, c.keys, c.switches); }
 void Player::release(const Controls& c) { board_.release(c.keypad, c.keys, c.switches); }
-void Player::drive_pins(std::uint32_t jp1, std::uint32_t jp2, PinLevel level) {
-    board_.drive_pins(jp1, jp2, level);
-}
+void Player::drive_pins(const HeaderMasks& pins, PinLevel level) { board_.drive_pins(pins, level); }
 void Player::set_voltage(unsigned channel, double volts) { board_.set_voltage(channel, volts); }
 void Player::type_serial(const std::string& text) { board_.type(text); }
 void Player::type_keys(const std::string& text) { board_.ps2_keyboard.type(text); }
@@ -124,14 +122,9 @@ HexSegments Player::hex() {
     return segments;
 }
 
-std::uint32_t Player::jp1() {
+HeaderMasks Player::header_levels() {
     board_.chip().catch_up();
-    return board_.lamps().jp1.levels;
-}
-
-std::uint32_t Player::jp2() {
-    board_.chip().catch_up();
-    return board_.lamps().jp2.levels;
+    return {board_.lamps().gpio[0].levels, board_.lamps().gpio[1].levels};
 }
 
 // ---- The output folder ----

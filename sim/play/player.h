@@ -39,7 +39,7 @@ private:
     bool wait_until(Each each, SimTime timeout, const std::function<bool()>& met) override;
     void hold(const Controls& controls) override;
     void release(const Controls& controls) override;
-    void drive_pins(std::uint32_t jp1, std::uint32_t jp2, PinLevel level) override;
+    void drive_pins(const HeaderMasks& pins, PinLevel level) override;
     void set_voltage(unsigned channel, double volts) override;
     void type_serial(const std::string& text) override;
     void type_keys(const std::string& text) override;
@@ -58,8 +58,7 @@ private:
     std::uint16_t ledr() override;
     HexSegments hex() override;
     bool hps_led() override { return board_.lamps().hps_led; }
-    std::uint32_t jp1() override;
-    std::uint32_t jp2() override;
+    HeaderMasks header_levels() override;
     const std::filesystem::path& folder() const override { return out_; }
     bool save(const std::filesystem::path& path, const Image& image) override;
 

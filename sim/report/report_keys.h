@@ -41,11 +41,13 @@ inline constexpr ReportKey REPORT_KEYS[] = {
     {"audio.samples", "Samples per channel that were played."},
     {"audio.underruns", "Samples that were due while the FIFO was empty."},
     {"key_events", "Keys of the keypad pressed and released."},
-    {"shown", "What is seen without a monitor, by name: `ledr`, `hex`, `hps_led`, `jp1`, `jp2`."},
+    {"shown",
+     "What is seen without a monitor, by name: `ledr`, `hex`, `hps_led`, `jp1`, `jp2`; of a "
+     "project `gpio_0` and `gpio_1` in the place of these two."},
     {"shown.*.*",
      "What it showed at the end. LEDs: `lit`, a digit each, LEDR9 first; HEX: `text` and "
      "`segments`, "
-     "HEX5 first; a header: `levels` of its pins and which are `outputs`, bit 0 for D0."},
+     "HEX5 first; a header: `levels` of its pins and which are `outputs`, bit 0 for D0 or pin 0."},
     {"shown.*.changes.count", "How often it changed."},
     {"shown.*.changes.first[].time_s", "When, in simulated seconds; the first changes only."},
     {"shown.*.changes.first[].*", "What it showed from then on."},

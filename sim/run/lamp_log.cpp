@@ -33,9 +33,16 @@ Fields hex_fields(std::uint64_t hex) {
 
 Fields led_fields(bool lit) { return {{"lit", lit ? "1" : "0"}}; }
 
-Fields header_fields(const Lamps::Header& header) {
-    return {{"levels", fmt::format("0x{:08X}", header.levels)},
-            {"outputs", fmt::format("0x{:08X}", header.outputs)}};
+std::string jp_text(std::uint64_t pins) { return fmt::format("0x{:08X}", bits_of_pins(pins)); }
+
+std::string gpio_text(std::uint64_t pins) { return fmt::format("0x{:09X}", pins); }
+
+Fields jp_fields(const Lamps::Header& header) {
+    return {{"levels", jp_text(header.levels)}, {"outputs", jp_text(header.outputs)}};
+}
+
+Fields gpio_fields(const Lamps::Header& header) {
+    return {{"levels", gpio_text(header.levels)}, {"outputs", gpio_text(header.outputs)}};
 }
 
 template <class State, class ToFields>
@@ -52,17 +59,20 @@ void LampLog::show(const Lamps& lamps, double time_s) {
     ledr_.show(time_s, lamps.ledr);
     hex_.show(time_s, lamps.hex);
     hps_led_.show(time_s, lamps.hps_led);
-    jp1_.show(time_s, lamps.jp1);
-    jp2_.show(time_s, lamps.jp2);
+    gpio_0_.show(time_s, lamps.gpio[0]);
+    gpio_1_.show(time_s, lamps.gpio[1]);
 }
 
-std::vector<RunReport::Shown> LampLog::shown() const {
+std::vector<RunReport::Shown> LampLog::shown(Headers headers) const {
+    const bool jp = headers == Headers::JP;
+    const auto fields = jp ? jp_fields : gpio_fields;
     return {shown_of("ledr", ledr_, ledr_fields), shown_of("hex", hex_, hex_fields),
-            shown_of("hps_led", hps_led_, led_fields), shown_of("jp1", jp1_, header_fields),
-            shown_of("jp2", jp2_, header_fields)};
+            shown_of("hps_led", hps_led_, led_fields),
+            shown_of(jp ? "jp1" : "gpio_0", gpio_0_, fields),
+            shown_of(jp ? "jp2" : "gpio_1", gpio_1_, fields)};
 }
 
-std::string LampLog::say() const {
+std::string LampLog::say(Headers headers) const {
     std::string text;
     const auto add = [&text](bool there, const std::string& what) {
         if (there) text += (text.empty() ? "" : ", ") + what;
@@ -70,9 +80,13 @@ std::string LampLog::say() const {
     add(ledr_.now() != 0, "LEDR " + bits(ledr_.now()));
     add(hex_.now() != 0, "HEX \"" + hex_text(segments(hex_.now())) + "\"");
     add(hps_led_.now(), "the HPS's LED is lit");
-    for (const auto& [name, header] : {std::pair{"JP1", jp1_.now()}, {"JP2", jp2_.now()}})
-        add(header.outputs != 0, fmt::format("{} puts 0x{:08X} on 0x{:08X}", name,
-                                             header.levels & header.outputs, header.outputs));
+    const bool jp = headers == Headers::JP;
+    const auto as_text = jp ? jp_text : gpio_text;
+    for (const auto& [name, header] :
+         {std::pair{jp ? "JP1" : "GPIO_0", gpio_0_.now()}, {jp ? "JP2" : "GPIO_1", gpio_1_.now()}})
+        add(header.outputs != 0,
+            fmt::format("{} puts {} on {}", name, as_text(header.levels & header.outputs),
+                        as_text(header.outputs)));
     return text;
 }
 

@@ -77,8 +77,9 @@ void add_results(RunReport& report, Board& board, Computer* computer, const ArmR
     report.signal = board.monitor.signal();
     const BusCounts bus = computer ? computer->bus.counts() : BusCounts{};
     report.bus = {bus.reads, bus.writes, bus.bursts, bus.errors};
-    report.shown = recorder.lamp_log().shown();
-    report.lamps = recorder.lamp_log().say();
+    const auto headers = computer ? LampLog::Headers::JP : LampLog::Headers::GPIO;
+    report.shown = recorder.lamp_log().shown(headers);
+    report.lamps = recorder.lamp_log().say(headers);
     report.key_events = board.keypad.presses() + board.keypad.releases();
     report.timing_violation_count = board.monitor.violations();
     report.timing_violations = board.monitor.messages();

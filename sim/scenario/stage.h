@@ -14,6 +14,7 @@
 #include "sim/board/header.h"
 #include "sim/board/ps2_ports.h"
 #include "sim/board/sound_source.h"
+#include "sim/pins/pins.h"
 #include "sim/report/png.h"
 #include "sim/scenario/controls.h"
 #include "sim/scenario/senses.h"
@@ -37,7 +38,7 @@ public:
 
     virtual void hold(const Controls& controls) = 0;
     virtual void release(const Controls& controls) = 0;
-    virtual void drive_pins(std::uint32_t jp1, std::uint32_t jp2, PinLevel level) = 0;
+    virtual void drive_pins(const HeaderMasks& pins, PinLevel level) = 0;
     virtual void set_voltage(unsigned channel, double volts) = 0;  // at the AD converter
     virtual void type_serial(const std::string& text) = 0;         // both go on at once
     virtual void type_keys(const std::string& text) = 0;
@@ -63,8 +64,7 @@ public:
     virtual std::uint16_t ledr() = 0;
     virtual HexSegments hex() = 0;
     virtual bool hps_led() = 0;
-    virtual std::uint32_t jp1() = 0;  // levels of the wires D31-D0
-    virtual std::uint32_t jp2() = 0;
+    virtual HeaderMasks header_levels() = 0;
 
     // ---- The output folder ----
 

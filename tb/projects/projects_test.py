@@ -2,6 +2,7 @@
 
 Each is a few lines of Verilog and settings, written into FOLDER/NAME.
 """
+import json
 import pathlib
 import shutil
 import subprocess
@@ -39,6 +40,13 @@ class Case(unittest.TestCase):
         self.assertEqual(done.returncode, 0, done.stderr)
         for line in lines:
             self.assertIn(line, done.stdout)
+
+    def plays(self, *steps):
+        (self.folder / "s.yaml").write_text("name: s\nversion: 1\nsteps:\n" +
+                                            "".join(f"  - {step}\n" for step in steps))
+        done = self.de1sim("run", "s.yaml", "--project", ".")
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        return done
 
     def leds(self, expected, switches=0, wait="1ms", project="."):
         held = [i for i in range(10) if switches >> i & 1]
@@ -89,6 +97,20 @@ class Reading(Case):
                    top_v=LEDS.format("SW"))
         self.assertIn("DEVICE is EP4CE115F29C7, not the DE1-SoC's 5CSEMA5F31C6",
                       self.leds(0b1000, 0b1000))
+
+
+class Headers(Case):
+    def test_all_36_pins_of_both(self):
+        """Each pin of GPIO_1 is the opposite of GPIO_0's."""
+        self.write(top_v="module top(input [35:0] GPIO_0, output [35:0] GPIO_1);\n"
+                         "assign GPIO_1 = ~GPIO_0; endmodule\n")
+        self.plays("set-pins: {gpio_0: [0, 2, 16, 18, 35], level: low}",
+                   "set-pins: {jp1: 3, level: low}", "delay: 1ms",  # pin 5
+                   "expect-pins: {gpio_1: [0, 2, 5, 16, 18, 35], level: high}",
+                   f"expect-pins: {{gpio_1: {[1, 3, 4, *range(6, 16), 17, *range(19, 35)]}, "
+                   "level: low}")
+        self.assertEqual(json.loads((self.folder / "out" / "report.json").read_text())
+                         ["shown"]["gpio_1"]["levels"], "0x800050025")
 
 
 class AsQuartusTakesIt(Case):

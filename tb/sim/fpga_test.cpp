@@ -229,20 +229,21 @@ TEST_F(FpgaTest, RunsOneClockForEvery40Nanoseconds) {
 }
 
 TEST_F(FpgaTest, HandsTheKeypadsPinsToTheScannerOnlyWhileItIsEnabled) {
+    const auto jp1 = [](const sim::HeaderMasks& both) { return sim::bits_of_pins(both[0]); };
     run([&] {
         write(regmap::JP1_DIR, 0x1f0);
         write(regmap::JP1_DATA, 0x1a0);
-        EXPECT_EQ(pins.header.jp1_oe, 0x1f0u);
-        EXPECT_EQ(pins.header.jp1, 0x1a0u);
+        EXPECT_EQ(jp1(pins.header.enable), 0x1f0u);
+        EXPECT_EQ(jp1(pins.header.levels), 0x1a0u);
         write(regmap::KEYPAD_CONTROL, 1);
-        const std::uint32_t column = pins.header.jp1_oe & 0xff;
+        const std::uint32_t column = jp1(pins.header.enable) & 0xff;
         EXPECT_TRUE(column == 0x80 || column == 0x40 || column == 0x20 || column == 0x10);
-        EXPECT_EQ(pins.header.jp1_oe & ~0xffu, 0x100u);
-        EXPECT_EQ(pins.header.jp1, 0x100u) << "the scanner only pulls low";
+        EXPECT_EQ(jp1(pins.header.enable) & ~0xffu, 0x100u);
+        EXPECT_EQ(jp1(pins.header.levels), 0x100u) << "the scanner only pulls low";
         EXPECT_EQ(read(regmap::JP1_DIR), 0x1f0u) << "JP1's registers stay";
         write(regmap::KEYPAD_CONTROL, 0);
-        EXPECT_EQ(pins.header.jp1_oe, 0x1f0u);
-        EXPECT_EQ(pins.header.jp1, 0x1a0u);
+        EXPECT_EQ(jp1(pins.header.enable), 0x1f0u);
+        EXPECT_EQ(jp1(pins.header.levels), 0x1a0u);
     });
 }
 

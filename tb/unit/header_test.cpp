@@ -1,4 +1,4 @@
-// header_test.cpp - one wire with every pair of drivers, and all 32 wires.
+// header_test.cpp - one wire with every pair of drivers, and all 36 wires.
 #include "sim/board/header.h"
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@ TEST(Header, IsLowWhereAnybodyPullsLowAndElseHigh) {
                 header.fpga(fpga ? 1 : 0, enabled ? 1 : 0);
                 header.outside(1, outside);
                 const bool low = (enabled && !fpga) || outside == PinLevel::LOW;
-                EXPECT_EQ(header.levels(), low ? 0xfffffffe : 0xffffffff);
+                EXPECT_EQ(header.levels(), low ? 0xffffffffe : 0xfffffffff);
                 EXPECT_EQ(header.driven(), enabled || outside != PinLevel::RELEASED ? 1u : 0u);
             }
 }
@@ -25,15 +25,15 @@ TEST(Header, RemembersEachWireUntilToldOtherwise) {
     Header header;
     header.outside(0xff, PinLevel::LOW);
     header.outside(0x0f, PinLevel::HIGH);
-    header.outside(0x80000000, PinLevel::LOW);
-    EXPECT_EQ(header.levels(), 0x7fffff0fu);
-    EXPECT_EQ(header.driven(), 0x800000ffu);
+    header.outside(0x800000000, PinLevel::LOW);
+    EXPECT_EQ(header.levels(), 0x7ffffff0fu);
+    EXPECT_EQ(header.driven(), 0x8000000ffu);
     header.fpga(0, 0x100);
     header.outside(0xff, PinLevel::RELEASED);
-    EXPECT_EQ(header.levels(), 0x7ffffeffu);
-    EXPECT_EQ(header.driven(), 0x80000100u);
+    EXPECT_EQ(header.levels(), 0x7fffffeffu);
+    EXPECT_EQ(header.driven(), 0x800000100u);
     header.fpga(0, 0);
-    EXPECT_EQ(header.levels(), 0x7fffffffu);
+    EXPECT_EQ(header.levels(), 0x7ffffffffu);
 }
 
 }  // namespace

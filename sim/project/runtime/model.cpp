@@ -25,17 +25,6 @@ constexpr std::uint64_t FS_PER_PS = 1'000, CLOCK_50_FS = 20'000'000, CLOCK_27_FS
 constexpr std::uint64_t QUIET_FS = 1'000'000'000'000;  // 1 ms
 constexpr unsigned VIDEO_BATCH = 800, MOST_TURNS = 100;
 
-// JP1's and JP2's D31-D0 among the 36 pins of a header: rtl/board/de1_soc/header.v.
-constexpr std::uint64_t D13_D1 = 0x1fff, D31_D15 = 0x1ffff;
-std::uint32_t bits_of(std::uint64_t pins) {
-    return static_cast<std::uint32_t>((pins >> 1 & 1) | (pins >> 3 & D13_D1) << 1 |
-                                      (pins >> 17 & 1) << 14 | (pins >> 19 & D31_D15) << 15);
-}
-std::uint64_t pins_of(std::uint64_t bits) {
-    return (bits & 1) << 1 | (bits >> 1 & D13_D1) << 3 | (bits >> 14 & 1) << 17 |
-           (bits >> 15 & D31_D15) << 19;
-}
-
 struct Clock {
     std::uint64_t next_fs, period_fs;
     unsigned number;  // of a PLL's clock, or one of the two below
@@ -141,8 +130,8 @@ private:
         look_ = false;
         top_.sw_i = in.sw;
         top_.key_ni = in.key_n;
-        top_.gpio_0_low_i = pins_of(~std::uint64_t{in.jp1} & ~std::uint64_t{headers_.jp1_oe});
-        top_.gpio_1_low_i = pins_of(~std::uint64_t{in.jp2} & ~std::uint64_t{headers_.jp2_oe});
+        top_.gpio_0_low_i = ~in.gpio[0] & ~headers_.enable[0] & ALL_HEADER_PINS;
+        top_.gpio_1_low_i = ~in.gpio[1] & ~headers_.enable[1] & ALL_HEADER_PINS;
         top_.aud_adcdat_i = in.adcdat;
         top_.i2c_sdat_low_i = !in.sdat && !sdat_low_;
         top_.adc_dout_i = in.adc_sdo;
@@ -204,14 +193,11 @@ private:
     }
 
     void look_at_headers() {
-        if (top_.gpio_0_o == gpio_0_ && top_.gpio_1_o == gpio_1_ && top_.gpio_0_oe_o == oe_0_ &&
-            top_.gpio_1_oe_o == oe_1_)
+        const HeaderPins& was = headers_;
+        if (top_.gpio_0_o == was.levels[0] && top_.gpio_1_o == was.levels[1] &&
+            top_.gpio_0_oe_o == was.enable[0] && top_.gpio_1_oe_o == was.enable[1])
             return;
-        gpio_0_ = top_.gpio_0_o;
-        gpio_1_ = top_.gpio_1_o;
-        oe_0_ = top_.gpio_0_oe_o;
-        oe_1_ = top_.gpio_1_oe_o;
-        headers_ = {bits_of(gpio_0_), bits_of(oe_0_), bits_of(gpio_1_), bits_of(oe_1_)};
+        headers_ = {{top_.gpio_0_o, top_.gpio_1_o}, {top_.gpio_0_oe_o, top_.gpio_1_oe_o}};
         pins_.headers(headers_, now_ps(), in);
         look_ = true;
     }
@@ -261,8 +247,7 @@ private:
     std::uint64_t period_ps_ = 40'000;                        // that the board knows
     bool vga_sample_ = false, dram_sample_ = false, sdram_busy_ = false, reading_ = false;
     LampPins lamps_{0, (std::uint64_t{1} << 42) - 1};
-    std::uint64_t gpio_0_ = 0, gpio_1_ = 0, oe_0_ = 0, oe_1_ = 0;
-    HeaderPins headers_{0, 0, 0, 0};
+    HeaderPins headers_{};
     unsigned codec_ = 0, adc_ = 0, ps2_ = 0;  // ps2_: bit n port n's clock, bit 2 + n its data
     bool sdat_low_ = false;
 };

@@ -1,4 +1,4 @@
-// pins.cpp - set-pins, expect-pins: the headers JP1 and JP2
+// pins.cpp - set-pins, expect-pins: the headers, by JP1's and JP2's D31-D0 or by all 36 pins
 #include <fmt/format.h>
 
 #include "sim/scenario/stage.h"
@@ -13,26 +13,39 @@ using namespace value_types;
 
 constexpr const char* LEVELS[] = {"low", "high", "released"};  // as PinLevel
 
-// Pins of both headers.
-struct Pins {
+// Pins of both headers, by the names that they were given.
+class Pins {
+public:
     explicit Pins(const Values& v)
-        : jp1{v.mask<std::uint32_t>("jp1")}, jp2{v.mask<std::uint32_t>("jp2")} {}
+        : d_{v.mask<std::uint32_t>("jp1"), v.mask<std::uint32_t>("jp2")},
+          gpio_{v.mask<std::uint64_t>("gpio_0"), v.mask<std::uint64_t>("gpio_1")} {}
 
-    // "JP1 D0 and D3, JP2 D4".
-    static std::string say(std::uint32_t jp1, std::uint32_t jp2) {
-        std::string all;
-        for (const auto& [name, mask] : {std::pair{"JP1", jp1}, {"JP2", jp2}}) {
-            std::string header;
-            for (unsigned n = 0; n < 32; ++n)
-                if (mask >> n & 1)
-                    header += fmt::format("{} D{}", header.empty() ? name : " and", n);
-            all += (all.empty() || header.empty() ? "" : ", ") + header;
-        }
-        return all;
+    HeaderMasks all() const {
+        return {pins_of_bits(d_[0]) | gpio_[0], pins_of_bits(d_[1]) | gpio_[1]};
     }
-    std::string say() const { return say(jp1, jp2); }
+    // "JP1 D0 and D3, GPIO_1[4]", of those that are among `these`.
+    std::string say(const HeaderMasks& these = {ALL_HEADER_PINS, ALL_HEADER_PINS}) const {
+        std::string text;
+        for (unsigned n = 0; n < 2; ++n)
+            text += names(fmt::format("JP{} D{{}}", n + 1), " and D{}",
+                          d_[n] & bits_of_pins(these[n]), text.empty());
+        for (unsigned n = 0; n < 2; ++n)
+            text += names(fmt::format("GPIO_{}[{{}}]", n), " and [{}]", gpio_[n] & these[n],
+                          text.empty());
+        return text;
+    }
 
-    std::uint32_t jp1, jp2;
+private:
+    static std::string names(const std::string& first, const std::string& next, std::uint64_t mask,
+                             bool is_begin) {
+        std::string text;
+        for (unsigned n = 0; mask >> n; ++n)
+            if (mask >> n & 1) text += fmt::format(fmt::runtime(text.empty() ? first : next), n);
+        return text.empty() || is_begin ? text : ", " + text;
+    }
+
+    std::uint32_t d_[2];
+    std::uint64_t gpio_[2];
 };
 
 class SetPins : public Action {
@@ -44,7 +57,7 @@ public:
                    ? "release " + pins_.say()
                    : fmt::format("drive {} {}", pins_.say(), LEVELS[static_cast<int>(level_)]);
     }
-    void act(Stage& stage) const override { stage.drive_pins(pins_.jp1, pins_.jp2, level_); }
+    void act(Stage& stage) const override { stage.drive_pins(pins_.all(), level_); }
 
 private:
     Pins pins_;
@@ -62,16 +75,14 @@ public:
         return fmt::format("expect {} {}{}", pins_.say(), high_ ? "high" : "low", within(timeout_));
     }
     Verdict decide(Stage& stage) const override {
-        const auto wrong = [&](std::uint32_t pins, std::uint32_t levels) {
-            return pins & (high_ ? ~levels : levels);
-        };
-        std::uint32_t jp1 = 0, jp2 = 0;
+        const HeaderMasks pins = pins_.all();
+        HeaderMasks wrong{};
         const bool met = stage.wait_until(Stage::Each::MILLISECOND, timeout_, [&] {
-            jp1 = wrong(pins_.jp1, stage.jp1());
-            jp2 = wrong(pins_.jp2, stage.jp2());
-            return !jp1 && !jp2;
+            const HeaderMasks levels = stage.header_levels();
+            for (unsigned n = 0; n < 2; ++n) wrong[n] = pins[n] & (high_ ? ~levels[n] : levels[n]);
+            return !wrong[0] && !wrong[1];
         });
-        return {met, met ? "" : Pins::say(jp1, jp2) + (high_ ? " low" : " high")};
+        return {met, met ? "" : pins_.say(wrong) + (high_ ? " low" : " high")};
     }
 
 private:
@@ -80,18 +91,22 @@ private:
     SimTime timeout_;
 };
 
-const ValueType PIN = [] {
-    ValueType type = whole_number("a pin number, 0 to 31", 0, 31);
+ValueType pin_number(const std::string& expected, unsigned most) {
+    ValueType type = whole_number(expected, 0, most);
     type.list_of = "pin";
     return type;
-}();
+}
+const ValueType DATA_PIN = pin_number("a pin number, 0 to 31", 31);
+const ValueType PIN = pin_number("a pin number, 0 to 35", 35);
 const ValueType DRIVE = word("low, high or released", {std::begin(LEVELS), std::end(LEVELS)});
 const ValueType LEVEL = word("low or high", {"low", "high"});
 
 std::vector<Field> pins_and(const std::vector<Field>& others) {
     std::vector<Field> fields = {
-        {"jp1", PIN, Need::OPTIONAL, "", "Data pin D0 to D31 of JP1, or a list of numbers."},
-        {"jp2", PIN, Need::OPTIONAL, "", "Data pin D0 to D31 of JP2, or a list of numbers."},
+        {"jp1", DATA_PIN, Need::OPTIONAL, "", "Data pin D0 to D31 of JP1, or a list of numbers."},
+        {"jp2", DATA_PIN, Need::OPTIONAL, "", "Data pin D0 to D31 of JP2, or a list of numbers."},
+        {"gpio_0", PIN, Need::OPTIONAL, "", "Pin GPIO_0[0] to [35], or a list of numbers."},
+        {"gpio_1", PIN, Need::OPTIONAL, "", "Pin GPIO_1[0] to [35], or a list of numbers."},
     };
     for (const Field& other : others) fields.push_back(other);
     return fields;
@@ -102,7 +117,7 @@ std::vector<Field> pins_and(const std::vector<Field>& others) {
 namespace steps {
 
 std::vector<StepForm> pins() {
-    const std::vector<const char*> any_header = {"jp1", "jp2"};
+    const std::vector<const char*> any_header = {"jp1", "jp2", "gpio_0", "gpio_1"};
     return {
         {"set-pins", "Drive pins of the headers from outside, until told otherwise, and go on.",
          Notation::MAP, any_header,

@@ -10,24 +10,33 @@ using testing::ElementsAre;
 class PinSteps : public StepTest {};
 
 TEST_F(PinSteps, DriveAndRelease) {
-    EXPECT_THAT(acts("set-pins: {jp1: 3, level: low}"), ElementsAre("pins 8 0 0"));
+    EXPECT_THAT(acts("set-pins: {jp1: 3, level: low}"), ElementsAre("pins 20 0 0"));
     EXPECT_THAT(acts("set-pins: {jp1: [31, 0], jp2: 4, level: high}"),
-                ElementsAre("pins 80000001 10 1"));
-    EXPECT_THAT(acts("set-pins: {jp2: [0, 1], level: released}"), ElementsAre("pins 0 3 2"));
+                ElementsAre("pins 800000002 40 1"));
+    EXPECT_THAT(acts("set-pins: {jp2: [13, 14, 15], level: released}"),
+                ElementsAre("pins 0 A8000 2"));
+}
+
+TEST_F(PinSteps, DriveAllPinsOfAHeader) {
+    EXPECT_THAT(acts("set-pins: {gpio_0: [0, 2, 16, 18, 35], gpio_1: 1, level: low}"),
+                ElementsAre("pins 800050005 2 0"));
+    EXPECT_THAT(acts("set-pins: {jp1: 0, gpio_0: 0, level: low}"), ElementsAre("pins 3 0 0"));
 }
 
 TEST_F(PinSteps, ExpectAllOfOneLevel) {
-    stage.pins[0] = 0xFFFFFFF7;
-    stage.pins[1] = 0x10;
+    stage.pins = {sim::pins_of_bits(0xFFFFFFF7), sim::pins_of_bits(0x10) | 1};
     EXPECT_EQ(finds("expect-pins: {jp1: [0, 1], jp2: 4, level: high}"), "met");
     EXPECT_EQ(finds("expect-pins: {jp1: 3, jp2: [3, 5], level: low}"), "met");
     EXPECT_EQ(finds("expect-pins: {jp1: [3, 4], jp2: [4, 6, 5], level: high}"),
               "JP1 D3, JP2 D5 and D6 low");
     EXPECT_EQ(finds("expect-pins: {jp2: [4, 5], level: low}"), "JP2 D4 high");
+    EXPECT_EQ(finds("expect-pins: {gpio_0: 1, gpio_1: 0, jp2: 4, level: high}"), "met");
+    EXPECT_EQ(finds("expect-pins: {jp1: 3, gpio_0: [0, 2], gpio_1: [0, 1], level: high}"),
+              "JP1 D3, GPIO_0[0] and [2], GPIO_1[1] low");
 }
 
 TEST_F(PinSteps, WaitForALevel) {
-    stage.meanwhile = [&] { stage.pins[0] = stage.now_ms() >= 25; };
+    stage.meanwhile = [&] { stage.pins[0] = sim::pins_of_bits(stage.now_ms() >= 25); };
     EXPECT_EQ(finds("expect-pins: {jp1: 0, level: high, timeout: 1s}"), "met");
     EXPECT_EQ(stage.now_ms(), 25u);
 }
@@ -36,15 +45,19 @@ TEST_F(PinSteps, SoundLikeAPerson) {
     EXPECT_EQ(said("set-pins: {jp1: [0, 3], jp2: 4, level: high}"),
               "drive JP1 D0 and D3, JP2 D4 high");
     EXPECT_EQ(said("set-pins: {jp2: 4, level: released}"), "release JP2 D4");
+    EXPECT_EQ(said("set-pins: {gpio_1: [0, 35], jp1: 1, level: low}"),
+              "drive JP1 D1, GPIO_1[0] and [35] low");
     EXPECT_EQ(said("expect-pins: {jp1: 0, level: low, timeout: 1s}"),
               "expect JP1 D0 low within 1s");
 }
 
 TEST_F(PinSteps, RefuseWhatIsNoPinAndNoLevel) {
     EXPECT_EQ(step_error("set-pins: {level: high}"),
-              "a.yaml:4:3: expected jp1 or jp2 in set-pins, got none");
+              "a.yaml:4:3: expected jp1, jp2, gpio_0 or gpio_1 in set-pins, got none");
     EXPECT_EQ(step_error("set-pins: {jp1: 32, level: high}"),
               "a.yaml:4:19: expected a pin number, 0 to 31, got 32");
+    EXPECT_EQ(step_error("set-pins: {gpio_0: 36, level: high}"),
+              "a.yaml:4:22: expected a pin number, 0 to 35, got 36");
     EXPECT_EQ(step_error("set-pins: {jp1: [1, 1], level: high}"),
               "a.yaml:4:23: expected each pin once, got 1 again");
     EXPECT_EQ(step_error("expect-pins: {jp1: 1, level: released}"),

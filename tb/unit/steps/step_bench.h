@@ -25,7 +25,7 @@ public:
     sim::Senses seen;
     std::uint16_t leds = 0;
     bool lit = false;
-    std::uint32_t pins[2] = {};
+    sim::HeaderMasks pins{};
     int mouse_right = 0, mouse_up = 0;
     sim::HexSegments segments{};
     std::function<void()> meanwhile = [] {};
@@ -47,8 +47,8 @@ public:
     }
     void hold(const sim::Controls& c) override { done.push_back("hold " + to_string(c)); }
     void release(const sim::Controls& c) override { done.push_back("release " + to_string(c)); }
-    void drive_pins(std::uint32_t one, std::uint32_t two, sim::PinLevel level) override {
-        done.push_back(fmt::format("pins {:X} {:X} {}", one, two, static_cast<int>(level)));
+    void drive_pins(const sim::HeaderMasks& both, sim::PinLevel level) override {
+        done.push_back(fmt::format("pins {:X} {:X} {}", both[0], both[1], static_cast<int>(level)));
     }
     void set_voltage(unsigned channel, double volts) override {
         done.push_back(fmt::format("CH{} {} V", channel, volts));
@@ -93,8 +93,7 @@ public:
     std::uint16_t ledr() override { return leds; }
     sim::HexSegments hex() override { return segments; }
     bool hps_led() override { return lit; }
-    std::uint32_t jp1() override { return pins[0]; }
-    std::uint32_t jp2() override { return pins[1]; }
+    sim::HeaderMasks header_levels() override { return pins; }
     const std::filesystem::path& folder() const override { return folder_; }
     bool save(const std::filesystem::path& path, const sim::Image& image) override {
         if (!disk_full) saved.emplace_back(path.string(), image);
