@@ -13,15 +13,21 @@ std::string wire_of(const BoardSignal& signal, int index) {
     return signal.scalar ? std::string{signal.name} : fmt::format("{}[{}]", signal.name, index);
 }
 
-// The wire for bit `index` of a port that is `width` wide, by its name alone.
-std::string by_name(const Port& port, int index, int width) {
+using Locations = std::map<std::string, std::string>;
+
+// The wire for bit `bit` of a port, counted from the right, by its name alone.
+std::string by_name(const Port& port, int bit) {
     const auto signal = board_signal(port.name);
-    if (!signal) return {};
-    int bit = index - std::min(port.left, port.right);
+    return signal && bit >= 0 && bit < static_cast<int>(signal->width) ? wire_of(*signal, bit) : "";
+}
+
+// What to add to a bit of a colour so that the uppermost of `width` is the board's uppermost.
+int colour_shift(const Port& port, int width) {
+    const auto signal = board_signal(port.name);
+    if (!signal) return 0;
     const bool colour =
         signal->name == "VGA_R" || signal->name == "VGA_G" || signal->name == "VGA_B";
-    if (colour) bit += static_cast<int>(signal->width) - width;
-    return bit >= 0 && bit < static_cast<int>(signal->width) ? wire_of(*signal, bit) : "";
+    return colour ? static_cast<int>(signal->width) - width : 0;
 }
 
 const BoardSignal* signal_of_wire(const std::string& wire) {
@@ -31,16 +37,43 @@ const BoardSignal* signal_of_wire(const std::string& wire) {
     return nullptr;
 }
 
-std::string wire_at(const Port& port, int index, int width,
-                    const std::map<std::string, std::string>& locations,
-                    const std::map<std::string, std::string>& signals_by_pin) {
+// The wire that a location gives to bit `index`, or empty.
+std::string by_location(const Port& port, int index, const Locations& locations,
+                        const Locations& signals_by_pin) {
     const auto location =
         locations.find(port.vector ? fmt::format("{}[{}]", port.name, index) : port.name);
-    if (location != locations.end())
-        if (const auto signal = signals_by_pin.find(location->second);
-            signal != signals_by_pin.end() && signal_of_wire(signal->second))
-            return signal->second;
-    return by_name(port, index, width);
+    if (location == locations.end()) return {};
+    const auto signal = signals_by_pin.find(location->second);
+    return signal != signals_by_pin.end() && signal_of_wire(signal->second) ? signal->second : "";
+}
+
+// A port's bits, from the left, as far as locations tell.
+std::vector<std::string> located_wires(const Port& port, const Locations& locations,
+                                       const Locations& signals_by_pin) {
+    std::vector<std::string> wires;
+    for (int index = port.left;; index += port.left >= port.right ? -1 : 1) {
+        wires.push_back(by_location(port, index, locations, signals_by_pin));
+        if (index == port.right) return wires;
+    }
+}
+
+// Fills in the other bits by the port's name.  A pin that a location gives to another output stays
+// that one's.
+void name_wires(std::vector<std::string>& wires, const Port& port,
+                const std::set<std::string>& located, std::vector<std::string>& notes) {
+    const bool all =
+        std::all_of(wires.begin(), wires.end(), [](auto& wire) { return wire.empty(); });
+    const int width = static_cast<int>(wires.size());
+    for (int i = 0; i < width; ++i) {
+        std::string& wire = wires[static_cast<std::size_t>(i)];
+        if (!wire.empty()) continue;
+        const int bit = port.left >= port.right ? width - 1 - i : i;
+        wire = by_name(port, bit + (all ? colour_shift(port, width) : 0));
+        if (port.direction == Direction::INPUT || !located.count(wire)) continue;
+        notes.push_back(fmt::format("output {} is on {}, which another output drives: left open",
+                                    port.name, wire));
+        wire.clear();
+    }
 }
 
 // What an output is where nothing drives it: lamps dark, chips not selected.
@@ -57,18 +90,21 @@ bool is_low_active(const std::string& port) {
 
 }  // namespace
 
-Binding bind(const std::vector<Port>& ports, const std::map<std::string, std::string>& locations,
-             const std::map<std::string, std::string>& signals_by_pin) {
+Binding bind(const std::vector<Port>& ports, const Locations& locations,
+             const Locations& signals_by_pin) {
     Binding binding;
-    std::set<std::string> driven;
+    std::set<std::string> driven, located;
     std::string nowhere;
+    for (const Port& port : ports)
+        if (port.direction != Direction::INPUT)
+            for (const std::string& wire : located_wires(port, locations, signals_by_pin))
+                if (!wire.empty()) located.insert(wire);
     for (const Port& port : ports) {
-        const int step = port.left >= port.right ? -1 : 1;
-        const int width = std::abs(port.left - port.right) + 1;
+        std::vector<std::string> wires = located_wires(port, locations, signals_by_pin);
+        name_wires(wires, port, located, binding.notes);
         Binding::BoundPort bound{port, {}};
         bool any = false;
-        for (int index = port.left;; index += step) {
-            std::string wire = wire_at(port, index, width, locations, signals_by_pin);
+        for (std::string& wire : wires) {
             const BoardSignal* signal = wire.empty() ? nullptr : signal_of_wire(wire);
             if (signal && port.direction == Direction::OUTPUT) {
                 if (signal->direction == Direction::INPUT) {
@@ -92,7 +128,6 @@ Binding bind(const std::vector<Port>& ports, const std::map<std::string, std::st
                 binding.header_outputs[wire[5] - '0'] |= std::uint64_t{1}
                                                          << std::stoi(wire.substr(7));
             bound.bits.push_back({std::move(wire)});
-            if (index == port.right) break;
         }
         if (!any && port.name.compare(0, 4, "HPS_") != 0)
             nowhere += fmt::format("{}{}{}", nowhere.empty() ? "" : ", ", port.name,

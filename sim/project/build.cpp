@@ -61,6 +61,7 @@ std::vector<std::string> verilator_words(const Project& project) {
                                    "-Wno-fatal",
                                    "-Wno-lint",
                                    "-Wno-style",
+                                   "-Wno-ASSIGNIN",
                                    "-Wno-BLKANDNBLK",
                                    "-Wno-STMTDLY",
                                    "-Wno-MULTIDRIVEN",

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "sim/project/items.h"
 #include "sim/project/settings.h"
 #include "sim/project/tokens.h"
 
@@ -46,7 +47,7 @@ bool shows_system_verilog(std::string_view word) {
 class Normaliser {
 public:
     Normaliser(std::string_view text, const std::string& name, const OpenInputs& open_inputs)
-        : tokens_{tokens_of(text)}, name_{name} {
+        : tokens_{tokens_of(text)}, items_{tokens_.all}, name_{name} {
         for (std::size_t i = 0; i < tokens_.all.size(); ++i)
             if (tokens_.all[i].kind == Kind::NAME && open_inputs.count(tokens_.all[i].text))
                 connect(i, open_inputs);
@@ -67,7 +68,7 @@ public:
             }
             if (const auto here = values_.find(i); here != values_.end())
                 result.text += here->second;
-            if (unnamed_instance(i)) {
+            if (items_.unnamed_instance(i)) {
                 changed(token, fmt::format("named the instance of {}", token.text));
                 add_name(i);
             }
@@ -118,39 +119,25 @@ private:
         begun_ = true;
     }
 
-    // NAME ( .port or NAME #(...) ( where a statement of a module begins.
-    bool unnamed_instance(std::size_t i) const {
-        const Token& token = tokens_.all[i];
-        if (token.kind != Kind::NAME || is_keyword(token.text) || i == 0 ||
-            !begins_item(tokens_.all[i - 1]))
-            return false;
-        if (!next(i)) return false;
-        std::size_t open = i + 1;
-        if (tokens_.all[open].is("#")) {
-            open = closing(open + 1) + 1;
-            return open < tokens_.all.size() && tokens_.all[open].is("(");
-        }
-        return tokens_.all[open].is("(") && next(open) && next(open)->is(".");
-    }
     void add_name(std::size_t i) {
         std::size_t at = i;
-        if (tokens_.all[i + 1].is("#")) at = closing(i + 2);
+        if (tokens_.all[i + 1].is("#")) at = closing(tokens_.all, i + 2);
         names_[at] = fmt::format("de1sim_unnamed_{}", ++unnamed_);
     }
     // Adds the connections that the instance of a model at `i` leaves open.
     void connect(std::size_t i, const OpenInputs& open_inputs) {
         std::size_t open = i + 1;
-        if (next(i) && next(i)->is("#")) open = closing(open + 1) + 1;
+        if (next(i) && next(i)->is("#")) open = closing(tokens_.all, open + 1) + 1;
         if (open < tokens_.all.size() && tokens_.all[open].kind == Kind::NAME) ++open;
         if (open + 1 >= tokens_.all.size() || !tokens_.all[open].is("(") ||
             !tokens_.all[open + 1].is("."))
             return;
-        const std::size_t close = closing(open);
+        const std::size_t close = closing(tokens_.all, open);
         std::map<std::string, std::size_t, std::less<>> connected;  // to its parenthesis
         for (std::size_t at = open + 1; at + 2 < close; ++at)
             if (tokens_.all[at].is(".") && tokens_.all[at + 2].is("(")) {
                 connected.emplace(tokens_.all[at + 1].text, at + 2);
-                at = closing(at + 2);
+                at = closing(tokens_.all, at + 2);
             }
         std::string added;
         const auto [begin, end] = open_inputs.equal_range(tokens_.all[i].text);
@@ -163,21 +150,6 @@ private:
         }
         values_[open] += added;
     }
-    static bool begins_item(const Token& before) {
-        return before.is(";") || before.is("begin") || before.is("end") || before.is("*)") ||
-               before.is("generate") || before.is("endgenerate") || before.is("endfunction") ||
-               before.is("endtask") || before.is("else");
-    }
-    // The parenthesis that closes the one at `open`; where there is none, the last token.
-    std::size_t closing(std::size_t open) const {
-        int depth = 0;
-        for (std::size_t i = open; i < tokens_.all.size(); ++i) {
-            depth += tokens_.all[i].is("(") - tokens_.all[i].is(")");
-            if (depth == 0) return i;
-        }
-        return tokens_.all.size() - 1;
-    }
-
     std::string literal(const Token& token) {
         const std::string_view text = token.text;
         const std::size_t quote = text.find('\'');
@@ -238,6 +210,7 @@ private:
     }
 
     Tokens tokens_;
+    const Items items_;
     const std::string& name_;
     std::map<std::size_t, std::string> values_;  // to write behind that token
     std::vector<std::string> changes_;

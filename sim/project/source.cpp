@@ -1,5 +1,6 @@
 #include "sim/project/source.h"
 
+#include "sim/project/items.h"
 #include "sim/project/tokens.h"
 
 namespace sim::project {
@@ -51,34 +52,22 @@ private:
         } else if (is_name(token)) {
             const Token* next = peek();
             if (!next) return;
-            if (next->is("#")) {
+            if (items_.unnamed_instance(at_)) {
+                module_->wants.emplace(token.text);
+            } else if (next->is("#")) {
                 module_->wants.emplace(token.text);
                 skip_parameters();
             } else if (is_name(*next) && peek(2) && (peek(2)->is("(") || peek(2)->is("["))) {
                 module_->wants.emplace(token.text);
                 ++at_;
-            } else if (next->is("(") && at_ > 0 && peek(2) && peek(2)->is(".") &&
-                       begins_statement()) {
-                module_->wants.emplace(token.text);  // an instance without a name
             }
         }
     }
 
     // To the name of an instance behind #( ... ), or to what there is else.
     void skip_parameters() {
-        std::size_t i = at_ + 2;
-        for (int depth = 0; i < tokens_.size(); ++i) {
-            depth += tokens_[i].is("(") - tokens_[i].is(")");
-            if (depth == 0) break;
-        }
+        const std::size_t i = closing(tokens_, at_ + 2);
         at_ = i + 1 < tokens_.size() && is_name(tokens_[i + 1]) ? i + 1 : i;
-    }
-
-    bool begins_statement() const {
-        const Token& before = tokens_[at_ - 1];
-        return before.is(";") || before.is("begin") || before.is("end") || before.is(")") ||
-               before.is("generate") || before.is("*)") || before.is("endfunction") ||
-               before.is("endtask");
     }
 
     // The names of one declaration, up to what ends it.
@@ -97,7 +86,8 @@ private:
         }
     }
 
-    std::vector<Token> tokens_;
+    const std::vector<Token> tokens_;
+    const Items items_{tokens_};
     std::size_t at_ = 0;
     SourceText source_;
     ModuleText* module_ = nullptr;

@@ -57,12 +57,23 @@ TEST(Binding, SaysWhatFitsNowhere) {
     EXPECT_THAT(design_text(b, "top"), HasSubstr(".rst_n (1'b1)"));
 }
 
-TEST(Binding, RefusesTwoOutputsOnAPin) {
+TEST(Binding, OfAWideColourWithLocationsIsByThem) {
+    const std::map<std::string, std::string> pins{{"PIN_A13", "VGA_R[0]"}, {"PIN_F13", "VGA_R[7]"}};
+    const auto b = bind({{"VGA_R", Direction::OUTPUT, 9, 0, true}},
+                        {{"VGA_R[0]", "PIN_A13"}, {"VGA_R[7]", "PIN_F13"}}, pins);
+    EXPECT_EQ(wires(b),
+              (std::vector<std::string>{"", "", "VGA_R[7]", "VGA_R[6]", "VGA_R[5]", "VGA_R[4]",
+                                        "VGA_R[3]", "VGA_R[2]", "VGA_R[1]", "VGA_R[0]"}));
+    EXPECT_TRUE(b.notes.empty());
+}
+
+TEST(Binding, GivesAPinToTheOutputThatHasItsLocation) {
     const auto b =
         bind({{"LEDR", Direction::OUTPUT, 0, 0, true}, {"x", Direction::OUTPUT, 0, 0, false}},
              {{"x", "PIN_V16"}}, PINS);
+    EXPECT_EQ(wires(b, 1).front(), "LEDR[0]");
     EXPECT_THAT(b.notes,
-                Contains(HasSubstr("output x is on LEDR[0], which another output drives")));
+                Contains(HasSubstr("output LEDR is on LEDR[0], which another output drives")));
 }
 
 TEST(Binding, DrivesLampsDarkThatTheDesignHasNot) {

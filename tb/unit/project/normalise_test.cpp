@@ -31,6 +31,29 @@ TEST(Normalise, NamesInstances) {
                                             "f.v:3: named the instance of ram"));
 }
 
+TEST(Normalise, NamesInstancesWithPortsInOrder) {
+    EXPECT_THAT(cleaned("module m;\nalways @(posedge c) begin if (a) b <= a; end\nsub (x, y);\n"
+                        "endmodule"),
+                HasSubstr("sub de1sim_unnamed_1  (x, y);"));
+    EXPECT_THAT(cleaned("module m; always @(*) case (a) 1: b = 0; endcase sub (x);"),
+                HasSubstr("sub de1sim_unnamed_1  (x);"));
+    EXPECT_THAT(cleaned("module m; generate if (W) begin : g sub (x[0], y); end"),
+                HasSubstr("sub de1sim_unnamed_1  (x[0], y);"));
+}
+
+TEST(Normalise, CallsOfTasksAreNoInstances) {
+    for (const char* calls :
+         {"initial begin clear(x); wait (y) send(x); end", "always @* begin : name clear(x); end",
+          "always @(posedge c) begin case (a) 1: begin clear(x); end endcase send(x); end",
+          "task t; begin clear(x); send(y); end endtask",
+          "always @(posedge c) begin if (a) b <= 1; else begin clear(x); end clear(y); end",
+          "initial fork clear(x); send(y); join", "always begin #10 c = 0; clear(x); end",
+          "function f(input i); begin clear(x); f = i; end endfunction"}) {
+        const std::string text = std::string{"module m;\n"} + calls + "\nendmodule\n";
+        EXPECT_EQ(cleaned(text), text);
+    }
+}
+
 TEST(Normalise, ShortensLiteralsAsQuartusDoes) {
     EXPECT_EQ(cleaned("x = 4'b010101;"), "x = 4'b0101;");
     EXPECT_EQ(cleaned("x = 4'h1F;"), "x = 4'hF;");

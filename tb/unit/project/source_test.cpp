@@ -75,4 +75,10 @@ TEST(Scan, FindsPackagesAndTheirUse) {
     EXPECT_THAT(source.packages, UnorderedElementsAre("p", "other"));
 }
 
+TEST(Scan, FindsInstancesWithoutANameButNoTasks) {
+    const auto text = scan(
+        "module m; always @(posedge c) begin clear(x); end sub (x, y); ram #(2) (.q(y)); endmodule");
+    EXPECT_THAT(text.modules.at(0).wants, UnorderedElementsAre("sub", "ram"));
+}
+
 }  // namespace
