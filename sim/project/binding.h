@@ -23,9 +23,9 @@ struct Binding {
     std::uint64_t header_outputs[2] = {0, 0};  // pins of GPIO_0 and GPIO_1 that it always drives
 };
 
-// By the location that is assigned to a port's bit; without one, by the port's name, unless that pin
-// is another output's by location.  Of a colour with more or fewer than 8 bits, none of which has a
-// location, the upper ones count.
+// By the location that is assigned to a port's bit; without one, by the port's name, unless that
+// pin is another output's by location.  Of a colour with more or fewer than 8 bits, none of which
+// has a location, the upper ones count.
 Binding bind(const std::vector<Port>& ports,
              const std::map<std::string, std::string>& locations,        // "SW[3]" -> "PIN_AF9"
              const std::map<std::string, std::string>& signals_by_pin);  // "PIN_AF9" -> "SW[3]"

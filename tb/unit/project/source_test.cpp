@@ -77,7 +77,8 @@ TEST(Scan, FindsPackagesAndTheirUse) {
 
 TEST(Scan, FindsInstancesWithoutANameButNoTasks) {
     const auto text = scan(
-        "module m; always @(posedge c) begin clear(x); end sub (x, y); ram #(2) (.q(y)); endmodule");
+        "module m; always @(posedge c) begin clear(x); end "
+        "sub (x, y); ram #(2) (.q(y)); endmodule");
     EXPECT_THAT(text.modules.at(0).wants, UnorderedElementsAre("sub", "ram"));
 }
 
