@@ -7,6 +7,7 @@
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
+#include <set>
 
 #include <fmt/format.h>
 
@@ -57,33 +58,42 @@ void link_to(const fs::path& target, const fs::path& link) {
 std::string include_link(std::size_t number) { return fmt::format("include{}", number); }
 
 std::vector<std::string> verilator_words(const Project& project) {
-    std::vector<std::string> words{"verilator",
-                                   "-Wno-fatal",
-                                   "-Wno-lint",
-                                   "-Wno-style",
-                                   "-Wno-ASSIGNIN",
-                                   "-Wno-BLKANDNBLK",
-                                   "-Wno-STMTDLY",
-                                   "-Wno-MULTIDRIVEN",
-                                   "-Wno-UNOPTFLAT",
-                                   "-Wno-TIMESCALEMOD",
-                                   "-Wno-COMBDLY",
-                                   "-Wno-INITIALDLY",
-                                   "-Wno-PINMISSING",
-                                   "-Wno-MODDUP",
-                                   "-Wno-SYMRSVDWORD",
-                                   "-Wno-SPLITVAR",
-                                   "-Wno-TICKCOUNT",
-                                   "--no-timing",
-                                   "--x-initial",
-                                   "0",
-                                   "--x-assign",
-                                   "0"};
+    std::vector<std::string> words{"verilator",        "-Wno-fatal",
+                                   "-Wno-lint",        "-Wno-style",
+                                   "-Wno-ASSIGNIN",    "-Wno-BLKANDNBLK",
+                                   "-Wno-STMTDLY",     "-Wno-MULTIDRIVEN",
+                                   "-Wno-UNOPTFLAT",   "-Wno-TIMESCALEMOD",
+                                   "-Wno-COMBDLY",     "-Wno-INITIALDLY",
+                                   "-Wno-PINMISSING",  "-Wno-MODDUP",
+                                   "-Wno-SYMRSVDWORD", "-Wno-SPLITVAR",
+                                   "-Wno-TICKCOUNT",   "--no-timing",
+                                   "--x-initial",      "0",
+                                   "--x-assign",       "0"};
     for (const std::string& macro : project.macros) words.push_back("-D" + macro);
     for (std::size_t n = 0; n < project.includes.size(); ++n)
         words.push_back("-I" + include_link(n));
     words.insert(words.end(), {"-y", "data/rtl/ip", "-Idata/rtl/ip"});
     return words;
+}
+
+// Those of the sources, and the models that they instance.
+Modules modules_of(const std::vector<SourceFile>& sources) {
+    Modules modules;
+    const auto take = [&modules](const fs::path& file) {
+        for (ModuleText& module : scan(text_of(file)).modules)
+            modules.emplace(module.name, std::move(module));
+    };
+    for (const SourceFile& file : sources)
+        if (file.language != SourceFile::Language::VHDL) take(file.path);
+    std::set<std::string> wanted;
+    for (const auto& [name, module] : modules)
+        wanted.insert(module.wants.begin(), module.wants.end());
+    std::error_code error;
+    for (const std::string& name : wanted) {
+        const fs::path model = data_folder() / "rtl" / "ip" / (name + ".v");
+        if (!modules.count(name) && fs::is_regular_file(model, error)) take(model);
+    }
+    return modules;
 }
 
 std::string tap_text(const std::vector<PllClock>& clocks) {
@@ -144,13 +154,15 @@ void Builder::write_sources() {
         link_to(design_.project.includes[n], folder_ / include_link(n));
     files_.clear();
     unsigned number = 0;
+    const Modules modules = modules_of(design_.project.sources);
     const OpenInputs open_inputs = read_open_inputs(data_folder() / "rtl/ip/defaults.tsv");
     for (const SourceFile& file : design_.project.sources) {
         const std::string name = file.path.lexically_relative(design_.project.folder).string();
         if (file.language == SourceFile::Language::VHDL)
             throw ProjectError{name + ": VHDL cannot be simulated yet, expected Verilog"};
         const bool system_verilog = file.language == SourceFile::Language::SYSTEM_VERILOG;
-        Normalised clean = normalise(text_of(file.path), name, system_verilog, open_inputs);
+        Normalised clean =
+            normalise(text_of(file.path), name, system_verilog, open_inputs, modules);
         design_.changes.insert(design_.changes.end(), clean.changes.begin(), clean.changes.end());
         const fs::path to = fmt::format("source/{:03}{}", number++, system_verilog ? ".sv" : ".v");
         write_if_new(folder_ / to, fmt::format("`line 1 \"{}\" 0\n{}", name, clean.text));

@@ -46,8 +46,10 @@ bool shows_system_verilog(std::string_view word) {
 
 class Normaliser {
 public:
-    Normaliser(std::string_view text, const std::string& name, const OpenInputs& open_inputs)
+    Normaliser(std::string_view text, const std::string& name, const OpenInputs& open_inputs,
+               const Modules& modules)
         : tokens_{tokens_of(text)}, items_{tokens_.all}, name_{name} {
+        enable_part_drivers(tokens_, modules, edits_);
         for (std::size_t i = 0; i < tokens_.all.size(); ++i)
             if (tokens_.all[i].kind == Kind::NAME && open_inputs.count(tokens_.all[i].text))
                 connect(i, open_inputs);
@@ -59,6 +61,9 @@ public:
         for (std::size_t i = 0; i < tokens_.all.size(); ++i) {
             const Token& token = tokens_.all[i];
             result.text += without_pragmas(token.gap);
+            if (const auto here = edits_.before.find(i); here != edits_.before.end())
+                result.text += here->second;
+            if (edits_.left_out.count(i)) continue;
             if (token.is(",") && next(i) && next(i)->is(")")) {
                 changed(token, "dropped the comma before \")\"");
             } else if (token.kind == Kind::NUMBER) {
@@ -66,14 +71,12 @@ public:
             } else {
                 result.text += token.text;
             }
-            if (const auto here = values_.find(i); here != values_.end())
-                result.text += here->second;
             if (items_.unnamed_instance(i)) {
                 changed(token, fmt::format("named the instance of {}", token.text));
                 add_name(i);
             }
-            if (const auto here = names_.find(i); here != names_.end())
-                result.text += " " + here->second + " ";
+            if (const auto here = edits_.behind.find(i); here != edits_.behind.end())
+                result.text += here->second;
         }
         result.text += tokens_.tail;
         if (begun_) result.text += "\n`end_keywords\n";
@@ -122,7 +125,7 @@ private:
     void add_name(std::size_t i) {
         std::size_t at = i;
         if (tokens_.all[i + 1].is("#")) at = closing(tokens_.all, i + 2);
-        names_[at] = fmt::format("de1sim_unnamed_{}", ++unnamed_);
+        edits_.behind[at] += fmt::format(" de1sim_unnamed_{} ", ++unnamed_);
     }
     // Adds the connections that the instance of a model at `i` leaves open.
     void connect(std::size_t i, const OpenInputs& open_inputs) {
@@ -146,9 +149,9 @@ private:
             if (there == connected.end())
                 added += fmt::format(".{}(-1), ", input->second);
             else if (tokens_.all[there->second + 1].is(")"))
-                values_[there->second] = "-1";
+                edits_.behind[there->second] += "-1";
         }
-        values_[open] += added;
+        edits_.behind[open] += added;
     }
     std::string literal(const Token& token) {
         const std::string_view text = token.text;
@@ -212,9 +215,8 @@ private:
     Tokens tokens_;
     const Items items_;
     const std::string& name_;
-    std::map<std::size_t, std::string> values_;  // to write behind that token
+    Edits edits_;
     std::vector<std::string> changes_;
-    std::map<std::size_t, std::string> names_;  // to write behind that token
     unsigned unnamed_ = 0;
     bool begun_ = false;
 };
@@ -235,8 +237,8 @@ OpenInputs read_open_inputs(const std::filesystem::path& table) {
 }
 
 Normalised normalise(std::string_view text, const std::string& name, bool system_verilog,
-                     const OpenInputs& open_inputs) {
-    return Normaliser{text, name, open_inputs}.run(system_verilog);
+                     const OpenInputs& open_inputs, const Modules& modules) {
+    return Normaliser{text, name, open_inputs, modules}.run(system_verilog);
 }
 
 }  // namespace sim::project

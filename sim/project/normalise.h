@@ -4,8 +4,10 @@
 //   an instance without a name               gets one
 //   a literal with more digits than its size  loses the leading ones, as in Quartus
 //   a comma before a closing parenthesis      goes
-//   a comment that Verilator would take for an order to itself  is changed (not told)
 //   a .v file with words of SystemVerilog as names  is read with the keywords of Verilog-2005
+//
+// Not told: a comment that Verilator would take for an order to itself, inputs of models that are 1
+// where they are open, and the enables of part_drivers.h.
 //
 // Lines stay where they are, and messages name the original file.
 #pragma once
@@ -16,6 +18,8 @@
 #include <string_view>
 #include <vector>
 
+#include "sim/project/part_drivers.h"
+
 namespace sim::project {
 
 struct Normalised {
@@ -23,13 +27,13 @@ struct Normalised {
     std::vector<std::string> changes;  // "pong.v:12: named the instance of ball"
 };
 
-// Inputs of models of Intel's IP that are 1 where a design leaves them open: module, port.  Such a
-// connection is added, which is not told as a change: Quartus does the same.
+// Inputs of models of Intel's IP that are 1 where a design leaves them open: module, port.
 using OpenInputs = std::multimap<std::string, std::string, std::less<>>;
 OpenInputs read_open_inputs(const std::filesystem::path& table);  // rtl/ip/defaults.tsv
 
-// `name` is the file's in messages; `system_verilog`: it is read as such, keywords and all.
+// `name` is the file's in messages; `system_verilog`: it is read as such, keywords and all;
+// `modules`: as enable_part_drivers() has it.
 Normalised normalise(std::string_view text, const std::string& name, bool system_verilog,
-                     const OpenInputs& open_inputs = {});
+                     const OpenInputs& open_inputs = {}, const Modules& modules = {});
 
 }  // namespace sim::project

@@ -1,5 +1,7 @@
 #include "sim/project/source.h"
 
+#include <utility>
+
 #include "sim/project/items.h"
 #include "sim/project/tokens.h"
 
@@ -41,9 +43,26 @@ private:
         if (name && (name->is("automatic") || name->is("static"))) name = peek(2);
         if (!name || name->kind != Kind::NAME) return;
         source_.modules.push_back(
-            {std::string{name->text}, name->line, {}, {}, token.is("package")});
+            {std::string{name->text}, name->line, {}, {}, token.is("package"), {}, {}, {}});
         module_ = &source_.modules.back();
         at_ = static_cast<std::size_t>(name - tokens_.data());
+        header();
+    }
+
+    // The names in the parentheses behind the module's name and its parameters.
+    void header() {
+        std::size_t i = at_ + 1;
+        while (i < tokens_.size() && !tokens_[i].is("(") && !tokens_[i].is(";")) ++i;
+        int depth = 0;
+        bool parameters = i > 0 && i < tokens_.size() && tokens_[i - 1].is("#");
+        for (; i + 1 < tokens_.size() && !tokens_[i].is(";"); ++i) {
+            depth += tokens_[i].is("(") - tokens_[i].is(")");
+            if (depth == 0 && !std::exchange(parameters, false)) return;
+            const Token& next = tokens_[i + 1];
+            if (depth == 1 && !parameters && is_name(tokens_[i]) &&
+                (next.is(",") || next.is(")") || next.is("=")))
+                module_->header.emplace_back(tokens_[i].text);
+        }
     }
 
     void in_module(const Token& token) {
@@ -72,6 +91,7 @@ private:
 
     // The names of one declaration, up to what ends it.
     void ports() {
+        const Token& direction = tokens_[at_];
         int depth = 0;
         for (std::size_t i = at_ + 1; i < tokens_.size(); ++i) {
             const Token& token = tokens_[i];
@@ -82,8 +102,14 @@ private:
                 break;
             if (depth == 0 && is_name(token) && !token.is("logic") && i + 1 < tokens_.size() &&
                 !is_name(tokens_[i + 1]))
-                module_->ports.emplace_back(token.text);
+                declare(token, direction);
         }
+    }
+
+    void declare(const Token& name, const Token& direction) {
+        module_->ports.emplace_back(name.text);
+        if (direction.is("output")) module_->outputs.emplace(name.text);
+        if (direction.is("inout")) module_->inouts.emplace(name.text);
     }
 
     const std::vector<Token> tokens_;

@@ -16,6 +16,8 @@ struct ModuleText {
     std::set<std::string> wants;     // modules that it instances
     std::vector<std::string> ports;  // names, as far as they are declared
     bool is_package;
+    std::vector<std::string> header;        // the ports in the order of positional connections
+    std::set<std::string> outputs, inouts;  // of the ports
 };
 
 struct SourceText {

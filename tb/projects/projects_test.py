@@ -1,4 +1,4 @@
-"""projects_test.py DE1SIM FOLDER - projects as people have them: odd, incomplete or wrong.
+"""projects_test.py DE1SIM FOLDER [CASE...] - projects as people have them: odd, incomplete, wrong.
 
 Each is a few lines of Verilog and settings, written into FOLDER/NAME.
 """
@@ -168,6 +168,43 @@ class AsQuartusTakesIt(Case):
         self.assertNotIn("translating", self.leds(0x3C))
 
 
+class InoutPins(Case):
+    """What a design does not drive, the pull-ups of the headers hold at 1."""
+
+    def test_one_pin_driven_and_no_z_anywhere(self):
+        self.write(top_v="module top(inout [35:0] GPIO_0, output [9:0] LEDR);\n"
+                         "assign GPIO_0[6] = 0; assign LEDR = GPIO_0[10:1]; endmodule\n")
+        self.leds(0b1111011111)
+
+    def test_parts_driven_by_all_kinds_of_drivers(self):
+        self.write(top_v="module seven(x, y); input x; output [6:0] y; assign y = {7{x}};\n"
+                         "endmodule\n"
+                         "module deep(inout [3:0] io); assign io[1] = 0, io[2] = 1; endmodule\n"
+                         "module top(SW, LEDR, GPIO_0, GPIO_1);\n"
+                         "input [9:0] SW; output [9:0] LEDR; inout [35:0] GPIO_0, GPIO_1;\n"
+                         "parameter P = 1; genvar i; wire spare;\n"
+                         "generate for (i = 0; i < 2; i = i + 1) begin : each\n"
+                         "assign GPIO_0[2 * i] = SW[i]; end endgenerate\n"
+                         "seven a (SW[2], GPIO_0[10:4]), b (.x(SW[3]), .y(GPIO_0[17:11]));\n"
+                         "if (P) seven c (.x(SW[2]), .y({spare, GPIO_0[35:30]}));\n"
+                         "deep d (.io(GPIO_1[3:0]));\n"
+                         "assign GPIO_1[5] = SW[4] ? 1'b0 : 1'bz;\n"
+                         "assign GPIO_1[8] = SW[4] ? 1'b0 : 1'bz;\n"
+                         "assign LEDR[4:0] = {GPIO_0[30], GPIO_0[18], GPIO_0[11], GPIO_0[4:3]};\n"
+                         "assign LEDR[9:5] = {GPIO_1[5], GPIO_1[3:0]}; endmodule\n")
+        self.leds(0b11101_01001)
+        self.leds(0b11101_11011, 0b00100)
+        self.leds(0b01101_01101, 0b11000)
+
+    def test_a_bus_with_enables_of_its_own(self):
+        self.write(top_v="module top(inout [35:0] GPIO_0, input [9:0] SW, output [9:0] LEDR);\n"
+                         "wire e = SW[0]; assign GPIO_0[3] = e ? 1'b0 : 1'bz;\n"
+                         "assign GPIO_0[35:8] = 28'bz; assign GPIO_0[5] = SW[1];\n"
+                         "assign LEDR = GPIO_0[9:0]; endmodule\n")
+        self.leds(0b1111011111)
+        self.leds(0b1111110111, 3)
+
+
 class Clocks(Case):
     def test_keys_and_dividers(self):
         self.write(top_v="module top(input CLOCK_50, input [3:0] KEY, output [9:0] LEDR);\n"
@@ -264,4 +301,4 @@ class Wrong(Case):
 
 
 if __name__ == "__main__":
-    unittest.main(argv=sys.argv[:1])
+    unittest.main(argv=sys.argv[:1] + sys.argv[3:])

@@ -50,6 +50,19 @@ TEST(Tokens, NumbersHaveTheirSize) {
     EXPECT_EQ(tokens[2].text, "4 'b 01?z");
 }
 
+TEST(Scan, KnowsTheDirectionsAndThePlacesOfPorts) {
+    const auto source = scan(
+        "module a #(parameter W = 8) (input [W-1:0] x, inout p, q, output reg [3:0] r = 0);\n"
+        "endmodule module b(m, n, o); inout [1:0] o; input m; output n; endmodule");
+    ASSERT_EQ(source.modules.size(), 2u);
+    EXPECT_THAT(source.modules[0].header, ElementsAre("x", "p", "q", "r"));
+    EXPECT_THAT(source.modules[0].inouts, ElementsAre("p", "q"));
+    EXPECT_THAT(source.modules[0].outputs, ElementsAre("r"));
+    EXPECT_THAT(source.modules[1].header, ElementsAre("m", "n", "o"));
+    EXPECT_THAT(source.modules[1].inouts, ElementsAre("o"));
+    EXPECT_THAT(source.modules[1].outputs, ElementsAre("n"));
+}
+
 TEST(Scan, FindsModulesPortsAndInstances) {
     const auto source = scan(R"(
         module top #(parameter W = 8) (input clk, input wire [W-1:0] a, b, output reg q);
