@@ -72,7 +72,8 @@ std::vector<std::string> verilator_words(const Project& project) {
     for (const std::string& macro : project.macros) words.push_back("-D" + macro);
     for (std::size_t n = 0; n < project.includes.size(); ++n)
         words.push_back("-I" + include_link(n));
-    words.insert(words.end(), {"-y", "data/rtl/ip", "-Idata/rtl/ip"});
+    words.insert(words.end(),
+                 {"-y", "data/rtl/ip", "-Idata/rtl/ip", "data/project/de1sim_init.sv"});
     return words;
 }
 
@@ -112,7 +113,19 @@ std::string tap_text(const std::vector<PllClock>& clocks) {
     return text + "    endgenerate\nendmodule\n";
 }
 
+// As the text of a string in C++.
+std::string escaped(const std::string& text) {
+    std::string safe;
+    for (const char c : text) safe += (c == '"' || c == '\\' ? "\\" : "") + std::string{c};
+    return safe;
+}
+
 std::string clocks_text(const Design& design) {
+    std::set<std::string> below;  // from the project's folder on
+    for (const SourceFile& file : design.project.sources)
+        below.insert(file.path.parent_path().lexically_relative(design.project.folder).string());
+    std::string folders;
+    for (const std::string& folder : below) folders += fmt::format("\"{}\", ", escaped(folder));
     std::string text =
         "// Written by de1sim.\n#pragma once\n"
         "struct PllClock {\n    unsigned long long period_fs, phase_fs;\n};\n"
@@ -121,9 +134,10 @@ std::string clocks_text(const Design& design) {
         text += fmt::format("{{{}ull, {}ull}}, ", clock.period_fs, clock.phase_fs);
     return text + fmt::format(
                       "{{0, 0}}}};\nconstexpr unsigned PLL_CLOCK_COUNT = {};\n"
-                      "constexpr bool TD_CLK27_USED = {}, VGA_USED = {};\n",
+                      "constexpr bool TD_CLK27_USED = {}, VGA_USED = {};\n"
+                      "constexpr const char* SOURCE_FOLDERS[] = {{{}\"\"}};\n",
                       design.elaborated.pll_clocks.size(), design.binding.has_td_clk,
-                      design.binding.has_vga_hs);
+                      design.binding.has_vga_hs, folders);
 }
 
 }  // namespace
@@ -164,6 +178,8 @@ void Builder::write_sources() {
         Normalised clean =
             normalise(text_of(file.path), name, system_verilog, open_inputs, modules);
         design_.changes.insert(design_.changes.end(), clean.changes.begin(), clean.changes.end());
+        for (const InitName& init : clean.init_names)
+            design_.init_files.push_back({init.name, fmt::format("{}:{}", name, init.line)});
         const fs::path to = fmt::format("source/{:03}{}", number++, system_verilog ? ".sv" : ".v");
         write_if_new(folder_ / to, fmt::format("`line 1 \"{}\" 0\n{}", name, clean.text));
         files_.push_back(to);
@@ -182,6 +198,8 @@ const Design& Builder::examine() {
     for (const fs::path& file : files_) words.push_back(file.string());
     run_tool(words, folder_);
     design_.elaborated = read_elaborated(folder_ / "design.xml", design_.project.top);
+    const auto& of_ip = design_.elaborated.init_files;
+    design_.init_files.insert(design_.init_files.end(), of_ip.begin(), of_ip.end());
     design_.binding =
         sim::project::bind(design_.elaborated.ports, design_.project.pins,
                            signals_by_pin(data_folder() / "rtl/board/de1_soc/pins.tsv"));

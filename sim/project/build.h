@@ -15,6 +15,7 @@ struct Design {
     Elaborated elaborated;
     Binding binding;
     std::vector<std::string> changes;  // by the normaliser
+    std::vector<InitFile> init_files;  // of the design's own memories, and of its IP
 };
 
 struct Built {

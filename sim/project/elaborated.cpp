@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <pugixml.hpp>
 
+#include "sim/project/file_finder.h"
 #include "sim/project/settings.h"
 
 namespace sim::project {
@@ -18,6 +19,47 @@ std::uint64_t value_of(const pugi::xml_node& parameter) {
     const std::size_t digits = text.find_last_of('h');
     return digits == std::string::npos ? 0
                                        : std::stoull("0" + text.substr(digits + 1), nullptr, 16);
+}
+
+// The text of a constant, as Verilator prints it: 64'h666f6e742e6d6966, or "font.mif".
+std::string text_of_value(const pugi::xml_node& parameter) {
+    const std::string value = parameter.child("const").attribute("name").value();
+    if (value.size() > 1 && value[0] == '"') return value.substr(1, value.size() - 2);
+    const std::size_t digits = value.find_last_of('h');
+    if (digits == std::string::npos) return {};
+    std::string hex = value.substr(digits + 1), text;
+    if (hex.size() % 2) hex.insert(0, "0");
+    for (std::size_t i = 0; i < hex.size(); i += 2)
+        if (const int c = std::stoi(hex.substr(i, 2), nullptr, 16)) text += static_cast<char>(c);
+    return text;
+}
+
+// Of the instances in files of the design: what the models instance themselves has the same file.
+std::vector<InitFile> init_files_of(const pugi::xml_node& root) {
+    std::map<std::string, std::string> paths, files;  // by the place's letter; by the module
+    for (const auto& file : root.child("files").children())
+        paths.emplace(file.attribute("id").value(), file.attribute("filename").value());
+    const auto modules = root.child("netlist").children("module");
+    for (const auto& module : modules)
+        for (const auto& var : module.children("var")) {
+            const std::string name = var.attribute("name").value();
+            if (var.attribute("param") && (name == "INIT_FILE" || name == "LPM_FILE"))
+                files.emplace(module.attribute("name").value(), text_of_value(var));
+        }
+    std::vector<InitFile> wanted;
+    for (const auto& module : modules)
+        for (const auto& found : module.select_nodes(".//instance")) {
+            const auto file = files.find(found.node().attribute("defName").value());
+            const std::string place = found.node().attribute("loc").value();
+            const std::size_t comma = place.find(',');
+            const std::string path = paths[place.substr(0, comma)];
+            if (file == files.end() || path.compare(0, 5, "data/") == 0) continue;
+            const std::string name = lower(file->second);
+            if (name.empty() || name == "unused" || name == "none") continue;
+            wanted.push_back(
+                {file->second, path + ":" + std::to_string(std::stoi(place.substr(comma + 1)))});
+        }
+    return wanted;
 }
 
 Port port_of(const pugi::xml_node& var, const std::map<std::string, pugi::xml_node>& types) {
@@ -71,6 +113,7 @@ Elaborated read_elaborated(const std::filesystem::path& xml, const std::string& 
                 design.pll_clocks.push_back(clock);
         }
     }
+    design.init_files = init_files_of(document.child("verilator_xml"));
     return design;
 }
 

@@ -25,9 +25,16 @@ struct PllClock {
     }
 };
 
+// A file that a model of IP begins with: INIT_FILE or LPM_FILE.
+struct InitFile {
+    std::string name;   // as written
+    std::string place;  // of the instance: "rom.v:12"
+};
+
 struct Elaborated {
     std::vector<Port> ports;
     std::vector<PllClock> pll_clocks;  // each once
+    std::vector<InitFile> init_files;
 };
 
 // From the file that `verilator --xml-only` writes.  ProjectError.

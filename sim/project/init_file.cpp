@@ -89,6 +89,14 @@ extern "C" int de1sim_init_file(const char* file, const char* memory, int width,
     return 1;
 }
 
+extern "C" const char* de1sim_init_path(const char* file) {
+    using namespace sim::project;
+    static std::string path;
+    const auto found = find_init_file(file, search().folders);
+    path = found ? found->string() : file;
+    return path.c_str();
+}
+
 extern "C" int de1sim_init_part(int word, int part) {
     return static_cast<int>(sim::project::search().image.part(static_cast<std::size_t>(word),
                                                               static_cast<std::size_t>(part)));

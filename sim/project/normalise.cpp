@@ -50,6 +50,7 @@ public:
                const Modules& modules)
         : tokens_{tokens_of(text)}, items_{tokens_.all}, name_{name} {
         enable_part_drivers(tokens_, modules, edits_);
+        init_names_ = read_at_run_time(tokens_, edits_);
         for (std::size_t i = 0; i < tokens_.all.size(); ++i)
             if (tokens_.all[i].kind == Kind::NAME && open_inputs.count(tokens_.all[i].text))
                 connect(i, open_inputs);
@@ -81,6 +82,7 @@ public:
         result.text += tokens_.tail;
         if (begun_) result.text += "\n`end_keywords\n";
         result.changes = std::move(changes_);
+        result.init_names = std::move(init_names_);
         return result;
     }
 
@@ -217,6 +219,7 @@ private:
     const std::string& name_;
     Edits edits_;
     std::vector<std::string> changes_;
+    std::vector<InitName> init_names_;
     unsigned unnamed_ = 0;
     bool begun_ = false;
 };

@@ -7,7 +7,7 @@
 //   a .v file with words of SystemVerilog as names  is read with the keywords of Verilog-2005
 //
 // Not told: a comment that Verilator would take for an order to itself, inputs of models that are 1
-// where they are open, and the enables of part_drivers.h.
+// where they are open, the enables of part_drivers.h, the calls of init_text.h.
 //
 // Lines stay where they are, and messages name the original file.
 #pragma once
@@ -18,6 +18,7 @@
 #include <string_view>
 #include <vector>
 
+#include "sim/project/init_text.h"
 #include "sim/project/part_drivers.h"
 
 namespace sim::project {
@@ -25,6 +26,7 @@ namespace sim::project {
 struct Normalised {
     std::string text;
     std::vector<std::string> changes;  // "pong.v:12: named the instance of ball"
+    std::vector<InitName> init_names;
 };
 
 // Inputs of models of Intel's IP that are 1 where a design leaves them open: module, port.

@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "sim/project/init_file.h"
 #include "sim/report/messages.h"
 #include "sim/run/run.h"
 
@@ -33,6 +34,16 @@ std::string lines(const char* title, const std::vector<std::string>& all) {
     std::string text;
     for (const std::string& line : all) text += "  " + line + "\n";
     return all.empty() ? "" : fmt::format("{}:\n{}", title, text);
+}
+
+// "font.mif (rom.v:12): data/font.mif"
+std::string found(const project::InitFile& wanted, const project::Project& project) {
+    std::vector<std::filesystem::path> folders;
+    for (const auto& source : project.sources) folders.push_back(source.path.parent_path());
+    const auto file = project::find_init_file(wanted.name, {project.folder, folders});
+    return fmt::format("{} ({}): {}", wanted.name, wanted.place,
+                       file ? file->lexically_relative(project.folder).string()
+                            : "not found, the memory will begin with zeros");
 }
 
 }  // namespace
@@ -86,6 +97,9 @@ int check_project(const ProjectOptions& options) {
         text += fmt::format("  PLL: {:.6f} MHz, phase {:.3f} ns\n",
                             1e9 / static_cast<double>(clock.period_fs),
                             static_cast<double>(clock.phase_fs) * 1e-6);
+    std::vector<std::string> init_files;
+    for (const auto& file : design.init_files) init_files.push_back(found(file, design.project));
+    text += lines("initial words of memories", init_files);
     text += lines("notes", design.project.notes);
     text += lines("pins", design.binding.notes);
     text += lines("changed for the simulation", design.changes);

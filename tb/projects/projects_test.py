@@ -1,62 +1,7 @@
-"""projects_test.py DE1SIM FOLDER [CASE...] - projects as people have them: odd, incomplete, wrong.
-
-Each is a few lines of Verilog and settings, written into FOLDER/NAME.
-"""
-import json
-import pathlib
-import shutil
+"""projects_test.py DE1SIM FOLDER [CASE...] - projects as people have them: odd or wrong."""
 import subprocess
-import sys
-import unittest
 
-DE1SIM, FOLDER = sys.argv[1], pathlib.Path(sys.argv[2])
-LEDS = "module top(input [9:0] SW, output [9:0] LEDR); assign LEDR = {}; endmodule\n"
-
-
-class Case(unittest.TestCase):
-    def setUp(self):
-        self.folder = FOLDER / self.id().split(".")[-1]
-        shutil.rmtree(self.folder, ignore_errors=True)
-        self.folder.mkdir(parents=True)
-
-    def write(self, **files):
-        """top_v="..." becomes top.v; two underscores are a folder."""
-        for name, text in files.items():
-            path = self.folder / (name.replace("__", "/")[::-1].replace("_", ".", 1)[::-1])
-            path.parent.mkdir(parents=True, exist_ok=True)
-            path.write_text(text)
-
-    def de1sim(self, *words):
-        return subprocess.run([DE1SIM, *words], cwd=self.folder, capture_output=True, text=True)
-
-    def refused(self, message, *words):
-        done = self.de1sim(*(words or ("check", ".")))
-        self.assertEqual(done.returncode, 2, done.stdout + done.stderr)
-        self.assertIn(message, done.stderr)
-        self.assertEqual(len(done.stderr.splitlines()), 1, done.stderr)
-
-    def checked(self, *lines):
-        done = self.de1sim("check", ".")
-        self.assertEqual(done.returncode, 0, done.stderr)
-        for line in lines:
-            self.assertIn(line, done.stdout)
-
-    def plays(self, *steps):
-        (self.folder / "s.yaml").write_text("name: s\nversion: 1\nsteps:\n" +
-                                            "".join(f"  - {step}\n" for step in steps))
-        done = self.de1sim("run", "s.yaml", "--project", ".")
-        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
-        return done
-
-    def leds(self, expected, switches=0, wait="1ms", project="."):
-        held = [i for i in range(10) if switches >> i & 1]
-        hold = f"  - hold: {{switch: {held}}}\n" if held else ""
-        (self.folder / "s.yaml").write_text(
-            f"name: leds\nversion: 1\nsteps:\n{hold}  - delay: {wait}\n"
-            f'  - expect-leds: "{expected:010b}"\n')
-        done = self.de1sim("run", "s.yaml", "--project", project)
-        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
-        return done.stderr
+from case import DE1SIM, LEDS, Case, run
 
 
 class Reading(Case):
@@ -301,4 +246,4 @@ class Wrong(Case):
 
 
 if __name__ == "__main__":
-    unittest.main(argv=sys.argv[:1] + sys.argv[3:])
+    run()

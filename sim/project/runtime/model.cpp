@@ -15,7 +15,7 @@
 
 #include "sim/project/init_file.h"
 
-#include "de1sim_clocks.h"  // PLL_CLOCKS[]: period and phase of each in fs; TD_CLK27_USED, VGA_USED
+#include "de1sim_clocks.h"  // PLL_CLOCKS[]: period and phase of each in fs; TD_CLK27_USED and others
 
 namespace sim::project {
 
@@ -60,7 +60,10 @@ public:
             trace_.open(settings.trace_file);
         }
 #endif
-        set_init_folders({settings.folder, {}},
+        std::vector<std::filesystem::path> sources;
+        for (const char* folder : SOURCE_FOLDERS)
+            sources.push_back(std::filesystem::path{settings.folder} / folder);
+        set_init_folders({settings.folder, std::move(sources)},
                          [say = settings.say](const std::string& line) { say(line.c_str()); });
         const InFolder in_folder{settings.folder};  // where the design's files are
         eval();
