@@ -181,7 +181,8 @@ void Builder::write_sources() {
         for (const InitName& init : clean.init_names)
             design_.init_files.push_back({init.name, fmt::format("{}:{}", name, init.line)});
         const fs::path to = fmt::format("source/{:03}{}", number++, system_verilog ? ".sv" : ".v");
-        write_if_new(folder_ / to, fmt::format("`line 1 \"{}\" 0\n{}", name, clean.text));
+        write_if_new(folder_ / to,
+                     fmt::format("`line 1 \"{}\" 0\n{}", without_blanks(name), clean.text));
         files_.push_back(to);
     }
 }

@@ -110,7 +110,7 @@ Items::Items(const std::vector<Token>& tokens) : tokens_{tokens}, statements_(to
 bool Items::unnamed_instance(std::size_t i) const {
     const Token& token = tokens_[i];
     if (token.kind != Token::Kind::NAME || token.text[0] == '$' || is_keyword(token.text) ||
-        i == 0 || i + 1 == tokens_.size() || statements_[i] || !begins_item(i))
+        i + 1 == tokens_.size() || !begins_item(i))
         return false;
     std::size_t open = i + 1;
     if (tokens_[open].is("#")) open = closing(tokens_, open + 1) + 1;
@@ -119,6 +119,7 @@ bool Items::unnamed_instance(std::size_t i) const {
 
 // After the name of a block, too.
 bool Items::begins_item(std::size_t i) const {
+    if (i == 0 || statements_[i]) return false;
     static constexpr std::string_view BEFORE[] = {";",           "begin",  "end",     "*)",
                                                   "generate",    "else",   "endcase", "endgenerate",
                                                   "endfunction", "endtask"};

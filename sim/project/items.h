@@ -19,9 +19,10 @@ public:
     // standard wants and Quartus does not.
     bool unnamed_instance(std::size_t i) const;
 
-private:
+    // An item, and not a statement, begins at token `i`.
     bool begins_item(std::size_t i) const;
 
+private:
     const std::vector<Token>& tokens_;
     std::vector<bool> statements_;  // in an always, initial or final block, a function or a task
 };

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "sim/project/items.h"
+#include "sim/project/reorder.h"
 #include "sim/project/settings.h"
 #include "sim/project/tokens.h"
 
@@ -44,11 +45,17 @@ bool shows_system_verilog(std::string_view word) {
     return std::find(std::begin(WORDS), std::end(WORDS), word) != std::end(WORDS);
 }
 
+// Keywords of trireg, which no FPGA has: Quartus takes them as names.
+bool is_charge_strength(std::string_view word) {
+    return word == "small" || word == "medium" || word == "large";
+}
+
 class Normaliser {
 public:
     Normaliser(std::string_view text, const std::string& name, const OpenInputs& open_inputs,
                const Modules& modules)
         : tokens_{tokens_of(text)}, items_{tokens_.all}, name_{name} {
+        reorder(tokens_.all, items_, edits_);
         enable_part_drivers(tokens_, modules, edits_);
         init_names_ = read_at_run_time(tokens_, edits_);
         for (std::size_t i = 0; i < tokens_.all.size(); ++i)
@@ -62,6 +69,8 @@ public:
         for (std::size_t i = 0; i < tokens_.all.size(); ++i) {
             const Token& token = tokens_.all[i];
             result.text += without_pragmas(token.gap);
+            if (const auto here = edits_.told.find(i); here != edits_.told.end())
+                changed(token, here->second);
             if (const auto here = edits_.before.find(i); here != edits_.before.end())
                 result.text += here->second;
             if (edits_.left_out.count(i)) continue;
@@ -69,6 +78,8 @@ public:
                 changed(token, "dropped the comma before \")\"");
             } else if (token.kind == Kind::NUMBER) {
                 result.text += literal(token);
+            } else if (is_charge_strength(token.text)) {
+                result.text += fmt::format("\\{} ", token.text);
             } else {
                 result.text += token.text;
             }

@@ -4,10 +4,12 @@
 //   an instance without a name               gets one
 //   a literal with more digits than its size  loses the leading ones, as in Quartus
 //   a comma before a closing parenthesis      goes
+//   declarations in an order that Verilator does not take  see reorder.h
 //   a .v file with words of SystemVerilog as names  is read with the keywords of Verilog-2005
 //
 // Not told: a comment that Verilator would take for an order to itself, inputs of models that are 1
-// where they are open, the enables of part_drivers.h, the calls of init_text.h.
+// where they are open, the enables of part_drivers.h, the calls of init_text.h, and the names
+// "small", "medium" and "large", which are escaped.
 //
 // Lines stay where they are, and messages name the original file.
 #pragma once

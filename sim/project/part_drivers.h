@@ -10,19 +10,13 @@
 #pragma once
 
 #include <map>
-#include <set>
 #include <string>
 
+#include "sim/project/edits.h"
 #include "sim/project/source.h"
 #include "sim/project/tokens.h"
 
 namespace sim::project {
-
-// Text to write before and behind tokens, and tokens to leave out; by their number.
-struct Edits {
-    std::map<std::size_t, std::string> before, behind;
-    std::set<std::size_t> left_out;
-};
 
 using Modules = std::map<std::string, ModuleText, std::less<>>;
 

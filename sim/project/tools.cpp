@@ -15,6 +15,13 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr unsigned LIMIT_S = 600;
+constexpr std::string_view BLANK = "\u00a0";  // one that does not end a word
+
+std::string with_blanks(std::string text) {
+    for (std::size_t at = 0; (at = text.find(BLANK, at)) != std::string::npos;)
+        text.replace(at, BLANK.size(), " ");
+    return text;
+}
 
 fs::path program_folder() {
     std::error_code error;
@@ -46,11 +53,17 @@ std::string first_error(const Outcome& outcome, const std::string& tool) {
 
 }  // namespace
 
+std::string without_blanks(std::string name) {
+    for (std::size_t at = 0; (at = name.find(' ', at)) != std::string::npos; at += BLANK.size())
+        name.replace(at, 1, BLANK);
+    return name;
+}
+
 fs::path data_folder() { return (program_folder() / "../share/de1sim").lexically_normal(); }
 
 void run_tool(const std::vector<std::string>& words, const fs::path& folder) {
     const Outcome outcome = run_command(words, folder, LIMIT_S);
-    if (outcome.code != 0) throw ProjectError{first_error(outcome, words[0])};
+    if (outcome.code != 0) throw ProjectError{with_blanks(first_error(outcome, words[0]))};
 }
 
 void check_verilator() {

@@ -10,6 +10,10 @@ namespace sim::project {
 // `share` of an installation, or of the build tree.
 std::filesystem::path data_folder();
 
+// The name of a file for a `line directive, which Verilator reads up to a blank.  The messages
+// of run_tool() have the blanks again.
+std::string without_blanks(std::string name);
+
 // Runs it in `folder`.  ProjectError with its first error in a line, if it fails, is missing, or
 // does not end in ten minutes.
 void run_tool(const std::vector<std::string>& words, const std::filesystem::path& folder);

@@ -19,6 +19,12 @@ class Reading(Case):
                               "assign b = a; endmodule\n")
         self.assertIn("lib/Sub.v is not listed", self.leds(5, 5))
 
+    def test_messages_name_files_with_blanks(self):
+        self.write(**{"p_qsf": "set_global_assignment -name TOP_LEVEL_ENTITY top\n"
+                               "set_global_assignment -name VERILOG_FILE \"my lab/top 1.v\"\n",
+                      "my lab__top 1_v": "module top(input [9:0] SW);\nassign = SW; endmodule\n"})
+        self.refused("my lab/top 1.v:2:")
+
     def test_paths_of_another_machine(self):
         self.write(p_qsf="set_global_assignment -name TOP_LEVEL_ENTITY top\n"
                          "set_global_assignment -name VERILOG_FILE "

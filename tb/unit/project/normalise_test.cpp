@@ -10,6 +10,7 @@ using sim::project::normalise;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::Not;
 
 std::string cleaned(const std::string& text) { return normalise(text, "f.v", false).text; }
 
@@ -52,6 +53,37 @@ TEST(Normalise, CallsOfTasksAreNoInstances) {
         const std::string text = std::string{"module m;\n"} + calls + "\nendmodule\n";
         EXPECT_EQ(cleaned(text), text);
     }
+}
+
+TEST(Normalise, PutsAPortBeforeItsNet) {
+    const auto result = normalise(
+        "module m(a, b, c);\nwire [1:0] b, d;\ninput a;\n// two\ninput [1:0] b, c;\nendmodule\n",
+        "f.v", false);
+    EXPECT_EQ(result.text,
+              "module m(a, b, c);\ninput [ 1 : 0 ] b; wire [1:0] b, d;\ninput a;\n// two\n"
+              "input [ 1 : 0 ] c;    \nendmodule\n");
+    EXPECT_THAT(result.changes, ElementsAre("f.v:5: moved before its net: port b"));
+}
+
+TEST(Normalise, LeavesNetsBehindPortsAndOtherModulesAlone) {
+    const std::string text =
+        "module m(a, q);\ninput a;\noutput [3:0] q;\nwire a;\nreg [3:0] q;\nwire z;\nendmodule\n"
+        "module n(z);\ninput z;\nendmodule\n"
+        "module p(input x);\nfunction f; input y; reg y; f = y; endfunction\nendmodule\n";
+    EXPECT_EQ(cleaned(text), text);
+}
+
+TEST(Normalise, TakesTheLastOfTwoDefparams) {
+    const auto result = normalise(
+        "module m; s u(a); defparam u.W = \"x\";\ndefparam u.V = 1;\ndefparam u.W = 8; endmodule",
+        "f.v", false);
+    EXPECT_THAT(result.text, Not(HasSubstr("\"x\"")));
+    EXPECT_THAT(result.text, HasSubstr("defparam u.V = 1;\ndefparam u.W = 8;"));
+    EXPECT_THAT(result.changes, ElementsAre("f.v:1: left out defparam u.W, which is set again"));
+}
+
+TEST(Normalise, ChargeStrengthsAreNames) {
+    EXPECT_EQ(cleaned("wire small, larger;"), "wire \\small , larger;");
 }
 
 TEST(Normalise, ShortensLiteralsAsQuartusDoes) {
