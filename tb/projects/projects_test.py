@@ -1,4 +1,5 @@
 """projects_test.py DE1SIM FOLDER [CASE...] - projects as people have them: odd or wrong."""
+import json
 import subprocess
 
 from case import DE1SIM, LEDS, Case, run
