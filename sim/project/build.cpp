@@ -77,24 +77,20 @@ std::vector<std::string> verilator_words(const Project& project) {
     return words;
 }
 
-// Those of the sources, and the models that they instance.
-Modules modules_of(const std::vector<SourceFile>& sources) {
-    Modules modules;
-    const auto take = [&modules](const fs::path& file) {
-        for (ModuleText& module : scan(text_of(file)).modules)
-            modules.emplace(module.name, std::move(module));
-    };
-    for (const SourceFile& file : sources)
-        if (file.language != SourceFile::Language::VHDL) take(file.path);
+void take_modules(const fs::path& file, Modules& modules) {
+    for (ModuleText& module : scan(text_of(file)).modules)
+        modules.emplace(module.name, std::move(module));
+}
+// The models that the modules instance.
+void add_models(Modules& modules) {
     std::set<std::string> wanted;
     for (const auto& [name, module] : modules)
         wanted.insert(module.wants.begin(), module.wants.end());
     std::error_code error;
     for (const std::string& name : wanted) {
         const fs::path model = data_folder() / "rtl" / "ip" / (name + ".v");
-        if (!modules.count(name) && fs::is_regular_file(model, error)) take(model);
+        if (!modules.count(name) && fs::is_regular_file(model, error)) take_modules(model, modules);
     }
-    return modules;
 }
 
 std::string tap_text(const std::vector<PllClock>& clocks) {
@@ -168,8 +164,12 @@ void Builder::write_sources() {
         link_to(design_.project.includes[n], folder_ / include_link(n));
     files_.clear();
     unsigned number = 0;
-    const Modules modules = modules_of(design_.project.sources);
-    const OpenInputs open_inputs = read_open_inputs(data_folder() / "rtl/ip/defaults.tsv");
+    Modules modules;
+    for (const SourceFile& file : design_.project.sources)
+        if (file.language != SourceFile::Language::VHDL) take_modules(file.path, modules);
+    OpenInputs open_inputs = read_open_inputs(data_folder() / "rtl/ip/defaults.tsv");
+    for (const auto& [name, own] : modules) open_inputs.erase(name);  // not the model of that name
+    add_models(modules);
     for (const SourceFile& file : design_.project.sources) {
         const std::string name = file.path.lexically_relative(design_.project.folder).string();
         if (file.language == SourceFile::Language::VHDL)

@@ -9,6 +9,7 @@
 #include "sim/project/board_pins.h"
 #include "sim/project/file_finder.h"
 #include "sim/project/source.h"
+#include "sim/project/unsupported.h"
 
 namespace sim::project {
 
@@ -24,36 +25,6 @@ std::optional<Language> language_of(const fs::path& path) {
     if (ending == ".sv") return Language::SYSTEM_VERILOG;
     if (ending == ".vhd" || ending == ".vhdl") return Language::VHDL;
     return {};
-}
-
-// The settings file that `place` names or holds; empty: a folder without one.
-fs::path settings_at(const fs::path& place) {
-    std::error_code error;
-    if (fs::is_regular_file(place, error)) {
-        const std::string ending = lower(place.extension().string());
-        if (ending == ".qsf") return place;
-        if (ending == ".qpf") {
-            fs::path qsf = place;
-            qsf.replace_extension(".qsf");
-            if (fs::is_regular_file(qsf, error)) return qsf;
-            throw ProjectError{place.string() + ": there is no " + qsf.filename().string() +
-                               " beside it"};
-        }
-        throw ProjectError{place.string() + ": expected a .qsf, a .qpf or a folder"};
-    }
-    if (!fs::is_directory(place, error))
-        throw ProjectError{place.string() + ": no such file or folder"};
-    std::vector<fs::path> found;
-    for (const auto& entry : fs::directory_iterator{place, error})
-        if (lower(entry.path().extension().string()) == ".qsf") found.push_back(entry.path());
-    std::sort(found.begin(), found.end());
-    if (found.size() > 1) {
-        std::string names;
-        for (const fs::path& f : found)
-            names += (names.empty() ? "" : ", ") + f.filename().string();
-        throw ProjectError{place.string() + ": has several projects, name one: " + names};
-    }
-    return found.empty() ? fs::path{} : found.front();
 }
 
 class ProjectReader {
@@ -81,6 +52,7 @@ public:
         if (folder_alone) {
             for (const fs::path& file : finder_.files())
                 if (const auto language = language_of(file)) add(file, *language, true);
+            if (sources_.empty()) refuse_files();
             if (sources_.empty())
                 throw ProjectError{folder_.string() + ": no Verilog or VHDL files found here"};
         }
@@ -101,7 +73,7 @@ private:
 
     void note(std::string text) { project_.notes.push_back(std::move(text)); }
     std::string place(const fs::path& file) const {
-        return file.lexically_relative(folder_).string();
+        return fs::absolute(file).lexically_relative(folder_).string();
     }
 
     void take(const Assignment& a) {
@@ -127,13 +99,10 @@ private:
         } else if (name == "QIP_FILE") {
             if (const auto file = resolve(a))
                 for (const Assignment& inner : read_settings(*file)) take(inner);
-        } else if (name == "QSYS_FILE" || name == "BDF_FILE") {
-            unsupported_.push_back(fmt::format(
-                "{}:{}: {}: {}", place(a.file), a.line, a.value,
-                name == "QSYS_FILE" ? "a Qsys system: what it generates is encrypted or for the "
-                                      "processor; cannot be simulated here"
-                                    : "a schematic; save it as Verilog in Quartus (File, Create "
-                                      "HDL Design File)"));
+        } else if (const auto why = unsupported_file(a.value);
+                   why && name.size() > 5 && name.compare(name.size() - 5, 5, "_FILE") == 0) {
+            unsupported_.push_back(
+                fmt::format("{}:{}: {}: {}", place(a.file), a.line, a.value, *why));
         }
     }
 
@@ -141,13 +110,12 @@ private:
         const auto found =
             finder_.find(a.value, a.in_qip_folder ? fs::absolute(a.file).parent_path() : folder_);
         if (!found) {
-            note(fmt::format("{}:{}: {} is not there", place(fs::absolute(a.file)), a.line,
-                             a.value));
+            note(fmt::format("{}:{}: {} is not there", place(a.file), a.line, a.value));
             return {};
         }
         if (!found->exact)
-            note(fmt::format("{}:{}: {} is taken from {}", place(fs::absolute(a.file)), a.line,
-                             a.value, place(found->path)));
+            note(fmt::format("{}:{}: {} is taken from {}", place(a.file), a.line, a.value,
+                             place(found->path)));
         return found->path;
     }
 
@@ -163,8 +131,19 @@ private:
 
     void add(const fs::path& file, Language language, bool listed) {
         if (!known_.insert(file).second) return;
+        if (is_simulation_library(file)) {
+            note(
+                fmt::format("{} is passed over: a library of Quartus for simulators, of which "
+                            "there are models here",
+                            place(file)));
+            return;
+        }
         Source source{{file, language, listed}, {}};
-        if (language != Language::VHDL) source.text = scan(text_of(file));
+        if (language != Language::VHDL) {
+            const std::string text = text_of(file);
+            source.text = scan(text);
+            if (is_encrypted(file, text)) encrypted_.insert(file);
+        }
         sources_.push_back(std::move(source));
         const std::size_t n = sources_.size() - 1;
         for (const ModuleText& module : sources_[n].text.modules)
@@ -185,8 +164,28 @@ private:
         return nullptr;
     }
 
+    // ProjectError: there is a file that cannot be simulated, for this module or at all.
+    void refuse_files(const std::string& module = {}) const {
+        for (const fs::path& file : finder_.files())
+            if (const auto why = unsupported_file(file);
+                why && (module.empty() || lower(file.stem().string()) == lower(module)))
+                throw ProjectError{fmt::format("{}: {}", place(file), *why)};
+    }
+    // ProjectError: why there is no such module, if that is known.
+    void refuse_missing() const {
+        for (const auto& [module, by] : missing_)
+            if (const auto why = unsupported_module(module))
+                throw ProjectError{fmt::format("{}: module {}, which {} wants: {}",
+                                               folder_.string(), module, by, *why)};
+        for (const auto& [module, by] : missing_) refuse_files(module);
+        if (missing_.empty()) return;
+        if (!unsupported_.empty()) throw ProjectError{unsupported_.front()};
+        if (!encrypted_.empty()) throw ProjectError{place(*encrypted_.begin()) + ": " + ENCRYPTED};
+    }
+
     void choose_top() {
         if (!project_.top.empty() && definition(project_.top)) return;
+        if (!project_.top.empty()) refuse_files(project_.top);
         if (!request_.top.empty())
             throw ProjectError{fmt::format("--top {}: no file defines that module", request_.top)};
         std::set<std::string> instanced;  // but by test benches, which have no ports
@@ -203,6 +202,7 @@ private:
             if (count > 0) candidates.emplace_back(static_cast<std::size_t>(count), name);
         }
         std::sort(candidates.rbegin(), candidates.rend());
+        if (candidates.empty() && !unsupported_.empty()) throw ProjectError{unsupported_.front()};
         if (candidates.empty())
             throw ProjectError{fmt::format(
                 "{}: {}; no module has the board's pins as ports (CLOCK_50, KEY, VGA_R ...)",
@@ -228,10 +228,11 @@ private:
         while (!open.empty()) {
             const auto [name, by] = open.front();
             open.pop_front();
-            if (!seen.insert(name).second || request_.is_model(name)) continue;
+            if (!seen.insert(name).second) continue;
+            if (request_.is_model(name) && !modules_.count(name)) continue;
             const Definition* d = definition(name);
             if (!d) {
-                if (!by.empty()) project_.missing.push_back(name + " (wanted by " + by + ")");
+                if (!by.empty()) missing_.emplace_back(name, by);
                 continue;
             }
             (d->module->is_package ? packages : others).insert(d->source);
@@ -246,8 +247,10 @@ private:
         std::set<fs::path> folders{folder_};
         for (const SourceFile& source : project_.sources) folders.insert(source.path.parent_path());
         project_.includes.insert(project_.includes.end(), folders.begin(), folders.end());
-        if (!project_.missing.empty() && !unsupported_.empty())
-            throw ProjectError{unsupported_.front()};
+        refuse_missing();
+        for (const SourceFile& source : project_.sources)
+            if (encrypted_.count(source.path))
+                throw ProjectError{place(source.path) + ": " + ENCRYPTED};
         for (const std::string& line : unsupported_) note(line);
     }
 
@@ -259,6 +262,8 @@ private:
     std::set<fs::path> known_;
     std::map<std::string, Definition> modules_;
     std::vector<std::string> unsupported_;
+    std::set<fs::path> encrypted_;
+    std::vector<std::pair<std::string, std::string>> missing_;  // modules, with who wants them
     bool other_device_ = false;  // so its pins' locations mean other signals
 };
 

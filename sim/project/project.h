@@ -30,7 +30,6 @@ struct Project {
     std::vector<std::filesystem::path> includes;
     std::vector<std::string> macros;          // NAME or NAME=VALUE
     std::map<std::string, std::string> pins;  // "SW[3]" -> "PIN_AF9"
-    std::vector<std::string> missing;         // modules that no file defines, with who wants them
     std::vector<std::string> notes;           // what a person should know, a line each
 };
 

@@ -7,6 +7,8 @@
 #include <fstream>
 #include <iterator>
 
+#include "sim/project/file_finder.h"
+
 namespace sim::project {
 
 namespace fs = std::filesystem;
@@ -161,6 +163,35 @@ void read_into(std::vector<Assignment>& all, const fs::path& file, unsigned dept
 }
 
 }  // namespace
+
+fs::path settings_at(const fs::path& place) {
+    std::error_code error;
+    if (fs::is_regular_file(place, error)) {
+        const std::string ending = lower(place.extension().string());
+        if (ending == ".qsf") return place;
+        if (ending == ".qpf") {
+            fs::path qsf = place;
+            qsf.replace_extension(".qsf");
+            if (fs::is_regular_file(qsf, error)) return qsf;
+            throw ProjectError{place.string() + ": there is no " + qsf.filename().string() +
+                               " beside it"};
+        }
+        throw ProjectError{place.string() + ": expected a .qsf, a .qpf or a folder"};
+    }
+    if (!fs::is_directory(place, error))
+        throw ProjectError{place.string() + ": no such file or folder"};
+    std::vector<fs::path> found;
+    for (const auto& entry : fs::directory_iterator{place, error})
+        if (lower(entry.path().extension().string()) == ".qsf") found.push_back(entry.path());
+    std::sort(found.begin(), found.end());
+    if (found.size() > 1) {
+        std::string names;
+        for (const fs::path& f : found)
+            names += (names.empty() ? "" : ", ") + f.filename().string();
+        throw ProjectError{place.string() + ": has several projects, name one: " + names};
+    }
+    return found.empty() ? fs::path{} : found.front();
+}
 
 std::vector<Assignment> read_settings(const fs::path& file) {
     std::vector<Assignment> all;

@@ -30,6 +30,10 @@ struct Assignment {
     bool in_qip_folder;  // the value is a path from the .qip's folder on
 };
 
+// The .qsf that `place` is, belongs to or, as a folder, has; empty: a folder without one.
+// ProjectError: there is nothing, or several.
+std::filesystem::path settings_at(const std::filesystem::path& place);
+
 // In the order of the files, with those that they `source` where they do so.  ProjectError if
 // `file` cannot be read; one that is sourced and missing is passed over.
 std::vector<Assignment> read_settings(const std::filesystem::path& file);

@@ -225,7 +225,7 @@ class Wrong(Case):
         self.write(p_qsf="set_global_assignment -name TOP_LEVEL_ENTITY top\n"
                          "set_global_assignment -name QSYS_FILE system.qsys\n",
                    top_v="module top(input CLOCK_50); system u (.clk(CLOCK_50)); endmodule\n")
-        self.refused("system.qsys: a Qsys system")
+        self.refused("p.qsf:2: system.qsys: a Qsys system, whose parts")
 
     def test_a_processors_program(self):
         self.write(top_v=LEDS.format("SW"),

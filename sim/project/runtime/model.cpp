@@ -15,7 +15,7 @@
 
 #include "sim/project/init_file.h"
 
-#include "de1sim_clocks.h"  // PLL_CLOCKS[]: period and phase of each in fs; TD_CLK27_USED and others
+#include "de1sim_clocks.h"  // PLL_CLOCKS[]: period and phase of each in fs; TD_CLK27_USED and so on
 
 namespace sim::project {
 
