@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "sim/project/items.h"
+#include "sim/project/registers.h"
 #include "sim/project/reorder.h"
 #include "sim/project/settings.h"
 #include "sim/project/tokens.h"
@@ -57,6 +58,7 @@ public:
         : tokens_{tokens_of(text)}, items_{tokens_.all}, name_{name} {
         reorder(tokens_.all, items_, edits_);
         enable_part_drivers(tokens_, modules, edits_);
+        make_registers(tokens_, edits_);
         init_names_ = read_at_run_time(tokens_, edits_);
         for (std::size_t i = 0; i < tokens_.all.size(); ++i)
             if (tokens_.all[i].kind == Kind::NAME && open_inputs.count(tokens_.all[i].text))

@@ -83,6 +83,16 @@ class AsQuartusTakesIt(Case):
                          "assign LEDR = n < 200; endmodule\n")
         self.leds(1)
 
+    def test_a_register_by_a_blocking_assignment(self):
+        """What other blocks get of it at the same edge is what it was before."""
+        self.write(top_v="module top(input CLOCK_50, output [9:0] LEDR);\n"
+                         "reg [4:0] n = 0, m = 0, d = 0;\n"
+                         "always @(posedge CLOCK_50) n = n + 1;\n"
+                         "always @(posedge CLOCK_50) m = n;\n"
+                         "always @(posedge CLOCK_50) d <= n - m;\n"
+                         "assign LEDR = d; endmodule\n")
+        self.leds(1)
+
     def test_pulls_of_the_wizards_files(self):
         """tri0 and tri1 in the wizard's file and where it is instanced: the memory must write."""
         self.write(top_v="module top(input CLOCK_50, output [9:0] LEDR);\n"

@@ -101,6 +101,34 @@ TEST(Normalise, DropsTrailingCommas) {
     EXPECT_EQ(cleaned("sub u (.a(a), );"), "sub u (.a(a) );");
 }
 
+// A counter that another block reads at the same edge: both are registers in Quartus.
+TEST(Normalise, BlockingAssignmentsMakeRegisters) {
+    EXPECT_EQ(cleaned("always @(posedge clk) n = n + 1;"), "always @(posedge clk) n <= n + 1;");
+    EXPECT_EQ(cleaned("always @(negedge r or posedge c) begin if (!r) n = 0; else if (n < 9)\n"
+                      "n = n + 1; end"),
+              "always @(negedge r or posedge c) begin if (!r) n <= 0; else if (n < 9)\n"
+              "n <= n + 1; end");
+    EXPECT_EQ(cleaned("always @(posedge c) case (n) 2'd1: begin a = b[0]; d = 1; end\n"
+                      "3, 4: a = d; default a[3:0] = m[n]; endcase"),
+              "always @(posedge c) case (n) 2'd1: begin a <= b[0]; d <= 1; end\n"
+              "3, 4: a <= d; default a[3:0] <= m[n]; endcase");
+    EXPECT_EQ(cleaned("always @(posedge c) {a, b} = {b, a};"),
+              "always @(posedge c) {a, b} <= {b, a};");
+}
+
+TEST(Normalise, VariablesThatTheirBlockReadsStayAsTheyAre) {
+    for (const std::string block :
+         {"begin n = n + 1; if (n == 9) n = 0; end", "begin t = a; {t, u} = b; v <= t; end",
+          "begin if (a) t = b; v[t] <= 1; end", "begin case (a) 1: t = 2; endcase v <= t; end",
+          "for (i = 0; i < 4; i = i + 1) s[i] = s[i] ^ p;", "begin : x reg t; t = a; end",
+          "begin t = a; go(t); end"})
+        EXPECT_EQ(cleaned("always @(posedge c) " + block), "always @(posedge c) " + block);
+    EXPECT_EQ(cleaned("always @(posedge c) begin t = a; v = t; end"),
+              "always @(posedge c) begin t = a; v <= t; end");
+    EXPECT_EQ(cleaned("always @* n = m;"), "always @* n = m;");
+    EXPECT_EQ(cleaned("always @(posedge c) n = m + ("), "always @(posedge c) n = m + (");
+}
+
 TEST(Normalise, NewKeywordsAreNamesInAVFile) {
     const auto result = normalise("module m(input do, output final);\nendmodule\n", "f.v", false);
     EXPECT_EQ(result.text.find("`begin_keywords \"1364-2005\" module"), 0u);
