@@ -52,10 +52,22 @@ void Board::video(const std::uint32_t* samples, std::size_t count) {
 // SDAT is open-drain with a pull-up.
 void Board::codec(const CodecPins& pins, std::uint64_t time_ps, ChipInputs& in) {
     const bool sdat = !pins.sdat_low && !codec_chip.pulls_sda_low();
-    codec_chip.drive({pins.bclk, pins.daclrck, pins.adclrck, pins.dacdat, pins.sclk, sdat},
-                     time_ps);
+    codec_chip.drive(
+        {pins.bclk, pins.daclrck, pins.adclrck, pins.dacdat, pins.sclk, sdat, pins.clocks_driven},
+        time_ps);
     in.sdat = !pins.sdat_low && !codec_chip.pulls_sda_low();
     in.adcdat = codec_chip.adcdat();
+    in.codec = codec_chip.clocks();
+}
+
+void Board::xck(std::uint64_t period_fs, ChipInputs& in) {
+    codec_chip.xck(period_fs);
+    in.codec = codec_chip.clocks();
+}
+
+void Board::bclk_edge(ChipInputs& in) {
+    codec_chip.bclk_edge();
+    in.codec = codec_chip.clocks();
 }
 
 void Board::headers(const HeaderPins& pins, std::uint64_t time_ps, ChipInputs& in) {

@@ -75,6 +75,8 @@ private:
     void video_clock(std::uint64_t period_ps) override { monitor.clock_ps(period_ps); }
     void video_idle(std::uint64_t time_ps) override { monitor.idle(time_ps); }
     void codec(const CodecPins& pins, std::uint64_t time_ps, ChipInputs& in) override;
+    void xck(std::uint64_t period_fs, ChipInputs& in) override;
+    void bclk_edge(ChipInputs& in) override;
     void headers(const HeaderPins& pins, std::uint64_t time_ps, ChipInputs& in) override;
     void adc(const AdcPins& pins, std::uint64_t time_ps, ChipInputs& in) override;
     void sdram(const SdramPins& pins, std::uint64_t time_ps, std::uint16_t& dq,

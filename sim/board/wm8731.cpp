@@ -13,7 +13,7 @@ constexpr std::uint64_t SETUP_PS = 10'000, HOLD_PS = 10'000;  // t_DS, t_DH, t_L
 constexpr std::size_t MESSAGES = 20;
 
 constexpr unsigned LEFT_IN = 0, RIGHT_IN = 1, RIGHT_OUT = 3, ANALOGUE = 4, DIGITAL = 5,
-                   POWER_DOWN = 6, INTERFACE = 7, CONTROL = 9, RESET = 15;
+                   POWER_DOWN = 6, INTERFACE = 7, SAMPLING = 8, CONTROL = 9, RESET = 15;
 constexpr std::array<std::uint16_t, Wm8731::REGISTERS> DEFAULTS{0x097, 0x097, 0x079, 0x079, 0x00a,
                                                                 0x008, 0x09f, 0x00a, 0x000, 0x000};
 
@@ -26,6 +26,8 @@ constexpr unsigned LINEINPD = 1u << 0, MICPD = 1u << 1, ADCPD = 1u << 2, DACPD =
                    POWEROFF = 1u << 7;                                                // R6
 constexpr unsigned LRP = 1u << 4, LRSWAP = 1u << 5, MS = 1u << 6, BCLKINV = 1u << 7;  // R7
 constexpr unsigned ACTIVE = 1u << 0;                                                  // R9
+
+const std::string CONTENTION = "R7: the codec is bus master, but the FPGA drives BCLK or LRCK, too";
 
 AudioFormat format_of(unsigned r7) {
     constexpr unsigned BITS[] = {16, 20, 24, 32};
@@ -64,13 +66,18 @@ void Wm8731::drive(const Pins& pins, std::uint64_t time_ps) {
     if (pins.sclk != was.sclk || pins.sda != was.sda) control_.drive(pins.sclk, pins.sda);
 
     const bool clocked = pins.bclk != was.bclk, sampling = clocked && pins.bclk != inverted_;
-    if (active_) check_timing(was, sampling);
+    bclk_moved_ |= clocked;
+    dacdat_moved_ |= pins.dacdat != was.dacdat;
+    if (clocks_.driven && pins.clocks_driven && told_.count(CONTENTION) == 0) error(CONTENTION);
+    if (active_ && !clocks_.driven) check_timing(was, sampling);
     if (pins.daclrck != was.daclrck || pins.dacdat != was.dacdat) moved_ps_ = time_ps;
     if (pins.adclrck != was.adclrck) adc_.lrck(pins.adclrck);
     if (sampling) {
         sampled_ps_ = time_ps;
         adc_.sampled();
-        if (const auto ended = dac_.sample(pins.daclrck, pins.dacdat)) frame(*ended);
+        // What answers to the codec's own edge comes after it.
+        const bool dacdat = clocks_.driven ? was.dacdat : pins.dacdat;
+        if (const auto ended = dac_.sample(pins.daclrck, dacdat)) frame(*ended);
     } else if (pins.bclk == inverted_ && (clocked || pins.adclrck != was.adclrck)) {
         adcdat_ = adc_.bit();
     }
@@ -125,7 +132,6 @@ void Wm8731::write(unsigned number, std::uint16_t value) {
     } else {
         registers_[number] = value;
         if (number <= RIGHT_OUT && value & BOTH) registers_[number ^ 1] = value & 0xff;
-        if (number == INTERFACE && value & MS) error("R7: master mode is not handled");
     }
     apply();
 }
@@ -142,8 +148,33 @@ void Wm8731::apply() {
         adc_.format(format);
     }
     active_ = (registers_[CONTROL] & ACTIVE) != 0;
+    was_active_ |= active_;
     heard_ = active_ && !(registers_[POWER_DOWN] & (DACPD | OUTPD | POWEROFF)) &&
              !(registers_[DIGITAL] & DACMU) && registers_[ANALOGUE] & DACSEL;
+    apply_clocks();
+}
+
+void Wm8731::apply_clocks() {
+    const Wm8731Rates rates = wm8731_rates(registers_[SAMPLING]);
+    generator_.rates(rates);
+    clocks_.driven = (registers_[INTERFACE] & MS) != 0;
+    const bool run = clocks_.driven && active_ && !(registers_[POWER_DOWN] & POWEROFF);
+    if (run && !rates.listed)
+        error(fmt::format("R8 = 0x{:03x}: not a rate of the datasheet's", registers_[SAMPLING]));
+    clocks_.bclk_half_fs = run ? xck_fs_ * rates.xcks / 2 : 0;
+}
+
+void Wm8731::xck(std::uint64_t period_fs) {
+    xck_fs_ = period_fs;
+    xck_moved_ |= period_fs != 0;
+    apply_clocks();
+}
+
+void Wm8731::bclk_edge() {
+    generator_.edge(inverted_);
+    clocks_.bclk = generator_.bclk();
+    clocks_.daclrck = generator_.daclrck();
+    clocks_.adclrck = generator_.adclrck();
 }
 
 // ---- Sound ------------------------------------------------------------------
@@ -157,6 +188,7 @@ void Wm8731::frame(const AudioReceiver::Frame& frame) {
         error(fmt::format("DACDAT: slots of {} BCLKs for words of {} bits", frame.least_bclks,
                           format_.bits));
     ++samples_;
+    was_heard_ |= heard_;
     if (!sink_) return;
     StereoSample sample;
     if (heard_) sample = top_24_bits(frame.sample);
@@ -185,6 +217,18 @@ StereoSample Wm8731::input() {
     if (registers_[LEFT_IN] & LINMUTE) sample.left = 0;
     if (registers_[RIGHT_IN] & LINMUTE) sample.right = 0;
     return sample;
+}
+
+std::string Wm8731::silence() const {
+    if (was_heard_ || !(was_active_ || dacdat_moved_ || xck_moved_)) return {};
+    if (!was_active_) return "silent: it was never activated over I2C (R9 = 1)";
+    if (!bclk_moved_ && !clocks_.driven)
+        return "silent: it is a slave (R7), and nothing drives BCLK";
+    if (!bclk_moved_) return "silent: it is bus master (R7), but XCK stands still";
+    return fmt::format(
+        "silent: muted or off, by R4 = 0x{:03x}, R5 = 0x{:03x}, R6 = 0x{:03x}, R9 = {}, or LRCK "
+        "stands still",
+        registers_[ANALOGUE], registers_[DIGITAL], registers_[POWER_DOWN], registers_[CONTROL]);
 }
 
 void Wm8731::error(const std::string& text) {

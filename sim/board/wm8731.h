@@ -10,9 +10,11 @@
 // LINE IN or at the microphone, by R4: zeros while R9 is not active, R6 powers down that input, the
 // ADC or the chip, or R0, R1 or R4 mutes it.
 //
-// Not handled: master mode (an error), volumes and the microphone's gain, filters, bypass and
-// sidetone; XCK,
-// hence whether the rate in R8 fits LRCK; the delays of the pins (ADCDAT moves with BCLK's edge).
+// With MS in R7 it is the bus master: it drives BCLK and both LRCKs, which run while R9 is active
+// and XCK runs (wm8731_clocks.h).  A slave takes those of the FPGA at any rate.
+//
+// Not handled: volumes and the microphone's gain, filters, bypass and sidetone; whether a slave's
+// LRCK fits XCK and R8; the delays of the pins (ADCDAT moves with BCLK's edge).
 #pragma once
 
 #include <array>
@@ -24,6 +26,8 @@
 
 #include "sim/board/digital_audio.h"
 #include "sim/board/i2c_target.h"
+#include "sim/board/wm8731_clocks.h"
+#include "sim/pins/pins.h"
 
 namespace sim {
 
@@ -32,6 +36,7 @@ public:
     // Levels at the chip's pins; sda is the wire's level, with the chip's own pull included.
     struct Pins {
         bool bclk, daclrck, adclrck, dacdat, sclk, sda;
+        bool clocks_driven = false;  // from outside: BCLK or an LRCK
     };
     using Sink = std::function<void(const StereoSample& sample, std::uint64_t time_ps)>;
     using Source = std::function<StereoSample()>;
@@ -42,10 +47,16 @@ public:
     Wm8731(const Wm8731&) = delete;
     Wm8731& operator=(const Wm8731&) = delete;
 
-    // Call when a pin may have changed; adcdat() and pulls_sda_low() may differ after it.
+    // Call when a pin may have changed; adcdat(), pulls_sda_low() and clocks() may differ after it.
     void drive(const Pins& pins, std::uint64_t time_ps);
     bool adcdat() const { return adcdat_; }
     bool pulls_sda_low() const { return control_.pulls_low(); }
+
+    // What it drives as the bus master.  xck() tells it the period of XCK, 0 if there is none; and
+    // bclk_edge() that BCLK's next edge is due.
+    const CodecClocks& clocks() const { return clocks_; }
+    void xck(std::uint64_t period_fs);
+    void bclk_edge();
 
     // Fault for tests: the chip does not answer to I2C word `number`, where 1 is the first of all.
     void refuse_word(std::uint64_t number) { refuse_word_ = number; }
@@ -63,6 +74,9 @@ public:
     // frames differ by more than that.  0: not known yet.
     double rate_hz() const;
 
+    // Why a chip that somebody wanted to use was not heard; empty: it was, or nobody did.
+    std::string silence() const;
+
     std::uint64_t error_count() const { return error_count_; }
     // The first 20 that differ: "0.001234000 s: DACDAT: slots of 16 BCLKs for words of 24 bits".
     const std::vector<std::string>& errors() const { return errors_; }
@@ -73,6 +87,7 @@ private:
     void end_of_transfer(unsigned bytes, unsigned bits);
     void write(unsigned number, std::uint16_t value);
     void apply();
+    void apply_clocks();
     void check_timing(const Pins& was, bool sampling);
     void frame(const AudioReceiver::Frame& frame);
     void measure_rate();
@@ -87,6 +102,9 @@ private:
     Pins pins_{false, false, false, false, true, true};
     std::uint64_t now_ps_ = 0;
     bool adcdat_ = false;
+    CodecClocks clocks_;
+    Wm8731Clocks generator_;
+    std::uint64_t xck_fs_ = 0;
 
     std::array<std::uint16_t, REGISTERS> registers_;
     std::uint8_t first_byte_ = 0;
@@ -96,6 +114,10 @@ private:
     AudioFormat format_;
     bool inverted_ = false;  // BCLK samples when it falls
     bool active_ = false, heard_ = false, swapped_ = false;
+
+    // Since the beginning.
+    bool bclk_moved_ = false, dacdat_moved_ = false, xck_moved_ = false, was_active_ = false,
+         was_heard_ = false;
 
     std::uint64_t moved_ps_ = 0, sampled_ps_ = 0;  // DACLRCK or DACDAT; BCLK
     std::uint64_t frame_ps_ = 0;                   // when the last frame ended; 0: none did

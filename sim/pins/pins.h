@@ -22,6 +22,13 @@ constexpr std::uint32_t HS = 1u << 24, VS = 1u << 25, BLANK_N = 1u << 26, SYNC_N
 
 struct CodecPins {
     bool bclk, daclrck, adclrck, dacdat, sclk, sdat_low;  // sdat_low: the FPGA pulls SDAT low
+    bool clocks_driven = true;  // the FPGA drives BCLK or an LRCK, or must be doing so
+};
+
+// What the codec drives while it is the bus master.
+struct CodecClocks {
+    bool driven = false, bclk = false, daclrck = false, adclrck = false;
+    std::uint64_t bclk_half_fs = 0;  // from one edge of BCLK to the next; 0: it stands still
 };
 
 // Of both headers: bit n of [0] is GPIO_0[n], of [1] GPIO_1[n].
@@ -53,6 +60,7 @@ struct ChipInputs {
     std::uint8_t key_n = 0xf;
     HeaderMasks gpio{ALL_HEADER_PINS, ALL_HEADER_PINS};
     bool adcdat = false, sdat = true, adc_sdo = false, irda_rxd = true;
+    CodecClocks codec;
     std::uint8_t ps2_clk = 3, ps2_dat = 3;  // bit n of port n
 
     bool operator==(const ChipInputs& o) const {
@@ -72,6 +80,10 @@ public:
     virtual void video_idle(std::uint64_t /*time_ps*/) {}
     // Called after a clock in which one of them moved; may change `in`.
     virtual void codec(const CodecPins& pins, std::uint64_t time_ps, ChipInputs& in) = 0;
+    // The period of AUD_XCK when it has changed; 0: it stands still.  May change `in`.
+    virtual void xck(std::uint64_t /*period_fs*/, ChipInputs& /*in*/) {}
+    // The codec's next edge of BCLK, in.codec.bclk_half_fs after the one before; changes `in`.
+    virtual void bclk_edge(ChipInputs& /*in*/) {}
     virtual void headers(const HeaderPins& pins, std::uint64_t time_ps, ChipInputs& in) = 0;
     virtual void lamps(const LampPins& /*pins*/, std::uint64_t /*time_ps*/) {}
     virtual void adc(const AdcPins& pins, std::uint64_t time_ps, ChipInputs& in) = 0;

@@ -124,6 +124,10 @@ Binding bind(const std::vector<Port>& ports, const Locations& locations,
             if (wire == "VGA_CLK" && port.direction != Direction::INPUT) binding.has_vga_clk = true;
             if (wire == "VGA_HS") binding.has_vga_hs = true;
             if (wire == "TD_CLK27") binding.has_td_clk = true;
+            if (wire == "AUD_XCK" && port.direction != Direction::INPUT) binding.has_xck = true;
+            if (port.direction == Direction::OUTPUT &&
+                (wire == "AUD_BCLK" || wire == "AUD_DACLRCK" || wire == "AUD_ADCLRCK"))
+                binding.drives_codec_clocks = true;
             if (port.direction == Direction::OUTPUT && wire.compare(0, 5, "GPIO_") == 0)
                 binding.header_outputs[wire[5] - '0'] |= std::uint64_t{1}
                                                          << std::stoi(wire.substr(7));

@@ -131,9 +131,11 @@ std::string clocks_text(const Design& design) {
     return text + fmt::format(
                       "{{0, 0}}}};\nconstexpr unsigned PLL_CLOCK_COUNT = {};\n"
                       "constexpr bool TD_CLK27_USED = {}, VGA_USED = {};\n"
+                      "constexpr bool AUD_XCK_USED = {}, AUD_CLOCKS_DRIVEN = {};\n"
                       "constexpr const char* SOURCE_FOLDERS[] = {{{}\"\"}};\n",
                       design.elaborated.pll_clocks.size(), design.binding.has_td_clk,
-                      design.binding.has_vga_hs, folders);
+                      design.binding.has_vga_hs, design.binding.has_xck,
+                      design.binding.drives_codec_clocks, folders);
 }
 
 }  // namespace

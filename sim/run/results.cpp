@@ -64,7 +64,11 @@ void add_results(RunReport& report, Board& board, Computer* computer, const ArmR
         report.faults.push_back(*computer->cpu.fault());
     else if (const auto fault = computer ? computer->cpu.unfinished() : std::nullopt)
         report.faults.push_back(*fault);
-    for (const std::string& fault : board.codec_chip.errors()) report.faults.push_back(fault);
+    // Boards are more tolerant than datasheets, so of somebody's project these are advice.
+    for (const std::string& error : board.codec_chip.errors())
+        (computer ? report.faults : report.advice).push_back("codec: " + error);
+    if (const std::string silence = board.codec_chip.silence(); !computer && !silence.empty())
+        report.advice.push_back("codec: " + silence);
     for (const std::string& fault : player.faults()) report.faults.push_back(fault);
     report.expectations = player.results();
     report.checks = recorder.senses().tap.checks();

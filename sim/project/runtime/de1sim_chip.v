@@ -46,6 +46,7 @@ module de1sim_chip (
     input  wire [2:0]  aud_i,           // BCLK, DACLRCK, ADCLRCK where the codec drives them
     input  wire        aud_en_i,
     output wire [2:0]  aud_o,
+    output wire        aud_xck_o,       // moves with every 128th rise of AUD_XCK
     output wire        aud_dacdat_o,
     input  wire        aud_adcdat_i,
     output wire        i2c_sclk_o,
@@ -151,6 +152,7 @@ module de1sim_chip (
     assign PS2_DAT = ps2_dat_low[0] ? 1'b0 : 1'bz;
     assign PS2_CLK2 = ps2_clk_low[1] ? 1'b0 : 1'bz;
     assign PS2_DAT2 = ps2_dat_low[1] ? 1'b0 : 1'bz;
+    pullup(FPGA_I2C_SCLK);
     pullup(FPGA_I2C_SDAT);
     pullup(PS2_CLK);
     pullup(PS2_DAT);
@@ -170,6 +172,7 @@ module de1sim_chip (
     assign gpio_0_oe_o = `DE1SIM_GPIO_0_OUTPUTS | ~GPIO_0 & ~gpio_0_low;
     assign gpio_1_oe_o = `DE1SIM_GPIO_1_OUTPUTS | ~GPIO_1 & ~gpio_1_low;
     assign aud_o = {AUD_BCLK, AUD_DACLRCK, AUD_ADCLRCK};
+    assign aud_xck_o = xck_rises_q[7];
     assign aud_dacdat_o = AUD_DACDAT;
     assign i2c_sclk_o = FPGA_I2C_SCLK;
     assign i2c_sdat_o = FPGA_I2C_SDAT;
@@ -181,6 +184,10 @@ module de1sim_chip (
     assign dram_sample_o = dram_sample_q;
     assign vga_o = vga_q;
     assign vga_sample_o = vga_sample_q;
+
+    reg [7:0] xck_rises_q = 8'd0;
+
+    always @(posedge AUD_XCK) xck_rises_q <= xck_rises_q + 8'd1;
 
     reg [27:0] vga_q = 28'd0;
     reg        vga_sample_q = 1'b0;

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <string>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 #include "Vde1sim_chip.h"
@@ -24,6 +25,8 @@ namespace {
 constexpr std::uint64_t FS_PER_PS = 1'000, CLOCK_50_FS = 20'000'000, CLOCK_27_FS = 37'037'037;
 constexpr std::uint64_t QUIET_FS = 1'000'000'000'000;  // 1 ms
 constexpr unsigned VIDEO_BATCH = 800, MOST_TURNS = 100;
+constexpr unsigned XCK_RISES = 128;  // from one movement of aud_xck_o to the next
+constexpr std::uint64_t NEVER = ~std::uint64_t{0};
 
 struct Clock {
     std::uint64_t next_fs, period_fs;
@@ -81,17 +84,22 @@ public:
         for (;;) {
             std::uint64_t next = clocks_[0].next_fs;
             for (const Clock& clock : clocks_) next = std::min(next, clock.next_fs);
-            if (next > until_fs) return;
-            now_fs_ = next;
-            for (Clock& clock : clocks_)
-                if (clock.next_fs == next) tick(clock);
-            eval();
-            look();
+            if (std::min(next, bclk_next_fs_) > until_fs) return;
+            if (bclk_next_fs_ < next) {
+                bclk_edge();
+            } else {
+                now_fs_ = next;
+                for (Clock& clock : clocks_)
+                    if (clock.next_fs == next) tick(clock);
+                eval();
+                look();
+            }
             if (look_) settle();
         }
     }
 
     void flush() override {
+        if (AUD_XCK_USED && xck_fs_ && now_fs_ - xck_moved_fs_ > QUIET_FS) tell_xck(0);
         const unsigned count = video_count_;
         video_count_ = 0;
         if (count) {
@@ -135,7 +143,7 @@ private:
         top_.key_ni = in.key_n;
         top_.gpio_0_low_i = ~in.gpio[0] & ~headers_.enable[0] & ALL_HEADER_PINS;
         top_.gpio_1_low_i = ~in.gpio[1] & ~headers_.enable[1] & ALL_HEADER_PINS;
-        top_.aud_adcdat_i = in.adcdat;
+        apply_codec();
         top_.i2c_sdat_low_i = !in.sdat && !sdat_low_;
         top_.adc_dout_i = in.adc_sdo;
         top_.irda_rxd_i = in.irda_rxd;
@@ -146,10 +154,22 @@ private:
         look();
     }
 
+    void apply_codec() {
+        top_.aud_i = static_cast<unsigned>(in.codec.bclk << 2 | in.codec.daclrck << 1 |
+                                           static_cast<int>(in.codec.adclrck));
+        top_.aud_en_i = in.codec.driven;
+        top_.aud_adcdat_i = in.adcdat;
+        bclk_half_fs_ = in.codec.bclk_half_fs;
+        if (bclk_half_fs_ == 0)
+            bclk_next_fs_ = NEVER;
+        else if (bclk_next_fs_ == NEVER)
+            bclk_next_fs_ = now_fs_ + bclk_half_fs_;
+    }
+
     void eval() {
         top_.eval();
 #ifdef DE1SIM_TRACE
-        if (trace_.isOpen()) trace_.dump(now_ps());
+        if (trace_.isOpen()) trace_.dump(dumped_ps_ = std::max(now_ps(), dumped_ps_ + 1));
 #endif
     }
 
@@ -206,15 +226,38 @@ private:
     }
 
     void look_at_codec() {
+        if (AUD_XCK_USED && top_.aud_xck_o != xck_) {
+            xck_ = top_.aud_xck_o;
+            const std::uint64_t before_fs = std::exchange(xck_moved_fs_, now_fs_);
+            if (before_fs) tell_xck((now_fs_ - before_fs) / XCK_RISES);
+        }
         const bool sdat_low = !top_.i2c_sdat_o && !top_.i2c_sdat_low_i;
         const unsigned codec =
             top_.aud_o | top_.aud_dacdat_o << 3 | top_.i2c_sclk_o << 4 | unsigned{sdat_low} << 5;
         if (codec == codec_) return;
         codec_ = codec;
         sdat_low_ = sdat_low;
+        // Where both sides drive, a wire is high if one of them is.
+        const bool driven = AUD_CLOCKS_DRIVEN || (top_.aud_en_i && top_.aud_o != top_.aud_i);
         pins_.codec({(codec & 4) != 0, (codec & 2) != 0, (codec & 1) != 0, (codec & 8) != 0,
-                     (codec & 16) != 0, sdat_low},
+                     (codec & 16) != 0, sdat_low, driven},
                     now_ps(), in);
+        look_ = true;
+    }
+
+    void tell_xck(std::uint64_t period_fs) {
+        if (period_fs == 0) xck_moved_fs_ = 0;
+        if (period_fs == xck_fs_) return;
+        xck_fs_ = period_fs;
+        pins_.xck(period_fs, in);
+        look_ = true;
+    }
+
+    // The codec's clocks come between those of the design, or just after them.
+    void bclk_edge() {
+        now_fs_ = bclk_next_fs_;
+        bclk_next_fs_ += bclk_half_fs_;
+        pins_.bclk_edge(in);
         look_ = true;
     }
 
@@ -239,6 +282,7 @@ private:
     Vde1sim_chip top_{&context_};
 #ifdef DE1SIM_TRACE
     VerilatedFstC trace_;
+    std::uint64_t dumped_ps_ = 0;  // what follows at the same time is a picosecond later
 #endif
     std::vector<Clock> clocks_;
     std::uint64_t now_fs_ = 0, rises_27_ = 0;
@@ -252,7 +296,9 @@ private:
     LampPins lamps_{0, (std::uint64_t{1} << 42) - 1};
     HeaderPins headers_{};
     unsigned codec_ = 0, adc_ = 0, ps2_ = 0;  // ps2_: bit n port n's clock, bit 2 + n its data
-    bool sdat_low_ = false;
+    bool sdat_low_ = false, xck_ = false;
+    std::uint64_t xck_fs_ = 0, xck_moved_fs_ = 0;  // the period that the board knows
+    std::uint64_t bclk_half_fs_ = 0, bclk_next_fs_ = NEVER;
 };
 
 }  // namespace
