@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "sim/board/audience.h"
@@ -23,6 +24,13 @@ public:
     // HPS_KEY, and what a person types at the terminal of a program in the chip.
     virtual void hps_key(bool /*pressed*/) {}
     virtual void type(const std::string& /*text*/) {}
+
+    // How what is in the chip has ended the run, as a line of text; nothing as long as it runs.
+    struct End {
+        enum class Kind { FINISHED, FAILED, BROKEN } kind;
+        std::string message;
+    };
+    virtual std::optional<End> end() const { return {}; }
 
     // Writes out the rest of the waveforms; what follows is not in them.
     virtual void end_trace() {}

@@ -43,6 +43,18 @@ void ProjectChip::catch_up() {
     model_->flush();
 }
 
+std::optional<Chip::End> ProjectChip::end() const {
+    using project::Ending;
+    const Ending& ending = model_->ending();
+    switch (ending.kind) {
+        case Ending::Kind::NONE: return {};
+        case Ending::Kind::FINISHED: return End{End::Kind::FINISHED, ending.message};
+        case Ending::Kind::STOPPED: return End{End::Kind::FAILED, ending.message};
+        case Ending::Kind::DIVERGED: break;
+    }
+    return End{End::Kind::BROKEN, ending.message};
+}
+
 void ProjectChip::look() {
     catch_up();
     look_.notify(batch);

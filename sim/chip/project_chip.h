@@ -26,6 +26,7 @@ public:
     ChipInputs& inputs() override;
     void catch_up() override;
     void end_trace() override { model_->end_trace(); }
+    std::optional<End> end() const override;
 
 private:
     void look();

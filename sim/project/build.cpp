@@ -8,11 +8,13 @@
 #include <cstdlib>
 #include <cstring>
 #include <set>
+#include <sstream>
 
 #include <fmt/format.h>
 
 #include "sim/project/file_finder.h"
 #include "sim/project/normalise.h"
+#include "sim/project/power_up.h"
 #include "sim/project/tools.h"
 #include "sim/report/sha256.h"
 #include "sim/report/whole_file.h"
@@ -138,6 +140,26 @@ std::string clocks_text(const Design& design) {
                       design.binding.drives_codec_clocks, folders);
 }
 
+// From Verilator's "Signal unoptimizable: ... 'de1sim_chip.de1sim_design.a'": loops of the design
+// without a register, which may oscillate.
+std::string loops_text(const std::string& said) {
+    std::string loops;
+    std::istringstream lines{said};
+    for (std::string line; std::getline(lines, line);) {
+        const std::size_t quote = line.find("'de1sim_chip.de1sim_design.");
+        if (line.find("Warning-UNOPTFLAT: ") == std::string::npos || quote == std::string::npos)
+            continue;
+        const std::size_t place = line.find(": ") + 2, begin = line.find('.', quote + 14) + 1;
+        const std::string name = line.substr(begin, line.find('\'', begin) - begin);
+        const std::size_t column = line.find(':', line.find(':', place) + 1);
+        loops += fmt::format("{}{} ({})", loops.empty() ? "" : ", ", name,
+                             line.substr(place, column - place));
+    }
+    if (!loops.empty()) loops += " depends on itself without a register";
+    return fmt::format("// Written by de1sim.\n#pragma once\nconstexpr char LOOPS[] = \"{}\";\n",
+                       escaped(loops));
+}
+
 }  // namespace
 
 FolderLock::~FolderLock() {
@@ -255,11 +277,13 @@ Built Builder::build(const Progress& progress) {
          fmt::format("-DDE1SIM_VGA_CLK={}", design_.binding.has_vga_clk ? "VGA_CLK" : "CLOCK_50"),
          fmt::format("-DDE1SIM_GPIO_0_OUTPUTS=36'd{}", design_.binding.header_outputs[0]),
          fmt::format("-DDE1SIM_GPIO_1_OUTPUTS=36'd{}", design_.binding.header_outputs[1])});
+    words.push_back("-Wwarn-UNOPTFLAT");  // for loops_text()
     if (trace_) words.push_back("--trace-fst");
     words.push_back("data/project/de1sim_chip.v");
     words.push_back("de1sim_pll_taps.v");
     for (const fs::path& file : files_) words.push_back(file.string());
-    run_tool(words, folder_);
+    write_whole_file(objects / "de1sim_loops.h", loops_text(run_tool(words, folder_)));
+    forget_edges_of_power_up(objects);
 
     progress("compiling");
     compile_library(folder_, objects, trace_);

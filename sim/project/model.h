@@ -5,10 +5,23 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 
 #include "sim/pins/pins.h"
 
 namespace sim::project {
+
+// How the design has ended the run, if it has.
+struct Ending {
+    enum class Kind {
+        NONE,
+        FINISHED,  // $finish
+        STOPPED,   // $stop, $error, $fatal
+        DIVERGED   // signals that do not come to rest
+    };
+    Kind kind = Kind::NONE;
+    std::string message;  // a line: where, what, when
+};
 
 class Model {
 public:
@@ -21,6 +34,8 @@ public:
     virtual void run(std::uint64_t until_ps) = 0;
     virtual void flush() = 0;
     virtual void end_trace() = 0;
+    // Once there is an end, run() does nothing any more.
+    virtual const Ending& ending() const = 0;
 };
 
 struct ModelSettings {

@@ -61,9 +61,10 @@ std::string without_blanks(std::string name) {
 
 fs::path data_folder() { return (program_folder() / "../share/de1sim").lexically_normal(); }
 
-void run_tool(const std::vector<std::string>& words, const fs::path& folder) {
+std::string run_tool(const std::vector<std::string>& words, const fs::path& folder) {
     const Outcome outcome = run_command(words, folder, LIMIT_S);
     if (outcome.code != 0) throw ProjectError{with_blanks(first_error(outcome, words[0]))};
+    return outcome.output;
 }
 
 void check_verilator() {
@@ -113,7 +114,7 @@ void compile_library(const fs::path& folder, const fs::path& objects, bool trace
         if (one.code != 0) throw ProjectError{first_error(one, "g++")};
     std::vector<std::string> link{"g++", "-shared", "-o", "chip.so", "fast.o", "slow.o", "model.o"};
     if (trace) link.push_back("fst.o");
-    for (const char* runtime : {"libinit_file.a", "libverilated_runtime.a"})
+    for (const char* runtime : {"libinit_file.a", "libdesign_runtime.a"})
         link.push_back(
             (program_folder() / ".." / LIBRARY_FOLDER / runtime).lexically_normal().string());
     link.insert(link.end(), {"-pthread", "-lz"});

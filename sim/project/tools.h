@@ -14,9 +14,9 @@ std::filesystem::path data_folder();
 // of run_tool() have the blanks again.
 std::string without_blanks(std::string name);
 
-// Runs it in `folder`.  ProjectError with its first error in a line, if it fails, is missing, or
-// does not end in ten minutes.
-void run_tool(const std::vector<std::string>& words, const std::filesystem::path& folder);
+// Runs it in `folder`, and returns what it says.  ProjectError with its first error in a line, if
+// it fails, is missing, or does not end in ten minutes.
+std::string run_tool(const std::vector<std::string>& words, const std::filesystem::path& folder);
 
 // ProjectError: there is no Verilator, or another than de1sim was built with; what it translates
 // runs on the library of one version.

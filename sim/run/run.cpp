@@ -44,6 +44,15 @@ private:
     void pause() { sc_core::sc_pause(); }
 };
 
+RunEnd run_end(const Chip::End& end) {
+    switch (end.kind) {
+        case Chip::End::Kind::FINISHED: return RunEnd::PROGRAM_ENDED;
+        case Chip::End::Kind::FAILED: return RunEnd::FIRMWARE_FAULT;
+        case Chip::End::Kind::BROKEN: break;
+    }
+    return RunEnd::INTERNAL_ERROR;
+}
+
 // `alone`: the program has no scenario, which would say when the run ends.
 RunEnd play(Board& board, Computer* computer, Player& player, Recorder& recorder,
             std::optional<SimTime> duration, bool alone, Progress& progress, Debugger* debugger,
@@ -58,6 +67,7 @@ RunEnd play(Board& board, Computer* computer, Player& player, Recorder& recorder
         if (interrupted || (debugger && debugger->killed())) return RunEnd::INTERRUPTED;
         if (recorder.failed()) return RunEnd::INTERRUPTED;
         if (computer && computer->cpu.fault()) return RunEnd::FIRMWARE_FAULT;
+        if (const auto ended = board.chip().end()) return run_end(*ended);
         if (alone && computer->arm->ended_for() >= last_looks) return RunEnd::PROGRAM_ENDED;
         if (!duration && !alone && player.finished()) return RunEnd::ALL_STEPS_DONE;
         const sc_core::sc_time now = sc_core::sc_time_stamp();
@@ -217,6 +227,10 @@ ExitCode run_doing(const char*& doing, RunOptions options, const Firmware& firmw
         add_results(report, board, computer, arm ? &*arm : nullptr, player, recorder);
     });
     if (!parts.failures.empty()) report.end = RunEnd::INTERNAL_ERROR;
+    if (const auto ended = board.chip().end(); ended && ended->kind != Chip::End::Kind::FINISHED)
+        report.faults.push_back(ended->message);
+    else if (ended && !options.quiet)
+        message(ended->message);
     report.faults.insert(report.faults.begin(), parts.failures.begin(), parts.failures.end());
 
     doing = "writing the report";

@@ -2,6 +2,7 @@
 #include "sim/project/model.h"
 
 #include <algorithm>
+#include <cstdio>
 #include <filesystem>
 #include <string>
 #include <system_error>
@@ -16,7 +17,10 @@
 
 #include "sim/project/init_file.h"
 
+#include "endings.h"
+
 #include "de1sim_clocks.h"  // PLL_CLOCKS[]: period and phase of each in fs; TD_CLK27_USED and so on
+#include "de1sim_loops.h"   // LOOPS: signals that depend on themselves
 
 namespace sim::project {
 
@@ -68,23 +72,26 @@ public:
             sources.push_back(std::filesystem::path{settings.folder} / folder);
         set_init_folders({settings.folder, std::move(sources)},
                          [say = settings.say](const std::string& line) { say(line.c_str()); });
+        current_ending = &ending_;
+        current_say = settings.say;
         const InFolder in_folder{settings.folder};  // where the design's files are
         eval();
         settle();
     }
     ~VerilatedModel() override {
         end_trace();
-        top_.final();
+        if (ending_.kind != Ending::Kind::DIVERGED) top_.final();
+        current_ending = nullptr;
     }
 
     void run(std::uint64_t until_ps) override {
         const std::uint64_t until_fs = until_ps * FS_PER_PS;
-        if (until_fs < clocks_[0].next_fs) return;
+        if (until_fs < clocks_[0].next_fs || ended()) return;
         settle();
         for (;;) {
             std::uint64_t next = clocks_[0].next_fs;
             for (const Clock& clock : clocks_) next = std::min(next, clock.next_fs);
-            if (std::min(next, bclk_next_fs_) > until_fs) return;
+            if (std::min(next, bclk_next_fs_) > until_fs || ended()) return;
             if (bclk_next_fs_ < next) {
                 bclk_edge();
             } else {
@@ -99,6 +106,7 @@ public:
     }
 
     void flush() override {
+        std::fflush(stdout);  // what $display has printed comes before what de1sim prints
         if (AUD_XCK_USED && xck_fs_ && now_fs_ - xck_moved_fs_ > QUIET_FS) tell_xck(0);
         const unsigned count = video_count_;
         video_count_ = 0;
@@ -109,6 +117,8 @@ public:
             pins_.video_idle(now_ps());
         }
     }
+
+    const Ending& ending() const override { return ending_; }
 
     void end_trace() override {
 #ifdef DE1SIM_TRACE
@@ -133,7 +143,12 @@ private:
 
     // The board answers what the chip does, and the chip may answer that without a clock.
     void settle() {
-        for (unsigned turn = 0; turn == 0 || (look_ && turn < MOST_TURNS); ++turn) apply_inputs();
+        for (unsigned turn = 0; turn == 0 || (look_ && !ended()); ++turn) {
+            if (turn == MOST_TURNS)
+                return end_run(Ending::Kind::DIVERGED,
+                               "the chip and the board answer each other without an end");
+            apply_inputs();
+        }
     }
 
     // In an evaluation of its own, so that it counts from the next clock edge on.
@@ -166,8 +181,16 @@ private:
             bclk_next_fs_ = now_fs_ + bclk_half_fs_;
     }
 
+    bool ended() const { return ending_.kind != Ending::Kind::NONE; }
+
     void eval() {
-        top_.eval();
+        current_time_ps = now_ps();
+        try {
+            top_.eval();
+        } catch (const Diverged& error) {
+            const std::string why = LOOPS[0] ? LOOPS : error.what();
+            end_run(Ending::Kind::DIVERGED, "the design oscillates: " + why);
+        }
 #ifdef DE1SIM_TRACE
         if (trace_.isOpen()) trace_.dump(dumped_ps_ = std::max(now_ps(), dumped_ps_ + 1));
 #endif
@@ -284,6 +307,7 @@ private:
     VerilatedFstC trace_;
     std::uint64_t dumped_ps_ = 0;  // what follows at the same time is a picosecond later
 #endif
+    Ending ending_;
     std::vector<Clock> clocks_;
     std::uint64_t now_fs_ = 0, rises_27_ = 0;
     bool look_ = true;  // `in` may have changed
