@@ -12,12 +12,13 @@
 // ITU-R BT.601, of every second pixel.  Without a camera the chip shows blue: DEF_VAL_AUTO_EN is
 // set after a reset, DEF_Y and DEF_C say Y = 0x34, Cb = 0xC0, Cr = 0x70.
 //
-// It needs no set-up over I2C: after its reset it detects the signal and sends 8-bit BT.656.
+// It needs no set-up over I2C: after its reset it detects the signal and sends 8-bit BT.656.  At
+// 0x20 (ALSB low, as on the board) it acknowledges whatever is written, which has no effect.
 // RESET_N is an input from the FPGA; while it is low the chip stays in reset.
 //
 // Source: ITU-R BT.656 and BT.601; Analog Devices' ADV7180 datasheet.
 //
-// Not handled: HS and VS, I2C, PAL, the time that the chip takes to lock to a signal, the noise and
+// Not handled: HS and VS, its registers, PAL, the time that the chip takes to lock to a signal, the noise and
 // the limited bandwidth of a real one.
 #pragma once
 
@@ -25,6 +26,7 @@
 #include <cstdint>
 #include <memory>
 
+#include "sim/board/i2c_target.h"
 #include "sim/report/png.h"
 
 namespace sim {
@@ -43,10 +45,19 @@ public:
         return bytes_[rise % LINE_CLOCKS];
     }
 
+    // Levels of its I2C wires, its own pull included; pulls_sda_low() may differ after it.
+    void drive_i2c(bool sclk, bool sda) { control_.drive(sclk, sda); }
+    bool pulls_sda_low() const { return control_.pulls_low(); }
+
 private:
+    static constexpr std::uint8_t WRITE = 0x20 << 1;
+
     void make_line(std::uint64_t line);
     void make_row(unsigned row);
 
+    I2cTarget control_{
+        [](unsigned number, std::uint8_t value) { return number != 0 || value == WRITE; },
+        [](unsigned, unsigned) {}};
     std::shared_ptr<const Image> picture_;
     std::uint64_t line_ = ~std::uint64_t{0};  // of the bytes, counted from the first one
     std::array<std::uint8_t, LINE_CLOCKS> bytes_{};

@@ -51,11 +51,15 @@ void Board::video(const std::uint32_t* samples, std::size_t count) {
 
 // SDAT is open-drain with a pull-up.
 void Board::codec(const CodecPins& pins, std::uint64_t time_ps, ChipInputs& in) {
-    const bool sdat = !pins.sdat_low && !codec_chip.pulls_sda_low();
+    const auto sdat_level = [&] {
+        return !pins.sdat_low && !codec_chip.pulls_sda_low() && !video_decoder.pulls_sda_low();
+    };
+    const bool sdat = sdat_level();
     codec_chip.drive(
         {pins.bclk, pins.daclrck, pins.adclrck, pins.dacdat, pins.sclk, sdat, pins.clocks_driven},
         time_ps);
-    in.sdat = !pins.sdat_low && !codec_chip.pulls_sda_low();
+    video_decoder.drive_i2c(pins.sclk, sdat);
+    in.sdat = sdat_level();
     in.adcdat = codec_chip.adcdat();
     in.codec = codec_chip.clocks();
 }

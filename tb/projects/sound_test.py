@@ -134,6 +134,11 @@ class Sound(Case):
         said = self.plays("expect-silence: {for: 10ms}").stderr
         self.assertEqual(said.count("silent: it was never activated over I2C"), 1, said)
 
+    def test_the_video_decoder_acknowledges_and_nobody_else(self):
+        for address, lit in ("8'h40", "01"), ("8'h42", "11"), ("8'h41", "11"):
+            self.project("assign LEDR = {refused, done};\n", registers=f".ADDRESS({address})")
+            self.plays("delay: 5ms", f'expect-leds: "00000000{lit}"')
+
     def test_i2c_with_an_open_drain_clock(self):
         self.project(self.SENT + XCK_12_5, scl="inout")
         self.plays(self.HEARD)
