@@ -172,7 +172,8 @@ void FolderLock::take(const fs::path& file) {
     flock(descriptor_, LOCK_EX);  // where a file system has none, there is no other process either
 }
 
-Builder::Builder(const Request& request, bool trace) : request_{request}, trace_{trace} {
+Builder::Builder(const Request& request, bool trace)
+    : request_{request}, trace_{trace}, limit_{request.build_limit_s} {
     const fs::path models = data_folder() / "rtl" / "ip";
     request_.is_model = [models](const std::string& module) {
         std::error_code error;
@@ -216,12 +217,12 @@ const Design& Builder::examine() {
     design_.project = read_project(request_);
     folder_ = place_for(design_.project.folder);
     write_sources();
-    check_verilator();
+    check_verilator(limit_);
     auto words = verilator_words(design_.project);
     words.insert(words.end(), {"--xml-only", "--xml-output", "design.xml", "--Mdir", "xml",
                                "--top-module", design_.project.top});
     for (const fs::path& file : files_) words.push_back(file.string());
-    run_tool(words, folder_);
+    run_tool(words, folder_, limit_);
     design_.elaborated = read_elaborated(folder_ / "design.xml", design_.project.top);
     const auto& of_ip = design_.elaborated.init_files;
     design_.init_files.insert(design_.init_files.end(), of_ip.begin(), of_ip.end());
@@ -282,11 +283,11 @@ Built Builder::build(const Progress& progress) {
     words.push_back("data/project/de1sim_chip.v");
     words.push_back("de1sim_pll_taps.v");
     for (const fs::path& file : files_) words.push_back(file.string());
-    write_whole_file(objects / "de1sim_loops.h", loops_text(run_tool(words, folder_)));
+    write_whole_file(objects / "de1sim_loops.h", loops_text(run_tool(words, folder_, limit_)));
     forget_edges_of_power_up(objects);
 
     progress("compiling");
-    compile_library(folder_, objects, trace_);
+    compile_library(folder_, objects, trace_, limit_);
     // Those of other states of the design are of no use any more.
     for (const auto& entry : fs::directory_iterator{folder_}) {
         const std::string old = entry.path().filename().string();

@@ -7,6 +7,7 @@
 
 #include "sim/project/binding.h"
 #include "sim/project/project.h"
+#include "sim/project/tools.h"
 
 namespace sim::project {
 
@@ -61,6 +62,7 @@ private:
     FolderLock lock_;  // from examine() on: two runs of one project do not build at once
     Request request_;
     bool trace_;
+    const TimeLimit limit_;
     Design design_;
     std::filesystem::path folder_;  // .de1sim beside the project, or in the user's cache
     std::vector<std::filesystem::path> files_;  // cleaned copies, in folder_

@@ -37,6 +37,7 @@ struct Request {
     std::filesystem::path place;      // .qsf, .qpf or folder
     std::string top;                  // instead of the project's, or empty
     std::vector<std::string> macros;  // besides the project's
+    unsigned build_limit_s = 600;
     // Modules that need no file, since there are models of them.
     std::function<bool(const std::string& module)> is_model = [](const std::string&) {
         return false;

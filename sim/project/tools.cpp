@@ -14,7 +14,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr unsigned LIMIT_S = 600;
 constexpr std::string_view BLANK = "\u00a0";  // one that does not end a word
 
 std::string with_blanks(std::string text) {
@@ -29,10 +28,10 @@ fs::path program_folder() {
 }
 
 // Verilator's first error, in a line: "pong.v:12:5: syntax error, unexpected ...".
-std::string first_error(const Outcome& outcome, const std::string& tool) {
+std::string first_error(const Outcome& outcome, const std::string& tool, const TimeLimit& limit) {
     if (outcome.code == TIMED_OUT)
-        return fmt::format("{} did not end in {} s: the design is too large, or oscillates", tool,
-                           LIMIT_S);
+        return fmt::format("the build has not ended in {} s (--build-limit): {} was at work",
+                           limit.seconds(), tool);
     if (outcome.code == 127)
         return tool + " is not installed: apt install verilator g++ (packages of Debian)";
     std::istringstream lines{outcome.output};
@@ -59,17 +58,28 @@ std::string without_blanks(std::string name) {
     return name;
 }
 
+TimeLimit::TimeLimit(unsigned seconds)
+    : seconds_{seconds}, end_{std::chrono::steady_clock::now() + std::chrono::seconds{seconds}} {}
+
+unsigned TimeLimit::left_s() const {
+    const auto left = end_ - std::chrono::steady_clock::now();
+    return left.count() <= 0
+               ? 0
+               : static_cast<unsigned>(std::chrono::ceil<std::chrono::seconds>(left).count());
+}
+
 fs::path data_folder() { return (program_folder() / "../share/de1sim").lexically_normal(); }
 
-std::string run_tool(const std::vector<std::string>& words, const fs::path& folder) {
-    const Outcome outcome = run_command(words, folder, LIMIT_S);
-    if (outcome.code != 0) throw ProjectError{with_blanks(first_error(outcome, words[0]))};
+std::string run_tool(const std::vector<std::string>& words, const fs::path& folder,
+                     const TimeLimit& limit) {
+    const Outcome outcome = run_command(words, folder, limit.left_s());
+    if (outcome.code != 0) throw ProjectError{with_blanks(first_error(outcome, words[0], limit))};
     return outcome.output;
 }
 
-void check_verilator() {
-    const Outcome outcome = run_command({"verilator", "--version"}, "/", LIMIT_S);
-    if (outcome.code != 0) throw ProjectError{first_error(outcome, "verilator")};
+void check_verilator(const TimeLimit& limit) {
+    const Outcome outcome = run_command({"verilator", "--version"}, "/", limit.left_s());
+    if (outcome.code != 0) throw ProjectError{first_error(outcome, "verilator", limit)};
     const std::string expected = fmt::format("Verilator {} ", VERILATOR_VERSION);
     if (outcome.output.compare(0, expected.size(), expected) != 0)
         throw ProjectError{
@@ -77,7 +87,8 @@ void check_verilator() {
                         outcome.output.substr(0, outcome.output.find(' ', 10)), VERILATOR_VERSION)};
 }
 
-void compile_library(const fs::path& folder, const fs::path& objects, bool trace) {
+void compile_library(const fs::path& folder, const fs::path& objects, bool trace,
+                     const TimeLimit& limit) {
     const fs::path data = data_folder();
     std::string fast, slow;
     for (const auto& entry : fs::directory_iterator{objects}) {
@@ -110,15 +121,15 @@ void compile_library(const fs::path& folder, const fs::path& objects, bool trace
         compile("fast.cxx", "fast.o", "-O2"), compile(data / "project/model.cpp", "model.o", "-O2"),
         compile("slow.cxx", "slow.o", "-O0")};
     if (trace) commands.push_back(compile(verilator_root / "verilated_fst_c.cpp", "fst.o", "-O1"));
-    for (const Outcome& one : run_commands(commands, objects, LIMIT_S))
-        if (one.code != 0) throw ProjectError{first_error(one, "g++")};
+    for (const Outcome& one : run_commands(commands, objects, limit.left_s()))
+        if (one.code != 0) throw ProjectError{first_error(one, "g++", limit)};
     std::vector<std::string> link{"g++", "-shared", "-o", "chip.so", "fast.o", "slow.o", "model.o"};
     if (trace) link.push_back("fst.o");
     for (const char* runtime : {"libinit_file.a", "libdesign_runtime.a"})
         link.push_back(
             (program_folder() / ".." / LIBRARY_FOLDER / runtime).lexically_normal().string());
     link.insert(link.end(), {"-pthread", "-lz"});
-    run_tool(link, objects);
+    run_tool(link, objects, limit);
 }
 
 }  // namespace sim::project

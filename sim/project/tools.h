@@ -1,6 +1,7 @@
 // tools.h - Verilator and the compiler, and the files that de1sim brings for them.
 #pragma once
 
+#include <chrono>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -14,17 +15,30 @@ std::filesystem::path data_folder();
 // of run_tool() have the blanks again.
 std::string without_blanks(std::string name);
 
+// For all that a build runs, from when it is made on.
+class TimeLimit {
+public:
+    explicit TimeLimit(unsigned seconds);
+    unsigned seconds() const { return seconds_; }
+    unsigned left_s() const;  // 0: it has passed
+
+private:
+    unsigned seconds_;
+    std::chrono::steady_clock::time_point end_;
+};
+
 // Runs it in `folder`, and returns what it says.  ProjectError with its first error in a line, if
-// it fails, is missing, or does not end in ten minutes.
-std::string run_tool(const std::vector<std::string>& words, const std::filesystem::path& folder);
+// it fails, is missing, or does not end in time.
+std::string run_tool(const std::vector<std::string>& words, const std::filesystem::path& folder,
+                     const TimeLimit& limit);
 
 // ProjectError: there is no Verilator, or another than de1sim was built with; what it translates
 // runs on the library of one version.
-void check_verilator();
+void check_verilator(const TimeLimit& limit);
 
 // Verilator's output in `objects`, with runtime/model.cpp: objects/chip.so.  `folder` has
 // de1sim_clocks.h.  ProjectError.
 void compile_library(const std::filesystem::path& folder, const std::filesystem::path& objects,
-                     bool trace);
+                     bool trace, const TimeLimit& limit);
 
 }  // namespace sim::project

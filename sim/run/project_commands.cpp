@@ -53,6 +53,7 @@ project::Request ProjectOptions::request() const {
     request.place = place;
     request.top = top;
     request.macros = macros;
+    request.build_limit_s = build_limit_s;
     return request;
 }
 
@@ -60,6 +61,11 @@ void add_project_options(CLI::App& command, ProjectOptions& options) {
     command.add_option("--top", options.top, "the project's top module, instead of its own choice");
     command.add_option("-D,--define", options.macros, "a Verilog macro: NAME or NAME=VALUE")
         ->take_all();
+    command
+        .add_option("--build-limit", options.build_limit_s,
+                    "seconds that building the project may take")
+        ->check(CLI::Range(1u, 1'000'000u))
+        ->capture_default_str();
 }
 
 project::Built build_with_progress(const ProjectOptions& options, bool trace, bool quiet) {

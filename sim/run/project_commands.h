@@ -17,11 +17,12 @@ struct ProjectOptions {
     std::filesystem::path place;  // .qsf, .qpf or folder; or empty
     std::string top;
     std::vector<std::string> macros;
+    unsigned build_limit_s = 600;
 
     project::Request request() const;
 };
 
-// --top and -D, to which CLI11 adds what it parses.
+// --top, -D and --build-limit, to which CLI11 adds what it parses.
 void add_project_options(CLI::App& command, ProjectOptions& options);
 
 // Both print to stdout, and return an exit code.  project::ProjectError.

@@ -1,5 +1,7 @@
 """projects_test.py DE1SIM FOLDER [CASE...] - projects as people have them: odd or wrong."""
 import json
+import os
+import pathlib
 import subprocess
 
 from case import DE1SIM, LEDS, Case, run
@@ -201,6 +203,40 @@ class Building(Case):
                 for _ in range(2)]
         said = [one.communicate()[0].rsplit(": ", 1)[1].strip() for one in both]
         self.assertEqual(sorted(said), ["built", "is up to date"])
+
+
+    def test_a_build_that_does_not_end(self):
+        """Ended with what it has started, and the next one begins anew."""
+        self.write(top_v=LEDS.format("SW"))
+        tool = self.folder / "bin" / "g++"
+        tool.parent.mkdir()
+        tool.write_text("#!/bin/sh\nsleep 1000 &\necho $! >> pids\nwait\n")
+        tool.chmod(0o755)
+        environment = dict(os.environ, PATH=f"{tool.parent}:{os.environ['PATH']}")
+        done = subprocess.run([DE1SIM, "build", ".", "--build-limit", "4"], cwd=self.folder,
+                              capture_output=True, text=True, env=environment)
+        self.assertEqual(done.returncode, 2)
+        self.assertEqual(done.stderr.splitlines()[-1], "de1sim: the build has not ended in 4 s "
+                         "(--build-limit): g++ was at work")
+        for pid in (self.folder / ".de1sim/objects/pids").read_text().split():
+            state = pathlib.Path(f"/proc/{pid}/stat")
+            self.assertTrue(not state.exists() or " Z " in state.read_text())
+        self.leds(5, 5)
+
+    def test_a_folder_that_cannot_be_written_to(self):
+        self.write(project__top_v=LEDS.format("SW"),
+                   s_yaml="name: x\nversion: 1\nsteps: [delay: 1ms]\n")
+        before = sorted(self.folder.joinpath("project").rglob("*"))
+        environment = dict(os.environ, XDG_CACHE_HOME=str(self.folder / "cache"))
+        self.folder.joinpath("project").chmod(0o555)
+        words = [DE1SIM, "run", "s.yaml", "--project", "project"]
+        if os.getuid() == 0:  # who may otherwise write everywhere
+            words = ["setpriv", "--bounding-set=-dac_override", "--inh-caps=-dac_override"] + words
+        done = subprocess.run(words, cwd=self.folder, capture_output=True, text=True,
+                              env=environment)
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        self.assertEqual(sorted(self.folder.joinpath("project").rglob("*")), before)
+        self.assertTrue(list(self.folder.glob("cache/de1sim/*/chip-*.so")))
 
 
 class Wrong(Case):
