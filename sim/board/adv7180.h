@@ -18,8 +18,8 @@
 //
 // Source: ITU-R BT.656 and BT.601; Analog Devices' ADV7180 datasheet.
 //
-// Not handled: HS and VS, its registers, PAL, the time that the chip takes to lock to a signal, the noise and
-// the limited bandwidth of a real one.
+// Not handled: HS and VS, its registers, PAL, the time that the chip takes to lock to a signal, the
+// noise and the limited bandwidth of a real one.
 #pragma once
 
 #include <array>
