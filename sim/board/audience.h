@@ -30,7 +30,7 @@ public:
     virtual void sample(std::int16_t left, std::int16_t right) = 0;
     virtual void sample_rate(double hz) = 0;
     virtual void console(char character) = 0;
-    // Whenever one of them has moved.
+    // Whenever one of them is seen otherwise than before.
     virtual void lamps(const Lamps& /*lamps*/, double /*time_s*/) {}
     // What a person should know of the program: aborts, resets.
     virtual void log(const std::string& /*line*/) {}

@@ -99,16 +99,39 @@ void Board::drive_pins(const HeaderMasks& pins, PinLevel level) {
     audience_.lamps(lamps_, sc_core::sc_time_stamp().to_seconds());
 }
 
+// ---- Lamps ----
+
 void Board::lamps(const LampPins& pins, std::uint64_t time_ps) {
-    constexpr std::uint64_t SEGMENTS = (std::uint64_t{1} << 42) - 1;
-    lamps_.ledr = pins.ledr;
-    lamps_.hex = ~pins.hex_n & SEGMENTS;
-    audience_.lamps(lamps_, seconds(time_ps));
+    constexpr std::uint64_t BOTH = (std::uint64_t{1} << HPS_LED_BIT) - 1;
+    light(pins.ledr | ~pins.hex_n << HEX_LSB, BOTH, time_ps);
 }
 
 void Board::hps_led(bool lit, std::uint64_t time_ps) {
-    lamps_.hps_led = lit;
+    light(std::uint64_t{lit} << HPS_LED_BIT, std::uint64_t{1} << HPS_LED_BIT, time_ps);
+}
+
+void Board::light(std::uint64_t lit, std::uint64_t mask, std::uint64_t time_ps) {
+    eyes_.pass(time_ps);
+    for (std::uint64_t moved = (lit ^ lit_) & mask; moved; moved &= moved - 1) {
+        const auto lamp = static_cast<unsigned>(__builtin_ctzll(moved));
+        eyes_.light(lamp, lit >> lamp & 1);
+    }
+    lit_ = (lit_ & ~mask) | (lit & mask);
+    eyes_.show();
+}
+
+void Board::see(std::uint64_t time_ps) {
+    std::uint64_t seen = 0;
+    for (unsigned lamp = 0; lamp < LAMPS; ++lamp) seen |= std::uint64_t{eyes_.seen(lamp)} << lamp;
+    lamps_.ledr = static_cast<std::uint16_t>(seen & 0x3ff);
+    lamps_.hex = seen >> HEX_LSB & ((std::uint64_t{1} << (HPS_LED_BIT - HEX_LSB)) - 1);
+    lamps_.hps_led = seen >> HPS_LED_BIT;
     audience_.lamps(lamps_, seconds(time_ps));
+}
+
+const Lamps& Board::lamps() {
+    eyes_.pass(sc_core::sc_time_stamp().value());
+    return lamps_;
 }
 
 void Board::adc(const AdcPins& pins, std::uint64_t time_ps, ChipInputs& in) {

@@ -25,6 +25,7 @@
 #include "sim/board/header.h"
 #include "sim/board/is42s16320d.h"
 #include "sim/board/keypad.h"
+#include "sim/board/lamp.h"
 #include "sim/board/ltc2308.h"
 #include "sim/board/monitor.h"
 #include "sim/board/ps2_keyboard.h"
@@ -40,6 +41,8 @@
 namespace sim {
 
 class Board : public sc_core::sc_module, private PinListener {
+    static constexpr unsigned HEX_LSB = 10, HPS_LED_BIT = 52, LAMPS = 53;
+
 public:
     // `seed` of the keypad's contact bounce.
     Board(const sc_core::sc_module_name& name, Audience& audience, std::uint64_t seed,
@@ -65,8 +68,8 @@ public:
         typed_ = std::move(terminal);
     }
 
-    // As of the last clock that was run.
-    const Lamps& lamps() const { return lamps_; }
+    // As a person sees them now.
+    const Lamps& lamps();
 
     Chip& chip() { return *chip_; }
 
@@ -87,10 +90,14 @@ private:
     std::uint8_t td_data(std::uint64_t rise) override { return video_decoder.data(rise); }
     void header_wires(ChipInputs& in);
     void ps2_wires(ChipInputs& in) const;
+    void light(std::uint64_t lit, std::uint64_t mask, std::uint64_t time_ps);
+    void see(std::uint64_t time_ps);
 
     Audience& audience_;
     std::function<void(const std::string&)> typed_ = [](const std::string&) {};
     Lamps lamps_;
+    std::uint64_t lit_ = 0;  // LEDR in 9:0, HEX above, HPS_LED
+    LampBank eyes_{LAMPS, [this](std::uint64_t time_ps) { see(time_ps); }};
     std::array<Header, 2> headers_;
     unsigned ps2_clk_low_ = 0, ps2_dat_low_ = 0;  // by the FPGA
     std::array<Ps2Device*, 2> ps2_{};             // in each port; may be none

@@ -122,6 +122,11 @@ HexSegments Player::hex() {
     return segments;
 }
 
+bool Player::hps_led() {
+    board_.chip().catch_up();
+    return board_.lamps().hps_led;
+}
+
 HeaderMasks Player::header_levels() {
     board_.chip().catch_up();
     return {board_.lamps().gpio[0].levels, board_.lamps().gpio[1].levels};

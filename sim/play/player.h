@@ -57,7 +57,7 @@ private:
     Senses& senses() override;
     std::uint16_t ledr() override;
     HexSegments hex() override;
-    bool hps_led() override { return board_.lamps().hps_led; }
+    bool hps_led() override;
     HeaderMasks header_levels() override;
     const std::filesystem::path& folder() const override { return out_; }
     bool save(const std::filesystem::path& path, const Image& image) override;

@@ -82,6 +82,7 @@ void add_results(RunReport& report, Board& board, Computer* computer, const ArmR
     const BusCounts bus = computer ? computer->bus.counts() : BusCounts{};
     report.bus = {bus.reads, bus.writes, bus.bursts, bus.errors};
     const auto headers = computer ? LampLog::Headers::JP : LampLog::Headers::GPIO;
+    board.lamps();  // so that the log has come to now
     report.shown = recorder.lamp_log().shown(headers);
     report.lamps = recorder.lamp_log().say(headers);
     report.key_events = board.keypad.presses() + board.keypad.releases();

@@ -2,7 +2,8 @@
 // characters.
 //
 // HEX shows 6, 7 and 9 in the forms that programs use besides a font's, and two dark digits.  With
-// KEY0 pressed it goes on: LEDR counts to 300 as fast as it can.
+// KEY0 pressed it goes on: JP1 counts to 300 as fast as it can, LEDR is dimmed to an eighth, and HEX
+// shows 1 in one digit after the other.
 #include "registers.h"
 
 #define HPS_GPIO1_DATA REGISTER(0xFF709000)
@@ -26,6 +27,11 @@ int main(void) {
     print(0, 59, "\"end\"");
     while (!(KEY & 1)) {
     }
-    for (unsigned i = 1; i <= 300; ++i) LEDR = i;
-    for (;;) __asm volatile("");
+    JP1_DIRECTION = 0x000003FF;
+    for (unsigned i = 1; i <= 300; ++i) JP1 = i;
+    for (unsigned i = 0;; i = (i + 1) % 8) {
+        LEDR = i == 0 ? 0x3FF : 0;
+        HEX3_0 = i < 4 ? 0x06u << 8 * i : 0;
+        HEX5_4 = i == 4 || i == 5 ? 0x06u << 8 * (i - 4) : 0;
+    }
 }

@@ -54,11 +54,20 @@ TEST_F(ShownRun, HasTheChangesWithTheirTimes) {
 
 TEST_F(ShownRun, KeepsTheFirstHundredChangesAndCountsTheOthers) {
     run("  - delay: 5ms\n  - press: {key: 0, for: 5ms}\n");
-    const nlohmann::json ledr = report()["shown"]["ledr"];
-    EXPECT_EQ(ledr["changes"]["count"], 302u);
-    EXPECT_EQ(ledr["changes"]["first"].size(), 100u);
-    EXPECT_EQ(ledr["changes"]["first"][99]["lit"], "0001100010") << "98";
-    EXPECT_EQ(ledr["lit"], "0100101100") << "300";
+    const nlohmann::json jp1 = report()["shown"]["jp1"];
+    EXPECT_EQ(jp1["changes"]["count"], 303u);
+    EXPECT_EQ(jp1["changes"]["first"].size(), 100u);
+    EXPECT_EQ(jp1["changes"]["first"][99]["levels"], "0xFFFFFC61") << "97";
+    EXPECT_EQ(jp1["levels"], "0xFFFFFD2C") << "300";
+}
+
+TEST_F(ShownRun, SeesWhatIsDimmedAndMultiplexedAsLit) {
+    EXPECT_EQ(run("  - delay: 5ms\n  - press: {key: 0, for: 50ms}\n"
+                  "  - expect-leds: \"1111111111\"\n  - expect-hex: \"111111\"\n")
+                  .exit_code,
+              0);
+    EXPECT_LE(report()["shown"]["ledr"]["changes"]["count"], 60u);
+    EXPECT_LE(report()["shown"]["hex"]["changes"]["count"], 60u);
 }
 
 TEST_F(ShownRun, SaysNothingOfWhatIsDark) {
