@@ -14,7 +14,8 @@ double seconds(std::uint64_t ps) { return static_cast<double>(ps) * 1e-12; }
 }  // namespace
 
 Board::Board(const sc_core::sc_module_name& name, Audience& audience, std::uint64_t seed,
-             Ps2Ports ps2_ports, const ChipMaker& make_chip, Monitor::Strictness vga)
+             Ps2Ports ps2_ports, const ChipMaker& make_chip, Monitor::Strictness vga,
+             const std::vector<PartPlan>& part_plans)
     : sc_module{name},
       audience_{audience},
       monitor{[&audience](const Monitor::Frame& frame) { audience.frame(frame); }, vga,
@@ -29,11 +30,17 @@ Board::Board(const sc_core::sc_module_name& name, Audience& audience, std::uint6
                  },
                  [this] { return line_in.sample(codec_chip.time_ps(), codec_chip.rate_hz()); },
                  [this] { return microphone.sample(codec_chip.time_ps(), codec_chip.rate_hz()); }},
-      keypad{"keypad", seed, [this] { header_wires(chip_->inputs()); }},
+      keypad{"keypad", seed, [this] { hands_on_headers(); }},
       ps2_keyboard{"ps2_keyboard", [this] { ps2_wires(chip_->inputs()); }},
       ps2_mouse{"ps2_mouse", [this] { ps2_wires(chip_->inputs()); }},
       remote_control{"remote_control",
-                     [this] { chip_->inputs().irda_rxd = remote_control.dark(); }} {
+                     [this] { chip_->inputs().irda_rxd = remote_control.dark(); }},
+      wires{[this](std::uint8_t driven, std::uint8_t enable) {
+                return keypad.levels(driven, enable);
+            },
+            keypad_pins(part_plans), [&audience](const std::string& line) { audience.log(line); }},
+      parts{part_plans,
+            [this](const HeaderMasks& pins, PinLevel level) { wires.part(pins, level); }} {
     const auto plugged = [this](Ps2Plug plug) -> Ps2Device* {
         switch (plug) {
             case Ps2Plug::KEYBOARD: return &ps2_keyboard;
@@ -43,6 +50,7 @@ Board::Board(const sc_core::sc_module_name& name, Audience& audience, std::uint6
     };
     ps2_ = {plugged(ps2_ports.first), plugged(ps2_ports.second)};
     chip_ = make_chip(*this, audience, sdram_chip.bytes());
+    if (!part_plans.empty()) hands_on_headers();
 }
 
 void Board::video(const std::uint32_t* samples, std::size_t count) {
@@ -74,29 +82,30 @@ void Board::bclk_edge(ChipInputs& in) {
     in.codec = codec_chip.clocks();
 }
 
+// ---- Headers ----
+
 void Board::headers(const HeaderPins& pins, std::uint64_t time_ps, ChipInputs& in) {
-    for (unsigned n = 0; n < headers_.size(); ++n) headers_[n].fpga(pins.levels[n], pins.enable[n]);
-    header_wires(in);
+    wires.fpga(pins);
+    header_wires(in, time_ps);
+}
+
+void Board::header_wires(ChipInputs& in, std::uint64_t time_ps) {
+    in.gpio = wires.settle();
+    parts.look(in.gpio, time_ps);
+    for (unsigned n = 0; n < 2; ++n) lamps_.gpio[n] = {in.gpio[n], wires.outputs(n)};
     audience_.lamps(lamps_, seconds(time_ps));
 }
 
-// The keypad joins wires of JP1 D7-D0.
-void Board::header_wires(ChipInputs& in) {
-    const auto jp1_d7_d0 = [](std::uint64_t pins) {
-        return static_cast<std::uint8_t>(bits_of_pins(pins));
-    };
-    in.gpio = {headers_[0].levels(), headers_[1].levels()};
-    in.gpio[0] =
-        (in.gpio[0] & ~pins_of_bits(0xff)) |
-        pins_of_bits(keypad.levels(jp1_d7_d0(in.gpio[0]), jp1_d7_d0(headers_[0].driven())));
-    for (unsigned n = 0; n < headers_.size(); ++n)
-        lamps_.gpio[n] = {in.gpio[n], headers_[n].outputs()};
-}
+void Board::hands_on_headers() { header_wires(chip_->inputs(), sc_core::sc_time_stamp().value()); }
 
 void Board::drive_pins(const HeaderMasks& pins, PinLevel level) {
-    for (unsigned n = 0; n < headers_.size(); ++n) headers_[n].outside(pins[n], level);
-    header_wires(chip_->inputs());
-    audience_.lamps(lamps_, sc_core::sc_time_stamp().to_seconds());
+    wires.hand(pins, level);
+    hands_on_headers();
+}
+
+void Board::close_contact(const std::string& part, bool closed) {
+    parts.close(part, closed);
+    hands_on_headers();
 }
 
 // ---- Lamps ----

@@ -5,10 +5,10 @@
 //                +- Adv7180   (video in)
 //                +- Ltc2308   (AD converter)
 //                +- Is42s16320d  (SDRAM)
-//                +- Keypad    (JP1 D7-D0)
+//                +- Keypad    (JP1 D7-D0, or where the scenario hangs it)
 //                +- Ps2Keyboard, Ps2Mouse  (PS/2 ports)
 //                +- RemoteControl  (infrared receiver)
-//                +- Header    (GPIO_0, GPIO_1)
+//                +- HeaderWires  (GPIO_0, GPIO_1)  --- Parts of the scenario
 //                +- KEY, SW, LEDR, HEX, HPS_KEY, HPS_LED
 //
 // What is in the chip is not known here: sim/chip/chip.h.
@@ -19,15 +19,17 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "sim/board/adv7180.h"
 #include "sim/board/audience.h"
-#include "sim/board/header.h"
+#include "sim/board/header_wires.h"
 #include "sim/board/is42s16320d.h"
 #include "sim/board/keypad.h"
 #include "sim/board/lamp.h"
 #include "sim/board/ltc2308.h"
 #include "sim/board/monitor.h"
+#include "sim/board/parts.h"
 #include "sim/board/ps2_keyboard.h"
 #include "sim/board/ps2_mouse.h"
 #include "sim/board/ps2_ports.h"
@@ -47,7 +49,8 @@ public:
     // `seed` of the keypad's contact bounce.
     Board(const sc_core::sc_module_name& name, Audience& audience, std::uint64_t seed,
           Ps2Ports ps2_ports, const ChipMaker& make_chip,
-          Monitor::Strictness vga = Monitor::Strictness::STRICT);
+          Monitor::Strictness vga = Monitor::Strictness::STRICT,
+          const std::vector<PartPlan>& parts = {});
 
     // Hands on the board: masks of keypad keys (4 * row + column), HPS_KEY and KEY3-0, and SW9-0.
     void hold(std::uint16_t keypad, std::uint8_t keys, std::uint16_t switches);
@@ -56,8 +59,11 @@ public:
     // From the next conversion on; `channel` is 0 to 7.
     void set_voltage(unsigned channel, double volts);
 
-    // Drives pins of the headers from outside.
+    // Drives pins of the headers by hand.
     void drive_pins(const HeaderMasks& pins, PinLevel level);
+
+    // A button or a switch of the parts.
+    void close_contact(const std::string& part, bool closed);
 
     // At the terminal of the program in the chip, and at another one if there is one.
     void type(const std::string& text) {
@@ -88,7 +94,8 @@ private:
     void ps2(unsigned clk_low, unsigned dat_low, ChipInputs& in) override;
     void hps_led(bool lit, std::uint64_t time_ps) override;
     std::uint8_t td_data(std::uint64_t rise) override { return video_decoder.data(rise); }
-    void header_wires(ChipInputs& in);
+    void header_wires(ChipInputs& in, std::uint64_t time_ps);
+    void hands_on_headers();
     void ps2_wires(ChipInputs& in) const;
     void light(std::uint64_t lit, std::uint64_t mask, std::uint64_t time_ps);
     void see(std::uint64_t time_ps);
@@ -98,7 +105,6 @@ private:
     Lamps lamps_;
     std::uint64_t lit_ = 0;  // LEDR in 9:0, HEX above, HPS_LED
     LampBank eyes_{LAMPS, [this](std::uint64_t time_ps) { see(time_ps); }};
-    std::array<Header, 2> headers_;
     unsigned ps2_clk_low_ = 0, ps2_dat_low_ = 0;  // by the FPGA
     std::array<Ps2Device*, 2> ps2_{};             // in each port; may be none
     double rate_hz_ = 0;                          // of the samples given to the audience so far
@@ -114,6 +120,8 @@ public:  // the parts, in the order in which they are soldered
     Ps2Keyboard ps2_keyboard;
     Ps2Mouse ps2_mouse;
     RemoteControl remote_control;
+    HeaderWires wires;
+    Parts parts;
 
 private:
     std::unique_ptr<Chip> chip_;  // the last: from here on pins move

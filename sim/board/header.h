@@ -1,10 +1,8 @@
-// header.h - the 36 wires of GPIO_0 or GPIO_1: driven by the FPGA, by what is plugged in, and by
-// pull-ups.
+// header.h - the 36 wires of GPIO_0 or GPIO_1: driven by the FPGA, by hand, by the parts that are
+// plugged in, and by pull-ups.
 //
-// A wire without a driver is high.
-//
-// Not handled: contention.  A wire that one side drives high and the other low is low here; on a
-// board it may damage a pin.
+// A wire without a driver is high.  One that is driven high and low at once is low here, and is
+// among conflicts(): on a board it may damage a pin.
 #pragma once
 
 #include <cstdint>
@@ -19,21 +17,32 @@ class Header {
 public:
     // What the FPGA drives, where `enable` is 1.
     void fpga(std::uint64_t levels, std::uint64_t enable) {
-        high_ = levels & enable;
-        low_ = ~levels & enable;
+        fpga_.high = levels & enable;
+        fpga_.low = ~levels & enable;
     }
-    // From now on, on the wires of `pins`.
-    void outside(std::uint64_t pins, PinLevel level) {
-        outside_high_ = (outside_high_ & ~pins) | (level == PinLevel::HIGH ? pins : 0);
-        outside_low_ = (outside_low_ & ~pins) | (level == PinLevel::LOW ? pins : 0);
-    }
+    // From now on, on the wires of `pins`: by a person's hand, and by a part.
+    void hand(std::uint64_t pins, PinLevel level) { hand_.drive(pins, level); }
+    void part(std::uint64_t pins, PinLevel level) { part_.drive(pins, level); }
 
-    std::uint64_t outputs() const { return high_ | low_; }  // of the FPGA
-    std::uint64_t driven() const { return high_ | low_ | outside_high_ | outside_low_; }
-    std::uint64_t levels() const { return ALL_HEADER_PINS & ~(low_ | outside_low_); }
+    std::uint64_t outputs() const { return fpga_.high | fpga_.low; }  // of the FPGA
+    std::uint64_t driven() const { return high() | low(); }
+    std::uint64_t levels() const { return ALL_HEADER_PINS & ~low(); }
+    std::uint64_t conflicts() const { return high() & low(); }
 
 private:
-    std::uint64_t high_ = 0, low_ = 0, outside_high_ = 0, outside_low_ = 0;
+    struct Driver {
+        std::uint64_t high = 0, low = 0;
+
+        void drive(std::uint64_t pins, PinLevel level) {
+            high = (high & ~pins) | (level == PinLevel::HIGH ? pins : 0);
+            low = (low & ~pins) | (level == PinLevel::LOW ? pins : 0);
+        }
+    };
+
+    std::uint64_t high() const { return fpga_.high | hand_.high | part_.high; }
+    std::uint64_t low() const { return fpga_.low | hand_.low | part_.low; }
+
+    Driver fpga_, hand_, part_;
 };
 
 }  // namespace sim

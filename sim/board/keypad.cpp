@@ -63,6 +63,7 @@ void Keypad::step() {
 
 std::uint8_t Keypad::levels(std::uint8_t driven, std::uint8_t enable) const {
     std::uint8_t low = static_cast<std::uint8_t>(enable & ~driven);
+    if (!closed_) return static_cast<std::uint8_t>(~low);
     for (std::uint8_t before = static_cast<std::uint8_t>(~low); before != low;) {
         before = low;
         for (unsigned key = 0; key < 16; ++key) {

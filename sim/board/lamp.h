@@ -5,8 +5,8 @@
 // before and what has passed of this one, so over 20 to 40 ms.
 //
 // A lamp that moved at least six times in that time, as one does that flashes 150 times a second,
-// is seen lit from a brightness of 1/20 on.  Others are seen as they are, without a delay: a display
-// that stands still, and one that changes now and then.
+// is seen lit from a brightness of 1/20 on.  Others are seen as they are, without a delay: one that
+// stands still, and one that changes now and then.
 //
 // Work is done for lamps that move, and once a span for all of them while any has moved lately.
 //

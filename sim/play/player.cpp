@@ -72,6 +72,9 @@ bool Player::wait_until(Each each, SimTime timeout, const std::function<bool()>&
 void Player::hold(const Controls& c) { board_.hold(c.keypad, c.keys, c.switches); }
 void Player::release(const Controls& c) { board_.release(c.keypad, c.keys, c.switches); }
 void Player::drive_pins(const HeaderMasks& pins, PinLevel level) { board_.drive_pins(pins, level); }
+void Player::close_contact(const std::string& part, bool closed) {
+    board_.close_contact(part, closed);
+}
 void Player::set_voltage(unsigned channel, double volts) { board_.set_voltage(channel, volts); }
 void Player::type_serial(const std::string& text) { board_.type(text); }
 void Player::type_keys(const std::string& text) { board_.ps2_keyboard.type(text); }
@@ -130,6 +133,16 @@ bool Player::hps_led() {
 HeaderMasks Player::header_levels() {
     board_.chip().catch_up();
     return {board_.lamps().gpio[0].levels, board_.lamps().gpio[1].levels};
+}
+
+bool Player::led_is_lit(const std::string& part) {
+    board_.chip().catch_up();
+    return board_.parts.leds(part).lit(sc_time_stamp().value());
+}
+
+std::vector<std::string> Player::matrix_rows(const std::string& part) {
+    board_.chip().catch_up();
+    return board_.parts.leds(part).picture(sc_time_stamp().value());
 }
 
 // ---- The output folder ----

@@ -40,6 +40,7 @@ private:
     void hold(const Controls& controls) override;
     void release(const Controls& controls) override;
     void drive_pins(const HeaderMasks& pins, PinLevel level) override;
+    void close_contact(const std::string& part, bool closed) override;
     void set_voltage(unsigned channel, double volts) override;
     void type_serial(const std::string& text) override;
     void type_keys(const std::string& text) override;
@@ -59,6 +60,8 @@ private:
     HexSegments hex() override;
     bool hps_led() override;
     HeaderMasks header_levels() override;
+    bool led_is_lit(const std::string& part) override;
+    std::vector<std::string> matrix_rows(const std::string& part) override;
     const std::filesystem::path& folder() const override { return out_; }
     bool save(const std::filesystem::path& path, const Image& image) override;
 

@@ -87,6 +87,12 @@ nlohmann::ordered_json shown_json(const std::vector<RunReport::Shown>& all) {
     return json;
 }
 
+nlohmann::ordered_json parts_json(const std::vector<RunReport::Leds>& all) {
+    nlohmann::ordered_json json = nlohmann::ordered_json::object();
+    for (const RunReport::Leds& leds : all) json[leds.name]["rows"] = leds.rows;
+    return json;
+}
+
 // The rows that have something in them, numbered from 0.
 nlohmann::ordered_json characters_json(const std::vector<std::string>& rows) {
     nlohmann::ordered_json json = nlohmann::ordered_json::array();
@@ -167,6 +173,7 @@ std::string to_json(const RunReport& report) {
           {"underruns", report.audio.underruns}}},
         {"key_events", report.key_events},
         {"shown", shown_json(report.shown)},
+        {"parts", parts_json(report.leds)},
         {"characters", characters_json(report.characters)},
         {"timing_violations",
          {{"count", report.timing_violation_count}, {"first", first(report.timing_violations)}}},

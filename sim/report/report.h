@@ -93,6 +93,11 @@ struct RunReport {
     Audio audio;
     std::uint64_t key_events = 0;
     std::vector<Shown> shown;
+    struct Leds {
+        std::string name;
+        std::vector<std::string> rows;
+    };
+    std::vector<Leds> leds;               // of the parts, as they are seen at the end
     std::vector<std::string> characters;  // rows of the character buffer, at the end
 
     std::uint64_t timing_violation_count = 0;

@@ -51,6 +51,9 @@ inline constexpr ReportKey REPORT_KEYS[] = {
     {"shown.*.changes.count", "How often it changed."},
     {"shown.*.changes.first[].time_s", "When, in simulated seconds; the first changes only."},
     {"shown.*.changes.first[].*", "What it showed from then on."},
+    {"parts.*.rows[]",
+     "What an LED or a matrix of the scenario's parts showed at the end, a row each: `#` lit, `+` "
+     "a little, `.` dark."},
     {"characters[].row",
      "A row of the character buffer with text in it at the end, from 0 at the top."},
     {"characters[].text", "The text there."},

@@ -42,6 +42,10 @@ std::string text_of(std::string row) {
 std::string seen(const RunReport& report) {
     constexpr unsigned MOST = 10;
     std::string text = report.lamps.empty() ? "" : report.lamps + "\n";
+    for (const auto& [name, picture] : report.leds)
+        text += picture.size() == 1
+                    ? fmt::format("{} {}\n", name, picture[0])
+                    : fmt::format("{}\n  | {}\n", name, fmt::join(picture, "\n  | "));
     unsigned rows = 0;
     for (const std::string& row : report.characters)
         if (!row.empty() && ++rows <= MOST) text += "  | " + row + "\n";
@@ -85,6 +89,8 @@ void add_results(RunReport& report, Board& board, Computer* computer, const ArmR
     board.lamps();  // so that the log has come to now
     report.shown = recorder.lamp_log().shown(headers);
     report.lamps = recorder.lamp_log().say(headers);
+    for (auto& [name, leds] : board.parts.all_leds())
+        report.leds.push_back({name, leds.picture(sc_core::sc_time_stamp().value())});
     report.key_events = board.keypad.presses() + board.keypad.releases();
     report.timing_violation_count = board.monitor.violations();
     report.timing_violations = board.monitor.messages();

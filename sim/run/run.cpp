@@ -185,7 +185,8 @@ ExitCode run_doing(const char*& doing, RunOptions options, const Firmware& firmw
             return chip;
         },
         options.strict_vga.value_or(!built) ? Monitor::Strictness::STRICT
-                                            : Monitor::Strictness::TOLERANT};
+                                            : Monitor::Strictness::TOLERANT,
+        scenario.parts};
     std::optional<ArmRun> arm;
     if (computer && computer->arm) arm.emplace(*computer->arm, options, on_linux, recorder);
     if (arm) board.also_type_to([&arm](const std::string& text) { arm->type(text); });

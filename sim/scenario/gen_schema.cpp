@@ -2,13 +2,15 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
+#include "sim/scenario/part_table.h"
 #include "sim/scenario/step_table.h"
 
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json steps_schema();
+template <class AForm>
+Json items_schema(const std::vector<AForm>& forms);
 
 // Of types with long lists of words, so that the lists are not repeated at each field.
 Json definitions = Json::object();
@@ -16,7 +18,8 @@ Json definitions = Json::object();
 Json field_schema(const sim::Field& field) {
     if (field.type.schema.empty()) {
         Json list = {{"description", field.help}, {"type", "array"}, {"minItems", 1}};
-        list["items"] = steps_schema();
+        list["items"] = std::string{field.name} == "parts" ? items_schema(sim::part_forms())
+                                                           : items_schema(sim::step_forms());
         return list;
     }
     Json one = Json::parse(field.type.schema);
@@ -57,7 +60,8 @@ Json any_of(const std::vector<const char*>& names) {
     return out;
 }
 
-Json step_schema(const sim::StepForm& form) {
+template <class AForm>
+Json item_schema(const AForm& form) {
     Json bare = field_schema(form.fields[0]);
     bare.erase("description");
     Json map = object(form.fields);
@@ -70,12 +74,13 @@ Json step_schema(const sim::StepForm& form) {
     return out;
 }
 
-Json steps_schema() {
+template <class AForm>
+Json items_schema(const std::vector<AForm>& forms) {
     Json out = {{"type", "object"},
                 {"additionalProperties", false},
                 {"minProperties", 1},
                 {"maxProperties", 1}};
-    for (const auto& form : sim::step_forms()) out["properties"][form.name] = step_schema(form);
+    for (const auto& form : forms) out["properties"][form.name] = item_schema(form);
     return out;
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <iostream>
 
+#include "sim/scenario/part_table.h"
 #include "sim/scenario/step_table.h"
 
 namespace {
@@ -30,7 +31,8 @@ void print_fields(const std::vector<sim::Field>& fields) {
 }
 
 // `press-key: ...` or `press-key: {key: ..., for: ...}`
-std::string notation(const sim::StepForm& form) {
+template <class AForm>
+std::string notation(const AForm& form) {
     std::string map;
     for (const sim::Field& field : form.fields)
         map += fmt::format("{}{}: ...", map.empty() ? "" : ", ", field.name);
@@ -44,14 +46,21 @@ std::string notation(const sim::StepForm& form) {
     }
 }
 
+template <class AForm>
+void print_form(const char* level, const AForm& form) {
+    std::cout << fmt::format("\n{} {}\n\n{}\n\n{}\n\n", level, form.name, form.help,
+                             notation(form));
+    print_fields(form.fields);
+}
+
 }  // namespace
 
 int main() {
     std::cout << "# Scenario files\n\nPrinted from the forms of the steps by `make regmap`.\n\n"
                  "## The file\n\n";
     print_fields(sim::file_fields());
-    for (const sim::StepForm& form : sim::step_forms()) {
-        std::cout << fmt::format("\n## {}\n\n{}\n\n{}\n\n", form.name, form.help, notation(form));
-        print_fields(form.fields);
-    }
+    std::cout << "\n## Parts\n\nItems of the list `parts`. In a map within braces a pin stands in "
+                 "quotes: `{name: a, pin: \"GPIO_0[3]\"}`.\n";
+    for (const sim::PartForm& form : sim::part_forms()) print_form("###", form);
+    for (const sim::StepForm& form : sim::step_forms()) print_form("##", form);
 }

@@ -6,6 +6,7 @@
 
 #include "sim/report/printable.h"
 #include "sim/report/whole_file.h"
+#include "sim/scenario/part_table.h"
 #include "sim/scenario/scenario.h"
 #include "sim/scenario/static_checks.h"
 #include "sim/scenario/step_table.h"
@@ -60,15 +61,17 @@ Values read_fields(Values values, const std::vector<Field>& fields, const YamlNo
     return values;
 }
 
-Values read_bare(Values values, const StepForm& form, const YamlNode& value) {
+template <class AForm>
+Values read_bare(Values values, const AForm& form, const YamlNode& value) {
     values.set(form.fields[0].name, read_value(form.fields[0].type, value));
     for (std::size_t i = 1; i < form.fields.size(); ++i)
         values.set(form.fields[i].name, preset_value(form.fields[i]));
     return values;
 }
 
-Values read_step_values(const Path& folder, const StepForm& form, const YamlNode& key,
-                        const YamlNode& value) {
+template <class AForm>
+Values read_values(const Path& folder, const AForm& form, const YamlNode& key,
+                   const YamlNode& value) {
     const bool is_map = value.kind == YamlNode::Kind::MAP;
     if (form.notation == Notation::BARE || (form.notation == Notation::BOTH && !is_map))
         return read_bare({folder, key.line}, form, value);
@@ -86,26 +89,46 @@ Values read_step_values(const Path& folder, const StepForm& form, const YamlNode
     return values;
 }
 
-ScenarioStep read_step(const Path& folder, const YamlNode& node) {
-    if (node.kind != YamlNode::Kind::MAP)
-        refuse(node, "a step such as `delay: 500ms`", describe(node));
-    if (node.keys.empty()) refuse(node, "a step such as `delay: 500ms`", "an empty map");
+// An item of a list: a map whose only key says which of the forms it has.
+template <class AForm>
+std::pair<const AForm&, Values> read_item(const Path& folder, const std::vector<AForm>& forms,
+                                          const YamlNode& node, const std::string& kind,
+                                          const std::string& example) {
+    const std::string expected = fmt::format("a {} such as `{}`", kind, example);
+    if (node.kind != YamlNode::Kind::MAP) refuse(node, expected, describe(node));
+    if (node.keys.empty()) refuse(node, expected, "an empty map");
     const YamlNode& key = node.keys[0];
-    const StepForm& form = find(step_forms(), key, "a step");
+    const AForm& form = find(forms, key, "a " + kind);
     if (node.keys.size() > 1)
-        refuse(node.keys[1], "one step in an item of the list",
+        refuse(node.keys[1], fmt::format("one {} in an item of the list", kind),
                describe(node.keys[1]) + " after " + describe(key) + " (is it to be indented?)");
-    auto step = form.make(read_step_values(folder, form, key, node.items[0]));
+    return {form, read_values(folder, form, key, node.items[0])};
+}
+
+ScenarioStep read_step(const Path& folder, const YamlNode& node) {
+    const auto [form, values] = read_item(folder, step_forms(), node, "step", "delay: 500ms");
+    auto step = form.make(values);
     std::string text = step->say();
+    const YamlNode& key = node.keys[0];
     return {key.line, key.column, std::move(text), std::move(step)};
 }
 
-std::vector<ScenarioStep> read_steps(const Path& folder, const YamlNode& list) {
-    if (list.kind != YamlNode::Kind::LIST) refuse(list, "a list of steps", describe(list));
-    if (list.items.empty()) refuse(list, "one step or more", "an empty list");
-    std::vector<ScenarioStep> steps;
-    for (const YamlNode& item : list.items) steps.push_back(read_step(folder, item));
-    return steps;
+PartPlan read_part(const Path& folder, const YamlNode& node) {
+    const auto [form, values] =
+        read_item(folder, part_forms(), node, "part", "keypad: GPIO_1[7:0]");
+    PartPlan part = form.make(values);
+    part.column = node.keys[0].column;
+    return part;
+}
+
+template <class Read>
+auto read_list(const Path& folder, const YamlNode& list, const std::string& kind, Read read) {
+    if (list.kind != YamlNode::Kind::LIST)
+        refuse(list, fmt::format("a list of {}s", kind), describe(list));
+    if (list.items.empty()) refuse(list, fmt::format("one {} or more", kind), "an empty list");
+    std::vector<decltype(read(folder, list))> all;
+    for (const YamlNode& item : list.items) all.push_back(read(folder, item));
+    return all;
 }
 
 // Refuses, with its place, the first byte that cannot be in a text.
@@ -148,8 +171,13 @@ Scenario read_scenario(std::string_view text, const Path& file) {
     if (values.find("duration")) scenario.duration = values.get<SimTime>("duration");
     if (values.find("program")) scenario.program = values.path("program");
     if (values.find("ps2")) scenario.ps2 = ps2_ports(values.list("ps2"));
-    for (std::size_t i = 0; i < root.keys.size(); ++i)
-        if (root.keys[i].text == "steps") scenario.steps = read_steps(folder, root.items[i]);
+    for (std::size_t i = 0; i < root.keys.size(); ++i) {
+        if (root.keys[i].text == "steps")
+            scenario.steps = read_list(folder, root.items[i], "step", read_step);
+        if (root.keys[i].text == "parts")
+            scenario.parts = read_list(folder, root.items[i], "part", read_part);
+    }
+    check_parts(scenario.parts);
     if (scenario.steps.empty() && !scenario.duration)
         refuse(root, "\"steps\" or \"duration\" in a scenario", "none");
     check_steps(scenario);

@@ -13,6 +13,7 @@
 #include <string_view>
 #include <vector>
 
+#include "sim/board/part_plan.h"
 #include "sim/board/ps2_ports.h"
 #include "sim/scenario/sim_time.h"
 #include "sim/scenario/step.h"
@@ -33,6 +34,7 @@ struct Scenario {
     std::optional<SimTime> duration;
     std::filesystem::path program;  // ELF, relative to the working directory, or absolute; or empty
     Ps2Ports ps2;
+    std::vector<PartPlan> parts;      // on the headers
     std::vector<ScenarioStep> steps;  // may be empty when there is a duration
 };
 

@@ -10,6 +10,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "sim/board/header.h"
 #include "sim/board/ps2_ports.h"
@@ -39,6 +40,8 @@ public:
     virtual void hold(const Controls& controls) = 0;
     virtual void release(const Controls& controls) = 0;
     virtual void drive_pins(const HeaderMasks& pins, PinLevel level) = 0;
+    // A button or a switch of the parts, by its name.
+    virtual void close_contact(const std::string& part, bool closed) = 0;
     virtual void set_voltage(unsigned channel, double volts) = 0;  // at the AD converter
     virtual void type_serial(const std::string& text) = 0;         // both go on at once
     virtual void type_keys(const std::string& text) = 0;
@@ -65,6 +68,8 @@ public:
     virtual HexSegments hex() = 0;
     virtual bool hps_led() = 0;
     virtual HeaderMasks header_levels() = 0;
+    virtual bool led_is_lit(const std::string& part) = 0;  // parts, by their names
+    virtual std::vector<std::string> matrix_rows(const std::string& part) = 0;
 
     // ---- The output folder ----
 

@@ -8,6 +8,7 @@
 #include <regex>
 
 #include "sim/report/run_files.h"
+#include "sim/scenario/part_table.h"
 #include "sim/scenario/words.h"
 #include "sim/scenario/yaml_tree.h"
 
@@ -49,6 +50,18 @@ void StaticChecks::release(const std::string& control) {
 void StaticChecks::need(Ps2Plug plug) const {
     if (!scenario_.ps2.has(plug))
         refuse_step(plug == Ps2Plug::MOUSE ? "a mouse among ps2" : "a keyboard among ps2", "none");
+}
+
+const PartPlan& StaticChecks::need_part(PartPlan::Kind kind, const std::string& name) const {
+    std::vector<std::string> names;
+    for (const PartPlan& part : scenario_.parts) {
+        if (part.kind != kind) continue;
+        if (part.name == name) return part;
+        names.push_back(part.name);
+    }
+    refuse_step(names.empty() ? fmt::format("{} among the parts", kind_name(kind))
+                              : fmt::format("{} of the parts: {}", kind_name(kind), list_of(names)),
+                in_quotes(name) + did_you_mean(name, names));
 }
 
 // ---- Files ----

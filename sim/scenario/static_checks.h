@@ -21,13 +21,15 @@ public:
     void release(const std::string& control);
 
     void need(Ps2Plug plug) const;
+    const PartPlan& need_part(PartPlan::Kind kind, const std::string& name) const;
 
     // A file in the output folder that no other step and no run writes.
     void new_file(const std::filesystem::path& file);
 
+    [[noreturn]] void refuse_step(const std::string& expected, const std::string& got) const;
+
 private:
     friend void check_steps(const Scenario& scenario);
-    [[noreturn]] void refuse_step(const std::string& expected, const std::string& got) const;
 
     const Scenario& scenario_;
     const ScenarioStep* step_ = nullptr;

@@ -71,14 +71,17 @@ private:
 // How a step may be written: `delay: 500ms`, `hold: {key: 0}`, or either way.
 enum class Notation { BARE, MAP, BOTH };
 
-struct StepForm {
+template <class Made>
+struct Form {
     const char* name;
     const char* help;
     Notation notation;                // BARE: the value is that of the first field
     std::vector<const char*> any_of;  // at least one of these fields; empty = no such rule
     std::vector<Field> fields;
-    std::unique_ptr<Step> (*make)(const Values&);
+    Made (*make)(const Values&);
 };
+
+using StepForm = Form<std::unique_ptr<Step>>;
 
 // For `make`: a step whose constructor takes the values.
 template <class AStep>

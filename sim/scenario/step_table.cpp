@@ -21,7 +21,8 @@ const ValueType VERSION{"1, the version of the format", R"({"type": "integer", "
                         whole_number("", 1, 1).read};
 const ValueType SEED = whole_number("a whole number from 0 to 18446744073709551615", 0,
                                     std::numeric_limits<std::uint64_t>::max());
-const ValueType STEPS{"a list of steps", "", nullptr};  // reader.cpp reads the list
+const ValueType STEPS{"a list of steps", "", nullptr};  // reader.cpp reads these lists
+const ValueType PARTS{"a list of parts", "", nullptr};
 const ValueType PS2 = [] {
     ValueType type = word("keyboard, mouse or nothing", {"keyboard", "mouse", "nothing"});
     type.list_of = "device";
@@ -59,6 +60,7 @@ const std::vector<Field>& file_fields() {
         {"ps2", PS2, Need::OPTIONAL, "",
          "What is in the first PS/2 port, or a list: in the first and in the second. Without it a "
          "keyboard and a mouse."},
+        {"parts", PARTS, Need::OPTIONAL, "", "What hangs on the pins of the headers."},
         {"steps", STEPS, Need::OPTIONAL, "", "What happens, in order."},
     };
     return FIELDS;

@@ -14,7 +14,7 @@ TEST(Header, IsLowWhereAnybodyPullsLowAndElseHigh) {
             for (const PinLevel outside : {PinLevel::LOW, PinLevel::HIGH, PinLevel::RELEASED}) {
                 Header header;
                 header.fpga(fpga ? 1 : 0, enabled ? 1 : 0);
-                header.outside(1, outside);
+                header.hand(1, outside);
                 const bool low = (enabled && !fpga) || outside == PinLevel::LOW;
                 EXPECT_EQ(header.levels(), low ? 0xffffffffe : 0xfffffffff);
                 EXPECT_EQ(header.driven(), enabled || outside != PinLevel::RELEASED ? 1u : 0u);
@@ -23,13 +23,13 @@ TEST(Header, IsLowWhereAnybodyPullsLowAndElseHigh) {
 
 TEST(Header, RemembersEachWireUntilToldOtherwise) {
     Header header;
-    header.outside(0xff, PinLevel::LOW);
-    header.outside(0x0f, PinLevel::HIGH);
-    header.outside(0x800000000, PinLevel::LOW);
+    header.hand(0xff, PinLevel::LOW);
+    header.hand(0x0f, PinLevel::HIGH);
+    header.hand(0x800000000, PinLevel::LOW);
     EXPECT_EQ(header.levels(), 0x7ffffff0fu);
     EXPECT_EQ(header.driven(), 0x8000000ffu);
     header.fpga(0, 0x100);
-    header.outside(0xff, PinLevel::RELEASED);
+    header.hand(0xff, PinLevel::RELEASED);
     EXPECT_EQ(header.levels(), 0x7fffffeffu);
     EXPECT_EQ(header.driven(), 0x800000100u);
     header.fpga(0, 0);

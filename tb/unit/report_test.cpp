@@ -31,6 +31,7 @@ RunReport sample() {
     r.key_events = 8;
     const RunReport::Shown::Fields digits{{"text", "    12"}, {"segments", "00 00 00 00 06 5B"}};
     r.shown = {{"hex", digits, {{0.5, digits}}, 41}};
+    r.leds = {{"face", {"#.", ".+"}}};
     r.characters = {"", " hello", ""};
     r.timing_violation_count = 1;
     r.timing_violations = {"H total 799"};
@@ -68,6 +69,7 @@ TEST(ReportJson, SaysEverythingThatTheRunKnows) {
             "hex": {"text": "    12", "segments": "00 00 00 00 06 5B",
                     "changes": {"count": 42, "first": [
                         {"time_s": 0.5, "text": "    12", "segments": "00 00 00 00 06 5B"}]}}},
+        "parts": {"face": {"rows": ["#.", ".+"]}},
         "characters": [{"row": 1, "text": " hello"}],
         "timing_violations": {"count": 1, "first": ["H total 799"]},
         "sdram_violations": {"count": 2, "first": ["READ at 1.00 us: bank 1 has no open row"]},

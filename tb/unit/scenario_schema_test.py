@@ -17,6 +17,21 @@ GOOD_FILES = [
     HEAD + "seed: 18446744073709551615\nduration: 0.5ms\nsteps: [{delay: 0s}]\n",
     "version: 1\nsteps: [{delay: 3600s}]\nname: 'a: b'\n",
     HEAD + "duration: 1s\nps2: mouse\n", HEAD + "duration: 1s\nps2: [nothing, keyboard]\n",
+    HEAD + "duration: 1s\nparts: [{keypad: 'GPIO_1[6:0], GPIO_0[35]'}]\n",
+    HEAD + """parts:
+  - button: {name: fire, pin: "GPIO_0[3]", pressed: high}
+  - switch: {name: mode, pin: "GPIO_0[35]"}
+  - led: {name: heart, pin: "GPIO_1[0]", lit: low}
+  - led-matrix: {name: face, rows: "GPIO_1[1:2]", columns: "GPIO_1[7], GPIO_1[9]"}
+  - keypad: {pins: "GPIO_1[27:20]"}
+steps:
+  - press-button: {button: fire, for: 1s}
+  - hold-button: fire
+  - release-button: fire
+  - set-switch: {switch: mode, level: low}
+  - expect-led: {led: heart, equals: dark, timeout: 1s}
+  - expect-matrix: {matrix: face, equals: "#.\\n.+"}
+""",
 ]
 
 GOOD_STEPS = [
@@ -49,6 +64,12 @@ GOOD_STEPS = [
 ]
 
 BAD_FILES = [
+    HEAD + "duration: 1s\nparts: []\n", HEAD + "duration: 1s\nparts: {led: 1}\n",
+    HEAD + "duration: 1s\nparts: [{led: {name: a}}]\n",
+    HEAD + "duration: 1s\nparts: [{led: {name: a, pin: 'GPIO_0[36]'}}]\n",
+    HEAD + "duration: 1s\nparts: [{led: {name: a, pin: 'GPIO_2[3]'}}]\n",
+    HEAD + "duration: 1s\nparts: [{led: {name: 1, pin: 'GPIO_0[3]'}}]\n",
+    HEAD + "duration: 1s\nparts: [{keypad: 'GPIO_0[7;0]'}]\n",
     "", "[]\n", "hello\n", HEAD, "name: a\nduration: 1s\n", "version: 1\nduration: 1s\n",
     "name: a\nversion: 2\nduration: 1s\n", "name: a\nversion: '1'\nduration: 1s\n",
     "name: 5\nversion: 1\nduration: 1s\n", "name: ''\nversion: 1\nduration: 1s\n",
@@ -65,6 +86,8 @@ BAD_FILES = [
 
 BAD_STEPS = [
     "type-serial: ''", "type-serial: {}", "type-keys: ''", "type-keys: \"\\e\"",
+    "press-button: {}", "set-switch: {switch: mode, level: on}", "expect-led: {led: a}",
+    "expect-matrix: {matrix: a, equals: 'ab'}",
     "jump: 1", "delay:", "delay: 500", "delay: -1s", "delay: 1 s", "delay: 1min", "delay: .5s",
     "delay: {time: 1s}", "delay: [1s]",
     "press: 5", "press: {}", "press: {for: 1s}", "press: {keypad: G}", "press: {keypad: a}",

@@ -25,6 +25,7 @@ public:
     sim::Senses seen;
     std::uint16_t leds = 0;
     bool lit = false;
+    std::vector<std::string> rows;
     sim::HeaderMasks pins{};
     int mouse_right = 0, mouse_up = 0;
     sim::HexSegments segments{};
@@ -49,6 +50,9 @@ public:
     void release(const sim::Controls& c) override { done.push_back("release " + to_string(c)); }
     void drive_pins(const sim::HeaderMasks& both, sim::PinLevel level) override {
         done.push_back(fmt::format("pins {:X} {:X} {}", both[0], both[1], static_cast<int>(level)));
+    }
+    void close_contact(const std::string& part, bool closed) override {
+        done.push_back(part + (closed ? " closed" : " open"));
     }
     void set_voltage(unsigned channel, double volts) override {
         done.push_back(fmt::format("CH{} {} V", channel, volts));
@@ -94,6 +98,8 @@ public:
     sim::HexSegments hex() override { return segments; }
     bool hps_led() override { return lit; }
     sim::HeaderMasks header_levels() override { return pins; }
+    bool led_is_lit(const std::string&) override { return lit; }
+    std::vector<std::string> matrix_rows(const std::string&) override { return rows; }
     const std::filesystem::path& folder() const override { return folder_; }
     bool save(const std::filesystem::path& path, const sim::Image& image) override {
         if (!disk_full) saved.emplace_back(path.string(), image);

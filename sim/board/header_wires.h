@@ -1,0 +1,48 @@
+// header_wires.h - the wires of both headers, joined by the keypad where it hangs on them
+//
+// A wire on which two drivers disagree is said once.
+//
+// Not handled: disagreement by way of the keypad's contacts.
+#pragma once
+
+#include <array>
+#include <functional>
+#include <string>
+
+#include "sim/board/header.h"
+#include "sim/pins/header_pin.h"
+
+namespace sim {
+
+class HeaderWires {
+public:
+    // The levels of the keypad's D7 to D0, given what drives them and where (1 = driven).
+    using Join = std::function<std::uint8_t(std::uint8_t driven, std::uint8_t enable)>;
+
+    // `keypad_pins`: where its D7 to D0 are.
+    HeaderWires(Join keypad, const HeaderPinList& keypad_pins,
+                std::function<void(const std::string& line)> log);
+
+    void fpga(const HeaderPins& pins);
+    void hand(const HeaderMasks& pins, PinLevel level);
+    void part(const HeaderMasks& pins, PinLevel level);
+
+    // Looks at the drivers and at the keypad anew.
+    const HeaderMasks& settle();
+
+    const HeaderMasks& levels() const { return levels_; }
+    std::uint64_t outputs(unsigned header) const { return headers_[header].outputs(); }
+
+private:
+    void join();
+    void say(unsigned header, std::uint64_t conflicts);
+
+    std::array<Header, 2> headers_;
+    const Join keypad_;
+    const HeaderPinList keypad_pins_;
+    const std::function<void(const std::string&)> log_;
+    HeaderMasks levels_{ALL_HEADER_PINS, ALL_HEADER_PINS};
+    HeaderMasks said_{};
+};
+
+}  // namespace sim

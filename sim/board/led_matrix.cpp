@@ -1,0 +1,67 @@
+#include "sim/board/led_matrix.h"
+
+#include <algorithm>
+
+namespace sim {
+
+namespace {
+
+constexpr double FULL = 1.0 / 3, LEAST = 1.0 / 8;  // of the brightest
+constexpr double DARK = 0.005;
+
+HeaderMasks both(const HeaderPinList& some, const HeaderPinList& others) {
+    HeaderMasks mask = mask_of(some);
+    const HeaderMasks more = mask_of(others);
+    for (unsigned n = 0; n < 2; ++n) mask[n] |= more[n];
+    return mask;
+}
+
+}  // namespace
+
+LedMatrix::LedMatrix(const PartPlan& plan)
+    : plan_{plan},
+      wires_{both(plan.pins, plan.columns)},
+      width_{plan.columns.empty() ? 1 : static_cast<unsigned>(plan.columns.size())},
+      lit_(plan.pins.size()),
+      lamps_{static_cast<unsigned>(plan.pins.size()) * width_} {}
+
+void LedMatrix::look(const HeaderMasks& levels, std::uint64_t time_ps) {
+    const HeaderMasks now_here{levels[0] & wires_[0], levels[1] & wires_[1]};
+    if (looked_ && now_here == levels_here_) return;
+    looked_ = true;
+    levels_here_ = now_here;
+    const std::uint64_t rows = gathered(levels, plan_.pins) ^ (plan_.high ? 0 : ~std::uint64_t{0});
+    const std::uint64_t columns =
+        plan_.columns.empty() ? 1
+                              : gathered(levels, plan_.columns) ^
+                                    (plan_.column_high ? 0 : (std::uint64_t{1} << width_) - 1);
+    lamps_.pass(time_ps);
+    for (unsigned row = 0; row < lit_.size(); ++row) {
+        const std::uint64_t now = rows >> row & 1 ? columns : 0;
+        for (std::uint64_t moved = now ^ lit_[row]; moved; moved &= moved - 1) {
+            const auto column = static_cast<unsigned>(__builtin_ctzll(moved));
+            lamps_.light(row * width_ + column, now >> column & 1);
+        }
+        lit_[row] = now;
+    }
+}
+
+bool LedMatrix::lit(std::uint64_t time_ps) {
+    lamps_.pass(time_ps);
+    return lamps_.seen(0);
+}
+
+std::vector<std::string> LedMatrix::picture(std::uint64_t time_ps) {
+    lamps_.pass(time_ps);
+    const auto count = static_cast<unsigned>(lit_.size()) * width_;
+    double brightest = DARK;
+    for (unsigned n = 0; n < count; ++n) brightest = std::max(brightest, lamps_.brightness(n));
+    std::vector<std::string> rows(lit_.size());
+    for (unsigned n = 0; n < count; ++n) {
+        const double share = lamps_.brightness(n) / brightest;
+        rows[n / width_] += share >= FULL ? '#' : share >= LEAST ? '+' : '.';
+    }
+    return rows;
+}
+
+}  // namespace sim

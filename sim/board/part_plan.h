@@ -1,0 +1,24 @@
+// part_plan.h - what a scenario hangs on the headers' pins: one of its `parts:`, as data
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "sim/pins/header_pin.h"
+
+namespace sim {
+
+struct PartPlan {
+    enum class Kind { BUTTON, SWITCH, LED, LED_MATRIX, KEYPAD };
+
+    Kind kind;
+    std::string name;
+    HeaderPinList pins;     // a matrix's rows from the top; the keypad's D7 to D0
+    HeaderPinList columns;  // of a matrix, from the left
+    // The level of a button that is pressed, and of an LED or of a matrix's row that is lit.
+    bool high = false;
+    bool column_high = false;  // the level that lights a matrix's column
+    int line = 0, column = 0;  // in the scenario's file
+};
+
+}  // namespace sim

@@ -1,0 +1,45 @@
+// parts.h - the parts that a scenario hangs on the headers, by their names
+//
+// Not handled: bounce of a button's contact.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "sim/board/header.h"
+#include "sim/board/led_matrix.h"
+#include "sim/board/part_plan.h"
+
+namespace sim {
+
+class Parts {
+public:
+    using Drive = std::function<void(const HeaderMasks& pins, PinLevel level)>;
+
+    // `drive` puts a level on pins, until told otherwise.
+    Parts(const std::vector<PartPlan>& plans, Drive drive);
+
+    // What is on the wires from now on.
+    void look(const HeaderMasks& levels, std::uint64_t time_ps) {
+        for (auto& [name, leds] : leds_) leds.look(levels, time_ps);
+    }
+
+    // Presses a button or moves a switch to high; or lets go of it, moves it to low.
+    void close(const std::string& contact, bool closed);
+
+    // An LED or a matrix.
+    LedMatrix& leds(const std::string& name) { return leds_.at(name); }
+    std::map<std::string, LedMatrix>& all_leds() { return leds_; }
+
+private:
+    const Drive drive_;
+    std::map<std::string, PartPlan> contacts_;
+    std::map<std::string, LedMatrix> leds_;
+};
+
+// Where the keypad's D7 to D0 are: JP1 D7 to D0, unless it is among the parts.
+HeaderPinList keypad_pins(const std::vector<PartPlan>& plans);
+
+}  // namespace sim
