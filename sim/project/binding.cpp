@@ -76,6 +76,8 @@ void name_wires(std::vector<std::string>& wires, const Port& port,
     }
 }
 
+bool is_header(const std::string& wire) { return wire.compare(0, 5, "GPIO_") == 0; }
+
 // What an output is where nothing drives it: lamps dark, chips not selected.
 bool idle_level(const std::string& wire) {
     const std::string name = wire.substr(0, wire.find('['));
@@ -86,6 +88,11 @@ bool idle_level(const std::string& wire) {
 bool is_low_active(const std::string& port) {
     const std::string name = port.size() > 2 ? port.substr(port.size() - 2) : "";
     return name == "_n" || name == "_N";
+}
+
+// Verilator takes a header for driven as a whole as soon as one of its pins is driven always.
+std::string driver_text(const std::string& wire, const std::string& value) {
+    return is_header(wire) ? "$c1(\"1\") ? " + value + " : 1'bz" : value;
 }
 
 }  // namespace
@@ -128,7 +135,7 @@ Binding bind(const std::vector<Port>& ports, const Locations& locations,
             if (port.direction == Direction::OUTPUT &&
                 (wire == "AUD_BCLK" || wire == "AUD_DACLRCK" || wire == "AUD_ADCLRCK"))
                 binding.drives_codec_clocks = true;
-            if (port.direction == Direction::OUTPUT && wire.compare(0, 5, "GPIO_") == 0)
+            if (port.direction == Direction::OUTPUT && is_header(wire))
                 binding.header_outputs[wire[5] - '0'] |= std::uint64_t{1}
                                                          << std::stoi(wire.substr(7));
             bound.bits.push_back({std::move(wire)});
@@ -157,7 +164,8 @@ std::string design_text(const Binding& binding, const std::string& top) {
             const std::size_t position = bits.size() - 1 - i;
             if (port.direction == Direction::OUTPUT) {
                 if (wire.empty()) continue;
-                assigns += fmt::format("    assign {} = {}[{}];\n", wire, own, position);
+                assigns += fmt::format("    assign {} = {};\n", wire,
+                                       driver_text(wire, fmt::format("{}[{}]", own, position)));
                 driven.insert(wire);
                 continue;
             }

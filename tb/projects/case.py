@@ -2,6 +2,7 @@
 
 A file of cases imports it, and ends with run(): NAME_test.py DE1SIM FOLDER [CASE...]
 """
+import json
 import pathlib
 import shutil
 import subprocess
@@ -40,12 +41,16 @@ class Case(unittest.TestCase):
         for line in lines:
             self.assertIn(line, done.stdout)
 
-    def plays(self, *steps):
-        (self.folder / "s.yaml").write_text("name: s\nversion: 1\nsteps:\n" +
+    def plays(self, *steps, parts=""):
+        parts = parts and "parts:\n" + parts
+        (self.folder / "s.yaml").write_text(f"name: s\nversion: 1\n{parts}steps:\n" +
                                             "".join(f"  - {step}\n" for step in steps))
         done = self.de1sim("run", "s.yaml", "--project", ".")
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
         return done
+
+    def report(self):
+        return json.loads((self.folder / "out" / "report.json").read_text())
 
     def leds(self, expected, switches=0, wait="1ms", project="."):
         held = [i for i in range(10) if switches >> i & 1]

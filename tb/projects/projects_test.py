@@ -53,20 +53,6 @@ class Reading(Case):
                       self.leds(0b1000, 0b1000))
 
 
-class Headers(Case):
-    def test_all_36_pins_of_both(self):
-        """Each pin of GPIO_1 is the opposite of GPIO_0's."""
-        self.write(top_v="module top(input [35:0] GPIO_0, output [35:0] GPIO_1);\n"
-                         "assign GPIO_1 = ~GPIO_0; endmodule\n")
-        self.plays("set-pins: {gpio_0: [0, 2, 16, 18, 35], level: low}",
-                   "set-pins: {jp1: 3, level: low}", "delay: 1ms",  # pin 5
-                   "expect-pins: {gpio_1: [0, 2, 5, 16, 18, 35], level: high}",
-                   f"expect-pins: {{gpio_1: {[1, 3, 4, *range(6, 16), 17, *range(19, 35)]}, "
-                   "level: low}")
-        self.assertEqual(json.loads((self.folder / "out" / "report.json").read_text())
-                         ["shown"]["gpio_1"]["levels"], "0x800050025")
-
-
 class AsQuartusTakesIt(Case):
     def test_odd_verilog(self):
         self.write(top_v="module sub(input a, output b); assign b = a; endmodule\n"
