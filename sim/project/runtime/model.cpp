@@ -258,6 +258,7 @@ private:
         const unsigned codec =
             top_.aud_o | top_.aud_dacdat_o << 3 | top_.i2c_sclk_o << 4 | unsigned{sdat_low} << 5;
         if (codec == codec_) return;
+        const bool controls = ((codec ^ codec_) & 0x30) != 0, adcdat = in.adcdat;
         codec_ = codec;
         sdat_low_ = sdat_low;
         // Where both sides drive, a wire is high if one of them is.
@@ -265,7 +266,7 @@ private:
         pins_.codec({(codec & 4) != 0, (codec & 2) != 0, (codec & 1) != 0, (codec & 8) != 0,
                      (codec & 16) != 0, sdat_low, driven},
                     now_ps(), in);
-        look_ = true;
+        look_ |= controls || in.adcdat != adcdat;  // sound alone changes nothing else
     }
 
     void tell_xck(std::uint64_t period_fs) {
