@@ -9,7 +9,7 @@
 namespace sim {
 
 struct PartPlan {
-    enum class Kind { BUTTON, SWITCH, LED, LED_MATRIX, KEYPAD };
+    enum class Kind { BUTTON, SWITCH, LED, LED_MATRIX, KEYPAD, LT24 };
 
     Kind kind;
     std::string name;

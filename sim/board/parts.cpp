@@ -22,6 +22,7 @@ Parts::Parts(const std::vector<PartPlan>& plans, Drive drive) : drive_{std::move
                 break;
             case PartPlan::Kind::LED:
             case PartPlan::Kind::LED_MATRIX: leds_.emplace(plan.name, LedMatrix{plan}); break;
+            case PartPlan::Kind::LT24: lt24_.emplace(plan.pins.front() / PINS_OF_A_HEADER); break;
             case PartPlan::Kind::KEYPAD: break;  // a part of the board, wherever it hangs
         }
 }

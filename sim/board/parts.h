@@ -5,11 +5,13 @@
 
 #include <functional>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "sim/board/header.h"
 #include "sim/board/led_matrix.h"
+#include "sim/board/lt24.h"
 #include "sim/board/part_plan.h"
 
 namespace sim {
@@ -24,6 +26,7 @@ public:
     // What is on the wires from now on.
     void look(const HeaderMasks& levels, std::uint64_t time_ps) {
         for (auto& [name, leds] : leds_) leds.look(levels, time_ps);
+        if (lt24_) lt24_->look(levels);
     }
 
     // Presses a button or moves a switch to high; or lets go of it, moves it to low.
@@ -33,10 +36,13 @@ public:
     LedMatrix& leds(const std::string& name) { return leds_.at(name); }
     std::map<std::string, LedMatrix>& all_leds() { return leds_; }
 
+    const Lt24& lt24() const { return lt24_.value(); }
+
 private:
     const Drive drive_;
     std::map<std::string, PartPlan> contacts_;
     std::map<std::string, LedMatrix> leds_;
+    std::optional<Lt24> lt24_;
 };
 
 // Where the keypad's D7 to D0 are: JP1 D7 to D0, unless it is among the parts.

@@ -140,6 +140,12 @@ bool Player::led_is_lit(const std::string& part) {
     return board_.parts.leds(part).lit(sc_time_stamp().value());
 }
 
+Image Player::lt24_picture() {
+    board_.chip().catch_up();
+    const Ili9341::Picture seen = board_.parts.lt24().picture();
+    return image_of(seen.pixels, seen.width, seen.height);
+}
+
 std::vector<std::string> Player::matrix_rows(const std::string& part) {
     board_.chip().catch_up();
     return board_.parts.leds(part).picture(sc_time_stamp().value());

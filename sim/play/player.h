@@ -61,6 +61,7 @@ private:
     bool hps_led() override;
     HeaderMasks header_levels() override;
     bool led_is_lit(const std::string& part) override;
+    Image lt24_picture() override;
     std::vector<std::string> matrix_rows(const std::string& part) override;
     const std::filesystem::path& folder() const override { return out_; }
     bool save(const std::filesystem::path& path, const Image& image) override;

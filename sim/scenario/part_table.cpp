@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "sim/board/lt24.h"
 #include "sim/scenario/words.h"
 
 namespace sim {
@@ -106,6 +107,17 @@ PartPlan led_matrix(const Values& v) {
 
 PartPlan keypad(const Values& v) { return plan(Kind::KEYPAD, "keypad", v, "pins"); }
 
+const ValueType HEADER = word("GPIO_0 or GPIO_1", {"GPIO_0", "GPIO_1"});
+
+PartPlan lt24(const Values& v) {
+    PartPlan part;
+    part.kind = Kind::LT24;
+    part.name = "lt24";
+    part.line = v.line();
+    part.pins = Lt24::pins(v.number<unsigned>("header"));
+    return part;
+}
+
 constexpr const char* NAME_HELP = "By which steps call it.";
 
 }  // namespace
@@ -157,6 +169,12 @@ const std::vector<PartForm>& part_forms() {
          {{"pins", EIGHT_PINS, Need::REQUIRED, "",
            "Its columns from the left and its rows from the top: D7 to D0."}},
          keypad},
+        {"lt24",
+         "Terasic's LT24 display, of which expect-frame and take-screenshot have the picture.",
+         Notation::BOTH,
+         {},
+         {{"header", HEADER, Need::REQUIRED, "", "The header that it is plugged into."}},
+         lt24},
     };
     return FORMS;
 }
@@ -193,6 +211,7 @@ const char* kind_name(Kind kind) {
         case Kind::LED: return "an led";
         case Kind::LED_MATRIX: return "an led-matrix";
         case Kind::KEYPAD: return "a keypad";
+        case Kind::LT24: return "an lt24";
     }
     return "a part";
 }

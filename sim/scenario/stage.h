@@ -69,6 +69,7 @@ public:
     virtual bool hps_led() = 0;
     virtual HeaderMasks header_levels() = 0;
     virtual bool led_is_lit(const std::string& part) = 0;  // parts, by their names
+    virtual Image lt24_picture() = 0;
     virtual std::vector<std::string> matrix_rows(const std::string& part) = 0;
 
     // ---- The output folder ----

@@ -19,11 +19,12 @@ GOOD_FILES = [
     HEAD + "duration: 1s\nps2: mouse\n", HEAD + "duration: 1s\nps2: [nothing, keyboard]\n",
     HEAD + "duration: 1s\nparts: [{keypad: 'GPIO_1[6:0], GPIO_0[35]'}]\n",
     HEAD + """parts:
-  - button: {name: fire, pin: "GPIO_0[3]", pressed: high}
-  - switch: {name: mode, pin: "GPIO_0[35]"}
+  - button: {name: fire, pin: "GPIO_1[33]", pressed: high}
+  - switch: {name: mode, pin: "GPIO_1[35]"}
   - led: {name: heart, pin: "GPIO_1[0]", lit: low}
   - led-matrix: {name: face, rows: "GPIO_1[1:2]", columns: "GPIO_1[7], GPIO_1[9]"}
   - keypad: {pins: "GPIO_1[27:20]"}
+  - lt24: GPIO_0
 steps:
   - press-button: {button: fire, for: 1s}
   - hold-button: fire
@@ -31,6 +32,7 @@ steps:
   - set-switch: {switch: mode, level: low}
   - expect-led: {led: heart, equals: dark, timeout: 1s}
   - expect-matrix: {matrix: face, equals: "#.\\n.+"}
+  - take-screenshot: {save-to: a.png, of: lt24}
 """,
 ]
 

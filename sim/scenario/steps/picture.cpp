@@ -64,23 +64,49 @@ private:
     SimTime timeout_;
 };
 
+// ---- Which display ----
+
+enum class Display { MONITOR, LT24 };
+const ValueType DISPLAY = word("monitor or lt24", {"monitor", "lt24"});
+
+// Of a step whose field `of` says which.
+class OnDisplay {
+protected:
+    explicit OnDisplay(const Values& v) : display_{v.number<Display>("of")} {}
+
+    bool on_lt24() const { return display_ == Display::LT24; }
+    void need(const StaticChecks& checks) const {
+        if (on_lt24()) checks.need_part(PartPlan::Kind::LT24, "lt24");
+    }
+    Image picture(Stage& stage) const {
+        return on_lt24() ? stage.lt24_picture() : stage.senses().picture();
+    }
+    std::string say_display() const { return on_lt24() ? " on the LT24" : ""; }
+
+private:
+    Display display_;
+};
+
 // ---- expect-frame ----
 
 // Of 1280 x 1024, the largest picture that the monitor shows.
 const ValueType PIXELS = whole_number("a whole number from 0 to 1310720", 0, 1310720);
 
-class ExpectFrame : public Claim {
+class ExpectFrame : public Claim, private OnDisplay {
 public:
     explicit ExpectFrame(const Values& v)
-        : line_{v.line()},
+        : OnDisplay{v},
+          line_{v.line()},
           golden_{v.path("equals")},
           differing_pixels_{v.number<std::size_t>("differing-pixels")} {}
 
     std::string say() const override {
-        std::string text = "expect the picture " + printable(golden_.filename().string());
+        std::string text =
+            "expect the picture " + printable(golden_.filename().string()) + say_display();
         if (differing_pixels_) text += fmt::format(" but for {} pixels", differing_pixels_);
         return text;
     }
+    void check(StaticChecks& checks) const override { need(checks); }
     void load() override {
         try {
             read_png(golden_);
@@ -95,23 +121,24 @@ public:
         } catch (const std::exception& e) {
             return {false, e.what()};
         }
-        const Image picture = stage.senses().picture();
+        const Image picture = this->picture(stage);
+        const std::string what_is_seen =
+            on_lt24() ? "the LT24" : fmt::format("frame {}", stage.senses().frames);
         const auto file = [&](const char* what) {
             return stage.folder() / "mismatch" /
                    fmt::format("line{}_{}_{}.png", line_, golden_.stem().string(), what);
         };
         if (picture.width != golden.width || picture.height != golden.height) {
             std::string detail =
-                fmt::format("frame {}: {} x {} pixels, but {} has {} x {}", stage.senses().frames,
-                            picture.width, picture.height, printable(golden_.filename().string()),
-                            golden.width, golden.height);
+                fmt::format("{}: {} x {} pixels, but {} has {} x {}", what_is_seen, picture.width,
+                            picture.height, printable(golden_.filename().string()), golden.width,
+                            golden.height);
             const auto actual = file("actual");
             if (stage.save(actual, picture)) detail += "; see " + actual.string();
             return {false, detail};
         }
         const std::size_t different = differing_pixels(picture, golden);
-        std::string detail =
-            fmt::format("frame {}: {} pixels differ", stage.senses().frames, different);
+        std::string detail = fmt::format("{}: {} pixels differ", what_is_seen, different);
         if (different <= differing_pixels_) return {true, detail};
 
         const auto actual = file("actual"), expected = file("expected"),
@@ -146,19 +173,25 @@ const ValueType PNG_NAME{
     R"([^/\\u0000-\\u001f\\u007f]\\.png$"})",
     read_png_name};
 
-class TakeScreenshot : public Action {
+class TakeScreenshot : public Action, private OnDisplay {
 public:
-    explicit TakeScreenshot(const Values& v) : save_to_{v.get<std::string>("save-to")} {}
+    explicit TakeScreenshot(const Values& v)
+        : OnDisplay{v}, save_to_{v.get<std::string>("save-to")} {}
 
-    std::string say() const override { return "take screenshot " + printable(save_to_.string()); }
-    void check(StaticChecks& checks) const override { checks.new_file(save_to_); }
-    void act(Stage& stage) const override {
-        stage.save(stage.folder() / save_to_, stage.senses().picture());
+    std::string say() const override {
+        return "take screenshot " + printable(save_to_.string()) + say_display();
     }
+    void check(StaticChecks& checks) const override {
+        need(checks);
+        checks.new_file(save_to_);
+    }
+    void act(Stage& stage) const override { stage.save(stage.folder() / save_to_, picture(stage)); }
 
 private:
     std::filesystem::path save_to_;  // relative to the output folder, and inside it
 };
+
+constexpr const char* OF_HELP = "The monitor, or the LT24 of the parts.";
 
 }  // namespace
 
@@ -177,18 +210,20 @@ std::vector<StepForm> picture() {
            "Longest wait in simulated time; then the run fails."}},
          make<WaitFrame>},
         {"expect-frame",
-         "Compare the picture on the monitor with a PNG of its size.",
+         "Compare the picture on the monitor, or on another display, with a PNG of its size.",
          Notation::MAP,
          {},
          {{"equals", LINE, Need::REQUIRED, "", "The PNG, relative to the scenario file."},
-          {"differing-pixels", PIXELS, Need::OPTIONAL, "0", "At most so many pixels may differ."}},
+          {"differing-pixels", PIXELS, Need::OPTIONAL, "0", "At most so many pixels may differ."},
+          {"of", DISPLAY, Need::OPTIONAL, "monitor", OF_HELP}},
          make<ExpectFrame>},
         {"take-screenshot",
-         "Save the picture on the monitor as PNG.",
+         "Save the picture on the monitor, or on another display, as PNG.",
          Notation::MAP,
          {},
          {{"save-to", PNG_NAME, Need::REQUIRED, "",
-           "File name, relative to the output folder and inside it."}},
+           "File name, relative to the output folder and inside it."},
+          {"of", DISPLAY, Need::OPTIONAL, "monitor", OF_HELP}},
          make<TakeScreenshot>},
     };
 }

@@ -76,6 +76,23 @@ TEST_F(PartSteps, LookAtAMatrix) {
               "face shows #../.+#");
 }
 
+TEST_F(PartSteps, SaveThePictureOfAnLt24) {
+    stage.lt24 = {1, 1, {1, 2, 3}};
+    const auto scenario = sim::parse_scenario(
+        "name: a\nversion: 1\nparts:\n- lt24: GPIO_1\nsteps:\n"
+        "- take-screenshot: {save-to: a.png, of: lt24}\n- take-screenshot: {save-to: b.png}\n",
+        "a.yaml");
+    for (const auto& step : scenario.steps) step.step->play(stage);
+    ASSERT_EQ(stage.saved.size(), 2u);
+    EXPECT_EQ(stage.saved[0].second, stage.lt24);
+    EXPECT_EQ(stage.saved[1].second.width, 640u);
+    EXPECT_EQ(scenario.steps[0].text, "take screenshot a.png on the LT24");
+    EXPECT_EQ(step_error("take-screenshot: {save-to: a.png, of: lt24}"),
+              "a.yaml:4:3: expected an lt24 among the parts, got \"lt24\"");
+    EXPECT_EQ(parts_error("- lt24: GPIO_0\n- led: {name: a, pin: \"GPIO_0[13]\"}"),
+              "a.yaml:5:3: expected pins that are free, got GPIO_0[13], which lt24 of line 4 has");
+}
+
 TEST_F(PartSteps, SoundLikeAPerson) {
     const auto steps =
         sim::parse_scenario(PARTS +

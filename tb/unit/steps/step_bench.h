@@ -26,6 +26,7 @@ public:
     std::uint16_t leds = 0;
     bool lit = false;
     std::vector<std::string> rows;
+    sim::Image lt24;
     sim::HeaderMasks pins{};
     int mouse_right = 0, mouse_up = 0;
     sim::HexSegments segments{};
@@ -99,6 +100,7 @@ public:
     bool hps_led() override { return lit; }
     sim::HeaderMasks header_levels() override { return pins; }
     bool led_is_lit(const std::string&) override { return lit; }
+    sim::Image lt24_picture() override { return lt24; }
     std::vector<std::string> matrix_rows(const std::string&) override { return rows; }
     const std::filesystem::path& folder() const override { return folder_; }
     bool save(const std::filesystem::path& path, const sim::Image& image) override {
