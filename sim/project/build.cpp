@@ -16,6 +16,7 @@
 #include "sim/project/normalise.h"
 #include "sim/project/power_up.h"
 #include "sim/project/tools.h"
+#include "sim/project/vhdl.h"
 #include "sim/report/sha256.h"
 #include "sim/report/whole_file.h"
 
@@ -192,13 +193,15 @@ void Builder::write_sources() {
     Modules modules;
     for (const SourceFile& file : design_.project.sources)
         if (file.language != SourceFile::Language::VHDL) take_modules(file.path, modules);
+    const std::vector<std::string> vhdl = translate_vhdl(modules);
+    for (const std::string& text : vhdl)
+        for (ModuleText& module : scan(text).modules) modules.emplace(module.name, module);
     OpenInputs open_inputs = read_open_inputs(data_folder() / "rtl/ip/defaults.tsv");
     for (const auto& [name, own] : modules) open_inputs.erase(name);  // not the model of that name
     add_models(modules);
     for (const SourceFile& file : design_.project.sources) {
         const std::string name = file.path.lexically_relative(design_.project.folder).string();
-        if (file.language == SourceFile::Language::VHDL)
-            throw ProjectError{name + ": VHDL cannot be simulated yet, expected Verilog"};
+        if (file.language == SourceFile::Language::VHDL) continue;
         const bool system_verilog = file.language == SourceFile::Language::SYSTEM_VERILOG;
         Normalised clean =
             normalise(text_of(file.path), name, system_verilog, open_inputs, modules);
@@ -210,6 +213,25 @@ void Builder::write_sources() {
                      fmt::format("`line 1 \"{}\" 0\n{}", without_blanks(name), clean.text));
         files_.push_back(to);
     }
+    for (std::size_t n = 0; n < vhdl.size(); ++n) {
+        const fs::path to = fmt::format("source/vhdl{}.v", n);
+        const std::string name = design_.project.entities[n] + " in Verilog";
+        write_if_new(folder_ / to, normalise(vhdl[n], name, false, open_inputs, modules).text);
+        files_.push_back(to);
+    }
+}
+
+std::vector<std::string> Builder::translate_vhdl(const Modules& modules) const {
+    if (design_.project.entities.empty()) return {};
+    const auto in_verilog = [&](const std::string& component) {
+        if (modules.count(component)) return component;
+        for (const auto& [name, module] : modules)
+            if (lower(name) == lower(component)) return name;
+        return request_.is_model(lower(component)) ? lower(component) : std::string{};
+    };
+    return verilog_of({design_.project.folder, design_.project.vhdl, design_.project.entities,
+                       folder_ / "vhdl", data_folder() / "project/vhdl", in_verilog},
+                      limit_);
 }
 
 const Design& Builder::examine() {

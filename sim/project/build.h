@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "sim/project/binding.h"
+#include "sim/project/part_drivers.h"
 #include "sim/project/project.h"
 #include "sim/project/tools.h"
 
@@ -56,6 +57,7 @@ public:
 
 private:
     void write_sources();
+    std::vector<std::string> translate_vhdl(const Modules& modules) const;
     void generate();
     std::string key() const;
 

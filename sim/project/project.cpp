@@ -10,6 +10,7 @@
 #include "sim/project/file_finder.h"
 #include "sim/project/source.h"
 #include "sim/project/unsupported.h"
+#include "sim/project/vhdl.h"
 
 namespace sim::project {
 
@@ -143,6 +144,8 @@ private:
             const std::string text = text_of(file);
             source.text = scan(text);
             if (is_encrypted(file, text)) encrypted_.insert(file);
+        } else {
+            source.text = scan_vhdl(text_of(file));
         }
         sources_.push_back(std::move(source));
         const std::size_t n = sources_.size() - 1;
@@ -150,9 +153,21 @@ private:
             modules_.emplace(module.name, Definition{n, &module});
     }
 
+    bool is_vhdl(const Definition& d) const {
+        return sources_[d.source].file.language == Language::VHDL;
+    }
+
+    // As VHDL has it, which has no case.
+    const Definition* in_any_case(const std::string& name) const {
+        for (const auto& [module, d] : modules_)
+            if (lower(module) == lower(name)) return &d;
+        return nullptr;
+    }
+
     // The definition of a module, also by a file of its name that the project does not list.
-    const Definition* definition(const std::string& name) {
+    const Definition* definition(const std::string& name, bool from_vhdl = false) {
         if (const auto i = modules_.find(name); i != modules_.end()) return &i->second;
+        if (const Definition* d = in_any_case(name); d && (from_vhdl || is_vhdl(*d))) return d;
         for (const fs::path& file : finder_.with_stem(name))
             if (const auto language = language_of(file); language && !known_.count(file)) {
                 add(file, *language, false);
@@ -229,12 +244,17 @@ private:
             const auto [name, by] = open.front();
             open.pop_front();
             if (!seen.insert(name).second) continue;
-            if (request_.is_model(name) && !modules_.count(name)) continue;
-            const Definition* d = definition(name);
+            const Definition* user = by.empty() ? nullptr : definition(by);
+            const bool from_vhdl = user && is_vhdl(*user);
+            if (request_.is_model(from_vhdl ? lower(name) : name) && !modules_.count(name))
+                continue;
+            const Definition* d = definition(name, from_vhdl);
             if (!d) {
                 if (!by.empty()) missing_.emplace_back(name, by);
                 continue;
             }
+            if (is_vhdl(*d) && !d->module->is_package && !from_vhdl)
+                project_.entities.push_back(name);
             (d->module->is_package ? packages : others).insert(d->source);
             const SourceText& text = sources_[d->source].text;
             for (const std::string& package : text.packages) open.emplace_back(package, name);
@@ -244,6 +264,9 @@ private:
             for (const std::size_t n : *group)
                 if (group == &packages || !packages.count(n))
                     project_.sources.push_back(sources_[n].file);
+        for (const Source& source : sources_)
+            if (source.file.language == Language::VHDL && !project_.entities.empty())
+                project_.vhdl.push_back(source.file.path);
         std::set<fs::path> folders{folder_};
         for (const SourceFile& source : project_.sources) folders.insert(source.path.parent_path());
         project_.includes.insert(project_.includes.end(), folders.begin(), folders.end());
@@ -252,6 +275,7 @@ private:
             if (encrypted_.count(source.path))
                 throw ProjectError{place(source.path) + ": " + ENCRYPTED};
         for (const std::string& line : unsupported_) note(line);
+        if (!project_.entities.empty()) note("VHDL goes through GHDL, which is experimental");
     }
 
     const Request& request_;

@@ -26,7 +26,9 @@ struct Project {
     std::filesystem::path folder;    // absolute
     std::filesystem::path settings;  // the .qsf, or empty
     std::string top;
-    std::vector<SourceFile> sources;  // what the top needs, packages first
+    std::vector<SourceFile> sources;          // what the top needs, packages first
+    std::vector<std::filesystem::path> vhdl;  // all files of it, if something needs one
+    std::vector<std::string> entities;        // that are the top, or that Verilog instances
     std::vector<std::filesystem::path> includes;
     std::vector<std::string> macros;          // NAME or NAME=VALUE
     std::map<std::string, std::string> pins;  // "SW[3]" -> "PIN_AF9"
