@@ -1,0 +1,77 @@
+#include "sim/project/generated.h"
+
+#include <set>
+#include <sstream>
+
+#include <fmt/format.h>
+
+namespace sim::project {
+
+namespace {
+
+// As the text of a string in C++.
+std::string escaped(const std::string& text) {
+    std::string safe;
+    for (const char c : text) safe += (c == '"' || c == '\\' ? "\\" : "") + std::string{c};
+    return safe;
+}
+
+}  // namespace
+
+std::string tap_text(const std::vector<PllClock>& clocks) {
+    std::string text =
+        "// Written by de1sim: the PLLs' outputs, as inputs of the chip.\n"
+        "module de1sim_pll_tap #(\n"
+        "    parameter [63:0] PERIOD_FS = 64'd0,\n"
+        "    parameter [63:0] PHASE_FS  = 64'd0,\n"
+        "    parameter [63:0] HIGH_FS   = 64'd0\n"
+        ") (\n    output wire clk\n);\n    generate\n";
+    for (std::size_t n = 0; n < clocks.size(); ++n)
+        text += fmt::format(
+            "        if (PERIOD_FS == 64'd{} && PHASE_FS == 64'd{} && HIGH_FS == 64'd{})\n"
+            "            assign clk = de1sim_chip.pll_clocks[{}];\n",
+            clocks[n].period_fs, clocks[n].phase_fs, clocks[n].high_fs, n);
+    return text + "    endgenerate\nendmodule\n";
+}
+
+std::string clocks_text(const Project& project, const Elaborated& elaborated,
+                        const Binding& binding) {
+    std::set<std::string> below;  // from the project's folder on
+    for (const SourceFile& file : project.sources)
+        below.insert(file.path.parent_path().lexically_relative(project.folder).string());
+    std::string folders;
+    for (const std::string& folder : below) folders += fmt::format("\"{}\", ", escaped(folder));
+    std::string text =
+        "// Written by de1sim.\n#pragma once\n"
+        "struct PllClock {\n    unsigned long long period_fs, phase_fs;\n};\n"
+        "constexpr PllClock PLL_CLOCKS[] = {";
+    for (const PllClock& clock : elaborated.pll_clocks)
+        text += fmt::format("{{{}ull, {}ull}}, ", clock.period_fs, clock.phase_fs);
+    return text + fmt::format(
+                      "{{0, 0}}}};\nconstexpr unsigned PLL_CLOCK_COUNT = {};\n"
+                      "constexpr bool TD_CLK27_USED = {}, VGA_USED = {};\n"
+                      "constexpr bool AUD_XCK_USED = {}, AUD_CLOCKS_DRIVEN = {};\n"
+                      "constexpr const char* SOURCE_FOLDERS[] = {{{}\"\"}};\n",
+                      elaborated.pll_clocks.size(), binding.has_td_clk, binding.has_vga_hs,
+                      binding.has_xck, binding.drives_codec_clocks, folders);
+}
+
+std::string loops_text(const std::string& said) {
+    std::string loops;
+    std::istringstream lines{said};
+    for (std::string line; std::getline(lines, line);) {
+        const std::size_t quote = line.find("'de1sim_chip.de1sim_design.");
+        if (line.find("Warning-UNOPTFLAT: ") == std::string::npos || quote == std::string::npos)
+            continue;
+        const std::size_t place = line.find(": ") + 2, begin = line.find('.', quote + 14) + 1;
+        const std::string name = line.substr(begin, line.find('\'', begin) - begin);
+        const std::size_t column = line.find(':', line.find(':', place) + 1);
+        loops += fmt::format("{}{} ({})", loops.empty() ? "" : ", ", name,
+                             line.substr(place, column - place));
+    }
+    if (!loops.empty()) loops += " depends on itself without a register";
+    return fmt::format("// Written by de1sim.\n#pragma once\nconstexpr char LOOPS[] = \"{}\";\n",
+                       escaped(loops));
+}
+
+}  // namespace sim::project
