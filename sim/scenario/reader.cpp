@@ -9,6 +9,7 @@
 #include "sim/scenario/part_table.h"
 #include "sim/scenario/scenario.h"
 #include "sim/scenario/static_checks.h"
+#include "sim/scenario/step_reader.h"
 #include "sim/scenario/step_table.h"
 #include "sim/scenario/words.h"
 #include "sim/scenario/yaml_tree.h"
@@ -205,6 +206,27 @@ Scenario parse_scenario(std::string_view text, const std::filesystem::path& file
         return read_scenario(text, file);
     } catch (const Refusal& refusal) {
         throw ScenarioError(file, refusal.line, refusal.column, refusal.message);
+    }
+}
+
+StepReader::StepReader(const Scenario& scenario) : scenario_{scenario}, checks_{scenario} {
+    for (const ScenarioStep& step : scenario.steps) {
+        checks_.step_ = &step;
+        step.step->check(checks_);
+    }
+}
+
+ScenarioStep StepReader::read(std::string_view text) {
+    try {
+        need_text(text);
+        ScenarioStep step = read_step(scenario_.file.parent_path(), parse_yaml(text));
+        step.line = ++number_;
+        checks_.step_ = &step;
+        step.step->check(checks_);
+        step.step->load();
+        return step;
+    } catch (const Refusal& refusal) {
+        throw std::runtime_error{refusal.message};
     }
 }
 

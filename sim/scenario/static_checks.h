@@ -30,6 +30,7 @@ public:
 
 private:
     friend void check_steps(const Scenario& scenario);
+    friend class StepReader;
 
     const Scenario& scenario_;
     const ScenarioStep* step_ = nullptr;
