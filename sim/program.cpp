@@ -18,6 +18,7 @@
 #include "selftest/self_test.h"
 #include "sim/check/check_board.h"
 #include "sim/fpga/fabric.h"
+#include "sim/live/command.h"
 #include "sim/report/messages.h"
 #include "sim/run/run.h"
 
@@ -70,6 +71,10 @@ int command_line(int argc, char** argv, const Firmware& firmware) {
     RunOptions options, check_options;
     CLI::App& run_command = *app.add_subcommand("run", "play a scenario, or run a program");
     add_run_options(run_command, options);
+    live::LiveOptions live_options;
+    CLI::App& live_command =
+        *app.add_subcommand("live", "the board in a browser, to look at and to play with");
+    live::add_live_options(live_command, live_options);
     ProjectOptions project;
     CLI::App& build_command =
         *app.add_subcommand("build", "build a Quartus project for run --project");
@@ -96,6 +101,7 @@ int command_line(int argc, char** argv, const Firmware& firmware) {
         const auto words = std::find_if(
             argv, argv + argc, [](const char* word) { return std::strcmp(word, "--") == 0; });
         if (words != argv + argc) options.arguments.assign(words + 1, argv + argc);
+        live_options.run.arguments = options.arguments;
         std::vector<std::string> ours(std::reverse_iterator{words},
                                       std::reverse_iterator{argv + 1});  // as CLI11 wants them
         if (!ours.empty() && !names_a_command(app, ours.back()) && names_a_file(ours.back()))
@@ -103,6 +109,8 @@ int command_line(int argc, char** argv, const Firmware& firmware) {
         app.parse(std::move(ours));
         if (run_command.parsed())
             settle_run_options(run_command, options);
+        else if (live_command.parsed())
+            live_options.run.live_socket = 0;
         else if (!options.arguments.empty())
             throw CLI::ValidationError("--", "is for de1sim run");
     } catch (const CLI::ParseError& e) {
@@ -114,13 +122,15 @@ int command_line(int argc, char** argv, const Firmware& firmware) {
         complain(fmt::format(
             "{} (see de1sim --help)",
             argc > 1 && app.get_subcommands().empty()
-                ? fmt::format("expected run, build, check, check-board or compare, got \"{}\"",
-                              argv[1])
+                ? fmt::format(
+                      "expected run, live, build, check, check-board or compare, got \"{}\"",
+                      argv[1])
                 : std::string{e.what()}));
         return WRONG_INPUT;
     }
     if (!options.trace.empty() && options.project.place.empty() && !Fabric::can_trace())
         return become_tracing_build(argv);
+    if (live_command.parsed()) return live::live(live_options, {argv + 2, argv + argc});
     if (build_command.parsed()) return build_project(project);
     if (examine_command.parsed()) return check_project(project);
     if (compare_command.parsed()) return compare_reports(reports[0], reports[1]);

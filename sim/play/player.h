@@ -22,6 +22,9 @@ public:
            const std::vector<ScenarioStep>& steps, std::filesystem::path out);
 
     const sc_core::sc_event& done() const { return done_; }
+
+    // For steps that come later than the scenario's, from a process of SystemC.
+    Stage& stage() { return *this; }
     bool finished() const { return finished_; }
 
     // One for each claim, in order.  Claims that the run's end cut off are included as not met.

@@ -145,6 +145,7 @@ void add_run_options(CLI::App& command, RunOptions& options) {
         ->capture_default_str();
     command.add_option("--trace", options.trace, "write waveforms (FST, for GTKWave); slow")
         ->check(named);
+    command.add_option("--live-socket", options.live_socket)->group("");
     command.add_flag("--quiet", options.quiet, "no progress, no summary unless something failed");
 }
 
@@ -157,10 +158,11 @@ void settle_run_options(const CLI::App& command, RunOptions& options) {
         options.elf = std::move(options.scenario);
         options.scenario.clear();
     }
-    if (options.scenario.empty() && options.elf.empty())
+    const bool live = options.live_socket.has_value();
+    if (options.scenario.empty() && options.elf.empty() && !live)
         throw CLI::ValidationError("FILE", "expected a scenario or a program");
     if (!options.project.place.empty()) {
-        if (options.scenario.empty())
+        if (options.scenario.empty() && !live)
             throw CLI::ValidationError("--project", "expected a scenario to play with it");
         for (const char* option : {"--cpu", "--elf", "--fpga-memory", "--audio-rate"})
             if (command.count(option) > 0)

@@ -52,6 +52,7 @@ struct RunOptions {
     std::string trace;                  // FST file, or empty
     unsigned audio_rate = 8'000;        // samples a second
     bool quiet = false;
+    std::optional<int> live_socket;  // to `de1sim live`, whose simulation this is
 };
 
 // A check for CLI11: what is wrong with the name of a file or folder, or nothing.

@@ -9,6 +9,7 @@
 #include "sim/chip/computer.h"
 #include "sim/chip/project_chip.h"
 #include "sim/debug/debugger.h"
+#include "sim/live/live_player.h"
 #include "sim/play/player.h"
 #include "sim/report/messages.h"
 #include "sim/report/report.h"
@@ -56,7 +57,7 @@ RunEnd run_end(const Chip::End& end) {
 // `alone`: the program has no scenario, which would say when the run ends.
 RunEnd play(Board& board, Computer* computer, Player& player, Recorder& recorder,
             std::optional<SimTime> duration, bool alone, Progress& progress, Debugger* debugger,
-            LastWords& last_words) {
+            const live::LivePlayer* live, LastWords& last_words) {
     const sc_core::sc_time slice{1, sc_core::SC_MS};
     const sc_core::sc_time last_looks{100, sc_core::SC_MS};  // at what the program has left behind
     const sc_core::sc_time end =
@@ -68,8 +69,10 @@ RunEnd play(Board& board, Computer* computer, Player& player, Recorder& recorder
         if (recorder.failed()) return RunEnd::INTERRUPTED;
         if (computer && computer->cpu.fault()) return RunEnd::FIRMWARE_FAULT;
         if (const auto ended = board.chip().end()) return run_end(*ended);
-        if (alone && computer->arm->ended_for() >= last_looks) return RunEnd::PROGRAM_ENDED;
-        if (!duration && !alone && player.finished()) return RunEnd::ALL_STEPS_DONE;
+        if (alone && !live && computer->arm->ended_for() >= last_looks)
+            return RunEnd::PROGRAM_ENDED;
+        if (live ? live->left() : !duration && !alone && player.finished())
+            return RunEnd::ALL_STEPS_DONE;
         const sc_core::sc_time now = sc_core::sc_time_stamp();
         if (now >= end)
             return player.finished() && !alone ? RunEnd::ALL_STEPS_DONE : RunEnd::DURATION_REACHED;
@@ -169,10 +172,16 @@ ExitCode run_doing(const char*& doing, RunOptions options, const Firmware& firmw
         doing = "setting up the board";
     }
     const std::string project_folder = built ? project_folder_of(options.project.place) : "";
+    std::optional<live::Wire> wire;
+    std::optional<live::LiveView> view;
+    if (options.live_socket) {
+        wire.emplace(*options.live_socket);
+        view.emplace(recorder, *wire);
+    }
     Computer* computer = nullptr;
     Board board{
         "board",
-        recorder,
+        view ? static_cast<Audience&>(*view) : recorder,
         seed,
         scenario.ps2,
         [&](PinListener& pins, Audience& audience, std::uint8_t* sdram) -> std::unique_ptr<Chip> {
@@ -190,8 +199,10 @@ ExitCode run_doing(const char*& doing, RunOptions options, const Firmware& firmw
     std::optional<ArmRun> arm;
     if (computer && computer->arm) arm.emplace(*computer->arm, options, on_linux, recorder);
     if (arm) board.also_type_to([&arm](const std::string& text) { arm->type(text); });
-    if (arm && options.scenario.empty()) arm->close_input();  // there is nobody to type
+    if (arm && options.scenario.empty() && !view) arm->close_input();  // there is nobody to type
     Player player{"player", board, recorder.senses(), scenario.steps, options.out};
+    std::optional<live::LivePlayer> live_player;
+    if (view) live_player.emplace("live_player", player, *view, *wire, scenario, seed, options.out);
     const sc_core::sc_event never;
     Finish finish{"finish", player.done(), computer ? computer->cpu.faulted() : never};
 
@@ -212,7 +223,8 @@ ExitCode run_doing(const char*& doing, RunOptions options, const Firmware& firmw
     Parts parts;
     parts.carry_out("simulating", [&] {
         report.end = play(board, computer, player, recorder, duration, options.scenario.empty(),
-                          progress, debugger ? &*debugger : nullptr, last_words);
+                          progress, debugger ? &*debugger : nullptr,
+                          live_player ? &*live_player : nullptr, last_words);
         board.chip().catch_up();
     });
     progress.done();
@@ -227,6 +239,7 @@ ExitCode run_doing(const char*& doing, RunOptions options, const Firmware& firmw
     parts.carry_out("writing the report", [&] {
         add_results(report, board, computer, arm ? &*arm : nullptr, player, recorder);
     });
+    if (view) view->end(report.faults);
     if (!parts.failures.empty()) report.end = RunEnd::INTERNAL_ERROR;
     if (const auto ended = board.chip().end(); ended && ended->kind != Chip::End::Kind::FINISHED)
         report.faults.push_back(ended->message);

@@ -1,0 +1,70 @@
+#include "sim/live/command.h"
+
+#include <algorithm>
+#include <iterator>
+
+#include <CLI/CLI.hpp>
+
+#include "sim/live/server.h"
+#include "sim/report/messages.h"
+
+namespace sim::live {
+
+namespace {
+
+// Takes an option with its value out of the words.
+void take_out(std::vector<std::string>& words, const std::string& option) {
+    for (auto word = words.begin(); word != words.end() && *word != "--";) {
+        if (*word == option)
+            word = words.erase(word, std::next(word, std::next(word) == words.end() ? 1 : 2));
+        else if (word->compare(0, option.size() + 1, option + "=") == 0)
+            word = words.erase(word);
+        else
+            ++word;
+    }
+}
+
+bool has(const std::vector<std::string>& words, const std::string& option) {
+    for (const std::string& word : words)
+        if (word == option || word.compare(0, option.size() + 1, option + "=") == 0) return true;
+    return false;
+}
+
+}  // namespace
+
+void add_live_options(CLI::App& command, LiveOptions& options) {
+    command.add_option("--port", options.port, "TCP port of the page; 0 takes a free one")
+        ->check(CLI::Range(0, 65535))
+        ->capture_default_str();
+    command
+        .add_option("--listen", options.address,
+                    "address to listen at, instead of this machine alone; who knows the printed\n"
+                    "address can play")
+        ->capture_default_str();
+    add_run_options(command, options.run);
+}
+
+ExitCode live(const LiveOptions& options, std::vector<std::string> words) {
+    ServerSettings settings;
+    settings.address = options.address;
+    settings.port = options.port;
+    const auto& run = options.run;
+    const auto& what = run.scenario.empty() ? run.elf : run.scenario;
+    settings.title = !run.project.place.empty() ? run.project.place.filename().string()
+                     : what.empty()             ? "the demo"
+                                                : what.filename().string();
+    for (const char* option : {"--port", "--listen", "--elf"}) take_out(words, option);
+    const auto file = std::find(words.begin(), words.end(), run.scenario.string());
+    if (!run.scenario.empty() && file != words.end()) words.erase(file);
+    if (!what.empty()) settings.what = {what.string()};
+    if (!has(words, "--frames")) settings.words = {"--frames", "none"};
+    settings.words.push_back("--quiet");
+    settings.words.insert(settings.words.end(), words.begin(), words.end());
+    serve(settings, [](const std::string& url) {
+        message("the board is at " + url);
+        message("Ctrl-C ends it");
+    });
+    return PASSED;
+}
+
+}  // namespace sim::live

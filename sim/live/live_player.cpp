@@ -1,0 +1,214 @@
+#include "sim/live/live_player.h"
+
+#include <algorithm>
+#include <iterator>
+#include <string_view>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "sim/report/whole_file.h"
+
+namespace sim::live {
+
+using sc_core::sc_time;
+using sc_core::sc_time_stamp;
+
+namespace {
+
+const sc_time tick{1, sc_core::SC_MS}, between_clocks{3, sc_core::SC_NS};
+constexpr auto STATUS_PERIOD = std::chrono::milliseconds{250};
+constexpr double MOST_BEHIND_S = 0.1;  // which is made up for; what is more is given up
+
+double seconds(std::chrono::steady_clock::duration d) {
+    return std::chrono::duration<double>(d).count();
+}
+
+// Hands at the board.  Not those steps that open a file, which a page must not make de1sim do.
+bool is_played_live(const std::string& step) {
+    static constexpr std::string_view STEPS[] = {
+        "click-mouse",  "drag-mouse", "hold",         "hold-key",      "hold-mouse",
+        "move-mouse",   "play-tone",  "play-silence", "press",         "press-key",
+        "press-remote", "release",    "release-key",  "release-mouse", "set-pins",
+        "set-voltage",  "turn-wheel", "type-keys",    "type-serial"};
+    return std::find(std::begin(STEPS), std::end(STEPS), step) != std::end(STEPS);
+}
+
+// "1500003ns": what of a scenario's times can say each picosecond of a clock's grid.
+std::string delay(sc_time time) { return fmt::format("  - delay: {}ns\n", time.value() / 1000); }
+
+}  // namespace
+
+LivePlayer::LivePlayer(const sc_core::sc_module_name& name, Player& player, LiveView& view,
+                       Wire& wire, const Scenario& scenario, std::uint64_t seed,
+                       std::filesystem::path out)
+    : sc_module{name},
+      player_{player},
+      view_{view},
+      wire_{wire},
+      scenario_{scenario},
+      seed_{seed},
+      out_{std::move(out)},
+      steps_{scenario} {
+    SC_HAS_PROCESS(LivePlayer);
+    SC_THREAD(run);
+}
+
+void LivePlayer::run() {
+    set_pace(1, false);
+    wait(between_clocks);
+    for (;;) {
+        wait(tick);
+        view_.flush();
+        if (pause_at_frame_ != 0 && view_.frames() >= pause_at_frame_) set_pace(speed_, true);
+        take_messages();
+        keep_pace();
+        if (left_) sc_core::sc_pause();
+    }
+}
+
+// ---- Time ----
+
+void LivePlayer::set_pace(double speed, bool paused) {
+    speed_ = speed;
+    paused_ = paused;
+    pause_at_frame_ = 0;
+    since_ = Clock::now();
+    since_sim_ = sc_time_stamp();
+    say_status();
+}
+
+// Waits for the other clock, and takes what arrives meanwhile.
+void LivePlayer::keep_pace() {
+    while (!left_) {
+        const auto now = Clock::now();
+        if (now - told_ >= STATUS_PERIOD) say_status();
+        int wait_ms = 50;
+        if (!paused_) {
+            if (speed_ == 0) return;
+            const double ahead =
+                (sc_time_stamp() - since_sim_).to_seconds() / speed_ - seconds(now - since_);
+            if (ahead < -MOST_BEHIND_S) {
+                since_ = now;
+                since_sim_ = sc_time_stamp();
+            }
+            if (ahead < 0.001) return;
+            wait_ms = std::min(wait_ms, static_cast<int>(ahead * 1000));
+        }
+        if (!wire_.poll(wait_ms)) left_ = true;
+        take_messages();
+    }
+}
+
+void LivePlayer::say_status() {
+    const auto now = Clock::now();
+    const double passed = seconds(now - told_);
+    nlohmann::json status{
+        {"time", sc_time_stamp().to_seconds()},
+        {"speed", speed_},
+        {"paused", paused_},
+        {"frames", view_.frames()},
+        {"pictures", view_.new_pictures()},
+        {"steps", played_.size()},
+        {"factor", (sc_time_stamp() - told_sim_).to_seconds() / std::max(passed, 1e-3)}};
+    told_ = now;
+    told_sim_ = sc_time_stamp();
+    wire_.send(Kind::TEXT, nlohmann::json{{"status", status}}.dump());
+}
+
+// ---- Messages ----
+
+void LivePlayer::say(const char* name, const std::string& text) {
+    wire_.send(Kind::TEXT, nlohmann::json{{name, text}}.dump(
+                               -1, ' ', false, nlohmann::json::error_handler_t::replace));
+}
+
+void LivePlayer::take_messages() {
+    if (!wire_.poll(0)) left_ = true;
+    while (!left_) {
+        const auto message = wire_.receive();
+        if (!message) return;
+        try {
+            take(message->bytes);
+        } catch (const std::exception& error) {
+            say("error", error.what());
+        }
+    }
+}
+
+void LivePlayer::take(const std::string& text) {
+    const auto message = nlohmann::json::parse(text, nullptr, false);
+    if (!message.is_object() || message.size() != 1)
+        throw std::runtime_error{"expected an object with one member, such as {\"pause\": true}"};
+    const std::string& name = message.begin().key();
+    const auto& value = message.begin().value();
+    if (name == "step" && value.is_object() && value.size() == 1) {
+        if (!is_played_live(value.begin().key()))
+            throw std::runtime_error{"not played live: " + value.begin().key()};
+        play(value.dump());
+    } else if (name == "pause" && value.is_boolean()) {
+        set_pace(speed_, value.get<bool>());
+    } else if (name == "speed" && value.is_number() && value >= 0 && value <= 1000) {
+        set_pace(value.get<double>(), paused_);
+    } else if (name == "frame" && value.is_number_unsigned() && value > 0 && value <= 3600) {
+        set_pace(speed_, false);
+        pause_at_frame_ = view_.frames() + value.get<std::uint64_t>();
+    } else if (name == "mark" && value == true) {
+        mark();
+    } else if (name == "save" && value == true) {
+        save();
+    } else if (name == "quit" && value == true) {
+        left_ = true;
+    } else {
+        throw std::runtime_error{
+            "expected step, pause, speed from 0 to 1000, frame from 1 to 3600, mark, save or quit, "
+            "got " +
+            text.substr(0, 100)};
+    }
+}
+
+void LivePlayer::play(const std::string& text) {
+    if (!player_.finished())
+        throw std::runtime_error{"the scenario's steps still play; wait for their end"};
+    const ScenarioStep step = steps_.read(text);
+    Played played{sc_time_stamp(), {}, text};
+    const auto verdict = step.step->play(player_.stage());
+    played.end = sc_time_stamp();
+    played_.push_back(std::move(played));
+    if (verdict)
+        say("verdict",
+            fmt::format("{}: {}", step.text, verdict->met ? "met" : "not met: " + verdict->detail));
+}
+
+// ---- The record ----
+
+void LivePlayer::mark() {
+    const auto name = fmt::format("live-{}.png", ++marks_);
+    write_png(out_ / name, player_.stage().senses().picture());
+    const auto now = sc_time_stamp();
+    played_.push_back({now, now, fmt::format("expect-frame: {{equals: {}}}", name)});
+    say("marked", (out_ / name).string());
+}
+
+void LivePlayer::save() {
+    if (!scenario_.steps.empty())
+        throw std::runtime_error{"cannot save: the run began with the steps of " +
+                                 scenario_.file.string() + ", expected one that began without"};
+    std::string text = fmt::format(
+        "# Recorded by de1sim live: play it with the options of that run.\n"
+        "name: live\nversion: 1\nseed: {}\nsteps:\n",
+        seed_);
+    sc_time now = sc_core::SC_ZERO_TIME;
+    for (const Played& played : played_) {
+        if (played.begin > now) text += delay(played.begin - now);
+        text += "  - " + played.step + "\n";
+        now = played.end;
+    }
+    text += delay(sc_time_stamp() - now);
+    const auto file = out_ / "live.yaml";
+    write_whole_file(file, text);
+    wire_.send(Kind::TEXT,
+               nlohmann::json{{"saved", {{"file", file.string()}, {"text", text}}}}.dump());
+}
+
+}  // namespace sim::live

@@ -1,0 +1,65 @@
+// live_player.h - the person at a live board: steps that arrive over the wire, and the watch.
+//
+// Once per simulated millisecond, 3 ns behind its beginning, where no clock of the board ticks, the
+// messages that have arrived are carried out and the run is held back to the speed that was chosen.
+// Each step is kept with its time: the scenario that save() writes has them at the same times, so
+// that it plays to the same pictures and the same sound.
+#pragma once
+
+#include <chrono>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "sim/live/live_view.h"
+#include "sim/play/player.h"
+#include "sim/scenario/step_reader.h"
+
+#include <systemc>
+
+namespace sim::live {
+
+class LivePlayer : public sc_core::sc_module {
+public:
+    // Steps go through `player`, whose own must be over.  `scenario`: with which the run began.
+    LivePlayer(const sc_core::sc_module_name& name, Player& player, LiveView& view, Wire& wire,
+               const Scenario& scenario, std::uint64_t seed, std::filesystem::path out);
+
+    bool left() const { return left_; }  // the server is gone, or has asked for the end
+
+private:
+    struct Played {
+        sc_core::sc_time begin, end;
+        std::string step;
+    };
+    using Clock = std::chrono::steady_clock;
+
+    void run();
+    void keep_pace();
+    void take_messages();
+    void take(const std::string& text);
+    void play(const std::string& step);
+    void set_pace(double speed, bool paused);
+    void say(const char* name, const std::string& text);
+    void say_status();
+    void mark();
+    void save();
+
+    Player& player_;
+    LiveView& view_;
+    Wire& wire_;
+    const Scenario& scenario_;
+    const std::uint64_t seed_;
+    const std::filesystem::path out_;
+    StepReader steps_;
+
+    double speed_ = 1;  // simulated seconds per second; 0: as fast as it goes
+    bool paused_ = false, left_ = false;
+    std::uint64_t pause_at_frame_ = 0;
+    Clock::time_point since_, told_;         // when pace and status were last set
+    sc_core::sc_time since_sim_, told_sim_;  // in simulated time
+    std::vector<Played> played_;
+    unsigned marks_ = 0;
+};
+
+}  // namespace sim::live

@@ -1,0 +1,126 @@
+#include "sim/live/live_view.h"
+
+#include <algorithm>
+
+#include <nlohmann/json.hpp>
+
+#include "sim/live/picture.h"
+
+namespace sim::live {
+
+namespace {
+
+constexpr std::size_t MOST_UNSENT = 4u << 20;  // bytes, from which on pictures and sound wait
+
+nlohmann::json as_json(const Lamps& lamps) {
+    nlohmann::json hex = nlohmann::json::array(), gpio = nlohmann::json::array();
+    for (unsigned digit = 0; digit < 6; ++digit) hex.push_back(lamps.hex >> 7 * digit & 0x7f);
+    for (const Lamps::Header& header : lamps.gpio)
+        gpio.push_back({{"levels", header.levels}, {"outputs", header.outputs}});
+    return {{"lamps",
+             {{"ledr", lamps.ledr}, {"hex", hex}, {"hps_led", lamps.hps_led}, {"gpio", gpio}}}};
+}
+
+// JSON is UTF-8; other bytes become U+FFFD.
+std::string text_of(const nlohmann::json& json) {
+    return json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
+}  // namespace
+
+void LiveView::frame(const Monitor::Frame& frame) {
+    recorder_.frame(frame);
+    ++frames_;
+    if (frame.is_new) ++new_pictures_;
+    if (frame.is_new || sent_.empty()) send_picture(frame);
+}
+
+void LiveView::send_picture(const Monitor::Frame& frame) {
+    if (wire_.unsent() > MOST_UNSENT) {
+        sent_.clear();  // the next one is whole
+        return;
+    }
+    const bool whole = sent_.empty() || width_ != frame.width || height_ != frame.height;
+    if (whole) {
+        width_ = frame.width;
+        height_ = frame.height;
+        sent_ = frame.pixels;
+    }
+    std::string bytes;
+    put(bytes, width_, 2);
+    put(bytes, height_, 2);
+    put(bytes, static_cast<std::uint32_t>(frame.number), 4);
+    for (unsigned top = 0, number = 0; top < height_; top += TILE) {
+        for (unsigned left = 0; left < width_; left += TILE, ++number) {
+            const unsigned columns = std::min(TILE, width_ - left),
+                           rows = std::min(TILE, height_ - top);
+            bool differs = whole;
+            for (unsigned y = 0; y < rows && !differs; ++y) {
+                const std::size_t at = std::size_t{top + y} * width_ + left;
+                differs = !std::equal(&frame.pixels[at], &frame.pixels[at] + columns, &sent_[at]);
+            }
+            if (!differs) continue;
+            put(bytes, number, 2);
+            for (unsigned y = 0; y < TILE; ++y)
+                for (unsigned x = 0; x < TILE; ++x) {
+                    std::uint32_t rgb = 0;
+                    if (y < rows && x < columns) {
+                        const std::size_t at = std::size_t{top + y} * width_ + left + x;
+                        rgb = sent_[at] = frame.pixels[at];
+                    }
+                    bytes += static_cast<char>(rgb >> 16);
+                    bytes += static_cast<char>(rgb >> 8);
+                    bytes += static_cast<char>(rgb);
+                }
+        }
+    }
+    wire_.send(Kind::PICTURE, bytes);
+}
+
+void LiveView::sample(std::int16_t left, std::int16_t right) {
+    recorder_.sample(left, right);
+    put(sound_, static_cast<std::uint16_t>(left), 2);
+    put(sound_, static_cast<std::uint16_t>(right), 2);
+}
+
+void LiveView::sample_rate(double hz) {
+    recorder_.sample_rate(hz);
+    rate_hz_ = hz;
+}
+
+void LiveView::console(char character) {
+    recorder_.console(character);
+    console_ += character;
+}
+
+void LiveView::lamps(const Lamps& lamps, double time_s) {
+    recorder_.lamps(lamps, time_s);
+    lamps_ = lamps;
+    lamps_moved_ = true;
+}
+
+void LiveView::log(const std::string& line) {
+    recorder_.log(line);
+    wire_.send(Kind::TEXT, text_of({{"log", line}}));
+}
+
+void LiveView::flush() {
+    if (!sound_.empty() && wire_.unsent() < MOST_UNSENT) {
+        std::string bytes;
+        put(bytes, static_cast<std::uint32_t>(rate_hz_ + 0.5), 4);
+        wire_.send(Kind::SOUND, bytes + sound_);
+    }
+    sound_.clear();
+    if (!console_.empty()) wire_.send(Kind::TEXT, text_of({{"console", console_}}));
+    console_.clear();
+    if (lamps_moved_) wire_.send(Kind::TEXT, text_of(as_json(lamps_)));
+    lamps_moved_ = false;
+}
+
+void LiveView::end(const std::vector<std::string>& faults) {
+    flush();
+    for (const std::string& fault : faults) wire_.send(Kind::TEXT, text_of({{"fault", fault}}));
+    wire_.poll(1000);
+}
+
+}  // namespace sim::live

@@ -1,0 +1,311 @@
+// board.js - the page of `de1sim live`: draws what comes over the WebSocket, sends what is pressed.
+// The protocol is in sim/live/README.md.
+
+const $ = (id) => document.getElementById(id);
+const token = new URLSearchParams(location.search).get("token");
+const TILE = 16, PICTURE = 1, SOUND = 2;
+
+const socket = new WebSocket(`ws://${location.host}/ws?token=${token}`);
+socket.binaryType = "arraybuffer";
+const send = (message) => { if (socket.readyState === 1) socket.send(JSON.stringify(message)); };
+const step = (name, value) => send({step: {[name]: value}});
+
+function say(text, wrong = false) {
+    $("message").textContent = text;
+    $("message").className = wrong ? "wrong" : "";
+}
+
+// ---- Monitor ----
+
+const canvas = $("monitor"), context = canvas.getContext("2d");
+let shown = 0;  // pictures, for who tests this page
+
+function picture(view) {
+    const width = view.getUint16(1, true), height = view.getUint16(3, true);
+    if (!width) return;
+    if (canvas.width !== width || canvas.height !== height) {
+        canvas.width = width;
+        canvas.height = height;
+        zoom();
+    }
+    const columns = Math.ceil(width / TILE), size = 2 + TILE * TILE * 3;
+    for (let at = 9; at + size <= view.byteLength; at += size) {
+        const number = view.getUint16(at, true), tile = context.createImageData(TILE, TILE);
+        for (let from = at + 2, to = 0; to < tile.data.length; to += 4) {
+            tile.data[to] = view.getUint8(from++);
+            tile.data[to + 1] = view.getUint8(from++);
+            tile.data[to + 2] = view.getUint8(from++);
+            tile.data[to + 3] = 255;
+        }
+        context.putImageData(tile, number % columns * TILE, Math.floor(number / columns) * TILE);
+    }
+    canvas.dataset.shown = ++shown;
+}
+
+function zoom() {
+    const factor = $("zoom").value;
+    canvas.classList.toggle("fit", factor === "fit");
+    canvas.style.width = factor === "fit" ? "" : `${canvas.width * factor}px`;
+}
+$("zoom").onchange = zoom;
+zoom();
+
+// ---- Sound: off until the volume is moved, as browsers want it ----
+
+let sound = null, gain = null;
+$("volume").oninput = async () => {
+    if (!sound) {
+        const audio = new AudioContext();
+        await audio.audioWorklet.addModule("sound.js");
+        sound = new AudioWorkletNode(audio, "board-sound", {outputChannelCount: [2]});
+        sound.port.onmessage = ({data}) => { $("volume").dataset.heard = data; };
+        gain = audio.createGain();
+        sound.connect(gain).connect(audio.destination);
+    }
+    gain.gain.value = $("volume").value / 100;
+};
+
+function samples(buffer, view) {
+    if (sound)
+        sound.port.postMessage({rate: view.getUint32(1, true), samples: new Int16Array(buffer.slice(5))});
+}
+
+// ---- Lamps ----
+
+const SEGMENTS = ["6,2 30,2 26,7 10,7", "31,4 31,29 26,27 26,9", "31,32 31,57 26,52 26,34",
+    "6,59 30,59 26,54 10,54", "5,32 5,57 10,52 10,34", "5,4 5,29 10,27 10,9",
+    "7,30 10,27 26,27 29,30 26,33 10,33"];
+for (let digit = 5; digit >= 0; --digit) {
+    const polygons = SEGMENTS.map((points) => `<polygon points="${points}"/>`).join("");
+    $("hex").insertAdjacentHTML("beforeend", `<svg viewBox="0 0 36 61" data-digit="${digit}">${polygons}</svg>`);
+}
+for (let n = 9; n >= 0; --n)
+    $("ledr").insertAdjacentHTML("beforeend", `<div class="lamp" id="ledr${n}" title="LEDR${n}"></div>`);
+
+const FONT = {0x3f: "0", 0x06: "1", 0x5b: "2", 0x4f: "3", 0x66: "4", 0x6d: "5", 0x7d: "6", 0x7c: "6", 0x07: "7",
+    0x27: "7", 0x7f: "8", 0x6f: "9", 0x67: "9", 0x77: "A", 0x39: "C", 0x5e: "D", 0x79: "E", 0x71: "F", 0: " ", 0x40: "-"};
+
+function lamps({ledr, hex, gpio}) {
+    let text = "";
+    for (const svg of $("hex").children) {
+        const lit = hex[svg.dataset.digit];
+        [...svg.children].forEach((segment, n) => segment.classList.toggle("lit", lit >> n & 1));
+        text += FONT[lit] ?? "?";
+    }
+    $("hex").setAttribute("aria-label", `HEX5 to HEX0: ${text}`);
+    for (let n = 0; n < 10; ++n) $(`ledr${n}`).classList.toggle("lit", ledr >> n & 1);
+    $("ledr").setAttribute("aria-label", `LEDR9 to LEDR0: ${ledr.toString(2).padStart(10, "0")}`);
+    gpio.forEach((header, which) => headerPins(which, BigInt(header.levels), BigInt(header.outputs)));
+}
+
+for (let which = 0; which < 2; ++which) {
+    let rows = "";
+    for (let pin = 0; pin < 36; ++pin)
+        rows += `${pin % 6 ? "" : "<tr>"}<td>${pin}<span class="lamp" id="gpio${which}_${pin}"></span></td>`;
+    $("headers").insertAdjacentHTML("beforeend", `<p>GPIO_${which} (outputs bold)</p><table>${rows}</table>`);
+}
+function headerPins(which, levels, outputs) {
+    for (let pin = 0n; pin < 36n; ++pin) {
+        const lamp = $(`gpio${which}_${pin}`);
+        lamp.classList.toggle("lit", Boolean(levels >> pin & 1n));
+        lamp.parentElement.classList.toggle("out", Boolean(outputs >> pin & 1n));
+    }
+}
+
+// ---- Buttons: held while pressed; a right click or Shift holds until the next click ----
+
+function control(parent, label, title, kind, value) {
+    const button = document.createElement("button");
+    button.textContent = label;
+    button.setAttribute("aria-label", title);
+    let held = false, latched = false;
+    const hold = (on) => {
+        if (on === held) return;
+        held = on;
+        button.classList.toggle("on", on);
+        step(on ? "hold" : "release", {[kind]: value});
+    };
+    button.onpointerdown = (event) => {
+        event.preventDefault();
+        button.focus();
+        button.setPointerCapture(event.pointerId);
+        if (latched) { latched = false; return; }
+        latched = event.shiftKey || event.button === 2;
+        hold(true);
+    };
+    button.onpointerup = button.onpointercancel = () => { if (!latched) hold(false); };
+    button.oncontextmenu = (event) => event.preventDefault();
+    button.onkeydown = (event) => {
+        if (event.key !== " " && event.key !== "Enter") return;
+        event.preventDefault();
+        if (event.repeat) return;
+        latched = event.shiftKey && !latched;
+        hold(true);
+    };
+    button.onkeyup = (event) => {
+        if ((event.key === " " || event.key === "Enter") && !latched) hold(false);
+    };
+    button.onblur = () => { if (!latched) hold(false); };
+    button.release = () => { held = latched = false; button.classList.remove("on"); };
+    parent.append(button);
+}
+for (const key of "123A456B789C0FED") control($("keypad"), key, `keypad ${key}`, "keypad", key);
+for (let key = 3; key >= 0; --key) control($("keys"), `KEY${key}`, `KEY${key}`, "key", key);
+control($("keys"), "HPS_KEY", "HPS_KEY", "key", "hps");
+for (let n = 9; n >= 0; --n) {
+    const button = document.createElement("button");
+    button.textContent = `SW${n}`;
+    button.setAttribute("role", "switch");
+    button.setAttribute("aria-checked", "false");
+    button.onclick = () => {
+        const on = button.getAttribute("aria-checked") === "false";
+        button.setAttribute("aria-checked", on);
+        button.classList.toggle("on", on);
+        step(on ? "hold" : "release", {switch: n});
+    };
+    button.release = () => { button.setAttribute("aria-checked", "false"); button.classList.remove("on"); };
+    $("switches").append(button);
+}
+for (let channel = 0; channel < 8; ++channel) {
+    $("voltages").insertAdjacentHTML("beforeend",
+        `<p><label>CH${channel} <input type="range" min="0" max="4.095" step="0.005" value="0" data-channel="${channel}"></label> <output></output></p>`);
+}
+$("voltages").oninput = ({target}) => {
+    target.closest("p").querySelector("output").textContent = `${target.value} V`;
+    step("set-voltage", {channel: Number(target.dataset.channel), volts: Number(target.value)});
+};
+
+// ---- PS/2 keyboard and mouse, while the monitor has the focus ----
+
+const KEYS = {Escape: "Esc", ControlLeft: "Ctrl", ControlRight: "RightCtrl", ShiftLeft: "Shift", ShiftRight: "RightShift",
+    AltLeft: "Alt", AltRight: "RightAlt", MetaLeft: "Win", MetaRight: "RightWin", ContextMenu: "Menu", ArrowUp: "Up",
+    ArrowDown: "Down", ArrowLeft: "Left", ArrowRight: "Right", Space: "Space", NumpadDivide: "NumpadSlash",
+    NumpadMultiply: "NumpadStar", NumpadSubtract: "NumpadMinus", NumpadAdd: "NumpadPlus", NumpadDecimal: "NumpadPoint",
+    Minus: "-", Equal: "=", BracketLeft: "[", BracketRight: "]", Semicolon: ";", Quote: "'", Backquote: "`",
+    Backslash: "\\", Comma: ",", Period: ".", Slash: "/"};
+const SAME = /^(F\d+|PrintScreen|ScrollLock|Pause|Backspace|Tab|Enter|CapsLock|Insert|Home|PageUp|PageDown|Delete|End|NumLock|Numpad\d|NumpadEnter)$/;
+function keyName(code) {
+    if (KEYS[code]) return KEYS[code];
+    if (/^Key[A-Z]$/.test(code)) return code[3].toLowerCase();
+    if (/^Digit\d$/.test(code)) return code[5];
+    return SAME.test(code) ? code : null;
+}
+const down = new Set();
+canvas.onkeydown = (event) => {
+    if (event.ctrlKey && event.code === "Escape") { canvas.blur(); return; }
+    const key = keyName(event.code);
+    if (!key) return;
+    event.preventDefault();
+    if (event.repeat || down.has(key)) return;  // the keyboard repeats by itself
+    down.add(key);
+    step("hold-key", key);
+};
+const keyUp = (key) => { if (down.delete(key)) step("release-key", key); };
+canvas.onkeyup = (event) => { keyUp(keyName(event.code)); event.preventDefault(); };
+canvas.onblur = () => { [...down].forEach(keyUp); $("focus").textContent = "click the picture to type on the PS/2 keyboard"; };
+canvas.onfocus = () => { $("focus").textContent = "keys go to the board; Ctrl+Esc ends that"; };
+
+const BUTTONS = ["left", "middle", "right"], pushed = new Set();
+canvas.onpointerdown = (event) => {
+    canvas.focus();
+    if (!$("mouse").checked) return;
+    canvas.setPointerCapture(event.pointerId);
+    const button = BUTTONS[event.button];
+    if (button && !pushed.has(button)) { pushed.add(button); step("hold-mouse", button); }
+};
+canvas.onpointerup = (event) => {
+    if (pushed.delete(BUTTONS[event.button])) step("release-mouse", BUTTONS[event.button]);
+};
+canvas.onpointermove = (event) => {
+    if (!$("mouse").checked || !(event.movementX || event.movementY)) return;
+    step("move-mouse", {right: Math.round(event.movementX), down: Math.round(event.movementY), for: "10ms"});
+};
+canvas.onwheel = (event) => {
+    if (!$("mouse").checked) return;
+    event.preventDefault();
+    step("turn-wheel", Math.max(-8, Math.min(8, Math.sign(event.deltaY))));
+};
+canvas.oncontextmenu = (event) => { if ($("mouse").checked) event.preventDefault(); };
+
+// ---- Terminal ----
+
+$("type").onsubmit = (event) => {
+    event.preventDefault();
+    step("type-serial", $("line").value + "\n");
+    $("line").value = "";
+};
+function print(text) {
+    const end = $("console");
+    const follow = end.scrollTop + end.clientHeight >= end.scrollHeight - 4;
+    end.textContent = (end.textContent + text).slice(-100000);
+    if (follow) end.scrollTop = end.scrollHeight;
+}
+
+// ---- Time, record, files ----
+
+let paused = false;
+$("pause").onclick = () => send({pause: !paused});
+$("frame").onclick = () => send({frame: 1});
+$("speed").onchange = () => send({speed: Number($("speed").value)});
+$("reset").onclick = () => send({reset: true});
+$("mark").onclick = () => send({mark: true});
+$("save").onclick = () => send({save: true});
+
+function status(now) {
+    paused = now.paused;
+    $("pause").textContent = paused ? "Run" : "Pause";
+    $("pause").setAttribute("aria-pressed", paused);
+    $("status").value = `${now.time.toFixed(2)} s, ${paused ? "paused" : now.factor.toFixed(2) + " x real time"}, ` +
+        `${now.frames} frames, ${now.pictures} new pictures, ${now.steps} steps recorded`;
+}
+function power() {
+    $("console").textContent = "";
+    document.querySelectorAll("button").forEach((button) => button.release?.());
+    down.clear();
+    pushed.clear();
+    say("power on");
+}
+function saved({file, text}) {
+    const link = document.createElement("a");
+    link.href = URL.createObjectURL(new Blob([text], {type: "application/yaml"}));
+    link.download = "live.yaml";
+    link.click();
+    say(`saved: ${file}`);
+}
+
+document.ondragover = (event) => event.preventDefault();
+document.ondrop = async (event) => {
+    event.preventDefault();
+    const file = event.dataTransfer.files[0];
+    if (file) runFile(file);
+};
+async function runFile(file) {
+    say(`runs ${file.name}`);
+    const answer = await fetch(`/run?token=${token}`, {method: "POST", body: file});
+    if (!answer.ok) say(await answer.text(), true);
+}
+window.runFile = runFile;
+
+// ---- What arrives ----
+
+const HANDLERS = {
+    hello: ({title}) => { $("title").textContent = title; },
+    lamps, status, saved, power,
+    console: print,
+    log: (line) => say(line, true),
+    fault: (line) => say(line, true),
+    error: (line) => say(line, true),
+    marked: (file) => say(`marked: ${file}`),
+    verdict: (line) => say(line),
+    ended: (code) => { if (code) say(`${$("message").textContent} The run has ended (exit code ${code}).`, true); },
+};
+socket.onmessage = ({data}) => {
+    if (typeof data === "string") {
+        for (const [name, value] of Object.entries(JSON.parse(data))) HANDLERS[name]?.(value);
+        return;
+    }
+    const view = new DataView(data);
+    if (view.getUint8(0) === PICTURE) picture(view);
+    if (view.getUint8(0) === SOUND) samples(data, view);
+};
+socket.onclose = ({reason}) => say(`The connection has ended. ${reason}`, true);

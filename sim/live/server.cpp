@@ -1,0 +1,308 @@
+#include "sim/live/server.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <optional>
+#include <random>
+#include <set>
+#include <stdexcept>
+
+#include <boost/asio.hpp>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "sim/live/client.h"
+#include "sim/live/page_files.h"
+#include "sim/live/simulation.h"
+#include "sim/report/messages.h"
+#include "sim/report/whole_file.h"
+
+namespace sim::live {
+
+namespace asio = boost::asio;
+namespace beast = boost::beast;
+namespace http = beast::http;
+using asio::ip::tcp;
+
+namespace {
+
+constexpr unsigned PROTOCOL = 1;
+constexpr std::size_t MOST_CLIENTS = 16, MOST_CONSOLE = 64 << 10, MOST_FILE = 64 << 20;
+constexpr auto HTTP_TIME = std::chrono::seconds{30};
+
+std::string new_token() {
+    std::random_device random;
+    std::string token;
+    for (int i = 0; i < 4; ++i) token += fmt::format("{:08x}", random());
+    return token;
+}
+
+// The value of a name in "/ws?token=...&x=..."; values are not decoded.
+std::string query(beast::string_view target, const std::string& name) {
+    const std::string text{target};
+    std::size_t at = text.find('?');
+    while (at != std::string::npos) {
+        const std::size_t next = text.find('&', at + 1);
+        const std::string pair =
+            text.substr(at + 1, next == std::string::npos ? next : next - at - 1);
+        if (pair.compare(0, name.size() + 1, name + "=") == 0) return pair.substr(name.size() + 1);
+        at = next;
+    }
+    return {};
+}
+
+std::string json_text(const nlohmann::json& json) {
+    return json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
+class Server {
+public:
+    explicit Server(const ServerSettings& settings)
+        : settings_{settings},
+          what_{settings.what},
+          acceptor_{io_},
+          signals_{io_, SIGINT, SIGTERM} {
+        beast::error_code error;
+        const auto address = asio::ip::make_address(settings.address, error);
+        if (error)
+            throw std::runtime_error{"--listen: expected an address such as 0.0.0.0, got " +
+                                     settings.address};
+        const tcp::endpoint here{address, static_cast<unsigned short>(settings.port)};
+        acceptor_.open(here.protocol());
+        acceptor_.set_option(tcp::acceptor::reuse_address{true});
+        acceptor_.bind(here, error);
+        if (!error) acceptor_.listen(asio::socket_base::max_listen_connections, error);
+        if (error)
+            throw std::runtime_error{fmt::format("cannot listen at {}:{}: {}", settings.address,
+                                                 settings.port, error.message())};
+        char folder[] = "/tmp/de1sim-live-XXXXXX";
+        if (!mkdtemp(folder)) throw std::runtime_error{"no folder for dropped files in /tmp"};
+        folder_ = folder;
+    }
+    ~Server() {
+        std::error_code error;
+        std::filesystem::remove_all(folder_, error);
+    }
+
+    std::string url() const { return fmt::format("http://{}/?token={}", hosts().front(), token_); }
+
+    void run() {
+        power_on();
+        accept();
+        signals_.async_wait([this](beast::error_code, int) { io_.stop(); });
+        io_.run();
+        simulation_.reset();
+    }
+
+private:
+    struct Connection {
+        explicit Connection(tcp::socket socket) : stream{std::move(socket)} {
+            parser.body_limit(MOST_FILE);
+        }
+        beast::tcp_stream stream;
+        beast::flat_buffer buffer;
+        http::request_parser<http::string_body> parser;
+    };
+
+    // ---- The simulation ----
+
+    void power_on() {
+        simulation_.reset();
+        wire_ready_.reset();
+        pictures_.clear();
+        console_.clear();
+        lamps_.clear();
+        for (const auto& client : clients_) client->forget_pictures();
+        auto words = what_;
+        words.insert(words.end(), settings_.words.begin(), settings_.words.end());
+        simulation_ = std::make_unique<Simulation>(words);
+        wire_ready_.emplace(io_, dup(simulation_->wire().descriptor()));
+        tell(json_text({{"power", true}}));
+        wait_for_wire();
+    }
+
+    void wait_for_wire() {
+        wire_ready_->async_wait(asio::posix::descriptor_base::wait_read,
+                                [this](beast::error_code error) {
+                                    if (error) return;  // another simulation has begun
+                                    Wire& wire = simulation_->wire();
+                                    const bool there = wire.poll(0);
+                                    while (const auto message = wire.receive()) take(*message);
+                                    for (const auto& client : clients_) client->send_picture();
+                                    if (there) return wait_for_wire();
+                                    const int code = simulation_->reap();
+                                    tell(json_text({{"ended", code}}));
+                                });
+    }
+
+    void take(const Message& message) {
+        switch (message.kind) {
+            case Kind::PICTURE: pictures_.take(message.bytes); break;
+            case Kind::SOUND: {
+                const std::string sound = static_cast<char>(Kind::SOUND) + message.bytes;
+                for (const auto& client : clients_) client->send_sound(sound);
+                break;
+            }
+            case Kind::TEXT:
+                remember(message.bytes);
+                tell(message.bytes);
+                break;
+        }
+    }
+
+    // What a client that comes later must know.
+    void remember(const std::string& text) {
+        const auto json = nlohmann::json::parse(text, nullptr, false);
+        if (json.contains("lamps")) lamps_ = text;
+        if (!json.contains("console")) return;
+        console_ += json["console"].get<std::string>();
+        if (console_.size() > MOST_CONSOLE) console_.erase(0, console_.size() - MOST_CONSOLE / 2);
+    }
+
+    void tell(const std::string& text) {
+        for (const auto& client : clients_) client->send_text(text);
+    }
+
+    // ---- Clients ----
+
+    void take_from(Client& client, const std::string& text) {
+        const auto json = nlohmann::json::parse(text, nullptr, false);
+        if (!json.is_object())
+            return client.send_text(
+                json_text({{"error", "expected an object in JSON, got " + text.substr(0, 100)}}));
+        if (json.contains("reset")) return power_on();
+        simulation_->wire().send(Kind::TEXT, text);
+    }
+
+    // How a browser on this machine, or in the network, names this server.
+    std::vector<std::string> hosts() const {
+        const auto here = acceptor_.local_endpoint();
+        std::vector<std::string> names{fmt::format("{}:{}", settings_.address, here.port())};
+        if (here.address().is_loopback()) names.push_back(fmt::format("localhost:{}", here.port()));
+        return names;
+    }
+    bool is_own_host(beast::string_view host) const {
+        if (!acceptor_.local_endpoint().address().is_loopback()) return true;  // any name of it
+        const auto names = hosts();
+        return std::find(names.begin(), names.end(), std::string{host}) != names.end();
+    }
+
+    void accept() {
+        acceptor_.async_accept([this](beast::error_code error, tcp::socket socket) {
+            if (!error) {
+                beast::error_code ignored;
+                socket.set_option(tcp::no_delay{true}, ignored);
+                read(std::make_shared<Connection>(std::move(socket)));
+            }
+            accept();
+        });
+    }
+
+    void read(const std::shared_ptr<Connection>& connection) {
+        connection->stream.expires_after(HTTP_TIME);
+        http::async_read(connection->stream, connection->buffer, connection->parser,
+                         [this, connection](beast::error_code error, std::size_t) {
+                             if (error == http::error::body_limit)
+                                 return answer(connection, http::status::payload_too_large,
+                                               "text/plain", "expected a file of at most 64 MiB\n");
+                             if (!error) request(connection);
+                         });
+    }
+
+    void request(const std::shared_ptr<Connection>& connection) {
+        const auto& request = connection->parser.get();
+        const auto target = request.target();
+        const std::string path{target.substr(0, target.find('?'))};
+        const auto refuse = [&](const char* why) {
+            answer(connection, http::status::forbidden, "text/plain", why);
+        };
+        if (!is_own_host(request[http::field::host]))
+            return refuse("expected this server's own name as Host\n");
+        const auto origin = request[http::field::origin];
+        if (!origin.empty() && origin != "http://" + std::string{request[http::field::host]})
+            return refuse("expected a page of this server as Origin\n");
+        const bool page = request.method() == http::verb::get && path != "/ws";
+        if (!(page && path != "/") && query(target, "token") != token_)
+            return refuse("expected the token of the address that de1sim live has printed\n");
+        if (path == "/ws" && beast::websocket::is_upgrade(request)) return upgrade(connection);
+        if (path == "/run" && request.method() == http::verb::post) return run_file(connection);
+        const PageFile* file = page ? page_file(std::string_view{path}.substr(1)) : nullptr;
+        if (!file)
+            return answer(connection, http::status::not_found, "text/plain", "no such page\n");
+        answer(connection, http::status::ok, file->type, file->bytes);
+    }
+
+    void answer(const std::shared_ptr<Connection>& connection, http::status status,
+                std::string_view type, std::string_view body) {
+        auto response = std::make_shared<http::response<http::string_body>>(status, 11);
+        response->set(http::field::content_type, beast::string_view{type.data(), type.size()});
+        response->set(http::field::cache_control, "no-store");
+        response->set("X-Content-Type-Options", "nosniff");
+        response->set("Referrer-Policy", "no-referrer");
+        response->set("Content-Security-Policy",
+                      "default-src 'self'; connect-src 'self' ws:; img-src data:");
+        response->keep_alive(false);
+        response->body() = std::string{body};
+        response->prepare_payload();
+        http::async_write(
+            connection->stream, *response, [connection, response](beast::error_code, std::size_t) {
+                beast::error_code ignored;
+                connection->stream.socket().shutdown(tcp::socket::shutdown_send, ignored);
+            });
+    }
+
+    void upgrade(const std::shared_ptr<Connection>& connection) {
+        if (clients_.size() >= MOST_CLIENTS)
+            return answer(connection, http::status::service_unavailable, "text/plain",
+                          "expected at most 16 clients\n");
+        connection->stream.expires_never();
+        const auto client = std::make_shared<Client>(
+            connection->stream.release_socket(), pictures_,
+            [this](Client& from, const std::string& text) { take_from(from, text); },
+            [this](Client& gone) { clients_.erase(gone.shared_from_this()); });
+        std::deque<std::string> greeting{
+            json_text({{"hello", {{"protocol", PROTOCOL}, {"title", settings_.title}}}})};
+        if (!lamps_.empty()) greeting.push_back(lamps_);
+        if (!console_.empty()) greeting.push_back(json_text({{"console", console_}}));
+        clients_.insert(client);
+        client->accept(connection->parser.get(), greeting);
+    }
+
+    // A program or a scenario, from now on instead of what has run.
+    void run_file(const std::shared_ptr<Connection>& connection) {
+        const std::string& bytes = connection->parser.get().body();
+        const bool elf = bytes.compare(0, 4, "\177ELF") == 0;
+        const auto file = folder_ / (elf ? "dropped.elf" : "dropped.yaml");
+        write_whole_file(file, bytes);
+        what_ = {file.string()};
+        answer(connection, http::status::ok, "text/plain", "runs\n");
+        power_on();
+    }
+
+    const ServerSettings& settings_;
+    const std::string token_ = new_token();
+    std::vector<std::string> what_;
+    std::filesystem::path folder_;  // of dropped files
+    asio::io_context io_;
+    tcp::acceptor acceptor_;
+    asio::signal_set signals_;
+    std::unique_ptr<Simulation> simulation_;
+    std::optional<asio::posix::stream_descriptor> wire_ready_;  // the wire's descriptor, to wait at
+    PictureStore pictures_;
+    std::string lamps_, console_;
+    std::set<std::shared_ptr<Client>> clients_;
+};
+
+}  // namespace
+
+void serve(const ServerSettings& settings,
+           const std::function<void(const std::string& url)>& listening) {
+    Server server{settings};
+    listening(server.url());
+    server.run();
+}
+
+}  // namespace sim::live

@@ -1,0 +1,27 @@
+// server.h - the page and its WebSocket, for any number of clients, and the simulation behind them.
+//
+// Only for who knows the token: it is in the address that is printed.  Host and Origin must be the
+// server's own, so that no other page in the same browser gets in by DNS rebinding.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace sim::live {
+
+struct ServerSettings {
+    std::string address = "127.0.0.1";  // to listen at
+    unsigned port = 0;                  // 0: a free one
+    std::vector<std::string> words;     // for `de1sim run`, but for what is to run
+    std::vector<std::string> what;      // a scenario, or --elf and a program
+    std::string title;                  // of the page
+};
+
+// Serves until `ended` or a signal.  `listening` gets the address for the browser.
+// std::runtime_error: the port is taken, the simulation does not start.
+void serve(const ServerSettings& settings,
+           const std::function<void(const std::string& url)>& listening);
+
+}  // namespace sim::live

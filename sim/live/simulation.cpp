@@ -1,0 +1,62 @@
+#include "sim/live/simulation.h"
+
+#include <fcntl.h>
+#include <signal.h>
+#include <sys/socket.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <chrono>
+#include <cstring>
+#include <stdexcept>
+#include <thread>
+
+namespace sim::live {
+
+Simulation::Simulation(const std::vector<std::string>& words) {
+    int ends[2];
+    if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0)
+        throw std::runtime_error{std::string{"no socket pair: "} + std::strerror(errno)};
+    std::vector<std::string> all{"de1sim", "run", "--live-socket", std::to_string(ends[1])};
+    all.insert(all.end(), words.begin(), words.end());
+    std::vector<char*> arguments;
+    for (std::string& word : all) arguments.push_back(word.data());
+    arguments.push_back(nullptr);
+    child_ = fork();
+    if (child_ == 0) {
+        // Ctrl-C is for the server, which then ends this process in order.
+        setpgid(0, 0);
+        fcntl(ends[1], F_SETFD, 0);
+        execv("/proc/self/exe", arguments.data());
+        _exit(127);
+    }
+    close(ends[1]);
+    wire_ = std::make_unique<Wire>(ends[0]);
+    if (child_ < 0) throw std::runtime_error{std::string{"no process: "} + std::strerror(errno)};
+}
+
+int Simulation::reap() {
+    int status = 0;
+    if (child_ > 0) waitpid(child_, &status, 0);
+    child_ = -1;
+    return WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
+}
+
+Simulation::~Simulation() {
+    if (child_ <= 0) return;
+    wire_->send(Kind::TEXT, "{\"quit\": true}");
+    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds{2};
+    while (std::chrono::steady_clock::now() < end && wire_->poll(100))
+        while (wire_->receive()) {
+        }
+    kill(child_, SIGTERM);
+    while (std::chrono::steady_clock::now() < end) {
+        if (waitpid(child_, nullptr, WNOHANG) == child_) return;
+        std::this_thread::sleep_for(std::chrono::milliseconds{10});
+    }
+    kill(child_, SIGKILL);
+    waitpid(child_, nullptr, 0);
+}
+
+}  // namespace sim::live

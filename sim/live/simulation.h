@@ -1,0 +1,32 @@
+// simulation.h - the process that simulates: `de1sim run ... --live-socket N`, and the wire to it.
+#pragma once
+
+#include <sys/types.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "sim/live/wire.h"
+
+namespace sim::live {
+
+class Simulation {
+public:
+    // Starts this program with the words.  std::runtime_error.
+    explicit Simulation(const std::vector<std::string>& words);
+    // Asks it to end, and ends it if it does not within two seconds.
+    ~Simulation();
+    Simulation(const Simulation&) = delete;
+    Simulation& operator=(const Simulation&) = delete;
+
+    Wire& wire() { return *wire_; }
+    // Waits for a process that has gone; its exit code, 128 + n for signal n.
+    int reap();
+
+private:
+    pid_t child_ = -1;
+    std::unique_ptr<Wire> wire_;
+};
+
+}  // namespace sim::live

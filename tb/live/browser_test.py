@@ -1,0 +1,104 @@
+"""browser_test.py DE1SIM FOLDER - `de1sim live` as a person has it: its page in Chromium."""
+import pathlib
+import subprocess
+import sys
+import unittest
+
+from selenium import webdriver
+from selenium.webdriver.chrome.service import Service
+from selenium.webdriver.common.by import By
+from selenium.webdriver.common.keys import Keys
+from selenium.webdriver.support.wait import WebDriverWait
+
+from board import Board
+
+DE1SIM, FOLDER = sys.argv[1], pathlib.Path(sys.argv[2])
+
+COLOURED = """
+const c = document.getElementById("monitor");
+const d = c.getContext("2d").getImageData(0, 60, c.width, c.height - 60).data;
+let n = 0;
+for (let i = 0; i < d.length; i += 4) n += d[i] + d[i + 1] + d[i + 2] > 100;
+return n;
+"""
+
+
+class Page(unittest.TestCase):
+    def setUp(self):
+        self.folder = FOLDER / self.id().split(".")[-1]
+        self.board = Board(DE1SIM, self.folder)
+        self.addCleanup(self.board.__exit__)
+        options = webdriver.ChromeOptions()
+        for word in ("--headless=new", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage",
+                     "--window-size=1400,1000", "--autoplay-policy=no-user-gesture-required",
+                     f"--user-data-dir={self.folder / 'profile'}"):
+            options.add_argument(word)
+        options.set_capability("goog:loggingPrefs", {"browser": "ALL"})
+        self.page = webdriver.Chrome(options=options, service=Service("/usr/bin/chromedriver"))
+        self.addCleanup(self.page.quit)
+        self.page.get(self.board.url)
+        self.until(lambda: int(self.find("#monitor").get_attribute("data-shown") or 0) > 0)
+
+    def tearDown(self):
+        wrong = [entry["message"] for entry in self.page.get_log("browser")
+                 if entry["level"] == "SEVERE"]
+        self.assertEqual(wrong, [])
+
+    def find(self, selector):
+        return self.page.find_element(By.CSS_SELECTOR, selector)
+
+    def until(self, met, seconds=40):
+        WebDriverWait(self.page, seconds, 0.05).until(lambda _: met())
+
+    def frames(self):
+        return int(self.find("#status").text.split(" frames")[0].split()[-1])
+
+    def tap(self, key):
+        button = self.find(f'[aria-label="keypad {key}"]')
+        shown = self.hex()
+        webdriver.ActionChains(self.page).click_and_hold(button).perform()
+        self.until(lambda: self.hex() != shown)
+        webdriver.ActionChains(self.page).release().perform()
+
+    def hex(self):
+        return self.find("#hex").get_attribute("aria-label").split(": ")[1]
+
+    def test_shapes_are_seen_heard_and_kept(self):
+        black = self.page.execute_script(COLOURED)
+        self.page.execute_script(
+            "const v = document.getElementById('volume'); v.value = 50;"
+            "v.dispatchEvent(new Event('input'));")
+        self.tap("1")
+        self.tap("2")
+        self.assertEqual(self.hex(), "     2")
+        self.until(lambda: self.page.execute_script(COLOURED) > black + 50)
+        self.until(lambda: int(self.find("#volume").get_attribute("data-heard") or 0) > 800)
+        self.find("#pause").click()
+        self.until(lambda: "paused" in self.find("#status").text)
+        before = self.frames()
+        self.find("#frame").click()
+        self.until(lambda: self.frames() == before + 1)
+        self.find("#mark").click()
+        self.until(lambda: "marked" in self.find("#message").text)
+        self.find("#save").click()
+        self.until(lambda: "saved" in self.find("#message").text)
+        self.page.save_screenshot(str(FOLDER / "page.png"))
+        again = subprocess.run([DE1SIM, "run", self.board.out / "live.yaml", "--quiet",
+                                "--out", self.folder / "again"], capture_output=True, text=True)
+        self.assertEqual(again.returncode, 0, again.stdout + again.stderr)
+
+    def test_keys_go_to_the_board_by_keyboard_alone(self):
+        button = self.find('[aria-label="keypad 4"]')
+        self.page.execute_script("arguments[0].focus()", button)
+        webdriver.ActionChains(self.page).key_down(Keys.SPACE).perform()
+        self.until(lambda: self.hex() == "     1")
+        webdriver.ActionChains(self.page).key_up(Keys.SPACE).perform()
+        self.find("#monitor").click()
+        webdriver.ActionChains(self.page).send_keys("a", Keys.ARROW_LEFT, Keys.F1).perform()
+        self.until(lambda: "8 steps" in self.find("#status").text)  # 3 keys, down and up
+        self.find("#line").send_keys("hello", Keys.ENTER)
+        self.until(lambda: "9 steps" in self.find("#status").text)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])
