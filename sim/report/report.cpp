@@ -87,6 +87,15 @@ nlohmann::ordered_json shown_json(const std::vector<RunReport::Shown>& all) {
     return json;
 }
 
+// What a test most often looks at.
+nlohmann::ordered_json final_json(const std::vector<RunReport::Shown>& all) {
+    nlohmann::ordered_json json = nlohmann::ordered_json::object();
+    for (const RunReport::Shown& shown : all)
+        if (shown.name == "ledr" || shown.name == "hex" || shown.name == "hps_led")
+            json[shown.name] = shown.at_end.front().second;
+    return json;
+}
+
 nlohmann::ordered_json parts_json(const std::vector<RunReport::Leds>& all) {
     nlohmann::ordered_json json = nlohmann::ordered_json::object();
     for (const RunReport::Leds& leds : all) json[leds.name]["rows"] = leds.rows;
@@ -148,7 +157,11 @@ std::string to_json(const RunReport& report) {
     const double frames_per_s =
         report.wall_s > 0 ? static_cast<double>(report.frames_shown) / report.wall_s : 0;
 
+    Json pictures = Json::object();
+    for (const auto& [number, sha256] : report.pictures) pictures[std::to_string(number)] = sha256;
+
     Json json = {
+        {"format", REPORT_FORMAT},
         {"scenario", report.scenario},
         {"file", report.file},
         {"seed", report.seed},
@@ -161,7 +174,8 @@ std::string to_json(const RunReport& report) {
          {{"shown", report.frames_shown},
           {"swapped", report.frames_swapped},
           {"last_sha256", report.last_frame_sha256},
-          {"signal", report.signal}}},
+          {"signal", report.signal},
+          {"pictures", pictures}}},
         {"bus",
          {{"reads", report.bus.reads},
           {"writes", report.bus.writes},
@@ -172,6 +186,7 @@ std::string to_json(const RunReport& report) {
           {"samples", report.audio.samples},
           {"underruns", report.audio.underruns}}},
         {"key_events", report.key_events},
+        {"final", final_json(report.shown)},
         {"shown", shown_json(report.shown)},
         {"parts", parts_json(report.leds)},
         {"characters", characters_json(report.characters)},

@@ -88,7 +88,8 @@ struct RunReport {
     std::uint64_t frames_shown = 0;
     std::uint64_t frames_swapped = 0;
     std::string last_frame_sha256;  // of the RGB bytes; empty when no frame was shown
-    std::string signal;             // that the monitor has locked on to, or why it has not
+    std::vector<std::pair<std::uint64_t, std::string>> pictures;  // new ones: frame, its SHA-256
+    std::string signal;  // that the monitor has locked on to, or why it has not
     Bus bus;
     Audio audio;
     std::uint64_t key_events = 0;
@@ -117,6 +118,9 @@ struct RunReport {
     // Every expectation and check met, no fault, not interrupted.
     bool passed() const;
 };
+
+// What report.json calls `format`.  It changes with the meaning of a key, not when keys are added.
+constexpr int REPORT_FORMAT = 1;
 
 // Keys in a fixed order.  Only the key "wall" depends on the machine: without it, two runs of the
 // same inputs are equal byte for byte.

@@ -14,6 +14,10 @@ struct ReportKey {
 };
 
 inline constexpr ReportKey REPORT_KEYS[] = {
+    {"format",
+     "The version of this file's format: 1. It changes when a key goes or means something else, "
+     "not "
+     "when keys are added."},
     {"scenario", "The scenario's name; empty if a program ran without one."},
     {"file", "The scenario's file as it was named; empty without one."},
     {"seed", "Seed of the contacts' bounce."},
@@ -32,6 +36,9 @@ inline constexpr ReportKey REPORT_KEYS[] = {
     {"frames.signal",
      "What the monitor has locked on to last, or why it has not: size, rate, polarities, clocks; "
      "empty in the first frames."},
+    {"frames.pictures.*",
+     "SHA-256 of a new picture's RGB bytes, by the number of its frame; of the first 1000 that "
+     "differ from the one before."},
     {"bus.reads", "Loads over the bus, of up to a word."},
     {"bus.writes", "Stores over the bus, of up to a word."},
     {"bus.bursts", "Transfers of more than a word."},
@@ -41,6 +48,10 @@ inline constexpr ReportKey REPORT_KEYS[] = {
     {"audio.samples", "Samples per channel that were played."},
     {"audio.underruns", "Samples that were due while the FIFO was empty."},
     {"key_events", "Keys of the keypad pressed and released."},
+    {"final.ledr", "LEDR at the end, a digit each, LEDR9 first."},
+    {"final.hex", "HEX at the end, as text, HEX5 first."},
+    {"final.hps_led",
+     "The HPS's LED at the end: `1` if it was lit. All three are also in `shown`."},
     {"shown",
      "What is seen without a monitor, by name: `ledr`, `hex`, `hps_led`, `jp1`, `jp2`; of a "
      "project `gpio_0` and `gpio_1` in the place of these two."},

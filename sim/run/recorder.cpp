@@ -1,6 +1,7 @@
 #include "sim/run/recorder.h"
 
 #include "sim/report/messages.h"
+#include "sim/report/sha256.h"
 
 namespace sim {
 
@@ -23,6 +24,9 @@ void Recorder::attempt(Write write) {
 void Recorder::frame(const Monitor::Frame& frame) {
     senses_.frame(frame);
     on_frame();
+    constexpr std::size_t MOST_PICTURES = 1000;
+    if (frame.is_new && pictures_.size() < MOST_PICTURES)
+        pictures_.emplace_back(frame.number, sha256_hex(senses_.picture().rgb));
     if (frame_writer_ && frames_.wants(frame.number, frame.is_new))
         attempt([&] {
             frame_writer_->push(frame.number, image_of(frame.pixels, frame.width, frame.height));

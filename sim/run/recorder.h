@@ -39,6 +39,8 @@ public:
     // Called at the end of each frame that the monitor shows.
     std::function<void()> on_frame = [] {};
     Senses& senses() { return senses_; }
+    // SHA-256 of the first new pictures, by the numbers of their frames.
+    const std::vector<std::pair<std::uint64_t, std::string>>& pictures() const { return pictures_; }
     const LampLog& lamp_log() const { return lamp_log_; }
     bool failed() const { return error_ != nullptr; }
 
@@ -56,6 +58,7 @@ private:
     WavWriter wav_;
     ConsoleFile console_;
     LampLog lamp_log_;
+    std::vector<std::pair<std::uint64_t, std::string>> pictures_;
     std::vector<std::string> log_;
     std::uint64_t log_lines_ = 0;
     std::exception_ptr error_;

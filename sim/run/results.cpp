@@ -83,6 +83,7 @@ void add_results(RunReport& report, Board& board, Computer* computer, const ArmR
     if (report.frames_shown > 0)
         report.last_frame_sha256 = sha256_hex(recorder.senses().picture().rgb);
     report.signal = board.monitor.signal();
+    report.pictures = recorder.pictures();
     const BusCounts bus = computer ? computer->bus.counts() : BusCounts{};
     report.bus = {bus.reads, bus.writes, bus.bursts, bus.errors};
     const auto headers = computer ? LampLog::Headers::JP : LampLog::Headers::GPIO;

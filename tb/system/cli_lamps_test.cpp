@@ -21,6 +21,10 @@ TEST_F(ShownRun, HasTheLampsAndPinsAtTheEndInReportAndSummary) {
     EXPECT_EQ(shown["hex"]["segments"], "00 00 7C 27 67 00");
     EXPECT_THAT(shown["hex"]["text"], testing::AnyOf("  679 ", "  B79 "));
     EXPECT_EQ(shown["hps_led"]["lit"], "1");
+    const nlohmann::json final = report()["final"];
+    EXPECT_EQ(final["ledr"], shown["ledr"]["lit"]);
+    EXPECT_EQ(final["hex"], shown["hex"]["text"]);
+    EXPECT_EQ(final["hps_led"], "1");
     EXPECT_EQ(shown["jp1"]["outputs"], "0x0000F000");
     EXPECT_EQ(shown["jp1"]["levels"], "0xFFFF5FFF") << "what nothing drives is pulled up";
     EXPECT_EQ(shown["jp2"]["outputs"], "0x00000000");

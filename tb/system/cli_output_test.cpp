@@ -2,6 +2,8 @@
 #include <gmock/gmock.h>
 #include <sndfile.h>
 
+#include "sim/report/png.h"
+#include "sim/report/sha256.h"
 #include "tb/system/cli.h"
 
 namespace {
@@ -135,6 +137,20 @@ TEST_F(CommandLineRun, IsTheSameByteForByteASecondTime) {
     EXPECT_EQ(files().size(), first.size());
     first.erase("report.json");
     for (const auto& [name, bytes] : first) EXPECT_TRUE(file(name) == bytes) << name;
+}
+
+TEST_F(CommandLineRun, ReportsTheHashOfEachNewPictureByItsFrame) {
+    scenario(KEY_PRESS);
+    EXPECT_EQ(play("s.yaml").exit_code, 0);
+    const nlohmann::json run = report();
+    std::map<std::string, std::string> reported;
+    for (const auto& [number, hash] : run["frames"]["pictures"].items())
+        reported[frame(static_cast<unsigned>(std::stoul(number)))] = hash;
+    std::map<std::string, std::string> written;
+    for (const std::string& name : frame_files())
+        written[name] = sim::sha256_hex(sim::read_png(out / name).rgb);
+    EXPECT_GT(written.size(), 1u);
+    EXPECT_EQ(reported, written);
 }
 
 TEST_F(CommandLineRun, BouncesTheKeysByTheSeed) {

@@ -26,11 +26,14 @@ RunReport sample() {
     r.frames_swapped = 75;
     r.last_frame_sha256 = "e3b0";
     r.signal = "640 x 480";
+    r.pictures = {{1, "aa"}, {10, "bb"}};
     r.bus = {1, 2, 3, 4};
     r.audio = {8000.0, 20000, 6};
     r.key_events = 8;
     const RunReport::Shown::Fields digits{{"text", "    12"}, {"segments", "00 00 00 00 06 5B"}};
-    r.shown = {{"hex", digits, {{0.5, digits}}, 41}};
+    const RunReport::Shown::Fields lamps{{"lit", "0000000001"}}, led{{"lit", "1"}};
+    r.shown = {
+        {"hex", digits, {{0.5, digits}}, 41}, {"ledr", lamps, {}, 0}, {"hps_led", led, {}, 0}};
     r.leds = {{"face", {"#.", ".+"}}};
     r.characters = {"", " hello", ""};
     r.timing_violation_count = 1;
@@ -58,14 +61,18 @@ protected:
 
 TEST(ReportJson, SaysEverythingThatTheRunKnows) {
     EXPECT_EQ(json::parse(to_json(sample())), json::parse(R"({
-        "scenario": "Two shapes", "file": "demo.yaml", "seed": 18446744073709551615, "cpu": "arm",
+        "format": 1, "scenario": "Two shapes", "file": "demo.yaml",
+        "seed": 18446744073709551615, "cpu": "arm",
         "end": "duration reached", "interrupted": false, "passed": false, "simulated_s": 2.5,
         "frames": {"shown": 150, "swapped": 75, "last_sha256": "e3b0",
-                   "signal": "640 x 480"},
+                   "signal": "640 x 480", "pictures": {"1": "aa", "10": "bb"}},
         "bus": {"reads": 1, "writes": 2, "bursts": 3, "errors": 4},
         "audio": {"rate_hz": 8000.0, "samples": 20000, "underruns": 6},
         "key_events": 8,
+        "final": {"hex": "    12", "ledr": "0000000001", "hps_led": "1"},
         "shown": {
+            "ledr": {"lit": "0000000001", "changes": {"count": 0, "first": []}},
+            "hps_led": {"lit": "1", "changes": {"count": 0, "first": []}},
             "hex": {"text": "    12", "segments": "00 00 00 00 06 5B",
                     "changes": {"count": 42, "first": [
                         {"time_s": 0.5, "text": "    12", "segments": "00 00 00 00 06 5B"}]}}},
