@@ -52,11 +52,15 @@ demo:                   ## ten seconds of the demo -> out/, packages first
 	@.ci/setup tool firmware
 	@.ci/configure FIRMWARE
 	@cmake --build build --target de1sim firmware_bare
-	build/bin/de1sim run tb/system/demo.yaml --cpu arm --elf build/firmware/collide.elf --out out
+	build/bin/de1sim run tb/system/demo.yaml --cpu arm --elf build/firmware/collide.elf --out out \
+	    --html out/report.html
 	@echo
 	@echo "  out/frames/*.png              what the monitor showed (any image viewer)"
 	@echo "  out/audio.wav                 what the line-out played (any audio player)"
 	@echo "  out/report.json, junit.xml    what was counted and expected"
+	@echo "  out/report.html               all of it on one page (any browser)"
+	@echo
+	@echo "  build/bin/de1sim live build/firmware/collide.elf    to play with it in a browser"
 
 package:                ## build/package/de1sim_*.deb
 	@.ci/configure FIRMWARE

@@ -43,6 +43,16 @@ ExitCode become_tracing_build(char** argv) {
     return WRONG_INPUT;
 }
 
+// As a shell needs it, so that a command can be copied from a page.
+std::string shell_word(const std::string& word) {
+    constexpr const char* PLAIN =
+        "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_-./:=,+@%";
+    if (!word.empty() && word.find_first_not_of(PLAIN) == std::string::npos) return word;
+    std::string quoted = "'";
+    for (const char c : word) quoted += c == '\'' ? std::string{"'\\''"} : std::string{c};
+    return quoted + "'";
+}
+
 // `de1sim prog.elf` is `de1sim run prog.elf`: a first word that is a file stands for itself.
 bool names_a_file(const std::string& word) {
     std::error_code error;
@@ -137,6 +147,9 @@ int command_line(int argc, char** argv, const Firmware& firmware) {
     if (check_command.parsed())
         return run(check_options,
                    [](hal::Mmio& io, hal::Cpu& cpu) { (void)selftest::run(io, cpu); });
+    options.version = VERSION;
+    for (int i = 0; i < argc; ++i)
+        options.command += (i ? " " : "") + shell_word(i ? argv[i] : "de1sim");
     return run(options, firmware);
 }
 

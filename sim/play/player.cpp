@@ -29,8 +29,12 @@ Player::Player(const sc_core::sc_module_name& name, Board& board, Senses& senses
 void Player::run() {
     for (; current_ < steps_.size(); ++current_) {
         const ScenarioStep& step = steps_[current_];
+        const double from_s = sc_time_stamp().to_seconds();
+        played_.push_back({from_s, from_s, {}});
         if (auto verdict = step.step->play(*this))
             results_.push_back(expectation(step, *std::move(verdict)));
+        played_.back().to_s = sc_time_stamp().to_seconds();
+        on_step();
     }
     finished_ = true;
     done_.notify(sc_core::SC_ZERO_TIME);
@@ -157,6 +161,7 @@ bool Player::save(const std::filesystem::path& path, const Image& image) {
     try {
         make_folder(path.parent_path());
         write_png(path, image);
+        if (!played_.empty()) played_.back().saved.push_back(path);
         return true;
     } catch (const IoError& e) {
         faults_.push_back(e.what());

@@ -30,6 +30,14 @@ public:
     // One for each claim, in order.  Claims that the run's end cut off are included as not met.
     std::vector<Expectation> results() const;
 
+    // When each step that has begun did so and was done, and the pictures that it saved.
+    struct Played {
+        double from_s, to_s;
+        std::vector<std::filesystem::path> saved;
+    };
+    const std::vector<Played>& played() const { return played_; }
+    std::function<void()> on_step = [] {};  // called when one is done
+
     // Why a picture could not be written; empty if all could.
     const std::vector<std::string>& faults() const { return faults_; }
 
@@ -76,6 +84,7 @@ private:
     sc_core::sc_event frame_shown_, printed_;
     std::size_t current_ = 0;
     std::vector<Expectation> results_;
+    std::vector<Played> played_;
     std::vector<std::string> faults_;
     bool finished_ = false;
     sc_core::sc_event done_;

@@ -22,7 +22,8 @@ void FrameBudget::frame_ended(const ArmCpu::Counts& counts, const sc_core::sc_ti
         const double time = (now - last_time_).to_seconds();
         const double asleep = counts.asleep.to_seconds() - last_.asleep.to_seconds();
         const double on_bus = counts.on_bus.to_seconds() - last_.on_bus.to_seconds();
-        frames_.push_back({static_cast<double>(counts.instructions - last_.instructions),
+        frames_.push_back({now.to_seconds(),
+                           static_cast<double>(counts.instructions - last_.instructions),
                            std::clamp(1 - asleep / time, 0.0, 1.0), on_bus / time});
     }
     begun_ = true;
@@ -31,8 +32,9 @@ void FrameBudget::frame_ended(const ArmCpu::Counts& counts, const sc_core::sc_ti
 }
 
 RunReport::FrameFigures FrameBudget::figures() const {
-    return {frames_.size(), spread(frames_, &Frame::instructions),
-            spread(frames_, &Frame::busy_share), spread(frames_, &Frame::bus_share)};
+    using page::FrameUse;
+    return {frames_.size(), spread(frames_, &FrameUse::instructions),
+            spread(frames_, &FrameUse::busy_share), spread(frames_, &FrameUse::bus_share)};
 }
 
 }  // namespace sim

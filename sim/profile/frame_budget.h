@@ -1,12 +1,13 @@
 // frame_budget.h - how much of a frame's time a program uses, from the processor's own counters.
 //
 // A frame is the time between two ends of frames on the monitor, 16.8 ms.  Costs one reading of the
-// counters and 24 bytes per frame.
+// counters and 32 bytes per frame.
 #pragma once
 
 #include <vector>
 
 #include "sim/cpu/arm_cpu.h"
+#include "sim/page/page.h"
 #include "sim/report/report.h"
 
 namespace sim {
@@ -15,15 +16,13 @@ class FrameBudget {
 public:
     void frame_ended(const ArmCpu::Counts& counts, const sc_core::sc_time& now);
     RunReport::FrameFigures figures() const;
+    const std::vector<page::FrameUse>& frames() const { return frames_; }
 
 private:
-    struct Frame {
-        double instructions, busy_share, bus_share;
-    };
     bool begun_ = false;
     ArmCpu::Counts last_;
     sc_core::sc_time last_time_;
-    std::vector<Frame> frames_;
+    std::vector<page::FrameUse> frames_;
 };
 
 }  // namespace sim

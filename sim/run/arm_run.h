@@ -34,6 +34,7 @@ public:
     }
 
     RunReport::Program program() const;
+    const std::vector<page::FrameUse>& frames() const { return budget_.frames(); }
     void write_profile() const;  // if it was asked for; IoError
 
 private:

@@ -143,6 +143,10 @@ void add_run_options(CLI::App& command, RunOptions& options) {
             "or 48000, which is a parameter of the system on the board")
         ->check(CLI::IsMember({8'000u, 48'000u}))
         ->capture_default_str();
+    command
+        .add_option("--html", options.html,
+                    "write one page with all of the run: steps, pictures, sound, lamps, console")
+        ->check(named);
     command.add_option("--trace", options.trace, "write waveforms (FST, for GTKWave); slow")
         ->check(named);
     command.add_option("--live-socket", options.live_socket)->group("");

@@ -50,6 +50,8 @@ struct RunOptions {
     std::optional<SimTime> duration;    // instead of the scenario's
     std::optional<std::uint64_t> seed;  // instead of the scenario's
     std::string trace;                  // FST file, or empty
+    std::filesystem::path html;         // a page with all of the run, or empty
+    std::string command, version;       // for that page
     unsigned audio_rate = 8'000;        // samples a second
     bool quiet = false;
     std::optional<int> live_socket;  // to `de1sim live`, whose simulation this is

@@ -5,6 +5,12 @@
 
 namespace sim {
 
+namespace {
+
+double now_s() { return sc_core::sc_time_stamp().to_seconds(); }
+
+}  // namespace
+
 Recorder::Recorder(const std::filesystem::path& out, FrameChoice frames)
     : frames_{frames}, folder_{out}, wav_{out}, console_{out / "console.txt"} {
     if (frames.which != FrameChoice::Which::NONE) frame_writer_.emplace(out);
@@ -24,6 +30,7 @@ void Recorder::attempt(Write write) {
 void Recorder::frame(const Monitor::Frame& frame) {
     senses_.frame(frame);
     on_frame();
+    if (page && frame.is_new) page->film.show(now_s(), senses_);
     constexpr std::size_t MOST_PICTURES = 1000;
     if (frame.is_new && pictures_.size() < MOST_PICTURES)
         pictures_.emplace_back(frame.number, sha256_hex(senses_.picture().rgb));
@@ -35,16 +42,19 @@ void Recorder::frame(const Monitor::Frame& frame) {
 
 void Recorder::sample(std::int16_t left, std::int16_t right) {
     senses_.sample(left, right);
+    if (page) page->sound.sample(now_s(), left, right);
     attempt([&] { wav_.push(left, right); });
 }
 
 void Recorder::sample_rate(double hz) {
     senses_.sample_rate(hz);
+    if (page) page->sound.sample_rate(hz);
     attempt([&] { wav_.rate_changed(hz); });
 }
 
 void Recorder::console(char character) {
     senses_.console(character);
+    if (page) page->console.print(now_s(), character);
     attempt([&] { console_.print(character); });
 }
 

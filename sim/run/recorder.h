@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "sim/board/board.h"
+#include "sim/page/page.h"
 #include "sim/report/console_file.h"
 #include "sim/report/frame_writer.h"
 #include "sim/report/wav.h"
@@ -39,6 +40,8 @@ public:
     // Called at the end of each frame that the monitor shows.
     std::function<void()> on_frame = [] {};
     Senses& senses() { return senses_; }
+    // Keeps for a page what passes by, if there is one.
+    page::Page* page = nullptr;
     // SHA-256 of the first new pictures, by the numbers of their frames.
     const std::vector<std::pair<std::uint64_t, std::string>>& pictures() const { return pictures_; }
     const LampLog& lamp_log() const { return lamp_log_; }

@@ -19,6 +19,7 @@
 #include "sim/run/progress.h"
 #include "sim/run/recorder.h"
 #include "sim/run/results.h"
+#include "sim/run/run_page.h"
 #include "sim/scenario/scenario.h"
 
 namespace sim {
@@ -159,6 +160,8 @@ ExitCode run_doing(const char*& doing, RunOptions options, const Firmware& firmw
 
     catch_signals();
     Recorder recorder{options.out, options.frames};
+    std::optional<RunPage> page;
+    if (!options.html.empty()) page.emplace(options, recorder);
     std::optional<TraceFile> trace;
     if (!options.trace.empty()) trace.emplace(options.trace);
     const Computer::Settings settings{
@@ -201,6 +204,7 @@ ExitCode run_doing(const char*& doing, RunOptions options, const Firmware& firmw
     if (arm) board.also_type_to([&arm](const std::string& text) { arm->type(text); });
     if (arm && options.scenario.empty() && !view) arm->close_input();  // there is nobody to type
     Player player{"player", board, recorder.senses(), scenario.steps, options.out};
+    if (page) player.on_step = [&page] { page->step_done(); };
     std::optional<live::LivePlayer> live_player;
     if (view) live_player.emplace("live_player", player, *view, *wire, scenario, seed, options.out);
     const sc_core::sc_event never;
@@ -250,6 +254,7 @@ ExitCode run_doing(const char*& doing, RunOptions options, const Firmware& firmw
     doing = "writing the report";
     write_whole_file(options.out / "report.json", to_json(report));
     write_whole_file(options.out / "junit.xml", to_junit(report));
+    if (page) page->write(report, scenario, player, arm ? &*arm : nullptr);
     ExitCode code = exit_code(report);
     if ((!options.quiet || !report.passed()) && !summarise(report, options.out) && code == PASSED)
         code = WRONG_INPUT;
