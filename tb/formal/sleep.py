@@ -25,130 +25,48 @@ Without, where it does not, counterexample.txt in the work folder has a line a s
 a clock.
 """
 import argparse
-import json
-import os
+import collections
 import pathlib
 import re
 import subprocess
 import sys
 
+from block import Block, symbols
 from prove import mutated
 
 
-class Block:
-    """The block as SMT2, and terms of it."""
-
-    def __init__(self, arguments, sources):
-        self.name = sources[0].stem
-        rtl = os.path.relpath(arguments.rtl, arguments.work)  # Yosys splits paths at blanks
-        includes = " ".join(f"-I{rtl}/{folder}" for folder in ("regmap", "bus", "vga"))
-        files = " ".join(os.path.relpath(source, arguments.work) for source in sources)
-        script = (f"read_verilog {includes} {files}; hierarchy -check -top {self.name}; "
-                  "proc -norom; flatten; memory_collect; opt_clean; write_smt2 -wires block.smt2; "
-                  "write_json block.json")
-        done = subprocess.run(["yosys", "-q", "-p", script], cwd=arguments.work, text=True,
-                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
-        if done.returncode:
-            sys.exit(done.stdout)
-        text = (arguments.work / "block.smt2").read_text()
-        self.widths = {name: int(width) for name, width in
-                       re.findall(r"^; yosys-smt2-wire (\S+) (\d+)$", text, re.M)}
-        # Functions of a state become constants with its name: z3 is slow with nested functions.
-        self.registers = re.findall(r"^\(declare-fun \|(.+?)\| \(\|\w+\|\) (.*)$", text, re.M)
-        self.wires = re.findall(r"^\(define-fun \|(.+?)\| \(\(state \|\w+\|\)\) (.*)$", text, re.M)
-        self.edges = re.findall(r"^  \(= .* next_state\)\) ;.*$", text, re.M)
-        netlist = json.loads((arguments.work / "block.json").read_text())["modules"][self.name]
-        nets = {}
-        for net, bits in netlist["netnames"].items():
-            nets.setdefault(bits["bits"][0], set()).add(net)
-        # The names of its clock, for each cell that has one.
-        self.clocks = {name.replace("\\", "/"): nets[cell["connections"][port][0]]
-                       for name, cell in netlist["cells"].items()
-                       for port in ("CLK", "WR_CLK") if port in cell["connections"]}
-        # Registers on another clock, which may tick at any time.
-        self.foreign = self.edges_of("clk_audio_i") + self.edges_of("clk_td_i")
-        self.edges = [edge for edge in self.edges if edge not in self.foreign]
-
-    def edges_of(self, clock):
-        cell = re.compile(r" next_state\)\) ; (\S+)")
-        return [edge for edge in self.edges if clock in self.clocks[cell.search(edge)[1]]]
-
-    def states(self, names):
-        """Declares them."""
-        lines = []
-        for state in names:
-            lines += [f"(declare-const |{name} {state}| {sort}" for name, sort in self.registers]
-            lines += [f"(define-fun |{name} {state}| () {self.told(body, 'state', state)}"
-                      for name, body in self.wires]
-        return "\n".join(lines)
-
-    @staticmethod
-    def told(term, argument, state):
-        return re.sub(rf"\(\|([^|]+)\| {argument}\)", rf"|\1 {state}|", term)
-
-    def at(self, signal, state):
-        return f"|{self.name}_n {signal} {state}|"
-
-    def clock(self, before, after, edges=None):
-        """The state after is the state before plus one clock, in all or some registers."""
-        edges = "\n".join(edges or self.edges)
-        return f"(and {self.told(self.told(edges, 'state', before), 'next_state', after)}\n)"
-
-    def stands(self, state, edges=None):
-        """A clock would not change the state."""
-        return self.clock(state, state, edges)
-
-    def kept(self, before, after, edges):
-        """The state after is the state before: there was no clock."""
-        registers = re.findall(r"\(\|([^|]+)\| next_state\)", "\n".join(edges))
-        same = " ".join(f"(= |{name} {before}| |{name} {after}|)" for name in registers)
-        return f"(and true {same})"
-
-    def low(self, signal, state):
-        if self.widths[signal] == 1:
-            return f"(not {self.at(signal, state)})"
-        return f"(= {self.at(signal, state)} {self.number(0, signal)})"
-
-    def same(self, signal, before, after, more=0):
-        number = self.at(signal, before)
-        if more:
-            number = f"(bvadd {number} {self.number(more, signal)})"
-        return f"(= {self.at(signal, after)} {number})"
-
-    def number(self, value, signal):
-        return f"(_ bv{value} {self.widths[signal]})"
-
-    def rests(self, state):
-        return f"(not {self.low('rest_o', state)})"
-
-    def one_less(self, before, after):
-        one = self.number(1, "rest_o")
-        return f"(bvuge {self.at('rest_o', after)} (bvsub {self.at('rest_o', before)} {one}))"
+# A claim: what registers became (block.py), what was so besides, and what follows from them.
+Claim = collections.namedtuple("Claim", "name steps premises conclusions")
 
 
 def sleep(block, strobes, pins):
-    """What holds of a block with awake_o: (name, premises, conclusions)."""
+    """What holds of a block with awake_o."""
     def quiet(state, before):
-        return [block.clock(before, state), *(block.low(name, state) for name in strobes),
+        return [*(block.low(name, state) for name in strobes),
                 *(block.same(name, before, state) for name in pins),
                 *(block.low(name, state) for name in ("rst_i",) if name in block.widths)]
 
     asleep = [*quiet("s1", "s0"), block.low("awake_o", "s1"),
               *(block.low(name, "s1") for name in ("due_o",) if name in block.widths)]
-    later = [*asleep, *quiet("s2", "s1"), block.kept("s1", "s2", block.foreign)]
-    yield "sleeps", asleep, [block.stands("s1")]
-    yield "stays", later, [block.low("awake_o", "s2")]
+    later = [*asleep, *quiet("s2", "s1")]
+    clock = block.clock("s0", "s1")
+    clocks = {**clock, **block.clock("s1", "s2")}
+    home_clocks = {**clocks, **block.kept("s1", "s2", block.foreign)}
+    yield Claim("sleeps", clock, asleep, [block.stands("s1")])
+    yield Claim("stays", home_clocks, later, [block.low("awake_o", "s2")])
     if "line_end_i" in block.widths:
         # It waits for the beam, and may also rest in a clock in which it is due.
-        yield ("rests", [block.clock("s0", "s1"), block.clock("s1", "s2"),
-                         *(block.low(name, state) for name in ("rst_i", "line_end_i", *strobes)
-                           for state in ("s1", "s2")),
-                         f"(xor {block.at('odd_i', 's1')} {block.at('odd_i', 's2')})",
-                         block.low("awake_o", "s1"), block.rests("s1")],
-               [block.low("awake_o", "s2"), block.low("due_o", "s2"), block.one_less("s1", "s2")])
+        yield Claim("rests", clocks,
+                    [*(block.low(name, state) for name in ("rst_i", "line_end_i", *strobes)
+                       for state in ("s1", "s2")),
+                     f"(xor {block.at('odd_i', 's1')} {block.at('odd_i', 's2')})",
+                     block.low("awake_o", "s1"), block.rests("s1")],
+                    [block.low("awake_o", "s2"), block.low("due_o", "s2"),
+                     block.one_less("s1", "s2")])
     elif "rest_o" in block.widths:
-        yield ("rests", [*later, block.rests("s1"), block.same("now_i", "s1", "s2", 1)],
-               [block.low("due_o", "s2"), block.one_less("s1", "s2")])
+        yield Claim("rests", home_clocks,
+                    [*later, block.rests("s1"), block.same("now_i", "s1", "s2", 1)],
+                    [block.low("due_o", "s2"), block.one_less("s1", "s2")])
 
 
 def framed(block, state, beam=""):
@@ -166,18 +84,19 @@ def framed(block, state, beam=""):
 def beam(block):
     """What holds of vga.v.  As line_buffer.v has it, a row does not begin with a flat block, and a
     word that was read stays until another is."""
-    reset = [block.clock("s0", "s1"), block.at("rst_i", "s0"), block.low("now_i", "s1")]
-    ticks = [block.clock("s0", "s1"), block.low("rst_i", "s0"), *framed(block, "s0"),
+    clock = block.clock("s0", "s1")
+    reset = [block.at("rst_i", "s0"), block.low("now_i", "s1")]
+    ticks = [block.low("rst_i", "s0"), *framed(block, "s0"),
              block.same("now_i", "s0", "s1", 1),
              f"(not (and {block.at('flat_i', 's0')}"
              f" (= ((_ extract 7 3) {block.at('index_o', 's0')}) #b00000)))",
              f"(or {block.at('pixel_o', 's0')} {block.same('word_i', 's0', 's1')})"]
-    yield "framed by a reset", reset, framed(block, "s1")
-    yield "framed", ticks, framed(block, "s1")
-    yield ("rests", [*ticks, block.low("rst_i", "s1"), block.rests("s0")],
-           [block.stands("s1"), block.one_less("s0", "s1"),
-            *(block.low(name, "s1") for name in ("pixel_o", "line_end_o", "frame_end_o",
-                                                 "cell_o"))])
+    yield Claim("framed by a reset", clock, reset, framed(block, "s1"))
+    yield Claim("framed", clock, ticks, framed(block, "s1"))
+    yield Claim("rests", clock, [*ticks, block.low("rst_i", "s1"), block.rests("s0")],
+                [block.stands("s1"), block.one_less("s0", "s1"),
+                 *(block.low(name, "s1") for name in ("pixel_o", "line_end_o", "frame_end_o",
+                                                      "cell_o"))])
 
 
 def fabric(block, strobes, pins):
@@ -186,7 +105,7 @@ def fabric(block, strobes, pins):
     ours = {group: block.edges_of(f"{group}.clk_o") for group in groups}
     grouped = sum(ours.values(), [])
     others = [edge for edge in block.edges if edge not in grouped]
-    timeless = [edge for edge in others if r"\clocks.base.now_o" not in edge]
+    timeless = [edge for edge in others if edge.signal != r"\clocks.base.now_o"]
 
     def unmoved(name, state):
         bit = 0 if name.startswith("lw_") else 1 if name.startswith("h2f_") else 2
@@ -196,63 +115,72 @@ def fabric(block, strobes, pins):
             *(f"(=> {unmoved(name, 's1')} {block.low(name, 's1')})" for name in strobes),
             *(f"(=> {unmoved(name, 's1')} {block.same(name, 's0', 's1')})" for name in pins)]
     for group in groups:
-        yield (f"{group} sleeps",
-               [block.clock("s0", "s1"), *told, block.low(f"{group}.awake_i", "s1")],
-               [block.stands("s1", ours[group])])
+        yield Claim(f"{group} sleeps", block.clock("s0", "s1"),
+                    [*told, block.low(f"{group}.awake_i", "s1")],
+                    [block.stands("s1", ours[group])])
     # The clock for which the picture's fetch has waited is a clock of its group alone.
     memory = ours["clocks.memory_group"]
     still = [edge for edge in grouped if edge not in memory]
-    fetches = (f"(ite {block.low('clocks.memory_group.awake_i', 's0')}"
-               f" {block.kept('s0', 's1', memory)} {block.clock('s0', 's1', memory)})")
-    yield ("rests", [block.clock("s0", "s1", others), fetches,
-                     block.kept("s0", "s1", still + block.foreign),
-                     *framed(block, "s0", "video_block.vga_block."), block.low("skip_i", "s0"),
-                     *(block.low(name, state) for name in ("moved_i", "rst_i")
-                       for state in ("s0", "s1")), block.rests("s0")],
-           [block.stands("s1", timeless), block.one_less("s0", "s1"),
-            *(block.low(f"{group}.awake_i", "s1") for group in groups)])
+    waits = block.low("clocks.memory_group.awake_i", "s0")
+    fetched = block.clock("s0", "s1", memory)
+    fetches = {register: f"(ite {waits} {before} {fetched[register]})"
+               for register, before in block.kept("s0", "s1", memory).items()}
+    yield Claim("rests",
+                {**block.clock("s0", "s1", others), **fetches,
+                 **block.kept("s0", "s1", still + block.foreign)},
+                [*framed(block, "s0", "video_block.vga_block."), block.low("skip_i", "s0"),
+                 *(block.low(name, state) for name in ("moved_i", "rst_i")
+                   for state in ("s0", "s1")), block.rests("s0")],
+                [block.stands("s1", timeless), block.one_less("s0", "s1"),
+                 *(block.low(f"{group}.awake_i", "s1") for group in groups)])
 
 
 def leap(block):
     """What holds of timebase.v: s0 skips to s1; s2, at the same time, skips one less, to s3."""
-    yield ("leaps", [block.clock("s0", "s1"), block.clock("s2", "s3"), block.clock("s3", "s4"),
-                     block.same("now_o", "s0", "s2"), block.same("skip_i", "s2", "s0", 1),
-                     f"(not {block.low('skip_i', 's0')})", block.low("skip_i", "s3"),
-                     *(block.low("rst_i", state) for state in ("s0", "s2", "s3"))],
-           [block.same("now_o", "s1", "s4")])
+    yield Claim("leaps", {**block.clock("s0", "s1"), **block.clock("s2", "s3"),
+                          **block.clock("s3", "s4")},
+                [block.same("now_o", "s0", "s2"), block.same("skip_i", "s2", "s0", 1),
+                 f"(not {block.low('skip_i', 's0')})", block.low("skip_i", "s3"),
+                 *(block.low("rst_i", state) for state in ("s0", "s2", "s3"))],
+                [block.same("now_o", "s1", "s4")])
 
 
-def ask(asked, work):
-    problem = work / "problem.smt2"
-    problem.write_text("\n".join(asked) + "\n")
-    return subprocess.run(["z3", str(problem)], stdout=subprocess.PIPE, text=True).stdout
+def ask(problem, work):
+    (work / "problem.smt2").write_text(problem)
+    return subprocess.run(["z3", work / "problem.smt2"], stdout=subprocess.PIPE, text=True).stdout
 
 
 def holds(block, claim, work, tells):
-    """Whether the claim holds: its premises are satisfiable, but not without its conclusions.
+    """Whether the claim holds: its premises are satisfiable, but not without a conclusion.
 
-    Z3 takes most of its time to read the block, so it is asked as seldom as possible.  If the claim
+    Each conclusion is asked for by itself: it reaches less of the block than all of them.  If one
     does not hold, and it `tells`, counterexample.txt says why.
     """
-    name, premises, conclusions = claim
-    states = sorted(set(re.findall(r" (s\d)\|", " ".join(premises))))
-    asked = [block.states(states), f"(assert (and {' '.join(premises)}))"]
-    broken = [*asked, f"(assert (not (and {' '.join(conclusions)})))", "(check-sat)"]
-    answer = ask(broken, work)
-    if answer == "unsat\n":
-        if ask([*asked, "(check-sat)"], work) != "sat\n":
-            sys.exit(f"{name}: this never is the case")
-        return True
-    if answer != "sat\n":
-        sys.exit(answer)
-    if tells:
-        signals = [block.at(name, state) for name in block.widths for state in states]
-        values = dict(re.findall(r"(\|.+?\|) (\S+?)\)+\n",
-                                 ask([*broken, f"(get-value ({' '.join(signals)}))"], work)))
-        (work / "counterexample.txt").write_text("".join(
-            f"{name:40} {' '.join(values[block.at(name, state)] for state in states)}\n"
-            for name in block.widths))
-    return False
+    given = f"(assert (and {' '.join(claim.premises)}))\n"
+    for conclusion in claim.conclusions:
+        broken = f"{given}(assert (not {conclusion}))\n(check-sat)"
+        answer = ask(block.problem(claim.steps, broken), work)
+        if answer == "unsat\n":
+            continue
+        if answer != "sat\n":
+            sys.exit(answer)
+        if tells:
+            tell(block, claim, broken, work)
+        return False
+    if ask(block.problem(claim.steps, f"{given}(check-sat)"), work) != "sat\n":
+        sys.exit(f"{claim.name}: this never is the case")
+    return True
+
+
+def tell(block, claim, broken, work):
+    known = " ".join([*claim.steps, *claim.steps.values(), broken])
+    states = sorted({state for _, state in symbols(known)})
+    signals = [block.at(name, state) for name in block.widths for state in states]
+    answer = ask(block.problem(claim.steps, f"{broken}\n(get-value ({' '.join(signals)}))"), work)
+    values = dict(re.findall(r"(\|.+?\|) (\S+?)\)+\n", answer))
+    (work / "counterexample.txt").write_text("".join(
+        f"{name:40} {' '.join(values[block.at(name, state)] for state in states)}\n"
+        for name in block.widths))
 
 
 def main():
@@ -276,7 +204,7 @@ def main():
     else:
         claims = (fabric if block.name == "fpga" else sleep)(block, arguments.strobes,
                                                              arguments.pins)
-    failed = next((claim[0] for claim in claims
+    failed = next((claim.name for claim in claims
                    if not holds(block, claim, arguments.work, not arguments.mutant)), None)
     if arguments.mutant and not failed:
         sys.exit("all holds in spite of the mutant")
