@@ -35,7 +35,7 @@ std::uint64_t Film::keep(const Senses& eyes) {
     if (number_ == 0) return 0;
     const bool there = !pictures_.empty() && pictures_.back().number == number_;
     if (there && pictures_.back().of_step) return number_;
-    if (of_steps_ == MOST_OF_STEPS) return there ? number_ : 0;
+    if (of_steps_ == MOST_OF_STEPS) return 0;
     ++of_steps_;
     if (there) {
         --others_;

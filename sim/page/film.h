@@ -25,7 +25,8 @@ public:
 
     // A new picture, which `eyes` see now.
     void show(double time_s, const Senses& eyes);
-    // A step is done: the picture seen now stays.  Its number, or 0 without a picture.
+    // A step is done: the picture seen now stays.  Its number, or 0 if there is none or
+    // enough are kept.
     std::uint64_t keep(const Senses& eyes);
 
     const std::vector<Picture>& pictures() const { return pictures_; }

@@ -15,7 +15,8 @@ a{color:var(--blue)}pre,code{font:13px/1.4 ui-monospace,monospace}
 .verdict{display:inline-block;padding:.1em .6em;border-radius:4px;
 color:var(--back);font-weight:bold;
 background:var(--good)}.verdict.failed{background:var(--bad)}
-dl{display:grid;grid-template-columns:max-content 1fr;gap:.1em 1em}dt{color:var(--soft)}dd{margin:0}
+dl{display:grid;grid-template-columns:max-content 1fr;gap:.1em 1em}dt{color:var(--soft)}dd{margin:0;
+white-space:pre-wrap}
 svg{width:100%;height:auto;display:block;font:11px system-ui,sans-serif}
 .grid{stroke:var(--rule);stroke-width:1}.mark{fill:var(--soft);text-anchor:middle}
 .name{fill:var(--soft);text-anchor:end}.label{fill:var(--text)}
@@ -33,7 +34,9 @@ tr:target,figure:target{outline:2px solid var(--blue)}
 figure{margin:0}figcaption{color:var(--soft);font-size:12px}
 .strip{display:flex;gap:6px;overflow-x:auto;padding:4px 0}
 .strip figure{flex:none}.strip img{height:120px;width:auto;display:block;background:#000}
-.three{white-space:normal;display:grid;grid-template-columns:repeat(3,1fr);gap:6px;margin:.4em 0}
+.mark-of{white-space:nowrap}figure:has([data-what=expected]){order:-1}
+.three{white-space:normal;align-items:start;display:grid;
+grid-template-columns:repeat(3,minmax(0,1fr));gap:6px;margin:.4em 0;overflow-wrap:anywhere}
 .three img,.wipe img,.large img{width:100%;display:block;image-rendering:pixelated;background:#000}
 .wipe,.large{max-width:640px;margin:.4em 0}.over{position:relative}
 .over img+img{position:absolute;inset:0;clip-path:inset(0 0 0 50%)}
