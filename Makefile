@@ -67,7 +67,7 @@ package:                ## build/package/de1sim_*.deb
 	@cmake --build build --target deb
 
 test:                   ## every test, packages first
-	@.ci/setup tool firmware board test
+	@.ci/setup tool firmware board test video
 	@.ci/configure FIRMWARE TESTS PROOFS BENCH BOARD
 	@cmake --build build
 	@ctest --preset test
@@ -77,13 +77,13 @@ fast: everything        ## every test but the whole-system ones
 	@ctest --preset fast
 
 asan:                   ## every test, with address and undefined-behaviour sanitizers
-	@.ci/setup --check tool firmware board test
+	@.ci/setup --check tool firmware board test video
 	@cmake --preset asan
 	@cmake --build build/asan
 	@ctest --preset asan
 
 coverage:               ## lines and toggles of the RTL -> build/coverage/html/index.html
-	@.ci/setup --check tool firmware board test
+	@.ci/setup --check tool firmware board test video
 	@cmake --preset coverage
 	@cmake --build build/coverage --target coverage
 

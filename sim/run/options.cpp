@@ -7,6 +7,7 @@
 #include <CLI/CLI.hpp>
 
 #include "sim/cpu/elf.h"
+#include "sim/report/video.h"
 
 namespace sim {
 
@@ -150,6 +151,13 @@ void add_run_options(CLI::App& command, RunOptions& options) {
     command.add_option("--trace", options.trace, "write waveforms (FST, for GTKWave); slow")
         ->check(named);
     command.add_option("--live-socket", options.live_socket)->group("");
+    command
+        .add_option("--video", options.video,
+                    "write pictures and sound as a film: FILE.mp4 (H.264, AAC) or FILE.webm (VP9,\n"
+                    "Opus)")
+        ->check([](const std::string& name) {
+            return is_video_name(name) ? "" : "expected FILE.mp4 or FILE.webm, got \"" + name + '"';
+        });
     command.add_flag("--quiet", options.quiet, "no progress, no summary unless something failed");
 }
 

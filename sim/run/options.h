@@ -52,6 +52,7 @@ struct RunOptions {
     std::string trace;                  // FST file, or empty
     std::filesystem::path html;         // a page with all of the run, or empty
     std::string command, version;       // for that page
+    std::filesystem::path video;        // .mp4 or .webm, or empty
     unsigned audio_rate = 8'000;        // samples a second
     bool quiet = false;
     std::optional<int> live_socket;  // to `de1sim live`, whose simulation this is

@@ -11,8 +11,10 @@ double now_s() { return sc_core::sc_time_stamp().to_seconds(); }
 
 }  // namespace
 
-Recorder::Recorder(const std::filesystem::path& out, FrameChoice frames)
+Recorder::Recorder(const std::filesystem::path& out, FrameChoice frames,
+                   const std::filesystem::path& video)
     : frames_{frames}, folder_{out}, wav_{out}, console_{out / "console.txt"} {
+    if (!video.empty()) video_ = open_video(video);
     if (frames.which != FrameChoice::Which::NONE) frame_writer_.emplace(out);
 }
 
@@ -38,18 +40,25 @@ void Recorder::frame(const Monitor::Frame& frame) {
         attempt([&] {
             frame_writer_->push(frame.number, image_of(frame.pixels, frame.width, frame.height));
         });
+    if (video_) attempt([&] { video_->frame(frame.pixels, frame.width, frame.height, now_s()); });
 }
 
 void Recorder::sample(std::int16_t left, std::int16_t right) {
     senses_.sample(left, right);
     if (page) page->sound.sample(now_s(), left, right);
-    attempt([&] { wav_.push(left, right); });
+    attempt([&] {
+        wav_.push(left, right);
+        if (video_) video_->sample(left, right, now_s());
+    });
 }
 
 void Recorder::sample_rate(double hz) {
     senses_.sample_rate(hz);
     if (page) page->sound.sample_rate(hz);
-    attempt([&] { wav_.rate_changed(hz); });
+    attempt([&] {
+        wav_.rate_changed(hz);
+        if (video_) video_->sample_rate(hz);
+    });
 }
 
 void Recorder::console(char character) {
@@ -74,6 +83,7 @@ void Recorder::close() {
         frame_writer_->close();
     }
     wav_.close();
+    if (video_) video_->close(now_s());
     console_.commit();
 }
 

@@ -13,6 +13,7 @@
 #include "sim/page/page.h"
 #include "sim/report/console_file.h"
 #include "sim/report/frame_writer.h"
+#include "sim/report/video.h"
 #include "sim/report/wav.h"
 #include "sim/run/lamp_log.h"
 #include "sim/run/options.h"
@@ -25,7 +26,8 @@ namespace sim {
 class Recorder : public Audience {
 public:
     // Makes and locks the folder, see OutputFolder.  IoError.
-    Recorder(const std::filesystem::path& out, FrameChoice frames);
+    Recorder(const std::filesystem::path& out, FrameChoice frames,
+             const std::filesystem::path& video);  // or empty
 
     void frame(const Monitor::Frame& frame) override;
     void sample(std::int16_t left, std::int16_t right) override;
@@ -60,6 +62,7 @@ private:
     std::optional<FrameWriter> frame_writer_;
     WavWriter wav_;
     ConsoleFile console_;
+    std::unique_ptr<VideoWriter> video_;  // or none
     LampLog lamp_log_;
     std::vector<std::pair<std::uint64_t, std::string>> pictures_;
     std::vector<std::string> log_;

@@ -159,7 +159,7 @@ ExitCode run_doing(const char*& doing, RunOptions options, const Firmware& firmw
     if (options.gdb) gdb.emplace(*options.gdb);
 
     catch_signals();
-    Recorder recorder{options.out, options.frames};
+    Recorder recorder{options.out, options.frames, options.video};
     std::optional<RunPage> page;
     if (!options.html.empty()) page.emplace(options, recorder);
     std::optional<TraceFile> trace;

@@ -99,6 +99,14 @@ TEST_F(WrongInput, ATraceThatCanNotBeWrittenIsNamed) {
             "none/a.fst: cannot create: No such file or directory");
 }
 
+TEST_F(WrongInput, AVideoThatCanNotBeWrittenIsNamed) {
+    scenario("duration: 100ms\n");
+    refused(play("s.yaml", {"--video", folder / "none/a.mp4"}), VIDEO_REFUSAL);
+    for (const char* name : {"a.avi", "mp4", "a.mp4/", ""})
+        usage({"run", "s.yaml", "--video", name},
+              std::string{"--video: expected FILE.mp4 or FILE.webm, got \""} + name + '"');
+}
+
 TEST_F(WrongInput, NoArgumentsAreAnsweredWithWhatIsMissing) {
     usage({}, "subcommand is required");
     usage({"run"}, "FILE: expected a scenario or a program");
