@@ -27,7 +27,7 @@ TEST(ScenarioError, NamesTheNearestFieldOfAFile) {
               "a.yaml:1:1: expected a field of a scenario, got \"nam\" (did you mean \"name\"?)");
     EXPECT_EQ(error_of("name: a\ncolour: red"),
               "a.yaml:2:1: expected a field of a scenario: name, version, seed, duration, "
-              "program, ps2 or steps, "
+              "program, ps2, parts or steps, "
               "got \"colour\"");
 }
 
@@ -139,7 +139,7 @@ TEST(ScenarioError, SaysWhatAValueShouldHaveBeen) {
         {"wait-serial: yes", 16, "expected text, got yes (put it in quotes)"},
         {"wait-serial: [a]", 16, "expected text, got a list"},
         {"expect-frame: a.png", 17,
-         "expected a map with equals or differing-pixels in expect-frame, got \"a.png\""},
+         "expected a map with equals, differing-pixels or of in expect-frame, got \"a.png\""},
         {"expect-frame: {equals: 5}", 26, "expected a line of text, got 5 (put it in quotes)"},
         {"expect-frame: {equals: a, differing-pixels: 1310721}", 47,
          "expected a whole number from 0 to 1310720, got 1310721"},
