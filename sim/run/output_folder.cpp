@@ -10,12 +10,12 @@
 #include <cerrno>
 #include <cstdio>
 #include <fstream>
-#include <regex>
 #include <string>
 #include <system_error>
 
 #include <fmt/format.h>
 
+#include "sim/report/pattern.h"
 #include "sim/report/run_files.h"
 #include "sim/report/whole_file.h"
 
@@ -48,12 +48,11 @@ long holder_of(int descriptor) {
 
 // Only names that a run makes; anything else in the folder is somebody's.
 void remove_old(const fs::path& folder, const char* names) {
-    const std::regex pattern{names};
+    const Pattern pattern{names};
     std::error_code error;
     for (fs::directory_iterator it{folder, error}, end; !error && it != end; it.increment(error)) {
         std::error_code failed;
-        if (std::regex_match(it->path().filename().string(), pattern) &&
-            it->is_regular_file(failed))
+        if (pattern.matches(it->path().filename().string()) && it->is_regular_file(failed))
             fs::remove(it->path(), failed);
         if (failed) throw IoError{it->path(), "remove", failed.value()};
     }

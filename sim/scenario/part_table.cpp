@@ -1,11 +1,12 @@
 #include "sim/scenario/part_table.h"
 
+#include <cstdio>
 #include <map>
-#include <regex>
 
 #include <fmt/format.h>
 
 #include "sim/board/lt24.h"
+#include "sim/report/pattern.h"
 #include "sim/scenario/words.h"
 
 namespace sim {
@@ -25,15 +26,14 @@ const std::string NAME = "[A-Za-z][A-Za-z0-9_-]*";
 
 // "GPIO_1[15:8], GPIO_0[3]", from the left.
 Reading read_pin_list(const YamlNode& node) {
-    static const std::regex LIST{PIN_LIST}, ONE{PIN_RANGE};
-    if (!is_text(node) || !std::regex_match(node.text, LIST)) return std::nullopt;
+    static const Pattern LIST{PIN_LIST};
+    if (!is_text(node) || !LIST.matches(node.text)) return std::nullopt;
     Numbers pins;
-    for (std::sregex_iterator at{node.text.begin(), node.text.end(), ONE}, end; at != end; ++at) {
-        const int header = at->str()[5] - '0', first = std::stoi((*at)[1]),
-                  last = (*at)[3].matched ? std::stoi((*at)[3]) : first;
-        for (int pin = first;; pin += first < last ? 1 : -1) {
-            pins.push_back(static_cast<unsigned>(header) * PINS_OF_A_HEADER +
-                           static_cast<unsigned>(pin));
+    for (std::size_t at = 0; (at = node.text.find("GPIO", at)) != std::string::npos; ++at) {
+        unsigned header = 0, first = 0, last = 0;
+        if (std::sscanf(&node.text[at], "GPIO_%u[%u:%u", &header, &first, &last) < 3) last = first;
+        for (unsigned pin = first;; first < last ? ++pin : --pin) {
+            pins.push_back(header * PINS_OF_A_HEADER + pin);
             if (pin == last) break;
         }
     }
@@ -63,8 +63,8 @@ const ValueType EIGHT_PINS{"eight pins such as GPIO_1[7:0], numbered 0 to 35", a
 // ---- Other values ----
 
 Reading read_part_name(const YamlNode& node) {
-    static const std::regex ALL{NAME};
-    if (!is_text(node) || !std::regex_match(node.text, ALL)) return std::nullopt;
+    static const Pattern ALL{NAME};
+    if (!is_text(node) || !ALL.matches(node.text)) return std::nullopt;
     return node.text;
 }
 

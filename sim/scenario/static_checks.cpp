@@ -5,8 +5,8 @@
 
 #include <algorithm>
 #include <iterator>
-#include <regex>
 
+#include "sim/report/pattern.h"
 #include "sim/report/run_files.h"
 #include "sim/scenario/part_table.h"
 #include "sim/scenario/words.h"
@@ -67,10 +67,10 @@ const PartPlan& StaticChecks::need_part(PartPlan::Kind kind, const std::string& 
 // ---- Files ----
 
 void StaticChecks::new_file(const std::filesystem::path& as_written) {
-    static const std::regex taken{RUN_NAMES};
+    static const Pattern taken{RUN_NAMES};
     const std::filesystem::path file = as_written.lexically_normal();
     const std::string name = in_quotes(as_written.string());
-    if (std::regex_match(file.begin()->string(), taken))
+    if (taken.matches(file.begin()->string()))
         refuse_step("a file that the run does not write itself", name);
 
     // Paths are sorted by their components, so what is below a folder follows it.

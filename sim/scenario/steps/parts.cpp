@@ -2,8 +2,7 @@
 // parts that the scenario hangs on the headers
 #include <fmt/format.h>
 
-#include <regex>
-
+#include "sim/report/pattern.h"
 #include "sim/scenario/stage.h"
 #include "sim/scenario/static_checks.h"
 #include "sim/scenario/step_form.h"
@@ -160,9 +159,8 @@ private:
 };
 
 Reading read_rows(const YamlNode& node) {
-    static const std::regex ALL{"[.#+]+(\n[.#+]+)*\n?"};
-    if (!is_text(node) || node.text.size() > 2000 || !std::regex_match(node.text, ALL))
-        return std::nullopt;
+    static const Pattern ALL{"[.#+]+(\n[.#+]+)*\n?"};
+    if (!is_text(node) || node.text.size() > 2000 || !ALL.matches(node.text)) return std::nullopt;
     return node.text;
 }
 
