@@ -41,6 +41,7 @@ target_include_directories(verilated_runtime SYSTEM PUBLIC ${VERILATOR_ROOT}/inc
     ${VERILATOR_ROOT}/include/vltstd)
 target_compile_definitions(verilated_runtime PUBLIC VL_TIME_CONTEXT)
 target_link_libraries(verilated_runtime PUBLIC Threads::Threads)
+target_compile_options(verilated_runtime PRIVATE -O1)  # hardly called while the model runs
 
 # verilate_rtl(TARGET TOP [TRACE_FST] [FOR_TEST] SOURCES files under rtl/... ARGS for Verilator...)
 #
