@@ -111,6 +111,7 @@ Binding bind(const std::vector<Port>& ports, const Locations& locations,
         name_wires(wires, port, located, binding.notes);
         Binding::BoundPort bound{port, {}};
         bool any = false;
+        const auto open = std::count(wires.begin(), wires.end(), "");
         for (std::string& wire : wires) {
             const BoardSignal* signal = wire.empty() ? nullptr : signal_of_wire(wire);
             if (signal && port.direction == Direction::OUTPUT) {
@@ -145,6 +146,9 @@ Binding bind(const std::vector<Port>& ports, const Locations& locations,
                                    port.direction == Direction::INPUT
                                        ? is_low_active(port.name) ? " (is 1)" : " (is 0)"
                                        : "");
+        else if (any && open > 0)
+            binding.notes.push_back(fmt::format("{}: {} of its {} bits have no pin of the board",
+                                                port.name, open, bound.bits.size()));
         binding.ports.push_back(std::move(bound));
     }
     if (!nowhere.empty()) binding.notes.push_back("ports without a pin of the board: " + nowhere);

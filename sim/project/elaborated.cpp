@@ -1,6 +1,7 @@
 #include "sim/project/elaborated.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <map>
 
 #include <fmt/format.h>
@@ -12,6 +13,8 @@
 namespace sim::project {
 
 namespace {
+
+constexpr long long MOST_BITS = 1024;  // in a port; the chip has 457 pins for all
 
 // The value of a constant as Verilator prints it: 64'h1f, 32'sh2.
 std::uint64_t value_of(const pugi::xml_node& parameter) {
@@ -78,6 +81,11 @@ Port port_of(const pugi::xml_node& var, const std::map<std::string, pugi::xml_no
         port.vector = true;
         port.left = left.as_int();
         port.right = type->second.attribute("right").as_int();
+        const long long bits = std::llabs(left.as_llong() - port.right) + 1;
+        if (bits > MOST_BITS)
+            throw ProjectError{
+                fmt::format("port {} of the top module has {} bits, expected at most {}", port.name,
+                            bits, MOST_BITS)};
     }
     return port;
 }

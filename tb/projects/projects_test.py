@@ -29,6 +29,11 @@ class Reading(Case):
                       "my lab__top 1_v": "module top(input [9:0] SW);\nassign = SW; endmodule\n"})
         self.refused("my lab/top 1.v:2:")
 
+    def test_a_folder_with_any_name(self):
+        self.folder /= "my lab's \"\u00fc\" (1)"
+        self.write(top_v=LEDS.format("SW"))
+        self.leds(5, 5)
+
     def test_paths_of_another_machine(self):
         self.write(p_qsf="set_global_assignment -name TOP_LEVEL_ENTITY top\n"
                          "set_global_assignment -name VERILOG_FILE "
@@ -243,6 +248,15 @@ class Wrong(Case):
     def test_two_tops(self):
         self.write(a_v=LEDS.format("SW"), b_v=LEDS.format("SW").replace("top", "top2"))
         self.refused("two top modules are possible, choose by --top")
+
+    def test_a_port_of_impossible_width(self):
+        for width in "[1024:0]", "[0:99999]":
+            self.write(top_v=f"module top(input [9:0] SW, inout {width} GPIO_0); endmodule\n")
+            self.refused("expected at most 1024")
+
+    def test_bits_without_a_pin_are_said(self):
+        self.write(top_v=LEDS.format("SW").replace("output [9:0]", "output [17:0]"))
+        self.checked("LEDR: 8 of its 18 bits have no pin of the board")
 
     def test_a_missing_module(self):
         self.write(top_v=LEDS.format("SW").replace("; assign", ";\ngone u (SW); assign"))

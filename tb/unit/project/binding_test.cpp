@@ -8,6 +8,7 @@ namespace {
 
 using namespace sim::project;
 using ::testing::Contains;
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
 std::vector<std::string> wires(const Binding& binding, std::size_t port = 0) {
@@ -64,7 +65,7 @@ TEST(Binding, OfAWideColourWithLocationsIsByThem) {
     EXPECT_EQ(wires(b),
               (std::vector<std::string>{"", "", "VGA_R[7]", "VGA_R[6]", "VGA_R[5]", "VGA_R[4]",
                                         "VGA_R[3]", "VGA_R[2]", "VGA_R[1]", "VGA_R[0]"}));
-    EXPECT_TRUE(b.notes.empty());
+    EXPECT_THAT(b.notes, ElementsAre("VGA_R: 2 of its 10 bits have no pin of the board"));
 }
 
 TEST(Binding, GivesAPinToTheOutputThatHasItsLocation) {
