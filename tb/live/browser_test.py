@@ -30,7 +30,9 @@ class Page(unittest.TestCase):
         self.addCleanup(self.board.__exit__)
         options = webdriver.ChromeOptions()
         for word in ("--headless=new", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage",
-                     "--window-size=1400,1000", "--autoplay-policy=no-user-gesture-required",
+                     "--disable-background-networking", "--disable-component-update",
+                     "--no-first-run", "--window-size=1400,1000",
+                     "--autoplay-policy=no-user-gesture-required",
                      f"--user-data-dir={self.folder / 'profile'}"):
             options.add_argument(word)
         options.set_capability("goog:loggingPrefs", {"browser": "ALL"})
