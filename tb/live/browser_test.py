@@ -1,11 +1,11 @@
 """browser_test.py DE1SIM FOLDER - `de1sim live` as a person has it: its page in Chromium."""
 import pathlib
+import re
 import subprocess
 import sys
 import unittest
 
 from selenium import webdriver
-from selenium.webdriver.chrome.service import Service
 from selenium.webdriver.common.by import By
 from selenium.webdriver.common.keys import Keys
 from selenium.webdriver.support.wait import WebDriverWait
@@ -31,15 +31,26 @@ class Page(unittest.TestCase):
         options = webdriver.ChromeOptions()
         for word in ("--headless=new", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage",
                      "--disable-background-networking", "--disable-component-update",
-                     "--no-first-run", "--window-size=1400,1000",
+                     "--remote-debugging-pipe", "--no-first-run", "--window-size=1400,1000",
                      "--autoplay-policy=no-user-gesture-required",
                      f"--user-data-dir={self.folder / 'profile'}"):
             options.add_argument(word)
         options.set_capability("goog:loggingPrefs", {"browser": "ALL"})
-        self.page = webdriver.Chrome(options=options, service=Service("/usr/bin/chromedriver"))
+        self.page = webdriver.Remote(self.driver(), options=options)
         self.addCleanup(self.page.quit)
         self.page.get(self.board.url)
         self.until(lambda: int(self.find("#monitor").get_attribute("data-shown") or 0) > 0)
+
+    def driver(self):
+        """Starts ChromeDriver; by its address, since a bare system does not know "localhost"."""
+        driver = subprocess.Popen(["chromedriver", "--port=0"], stdout=subprocess.PIPE, text=True)
+        self.addCleanup(driver.stdout.close)
+        self.addCleanup(driver.wait)
+        self.addCleanup(driver.terminate)
+        for line in driver.stdout:
+            if found := re.search(r"started successfully on port (\d+)", line):
+                return f"http://127.0.0.1:{found.group(1)}"
+        raise RuntimeError("chromedriver does not start")
 
     def tearDown(self):
         wrong = [entry["message"] for entry in self.page.get_log("browser")
