@@ -39,7 +39,14 @@ bool Wire::flush() {
         const ssize_t done =
             ::send(descriptor_, out_.data() + sent_, out_.size() - sent_, MSG_NOSIGNAL);
         if (done < 0 && errno == EINTR) continue;
-        if (done < 0) return errno == EAGAIN || errno == EWOULDBLOCK;
+        if (done < 0 && errno != EAGAIN && errno != EWOULDBLOCK) return false;
+        if (done < 0) {  // the other side does not keep up: what it has read is of no use any more
+            if (sent_ > (1u << 20)) {
+                out_.erase(0, sent_);
+                sent_ = 0;
+            }
+            return true;
+        }
         sent_ += static_cast<std::size_t>(done);
     }
     out_.clear();

@@ -1,6 +1,8 @@
 // html.cpp - see html.h
 #include "sim/page/html.h"
 
+#include <openssl/evp.h>
+
 #include "sim/report/printable.h"
 
 namespace sim::page {
@@ -21,20 +23,9 @@ std::string escape(std::string_view text) {
 }
 
 std::string data_url(const std::vector<std::uint8_t>& png) {
-    constexpr char DIGITS[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    std::string out = "data:image/png;base64,";
-    out.reserve(out.size() + (png.size() + 2) / 3 * 4);
-    for (std::size_t i = 0; i < png.size(); i += 3) {
-        const std::size_t count = png.size() - i;
-        const unsigned three = static_cast<unsigned>(png[i] << 16) |
-                               (count > 1 ? static_cast<unsigned>(png[i + 1] << 8) : 0u) |
-                               (count > 2 ? png[i + 2] : 0u);
-        out += DIGITS[three >> 18];
-        out += DIGITS[three >> 12 & 63];
-        out += count > 1 ? DIGITS[three >> 6 & 63] : '=';
-        out += count > 2 ? DIGITS[three & 63] : '=';
-    }
-    return out;
+    std::vector<unsigned char> digits((png.size() + 2) / 3 * 4 + 1);  // with a 0 behind them
+    EVP_EncodeBlock(digits.data(), png.data(), static_cast<int>(png.size()));
+    return "data:image/png;base64," + std::string(digits.begin(), digits.end() - 1);
 }
 
 }  // namespace sim::page
