@@ -71,6 +71,13 @@ class AsQuartusTakesIt(Case):
         self.checked("top.v:2: dropped the comma", 'top.v:3: "do" is read as a name',
                      "top.v:4: named the instance of sub", "top.v:5: 4'b010101 has too many digits")
 
+    def test_an_inout_port_on_an_input(self):
+        self.write(top_v="module pin(inout p, input on, output seen);\n"
+                         "assign p = on ? 1'b0 : 1'bz; assign seen = p; endmodule\n"
+                         "module top(input [9:0] SW, output [9:0] LEDR);\n"
+                         "pin u (SW[0], 1'b0, LEDR[0]); assign LEDR[9:1] = 0; endmodule\n")
+        self.leds(1, 1)
+
     def test_blocking_and_non_blocking_mixed(self):
         self.write(top_v="module top(input CLOCK_50, output [9:0] LEDR); reg [9:0] n;\n"
                          "always @(posedge CLOCK_50) if (n < 100) n = n + 1; else n <= 5;\n"
