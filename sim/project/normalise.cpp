@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "sim/project/items.h"
+#include "sim/project/parameter_types.h"
 #include "sim/project/registers.h"
 #include "sim/project/reorder.h"
 #include "sim/project/settings.h"
@@ -57,6 +58,7 @@ public:
                const Modules& modules)
         : tokens_{tokens_of(text)}, items_{tokens_.all}, name_{name} {
         reorder(tokens_.all, items_, edits_);
+        repeat_parameter_types(tokens_.all, edits_);
         enable_part_drivers(tokens_, modules, edits_);
         make_registers(tokens_, edits_);
         init_names_ = read_at_run_time(tokens_, edits_);

@@ -1,5 +1,4 @@
 """projects_test.py DE1SIM FOLDER [CASE...] - projects as people have them: odd or wrong."""
-import json
 import os
 import pathlib
 import shutil
@@ -57,78 +56,6 @@ class Reading(Case):
                    top_v=LEDS.format("SW"))
         self.assertIn("DEVICE is EP4CE115F29C7, not the DE1-SoC's 5CSEMA5F31C6",
                       self.leds(0b1000, 0b1000))
-
-
-class AsQuartusTakesIt(Case):
-    def test_odd_verilog(self):
-        self.write(top_v="module sub(input a, output b); assign b = a; endmodule\n"
-                         "module top(input [9:0] SW, output [9:0] LEDR,);\n"
-                         "wire do = SW[0]; reg [3:0] q;\n"
-                         "sub (.a(do), .b(LEDR[0]));\n"
-                         "always @* begin q = 4'b010101; q[1] = SW[1]; end\n"
-                         "assign LEDR[4:1] = q; assign LEDR[9:5] = 0;\nendmodule\n")
-        self.leds(0b1011, 1)
-        self.checked("top.v:2: dropped the comma", 'top.v:3: "do" is read as a name',
-                     "top.v:4: named the instance of sub", "top.v:5: 4'b010101 has too many digits")
-
-    def test_an_inout_port_on_an_input(self):
-        self.write(top_v="module pin(inout p, input on, output seen);\n"
-                         "assign p = on ? 1'b0 : 1'bz; assign seen = p; endmodule\n"
-                         "module top(input [9:0] SW, output [9:0] LEDR);\n"
-                         "pin u (SW[0], 1'b0, LEDR[0]); assign LEDR[9:1] = 0; endmodule\n")
-        self.leds(1, 1)
-
-    def test_blocking_and_non_blocking_mixed(self):
-        self.write(top_v="module top(input CLOCK_50, output [9:0] LEDR); reg [9:0] n;\n"
-                         "always @(posedge CLOCK_50) if (n < 100) n = n + 1; else n <= 5;\n"
-                         "assign LEDR = n < 200; endmodule\n")
-        self.leds(1)
-
-    def test_a_register_by_a_blocking_assignment(self):
-        """What other blocks get of it at the same edge is what it was before."""
-        self.write(top_v="module top(input CLOCK_50, output [9:0] LEDR);\n"
-                         "reg [4:0] n = 0, m = 0, d = 0;\n"
-                         "always @(posedge CLOCK_50) n = n + 1;\n"
-                         "always @(posedge CLOCK_50) m = n;\n"
-                         "always @(posedge CLOCK_50) d <= n - m;\n"
-                         "assign LEDR = d; endmodule\n")
-        self.leds(1)
-
-    def test_pulls_of_the_wizards_files(self):
-        """tri0 and tri1 in the wizard's file and where it is instanced: the memory must write."""
-        self.write(top_v="module top(input CLOCK_50, output [9:0] LEDR);\n"
-                         "reg [3:0] n = 0; always @(posedge CLOCK_50) n <= n + 1;\n"
-                         "tri1 clock = CLOCK_50; tri0 wren = 1;\n"
-                         "ram r (.address(n), .clock(clock), .data({n, n}), .wren(wren),\n"
-                         "  .q(LEDR[7:0]));\n"
-                         "assign LEDR[9:8] = 0; endmodule\n",
-                   ram_v="module ram(address, clock, data, wren, q);\n"
-                         "input [3:0] address; input clock; input [7:0] data; input wren;\n"
-                         "output [7:0] q; tri1 clock; tri0 wren;\n"
-                         "altsyncram a (.address_a(address), .clock0(clock), .data_a(data),\n"
-                         "  .wren_a(wren), .q_a(q));\n"
-                         "defparam a.operation_mode = \"SINGLE_PORT\", a.width_a = 8,\n"
-                         "  a.widthad_a = 4, a.numwords_a = 16,\n"
-                         "  a.outdata_reg_a = \"UNREGISTERED\",\n"
-                         "  a.read_during_write_mode_port_a = \"NEW_DATA_NO_NBE_READ\";\n"
-                         "endmodule\n")
-        self.write(s_yaml="name: ram\nversion: 1\nsteps:\n  - delay: 1ms\n")
-        done = self.de1sim("run", "s.yaml", "--project", ".")
-        self.assertRegex(done.stdout, r"LEDR 00(\d{4})\1")
-        self.assertNotIn("LEDR 0000000000", done.stdout)
-
-    def test_registers_power_up_at_zero_and_initial_counts(self):
-        self.write(top_v="module top(input CLOCK_50, output [9:0] LEDR); reg [4:0] a, b;\n"
-                         "initial b = 5'd21; assign LEDR = {a, b}; endmodule\n")
-        self.leds(21)
-
-    def test_a_file_for_readmemh_is_read_at_run_time(self):
-        self.write(top_v="module top(output [9:0] LEDR); reg [7:0] m [0:3];\n"
-                         'initial $readmemh("words.hex", m); assign LEDR = m[2]; endmodule\n',
-                   words_hex="01 02 a5 04\n")
-        self.leds(0xA5)
-        self.write(words_hex="01 02 3c 04\n")
-        self.assertNotIn("translating", self.leds(0x3C))
 
 
 class InoutPins(Case):

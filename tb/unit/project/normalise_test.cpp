@@ -82,6 +82,29 @@ TEST(Normalise, TakesTheLastOfTwoDefparams) {
     EXPECT_THAT(result.changes, ElementsAre("f.v:1: left out defparam u.W, which is set again"));
 }
 
+TEST(Normalise, RepeatsATypeThatParametersShare) {
+    const auto result = normalise(
+        "module m import p::*; #(parameter signed [8:0] A = f(1, 2),\nB = 2, localparam C = 3, D = "
+        "4,"
+        "\nparameter int E = 5, byte F = 6, G = 7) (input x);",
+        "f.sv", true);
+    EXPECT_EQ(result.text,
+              "module m import p::*; #(parameter signed [8:0] A = f(1, 2),\n"
+              "parameter signed [8:0] B = 2, localparam C = 3, D = 4,\n"
+              "parameter int E = 5, byte F = 6, parameter byte G = 7) (input x);");
+    EXPECT_THAT(result.changes,
+                ElementsAre("f.sv:2: repeated the type of parameter B: signed [8:0]",
+                            "f.sv:3: repeated the type of parameter G: byte"));
+}
+
+TEST(Normalise, LeavesParametersWithoutATypeAlone) {
+    for (const std::string text :
+         {"module m #(parameter A = {2{1'b1}}, B = 2) (input [1:0] x, y);", "module m (input x);",
+          "module m #(parameter [8:0] A = 1) (input x, y);",
+          "module m; parameter [8:0] A = 1, B = 2; s #(.A(1), .B(2)) u (x); endmodule"})
+        EXPECT_EQ(cleaned(text), text);
+}
+
 TEST(Normalise, ChargeStrengthsAreNames) {
     EXPECT_EQ(cleaned("wire small, larger;"), "wire \\small , larger;");
 }
