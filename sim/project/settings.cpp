@@ -128,6 +128,15 @@ bool joined_to_qip(std::string& value) {
     return true;
 }
 
+// All values of its name and target, unless it has one itself.
+void remove(std::vector<Assignment>& all, const Assignment& which) {
+    const auto same = [&](const Assignment& a) {
+        return a.name == which.name && a.to == which.to &&
+               (which.value.empty() || a.value == which.value);
+    };
+    all.erase(std::remove_if(all.begin(), all.end(), same), all.end());
+}
+
 void read_into(std::vector<Assignment>& all, const fs::path& file, unsigned depth) {
     constexpr unsigned DEEPEST = 8;
     const std::string text = text_of(file);
@@ -143,14 +152,19 @@ void read_into(std::vector<Assignment>& all, const fs::path& file, unsigned dept
             words[0] != "set_instance_assignment")
             continue;
         Assignment a{location ? "LOCATION" : "", "", "", file, command.line, false};
+        bool disabled = false, removed = false;
         for (std::size_t i = 1; i < words.size(); ++i) {
             const std::string& word = words[i];
             if (word == "-to" && i + 1 < words.size())
                 a.to = words[++i];
             else if (word == "-name" && i + 1 < words.size())
                 a.name = words[++i];
+            else if (word == "-disable")
+                disabled = true;
+            else if (word == "-remove")
+                removed = true;
             else if (word.size() > 1 && word[0] == '-' && std::isalpha(word[1]) != 0 &&
-                     word != "-disable" && word != "-remove" && i + 1 < words.size())
+                     i + 1 < words.size())
                 ++i;  // -library x, -section_id y
             else if (a.value.empty())
                 a.value = word;
@@ -158,7 +172,10 @@ void read_into(std::vector<Assignment>& all, const fs::path& file, unsigned dept
         a.in_qip_folder = joined_to_qip(a.value);
         a.to.erase(std::remove(a.to.begin(), a.to.end(), '\\'), a.to.end());  // KEY\[0\]
         std::transform(a.name.begin(), a.name.end(), a.name.begin(), ::toupper);
-        all.push_back(std::move(a));
+        if (removed)
+            remove(all, a);
+        else if (!disabled)
+            all.push_back(std::move(a));
     }
 }
 

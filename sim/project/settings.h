@@ -6,7 +6,9 @@
 //   set_location_assignment PIN_AF14 -to CLOCK_50
 //   set_global_assignment -library pll -name VERILOG_FILE [file join $::quartus(qip_path) "pll.v"]
 //
-// with quotes, braces and continued lines; other commands are passed over.
+// with quotes, braces and continued lines; other commands are passed over.  An assignment with
+// -remove takes back those of the same name, target and value that stand before it; one with
+// -disable counts for nothing.
 #pragma once
 
 #include <filesystem>

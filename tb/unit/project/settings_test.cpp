@@ -70,6 +70,31 @@ TEST_F(Settings, AreTakenFromSourcedFiles) {
     EXPECT_EQ(all[0].file.filename(), "pins.tcl");
 }
 
+TEST_F(Settings, WhatIsRemovedDoesNotCount) {
+    std::ofstream{folder / "common.qsf"} << "set_global_assignment -name VERILOG_FILE a.v\n"
+                                            "set_global_assignment -name VERILOG_FILE b.v\n"
+                                            "set_location_assignment PIN_AF14 -to CLOCK_50\n"
+                                            "set_location_assignment PIN_AB12 -to SW[0]\n";
+    const auto all = read(
+        "source common.qsf\n"
+        "set_global_assignment -remove -name VERILOG_FILE a.v\n"
+        "set_location_assignment -remove -to SW[0]\n"
+        "set_global_assignment -name VERILOG_FILE c.v\n");
+    ASSERT_EQ(all.size(), 3u);
+    EXPECT_EQ(all[0].value, "b.v");
+    EXPECT_EQ(all[1].to, "CLOCK_50");
+    EXPECT_EQ(all[2].value, "c.v");
+}
+
+TEST_F(Settings, WhatIsDisabledDoesNotCount) {
+    const auto all = read(
+        "set_global_assignment -name VERILOG_FILE old.v -disable\n"
+        "set_global_assignment -disable -name VERILOG_FILE older.v\n"
+        "set_global_assignment -name VERILOG_FILE new.v\n");
+    ASSERT_EQ(all.size(), 1u);
+    EXPECT_EQ(all[0].value, "new.v");
+}
+
 TEST_F(Settings, FilesThatSourceThemselvesEnd) { EXPECT_TRUE(read("source p.qsf\n").empty()); }
 
 TEST_F(Settings, AnyBytesAreRead) {
