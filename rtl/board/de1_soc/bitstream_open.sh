@@ -9,7 +9,6 @@
 set -eu
 
 here=$(cd "$(dirname "$0")" && pwd)
-project=$here/de1_soc.qsf
 out=../../../build/bitstream-open
 
 tools="yosys nextpnr-mistral"
@@ -23,13 +22,14 @@ done
 
 cd "$here"
 mkdir -p "$out"
-# list NAME: the values of this assignment in the project, in a line
-list() { sed -n "s/^set_global_assignment -name $1 //p" "$project" | tr '\n' ' '; }
+# list NAME PROJECT: the values of this assignment in the project, in a line
+list() { sed -n "s/^set_global_assignment -name $1 //p" "$2" | tr '\n' ' '; }
 
-includes=$(list SEARCH_PATH | sed 's/[^ ]*/-I&/g; s/-I *$//')
-files=$(list VERILOG_FILE | sed 's/[^ ]*\/hps\.v//')
+includes=$(list SEARCH_PATH de1_soc.qsf | sed 's/[^ ]*/-I&/g; s/-I *$//')
+removed=$(sed -n 's/^set_global_assignment -remove -name VERILOG_FILE //p' open.qsf)
+files=$(list VERILOG_FILE de1_soc.qsf | sed "s, $removed , ,")$(list VERILOG_FILE open.qsf)
 yosys -q -l "$out/yosys.log" -p "
-    read_verilog $includes $files open_hps.v open_jtag.v open_pll.v
+    read_verilog $includes $files
     hierarchy -check -top de1_soc_top; proc; flatten; hierarchy -top de1_soc_top
     tribuf; simplemap t:\$tribuf; opt_clean
     iopadmap -bits -outpad MISTRAL_OB I:PAD -inpad MISTRAL_IB O:PAD \
@@ -38,6 +38,6 @@ yosys -q -l "$out/yosys.log" -p "
     write_json $out/de1_soc.json"
 [ "${1:-}" = --netlist ] && exit
 
-nextpnr-mistral --device 5CSEMA5F31C6 --json "$out/de1_soc.json" --qsf "$project" --freq 25 \
+nextpnr-mistral --device 5CSEMA5F31C6 --json "$out/de1_soc.json" --qsf de1_soc.qsf --freq 25 \
     --rbf "$out/de1_soc.rbf"
 echo "written: build/bitstream-open/de1_soc.rbf (colour bars: no PLL, no processor)"
