@@ -17,6 +17,7 @@
 #include "sim/project/power_up.h"
 #include "sim/project/tools.h"
 #include "sim/project/vhdl.h"
+#include "sim/project/vhdl_library.h"
 #include "sim/report/sha256.h"
 #include "sim/report/whole_file.h"
 
@@ -113,7 +114,7 @@ Builder::Builder(const Request& request, bool trace)
     const fs::path models = data_folder() / "rtl" / "ip";
     request_.is_model = [models](const std::string& module) {
         std::error_code error;
-        return fs::is_regular_file(models / (module + ".v"), error);
+        return fs::is_regular_file(models / (module + ".v"), error) || module == "tri";  // in VHDL
     };
 }
 
@@ -158,15 +159,22 @@ void Builder::write_sources() {
 
 std::vector<std::string> Builder::translate_vhdl(const Modules& modules) const {
     if (design_.project.entities.empty()) return {};
-    const auto in_verilog = [&](const std::string& component) {
-        if (modules.count(component)) return component;
+    const fs::path ip = data_folder() / "rtl" / "ip";
+    Modules models;
+    const auto in_verilog = [&](const std::string& component) -> const ModuleText* {
+        if (const auto found = modules.find(component); found != modules.end())
+            return &found->second;
         for (const auto& [name, module] : modules)
-            if (lower(name) == lower(component)) return name;
-        return request_.is_model(lower(component)) ? lower(component) : std::string{};
+            if (lower(name) == lower(component)) return &module;
+        const std::string model = lower(component) == "tri" ? "TRI" : lower(component);
+        if (!request_.is_model(model)) return nullptr;
+        take_modules(ip / (model + ".v"), models);
+        return &models.at(model);
     };
-    return verilog_of({design_.project.folder, design_.project.vhdl, design_.project.entities,
-                       folder_ / "vhdl", data_folder() / "project/vhdl", in_verilog},
-                      limit_);
+    return verilog_of(
+        {design_.project.folder, design_.project.vhdl, design_.project.entities, folder_ / "vhdl",
+         vhdl_libraries(ip, read_open_inputs(ip / "defaults.tsv")), in_verilog},
+        limit_);
 }
 
 const Design& Builder::examine() {

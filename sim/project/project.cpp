@@ -10,7 +10,7 @@
 #include "sim/project/file_finder.h"
 #include "sim/project/source.h"
 #include "sim/project/unsupported.h"
-#include "sim/project/vhdl.h"
+#include "sim/project/vhdl_source.h"
 
 namespace sim::project {
 

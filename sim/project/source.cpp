@@ -43,7 +43,7 @@ private:
         if (name && (name->is("automatic") || name->is("static"))) name = peek(2);
         if (!name || name->kind != Kind::NAME) return;
         source_.modules.push_back(
-            {std::string{name->text}, name->line, {}, {}, token.is("package"), {}, {}, {}});
+            {std::string{name->text}, name->line, {}, {}, token.is("package"), {}, {}, {}, {}});
         module_ = &source_.modules.back();
         at_ = static_cast<std::size_t>(name - tokens_.data());
         header();
@@ -68,6 +68,8 @@ private:
     void in_module(const Token& token) {
         if (token.is("input") || token.is("output") || token.is("inout")) {
             ports();
+        } else if (token.is("parameter")) {
+            parameters();
         } else if (is_name(token)) {
             const Token* next = peek();
             if (!next) return;
@@ -87,6 +89,18 @@ private:
     void skip_parameters() {
         const std::size_t i = closing(tokens_, at_ + 2);
         at_ = i + 1 < tokens_.size() && is_name(tokens_[i + 1]) ? i + 1 : i;
+    }
+
+    void parameters() {
+        int depth = 0;
+        for (std::size_t i = at_ + 1; i + 1 < tokens_.size() && !tokens_[i].is(";"); ++i) {
+            const Token& token = tokens_[i];
+            depth += token.is("[") + token.is("(") + token.is("{");
+            depth -= token.is("]") + token.is(")") + token.is("}");
+            if (depth < 0 || token.is("parameter") || token.is("localparam")) return;
+            if (depth == 0 && is_name(token) && tokens_[i + 1].is("="))
+                module_->parameters.emplace_back(token.text);
+        }
     }
 
     // The names of one declaration, up to what ends it.

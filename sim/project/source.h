@@ -18,6 +18,7 @@ struct ModuleText {
     bool is_package;
     std::vector<std::string> header;        // the ports in the order of positional connections
     std::set<std::string> outputs, inouts;  // of the ports
+    std::vector<std::string> parameters;    // names
 };
 
 struct SourceText {

@@ -73,6 +73,55 @@ class Vhdl(Case):
         self.leds(0x3C, 2)
         self.checked("words.mif")
 
+    def test_components_of_all_libraries(self):
+        self.write(a_vhd=TOP.format(
+            "library lpm; use lpm.lpm_components.all;\n"
+            "library altera_mf; use altera_mf.altera_mf_components.all;\n"
+            "library altera; use altera.altera_primitives_components.all;\n"
+            "library altera_lnsim; use altera_lnsim.altera_lnsim_components.all;\n",
+            "signal words : std_logic_2d(1 downto 0, 3 downto 0);\n"
+            "signal p : std_logic_vector(5 downto 0); signal q : std_logic;",
+            "g : for i in 0 to 3 generate\n"
+            "  words(0, i) <= SW(i); words(1, i) <= SW(i + 4); end generate;\n"
+            "a : lpm_mux generic map (lpm_size => 2, lpm_width => 4, lpm_widths => 1)\n"
+            "  port map (data => words, sel => SW(9 downto 9), result => LEDR(3 downto 0));\n"
+            "b : lpm_mult generic map (lpm_widtha => 3, lpm_widthb => 3, lpm_widthp => 6)\n"
+            "  port map (dataa => SW(2 downto 0), datab => SW(5 downto 3), result => p);\n"
+            "c : lcell port map (a_in => p(5), a_out => LEDR(9));\n"
+            "d : dffe port map (SW(0), CLOCK_50, '1', '1', '1', q);\n"
+            "e : tri port map (a_in => q, oe => SW(1), a_out => GPIO_0(3)); LEDR(8) <= GPIO_0(3);\n"
+            "f : altddio_out generic map (width => 1) port map (datain_h => SW(0 downto 0),\n"
+            "  datain_l => SW(0 downto 0), outclock => CLOCK_50, dataout => LEDR(7 downto 7));\n"
+            "h : lpm_add_sub generic map (lpm_width => 3) port map (\n"
+            "  dataa => SW(2 downto 0), datab => SW(5 downto 3), result => LEDR(6 downto 4));"))
+        self.leds(0b11_1_100_0010, 0b10_0010_1111)  # 7 * 5 = 35, 7 + 5 = 12
+        self.leds(0b00_0_001_1010, 0b00_1111_1010)  # 2 * 7 = 14, 2 + 7 = 9
+
+    def test_components_as_a_wizards_file_declares_them(self):
+        """With names in any case, and two of one name and of different widths."""
+        ff = (USE + "library lpm; use lpm.all;\nentity ff{0} is port (clock : in std_logic;\n"
+              "data : in std_logic_vector({1} downto 0);\n"
+              "q : out std_logic_vector({1} downto 0)); end;\n"
+              "architecture SYN of ff{0} is\nCOMPONENT lpm_ff GENERIC (LPM_Width : NATURAL;\n"
+              "lpm_type : STRING := \"\"); PORT (Clock : IN STD_LOGIC;\n"
+              "Data : IN STD_LOGIC_VECTOR ({1} DOWNTO 0);\n"
+              "q : OUT STD_LOGIC_VECTOR ({1} DOWNTO 0));\n"
+              "END COMPONENT;\nbegin u : lpm_ff GENERIC MAP (lpm_width => {1} + 1)\n"
+              "PORT MAP (clock => clock, data => data, q => q); end;\n")
+        self.write(a_vhd=TOP.format(
+            "library altera_mf; use altera_mf.all;\n",
+            "component scfifo generic (LPM_NUMWORDS, LPM_WIDTH, LPM_WIDTHU : natural;\n"
+            "  lpm_showahead, USE_EAB : string); port (clock, wrreq, rdreq : in std_logic;\n"
+            "  data : in std_logic_vector(2 downto 0); q : out std_logic_vector(2 downto 0));\n"
+            "end component;",
+            "f : scfifo generic map (4, 3, 2, \"ON\", use_eab => \"ON\")\n"
+            "  port map (clock => CLOCK_50, wrreq => '1', rdreq => '1',\n"
+            "  data => SW(9 downto 7), q => LEDR(9 downto 7));\n"
+            "a : entity work.ff2 port map (CLOCK_50, SW(6 downto 5), LEDR(6 downto 5));\n"
+            "b : entity work.ff5 port map (CLOCK_50, SW(4 downto 0), LEDR(4 downto 0));"),
+            b_vhd=ff.format(2, 1) + ff.format(5, 4))
+        self.leds(0b1011001011, 0b1011001011)
+
     def test_an_error_has_its_place(self):
         self.write(a_vhd=TOP.format("", "", "LEDR <= gone;"))
         self.refused('a.vhd:8:9: no declaration for "gone"')

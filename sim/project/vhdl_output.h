@@ -1,0 +1,39 @@
+// vhdl_output.h - Verilog as GHDL writes it, made into what Verilator takes.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "sim/project/source.h"
+
+namespace sim::project {
+
+// The module in Verilog that a component without an entity is; null: there is none.
+using InVerilog = std::function<const ModuleText*(const std::string& component)>;
+
+// The modules of one run of GHDL.
+class VhdlOutput {
+public:
+    // `said` is all that GHDL says, `root` the entity as it is written where it is wanted.
+    // ProjectError: there is no module for a component.
+    VhdlOutput(const std::string& said, const std::string& root, const InVerilog& in_verilog);
+
+    // Those that are not in `known`, into which they go.
+    std::string without(std::set<std::string>& known) const;
+
+private:
+    struct Module {
+        std::string name, text;
+    };
+    void take(std::string module, const std::string& root, const InVerilog& in_verilog);
+
+    void rename(std::string& module) const;
+
+    std::vector<Module> modules_;
+    std::map<std::string, const ModuleText*> components_;  // by their names in VHDL
+};
+
+}  // namespace sim::project

@@ -1,0 +1,86 @@
+#include "sim/project/vhdl_source.h"
+
+#include <algorithm>
+#include <cctype>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "sim/project/file_finder.h"
+
+namespace sim::project {
+
+namespace {
+
+// Words and symbols in lower case but for names, without comments.
+std::vector<std::string> words_of(std::string_view text) {
+    std::vector<std::string> words;
+    const auto in_word = [](char c) {
+        return std::isalnum(static_cast<unsigned char>(c)) || c == '_';
+    };
+    for (std::size_t i = 0; i < text.size();) {
+        if (text.compare(i, 2, "--") == 0) {
+            i = std::min(text.find('\n', i), text.size());
+        } else if (in_word(text[i])) {
+            const std::size_t begin = i;
+            while (i < text.size() && in_word(text[i])) ++i;
+            words.emplace_back(text.substr(begin, i - begin));
+        } else {
+            if (!std::isspace(static_cast<unsigned char>(text[i]))) words.emplace_back(1, text[i]);
+            ++i;
+        }
+    }
+    return words;
+}
+
+class VhdlScanner {
+public:
+    explicit VhdlScanner(std::string_view text) : words_{words_of(text)} {}
+
+    SourceText run() {
+        std::set<std::string> wants;  // of all architectures in the file
+        for (std::size_t i = 0; i + 3 < words_.size(); ++i) {
+            const bool ends = i > 0 && is(i - 1, "end");
+            if (is(i, "entity") && is(i + 2, "is"))
+                entity(i + 1);
+            else if (is(i, "package") && !is(i + 1, "body") && is(i + 2, "is"))
+                source_.modules.push_back({words_[i + 1], 0, {}, {}, true, {}, {}, {}, {}});
+            else if (is(i, "component") && !ends)
+                wants.insert(words_[i + 1]);
+            else if (is(i, "work") && words_[i + 1] == ".")
+                wants.insert(words_[i + 2]);
+        }
+        for (ModuleText& module : source_.modules) module.wants = wants;
+        return std::move(source_);
+    }
+
+private:
+    bool is(std::size_t i, const char* word) const { return lower(words_[i]) == word; }
+
+    // Up to its end: port ( a, b : in std_logic; ... ).
+    void entity(std::size_t name) {
+        source_.modules.push_back({words_[name], 0, {}, {}, false, {}, {}, {}, {}});
+        std::size_t i = name + 2;
+        while (i < words_.size() && !is(i, "port") && !is(i, "end")) ++i;
+        int depth = 0;
+        bool names = true;
+        for (++i; i < words_.size(); ++i) {
+            depth += (words_[i] == "(") - (words_[i] == ")");
+            if (depth <= 0) return;
+            if (depth == 1 && words_[i] == ":") names = false;
+            if (depth == 1 && words_[i] == ";") names = true;
+            const char first = words_[i][0];
+            if (names && std::isalpha(static_cast<unsigned char>(first)) && !is(i, "signal"))
+                source_.modules.back().ports.push_back(words_[i]);
+        }
+    }
+
+    const std::vector<std::string> words_;
+    SourceText source_;
+};
+
+}  // namespace
+
+SourceText scan_vhdl(std::string_view text) { return VhdlScanner{text}.run(); }
+
+}  // namespace sim::project
