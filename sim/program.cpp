@@ -148,6 +148,7 @@ int command_line(int argc, char** argv, const Firmware& firmware) {
         return run(check_options,
                    [](hal::Mmio& io, hal::Cpu& cpu) { (void)selftest::run(io, cpu); });
     options.version = VERSION;
+    options.words.assign(argv + (std::strcmp(argv[1], "run") == 0 ? 2 : 1), argv + argc);
     for (int i = 0; i < argc; ++i)
         options.command += (i ? " " : "") + shell_word(i ? argv[i] : "de1sim");
     return run(options, firmware);

@@ -32,7 +32,7 @@ const std::vector<MemoryRange>& program_memory() {
 Computer::Computer(const sc_core::sc_module_name& name, PinListener& pins, Audience& audience,
                    std::uint8_t* sdram, Software software, const Settings& settings)
     : sc_module{name},
-      fpga{"fpga", pins, settings.trace_file, settings.memory, sdram, settings.audio_rate},
+      fpga{"fpga", pins, settings.trace, settings.memory, sdram, settings.audio_rate},
       jtag_host{"jtag_host", fpga, [&audience](char character) { audience.console(character); }},
       ddr3{"ddr3", DDR3_SIZE, sc_core::sc_time{60, sc_core::SC_NS}},
       hps{"hps",

@@ -34,7 +34,7 @@ public:
 
     struct Settings {
         std::uint64_t seed = 1;  // of the phases between the processor's clock and the fabric's
-        std::string trace_file;  // waveforms, or empty
+        Trace trace;
         Fpga::Memory memory = Fpga::Memory::BRIDGED;
         unsigned audio_rate = 8'000;  // samples per second: or 48,000
     };

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "sim/chip/chip.h"
+#include "sim/pins/trace.h"
 #include "sim/project/model.h"
 
 #include <systemc>
@@ -20,7 +21,7 @@ public:
     // `folder` is the project's.  std::runtime_error: the library cannot be loaded.
     ProjectChip(const sc_core::sc_module_name& name, PinListener& pins,
                 const std::filesystem::path& library, const std::string& folder,
-                const std::string& trace_file);
+                const Trace& trace);
     ~ProjectChip() override;
 
     ChipInputs& inputs() override;

@@ -135,7 +135,11 @@ public:
     void wake() { wake_.notify(sc_core::SC_ZERO_TIME); }
 
     // The program's time: SystemC's plus what it has run of its quantum.
-    sc_core::sc_time now() const { return sc_core::sc_time_stamp() + ahead_; }
+    sc_core::sc_time now() const {
+        const std::uint64_t run = core_.instructions() - accounted_;
+        return sc_core::sc_time_stamp() + ahead_ +
+               sc_core::sc_time::from_value(run * instruction_ps_);
+    }
 
     std::optional<std::string> unfinished() const override;
     std::string accessed() const override;

@@ -15,6 +15,12 @@
 
 namespace sim {
 
+namespace {
+
+constexpr std::uint64_t LEAP_PS = 2'000'000;  // more than is ever left out at once
+
+}  // namespace
+
 // Bits of moved_i.
 enum Moved : std::uint8_t { LIGHTWEIGHT = 1, FULL = 2, PINS = 4 };
 
@@ -41,28 +47,38 @@ struct Fabric::Model {
     Vfpga top{&context};
     AxiPort lw AXI_PORT(top, lw);
     AxiPort h2f AXI_PORT(top, h2f);
-#ifdef DE1SIM_TRACE
-    VerilatedFstC trace;
+    // Or are those left out in which nothing happens?  (VGA_CLK rises in the middle of a clock.)
+#if defined DE1SIM_TRACE
+    bool every_clock = true;
+    VerilatedFstC waveforms;
+    Trace trace;
+#elif defined DE1SIM_EVERY_CLOCK
+    static constexpr bool every_clock = true;
+#else
+    static constexpr bool every_clock = false;
 #endif
     void eval([[maybe_unused]] std::uint64_t time_ps);
+    void clock_every(bool every);
     AxiPort& port(Bridge bridge) { return bridge == Bridge::LIGHTWEIGHT ? lw : h2f; }
 };
 
-Fabric::Fabric(PinListener& pins, const std::string& trace_file, unsigned audio_rate)
+Fabric::Fabric(PinListener& pins, const Trace& trace, unsigned audio_rate)
     : pins_{pins},
       model_{std::make_unique<Model>()},
       audio_clock_{audio_clock(audio_rate)},
       td_clock_{decoder_clock()} {
     Vfpga& top = model_->top;
 #ifdef DE1SIM_TRACE
-    if (!trace_file.empty()) {
+    model_->trace = trace;
+    if (!trace.file.empty()) {
         model_->context.traceEverOn(true);
-        top.trace(&model_->trace, 99);
-        model_->trace.open(trace_file.c_str());
-        if (!model_->trace.isOpen()) throw std::runtime_error(trace_file + ": cannot be written");
+        top.trace(&model_->waveforms, 99);
+        model_->waveforms.open(trace.file.c_str());
+        if (!model_->waveforms.isOpen())
+            throw std::runtime_error(trace.file + ": cannot be written");
     }
 #else
-    if (!trace_file.empty()) throw std::logic_error("this build of the fabric has no tracing");
+    if (!trace.file.empty()) throw std::logic_error("this build of the fabric has no tracing");
 #endif
     apply_inputs();
     model_->lw.bready = model_->lw.rready = model_->h2f.bready = model_->h2f.rready = 1;
@@ -76,9 +92,10 @@ Fabric::Fabric(PinListener& pins, const std::string& trace_file, unsigned audio_
         top.eval();
     }
     top.rst_audio_i = top.rst_td_i = 0;
-#ifdef DE1SIM_EVERY_CLOCK
-    td_on_ = true;
+#ifdef DE1SIM_TRACE
+    model_->clock_every(trace.from_ps == 0);
 #endif
+    td_on_ = model_->every_clock;
     for (int i = 0; i < 8; ++i) {
         moved_ = all;
         clock(1);
@@ -95,7 +112,7 @@ Fabric::~Fabric() {
 
 void Fabric::end_trace() {
 #ifdef DE1SIM_TRACE
-    model_->trace.close();
+    model_->waveforms.close();
 #endif
 }
 
@@ -132,7 +149,14 @@ void Fabric::apply_inputs() {
 inline void Fabric::Model::eval([[maybe_unused]] std::uint64_t time_ps) {
     top.eval();
 #ifdef DE1SIM_TRACE
-    if (trace.isOpen()) trace.dump(time_ps);
+    if (waveforms.isOpen() && trace.wants(time_ps)) waveforms.dump(time_ps);
+#endif
+}
+
+inline void Fabric::Model::clock_every([[maybe_unused]] bool every) {
+#ifdef DE1SIM_TRACE
+    every_clock = every;
+    top.rootp->fpga__DOT__clocks__DOT__root__DOT__every_clock = every;
 #endif
 }
 
@@ -158,10 +182,9 @@ void Fabric::audio_edge() {
     model_->eval(time_ps);
     if (rises) tell_codec(time_ps);
     audio_clock_.next();
-#ifndef DE1SIM_EVERY_CLOCK
+    if (model_->every_clock) return;
     top.clk_audio_i = 0;  // changes nothing: the next eval() will do
     audio_clock_.next();
-#endif
 }
 
 void Fabric::td_edge() {
@@ -173,54 +196,61 @@ void Fabric::td_edge() {
     if (rises) top.td_data_i = pins_.td_data(td_clock_.number());
     model_->eval(time_ps);
     td_clock_.next();
-#ifndef DE1SIM_EVERY_CLOCK
+    if (model_->every_clock) return;
     top.clk_td_i = 0;
     td_falls_ = true;
     td_clock_.next();
-#endif
 }
 
-#ifndef DE1SIM_EVERY_CLOCK
 // The decoder's clock goes on as if it had never stopped.
 void Fabric::wake_td() {
     if (std::exchange(td_on_, model_->top.td_awake_o != 0) || !td_on_) return;
     td_clock_.skip_to(clocks_);
 }
-#endif
+
+// Waveforms are wanted from the next clock on.
+void Fabric::begin_trace() {
+    model_->clock_every(true);
+    if (!std::exchange(td_on_, true)) td_clock_.skip_to(clocks_);
+    model_->top.skip_i = 0;
+}
 
 // Runs one clock, and leaves out those after it in which nothing happens: `most` in all, and none
 // behind the next edge of another clock.  Returns how many have passed.
-inline std::uint64_t Fabric::clock([[maybe_unused]] std::uint64_t most) {
+inline std::uint64_t Fabric::clock(std::uint64_t most) {
     Vfpga& top = model_->top;
-#ifdef DE1SIM_EVERY_CLOCK
-    other_edges(2 * clocks_ + 1);
-    top.clk_i = 0;  // VGA_CLK rises
-    model_->eval(time_ps() + FABRIC_PERIOD_PS / 2);
+#ifdef DE1SIM_TRACE
+    if (!model_->every_clock && time_ps() + LEAP_PS >= model_->trace.from_ps && !top.clk_i)
+        begin_trace();
 #endif
+    const bool every_clock = model_->every_clock;
+    if (every_clock) {
+        other_edges(2 * clocks_ + 1);
+        top.clk_i = 0;
+        model_->eval(time_ps() + FABRIC_PERIOD_PS / 2);
+    }
     other_edges(2 * clocks_ + 2);
     if (std::exchange(look_, false) &&
         (jtag.typed || jtag.idle || !(jtag == applied_jtag_) || !(in == applied_)))
         apply_inputs();
-#ifdef DE1SIM_EVERY_CLOCK
-    const bool stirs = true;
-    const std::uint64_t passed = 1;
-    top.clk_i = 1;
-#else
-    const bool stirs = moved_ || top.stirs_o;
-    most = td_on_ ? 1 : std::min(most, audio_clock_.clocks() - clocks_);
-    const std::uint64_t skip = moved_ ? 0 : std::min<std::uint64_t>(top.rest_o, most - 1);
-    const std::uint64_t passed = 1 + skip;
-    top.skip_i = static_cast<SData>(skip);
-    top.moved_i = moved_;
-    top.clk_i = !top.clk_i;  // sim/fpga/root_clock.v
-#endif
+    bool stirs = true;
+    std::uint64_t passed = 1;
+    if (every_clock) {
+        top.clk_i = 1;
+    } else {
+        stirs = moved_ || top.stirs_o;
+        most = td_on_ ? 1 : std::min(most, audio_clock_.clocks() - clocks_);
+        const std::uint64_t skip = moved_ ? 0 : std::min<std::uint64_t>(top.rest_o, most - 1);
+        passed += skip;
+        top.skip_i = static_cast<SData>(skip);
+        top.moved_i = moved_;
+        top.clk_i = !top.clk_i;  // sim/fpga/root_clock.v
+    }
     moved_ = 0;
     model_->eval(time_ps() + FABRIC_PERIOD_PS);
     clocks_ += passed;
-#ifndef DE1SIM_EVERY_CLOCK
     td_falls_ = false;
-    if (stirs || td_on_) wake_td();
-#endif
+    if (!every_clock && (stirs || td_on_)) wake_td();
 
     const std::uint32_t sample = static_cast<std::uint32_t>(top.vga_r_o) << 16 |
                                  static_cast<std::uint32_t>(top.vga_g_o) << 8 | top.vga_b_o |

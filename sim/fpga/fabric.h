@@ -17,6 +17,7 @@
 
 #include "sim/fpga/asynchronous_clock.h"
 #include "sim/pins/pins.h"
+#include "sim/pins/trace.h"
 
 namespace sim {
 
@@ -37,9 +38,9 @@ enum class AxiResponse : std::uint8_t { OKAY = 0, EXOKAY = 1, SLVERR = 2, DECERR
 
 class Fabric {
 public:
-    // Comes up in reset and leaves it after 8 clocks.  `trace_file`: FST waveforms, if not empty
-    // (only in a build with tracing).  `audio_rate`: samples a second, 8,000 or 48,000.
-    Fabric(PinListener& pins, const std::string& trace_file = "", unsigned audio_rate = 8'000);
+    // Comes up in reset and leaves it after 8 clocks.  `trace`: waveforms, only in a build with
+    // tracing.  `audio_rate`: samples a second, 8,000 or 48,000.
+    explicit Fabric(PinListener& pins, const Trace& trace = {}, unsigned audio_rate = 8'000);
     ~Fabric();
 
     void end_trace();  // writes out the rest of the waveforms; what follows is not in them
@@ -87,6 +88,7 @@ private:
     void audio_edge();
     void td_edge();
     void wake_td();
+    void begin_trace();
     void apply_inputs();
     void tell_pins();
     void tell_codec(std::uint64_t time_ps);

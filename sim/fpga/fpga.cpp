@@ -41,12 +41,12 @@ unsigned burst_bytes(std::uint32_t address, unsigned left) {
 
 }  // namespace
 
-Fpga::Fpga(const sc_core::sc_module_name& name, PinListener& pins, const std::string& trace_file,
+Fpga::Fpga(const sc_core::sc_module_name& name, PinListener& pins, const Trace& trace,
            Memory memory, std::uint8_t* sdram, unsigned audio_rate)
     : sc_module{name},
       lw{"lw"},
       h2f{"h2f"},
-      fabric_{pins, trace_file, audio_rate},
+      fabric_{pins, trace, audio_rate},
       memory_{fabric_.has_memory() ? memory : Memory::BRIDGED},
       sdram_{sdram} {
     h2f.register_get_direct_mem_ptr(this, &Fpga::direct_memory);

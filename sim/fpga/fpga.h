@@ -50,7 +50,7 @@ public:
     enum class Memory { MAPPED, BRIDGED };
 
     // `sdram`: the chip's 64 MB.
-    Fpga(const sc_core::sc_module_name& name, PinListener& pins, const std::string& trace_file,
+    Fpga(const sc_core::sc_module_name& name, PinListener& pins, const Trace& trace,
          Memory memory = Memory::BRIDGED, std::uint8_t* sdram = nullptr,
          unsigned audio_rate = 8'000);
 

@@ -58,7 +58,16 @@ Bus::Window* Bus::find(std::uint64_t address, unsigned bytes) {
     return nullptr;
 }
 
+std::string Bus::place(std::uint32_t address) const {
+    for (const Window& window : windows_)
+        for (const Place& place : window.places)
+            if (address - place.base < place.size) return place.name;
+    return "";
+}
+
 void Bus::b_transport(tlm::tlm_generic_payload& tx, sc_core::sc_time& delay) {
+    const sc_core::sc_time begin =
+        watch_ ? sc_core::sc_time_stamp() + delay : sc_core::SC_ZERO_TIME;
     ++(tx.get_data_length() > 4 ? counts_.bursts : tx.is_read() ? counts_.reads : counts_.writes);
     const std::uint64_t address = tx.get_address();
     Window* window = find(address, tx.get_data_length());
@@ -73,6 +82,9 @@ void Bus::b_transport(tlm::tlm_generic_payload& tx, sc_core::sc_time& delay) {
         tx.set_response_status(tlm::TLM_ADDRESS_ERROR_RESPONSE);  // never a default target
     }
     if (!tx.is_response_ok()) ++counts_.errors;
+    if (watch_)
+        watch_({begin, sc_core::sc_time_stamp() + delay, static_cast<std::uint32_t>(address),
+                tx.get_data_length(), tx.is_write(), tx.is_response_ok(), tx.get_data_ptr()});
 }
 
 bool Bus::get_direct_mem_ptr(tlm::tlm_generic_payload& tx, tlm::tlm_dmi& dmi) {

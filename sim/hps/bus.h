@@ -17,6 +17,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <systemc>
@@ -67,6 +68,18 @@ public:
     using Told = std::function<void(std::uint32_t address, unsigned bytes, bool write)>;
     void on_answered(const std::string& name, Told told);
 
+    struct Access {
+        sc_core::sc_time begin, end;  // of the initiator's own time
+        std::uint32_t address;
+        unsigned bytes;
+        bool write, answered;  // with OK
+        const unsigned char* data;
+    };
+    // `watch` is called after each access, whatever its answer.  Direct access passes it by.
+    void on_access(std::function<void(const Access&)> watch) { watch_ = std::move(watch); }
+    // The place at `address`: "LEDR", or "" where there is none.
+    std::string place(std::uint32_t address) const;
+
     const BusCounts& counts() const { return counts_; }
     // Something was written through the window `name`; as gate().
     bool written(const std::string& name) const { return windows_[number_of(name)].written; }
@@ -90,6 +103,7 @@ private:
     std::vector<Window> windows_;
     std::vector<Place> absent_;
     BusCounts counts_;
+    std::function<void(const Access&)> watch_;
 };
 
 }  // namespace sim

@@ -53,8 +53,10 @@ void Profile::change(std::uint32_t pc, std::uint32_t link) {
         return;
     }
     const bool called = (link & ~1u) == last_end_;
-    if (called && here_.function != before && calls_.size() < DEEPEST)
+    if (called && here_.function != before && calls_.size() < DEEPEST) {
         calls_.push_back({before, here_.function, last_end_, count_});
+        on_call(calls_.size(), before, here_.function);
+    }
 }
 
 void Profile::leave(Edges& edges, const Call& call) const {

@@ -15,6 +15,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <string>
 #include <utility>
@@ -32,6 +33,12 @@ public:
 
     void ran(const Run& run) override;
     bool same_function(std::uint32_t pc, std::uint32_t other) const override;
+
+    // At each call, once it has been made: how many are open, and the numbers of its functions.
+    std::function<void(std::size_t depth, std::size_t caller, std::size_t callee)> on_call =
+        [](std::size_t, std::size_t, std::size_t) {};
+    std::string name(std::size_t function) const;
+    const ElfProgram& program() const { return elf_; }
 
     // The file's text.  Calls that are still open are counted up to now.
     std::string callgrind() const;
@@ -55,7 +62,6 @@ private:
     Place place_of(std::uint32_t pc) const;
     void change(std::uint32_t pc, std::uint32_t link);
     void leave(Edges& edges, const Call& call) const;
-    std::string name(std::size_t function) const;
 
     const ElfProgram& elf_;
     std::vector<std::uint64_t> own_;  // instructions of each function; the last is "???"

@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <poll.h>
 #include <signal.h>
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -17,10 +18,11 @@ namespace sim::project {
 
 namespace {
 
-constexpr int NO_PROGRAM = 127, SIGNALLED = 128;
+constexpr int NO_PROGRAM = 127, SIGNALLED = 128, LOOK_MS = 200;
 
 [[noreturn]] void become(const std::vector<std::string>& words, const char* folder, int output) {
     setpgid(0, 0);  // so that all of it can be ended
+    prctl(PR_SET_PDEATHSIG, SIGTERM);
     const int null = open("/dev/null", O_RDONLY);
     dup2(null, STDIN_FILENO);
     dup2(output, STDOUT_FILENO);
@@ -35,7 +37,7 @@ constexpr int NO_PROGRAM = 127, SIGNALLED = 128;
 }  // namespace
 
 Outcome run_command(const std::vector<std::string>& words, const std::filesystem::path& folder,
-                    unsigned limit_s) {
+                    unsigned limit_s, const std::function<bool()>& given_up) {
     int ends[2];
     if (pipe2(ends, O_CLOEXEC) != 0) return {NO_PROGRAM, "no pipe"};
     const pid_t child = fork();
@@ -53,12 +55,14 @@ Outcome run_command(const std::vector<std::string>& words, const std::filesystem
     for (;;) {
         const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(
             end - std::chrono::steady_clock::now());
-        pollfd readable{ends[0], POLLIN, 0};
-        if (left.count() <= 0 || poll(&readable, 1, static_cast<int>(left.count())) == 0) {
+        if (left.count() <= 0 || given_up()) {
             late = true;
             kill(-child, SIGKILL);
             break;
         }
+        pollfd readable{ends[0], POLLIN, 0};
+        const auto moment = std::min<std::int64_t>(left.count(), LOOK_MS);
+        if (poll(&readable, 1, static_cast<int>(moment)) <= 0) continue;
         char buffer[4096];
         const ssize_t got = read(ends[0], buffer, sizeof buffer);
         if (got <= 0) break;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -12,11 +13,13 @@ struct Outcome {
     std::string output;  // stdout and stderr
 };
 
-// Runs the program, found on the PATH, in `folder`, without a shell.  After `limit_s` seconds it is
-// ended with all that it has started, and the code is TIMED_OUT.
+// Runs the program, found on the PATH, in `folder`, without a shell.  After `limit_s` seconds, or
+// when `given_up` says so, which is asked five times per second, it is ended with all that it has
+// started, and the code is TIMED_OUT.  It also ends with the thread that has called.
 constexpr int TIMED_OUT = -1;
-Outcome run_command(const std::vector<std::string>& words, const std::filesystem::path& folder,
-                    unsigned limit_s);
+Outcome run_command(
+    const std::vector<std::string>& words, const std::filesystem::path& folder, unsigned limit_s,
+    const std::function<bool()>& given_up = [] { return false; });
 
 // The same for several, as many at once as the machine has processors; outcomes in their order.
 std::vector<Outcome> run_commands(const std::vector<std::vector<std::string>>& commands,

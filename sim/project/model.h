@@ -1,13 +1,14 @@
 // model.h - a design, Verilated and loaded: what its library offers to de1sim.
 //
 // The library is compiled beside the project from runtime/ and Verilator's output, against this
-// header and sim/pins/pins.h alone.
+// header and sim/pins/ alone.
 #pragma once
 
 #include <cstdint>
 #include <string>
 
 #include "sim/pins/pins.h"
+#include "sim/pins/trace.h"
 
 namespace sim::project {
 
@@ -39,8 +40,8 @@ public:
 };
 
 struct ModelSettings {
-    const char* folder;      // the project's: $readmemh and other files are opened from there
-    const char* trace_file;  // FST, or empty
+    const char* folder;  // the project's: $readmemh and other files are opened from there
+    Trace trace;
     void (*say)(const char* line);  // what a person should know
 };
 

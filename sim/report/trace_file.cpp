@@ -9,7 +9,10 @@
 #include <cstdint>
 #include <cstring>
 #include <fstream>
+#include <new>
 #include <string>
+
+#include <zlib.h>
 
 namespace sim {
 
@@ -35,7 +38,21 @@ void on_bus_error(int) {
 }
 
 // Block types; the hierarchy comes plain or packed in two ways.
-enum : std::uint8_t { HEADER = 0, GEOMETRY = 3, HIERARCHY = 4, LZ4 = 6, LZ4_TWICE = 7, SKIP = 255 };
+enum : std::uint8_t {
+    HEADER = 0,
+    GEOMETRY = 3,
+    HIERARCHY = 4,
+    LZ4 = 6,
+    LZ4_TWICE = 7,
+    PACKED = 254,
+    SKIP = 255
+};
+
+constexpr std::size_t MOST_TO_PACK = 256u << 20;
+
+void put(std::string& to, std::uint64_t value) {
+    for (int shift = 56; shift >= 0; shift -= 8) to += static_cast<char>(value >> shift & 0xff);
+}
 
 }  // namespace
 
@@ -63,6 +80,26 @@ bool is_whole_fst(const std::filesystem::path& path) {
     return geometry && hierarchy;
 }
 
+std::string packed_fst(const std::string& bytes) {
+    constexpr int GZIP = 16, FAST = 4;
+    z_stream stream{};
+    if (deflateInit2(&stream, FAST, Z_DEFLATED, MAX_WBITS + GZIP, MAX_MEM_LEVEL,
+                     Z_DEFAULT_STRATEGY) != Z_OK)
+        throw std::bad_alloc{};
+    std::string block(deflateBound(&stream, bytes.size()), '\0');
+    stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data()));
+    stream.avail_in = static_cast<uInt>(bytes.size());
+    stream.next_out = reinterpret_cast<Bytef*>(block.data());
+    stream.avail_out = static_cast<uInt>(block.size());
+    deflate(&stream, Z_FINISH);
+    block.resize(stream.total_out);
+    deflateEnd(&stream);
+    std::string file(1, static_cast<char>(PACKED));
+    put(file, 16 + block.size());  // all that follows the type
+    put(file, bytes.size());
+    return file + block;
+}
+
 TraceFile::TraceFile(const std::filesystem::path& path) : file_{path} {
     copy(last_words, sizeof last_words,
          std::string{"de1sim: "} + IoError(path, CUT_OFF).what() + "\n");
@@ -73,8 +110,12 @@ TraceFile::TraceFile(const std::filesystem::path& path) : file_{path} {
 
 TraceFile::~TraceFile() { std::signal(SIGBUS, SIG_DFL); }
 
-void TraceFile::commit() {
+void TraceFile::commit(bool packed) {
     if (!is_whole_fst(part())) throw IoError(file_.path(), CUT_OFF);
+    if (packed && std::filesystem::file_size(part()) <= MOST_TO_PACK) {
+        write_whole_file(file_.path(), packed_fst(read_whole_file(part(), MOST_TO_PACK)));
+        return;
+    }
     file_.commit();
 }
 

@@ -6,10 +6,15 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
 #include "sim/report/whole_file.h"
 
 namespace sim {
+
+// The file's bytes as a packed FST: one block, which holds them as gzip packs them.  GTKWave's
+// tools read it, at half the size and less.
+std::string packed_fst(const std::string& bytes);
 
 // True if the file consists of complete blocks, among them a header, a geometry and a hierarchy.
 // Reads only the head of each block.
@@ -23,7 +28,9 @@ public:
 
     const std::filesystem::path& part() const { return file_.part(); }  // to be written here
 
-    void commit();  // once its writer has closed it: IoError if incomplete
+    // Once its writer has closed it: IoError if incomplete.  `packed`: unless it is larger than
+    // 256 MiB.
+    void commit(bool packed = false);
 
 private:
     WholeFile file_;

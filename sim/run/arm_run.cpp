@@ -33,10 +33,14 @@ ArmRun::ArmRun(ArmCpu& cpu, const RunOptions& options, bool on_linux, Recorder& 
             cpu, LinuxSettings{options.linux_root, options.arguments, options.input},
             LinuxKernel::Outside{[&recorder](char c) { recorder.console(c); },
                                  [&recorder](const std::string& line) { recorder.log(line); }});
-    if (!options.profile.empty()) {
+    if (!options.profile.empty() || traces_a_part(options)) {
         profile_.emplace(cpu.program().elf);
         cpu.core().attach(&*profile_);
     }
+    if (traces_a_part(options))
+        calls_.emplace(*profile_, cpu,
+                       options.trace_to ? sc_core::sc_time::from_value(options.trace_to->ps)
+                                        : sc_core::sc_max_time());
     recorder.on_frame = [this] { budget_.frame_ended(cpu_.counts(), sc_core::sc_time_stamp()); };
 }
 
@@ -67,7 +71,7 @@ RunReport::Program ArmRun::program() const {
 }
 
 void ArmRun::write_profile() const {
-    if (profile_) write_whole_file(options_.profile, profile_->callgrind());
+    if (!options_.profile.empty()) write_whole_file(options_.profile, profile_->callgrind());
 }
 
 }  // namespace sim

@@ -6,6 +6,7 @@
 
 #include "sim/cpu/arm_cpu.h"
 #include "sim/linux/kernel.h"
+#include "sim/profile/call_log.h"
 #include "sim/profile/frame_budget.h"
 #include "sim/profile/profile.h"
 #include "sim/report/report.h"
@@ -36,12 +37,14 @@ public:
     RunReport::Program program() const;
     const std::vector<page::FrameUse>& frames() const { return budget_.frames(); }
     void write_profile() const;  // if it was asked for; IoError
+    const CallLog* calls() const { return calls_ ? &*calls_ : nullptr; }  // of a part
 
 private:
     const RunOptions& options_;
     ArmCpu& cpu_;
     std::optional<LinuxKernel> kernel_;
     std::optional<Profile> profile_;
+    std::optional<CallLog> calls_;
     FrameBudget budget_;
 };
 

@@ -22,6 +22,32 @@ std::uint64_t number(const std::string& text, const char* option) {
     return value;
 }
 
+void add_time(CLI::App& command, const char* name, std::optional<SimTime>& time, const char* help) {
+    command.add_option_function<std::string>(
+        name,
+        [&time, name](const std::string& text) {
+            time = SimTime::parse(text);
+            if (!time || time->ps == 0)
+                throw CLI::ValidationError(
+                    name, "expected a time such as 500ms or 10s, got \"" + text + "\"");
+        },
+        help);
+}
+
+// The second run for --trace-failure: the same, but for what it writes and where.
+void settle_again(RunOptions& options) {
+    options.out = options.again;
+    options.trace = (options.again / "waves.fst").string();
+    options.frames = {FrameChoice::Which::NONE, 1};
+    options.html.clear();
+    options.video.clear();
+    options.profile.clear();
+    options.gdb.reset();
+    options.trace_failure.reset();
+    options.duration = options.trace_to;
+    options.quiet = true;
+}
+
 }  // namespace
 
 std::string named(const std::string& name) {
@@ -125,15 +151,8 @@ void add_run_options(CLI::App& command, RunOptions& options) {
         },
         "which frames become PNG: new, whose picture differs from the frame before (default),\n"
         "all, every:N, last, none");
-    command.add_option_function<std::string>(
-        "--duration",
-        [&](const std::string& text) {
-            options.duration = SimTime::parse(text);
-            if (!options.duration || options.duration->ps == 0)
-                throw CLI::ValidationError(
-                    "--duration", "expected a time such as 500ms or 10s, got \"" + text + "\"");
-        },
-        "simulated time to run for at most, instead of the scenario's: 500ms, 10s");
+    add_time(command, "--duration", options.duration,
+             "simulated time to run for at most, instead of the scenario's: 500ms, 10s");
     command.add_option_function<std::string>(
         "--seed", [&](const std::string& text) { options.seed = number(text, "--seed"); },
         "seed of the contact bounce, instead of the scenario's");
@@ -150,6 +169,15 @@ void add_run_options(CLI::App& command, RunOptions& options) {
         ->check(named);
     command.add_option("--trace", options.trace, "write waveforms (FST, for GTKWave); slow")
         ->check(named);
+    add_time(command, "--trace-from", options.trace_from,
+             "from when on the waveforms are written; beside FILE.fst then also FILE.bus.txt, the\n"
+             "processor's bus accesses in that time, and FILE.calls.txt, its last 1,000 function\n"
+             "calls (--cpu arm)");
+    add_time(command, "--trace-to", options.trace_to, "until when");
+    add_time(command, "--trace-failure", options.trace_failure,
+             "where the run fails, run it again, and write waveforms, accesses and calls of this\n"
+             "time before the failure into failure/ of the output folder: 20ms");
+    command.add_option("--again", options.again)->group("");
     command.add_option("--live-socket", options.live_socket)->group("");
     command
         .add_option("--video", options.video,
@@ -188,6 +216,18 @@ void settle_run_options(const CLI::App& command, RunOptions& options) {
          {"--cpi", "--gdb", "--system", "--linux-root", "--stdin", "--profile"})
         if (command.count(option) > 0) options.for_arm.push_back(option);
     if (!options.arguments.empty()) options.for_arm.push_back("--");
+    if (!options.again.empty()) settle_again(options);
+    if (traces_a_part(options) && options.trace.empty())
+        throw CLI::ValidationError(options.trace_from ? "--trace-from" : "--trace-to",
+                                   "needs --trace FILE");
+    if (options.trace_from && options.trace_to && !(*options.trace_from < *options.trace_to))
+        throw CLI::ValidationError("--trace-to", "expected a time after --trace-from");
+    if (options.trace_failure && (!options.trace.empty() || options.gdb || live))
+        throw CLI::ValidationError("--trace-failure", std::string{"and "} +
+                                                          (live          ? "live"
+                                                           : options.gdb ? "--gdb"
+                                                                         : "--trace") +
+                                                          " exclude each other");
     if (options.gdb && !options.profile.empty())
         throw CLI::ValidationError("--profile", "and --gdb exclude each other");
 }

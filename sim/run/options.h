@@ -47,16 +47,22 @@ struct RunOptions {
     std::filesystem::path profile;       // callgrind file, or empty
     std::optional<unsigned> gdb;         // port for a debugger of that processor
     FrameChoice frames;
-    std::optional<SimTime> duration;    // instead of the scenario's
-    std::optional<std::uint64_t> seed;  // instead of the scenario's
-    std::string trace;                  // FST file, or empty
-    std::filesystem::path html;         // a page with all of the run, or empty
-    std::string command, version;       // for that page
-    std::filesystem::path video;        // .mp4 or .webm, or empty
-    unsigned audio_rate = 8'000;        // samples a second
+    std::optional<SimTime> duration;              // instead of the scenario's
+    std::optional<std::uint64_t> seed;            // instead of the scenario's
+    std::string trace;                            // FST file, or empty
+    std::optional<SimTime> trace_from, trace_to;  // the part of the run that is traced; else all
+    std::optional<SimTime> trace_failure;  // the time before a failure that a second run traces
+    std::filesystem::path again;           // that second run's folder, or empty
+    std::vector<std::string> words;        // all that was given behind `run`
+    std::filesystem::path html;            // a page with all of the run, or empty
+    std::string command, version;          // for that page
+    std::filesystem::path video;           // .mp4 or .webm, or empty
+    unsigned audio_rate = 8'000;           // samples a second
     bool quiet = false;
     std::optional<int> live_socket;  // to `de1sim live`, whose simulation this is
 };
+
+inline bool traces_a_part(const RunOptions& o) { return o.trace_from || o.trace_to; }
 
 // A check for CLI11: what is wrong with the name of a file or folder, or nothing.
 std::string named(const std::string& name);

@@ -19,7 +19,9 @@
 #include "sim/run/progress.h"
 #include "sim/run/recorder.h"
 #include "sim/run/results.h"
+#include "sim/run/run_again.h"
 #include "sim/run/run_page.h"
+#include "sim/run/trace_notes.h"
 #include "sim/scenario/scenario.h"
 
 namespace sim {
@@ -165,7 +167,9 @@ ExitCode run_doing(const char*& doing, RunOptions options, const Firmware& firmw
     std::optional<TraceFile> trace;
     if (!options.trace.empty()) trace.emplace(options.trace);
     const Computer::Settings settings{
-        seed, trace ? trace->part().string() : "",
+        seed,
+        {trace ? trace->part().string() : "", options.trace_from ? options.trace_from->ps : 0,
+         options.trace_to ? options.trace_to->ps : MAX_SIM_TIME.ps},
         options.memory == "bridge" ? Fpga::Memory::BRIDGED : Fpga::Memory::MAPPED,
         options.audio_rate};
     std::optional<project::Built> built;
@@ -190,7 +194,7 @@ ExitCode run_doing(const char*& doing, RunOptions options, const Firmware& firmw
         [&](PinListener& pins, Audience& audience, std::uint8_t* sdram) -> std::unique_ptr<Chip> {
             if (built)
                 return std::make_unique<ProjectChip>("chip", pins, built->library, project_folder,
-                                                     settings.trace_file);
+                                                     settings.trace);
             auto chip = std::make_unique<Computer>("computer", pins, audience, sdram,
                                                    std::move(software), settings);
             computer = chip.get();
@@ -201,6 +205,9 @@ ExitCode run_doing(const char*& doing, RunOptions options, const Firmware& firmw
         scenario.parts};
     std::optional<ArmRun> arm;
     if (computer && computer->arm) arm.emplace(*computer->arm, options, on_linux, recorder);
+    std::optional<TraceNotes> notes;
+    if (computer && traces_a_part(options))
+        notes.emplace(*computer, arm ? &*arm : nullptr, options);
     if (arm) board.also_type_to([&arm](const std::string& text) { arm->type(text); });
     if (arm && options.scenario.empty() && !view) arm->close_input();  // there is nobody to type
     Player player{"player", board, recorder.senses(), scenario.steps, options.out};
@@ -238,7 +245,8 @@ ExitCode run_doing(const char*& doing, RunOptions options, const Firmware& firmw
     if (trace)
         parts.carry_out("writing the waveforms", [&] {
             board.chip().end_trace();
-            trace->commit();
+            trace->commit(traces_a_part(options));
+            if (notes) notes->write();
         });
     parts.carry_out("writing the report", [&] {
         add_results(report, board, computer, arm ? &*arm : nullptr, player, recorder);
@@ -250,6 +258,11 @@ ExitCode run_doing(const char*& doing, RunOptions options, const Firmware& firmw
     else if (ended && !options.quiet)
         message(ended->message);
     report.faults.insert(report.faults.begin(), parts.failures.begin(), parts.failures.end());
+
+    if (options.trace_failure && !report.passed() && !interrupted) {
+        doing = "running again for waveforms";
+        run_again(options, report, [] { return interrupted != 0; });
+    }
 
     doing = "writing the report";
     write_whole_file(options.out / "report.json", to_json(report));

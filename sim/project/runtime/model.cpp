@@ -55,16 +55,17 @@ private:
 
 class VerilatedModel final : public Model {
 public:
-    VerilatedModel(PinListener& pins, const ModelSettings& settings) : pins_{pins} {
+    VerilatedModel(PinListener& pins, const ModelSettings& settings)
+        : pins_{pins}, trace_{settings.trace} {
         clocks_.push_back({CLOCK_50_FS, CLOCK_50_FS, IS_CLOCK_50});
         if (TD_CLK27_USED) clocks_.push_back({CLOCK_27_FS, CLOCK_27_FS, IS_CLOCK_27});
         for (unsigned n = 0; n < PLL_CLOCK_COUNT; ++n)
             clocks_.push_back({CLOCK_50_FS + PLL_CLOCKS[n].phase_fs, PLL_CLOCKS[n].period_fs, n});
 #ifdef DE1SIM_TRACE
-        if (settings.trace_file[0]) {
+        if (!settings.trace.file.empty()) {
             context_.traceEverOn(true);
-            top_.trace(&trace_, 99);
-            trace_.open(settings.trace_file);
+            top_.trace(&waveforms_, 99);
+            waveforms_.open(settings.trace.file.c_str());
         }
 #endif
         std::vector<std::filesystem::path> sources;
@@ -122,7 +123,7 @@ public:
 
     void end_trace() override {
 #ifdef DE1SIM_TRACE
-        trace_.close();
+        waveforms_.close();
 #endif
     }
 
@@ -192,7 +193,8 @@ private:
             end_run(Ending::Kind::DIVERGED, "the design oscillates: " + why);
         }
 #ifdef DE1SIM_TRACE
-        if (trace_.isOpen()) trace_.dump(dumped_ps_ = std::max(now_ps(), dumped_ps_ + 1));
+        if (waveforms_.isOpen() && trace_.wants(now_ps()))
+            waveforms_.dump(dumped_ps_ = std::max(now_ps(), dumped_ps_ + 1));
 #endif
     }
 
@@ -302,10 +304,11 @@ private:
     }
 
     PinListener& pins_;
+    const Trace trace_;
     VerilatedContext context_;
     Vde1sim_chip top_{&context_};
 #ifdef DE1SIM_TRACE
-    VerilatedFstC trace_;
+    VerilatedFstC waveforms_;
     std::uint64_t dumped_ps_ = 0;  // what follows at the same time is a picosecond later
 #endif
     Ending ending_;

@@ -1,0 +1,36 @@
+// trace_notes.cpp - see trace_notes.h
+#include "sim/run/trace_notes.h"
+
+#include "sim/report/whole_file.h"
+
+namespace sim {
+
+namespace {
+
+sc_core::sc_time time_of(std::optional<SimTime> time, const sc_core::sc_time& otherwise) {
+    return time ? sc_core::sc_time::from_value(time->ps) : otherwise;
+}
+
+BusLog::Program program_of(ArmCpu* arm) {
+    if (!arm) return {};
+    return {[arm] { return arm->core().instruction(); },
+            [arm](std::uint32_t at) { return arm->program().elf.function(at); }};
+}
+
+}  // namespace
+
+TraceNotes::TraceNotes(Computer& computer, const ArmRun* arm, const RunOptions& options)
+    : options_{options},
+      arm_{arm},
+      bus_{computer.bus, time_of(options.trace_from, sc_core::SC_ZERO_TIME),
+           time_of(options.trace_to, sc_core::sc_max_time()), program_of(computer.arm)} {}
+
+void TraceNotes::write() const {
+    std::filesystem::path file{options_.trace};
+    write_whole_file(file.replace_extension(".bus.txt"), bus_.text());
+    if (arm_ && arm_->calls())
+        write_whole_file(std::filesystem::path{options_.trace}.replace_extension(".calls.txt"),
+                         arm_->calls()->text());
+}
+
+}  // namespace sim
