@@ -423,6 +423,7 @@ AxiResponse Fabric::read(Bridge bridge, std::uint32_t address, std::uint8_t* dat
 bool Fabric::has_memory() const { return false; }
 void Fabric::read_onchip(std::uint32_t, std::uint8_t*, unsigned) const {}
 void Fabric::write_onchip(std::uint32_t, const std::uint8_t*, unsigned) {}
+std::optional<Fabric::Audio> Fabric::audio() const { return {}; }
 #else
 #define LANE(n) &top.rootp->fpga__DOT__video_block__DOT__onchip__DOT__memory__DOT__lane##n[0]
 #define LANES \
@@ -440,6 +441,15 @@ void Fabric::write_onchip(std::uint32_t offset, const std::uint8_t* data, unsign
     Vfpga& top = model_->top;
     CData* const lanes[] = LANES;
     for (unsigned i = 0; i < bytes; ++i, ++offset) lanes[offset % 4][offset / 4] = data[i];
+}
+
+#define AUDIO(signal) top.rootp->fpga__DOT__audio_block__DOT__##signal
+
+std::optional<Fabric::Audio> Fabric::audio() const {
+    const Vfpga& top = model_->top;
+    return Audio{{AUDIO(left_out_count), AUDIO(right_out_count)},
+                 {AUDIO(left_in_count), AUDIO(right_in_count)},
+                 AUDIO(underruns_q)};
 }
 #endif
 

@@ -12,6 +12,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -70,6 +71,14 @@ public:
     bool has_memory() const;
     void read_onchip(std::uint32_t offset, std::uint8_t* data, unsigned bytes) const;
     void write_onchip(std::uint32_t offset, const std::uint8_t* data, unsigned bytes);
+
+    // Samples in the audio core's FIFOs of 128, left and right, and its count of underruns; read in
+    // no time.  Not in a build with the netlist.
+    struct Audio {
+        std::uint8_t to_play[2], recorded[2];
+        std::uint32_t underruns;
+    };
+    std::optional<Audio> audio() const;
 
     std::uint16_t ledr() const;
     std::uint64_t hex_n() const;     // HEX5 in 41:35 ... HEX0 in 6:0, 0 = lit

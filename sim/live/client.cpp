@@ -20,7 +20,7 @@ Client::Client(boost::asio::ip::tcp::socket socket, const PictureStore& pictures
       take_{std::move(take)},
       closed_{std::move(closed)} {}
 
-void Client::accept(const Request& request, const std::deque<std::string>& greeting) {
+void Client::accept(const Request& request, std::function<std::deque<std::string>()> greeting) {
     websocket::permessage_deflate deflate;  // pictures of few colours shrink to a few percent
     deflate.server_enable = true;
     deflate.compLevel = 1;
@@ -28,10 +28,11 @@ void Client::accept(const Request& request, const std::deque<std::string>& greet
     stream_.set_option(deflate);
     stream_.set_option(websocket::stream_base::timeout::suggested(beast::role_type::server));
     stream_.read_message_max(MOST_INCOMING);
-    stream_.async_accept(request, [self = shared_from_this(), greeting](beast::error_code error) {
+    stream_.async_accept(request, [self = shared_from_this(),
+                                   greeting = std::move(greeting)](beast::error_code error) {
         if (error) return self->gone();
         self->open_ = true;
-        for (const std::string& text : greeting) self->send_text(text);
+        for (const std::string& text : greeting()) self->send_text(text);
         self->send_picture();
         self->read();
     });

@@ -26,8 +26,9 @@ public:
     Client(boost::asio::ip::tcp::socket socket, const PictureStore& pictures, Take take,
            std::function<void(Client&)> closed);
 
-    // Answers the upgrade; `greeting` are the first texts.
-    void accept(const Request& request, const std::deque<std::string>& greeting);
+    // Answers the upgrade; then `greeting` is asked for the first texts, which no other is lost
+    // behind.
+    void accept(const Request& request, std::function<std::deque<std::string>()> greeting);
 
     void send_text(const std::string& text);
     void send_sound(const std::string& message);  // with its kind in front

@@ -40,11 +40,12 @@ std::string delay(sc_time time) { return fmt::format("  - delay: {}ns\n", time.v
 }  // namespace
 
 LivePlayer::LivePlayer(const sc_core::sc_module_name& name, Player& player, LiveView& view,
-                       Wire& wire, const Scenario& scenario, std::uint64_t seed,
+                       Inside& inside, Wire& wire, const Scenario& scenario, std::uint64_t seed,
                        std::filesystem::path out)
     : sc_module{name},
       player_{player},
       view_{view},
+      inside_{inside},
       wire_{wire},
       scenario_{scenario},
       seed_{seed},
@@ -60,6 +61,7 @@ void LivePlayer::run() {
     for (;;) {
         wait(tick);
         view_.flush();
+        for (const std::string& line : inside_.new_violations()) say("violation", line);
         if (pause_at_frame_ != 0 && view_.frames() >= pause_at_frame_) set_pace(speed_, true);
         take_messages();
         keep_pace();
@@ -114,6 +116,7 @@ void LivePlayer::say_status() {
     told_ = now;
     told_sim_ = sc_time_stamp();
     wire_.send(Kind::TEXT, nlohmann::json{{"status", status}}.dump());
+    wire_.send(Kind::TEXT, nlohmann::json{{"inside", inside_.look()}}.dump());
 }
 
 // ---- Messages ----

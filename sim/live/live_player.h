@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "sim/live/inside.h"
 #include "sim/live/live_view.h"
 #include "sim/play/player.h"
 #include "sim/scenario/step_reader.h"
@@ -22,8 +23,8 @@ namespace sim::live {
 class LivePlayer : public sc_core::sc_module {
 public:
     // Steps go through `player`, whose own must be over.  `scenario`: with which the run began.
-    LivePlayer(const sc_core::sc_module_name& name, Player& player, LiveView& view, Wire& wire,
-               const Scenario& scenario, std::uint64_t seed, std::filesystem::path out);
+    LivePlayer(const sc_core::sc_module_name& name, Player& player, LiveView& view, Inside& inside,
+               Wire& wire, const Scenario& scenario, std::uint64_t seed, std::filesystem::path out);
 
     bool left() const { return left_; }  // the server is gone, or has asked for the end
 
@@ -47,6 +48,7 @@ private:
 
     Player& player_;
     LiveView& view_;
+    Inside& inside_;
     Wire& wire_;
     const Scenario& scenario_;
     const std::uint64_t seed_;

@@ -30,6 +30,7 @@ std::string text_of(const nlohmann::json& json) {
 
 void LiveView::frame(const Monitor::Frame& frame) {
     recorder_.frame(frame);
+    on_frame();
     ++frames_;
     if (frame.is_new) ++new_pictures_;
     if (frame.is_new || sent_.empty()) send_picture(frame);

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -28,6 +29,9 @@ public:
     void flush();
     // The run is over, for these reasons.
     void end(const std::vector<std::string>& faults);
+
+    // Called at each end of a frame.
+    std::function<void()> on_frame = [] {};
 
     std::uint64_t frames() const { return frames_; }
     std::uint64_t new_pictures() const { return new_pictures_; }

@@ -15,6 +15,8 @@
 #include <nlohmann/json.hpp>
 
 #include "sim/live/client.h"
+#include "sim/live/greeting.h"
+#include "sim/live/http_connection.h"
 #include "sim/live/page_files.h"
 #include "sim/live/simulation.h"
 #include "sim/report/messages.h"
@@ -30,7 +32,7 @@ using asio::ip::tcp;
 namespace {
 
 constexpr unsigned PROTOCOL = 1;
-constexpr std::size_t MOST_CLIENTS = 16, MOST_CONSOLE = 64 << 10, MOST_FILE = 64 << 20;
+constexpr std::size_t MOST_CLIENTS = 16;
 constexpr auto HTTP_TIME = std::chrono::seconds{30};
 
 std::string new_token() {
@@ -38,20 +40,6 @@ std::string new_token() {
     std::string token;
     for (int i = 0; i < 4; ++i) token += fmt::format("{:08x}", random());
     return token;
-}
-
-// The value of a name in "/ws?token=...&x=..."; values are not decoded.
-std::string query(beast::string_view target, const std::string& name) {
-    const std::string text{target};
-    std::size_t at = text.find('?');
-    while (at != std::string::npos) {
-        const std::size_t next = text.find('&', at + 1);
-        const std::string pair =
-            text.substr(at + 1, next == std::string::npos ? next : next - at - 1);
-        if (pair.compare(0, name.size() + 1, name + "=") == 0) return pair.substr(name.size() + 1);
-        at = next;
-    }
-    return {};
 }
 
 std::string json_text(const nlohmann::json& json) {
@@ -98,23 +86,13 @@ public:
     }
 
 private:
-    struct Connection {
-        explicit Connection(tcp::socket socket) : stream{std::move(socket)} {
-            parser.body_limit(MOST_FILE);
-        }
-        beast::tcp_stream stream;
-        beast::flat_buffer buffer;
-        http::request_parser<http::string_body> parser;
-    };
-
     // ---- The simulation ----
 
     void power_on() {
         simulation_.reset();
         wire_ready_.reset();
         pictures_.clear();
-        console_.clear();
-        lamps_.clear();
+        greeting_.clear();
         for (const auto& client : clients_) client->forget_pictures();
         auto words = what_;
         words.insert(words.end(), settings_.words.begin(), settings_.words.end());
@@ -147,19 +125,10 @@ private:
                 break;
             }
             case Kind::TEXT:
-                remember(message.bytes);
+                greeting_.take(message.bytes);
                 tell(message.bytes);
                 break;
         }
-    }
-
-    // What a client that comes later must know.
-    void remember(const std::string& text) {
-        const auto json = nlohmann::json::parse(text, nullptr, false);
-        if (json.contains("lamps")) lamps_ = text;
-        if (!json.contains("console")) return;
-        console_ += json["console"].get<std::string>();
-        if (console_.size() > MOST_CONSOLE) console_.erase(0, console_.size() - MOST_CONSOLE / 2);
     }
 
     void tell(const std::string& text) {
@@ -195,13 +164,13 @@ private:
             if (!error) {
                 beast::error_code ignored;
                 socket.set_option(tcp::no_delay{true}, ignored);
-                read(std::make_shared<Connection>(std::move(socket)));
+                read(std::make_shared<HttpConnection>(std::move(socket)));
             }
             accept();
         });
     }
 
-    void read(const std::shared_ptr<Connection>& connection) {
+    void read(const std::shared_ptr<HttpConnection>& connection) {
         connection->stream.expires_after(HTTP_TIME);
         http::async_read(connection->stream, connection->buffer, connection->parser,
                          [this, connection](beast::error_code error, std::size_t) {
@@ -212,7 +181,7 @@ private:
                          });
     }
 
-    void request(const std::shared_ptr<Connection>& connection) {
+    void request(const std::shared_ptr<HttpConnection>& connection) {
         const auto& request = connection->parser.get();
         const auto target = request.target();
         const std::string path{target.substr(0, target.find('?'))};
@@ -235,26 +204,7 @@ private:
         answer(connection, http::status::ok, file->type, file->bytes);
     }
 
-    void answer(const std::shared_ptr<Connection>& connection, http::status status,
-                std::string_view type, std::string_view body) {
-        auto response = std::make_shared<http::response<http::string_body>>(status, 11);
-        response->set(http::field::content_type, beast::string_view{type.data(), type.size()});
-        response->set(http::field::cache_control, "no-store");
-        response->set("X-Content-Type-Options", "nosniff");
-        response->set("Referrer-Policy", "no-referrer");
-        response->set("Content-Security-Policy",
-                      "default-src 'self'; connect-src 'self' ws:; img-src data:");
-        response->keep_alive(false);
-        response->body() = std::string{body};
-        response->prepare_payload();
-        http::async_write(
-            connection->stream, *response, [connection, response](beast::error_code, std::size_t) {
-                beast::error_code ignored;
-                connection->stream.socket().shutdown(tcp::socket::shutdown_send, ignored);
-            });
-    }
-
-    void upgrade(const std::shared_ptr<Connection>& connection) {
+    void upgrade(const std::shared_ptr<HttpConnection>& connection) {
         if (clients_.size() >= MOST_CLIENTS)
             return answer(connection, http::status::service_unavailable, "text/plain",
                           "expected at most 16 clients\n");
@@ -263,16 +213,17 @@ private:
             connection->stream.release_socket(), pictures_,
             [this](Client& from, const std::string& text) { take_from(from, text); },
             [this](Client& gone) { clients_.erase(gone.shared_from_this()); });
-        std::deque<std::string> greeting{
-            json_text({{"hello", {{"protocol", PROTOCOL}, {"title", settings_.title}}}})};
-        if (!lamps_.empty()) greeting.push_back(lamps_);
-        if (!console_.empty()) greeting.push_back(json_text({{"console", console_}}));
         clients_.insert(client);
-        client->accept(connection->parser.get(), greeting);
+        client->accept(connection->parser.get(), [this] {
+            std::deque<std::string> texts = greeting_.texts();
+            texts.push_front(
+                json_text({{"hello", {{"protocol", PROTOCOL}, {"title", settings_.title}}}}));
+            return texts;
+        });
     }
 
     // A program or a scenario, from now on instead of what has run.
-    void run_file(const std::shared_ptr<Connection>& connection) {
+    void run_file(const std::shared_ptr<HttpConnection>& connection) {
         const std::string& bytes = connection->parser.get().body();
         const bool elf = bytes.compare(0, 4, "\177ELF") == 0;
         const auto file = folder_ / (elf ? "dropped.elf" : "dropped.yaml");
@@ -292,7 +243,7 @@ private:
     std::unique_ptr<Simulation> simulation_;
     std::optional<asio::posix::stream_descriptor> wire_ready_;  // the wire's descriptor, to wait at
     PictureStore pictures_;
-    std::string lamps_, console_;
+    Greeting greeting_;
     std::set<std::shared_ptr<Client>> clients_;
 };
 

@@ -59,15 +59,17 @@ RunReport::Program ArmRun::program() const {
     program.function = at.function;
     program.frames = budget_.figures();
     if (kernel_) program.exit_code = kernel_->exit_code();
-    if (at.ended)
-        program.waiting = "nothing: it has ended";
-    else if (kernel_ && kernel_->terminal().waits())
-        program.waiting = "standard input";
-    else if (at.sleeping)
-        program.waiting = kernel_ ? "the time to wake up" : "an interrupt";
-    else if (at.polling)
-        program.waiting = fmt::format("a change of 0x{:08X}", at.address);
+    program.waiting = waiting();
     return program;
+}
+
+std::string ArmRun::waiting() const {
+    const ArmCpu::Position at = cpu_.position();
+    if (at.ended) return "nothing: it has ended";
+    if (kernel_ && kernel_->terminal().waits()) return "standard input";
+    if (at.sleeping) return kernel_ ? "the time to wake up" : "an interrupt";
+    if (at.polling) return fmt::format("a change of 0x{:08X}", at.address);
+    return "";
 }
 
 void ArmRun::write_profile() const {

@@ -35,6 +35,7 @@ public:
     }
 
     RunReport::Program program() const;
+    std::string waiting() const;  // for what, "an interrupt"; or empty
     const std::vector<page::FrameUse>& frames() const { return budget_.frames(); }
     void write_profile() const;  // if it was asked for; IoError
     const CallLog* calls() const { return calls_ ? &*calls_ : nullptr; }  // of a part

@@ -213,7 +213,18 @@ ExitCode run_doing(const char*& doing, RunOptions options, const Firmware& firmw
     Player player{"player", board, recorder.senses(), scenario.steps, options.out};
     if (page) player.on_step = [&page] { page->step_done(); };
     std::optional<live::LivePlayer> live_player;
-    if (view) live_player.emplace("live_player", player, *view, *wire, scenario, seed, options.out);
+    std::optional<live::Inside> inside;
+    if (view) {
+        const auto program = [&arm] {
+            const auto& frames = arm->frames();
+            return live::Inside::Program{
+                arm->waiting(), frames.empty() ? std::nullopt : std::optional{frames.back()}};
+        };
+        inside.emplace(board, computer, arm ? program : std::function<live::Inside::Program()>{});
+        view->on_frame = [&inside] { inside->frame_ended(); };
+        live_player.emplace("live_player", player, *view, *inside, *wire, scenario, seed,
+                            options.out);
+    }
     const sc_core::sc_event never;
     Finish finish{"finish", player.done(), computer ? computer->cpu.faulted() : never};
 

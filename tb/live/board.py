@@ -57,7 +57,7 @@ class Client:
     def __init__(self, socket):
         self.socket = socket
         self.width = self.height = self.frame = self.pictures = self.samples = self.bytes = 0
-        self.console, self.last = "", {}  # of each name the last value
+        self.console, self.last, self.all = "", {}, {}  # of each name the last value, and all
 
     async def send(self, **message):
         await self.socket.send(json.dumps(message))
@@ -71,6 +71,7 @@ class Client:
         if isinstance(message, str):
             for name, value in json.loads(message).items():
                 self.last[name] = value
+                self.all.setdefault(name, []).append(value)
                 if name == "console":
                     self.console += value
         elif message[0] == PICTURE and len(message) > 1:

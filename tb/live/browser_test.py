@@ -93,6 +93,13 @@ class Page(unittest.TestCase):
         self.until(lambda: self.frames() == before + 1)
         self.find("#mark").click()
         self.until(lambda: "marked" in self.find("#message").text)
+        figures = dict(self.page.execute_script(
+            "return [...document.querySelectorAll('#figures div')]"
+            ".map((row) => [...row.children].map((part) => part.textContent.trim()));"))
+        self.assertRegex(figures["Bus per frame"], r"^[1-9]\d* reads, [1-9]\d* writes, \d+ bursts$")
+        self.assertEqual(figures["Samples recorded"], "128, 128 of 128")
+        self.assertIn("640 x 480", figures["Signal"])
+        self.assertNotIn("Program", figures)  # the demo is not an ARM's
         self.find("#save").click()
         self.until(lambda: "saved" in self.find("#message").text)
         self.page.save_screenshot(str(FOLDER / "page.png"))

@@ -1,4 +1,4 @@
-"""live_test.py DE1SIM FOLDER - `de1sim live` by its protocol: who may, what is kept."""
+"""live_test.py DE1SIM FOLDER PROGRAMS [TEST] - `de1sim live` by its protocol: who may, what is kept."""
 import asyncio
 import http.client
 import json
@@ -11,7 +11,26 @@ import websockets
 
 from board import Board, Client
 
-DE1SIM, FOLDER = sys.argv[1], pathlib.Path(sys.argv[2])
+DE1SIM, FOLDER, PROGRAMS = sys.argv[1], *map(pathlib.Path, sys.argv[2:4])
+
+
+# 640 x 480, but for lines of 799 clocks.
+SHORT_LINES = """
+module top(input CLOCK_50, output reg VGA_CLK, output VGA_HS, VGA_VS, VGA_BLANK_N, VGA_SYNC_N,
+           output [7:0] VGA_R, VGA_G, VGA_B);
+    reg [9:0] x, y;
+    assign VGA_HS = x >= 96, VGA_VS = y >= 2, VGA_SYNC_N = 0;
+    assign VGA_BLANK_N = x >= 144 && x < 784 && y >= 35 && y < 515;
+    assign VGA_R = VGA_BLANK_N ? x : 0, VGA_G = 0, VGA_B = 0;
+    always @(posedge CLOCK_50) begin
+        VGA_CLK <= !VGA_CLK;
+        if (VGA_CLK) begin
+            x <= x == 798 ? 0 : x + 1;
+            if (x == 798) y <= y == 524 ? 0 : y + 1;
+        end
+    end
+endmodule
+"""
 
 
 class Live(unittest.IsolatedAsyncioTestCase):
@@ -21,6 +40,17 @@ class Live(unittest.IsolatedAsyncioTestCase):
         self.folder = FOLDER / self.id().split(".")[-1]
         self.board = Board(DE1SIM, self.folder, *self.words)
         self.addCleanup(self.board.__exit__)
+
+    def report(self):
+        """Of the run, which ends."""
+        self.board.__exit__()
+        return json.loads((self.board.out / "report.json").read_text())
+
+    async def paused(self, client):
+        """What is inside while time stands."""
+        await client.send(pause=True)
+        await client.until(lambda: client.last.get("status", {}).get("paused"))
+        return await client.wait_for("inside")
 
     async def client(self, **options):
         client = Client(await self.board.connect(**options))
@@ -85,7 +115,7 @@ class Playing(Live):
         await client.wait_for("power")
         client.pictures = 0
         await client.until(lambda: client.pictures > 0)
-        self.assertEqual(client.frame, 1)
+        self.assertLess(client.frame, 20)  # which had been shown before
 
     async def test_a_dropped_program_runs(self):
         client = await self.client()
@@ -101,6 +131,69 @@ class Playing(Live):
         connection = http.client.HTTPConnection(self.board.host, timeout=20)
         connection.request("POST", f"/run?token={self.board.token}", body)
         return connection.getresponse()
+
+
+class InsideAProgram(Live):
+    words = ("--elf", str(PROGRAMS / "aborts_twice.elf"))
+
+    async def test_it_is_seen_where_it_is_and_what_it_does(self):
+        client = await self.client()
+        await client.frames_on(10)
+        inside = await self.paused(client)
+        late = await self.client()
+        await late.until(lambda: "lamps" in late.last)
+        self.assertEqual(len(late.all["log"]), 2)  # as they happened, also for who comes later
+        report = self.report()
+        self.assertEqual(late.all["log"], report["log"]["first"])
+        program = report["program"]
+        self.assertEqual(inside["program"]["function"], program["at"]["function"])
+        self.assertEqual(inside["program"]["pc"], int(program["at"]["pc"], 16))
+        self.assertEqual(inside["program"]["waiting"], program["at"]["waiting_for"])
+        self.assertEqual(inside["program"]["aborts"], program["aborts"])
+        for name, spread in (("busy", "busy_share"), ("on_bus", "bus_share"),
+                             ("instructions", "instructions")):
+            least, most = (program["frames"][spread][end] for end in ("min", "max"))
+            self.assertTrue(least <= inside["program"][name] <= most, name)
+        frames = client.last["status"]["time"] / 16.8e-3
+        self.assertAlmostEqual(inside["bus"]["reads"] / report["bus"]["reads"] * frames, 1, 1)
+        self.assertEqual(inside["bus"]["errors"], report["bus"]["errors"])
+        self.assertIn(report["frames"]["shown"] - inside["frames"], (0, 1))  # one may just end
+        self.assertEqual(inside["pictures"], report["frames"]["swapped"])
+        # The codec's samples fill a FIFO that nobody reads; nobody has written to the other.
+        self.assertEqual(inside["audio"], {"to_play": [0, 0], "recorded": [128, 128], "size": 128,
+                                           "underruns": 0})
+
+
+class InsideSound(Live):
+    words = ("--elf", str(PROGRAMS / "starves.elf"))
+
+    async def test_fifos_and_underruns_are_those_that_the_program_has_read(self):
+        """Three times the FIFOs run dry; then the left one alone is filled."""
+        client = await self.client()
+        await client.until(lambda: "held\n" in client.console)
+        inside = await self.paused(client)
+        self.assertEqual(inside["audio"]["underruns"], 3)
+        self.assertEqual(inside["audio"]["to_play"], [100, 0])
+        self.assertEqual(self.report()["audio"]["underruns"], 3)
+
+
+class InsideAProject(Live):
+    def setUp(self):
+        project = FOLDER / "project"
+        project.mkdir(parents=True, exist_ok=True)
+        (project / "top.v").write_text(SHORT_LINES)
+        self.words = ("--project", str(project), "--strict-vga")
+        super().setUp()
+
+    async def test_violations_are_told_as_they_happen(self):
+        client = await self.client()
+        await client.until(lambda: client.last.get("inside", {}).get("frames", 0) > 2, 120)
+        self.assertNotIn("bus", client.last["inside"])
+        inside = await self.paused(client)
+        told = client.all["violation"]
+        report = self.report()["timing_violations"]
+        self.assertEqual(told, [f"VGA: {line}" for line in report["first"]])
+        self.assertAlmostEqual(inside["vga_violations"], report["count"], delta=2)  # the last line
 
 
 class Refused(Live):
@@ -160,4 +253,4 @@ class Refused(Live):
 
 
 if __name__ == "__main__":
-    unittest.main(argv=sys.argv[:1])
+    unittest.main(argv=sys.argv[:1] + sys.argv[4:])

@@ -1,5 +1,6 @@
 // board.js - the page of `de1sim live`: draws what comes over the WebSocket, sends what is pressed.
 // The protocol is in sim/live/README.md.
+import {clearInside, event, inside} from "./inside.js";
 
 const $ = (id) => document.getElementById(id);
 const token = new URLSearchParams(location.search).get("token");
@@ -263,6 +264,7 @@ function power() {
     document.querySelectorAll("button").forEach((button) => button.release?.());
     down.clear();
     pushed.clear();
+    clearInside();
     say("power on");
 }
 function saved({file, text}) {
@@ -290,10 +292,11 @@ window.runFile = runFile;
 
 const HANDLERS = {
     hello: ({title}) => { $("title").textContent = title; },
-    lamps, status, saved, power,
+    lamps, status, inside, saved, power,
     console: print,
-    log: (line) => say(line, true),
-    fault: (line) => say(line, true),
+    log: (line) => { say(line, true); event(line); },
+    fault: (line) => { say(line, true); event(line); },
+    violation: (line) => { say(line, true); event(line); },
     error: (line) => say(line, true),
     marked: (file) => say(`marked: ${file}`),
     verdict: (line) => say(line),

@@ -1,0 +1,27 @@
+// greeting.h - what a client that comes later has to be told of the run so far.
+#pragma once
+
+#include <cstddef>
+#include <deque>
+#include <string>
+
+namespace sim::live {
+
+class Greeting {
+public:
+    // A text from the simulation.
+    void take(const std::string& text);
+    void clear() { *this = {}; }
+
+    // The lamps as they are, the last 32 KiB or more of what was printed, and the last 20 aborts,
+    // faults and violations.
+    std::deque<std::string> texts() const;
+
+private:
+    static constexpr std::size_t MOST_PRINTED = 64 << 10, MOST_EVENTS = 20;
+
+    std::string lamps_, console_;
+    std::deque<std::string> events_;
+};
+
+}  // namespace sim::live

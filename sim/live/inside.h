@@ -1,0 +1,53 @@
+// inside.h - what goes on inside the board of a live run, for who watches it.
+//
+// Looks at counters of the models and at signals of the Verilog, in no time and without moving
+// anything: a run that is watched is the same as one that is not.  The fabric's are those of the
+// last time that it caught up, at most 32 us ago.
+//
+// Not handled: registers of the fabric other than the audio core's counts.  A read over the bridge
+// takes clocks, which the program would notice.  Native firmware has no processor that counts.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "sim/board/board.h"
+#include "sim/chip/computer.h"
+#include "sim/page/page.h"
+
+namespace sim::live {
+
+class Inside {
+public:
+    // Of an ARM's program, beside what its processor knows.
+    struct Program {
+        std::string waiting;                  // for what, or empty
+        std::optional<page::FrameUse> frame;  // the last one
+    };
+
+    // `computer` and `program`: null where there is none.
+    Inside(Board& board, const Computer* computer, std::function<Program()> program)
+        : board_{board}, computer_{computer}, program_{std::move(program)} {}
+
+    // To be called at each end of a frame: bus accesses are counted from one to the next.
+    void frame_ended();
+
+    // The message "inside" of README.md.
+    nlohmann::json look() const;
+    // Violations and errors of the board's parts since the last call, a line each; of each part the
+    // first 20.
+    std::vector<std::string> new_violations();
+
+private:
+    Board& board_;
+    const Computer* const computer_;
+    const std::function<Program()> program_;
+    BusCounts then_, frame_;
+    std::size_t told_[3] = {};
+};
+
+}  // namespace sim::live
