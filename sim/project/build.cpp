@@ -245,7 +245,7 @@ Built Builder::build(const Progress& progress) {
          fmt::format("-DDE1SIM_GPIO_0_OUTPUTS=36'd{}", design_.binding.header_outputs[0]),
          fmt::format("-DDE1SIM_GPIO_1_OUTPUTS=36'd{}", design_.binding.header_outputs[1])});
     words.push_back("-Wwarn-UNOPTFLAT");  // for loops_text()
-    if (trace_) words.push_back("--trace-fst");
+    if (trace_) words.insert(words.end(), {"--trace-fst", "-DDE1SIM_TRACE"});
     words.push_back("data/project/de1sim_chip.v");
     words.push_back("de1sim_pll_taps.v");
     for (const fs::path& file : files_) words.push_back(file.string());

@@ -43,12 +43,13 @@ std::string clocks_text(const Project& project, const Elaborated& elaborated,
     for (const std::string& folder : below) folders += fmt::format("\"{}\", ", escaped(folder));
     std::string text =
         "// Written by de1sim.\n#pragma once\n"
-        "struct PllClock {\n    unsigned long long period_fs, phase_fs;\n};\n"
+        "struct PllClock {\n    unsigned long long period_fs, phase_fs, high_fs;\n};\n"
         "constexpr PllClock PLL_CLOCKS[] = {";
     for (const PllClock& clock : elaborated.pll_clocks)
-        text += fmt::format("{{{}ull, {}ull}}, ", clock.period_fs, clock.phase_fs);
+        text += fmt::format("{{{}ull, {}ull, {}ull}}, ", clock.period_fs, clock.phase_fs,
+                            clock.high_fs);
     return text + fmt::format(
-                      "{{0, 0}}}};\nconstexpr unsigned PLL_CLOCK_COUNT = {};\n"
+                      "{{0, 0, 0}}}};\nconstexpr unsigned PLL_CLOCK_COUNT = {};\n"
                       "constexpr bool TD_CLK27_USED = {}, VGA_USED = {};\n"
                       "constexpr bool AUD_XCK_USED = {}, AUD_CLOCKS_DRIVEN = {};\n"
                       "constexpr const char* SOURCE_FOLDERS[] = {{{}\"\"}};\n",

@@ -4,8 +4,10 @@
 // are declared here under the schematic's names, and drives those outputs that it has not.
 //
 // A clock input of this module moves once per clock: de1sim_clock makes a whole pulse of it in one
-// evaluation.  The video DAC and the SDRAM take their pins at a rising edge of a clock that the
-// design makes, so these are sampled here, as they would be in their input registers.
+// evaluation.  For waveforms (DE1SIM_TRACE) it is the clock itself.
+//
+// The video DAC and the SDRAM take their pins at a rising edge of a clock that the design makes, so
+// these are sampled here, as they would be in their input registers.
 //
 // The other inputs are taken over when moved_i changes.  An evaluation then need not look at them,
 // and all that hangs on them, at every clock.
@@ -209,15 +211,19 @@ module de1sim_chip (
     end
 endmodule
 
-// A pulse for each change of clk_i, within one evaluation.
+// A pulse for each change of clk_i, within one evaluation; for waveforms a wire.
 module de1sim_clock (
     input  wire clk_i,
     output wire clk_o
 );
+`ifdef DE1SIM_TRACE
+    assign clk_o = clk_i;
+`else
     reg seen_q = 1'b0;
 
     assign clk_o = clk_i ^ seen_q;
     always @(posedge clk_o) seen_q <= clk_i;
+`endif
 endmodule
 
 `default_nettype wire

@@ -17,26 +17,19 @@
 
 #include "sim/project/init_file.h"
 
+#include "clocks.h"
 #include "endings.h"
 
-#include "de1sim_clocks.h"  // PLL_CLOCKS[]: period and phase of each in fs; TD_CLK27_USED and so on
-#include "de1sim_loops.h"   // LOOPS: signals that depend on themselves
+#include "de1sim_loops.h"  // LOOPS: signals that depend on themselves
 
 namespace sim::project {
 
 namespace {
 
-constexpr std::uint64_t FS_PER_PS = 1'000, CLOCK_50_FS = 20'000'000, CLOCK_27_FS = 37'037'037;
+constexpr std::uint64_t FS_PER_PS = 1'000;
 constexpr std::uint64_t QUIET_FS = 1'000'000'000'000;  // 1 ms
 constexpr unsigned VIDEO_BATCH = 800, MOST_TURNS = 100;
 constexpr unsigned XCK_RISES = 128;  // from one movement of aud_xck_o to the next
-constexpr std::uint64_t NEVER = ~std::uint64_t{0};
-
-struct Clock {
-    std::uint64_t next_fs, period_fs;
-    unsigned number;  // of a PLL's clock, or one of the two below
-};
-constexpr unsigned IS_CLOCK_50 = 64, IS_CLOCK_27 = 65;
 
 // The working directory, for as long as it lives, also where the design's files are broken.
 class InFolder {
@@ -57,10 +50,6 @@ class VerilatedModel final : public Model {
 public:
     VerilatedModel(PinListener& pins, const ModelSettings& settings)
         : pins_{pins}, trace_{settings.trace} {
-        clocks_.push_back({CLOCK_50_FS, CLOCK_50_FS, IS_CLOCK_50});
-        if (TD_CLK27_USED) clocks_.push_back({CLOCK_27_FS, CLOCK_27_FS, IS_CLOCK_27});
-        for (unsigned n = 0; n < PLL_CLOCK_COUNT; ++n)
-            clocks_.push_back({CLOCK_50_FS + PLL_CLOCKS[n].phase_fs, PLL_CLOCKS[n].period_fs, n});
 #ifdef DE1SIM_TRACE
         if (!settings.trace.file.empty()) {
             context_.traceEverOn(true);
@@ -87,23 +76,24 @@ public:
 
     void run(std::uint64_t until_ps) override {
         const std::uint64_t until_fs = until_ps * FS_PER_PS;
-        if (until_fs < clocks_[0].next_fs || ended()) return;
-        settle();
+        if (until_fs < clocks_.next_clock_50_fs() || ended()) return;
+        look_ = true;
+        if (!clocks_.high()) settle();
         for (;;) {
-            std::uint64_t next = clocks_[0].next_fs;
-            for (const Clock& clock : clocks_) next = std::min(next, clock.next_fs);
-            if (std::min(next, bclk_next_fs_) > until_fs || ended()) return;
-            if (bclk_next_fs_ < next) {
-                bclk_edge();
+            const std::uint64_t rise = clocks_.next_rise_fs(), fall = clocks_.next_fall_fs();
+            if (std::min({rise, fall, bclk_next_fs_}) > until_fs || ended()) break;
+            if (fall < rise && fall <= bclk_next_fs_) {
+                edges(fall);
             } else {
-                now_fs_ = next;
-                for (Clock& clock : clocks_)
-                    if (clock.next_fs == next) tick(clock);
-                eval();
-                look();
+                if (EDGES_APART) answer();
+                if (bclk_next_fs_ < rise)
+                    bclk_edge();
+                else
+                    edges(now_fs_ = rise);
             }
-            if (look_) settle();
+            if (!clocks_.high()) answer();
         }
+        if (EDGES_APART) look();
     }
 
     void flush() override {
@@ -130,16 +120,28 @@ public:
 private:
     std::uint64_t now_ps() const { return now_fs_ / FS_PER_PS; }
 
-    void tick(Clock& clock) {
-        clock.next_fs += clock.period_fs;
-        if (clock.number == IS_CLOCK_50) {
+    void edges(std::uint64_t now_fs) {
+        edge_fs_ = now_fs;
+        clocks_.edges(now_fs, [this](unsigned number, bool rises) { move(number, rises); });
+        eval();
+    }
+
+    void move(unsigned number, bool rises) {
+        if (number == Clocks::IS_CLOCK_50) {
             top_.clock_50_i = !top_.clock_50_i;
-        } else if (clock.number == IS_CLOCK_27) {
+        } else if (number == Clocks::IS_CLOCK_27) {
             top_.clock_27_i = !top_.clock_27_i;
-            top_.td_data_i = pins_.td_data(rises_27_++);
+            if (rises) top_.td_data_i = pins_.td_data(rises_27_++);
         } else {
-            top_.pll_clocks_i ^= std::uint64_t{1} << clock.number;
+            top_.pll_clocks_i ^= std::uint64_t{1} << number;
         }
+    }
+
+    // The board gets to know what happened at an edge once the clock is low again, or before
+    // another one rises: in waveforms no earlier than in an ordinary run, and told the same time.
+    void answer() {
+        look();
+        if (look_) settle();
     }
 
     // The board answers what the chip does, and the chip may answer that without a clock.
@@ -193,8 +195,9 @@ private:
             end_run(Ending::Kind::DIVERGED, "the design oscillates: " + why);
         }
 #ifdef DE1SIM_TRACE
-        if (waveforms_.isOpen() && trace_.wants(now_ps()))
-            waveforms_.dump(dumped_ps_ = std::max(now_ps(), dumped_ps_ + 1));
+        const std::uint64_t edge_ps = edge_fs_ / FS_PER_PS;
+        if (waveforms_.isOpen() && trace_.wants(edge_ps))
+            waveforms_.dump(dumped_ps_ = std::max(edge_ps, dumped_ps_ + 1));
 #endif
     }
 
@@ -281,10 +284,10 @@ private:
 
     // The codec's clocks come between those of the design, or just after them.
     void bclk_edge() {
-        now_fs_ = bclk_next_fs_;
+        edge_fs_ = now_fs_ = bclk_next_fs_;
         bclk_next_fs_ += bclk_half_fs_;
         pins_.bclk_edge(in);
-        look_ = true;
+        settle();
     }
 
     // DQ is the memory's while it has a read to answer.
@@ -312,8 +315,10 @@ private:
     std::uint64_t dumped_ps_ = 0;  // what follows at the same time is a picosecond later
 #endif
     Ending ending_;
-    std::vector<Clock> clocks_;
-    std::uint64_t now_fs_ = 0, rises_27_ = 0;
+    Clocks clocks_;
+    std::uint64_t now_fs_ = 0;   // of the last rise, for the board
+    std::uint64_t edge_fs_ = 0;  // of the last edge
+    std::uint64_t rises_27_ = 0;
     bool look_ = true;  // `in` may have changed
 
     std::uint32_t video_[VIDEO_BATCH];
