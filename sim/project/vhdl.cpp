@@ -10,6 +10,7 @@
 #include "sim/project/command.h"
 #include "sim/project/file_finder.h"
 #include "sim/project/settings.h"
+#include "sim/project/vhdl_repairs.h"
 #include "sim/report/whole_file.h"
 
 namespace sim::project {
@@ -78,8 +79,12 @@ std::vector<std::string> verilog_of(const VhdlDesign& design, const TimeLimit& l
     std::set<std::string> known;
     std::vector<std::string> texts;
     for (const std::string& root : design.roots) {
-        const std::string said =
-            run_ghdl(words({"--synth", "--out=verilog"}, {root}), design.folder, limit);
+        const auto synthesised = [&](const char* out) {
+            return run_ghdl(words({"--synth", out}, {root}), design.folder, limit);
+        };
+        std::string said = "\n" + synthesised("--out=verilog");
+        said.erase(0, said.find("\nmodule ") + 1);  // its warnings
+        said = repaired(said, lacks_others(said) ? synthesised("--out=raw-vhdl") : "");
         texts.push_back(VhdlOutput{said, root, design.in_verilog}.without(known));
     }
     return texts;

@@ -1,5 +1,8 @@
 """vhdl_test.py DE1SIM FOLDER [CASE...] - projects with VHDL, by GHDL."""
 import os
+import pathlib
+import re
+import shutil
 import subprocess
 
 from case import DE1SIM, LEDS, Case, run
@@ -39,6 +42,24 @@ class Vhdl(Case):
                    words_vhd=USE + "package words is constant MARK : std_logic_vector(5 downto 0)"
                                    ' := "101010"; end words;\n')
         self.leds(0b1010101001)
+
+    def test_operations_give_what_ghdls_own_simulation_gives(self):
+        source = pathlib.Path(__file__).parent / "vhdl" / "operations.vhd"
+        shutil.copy(source, self.folder / "a.vhd")
+        bench = self.folder / "bench"
+        bench.mkdir()
+        (bench / "bench.vhd").write_text(
+            USE + "entity bench is end; architecture a of bench is\n"
+            "signal clk : std_logic := '0'; signal leds : std_logic_vector(9 downto 0); begin\n"
+            "u : entity work.operations port map (clk, leds);\n"
+            "process begin for i in 1 to 2100 loop wait for 10 ns; clk <= not clk; end loop;\n"
+            "report \"leds \" & to_string(leds); wait; end process; end;\n")
+        for words in (["-a", "--std=08", source, "bench.vhd"], ["-r", "--std=08", "bench"]):
+            done = subprocess.run(["ghdl", *words], cwd=bench, capture_output=True, text=True)
+            self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        leds = re.search("leds ([01]{10})", done.stdout + done.stderr).group(1)
+        shutil.rmtree(bench)
+        self.leds(int(leds, 2), wait="20ms")
 
     def test_a_folder_and_pins_that_are_not_driven(self):
         self.write(a_vhd=TOP.format("", "", "GPIO_0(3) <= SW(3) when SW(0) = '1' else 'Z';\n"
