@@ -5,8 +5,8 @@
 //   library altera; use altera.altera_primitives_components.all;   dff, lcell, global ...
 //   library altera_lnsim; use altera_lnsim.altera_lnsim_components.all;   altera_pll
 //
-// They are read from the models' text: a parameter is a generic, STRING or NATURAL by its default; a
-// port has the default of defaults.tsv, or 0.  A port whose name is a word of VHDL has "a_" before
+// They are read from the models' text.  A parameter is a generic, STRING or NATURAL by its default.
+// A port has the default of defaults.tsv, or 0; where its name is a word of VHDL, "a_" comes before
 // it, as in Intel's libraries: a_in.
 //
 // Not handled: a model with ranges that VHDL does not have (altsource_probe).
