@@ -6,6 +6,7 @@
 #include <string>
 
 #include "sim/board/monitor.h"
+#include "sim/board/serial_line.h"
 #include "sim/pins/header_bits.h"
 
 namespace sim {
@@ -29,7 +30,7 @@ public:
     virtual void frame(const Monitor::Frame& frame) = 0;
     virtual void sample(std::int16_t left, std::int16_t right) = 0;
     virtual void sample_rate(double hz) = 0;
-    virtual void console(char character) = 0;
+    virtual void console(char character, SerialLine line) = 0;
     // Whenever one of them is seen otherwise than before.
     virtual void lamps(const Lamps& /*lamps*/, double /*time_s*/) {}
     // What a person should know of the program: aborts, resets.

@@ -18,6 +18,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -65,11 +66,13 @@ public:
     // A button or a switch of the parts.
     void close_contact(const std::string& part, bool closed);
 
-    // At the terminal of the program in the chip, and at another one if there is one.
-    void type(const std::string& text) {
-        chip_->type(text);
-        typed_(text);
+    // At that terminal; or at those where a program listens, the first JTAG UART's and a Linux
+    // console, if there is one.
+    void type(const std::string& text, std::optional<SerialLine> to) {
+        chip_->type(text, to.value_or(SerialLine::JTAG_0));
+        if (to.value_or(SerialLine::UART) == SerialLine::UART) typed_(text);
     }
+    // The Linux console.
     void also_type_to(std::function<void(const std::string&)> terminal) {
         typed_ = std::move(terminal);
     }

@@ -21,9 +21,9 @@ public:
     // Everything up to now has been run and handed to the listener.
     virtual void catch_up() = 0;
 
-    // HPS_KEY, and what a person types at the terminal of a program in the chip.
+    // HPS_KEY, and what a person types at a terminal.
     virtual void hps_key(bool /*pressed*/) {}
-    virtual void type(const std::string& /*text*/) {}
+    virtual void type(const std::string& /*text*/, SerialLine /*to*/) {}
 
     // How what is in the chip has ended the run, as a line of text; nothing as long as it runs.
     struct End {

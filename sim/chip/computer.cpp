@@ -33,10 +33,13 @@ Computer::Computer(const sc_core::sc_module_name& name, PinListener& pins, Audie
                    std::uint8_t* sdram, Software software, const Settings& settings)
     : sc_module{name},
       fpga{"fpga", pins, settings.trace, settings.memory, sdram, settings.audio_rate},
-      jtag_host{"jtag_host", fpga, [&audience](char character) { audience.console(character); }},
+      jtag_host{"jtag_host", fpga,
+                [&audience](unsigned number, char character) {
+                    audience.console(character, number ? SerialLine::JTAG_1 : SerialLine::JTAG_0);
+                }},
       ddr3{"ddr3", DDR3_SIZE, sc_core::sc_time{60, sc_core::SC_NS}},
       hps{"hps",
-          {[&audience](char character) { audience.console(character); },
+          {[&audience](char character) { audience.console(character, SerialLine::UART); },
            [this](bool irq, bool fiq) { cpu.interrupt(irq, fiq); }, [this] { cpu.warm_reset(); },
            [this](std::uint32_t in_reset) {
                h2f_gate_(!(in_reset & ResetManager::H2F));
@@ -67,6 +70,13 @@ Computer::Computer(const sc_core::sc_module_name& name, PinListener& pins, Audie
         [&pins](bool lit, const sc_core::sc_time& now) { pins.hps_led(lit, now.value()); });
     fpga.spread_phases(settings.seed);
     fpga.on_interrupts([this](std::uint32_t levels) { hps.fpga_interrupts(levels); });
+}
+
+void Computer::type(const std::string& text, SerialLine to) {
+    if (to == SerialLine::UART)
+        hps.uart0.receive(text);
+    else
+        jtag_host.type(to == SerialLine::JTAG_1, text);
 }
 
 std::vector<std::string> Computer::characters() {

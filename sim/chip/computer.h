@@ -45,7 +45,7 @@ public:
     ChipInputs& inputs() override { return fpga.inputs(); }
     void catch_up() override { fpga.catch_up(); }
     void hps_key(bool pressed) override { hps.gpio1.press_key(pressed); }
-    void type(const std::string& text) override { jtag_host.type(text); }
+    void type(const std::string& text, SerialLine to) override;
     void end_trace() override { fpga.end_trace(); }
 
     // The character buffer's 60 rows of 80, as the processor would read it; once the run is over,

@@ -8,7 +8,7 @@ const sc_core::sc_time usb_frame{1, sc_core::SC_MS};
 
 }  // namespace
 
-JtagHost::JtagHost(const sc_core::sc_module_name& name, Fpga& fpga, std::function<void(char)> shown)
+JtagHost::JtagHost(const sc_core::sc_module_name& name, Fpga& fpga, Shown shown)
     : sc_module{name}, fpga_{fpga}, shown_{std::move(shown)} {
     fpga_.on_jtag_byte(
         [this](auto number, char character, auto& in) { byte(number, character, in); });
@@ -20,7 +20,7 @@ JtagHost::JtagHost(const sc_core::sc_module_name& name, Fpga& fpga, std::functio
 }
 
 void JtagHost::byte(unsigned number, char character, JtagInputs& jtag) {
-    shown_(character);
+    shown_(number, character);
     if (++taken_[number] == PACKET)
         jtag.take = static_cast<std::uint8_t>(jtag.take & ~(1u << number));
 }
@@ -30,11 +30,13 @@ void JtagHost::look() {
     for (unsigned& taken : taken_) taken = 0;
     jtag.take = (1u << UARTS) - 1;
     jtag.idle = jtag.take;
-    if (!typed_.empty() && (fpga_.fabric().jtag_room() & 1)) {
-        jtag.typed = 1;
-        jtag.bytes = static_cast<std::uint8_t>(typed_.front());
-        jtag.idle &= 2;
-        typed_.pop_front();
+    for (unsigned n = 0; n < UARTS; ++n) {
+        if (typed_[n].empty() || !(fpga_.fabric().jtag_room() >> n & 1)) continue;
+        const auto byte = static_cast<std::uint8_t>(typed_[n].front());
+        typed_[n].pop_front();
+        jtag.typed = static_cast<std::uint8_t>(jtag.typed | 1u << n);
+        jtag.bytes = static_cast<std::uint16_t>((jtag.bytes & ~(0xFFu << 8 * n)) | byte << 8 * n);
+        jtag.idle = static_cast<std::uint8_t>(jtag.idle & ~(1u << n));
     }
     look_.notify(usb_frame);
 }

@@ -1,12 +1,12 @@
 // jtag_host.h - a PC on the USB-Blaster with a nios2-terminal for each of the two JTAG UARTs.
 //
 // It polls both every millisecond, a frame of full-speed USB.  In that millisecond it takes up to
-// 64 bytes of each as they come, a packet of the cable's FT245.  It sends the next typed byte to
-// the first JTAG UART if there is room; to one without a byte it signals that the host has looked
+// 64 bytes of each as they come, a packet of the cable's FT245.  It sends each the next byte that
+// was typed to it if there is room; to one without a byte it signals that the host has looked
 // (idle_i).  So each sends 64 kB/s at most and receives 1 kB/s, and AC is set a millisecond after
 // power-on.
 //
-// Not handled: the JTAG chain below; cables that are faster or slower; typing to the second.
+// Not handled: the JTAG chain below; cables that are faster or slower.
 #pragma once
 
 #include <deque>
@@ -21,10 +21,13 @@ namespace sim {
 
 class JtagHost : public sc_core::sc_module {
 public:
-    // `shown` gets each character that a JTAG UART sends.
-    JtagHost(const sc_core::sc_module_name& name, Fpga& fpga, std::function<void(char)> shown);
+    // `shown` gets each character that a JTAG UART sends, with its number.
+    using Shown = std::function<void(unsigned number, char character)>;
+    JtagHost(const sc_core::sc_module_name& name, Fpga& fpga, Shown shown);
 
-    void type(const std::string& text) { typed_.insert(typed_.end(), text.begin(), text.end()); }
+    void type(unsigned number, const std::string& text) {
+        typed_[number].insert(typed_[number].end(), text.begin(), text.end());
+    }
 
 private:
     static constexpr unsigned UARTS = 2, PACKET = 64;
@@ -33,9 +36,9 @@ private:
     void byte(unsigned number, char character, JtagInputs& jtag);
 
     Fpga& fpga_;
-    std::function<void(char)> shown_;
+    Shown shown_;
     sc_core::sc_event look_;
-    std::deque<char> typed_;
+    std::deque<char> typed_[UARTS];
     unsigned taken_[UARTS] = {};  // since the last look
 };
 

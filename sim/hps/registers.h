@@ -29,6 +29,10 @@ protected:
     virtual std::uint32_t read(std::uint32_t offset, const sc_core::sc_time& now) = 0;
     virtual void write(std::uint32_t offset, std::uint32_t value, const sc_core::sc_time& now) = 0;
     virtual bool takes_bytes() const { return false; }
+    // The register's other bytes, where a part of it is written.
+    virtual std::uint32_t rest(std::uint32_t offset, const sc_core::sc_time& now) {
+        return read(offset, now);
+    }
 
 private:
     void b_transport(tlm::tlm_generic_payload& tx, sc_core::sc_time& delay) {
@@ -47,7 +51,7 @@ private:
         delay += sc_core::sc_time{10, sc_core::SC_NS};
         const sc_core::sc_time now = sc_core::sc_time_stamp() + delay;
         const std::uint32_t offset = address & ~3u, lane = address & 3;
-        std::uint32_t value = tx.is_read() || part ? read(offset, now) : 0;
+        std::uint32_t value = tx.is_read() ? read(offset, now) : part ? rest(offset, now) : 0;
         auto* byte = reinterpret_cast<std::uint8_t*>(&value) + lane;
         if (tx.is_read()) {
             std::memcpy(tx.get_data_ptr(), byte, bytes);

@@ -6,6 +6,21 @@ namespace sim::live {
 
 using nlohmann::json;
 
+namespace {
+
+constexpr std::size_t MOST_PRINTED = 64 << 10;
+
+void add(std::string& to, const std::string& text) {
+    to += text;
+    if (to.size() > MOST_PRINTED) to.erase(0, to.size() - MOST_PRINTED / 2);
+}
+
+std::string text_of(const json& message) {
+    return message.dump(-1, ' ', false, json::error_handler_t::replace);
+}
+
+}  // namespace
+
 void Greeting::take(const std::string& text) {
     const json message = json::parse(text, nullptr, false);
     if (message.contains("lamps")) lamps_ = text;
@@ -13,18 +28,17 @@ void Greeting::take(const std::string& text) {
         events_.push_back(text);
         if (events_.size() > MOST_EVENTS) events_.pop_front();
     }
-    if (message.contains("console")) {
-        console_ += message["console"].get<std::string>();
-        if (console_.size() > MOST_PRINTED) console_.erase(0, console_.size() - MOST_PRINTED / 2);
-    }
+    if (message.contains("console")) add(console_, message["console"].get<std::string>());
+    if (message.contains("terminals"))
+        for (const auto& [line, printed] : message["terminals"].items())
+            add(terminals_[line], printed.get<std::string>());
 }
 
 std::deque<std::string> Greeting::texts() const {
     std::deque<std::string> all = events_;
     if (!lamps_.empty()) all.push_back(lamps_);
-    if (!console_.empty())
-        all.push_back(
-            json{{"console", console_}}.dump(-1, ' ', false, json::error_handler_t::replace));
+    if (!console_.empty()) all.push_back(text_of({{"console", console_}}));
+    if (!terminals_.empty()) all.push_back(text_of({{"terminals", terminals_}}));
     return all;
 }
 

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <deque>
+#include <map>
 #include <string>
 
 namespace sim::live {
@@ -13,14 +14,16 @@ public:
     void take(const std::string& text);
     void clear() { *this = {}; }
 
-    // The lamps as they are, the last 32 KiB or more of what was printed, and the last 20 aborts,
+    // The lamps as they are, the last 32 KiB or more of what was printed in all and
+    // on each line, and the last 20 aborts,
     // faults and violations.
     std::deque<std::string> texts() const;
 
 private:
-    static constexpr std::size_t MOST_PRINTED = 64 << 10, MOST_EVENTS = 20;
+    static constexpr std::size_t MOST_EVENTS = 20;
 
     std::string lamps_, console_;
+    std::map<std::string, std::string> terminals_;
     std::deque<std::string> events_;
 };
 

@@ -89,9 +89,10 @@ void LiveView::sample_rate(double hz) {
     rate_hz_ = hz;
 }
 
-void LiveView::console(char character) {
-    recorder_.console(character);
-    console_ += character;
+void LiveView::console(char character, SerialLine line) {
+    recorder_.console(character, line);
+    console_.print(character);
+    terminals_[static_cast<std::size_t>(line)].print(character);
 }
 
 void LiveView::lamps(const Lamps& lamps, double time_s) {
@@ -112,8 +113,13 @@ void LiveView::flush() {
         wire_.send(Kind::SOUND, bytes + sound_);
     }
     sound_.clear();
-    if (!console_.empty()) wire_.send(Kind::TEXT, text_of({{"console", console_}}));
-    console_.clear();
+    const std::string console = console_.take();
+    if (!console.empty()) wire_.send(Kind::TEXT, text_of({{"console", console}}));
+    nlohmann::json terminals = nlohmann::json::object();
+    for (std::size_t n = 0; n < terminals_.size(); ++n)
+        if (std::string text = terminals_[n].take(); !text.empty())
+            terminals[SERIAL_LINES[n]] = std::move(text);
+    if (!terminals.empty()) wire_.send(Kind::TEXT, text_of({{"terminals", terminals}}));
     if (lamps_moved_) wire_.send(Kind::TEXT, text_of(as_json(lamps_)));
     lamps_moved_ = false;
 }

@@ -4,11 +4,13 @@
 // not read, pictures and sound are left out; texts and lamps are not.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <string>
 #include <vector>
 
+#include "sim/live/text_stream.h"
 #include "sim/live/wire.h"
 #include "sim/run/recorder.h"
 
@@ -21,7 +23,7 @@ public:
     void frame(const Monitor::Frame& frame) override;
     void sample(std::int16_t left, std::int16_t right) override;
     void sample_rate(double hz) override;
-    void console(char character) override;
+    void console(char character, SerialLine line) override;
     void lamps(const Lamps& lamps, double time_s) override;
     void log(const std::string& line) override;
 
@@ -44,7 +46,9 @@ private:
     std::uint64_t frames_ = 0, new_pictures_ = 0;
     unsigned width_ = 0, height_ = 0;
     std::vector<std::uint32_t> sent_;  // pixels
-    std::string sound_, console_;
+    std::string sound_;
+    TextStream console_;                                     // of all lines
+    std::array<TextStream, SERIAL_LINES.size()> terminals_;  // of each
     double rate_hz_ = 0;
     Lamps lamps_;
     bool lamps_moved_ = true;

@@ -80,7 +80,9 @@ void Player::close_contact(const std::string& part, bool closed) {
     board_.close_contact(part, closed);
 }
 void Player::set_voltage(unsigned channel, double volts) { board_.set_voltage(channel, volts); }
-void Player::type_serial(const std::string& text) { board_.type(text); }
+void Player::type_serial(const std::string& text, std::optional<SerialLine> to) {
+    board_.type(text, to);
+}
 void Player::type_keys(const std::string& text) { board_.ps2_keyboard.type(text); }
 void Player::hold_key(std::uint16_t code) { board_.ps2_keyboard.press(code); }
 void Player::release_key(std::uint16_t code) { board_.ps2_keyboard.release(code); }

@@ -53,7 +53,7 @@ private:
     void drive_pins(const HeaderMasks& pins, PinLevel level) override;
     void close_contact(const std::string& part, bool closed) override;
     void set_voltage(unsigned channel, double volts) override;
-    void type_serial(const std::string& text) override;
+    void type_serial(const std::string& text, std::optional<SerialLine> to) override;
     void type_keys(const std::string& text) override;
     void hold_key(std::uint16_t code) override;
     void release_key(std::uint16_t code) override;

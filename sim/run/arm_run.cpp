@@ -26,13 +26,14 @@ ArmProgram load_program(const RunOptions& options, bool on_linux) {
     return {load_elf(options.elf, on_linux ? linux_memory() : program_memory()), options.cpi};
 }
 
-ArmRun::ArmRun(ArmCpu& cpu, const RunOptions& options, bool on_linux, Recorder& recorder)
+ArmRun::ArmRun(ArmCpu& cpu, const RunOptions& options, bool on_linux, Recorder& recorder,
+               Audience& audience)
     : options_{options}, cpu_{cpu} {
     if (on_linux)
         kernel_.emplace(
             cpu, LinuxSettings{options.linux_root, options.arguments, options.input},
-            LinuxKernel::Outside{[&recorder](char c) { recorder.console(c); },
-                                 [&recorder](const std::string& line) { recorder.log(line); }});
+            LinuxKernel::Outside{[&audience](char c) { audience.console(c, SerialLine::UART); },
+                                 [&audience](const std::string& line) { audience.log(line); }});
     if (!options.profile.empty() || traces_a_part(options)) {
         profile_.emplace(cpu.program().elf);
         cpu.core().attach(&*profile_);

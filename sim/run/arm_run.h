@@ -23,8 +23,9 @@ ArmProgram load_program(const RunOptions& options, bool on_linux);
 
 class ArmRun {
 public:
-    // Attaches to the processor and to the recorder's frames.
-    ArmRun(ArmCpu& cpu, const RunOptions& options, bool on_linux, Recorder& recorder);
+    // Attaches to the processor and to the recorder's frames; a Linux program prints to `audience`.
+    ArmRun(ArmCpu& cpu, const RunOptions& options, bool on_linux, Recorder& recorder,
+           Audience& audience);
 
     // At the console of a Linux program; or that nobody will.
     void type(const std::string& text) {

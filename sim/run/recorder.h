@@ -32,7 +32,7 @@ public:
     void frame(const Monitor::Frame& frame) override;
     void sample(std::int16_t left, std::int16_t right) override;
     void sample_rate(double hz) override;
-    void console(char character) override;
+    void console(char character, SerialLine line) override;  // all in one
     void lamps(const Lamps& lamps, double time_s) override { lamp_log_.show(lamps, time_s); }
     // To stderr as it comes, and kept; from the 21st line on they are only counted.
     void log(const std::string& line) override;

@@ -185,17 +185,18 @@ ExitCode run_doing(const char*& doing, RunOptions options, const Firmware& firmw
         wire.emplace(*options.live_socket);
         view.emplace(recorder, *wire);
     }
+    Audience& audience = view ? static_cast<Audience&>(*view) : recorder;
     Computer* computer = nullptr;
     Board board{
         "board",
-        view ? static_cast<Audience&>(*view) : recorder,
+        audience,
         seed,
         scenario.ps2,
-        [&](PinListener& pins, Audience& audience, std::uint8_t* sdram) -> std::unique_ptr<Chip> {
+        [&](PinListener& pins, Audience& listener, std::uint8_t* sdram) -> std::unique_ptr<Chip> {
             if (built)
                 return std::make_unique<ProjectChip>("chip", pins, built->library, project_folder,
                                                      settings.trace);
-            auto chip = std::make_unique<Computer>("computer", pins, audience, sdram,
+            auto chip = std::make_unique<Computer>("computer", pins, listener, sdram,
                                                    std::move(software), settings);
             computer = chip.get();
             return chip;
@@ -204,7 +205,8 @@ ExitCode run_doing(const char*& doing, RunOptions options, const Firmware& firmw
                                             : Monitor::Strictness::TOLERANT,
         scenario.parts};
     std::optional<ArmRun> arm;
-    if (computer && computer->arm) arm.emplace(*computer->arm, options, on_linux, recorder);
+    if (computer && computer->arm)
+        arm.emplace(*computer->arm, options, on_linux, recorder, audience);
     std::optional<TraceNotes> notes;
     if (computer && traces_a_part(options))
         notes.emplace(*computer, arm ? &*arm : nullptr, options);

@@ -66,7 +66,7 @@ template <class AForm>
 Values read_bare(Values values, const AForm& form, const YamlNode& value) {
     values.set(form.fields[0].name, read_value(form.fields[0].type, value));
     for (std::size_t i = 1; i < form.fields.size(); ++i)
-        values.set(form.fields[i].name, preset_value(form.fields[i]));
+        if (*form.fields[i].preset) values.set(form.fields[i].name, preset_value(form.fields[i]));
     return values;
 }
 

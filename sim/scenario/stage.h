@@ -9,11 +9,13 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "sim/board/header.h"
 #include "sim/board/ps2_ports.h"
+#include "sim/board/serial_line.h"
 #include "sim/board/sound_source.h"
 #include "sim/pins/pins.h"
 #include "sim/report/png.h"
@@ -43,9 +45,10 @@ public:
     // A button or a switch of the parts, by its name.
     virtual void close_contact(const std::string& part, bool closed) = 0;
     virtual void set_voltage(unsigned channel, double volts) = 0;  // at the AD converter
-    virtual void type_serial(const std::string& text) = 0;         // both go on at once
-    virtual void type_keys(const std::string& text) = 0;
-    virtual void hold_key(std::uint16_t code) = 0;  // of the keyboard, see scan_codes.h
+    // Goes on at once.  Without `to` at the terminals where a program listens: Board::type().
+    virtual void type_serial(const std::string& text, std::optional<SerialLine> to) = 0;
+    virtual void type_keys(const std::string& text) = 0;  // goes on at once
+    virtual void hold_key(std::uint16_t code) = 0;        // of the keyboard, see scan_codes.h
     virtual void release_key(std::uint16_t code) = 0;
     virtual void press_remote(std::uint8_t button) = 0;  // see nec_frame.h; goes on at once
     virtual void move_mouse(int right, int up) = 0;

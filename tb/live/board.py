@@ -39,7 +39,7 @@ class Board:
 
     def connect(self, token=None, **options):
         return websockets.connect(f"ws://{self.host}/ws?token={token or self.token}",
-                                  max_size=None, **options)
+                                  max_size=None, **{"close_timeout": 0.2, **options})
 
     def __enter__(self):
         return self

@@ -116,8 +116,11 @@ class Page(unittest.TestCase):
         self.find("#monitor").click()
         webdriver.ActionChains(self.page).send_keys("a", Keys.ARROW_LEFT, Keys.F1).perform()
         self.until(lambda: "8 steps" in self.find("#status").text)  # 3 keys, down and up
-        self.find("#line").send_keys("hello", Keys.ENTER)
-        self.until(lambda: "9 steps" in self.find("#status").text)
+        for line in "serial", "jtag-0", "jtag-1":
+            self.find(f"#type-{line}").send_keys("hello", Keys.ENTER)
+        self.until(lambda: "11 steps" in self.find("#status").text)
+        self.assertEqual(self.find("#printed-serial").text, "ready")
+        self.assertEqual(self.find("#printed-jtag-0").text, "")
 
 
 if __name__ == "__main__":

@@ -1,4 +1,4 @@
-"""live_test.py DE1SIM FOLDER PROGRAMS [TEST] - `de1sim live` by its protocol: who may, what is kept."""
+"""live_test.py DE1SIM FOLDER PROGRAMS [TEST] - `de1sim live` by its protocol."""
 import asyncio
 import http.client
 import json
@@ -175,6 +175,38 @@ class InsideSound(Live):
         self.assertEqual(inside["audio"]["underruns"], 3)
         self.assertEqual(inside["audio"]["to_play"], [100, 0])
         self.assertEqual(self.report()["audio"]["underruns"], 3)
+
+
+class Terminals(Live):
+    words = ("--elf", str(PROGRAMS / "terminals.elf"))
+
+    def printed(self, client):
+        """On each line."""
+        texts = {"serial": "", "jtag-0": "", "jtag-1": ""}
+        for message in client.all.get("terminals", ()):
+            for line, text in message.items():
+                texts[line] += text
+        return texts
+
+    async def test_each_has_what_is_printed_and_typed_there(self):
+        """And the saved scenario types the same; what comes later is told all of it."""
+        client = await self.client()
+        expected = {"serial": "\u00e4 ready\n+a+b", "jtag-0": "+c", "jtag-1": "+d+e"}
+        for line, text in ("jtag-1", "d"), ("serial", "ab"), ("jtag-0", "c"), ("jtag-1", "e"):
+            await client.step("type-serial", {"text": text, "to": line})
+        await client.until(lambda: self.printed(client) == expected)
+        self.assertEqual(len(client.console), len("".join(expected.values())))
+        late = await self.client()
+        await late.until(lambda: self.printed(late) == expected)
+        self.assertEqual(late.console, client.console)
+        await client.send(save=True)
+        saved = await client.wait_for("saved")
+        again = subprocess.run([DE1SIM, "run", saved["file"], *self.words, "--quiet", "--out",
+                                self.folder / "again"], capture_output=True, text=True)
+        self.assertEqual(again.returncode, 0, again.stdout + again.stderr)
+        self.board.__exit__()
+        self.assertEqual((self.folder / "again/console.txt").read_bytes(),
+                         (self.board.out / "console.txt").read_bytes())
 
 
 class InsideAProject(Live):

@@ -15,6 +15,10 @@ namespace {
 using sc_core::SC_NS;
 using sc_core::sc_time;
 
+// Of the UART; IIR is FCR when it is written, RBR is THR.
+constexpr std::uint32_t RBR = 0xFFC02000, IER = 0xFFC02004, IIR = 0xFFC02008, FCR = IIR,
+                        LSR = 0xFFC02014;
+
 // A processor's socket, a bus, and three targets.
 struct System : sc_core::sc_module {
     std::string printed;
@@ -22,7 +26,8 @@ struct System : sc_core::sc_module {
     sim::Bus bus{"bus"};
     sim::Memory memory{"memory", 1u << 20, sc_time{60, SC_NS}};
     sim::GlobalTimer timer{"timer"};
-    sim::Uart uart{"uart", [this](char c) { printed += c; }};
+    bool uart_line = false;
+    sim::Uart uart{"uart", [this](char c) { printed += c; }, [this](bool up) { uart_line = up; }};
 
     explicit System(const sc_core::sc_module_name& name) : sc_module{name} {
         cpu.bind(bus.socket);
@@ -63,6 +68,7 @@ protected:
     sc_time delay;
 
     void SetUp() override { sc_core::sc_start(sc_core::SC_ZERO_TIME); }
+    static void pass(double us) { sc_core::sc_start(sc_time{us, sc_core::SC_US}); }
     tlm::tlm_response_status access(tlm::tlm_command command, std::uint64_t address, void* data,
                                     unsigned bytes) {
         tlm::tlm_generic_payload tx;
@@ -155,6 +161,55 @@ TEST_F(Hps, TheUartIsReadyAndPrints) {
     EXPECT_EQ(read(0xFFC02014) & 0x60, 0x60u);
     for (const char c : std::string{"hi\n"}) write(0xFFC02000, static_cast<unsigned char>(c));
     EXPECT_EQ(system.printed, "hi\n");
+}
+
+TEST_F(Hps, TheUartGivesWhatIsTypedACharacterPerMillisecond) {
+    write(FCR, 1);
+    system.uart.receive("go");
+    pass(999);
+    EXPECT_EQ(read(LSR) & 1, 0u);
+    pass(2);
+    EXPECT_EQ(read(LSR) & 1, 1u);
+    pass(1001);
+    EXPECT_EQ(read(RBR), 'g');
+    EXPECT_EQ(read(RBR), 'o');
+    EXPECT_EQ(read(LSR) & 1, 0u);
+    EXPECT_EQ(read(RBR), 0u);
+}
+
+TEST_F(Hps, TheUartInterruptsWhileACharacterWaits) {
+    write(IER, 1);
+    EXPECT_FALSE(system.uart_line);
+    system.uart.receive("x");
+    pass(1001);
+    EXPECT_TRUE(system.uart_line);
+    EXPECT_EQ(read(IIR) & 0xF, 4u);
+    EXPECT_EQ(read(RBR), 'x');
+    EXPECT_FALSE(system.uart_line);
+    EXPECT_EQ(read(IIR) & 0xF, 1u);
+}
+
+TEST_F(Hps, TheUartLosesWhatItHasNoPlaceForAndSaysSoOnce) {
+    system.uart.receive("ab");
+    pass(2001);
+    EXPECT_EQ(read(LSR) & 3, 3u);
+    EXPECT_EQ(read(LSR) & 3, 1u);
+    EXPECT_EQ(read(RBR), 'a');
+    write(FCR, 1);
+    system.uart.receive(std::string(129, 'c'));
+    pass(129'001);
+    EXPECT_EQ(read(LSR) & 2, 2u);
+    for (int i = 0; i < 128; ++i) EXPECT_EQ(read(RBR), 'c');
+    EXPECT_EQ(read(LSR) & 3, 0u);
+}
+
+TEST_F(Hps, AByteThatTheUartSendsTakesNoneThatItHasReceived) {
+    system.uart.receive("x");
+    pass(1001);
+    std::uint8_t byte = 'h';
+    EXPECT_EQ(access(tlm::TLM_WRITE_COMMAND, RBR, &byte, 1), tlm::TLM_OK_RESPONSE);
+    EXPECT_EQ(system.printed, "h");
+    EXPECT_EQ(read(RBR), 'x');
 }
 
 TEST_F(BusDeathTest, RefusesTwoWindowsThatOverlap) {

@@ -96,7 +96,7 @@ private:
         right.push_back(r);
     }
     void sample_rate(double hz) override { rate_hz = hz; }
-    void console(char character) override { printed += character; }
+    void console(char character, sim::SerialLine) override { printed += character; }
     void log(const std::string& line) override { logged.push_back(line); }
 
     std::deque<Picture> shown_;

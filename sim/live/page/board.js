@@ -1,6 +1,7 @@
 // board.js - the page of `de1sim live`: draws what comes over the WebSocket, sends what is pressed.
 // The protocol is in sim/live/README.md.
 import {clearInside, event, inside} from "./inside.js";
+import {clearTerminals, makeTerminals, printed} from "./terminals.js";
 
 const $ = (id) => document.getElementById(id);
 const token = new URLSearchParams(location.search).get("token");
@@ -228,19 +229,7 @@ canvas.onwheel = (event) => {
 };
 canvas.oncontextmenu = (event) => { if ($("mouse").checked) event.preventDefault(); };
 
-// ---- Terminal ----
-
-$("type").onsubmit = (event) => {
-    event.preventDefault();
-    step("type-serial", $("line").value + "\n");
-    $("line").value = "";
-};
-function print(text) {
-    const end = $("console");
-    const follow = end.scrollTop + end.clientHeight >= end.scrollHeight - 4;
-    end.textContent = (end.textContent + text).slice(-100000);
-    if (follow) end.scrollTop = end.scrollHeight;
-}
+makeTerminals((text, to) => step("type-serial", {text, to}));
 
 // ---- Time, record, files ----
 
@@ -260,7 +249,7 @@ function status(now) {
         `${now.frames} frames, ${now.pictures} new pictures, ${now.steps} steps recorded`;
 }
 function power() {
-    $("console").textContent = "";
+    clearTerminals();
     document.querySelectorAll("button").forEach((button) => button.release?.());
     down.clear();
     pushed.clear();
@@ -293,7 +282,7 @@ window.runFile = runFile;
 const HANDLERS = {
     hello: ({title}) => { $("title").textContent = title; },
     lamps, status, inside, saved, power,
-    console: print,
+    terminals: printed,
     log: (line) => { say(line, true); event(line); },
     fault: (line) => { say(line, true); event(line); },
     violation: (line) => { say(line, true); event(line); },

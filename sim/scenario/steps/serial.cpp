@@ -1,6 +1,8 @@
 // serial.cpp - type-serial, wait-serial: the terminal at the board's serial line and JTAG UART
 #include <fmt/format.h>
 
+#include <optional>
+
 #include "sim/scenario/stage.h"
 #include "sim/scenario/step_form.h"
 #include "sim/scenario/words.h"
@@ -11,15 +13,25 @@ namespace {
 
 using namespace value_types;
 
+const ValueType LINES =
+    word("serial, jtag-0 or jtag-1", {SERIAL_LINES.begin(), SERIAL_LINES.end()});
+
 class TypeSerial : public Action {
 public:
-    explicit TypeSerial(const Values& v) : text_{v.get<std::string>("text")} {}
+    explicit TypeSerial(const Values& v) : text_{v.get<std::string>("text")} {
+        if (v.find("to")) to_ = v.number<SerialLine>("to");
+    }
 
-    std::string say() const override { return "type " + in_quotes(text_); }
-    void act(Stage& stage) const override { stage.type_serial(text_); }
+    std::string say() const override {
+        const std::string where =
+            to_ ? fmt::format(" at {}", SERIAL_LINES[static_cast<std::size_t>(*to_)]) : "";
+        return "type " + in_quotes(text_) + where;
+    }
+    void act(Stage& stage) const override { stage.type_serial(text_, to_); }
 
 private:
     std::string text_;
+    std::optional<SerialLine> to_;
 };
 
 class WaitSerial : public Claim {
@@ -53,10 +65,13 @@ namespace steps {
 std::vector<StepForm> serial() {
     return {
         {"type-serial",
-         "Type a text at the terminal of the JTAG UART and go on; a character takes 1 ms.",
-         Notation::BARE,
+         "Type a text at a terminal and go on; a character takes 1 ms.",
+         Notation::BOTH,
          {},
-         {{"text", TEXT, Need::REQUIRED, "", "The text."}},
+         {{"text", TEXT, Need::REQUIRED, "", "The text."},
+          {"to", LINES, Need::OPTIONAL, "",
+           "At which terminal. Without it where programs listen: at the first JTAG UART's and a "
+           "Linux program's."}},
          make<TypeSerial>},
         {"wait-serial",
          "Wait until the firmware has printed a text; the next wait-serial searches after it.",

@@ -18,6 +18,13 @@ TEST_F(SerialSteps, TypeATextWithItsLineEnds) {
     EXPECT_EQ(said("type-serial: \"ls\\n\""), "type \"ls\\x0a\"");
 }
 
+TEST_F(SerialSteps, TypeAtOneOfTheTerminals) {
+    EXPECT_THAT(acts("type-serial: {text: ls, to: jtag-1}"), ElementsAre("to jtag-1 ls"));
+    EXPECT_THAT(acts("type-serial: {text: ls, to: serial}"), ElementsAre("to serial ls"));
+    EXPECT_THAT(acts("type-serial: {text: ls}"), ElementsAre("serial ls"));
+    EXPECT_EQ(said("type-serial: {text: ls, to: jtag-0}"), "type \"ls\" at jtag-0");
+}
+
 TEST_F(SerialSteps, WaitUntilATextIsPrinted) {
     stage.meanwhile = [&] {
         if (stage.now_ms() == 30) print("ready\n");

@@ -58,7 +58,10 @@ public:
     void set_voltage(unsigned channel, double volts) override {
         done.push_back(fmt::format("CH{} {} V", channel, volts));
     }
-    void type_serial(const std::string& text) override { done.push_back("serial " + text); }
+    void type_serial(const std::string& text, std::optional<sim::SerialLine> to) override {
+        const std::string line = to ? sim::SERIAL_LINES[static_cast<std::size_t>(*to)] : "serial";
+        done.push_back((to ? "to " : "") + line + " " + text);
+    }
     void type_keys(const std::string& text) override { done.push_back("keys " + text); }
     void hold_key(std::uint16_t code) override {
         done.push_back(fmt::format("key {:04X} down", code));
