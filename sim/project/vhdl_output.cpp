@@ -7,54 +7,14 @@
 #include <fmt/format.h>
 
 #include "sim/project/file_finder.h"
+#include "sim/project/ghdl_text.h"
 #include "sim/project/settings.h"
+#include "sim/project/vhdl_enables.h"
+#include "sim/project/vhdl_inouts.h"
 
 namespace sim::project {
 
 namespace {
-
-// Verilator sees an enable only in the expression that drives a pin, where GHDL has a chain of
-// wires: those that have a z are put in the place of their names.
-std::string with_enables(const std::string& module) {
-    std::istringstream lines{module};
-    std::vector<std::string> text;
-    for (std::string line; std::getline(lines, line);) text.push_back(line);
-    const auto is_name = [](char c) {
-        return std::isalnum(static_cast<unsigned char>(c)) || c == '_';
-    };
-    const std::string assign = "  assign ";
-    std::set<std::string> wires;
-    for (const std::string& line : text)
-        if (line.compare(0, 7, "  wire ") == 0)
-            wires.insert(line.substr(line.rfind(' ') + 1, line.size() - line.rfind(' ') - 2));
-    for (std::size_t from = 0; from < text.size(); ++from) {
-        const std::string line = text[from];
-        const std::size_t equals = line.find(" = "), end = line.find(';');
-        if (line.compare(0, assign.size(), assign) != 0 || end == std::string::npos ||
-            line.find("'bZ") > end)
-            continue;
-        const std::string name = line.substr(assign.size(), equals - assign.size());
-        if (wires.count(name) == 0) continue;  // a port
-        const std::string value = "(" + line.substr(equals + 3, end - equals - 3) + ")";
-        bool used = false;
-        for (std::string& other : text) {
-            if (other.compare(0, assign.size(), assign) != 0) continue;
-            for (std::size_t at = other.find(" = "); (at = other.find(name, at)) < other.find(';');
-                 at += value.size()) {
-                const std::size_t behind = at + name.size();
-                if (is_name(other[at - 1]) || is_name(other[behind])) break;
-                other.replace(at, name.size(), value);
-                used = true;
-            }
-        }
-        if (!used) continue;
-        text[from].clear();
-        from = static_cast<std::size_t>(-1);  // what uses it may itself be used before
-    }
-    std::string joined;
-    for (const std::string& line : text) joined += line + "\n";
-    return joined;
-}
 
 // The port or parameter of `module` that a component has as `name`, in any case; VHDL has `in` as
 // `a_in`, since that is a word of its own.
@@ -66,6 +26,13 @@ std::string name_in(const ModuleText& module, const std::string& name) {
             if (lower(known) == lower(name) || "a_" + known == lower(name)) other = known;
         }
     return other.empty() ? name : other;
+}
+
+std::vector<std::string> lines_of(const std::string& text) {
+    std::istringstream in{text};
+    std::vector<std::string> lines;
+    for (std::string line; std::getline(in, line);) lines.push_back(line);
+    return lines;
 }
 
 }  // namespace
@@ -117,12 +84,18 @@ void VhdlOutput::rename(std::string& module) const {
 }
 
 std::string VhdlOutput::without(std::set<std::string>& known) const {
+    Inouts inouts;
+    for (const Module& module : modules_)
+        inouts[module.name] = Declarations{lines_of(module.text)}.inouts;
+    for (const auto& [component, module] : components_) inouts[module->name] = module->inouts;
     std::string text;
     for (const Module& module : modules_) {
         if (!known.insert(module.name).second) continue;
         std::string body = module.text;
         rename(body);
-        text += with_enables(body) + "\n";
+        std::vector<std::string> lines = lines_of(body);
+        join_inouts(lines, inouts);
+        text += with_enables(lines) + "\n";
     }
     return text;
 }

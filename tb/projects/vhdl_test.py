@@ -26,6 +26,14 @@ architecture a of count is signal n : unsigned(3 downto 0) := (others => '0'); b
   q <= std_logic_vector(n);
 end;
 """
+PAD = USE + """entity pad is port (clk, oe : in std_logic; d : in std_logic_vector(2 downto 0);
+q : out std_logic_vector(2 downto 0); io : inout std_logic_vector(2 downto 0)); end;
+architecture a of pad is begin
+q <= io;
+process (clk{0}) begin
+{1}
+end process; end;
+"""
 QSF = "set_global_assignment -name TOP_LEVEL_ENTITY lab\n"
 
 
@@ -66,6 +74,35 @@ class Vhdl(Case):
                                     "LEDR <= GPIO_0(9 downto 0);"))
         self.assertIn("the top module is taken to be Lab", self.leds(0x3FF))
         self.leds(0x3F7, 1)
+
+    def pads(self, body, sensitive=""):
+        """Pads of three bits on GPIO_0, in an entity in between, beside a pin of the top's own."""
+        between = PAD.replace("pad", "pads").replace("2 downto", "5 downto")
+        between = between[:between.index("q <=")] + (
+            "a : entity work.pad\n"
+            "  port map (clk, oe, d(2 downto 0), q(2 downto 0), io(2 downto 0));\n"
+            "b : entity work.pad\n"
+            "  port map (clk, oe, d(5 downto 3), q(5 downto 3), io(5 downto 3)); end;\n")
+        self.write(a_vhd=TOP.format("", "", "p : entity work.pads port map (CLOCK_50, SW(9),\n"
+                                    "  SW(5 downto 0), LEDR(5 downto 0), GPIO_0(6 downto 1));\n"
+                                    "GPIO_0(0) <= 'Z' when SW(8) = '1' else '0';\n"
+                                    "LEDR(9) <= GPIO_0(0); LEDR(8 downto 6) <= \"000\";"),
+                   pads_vhd=between, pad_vhd=PAD.format(sensitive, body))
+
+    def test_pins_released_in_a_clocked_process(self):
+        self.pads("if rising_edge(clk) then\n"
+                  "if oe = '1' then io <= d; else io <= (others => 'Z'); end if; end if;")
+        self.leds(0b0000101001, 0b1000101001)
+        self.leds(0b1000111111, 0b0100101001)
+        self.plays("hold: {switch: 8}", "set-pins: {gpio_0: [3, 4], level: low}", "delay: 20ms",
+                   'expect-leds: "1000110011"')
+
+    def test_pins_released_in_a_process_without_a_clock(self):
+        self.pads("io <= (others => 'Z'); io(0) <= d(0) and not oe; case d(1 downto 0) is\n"
+                  "when \"10\" => io(2 downto 1) <= \"0Z\"; when \"00\" => null;\n"
+                  "when others => io(2) <= oe; end case;", ", oe, d")
+        self.leds(0b0000010110, 0b0000010000)  # 10 and 00
+        self.leds(0b1000011011, 0b0100001011)  # 01 and 11
 
     def test_verilog_in_vhdl_and_vhdl_in_verilog(self):
         self.write(p_qsf=QSF + "set_global_assignment -name VHDL_FILE a.vhd\n"
