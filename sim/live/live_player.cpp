@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "sim/report/whole_file.h"
+#include "sim/scenario/continued.h"
 
 namespace sim::live {
 
@@ -34,8 +35,11 @@ bool is_played_live(const std::string& step) {
     return std::find(std::begin(STEPS), std::end(STEPS), step) != std::end(STEPS);
 }
 
-// "1500003ns": what of a scenario's times can say each picosecond of a clock's grid.
-std::string delay(sc_time time) { return fmt::format("  - delay: {}ns\n", time.value() / 1000); }
+void add_delay(std::vector<std::string>& steps, sc_time time) {
+    static const sc_time longest = sc_time::from_value(MAX_SIM_TIME.ps);
+    for (; time > longest; time -= longest) steps.push_back("delay: " + to_string(MAX_SIM_TIME));
+    if (time > sc_core::SC_ZERO_TIME) steps.push_back("delay: " + to_string(SimTime{time.value()}));
+}
 
 }  // namespace
 
@@ -194,20 +198,22 @@ void LivePlayer::mark() {
 }
 
 void LivePlayer::save() {
-    if (!scenario_.steps.empty())
-        throw std::runtime_error{"cannot save: the run began with the steps of " +
-                                 scenario_.file.string() + ", expected one that began without"};
-    std::string text = fmt::format(
-        "# Recorded by de1sim live: play it with the options of that run.\n"
-        "name: live\nversion: 1\nseed: {}\nsteps:\n",
-        seed_);
-    sc_time now = sc_core::SC_ZERO_TIME;
+    if (!player_.finished())
+        throw std::runtime_error{
+            "cannot save: the scenario's steps still play; wait for their end"};
+    std::vector<std::string> steps;
+    sc_time now = player_.finished_at();
     for (const Played& played : played_) {
-        if (played.begin > now) text += delay(played.begin - now);
-        text += "  - " + played.step + "\n";
+        add_delay(steps, played.begin - now);
+        steps.push_back(played.step);
         now = played.end;
     }
-    text += delay(sc_time_stamp() - now);
+    add_delay(steps, sc_time_stamp() - now);
+    Scenario nothing;
+    nothing.text = "name: live\nversion: 1\n";
+    const std::string text =
+        "# Recorded by de1sim live: play it with the options of that run.\n" +
+        continued(scenario_.file.empty() ? nothing : scenario_, seed_, out_, steps);
     const auto file = out_ / "live.yaml";
     write_whole_file(file, text);
     wire_.send(Kind::TEXT,

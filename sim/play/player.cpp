@@ -37,6 +37,7 @@ void Player::run() {
         on_step();
     }
     finished_ = true;
+    finished_at_ = sc_time_stamp();
     done_.notify(sc_core::SC_ZERO_TIME);
 }
 

@@ -26,6 +26,7 @@ public:
     // For steps that come later than the scenario's, from a process of SystemC.
     Stage& stage() { return *this; }
     bool finished() const { return finished_; }
+    const sc_core::sc_time& finished_at() const { return finished_at_; }
 
     // One for each claim, in order.  Claims that the run's end cut off are included as not met.
     std::vector<Expectation> results() const;
@@ -87,6 +88,7 @@ private:
     std::vector<Played> played_;
     std::vector<std::string> faults_;
     bool finished_ = false;
+    sc_core::sc_time finished_at_;
     sc_core::sc_event done_;
 };
 

@@ -167,6 +167,7 @@ Scenario read_scenario(std::string_view text, const Path& file) {
     const Values values = read_fields({folder, root.line}, file_fields(), root, root, "a scenario");
     Scenario scenario;
     scenario.file = file;
+    scenario.text = text;
     scenario.name = values.get<std::string>("name");
     scenario.seed = values.get<std::uint64_t>("seed");
     if (values.find("duration")) scenario.duration = values.get<SimTime>("duration");

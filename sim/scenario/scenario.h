@@ -30,6 +30,7 @@ struct ScenarioStep {
 struct Scenario {
     std::string name;
     std::filesystem::path file;
+    std::string text;  // of the file
     std::uint64_t seed = 1;
     std::optional<SimTime> duration;
     std::filesystem::path program;  // ELF, relative to the working directory, or absolute; or empty

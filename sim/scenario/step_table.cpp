@@ -55,7 +55,7 @@ const std::vector<Field>& file_fields() {
         {"seed", SEED, Need::OPTIONAL, "1", "Seed of the contact bounce; same seed, same run."},
         {"duration", SOME_TIME, Need::OPTIONAL, "",
          "Simulated time at which the run ends. Without it the run ends with the last step."},
-        {"program", LINE, Need::OPTIONAL, "",
+        {"program", FILE_NAME, Need::OPTIONAL, "",
          "The ELF to run, relative to the scenario file, unless the command line names another."},
         {"ps2", PS2, Need::OPTIONAL, "",
          "What is in the first PS/2 port, or a list: in the first and in the second. Without it a "

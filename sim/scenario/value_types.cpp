@@ -69,6 +69,11 @@ namespace value_types {
 
 const ValueType LINE{"a line of text",
                      R"({"type": "string", "pattern": "^[^\\u0000-\\u001f\\u007f]+$"})", read_line};
+const ValueType FILE_NAME = [] {
+    ValueType type = LINE;
+    type.is_file = true;
+    return type;
+}();
 const ValueType TEXT{"text", R"({"type": "string", "minLength": 1})", read_text};
 const ValueType TIME{"a time such as 500ms (s, ms, us or ns, up to an hour)",
                      "{\"type\": \"string\", \"pattern\": \"^" TIME_PATTERN "\"}", read_time};

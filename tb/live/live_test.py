@@ -46,6 +46,20 @@ class Live(unittest.IsolatedAsyncioTestCase):
         self.board.__exit__()
         return json.loads((self.board.out / "report.json").read_text())
 
+    def played_again(self, saved):
+        """The saved scenario's report; its files are those of the run, which has ended."""
+        out = self.folder / "again"
+        again = subprocess.run([DE1SIM, "run", saved, "--out", out, "--quiet", "--frames", "last"],
+                               capture_output=True, text=True)
+        self.assertEqual(again.returncode, 0, again.stdout + again.stderr)
+        for name in ("audio.wav", "console.txt"):
+            self.assertEqual((out / name).read_bytes(), (self.board.out / name).read_bytes(), name)
+        live, report = (json.loads((folder / "report.json").read_text())
+                        for folder in (self.board.out, out))
+        for what in set(live) - {"scenario", "file", "end", "wall", "expectations"}:
+            self.assertEqual(report[what], live[what], what)
+        return report
+
     async def paused(self, client):
         """What is inside while time stands."""
         await client.send(pause=True)
@@ -131,6 +145,45 @@ class Playing(Live):
         connection = http.client.HTTPConnection(self.board.host, timeout=20)
         connection.request("POST", f"/run?token={self.board.token}", body)
         return connection.getresponse()
+
+
+class BegunByAScenario(Live):
+    STEPS = ("  - wait-serial: {text: ready, timeout: 2s}\n"
+             "  - press: {keypad: \"1\", for: 80ms}\n"
+             "  - delay: 123456.789us\n")
+
+    def setUp(self):
+        """A scenario with a golden picture, which has to be made first."""
+        folder = FOLDER / "scenario"
+        (folder / "golden").mkdir(parents=True, exist_ok=True)
+        head = "name: begun\nversion: 1\nseed: 7\nduration: 60s\nps2: [mouse, keyboard]\nsteps:\n"
+        made = folder / "made.yaml"
+        made.write_text(head.replace("duration: 60s\n", "") + self.STEPS
+                        + "  - take-screenshot: {save-to: one.png}\n")
+        subprocess.run([DE1SIM, "run", made, "--quiet", "--out", folder / "golden"], check=True,
+                       capture_output=True)
+        begun = folder / "begun.yaml"
+        begun.write_text(head + self.STEPS + "  - expect-frame: {equals: golden/one.png}\n")
+        self.words = (str(begun), "--frames", "last")
+        super().setUp()
+
+    async def test_its_steps_and_what_was_played_are_saved_and_play_again(self):
+        client = await self.client()
+        await client.send(save=True)
+        self.assertIn("steps still play", await client.wait_for("error"))
+        await client.until(lambda: client.hex() == "     1")
+        await client.frames_on(20)
+        await self.tap(client, "2")
+        await client.step("hold-key", "a")  # at the second port, as the scenario says
+        await self.paused(client)
+        await client.send(save=True)
+        saved = await client.wait_for("saved")
+        self.assertIn("ps2: [mouse, keyboard]\n", saved["text"])
+        self.assertNotIn("duration", saved["text"])
+        self.board.__exit__()
+        again = self.played_again(saved["file"])
+        self.assertEqual([claim["met"] for claim in again["expectations"]], [True, True])
+        self.assertEqual(again["seed"], 7)
 
 
 class InsideAProgram(Live):

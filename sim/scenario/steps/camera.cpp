@@ -41,7 +41,7 @@ std::vector<StepForm> camera() {
          "camera.",
          Notation::BOTH,
          {},
-         {{"file", LINE, Need::REQUIRED, "",
+         {{"file", FILE_NAME, Need::REQUIRED, "",
            "A PNG, relative to the scenario file; stretched to 720 x 480, of which programs get "
            "the "
            "middle 640."}},

@@ -213,7 +213,7 @@ std::vector<StepForm> picture() {
          "Compare the picture on the monitor, or on another display, with a PNG of its size.",
          Notation::MAP,
          {},
-         {{"equals", LINE, Need::REQUIRED, "", "The PNG, relative to the scenario file."},
+         {{"equals", FILE_NAME, Need::REQUIRED, "", "The PNG, relative to the scenario file."},
           {"differing-pixels", PIXELS, Need::OPTIONAL, "0", "At most so many pixels may differ."},
           {"of", DISPLAY, Need::OPTIONAL, "monitor", OF_HELP}},
          make<ExpectFrame>},

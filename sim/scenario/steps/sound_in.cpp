@@ -84,7 +84,7 @@ std::vector<StepForm> sound_in() {
          "Play a sound file into the codec and go on; it takes the place of what was played there.",
          Notation::BOTH,
          {},
-         {{"file", LINE, Need::REQUIRED, "",
+         {{"file", FILE_NAME, Need::REQUIRED, "",
            "A WAV file, or another that libsndfile reads, relative to the scenario file; its rate "
            "becomes the codec's."},
           into,
