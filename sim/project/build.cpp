@@ -118,13 +118,18 @@ Builder::Builder(const Request& request, bool trace)
     };
 }
 
-void Builder::write_sources() {
+void Builder::prepare_folder() {
     fs::create_directories(folder_ / "source");
     lock_.take(folder_ / "lock");
     link_to(data_folder(), folder_ / "data");
     for (std::size_t n = 0; n < design_.project.includes.size(); ++n)
         link_to(design_.project.includes[n], folder_ / include_link(n));
+}
+
+void Builder::write_sources() {
     files_.clear();
+    design_.changes.clear();
+    design_.init_files.clear();
     unsigned number = 0;
     Modules modules;
     for (const SourceFile& file : design_.project.sources)
@@ -171,16 +176,26 @@ std::vector<std::string> Builder::translate_vhdl(const Modules& modules) const {
         take_modules(ip / (model + ".v"), models);
         return &models.at(model);
     };
-    return verilog_of(
-        {design_.project.folder, design_.project.vhdl, design_.project.entities, folder_ / "vhdl",
-         vhdl_libraries(ip, read_open_inputs(ip / "defaults.tsv")), in_verilog},
-        limit_);
+    std::vector<VhdlRoot> roots;
+    for (const GenericEntity& entity : entities_)
+        for (std::size_t n = 0; n < entity.sets.size(); ++n)
+            roots.push_back({entity.name, entity.module(n), entity.options(n)});
+    const std::vector<std::string> texts =
+        verilog_of({design_.project.folder, design_.project.vhdl, roots, folder_ / "vhdl",
+                    vhdl_libraries(ip, read_open_inputs(ip / "defaults.tsv")), in_verilog},
+                   limit_);
+    std::vector<std::string> all;
+    auto text = texts.begin();
+    for (const GenericEntity& entity : entities_) {
+        const auto end = text + static_cast<std::ptrdiff_t>(entity.sets.size());
+        const std::vector<std::string> modules_of_sets{text, end};
+        all.push_back(entity.is_set ? entity.wrapper(modules_of_sets) : "");
+        for (; text != end; ++text) all.back() += entity.in_order(*text);
+    }
+    return all;
 }
 
-const Design& Builder::examine() {
-    if (examined_) return design_;
-    design_.project = read_project(request_);
-    folder_ = place_for(design_.project.folder);
+void Builder::elaborate() {
     write_sources();
     check_verilator(limit_);
     auto words = verilator_words(design_.project);
@@ -188,6 +203,23 @@ const Design& Builder::examine() {
                                "--top-module", design_.project.top});
     for (const fs::path& file : files_) words.push_back(file.string());
     run_tool(words, folder_, limit_);
+}
+
+const Design& Builder::examine() {
+    if (examined_) return design_;
+    design_.project = read_project(request_);
+    folder_ = place_for(design_.project.folder);
+    prepare_folder();
+    entities_ = generic_entities(design_.project);
+    elaborate();
+    // Each round finds generics that the entities of the round before set in turn.
+    for (bool is_new = true; is_new;) {
+        is_new = false;
+        for (GenericEntity& entity : entities_)
+            if (entity.is_set)
+                is_new |= entity.add(parameters_of(folder_ / "design.xml", entity.name));
+        if (is_new) elaborate();
+    }
     design_.elaborated = read_elaborated(folder_ / "design.xml", design_.project.top);
     const auto& of_ip = design_.elaborated.init_files;
     design_.init_files.insert(design_.init_files.end(), of_ip.begin(), of_ip.end());

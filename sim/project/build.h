@@ -9,6 +9,7 @@
 #include "sim/project/part_drivers.h"
 #include "sim/project/project.h"
 #include "sim/project/tools.h"
+#include "sim/project/vhdl_generics.h"
 
 namespace sim::project {
 
@@ -56,8 +57,10 @@ public:
     Built build(const Progress& progress);
 
 private:
+    void prepare_folder();
     void write_sources();
-    std::vector<std::string> translate_vhdl(const Modules& modules) const;
+    std::vector<std::string> translate_vhdl(const Modules& modules) const;  // by entity
+    void elaborate();
     void generate();
     std::string key() const;
 
@@ -68,6 +71,7 @@ private:
     Design design_;
     std::filesystem::path folder_;  // .de1sim beside the project, or in the user's cache
     std::vector<std::filesystem::path> files_;  // cleaned copies, in folder_
+    std::vector<GenericEntity> entities_;       // in VHDL
     bool examined_ = false;
 };
 

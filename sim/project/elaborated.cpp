@@ -125,4 +125,21 @@ Elaborated read_elaborated(const std::filesystem::path& xml, const std::string& 
     return design;
 }
 
+std::vector<std::map<std::string, std::string>> parameters_of(const std::filesystem::path& xml,
+                                                              const std::string& module) {
+    pugi::xml_document document;
+    document.load_file(xml.c_str());
+    std::vector<std::map<std::string, std::string>> all;
+    for (const auto& copy : document.child("verilator_xml").child("netlist").children("module")) {
+        if (module != copy.attribute("origName").value()) continue;
+        std::map<std::string, std::string> values;
+        for (const auto& var : copy.children("var"))
+            if (var.attribute("param"))
+                values[var.attribute("origName").value()] =
+                    var.child("const").attribute("name").value();
+        all.push_back(std::move(values));
+    }
+    return all;
+}
+
 }  // namespace sim::project

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -39,5 +40,9 @@ struct Elaborated {
 
 // From the file that `verilator --xml-only` writes.  ProjectError.
 Elaborated read_elaborated(const std::filesystem::path& xml, const std::string& top);
+
+// The parameters' values of each copy of a module, as Verilator prints them: 32'sh8, "text".
+std::vector<std::map<std::string, std::string>> parameters_of(const std::filesystem::path& xml,
+                                                              const std::string& module);
 
 }  // namespace sim::project

@@ -93,14 +93,17 @@ std::vector<std::string> verilog_of(const VhdlDesign& design, const TimeLimit& l
     have_one_time(design.work / "work-obj08.cf");
     std::set<std::string> known;
     std::vector<std::string> texts;
-    for (const std::string& root : design.roots) {
+    for (const VhdlRoot& root : design.roots) {
         const auto synthesised = [&](const char* out) {
-            return run_ghdl(words({"--synth", out}, {root}), design.folder, limit);
+            std::vector<std::string> last = root.generics;
+            last.push_back(root.entity);
+            return run_ghdl(words({"--synth", out}, last), design.folder, limit);
         };
         std::string said = "\n" + synthesised("--out=verilog");
         said.erase(0, said.find("\nmodule ") + 1);  // its warnings
         said = repaired(said, lacks_others(said) ? synthesised("--out=raw-vhdl") : "");
-        texts.push_back(VhdlOutput{said, root, design.in_verilog}.without(known));
+        texts.push_back(
+            VhdlOutput{said, root.entity, root.module, design.in_verilog}.without(known));
     }
     return texts;
 }

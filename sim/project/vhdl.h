@@ -11,10 +11,15 @@
 
 namespace sim::project {
 
+struct VhdlRoot {
+    std::string entity, module;         // its name in Verilog
+    std::vector<std::string> generics;  // -gWIDTH=8
+};
+
 struct VhdlDesign {
     std::filesystem::path folder;                  // names in messages are from here on
     std::vector<std::filesystem::path> files;      // all, in any order
-    std::vector<std::string> roots;                // entities that are wanted in Verilog
+    std::vector<VhdlRoot> roots;                   // what is wanted in Verilog
     std::filesystem::path work;                    // for GHDL's libraries, emptied before
     std::map<std::string, std::string> libraries;  // text by name; what no file names is left out
     InVerilog in_verilog;

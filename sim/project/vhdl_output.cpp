@@ -37,27 +37,28 @@ std::vector<std::string> lines_of(const std::string& text) {
 
 }  // namespace
 
-VhdlOutput::VhdlOutput(const std::string& said, const std::string& root,
+VhdlOutput::VhdlOutput(const std::string& said, const std::string& root, const std::string& module,
                        const InVerilog& in_verilog) {
     const std::string text = "\n" + said, begin = "\nmodule ", end = "\nendmodule\n";
     for (std::size_t at = text.find(begin); at != std::string::npos; at = text.find(begin, at)) {
         const std::size_t behind = text.find(end, at);
         if (behind == std::string::npos) return;
-        take(text.substr(at + 1, behind + end.size() - at - 1), root, in_verilog);
+        take(text.substr(at + 1, behind + end.size() - at - 1), root, module, in_verilog);
         at = behind;
     }
 }
 
 // A component without an entity has nothing between its ports and its end.
-void VhdlOutput::take(std::string module, const std::string& root, const InVerilog& in_verilog) {
-    std::string name = module.substr(7, module.find_first_of(" \n(", 7) - 7);
+void VhdlOutput::take(std::string text, const std::string& root, const std::string& module,
+                      const InVerilog& in_verilog) {
+    std::string name = text.substr(7, text.find_first_of(" \n(", 7) - 7);
     if (lower(name) == lower(root)) {
-        module.replace(7, name.size(), root);
-        name = root;
+        text.replace(7, name.size(), module);
+        name = module;
     }
-    const std::size_t ports = module.find(");\n");
-    if (ports == std::string::npos || module.compare(ports + 3, 9, "endmodule") != 0) {
-        modules_.push_back({name, std::move(module)});
+    const std::size_t ports = text.find(");\n");
+    if (ports == std::string::npos || text.compare(ports + 3, 9, "endmodule") != 0) {
+        modules_.push_back({name, std::move(text)});
         return;
     }
     components_[name] = in_verilog(name);

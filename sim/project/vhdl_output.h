@@ -17,9 +17,10 @@ using InVerilog = std::function<const ModuleText*(const std::string& component)>
 // The modules of one run of GHDL.
 class VhdlOutput {
 public:
-    // `said` is all that GHDL says, `root` the entity as it is written where it is wanted.
+    // `said` is all that GHDL says of the entity `root`, which gets the name `module`.
     // ProjectError: there is no module for a component.
-    VhdlOutput(const std::string& said, const std::string& root, const InVerilog& in_verilog);
+    VhdlOutput(const std::string& said, const std::string& root, const std::string& module,
+               const InVerilog& in_verilog);
 
     // Those that are not in `known`, into which they go.
     std::string without(std::set<std::string>& known) const;
@@ -28,7 +29,8 @@ private:
     struct Module {
         std::string name, text;
     };
-    void take(std::string module, const std::string& root, const InVerilog& in_verilog);
+    void take(std::string text, const std::string& root, const std::string& module,
+              const InVerilog& in_verilog);
 
     void rename(std::string& module) const;
 

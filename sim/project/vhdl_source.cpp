@@ -37,6 +37,11 @@ class VhdlScanner {
 public:
     explicit VhdlScanner(std::string_view text) : words_{words_of(text)} {}
 
+    std::vector<EntityHead> heads() {
+        run();
+        return std::move(heads_);
+    }
+
     SourceText run() {
         std::set<std::string> wants;  // of all architectures in the file
         for (std::size_t i = 0; i + 3 < words_.size(); ++i) {
@@ -57,30 +62,53 @@ public:
 private:
     bool is(std::size_t i, const char* word) const { return lower(words_[i]) == word; }
 
-    // Up to its end: port ( a, b : in std_logic; ... ).
+    // From its name on: generic ( ... ) ; port ( ... ) ;
     void entity(std::size_t name) {
-        source_.modules.push_back({words_[name], 0, {}, {}, false, {}, {}, {}, {}});
+        EntityHead head{words_[name], {}, {}};
         std::size_t i = name + 2;
-        while (i < words_.size() && !is(i, "port") && !is(i, "end")) ++i;
+        while (i < words_.size() && (is(i, "generic") || is(i, "port")))
+            i = members(i + 1, is(i, "port") ? head.ports : head.generics);
+        source_.modules.push_back({words_[name], 0, {}, {}, false, {}, {}, {}, {}});
+        for (const auto& port : head.ports) source_.modules.back().ports.push_back(port.name);
+        heads_.push_back(std::move(head));
+    }
+    // ( a, b : in std_logic := '0'; ... ) ; and returns what is behind it.
+    std::size_t members(std::size_t open, std::vector<EntityHead::Member>& list) {
         int depth = 0;
-        bool names = true;
-        for (++i; i < words_.size(); ++i) {
+        enum { NAMES, TYPE, VALUE } part = NAMES;
+        std::size_t first = list.size();  // of those that share a type
+        for (std::size_t i = open; i < words_.size(); ++i) {
             depth += (words_[i] == "(") - (words_[i] == ")");
-            if (depth <= 0) return;
-            if (depth == 1 && words_[i] == ":") names = false;
-            if (depth == 1 && words_[i] == ";") names = true;
-            const char first = words_[i][0];
-            if (names && std::isalpha(static_cast<unsigned char>(first)) && !is(i, "signal"))
-                source_.modules.back().ports.push_back(words_[i]);
+            if (depth <= 0) return i + 2;
+            if (depth == 1 && words_[i] == ";") {
+                part = NAMES;
+                first = list.size();
+            } else if (depth == 1 && words_[i] == ":") {
+                part = part == NAMES ? TYPE : VALUE;
+            } else if (part == TYPE) {
+                for (std::size_t n = first; n < list.size(); ++n)
+                    list[n].type.push_back(lower(words_[i]));
+            } else if (part == NAMES && std::isalpha(static_cast<unsigned char>(words_[i][0])) &&
+                       !is(i, "signal") && !is(i, "constant")) {
+                list.push_back({words_[i], {}});
+            }
         }
+        return words_.size();
     }
 
     const std::vector<std::string> words_;
     SourceText source_;
+    std::vector<EntityHead> heads_;
 };
 
 }  // namespace
 
 SourceText scan_vhdl(std::string_view text) { return VhdlScanner{text}.run(); }
+
+std::optional<EntityHead> entity_in(std::string_view text, const std::string& name) {
+    for (EntityHead& head : VhdlScanner{text}.heads())
+        if (lower(head.name) == lower(name)) return std::move(head);
+    return {};
+}
 
 }  // namespace sim::project

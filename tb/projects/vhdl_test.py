@@ -117,6 +117,44 @@ class Vhdl(Case):
                    count_vhd=COUNT)
         self.leds(0b0000011100, 0b0000010000)
 
+    def sets(self, instances):
+        """Verilog around an entity with generics of all types."""
+        self.write(top_v="module top(input CLOCK_50, input [9:0] SW, output [9:0] LEDR);\n" +
+                   instances + "\nendmodule\n",
+                   foo_vhd=USE + "entity foo is generic (W : integer := 3; Neg : integer := -1;\n"
+                   "B : boolean := false; V : std_logic_vector(2 downto 0) := \"010\";\n"
+                   "S : string := \"ab\"; L : std_logic := '0'; T : time := 1 ns);\n"
+                   "port (q : out std_logic_vector(W - 1 downto 0); i : in std_logic); end;\n"
+                   "architecture a of foo is\n"
+                   "signal all_of_them : unsigned(15 downto 0); begin\n"
+                   "all_of_them <= to_unsigned(Neg + 1, 7) & unsigned(V) & L &\n"
+                   "  to_unsigned(character'pos(S(S'left)) - 97, 4) & i;\n"
+                   "q <= std_logic_vector(all_of_them(W - 1 downto 0)) when not B else\n"
+                   "(others => i); end;\n")
+
+    def test_generics_that_verilog_sets(self):
+        self.sets("foo #(.W(4), .S(\"dx\")) a (.q(LEDR[3:0]), .i(SW[0]));\n"
+                  "foo b (LEDR[6:4], SW[1]);\n"
+                  "foo #(.W(10), .NEG(0), .L(1), .V(4'd5)) c (d, SW[1]); wire [9:0] d;\n"
+                  "assign LEDR[9:7] = {d[9], d[6:5]};")
+        self.leds(0b111_001_0110, 2)
+        self.leds(0b111_000_0111, 1)
+
+    def test_generics_by_parameters_and_in_two_steps(self):
+        self.sets("parameter N = 2; genvar g; generate for (g = 0; g < N; g = g + 1) begin : x\n"
+                  "foo #(.w(N + 1), .b(g)) u (.q(LEDR[3*g+2 -: 3]), .i(SW[g])); end endgenerate\n"
+                  "foo u (LEDR[8:6], 1'b0); defparam u.S = \"h\"; assign LEDR[9] = 1;")
+        self.leds(0b1110_111_001, 3)
+
+    def test_a_generic_that_cannot_be_set(self):
+        self.sets("foo #(.T(2)) a (.q(LEDR[2:0]), .i(SW[0]));")
+        self.refused("foo.vhd: entity foo: generic T cannot have the value 32'sh2 from Verilog, "
+                     "expected a number, boolean, std_logic, a vector of bits or a string")
+
+    def test_a_generic_that_is_not_there(self):
+        self.sets("foo #(.WIDTH(2)) a (.q(LEDR[2:0]), .i(SW[0]));")
+        self.refused("top.v:2:8: Parameter pin not found: 'WIDTH'")
+
     def test_a_memory_by_the_library_of_components(self):
         self.write(a_vhd=TOP.format(
             "library altera_mf; use altera_mf.altera_mf_components.all;\n"
