@@ -21,6 +21,7 @@
 #include "sim/live/command.h"
 #include "sim/report/messages.h"
 #include "sim/run/run.h"
+#include "sim/suite/command.h"
 
 namespace sim {
 
@@ -102,6 +103,15 @@ int command_line(int argc, char** argv, const Firmware& firmware) {
     std::filesystem::path reports[2];
     CLI::App& compare_command = *app.add_subcommand(
         "compare", "compare the checks in two report.json: of a board and of a simulation");
+    suite::TestOptions test_options;
+    CLI::App& test_command = *app.add_subcommand("test", "run many scenarios, in parallel");
+    suite::add_test_options(test_command, test_options);
+    std::vector<std::filesystem::path> parts;
+    std::filesystem::path merged = "test-results";
+    CLI::App& merge_command =
+        *app.add_subcommand("merge", "join the results of the shards of de1sim test");
+    merge_command.add_option("FOLDER", parts, "results of a shard")->required();
+    merge_command.add_option("--out", merged, "folder for what is joined")->capture_default_str();
     compare_command.add_option("A", reports[0], "report.json")->check(named)->required();
     compare_command.add_option("B", reports[1], "another")->check(named)->required();
     compare_command.footer(
@@ -129,13 +139,12 @@ int command_line(int argc, char** argv, const Firmware& firmware) {
             app.exit(e, text, text);
             return print_result(text.str()) ? PASSED : WRONG_INPUT;
         }
-        complain(fmt::format(
-            "{} (see de1sim --help)",
-            argc > 1 && app.get_subcommands().empty()
-                ? fmt::format(
-                      "expected run, live, build, check, check-board or compare, got \"{}\"",
-                      argv[1])
-                : std::string{e.what()}));
+        complain(fmt::format("{} (see de1sim --help)",
+                             argc > 1 && app.get_subcommands().empty()
+                                 ? fmt::format("expected run, test, live, build, check, "
+                                               "check-board, compare or merge, got \"{}\"",
+                                               argv[1])
+                                 : std::string{e.what()}));
         return WRONG_INPUT;
     }
     if (!options.trace.empty() && options.project.place.empty() && !Fabric::can_trace())
@@ -143,6 +152,8 @@ int command_line(int argc, char** argv, const Firmware& firmware) {
     if (live_command.parsed()) return live::live(live_options, {argv + 2, argv + argc});
     if (build_command.parsed()) return build_project(project);
     if (examine_command.parsed()) return check_project(project);
+    if (test_command.parsed()) return suite::test(test_options);
+    if (merge_command.parsed()) return suite::merge(parts, merged);
     if (compare_command.parsed()) return compare_reports(reports[0], reports[1]);
     if (check_command.parsed())
         return run(check_options,

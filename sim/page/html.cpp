@@ -3,24 +3,7 @@
 
 #include <openssl/evp.h>
 
-#include "sim/report/printable.h"
-
 namespace sim::page {
-
-std::string escape(std::string_view text) {
-    std::string out;
-    for (const char c : printable(text)) {
-        switch (c) {
-            case '&': out += "&amp;"; break;
-            case '<': out += "&lt;"; break;
-            case '>': out += "&gt;"; break;
-            case '"': out += "&quot;"; break;
-            case '\'': out += "&#39;"; break;
-            default: out += c;
-        }
-    }
-    return out;
-}
 
 std::string data_url(const std::vector<std::uint8_t>& png) {
     std::vector<unsigned char> digits((png.size() + 2) / 3 * 4 + 1);  // with a 0 behind them

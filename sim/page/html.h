@@ -1,4 +1,4 @@
-// html.h - text and bytes as HTML has them
+// html.h - text and pictures as HTML has them
 #pragma once
 
 #include <cstdint>
@@ -6,10 +6,11 @@
 #include <string_view>
 #include <vector>
 
+#include "sim/report/markup.h"
+
 namespace sim::page {
 
-// For text and for attributes in double quotes; what no terminal should get is \xNN.
-std::string escape(std::string_view text);
+inline std::string escape(std::string_view text) { return escape_markup(text); }
 
 // "data:image/png;base64,..."
 std::string data_url(const std::vector<std::uint8_t>& png);

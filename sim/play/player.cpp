@@ -172,4 +172,15 @@ bool Player::save(const std::filesystem::path& path, const Image& image) {
     }
 }
 
+bool Player::renew(const std::filesystem::path& golden, const Image& picture) {
+    if (!renews_goldens) return false;
+    try {
+        write_png(golden, picture);
+        return true;
+    } catch (const IoError& e) {
+        faults_.push_back(e.what());
+        return false;
+    }
+}
+
 }  // namespace sim

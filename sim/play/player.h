@@ -37,6 +37,7 @@ public:
         std::vector<std::filesystem::path> saved;
     };
     const std::vector<Played>& played() const { return played_; }
+    bool renews_goldens = false;            // that differ
     std::function<void()> on_step = [] {};  // called when one is done
 
     // Why a picture could not be written; empty if all could.
@@ -77,6 +78,7 @@ private:
     std::vector<std::string> matrix_rows(const std::string& part) override;
     const std::filesystem::path& folder() const override { return out_; }
     bool save(const std::filesystem::path& path, const Image& image) override;
+    bool renew(const std::filesystem::path& golden, const Image& picture) override;
 
     Board& board_;
     Senses& senses_;

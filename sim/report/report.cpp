@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "sim/report/printable.h"
+#include "sim/report/markup.h"
 
 namespace sim {
 
@@ -14,24 +14,9 @@ namespace {
 
 constexpr std::size_t MAX_VIOLATIONS_PRINTED = 20;
 
-// XML cannot represent most control characters, so they are written as \xNN.
-std::string xml(const std::string& text) {
-    std::string out;
-    for (const char c : printable(text)) {
-        switch (c) {
-            case '&': out += "&amp;"; break;
-            case '<': out += "&lt;"; break;
-            case '>': out += "&gt;"; break;
-            case '"': out += "&quot;"; break;
-            default: out += c;
-        }
-    }
-    return out;
-}
-
 std::string test_case(const std::string& classname, const std::string& name, double time_s) {
-    return fmt::format("    <testcase classname=\"{}\" name=\"{}\" time=\"{:.6f}\"", xml(classname),
-                       xml(name), time_s);
+    return fmt::format("    <testcase classname=\"{}\" name=\"{}\" time=\"{:.6f}\"",
+                       escape_markup(classname), escape_markup(name), time_s);
 }
 
 std::string verdict(bool met, const std::string& detail) {
@@ -39,7 +24,7 @@ std::string verdict(bool met, const std::string& detail) {
     return fmt::format(
         ">\n      <failure message=\"{0}\">{0}</failure>\n"
         "    </testcase>\n",
-        xml(detail));
+        escape_markup(detail));
 }
 
 nlohmann::ordered_json spread_json(const RunReport::Spread& spread) {
@@ -211,7 +196,7 @@ std::string to_junit(const RunReport& report) {
     const std::vector<std::string> errors = run_errors(report);
     const std::string counts =
         fmt::format("name=\"{}\" tests=\"{}\" failures=\"{}\" errors=\"{}\" time=\"{:.6f}\"",
-                    xml(suite), report.expectations.size() + report.checks.size() + 1,
+                    escape_markup(suite), report.expectations.size() + report.checks.size() + 1,
                     failures(report), errors.empty() ? 0 : 1, report.simulated_s);
     std::string out = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n";
     out += "<testsuites " + counts + ">\n  <testsuite " + counts + ">\n";
@@ -227,8 +212,8 @@ std::string to_junit(const RunReport& report) {
     if (errors.empty()) {
         out += "/>\n";
     } else {
-        out += ">\n      <error message=\"" + xml(errors.front()) + "\">";
-        for (const auto& error : errors) out += xml(error) + "\n";
+        out += ">\n      <error message=\"" + escape_markup(errors.front()) + "\">";
+        for (const auto& error : errors) out += escape_markup(error) + "\n";
         out += "</error>\n    </testcase>\n";
     }
     return out + "  </testsuite>\n</testsuites>\n";

@@ -98,12 +98,10 @@ void add_run_options(CLI::App& command, RunOptions& options) {
                     "clocks of 800 MHz that an instruction takes, for --cpu arm: 0.1 to 100")
         ->capture_default_str();
     command
-        .add_option(
-            "--fpga-memory", options.memory,
-            "how the processor reaches the SDRAM and the on-chip memory.  mapped: at once;\n"
-            "bridge: every access goes through the bridge's Verilog")
-        ->check(CLI::IsMember({"mapped", "bridge"}))
-        ->capture_default_str();
+        .add_option("--fpga-memory", options.memory,
+                    "how the processor reaches the SDRAM and the on-chip memory.  mapped: at once\n"
+                    "(default); bridge: every access goes through the bridge's Verilog")
+        ->check(CLI::IsMember({"mapped", "bridge"}));
     command.add_option_function<std::string>(
         "--gdb",
         [&](const std::string& text) {
@@ -159,10 +157,9 @@ void add_run_options(CLI::App& command, RunOptions& options) {
     command
         .add_option(
             "--audio-rate", options.audio_rate,
-            "samples a second of the audio core and codec: 8000 as in the DE1-SoC Computer,\n"
-            "or 48000, which is a parameter of the system on the board")
-        ->check(CLI::IsMember({8'000u, 48'000u}))
-        ->capture_default_str();
+            "samples a second of the audio core and codec: 8000 as in the DE1-SoC Computer\n"
+            "(default), or 48000, which is a parameter of the system on the board")
+        ->check(CLI::IsMember({8'000u, 48'000u}));
     command
         .add_option("--html", options.html,
                     "write one page with all of the run: steps, pictures, sound, lamps, console")
@@ -186,6 +183,8 @@ void add_run_options(CLI::App& command, RunOptions& options) {
         ->check([](const std::string& name) {
             return is_video_name(name) ? "" : "expected FILE.mp4 or FILE.webm, got \"" + name + '"';
         });
+    command.add_flag("--update-goldens", options.update_goldens,
+                     "write golden pictures that differ anew: the expectation is then met");
     command.add_flag("--quiet", options.quiet, "no progress, no summary unless something failed");
 }
 
@@ -232,16 +231,23 @@ void settle_run_options(const CLI::App& command, RunOptions& options) {
         throw CLI::ValidationError("--profile", "and --gdb exclude each other");
 }
 
-void choose_processor(RunOptions& options, const std::filesystem::path& scenario_program) {
+void settle_by_scenario(RunOptions& options, const Scenario& scenario) {
+    const bool chip_given = !options.elf.empty() || options.cpu != "auto";
+    if (options.project.place.empty() && !chip_given) options.project.place = scenario.project;
+    if (!options.memory)
+        options.memory = scenario.memory_bridged.value_or(false) ? "bridge" : "mapped";
+    if (!options.audio_rate) options.audio_rate = scenario.audio_rate.value_or(8'000);
     if (!options.project.place.empty()) {
         options.cpu = "none";
-        if (!scenario_program.empty())
+        if (!scenario.program.empty())
             throw std::runtime_error{"--project: has no processor for the scenario's program"};
         if (!options.for_arm.empty())
             throw std::runtime_error{options.for_arm.front() + ": is for --cpu arm"};
         return;
     }
-    if (options.elf.empty() && options.cpu != "native") options.elf = scenario_program;
+    if (options.cpu == "auto" && options.elf.empty() && !scenario.cpu.empty())
+        options.cpu = scenario.cpu;
+    if (options.elf.empty() && options.cpu != "native") options.elf = scenario.program;
     if (options.cpu == "auto") options.cpu = options.elf.empty() ? "native" : "arm";
     if (options.cpu == "arm" && options.elf.empty())
         throw std::runtime_error{"--cpu: arm needs a program: --elf FILE"};

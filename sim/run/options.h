@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "sim/run/project_commands.h"
+#include "sim/scenario/scenario.h"
 #include "sim/scenario/sim_time.h"
 
 namespace CLI {
@@ -39,7 +40,7 @@ struct RunOptions {
     std::filesystem::path elf;           // for the processor "arm", or empty
     std::vector<std::string> for_arm;    // options that were given and are for "arm" alone
     double cpi = 1;                      // clocks an instruction of that processor
-    std::string memory = "mapped";       // how it reaches the FPGA's memories: or "bridge"
+    std::optional<std::string> memory;   // how it reaches the FPGA's memories: "mapped", "bridge"
     std::string system = "auto";         // what the ELF expects: "bare", "linux", "auto"
     std::filesystem::path linux_root;    // the Linux program's /, or empty
     std::vector<std::string> arguments;  // the Linux program's, behind its name
@@ -57,7 +58,8 @@ struct RunOptions {
     std::filesystem::path html;            // a page with all of the run, or empty
     std::string command, version;          // for that page
     std::filesystem::path video;           // .mp4 or .webm, or empty
-    unsigned audio_rate = 8'000;           // samples a second
+    std::optional<unsigned> audio_rate;    // samples a second
+    bool update_goldens = false;           // where they differ
     bool quiet = false;
     std::optional<int> live_socket;  // to `de1sim live`, whose simulation this is
 };
@@ -73,8 +75,8 @@ void add_run_options(CLI::App& command, RunOptions& options);
 // CLI::ValidationError.
 void settle_run_options(const CLI::App& command, RunOptions& options);
 
-// The processor, now that it is known whether the scenario names a program.  std::runtime_error for
-// options that it has no use for.
-void choose_processor(RunOptions& options, const std::filesystem::path& scenario_program);
+// Adds what the scenario says and the command line does not: what is in the chip, the processor.
+// std::runtime_error for options that this has no use for.
+void settle_by_scenario(RunOptions& options, const Scenario& scenario);
 
 }  // namespace sim

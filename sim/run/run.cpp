@@ -147,7 +147,7 @@ Scenario scenario_of(const RunOptions& options) {
 ExitCode run_doing(const char*& doing, RunOptions options, const Firmware& firmware) {
     doing = "reading the scenario";
     const Scenario scenario = scenario_of(options);
-    choose_processor(options, scenario.program);
+    settle_by_scenario(options, scenario);
     const std::uint64_t seed = options.seed.value_or(scenario.seed);
     const std::optional<SimTime> duration = options.duration ? options.duration : scenario.duration;
 
@@ -170,8 +170,8 @@ ExitCode run_doing(const char*& doing, RunOptions options, const Firmware& firmw
         seed,
         {trace ? trace->part().string() : "", options.trace_from ? options.trace_from->ps : 0,
          options.trace_to ? options.trace_to->ps : MAX_SIM_TIME.ps},
-        options.memory == "bridge" ? Fpga::Memory::BRIDGED : Fpga::Memory::MAPPED,
-        options.audio_rate};
+        *options.memory == "bridge" ? Fpga::Memory::BRIDGED : Fpga::Memory::MAPPED,
+        *options.audio_rate};
     std::optional<project::Built> built;
     if (!options.project.place.empty()) {
         doing = "building the project";
@@ -213,6 +213,7 @@ ExitCode run_doing(const char*& doing, RunOptions options, const Firmware& firmw
     if (arm) board.also_type_to([&arm](const std::string& text) { arm->type(text); });
     if (arm && options.scenario.empty() && !view) arm->close_input();  // there is nobody to type
     Player player{"player", board, recorder.senses(), scenario.steps, options.out};
+    player.renews_goldens = options.update_goldens;
     if (page) player.on_step = [&page] { page->step_done(); };
     std::optional<live::LivePlayer> live_player;
     std::optional<live::Inside> inside;

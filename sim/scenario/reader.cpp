@@ -172,6 +172,12 @@ Scenario read_scenario(std::string_view text, const Path& file) {
     scenario.seed = values.get<std::uint64_t>("seed");
     if (values.find("duration")) scenario.duration = values.get<SimTime>("duration");
     if (values.find("program")) scenario.program = values.path("program");
+    if (values.find("project")) scenario.project = values.path("project");
+    constexpr const char* CPUS[] = {"native", "arm"};
+    if (values.find("cpu")) scenario.cpu = CPUS[values.number<std::size_t>("cpu")];
+    if (values.find("fpga-memory"))
+        scenario.memory_bridged = values.number<unsigned>("fpga-memory") == 1;
+    if (values.find("audio-rate")) scenario.audio_rate = values.number<unsigned>("audio-rate");
     if (values.find("ps2")) scenario.ps2 = ps2_ports(values.list("ps2"));
     for (std::size_t i = 0; i < root.keys.size(); ++i) {
         if (root.keys[i].text == "steps")

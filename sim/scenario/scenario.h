@@ -33,7 +33,11 @@ struct Scenario {
     std::string text;  // of the file
     std::uint64_t seed = 1;
     std::optional<SimTime> duration;
-    std::filesystem::path program;  // ELF, relative to the working directory, or absolute; or empty
+    // Relative to the working directory, or absolute; or empty.
+    std::filesystem::path program, project;
+    std::string cpu;                     // "native", "arm", or empty
+    std::optional<bool> memory_bridged;  // as --fpga-memory says
+    std::optional<unsigned> audio_rate;  // samples per second
     Ps2Ports ps2;
     std::vector<PartPlan> parts;      // on the headers
     std::vector<ScenarioStep> steps;  // may be empty when there is a duration

@@ -37,6 +37,11 @@ public:
     // time.
     virtual bool wait_until(Each each, SimTime timeout, const std::function<bool()>& met) = 0;
 
+    // ---- Files ----
+
+    // With --update-goldens writes the golden picture anew and returns true.
+    virtual bool renew(const std::filesystem::path& golden, const Image& picture) = 0;
+
     // ---- Hands ----
 
     virtual void hold(const Controls& controls) = 0;

@@ -23,6 +23,14 @@ const ValueType SEED = whole_number("a whole number from 0 to 184467440737095516
                                     std::numeric_limits<std::uint64_t>::max());
 const ValueType STEPS{"a list of steps", "", nullptr};  // reader.cpp reads these lists
 const ValueType PARTS{"a list of parts", "", nullptr};
+const ValueType CPU = word("native or arm", {"native", "arm"});
+const ValueType MEMORY = word("mapped or bridge", {"mapped", "bridge"});
+const ValueType RATE{"8000 or 48000", R"({"enum": [8000, 48000]})",
+                     [](const YamlNode& node) -> Reading {
+                         if (is_plain(node) && node.text == "8000") return std::uint64_t{8'000};
+                         if (is_plain(node) && node.text == "48000") return std::uint64_t{48'000};
+                         return std::nullopt;
+                     }};
 const ValueType PS2 = [] {
     ValueType type = word("keyboard, mouse or nothing", {"keyboard", "mouse", "nothing"});
     type.list_of = "device";
@@ -57,6 +65,14 @@ const std::vector<Field>& file_fields() {
          "Simulated time at which the run ends. Without it the run ends with the last step."},
         {"program", FILE_NAME, Need::OPTIONAL, "",
          "The ELF to run, relative to the scenario file, unless the command line names another."},
+        {"project", LINE, Need::OPTIONAL, "",
+         "A Quartus project (.qsf, .qpf) or a folder of Verilog, relative to the scenario file, as "
+         "--project; the chip then has no processor."},
+        {"cpu", CPU, Need::OPTIONAL, "",
+         "As --cpu, unless that is given: the firmware compiled for this machine, or the "
+         "processor's model. Without it arm where there is a program."},
+        {"fpga-memory", MEMORY, Need::OPTIONAL, "", "As --fpga-memory, unless that is given."},
+        {"audio-rate", RATE, Need::OPTIONAL, "", "As --audio-rate, unless that is given."},
         {"ps2", PS2, Need::OPTIONAL, "",
          "What is in the first PS/2 port, or a list: in the first and in the second. Without it a "
          "keyboard and a mouse."},

@@ -11,7 +11,7 @@ import sys
 
 import yaml
 
-KEPT = ["report.json", "junit.xml", "frames", "audio.wav"]
+KEPT = ["report.json", "junit.xml", "audio.wav"]
 TWO = ["first_led", "first_picture"]
 
 
@@ -43,7 +43,7 @@ def main():
             if "apt-get" in command:
                 continue
             subprocess.run(["sh", "-e", "-c", command], cwd=project, env=environment, check=True)
-        for file in [pathlib.Path(path, name, what)
+        for file in [pathlib.Path(path, "runs", name, name, what)
                      for path in kept for name in TWO for what in KEPT]:
             assert (project / file).exists(), f"{server}: no {file}"
         print(f"{server}: {len(commands)} commands, kept {kept}")

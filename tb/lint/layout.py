@@ -17,7 +17,7 @@ WIDE = TABLES | {"README.md", "CONTRIBUTING.md", "CHANGELOG.md"}  # prose and it
 def sources(root):
     files = [p for p in root.iterdir() if p.is_file()]
     for top in TOP:
-        files += (root / top).rglob("*")
+        files += (path for path in (root / top).rglob("*") if ".de1sim" not in path.parts)
     return sorted(p for p in files if p.is_file() and (p.suffix in SUFFIXES or p.name == "Makefile"
                                                        or p.parent.name == ".ci"))
 

@@ -4,7 +4,8 @@ set -euo pipefail
 de1sim=$1 folder=$2
 
 page=$(sed 's/\\-/-/g' "$folder/de1sim.1")
-options=$(for command in run build check check-board compare; do "$de1sim" $command --help; done |
+commands="run test live build check check-board compare merge"
+options=$(for command in $commands; do "$de1sim" "$command" --help; done |
     grep -o -E '^ +(-h,)?--[a-z-]+' | grep -o -E -- '--[a-z-]+' | sort -u)
 [ "$(wc -w <<< "$options")" -gt 15 ]
 for option in $options; do

@@ -27,7 +27,7 @@ TEST(ScenarioError, NamesTheNearestFieldOfAFile) {
               "a.yaml:1:1: expected a field of a scenario, got \"nam\" (did you mean \"name\"?)");
     EXPECT_EQ(error_of("name: a\ncolour: red"),
               "a.yaml:2:1: expected a field of a scenario: name, version, seed, duration, "
-              "program, ps2, parts or steps, "
+              "program, project, cpu, fpga-memory, audio-rate, ps2, parts or steps, "
               "got \"colour\"");
 }
 

@@ -26,6 +26,20 @@ TEST(Scenario, HasSeedOneAndNoDurationUnlessItSaysSo) {
     const auto s = parse("name: a\nversion: 1\nsteps: [{delay: 1ms}]");
     EXPECT_EQ(s.seed, 1u);
     EXPECT_FALSE(s.duration);
+    EXPECT_TRUE(s.project.empty());
+    EXPECT_EQ(s.cpu, "");
+    EXPECT_FALSE(s.memory_bridged);
+    EXPECT_FALSE(s.audio_rate);
+}
+
+TEST(Scenario, SaysWhatIsInTheChipAndHowItRuns) {
+    const std::string head = "name: a\nversion: 1\nduration: 1s\n";
+    EXPECT_EQ(parse(head + "project: b/c.qsf").project, "tests/b/c.qsf");
+    EXPECT_EQ(parse(head + "cpu: native").cpu, "native");
+    EXPECT_EQ(parse(head + "cpu: arm").cpu, "arm");
+    EXPECT_EQ(parse(head + "fpga-memory: mapped").memory_bridged, false);
+    EXPECT_EQ(parse(head + "fpga-memory: bridge").memory_bridged, true);
+    EXPECT_EQ(parse(head + "audio-rate: 48000").audio_rate, 48'000u);
 }
 
 TEST(Scenario, TakesEverySeedOf64Bits) {

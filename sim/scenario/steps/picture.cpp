@@ -133,9 +133,10 @@ public:
                 fmt::format("{}: {} x {} pixels, but {} has {} x {}", what_is_seen, picture.width,
                             picture.height, printable(golden_.filename().string()), golden.width,
                             golden.height);
-            const auto actual = file("actual");
-            if (stage.save(actual, picture)) detail += "; see " + actual.string();
-            return {false, detail};
+            const auto actual = file("actual"), expected = file("expected");
+            if (stage.save(actual, picture) && stage.save(expected, golden))
+                detail += "; see " + actual.string() + " and " + expected.string();
+            return renewed(stage, picture, detail);
         }
         const std::size_t different = differing_pixels(picture, golden);
         std::string detail = fmt::format("{}: {} pixels differ", what_is_seen, different);
@@ -147,10 +148,15 @@ public:
             stage.save(difference, difference_image(golden, picture)))
             detail += fmt::format("; see {}, {} and {}", actual.string(), expected.string(),
                                   difference.string());
-        return {false, detail};
+        return renewed(stage, picture, detail);
     }
 
 private:
+    Verdict renewed(Stage& stage, const Image& picture, const std::string& detail) const {
+        if (!stage.renew(golden_, picture)) return {false, detail};
+        return {true, "renewed: " + detail};
+    }
+
     int line_;
     std::filesystem::path golden_;
     std::size_t differing_pixels_;

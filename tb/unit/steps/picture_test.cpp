@@ -9,6 +9,8 @@ using namespace tb;
 using testing::ElementsAre;
 using testing::EndsWith;
 using testing::IsEmpty;
+using testing::SizeIs;
+using testing::StartsWith;
 
 class PictureSteps : public StepTest {
 protected:
@@ -72,6 +74,19 @@ TEST_F(PictureSteps, KeepWhatDiffers) {
     EXPECT_EQ(expect_frame(), "frame 0: 2 pixels differ");
 }
 
+TEST_F(PictureSteps, RenewTheGoldenPictureWhereThatIsAskedForAndItDiffers) {
+    sim::write_png(files / "golden.png", {640, 480, std::vector<std::uint8_t>(BYTES, 0x80)});
+    stage.renews = true;
+    const auto verdict =
+        play(fmt::format("expect-frame: {{equals: \"{}\"}}", (files / "golden.png").string()));
+    EXPECT_TRUE(verdict->met);
+    EXPECT_THAT(verdict->detail, StartsWith("renewed: frame 0: 307200 pixels differ; see "));
+    EXPECT_THAT(stage.done, ElementsAre("renew golden.png"));
+    show_frame(true, 0x808080);
+    EXPECT_EQ(expect_frame(), "met");
+    EXPECT_THAT(stage.done, SizeIs(1));
+}
+
 TEST_F(PictureSteps, TakeAPictureOfAnySize) {
     sim::write_png(files / "golden.png", {800, 600, std::vector<std::uint8_t>(800 * 600 * 3, 7)});
     stage.seen.frame({1, true, std::vector<std::uint32_t>(800 * 600, 0x070707), 800, 600});
@@ -84,8 +99,8 @@ TEST_F(PictureSteps, SayBothSizesWhereTheyDiffer) {
     sim::write_png(files / "golden.png", {800, 600, std::vector<std::uint8_t>(800 * 600 * 3)});
     EXPECT_EQ(expect_frame(", differing-pixels: 1310720"),
               "frame 0: 640 x 480 pixels, but golden.png has 800 x 600; see "
-              "out/mismatch/line4_golden_actual.png");
-    EXPECT_EQ(stage.saved.size(), 1u);
+              "out/mismatch/line4_golden_actual.png and out/mismatch/line4_golden_expected.png");
+    EXPECT_EQ(stage.saved.size(), 2u);
     stage.disk_full = true;
     EXPECT_EQ(expect_frame(), "frame 0: 640 x 480 pixels, but golden.png has 800 x 600");
 }

@@ -31,7 +31,7 @@ public:
     int mouse_right = 0, mouse_up = 0;
     sim::HexSegments segments{};
     std::function<void()> meanwhile = [] {};
-    bool disk_full = false;
+    bool disk_full = false, renews = false;
 
     std::uint64_t now_ms() const { return now_ps_ / MS; }
 
@@ -109,6 +109,10 @@ public:
     bool save(const std::filesystem::path& path, const sim::Image& image) override {
         if (!disk_full) saved.emplace_back(path.string(), image);
         return !disk_full;
+    }
+    bool renew(const std::filesystem::path& golden, const sim::Image&) override {
+        if (renews) done.push_back("renew " + golden.filename().string());
+        return renews;
     }
 
 private:

@@ -1,0 +1,79 @@
+#include "sim/suite/runner.h"
+
+#include <atomic>
+#include <chrono>
+#include <mutex>
+#include <thread>
+
+#include <fmt/format.h>
+
+#include "sim/project/command.h"
+
+namespace sim::suite {
+
+namespace {
+
+// A long text's end, from the beginning of a line on.
+std::string last_lines(const std::string& text) {
+    constexpr std::size_t MOST = 2'000;
+    if (text.size() <= MOST) return text;
+    const std::size_t line = text.find('\n', text.size() - MOST);
+    return text.substr(line == std::string::npos ? text.size() - MOST : line + 1);
+}
+
+Result run_case(const Case& one, const RunSettings& settings,
+                const std::function<bool()>& given_up) {
+    const std::string folder = "runs/" + one.name;
+    const std::filesystem::path out = settings.out / folder;
+    std::vector<std::string> words{std::filesystem::read_symlink("/proc/self/exe").string(),
+                                   "run",
+                                   one.file.string(),
+                                   "--quiet",
+                                   "--frames",
+                                   "none",
+                                   "--out",
+                                   out.string()};
+    words.insert(words.end(), settings.options.begin(), settings.options.end());
+    // What an earlier run has left must not stand for this one.
+    for (const char* file : {"report.json", "junit.xml"}) {
+        std::error_code error;
+        std::filesystem::remove(out / file, error);
+    }
+    const auto begin = std::chrono::steady_clock::now();
+    const project::Outcome outcome = project::run_command(words, ".", settings.limit_s, given_up);
+    const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - begin;
+
+    Result result = read_run(out);
+    result.name = one.name;
+    result.file = one.file.string();
+    result.folder = folder;
+    result.exit_code = outcome.code;
+    result.wall_s = wall.count();
+    if (!result.passed() || !result.failures.empty()) result.said = last_lines(outcome.output);
+    if (outcome.code == project::TIMED_OUT)
+        result.end = fmt::format("it did not end within {} s", settings.limit_s);
+    else if (outcome.code > 128 + 2 || outcome.code == 127)
+        result.end = fmt::format("it broke off: exit code {}", outcome.code);
+    return result;
+}
+
+}  // namespace
+
+void run_cases(const std::vector<Case>& cases, const RunSettings& settings,
+               const std::function<bool()>& given_up, const std::function<void(Result)>& done) {
+    std::atomic<std::size_t> next{0};
+    std::mutex telling;
+    const auto work = [&] {
+        for (std::size_t n; !given_up() && (n = next++) < cases.size();) {
+            Result result = run_case(cases[n], settings, given_up);
+            const std::lock_guard<std::mutex> lock{telling};
+            if (!given_up()) done(std::move(result));
+        }
+    };
+    std::vector<std::thread> threads;
+    for (unsigned n = 1; n < settings.jobs; ++n) threads.emplace_back(work);
+    work();
+    for (std::thread& thread : threads) thread.join();
+}
+
+}  // namespace sim::suite

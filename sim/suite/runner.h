@@ -1,0 +1,26 @@
+// runner.h - runs scenarios in parallel, each as a process of its own
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "sim/suite/cases.h"
+#include "sim/suite/results.h"
+
+namespace sim::suite {
+
+struct RunSettings {
+    std::filesystem::path out;         // runs/NAME/ in it
+    std::vector<std::string> options;  // for `de1sim run`, of every scenario
+    unsigned jobs = 1;                 // at once
+    unsigned limit_s = 3600;           // of wall time for a scenario
+};
+
+// Runs them in their order.  `done` is told of each as it ends, one call at a time; a case that
+// given_up() has cut off or kept from beginning has no result.
+void run_cases(const std::vector<Case>& cases, const RunSettings& settings,
+               const std::function<bool()>& given_up, const std::function<void(Result)>& done);
+
+}  // namespace sim::suite
