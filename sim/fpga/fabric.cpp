@@ -6,7 +6,7 @@
 
 #include "Vfpga.h"
 #include "verilated.h"
-#ifndef DE1SIM_NETLIST
+#ifndef DE1SIM_PORTS_ALONE
 #include "Vfpga___024root.h"
 #endif
 #ifdef DE1SIM_TRACE
@@ -419,7 +419,7 @@ AxiResponse Fabric::read(Bridge bridge, std::uint32_t address, std::uint8_t* dat
     return alive ? response : AxiResponse::NONE;
 }
 
-#ifdef DE1SIM_NETLIST
+#ifdef DE1SIM_PORTS_ALONE
 bool Fabric::has_memory() const { return false; }
 void Fabric::read_onchip(std::uint32_t, std::uint8_t*, unsigned) const {}
 void Fabric::write_onchip(std::uint32_t, const std::uint8_t*, unsigned) {}
