@@ -180,8 +180,10 @@ std::vector<std::string> Builder::translate_vhdl(const Modules& modules) const {
     for (const GenericEntity& entity : entities_)
         for (std::size_t n = 0; n < entity.sets.size(); ++n)
             roots.push_back({entity.name, entity.module(n), entity.options(n)});
+    std::set<fs::path> needed;
+    for (const SourceFile& file : design_.project.sources) needed.insert(file.path);
     const std::vector<std::string> texts =
-        verilog_of({design_.project.folder, design_.project.vhdl, roots, folder_ / "vhdl",
+        verilog_of({design_.project.folder, design_.project.vhdl, roots, needed, folder_ / "vhdl",
                     vhdl_libraries(ip, read_open_inputs(ip / "defaults.tsv")), in_verilog},
                    limit_);
     std::vector<std::string> all;
@@ -221,8 +223,7 @@ const Design& Builder::examine() {
         if (is_new) elaborate();
     }
     design_.elaborated = read_elaborated(folder_ / "design.xml", design_.project.top);
-    const auto& of_ip = design_.elaborated.init_files;
-    design_.init_files.insert(design_.init_files.end(), of_ip.begin(), of_ip.end());
+    for (const InitFile& file : design_.elaborated.init_files) design_.init_files.push_back(file);
     design_.binding =
         sim::project::bind(design_.elaborated.ports, design_.project.pins,
                            signals_by_pin(data_folder() / "rtl/board/de1_soc/pins.tsv"));

@@ -89,7 +89,15 @@ std::vector<std::string> verilog_of(const VhdlDesign& design, const TimeLimit& l
         write_whole_file(file, text);
         run_ghdl(words({"-a", "--work=" + name}, {file.string()}), design.folder, limit);
     }
-    run_ghdl(words({"-i"}, files), design.folder, limit);
+    try {
+        run_ghdl(words({"-i"}, files), design.folder, limit);
+    } catch (const ProjectError&) {
+        for (std::size_t n = 0; n < files.size(); ++n) try {
+                run_ghdl(words({"-i"}, {files[n]}), design.folder, limit);
+            } catch (const ProjectError&) {
+                if (design.needed.count(design.files[n])) throw;
+            }
+    }
     have_one_time(design.work / "work-obj08.cf");
     std::set<std::string> known;
     std::vector<std::string> texts;

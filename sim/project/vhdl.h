@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,7 @@ struct VhdlDesign {
     std::filesystem::path folder;                  // names in messages are from here on
     std::vector<std::filesystem::path> files;      // all, in any order
     std::vector<VhdlRoot> roots;                   // what is wanted in Verilog
+    std::set<std::filesystem::path> needed;        // another with an error is left out
     std::filesystem::path work;                    // for GHDL's libraries, emptied before
     std::map<std::string, std::string> libraries;  // text by name; what no file names is left out
     InVerilog in_verilog;

@@ -98,7 +98,9 @@ nlohmann::ordered_json characters_json(const std::vector<std::string>& rows) {
 // What went wrong with the run as a whole, apart from its expectations.
 std::vector<std::string> run_errors(const RunReport& report) {
     std::vector<std::string> errors = report.faults;
-    if (report.end == RunEnd::FIRMWARE_FAULT && errors.empty()) errors.push_back("firmware fault");
+    const bool faulted =
+        report.end == RunEnd::FIRMWARE_FAULT || report.end == RunEnd::DESIGN_STOPPED;
+    if (faulted && errors.empty()) errors.push_back(to_string(report.end));
     if (report.interrupted()) errors.push_back("the run was interrupted");
     return errors;
 }
@@ -119,6 +121,7 @@ const char* to_string(RunEnd end) {
         case RunEnd::PROGRAM_ENDED: return "the program ended";
         case RunEnd::INTERRUPTED: return "interrupted";
         case RunEnd::FIRMWARE_FAULT: return "firmware fault";
+        case RunEnd::DESIGN_STOPPED: return "stopped by the design";
         case RunEnd::INTERNAL_ERROR: return "internal error";
     }
     return "unknown";

@@ -26,6 +26,7 @@ enum class RunEnd {
     PROGRAM_ENDED,  // if there is no scenario
     INTERRUPTED,
     FIRMWARE_FAULT,
+    DESIGN_STOPPED,  // by $stop, $error or $fatal of a project
     INTERNAL_ERROR,  // of the simulator; the faults say which
 };
 

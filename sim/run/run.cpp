@@ -51,7 +51,7 @@ private:
 RunEnd run_end(const Chip::End& end) {
     switch (end.kind) {
         case Chip::End::Kind::FINISHED: return RunEnd::PROGRAM_ENDED;
-        case Chip::End::Kind::FAILED: return RunEnd::FIRMWARE_FAULT;
+        case Chip::End::Kind::FAILED: return RunEnd::DESIGN_STOPPED;
         case Chip::End::Kind::BROKEN: break;
     }
     return RunEnd::INTERNAL_ERROR;

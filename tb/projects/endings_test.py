@@ -48,6 +48,7 @@ class Endings(Case):
         self.assertIn("top.v:2: the design has stopped the run ($stop, $error or $fatal), at 0.001",
                       done.stderr)
         self.assertIn("LEDR 0000000101", done.stdout)
+        self.assertEqual(self.report()["end"], "stopped by the design")
 
     def test_error_and_fatal(self):
         for call in '$error("bad %0d", SW)', '$fatal(1, "bad %0d", SW)', "$fatal":

@@ -235,6 +235,11 @@ class Vhdl(Case):
         self.assertEqual(done.stderr, "de1sim: the project has VHDL, for which ghdl is not "
                                       "installed: apt install ghdl\n")
 
+    def test_a_file_with_an_error_that_nobody_needs(self):
+        self.write(a_vhd=TOP.format("", "", "LEDR <= SW;"),
+                   skeleton_vhd=USE + "entity skeleton is port ( ); end;\n")
+        self.leds(5, 5)
+
     def test_vhdl_that_nobody_needs(self):
         self.write(p_qsf=QSF.replace("lab", "top") +
                    "set_global_assignment -name VHDL_FILE a.vhd\n", a_vhd="entity broken ( is\n",
