@@ -25,6 +25,7 @@
 #include "sim/suite/reporter.h"
 #include "sim/suite/results.h"
 #include "sim/suite/runner.h"
+#include "sim/suite/slurm.h"
 
 namespace sim::suite {
 
@@ -79,6 +80,25 @@ std::vector<std::string> run_options(const TestOptions& options) {
     return words;
 }
 
+void catch_signals() {
+    std::signal(SIGINT, [](int) { interrupted = 1; });
+    std::signal(SIGTERM, [](int) { interrupted = 1; });
+}
+
+int test_on_slurm(TestOptions options, const std::vector<Case>& cases) {
+    options.shards = std::min(options.tasks, static_cast<unsigned>(cases.size()));
+    options.out = fs::absolute(options.out);
+    const OutputFolder folder{options.out};
+    catch_signals();
+    Reporter reporter{cases, options.shards};
+    const Results results = run_on_slurm(
+        cases, options, [] { return interrupted != 0; },
+        [&](const Result& result) { reporter.done(result); });
+    write_all(options.out, results);
+    if (!summarise(results, reporter.wall_s(), options.out)) return WRONG_INPUT;
+    return interrupted ? INTERRUPTED : results.exit_code();
+}
+
 int print_list(const std::vector<Case>& cases) {
     std::string text;
     for (const Case& one : cases) text += printable(one.name) + "\n";
@@ -118,6 +138,19 @@ void add_test_options(CLI::App& command, TestOptions& options) {
     command.add_option("--times", options.times,
                        "folder of results whose times tell how long each takes, for --shard;\n"
                        "without it lengths are estimated, the same way on every machine");
+    CLI::Option* slurm = command.add_flag(
+        "--slurm", options.slurm, "run on a cluster: as an array job of Slurm's, a task per shard");
+    for (const char* other : {"--shard", "--rerun-failed", "--fail-fast", "--jobs"})
+        slurm->excludes(other);
+    command.add_option("--shards", options.tasks, "tasks of that job")
+        ->check(CLI::Range(1, 1000))
+        ->needs(slurm)
+        ->capture_default_str();
+    command
+        .add_option("--sbatch", options.sbatch,
+                    "options of sbatch, as one word: '--partition=short --time=30'")
+        ->needs(slurm);
+    command.add_flag("--resume", options.resume)->group("");
     command.add_option_function<std::string>(
         "--trace-failure",
         [&](const std::string& text) {
@@ -138,30 +171,30 @@ int test(const TestOptions& options) {
     const bool measured = fs::exists(options.out / "results.json");
     if (!options.times.empty())
         use_times(cases, read_results(options.times).times_s());
-    else if (options.shards == 1 && measured)
+    else if (options.shards == 1 && !options.slurm && measured)
         use_times(cases, read_results(options.out).times_s());
 
     Results results;
     for (const Case& one : cases) results.suite.push_back(one.name);
     results.shard = options.shard;
     results.shards = options.shards;
-    cases = shard(std::move(cases), options.shard, options.shards);
-    if (options.rerun_failed) {
+    if (!options.slurm) cases = shard(std::move(cases), options.shard, options.shards);
+    if (options.rerun_failed || (options.resume && measured)) {
         const Results before = read_results(options.out);
-        const auto passed = [&](const Case& one) {
+        const auto done = [&](const Case& one) {
             const Result* result = before.find(one.name);
-            return result && result->passed();
+            return result && (options.resume || result->passed());
         };
         for (const Case& one : cases)
-            if (passed(one)) results.put(*before.find(one.name));
-        cases.erase(std::remove_if(cases.begin(), cases.end(), passed), cases.end());
+            if (done(one)) results.put(*before.find(one.name));
+        cases.erase(std::remove_if(cases.begin(), cases.end(), done), cases.end());
     }
     if (options.list) return print_list(cases);
+    if (options.slurm) return test_on_slurm(options, cases);
     for (const Case& one : cases) results.missing.push_back(one.name);
 
     const OutputFolder folder{options.out};
-    std::signal(SIGINT, [](int) { interrupted = 1; });
-    std::signal(SIGTERM, [](int) { interrupted = 1; });
+    catch_signals();
     RunSettings settings;
     settings.out = options.out;
     settings.options = run_options(options);

@@ -20,6 +20,10 @@ struct TestOptions {
     unsigned jobs = 0;  // 0: as many as the machine has processors
     unsigned limit_s = 3600;
     std::string filter;
+    bool slurm = false;
+    unsigned tasks = 8;   // of a job of Slurm's
+    std::string sbatch;   // options of sbatch, between blanks
+    bool resume = false;  // what has a result does not run again
     bool list = false, rerun_failed = false, fail_fast = false, update_goldens = false;
     unsigned shard = 1, shards = 1;
     std::filesystem::path times;  // results whose times are used; or empty
