@@ -1,7 +1,7 @@
 # The menu. Each entry shows the real command.
 
 .PHONY: all build setup help demo test fast asan coverage bench bench-collision firmware package
-.PHONY: formal formal-mutants synth netlist table1 fuzz instructions qsf bitstream
+.PHONY: soak formal formal-mutants synth netlist table1 fuzz instructions qsf bitstream
 .PHONY: bitstream-open regmap format clean configure everything
 .PHONY: deploy rollback deploy-jtag
 
@@ -109,6 +109,9 @@ fuzz:                   ## any bytes as polygons (libFuzzer), 600 damaged progra
 	@.ci/setup --check fuzz
 	@$(MAKE) --no-print-directory everything
 	@cmake --build build --target fuzz
+
+soak: everything        ## an hour of de1sim live with a client that comes and goes (SOAK_MINUTES)
+	@cmake --build build --target soak
 
 instructions: everything ## 10^9 random ones on the processor and QEMU's [ARM_CORE_SEED=n]
 	@cmake --build build --target arm_core_unicorn_test

@@ -46,11 +46,12 @@ int Simulation::reap() {
 Simulation::~Simulation() {
     if (child_ <= 0) return;
     wire_->send(Kind::TEXT, "{\"quit\": true}");
-    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds{2};
+    auto end = std::chrono::steady_clock::now() + std::chrono::seconds{10};
     while (std::chrono::steady_clock::now() < end && wire_->poll(100))
         while (wire_->receive()) {
         }
     kill(child_, SIGTERM);
+    end = std::chrono::steady_clock::now() + std::chrono::seconds{2};
     while (std::chrono::steady_clock::now() < end) {
         if (waitpid(child_, nullptr, WNOHANG) == child_) return;
         std::this_thread::sleep_for(std::chrono::milliseconds{10});

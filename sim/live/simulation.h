@@ -15,7 +15,7 @@ class Simulation {
 public:
     // Starts this program with the words.  std::runtime_error.
     explicit Simulation(const std::vector<std::string>& words);
-    // Asks it to end, and ends it if it does not within two seconds.
+    // Asks it to end, for which it writes its files, and ends it if it does not within ten seconds.
     ~Simulation();
     Simulation(const Simulation&) = delete;
     Simulation& operator=(const Simulation&) = delete;
