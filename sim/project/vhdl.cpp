@@ -78,8 +78,11 @@ std::vector<std::string> verilog_of(const VhdlDesign& design, const TimeLimit& l
         return first;
     };
     std::vector<std::string> files;
-    std::string all;  // the text of the files
-    for (const fs::path& file : design.files) {
+    std::string all;                             // the text of the files
+    std::vector<fs::path> paths = design.files;  // the last one of two entities of one name counts
+    std::stable_partition(paths.begin(), paths.end(),
+                          [&](const fs::path& file) { return design.needed.count(file) == 0; });
+    for (const fs::path& file : paths) {
         files.push_back(file.lexically_relative(design.folder).string());
         all += lower(text_of(file));
     }
@@ -95,7 +98,7 @@ std::vector<std::string> verilog_of(const VhdlDesign& design, const TimeLimit& l
         for (std::size_t n = 0; n < files.size(); ++n) try {
                 run_ghdl(words({"-i"}, {files[n]}), design.folder, limit);
             } catch (const ProjectError&) {
-                if (design.needed.count(design.files[n])) throw;
+                if (design.needed.count(paths[n])) throw;
             }
     }
     have_one_time(design.work / "work-obj08.cf");

@@ -237,7 +237,8 @@ class Vhdl(Case):
 
     def test_a_file_with_an_error_that_nobody_needs(self):
         self.write(a_vhd=TOP.format("", "", "LEDR <= SW;"),
-                   skeleton_vhd=USE + "entity skeleton is port ( ); end;\n")
+                   skeleton_vhd=USE + "entity skeleton is port ( ); end;\n",
+                   older_vhd=TOP.format("", "", "LEDR <= gone;"))
         self.leds(5, 5)
 
     def test_vhdl_that_nobody_needs(self):
