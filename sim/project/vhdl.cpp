@@ -102,6 +102,14 @@ std::vector<std::string> verilog_of(const VhdlDesign& design, const TimeLimit& l
             }
     }
     have_one_time(design.work / "work-obj08.cf");
+    // A component is bound to an entity only if that has been analysed.  Errors come again below.
+    std::set<std::string> analysed;
+    for (const VhdlRoot& root : design.roots) {
+        if (!analysed.insert(root.entity).second) continue;
+        auto make = words({"-m"}, {root.entity});
+        make.insert(make.begin(), "ghdl");
+        run_command(make, design.folder, limit.left_s());
+    }
     std::set<std::string> known;
     std::vector<std::string> texts;
     for (const VhdlRoot& root : design.roots) {

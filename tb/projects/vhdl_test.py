@@ -235,6 +235,16 @@ class Vhdl(Case):
         self.assertEqual(done.stderr, "de1sim: the project has VHDL, for which ghdl is not "
                                       "installed: apt install ghdl\n")
 
+    def test_an_entity_by_a_component_declaration(self):
+        self.write(a_vhd=TOP.format("", "component count is generic (LAST : integer);\n"
+                                    "port (clk : in std_logic;\n"
+                                    "q : out std_logic_vector(3 downto 0));\n"
+                                    "end component;",
+                                    "c : count generic map (9)\n"
+                                    "  port map (CLOCK_50, LEDR(3 downto 0));\n"
+                                    "LEDR(9 downto 4) <= \"000000\";"), count_vhd=COUNT)
+        self.leds(0b1001, wait="20ms")
+
     def test_a_file_with_an_error_that_nobody_needs(self):
         self.write(a_vhd=TOP.format("", "", "LEDR <= SW;"),
                    skeleton_vhd=USE + "entity skeleton is port ( ); end;\n",
