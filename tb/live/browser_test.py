@@ -1,4 +1,5 @@
 """browser_test.py DE1SIM FOLDER - `de1sim live` as a person has it: its page in Chromium."""
+import json
 import pathlib
 import re
 import subprocess
@@ -122,6 +123,21 @@ class Page(unittest.TestCase):
         self.assertEqual(self.find("#printed-serial").text, "ready")
         self.assertEqual(self.find("#printed-jtag-0").text, "")
 
+    def test_the_mouse_is_the_boards_while_it_is_locked_to_the_picture(self):
+        self.find("#mouse").click()
+        canvas = self.find("#monitor")
+        webdriver.ActionChains(self.page).move_to_element(canvas).click().perform()
+        self.until(lambda: self.page.execute_script(
+            "return document.pointerLockElement === document.getElementById('monitor')"))
+        webdriver.ActionChains(self.page).move_by_offset(30, 10).move_by_offset(40, 0).perform()
+        self.find("#save").send_keys(Keys.ENTER)
+        self.until(lambda: "saved" in self.find("#message").text)
+        text = (self.board.out / "live.yaml").read_text()
+        self.assertIn('{"hold-mouse":"left"}', text)
+        moves = [json.loads(line[4:])["move-mouse"] for line in text.splitlines()
+                 if line.startswith('  - {"move-mouse"')]
+        self.assertLessEqual(70, sum(move["right"] for move in moves))
+
 
 if __name__ == "__main__":
-    unittest.main(argv=sys.argv[:1])
+    unittest.main(argv=sys.argv[:1] + sys.argv[4:])

@@ -211,16 +211,27 @@ const BUTTONS = ["left", "middle", "right"], pushed = new Set();
 canvas.onpointerdown = (event) => {
     canvas.focus();
     if (!$("mouse").checked) return;
-    canvas.setPointerCapture(event.pointerId);
+    if (document.pointerLockElement !== canvas) canvas.requestPointerLock()?.catch?.(() => {});
     const button = BUTTONS[event.button];
     if (button && !pushed.has(button)) { pushed.add(button); step("hold-mouse", button); }
 };
 canvas.onpointerup = (event) => {
     if (pushed.delete(BUTTONS[event.button])) step("release-mouse", BUTTONS[event.button]);
 };
+document.addEventListener("pointerlockchange", () => {
+    const locked = document.pointerLockElement === canvas;
+    $("focus").textContent = locked ? "the mouse is the board's; Esc gives it back" : "";
+    if (!locked) [...pushed].forEach((button) => { pushed.delete(button); step("release-mouse", button); });
+});
+// A step per picture of the browser, since a step takes 10 ms.
+let way = null;
 canvas.onpointermove = (event) => {
     if (!$("mouse").checked || !(event.movementX || event.movementY)) return;
-    step("move-mouse", {right: Math.round(event.movementX), down: Math.round(event.movementY), for: "10ms"});
+    if (!way) requestAnimationFrame(() => {
+        step("move-mouse", {right: Math.round(way.right), down: Math.round(way.down), for: "10ms"});
+        way = null;
+    });
+    way = {right: (way?.right ?? 0) + event.movementX, down: (way?.down ?? 0) + event.movementY};
 };
 canvas.onwheel = (event) => {
     if (!$("mouse").checked) return;
