@@ -45,7 +45,7 @@ void add_delay(std::vector<std::string>& steps, sc_time time) {
 
 LivePlayer::LivePlayer(const sc_core::sc_module_name& name, Player& player, LiveView& view,
                        Inside& inside, Wire& wire, const Scenario& scenario, std::uint64_t seed,
-                       std::filesystem::path out)
+                       const RunOptions& options)
     : sc_module{name},
       player_{player},
       view_{view},
@@ -53,8 +53,9 @@ LivePlayer::LivePlayer(const sc_core::sc_module_name& name, Player& player, Live
       wire_{wire},
       scenario_{scenario},
       seed_{seed},
-      out_{std::move(out)},
-      steps_{scenario} {
+      out_{options.out},
+      steps_{scenario},
+      waves_{options} {
     SC_HAS_PROCESS(LivePlayer);
     SC_THREAD(run);
 }
@@ -68,6 +69,7 @@ void LivePlayer::run() {
         for (const std::string& line : inside_.new_violations()) say("violation", line);
         if (pause_at_frame_ != 0 && view_.frames() >= pause_at_frame_) set_pace(speed_, true);
         take_messages();
+        look_at_waves();
         keep_pace();
         if (left_) sc_core::sc_pause();
     }
@@ -103,6 +105,7 @@ void LivePlayer::keep_pace() {
         }
         if (!wire_.poll(wait_ms)) left_ = true;
         take_messages();
+        look_at_waves();
     }
 }
 
@@ -164,12 +167,15 @@ void LivePlayer::take(const std::string& text) {
         mark();
     } else if (name == "save" && value == true) {
         save();
+    } else if (name == "waves") {
+        ask_for_waves(value);
     } else if (name == "quit" && value == true) {
         left_ = true;
     } else {
         throw std::runtime_error{
-            "expected step, pause, speed from 0 to 1000, frame from 1 to 3600, mark, save or quit, "
-            "got " +
+            "expected step, pause, speed from 0 to 1000, frame from 1 to 3600, mark, save, waves "
+            "or "
+            "quit, got " +
             text.substr(0, 100)};
     }
 }
@@ -197,7 +203,8 @@ void LivePlayer::mark() {
     say("marked", (out_ / name).string());
 }
 
-void LivePlayer::save() {
+// A scenario that plays all of this again, up to now.
+std::string LivePlayer::record() {
     if (!player_.finished())
         throw std::runtime_error{
             "cannot save: the scenario's steps still play; wait for their end"};
@@ -211,13 +218,47 @@ void LivePlayer::save() {
     add_delay(steps, sc_time_stamp() - now);
     Scenario nothing;
     nothing.text = "name: live\nversion: 1\n";
-    const std::string text =
-        "# Recorded by de1sim live: play it with the options of that run.\n" +
-        continued(scenario_.file.empty() ? nothing : scenario_, seed_, out_, steps);
+    return "# Recorded by de1sim live: play it with the options of that run.\n" +
+           continued(scenario_.file.empty() ? nothing : scenario_, seed_, out_, steps);
+}
+
+void LivePlayer::save() {
+    const std::string text = record();
     const auto file = out_ / "live.yaml";
     write_whole_file(file, text);
     wire_.send(Kind::TEXT,
                nlohmann::json{{"saved", {{"file", file.string()}, {"text", text}}}}.dump());
+}
+
+// ---- Waveforms ----
+
+void LivePlayer::ask_for_waves(const nlohmann::json& when) {
+    const bool last = when.is_object() && when.size() == 1 && when.contains("last");
+    const bool next = when.is_object() && when.size() == 1 && when.contains("next");
+    const auto time = (last || next) && when.begin().value().is_string()
+                          ? SimTime::parse(when.begin().value().get<std::string>())
+                          : std::nullopt;
+    constexpr SimTime MOST{1'000'000'000'000};
+    if (!time || time->ps == 0 || MOST < *time)
+        throw std::runtime_error{
+            "expected waves with last or next and a time of up to 1s, such as {\"last\": "
+            "\"20ms\"}"};
+    const sc_time length = sc_time::from_value(time->ps), now = sc_time_stamp();
+    if (last)
+        wanted_ = {now > length ? now - length : sc_core::SC_ZERO_TIME, now};
+    else
+        wanted_ = {now, now + length};
+    look_at_waves();
+}
+
+void LivePlayer::look_at_waves() {
+    if (const auto done = waves_.done())
+        done->file.empty() ? say("error", "no waveforms: " + done->problem)
+                           : say("waves", done->file);
+    if (!wanted_ || sc_time_stamp() < wanted_->to) return;
+    const Part part = *wanted_;
+    wanted_.reset();
+    waves_.begin(record(), SimTime{part.from.value()}, SimTime{part.to.value()});
 }
 
 }  // namespace sim::live

@@ -8,11 +8,15 @@
 
 #include <chrono>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include <nlohmann/json_fwd.hpp>
+
 #include "sim/live/inside.h"
 #include "sim/live/live_view.h"
+#include "sim/live/waves.h"
 #include "sim/play/player.h"
 #include "sim/scenario/step_reader.h"
 
@@ -24,7 +28,7 @@ class LivePlayer : public sc_core::sc_module {
 public:
     // Steps go through `player`, whose own must be over.  `scenario`: with which the run began.
     LivePlayer(const sc_core::sc_module_name& name, Player& player, LiveView& view, Inside& inside,
-               Wire& wire, const Scenario& scenario, std::uint64_t seed, std::filesystem::path out);
+               Wire& wire, const Scenario& scenario, std::uint64_t seed, const RunOptions& options);
 
     bool left() const { return left_; }  // the server is gone, or has asked for the end
 
@@ -44,7 +48,10 @@ private:
     void say(const char* name, const std::string& text);
     void say_status();
     void mark();
+    std::string record();
     void save();
+    void ask_for_waves(const nlohmann::json& when);
+    void look_at_waves();
 
     Player& player_;
     LiveView& view_;
@@ -54,6 +61,7 @@ private:
     const std::uint64_t seed_;
     const std::filesystem::path out_;
     StepReader steps_;
+    Waves waves_;
 
     double speed_ = 1;  // simulated seconds per second; 0: as fast as it goes
     bool paused_ = false, left_ = false;
@@ -62,6 +70,10 @@ private:
     sc_core::sc_time since_sim_, told_sim_;  // in simulated time
     std::vector<Played> played_;
     unsigned marks_ = 0;
+    struct Part {
+        sc_core::sc_time from, to;
+    };
+    std::optional<Part> wanted_;  // waveforms of it, as soon as it has been played
 };
 
 }  // namespace sim::live

@@ -54,7 +54,8 @@ class Cluster:
         for name in ("state", "spool"):
             (folder / name).mkdir(parents=True)
         configuration = folder / "slurm.conf"
-        configuration.write_text(CONFIGURATION.format(folder=folder, control=free_port(), host=socket.gethostname(),
+        host = socket.gethostname()
+        configuration.write_text(CONFIGURATION.format(folder=folder, host=host, control=free_port(),
                                                       node=free_port()))
         os.environ["SLURM_CONF"] = str(configuration)
         self.daemons = [subprocess.Popen(words, stdout=subprocess.DEVNULL,

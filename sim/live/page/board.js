@@ -251,6 +251,10 @@ $("speed").onchange = () => send({speed: Number($("speed").value)});
 $("reset").onclick = () => send({reset: true});
 $("mark").onclick = () => send({mark: true});
 $("save").onclick = () => send({save: true});
+$("waves").onclick = () => {
+    send({waves: {[$("when").value]: `${Number($("length").value)}ms`}});
+    say("The run is repeated for its waveforms.");
+};
 
 function status(now) {
     paused = now.paused;
@@ -298,6 +302,7 @@ const HANDLERS = {
     fault: (line) => { say(line, true); event(line); },
     violation: (line) => { say(line, true); event(line); },
     error: (line) => say(line, true),
+    waves: (file) => say(`waveforms: ${file}`),
     marked: (file) => say(`marked: ${file}`),
     verdict: (line) => say(line),
     ended: (code) => { if (code) say(`${$("message").textContent} The run has ended (exit code ${code}).`, true); },

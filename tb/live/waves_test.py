@@ -1,0 +1,106 @@
+"""waves_test.py DE1SIM FOLDER [CASE...] - waveforms of what was played, while the play goes on"""
+import asyncio
+import pathlib
+import shutil
+import subprocess
+import sys
+import unittest
+
+from board import Board, Client
+
+DE1SIM, FOLDER = sys.argv[1], pathlib.Path(sys.argv[2])
+
+
+# Of a VCD: a vector's name in the file, and when it moves; when all begins and ends.
+AWK = """
+$1 == "$var" && $5 == name { key = $4 }
+/^#/ { now = substr($0, 2); if (begin == "") begin = now }
+/^b/ && $2 == key { print now, substr($1, 2) }
+END { print begin, now }
+"""
+
+
+def movements(fst, signal):
+    """[(seconds, value), ...] of a signal of the pins, and when the first and the last clock is."""
+    text = subprocess.run(["sh", "-c", 'fst2vcd "$1" | awk -v name="$2" "$3"', "sh", fst, signal,
+                           AWK], capture_output=True, text=True, check=True).stdout
+    *moves, (begin, end) = [line.split() for line in text.splitlines()]
+    return [(int(t) * 1e-12, int(value, 2)) for t, value in moves], int(begin) * 1e-12, \
+        int(end) * 1e-12
+
+
+class Waves(unittest.IsolatedAsyncioTestCase):
+    def setUp(self):
+        self.folder = FOLDER / self.id().split(".")[-1]
+        shutil.rmtree(self.folder, ignore_errors=True)
+        self.board = Board(DE1SIM, self.folder)
+        self.addCleanup(self.board.__exit__)
+
+    def steps(self):
+        return (self.board.out / "waves-1.yaml").read_text()
+
+    async def test_of_the_last_milliseconds(self):
+        async with self.board.connect() as socket:
+            client = Client(socket)
+            await client.frames_on(6)
+            await client.send(pause=True)
+            await client.until(lambda: client.last["status"]["paused"])
+            await client.step("hold", {"key": 2})
+            await client.send(frame=1)
+            await client.until(lambda: not client.last["status"]["paused"])
+            await client.until(lambda: client.last["status"]["paused"])
+            await client.send(waves={"last": "30ms"})
+            await client.send(waves={"last": "30ms"})
+            self.assertEqual(await client.wait_for("error"),
+                             "waveforms are being written; wait for their end")
+            written = await client.wait_for("waves", 120)
+            self.assertTrue(written.endswith("/out/waves-1/waves.fst"), written)
+            now = client.last["status"]["time"]
+        moves, first, last = movements(self.board.out / "waves-1" / "waves.fst", "key_ni")
+        self.assertAlmostEqual(first, now - 0.03, delta=1e-6)
+        self.assertAlmostEqual(last, now, delta=1e-6)
+        self.assertEqual([value for _, value in moves], [0b1111, 0b1011])
+        held = sum(float(line.split()[2][:-2]) * 1e-3 for line in self.steps().splitlines()
+                   if line.startswith("  - delay: ") and line.endswith("ms"))
+        self.assertIn('hold', self.steps())
+        self.assertLess(moves[1][0], held + 0.02)
+        self.assertIn("AUDIO_FIFOSPACE",
+                      (self.board.out / "waves-1" / "waves.bus.txt").read_text())
+
+    async def test_of_the_next(self):
+        async with self.board.connect() as socket:
+            client = Client(socket)
+            await client.frames_on(2)
+            await client.send(waves={"next": "40ms"})
+            await client.step("hold", {"switch": 3})
+            written = await client.wait_for("waves", 120)
+            self.assertTrue(written.endswith("/out/waves-1/waves.fst"), written)
+            frames = client.frames()
+            await client.frames_on(2)  # the board has gone on
+            self.assertGreater(client.frames(), frames)
+        moves, first, last = movements(self.board.out / "waves-1" / "waves.fst", "sw_i")
+        self.assertAlmostEqual(last - first, 0.04, delta=1e-6)
+        self.assertEqual([value for _, value in moves], [0, 8])
+
+    async def test_wrong_times(self):
+        async with self.board.connect() as socket:
+            client = Client(socket)
+            for wrong in (True, {"last": 5}, {"last": "0ms"}, {"last": "2s"}, {"last": "x"},
+                          {"last": "1ms", "next": "1ms"}, {}):
+                await client.send(waves=wrong)
+                self.assertRegex(await client.wait_for("error"),
+                                 "expected waves with last or next and a time of up to 1s")
+
+    async def test_the_end_ends_it(self):
+        async with self.board.connect() as socket:
+            client = Client(socket)
+            await client.frames_on(60)
+            await client.send(waves={"last": "900ms"})
+            await asyncio.sleep(0.5)
+        self.board.__exit__()
+        left = subprocess.run(["pgrep", "-f", str(self.folder / "out/waves-1")],
+                              capture_output=True, text=True).stdout
+        self.assertEqual(left, "")
+
+
+unittest.main(argv=sys.argv[:1] + sys.argv[3:])
