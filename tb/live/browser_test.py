@@ -108,6 +108,32 @@ class Page(unittest.TestCase):
                                 "--out", self.folder / "again"], capture_output=True, text=True)
         self.assertEqual(again.returncode, 0, again.stdout + again.stderr)
 
+    def test_waveforms_are_written_of_what_was_played(self):
+        self.tap("3")
+        self.find("#length").clear()
+        self.find("#length").send_keys("5")
+        self.find("#waves").click()
+        self.until(lambda: "waveforms: " in self.find("#message").text, 120)
+        self.assertTrue((self.board.out / "waves-1" / "waves.fst").exists())
+
+    def test_a_film_plays(self):
+        scenario = self.folder / "film.yaml"
+        scenario.write_text("name: film\nversion: 1\nsteps:\n  - delay: 500ms\n")
+        for kind in "mp4", "webm":
+            film = self.folder / f"film.{kind}"
+            done = subprocess.run([DE1SIM, "run", scenario, "--quiet", "--video", film, "--out",
+                                   self.folder / kind], capture_output=True, text=True)
+            if "without FFmpeg" in done.stderr:
+                self.skipTest(done.stderr)
+            self.page.get(film.as_uri())
+            look = "const v = document.querySelector('video');" \
+                   "return [v.readyState, v.videoWidth, v.videoHeight, v.duration, v.currentTime]"
+            self.until(lambda: self.page.execute_script(look)[4] > 0.1)
+            ready, width, height, seconds, _ = self.page.execute_script(look)
+            self.assertGreaterEqual(ready, 2)
+            self.assertEqual((width, height), (1280, 960))
+            self.assertAlmostEqual(seconds, 0.5, delta=0.06)
+
     def test_keys_go_to_the_board_by_keyboard_alone(self):
         button = self.find('[aria-label="keypad 4"]')
         self.page.execute_script("arguments[0].focus()", button)
