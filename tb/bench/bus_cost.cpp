@@ -84,7 +84,7 @@ private:
 
 BusCost bus_cost() {
     NoPins pins;
-    sim::Fpga fpga{"fpga", pins, ""};
+    sim::Fpga fpga{"fpga", pins, {}};
     Processor processor{"processor"};
     processor.lw.bind(fpga.lw);
     processor.h2f.bind(fpga.h2f);

@@ -1,4 +1,4 @@
-"""waves_test.py DE1SIM FOLDER [CASE...] - waveforms of what was played, while the play goes on"""
+"""waves_test.py DE1SIM FOLDER PROGRAMS [CASE...] - waveforms of what was played, while the play goes on"""
 import asyncio
 import pathlib
 import shutil
@@ -103,4 +103,4 @@ class Waves(unittest.IsolatedAsyncioTestCase):
         self.assertEqual(left, "")
 
 
-unittest.main(argv=sys.argv[:1] + sys.argv[3:])
+unittest.main(argv=sys.argv[:1] + sys.argv[4:])

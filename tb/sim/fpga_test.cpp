@@ -63,7 +63,7 @@ private:
 class FpgaTest : public ::testing::Test {
 protected:
     Pins pins;
-    sim::Fpga fpga{"fpga", pins, ""};
+    sim::Fpga fpga{"fpga", pins, {}};
     Initiator cpu{"cpu"};
     sc_time delay;
 
@@ -251,7 +251,7 @@ TEST_F(FpgaTest, HandsTheKeypadsPinsToTheScannerOnlyWhileItIsEnabled) {
 class MappedMemory : public FpgaTest {
 protected:
     Pins other_pins;
-    sim::Fpga mapped{"mapped", other_pins, "", sim::Fpga::Memory::MAPPED, other_pins.chip.bytes()};
+    sim::Fpga mapped{"mapped", other_pins, {}, sim::Fpga::Memory::MAPPED, other_pins.chip.bytes()};
     Initiator other{"other"};
 
     void run_both(std::function<void()> body) {
