@@ -59,6 +59,21 @@ struct Fabric::Model {
 #endif
     void eval([[maybe_unused]] std::uint64_t time_ps);
     void clock_every(bool every);
+    // What a fabric whose groups sleep says and hears.  One in which all clocks run has no such
+    // pins.
+#ifdef DE1SIM_EVERY_CLOCK
+    bool td_awake() const { return true; }
+    bool stirs() const { return true; }
+    std::uint64_t rest() const { return 0; }
+    void leave_out(std::uint64_t) {}
+    void tell_moved(std::uint8_t) {}
+#else
+    bool td_awake() const { return top.td_awake_o; }
+    bool stirs() const { return top.stirs_o; }
+    std::uint64_t rest() const { return top.rest_o; }
+    void leave_out(std::uint64_t clocks) { top.skip_i = static_cast<SData>(clocks); }
+    void tell_moved(std::uint8_t moved) { top.moved_i = moved; }
+#endif
     AxiPort& port(Bridge bridge) { return bridge == Bridge::LIGHTWEIGHT ? lw : h2f; }
 };
 
@@ -204,7 +219,7 @@ void Fabric::td_edge() {
 
 // The decoder's clock goes on as if it had never stopped.
 void Fabric::wake_td() {
-    if (std::exchange(td_on_, model_->top.td_awake_o != 0) || !td_on_) return;
+    if (std::exchange(td_on_, model_->td_awake()) || !td_on_) return;
     td_clock_.skip_to(clocks_);
 }
 
@@ -212,7 +227,7 @@ void Fabric::wake_td() {
 void Fabric::begin_trace() {
     model_->clock_every(true);
     if (!std::exchange(td_on_, true)) td_clock_.skip_to(clocks_);
-    model_->top.skip_i = 0;
+    model_->leave_out(0);
 }
 
 // Runs one clock, and leaves out those after it in which nothing happens: `most` in all, and none
@@ -238,12 +253,12 @@ inline std::uint64_t Fabric::clock(std::uint64_t most) {
     if (every_clock) {
         top.clk_i = 1;
     } else {
-        stirs = moved_ || top.stirs_o;
+        stirs = moved_ || model_->stirs();
         most = td_on_ ? 1 : std::min(most, audio_clock_.clocks() - clocks_);
-        const std::uint64_t skip = moved_ ? 0 : std::min<std::uint64_t>(top.rest_o, most - 1);
+        const std::uint64_t skip = moved_ ? 0 : std::min(model_->rest(), most - 1);
         passed += skip;
-        top.skip_i = static_cast<SData>(skip);
-        top.moved_i = moved_;
+        model_->leave_out(skip);
+        model_->tell_moved(moved_);
         top.clk_i = !top.clk_i;  // sim/fpga/root_clock.v
     }
     moved_ = 0;

@@ -1,4 +1,4 @@
-"""waves_test.py DE1SIM FOLDER PROGRAMS [CASE...] - waveforms of what was played, while the play goes on"""
+"""waves_test.py DE1SIM FOLDER PROGRAMS [CASE...] - waveforms of what was played"""
 import asyncio
 import pathlib
 import shutil
