@@ -18,7 +18,7 @@ RunReport::Spread spread(const std::vector<Value>& all, double Value::*member) {
 }  // namespace
 
 void FrameBudget::frame_ended(const ArmCpu::Counts& counts, const sc_core::sc_time& now) {
-    if (begun_ && now > last_time_) {
+    if (begun_ && now > last_time_ && frames_.size() < MOST) {
         const double time = (now - last_time_).to_seconds();
         const double asleep = counts.asleep.to_seconds() - last_.asleep.to_seconds();
         const double on_bus = counts.on_bus.to_seconds() - last_.on_bus.to_seconds();

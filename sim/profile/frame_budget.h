@@ -4,6 +4,7 @@
 // counters and 32 bytes per frame.
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "sim/cpu/arm_cpu.h"
@@ -14,6 +15,9 @@ namespace sim {
 
 class FrameBudget {
 public:
+    // Later frames are not kept: half an hour of 60 per second, 3 MB.
+    static constexpr std::size_t MOST = 100'000;
+
     void frame_ended(const ArmCpu::Counts& counts, const sc_core::sc_time& now);
     RunReport::FrameFigures figures() const;
     const std::vector<page::FrameUse>& frames() const { return frames_; }

@@ -97,7 +97,7 @@ inline constexpr ReportKey REPORT_KEYS[] = {
     {"program.at.waiting_for", "What it was waiting for there, or empty."},
     {"program.frames.count",
      "Frames that the figures below are taken of; without any they are left "
-     "out. A frame is the time from one frame's end to the next."},
+     "out. A frame is the time from one frame's end to the next. The first 100,000 count."},
     {"program.frames.instructions.*", "Instructions per frame: `min`, `median`, `max`."},
     {"program.frames.busy_share.*", "Share of the frame in which the processor was not asleep."},
     {"program.frames.bus_share.*", "Share of the frame in which it waited for the FPGA."},

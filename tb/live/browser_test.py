@@ -1,4 +1,5 @@
 """browser_test.py DE1SIM FOLDER - `de1sim live` as a person has it: its page in Chromium."""
+import base64
 import json
 import pathlib
 import re
@@ -107,6 +108,19 @@ class Page(unittest.TestCase):
         again = subprocess.run([DE1SIM, "run", self.board.out / "live.yaml", "--quiet",
                                 "--out", self.folder / "again"], capture_output=True, text=True)
         self.assertEqual(again.returncode, 0, again.stdout + again.stderr)
+
+    def test_a_program_that_is_dropped_runs(self):
+        program = (pathlib.Path(sys.argv[3]) / "leds_and_rectangle.elf").read_bytes()
+        self.page.execute_script("""
+            const bytes = Uint8Array.from(atob(arguments[0]), (c) => c.charCodeAt(0));
+            const dropped = new DataTransfer();
+            dropped.items.add(new File([bytes], "program.elf"));
+            document.dispatchEvent(new DragEvent("drop", {dataTransfer: dropped}));""",
+                                 base64.b64encode(program).decode())
+        self.until(lambda: self.page.execute_script(
+            "return [...document.querySelectorAll('#figures div')]"
+            ".some((row) => row.textContent.includes('Program'))"))
+        self.until(lambda: self.page.execute_script(COLOURED) > 1000)
 
     def test_waveforms_are_written_of_what_was_played(self):
         self.tap("3")
