@@ -9,7 +9,8 @@ namespace websocket = beast::websocket;
 
 namespace {
 
-constexpr std::size_t MOST_INCOMING = 64 << 10, MOST_TEXT = 4 << 20, MOST_SOUND = 256 << 10;
+constexpr std::size_t MOST_INCOMING = 64 << 10, MOST_TEXT = 4 << 20, MOST_SOUND = 256 << 10,
+                      MOST_OF_ALL = 64 << 20;
 
 }  // namespace
 
@@ -39,12 +40,14 @@ void Client::accept(const Request& request, std::function<std::deque<std::string
 }
 
 void Client::send_text(const std::string& text) {
-    if (unsent_ > MOST_TEXT) return close("too slow: 4 MiB of text are unread");
+    if (unsent_ > (keeps_all_ ? MOST_OF_ALL : MOST_TEXT))
+        return close(keeps_all_ ? "too slow: 64 MiB are unread"
+                                : "too slow: 4 MiB of text are unread");
     push(text, false);
 }
 
 void Client::send_sound(const std::string& message) {
-    if (unsent_ <= MOST_SOUND) push(message, true);
+    if (keeps_all_ || unsent_ <= MOST_SOUND) push(message, true);
 }
 
 void Client::send_picture() {

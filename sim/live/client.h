@@ -34,6 +34,8 @@ public:
     void send_sound(const std::string& message);  // with its kind in front
     void send_picture();                          // what it has not seen yet, if it keeps up
     void close(const std::string& why);
+    // From now on it has all of the sound, or is disconnected where that gets too much.
+    void leave_nothing_out() { keeps_all_ = true; }
     void forget_pictures() { seen_ = 0; }
 
 private:
@@ -55,7 +57,7 @@ private:
     std::deque<Outgoing> outgoing_;
     std::size_t unsent_ = 0;  // bytes
     std::uint64_t seen_ = 0;  // version of the picture
-    bool open_ = false, closing_ = false;
+    bool open_ = false, closing_ = false, keeps_all_ = false;
 };
 
 }  // namespace sim::live

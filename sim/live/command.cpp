@@ -41,6 +41,9 @@ void add_live_options(CLI::App& command, LiveOptions& options) {
                     "address to listen at, instead of this machine alone; who knows the printed\n"
                     "address can play")
         ->capture_default_str();
+    command.add_flag("--driven", options.driven,
+                     "for a program that plays: time stands at 0 until it says \"run\", and all\n"
+                     "ends with the last connection");
     add_run_options(command, options.run);
 }
 
@@ -54,6 +57,8 @@ ExitCode live(const LiveOptions& options, std::vector<std::string> words) {
                      : what.empty()             ? "the demo"
                                                 : what.filename().string();
     for (const char* option : {"--port", "--listen", "--elf"}) take_out(words, option);
+    words.erase(std::remove(words.begin(), words.end(), "--driven"), words.end());
+    settings.driven = options.driven;
     const auto file = std::find(words.begin(), words.end(), run.scenario.string());
     if (!run.scenario.empty() && file != words.end()) words.erase(file);
     if (!what.empty()) settings.what = {what.string()};

@@ -12,6 +12,7 @@ namespace sim::live {
 struct LiveOptions {
     unsigned port = 0;
     std::string address = "127.0.0.1";
+    bool driven = false;
     RunOptions run;  // those of `de1sim run`, too
 };
 

@@ -63,11 +63,14 @@ LivePlayer::LivePlayer(const sc_core::sc_module_name& name, Player& player, Live
 void LivePlayer::run() {
     set_pace(1, false);
     wait(between_clocks);
+    take_messages();  // that time stands from the beginning
+    keep_pace();
     for (;;) {
         wait(tick);
         view_.flush();
         for (const std::string& line : inside_.new_violations()) say("violation", line);
         if (pause_at_frame_ != 0 && view_.frames() >= pause_at_frame_) set_pace(speed_, true);
+        if (exact_run_ && exact_run_->over(counts(), sc_time_stamp())) end_exact_run();
         take_messages();
         look_at_waves();
         keep_pace();
@@ -84,6 +87,33 @@ void LivePlayer::set_pace(double speed, bool paused) {
     since_ = Clock::now();
     since_sim_ = sc_time_stamp();
     say_status();
+}
+
+ExactRun::Counts LivePlayer::counts() const {
+    return {view_.frames(),     view_.new_pictures(), view_.printed(),
+            view_.lamps_seen(), view_.pins_seen(),    player_.finished()};
+}
+
+void LivePlayer::begin_exact_run(const nlohmann::json& order) {
+    if (exact_run_) throw std::runtime_error{"run: expected the end of the run before, \"ran\""};
+    view_.leave_nothing_out();
+    exact_run_.emplace(order, counts(), sc_time_stamp());
+    if (exact_run_->over(counts(), sc_time_stamp())) return end_exact_run();
+    paused_ = false;
+    since_ = Clock::now();
+    since_sim_ = sc_time_stamp();
+}
+
+void LivePlayer::end_exact_run() {
+    view_.flush();
+    const nlohmann::json ran{{"time", sc_time_stamp().to_seconds()},
+                             {"frames", view_.frames()},
+                             {"pictures", view_.new_pictures()},
+                             {"picture", view_.sent_frame()},
+                             {"met", exact_run_->met(counts())}};
+    exact_run_.reset();
+    paused_ = true;
+    wire_.send(Kind::TEXT, nlohmann::json{{"ran", ran}}.dump());
 }
 
 // Waits for the other clock, and takes what arrives meanwhile.
@@ -163,6 +193,8 @@ void LivePlayer::take(const std::string& text) {
     } else if (name == "frame" && value.is_number_unsigned() && value > 0 && value <= 3600) {
         set_pace(speed_, false);
         pause_at_frame_ = view_.frames() + value.get<std::uint64_t>();
+    } else if (name == "run") {
+        begin_exact_run(value);
     } else if (name == "mark" && value == true) {
         mark();
     } else if (name == "save" && value == true) {
@@ -173,9 +205,8 @@ void LivePlayer::take(const std::string& text) {
         left_ = true;
     } else {
         throw std::runtime_error{
-            "expected step, pause, speed from 0 to 1000, frame from 1 to 3600, mark, save, waves "
-            "or "
-            "quit, got " +
+            "expected step, pause, speed from 0 to 1000, frame from 1 to 3600, run, mark, save, "
+            "waves or quit, got " +
             text.substr(0, 100)};
     }
 }

@@ -14,6 +14,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include "sim/live/exact_run.h"
 #include "sim/live/inside.h"
 #include "sim/live/live_view.h"
 #include "sim/live/waves.h"
@@ -45,6 +46,9 @@ private:
     void take(const std::string& text);
     void play(const std::string& step);
     void set_pace(double speed, bool paused);
+    void begin_exact_run(const nlohmann::json& order);
+    void end_exact_run();
+    ExactRun::Counts counts() const;
     void say(const char* name, const std::string& text);
     void say_status();
     void mark();
@@ -66,6 +70,7 @@ private:
     double speed_ = 1;  // simulated seconds per second; 0: as fast as it goes
     bool paused_ = false, left_ = false;
     std::uint64_t pause_at_frame_ = 0;
+    std::optional<ExactRun> exact_run_;      // which is under way
     Clock::time_point since_, told_;         // when pace and status were last set
     sc_core::sc_time since_sim_, told_sim_;  // in simulated time
     std::vector<Played> played_;

@@ -36,8 +36,14 @@ void LiveView::frame(const Monitor::Frame& frame) {
     if (frame.is_new || sent_.empty()) send_picture(frame);
 }
 
+bool LiveView::has_room() {
+    while (waits_ && wire_.unsent() > MOST_UNSENT && wire_.poll(50)) {
+    }
+    return wire_.unsent() <= MOST_UNSENT;
+}
+
 void LiveView::send_picture(const Monitor::Frame& frame) {
-    if (wire_.unsent() > MOST_UNSENT) {
+    if (!has_room()) {
         sent_.clear();  // the next one is whole
         return;
     }
@@ -76,6 +82,7 @@ void LiveView::send_picture(const Monitor::Frame& frame) {
         }
     }
     wire_.send(Kind::PICTURE, bytes);
+    sent_frame_ = frame.number;
 }
 
 void LiveView::sample(std::int16_t left, std::int16_t right) {
@@ -92,11 +99,16 @@ void LiveView::sample_rate(double hz) {
 void LiveView::console(char character, SerialLine line) {
     recorder_.console(character, line);
     console_.print(character);
+    ++printed_;
     terminals_[static_cast<std::size_t>(line)].print(character);
 }
 
 void LiveView::lamps(const Lamps& lamps, double time_s) {
     recorder_.lamps(lamps, time_s);
+    const bool lit_otherwise =
+        lamps.ledr != lamps_.ledr || lamps.hex != lamps_.hex || lamps.hps_led != lamps_.hps_led;
+    if (lit_otherwise) ++lamps_seen_;
+    if (lamps.gpio != lamps_.gpio) ++pins_seen_;
     lamps_ = lamps;
     lamps_moved_ = true;
 }
@@ -107,7 +119,7 @@ void LiveView::log(const std::string& line) {
 }
 
 void LiveView::flush() {
-    if (!sound_.empty() && wire_.unsent() < MOST_UNSENT) {
+    if (!sound_.empty() && has_room()) {
         std::string bytes;
         put(bytes, static_cast<std::uint32_t>(rate_hz_ + 0.5), 4);
         wire_.send(Kind::SOUND, bytes + sound_);

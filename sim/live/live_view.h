@@ -1,7 +1,8 @@
 // live_view.h - the audience of a live run: all of it goes to the recorder, and over the wire.
 //
 // Pictures are sent as the tiles that differ from what was sent before.  While the other side does
-// not read, pictures and sound are left out; texts and lamps are not.
+// not read, pictures and sound are left out; texts and lamps are not.  For a program that plays,
+// nothing is.
 #pragma once
 
 #include <array>
@@ -37,13 +38,24 @@ public:
 
     std::uint64_t frames() const { return frames_; }
     std::uint64_t new_pictures() const { return new_pictures_; }
+    std::uint64_t printed() const { return printed_; }  // characters
+    // How often LEDs or digits, and the headers' pins, were others than before.
+    std::uint64_t lamps_seen() const { return lamps_seen_; }
+    std::uint64_t pins_seen() const { return pins_seen_; }
+    std::uint64_t sent_frame() const { return sent_frame_; }  // whose picture was the last; or 0
+
+    // From now on the run waits for a slow reader.
+    void leave_nothing_out() { waits_ = true; }
 
 private:
     void send_picture(const Monitor::Frame& frame);
+    bool has_room();
 
     Recorder& recorder_;
     Wire& wire_;
-    std::uint64_t frames_ = 0, new_pictures_ = 0;
+    std::uint64_t frames_ = 0, new_pictures_ = 0, printed_ = 0, lamps_seen_ = 0, pins_seen_ = 0,
+                  sent_frame_ = 0;
+    bool waits_ = false;
     unsigned width_ = 0, height_ = 0;
     std::vector<std::uint32_t> sent_;  // pixels
     std::string sound_;

@@ -96,7 +96,8 @@ private:
         for (const auto& client : clients_) client->forget_pictures();
         auto words = what_;
         words.insert(words.end(), settings_.words.begin(), settings_.words.end());
-        simulation_ = std::make_unique<Simulation>(words);
+        simulation_ =
+            std::make_unique<Simulation>(words, settings_.driven ? "{\"pause\": true}" : "");
         wire_ready_.emplace(io_, dup(simulation_->wire().descriptor()));
         tell(json_text({{"power", true}}));
         wait_for_wire();
@@ -143,6 +144,7 @@ private:
             return client.send_text(
                 json_text({{"error", "expected an object in JSON, got " + text.substr(0, 100)}}));
         if (json.contains("reset")) return power_on();
+        if (json.contains("run")) client.leave_nothing_out();
         simulation_->wire().send(Kind::TEXT, text);
     }
 
@@ -212,7 +214,10 @@ private:
         const auto client = std::make_shared<Client>(
             connection->stream.release_socket(), pictures_,
             [this](Client& from, const std::string& text) { take_from(from, text); },
-            [this](Client& gone) { clients_.erase(gone.shared_from_this()); });
+            [this](Client& gone) {
+                clients_.erase(gone.shared_from_this());
+                if (settings_.driven && clients_.empty()) io_.stop();
+            });
         clients_.insert(client);
         client->accept(connection->parser.get(), [this] {
             std::deque<std::string> texts = greeting_.texts();

@@ -17,6 +17,7 @@ struct ServerSettings {
     std::vector<std::string> words;     // for `de1sim run`, but for what is to run
     std::vector<std::string> what;      // a scenario, or --elf and a program
     std::string title;                  // of the page
+    bool driven = false;  // by a program: time stands at 0, and it ends with the last client
 };
 
 // Serves until `ended` or a signal.  `listening` gets the address for the browser.

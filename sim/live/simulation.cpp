@@ -14,7 +14,7 @@
 
 namespace sim::live {
 
-Simulation::Simulation(const std::vector<std::string>& words) {
+Simulation::Simulation(const std::vector<std::string>& words, const std::string& first) {
     int ends[2];
     if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0)
         throw std::runtime_error{std::string{"no socket pair: "} + std::strerror(errno)};
@@ -23,6 +23,8 @@ Simulation::Simulation(const std::vector<std::string>& words) {
     std::vector<char*> arguments;
     for (std::string& word : all) arguments.push_back(word.data());
     arguments.push_back(nullptr);
+    wire_ = std::make_unique<Wire>(ends[0]);
+    if (!first.empty()) wire_->send(Kind::TEXT, first);
     child_ = fork();
     if (child_ == 0) {
         // Ctrl-C is for the server, which then ends this process in order.
@@ -32,7 +34,6 @@ Simulation::Simulation(const std::vector<std::string>& words) {
         _exit(127);
     }
     close(ends[1]);
-    wire_ = std::make_unique<Wire>(ends[0]);
     if (child_ < 0) throw std::runtime_error{std::string{"no process: "} + std::strerror(errno)};
 }
 

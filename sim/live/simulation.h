@@ -13,8 +13,9 @@ namespace sim::live {
 
 class Simulation {
 public:
-    // Starts this program with the words.  std::runtime_error.
-    explicit Simulation(const std::vector<std::string>& words);
+    // Starts this program with the words; `first`, if there is one, is a message that it has from
+    // the beginning.  std::runtime_error.
+    explicit Simulation(const std::vector<std::string>& words, const std::string& first = "");
     // Asks it to end, for which it writes its files, and ends it if it does not within ten seconds.
     ~Simulation();
     Simulation(const Simulation&) = delete;
