@@ -57,7 +57,7 @@ class Driven(unittest.IsolatedAsyncioTestCase):
         self.assertEqual(over["met"], ["steps"])  # there are none
 
     async def test_nothing_is_left_out_for_a_slow_reader(self):
-        """Five seconds are played before more than a little is read; audio.wav has as many samples."""
+        """After five seconds that were played at once, audio.wav has as many samples."""
         client = await self.client()
         await client.send(speed=0)
         await client.step("press", {"keypad": ["1", "2"], "for": "3s"})
