@@ -1,0 +1,54 @@
+"""hands.py - what a person does at the board: each a step of a scenario, in no other way.
+
+A method returns when its step is over: press() has let time pass, hold() has not.
+"""
+
+
+def _without_none(**fields):
+    return {name: value for name, value in fields.items() if value is not None}
+
+
+class Hands:
+    """For a class with step()."""
+
+    def press(self, key=None, keypad=None, switch=None, for_=None):
+        """Contacts are held for a while, 100 ms if not told; lists are chords."""
+        self.step({"press": _without_none(key=key, keypad=keypad, switch=switch, **{"for": for_})})
+
+    def hold(self, key=None, keypad=None, switch=None):
+        self.step({"hold": _without_none(key=key, keypad=keypad, switch=switch)})
+
+    def release(self, key=None, keypad=None, switch=None):
+        self.step({"release": _without_none(key=key, keypad=keypad, switch=switch)})
+
+    def keypad(self, key, for_="80ms"):
+        """A key of the keypad, "0" to "F", or a list."""
+        self.press(keypad=key, for_=for_)
+
+    def type(self, text, to=None):
+        """At a terminal: serial, jtag-0 or jtag-1; if not told, where programs listen."""
+        self.step({"type-serial": _without_none(text=text, to=to)})
+
+    def type_keys(self, text):
+        """On the PS/2 keyboard."""
+        self.step({"type-keys": text})
+
+    def press_key(self, key, for_=None):
+        """A key of the PS/2 keyboard, such as "Left", or a list."""
+        self.step({"press-key": _without_none(key=key, **{"for": for_})})
+
+    def hold_key(self, key):
+        self.step({"hold-key": key})
+
+    def release_key(self, key):
+        self.step({"release-key": key})
+
+    def move_mouse(self, right=None, down=None, for_=None):
+        self.step({"move-mouse": _without_none(right=right, down=down, **{"for": for_})})
+
+    def click_mouse(self, button="left"):
+        self.step({"click-mouse": button})
+
+    def set_voltage(self, channel, volts):
+        """At the AD converter."""
+        self.step({"set-voltage": {"channel": channel, "volts": volts}})
