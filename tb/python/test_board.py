@@ -66,15 +66,6 @@ def test_a_scenario_plays_first(start_board, tmp_path):
     assert "delay: 250ms" in board.save()
 
 
-def test_each_terminal_has_its_own_text(start_board, programs):
-    board = start_board(elf=programs / "terminals.elf")
-    for line, text, answer in ("jtag-1", "d", "+d"), ("serial", "a", "+a"), ("jtag-1", "e", "+e"):
-        board.type(text, to=line)
-        board.wait_text(answer, on=line)
-    assert board.terminals["jtag-1"] == "+d+e"
-    assert len(board.console) == sum(map(len, board.terminals.values()))
-
-
 def test_the_sound_of_a_long_step_is_whole(board):
     board.press(keypad=["1", "2"], for_="3s")
     board.run("2s")
