@@ -33,6 +33,9 @@ public:
     Inside(Board& board, const Computer* computer, std::function<Program()> program)
         : board_{board}, computer_{computer}, program_{std::move(program)} {}
 
+    // To be called once per millisecond: lamps that have stopped to flash are seen as they are.
+    void settle_lamps() { board_.settle_lamps(); }
+
     // To be called at each end of a frame: bus accesses are counted from one to the next.
     void frame_ended();
 

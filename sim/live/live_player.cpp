@@ -67,6 +67,7 @@ void LivePlayer::run() {
     keep_pace();
     for (;;) {
         wait(tick);
+        inside_.settle_lamps();
         view_.flush();
         for (const std::string& line : inside_.new_violations()) say("violation", line);
         if (pause_at_frame_ != 0 && view_.frames() >= pause_at_frame_) set_pace(speed_, true);

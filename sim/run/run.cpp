@@ -225,8 +225,7 @@ ExitCode run_doing(const char*& doing, RunOptions options, const Firmware& firmw
         };
         inside.emplace(board, computer, arm ? program : std::function<live::Inside::Program()>{});
         view->on_frame = [&inside] { inside->frame_ended(); };
-        live_player.emplace("live_player", player, *view, *inside, *wire, scenario, seed,
-                            options);
+        live_player.emplace("live_player", player, *view, *inside, *wire, scenario, seed, options);
     }
     const sc_core::sc_event never;
     Finish finish{"finish", player.done(), computer ? computer->cpu.faulted() : never};

@@ -73,6 +73,21 @@ def test_the_sound_of_a_long_step_is_whole(board):
     assert len(board.sound()) == 0
 
 
+def test_each_terminal_has_its_own_text(start_board, programs):
+    board = start_board(elf=programs / "terminals.elf")
+    for line, text, answer in ("jtag-1", "d", "+d"), ("serial", "a", "+a"), ("jtag-1", "e", "+e"):
+        board.type(text, to=line)
+        board.wait_text(answer, on=line)
+    assert board.terminals["jtag-1"] == "+d+e"
+    assert len(board.console) == sum(map(len, board.terminals.values()))
+
+
+def test_a_program_that_dies_is_a_fault(start_board, programs):
+    board = start_board(elf=programs / "dies_by_1.elf")
+    with pytest.raises(de1sim.Fault, match="PC 0x"):
+        board.run("1s")
+
+
 def test_closing_leaves_nothing_behind(tool):
     board = de1sim.Board()
     folder = board.out

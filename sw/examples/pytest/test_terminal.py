@@ -10,7 +10,7 @@ def test_what_is_typed_comes_back(board):
     board.wait_text("Hello, board\n> ")
 
 
-@pytest.mark.parametrize("text", ["a", "four"])
+@pytest.mark.parametrize("text", ["a", "four", "a longer line"])
 def test_the_leds_count_the_characters(board, text):
     board.wait_text("> ")
     board.type(text)
