@@ -1,7 +1,7 @@
 """slurm_test.py DE1SIM FOLDER [CASE...] - de1sim test --slurm, on a cluster of this machine alone
 
-slurmctld and slurmd run as root, at free ports of 127.0.0.1, with files in FOLDER.  Exit code 77:
-they are not installed, or somebody else than root runs this.
+slurmctld and slurmd run as root, at free ports of 127.0.0.1, in a folder without blanks, which they
+cannot read.  Exit code 77: they are not installed, or somebody else than root runs this.
 """
 import os
 import pathlib
@@ -9,10 +9,11 @@ import shutil
 import socket
 import subprocess
 import sys
+import tempfile
 import time
 import unittest
 
-from folder import FOLDER, Folder
+from folder import Folder
 
 CONFIGURATION = """ClusterName=de1sim
 SlurmctldHost={host}(127.0.0.1)
@@ -50,7 +51,6 @@ def free_port():
 
 class Cluster:
     def __init__(self, folder):
-        shutil.rmtree(folder, ignore_errors=True)
         for name in ("state", "spool"):
             (folder / name).mkdir(parents=True)
         configuration = folder / "slurm.conf"
@@ -65,7 +65,8 @@ class Cluster:
         while "idle" not in self.ask("sinfo", "--noheader", "--format=%T"):
             if time.monotonic() > end:
                 self.end()
-                sys.exit("Slurm does not come up: " + (folder / "slurmctld.log").read_text())
+                log = folder / "slurmctld.log"
+                sys.exit("Slurm does not come up: " + (log.read_text() if log.exists() else ""))
             time.sleep(0.2)
 
     @staticmethod
@@ -142,9 +143,11 @@ class Slurm(Folder):
 
 if os.getuid() != 0 or not shutil.which("slurmctld"):
     sys.exit(77)
-cluster = Cluster(pathlib.Path(FOLDER).resolve() / "cluster")
+place = pathlib.Path(tempfile.mkdtemp(prefix="de1sim-slurm-"))
+cluster = Cluster(place)
 try:
     done = unittest.main(argv=sys.argv[:1] + sys.argv[3:], exit=False)
     sys.exit(not done.result.wasSuccessful())
 finally:
     cluster.end()
+    shutil.rmtree(place, ignore_errors=True)

@@ -90,7 +90,8 @@ TEST_F(ProgramAlone, IsRefusedTwiceOrForTheOtherProcessor) {
     refused(alone(LEDS_ELF, {"--elf", LEDS_ELF}), "--elf: and a program in place of the scenario");
     refused(alone(LEDS_ELF, {"--cpu", "native"}), "--elf: is for --cpu arm");
     refused(alone("nothing.elf"),
-            "expected run, live, build, check, check-board or compare, got \"nothing.elf\"");
+            "expected run, test, live, build, check, check-board, compare or merge, got "
+            "\"nothing.elf\"");
     folder.put("cut.elf", "\177ELF");
     refused(alone(folder / "cut.elf"), "cut.elf: not an ELF file");
 }
