@@ -59,9 +59,13 @@ ExitCode live(const LiveOptions& options, std::vector<std::string> words) {
     for (const char* option : {"--port", "--listen", "--elf"}) take_out(words, option);
     words.erase(std::remove(words.begin(), words.end(), "--driven"), words.end());
     settings.driven = options.driven;
-    const auto file = std::find(words.begin(), words.end(), run.scenario.string());
-    if (!run.scenario.empty() && file != words.end()) words.erase(file);
-    if (!what.empty()) settings.what = {what.string()};
+    // What runs comes first: what is dropped on the page takes its place.
+    for (const auto& file : {run.scenario, run.elf}) {
+        const auto word = std::find(words.begin(), words.end(), file.string());
+        if (!file.empty() && word != words.end()) words.erase(word);
+    }
+    if (!run.scenario.empty()) settings.what = {run.scenario.string()};
+    if (!run.elf.empty()) settings.what.insert(settings.what.end(), {"--elf", run.elf.string()});
     if (!has(words, "--frames")) settings.words = {"--frames", "none"};
     settings.words.push_back("--quiet");
     settings.words.insert(settings.words.end(), words.begin(), words.end());

@@ -155,7 +155,8 @@ Binding bind(const std::vector<Port>& ports, const Locations& locations,
     return binding;
 }
 
-std::string design_text(const Binding& binding, const std::string& top) {
+std::string design_text(const Binding& binding, const std::string& top,
+                        const std::string& parameters) {
     std::string wires, ports, assigns;
     std::set<std::string> driven;
     unsigned number = 0;
@@ -199,8 +200,8 @@ std::string design_text(const Binding& binding, const std::string& top) {
         }
     }
     return fmt::format(
-        "// Written by de1sim for the top module {}.\n{}    {} de1sim_design (\n{}\n    );\n{}",
-        top, wires, top, ports, assigns);
+        "// Written by de1sim for the top module {}.\n{}    {}{} de1sim_design (\n{}\n    );\n{}",
+        top, wires, top, parameters, ports, assigns);
 }
 
 }  // namespace sim::project

@@ -32,7 +32,8 @@ Binding bind(const std::vector<Port>& ports,
              const std::map<std::string, std::string>& signals_by_pin);  // "PIN_AF9" -> "SW[3]"
 
 // The Verilog that de1sim_chip.v includes: the instance of `top`, and what drives outputs that it
-// has not.
-std::string design_text(const Binding& binding, const std::string& top);
+// has not.  `parameters`: instance_text() of those of the top.
+std::string design_text(const Binding& binding, const std::string& top,
+                        const std::string& parameters);
 
 }  // namespace sim::project

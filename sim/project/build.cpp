@@ -51,17 +51,8 @@ void write_if_new(const fs::path& file, const std::string& text) {
     write_whole_file(file, text);
 }
 
-// A name without blanks in `folder` for `target`: Verilator stumbles over those.
-void link_to(const fs::path& target, const fs::path& link) {
-    std::error_code error;
-    if (fs::read_symlink(link, error) == target) return;
-    fs::remove(link, error);
-    fs::create_directory_symlink(target, link);
-}
-
-std::string include_link(std::size_t number) { return fmt::format("include{}", number); }
-
-std::vector<std::string> verilator_words(const Project& project) {
+std::vector<std::string> verilator_words(const Project& project,
+                                         const std::vector<std::string>& includes) {
     std::vector<std::string> words{"verilator",        "-Wno-fatal",
                                    "-Wno-lint",        "-Wno-style",
                                    "-Wno-ASSIGNIN",    "-Wno-BLKANDNBLK",
@@ -74,8 +65,7 @@ std::vector<std::string> verilator_words(const Project& project) {
                                    "--x-initial",      "0",
                                    "--x-assign",       "0"};
     for (const std::string& macro : project.macros) words.push_back("-D" + macro);
-    for (std::size_t n = 0; n < project.includes.size(); ++n)
-        words.push_back("-I" + include_link(n));
+    for (const std::string& include : includes) words.push_back("-I" + include);
     words.insert(words.end(),
                  {"-y", "data/rtl/ip", "-Idata/rtl/ip", "data/project/de1sim_init.sv"});
     return words;
@@ -121,9 +111,11 @@ Builder::Builder(const Request& request, bool trace)
 void Builder::prepare_folder() {
     fs::create_directories(folder_ / "source");
     lock_.take(folder_ / "lock");
-    link_to(data_folder(), folder_ / "data");
-    for (std::size_t n = 0; n < design_.project.includes.size(); ++n)
-        link_to(design_.project.includes[n], folder_ / include_link(n));
+    seen_from(folder_, data_folder(), "data");
+    includes_.clear();
+    for (const fs::path& include : design_.project.includes)
+        includes_.push_back(
+            seen_from(folder_, include, fmt::format("include{}", includes_.size())));
 }
 
 void Builder::write_sources() {
@@ -200,9 +192,11 @@ std::vector<std::string> Builder::translate_vhdl(const Modules& modules) const {
 void Builder::elaborate() {
     write_sources();
     check_verilator(limit_);
-    auto words = verilator_words(design_.project);
+    auto words = verilator_words(design_.project, includes_);
     words.insert(words.end(), {"--xml-only", "--xml-output", "design.xml", "--Mdir", "xml",
                                "--top-module", design_.project.top});
+    const auto parameters = verilator_options(design_.project.parameters);
+    words.insert(words.end(), parameters.begin(), parameters.end());
     for (const fs::path& file : files_) words.push_back(file.string());
     run_tool(words, folder_, limit_);
 }
@@ -236,7 +230,9 @@ const Design& Builder::examine() {
 }
 
 void Builder::generate() {
-    write_if_new(folder_ / "de1sim_design.vh", design_text(design_.binding, design_.project.top));
+    write_if_new(folder_ / "de1sim_design.vh",
+                 design_text(design_.binding, design_.project.top,
+                             instance_text(design_.project.parameters)));
     write_if_new(folder_ / "de1sim_pll_taps.v", tap_text(design_.elaborated.pll_clocks));
     write_if_new(folder_ / "de1sim_clocks.h",
                  clocks_text(design_.project, design_.elaborated, design_.binding));
@@ -250,7 +246,7 @@ std::string Builder::key() const {
         const FileFinder ours{data_folder() / name};
         for (const fs::path& file : ours.files()) all += text_of(file);
     }
-    for (const auto& word : verilator_words(design_.project)) all += word + "\n";
+    for (const auto& word : verilator_words(design_.project, includes_)) all += word + "\n";
     for (const fs::path& file : files_) all += text_of(folder_ / file);
     for (const char* name : {"de1sim_design.vh", "de1sim_pll_taps.v", "de1sim_clocks.h"})
         all += text_of(folder_ / name);
@@ -268,7 +264,7 @@ Built Builder::build(const Progress& progress) {
     fs::remove_all(objects, error);
     fs::create_directories(objects);
     progress(fmt::format("translating {} (Verilator)", design_.project.top));
-    auto words = verilator_words(design_.project);
+    auto words = verilator_words(design_.project, includes_);
     words.insert(
         words.end(),
         {"--cc", "-O3", "--noassert", "--prefix", "Vde1sim_chip", "--Mdir",

@@ -69,7 +69,8 @@ private:
     bool trace_;
     const TimeLimit limit_;
     Design design_;
-    std::filesystem::path folder_;  // .de1sim beside the project, or in the user's cache
+    std::filesystem::path folder_;       // .de1sim beside the project, or in the user's cache
+    std::vector<std::string> includes_;  // names in folder_ of the folders of headers
     std::vector<std::filesystem::path> files_;  // cleaned copies, in folder_
     std::vector<GenericEntity> entities_;       // in VHDL
     bool examined_ = false;

@@ -85,6 +85,11 @@ private:
             if (request_.top.empty()) project_.top = a.value;
         } else if (name == "VERILOG_MACRO") {
             project_.macros.push_back(a.value);
+        } else if (name == "PARAMETER") {
+            project_.parameters[a.to] = verilog_value(a.value);
+        } else if (name == "INSTANCE_PARAMETER") {
+            note(fmt::format("{}:{}: set_parameter of an instance is passed over", place(a.file),
+                             a.line));
         } else if (name == "SEARCH_PATH") {
             std::string path = a.value;
             std::replace(path.begin(), path.end(), '\\', '/');

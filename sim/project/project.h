@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "sim/project/settings.h"
+#include "sim/project/top_parameters.h"
 
 namespace sim::project {
 
@@ -30,7 +31,8 @@ struct Project {
     std::vector<std::filesystem::path> vhdl;  // all files of it, if something needs one
     std::vector<std::string> entities;        // that are the top, or that Verilog instances
     std::vector<std::filesystem::path> includes;
-    std::vector<std::string> macros;          // NAME or NAME=VALUE
+    std::vector<std::string> macros;  // NAME or NAME=VALUE
+    TopParameters parameters;
     std::map<std::string, std::string> pins;  // "SW[3]" -> "PIN_AF9"
     std::vector<std::string> notes;           // what a person should know, a line each
 };

@@ -6,6 +6,7 @@
 #include <cstring>
 #include <fstream>
 #include <iterator>
+#include <utility>
 
 #include "sim/project/file_finder.h"
 
@@ -147,8 +148,9 @@ void read_into(std::vector<Assignment>& all, const fs::path& file, unsigned dept
             const fs::path other = file.parent_path() / words.back();
             if (fs::is_regular_file(other, error)) read_into(all, other, depth + 1);
         }
+        const bool parameter = words[0] == "set_parameter";
         const bool location = words[0] == "set_location_assignment";
-        if (!location && words[0] != "set_global_assignment" &&
+        if (!parameter && !location && words[0] != "set_global_assignment" &&
             words[0] != "set_instance_assignment")
             continue;
         Assignment a{location ? "LOCATION" : "", "", "", file, command.line, false};
@@ -171,6 +173,8 @@ void read_into(std::vector<Assignment>& all, const fs::path& file, unsigned dept
         }
         a.in_qip_folder = joined_to_qip(a.value);
         a.to.erase(std::remove(a.to.begin(), a.to.end(), '\\'), a.to.end());  // KEY\[0\]
+        if (parameter)  // whose -to names an instance
+            a.to = std::exchange(a.name, a.to.empty() ? "PARAMETER" : "INSTANCE_PARAMETER");
         std::transform(a.name.begin(), a.name.end(), a.name.begin(), ::toupper);
         if (removed)
             remove(all, a);

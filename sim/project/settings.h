@@ -6,6 +6,8 @@
 //   set_location_assignment PIN_AF14 -to CLOCK_50
 //   set_global_assignment -library pll -name VERILOG_FILE [file join $::quartus(qip_path) "pll.v"]
 //
+//   set_parameter -name WIDTH 8
+//
 // with quotes, braces and continued lines; other commands are passed over.  An assignment with
 // -remove takes back those of the same name, target and value that stand before it; one with
 // -disable counts for nothing.
@@ -24,9 +26,10 @@ class ProjectError : public std::runtime_error {
 };
 
 struct Assignment {
-    std::string name;   // TOP_LEVEL_ENTITY; LOCATION for set_location_assignment
+    std::string name;   // TOP_LEVEL_ENTITY; LOCATION for set_location_assignment;
+                        // PARAMETER, INSTANCE_PARAMETER for set_parameter
     std::string value;  // pong; PIN_AF14
-    std::string to;     // SW[3], or empty
+    std::string to;     // SW[3], or empty; the parameter
     std::filesystem::path file;
     unsigned line;
     bool in_qip_folder;  // the value is a path from the .qip's folder on

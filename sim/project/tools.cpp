@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "sim/project/command.h"
+#include "sim/process/run_command.h"
 #include "sim/project/settings.h"
 #include "sim/report/whole_file.h"
 
@@ -56,6 +56,22 @@ std::string without_blanks(std::string name) {
     for (std::size_t at = 0; (at = name.find(' ', at)) != std::string::npos; at += BLANK.size())
         name.replace(at, 1, BLANK);
     return name;
+}
+
+std::string seen_from(const fs::path& folder, const fs::path& other, const std::string& link) {
+    const fs::path wanted = fs::weakly_canonical(other);
+    std::string up = "..";
+    for (fs::path above = fs::weakly_canonical(folder).parent_path();; up += "/..") {
+        if (above == wanted) return up;
+        if (above == above.parent_path()) break;
+        above = above.parent_path();
+    }
+    std::error_code error;
+    if (fs::read_symlink(folder / link, error) != other) {
+        fs::remove_all(folder / link, error);  // of a copy that has the link's target in it
+        fs::create_directory_symlink(other, folder / link);
+    }
+    return link;
 }
 
 TimeLimit::TimeLimit(unsigned seconds)

@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "sim/project/command.h"
+#include "sim/process/run_command.h"
 #include "sim/project/file_finder.h"
 #include "sim/project/settings.h"
 #include "sim/project/vhdl_repairs.h"

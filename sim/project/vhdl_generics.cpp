@@ -249,6 +249,7 @@ std::vector<GenericEntity> generic_entities(const Project& project) {
             entity.is_set = entity.is_set ||
                             (file.language != SourceFile::Language::VHDL &&
                              !entity.head.generics.empty() && sets_parameters(file.path, name));
+        if (name == project.top && !project.parameters.empty()) entity.is_set = true;
         if (entity.is_set) entity.sets.clear();
         entities.push_back(std::move(entity));
     }

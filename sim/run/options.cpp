@@ -22,20 +22,12 @@ std::uint64_t number(const std::string& text, const char* option) {
     return value;
 }
 
-void add_time(CLI::App& command, const char* name, std::optional<SimTime>& time, const char* help) {
-    command.add_option_function<std::string>(
-        name,
-        [&time, name](const std::string& text) {
-            time = SimTime::parse(text);
-            if (!time || time->ps == 0)
-                throw CLI::ValidationError(
-                    name, "expected a time such as 500ms or 10s, got \"" + text + "\"");
-        },
-        help);
-}
-
-// The second run for --trace-failure: the same, but for what it writes and where.
+// The second run, of a part of the first: the same, but for what it writes and where.
 void settle_again(RunOptions& options) {
+    if (!options.replay.empty()) {
+        options.scenario = options.replay;
+        options.live_socket.reset();
+    }
     options.out = options.again;
     options.trace = (options.again / "waves.fst").string();
     options.frames = {FrameChoice::Which::NONE, 1};
@@ -49,6 +41,19 @@ void settle_again(RunOptions& options) {
 }
 
 }  // namespace
+
+void add_time_option(CLI::App& command, const char* name, std::optional<SimTime>& time,
+                     const char* help) {
+    command.add_option_function<std::string>(
+        name,
+        [&time, name](const std::string& text) {
+            time = SimTime::parse(text);
+            if (!time || time->ps == 0)
+                throw CLI::ValidationError(
+                    name, "expected a time such as 500ms or 10s, got \"" + text + "\"");
+        },
+        help);
+}
 
 std::string named(const std::string& name) {
     return name.empty() ? "expected a name, got an empty one" : "";
@@ -149,8 +154,8 @@ void add_run_options(CLI::App& command, RunOptions& options) {
         },
         "which frames become PNG: new, whose picture differs from the frame before (default),\n"
         "all, every:N, last, none");
-    add_time(command, "--duration", options.duration,
-             "simulated time to run for at most, instead of the scenario's: 500ms, 10s");
+    add_time_option(command, "--duration", options.duration,
+                    "simulated time to run for at most, instead of the scenario's: 500ms, 10s");
     command.add_option_function<std::string>(
         "--seed", [&](const std::string& text) { options.seed = number(text, "--seed"); },
         "seed of the contact bounce, instead of the scenario's");
@@ -166,15 +171,18 @@ void add_run_options(CLI::App& command, RunOptions& options) {
         ->check(named);
     command.add_option("--trace", options.trace, "write waveforms (FST, for GTKWave); slow")
         ->check(named);
-    add_time(command, "--trace-from", options.trace_from,
-             "from when on the waveforms are written; beside FILE.fst then also FILE.bus.txt, the\n"
-             "processor's bus accesses in that time, and FILE.calls.txt, its last 1,000 function\n"
-             "calls (--cpu arm)");
-    add_time(command, "--trace-to", options.trace_to, "until when");
-    add_time(command, "--trace-failure", options.trace_failure,
-             "where the run fails, run it again, and write waveforms, accesses and calls of this\n"
-             "time before the failure into failure/ of the output folder: 20ms");
+    add_time_option(
+        command, "--trace-from", options.trace_from,
+        "from when on the waveforms are written; beside FILE.fst then also FILE.bus.txt, the\n"
+        "processor's bus accesses in that time, and FILE.calls.txt, its last 1,000 function\n"
+        "calls (--cpu arm)");
+    add_time_option(command, "--trace-to", options.trace_to, "until when");
+    add_time_option(
+        command, "--trace-failure", options.trace_failure,
+        "where the run fails, run it again, and write waveforms, accesses and calls of this\n"
+        "time before the failure into failure/ of the output folder: 20ms");
     command.add_option("--again", options.again)->group("");
+    command.add_option("--replay", options.replay)->group("");
     command.add_option("--live-socket", options.live_socket)->group("");
     command
         .add_option("--video", options.video,
@@ -197,6 +205,7 @@ void settle_run_options(const CLI::App& command, RunOptions& options) {
         options.elf = std::move(options.scenario);
         options.scenario.clear();
     }
+    if (!options.again.empty()) settle_again(options);
     const bool live = options.live_socket.has_value();
     if (options.scenario.empty() && options.elf.empty() && !live)
         throw CLI::ValidationError("FILE", "expected a scenario or a program");
@@ -215,7 +224,6 @@ void settle_run_options(const CLI::App& command, RunOptions& options) {
          {"--cpi", "--gdb", "--system", "--linux-root", "--stdin", "--profile"})
         if (command.count(option) > 0) options.for_arm.push_back(option);
     if (!options.arguments.empty()) options.for_arm.push_back("--");
-    if (!options.again.empty()) settle_again(options);
     if (traces_a_part(options) && options.trace.empty())
         throw CLI::ValidationError(options.trace_from ? "--trace-from" : "--trace-to",
                                    "needs --trace FILE");

@@ -54,6 +54,7 @@ struct RunOptions {
     std::optional<SimTime> trace_from, trace_to;  // the part of the run that is traced; else all
     std::optional<SimTime> trace_failure;  // the time before a failure that a second run traces
     std::filesystem::path again;           // that second run's folder, or empty
+    std::filesystem::path replay;          // scenario that it plays instead, or empty
     std::vector<std::string> words;        // all that was given behind `run`
     std::filesystem::path html;            // a page with all of the run, or empty
     std::string command, version;          // for that page
@@ -68,6 +69,10 @@ inline bool traces_a_part(const RunOptions& o) { return o.trace_from || o.trace_
 
 // A check for CLI11: what is wrong with the name of a file or folder, or nothing.
 std::string named(const std::string& name);
+
+// An option that is a time after 0.  CLI::ValidationError.
+void add_time_option(CLI::App& command, const char* name, std::optional<SimTime>& time,
+                     const char* help);
 
 // Describes the options to CLI11, which fills `options` when it parses.
 void add_run_options(CLI::App& command, RunOptions& options);

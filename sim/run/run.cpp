@@ -274,7 +274,7 @@ ExitCode run_doing(const char*& doing, RunOptions options, const Firmware& firmw
 
     if (options.trace_failure && !report.passed() && !interrupted) {
         doing = "running again for waveforms";
-        run_again(options, report, [] { return interrupted != 0; });
+        trace_failure(options, report, [] { return interrupted != 0; });
     }
 
     doing = "writing the report";

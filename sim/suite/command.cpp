@@ -151,15 +151,8 @@ void add_test_options(CLI::App& command, TestOptions& options) {
                     "options of sbatch, as one word: '--partition=short --time=30'")
         ->needs(slurm);
     command.add_flag("--resume", options.resume)->group("");
-    command.add_option_function<std::string>(
-        "--trace-failure",
-        [&](const std::string& text) {
-            options.trace_failure = SimTime::parse(text);
-            if (!options.trace_failure || options.trace_failure->ps == 0)
-                throw CLI::ValidationError("--trace-failure",
-                                           "expected a time such as 20ms, got \"" + text + "\"");
-        },
-        "run what fails again, for the waveforms of this time before");
+    add_time_option(command, "--trace-failure", options.trace_failure,
+                    "run what fails again, for the waveforms of this time before");
 }
 
 int test(const TestOptions& options) {

@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "sim/project/command.h"
+#include "sim/process/run_command.h"
 
 namespace sim::suite {
 
@@ -40,7 +40,7 @@ Result run_case(const Case& one, const RunSettings& settings,
         std::filesystem::remove(out / file, error);
     }
     const auto begin = std::chrono::steady_clock::now();
-    const project::Outcome outcome = project::run_command(words, ".", settings.limit_s, given_up);
+    const Outcome outcome = run_command(words, ".", settings.limit_s, given_up);
     const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - begin;
 
     Result result = read_run(out);
@@ -50,7 +50,7 @@ Result run_case(const Case& one, const RunSettings& settings,
     result.exit_code = outcome.code;
     result.wall_s = wall.count();
     if (!result.passed() || !result.failures.empty()) result.said = last_lines(outcome.output);
-    if (outcome.code == project::TIMED_OUT)
+    if (outcome.code == TIMED_OUT)
         result.end = fmt::format("it did not end within {} s", settings.limit_s);
     else if (outcome.code > 128 + 2 || outcome.code == 127)
         result.end = fmt::format("it broke off: exit code {}", outcome.code);

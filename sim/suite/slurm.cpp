@@ -10,7 +10,7 @@
 
 #include <fmt/format.h>
 
-#include "sim/project/command.h"
+#include "sim/process/run_command.h"
 #include "sim/report/messages.h"
 #include "sim/report/printable.h"
 #include "sim/report/whole_file.h"
@@ -83,7 +83,7 @@ SlurmJob::SlurmJob(const TestOptions& options, const std::vector<unsigned>& shar
                                    "--output=" + (folder / "%a.txt").string()};
     for (const std::string& word : words_of(options.sbatch)) words.push_back(word);
     words.push_back(script.string());
-    const project::Outcome outcome = project::run_command(words, ".", ANSWER_S);
+    const Outcome outcome = run_command(words, ".", ANSWER_S);
     if (outcome.code == 127) throw std::runtime_error{"--slurm: there is no sbatch on the PATH"};
     id_ = first_line(outcome.output);
     id_ = id_.substr(0, id_.find(';'));  // "17;cluster"
@@ -92,12 +92,12 @@ SlurmJob::SlurmJob(const TestOptions& options, const std::vector<unsigned>& shar
 }
 
 SlurmJob::~SlurmJob() {
-    if (!id_.empty()) project::run_command({"scancel", id_}, ".", ANSWER_S);
+    if (!id_.empty()) run_command({"scancel", id_}, ".", ANSWER_S);
 }
 
 bool SlurmJob::runs() {
-    const project::Outcome outcome = project::run_command(
-        {"squeue", "--noheader", "--jobs=" + id_, "--format=%i"}, ".", ANSWER_S);
+    const Outcome outcome =
+        run_command({"squeue", "--noheader", "--jobs=" + id_, "--format=%i"}, ".", ANSWER_S);
     // A job that is over for some minutes is unknown.  When the scheduler does not answer, it is
     // asked again.
     const bool unknown = outcome.output.find("Invalid job id") != std::string::npos;

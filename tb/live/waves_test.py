@@ -33,7 +33,10 @@ class Waves(unittest.IsolatedAsyncioTestCase):
     def setUp(self):
         self.folder = FOLDER / self.id().split(".")[-1]
         shutil.rmtree(self.folder, ignore_errors=True)
-        self.board = Board(DE1SIM, self.folder)
+        self.begin()
+
+    def begin(self, *words):
+        self.board = Board(DE1SIM, self.folder, *words)
         self.addCleanup(self.board.__exit__)
 
     def steps(self):
@@ -82,6 +85,20 @@ class Waves(unittest.IsolatedAsyncioTestCase):
         self.assertAlmostEqual(last - first, 0.04, delta=1e-6)
         self.assertEqual([value for _, value in moves], [0, 8])
 
+    async def test_of_more_than_there_was(self):
+        self.board.__exit__()
+        self.begin("--driven")
+        async with self.board.connect() as socket:
+            client = Client(socket)
+            await client.send(run="20ms")
+            await client.wait_for("ran")
+            await client.send(waves={"last": "1s"})
+            await client.send(run="1ms")
+            await client.wait_for("waves", 120)
+        _, first, last = movements(self.board.out / "waves-1" / "waves.fst", "key_ni")
+        self.assertAlmostEqual(first, 0, delta=1e-7)
+        self.assertAlmostEqual(last, 0.02, delta=1e-7)
+
     async def test_wrong_times(self):
         async with self.board.connect() as socket:
             client = Client(socket)
@@ -97,10 +114,13 @@ class Waves(unittest.IsolatedAsyncioTestCase):
             await client.frames_on(60)
             await client.send(waves={"last": "900ms"})
             await asyncio.sleep(0.5)
+            self.assertNotEqual(self.second_runs(), "")
         self.board.__exit__()
-        left = subprocess.run(["pgrep", "-f", str(self.folder / "out/waves-1")],
+        self.assertEqual(self.second_runs(), "")
+
+    def second_runs(self):
+        return subprocess.run(["pgrep", "-f", str(self.folder / "out/waves-1")],
                               capture_output=True, text=True).stdout
-        self.assertEqual(left, "")
 
 
 unittest.main(argv=sys.argv[:1] + sys.argv[4:])

@@ -11,7 +11,7 @@ import sys
 de1sim, example, folder = sys.argv[1], pathlib.Path(sys.argv[2]), pathlib.Path(sys.argv[3])
 copy = folder / "a project \u00e9" / example.name
 shutil.rmtree(copy, ignore_errors=True)
-shutil.copytree(example, copy)
+shutil.copytree(example, copy, ignore=shutil.ignore_patterns(".de1sim"))
 played = subprocess.run([de1sim, "run", f"{example.name}.yaml", "--project", f"{example.name}.qsf"],
                         cwd=copy)
 if played.returncode != 0:

@@ -58,6 +58,34 @@ class Reading(Case):
                       self.leds(0b1000, 0b1000))
 
 
+class Parameters(Case):
+    QSF = ("set_global_assignment -name TOP_LEVEL_ENTITY top\n"
+           "set_parameter -name N 5\nset_parameter -name WORD \"no\"\n"
+           "set_parameter -name FLAG true\nset_parameter -name N 3 -to \"sub:u\"\n")
+
+    def test_of_a_verilog_top(self):
+        self.write(p_qsf=self.QSF, top_v="module top #(parameter N = 1, FLAG = 0, WORD = \"yes\")"
+                   "(output [N - 1:0] LEDR);\n"
+                   "assign LEDR = {FLAG, WORD == \"no\", 3'd5}; endmodule\n")
+        self.assertIn("p.qsf:5: set_parameter of an instance is passed over",
+                      self.leds(0b11101))
+
+    def test_of_a_vhdl_top(self):
+        self.write(p_qsf=self.QSF, top_vhd="library ieee; use ieee.std_logic_1164.all;\n"
+                   "entity top is generic (n : integer := 1; flag : boolean := false;\n"
+                   "  word : string := \"yes\");\n"
+                   "port (LEDR : out std_logic_vector(n - 1 downto 0)); end entity;\n"
+                   "architecture a of top is begin LEDR(2 downto 0) <= \"101\";\n"
+                   "LEDR(3) <= '1' when word = \"no\" else '0';\n"
+                   "LEDR(4) <= '1' when flag else '0'; end architecture;\n")
+        self.leds(0b11101)
+
+    def test_one_that_the_top_has_not(self):
+        self.write(p_qsf="set_global_assignment -name TOP_LEVEL_ENTITY top\n"
+                         "set_parameter -name DEPTH 5\n", top_v=LEDS.format("SW"))
+        self.refused("DEPTH")
+
+
 class InoutPins(Case):
     """What a design does not drive, the pull-ups of the headers hold at 1."""
 
@@ -123,6 +151,22 @@ class Clocks(Case):
 
 
 class Building(Case):
+    def test_what_is_built_can_be_copied_with_its_project(self):
+        """No link leads back to the folder that is copied; an include beside it is found."""
+        self.write(lab__inc__width_vh="`define WIDTH 10\n", common__mask_vh="`define MASK 10'h3\n",
+                   lab__top_v='`include "width.vh"\n`include "mask.vh"\n' +
+                   LEDS.format("SW ^ `MASK").replace("output [9:0]", "output [`WIDTH - 1:0]"),
+                   lab__p_qsf="set_global_assignment -name TOP_LEVEL_ENTITY top\n"
+                              "set_global_assignment -name SEARCH_PATH .\n"
+                              "set_global_assignment -name SEARCH_PATH inc\n"
+                              "set_global_assignment -name SEARCH_PATH ../common\n"
+                              "set_global_assignment -name VERILOG_FILE top.v\n")
+        built = self.de1sim("build", "lab")
+        self.assertEqual(built.returncode, 0, built.stdout + built.stderr)
+        shutil.copytree(self.folder / "lab", self.folder / "copy")
+        built = self.de1sim("build", "copy")
+        self.assertEqual(built.returncode, 0, built.stdout + built.stderr)
+
     def test_two_at_once_build_once(self):
         self.write(top_v=LEDS.format("SW"))
         both = [subprocess.Popen([DE1SIM, "build", "."], cwd=self.folder, text=True,

@@ -48,6 +48,7 @@ def test_a_timeout_says_what_was_expected_and_what_there_is(board):
 
 @pytest.mark.parametrize("what, words", [
     ({"elf": "nowhere.elf"}, "nowhere.elf: no such file"),
+    ({"elf": __file__}, "not an ELF file"),
     ({"options": ["--cpi", "0"]}, "--cpi"),
     ({"de1sim": "/nowhere/de1sim"}, "cannot start /nowhere/de1sim: No such file"),
 ])
@@ -64,6 +65,14 @@ def test_a_scenario_plays_first(start_board, tmp_path):
     assert board.hex == "     1"
     board.keypad("2")
     assert "delay: 250ms" in board.save()
+
+
+def test_a_scenario_plays_first_on_a_program(start_board, programs, tmp_path):
+    (tmp_path / "s.yaml").write_text("name: s\nversion: 1\nsteps:\n"
+                                     "  - type-serial: {text: b, to: jtag-1}\n"
+                                     "  - delay: 250ms\n")
+    board = start_board(scenario=tmp_path / "s.yaml", elf=programs / "terminals.elf")
+    assert board.terminals["jtag-1"] == "+b"
 
 
 def test_the_sound_of_a_long_step_is_whole(board):

@@ -16,7 +16,8 @@ def project(tmp_path_factory):
     here = pathlib.Path(__file__).resolve().parents
     places = [here[2] / "rtl/examples/pong", here[3] / "rtl/examples/pong", INSTALLED]
     place = next(place for place in places if place.exists())
-    return shutil.copytree(place, tmp_path_factory.mktemp("project") / "pong") / "pong.qsf"
+    return shutil.copytree(place, tmp_path_factory.mktemp("project") / "pong",
+                           ignore=shutil.ignore_patterns(".de1sim")) / "pong.qsf"
 
 
 def test_a_ball_that_is_missed_is_a_point(start_board, project):

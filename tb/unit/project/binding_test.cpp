@@ -37,7 +37,7 @@ TEST(Binding, OfReversedRangesIsByIndex) {
     const auto b = bind({{"HEX0", Direction::OUTPUT, 0, 6, true}}, {}, {});
     EXPECT_EQ(wires(b).front(), "HEX0[0]");
     EXPECT_EQ(wires(b).back(), "HEX0[6]");
-    EXPECT_THAT(design_text(b, "top"), HasSubstr("assign HEX0[0] = de1sim_port_0[6];"));
+    EXPECT_THAT(design_text(b, "top", ""), HasSubstr("assign HEX0[0] = de1sim_port_0[6];"));
 }
 
 TEST(Binding, OfNarrowAndWideColoursIsOfTheirUpperBits) {
@@ -55,7 +55,7 @@ TEST(Binding, SaysWhatFitsNowhere) {
                          {"HPS_DDR3_CK_P", Direction::OUTPUT, 0, 0, false}},
                         {}, {});
     EXPECT_THAT(b.notes, Contains("ports without a pin of the board: LEDG, rst_n (is 1)"));
-    EXPECT_THAT(design_text(b, "top"), HasSubstr(".rst_n (1'b1)"));
+    EXPECT_THAT(design_text(b, "top", ""), HasSubstr(".rst_n (1'b1)"));
 }
 
 TEST(Binding, OfAWideColourWithLocationsIsByThem) {
@@ -78,7 +78,7 @@ TEST(Binding, GivesAPinToTheOutputThatHasItsLocation) {
 }
 
 TEST(Binding, DrivesLampsDarkThatTheDesignHasNot) {
-    const std::string text = design_text(bind({}, {}, {}), "top");
+    const std::string text = design_text(bind({}, {}, {}), "top", "");
     EXPECT_THAT(text, HasSubstr("assign HEX5[6] = 1'b1;"));
     EXPECT_THAT(text, HasSubstr("assign LEDR[9] = 1'b0;"));
     EXPECT_THAT(text, HasSubstr("assign VGA_BLANK_N = 1'b1;"));

@@ -1,4 +1,4 @@
-#include "sim/project/command.h"
+#include "sim/process/run_command.h"
 
 #include <fcntl.h>
 #include <poll.h>
@@ -14,7 +14,7 @@
 
 #include <fmt/format.h>
 
-namespace sim::project {
+namespace sim {
 
 namespace {
 
@@ -35,6 +35,14 @@ constexpr int NO_PROGRAM = 127, SIGNALLED = 128, LOOK_MS = 200;
 }
 
 }  // namespace
+
+std::string Outcome::last_line() const {
+    const std::size_t last = output.find_last_not_of('\n');
+    if (last == std::string::npos) return "";
+    const std::size_t before = output.rfind('\n', last);
+    const std::size_t begin = before == std::string::npos ? 0 : before + 1;
+    return output.substr(begin, last + 1 - begin);
+}
 
 Outcome run_command(const std::vector<std::string>& words, const std::filesystem::path& folder,
                     unsigned limit_s, const std::function<bool()>& given_up) {
@@ -93,4 +101,4 @@ std::vector<Outcome> run_commands(const std::vector<std::vector<std::string>>& c
     return outcomes;
 }
 
-}  // namespace sim::project
+}  // namespace sim

@@ -1,4 +1,4 @@
-// command.h - other programs: Verilator, the compiler.
+// run_command.h - other programs: Verilator, the compiler, Slurm, de1sim itself once more.
 #pragma once
 
 #include <filesystem>
@@ -6,11 +6,13 @@
 #include <string>
 #include <vector>
 
-namespace sim::project {
+namespace sim {
 
 struct Outcome {
     int code;            // exit code; 127: there is no such program; 128 + n: ended by signal n
     std::string output;  // stdout and stderr
+
+    std::string last_line() const;  // of the output, without its end; or nothing
 };
 
 // Runs the program, found on the PATH, in `folder`, without a shell.  After `limit_s` seconds, or
@@ -25,4 +27,4 @@ Outcome run_command(
 std::vector<Outcome> run_commands(const std::vector<std::vector<std::string>>& commands,
                                   const std::filesystem::path& folder, unsigned limit_s);
 
-}  // namespace sim::project
+}  // namespace sim

@@ -1,0 +1,35 @@
+#include "sim/project/top_parameters.h"
+
+#include <regex>
+
+#include <fmt/format.h>
+
+#include "sim/project/file_finder.h"
+
+namespace sim::project {
+
+std::string verilog_value(const std::string& value) {
+    static const std::regex NUMBER{
+        R"(-?[0-9][0-9_]*(\.[0-9]+)?|[0-9]*'s?[bodhBODH][0-9a-fA-FxXzZ_]+)"};
+    if (std::regex_match(value, NUMBER)) return value;
+    if (lower(value) == "true") return "1";
+    if (lower(value) == "false") return "0";
+    std::string text;
+    for (const char c : value) text += (c == '"' || c == '\\' ? "\\" : "") + std::string{c};
+    return '"' + text + '"';
+}
+
+std::vector<std::string> verilator_options(const TopParameters& parameters) {
+    std::vector<std::string> words;
+    for (const auto& [name, value] : parameters) words.push_back("-G" + name + "=" + value);
+    return words;
+}
+
+std::string instance_text(const TopParameters& parameters) {
+    std::string text;
+    for (const auto& [name, value] : parameters)
+        text += fmt::format("{}.{} ({})", text.empty() ? " #(" : ", ", name, value);
+    return text.empty() ? "" : text + ")";
+}
+
+}  // namespace sim::project

@@ -1,0 +1,21 @@
+// top_parameters.h - parameters of the top module that the .qsf sets: set_parameter -name WIDTH 8
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace sim::project {
+
+using TopParameters = std::map<std::string, std::string>;  // name and value, as Verilog writes it
+
+// Quartus' value as Verilog's: a number stays, true and false are 1 and 0, all else is a string.
+std::string verilog_value(const std::string& value);
+
+// For Verilator, where the top is the project's: -GWIDTH=8
+std::vector<std::string> verilator_options(const TopParameters& parameters);
+
+// For an instance of the top: " #(.WIDTH (8))", or nothing.
+std::string instance_text(const TopParameters& parameters);
+
+}  // namespace sim::project
