@@ -4,14 +4,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "Vfpga.h"
-#include "verilated.h"
-#ifndef DE1SIM_PORTS_ALONE
-#include "Vfpga___024root.h"
-#endif
-#ifdef DE1SIM_TRACE
-#include "verilated_fst_c.h"
-#endif
+#include "sim/fpga/fabric_model.h"
 
 namespace sim {
 
@@ -20,62 +13,6 @@ namespace {
 constexpr std::uint64_t LEAP_PS = 2'000'000;  // more than is ever left out at once
 
 }  // namespace
-
-// Bits of moved_i.
-enum Moved : std::uint8_t { LIGHTWEIGHT = 1, FULL = 2, PINS = 4 };
-
-// The signals of one AXI3 port; both bridges have the same shapes.
-struct Fabric::AxiPort {
-    CData &awlen, &awsize, &awburst, &awvalid, &awready, &wstrb, &wvalid, &wready, &bresp, &bvalid,
-        &bready, &arlen, &arsize, &arburst, &arvalid, &arready, &rresp, &rlast, &rvalid, &rready;
-    SData &awid, &bid, &arid, &rid;
-    IData &awaddr, &wdata, &araddr, &rdata;
-};
-
-#define AXI_PORT(m, b)                                                                           \
-    {                                                                                            \
-        m.b##_awlen_i, m.b##_awsize_i, m.b##_awburst_i, m.b##_awvalid_i, m.b##_awready_o,        \
-            m.b##_wstrb_i, m.b##_wvalid_i, m.b##_wready_o, m.b##_bresp_o, m.b##_bvalid_o,        \
-            m.b##_bready_i, m.b##_arlen_i, m.b##_arsize_i, m.b##_arburst_i, m.b##_arvalid_i,     \
-            m.b##_arready_o, m.b##_rresp_o, m.b##_rlast_o, m.b##_rvalid_o, m.b##_rready_i,       \
-            m.b##_awid_i, m.b##_bid_o, m.b##_arid_i, m.b##_rid_o, m.b##_awaddr_i, m.b##_wdata_i, \
-            m.b##_araddr_i, m.b##_rdata_o                                                        \
-    }
-
-struct Fabric::Model {
-    VerilatedContext context;
-    Vfpga top{&context};
-    AxiPort lw AXI_PORT(top, lw);
-    AxiPort h2f AXI_PORT(top, h2f);
-    // Or are those left out in which nothing happens?  (VGA_CLK rises in the middle of a clock.)
-#if defined DE1SIM_TRACE
-    bool every_clock = true;
-    VerilatedFstC waveforms;
-    Trace trace;
-#elif defined DE1SIM_EVERY_CLOCK
-    static constexpr bool every_clock = true;
-#else
-    static constexpr bool every_clock = false;
-#endif
-    void eval([[maybe_unused]] std::uint64_t time_ps);
-    void clock_every(bool every);
-    // What a fabric whose groups sleep says and hears.  One in which all clocks run has no such
-    // pins.
-#ifdef DE1SIM_EVERY_CLOCK
-    bool td_awake() const { return true; }
-    bool stirs() const { return true; }
-    std::uint64_t rest() const { return 0; }
-    void leave_out(std::uint64_t) {}
-    void tell_moved(std::uint8_t) {}
-#else
-    bool td_awake() const { return top.td_awake_o; }
-    bool stirs() const { return top.stirs_o; }
-    std::uint64_t rest() const { return top.rest_o; }
-    void leave_out(std::uint64_t clocks) { top.skip_i = static_cast<SData>(clocks); }
-    void tell_moved(std::uint8_t moved) { top.moved_i = moved; }
-#endif
-    AxiPort& port(Bridge bridge) { return bridge == Bridge::LIGHTWEIGHT ? lw : h2f; }
-};
 
 Fabric::Fabric(PinListener& pins, const Trace& trace, unsigned audio_rate)
     : pins_{pins},
@@ -136,42 +73,6 @@ bool Fabric::can_trace() {
     return true;
 #else
     return false;
-#endif
-}
-
-void Fabric::apply_inputs() {
-    Vfpga& top = model_->top;
-    top.sw_i = in.sw;
-    top.key_ni = in.key_n;
-    top.jp1_i = bits_of_pins(in.gpio[0]);
-    top.jp2_i = bits_of_pins(in.gpio[1]);
-    top.i2c_sdat_i = in.sdat;
-    top.adc_sdo_i = in.adc_sdo;
-    top.irda_rxd_i = in.irda_rxd;
-    top.ps2_clk_i = in.ps2_clk;
-    top.ps2_dat_i = in.ps2_dat;
-    top.jtag_take_i = jtag.take;
-    top.jtag_typed_i = jtag.typed;
-    top.jtag_typed_data_i = jtag.bytes;
-    top.jtag_idle_i = jtag.idle;
-    applied_ = in;
-    applied_jtag_ = jtag;
-    look_ = true;
-    moved_ |= PINS;
-    jtag.typed = jtag.idle = 0;
-}
-
-inline void Fabric::Model::eval([[maybe_unused]] std::uint64_t time_ps) {
-    top.eval();
-#ifdef DE1SIM_TRACE
-    if (waveforms.isOpen() && trace.wants(time_ps)) waveforms.dump(time_ps);
-#endif
-}
-
-inline void Fabric::Model::clock_every([[maybe_unused]] bool every) {
-#ifdef DE1SIM_TRACE
-    every_clock = every;
-    top.rootp->fpga__DOT__clocks__DOT__root__DOT__every_clock = every;
 #endif
 }
 
@@ -282,58 +183,6 @@ inline std::uint64_t Fabric::clock(std::uint64_t most) {
     return passed;
 }
 
-void Fabric::tell_sdram() {
-    Vfpga& top = model_->top;
-    pins_.sdram(
-        {top.dram_cs_no != 0, top.dram_ras_no != 0, top.dram_cas_no != 0, top.dram_we_no != 0,
-         top.dram_ba_o, top.dram_dqm_o, top.dram_addr_o, top.dram_dq_o, top.dram_dq_oe_o != 0},
-        time_ps() - FABRIC_PERIOD_PS / 2, top.dram_dq_i, sdram_);
-}
-
-void Fabric::tell_pins() {
-    Vfpga& top = model_->top;
-    look_ = true;
-    tell_codec(time_ps());
-    HeaderBits& was = headers_was_;
-    if ((top.jp1_o ^ was.jp1) | (top.jp1_oe_o ^ was.jp1_oe) | (top.jp2_o ^ was.jp2) |
-        (top.jp2_oe_o ^ was.jp2_oe)) {
-        was = {top.jp1_o, top.jp1_oe_o, top.jp2_o, top.jp2_oe_o};
-        pins_.headers({{pins_of_bits(was.jp1), pins_of_bits(was.jp2)},
-                       {pins_of_bits(was.jp1_oe), pins_of_bits(was.jp2_oe)}},
-                      time_ps(), in);
-    }
-    const bool lamps_moved = top.ledr_o != lamps_was_.ledr || top.hex_no != lamps_was_.hex_n;
-    if (lamps_moved && !top.rst_i) {  // before, they are of a model that has not begun
-        lamps_was_ = {top.ledr_o, top.hex_no};
-        pins_.lamps(lamps_was_, time_ps());
-    }
-    const std::uint32_t adc =
-        static_cast<std::uint32_t>(top.adc_convst_o | top.adc_sck_o << 1 | top.adc_sdi_o << 2);
-    if (adc != adc_was_) {
-        adc_was_ = adc;
-        pins_.adc({top.adc_convst_o != 0, top.adc_sck_o != 0, top.adc_sdi_o != 0}, time_ps(), in);
-    }
-    const unsigned ps2 = static_cast<unsigned>(top.ps2_clk_low_o | top.ps2_dat_low_o << 2);
-    if (ps2 != ps2_was_) {
-        ps2_was_ = ps2;
-        pins_.ps2(ps2 & 3, ps2 >> 2, in);
-    }
-    for (unsigned sent = top.jtag_sent_o, n = 0; sent >> n; ++n)
-        if (sent >> n & 1) jtag_sent_(n, static_cast<char>(top.jtag_sent_data_o >> 8 * n), jtag);
-}
-
-void Fabric::tell_codec(std::uint64_t time_ps) {
-    const Vfpga& top = model_->top;
-    const std::uint32_t codec = static_cast<std::uint32_t>(
-        top.aud_bclk_o | top.aud_daclrck_o << 1 | top.aud_adclrck_o << 2 | top.aud_dacdat_o << 3 |
-        top.i2c_sclk_o << 4 | top.i2c_sdat_oe_o << 5);
-    if (codec == codec_was_) return;
-    codec_was_ = codec;
-    pins_.codec({top.aud_bclk_o != 0, top.aud_daclrck_o != 0, top.aud_adclrck_o != 0,
-                 top.aud_dacdat_o != 0, top.i2c_sclk_o != 0, top.i2c_sdat_oe_o != 0},
-                time_ps, in);
-}
-
 void Fabric::run(std::uint64_t clocks) {
     look_ = true;
     while (clocks) clocks -= clock(clocks);
@@ -433,44 +282,5 @@ AxiResponse Fabric::read(Bridge bridge, std::uint32_t address, std::uint8_t* dat
     }
     return alive ? response : AxiResponse::NONE;
 }
-
-#ifdef DE1SIM_PORTS_ALONE
-bool Fabric::has_memory() const { return false; }
-void Fabric::read_onchip(std::uint32_t, std::uint8_t*, unsigned) const {}
-void Fabric::write_onchip(std::uint32_t, const std::uint8_t*, unsigned) {}
-std::optional<Fabric::Audio> Fabric::audio() const { return {}; }
-#else
-#define LANE(n) &top.rootp->fpga__DOT__video_block__DOT__onchip__DOT__memory__DOT__lane##n[0]
-#define LANES \
-    { LANE(0), LANE(1), LANE(2), LANE(3) }
-
-bool Fabric::has_memory() const { return true; }
-
-void Fabric::read_onchip(std::uint32_t offset, std::uint8_t* data, unsigned bytes) const {
-    Vfpga& top = model_->top;
-    const CData* const lanes[] = LANES;
-    for (unsigned i = 0; i < bytes; ++i, ++offset) data[i] = lanes[offset % 4][offset / 4];
-}
-
-void Fabric::write_onchip(std::uint32_t offset, const std::uint8_t* data, unsigned bytes) {
-    Vfpga& top = model_->top;
-    CData* const lanes[] = LANES;
-    for (unsigned i = 0; i < bytes; ++i, ++offset) lanes[offset % 4][offset / 4] = data[i];
-}
-
-#define AUDIO(signal) top.rootp->fpga__DOT__audio_block__DOT__##signal
-
-std::optional<Fabric::Audio> Fabric::audio() const {
-    const Vfpga& top = model_->top;
-    return Audio{{AUDIO(left_out_count), AUDIO(right_out_count)},
-                 {AUDIO(left_in_count), AUDIO(right_in_count)},
-                 AUDIO(underruns_q)};
-}
-#endif
-
-std::uint16_t Fabric::ledr() const { return model_->top.ledr_o; }
-std::uint64_t Fabric::hex_n() const { return model_->top.hex_no; }
-std::uint32_t Fabric::irq() const { return model_->top.irq_o; }
-std::uint8_t Fabric::jtag_room() const { return model_->top.jtag_room_o; }
 
 }  // namespace sim

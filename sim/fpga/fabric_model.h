@@ -1,0 +1,89 @@
+// fabric_model.h - the Verilated fabric as fabric.cpp and fabric_pins.cpp share it.
+#pragma once
+
+#include <cstdint>
+
+#include "sim/fpga/fabric.h"
+
+#include "Vfpga.h"
+#include "verilated.h"
+#ifndef DE1SIM_PORTS_ALONE
+#include "Vfpga___024root.h"
+#endif
+#ifdef DE1SIM_TRACE
+#include "verilated_fst_c.h"
+#endif
+
+namespace sim {
+
+// Bits of moved_i.
+enum Moved : std::uint8_t { LIGHTWEIGHT = 1, FULL = 2, PINS = 4 };
+
+// The signals of one AXI3 port; both bridges have the same shapes.
+struct Fabric::AxiPort {
+    CData &awlen, &awsize, &awburst, &awvalid, &awready, &wstrb, &wvalid, &wready, &bresp, &bvalid,
+        &bready, &arlen, &arsize, &arburst, &arvalid, &arready, &rresp, &rlast, &rvalid, &rready;
+    SData &awid, &bid, &arid, &rid;
+    IData &awaddr, &wdata, &araddr, &rdata;
+};
+
+#define AXI_PORT(m, b)                                                                           \
+    {                                                                                            \
+        m.b##_awlen_i, m.b##_awsize_i, m.b##_awburst_i, m.b##_awvalid_i, m.b##_awready_o,        \
+            m.b##_wstrb_i, m.b##_wvalid_i, m.b##_wready_o, m.b##_bresp_o, m.b##_bvalid_o,        \
+            m.b##_bready_i, m.b##_arlen_i, m.b##_arsize_i, m.b##_arburst_i, m.b##_arvalid_i,     \
+            m.b##_arready_o, m.b##_rresp_o, m.b##_rlast_o, m.b##_rvalid_o, m.b##_rready_i,       \
+            m.b##_awid_i, m.b##_bid_o, m.b##_arid_i, m.b##_rid_o, m.b##_awaddr_i, m.b##_wdata_i, \
+            m.b##_araddr_i, m.b##_rdata_o                                                        \
+    }
+
+struct Fabric::Model {
+    VerilatedContext context;
+    Vfpga top{&context};
+    AxiPort lw AXI_PORT(top, lw);
+    AxiPort h2f AXI_PORT(top, h2f);
+    // Or are those left out in which nothing happens?  (VGA_CLK rises in the middle of a clock.)
+#if defined DE1SIM_TRACE
+    bool every_clock = true;
+    VerilatedFstC waveforms;
+    Trace trace;
+#elif defined DE1SIM_EVERY_CLOCK
+    static constexpr bool every_clock = true;
+#else
+    static constexpr bool every_clock = false;
+#endif
+    void eval([[maybe_unused]] std::uint64_t time_ps);
+    void clock_every(bool every);
+    // What a fabric whose groups sleep says and hears.  One in which all clocks run has no such
+    // pins.
+#ifdef DE1SIM_EVERY_CLOCK
+    bool td_awake() const { return true; }
+    bool stirs() const { return true; }
+    std::uint64_t rest() const { return 0; }
+    void leave_out(std::uint64_t) {}
+    void tell_moved(std::uint8_t) {}
+#else
+    bool td_awake() const { return top.td_awake_o; }
+    bool stirs() const { return top.stirs_o; }
+    std::uint64_t rest() const { return top.rest_o; }
+    void leave_out(std::uint64_t clocks) { top.skip_i = static_cast<SData>(clocks); }
+    void tell_moved(std::uint8_t moved) { top.moved_i = moved; }
+#endif
+    AxiPort &port(Bridge bridge) { return bridge == Bridge::LIGHTWEIGHT ? lw : h2f; }
+};
+
+inline void Fabric::Model::eval([[maybe_unused]] std::uint64_t time_ps) {
+    top.eval();
+#ifdef DE1SIM_TRACE
+    if (waveforms.isOpen() && trace.wants(time_ps)) waveforms.dump(time_ps);
+#endif
+}
+
+inline void Fabric::Model::clock_every([[maybe_unused]] bool every) {
+#ifdef DE1SIM_TRACE
+    every_clock = every;
+    top.rootp->fpga__DOT__clocks__DOT__root__DOT__every_clock = every;
+#endif
+}
+
+}  // namespace sim
