@@ -31,6 +31,36 @@ TEST_F(Audio, RaisesWiWhenEitherSideHasTheRoom) {
     EXPECT_EQ(read(AUDIO_CONTROL) & CONTROL_WI, CONTROL_WI);
 }
 
+TEST_F(SlowAudio, RaisesWiFor96FreePlacesOnOneSideAlone) {
+    for (const std::uint32_t side : {AUDIO_LEFTDATA, AUDIO_RIGHTDATA}) {
+        const std::uint32_t other = side == AUDIO_LEFTDATA ? AUDIO_RIGHTDATA : AUDIO_LEFTDATA;
+        write(AUDIO_CONTROL, CONTROL_CW);
+        write(AUDIO_CONTROL, 0);
+        to_frame();
+        for (unsigned n = 0; n < 50; ++n) write(other, n);
+        for (unsigned n = 0; n < 32; ++n) write(side, n);
+        EXPECT_EQ(read(AUDIO_CONTROL) & CONTROL_WI, CONTROL_WI) << std::hex << side;
+        write(side, 0);
+        EXPECT_EQ(read(AUDIO_CONTROL) & CONTROL_WI, 0u) << std::hex << side;
+    }
+}
+
+TEST_F(SlowAudio, RaisesRiFor96SamplesOnOneSideAlone) {
+    for (const std::uint32_t side : {AUDIO_LEFTDATA, AUDIO_RIGHTDATA}) {
+        write(AUDIO_CONTROL, CONTROL_CR);
+        write(AUDIO_CONTROL, 0);
+        clock(100 * SLOW_FRAME);
+        to_frame();
+        const bool left = side == AUDIO_LEFTDATA;
+        while ((left ? right_waiting() : left_waiting()) > 80)
+            read(left ? AUDIO_RIGHTDATA : AUDIO_LEFTDATA);
+        while ((left ? left_waiting() : right_waiting()) > 96) read(side);
+        EXPECT_EQ(read(AUDIO_CONTROL) & CONTROL_RI, CONTROL_RI) << std::hex << side;
+        read(side);
+        EXPECT_EQ(read(AUDIO_CONTROL) & CONTROL_RI, 0u) << std::hex << side;
+    }
+}
+
 TEST_F(Audio, RaisesRiFrom96SamplesOnOnEitherSide) {
     write(AUDIO_CONTROL, CONTROL_CR);
     write(AUDIO_CONTROL, 0);

@@ -74,6 +74,21 @@ TEST_F(AudioSerial, HasAFrameIn128ClocksAnd64Bclks) {
     EXPECT_EQ(bits.size(), 640u);
 }
 
+TEST_F(AudioSerial, BeginsAFrameWithTheFirstFallOfBclkAfterAReset) {
+    for (const unsigned before : {0u, 1u, 2u, 37u}) {  // clocks since the last reset
+        SetUp();
+        clock(before);
+        SetUp();
+        EXPECT_EQ(dut.bclk_o, 0);
+        EXPECT_EQ(dut.lrck_o, 1);
+        EXPECT_EQ(dut.dacdat_o, 0);
+        const unsigned end_of_reset = clocks;
+        clock(4);
+        ASSERT_EQ(falls.size(), 1u);
+        EXPECT_EQ(falls[0], end_of_reset + 2) << "BCLK rises, then it falls with LRCK";
+    }
+}
+
 TEST_F(AudioSerial, MovesLrckAndDataOnlyWhenBclkFalls) {
     for (std::uint32_t i = 1; i < 20; ++i) send(0x9e3779 * i & 0xffffff, 0x85ebca * i & 0xffffff);
     EXPECT_EQ(stray, 0u);

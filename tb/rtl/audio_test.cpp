@@ -68,6 +68,49 @@ TEST_F(Audio, PlaysZerosAndCountsOnceWhenTheOutputRunsDry) {
     EXPECT_EQ(read(CODEC_UNDERRUNS), 0u);
 }
 
+// At 8 kHz frames are a whole number of clocks long, so the clock of an underrun can be foretold.
+class UnderrunAt8Khz : public SlowAudio {
+protected:
+    // Number of the clock that counted one, while UNDERRUNS was written and read in every clock.
+    std::uint64_t underrun() {
+        std::vector<std::uint64_t> seen;
+        push(1);
+        dut.we_i = dut.re_i = 1;
+        dut.waddr_i = dut.raddr_i = CODEC_UNDERRUNS & 0xfff;
+        for (unsigned i = 0; i < 4 * SLOW_FRAME; ++i) {
+            clock();
+            EXPECT_LE(dut.rdata_o, 1u);
+            if (dut.rdata_o) seen.push_back(clocks - 1);
+        }
+        dut.we_i = dut.re_i = 0;
+        EXPECT_EQ(seen.size(), 1u) << "an underrun was cleared in its clock";
+        return seen.empty() ? 0 : seen.front();
+    }
+    // Two underruns, and a write in the very clock of the third.
+    void write_in_the_third(std::uint32_t address) {
+        const std::uint64_t one = underrun();
+        for (const unsigned count : {1u, 2u}) {
+            push(2);
+            clock(4 * SLOW_FRAME);
+            ASSERT_EQ(read(CODEC_UNDERRUNS), count);
+        }
+        push(3);  // it leaves in the clock `one` of this frame, and the next frame has none
+        clock(2 * SLOW_FRAME - 1 - (clocks - one) % SLOW_FRAME);
+        write(address, 0);
+        EXPECT_EQ((clocks - 1 - one) % SLOW_FRAME, 0u);
+    }
+};
+
+TEST_F(UnderrunAt8Khz, IsTheFirstOneOfACountThatIsClearedInItsClock) {
+    write_in_the_third(CODEC_UNDERRUNS);
+    EXPECT_EQ(read(CODEC_UNDERRUNS), 1u);
+}
+
+TEST_F(UnderrunAt8Khz, CountsWhenAnotherRegisterIsWrittenInItsClock) {
+    write_in_the_third(AUDIO_CONTROL);
+    EXPECT_EQ(read(CODEC_UNDERRUNS), 3u);
+}
+
 TEST_F(Audio, HoldsTheOutputEmptyWhileCwIsSet) {
     to_frame();
     push(1, 50);
