@@ -29,6 +29,12 @@ TEST_F(ArmCpu, StartsInSvcModeWithInterruptsOffAndAStack) {
     EXPECT_EQ(result(1), 6u) << "NEON: 3 + 3";
 }
 
+TEST_F(ArmCpu, FindsItsProgramAtTheSegmentsPhysicalAddresses) {
+    for (sim::ElfSegment& segment : elf.segments) segment.address += 0x10000000;
+    run_to_end("test_boot");
+    EXPECT_EQ(result(1), 6u);
+}
+
 TEST_F(ArmCpu, TellsProgramsWhereItsPrivatePeripheralsAre) {
     run_to_end("test_boot");
     EXPECT_EQ(result(5), 0xFFFEC000u);

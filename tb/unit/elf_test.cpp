@@ -67,6 +67,33 @@ TEST_F(ElfFile, IsLoadedWithSegmentsAndEntry) {
     EXPECT_EQ(first >> 24, 0xEAu) << "a branch, the reset vector";
 }
 
+TEST_F(ElfFile, BeginsWhereItsHeaderSays) {
+    for (const std::uint32_t entry : {0x10u, 0x11u})  // ARM, Thumb
+        EXPECT_EQ(load(with_header([entry](Elf32_Ehdr& h) { h.e_entry = entry; })).entry, entry);
+}
+
+TEST_F(ElfFile, IsLoadedToItsPhysicalAddressesAndRunsAtTheOthers) {
+    const sim::ElfSegment before = load(good).segments[1];
+    const sim::ElfProgram program = load(with_segment(1, [](Elf32_Phdr& s) {
+        s.p_paddr = 0x02000000;
+        s.p_vaddr = 0x30000000;
+    }));
+    EXPECT_EQ(program.segments[1].physical, 0x02000000u);
+    EXPECT_EQ(program.segments[1].address, 0x30000000u);
+    EXPECT_EQ(program.segments[1].data, before.data);
+    EXPECT_EQ(program.segments[0].physical, 0u);
+}
+
+TEST_F(ElfFile, HasItsEntryAmongTheAddressesAtWhichItRuns) {
+    const auto moved = [this](std::uint32_t entry) {
+        std::string bytes = with_segment(0, [](Elf32_Phdr& s) { s.p_vaddr = 0x30000000; });
+        reinterpret_cast<Elf32_Ehdr*>(bytes.data())->e_entry = entry;
+        return bytes;
+    };
+    EXPECT_EQ(load(moved(0x30000004)).entry, 0x30000004u);
+    EXPECT_THAT(refusal(moved(0x4)), HasSubstr("its entry point 0x00000004 is in no executable"));
+}
+
 TEST_F(ElfFile, NamesTheFunctionAroundAnAddress) {
     const sim::ElfProgram program = load(good);
     for (const sim::ElfFunction& f : program.functions)
