@@ -1,5 +1,5 @@
 // keypad.v with its scanner: 16 switches without diodes are on the pins.  A slot is 8 clocks here.
-#include <random>
+#include <vector>
 
 #include "Vkeypad.h"
 #include "regmap.h"
@@ -158,6 +158,66 @@ TEST_F(Keypad, KeepsSixteenEventsInOrderAndSaysWhenOneIsLost) {
         EXPECT_EQ(take_event(), event(i, false));
     }
     EXPECT_EQ(take_event(), 0u);
+}
+
+TEST_F(Keypad, TellsTheEventsOfOneScanInTheOrderOfTheKeys) {
+    write(KEYPAD_DEBOUNCE, scans = 2);  // a scan may see half of a chord
+    const std::vector<std::vector<int>> chords{
+        {0, 1}, {0, 15}, {0, 5, 10, 15}, {3, 6, 9, 12}, {0, 4, 12}, {12, 13, 14}, {7, 8}};
+    for (const std::vector<int>& chord : chords)
+        for (const bool pressed : {true, false}) {
+            std::uint16_t keys = 0;
+            for (const int key : chord) keys |= static_cast<std::uint16_t>(pressed << key);
+            hold(keys);
+            for (const int key : chord) EXPECT_EQ(take_event(), event(key, pressed)) << key;
+            EXPECT_EQ(take_event(), 0u);
+        }
+    // A release and a press in one scan, the lower number first.
+    hold(1u << 0 | 1u << 9);
+    take_event();
+    take_event();
+    hold(1u << 2 | 1u << 9);
+    EXPECT_EQ(take_event(), event(0, false));
+    EXPECT_EQ(take_event(), event(2, true));
+    hold(1u << 0 | 1u << 9);
+    EXPECT_EQ(take_event(), event(0, true));
+    EXPECT_EQ(take_event(), event(2, false));
+}
+
+TEST_F(Keypad, LosesAnEventToAWriteWithAnyByteAndToNothingElse) {
+    hold(1u << 3);
+    read(KEYPAD_EVENT);
+    write(KEYPAD_EVENT, 0xffffffff, 0x0);
+    for (const std::uint32_t other : {KEYPAD_STATUS, KEYPAD_KEYS, KEYPAD_MASK, KEYPAD_MASK + 8})
+        write(other, 0);
+    EXPECT_EQ(read(KEYPAD_EVENT), event(3, true));
+    for (const std::uint8_t strobes : {0x1, 0x2, 0x4, 0x8}) {
+        hold(0);
+        hold(1u << 3);
+        EXPECT_EQ(read(KEYPAD_STATUS) >> 8 & 31, 3u);
+        for (unsigned left = 3; left > 0; --left) {
+            EXPECT_EQ(read(KEYPAD_STATUS) >> 8 & 31, left) << int{strobes};
+            write(KEYPAD_EVENT, 0, strobes);
+        }
+        hold(0);
+        write(KEYPAD_EVENT, 0);
+        hold(1u << 3);
+    }
+}
+
+TEST_F(Keypad, ChangesARegisterByItsByteLane) {
+    write(KEYPAD_CONTROL, 0, 0xe);
+    write(KEYPAD_DEBOUNCE, 0xffffffff, 0xe);
+    write(KEYPAD_MASK, 0xffffffff, 0xe);
+    EXPECT_EQ(read(KEYPAD_CONTROL), 1u);
+    EXPECT_EQ(read(KEYPAD_DEBOUNCE), scans);
+    EXPECT_EQ(read(KEYPAD_MASK), 0u);
+    hold(0x0013);  // three corners
+    write(KEYPAD_STATUS, 0xffffffff, 0xe);
+    EXPECT_EQ(read(KEYPAD_STATUS) & 0xc, 0xcu);
+    hold(0);
+    write(KEYPAD_STATUS, 0x4, 0x1);
+    EXPECT_EQ(read(KEYPAD_STATUS) & 0xc, 0u);
 }
 
 TEST_F(Keypad, InterruptsByMask) {

@@ -113,6 +113,37 @@ TEST_F(Ps2Port, InterruptsWhileAByteWaitsIfAsked) {
     EXPECT_EQ(read(CONTROL), RE);
 }
 
+TEST_F(Ps2Port, ChangesReAndCeByTheirByteLanes) {
+    write(CONTROL, RE, 0xe);
+    EXPECT_EQ(read(CONTROL), 0u);
+    write(CONTROL, RE, 0x1);
+    EXPECT_EQ(read(CONTROL), RE);
+    write(CONTROL, 0, 0xe);
+    EXPECT_EQ(read(CONTROL), RE);
+
+    write(DATA, 0xf4);
+    device_takes(false);
+    write(CONTROL, RE, 0xd);  // without CE's byte
+    EXPECT_EQ(read(CONTROL), CE | RE);
+    write(CONTROL, 0, 0x2);
+    EXPECT_EQ(read(CONTROL), RE);
+}
+
+TEST_F(Ps2Port, SendsNothingWithoutTheBytesLane) {
+    write(DATA, 0xf4f4f4f4, 0xe);
+    EXPECT_EQ(device_takes(), -1);
+    write(DATA, 0xed, 0x1);
+    EXPECT_EQ(device_takes() & 0xff, 0xed);
+}
+
+TEST_F(Ps2Port, LosesNoByteToAWriteOrToAReadOfControl) {
+    device_sends(0x1c);
+    read(CONTROL);
+    write(CONTROL, 0);
+    write(DATA, 0, 0);
+    EXPECT_EQ(read(DATA), 1u << 16 | RVALID | 0x1c);
+}
+
 TEST_F(Ps2Port, Keeps256Bytes) {
     for (unsigned i = 0; i < 258; ++i) device_sends(static_cast<std::uint8_t>(i * 7));
     for (unsigned i = 0; i < 256; ++i)

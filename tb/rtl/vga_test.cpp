@@ -56,6 +56,11 @@ TEST_F(Vga, ShowsEveryPixelTwoByTwo) {
         }
 }
 
+TEST_F(Vga, HasNoSyncOnGreen) {
+    shown();
+    for (const Pins& p : seen) ASSERT_FALSE(p.sync_n);
+}
+
 TEST_F(Vga, IsBlackInTheBlanking) {
     for (auto& w : onchip) w = 0xffffffff;
     shown();
@@ -124,6 +129,15 @@ TEST_F(Vga, WritesTheBackBufferByLanes) {
     write(PIXEL_BACK_BUFFER, 0x12345678);
     write(PIXEL_BACK_BUFFER, 0xaabbccdd, 0x5);
     EXPECT_EQ(read(PIXEL_BACK_BUFFER), 0x12bb56ddu);
+}
+
+TEST_F(Vga, ChangesStatusByItsByteLane) {
+    write(PIXEL_STATUS, 0x2, 0xe);
+    EXPECT_EQ(read(PIXEL_STATUS), 0x08090F04u);
+    write(PIXEL_STATUS, 0x2, 0x1);
+    EXPECT_EQ(read(PIXEL_STATUS), 0x08090F02u);
+    write(PIXEL_STATUS, 0x4, 0xe);
+    EXPECT_EQ(read(PIXEL_STATUS), 0x08090F02u);
 }
 
 TEST_F(Vga, GoesBlackWhileDisabledAndKeepsItsTiming) {
