@@ -1,7 +1,7 @@
 # The menu. Each entry shows the real command.
 
 .PHONY: all build setup help demo test fast asan coverage bench bench-collision firmware package
-.PHONY: soak formal formal-mutants synth netlist table1 fuzz instructions qsf bitstream
+.PHONY: soak formal formal-mutants mutants synth netlist table1 fuzz instructions qsf bitstream
 .PHONY: bitstream-open regmap format clean configure everything
 .PHONY: deploy rollback deploy-jtag
 
@@ -92,6 +92,11 @@ formal: everything      ## proofs with Yosys and z3 (tb/formal)
 
 formal-mutants: everything ## each property seen to fail on a mutant
 	@cmake --build build --target formal-mutants
+
+mutants:                ## [N=330] [SEED=n] [BLOCK=vga] [ONLY=id] [RESUME=1]: who finds its faults
+	@.ci/setup --check tool firmware test video
+	@/usr/bin/python3 -B tb/mutants/mutants.py --number $(or $(N),330) --seed $(or $(SEED),1) \
+	    $(if $(BLOCK),--block $(BLOCK)) $(if $(ONLY),--only "$$ONLY") $(if $(RESUME),--resume)
 
 synth: everything       ## what the netlist takes of the device, and the limits (tb/synth)
 	@cmake --build build --target synth
