@@ -1,0 +1,238 @@
+// fabric_ports_test.cpp - fpga.v's pins and interrupts of the ports of which there are two
+#include <gmock/gmock.h>
+
+#include <cstring>
+#include <functional>
+#include <vector>
+
+#include "regmap.h"
+#include "sim/fpga/fabric.h"
+
+namespace {
+
+using namespace regmap;
+using ::testing::ElementsAre;
+using ::testing::SizeIs;
+
+constexpr unsigned QUARTER = 500;  // clocks, of a PS/2 device's bit of 80 us
+
+// What the PS/2 ports pull low since the clock, bit n of port n.
+struct Ps2Pulls {
+    std::uint64_t clock;
+    unsigned clk_low, dat_low;
+};
+
+// PS/2 wires with pull-ups, which a device may pull low, too.
+struct Pins : sim::PinListener {
+    std::function<std::uint64_t()> clocks;
+    std::vector<Ps2Pulls> pulls;
+    unsigned device_clk_low = 0, device_dat_low = 0;
+    std::uint64_t samples = 0, with_sync = 0;
+
+    void wires(sim::ChipInputs& in) const {
+        const Ps2Pulls host = pulls.empty() ? Ps2Pulls{} : pulls.back();
+        in.ps2_clk = static_cast<std::uint8_t>(3 & ~(device_clk_low | host.clk_low));
+        in.ps2_dat = static_cast<std::uint8_t>(3 & ~(device_dat_low | host.dat_low));
+    }
+    void ps2(unsigned clk_low, unsigned dat_low, sim::ChipInputs& in) override {
+        pulls.push_back({clocks(), clk_low, dat_low});
+        wires(in);
+    }
+    void video(const std::uint32_t* pins, std::size_t count) override {
+        samples += count;
+        for (std::size_t i = 0; i < count; ++i) with_sync += (pins[i] & sim::video::SYNC_N) != 0;
+    }
+    void codec(const sim::CodecPins&, std::uint64_t, sim::ChipInputs&) override {}
+    void headers(const sim::HeaderPins&, std::uint64_t, sim::ChipInputs&) override {}
+    void adc(const sim::AdcPins&, std::uint64_t, sim::ChipInputs&) override {}
+    void sdram(const sim::SdramPins&, std::uint64_t, std::uint16_t&, bool& more) override {
+        more = false;
+    }
+};
+
+class FabricPorts : public ::testing::Test {
+protected:
+    Pins pins;
+    sim::Fabric fabric{pins};
+
+    void SetUp() override {
+        pins.clocks = [this] { return fabric.clocks(); };
+        fabric.run(1000);
+    }
+    std::uint32_t read(std::uint32_t address) {
+        std::uint8_t bytes[4];
+        EXPECT_EQ(fabric.read(sim::Bridge::LIGHTWEIGHT, address - 0xFF200000, bytes, 4),
+                  sim::AxiResponse::OKAY);
+        std::uint32_t value;
+        std::memcpy(&value, bytes, 4);
+        return value;
+    }
+    void write(std::uint32_t address, std::uint32_t value) {
+        std::uint8_t bytes[4];
+        std::memcpy(bytes, &value, 4);
+        EXPECT_EQ(fabric.write(sim::Bridge::LIGHTWEIGHT, address - 0xFF200000, bytes, 4),
+                  sim::AxiResponse::OKAY);
+        fabric.run(10);
+    }
+    static std::uint32_t irq_of(unsigned id) { return 1u << (id - TIMER0_IRQ_ID); }
+};
+
+// ---- PS/2 ----
+
+class FabricPs2 : public FabricPorts {
+protected:
+    void pull(unsigned clk_low, unsigned dat_low, unsigned quarters) {
+        pins.device_clk_low = clk_low;
+        pins.device_dat_low = dat_low;
+        pins.wires(fabric.in);
+        fabric.run(quarters * QUARTER);
+    }
+    void device_sends(unsigned port, std::uint8_t byte) {
+        unsigned ones = 0;
+        for (int i = 0; i < 8; ++i) ones += byte >> i & 1;
+        const unsigned frame = static_cast<unsigned>(byte) << 1 | (ones % 2 ? 0u : 0x200u) | 0x400u;
+        for (int bit = 0; bit < 11; ++bit) {
+            const unsigned dat_low = (frame >> bit & 1) ? 0u : 1u << port;
+            pull(0, dat_low, 1);
+            pull(1u << port, dat_low, 2);
+            pull(0, dat_low, 1);
+        }
+        pull(0, 0, 4);
+    }
+    // Ten bits and the acknowledge.
+    unsigned device_takes(unsigned port) {
+        unsigned bits = 0;
+        for (int bit = 0; bit < 10; ++bit) {
+            pull(1u << port, 0, 2);
+            bits |= (fabric.in.ps2_dat >> port & 1u) << bit;
+            pull(0, 0, 2);
+        }
+        pull(0, 1u << port, 1);
+        pull(1u << port, 1u << port, 2);
+        pull(0, 0, 4);
+        return bits;
+    }
+    static constexpr std::uint32_t data[] = {PS2_0_DATA, PS2_1_DATA};
+    static constexpr std::uint32_t control[] = {PS2_0_CONTROL, PS2_1_CONTROL};
+    static constexpr unsigned id[] = {PS2_0_IRQ_ID, PS2_1_IRQ_ID};
+};
+
+TEST_F(FabricPs2, GivesEachPortsBytesAtItsOwnRegister) {
+    for (const unsigned port : {0u, 1u}) {
+        const auto byte = static_cast<std::uint8_t>(0x1c + port);
+        device_sends(port, byte);
+        EXPECT_EQ(read(data[1 - port]), 0u);
+        EXPECT_EQ(read(data[port]), 1u << 16 | PS2_0_DATA_RVALID_MASK | byte);
+        EXPECT_EQ(read(data[port]), 0u);
+    }
+}
+
+TEST_F(FabricPs2, InterruptsWithEachPortsNumber) {
+    for (const unsigned port : {0u, 1u}) {
+        device_sends(port, 0x55);
+        write(control[1 - port], PS2_0_CONTROL_RE_MASK);
+        EXPECT_EQ(fabric.irq(), 0u);
+        write(control[1 - port], 0);
+        write(control[port], PS2_0_CONTROL_RE_MASK);
+        EXPECT_EQ(fabric.irq(), irq_of(id[port]));
+        write(control[port], 0);
+        read(data[port]);
+    }
+}
+
+TEST_F(FabricPs2, HoldsItsOwnClockLowFor120MicrosecondsAndThenPullsItsData) {
+    for (const unsigned port : {0u, 1u}) {
+        pins.pulls.clear();
+        write(data[port], 0xf4);
+        fabric.run(5'000);
+        ASSERT_THAT(pins.pulls, SizeIs(2));
+        EXPECT_EQ(pins.pulls[0].clk_low, 1u << port);
+        EXPECT_EQ(pins.pulls[0].dat_low, 0u);
+        EXPECT_EQ(pins.pulls[1].clk_low, 0u);
+        EXPECT_EQ(pins.pulls[1].dat_low, 1u << port);
+        const std::uint64_t held = pins.pulls[1].clock - pins.pulls[0].clock;
+        EXPECT_GE(held, 3'000u);
+        EXPECT_LE(held, 3'100u);
+        EXPECT_EQ(device_takes(port), 0xf4u | 0 << 8 | 1 << 9);
+        EXPECT_EQ(read(control[0]) | read(control[1]), 0u) << "acknowledged";
+    }
+}
+
+TEST_F(FabricPs2, GivesUpAfter15Milliseconds) {
+    write(PS2_1_DATA, 0xf4);
+    fabric.run(3'000 + 370'000);
+    EXPECT_EQ(read(PS2_1_CONTROL), 0u);
+    fabric.run(10'000);
+    EXPECT_EQ(read(PS2_1_CONTROL), PS2_1_CONTROL_CE_MASK);
+    EXPECT_EQ(read(PS2_0_CONTROL), 0u);
+}
+
+// ---- JTAG UARTs ----
+
+TEST_F(FabricPorts, TakeWhatIsTypedAtTheirOwnTerminal) {
+    constexpr std::uint32_t data[] = {JTAG_UART0_DATA, JTAG_UART1_DATA};
+    for (const unsigned number : {0u, 1u}) {
+        fabric.jtag.typed = static_cast<std::uint8_t>(1u << number);
+        fabric.jtag.bytes = 'a' | 'b' << 8;
+        fabric.run(10);
+        EXPECT_EQ(read(data[1 - number]) & JTAG_UART0_DATA_RVALID_MASK, 0u);
+        EXPECT_EQ(read(data[number]), JTAG_UART0_DATA_RVALID_MASK | (number ? 'b' : 'a'));
+        EXPECT_EQ(read(data[number]) & JTAG_UART0_DATA_RVALID_MASK, 0u);
+    }
+}
+
+TEST_F(FabricPorts, SendToTheirOwnTerminal) {
+    std::vector<std::pair<unsigned, char>> sent;
+    fabric.on_jtag_byte(
+        [&sent](unsigned number, char byte, sim::JtagInputs&) { sent.emplace_back(number, byte); });
+    fabric.jtag.take = 3;
+    write(JTAG_UART1_DATA, 'x');
+    write(JTAG_UART0_DATA, 'y');
+    EXPECT_THAT(sent, ElementsAre(std::pair{1u, 'x'}, std::pair{0u, 'y'}));
+}
+
+TEST_F(FabricPorts, InterruptForTheFirstTerminalAlone) {
+    for (const std::uint32_t control : {JTAG_UART0_CONTROL, JTAG_UART1_CONTROL})
+        write(control, JTAG_UART0_CONTROL_RE_MASK);
+    for (const unsigned number : {1u, 0u}) {
+        fabric.jtag.typed = static_cast<std::uint8_t>(1u << number);
+        fabric.run(10);
+        fabric.jtag.idle = static_cast<std::uint8_t>(1u << number);
+        fabric.run(10);
+        EXPECT_EQ(fabric.irq(), number ? 0u : irq_of(JTAG_UART0_IRQ_ID));
+    }
+}
+
+// ---- Headers, picture ----
+
+TEST_F(FabricPorts, InterruptForAFallingPinOfTheirHeader) {
+    constexpr std::uint32_t mask[] = {JP1_MASK, JP2_MASK}, edge[] = {JP1_EDGE, JP2_EDGE};
+    constexpr unsigned id[] = {JP1_IRQ_ID, JP2_IRQ_ID};
+    for (const unsigned header : {0u, 1u}) {
+        write(mask[header], 0x80000001);
+        for (const unsigned pin : {1u, 35u}) {  // bits 0 and 31
+            fabric.in.gpio[1 - header] &= ~(std::uint64_t{1} << pin);
+            fabric.run(10);
+            EXPECT_EQ(fabric.irq(), 0u) << "the other header's";
+            fabric.in.gpio[header] &= ~(std::uint64_t{1} << pin);
+            fabric.run(10);
+            EXPECT_EQ(fabric.irq(), irq_of(id[header])) << pin;
+            EXPECT_EQ(read(edge[header]), pin == 1 ? 1u : 0x80000000u);
+            for (const unsigned each : {0u, 1u}) {
+                fabric.in.gpio[each] |= std::uint64_t{1} << pin;
+                write(edge[each], 0xffffffff);
+            }
+            EXPECT_EQ(fabric.irq(), 0u);
+        }
+        write(mask[header], 0);
+    }
+}
+
+TEST_F(FabricPorts, SendNoSyncOnGreen) {
+    fabric.run(800 * 525);
+    fabric.flush();
+    EXPECT_GE(pins.samples, 800u * 525);
+    EXPECT_EQ(pins.with_sync, 0u);
+}
+
+}  // namespace
