@@ -1,6 +1,7 @@
 # The menu. Each entry shows the real command.
 
 .PHONY: all build setup help demo test fast asan coverage bench bench-collision firmware package
+.PHONY: bench-history nightly weekly tsan clang
 .PHONY: soak formal formal-mutants mutants synth netlist table1 fuzz instructions qsf bitstream
 .PHONY: bitstream-open regmap format clean configure everything
 .PHONY: deploy rollback deploy-jtag
@@ -76,6 +77,18 @@ fast: everything        ## every test but the whole-system ones
 	@cmake --build build
 	@ctest --preset fast
 
+tsan:                   ## what runs in several threads, with the thread sanitizer
+	@.ci/setup --check tool firmware board test video
+	@cmake --preset tsan
+	@cmake --build build/tsan
+	@ctest --preset tsan
+
+clang:                  ## every test, built by clang
+	@.ci/setup --check tool firmware board test video fuzz
+	@cmake --preset clang
+	@cmake --build build/clang
+	@ctest --preset clang
+
 asan:                   ## every test, with address and undefined-behaviour sanitizers
 	@.ci/setup --check tool firmware board test video
 	@cmake --preset asan
@@ -107,6 +120,9 @@ netlist: everything     ## the netlist plays the demo's beginning as the Verilog
 bench: everything       ## how fast, beside the bare Verilated model in the same run
 	@cmake --build build --target bench
 
+bench-history: everything ## the same, kept and compared: build/bench/history.svg
+	@/usr/bin/python3 -B tb/bench/history.py build/bench -- cmake --build build --target bench
+
 table1: everything      ## the paper's experiments -> out/table1/, sw/collision/REPRODUCTION.md
 	@cmake --build build --target table1
 
@@ -137,6 +153,14 @@ regmap: configure       ## print the register map's views, the font, the schema 
 	@$(CXX) -std=c++17 -Isw -o build/gen_font sw/gfx/gen_font.cpp sw/gfx/font.cpp sw/gfx/canvas.cpp
 	@build/gen_font > build/character_font.vh && mv build/character_font.vh rtl/vga/
 	@cmake --build build --target schema_files
+
+nightly:                ## what CI does each night, command by command
+	@.ci/setup --check tool firmware board test video fuzz
+	@.ci/tier nightly
+
+weekly:                 ## what CI does each week, likewise
+	@.ci/setup --check tool firmware board test video
+	@.ci/tier weekly
 
 format:                 ## lay out all C++
 	@git ls-files '*.h' '*.cpp' | xargs -d '\n' clang-format -i

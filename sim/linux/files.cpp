@@ -1,6 +1,7 @@
 #include "sim/linux/files.h"
 
 #include <fcntl.h>
+#include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -15,7 +16,15 @@ namespace sim {
 
 namespace {
 
-constexpr int MOST_FILES = 1024;
+constexpr int MOST_FILES = 1024;  // of the program
+constexpr int SPARE_FILES = 32;   // of the host's that a run needs itself
+
+// The host numbers files from the lowest free number on.
+bool is_one_too_many(int host) {
+    rlimit limit{};
+    return getrlimit(RLIMIT_NOFILE, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY &&
+           static_cast<rlim_t>(host) + SPARE_FILES >= limit.rlim_cur;
+}
 
 // The components of a path from the root; no value if it leaves the root.
 bool components(const std::string& path, std::vector<std::string>& names) {
@@ -99,12 +108,31 @@ int LinuxFiles::open(const std::string& path, std::uint32_t flags, std::uint32_t
         return add(std::make_shared<File>(File{File::Kind::MEMORY, flags}), 0, close_on_exec);
     Place place;
     if (const int error = place_of(path, place)) return error;
-    const int fd = ::openat(place.folder->fd(), place.name.c_str(), host_flags(flags),
-                            static_cast<mode_t>(mode & 0777));
-    if (fd < 0) return -errno;
+    const int fd = open_on_host(place, flags, mode);
+    if (fd < 0) return fd;
     auto file = std::make_shared<File>(File{File::Kind::HOST, flags, std::make_shared<Handle>(fd)});
-    if (const int error = host_status(fd).first) return error;
+    if (is_one_too_many(fd)) return -EMFILE;
     return add(std::move(file), 0, close_on_exec);
+}
+
+// What is neither file nor folder is never opened: the driver of a device, or who waits at the
+// other end of a pipe, would notice.
+int LinuxFiles::open_on_host(const Place& place, std::uint32_t flags, std::uint32_t mode) const {
+    const Handle there{
+        ::openat(place.folder->fd(), place.name.c_str(), O_PATH | O_NOFOLLOW | O_CLOEXEC)};
+    int fd = -1;
+    if (there.fd() >= 0) {
+        if (flags & arm_open::CREAT && flags & arm_open::EXCL) return -EEXIST;
+        const auto [error, status] = host_status(there.fd());
+        if (error) return error;
+        if (flags & arm_open::CREAT && S_ISDIR(status.mode)) return -EISDIR;
+        const std::string same = "/proc/self/fd/" + std::to_string(there.fd());
+        fd = ::open(same.c_str(), host_flags(flags) & ~(O_CREAT | O_NOFOLLOW));
+    } else if (errno == ENOENT && flags & arm_open::CREAT) {
+        fd = ::openat(place.folder->fd(), place.name.c_str(), host_flags(flags) | O_EXCL,
+                      static_cast<mode_t>(mode & 0777));
+    }
+    return fd < 0 ? -errno : fd;
 }
 
 int LinuxFiles::access(const std::string& path, int mode) const {

@@ -7,7 +7,7 @@
 // root is refused (EACCES), symbolic links are not followed (ELOOP), and anything that is neither
 // file nor folder is refused (EACCES).  Without a root there is only /dev/mem (others: ENOENT).  A
 // file's status does not depend on the host: owner 0, times 0, inodes numbered in the order of
-// first use.
+// first use.  Some of the host's files stay free for the run's own (EMFILE).
 //
 // Results are like the kernel's: a number of at least 0, or minus the error.  Flags, modes
 // and errors are Linux's for ARM.
@@ -79,6 +79,7 @@ private:
     int add(std::shared_ptr<File> file, int at_least, bool close_on_exec);
     const File* find(int fd) const;
     int place_of(const std::string& path, Place& place) const;
+    int open_on_host(const Place& place, std::uint32_t flags, std::uint32_t mode) const;
     std::pair<int, FileStatus> host_status(int host) const;
 
     struct Slot {

@@ -5,8 +5,8 @@
 //
 // Time is the simulated time since power-on, the same on all clocks; CLOCK_REALTIME therefore
 // begins in 1970.  A system call takes only the time of its instruction; sleeping lets simulated
-// time pass.  Process number 1, user 0, AT_RANDOM and getrandom from a fixed seed: every run is
-// identical.
+// time pass, and so does printing more than the console's line of 115,200 baud has taken away.
+// Process number 1, user 0, AT_RANDOM and getrandom from a fixed seed: every run is identical.
 //
 // A wrong access is SIGSEGV, an access without a target on the bus is SIGBUS, and so on: the
 // program's handler is called, or without one the program ends.  Such an end and an exit code other
@@ -111,6 +111,7 @@ private:
     std::int64_t open(std::uint32_t folder, std::uint32_t path, std::uint32_t flags,
                       std::uint32_t mode);
     std::int64_t each_vector(const Arguments&, bool write);
+    std::int64_t print(int fd, const std::uint8_t* from, std::uint32_t count);
 
     // kernel_names.cpp
     Result sys_fstat64(const Arguments&);
@@ -206,6 +207,7 @@ private:
     LinuxFiles files_;
     LinuxSignals signals_;
     std::uint32_t break_begin_ = 0, break_ = 0;
+    sc_core::sc_time line_free_;  // when the console's line has taken all that was printed
     std::uint64_t random_;
     std::uint32_t umask_ = 022;
     std::set<std::uint32_t> named_;  // calls that were named on the log

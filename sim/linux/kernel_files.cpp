@@ -1,6 +1,7 @@
 // kernel_files.cpp - LinuxKernel's calls on open files
 #include <algorithm>
 #include <cerrno>
+#include <cmath>
 
 #include "sim/linux/arm_abi.h"
 #include "sim/linux/kernel.h"
@@ -53,7 +54,35 @@ LinuxKernel::Result LinuxKernel::sys_read(const Arguments& a) {
 LinuxKernel::Result LinuxKernel::sys_write(const Arguments& a) {
     const std::uint32_t count = std::min(a[2], MOST_BYTES);
     const std::uint8_t* from = memory_.bytes(a[1], count, arm_access::READ);
-    return from ? files_.write(fd_of(a[0]), from, count) : -EFAULT;
+    if (!from) return -EFAULT;
+    const int fd = fd_of(a[0]);
+    return files_.is_console(fd) ? print(fd, from, count) : files_.write(fd, from, count);
+}
+
+// The board's console is a serial line behind a buffer of the kernel's.  What is printed is seen at
+// once here, but where the line would still have a full buffer before it, the program waits.
+std::int64_t LinuxKernel::print(int fd, const std::uint8_t* from, std::uint32_t count) {
+    constexpr std::uint32_t BUFFER = 4096, WAKES_AT = 256;  // as Linux' serial core and tty have it
+    const sc_core::sc_time character{10. / 115'200, sc_core::SC_SEC};
+    std::uint32_t done = 0;
+    while (done < count) {
+        line_free_ = std::max(line_free_, cpu_.now());
+        const auto waiting =
+            static_cast<std::uint32_t>(std::ceil((line_free_ - cpu_.now()) / character));
+        const std::uint32_t part = std::min(count - done, BUFFER - std::min(BUFFER, waiting));
+        if (part == 0) {
+            if (files_.flags(fd) & static_cast<int>(arm_open::NONBLOCK))
+                return done ? done : -EAGAIN;
+            const std::uint32_t wanted = std::min(count - done, BUFFER - WAKES_AT);
+            cpu_.pause((waiting + wanted - BUFFER) * character);
+            continue;
+        }
+        const std::int64_t written = files_.write(fd, from + done, part);
+        if (written < 0) return written;
+        line_free_ += part * character;
+        done += part;
+    }
+    return done;
 }
 
 std::int64_t LinuxKernel::each_vector(const Arguments& a, bool write) {

@@ -23,7 +23,6 @@ constexpr int WRONG_INPUT = 2;
 
 // Prepared for the signal handler, which can neither allocate nor format.
 char last_words[8192];
-char part_name[4096];
 char hierarchy_name[4096 + 8];  // the writer's temporary file, until it is closed
 
 void copy(char* to, std::size_t capacity, const std::string& text) {
@@ -32,7 +31,7 @@ void copy(char* to, std::size_t capacity, const std::string& text) {
 
 void on_bus_error(int) {
     [[maybe_unused]] const ssize_t said = write(STDERR_FILENO, last_words, std::strlen(last_words));
-    unlink(part_name);
+    remove_open_parts();
     unlink(hierarchy_name);
     _exit(WRONG_INPUT);
 }
@@ -103,7 +102,6 @@ std::string packed_fst(const std::string& bytes) {
 TraceFile::TraceFile(const std::filesystem::path& path) : file_{path} {
     copy(last_words, sizeof last_words,
          std::string{"de1sim: "} + IoError(path, CUT_OFF).what() + "\n");
-    copy(part_name, sizeof part_name, part().string());
     copy(hierarchy_name, sizeof hierarchy_name, part().string() + ".hier");
     std::signal(SIGBUS, on_bus_error);
 }

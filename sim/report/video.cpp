@@ -6,6 +6,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "sim/report/whole_file.h"
+
 namespace sim {
 
 namespace {
@@ -41,6 +43,7 @@ std::unique_ptr<VideoWriter> open_video(const fs::path& path) {
     const auto open =
         reinterpret_cast<decltype(&de1sim_open_video)>(dlsym(library, "de1sim_open_video"));
     if (!open) throw std::runtime_error{std::string{"--video: "} + dlerror()};
+    remove_with_open_parts(path.string() + ".part");
     return std::unique_ptr<VideoWriter>{open(path)};
 }
 

@@ -4,6 +4,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <cerrno>
 #include <cstdio>
 #include <system_error>
@@ -20,7 +21,41 @@ std::string reason(int error_number) {
     return std::error_code(error_number, std::generic_category()).message();
 }
 
+// A signal's handler can neither allocate nor wait for a lock.
+struct OpenPart {
+    enum State { FREE, CHANGES, OPEN };
+    std::atomic<State> state{FREE};
+    char name[4096];
+};
+constexpr unsigned MOST_OPEN = 16, NOWHERE = MOST_OPEN;
+OpenPart open_parts[MOST_OPEN];
+
+unsigned enlist(const std::string& name) {
+    for (unsigned place = 0; place < MOST_OPEN && name.size() < sizeof OpenPart::name; ++place) {
+        OpenPart::State expected = OpenPart::FREE;
+        OpenPart& part = open_parts[place];
+        if (!part.state.compare_exchange_strong(expected, OpenPart::CHANGES)) continue;
+        name.copy(part.name, name.size());
+        part.name[name.size()] = '\0';
+        part.state = OpenPart::OPEN;
+        return place;
+    }
+    return NOWHERE;
+}
+
+void strike_out(unsigned& place) {
+    if (place != NOWHERE) open_parts[place].state = OpenPart::FREE;
+    place = NOWHERE;
+}
+
 }  // namespace
+
+void remove_open_parts() {
+    for (const OpenPart& part : open_parts)
+        if (part.state == OpenPart::OPEN) ::unlink(part.name);
+}
+
+void remove_with_open_parts(const std::filesystem::path& part) { enlist(part.string()); }
 
 IoError::IoError(std::filesystem::path path, std::string problem)
     : std::runtime_error(printable(path.string()) + ": " + problem),
@@ -34,11 +69,13 @@ WholeFile::WholeFile(std::filesystem::path path) : path_(std::move(path)), part_
     part_ += ".part";
     descriptor_ = ::open(part_.c_str(), O_RDWR | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
     if (descriptor_ < 0) throw IoError(path_, "create", errno);
+    place_ = enlist(part_.string());
 }
 
 WholeFile::~WholeFile() {
     if (descriptor_ >= 0) ::close(descriptor_);
     if (!part_.empty()) ::unlink(part_.c_str());
+    strike_out(place_);
 }
 
 void WholeFile::write(const void* bytes, std::size_t size) {
@@ -56,6 +93,7 @@ void WholeFile::commit() {
     if (::close(std::exchange(descriptor_, -1)) != 0) throw IoError(path_, "write", errno);
     if (std::rename(part_.c_str(), path_.c_str()) != 0) throw IoError(path_, "create", errno);
     part_.clear();
+    strike_out(place_);
 }
 
 void write_whole_file(const std::filesystem::path& path, const void* bytes, std::size_t size) {

@@ -58,6 +58,7 @@ void write_prepared(const File& file) {
 void on_death(int signal) {
     for (std::size_t i = 0; i < std::size(ENDINGS); ++i) {
         if (ENDINGS[i].signal != signal) continue;
+        remove_open_parts();
         for (const File& file : prepared[counts].endings[i]) write_prepared(file);
         constexpr std::string_view NAME = "de1sim: ", NEWLINE = "\n";
         for (const std::string_view text : {NAME, std::string_view{ENDINGS[i].fault}, NEWLINE})

@@ -1,4 +1,4 @@
-// lines.c - each 10 ms ten numbered lines, 80 samples, a pixel and the lamps anew, without end
+// lines.c - each 10 ms eight numbered lines, 80 samples, a pixel and the lamps anew, without end
 #include <fcntl.h>
 #include <stdint.h>
 #include <stdio.h>
@@ -14,7 +14,7 @@ int main(void) {
     volatile uint32_t* audio = lw + 0x3040 / 4;  // control, space, left, right
     const struct timespec rest = {0, 10000000};
     for (unsigned round = 0;; ++round) {
-        for (unsigned line = 0; line < 10; ++line) printf("line %08u\n", 10 * round + line);
+        for (unsigned line = 0; line < 8; ++line) printf("line %08u\n", 8 * round + line);
         fflush(stdout);
         for (unsigned n = 0; n < 80; ++n)
             audio[2] = audio[3] = n % 20 < 10 ? 0x10000000 : 0xF0000000;

@@ -1,0 +1,41 @@
+/* storms.c CASE - a program that takes what it can get of the machine that it runs on. */
+#include <fcntl.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <string.h>
+#include <time.h>
+#include <unistd.h>
+
+static double now(void) {
+    struct timespec t;
+    clock_gettime(CLOCK_MONOTONIC, &t);
+    return (double)t.tv_sec + (double)t.tv_nsec * 1e-9;
+}
+
+int main(int argc, char** argv) {
+    static char text[100000];
+    memset(text, '.', sizeof text);
+    const char* which = argc > 1 ? argv[1] : "";
+    if (strcmp(which, "prints") == 0) {  // without end
+        for (;;) puts("all work and no play");
+    } else if (strcmp(which, "prints-at-once") == 0) {
+        const double begin = now();
+        const ssize_t few = write(1, text, 4096);
+        const double between = now();
+        const ssize_t many = write(1, text, sizeof text);
+        fprintf(stderr, "\n%d in %.0f ms, %d in %.0f ms\n", (int)few, 1e3 * (between - begin),
+                (int)many, 1e3 * (now() - between));
+    } else if (strcmp(which, "prints-unless-full") == 0) {
+        fcntl(1, F_SETFL, O_NONBLOCK);
+        const ssize_t first = write(1, text, sizeof text), second = write(1, text, 10);
+        fcntl(1, F_SETFL, 0);
+        fprintf(stderr, "\n%d, then %d\n", (int)first, (int)second);
+    } else if (strcmp(which, "opens") == 0) {
+        int files = 0;
+        while (open("/file", O_RDONLY) >= 0) ++files;
+        perror(files < 20 ? "few files" : "many files");
+    } else if (strcmp(which, "fifo") == 0) {
+        if (open("/fifo", O_WRONLY) < 0) perror("/fifo");
+    }
+    return 0;
+}
