@@ -10,6 +10,7 @@ namespace {
 
 const sc_time self_test{500, sc_core::SC_MS};
 const sc_time quarter{20, sc_core::SC_US};  // of a bit
+const sc_time shortest_hold{60 - 32, sc_core::SC_US};
 
 bool odd(std::uint8_t byte) {
     bool odd = false;
@@ -55,9 +56,9 @@ void Ps2Device::serve() {
     for (;;) {
         std::deque<std::uint8_t>& bytes = answers_.empty() ? reports_ : answers_;
         const bool has_to_send = !answers_.empty() || (!reports_.empty() && may_report());
-        if (!host_clk_low_ && host_dat_low_) {
+        if (!host_clk_low_ && host_dat_low_ && held_) {
             receive();
-        } else if (!host_clk_low_ && has_to_send) {
+        } else if (!host_clk_low_ && !host_dat_low_ && has_to_send) {
             if (send(bytes.front())) {
                 last_sent_ = bytes.front();
                 bytes.pop_front();
@@ -73,6 +74,8 @@ void Ps2Device::serve() {
 // ---- The wires ----
 
 void Ps2Device::host(bool clk_low, bool dat_low) {
+    if (clk_low && !host_clk_low_) held_since_ = sc_core::sc_time_stamp();
+    if (!clk_low && host_clk_low_) held_ = sc_core::sc_time_stamp() - held_since_ >= shortest_hold;
     host_clk_low_ = clk_low;
     host_dat_low_ = dat_low;
     work_.notify(sc_core::SC_ZERO_TIME);
@@ -104,6 +107,7 @@ bool Ps2Device::send(std::uint8_t byte) {
 }
 
 void Ps2Device::receive() {
+    held_ = false;
     unsigned bits = 0;
     for (unsigned bit = 0; bit < 10; ++bit) {  // 8 of data, parity, stop
         wait(quarter);

@@ -2,11 +2,15 @@
 //
 //   device to host   start 0, 8 bits from bit 0, odd parity, stop 1; the device makes CLK, and DAT
 //                    moves while it is high
-//   host to device   the host holds CLK low, pulls DAT low, and lets go of CLK; the device clocks
-//                    in 8 bits, parity and stop, and pulls DAT low for the acknowledge
+//   host to device   the host holds CLK low for 60 us or longer, pulls DAT low, and lets go of CLK;
+//                    the device clocks in 8 bits, parity and stop, and pulls DAT low for the
+//                    acknowledge
 //
 // Bits are 80 us long.  While the host holds CLK low, bytes wait.  A byte that is interrupted so
 // before its stop bit is sent again.  A byte with wrong parity is answered with FE.
+//
+// DAT low alone requests nothing.  The chip tells what it pulls low up to a scan line (32 us) late,
+// so the device ignores a request only if CLK was seen low for less than 28 us.
 //
 // For 500 ms after power-on and after a reset the device tests itself and neither sends nor
 // receives.
@@ -73,6 +77,8 @@ private:
     std::uint8_t last_sent_ = 0;
     bool clk_low_ = false, dat_low_ = false, host_clk_low_ = false, host_dat_low_ = false;
     bool ready_ = false, to_reset_ = false;
+    bool held_ = false;  // CLK, long enough for a request, since the last byte from the host
+    sc_core::sc_time held_since_;
 };
 
 }  // namespace sim

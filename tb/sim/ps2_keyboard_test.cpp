@@ -143,6 +143,29 @@ TEST_F(KeyboardModel, DoesNotPileUpRepeatsWhileTheHostHoldsItBack) {
     EXPECT_EQ(within_ms(50), repeats(1));
 }
 
+TEST_F(KeyboardModel, IgnoresARequestBeforeWhichTheClockWasNotHeldLow) {
+    power_on();
+    const auto takes_after_us = [this](double held) {
+        if (held > 0) {
+            device.host(true, false);
+            run_ms(held / 1000);
+            device.host(true, true);
+        }
+        device.host(false, true);
+        bool clocks_it_in = false;
+        for (int i = 0; i < 1000; ++i, clock()) clocks_it_in |= device.clk_low();
+        device.host(false, false);
+        run_ms(5);
+        return clocks_it_in;
+    };
+    EXPECT_FALSE(takes_after_us(0));
+    EXPECT_FALSE(takes_after_us(20));
+    EXPECT_TRUE(takes_after_us(60));
+    EXPECT_FALSE(takes_after_us(0)) << "the hold was the other byte's";
+    EXPECT_TRUE(takes_after_us(120));
+    EXPECT_FALSE(takes_after_us(20));
+}
+
 TEST_F(KeyboardModel, TakesNoByteDuringItsTest) {
     run_ms(100);
     write(DATA, 0xF4);
