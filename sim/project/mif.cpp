@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cctype>
 #include <map>
 #include <stdexcept>
@@ -12,6 +13,8 @@ namespace sim::project {
 namespace {
 
 using Word = std::vector<std::uint32_t>;
+
+constexpr std::size_t MOST_BITS = 4096;  // far more than Quartus has in a memory's word
 
 class Mif {
 public:
@@ -30,8 +33,14 @@ public:
 private:
     [[noreturn]] void fail(const std::string& expected) const {
         throw std::runtime_error(
-            fmt::format("{}:{}: {}, expected {}", name_, line_,
-                        token_.empty() ? "the file ends" : "\"" + token_ + "\"", expected));
+            fmt::format("{}:{}: {}, expected {}", name_, line_, found(), expected));
+    }
+
+    // Printable: all but words is a single character.
+    std::string found() const {
+        if (token_.empty()) return "the file ends";
+        const auto first = static_cast<unsigned char>(token_[0]);
+        return std::isprint(first) ? "\"" + token_ + "\"" : fmt::format("the byte 0x{:02X}", first);
     }
 
     // Text up to the next one that means something; token_ is empty at the end.
@@ -91,7 +100,7 @@ private:
         expect("=");
         if (setting == "WIDTH") {
             width_ = number(10, "the width in bits");
-            if (width_ == 0) fail("a width of 1 bit or more");
+            if (width_ == 0 || width_ > MOST_BITS) fail("a width of 1 to 4096 bits");
         } else if (setting == "DEPTH") {
             depth_ = number(10, "the number of words");
         } else {
@@ -126,6 +135,7 @@ private:
         if (last < at || last >= depth_) {
             fail(fmt::format("addresses {} to {} in order and below DEPTH={}", at, last, depth_));
         }
+        last = std::min(last, image.words());  // what lies behind is lost
         for (std::size_t i = 0; at <= last; ++at) image.set(at, values[i++ % values.size()]);
         next();
     }
