@@ -37,7 +37,7 @@ struct Command {
 // A word in [brackets] is kept with them: what the command would give is not known here.
 class TclReader {
 public:
-    explicit TclReader(const std::string& text) : text_{text} {}
+    explicit TclReader(std::string_view text) : text_{text} {}
 
     std::vector<Command> commands() {
         std::vector<Command> all;
@@ -109,7 +109,7 @@ private:
         return word;
     }
 
-    const std::string& text_;
+    const std::string_view text_;
     std::size_t at_ = 0;
     unsigned line_ = 1;
 };
@@ -138,15 +138,15 @@ void remove(std::vector<Assignment>& all, const Assignment& which) {
     all.erase(std::remove_if(all.begin(), all.end(), same), all.end());
 }
 
-void read_into(std::vector<Assignment>& all, const fs::path& file, unsigned depth) {
+void read_into(std::vector<Assignment>& all, std::string_view text, const fs::path& file,
+               unsigned depth) {
     constexpr unsigned DEEPEST = 8;
-    const std::string text = text_of(file);
     for (const Command& command : TclReader{text}.commands()) {
         const auto& words = command.words;
         if (words[0] == "source" && words.size() > 1 && depth < DEEPEST) {
             std::error_code error;
             const fs::path other = file.parent_path() / words.back();
-            if (fs::is_regular_file(other, error)) read_into(all, other, depth + 1);
+            if (fs::is_regular_file(other, error)) read_into(all, text_of(other), other, depth + 1);
         }
         const bool parameter = words[0] == "set_parameter";
         const bool location = words[0] == "set_location_assignment";
@@ -215,8 +215,12 @@ fs::path settings_at(const fs::path& place) {
 }
 
 std::vector<Assignment> read_settings(const fs::path& file) {
+    return settings_in(text_of(file), file);
+}
+
+std::vector<Assignment> settings_in(std::string_view text, const fs::path& file) {
     std::vector<Assignment> all;
-    read_into(all, file, 0);
+    read_into(all, text, file, 0);
     return all;
 }
 

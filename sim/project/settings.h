@@ -16,6 +16,7 @@
 #include <filesystem>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace sim::project {
@@ -42,6 +43,8 @@ std::filesystem::path settings_at(const std::filesystem::path& place);
 // In the order of the files, with those that they `source` where they do so.  ProjectError if
 // `file` cannot be read; one that is sourced and missing is passed over.
 std::vector<Assignment> read_settings(const std::filesystem::path& file);
+// The same of the file's text.
+std::vector<Assignment> settings_in(std::string_view text, const std::filesystem::path& file);
 
 // The file's text.  ProjectError: it cannot be read, or is larger than 64 MB.
 std::string text_of(const std::filesystem::path& file);

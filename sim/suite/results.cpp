@@ -8,7 +8,7 @@
 
 #include "sim/report/printable.h"
 #include "sim/report/whole_file.h"
-#include "sim/run/run.h"
+#include "sim/run/exit_code.h"
 #include "sim/suite/junit.h"
 
 namespace sim::suite {
@@ -109,14 +109,22 @@ int Results::exit_code() const {
 }
 
 Result read_run(const std::filesystem::path& folder) {
+    try {
+        return run_in(read_whole_file(folder / "report.json", MAX_REPORT_BYTES));
+    } catch (const IoError&) {
+        Result result;
+        result.end = "no report";
+        return result;
+    }
+}
+
+Result run_in(std::string_view text) {
     Result result;
     try {
-        const Json report = Json::parse(read_whole_file(folder / "report.json", MAX_REPORT_BYTES));
+        const Json report = Json::parse(text);
         report.at("simulated_s").get_to(result.simulated_s);
         report.at("end").get_to(result.end);
         result.failures = failures_of(report);
-    } catch (const IoError&) {
-        result.end = "no report";
     } catch (const nlohmann::json::exception&) {
         result.end = "no whole report";
     }
@@ -125,26 +133,29 @@ Result read_run(const std::filesystem::path& folder) {
 
 Results read_results(const std::filesystem::path& folder) {
     const std::filesystem::path file = folder / "results.json";
+    return results_in(read_whole_file(file, MAX_REPORT_BYTES), file.string());
+}
+
+Results results_in(std::string_view text, const std::string& name) {
     Results results;
     try {
-        const Json json = Json::parse(read_whole_file(file, MAX_REPORT_BYTES));
+        const Json json = Json::parse(text);
         if (json.at("format").get<int>() != FORMAT)
-            throw std::runtime_error{fmt::format("{}: expected format {}, got {}",
-                                                 printable(file.string()), FORMAT,
-                                                 json.at("format").get<int>())};
+            throw std::runtime_error{fmt::format("{}: expected format {}, got {}", printable(name),
+                                                 FORMAT, json.at("format").get<int>())};
         for (const Json& one : json.at("scenarios")) results.put(result_of(one));
         json.at("missing").get_to(results.missing);
         json.at("suite").get_to(results.suite);
         json.at("shard").at("number").get_to(results.shard);
         json.at("shard").at("of").get_to(results.shards);
     } catch (const nlohmann::json::exception& error) {
-        throw std::runtime_error{printable(file.string()) +
-                                 ": expected the results of de1sim test, got: " + error.what()};
+        throw std::runtime_error{
+            printable(name + ": expected the results of de1sim test, got: " + error.what())};
     }
     return results;
 }
 
-void write_results(const std::filesystem::path& folder, const Results& results) {
+std::string to_json(const Results& results) {
     Json scenarios = Json::array();
     for (const Result& result : results.all) scenarios.push_back(json_of(result));
     const Json json = {{"format", FORMAT},
@@ -152,8 +163,11 @@ void write_results(const std::filesystem::path& folder, const Results& results) 
                        {"suite", results.suite},
                        {"missing", results.missing},
                        {"scenarios", scenarios}};
-    write_whole_file(folder / "results.json",
-                     json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
+    return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+void write_results(const std::filesystem::path& folder, const Results& results) {
+    write_whole_file(folder / "results.json", to_json(results));
 }
 
 void write_junit(const std::filesystem::path& folder, const Results& results) {

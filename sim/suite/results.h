@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace sim::suite {
@@ -47,9 +48,15 @@ struct Results {
 
 // From report.json in the run's folder, as far as there is one.
 Result read_run(const std::filesystem::path& folder);
+// The same of its text.
+Result run_in(std::string_view report);
 
 // results.json in this folder.  std::runtime_error: it is missing, or no such file.
 Results read_results(const std::filesystem::path& folder);
+// The same of its text; `name` is the file's, for messages.
+Results results_in(std::string_view text, const std::string& name);
+// The text of results.json.
+std::string to_json(const Results& results);
 // IoError.
 void write_results(const std::filesystem::path& folder, const Results& results);
 // junit.xml from those of the runs.  IoError.
