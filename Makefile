@@ -4,7 +4,7 @@
 .PHONY: bench-history nightly weekly tsan clang
 .PHONY: soak formal formal-mutants mutants synth netlist table1 fuzz instructions qsf bitstream
 .PHONY: bitstream-open regmap format clean configure everything
-.PHONY: deploy rollback deploy-jtag
+.PHONY: fuzz-programs deploy rollback deploy-jtag
 
 all: build
 
@@ -126,10 +126,26 @@ bench-history: everything ## the same, kept and compared: build/bench/history.sv
 table1: everything      ## the paper's experiments -> out/table1/, sw/collision/REPRODUCTION.md
 	@cmake --build build --target table1
 
-fuzz:                   ## any bytes as polygons (libFuzzer), 600 damaged programs through de1sim
-	@.ci/setup --check fuzz
-	@$(MAKE) --no-print-directory everything
-	@cmake --build build --target fuzz
+# Each target for FUZZ_SECONDS or FUZZ_RUNS; without TARGET also damaged programs and system calls.
+FUZZ_SECONDS ?= 60
+FUZZ_CALLS ?= 10000000
+FUZZ_SEED ?= 1
+FUZZED = collision elf gdb live mif png qsf report scenario verilog vhdl
+fuzz:                   ## [FUZZ_SECONDS=60] [FUZZ_RUNS=n] [TARGET=png] any bytes into all readers
+	@.ci/setup --check tool fuzz
+	@cmake --preset fuzz > build/fuzz.log || { cat build/fuzz.log; exit 1; }
+	@cmake --build --preset fuzz
+	@/usr/bin/python3 -B tb/fuzz/run.py build/fuzz/bin build/fuzz/corpus tb/fuzz \
+	    --seconds $(FUZZ_SECONDS) $(if $(FUZZ_RUNS),--runs $(FUZZ_RUNS)) $(or $(TARGET),$(FUZZED))
+	@$(if $(TARGET),true,$(MAKE) --no-print-directory fuzz-programs)
+
+fuzz-programs: everything ## [FUZZ_CALLS=n] [FUZZ_SEED=n] 600 damaged programs, Linux calls at random
+	@cmake --build build --target de1sim firmware linux_programs
+	@/usr/bin/python3 -B tb/fuzz/elf/mutants.py build/bin/de1sim build/mutants \
+	    build/firmware/collide.elf build/firmware/collide-linux
+	@/usr/bin/python3 -B tb/fuzz/calls/calls.py build/bin/de1sim \
+	    build/tb/programs/linux/calls_at_random build/calls --calls $(FUZZ_CALLS) \
+	    --seed $(FUZZ_SEED) --limit 3600
 
 soak: everything        ## an hour of de1sim live with a client that comes and goes (SOAK_MINUTES)
 	@cmake --build build --target soak

@@ -39,7 +39,7 @@ private:
     std::size_t left_;
 };
 
-void must(bool holds) {
+void require(bool holds) {
     if (!holds) std::abort();
 }
 
@@ -63,10 +63,10 @@ Made any_polygon(Bytes& bytes) {
         corners[i] = any_point(bytes, kind);
         if (kind & 2 &&
             to_grid(bytes.next<double>(), bytes.next<float>(), corners[i]) == Error::NONE)
-            must(on_grid(corners[i]));
+            require(on_grid(corners[i]));
     }
     Polygon& polygon = made.polygon;
-    if (polygon.outline(corners, count) != Error::NONE) must(polygon.count == 0);
+    if (polygon.outline(corners, count) != Error::NONE) require(polygon.count == 0);
     if (kind & 4) polygon = moved(polygon, any_point(bytes, kind));
     if (kind & 8) {
         const Turn turn = {bytes.next<std::int16_t>(), bytes.next<std::int16_t>()};
@@ -104,15 +104,15 @@ void try_world(const std::uint8_t* data, std::size_t count) {
     const Error expected = detector.find(Algorithm::ORIGINAL, shapes, first);
     for (const Algorithm algorithm : ALGORITHMS) {
         const Error error = detector.find(algorithm, shapes, pairs);
-        must(error == expected);
-        must(error == Error::NONE || pairs.empty());
-        must(!sound || pairs == first);
+        require(error == expected);
+        require(error == Error::NONE || pairs.empty());
+        require(!sound || pairs == first);
         for (const CollisionPair pair : pairs)
-            must(pair.first < pair.second && pair.second < shapes.size());
+            require(pair.first < pair.second && pair.second < shapes.size());
     }
     std::vector<Contact> contacts;
     find_contacts(shapes, pairs, contacts);
-    must(!sound || contacts.size() == pairs.size());
+    require(!sound || contacts.size() == pairs.size());
 }
 
 }  // namespace fuzz

@@ -1,0 +1,54 @@
+// The cleaning of Verilog: no text is refused, none is lost, and lines stay where they are.
+#include <algorithm>
+#include <map>
+
+#include "sim/project/normalise.h"
+#include "sim/project/source.h"
+#include "sim/project/tokens.h"
+#include "tb/fuzz/fuzz.h"
+
+namespace fuzz {
+
+namespace {
+
+using namespace sim::project;
+
+auto lines_of(std::string_view text) { return std::count(text.begin(), text.end(), '\n'); }
+
+void must_be_whole(std::string_view text) {
+    const Tokens tokens = tokens_of(text);
+    std::string joined;
+    for (const Token& token : tokens.all) {
+        must(!token.text.empty(), "a token is not empty");
+        joined += token.gap;
+        must(token.line == lines_of(joined) + 1u, "a token is in its line");
+        joined += token.text;
+    }
+    joined += tokens.tail;
+    must(joined == text, "tokens and gaps give the text");
+}
+
+}  // namespace
+
+void try_verilog(std::string_view input) {
+    const bool system_verilog = next_byte(input) & 1;
+    must_be_whole(input);
+    Modules modules;
+    for (const ModuleText& module : scan(input).modules) {
+        must(!module.name.empty(), "a module has a name");
+        must(module.line >= 1 && module.line <= lines_of(input) + 1u, "a module is in the file");
+        modules.emplace(module.name, module);
+    }
+    const OpenInputs open{{"dff", "clrn"}, {"dff", "prn"}};
+    const Normalised clean = normalise(input, "a.v", system_verilog, open, modules);
+    constexpr std::string_view END = "\n`end_keywords\n";
+    const bool ends = clean.text.size() >= END.size() &&
+                      std::string_view{clean.text}.substr(clean.text.size() - END.size()) == END;
+    const auto lines = lines_of(clean.text), before = lines_of(input);
+    must(lines == before || (ends && lines == before + 2), "lines stay where they are");
+    for (const std::string& change : clean.changes)
+        must(change.compare(0, 4, "a.v:") == 0, "a change says where it is");
+    must_be_whole(clean.text);
+}
+
+}  // namespace fuzz

@@ -1,0 +1,237 @@
+// calls_at_random.c [N [SEED]] - N system calls with numbers and arguments at random, which it has
+// to survive; the same seed makes the same calls
+//
+// Pointers go into an arena, whose contents are at random too and whose pages calls unmap, protect
+// and move, to its own code, to nothing, or beyond the end; never to where it keeps its own data.
+// Calls that would end or stop it are left out: exit, signals to itself, returns from a signal,
+// pause, waiting for a thread.  What sleeps gets a time of less than a millisecond, and standard
+// input becomes a file.  Without a C library, because calls also change the heap and the TLS.
+#include <stdint.h>
+
+#define ARENA 0x20000000u
+#define ARENA_BYTES 0x10000u
+#define AREAS_END 0xB0000000u  // below the stack
+
+enum {
+    NR_EXIT = 1, NR_READ = 3, NR_WRITE = 4, NR_OPEN = 5, NR_CLOSE = 6, NR_PAUSE = 29, NR_KILL = 37,
+    NR_BRK = 45, NR_DUP2 = 63, NR_MUNMAP = 91, NR_SIGRETURN = 119, NR_MPROTECT = 125,
+    NR_SELECT = 142, NR_NANOSLEEP = 162, NR_MREMAP = 163, NR_POLL = 168, NR_RT_SIGRETURN = 173,
+    NR_MMAP2 = 192, NR_FTRUNCATE64 = 194, NR_TKILL = 238, NR_FUTEX = 240, NR_EXIT_GROUP = 248,
+    NR_CLOCK_NANOSLEEP = 265, NR_TGKILL = 268, NR_PSELECT6 = 335, NR_PPOLL = 336,
+    NR_CLOCK_NANOSLEEP64 = 407, NR_PSELECT6_64 = 413, NR_PPOLL_64 = 414, NR_FUTEX_64 = 422,
+    MAP_FIXED_ANONYMOUS = 0x32, READ_WRITE = 3, CREATE = 0102
+};
+
+// Those that are emulated, and some that are not.
+static const uint16_t CALLS[] = {
+    45, 192, 91, 125, 163, 220, 5, 322, 8, 6, 3, 4, 145, 146, 180, 181, 19, 140, 194, 118, 148, 41,
+    63, 358, 55, 221, 54, 197, 195, 196, 327, 397, 33, 334, 439, 10, 328, 40, 39, 323, 38, 329, 85,
+    332, 183, 12, 60, 263, 403, 264, 406, 78, 43, 162, 265, 407, 240, 422, 158, 142, 335, 413, 168,
+    336, 414, 256, 338, 398, 122, 384, 369, 191, 77, 116, 242, 20, 224, 65, 64, 199, 174, 175, 186,
+    2, 11, 42, 120, 190, 281, 290, 359, 1000};
+
+static const char* const NAMES[] = {
+    "a", "b", "/d", "d/e", "d/../a", "../outside", "/../../outside", "d/../../outside/x", ".", "/",
+    "", "..", "/dev/mem", "/proc/self/exe", "/etc/passwd", "d/e/f/g", "//a//", "a/", "\xFF\n\x1B[2J"};
+
+#define COUNT(array) (sizeof(array) / sizeof(array)[0])
+
+static uint32_t state;
+static uint64_t span[2];  // a short time, as all calls take it
+
+static uint32_t any(void) {  // xorshift
+    state ^= state << 13;
+    state ^= state >> 17;
+    return state ^= state << 5;
+}
+
+static int32_t call(uint32_t number, const uint32_t* a) {
+    register uint32_t r0 __asm__("r0") = a[0];
+    register uint32_t r1 __asm__("r1") = a[1];
+    register uint32_t r2 __asm__("r2") = a[2];
+    register uint32_t r3 __asm__("r3") = a[3];
+    register uint32_t r4 __asm__("r4") = a[4];
+    register uint32_t r5 __asm__("r5") = a[5];
+    register uint32_t r6 __asm__("r6") = a[6];
+    register uint32_t r7 __asm__("r7") = number;
+    __asm__ volatile("svc #0"
+                     : "+r"(r0)
+                     : "r"(r1), "r"(r2), "r"(r3), "r"(r4), "r"(r5), "r"(r6), "r"(r7)
+                     : "memory");
+    return (int32_t)r0;
+}
+
+static int32_t call3(uint32_t number, uint32_t a, uint32_t b, uint32_t c) {
+    const uint32_t all[7] = {a, b, c};
+    return call(number, all);
+}
+
+static uint32_t any_address(void) {
+    const uint32_t r = any() >> 8;
+    switch (any() % 16) {
+        case 0: return 0;
+        case 1: return r % 4096;
+        case 2: return 0xFFFFFFFF - r % 64;
+        case 3: return 0xBF000000 - 8 + r % 16;                     // the end of all memory
+        case 4: return 0xC0000000 + (r << 4);                       // the kernel's
+        case 5: return (uint32_t)(uintptr_t)NAMES[r % COUNT(NAMES)];  // constants: read only
+        case 6: return ARENA + ARENA_BYTES - r % 16;
+        case 7: return 0x30000000 + (r << 4);  // perhaps what a call has mapped
+        default: return ARENA + r % ARENA_BYTES;
+    }
+}
+
+// Of pages that may come and go.
+static uint32_t any_area(void) {
+    switch (any() % 8) {
+        case 0: return any_address() | 0x80000000;  // not where the program is
+        case 1: return 0xB0000000 - (any() % 64 + 1) * 4096;
+        default: return ARENA + any() % 16 * 4096;
+    }
+}
+
+static uint32_t any_value(void) {
+    static const uint32_t ODD[] = {0, 1, 2, 3, 4, 8, 16, 64, 255, 4095, 4096, 4097, 0x7FFFFFFF,
+                                   0x80000000, 0xFFFFF000, 0xFFFFFFFF, 0xFFFFFF9C, 0x7FFFF000};
+    switch (any() % 8) {
+        case 0: return any();
+        case 1: return any() & 0xFFFF;
+        case 2:
+        case 3: return any() % 8;
+        default: return ODD[any() % COUNT(ODD)];
+    }
+}
+
+static uint32_t any_length(void) {
+    const uint32_t value = any_value();
+    return value < ARENA_BYTES || value > 0x7FFF0000 ? value : value % ARENA_BYTES;
+}
+
+static uint32_t any_path(void) {
+    return any() % 8 ? (uint32_t)(uintptr_t)NAMES[any() % COUNT(NAMES)] : any_address();
+}
+
+// Seconds, none or a wrong number, and ns or us, in 32 or 64 bits each.
+static uint32_t short_time(int wide, uint32_t below) {
+    const uint32_t rest = any() % 16 ? any() % below : 0x80000000;
+    span[0] = wide ? (uint64_t)(any() % 16 == 0) << 63 : (uint64_t)rest << 32;
+    span[1] = rest;
+    if (any() % 2) return (uint32_t)(uintptr_t)span;
+    return any() % 2 ? 3 : 0xC0000000;  // not readable
+}
+
+// The arena as it was at first, filled anew, and nothing else mapped.
+static void begin_round(void) {
+    const uint32_t arena[7] = {ARENA, ARENA_BYTES, READ_WRITE, MAP_FIXED_ANONYMOUS, ~0u, 0, 0};
+    call3(NR_MUNMAP, 0x10000000, AREAS_END - 0x10000000, 0);
+    if ((uint32_t)call(NR_MMAP2, arena) != ARENA) call3(NR_EXIT, 3, 0, 0);
+    for (uint32_t i = 0; i < ARENA_BYTES / 4; i += 1 + any() % 64)
+        *(volatile uint32_t*)(ARENA + 4 * i) = any() % 3 ? any_address() : any_value();
+}
+
+static void close_files(void) {
+    for (uint32_t fd = 3; fd < 1024; ++fd) call3(NR_CLOSE, fd, 0, 0);
+    call3(NR_DUP2, (uint32_t)call3(NR_OPEN, (uint32_t)(uintptr_t)"in", CREATE, 0600), 0, 0);
+}
+
+static int ends_or_stops(uint32_t number) {
+    return number == NR_EXIT || number == NR_EXIT_GROUP || number == NR_PAUSE ||
+           number == NR_KILL || number == NR_TKILL || number == NR_TGKILL ||
+           number == NR_SIGRETURN || number == NR_RT_SIGRETURN;
+}
+
+static void one_call(void) {
+    const uint32_t number = any() % 64 ? CALLS[any() % COUNT(CALLS)] : any() % 512;
+    uint32_t a[7];
+    if (ends_or_stops(number)) return;
+    for (unsigned i = 0; i < 7; ++i) a[i] = any() % 2 ? any_value() : any_address();
+    switch (number) {
+        case NR_BRK: a[0] = any() % 2 ? any() % 0x8000000 : 0x80000000 | any(); break;
+        case NR_MUNMAP:
+        case NR_MPROTECT:
+        case NR_MREMAP:
+            a[0] = any_area();
+            a[1] = any_length();
+            if (a[1] < 0x80000000 && any() % 2) a[1] = any() % 17 * 4096;
+            a[2] = number == NR_MREMAP ? any_length() : any() % 8;
+            break;
+        case NR_MMAP2:
+            a[0] = any_area();
+            a[1] = any_length();
+            a[3] = any() % 4 | (any() % 2 ? 0x20 : 0) | (any() % 2 ? 0x10 : 0);
+            a[4] = any() % 16;
+            a[5] = any() % 2 ? any() % 16 : any();
+            break;
+        case NR_READ:
+        case NR_WRITE:
+            a[0] = any() % 16;
+            a[1] = any_address();
+            a[2] = a[0] == 1 || a[0] == 2 ? any() % 80 : any_length();
+            break;
+        case 180:  // pread64, pwrite64
+        case 181:
+            a[0] = 3 + any() % 16;
+            a[1] = any_address();
+            a[2] = any_length();
+            a[4] = any() % 8 ? any() % 0x80000 : any_value();
+            a[5] = any() % 8 ? 0 : any_value() | 0x80000000;
+            break;
+        case 19:  // lseek, _llseek
+            a[1] = any() % 0x80000;
+            break;
+        case 140: a[1] = any() % 8 ? 0 : 0x80000000, a[2] = any() % 0x80000; break;
+        case NR_FTRUNCATE64: a[2] = any() % 0x80000, a[3] = any() % 8 ? 0 : 0x80000000; break;
+        case 145:  // readv, writev
+        case 146: a[0] = 3 + any() % 16, a[1] = any_address(), a[2] = any() % 4; break;
+        case NR_NANOSLEEP: a[0] = short_time(0, 10000); break;
+        case NR_CLOCK_NANOSLEEP: a[1] = any() % 3, a[2] = short_time(0, 10000); break;
+        case NR_CLOCK_NANOSLEEP64: a[1] = any() % 3, a[2] = short_time(1, 10000); break;
+        case NR_SELECT: a[4] = short_time(0, 10); break;
+        case NR_PSELECT6: a[4] = short_time(0, 10000); break;
+        case NR_PSELECT6_64: a[4] = short_time(1, 10000); break;
+        case NR_PPOLL: a[2] = short_time(0, 10000); break;
+        case NR_PPOLL_64: a[2] = short_time(1, 10000); break;
+        case NR_POLL: a[2] = any() % 64 == 0; break;
+        case NR_FUTEX:
+        case NR_FUTEX_64:
+            a[1] = any();
+            if ((a[1] & 0x7F) == 0 || (a[1] & 0x7F) == 9) return;  // waiting
+            break;
+        case 5: case 8: case 10: case 12: case 33: case 38: case 39: case 40: case 85: case 195:
+        case 196:
+            a[0] = any_path();
+            if (number == 38) a[1] = any_path();
+            break;
+        case 322: case 323: case 327: case 328: case 329: case 332: case 334: case 397: case 439:
+            a[0] = any() % 4 ? 0xFFFFFF9C : any_value();
+            a[1] = any_path();
+            if (number == 329) a[2] = a[0], a[3] = any_path();
+            break;
+        default: break;
+    }
+    call(number, a);
+}
+
+// For libgcc's division by zero.
+int raise(int number) { return number; }
+
+static uint32_t number_of(const char* text) {
+    uint32_t value = 0;
+    while (*text >= '0' && *text <= '9') value = value * 10 + (uint32_t)(*text++ - '0');
+    return value;
+}
+
+// `at`: the stack at the start, which has the arguments.
+__attribute__((used)) static void begin(const uint32_t* at) {
+    const uint32_t calls = at[0] > 1 ? number_of((const char*)(uintptr_t)at[2]) : 30000;
+    state = at[0] > 2 ? number_of((const char*)(uintptr_t)at[3]) : 1;
+    state = state * 2654435769u | 1;
+    for (uint32_t i = 0; i < calls; ++i) {
+        if (i % 16384 == 0) close_files();
+        if (i % 256 == 0) begin_round();
+        one_call();
+    }
+    call3(NR_EXIT, 0, 0, 0);
+}
+
+__attribute__((naked, used)) void _start(void) { __asm__("mov r0, sp\n b begin"); }
