@@ -191,8 +191,10 @@ void add_run_options(CLI::App& command, RunOptions& options) {
         ->check([](const std::string& name) {
             return is_video_name(name) ? "" : "expected FILE.mp4 or FILE.webm, got \"" + name + '"';
         });
-    command.add_flag("--update-goldens", options.update_goldens,
-                     "write golden pictures that differ anew: the expectation is then met");
+    command.add_flag(
+        "--update-goldens", options.update_goldens,
+        "write golden pictures anew that differ, and those that are not there yet: the\n"
+        "expectation is then met");
     command.add_flag("--quiet", options.quiet, "no progress, no summary unless something failed");
 }
 

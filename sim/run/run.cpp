@@ -139,8 +139,10 @@ std::string project_folder_of(const std::filesystem::path& place) {
 
 Scenario scenario_of(const RunOptions& options) {
     if (options.scenario.empty()) return {};
-    return options.scenario_text ? parse_scenario(*options.scenario_text, options.scenario)
-                                 : load_scenario(options.scenario);
+    return options.scenario_text
+               ? parse_scenario(*options.scenario_text, options.scenario)
+               : load_scenario(options.scenario,
+                               options.update_goldens ? Goldens::MAY_BE_NEW : Goldens::ARE_THERE);
 }
 
 // `doing` is what a message says when it throws.

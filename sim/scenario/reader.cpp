@@ -230,14 +230,14 @@ ScenarioStep StepReader::read(std::string_view text) {
         step.line = ++number_;
         checks_.step_ = &step;
         step.step->check(checks_);
-        step.step->load();
+        step.step->load(Goldens::ARE_THERE);
         return step;
     } catch (const Refusal& refusal) {
         throw std::runtime_error{refusal.message};
     }
 }
 
-Scenario load_scenario(const std::filesystem::path& file) {
+Scenario load_scenario(const std::filesystem::path& file, Goldens goldens) {
     std::string text;
     try {
         text = read_whole_file(file, MAX_FILE_BYTES);
@@ -247,7 +247,7 @@ Scenario load_scenario(const std::filesystem::path& file) {
     Scenario scenario = parse_scenario(text, file);
     for (const ScenarioStep& step : scenario.steps) {
         try {
-            step.step->load();
+            step.step->load(goldens);
         } catch (const std::runtime_error& error) {
             throw ScenarioError(file, step.line, step.column, error.what());
         }

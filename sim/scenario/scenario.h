@@ -55,8 +55,9 @@ public:
     std::string message;
 };
 
-// Reads a file and checks all that can be known before the run, golden pictures included.
-Scenario load_scenario(const std::filesystem::path& file);
+// Reads a file and checks all that can be known before the run, golden pictures included, which
+// may be missing where the run writes them.
+Scenario load_scenario(const std::filesystem::path& file, Goldens goldens = Goldens::ARE_THERE);
 
 // The same for text that is already in memory.  `file` is for messages, and paths in the text are
 // relative to its folder; nothing is opened.

@@ -15,6 +15,8 @@ namespace sim {
 class Stage;
 class StaticChecks;
 
+enum class Goldens { ARE_THERE, MAY_BE_NEW };  // which the run writes then
+
 struct Verdict {
     bool met;
     std::string detail;  // what was found instead; may be empty when met
@@ -36,7 +38,7 @@ public:
     virtual void check(StaticChecks&) const {}
 
     // Reads the files that it needs; std::runtime_error, "expected ..., got ...", if it can not.
-    virtual void load() {}
+    virtual void load(Goldens) {}
 
     virtual bool decides() const = 0;
     virtual std::optional<Verdict> play(Stage& stage) const = 0;  // a value if it decides()

@@ -128,7 +128,8 @@ void add_test_options(CLI::App& command, TestOptions& options) {
                      "only those that did not pass the last time; the others' results stay");
     command.add_flag("--fail-fast", options.fail_fast, "end with the first that fails");
     command.add_flag("--update-goldens", options.update_goldens,
-                     "write golden pictures that differ anew; old and new are in index.html");
+                     "write golden pictures anew that differ or are not there yet; old and new\n"
+                     "are in index.html");
     command.add_option_function<std::string>(
         "--shard",
         [&](const std::string& text) {

@@ -64,6 +64,14 @@ class Suite(Folder):
         self.assertEqual(len(list((self.folder / "s").iterdir())), 3)
         self.suite("s")
 
+    def test_a_golden_picture_that_is_not_there_yet(self):
+        self.scenario("s/picture", *READY, "expect-frame: {equals: golden.png}", head="")
+        self.suite("s", code=2)
+        done = self.suite("s", "--update-goldens")
+        self.assertIn("1 of 1 scenarios passed, 1 golden pictures renewed", done.stdout)
+        self.assertTrue((self.folder / "s" / "golden.png").exists())
+        self.suite("s")
+
     def test_rerun_failed(self):
         self.three()
         self.suite("s", code=1)

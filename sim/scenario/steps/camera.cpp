@@ -16,7 +16,7 @@ public:
     std::string say() const override {
         return "show the camera " + printable(file_.filename().string());
     }
-    void load() override {
+    void load(Goldens) override {
         try {
             picture_ = std::make_shared<Image>(read_png(file_));
         } catch (const std::runtime_error& error) {

@@ -32,7 +32,7 @@ public:
         return "play " + printable(file_.filename().string()) + into() +
                (for_ever_ ? " for ever" : "");
     }
-    void load() override {
+    void load(Goldens) override {
         try {
             recording_ = std::make_shared<Recording>(read_recording(file_));
         } catch (const std::runtime_error& error) {
