@@ -27,7 +27,10 @@ class Judge:
             if refused:
                 return "invalid", "lint", "not Verilog", undecided
             for layer in LAYERS:
-                for test in self.tree.tests_of(layer, fault.file, self.seconds):
+                tests = self.tree.tests_of(layer, fault.file, self.seconds)
+                if layer != "proofs":  # which need no building, so that each is measured alone
+                    self._measure(tests, fault.file, text, mutant)
+                for test in tests:
                     how = self._try(test, fault.file, text, mutant)
                     if self.stop.is_set():
                         return "stopped", "", "", undecided
@@ -41,17 +44,26 @@ class Judge:
         finally:
             self.tree.put(fault.file, text)
 
-    def _try(self, test, file, text, mutant):
-        if test.name not in self.seconds:  # without the fault, the first time
+    def _measure(self, tests, file, text, mutant):
+        """What tests take without the fault, the first time that they are needed."""
+        tests = [test for test in tests if test.name not in self.seconds]
+        if tests:
             self.tree.put(file, text)
-            limit = self.proof_seconds if test.layer == "proofs" else 1800
-            how, seconds = self.tree.try_test(test, limit)
-            self.tree.put(file, mutant)
+        for test in tests:
+            proof = test.layer == "proofs"
+            how, seconds = self.tree.try_test(test, self.proof_seconds if proof else 1800)
             if self.stop.is_set():
-                return how
-            if how != "passes" and (test.layer != "proofs" or how != "hangs"):
+                return
+            if how != "passes" and not (proof and how == "hangs"):
                 raise SystemExit(f"{test.name} {how} without a fault")
             self.seconds[test.name] = seconds
+        if tests:
+            self.tree.put(file, mutant)
+
+    def _try(self, test, file, text, mutant):
+        self._measure([test], file, text, mutant)
+        if self.stop.is_set():
+            return "stopped"
         seconds = self.seconds[test.name]
         if test.layer == "proofs":
             if seconds >= self.proof_seconds:

@@ -1,8 +1,11 @@
 """mutants_test.py - faults, their ids, and the list of equivalents, on a small Verilog text."""
+import threading
+import types
 import unittest
 
 from equivalents import Stale, equivalents, killed_after_all
 from faults import constants, faults_of
+from judge import Judge
 from mutants import summary
 
 TEXT = """// small.v - a == b, "if (x)" and 4'd3 in a comment
@@ -151,6 +154,58 @@ class Equivalents(unittest.TestCase):
         lines, rates = summary(results)
         self.assertEqual(rates, {"block": 25, "proofs": 50, "whole": 75})
         self.assertEqual(sum(line.startswith("survives: a") for line in lines), 1)
+
+
+class FakeTree:
+    """A tree whose tests answer as told while the mutant is in it."""
+
+    def __init__(self, **answers):
+        self.answers, self.file, self.tried = answers, TEXT, []
+
+    def put(self, file, text):
+        self.file = text
+
+    def lint(self, file):
+        return self.answers.get("lint")
+
+    def tests_of(self, layer, file, seconds):
+        return [types.SimpleNamespace(name=layer, layer=layer)]
+
+    def try_test(self, test, limit):
+        if self.file == TEXT:
+            return self.answers.get("unchanged", "passes"), 1
+        self.tried.append(test.name)
+        return self.answers.get(test.name, "passes"), 1
+
+
+class Judging(unittest.TestCase):
+    def judged(self, **answers):
+        self.tree = FakeTree(**answers)
+        judge = Judge(self.tree, {}, 60, threading.Event())
+        result = judge(faults_of("small.v", TEXT)[0], TEXT)
+        self.assertEqual(self.tree.file, TEXT)  # restored
+        return result
+
+    def test_the_first_layer_that_finds_it_ends_it(self):
+        self.assertEqual(self.judged(proofs="fails")[:2], ("proofs", "proofs"))
+        self.assertEqual(self.tree.tried, ["block", "proofs"])
+        self.assertEqual(self.judged(whole="fails")[:2], ("whole", "whole"))
+
+    def test_one_that_no_layer_finds_survives(self):
+        self.assertIsNone(self.judged()[0])
+        self.assertEqual(self.tree.tried, ["block", "proofs", "whole"])
+
+    def test_a_test_that_hangs_has_found_it_a_proof_has_not(self):
+        self.assertEqual(self.judged(block="hangs")[0], "block")
+        self.assertEqual(self.judged(proofs="hangs"), (None, "", "", ["proofs"]))
+
+    def test_what_is_not_verilog_is_no_mutant(self):
+        self.assertEqual(self.judged(lint="syntax error")[0], "invalid")
+        self.assertEqual(self.judged(block="does not build")[0], "invalid")
+
+    def test_a_test_that_fails_without_the_fault_ends_all(self):
+        with self.assertRaisesRegex(SystemExit, "block fails without a fault"):
+            self.judged(unchanged="fails")
 
 
 if __name__ == "__main__":
