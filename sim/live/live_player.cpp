@@ -18,6 +18,7 @@ using sc_core::sc_time_stamp;
 namespace {
 
 const sc_time tick{1, sc_core::SC_MS}, between_clocks{3, sc_core::SC_NS};
+constexpr int MOST_LEVELS = 16;
 constexpr auto STATUS_PERIOD = std::chrono::milliseconds{250};
 constexpr double MOST_BEHIND_S = 0.1;  // which is made up for; what is more is given up
 
@@ -178,7 +179,13 @@ void LivePlayer::take_messages() {
 }
 
 void LivePlayer::take(const std::string& text) {
-    const auto message = nlohmann::json::parse(text, nullptr, false);
+    // To write thousands of levels into a message takes more stack than there is.
+    const auto look = [](int level, nlohmann::json::parse_event_t, nlohmann::json&) {
+        if (level > MOST_LEVELS)
+            throw std::runtime_error{"expected at most 16 levels of lists and objects, got more"};
+        return true;
+    };
+    const auto message = nlohmann::json::parse(text, look, false);
     if (!message.is_object() || message.size() != 1)
         throw std::runtime_error{"expected an object with one member, such as {\"pause\": true}"};
     const std::string& name = message.begin().key();

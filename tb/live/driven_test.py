@@ -56,6 +56,15 @@ class Driven(unittest.IsolatedAsyncioTestCase):
         over = await self.run_for(client, {"for": "1ms", "until": ["steps"]})
         self.assertEqual(over["met"], ["steps"])  # there are none
 
+    async def test_a_message_of_many_levels_is_refused(self):
+        client = await self.client()
+        for order in '{"run": %s}', '{"step": {"hold": %s}}':
+            client.last.pop("error", None)
+            await client.socket.send(order % ("[" * 20000 + "]" * 20000))
+            await client.until(lambda: "error" in client.last)
+            self.assertIn("at most 16 levels", client.last["error"])
+        self.assertEqual((await self.run_for(client, "0ms"))["met"], [])
+
     async def test_nothing_is_left_out_for_a_slow_reader(self):
         """After five seconds that were played at once, audio.wav has as many samples."""
         client = await self.client()
