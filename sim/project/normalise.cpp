@@ -76,8 +76,11 @@ public:
             if (const auto here = edits_.told.find(i); here != edits_.told.end())
                 changed(token, here->second);
             if (const auto here = edits_.before.find(i); here != edits_.before.end())
-                result.text += here->second;
-            if (edits_.left_out.count(i)) continue;
+                result.text += in_one_line(here->second);
+            if (edits_.left_out.count(i)) {
+                result.text.append(lines_in(token.text), '\n');
+                continue;
+            }
             if (token.is(",") && next(i) && next(i)->is(")")) {
                 changed(token, "dropped the comma before \")\"");
             } else if (token.kind == Kind::NUMBER) {
@@ -92,7 +95,7 @@ public:
                 add_name(i);
             }
             if (const auto here = edits_.behind.find(i); here != edits_.behind.end())
-                result.text += here->second;
+                result.text += in_one_line(here->second);
         }
         result.text += tokens_.tail;
         if (begun_) result.text += "\n`end_keywords\n";
@@ -106,7 +109,16 @@ private:
         return i + ahead < tokens_.all.size() ? &tokens_.all[i + ahead] : nullptr;
     }
     void changed(const Token& token, const std::string& what) {
-        changes_.push_back(fmt::format("{}:{}: {}", name_, token.line, what));
+        changes_.push_back(fmt::format("{}:{}: {}", name_, token.line, in_one_line(what)));
+    }
+
+    // What is written or told of a text in quotes, which may go over lines, as in a broken file.
+    static std::string in_one_line(std::string text) {
+        std::replace(text.begin(), text.end(), '\n', ' ');
+        return text;
+    }
+    static std::size_t lines_in(std::string_view text) {
+        return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
     }
 
     // A comment that begins with the tool's name is an order to Verilator, unless it is one that it

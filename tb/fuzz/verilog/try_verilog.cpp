@@ -47,7 +47,7 @@ void try_verilog(std::string_view input) {
     const auto lines = lines_of(clean.text), before = lines_of(input);
     must(lines == before || (ends && lines == before + 2), "lines stay where they are");
     for (const std::string& change : clean.changes)
-        must(change.compare(0, 4, "a.v:") == 0, "a change says where it is");
+        must(change.compare(0, 4, "a.v:") == 0 && lines_of(change) == 0, "a change is a line");
     must_be_whole(clean.text);
 }
 
