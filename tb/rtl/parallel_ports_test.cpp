@@ -142,6 +142,17 @@ TEST_F(ParallelPorts, HaveKeysThatNothingDrives) {
     EXPECT_EQ(read(KEY_DATA), 6u);
 }
 
+TEST_F(ParallelPorts, AreDarkAndOpenAfterAReset) {
+    for (const std::uint32_t data : {LEDR_DATA, HEX3_0_DATA, HEX5_4_DATA, JP1_DATA, JP2_DATA})
+        write(data, 0xffffffff);
+    for (const std::uint32_t direction : {JP1_DIR, JP2_DIR}) write(direction, 0xffffffff);
+    reset();
+    EXPECT_EQ(dut.ledr_o, 0);
+    EXPECT_EQ(lit(), 0u);
+    EXPECT_EQ(dut.jp1_o | dut.jp2_o, 0u);
+    EXPECT_EQ(dut.jp1_oe_o | dut.jp2_oe_o, 0u);
+}
+
 TEST_F(ParallelPorts, InterruptEachForItself) {
     const auto irqs = [this] { return dut.key_irq_o | dut.jp1_irq_o << 1 | dut.jp2_irq_o << 2; };
     for (const std::uint32_t mask : {KEY_MASK, JP1_MASK, JP2_MASK}) write(mask, 0xffffffff);
