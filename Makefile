@@ -133,10 +133,10 @@ FUZZ_SEED ?= 1
 FUZZED = collision elf gdb live mif png qsf report scenario verilog vhdl
 fuzz:                   ## [FUZZ_SECONDS=60] [FUZZ_RUNS=n] [TARGET=png] any bytes into all readers
 	@.ci/setup --check tool fuzz
-	@cmake --preset fuzz > build/fuzz.log || { cat build/fuzz.log; exit 1; }
+	@mkdir -p build && cmake --preset fuzz > build/fuzz.log || { cat build/fuzz.log; exit 1; }
 	@cmake --build --preset fuzz
 	@/usr/bin/python3 -B tb/fuzz/run.py build/fuzz/bin build/fuzz/corpus tb/fuzz \
-	    --seconds $(FUZZ_SECONDS) $(if $(FUZZ_RUNS),--runs $(FUZZ_RUNS)) $(or $(TARGET),$(FUZZED))
+	    $(if $(FUZZ_RUNS),--runs $(FUZZ_RUNS),--seconds $(FUZZ_SECONDS)) $(or $(TARGET),$(FUZZED))
 	@$(if $(TARGET),true,$(MAKE) --no-print-directory fuzz-programs)
 
 fuzz-programs: everything ## [FUZZ_CALLS=n] [FUZZ_SEED=n] 600 damaged programs, Linux calls at random

@@ -25,9 +25,8 @@ def run(target, options):
     before = set(found.iterdir())
     command = [options.fuzzers / f"fuzz_{target}", f"-max_len={MOST_BYTES.get(target, ORDINARY)}",
                f"-timeout={LIMIT_S}", f"-rss_limit_mb={LIMIT_MB}", "-print_final_stats=1",
-               f"-artifact_prefix={found}/", f"-max_total_time={options.seconds}"]
-    if options.runs:
-        command.append(f"-runs={options.runs}")
+               f"-artifact_prefix={found}/", f"-max_total_time={options.seconds}",
+               f"-runs={options.runs}"]
     with tempfile.TemporaryDirectory() as empty:  # where nothing is to be written
         done = subprocess.run([*command, corpus, options.seeds / target / "seeds"], cwd=empty,
                               capture_output=True, text=True, errors="replace", check=False)
@@ -50,8 +49,8 @@ def main():
     arguments = argparse.ArgumentParser()
     for folder in ("fuzzers", "folder", "seeds"):
         arguments.add_argument(folder, type=lambda text: pathlib.Path(text).resolve())
-    arguments.add_argument("--seconds", type=int, default=60)
-    arguments.add_argument("--runs", type=int)
+    arguments.add_argument("--seconds", type=int, default=0, help="0: no limit")
+    arguments.add_argument("--runs", type=int, default=-1, help="-1: no limit")
     arguments.add_argument("targets", nargs="+")
     options = arguments.parse_args()
     results = [run(target, options) for target in options.targets]
