@@ -139,7 +139,7 @@ fuzz:                   ## [FUZZ_SECONDS=60] [FUZZ_RUNS=n] [TARGET=png] any byte
 	    $(if $(FUZZ_RUNS),--runs $(FUZZ_RUNS),--seconds $(FUZZ_SECONDS)) $(or $(TARGET),$(FUZZED))
 	@$(if $(TARGET),true,$(MAKE) --no-print-directory fuzz-programs)
 
-fuzz-programs: everything ## [FUZZ_CALLS=n] [FUZZ_SEED=n] 600 damaged programs, Linux calls at random
+fuzz-programs: everything ## [FUZZ_CALLS=n] [FUZZ_SEED=n] damaged programs, Linux calls at random
 	@cmake --build build --target de1sim firmware linux_programs
 	@/usr/bin/python3 -B tb/fuzz/elf/mutants.py build/bin/de1sim build/mutants \
 	    build/firmware/collide.elf build/firmware/collide-linux

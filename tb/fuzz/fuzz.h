@@ -1,8 +1,8 @@
 // fuzz.h - targets of make fuzz: each takes any bytes and aborts where a promise does not hold.
 //
-// A target NAME is try_NAME() in NAME/, with its seeds in NAME/seeds.  The sanitizers that make fuzz
-// builds with find the rest.  What a target refuses is thrown as the library's own type of error;
-// any other exception ends the program.
+// A target NAME is try_NAME() in NAME/, with its seeds in NAME/seeds.  The sanitizers that make
+// fuzz builds with find the rest.  What a target refuses is thrown as the library's own type of
+// error; any other exception ends the program.
 #pragma once
 
 #include <string>

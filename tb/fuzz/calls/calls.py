@@ -37,9 +37,9 @@ def main():
     shutil.copytree(beside / "outside", options.folder / "outside")
     before = contents(beside), contents(options.folder / "outside")
 
-    command = [pathlib.Path(options.de1sim).resolve(), "run", "--cpu", "arm", "--elf", options.program.resolve(), "--quiet",
-               "--frames", "none", "--system", "linux", "--out", out.resolve(), "--linux-root", root.resolve(),
-               "--", str(options.calls), str(options.seed)]
+    command = [pathlib.Path(options.de1sim).resolve(), "run", "--cpu", "arm", "--elf",
+               options.program.resolve(), "--quiet", "--frames", "none", "--system", "linux",
+               "--out", out.resolve(), "--linux-root", root.resolve(), "--", str(options.calls), str(options.seed)]
     began = time.monotonic()
     try:
         done = subprocess.run(command, cwd=beside, capture_output=True, timeout=options.limit,

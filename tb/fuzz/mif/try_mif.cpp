@@ -1,5 +1,5 @@
-// Initial words of a memory: a MIF or an Intel HEX file is refused with its line, or read; the words
-// written as a MIF are read as the same.  Two bytes in front say how wide and how deep it is.
+// Initial words of a memory: a MIF or an Intel HEX file is refused with its line, or read; the
+// words written as a MIF are read as the same.  Two bytes in front say how wide and how deep it is.
 #include <stdexcept>
 
 #include <fmt/format.h>
