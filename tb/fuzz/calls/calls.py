@@ -39,7 +39,8 @@ def main():
 
     command = [pathlib.Path(options.de1sim).resolve(), "run", "--cpu", "arm", "--elf",
                options.program.resolve(), "--quiet", "--frames", "none", "--system", "linux",
-               "--out", out.resolve(), "--linux-root", root.resolve(), "--", str(options.calls), str(options.seed)]
+               "--out", out.resolve(), "--linux-root", root.resolve(), "--", str(options.calls),
+               str(options.seed)]
     began = time.monotonic()
     try:
         done = subprocess.run(command, cwd=beside, capture_output=True, timeout=options.limit,
