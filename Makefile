@@ -1,7 +1,7 @@
 # The menu. Each entry shows the real command.
 
 .PHONY: all build setup help demo test fast asan coverage bench bench-collision firmware package
-.PHONY: bench-history nightly weekly tsan clang
+.PHONY: bench-history nightly weekly tsan
 .PHONY: soak formal formal-mutants mutants synth netlist table1 fuzz instructions qsf bitstream
 .PHONY: bitstream-open regmap format clean configure everything
 .PHONY: fuzz-programs deploy rollback deploy-jtag
@@ -77,17 +77,11 @@ fast: everything        ## every test but the whole-system ones
 	@cmake --build build
 	@ctest --preset fast
 
-tsan:                   ## what runs in several threads, with the thread sanitizer
-	@.ci/setup --check tool firmware board test video
+tsan:                   ## what writes files from several threads, with the thread sanitizer
+	@.ci/setup --check tool firmware test video
 	@cmake --preset tsan
-	@cmake --build build/tsan
-	@ctest --preset tsan
-
-clang:                  ## every test, built by clang
-	@.ci/setup --check tool firmware board test video fuzz
-	@cmake --preset clang
-	@cmake --build build/clang
-	@ctest --preset clang
+	@cmake --build build/tsan --target report_test
+	@TSAN_OPTIONS=halt_on_error=1 build/tsan/bin/report_test --gtest_brief=1
 
 asan:                   ## every test, with address and undefined-behaviour sanitizers
 	@.ci/setup --check tool firmware board test video

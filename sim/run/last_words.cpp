@@ -9,6 +9,7 @@
 #include <string>
 
 #include "sim/report/messages.h"
+#include "sim/report/whole_file.h"
 #include "sim/run/run.h"
 
 namespace sim {
