@@ -8,6 +8,8 @@
 #include <iterator>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "sim/project/file_finder.h"
 
 namespace sim::project {
@@ -138,15 +140,22 @@ void remove(std::vector<Assignment>& all, const Assignment& which) {
     all.erase(std::remove_if(all.begin(), all.end(), same), all.end());
 }
 
+// `sourced`: how many files so far.
 void read_into(std::vector<Assignment>& all, std::string_view text, const fs::path& file,
-               unsigned depth) {
-    constexpr unsigned DEEPEST = 8;
+               unsigned depth, unsigned& sourced) {
+    constexpr unsigned DEEPEST = 8, MOST = 1'000;
     for (const Command& command : TclReader{text}.commands()) {
         const auto& words = command.words;
         if (words[0] == "source" && words.size() > 1 && depth < DEEPEST) {
             std::error_code error;
             const fs::path other = file.parent_path() / words.back();
-            if (fs::is_regular_file(other, error)) read_into(all, text_of(other), other, depth + 1);
+            if (!fs::is_regular_file(other, error)) continue;
+            if (++sourced > MOST)
+                throw ProjectError{
+                    fmt::format("{}:{}: more than {} files are sourced; does one "
+                                "source itself?",
+                                file.string(), command.line, MOST)};
+            read_into(all, text_of(other), other, depth + 1, sourced);
         }
         const bool parameter = words[0] == "set_parameter";
         const bool location = words[0] == "set_location_assignment";
@@ -220,7 +229,8 @@ std::vector<Assignment> read_settings(const fs::path& file) {
 
 std::vector<Assignment> settings_in(std::string_view text, const fs::path& file) {
     std::vector<Assignment> all;
-    read_into(all, text, file, 0);
+    unsigned sourced = 0;
+    read_into(all, text, file, 0, sourced);
     return all;
 }
 

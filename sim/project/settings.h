@@ -41,7 +41,7 @@ struct Assignment {
 std::filesystem::path settings_at(const std::filesystem::path& place);
 
 // In the order of the files, with those that they `source` where they do so.  ProjectError if
-// `file` cannot be read; one that is sourced and missing is passed over.
+// `file` cannot be read, or over 1,000 are sourced; one that is missing then is passed over.
 std::vector<Assignment> read_settings(const std::filesystem::path& file);
 // The same of the file's text.
 std::vector<Assignment> settings_in(std::string_view text, const std::filesystem::path& file);

@@ -95,7 +95,12 @@ TEST_F(Settings, WhatIsDisabledDoesNotCount) {
     EXPECT_EQ(all[0].value, "new.v");
 }
 
-TEST_F(Settings, FilesThatSourceThemselvesEnd) { EXPECT_TRUE(read("source p.qsf\n").empty()); }
+TEST_F(Settings, FilesThatSourceThemselvesEnd) {
+    EXPECT_TRUE(read("source p.qsf\n").empty());
+    std::string many;
+    for (unsigned i = 0; i < 100; ++i) many += "source p.qsf\n";  // 100^8 readings
+    EXPECT_THROW(read(many), sim::project::ProjectError);
+}
 
 TEST_F(Settings, AnyBytesAreRead) {
     std::string bytes;
