@@ -124,18 +124,17 @@ table1: everything      ## the paper's experiments -> out/table1/, sw/collision/
 FUZZ_SECONDS ?= 60
 FUZZ_CALLS ?= 10000000
 FUZZ_SEED ?= 1
-FUZZED = collision elf gdb live mif png qsf report scenario verilog vhdl
 fuzz:                   ## [FUZZ_SECONDS=60] [FUZZ_RUNS=n] [TARGET=png] any bytes into all readers
 	@.ci/setup --check tool fuzz
 	@mkdir -p build && cmake --preset fuzz > build/fuzz.log || { cat build/fuzz.log; exit 1; }
 	@cmake --build --preset fuzz
 	@/usr/bin/python3 -B tb/fuzz/run.py build/fuzz/bin build/fuzz/corpus tb/fuzz \
-	    $(if $(FUZZ_RUNS),--runs $(FUZZ_RUNS),--seconds $(FUZZ_SECONDS)) $(or $(TARGET),$(FUZZED))
+	    $(if $(FUZZ_RUNS),--runs $(FUZZ_RUNS),--seconds $(FUZZ_SECONDS)) $(TARGET)
 	@$(if $(TARGET),true,$(MAKE) --no-print-directory fuzz-programs)
 
 fuzz-programs: everything ## [FUZZ_CALLS=n] [FUZZ_SEED=n] damaged programs, Linux calls at random
 	@cmake --build build --target de1sim firmware linux_programs
-	@/usr/bin/python3 -B tb/fuzz/elf/mutants.py build/bin/de1sim build/mutants \
+	@/usr/bin/python3 -B tb/fuzz/elf/mutants.py build/bin/de1sim build/damaged_programs \
 	    build/firmware/collide.elf build/firmware/collide-linux
 	@/usr/bin/python3 -B tb/fuzz/calls/calls.py build/bin/de1sim \
 	    build/tb/programs/linux/calls_at_random build/calls --calls $(FUZZ_CALLS) \

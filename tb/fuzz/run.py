@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""run.py FUZZERS FOLDER SEEDS [--seconds S] [--runs N] TARGET...: libFuzzer's targets, in turn.
+"""run.py FUZZERS FOLDER SEEDS [--seconds S] [--runs N] [TARGET...]: libFuzzer's targets, in turn.
 
-FUZZERS has the programs fuzz_TARGET, SEEDS the folders TARGET/seeds; FOLDER/TARGET keeps what was
-found, so that the next time goes on from there.  An input that crashes, hangs or breaks a promise
-is left in FOLDER/TARGET-found, and its path is printed.  A line per target at the end; exit code 1
-if any has found something.
+FUZZERS has the programs fuzz_TARGET, which all run if no TARGET is named; SEEDS has the folders
+TARGET/seeds.  FOLDER/TARGET keeps what was found, so that the next time goes on from there.  An
+input that crashes, hangs or breaks a promise is left in FOLDER/TARGET-found, and its path is
+printed.  A line per target at the end; exit code 1 if any has found something.
 """
 import argparse
 import pathlib
@@ -51,9 +51,11 @@ def main():
         arguments.add_argument(folder, type=lambda text: pathlib.Path(text).resolve())
     arguments.add_argument("--seconds", type=int, default=0, help="0: no limit")
     arguments.add_argument("--runs", type=int, default=-1, help="-1: no limit")
-    arguments.add_argument("targets", nargs="+")
+    arguments.add_argument("targets", nargs="*")
     options = arguments.parse_args()
-    results = [run(target, options) for target in options.targets]
+    targets = options.targets or sorted(program.name[5:] for program in
+                                        options.fuzzers.glob("fuzz_*"))
+    results = [run(target, options) for target in targets]
     print("\n".join(line for _, line in results))
     return 1 if any(bad for bad, _ in results) else 0
 

@@ -1,8 +1,9 @@
 """equivalents.py - the faults that change nothing which anybody could see, and why.
 
-A line of equivalent.txt is FILE :: WHAT :: TEXT :: REASON: file and what as in a fault's id, and
+An entry of equivalent.txt is FILE :: WHAT :: TEXT :: REASON: file and what as in a fault's id, and
 the text of its line without comments, so that it stays valid when lines move.  Where that names
-several faults, `#2` after WHAT means the second of them.
+several faults, `#2` after WHAT means the second of them.  Lines that are indented go on with the
+entry before.
 """
 import re
 
@@ -11,13 +12,21 @@ class Stale(Exception):
     """Entries that name no fault, or several."""
 
 
+def entries(lines):
+    """(number of its first line, the entry in one line)"""
+    found = []
+    for number, line in enumerate(lines, 1):
+        if line[:1].isspace() and line.strip() and found:
+            found[-1][1] += " " + line.strip()
+        elif line.strip() and not line.startswith("#"):
+            found.append([number, line.strip()])
+    return found
+
+
 def equivalents(lines, faults):
     """{id: reason} of those faults; Stale if an entry does not name one."""
     found, wrong = {}, []
-    for number, line in enumerate(lines, 1):
-        line = line.strip()
-        if not line or line.startswith("#"):
-            continue
+    for number, line in entries(lines):
         parts = [part.strip() for part in line.split(" :: ")]
         if len(parts) != 4 or not all(parts):
             wrong.append(f"{number}: not FILE :: WHAT :: TEXT :: REASON: {line}")

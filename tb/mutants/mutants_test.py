@@ -125,7 +125,9 @@ class Equivalents(unittest.TestCase):
 
     def test_an_entry_names_its_fault_wherever_the_line_is(self):
         for text in (TEXT, "\n\n" + TEXT):
-            fault, = equivalents(["# comment", "", self.entry], faults_of("small.v", text))
+            text_of_it, reason = self.entry.rsplit(" :: ", 1)
+            fault, = equivalents(["# comment", "", text_of_it, "    :: " + reason],
+                                 faults_of("small.v", text))
             self.assertRegex(fault, r"^small\.v:1[24]:24:\|\| -> &&$")
 
     def test_an_entry_whose_text_is_gone_is_stale(self):
