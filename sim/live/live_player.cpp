@@ -18,7 +18,7 @@ using sc_core::sc_time_stamp;
 namespace {
 
 const sc_time tick{1, sc_core::SC_MS}, between_clocks{3, sc_core::SC_NS};
-constexpr int MOST_LEVELS = 16;
+constexpr int MOST_LEVELS = 16;  // of a message; thousands would need more stack than there is
 constexpr auto STATUS_PERIOD = std::chrono::milliseconds{250};
 constexpr double MOST_BEHIND_S = 0.1;  // which is made up for; what is more is given up
 
@@ -179,10 +179,10 @@ void LivePlayer::take_messages() {
 }
 
 void LivePlayer::take(const std::string& text) {
-    // To write thousands of levels into a message takes more stack than there is.
     const auto look = [](int level, nlohmann::json::parse_event_t, nlohmann::json&) {
         if (level > MOST_LEVELS)
-            throw std::runtime_error{"expected at most 16 levels of lists and objects, got more"};
+            throw std::runtime_error{fmt::format(
+                "expected at most {} levels of lists and objects, got more", MOST_LEVELS)};
         return true;
     };
     const auto message = nlohmann::json::parse(text, look, false);

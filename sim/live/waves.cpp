@@ -22,7 +22,7 @@ void Waves::begin(const std::string& scenario, SimTime from, SimTime to) {
     if (running_.valid())
         throw std::runtime_error{"waveforms are being written; wait for their end"};
     const std::filesystem::path folder = options_.out / fmt::format("waves-{}", ++number_);
-    const Part part{folder, std::max(from, SimTime{1}), to, folder.string() + ".yaml"};
+    const RunPart part{folder, std::max(from, SimTime{1}), to, folder.string() + ".yaml"};
     write_whole_file(part.scenario, scenario);
     running_ = std::async(std::launch::async, [this, part]() -> Done {
         const std::string problem =

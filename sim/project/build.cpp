@@ -111,7 +111,7 @@ Builder::Builder(const Request& request, bool trace)
 void Builder::prepare_folder() {
     fs::create_directories(folder_ / "source");
     lock_.take(folder_ / "lock");
-    seen_from(folder_, data_folder(), "data");
+    link_to(data_folder(), folder_ / "data");
     includes_.clear();
     for (const fs::path& include : design_.project.includes)
         includes_.push_back(

@@ -5,7 +5,6 @@
 //   set_global_assignment -name TOP_LEVEL_ENTITY pong
 //   set_location_assignment PIN_AF14 -to CLOCK_50
 //   set_global_assignment -library pll -name VERILOG_FILE [file join $::quartus(qip_path) "pll.v"]
-//
 //   set_parameter -name WIDTH 8
 //
 // with quotes, braces and continued lines; other commands are passed over.  An assignment with

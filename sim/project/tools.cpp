@@ -58,6 +58,13 @@ std::string without_blanks(std::string name) {
     return name;
 }
 
+void link_to(const fs::path& folder, const fs::path& link) {
+    std::error_code error;
+    if (fs::read_symlink(link, error) == folder) return;
+    fs::remove_all(link, error);  // of a copy that has the folder itself there
+    fs::create_directory_symlink(folder, link);
+}
+
 std::string seen_from(const fs::path& folder, const fs::path& other, const std::string& link) {
     const fs::path wanted = fs::weakly_canonical(other);
     std::string up = "..";
@@ -66,11 +73,7 @@ std::string seen_from(const fs::path& folder, const fs::path& other, const std::
         if (above == above.parent_path()) break;
         above = above.parent_path();
     }
-    std::error_code error;
-    if (fs::read_symlink(folder / link, error) != other) {
-        fs::remove_all(folder / link, error);  // of a copy that has the link's target in it
-        fs::create_directory_symlink(other, folder / link);
-    }
+    link_to(other, folder / link);
     return link;
 }
 

@@ -15,9 +15,12 @@ std::filesystem::path data_folder();
 // of run_tool() have the blanks again.
 std::string without_blanks(std::string name);
 
-// The name in `folder` of another one, without blanks, over which Verilator stumbles: ".." or
-// "../.." where it lies in the other one, else a symbolic link of the name `link`.  A link to what
-// `folder` lies in would be an endless path for a program that copies or searches it.
+// A symbolic link to a folder: a name without blanks, over which Verilator stumbles.
+void link_to(const std::filesystem::path& folder, const std::filesystem::path& link);
+
+// The name of another folder in `folder`: ".." or "../.." where it lies in the other one, else the
+// link `link`.  A link to what `folder` lies in would be an endless path for a program that copies
+// or searches it.
 std::string seen_from(const std::filesystem::path& folder, const std::filesystem::path& other,
                       const std::string& link);
 

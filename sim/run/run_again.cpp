@@ -18,7 +18,7 @@ constexpr const char* FILES[] = {"waves.fst", "waves.bus.txt", "waves.calls.txt"
 
 }  // namespace
 
-std::string run_part_again(const RunOptions& options, const Part& part,
+std::string run_part_again(const RunOptions& options, const RunPart& part,
                            const std::function<bool()>& given_up) {
     make_folder(part.folder);
     for (const char* file : FILES) std::filesystem::remove(part.folder / file);
@@ -46,7 +46,7 @@ void trace_failure(const RunOptions& options, RunReport& report,
     const double time_s = expected ? missed->time_s : report.simulated_s;
     const auto to_ps = static_cast<std::uint64_t>(std::llround(time_s * 1e12));
     const std::uint64_t from_ps = to_ps - std::min(to_ps - 1, options.trace_failure->ps);
-    const Part part{options.out / "failure", SimTime{from_ps}, SimTime{to_ps}, {}};
+    const RunPart part{options.out / "failure", SimTime{from_ps}, SimTime{to_ps}, {}};
     if (!options.quiet)
         message(fmt::format("running again for waveforms of {} to {}", to_string(part.from),
                             to_string(part.to)));

@@ -13,7 +13,7 @@
 
 namespace sim {
 
-struct Part {
+struct RunPart {
     std::filesystem::path folder;    // for waves.fst, waves.bus.txt, waves.calls.txt
     SimTime from, to;                // both after 0: a trace needs a time to begin
     std::filesystem::path scenario;  // to play instead of the run's own, or empty
@@ -21,7 +21,7 @@ struct Part {
 
 // Runs it until its end, or until `given_up`.  Returns why there are no waveforms, or nothing.
 // IoError: the folder cannot be made.
-std::string run_part_again(const RunOptions& options, const Part& part,
+std::string run_part_again(const RunOptions& options, const RunPart& part,
                            const std::function<bool()>& given_up);
 
 // Writes options.out/failure/ of the time options.trace_failure before the first failure in
