@@ -52,7 +52,7 @@ def main():
     arguments.add_argument("--seconds", type=int, default=0, help="0: no limit")
     arguments.add_argument("--runs", type=int, default=-1, help="-1: no limit")
     arguments.add_argument("targets", nargs="*")
-    options = arguments.parse_args()
+    options = arguments.parse_intermixed_args()
     targets = options.targets or sorted(program.name[5:] for program in
                                         options.fuzzers.glob("fuzz_*"))
     results = [run(target, options) for target in targets]
