@@ -53,17 +53,32 @@ void write_if_new(const fs::path& file, const std::string& text) {
 
 std::vector<std::string> verilator_words(const Project& project,
                                          const std::vector<std::string>& includes) {
-    std::vector<std::string> words{"verilator",        "-Wno-fatal",
-                                   "-Wno-lint",        "-Wno-style",
-                                   "-Wno-ASSIGNIN",    "-Wno-BLKANDNBLK",
-                                   "-Wno-STMTDLY",     "-Wno-MULTIDRIVEN",
-                                   "-Wno-UNOPTFLAT",   "-Wno-TIMESCALEMOD",
-                                   "-Wno-COMBDLY",     "-Wno-INITIALDLY",
-                                   "-Wno-PINMISSING",  "-Wno-MODDUP",
-                                   "-Wno-SYMRSVDWORD", "-Wno-SPLITVAR",
-                                   "-Wno-TICKCOUNT",   "--no-timing",
-                                   "--x-initial",      "0",
-                                   "--x-assign",       "0"};
+    std::vector<std::string> words{"verilator",
+                                   "-Wno-fatal",
+                                   "-Wno-lint",
+                                   "-Wno-style",
+                                   "-Wno-ASSIGNIN",
+                                   "-Wno-BLKANDNBLK",
+                                   "-Wno-STMTDLY",
+                                   "-Wno-MULTIDRIVEN",
+                                   "-Wno-UNOPTFLAT",
+                                   "-Wno-TIMESCALEMOD",
+                                   "-Wno-COMBDLY",
+                                   "-Wno-INITIALDLY",
+                                   "-Wno-PINMISSING",
+                                   "-Wno-MODDUP",
+                                   "-Wno-SYMRSVDWORD",
+                                   "-Wno-SPLITVAR",
+                                   "-Wno-TICKCOUNT",
+                                   "--no-timing",
+                                   "--timescale",
+                                   "1ns/1ps",
+                                   "--timescale-override",
+                                   "/1ps",
+                                   "--x-initial",
+                                   "0",
+                                   "--x-assign",
+                                   "0"};
     for (const std::string& macro : project.macros) words.push_back("-D" + macro);
     for (const std::string& include : includes) words.push_back("-I" + include);
     words.insert(words.end(),
@@ -234,21 +249,22 @@ void Builder::generate() {
                  design_text(design_.binding, design_.project.top,
                              instance_text(design_.project.parameters)));
     write_if_new(folder_ / "de1sim_pll_taps.v", tap_text(design_.elaborated.pll_clocks));
-    write_if_new(folder_ / "de1sim_clocks.h",
-                 clocks_text(design_.project, design_.elaborated, design_.binding));
+    write_if_new(folder_ / "de1sim_facts.h",
+                 facts_text(design_.project, design_.elaborated, design_.binding));
 }
 
 std::string Builder::key() const {
-    const fs::path self = "/proc/self/exe";
-    std::string all = fmt::format("{} {} {} {}\n", trace_, design_.project.top, fs::file_size(self),
-                                  fs::last_write_time(self).time_since_epoch().count());
+    std::string all = fmt::format("{} {}\n", trace_, design_.project.top);
+    for (const fs::path& part : {fs::path{"/proc/self/exe"}, runtime_library()})
+        all += fmt::format("{} {}\n", fs::file_size(part),
+                           fs::last_write_time(part).time_since_epoch().count());
     for (const char* name : {"project", "rtl/ip"}) {
         const FileFinder ours{data_folder() / name};
         for (const fs::path& file : ours.files()) all += text_of(file);
     }
     for (const auto& word : verilator_words(design_.project, includes_)) all += word + "\n";
     for (const fs::path& file : files_) all += text_of(folder_ / file);
-    for (const char* name : {"de1sim_design.vh", "de1sim_pll_taps.v", "de1sim_clocks.h"})
+    for (const char* name : {"de1sim_design.vh", "de1sim_pll_taps.v", "de1sim_facts.h"})
         all += text_of(folder_ / name);
     return hash_of(all);
 }

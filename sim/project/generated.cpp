@@ -34,8 +34,8 @@ std::string tap_text(const std::vector<PllClock>& clocks) {
     return text + "    endgenerate\nendmodule\n";
 }
 
-std::string clocks_text(const Project& project, const Elaborated& elaborated,
-                        const Binding& binding) {
+std::string facts_text(const Project& project, const Elaborated& elaborated,
+                       const Binding& binding) {
     std::set<std::string> below;  // from the project's folder on
     for (const SourceFile& file : project.sources)
         below.insert(file.path.parent_path().lexically_relative(project.folder).string());
@@ -43,8 +43,7 @@ std::string clocks_text(const Project& project, const Elaborated& elaborated,
     for (const std::string& folder : below) folders += fmt::format("\"{}\", ", escaped(folder));
     std::string text =
         "// Written by de1sim.\n#pragma once\n"
-        "struct PllClock {\n    unsigned long long period_fs, phase_fs, high_fs;\n};\n"
-        "constexpr PllClock PLL_CLOCKS[] = {";
+        "constexpr sim::project::PllTimes PLL_CLOCKS[] = {";
     for (const PllClock& clock : elaborated.pll_clocks)
         text += fmt::format("{{{}ull, {}ull, {}ull}}, ", clock.period_fs, clock.phase_fs,
                             clock.high_fs);
@@ -52,9 +51,10 @@ std::string clocks_text(const Project& project, const Elaborated& elaborated,
                       "{{0, 0, 0}}}};\nconstexpr unsigned PLL_CLOCK_COUNT = {};\n"
                       "constexpr bool TD_CLK27_USED = {}, VGA_USED = {};\n"
                       "constexpr bool AUD_XCK_USED = {}, AUD_CLOCKS_DRIVEN = {};\n"
-                      "constexpr const char* SOURCE_FOLDERS[] = {{{}\"\"}};\n",
+                      "constexpr const char* SOURCE_FOLDERS[] = {{{}\"\"}};\n"
+                      "constexpr unsigned SOURCE_FOLDER_COUNT = {};\n",
                       elaborated.pll_clocks.size(), binding.has_td_clk, binding.has_vga_hs,
-                      binding.has_xck, binding.drives_codec_clocks, folders);
+                      binding.has_xck, binding.drives_codec_clocks, folders, below.size());
 }
 
 std::string loops_text(const std::string& said) {

@@ -12,9 +12,9 @@ namespace sim::project {
 // de1sim_pll_taps.v: the PLLs' outputs, as inputs of the chip.
 std::string tap_text(const std::vector<PllClock>& clocks);
 
-// de1sim_clocks.h: what runtime/model.cpp has to know of the design.
-std::string clocks_text(const Project& project, const Elaborated& elaborated,
-                        const Binding& binding);
+// de1sim_facts.h: what runtime/model.cpp has to know of the design.
+std::string facts_text(const Project& project, const Elaborated& elaborated,
+                       const Binding& binding);
 
 // de1sim_loops.h, by Verilator: "Signal unoptimizable: ... 'de1sim_chip.de1sim_design.a'"
 // is a loop without a register, which may oscillate.

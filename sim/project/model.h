@@ -1,7 +1,7 @@
 // model.h - a design, Verilated and loaded: what its library offers to de1sim.
 //
-// The library is compiled beside the project from runtime/ and Verilator's output, against this
-// header and sim/pins/ alone.
+// The library is compiled beside the project from Verilator's output and runtime/design.cpp, and
+// linked with runtime/model.cpp.
 #pragma once
 
 #include <cstdint>

@@ -27,6 +27,10 @@ fs::path program_folder() {
     return fs::read_symlink("/proc/self/exe", error).parent_path();
 }
 
+fs::path library(const char* name) {
+    return (program_folder() / ".." / LIBRARY_FOLDER / name).lexically_normal();
+}
+
 // Verilator's first error, in a line: "pong.v:12:5: syntax error, unexpected ...".
 std::string first_error(const Outcome& outcome, const std::string& tool, const TimeLimit& limit) {
     if (outcome.code == TIMED_OUT)
@@ -89,6 +93,8 @@ unsigned TimeLimit::left_s() const {
 
 fs::path data_folder() { return (program_folder() / "../share/de1sim").lexically_normal(); }
 
+fs::path runtime_library() { return library("libdesign_runtime.a"); }
+
 std::string run_tool(const std::vector<std::string>& words, const fs::path& folder,
                      const TimeLimit& limit) {
     const Outcome outcome = run_command(words, folder, limit.left_s());
@@ -116,39 +122,35 @@ void compile_library(const fs::path& folder, const fs::path& objects, bool trace
         (file.find("__Slow") != std::string::npos ? slow : fast) +=
             fmt::format("#include \"{}\"\n", file);
     }
-    write_whole_file(objects / "fast.cxx", fast);
+    write_whole_file(objects / "fast.cxx", fast + "#include \"design.cpp\"\n");
     write_whole_file(objects / "slow.cxx", slow);
     const fs::path verilator_root = VERILATOR_INCLUDE;
-    const std::vector<std::string> common{"g++",
-                                          "-std=c++17",
-                                          "-fPIC",
-                                          "-DVL_TIME_CONTEXT",
-                                          "-w",
-                                          "-c",
-                                          "-I.",
-                                          "-I" + folder.string(),
-                                          "-I" + (data / "include").string(),
-                                          "-I" + verilator_root.string(),
-                                          "-I" + (verilator_root / "vltstd").string()};
-    const auto compile = [&](const fs::path& source, const std::string& object, const char* level) {
+    const std::vector<std::string> common{
+        "g++",
+        "-std=c++17",
+        "-fPIC",
+        "-DVL_TIME_CONTEXT",
+        "-w",
+        "-fvisibility=hidden",  // so that functions can be inlined
+        "-c",
+        "-I.",
+        "-I" + folder.string(),
+        "-I" + (data / "project").string(),
+        "-I" + verilator_root.string(),
+        "-I" + (verilator_root / "vltstd").string()};
+    const auto compile = [&](const char* name, const char* level) {
         auto command = common;
-        command.insert(command.end(), {level, source.string(), "-o", object});
+        command.insert(command.end(),
+                       {level, fmt::format("{}.cxx", name), "-o", fmt::format("{}.o", name)});
         if (trace) command.emplace_back("-DDE1SIM_TRACE");
         return command;
     };
-    std::vector<std::vector<std::string>> commands{
-        compile("fast.cxx", "fast.o", "-O2"), compile(data / "project/model.cpp", "model.o", "-O2"),
-        compile("slow.cxx", "slow.o", "-O0")};
-    if (trace) commands.push_back(compile(verilator_root / "verilated_fst_c.cpp", "fst.o", "-O1"));
-    for (const Outcome& one : run_commands(commands, objects, limit.left_s()))
+    for (const Outcome& one :
+         run_commands({compile("fast", "-O2"), compile("slow", "-O0")}, objects, limit.left_s()))
         if (one.code != 0) throw ProjectError{first_error(one, "g++", limit)};
-    std::vector<std::string> link{"g++", "-shared", "-o", "chip.so", "fast.o", "slow.o", "model.o"};
-    if (trace) link.push_back("fst.o");
-    for (const char* runtime : {"libinit_file.a", "libdesign_runtime.a"})
-        link.push_back(
-            (program_folder() / ".." / LIBRARY_FOLDER / runtime).lexically_normal().string());
-    link.insert(link.end(), {"-pthread", "-lz"});
-    run_tool(link, objects, limit);
+    run_tool({"g++", "-shared", "-o", "chip.so", "fast.o", "slow.o", runtime_library().string(),
+              library("libinit_file.a").string(), "-pthread", "-lz"},
+             objects, limit);
 }
 
 }  // namespace sim::project

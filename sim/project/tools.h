@@ -45,8 +45,11 @@ std::string run_tool(const std::vector<std::string>& words, const std::filesyste
 // runs on the library of one version.
 void check_verilator(const TimeLimit& limit);
 
-// Verilator's output in `objects`, with runtime/model.cpp: objects/chip.so.  `folder` has
-// de1sim_clocks.h.  ProjectError.
+// The library that designs are linked with, runtime/model.cpp in it.
+std::filesystem::path runtime_library();
+
+// Verilator's output in `objects`, with runtime/design.cpp: objects/chip.so.  `folder` has
+// de1sim_facts.h.  ProjectError.
 void compile_library(const std::filesystem::path& folder, const std::filesystem::path& objects,
                      bool trace, const TimeLimit& limit);
 

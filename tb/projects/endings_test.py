@@ -1,5 +1,6 @@
 """endings_test.py DE1SIM FOLDER [CASE...] - how a design begins, ends a run, or breaks it."""
 import json
+import re
 
 from case import Case, run
 
@@ -55,6 +56,17 @@ class Endings(Case):
             done = self.played(f"always @(posedge SW[0]) {call};\nassign LEDR = 5;\n", 1)
             self.assertIn("top.v:2: the design has stopped the run", done.stderr)
             self.assertEqual(done.stdout.count("bad 1"), call.count("bad"))
+
+    def test_time_is_in_the_units_of_the_timescale(self):
+        """As ModelSim has it, 1 ns where there is none; %t is in what Verilator counts, 1 ps."""
+        show = 'always @(posedge SW[0]) $display("at %0d, %0t", $time, $time);\nassign LEDR = 1;\n'
+        for scale, expected in (("", 1000040), ("`timescale 1us/1ns\n", 1000),
+                                ("`timescale 1ps/1ps\n", 1000040000)):
+            self.write(top_v=scale + HEAD + show + "endmodule\n", s_yaml=SCENARIO)
+            done = self.de1sim("run", "s.yaml", "--project", ".")
+            at, picoseconds = (int(n) for n in re.search(r"at (\d+), (\d+)", done.stdout).groups())
+            self.assertLess(abs(picoseconds - 1_000_040_000), 1_000_000, scale)
+            self.assertLess(abs(at - expected), 1 + expected / 1000, scale)
 
     def test_finish_ends_the_run_and_display_comes_before(self):
         """What was expected for later is not met."""

@@ -7,6 +7,7 @@ import subprocess
 from case import Case, run
 
 DESIGN = """\
+`timescale 1ns / 1ns
 module top(input CLOCK_50, input [3:0] KEY, output [9:0] LEDR, output VGA_CLK, VGA_HS, VGA_VS,
            output VGA_BLANK_N, VGA_SYNC_N, output [7:0] VGA_R, VGA_G, VGA_B);
 wire slow, narrow;
@@ -38,7 +39,7 @@ class Waveforms(Case):
         """Signal of the design -> [(ps, value)], behind the first values, at 1 and 2 ps."""
         vcd = subprocess.run(["fst2vcd", "-f", str(self.folder / "x.fst")], capture_output=True,
                              text=True, check=True).stdout
-        self.assertIn("1ps", vcd.replace(" ", ""))
+        self.assertEqual(re.search(r"\$timescale\s+(\S+)", vcd)[1], "1ps")
         names, found, now, scope = {}, {}, 0, []
         for line in vcd.splitlines():
             words = line.split()

@@ -8,15 +8,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "de1sim_clocks.h"  // PLL_CLOCKS[]: times of each in fs; TD_CLK27_USED and so on
+#include "sim/project/runtime/chip.h"
 
 namespace sim::project {
-
-#ifdef DE1SIM_TRACE
-constexpr bool EDGES_APART = true;
-#else
-constexpr bool EDGES_APART = false;
-#endif
 
 constexpr std::uint64_t CLOCK_50_FS = 20'000'000, CLOCK_27_FS = 37'037'037;
 constexpr std::uint64_t NEVER = ~std::uint64_t{0};
@@ -25,11 +19,11 @@ class Clocks {
 public:
     static constexpr unsigned IS_CLOCK_50 = 64, IS_CLOCK_27 = 65;
 
-    Clocks() {
+    explicit Clocks(const DesignFacts& design) : edges_apart_{design.edges_apart} {
         add(CLOCK_50_FS, CLOCK_50_FS, CLOCK_50_FS / 2, IS_CLOCK_50);
-        if (TD_CLK27_USED) add(CLOCK_27_FS, CLOCK_27_FS, CLOCK_27_FS / 2, IS_CLOCK_27);
-        for (unsigned n = 0; n < PLL_CLOCK_COUNT; ++n) {
-            const PllClock& pll = PLL_CLOCKS[n];
+        if (design.td_clk27_used) add(CLOCK_27_FS, CLOCK_27_FS, CLOCK_27_FS / 2, IS_CLOCK_27);
+        for (unsigned n = 0; n < design.pll_clock_count; ++n) {
+            const PllTimes& pll = design.pll_clocks[n];
             const bool pulses = pll.high_fs > 0 && pll.high_fs < pll.period_fs;
             add(CLOCK_50_FS + pll.phase_fs, pll.period_fs, pulses ? pll.high_fs : pll.period_fs / 2,
                 n);
@@ -42,10 +36,10 @@ public:
         for (const Clock& clock : clocks_) next = std::min(next, clock.rises_fs);
         return next;
     }
-    // NEVER if none is high, which without EDGES_APART none is.
+    // NEVER if none is high, which without waveforms none is.
     std::uint64_t next_fall_fs() const {
         std::uint64_t next = NEVER;
-        if (EDGES_APART)
+        if (edges_apart_)
             for (const Clock& clock : clocks_) next = std::min(next, clock.falls_fs);
         return next;
     }
@@ -57,9 +51,9 @@ public:
         for (Clock& clock : clocks_) {
             if (clock.rises_fs == now_fs) {
                 clock.rises_fs += clock.period_fs;
-                if (EDGES_APART) clock.falls_fs = now_fs + clock.high_fs;
+                if (edges_apart_) clock.falls_fs = now_fs + clock.high_fs;
                 move(clock.number, true);
-            } else if (EDGES_APART && clock.falls_fs == now_fs) {
+            } else if (edges_apart_ && clock.falls_fs == now_fs) {
                 clock.falls_fs = NEVER;
                 move(clock.number, false);
             }
@@ -76,6 +70,7 @@ private:
         clocks_.push_back({rises_fs, NEVER, period_fs, high_fs, number});
     }
 
+    const bool edges_apart_;
     std::vector<Clock> clocks_;
 };
 

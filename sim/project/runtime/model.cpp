@@ -1,26 +1,19 @@
-// model.cpp - runs the Verilated de1sim_chip: its clocks, and who is told when its pins move.
+// model.cpp - plays a design: its clocks, and who is told when its pins move.
 #include "sim/project/model.h"
 
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <system_error>
 #include <utility>
 #include <vector>
 
-#include "Vde1sim_chip.h"
-#include "verilated.h"
-#ifdef DE1SIM_TRACE
-#include "verilated_fst_c.h"
-#endif
-
 #include "sim/project/init_file.h"
-
-#include "clocks.h"
-#include "endings.h"
-
-#include "de1sim_loops.h"  // LOOPS: signals that depend on themselves
+#include "sim/project/runtime/chip.h"
+#include "sim/project/runtime/clocks.h"
+#include "sim/project/runtime/endings.h"
 
 namespace sim::project {
 
@@ -46,32 +39,26 @@ private:
     const std::filesystem::path here_;
 };
 
-class VerilatedModel final : public Model {
+class ChipModel final : public Model {
 public:
-    VerilatedModel(PinListener& pins, const ModelSettings& settings)
-        : pins_{pins}, trace_{settings.trace} {
-#ifdef DE1SIM_TRACE
-        if (!settings.trace.file.empty()) {
-            context_.traceEverOn(true);
-            top_.trace(&waveforms_, 99);
-            waveforms_.open(settings.trace.file.c_str());
-        }
-#endif
+    ChipModel(std::unique_ptr<Chip> chip, const DesignFacts& facts, PinListener& pins,
+              const ModelSettings& settings)
+        : facts_{facts}, pins_{pins}, trace_{settings.trace}, chip_{std::move(chip)} {
+        if (!settings.trace.file.empty()) chip_->begin_trace(settings.trace.file);
         std::vector<std::filesystem::path> sources;
-        for (const char* folder : SOURCE_FOLDERS)
-            sources.push_back(std::filesystem::path{settings.folder} / folder);
+        for (unsigned n = 0; n < facts.source_folder_count; ++n)
+            sources.push_back(std::filesystem::path{settings.folder} / facts.source_folders[n]);
         set_init_folders({settings.folder, std::move(sources)},
                          [say = settings.say](const std::string& line) { say(line.c_str()); });
-        current_ending = &ending_;
-        current_say = settings.say;
+        evaluated = {&ending_, settings.say, 0};
         const InFolder in_folder{settings.folder};  // where the design's files are
         eval();
         settle();
     }
-    ~VerilatedModel() override {
+    ~ChipModel() override {
         end_trace();
-        if (ending_.kind != Ending::Kind::DIVERGED) top_.final();
-        current_ending = nullptr;
+        if (ending_.kind != Ending::Kind::DIVERGED) chip_->final();
+        evaluated = {};
     }
 
     void run(std::uint64_t until_ps) override {
@@ -85,7 +72,7 @@ public:
             if (fall < rise && fall <= bclk_next_fs_) {
                 edges(fall);
             } else {
-                if (EDGES_APART) answer();
+                if (facts_.edges_apart) answer();
                 if (bclk_next_fs_ < rise)
                     bclk_edge();
                 else
@@ -93,29 +80,25 @@ public:
             }
             if (!clocks_.high()) answer();
         }
-        if (EDGES_APART) look();
+        if (facts_.edges_apart) look();
     }
 
     void flush() override {
         std::fflush(stdout);  // what $display has printed comes before what de1sim prints
-        if (AUD_XCK_USED && xck_fs_ && now_fs_ - xck_moved_fs_ > QUIET_FS) tell_xck(0);
+        if (facts_.aud_xck_used && xck_fs_ && now_fs_ - xck_moved_fs_ > QUIET_FS) tell_xck(0);
         const unsigned count = video_count_;
         video_count_ = 0;
         if (count) {
             tell_video_clock(count);
             pins_.video(video_, count);
-        } else if (VGA_USED && now_fs_ - last_sample_fs_ > QUIET_FS) {
+        } else if (facts_.vga_used && now_fs_ - last_sample_fs_ > QUIET_FS) {
             pins_.video_idle(now_ps());
         }
     }
 
     const Ending& ending() const override { return ending_; }
 
-    void end_trace() override {
-#ifdef DE1SIM_TRACE
-        waveforms_.close();
-#endif
-    }
+    void end_trace() override { chip_->end_trace(); }
 
 private:
     std::uint64_t now_ps() const { return now_fs_ / FS_PER_PS; }
@@ -187,18 +170,16 @@ private:
     bool ended() const { return ending_.kind != Ending::Kind::NONE; }
 
     void eval() {
-        current_time_ps = now_ps();
+        const std::uint64_t now = evaluated.time_ps = now_ps();
         try {
-            top_.eval();
+            chip_->eval(now);
         } catch (const Diverged& error) {
-            const std::string why = LOOPS[0] ? LOOPS : error.what();
+            const std::string why = facts_.loops[0] ? facts_.loops : error.what();
             end_run(Ending::Kind::DIVERGED, "the design oscillates: " + why);
         }
-#ifdef DE1SIM_TRACE
+        if (!facts_.edges_apart || !chip_->is_tracing()) return;
         const std::uint64_t edge_ps = edge_fs_ / FS_PER_PS;
-        if (waveforms_.isOpen() && trace_.wants(edge_ps))
-            waveforms_.dump(dumped_ps_ = std::max(edge_ps, dumped_ps_ + 1));
-#endif
+        if (trace_.wants(edge_ps)) chip_->dump(dumped_ps_ = std::max(edge_ps, dumped_ps_ + 1));
     }
 
     void look() {
@@ -254,7 +235,7 @@ private:
     }
 
     void look_at_codec() {
-        if (AUD_XCK_USED && top_.aud_xck_o != xck_) {
+        if (facts_.aud_xck_used && top_.aud_xck_o != xck_) {
             xck_ = top_.aud_xck_o;
             const std::uint64_t before_fs = std::exchange(xck_moved_fs_, now_fs_);
             if (before_fs) tell_xck((now_fs_ - before_fs) / XCK_RISES);
@@ -267,7 +248,7 @@ private:
         codec_ = codec;
         sdat_low_ = sdat_low;
         // Where both sides drive, a wire is high if one of them is.
-        const bool driven = AUD_CLOCKS_DRIVEN || (top_.aud_en_i && top_.aud_o != top_.aud_i);
+        const bool driven = facts_.aud_clocks_driven || (top_.aud_en_i && top_.aud_o != top_.aud_i);
         pins_.codec({(codec & 4) != 0, (codec & 2) != 0, (codec & 1) != 0, (codec & 8) != 0,
                      (codec & 16) != 0, sdat_low, driven},
                     now_ps(), in);
@@ -306,18 +287,16 @@ private:
         look_ = true;
     }
 
+    const DesignFacts& facts_;
     PinListener& pins_;
     const Trace trace_;
-    VerilatedContext context_;
-    Vde1sim_chip top_{&context_};
-#ifdef DE1SIM_TRACE
-    VerilatedFstC waveforms_;
-    std::uint64_t dumped_ps_ = 0;  // what follows at the same time is a picosecond later
-#endif
+    const std::unique_ptr<Chip> chip_;
+    const ChipPorts top_{chip_->ports()};
     Ending ending_;
-    Clocks clocks_;
-    std::uint64_t now_fs_ = 0;   // of the last rise, for the board
-    std::uint64_t edge_fs_ = 0;  // of the last edge
+    Clocks clocks_{facts_};
+    std::uint64_t dumped_ps_ = 0;  // what follows at the same time is a picosecond later
+    std::uint64_t now_fs_ = 0;     // of the last rise, for the board
+    std::uint64_t edge_fs_ = 0;    // of the last edge
     std::uint64_t rises_27_ = 0;
     bool look_ = true;  // `in` may have changed
 
@@ -336,9 +315,9 @@ private:
 
 }  // namespace
 
-}  // namespace sim::project
-
-extern "C" sim::project::Model* de1sim_open_model(sim::PinListener& pins,
-                                                  const sim::project::ModelSettings& settings) {
-    return new sim::project::VerilatedModel{pins, settings};
+Model* play(std::unique_ptr<Chip> chip, const DesignFacts& facts, PinListener& pins,
+            const ModelSettings& settings) {
+    return new ChipModel{std::move(chip), facts, pins, settings};
 }
+
+}  // namespace sim::project

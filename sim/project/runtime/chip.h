@@ -1,0 +1,101 @@
+// chip.h - a design, Verilated: its pins as de1sim_chip.v has them, and what is known of it.
+//
+// design.cpp, which is compiled with each design, offers this; model.cpp, which is compiled once,
+// plays it.  Neither Verilator's headers nor the board's are needed, so that designs compile fast.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+
+namespace sim {
+class PinListener;
+}
+
+namespace sim::project {
+
+class Model;
+struct ModelSettings;
+
+// The ports of de1sim_chip.v.
+#define DE1SIM_CHIP_PORTS(PORT)        \
+    PORT(std::uint8_t, moved_i)        \
+    PORT(std::uint8_t, clock_50_i)     \
+    PORT(std::uint8_t, clock_27_i)     \
+    PORT(std::uint64_t, pll_clocks_i)  \
+    PORT(std::uint16_t, sw_i)          \
+    PORT(std::uint8_t, key_ni)         \
+    PORT(std::uint16_t, ledr_o)        \
+    PORT(std::uint64_t, hex_no)        \
+    PORT(std::uint8_t, vga_sample_o)   \
+    PORT(std::uint32_t, vga_o)         \
+    PORT(std::uint8_t, dram_sample_o)  \
+    PORT(std::uint32_t, dram_o)        \
+    PORT(std::uint16_t, dram_dq_o)     \
+    PORT(std::uint16_t, dram_dq_i)     \
+    PORT(std::uint8_t, dram_dq_en_i)   \
+    PORT(std::uint64_t, gpio_0_low_i)  \
+    PORT(std::uint64_t, gpio_0_o)      \
+    PORT(std::uint64_t, gpio_0_oe_o)   \
+    PORT(std::uint64_t, gpio_1_low_i)  \
+    PORT(std::uint64_t, gpio_1_o)      \
+    PORT(std::uint64_t, gpio_1_oe_o)   \
+    PORT(std::uint8_t, aud_i)          \
+    PORT(std::uint8_t, aud_en_i)       \
+    PORT(std::uint8_t, aud_o)          \
+    PORT(std::uint8_t, aud_xck_o)      \
+    PORT(std::uint8_t, aud_dacdat_o)   \
+    PORT(std::uint8_t, aud_adcdat_i)   \
+    PORT(std::uint8_t, i2c_sclk_o)     \
+    PORT(std::uint8_t, i2c_sdat_o)     \
+    PORT(std::uint8_t, i2c_sdat_low_i) \
+    PORT(std::uint8_t, adc_o)          \
+    PORT(std::uint8_t, adc_dout_i)     \
+    PORT(std::uint8_t, ps2_clk_low_i)  \
+    PORT(std::uint8_t, ps2_dat_low_i)  \
+    PORT(std::uint8_t, ps2_clk_o)      \
+    PORT(std::uint8_t, ps2_dat_o)      \
+    PORT(std::uint8_t, irda_rxd_i)     \
+    PORT(std::uint8_t, td_data_i)
+
+struct ChipPorts {
+#define DE1SIM_DECLARE(type, name) type& name;
+    DE1SIM_CHIP_PORTS(DE1SIM_DECLARE)
+#undef DE1SIM_DECLARE
+};
+
+class Chip {
+public:
+    virtual ~Chip() = default;
+
+    virtual ChipPorts ports() = 0;  // valid as long as the chip
+    // After inputs have moved.  `now_ps` is what $time tells.  May throw Diverged (endings.h).
+    virtual void eval(std::uint64_t now_ps) = 0;
+    virtual void final() = 0;
+
+    // Waveforms, in FST; nothing is done in a chip that was compiled without.
+    virtual void begin_trace(const std::string& file) = 0;
+    virtual bool is_tracing() const = 0;
+    virtual void dump(std::uint64_t time_ps) = 0;
+    virtual void end_trace() = 0;
+};
+
+struct PllTimes {
+    std::uint64_t period_fs, phase_fs, high_fs;
+};
+
+struct DesignFacts {
+    const PllTimes* pll_clocks;
+    unsigned pll_clock_count;
+    bool edges_apart;  // each edge at its own time, for waveforms: clocks.h
+    bool td_clk27_used, vga_used, aud_xck_used, aud_clocks_driven;
+    const char* const* source_folders;  // from the project's on, for init files
+    unsigned source_folder_count;
+    const char* loops;  // signals that depend on themselves; "": none
+};
+
+// The caller deletes it.
+Model* play(std::unique_ptr<Chip> chip, const DesignFacts& facts, PinListener& pins,
+            const ModelSettings& settings);
+
+}  // namespace sim::project

@@ -1,0 +1,76 @@
+// design.cpp - is compiled with each design: the Verilated de1sim_chip, as chip.h has it.
+#include <cstdint>
+#include <memory>
+#include <string>
+
+#include "Vde1sim_chip.h"
+#include "verilated.h"
+#ifdef DE1SIM_TRACE
+#include "verilated_fst_c.h"
+#endif
+
+#include "chip.h"
+
+#include "de1sim_facts.h"  // PLL_CLOCKS and so on
+#include "de1sim_loops.h"  // LOOPS
+
+namespace sim::project {
+
+namespace {
+
+class VerilatedChip final : public Chip {
+public:
+    ChipPorts ports() override {
+#define DE1SIM_PORT(type, name) top_.name,
+        return {DE1SIM_CHIP_PORTS(DE1SIM_PORT)};
+#undef DE1SIM_PORT
+    }
+    void eval(std::uint64_t now_ps) override {
+        context_.time(now_ps);
+        top_.eval();
+    }
+    void final() override { top_.final(); }
+
+#ifdef DE1SIM_TRACE
+    void begin_trace(const std::string& file) override {
+        context_.traceEverOn(true);
+        top_.trace(&waveforms_, 99);
+        waveforms_.open(file.c_str());
+    }
+    bool is_tracing() const override { return waveforms_.isOpen(); }
+    void dump(std::uint64_t time_ps) override { waveforms_.dump(time_ps); }
+    void end_trace() override { waveforms_.close(); }
+#else
+    void begin_trace(const std::string&) override {}
+    bool is_tracing() const override { return false; }
+    void dump(std::uint64_t) override {}
+    void end_trace() override {}
+#endif
+
+private:
+    VerilatedContext context_;
+    Vde1sim_chip top_{&context_};
+#ifdef DE1SIM_TRACE
+    VerilatedFstC waveforms_;
+#endif
+};
+
+#ifdef DE1SIM_TRACE
+constexpr bool EDGES_APART = true;
+#else
+constexpr bool EDGES_APART = false;
+#endif
+
+constexpr DesignFacts FACTS{
+    PLL_CLOCKS,   PLL_CLOCK_COUNT,   EDGES_APART,    TD_CLK27_USED,       VGA_USED,
+    AUD_XCK_USED, AUD_CLOCKS_DRIVEN, SOURCE_FOLDERS, SOURCE_FOLDER_COUNT, LOOPS};
+
+}  // namespace
+
+}  // namespace sim::project
+
+extern "C" __attribute__((visibility("default"))) sim::project::Model* de1sim_open_model(
+    sim::PinListener& pins, const sim::project::ModelSettings& settings) {
+    using namespace sim::project;
+    return play(std::make_unique<VerilatedChip>(), FACTS, pins, settings);
+}
