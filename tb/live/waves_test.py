@@ -52,15 +52,15 @@ class Waves(unittest.IsolatedAsyncioTestCase):
             await client.send(frame=1)
             await client.until(lambda: not client.last["status"]["paused"])
             await client.until(lambda: client.last["status"]["paused"])
-            await client.send(waves={"last": "30ms"})
-            await client.send(waves={"last": "30ms"})
+            await client.send(waves={"last": "20ms"})
+            await client.send(waves={"last": "20ms"})
             self.assertEqual(await client.wait_for("error"),
                              "waveforms are being written; wait for their end")
             written = await client.wait_for("waves", 120)
             self.assertTrue(written.endswith("/out/waves-1/waves.fst"), written)
             now = client.last["status"]["time"]
         moves, first, last = movements(self.board.out / "waves-1" / "waves.fst", "key_ni")
-        self.assertAlmostEqual(first, now - 0.03, delta=1e-6)
+        self.assertAlmostEqual(first, now - 0.02, delta=1e-6)
         self.assertAlmostEqual(last, now, delta=1e-6)
         self.assertEqual([value for _, value in moves], [0b1111, 0b1011])
         held = sum(float(line.split()[2][:-2]) * 1e-3 for line in self.steps().splitlines()
@@ -74,7 +74,7 @@ class Waves(unittest.IsolatedAsyncioTestCase):
         async with self.board.connect() as socket:
             client = Client(socket)
             await client.frames_on(2)
-            await client.send(waves={"next": "40ms"})
+            await client.send(waves={"next": "12ms"})
             await client.step("hold", {"switch": 3})
             written = await client.wait_for("waves", 120)
             self.assertTrue(written.endswith("/out/waves-1/waves.fst"), written)
@@ -82,7 +82,7 @@ class Waves(unittest.IsolatedAsyncioTestCase):
             await client.frames_on(2)  # the board has gone on
             self.assertGreater(client.frames(), frames)
         moves, first, last = movements(self.board.out / "waves-1" / "waves.fst", "sw_i")
-        self.assertAlmostEqual(last - first, 0.04, delta=1e-6)
+        self.assertAlmostEqual(last - first, 0.012, delta=1e-6)
         self.assertEqual([value for _, value in moves], [0, 8])
 
     async def test_of_more_than_there_was(self):
@@ -90,14 +90,14 @@ class Waves(unittest.IsolatedAsyncioTestCase):
         self.begin("--driven")
         async with self.board.connect() as socket:
             client = Client(socket)
-            await client.send(run="20ms")
+            await client.send(run="5ms")
             await client.wait_for("ran")
             await client.send(waves={"last": "1s"})
             await client.send(run="1ms")
             await client.wait_for("waves", 120)
         _, first, last = movements(self.board.out / "waves-1" / "waves.fst", "key_ni")
         self.assertAlmostEqual(first, 0, delta=1e-7)
-        self.assertAlmostEqual(last, 0.02, delta=1e-7)
+        self.assertAlmostEqual(last, 0.005, delta=1e-7)
 
     async def test_wrong_times(self):
         async with self.board.connect() as socket:
