@@ -133,6 +133,22 @@ TEST_F(Adc, ConvertsOnceMoreForAWriteInTheCourseOfARound) {
     EXPECT_EQ(chip.conversions(), 18u);
 }
 
+TEST_F(Adc, IsAskedForARoundByTheFirstChannelAlone) {
+    for (std::uint32_t other = 0x08; other < 0x20; other += 4) {
+        const std::uint64_t before = chip.conversions();
+        dut.we_i = 1;
+        dut.wdata_i = 0;
+        dut.wstrb_i = 0xf;
+        dut.waddr_i = CH_0;
+        clock();
+        dut.waddr_i = other;  // in the clock in which the round begins
+        clock();
+        dut.we_i = 0;
+        clock(2 * ROUND);
+        EXPECT_EQ(chip.conversions(), before + 9) << other;
+    }
+}
+
 TEST_F(Adc, SaysThatChannelsAreNewWhenTheRoundIsOver) {
     write(CH_0, 0);
     clock(400);

@@ -1,81 +1,16 @@
 // fabric_ports_test.cpp - fpga.v's pins and interrupts of the ports of which there are two
 #include <gmock/gmock.h>
 
-#include <cstring>
-#include <functional>
-#include <vector>
-
-#include "regmap.h"
-#include "sim/fpga/fabric.h"
+#include "tb/rtl/fabric_bench.h"
 
 namespace {
 
 using namespace regmap;
+using namespace tb;
 using ::testing::ElementsAre;
 using ::testing::SizeIs;
 
 constexpr unsigned QUARTER = 500;  // clocks, of a PS/2 device's bit of 80 us
-
-// What the PS/2 ports pull low since the clock, bit n of port n.
-struct Ps2Pulls {
-    std::uint64_t clock;
-    unsigned clk_low, dat_low;
-};
-
-// PS/2 wires with pull-ups, which a device may pull low, too.
-struct Pins : sim::PinListener {
-    std::function<std::uint64_t()> clocks;
-    std::vector<Ps2Pulls> pulls;
-    unsigned device_clk_low = 0, device_dat_low = 0;
-    std::uint64_t samples = 0, with_sync = 0;
-
-    void wires(sim::ChipInputs& in) const {
-        const Ps2Pulls host = pulls.empty() ? Ps2Pulls{} : pulls.back();
-        in.ps2_clk = static_cast<std::uint8_t>(3 & ~(device_clk_low | host.clk_low));
-        in.ps2_dat = static_cast<std::uint8_t>(3 & ~(device_dat_low | host.dat_low));
-    }
-    void ps2(unsigned clk_low, unsigned dat_low, sim::ChipInputs& in) override {
-        pulls.push_back({clocks(), clk_low, dat_low});
-        wires(in);
-    }
-    void video(const std::uint32_t* pins, std::size_t count) override {
-        samples += count;
-        for (std::size_t i = 0; i < count; ++i) with_sync += (pins[i] & sim::video::SYNC_N) != 0;
-    }
-    void codec(const sim::CodecPins&, std::uint64_t, sim::ChipInputs&) override {}
-    void headers(const sim::HeaderPins&, std::uint64_t, sim::ChipInputs&) override {}
-    void adc(const sim::AdcPins&, std::uint64_t, sim::ChipInputs&) override {}
-    void sdram(const sim::SdramPins&, std::uint64_t, std::uint16_t&, bool& more) override {
-        more = false;
-    }
-};
-
-class FabricPorts : public ::testing::Test {
-protected:
-    Pins pins;
-    sim::Fabric fabric{pins};
-
-    void SetUp() override {
-        pins.clocks = [this] { return fabric.clocks(); };
-        fabric.run(1000);
-    }
-    std::uint32_t read(std::uint32_t address) {
-        std::uint8_t bytes[4];
-        EXPECT_EQ(fabric.read(sim::Bridge::LIGHTWEIGHT, address - 0xFF200000, bytes, 4),
-                  sim::AxiResponse::OKAY);
-        std::uint32_t value;
-        std::memcpy(&value, bytes, 4);
-        return value;
-    }
-    void write(std::uint32_t address, std::uint32_t value) {
-        std::uint8_t bytes[4];
-        std::memcpy(bytes, &value, 4);
-        EXPECT_EQ(fabric.write(sim::Bridge::LIGHTWEIGHT, address - 0xFF200000, bytes, 4),
-                  sim::AxiResponse::OKAY);
-        fabric.run(10);
-    }
-    static std::uint32_t irq_of(unsigned id) { return 1u << (id - TIMER0_IRQ_ID); }
-};
 
 // ---- PS/2 ----
 

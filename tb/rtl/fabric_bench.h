@@ -1,0 +1,102 @@
+// fabric_bench.h - fpga.v at its pins and bridges, with the SDRAM and wires on PS/2 and the headers
+#pragma once
+
+#include <cstdint>
+#include <cstring>
+#include <functional>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "regmap.h"
+#include "sim/board/is42s16320d.h"
+#include "sim/fpga/fabric.h"
+
+namespace tb {
+
+// What the PS/2 ports pull low since the clock, bit n of port n.
+struct Ps2Pulls {
+    std::uint64_t clock;
+    unsigned clk_low, dat_low;
+};
+
+// PS/2 wires with pull-ups, which a device may pull low, too; on_headers answers what is driven
+// there.
+struct Pins : sim::PinListener {
+    std::function<std::uint64_t()> clocks;
+    std::vector<Ps2Pulls> pulls;
+    unsigned device_clk_low = 0, device_dat_low = 0;
+    std::uint64_t samples = 0, with_sync = 0;
+    sim::HeaderPins driven{};
+    std::function<void(sim::ChipInputs& in)> on_headers;
+    sim::Is42s16320d memory;
+
+    void wires(sim::ChipInputs& in) const {
+        const Ps2Pulls host = pulls.empty() ? Ps2Pulls{} : pulls.back();
+        in.ps2_clk = static_cast<std::uint8_t>(3 & ~(device_clk_low | host.clk_low));
+        in.ps2_dat = static_cast<std::uint8_t>(3 & ~(device_dat_low | host.dat_low));
+    }
+    void ps2(unsigned clk_low, unsigned dat_low, sim::ChipInputs& in) override {
+        pulls.push_back({clocks(), clk_low, dat_low});
+        wires(in);
+    }
+    void video(const std::uint32_t* pins, std::size_t count) override {
+        samples += count;
+        for (std::size_t i = 0; i < count; ++i) with_sync += (pins[i] & sim::video::SYNC_N) != 0;
+    }
+    void codec(const sim::CodecPins&, std::uint64_t, sim::ChipInputs&) override {}
+    void headers(const sim::HeaderPins& pins, std::uint64_t, sim::ChipInputs& in) override {
+        driven = pins;
+        if (on_headers) on_headers(in);
+    }
+    void adc(const sim::AdcPins&, std::uint64_t, sim::ChipInputs&) override {}
+    void sdram(const sim::SdramPins& pins, std::uint64_t time_ps, std::uint16_t& dq,
+               bool& more) override {
+        memory.clock({pins.cs_n, pins.ras_n, pins.cas_n, pins.we_n, pins.ba, pins.addr, pins.dqm,
+                      pins.dq_driven, pins.dq},
+                     time_ps);
+        dq = memory.dq();
+        more = memory.busy();
+    }
+};
+
+class FabricPorts : public ::testing::Test {
+protected:
+    Pins pins;
+    sim::Fabric fabric{pins};
+
+    void SetUp() override {
+        pins.clocks = [this] { return fabric.clocks(); };
+        fabric.run(1000);
+    }
+    std::uint32_t read(std::uint32_t address) {
+        std::uint8_t bytes[4];
+        EXPECT_EQ(fabric.read(sim::Bridge::LIGHTWEIGHT, address - 0xFF200000, bytes, 4),
+                  sim::AxiResponse::OKAY);
+        std::uint32_t value;
+        std::memcpy(&value, bytes, 4);
+        return value;
+    }
+    void write(std::uint32_t address, std::uint32_t value) {
+        std::uint8_t bytes[4];
+        std::memcpy(bytes, &value, 4);
+        EXPECT_EQ(fabric.write(sim::Bridge::LIGHTWEIGHT, address - 0xFF200000, bytes, 4),
+                  sim::AxiResponse::OKAY);
+        fabric.run(10);
+    }
+    // Any bytes, through the bridge of 1 GB.
+    std::vector<std::uint8_t> bytes_at(std::uint32_t address, unsigned count) {
+        std::vector<std::uint8_t> bytes(count);
+        EXPECT_EQ(fabric.read(sim::Bridge::FULL, address - 0xC0000000, bytes.data(), count),
+                  sim::AxiResponse::OKAY);
+        return bytes;
+    }
+    void put(std::uint32_t address, const std::vector<std::uint8_t>& bytes) {
+        EXPECT_EQ(fabric.write(sim::Bridge::FULL, address - 0xC0000000, bytes.data(),
+                               static_cast<unsigned>(bytes.size())),
+                  sim::AxiResponse::OKAY);
+    }
+    static std::uint32_t irq_of(unsigned id) { return 1u << (id - regmap::TIMER0_IRQ_ID); }
+};
+
+}  // namespace tb
