@@ -29,7 +29,8 @@ void RemoteControl::send() {
     for (;;) {
         while (buttons_.empty()) wait(pressed_);
         const sc_time next = sc_core::sc_time_stamp() + frame_time;
-        for (const std::uint32_t ns : nec_frame(buttons_.front())) {
+        frame_ = nec_frame(buttons_.front());
+        for (const std::uint32_t ns : frame_) {
             dark_ = !dark_;
             moved_();
             wait(sc_time{static_cast<double>(ns), sc_core::SC_NS});

@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <deque>
 #include <functional>
+#include <vector>
 
 #include <systemc>
 
@@ -33,6 +34,8 @@ private:
     std::deque<std::uint8_t> buttons_;
     sc_core::sc_event pressed_;
     bool dark_ = true;
+    // No variable of send(): a run may end within it, and then its variables are not destroyed.
+    std::vector<std::uint32_t> frame_;
 };
 
 }  // namespace sim
