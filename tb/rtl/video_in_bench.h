@@ -40,7 +40,7 @@ protected:
 
     void after_clock() override {
         for (; td_clock.clocks() < clocks; td_clock.next()) {
-            dut.clk_td_i = td_clock.rises();
+            dut.clk_td_i = td_clock.rises() && (dut.td_awake_o || dut.rst_td_i);
             if (td_clock.rises()) dut.td_data_i = byte(td_clock.number() + ahead);
             dut.eval();
         }

@@ -171,6 +171,22 @@ TEST_F(VideoIn, BeginsWithAWholePictureWhenItGoesOn) {
     EXPECT_EQ(written.begin()->first, ONCHIP_BASE);
 }
 
+// The decoder's clock stands while it is stopped, but not before it has come to rest.
+TEST_F(VideoIn, BeginsWithAWholePictureWhenItWasStoppedWithinOne) {
+    write(VIDEO_IN_STATUS, ENABLE);
+    to_line(3);
+    lines(100);
+    write(VIDEO_IN_STATUS, 0);
+    lines(50);
+    to_line(100);
+    const std::uint64_t before = writes;
+    write(VIDEO_IN_STATUS, ENABLE);
+    lines(160);
+    EXPECT_EQ(writes, before);
+    lines(270);
+    EXPECT_EQ(writes, before + WORDS);
+}
+
 TEST_F(VideoIn, ChangesTheBufferWhenAPictureIsWhole) {
     write(VIDEO_IN_STATUS, ENABLE);
     write(VIDEO_IN_BACK_BUFFER, 0xC1000000);
