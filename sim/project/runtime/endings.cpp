@@ -11,8 +11,7 @@ namespace {
 
 std::string at_this_time() {
     char text[40];
-    std::snprintf(text, sizeof text, ", at %.9f s",
-                  static_cast<double>(evaluated.time_ps) * 1e-12);
+    std::snprintf(text, sizeof text, ", at %.9f s", static_cast<double>(evaluated.time_ps) * 1e-12);
     return text;
 }
 
