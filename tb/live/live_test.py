@@ -329,7 +329,9 @@ class Refused(Live):
             await self.tap(client, key)
         memory = self.memory()
         await client.frames_on(90)
-        self.assertLess(self.memory() - memory, 20_000)
+        maps = pathlib.Path(f"/proc/{self.board.process.pid}/maps").read_text()
+        keeps = 100_000 if "libasan" in maps else 0  # what was freed, for a while
+        self.assertLess(self.memory() - memory, 20_000 + keeps)
 
     def memory(self):
         """Of the server, in KiB."""

@@ -139,7 +139,7 @@ TEST_F(ArmRun, NeedsAProgram) {
 TEST_F(ArmRun, RefusesAProgramThatIsNoneInOneLine) {
     folder.put("a.elf", "hello");
     refused(arm(folder / "a.elf", "duration: 1s\n"), "a.elf: not an ELF file");
-    refused(arm(DE1SIM, "duration: 1s\n"), "de1sim: a 64-bit ELF file, expected 32 bits");
+    refused(arm("/bin/sh", "duration: 1s\n"), "sh: a 64-bit ELF file, expected 32 bits");
     refused(arm(folder / "none.elf", "duration: 1s\n"), "none.elf: cannot read: No such file");
 }
 

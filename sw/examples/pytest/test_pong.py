@@ -13,8 +13,8 @@ INSTALLED = pathlib.Path("/usr/share/de1sim/rtl/examples/pong")
 @pytest.fixture(scope="session")
 def project(tmp_path_factory):
     """A copy, since what is built lies beside the project."""
-    here = pathlib.Path(__file__).resolve().parents
-    places = [here[2] / "rtl/examples/pong", here[3] / "rtl/examples/pong", INSTALLED]
+    above = pathlib.Path(__file__).resolve().parents
+    places = [*(folder / "rtl/examples/pong" for folder in above), INSTALLED]
     place = next(place for place in places if place.exists())
     return shutil.copytree(place, tmp_path_factory.mktemp("project") / "pong",
                            ignore=shutil.ignore_patterns(".de1sim")) / "pong.qsf"
