@@ -95,13 +95,13 @@ TEST_F(I2cWriter, LeavesTheBusAloneWhileIdle) {
     EXPECT_THAT(bus.transfers, IsEmpty());
 }
 
-TEST_F(I2cWriter, SendsAWordWithin300Microseconds) {
+TEST_F(I2cWriter, SendsAWordIn292Microseconds) {
     int clocks = 0;
     dut.start_i = 1;
     clock();
     dut.start_i = 0;
     while (!dut.done_o && clocks < 20'000) clock(), ++clocks;
-    EXPECT_LE(clocks * 40, 300'000);  // ns
+    EXPECT_EQ(clocks, 29 * 4 * 63);  // quarters of START, 27 bits and STOP
 }
 
 }  // namespace
