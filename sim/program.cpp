@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <csignal>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
@@ -180,6 +181,7 @@ int program(int argc, char** argv, const Firmware& firmware) {
 
 int sc_main(int argc, char** argv) {
     sim::prepare_standard_streams();
+    std::signal(SIGXFSZ, SIG_IGN);  // a file too large is an error like a full disk
     try {
         return sim::command_line(argc, argv, *sim::the_firmware);
     } catch (const std::bad_alloc&) {

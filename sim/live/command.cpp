@@ -69,11 +69,11 @@ ExitCode live(const LiveOptions& options, std::vector<std::string> words) {
     if (!has(words, "--frames")) settings.words = {"--frames", "none"};
     settings.words.push_back("--quiet");
     settings.words.insert(settings.words.end(), words.begin(), words.end());
-    serve(settings, [](const std::string& url) {
+    const int code = serve(settings, [](const std::string& url) {
         message("the board is at " + url);
         message("Ctrl-C ends it");
     });
-    return PASSED;
+    return code == WRONG_INPUT ? WRONG_INPUT : PASSED;  // a file could not be written
 }
 
 }  // namespace sim::live

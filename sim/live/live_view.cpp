@@ -1,6 +1,7 @@
 #include "sim/live/live_view.h"
 
 #include <algorithm>
+#include <chrono>
 
 #include <nlohmann/json.hpp>
 
@@ -139,7 +140,9 @@ void LiveView::flush() {
 void LiveView::end(const std::vector<std::string>& faults) {
     flush();
     for (const std::string& fault : faults) wire_.send(Kind::TEXT, text_of({{"fault", fault}}));
-    wire_.poll(1000);
+    const auto limit = std::chrono::steady_clock::now() + std::chrono::seconds{1};
+    while (wire_.unsent() && std::chrono::steady_clock::now() < limit && wire_.poll(100)) {
+    }
 }
 
 }  // namespace sim::live

@@ -1,9 +1,12 @@
 #include "sim/live/server.h"
 
+#include <signal.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <cstdlib>
+#include <cstring>
 #include <filesystem>
 #include <optional>
 #include <random>
@@ -17,10 +20,12 @@
 #include "sim/live/client.h"
 #include "sim/live/greeting.h"
 #include "sim/live/http_connection.h"
+#include "sim/live/listener.h"
 #include "sim/live/page_files.h"
 #include "sim/live/simulation.h"
 #include "sim/report/messages.h"
 #include "sim/report/whole_file.h"
+#include "sim/run/exit_code.h"
 
 namespace sim::live {
 
@@ -51,38 +56,36 @@ public:
     explicit Server(const ServerSettings& settings)
         : settings_{settings},
           what_{settings.what},
-          acceptor_{io_},
+          listener_{io_, settings.address, settings.port},
           signals_{io_, SIGINT, SIGTERM} {
-        beast::error_code error;
-        const auto address = asio::ip::make_address(settings.address, error);
-        if (error)
-            throw std::runtime_error{"--listen: expected an address such as 0.0.0.0, got " +
-                                     settings.address};
-        const tcp::endpoint here{address, static_cast<unsigned short>(settings.port)};
-        acceptor_.open(here.protocol());
-        acceptor_.set_option(tcp::acceptor::reuse_address{true});
-        acceptor_.bind(here, error);
-        if (!error) acceptor_.listen(asio::socket_base::max_listen_connections, error);
-        if (error)
-            throw std::runtime_error{fmt::format("cannot listen at {}:{}: {}", settings.address,
-                                                 settings.port, error.message())};
-        char folder[] = "/tmp/de1sim-live-XXXXXX";
-        if (!mkdtemp(folder)) throw std::runtime_error{"no folder for dropped files in /tmp"};
+        const auto temporary = std::filesystem::temp_directory_path();
+        std::string folder = temporary / "de1sim-live-XXXXXX";
+        if (!mkdtemp(folder.data()))
+            throw std::runtime_error{fmt::format("no folder for dropped files in {}: {}",
+                                                 temporary.string(), std::strerror(errno))};
         folder_ = folder;
+        struct sigaction hang_up {};
+        sigaction(SIGHUP, nullptr, &hang_up);
+        if (hang_up.sa_handler != SIG_IGN) signals_.add(SIGHUP);  // nohup
     }
     ~Server() {
         std::error_code error;
         std::filesystem::remove_all(folder_, error);
     }
 
-    std::string url() const { return fmt::format("http://{}/?token={}", hosts().front(), token_); }
+    std::string url() const {
+        return fmt::format("http://{}/?token={}", listener_.hosts().front(), token_);
+    }
 
-    void run() {
+    // The exit code of the simulation that was the last.
+    int run() {
         power_on();
-        accept();
+        listener_.accept([this](tcp::socket socket) {
+            read(std::make_shared<HttpConnection>(std::move(socket)));
+        });
         signals_.async_wait([this](beast::error_code, int) { io_.stop(); });
         io_.run();
-        simulation_.reset();
+        return simulation_ ? simulation_->end() : WRONG_INPUT;
     }
 
 private:
@@ -101,6 +104,16 @@ private:
         wire_ready_.emplace(io_, dup(simulation_->wire().descriptor()));
         tell(json_text({{"power", true}}));
         wait_for_wire();
+    }
+    // Where there is no process or no descriptor for another simulation, the clients are told.
+    void power_on_again() {
+        try {
+            power_on();
+        } catch (const std::exception& error) {
+            simulation_.reset();
+            tell(json_text({{"error", error.what()}}));
+            tell(json_text({{"ended", static_cast<int>(WRONG_INPUT)}}));
+        }
     }
 
     void wait_for_wire() {
@@ -143,33 +156,10 @@ private:
         if (!json.is_object())
             return client.send_text(
                 json_text({{"error", "expected an object in JSON, got " + text.substr(0, 100)}}));
-        if (json.contains("reset")) return power_on();
+        if (json.contains("reset")) return power_on_again();
+        if (!simulation_) return client.send_text(json_text({{"error", "the power is off"}}));
         if (json.contains("run")) client.leave_nothing_out();
         simulation_->wire().send(Kind::TEXT, text);
-    }
-
-    // How a browser on this machine, or in the network, names this server.
-    std::vector<std::string> hosts() const {
-        const auto here = acceptor_.local_endpoint();
-        std::vector<std::string> names{fmt::format("{}:{}", settings_.address, here.port())};
-        if (here.address().is_loopback()) names.push_back(fmt::format("localhost:{}", here.port()));
-        return names;
-    }
-    bool is_own_host(beast::string_view host) const {
-        if (!acceptor_.local_endpoint().address().is_loopback()) return true;  // any name of it
-        const auto names = hosts();
-        return std::find(names.begin(), names.end(), std::string{host}) != names.end();
-    }
-
-    void accept() {
-        acceptor_.async_accept([this](beast::error_code error, tcp::socket socket) {
-            if (!error) {
-                beast::error_code ignored;
-                socket.set_option(tcp::no_delay{true}, ignored);
-                read(std::make_shared<HttpConnection>(std::move(socket)));
-            }
-            accept();
-        });
     }
 
     void read(const std::shared_ptr<HttpConnection>& connection) {
@@ -190,7 +180,7 @@ private:
         const auto refuse = [&](const char* why) {
             answer(connection, http::status::forbidden, "text/plain", why);
         };
-        if (!is_own_host(request[http::field::host]))
+        if (!listener_.is_own_host(std::string{request[http::field::host]}))
             return refuse("expected this server's own name as Host\n");
         const auto origin = request[http::field::origin];
         if (!origin.empty() && origin != "http://" + std::string{request[http::field::host]})
@@ -232,10 +222,15 @@ private:
         const std::string& bytes = connection->parser.get().body();
         const bool elf = bytes.compare(0, 4, "\177ELF") == 0;
         const auto file = folder_ / (elf ? "dropped.elf" : "dropped.yaml");
-        write_whole_file(file, bytes);
+        try {
+            write_whole_file(file, bytes);
+        } catch (const IoError& error) {
+            return answer(connection, http::status::insufficient_storage, "text/plain",
+                          error.what());
+        }
         what_ = {file.string()};
         answer(connection, http::status::ok, "text/plain", "runs\n");
-        power_on();
+        power_on_again();
     }
 
     const ServerSettings& settings_;
@@ -243,7 +238,7 @@ private:
     std::vector<std::string> what_;
     std::filesystem::path folder_;  // of dropped files
     asio::io_context io_;
-    tcp::acceptor acceptor_;
+    Listener listener_;
     asio::signal_set signals_;
     std::unique_ptr<Simulation> simulation_;
     std::optional<asio::posix::stream_descriptor> wire_ready_;  // the wire's descriptor, to wait at
@@ -254,11 +249,11 @@ private:
 
 }  // namespace
 
-void serve(const ServerSettings& settings,
-           const std::function<void(const std::string& url)>& listening) {
+int serve(const ServerSettings& settings,
+          const std::function<void(const std::string& url)>& listening) {
     Server server{settings};
     listening(server.url());
-    server.run();
+    return server.run();
 }
 
 }  // namespace sim::live

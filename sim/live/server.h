@@ -20,9 +20,10 @@ struct ServerSettings {
     bool driven = false;  // by a program: time stands at 0, and it ends with the last client
 };
 
-// Serves until `ended` or a signal.  `listening` gets the address for the browser.
+// Serves until a signal, or until the last client has gone if it is driven.  `listening` gets the
+// address for the browser.  The exit code of the simulation that was the last.
 // std::runtime_error: the port is taken, the simulation does not start.
-void serve(const ServerSettings& settings,
-           const std::function<void(const std::string& url)>& listening);
+int serve(const ServerSettings& settings,
+          const std::function<void(const std::string& url)>& listening);
 
 }  // namespace sim::live

@@ -38,27 +38,31 @@ Simulation::Simulation(const std::vector<std::string>& words, const std::string&
 }
 
 int Simulation::reap() {
+    if (child_ <= 0) return code_;
     int status = 0;
-    if (child_ > 0) waitpid(child_, &status, 0);
+    waitpid(child_, &status, 0);
     child_ = -1;
-    return WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
+    return code_ = WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
 }
 
-Simulation::~Simulation() {
-    if (child_ <= 0) return;
+int Simulation::end() {
+    if (child_ <= 0) return code_;
     wire_->send(Kind::TEXT, "{\"quit\": true}");
-    auto end = std::chrono::steady_clock::now() + std::chrono::seconds{10};
-    while (std::chrono::steady_clock::now() < end && wire_->poll(100))
+    auto limit = std::chrono::steady_clock::now() + std::chrono::seconds{10};
+    while (std::chrono::steady_clock::now() < limit && wire_->poll(100))
         while (wire_->receive()) {
         }
     kill(child_, SIGTERM);
-    end = std::chrono::steady_clock::now() + std::chrono::seconds{2};
-    while (std::chrono::steady_clock::now() < end) {
-        if (waitpid(child_, nullptr, WNOHANG) == child_) return;
+    limit += std::chrono::seconds{2};
+    while (std::chrono::steady_clock::now() < limit) {
+        siginfo_t gone{};
+        if (waitid(P_PID, static_cast<id_t>(child_), &gone, WEXITED | WNOHANG | WNOWAIT) == 0 &&
+            gone.si_pid == child_)
+            return reap();
         std::this_thread::sleep_for(std::chrono::milliseconds{10});
     }
     kill(child_, SIGKILL);
-    waitpid(child_, nullptr, 0);
+    return reap();
 }
 
 }  // namespace sim::live

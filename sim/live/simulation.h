@@ -16,17 +16,20 @@ public:
     // Starts this program with the words; `first`, if there is one, is a message that it has from
     // the beginning.  std::runtime_error.
     explicit Simulation(const std::vector<std::string>& words, const std::string& first = "");
-    // Asks it to end, for which it writes its files, and ends it if it does not within ten seconds.
-    ~Simulation();
+    ~Simulation() { end(); }
     Simulation(const Simulation&) = delete;
     Simulation& operator=(const Simulation&) = delete;
 
     Wire& wire() { return *wire_; }
     // Waits for a process that has gone; its exit code, 128 + n for signal n.
     int reap();
+    // Asks it to end, for which it writes its files, and ends it if it does not within ten seconds.
+    // Its exit code, as above; that of the first end if it has ended before.
+    int end();
 
 private:
     pid_t child_ = -1;
+    int code_ = 0;
     std::unique_ptr<Wire> wire_;
 };
 

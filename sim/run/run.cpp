@@ -1,6 +1,5 @@
 #include "sim/run/run.h"
 
-#include <csignal>
 #include <new>
 
 #include <fmt/format.h>
@@ -11,6 +10,7 @@
 #include "sim/debug/debugger.h"
 #include "sim/live/live_player.h"
 #include "sim/play/player.h"
+#include "sim/process/interrupt.h"
 #include "sim/report/messages.h"
 #include "sim/report/report.h"
 #include "sim/report/trace_file.h"
@@ -27,10 +27,6 @@
 namespace sim {
 
 namespace {
-
-volatile std::sig_atomic_t interrupted = 0;  // a signal handler can reach nothing else
-
-void on_interrupt(int) { interrupted = 1; }
 
 // Ends sc_start when the steps are done (unless a duration says when) or the firmware has faulted.
 class Finish : public sc_core::sc_module {
@@ -68,7 +64,7 @@ RunEnd play(Board& board, Computer* computer, Player& player, Recorder& recorder
     double renew_s = 0;
     for (;;) {
         if (debugger) debugger->poll();
-        if (interrupted || (debugger && debugger->killed())) return RunEnd::INTERRUPTED;
+        if (interrupted() || (debugger && debugger->killed())) return RunEnd::INTERRUPTED;
         if (recorder.failed()) return RunEnd::INTERRUPTED;
         if (computer && computer->cpu.fault()) return RunEnd::FIRMWARE_FAULT;
         if (const auto ended = board.chip().end()) return run_end(*ended);
@@ -116,13 +112,6 @@ public:
     std::vector<std::string> failures;
 };
 
-void catch_signals() {
-    std::signal(SIGINT, on_interrupt);
-    std::signal(SIGTERM, on_interrupt);
-    if (std::signal(SIGHUP, on_interrupt) == SIG_IGN) std::signal(SIGHUP, SIG_IGN);  // nohup
-    std::signal(SIGXFSZ, SIG_IGN);  // a file too large is an error like a full disk
-}
-
 ExitCode exit_code(const RunReport& report) {
     switch (report.end) {
         case RunEnd::INTERRUPTED: return INTERRUPTED;
@@ -162,7 +151,7 @@ ExitCode run_doing(const char*& doing, RunOptions options, const Firmware& firmw
     std::optional<GdbConnection> gdb;
     if (options.gdb) gdb.emplace(*options.gdb);
 
-    catch_signals();
+    note_interrupts();
     Recorder recorder{options.out, options.frames, options.video};
     std::optional<RunPage> page;
     if (!options.html.empty()) page.emplace(options, recorder);
@@ -233,7 +222,7 @@ ExitCode run_doing(const char*& doing, RunOptions options, const Firmware& firmw
     Finish finish{"finish", player.done(), computer ? computer->cpu.faulted() : never};
 
     std::optional<Debugger> debugger;
-    if (gdb) debugger.emplace(*computer->arm, *gdb, [] { return interrupted != 0; });
+    if (gdb) debugger.emplace(*computer->arm, *gdb, interrupted);
 
     Progress progress{
         options.quiet,
@@ -274,9 +263,9 @@ ExitCode run_doing(const char*& doing, RunOptions options, const Firmware& firmw
         message(ended->message);
     report.faults.insert(report.faults.begin(), parts.failures.begin(), parts.failures.end());
 
-    if (options.trace_failure && !report.passed() && !interrupted) {
+    if (options.trace_failure && !report.passed() && !interrupted()) {
         doing = "running again for waveforms";
-        trace_failure(options, report, [] { return interrupted != 0; });
+        trace_failure(options, report, interrupted);
     }
 
     doing = "writing the report";

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
-#include <csignal>
 #include <cstdio>
 #include <map>
 #include <set>
@@ -15,6 +14,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "sim/process/interrupt.h"
 #include "sim/report/messages.h"
 #include "sim/report/printable.h"
 #include "sim/report/whole_file.h"
@@ -32,8 +32,6 @@ namespace sim::suite {
 namespace {
 
 namespace fs = std::filesystem;
-
-volatile std::sig_atomic_t interrupted = 0;
 
 std::pair<unsigned, unsigned> parse_shard(const std::string& text) {
     unsigned number = 0, count = 0;
@@ -80,23 +78,17 @@ std::vector<std::string> run_options(const TestOptions& options) {
     return words;
 }
 
-void catch_signals() {
-    std::signal(SIGINT, [](int) { interrupted = 1; });
-    std::signal(SIGTERM, [](int) { interrupted = 1; });
-}
-
 int test_on_slurm(TestOptions options, const std::vector<Case>& cases) {
     options.shards = std::min(options.tasks, static_cast<unsigned>(cases.size()));
     options.out = fs::absolute(options.out);
     const OutputFolder folder{options.out};
-    catch_signals();
+    note_interrupts();
     Reporter reporter{cases, options.shards};
-    const Results results = run_on_slurm(
-        cases, options, [] { return interrupted != 0; },
-        [&](const Result& result) { reporter.done(result); });
+    const Results results = run_on_slurm(cases, options, interrupted,
+                                         [&](const Result& result) { reporter.done(result); });
     write_all(options.out, results);
     if (!summarise(results, reporter.wall_s(), options.out)) return WRONG_INPUT;
-    return interrupted ? INTERRUPTED : results.exit_code();
+    return interrupted() ? INTERRUPTED : results.exit_code();
 }
 
 int print_list(const std::vector<Case>& cases) {
@@ -188,7 +180,7 @@ int test(const TestOptions& options) {
     for (const Case& one : cases) results.missing.push_back(one.name);
 
     const OutputFolder folder{options.out};
-    catch_signals();
+    note_interrupts();
     RunSettings settings;
     settings.out = options.out;
     settings.options = run_options(options);
@@ -198,7 +190,7 @@ int test(const TestOptions& options) {
     Keeper keeper{options.out, results};
     std::atomic<bool> enough{false};
     run_cases(
-        cases, settings, [&] { return interrupted || enough; },
+        cases, settings, [&] { return interrupted() || enough; },
         [&](Result result) {
             reporter.done(result);
             if (options.fail_fast && !result.passed()) enough = true;
@@ -207,7 +199,7 @@ int test(const TestOptions& options) {
     std::sort(results.missing.begin(), results.missing.end());
     write_all(options.out, results);
     if (!summarise(results, reporter.wall_s(), options.out)) return WRONG_INPUT;
-    return interrupted ? INTERRUPTED : results.exit_code();
+    return interrupted() ? INTERRUPTED : results.exit_code();
 }
 
 int merge(const std::vector<fs::path>& folders, const fs::path& out) {

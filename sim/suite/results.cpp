@@ -101,10 +101,11 @@ std::map<std::string, double> Results::times_s() const {
 
 int Results::exit_code() const {
     int worst = missing.empty() ? PASSED : FAILED;
-    for (const Result& result : all)
-        worst = std::max(worst, result.exit_code < 0 || result.exit_code > INTERRUPTED
-                                    ? static_cast<int>(FAILED)
-                                    : result.exit_code);
+    for (const Result& result : all) {
+        const int code = result.exit_code;
+        const bool own = code == PASSED || code == WRONG_INPUT || code == INTERRUPTED;
+        worst = std::max<int>(worst, own ? code : FAILED);
+    }
     return worst;
 }
 

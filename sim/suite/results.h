@@ -42,7 +42,7 @@ struct Results {
     // In its place by name; what was there under the name goes.
     void put(Result result);
     std::map<std::string, double> times_s() const;
-    // The worst of the exit codes: 130, 2, 1, 0; 1 if something is missing.
+    // The worst of the exit codes: 130, 2, 1, 0; 1 if something is missing, or a run broke off.
     int exit_code() const;
 };
 

@@ -2,6 +2,7 @@
 
 #include <atomic>
 #include <chrono>
+#include <exception>
 #include <mutex>
 #include <thread>
 
@@ -62,18 +63,31 @@ Result run_case(const Case& one, const RunSettings& settings,
 void run_cases(const std::vector<Case>& cases, const RunSettings& settings,
                const std::function<bool()>& given_up, const std::function<void(Result)>& done) {
     std::atomic<std::size_t> next{0};
-    std::mutex telling;
+    std::atomic<bool> broken{false};
+    std::exception_ptr error;  // the first
+    std::mutex telling;        // and that
+    const auto enough = [&] { return broken || given_up(); };
     const auto work = [&] {
-        for (std::size_t n; !given_up() && (n = next++) < cases.size();) {
-            Result result = run_case(cases[n], settings, given_up);
+        try {
+            for (std::size_t n; !enough() && (n = next++) < cases.size();) {
+                Result result = run_case(cases[n], settings, enough);
+                const std::lock_guard<std::mutex> lock{telling};
+                if (!enough()) done(std::move(result));
+            }
+        } catch (...) {
             const std::lock_guard<std::mutex> lock{telling};
-            if (!given_up()) done(std::move(result));
+            if (!broken.exchange(true)) error = std::current_exception();
         }
     };
     std::vector<std::thread> threads;
-    for (unsigned n = 1; n < settings.jobs; ++n) threads.emplace_back(work);
+    try {
+        for (unsigned n = 1; n < settings.jobs; ++n) threads.emplace_back(work);
+    } catch (const std::exception&) {
+        // As many as the machine has room for.
+    }
     work();
     for (std::thread& thread : threads) thread.join();
+    if (error) std::rethrow_exception(error);
 }
 
 }  // namespace sim::suite

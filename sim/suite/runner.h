@@ -19,7 +19,8 @@ struct RunSettings {
 };
 
 // Runs them in their order.  `done` is told of each as it ends, one call at a time; a case that
-// given_up() has cut off or kept from beginning has no result.
+// given_up() has cut off or kept from beginning has no result.  What `done` throws ends them all
+// and is thrown on.
 void run_cases(const std::vector<Case>& cases, const RunSettings& settings,
                const std::function<bool()>& given_up, const std::function<void(Result)>& done);
 

@@ -19,12 +19,13 @@ PICTURE, SOUND = 1, 2
 class Board:
     """The server's process; `with` ends it."""
 
-    def __init__(self, de1sim, folder, *words):
+    def __init__(self, de1sim, folder, *words, out=None, **options):
+        """`options` are those of subprocess.Popen."""
         folder.mkdir(parents=True, exist_ok=True)
-        self.out = folder / "out"
+        self.out = out or folder / "out"
         self.errors = open(folder / "stderr.txt", "w+", encoding="utf-8")
         self.process = subprocess.Popen([de1sim, "live", "--out", str(self.out), *words],
-                                        stderr=self.errors, cwd=folder)
+                                        stderr=self.errors, cwd=folder, **options)
         end = time.monotonic() + 60
         while not (found := re.search(r"http://(\S+)/\?token=(\w+)", self.said())):
             if self.process.poll() is not None or time.monotonic() > end:

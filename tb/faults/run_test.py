@@ -1,86 +1,29 @@
-"""faults_test.py DE1SIM FOLDER [CASE...] - what a run leaves behind whatever becomes of it.
-
-Each file is whole or not there, and what went wrong is said in one line: the table
-in tb/README.md.
-"""
+"""run_test.py - faults of `de1sim run`; the table is in tb/README.md."""
 import json
 import pathlib
 import resource
 import shutil
 import signal
-import struct
 import subprocess
-import sys
 import time
-import unittest
-import xml.etree.ElementTree
 
-DE1SIM, FOLDER = sys.argv[1], pathlib.Path(sys.argv[2])
-STEPS = ("name: s\nversion: 1\nduration: {}\nsteps:\n  - wait-serial: ready\n"
-         "  - press: {{keypad: [\"1\", \"2\"], for: 20ms}}\n")
-PASSED, WRONG, INTERRUPTED = 0, 2, 130
+from faults import (DE1SIM, Faults, INTERRUPTED, MIB, PASSED, WRONG, has_not_begun, is_whole,
+                    limited, new_files, run)
 
 
-def is_whole(path):
-    """Whether a file of a run can be read to its end by others."""
-    data = path.read_bytes()
-    if path.suffix == ".png":
-        return data.startswith(b"\x89PNG\r\n\x1a\n") and data.endswith(b"IEND\xaeB`\x82")
-    if path.suffix == ".wav":
-        return struct.unpack("<I", data[4:8])[0] == len(data) - 8
-    if path.suffix == ".json":
-        return json.loads(data)["format"] > 0
-    if path.suffix == ".xml":
-        return xml.etree.ElementTree.fromstring(data).tag == "testsuites"
-    if path.suffix == ".html":
-        return data.rstrip().endswith(b"</html>")
-    if path.suffix == ".webm":
-        return subprocess.run(["ffmpeg", "-v", "error", "-xerror", "-i", path, "-f", "null", "-"],
-                              stdin=subprocess.DEVNULL, capture_output=True).returncode == 0
-    if path.suffix == ".fst":
-        return subprocess.run(["fst2vcd", path], stdout=subprocess.DEVNULL,
-                              stderr=subprocess.DEVNULL).returncode == 0
-    return path.suffix == ".txt"
-
-
-class Faults(unittest.TestCase):
+class Run(Faults):
     def setUp(self):
-        self.folder = FOLDER / self.id().split(".")[-1]
-        shutil.rmtree(self.folder, ignore_errors=True)
-        self.folder.mkdir(parents=True)
-        self.out = self.folder / "out"
+        super().setUp()
         self.steps("100ms")
-
-    def steps(self, duration):
-        (self.folder / "s.yaml").write_text(STEPS.format(duration))
 
     def command(self, *words):
         return [DE1SIM, "run", "s.yaml", "--quiet", *(words or ("--frames", "all"))]
 
-    def de1sim(self, *words, limits=None, under=()):
+    def de1sim(self, *words, limits=None, under=(), env=None):
         """`limits`: {resource: most}; `under`: a command that starts it."""
         shutil.rmtree(self.out, ignore_errors=True)
-
-        def limit():
-            for what, most in (limits or {}).items():
-                resource.setrlimit(what, (most, most))
-        return subprocess.run([*under, *self.command(*words)], cwd=self.folder, text=True,
-                              capture_output=True, timeout=300, preexec_fn=limit)
-
-    def files(self):
-        return {path.relative_to(self.out): path for path in self.out.rglob("*") if path.is_file()
-                and path.name != ".lock"}
-
-    def all_whole(self, note):
-        for name, path in self.files().items():
-            self.assertNotEqual(path.suffix, ".part", f"{name}, {note}")
-            self.assertTrue(is_whole(path), f"{name} is not whole, {note}")
-
-    def in_one_line(self, done, note):
-        self.assertEqual(done.returncode, WRONG, f"{note}: {done.stdout}{done.stderr}")
-        self.assertEqual(len(done.stderr.splitlines()), 1, f"{note}: {done.stderr}")
-        self.assertTrue(done.stderr.startswith("de1sim: "), f"{note}: {done.stderr}")
-        self.all_whole(note)
+        return subprocess.run([*under, *self.command(*words)], cwd=self.folder, text=True, env=env,
+                              capture_output=True, timeout=300, preexec_fn=limited(limits or {}))
 
     def test_a_disk_that_is_full_at_any_of_the_files(self):
         """No file may grow to the length that one of them has, for each in turn."""
@@ -143,7 +86,7 @@ class Faults(unittest.TestCase):
         refused = 0
         for count in (*range(3, 24), 32):
             done = self.de1sim("--frames", "last", limits={resource.RLIMIT_NOFILE: count})
-            if "shared librar" in done.stderr:  # it has not begun
+            if has_not_begun(done.stderr):
                 continue
             if done.returncode != PASSED:
                 self.in_one_line(done, f"{count} descriptors")
@@ -154,8 +97,8 @@ class Faults(unittest.TestCase):
     def test_too_little_memory(self):
         codes = set()
         for mib in 60, 120, 240, 480, 720, 960, 1200, 1320, 1500, 6000:
-            done = self.de1sim("--frames", "last", limits={resource.RLIMIT_AS: mib << 20})
-            if "shared librar" in done.stderr:
+            done = self.de1sim("--frames", "last", limits={resource.RLIMIT_AS: mib * MIB})
+            if has_not_begun(done.stderr):
                 continue
             if done.returncode != PASSED:
                 self.in_one_line(done, f"{mib} MiB")
@@ -169,5 +112,16 @@ class Faults(unittest.TestCase):
         self.assertEqual(done.returncode, PASSED, done.stderr)
         self.all_whole("faketime")
 
+    def test_a_disk_without_inodes(self):
+        """For so many new files there is room, then for none; each run gets a little further."""
+        for count in range(40):
+            done = self.de1sim("--frames", "last", "--html", "out/page.html", env=new_files(count))
+            if done.returncode == PASSED:
+                break
+            self.in_one_line(done, f"{count} new files")
+            self.assertIn("No space left", done.stderr)
+        self.assertGreater(count, 5)
+        self.assertEqual(done.returncode, PASSED)
 
-unittest.main(argv=sys.argv[:1] + sys.argv[3:])
+
+run()
