@@ -92,6 +92,7 @@ asan:                   ## every test, with address and undefined-behaviour sani
 coverage:               ## lines and toggles of the RTL -> build/coverage/html/index.html
 	@.ci/setup --check tool firmware board test video
 	@cmake --preset coverage
+	@cmake --build build/coverage
 	@cmake --build build/coverage --target coverage
 
 formal: everything      ## proofs with Yosys and z3 (tb/formal)

@@ -42,6 +42,12 @@ target_include_directories(verilated_runtime SYSTEM PUBLIC ${VERILATOR_ROOT}/inc
 target_compile_definitions(verilated_runtime PUBLIC VL_TIME_CONTEXT)
 target_link_libraries(verilated_runtime PUBLIC Threads::Threads)
 target_compile_options(verilated_runtime PRIVATE -O1)  # hardly called while the model runs
+if(DE1SIM_COVERAGE)
+    target_sources(verilated_runtime PRIVATE ${CMAKE_SOURCE_DIR}/tb/coverage/write_coverage.cpp)
+    target_compile_definitions(verilated_runtime PRIVATE
+        COVERAGE_DATA="${CMAKE_BINARY_DIR}/coverage-data")
+    target_link_options(verilated_runtime INTERFACE LINKER:--wrap=_ZN13VerilatedSymsD2Ev)
+endif()
 
 # verilate_rtl(TARGET TOP [PREFIX class] [TRACE_FST] [FOR_TEST] SOURCES files under rtl/...
 #     ARGS for Verilator...)
@@ -62,10 +68,6 @@ function(verilate_rtl target top)
     endif()
     if(DE1SIM_COVERAGE)
         set(coverage COVERAGE)
-        target_sources(${target} PRIVATE ${CMAKE_SOURCE_DIR}/tb/coverage/write_coverage.cpp)
-        target_compile_definitions(${target} PRIVATE
-            COVERAGE_DATA="${CMAKE_BINARY_DIR}/coverage-data")
-        target_link_options(${target} INTERFACE LINKER:--wrap=_ZN13VerilatedSymsD2Ev)
     endif()
     if(DE1SIM_SANITIZE)
         set(unchecked -fno-sanitize=all)  # not ours, and hot

@@ -149,7 +149,7 @@ void compile_library(const fs::path& folder, const fs::path& objects, bool trace
          run_commands({compile("fast", "-O2"), compile("slow", "-O0")}, objects, limit.left_s()))
         if (one.code != 0) throw ProjectError{first_error(one, "g++", limit)};
     run_tool({"g++", "-shared", "-o", "chip.so", "fast.o", "slow.o", runtime_library().string(),
-              library("libinit_file.a").string(), "-pthread", "-lz"},
+              library("libinit_file.a").string(), "-pthread", LINK_OPTION, "-lz"},
              objects, limit);
 }
 

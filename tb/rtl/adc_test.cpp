@@ -81,9 +81,10 @@ TEST_F(Adc, ConvertsAllChannelsOnceWhenTheFirstIsWritten) {
 TEST_F(Adc, SaysOnlyOnceThatAValueIsNew) {
     write(CH_0, 1);
     clock(ROUND);
-    EXPECT_EQ(channel(5), NEW | 2517);
-    EXPECT_EQ(channel(5), 2517u);
-    EXPECT_EQ(channel(4), NEW | 2017) << "each for itself";
+    for (const unsigned n : {5u, 4u, 7u, 0u}) {
+        EXPECT_EQ(channel(n), NEW | (500 * n + 17)) << "each for itself: " << n;
+        EXPECT_EQ(channel(n), 500 * n + 17) << n;
+    }
     write(CH_0, 1);
     clock(ROUND);
     EXPECT_EQ(channel(5), NEW | 2517) << "again, though the same";

@@ -108,10 +108,10 @@ TEST_F(FabricPorts, TakeWhatIsTypedAtTheirOwnTerminal) {
     constexpr std::uint32_t data[] = {JTAG_UART0_DATA, JTAG_UART1_DATA};
     for (const unsigned number : {0u, 1u}) {
         fabric.jtag.typed = static_cast<std::uint8_t>(1u << number);
-        fabric.jtag.bytes = 'a' | 'b' << 8;
+        fabric.jtag.bytes = 0xA1 | 0xB2 << 8;
         fabric.run(10);
         EXPECT_EQ(read(data[1 - number]) & JTAG_UART0_DATA_RVALID_MASK, 0u);
-        EXPECT_EQ(read(data[number]), JTAG_UART0_DATA_RVALID_MASK | (number ? 'b' : 'a'));
+        EXPECT_EQ(read(data[number]), JTAG_UART0_DATA_RVALID_MASK | (number ? 0xB2 : 0xA1));
         EXPECT_EQ(read(data[number]) & JTAG_UART0_DATA_RVALID_MASK, 0u);
     }
 }
@@ -124,6 +124,16 @@ TEST_F(FabricPorts, SendToTheirOwnTerminal) {
     write(JTAG_UART1_DATA, 'x');
     write(JTAG_UART0_DATA, 'y');
     EXPECT_THAT(sent, ElementsAre(std::pair{1u, 'x'}, std::pair{0u, 'y'}));
+}
+
+TEST_F(FabricPorts, KnowTheirOwnTerminalByItsLooks) {
+    constexpr std::uint32_t control[] = {JTAG_UART0_CONTROL, JTAG_UART1_CONTROL};
+    for (const unsigned number : {1u, 0u}) {
+        EXPECT_EQ(read(control[number]) & JTAG_UART0_CONTROL_AC_MASK, 0u);
+        fabric.jtag.idle = static_cast<std::uint8_t>(1u << number);
+        fabric.run(10);
+        EXPECT_EQ(read(control[number]) & JTAG_UART0_CONTROL_AC_MASK, JTAG_UART0_CONTROL_AC_MASK);
+    }
 }
 
 TEST_F(FabricPorts, InterruptForTheFirstTerminalAlone) {

@@ -107,6 +107,15 @@ TEST_F(IntervalTimer, AWrittenPeriodStopsAndReloads) {
     EXPECT_EQ(counter(), 0x00BE1234u);
 }
 
+TEST_F(IntervalTimer, ABytesWriteKeepsTheOtherBytesOfThePeriod) {
+    period(0x89AB'CDEF);
+    write(PERIOD_LOW, 0x11, 0b0001);
+    EXPECT_EQ(read(PERIOD_LOW), 0xCD11u);
+    write(PERIOD_HIGH, 0x2200, 0b0010);
+    EXPECT_EQ(read(PERIOD_HIGH), 0x22ABu);
+    EXPECT_EQ(counter(), 0x22AB'CD11u);
+}
+
 TEST_F(IntervalTimer, EventsOfControlReadZero) {
     write(CONTROL, START | STOP | CONT | ITO);
     EXPECT_EQ(read(CONTROL), CONT | ITO);

@@ -24,6 +24,7 @@ protected:
     std::uint64_t writes = 0;
     std::uint64_t ahead = 0;                // the chip's clock is ahead by so many clocks
     std::uint8_t damage = 0;                // bits that are wrong in each code
+    unsigned damaged_byte = 3;              // of its four
     std::uint64_t busy_for = 0, every = 1;  // the memories are busy for `busy_for` of `every`
                                             // clocks
     sim::AsynchronousClock td_clock = sim::decoder_clock();
@@ -92,8 +93,8 @@ protected:
 
 private:
     std::uint8_t byte(std::uint64_t rise) {
-        const bool code =
-            rise % sim::Adv7180::LINE_CLOCKS == 3 || rise % sim::Adv7180::LINE_CLOCKS == 275;
+        const std::uint64_t place = rise % sim::Adv7180::LINE_CLOCKS;
+        const bool code = place == damaged_byte || place == 272 + damaged_byte;
         return static_cast<std::uint8_t>(chip.data(rise) ^ (code ? damage : 0));
     }
     void note(std::uint32_t base) {

@@ -251,12 +251,13 @@ TEST_F(VideoIn, StopsWhereTheOnChipMemoryEnds) {
 
 TEST_F(VideoIn, TakesNoCodeWithAWrongBit) {
     write(VIDEO_IN_STATUS, ENABLE);
-    for (unsigned bit = 0; bit < 8; ++bit) {
-        damage = static_cast<std::uint8_t>(1 << bit);
-        to_line(3);
-        lines(40);
-        ASSERT_EQ(writes, 0u) << bit;
-    }
+    for (damaged_byte = 0; damaged_byte < 4; ++damaged_byte)
+        for (unsigned bit = 0; bit < 8; ++bit) {
+            damage = static_cast<std::uint8_t>(1 << bit);
+            to_line(3);
+            lines(40);
+            ASSERT_EQ(writes, 0u) << "byte " << damaged_byte << ", bit " << bit;
+        }
 }
 
 }  // namespace
