@@ -1,7 +1,7 @@
 # The menu. Each entry shows the real command.
 
 .PHONY: all build setup help demo test fast asan coverage bench bench-collision firmware package
-.PHONY: bench-history nightly weekly tsan
+.PHONY: bench-history nightly weekly tsan clang
 .PHONY: soak formal formal-mutants mutants synth netlist table1 fuzz instructions qsf bitstream
 .PHONY: bitstream-open regmap format clean configure everything
 .PHONY: fuzz-programs deploy rollback deploy-jtag
@@ -88,6 +88,12 @@ asan:                   ## every test, with address and undefined-behaviour sani
 	@cmake --preset asan
 	@cmake --build build/asan
 	@ctest --preset asan
+
+clang:                  ## every test but the whole-system ones, built by clang
+	@.ci/setup --check tool firmware test video fuzz
+	@cmake --preset clang
+	@cmake --build build/clang
+	@ctest --preset clang
 
 coverage:               ## lines and toggles of the RTL -> build/coverage/html/index.html
 	@.ci/setup --check tool firmware board test video

@@ -8,12 +8,6 @@
 
 namespace sim {
 
-namespace {
-
-constexpr std::uint64_t LEAP_PS = 2'000'000;  // more than is ever left out at once
-
-}  // namespace
-
 Fabric::Fabric(PinListener& pins, const Trace& trace, unsigned audio_rate)
     : pins_{pins},
       model_{std::make_unique<Model>()},
@@ -136,6 +130,7 @@ void Fabric::begin_trace() {
 inline std::uint64_t Fabric::clock(std::uint64_t most) {
     Vfpga& top = model_->top;
 #ifdef DE1SIM_TRACE
+    constexpr std::uint64_t LEAP_PS = 2'000'000;  // more than is ever left out at once
     if (!model_->every_clock && time_ps() + LEAP_PS >= model_->trace.from_ps && !top.clk_i)
         begin_trace();
 #endif

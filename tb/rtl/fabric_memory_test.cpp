@@ -11,9 +11,12 @@ using namespace tb;
 using Bytes = std::vector<std::uint8_t>;
 
 TEST_F(FabricPorts, ReachEveryBankAndBothEndsOfTheMemories) {
-    std::vector<std::uint32_t> places{ONCHIP_BASE, ONCHIP_BASE + ONCHIP_SIZE - 4, SDRAM_BASE};
+    std::vector<std::uint32_t> places{ONCHIP_BASE, ONCHIP_BASE + ONCHIP_SIZE - 4, SDRAM_BASE,
+                                      CHARACTERS_BASE};
     for (std::uint32_t offset = 4; offset < SDRAM_SIZE; offset *= 2)
         places.push_back(SDRAM_BASE + offset);
+    for (std::uint32_t offset = 4; offset < CHARACTERS_SIZE; offset *= 2)
+        places.push_back(CHARACTERS_BASE + offset);
     fabric.run(10'000);  // while the SDRAM is initialised
     std::uint8_t number = 0;
     for (const std::uint32_t place : places) {

@@ -129,6 +129,9 @@ TEST_F(Vga, WritesTheBackBufferByLanes) {
     write(PIXEL_BACK_BUFFER, 0x12345678);
     write(PIXEL_BACK_BUFFER, 0xaabbccdd, 0x5);
     EXPECT_EQ(read(PIXEL_BACK_BUFFER), 0x12bb56ddu);
+    write(PIXEL_BUFFER, 1);
+    write(PIXEL_BACK_BUFFER, 0xaabbccdd, 0xa);
+    EXPECT_EQ(read(PIXEL_BACK_BUFFER), 0xaabbccddu) << "while a swap waits";
 }
 
 TEST_F(Vga, ChangesStatusByItsByteLane) {

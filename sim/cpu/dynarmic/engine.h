@@ -119,7 +119,7 @@ struct ArmCore::Engine final : Dynarmic::A32::UserCallbacks {
     std::unordered_set<std::uint32_t> privileged_code;  // virtual page numbers
     std::optional<std::uint32_t> MemoryReadCode(std::uint32_t address) override;
     bool IsReadOnlyMemory(std::uint32_t address) override;
-    std::uint64_t GetTicksForCode(bool thumb, std::uint32_t pc, std::uint32_t word);
+    std::uint64_t GetTicksForCode(bool thumb, std::uint32_t pc, std::uint32_t word) override;
     std::uint64_t ticks_of_departure(bool thumb, std::uint32_t pc, std::uint32_t word) const;
     struct Block {
         std::uint32_t begin = 1, next = 1;  // `next`: of the instruction to be read
