@@ -38,7 +38,7 @@
 
 namespace sim {
 
-class Debugger : public ArmInspector, private ArmProbe, private ArmWatch, private GdbTarget {
+class Debugger final : public ArmInspector, private ArmProbe, private ArmWatch, private GdbTarget {
 public:
     // Attaches itself.  `given_up`: true once the run has been asked to end, so do not wait any
     // longer.

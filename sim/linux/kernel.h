@@ -45,7 +45,7 @@ struct LinuxSettings {
 // Where a Linux program may lie.
 const std::vector<MemoryRange>& linux_memory();
 
-class LinuxKernel : public ArmKernel {
+class LinuxKernel final : public ArmKernel {
 public:
     struct Outside {
         std::function<void(char)> console;

@@ -26,7 +26,7 @@
 
 namespace sim {
 
-class Profile : public ArmTally {
+class Profile final : public ArmTally {
 public:
     // `elf` must outlive it.
     explicit Profile(const ElfProgram& elf);
