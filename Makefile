@@ -95,7 +95,7 @@ clang:                  ## every test but the whole-system ones, built by clang
 	@cmake --build build/clang
 	@ctest --preset clang
 
-coverage:               ## lines and toggles of the RTL -> build/coverage/html/index.html
+coverage:               ## of the RTL and the C++ -> build/coverage/html/index.html
 	@.ci/setup --check tool firmware board test video
 	@cmake --preset coverage
 	@cmake --build build/coverage

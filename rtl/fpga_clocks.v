@@ -56,19 +56,19 @@ module fpga_clocks (
 
     assign stirs_o = ports_wakes_i || audio_wakes_i;
 
+    function [9:0] least;
+        input [9:0] a;
+        input [9:0] b;
+        least = a < b ? a : b;
+    endfunction
+
     // While a group is awake it may wake another one in any clock, so no clock can be left out.
-    always @* begin
-        rest_o = 10'd0;
-        if (!(lw_wakes_i || h2f_wakes_i || memory_wakes_i || ports_wakes_i || audio_wakes_i)) begin
-            rest_o = beam_rest_i;
-            if (fetch_rest_i < rest_o) rest_o = fetch_rest_i;
-            if (sdram_rest_i < rest_o) rest_o = sdram_rest_i;
-            if (keypad_rest_i < rest_o) rest_o = keypad_rest_i;
-            if (ps2_rest_i < rest_o) rest_o = ps2_rest_i;
-            if (timer0_rest_i < rest_o) rest_o = timer0_rest_i;
-            if (timer1_rest_i < rest_o) rest_o = timer1_rest_i;
-        end
-    end
+    wire awake = lw_wakes_i || h2f_wakes_i || memory_wakes_i || ports_wakes_i || audio_wakes_i;
+
+    assign rest_o = awake ? 10'd0
+                    : least(least(least(beam_rest_i, fetch_rest_i), sdram_rest_i),
+                            least(least(keypad_rest_i, ps2_rest_i),
+                                  least(timer0_rest_i, timer1_rest_i)));
 endmodule
 
 `default_nettype wire

@@ -16,8 +16,7 @@ constexpr double WIDTH = 1000, LEFT = 64;
 
 class Plot {
 public:
-    Plot(double height, double end_s, const std::string& what)
-        : height_{height}, end_s_{std::max(end_s, 1e-9)} {
+    Plot(double height, double end_s, const std::string& what) : end_s_{std::max(end_s, 1e-9)} {
         text_ = fmt::format("<svg viewBox=\"0 0 {} {}\" role=\"img\" aria-label=\"{}\">\n",
                             LEFT + WIDTH + 16, height + 18, escape(what));
         // About ten marks, 1, 2 or 5 times a power of ten apart.
@@ -47,7 +46,7 @@ public:
     std::string done() { return text_ + "</svg>\n"; }
 
 private:
-    double height_, end_s_;
+    double end_s_;
     std::string text_;
 };
 

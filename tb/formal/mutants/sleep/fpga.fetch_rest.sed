@@ -1,1 +1,1 @@
-s/if (fetch_rest_i < rest_o) rest_o = fetch_rest_i;//
+s/least(beam_rest_i, fetch_rest_i)/beam_rest_i/

@@ -1,1 +1,1 @@
-s/if (timer1_rest_i < rest_o) rest_o = timer1_rest_i;//
+s/least(timer0_rest_i, timer1_rest_i)/timer0_rest_i/
