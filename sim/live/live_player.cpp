@@ -68,6 +68,7 @@ void LivePlayer::run() {
     keep_pace();
     for (;;) {
         wait(tick);
+        wait(sc_core::SC_ZERO_TIME);  // as in Player::wait()
         inside_.settle_lamps();
         view_.flush();
         for (const std::string& line : inside_.new_violations()) say("violation", line);

@@ -56,7 +56,12 @@ std::vector<Expectation> Player::results() const {
 
 // ---- Time ----
 
-void Player::wait(SimTime time) { sc_module::wait(to_sc(time)); }
+// What earlier steps still do at that instant, such as letting a key go, comes before the next step:
+// LivePlayer has the same order, so that what it recorded plays the same again.
+void Player::wait(SimTime time) {
+    sc_module::wait(to_sc(time));
+    sc_module::wait(sc_core::SC_ZERO_TIME);
+}
 
 bool Player::wait_until(Each each, SimTime timeout, const std::function<bool()>& met) {
     const sc_time end = sc_time_stamp() + to_sc(timeout);
