@@ -14,7 +14,7 @@ module fpga_clocks (
 
     input  wire [2:0]  moved_i,        // as fpga.v says
     input  wire [9:0]  skip_i,
-    output reg  [9:0]  rest_o,
+    output wire [9:0]  rest_o,
     output wire        stirs_o,
 
     input  wire        lw_wakes_i,     // a block is awake or due, or another group accesses it

@@ -56,8 +56,8 @@ std::vector<Expectation> Player::results() const {
 
 // ---- Time ----
 
-// What earlier steps still do at that instant, such as letting a key go, comes before the next step:
-// LivePlayer has the same order, so that what it recorded plays the same again.
+// What earlier steps still do at that instant, such as letting a key go, comes before the next
+// step.  LivePlayer has the same order, so that what it recorded plays the same again.
 void Player::wait(SimTime time) {
     sc_module::wait(to_sc(time));
     sc_module::wait(sc_core::SC_ZERO_TIME);

@@ -51,9 +51,13 @@ def limited(limits):
     return limit
 
 
-def new_files(count):
-    """The environment in which so many files and folders can be made and no more."""
-    return {**os.environ, "LD_PRELOAD": str(NO_INODES), "NEW_FILES": str(count)}
+def new_files(count, folder):
+    """The environment in which so many files and folders can be made and no more.
+
+    For a program that runs in this folder: LD_PRELOAD takes no path with a blank.
+    """
+    shutil.copy(NO_INODES, folder / "no_inodes.so")
+    return {**os.environ, "LD_PRELOAD": "./no_inodes.so", "NEW_FILES": str(count)}
 
 
 def has_not_begun(said):

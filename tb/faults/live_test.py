@@ -85,7 +85,7 @@ class Live(Faults):
         codes = []
         for count in range(25):
             try:
-                with self.board(env=new_files(count)) as board:
+                with self.board(env=new_files(count, self.folder)) as board:
                     time.sleep(0.3)
                     codes.append(self.end(board))
                     said = board.said()

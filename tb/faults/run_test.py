@@ -115,7 +115,8 @@ class Run(Faults):
     def test_a_disk_without_inodes(self):
         """For so many new files there is room, then for none; each run gets a little further."""
         for count in range(40):
-            done = self.de1sim("--frames", "last", "--html", "out/page.html", env=new_files(count))
+            done = self.de1sim("--frames", "last", "--html", "out/page.html",
+                               env=new_files(count, self.folder))
             if done.returncode == PASSED:
                 break
             self.in_one_line(done, f"{count} new files")

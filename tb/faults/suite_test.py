@@ -44,7 +44,7 @@ class Suite(Faults):
 
     def test_a_disk_without_inodes(self):
         for count in range(60):
-            done = self.de1sim(env=new_files(count))
+            done = self.de1sim(env=new_files(count, self.folder))
             if done.returncode == PASSED:
                 break
             self.ends_well(done, f"{count} new files")
