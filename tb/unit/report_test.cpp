@@ -115,7 +115,7 @@ TEST(ReportKeys, AreThoseOfTheFile) {
     full.faults = {"a fault"};
     full.log = {"a line"};
     full.checks = {{"adds", true, ""}};
-    full.program.emplace();
+    full.program = RunReport::Program{};
     full.program->exit_code = 0;
     full.program->frames.count = 1;
     std::set<std::string> paths;
@@ -143,7 +143,7 @@ TEST(ReportJson, DiffersBetweenTwoMachinesOnlyUnderWall) {
 
 TEST(ReportJson, SaysWhereAProgramOfTheArmWas) {
     sim::RunReport r = sample();
-    r.program.emplace();
+    r.program = sim::RunReport::Program{};
     r.program->elf = "a.elf";
     r.program->cpi = 1.5;
     r.program->instructions = 1000;
