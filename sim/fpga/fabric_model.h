@@ -37,9 +37,15 @@ struct Fabric::AxiPort {
             m.b##_araddr_i, m.b##_rdata_o                                                        \
     }
 
+// Otherwise it starts a thread for each processor of the machine, which the model never uses.
+inline VerilatedContext *of_one_thread(VerilatedContext &context) {
+    context.threads(1);
+    return &context;
+}
+
 struct Fabric::Model {
     VerilatedContext context;
-    Vfpga top{&context};
+    Vfpga top{of_one_thread(context)};
     AxiPort lw AXI_PORT(top, lw);
     AxiPort h2f AXI_PORT(top, h2f);
     // Or are those left out in which nothing happens?  (VGA_CLK rises in the middle of a clock.)

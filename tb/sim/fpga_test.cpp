@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <cstring>
+#include <filesystem>
 #include <functional>
+#include <iterator>
 #include <random>
 #include <vector>
 
@@ -96,6 +98,11 @@ protected:
                   tlm::TLM_OK_RESPONSE);
     }
 };
+
+TEST_F(FpgaTest, StartsNoThread) {
+    const auto threads = std::filesystem::directory_iterator{"/proc/self/task"};
+    EXPECT_EQ(std::distance(begin(threads), end(threads)), 1);
+}
 
 TEST_F(FpgaTest, KnowsItsSystemIdAndTheHashOfItsRegisterMap) {
     run([this] {

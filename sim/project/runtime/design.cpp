@@ -18,6 +18,12 @@ namespace sim::project {
 
 namespace {
 
+// Otherwise it starts a thread for each processor of the machine, which the design never uses.
+VerilatedContext* of_one_thread(VerilatedContext& context) {
+    context.threads(1);
+    return &context;
+}
+
 class VerilatedChip final : public Chip {
 public:
     ChipPorts ports() override {
@@ -49,7 +55,7 @@ public:
 
 private:
     VerilatedContext context_;
-    Vde1sim_chip top_{&context_};
+    Vde1sim_chip top_{of_one_thread(context_)};
 #ifdef DE1SIM_TRACE
     VerilatedFstC waveforms_;
 #endif
