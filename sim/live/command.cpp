@@ -73,7 +73,7 @@ ExitCode live(const LiveOptions& options, std::vector<std::string> words) {
         message("the board is at " + url);
         message("Ctrl-C ends it");
     });
-    return code == WRONG_INPUT ? WRONG_INPUT : PASSED;  // a file could not be written
+    return code == WRONG_INPUT ? WRONG_INPUT : PASSED;  // its input or output was wrong
 }
 
 }  // namespace sim::live
