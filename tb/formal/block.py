@@ -109,7 +109,7 @@ class Block:
                 reached[state].add(name)
                 new |= symbols(told(self.wires[name], state) if name in self.wires else
                                steps.get(f"|{name} {state}|", ""))
-        lines = ["(set-logic QF_AUFBV)"]
+        lines = []
         for state, names in sorted(reached.items()):
             for name, sort in self.registers.items():
                 if name in names:
@@ -118,7 +118,10 @@ class Block:
                                  f"(declare-const |{name} {state}| {sort})")
             lines += [f"(define-fun |{name} {state}| () {told(wire, state)})"
                       for name, wire in self.wires.items() if name in names]
-        return "\n".join([*lines, commands, ""])
+        problem = "\n".join([*lines, commands, ""])
+        # Without a memory in it z3 has a faster way.
+        logic = "QF_AUFBV" if "(Array " in problem else "QF_BV"
+        return f"(set-logic {logic})\n{problem}"
 
 
 def told(term, state):

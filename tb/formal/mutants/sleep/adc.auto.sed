@@ -1,1 +1,2 @@
+# sleeps
 s/asked_q || auto_q || rdata/asked_q || rdata/

@@ -1,1 +1,2 @@
+# sleeps
 s/ || come_awake//

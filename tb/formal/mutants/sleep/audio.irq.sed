@@ -1,1 +1,2 @@
+# sleeps
 s/ || irq != irq_o//

@@ -1,1 +1,2 @@
+# sleeps
 s/{count_o, write_q, read_q} != .*/count_o != 0;/

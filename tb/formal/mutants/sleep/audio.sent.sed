@@ -1,1 +1,2 @@
+# sleeps
 s/ || sent_awake//

@@ -1,1 +1,2 @@
+# sleeps
 s/restart_o || send_o;/restart_o;/

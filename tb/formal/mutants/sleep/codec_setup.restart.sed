@@ -1,1 +1,2 @@
+# sleeps
 s/start || restart_q ||/start ||/

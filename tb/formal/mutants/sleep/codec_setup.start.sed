@@ -1,1 +1,2 @@
+# sleeps
 s/awake_o = start || /awake_o = /

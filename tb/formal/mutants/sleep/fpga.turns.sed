@@ -1,1 +1,2 @@
+# clocks.memory_group sleeps
 s/ || turns_awake),/),/

@@ -1,1 +1,2 @@
+# sleeps
 s/ || cell_we_o != 4'd0$//

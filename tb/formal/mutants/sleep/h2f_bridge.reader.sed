@@ -1,1 +1,2 @@
+# sleeps
 s/|| reader_awake || re ||/|| re ||/

@@ -1,1 +1,2 @@
+# sleeps
 s/|| re || rdram_q || re_o/|| re || re_o/

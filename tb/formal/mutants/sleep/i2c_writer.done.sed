@@ -1,1 +1,2 @@
+# sleeps
 s/busy_o || done_o/busy_o/

@@ -1,1 +1,2 @@
+# sleeps
 s/ || irq_o != (ri || wi)//

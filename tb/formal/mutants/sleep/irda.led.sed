@@ -1,1 +1,2 @@
+# sleeps
 s/waits_i || busy_q;/waits_i;/

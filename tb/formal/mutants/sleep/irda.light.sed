@@ -1,1 +1,2 @@
+# sleeps
 s/ || !rxd || busy_q/ || busy_q/

@@ -1,1 +1,2 @@
+# sleeps
 s/ || room != room_o;/;/

@@ -1,1 +1,2 @@
+# sleeps
 s/ || (ghost \&\& !ghost_q);/;/

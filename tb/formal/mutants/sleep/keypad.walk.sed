@@ -1,1 +1,2 @@
+# sleeps
 s/|| walk_q != 4'd0 //

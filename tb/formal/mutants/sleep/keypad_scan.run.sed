@@ -1,1 +1,2 @@
+# sleeps
 s/run_i != runs_q || //

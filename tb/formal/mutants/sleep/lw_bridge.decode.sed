@@ -1,1 +1,2 @@
+# sleeps
 s/ || write_decode_awake$//

@@ -1,1 +1,2 @@
+# sleeps
 s/ || asked_q || done_q;/ || asked_q;/

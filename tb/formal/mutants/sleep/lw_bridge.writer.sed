@@ -1,1 +1,2 @@
+# sleeps
 s/writer_awake || we ||/we ||/

@@ -1,1 +1,2 @@
+# sleeps
 s/ || data != data_was_q;/;/

@@ -1,1 +1,2 @@
+# sleeps
 s/ || (busy_q \&\& odd_i);/;/

@@ -1,1 +1,2 @@
+# sleeps
 s/ || {clk_q, dat_q} != meta_q;/;/

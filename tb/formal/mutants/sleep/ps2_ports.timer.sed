@@ -1,1 +1,2 @@
+# sleeps
 s/ || timer_q != 14'd0$//

@@ -1,1 +1,2 @@
+# sleeps
 s/ || wires_q != meta_q$//

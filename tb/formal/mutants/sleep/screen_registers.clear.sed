@@ -1,1 +1,2 @@
+# sleeps
 s/ || clear_o || clearing_rdata_q;/ || clearing_rdata_q;/

@@ -1,1 +1,2 @@
+# sleeps
 s/pixel_awake || text_awake/pixel_awake/

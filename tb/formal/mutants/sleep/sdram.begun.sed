@@ -1,1 +1,2 @@
+# sleeps
 s/controller_awake || begun_q ||/controller_awake ||/

@@ -1,1 +1,2 @@
+# sleeps
 s/ || refresh_q$//

@@ -1,1 +1,2 @@
+# sleeps
 s/ || screen_q != 4.d0;/;/

@@ -1,1 +1,2 @@
+# sleeps
 s/^ *|| dram_dq_oe_o;/;/

@@ -1,1 +1,2 @@
+# sleeps
 s/if (run) data_q <= /data_q <= /

@@ -1,1 +1,2 @@
+# sleeps
 s/ || !rests_q;/;/

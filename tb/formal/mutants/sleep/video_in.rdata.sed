@@ -1,1 +1,2 @@
+# sleeps
 s/ || edges_rdata_q || / || /

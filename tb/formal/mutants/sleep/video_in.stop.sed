@@ -1,1 +1,2 @@
+# sleeps
 s/ || (run_q \&\& !enable_i);/;/

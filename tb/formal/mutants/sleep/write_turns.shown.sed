@@ -1,1 +1,2 @@
+# sleeps
 s/awake_o = shown_q || /awake_o = /
