@@ -12,10 +12,10 @@ endif()
 
 # test_program(NAME SOURCES... [LIBS libraries...] [HEADERS target]): one GoogleTest program.
 #
-# Compiling it takes longer than running it, so it is little optimised, and the headers that most
+# Compiling it takes longer than running it, so it is not optimised, and the headers that most
 # of them include come compiled, from HEADERS of tb/support.  A test that forgets to include one
 # is found by `make asan`, which is without.
-set(TEST_OPTIMISATION -O1)
+set(TEST_OPTIMISATION -O0)
 function(compile_as_test name headers)
     target_compile_options(${name} PRIVATE ${TEST_OPTIMISATION})
     target_precompile_headers(${name} REUSE_FROM ${headers})

@@ -62,8 +62,7 @@ def run(chapter, arguments):
         commands = commands.replace(INSTALLED_RTL, shlex.quote(str(RTL)))
         script += commands.replace(INSTALLED, examples).replace(PORT, port)
     path = f"{arguments.bin.resolve()}:{os.environ['PATH']}"
-    # A build of the project is not optimised, because its runs are short and compiling is long.
-    environment = dict(os.environ, PATH=path, LC_ALL="C", CMAKE_BUILD_TYPE="Unoptimised")
+    environment = dict(os.environ, PATH=path, LC_ALL="C")
     for name in ["MAKEFLAGS", "MAKELEVEL", "MFLAGS"]:  # of `make test`
         environment.pop(name, None)
     done = subprocess.run(["bash", "-c", script], cwd=arguments.folder, env=environment,
