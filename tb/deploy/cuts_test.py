@@ -8,35 +8,49 @@ import unittest
 
 from fixture import DeployTest
 
-LINES = 18  # number that deploy.sh prints on a board that had a version
+# Numbers that deploy.sh prints on a board that had a version
+LINES = 18
+LINES_BACK = 11
 
 
 class DeployCut(DeployTest):
-    def lines_printed(self):
-        self.good_a()
-        self.deploy(self.version("B"))
-        return len(self.lines)
+    def deploy_each(self, names):
+        """Returns the names, first the one that runs."""
+        for name in names:
+            self.assertEqual(self.deploy(self.version(name)), 0, self.said())
+            self.assert_works(name)
+        return names[::-1]
 
     def each_cut(self, lines, cut, action="deploy"):
-        """cut() after the given lines of A -> B, or of B -> A where it is a rollback."""
+        """cut() after the given lines of a deployment, or of a rollback.
+
+        A case goes on with the board of the case before, which runs one version and can go back
+        to another; after a case that failed, with a new board.
+        """
+        first = ["A"] if action == "deploy" else ["A", "B"]
+        names = self.deploy_each(first)
         for line in lines:
             with self.subTest(line=line):
-                self.new_board()
-                self.good_a()
-                version = self.version("B")
-                goal = "B"
-                if action == "rollback":
-                    self.deploy(version)
-                    goal, version = "A", {}
+                if not names:
+                    self.new_board()
+                    names = self.deploy_each(first)
+                goal, version = names[-1], {}
+                if action == "deploy":
+                    goal = f"V{line}"
+                    version = self.version(goal)
+                before, names = names[0], []
 
                 def at_line():
                     if len(self.lines) == line:
                         cut()
                 self.run_script(action, version, at_line=at_line)
+                self.assertGreaterEqual(len(self.lines), line, self.said())
                 self.board.heal()
-                if self.assert_works("A", "B") != goal or action == "deploy":
+                if self.assert_works(before, goal) != goal or action == "deploy":
                     self.assertEqual(self.run_script(action, version), 0, self.said())
                 self.assert_works(goal)
+                self.assertEqual(len(list((self.board.root / "opt/de1sim/versions").iterdir())), 2)
+                names = [goal, before]
 
     def draw_cable(self):
         self.board.cut()
@@ -46,7 +60,11 @@ class DeployCut(DeployTest):
         self.board.boot()
 
     def test_EveryLineOfADeploymentIsCut(self):
-        self.assertEqual(self.lines_printed(), LINES, self.said())
+        self.good_a()
+        self.deploy(self.version("B"))
+        self.assertEqual(len(self.lines), LINES, self.said())
+        self.run_script("rollback")
+        self.assertEqual(len(self.lines), LINES_BACK, self.said())
 
     def test_AConnectionCutInTheFirstStepsLeavesTheVersionBefore(self):
         self.each_cut(range(1, 8), self.draw_cable)
@@ -70,7 +88,7 @@ class DeployCut(DeployTest):
         self.each_cut(range(15, LINES + 1), self.draw_power)
 
     def test_ARollbackCutAnywhereLetsTheBoardEndAlone(self):
-        self.each_cut(range(1, 7), self.draw_cable, "rollback")
+        self.each_cut(range(1, LINES_BACK + 1), self.draw_cable, "rollback")
 
     def test_ACopyCutInTheMiddleLeavesTheVersionBefore(self):
         self.good_a()

@@ -5,6 +5,7 @@ bitstream and says `operating`, or `write init error` for one that starts as `re
 is a line "MAP NAME" and filling; a program is a shell script that knows its MAP and its NAME.
 
 sshd serves one connection a process (sshd -i), so that cut() ends a connection and nothing else.
+The key exchange is not ssh's default, which takes most of a connection's processor time.
 """
 import os
 import pathlib
@@ -114,8 +115,10 @@ class StandIn:
 
     def play_kernel(self):
         overlay = self.root / "sys/kernel/config/device-tree/overlays/de1sim"
-        while not self.stopping.wait(0.005):
-            if text(overlay / "status") == "unapplied" and text(overlay / "path"):
+        status = str(overlay / "status")
+        while not self.stopping.wait(0.01):
+            if os.path.exists(status) and text(overlay / "status") == "unapplied" and \
+                    text(overlay / "path"):
                 self.apply(overlay)
             if self.way == "device":
                 self.read_device()
@@ -195,6 +198,7 @@ Host board
     UserKnownHostsFile "{self.ssh}/known_hosts"
     GlobalKnownHostsFile /dev/null
     BatchMode yes
+    KexAlgorithms curve25519-sha256
 """)
 
     def serve(self):
@@ -230,13 +234,15 @@ Host board
     def processes(self):
         """(pid, command line) of what runs with this board's root."""
         mark = b"DE1SIM_ROOT=" + bytes(self.root)
-        for entry in pathlib.Path("/proc").iterdir():
-            if entry.name.isdigit():
-                try:
-                    if mark in (entry / "environ").read_bytes().split(b"\0"):
-                        yield int(entry.name), (entry / "cmdline").read_bytes()
-                except OSError:
-                    pass
+        for pid in filter(str.isdigit, os.listdir("/proc")):
+            try:
+                with open(f"/proc/{pid}/environ", "rb") as environment:
+                    if mark not in environment.read().split(b"\0"):
+                        continue
+                with open(f"/proc/{pid}/cmdline", "rb") as line:
+                    yield int(pid), line.read()
+            except OSError:
+                pass
 
     def wait_for_rest(self):
         deadline = time.monotonic() + 20

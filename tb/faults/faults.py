@@ -68,10 +68,11 @@ def has_not_begun(said):
 def processes_with(word):
     """Of all that run: process ids whose command line has this word in it."""
     found = []
-    for command in pathlib.Path("/proc").glob("[0-9]*/cmdline"):
+    for process in filter(str.isdigit, os.listdir("/proc")):
         try:
-            if str(word).encode() in command.read_bytes():
-                found.append(int(command.parent.name))
+            with open(f"/proc/{process}/cmdline", "rb") as command:
+                if str(word).encode() in command.read():
+                    found.append(int(process))
         except OSError:  # it has just ended
             pass
     return found
