@@ -91,12 +91,14 @@ std::string continued(const Scenario& scenario, std::uint64_t seed,
                       const std::filesystem::path& folder, const std::vector<std::string>& steps) {
     const YamlNode root = parse_yaml(scenario.text);
     const Writer writer{scenario.file.parent_path(), folder};
-    std::string text, all_steps = "steps:\n";
+    std::string text, duration, all_steps;
     for (std::size_t i = 0; i < root.keys.size(); ++i) {
         const std::string& name = root.keys[i].text;
         const YamlNode& node = root.items[i];
-        if (name == "duration" || name == "seed") continue;
-        if (name == "steps") {
+        if (name == "seed") continue;
+        if (name == "duration") {
+            duration = fmt::format("duration: {}\n", writer.value(node));
+        } else if (name == "steps") {
             for (const YamlNode& step : node.items)
                 all_steps += "  - " + writer.item(step_forms(), step) + "\n";
         } else if (name == "parts") {
@@ -107,9 +109,9 @@ std::string continued(const Scenario& scenario, std::uint64_t seed,
             text += fmt::format("{}: {}\n", name, writer.value(file_fields(), name, node));
         }
     }
-    text += fmt::format("seed: {}\n", seed) + all_steps;
-    for (const std::string& step : steps) text += "  - " + step + "\n";
-    return text;
+    for (const std::string& step : steps) all_steps += "  - " + step + "\n";
+    text += fmt::format("seed: {}\n", seed);
+    return text + (all_steps.empty() ? duration : "steps:\n" + all_steps);
 }
 
 }  // namespace sim
