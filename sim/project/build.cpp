@@ -1,16 +1,12 @@
 #include "sim/project/build.h"
 
-#include <fcntl.h>
-#include <sys/file.h>
 #include <unistd.h>
 
-#include <cerrno>
-#include <cstdlib>
-#include <cstring>
 #include <set>
 
 #include <fmt/format.h>
 
+#include "sim/project/compiled_headers.h"
 #include "sim/project/file_finder.h"
 #include "sim/project/generated.h"
 #include "sim/project/normalise.h"
@@ -36,12 +32,9 @@ bool is_writable(const fs::path& folder) { return access(folder.c_str(), W_OK) =
 // Where the project's folder cannot be written to, the user's cache.
 fs::path place_for(const fs::path& folder) {
     if (is_writable(folder)) return folder / ".de1sim";
-    const char* cache = std::getenv("XDG_CACHE_HOME");
-    const char* home = std::getenv("HOME");
-    const fs::path root = cache && cache[0] ? fs::path{cache}
-                          : home            ? fs::path{home} / ".cache"
-                                            : fs::temp_directory_path();
-    return root / "de1sim" / hash_of(folder.string());
+    const fs::path cache = user_cache();
+    return (cache.empty() ? fs::temp_directory_path() / "de1sim" : cache) /
+           hash_of(folder.string());
 }
 
 // Only if it differs, so that a compiler that looks at times sees what is new.
@@ -103,16 +96,6 @@ void add_models(Modules& modules) {
 }
 
 }  // namespace
-
-FolderLock::~FolderLock() {
-    if (descriptor_ >= 0) close(descriptor_);
-}
-
-void FolderLock::take(const fs::path& file) {
-    descriptor_ = open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
-    if (descriptor_ < 0) throw ProjectError{file.string() + ": " + std::strerror(errno)};
-    flock(descriptor_, LOCK_EX);  // where a file system has none, there is no other process either
-}
 
 Builder::Builder(const Request& request, bool trace)
     : request_{request}, trace_{trace}, limit_{request.build_limit_s} {

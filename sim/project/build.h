@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "sim/project/binding.h"
+#include "sim/project/folder_lock.h"
 #include "sim/project/part_drivers.h"
 #include "sim/project/project.h"
 #include "sim/project/tools.h"
@@ -28,20 +29,6 @@ struct Built {
 
 // What is said while it goes on: "translating 12 files (Verilator)".
 using Progress = std::function<void(const std::string& line)>;
-
-// Held by one process at a time; others wait.
-class FolderLock {
-public:
-    FolderLock() = default;
-    ~FolderLock();
-    FolderLock(const FolderLock&) = delete;
-    FolderLock& operator=(const FolderLock&) = delete;
-
-    void take(const std::filesystem::path& file);  // ProjectError: cannot be written
-
-private:
-    int descriptor_ = -1;
-};
 
 class Builder {
 public:

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "sim/process/run_command.h"
+#include "sim/project/compiled_headers.h"
 #include "sim/project/settings.h"
 #include "sim/report/whole_file.h"
 
@@ -14,6 +15,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
+// Of C++ that is hardly optimised: with less of it, a compiler of its own takes longer to begin.
+constexpr std::uintmax_t WORTH_A_PROCESS = 500'000;
 constexpr std::string_view BLANK = "\u00a0";  // one that does not end a word
 
 std::string with_blanks(std::string text) {
@@ -115,42 +118,56 @@ void check_verilator(const TimeLimit& limit) {
 void compile_library(const fs::path& folder, const fs::path& objects, bool trace,
                      const TimeLimit& limit) {
     const fs::path data = data_folder();
-    std::string fast, slow;
+    std::string fast, slow = "#pragma GCC optimize \"O0\"\n";  // what runs once
+    std::uintmax_t slow_bytes = 0;
     for (const auto& entry : fs::directory_iterator{objects}) {
         const std::string file = entry.path().filename().string();
         if (entry.path().extension() != ".cpp") continue;
-        (file.find("__Slow") != std::string::npos ? slow : fast) +=
-            fmt::format("#include \"{}\"\n", file);
+        const bool is_slow = file.find("__Slow") != std::string::npos;
+        (is_slow ? slow : fast) += fmt::format("#include \"{}\"\n", file);
+        if (is_slow) slow_bytes += entry.file_size();
     }
-    write_whole_file(objects / "fast.cxx", fast + "#include \"design.cpp\"\n");
-    write_whole_file(objects / "slow.cxx", slow);
+    fast += "#include \"design.cpp\"\n";
+    const bool apart = slow_bytes > WORTH_A_PROCESS;
+    write_whole_file(objects / "fast.cxx", apart ? fast : fast + slow);
+    write_whole_file(objects / "slow.cxx", apart ? slow : "");
     const fs::path verilator_root = VERILATOR_INCLUDE;
-    const std::vector<std::string> common{
-        "g++",
-        "-std=c++17",
-        "-fPIC",
-        "-DVL_TIME_CONTEXT",
-        "-w",
-        "-fvisibility=hidden",  // so that functions can be inlined
-        "-c",
-        "-I.",
-        "-I" + folder.string(),
-        "-I" + (data / "project").string(),
-        "-I" + verilator_root.string(),
-        "-I" + (verilator_root / "vltstd").string()};
-    const auto compile = [&](const char* name, const char* level) {
-        auto command = common;
-        command.insert(command.end(),
-                       {level, fmt::format("{}.cxx", name), "-o", fmt::format("{}.o", name)});
-        if (trace) command.emplace_back("-DDE1SIM_TRACE");
-        return command;
+    const std::vector<std::string> compiler{"g++",
+                                            "-std=c++17",
+                                            "-O2",
+                                            "-fPIC",
+                                            "-DVL_TIME_CONTEXT",
+                                            "-w",
+                                            "-fvisibility=hidden",  // so that it can be inlined
+                                            "-I" + verilator_root.string(),
+                                            "-I" + (verilator_root / "vltstd").string()};
+    const auto compile = [&](const std::vector<std::string>& headers) {
+        std::vector<std::vector<std::string>> commands;
+        for (const char* name : {"fast", "slow"}) {
+            if (name[0] == 's' && !apart) continue;
+            auto& command = commands.emplace_back(compiler);
+            command.insert(command.end(), headers.begin(), headers.end());
+            command.insert(command.end(),
+                           {"-c", "-I.", "-I" + folder.string(), "-I" + (data / "project").string(),
+                            fmt::format("{}.cxx", name), "-o", fmt::format("{}.o", name)});
+            if (trace) command.emplace_back("-DDE1SIM_TRACE");
+        }
+        for (const Outcome& one : run_commands(commands, objects, limit.left_s()))
+            if (one.code != 0) return one;
+        return Outcome{0, {}};
     };
-    for (const Outcome& one :
-         run_commands({compile("fast", "-O2"), compile("slow", "-O0")}, objects, limit.left_s()))
-        if (one.code != 0) throw ProjectError{first_error(one, "g++", limit)};
-    run_tool({"g++", "-shared", "-o", "chip.so", "fast.o", "slow.o", runtime_library().string(),
-              library("libinit_file.a").string(), "-pthread", LINK_OPTION, "-lz"},
-             objects, limit);
+    const auto headers = compiled_headers(compiler, limit);
+    Outcome outcome = compile(headers);
+    if (outcome.code != 0 && !headers.empty()) {
+        forget_compiled_headers(headers);
+        outcome = compile({});
+    }
+    if (outcome.code != 0) throw ProjectError{first_error(outcome, "g++", limit)};
+    std::vector<std::string> link{"g++", "-shared", "-o", "chip.so", "fast.o"};
+    if (apart) link.emplace_back("slow.o");
+    link.insert(link.end(), {runtime_library().string(), library("libinit_file.a").string(),
+                             "-pthread", LINK_OPTION, "-lz"});
+    run_tool(link, objects, limit);
 }
 
 }  // namespace sim::project

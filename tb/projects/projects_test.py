@@ -211,7 +211,13 @@ class Building(Case):
         self.write(project__top_v=LEDS.format("SW"),
                    s_yaml="name: x\nversion: 1\nsteps: [delay: 1ms]\n")
         before = sorted(self.folder.joinpath("project").rglob("*"))
-        environment = dict(os.environ, XDG_CACHE_HOME=str(self.folder / "cache"))
+        cache = self.folder / "cache" / "de1sim"
+        cache.mkdir(parents=True)
+        if "XDG_CACHE_HOME" in os.environ:  # then compiled once for all tests
+            headers = pathlib.Path(os.environ["XDG_CACHE_HOME"], "de1sim", "headers")
+            headers.mkdir(parents=True, exist_ok=True)
+            (cache / "headers").symlink_to(headers)
+        environment = dict(os.environ, XDG_CACHE_HOME=str(cache.parent))
         self.folder.joinpath("project").chmod(0o555)
         words = [DE1SIM, "run", "s.yaml", "--project", "project"]
         if os.getuid() == 0:  # who may otherwise write everywhere
@@ -221,6 +227,20 @@ class Building(Case):
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
         self.assertEqual(sorted(self.folder.joinpath("project").rglob("*")), before)
         self.assertTrue(list(self.folder.glob("cache/de1sim/*/chip-*.so")))
+
+    def test_headers_are_compiled_once_and_used(self):
+        """The second build would stop at the text of the header, and then forget it."""
+        environment = dict(os.environ, XDG_CACHE_HOME=str(self.folder / "cache"))
+        for body in "SW", "~SW":
+            self.write(top_v=LEDS.format(body))
+            built = subprocess.run([DE1SIM, "build", "."], cwd=self.folder, env=environment,
+                                   capture_output=True, text=True)
+            self.assertEqual(built.returncode, 0, built.stdout + built.stderr)
+            notes, = self.folder.glob("cache/de1sim/headers/*.notes")
+            header = notes.with_suffix("")
+            then = header.stat()
+            header.write_text("#error".ljust(then.st_size))
+            os.utime(header, ns=(then.st_atime_ns, then.st_mtime_ns))
 
 
 class Wrong(Case):
