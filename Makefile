@@ -77,11 +77,16 @@ fast: everything        ## every test but the whole-system ones
 	@cmake --build build
 	@ctest --preset fast
 
-tsan:                   ## what writes files from several threads, with the thread sanitizer
+# Tests of what has threads, or starts what has them.
+THREADS = FrameWriter Wav CommandLineRun[.]Writes Scenario[.]one_key FailingRun[.]Interrupted \
+    BrokenRun[.].*Report Of/Video[.]Lasts.*mp4 Gdb Suite[.]of_ Live[.](live|waves)
+tsan:                   ## what has threads, with the thread sanitizer
 	@.ci/setup --check tool firmware test video
 	@cmake --preset tsan
-	@cmake --build build/tsan --target report_test
-	@TSAN_OPTIONS=halt_on_error=1 build/tsan/bin/report_test --gtest_brief=1
+	@cmake --build --preset tsan
+	@rm -rf build/tsan/races && mkdir build/tsan/races
+	@ctest --preset tsan -R "^($$(echo '$(THREADS)' | tr ' ' '|'))"; code=$$?; \
+	    cat build/tsan/races/* 2>/dev/null && exit 1; exit $$code
 
 asan:                   ## every test, with address and undefined-behaviour sanitizers
 	@.ci/setup --check tool firmware board test video

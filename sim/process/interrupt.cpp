@@ -1,14 +1,17 @@
 #include "sim/process/interrupt.h"
 
+#include <atomic>
 #include <csignal>
 
 namespace sim {
 
 namespace {
 
-volatile std::sig_atomic_t came = 0;  // a signal handler can reach nothing else
+// A signal handler can reach nothing else, and other threads ask too.
+std::atomic<bool> came{false};
+static_assert(std::atomic<bool>::is_always_lock_free);
 
-void note(int) { came = 1; }
+void note(int) { came = true; }
 
 }  // namespace
 
@@ -18,6 +21,6 @@ void note_interrupts() {
     if (std::signal(SIGHUP, note) == SIG_IGN) std::signal(SIGHUP, SIG_IGN);  // nohup
 }
 
-bool interrupted() { return came != 0; }
+bool interrupted() { return came; }
 
 }  // namespace sim

@@ -40,7 +40,8 @@ class Board:
 
     def connect(self, token=None, **options):
         return websockets.connect(f"ws://{self.host}/ws?token={token or self.token}",
-                                  max_size=None, **{"close_timeout": 0.2, **options})
+                                  max_size=None, ping_interval=None,  # tests block for long
+                                  **{"close_timeout": 0.2, **options})
 
     def __enter__(self):
         return self
@@ -81,13 +82,13 @@ class Client:
         elif message[0] == SOUND:
             self.samples += (len(message) - 5) // 4
 
-    async def until(self, met, seconds=30):
+    async def until(self, met, seconds=300):
         async def wait():
             while not met():
                 await self.take()
         await asyncio.wait_for(wait(), seconds)
 
-    async def wait_for(self, name, seconds=30):
+    async def wait_for(self, name, seconds=300):
         self.last.pop(name, None)
         await self.until(lambda: name in self.last, seconds)
         return self.last[name]
