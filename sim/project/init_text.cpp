@@ -71,6 +71,7 @@ private:
         std::size_t i = end;
         while (i > 0 && tokens_[i - 1].is("]")) {
             while (i > 0 && !tokens_[i - 1].is("[")) --i;
+            if (i == 0) return;  // a broken text
             --i;
         }
         if (i == 0 || i == end || tokens_[i - 1].kind != Kind::NAME) return;

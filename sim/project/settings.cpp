@@ -68,6 +68,7 @@ private:
         return text_[at_++];
     }
     bool continued() const {  // a backslash at the line's end
+        if (peek() != '\\') return false;
         if (text_.compare(at_, 2, "\\\n") == 0) return true;
         return text_.compare(at_, 3, "\\\r\n") == 0;
     }

@@ -19,6 +19,7 @@ public:
 
     Tokens run() {
         Tokens tokens;
+        tokens.all.reserve(text_.size() / 4);  // bytes per token
         for (;;) {
             const std::size_t gap = at_;
             skip_gap();

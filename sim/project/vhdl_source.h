@@ -21,6 +21,8 @@ struct EntityHead {
     std::string name;
     std::vector<Member> generics, ports;
 };
+// All entities, in the order of the text.
+std::vector<EntityHead> entities_in(std::string_view text);
 // The entity of that name, in any case.
 std::optional<EntityHead> entity_in(std::string_view text, const std::string& name);
 

@@ -16,6 +16,8 @@ bool is_safe(char32_t c) {
     return (c & 0xFFFE) != 0xFFFE && (c < 0xFDD0 || c > 0xFDEF);  // noncharacters
 }
 
+bool is_plain(char c) { return c >= ' ' && c <= '~'; }
+
 }  // namespace
 
 std::optional<char32_t> next_utf8(std::string_view text, std::size_t& at) {
@@ -45,6 +47,11 @@ std::string printable(std::string_view text) {
     std::string out;
     for (std::size_t at = 0; at < text.size();) {
         const std::size_t begin = at;
+        while (at < text.size() && is_plain(text[at])) ++at;
+        if (at > begin) {
+            out += text.substr(begin, at - begin);
+            continue;
+        }
         const auto c = next_utf8(text, at);
         if (c && is_safe(*c)) {
             out += text.substr(begin, at - begin);

@@ -16,19 +16,8 @@ void must(bool holds, const char* promise);
 // The message of a refusal: a line, printable, not empty.
 void must_be_a_line(const std::string& message);
 
-// A file in memory, for what reads by path.
-class MemoryFile {
-public:
-    explicit MemoryFile(std::string_view bytes);
-    ~MemoryFile();
-    MemoryFile(const MemoryFile&) = delete;
-    MemoryFile& operator=(const MemoryFile&) = delete;
-
-    std::string path() const;
-
-private:
-    int descriptor_;
-};
+// The path of a file in memory with these bytes, up to the next call, for what reads by path.
+std::string path_in_memory(std::string_view bytes);
 
 // Cuts the bytes up to the next end of line, or all, off `rest`.
 std::string_view next_line(std::string_view& rest);

@@ -43,7 +43,7 @@ public:
 
 private:
     std::uint64_t registers_[sim::gdb_register::COUNT] = {};
-    std::vector<char> memory_ = std::vector<char>(0x1000, 'm');
+    std::vector<char> memory_ = std::vector<char>(0x400, 'm');
 };
 
 // What the reader finds in the packet of `text`.

@@ -87,8 +87,9 @@ void try_greeting(std::string_view text) {
         for (unsigned i = 0; i < 30; ++i) greeting.take(std::string{next_line(text)});
     } catch (const nlohmann::json::type_error&) {  // which no text from the simulation is
     }
-    must(greeting.texts().size() <= 23, "a greeting has an end");
-    for (const std::string& message : greeting.texts())
+    const auto texts = greeting.texts();
+    must(texts.size() <= 23, "a greeting has an end");
+    for (const std::string& message : texts)
         must(nlohmann::json::accept(message), "a greeting is JSON");
 }
 

@@ -17,20 +17,22 @@ auto lines_of(std::string_view text) { return std::count(text.begin(), text.end(
 
 void must_be_whole(std::string_view text) {
     const Tokens tokens = tokens_of(text);
-    std::string joined;
+    std::string_view rest = text;
     auto line = 1u;
-    const auto join = [&](std::string_view part) {
-        joined += part;
+    const auto take = [&](std::string_view part) {
+        must(part.empty() || (part.data() == rest.data() && part.size() <= rest.size()),
+             "tokens and gaps give the text");
+        rest.remove_prefix(part.size());
         line += static_cast<unsigned>(lines_of(part));
     };
     for (const Token& token : tokens.all) {
         must(!token.text.empty(), "a token is not empty");
-        join(token.gap);
+        take(token.gap);
         must(token.line == line, "a token is in its line");
-        join(token.text);
+        take(token.text);
     }
-    joined += tokens.tail;
-    must(joined == text, "tokens and gaps give the text");
+    take(tokens.tail);
+    must(rest.empty(), "tokens and gaps give the text");
 }
 
 }  // namespace
