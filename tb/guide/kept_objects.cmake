@@ -3,7 +3,7 @@
 
 find_program(CCACHE ccache REQUIRED)
 set(KEPT_OBJECTS CCACHE_DIR=${CMAKE_BINARY_DIR}/kept_objects
-    CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime)
+    CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime,locale)
 if(NOT CMAKE_CXX_COMPILER_LAUNCHER)
     set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env ${KEPT_OBJECTS}
         CCACHE_BASEDIR=${CMAKE_SOURCE_DIR} ${CCACHE})
