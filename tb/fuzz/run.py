@@ -4,18 +4,58 @@
 FUZZERS has the programs fuzz_TARGET, which all run if no TARGET is named; SEEDS has the folders
 TARGET/seeds.  FOLDER/TARGET keeps what was found, so that the next time goes on from there.  An
 input that crashes, hangs or breaks a promise is left in FOLDER/TARGET-found, and its path is
-printed.  A line per target at the end; exit code 1 if any has found something.
+printed.  A line per target at the end; exit code 1 if any has found something.  FOLDER/runs.tsv
+gets a line each time: target, runs and the seconds they took, to be added up.
 """
 import argparse
+import os
 import pathlib
 import re
+import resource
 import subprocess
 import sys
 import tempfile
+import time
 
-MOST_BYTES = {"elf": 3000, "collision": 1500, "png": 600, "live": 1000, "gdb": 2000}
-ORDINARY = 1000  # of the others: the longer, the fewer runs per second
+MOST_BYTES = {"elf": 1000, "collision": 600, "png": 600, "gdb": 600}
+ORDINARY = 400  # of the others: the longer, the fewer runs per second; of longer seeds, so much
 LIMIT_S, LIMIT_MB = 10, 1024  # of one input
+# Memory that was freed is kept for errors to be found, and here less of it: 256 MB go through the
+# caches more slowly than all else.  Without the calls that led to an allocation; a program that is
+# run by hand on what was found tells them.
+QUICK = "malloc_context_size=0:quarantine_size_mb=1:thread_local_quarantine_size_kb=64"
+
+
+def fuzz(target, options, left, seconds):
+    """Runs and their number, until `left` are done or something was found; 0 and -1: no limit."""
+    corpus, found = options.folder / target, options.folder / f"{target}-found"
+    command = [options.fuzzers / f"fuzz_{target}", f"-max_len={MOST_BYTES.get(target, ORDINARY)}",
+               f"-timeout={LIMIT_S}", f"-rss_limit_mb={LIMIT_MB}", "-print_final_stats=1",
+               f"-artifact_prefix={found}/", f"-max_total_time={seconds}",
+               f"-runs={left}", "-reload=0"]  # nobody else writes to the corpus
+    environment = {"ASAN_OPTIONS": QUICK, **os.environ}
+    with tempfile.TemporaryDirectory() as empty:  # where nothing is to be written
+        done = subprocess.run([*command, corpus, options.seeds / target / "seeds"], cwd=empty,
+                              env=environment, capture_output=True, text=True, errors="replace",
+                              check=False)
+        littered = any(pathlib.Path(empty).iterdir())
+    if done.returncode or littered:
+        done.said = [line for line in done.stderr.splitlines() if not re.match(r"#\d+\t", line)]
+        done.said.append(f"{target}: ended with {done.returncode}" + ", wrote files" * littered)
+    done.bad = bool(done.returncode or littered)
+    counted = re.findall(r"number_of_executed_units: (\d+)", done.stderr) or [0]
+    return done, int(counted[-1])
+
+
+def hangs(program, path):
+    """libFuzzer's limit is one of the clock, which goes on while the machine does other things."""
+    def used():
+        children = resource.getrusage(resource.RUSAGE_CHILDREN)
+        return children.ru_utime + children.ru_stime
+    before = used()
+    again = subprocess.run([program, f"-timeout={100 * LIMIT_S}", path], capture_output=True,
+                           check=False)
+    return again.returncode != 0 or used() - before > LIMIT_S
 
 
 def run(target, options):
@@ -23,26 +63,29 @@ def run(target, options):
     for folder in (corpus, found):
         folder.mkdir(parents=True, exist_ok=True)
     before = set(found.iterdir())
-    command = [options.fuzzers / f"fuzz_{target}", f"-max_len={MOST_BYTES.get(target, ORDINARY)}",
-               f"-timeout={LIMIT_S}", f"-rss_limit_mb={LIMIT_MB}", "-print_final_stats=1",
-               f"-artifact_prefix={found}/", f"-max_total_time={options.seconds}",
-               f"-runs={options.runs}"]
-    with tempfile.TemporaryDirectory() as empty:  # where nothing is to be written
-        done = subprocess.run([*command, corpus, options.seeds / target / "seeds"], cwd=empty,
-                              capture_output=True, text=True, errors="replace", check=False)
-        littered = any(pathlib.Path(empty).iterdir())
-    new = sorted(set(found.iterdir()) - before)
-    if done.returncode or littered:
-        said = [line for line in done.stderr.splitlines() if not re.match(r"#\d+\t", line)]
-        print("\n".join(said[-60:]))
-        print(f"{target}: ended with {done.returncode}" + ", wrote files" * littered)
+    begin = time.monotonic()
+    runs, took = 0, 0
+    while True:
+        left = options.runs - runs if options.runs >= 0 else -1
+        seconds = max(1, options.seconds - int(took)) if options.seconds else 0
+        start = time.monotonic()
+        done, more = fuzz(target, options, left, seconds)
+        runs, took = runs + more, time.monotonic() - begin
+        with open(options.folder / "runs.tsv", "a", encoding="utf-8") as table:
+            table.write(f"{target}\t{more}\t{time.monotonic() - start:.0f}\n")
+        new = sorted(set(found.iterdir()) - before)
+        late = [path for path in new if path.name.startswith("timeout-")]
+        if not late or len(new) > 1 or hangs(options.fuzzers / f"fuzz_{target}", late[0]):
+            break
+        late[0].unlink()
+    if done.bad:
+        print("\n".join(done.said[-60:]))
     for path in new:
         print(f"{target}: found {path}")
-    runs = int((re.findall(r"number_of_executed_units: (\d+)", done.stderr) or [0])[-1])
-    speed = (re.findall(r"average_exec_per_sec: +(\d+)", done.stderr) or ["?"])[-1]
     kept = sum(1 for _ in corpus.iterdir())
-    bad = bool(done.returncode or littered)
-    return bad, f"{target:10} {runs:10} runs {speed:>7} per s {kept:6} kept {int(bad)} crashes"
+    speed = runs / max(took, 1)
+    return done.bad, f"{target:10} {runs:10} runs {speed:7.0f} per s {kept:6} kept " \
+                     f"{int(done.bad)} crashes"
 
 
 def main():
