@@ -92,7 +92,7 @@ def main():
     failed = set()
     steps = {"bounded": ["-t", str(arguments.bound or arguments.depth)]}
     if arguments.induction:
-        # Of N clocks at once: z3 takes five times as long where it first tries fewer.
+        # Of N clocks at once: to try fewer first would take z3 up to eight times as long.
         steps["induction"] = ["-i", "-t", f"{arguments.depth}:{arguments.depth}"]
     smt2 = None
     for step, options in steps.items():

@@ -18,11 +18,11 @@ import tempfile
 import time
 
 MOST_BYTES = {"elf": 1000, "collision": 600, "png": 600, "gdb": 600}
-ORDINARY = 400  # of the others: the longer, the fewer runs per second; longer seeds are cut
+ORDINARY = 400  # of the others.  Longer inputs run less often; longer seeds are cut
 LIMIT_S, LIMIT_MB = 10, 1024  # of one input
 # AddressSanitizer keeps freed memory back to find its use: 1 MB here, because its usual 256 MB cost
-# more time in cache misses than all else.  Nor does it note the calls that led to an allocation; run
-# fuzz_TARGET by hand on what was found to see them.
+# more time in cache misses than all else.  Nor does it note the calls that led to an allocation:
+# to see them, run fuzz_TARGET by hand on what was found.
 QUICK = "malloc_context_size=0:quarantine_size_mb=1:thread_local_quarantine_size_kb=64"
 
 
