@@ -22,6 +22,19 @@ namespace {
 
 constexpr std::size_t MAX_LEVELS = 16;
 
+// yaml-cpp's text in UTF-8: it makes the single bytes 0x85 and 0xA0 of the escapes \N and \_, which
+// stand for U+0085 and U+00A0.
+std::string in_utf8(std::string_view text) {
+    std::string all;
+    for (std::size_t at = 0; at < text.size();) {
+        const std::size_t begin = at;
+        const bool valid = next_utf8(text, at).has_value();
+        if (!valid) all += '\xC2';
+        all += text.substr(begin, at - begin);
+    }
+    return all;
+}
+
 bool is_all(std::string_view text, const char* characters) {
     return !text.empty() && text.find_first_not_of(characters) == text.npos;
 }
@@ -60,7 +73,7 @@ public:
                   const std::string& value) override {
         YamlNode scalar = node(YamlNode::Kind::SCALAR, mark, tag, anchor);
         scalar.quoted = tag == "!";
-        scalar.text = value;
+        scalar.text = in_utf8(value);
         add(std::move(scalar));
     }
     void OnSequenceStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,

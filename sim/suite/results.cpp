@@ -1,6 +1,8 @@
 #include "sim/suite/results.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -20,6 +22,22 @@ using Json = nlohmann::ordered_json;
 constexpr int FORMAT = 1;
 constexpr std::size_t MAX_REPORT_BYTES = 64u << 20;
 
+// As an int; a fraction, and a number that an int does not hold, are refused.
+int integer(const Json& json) {
+    const auto value = json.get<double>();
+    const bool fits = value >= std::numeric_limits<int>::min() &&
+                      value <= std::numeric_limits<int>::max() && value == std::trunc(value);
+    if (!fits) throw Json::out_of_range::create(406, "expected a whole number of 32 bits", &json);
+    return static_cast<int>(value);
+}
+
+// Counted from 1.
+unsigned ordinal(const Json& json) {
+    const int value = integer(json);
+    if (value < 1) throw Json::out_of_range::create(406, "expected a number from 1", &json);
+    return static_cast<unsigned>(value);
+}
+
 std::vector<Failure> failures_of(const Json& report) {
     constexpr const char* RENEWED = "renewed: ";
     std::vector<Failure> failures;
@@ -28,7 +46,7 @@ std::vector<Failure> failures_of(const Json& report) {
         const auto detail = e.at("detail").get<std::string>();
         if (!met || detail.rfind(RENEWED, 0) == 0)
             failures.push_back(
-                {e.at("line").get<int>(), e.at("step").get<std::string>(), detail, met});
+                {integer(e.at("line")), e.at("step").get<std::string>(), detail, met});
     }
     for (const Json& fault : report.at("faults"))
         failures.push_back({0, "the run", fault.get<std::string>(), false});
@@ -60,14 +78,14 @@ Result result_of(const Json& json) {
     Result result;
     json.at("name").get_to(result.name);
     json.at("file").get_to(result.file);
-    json.at("exit_code").get_to(result.exit_code);
+    result.exit_code = integer(json.at("exit_code"));
     json.at("end").get_to(result.end);
     json.at("simulated_s").get_to(result.simulated_s);
     json.at("wall_s").get_to(result.wall_s);
     json.at("folder").get_to(result.folder);
     json.at("said").get_to(result.said);
     for (const Json& f : json.at("failures"))
-        result.failures.push_back({f.at("line").get<int>(), f.at("step").get<std::string>(),
+        result.failures.push_back({integer(f.at("line")), f.at("step").get<std::string>(),
                                    f.at("detail").get<std::string>(), f.at("met").get<bool>()});
     return result;
 }
@@ -141,14 +159,14 @@ Results results_in(std::string_view text, const std::string& name) {
     Results results;
     try {
         const Json json = Json::parse(text);
-        if (json.at("format").get<int>() != FORMAT)
-            throw std::runtime_error{fmt::format("{}: expected format {}, got {}", printable(name),
-                                                 FORMAT, json.at("format").get<int>())};
+        if (const int format = integer(json.at("format")); format != FORMAT)
+            throw std::runtime_error{
+                fmt::format("{}: expected format {}, got {}", printable(name), FORMAT, format)};
         for (const Json& one : json.at("scenarios")) results.put(result_of(one));
         json.at("missing").get_to(results.missing);
         json.at("suite").get_to(results.suite);
-        json.at("shard").at("number").get_to(results.shard);
-        json.at("shard").at("of").get_to(results.shards);
+        results.shard = ordinal(json.at("shard").at("number"));
+        results.shards = ordinal(json.at("shard").at("of"));
     } catch (const nlohmann::json::exception& error) {
         throw std::runtime_error{
             printable(name + ": expected the results of de1sim test, got: " + error.what())};

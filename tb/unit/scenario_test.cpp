@@ -80,6 +80,14 @@ TEST(Scenario, IsReadTheSameWithWindowsLineEndsAndAByteOrderMark) {
     EXPECT_EQ(s.steps[1].text, "hold key 2");
 }
 
+// yaml-cpp 0.7 makes single bytes of these two escapes, which are no UTF-8.
+TEST(Scenario, TakesTheEscapesOfANextLineAndOfANoBreakSpace) {
+    const auto s = parse(R"(name: "café\N\_"
+version: 1
+duration: 1s)");
+    EXPECT_EQ(s.name, "caf\xC3\xA9\xC2\x85\xC2\xA0");
+}
+
 TEST(SimTime, IsExactInEveryUnit) {
     EXPECT_EQ(SimTime::parse("1s")->ps, 1'000'000'000'000u);
     EXPECT_EQ(SimTime::parse("1.5s")->ps, 1'500'000'000'000u);
