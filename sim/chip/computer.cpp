@@ -11,7 +11,18 @@ namespace {
 constexpr std::uint32_t DDR3_BASE = 0x00000000, DDR3_SIZE = 0x40000000;
 constexpr std::uint32_t H2F_BASE = 0xC0000000, H2F_SIZE = 0x3C000000;
 constexpr std::uint32_t LW_BASE = 0xFF200000, LW_SIZE = 0x00200000;
+constexpr std::uint32_t GPIO1_BASE = 0xFF709000, GPIO1_SIZE = 8;
 constexpr std::uint32_t ON_CHIP_RAM_BASE = 0xFFFF0000, ON_CHIP_RAM_SIZE = 0x10000;
+
+// The parallel ports, and those of the HPS: data, directions, masks and captured edges.
+const std::vector<MemoryRange>& parallel_ports() {
+    using namespace regmap;
+    static const std::vector<MemoryRange> ports{
+        {LEDR_BASE, LEDR_SIZE}, {HEX3_0_BASE, HEX3_0_SIZE}, {HEX5_4_BASE, HEX5_4_SIZE},
+        {SW_BASE, SW_SIZE},     {KEY_BASE, KEY_SIZE},       {JP1_BASE, JP1_SIZE},
+        {JP2_BASE, JP2_SIZE},   {GPIO1_BASE, GPIO1_SIZE}};
+    return ports;
+}
 
 std::unique_ptr<Processor> processor_for(Computer::Software software, Audience& audience) {
     if (auto* firmware = std::get_if<Firmware>(&software))
@@ -68,6 +79,7 @@ Computer::Computer(const sc_core::sc_module_name& name, PinListener& pins, Audie
     cpu.explain_by([this](auto... access) { return bus.refusal(access...); });
     hps.gpio1.on_led(
         [&pins](bool lit, const sc_core::sc_time& now) { pins.hps_led(lit, now.value()); });
+    if (arm) arm->set_plain_outputs(parallel_ports());
     fpga.spread_phases(settings.seed);
     fpga.on_interrupts([this](std::uint32_t levels) { hps.fpga_interrupts(levels); });
 }

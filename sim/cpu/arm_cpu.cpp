@@ -284,8 +284,7 @@ bool ArmCpu::unhandled(ArmException exception) {
 
 ArmCpu::Position ArmCpu::position() const {
     const std::uint32_t pc = core_.pc();
-    return {pc,     program_.elf.function(pc),   asleep_,
-            ended_, poll_.same_address >= POLLS, poll_.address};
+    return {pc, program_.elf.function(pc), asleep_, ended_, polls_.polled()};
 }
 
 ArmCpu::Counts ArmCpu::counts() const {

@@ -25,10 +25,10 @@
 // or until then: no other core can send an event, because they are in reset, and a spurious wake-up
 // is allowed.  SEV does nothing.
 //
-// A register is polled in a tight loop if one instruction reads it POLLS times with no other access
-// between.  Then each read takes additional time, never past SystemC's next event: 1 us if the
-// value was the same POLLS times, 5 us after MANY_POLLS, 100 ns if it changes like a running
-// counter.  So such a loop may notice a change that much late.
+// A loop that waits for registers to change (poll_loop.h) reads them less often: it takes
+// additional time, an eighth of what it has waited so far, 10 us at most, and never past SystemC's
+// next event.  So it may notice a change inside the fabric that much late; changes of pins and of
+// the HPS's timers it notices at once.
 //
 // Boot: pc is the ELF's entry, SVC mode, interrupts off, VFP and NEON on, SP at the top of DDR3.
 //
@@ -69,10 +69,13 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "sim/cpu/arm_core.h"
 #include "sim/cpu/arm_exceptions.h"
 #include "sim/cpu/elf.h"
+#include "sim/cpu/poll_loop.h"
 #include "sim/cpu/processor.h"
 
 namespace sim {
@@ -149,6 +152,11 @@ public:
     // inspector.
     sc_core::sc_time ended_for() const;
 
+    // Where writing the same value again and again is no more than writing it once, poll_loop.h.
+    void set_plain_outputs(std::vector<MemoryRange> registers) {
+        plain_outputs_ = std::move(registers);
+    }
+
     // For an inspector: reads as the program would, RAM and registers alike, in no time.  False: no
     // target answers.
     bool read_memory(std::uint32_t address, void* data, unsigned bytes);
@@ -163,11 +171,10 @@ public:
 
     struct Position {
         std::uint32_t pc;
-        std::string function;  // "main+0x10", "" if it is in none
-        bool sleeping;         // in WFI, or in a kernel's pause
-        bool ended;            // by its kernel
-        bool polling;          // the register `address`
-        std::uint32_t address;
+        std::string function;                 // "main+0x10", "" if it is in none
+        bool sleeping;                        // in WFI, or in a kernel's pause
+        bool ended;                           // by its kernel
+        std::optional<std::uint32_t> polled;  // a register, see poll_loop.h
     };
     Position position() const;
 
@@ -176,7 +183,7 @@ public:
         std::uint64_t interrupts = 0;  // taken, IRQ and FIQ
         std::uint64_t aborts = 0;      // taken, data and prefetch
         sc_core::sc_time asleep;       // in WFI and WFE
-        sc_core::sc_time on_bus;       // waiting for targets
+        sc_core::sc_time on_bus;       // waiting for targets, and for registers to change
     };
     Counts counts() const;
     const ArmProgram& program() const { return program_; }
@@ -188,12 +195,9 @@ private:
     bool passes_wfi() override { return irq_ || fiq_ || reset_; }
     void unmasked() override;
 
-    static constexpr unsigned POLLS = 8, MANY_POLLS = 64;
     static sc_core::sc_time spin_limit() { return {100, sc_core::SC_MS}; }
     static sc_core::sc_time moment() { return {1, sc_core::SC_MS}; }
     static sc_core::sc_time nap() { return {1, sc_core::SC_US}; }
-    static sc_core::sc_time short_nap() { return {100, sc_core::SC_NS}; }
-    static sc_core::sc_time long_nap() { return {5, sc_core::SC_US}; }
     // How far the core may run ahead: to SystemC's next event, but 100 us at most.
     static sc_core::sc_time horizon();
 
@@ -209,7 +213,7 @@ private:
     void sleep(const sc_core::sc_time& at_most);
     template <class... Until>
     void pause_until(const Until&... until);
-    void poll(std::uint32_t address, std::uint32_t value);
+    void rest(std::uint64_t picoseconds);
     void drain();
     bool access(tlm::tlm_command command, std::uint32_t address, unsigned bytes, void* data);
     std::optional<ArmException> let_in() const;  // the interrupt that is pending and not masked
@@ -253,10 +257,8 @@ private:
     sc_core::sc_time asleep_since_;
     sc_core::sc_event wake_;
 
-    struct Poll {
-        std::uint32_t pc = 0, address = 0, value = 0;
-        unsigned same_address = 0, same_value = 0;
-    } poll_;
+    PollLoop polls_;
+    std::vector<MemoryRange> plain_outputs_;
     struct StoreBuffer {
         std::uint32_t begin = 0, bytes = 0;
         std::uint32_t page = 1;  // of 4 KB, that is known to answer; 1 is none

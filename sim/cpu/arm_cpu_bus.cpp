@@ -81,7 +81,7 @@ bool ArmCpu::read(std::uint32_t address, unsigned bytes, std::uint32_t& value) {
     drain();
     value = 0;
     if (!access(tlm::TLM_READ_COMMAND, address, bytes, &value)) return false;
-    poll(address, value);
+    rest(polls_.read(core_.instruction(), address, value, now().value()));
     run_on();
     return true;
 }
@@ -89,8 +89,14 @@ bool ArmCpu::read(std::uint32_t address, unsigned bytes, std::uint32_t& value) {
 bool ArmCpu::write(std::uint32_t address, unsigned bytes, std::uint32_t value) {
     drain();
     stores_.page = 1;
-    poll_ = {};
     if (!access(tlm::TLM_WRITE_COMMAND, address, bytes, &value)) return false;
+    const bool plain =
+        std::any_of(plain_outputs_.begin(), plain_outputs_.end(),
+                    [&](const MemoryRange& range) { return address - range.base < range.size; });
+    if (plain)
+        rest(polls_.write(core_.instruction(), address, value, now().value()));
+    else
+        polls_.end();
     run_on();
     return true;
 }
@@ -116,24 +122,20 @@ bool ArmCpu::write_normal(std::uint32_t address, unsigned bytes, std::uint32_t v
 void ArmCpu::drain() {
     const unsigned bytes = std::exchange(stores_.bytes, 0);
     if (bytes == 0) return;
-    poll_ = {};
+    polls_.end();
     if (access(tlm::TLM_WRITE_COMMAND, stores_.begin, bytes, stores_.data.data())) return;
     fail(fmt::format("burst of {} bytes refused at 0x{:08X} {} ({})", bytes, stores_.begin, where(),
                      bus_answer_));
     core_.stop_soon();
 }
 
-void ArmCpu::poll(std::uint32_t address, std::uint32_t value) {
-    const std::uint32_t pc = core_.instruction();
-    const bool again = poll_.pc == pc && poll_.address == address;
-    const bool same = again && poll_.value == value;
-    poll_ = {pc, address, value, again ? poll_.same_address + 1 : 0,
-             same ? poll_.same_value + 1 : 0};
-    if (poll_.same_address < POLLS) return;
-    const sc_time end = horizon(), rest = poll_.same_value < POLLS        ? short_nap()
-                                          : poll_.same_value < MANY_POLLS ? nap()
-                                                                          : long_nap();
-    if (end > ahead_) ahead_ += std::min(rest, end - ahead_);
+// Never past SystemC's next event.
+void ArmCpu::rest(std::uint64_t picoseconds) {
+    const sc_time end = horizon();
+    if (end <= ahead_) return;
+    const sc_time rested = std::min(sc_time::from_value(picoseconds), end - ahead_);
+    ahead_ += rested;
+    counts_.on_bus += rested;
 }
 
 // For merged stores it is the access that caused the burst to be sent.

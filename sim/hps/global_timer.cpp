@@ -1,5 +1,7 @@
 #include "sim/hps/global_timer.h"
 
+#include <utility>
+
 namespace sim {
 
 namespace {
@@ -50,7 +52,9 @@ std::uint32_t GlobalTimer::read(std::uint32_t offset, const sc_core::sc_time& no
         case LOW: return static_cast<std::uint32_t>(count(now.value()));
         case HIGH: return static_cast<std::uint32_t>(count(now.value()) >> 32);
         case CONTROL: return control_;
-        case STATUS: return status_;
+        case STATUS:
+            if (!std::exchange(polled_, true)) update(now.value());
+            return status_;
         case COMPARATOR_LOW: return static_cast<std::uint32_t>(comparator_);
         case COMPARATOR_HIGH: return static_cast<std::uint32_t>(comparator_ >> 32);
         case INCREMENT: return increment_;
@@ -84,8 +88,9 @@ void GlobalTimer::update(std::uint64_t now_ps) {
             comparator_ += (now - comparator_) / increment_ * increment_ + increment_;
     }
     line_(status_ && (control_ & INTERRUPT));
-    // Rings when the comparator is reached, if that will change anything.
-    const bool waits = compares && (control_ & INTERRUPT) && !status_ && comparator_ > now;
+    // Rings when the comparator is reached, if somebody will see that.
+    const bool waits =
+        compares && (polled_ || (control_ & INTERRUPT)) && !status_ && comparator_ > now;
     if (waits && comparator_ - now < (std::uint64_t{1} << 40)) {
         const std::uint64_t ticks = since_ps_ / tick_ps() + (comparator_ - base_);
         alarm_.set(ticks * tick_ps());

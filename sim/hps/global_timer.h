@@ -39,6 +39,7 @@ private:
     std::uint32_t control_ = 0, increment_ = 0;
     std::uint64_t comparator_ = 0;
     bool status_ = false;
+    bool polled_ = false;         // the program reads the status, so it waits for its change
     std::uint64_t base_ = 0;      // count when it was last enabled, disabled or written
     std::uint64_t since_ps_ = 0;  // and the time of that
     std::function<void(bool)> line_;

@@ -1,6 +1,7 @@
 #include "sim/hps/private_timer.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace sim {
 
@@ -71,7 +72,9 @@ std::uint32_t PrivateTimer::read(std::uint32_t offset, const sc_core::sc_time& n
         case CONTROL:
         case WATCHDOG + CONTROL: return counter.control;
         case STATUS:
-        case WATCHDOG + STATUS: return counter.status(now.value());
+        case WATCHDOG + STATUS:
+            if (!std::exchange(polled_, true)) update(now.value());
+            return counter.status(now.value());
         case RESET_STATUS: return was_reset_;
         default: return 0;
     }
@@ -125,10 +128,10 @@ void PrivateTimer::update(std::uint64_t now_ps) {
         was_reset_ = true;
         reset_();
     }
-    // Only a change with an effect outside needs an event.
+    // Only a change that somebody sees needs an event.
     std::optional<std::uint64_t> next;
-    if (timer_.control & INTERRUPT) next = timer_.next_ps(now_ps);
-    if (mode || (watchdog_.control & INTERRUPT)) {
+    if (polled_ || (timer_.control & INTERRUPT)) next = timer_.next_ps(now_ps);
+    if (polled_ || mode || (watchdog_.control & INTERRUPT)) {
         const std::optional<std::uint64_t> other = watchdog_.next_ps(now_ps);
         if (other) next = next ? std::min(*next, *other) : other;
     }

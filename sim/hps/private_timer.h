@@ -62,6 +62,7 @@ private:
 
     PrivateCounter timer_, watchdog_;
     bool was_reset_ = false;
+    bool polled_ = false;        // the program reads a status, so it waits for its change
     std::uint32_t disable_ = 0;  // what was written last
     Line timer_line_, watchdog_line_;
     std::function<void()> reset_;

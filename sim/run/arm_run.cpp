@@ -69,7 +69,7 @@ std::string ArmRun::waiting() const {
     if (at.ended) return "nothing: it has ended";
     if (kernel_ && kernel_->terminal().waits()) return "standard input";
     if (at.sleeping) return kernel_ ? "the time to wake up" : "an interrupt";
-    if (at.polling) return fmt::format("a change of 0x{:08X}", at.address);
+    if (at.polled) return fmt::format("a change of 0x{:08X}", *at.polled);
     return "";
 }
 

@@ -73,10 +73,18 @@ TEST_F(ArmCpu, SeesAPolledRegisterChangeAMicrosecondLateAtMost) {
 TEST_F(ArmCpu, ReadsAPolledRegisterRarelyWhenNothingChanges) {
     load("test_poll");
     run_ms(10);
-    EXPECT_LT(system->probe.reads, 10'100u);
-    EXPECT_TRUE(system->cpu.position().polling);
-    EXPECT_EQ(system->cpu.position().address, 0xFF200008u);
+    EXPECT_LT(system->probe.reads, 1'100u);
+    EXPECT_EQ(system->cpu.position().polled, 0xFF200008u);
     EXPECT_THAT(system->cpu.position().function, HasSubstr("test_poll"));
+}
+
+TEST_F(ArmCpu, SeesTheEndOfAPolledTimerAtOnce) {
+    load("test_poll_timer");
+    run_ms(1);
+    ASSERT_EQ(system->probe.writes.size(), 1u);
+    const sc_time waited = system->probe.writes[0].second;
+    EXPECT_GE(waited, sc_time(20, sc_core::SC_US));
+    EXPECT_LT(waited, sc_time(20'200, SC_NS));
 }
 
 TEST_F(ArmCpu, ReadsARunningCounterTenTimesAMicrosecondAtMost) {
@@ -90,7 +98,7 @@ TEST_F(ArmCpu, SaysWhereAHangingProgramIs) {
     load("test_hang");
     run_ms(1);
     EXPECT_EQ(system->cpu.position().function, "test_hang");
-    EXPECT_FALSE(system->cpu.position().polling);
+    EXPECT_FALSE(system->cpu.position().polled);
     EXPECT_EQ(system->cpu.counts().instructions, 800'000u);
 }
 

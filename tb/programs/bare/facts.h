@@ -18,7 +18,7 @@ static inline int about(uint32_t value, uint32_t expected, uint32_t off) {
     return value + off >= expected && value <= expected + off;
 }
 
-// By polling the A9's private timer at 200 MHz, so up to 6 us longer.
+// By polling the A9's private timer at 200 MHz, so up to 1 us longer.
 static inline void wait_us(uint32_t us) {
     A9_TIMER_CONTROL = 0, A9_TIMER_STATUS = 1;
     A9_TIMER_LOAD = 200 * us, A9_TIMER_CONTROL = 1;

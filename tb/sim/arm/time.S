@@ -34,6 +34,19 @@
     str r0, [r0]
     done
 
+    program test_poll_timer
+    ldr r0, =0xFFFEC600             @ private timer, 200 MHz
+    ldr r1, =4000
+    str r1, [r0]
+    mov r1, #1
+    str r1, [r0, #8]
+1:  ldr r1, [r0, #12]
+    cmp r1, #0
+    beq 1b
+    ldr r0, =PROBE
+    str r0, [r0]
+    done
+
     program test_poll_counter
     ldr r0, =0xFFFEC200             @ global timer
     mov r1, #1
