@@ -50,7 +50,7 @@ public:
     // The value of a field, whose files are moved.
     std::string value(const Field& field, const YamlNode& node) const {
         const std::filesystem::path path{node.text};
-        if (!field.type.is_file || path.is_absolute()) return value(node);
+        if (!field.type.is_path || path.is_absolute()) return value(node);
         return quoted(
             std::filesystem::proximate(std::filesystem::absolute(from_ / path), to_).string());
     }

@@ -65,7 +65,7 @@ const std::vector<Field>& file_fields() {
          "Simulated time at which the run ends. Without it the run ends with the last step."},
         {"program", FILE_NAME, Need::OPTIONAL, "",
          "The ELF to run, relative to the scenario file, unless the command line names another."},
-        {"project", LINE, Need::OPTIONAL, "",
+        {"project", PATH, Need::OPTIONAL, "",
          "A Quartus project (.qsf, .qpf) or a folder of Verilog, relative to the scenario file, as "
          "--project; the chip then has no processor."},
         {"cpu", CPU, Need::OPTIONAL, "",

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <filesystem>
 
 #include "sim/scenario/words.h"
 
@@ -50,6 +51,13 @@ Reading read_line(const YamlNode& node) {
     return read_text(node);
 }
 
+// Not of what can only be a folder.
+Reading read_file_name(const YamlNode& node) {
+    const auto name = std::filesystem::path{node.text}.filename();
+    if (name.empty() || name == "." || name == "..") return std::nullopt;
+    return read_line(node);
+}
+
 Reading read_time(const YamlNode& node) {
     if (!is_text(node)) return std::nullopt;
     if (const auto time = SimTime::parse(node.text)) return *time;
@@ -69,9 +77,16 @@ namespace value_types {
 
 const ValueType LINE{"a line of text",
                      R"({"type": "string", "pattern": "^[^\\u0000-\\u001f\\u007f]+$"})", read_line};
-const ValueType FILE_NAME = [] {
+const ValueType PATH = [] {
     ValueType type = LINE;
-    type.is_file = true;
+    type.expected = "the name of a file or folder";
+    type.is_path = true;
+    return type;
+}();
+const ValueType FILE_NAME = [] {
+    ValueType type = PATH;
+    type.expected = "a file's name";
+    type.read = read_file_name;
     return type;
 }();
 const ValueType TEXT{"text", R"({"type": "string", "minLength": 1})", read_text};

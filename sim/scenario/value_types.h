@@ -28,12 +28,12 @@ struct ValueType {
     std::string list_of = "";  // one value or a list of different numbers, and their name
     std::vector<std::string> words = {};  // for the hint at a typing mistake
     std::size_t at_most = 0;              // entries of a list; 0: no limit
-    bool is_file = false;                 // that is named as seen from the scenario's
+    bool is_path = false;                 // as seen from the scenario's folder
 };
 
 namespace value_types {
 
-extern const ValueType LINE, FILE_NAME, TEXT, TIME, SOME_TIME, HERTZ;
+extern const ValueType LINE, PATH, FILE_NAME, TEXT, TIME, SOME_TIME, HERTZ;
 
 ValueType whole_number(const std::string& expected, std::uint64_t least, std::uint64_t most);
 ValueType decimal_number(const std::string& expected, double least, double most);

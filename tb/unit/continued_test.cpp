@@ -54,6 +54,8 @@ TEST(Continued, SaysWhatEachScenarioOfTheRepositorySays) {
             EXPECT_EQ(after.ps2.second, before->ps2.second);
             EXPECT_EQ(std::filesystem::weakly_canonical(after.program),
                       std::filesystem::weakly_canonical(before->program));
+            EXPECT_EQ(std::filesystem::weakly_canonical(after.project),
+                      std::filesystem::weakly_canonical(before->project));
             ++count;
         }
     EXPECT_GT(count, 40u);

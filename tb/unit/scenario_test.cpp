@@ -82,7 +82,7 @@ TEST(Scenario, IsReadTheSameWithWindowsLineEndsAndAByteOrderMark) {
 
 // yaml-cpp 0.7 makes single bytes of these two escapes, which are no UTF-8.
 TEST(Scenario, TakesTheEscapesOfANextLineAndOfANoBreakSpace) {
-    const auto s = parse(R"(name: "café\N\_"
+    const auto s = parse(R"(name: "caf\u00E9\N\_"
 version: 1
 duration: 1s)");
     EXPECT_EQ(s.name, "caf\xC3\xA9\xC2\x85\xC2\xA0");
