@@ -1,5 +1,8 @@
 #include "sim/chip/computer.h"
 
+#include <algorithm>
+#include <iterator>
+
 #include "regmap.h"
 #include "sim/chip/fpga_places.h"
 
@@ -11,18 +14,7 @@ namespace {
 constexpr std::uint32_t DDR3_BASE = 0x00000000, DDR3_SIZE = 0x40000000;
 constexpr std::uint32_t H2F_BASE = 0xC0000000, H2F_SIZE = 0x3C000000;
 constexpr std::uint32_t LW_BASE = 0xFF200000, LW_SIZE = 0x00200000;
-constexpr std::uint32_t GPIO1_BASE = 0xFF709000, GPIO1_SIZE = 8;
 constexpr std::uint32_t ON_CHIP_RAM_BASE = 0xFFFF0000, ON_CHIP_RAM_SIZE = 0x10000;
-
-// The parallel ports, and those of the HPS: data, directions, masks and captured edges.
-const std::vector<MemoryRange>& parallel_ports() {
-    using namespace regmap;
-    static const std::vector<MemoryRange> ports{
-        {LEDR_BASE, LEDR_SIZE}, {HEX3_0_BASE, HEX3_0_SIZE}, {HEX5_4_BASE, HEX5_4_SIZE},
-        {SW_BASE, SW_SIZE},     {KEY_BASE, KEY_SIZE},       {JP1_BASE, JP1_SIZE},
-        {JP2_BASE, JP2_SIZE},   {GPIO1_BASE, GPIO1_SIZE}};
-    return ports;
-}
 
 std::unique_ptr<Processor> processor_for(Computer::Software software, Audience& audience) {
     if (auto* firmware = std::get_if<Firmware>(&software))
@@ -38,6 +30,18 @@ const std::vector<MemoryRange>& program_memory() {
                                                  {ON_CHIP_RAM_BASE, ON_CHIP_RAM_SIZE},
                                                  {regmap::SDRAM_BASE, regmap::SDRAM_SIZE}};
     return memory;
+}
+
+bool is_plain_output(std::uint32_t address, std::uint32_t value) {
+    using namespace regmap;
+    constexpr std::uint32_t PORTS[] = {LEDR_BASE, HEX3_0_BASE, HEX5_4_BASE, SW_BASE,
+                                       KEY_BASE,  JP1_BASE,    JP2_BASE};
+    constexpr std::uint32_t PORT_SIZE = JP1_SIZE, EDGE = JP1_EDGE - JP1_BASE;
+    constexpr std::uint32_t GPIO_OUTPUTS = 8;  // bytes: data and directions
+    if (address - Peripherals::GPIO1_BASE < GPIO_OUTPUTS) return true;
+    const std::uint32_t* port =
+        std::find(std::begin(PORTS), std::end(PORTS), address & ~(PORT_SIZE - 1));
+    return port != std::end(PORTS) && (address % PORT_SIZE < EDGE || value == 0);
 }
 
 Computer::Computer(const sc_core::sc_module_name& name, PinListener& pins, Audience& audience,
@@ -79,7 +83,7 @@ Computer::Computer(const sc_core::sc_module_name& name, PinListener& pins, Audie
     cpu.explain_by([this](auto... access) { return bus.refusal(access...); });
     hps.gpio1.on_led(
         [&pins](bool lit, const sc_core::sc_time& now) { pins.hps_led(lit, now.value()); });
-    if (arm) arm->set_plain_outputs(parallel_ports());
+    if (arm) arm->set_plain_outputs(is_plain_output);
     fpga.spread_phases(settings.seed);
     fpga.on_interrupts([this](std::uint32_t levels) { hps.fpga_interrupts(levels); });
 }

@@ -27,6 +27,10 @@ namespace sim {
 // The memory that programs are loaded into.
 const std::vector<MemoryRange>& program_memory();
 
+// Whether writing `value` there again and again is no more than writing it once: the parallel ports
+// and GPIO1 of the HPS, but not the captured edges, where a 1 clears what came since.
+bool is_plain_output(std::uint32_t address, std::uint32_t value);
+
 class Computer : public sc_core::sc_module, public Chip {
 public:
     // What runs on it, and so which processor it has: NativeCpu or ArmCpu.

@@ -153,9 +153,9 @@ public:
     sc_core::sc_time ended_for() const;
 
     // Where writing the same value again and again is no more than writing it once, poll_loop.h.
-    void set_plain_outputs(std::vector<MemoryRange> registers) {
-        plain_outputs_ = std::move(registers);
-    }
+    // Without it, nowhere.
+    using IsPlainOutput = std::function<bool(std::uint32_t address, std::uint32_t value)>;
+    void set_plain_outputs(IsPlainOutput are) { is_plain_output_ = std::move(are); }
 
     // For an inspector: reads as the program would, RAM and registers alike, in no time.  False: no
     // target answers.
@@ -258,7 +258,7 @@ private:
     sc_core::sc_event wake_;
 
     PollLoop polls_;
-    std::vector<MemoryRange> plain_outputs_;
+    IsPlainOutput is_plain_output_;
     struct StoreBuffer {
         std::uint32_t begin = 0, bytes = 0;
         std::uint32_t page = 1;  // of 4 KB, that is known to answer; 1 is none

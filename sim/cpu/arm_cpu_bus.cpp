@@ -90,10 +90,7 @@ bool ArmCpu::write(std::uint32_t address, unsigned bytes, std::uint32_t value) {
     drain();
     stores_.page = 1;
     if (!access(tlm::TLM_WRITE_COMMAND, address, bytes, &value)) return false;
-    const bool plain =
-        std::any_of(plain_outputs_.begin(), plain_outputs_.end(),
-                    [&](const MemoryRange& range) { return address - range.base < range.size; });
-    if (plain)
+    if (is_plain_output_ && is_plain_output_(address, value))
         rest(polls_.write(core_.instruction(), address, value, now().value()));
     else
         polls_.end();

@@ -41,7 +41,7 @@ void Peripherals::bind(Bus& bus) {
         bus.window(title, base, size).bind(target.socket);
     };
     add(fpga_manager, "the FPGA manager", 0xFF706000, 0x1000);
-    add(gpio1, "GPIO1 of the HPS", 0xFF709000, 0x1000);
+    add(gpio1, "GPIO1 of the HPS", GPIO1_BASE, 0x1000);
     add(l3, "the L3 interconnect", 0xFF800000, 0x80000);
     add(uart0, "UART0", 0xFFC02000, 0x1000);
     add(timer0, "HPS timer 0", 0xFFC08000, 0x1000);

@@ -37,6 +37,8 @@ public:
         std::function<void(std::uint32_t brgmodrst)> bridges;  // ResetManager's bits
     };
 
+    static constexpr std::uint32_t GPIO1_BASE = 0xFF709000;
+
     Peripherals(const sc_core::sc_module_name& name, Wires wires);
 
     // Gives each block its window.

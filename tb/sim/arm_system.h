@@ -142,6 +142,13 @@ protected:
     }
     std::uint32_t result(unsigned index = 0) const { return word("result", index); }
 
+    // When the program wrote to the probe, once.
+    sc_core::sc_time written() const {
+        const auto& writes = system->probe.writes;
+        EXPECT_EQ(writes.size(), 1u);
+        return writes.empty() ? sc_core::SC_ZERO_TIME : writes[0].second;
+    }
+
     // What the handler saw: vector 1 undefined, 2 SVC, 3 prefetch, 4 data abort, 6 IRQ, 7 FIQ.
     struct Record {
         std::uint32_t vector, link, spsr, status, address, cpsr;

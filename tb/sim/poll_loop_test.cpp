@@ -6,6 +6,9 @@
 #include <algorithm>
 #include <vector>
 
+#include "regmap.h"
+#include "sim/chip/computer.h"
+
 namespace {
 
 using sim::PollLoop;
@@ -128,6 +131,17 @@ TEST_F(PollLoopTest, LeavesAloneLoopsOverMoreRegistersThanItKeeps) {
     round.pop_back();
     repeat(round, now + 100 * US);
     EXPECT_GT(rests, 0u);
+}
+
+TEST(PlainOutput, IsAPortButNotACapturedEdgeThatIsCleared) {
+    EXPECT_TRUE(sim::is_plain_output(regmap::LEDR_DATA, 0x3FF));
+    EXPECT_TRUE(sim::is_plain_output(regmap::HEX5_4_DATA, 0x3F));
+    EXPECT_TRUE(sim::is_plain_output(regmap::JP1_DIR, 0xF0));
+    EXPECT_TRUE(sim::is_plain_output(sim::Peripherals::GPIO1_BASE, 1 << 24));
+    EXPECT_TRUE(sim::is_plain_output(regmap::KEY_EDGE, 0));
+    EXPECT_FALSE(sim::is_plain_output(regmap::KEY_EDGE, 0xF));
+    EXPECT_FALSE(sim::is_plain_output(regmap::AUDIO_LEFTDATA, 0));
+    EXPECT_FALSE(sim::is_plain_output(regmap::SYSID_ID, 0));
 }
 
 }  // namespace
