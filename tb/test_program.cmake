@@ -14,7 +14,7 @@ endif()
 #
 # Compiling it takes longer than running it, so it is not optimised, and the headers that most
 # of them include come compiled, from HEADERS of tb/support.  A test that forgets to include one
-# is found by `make asan`, which is without.
+# is found by `make clang`, which is without.
 set(TEST_OPTIMISATION -O0)
 function(compile_as_test name headers)
     target_compile_options(${name} PRIVATE ${TEST_OPTIMISATION})
