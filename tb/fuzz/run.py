@@ -31,6 +31,7 @@ def fuzz(target, options, left, seconds):
     corpus, found = options.folder / target, options.folder / f"{target}-found"
     command = [options.fuzzers / f"fuzz_{target}", f"-max_len={MOST_BYTES.get(target, ORDINARY)}",
                f"-timeout={LIMIT_S}", f"-rss_limit_mb={LIMIT_MB}", "-print_final_stats=1",
+               "-report_slow_units=1000",  # seconds; what is slow and ends is not kept as found
                f"-artifact_prefix={found}/", f"-max_total_time={seconds}",
                f"-runs={left}", "-reload=0"]  # nobody else writes to the corpus
     environment = {"ASAN_OPTIONS": QUICK, **os.environ}
