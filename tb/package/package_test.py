@@ -59,6 +59,8 @@ class Package(unittest.TestCase):
         self.inside("dpkg", "-i", "/de1sim.deb")
         self.assertRegex(self.inside("de1sim", "--version"),
                          rf"^de1sim {field(self.deb, 'Version')} \(")
+        loaded = self.inside("env", "LD_TRACE_LOADED_OBJECTS=1", "de1sim")
+        self.assertNotIn("libz3", loaded)  # which only LLVM needs: without_llvm.cmake
         self.inside("cp", "-r", "/usr/share/de1sim/examples", "/tmp/my examples")
         self.inside("de1sim", "run", "/tmp/my examples/first_led/first_led.yaml",
                     "--out", "/tmp/out", "--quiet")
