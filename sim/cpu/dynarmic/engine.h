@@ -119,6 +119,9 @@ struct ArmCore::Engine final : Dynarmic::A32::UserCallbacks {
     std::unordered_set<std::uint32_t> privileged_code;  // virtual page numbers
     std::optional<std::uint32_t> MemoryReadCode(std::uint32_t address) override;
     bool IsReadOnlyMemory(std::uint32_t address) override;
+    std::uint32_t literal = 1;  // that dynarmic has asked for last
+    void note_literal(std::uint32_t address);
+    std::uint64_t MemoryRead64(std::uint32_t address) override;
     std::uint64_t GetTicksForCode(bool thumb, std::uint32_t pc, std::uint32_t word) override;
     std::uint64_t ticks_of_departure(bool thumb, std::uint32_t pc, std::uint32_t word) const;
     struct Block {
@@ -163,9 +166,6 @@ struct ArmCore::Engine final : Dynarmic::A32::UserCallbacks {
     }
     std::uint32_t MemoryRead32(std::uint32_t address) override {
         return load<std::uint32_t>(address);
-    }
-    std::uint64_t MemoryRead64(std::uint32_t address) override {
-        return load<std::uint64_t>(address);
     }
     void MemoryWrite8(std::uint32_t address, std::uint8_t value) override { store(address, value); }
     void MemoryWrite16(std::uint32_t address, std::uint16_t value) override {

@@ -158,9 +158,22 @@ bool ArmCore::Engine::IsReadOnlyMemory(std::uint32_t address) {
         !code.has_code(page.physical >> 12) || (address & 0xFFF) > 0xFF8 ||
         !user_may(address, arm_access::READ))
         return false;
-    auto& words = code.use(address >> 12, page.physical >> 12).words;
-    words[(address & 0xFFF) / 4] = words[(address & 0xFFF) / 4 + 1] = true;
+    literal = address;
+    note_literal(address);
+    if (address % 4 != 0) note_literal(address + 4);
     return true;
+}
+
+void ArmCore::Engine::note_literal(std::uint32_t address) {
+    const PageTable::Page& page = page_of(address);
+    code.use(address >> 12, page.physical >> 12).words[(address & 0xFFF) / 4] = true;
+}
+
+// dynarmic reads a literal in the same way as the program does, and only then is it known to be of
+// 64 bits.  A program that has a variable behind a literal of 32 bits may write it often.
+std::uint64_t ArmCore::Engine::MemoryRead64(std::uint32_t address) {
+    if (address == literal) note_literal(address + 4);
+    return load<std::uint64_t>(address);
 }
 
 }  // namespace sim

@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 
 #include <array>
+#include <chrono>
 
 #include "tb/sim/arm_core/bench.h"
 
@@ -171,6 +172,49 @@ TEST_F(OverwrittenCode, MayBeALiteralInTheMidst) {
                 0,
             },
             at, at + 28, SUM, 6 * LAPS + 1);
+}
+
+TEST_F(OverwrittenCode, MayBeTheSecondHalfOfALiteral) {
+    for (const std::uint32_t at : PLACES)
+        expect(
+            {
+                0xE0222005,  // EOR r2, r2, r5
+                0xE5812000,  // STR r2, [r1]
+                0xE1CF61D0,  // LDRD r6, r7, [pc, #16]
+                0xE0800007,  // ADD r0, r0, r7
+                0xE2544001,  // SUBS r4, r4, #1
+                0x1AFFFFF9,  // BNE to the begin
+                WFI,
+                0,
+                0,  // at + 32
+                1,  // the second half: 16 and 1 in turn
+                0,
+            },
+            at, at + 36, SUM, 6 * LAPS + 1);
+}
+
+// A variable behind a literal is none: to write it takes no new translation.
+TEST_F(OverwrittenCode, IsNotTheVariableBehindALiteral) {
+    const auto seconds = [&](std::uint32_t variable) {
+        bench.put(0x8000, {
+                              0xE59F3008,  // LDR r3, [pc, #8]
+                              0xE5813000,  // STR r3, [r1]
+                              0xE2544001,  // SUBS r4, r4, #1
+                              0x1AFFFFFB,  // BNE to the begin
+                              0x8014,      // the literal
+                              0,
+                              0,
+                              0,
+                          });
+        bench.core.set_reg(1, variable);
+        bench.core.set_reg(4, ~0u);
+        bench.core.set_reg(15, 0x8000);
+        const auto begin = std::chrono::steady_clock::now();
+        bench.core.run(40'000);
+        return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    };
+    const double elsewhere = seconds(0x8800);
+    EXPECT_LT(seconds(0x8014), 10 * elsewhere);
 }
 
 // A branch that the program has come close to, but has not executed, becomes a NOP.
