@@ -16,6 +16,7 @@ constexpr double CLOCK_PS = 1250;             // 800 MHz
 constexpr std::uint32_t STACK = 0x3FFFFFF8;   // top of DDR3
 constexpr std::uint64_t MASKED_QUANTUM = 64;  // while an interrupt is pending but masked
 constexpr std::uint32_t PUSHED = 128;         // bytes, by one instruction
+constexpr std::uint64_t GONE = 10'000;        // instructions after which it polls no more
 
 std::uint64_t picoseconds(double cpi) {
     return static_cast<std::uint64_t>(std::llround(CLOCK_PS * cpi));
@@ -284,7 +285,8 @@ bool ArmCpu::unhandled(ArmException exception) {
 
 ArmCpu::Position ArmCpu::position() const {
     const std::uint32_t pc = core_.pc();
-    return {pc, program_.elf.function(pc), asleep_, ended_, polls_.polled()};
+    const bool polls = core_.instructions() - last_access_ < GONE;
+    return {pc, program_.elf.function(pc), asleep_, ended_, polls ? polls_.polled() : std::nullopt};
 }
 
 ArmCpu::Counts ArmCpu::counts() const {

@@ -258,6 +258,7 @@ private:
     sc_core::sc_event wake_;
 
     PollLoop polls_;
+    std::uint64_t last_access_ = 0;  // that polls_ was told of: instructions before it
     IsPlainOutput is_plain_output_;
     struct StoreBuffer {
         std::uint32_t begin = 0, bytes = 0;

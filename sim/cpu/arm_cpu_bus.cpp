@@ -81,6 +81,7 @@ bool ArmCpu::read(std::uint32_t address, unsigned bytes, std::uint32_t& value) {
     drain();
     value = 0;
     if (!access(tlm::TLM_READ_COMMAND, address, bytes, &value)) return false;
+    last_access_ = core_.instructions();
     rest(polls_.read(core_.instruction(), address, value, now().value()));
     run_on();
     return true;

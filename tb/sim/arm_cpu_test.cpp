@@ -92,6 +92,13 @@ TEST_F(ArmCpu, ReadsARunningCounterTenTimesAMicrosecondAtMost) {
     EXPECT_GT(system->bus.counts().reads, 8'000u);
 }
 
+TEST_F(ArmCpu, DoesNotCallAProgramWaitingThatHasGoneOn) {
+    load("test_poll_and_hang");
+    run_ms(1);
+    EXPECT_EQ(system->probe.reads, 100u);
+    EXPECT_FALSE(system->cpu.position().polled);
+}
+
 TEST_F(ArmCpu, SaysWhereAHangingProgramIs) {
     load("test_hang");
     run_ms(1);

@@ -54,5 +54,13 @@
 1:  ldr r1, [r0]
     b 1b
 
+    program test_poll_and_hang
+    ldr r0, =PROBE
+    mov r2, #100
+1:  ldr r1, [r0, #8]
+    subs r2, r2, #1
+    bne 1b
+    b .
+
     program test_hang
     b .
