@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <optional>
+
 #include "regmap.h"
 #include "sim/report/messages.h"
 #include "sim/report/printable.h"
@@ -26,6 +28,16 @@ bool has_drawn(Computer& computer) {
     };
     return computer.bus.written("h2f") || !holds(regmap::PIXEL_BUFFER, regmap::ONCHIP_BASE) ||
            !holds(regmap::PIXEL_BACK_BUFFER, regmap::ONCHIP_BASE);
+}
+
+// One of the pixel controller's pictures lies in the DDR3 memory.  Its addresses are those of the
+// SDRAM to the controller, which does not look at bits 31 and 30.
+std::optional<std::uint32_t> picture_in_ddr3(Computer& computer) {
+    for (const std::uint32_t reg : {regmap::PIXEL_BUFFER, regmap::PIXEL_BACK_BUFFER}) {
+        const std::uint32_t address = computer.fpga.peek(reg - 0xFF200000).value_or(~0u);
+        if (address < regmap::SDRAM_SIZE) return address;
+    }
+    return std::nullopt;
 }
 
 // A row of characters without the blanks at its end; what is no letter in ASCII is "?".
@@ -106,8 +118,14 @@ void add_results(RunReport& report, Board& board, Computer* computer, const ArmR
     // From here on, reading moves the board.
     report.audio.underruns = underruns(*computer);
     for (const std::string& row : computer->characters()) report.characters.push_back(text_of(row));
-    if (report.frames_shown > 1 && report.frames_swapped == 1 && recorder.senses().is_black() &&
-        has_drawn(*computer))
+    if (report.frames_shown < 2 || report.frames_swapped > 1 || !recorder.senses().is_black())
+        return;
+    if (const auto address = picture_in_ddr3(*computer))
+        report.advice.push_back(
+            fmt::format("the pixel buffer at 0x{:08X} is in the DDR3 memory, of which the FPGA "
+                        "shows nothing: expected SDRAM (0xC0000000) or on-chip memory (0xC8000000)",
+                        *address));
+    else if (has_drawn(*computer))
         report.advice.push_back("the picture never changed: the firmware did not swap");
 }
 
@@ -123,7 +141,8 @@ bool summarise(const RunReport& report, const std::filesystem::path& out) {
         if (!check.met) message(fmt::format("{}: not met: {}", check.name, check.detail));
     }
     for (const std::string& fault : report.faults) complain(fault);
-    if (report.program && report.end == RunEnd::DURATION_REACHED) {
+    if (report.program &&
+        (report.end == RunEnd::DURATION_REACHED || report.end == RunEnd::INTERRUPTED)) {
         const RunReport::Program& p = *report.program;
         complain(fmt::format("the program was at PC 0x{:08X}{}{}{}{}", p.pc,
                              p.function.empty() ? "" : " in ", p.function,

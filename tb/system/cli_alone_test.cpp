@@ -6,6 +6,7 @@
 namespace {
 
 using ::testing::Contains;
+using ::testing::ContainsRegex;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::Not;
@@ -67,6 +68,14 @@ TEST_F(ProgramAlone, RunsUntilItIsInterrupted) {
     const tb::Outcome outcome = alone(KEY_INTERRUPT_ELF, {}, command);
     EXPECT_EQ(outcome.exit_code, 130);
     EXPECT_EQ(report()["end"], "interrupted");
+    EXPECT_THAT(outcome.err, HasSubstr("the program was at PC 0x"));
+}
+
+TEST_F(ProgramAlone, IsToldThatTheFpgaDoesNotShowItsOwnMemory) {
+    const tb::Outcome outcome = alone(OWN_PICTURE_ELF, {"--duration", "100ms"});
+    EXPECT_EQ(outcome.exit_code, 0);
+    EXPECT_THAT(outcome.err, ContainsRegex("the pixel buffer at 0x0000.... is in the DDR3 memory"));
+    EXPECT_THAT(outcome.err, Not(HasSubstr("did not swap")));
 }
 
 TEST_F(ProgramAlone, FailsWithTheProgram) {
