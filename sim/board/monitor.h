@@ -59,6 +59,9 @@ public:
     // range: ..." or "no signal: ..."; empty before.
     const std::string& signal() const { return told_; }
 
+    // It has been told of its pins, or that they stand still: there is something to look at.
+    bool is_connected() const { return now_ps_ > 0; }
+
     std::uint64_t frames() const { return frames_; }
     std::uint64_t new_pictures() const { return new_pictures_; }
 

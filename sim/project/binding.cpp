@@ -130,7 +130,7 @@ Binding bind(const std::vector<Port>& ports, const Locations& locations,
             }
             any = any || !wire.empty();
             if (wire == "VGA_CLK" && port.direction != Direction::INPUT) binding.has_vga_clk = true;
-            if (wire == "VGA_HS") binding.has_vga_hs = true;
+            if (wire.compare(0, 4, "VGA_") == 0) binding.has_vga = true;
             if (wire == "TD_CLK27") binding.has_td_clk = true;
             if (wire == "AUD_XCK" && port.direction != Direction::INPUT) binding.has_xck = true;
             if (port.direction == Direction::OUTPUT &&

@@ -190,13 +190,36 @@ std::vector<std::string> Builder::translate_vhdl(const Modules& modules) const {
 void Builder::elaborate() {
     write_sources();
     check_verilator(limit_);
+    while (!translate_to_xml()) {
+    }
+}
+
+// False: parameters that the top has not are left out now, as Quartus does.  Many are the global
+// ones of Intel's IP.
+bool Builder::translate_to_xml() {
     auto words = verilator_words(design_.project, includes_);
     words.insert(words.end(), {"--xml-only", "--xml-output", "design.xml", "--Mdir", "xml",
                                "--top-module", design_.project.top});
     const auto parameters = verilator_options(design_.project.parameters);
     words.insert(words.end(), parameters.begin(), parameters.end());
     for (const fs::path& file : files_) words.push_back(file.string());
-    run_tool(words, folder_, limit_);
+    try {
+        run_tool(words, folder_, limit_);
+    } catch (const ProjectError& e) {
+        bool left_out = false;
+        for (const std::string& name : unknown_parameters(e.what())) {
+            const auto set = design_.project.parameters.find(name);
+            if (set == design_.project.parameters.end()) continue;
+            design_.project.notes.push_back(
+                fmt::format("{}: set_parameter {} is passed over: {} has no such parameter",
+                            set->second.place, name, design_.project.top));
+            design_.project.parameters.erase(set);
+            left_out = true;
+        }
+        if (!left_out) throw;
+        return false;
+    }
+    return true;
 }
 
 const Design& Builder::examine() {
@@ -205,6 +228,9 @@ const Design& Builder::examine() {
     folder_ = place_for(design_.project.folder);
     prepare_folder();
     entities_ = generic_entities(design_.project);
+    for (const GenericEntity& entity : entities_)
+        if (entity.name == design_.project.top)
+            design_.project.parameters = entity.with_its_names(design_.project.parameters);
     elaborate();
     // Each round finds generics that the entities of the round before set in turn.
     for (bool is_new = true; is_new;) {

@@ -48,6 +48,7 @@ private:
     void write_sources();
     std::vector<std::string> translate_vhdl(const Modules& modules) const;  // by entity
     void elaborate();
+    bool translate_to_xml();
     void generate();
     std::string key() const;
 

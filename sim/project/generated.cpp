@@ -53,7 +53,7 @@ std::string facts_text(const Project& project, const Elaborated& elaborated,
                       "constexpr bool AUD_XCK_USED = {}, AUD_CLOCKS_DRIVEN = {};\n"
                       "constexpr const char* SOURCE_FOLDERS[] = {{{}\"\"}};\n"
                       "constexpr unsigned SOURCE_FOLDER_COUNT = {};\n",
-                      elaborated.pll_clocks.size(), binding.has_td_clk, binding.has_vga_hs,
+                      elaborated.pll_clocks.size(), binding.has_td_clk, binding.has_vga,
                       binding.has_xck, binding.drives_codec_clocks, folders, below.size());
 }
 

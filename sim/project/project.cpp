@@ -8,6 +8,7 @@
 
 #include "sim/project/board_pins.h"
 #include "sim/project/file_finder.h"
+#include "sim/project/nearest.h"
 #include "sim/project/source.h"
 #include "sim/project/unsupported.h"
 #include "sim/project/vhdl_source.h"
@@ -49,8 +50,8 @@ public:
             if (project_.top.empty()) project_.top = settings_.stem().string();
         }
         if (other_device_) project_.pins.clear();
-        const bool folder_alone = sources_.empty();
-        if (folder_alone) {
+        is_folder_alone_ = sources_.empty();
+        if (is_folder_alone_) {
             for (const fs::path& file : finder_.files())
                 if (const auto language = language_of(file)) add(file, *language, true);
             if (sources_.empty()) refuse_files();
@@ -74,7 +75,7 @@ private:
 
     void note(std::string text) { project_.notes.push_back(std::move(text)); }
     std::string place(const fs::path& file) const {
-        return fs::absolute(file).lexically_relative(folder_).string();
+        return fs::absolute(file).lexically_normal().lexically_relative(folder_).string();
     }
 
     void take(const Assignment& a) {
@@ -86,7 +87,8 @@ private:
         } else if (name == "VERILOG_MACRO") {
             project_.macros.push_back(a.value);
         } else if (name == "PARAMETER") {
-            project_.parameters[a.to] = verilog_value(a.value);
+            project_.parameters[a.to] = {verilog_value(a.value),
+                                         fmt::format("{}:{}", place(a.file), a.line)};
         } else if (name == "INSTANCE_PARAMETER") {
             note(fmt::format("{}:{}: set_parameter of an instance is passed over", place(a.file),
                              a.line));
@@ -154,8 +156,57 @@ private:
         }
         sources_.push_back(std::move(source));
         const std::size_t n = sources_.size() - 1;
-        for (const ModuleText& module : sources_[n].text.modules)
-            modules_.emplace(module.name, Definition{n, &module});
+        for (const ModuleText& module : sources_[n].text.modules) {
+            const Definition& first =
+                modules_.emplace(module.name, Definition{n, &module}).first->second;
+            if (first.source == n) continue;
+            auto& all = rivals_[module.name];
+            if (all.empty()) all.push_back(first);
+            if (all.back().source != n) all.push_back({n, &module});
+        }
+    }
+
+    // Quartus is told which file it is; in a folder the nearest to the one that wants the module.
+    void take_nearest(const std::string& module, const fs::path& user) {
+        const auto rivals = rivals_.find(module);
+        if (!is_folder_alone_ || rivals == rivals_.end()) return;
+        std::vector<fs::path> files;
+        for (const Definition& d : rivals->second) files.push_back(sources_[d.source].file.path);
+        const std::size_t taken = nearest(files, user);
+        modules_[module] = rivals->second[taken];
+        std::string others;
+        for (std::size_t n = 0; n < files.size(); ++n)
+            if (n != taken) others += (others.empty() ? "" : ", ") + place(files[n]);
+        note(fmt::format("{} files define {}: {} is taken, not {}", files.size(), module,
+                         place(files[taken]), others));
+    }
+
+    // Files in an order in which the first of several modules of one name is the one to take.
+    std::vector<std::size_t> in_order(std::set<std::size_t> files) const {
+        const auto waits = [&](std::size_t n) {
+            const auto& modules = sources_[n].text.modules;
+            return std::any_of(modules.begin(), modules.end(), [&](const ModuleText& module) {
+                const std::size_t taken = modules_.at(module.name).source;
+                return taken != n && files.count(taken);
+            });
+        };
+        std::vector<std::size_t> order;
+        while (!files.empty()) {
+            auto next = std::find_if_not(files.begin(), files.end(), waits);
+            if (next == files.end()) next = files.begin();
+            order.push_back(*next);
+            files.erase(next);
+        }
+        return order;
+    }
+
+    // GHDL would take the last one that it reads.
+    bool has_only_rivals(const Source& source) const {
+        const auto& modules = source.text.modules;
+        return is_folder_alone_ && !modules.empty() &&
+               std::all_of(modules.begin(), modules.end(), [&](const ModuleText& module) {
+                   return &sources_[modules_.at(module.name).source] != &source;
+               });
     }
 
     bool is_vhdl(const Definition& d) const {
@@ -258,6 +309,7 @@ private:
                 if (!by.empty()) missing_.emplace_back(name, by);
                 continue;
             }
+            take_nearest(d->module->name, user ? sources_[user->source].file.path : folder_ / "x");
             if (is_vhdl(*d) && !d->module->is_package && !from_vhdl)
                 project_.entities.push_back(name);
             (d->module->is_package ? packages : others).insert(d->source);
@@ -266,11 +318,12 @@ private:
             for (const std::string& wanted : d->module->wants) open.emplace_back(wanted, name);
         }
         for (const auto* group : {&packages, &others})
-            for (const std::size_t n : *group)
+            for (const std::size_t n : in_order(*group))
                 if (group == &packages || !packages.count(n))
                     project_.sources.push_back(sources_[n].file);
         for (const Source& source : sources_)
-            if (source.file.language == Language::VHDL && !project_.entities.empty())
+            if (source.file.language == Language::VHDL && !project_.entities.empty() &&
+                !has_only_rivals(source))
                 project_.vhdl.push_back(source.file.path);
         std::set<fs::path> folders{folder_};
         for (const SourceFile& source : project_.sources) folders.insert(source.path.parent_path());
@@ -290,9 +343,11 @@ private:
     std::deque<Source> sources_;  // whose modules stay where they are
     std::set<fs::path> known_;
     std::map<std::string, Definition> modules_;
+    std::map<std::string, std::vector<Definition>> rivals_;  // of one name, in several files
     std::vector<std::string> unsupported_;
     std::set<fs::path> encrypted_;
     std::vector<std::pair<std::string, std::string>> missing_;  // modules, with who wants them
+    bool is_folder_alone_ = false;                              // no files are listed
     bool other_device_ = false;  // so its pins' locations mean other signals
 };
 

@@ -1,6 +1,8 @@
 #include "sim/project/top_parameters.h"
 
+#include <iterator>
 #include <regex>
+#include <sstream>
 
 #include <fmt/format.h>
 
@@ -21,14 +23,24 @@ std::string verilog_value(const std::string& value) {
 
 std::vector<std::string> verilator_options(const TopParameters& parameters) {
     std::vector<std::string> words;
-    for (const auto& [name, value] : parameters) words.push_back("-G" + name + "=" + value);
+    for (const auto& [name, parameter] : parameters)
+        words.push_back("-G" + name + "=" + parameter.value);
     return words;
+}
+
+std::vector<std::string> unknown_parameters(const std::string& said) {
+    static const std::string SENTENCE =
+        "Parameters from the command line were not found in the design:";
+    const std::size_t at = said.find(SENTENCE);
+    if (at == std::string::npos) return {};
+    std::istringstream names{said.substr(at + SENTENCE.size())};
+    return {std::istream_iterator<std::string>{names}, {}};
 }
 
 std::string instance_text(const TopParameters& parameters) {
     std::string text;
-    for (const auto& [name, value] : parameters)
-        text += fmt::format("{}.{} ({})", text.empty() ? " #(" : ", ", name, value);
+    for (const auto& [name, parameter] : parameters)
+        text += fmt::format("{}.{} ({})", text.empty() ? " #(" : ", ", name, parameter.value);
     return text.empty() ? "" : text + ")";
 }
 

@@ -122,6 +122,11 @@ std::string in_upper_case(std::string text) {
     return text;
 }
 
+bool is_generic(const EntityHead& head, const std::string& name) {
+    return std::any_of(head.generics.begin(), head.generics.end(),
+                       [&](const auto& generic) { return lower(generic.name) == lower(name); });
+}
+
 // Whether Verilog may set parameters of a module: NAME #(...), or a defparam, of whatever.
 bool sets_parameters(const fs::path& file, const std::string& module) {
     const std::string text = text_of(file);
@@ -202,6 +207,13 @@ std::string GenericEntity::wrapper(const std::vector<std::string>& modules) cons
         first, others, ports, chosen);
 }
 
+TopParameters GenericEntity::with_its_names(const TopParameters& parameters) const {
+    TopParameters all;
+    for (const auto& [set, parameter] : parameters)
+        all[is_generic(head, set) ? in_upper_case(set) : set] = parameter;
+    return all;
+}
+
 bool GenericEntity::add(const std::vector<ParameterSet>& found) {
     bool is_new = false;
     for (const ParameterSet& values : found) {
@@ -249,7 +261,8 @@ std::vector<GenericEntity> generic_entities(const Project& project) {
             entity.is_set = entity.is_set ||
                             (file.language != SourceFile::Language::VHDL &&
                              !entity.head.generics.empty() && sets_parameters(file.path, name));
-        if (name == project.top && !project.parameters.empty()) entity.is_set = true;
+        for (const auto& [parameter, value] : project.parameters)
+            if (name == project.top && is_generic(entity.head, parameter)) entity.is_set = true;
         if (entity.is_set) entity.sets.clear();
         entities.push_back(std::move(entity));
     }

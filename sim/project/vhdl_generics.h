@@ -30,6 +30,8 @@ struct GenericEntity {
     std::vector<std::string> options(std::size_t set) const;
     // `modules`: the Verilog of each set.
     std::string wrapper(const std::vector<std::string>& modules) const;
+    // VHDL has no case: those that are generics get the names that count in the wrapper.
+    TopParameters with_its_names(const TopParameters& parameters) const;
     // Takes the values that are new, and says whether there were any.
     bool add(const std::vector<ParameterSet>& found);
     // GHDL has inputs first; Verilog may connect them in the order of the entity.

@@ -52,13 +52,13 @@ class Case(unittest.TestCase):
     def report(self):
         return json.loads((self.folder / "out" / "report.json").read_text())
 
-    def leds(self, expected, switches=0, wait="1ms", project="."):
+    def leds(self, expected, switches=0, wait="1ms", project=".", top=""):
         held = [i for i in range(10) if switches >> i & 1]
         hold = f"  - hold: {{switch: {held}}}\n" if held else ""
         (self.folder / "s.yaml").write_text(
             f"name: leds\nversion: 1\nsteps:\n{hold}  - delay: {wait}\n"
             f'  - expect-leds: "{expected:010b}"\n')
-        done = self.de1sim("run", "s.yaml", "--project", project)
+        done = self.de1sim("run", "s.yaml", "--project", project, *(["--top", top] if top else []))
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
         return done.stderr
 

@@ -23,6 +23,37 @@ class Reading(Case):
                               "assign b = a; endmodule\n")
         self.assertIn("lib/Sub.v is not listed", self.leds(5, 5))
 
+    FILL = "module fill(output [9:0] q); assign q = {}; endmodule\n"
+    FILLS = "module {}(output [9:0] LEDR); fill f (LEDR); endmodule\n"
+
+    def test_of_a_folders_modules_of_one_name_the_nearest(self):
+        self.write(a__fill_v=self.FILL.format(1), b__fill_v=self.FILL.format(2),
+                   b__b_v=self.FILLS.format("b"), c__fill_v=self.FILL.format(3))
+        done = self.de1sim("check", ".", "--top", "b")
+        self.assertIn("  b/fill.v\n", done.stdout)
+        self.assertIn("3 files define fill: b/fill.v is taken, not a/fill.v, c/fill.v",
+                      done.stdout)
+        self.assertIn("b/fill.v is taken", self.leds(2, top="b"))
+
+    def test_the_nearest_counts_where_files_define_more(self):
+        """a.v is wanted for other, and has a fill in front of the one to take."""
+        self.write(a_v="module other; endmodule\n" + self.FILL.format(1),
+                   b__fill_v=self.FILL.format(2),
+                   b__b_v=self.FILLS.format("b").replace("fill f", "other o (); fill f"))
+        self.leds(2, top="b")
+
+    def test_a_module_in_the_same_file_is_the_nearest(self):
+        self.write(a_v=self.FILL.format(1), b_v=self.FILLS.format("b") + self.FILL.format(2))
+        self.leds(2, top="b")
+
+    def test_of_a_folders_entities_of_one_name_the_nearest(self):
+        fill = ("library ieee; use ieee.std_logic_1164.all;\n"
+                "entity fill is port (q : out std_logic_vector(9 downto 0)); end entity;\n"
+                "architecture a of fill is begin q <= \"00000000{}\"; end architecture;\n")
+        self.write(a__fill_vhd=fill.format("01"), b__fill_vhd=fill.format("10"),
+                   b__b_v=self.FILLS.format("b"), c__fill_vhd=fill.format("11"))
+        self.leds(2, top="b")
+
     def test_messages_name_files_with_blanks(self):
         self.write(**{"p_qsf": "set_global_assignment -name TOP_LEVEL_ENTITY top\n"
                                "set_global_assignment -name VERILOG_FILE \"my lab/top 1.v\"\n",
@@ -81,10 +112,40 @@ class Parameters(Case):
                    "LEDR(4) <= '1' when flag else '0'; end architecture;\n")
         self.leds(0b11101)
 
-    def test_one_that_the_top_has_not(self):
-        self.write(p_qsf="set_global_assignment -name TOP_LEVEL_ENTITY top\n"
-                         "set_parameter -name DEPTH 5\n", top_v=LEDS.format("SW"))
-        self.refused("DEPTH")
+    # Intel's IP has global ones.
+    IP_QSF = ("set_global_assignment -name TOP_LEVEL_ENTITY top\n"
+              "set_parameter -name CYCLONEII_SAFE_WRITE RESTRUCTURE\n"
+              "set_parameter -name MASK 3\nset_parameter -name DEPTH 5\n")
+
+    def says_which_are_passed_over(self, said):
+        self.assertIn("p.qsf:2: set_parameter CYCLONEII_SAFE_WRITE is passed over: "
+                      "top has no such parameter", said)
+        self.assertIn("p.qsf:4: set_parameter DEPTH is passed over", said)
+        self.assertNotIn("MASK", said)
+
+    def test_those_that_a_verilog_top_has_not(self):
+        self.write(p_qsf=self.IP_QSF, top_v=LEDS.format("SW ^ MASK").replace(
+            "top(", "top #(parameter MASK = 0) ("))
+        self.says_which_are_passed_over(self.leds(0b111, 0b100))
+
+    def test_those_that_a_vhdl_top_has_not(self):
+        text = ("library ieee; use ieee.std_logic_1164.all; use ieee.numeric_std.all;\n"
+                "entity top is {}port (LEDR : out std_logic_vector(9 downto 0)); end entity;\n"
+                "architecture a of top is begin\n"
+                "LEDR <= std_logic_vector(to_unsigned({}, 10)); end architecture;\n")
+        self.write(p_qsf=self.IP_QSF, top_vhd=text.format("generic (Mask : integer := 1); ",
+                                                          "mask"))
+        self.says_which_are_passed_over(self.leds(3))
+        (self.folder / "p.qsf").write_text(self.IP_QSF.replace("MASK", "maSK"))
+        self.says_which_are_passed_over(self.leds(3))
+        self.write(p_qsf=self.IP_QSF.replace("set_parameter -name MASK 3\n", "\n"),
+                   top_vhd=text.format("", "9"))
+        self.says_which_are_passed_over(self.leds(9))
+
+    def test_a_value_that_does_not_fit_is_an_error(self):
+        self.write(p_qsf=self.IP_QSF.replace("MASK 3", "MASK 0"), top_v=LEDS.format(
+            "SW ^ {MASK{1'b1}}").replace("top(", "top #(parameter MASK = 1) ("))
+        self.refused("top.v:1:")
 
 
 class InoutPins(Case):
@@ -161,6 +222,14 @@ def ends_soon(state):
             return True
         time.sleep(0.1)
     return False
+
+
+class WithoutAPicture(Case):
+    def test_the_monitor_says_nothing_of_a_top_without_vga(self):
+        self.write(top_v=LEDS.format("SW"))
+        said = self.leds(1, 1, wait="1010ms")
+        self.assertNotIn("no signal", said)
+        self.assertNotIn("found no picture", said)
 
 
 class Building(Case):

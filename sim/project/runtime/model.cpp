@@ -183,7 +183,7 @@ private:
     }
 
     void look() {
-        if (top_.vga_sample_o != vga_sample_) {
+        if (facts_.vga_used && top_.vga_sample_o != vga_sample_) {
             vga_sample_ = top_.vga_sample_o;
             if (video_count_ == 0) first_sample_fs_ = now_fs_;
             last_sample_fs_ = now_fs_;

@@ -49,6 +49,11 @@ TEST(Binding, OfNarrowAndWideColoursIsOfTheirUpperBits) {
     EXPECT_EQ(ten[8], "");
 }
 
+TEST(Binding, KnowsWhetherThereIsAPictureToSee) {
+    EXPECT_TRUE(bind({{"VGA_R", Direction::OUTPUT, 7, 0, true}}, {}, {}).has_vga);
+    EXPECT_FALSE(bind({{"LEDR", Direction::OUTPUT, 9, 0, true}}, {}, {}).has_vga);
+}
+
 TEST(Binding, SaysWhatFitsNowhere) {
     const auto b = bind({{"LEDG", Direction::OUTPUT, 7, 0, true},
                          {"rst_n", Direction::INPUT, 0, 0, false},
