@@ -1,7 +1,10 @@
 @ start.S - what happens before main(): vectors, stacks, the floating-point unit, variables set to 0
 @
-@ A stack grows down.  That of the interrupts begins at the end of the on-chip RAM, the program's at
-@ the end of the DDR3 memory.
+@ A stack grows down.  That of the interrupts begins at the end of the on-chip RAM, that of aborts
+@ and undefined instructions in its middle, the program's at the end of the DDR3 memory.
+@
+@ A handler is the program's function on_irq or on_data_abort, or has the name that Intel's Monitor
+@ Program gives it: __cs3_isr_irq and so on.
     .syntax unified
     .arch armv7-a
     .fpu neon
@@ -11,19 +14,23 @@
     .global _start
 _start:
     b reset
-    b .                             @ undefined instruction
-    b .                             @ SVC
-    b .                             @ prefetch abort
-    b on_data_abort
+    b __cs3_isr_undef
+    b __cs3_isr_swi
+    b __cs3_isr_pabort
+    b __cs3_isr_dabort
     nop
-    b on_irq
-    b .                             @ FIQ
+    b __cs3_isr_irq
+    b __cs3_isr_fiq
 
     .text
     .type reset, %function
 reset:
     msr cpsr_c, #0xD2               @ IRQ mode, IRQ and FIQ masked
     ldr sp, =0xFFFFFFF8
+    msr cpsr_c, #0xD7               @ abort mode
+    ldr sp, =0xFFFF8000
+    msr cpsr_c, #0xDB               @ undefined mode
+    ldr sp, =0xFFFF8000
     msr cpsr_c, #0xD3               @ SVC mode, in which the program runs
     ldr sp, =0x3FFFFFF8
 
@@ -46,12 +53,19 @@ reset:
     b .
     .size reset, . - reset
 
-    .weak on_data_abort             @ the program's own, if it has one
-    .type on_data_abort, %function
-on_data_abort:
-    b .
+@ Each is the program's own, if it has one.
+    .macro handler name, otherwise
+    .weak \name
+    .type \name, %function
+\name:
+    b \otherwise
+    .endm
 
-    .weak on_irq                    @ the program's own, if it has one
-    .type on_irq, %function
-on_irq:
-    b .
+    handler __cs3_isr_undef, .
+    handler __cs3_isr_swi, .
+    handler __cs3_isr_pabort, .
+    handler __cs3_isr_dabort, on_data_abort
+    handler __cs3_isr_irq, on_irq
+    handler __cs3_isr_fiq, .
+    handler on_data_abort, .
+    handler on_irq, .
