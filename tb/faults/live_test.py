@@ -67,7 +67,7 @@ class Live(Faults):
         for name in "audio.wav", "report.json":
             with self.subTest(file=name), self.limited(resource.RLIMIT_FSIZE,
                                                        sizes[name] // 2) as board:
-                time.sleep(0.5)
+                self.plays(board)
                 self.assertEqual(self.end(board), WRONG, board.said())
                 self.assertIn("File too large", board.said())
                 self.all_whole(f"no file over {sizes[name] // 2} bytes")
