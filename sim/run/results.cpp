@@ -30,12 +30,15 @@ bool has_drawn(Computer& computer) {
            !holds(regmap::PIXEL_BACK_BUFFER, regmap::ONCHIP_BASE);
 }
 
-// One of the pixel controller's pictures lies in the DDR3 memory.  Its addresses are those of the
-// SDRAM to the controller, which does not look at bits 31 and 30.
+// The address of one of the pixel controller's pictures, if that lies in the DDR3 memory.  The
+// controller does not look at bits 31 and 30, so it may also be meant as one of its own memories':
+// 0x08000000, in the on-chip memory, is usual.
 std::optional<std::uint32_t> picture_in_ddr3(Computer& computer) {
+    constexpr std::uint32_t DDR3_SIZE = 0x40000000;
+    constexpr std::uint32_t ONCHIP = regmap::ONCHIP_BASE % DDR3_SIZE;
     for (const std::uint32_t reg : {regmap::PIXEL_BUFFER, regmap::PIXEL_BACK_BUFFER}) {
         const std::uint32_t address = computer.fpga.peek(reg - 0xFF200000).value_or(~0u);
-        if (address < regmap::SDRAM_SIZE) return address;
+        if (address < DDR3_SIZE && address - ONCHIP >= regmap::ONCHIP_SIZE) return address;
     }
     return std::nullopt;
 }

@@ -74,7 +74,7 @@ TEST_F(ProgramAlone, RunsUntilItIsInterrupted) {
 TEST_F(ProgramAlone, IsToldThatTheFpgaDoesNotShowItsOwnMemory) {
     const tb::Outcome outcome = alone(OWN_PICTURE_ELF, {"--duration", "100ms"});
     EXPECT_EQ(outcome.exit_code, 0);
-    EXPECT_THAT(outcome.err, ContainsRegex("the pixel buffer at 0x0000.... is in the DDR3 memory"));
+    EXPECT_THAT(outcome.err, ContainsRegex("the pixel buffer at 0x10000... is in the DDR3 memory"));
     EXPECT_THAT(outcome.err, Not(HasSubstr("did not swap")));
 }
 
