@@ -309,7 +309,8 @@ private:
                 if (!by.empty()) missing_.emplace_back(name, by);
                 continue;
             }
-            take_nearest(d->module->name, user ? sources_[user->source].file.path : folder_ / "x");
+            // The top is wanted by nobody: the nearest to the folder itself.
+            take_nearest(d->module->name, user ? sources_[user->source].file.path : folder_ / "");
             if (is_vhdl(*d) && !d->module->is_package && !from_vhdl)
                 project_.entities.push_back(name);
             (d->module->is_package ? packages : others).insert(d->source);

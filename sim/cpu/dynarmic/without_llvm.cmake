@@ -4,7 +4,8 @@
 # load LLVM, and Z3 and ICU which that needs, takes two thirds of the time in which de1sim starts:
 # 400,000 relocations.  So there is a small library with LLVM's file name and the functions that
 # dynarmic knows, each of which ends the process.  Programs are linked with it and so load it before
-# dynarmic; the loader does not load a second library of the same name.
+# dynarmic; the loader does not load a second library of the same name.  Where it does not find this
+# one, as in a root without /proc, it loads LLVM itself, and all goes on as well.
 
 execute_process(COMMAND ${CMAKE_OBJDUMP} -p ${DYNARMIC_LIBRARY}
     OUTPUT_VARIABLE needed COMMAND_ERROR_IS_FATAL ANY)
