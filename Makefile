@@ -71,11 +71,11 @@ test:                   ## every test, packages first
 	@.ci/setup tool firmware board test video
 	@.ci/configure FIRMWARE TESTS PROOFS BENCH BOARD
 	@cmake --build build
-	@ctest --preset test
+	@.ci/test test
 
 fast: everything        ## every test but the whole-system ones
 	@cmake --build build
-	@ctest --preset fast
+	@.ci/test fast
 
 # Tests of what has threads, or starts what has them.
 THREADS = FrameWriter Wav CommandLineRun[.]Writes Scenario[.]one_key FailingRun[.]Interrupted \
@@ -85,20 +85,20 @@ tsan:                   ## what has threads, with the thread sanitizer
 	@cmake --preset tsan
 	@cmake --build --preset tsan
 	@rm -rf build/tsan/races && mkdir build/tsan/races
-	@ctest --preset tsan -R "^($$(echo '$(THREADS)' | tr ' ' '|'))"; code=$$?; \
+	@.ci/test tsan -R "^($$(echo '$(THREADS)' | tr ' ' '|'))"; code=$$?; \
 	    cat build/tsan/races/* 2>/dev/null && exit 1; exit $$code
 
 asan:                   ## every test, with address and undefined-behaviour sanitizers
 	@.ci/setup --check tool firmware board test video
 	@cmake --preset asan
 	@cmake --build build/asan
-	@ctest --preset asan
+	@.ci/test asan
 
 clang:                  ## every test but the whole-system ones, built by clang
 	@.ci/setup --check tool firmware test video fuzz
 	@cmake --preset clang
 	@cmake --build build/clang
-	@ctest --preset clang
+	@.ci/test clang
 
 coverage:               ## of the RTL and the C++ -> build/coverage/html/index.html
 	@.ci/setup --check tool firmware board test video
