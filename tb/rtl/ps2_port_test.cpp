@@ -48,6 +48,18 @@ protected:
         device_bit(stop);
         clock(QUARTER);
     }
+    // The host asks to send: CLK low for 100 us at least, then DAT.
+    void expect_request() {
+        unsigned low = 0;
+        while (dut.ps2_clk_low_o && low < 10'000) {
+            EXPECT_EQ(dut.ps2_dat_low_o, 0);
+            clock();
+            ++low;
+        }
+        EXPECT_GE(low, 2'500u);
+        EXPECT_LE(low, 5'000u);
+        EXPECT_EQ(dut.ps2_dat_low_o, 1);
+    }
     // Waits for the host's request, takes ten bits, acknowledges or not.  -1: no request.
     int device_takes(bool acknowledge = true) {
         for (unsigned i = 0; i < 10'000 && !(dut.ps2_dat_low_o && !dut.ps2_clk_low_o); ++i) clock();
@@ -153,15 +165,16 @@ TEST_F(Ps2Port, Keeps256Bytes) {
 
 TEST_F(Ps2Port, HoldsTheClockLowFor100MicrosecondsBeforeItSends) {
     write(DATA, 0xf4);
-    unsigned low = 0;
-    while (dut.ps2_clk_low_o && low < 10'000) {
-        EXPECT_EQ(dut.ps2_dat_low_o, 0);
-        clock();
-        ++low;
-    }
-    EXPECT_GE(low, 2'500u);
-    EXPECT_LE(low, 5'000u);
-    EXPECT_EQ(dut.ps2_dat_low_o, 1);
+    expect_request();
+}
+
+TEST_F(Ps2Port, HoldsTheClockLowAsLongWhileAByteComes) {
+    for (int i = 0; i < 5; ++i) device_bit(false);
+    write(DATA, 0xf4);
+    expect_request();
+    EXPECT_EQ(device_takes() & 0xff, 0xf4);
+    device_sends(0xfa);
+    EXPECT_EQ(read(DATA), 1u << 16 | RVALID | 0xfa);  // of what came before nothing is left
 }
 
 TEST_F(Ps2Port, SendsEightBitsOddParityAndStop) {

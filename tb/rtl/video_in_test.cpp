@@ -190,6 +190,22 @@ TEST_F(VideoIn, BeginsWithAWholePictureWhereverItWasStopped) {
     }
 }
 
+// Half a code of the second field, and a byte of the first one, would be a code that says that the
+// fields change.
+TEST_F(VideoIn, ForgetsTheCodeInWhichItWasStopped) {
+    for (unsigned place = 0; place < 40; ++place) {
+        write(VIDEO_IN_STATUS, ENABLE);
+        to_line(300);
+        clock(230 + place);  // the code is 251 to 255 clocks behind the line's beginning
+        write(VIDEO_IN_STATUS, 0);
+        clock(100);
+        to_line(100);
+        write(VIDEO_IN_STATUS, ENABLE);
+        lines(25);
+        ASSERT_EQ(writes, 0u) << place;
+    }
+}
+
 TEST_F(VideoIn, ChangesTheBufferWhenAPictureIsWhole) {
     write(VIDEO_IN_STATUS, ENABLE);
     write(VIDEO_IN_BACK_BUFFER, 0xC1000000);
