@@ -2,18 +2,14 @@
 
 #include <unistd.h>
 
-#include <set>
-
 #include <fmt/format.h>
 
+#include "sim/project/clean_sources.h"
 #include "sim/project/compiled_headers.h"
 #include "sim/project/file_finder.h"
 #include "sim/project/generated.h"
-#include "sim/project/normalise.h"
 #include "sim/project/power_up.h"
 #include "sim/project/tools.h"
-#include "sim/project/vhdl.h"
-#include "sim/project/vhdl_library.h"
 #include "sim/report/sha256.h"
 #include "sim/report/whole_file.h"
 
@@ -35,13 +31,6 @@ fs::path place_for(const fs::path& folder) {
     const fs::path cache = user_cache();
     return (cache.empty() ? fs::temp_directory_path() / "de1sim" : cache) /
            hash_of(folder.string());
-}
-
-// Only if it differs, so that a compiler that looks at times sees what is new.
-void write_if_new(const fs::path& file, const std::string& text) {
-    std::error_code error;
-    if (fs::is_regular_file(file, error) && text_of(file) == text) return;
-    write_whole_file(file, text);
 }
 
 std::vector<std::string> verilator_words(const Project& project,
@@ -79,22 +68,6 @@ std::vector<std::string> verilator_words(const Project& project,
     return words;
 }
 
-void take_modules(const fs::path& file, Modules& modules) {
-    for (ModuleText& module : scan(text_of(file)).modules)
-        modules.emplace(module.name, std::move(module));
-}
-// The models that the modules instance.
-void add_models(Modules& modules) {
-    std::set<std::string> wanted;
-    for (const auto& [name, module] : modules)
-        wanted.insert(module.wants.begin(), module.wants.end());
-    std::error_code error;
-    for (const std::string& name : wanted) {
-        const fs::path model = data_folder() / "rtl" / "ip" / (name + ".v");
-        if (!modules.count(name) && fs::is_regular_file(model, error)) take_modules(model, modules);
-    }
-}
-
 }  // namespace
 
 Builder::Builder(const Request& request, bool trace)
@@ -116,79 +89,12 @@ void Builder::prepare_folder() {
             seen_from(folder_, include, fmt::format("include{}", includes_.size())));
 }
 
-void Builder::write_sources() {
-    files_.clear();
-    design_.changes.clear();
-    design_.init_files.clear();
-    unsigned number = 0;
-    Modules modules;
-    for (const SourceFile& file : design_.project.sources)
-        if (file.language != SourceFile::Language::VHDL) take_modules(file.path, modules);
-    const std::vector<std::string> vhdl = translate_vhdl(modules);
-    for (const std::string& text : vhdl)
-        for (ModuleText& module : scan(text).modules) modules.emplace(module.name, module);
-    OpenInputs open_inputs = read_open_inputs(data_folder() / "rtl/ip/defaults.tsv");
-    for (const auto& [name, own] : modules) open_inputs.erase(name);  // not the model of that name
-    add_models(modules);
-    for (const SourceFile& file : design_.project.sources) {
-        const std::string name = file.path.lexically_relative(design_.project.folder).string();
-        if (file.language == SourceFile::Language::VHDL) continue;
-        const bool system_verilog = file.language == SourceFile::Language::SYSTEM_VERILOG;
-        Normalised clean =
-            normalise(text_of(file.path), name, system_verilog, open_inputs, modules);
-        design_.changes.insert(design_.changes.end(), clean.changes.begin(), clean.changes.end());
-        for (const InitName& init : clean.init_names)
-            design_.init_files.push_back({init.name, fmt::format("{}:{}", name, init.line)});
-        const fs::path to = fmt::format("source/{:03}{}", number++, system_verilog ? ".sv" : ".v");
-        write_if_new(folder_ / to,
-                     fmt::format("`line 1 \"{}\" 0\n{}", without_blanks(name), clean.text));
-        files_.push_back(to);
-    }
-    for (std::size_t n = 0; n < vhdl.size(); ++n) {
-        const fs::path to = fmt::format("source/vhdl{}.v", n);
-        const std::string name = design_.project.entities[n] + " in Verilog";
-        write_if_new(folder_ / to, normalise(vhdl[n], name, false, open_inputs, modules).text);
-        files_.push_back(to);
-    }
-}
-
-std::vector<std::string> Builder::translate_vhdl(const Modules& modules) const {
-    if (design_.project.entities.empty()) return {};
-    const fs::path ip = data_folder() / "rtl" / "ip";
-    Modules models;
-    const auto in_verilog = [&](const std::string& component) -> const ModuleText* {
-        if (const auto found = modules.find(component); found != modules.end())
-            return &found->second;
-        for (const auto& [name, module] : modules)
-            if (lower(name) == lower(component)) return &module;
-        const std::string model = lower(component) == "tri" ? "TRI" : lower(component);
-        if (!request_.is_model(model)) return nullptr;
-        take_modules(ip / (model + ".v"), models);
-        return &models.at(model);
-    };
-    std::vector<VhdlRoot> roots;
-    for (const GenericEntity& entity : entities_)
-        for (std::size_t n = 0; n < entity.sets.size(); ++n)
-            roots.push_back({entity.name, entity.module(n), entity.options(n)});
-    std::set<fs::path> needed;
-    for (const SourceFile& file : design_.project.sources) needed.insert(file.path);
-    const std::vector<std::string> texts =
-        verilog_of({design_.project.folder, design_.project.vhdl, roots, needed, folder_ / "vhdl",
-                    vhdl_libraries(ip, read_open_inputs(ip / "defaults.tsv")), in_verilog},
-                   limit_);
-    std::vector<std::string> all;
-    auto text = texts.begin();
-    for (const GenericEntity& entity : entities_) {
-        const auto end = text + static_cast<std::ptrdiff_t>(entity.sets.size());
-        const std::vector<std::string> modules_of_sets{text, end};
-        all.push_back(entity.is_set ? entity.wrapper(modules_of_sets) : "");
-        for (; text != end; ++text) all.back() += entity.in_order(*text);
-    }
-    return all;
-}
-
 void Builder::elaborate() {
-    write_sources();
+    CleanSources clean =
+        clean_sources({design_.project, entities_, request_.is_model, folder_, limit_});
+    files_ = std::move(clean.files);
+    design_.changes = std::move(clean.changes);
+    design_.init_files = std::move(clean.init_files);
     check_verilator(limit_);
     while (!translate_to_xml()) {
     }

@@ -45,8 +45,6 @@ public:
 
 private:
     void prepare_folder();
-    void write_sources();
-    std::vector<std::string> translate_vhdl(const Modules& modules) const;  // by entity
     void elaborate();
     bool translate_to_xml();
     void generate();

@@ -5,6 +5,9 @@
 
 #include <fmt/format.h>
 
+#include "sim/project/settings.h"
+#include "sim/report/whole_file.h"
+
 namespace sim::project {
 
 namespace {
@@ -17,6 +20,12 @@ std::string escaped(const std::string& text) {
 }
 
 }  // namespace
+
+void write_if_new(const std::filesystem::path& file, const std::string& text) {
+    std::error_code error;
+    if (std::filesystem::is_regular_file(file, error) && text_of(file) == text) return;
+    write_whole_file(file, text);
+}
 
 std::string tap_text(const std::vector<PllClock>& clocks) {
     std::string text =

@@ -1,6 +1,7 @@
 // generated.h - the files that are written for each design, beside its cleaned sources.
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -8,6 +9,9 @@
 #include "sim/project/project.h"
 
 namespace sim::project {
+
+// Only if it differs, so that a compiler that looks at times sees what is new.
+void write_if_new(const std::filesystem::path& file, const std::string& text);
 
 // de1sim_pll_taps.v: the PLLs' outputs, as inputs of the chip.
 std::string tap_text(const std::vector<PllClock>& clocks);

@@ -1,0 +1,113 @@
+#include "sim/project/clean_sources.h"
+
+#include <set>
+
+#include <fmt/format.h>
+
+#include "sim/project/file_finder.h"
+#include "sim/project/generated.h"
+#include "sim/project/normalise.h"
+#include "sim/project/part_drivers.h"
+#include "sim/project/source.h"
+#include "sim/project/vhdl.h"
+#include "sim/project/vhdl_library.h"
+
+namespace sim::project {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+void take_modules(const fs::path& file, Modules& modules) {
+    for (ModuleText& module : scan(text_of(file)).modules)
+        modules.emplace(module.name, std::move(module));
+}
+// The models that the modules instance.
+void add_models(Modules& modules) {
+    std::set<std::string> wanted;
+    for (const auto& [name, module] : modules)
+        wanted.insert(module.wants.begin(), module.wants.end());
+    std::error_code error;
+    for (const std::string& name : wanted) {
+        const fs::path model = data_folder() / "rtl" / "ip" / (name + ".v");
+        if (!modules.count(name) && fs::is_regular_file(model, error)) take_modules(model, modules);
+    }
+}
+
+// The Verilog of each entity that is not only instanced by VHDL.
+std::vector<std::string> translate_vhdl(const SourceRequest& from, const Modules& modules) {
+    const auto& [project, entities, is_model, folder, limit] = from;
+    if (project.entities.empty()) return {};
+    const fs::path ip = data_folder() / "rtl" / "ip";
+    Modules models;
+    const auto in_verilog = [&](const std::string& component) -> const ModuleText* {
+        if (const auto found = modules.find(component); found != modules.end())
+            return &found->second;
+        for (const auto& [name, module] : modules)
+            if (lower(name) == lower(component)) return &module;
+        const std::string model = lower(component) == "tri" ? "TRI" : lower(component);
+        if (!is_model(model)) return nullptr;
+        take_modules(ip / (model + ".v"), models);
+        return &models.at(model);
+    };
+    std::vector<VhdlRoot> roots;
+    for (const GenericEntity& entity : entities)
+        for (std::size_t n = 0; n < entity.sets.size(); ++n)
+            roots.push_back({entity.name, entity.module(n), entity.options(n)});
+    std::set<fs::path> needed;
+    for (const SourceFile& file : project.sources) needed.insert(file.path);
+    const std::vector<std::string> texts =
+        verilog_of({project.folder, project.vhdl, roots, needed, folder / "vhdl",
+                    vhdl_libraries(ip, read_open_inputs(ip / "defaults.tsv")), in_verilog},
+                   limit);
+    std::vector<std::string> all;
+    auto text = texts.begin();
+    for (const GenericEntity& entity : entities) {
+        const auto end = text + static_cast<std::ptrdiff_t>(entity.sets.size());
+        const std::vector<std::string> modules_of_sets{text, end};
+        all.push_back(entity.is_set ? entity.wrapper(modules_of_sets) : "");
+        for (; text != end; ++text) all.back() += entity.in_order(*text);
+    }
+    return all;
+}
+
+}  // namespace
+
+CleanSources clean_sources(const SourceRequest& from) {
+    const auto& [project, entities, is_model, folder, limit] = from;
+    CleanSources clean;
+    unsigned number = 0;
+    Modules modules;
+    for (const SourceFile& file : project.sources)
+        if (file.language != SourceFile::Language::VHDL) take_modules(file.path, modules);
+    const std::vector<std::string> vhdl = translate_vhdl(from, modules);
+    for (const std::string& text : vhdl)
+        for (ModuleText& module : scan(text).modules) modules.emplace(module.name, module);
+    OpenInputs open_inputs = read_open_inputs(data_folder() / "rtl/ip/defaults.tsv");
+    for (const auto& [name, own] : modules) open_inputs.erase(name);  // not the model of that name
+    add_models(modules);
+    for (const SourceFile& file : project.sources) {
+        const std::string name = file.path.lexically_relative(project.folder).string();
+        if (file.language == SourceFile::Language::VHDL) continue;
+        const bool system_verilog = file.language == SourceFile::Language::SYSTEM_VERILOG;
+        const Normalised normalised =
+            normalise(text_of(file.path), name, system_verilog, open_inputs, modules);
+        clean.changes.insert(clean.changes.end(), normalised.changes.begin(),
+                             normalised.changes.end());
+        for (const InitName& init : normalised.init_names)
+            clean.init_files.push_back({init.name, fmt::format("{}:{}", name, init.line)});
+        const fs::path to = fmt::format("source/{:03}{}", number++, system_verilog ? ".sv" : ".v");
+        write_if_new(folder / to,
+                     fmt::format("`line 1 \"{}\" 0\n{}", without_blanks(name), normalised.text));
+        clean.files.push_back(to);
+    }
+    for (std::size_t n = 0; n < vhdl.size(); ++n) {
+        const fs::path to = fmt::format("source/vhdl{}.v", n);
+        const std::string name = project.entities[n] + " in Verilog";
+        write_if_new(folder / to, normalise(vhdl[n], name, false, open_inputs, modules).text);
+        clean.files.push_back(to);
+    }
+    return clean;
+}
+
+}  // namespace sim::project

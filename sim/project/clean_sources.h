@@ -1,0 +1,34 @@
+// clean_sources.h - a project's sources as Verilator takes them: cleaned copies, VHDL as Verilog.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "sim/project/elaborated.h"
+#include "sim/project/project.h"
+#include "sim/project/tools.h"
+#include "sim/project/vhdl_generics.h"
+
+namespace sim::project {
+
+struct SourceRequest {
+    const Project& project;
+    const std::vector<GenericEntity>& entities;  // with the sets of generics that are known so far
+    const std::function<bool(const std::string& module)>& is_model;
+    const std::filesystem::path& folder;  // to write to
+    const TimeLimit& limit;
+};
+
+struct CleanSources {
+    std::vector<std::filesystem::path> files;  // as seen from the folder
+    std::vector<std::string> changes;          // a line each, for a person
+    std::vector<InitFile> init_files;          // that the sources name
+};
+
+// Writes folder/source/*; what is there already and the same is not touched.  ProjectError: GHDL
+// refuses the VHDL.
+CleanSources clean_sources(const SourceRequest& from);
+
+}  // namespace sim::project
