@@ -36,7 +36,7 @@ void add_models(Modules& modules) {
 
 // The Verilog of each entity that is not only instanced by VHDL.
 std::vector<std::string> translate_vhdl(const SourceRequest& from, const Modules& modules) {
-    const auto& [project, entities, is_model, folder, limit] = from;
+    const Project& project = from.project;
     if (project.entities.empty()) return {};
     const fs::path ip = data_folder() / "rtl" / "ip";
     Modules models;
@@ -46,23 +46,23 @@ std::vector<std::string> translate_vhdl(const SourceRequest& from, const Modules
         for (const auto& [name, module] : modules)
             if (lower(name) == lower(component)) return &module;
         const std::string model = lower(component) == "tri" ? "TRI" : lower(component);
-        if (!is_model(model)) return nullptr;
+        if (!from.is_model(model)) return nullptr;
         take_modules(ip / (model + ".v"), models);
         return &models.at(model);
     };
     std::vector<VhdlRoot> roots;
-    for (const GenericEntity& entity : entities)
+    for (const GenericEntity& entity : from.entities)
         for (std::size_t n = 0; n < entity.sets.size(); ++n)
             roots.push_back({entity.name, entity.module(n), entity.options(n)});
     std::set<fs::path> needed;
     for (const SourceFile& file : project.sources) needed.insert(file.path);
     const std::vector<std::string> texts =
-        verilog_of({project.folder, project.vhdl, roots, needed, folder / "vhdl",
+        verilog_of({project.folder, project.vhdl, roots, needed, from.folder / "vhdl",
                     vhdl_libraries(ip, read_open_inputs(ip / "defaults.tsv")), in_verilog},
-                   limit);
+                   from.limit);
     std::vector<std::string> all;
     auto text = texts.begin();
-    for (const GenericEntity& entity : entities) {
+    for (const GenericEntity& entity : from.entities) {
         const auto end = text + static_cast<std::ptrdiff_t>(entity.sets.size());
         const std::vector<std::string> modules_of_sets{text, end};
         all.push_back(entity.is_set ? entity.wrapper(modules_of_sets) : "");
@@ -74,7 +74,7 @@ std::vector<std::string> translate_vhdl(const SourceRequest& from, const Modules
 }  // namespace
 
 CleanSources clean_sources(const SourceRequest& from) {
-    const auto& [project, entities, is_model, folder, limit] = from;
+    const Project& project = from.project;
     CleanSources clean;
     unsigned number = 0;
     Modules modules;
@@ -97,14 +97,14 @@ CleanSources clean_sources(const SourceRequest& from) {
         for (const InitName& init : normalised.init_names)
             clean.init_files.push_back({init.name, fmt::format("{}:{}", name, init.line)});
         const fs::path to = fmt::format("source/{:03}{}", number++, system_verilog ? ".sv" : ".v");
-        write_if_new(folder / to,
+        write_if_new(from.folder / to,
                      fmt::format("`line 1 \"{}\" 0\n{}", without_blanks(name), normalised.text));
         clean.files.push_back(to);
     }
     for (std::size_t n = 0; n < vhdl.size(); ++n) {
         const fs::path to = fmt::format("source/vhdl{}.v", n);
         const std::string name = project.entities[n] + " in Verilog";
-        write_if_new(folder / to, normalise(vhdl[n], name, false, open_inputs, modules).text);
+        write_if_new(from.folder / to, normalise(vhdl[n], name, false, open_inputs, modules).text);
         clean.files.push_back(to);
     }
     return clean;

@@ -61,7 +61,9 @@ private:
         const std::string_view gap = tokens_[end].gap;
         const std::size_t word = gap.find("ram_init_file");
         if (word == std::string_view::npos || gap.find("synthesis") > word) return;
-        const std::size_t open = gap.find('"', word), close = gap.find('"', open + 1);
+        const std::size_t open = gap.find('"', word);
+        if (open == std::string_view::npos) return;
+        const std::size_t close = gap.find('"', open + 1);
         if (close == std::string_view::npos) return;
         initialise(end, gap.substr(open, close + 1 - open));
     }
