@@ -149,6 +149,11 @@ TEST_F(JtagUart, IgnoresAWriteWithoutItsByteLane) {
     EXPECT_EQ(space(), 64u);
     write(CONTROL, RE | WE, 0xe);
     EXPECT_EQ(read(CONTROL) & (RE | WE), 0u);
+    idle();
+    write(CONTROL, AC, 0xd);
+    EXPECT_EQ(read(CONTROL) & AC, AC);
+    write(CONTROL, AC, 0x2);
+    EXPECT_EQ(read(CONTROL) & AC, 0u);
 }
 
 }  // namespace
