@@ -190,8 +190,8 @@ TEST_F(VideoIn, BeginsWithAWholePictureWhereverItWasStopped) {
     }
 }
 
-// If the bytes of a code were kept that came before it was stopped, those that come after it goes on
-// could complete them: a code of the other field, in the middle of this one.
+// If the first bytes of a code were kept while it is stopped, what comes when it goes on could
+// complete them: a code of the other field, in the middle of this one.
 TEST_F(VideoIn, ForgetsTheCodeInWhichItWasStopped) {
     for (unsigned place = 0; place < 40; ++place) {
         write(VIDEO_IN_STATUS, ENABLE);
