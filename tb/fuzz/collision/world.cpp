@@ -17,6 +17,10 @@ namespace {
 
 using namespace collision;
 
+// The paper's algorithms note each pair in a set: with more shapes than this, they would take most
+// of the time, and the same code would run as with these.
+constexpr unsigned MOST_WITH_ALL = 12;
+
 // Reads the bytes, and zeros after their end.
 class Bytes {
 public:
@@ -103,6 +107,7 @@ void try_world(const std::uint8_t* data, std::size_t count) {
     PairList first, pairs;
     const Error expected = detector.find(Algorithm::ORIGINAL, shapes, first);
     for (const Algorithm algorithm : ALGORITHMS) {
+        if (shapes.size() > MOST_WITH_ALL && algorithm < Algorithm::SWEEP) continue;
         const Error error = detector.find(algorithm, shapes, pairs);
         require(error == expected);
         require(error == Error::NONE || pairs.empty());
