@@ -15,7 +15,7 @@ using namespace tb::core;
 using sim::ArmStop;
 
 constexpr std::uint32_t NOP = 0xE320F000, WFI = 0xE320F003;
-constexpr std::uint32_t ADD_1 = 0xE2800001, ADD_16 = 0xE2800010;  // ADD r0, r0, #n
+constexpr std::uint32_t ADD_1 = 0xE2800001;  // ADD r0, r0, #1
 constexpr unsigned LAPS = 10;
 
 class OverwrittenCode : public ::testing::Test {
