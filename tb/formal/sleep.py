@@ -31,7 +31,7 @@ import re
 import subprocess
 import sys
 
-from block import Block, symbols
+from block import Block, shown, symbols
 from prove import mutated
 
 
@@ -157,9 +157,9 @@ def holds(block, claim, work, mutant):
     does not hold, counterexample.txt says why.  Of a mutant only a conclusion that fails is of
     interest, for which the premises are satisfied.
     """
-    given = f"(assert (and {' '.join(claim.premises)}))\n"
+    given = f"(and {' '.join(claim.premises)})"
     for conclusion in sorted(claim.conclusions, key=len):  # the quick ones first
-        broken = f"{given}(assert (not {conclusion}))\n(check-sat)"
+        broken = f"(and {given} (not {conclusion}))"
         answer = ask(block.problem(claim.steps, broken), work)
         if answer == "unsat\n":
             continue
@@ -168,7 +168,7 @@ def holds(block, claim, work, mutant):
         if not mutant:
             tell(block, claim, broken, work)
         return False
-    if not mutant and ask(block.problem(claim.steps, f"{given}(check-sat)"), work) != "sat\n":
+    if not mutant and ask(block.problem(claim.steps, given), work) != "sat\n":
         sys.exit(f"{claim.name}: this never is the case")
     return True
 
@@ -177,10 +177,10 @@ def tell(block, claim, broken, work):
     known = " ".join([*claim.steps, *claim.steps.values(), broken])
     states = sorted({state for _, state in symbols(known)})
     signals = [block.at(name, state) for name in block.widths for state in states]
-    answer = ask(block.problem(claim.steps, f"{broken}\n(get-value ({' '.join(signals)}))"), work)
+    answer = ask(block.problem(claim.steps, broken, signals), work)
     values = dict(re.findall(r"(\|.+?\|) (\S+?)\)+\n", answer))
     (work / "counterexample.txt").write_text("".join(
-        f"{name:40} {' '.join(values[block.at(name, state)] for state in states)}\n"
+        f"{name:40} {' '.join(values[shown(block.at(name, state))] for state in states)}\n"
         for name in block.widths))
 
 
