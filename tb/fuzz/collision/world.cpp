@@ -17,10 +17,6 @@ namespace {
 
 using namespace collision;
 
-// The paper's algorithms note each pair in a set: with more shapes than this, they would take most
-// of the time, and the same code would run as with these.
-constexpr unsigned MOST_WITH_ALL = 12;
-
 // Reads the bytes, and zeros after their end.
 class Bytes {
 public:
@@ -94,7 +90,7 @@ Made any_polygon(Bytes& bytes) {
 
 }  // namespace
 
-void try_world(const std::uint8_t* data, std::size_t count) {
+void try_world(const std::uint8_t* data, std::size_t count, std::size_t most_with_all) {
     Bytes bytes{data, count};
     std::vector<Polygon> shapes;
     bool sound = true;
@@ -107,7 +103,7 @@ void try_world(const std::uint8_t* data, std::size_t count) {
     PairList first, pairs;
     const Error expected = detector.find(Algorithm::ORIGINAL, shapes, first);
     for (const Algorithm algorithm : ALGORITHMS) {
-        if (shapes.size() > MOST_WITH_ALL && algorithm < Algorithm::SWEEP) continue;
+        if (algorithm < Algorithm::SWEEP && shapes.size() > most_with_all) continue;
         const Error error = detector.find(algorithm, shapes, pairs);
         require(error == expected);
         require(error == Error::NONE || pairs.empty());
