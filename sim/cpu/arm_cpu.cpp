@@ -191,7 +191,7 @@ void ArmCpu::handle(ArmStop stop) {
             if (kernel_)
                 kernel_->call(core_);
             else
-                raise(ArmException::SVC, 0, "supervisor call");
+                raise(ArmException::SVC, 0, supervisor_call(core_));
             break;
         case ArmStop::UNDEFINED: raise(ArmException::UNDEFINED, 0, "undefined instruction"); break;
         case ArmStop::PREFETCH_ABORT:

@@ -109,6 +109,18 @@ TEST_F(ArmExceptions, FailsAProgramWithoutTheVectorThatItNeeds) {
     EXPECT_THAT(system->cpu.fault().value_or(""), HasSubstr("no vector at 0x00200008"));
 }
 
+TEST_F(ArmExceptions, NamesARequestToADebugger) {
+    load("test_semihosting");
+    run_ms(1);
+    EXPECT_THAT(system->cpu.fault().value_or(""), HasSubstr("semihosting, a request"));
+}
+
+TEST_F(ArmExceptions, NamesARequestToADebuggerFromThumbCode) {
+    load("test_semihosting_in_thumb");
+    run_ms(1);
+    EXPECT_THAT(system->cpu.fault().value_or(""), HasSubstr("semihosting, a request"));
+}
+
 TEST_F(ArmExceptions, FailsAProgramThatAbortsInItsAbortHandler) {
     load("test_abort_in_handler");
     run_ms(1);

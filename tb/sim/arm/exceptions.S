@@ -83,6 +83,22 @@ at_bkpt:
     svc #0
     done
 
+    program test_semihosting
+    ldr r0, =0x200000
+    mcr p15, 0, r0, c12, c0, 0
+    svc #0x123456
+    done
+
+    program test_semihosting_in_thumb
+    ldr r0, =0x200000
+    mcr p15, 0, r0, c12, c0, 0
+    blx 1f
+    done
+    .thumb
+1:  svc #0xAB
+    bx lr
+    .arm
+
     program test_high_vectors
     ldr r0, =0xFFFF0000
     ldr r1, =vectors
