@@ -22,7 +22,7 @@ setup:                  ## [FOR="tool firmware test"] install the Debian package
 configure:
 	@.ci/configure
 everything:
-	@.ci/configure FIRMWARE TESTS PROOFS BENCH BOARD
+	@.ci/configure FIRMWARE TESTS PROOFS BENCH BOARD PART=$(PART)
 
 qsf:                    ## write the Quartus project anew from the top module's ports and pins.tsv
 	@/usr/bin/python3 -B rtl/board/de1_soc/gen_qsf.py > build/de1_soc.qsf
@@ -67,9 +67,11 @@ package:                ## build/package/de1sim_*.deb
 	@.ci/configure FIRMWARE
 	@cmake --build build --target deb
 
-test:                   ## every test, packages first
+# Of the parts that are in tb/CMakeLists.txt.
+PART = all
+test:                   ## [PART=blocks|programs|projects|proofs] every test, packages first
 	@.ci/setup tool firmware board test video
-	@.ci/configure FIRMWARE TESTS PROOFS BENCH BOARD
+	@.ci/configure FIRMWARE TESTS PROOFS BENCH BOARD PART=$(PART)
 	@cmake --build build
 	@.ci/test test
 
