@@ -79,8 +79,9 @@ module video_in (
     wire        push, none, capture_awake, sent_awake, come_awake, writer_awake;
     wire [33:0] captured, word;
 
+    // While its clock may be stopped no switch moves: a stopped clock would not see it.
     video_capture capture (
-        .clk_i(clk_td_i), .enable_i(enable), .edges_i(edges_q), .data_i(td_data_i),
+        .clk_i(clk_td_i), .enable_i(enable), .edges_i(enable && edges_q), .data_i(td_data_i),
         .push_o(push), .word_o(captured), .awake_o(capture_awake)
     );
     // It is not full: a word is taken at once, and the next comes 296 ns later.

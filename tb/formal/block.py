@@ -48,8 +48,9 @@ class Block:
         self.foreign = self.edges_of("clk_audio_i") + self.edges_of("clk_td_i")
         self.edges = [edge for edge in self.edges if edge not in self.foreign]
 
-    def edges_of(self, clock):
-        return [edge for edge in self.edges if clock in self.clocks[edge.cell]]
+    def edges_of(self, clock, edges=None):
+        return [edge for edge in (self.edges if edges is None else edges)
+                if clock in self.clocks[edge.cell]]
 
     # ---- What registers become: terms by the register's symbol ----
 

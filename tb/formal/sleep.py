@@ -13,6 +13,9 @@ before it, a reset too:
     stays        and awake_o stays 0
     rests        with rest_o = r > 0 the clock after that is not due either, and has r - 1 to come
 
+    decoder sleeps   of video_in.v: with td_awake_o = 0, and no reset there, the decoder's clock
+                 leaves its registers as they are
+
 Any other input, such as an address, data or the time, may do what it likes, and so may registers
 of the audio clock and the video decoder's, which do not tick in `stays` and `rests`.  Of vga.v,
 whose clock never stops, `rests` says that in the r clocks after this one nothing changes and
@@ -54,6 +57,11 @@ def sleep(block, strobes, pins):
     home_clocks = {**clocks, **block.kept("s1", "s2", block.foreign)}
     yield Claim("sleeps", clock, asleep, [block.stands("s1")])
     yield Claim("stays", home_clocks, later, [block.low("awake_o", "s2")])
+    if "td_awake_o" in block.widths:
+        decoders = block.edges_of("clk_td_i", block.foreign)
+        yield Claim("decoder sleeps", {**clock, **block.clock("s0", "s1", decoders)},
+                    [block.low("td_awake_o", "s1"), block.low("rst_td_i", "s1")],
+                    [block.stands("s1", decoders)])
     if "line_end_i" in block.widths:
         # It waits for the beam, and may also rest in a clock in which it is due.
         yield Claim("rests", clocks,

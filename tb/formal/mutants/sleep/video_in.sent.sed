@@ -1,0 +1,2 @@
+# decoder sleeps
+s/ || sent_awake;/;/
