@@ -79,7 +79,8 @@ module video_in (
     wire        push, none, capture_awake, sent_awake, come_awake, writer_awake;
     wire [33:0] captured, word;
 
-    // While its clock may be stopped no switch moves: a stopped clock would not see it.
+    // Its clock may be stopped while enable is low; the other switch is low then too, since nobody
+    // would see it move.
     video_capture capture (
         .clk_i(clk_td_i), .enable_i(enable), .edges_i(enable && edges_q), .data_i(td_data_i),
         .push_o(push), .word_o(captured), .awake_o(capture_awake)

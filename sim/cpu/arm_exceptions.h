@@ -29,8 +29,8 @@ constexpr std::uint32_t EXTERNAL = 0x8, TRANSLATION = 0x5, DEBUG = 0x2, WRITE = 
 
 std::uint32_t vector_of(const ArmCore& core, ArmException exception);
 
-// "supervisor call", or that it is a request to a debugger: which instruction asks is the number in
-// "Semihosting for AArch32 and AArch64" (Arm).  The core must be as run() left it at ArmStop::SVC.
+// What to call the instruction before pc, an SVC: "supervisor call", or a request to a debugger,
+// which is SVC 0x123456, in Thumb code SVC 0xAB.  Source: Arm, Semihosting for AArch32 and AArch64.
 const char* supervisor_call(const ArmCore& core);
 
 // The core must be as run() left it (ArmStop).  `status` and `address` are those of an abort.
