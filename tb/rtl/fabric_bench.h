@@ -27,6 +27,7 @@ struct Pins : sim::PinListener {
     std::vector<Ps2Pulls> pulls;
     unsigned device_clk_low = 0, device_dat_low = 0;
     std::uint64_t samples = 0, with_sync = 0;
+    std::vector<std::uint32_t> lit;  // pixels that are not black
     sim::HeaderPins driven{};
     std::function<void(sim::ChipInputs& in)> on_headers;
     sim::Is42s16320d memory;
@@ -42,7 +43,10 @@ struct Pins : sim::PinListener {
     }
     void video(const std::uint32_t* pins, std::size_t count) override {
         samples += count;
-        for (std::size_t i = 0; i < count; ++i) with_sync += (pins[i] & sim::video::SYNC_N) != 0;
+        for (std::size_t i = 0; i < count; ++i) {
+            with_sync += (pins[i] & sim::video::SYNC_N) != 0;
+            if (pins[i] & sim::video::RGB) lit.push_back(pins[i] & sim::video::RGB);
+        }
     }
     void codec(const sim::CodecPins&, std::uint64_t, sim::ChipInputs&) override {}
     void headers(const sim::HeaderPins& pins, std::uint64_t, sim::ChipInputs& in) override {

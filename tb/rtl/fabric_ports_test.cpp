@@ -180,4 +180,18 @@ TEST_F(FabricPorts, SendNoSyncOnGreen) {
     EXPECT_EQ(pins.with_sync, 0u);
 }
 
+TEST_F(FabricPorts, ShowAPictureThatBeginsInTheMiddleOfAWord) {
+    constexpr unsigned FRAME = 800 * 525;
+    put(ONCHIP_BASE, {0x00, 0xF8, 0xE0, 0x07, 0x1F, 0x00, 0x00, 0x00});  // red, green, blue, black
+    write(PIXEL_BACK_BUFFER, ONCHIP_BASE + 2);
+    write(PIXEL_BUFFER, 1);
+    fabric.run(2 * FRAME);
+    fabric.flush();
+    pins.lit.clear();
+    fabric.run(FRAME);
+    fabric.flush();
+    constexpr std::uint32_t G = 0x00FF00, B = 0x0000FF;
+    EXPECT_THAT(pins.lit, ElementsAre(G, G, B, B, G, G, B, B)) << "each pixel twice in two lines";
+}
+
 }  // namespace
