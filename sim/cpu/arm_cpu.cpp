@@ -190,8 +190,10 @@ void ArmCpu::handle(ArmStop stop) {
             if (inspector_ && inspector_->on_svc(core_)) break;
             if (kernel_)
                 kernel_->call(core_);
+            else if (semihosting_ && is_semihosting(core_))
+                semihosting_(core_);
             else
-                raise(ArmException::SVC, 0, supervisor_call(core_));
+                raise(ArmException::SVC, 0, "supervisor call");
             break;
         case ArmStop::UNDEFINED: raise(ArmException::UNDEFINED, 0, "undefined instruction"); break;
         case ArmStop::PREFETCH_ABORT:

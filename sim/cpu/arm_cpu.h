@@ -132,6 +132,10 @@ public:
     void attach(ArmKernel* kernel) { kernel_ = kernel; }
     ArmCore& core() { return core_; }
 
+    // Answers a program's requests to a debugger, pc after each.  Without it, and with a kernel,
+    // they are supervisor calls like others.
+    void set_semihosting(std::function<void(ArmCore&)> answer) { semihosting_ = std::move(answer); }
+
     void interrupt(bool irq, bool fiq) override;
     void warm_reset() override;
     // Ends a WFI or WFE, as a debug event does.
@@ -147,8 +151,8 @@ public:
     std::optional<std::string> unfinished() const override;
     std::string accessed() const override;
 
-    // How long the program has been over: ended by its kernel, or looping on one instruction with
-    // IRQ and FIQ masked, so that only a reset could end the loop.  0 before, and under an
+    // How long the program has been over: ended by end(), or looping on one instruction with IRQ
+    // and FIQ masked, so that only a reset could end the loop.  0 before, and under an
     // inspector.
     sc_core::sc_time ended_for() const;
 
@@ -162,8 +166,8 @@ public:
     bool read_memory(std::uint32_t address, void* data, unsigned bytes);
     bool write_memory(std::uint32_t address, const void* data, unsigned bytes);
 
-    // For a kernel: lets time pass while the program sleeps; ends the program, with a fault if
-    // `why` is not empty.
+    // For a kernel and for semihosting: lets time pass while the program sleeps; ends the program,
+    // with a fault if `why` is not empty.
     void pause(const sc_core::sc_time& time);
     void pause(const sc_core::sc_event& until, const sc_core::sc_time& at_most);
     void end(const std::string& why = "");
@@ -172,8 +176,8 @@ public:
     struct Position {
         std::uint32_t pc;
         std::string function;                 // "main+0x10", "" if it is in none
-        bool sleeping;                        // in WFI, or in a kernel's pause
-        bool ended;                           // by its kernel
+        bool sleeping;                        // in WFI, or in pause()
+        bool ended;                           // by end()
         std::optional<std::uint32_t> polled;  // a register, see poll_loop.h
     };
     Position position() const;
@@ -240,6 +244,7 @@ private:
     ArmCore core_;
     ArmInspector* inspector_ = nullptr;
     ArmKernel* kernel_ = nullptr;
+    std::function<void(ArmCore&)> semihosting_;
     const std::uint64_t instruction_ps_;
     struct Range {
         std::uint64_t first, last;

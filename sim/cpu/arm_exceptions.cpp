@@ -34,13 +34,11 @@ std::uint32_t vector_of(const ArmCore& core, ArmException exception) {
     return base + entry_of(exception).offset;
 }
 
-const char* supervisor_call(const ArmCore& core) {
+bool is_semihosting(const ArmCore& core) {
     const bool thumb = core.cpsr() & arm_cpsr::T;
     const std::uint32_t size = thumb ? 2 : 4, request = thumb ? 0xDFAB : 0xEF123456;
     std::uint32_t instruction = 0;
-    if (core.read_ram(core.pc() - size, &instruction, size) && instruction == request)
-        return "semihosting, a request to a debugger,";
-    return "supervisor call";
+    return core.read_ram(core.pc() - size, &instruction, size) && instruction == request;
 }
 
 void enter(ArmCore& core, ArmException exception, std::uint32_t status, std::uint32_t address) {

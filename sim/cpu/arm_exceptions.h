@@ -29,9 +29,9 @@ constexpr std::uint32_t EXTERNAL = 0x8, TRANSLATION = 0x5, DEBUG = 0x2, WRITE = 
 
 std::uint32_t vector_of(const ArmCore& core, ArmException exception);
 
-// What to call the instruction before pc, an SVC: "supervisor call", or a request to a debugger,
-// which is SVC 0x123456, in Thumb code SVC 0xAB.  Source: Arm, Semihosting for AArch32 and AArch64.
-const char* supervisor_call(const ArmCore& core);
+// Whether the instruction before pc, an SVC, is a request to a debugger: SVC 0x123456, in Thumb
+// code SVC 0xAB.  Source: Arm, Semihosting for AArch32 and AArch64.
+bool is_semihosting(const ArmCore& core);
 
 // The core must be as run() left it (ArmStop).  `status` and `address` are those of an abort.
 void enter(ArmCore& core, ArmException exception, std::uint32_t status = 0,

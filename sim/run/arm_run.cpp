@@ -29,11 +29,13 @@ ArmProgram load_program(const RunOptions& options, bool on_linux) {
 ArmRun::ArmRun(ArmCpu& cpu, const RunOptions& options, bool on_linux, Recorder& recorder,
                Audience& audience)
     : options_{options}, cpu_{cpu} {
+    const auto print = [&audience](char c) { audience.console(c, SerialLine::UART); };
+    const auto log = [&audience](const std::string& line) { audience.log(line); };
     if (on_linux)
-        kernel_.emplace(
-            cpu, LinuxSettings{options.linux_root, options.arguments, options.input},
-            LinuxKernel::Outside{[&audience](char c) { audience.console(c, SerialLine::UART); },
-                                 [&audience](const std::string& line) { audience.log(line); }});
+        kernel_.emplace(cpu, LinuxSettings{options.linux_root, options.arguments, options.input},
+                        LinuxKernel::Outside{print, log});
+    else
+        semihosting_.emplace(cpu, Semihosting::Outside{print, log});
     if (!options.profile.empty() || traces_a_part(options)) {
         profile_.emplace(cpu.program().elf);
         cpu.core().attach(&*profile_);
@@ -59,7 +61,7 @@ RunReport::Program ArmRun::program() const {
     program.pc = at.pc;
     program.function = at.function;
     program.frames = budget_.figures();
-    if (kernel_) program.exit_code = kernel_->exit_code();
+    program.exit_code = kernel_ ? kernel_->exit_code() : semihosting_->exit_code();
     program.waiting = waiting();
     return program;
 }
@@ -67,7 +69,7 @@ RunReport::Program ArmRun::program() const {
 std::string ArmRun::waiting() const {
     const ArmCpu::Position at = cpu_.position();
     if (at.ended) return "nothing: it has ended";
-    if (kernel_ && kernel_->terminal().waits()) return "standard input";
+    if (terminal().waits()) return "standard input";
     if (at.sleeping) return kernel_ ? "the time to wake up" : "an interrupt";
     if (at.polled) return fmt::format("a change of 0x{:08X}", *at.polled);
     return "";

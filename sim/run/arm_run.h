@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "sim/cpu/arm_cpu.h"
+#include "sim/debug/semihosting.h"
 #include "sim/linux/kernel.h"
 #include "sim/profile/call_log.h"
 #include "sim/profile/frame_budget.h"
@@ -23,17 +24,14 @@ ArmProgram load_program(const RunOptions& options, bool on_linux);
 
 class ArmRun {
 public:
-    // Attaches to the processor and to the recorder's frames; a Linux program prints to `audience`.
+    // Attaches to the processor and to the recorder's frames.  What a Linux program prints, or
+    // another by semihosting, goes to `audience`.
     ArmRun(ArmCpu& cpu, const RunOptions& options, bool on_linux, Recorder& recorder,
            Audience& audience);
 
-    // At the console of a Linux program; or that nobody will.
-    void type(const std::string& text) {
-        if (kernel_) kernel_->terminal().type(text);
-    }
-    void close_input() {
-        if (kernel_) kernel_->terminal().close();
-    }
+    // At the console of these; or that nobody will.
+    void type(const std::string& text) { terminal().type(text); }
+    void close_input() { terminal().close(); }
 
     RunReport::Program program() const;
     std::string waiting() const;  // for what, "an interrupt"; or empty
@@ -42,9 +40,15 @@ public:
     const CallLog* calls() const { return calls_ ? &*calls_ : nullptr; }  // of a part
 
 private:
+    Terminal& terminal() { return kernel_ ? kernel_->terminal() : semihosting_->terminal(); }
+    const Terminal& terminal() const {
+        return kernel_ ? kernel_->terminal() : semihosting_->terminal();
+    }
+
     const RunOptions& options_;
     ArmCpu& cpu_;
     std::optional<LinuxKernel> kernel_;
+    std::optional<Semihosting> semihosting_;  // where there is no kernel
     std::optional<Profile> profile_;
     std::optional<CallLog> calls_;
     FrameBudget budget_;

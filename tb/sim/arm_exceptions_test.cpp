@@ -109,16 +109,41 @@ TEST_F(ArmExceptions, FailsAProgramWithoutTheVectorThatItNeeds) {
     EXPECT_THAT(system->cpu.fault().value_or(""), HasSubstr("no vector at 0x00200008"));
 }
 
-TEST_F(ArmExceptions, NamesARequestToADebugger) {
-    load("test_semihosting");
-    run_ms(1);
-    EXPECT_THAT(system->cpu.fault().value_or(""), HasSubstr("semihosting, a request"));
+class ArmSemihosting : public ArmExceptions {
+protected:
+    // Each request's r0 is answered with one more; returns how many there were.
+    unsigned requests_of(const std::string& program) {
+        load(program);
+        unsigned requests = 0;
+        system->cpu.set_semihosting([&](sim::ArmCore& core) {
+            ++requests;
+            core.set_reg(0, core.reg(0) + 1);
+        });
+        run_ms(1);
+        EXPECT_EQ(system->cpu.fault(), std::nullopt);
+        return requests;
+    }
+};
+
+TEST_F(ArmSemihosting, IsARequestBySvc123456) {
+    EXPECT_EQ(requests_of("test_semihosting"), 1u);
+    EXPECT_EQ(result(), 43u);
 }
 
-TEST_F(ArmExceptions, NamesARequestToADebuggerFromThumbCode) {
-    load("test_semihosting_in_thumb");
+TEST_F(ArmSemihosting, IsARequestBySvcAbInThumbCode) {
+    EXPECT_EQ(requests_of("test_semihosting_in_thumb"), 1u);
+    EXPECT_EQ(result(), 43u);
+}
+
+TEST_F(ArmSemihosting, IsNoOtherSupervisorCall) {
+    EXPECT_EQ(requests_of("test_svc"), 0u);
+    EXPECT_EQ(record().vector, 2u);
+}
+
+TEST_F(ArmSemihosting, IsASupervisorCallWhereNobodyAnswers) {
+    load("test_semihosting");
     run_ms(1);
-    EXPECT_THAT(system->cpu.fault().value_or(""), HasSubstr("semihosting, a request"));
+    EXPECT_EQ(record().vector, 2u);
 }
 
 TEST_F(ArmExceptions, FailsAProgramThatAbortsInItsAbortHandler) {
