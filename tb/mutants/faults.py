@@ -5,7 +5,7 @@ what it changes there.
 """
 import re
 
-from verilog import Source
+from verilog import NUMBER, RADIX, Source, constants_of, value_of
 
 BINARY = {"+": ["-"], "-": ["+"], "&": ["|"], "|": ["&"], "&&": ["||"], "||": ["&&"],
           "==": ["!="], "!=": ["=="], "<": ["<="], "<=": ["<"], ">": [">="], ">=": [">"]}
@@ -14,8 +14,6 @@ WAKES = re.compile(r"(\w+_)?(awake|due|wakes)(_[oi])?$")
 RESET = re.compile(r"rst|reset")
 STATEMENT_BEFORE = {";", "begin", "end", "else", ")", ":", "*", "endcase", "endfunction", "initial",
                     "generate", "endgenerate"}
-NUMBER = re.compile(r"(?P<width>\d[\d_]*)?\s*'(?P<sign>[sS]?)(?P<base>[bodhBODH])\s*(?P<digits>.+)")
-RADIX = {"b": (2, "b"), "o": (8, "o"), "d": (10, "d"), "h": (16, "x")}
 
 
 class Fault:
@@ -41,10 +39,10 @@ def constants(text):
         flipped = value ^ 1 << value.bit_length() - 1 if value else None
         return [str(new) for new in dict.fromkeys((value + 1, flipped)) if new is not None]
     radix, format_code = RADIX[match["base"].lower()]
-    digits = match["digits"].replace("_", "").lower()
-    if any(digit in "xz?" for digit in digits):
+    digits = match["digits"].replace("_", "")
+    value, width = value_of(text), int((match["width"] or "32").replace("_", ""))
+    if value is None:
         return []
-    value, width = int(digits, radix), int((match["width"] or "32").replace("_", ""))
     news = dict.fromkeys(((value + 1) % (1 << width), value ^ 1 << width - 1))
     head = f"{match['width'] or ''}'{match['sign']}{match['base']}"
     digit_count = 0 if radix == 10 else len(digits)
@@ -52,9 +50,10 @@ def constants(text):
 
 
 class Finder:
-    def __init__(self, file, text):
+    def __init__(self, file, text, constants):
         self.file, self.source = file, Source(text)
         self.tokens = self.source.tokens
+        self.constants = {**constants, **constants_of(self.source.plain)}
         self.faults = []
         self.resets = self._resets()
         self.assignments = self._assignments()
@@ -159,6 +158,8 @@ class Finder:
             high = self.at(index - 1) == "["
             if not high and self._declares(index):
                 return  # as wide as without the high bit
+            if high and self._is_extended(index):
+                return
             value = int(token.text) + (-1 if high else 1) if token.text.isdigit() else -1
             if value >= 0:
                 self.add(token.start, "range",
@@ -174,6 +175,19 @@ class Finder:
             index -= 1
         return self.at(index - 1) in ("reg", "wire", "localparam", "parameter", "function",
                                       "signed")
+
+    def _is_extended(self, index):
+        """Whether this is the highest bit of a constant, and 0, which it would be without it.
+
+        Not so in braces, where each bit has its place."""
+        first = max(i for i in range(index) if self.at(i) == "[")
+        name, places = self.at(first - 1), [index]
+        if self._declares(index):
+            name = self.at(self.tokens[first].partner + 1)
+            places = [i for i, token in enumerate(self.tokens) if token.text == name]
+        value, bit = self.constants.get(name), self.at(index)
+        return (value is not None and bit.isdigit() and not value >> int(bit) & 1
+                and not any("{" in self.source.around(place) for place in places))
 
     def _in_range(self, index):
         """Whether the number is one of the two sides of [high:low]."""
@@ -254,5 +268,6 @@ class Finder:
             first = end + 1
 
 
-def faults_of(file, text):
-    return Finder(file, text).all()
+def faults_of(file, text, constants=()):
+    """`constants`: values of names that the file includes."""
+    return Finder(file, text, dict(constants)).all()

@@ -18,6 +18,7 @@ from equivalents import Stale, equivalents, killed_after_all
 from faults import faults_of
 from judge import LAYERS, Journal, Judge, digest
 from tree import LEFT_OUT, Run, Tree
+from verilog import constants_of
 
 HERE = pathlib.Path(__file__).resolve().parent
 NOT_OURS = {"ip", "board", "examples"}
@@ -29,11 +30,12 @@ WHAT_JUDGES = {".v", ".vh", ".def", ".cpp", ".h", ".py", ".cmake", ".txt", ".yam
 def all_faults(rtl):
     """The faults of every file, and the files' texts."""
     faults, texts = [], {}
+    included = constants_of((rtl / "regmap" / "regmap.vh").read_text())
     for path in sorted(rtl.rglob("*.v")):
         file = path.relative_to(rtl)
         if file.parts[0] not in NOT_OURS and str(file) not in DEVICE_ONLY:
             texts[str(file)] = path.read_text()
-            faults += faults_of(str(file), texts[str(file)])
+            faults += faults_of(str(file), texts[str(file)], included)
     return faults, texts
 
 

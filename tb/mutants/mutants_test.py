@@ -29,8 +29,8 @@ endmodule
 """
 
 
-def found(text):
-    return {fault.what for fault in faults_of("x.v", f"module x;\n{text}\nendmodule\n")}
+def found(text, constants=()):
+    return {fault.what for fault in faults_of("x.v", f"module x;\n{text}\nendmodule\n", constants)}
 
 
 class Faults(unittest.TestCase):
@@ -76,6 +76,19 @@ class Faults(unittest.TestCase):
         self.assertEqual(found("wire a = b[6:4];"), {"high bit 6 -> 5", "low bit 4 -> 5"})
         self.assertEqual(found("reg [7:0] a;"), {"high bit 7 -> 6"})
         self.assertEqual(found("wire a = b[3];"), {"3 -> 4", "3 -> 1"})
+
+    def test_a_constant_does_not_lose_a_highest_bit_that_is_0(self):
+        high = "high bit 3 -> 2"
+        for text, value, is_fault in (("wire a = b == C[3:0];", 7, False),
+                                      ("wire a = b == C[3:0];", 8, True),
+                                      ("wire a = {b, C[3:0]};", 7, True),
+                                      ("wire a = {b == f(C[3:0])};", 7, True)):
+            self.assertEqual(high in found(text, {"C": value}), is_fault, text)
+        self.assertIn(high, found("wire a = b == C[3:0];"))
+        self.assertNotIn(high, found("localparam [3:0] C = 4'd7;"))
+        self.assertIn(high, found("localparam [3:0] C = 4'b1000;"))
+        self.assertIn(high, found("localparam [3:0] C = 4'd7, D = 4'd8;"))
+        self.assertIn(high, found("localparam [3:0] C = 4'd7; wire a = {2{C}};"))
 
     def test_statements_are_left_out_declarations_are_not(self):
         self.assertEqual(found("always @* begin {a, b[c]} = d; case (e) f: g <= h; endcase end"),

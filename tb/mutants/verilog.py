@@ -15,8 +15,28 @@ TOKEN = re.compile(r"""
   | (?P<operator> <<<|>>>|===|!==|<<|>>|<=|>=|==|!=|&&|\|\||~&|~\||~\^|\^~|\*\*|\+:|-:|. )
 """, re.X | re.S)
 
+NUMBER = re.compile(r"(?P<width>\d[\d_]*)?\s*'(?P<sign>[sS]?)(?P<base>[bodhBODH])\s*(?P<digits>.+)")
+RADIX = {"b": (2, "b"), "o": (8, "o"), "d": (10, "d"), "h": (16, "x")}
+CONSTANT = re.compile(r"\blocalparam\s*(?:\[[^]]*\])?\s*(\w+)\s*=\s*([\w\s']+);")
+
 OPENING = {"(": ")", "[": "]", "{": "}"}
 CLOSING = set(OPENING.values())
+
+
+def value_of(text):
+    """A number's value; None for what is no number, and for x and z."""
+    match = NUMBER.match(text)
+    digits = (match["digits"] if match else text).replace("_", "")
+    try:
+        return int(digits, RADIX[match["base"].lower()][0] if match else 10)
+    except ValueError:
+        return None
+
+
+def constants_of(text):
+    """{name: value} of the constants that a file gives numbers."""
+    found = ((name, value_of(number.strip())) for name, number in CONSTANT.findall(text))
+    return {name: value for name, value in found if value is not None}
 
 
 class Token:
@@ -62,6 +82,14 @@ class Source:
             token.fixed = fixed
             if token.depth == 0 and token.text == ";":
                 fixed = False
+
+    def around(self, index):
+        """The brackets that a token is in, from the inside."""
+        depth = self.tokens[index].depth
+        for token in reversed(self.tokens[:index]):
+            if token.text in OPENING and token.depth < depth:
+                depth = token.depth
+                yield token.text
 
     def place(self, offset):
         """Line and column, from 1."""
