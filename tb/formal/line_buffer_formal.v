@@ -1,4 +1,4 @@
-// line_buffer_formal.v - words are kept; a flat block's pixels are as the one before them.
+// line_buffer_formal.v - words are kept; a block is flat where all its pixels are as the one before.
 //
 // By 3-step induction, for a place that the solver chooses.  Words are written in ascending order,
 // from the first on; any number of them.  So the claims about a block hold from when it has been
@@ -36,6 +36,7 @@ module line_buffer_formal (
     reg  [8:0]  last_q;                          // where the last word went
     reg  [31:0] word_q, word_was_q, other_q;     // at the place
     reg  [15:0] before_q;                        // the pixel before the block
+    reg         same_q;                          // as which all of its pixels so far are
     wire        first = we_i && windex_i[7:0] == 8'd0;
 
     always @(posedge clk_i) begin
@@ -52,6 +53,8 @@ module line_buffer_formal (
                 word_q    <= wdata_i;
             end
             if (windex_i == block - 9'd1) before_q <= wdata_i[31:16];
+            if (windex_i[8:3] == block[8:3])
+                same_q <= wdata_i == {before_q, before_q} && (same_q || windex_i == block);
             if (windex_i == block + 9'd7) whole_q <= 1'b1;
             if (first && windex_i[8] == place[8]) whole_q <= 1'b0;
         end
@@ -59,10 +62,13 @@ module line_buffer_formal (
     always @(*) assume (!we_i || first || (begun_q && windex_i == last_q + 9'd1));
 
     // ---- What must hold ----
+    wire        in_picture = block[7:0] < 8'd160;
     always @(*) begin
         a_kept:  assert (!read_q || rdata == word_was_q);
         a_stays: assert (!ran_q || re_q || other_rdata == other_q);
         a_flat:  assert (!(flat && whole_q) || (written_q && word_q == {before_q, before_q}));
+        a_each_flat_block: assert (!(whole_q && same_q && in_picture)
+                                   || flat || block[7:0] == 8'd0);
         a_first_block_is_not_flat: assert (!flat || block[7:0] != 8'd0);
     end
 
@@ -76,6 +82,7 @@ module line_buffer_formal (
                           || dut__last_q == before_q);
         i_so_far: assert (!(inside && dut__so_far_q && last_q >= place) || block[7:0] == 8'd0
                           || word_q == {before_q, before_q});
+        i_same:   assert (!inside || block[7:0] == 8'd0 || dut__so_far_q == same_q);
         i_written: assert (!(inside && last_q >= place) || written_q);
         i_whole:  assert (!whole_q || (begun_q && written_q
                           && !(last_q[8] == place[8] && last_q < block + 9'd7)));
