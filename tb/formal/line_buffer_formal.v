@@ -1,4 +1,4 @@
-// line_buffer_formal.v - words are kept; a block is flat where all its pixels are as the one before.
+// line_buffer_formal.v - words are kept; a block is flat where it equals the pixel before it.
 //
 // By 3-step induction, for a place that the solver chooses.  Words are written in ascending order,
 // from the first on; any number of them.  So the claims about a block hold from when it has been
