@@ -1,4 +1,5 @@
-// terminal.h - the terminal of a Linux program's console: lines that are typed, one after another.
+// terminal.h - the terminal at which a program has its console, on Linux and by semihosting: lines
+// that are typed, one after another.
 //
 // A character takes 1 ms, as at the JTAG UART.  Like a terminal, it delivers a line when it is
 // complete, DEL or backspace deletes the character before, ^D ends the input, and it echoes.  With

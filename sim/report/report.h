@@ -73,7 +73,7 @@ struct RunReport {
         std::uint32_t pc = 0;               // at the end
         std::string function;               // there; empty if it has no name
         std::string waiting;                // "an interrupt", "a change of 0xFF200050", or empty
-        std::optional<int> exit_code = {};  // of a Linux program that has ended
+        std::optional<int> exit_code = {};  // of a program that has ended itself
         FrameFigures frames = {};
     };
 

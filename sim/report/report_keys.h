@@ -102,7 +102,7 @@ inline constexpr ReportKey REPORT_KEYS[] = {
     {"program.frames.instructions.*", "Instructions per frame: `min`, `median`, `max`."},
     {"program.frames.busy_share.*", "Share of the frame in which the processor was not asleep."},
     {"program.frames.bus_share.*", "Share of the frame in which it waited for the FPGA."},
-    {"program.exit_code", "Of a Linux program that has ended."},
+    {"program.exit_code", "Of a program that has ended on Linux or by semihosting."},
 };
 
 }  // namespace sim
