@@ -66,6 +66,7 @@ TEST_F(Semihosting, HasAnExitCodeOtherThan0AsAFault) {
 
 TEST_F(Semihosting, HasAnAbortAsAFault) {
     EXPECT_EQ(typed("abort\\n").exit_code, 1);
+    EXPECT_EQ(report()["program"]["exit_code"], 1) << "as under QEMU";
     EXPECT_THAT(report()["faults"], SizeIs(1));
 }
 
