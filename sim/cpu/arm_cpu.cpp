@@ -13,7 +13,6 @@ using sc_core::SC_ZERO_TIME;
 namespace {
 
 constexpr double CLOCK_PS = 1250;             // 800 MHz
-constexpr std::uint32_t STACK = 0x3FFFFFF8;   // top of DDR3
 constexpr std::uint64_t MASKED_QUANTUM = 64;  // while an interrupt is pending but masked
 constexpr std::uint32_t PUSHED = 128;         // bytes, by one instruction
 constexpr std::uint64_t GONE = 10'000;        // instructions after which it polls no more

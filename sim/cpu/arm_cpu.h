@@ -125,6 +125,7 @@ protected:
 class ArmCpu : public Processor, private ArmBus {
 public:
     using Log = std::function<void(const std::string&)>;
+    static constexpr std::uint32_t STACK = 0x3FFFFFF8;  // SP at the start: top of DDR3
 
     ArmCpu(const sc_core::sc_module_name& name, ArmProgram program, Log log);
 

@@ -13,9 +13,8 @@ using sc_core::sc_time;
 
 namespace {
 
-constexpr std::uint32_t SYS_OPEN = 0x01, NONE = 0, FAILED = 0xFFFFFFFF;
+constexpr std::uint32_t SYS_OPEN = 0x01, FAILED = 0xFFFFFFFF;
 constexpr std::uint32_t APPLICATION_EXIT = 0x20026;  // the reason of a program that just ends
-constexpr std::uint32_t STACK = 0x3FFFFFF8;          // top of DDR3, as at the start
 constexpr std::uint32_t TICKS_PER_SECOND = 1'000'000'000;
 
 // Handles of open files; 0 is none.
@@ -74,8 +73,9 @@ Semihosting::Semihosting(ArmCpu& cpu, Outside outside)
 }
 
 void Semihosting::answer(ArmCore& core) {
-    log_once(NONE,
-             "answered as by a debugger; on the board the program goes no further without one");
+    if (!asked_)
+        log("answered as by a debugger; on the board the program goes no further without one");
+    asked_ = true;
     core.set_reg(0, answer(core.reg(0), core.reg(1)));
 }
 
@@ -102,8 +102,11 @@ std::uint32_t Semihosting::fail(int error) {
 }
 
 void Semihosting::log_once(std::uint32_t operation, const std::string& what) {
-    if (logged_.insert(operation).second)
-        outside_.log("semihosting: " + what + ", " + cpu_.where());
+    if (logged_.insert(operation).second) log(what);
+}
+
+void Semihosting::log(const std::string& what) const {
+    outside_.log("semihosting: " + what + ", " + cpu_.where());
 }
 
 // ---- The program's memory -----------------------------------------------------------------------
@@ -253,7 +256,7 @@ std::uint32_t Semihosting::sys_get_cmdline(std::uint32_t block) {
 
 // Heap from, to; stack from, to.  0: as the program's linker has it.
 std::uint32_t Semihosting::sys_heapinfo(std::uint32_t block) {
-    const std::uint32_t info[4] = {0, 0, STACK, 0};
+    const std::uint32_t info[4] = {0, 0, ArmCpu::STACK, 0};
     put(word(block), info, sizeof info);
     return 0;
 }

@@ -78,6 +78,7 @@ private:
     void answer(ArmCore& core);
     std::uint32_t answer(std::uint32_t number, std::uint32_t argument);
     std::uint32_t fail(int error);
+    void log(const std::string& what) const;
     void log_once(std::uint32_t operation, const std::string& what);
     void print(std::uint8_t c);
     void end(std::uint32_t reason, std::uint32_t code);
@@ -94,6 +95,7 @@ private:
     sc_core::sc_time line_free_;        // when the console's line has taken all that was printed
     std::uint32_t features_place_ = 0;  // in the file that says what is offered
     int error_ = 0;                     // errno
+    bool asked_ = false;                // the first request was made
     std::set<std::uint32_t> logged_;    // operations
     std::optional<int> exit_code_;
 };

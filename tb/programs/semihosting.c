@@ -41,6 +41,7 @@ static void ask(void) {
     const uint32_t nowhere = 0x80000000, none[] = {99, 0, 0}, name[] = {(uint32_t) ":tt", 0, 3};
     const int input = request(1, name);
     const uint32_t handle[] = {(uint32_t)input, 1};
+    request(0, 0);
     printf("unknown %d, errno %d\n", request(0x99, 0), request(0x13, 0) == EINVAL);
     printf("nowhere %d, errno %d\n", request(4, (void*)nowhere), request(0x13, 0) == EFAULT);
     printf("no handle %d\n", request(2, none));

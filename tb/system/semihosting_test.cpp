@@ -93,6 +93,9 @@ TEST_F(Semihosting, AnswersAsTheStandardSays) {
                             "console 1, 0, 0",
                             "command line 0 '" + name + "' " + std::to_string(name.size()) + ", -1",
                             "ticks 0 per second 1: 1", "write0", "c", "1 0"));
+    EXPECT_THAT(log(), ElementsAre(HasSubstr("answered as by a debugger"),
+                                   HasSubstr("operation 0x00 is not answered"),
+                                   HasSubstr("operation 0x99 is not answered")));
 }
 
 TEST_F(Semihosting, CountsSimulatedSeconds) {
