@@ -1,4 +1,5 @@
-@ start.S - what happens before main(): vectors, stacks, the floating-point unit, variables set to 0
+@ start.S - what happens around main(): vectors, stacks, the floating-point unit, variables set to
+@ 0, C++'s global objects constructed
 @
 @ A stack grows down.  That of the interrupts begins at the end of the on-chip RAM, that of aborts
 @ and undefined instructions in its middle, the program's at the end of the DDR3 memory.
@@ -48,10 +49,33 @@ reset:
     strlo r2, [r0], #4
     blo 1b
 
+    ldr r4, =__init_array_start     @ C++ promises that global objects are constructed
+    ldr r5, =__init_array_end
+2:  cmp r4, r5
+    bhs 3f
+    ldr r0, [r4], #4
+    blx r0
+    b 2b
+
+3:  mov r0, #0                      @ no arguments
+    mov r1, #0
     bl main
+    ldr r1, =exit                   @ prints what is still in a buffer, destroys global objects
+    cmp r1, #0
+    blxne r1
     cpsid if                        @ main() has returned: the program has ended
     b .
     .size reset, . - reset
+
+    .weak __init_array_start, __init_array_end  @ the linker script's
+    .weak exit                      @ the C library's, if the program is linked with it
+
+    .section .rodata
+    .balign 4
+    .weak __dso_handle
+__dso_handle:                       @ names the program to C++'s library: a global object's owner
+    .word 0
+    .text
 
 @ Each is the program's own, if it has one.
     .macro handler name, otherwise
