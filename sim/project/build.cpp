@@ -61,6 +61,8 @@ std::vector<std::string> verilator_words(const Project& project,
                                    "0",
                                    "--x-assign",
                                    "0"};
+    words.insert(words.end(),
+                 {"-DALTERA_RESERVED_QIS", "-UVERILATOR", "-Uverilator", "-Uverilator3"});
     for (const std::string& macro : project.macros) words.push_back("-D" + macro);
     for (const std::string& include : includes) words.push_back("-I" + include);
     words.insert(words.end(),
@@ -104,8 +106,8 @@ void Builder::elaborate() {
 // ones of Intel's IP.
 bool Builder::translate_to_xml() {
     auto words = verilator_words(design_.project, includes_);
-    words.insert(words.end(), {"--xml-only", "--xml-output", "design.xml", "--Mdir", "xml",
-                               "--top-module", design_.project.top});
+    words.insert(words.end(), {"-DDE1SIM_LISTS", "--xml-only", "--xml-output", "design.xml",
+                               "--Mdir", "xml", "--top-module", design_.project.top});
     const auto parameters = verilator_options(design_.project.parameters);
     words.insert(words.end(), parameters.begin(), parameters.end());
     for (const fs::path& file : files_) words.push_back(file.string());
@@ -130,6 +132,17 @@ bool Builder::translate_to_xml() {
 
 const Design& Builder::examine() {
     if (examined_) return design_;
+    try {
+        read_and_elaborate();
+    } catch (ProjectError& error) {
+        if (error.notes.empty()) error.notes = design_.project.notes;
+        throw;
+    }
+    examined_ = true;
+    return design_;
+}
+
+void Builder::read_and_elaborate() {
     design_.project = read_project(request_);
     folder_ = place_for(design_.project.folder);
     prepare_folder();
@@ -155,8 +168,6 @@ const Design& Builder::examine() {
         throw ProjectError{fmt::format("the design has {} PLL clocks, expected at most 64",
                                        design_.elaborated.pll_clocks.size())};
     generate();
-    examined_ = true;
-    return design_;
 }
 
 void Builder::generate() {

@@ -44,6 +44,7 @@ public:
     Built build(const Progress& progress);
 
 private:
+    void read_and_elaborate();
     void prepare_folder();
     void elaborate();
     bool translate_to_xml();

@@ -9,6 +9,7 @@
 #include "sim/project/normalise.h"
 #include "sim/project/part_drivers.h"
 #include "sim/project/source.h"
+#include "sim/project/synthesised.h"
 #include "sim/project/vhdl.h"
 #include "sim/project/vhdl_library.h"
 
@@ -18,9 +19,11 @@ namespace fs = std::filesystem;
 
 namespace {
 
-void take_modules(const fs::path& file, Modules& modules) {
-    for (ModuleText& module : scan(text_of(file)).modules)
-        modules.emplace(module.name, std::move(module));
+void take_modules(const std::string& text, Modules& modules) {
+    for (ModuleText& module : scan(text).modules) modules.emplace(module.name, std::move(module));
+}
+std::string synthesised(const SourceFile& file, const Project& project) {
+    return as_synthesised(text_of(file.path), project.macros);
 }
 // The models that the modules instance.
 void add_models(Modules& modules) {
@@ -30,7 +33,8 @@ void add_models(Modules& modules) {
     std::error_code error;
     for (const std::string& name : wanted) {
         const fs::path model = data_folder() / "rtl" / "ip" / (name + ".v");
-        if (!modules.count(name) && fs::is_regular_file(model, error)) take_modules(model, modules);
+        if (!modules.count(name) && fs::is_regular_file(model, error))
+            take_modules(text_of(model), modules);
     }
 }
 
@@ -47,7 +51,7 @@ std::vector<std::string> translate_vhdl(const SourceRequest& from, const Modules
             if (lower(name) == lower(component)) return &module;
         const std::string model = lower(component) == "tri" ? "TRI" : lower(component);
         if (!from.is_model(model)) return nullptr;
-        take_modules(ip / (model + ".v"), models);
+        take_modules(text_of(ip / (model + ".v")), models);
         return &models.at(model);
     };
     std::vector<VhdlRoot> roots;
@@ -79,7 +83,8 @@ CleanSources clean_sources(const SourceRequest& from) {
     unsigned number = 0;
     Modules modules;
     for (const SourceFile& file : project.sources)
-        if (file.language != SourceFile::Language::VHDL) take_modules(file.path, modules);
+        if (file.language != SourceFile::Language::VHDL)
+            take_modules(synthesised(file, project), modules);
     const std::vector<std::string> vhdl = translate_vhdl(from, modules);
     for (const std::string& text : vhdl)
         for (ModuleText& module : scan(text).modules) modules.emplace(module.name, module);
@@ -91,7 +96,7 @@ CleanSources clean_sources(const SourceRequest& from) {
         if (file.language == SourceFile::Language::VHDL) continue;
         const bool system_verilog = file.language == SourceFile::Language::SYSTEM_VERILOG;
         const Normalised normalised =
-            normalise(text_of(file.path), name, system_verilog, open_inputs, modules);
+            normalise(synthesised(file, project), name, system_verilog, open_inputs, modules);
         clean.changes.insert(clean.changes.end(), normalised.changes.begin(),
                              normalised.changes.end());
         for (const InitName& init : normalised.init_names)

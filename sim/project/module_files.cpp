@@ -6,6 +6,7 @@
 
 #include "sim/project/nearest.h"
 #include "sim/project/settings.h"
+#include "sim/project/synthesised.h"
 #include "sim/project/unsupported.h"
 #include "sim/project/vhdl_source.h"
 
@@ -39,7 +40,7 @@ void ModuleFiles::add(const fs::path& file, Language language, bool listed) {
     Source source{{file, language, listed}, {}};
     const std::string text = text_of(file);
     if (language != Language::VHDL) {
-        source.text = scan(text);
+        source.text = scan(as_synthesised(text, macros_));
         if (project::is_encrypted(file, text)) encrypted_.insert(file);
     } else {
         source.text = scan_vhdl(text);
@@ -81,7 +82,7 @@ void ModuleFiles::take_nearest(const std::string& module, const fs::path& user) 
     if (rivals == rivals_.end()) return;
     std::vector<fs::path> files;
     for (const Definition& d : rivals->second) files.push_back(sources_[d.source].file.path);
-    const std::size_t taken = nearest(files, user);
+    const std::size_t taken = nearest(files, user, module);
     modules_[module] = rivals->second[taken];
     std::string others;
     for (std::size_t n = 0; n < files.size(); ++n)

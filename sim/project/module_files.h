@@ -31,8 +31,10 @@ public:
     };
 
     // `notes` gets what a person should know, a line each.
-    ModuleFiles(const std::filesystem::path& folder, std::vector<std::string>& notes)
-        : folder_{folder}, finder_{folder}, notes_{notes} {}
+    // `macros` are those of the project, which stay where they are.
+    ModuleFiles(const std::filesystem::path& folder, const std::vector<std::string>& macros,
+                std::vector<std::string>& notes)
+        : folder_{folder}, finder_{folder}, macros_{macros}, notes_{notes} {}
 
     const FileFinder& finder() const { return finder_; }
     // Its name as seen from the project's folder.
@@ -67,6 +69,7 @@ private:
 
     const std::filesystem::path folder_;
     const FileFinder finder_;
+    const std::vector<std::string>& macros_;
     std::vector<std::string>& notes_;
     std::deque<Source> sources_;  // whose modules stay where they are
     std::set<std::filesystem::path> known_, encrypted_;

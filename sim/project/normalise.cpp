@@ -12,6 +12,7 @@
 #include "sim/project/parameter_types.h"
 #include "sim/project/registers.h"
 #include "sim/project/reorder.h"
+#include "sim/project/sensitivity.h"
 #include "sim/project/settings.h"
 #include "sim/project/tokens.h"
 
@@ -61,6 +62,7 @@ public:
         repeat_parameter_types(tokens_.all, edits_);
         enable_part_drivers(tokens_, modules, edits_);
         make_registers(tokens_, edits_);
+        complete_lists(tokens_, edits_);
         init_names_ = read_at_run_time(tokens_, edits_);
         for (std::size_t i = 0; i < tokens_.all.size(); ++i)
             if (tokens_.all[i].kind == Kind::NAME && open_inputs.count(tokens_.all[i].text))

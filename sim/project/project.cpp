@@ -27,7 +27,7 @@ public:
           folder_{fs::absolute(settings_.empty() ? request.place / "x" : settings_)
                       .lexically_normal()
                       .parent_path()},
-          files_{folder_, project_.notes} {
+          files_{folder_, project_.macros, project_.notes} {
         project_.folder = folder_;
         project_.settings = settings_;
         project_.top = request.top;
@@ -36,7 +36,10 @@ public:
 
     Project run() {
         if (!settings_.empty()) {
-            for (const Assignment& a : read_settings(settings_)) take(a);
+            const std::vector<Assignment> all = read_settings(settings_);
+            for (const Assignment& a : all)  // before the sources, which they change
+                if (a.name == "VERILOG_MACRO") project_.macros.push_back(a.value);
+            for (const Assignment& a : all) take(a);
             if (project_.top.empty()) project_.top = settings_.stem().string();
         }
         if (other_device_) project_.pins.clear();
@@ -53,6 +56,8 @@ public:
         return std::move(project_);
     }
 
+    const std::vector<std::string>& notes() const { return project_.notes; }
+
 private:
     void note(std::string text) { project_.notes.push_back(std::move(text)); }
 
@@ -62,8 +67,6 @@ private:
             project_.pins[a.to] = a.value;
         } else if (name == "TOP_LEVEL_ENTITY") {
             if (request_.top.empty()) project_.top = a.value;
-        } else if (name == "VERILOG_MACRO") {
-            project_.macros.push_back(a.value);
         } else if (name == "PARAMETER") {
             project_.parameters[a.to] = {verilog_value(a.value),
                                          fmt::format("{}:{}", files_.place(a.file), a.line)};
@@ -235,6 +238,14 @@ private:
 
 }  // namespace
 
-Project read_project(const Request& request) { return ProjectReader{request}.run(); }
+Project read_project(const Request& request) {
+    ProjectReader reader{request};
+    try {
+        return reader.run();
+    } catch (ProjectError& error) {
+        error.notes = reader.notes();
+        throw;
+    }
+}
 
 }  // namespace sim::project

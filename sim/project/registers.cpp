@@ -1,184 +1,220 @@
 #include "sim/project/registers.h"
 
 #include <algorithm>
-#include <initializer_list>
 #include <map>
+#include <optional>
 #include <set>
-#include <string_view>
+#include <string>
 #include <utility>
 #include <vector>
+
+#include <fmt/format.h>
+
+#include "sim/project/clocked_block.h"
 
 namespace sim::project {
 
 namespace {
 
-using Names = std::set<std::string_view>;
+using Names = ClockedBlock::Names;
 
-struct NotUnderstood {};  // the block stays as it is
+bool is_variable_type(const Token& token) {
+    static const std::set<std::string_view> WORDS{"reg",  "logic",    "bit",     "integer", "int",
+                                                  "byte", "shortint", "longint", "time"};
+    return WORDS.count(token.text) > 0;
+}
 
-// Follows the statements of one clocked block, and which variables may have been assigned before.
-class ClockedBlock {
+// The variables that a module declares, by name: "reg signed [7:0] "; empty: a memory, or several.
+class Variables {
 public:
-    ClockedBlock(const std::vector<Token>& all, std::size_t begin) : all_{all}, at_{begin} {
-        statement();
-    }
+    void begin_module() { types_.clear(); }
 
-    std::set<std::size_t> registers() {
-        // One "=" for several variables is that of a register only if all of them are.
-        for (std::size_t before = ~std::size_t{0}; before != read_.size();) {
-            before = read_.size();
-            for (const auto& [sign, names] : signs_)
-                if (std::any_of(names.begin(), names.end(), [&](auto n) { return read_.count(n); }))
-                    read_.insert(names.begin(), names.end());
+    // From the type's word on.
+    void declare(const std::vector<Token>& all, std::size_t i) {
+        const bool is_port = i > 0 && all[i - 1].is("output");
+        std::string type{all[i++].text};
+        for (; i < all.size() && (all[i].is("signed") || all[i].is("unsigned")); ++i)
+            type += fmt::format(" {}", all[i].text);
+        while (i < all.size() && all[i].is("["))
+            for (bool inside = true; inside && i < all.size(); ++i) {
+                type += fmt::format(" {}", all[i].text);
+                inside = !all[i].is("]");
+            }
+        while (i + 1 < all.size() && all[i].kind == Token::Kind::NAME && !is_keyword(all[i].text) &&
+               !is_variable_type(all[i])) {
+            const std::string_view name = all[i].text;
+            const bool again = types_.count(name) > 0;
+            types_[name] = all[i + 1].is("[") || again ? "" : type + " ";
+            if (is_port) ports_.insert(name);
+            int depth = 0;
+            for (++i; i < all.size(); ++i) {
+                depth += all[i].is("(") + all[i].is("[") + all[i].is("{");
+                depth -= all[i].is(")") + all[i].is("]") + all[i].is("}");
+                if (depth < 0 || (depth == 0 && (all[i].is(",") || all[i].is(";")))) break;
+            }
+            if (i >= all.size() || !all[i].is(",")) return;
+            ++i;
         }
-        std::set<std::size_t> result;
-        for (const auto& [sign, names] : signs_)
-            if (!read_.count(*names.begin())) result.insert(sign);
-        return result;
+    }
+    void output(std::string_view name) { ports_.insert(name); }
+
+    std::string type(std::string_view name) const {
+        const auto found = types_.find(name);
+        return found == types_.end() ? "" : found->second;
+    }
+    bool is_output(std::string_view name) const { return ports_.count(name) > 0; }
+
+private:
+    std::map<std::string_view, std::string> types_;
+    Names ports_;
+};
+
+class Registers {
+public:
+    Registers(const std::vector<Token>& all, Edits& edits) : all_{all}, edits_{edits} {}
+
+    void run() {
+        for (std::size_t i = 0; i < all_.size(); ++i) {
+            const Token& token = all_[i];
+            if (token.is("module") || token.is("macromodule")) variables_ = {};
+            if (token.is("endmodule")) end_of_module();
+            if (token.is("always") || token.is("always_ff")) {
+                i = process(i);
+            } else if (is_variable_type(token)) {
+                variables_.declare(all_, i);
+            } else if (token.is("output")) {
+                for (std::size_t n = i + 1; n < all_.size() && !all_[n].is(";") &&
+                                            !all_[n].is(")") && !all_[n].is("input");
+                     ++n)
+                    variables_.output(all_[n].text);
+            }
+        }
+        end_of_module();
     }
 
 private:
-    const Token& here() const {
-        if (at_ >= all_.size()) throw NotUnderstood{};
-        return all_[at_];
-    }
-    bool take(std::string_view text) {
-        if (!here().is(text)) return false;
-        ++at_;
-        return true;
-    }
-    void expect(std::string_view text) {
-        if (!take(text)) throw NotUnderstood{};
-    }
-    bool is_one_of(std::initializer_list<std::string_view> words) const {
-        return std::find(words.begin(), words.end(), here().text) != words.end();
-    }
-
-    // Everything up to `end` outside of brackets is read; `end` is taken.
-    void read_to(std::string_view end) {
-        for (int depth = 0; depth != 0 || !here().is(end); ++at_) {
-            depth += is_one_of({"(", "[", "{"}) - is_one_of({")", "]", "}"});
-            if (depth < 0) throw NotUnderstood{};
-            if (assigned_.count(here().text)) read_.insert(here().text);
+    // Behind the block, where it is a clocked one that is understood.
+    std::size_t process(std::size_t i) {
+        if (i + 2 >= all_.size() || !all_[i + 1].is("@") || !all_[i + 2].is("(")) return i;
+        std::size_t at = i + 3;
+        bool clocked = false;
+        for (int depth = 1; depth && at < all_.size(); ++at) {
+            depth += all_[at].is("(") - all_[at].is(")");
+            clocked |= all_[at].is("posedge") || all_[at].is("negedge");
         }
-        ++at_;
-    }
-    void condition() {
-        expect("(");
-        read_to(")");
-    }
-
-    void statement() {
-        if (take(";")) return;
-        if (take("begin")) return sequence();
-        if (take("if")) return branches();
-        if (is_one_of({"case", "casex", "casez"})) return choices();
-        if (is_one_of({"for", "while", "repeat"})) return loop();
-        if (here().text[0] == '$') return read_to(";");
-        assignment();
-    }
-
-    void sequence() {
-        if (take(":")) ++at_;
-        while (!take("end")) {
-            if (is_one_of({"reg", "integer", "logic", "int"}))
-                local();
-            else
-                statement();
+        if (!clocked || at >= all_.size()) return i;
+        try {
+            blocks_.emplace_back(all_, at);
+            return blocks_.back().end() - 1;
+        } catch (const NotUnderstood&) {
+            return i;
         }
     }
-    void local() {
-        for (; !here().is(";"); ++at_) read_.insert(here().text);
-        ++at_;
-    }
 
-    void branches() {
-        condition();
-        const Names before = assigned_;
-        statement();
-        if (at_ >= all_.size() || !here().is("else")) return;
-        ++at_;
-        const Names after = std::exchange(assigned_, before);
-        statement();
-        assigned_.insert(after.begin(), after.end());
-    }
-
-    void choices() {
-        ++at_;
-        condition();
-        const Names before = assigned_;
-        Names after = before;
-        while (!take("endcase")) {
-            assigned_ = before;
-            if (!take("default"))
-                read_to(":");
-            else
-                take(":");
-            statement();
-            after.insert(assigned_.begin(), assigned_.end());
+    void end_of_module() {
+        std::map<std::string_view, unsigned> users;  // how many blocks have it
+        for (const ClockedBlock& block : blocks_) {
+            Names names;
+            for (std::size_t i = block.begin(); i < block.end(); ++i)
+                if (all_[i].kind == Token::Kind::NAME) names.insert(all_[i].text);
+            for (const auto name : names) ++users[name];
         }
-        assigned_ = after;
+        for (const ClockedBlock& block : blocks_) change(block, users);
+        blocks_.clear();
     }
 
-    // What is assigned in one round may be read in the next; so all of it counts as read.
-    void loop() {
-        const std::size_t first = at_++;
-        expect("(");
-        for (int depth = 1; depth; ++at_) depth += here().is("(") - here().is(")");
-        statement();
-        for (std::size_t i = first; i < at_; ++i)
-            if (all_[i].kind == Token::Kind::NAME) read_.insert(all_[i].text);
+    // One "=" for several variables is that of a register only if all of them are.
+    static Names kept_back(const ClockedBlock& block) {
+        Names read = block.read_behind();
+        for (std::size_t before = ~std::size_t{0}; before != read.size();) {
+            before = read.size();
+            for (const auto& a : block.assignments())
+                if (a.is_blocking && std::any_of(a.targets.begin(), a.targets.end(),
+                                                 [&](auto& t) { return read.count(t.name); }))
+                    for (const auto& t : a.targets) read.insert(t.name);
+        }
+        return read;
     }
 
-    void assignment() {
-        std::vector<std::string_view> names;
-        if (take("{")) {
-            for (; !take("}"); take(",")) names.push_back(target());
-        } else {
-            names.push_back(target());
+    void change(const ClockedBlock& block, const std::map<std::string_view, unsigned>& users) {
+        const Names read = kept_back(block);
+        Names copied, echoed, by_nonblocking;
+        for (const auto& a : block.assignments())
+            if (!a.is_blocking)
+                for (const auto& t : a.targets) by_nonblocking.insert(t.name);
+        for (const auto& a : block.assignments()) {
+            if (!a.is_blocking) continue;
+            if (a.is_plain && !read.count(a.targets[0].name)) {
+                edits_.before[a.sign] += "<";
+                continue;
+            }
+            for (const auto& t : a.targets) {
+                if (block.loop_variables().count(t.name) || block.locals().count(t.name)) continue;
+                const bool mixed = by_nonblocking.count(t.name) > 0;
+                const bool shared = users.at(t.name) > 1 || variables_.is_output(t.name);
+                if (!variables_.type(t.name).empty() && (mixed || shared))
+                    copied.insert(t.name);
+                else if (mixed)
+                    echoed.insert(t.name);
+            }
         }
-        const std::size_t sign = at_;
-        const bool blocking = take("=");
-        if (!blocking) {
-            expect("<");
-            expect("=");
-        }
-        read_to(";");
-        assigned_.insert(names.begin(), names.end());
-        if (blocking) signs_[sign] = names;
+        rename(block, copied);
+        for (const auto& a : block.assignments()) echo(a, copied, echoed);
+        if (!copied.empty()) declare(block, copied);
     }
-    std::string_view target() {
-        if (here().kind != Token::Kind::NAME || is_keyword(here().text)) throw NotUnderstood{};
-        const std::string_view name = all_[at_++].text;
-        while (take("[")) read_to("]");
-        return name;
+
+    static std::string copy_of(std::string_view name) { return fmt::format("de1sim_d_{}", name); }
+
+    void declare(const ClockedBlock& block, const Names& copied) {
+        std::string open = fmt::format("begin : de1sim_block_{} ", ++number_);
+        for (const auto name : copied) open += variables_.type(name) + copy_of(name) + "; ";
+        for (const auto name : copied) open += fmt::format("{} = {}; ", copy_of(name), name);
+        edits_.before[block.begin()].insert(0, open);
+        edits_.behind[block.end() - 1] += " end";
+    }
+
+    // All that the block reads and assigns by "=" of these is the copy.
+    void rename(const ClockedBlock& block, const Names& copied) {
+        std::set<std::size_t> kept;  // targets of "<="
+        for (const auto& a : block.assignments())
+            if (!a.is_blocking)
+                for (const auto& t : a.targets) kept.insert(t.begin);
+        for (std::size_t i = block.begin(); i < block.end(); ++i) {
+            if (!copied.count(all_[i].text) || kept.count(i) || all_[i - 1].is(".")) continue;
+            edits_.left_out.insert(i);
+            edits_.before[i] += copy_of(all_[i].text);
+        }
+    }
+
+    // Behind "n = d;" comes "n <= n;", or "n <= its copy;".
+    void echo(const ClockedBlock::Assignment& a, const Names& copied, const Names& echoed) {
+        std::string behind;
+        for (const auto& t : a.targets) {
+            if (!a.is_blocking || (!copied.count(t.name) && !echoed.count(t.name))) continue;
+            std::string select;
+            for (std::size_t i = t.begin + 1; i < t.end; ++i)
+                select += (copied.count(all_[i].text) && !all_[i - 1].is(".")
+                               ? copy_of(all_[i].text)
+                               : std::string{all_[i].text}) +
+                          " ";
+            behind +=
+                fmt::format(" {}{} <= {}{};", t.name, select,
+                            copied.count(t.name) ? copy_of(t.name) : std::string{t.name}, select);
+        }
+        if (behind.empty()) return;
+        edits_.before[a.begin].insert(0, "begin ");
+        edits_.behind[a.end].insert(0, behind + " end");
     }
 
     const std::vector<Token>& all_;
-    std::size_t at_;
-    Names assigned_, read_;  // up to here; and read after that somewhere
-    std::map<std::size_t, std::vector<std::string_view>> signs_;
+    Edits& edits_;
+    Variables variables_;
+    std::vector<ClockedBlock> blocks_;  // of this module
+    unsigned number_ = 0;
 };
 
 }  // namespace
 
-void make_registers(const Tokens& tokens, Edits& edits) {
-    const std::vector<Token>& all = tokens.all;
-    for (std::size_t i = 0; i + 2 < all.size(); ++i) {
-        if (!all[i].is("always") || !all[i + 1].is("@") || !all[i + 2].is("(")) continue;
-        std::size_t at = i + 3;
-        bool clocked = false;
-        for (int depth = 1; depth && at < all.size(); ++at) {
-            depth += all[at].is("(") - all[at].is(")");
-            clocked |= all[at].is("posedge") || all[at].is("negedge");
-        }
-        if (!clocked) continue;
-        try {
-            for (const std::size_t sign : ClockedBlock{all, at}.registers())
-                edits.before[sign] += "<";
-        } catch (const NotUnderstood&) {
-        }
-    }
-}
+void make_registers(const Tokens& tokens, Edits& edits) { Registers{tokens.all, edits}.run(); }
 
 }  // namespace sim::project

@@ -22,7 +22,10 @@ namespace sim::project {
 
 // What is wrong with a project, in a line: file, line, what, what was expected.
 class ProjectError : public std::runtime_error {
+public:
     using std::runtime_error::runtime_error;
+    std::vector<std::string>
+        notes;  // what was found out before, which may be the cause; a line each
 };
 
 struct Assignment {

@@ -68,9 +68,23 @@ void add_project_options(CLI::App& command, ProjectOptions& options) {
         ->capture_default_str();
 }
 
+namespace {
+
+// The notes may hold the cause of what is refused then.
+const project::Design& examine(project::Builder& builder) {
+    try {
+        return builder.examine();
+    } catch (const project::ProjectError& error) {
+        for (const std::string& note : error.notes) message(note);
+        throw;
+    }
+}
+
+}  // namespace
+
 project::Built build_with_progress(const ProjectOptions& options, bool trace, bool quiet) {
     project::Builder builder{options.request(), trace};
-    const project::Design& design = builder.examine();
+    const project::Design& design = examine(builder);
     if (!quiet) {
         for (const std::string& note : design.project.notes) message(note);
         for (const std::string& note : design.binding.notes) message(note);
@@ -90,7 +104,7 @@ int build_project(const ProjectOptions& options) {
 
 int check_project(const ProjectOptions& options) {
     project::Builder builder{options.request(), false};
-    const project::Design& design = builder.examine();
+    const project::Design& design = examine(builder);
     std::string text = fmt::format("top module: {}\nfiles:\n", design.project.top);
     for (const auto& file : design.project.sources)
         text +=

@@ -37,6 +37,98 @@ class AsQuartusTakesIt(Case):
                          "assign LEDR = d; endmodule\n")
         self.leds(1)
 
+    def test_a_register_by_both_assignments_in_always_ff(self):
+        """Verilator alone loses the "=" of a variable that the block also sets by "<="."""
+        self.write(top_sv="module top(input CLOCK_50, input [3:0] KEY, output logic [9:0] LEDR);\n"
+                          "logic [9:0] n = 0; logic up = 1, down = 1;\n"
+                          "always_ff @(posedge CLOCK_50, negedge KEY[1])\n"
+                          "  if (!KEY[1]) begin n <= 0; up <= 1; end\n"
+                          "  else if (up) begin n = n + 10'd1; if (n == 10'd300) up <= 0; end\n"
+                          "  else if (n != 10'd450) n <= n + 10'd5;\n"
+                          "always_ff @(posedge CLOCK_50) if (!up) LEDR = n; else LEDR <= 7;\n"
+                          "endmodule\n")
+        self.leds(450, wait="60ms")
+        self.leds(7, wait="1us")
+
+    def test_parts_of_a_register_by_both_assignments(self):
+        self.write(top_sv="module top(input CLOCK_50, output logic [9:0] LEDR);\n"
+                          "logic [9:0] n = 0, m = 0;\n"
+                          "always_ff @(posedge CLOCK_50) begin\n"
+                          "  n[3:0] = 4'd5; n[9:8] <= 2'd2; if (n[0]) n[5] <= 1; n[4]++; end\n"
+                          "always_ff @(posedge CLOCK_50) {m[4:0], m[9:5]} = n;\n"
+                          "assign LEDR = m & 10'b0111111111; endmodule\n")
+        self.leds(0b10110001)
+
+    def test_a_counter_that_its_block_reads_is_a_register_for_others(self):
+        """At each edge the other block gets what it was before, whichever stands first."""
+        count = ("always @(posedge CLOCK_50) begin\n"
+                 "  n = n + 1; if (n == 10) begin n = 0; t = ~t; end end\n")
+        other = ("always @(posedge CLOCK_50) begin\n"
+                 "  m <= n; if (m == n) bad <= 1; if (n == 10) bad <= 1; end\n")
+        for body in count + other, other + count:
+            self.write(top_v="module top(input CLOCK_50, output [9:0] LEDR);\n"
+                             "reg [3:0] n = 5, m = 0; reg t = 0, bad = 0;\n" + body +
+                             "reg [3:0] d = 0; always @(posedge CLOCK_50) d <= n - m;\n"
+                             "reg same = 1; always @(posedge CLOCK_50) same <= d == 1 || d == 7;\n"
+                             "assign LEDR = {bad, same}; endmodule\n")
+            self.leds(1)
+
+    def test_a_list_that_lacks_signals_is_that_of_all(self):
+        self.write(top_v="module top(input [9:0] SW, output [9:0] LEDR); reg a, b, c;\n"
+                         "always @(SW[0]) a = SW[0] & SW[1];\n"
+                         "always @(SW[0] or SW[1]) begin c <= b; b <= SW[0] & SW[1]; end\n"
+                         "assign LEDR = {c, b, a};\nendmodule\n", s_yaml="""name: s
+version: 1
+steps:
+  - hold: {switch: 0}
+  - delay: 1ms
+  - hold: {switch: 1}
+  - delay: 60ms
+  - expect-leds: "0000000111"
+  - release: {switch: 1}
+  - delay: 60ms
+  - expect-leds: "0000000000"
+""")
+        done = self.de1sim("run", "s.yaml", "--project", ".")
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+
+    def test_translate_off(self):
+        """What stands there is not read, not even its lines for the preprocessor."""
+        leds = "module top(output [9:0] LEDR);\n"
+        for n, (off, on) in enumerate((
+                ("// synthesis translate_off", "// synthesis translate_on"),
+                ("// synopsys translate_off", "//synopsys  translate_on"),
+                ("//pragma translate_off", "// pragma translate_on"),
+                ("/* synthesis translate_off */", "/* Synthesis TRANSLATE_ON */"),
+                ("// altera translate_off // ModelSim", "// altera translate_on"))):
+            leds += (f"{off}\n`define SIM\nthis is no Verilog \"\n{on}\n"
+                     f"`ifdef SIM\nassign LEDR[{n}] = 0;\n`else\nassign LEDR[{n}] = 1;\n`endif\n"
+                     f"{off}\nassign LEDR[{n}] = 0; missing m();\n"
+                     f"// synthesis read_comments_as_HDL on\n{on}\n")
+        self.write(top_v=leds + "assign LEDR[9:5] = 0;\nendmodule\n// pragma translate_off\nend")
+        self.leds(31)
+
+    def test_comments_that_are_read(self):
+        self.write(top_v="module top(output [9:0] LEDR);\n"
+                         "// synthesis read_comments_as_HDL on\n// assign LEDR = 6;\n"
+                         "/* wire [3:0] more; */ // synthesis read_comments_as_HDL off\n"
+                         "// assign LEDR = 9;\nendmodule\n")
+        self.leds(6)
+
+    def test_translate_off_in_a_branch_that_is_not_taken(self):
+        """The wizards' files have it in one that is for other tools than Quartus."""
+        self.write(top_v="module top(output [9:0] LEDR);\n`ifndef ALTERA_RESERVED_QIS\n"
+                         "// synopsys translate_off\n`endif\ntri1 [9:0] w;\n"
+                         "`ifndef ALTERA_RESERVED_QIS\n// synopsys translate_on\n`endif\n"
+                         "assign LEDR = w;\nendmodule\n")
+        self.leds(1023)
+
+    def test_macros_are_those_of_quartus(self):
+        self.write(top_v="module top(output [9:0] LEDR);\n`ifdef ALTERA_RESERVED_QIS\n"
+                         "`ifndef VERILATOR\n`ifndef verilator\nassign LEDR = 6;\n"
+                         "`endif\n`endif\n`endif\nendmodule\n")
+        self.leds(6)
+
     def test_pulls_of_the_wizards_files(self):
         """tri0 and tri1 in the wizard's file and where it is instanced: the memory must write."""
         self.write(top_v="module top(input CLOCK_50, output [9:0] LEDR);\n"

@@ -152,6 +152,45 @@ TEST(Normalise, VariablesThatTheirBlockReadsStayAsTheyAre) {
     EXPECT_EQ(cleaned("always @(posedge c) n = m + ("), "always @(posedge c) n = m + (");
 }
 
+TEST(Normalise, ARegisterOfBothAssignmentsHasACopyForItsBlock) {
+    EXPECT_EQ(cleaned("module m; reg [3:0] n;\nalways_ff @(posedge c) if (r) n <= 0;\n"
+                      "else begin n[1] = n[0]; n++; a <= n; end\nendmodule"),
+              "module m; reg [3:0] n;\nalways_ff @(posedge c) begin : de1sim_block_1 "
+              "reg [ 3 : 0 ] de1sim_d_n; de1sim_d_n = n; if (r) n <= 0;\n"
+              "else begin begin de1sim_d_n[1] = de1sim_d_n[0]; n[ 1 ]  <= de1sim_d_n[ 1 ] ; end "
+              "begin de1sim_d_n++; n <= de1sim_d_n; end a <= de1sim_d_n; end end\nendmodule");
+    // A memory is not copied.
+    EXPECT_THAT(cleaned("module m; reg n [0:3]; always @(posedge c) if (r) n[0] <= 0;\n"
+                        "else begin n[i] = 1; a <= n[0]; end endmodule"),
+                HasSubstr("begin n[i] = 1; n[ i ]  <= n[ i ] ; end"));
+}
+
+TEST(Normalise, ARegisterThatOtherBlocksSeeHasACopyForItsOwn) {
+    const std::string block = "always @(posedge c) begin n = n + 1; if (n == 9) n = 0; end ";
+    const std::vector<std::string> seen{
+        "module m; reg n; " + block + "always @(posedge c) d <= n; endmodule",
+        "module m; reg n; always @(posedge c) d <= n; " + block + "endmodule",
+        "module m(output reg [3:0] d, n); " + block + "endmodule",
+        "module m(n); output [3:0] n; reg [3:0] n; " + block + "endmodule"};
+    for (const std::string& module : seen)
+        EXPECT_THAT(cleaned(module), HasSubstr("if (de1sim_d_n == 9)")) << module;
+    const std::vector<std::string> alone{
+        "module m; reg n; " + block + "endmodule module k; always @(posedge c) n <= 1; endmodule",
+        "module m; integer i; always @(posedge c) for (i = 0; i < 2; i = i + 1) a[i] <= 1;\n"
+        "always @(posedge c) for (i = 0; i < 2; i = i + 1) b[i] <= 1; endmodule"};
+    for (const std::string& module : alone) EXPECT_EQ(cleaned(module), module);
+}
+
+TEST(Normalise, AListWithoutEdgesIsThatOfAllThatTheBlockReads) {
+    EXPECT_EQ(cleaned("always @(a or b[0]) c = a & d;"),
+              "always @(`ifdef DE1SIM_LISTS a or b[0] `else * `endif ) c = a & d;");
+    EXPECT_EQ(cleaned("always @a c = a;"),
+              "always @(`ifdef DE1SIM_LISTS a `else * `endif ) c = a;");
+    for (const char* same : {"always @(*) c = a;", "always @* c = a;",
+                             "always @(posedge a, negedge b) c <= a;", "initial @(a) b = 1;"})
+        EXPECT_EQ(cleaned(same), same);
+}
+
 TEST(Normalise, NewKeywordsAreNamesInAVFile) {
     const auto result = normalise("module m(input do, output final);\nendmodule\n", "f.v", false);
     EXPECT_EQ(result.text.find("`begin_keywords \"1364-2005\" module"), 0u);
