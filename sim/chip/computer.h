@@ -52,6 +52,10 @@ public:
     void type(const std::string& text, SerialLine to) override;
     void end_trace() override { fpga.end_trace(); }
 
+    // Something that the program has printed may still be on its way to its host.  The fabric has
+    // to have run for some microseconds since.
+    bool is_printing() { return jtag_host.rests(); }
+
     // The character buffer's 60 rows of 80, as the processor would read it; once the run is over,
     // outside simulated time.  The monitor shows letters, but only as pixels.
     std::vector<std::string> characters();

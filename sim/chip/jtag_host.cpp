@@ -25,6 +25,8 @@ void JtagHost::byte(unsigned number, char character, JtagInputs& jtag) {
         jtag.take = static_cast<std::uint8_t>(jtag.take & ~(1u << number));
 }
 
+bool JtagHost::rests() { return fpga_.jtag().take != (1u << UARTS) - 1; }
+
 void JtagHost::look() {
     JtagInputs& jtag = fpga_.jtag();
     for (unsigned& taken : taken_) taken = 0;

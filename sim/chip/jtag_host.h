@@ -29,6 +29,9 @@ public:
         typed_[number].insert(typed_[number].end(), text.begin(), text.end());
     }
 
+    // It takes nothing from one of them before it looks again, so that something may wait there.
+    bool rests();
+
 private:
     static constexpr unsigned UARTS = 2, PACKET = 64;
 

@@ -3,8 +3,10 @@
 
 #include <fcntl.h>
 #include <poll.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <cerrno>
 #include <csignal>
 #include <string>
@@ -32,7 +34,24 @@ int write_all(int descriptor, std::string_view text) noexcept {
     return 0;
 }
 
+// What stands on the present line of the two streams.
+std::atomic<bool> status_shown{false};       // on stderr
+std::atomic<bool> output_unfinished{false};  // on stdout, without an end of the line
+std::atomic<bool> output_failed{false};
+
+bool streams_are_one() noexcept {
+    static const bool one = [] {
+        struct stat out {
+        }, err{};
+        return fstat(STDOUT_FILENO, &out) == 0 && fstat(STDERR_FILENO, &err) == 0 &&
+               out.st_dev == err.st_dev && out.st_ino == err.st_ino;
+    }();
+    return one;
+}
+
 void line_to_stderr(const char* before, std::string_view line) noexcept {
+    clear_status();
+    if (streams_are_one() && output_unfinished.exchange(false)) write_all(STDERR_FILENO, "\n");
     try {
         write_all(STDERR_FILENO, before + printable(line) + "\n");
     } catch (const std::exception&) {  // no memory for it
@@ -53,9 +72,27 @@ void message(std::string_view line) noexcept { line_to_stderr("", line); }
 
 void complain(std::string_view line) noexcept { line_to_stderr("de1sim: ", line); }
 
-void draw(std::string_view text) noexcept { write_all(STDERR_FILENO, text); }
+void show_status(std::string_view text) noexcept {
+    if (streams_are_one() && output_unfinished) return;
+    write_all(STDERR_FILENO, "\r\033[K");
+    write_all(STDERR_FILENO, text);
+    status_shown = true;
+}
+
+void clear_status() noexcept {
+    if (status_shown.exchange(false)) write_all(STDERR_FILENO, "\r\033[K");
+}
+
+void print_output(std::string_view text) noexcept {
+    if (text.empty() || output_failed) return;
+    if (streams_are_one()) clear_status();
+    output_failed = write_all(STDOUT_FILENO, text) != 0;
+    output_unfinished = text.back() != '\n';
+}
 
 bool print_result(std::string_view text) noexcept {
+    if (streams_are_one()) clear_status();
+    if (output_unfinished.exchange(false)) write_all(STDOUT_FILENO, "\n");
     const int error = write_all(STDOUT_FILENO, text);
     if (error == 0) return true;
     try {

@@ -195,7 +195,9 @@ void add_run_options(CLI::App& command, RunOptions& options) {
         "--update-goldens", options.update_goldens,
         "write golden pictures anew that differ, and those that are not there yet: the\n"
         "expectation is then met");
-    command.add_flag("--quiet", options.quiet, "no progress, no summary unless something failed");
+    command.add_flag("--quiet", options.quiet,
+                     "no progress, nothing of what the program prints, and no summary unless\n"
+                     "something failed");
 }
 
 void settle_run_options(const CLI::App& command, RunOptions& options) {

@@ -41,13 +41,9 @@ void Progress::show(double simulated_s, std::uint64_t frames) {
         const auto full = static_cast<std::size_t>(std::min(1.0, simulated_s / *total_s_) * WIDTH);
         bar = "[" + std::string(full, '#') + std::string(WIDTH - full, '.') + "] ";
     }
-    draw("\r\033[K" + bar + line);
-    shown_ = true;
+    show_status(bar + line);
 }
 
-void Progress::done() {
-    if (shown_) draw("\r\033[K");
-    shown_ = false;
-}
+void Progress::done() { clear_status(); }
 
 }  // namespace sim

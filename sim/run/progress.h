@@ -22,7 +22,6 @@ private:
     const std::optional<double> total_s_;
     const std::chrono::steady_clock::time_point begin_;
     double next_wall_s_ = 0, next_simulated_s_ = 1;
-    bool shown_ = false;
 };
 
 }  // namespace sim

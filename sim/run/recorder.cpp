@@ -64,6 +64,7 @@ void Recorder::sample_rate(double hz) {
 void Recorder::console(char character, SerialLine) {
     senses_.console(character);
     if (page) page->console.print(now_s(), character);
+    if (output) output->print(character);
     attempt([&] { console_.print(character); });
 }
 

@@ -18,6 +18,7 @@
 #include "sim/run/lamp_log.h"
 #include "sim/run/options.h"
 #include "sim/run/output_folder.h"
+#include "sim/run/program_output.h"
 #include "sim/scenario/senses.h"
 
 namespace sim {
@@ -44,6 +45,8 @@ public:
     Senses& senses() { return senses_; }
     // Keeps for a page what passes by, if there is one.
     page::Page* page = nullptr;
+    // Prints what the program does, if there is one.
+    ProgramOutput* output = nullptr;
     // SHA-256 of the first new pictures, by the numbers of their frames.
     const std::vector<std::pair<std::uint64_t, std::string>>& pictures() const { return pictures_; }
     const LampLog& lamp_log() const { return lamp_log_; }

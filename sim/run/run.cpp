@@ -20,6 +20,7 @@
 #include "sim/run/recorder.h"
 #include "sim/run/results.h"
 #include "sim/run/run_again.h"
+#include "sim/run/run_loop.h"
 #include "sim/run/run_page.h"
 #include "sim/run/trace_notes.h"
 #include "sim/scenario/scenario.h"
@@ -27,63 +28,6 @@
 namespace sim {
 
 namespace {
-
-// Ends sc_start when the steps are done (unless a duration says when) or the firmware has faulted.
-class Finish : public sc_core::sc_module {
-public:
-    Finish(const sc_core::sc_module_name& name, const sc_core::sc_event& done,
-           const sc_core::sc_event& faulted)
-        : sc_module{name} {
-        SC_HAS_PROCESS(Finish);
-        SC_METHOD(pause);
-        sensitive << done << faulted;
-        dont_initialize();
-    }
-
-private:
-    void pause() { sc_core::sc_pause(); }
-};
-
-RunEnd run_end(const Chip::End& end) {
-    switch (end.kind) {
-        case Chip::End::Kind::FINISHED: return RunEnd::PROGRAM_ENDED;
-        case Chip::End::Kind::FAILED: return RunEnd::DESIGN_STOPPED;
-        case Chip::End::Kind::BROKEN: break;
-    }
-    return RunEnd::INTERNAL_ERROR;
-}
-
-// `alone`: the program has no scenario, which would say when the run ends.
-RunEnd play(Board& board, Computer* computer, Player& player, Recorder& recorder,
-            std::optional<SimTime> duration, bool alone, Progress& progress, Debugger* debugger,
-            const live::LivePlayer* live, LastWords& last_words) {
-    const sc_core::sc_time slice{1, sc_core::SC_MS};
-    const sc_core::sc_time last_looks{100, sc_core::SC_MS};  // at what the program has left behind
-    const sc_core::sc_time end =
-        duration ? sc_core::sc_time::from_value(duration->ps) : sc_core::sc_max_time();
-    double renew_s = 0;
-    for (;;) {
-        if (debugger) debugger->poll();
-        if (interrupted() || (debugger && debugger->killed())) return RunEnd::INTERRUPTED;
-        if (recorder.failed()) return RunEnd::INTERRUPTED;
-        if (computer && computer->cpu.fault()) return RunEnd::FIRMWARE_FAULT;
-        if (const auto ended = board.chip().end()) return run_end(*ended);
-        if (alone && !live && computer->arm->ended_for() >= last_looks)
-            return RunEnd::PROGRAM_ENDED;
-        if (live ? live->left() : !duration && !alone && player.finished())
-            return RunEnd::ALL_STEPS_DONE;
-        const sc_core::sc_time now = sc_core::sc_time_stamp();
-        if (now >= end)
-            return player.finished() && !alone ? RunEnd::ALL_STEPS_DONE : RunEnd::DURATION_REACHED;
-        sc_core::sc_start(std::min(slice, end - now));
-        const double now_s = sc_core::sc_time_stamp().to_seconds();
-        progress.show(now_s, board.monitor.frames());
-        if (now_s >= renew_s) {
-            last_words.renew(now_s, board.monitor.frames());
-            renew_s = now_s + 0.05;
-        }
-    }
-}
 
 // How the simulator itself failed.  SystemC wraps what a process throws.
 std::string what_broke(const std::exception& error, const std::string& doing) {
@@ -153,6 +97,8 @@ ExitCode run_doing(const char*& doing, RunOptions options, const Firmware& firmw
 
     note_interrupts();
     Recorder recorder{options.out, options.frames, options.video};
+    std::optional<ProgramOutput> output;
+    if (!options.quiet) recorder.output = &output.emplace(options.gdb.has_value());
     std::optional<RunPage> page;
     if (!options.html.empty()) page.emplace(options, recorder);
     std::optional<TraceFile> trace;
@@ -237,12 +183,21 @@ ExitCode run_doing(const char*& doing, RunOptions options, const Firmware& firmw
     LastWords last_words{options.out, report};
     Parts parts;
     parts.carry_out("simulating", [&] {
-        report.end = play(board, computer, player, recorder, duration, options.scenario.empty(),
-                          progress, debugger ? &*debugger : nullptr,
-                          live_player ? &*live_player : nullptr, last_words);
+        report.end = RunLoop{board,
+                             computer,
+                             player,
+                             recorder,
+                             duration,
+                             options.scenario.empty(),
+                             progress,
+                             debugger ? &*debugger : nullptr,
+                             live_player ? &*live_player : nullptr,
+                             last_words}
+                         .run();
         board.chip().catch_up();
     });
     progress.done();
+    if (output) output->end();
     report.wall_s = progress.wall_s();
     parts.carry_out("writing pictures, sound and console", [&] { recorder.close(); });
     if (arm) parts.carry_out("writing the profile", [&] { arm->write_profile(); });

@@ -44,12 +44,11 @@ void Reporter::done(const Result& result) {
     }
     ++done_;
     if (!result.passed()) ++failed_;
-    if (terminal_) draw("\r\033[K");
     message(fmt::format("{} {:7.2f} s  {}", result.passed() ? "ok    " : "FAILED", result.wall_s,
                         result.name));
     if (terminal_ && done_ < count_)
-        draw(fmt::format("{} of {}, {} failed, about {:.0f} s left", done_, count_, failed_,
-                         std::ceil(left_s())));
+        show_status(fmt::format("{} of {}, {} failed, about {:.0f} s left", done_, count_, failed_,
+                                std::ceil(left_s())));
 }
 
 bool summarise(const Results& results, double wall_s, const std::filesystem::path& out) {

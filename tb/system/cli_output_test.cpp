@@ -191,7 +191,7 @@ TEST_F(CommandLineRun, TellsItsProgressInPlainLinesWithoutATerminal) {
     const tb::Outcome outcome = play(scenario("duration: 1100ms\n"), {"--frames", "none"});
     EXPECT_THAT(tb::lines_of(outcome.err),
                 ElementsAre(MatchesRegex(" *1\\.00 s of 1\\.10 s, 59 frames, .* x real time")));
-    EXPECT_THAT(outcome.out, StartsWith("test: "));
+    EXPECT_THAT(outcome.out, StartsWith("ready\r\ntest: "));
     EXPECT_THAT(outcome.err, Not(HasSubstr("\r")));
 }
 
