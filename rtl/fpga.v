@@ -207,6 +207,7 @@ module fpga #(
     wire [11:0] waddr, raddr;
     wire [31:0] wdata;
     wire [3:0]  wstrb;
+    wire        rlow, ps2_wait;
     wire [31:0] ports_rdata, sysid_rdata, vga_rdata, audio_rdata, keypad_rdata, timer0_rdata;
     wire [31:0] timer1_rdata, jtag_rdata, ps2_rdata, adc_rdata, irda_rdata;
     wire [31:0] video_in_rdata;
@@ -221,8 +222,8 @@ module fpga #(
         .arburst_i(lw_arburst_i), .arvalid_i(lw_arvalid_i), .arready_o(lw_arready_o),
         .rid_o(lw_rid_o), .rdata_o(lw_rdata_o), .rresp_o(lw_rresp_o), .rlast_o(lw_rlast_o),
         .rvalid_o(lw_rvalid_o), .rready_i(lw_rready_i),
-        .we_o(we), .waddr_o(waddr), .wdata_o(wdata), .wstrb_o(wstrb),
-        .re_o(re), .raddr_o(raddr),
+        .we_o(we), .waddr_o(waddr), .wdata_o(wdata), .wstrb_o(wstrb), .hold_i(ps2_wait),
+        .re_o(re), .raddr_o(raddr), .rlow_o(rlow),
         .rdata_i(ports_rdata | sysid_rdata | vga_rdata | audio_rdata | keypad_rdata
                  | timer0_rdata | timer1_rdata | jtag_rdata | ps2_rdata | adc_rdata
                  | irda_rdata | video_in_rdata),
@@ -412,8 +413,8 @@ module fpga #(
     ps2_ports ps2 (
         .clk_i(ports_clk), .rst_i(rst_i), .now_i(now),
         .we_i({we[SEL_PS2_1], we[SEL_PS2_0]}), .wstrb_i(wstrb), .waddr_i(waddr), .wdata_i(wdata),
-        .re_i({re[SEL_PS2_1], re[SEL_PS2_0]}), .raddr_i(raddr),
-        .rdata_o(ps2_rdata), .irq_o(ps2_irq),
+        .re_i({re[SEL_PS2_1], re[SEL_PS2_0]}), .rlow_i(rlow), .raddr_i(raddr),
+        .rdata_o(ps2_rdata), .wait_o(ps2_wait), .irq_o(ps2_irq),
         .ps2_clk_i(ps2_clk_i), .ps2_dat_i(ps2_dat_i),
         .ps2_clk_low_o(ps2_clk_low_o), .ps2_dat_low_o(ps2_dat_low_o),
         .awake_o(ports_awake[7]), .due_o(ps2_due), .rest_o(ps2_rest)

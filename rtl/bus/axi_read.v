@@ -39,6 +39,7 @@ module axi_read #(
 
     output reg               re_o,
     output wire [ADDR_W-1:0] raddr_o,     // word aligned
+    output wire              rlow_o,      // the word's lowest byte is read, too
     input  wire              rgrant_i,
     input  wire              rdone_i,
     input  wire [31:0]       rdata_i,
@@ -65,6 +66,7 @@ module axi_read #(
     assign arready_o = !busy_q;
     assign rlast_o   = left_q == 4'd0;
     assign raddr_o   = {addr_q[ADDR_W-1:2], 2'b00};
+    assign rlow_o    = addr_q[1:0] == 2'b00;
 
     always @(posedge clk_i) begin
         if (busy_q) begin

@@ -5,7 +5,8 @@
 //   W            =D0==D1=                one beat per clock
 //   we_o             =D0==D1=            with waddr_o, wdata_o, wstrb_o
 //   werror_i             =E0==E1=        one clock after we_o: no block owns that address
-//   B                            =OK=    DECERR if any beat met an error
+//   hold_i                               from one clock after the last we_o: the block is not done
+//   B                            =OK=    not while hold_i; DECERR if any beat met an error
 //
 // INCR bursts of 1 to 16 beats, beats of 1, 2 or 4 bytes, unaligned starts; byte lanes by WSTRB.
 // FIXED and WRAP bursts, and beats wider than the bus, are accepted to the end, write nothing, and
@@ -46,6 +47,7 @@ module axi_write #(
     output reg  [31:0]       wdata_o,
     output reg  [3:0]        wstrb_o,
     input  wire              werror_i,
+    input  wire              hold_i,
 
     output wire              awake_o
 );
@@ -68,7 +70,7 @@ module axi_write #(
             // ---- A beat, to the register bus ----
             we_o     <= 1'b0;
             we_was_q <= we_o;
-            drain_q  <= {drain_q[0], 1'b0};
+            drain_q  <= {drain_q[0] || (drain_q[1] && hold_i), 1'b0};
             if (wvalid_i && wready_o) begin
                 we_o    <= !refuse_q;
                 waddr_o <= {addr_q[ADDR_W-1:2], 2'b00};
@@ -83,7 +85,7 @@ module axi_write #(
             end
             // ---- The response ----
             if (we_was_q && werror_i) bresp_o <= DECERR;
-            if (drain_q[1]) bvalid_o <= 1'b1;
+            if (drain_q[1] && !hold_i) bvalid_o <= 1'b1;
             if (bvalid_o && bready_i) begin
                 bvalid_o <= 1'b0;
                 busy_q   <= 1'b0;

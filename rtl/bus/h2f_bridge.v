@@ -114,6 +114,7 @@ module h2f_bridge #(
         .wdata_i(wdata_i), .wstrb_i(wstrb_i), .wvalid_i(wvalid_i && !wwait), .wready_o(wready),
         .bid_o(bid_o), .bresp_o(bresp_o), .bvalid_o(bvalid_o), .bready_i(bready_i),
         .we_o(we), .waddr_o(waddr), .wdata_o(wdata), .wstrb_o(wstrb), .werror_i(werror_q),
+        .hold_i(1'b0),
         .awake_o(writer_awake)
     );
 
@@ -148,17 +149,20 @@ module h2f_bridge #(
     assign sdram_req_o   = sdram_we_o || (re && rdram);
     assign sdram_index_o = sdram_we_o ? post_index : raddr[25:2];
 
+    // Memories have no side effects, so the lowest byte is one as others.
+    // verilator lint_off PINCONNECTEMPTY
     axi_read #(.ADDR_W(30), .ID_W(ID_W)) reader (
         .clk_i(clk_i), .rst_i(rst_i),
         .arid_i(arid_i), .araddr_i(araddr_i), .arlen_i(arlen_i), .arsize_i(arsize_i),
         .arburst_i(arburst_i), .arvalid_i(arvalid_i), .arready_o(arready_o),
         .rid_o(rid_o), .rdata_o(rdata_o), .rresp_o(rresp_o), .rlast_o(rlast_o),
         .rvalid_o(rvalid_o), .rready_i(rready_i),
-        .re_o(re), .raddr_o(raddr), .rgrant_i(!rwait),
+        .re_o(re), .raddr_o(raddr), .rlow_o(), .rgrant_i(!rwait),
         .rdone_i(granted_q || sdram_valid_i),
         .rdata_i(sdram_valid_i ? sdram_i : rempty_q ? 32'd0 : rcells_q ? cells_i : rdata_i),
         .rerror_i(rerror_q), .awake_o(reader_awake)
     );
+    // verilator lint_on PINCONNECTEMPTY
 
     assign awake_o = writer_awake || we || posted != 2'd0 || we_o != 4'd0 || cell_we_o != 4'd0
                      || reader_awake || re || rdram_q || re_o || granted_q;

@@ -1,7 +1,8 @@
 // lw_bridge.v - lightweight HPS bridge: from its AXI3 slave port to select lines and the register
 // bus
 //
-//   write:  we_o[block] for one clock, with waddr_o, wdata_o, wstrb_o; always taken
+//   write:  we_o[block] for one clock, with waddr_o, wdata_o, wstrb_o; always taken.  A block that
+//           needs longer raises hold_i in that clock, until it is done: the response waits for it
 //   read:   re_o[block] for one clock, with raddr_o; rdata_i is sampled one clock later and is
 //           the OR of all blocks, so a block that was not asked gives 0
 //
@@ -49,8 +50,10 @@ module lw_bridge #(
     output reg  [11:0]     waddr_o,   // low 12 bits of the address, word aligned
     output reg  [31:0]     wdata_o,
     output reg  [3:0]      wstrb_o,
+    input  wire            hold_i,
     output wire [31:0]     re_o,
     output wire [11:0]     raddr_o,
+    output wire            rlow_o,    // the read is of the word's lowest byte, too
     input  wire [31:0]     rdata_i,
 
     output wire            awake_o
@@ -70,6 +73,7 @@ module lw_bridge #(
         .wdata_i(wdata_i), .wstrb_i(wstrb_i), .wvalid_i(wvalid_i), .wready_o(wready_o),
         .bid_o(bid_o), .bresp_o(bresp_o), .bvalid_o(bvalid_o), .bready_i(bready_i),
         .we_o(we), .waddr_o(waddr), .wdata_o(wdata), .wstrb_o(wstrb), .werror_i(wnobody),
+        .hold_i(hold_i),
         .awake_o(writer_awake)
     );
 
@@ -96,7 +100,7 @@ module lw_bridge #(
         .arburst_i(arburst_i), .arvalid_i(arvalid_i), .arready_o(arready_o),
         .rid_o(rid_o), .rdata_o(rdata_o), .rresp_o(rresp_o), .rlast_o(rlast_o),
         .rvalid_o(rvalid_o), .rready_i(rready_i),
-        .re_o(re), .raddr_o(raddr), .rgrant_i(1'b1),
+        .re_o(re), .raddr_o(raddr), .rlow_o(rlow_o), .rgrant_i(1'b1),
         .rdone_i(done_q), .rdata_i(rdata_i), .rerror_i(rnobody), .awake_o(reader_awake)
     );
 

@@ -4,10 +4,10 @@
 //             |                          +--> rdata_o
 //             +--> passed_q -------------+    (a word that is the oldest at once)
 //
-// rdata_o is the oldest word while !empty_o, from the clock after its push.  A push when full is
-// dropped, even together with a pop.  A pop when empty does nothing.  clear_i empties the FIFO and
-// has priority over a push.  The memory is never read at the address that is written in the same
-// clock.
+// rdata_o is the oldest word while !empty_o, from the clock after its push; when the last word has
+// been popped it stays that word until the next push.  A push when full is dropped, even together
+// with a pop.  A pop when empty does nothing.  clear_i empties the FIFO and has priority over a
+// push.  The memory is never read at the address that is written in the same clock.
 
 `default_nettype none
 
@@ -62,7 +62,7 @@ module fifo #(
         if (push_i && (empty_o || (pop_i && count_o == ONE))) begin
             passed_q      <= wdata_i;
             head_passed_q <= 1'b1;
-        end else if (pop) begin
+        end else if (pop && count_o != ONE) begin
             head_passed_q <= 1'b0;
         end
         count_o <= push == pop ? count_o : push ? count_o + ONE : count_o - ONE;

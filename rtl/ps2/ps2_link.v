@@ -1,17 +1,20 @@
 // ps2_link.v - bytes over PS/2's two wires, from the device and to it
 //
-//   device to host:  CLK ~~~|_|~|_|~ ... 11 falling edges: start 0, 8 bits from bit 0, odd parity,
-//                    stop 1; a frame with a wrong one is dropped
+//   device to host:  CLK ~~~|_|~|_|~ ... 11 falling edges: start 0, 8 bits from bit 0, parity and
+//                    stop, at which nobody looks; a frame without a start bit is dropped
 //   host to device:  CLK low for 120 us, then DAT low and CLK open; at each falling edge that the
-//                    device then makes, the next bit: 8 bits, parity, open for stop; at the
-//                    eleventh the device holds DAT low, which is its acknowledge
+//                    device then makes, the next bit: 8 bits, odd parity, open for stop; at the
+//                    eleventh the device acknowledges by DAT low, at which nobody looks either;
+//                    when CLK rises after it the byte has been sent
 //
 // The wires are sampled once per tick; a level counts when it has been the same for four ticks, 4
-// to 5 us.  Both are open collectors with pull-ups.  An edge that does not come within 2 ms ends a
-// frame; a device has 15 ms to begin to take a byte.
+// to 5 us.  Both are open collectors with pull-ups.  A device has 15 ms to begin to take a byte,
+// and 2 ms to take it; otherwise sending has failed.  A frame from the device of which an edge does
+// not come within 2 ms is forgotten.
 //
 // Source: IBM Personal System/2 Hardware Interface Technical Reference, keyboard and auxiliary
-// device controller.
+// device controller; University Program, PS/2 Core for Altera DE-Series Boards, which never forgets
+// a frame that broke off.
 
 `default_nettype none
 
@@ -23,7 +26,7 @@ module ps2_link (
     input  wire       send_i,        // not while busy_o
     input  wire [7:0] send_data_i,   // valid with send_i
     output reg        busy_o,        // a byte is being sent
-    output reg        failed_o,      // for one tick: not acknowledged, or no device
+    output reg        failed_o,      // for one tick: the device was not there, or too slow
 
     output reg        come_o,        // for one tick, with come_data_o
     output wire [7:0] come_data_o,
@@ -39,6 +42,7 @@ module ps2_link (
     localparam [13:0] BETWEEN  = 14'd1_563;     // 2 ms
     localparam [13:0] PATIENCE = 14'd11_719;    // 15 ms
     localparam [3:0]  LAST     = 4'd10;         // edge of 11
+    localparam [3:0]  TAKEN    = 4'd11;         // sent all, CLK has yet to rise
 
     // ---- Wires: a flip-flop that may be metastable, and those that sample it a tick later ----
     reg [1:0]  meta_q;
@@ -62,6 +66,7 @@ module ps2_link (
     // CLK is held low before a byte is sent, and released when INHIBIT is over.
     wire opens = ps2_clk_low_o && timer_q == INHIBIT;
     wire falls = !ps2_clk_low_o && clk_q && clk_was_q == 4'h0;
+    wire ends  = edge_q == TAKEN && !clk_q && clk_was_q == 4'hf;
     wire late  = !ps2_clk_low_o && timer_q == (busy_o && edge_q == 4'd0 ? PATIENCE : BETWEEN);
 
     // At rest no byte is under way, and the levels of both wires have passed the filter.
@@ -83,23 +88,22 @@ module ps2_link (
             edge_q        <= 4'd0;
             busy_o        <= !rst_i;
             ps2_clk_low_o <= !rst_i;
-        end else if (falls) begin
+        end else if (falls && !(late && busy_o && edge_q != 4'd0)) begin
             // Now: stop on the wire; in bits_q start, data, parity.
-            come_o        <= !busy_o && edge_q == LAST && dat_q && !bits_q[0] && ^bits_q[9:1];
-            failed_o      <= busy_o && edge_q == LAST && dat_q;
+            come_o        <= !busy_o && edge_q == LAST && !bits_q[0];
+            failed_o      <= 1'b0;
             ps2_dat_low_o <= busy_o && edge_q != LAST && !bits_q[0];
             bits_q        <= {busy_o || dat_q, bits_q[9:1]};
-            timer_q       <= 14'd0;
-            busy_o        <= busy_o && edge_q != LAST;
-            edge_q        <= edge_q == LAST ? 4'd0 : edge_q + 4'd1;
+            timer_q       <= busy_o && edge_q != 4'd0 ? timer_q + 14'd1 : 14'd0;
+            edge_q        <= edge_q == LAST && !busy_o ? 4'd0 : edge_q + 4'd1;
         end else begin
             come_o        <= 1'b0;
-            failed_o      <= late && busy_o;
+            failed_o      <= late && busy_o && !ends;
             if (opens) begin
                 ps2_clk_low_o <= 1'b0;
                 ps2_dat_low_o <= 1'b1;       // the start bit
                 timer_q       <= 14'd0;
-            end else if (late) begin
+            end else if (late || ends) begin
                 ps2_dat_low_o <= 1'b0;
                 edge_q        <= 4'd0;
                 busy_o        <= 1'b0;

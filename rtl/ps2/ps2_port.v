@@ -1,13 +1,17 @@
 // ps2_port.v - PS/2 port in the register layout of the DE1-SoC Computer, 256 bytes deep
 //
 //   +0 DATA      read: RAVAIL[31:16] bytes with this one, RVALID bit 15, the oldest byte, which
-//                goes away; write: a byte to the device, dropped while another is being sent
-//   +4 CONTROL   RE bit 0: interrupt while RI; RI bit 8: a byte waits; CE bit 10: a byte was not
-//                acknowledged by the device, write 0 clears
+//                goes away; while none waits RVALID is 0, and the byte that was read last stands
+//                there once more.  A read that leaves the lowest byte out takes nothing away.
+//                write: a byte to the device; the bus waits until it has been sent or has failed
+//   +4 CONTROL   RE bit 0: interrupt while RI; RI bit 8: RE, and a byte waits; CE bit 10: a byte
+//                could not be sent, which a write of anything to this byte clears
 //
-// A byte that arrives when 256 wait is lost.
+// A byte that arrives when 256 wait is lost.  A byte takes 1 ms or so to be sent, and 15 ms where
+// no device is.
 //
-// Source: PS/2 Core for Altera DE-Series Boards.
+// Source: University Program, PS/2 Core for Altera DE-Series Boards, and its published Verilog as
+// the DE1-SoC Computer has it.
 
 `default_nettype none
 
@@ -25,7 +29,9 @@ module ps2_port (
     input  wire [31:0] wdata_i,
     // verilator lint_on UNUSED
     input  wire        re_i,
+    input  wire        rlow_i,         // valid with re_i: the lowest byte is read, too
     output reg  [31:0] rdata_o,
+    output wire        wait_o,         // a write has not ended yet
     output wire        irq_o,
 
     input  wire        ps2_clk_i,      // asynchronous
@@ -39,6 +45,7 @@ module ps2_port (
     `include "regmap.vh"
 
     wire re_data = re_i && raddr_i[2] == PS2_0_DATA[2];
+    wire we_data = we_i && wstrb_i[0] && waddr_i[2] == PS2_0_DATA[2];
 
     // ---- Bytes ------------------------------------------------------------
     wire       busy, failed, come, empty;
@@ -47,7 +54,7 @@ module ps2_port (
 
     ps2_link link (
         .clk_i(clk_i), .rst_i(rst_i), .tick_i(tick_i),
-        .send_i(we_i && wstrb_i[0] && waddr_i[2] == PS2_0_DATA[2] && !busy),
+        .send_i(we_data && !busy),
         .send_data_i(wdata_i[7:0]),
         .busy_o(busy), .failed_o(failed), .come_o(come), .come_data_o(come_data),
         .ps2_clk_i(ps2_clk_i), .ps2_dat_i(ps2_dat_i),
@@ -58,7 +65,7 @@ module ps2_port (
     // verilator lint_off PINCONNECTEMPTY
     fifo #(.WIDTH(8), .DEPTH_LOG2(8)) fifo (
         .clk_i(clk_i), .rst_i(rst_i), .clear_i(1'b0), .push_i(come && tick_i),
-        .wdata_i(come_data), .pop_i(re_data), .rdata_o(head), .count_o(count), .full_o(),
+        .wdata_i(come_data), .pop_i(re_data && rlow_i), .rdata_o(head), .count_o(count), .full_o(),
         .empty_o(empty), .awake_o()
     );
     // verilator lint_on PINCONNECTEMPTY
@@ -66,17 +73,20 @@ module ps2_port (
     // ---- Registers --------------------------------------------------------
     reg re_q, ce_q;
 
-    assign irq_o   = re_q && !empty;
+    wire ri = re_q && !empty;
+
+    assign irq_o   = ri;
+    assign wait_o  = busy || we_data;
     assign awake_o = rdata_o != 32'd0;
 
     always @(posedge clk_i) begin
         rdata_o <= 32'd0;
-        if (re_data) rdata_o <= {7'd0, count, !empty, 7'd0, empty ? 8'd0 : head};
-        else if (re_i) rdata_o <= {21'd0, ce_q, 1'b0, !empty, 7'd0, re_q};
+        if (re_data) rdata_o <= {7'd0, count, !empty, 7'd0, head};
+        else if (re_i) rdata_o <= {21'd0, ce_q, 1'b0, ri, 7'd0, re_q};
 
         if (we_i && waddr_i[2] == PS2_0_CONTROL[2]) begin
             if (wstrb_i[0]) re_q <= wdata_i[PS2_0_CONTROL_RE_LSB];
-            if (wstrb_i[1] && !wdata_i[PS2_0_CONTROL_CE_LSB]) ce_q <= 1'b0;
+            if (wstrb_i[1]) ce_q <= 1'b0;
         end
         if (failed && tick_i) ce_q <= 1'b1;
         if (rst_i) {re_q, ce_q} <= 2'd0;

@@ -17,8 +17,10 @@ module ps2_ports (
     input  wire [11:0] waddr_i,
     input  wire [31:0] wdata_i,
     input  wire [1:0]  re_i,
+    input  wire        rlow_i,           // valid with re_i: the lowest byte is read, too
     input  wire [11:0] raddr_i,
     output wire [31:0] rdata_o,
+    output wire        wait_o,
     output wire [1:0]  irq_o,
 
     input  wire [1:0]  ps2_clk_i,
@@ -31,11 +33,12 @@ module ps2_ports (
     output wire [9:0]  rest_o
 );
     wire        tick = now_i[4:0] == 5'd0;
-    wire [1:0]  awake, stirs;
+    wire [1:0]  awake, stirs, waits;
     wire [63:0] rdata;
 
     assign rdata_o = rdata[31:0] | rdata[63:32];
 
+    assign wait_o  = waits != 2'd0;
     assign awake_o = awake != 2'd0;
     assign due_o   = tick && stirs != 2'd0;
     assign rest_o  = stirs == 2'd0 ? 10'd1023 : {5'd0, 5'd31 - now_i[4:0]};
@@ -44,8 +47,9 @@ module ps2_ports (
     generate for (n = 0; n < 2; n = n + 1) begin : port
         ps2_port ps2 (
             .clk_i(clk_i), .rst_i(rst_i), .tick_i(tick), .we_i(we_i[n]), .wstrb_i(wstrb_i),
-            .waddr_i(waddr_i), .wdata_i(wdata_i), .re_i(re_i[n]), .raddr_i(raddr_i),
-            .rdata_o(rdata[32 * n +: 32]), .irq_o(irq_o[n]),
+            .waddr_i(waddr_i), .wdata_i(wdata_i), .re_i(re_i[n]), .rlow_i(rlow_i),
+            .raddr_i(raddr_i),
+            .rdata_o(rdata[32 * n +: 32]), .wait_o(waits[n]), .irq_o(irq_o[n]),
             .ps2_clk_i(ps2_clk_i[n]), .ps2_dat_i(ps2_dat_i[n]),
             .ps2_clk_low_o(ps2_clk_low_o[n]), .ps2_dat_low_o(ps2_dat_low_o[n]),
             .awake_o(awake[n]), .stirs_o(stirs[n])

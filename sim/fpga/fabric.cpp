@@ -27,7 +27,7 @@ Fabric::Fabric(PinListener& pins, const Trace& trace, unsigned audio_rate)
     if (!trace.file.empty()) throw std::logic_error("this build of the fabric has no tracing");
 #endif
     apply_inputs();
-    model_->lw.bready = model_->lw.rready = model_->h2f.bready = model_->h2f.rready = 1;
+    model_->lw.rready = model_->h2f.rready = 1;
     constexpr std::uint8_t all = LIGHTWEIGHT | FULL | PINS;
     top.audio_48k_i = audio_rate == 48'000;
     top.rst_i = top.rst_audio_i = top.rst_td_i = 1;
@@ -239,13 +239,20 @@ AxiResponse Fabric::write(Bridge bridge, std::uint32_t address, const std::uint8
         alive = clock_until(axi.wready);
     }
     axi.wvalid = 0;
-    for (unsigned i = 0; alive && !axi.bvalid; ++i) {
-        if (i == ANSWER_CLOCKS) alive = false;
+    return alive ? await_write(bridge, PROMPT_CLOCKS) : AxiResponse::NONE;
+}
+
+AxiResponse Fabric::await_write(Bridge bridge, std::uint64_t clocks) {
+    AxiPort& axi = model_->port(bridge);
+    look_ = true;
+    for (; !axi.bvalid; --clocks) {
+        if (clocks == 0) return AxiResponse::PENDING;
         clock(1);
     }
-    if (!alive) return AxiResponse::NONE;
     const auto response = static_cast<AxiResponse>(axi.bresp);
+    axi.bready = 1;
     clock(1);
+    axi.bready = 0;
     return response;
 }
 

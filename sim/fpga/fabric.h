@@ -35,7 +35,14 @@ struct JtagInputs {
 };
 
 enum class Bridge { LIGHTWEIGHT, FULL };
-enum class AxiResponse : std::uint8_t { OKAY = 0, EXOKAY = 1, SLVERR = 2, DECERR = 3, NONE = 4 };
+enum class AxiResponse : std::uint8_t {
+    OKAY = 0,
+    EXOKAY = 1,
+    SLVERR = 2,
+    DECERR = 3,
+    NONE = 4,
+    PENDING = 5  // of a write: the block is not done with it
+};
 
 class Fabric {
 public:
@@ -61,10 +68,13 @@ public:
     void flush();
 
     // One AXI burst of `bytes` from `address` (offset in the bridge); at most 16 words are touched.
-    // Runs the clock until the response is taken; NONE if there is none in 10,000 clocks.
+    // Runs the clock until the response is taken; NONE if there is none in 10,000 clocks.  A write
+    // whose data were taken but which is not answered at once is PENDING; its response is then
+    // waited for in so many clocks more.  There is no other write before it has come.
     AxiResponse read(Bridge bridge, std::uint32_t address, std::uint8_t* data, unsigned bytes);
     AxiResponse write(Bridge bridge, std::uint32_t address, const std::uint8_t* data,
                       unsigned bytes);
+    AxiResponse await_write(Bridge bridge, std::uint64_t clocks);
 
     // The on-chip memory's 256 KB, without its ports and in no time.  has_memory(): this build can;
     // one that knows the model's ports alone (DE1SIM_PORTS_ALONE: the netlist, the whole chip)
@@ -92,6 +102,7 @@ private:
     struct Model;
     struct AxiPort;
     static constexpr unsigned VIDEO_BATCH = 800, ANSWER_CLOCKS = 10'000;
+    static constexpr unsigned PROMPT_CLOCKS = 16;  // in which a write is answered, usually
 
     std::uint64_t clock(std::uint64_t most);  // how many have passed, 1 or more
     void other_edges(std::uint64_t halves);

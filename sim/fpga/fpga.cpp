@@ -15,6 +15,7 @@ namespace {
 constexpr std::uint32_t H2F_BASE = 0xC0000000;
 
 const sc_time scan_line_time{32, sc_core::SC_US};
+const sc_time write_limit{100, sc_core::SC_MS}, write_step{1, sc_core::SC_US};
 
 constexpr std::uint64_t HALF_CLOCK_PS = FABRIC_PERIOD_PS / 2;
 
@@ -146,6 +147,22 @@ std::uint64_t Fpga::mapped(bool write, std::uint32_t address, std::uint8_t* data
     return write ? std::max<std::uint64_t>(5, 2 + 2 * words) : 1 + 6 * words;
 }
 
+// In small steps, and never ahead of SystemC's next event: what the block waits for comes from the
+// board, which answers to what the pins do meanwhile.
+AxiResponse Fpga::await_write(Bridge bridge) {
+    const sc_time end = sc_time_stamp() + write_limit;
+    AxiResponse response = AxiResponse::PENDING;
+    while (response == AxiResponse::PENDING && sc_time_stamp() < end) {
+        const sc_time step = std::min(sc_core::sc_time_to_pending_activity(), write_step);
+        const std::uint64_t until = (sc_time_stamp() + step).value() / FABRIC_PERIOD_PS;
+        if (until > fabric_.clocks())
+            response = fabric_.await_write(bridge, until - fabric_.clocks());
+        tell_interrupts();
+        if (response == AxiResponse::PENDING) wait(step);
+    }
+    return response == AxiResponse::PENDING ? AxiResponse::NONE : response;
+}
+
 void Fpga::transport(Bridge bridge, tlm::tlm_generic_payload& tx, sc_time& delay) {
     const unsigned bytes = tx.get_data_length();
     if (tx.get_command() == tlm::TLM_IGNORE_COMMAND) {
@@ -176,12 +193,16 @@ void Fpga::transport(Bridge bridge, tlm::tlm_generic_payload& tx, sc_time& delay
             run_to(begin);
             response = write ? fabric_.write(bridge, address, data, now)
                              : fabric_.read(bridge, address, data, now);
+            if (response == AxiResponse::PENDING) {
+                response = await_write(bridge);
+                delay = sc_core::SC_ZERO_TIME;
+            }
             end = fabric_.clocks();
         }
         address += now;
         data += now;
         left -= now;
-        delay = picoseconds(end * FABRIC_PERIOD_PS) - sc_time_stamp();
+        delay = std::max(picoseconds(end * FABRIC_PERIOD_PS), sc_time_stamp()) - sc_time_stamp();
         if (left && delay >= sc_core::sc_time_to_pending_activity()) {
             wait(delay);
             delay = sc_core::SC_ZERO_TIME;

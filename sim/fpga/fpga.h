@@ -28,7 +28,8 @@
 // such meetings and of the seed: evenly spread over the clock, and the same in every run.
 //
 // A response other than OKAY ends the transaction: DECERR is TLM_ADDRESS_ERROR, SLVERR is
-// TLM_GENERIC_ERROR, no answer in 10,000 clocks is TLM_INCOMPLETE.
+// TLM_GENERIC_ERROR, no answer in 10,000 clocks is TLM_INCOMPLETE.  A write for which a block takes
+// longer, as the PS/2 port does for a byte, waits while SystemC's time goes on, up to 100 ms.
 #pragma once
 
 #include <functional>
@@ -84,6 +85,7 @@ private:
     void transport(Bridge bridge, tlm::tlm_generic_payload& tx, sc_core::sc_time& delay);
     bool direct_memory(tlm::tlm_generic_payload& tx, tlm::tlm_dmi& dmi);
     std::uint64_t mapped(bool write, std::uint32_t address, std::uint8_t* data, unsigned bytes);
+    AxiResponse await_write(Bridge bridge);
     void run_to(const sc_core::sc_time& time);
     void scan_line();
     void tell_interrupts();

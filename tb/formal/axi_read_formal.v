@@ -19,7 +19,7 @@ module axi_read_formal (
     input wire [31:0] rdata_i,
     input wire        rerror_i
 );
-    wire        arready, rvalid, rlast, re;
+    wire        arready, rvalid, rlast, re, rlow;
     wire [1:0]  rid, rresp;
     wire [7:0]  raddr;
     wire [31:0] rdata;
@@ -28,8 +28,8 @@ module axi_read_formal (
         .clk_i(clk_i), .rst_i(rst_i), .arid_i(arid_i), .araddr_i(araddr_i), .arlen_i(arlen_i),
         .arsize_i(arsize_i), .arburst_i(arburst_i), .arvalid_i(arvalid_i), .arready_o(arready),
         .rid_o(rid), .rdata_o(rdata), .rresp_o(rresp), .rlast_o(rlast), .rvalid_o(rvalid),
-        .rready_i(rready_i), .re_o(re), .raddr_o(raddr), .rgrant_i(rgrant_i), .rdone_i(rdone_i),
-        .rdata_i(rdata_i), .rerror_i(rerror_i)
+        .rready_i(rready_i), .re_o(re), .raddr_o(raddr), .rlow_o(rlow), .rgrant_i(rgrant_i),
+        .rdone_i(rdone_i), .rdata_i(rdata_i), .rerror_i(rerror_i)
     );
 
     // ---- The reference: the burst that is open ----

@@ -17,7 +17,8 @@ module axi_write_formal (
     input wire [3:0]  wstrb_i,
     input wire        wvalid_i,
     input wire        bready_i,
-    input wire        werror_i
+    input wire        werror_i,
+    input wire        hold_i
 );
     wire        awready, wready, bvalid, we;
     wire [1:0]  bid, bresp;
@@ -30,7 +31,8 @@ module axi_write_formal (
         .awsize_i(awsize_i), .awburst_i(awburst_i), .awvalid_i(awvalid_i), .awready_o(awready),
         .wdata_i(wdata_i), .wstrb_i(wstrb_i), .wvalid_i(wvalid_i), .wready_o(wready),
         .bid_o(bid), .bresp_o(bresp), .bvalid_o(bvalid), .bready_i(bready_i),
-        .we_o(we), .waddr_o(waddr), .wdata_o(wdata), .wstrb_o(wstrb), .werror_i(werror_i)
+        .we_o(we), .waddr_o(waddr), .wdata_o(wdata), .wstrb_o(wstrb), .werror_i(werror_i),
+        .hold_i(hold_i)
     );
 
     // ---- The reference: the burst that is open ----
@@ -38,7 +40,8 @@ module axi_write_formal (
     reg        open_q, refused_q, erred_q, write_q, write_was_q, held_q;
     reg  [1:0] id_q, bid_q, bresp_q;
     reg  [4:0] to_come_q;                       // beats
-    reg  [2:0] wait_q;                          // clocks since the last beat
+    reg  [2:0] wait_q;                          // clocks since the last beat, without those on hold
+    reg        hold_q, bvalid_q;
     reg [31:0] wdata_q;
     reg  [3:0] wstrb_q;
     wire       beat = wvalid_i && wready;
@@ -63,7 +66,10 @@ module axi_write_formal (
         end
         if (write_was_q && werror_i) erred_q <= 1'b1;
         if (beat) to_come_q <= to_come_q - 5'd1;
-        if (open_q && to_come_q == 5'd0 && wait_q != 3'd7) wait_q <= wait_q + 3'd1;
+        hold_q      <= hold_i;
+        bvalid_q    <= bvalid;
+        if (open_q && to_come_q == 5'd0 && wait_q != 3'd7 && !(wait_q == 3'd1 && hold_i))
+            wait_q <= wait_q + 3'd1;
         if (bvalid && bready_i) open_q <= 1'b0;
         if (rst_i) begin
             open_q      <= 1'b0;
@@ -82,6 +88,7 @@ module axi_write_formal (
         a_code:            assert (!bvalid || bresp == (erred_q ? 2'b11 : refused_q ? 2'b10
                                                         : 2'b00));
         a_response_comes:  assert (!open_q || to_come_q != 5'd0 || wait_q < 3'd2 || bvalid);
+        a_holds:           assert (!ran_q || !hold_q || !bvalid || bvalid_q);
         a_stable:          assert (!held_q || (bvalid && bid == bid_q && bresp == bresp_q));
         a_writes_each_beat_once: assert (we == write_q);
         a_passes_data:     assert (!we || (wdata == wdata_q && wstrb == wstrb_q));

@@ -37,7 +37,8 @@ module fifo_formal (
     // ---- The reference ----
     reg        live = 1'b0;
     reg  [2:0] words_q;
-    reg  [3:0] first_q, second_q, third_q, fourth_q;
+    reg  [3:0] first_q, second_q, third_q, fourth_q, gone_q;
+    reg        was_q;                           // a word was popped, and nothing else came since
     wire       push = push_i && words_q != 3'd4;
     wire       pop  = pop_i && words_q != 3'd0;
     wire [2:0] left = words_q - {2'd0, pop};
@@ -49,6 +50,8 @@ module fifo_formal (
         second_q <= push && left == 3'd1 ? wdata_i : pop ? third_q : second_q;
         third_q  <= push && left == 3'd2 ? wdata_i : pop ? fourth_q : third_q;
         fourth_q <= push && left == 3'd3 ? wdata_i : fourth_q;
+        if (pop) gone_q <= first_q;
+        was_q    <= !rst_i && !clear_i && !push && (pop || was_q);
         if (rst_i || clear_i) words_q <= 3'd0;
     end
 
@@ -61,6 +64,7 @@ module fifo_formal (
         a_empty: assert (empty == (words_q == 3'd0));
         a_small_count: assert (small_count == words_q);
         a_shift_count: assert (shift_count == words_q);
+        if (words_q == 3'd0 && was_q) a_last: assert (rdata == gone_q);
         if (words_q != 3'd0) begin
             a_order:       assert (rdata == first_q);
             a_small_order: assert (small_rdata == first_q);

@@ -88,6 +88,15 @@ protected:
                   sim::AxiResponse::OKAY);
         fabric.run(10);
     }
+    // A write for which the bus waits, until written().
+    void begin_write(std::uint32_t address, std::uint8_t value) {
+        EXPECT_EQ(fabric.write(sim::Bridge::LIGHTWEIGHT, address - 0xFF200000, &value, 1),
+                  sim::AxiResponse::PENDING);
+    }
+    bool written(std::uint64_t within_clocks = 0) {
+        return fabric.await_write(sim::Bridge::LIGHTWEIGHT, within_clocks) ==
+               sim::AxiResponse::OKAY;
+    }
     // Any bytes, through the bridge of 1 GB.
     std::vector<std::uint8_t> bytes_at(std::uint32_t address, unsigned count) {
         std::vector<std::uint8_t> bytes(count);

@@ -24,19 +24,21 @@ protected:
     AxiMaster<Vlw_bridge> axi{dut};
     std::map<std::uint64_t, std::uint32_t> words;  // block << 12 | address
     std::vector<std::uint32_t> write_order, read_order, lines_read;
+    std::vector<bool> low_reads;
     std::uint32_t rdata = 0;
 
     static void SetUpTestSuite() { start_with_random_registers(); }
 
     void SetUp() override {
         dut.rst_i = 1;
-        dut.awvalid_i = dut.wvalid_i = dut.arvalid_i = 0;
+        dut.awvalid_i = dut.wvalid_i = dut.arvalid_i = dut.hold_i = 0;
         clock();
         clock();
         dut.rst_i = 0;
         axi.forget();
         write_order.clear();
         read_order.clear();
+        low_reads.clear();
     }
 
     void clock() {
@@ -50,6 +52,7 @@ protected:
         if (dut.re_o) {
             const std::uint64_t at = std::uint64_t{dut.re_o} << 12 | dut.raddr_o;
             read_order.push_back(dut.raddr_o);
+            low_reads.push_back(dut.rlow_o);
             lines_read.push_back(dut.re_o);
             answer = words[at];
         }
@@ -156,6 +159,30 @@ TEST_F(LwBridge, MarksABurstThatRunsOutOfItsBlock) {
     EXPECT_EQ(axi.written[0].resp, DECERR);
     EXPECT_EQ(axi.beats[0].resp, OKAY);
     EXPECT_EQ(axi.beats[1].resp, DECERR);
+}
+
+TEST_F(LwBridge, HoldsTheResponseWhileTheBlockIsNotDone) {
+    dut.hold_i = 1;
+    axi.write({6, LEDR, 2, INCR, {1}, {0xf}});
+    for (int i = 0; i < 100; ++i) clock();
+    EXPECT_EQ(write_order.size(), 1u);
+    EXPECT_TRUE(axi.written.empty());
+    axi.read({9, LEDR, 1, 2, INCR});
+    for (int i = 0; i < 20; ++i) clock();
+    EXPECT_EQ(axi.beats.size(), 1u) << "reads go on";
+    dut.hold_i = 0;
+    for (int i = 0; i < 3; ++i) clock();
+    ASSERT_EQ(axi.written.size(), 1u);
+    EXPECT_EQ(axi.written[0].id, 6);
+    EXPECT_EQ(axi.written[0].resp, OKAY);
+}
+
+TEST_F(LwBridge, SaysWhetherTheLowestByteIsRead) {
+    axi.read({1, KEYPAD, 1, 2, INCR});
+    axi.read({1, KEYPAD, 4, 0, INCR});
+    axi.read({1, KEYPAD + 2, 3, 1, INCR});
+    finish();
+    EXPECT_EQ(low_reads, (std::vector<bool>{true, true, false, false, false, false, true, false}));
 }
 
 TEST_F(LwBridge, ForgetsAnErrorWithItsTransfer) {

@@ -87,12 +87,30 @@ TEST_F(Ps2Port, GivesBytesOnceWithTheNumberThatWaits) {
     EXPECT_EQ(read(DATA), 0u);
 }
 
-TEST_F(Ps2Port, DropsBytesWithWrongParityOrWithoutAStopBit) {
+TEST_F(Ps2Port, ShowsTheLastByteOnceMoreWhileNoneWaits) {
+    for (const std::uint8_t byte : {0x1c, 0x32}) device_sends(byte);
+    read(DATA);
+    read(DATA);
+    EXPECT_EQ(read(DATA), 0x32u);
+    EXPECT_EQ(read(DATA), 0x32u);
+    device_sends(0x21);
+    EXPECT_EQ(read(DATA), 1u << 16 | RVALID | 0x21);
+    EXPECT_EQ(read(DATA), 0x21u);
+}
+
+TEST_F(Ps2Port, KeepsTheByteWhenOnlyTheCountIsRead) {
+    device_sends(0x1c);
+    EXPECT_EQ(read(DATA, false), 1u << 16 | RVALID | 0x1c);
+    EXPECT_EQ(read(DATA), 1u << 16 | RVALID | 0x1c);
+    EXPECT_EQ(read(DATA), 0x1cu);
+}
+
+// The core looks at neither.
+TEST_F(Ps2Port, TakesBytesWithWrongParityOrWithoutAStopBit) {
     device_sends(0x55, false);
-    device_sends(0x55, true, false);
-    EXPECT_EQ(read(DATA), 0u);
-    device_sends(0x55);
-    EXPECT_EQ(read(DATA), 1u << 16 | RVALID | 0x55);
+    device_sends(0x56, true, false);
+    EXPECT_EQ(read(DATA), 2u << 16 | RVALID | 0x55);
+    EXPECT_EQ(read(DATA), 1u << 16 | RVALID | 0x56);
 }
 
 TEST_F(Ps2Port, IgnoresSpikesOnTheClock) {
@@ -116,7 +134,7 @@ TEST_F(Ps2Port, BeginsAnewWhenAFrameBreaksOff) {
 TEST_F(Ps2Port, InterruptsWhileAByteWaitsIfAsked) {
     device_sends(0x1c);
     EXPECT_EQ(dut.irq_o, 0);
-    EXPECT_EQ(read(CONTROL), RI);
+    EXPECT_EQ(read(CONTROL), 0u);  // RI is of an interrupt that was asked for
     write(CONTROL, RE);
     EXPECT_EQ(dut.irq_o, 1);
     EXPECT_EQ(read(CONTROL), RI | RE);
@@ -134,7 +152,7 @@ TEST_F(Ps2Port, ChangesReAndCeByTheirByteLanes) {
     EXPECT_EQ(read(CONTROL), RE);
 
     write(DATA, 0xf4);
-    device_takes(false);
+    clock(400'000);           // nobody takes it
     write(CONTROL, RE, 0xd);  // without CE's byte
     EXPECT_EQ(read(CONTROL), CE | RE);
     write(CONTROL, 0, 0x2);
@@ -160,7 +178,7 @@ TEST_F(Ps2Port, Keeps256Bytes) {
     for (unsigned i = 0; i < 258; ++i) device_sends(static_cast<std::uint8_t>(i * 7));
     for (unsigned i = 0; i < 256; ++i)
         ASSERT_EQ(read(DATA), (256 - i) << 16 | RVALID | (i * 7 & 0xff)) << i;
-    EXPECT_EQ(read(DATA), 0u);
+    EXPECT_EQ(read(DATA), (255 * 7u) & 0xff);
 }
 
 TEST_F(Ps2Port, HoldsTheClockLowFor100MicrosecondsBeforeItSends) {
@@ -193,14 +211,35 @@ TEST_F(Ps2Port, TakesTheAnswerBehindAByteSent) {
     EXPECT_EQ(read(DATA), 1u << 16 | RVALID | 0xfa);
 }
 
-TEST_F(Ps2Port, ShowsAByteThatWasNotAcknowledgedUntilThatIsCleared) {
+TEST_F(Ps2Port, ClearsCeByAWriteOfAnything) {
+    for (const std::uint32_t value : {0u, CE}) {
+        write(DATA, 0xf4);
+        clock(400'000);
+        EXPECT_EQ(read(CONTROL), CE);
+        write(CONTROL, value);
+        EXPECT_EQ(read(CONTROL), 0u);
+    }
+}
+
+// The core does not look at the acknowledge.
+TEST_F(Ps2Port, SendsAByteThatTheDeviceDoesNotAcknowledge) {
     write(DATA, 0xf4);
-    device_takes(false);
-    EXPECT_EQ(read(CONTROL), CE);
-    write(CONTROL, CE);
-    EXPECT_EQ(read(CONTROL), CE);
-    write(CONTROL, 0);
+    EXPECT_EQ(device_takes(false) & 0xff, 0xf4);
+    clock(10'000);
     EXPECT_EQ(read(CONTROL), 0u);
+    EXPECT_EQ(dut.wait_o, 0);
+}
+
+TEST_F(Ps2Port, GivesUpADeviceThatTakesMoreThan2MillisecondsForAByte) {
+    write(DATA, 0xf4);
+    expect_request();
+    for (int edge = 0; edge < 11; ++edge) {  // 0.24 ms from one to the next, 2.4 ms in all
+        clk_low = true;
+        clock(3'000);
+        clk_low = false;
+        clock(3'000);
+    }
+    EXPECT_EQ(read(CONTROL), CE);
 }
 
 TEST_F(Ps2Port, GivesUpWhenNobodyTakesTheByteIn15Milliseconds) {
@@ -214,11 +253,51 @@ TEST_F(Ps2Port, GivesUpWhenNobodyTakesTheByteIn15Milliseconds) {
     EXPECT_EQ(read(DATA), 1u << 16 | RVALID | 0xaa);
 }
 
-TEST_F(Ps2Port, DropsAByteWhileAnotherIsSent) {
-    write(DATA, 0xf4);
-    write(DATA, 0xff);
+TEST_F(Ps2Port, MakesTheBusWaitUntilAByteHasBeenSent) {
+    EXPECT_EQ(dut.wait_o, 0);
+    dut.we_i = 1;
+    dut.waddr_i = DATA;
+    dut.wdata_i = 0xf4;
+    dut.wstrb_i = 1;
+    dut.eval();
+    EXPECT_EQ(dut.wait_o, 1) << "in the clock of the write";
+    clock();
+    dut.we_i = 0;
+    expect_request();
+    EXPECT_EQ(dut.wait_o, 1);
     EXPECT_EQ(device_takes() & 0xff, 0xf4);
-    EXPECT_EQ(device_takes(), -1);
+    clock(200);
+    EXPECT_EQ(dut.wait_o, 0);
+}
+
+TEST_F(Ps2Port, MakesTheBusWaitUntilCLKHasRisenAfterTheAcknowledge) {
+    write(DATA, 0xf4);
+    expect_request();
+    for (int edge = 0; edge < 11; ++edge) {
+        clock(1'000);
+        clk_low = true;
+        clock(1'000);
+        if (edge < 10) clk_low = false;
+    }
+    EXPECT_EQ(dut.wait_o, 1);
+    clk_low = false;
+    clock(200);
+    EXPECT_EQ(dut.wait_o, 0);
+}
+
+TEST_F(Ps2Port, LetsTheBusGoWhenNobodyTakesTheByte) {
+    write(DATA, 0xf4);
+    clock(370'000);
+    EXPECT_EQ(dut.wait_o, 1);
+    clock(20'000);
+    EXPECT_EQ(dut.wait_o, 0);
+}
+
+TEST_F(Ps2Port, DoesNotWaitForOtherWrites) {
+    write(CONTROL, RE);
+    EXPECT_EQ(dut.wait_o, 0);
+    write(DATA, 0xf4, 0xe);
+    EXPECT_EQ(dut.wait_o, 0);
 }
 
 }  // namespace

@@ -26,6 +26,14 @@ protected:
     template <class Block>
     static void tell_time(Block&, long) {}
 
+    // Whether a read is of the lowest byte, too, for blocks that need to know.
+    template <class Block>
+    static auto tell_lane(Block& block, bool low, int) -> decltype(void(block.rlow_i)) {
+        block.rlow_i = low;
+    }
+    template <class Block>
+    static void tell_lane(Block&, bool, long) {}
+
     // Called after each rising edge, for models on the pins.
     virtual void after_clock() {}
 
@@ -59,8 +67,9 @@ protected:
         clock();
     }
 
-    std::uint32_t read(std::uint32_t address) {
+    std::uint32_t read(std::uint32_t address, bool low = true) {
         dut.re_i = 1;
+        tell_lane(dut, low, 0);
         dut.raddr_i = address & 0xfff;
         clock();
         dut.re_i = 0;

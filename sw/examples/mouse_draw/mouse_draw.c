@@ -70,7 +70,7 @@ static void command(uint32_t byte) {
     do {
         PS2_CONTROL = 0;
         PS2_DATA = byte;
-        while ((PS2_CONTROL & 0x400) == 0 && (PS2_DATA & 0xFF) != ACKNOWLEDGE) {
+        while ((PS2_CONTROL & 0x400) == 0 && (PS2_DATA & 0x80FF) != (0x8000 | ACKNOWLEDGE)) {
         }
     } while (PS2_CONTROL & 0x400);
 }

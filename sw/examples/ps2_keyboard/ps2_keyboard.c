@@ -17,7 +17,7 @@ static void reset(void) {
     do {
         PS2_CONTROL = 0;
         PS2_DATA = RESET;
-        while ((PS2_CONTROL & 0x400) == 0 && (PS2_DATA & 0xFF) != ACKNOWLEDGE) {
+        while ((PS2_CONTROL & 0x400) == 0 && (PS2_DATA & 0x80FF) != (0x8000 | ACKNOWLEDGE)) {
         }
     } while (PS2_CONTROL & 0x400);
     while (next() != PASSED) {
