@@ -59,7 +59,8 @@ Computer::Computer(const sc_core::sc_module_name& name, PinListener& pins, Audie
            [this](std::uint32_t in_reset) {
                h2f_gate_(!(in_reset & ResetManager::H2F));
                lw_gate_(!(in_reset & ResetManager::LWH2F));
-           }}},
+           },
+           [this, &audience](const std::string& line) { audience.log(line + cpu.accessed()); }}},
       bus{"bus"},
       processor_{processor_for(std::move(software), audience)},
       cpu{*processor_},

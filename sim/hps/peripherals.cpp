@@ -1,6 +1,7 @@
 #include "sim/hps/peripherals.h"
 
 #include "sim/hps/absent_blocks.h"
+#include "sim/hps/clock_manager.h"
 
 namespace sim {
 
@@ -8,7 +9,10 @@ namespace {
 
 constexpr std::uint64_t SP_TIMER_HZ = 100'000'000, OSC_TIMER_HZ = 25'000'000;
 constexpr unsigned GLOBAL_TIMER_ID = 27, PRIVATE_TIMER_ID = 29, WATCHDOG_ID = 30, FPGA_ID = 72,
-                   UART0_ID = 194, GPIO1_ID = 197, TIMER0_ID = 199;
+                   UART0_ID = 194, GPIO1_ID = 197, TIMER0_ID = 199, L4_WATCHDOG0_ID = 203;
+
+// permodrst
+constexpr std::uint32_t WATCHDOG0 = 1 << 6, WATCHDOG1 = 1 << 7;
 
 }  // namespace
 
@@ -20,20 +24,50 @@ Peripherals::Peripherals(const sc_core::sc_module_name& name, Wires wires)
     : sc_module{name},
       gic{"gic", std::move(wires.interrupt)},
       global_timer{"global_timer", line(GLOBAL_TIMER_ID)},
-      private_timer{"private_timer", line(PRIVATE_TIMER_ID), line(WATCHDOG_ID), wires.warm_reset},
+      private_timer{"private_timer", line(PRIVATE_TIMER_ID), line(WATCHDOG_ID),
+                    [this] { reset_manager.reset(ResetManager::MPU_WATCHDOG); }},
       timer0{"timer0", SP_TIMER_HZ, line(TIMER0_ID)},
       timer1{"timer1", SP_TIMER_HZ, line(TIMER0_ID + 1)},
       timer2{"timer2", OSC_TIMER_HZ, line(TIMER0_ID + 2)},
       timer3{"timer3", OSC_TIMER_HZ, line(TIMER0_ID + 3)},
+      watchdog0{"watchdog0", line(L4_WATCHDOG0_ID),
+                [this] { reset_manager.reset(ResetManager::L4_WATCHDOG_0); }},
+      watchdog1{"watchdog1", line(L4_WATCHDOG0_ID + 1),
+                [this] { reset_manager.reset(ResetManager::L4_WATCHDOG_1); }},
       uart0{"uart0", std::move(wires.console), line(UART0_ID)},
       gpio1{"gpio1", line(GPIO1_ID)},
-      reset_manager{"reset_manager", std::move(wires.bridges), wires.warm_reset},
+      reset_manager{
+          "reset_manager",
+          {std::move(wires.bridges), [this](std::uint32_t blocks) { reset_blocks(blocks); },
+           [this] { say_once("the second processor was released; only the first is simulated"); },
+           [this] {
+               reset_blocks(WATCHDOG0 | WATCHDOG1);
+               warm_reset_();
+           }}},
       scu{"scu", remembering::scu()},
       l2_cache{"l2_cache", remembering::l2_cache()},
       system_manager{"system_manager", remembering::system_manager()},
       fpga_manager{"fpga_manager", remembering::fpga_manager()},
       l3{"l3", {}},
-      on_chip_ram{"on_chip_ram", 0x10000, sc_core::sc_time{10, sc_core::SC_NS}} {}
+      clock_manager{"clock_manager", clock_manager::registers(),
+                    [this](std::uint32_t offset) {
+                        if (clock_manager::changes_a_clock(offset))
+                            say_once(
+                                "the clock manager was set anew; the clocks stay as the "
+                                "preloader set them: processor 800 MHz, L4_SP 100 MHz");
+                    }},
+      on_chip_ram{"on_chip_ram", 0x10000, sc_core::sc_time{10, sc_core::SC_NS}},
+      warm_reset_{std::move(wires.warm_reset)},
+      say_{std::move(wires.say)} {}
+
+void Peripherals::reset_blocks(std::uint32_t permodrst) {
+    if (permodrst & WATCHDOG0) watchdog0.reset();
+    if (permodrst & WATCHDOG1) watchdog1.reset();
+}
+
+void Peripherals::say_once(const std::string& line) {
+    if (said_.insert(line).second) say_(line);
+}
 
 void Peripherals::bind(Bus& bus) {
     const auto add = [&bus](auto& target, const char* title, std::uint32_t base,
@@ -48,6 +82,9 @@ void Peripherals::bind(Bus& bus) {
     add(timer1, "HPS timer 1", 0xFFC09000, 0x1000);
     add(timer2, "HPS timer 2", 0xFFD00000, 0x1000);
     add(timer3, "HPS timer 3", 0xFFD01000, 0x1000);
+    add(watchdog0, "watchdog 0 of the HPS", 0xFFD02000, 0x1000);
+    add(watchdog1, "watchdog 1 of the HPS", 0xFFD03000, 0x1000);
+    add(clock_manager, "the clock manager", 0xFFD04000, 0x1000);
     add(reset_manager, "the reset manager", 0xFFD05000, 0x1000);
     add(system_manager, "the system manager", 0xFFD08000, 0x4000);
     add(scu, "the A9's SCU", 0xFFFEC000, 0x100);

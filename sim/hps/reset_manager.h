@@ -1,15 +1,21 @@
-// reset_manager.h - the HPS's reset manager: bridges in and out of reset, and the warm reset.
+// reset_manager.h - the HPS's reset manager: what is in reset, and the warm reset.
 //
-//   +0x00 stat (bit 1: a warm reset by software; write 1 clears)
+//   +0x00 stat: why the last resets were, write 1 clears: bit 4 a cold one and bit 10 a warm one by
+//   software, bit 12 the processor's watchdog, 14 and 15 the watchdogs on the L4 bus
 //   +0x04 ctrl: bit 0 cold, bit 1 warm
+//   +0x10 mpumodrst: bit 1: the second processor
+//   +0x14 permodrst: 1 = in reset: bits 6 and 7 the watchdogs, 12 - 15 I2C, 16 and 17 the UARTs,
+//   18 and 19 the SPI masters, 20 and 21 the SPI slaves, 28 the DMA controller
 //   +0x1C brgmodrst: 1 = in reset: bit 0 h2f, bit 1 lwh2f, bit 2 f2h.  All others remember.
 //
-// After power-on all bridges are out of reset, as the boot loader leaves them.  A cold reset acts
-// as a warm one: memory and the FPGA keep their contents.
+// After power-on all bridges and all blocks are out of reset, as the boot loader leaves them; the
+// second processor is in reset.  A cold reset acts as a warm one: memory and the FPGA keep their
+// contents.
 //
 // Source: Cyclone V HPS TRM, chapter Reset Manager.
 //
-// Not handled: resets of single peripherals (permodrst and others remember).
+// Not handled: that a block in reset does not answer; resets of other blocks than the above, which
+// remember.
 #pragma once
 
 #include <functional>
@@ -22,15 +28,33 @@ namespace sim {
 class ResetManager : public Registers {
 public:
     static constexpr std::uint32_t H2F = 1, LWH2F = 2, F2H = 4;
+    enum Cause : std::uint32_t {  // of stat
+        COLD_BY_SOFTWARE = 1 << 4,
+        WARM_BY_SOFTWARE = 1 << 10,
+        MPU_WATCHDOG = 1 << 12,
+        L4_WATCHDOG_0 = 1 << 14,
+        L4_WATCHDOG_1 = 1 << 15
+    };
 
-    // `bridges` is called with brgmodrst when it is written, `warm` when a reset is asked for.
-    ResetManager(const sc_core::sc_module_name& module_name,
-                 std::function<void(std::uint32_t brgmodrst)> bridges, std::function<void()> warm)
-        : Registers{module_name}, bridges_{std::move(bridges)}, warm_{std::move(warm)} {}
+    struct Wires {
+        std::function<void(std::uint32_t brgmodrst)> bridges;  // when it is written
+        std::function<void(std::uint32_t permodrst)> blocks;   // ... those that go into reset
+        std::function<void()> second_processor;                // is released
+        std::function<void()> warm;                            // a reset is asked for
+    };
+    ResetManager(const sc_core::sc_module_name& module_name, Wires wires)
+        : Registers{module_name}, wires_{std::move(wires)} {}
+
+    void reset(Cause cause) {
+        values_[STAT] |= cause;
+        values_[MPUMODRST] |= CPU1;
+        wires_.warm();
+    }
 
 private:
-    static constexpr std::uint32_t STAT = 0x00, CTRL = 0x04, MPUMODRST = 0x10, BRGMODRST = 0x1C;
-    static constexpr std::uint32_t WARM_BY_SOFTWARE = 2, CPU1 = 2;
+    static constexpr std::uint32_t STAT = 0x00, CTRL = 0x04, MPUMODRST = 0x10, PERMODRST = 0x14,
+                                   BRGMODRST = 0x1C;
+    static constexpr std::uint32_t COLD = 1, WARM = 2, CPU1 = 2;
 
     std::uint32_t read(std::uint32_t offset, const sc_core::sc_time&) override {
         const auto found = values_.find(offset);
@@ -40,19 +64,22 @@ private:
         if (offset == STAT) {
             values_[STAT] &= ~value;
         } else if (offset == CTRL) {
-            if (!(value & 3)) return;
-            values_[STAT] |= WARM_BY_SOFTWARE;
-            warm_();
+            if (value & (COLD | WARM)) reset(value & COLD ? COLD_BY_SOFTWARE : WARM_BY_SOFTWARE);
         } else if (offset == BRGMODRST) {
             values_[BRGMODRST] = value & (H2F | LWH2F | F2H);
-            bridges_(values_[BRGMODRST]);
+            wires_.bridges(values_[BRGMODRST]);
+        } else if (offset == PERMODRST) {
+            wires_.blocks(value & ~values_[PERMODRST]);
+            values_[PERMODRST] = value;
+        } else if (offset == MPUMODRST) {
+            if (values_[MPUMODRST] & ~value & CPU1) wires_.second_processor();
+            values_[MPUMODRST] = value;
         } else {
             values_[offset] = value;
         }
     }
 
-    std::function<void(std::uint32_t)> bridges_;
-    std::function<void()> warm_;
+    Wires wires_;
     std::map<std::uint32_t, std::uint32_t> values_{{MPUMODRST, CPU1}};
 };
 

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -12,6 +13,7 @@ namespace tb {
 
 struct HpsBoard : sc_core::sc_module {
     std::string printed;
+    std::vector<std::string> said;
     bool irq = false, fiq = false;
     unsigned resets = 0;
     std::uint32_t bridges_in_reset = 0;
@@ -20,7 +22,8 @@ struct HpsBoard : sc_core::sc_module {
     sim::Peripherals hps{
         "hps",
         {[this](char c) { printed += c; }, [this](bool i, bool f) { irq = i, fiq = f; },
-         [this] { ++resets; }, [this](std::uint32_t bits) { bridges_in_reset = bits; }}};
+         [this] { ++resets; }, [this](std::uint32_t bits) { bridges_in_reset = bits; },
+         [this](const std::string& line) { said.push_back(line); }}};
 
     explicit HpsBoard(const sc_core::sc_module_name& name_) : sc_module{name_} {
         cpu.bind(bus.socket);
