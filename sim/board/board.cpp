@@ -35,6 +35,7 @@ Board::Board(const sc_core::sc_module_name& name, Audience& audience, std::uint6
       ps2_mouse{"ps2_mouse", [this] { ps2_wires(chip_->inputs()); }},
       remote_control{"remote_control",
                      [this] { chip_->inputs().irda_rxd = remote_control.dark(); }},
+      accelerometer{"accelerometer", [this](bool up) { chip_->hps_accelerometer_interrupt(up); }},
       wires{[this](std::uint8_t driven, std::uint8_t enable) {
                 return keypad.levels(driven, enable);
             },

@@ -9,6 +9,7 @@
 //                +- Ps2Keyboard, Ps2Mouse  (PS/2 ports)
 //                +- RemoteControl  (infrared receiver)
 //                +- HeaderWires  (GPIO_0, GPIO_1)  --- Parts of the scenario
+//                +- Accelerometer  (I2C0 of the HPS)
 //                +- KEY, SW, LEDR, HEX, HPS_KEY, HPS_LED
 //
 // What is in the chip is not known here: sim/chip/chip.h.
@@ -22,6 +23,7 @@
 #include <string>
 #include <vector>
 
+#include "sim/board/accelerometer.h"
 #include "sim/board/adv7180.h"
 #include "sim/board/audience.h"
 #include "sim/board/header_wires.h"
@@ -59,6 +61,9 @@ public:
 
     // From the next conversion on; `channel` is 0 to 7.
     void set_voltage(unsigned channel, double volts);
+
+    // What the accelerometer feels from now on, in g.
+    void accelerate(const Adxl345::Acceleration& acceleration) { accelerometer.move(acceleration); }
 
     // Drives pins of the headers by hand.
     void drive_pins(const HeaderMasks& pins, PinLevel level);
@@ -99,6 +104,7 @@ private:
     void lamps(const LampPins& pins, std::uint64_t time_ps) override;
     void ps2(unsigned clk_low, unsigned dat_low, ChipInputs& in) override;
     void hps_led(bool lit, std::uint64_t time_ps) override;
+    I2cDevices* hps_i2c0() override { return &accelerometer; }
     std::uint8_t td_data(std::uint64_t rise) override { return video_decoder.data(rise); }
     void header_wires(ChipInputs& in, std::uint64_t time_ps);
     void hands_on_headers();
@@ -126,6 +132,7 @@ public:  // the parts, in the order in which they are soldered
     Ps2Keyboard ps2_keyboard;
     Ps2Mouse ps2_mouse;
     RemoteControl remote_control;
+    Accelerometer accelerometer;
     HeaderWires wires;
     Parts parts;
 

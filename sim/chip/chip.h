@@ -23,6 +23,8 @@ public:
 
     // HPS_KEY, and what a person types at a terminal.
     virtual void hps_key(bool /*pressed*/) {}
+    // GPIO61 of the HPS, the accelerometer's INT1.
+    virtual void hps_accelerometer_interrupt(bool /*up*/) {}
     virtual void type(const std::string& /*text*/, SerialLine /*to*/) {}
 
     // How what is in the chip has ended the run, as a line of text; nothing as long as it runs.

@@ -84,6 +84,8 @@ Computer::Computer(const sc_core::sc_module_name& name, PinListener& pins, Audie
     cpu.explain_by([this](auto... access) { return bus.refusal(access...); });
     hps.gpio1.on_led(
         [&pins](bool lit, const sc_core::sc_time& now) { pins.hps_led(lit, now.value()); });
+    hps.i2c0.connect(pins.hps_i2c0());
+    hps.gpio2.drive(ACCELEROMETER, false);
     if (arm) arm->set_plain_outputs(is_plain_output);
     fpga.spread_phases(settings.seed);
     fpga.on_interrupts([this](std::uint32_t levels) { hps.fpga_interrupts(levels); });

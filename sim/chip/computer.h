@@ -49,6 +49,7 @@ public:
     ChipInputs& inputs() override { return fpga.inputs(); }
     void catch_up() override { fpga.catch_up(); }
     void hps_key(bool pressed) override { hps.gpio1.press_key(pressed); }
+    void hps_accelerometer_interrupt(bool up) override { hps.gpio2.drive(ACCELEROMETER, up); }
     void type(const std::string& text, SerialLine to) override;
     void end_trace() override { fpga.end_trace(); }
 
@@ -61,6 +62,8 @@ public:
     std::vector<std::string> characters();
 
 private:
+    static constexpr unsigned ACCELEROMETER = 61 - 58;  // GPIO61 is GPIO2's pin 3
+
     std::function<void(bool)> h2f_gate_, lw_gate_;  // true: out of reset
     LostAccesses lost_accesses_;
 

@@ -1,10 +1,11 @@
-// hps_gpio.h - HPS GPIO1 (Synopsys DW_apb_gpio): the board's green LED and its HPS push-button.
+// hps_gpio.h - one of the HPS's three GPIO blocks (Synopsys DW_apb_gpio).
 //
 //   +0x00 data   +0x04 direction (1 = output)   +0x30 interrupt enable   +0x34 mask (1 = off)
 //   +0x38 type (1 = edge)   +0x3C polarity (1 = high, rising)   +0x40 status   +0x44 raw status
 //   +0x48 debounce   +0x4C EOI (write 1)   +0x50 pins   +0x60 synchronise   +0x6C version
 //
-//   bit 24  HPS_LED, 1 = lit      bit 25  HPS_KEY, 0 = pressed
+//   of GPIO1   bit 24  HPS_LED, 1 = lit      bit 25  HPS_KEY, 0 = pressed
+//   of GPIO2   bit 3   INT1 of the accelerometer
 //
 // Pins that nothing drives read 1.
 //
@@ -32,6 +33,7 @@ public:
     }
     bool led() const { return pins() >> LED & 1 && direction_ >> LED & 1; }
     void press_key(bool pressed) { drive(KEY, !pressed); }
+    void drive(unsigned pin, bool level);  // from outside
 
 private:
     enum Offset : std::uint32_t;  // of a register
@@ -39,7 +41,6 @@ private:
     std::uint32_t read(std::uint32_t offset, const sc_core::sc_time& now) override;
     void write(std::uint32_t offset, std::uint32_t value, const sc_core::sc_time& now) override;
 
-    void drive(unsigned pin, bool level);
     std::uint32_t pins() const { return (data_ & direction_) | (outside_ & ~direction_); }
     std::uint32_t raw() const;
     void pins_moved(std::uint32_t before);

@@ -9,10 +9,11 @@ namespace {
 
 constexpr std::uint64_t SP_TIMER_HZ = 100'000'000, OSC_TIMER_HZ = 25'000'000;
 constexpr unsigned GLOBAL_TIMER_ID = 27, PRIVATE_TIMER_ID = 29, WATCHDOG_ID = 30, FPGA_ID = 72,
-                   UART0_ID = 194, GPIO1_ID = 197, TIMER0_ID = 199, L4_WATCHDOG0_ID = 203;
+                   I2C0_ID = 190, UART0_ID = 194, GPIO0_ID = 196, TIMER0_ID = 199,
+                   L4_WATCHDOG0_ID = 203;
 
 // permodrst
-constexpr std::uint32_t WATCHDOG0 = 1 << 6, WATCHDOG1 = 1 << 7;
+constexpr std::uint32_t WATCHDOG0 = 1 << 6, WATCHDOG1 = 1 << 7, I2C0 = 1 << 12;
 
 }  // namespace
 
@@ -35,7 +36,13 @@ Peripherals::Peripherals(const sc_core::sc_module_name& name, Wires wires)
       watchdog1{"watchdog1", line(L4_WATCHDOG0_ID + 1),
                 [this] { reset_manager.reset(ResetManager::L4_WATCHDOG_1); }},
       uart0{"uart0", std::move(wires.console), line(UART0_ID)},
-      gpio1{"gpio1", line(GPIO1_ID)},
+      i2c0{"i2c0", line(I2C0_ID)},
+      i2c1{"i2c1", line(I2C0_ID + 1)},
+      i2c2{"i2c2", line(I2C0_ID + 2)},
+      i2c3{"i2c3", line(I2C0_ID + 3)},
+      gpio0{"gpio0", line(GPIO0_ID)},
+      gpio1{"gpio1", line(GPIO0_ID + 1)},
+      gpio2{"gpio2", line(GPIO0_ID + 2)},
       reset_manager{
           "reset_manager",
           {std::move(wires.bridges), [this](std::uint32_t blocks) { reset_blocks(blocks); },
@@ -63,6 +70,9 @@ Peripherals::Peripherals(const sc_core::sc_module_name& name, Wires wires)
 void Peripherals::reset_blocks(std::uint32_t permodrst) {
     if (permodrst & WATCHDOG0) watchdog0.reset();
     if (permodrst & WATCHDOG1) watchdog1.reset();
+    I2cController* const buses[] = {&i2c0, &i2c1, &i2c2, &i2c3};
+    for (unsigned n = 0; n < 4; ++n)
+        if (permodrst & I2C0 << n) buses[n]->reset();
 }
 
 void Peripherals::say_once(const std::string& line) {
@@ -75,9 +85,15 @@ void Peripherals::bind(Bus& bus) {
         bus.window(title, base, size).bind(target.socket);
     };
     add(fpga_manager, "the FPGA manager", 0xFF706000, 0x1000);
+    add(gpio0, "GPIO0 of the HPS", GPIO1_BASE - 0x1000, 0x1000);
     add(gpio1, "GPIO1 of the HPS", GPIO1_BASE, 0x1000);
+    add(gpio2, "GPIO2 of the HPS", GPIO1_BASE + 0x1000, 0x1000);
     add(l3, "the L3 interconnect", 0xFF800000, 0x80000);
     add(uart0, "UART0", 0xFFC02000, 0x1000);
+    add(i2c0, "I2C0 of the HPS", 0xFFC04000, 0x1000);
+    add(i2c1, "I2C1 of the HPS", 0xFFC05000, 0x1000);
+    add(i2c2, "I2C2 of the HPS", 0xFFC06000, 0x1000);
+    add(i2c3, "I2C3 of the HPS", 0xFFC07000, 0x1000);
     add(timer0, "HPS timer 0", 0xFFC08000, 0x1000);
     add(timer1, "HPS timer 1", 0xFFC09000, 0x1000);
     add(timer2, "HPS timer 2", 0xFFD00000, 0x1000);

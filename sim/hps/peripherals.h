@@ -4,7 +4,8 @@
 //   L2 cache            0xFFFEF000
 //   on-chip RAM         0xFFFF0000       64 KB
 //   UART0               0xFFC02000       ID 194
-//   GPIO1               0xFF709000       ID 197
+//   GPIO0, 1, 2         0xFF708000 0xFF709000 0xFF70A000                 IDs 196 - 198
+//   I2C0 - 3            0xFFC04000 0xFFC05000 0xFFC06000 0xFFC07000      IDs 190 - 193
 //   timers              0xFFC08000 0xFFC09000 0xFFD00000 0xFFD01000      IDs 199 - 202
 //   watchdogs           0xFFD02000 0xFFD03000                            IDs 203, 204
 //   managers            0xFF706000 FPGA, 0xFFD04000 clocks, 0xFFD05000 reset, 0xFFD08000 system;
@@ -23,6 +24,7 @@
 #include "sim/hps/global_timer.h"
 #include "sim/hps/hps_gpio.h"
 #include "sim/hps/hps_timer.h"
+#include "sim/hps/i2c_controller.h"
 #include "sim/hps/l4_watchdog.h"
 #include "sim/hps/memory.h"
 #include "sim/hps/private_timer.h"
@@ -61,7 +63,8 @@ public:
     HpsTimer timer0, timer1, timer2, timer3;
     L4Watchdog watchdog0, watchdog1;
     Uart uart0;
-    HpsGpio gpio1;
+    I2cController i2c0, i2c1, i2c2, i2c3;
+    HpsGpio gpio0, gpio1, gpio2;
     ResetManager reset_manager;
     RememberingRegisters scu, l2_cache, system_manager, fpga_manager, l3;
     RegisterTable clock_manager;

@@ -29,10 +29,11 @@ double seconds(std::chrono::steady_clock::duration d) {
 // Hands at the board.  Not those steps that open a file, which a page must not make de1sim do.
 bool is_played_live(const std::string& step) {
     static constexpr std::string_view STEPS[] = {
-        "click-mouse",  "drag-mouse", "hold",         "hold-key",      "hold-mouse",
-        "move-mouse",   "play-tone",  "play-silence", "press",         "press-key",
-        "press-remote", "release",    "release-key",  "release-mouse", "set-pins",
-        "set-voltage",  "turn-wheel", "type-keys",    "type-serial"};
+        "accelerate-board", "click-mouse",  "drag-mouse", "hold",         "hold-key",
+        "hold-mouse",       "move-mouse",   "play-tone",  "play-silence", "press",
+        "press-key",        "press-remote", "release",    "release-key",  "release-mouse",
+        "set-pins",         "set-voltage",  "tilt-board", "turn-wheel",   "type-keys",
+        "type-serial"};
     return std::find(std::begin(STEPS), std::end(STEPS), step) != std::end(STEPS);
 }
 

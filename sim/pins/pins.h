@@ -70,6 +70,19 @@ struct ChipInputs {
     }
 };
 
+// What hangs on an I2C bus of the HPS, as its master sees it: byte by byte.
+class I2cDevices {
+public:
+    virtual bool begin(std::uint8_t address, bool reads,
+                       std::uint64_t time_ps) = 0;                     // acknowledged
+    virtual bool write(std::uint8_t byte, std::uint64_t time_ps) = 0;  // acknowledged
+    virtual std::uint8_t read(std::uint64_t time_ps) = 0;
+    virtual void end(std::uint64_t time_ps) = 0;  // STOP
+
+protected:
+    ~I2cDevices() = default;
+};
+
 class PinListener {
 public:
     // A sample a clock, in order, in batches of up to a scan line.
@@ -97,6 +110,8 @@ public:
     // somebody captures, in their order.
     virtual std::uint8_t td_data(std::uint64_t /*rise*/) { return 0; }
 
+    // The HPS's I2C0; asked for once, before time begins.  May be none.
+    virtual I2cDevices* hps_i2c0() { return nullptr; }
     // HPS_LED.
     virtual void hps_led(bool /*lit*/, std::uint64_t /*time_ps*/) {}
 

@@ -86,6 +86,7 @@ void Player::close_contact(const std::string& part, bool closed) {
     board_.close_contact(part, closed);
 }
 void Player::set_voltage(unsigned channel, double volts) { board_.set_voltage(channel, volts); }
+void Player::accelerate(double x, double y, double z) { board_.accelerate({x, y, z}); }
 void Player::type_serial(const std::string& text, std::optional<SerialLine> to) {
     board_.type(text, to);
 }

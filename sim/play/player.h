@@ -55,6 +55,7 @@ private:
     void drive_pins(const HeaderMasks& pins, PinLevel level) override;
     void close_contact(const std::string& part, bool closed) override;
     void set_voltage(unsigned channel, double volts) override;
+    void accelerate(double x, double y, double z) override;
     void type_serial(const std::string& text, std::optional<SerialLine> to) override;
     void type_keys(const std::string& text) override;
     void hold_key(std::uint16_t code) override;

@@ -50,6 +50,7 @@ public:
     // A button or a switch of the parts, by its name.
     virtual void close_contact(const std::string& part, bool closed) = 0;
     virtual void set_voltage(unsigned channel, double volts) = 0;  // at the AD converter
+    virtual void accelerate(double x, double y, double z) = 0;     // in g, felt from now on
     // Goes on at once.  Without `to` at the terminals where a program listens: Board::type().
     virtual void type_serial(const std::string& text, std::optional<SerialLine> to) = 0;
     virtual void type_keys(const std::string& text) = 0;  // goes on at once

@@ -119,13 +119,16 @@ ValueType signed_number(const std::string& expected, std::uint64_t most) {
 }
 
 ValueType decimal_number(const std::string& expected, double least, double most) {
-    return {expected,
-            fmt::format(R"({{"type": "number", "minimum": {}, "maximum": {}}})", least, most),
-            [least, most](const YamlNode& node) -> Reading {
-                if (!is_plain(node)) return std::nullopt;
-                if (const auto number = parse_decimal(node.text, least, most)) return *number;
-                return std::nullopt;
-            }};
+    return {
+        expected, fmt::format(R"({{"type": "number", "minimum": {}, "maximum": {}}})", least, most),
+        [least, most](const YamlNode& node) -> Reading {
+            if (!is_plain(node)) return std::nullopt;
+            const bool minus = least < 0 && !node.text.empty() && node.text[0] == '-';
+            const std::string_view digits = std::string_view{node.text}.substr(minus);
+            const auto number = parse_decimal(digits, std::max(least, 0.0), minus ? -least : most);
+            if (!number) return std::nullopt;
+            return minus ? -*number : *number;
+        }};
 }
 
 ValueType percent(const std::string& expected, double least, double most) {

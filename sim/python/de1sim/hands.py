@@ -49,6 +49,10 @@ class Hands:
     def click_mouse(self, button="left"):
         self.step({"click-mouse": button})
 
+    def tilt_board(self, right=0, towards=0):
+        """Degrees; the accelerometer feels it."""
+        self.step({"tilt-board": {"right": right, "towards": towards}})
+
     def set_voltage(self, channel, volts):
         """At the AD converter."""
         self.step({"set-voltage": {"channel": channel, "volts": volts}})

@@ -58,6 +58,9 @@ public:
     void set_voltage(unsigned channel, double volts) override {
         done.push_back(fmt::format("CH{} {} V", channel, volts));
     }
+    void accelerate(double x, double y, double z) override {
+        done.push_back(fmt::format("{:.2f} {:.2f} {:.2f} g", x, y, z));
+    }
     void type_serial(const std::string& text, std::optional<sim::SerialLine> to) override {
         const std::string line = to ? sim::SERIAL_LINES[static_cast<std::size_t>(*to)] : "serial";
         done.push_back((to ? "to " : "") + line + " " + text);
