@@ -76,7 +76,7 @@ std::uint32_t GicDistributor::read(std::uint32_t offset, const sc_core::sc_time&
     return 0;
 }
 
-void GicDistributor::write(std::uint32_t offset, std::uint32_t value, const sc_core::sc_time&) {
+void GicDistributor::write(std::uint32_t offset, std::uint32_t value, const sc_core::sc_time& now) {
     GicState& s = gic_.state_;
     const unsigned bit = offset % 0x80 * 8, byte = offset % 0x400;
     if (offset == ICDDCR) {
@@ -89,7 +89,11 @@ void GicDistributor::write(std::uint32_t offset, std::uint32_t value, const sc_c
     } else if (in(offset, ICDICER, 0x20)) {
         spread(value, bit, [&](unsigned i) { s.enabled[i] = i < FIRST_PRIVATE; });
     } else if (in(offset, ICDISPR, 0x20)) {
-        spread(value, bit, [&](unsigned i) { s.latched[i] = s.latched[i] || i >= FIRST_PRIVATE; });
+        spread(value, bit, [&](unsigned i) {
+            if (i < FIRST_PRIVATE) return;
+            s.latched[i] = true;
+            gic_.raised_at_[i] = now;
+        });
     } else if (in(offset, ICDICPR, 0x20)) {
         spread(value, bit, [&](unsigned i) { s.latched[i] = s.latched[i] && i < FIRST_PRIVATE; });
     } else if (in(offset, ICDIPR, 0x100)) {
@@ -104,15 +108,17 @@ void GicDistributor::write(std::uint32_t offset, std::uint32_t value, const sc_c
         for (unsigned i = 0; i < 16; ++i)
             if (first + i >= FIRST_SHARED) s.edge[first + i] = value >> (2 * i + 1) & 1;
     } else if (offset == ICDSGIR) {
-        send(value);
+        send(value, now);
     }
     gic_.update();
 }
 
 // To itself, or to a list that includes it; the other processors do not exist.
-void GicDistributor::send(std::uint32_t value) {
+void GicDistributor::send(std::uint32_t value, const sc_core::sc_time& now) {
     const std::uint32_t filter = value >> 24 & 3;
-    if (filter == 2 || (filter == 0 && (value >> 16 & 1))) gic_.state_.latched[value & 0xF] = true;
+    if (filter != 2 && !(filter == 0 && (value >> 16 & 1))) return;
+    gic_.state_.latched[value & 0xF] = true;
+    gic_.raised_at_[value & 0xF] = now;
 }
 
 // ---- CPU interface ------------------------------------------------------------------------------
@@ -163,6 +169,7 @@ Gic::Gic(const sc_core::sc_module_name& name, std::function<void(bool, bool)> si
 
 void Gic::set_level(unsigned id, bool up) {
     if (state_.level[id] == up) return;
+    if (up) raised_at_[id] = sc_core::sc_time_stamp();
     state_.set_level(id, up);
     update();
 }

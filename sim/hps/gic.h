@@ -22,6 +22,7 @@
 #include <bitset>
 #include <cstdint>
 #include <functional>
+#include <string>
 #include <vector>
 
 #include "sim/hps/registers.h"
@@ -52,11 +53,17 @@ public:
     unsigned acknowledge();
     void end(unsigned id);
 
+    // What keeps a pending interrupt from the processor, a clause each in the registers' names.
+    std::vector<std::string> obstacles(unsigned id) const;
+    // How often it was acknowledged since its line has been up.
+    unsigned taken(unsigned id) const { return taken_[id]; }
+
 private:
     bool is_fiq(unsigned id) const;
     unsigned group(unsigned priority_value) const;
 
     std::vector<unsigned> running_;  // acknowledged, the last at the end
+    std::array<unsigned, IDS> taken_{};
 };
 
 class Gic;
@@ -69,7 +76,7 @@ private:
     std::uint32_t read(std::uint32_t offset, const sc_core::sc_time& now) override;
     void write(std::uint32_t offset, std::uint32_t value, const sc_core::sc_time& now) override;
     bool takes_bytes() const override { return true; }
-    void send(std::uint32_t value);
+    void send(std::uint32_t value, const sc_core::sc_time& now);
 
     Gic& gic_;
 };
@@ -92,6 +99,10 @@ public:
 
     void set_level(unsigned id, bool up);
 
+    const GicState& state() const { return state_; }
+    // When its line, or software, last made it pending.
+    const sc_core::sc_time& raised_at(unsigned id) const { return raised_at_[id]; }
+
     GicDistributor distributor;
     GicCpuInterface cpu_interface;
 
@@ -102,6 +113,7 @@ private:
     void update();
 
     GicState state_;
+    std::array<sc_core::sc_time, GicState::IDS> raised_at_;
     std::function<void(bool, bool)> signal_;
     bool irq_ = false, fiq_ = false;
 };

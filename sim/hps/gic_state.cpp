@@ -21,6 +21,7 @@ GicState::GicState() {
 
 void GicState::set_level(unsigned id, bool up) {
     if (edge[id] && up && !level[id]) latched[id] = true;
+    if (up && !level[id]) taken_[id] = 0;
     level[id] = up;
 }
 
@@ -64,6 +65,7 @@ unsigned GicState::acknowledge() {
     if (non_secure[id] && !(control & ACK_CTL)) return SPURIOUS_NON_SECURE;
     latched[id] = false;
     active[id] = true;
+    ++taken_[id];
     running_.push_back(id);
     return id;
 }

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "regmap.h"
 #include "sim/chip/computer.h"
 #include "sim/report/whole_file.h"
 
@@ -26,9 +27,9 @@ ArmProgram load_program(const RunOptions& options, bool on_linux) {
     return {load_elf(options.elf, on_linux ? linux_memory() : program_memory()), options.cpi};
 }
 
-ArmRun::ArmRun(ArmCpu& cpu, const RunOptions& options, bool on_linux, Recorder& recorder,
-               Audience& audience)
-    : options_{options}, cpu_{cpu} {
+ArmRun::ArmRun(ArmCpu& cpu, const Bus& bus, const RunOptions& options, bool on_linux,
+               Recorder& recorder, Audience& audience)
+    : options_{options}, cpu_{cpu}, bus_{bus} {
     const auto print = [&audience](char c) { audience.console(c, SerialLine::UART); };
     const auto log = [&audience](const std::string& line) { audience.log(line); };
     if (on_linux)
@@ -71,8 +72,16 @@ std::string ArmRun::waiting() const {
     if (at.ended) return "nothing: it has ended";
     if (terminal().waits()) return "standard input";
     if (at.sleeping) return kernel_ ? "the time to wake up" : "an interrupt";
-    if (at.polled) return fmt::format("a change of 0x{:08X}", *at.polled);
+    if (at.polled) return fmt::format("a change of 0x{:08X}{}", *at.polled, named(*at.polled));
     return "";
+}
+
+// " (KEY_DATA)", of a register, or of the block that it is in.
+std::string ArmRun::named(std::uint32_t address) const {
+    for (const regmap::Reg& reg : regmap::REGS)
+        if (reg.addr == address) return fmt::format(" ({})", reg.name);
+    const std::string place = bus_.place(address);
+    return place.empty() ? "" : " (" + place + ")";
 }
 
 void ArmRun::write_profile() const {

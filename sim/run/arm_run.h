@@ -6,6 +6,7 @@
 
 #include "sim/cpu/arm_cpu.h"
 #include "sim/debug/semihosting.h"
+#include "sim/hps/bus.h"
 #include "sim/linux/kernel.h"
 #include "sim/profile/call_log.h"
 #include "sim/profile/frame_budget.h"
@@ -26,13 +27,14 @@ class ArmRun {
 public:
     // Attaches to the processor and to the recorder's frames.  What a Linux program prints, or
     // another by semihosting, goes to `audience`.
-    ArmRun(ArmCpu& cpu, const RunOptions& options, bool on_linux, Recorder& recorder,
-           Audience& audience);
+    ArmRun(ArmCpu& cpu, const Bus& bus, const RunOptions& options, bool on_linux,
+           Recorder& recorder, Audience& audience);
 
     // At the console of these; or that nobody will.
     void type(const std::string& text) { terminal().type(text); }
     void close_input() { terminal().close(); }
 
+    bool on_linux() const { return kernel_.has_value(); }
     RunReport::Program program() const;
     std::string waiting() const;  // for what, "an interrupt"; or empty
     const std::vector<page::FrameUse>& frames() const { return budget_.frames(); }
@@ -40,6 +42,7 @@ public:
     const CallLog* calls() const { return calls_ ? &*calls_ : nullptr; }  // of a part
 
 private:
+    std::string named(std::uint32_t address) const;
     Terminal& terminal() { return kernel_ ? kernel_->terminal() : semihosting_->terminal(); }
     const Terminal& terminal() const {
         return kernel_ ? kernel_->terminal() : semihosting_->terminal();
@@ -47,6 +50,7 @@ private:
 
     const RunOptions& options_;
     ArmCpu& cpu_;
+    const Bus& bus_;
     std::optional<LinuxKernel> kernel_;
     std::optional<Semihosting> semihosting_;  // where there is no kernel
     std::optional<Profile> profile_;

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <optional>
 
 #include "regmap.h"
@@ -10,6 +11,7 @@
 #include "sim/report/printable.h"
 #include "sim/report/sha256.h"
 #include "sim/report/tap.h"
+#include "sim/run/missed_interrupts.h"
 
 namespace sim {
 
@@ -68,6 +70,14 @@ std::string seen(const RunReport& report) {
     return text;
 }
 
+// The program may be waiting for something that does not come.
+bool waits_in_vain(const RunReport& report) {
+    if (!report.program || !report.faults.empty()) return false;
+    const auto& all = report.expectations;
+    return report.end == RunEnd::DURATION_REACHED || report.end == RunEnd::INTERRUPTED ||
+           std::any_of(all.begin(), all.end(), [](const Expectation& e) { return !e.met; });
+}
+
 // The scenario's, or the program's where there is none.
 std::string name_of(const RunReport& report) {
     if (!report.scenario.empty() || !report.program) return report.scenario;
@@ -122,6 +132,8 @@ void add_results(RunReport& report, Board& board, Computer* computer, const ArmR
     // From here on, reading moves the board.
     report.audio.underruns = underruns(*computer);
     for (const std::string& row : computer->characters()) report.characters.push_back(text_of(row));
+    if (arm && !arm->on_linux() && waits_in_vain(report))
+        for (const std::string& line : missed_interrupts(*computer)) report.advice.push_back(line);
     if (report.frames_shown < 2 || report.frames_swapped > 1 || !recorder.senses().is_black())
         return;
     if (const auto address = picture_in_ddr3(*computer))
@@ -145,8 +157,7 @@ bool summarise(const RunReport& report, const std::filesystem::path& out) {
         if (!check.met) message(fmt::format("{}: not met: {}", check.name, check.detail));
     }
     for (const std::string& fault : report.faults) complain(fault);
-    if (report.program &&
-        (report.end == RunEnd::DURATION_REACHED || report.end == RunEnd::INTERRUPTED)) {
+    if (waits_in_vain(report)) {
         const RunReport::Program& p = *report.program;
         complain(fmt::format("the program was at PC 0x{:08X}{}{}{}{}", p.pc,
                              p.function.empty() ? "" : " in ", p.function,

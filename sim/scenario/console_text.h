@@ -5,6 +5,7 @@
 // is waited for is longer), and at most twice as many.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -22,6 +23,11 @@ public:
     bool take(std::string_view text);
 
     std::uint64_t unread() const { return forgotten_ + unread_.size(); }
+    // The last of the unread text, `most` characters of it.
+    std::string_view end(std::size_t most) const {
+        const std::string_view all = unread_;
+        return all.substr(all.size() - std::min(all.size(), most));
+    }
     std::uint64_t forgotten() const { return forgotten_; }  // unread characters that were dropped
 
 private:

@@ -119,7 +119,7 @@ TEST_F(ArmRun, SaysWhereAHangingProgramIsAndWhatItWaitsFor) {
     EXPECT_THAT(outcome.err, HasSubstr("waiting for a change of 0xFF200050"));
     const nlohmann::json at = report()["program"]["at"];
     EXPECT_THAT(at["function"], HasSubstr("main"));
-    EXPECT_EQ(at["waiting_for"], "a change of 0xFF200050");
+    EXPECT_EQ(at["waiting_for"], "a change of 0xFF200050 (KEY_DATA)");
 }
 
 TEST_F(ArmRun, FailsAProgramThatAbortsWithoutAVector) {

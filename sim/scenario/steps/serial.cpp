@@ -46,14 +46,25 @@ public:
         ConsoleText& text = stage.senses().text;
         if (stage.wait_until(Stage::Each::CHARACTER, timeout_, [&] { return text.take(text_); }))
             return {true, ""};
-        std::string detail = fmt::format(
-            "the console printed {} characters behind the last match, but not that", text.unread());
+        std::string detail = printed(text);
         if (text.forgotten())
             detail += fmt::format("; the first {} were too old to be looked at", text.forgotten());
         return {false, detail};
     }
 
 private:
+    // What there was instead, or its end.
+    static std::string printed(const ConsoleText& text) {
+        constexpr std::size_t MOST = 60;
+        const std::uint64_t count = text.unread();
+        if (count == 0) return "the console printed nothing behind the last match";
+        const char* before = count > MOST ? "..." : "";
+        return fmt::format(
+            "the console printed {} character{} behind the last match, but not "
+            "that: {}{}",
+            count, count == 1 ? "" : "s", before, in_quotes(text.end(MOST)));
+    }
+
     std::string text_;
     SimTime timeout_;
 };

@@ -38,16 +38,23 @@ TEST_F(SerialSteps, LookBehindTheTextThatWasFoundBefore) {
     EXPECT_EQ(finds("wait-serial: ready"), "met");
     EXPECT_EQ(finds("wait-serial: ready"), "met");
     EXPECT_EQ(finds("wait-serial: {text: ready, timeout: 1ms}"),
-              "the console printed 0 characters behind the last match, but not that");
+              "the console printed nothing behind the last match");
 }
 
 TEST_F(SerialSteps, GiveUpAfterTenSecondsUnlessTheySaySo) {
     print("go!");
     EXPECT_EQ(finds("wait-serial: ready"),
-              "the console printed 3 characters behind the last match, but not that");
+              "the console printed 3 characters behind the last match, but not that: \"go!\"");
     EXPECT_EQ(stage.now_ms(), 10'000u);
     finds("wait-serial: {text: ready, timeout: 2s}");
     EXPECT_EQ(stage.now_ms(), 12'000u);
+}
+
+TEST_F(SerialSteps, SayTheEndOfWhatWasPrintedInstead) {
+    print(std::string(100, '-') + "\nEnter a number: ");
+    EXPECT_EQ(finds("wait-serial: {text: ready, timeout: 1ms}"),
+              "the console printed 117 characters behind the last match, but not that: ...\"" +
+                  std::string(43, '-') + "\\x0aEnter a number: \"");
 }
 
 TEST_F(SerialSteps, NeverSayAControlCharacter) {

@@ -1,0 +1,187 @@
+// missed_interrupts.cpp - see missed_interrupts.h
+#include "sim/run/missed_interrupts.h"
+
+#include <algorithm>
+#include <iterator>
+
+#include <fmt/format.h>
+
+#include "regmap.h"
+
+namespace sim {
+
+namespace {
+
+constexpr unsigned FIRST_PRIVATE = 16, STORM = 100;
+
+struct Register {
+    const char* name;
+    std::uint32_t address;
+};
+
+// What a device has to say, and the bits of the same number that let it; or all of `enable_bits`.
+struct Device {
+    unsigned id;
+    const char* name;
+    Register event;
+    std::uint32_t event_bits;
+    Register enable;
+    std::uint32_t enable_bits = 0;  // 0: a bit for each of the events'
+    bool keeps_back = false;        // 1 in `enable`
+};
+
+#define REGISTER(name) \
+    { #name, regmap::name }
+#define BITS(field) regmap::field##_MASK
+constexpr std::uint32_t ALL = 0xFFFFFFFF;
+constexpr Device DEVICES[] = {
+    {27, "the global timer", {"its status", 0xFFFEC20C}, 1, {"its control", 0xFFFEC208}, 4},
+    {29, "the private timer", {"its status", 0xFFFEC60C}, 1, {"its control", 0xFFFEC608}, 4},
+    {30, "the watchdog", {"its status", 0xFFFEC62C}, 1, {"its control", 0xFFFEC628}, 4},
+    {regmap::TIMER0_IRQ_ID, "TIMER0", REGISTER(TIMER0_STATUS), BITS(TIMER0_STATUS_TO),
+     REGISTER(TIMER0_CONTROL), BITS(TIMER0_CONTROL_ITO)},
+    {regmap::KEY_IRQ_ID, "KEY", REGISTER(KEY_EDGE), ALL, REGISTER(KEY_MASK)},
+    {regmap::TIMER1_IRQ_ID, "TIMER1", REGISTER(TIMER1_STATUS), BITS(TIMER1_STATUS_TO),
+     REGISTER(TIMER1_CONTROL), BITS(TIMER1_CONTROL_ITO)},
+    {regmap::AUDIO_IRQ_ID, "AUDIO", REGISTER(AUDIO_CONTROL),
+     BITS(AUDIO_CONTROL_RI) | BITS(AUDIO_CONTROL_WI), REGISTER(AUDIO_CONTROL),
+     BITS(AUDIO_CONTROL_RE) | BITS(AUDIO_CONTROL_WE)},
+    {regmap::PS2_0_IRQ_ID, "PS2_0", REGISTER(PS2_0_CONTROL), BITS(PS2_0_CONTROL_RI),
+     REGISTER(PS2_0_CONTROL), BITS(PS2_0_CONTROL_RE)},
+    {regmap::PS2_1_IRQ_ID, "PS2_1", REGISTER(PS2_1_CONTROL), BITS(PS2_1_CONTROL_RI),
+     REGISTER(PS2_1_CONTROL), BITS(PS2_1_CONTROL_RE)},
+    {regmap::JTAG_UART0_IRQ_ID, "JTAG_UART0", REGISTER(JTAG_UART0_DATA),
+     BITS(JTAG_UART0_DATA_RVALID), REGISTER(JTAG_UART0_CONTROL), BITS(JTAG_UART0_CONTROL_RE)},
+    {regmap::IRDA_IRQ_ID, "IRDA", {}, 0, {}},
+    {regmap::JP1_IRQ_ID, "JP1", REGISTER(JP1_EDGE), ALL, REGISTER(JP1_MASK)},
+    {regmap::JP2_IRQ_ID, "JP2", REGISTER(JP2_EDGE), ALL, REGISTER(JP2_MASK)},
+    {regmap::KEYPAD_IRQ_ID, "KEYPAD", REGISTER(KEYPAD_STATUS), 7, REGISTER(KEYPAD_MASK)},
+    {194, "UART0", {"its LSR", 0xFFC02014}, 1, {"its IER", 0xFFC02004}, 1},
+    {197, "GPIO1", {"gpio_raw_intstatus", 0xFF709044}, ALL, {"gpio_intmask", 0xFF709034}, 0, true},
+    {199, "HPS timer 0", {"its raw status", 0xFFC080A8}, 1, {"its control", 0xFFC08008}, 4, true},
+    {200, "HPS timer 1", {"its raw status", 0xFFC090A8}, 1, {"its control", 0xFFC09008}, 4, true},
+    {201, "HPS timer 2", {"its raw status", 0xFFD000A8}, 1, {"its control", 0xFFD00008}, 4, true},
+    {202, "HPS timer 3", {"its raw status", 0xFFD010A8}, 1, {"its control", 0xFFD01008}, 4, true},
+};
+#undef REGISTER
+#undef BITS
+
+const Device* device_of(unsigned id) {
+    const auto* const found = std::find_if(std::begin(DEVICES), std::end(DEVICES),
+                                           [id](const Device& d) { return d.id == id; });
+    return found == std::end(DEVICES) ? nullptr : found;
+}
+
+std::string name_of(unsigned id) {
+    const Device* device = device_of(id);
+    return fmt::format("interrupt {}{}", id, device ? fmt::format(" ({})", device->name) : "");
+}
+
+class Examination {
+public:
+    explicit Examination(Computer& computer) : computer_{computer}, arm_{*computer.arm} {}
+
+    std::vector<std::string> lines() {
+        if (!uses_interrupts()) return {};
+        for (unsigned id = 0; id < GicState::IDS; ++id)
+            if (state().pending(id)) look_at_pending(id);
+        for (const Device& device : DEVICES)
+            if (device.event.name && state().enabled[device.id] && !state().pending(device.id))
+                look_at_silent(device);
+        return std::move(lines_);
+    }
+
+private:
+    const GicState& state() const { return computer_.hps.gic.state(); }
+
+    bool uses_interrupts() const {
+        if (!(arm_.core().cpsr() & arm_cpsr::I)) return true;
+        for (unsigned id = FIRST_PRIVATE; id < GicState::IDS; ++id)
+            if (state().enabled[id]) return true;
+        return false;
+    }
+
+    void look_at_pending(unsigned id) {
+        const sc_core::sc_time since = computer_.hps.gic.raised_at(id);
+        const sc_core::sc_time moment{1, sc_core::SC_MS};
+        if (sc_core::sc_time_stamp() < since + moment) return;
+        std::vector<std::string> reasons = state().obstacles(id);
+        if (reasons.empty() && state().taken(id) >= STORM) {
+            lines_.push_back(
+                fmt::format("{} was taken {} times since its line went up at {:.3f} "
+                            "ms: its handler does not take the cause away{}",
+                            name_of(id), state().taken(id), since.to_seconds() * 1e3, cause(id)));
+            return;
+        }
+        const std::uint64_t entered = arm_.counts().interrupts;
+        if (reasons.empty() && state().taken(id) == 0 && entered >= STORM) {
+            lines_.push_back(
+                fmt::format("{} is pending since {:.3f} ms, and its handler does not "
+                            "read ICCIAR (0xFFFEC10C): it was entered {} times",
+                            name_of(id), since.to_seconds() * 1e3, entered));
+            return;
+        }
+        if (const std::string masked = masked_in_cpsr(); !masked.empty()) reasons.push_back(masked);
+        if (!reasons.empty())
+            lines_.push_back(fmt::format("{} is pending since {:.3f} ms and not taken: {}",
+                                         name_of(id), since.to_seconds() * 1e3,
+                                         fmt::join(reasons, "; ")));
+    }
+
+    std::string masked_in_cpsr() const {
+        const std::uint32_t cpsr = arm_.core().cpsr(), mode = cpsr & arm_cpsr::MODE;
+        if (!(cpsr & arm_cpsr::I)) return "";
+        if (mode == arm_mode::IRQ || mode == arm_mode::FIQ)
+            return "the program is still in an interrupt's handler";
+        if (mode == arm_mode::ABT || mode == arm_mode::UND)
+            return "the program is in the handler of an abort or undefined instruction";
+        return "CPSR.I is 1: the program has masked interrupts (cpsie i lets them in)";
+    }
+
+    // ": KEY_EDGE (0xFF20005C) is 0x1", of a device that still has something to say.
+    std::string cause(unsigned id) {
+        const Device* device = device_of(id);
+        const auto event = device && device->event.name ? read(device->event) : std::nullopt;
+        return event && (*event & device->event_bits) ? ": " + say(device->event, *event) : "";
+    }
+
+    void look_at_silent(const Device& device) {
+        const auto said = read(device.event), let = read(device.enable);
+        if (!said || !let || !(*said & device.event_bits)) return;
+        const std::uint32_t on = device.keeps_back ? ~*let : *let;
+        if (device.enable_bits ? on & device.enable_bits : on & *said & device.event_bits) return;
+        std::string line = fmt::format("{} is enabled in the distributor, and not raised: {}",
+                                       name_of(device.id), say(device.event, *said));
+        if (device.enable.address != device.event.address)
+            line += ", but " + say(device.enable, *let);
+        if (device.enable_bits)
+            line += fmt::format(", where 0x{:X} has to be {}", device.enable_bits,
+                                device.keeps_back ? 0 : 1);
+        lines_.push_back(line);
+    }
+
+    std::optional<std::uint32_t> read(const Register& place) {
+        if (place.address - regmap::LW_BASE < regmap::LW_SIZE)
+            return computer_.fpga.peek(place.address - regmap::LW_BASE);
+        std::uint32_t value = 0;
+        if (!arm_.read_memory(place.address, &value, sizeof value)) return std::nullopt;
+        return value;
+    }
+
+    static std::string say(const Register& place, std::uint32_t value) {
+        return fmt::format("{} (0x{:08X}) is 0x{:X}", place.name, place.address, value);
+    }
+
+    Computer& computer_;
+    ArmCpu& arm_;
+    std::vector<std::string> lines_;
+};
+
+}  // namespace
+
+std::vector<std::string> missed_interrupts(Computer& computer) {
+    if (!computer.arm) return {};
+    return Examination{computer}.lines();
+}
+
+}  // namespace sim
