@@ -1,6 +1,7 @@
 #include "sim/board/board.h"
 
 #include <cmath>
+#include <utility>
 
 namespace sim {
 
@@ -30,11 +31,10 @@ Board::Board(const sc_core::sc_module_name& name, Audience& audience, std::uint6
                  },
                  [this] { return line_in.sample(codec_chip.time_ps(), codec_chip.rate_hz()); },
                  [this] { return microphone.sample(codec_chip.time_ps(), codec_chip.rate_hz()); }},
-      keypad{"keypad", seed, [this] { hands_on_headers(); }},
-      ps2_keyboard{"ps2_keyboard", [this] { ps2_wires(chip_->inputs()); }},
-      ps2_mouse{"ps2_mouse", [this] { ps2_wires(chip_->inputs()); }},
-      remote_control{"remote_control",
-                     [this] { chip_->inputs().irda_rxd = remote_control.dark(); }},
+      keypad{agenda, seed, [this] { headers_moved(); }},
+      ps2_keyboard{agenda, [this] { ps2_wires(chip_->inputs()); }},
+      ps2_mouse{agenda, [this] { ps2_wires(chip_->inputs()); }},
+      remote_control{agenda, [this] { chip_->inputs().irda_rxd = remote_control.dark(); }},
       accelerometer{"accelerometer", [this](bool up) { chip_->hps_accelerometer_interrupt(up); }},
       wires{[this](std::uint8_t driven, std::uint8_t enable) {
                 return keypad.levels(driven, enable);
@@ -51,7 +51,12 @@ Board::Board(const sc_core::sc_module_name& name, Audience& audience, std::uint6
     };
     ps2_ = {plugged(ps2_ports.first), plugged(ps2_ports.second)};
     chip_ = make_chip(*this, audience, sdram_chip.bytes());
-    if (!part_plans.empty()) hands_on_headers();
+    if (!part_plans.empty()) agenda.at(0, [this] { headers_moved(); });
+}
+
+void Board::act(Agenda::Action action) {
+    agenda.at(sc_core::sc_time_stamp().value(), std::move(action));
+    chip_->catch_up();
 }
 
 void Board::video(const std::uint32_t* samples, std::size_t count) {
@@ -73,12 +78,12 @@ void Board::codec(const CodecPins& pins, std::uint64_t time_ps, ChipInputs& in) 
     in.codec = codec_chip.clocks();
 }
 
-void Board::xck(std::uint64_t period_fs, ChipInputs& in) {
+void Board::xck(std::uint64_t period_fs, std::uint64_t, ChipInputs& in) {
     codec_chip.xck(period_fs);
     in.codec = codec_chip.clocks();
 }
 
-void Board::bclk_edge(ChipInputs& in) {
+void Board::bclk_edge(std::uint64_t, ChipInputs& in) {
     codec_chip.bclk_edge();
     in.codec = codec_chip.clocks();
 }
@@ -97,16 +102,20 @@ void Board::header_wires(ChipInputs& in, std::uint64_t time_ps) {
     audience_.lamps(lamps_, seconds(time_ps));
 }
 
-void Board::hands_on_headers() { header_wires(chip_->inputs(), sc_core::sc_time_stamp().value()); }
+void Board::headers_moved() { header_wires(chip_->inputs(), agenda.now_ps()); }
 
 void Board::drive_pins(const HeaderMasks& pins, PinLevel level) {
-    wires.hand(pins, level);
-    hands_on_headers();
+    act([this, pins, level] {
+        wires.hand(pins, level);
+        headers_moved();
+    });
 }
 
 void Board::close_contact(const std::string& part, bool closed) {
-    parts.close(part, closed);
-    hands_on_headers();
+    act([this, part, closed] {
+        parts.close(part, closed);
+        headers_moved();
+    });
 }
 
 // ---- Lamps ----
@@ -163,7 +172,8 @@ void Board::sdram(const SdramPins& pins, std::uint64_t time_ps, std::uint16_t& d
     more = sdram_chip.busy();
 }
 
-void Board::ps2(unsigned clk_low, unsigned dat_low, ChipInputs& in) {
+void Board::ps2(unsigned clk_low, unsigned dat_low, std::uint64_t time_ps, ChipInputs& in) {
+    agenda.pass_to(time_ps);
     ps2_clk_low_ = clk_low;
     ps2_dat_low_ = dat_low;
     for (unsigned port = 0; port < ps2_.size(); ++port)
@@ -184,23 +194,28 @@ void Board::ps2_wires(ChipInputs& in) const {
 }
 
 void Board::set_voltage(unsigned channel, double volts) {
-    adc_chip.set(channel, static_cast<int>(std::lround(volts * 1000)));
+    const int millivolts = static_cast<int>(std::lround(volts * 1000));
+    act([this, channel, millivolts] { adc_chip.set(channel, millivolts); });
 }
 
 void Board::hold(std::uint16_t keys16, std::uint8_t keys, std::uint16_t switches) {
-    if (keys16) keypad.press(keys16);
-    ChipInputs& in = chip_->inputs();
-    in.key_n = static_cast<std::uint8_t>(in.key_n & ~keys);
+    act([this, keys16, keys, switches] {
+        if (keys16) keypad.press(keys16);
+        ChipInputs& in = chip_->inputs();
+        in.key_n = static_cast<std::uint8_t>(in.key_n & ~keys);
+        in.sw = static_cast<std::uint16_t>(in.sw | switches);
+    });
     if (keys & HPS_KEY) chip_->hps_key(true);
-    in.sw = static_cast<std::uint16_t>(in.sw | switches);
 }
 
 void Board::release(std::uint16_t keys16, std::uint8_t keys, std::uint16_t switches) {
-    if (keys16) keypad.release(keys16);
-    ChipInputs& in = chip_->inputs();
-    in.key_n = static_cast<std::uint8_t>(in.key_n | (keys & ALL_KEYS));
+    act([this, keys16, keys, switches] {
+        if (keys16) keypad.release(keys16);
+        ChipInputs& in = chip_->inputs();
+        in.key_n = static_cast<std::uint8_t>(in.key_n | (keys & ALL_KEYS));
+        in.sw = static_cast<std::uint16_t>(in.sw & ~switches);
+    });
     if (keys & HPS_KEY) chip_->hps_key(false);
-    in.sw = static_cast<std::uint16_t>(in.sw & ~switches);
 }
 
 }  // namespace sim

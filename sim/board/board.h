@@ -55,6 +55,9 @@ public:
           Monitor::Strictness vga = Monitor::Strictness::STRICT,
           const std::vector<PartPlan>& parts = {});
 
+    // Carries out what a person does now, once the chip has come to the present.
+    void act(Agenda::Action action);
+
     // Hands on the board: masks of keypad keys (4 * row + column), HPS_KEY and KEY3-0, and SW9-0.
     void hold(std::uint16_t keypad, std::uint8_t keys, std::uint16_t switches);
     void release(std::uint16_t keypad, std::uint8_t keys, std::uint16_t switches);
@@ -95,19 +98,19 @@ private:
     void video_clock(std::uint64_t period_ps) override { monitor.clock_ps(period_ps); }
     void video_idle(std::uint64_t time_ps) override { monitor.idle(time_ps); }
     void codec(const CodecPins& pins, std::uint64_t time_ps, ChipInputs& in) override;
-    void xck(std::uint64_t period_fs, ChipInputs& in) override;
-    void bclk_edge(ChipInputs& in) override;
+    void xck(std::uint64_t period_fs, std::uint64_t time_ps, ChipInputs& in) override;
+    void bclk_edge(std::uint64_t time_ps, ChipInputs& in) override;
     void headers(const HeaderPins& pins, std::uint64_t time_ps, ChipInputs& in) override;
     void adc(const AdcPins& pins, std::uint64_t time_ps, ChipInputs& in) override;
     void sdram(const SdramPins& pins, std::uint64_t time_ps, std::uint16_t& dq,
                bool& more) override;
     void lamps(const LampPins& pins, std::uint64_t time_ps) override;
-    void ps2(unsigned clk_low, unsigned dat_low, ChipInputs& in) override;
+    void ps2(unsigned clk_low, unsigned dat_low, std::uint64_t time_ps, ChipInputs& in) override;
     void hps_led(bool lit, std::uint64_t time_ps) override;
     I2cDevices* hps_i2c0() override { return &accelerometer; }
     std::uint8_t td_data(std::uint64_t rise) override { return video_decoder.data(rise); }
     void header_wires(ChipInputs& in, std::uint64_t time_ps);
-    void hands_on_headers();
+    void headers_moved();
     void ps2_wires(ChipInputs& in) const;
     void light(std::uint64_t lit, std::uint64_t mask, std::uint64_t time_ps);
     void see(std::uint64_t time_ps);

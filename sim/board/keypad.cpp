@@ -2,9 +2,6 @@
 
 namespace sim {
 
-using sc_core::sc_time;
-using sc_core::sc_time_stamp;
-
 namespace {
 
 constexpr unsigned BOUNCE_NS = 5'000'000;
@@ -14,13 +11,8 @@ std::uint8_t row_wire(unsigned key) { return static_cast<std::uint8_t>(0x08 >> k
 
 }  // namespace
 
-Keypad::Keypad(const sc_core::sc_module_name& name, std::uint64_t seed, std::function<void()> moved)
-    : sc_module{name}, moved_{std::move(moved)}, random_{seed} {
-    SC_HAS_PROCESS(Keypad);
-    SC_METHOD(step);
-    sensitive << next_;
-    dont_initialize();
-}
+Keypad::Keypad(Agenda& agenda, std::uint64_t seed, std::function<void()> moved)
+    : agenda_{agenda}, moved_{std::move(moved)}, random_{seed} {}
 
 void Keypad::press(std::uint16_t keys) {
     move(keys, true);
@@ -33,32 +25,33 @@ void Keypad::release(std::uint16_t keys) {
 }
 
 void Keypad::move(std::uint16_t keys, bool closed) {
+    const std::uint64_t now_ps = agenda_.now_ps();
     for (unsigned key = 0; key < 16; ++key) {
         if (!(keys >> key & 1)) continue;
         for (auto it = pending_.begin(); it != pending_.end();)  // an older bounce ends here
             it = it->second.key == key ? pending_.erase(it) : std::next(it);
-        pending_.insert({sc_time_stamp(), {key, closed}});
+        pending_.insert({now_ps, {key, closed}});
         std::map<unsigned, bool> bounce;  // time in ns: sorted, and each once
         const unsigned pairs = 1 + random(6);
         while (bounce.size() < 2 * pairs) bounce[1 + random(BOUNCE_NS)] = false;
         bool now = closed;
         for (const auto& [ns, unused] : bounce) {
             now = !now;
-            pending_.insert({sc_time_stamp() + sc_time(ns, sc_core::SC_NS), {key, now}});
+            pending_.insert({now_ps + ns * std::uint64_t{1000}, {key, now}});
         }
     }
-    next_.notify(sc_core::SC_ZERO_TIME);
+    next_.set(now_ps);
 }
 
 void Keypad::step() {
-    while (!pending_.empty() && pending_.begin()->first <= sc_time_stamp()) {
+    while (!pending_.empty() && pending_.begin()->first <= agenda_.now_ps()) {
         const Contact contact = pending_.begin()->second;
         pending_.erase(pending_.begin());
         const auto bit = static_cast<std::uint16_t>(1u << contact.key);
         closed_ = static_cast<std::uint16_t>(contact.closed ? closed_ | bit : closed_ & ~bit);
     }
     moved_();
-    if (!pending_.empty()) next_.notify(pending_.begin()->first - sc_time_stamp());
+    if (!pending_.empty()) next_.set(pending_.begin()->first);
 }
 
 std::uint8_t Keypad::levels(std::uint8_t driven, std::uint8_t enable) const {

@@ -18,16 +18,16 @@
 #include <map>
 #include <random>
 
-#include <systemc>
+#include "sim/pins/agenda.h"
 
 namespace sim {
 
-class Keypad : public sc_core::sc_module {
+class Keypad {
 public:
     // `moved` is called after each change of a contact.
-    Keypad(const sc_core::sc_module_name& name, std::uint64_t seed, std::function<void()> moved);
+    Keypad(Agenda& agenda, std::uint64_t seed, std::function<void()> moved);
 
-    // Presses or releases keys, bit 4 * row + column, from now on.
+    // Presses or releases keys, bit 4 * row + column, from agenda.now_ps() on.
     void press(std::uint16_t keys);
     void release(std::uint16_t keys);
 
@@ -47,10 +47,11 @@ private:
     void step();
     unsigned random(unsigned below) { return static_cast<unsigned>(random_() % below); }
 
+    Agenda& agenda_;
     std::function<void()> moved_;
     std::mt19937_64 random_;
-    std::multimap<sc_core::sc_time, Contact> pending_;
-    sc_core::sc_event next_;
+    std::multimap<std::uint64_t, Contact> pending_;  // by their times
+    PartTimer next_{agenda_, [this] { step(); }};
     std::uint16_t closed_ = 0;  // contacts, as they are now
     std::uint64_t presses_ = 0, releases_ = 0;
 };

@@ -29,6 +29,9 @@ public:
         if (lt24_) lt24_->look(levels);
     }
 
+    bool is_button(const std::string& contact) const {
+        return contacts_.at(contact).kind == PartPlan::Kind::BUTTON;
+    }
     // Presses a button or moves a switch to high; or lets go of it, moves it to low.
     void close(const std::string& contact, bool closed);
 

@@ -9,8 +9,7 @@
 // Bits are 80 us long.  While the host holds CLK low, bytes wait.  A byte that is interrupted so
 // before its stop bit is sent again.  A byte with wrong parity is answered with FE.
 //
-// DAT low alone requests nothing.  The chip tells what it pulls low up to a scan line (32 us) late,
-// so the device ignores a request only if CLK was seen low for less than 28 us.
+// DAT low alone requests nothing, and after CLK was low for less than 60 us neither.
 //
 // For 500 ms after power-on and after a reset the device tests itself and neither sends nor
 // receives.
@@ -26,16 +25,17 @@
 #include <functional>
 #include <vector>
 
-#include <systemc>
+#include "sim/pins/agenda.h"
 
 namespace sim {
 
-class Ps2Device : public sc_core::sc_module {
+class Ps2Device {
 public:
-    // `moved` is called after each change of clk_low() or dat_low().
-    Ps2Device(const sc_core::sc_module_name& name, std::function<void()> moved);
+    // Powers on at agenda.now_ps().  `moved` is called after each change of clk_low() or dat_low().
+    Ps2Device(Agenda& agenda, std::function<void()> moved);
+    virtual ~Ps2Device() = default;
 
-    // What the host pulls low.
+    // What the host pulls low from agenda.now_ps() on.
     void host(bool clk_low, bool dat_low);
     // What the device pulls low.
     bool clk_low() const { return clk_low_; }
@@ -64,21 +64,33 @@ protected:
     bool idle() const { return answers_.empty() && reports_.empty(); }
     std::uint8_t last_sent() const { return last_sent_; }
 
+    Agenda& agenda_;
+
 private:
-    void serve();
+    enum class Doing { NOTHING, TEST, SEND, RECEIVE, REST };
+
+    void work();
+    void look_for_work();
     void test();
-    bool send(std::uint8_t byte);
+    void begin(Doing doing, std::uint64_t first_ps);
+    void send();
+    void sent();
     void receive();
-    void drive(bool clk_low, bool dat_low);
+    void received();
+    void drive(bool clk_low, bool dat_low, std::uint64_t for_ps);
 
     std::function<void()> moved_;
+    PartTimer next_{agenda_, [this] { work(); }};
+    Doing doing_ = Doing::TEST;
+    unsigned part_ = 0;   // of what it does
+    unsigned frame_ = 0;  // its bits: to be sent, or received so far
     std::deque<std::uint8_t> answers_, reports_;
-    sc_core::sc_event work_;
+    std::deque<std::uint8_t>* sending_ = nullptr;  // whose first byte
     std::uint8_t last_sent_ = 0;
     bool clk_low_ = false, dat_low_ = false, host_clk_low_ = false, host_dat_low_ = false;
     bool ready_ = false, to_reset_ = false;
     bool held_ = false;  // CLK, long enough for a request, since the last byte from the host
-    sc_core::sc_time held_since_;
+    std::uint64_t held_since_ps_ = 0;
 };
 
 }  // namespace sim

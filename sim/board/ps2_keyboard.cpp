@@ -2,15 +2,11 @@
 
 #include <utility>
 
-#include "sim/board/scan_codes.h"
-
 namespace sim {
-
-using sc_core::sc_time;
 
 namespace {
 
-const sc_time key_time{20, sc_core::SC_MS};
+constexpr std::uint64_t KEY_TIME_PS = 20'000'000'000;  // 20 ms
 
 constexpr std::uint8_t DEFAULT_RATE = 0x2B;  // 500 ms, then 10.9 per second
 
@@ -18,12 +14,8 @@ constexpr std::uint8_t DEFAULT_RATE = 0x2B;  // 500 ms, then 10.9 per second
 
 enum Ps2Keyboard::Command : std::uint8_t { LAMPS = 0xED, ECHO = 0xEE, CODE_SET = 0xF0 };
 
-Ps2Keyboard::Ps2Keyboard(const sc_core::sc_module_name& name, std::function<void()> moved)
-    : Ps2Device{name, std::move(moved)} {
-    SC_HAS_PROCESS(Ps2Keyboard);
-    SC_THREAD(strike_keys);
-    SC_THREAD(repeat);
-}
+Ps2Keyboard::Ps2Keyboard(Agenda& agenda, std::function<void()> moved)
+    : Ps2Device{agenda, std::move(moved)} {}
 
 // ---- The keys ----
 
@@ -41,43 +33,40 @@ void Ps2Keyboard::scan() {
     if (!ready()) return;
     for (; !moves_.empty(); moves_.pop_front()) {
         const auto [key, down] = moves_.front();
-        if (down || key == repeating_) {
-            repeating_ = down ? key : std::uint16_t{0};
-            changed_.notify(sc_core::SC_ZERO_TIME);
+        if (down) {
+            repeating_ = key;
+            repeat_.set_in(delay_ps_);
+        } else if (key == repeating_) {
+            repeating_ = 0;
+            repeat_.cancel();
         }
         if (enabled_) report(down ? make_code(key) : break_code(key));
     }
 }
 
 void Ps2Keyboard::repeat() {
-    for (;;) {
-        wait(changed_);
-        for (sc_time pause = delay_; repeating_;) {
-            wait(pause, changed_);
-            const bool another = changed_.triggered();
-            if (!another && enabled_ && idle()) report(repeat_code(repeating_));
-            pause = another ? delay_ : period_;
-        }
-    }
+    if (enabled_ && idle()) report(repeat_code(repeating_));
+    repeat_.set_in(period_ps_);
 }
 
 void Ps2Keyboard::type(const std::string& text) {
     typed_.insert(typed_.end(), text.begin(), text.end());
-    type_.notify(sc_core::SC_ZERO_TIME);
+    if (!strike_.is_set()) strike_.set_in(0);
 }
 
-void Ps2Keyboard::strike_keys() {
-    for (;;) {
-        while (typed_.empty() || !ready()) wait(type_);
-        const Stroke stroke = sim::stroke(typed_.front()).value();
+void Ps2Keyboard::strike() {
+    if (struck_) {
+        release(struck_->key);
+        if (struck_->shift) release(LEFT_SHIFT);
+        struck_.reset();
+    } else {
+        if (typed_.empty() || !ready()) return;
+        struck_ = stroke(typed_.front()).value();
         typed_.pop_front();
-        if (stroke.shift) press(LEFT_SHIFT);
-        press(stroke.key);
-        wait(key_time);
-        release(stroke.key);
-        if (stroke.shift) release(LEFT_SHIFT);
-        wait(key_time);
+        if (struck_->shift) press(LEFT_SHIFT);
+        press(struck_->key);
     }
+    strike_.set_in(KEY_TIME_PS);
 }
 
 // ---- The host ----
@@ -87,20 +76,22 @@ void Ps2Keyboard::start() {
     enabled_ = true;
     defaults();
     answer({PASSED});
-    type_.notify(sc_core::SC_ZERO_TIME);
+    if (!strike_.is_set()) strike_.set_in(0);
     scan();
 }
 
 void Ps2Keyboard::defaults() {
     drop_reports();
     repeating_ = 0;
+    repeat_.cancel();
     set_rate(DEFAULT_RATE);
 }
 
 void Ps2Keyboard::set_rate(std::uint8_t byte) {
-    const unsigned period = (8u + (byte & 7u)) << (byte >> 3 & 3);  // in 1/240 s
-    period_ = sc_time{period / 240.0, sc_core::SC_SEC};
-    delay_ = sc_time{250.0 * (1 + (byte >> 5)), sc_core::SC_MS};
+    constexpr std::uint64_t SECOND_PS = 1'000'000'000'000;
+    const std::uint64_t period = (8u + (byte & 7u)) << (byte >> 3 & 3);  // in 1/240 s
+    period_ps_ = period * SECOND_PS / 240;
+    delay_ps_ = (1u + (byte >> 5)) * SECOND_PS / 4;
 }
 
 bool Ps2Keyboard::argument(std::uint8_t of, std::uint8_t byte) {

@@ -18,15 +18,17 @@
 
 #include <cstdint>
 #include <deque>
+#include <optional>
 #include <string>
 
 #include "sim/board/ps2_device.h"
+#include "sim/board/scan_codes.h"
 
 namespace sim {
 
 class Ps2Keyboard : public Ps2Device {
 public:
-    Ps2Keyboard(const sc_core::sc_module_name& name, std::function<void()> moved);
+    Ps2Keyboard(Agenda& agenda, std::function<void()> moved);
 
     // A key by its code (scan_codes.h): down from now on until release().
     void press(std::uint16_t key);
@@ -54,14 +56,16 @@ private:
     void defaults();
     void set_rate(std::uint8_t byte);
     void scan();
-    void strike_keys();
+    void strike();
     void repeat();
 
     std::deque<Move> moves_;  // that the keyboard has not processed yet
     std::deque<char> typed_;
+    std::optional<Stroke> struck_;  // of a character: down now
+    PartTimer strike_{agenda_, [this] { strike(); }};
     std::uint16_t repeating_ = 0;  // 0: none
-    sc_core::sc_event type_, changed_;
-    sc_core::sc_time delay_, period_;  // of the repetition
+    PartTimer repeat_{agenda_, [this] { repeat(); }};
+    std::uint64_t delay_ps_ = 0, period_ps_ = 0;  // of the repetition
     std::uint8_t argument_of_ = 0, lamps_ = 0;
     bool enabled_ = false;
 };

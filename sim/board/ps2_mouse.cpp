@@ -6,8 +6,6 @@
 
 namespace sim {
 
-using sc_core::sc_time;
-
 namespace {
 
 constexpr std::uint8_t FAILURE = 0xFC;
@@ -33,11 +31,8 @@ enum Ps2Mouse::Command : std::uint8_t {
     REMOTE = 0xF0
 };
 
-Ps2Mouse::Ps2Mouse(const sc_core::sc_module_name& name, std::function<void()> moved)
-    : Ps2Device{name, std::move(moved)} {
-    SC_HAS_PROCESS(Ps2Mouse);
-    SC_THREAD(stream);
-}
+Ps2Mouse::Ps2Mouse(Agenda& agenda, std::function<void()> moved)
+    : Ps2Device{agenda, std::move(moved)} {}
 
 // ---- The hand ----
 
@@ -68,19 +63,22 @@ void Ps2Mouse::button(MouseButton which, bool down) {
 
 void Ps2Mouse::stir() {
     stirred_ = true;
-    stir_.notify(sc_core::SC_ZERO_TIME);
+    look_at_stream();
 }
 
 // ---- Packets ----
 
+void Ps2Mouse::look_at_stream() {
+    constexpr std::uint64_t SECOND_PS = 1'000'000'000'000;
+    if (stirred_ && streams() && !stream_.is_set()) stream_.set_in(SECOND_PS / rates_.back());
+}
+
 void Ps2Mouse::stream() {
-    for (;;) {
-        while (!stirred_ || !streams()) wait(stir_);
-        wait(sc_time{1.0 / rates_.back(), sc_core::SC_SEC});
-        if (!stirred_ || !streams() || !idle()) continue;
+    if (stirred_ && streams() && idle()) {
         last_ = packet(true);
         report(last_);
     }
+    look_at_stream();
 }
 
 Ps2Mouse::Bytes Ps2Mouse::packet(bool scaled) {
@@ -144,7 +142,7 @@ void Ps2Mouse::command(std::uint8_t byte) {
     else
         execute(byte);
     if (byte != READ) forget();
-    stir_.notify(sc_core::SC_ZERO_TIME);
+    look_at_stream();
 }
 
 void Ps2Mouse::argument(std::uint8_t of, std::uint8_t byte) {

@@ -38,7 +38,7 @@ namespace sim {
 
 class Ps2Mouse : public Ps2Device {
 public:
-    Ps2Mouse(const sc_core::sc_module_name& name, std::function<void()> moved);
+    Ps2Mouse(Agenda& agenda, std::function<void()> moved);
 
     // In quarters of a millimetre; each is one count at 4 counts per mm.
     void move(int right, int up);
@@ -68,6 +68,7 @@ private:
     void reply(const Bytes& bytes);
     void refuse();
     void stir();
+    void look_at_stream();
     void stream();
     bool streams() const { return on_ && !remote_ && !wraps_; }
     Bytes packet(bool scaled);
@@ -77,7 +78,7 @@ private:
     int wheel_ = 0;
     unsigned buttons_ = 0;
     bool stirred_ = false;  // since the last packet
-    sc_core::sc_event stir_;
+    PartTimer stream_{agenda_, [this] { stream(); }};
 
     std::array<std::uint8_t, 3> rates_{};  // the last that were set, the newest last
     std::uint8_t resolution_ = 0;          // 2^n counts per mm

@@ -6,40 +6,39 @@
 
 namespace sim {
 
-using sc_core::sc_time;
-
 namespace {
 
-const sc_time frame_time{108, sc_core::SC_MS};  // from one frame to the next
+constexpr std::uint64_t FRAME_PS = 108'000'000'000;  // from one frame to the next: 108 ms
+constexpr std::uint64_t PS_PER_NS = 1000;
 
 }  // namespace
 
-RemoteControl::RemoteControl(const sc_core::sc_module_name& name, std::function<void()> moved)
-    : sc_module{name}, moved_{std::move(moved)} {
-    SC_HAS_PROCESS(RemoteControl);
-    SC_THREAD(send);
-}
+RemoteControl::RemoteControl(Agenda& agenda, std::function<void()> moved)
+    : agenda_{agenda}, moved_{std::move(moved)} {}
 
 void RemoteControl::press(std::uint8_t button) {
     buttons_.push_back(button);
-    pressed_.notify(sc_core::SC_ZERO_TIME);
+    if (!next_.is_set()) next_.set_in(0);
 }
 
+// The next light or pause of the frame, or the next frame.
 void RemoteControl::send() {
-    for (;;) {
-        while (buttons_.empty()) wait(pressed_);
-        const sc_time next = sc_core::sc_time_stamp() + frame_time;
+    if (frame_.empty()) {
+        if (buttons_.empty()) return;
         frame_ = nec_frame(buttons_.front());
-        for (const std::uint32_t ns : frame_) {
-            dark_ = !dark_;
-            moved_();
-            wait(sc_time{static_cast<double>(ns), sc_core::SC_NS});
-        }
-        dark_ = true;
-        moved_();
         buttons_.pop_front();
-        wait(next - sc_core::sc_time_stamp());
+        begun_ = 0;
+        next_frame_ps_ = agenda_.now_ps() + FRAME_PS;
     }
+    if (begun_ < frame_.size()) {
+        dark_ = !dark_;
+        next_.set_in(frame_[begun_++] * PS_PER_NS);
+    } else {
+        dark_ = true;
+        frame_.clear();
+        next_.set(next_frame_ps_);
+    }
+    moved_();
 }
 
 }  // namespace sim

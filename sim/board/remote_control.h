@@ -8,19 +8,20 @@
 // LED, which the receiver would see if it blinked at 38 kHz.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <deque>
 #include <functional>
 #include <vector>
 
-#include <systemc>
+#include "sim/pins/agenda.h"
 
 namespace sim {
 
-class RemoteControl : public sc_core::sc_module {
+class RemoteControl {
 public:
     // `moved` is called after each change of dark().
-    RemoteControl(const sc_core::sc_module_name& name, std::function<void()> moved);
+    RemoteControl(Agenda& agenda, std::function<void()> moved);
 
     // Presses the button of this code, after those that were pressed before.
     void press(std::uint8_t button);
@@ -30,12 +31,14 @@ public:
 private:
     void send();
 
+    Agenda& agenda_;
     std::function<void()> moved_;
     std::deque<std::uint8_t> buttons_;
-    sc_core::sc_event pressed_;
+    PartTimer next_{agenda_, [this] { send(); }};
     bool dark_ = true;
-    // No variable of send(): a run may end within it, and then its variables are not destroyed.
-    std::vector<std::uint32_t> frame_;
+    std::vector<std::uint32_t> frame_;  // times in ns, and how many of them have begun
+    std::size_t begun_ = 0;
+    std::uint64_t next_frame_ps_ = 0;
 };
 
 }  // namespace sim

@@ -15,11 +15,12 @@ class Chip {
 public:
     virtual ~Chip() = default;
 
-    // The input pins, as of now: the chip has caught up when this returns, so that what is written
-    // here counts from now on.
+    // The input pins, for the board's entries in its agenda (pins.h).
     virtual ChipInputs& inputs() = 0;
-    // Everything up to now has been run and handed to the listener.
+    // Everything up to now has been run, with the board's entries, and handed to the listener.
     virtual void catch_up() = 0;
+    // How far the chip has come: behind the present, or ahead of it with a processor that is so.
+    virtual std::uint64_t time_ps() const = 0;
 
     // HPS_KEY, and what a person types at a terminal.
     virtual void hps_key(bool /*pressed*/) {}

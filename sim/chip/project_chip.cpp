@@ -32,11 +32,6 @@ ProjectChip::ProjectChip(const sc_core::sc_module_name& name, PinListener& pins,
 
 ProjectChip::~ProjectChip() = default;
 
-ChipInputs& ProjectChip::inputs() {
-    model_->run(sc_core::sc_time_stamp().value());
-    return model_->in;
-}
-
 void ProjectChip::catch_up() {
     model_->run(sc_core::sc_time_stamp().value());
     model_->flush();

@@ -1,7 +1,7 @@
 // project_chip.h - the chip as somebody's project fills it: a library that sim/project/ has built.
 //
 // It has no processor.  As with Fpga it runs in batches: whenever somebody looks at a pin or moves
-// one, and once every 32 us.
+// one, and once every 32 us.  The board's agenda is kept within them.
 #pragma once
 
 #include <filesystem>
@@ -24,8 +24,9 @@ public:
                 const Trace& trace);
     ~ProjectChip() override;
 
-    ChipInputs& inputs() override;
+    ChipInputs& inputs() override { return model_->in; }
     void catch_up() override;
+    std::uint64_t time_ps() const override { return sc_core::sc_time_stamp().value(); }
     void end_trace() override { model_->end_trace(); }
     std::optional<End> end() const override;
 

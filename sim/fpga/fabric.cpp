@@ -134,6 +134,7 @@ inline std::uint64_t Fabric::clock(std::uint64_t most) {
     if (!model_->every_clock && time_ps() + LEAP_PS >= model_->trace.from_ps && !top.clk_i)
         begin_trace();
 #endif
+    if (clocks_ >= until_) stop();
     const bool every_clock = model_->every_clock;
     if (every_clock) {
         other_edges(2 * clocks_ + 1);
@@ -150,7 +151,7 @@ inline std::uint64_t Fabric::clock(std::uint64_t most) {
         top.clk_i = 1;
     } else {
         stirs = moved_ || model_->stirs();
-        most = td_on_ ? 1 : std::min(most, audio_clock_.clocks() - clocks_);
+        most = td_on_ ? 1 : std::min({most, audio_clock_.clocks() - clocks_, until_ - clocks_});
         const std::uint64_t skip = moved_ ? 0 : std::min(model_->rest(), most - 1);
         passed += skip;
         model_->leave_out(skip);
@@ -178,8 +179,31 @@ inline std::uint64_t Fabric::clock(std::uint64_t most) {
     return passed;
 }
 
-void Fabric::run(std::uint64_t clocks) {
+// Somebody else may have been at the inputs, or at the agenda.
+void Fabric::begin() {
     look_ = true;
+    look_ahead();
+}
+
+void Fabric::look_ahead() {
+    agenda_ps_ = pins_.agenda.next_ps();
+    until_ = std::min(agenda_ps_, meet_ps_) / FABRIC_PERIOD_PS;
+}
+
+// What comes before the next clock's edge.
+void Fabric::stop() {
+    const std::uint64_t edge_ps = time_ps() + FABRIC_PERIOD_PS;
+    while (meet_ps_ < edge_ps) meet_ps_ = (*met_)();
+    keep_agenda(edge_ps - 1);
+}
+
+void Fabric::keep_agenda(std::uint64_t time_ps) {
+    pins_.agenda.run_to(time_ps);
+    begin();
+}
+
+void Fabric::run(std::uint64_t clocks) {
+    begin();
     while (clocks) clocks -= clock(clocks);
 }
 
@@ -213,7 +237,7 @@ unsigned size_of(std::uint32_t address, unsigned bytes) {
 
 AxiResponse Fabric::write(Bridge bridge, std::uint32_t address, const std::uint8_t* data,
                           unsigned bytes) {
-    look_ = true;
+    begin();
     AxiPort& axi = model_->port(bridge);
     const std::uint32_t first = address / 4, last = (address + bytes - 1) / 4;
     axi.awaddr = address;
@@ -244,10 +268,10 @@ AxiResponse Fabric::write(Bridge bridge, std::uint32_t address, const std::uint8
 
 AxiResponse Fabric::await_write(Bridge bridge, std::uint64_t clocks) {
     AxiPort& axi = model_->port(bridge);
-    look_ = true;
-    for (; !axi.bvalid; --clocks) {
+    begin();
+    while (!axi.bvalid) {
         if (clocks == 0) return AxiResponse::PENDING;
-        clock(1);
+        clocks -= clock(clocks);
     }
     const auto response = static_cast<AxiResponse>(axi.bresp);
     axi.bready = 1;
@@ -257,7 +281,7 @@ AxiResponse Fabric::await_write(Bridge bridge, std::uint64_t clocks) {
 }
 
 AxiResponse Fabric::read(Bridge bridge, std::uint32_t address, std::uint8_t* data, unsigned bytes) {
-    look_ = true;
+    begin();
     AxiPort& axi = model_->port(bridge);
     const std::uint32_t first = address / 4, last = (address + bytes - 1) / 4,
                         end = address + bytes;

@@ -3,7 +3,8 @@
 // No SystemC here.  A Fabric is run clock by clock (25 MHz, 40 ns), the audio clock and the video
 // decoder's in their own time between them; what leaves by the pins goes to a PinListener, what the
 // board puts on the inputs lies in `in` and counts from the next clock on (adcdat from the audio
-// clock's next rise).
+// clock's next rise).  In each run, and in an access over a bridge, the board's agenda is kept: all
+// entries before a clock's edge come before it.
 // Clocks in which nothing would happen are left out of the model (rtl/README.md, Sleep), but not of
 // what is told: it is the same as with every one of them.
 #pragma once
@@ -61,6 +62,17 @@ public:
     void on_jtag_byte(JtagSent sent) { jtag_sent_ = std::move(sent); }
 
     void run(std::uint64_t clocks);
+    // Carries out the board's entries up to and with a time that is before the next clock's edge.
+    void keep_agenda(std::uint64_t time_ps);
+
+    // `met` is called before the first clock edge behind `at_ps`; it returns the time behind which
+    // to call it next.  It may wait while others look at the pins.
+    using Met = std::function<std::uint64_t()>;
+    void meet(std::uint64_t at_ps, const Met* met) {
+        meet_ps_ = at_ps;
+        met_ = met;
+    }
+
     std::uint64_t clocks() const { return clocks_; }
     std::uint64_t time_ps() const { return clocks_ * FABRIC_PERIOD_PS; }
 
@@ -105,6 +117,9 @@ private:
     static constexpr unsigned PROMPT_CLOCKS = 16;  // in which a write is answered, usually
 
     std::uint64_t clock(std::uint64_t most);  // how many have passed, 1 or more
+    void begin();
+    void look_ahead();
+    void stop();
     void other_edges(std::uint64_t halves);
     void audio_edge();
     void td_edge();
@@ -128,6 +143,9 @@ private:
     bool td_on_ = false;      // somebody wants the decoder's clock
     bool td_falls_ = false;   // ... which has fallen since the model was looked at
     std::uint64_t clocks_ = 0;
+    std::uint64_t until_ = 0;  // clocks: somebody comes before the next one
+    std::uint64_t agenda_ps_ = Agenda::NEVER, meet_ps_ = Agenda::NEVER;
+    const Met* met_ = nullptr;
     std::uint32_t video_[VIDEO_BATCH];
     unsigned video_count_ = 0;
     std::uint32_t codec_was_ = 0, adc_was_ = 0;

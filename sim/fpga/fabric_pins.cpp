@@ -60,10 +60,11 @@ void Fabric::tell_pins() {
     const unsigned ps2 = static_cast<unsigned>(top.ps2_clk_low_o | top.ps2_dat_low_o << 2);
     if (ps2 != ps2_was_) {
         ps2_was_ = ps2;
-        pins_.ps2(ps2 & 3, ps2 >> 2, in);
+        pins_.ps2(ps2 & 3, ps2 >> 2, time_ps(), in);
     }
     for (unsigned sent = top.jtag_sent_o, n = 0; sent >> n; ++n)
         if (sent >> n & 1) jtag_sent_(n, static_cast<char>(top.jtag_sent_data_o >> 8 * n), jtag);
+    if (pins_.agenda.next_ps() != agenda_ps_) look_ahead();
 }
 
 void Fabric::tell_codec(std::uint64_t time_ps) {

@@ -15,7 +15,7 @@ namespace {
 constexpr std::uint32_t H2F_BASE = 0xC0000000;
 
 const sc_time scan_line_time{32, sc_core::SC_US};
-const sc_time write_limit{100, sc_core::SC_MS}, write_step{1, sc_core::SC_US};
+constexpr std::uint64_t WRITE_CLOCKS = 2'500'000;  // 100 ms
 
 constexpr std::uint64_t HALF_CLOCK_PS = FABRIC_PERIOD_PS / 2;
 
@@ -47,6 +47,7 @@ Fpga::Fpga(const sc_core::sc_module_name& name, PinListener& pins, const Trace& 
     : sc_module{name},
       lw{"lw"},
       h2f{"h2f"},
+      pins_{pins},
       fabric_{pins, trace, audio_rate},
       memory_{fabric_.has_memory() ? memory : Memory::BRIDGED},
       sdram_{sdram} {
@@ -55,12 +56,49 @@ Fpga::Fpga(const sc_core::sc_module_name& name, PinListener& pins, const Trace& 
     h2f.register_b_transport(this, &Fpga::full_transport);
     SC_HAS_PROCESS(Fpga);
     SC_METHOD(scan_line);
+    SC_METHOD(board_moves);
+    sensitive << board_moves_;
+    dont_initialize();
+    pins_.agenda.on_next([this](std::uint64_t next_ps) { wait_for_board(next_ps); });
+}
+
+Fpga::~Fpga() {
+    pins_.agenda.on_next([](std::uint64_t) {});
 }
 
 void Fpga::run_to(const sc_time& time) {
     const std::uint64_t clocks = time.value() / FABRIC_PERIOD_PS;
     if (clocks > fabric_.clocks()) fabric_.run(clocks - fabric_.clocks());
+    if (pins_.agenda.next_ps() <= time.value()) fabric_.keep_agenda(time.value());
+    pins_.agenda.pass_to(time.value());
     tell_interrupts();
+}
+
+void Fpga::wait_for_board(std::uint64_t next_ps) {
+    board_moves_.cancel();
+    if (next_ps == Agenda::NEVER) return;
+    const std::uint64_t now_ps = sc_time_stamp().value();
+    board_moves_.notify(picoseconds(std::max(next_ps, now_ps) - now_ps));
+}
+
+void Fpga::board_moves() { run_to(sc_time_stamp()); }
+
+namespace {
+
+std::uint64_t next_event_ps() {
+    return (sc_time_stamp() + sc_core::sc_time_to_pending_activity()).value();
+}
+
+}  // namespace
+
+// In a transaction, and only in a thread: SystemC comes to the present of the fabric.
+std::uint64_t Fpga::let_others_go() {
+    if (sc_core::sc_get_current_process_handle().proc_kind() != sc_core::SC_THREAD_PROC_)
+        return Agenda::NEVER;
+    const std::uint64_t edge_ps = fabric_.time_ps() + FABRIC_PERIOD_PS;
+    std::uint64_t next_ps;
+    while ((next_ps = next_event_ps()) < edge_ps) wait(sc_core::sc_time_to_pending_activity());
+    return next_ps;
 }
 
 void Fpga::tell_interrupts() {
@@ -73,11 +111,6 @@ void Fpga::tell_interrupts() {
 void Fpga::catch_up() {
     run_to(sc_time_stamp());
     fabric_.flush();
-}
-
-ChipInputs& Fpga::inputs() {
-    run_to(sc_time_stamp());
-    return fabric_.in;
 }
 
 JtagInputs& Fpga::jtag() {
@@ -147,22 +180,6 @@ std::uint64_t Fpga::mapped(bool write, std::uint32_t address, std::uint8_t* data
     return write ? std::max<std::uint64_t>(5, 2 + 2 * words) : 1 + 6 * words;
 }
 
-// In small steps, and never ahead of SystemC's next event: what the block waits for comes from the
-// board, which answers to what the pins do meanwhile.
-AxiResponse Fpga::await_write(Bridge bridge) {
-    const sc_time end = sc_time_stamp() + write_limit;
-    AxiResponse response = AxiResponse::PENDING;
-    while (response == AxiResponse::PENDING && sc_time_stamp() < end) {
-        const sc_time step = std::min(sc_core::sc_time_to_pending_activity(), write_step);
-        const std::uint64_t until = (sc_time_stamp() + step).value() / FABRIC_PERIOD_PS;
-        if (until > fabric_.clocks())
-            response = fabric_.await_write(bridge, until - fabric_.clocks());
-        tell_interrupts();
-        if (response == AxiResponse::PENDING) wait(step);
-    }
-    return response == AxiResponse::PENDING ? AxiResponse::NONE : response;
-}
-
 void Fpga::transport(Bridge bridge, tlm::tlm_generic_payload& tx, sc_time& delay) {
     const unsigned bytes = tx.get_data_length();
     if (tx.get_command() == tlm::TLM_IGNORE_COMMAND) {
@@ -183,6 +200,8 @@ void Fpga::transport(Bridge bridge, tlm::tlm_generic_payload& tx, sc_time& delay
     AxiResponse response = AxiResponse::OKAY;
 
     const bool map = bridge == Bridge::FULL && memory_ == Memory::MAPPED;
+    busy_ = true;
+    fabric_.meet(next_event_ps(), &others_go_);
     for (unsigned left = bytes; left && response == AxiResponse::OKAY;) {
         const unsigned now = burst_bytes(address, left);
         const sc_time begin = sc_time_stamp() + delay;
@@ -193,21 +212,22 @@ void Fpga::transport(Bridge bridge, tlm::tlm_generic_payload& tx, sc_time& delay
             run_to(begin);
             response = write ? fabric_.write(bridge, address, data, now)
                              : fabric_.read(bridge, address, data, now);
-            if (response == AxiResponse::PENDING) {
-                response = await_write(bridge);
-                delay = sc_core::SC_ZERO_TIME;
-            }
+            if (response == AxiResponse::PENDING)
+                response = fabric_.await_write(bridge, WRITE_CLOCKS);
             end = fabric_.clocks();
         }
         address += now;
         data += now;
         left -= now;
-        delay = std::max(picoseconds(end * FABRIC_PERIOD_PS), sc_time_stamp()) - sc_time_stamp();
+        delay = picoseconds(end * FABRIC_PERIOD_PS) - sc_time_stamp();
         if (left && delay >= sc_core::sc_time_to_pending_activity()) {
             wait(delay);
             delay = sc_core::SC_ZERO_TIME;
+            fabric_.meet(next_event_ps(), &others_go_);
         }
     }
+    fabric_.meet(Agenda::NEVER, nullptr);
+    busy_ = false;
     delay = std::max(delay, picoseconds(HALF_CLOCK_PS)) - picoseconds(HALF_CLOCK_PS) + phase();
     tell_interrupts();
     tx.set_response_status(status_of(response));

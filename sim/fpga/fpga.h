@@ -3,9 +3,13 @@
 //   lw   lightweight bridge, offsets in 2 MB        one TLM transaction becomes AXI bursts of up to
 //   h2f  full bridge, offsets in 960 MB             16 words, none across 4 KB
 //
-// The fabric runs when somebody looks: at every bus access, at every pin that the board moves
-// (through `inputs()`), and once a scan line.  A transaction's delay is what its clocks took; a
-// long one lets SystemC catch up between its bursts, so it blocks.
+// The fabric runs when somebody looks: at every bus access, at every entry of the board's agenda,
+// and once a scan line.  A transaction's delay is what its clocks took.  It blocks: where its
+// clocks come to the time of an event of SystemC, that comes first, and a long one lets SystemC
+// catch up between its bursts.  So what a process enters into the agenda finds the fabric at the
+// process's time.
+//
+// Each entry of the agenda is an event of SystemC, too, past which a processor does not run ahead.
 //
 // Interrupts are levels, told when the fabric has caught up with their change: at once when a
 // transaction makes it, else within a scan line (32 us).
@@ -54,6 +58,7 @@ public:
     Fpga(const sc_core::sc_module_name& name, PinListener& pins, const Trace& trace,
          Memory memory = Memory::BRIDGED, std::uint8_t* sdram = nullptr,
          unsigned audio_rate = 8'000);
+    ~Fpga() override;
 
     // Spreads the phases from now on; before, all are in the middle of the fabric's clock.
     void spread_phases(std::uint64_t seed) { seed_ = seed; }
@@ -61,9 +66,9 @@ public:
     // `told` is called with Fabric::irq() whenever it has changed.
     void on_interrupts(std::function<void(std::uint32_t levels)> told) { told_ = std::move(told); }
 
-    // The input pins, as of now: the fabric has caught up when this returns.
-    ChipInputs& inputs();
-    // The same for the host's side of the JTAG UARTs.
+    // The input pins, for the board's answers and entries.
+    ChipInputs& inputs() { return fabric_.in; }
+    // The host's side of the JTAG UARTs, as of now: the fabric has caught up when this returns.
     JtagInputs& jtag();
     void on_jtag_byte(Fabric::JtagSent sent) { fabric_.on_jtag_byte(std::move(sent)); }
     // Everything up to now has been run and handed to the listener.
@@ -77,6 +82,9 @@ public:
 
     void end_trace() { fabric_.end_trace(); }
 
+    // A transaction is under way, which waits for SystemC: then no peek().
+    bool is_busy() const { return busy_; }
+
     const Fabric& fabric() const { return fabric_; }
 
 private:
@@ -85,19 +93,25 @@ private:
     void transport(Bridge bridge, tlm::tlm_generic_payload& tx, sc_core::sc_time& delay);
     bool direct_memory(tlm::tlm_generic_payload& tx, tlm::tlm_dmi& dmi);
     std::uint64_t mapped(bool write, std::uint32_t address, std::uint8_t* data, unsigned bytes);
-    AxiResponse await_write(Bridge bridge);
     void run_to(const sc_core::sc_time& time);
     void scan_line();
+    void board_moves();
+    void wait_for_board(std::uint64_t next_ps);
+    std::uint64_t let_others_go();
     void tell_interrupts();
     sc_core::sc_time phase();
 
+    PinListener& pins_;
     Fabric fabric_;
+    const Fabric::Met others_go_{[this] { return let_others_go(); }};
+    sc_core::sc_event board_moves_;
     const Memory memory_;
     std::uint8_t* const sdram_;
     std::optional<std::uint64_t> seed_;
     std::uint64_t meetings_ = 0;  // of the two clocks
     std::function<void(std::uint32_t)> told_ = [](std::uint32_t) {};
     std::uint32_t irq_ = 0;
+    bool busy_ = false;
 };
 
 }  // namespace sim

@@ -4,12 +4,18 @@
 // reads ChipInputs; on the other are the parts of the board, which never ask what drives them.
 // A wire that both sides may drive is two values: the level that the chip drives, or that it pulls
 // the wire low, and the level that is on the wire.
+//
+// Whatever crosses the seam has its time, in both directions, also where the chip runs far at once.
+// A call tells when the outputs have moved.  The board changes ChipInputs in such a call, as an
+// answer without delay, or in an entry of its agenda, which the chip keeps; at no other place.
+// What changes at a time counts from the first clock edge behind it.
 #pragma once
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
 
+#include "sim/pins/agenda.h"
 #include "sim/pins/header_bits.h"
 
 namespace sim {
@@ -85,6 +91,9 @@ protected:
 
 class PinListener {
 public:
+    // What the board does by itself.  Looked at anew after each call below.
+    Agenda agenda;
+
     // A sample a clock, in order, in batches of up to a scan line.
     virtual void video(const std::uint32_t* samples, std::size_t count) = 0;
     // Before samples at another period than the fabric's clock, and when it changes by 1 %.
@@ -94,9 +103,9 @@ public:
     // Called after a clock in which one of them moved; may change `in`.
     virtual void codec(const CodecPins& pins, std::uint64_t time_ps, ChipInputs& in) = 0;
     // The period of AUD_XCK when it has changed; 0: it stands still.  May change `in`.
-    virtual void xck(std::uint64_t /*period_fs*/, ChipInputs& /*in*/) {}
+    virtual void xck(std::uint64_t /*period_fs*/, std::uint64_t /*time_ps*/, ChipInputs& /*in*/) {}
     // The codec's next edge of BCLK, in.codec.bclk_half_fs after the one before; changes `in`.
-    virtual void bclk_edge(ChipInputs& /*in*/) {}
+    virtual void bclk_edge(std::uint64_t /*time_ps*/, ChipInputs& /*in*/) {}
     virtual void headers(const HeaderPins& pins, std::uint64_t time_ps, ChipInputs& in) = 0;
     virtual void lamps(const LampPins& /*pins*/, std::uint64_t /*time_ps*/) {}
     virtual void adc(const AdcPins& pins, std::uint64_t time_ps, ChipInputs& in) = 0;
@@ -105,7 +114,7 @@ public:
     virtual void sdram(const SdramPins& pins, std::uint64_t time_ps, std::uint16_t& dq,
                        bool& more) = 0;
     // What the PS/2 ports pull low, bit n of port n.
-    virtual void ps2(unsigned clk_low, unsigned dat_low, ChipInputs& in) = 0;
+    virtual void ps2(unsigned clk_low, unsigned dat_low, std::uint64_t time_ps, ChipInputs& in) = 0;
     // TD_DATA at a rise of TD_CLK27, the first of which is number 0.  Asked of those alone at which
     // somebody captures, in their order.
     virtual std::uint8_t td_data(std::uint64_t /*rise*/) { return 0; }

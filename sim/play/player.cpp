@@ -13,6 +13,10 @@ namespace {
 
 const sc_time millisecond{1, sc_core::SC_MS};
 
+std::string name_of(MouseButton button) {
+    return "button " + std::to_string(static_cast<int>(button));
+}
+
 sc_time to_sc(SimTime time) { return sc_time::from_value(time.ps); }  // resolution: 1 ps
 
 }  // namespace
@@ -74,47 +78,89 @@ bool Player::wait_until(Each each, SimTime timeout, const std::function<bool()>&
             case Each::CHARACTER: sc_module::wait(rest, printed_); break;
             case Each::MILLISECOND: sc_module::wait(std::min(millisecond, rest)); break;
         }
+        await_chip();
     }
+}
+
+// A processor that runs ahead may have come to what was seen before SystemC has.
+void Player::await_chip() {
+    for (std::uint64_t ps; (ps = board_.chip().time_ps()) > sc_time_stamp().value();)
+        sc_module::wait(sc_time::from_value(ps) - sc_time_stamp());
 }
 
 // ---- Hands ----
 
-void Player::hold(const Controls& c) { board_.hold(c.keypad, c.keys, c.switches); }
-void Player::release(const Controls& c) { board_.release(c.keypad, c.keys, c.switches); }
+void Player::before_press(const std::string& control) {
+    if (hands_.has_just_let_go(control)) sc_module::wait(Hands::pause());
+}
+
+void Player::hold(const Controls& c) {
+    for (const unsigned number : control_numbers(c)) before_press(control_name(number));
+    board_.hold(c.keypad, c.keys, c.switches);
+}
+void Player::release(const Controls& c) {
+    board_.release(c.keypad, c.keys, c.switches);
+    for (const unsigned number : control_numbers(c)) hands_.let_go(control_name(number));
+}
 void Player::drive_pins(const HeaderMasks& pins, PinLevel level) { board_.drive_pins(pins, level); }
 void Player::close_contact(const std::string& part, bool closed) {
+    const std::string control = "part " + part;
+    if (closed && board_.parts.is_button(part)) before_press(control);
     board_.close_contact(part, closed);
+    if (!closed) hands_.let_go(control);
 }
 void Player::set_voltage(unsigned channel, double volts) { board_.set_voltage(channel, volts); }
 void Player::accelerate(double x, double y, double z) { board_.accelerate({x, y, z}); }
 void Player::type_serial(const std::string& text, std::optional<SerialLine> to) {
     board_.type(text, to);
 }
-void Player::type_keys(const std::string& text) { board_.ps2_keyboard.type(text); }
-void Player::hold_key(std::uint16_t code) { board_.ps2_keyboard.press(code); }
-void Player::release_key(std::uint16_t code) { board_.ps2_keyboard.release(code); }
-void Player::press_remote(std::uint8_t button) { board_.remote_control.press(button); }
-void Player::move_mouse(int right, int up) { board_.ps2_mouse.move(right, up); }
-void Player::turn_wheel(int notches) { board_.ps2_mouse.turn(notches); }
-void Player::hold_button(MouseButton button) { board_.ps2_mouse.button(button, true); }
-void Player::release_button(MouseButton button) { board_.ps2_mouse.button(button, false); }
+void Player::type_keys(const std::string& text) {
+    board_.act([this, text] { board_.ps2_keyboard.type(text); });
+}
+void Player::hold_key(std::uint16_t code) {
+    before_press("code " + std::to_string(code));
+    board_.act([this, code] { board_.ps2_keyboard.press(code); });
+}
+void Player::release_key(std::uint16_t code) {
+    board_.act([this, code] { board_.ps2_keyboard.release(code); });
+    hands_.let_go("code " + std::to_string(code));
+}
+void Player::press_remote(std::uint8_t button) {
+    board_.act([this, button] { board_.remote_control.press(button); });
+}
+void Player::move_mouse(int right, int up) {
+    board_.act([this, right, up] { board_.ps2_mouse.move(right, up); });
+}
+void Player::turn_wheel(int notches) {
+    board_.act([this, notches] { board_.ps2_mouse.turn(notches); });
+}
+void Player::hold_button(MouseButton button) {
+    before_press(name_of(button));
+    board_.act([this, button] { board_.ps2_mouse.button(button, true); });
+}
+void Player::release_button(MouseButton button) {
+    board_.act([this, button] { board_.ps2_mouse.button(button, false); });
+    hands_.let_go(name_of(button));
+}
 
 SoundSource& Player::source(SoundInput input) {
-    board_.chip().catch_up();
     return input == SoundInput::LINE_IN ? board_.line_in : board_.microphone;
 }
 
 void Player::play(SoundInput input, std::shared_ptr<const Recording> recording, bool for_ever) {
-    source(input).play(std::move(recording), for_ever, sc_time_stamp().value());
+    const std::uint64_t now_ps = sc_time_stamp().value();
+    board_.act([=] { source(input).play(recording, for_ever, now_ps); });
 }
 void Player::play_tone(SoundInput input, double hz, double level) {
-    source(input).tone(hz, level, sc_time_stamp().value());
+    const std::uint64_t now_ps = sc_time_stamp().value();
+    board_.act([=] { source(input).tone(hz, level, now_ps); });
 }
-void Player::play_silence(SoundInput input) { source(input).silence(); }
+void Player::play_silence(SoundInput input) {
+    board_.act([=] { source(input).silence(); });
+}
 
 void Player::show_picture(std::shared_ptr<const Image> picture) {
-    board_.chip().catch_up();
-    board_.video_decoder.show(std::move(picture));
+    board_.act([=] { board_.video_decoder.show(picture); });
 }
 
 // ---- Eyes and ears ----

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "sim/board/board.h"
+#include "sim/play/hands.h"
 #include "sim/report/report.h"
 #include "sim/scenario/scenario.h"
 #include "sim/scenario/stage.h"
@@ -45,6 +46,8 @@ public:
 
 private:
     void run();
+    void await_chip();
+    void before_press(const std::string& control);
     SoundSource& source(SoundInput input);
     static Expectation expectation(const ScenarioStep& step, Verdict verdict);
 
@@ -82,6 +85,7 @@ private:
     bool renew(const std::filesystem::path& golden, const Image& picture) override;
 
     Board& board_;
+    Hands hands_;
     Senses& senses_;
     const std::vector<ScenarioStep>& steps_;
     const std::filesystem::path out_;

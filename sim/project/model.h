@@ -28,10 +28,10 @@ class Model {
 public:
     virtual ~Model() = default;
 
-    ChipInputs in;  // what the board puts on the pins; counts from the next clock edge on
+    ChipInputs in;  // what the board puts on the pins, in its answers and its agenda's entries
 
-    // Runs all clock edges up to and with `until_ps`.  What moves at the outputs goes to the
-    // PinListener, in order; a batch of video samples may come later, at flush().
+    // Runs all clock edges and entries up to and with `until_ps`.  What moves at the outputs goes
+    // to the PinListener, in order; a batch of video samples may come later, at flush().
     virtual void run(std::uint64_t until_ps) = 0;
     virtual void flush() = 0;
     virtual void end_trace() = 0;

@@ -24,7 +24,7 @@ struct NoPins : sim::PinListener {
     void codec(const sim::CodecPins&, std::uint64_t, sim::ChipInputs&) override {}
     void headers(const sim::HeaderPins&, std::uint64_t, sim::ChipInputs&) override {}
     void adc(const sim::AdcPins&, std::uint64_t, sim::ChipInputs&) override {}
-    void ps2(unsigned, unsigned, sim::ChipInputs&) override {}
+    void ps2(unsigned, unsigned, std::uint64_t, sim::ChipInputs&) override {}
 };
 
 class Processor : public sc_core::sc_module {

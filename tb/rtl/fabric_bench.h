@@ -37,7 +37,7 @@ struct Pins : sim::PinListener {
         in.ps2_clk = static_cast<std::uint8_t>(3 & ~(device_clk_low | host.clk_low));
         in.ps2_dat = static_cast<std::uint8_t>(3 & ~(device_dat_low | host.dat_low));
     }
-    void ps2(unsigned clk_low, unsigned dat_low, sim::ChipInputs& in) override {
+    void ps2(unsigned clk_low, unsigned dat_low, std::uint64_t, sim::ChipInputs& in) override {
         pulls.push_back({clocks(), clk_low, dat_low});
         wires(in);
     }

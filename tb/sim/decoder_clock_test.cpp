@@ -25,7 +25,7 @@ struct Pins : sim::PinListener {
     void sdram(const sim::SdramPins&, std::uint64_t, std::uint16_t&, bool& more) override {
         more = false;
     }
-    void ps2(unsigned, unsigned, sim::ChipInputs&) override {}
+    void ps2(unsigned, unsigned, std::uint64_t, sim::ChipInputs&) override {}
 };
 
 class StandingClock : public ::testing::Test {

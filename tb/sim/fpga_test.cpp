@@ -40,7 +40,7 @@ struct Pins : sim::PinListener {
         header = pins;
     }
     void adc(const sim::AdcPins&, std::uint64_t, sim::ChipInputs&) override {}
-    void ps2(unsigned, unsigned, sim::ChipInputs&) override {}
+    void ps2(unsigned, unsigned, std::uint64_t, sim::ChipInputs&) override {}
     sim::HeaderPins header{};
 };
 
@@ -93,6 +93,9 @@ protected:
                   tlm::TLM_OK_RESPONSE);
         return value;
     }
+    void now(sim::Agenda::Action action) {
+        pins.agenda.at(sc_core::sc_time_stamp().value(), std::move(action));
+    }
     void write(std::uint32_t address, std::uint32_t value) {
         EXPECT_EQ(access(cpu.lw, tlm::TLM_WRITE_COMMAND, address - LW, &value, 4),
                   tlm::TLM_OK_RESPONSE);
@@ -140,8 +143,10 @@ TEST_F(FpgaTest, DrivesLampsAndReadsThemBack) {
 
 TEST_F(FpgaTest, ReadsSwitchesAndPressedKeysAndCapturesTheRelease) {
     run([this] {
-        fpga.inputs().sw = 0x2a5;
-        fpga.inputs().key_n = 0xf & ~4u;
+        now([this] {
+            fpga.inputs().sw = 0x2a5;
+            fpga.inputs().key_n = 0xf & ~4u;
+        });
         wait(1, sc_core::SC_US);
         EXPECT_EQ(read(regmap::SW_DATA), 0x2a5u);
         EXPECT_EQ(read(regmap::KEY_DATA), 4u);
@@ -149,7 +154,7 @@ TEST_F(FpgaTest, ReadsSwitchesAndPressedKeysAndCapturesTheRelease) {
         write(regmap::KEY_MASK, 4);
         delay = sc_core::SC_ZERO_TIME;
         wait(10, sc_core::SC_US);
-        fpga.inputs().key_n = 0xf;
+        now([this] { fpga.inputs().key_n = 0xf; });
         wait(1, sc_core::SC_US);
         EXPECT_EQ(read(regmap::KEY_EDGE), 4u);
         EXPECT_EQ(fpga.fabric().irq(), 1u << (73 - 72));
@@ -271,16 +276,18 @@ protected:
     struct Took {
         double bridged, mapped;
     };
+    double clocks_of(tlm_utils::simple_initiator_socket<Initiator>& socket,
+                     tlm::tlm_command command, std::uint32_t address, void* data, unsigned bytes) {
+        const sc_time begin = sc_core::sc_time_stamp();
+        delay = sc_core::SC_ZERO_TIME;
+        access(socket, command, address, data, bytes);
+        return (sc_core::sc_time_stamp() + delay - begin) / sc_time{40, sc_core::SC_NS};
+    }
     Took both(tlm::tlm_command command, std::uint32_t address, std::uint8_t* data,
               std::uint8_t* other_data, unsigned bytes) {
-        const sc_time period{40, sc_core::SC_NS};
         wait(sc_time(10, sc_core::SC_US));
-        delay = sc_core::SC_ZERO_TIME;
-        access(other.h2f, command, address, other_data, bytes);
-        const sc_time first = delay;
-        delay = sc_core::SC_ZERO_TIME;
-        access(cpu.h2f, command, address, data, bytes);
-        return {delay / period, first / period};
+        const double mapped_takes = clocks_of(other.h2f, command, address, other_data, bytes);
+        return {clocks_of(cpu.h2f, command, address, data, bytes), mapped_takes};
     }
 };
 

@@ -7,9 +7,7 @@
 
 namespace {
 
-using sc_core::SC_MS;
-using sc_core::sc_time;
-using sc_core::SC_US;
+constexpr std::uint64_t US = 1'000'000, MS = 1000 * US;
 
 constexpr std::uint8_t ALL_HIGH = 0xff;
 std::uint16_t key(int row, int column) {
@@ -18,10 +16,12 @@ std::uint16_t key(int row, int column) {
 
 class KeypadModel : public ::testing::Test {
 protected:
-    std::vector<sc_time> moves;
-    sim::Keypad keypad{"keypad", 1, [this] { moves.push_back(sc_core::sc_time_stamp()); }};
+    sim::Agenda agenda;
+    std::vector<std::uint64_t> moves;
+    sim::Keypad keypad{agenda, 1, [this] { moves.push_back(agenda.now_ps()); }};
 
-    void settle() { sc_core::sc_start(10, SC_MS); }
+    void pass(std::uint64_t ps) { agenda.run_to(agenda.now_ps() + ps); }
+    void settle() { pass(10 * MS); }
     // Rows D3-D0 with one column pulled low and the others floating; column 0 is D7.
     unsigned rows(int column) {
         const auto enable = static_cast<std::uint8_t>(0x80 >> column);
@@ -67,16 +67,16 @@ TEST_F(KeypadModel, LetsALowOutputWinOverAHighOne) {
 
 TEST_F(KeypadModel, BouncesForAtMostFiveMillisecondsAndThenRests) {
     for (int press = 0; press < 20; ++press) {
-        const sc_time begin = sc_core::sc_time_stamp();
+        const std::uint64_t begin = agenda.now_ps();
         moves.clear();
         keypad.press(key(0, 0));
-        sc_core::sc_start(20, SC_MS);
+        pass(20 * MS);
         ASSERT_GE(moves.size(), 3u) << "no bounce";
         EXPECT_EQ(moves.size() % 2, 1u);
-        EXPECT_LE(moves.back() - begin, sc_time(5, SC_MS));
+        EXPECT_LE(moves.back() - begin, 5 * MS);
         EXPECT_EQ(rows(0), 0x7u);
         keypad.release(key(0, 0));
-        sc_core::sc_start(20, SC_MS);
+        pass(20 * MS);
         EXPECT_EQ(rows(0), 0xfu);
     }
     EXPECT_EQ(keypad.presses(), 20u);
@@ -84,9 +84,9 @@ TEST_F(KeypadModel, BouncesForAtMostFiveMillisecondsAndThenRests) {
 }
 
 TEST_F(KeypadModel, BouncesTheSameWayWithTheSameSeedAndAnotherWayWithAnother) {
-    std::vector<sc_time> same_moves, other_moves;
-    sim::Keypad same{"same", 1, [&] { same_moves.push_back(sc_core::sc_time_stamp()); }};
-    sim::Keypad other{"other", 2, [&] { other_moves.push_back(sc_core::sc_time_stamp()); }};
+    std::vector<std::uint64_t> same_moves, other_moves;
+    sim::Keypad same{agenda, 1, [&] { same_moves.push_back(agenda.now_ps()); }};
+    sim::Keypad other{agenda, 2, [&] { other_moves.push_back(agenda.now_ps()); }};
     for (sim::Keypad* k : {&keypad, &same, &other}) k->press(key(2, 2));
     settle();
     EXPECT_EQ(moves, same_moves);
@@ -95,7 +95,7 @@ TEST_F(KeypadModel, BouncesTheSameWayWithTheSameSeedAndAnotherWayWithAnother) {
 
 TEST_F(KeypadModel, LetsAReleaseEndTheBounceOfThePressBeforeIt) {
     keypad.press(key(3, 3));
-    sc_core::sc_start(100, SC_US);
+    pass(100 * US);
     keypad.release(key(3, 3));
     settle();
     EXPECT_EQ(rows(3), 0xfu);

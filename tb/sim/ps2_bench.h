@@ -7,10 +7,9 @@
 
 #include <gmock/gmock.h>
 
-#include "Vps2_port.h"  // before SystemC
+#include "Vps2_port.h"
+#include "sim/pins/agenda.h"
 #include "tb/support/register_bus.h"
-
-#include <systemc>
 
 namespace tb {
 
@@ -19,7 +18,8 @@ class Ps2Bench : public RegisterBus<Vps2_port> {
 protected:
     using Bytes = std::vector<int>;
 
-    Device device{"device", [] {}};
+    sim::Agenda agenda;
+    Device device{agenda, [] {}};
 
     void SetUp() override {
         dut.tick_i = 1;
@@ -27,7 +27,7 @@ protected:
         reset();
     }
     void after_clock() override {
-        sc_core::sc_start(1280, sc_core::SC_NS);
+        agenda.run_to(agenda.now_ps() + TICK_PS);
         if (clk_low_ != dut.ps2_clk_low_o || dat_low_ != dut.ps2_dat_low_o)
             device.host(clk_low_ = dut.ps2_clk_low_o, dat_low_ = dut.ps2_dat_low_o);
         dut.ps2_clk_i = !(device.clk_low() || dut.ps2_clk_low_o);
@@ -35,9 +35,8 @@ protected:
     }
 
     void run_ms(double ms) {
-        const sc_core::sc_time end =
-            sc_core::sc_time_stamp() + sc_core::sc_time{ms, sc_core::SC_MS};
-        while (sc_core::sc_time_stamp() < end) clock();
+        const auto end_ps = agenda.now_ps() + static_cast<std::uint64_t>(ms * 1e9);
+        while (agenda.now_ps() < end_ps) clock();
     }
     // What has come, oldest first.
     Bytes received() {
@@ -67,6 +66,7 @@ protected:
         received();
     }
 
+    static constexpr std::uint64_t TICK_PS = 1'280'000;
     static constexpr int DATA = 0x0, CONTROL = 0x4;
     static constexpr std::uint32_t RVALID = 1 << 15, ERROR = 1 << 10;
 

@@ -35,6 +35,8 @@ protected:
     std::string printed;
     std::vector<std::string> logged;
 
+    std::vector<sim::PartPlan> parts;  // to be hung on the headers at power-on
+
     void power_on(sim::Firmware firmware, std::uint64_t seed = 1,
                   sim::Monitor::Strictness vga = sim::Monitor::Strictness::STRICT) {
         sim::Computer::Settings settings;
@@ -48,7 +50,7 @@ protected:
                 computer = chip.get();
                 return chip;
             },
-            vga);
+            vga, parts);
     }
 
     // The same for firmware that comes to an end, and runs to there.

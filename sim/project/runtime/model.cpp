@@ -63,13 +63,14 @@ public:
 
     void run(std::uint64_t until_ps) override {
         const std::uint64_t until_fs = until_ps * FS_PER_PS;
-        if (until_fs < clocks_.next_clock_50_fs() || ended()) return;
-        look_ = true;
-        if (!clocks_.high()) settle();
+        look_ahead();
         for (;;) {
             const std::uint64_t rise = clocks_.next_rise_fs(), fall = clocks_.next_fall_fs();
-            if (std::min({rise, fall, bclk_next_fs_}) > until_fs || ended()) break;
-            if (fall < rise && fall <= bclk_next_fs_) {
+            const std::uint64_t next = std::min({rise, fall, bclk_next_fs_});
+            if (std::min(next, agenda_fs_) > until_fs || ended()) break;
+            if (agenda_fs_ < next) {
+                keep_agenda();
+            } else if (fall < rise && fall <= bclk_next_fs_) {
                 edges(fall);
             } else {
                 if (facts_.edges_apart) answer();
@@ -81,6 +82,7 @@ public:
             if (!clocks_.high()) answer();
         }
         if (facts_.edges_apart) look();
+        pins_.agenda.pass_to(until_ps);
     }
 
     void flush() override {
@@ -107,6 +109,27 @@ private:
         edge_fs_ = now_fs;
         clocks_.edges(now_fs, [this](unsigned number, bool rises) { move(number, rises); });
         eval();
+    }
+
+    // The board moves inputs, at a time of its own.  In waveforms, where a clock is high, that
+    // counts once it is low, or before another one rises: as in an ordinary run.
+    void keep_agenda() {
+        const bool high = clocks_.high();
+        if (high) {
+            look();
+            if (entered_) settle();
+        }
+        now_fs_ = agenda_fs_;
+        if (!high) edge_fs_ = now_fs_;
+        pins_.agenda.run_to(now_ps());
+        look_ = entered_ = true;
+        look_ahead();
+        if (!high) settle();
+    }
+
+    void look_ahead() {
+        agenda_ps_ = pins_.agenda.next_ps();
+        agenda_fs_ = agenda_ps_ < NEVER / FS_PER_PS ? agenda_ps_ * FS_PER_PS : NEVER;
     }
 
     void move(unsigned number, bool rises) {
@@ -139,7 +162,7 @@ private:
 
     // In an evaluation of its own, so that it counts from the next clock edge on.
     void apply_inputs() {
-        look_ = false;
+        look_ = entered_ = false;
         top_.sw_i = in.sw;
         top_.key_ni = in.key_n;
         top_.gpio_0_low_i = ~in.gpio[0] & ~headers_.enable[0] & ALL_HEADER_PINS;
@@ -207,9 +230,10 @@ private:
                              (~top_.ps2_dat_o & 3u & ~unsigned{top_.ps2_dat_low_i}) << 2;
         if (ps2 != ps2_) {
             ps2_ = ps2;
-            pins_.ps2(ps2 & 3, ps2 >> 2, in);
+            pins_.ps2(ps2 & 3, ps2 >> 2, now_ps(), in);
             look_ = true;
         }
+        if (pins_.agenda.next_ps() != agenda_ps_) look_ahead();
     }
 
     // From enough samples for 1 %.
@@ -259,7 +283,7 @@ private:
         if (period_fs == 0) xck_moved_fs_ = 0;
         if (period_fs == xck_fs_) return;
         xck_fs_ = period_fs;
-        pins_.xck(period_fs, in);
+        pins_.xck(period_fs, now_ps(), in);
         look_ = true;
     }
 
@@ -267,7 +291,7 @@ private:
     void bclk_edge() {
         edge_fs_ = now_fs_ = bclk_next_fs_;
         bclk_next_fs_ += bclk_half_fs_;
-        pins_.bclk_edge(in);
+        pins_.bclk_edge(now_ps(), in);
         settle();
     }
 
@@ -295,10 +319,12 @@ private:
     Ending ending_;
     Clocks clocks_{facts_};
     std::uint64_t dumped_ps_ = 0;  // what follows at the same time is a picosecond later
-    std::uint64_t now_fs_ = 0;     // of the last rise, for the board
+    std::uint64_t now_fs_ = 0;     // of the last rise or entry, for the board
     std::uint64_t edge_fs_ = 0;    // of the last edge
+    std::uint64_t agenda_ps_ = Agenda::NEVER, agenda_fs_ = NEVER;  // the next entry
     std::uint64_t rises_27_ = 0;
-    bool look_ = true;  // `in` may have changed
+    bool look_ = true;      // `in` may have changed
+    bool entered_ = false;  // ... by an entry
 
     std::uint32_t video_[VIDEO_BATCH];
     unsigned video_count_ = 0;

@@ -131,11 +131,14 @@ std::vector<StepForm> controls() {
          {},
          {{"time", TIME, Need::REQUIRED, "", "How long."}},
          make<Delay>},
-        {"press", "Hold controls for a while and let go; the next step comes after that.",
+        {"press",
+         "Hold controls for a while and let go; the next step comes after that. If the step just "
+         "before let go of one of them, this press begins 50 ms later, as a finger does.",
          Notation::MAP, ANY_CONTROL,
          controls_and({{"for", SOME_TIME, Need::OPTIONAL, "100ms", "How long."}}), make<Press>},
         {"hold",
-         "Begin to hold controls and go on to the next step, for chords that overlap in time.",
+         "Begin to hold controls and go on to the next step, for chords that overlap in time. One "
+         "that was let go of just before is held 50 ms later.",
          Notation::MAP, ANY_CONTROL, controls_and({}), make<Hold>},
         {"release", "Let go of controls that are held.", Notation::MAP, ANY_CONTROL,
          controls_and({}), make<Release>},

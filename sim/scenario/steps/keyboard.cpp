@@ -165,7 +165,8 @@ std::vector<StepForm> keyboard() {
          make<TypeKeys>},
         {"press-key",
          "Hold keys of the PS/2 keyboard for a while and let go; the next step comes after that. "
-         "From 500 ms on the last repeats.",
+         "From 500 ms on the last repeats. A key that was let go of just before is pressed 50 ms "
+         "later.",
          Notation::BOTH,
          {},
          {key, {"for", SOME_TIME, Need::OPTIONAL, "100ms", "How long."}},

@@ -193,7 +193,8 @@ std::vector<StepForm> mouse() {
         {"move-mouse", "Move the PS/2 mouse; the next step comes when it has arrived.",
          Notation::MAP, any_way, way_and({}), make<MoveMouse>},
         {"click-mouse",
-         "Hold a button of the PS/2 mouse for a while and let go.",
+         "Hold a button of the PS/2 mouse for a while and let go. Two clicks of one button are 50 "
+         "ms apart.",
          Notation::BOTH,
          {},
          {button, {"for", SOME_TIME, Need::OPTIONAL, "100ms", "How long."}},

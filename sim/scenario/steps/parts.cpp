@@ -179,7 +179,8 @@ std::vector<StepForm> parts() {
     const Field button{"button", LINE, Need::REQUIRED, "", "Its name among the parts."};
     return {
         {"press-button",
-         "Press a button of the parts and let go; the next step comes after that.",
+         "Press a button of the parts and let go; the next step comes after that. One that was "
+         "let go of just before is pressed 50 ms later.",
          Notation::BOTH,
          {},
          {button, {"for", SOME_TIME, Need::OPTIONAL, "100ms", "How long."}},
