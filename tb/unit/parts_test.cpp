@@ -9,7 +9,7 @@ using sim::PartPlan;
 using sim::PinLevel;
 using testing::ElementsAre;
 
-constexpr std::uint64_t MS = 1'000'000'000;
+constexpr std::uint64_t MS_PS = 1'000'000'000;
 using Kind = PartPlan::Kind;
 
 class PartsTest : public ::testing::Test {
@@ -46,11 +46,11 @@ TEST_F(PartsTest, SwitchesDriveBothLevelsAndBeginLow) {
 TEST_F(PartsTest, LedsAreLitByTheirLevel) {
     sim::Parts parts = plugged({{Kind::LED, "high", {36}, {}, true}, {Kind::LED, "low", {37}, {}}});
     parts.look({0, 3}, 0);
-    EXPECT_TRUE(parts.leds("high").lit(MS));
-    EXPECT_FALSE(parts.leds("low").lit(MS));
-    parts.look({0, 0}, 20 * MS);
-    EXPECT_FALSE(parts.leds("high").lit(21 * MS));
-    EXPECT_TRUE(parts.leds("low").lit(21 * MS));
+    EXPECT_TRUE(parts.leds("high").lit(MS_PS));
+    EXPECT_FALSE(parts.leds("low").lit(MS_PS));
+    parts.look({0, 0}, 20 * MS_PS);
+    EXPECT_FALSE(parts.leds("high").lit(21 * MS_PS));
+    EXPECT_TRUE(parts.leds("low").lit(21 * MS_PS));
 }
 
 // Rows GPIO_0[1:0], active high; columns GPIO_1[2:0], active low.
@@ -63,31 +63,31 @@ protected:
 
 TEST_F(Matrix, ShowsAStillRowAtOnce) {
     parts.look({2, 0b011}, 0);
-    EXPECT_THAT(shown(50 * MS), ElementsAre("#..", "..."));
+    EXPECT_THAT(shown(50 * MS_PS), ElementsAre("#..", "..."));
 }
 
 TEST_F(Matrix, IsSeenWholeWhileItsRowsAreShownInTurn) {
-    for (std::uint64_t t = 0; t < 100 * MS; t += 4 * MS) {
+    for (std::uint64_t t = 0; t < 100 * MS_PS; t += 4 * MS_PS) {
         parts.look({2, 0b011}, t);
-        parts.look({1, 0b101}, t + 2 * MS);
+        parts.look({1, 0b101}, t + 2 * MS_PS);
     }
-    EXPECT_THAT(shown(100 * MS), ElementsAre("#..", ".#."));
+    EXPECT_THAT(shown(100 * MS_PS), ElementsAre("#..", ".#."));
 }
 
 TEST_F(Matrix, HasDimLedsAndNoGhosts) {
-    for (std::uint64_t t = 0; t < 100 * MS; t += 4 * MS) {
+    for (std::uint64_t t = 0; t < 100 * MS_PS; t += 4 * MS_PS) {
         parts.look({2, 0b011}, t);
-        parts.look({2, 0b001}, t + 2 * MS);  // the middle one for half a millisecond
-        parts.look({2, 0b111}, t + 5 * MS / 2);
-        parts.look({1, 0b110}, t + 3 * MS);  // and a ghost for 1/16 of the first row's time
-        parts.look({1, 0b111}, t + 3 * MS + MS / 8);
+        parts.look({2, 0b001}, t + 2 * MS_PS);  // the middle one for half a millisecond
+        parts.look({2, 0b111}, t + 5 * MS_PS / 2);
+        parts.look({1, 0b110}, t + 3 * MS_PS);  // and a ghost for 1/16 of the first row's time
+        parts.look({1, 0b111}, t + 3 * MS_PS + MS_PS / 8);
     }
-    EXPECT_THAT(shown(100 * MS), ElementsAre("#+.", "..."));
+    EXPECT_THAT(shown(100 * MS_PS), ElementsAre("#+.", "..."));
 }
 
 TEST_F(Matrix, IsDarkWithoutARow) {
     parts.look({0, 0}, 0);
-    EXPECT_THAT(shown(MS), ElementsAre("...", "..."));
+    EXPECT_THAT(shown(MS_PS), ElementsAre("...", "..."));
 }
 
 }  // namespace
