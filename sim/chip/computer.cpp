@@ -44,6 +44,42 @@ bool is_plain_output(std::uint32_t address, std::uint32_t value) {
     return port != std::end(PORTS) && (address % PORT_SIZE < EDGE || value == 0);
 }
 
+bool is_plain_input(std::uint32_t address, std::uint32_t value) {
+    using namespace regmap;
+    constexpr std::uint32_t FIFOS[] = {PS2_0_DATA, PS2_1_DATA, JTAG_UART0_DATA, JTAG_UART1_DATA,
+                                       IRDA_DATA};
+    constexpr std::uint32_t VALID = 1 << PS2_0_DATA_RVALID_LSB, NEW = 1 << ADC_CH_0_NEW_LSB;
+    static_assert(PS2_0_DATA_RVALID_LSB == JTAG_UART0_DATA_RVALID_LSB &&
+                  PS2_0_DATA_RVALID_LSB == IRDA_DATA_RVALID_LSB);
+    constexpr std::uint32_t HPS[] = {
+        0xFFFEC600,
+        0xFFFEC608,
+        0xFFFEC60C,  // private timer: load, control, status
+        0xFFFEC20C,  // global timer: status
+        Peripherals::GPIO1_BASE + 0x00,
+        Peripherals::GPIO1_BASE + 0x04,
+        Peripherals::GPIO1_BASE + 0x50,  // its data, directions, pins
+        0xFFC08010,
+        0xFFC09010,
+        0xFFD00010,
+        0xFFD01010,  // timers: status
+    };
+    constexpr std::uint32_t UART_STATUS = 0xFFC02014, OVERRUN = 2;  // which reading clears
+    if (address == UART_STATUS) return !(value & OVERRUN);
+    if (address - LW_BASE >= LW_SIZE)
+        return std::find(std::begin(HPS), std::end(HPS), address) != std::end(HPS);
+    if (address - ADC_BASE < ADC_SIZE) return !(value & NEW);
+    if (address == AUDIO_LEFTDATA || address == AUDIO_RIGHTDATA) return false;
+    const bool fifo =
+        std::find(std::begin(FIFOS), std::end(FIFOS), address & ~3u) != std::end(FIFOS);
+    return !fifo || (address % 4 == 0 && !(value & VALID));
+}
+
+std::uint64_t Computer::fixed_ps(std::uint32_t address) const {
+    constexpr std::uint64_t HPS_PS = 10'000;  // sim/hps/registers.h
+    return address - LW_BASE < LW_SIZE ? 0 : HPS_PS;
+}
+
 Computer::Computer(const sc_core::sc_module_name& name, PinListener& pins, Audience& audience,
                    std::uint8_t* sdram, Software software, const Settings& settings)
     : sc_module{name},
@@ -86,7 +122,8 @@ Computer::Computer(const sc_core::sc_module_name& name, PinListener& pins, Audie
         [&pins](bool lit, const sc_core::sc_time& now) { pins.hps_led(lit, now.value()); });
     hps.i2c0.connect(pins.hps_i2c0());
     hps.gpio2.drive(ACCELEROMETER, false);
-    if (arm) arm->set_plain_outputs(is_plain_output);
+    if (arm) arm->set_steady_bus(this);
+    if (arm && !settings.shortcuts) arm->leave_no_rounds_out();
     fpga.spread_phases(settings.seed);
     fpga.on_interrupts([this](std::uint32_t levels) { hps.fpga_interrupts(levels); });
 }

@@ -17,6 +17,7 @@
 #include "sim/chip/lost_accesses.h"
 #include "sim/cpu/arm_cpu.h"
 #include "sim/cpu/native_cpu.h"
+#include "sim/cpu/steady_bus.h"
 #include "sim/fpga/fpga.h"
 #include "sim/hps/bus.h"
 #include "sim/hps/memory.h"
@@ -30,8 +31,11 @@ const std::vector<MemoryRange>& program_memory();
 // Whether writing `value` there again and again is no more than writing it once: the parallel ports
 // and GPIO1 of the HPS, but not the captured edges, where a 1 clears what came since.
 bool is_plain_output(std::uint32_t address, std::uint32_t value);
+// Whether reading `value` there removes nothing, and clears nothing; in the HPS also, whether it
+// changes at events of SystemC alone.
+bool is_plain_input(std::uint32_t address, std::uint32_t value);
 
-class Computer : public sc_core::sc_module, public Chip {
+class Computer : public sc_core::sc_module, public Chip, private SteadyBus {
 public:
     // What runs on it, and so which processor it has: NativeCpu or ArmCpu.
     using Software = std::variant<Firmware, ArmProgram>;
@@ -41,6 +45,7 @@ public:
         Trace trace;
         Fpga::Memory memory = Fpga::Memory::BRIDGED;
         unsigned audio_rate = 8'000;  // samples per second: or 48,000
+        bool shortcuts = true;        // ArmCpu::leave_no_rounds_out()
     };
 
     Computer(const sc_core::sc_module_name& name, PinListener& pins, Audience& audience,
@@ -64,6 +69,17 @@ public:
 
 private:
     static constexpr unsigned ACCELEROMETER = 61 - 58;  // GPIO61 is GPIO2's pin 3
+
+    std::uint64_t changes() const override { return fpga.changes(); }
+    bool is_plain(std::uint32_t address, bool write, std::uint32_t value) const override {
+        return !bus.is_watched() &&
+               (write ? is_plain_output(address, value) : is_plain_input(address, value));
+    }
+    std::uint64_t fixed_ps(std::uint32_t address) const override;
+    std::optional<std::uint64_t> again(bool write, std::uint64_t begin_ps) override {
+        return fpga.again(write, begin_ps);
+    }
+    void left_out(bool write, std::uint64_t accesses) override { bus.left_out(write, accesses); }
 
     std::function<void(bool)> h2f_gate_, lw_gate_;  // true: out of reset
     LostAccesses lost_accesses_;

@@ -198,6 +198,19 @@ public:
     std::uint32_t cp15(const Cp15& name) const;
     void set_cp15(const Cp15& name, std::uint32_t value);
 
+    // What the program would reach, in no time, for those who know what it will do (steady_loop.h).
+    // Unicorn's core and a core that is watched, probed or tallied never say.
+    std::optional<std::uint32_t> code_at(std::uint32_t pc);  // an instruction of ARM, not Thumb
+    struct Place {
+        std::uint8_t* ram = nullptr;       // the host's byte, up to the next multiple of 4 at least
+        std::optional<std::uint32_t> bus;  // its address there, if accesses are not merged
+    };
+    Place place(std::uint32_t address, bool write);
+    // The program has done so many instructions without the core.  Not in run().
+    void pass(std::uint64_t instructions) { count_ += instructions; }
+    // A store of it, for the same purpose; to RAM that place() has given.
+    void store_word(std::uint32_t address, std::uint32_t value);
+
     // RAM by physical address; false where there is none.
     bool read_ram(std::uint32_t address, void* data, std::size_t bytes) const;
     // Also drops the translation of these bytes, so instructions may be written.

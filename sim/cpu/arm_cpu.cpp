@@ -15,7 +15,6 @@ namespace {
 constexpr double CLOCK_PS = 1250;             // 800 MHz
 constexpr std::uint64_t MASKED_QUANTUM = 64;  // while an interrupt is pending but masked
 constexpr std::uint32_t PUSHED = 128;         // bytes, by one instruction
-constexpr std::uint64_t GONE = 10'000;        // instructions after which it polls no more
 
 std::uint64_t picoseconds(double cpi) {
     return static_cast<std::uint64_t>(std::llround(CLOCK_PS * cpi));
@@ -51,6 +50,7 @@ void ArmCpu::sync() {
     if (ahead_ < horizon()) return;
     wait(ahead_);
     ahead_ = SC_ZERO_TIME;
+    ++events_;
 }
 
 // Instructions until SystemC's next event.
@@ -69,6 +69,7 @@ void ArmCpu::run_on() {
 }
 
 void ArmCpu::sleep(const sc_time& at_most) {
+    ++events_;
     wait(ahead_);
     ahead_ = SC_ZERO_TIME;
     asleep_since_ = sc_core::sc_time_stamp();
@@ -85,6 +86,7 @@ void ArmCpu::sleep(const sc_time& at_most) {
 
 template <class... Until>
 void ArmCpu::pause_until(const Until&... until) {
+    ++events_;
     wait(ahead_);
     ahead_ = SC_ZERO_TIME;
     asleep_since_ = sc_core::sc_time_stamp();
@@ -150,8 +152,10 @@ void ArmCpu::run() {
         sync();
         if (!inspector_ || !inspector_->holds_interrupts()) take_interrupt();
         const bool closely = open_ && met_ >= AGAIN;
-        const std::uint64_t most = closely ? 1 : std::max<std::uint64_t>(budget(), 1);
-        const std::uint64_t limit = inspector_ ? inspector_->on_quantum(core_, most) : most;
+        const std::uint64_t whole = closely ? 1 : std::max<std::uint64_t>(budget(), 1);
+        const std::uint64_t part = closely ? 1 : pass_rounds(whole);
+        const std::uint64_t most = std::max<std::uint64_t>(closely ? 1 : budget(), 1);
+        const std::uint64_t limit = inspector_ ? inspector_->on_quantum(core_, most) : part;
         inspected_end_ = limit < most ? core_.instructions() + limit : UINT64_MAX;
         running_ = true;
         const ArmStop stop = core_.run(std::min(limit, most));
@@ -227,9 +231,9 @@ std::string ArmCpu::no_code() const {
 }
 
 std::string ArmCpu::where() const {
-    const Position p = position();
-    return fmt::format("at {:.6f} ms, PC 0x{:08X}{}{}", now().to_seconds() * 1e3, p.pc,
-                       p.function.empty() ? "" : " in ", p.function);
+    const std::string function = program_.elf.function(core_.pc());
+    return fmt::format("at {:.6f} ms, PC 0x{:08X}{}{}", now().to_seconds() * 1e3, core_.pc(),
+                       function.empty() ? "" : " in ", function);
 }
 
 void ArmCpu::raise(ArmException exception, std::uint32_t status, const std::string& what) {
@@ -284,10 +288,9 @@ bool ArmCpu::unhandled(ArmException exception) {
     return again;
 }
 
-ArmCpu::Position ArmCpu::position() const {
+ArmCpu::Position ArmCpu::position() {
     const std::uint32_t pc = core_.pc();
-    const bool polls = core_.instructions() - last_access_ < GONE;
-    return {pc, program_.elf.function(pc), asleep_, ended_, polls ? polls_.polled() : std::nullopt};
+    return {pc, program_.elf.function(pc), asleep_, ended_, asleep_ ? std::nullopt : polled()};
 }
 
 ArmCpu::Counts ArmCpu::counts() const {

@@ -25,10 +25,9 @@
 // or until then: no other core can send an event, because they are in reset, and a spurious wake-up
 // is allowed.  SEV does nothing.
 //
-// A loop that waits for registers to change (poll_loop.h) reads them less often: it takes
-// additional time, an eighth of what it has waited so far, 10 us at most, and never past SystemC's
-// next event.  So it may notice a change inside the fabric that much late; changes of pins and of
-// the HPS's timers it notices at once.
+// A loop that does the same in every round, but for what it counts (steady_loop.h), is not executed
+// round by round: the state and the time after many of them are computed.  That cannot be seen from
+// outside, nor by the program: all counts and times are those of the rounds (arm_rounds.cpp).
 //
 // Boot: pc is the ELF's entry, SVC mode, interrupts off, VFP and NEON on, SP at the top of DDR3.
 //
@@ -72,11 +71,13 @@
 #include <utility>
 #include <vector>
 
+#include "sim/cpu/answers.h"
 #include "sim/cpu/arm_core.h"
 #include "sim/cpu/arm_exceptions.h"
 #include "sim/cpu/elf.h"
-#include "sim/cpu/poll_loop.h"
 #include "sim/cpu/processor.h"
+#include "sim/cpu/steady_bus.h"
+#include "sim/cpu/steady_loop.h"
 
 namespace sim {
 
@@ -157,10 +158,10 @@ public:
     // inspector.
     sc_core::sc_time ended_for() const;
 
-    // Where writing the same value again and again is no more than writing it once, poll_loop.h.
-    // Without it, nowhere.
-    using IsPlainOutput = std::function<bool(std::uint32_t address, std::uint32_t value)>;
-    void set_plain_outputs(IsPlainOutput are) { is_plain_output_ = std::move(are); }
+    // Lets loops that use the bus be shortened, too.
+    void set_steady_bus(SteadyBus* bus) { steady_bus_ = bus; }
+    // Executes every round.
+    void leave_no_rounds_out() { shortcuts_ = false; }
 
     // For an inspector: reads as the program would, RAM and registers alike, in no time.  False: no
     // target answers.
@@ -179,9 +180,9 @@ public:
         std::string function;                 // "main+0x10", "" if it is in none
         bool sleeping;                        // in WFI, or in pause()
         bool ended;                           // by end()
-        std::optional<std::uint32_t> polled;  // a register, see poll_loop.h
+        std::optional<std::uint32_t> polled;  // a register that a loop reads
     };
-    Position position() const;
+    Position position();
 
     struct Counts {
         std::uint64_t instructions = 0;
@@ -218,8 +219,17 @@ private:
     void sleep(const sc_core::sc_time& at_most);
     template <class... Until>
     void pause_until(const Until&... until);
-    void rest(std::uint64_t picoseconds);
+    std::uint64_t epoch() const;
+    std::uint64_t pass_rounds(std::uint64_t most);
+    bool pass_memory(std::uint64_t most);
+    bool pass_bus();
+    bool go_round(std::uint64_t& time, std::uint64_t end);
+    void passed(std::uint64_t rounds);
+    std::optional<std::uint32_t> polled();
+    SteadyLoop::Registers loop_registers() const;
     void drain();
+    bool made_before();
+    void note(std::uint32_t address, unsigned bytes, bool write, std::uint32_t value);
     bool access(tlm::tlm_command command, std::uint32_t address, unsigned bytes, void* data);
     std::optional<ArmException> let_in() const;  // the interrupt that is pending and not masked
     void take_interrupt();
@@ -263,9 +273,14 @@ private:
     sc_core::sc_time asleep_since_;
     sc_core::sc_event wake_;
 
-    PollLoop polls_;
-    std::uint64_t last_access_ = 0;  // that polls_ was told of: instructions before it
-    IsPlainOutput is_plain_output_;
+    class LoopWorld;
+    bool shortcuts_ = true;
+    SteadyBus* steady_bus_ = nullptr;
+    SteadyLoop loop_;
+    Answers answers_;
+    std::uint64_t events_ = 0;          // how often time has passed in SystemC
+    std::vector<std::uint64_t> again_;  // ends of the next accesses, the last first; see pass_bus()
+    unsigned looks_ = 0, pause_ = 0, longest_pause_ = 0;
     struct StoreBuffer {
         std::uint32_t begin = 0, bytes = 0;
         std::uint32_t page = 1;  // of 4 KB, that is known to answer; 1 is none

@@ -158,6 +158,7 @@ inline std::uint64_t Fabric::clock(std::uint64_t most) {
         model_->tell_moved(moved_);
         top.clk_i = !top.clk_i;  // sim/fpga/root_clock.v
     }
+    changes_ += stirs && !accessed_;
     moved_ = 0;
     model_->eval(time_ps() + FABRIC_PERIOD_PS);
     clocks_ += passed;
@@ -207,6 +208,18 @@ void Fabric::run(std::uint64_t clocks) {
     while (clocks) clocks -= clock(clocks);
 }
 
+// The registers change in clocks of their groups alone, and these wake by themselves when their
+// time has come, at the frame's end, or by a pair of samples from the audio clock.  The frame ends
+// with a line, and a pair is seen one edge of that clock before it comes.
+std::uint64_t Fabric::calm() const {
+    constexpr std::uint64_t LINE = 800;
+    if (td_on_ || moved_ || model_->stirs() || model_->last_line()) return 0;
+    if (!(in == applied_) || !(jtag == applied_jtag_)) return 0;
+    AsynchronousClock audio = audio_clock_;
+    if (!model_->pair_comes()) audio.next(), audio.next();
+    return std::min({model_->ports_rest(), audio.clocks() - clocks_, LINE});
+}
+
 void Fabric::flush() {
     const unsigned count = video_count_;
     video_count_ = 0;
@@ -235,9 +248,31 @@ unsigned size_of(std::uint32_t address, unsigned bytes) {
 
 }  // namespace
 
+// Whatever changes beside the access may not be seen, so it counts as a change unless all is calm.
+template <class Access>
+AxiResponse Fabric::access(Bridge bridge, const Access& made) {
+    begin();
+    const bool calm_before = calm() >= LONGEST_ACCESS;
+    const std::uint64_t from = clocks_;
+    moved_ |= bridge == Bridge::LIGHTWEIGHT ? LIGHTWEIGHT : FULL;
+    accessed_ = true;
+    const AxiResponse response = made();
+    accessed_ = false;
+    changes_ += !calm_before || clocks_ - from > LONGEST_ACCESS || calm() == 0;
+    return response;
+}
+
 AxiResponse Fabric::write(Bridge bridge, std::uint32_t address, const std::uint8_t* data,
                           unsigned bytes) {
-    begin();
+    return access(bridge, [&] { return write_by(bridge, address, data, bytes); });
+}
+
+AxiResponse Fabric::read(Bridge bridge, std::uint32_t address, std::uint8_t* data, unsigned bytes) {
+    return access(bridge, [&] { return read_by(bridge, address, data, bytes); });
+}
+
+AxiResponse Fabric::write_by(Bridge bridge, std::uint32_t address, const std::uint8_t* data,
+                             unsigned bytes) {
     AxiPort& axi = model_->port(bridge);
     const std::uint32_t first = address / 4, last = (address + bytes - 1) / 4;
     axi.awaddr = address;
@@ -245,7 +280,6 @@ AxiResponse Fabric::write(Bridge bridge, std::uint32_t address, const std::uint8
     axi.awsize = static_cast<CData>(size_of(address, bytes));
     axi.awburst = 1;  // INCR
     axi.awvalid = 1;
-    moved_ |= bridge == Bridge::LIGHTWEIGHT ? LIGHTWEIGHT : FULL;
     bool alive = clock_until(axi.awready);
     axi.awvalid = 0;
     const std::uint32_t end = address + bytes;
@@ -280,8 +314,8 @@ AxiResponse Fabric::await_write(Bridge bridge, std::uint64_t clocks) {
     return response;
 }
 
-AxiResponse Fabric::read(Bridge bridge, std::uint32_t address, std::uint8_t* data, unsigned bytes) {
-    begin();
+AxiResponse Fabric::read_by(Bridge bridge, std::uint32_t address, std::uint8_t* data,
+                            unsigned bytes) {
     AxiPort& axi = model_->port(bridge);
     const std::uint32_t first = address / 4, last = (address + bytes - 1) / 4,
                         end = address + bytes;
@@ -290,7 +324,6 @@ AxiResponse Fabric::read(Bridge bridge, std::uint32_t address, std::uint8_t* dat
     axi.arsize = static_cast<CData>(size_of(address, bytes));
     axi.arburst = 1;  // INCR
     axi.arvalid = 1;
-    moved_ |= bridge == Bridge::LIGHTWEIGHT ? LIGHTWEIGHT : FULL;
     bool alive = clock_until(axi.arready);
     axi.arvalid = 0;
     AxiResponse response = AxiResponse::OKAY;

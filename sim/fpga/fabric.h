@@ -76,9 +76,17 @@ public:
     std::uint64_t clocks() const { return clocks_; }
     std::uint64_t time_ps() const { return clocks_ * FABRIC_PERIOD_PS; }
 
+    // In so many clocks from now on no register changes, if nobody accesses one and no input moves.
+    // May be too low: 0 where this build cannot know.
+    std::uint64_t calm() const;
+    // Counts the clocks in which one may have changed by more than the accesses of a bridge.
+    std::uint64_t changes() const { return changes_; }
+
     // Sends the video samples that have gathered to the listener.
     void flush();
 
+    // In clocks, of one register that nothing holds up.
+    static constexpr std::uint64_t LONGEST_ACCESS = 12;
     // One AXI burst of `bytes` from `address` (offset in the bridge); at most 16 words are touched.
     // Runs the clock until the response is taken; NONE if there is none in 10,000 clocks.  A write
     // whose data were taken but which is not answered at once is PENDING; its response is then
@@ -130,6 +138,11 @@ private:
     void tell_codec(std::uint64_t time_ps);
     void tell_sdram();
     bool clock_until(const std::uint8_t& ready);
+    AxiResponse read_by(Bridge bridge, std::uint32_t address, std::uint8_t* data, unsigned bytes);
+    AxiResponse write_by(Bridge bridge, std::uint32_t address, const std::uint8_t* data,
+                         unsigned bytes);
+    template <class Access>
+    AxiResponse access(Bridge bridge, const Access& made);
 
     PinListener& pins_;
     std::unique_ptr<Model> model_;
@@ -146,6 +159,8 @@ private:
     std::uint64_t until_ = 0;  // clocks: somebody comes before the next one
     std::uint64_t agenda_ps_ = Agenda::NEVER, meet_ps_ = Agenda::NEVER;
     const Met* met_ = nullptr;
+    std::uint64_t changes_ = 0;
+    bool accessed_ = false;  // a bridge's access is under way
     std::uint32_t video_[VIDEO_BATCH];
     unsigned video_count_ = 0;
     std::uint32_t codec_was_ = 0, adc_was_ = 0;

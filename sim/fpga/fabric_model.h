@@ -1,6 +1,7 @@
 // fabric_model.h - the Verilated fabric as fabric.cpp and fabric_pins.cpp share it.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 
 #include "sim/fpga/fabric.h"
@@ -12,6 +13,10 @@
 #endif
 #ifdef DE1SIM_TRACE
 #include "verilated_fst_c.h"
+#endif
+// Whether the model shows what fabric.vlt names.
+#if !defined DE1SIM_PORTS_ALONE && !defined DE1SIM_EVERY_CLOCK && !defined DE1SIM_TRACE
+#define DE1SIM_KNOWS_CALM
 #endif
 
 namespace sim {
@@ -75,6 +80,12 @@ struct Fabric::Model {
     void leave_out(std::uint64_t clocks) { top.skip_i = static_cast<SData>(clocks); }
     void tell_moved(std::uint8_t moved) { top.moved_i = moved; }
 #endif
+    // For Fabric::calm(): for how many clocks no block of registers wakes, if all sleep; whether
+    // the beam is in the line before a frame's end; whether a pair of samples comes with the next
+    // edge of the audio clock.
+    std::uint64_t ports_rest() const;
+    bool last_line() const;
+    bool pair_comes() const;
     AxiPort &port(Bridge bridge) { return bridge == Bridge::LIGHTWEIGHT ? lw : h2f; }
 };
 
@@ -91,5 +102,26 @@ inline void Fabric::Model::clock_every([[maybe_unused]] bool every) {
     top.rootp->fpga__DOT__clocks__DOT__root__DOT__every_clock = every;
 #endif
 }
+
+#ifdef DE1SIM_KNOWS_CALM
+inline std::uint64_t Fabric::Model::ports_rest() const {
+    const auto &root = *top.rootp;
+    return 1u + std::min({root.fpga__DOT__keypad_rest, root.fpga__DOT__ps2_rest,
+                          root.fpga__DOT__timer0_rest, root.fpga__DOT__timer1_rest});
+}
+
+inline bool Fabric::Model::last_line() const {
+    constexpr unsigned LAST_SHOWN = 479;
+    return top.rootp->fpga__DOT__video_block__DOT__vga_block__DOT__timing__DOT__v_o == LAST_SHOWN;
+}
+
+inline bool Fabric::Model::pair_comes() const {
+    return top.rootp->fpga__DOT__audio_block__DOT__serial_received;
+}
+#else
+inline std::uint64_t Fabric::Model::ports_rest() const { return 0; }
+inline bool Fabric::Model::last_line() const { return true; }
+inline bool Fabric::Model::pair_comes() const { return true; }
+#endif
 
 }  // namespace sim

@@ -66,9 +66,14 @@ Fpga::~Fpga() {
     pins_.agenda.on_next([](std::uint64_t) {});
 }
 
+// The clock in which an access begins, or the time has come; not before the last access has ended.
+std::uint64_t Fpga::start_of(std::uint64_t time_ps) const {
+    return std::max({time_ps / FABRIC_PERIOD_PS, busy_until_, fabric_.clocks()});
+}
+
 void Fpga::run_to(const sc_time& time) {
-    const std::uint64_t clocks = time.value() / FABRIC_PERIOD_PS;
-    if (clocks > fabric_.clocks()) fabric_.run(clocks - fabric_.clocks());
+    calm_until_ = 0;
+    fabric_.run(start_of(time.value()) - fabric_.clocks());
     if (pins_.agenda.next_ps() <= time.value()) fabric_.keep_agenda(time.value());
     pins_.agenda.pass_to(time.value());
     tell_interrupts();
@@ -131,17 +136,17 @@ bool Fpga::peek_full(std::uint32_t offset, std::uint8_t* bytes, unsigned count) 
 }
 
 // 0 to a clock; Vigna's splitmix64.
-sc_time Fpga::phase() {
-    if (!seed_) return picoseconds(HALF_CLOCK_PS);
+std::uint64_t Fpga::phase_ps() {
+    if (!seed_) return HALF_CLOCK_PS;
     std::uint64_t z = *seed_ + ++meetings_ * 0x9E3779B97F4A7C15;
     z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9;
     z = (z ^ (z >> 27)) * 0x94D049BB133111EB;
-    return picoseconds((z ^ (z >> 31)) % FABRIC_PERIOD_PS);
+    return (z ^ (z >> 31)) % FABRIC_PERIOD_PS;
 }
 
 void Fpga::scan_line() {
     catch_up();
-    next_trigger(scan_line_time - picoseconds(HALF_CLOCK_PS) + phase());
+    next_trigger(scan_line_time - picoseconds(HALF_CLOCK_PS) + picoseconds(phase_ps()));
 }
 
 void Fpga::lightweight_transport(tlm::tlm_generic_payload& tx, sc_time& delay) {
@@ -180,8 +185,27 @@ std::uint64_t Fpga::mapped(bool write, std::uint32_t address, std::uint8_t* data
     return write ? std::max<std::uint64_t>(5, 2 + 2 * words) : 1 + 6 * words;
 }
 
+// Not past SystemC's next event, where somebody may look at the pins.
+std::optional<std::uint64_t> Fpga::again(bool write, std::uint64_t begin_ps) {
+    const std::uint64_t start = start_of(begin_ps), end = start + took_[write];
+    if (end == start) return {};
+    if (end > calm_until_) {
+        const std::uint64_t event = next_event_ps();
+        if (end * FABRIC_PERIOD_PS >= event) return {};
+        const std::uint64_t before = fabric_.changes();
+        fabric_.run(start - fabric_.clocks());
+        if (fabric_.changes() != before) return {};
+        calm_until_ = std::min(start + fabric_.calm(), (event - 1) / FABRIC_PERIOD_PS);
+        if (end > calm_until_) return {};
+    }
+    busy_until_ = end;
+    const std::uint64_t earliest = sc_time_stamp().value() + HALF_CLOCK_PS;
+    return std::max(end * FABRIC_PERIOD_PS, earliest) - HALF_CLOCK_PS + phase_ps();
+}
+
 void Fpga::transport(Bridge bridge, tlm::tlm_generic_payload& tx, sc_time& delay) {
     const unsigned bytes = tx.get_data_length();
+    calm_until_ = 0;
     if (tx.get_command() == tlm::TLM_IGNORE_COMMAND) {
         tx.set_response_status(tlm::TLM_COMMAND_ERROR_RESPONSE);
         return;
@@ -207,14 +231,17 @@ void Fpga::transport(Bridge bridge, tlm::tlm_generic_payload& tx, sc_time& delay
         const sc_time begin = sc_time_stamp() + delay;
         std::uint64_t end = map ? mapped(write, address, data, now) : 0;
         if (end) {
-            end += std::max<std::uint64_t>(begin.value() / FABRIC_PERIOD_PS, fabric_.clocks());
+            end += start_of(begin.value());
         } else {
             run_to(begin);
+            const std::uint64_t start = fabric_.clocks();
             response = write ? fabric_.write(bridge, address, data, now)
                              : fabric_.read(bridge, address, data, now);
             if (response == AxiResponse::PENDING)
                 response = fabric_.await_write(bridge, WRITE_CLOCKS);
             end = fabric_.clocks();
+            if (bridge == Bridge::LIGHTWEIGHT && end - start <= Fabric::LONGEST_ACCESS)
+                took_[write] = end - start;
         }
         address += now;
         data += now;
@@ -228,7 +255,8 @@ void Fpga::transport(Bridge bridge, tlm::tlm_generic_payload& tx, sc_time& delay
     }
     fabric_.meet(Agenda::NEVER, nullptr);
     busy_ = false;
-    delay = std::max(delay, picoseconds(HALF_CLOCK_PS)) - picoseconds(HALF_CLOCK_PS) + phase();
+    delay = std::max(delay, picoseconds(HALF_CLOCK_PS)) - picoseconds(HALF_CLOCK_PS) +
+            picoseconds(phase_ps());
     tell_interrupts();
     tx.set_response_status(status_of(response));
 }

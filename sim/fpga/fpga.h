@@ -80,6 +80,13 @@ public:
     // The same for `count` bytes on the full bridge, one AXI burst.  False: nobody answers.
     bool peek_full(std::uint32_t offset, std::uint8_t* bytes, unsigned count);
 
+    // As long as this stays the same, a register that was read gives the same again, unless the
+    // processor has written, or reading has a side effect.
+    std::uint64_t changes() const { return fabric_.changes(); }
+    // Makes an access to a register that answers as it did before, in no work: the same time passes
+    // as by transport(), in ps of SystemC's time.  Nothing if it may answer otherwise.
+    std::optional<std::uint64_t> again(bool write, std::uint64_t begin_ps);
+
     void end_trace() { fabric_.end_trace(); }
 
     // A transaction is under way, which waits for SystemC: then no peek().
@@ -99,7 +106,8 @@ private:
     void wait_for_board(std::uint64_t next_ps);
     std::uint64_t let_others_go();
     void tell_interrupts();
-    sc_core::sc_time phase();
+    std::uint64_t start_of(std::uint64_t time_ps) const;
+    std::uint64_t phase_ps();
 
     PinListener& pins_;
     Fabric fabric_;
@@ -108,7 +116,10 @@ private:
     const Memory memory_;
     std::uint8_t* const sdram_;
     std::optional<std::uint64_t> seed_;
-    std::uint64_t meetings_ = 0;  // of the two clocks
+    std::uint64_t meetings_ = 0;      // of the two clocks
+    std::uint64_t busy_until_ = 0;    // a clock, by accesses that were made again
+    std::uint64_t calm_until_ = 0;    // a clock
+    std::uint64_t took_[2] = {0, 0};  // clocks: the last read of a register, the last write
     std::function<void(std::uint32_t)> told_ = [](std::uint32_t) {};
     std::uint32_t irq_ = 0;
     bool busy_ = false;

@@ -77,6 +77,11 @@ public:
     };
     // `watch` is called after each access, whatever its answer.  Direct access passes it by.
     void on_access(std::function<void(const Access&)> watch) { watch_ = std::move(watch); }
+    bool is_watched() const { return static_cast<bool>(watch_); }
+    // Counts accesses that an initiator has left out because it knows the answers.
+    void left_out(bool write, std::uint64_t accesses) {
+        (write ? counts_.writes : counts_.reads) += accesses;
+    }
     // The place at `address`: "LEDR", or "" where there is none.
     std::string place(std::uint32_t address) const;
 

@@ -102,6 +102,10 @@ void add_run_options(CLI::App& command, RunOptions& options) {
         .add_option("--cpi", options.cpi,
                     "clocks of 800 MHz that an instruction takes, for --cpu arm: 0.1 to 100")
         ->capture_default_str();
+    command.add_flag(
+        "!--no-shortcuts", options.shortcuts,
+        "executes every round of loops that only wait or count, too; what comes out is\n"
+        "the same, later");
     command
         .add_option("--fpga-memory", options.memory,
                     "how the processor reaches the SDRAM and the on-chip memory.  mapped: at once\n"
@@ -225,7 +229,7 @@ void settle_run_options(const CLI::App& command, RunOptions& options) {
     if (!(options.cpi >= 0.1 && options.cpi <= 100))  // nor NaN, which CLI::Range lets through
         throw CLI::ValidationError("--cpi", "expected a number from 0.1 to 100");
     for (const char* option :
-         {"--cpi", "--gdb", "--system", "--linux-root", "--stdin", "--profile"})
+         {"--cpi", "--no-shortcuts", "--gdb", "--system", "--linux-root", "--stdin", "--profile"})
         if (command.count(option) > 0) options.for_arm.push_back(option);
     if (!options.arguments.empty()) options.for_arm.push_back("--");
     if (traces_a_part(options) && options.trace.empty())

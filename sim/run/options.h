@@ -40,6 +40,7 @@ struct RunOptions {
     std::filesystem::path elf;           // for the processor "arm", or empty
     std::vector<std::string> for_arm;    // options that were given and are for "arm" alone
     double cpi = 1;                      // clocks an instruction of that processor
+    bool shortcuts = true;               // steady loops are not executed round by round
     std::optional<std::string> memory;   // how it reaches the FPGA's memories: "mapped", "bridge"
     std::string system = "auto";         // what the ELF expects: "bare", "linux", "auto"
     std::filesystem::path linux_root;    // the Linux program's /, or empty

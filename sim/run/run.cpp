@@ -108,7 +108,8 @@ ExitCode run_doing(const char*& doing, RunOptions options, const Firmware& firmw
         {trace ? trace->part().string() : "", options.trace_from ? options.trace_from->ps : 0,
          options.trace_to ? options.trace_to->ps : MAX_SIM_TIME.ps},
         *options.memory == "bridge" ? Fpga::Memory::BRIDGED : Fpga::Memory::MAPPED,
-        *options.audio_rate};
+        *options.audio_rate,
+        options.shortcuts};
     std::optional<project::Built> built;
     if (!options.project.place.empty()) {
         doing = "building the project";

@@ -60,21 +60,29 @@ TEST_F(ArmCpu, TakesTheClocksAnInstructionThatItIsTold) {
     EXPECT_EQ(between_writes(), sc_time(2001 * 2.5 * 1.25 + 10, SC_NS));
 }
 
-TEST_F(ArmCpu, SeesAPolledRegisterChangeAMicrosecondLateAtMost) {
+TEST_F(ArmCpu, SeesAPolledRegisterChangeInTheNextRound) {
     load("test_poll");
     sim::Alarm change{"change", [this] { system->probe.values[8] = 1; }};
     change.set(20'000'300);
     run_ms(1);
     const sc_time late = written() - sc_time(20'000'300, sc_core::SC_PS);
-    EXPECT_LT(late, sc_time(1100, SC_NS));
+    EXPECT_LT(late, sc_time(40, SC_NS));
 }
 
 TEST_F(ArmCpu, ReadsAPolledRegisterRarelyWhenNothingChanges) {
     load("test_poll");
     run_ms(10);
-    EXPECT_LT(system->probe.reads, 1'100u);
+    EXPECT_LT(system->probe.reads, 500u);
     EXPECT_EQ(system->cpu.position().polled, 0xFF200008u);
     EXPECT_THAT(system->cpu.position().function, HasSubstr("test_poll"));
+}
+
+TEST_F(ArmCpu, CountsTheReadsThatItLeavesOut) {
+    load("test_poll");
+    run_ms(10);
+    const std::uint64_t round_ps = 3 * 1250 + 10'000;  // of test_poll
+    EXPECT_NEAR(static_cast<double>(system->bus.counts().reads) * round_ps, 10e9, 10e6);
+    EXPECT_NEAR(static_cast<double>(system->cpu.counts().instructions) * round_ps, 30e9, 30e6);
 }
 
 TEST_F(ArmCpu, SeesTheEndOfAPolledTimerAtOnce) {
@@ -85,17 +93,10 @@ TEST_F(ArmCpu, SeesTheEndOfAPolledTimerAtOnce) {
     EXPECT_LT(waited, sc_time(20'200, SC_NS));
 }
 
-TEST_F(ArmCpu, ReadsARunningCounterTenTimesAMicrosecondAtMost) {
-    load("test_poll_counter");
-    run_ms(1);
-    EXPECT_LT(system->bus.counts().reads, 10'000u);
-    EXPECT_GT(system->bus.counts().reads, 8'000u);
-}
-
 TEST_F(ArmCpu, DoesNotCallAProgramWaitingThatHasGoneOn) {
     load("test_poll_and_hang");
     run_ms(1);
-    EXPECT_EQ(system->probe.reads, 100u);
+    EXPECT_EQ(system->bus.counts().reads, 100u);
     EXPECT_FALSE(system->cpu.position().polled);
 }
 

@@ -134,18 +134,28 @@ Code::Page& Code::use(std::uint32_t page, std::uint32_t physical) {
     return pages_[page] = {physical, {}};
 }
 
+void Code::translated_word(std::uint32_t page, std::uint32_t physical, std::uint32_t word) {
+    use(page, physical).words[word] = true;
+    words_[physical][word] = true;
+    asked_ = ~0u;
+}
+
 void Code::written(std::uint32_t physical_address, std::uint32_t bytes,
                    const std::function<void(std::uint32_t, std::uint32_t)>& invalidate) {
     while (bytes > 0) {
         const std::uint32_t offset = physical_address & 0xFFF;
         const std::uint32_t now = std::min(bytes, 0x1000 - offset);
-        const auto pages = pages_of_.find(physical_address >> 12);
+        const std::uint32_t last_word = (offset + now - 1) / 4;
+        const Words* const words = words_of(physical_address >> 12);
+        bool any = false;
+        for (std::uint32_t word = offset / 4; words && !any && word <= last_word; ++word)
+            any = (*words)[word];
+        const auto pages = any ? pages_of_.find(physical_address >> 12) : pages_of_.end();
         if (pages != pages_of_.end()) {
             for (const std::uint32_t page : pages->second) {
-                auto& words = pages_[page].words;
+                const Words& here = pages_[page].words;
                 bool used = false;
-                for (std::uint32_t word = offset / 4; word <= (offset + now - 1) / 4; ++word)
-                    used |= words[word];
+                for (std::uint32_t word = offset / 4; word <= last_word; ++word) used |= here[word];
                 if (!used) continue;
                 straight_.fill({});
                 far_end_ = 0;
@@ -170,6 +180,8 @@ void Code::forget() {
     blocks_.clear();
     pages_.clear();
     pages_of_.clear();
+    words_.clear();
+    asked_ = ~0u;
 }
 
 }  // namespace sim

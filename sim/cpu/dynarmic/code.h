@@ -74,8 +74,9 @@ public:
         std::bitset<1024> words;  // those that have been translated
     };
     // `page` and `physical` are page numbers.
-    Page& use(std::uint32_t page, std::uint32_t physical);
-    bool has_code(std::uint32_t physical) const { return pages_of_.count(physical) != 0; }
+    bool has_code(std::uint32_t physical) const { return words_of(physical) != nullptr; }
+    // Notes that the word at this address of the physical page has been translated.
+    void translated_word(std::uint32_t page, std::uint32_t physical, std::uint32_t word);
     // Calls `invalidate(virtual address, bytes)` for what was translated from these words.
     void written(std::uint32_t physical_address, std::uint32_t bytes,
                  const std::function<void(std::uint32_t, std::uint32_t)>& invalidate);
@@ -86,6 +87,18 @@ private:
         unsigned quiet = 0, patience = 0;  // steps without such an access; how many are allowed
         bool direct = false;
     };
+
+    using Words = std::bitset<1024>;
+    Page& use(std::uint32_t page, std::uint32_t physical);
+    // Of a physical page, all that were translated at any virtual one; nullptr: none.
+    const Words* words_of(std::uint32_t physical) const {
+        if (physical != asked_) {
+            const auto found = words_.find(physical);
+            asked_ = physical;
+            answer_ = found == words_.end() ? nullptr : &found->second;
+        }
+        return answer_;
+    }
 
     struct Straight {
         std::uint32_t pc = 0, thumb = 0;
@@ -101,6 +114,9 @@ private:
     std::map<std::uint32_t, std::uint32_t> blocks_;         // begin to end
     std::unordered_map<std::uint32_t, Page> pages_;         // by virtual number
     std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> pages_of_;  // by physical number
+    std::unordered_map<std::uint32_t, Words> words_;                          // likewise
+    mutable std::uint32_t asked_ = ~0u;  // the last page, and what words_ has of it
+    mutable const Words* answer_ = nullptr;
 };
 
 }  // namespace sim

@@ -109,7 +109,7 @@ std::optional<std::uint32_t> ArmCore::Engine::MemoryReadCode(std::uint32_t addre
     if (!page.code || !(page.access & arm_access::EXECUTE)) return std::nullopt;
     if (!user_may(address, arm_access::EXECUTE)) privileged_code.insert(address >> 12);
     if (page.bytes && !code.has_code(page.physical >> 12)) pages.close_bytes(page.bytes);
-    code.use(address >> 12, page.physical >> 12).words[(address & 0xFFF) / 4] = true;
+    code.translated_word(address >> 12, page.physical >> 12, (address & 0xFFF) / 4);
     std::uint32_t word;
     std::memcpy(&word, page.code + (address & 0xFFC), sizeof word);
 
@@ -166,7 +166,7 @@ bool ArmCore::Engine::IsReadOnlyMemory(std::uint32_t address) {
 
 void ArmCore::Engine::note_literal(std::uint32_t address) {
     const PageTable::Page& page = page_of(address);
-    code.use(address >> 12, page.physical >> 12).words[(address & 0xFFF) / 4] = true;
+    code.translated_word(address >> 12, page.physical >> 12, (address & 0xFFF) / 4);
 }
 
 // dynarmic reads a literal in the same way as the program does, and only then is it known to be of

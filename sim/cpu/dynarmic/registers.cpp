@@ -1,5 +1,6 @@
 // registers.cpp - ArmCore's registers and memory seen from outside, and their state after reset.
 #include <algorithm>
+#include <cstring>
 
 #include "sim/cpu/dynarmic/engine.h"
 
@@ -91,6 +92,30 @@ void ArmCore::attach(ArmTally* tally) {
 void ArmCore::watch(ArmWatch* watch) {
     if ((watch == nullptr) != (engine_->watch == nullptr)) engine_->forget_mappings();
     engine_->watch = watch;
+}
+
+// ---- For those who know what the program will do ------------------------------------------------
+
+std::optional<std::uint32_t> ArmCore::code_at(std::uint32_t pc) {
+    const Engine& e = *engine_;
+    if (e.tally || e.watch || e.probe) return std::nullopt;
+    return e.code.instruction(pc, false);
+}
+
+ArmCore::Place ArmCore::place(std::uint32_t address, bool write) {
+    const PageTable::Page& page = engine_->page_of(address);
+    const unsigned right = write ? arm_access::WRITE : arm_access::READ;
+    if (!(page.access & right)) return {};
+    if (page.bytes) return {page.bytes + (address & 0xFFF), {}};
+    if (page.normal) return {};
+    return {nullptr, page.physical | (address & 0xFFF)};
+}
+
+void ArmCore::store_word(std::uint32_t address, std::uint32_t value) {
+    Engine& e = *engine_;
+    const PageTable::Page& page = e.page_of(address);
+    e.forget_code(page.physical | (address & 0xFFF), sizeof value);
+    std::memcpy(page.bytes + (address & 0xFFF), &value, sizeof value);
 }
 
 // ---- Memory -------------------------------------------------------------------------------------

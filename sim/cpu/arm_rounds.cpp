@@ -1,0 +1,187 @@
+// arm_rounds.cpp - ArmCpu's shortcut: the rounds of a steady loop are not executed one by one
+//
+// The state after them is computed (steady_loop.h), and so is their time: that of the instructions,
+// and of each access to the bus as it would have been.  So all is as without the shortcut.  It ends
+// before SystemC's next event, before anything changes that the program reads, and one round before
+// the loop ends; that round is executed and sets the flags.
+#include <algorithm>
+
+#include "sim/cpu/arm_cpu.h"
+
+namespace sim {
+
+using sc_core::sc_time;
+
+namespace {
+
+constexpr std::uint32_t FPGA_MEMORY = 0xC0000000;  // which the FPGA may write, too
+constexpr unsigned WORTH = 64;                     // instructions: of fewer it is not
+constexpr unsigned FEW = 16;                       // instructions until one is known
+constexpr unsigned LOOKS = 4;                      // in vain, one after another
+constexpr unsigned LONGEST_PAUSE = 8;              // quanta
+
+}  // namespace
+
+class ArmCpu::LoopWorld final : public SteadyLoop::World {
+public:
+    LoopWorld(ArmCore& core, Answers& answers, std::uint64_t epoch)
+        : core_{core}, answers_{answers}, epoch_{epoch} {}
+
+    std::optional<std::uint32_t> code(std::uint32_t pc) override { return core_.code_at(pc); }
+    Place place(std::uint32_t address, bool write) override {
+        const ArmCore::Place place = core_.place(address, write);
+        fpga_memory |= place.ram && address >= FPGA_MEMORY;
+        return {place.ram, place.bus.has_value(), place.bus.value_or(0)};
+    }
+    std::optional<std::uint32_t> answer(const SteadyLoop::Use& use) override {
+        const auto known = answers_.last(use.address, use.bytes, use.write, epoch_);
+        unknown |= !known;
+        if (!known || (use.write && known->value != use.value)) return std::nullopt;
+        sure &= known->sure;
+        return known->value;
+    }
+
+    bool sure = true, unknown = false, fpga_memory = false;
+
+private:
+    ArmCore& core_;
+    Answers& answers_;
+    const std::uint64_t epoch_;
+};
+
+std::uint64_t ArmCpu::epoch() const { return events_ + (steady_bus_ ? steady_bus_->changes() : 0); }
+
+// Called before each quantum of `most` instructions; returns how many to execute before the next
+// call.
+std::uint64_t ArmCpu::pass_rounds(std::uint64_t most) {
+    if (!shortcuts_ || inspector_ || reset_ || let_in() || !again_.empty()) return most;
+    if (pause_ > 0) {
+        --pause_;
+        return most;
+    }
+    LoopWorld world{core_, answers_, epoch()};
+    std::uint64_t next = 0;  // 0: it has been in vain
+    if (loop_.follow(loop_registers(), world)) {
+        const bool on_bus = loop_.use_count() > 0;
+        if (!on_bus) {
+            if (pass_memory(most)) return std::max<std::uint64_t>(budget(), 1);
+        } else if (world.sure && steady_bus_ && !world.fpga_memory) {
+            if (pass_bus()) return std::min(2 * std::uint64_t{loop_.instructions()}, budget());
+        } else if (!world.sure) {
+            next = loop_.instructions();
+        }
+    } else if (world.unknown) {
+        next = loop_.instructions() + FEW;
+    } else if (loop_.ahead()) {
+        next = *loop_.ahead();
+    }
+    if (next == 0 || ++looks_ >= LOOKS) {
+        looks_ = 0;
+        pause_ = longest_pause_;
+        longest_pause_ = std::min(2 * longest_pause_ + 1, LONGEST_PAUSE);
+        return most;
+    }
+    return std::min(most, next);
+}
+
+void ArmCpu::passed(std::uint64_t rounds) {
+    const SteadyLoop::Registers after = loop_.after(rounds);
+    for (unsigned i = 0; i < 15; ++i)
+        if (after.r[i] != core_.reg(i)) core_.set_reg(i, after.r[i]);
+    for (unsigned i = 0; i < loop_.word_count(); ++i) {
+        const SteadyLoop::Word& word = loop_.words()[i];
+        if (!word.value.fixed())
+            core_.store_word(word.address, word.value.base + static_cast<std::uint32_t>(rounds) *
+                                                                 word.value.step);
+    }
+    core_.pass(rounds * loop_.instructions());
+    looks_ = longest_pause_ = 0;
+}
+
+// Of a loop that stays in memory.  False: it has not been worth it.
+bool ArmCpu::pass_memory(std::uint64_t most) {
+    const std::uint64_t rounds = std::min(loop_.rounds(), most / loop_.instructions());
+    if (rounds < 2 || (rounds - 1) * loop_.instructions() < WORTH) return false;
+    passed(rounds - 1);
+    account();
+    return true;
+}
+
+// Of one that uses the bus.  False likewise.
+bool ArmCpu::pass_bus() {
+    const std::uint64_t now = sc_core::sc_time_stamp().value(), end = now + horizon().value();
+    std::uint64_t round_ps = loop_.instructions() * instruction_ps_, waits_ps = 0;
+    bool all_fixed = true;
+    for (unsigned i = 0; i < loop_.use_count(); ++i) {
+        const std::uint64_t fixed = steady_bus_->fixed_ps(loop_.uses()[i].address);
+        all_fixed &= fixed > 0;
+        waits_ps += fixed;
+    }
+    round_ps += waits_ps;
+    const std::uint64_t begin = now + ahead_.value();
+    std::uint64_t time = begin, rounds = 0;
+    if (all_fixed) {
+        if (end <= time) return false;
+        rounds = std::min(loop_.rounds(), (end - time) / round_ps);
+        if (rounds < 2) return false;
+        time += --rounds * round_ps;
+    } else {
+        while (rounds + 1 < loop_.rounds() && go_round(time, end)) ++rounds;
+        if (rounds == 0) return !again_.empty();
+    }
+    for (unsigned i = 0; i < loop_.use_count(); ++i)
+        steady_bus_->left_out(loop_.uses()[i].write, rounds);
+    passed(rounds);
+    accounted_ += rounds * loop_.instructions();
+    ahead_ = sc_time::from_value(time - now);
+    counts_.on_bus +=
+        sc_time::from_value(time - begin - rounds * loop_.instructions() * instruction_ps_);
+    return true;
+}
+
+// The accesses of a round from `time` on.  False: they cannot all be left out before `end`; those
+// that can are kept in `again_`, and the round is executed.
+bool ArmCpu::go_round(std::uint64_t& time, std::uint64_t end) {
+    std::uint64_t at = time;
+    unsigned done = 0;
+    again_.clear();
+    for (unsigned i = 0; i < loop_.use_count(); ++i) {
+        const SteadyLoop::Use& use = loop_.uses()[i];
+        at += (use.at - done) * instruction_ps_;
+        done = use.at;
+        if (at >= end) break;
+        const std::uint64_t fixed = steady_bus_->fixed_ps(use.address);
+        if (fixed && at + fixed >= end) break;
+        const auto answered = fixed ? at + fixed : steady_bus_->again(use.write, at);
+        if (!answered) break;
+        again_.push_back(*answered);
+        at = *answered;
+    }
+    at += (loop_.instructions() - done) * instruction_ps_;
+    if (again_.size() == loop_.use_count() && at < end) {
+        again_.clear();
+        time = at;
+        return true;
+    }
+    for (std::size_t i = 0; i < again_.size(); ++i) steady_bus_->left_out(loop_.uses()[i].write, 1);
+    std::reverse(again_.begin(), again_.end());
+    return false;
+}
+
+// The register that a loop reads in which the program is.
+std::optional<std::uint32_t> ArmCpu::polled() {
+    LoopWorld world{core_, answers_, 0};
+    SteadyLoop loop;
+    if (!loop.follow_with_flags(loop_registers(), world)) return std::nullopt;
+    for (unsigned i = 0; i < loop.use_count(); ++i)
+        if (!loop.uses()[i].write) return loop.uses()[i].address;
+    return std::nullopt;
+}
+
+SteadyLoop::Registers ArmCpu::loop_registers() const {
+    SteadyLoop::Registers registers{{}, core_.cpsr()};
+    for (unsigned i = 0; i < 16; ++i) registers.r[i] = core_.reg(i);
+    return registers;
+}
+
+}  // namespace sim
