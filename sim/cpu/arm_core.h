@@ -13,12 +13,15 @@
 // dynarmic, the first bus access of an instruction that has only accessed RAM before can happen at
 // too low a count, by less than a basic block; it is the same in every run.
 //
-// Not handled: the second core; caches (instructions that maintain them do nothing); alignment
-// faults; SMC and HVC are undefined instructions.  With dynarmic also: LDRT, STRT and their kind,
-// SWP, and these of NEON, which are undefined: VQRSHL, V(R)ADDHN, V(R)SUBHN, VQDMLAL, VQDMLSL,
-// VQDMULL, VQADD and VQSUB of 64 bits; FPSCR's cumulative flags of exceptions are not exact; code
-// that the translation tables keep from the user mode is translated anew after each return to that
-// mode.  With Unicorn also: no memory is Normal to the bus, PMCCNTR reads 0, DFAR of an abort from
+// Unaligned loads and stores abort as in ARM DDI 0406C, A3.2.1.  In Normal memory those that may be
+// unaligned take 50 ns.
+//
+// Not handled: the second core; caches (instructions that maintain them do nothing); SMC and HVC
+// are undefined instructions.  With dynarmic also: LDRT, STRT and their kind, SWP, and these of
+// NEON, which are undefined: VQRSHL, V(R)ADDHN, V(R)SUBHN, VQDMLAL, VQDMLSL, VQDMULL, VQADD and
+// VQSUB of 64 bits; FPSCR's cumulative flags of exceptions are not exact; code that the translation
+// tables keep from the user mode is translated anew after each return to that mode.  With Unicorn
+// also: alignment faults, no memory is Normal to the bus, PMCCNTR reads 0, DFAR of an abort from
 // the translation tables reads 0.
 #pragma once
 
@@ -110,6 +113,10 @@ struct ArmFault {
     bool mmu = false;  // by the translation tables, or nothing is mapped
     // Of an abort by the translation tables: fault status as in DFSR and IFSR, without DFSR.WnR.
     std::uint32_t status = 0x5;
+    // Of an unaligned access, status 0x1: the address should have been a multiple of this;
+    // `always`: whatever the memory's type and SCTLR.A.
+    std::uint32_t multiple_of = 1;
+    bool always = false;
 };
 
 // Numbers of the exceptions' modes in the CPSR.
@@ -126,7 +133,9 @@ constexpr std::uint32_t T = 1u << 5, F = 1u << 6, I = 1u << 7, A = 1u << 8, E = 
 // What programs may do with memory.
 namespace arm_access {
 constexpr unsigned READ = 1, WRITE = 2, EXECUTE = 4, ALL = 7;
-}
+// Normal memory although the MMU is off: an operating system that is emulated has its tables.
+constexpr unsigned NORMAL = 8;
+}  // namespace arm_access
 
 // A register of coprocessor 15: MRC p15, op1, Rt, CRn, CRm, op2.
 struct Cp15 {
@@ -167,11 +176,14 @@ public:
     // Sees every load and store; nullptr takes it away.  Not in run().
     void watch(ArmWatch* watch);
 
-    // SVC mode, interrupts off, VFP and NEON on, MMU and caches off; `entry` bit 0 is Thumb.
+    // SVC mode, interrupts off, VFP and NEON off, MMU and caches off; `entry` bit 0 is Thumb.
     void reset(std::uint32_t entry, std::uint32_t stack);
 
     // Runs at most `limit` instructions.
     ArmStop run(std::uint64_t limit);
+    // One load or store at whatever address, a byte at a time, as an operating system does it after
+    // the fault.
+    ArmStop run_by_bytes();
     // Whether the core calls ArmBus::passes_wfi() and unmasked().
     static const bool TELLS_OF_MASKS;
     // From the bus: run() ends before the next instruction.
@@ -193,6 +205,10 @@ public:
     void set_spsr(std::uint32_t value);
     std::uint64_t vfp(unsigned number) const;  // d0 - d31
     void set_vfp(unsigned number, std::uint64_t value);
+    // CPACR and FPEXC.EN, as an operating system sets them, and whether they let VFP and NEON be
+    // used in the present mode.
+    void set_floating_point(bool on);
+    bool floating_point() const;
     std::uint32_t fpscr() const;
     void set_fpscr(std::uint32_t value);
     std::uint32_t cp15(const Cp15& name) const;

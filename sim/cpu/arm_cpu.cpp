@@ -198,7 +198,7 @@ void ArmCpu::handle(ArmStop stop) {
             else
                 raise(ArmException::SVC, 0, "supervisor call");
             break;
-        case ArmStop::UNDEFINED: raise(ArmException::UNDEFINED, 0, "undefined instruction"); break;
+        case ArmStop::UNDEFINED: raise(ArmException::UNDEFINED, 0, undefined()); break;
         case ArmStop::PREFETCH_ABORT:
             raise(ArmException::PREFETCH_ABORT,
                   core_.fault().mmu ? core_.fault().status & 0x40F : fault_status::EXTERNAL,
@@ -211,7 +211,9 @@ void ArmCpu::handle(ArmStop stop) {
         case ArmStop::DATA_ABORT: {
             const ArmFault& f = core_.fault();
             const std::uint32_t direction = f.write ? fault_status::WRITE : 0;
-            if (f.mmu)
+            if (f.mmu && f.status == fault_status::ALIGNMENT)
+                raise(ArmException::DATA_ABORT, f.status | direction, unaligned());
+            else if (f.mmu)
                 raise(ArmException::DATA_ABORT, f.status | direction,
                       "data abort: refused by the translation tables");
             else
@@ -260,8 +262,8 @@ void ArmCpu::raise(ArmException exception, std::uint32_t status, const std::stri
         if (!inspector_ || !inspector_->on_failure(core_, exception)) fail(text + why + callers());
     };
     std::uint32_t word = 0;
-    if (core_.pc() - (vector & ~0x1fu) < 0x20 && !asynchronous)
-        return give_up(", in the vector table itself");
+    if (core_.pc() == vector && !asynchronous)
+        return give_up(", in its own vector");
     if (!core_.read_ram(vector, &word, sizeof word) || word == 0)
         return give_up(fmt::format("; no vector at 0x{:08X}", vector));
     if (unhandled(exception)) return give_up(", for the second time within its handler");

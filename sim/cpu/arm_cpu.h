@@ -29,7 +29,7 @@
 // round by round: the state and the time after many of them are computed.  That cannot be seen from
 // outside, nor by the program: all counts and times are those of the rounds (arm_rounds.cpp).
 //
-// Boot: pc is the ELF's entry, SVC mode, interrupts off, VFP and NEON on, SP at the top of DDR3.
+// Boot: pc is the ELF's entry, SVC mode, interrupts off, VFP and NEON off, SP at the top of DDR3.
 //
 // An access without a target is a data abort in the program, and a line to `log`.  A program has
 // failed, see fault(), if it has no vector for an exception (the table's word is 0 or there is no
@@ -247,6 +247,8 @@ private:
     void look_astray();
     std::string callers() const;
     std::string no_code() const;
+    std::string undefined() const;
+    std::string unaligned() const;
     void look_for_end();
     void look_for_death();
 

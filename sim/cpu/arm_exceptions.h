@@ -22,9 +22,10 @@ namespace sim {
 enum class ArmException { UNDEFINED, SVC, PREFETCH_ABORT, DATA_ABORT, IRQ, FIQ };
 
 // Fault status: an abort from the bus (synchronous external, not on a table walk), one from the
-// translation tables, a BKPT instruction.
+// translation tables, an unaligned access, a BKPT instruction.
 namespace fault_status {
-constexpr std::uint32_t EXTERNAL = 0x8, TRANSLATION = 0x5, DEBUG = 0x2, WRITE = 1u << 11;
+constexpr std::uint32_t ALIGNMENT = 0x1, EXTERNAL = 0x8, TRANSLATION = 0x5, DEBUG = 0x2,
+                        WRITE = 1u << 11;
 }
 
 std::uint32_t vector_of(const ArmCore& core, ArmException exception);

@@ -35,7 +35,7 @@ void AddressSpace::connect(Areas::const_iterator area) {
     if (what.on_bus)
         core_.map_bus(begin, what.end - begin, what.physical, what.access);
     else
-        core_.map_ram(begin, what.end - begin, host_ + begin, what.access);
+        core_.map_ram(begin, what.end - begin, host_ + begin, what.access | arm_access::NORMAL);
 }
 
 void AddressSpace::disconnect(Areas::const_iterator area) {

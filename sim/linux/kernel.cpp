@@ -1,4 +1,5 @@
 #include "sim/linux/kernel.h"
+#include "sim/linux/alignment.h"
 
 #include <cerrno>
 #include <csignal>
@@ -75,6 +76,8 @@ void LinuxKernel::exception(ArmCore& core, ArmException exception, const ArmFaul
                             const std::string& what) {
     switch (exception) {
         case ArmException::DATA_ABORT:
+            if (fault.mmu && fault.status == fault_status::ALIGNMENT)
+                return unaligned(core, fault, what);
             if (!fault.mmu) return signal(SIGBUS, fault.address, what, true);
             return signal(
                 SIGSEGV, fault.address,
@@ -85,6 +88,23 @@ void LinuxKernel::exception(ArmCore& core, ArmException exception, const ArmFaul
             return signal(SIGSEGV, core.pc(), "no instruction to be read", true);
         default: return signal(SIGILL, core.pc(), what, true);
     }
+}
+
+void LinuxKernel::unaligned(ArmCore& core, const ArmFault& fault, const std::string& what) {
+    const bool thumb = core.cpsr() & arm_cpsr::T;
+    const std::uint32_t pc = core.pc();
+    std::uint16_t halves[2]{};
+    memory_.read(pc, &halves[0], 2);
+    const bool wide = !thumb || halves[0] >= 0xE800;
+    if (wide) memory_.read(pc + 2, &halves[1], 2);
+    const std::uint32_t word = !thumb ? halves[0] | std::uint32_t{halves[1]} << 16
+                               : wide ? std::uint32_t{halves[0]} << 16 | halves[1]
+                                      : halves[0];
+    if (!kernel_does_unaligned(word, thumb)) return signal(SIGBUS, fault.address, what, true);
+    if (unaligned_.insert(pc).second)
+        outside_.log(fmt::format("{}; Linux does it byte by byte, {}", what, cpu_.where()));
+    if (core.run_by_bytes() == ArmStop::DATA_ABORT)
+        exception(core, ArmException::DATA_ABORT, core.fault(), "data abort");
 }
 
 // ---- Signals ------------------------------------------------------------------------------------

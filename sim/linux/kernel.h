@@ -192,6 +192,7 @@ private:
     Result sys_tgkill(const Arguments&);
     // Calls the handler, or ends the program.  `forced`: caused by its own instruction, so it
     // cannot be blocked.
+    void unaligned(ArmCore& core, const ArmFault& fault, const std::string& what);
     void signal(unsigned number, std::uint32_t address, const std::string& why, bool forced);
     void deliver_pending();
 
@@ -210,7 +211,8 @@ private:
     sc_core::sc_time line_free_;  // when the console's line has taken all that was printed
     std::uint64_t random_;
     std::uint32_t umask_ = 022;
-    std::set<std::uint32_t> named_;  // calls that were named on the log
+    std::set<std::uint32_t> unaligned_;  // instructions of which the log was told
+    std::set<std::uint32_t> named_;      // calls that were named on the log
     std::optional<int> exit_code_;
 };
 

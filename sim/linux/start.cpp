@@ -179,7 +179,7 @@ KernelHelpers::KernelHelpers(ArmCore& core) : core_{core} {
 KernelHelpers::~KernelHelpers() { munmap(page_, AddressSpace::PAGE); }
 
 void KernelHelpers::connect() {
-    core_.map_ram(HELPERS, AddressSpace::PAGE, page_, arm_access::READ | arm_access::EXECUTE);
+    core_.map_ram(HELPERS, AddressSpace::PAGE, page_, arm_access::READ | arm_access::EXECUTE | arm_access::NORMAL);
 }
 
 void KernelHelpers::set_tls(std::uint32_t value) {
@@ -193,6 +193,7 @@ std::uint32_t start_linux_program(ArmCore& core, AddressSpace& memory, const Elf
                                   const std::vector<std::string>& arguments) {
     map_segments(memory, program);
     const std::uint32_t sp = make_stack(memory, program, arguments);
+    core.set_floating_point(true);
     core.set_cpsr(arm_mode::USR | arm_cpsr::I | arm_cpsr::F |
                   (program.entry & 1 ? arm_cpsr::T : 0));
     for (unsigned number = 0; number < 15; ++number) core.set_reg(number, 0);

@@ -1,6 +1,7 @@
-@ start.S - vectors, stacks, main, sleep: IRQ's stack in the on-chip RAM, the program's at DDR3's end
+@ start.S - vectors, stacks, floating point, main, sleep: IRQ's stack in the on-chip RAM, the program's at DDR3's end
     .syntax unified
     .arch armv7-a
+    .fpu neon
     .arm
 
     .section .vectors, "ax"
@@ -22,6 +23,14 @@ reset:
     ldr sp, =0xFFFFFFF8
     msr cpsr_c, #0xD3               @ SVC mode
     ldr sp, =0x3FFFFFF8
+#ifdef __ARM_NEON
+    mrc p15, 0, r0, c1, c0, 2       @ CPACR: coprocessors 10 and 11 are the floating-point unit
+    orr r0, r0, #0xF << 20
+    mcr p15, 0, r0, c1, c0, 2
+    isb
+    mov r0, #1 << 30                @ FPEXC.EN
+    vmsr fpexc, r0
+#endif
     bl main
 1:  wfi
     b 1b

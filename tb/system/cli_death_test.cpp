@@ -25,7 +25,7 @@ protected:
 #define PLACE "at [0-9.]+ ms, PC 0x[0-9A-F]+ in [a-z_+0-9x]+"
 
 TEST_F(DyingProgram, FailsWhenItsUndefinedInstructionEndsInASpinningVector) {
-    dies(UNDEFINED_ELF, "undefined instruction " PLACE "; never left its handler: " PLACE);
+    dies(UNDEFINED_ELF, "undefined instruction: udf #0 " PLACE "; never left its handler: " PLACE);
 }
 
 TEST_F(DyingProgram, FailsWhenItsPrefetchAbortEndsInASpinningVector) {

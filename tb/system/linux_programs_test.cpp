@@ -201,6 +201,23 @@ TEST_F(LinuxProgram, IsEndedByAnAccessThatNobodyAnswers) {
     expect_end("bus", {"SIGBUS", "read of 4 bytes at 0xFF2FF000", "in read_unanswered"});
 }
 
+// As the kernel's alignment trap does by default.
+TEST_F(LinuxProgram, MayAccessUnalignedWordsWhereLinuxMendsIt) {
+    EXPECT_EQ(linux_run("unaligned").exit_code, 0);
+    EXPECT_EQ(console(),
+              "ldr 04030201\n"
+              "ldm 06050403 0a090807\n"
+              "strd 0\n"
+              "vldr SIGBUS at +2\n"
+              "ldrex SIGBUS at +1\n"
+              "leds 00000001\n"
+              "ldr.w SIGBUS at +1\n");
+    const nlohmann::json log = report()["log"]["first"];
+    ASSERT_THAT(log, SizeIs(4)) << "LDM, STRD, and the LDR of a device, beside LEDR";
+    EXPECT_THAT(log[0].get<std::string>(),
+                AllOf(HasSubstr("ldm.w r"), HasSubstr("Linux does it byte by byte")));
+}
+
 TEST_F(LinuxProgram, IsEndedByAbort) { expect_end("abort", {"SIGABRT"}); }
 
 TEST_F(LinuxProgram, FailsTheRunByAnExitCode) {

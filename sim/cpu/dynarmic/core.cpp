@@ -31,7 +31,6 @@ ArmCore::Engine::Engine(ArmCore& core_, ArmBus& bus_)
                            ~(OptimizationFlag::ReturnStackBuffer | OptimizationFlag::FastDispatch);
     config.page_table = pages.direct();
     config.detect_misaligned_access_via_page_table = 16 | 32 | 64;
-    config.only_detect_misalignment_via_page_table_on_page_boundary = true;
     config.coprocessors[15] = std::make_shared<ThreadRegisters>(cp15);
     config.hook_hint_instructions = true;
     config.check_halt_on_memory_access = true;
@@ -79,6 +78,7 @@ bool ArmCore::Engine::done_directly(std::uint32_t pc, std::uint32_t before) {
     const auto word = code.instruction(pc, in_thumb);
     const auto access =
         single_access(word.value_or(0), in_thumb, pc, r().data(), jit->Cpsr() >> 29 & 1);
+    required = {access->bytes, false, false};
     unaccounted = before + 1;
     core.count_ += unaccounted;
     core.last_pc_ = pc;
@@ -157,6 +157,13 @@ ArmStop ArmCore::run(std::uint64_t limit) {
     return ArmStop::LIMIT;
 }
 
+ArmStop ArmCore::run_by_bytes() {
+    engine_->by_bytes = true;
+    const auto stop = engine_->step();
+    engine_->by_bytes = false;
+    return stop.value_or(ArmStop::LIMIT);
+}
+
 std::optional<ArmStop> ArmCore::Engine::next(std::uint64_t left) {
     if (overfull) forget_blocks();
     const std::uint32_t pc = r()[15];
@@ -233,6 +240,15 @@ std::optional<ArmStop> ArmCore::Engine::step() {
     block = {};
     core.last_pc_ = pc;
     ++core.count_;
+    const std::uint32_t word = code.instruction(pc, thumb()).value_or(0);
+    requires_of(word, thumb());
+    if (required.beyond_pieces) {
+        reached = true;
+        if (const auto address = unaligned_structure(word)) {
+            core.fault_ = unaligned(*address, !(word >> 21 & 1));
+            return ArmStop::DATA_ABORT;
+        }
+    }
     stepping = true;
     jit->Step();
     std::optional<ArmStop> stop;

@@ -11,8 +11,8 @@ struct Reset {
 };
 constexpr Reset PLAIN[] = {
     {cp15::SCTLR, 0x00C50078},
-    {{1, 0, 0, 1}, 0},          // ACTLR
-    {cp15::CPACR, 0x00F00000},  // VFP and NEON for all
+    {{1, 0, 0, 1}, 0},  // ACTLR
+    {cp15::CPACR, 0},   // neither VFP nor NEON
     {cp15::SCR, 0},
     {{1, 0, 1, 1}, 0},      // SDER
     {{1, 0, 1, 2}, 0xC00},  // NSACR

@@ -16,7 +16,8 @@
 
 namespace sim {
 
-constexpr std::uint32_t SCTLR_M = 1;  // addresses are translated
+constexpr std::uint32_t SCTLR_M = 1;        // addresses are translated
+constexpr std::uint32_t SCTLR_A = 1u << 1;  // nothing may be unaligned
 
 class Cp15Registers {
 public:

@@ -7,6 +7,7 @@
 #include <cstring>
 
 #include "sim/cpu/dynarmic/engine.h"
+#include "sim/cpu/dynarmic/instructions.h"
 #include "sim/cpu/dynarmic/translation_tables.h"
 
 namespace sim {
@@ -35,6 +36,7 @@ const PageTable::Page& ArmCore::Engine::page_of(std::uint32_t address) {
         return page;
     }
     page.access &= area->access;
+    page.normal |= (area->access & arm_access::NORMAL) != 0;
     const std::uint32_t offset = to.physical - area->base;
     page.physical = area->bytes ? to.physical : area->bus_base + offset;
     page.code = area->bytes ? area->bytes + offset : nullptr;
@@ -78,8 +80,38 @@ bool ArmCore::Engine::before_access(std::uint32_t address, unsigned bytes, bool 
     return refuse(address, write, true, page.status);
 }
 
+// An access to an address that is no multiple of its size: false, and it must not be done, if it
+// is refused, or left to a step, which knows its instruction.
+bool ArmCore::Engine::may_be_unaligned(std::uint32_t address, bool write) {
+    if (aborted || watched || missed || miss(address)) return false;
+    reached = true;
+    if (address % required.bytes == 0) return true;
+    const bool strict = required.always || (cp15.value(cp15::SCTLR) & SCTLR_A);
+    const PageTable::Page& page = page_of(address);
+    if (by_bytes || (!strict && (page.normal || page.access == 0))) return true;
+    refuse(address, write, true, ALIGNMENT_FAULT);
+    core.fault_ = unaligned(address, write);
+    return false;
+}
+
+ArmFault ArmCore::Engine::unaligned(std::uint32_t address, bool write) const {
+    return {address, write, true, ALIGNMENT_FAULT, required.bytes, required.always};
+}
+
+// The address of VLD1 and its like, if :<align> asks for more than it is.
+std::optional<std::uint32_t> ArmCore::Engine::unaligned_structure(std::uint32_t word) {
+    const unsigned it = it_state(jit->Cpsr());
+    const bool skipped = thumb() && (it & 0xF) != 0 && !condition_holds(it >> 4, jit->Cpsr());
+    const std::uint32_t address = r()[word >> 16 & 0xF];
+    if (!required.beyond_pieces || skipped || address % required.bytes == 0 || !floating_point())
+        return std::nullopt;
+    return address;
+}
+
 template <class T>
 T ArmCore::Engine::load(std::uint32_t address) {
+    if (address % sizeof(T) != 0 && !is_literal(address) && !may_be_unaligned(address, false))
+        return 0;
     const bool in_page = (address & PAGE_MASK) + sizeof(T) <= PAGE_MASK + 1;
     if (!in_page || !page_of(address).bytes) return load_pieces<T>(address);
     if (!before_access(address, sizeof(T), false)) return 0;
@@ -97,7 +129,8 @@ T ArmCore::Engine::load_pieces(std::uint32_t address) {
     std::uint64_t value = 0;
     for (unsigned done = 0, bytes; done < sizeof(T); done += bytes) {
         const std::uint32_t at = address + done;
-        bytes = sizeof(T) - done >= 4 && at % 4 == 0   ? 4
+        bytes = by_bytes                               ? 1
+                : sizeof(T) - done >= 4 && at % 4 == 0 ? 4
                 : sizeof(T) - done >= 2 && at % 2 == 0 ? 2
                                                        : 1;
         if (!before_access(at, bytes, false)) return 0;
@@ -115,12 +148,14 @@ T ArmCore::Engine::load_pieces(std::uint32_t address) {
 
 template <class T>
 void ArmCore::Engine::store(std::uint32_t address, T value) {
+    if (address % sizeof(T) != 0 && !may_be_unaligned(address, true)) return;
     for (unsigned done = 0, bytes; done < sizeof(T); done += bytes) {
         const std::uint32_t at = address + done, left = sizeof(T) - done;
         const bool in_page = (at & PAGE_MASK) + left <= PAGE_MASK + 1;
         if (!before_access(at, in_page ? left : 1, true)) return;
         const PageTable::Page& page = page_of(at);
         bytes = page.bytes && in_page      ? left
+                : by_bytes                 ? 1
                 : left >= 4 && at % 4 == 0 ? 4
                 : left >= 2 && at % 2 == 0 ? 2
                                            : 1;

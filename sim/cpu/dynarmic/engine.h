@@ -20,6 +20,7 @@
 #include <vector>
 
 #include "sim/cpu/arm_core.h"
+#include "sim/cpu/dynarmic/alignment.h"
 #include "sim/cpu/dynarmic/code.h"
 #include "sim/cpu/dynarmic/cp15.h"
 #include "sim/cpu/dynarmic/memory_map.h"
@@ -37,7 +38,7 @@ struct ArmCore::Engine final : Dynarmic::A32::UserCallbacks {
     PageTable pages;
     Cp15Registers cp15;
     BankedRegisters banked;
-    std::uint32_t fpexc = 1u << 30;
+    std::uint32_t fpexc = 0;
     Code code;
     Dynarmic::ExclusiveMonitor monitor{1};
     std::unique_ptr<Dynarmic::A32::Jit> jit;
@@ -119,7 +120,9 @@ struct ArmCore::Engine final : Dynarmic::A32::UserCallbacks {
     std::unordered_set<std::uint32_t> privileged_code;  // virtual page numbers
     std::optional<std::uint32_t> MemoryReadCode(std::uint32_t address) override;
     bool IsReadOnlyMemory(std::uint32_t address) override;
-    std::uint32_t literal = 1;  // that dynarmic has asked for last
+    std::uint32_t literal = 1;   // that dynarmic has asked for last
+    bool reads_literal = false;  // next, while it translates
+    bool is_literal(std::uint32_t a) { return std::exchange(reads_literal, false) && a == literal; }
     void note_literal(std::uint32_t address);
     std::uint64_t MemoryRead64(std::uint32_t address) override;
     std::uint64_t GetTicksForCode(bool thumb, std::uint32_t pc, std::uint32_t word) override;
@@ -148,6 +151,12 @@ struct ArmCore::Engine final : Dynarmic::A32::UserCallbacks {
         return value;
     }
 
+    Alignment required;  // of the instruction that a step does
+    void requires_of(std::uint32_t word, bool in_thumb) { required = alignment(word, in_thumb); }
+    std::optional<std::uint32_t> unaligned_structure(std::uint32_t word);
+    ArmFault unaligned(std::uint32_t address, bool write) const;
+    bool may_be_unaligned(std::uint32_t address, bool write);
+    bool by_bytes = false;  // see ArmCore::run_by_bytes()
     template <class T>
     T load(std::uint32_t address);
     template <class T>

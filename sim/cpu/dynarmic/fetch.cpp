@@ -120,13 +120,25 @@ std::optional<std::uint32_t> ArmCore::Engine::MemoryReadCode(std::uint32_t addre
         return block.thumb ? half_as(THUMB_CALL | block.instructions)
                            : (word & 0xF0000000) | ARM_CALL | block.instructions;
     const auto whole = code.instruction(block.next, block.thumb);
-    if (!whole || !is_system(*whole, block.thumb, floating_point())) return word;
-    if (!block.thumb) return ARM_UNDEFINED;
-    // UDF of the same length, because the instruction may be skipped by its condition.
-    if (*whole <= 0xFFFF) return half_as(THUMB_UNDEFINED);
-    if (second_half) return (word & 0xFFFF0000) | THUMB_UNDEFINED_SECOND;
-    return block.next & 2 ? half_as(THUMB_UNDEFINED_FIRST)
-                          : THUMB_UNDEFINED_FIRST | THUMB_UNDEFINED_SECOND << 16;
+    if (!whole) return word;
+    std::uint32_t instead = *whole;
+    if (is_system(*whole, block.thumb, floating_point())) {
+        // UDF of the same length, because the instruction may be skipped by its condition.
+        instead = !block.thumb       ? ARM_UNDEFINED
+                  : *whole <= 0xFFFF ? THUMB_UNDEFINED
+                                     : THUMB_UNDEFINED_FIRST << 16 | THUMB_UNDEFINED_SECOND;
+    } else if (*whole > 0xFFFF || !block.thumb) {
+        if (!(jit->Cpsr() & arm_cpsr::E)) instead = as_doublewords(*whole, block.thumb);
+        if (!stepping && alignment(instead, block.thumb).beyond_pieces) {
+            code.mark(block.next, false);
+            return std::nullopt;
+        }
+    }
+    if (instead == *whole) return word;
+    if (!block.thumb) return instead;
+    if (instead <= 0xFFFF) return half_as(instead);
+    if (second_half) return (word & 0xFFFF0000) | (instead & 0xFFFF);
+    return block.next & 2 ? half_as(instead >> 16) : instead >> 16 | instead << 16;
 }
 
 std::uint64_t ArmCore::Engine::GetTicksForCode(bool is_thumb, std::uint32_t pc,
@@ -154,13 +166,13 @@ std::uint64_t ArmCore::Engine::ticks_of_departure(bool is_thumb, std::uint32_t p
 // constant.  A store to it is detected like a store to an instruction.
 bool ArmCore::Engine::IsReadOnlyMemory(std::uint32_t address) {
     const PageTable::Page& page = page_of(address);
-    if (watch || !page.bytes || !(page.access & arm_access::READ) ||
+    if (watch || address % 4 != 0 || !page.bytes || !(page.access & arm_access::READ) ||
         !code.has_code(page.physical >> 12) || (address & 0xFFF) > 0xFF8 ||
         !user_may(address, arm_access::READ))
         return false;
     literal = address;
+    reads_literal = true;
     note_literal(address);
-    if (address % 4 != 0) note_literal(address + 4);
     return true;
 }
 

@@ -6,6 +6,12 @@
 
 namespace sim {
 
+namespace {
+
+constexpr std::uint32_t FPEXC_EN = 1u << 30;
+
+}  // namespace
+
 // ---- Registers ----------------------------------------------------------------------------------
 
 void ArmCore::reset(std::uint32_t entry, std::uint32_t stack) {
@@ -16,7 +22,7 @@ void ArmCore::reset(std::uint32_t entry, std::uint32_t stack) {
     e.jit->ClearExclusiveState();
     e.cp15.reset();
     e.banked = {};
-    e.fpexc = 1u << 30;
+    e.fpexc = 0;
     e.jit->SetCpsr(arm_mode::SVC | arm_cpsr::A | arm_cpsr::I | arm_cpsr::F |
                    (entry & 1 ? arm_cpsr::T : 0));
     e.r().fill(0);
@@ -64,6 +70,14 @@ void ArmCore::set_vfp(unsigned number, std::uint64_t value) {
     words[low] = static_cast<std::uint32_t>(value);
     words[low + 1] = static_cast<std::uint32_t>(value >> 32);
 }
+
+void ArmCore::set_floating_point(bool on) {
+    engine_->cp15.set(cp15::CPACR, on ? 0x00F00000 : 0);
+    engine_->fpexc = on ? FPEXC_EN : 0;
+    engine_->forget_mappings();
+}
+
+bool ArmCore::floating_point() const { return engine_->floating_point(); }
 
 std::uint32_t ArmCore::fpscr() const { return engine_->jit->Fpscr(); }
 void ArmCore::set_fpscr(std::uint32_t value) { engine_->jit->SetFpscr(value); }

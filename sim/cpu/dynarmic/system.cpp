@@ -23,6 +23,7 @@ bool ArmCore::Engine::system(std::uint32_t pc) {
     const auto word = code.instruction(pc, in_thumb);
     if (!word || is_absent(*word, in_thumb)) return false;
     const unsigned bytes = in_thumb && *word <= 0xFFFF ? 2 : 4;
+    requires_of(*word, in_thumb);
     const bool was_stepping = stepping;
     stepping = true;  // its accesses may go to the bus
     r()[15] = pc + bytes;

@@ -23,6 +23,8 @@ unsigned hint(const ArmCore& core) {
 
 }  // namespace
 
+ArmStop ArmCore::run_by_bytes() { return run(1); }
+
 const bool ArmCore::TELLS_OF_MASKS = false;
 
 struct ArmCore::Engine::Hooks {

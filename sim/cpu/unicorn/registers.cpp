@@ -10,6 +10,7 @@ constexpr int REGISTERS[] = {UC_ARM_REG_R0,  UC_ARM_REG_R1, UC_ARM_REG_R2,  UC_A
                              UC_ARM_REG_R8,  UC_ARM_REG_R9, UC_ARM_REG_R10, UC_ARM_REG_R11,
                              UC_ARM_REG_R12, UC_ARM_REG_SP, UC_ARM_REG_LR,  UC_ARM_REG_PC};
 
+constexpr std::uint32_t FPEXC_EN = 1u << 30;
 constexpr std::uint32_t BANK = 0;  // of CP15's two banks, the one that programs see
 
 constexpr std::uint32_t SCR_NS = 1, SCR_FW = 1u << 4, SCR_AW = 1u << 5;
@@ -24,13 +25,25 @@ void ArmCore::reset(std::uint32_t entry, std::uint32_t stack) {
              (entry & 1 ? arm_cpsr::T : 0));
     set_cp15(cp15::SCTLR, 0x00C50078);
     set_cp15(cp15::VBAR, 0);
-    set_cp15(cp15::CPACR, 0x00F00000);
     set_cp15(cp15::CBAR, 0xFFFEC000);
-    const std::uint32_t enable = 1u << 30;
-    check_uc(uc_reg_write(engine_->uc, UC_ARM_REG_FPEXC, &enable), "FPEXC");
+    set_floating_point(false);
     for (unsigned number = 0; number < 15; ++number) set_reg(number, 0);
     set_reg(13, stack);
     set_reg(15, entry);
+}
+
+void ArmCore::set_floating_point(bool on) {
+    set_cp15(cp15::CPACR, on ? 0x00F00000 : 0);
+    const std::uint32_t enable = on ? FPEXC_EN : 0;
+    check_uc(uc_reg_write(engine_->uc, UC_ARM_REG_FPEXC, &enable), "FPEXC");
+}
+
+bool ArmCore::floating_point() const {
+    std::uint32_t fpexc = 0;
+    uc_reg_read(engine_->uc, UC_ARM_REG_FPEXC, &fpexc);
+    const std::uint32_t rights = cp15(cp15::CPACR) >> 20 & 3;
+    const bool user = (cpsr() & arm_cpsr::MODE) == arm_mode::USR;
+    return (fpexc & FPEXC_EN) && (rights == 3 || (rights == 1 && !user));
 }
 
 std::uint32_t ArmCore::reg(unsigned number) const {

@@ -56,6 +56,7 @@ fill:
     strb r1, [r0], #1
     strb r1, [r0], #1
     strh r1, [r0], #2
+    floating_point_on
     vmov.i8 q0, #0x55
     vst1.32 {q0}, [r0]!
     stm r0!, {r1, r2}

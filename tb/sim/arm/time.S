@@ -7,6 +7,7 @@
     mrs r1, cpsr
     str r1, [r0]
     str sp, [r0, #4]
+    floating_point_on
     vmov.f32 s0, #2.0
     vmul.f32 s0, s0, s0
     vmov.i32 q1, #3

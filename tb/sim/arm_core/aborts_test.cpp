@@ -19,6 +19,7 @@ using sim::ArmStop;
 constexpr std::uint32_t AT = 0x8000;
 constexpr std::uint32_t ISLAND = 0x200000;  // 4 KB of RAM, after which there is no target
 constexpr std::uint32_t FLAGS = 0x60000000, MODE = 0x1D3, THUMB = 0x20, IN_IT = 0x800;
+constexpr std::uint32_t UNALIGNED = 1;  // fault status
 
 struct Registers16 {
     std::array<std::uint32_t, 16> r;
@@ -119,6 +120,7 @@ bool Aborts::go(const Case& c, const char* when) {
     const bool answered = fault.address < REFUSED || fault.address - ISLAND < 0x1000;
     const bool refused =
         fault.address - REFUSED < 0x1000 || fault.address - (ISLAND + 0x1000) < 0x1000;
+    if (fault.mmu && fault.status == UNALIGNED) return true;
     EXPECT_FALSE(answered) << what << std::hex << fault.address;
     EXPECT_EQ(fault.mmu, !refused) << what << std::hex << fault.address;
     return true;
@@ -128,7 +130,8 @@ void Aborts::try_all_ways(const Case& c) {
     const std::uint32_t edges[]{ISLAND, ISLAND + 0x1000, BUS, REFUSED, NOTHING};
     unsigned aborted = 0;
     for (const std::uint32_t edge : edges) {
-        const std::uint32_t place = edge - 40 + static_cast<std::uint32_t>(random() % 80);
+        const std::uint32_t any = edge - 40 + static_cast<std::uint32_t>(random() % 80);
+        const std::uint32_t place = c.loads_pc ? any & ~3u : any;
         put(c);
         set(c, place);
         aborted += go(c, "for the first time");

@@ -1,6 +1,6 @@
 // bench.h - an ArmCore with RAM, and a bus that records accesses.
 //
-//   0x00000000  1 MB of RAM
+//   0x00000000  1 MB of RAM, Normal memory
 //   0x00100000  4 KB of the bus that answer
 //   0x00101000  4 KB of the bus without a target
 //   0x00102000  nothing
@@ -40,7 +40,8 @@ public:
 
     Bench() {
         core.reset(0, RAM / 2);
-        core.map_ram(0, RAM, memory());
+        core.set_floating_point(true);
+        core.map_ram(0, RAM, memory(), sim::arm_access::ALL | sim::arm_access::NORMAL);
         core.map_bus(BUS, 0x2000, BUS);
     }
 

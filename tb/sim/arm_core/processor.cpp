@@ -16,7 +16,7 @@ class NoBus final : public sim::ArmBus {
 class Processor final : public Machine {
 public:
     explicit Processor(bool stepping) : stepping_{stepping} {
-        core_.reset(CODE, 0);
+        reset();
         core_.map_ram(CODE, PART, memory->code.data());
         for (std::uint32_t i = 0; i < PARTS; ++i)
             for (const std::uint32_t base : {DATA, FAR_DATA})
@@ -58,10 +58,15 @@ public:
     void code_changed(std::uint32_t begin, std::uint32_t bytes) override {
         core_.forget_translations(begin, bytes);
         // Dynarmic keeps a place for each address and rounding mode; these are all of them.
-        if (++changes_ % 512 == 0) core_.reset(CODE, 0);
+        if (++changes_ % 512 == 0) reset();
     }
 
 private:
+    void reset() {
+        core_.reset(CODE, 0);
+        core_.set_floating_point(true);
+    }
+
     NoBus bus_;
     sim::ArmCore core_{bus_};
     bool stepping_;

@@ -12,22 +12,24 @@ constexpr std::uint32_t TABLE = 0x10000, SECOND_LEVEL = 0x14000, OTHER_TABLE = 0
 
 // ---- Descriptors (ARM ARM, B3.5.1) ----
 
+constexpr std::uint32_t NORMAL = 0xC;  // C and B: write-back
 // AP[2:0]
 constexpr unsigned NO_ACCESS = 0, PRIVILEGED_ALONE = 1, USER_READS = 2, FULL = 3,
                    PRIVILEGED_READS = 5, ALL_READ = 7;
 constexpr std::uint32_t section(std::uint32_t physical, unsigned ap, unsigned domain = 0,
                                 bool never = false) {
-    return physical | 2 | (ap & 3) << 10 | (ap & 4) << 13 | domain << 5 | unsigned{never} << 4;
+    return physical | NORMAL | 2 | (ap & 3) << 10 | (ap & 4) << 13 | domain << 5 |
+           unsigned{never} << 4;
 }
 constexpr std::uint32_t SUPERSECTION = 1u << 18;
 constexpr std::uint32_t table(std::uint32_t second_level, unsigned domain = 0) {
     return second_level | 1 | domain << 5;
 }
 constexpr std::uint32_t small_page(std::uint32_t physical, unsigned ap, bool never = false) {
-    return physical | 2 | (ap & 3) << 4 | (ap & 4) << 7 | unsigned{never};
+    return physical | NORMAL | 2 | (ap & 3) << 4 | (ap & 4) << 7 | unsigned{never};
 }
 constexpr std::uint32_t large_page(std::uint32_t physical, unsigned ap, bool never = false) {
-    return physical | 1 | (ap & 3) << 4 | (ap & 4) << 7 | unsigned{never} << 15;
+    return physical | NORMAL | 1 | (ap & 3) << 4 | (ap & 4) << 7 | unsigned{never} << 15;
 }
 
 // Status of DFSR and IFSR (B3.13.3); + 2: of a page.  The domain is in 7:4.
