@@ -118,6 +118,7 @@ struct ArmCore::Engine final : Dynarmic::A32::UserCallbacks {
     bool user_may(std::uint32_t address, unsigned right) const;
     void forget_privileged_code();
     std::unordered_set<std::uint32_t> privileged_code;  // virtual page numbers
+    bool is_single_access(std::uint32_t pc);  // of the block that is read
     std::optional<std::uint32_t> MemoryReadCode(std::uint32_t address) override;
     bool IsReadOnlyMemory(std::uint32_t address) override;
     std::uint32_t literal = 1;   // that dynarmic has asked for last

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstring>
 
+#include "sim/cpu/dynarmic/direct.h"
 #include "sim/cpu/dynarmic/engine.h"
 #include "sim/cpu/dynarmic/instructions.h"
 #include "sim/cpu/dynarmic/translation_tables.h"
@@ -53,6 +54,11 @@ void ArmCore::Engine::forget_privileged_code() {
     privileged_code.clear();
 }
 
+bool ArmCore::Engine::is_single_access(std::uint32_t pc) {
+    const auto word = code.instruction(pc, block.thumb);
+    return word && block.it == 0 && single_access(*word, block.thumb, pc, r().data(), false);
+}
+
 // Dynarmic reads a block's words from its begin on (a Thumb instruction of 32 bits may lie in two
 // words), and calls GetTicksForCode for each instruction.  A result without a value ends the block
 // before that instruction and raises NoExecuteFault there.
@@ -100,6 +106,9 @@ std::optional<std::uint32_t> ArmCore::Engine::MemoryReadCode(std::uint32_t addre
     }
     bool call = false;
     if (!second_half && !stepping && code.is_marked(block.next)) {
+        // A mark may be of another instruction, which was there before.
+        if (code.is_direct(block.next) && !is_single_access(block.next))
+            code.mark(block.next, false);
         call = !watch && code.is_direct(block.next) &&
                block.instructions <= (block.thumb ? MOST_THUMB : MOST_ARM);
         if (!call) return std::nullopt;

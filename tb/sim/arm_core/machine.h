@@ -1,7 +1,7 @@
 // machine.h - the processor under test and Unicorn, with the same registers and memory.
 //
 //   0x00010000   64 KB of code
-//   0x40000000   640 KB: the same 64 KB of data ten times, and so at 0xC0000000
+//   0x40000000   640 KB: the same 64 KB of data ten times, and so at 0xC0000000; Normal
 #pragma once
 
 #include <array>
@@ -38,7 +38,8 @@ public:
     virtual std::uint32_t run_on(std::uint32_t begin, unsigned instructions) = 0;
     virtual void code_changed(std::uint32_t begin, std::uint32_t bytes) = 0;
 
-    static constexpr std::uint32_t UNDEFINED = 1;  // added to the pc
+    // Added to the pc.
+    static constexpr std::uint32_t UNDEFINED = 1, UNALIGNED = 0x80000000;
     static constexpr std::uint32_t OTHER = 0xFFFFFFFF;
 
     std::unique_ptr<Memory> memory = std::make_unique<Memory>();

@@ -17,10 +17,12 @@ class Processor final : public Machine {
 public:
     explicit Processor(bool stepping) : stepping_{stepping} {
         reset();
-        core_.map_ram(CODE, PART, memory->code.data());
+        core_.map_ram(CODE, PART, memory->code.data(),
+                      sim::arm_access::ALL | sim::arm_access::NORMAL);
         for (std::uint32_t i = 0; i < PARTS; ++i)
             for (const std::uint32_t base : {DATA, FAR_DATA})
-                core_.map_ram(base + i * PART, PART, memory->data.data());
+                core_.map_ram(base + i * PART, PART, memory->data.data(),
+                              sim::arm_access::ALL | sim::arm_access::NORMAL);
     }
 
     void set(const State& state) override {
@@ -47,6 +49,8 @@ public:
             for (unsigned i = 0; i < instructions && stop == sim::ArmStop::LIMIT; ++i)
                 stop = core_.run(1);
         if (stop == sim::ArmStop::UNDEFINED) return core_.pc() + UNDEFINED;
+        if (stop == sim::ArmStop::DATA_ABORT && core_.fault().multiple_of > 1)
+            return core_.pc() + UNALIGNED;
         return stop == sim::ArmStop::LIMIT ? core_.pc() : OTHER;
     }
 

@@ -77,6 +77,7 @@ public:
         std::copy(shared_->d, shared_->d + 32, state_.d.begin());
         state_.cpsr = shared_->cpsr;
         state_.fpscr = shared_->fpscr;
+        if (shared_->signal == SIGBUS) return shared_->r[15] + UNALIGNED;
         return shared_->signal == SIGILL ? shared_->r[15] : OTHER;
     }
     std::uint32_t run_on(std::uint32_t, unsigned) override { return OTHER; }

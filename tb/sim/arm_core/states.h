@@ -66,15 +66,19 @@ inline std::uint64_t any_doubleword(Random& random) {
 }
 
 // For `stream`, with the rounding and all else of `fpscr` but its flags.
-inline State any_state(Random& random, const Stream& stream, std::uint32_t fpscr) {
+// `unaligned`: bases that should be multiples of 4 sometimes are not, and others sometimes are.
+inline State any_state(Random& random, const Stream& stream, std::uint32_t fpscr, bool unaligned) {
     constexpr std::uint32_t MIDDLE = PARTS / 2 * PART;
     State state;
     for (auto& r : state.r) r = any_word(random);
     const auto place = [&] { return DATA + MIDDLE + static_cast<std::uint32_t>(random() % PART); };
     state.r[13] = place() & ~7u;
-    state.r[stream.registers.low_base] = place() & ~3u;
-    state.r[stream.registers.low_any] = place();
-    state.r[stream.registers.high_any] = place();
+    const auto aligned = [&](std::uint32_t to) {
+        return place() & ~(unaligned && random() % 2 ? 31u >> random() % 6 : to);
+    };
+    state.r[stream.registers.low_base] = aligned(3);
+    state.r[stream.registers.low_any] = aligned(0);
+    state.r[stream.registers.high_any] = aligned(0);
     state.r[stream.registers.low_index] = static_cast<std::uint32_t>(random() % 64 * 4);
     state.r[stream.registers.high_index] = static_cast<std::uint32_t>(random() % 64) << 22;
     for (auto& d : state.d) d = any_doubleword(random);

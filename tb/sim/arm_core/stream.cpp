@@ -109,7 +109,7 @@ std::vector<std::uint16_t> Stream::code(std::size_t count) const {
     return halves;
 }
 
-Stream make_stream(Random& random, bool thumb, Kind kind, unsigned length) {
+Stream make_stream(Random& random, bool thumb, Kind kind, unsigned length, bool aborts) {
     Stream stream{thumb, {}, {}};
     Maker maker{random, thumb};
     stream.registers = maker.registers();
@@ -138,7 +138,9 @@ Stream make_stream(Random& random, bool thumb, Kind kind, unsigned length) {
         }
     };
     const auto one = [&](const Pick& picked) {
-        const std::uint32_t word = maker.word(*picked.row);
+        std::uint32_t word;
+        do word = maker.word(*picked.row);
+        while (asks_for_more(word, aborts ? 16 : 0));
         return thumb && picked.shared ? to_thumb(word) : word;
     };
 
