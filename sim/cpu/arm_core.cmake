@@ -17,12 +17,12 @@ target_include_directories(arm_core PUBLIC ${CMAKE_SOURCE_DIR})
 target_link_libraries(arm_core PRIVATE warnings_strict)
 if(DE1SIM_ARM_ENGINE STREQUAL dynarmic)
     target_sources(arm_core PRIVATE
-        cpu/dynarmic/absent.cpp cpu/dynarmic/alignment.cpp cpu/dynarmic/code.cpp cpu/dynarmic/core.cpp
-        cpu/dynarmic/cp15.cpp cpu/dynarmic/data.cpp cpu/dynarmic/direct.cpp
-        cpu/dynarmic/fetch.cpp cpu/dynarmic/instructions.cpp cpu/dynarmic/memory_map.cpp
-        cpu/dynarmic/modes.cpp cpu/dynarmic/multiples.cpp cpu/dynarmic/page_table.cpp
-        cpu/dynarmic/registers.cpp cpu/dynarmic/steps.cpp cpu/dynarmic/system.cpp
-        cpu/dynarmic/translation_tables.cpp)
+        cpu/dynarmic/absent.cpp cpu/dynarmic/alignment.cpp cpu/dynarmic/code.cpp
+        cpu/dynarmic/core.cpp cpu/dynarmic/cp15.cpp cpu/dynarmic/data.cpp
+        cpu/dynarmic/direct.cpp cpu/dynarmic/fetch.cpp cpu/dynarmic/instructions.cpp
+        cpu/dynarmic/memory_map.cpp cpu/dynarmic/modes.cpp cpu/dynarmic/multiples.cpp
+        cpu/dynarmic/page_table.cpp cpu/dynarmic/registers.cpp cpu/dynarmic/saturating.cpp
+        cpu/dynarmic/steps.cpp cpu/dynarmic/system.cpp cpu/dynarmic/translation_tables.cpp)
     target_include_directories(arm_core SYSTEM PRIVATE ${DYNARMIC_INCLUDE_DIR})
     target_link_libraries(arm_core PRIVATE ${DYNARMIC_LIBRARY})
     include(${CMAKE_CURRENT_LIST_DIR}/dynarmic/without_llvm.cmake)

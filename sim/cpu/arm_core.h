@@ -17,12 +17,11 @@
 // unaligned take 50 ns.
 //
 // Not handled: the second core; caches (instructions that maintain them do nothing); SMC and HVC
-// are undefined instructions.  With dynarmic also: LDRT, STRT and their kind, SWP, and these of
-// NEON, which are undefined: VQRSHL, V(R)ADDHN, V(R)SUBHN, VQDMLAL, VQDMLSL, VQDMULL, VQADD and
-// VQSUB of 64 bits; FPSCR's cumulative flags of exceptions are not exact; code that the translation
-// tables keep from the user mode is translated anew after each return to that mode.  With Unicorn
-// also: alignment faults, no memory is Normal to the bus, PMCCNTR reads 0, DFAR of an abort from
-// the translation tables reads 0.
+// are undefined instructions.  With dynarmic also: LDRT, STRT and their kind, SWP; FPSCR's
+// cumulative flags of exceptions are not exact; code that the translation tables keep from the user
+// mode is translated anew after each return to that mode.  With Unicorn also: alignment faults, no
+// memory is Normal to the bus, PMCCNTR reads 0, DFAR of an abort from the translation tables reads
+// 0.
 #pragma once
 
 #include <cstdint>

@@ -262,8 +262,7 @@ void ArmCpu::raise(ArmException exception, std::uint32_t status, const std::stri
         if (!inspector_ || !inspector_->on_failure(core_, exception)) fail(text + why + callers());
     };
     std::uint32_t word = 0;
-    if (core_.pc() == vector && !asynchronous)
-        return give_up(", in its own vector");
+    if (core_.pc() == vector && !asynchronous) return give_up(", in its own vector");
     if (!core_.read_ram(vector, &word, sizeof word) || word == 0)
         return give_up(fmt::format("; no vector at 0x{:08X}", vector));
     if (unhandled(exception)) return give_up(", for the second time within its handler");

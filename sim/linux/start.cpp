@@ -179,7 +179,8 @@ KernelHelpers::KernelHelpers(ArmCore& core) : core_{core} {
 KernelHelpers::~KernelHelpers() { munmap(page_, AddressSpace::PAGE); }
 
 void KernelHelpers::connect() {
-    core_.map_ram(HELPERS, AddressSpace::PAGE, page_, arm_access::READ | arm_access::EXECUTE | arm_access::NORMAL);
+    core_.map_ram(HELPERS, AddressSpace::PAGE, page_,
+                  arm_access::READ | arm_access::EXECUTE | arm_access::NORMAL);
 }
 
 void KernelHelpers::set_tls(std::uint32_t value) {

@@ -1,4 +1,4 @@
-// Instructions that the Cortex-A9 refuses are named, with the reason and what to do (arm/refused.S).
+// Instructions that the Cortex-A9 refuses are named, with the reason and what to do: arm/refused.S.
 #include <gmock/gmock.h>
 
 #include "tb/sim/arm_system.h"

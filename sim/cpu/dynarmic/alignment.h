@@ -17,8 +17,8 @@ struct Alignment {
     bool beyond_pieces = false;
 };
 
-// VLD1 and VST1 of bytes, halfwords or words from where a doubleword may be, as one of doublewords,
-// which loads and stores the same: then each piece is as long as its alignment.  Others as they are.
+// VLD1 and VST1 of bytes, halfwords or words with :64, as one of doublewords, which loads and
+// stores the same: then each piece is as long as its alignment.  Others as they are.
 std::uint32_t as_doublewords(std::uint32_t word, bool thumb);
 
 // Of a load or store; of other instructions it says nothing.

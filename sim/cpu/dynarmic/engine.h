@@ -4,7 +4,8 @@
 //   fetch.cpp     code as it is translated
 //   data.cpp      loads and stores that are not in the page table
 //   direct.h      single loads and stores, decoded
-//   system.cpp    instructions that dynarmic does not have; multiples.cpp, steps.cpp: more of them
+//   system.cpp    instructions that dynarmic does not have
+//   multiples.cpp, saturating.cpp, steps.cpp: more of them
 //   registers.cpp ArmCore's registers and memory, seen from outside
 #pragma once
 
@@ -104,6 +105,7 @@ struct ArmCore::Engine final : Dynarmic::A32::UserCallbacks {
     bool load_store_multiple(std::uint32_t word);
     bool load_with_base(unsigned base, unsigned list, bool up, bool before);
     bool newton_step(std::uint32_t word);
+    bool missed_neon(std::uint32_t word, bool in_thumb);
     void write_status(bool saved, unsigned mask, std::uint32_t value);
     void change_state(unsigned imod, bool change_mode, std::uint32_t masks, std::uint32_t mode);
     bool return_from(std::uint32_t base, bool up, bool before, std::optional<unsigned> write_back);
@@ -118,7 +120,7 @@ struct ArmCore::Engine final : Dynarmic::A32::UserCallbacks {
     bool user_may(std::uint32_t address, unsigned right) const;
     void forget_privileged_code();
     std::unordered_set<std::uint32_t> privileged_code;  // virtual page numbers
-    bool is_single_access(std::uint32_t pc);  // of the block that is read
+    bool is_single_access(std::uint32_t pc);            // of the block that is read
     std::optional<std::uint32_t> MemoryReadCode(std::uint32_t address) override;
     bool IsReadOnlyMemory(std::uint32_t address) override;
     std::uint32_t literal = 1;   // that dynarmic has asked for last

@@ -57,6 +57,8 @@ std::optional<WriteBack> early_write_back(std::uint32_t word, bool thumb, const 
 bool loads_its_base(std::uint32_t word, bool thumb);
 // VRECPS and VRSQRTS.
 bool is_newton_step(std::uint32_t word, bool thumb);
+// Of NEON, not in dynarmic: saturating.cpp has them.
+bool is_missed_neon(std::uint32_t word, bool thumb);
 
 // ---- IT blocks: CPSR's IT[7:0] in one piece ----
 

@@ -64,7 +64,7 @@ bool ArmCore::Engine::arm_system(std::uint32_t w) {
     }
     if (w >> 28 == 15)
         return is(w, 0xFD30F000, 0xF410F000) ||  // PLI
-               (is_newton_step(w, false) && newton_step(w));
+               (is_newton_step(w, false) && newton_step(w)) || missed_neon(w, false);
     return is(w, 0x0C000000, 0x0C000000) && coprocessor(w);
 }
 
@@ -75,6 +75,7 @@ bool ArmCore::Engine::thumb_system(std::uint32_t w) {
         return load_with_base(w >> 16 & 0xF, w & 0xFFFF, up, !up);
     }
     if (is_newton_step(w, true)) return newton_step(w);
+    if (missed_neon(w, true)) return true;
     if (is(w, 0xFFFFFFE8, 0xB660)) {
         change_state(w >> 4 & 1 ? 3 : 2, false, (w & 7) << 6, 0);
         return true;

@@ -71,7 +71,7 @@ std::string Against::compare(Machine& actual, const Stream& stream, std::size_t 
         if (ended[i] == end + Machine::UNDEFINED) ended[i] = end;  // by the UDF there
         after[i] = machine.state();
     }
-    // Registers that an aborted load should have loaded are UNKNOWN; dynarmic sets D registers to 0.
+    // What an aborted load should have loaded is UNKNOWN; dynarmic sets D registers to 0.
     if (ended[0] != Machine::OTHER && ended[0] >= Machine::UNALIGNED) after[1].d = after[0].d;
     std::string text;
     if (ended[0] == Machine::OTHER) text += "  the other has met something else than the end\n";

@@ -14,10 +14,6 @@ namespace tb::core {
 // IOC, DZC, OFC, UFC, IXC and IDC, the cumulative flags of exceptions, are not exact.
 constexpr std::uint32_t FPSCR_COMPARED = 0xFFFFFF60;
 
-// They are undefined instructions.
-constexpr const char* UNDEFINED[] = {"VQRSHL",  "VADDHN VSUBHN",          "VQDMLAL VQDMLSL",
-                                     "VQDMULL", "VQDMLAL VQDMLSL scalar", "VQADD VQSUB of 64 bits"};
-
 // ---- Unicorn, against ARM DDI 0406C ----
 
 // VCVT from a fixed-point number rounds to the nearest whatever FPSCR says (A8.8.308); Unicorn
@@ -46,7 +42,7 @@ bool is_one_of(const char* const (&names)[N], const Encoding& row) {
 }
 
 inline bool is_compared(const Encoding& row, bool nearest) {
-    return !is_one_of(UNDEFINED, row) && (nearest || !is_one_of(NEAREST_ALONE, row));
+    return nearest || !is_one_of(NEAREST_ALONE, row);
 }
 inline bool is_compared_in_it(const Encoding& row) { return !is_one_of(NOT_IN_IT, row); }
 

@@ -33,7 +33,7 @@ struct Stream {
     std::vector<std::uint16_t> code(std::size_t count) const;
 };
 
-// `aborts`: with loads and stores that abort where they are not aligned, apart from an unaligned base.
+// `aborts`: with NEON's loads and stores that ask for an alignment.
 Stream make_stream(Random& random, bool thumb, Kind kind, unsigned length, bool aborts);
 
 }  // namespace tb::core

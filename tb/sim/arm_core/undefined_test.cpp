@@ -61,14 +61,11 @@ void UndefinedWords::compare(const char* bits, bool thumb, bool (*compared)(std:
 // ---- What is compared ----
 
 bool in_neon(std::uint32_t w) {
-    const bool sized = field(w, 21, 20) != 3, same_length = !bit(w, 23), b = bit(w, 4);
+    const bool sign = !bit(w, 24), b = bit(w, 4);
     const std::uint32_t a = field(w, 11, 8);
-    // "Not handled" in arm_core.h: VQRSHL, VQADD and VQSUB of 64 bits; VADDHN, VQDMLAL, VQDMULL.
-    if (same_length && b && (a == 5 || (!sized && (a == 0 || a == 2)))) return false;
-    // Undefined by A7.4.1; Unicorn takes it for VMUL.
-    if (same_length && b && bit(w, 24) && a == 13 && bit(w, 21)) return false;
-    if (same_length || b || !sized) return true;
-    return bit(w, 6) ? a != 3 && a != 7 : a != 4 && a != 6 && a != 9 && a != 11 && a != 13;
+    if (a != 13 || sign) return true;
+    // Undefined by A7.4.1 and A7.4.2; Unicorn takes them for VMUL and VQDMULL.
+    return bit(w, 23) ? b || bit(w, 6) : !b || !bit(w, 21);
 }
 
 // pc as a register, two equal ones, more fraction bits than bits are UNPREDICTABLE.
