@@ -55,10 +55,12 @@ std::string shell_word(const std::string& word) {
     return quoted + "'";
 }
 
-// `de1sim prog.elf` is `de1sim run prog.elf`: a first word that is a file stands for itself.
+// `de1sim prog.elf` is `de1sim run prog.elf`: a first word that is a file stands for itself, also
+// one that is not there.
 bool names_a_file(const std::string& word) {
     std::error_code error;
-    return std::filesystem::is_regular_file(word, error);
+    return !word.empty() && word[0] != '-' &&
+           (word.find_first_of("./") != std::string::npos || std::filesystem::exists(word, error));
 }
 
 bool names_a_command(CLI::App& app, const std::string& word) {

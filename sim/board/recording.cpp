@@ -31,8 +31,7 @@ Recording read_recording(const std::filesystem::path& path) {
     };
     std::error_code error;
     const auto kind = std::filesystem::status(path, error).type();
-    if (kind == std::filesystem::file_type::not_found)
-        refuse("cannot read: No such file or directory");
+    if (kind == std::filesystem::file_type::not_found) refuse("is not there");
     if (kind != std::filesystem::file_type::regular) refuse("is not a file");  // a pipe would wait
 
     SF_INFO info{};

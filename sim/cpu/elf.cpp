@@ -18,6 +18,21 @@ namespace {
 
 constexpr std::uint64_t MAX_BYTES = 256u << 20;
 
+constexpr std::size_t EM_AT = 18;  // the machine's number, low byte first
+constexpr const char* BUILD =
+    "build it with arm-none-eabi-gcc, or for Linux with arm-linux-gnueabihf-gcc -static";
+
+std::string machine(unsigned number) {
+    switch (number) {
+        case EM_X86_64: return "x86-64, this computer's";
+        case EM_386: return "x86";
+        case EM_AARCH64: return "64-bit ARM";
+        case EM_ALTERA_NIOS2: return "Nios II";
+        case EM_RISCV: return "RISC-V";
+        default: return fmt::format("number {}", number);
+    }
+}
+
 struct ElfEnd {
     void operator()(Elf* elf) const { elf_end(elf); }
 };
@@ -82,6 +97,7 @@ private:
         std::error_code error;
         if (std::filesystem::is_directory(file_, error)) refuse("is a folder");
         std::ifstream in{file_, std::ios::binary};
+        if (!in && errno == ENOENT) refuse("is not there");
         if (!in) refuse("cannot read: {}", std::strerror(errno));
         char block[65536];
         while (in.read(block, sizeof block), in.gcount() > 0) {
@@ -94,16 +110,24 @@ private:
         const auto* ident = reinterpret_cast<const unsigned char*>(bytes_.data());
         if (bytes_.size() < EI_NIDENT || std::memcmp(ident, ELFMAG, SELFMAG) != 0)
             refuse("not an ELF file");
-        if (ident[EI_CLASS] == ELFCLASS64) refuse("a 64-bit ELF file, expected 32 bits");
+        if (ident[EI_CLASS] == ELFCLASS64)
+            refuse("a 64-bit ELF file ({}), expected 32 bits for the board's ARM: {}",
+                   machine(bytes_.size() > EM_AT ? ident[EM_AT] : EM_NONE), BUILD);
         if (ident[EI_DATA] == ELFDATA2MSB) refuse("a big-endian ELF file, expected little-endian");
         header_ = elf_ ? elf32_getehdr(elf_.get()) : nullptr;
         if (!header_) refuse("a damaged ELF file: {}", elf_errmsg(-1));
         if (header_->e_machine != EM_ARM)
-            refuse("for another machine (number {}), expected ARM", header_->e_machine);
+            refuse("for another machine ({}), expected ARM: {}", machine(header_->e_machine),
+                   BUILD);
         if (header_->e_type == ET_DYN)
-            refuse("dynamically linked or position-independent, expected a static executable");
+            refuse(
+                "dynamically linked or position-independent, expected a static executable: link "
+                "it with -static");
         if (header_->e_type != ET_EXEC)
-            refuse("not an executable (type {}): not linked yet?", header_->e_type);
+            refuse(
+                "not an executable (type {}): an object file, not linked yet: leave out -c, or "
+                "link it as the examples' Makefile does",
+                header_->e_type);
         const auto inside = [this](std::uint64_t offset, std::uint64_t bytes) {
             return offset <= bytes_.size() && bytes <= bytes_.size() - offset;
         };

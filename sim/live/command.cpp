@@ -7,6 +7,7 @@
 
 #include "sim/live/server.h"
 #include "sim/report/messages.h"
+#include "sim/run/file_kind.h"
 
 namespace sim::live {
 
@@ -52,6 +53,8 @@ ExitCode live(const LiveOptions& options, std::vector<std::string> words) {
     settings.address = options.address;
     settings.port = options.port;
     const auto& run = options.run;
+    if (!run.scenario.empty()) refuse_other_kinds(run.scenario);
+    if (!run.elf.empty()) refuse_no_program(run.elf);
     const auto& what = run.scenario.empty() ? run.elf : run.scenario;
     settings.title = !run.project.place.empty() ? run.project.place.filename().string()
                      : what.empty()             ? "the demo"

@@ -209,8 +209,7 @@ fs::path settings_at(const fs::path& place) {
         }
         throw ProjectError{place.string() + ": expected a .qsf, a .qpf or a folder"};
     }
-    if (!fs::is_directory(place, error))
-        throw ProjectError{place.string() + ": no such file or folder"};
+    if (!fs::is_directory(place, error)) throw ProjectError{place.string() + ": is not there"};
     std::vector<fs::path> found;
     for (const auto& entry : fs::directory_iterator{place, error})
         if (lower(entry.path().extension().string()) == ".qsf") found.push_back(entry.path());

@@ -63,7 +63,9 @@ IoError::IoError(std::filesystem::path path, std::string problem)
       problem_(std::move(problem)) {}
 
 IoError::IoError(std::filesystem::path path, const std::string& doing, int error_number)
-    : IoError(std::move(path), "cannot " + doing + ": " + reason(error_number)) {}
+    : IoError(std::move(path), doing == "read" && error_number == ENOENT
+                                   ? "is not there"
+                                   : "cannot " + doing + ": " + reason(error_number)) {}
 
 WholeFile::WholeFile(std::filesystem::path path) : path_(std::move(path)), part_(path_) {
     part_ += ".part";

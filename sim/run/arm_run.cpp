@@ -7,10 +7,12 @@
 #include "regmap.h"
 #include "sim/chip/computer.h"
 #include "sim/report/whole_file.h"
+#include "sim/run/file_kind.h"
 
 namespace sim {
 
 bool runs_on_linux(const RunOptions& options) {
+    refuse_no_program(options.elf);
     return options.system == "linux" || (options.system == "auto" && expects_linux(options.elf));
 }
 

@@ -17,7 +17,8 @@
 
 namespace sim {
 
-// What options.system says, or for "auto" what the ELF does.  ElfError.
+// What options.system says, or for "auto" what the ELF does.  ElfError; std::runtime_error if it is
+// none.
 bool runs_on_linux(const RunOptions& options);
 
 // ElfError; std::runtime_error for options that only a Linux program has.

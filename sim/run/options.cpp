@@ -8,6 +8,7 @@
 
 #include "sim/cpu/elf.h"
 #include "sim/report/video.h"
+#include "sim/run/file_kind.h"
 
 namespace sim {
 
@@ -213,6 +214,7 @@ void settle_run_options(const CLI::App& command, RunOptions& options) {
         options.elf = std::move(options.scenario);
         options.scenario.clear();
     }
+    if (!options.scenario.empty()) refuse_other_kinds(options.scenario);
     if (!options.again.empty()) settle_again(options);
     const bool live = options.live_socket.has_value();
     if (options.scenario.empty() && options.elf.empty() && !live)

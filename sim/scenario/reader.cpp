@@ -242,6 +242,7 @@ Scenario load_scenario(const std::filesystem::path& file, Goldens goldens) {
     try {
         text = read_whole_file(file, MAX_FILE_BYTES);
     } catch (const IoError& error) {
+        if (error.problem() == "is not there") throw ScenarioError(file, 0, 0, error.problem());
         throw ScenarioError(file, 0, 0, "expected a scenario file, got: " + error.problem());
     }
     Scenario scenario = parse_scenario(text, file);

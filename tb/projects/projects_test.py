@@ -314,7 +314,7 @@ class Building(Case):
 
 class Wrong(Case):
     def test_no_such_place(self):
-        self.refused("nowhere.qsf: no such file or folder", "check", "nowhere.qsf")
+        self.refused("nowhere.qsf: is not there", "check", "nowhere.qsf")
 
     def test_an_empty_folder(self):
         self.refused("no Verilog or VHDL files found here")

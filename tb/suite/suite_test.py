@@ -150,7 +150,7 @@ class Suite(Folder):
                 ('--filter: no scenario has "x" in its name', "s", "--filter", "x"),
                 ('--shard: expected I/N with I from 1 to N, got "3/2" (see de1sim --help)', "s",
                  "--shard", "3/2"),
-                ("test-results/results.json: cannot read: No such file or directory", "s",
+                ("test-results/results.json: is not there", "s",
                  "--rerun-failed"),
                 ("PATH is required (see de1sim --help)",)):
             done = self.suite(*words, code=2)

@@ -98,9 +98,10 @@ TEST_F(ProgramAlone, NeedsNeitherTheWordRunNorAProcessor) {
 TEST_F(ProgramAlone, IsRefusedTwiceOrForTheOtherProcessor) {
     refused(alone(LEDS_ELF, {"--elf", LEDS_ELF}), "--elf: and a program in place of the scenario");
     refused(alone(LEDS_ELF, {"--cpu", "native"}), "--elf: is for --cpu arm");
-    refused(alone("nothing.elf"),
+    refused(alone("nothing.elf"), "nothing.elf: is not there");
+    refused(alone("nothing"),
             "expected run, test, live, build, check, check-board, compare or merge, got "
-            "\"nothing.elf\"");
+            "\"nothing\"");
     folder.put("cut.elf", "\177ELF");
     refused(alone(folder / "cut.elf"), "cut.elf: not an ELF file");
 }

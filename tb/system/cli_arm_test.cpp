@@ -138,9 +138,9 @@ TEST_F(ArmRun, NeedsAProgram) {
 
 TEST_F(ArmRun, RefusesAProgramThatIsNoneInOneLine) {
     folder.put("a.elf", "hello");
-    refused(arm(folder / "a.elf", "duration: 1s\n"), "a.elf: not an ELF file");
-    refused(arm("/bin/sh", "duration: 1s\n"), "sh: a 64-bit ELF file, expected 32 bits");
-    refused(arm(folder / "none.elf", "duration: 1s\n"), "none.elf: cannot read: No such file");
+    refused(arm(folder / "a.elf", "duration: 1s\n"), "a.elf: is not a program (ELF file)");
+    refused(arm("/bin/sh", "duration: 1s\n"), "sh: a 64-bit ELF file (x86-64, this computer's)");
+    refused(arm(folder / "none.elf", "duration: 1s\n"), "none.elf: is not there");
 }
 
 TEST_F(ArmRun, RefusesOptionsOfTheOtherProcessorAndClocksThatMakeNoSense) {

@@ -25,11 +25,11 @@ protected:
 };
 
 TEST_F(WrongInput, AScenarioThatIsNotThereIsNamed) {
-    refused(play("none.yaml"), "none.yaml: expected a scenario file, got: cannot read: No such");
+    refused(play("none.yaml"), "none.yaml: is not there");
 }
 
 TEST_F(WrongInput, AScenarioThatIsAFolderIsNamed) {
-    refused(play(folder.path()), ": expected a scenario file, got: is a folder");
+    refused(play(folder.path()), ": is a folder: for one of scenarios: de1sim test ");
 }
 
 TEST_F(WrongInput, AnEmptyScenarioIsRefused) {

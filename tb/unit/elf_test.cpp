@@ -131,8 +131,9 @@ TEST_F(ElfFile, ThatIsNotThereOrAFolderIsNamed) {
 }
 
 TEST_F(ElfFile, ForAnotherMachineIsRefused) {
-    EXPECT_THAT(refusal(with_header([](Elf32_Ehdr& h) { h.e_machine = EM_386; })),
-                HasSubstr("for another machine (number 3), expected ARM"));
+    EXPECT_THAT(
+        refusal(with_header([](Elf32_Ehdr& h) { h.e_machine = EM_386; })),
+        HasSubstr("for another machine (x86), expected ARM: build it with arm-none-eabi-gcc"));
 }
 
 TEST_F(ElfFile, Of64BitsIsRefused) {

@@ -106,7 +106,7 @@ TEST_F(PictureSteps, SayBothSizesWhereTheyDiffer) {
 }
 
 TEST_F(PictureSteps, AreNotMetWithoutTheirPicture) {
-    EXPECT_THAT(expect_frame(), EndsWith("golden.png: cannot read: No such file or directory"));
+    EXPECT_THAT(expect_frame(), EndsWith("golden.png: is not there"));
 }
 
 TEST_F(PictureSteps, TakeAScreenshotIntoTheOutputFolder) {
