@@ -1,5 +1,6 @@
 // arm_astray.cpp - ArmCpu's detection of programs whose pc or stack has gone where it cannot belong
 #include <algorithm>
+#include <array>
 
 #include <fmt/format.h>
 
@@ -29,6 +30,37 @@ const ElfSection* ArmCpu::data_at(std::uint32_t address) const {
     return nullptr;
 }
 
+// At a place of its data, from which no instruction has been read so far: it may have written some.
+// False: that is not why there is no instruction.
+bool ArmCpu::goes_into_data() {
+    const std::uint32_t pc = core_.fault().address;
+    const ElfSection* const data = data_at(pc);
+    std::uint16_t half = 0;
+    if (!data || core_.fault().mmu || !core_.read_ram(pc, &half, sizeof half)) return false;
+    for (const ElfSection& section : program_.elf.sections)
+        if (section.is_data()) core_.permit_code(section.address, section.size);
+    went_into_data_ = fmt::format("the program went into its data, {}, {}; LR 0x{:08X}{}",
+                                  data->name, where(), core_.reg(14), callers());
+    return true;
+}
+
+std::string ArmCpu::in_data(const ElfSection& data, const std::string& what) const {
+    if (!went_into_data_.empty()) return went_into_data_ + "; there: " + what;
+    return fmt::format("the program is in its data, {}: {}", data.name, what);
+}
+
+// The program has not written this word.
+bool ArmCpu::is_as_loaded(std::uint32_t address) const {
+    std::array<std::uint8_t, 4> now{};
+    if (!core_.read_ram(address, now.data(), now.size())) return false;
+    for (const ElfSegment& segment : program_.elf.segments) {
+        const std::uint32_t offset = address - segment.physical;
+        if (offset < segment.data.size() && segment.data.size() - offset >= now.size())
+            return std::equal(now.begin(), now.end(), segment.data.begin() + offset);
+    }
+    return false;
+}
+
 // What is wrong with the present mode's stack, or "".  `lowest`: the lowest address that was
 // written, or was about to be.  `through`: the stack may have passed the code already, and have
 // overwritten it.
@@ -52,8 +84,11 @@ std::string ArmCpu::overgrown(std::uint32_t lowest, bool through) const {
 // Called after each quantum.
 void ArmCpu::look_astray() {
     if (kernel_ || fault()) return;
-    if (const ElfSection* data = data_at(core_.pc()))
-        return lost("the program went into its data, " + data->name + ",");
+    const ElfSection* const data = data_at(core_.pc());
+    if (!data)
+        went_into_data_.clear();
+    else if (stands_still() && is_as_loaded(core_.pc()))
+        return lost(in_data(*data, "it stands still"));
     const std::uint32_t sp = core_.reg(13);
     if (!overgrown(sp, false).empty()) return lost("the program ran out of stack");
     Stack& stack = stacks_[core_.cpsr() & 0xF];

@@ -164,6 +164,8 @@ public:
     void unmap(std::uint32_t base, std::uint64_t size);
     // No instruction is read from these virtual addresses from now on: PREFETCH_ABORT there.
     void forbid_code(std::uint32_t base, std::uint32_t size);
+    // It is again; the same arguments.
+    void permit_code(std::uint32_t base, std::uint32_t size);
     // The bus's address of `address`, if that is mapped to the bus.
     std::optional<std::uint32_t> bus_address(std::uint32_t address) const;
 

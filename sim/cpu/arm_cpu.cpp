@@ -126,6 +126,7 @@ void ArmCpu::warm_reset() {
 void ArmCpu::start() {
     reset_ = false;
     stores_.page = 1;
+    went_into_data_.clear();
     open_.reset();
     stacks_ = {};
     core_.reset(program_.elf.entry, STACK);
@@ -200,6 +201,7 @@ void ArmCpu::handle(ArmStop stop) {
             break;
         case ArmStop::UNDEFINED: raise(ArmException::UNDEFINED, 0, undefined()); break;
         case ArmStop::PREFETCH_ABORT:
+            if (goes_into_data()) break;
             raise(ArmException::PREFETCH_ABORT,
                   core_.fault().mmu ? core_.fault().status & 0x40F : fault_status::EXTERNAL,
                   "prefetch abort: no instruction to be read" + no_code());
@@ -248,8 +250,7 @@ void ArmCpu::raise(ArmException exception, std::uint32_t status, const std::stri
         exception == ArmException::DATA_ABORT || exception == ArmException::PREFETCH_ABORT;
     const bool astray = abort || exception == ArmException::UNDEFINED;
     if (astray)
-        if (const ElfSection* data = data_at(core_.pc()))
-            return lost("the program went into its data, " + data->name + ",");
+        if (const ElfSection* data = data_at(core_.pc())) return lost(in_data(*data, what));
     counts_.interrupts += asynchronous;
     counts_.aborts += abort;
     const std::uint32_t sp = core_.reg(13);

@@ -50,7 +50,8 @@
 // So a handler may take its time, print, sleep and be interrupted, as long as it comes to an end.
 //
 // Some errors cause no exception, so a program has also failed
-//   - when it comes to the data of its ELF (ElfSection::is_data), before it executes any of it;
+//   - when it went into the data of its ELF (ElfSection::is_data), and there takes an abort or an
+//     undefined instruction, or stands still on a word that it has not written;
 //   - when it executes zeros (ArmStop::RAN_OFF);
 //   - when its stack grows below the memory that it was in, or into its code; this is checked after
 //     each quantum.
@@ -59,8 +60,9 @@
 //
 // Not handled: see arm_core.h.  A handler that changes its mode to SVC or SYS and stays there
 // counts as left.  A handler that loops until a watchdog resets the board must be reset within
-// those 100 ms.  A program that puts instructions into its data and runs them has failed.  A stack
-// that grows into data, or in a program without a section table, is not seen.
+// those 100 ms.  A stack that grows into data, or in a program without a section table, is not
+// seen.  Instructions that a program writes are executed at once, as without caches: that it
+// forgets to maintain them is not seen.
 #pragma once
 
 #include <array>
@@ -243,6 +245,9 @@ private:
     std::string death() const;
     void lost(const std::string& what);
     const ElfSection* data_at(std::uint32_t address) const;
+    bool goes_into_data();
+    std::string in_data(const ElfSection& data, const std::string& what) const;
+    bool is_as_loaded(std::uint32_t address) const;
     std::string overgrown(std::uint32_t lowest, bool through) const;
     void look_astray();
     std::string callers() const;
@@ -310,6 +315,7 @@ private:
     };
     std::array<Stack, 16> stacks_;  // of each mode, by CPSR[3:0]
 
+    std::string went_into_data_;                  // where and by whom, while it is there
     std::optional<sc_core::sc_time> over_since_;  // see ended_for()
     std::optional<Open> open_;                    // the exception whose handler it is in
 };

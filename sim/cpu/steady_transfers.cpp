@@ -103,6 +103,7 @@ SteadyLoop::Word* SteadyLoop::word_at(std::uint32_t address, World& world) {
 }
 
 std::optional<Linear> SteadyLoop::load(const Linear& address, unsigned bytes, World& world) {
+    if (address.base % bytes != 0) return std::nullopt;
     const std::uint32_t aligned = address.base & ~3u, lane = 8 * (address.base & 3);
     const auto part = [&](std::uint32_t word) {
         return bytes == 4 ? word : word >> lane & ((1u << 8 * bytes) - 1);
@@ -129,6 +130,7 @@ std::optional<Linear> SteadyLoop::load(const Linear& address, unsigned bytes, Wo
 }
 
 bool SteadyLoop::store(const Linear& address, unsigned bytes, const Linear& value, World& world) {
+    if (address.base % bytes != 0) return false;
     const World::Place place = world.place(address.base, true);
     if (place.on_bus) {
         if (!value.fixed() || use_count_ == USES) return false;

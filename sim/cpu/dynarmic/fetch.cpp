@@ -28,6 +28,11 @@ void ArmCore::forbid_code(std::uint32_t base, std::uint32_t size) {
     engine_->forget_code(base, size);
 }
 
+void ArmCore::permit_code(std::uint32_t base, std::uint32_t size) {
+    auto& all = engine_->forbidden;
+    all.erase(std::remove(all.begin(), all.end(), std::pair{base, size}), all.end());
+}
+
 bool ArmCore::Engine::is_forbidden(std::uint32_t address) const {
     for (const auto& [base, size] : forbidden)
         if (address - base < size) return true;

@@ -27,6 +27,11 @@ void ArmCore::forbid_code(std::uint32_t base, std::uint32_t size) {
     engine_->forbidden.emplace_back(base, size);
 }
 
+void ArmCore::permit_code(std::uint32_t base, std::uint32_t size) {
+    auto& all = engine_->forbidden;
+    all.erase(std::remove(all.begin(), all.end(), std::pair{base, size}), all.end());
+}
+
 std::optional<std::uint32_t> ArmCore::bus_address(std::uint32_t address) const {
     for (const auto& window : engine_->windows)
         if (address - window->base < window->size)

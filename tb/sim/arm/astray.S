@@ -76,6 +76,29 @@
     b recursion
     .ltorg
 
+@ Twice other code at the same place, in the data and on the stack.
+    .macro run_written place
+    ldr r6, =0xE3A00005                 @ mov r0, #5
+    ldr r7, =0xE12FFF1E                 @ bx lr
+    stm \place, {r6, r7}
+    blx \place
+    mov r4, r0
+    add r6, r6, #1
+    str r6, [\place]
+    blx \place
+    mov r5, r0
+    .endm
+
+    program test_runs_what_it_has_written_into_its_data
+    ldr r8, =stack_in_data
+    run_written r8
+    done
+
+    program test_runs_what_it_has_written_onto_its_stack
+    sub sp, sp, #16
+    run_written sp
+    done
+
 @ As programs set them: at the end of the code, in the data, from one to the other.
     program test_stacks_that_are_in_their_place
     ldr sp, =etext
