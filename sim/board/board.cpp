@@ -153,11 +153,7 @@ const Lamps& Board::lamps() {
     return lamps_;
 }
 
-void Board::settle_lamps() {
-    constexpr std::uint64_t BEHIND_PS = 100'000'000;
-    const std::uint64_t now_ps = sc_core::sc_time_stamp().value();
-    if (now_ps > BEHIND_PS) eyes_.pass(now_ps - BEHIND_PS);
-}
+void Board::settle_lamps() { eyes_.pass(chip_->time_ps()); }
 
 void Board::adc(const AdcPins& pins, std::uint64_t time_ps, ChipInputs& in) {
     adc_chip.drive(pins.convst, pins.sck, pins.sdi, time_ps);

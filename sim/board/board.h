@@ -87,8 +87,8 @@ public:
 
     // As a person sees them now.
     const Lamps& lamps();
-    // Tells the audience of those that are seen otherwise since they do not flash any more.  The
-    // chip is left where it is: it may be a scan line behind.
+    // Tells the audience of those that are seen otherwise since they do not flash any more, as of
+    // where the chip is.
     void settle_lamps();
 
     Chip& chip() { return *chip_; }

@@ -33,7 +33,7 @@ ProjectChip::ProjectChip(const sc_core::sc_module_name& name, PinListener& pins,
 ProjectChip::~ProjectChip() = default;
 
 void ProjectChip::catch_up() {
-    model_->run(sc_core::sc_time_stamp().value());
+    model_->run(time_ps_ = sc_core::sc_time_stamp().value());
     model_->flush();
 }
 

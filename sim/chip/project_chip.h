@@ -26,7 +26,7 @@ public:
 
     ChipInputs& inputs() override { return model_->in; }
     void catch_up() override;
-    std::uint64_t time_ps() const override { return sc_core::sc_time_stamp().value(); }
+    std::uint64_t time_ps() const override { return time_ps_; }
     void end_trace() override { model_->end_trace(); }
     std::optional<End> end() const override;
 
@@ -38,6 +38,7 @@ private:
     };
     std::unique_ptr<void, Unload> library_;
     std::unique_ptr<project::Model> model_;
+    std::uint64_t time_ps_ = 0;
     sc_core::sc_event look_;
 };
 

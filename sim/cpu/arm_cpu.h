@@ -233,6 +233,7 @@ private:
     bool made_before();
     void note(std::uint32_t address, unsigned bytes, bool write, std::uint32_t value);
     bool access(tlm::tlm_command command, std::uint32_t address, unsigned bytes, void* data);
+    bool inspect(tlm::tlm_command command, std::uint32_t address, void* data, unsigned bytes);
     std::optional<ArmException> let_in() const;  // the interrupt that is pending and not masked
     void take_interrupt();
     void handle(ArmStop stop);

@@ -155,20 +155,25 @@ std::string ArmCpu::accessed() const {
 }
 
 bool ArmCpu::read_memory(std::uint32_t address, void* data, unsigned bytes) {
-    if (core_.read_ram(address, data, bytes)) return true;
-    sc_time no_time;
-    const std::optional<std::uint32_t> on_bus = core_.bus_address(address);
-    return on_bus && transport(tlm::TLM_READ_COMMAND, *on_bus, data, bytes, no_time).empty();
+    return core_.read_ram(address, data, bytes) ||
+           inspect(tlm::TLM_READ_COMMAND, address, data, bytes);
 }
 
 bool ArmCpu::write_memory(std::uint32_t address, const void* data, unsigned bytes) {
-    if (core_.write_ram(address, data, bytes)) return true;
-    sc_time no_time;
-    const std::optional<std::uint32_t> on_bus = core_.bus_address(address);
     // A write only reads the data, but TLM has one pointer for both directions.
-    return on_bus &&
-           transport(tlm::TLM_WRITE_COMMAND, *on_bus, const_cast<void*>(data), bytes, no_time)
-               .empty();
+    return core_.write_ram(address, data, bytes) ||
+           inspect(tlm::TLM_WRITE_COMMAND, address, const_cast<void*>(data), bytes);
+}
+
+// The program's time stands, also where the target lets SystemC's go on.
+bool ArmCpu::inspect(tlm::tlm_command command, std::uint32_t address, void* data, unsigned bytes) {
+    const std::optional<std::uint32_t> on_bus = core_.bus_address(address);
+    if (!on_bus) return false;
+    const sc_time before = sc_core::sc_time_stamp();
+    sc_time no_time;
+    const bool done = transport(command, *on_bus, data, bytes, no_time).empty();
+    ahead_ -= std::min(ahead_, sc_core::sc_time_stamp() - before);
+    return done;
 }
 
 }  // namespace sim

@@ -11,12 +11,7 @@ from board import Board, Client
 DE1SIM, FOLDER, PROGRAMS = sys.argv[1], *map(pathlib.Path, sys.argv[2:4])
 
 
-class Driven(unittest.IsolatedAsyncioTestCase):
-    def setUp(self):
-        self.folder = FOLDER / self.id().split(".")[-1]
-        self.board = Board(DE1SIM, self.folder, "--driven", "--frames", "last")
-        self.addCleanup(self.board.__exit__)
-
+class Played(unittest.IsolatedAsyncioTestCase):
     async def client(self):
         client = Client(await self.board.connect())
         self.addAsyncCleanup(client.socket.close)
@@ -26,6 +21,13 @@ class Driven(unittest.IsolatedAsyncioTestCase):
     async def run_for(self, client, order):
         await client.send(run=order)
         return await client.wait_for("ran")
+
+
+class Driven(Played):
+    def setUp(self):
+        self.folder = FOLDER / self.id().split(".")[-1]
+        self.board = Board(DE1SIM, self.folder, "--driven", "--frames", "last")
+        self.addCleanup(self.board.__exit__)
 
     async def test_time_stands_but_for_what_is_asked(self):
         client = await self.client()
@@ -119,6 +121,46 @@ class Driven(unittest.IsolatedAsyncioTestCase):
         self.assertEqual(*frames)
         sounds = [(out / "audio.wav").read_bytes()[44:] for out in (self.board.out, again)]
         self.assertEqual(*sounds)
+
+
+# Counts how often a key goes down or a switch up.
+COUNTER = """\
+module top(input CLOCK_50, input [3:0] KEY, input [9:0] SW, output [9:0] LEDR);
+    wire down = KEY != 4'hf || SW != 0;
+    reg was = 0;
+    reg [9:0] count = 0;
+    assign LEDR = count;
+    always @(posedge CLOCK_50) begin
+        was <= down;
+        count <= count + (down && !was);
+    end
+endmodule
+"""
+
+
+class DrivenProject(Played):
+    def setUp(self):
+        self.folder = FOLDER / self.id().split(".")[-1]
+        self.folder.mkdir(parents=True, exist_ok=True)
+        (self.folder / "top.v").write_text(COUNTER)
+        self.board = Board(DE1SIM, self.folder, "--driven", "--project", ".", "--frames", "last")
+        self.addCleanup(self.board.__exit__)
+
+    async def test_presses_of_one_clock_are_seen(self):
+        client = await self.client()
+        for control in [{"key": n} for n in range(4)] + [{"switch": n} for n in (0, 9)]:
+            await client.step("press", {**control, "for": "20ns"})
+            await client.step("press", {**control, "for": "20ns"})  # 50 ms later
+            await self.run_for(client, "51ms")
+        await client.send(save=True)
+        saved = await client.wait_for("saved")
+        self.board.__exit__()
+        again = self.folder / "again"
+        subprocess.run([DE1SIM, "run", saved["file"], "--project", ".", "--out", again, "--quiet"],
+                       check=True, cwd=self.folder)
+        for out in self.board.out, again:
+            shown = json.loads((out / "report.json").read_text())["shown"]
+            self.assertEqual(int(shown["ledr"]["lit"], 2), 12)
 
 
 if __name__ == "__main__":

@@ -137,5 +137,92 @@ endmodule
         self.assertTrue(done.stdout.startswith(text), done.stdout)
 
 
+class Ps2(Case):
+    # Sends a byte, awaits one; samples the wires every `period` clocks.
+    HOST = """\
+module host(input clk, inout ps2c, ps2d, input go, input [7:0] command, input [9:0] period,
+            output reg done = 0, output reg [7:0] answer);
+    reg c_low = 0, d_low = 0, c = 1, c_was = 1, sends = 0;
+    reg [9:0] wait_q = 0;
+    reg [22:0] timer = 0;
+    reg [3:0] edges = 0;
+    reg [10:0] frame;
+    wire tick = wait_q == 0, falls = tick && c_was && !c;
+    wire right = !frame[1] && ^frame[10:2] && ps2d;  // start, parity, stop
+    assign ps2c = c_low ? 1'b0 : 1'bz;
+    assign ps2d = d_low ? 1'b0 : 1'bz;
+    always @(posedge clk) begin
+        wait_q <= tick ? period : wait_q - 1;
+        if (tick) begin c <= ps2c; c_was <= c; end
+        done <= 0;
+        timer <= timer + 1;
+        if (go) begin
+            {c_low, sends, edges, timer} <= {1'b1, 1'b1, 4'd0, 23'd0};
+            frame <= {1'b1, ~^command, command, 1'b0};
+        end else if (c_low) begin
+            if (timer == 3100) {c_low, d_low} <= 2'b01;  // 62 us
+        end else if (falls) begin
+            edges <= edges == 10 ? 0 : edges + 1;
+            if (sends) begin
+                d_low <= edges < 9 && !frame[edges + 1];
+                if (edges == 10) sends <= 0;
+            end else begin
+                frame <= {ps2d, frame[10:1]};
+                if (edges == 10) begin done <= 1; answer <= right ? frame[9:2] : 8'h0; end
+            end
+        end else if (timer == 1000000) begin  // 20 ms
+            done <= 1; answer <= 8'h0; d_low <= 0;
+        end
+    end
+endmodule
+"""
+    TOP = """\
+module top(input CLOCK_50, inout PS2_CLK, PS2_DAT, PS2_CLK2, PS2_DAT2);
+    reg [25:0] begins = 0;
+    reg [31:0] chance = 1, pause = 2;
+    reg [15:0] sent = 0, answered = 0;
+    reg port = 0, waits = 0;
+    wire [1:0] done;
+    wire [7:0] answer [1:0];
+    wire go = !waits && pause == 1;
+    wire mouse = port ^ %d;
+    wire [9:0] period = chance[19:16] == 0 ? 0 : chance[15:0] %% 300;  // up to 6 us
+    host a(CLOCK_50, PS2_CLK, PS2_DAT, go && !port, mouse ? 8'hE6 : 8'hEE, period, done[0],
+           answer[0]);
+    host b(CLOCK_50, PS2_CLK2, PS2_DAT2, go && port, mouse ? 8'hE6 : 8'hEE, period, done[1],
+           answer[1]);
+    always @(posedge CLOCK_50)
+        if (begins != 27500000) begins <= begins + 1;  // 550 ms: the devices' tests
+        else if (waits) begin
+            if (done[port]) begin
+                answered <= answered + (answer[port] == (mouse ? 8'hFA : 8'hEE));
+                waits <= 0;
+                port <= ~port;
+                pause <= 2500 + chance %% (1 << chance[31:28]);
+                chance <= {chance[30:0], chance[31] ^ chance[21] ^ chance[1] ^ chance[0]} * 5 + 1;
+                if (sent == %d) begin
+                    $display("answered %%0d of %%0d", answered
+                             + (answer[port] == (mouse ? 8'hFA : 8'hEE)), sent);
+                    $finish;
+                end
+            end
+        end else begin
+            pause <= pause - 1;
+            if (go) begin waits <= 1; sent <= sent + 1; end
+        end
+endmodule
+"""
+
+    def answered(self, devices, mouse_first, commands):
+        self.write(host_v=self.HOST, top_v=self.TOP % (mouse_first, commands),
+                   s_yaml=f"name: s\nversion: 1\nps2: [{devices}]\nsteps:\n  - delay: 3600s\n")
+        done = self.de1sim("run", "s.yaml", "--project", ".", "--top", "top", "--frames", "none")
+        return done.stdout.splitlines()[:1]
+
+    def test_every_command_is_answered(self):
+        self.assertEqual(self.answered("keyboard, mouse", False, 20), ["answered 20 of 20"])
+        self.assertEqual(self.answered("mouse, keyboard", True, 20), ["answered 20 of 20"])
+
+
 if __name__ == "__main__":
     run()

@@ -87,7 +87,6 @@ public:
 
     void flush() override {
         std::fflush(stdout);  // what $display has printed comes before what de1sim prints
-        if (facts_.aud_xck_used && xck_fs_ && now_fs_ - xck_moved_fs_ > QUIET_FS) tell_xck(0);
         const unsigned count = video_count_;
         video_count_ = 0;
         if (count) {
@@ -263,6 +262,8 @@ private:
             xck_ = top_.aud_xck_o;
             const std::uint64_t before_fs = std::exchange(xck_moved_fs_, now_fs_);
             if (before_fs) tell_xck((now_fs_ - before_fs) / XCK_RISES);
+        } else if (xck_fs_ && now_fs_ - xck_moved_fs_ > QUIET_FS) {
+            tell_xck(0);
         }
         const bool sdat_low = !top_.i2c_sdat_o && !top_.i2c_sdat_low_i;
         const unsigned codec =
