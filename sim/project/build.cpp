@@ -97,6 +97,7 @@ void Builder::elaborate() {
     files_ = std::move(clean.files);
     design_.changes = std::move(clean.changes);
     design_.init_files = std::move(clean.init_files);
+    checks_ = std::move(clean.checks);
     check_verilator(limit_);
     while (!translate_to_xml()) {
     }
@@ -106,13 +107,14 @@ void Builder::elaborate() {
 // ones of Intel's IP.
 bool Builder::translate_to_xml() {
     auto words = verilator_words(design_.project, includes_);
-    words.insert(words.end(), {"-DDE1SIM_LISTS", "--xml-only", "--xml-output", "design.xml",
-                               "--Mdir", "xml", "--top-module", design_.project.top});
+    words.insert(words.end(), {"-O0", "-Wwarn-lint", "-Wwarn-PINMISSING", "-DDE1SIM_LISTS",
+                               "--xml-only", "--xml-output", "design.xml", "--Mdir", "xml",
+                               "--top-module", design_.project.top});
     const auto parameters = verilator_options(design_.project.parameters);
     words.insert(words.end(), parameters.begin(), parameters.end());
     for (const fs::path& file : files_) words.push_back(file.string());
     try {
-        run_tool(words, folder_, limit_);
+        said_ = run_tool(words, folder_, limit_);
     } catch (const ProjectError& e) {
         bool left_out = false;
         for (const std::string& name : unknown_parameters(e.what())) {
@@ -167,7 +169,24 @@ void Builder::read_and_elaborate() {
     if (design_.elaborated.pll_clocks.size() > 64)
         throw ProjectError{fmt::format("the design has {} PLL clocks, expected at most 64",
                                        design_.elaborated.pll_clocks.size())};
+    check();
     generate();
+}
+
+// ProjectError: the first thing that Quartus refuses; the others are among the notes.
+void Builder::check() {
+    Checked checked = check_design({design_.project, (folder_ / "design.xml").string(), said_,
+                                    checks_, design_.elaborated.ports});
+    design_.warnings = std::move(checked.warnings);
+    if (checked.errors.empty()) return;
+    const auto said = [](const Message& m) {
+        return fmt::format("{}: Quartus error {}: {}", m.place(), m.number, m.text);
+    };
+    ProjectError error{said(checked.errors.front())};
+    error.notes = design_.project.notes;
+    for (std::size_t n = 1; n < checked.errors.size(); ++n)
+        error.notes.push_back(said(checked.errors[n]));
+    throw error;
 }
 
 void Builder::generate() {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -9,6 +10,7 @@
 #include "sim/project/folder_lock.h"
 #include "sim/project/part_drivers.h"
 #include "sim/project/project.h"
+#include "sim/project/quartus/check.h"
 #include "sim/project/tools.h"
 #include "sim/project/vhdl_generics.h"
 
@@ -19,6 +21,7 @@ struct Design {
     Elaborated elaborated;
     Binding binding;
     std::vector<std::string> changes;  // by the normaliser
+    Messages warnings;                 // as Quartus would give, sorted
     std::vector<InitFile> init_files;  // of the design's own memories, and of its IP
 };
 
@@ -46,6 +49,7 @@ public:
 private:
     void read_and_elaborate();
     void prepare_folder();
+    void check();
     void elaborate();
     bool translate_to_xml();
     void generate();
@@ -60,6 +64,8 @@ private:
     std::vector<std::string> includes_;  // names in folder_ of the folders of headers
     std::vector<std::filesystem::path> files_;  // cleaned copies, in folder_
     std::vector<GenericEntity> entities_;       // in VHDL
+    std::map<std::string, TextChecks> checks_;  // by file
+    std::string said_;                          // by Verilator of the last elaboration
     bool examined_ = false;
 };
 

@@ -95,12 +95,13 @@ CleanSources clean_sources(const SourceRequest& from) {
         const std::string name = file.path.lexically_relative(project.folder).string();
         if (file.language == SourceFile::Language::VHDL) continue;
         const bool system_verilog = file.language == SourceFile::Language::SYSTEM_VERILOG;
-        const Normalised normalised =
+        Normalised normalised =
             normalise(synthesised(file, project), name, system_verilog, open_inputs, modules);
         clean.changes.insert(clean.changes.end(), normalised.changes.begin(),
                              normalised.changes.end());
         for (const InitName& init : normalised.init_names)
             clean.init_files.push_back({init.name, fmt::format("{}:{}", name, init.line)});
+        clean.checks[name] = std::move(normalised.checks);
         const fs::path to = fmt::format("source/{:03}{}", number++, system_verilog ? ".sv" : ".v");
         write_if_new(from.folder / to,
                      fmt::format("`line 1 \"{}\" 0\n{}", without_blanks(name), normalised.text));

@@ -3,11 +3,13 @@
 
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <string>
 #include <vector>
 
 #include "sim/project/elaborated.h"
 #include "sim/project/project.h"
+#include "sim/project/quartus/text_checks.h"
 #include "sim/project/tools.h"
 #include "sim/project/vhdl_generics.h"
 
@@ -25,6 +27,7 @@ struct CleanSources {
     std::vector<std::filesystem::path> files;  // as seen from the folder
     std::vector<std::string> changes;          // a line each, for a person
     std::vector<InitFile> init_files;          // that the sources name
+    std::map<std::string, TextChecks> checks;  // by the name of the file
 };
 
 // Writes folder/source/*; what is there already and the same is not touched.  ProjectError: GHDL

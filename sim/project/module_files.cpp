@@ -70,7 +70,8 @@ const ModuleFiles::Definition* ModuleFiles::definition(const std::string& name, 
         if (const auto language = language_of(file); language && !known_.count(file)) {
             add(file, *language, false);
             if (const auto i = modules_.find(name); i != modules_.end()) {
-                notes_.push_back(fmt::format("{} is not listed; it defines {}", place(file), name));
+                notes_.push_back(
+                    fmt::format("12125: {} is not listed; it defines {}", place(file), name));
                 return &i->second;
             }
         }

@@ -71,6 +71,7 @@ public:
 
     Normalised run(bool system_verilog) {
         Normalised result;
+        checks_ = check_text(tokens_.all, items_, name_, system_verilog);
         if (!system_verilog) choose_keywords(result.text);
         for (std::size_t i = 0; i < tokens_.all.size(); ++i) {
             const Token& token = tokens_.all[i];
@@ -103,6 +104,7 @@ public:
         if (begun_) result.text += "\n`end_keywords\n";
         result.changes = std::move(changes_);
         result.init_names = std::move(init_names_);
+        result.checks = std::move(checks_);
         return result;
     }
 
@@ -112,6 +114,10 @@ private:
     }
     void changed(const Token& token, const std::string& what) {
         changes_.push_back(fmt::format("{}:{}: {}", name_, token.line, in_one_line(what)));
+    }
+
+    void warn(unsigned number, const Token& token, const std::string& what) {
+        checks_.warnings.push_back({number, name_, token.line, in_one_line(what)});
     }
 
     // What is written or told of a text in quotes, which may go over lines, as in a broken file.
@@ -148,6 +154,7 @@ private:
             if (!first && is_new_keyword(token.text)) first = &token;
         }
         if (!first) return;
+        warn(10463, *first, fmt::format("\"{}\" is a word of SystemVerilog", first->text));
         changed(*first, fmt::format("\"{}\" is read as a name, as in Verilog-2005", first->text));
         text += "`begin_keywords \"1364-2005\" ";
         begun_ = true;
@@ -211,9 +218,11 @@ private:
             kept[0] = "0123456789abcdef"[value_of(kept[0]) & ((1 << (bits_per_digit - over)) - 1)];
         if (digits.size() <= most && !cut_digit) return std::string{text};
         const std::string now = std::string{text.substr(0, base + 1)} + kept;
-        if (cut_digit || digits.find_first_not_of('0') < digits.size() - most)
+        if (cut_digit || digits.find_first_not_of('0') < digits.size() - most) {
+            warn(10229, token,
+                 fmt::format("{} has more than {} bits, taken as {}", text, size, now));
             changed(token, fmt::format("{} has too many digits, taken as {}", text, now));
-        else
+        } else
             changed(token, fmt::format("{} has too many digits, shortened to {}", text, now));
         return now;
     }
@@ -227,6 +236,7 @@ private:
         const unsigned long long value = std::stoull(digits), mask = (1ull << size) - 1;
         if (value <= mask) return std::string{token.text};
         const std::string now = fmt::format("{}{}", token.text.substr(0, base + 1), value & mask);
+        warn(10259, token, fmt::format("{} does not fit in {} bits", token.text, size));
         changed(token,
                 fmt::format("{} does not fit in {} bits, taken as {}", token.text, size, now));
         return now;
@@ -249,6 +259,7 @@ private:
     Edits edits_;
     std::vector<std::string> changes_;
     std::vector<InitName> init_names_;
+    TextChecks checks_;
     unsigned unnamed_ = 0;
     bool begun_ = false;
 };

@@ -24,6 +24,7 @@
 
 #include "sim/project/init_text.h"
 #include "sim/project/part_drivers.h"
+#include "sim/project/quartus/text_checks.h"
 
 namespace sim::project {
 
@@ -31,6 +32,7 @@ struct Normalised {
     std::string text;
     std::vector<std::string> changes;  // "pong.v:12: named the instance of ball"
     std::vector<InitName> init_names;
+    TextChecks checks;
 };
 
 // Inputs of models of Intel's IP that are 1 where a design leaves them open: module, port.

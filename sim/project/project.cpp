@@ -85,6 +85,8 @@ private:
         } else if (name == "VERILOG_FILE" || name == "SYSTEMVERILOG_FILE" || name == "VHDL_FILE" ||
                    name == "SOURCE_FILE") {
             take_source(a);
+        } else if (name == "SDC_FILE") {
+            resolve(a);
         } else if (name == "QIP_FILE") {
             if (const auto file = resolve(a))
                 for (const Assignment& inner : read_settings(*file)) take(inner);
@@ -99,7 +101,11 @@ private:
         const auto found = files_.finder().find(
             a.value, a.in_qip_folder ? fs::absolute(a.file).parent_path() : folder_);
         if (!found) {
-            note(fmt::format("{}:{}: {} is not there", files_.place(a.file), a.line, a.value));
+            const unsigned number = a.name == "QIP_FILE"   ? 125092
+                                    : a.name == "SDC_FILE" ? 332012
+                                                           : 12019;
+            note(fmt::format("{}:{}: {}: {} is not there", files_.place(a.file), a.line, number,
+                             a.value));
             return {};
         }
         if (!found->exact)
@@ -223,6 +229,11 @@ private:
             if (files_.encrypted().count(source.path))
                 throw ProjectError{files_.place(source.path) + ": " + ENCRYPTED};
         for (const std::string& line : unsupported_) note(line);
+        for (const SourceFile& source : project_.sources)
+            for (const auto& [module, d] : files_.modules())
+                if (request_.is_model(module) && files_.source(d.source).file.path == source.path)
+                    note(fmt::format("12090: module {} is that of {}, and not Quartus' own", module,
+                                     files_.place(source.path)));
         if (!project_.entities.empty()) note("VHDL goes through GHDL, which is experimental");
     }
 

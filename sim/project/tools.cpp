@@ -1,11 +1,13 @@
 #include "sim/project/tools.h"
 
+#include <algorithm>
 #include <sstream>
 
 #include <fmt/format.h>
 
 #include "sim/process/run_command.h"
 #include "sim/project/compiled_headers.h"
+#include "sim/project/quartus/words.h"
 #include "sim/project/settings.h"
 #include "sim/report/whole_file.h"
 
@@ -19,12 +21,6 @@ namespace {
 constexpr std::uintmax_t WORTH_A_PROCESS = 500'000;
 constexpr std::string_view BLANK = "\u00a0";  // one that does not end a word
 
-std::string with_blanks(std::string text) {
-    for (std::size_t at = 0; (at = text.find(BLANK, at)) != std::string::npos;)
-        text.replace(at, BLANK.size(), " ");
-    return text;
-}
-
 fs::path program_folder() {
     std::error_code error;
     return fs::read_symlink("/proc/self/exe", error).parent_path();
@@ -34,7 +30,7 @@ fs::path library(const char* name) {
     return (program_folder() / ".." / LIBRARY_FOLDER / name).lexically_normal();
 }
 
-// Verilator's first error, in a line: "pong.v:12:5: syntax error, unexpected ...".
+// Verilator's first error, in a line: "pong.v:12: Quartus error 10170: syntax error ...".
 std::string first_error(const Outcome& outcome, const std::string& tool, const TimeLimit& limit) {
     if (outcome.code == TIMED_OUT)
         return fmt::format("the build has not ended in {} s (--build-limit): {} was at work",
@@ -48,7 +44,11 @@ std::string first_error(const Outcome& outcome, const std::string& tool, const T
         if (mark != std::string::npos) {
             if (line.find("Exiting due to") != std::string::npos) continue;
             const std::size_t colon = line.find(": ", mark);
-            return colon == std::string::npos ? line : line.substr(colon + 2);
+            if (colon == std::string::npos) return line;
+            const auto behind =
+                static_cast<std::size_t>(std::max<std::streamoff>(lines.tellg(), 0));
+            return error_in_our_words(line.substr(colon + 2),
+                                      std::string_view{outcome.output}.substr(behind));
         }
         if (first.empty() && line.find("error:") != std::string::npos) first = line;
     }
@@ -63,6 +63,12 @@ std::string without_blanks(std::string name) {
     for (std::size_t at = 0; (at = name.find(' ', at)) != std::string::npos; at += BLANK.size())
         name.replace(at, 1, BLANK);
     return name;
+}
+
+std::string with_blanks(std::string text) {
+    for (std::size_t at = 0; (at = text.find(BLANK, at)) != std::string::npos;)
+        text.replace(at, BLANK.size(), " ");
+    return text;
 }
 
 void link_to(const fs::path& folder, const fs::path& link) {

@@ -14,6 +14,7 @@ std::filesystem::path data_folder();
 // The name of a file for a `line directive, which Verilator reads up to a blank.  The messages
 // of run_tool() have the blanks again.
 std::string without_blanks(std::string name);
+std::string with_blanks(std::string text);
 
 // A symbolic link to a folder: a name without blanks, over which Verilator stumbles.
 void link_to(const std::filesystem::path& folder, const std::filesystem::path& link);

@@ -1,5 +1,7 @@
 #include "sim/run/project_commands.h"
 
+#include <algorithm>
+
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
@@ -88,6 +90,9 @@ project::Built build_with_progress(const ProjectOptions& options, bool trace, bo
     if (!quiet) {
         for (const std::string& note : design.project.notes) message(note);
         for (const std::string& note : design.binding.notes) message(note);
+        if (const std::size_t count = design.warnings.size())
+            message(fmt::format("{} warning{} as Quartus would give; `de1sim check` lists {}",
+                                count, count > 1 ? "s" : "", count > 1 ? "them" : "it"));
     }
     return builder.build([quiet](const std::string& line) {
         if (!quiet) message(line);
@@ -122,6 +127,20 @@ int check_project(const ProjectOptions& options) {
     text += lines("initial words of memories", init_files);
     text += lines("notes", design.project.notes);
     text += lines("pins", design.binding.notes);
+    std::vector<std::string> warnings;
+    for (const project::Message& m : design.warnings) {
+        // What is said of several lines of a file is said once.
+        const std::string words = fmt::format(": {}: {}", m.number, m.text), place = m.file + ":";
+        const auto same = std::find_if(warnings.begin(), warnings.end(), [&](const auto& line) {
+            return line.compare(0, place.size(), place) == 0 && line.size() > words.size() &&
+                   line.compare(line.size() - words.size(), words.size(), words) == 0;
+        });
+        if (same == warnings.end())
+            warnings.push_back(line_of(m));
+        else
+            same->insert(same->size() - words.size(), fmt::format(",{}", m.line));
+    }
+    text += lines("warnings, with Quartus' numbers", warnings);
     text += lines("changed for the simulation", design.changes);
     return print_result(text) ? PASSED : WRONG_INPUT;
 }

@@ -1,0 +1,238 @@
+#include "sim/project/quartus/blocks.h"
+
+#include <algorithm>
+#include <set>
+#include <string_view>
+
+#include <fmt/format.h>
+
+namespace sim::project {
+
+namespace {
+
+using Node = pugi::xml_node;
+using NodeNames = std::set<std::string>;
+
+bool is_named(const Node& node, std::string_view name) { return node.name() == name; }
+
+bool is_statement(const Node& node) {
+    static const std::set<std::string_view> NAMES{"assign",  "assigndly", "begin",    "case",
+                                                  "display", "if",        "stmtexpr", "stop",
+                                                  "while",   "finish"};
+    return NAMES.count(node.name()) > 0;
+}
+
+void take_refs(const Node& node, NodeNames& names) {
+    if (is_named(node, "varref")) names.insert(node.attribute("name").value());
+    for (const Node& child : node.children()) take_refs(child, names);
+}
+
+NodeNames common(const NodeNames& a, const NodeNames& b) {
+    NodeNames both;
+    std::set_intersection(a.begin(), a.end(), b.begin(), b.end(), std::inserter(both, both.end()));
+    return both;
+}
+
+class Blocks {
+public:
+    Blocks(const Netlist& netlist, const SourceLine& source) : netlist_{netlist}, source_{source} {}
+
+    Messages run() {
+        for (const auto& [key, module] : netlist_.modules()) {
+            if (!module.is_own) continue;
+            module_ = &module;
+            for (const Node& block : module.blocks) look(block);
+        }
+        return std::move(messages_);
+    }
+
+private:
+    void look(const Node& block) {
+        const Place place = netlist_.place(block);
+        const Node list = block.child("sentree");
+        bool clocked = false;
+        for (const Node& item : list.children("senitem")) {
+            const std::string edge = item.attribute("edgeType").value();
+            clocked |= edge == "POS" || edge == "NEG" || edge == "BOTH";
+        }
+        any_.clear();
+        NodeNames always;
+        for (const Node& child : block.children()) {
+            if (is_named(child, "sentree")) continue;
+            const NodeNames more = assigned(child);
+            always.insert(more.begin(), more.end());
+        }
+        if (clocked) return derived_clock(block, list);
+        if (source_(place.file, place.line).find("always_latch") == std::string::npos)
+            for (const std::string& name : any_)
+                if (!always.count(name) && is_seen(name))
+                    add(10240, place,
+                        fmt::format("{} keeps its value on some paths through the block, so it is "
+                                    "a latch; assign it on all of them",
+                                    name));
+        if (list) complete(block, list, place);
+    }
+
+    // A register as a clock.  What the block also reads is its reset.
+    void derived_clock(const Node& block, const Node& list) {
+        NodeNames clocks, read;
+        take_refs(list, clocks);
+        for (const Node& child : block.children())
+            if (!is_named(child, "sentree")) take_reads(child, read);
+        for (const std::string& name : clocks) {
+            const Variable* v = read.count(name) ? nullptr : variable(name);
+            if (!v || std::none_of(v->drivers.begin(), v->drivers.end(), [](const Driver& d) {
+                    return d.kind == Driver::Kind::ALWAYS && !d.blocking;
+                }))
+                continue;
+            add(332060, v->place,
+                fmt::format("{} is a register and a clock; an enable at CLOCK_50 is safer, or "
+                            "create_generated_clock in the .sdc",
+                            name));
+        }
+    }
+
+    const Variable* variable(const std::string& name) const {
+        const auto found = std::find_if(module_->variables.begin(), module_->variables.end(),
+                                        [&](const Variable& v) { return v.name == name; });
+        return found == module_->variables.end() ? nullptr : &*found;
+    }
+
+    // Outside of the block that assigns it.
+    bool is_seen(const std::string& name) const {
+        const Variable* v = variable(name);
+        if (!v || v->is_local || v->is_loop_variable || v->is_array) return false;
+        if (!v->direction.empty()) return true;
+        std::set<unsigned> drivers;
+        for (const Driver& d : v->drivers) drivers.insert(d.process);
+        return !std::includes(drivers.begin(), drivers.end(), v->readers.begin(), v->readers.end());
+    }
+
+    // What the block reads, and its list has not.
+    void complete(const Node& block, const Node& list, const Place& place) {
+        NodeNames listed, read;
+        take_refs(list, listed);
+        for (const Node& child : block.children())
+            if (!is_named(child, "sentree")) take_reads(child, read);
+        for (const std::string& name : read) {
+            const Variable* v = variable(name);
+            if (!v || v->is_local || v->is_parameter || v->is_loop_variable || any_.count(name) ||
+                listed.count(name))
+                continue;
+            add(10235, place,
+                fmt::format("{} is read in the block, but is not in its list; the logic depends on "
+                            "it all the same (write @(*))",
+                            name));
+        }
+    }
+    void take_reads(const Node& node, NodeNames& names) {
+        if (is_named(node, "assign") || is_named(node, "assigndly")) {
+            take_refs(node.first_child(), names);
+            for (const Node& part : node.first_child().next_sibling().children())
+                if (!is_named(part, "varref")) take_refs(part, names);
+            return;
+        }
+        if (is_named(node, "varref")) names.insert(node.attribute("name").value());
+        for (const Node& child : node.children()) take_reads(child, names);
+    }
+
+    // What is assigned on every path through a statement; any_ gets what is on some.
+    NodeNames assigned(const Node& node) {
+        NodeNames names;
+        const auto join = [&](const Node& child) {
+            const NodeNames more = assigned(child);
+            names.insert(more.begin(), more.end());
+        };
+        if (is_named(node, "assign") || is_named(node, "assigndly")) {
+            take_targets(node.first_child().next_sibling(), names);
+            any_.insert(names.begin(), names.end());
+        } else if (is_named(node, "if")) {
+            const Node then = node.first_child().next_sibling(), other = then.next_sibling();
+            const NodeNames a = assigned(then), b = other ? assigned(other) : NodeNames{};
+            names = common(a, b);
+        } else if (is_named(node, "case")) {
+            names = of_case(node);
+        } else if (is_named(node, "begin") || is_named(node, "while") ||
+                   is_named(node, "stmtexpr")) {
+            for (const Node& child : node.children()) join(child);
+        } else if (is_named(node, "taskref") || is_named(node, "funcref")) {
+            take_refs(node, names);
+        }
+        return names;
+    }
+    static void take_targets(const Node& target, NodeNames& names) {
+        Node at = target;
+        while (is_named(at, "sel") || is_named(at, "arraysel")) at = at.first_child();
+        if (is_named(at, "varref"))
+            names.insert(at.attribute("name").value());
+        else
+            for (const Node& child : at.children()) take_targets(child, names);
+    }
+
+    // ---- Cases ----
+
+    NodeNames of_case(const Node& node) {
+        const Place place = netlist_.place(node);
+        const std::string text = source_(place.file, place.line);
+        const auto has = [&](const char* word) { return text.find(word) != std::string::npos; };
+        const bool wild = has("casex") || has("casez") || has("inside");
+        Node of = node.first_child();
+        while (is_named(of, "extend")) of = of.first_child();
+        const unsigned width = std::min(netlist_.width(of), 64u);
+        std::set<long long> values;
+        bool has_default = false, known = true, first = true;
+        NodeNames names;
+        for (const Node& item : node.children("caseitem")) {
+            NodeNames here;
+            bool has_condition = false;
+            for (const Node& part : item.children()) {
+                if (is_statement(part)) {
+                    const NodeNames more = assigned(part);
+                    here.insert(more.begin(), more.end());
+                    continue;
+                }
+                has_condition = true;
+                const long long value = constant(part);
+                known &= value >= 0;
+                if (value < 0) continue;
+                if (width < 63 && value >> width != 0) {
+                    add(10199, netlist_.place(part),
+                        "this item of the case can never be met: it has more bits than what is "
+                        "compared");
+                } else if (!values.insert(value).second) {
+                    add(10272, netlist_.place(part),
+                        fmt::format("this item of the case ({}) was there before; the first counts",
+                                    value));
+                }
+            }
+            has_default |= !has_condition;
+            names = first ? here : common(names, here);
+            first = false;
+        }
+        const bool full = has_default || has("unique") || has("priority") || has("full_case") ||
+                          (width < 20 && values.size() == (1ull << width));
+        if (wild && width >= 32)
+            add(10762, place, "the case has too many values to find out whether it is complete");
+        else if (!full && known)
+            add(10270, place, "the case is not complete, and has no default");
+        return full || !known ? names : NodeNames{};
+    }
+
+    void add(unsigned number, const Place& place, std::string text) {
+        messages_.push_back({number, place.file, place.line, std::move(text)});
+    }
+
+    const Netlist& netlist_;
+    const SourceLine& source_;
+    const NetModule* module_ = nullptr;
+    NodeNames any_;
+    Messages messages_;
+};
+
+}  // namespace
+
+Messages block_warnings(const Netlist& netlist, const SourceLine& line_of_source) {
+    return Blocks{netlist, line_of_source}.run();
+}
+
+}  // namespace sim::project

@@ -1,0 +1,17 @@
+// blocks.h - what Quartus warns of in always blocks: latches, lists, cases.
+#pragma once
+
+#include <functional>
+
+#include "sim/project/quartus/message.h"
+#include "sim/project/quartus/netlist.h"
+
+namespace sim::project {
+
+// A line of a source, for words that the XML has not (always_latch, unique, casez).
+using SourceLine = std::function<std::string(const std::string& file, unsigned line)>;
+
+// 10199, 10235, 10240, 10270, 10272, 10762, 332060.
+Messages block_warnings(const Netlist& netlist, const SourceLine& line_of_source);
+
+}  // namespace sim::project

@@ -1,0 +1,161 @@
+#include "sim/project/quartus/check.h"
+
+#include <algorithm>
+#include <set>
+#include <sstream>
+
+#include <fmt/format.h>
+
+#include "sim/project/file_finder.h"
+#include "sim/project/quartus/blocks.h"
+#include "sim/project/quartus/drivers.h"
+#include "sim/project/quartus/netlist.h"
+#include "sim/project/quartus/words.h"
+#include "sim/project/settings.h"
+
+namespace sim::project {
+
+namespace {
+
+using Node = pugi::xml_node;
+
+// The lines of the project's files.
+class SourceTexts {
+public:
+    explicit SourceTexts(const std::filesystem::path& folder) : folder_{folder} {}
+
+    std::string line(const std::string& file, unsigned line) {
+        auto found = files_.find(file);
+        if (found == files_.end()) {
+            found = files_.emplace(file, std::vector<std::string>{}).first;
+            try {
+                std::istringstream in{text_of(folder_ / file)};
+                for (std::string text; std::getline(in, text);) found->second.push_back(text);
+            } catch (const ProjectError&) {  // of an included file, whose folder is not known here
+            }
+        }
+        return line >= 1 && line <= found->second.size() ? found->second[line - 1] : "";
+    }
+
+private:
+    const std::filesystem::path folder_;
+    std::map<std::string, std::vector<std::string>> files_;
+};
+
+// Assignments of 32 bits, since a number without a size is in them, to fewer.
+class WideAssignments {
+public:
+    WideAssignments(const CheckRequest& request, const Netlist& netlist)
+        : request_{request}, netlist_{netlist} {}
+
+    Messages run() {
+        for (const auto& [key, module] : netlist_.modules())
+            if (module.is_own) look(module.node);
+        return std::move(messages_);
+    }
+
+private:
+    void look(const Node& node) {
+        for (const Node& child : node.children()) {
+            const std::string_view kind = child.name();
+            if (kind == "assign" || kind == "assigndly" || kind == "contassign")
+                assignment(child);
+            else
+                look(child);
+        }
+    }
+    void assignment(const Node& node) {
+        const Place place = netlist_.place(node);
+        const auto text = request_.texts.find(place.file);
+        if (text == request_.texts.end()) return;
+        const Node target = node.first_child().next_sibling();
+        const unsigned width = netlist_.width(target);
+        Node base = target;
+        while (base && std::string_view{base.name()} != "varref") base = base.first_child();
+        if (width >= 32 ||
+            !text->second.of_32_bits.count({place.line, base.attribute("name").value()}))
+            return;
+        messages_.push_back(
+            {10230, place.file, place.line,
+             fmt::format("a value of 32 bits, for a number in it has no size, is cut to {}",
+                         width)});
+    }
+
+    const CheckRequest& request_;
+    const Netlist& netlist_;
+    Messages messages_;
+};
+
+// The .qsf's pins and the top's ports, where both are there.
+Messages pin_warnings(const CheckRequest& request) {
+    if (request.project.pins.empty()) return {};
+    Messages messages;
+    std::map<std::string, bool> bits;  // whether it has a pin
+    for (const Port& port : request.ports)
+        for (int n = std::min(port.left, port.right); n <= std::max(port.left, port.right); ++n)
+            bits[lower(port.vector ? fmt::format("{}[{}]", port.name, n) : port.name)] = false;
+    std::size_t others = 0;
+    for (const auto& [name, pin] : request.project.pins) {
+        const auto bit = bits.find(lower(name));
+        if (bit == bits.end())
+            ++others;
+        else
+            bit->second = true;
+    }
+    const std::string file = request.project.settings.filename().string();
+    std::string open;
+    std::size_t count = 0;
+    for (const auto& [name, has_pin] : bits)
+        if (!has_pin && ++count <= 3) open += (open.empty() ? "" : ", ") + name;
+    if (others)
+        messages.push_back(
+            {15706, file, 1, fmt::format("{} pins are assigned to what the top has not", others)});
+    if (count)
+        messages.push_back({169085, file, 1,
+                            fmt::format("{} of the top's ports have no pin, which Quartus chooses "
+                                        "then: {}{}",
+                                        count, open, count > 3 ? " ..." : "")});
+    return messages;
+}
+
+void append(Messages& all, Messages more) {
+    all.insert(all.end(), std::make_move_iterator(more.begin()),
+               std::make_move_iterator(more.end()));
+}
+
+// Each once, and one 10230 for a line.
+void make_tidy(Messages& all) {
+    std::stable_sort(all.begin(), all.end());
+    all.erase(std::unique(all.begin(), all.end(),
+                          [](const Message& a, const Message& b) {
+                              return a == b || (a.number == 10230 && b.number == 10230 &&
+                                                a.file == b.file && a.line == b.line);
+                          }),
+              all.end());
+}
+
+}  // namespace
+
+Checked check_design(const CheckRequest& request) {
+    const Netlist netlist{request.xml_file};
+    SourceTexts sources{request.project.folder};
+    const SourceLine line = [&](const std::string& file, unsigned number) {
+        return sources.line(file, number);
+    };
+    Checked checked;
+    for (const auto& [file, text] : request.texts) {
+        append(checked.errors, text.errors);
+        append(checked.warnings, text.warnings);
+    }
+    append(checked.errors, driver_errors(netlist));
+    append(checked.warnings, pin_warnings(request));
+    append(checked.warnings, warnings_in_our_words(request.said));
+    append(checked.warnings, driver_warnings(netlist));
+    append(checked.warnings, block_warnings(netlist, line));
+    append(checked.warnings, WideAssignments{request, netlist}.run());
+    make_tidy(checked.errors);
+    make_tidy(checked.warnings);
+    return checked;
+}
+
+}  // namespace sim::project

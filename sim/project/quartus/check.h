@@ -1,0 +1,28 @@
+// check.h - all that Quartus would say of a design, from what is known of it here.
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "sim/project/elaborated.h"
+#include "sim/project/project.h"
+#include "sim/project/quartus/message.h"
+#include "sim/project/quartus/text_checks.h"
+
+namespace sim::project {
+
+struct CheckRequest {
+    const Project& project;
+    std::string xml_file;                            // of Verilator, with -O0
+    const std::string& said;                         // by Verilator while it wrote that
+    const std::map<std::string, TextChecks>& texts;  // by the file's name in messages
+    const std::vector<Port>& ports;                  // of the top
+};
+
+struct Checked {
+    Messages errors, warnings;  // sorted, each once
+};
+
+Checked check_design(const CheckRequest& request);
+
+}  // namespace sim::project

@@ -1,0 +1,27 @@
+// text_checks.h - what Quartus says of the text of one file, before it is elaborated.
+#pragma once
+
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "sim/project/items.h"
+#include "sim/project/quartus/message.h"
+#include "sim/project/tokens.h"
+
+namespace sim::project {
+
+struct TextChecks {
+    Messages errors;    // 10122, 10170, 10200, 10219, 10239
+    Messages warnings;  // 10175, 10222, 10268, 10273, 10281
+    // Assignments whose value has 32 bits, since a number in it has no size: the line of
+    // the sign, and the variable.
+    std::set<std::pair<unsigned, std::string>> of_32_bits;
+};
+
+// `name` is the file's in messages.  `system_verilog`: loops need no `generate` in it.
+TextChecks check_text(const std::vector<Token>& tokens, const Items& items, const std::string& name,
+                      bool system_verilog);
+
+}  // namespace sim::project

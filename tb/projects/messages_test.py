@@ -1,0 +1,182 @@
+"""messages_test.py DE1SIM FOLDER README - what Quartus warns of and refuses, a project for each.
+
+README has a table of the numbers; each of them is here.
+"""
+import pathlib
+import re
+import sys
+
+from case import Case, run
+
+README = pathlib.Path(sys.argv.pop(3)).read_text()
+HEAD = "module top(input CLOCK_50, input [3:0] KEY, input [9:0] SW, output {} [9:0] LEDR);\n"
+ALL = "assign LEDR = SW ^ {CLOCK_50, KEY};\n"
+REG, WIRE, END = HEAD.format("reg"), HEAD.format("wire"), "endmodule\n"
+SUB = "module sub(input [1:0] a, b, output [3:0] q); assign q = a + b; endmodule\n"
+QSF = "set_global_assignment -name VERILOG_FILE top.v\n"
+
+# The text of top.v, or of the files; and what is said.
+WARNINGS = {
+    10027: (WIRE + "reg [3:0] m [0:15]; initial m[0] = 1;\nassign LEDR = m[SW[1:0]];\n" + END,
+            "top.v:3: 10027: an index of 2 bits does not reach all words"),
+    10030: (WIRE + "wire [3:0] w;\nassign w[1:0] = SW[1:0];\nassign LEDR = w;\n" + END,
+            "top.v:2: 10030: w[3:2] has no driver"),
+    10034: (WIRE + "assign LEDR[3:0] = SW[3:0];\n" + END,
+            "top.v:1: 10034: output LEDR[9:4] has no driver"),
+    10036: (WIRE + ALL + "reg [3:0] n;\nalways @(posedge CLOCK_50) n <= SW[3:0];\n" + END,
+            "top.v:3: 10036: n is assigned, but never read"),
+    10037: (WIRE + "assign LEDR = SW >= 0 ? 10'd1 : SW;\n" + END,
+            "top.v:2: 10037: the comparison always has the same result"),
+    10175: (WIRE + ALL + "initial $monitor(\"%b\", LEDR);\n" + END,
+            "top.v:3: 10175: $monitor does nothing on the board"),
+    10199: (REG +
+            "always @(*)\ncase (SW[1:0])\n  3'd4: LEDR = 1;\n  default: LEDR = 2;\nendcase\n" +
+            END, "top.v:4: 10199: this item of the case can never be met"),
+    10222: ("module top #(parameter W = 1) (input [9:0] SW, output [9:0] LEDR);\n"
+            "parameter K = 10'd3;\nassign LEDR = SW + K;\n" + END,
+            "top.v:2: 10222: the module has a list of parameters in its head"),
+    10229: (WIRE + "assign LEDR = SW ^ 4'b110101;\n" + END, "top.v:2: 10229: 4'b110101 has more"),
+    10230: (REG + "always @(posedge CLOCK_50)\n  LEDR <= LEDR + 1;\n" + END,
+            "top.v:3: 10230: a value of 32 bits, for a number in it has no size, is cut to 10"),
+    10235: (REG + "always @(SW[0])\n  LEDR = SW[0] & KEY[0];\n" + END,
+            "top.v:2: 10235: KEY is read in the block, but is not in its list"),
+    10236: (WIRE + "sub s(.a(SW[1:0]), .b(SW[3:2]), .q(conut));\n" + ALL +
+            END + SUB, "top.v:2: 10236: conut is not declared"),
+    10240: (REG + "always @(*)\n  if (KEY[0]) LEDR = SW;\n" + END,
+            "top.v:2: 10240: LEDR keeps its value on some paths"),
+    10259: (WIRE + "assign LEDR = SW ^ 4'd20;\n" + END, "top.v:2: 10259: 4'd20 does not fit"),
+    10268: (REG + "reg [9:0] n;\nalways @(posedge CLOCK_50) begin\n  n = SW;\n  LEDR <= n;\nend\n" +
+            END, "top.v:4: 10268: the block has both = and <="),
+    10270: (REG + "always @(posedge CLOCK_50)\ncase (SW[1:0])\n  0: LEDR <= 1;\n  1: LEDR <= 2;\n"
+            "endcase\n" + END, "top.v:3: 10270: the case is not complete, and has no default"),
+    10272: (REG + "always @(*)\ncase (SW[1:0])\n  2'd1: LEDR = 1;\n  2'd1: LEDR = 2;\n"
+            "  default: LEDR = 3;\nendcase\n" + END,
+            "top.v:5: 10272: this item of the case (1) was there before"),
+    10273: (WIRE + "wire [7:0] w = 8'bx;\nassign LEDR = SW ^ w;\n" + END,
+            "top.v:2: 10273: 8'bx is extended with x"),
+    10281: (WIRE + "wire Sw = SW[0];\nassign LEDR = Sw;\n" + END,
+            "top.v:2: 10281: Sw and SW differ in their case alone"),
+    10463: (WIRE + "wire final = SW[0];\nassign LEDR = final;\n" + END,
+            'top.v:2: 10463: "final" is a word of SystemVerilog'),
+    10762: (REG + "reg [31:0] n;\nalways @(posedge CLOCK_50) n <= n + 32'd1;\nalways @(*)\n"
+            "casez (n)\n  32'h1???????: LEDR = 1;\n  default: LEDR = 2;\nendcase\n" + END,
+            "top.v:5: 10762: the case has too many values"),
+    10858: (WIRE + "wire [9:0] count;\nassign LEDR = SW ^ count;\n" + END,
+            "top.v:2: 10858: count is used, but nothing drives it"),
+    12010: (WIRE + "sub s(.a(SW[1:0]), .b(SW), .q(LEDR[3:0]));\nassign LEDR[9:4] = SW[9:4];\n" +
+            END +
+            SUB, "top.v:2: 12010: port b has 2 bits and is connected with 10"),
+    12019: ({"p.qsf": QSF + "set_global_assignment -name VERILOG_FILE gone.v\n"
+             "set_global_assignment -name TOP_LEVEL_ENTITY top\n", "top.v": WIRE + ALL + END},
+            "p.qsf:2: 12019: gone.v is not there"),
+    12020: (WIRE + "sub s(.a(SW[0]), .b(SW[2:1]), .q(LEDR[3:0]));\nassign LEDR[9:4] = 0;\n" + END +
+            SUB, "top.v:2: 12020: port a has 2 bits and is connected with 1"),
+    12030: (WIRE + "sub s(.a(SW[1:0]), .b(SW[3:2]), .q(LEDR[0]));\nassign LEDR[9:1] = 0;\n" + END +
+            SUB, "top.v:2: 12030: port q has 4 bits and is connected with 1"),
+    12090: (WIRE + "wire q;\ndffe f(SW[0], q);\nassign LEDR = q;\n" + END +
+            "module dffe(input a, output b); assign b = a; endmodule\n",
+            "12090: module dffe is that of top.v"),
+    12125: ({"p.qsf": QSF + "set_global_assignment -name TOP_LEVEL_ENTITY top\n",
+             "top.v": WIRE + "sub s(SW[1:0], SW[3:2], LEDR[3:0]);\n" + END, "sub.v": SUB},
+            "12125: sub.v is not listed; it defines sub"),
+    12241: (WIRE + "sub s(.a(SW[1:0]), .q(LEDR[3:0]));\nassign LEDR[9:4] = SW[9:4];\n" + END + SUB,
+            "top.v:2: 12241: instance s of sub: not connected, so 0: b"),
+    13040: ("module top(input [9:0] SW, output [9:0] LEDR, inout [35:0] GPIO_0);\n"
+            "assign LEDR = SW ^ GPIO_0[9:0];\n" +
+            END, "top.v:1: 13040: inout GPIO_0 is never driven"),
+    13410: (WIRE.replace(");", ", output [6:0] HEX0);") + ALL + "assign HEX0 = 7'h7f;\n" + END,
+            "top.v:3: 13410: output HEX0 is constant"),
+    15610: (WIRE + "assign LEDR = SW ^ CLOCK_50;\n" + END, "top.v:1: 15610: input KEY is not used"),
+    15706: ({"p.qsf": QSF + "set_global_assignment -name TOP_LEVEL_ENTITY top\n"
+             "set_location_assignment PIN_AA14 -to KEY[0]\n"
+             "set_location_assignment PIN_AE26 -to HEX0[0]\n", "top.v": WIRE + ALL + END},
+            "p.qsf:1: 15706: 1 pins are assigned to what the top has not"),
+    125092: ({"p.qsf": QSF + "set_global_assignment -name QIP_FILE pll.qip\n"
+              "set_global_assignment -name TOP_LEVEL_ENTITY top\n", "top.v": WIRE + ALL + END},
+             "p.qsf:2: 125092: pll.qip is not there"),
+    169085: ({"p.qsf": QSF + "set_global_assignment -name TOP_LEVEL_ENTITY top\n"
+              "set_location_assignment PIN_AA14 -to KEY[0]\n", "top.v": WIRE + ALL + END},
+             "p.qsf:1: 169085: 24 of the top's ports have no pin"),
+    332012: ({"p.qsf": QSF + "set_global_assignment -name SDC_FILE top.sdc\n"
+              "set_global_assignment -name TOP_LEVEL_ENTITY top\n", "top.v": WIRE + ALL + END},
+             "p.qsf:2: 332012: top.sdc is not there"),
+    332060: (REG + "reg [3:0] slow;\nalways @(posedge CLOCK_50) slow <= slow + 4'd1;\n"
+             "always @(posedge slow[3]) LEDR <= SW;\n" + END,
+             "top.v:2: 332060: slow is a register and a clock"),
+}
+ERRORS = {
+    10028: (REG + "always @(posedge CLOCK_50) if (!KEY[0]) LEDR <= 1;\n"
+            "always @(posedge CLOCK_50) if (!KEY[1]) LEDR <= 2;\n" + END,
+            "top.v:3: Quartus error 10028: LEDR has two drivers, here by an always block and at "
+            "top.v:2 by an always block (10029)"),
+    10054: (WIRE + ALL + '`include "gone.vh"\n' + END,
+            "top.v:3: Quartus error 10054: the file gone.vh that is included is not there"),
+    10122: (REG + "always @(posedge CLOCK_50 or KEY) LEDR <= SW;\n" + END,
+            "top.v:2: Quartus error 10122: the list has signals with an edge beside"),
+    10137: (WIRE + "always @(*) LEDR = SW;\n" + END,
+            "top.v:2: Quartus error 10137: LEDR is a wire, and is assigned in a block"),
+    10161: (WIRE + "wire count;\nassign LEDR = SW ^ cuont;\n" + END,
+            "top.v:3: Quartus error 10161: cuont is not declared; is it count?"),
+    10170: (WIRE + "assign LEDR = SW\nassign x = 1;\n" + END,
+            'top.v:3: Quartus error 10170: syntax error near "assign"'),
+    10200: (REG + "wire r = SW[0];\nalways @(posedge CLOCK_50 or negedge r)\nif (KEY[0]) LEDR <= 0;"
+            " else LEDR <= SW;\n" +
+            END, "top.v:4: Quartus error 10200: the list has several edges"),
+    10219: (REG + "assign LEDR = SW;\n" + END,
+            "top.v:2: Quartus error 10219: LEDR is a reg, and is assigned by `assign`"),
+    10231: (WIRE + ALL + "assign SW[0] = 1;\n" + END,
+            "top.v:3: Quartus error 10231: input SW is assigned"),
+    10239: (REG + "always @(posedge CLOCK_50 or negedge CLOCK_50) LEDR <= SW;\n" + END,
+            "top.v:2: Quartus error 10239: the list has both edges of CLOCK_50"),
+    12002: (WIRE + "sub s(.c(SW[0]), .q(LEDR[3:0]));\n" + END + SUB,
+            "top.v:2: Quartus error 12002: the module that is instanced has no port c"),
+    12006: (WIRE + ALL + "gone g(SW[0]);\n" + END,
+            "top.v:3: Quartus error 12006: no file defines module gone"),
+    12014: (WIRE + "sub a(SW[1:0], SW[3:2], LEDR[3:0]);\nsub b(SW[1:0], SW[3:2], LEDR[4:1]);\n" +
+            END + SUB, "top.v:3: Quartus error 12014: LEDR[3:1] has two drivers, here by q of "
+            "instance b and at top.v:2 by q of instance a (12015)"),
+}
+
+
+class Messages(Case):
+    def write_files(self, files):
+        for name, text in (files if isinstance(files, dict) else {"top.v": files}).items():
+            (self.folder / name).write_text(text)
+
+    def test_what_quartus_warns_of(self):
+        for number, (files, said) in WARNINGS.items():
+            with self.subTest(number=number):
+                self.setUp()
+                self.write_files(files)
+                done = self.de1sim("check", ".")
+                self.assertEqual(done.returncode, 0, done.stderr)
+                self.assertIn(said, done.stdout)
+                self.assertEqual(len(re.findall(rf"\b{number}: ", done.stdout)), 1, done.stdout)
+
+    def test_what_quartus_refuses(self):
+        for number, (files, said) in ERRORS.items():
+            with self.subTest(number=number):
+                self.setUp()
+                self.write_files(files)
+                self.refused(said)
+
+    def test_a_design_in_order_has_no_warning(self):
+        self.write(top_v=REG + "reg [9:0] n = 0;\nalways @(posedge CLOCK_50 or negedge KEY[0])\n"
+                         "if (!KEY[0]) n <= 0;\nelse if (n == 10'd9) n <= 10'd0;\n"
+                         "else n <= n + 10'd1;\n"
+                         "always @(*)\ncase (KEY[2:1])\n2'd0: LEDR = n;\n2'd1: LEDR = SW;\n"
+                         "2'd2: LEDR = {9'd0, KEY[3]};\n2'd3: LEDR = 10'd5;\nendcase\n" + END)
+        self.assertNotIn("warnings", self.de1sim("check", ".").stdout)
+
+    def test_a_run_counts_the_warnings(self):
+        self.write(top_v=WIRE + "wire [9:0] c;\nassign LEDR = SW ^ c;\n" + END)
+        self.assertIn("3 warnings as Quartus would give; `de1sim check` lists them",
+                      self.leds(0))
+
+    def test_the_table_has_each_number(self):
+        rows = re.findall(r"^\| (\d{5,6})", README, re.MULTILINE)
+        self.assertEqual(sorted(map(int, rows)), sorted([*WARNINGS, *ERRORS]))
+
+
+if __name__ == "__main__":
+    run()
