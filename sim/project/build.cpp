@@ -2,6 +2,9 @@
 
 #include <unistd.h>
 
+#include <algorithm>
+#include <regex>
+
 #include <fmt/format.h>
 
 #include "sim/project/clean_sources.h"
@@ -92,12 +95,7 @@ void Builder::prepare_folder() {
 }
 
 void Builder::elaborate() {
-    CleanSources clean =
-        clean_sources({design_.project, entities_, request_.is_model, folder_, limit_});
-    files_ = std::move(clean.files);
-    design_.changes = std::move(clean.changes);
-    design_.init_files = std::move(clean.init_files);
-    checks_ = std::move(clean.checks);
+    read_clean_sources();
     check_verilator(limit_);
     while (!translate_to_xml()) {
     }
@@ -116,6 +114,12 @@ bool Builder::translate_to_xml() {
     try {
         said_ = run_tool(words, folder_, limit_);
     } catch (const ProjectError& e) {
+        const std::string_view said = e.what();
+        if (!design_.project.why_missing.empty() &&
+            (said.find("12006: no file defines module") != std::string_view::npos ||
+             said.find("pragma protect") != std::string_view::npos))  // in an encrypted file
+            throw ProjectError{design_.project.why_missing};
+        if (fit_inout(e.what())) return false;
         bool left_out = false;
         for (const std::string& name : unknown_parameters(e.what())) {
             const auto set = design_.project.parameters.find(name);
@@ -130,6 +134,33 @@ bool Builder::translate_to_xml() {
         return false;
     }
     return true;
+}
+
+// False: the error is another than of an inout port that is connected with more or fewer bits.
+bool Builder::fit_inout(const std::string& error) {
+    static const std::regex SAID{
+        "^(.*):([0-9]+): .*Inout port connection '([^']*)' to inout signal requires ([0-9]+) bits, "
+        "but connection's .* generates ([0-9]+) bits.*"};
+    std::smatch m;
+    if (!std::regex_match(error, m, SAID)) return false;
+    const InoutFit fit{static_cast<unsigned>(std::stoul(m[2])), m[3],
+                       static_cast<unsigned>(std::stoul(m[4])),
+                       static_cast<unsigned>(std::stoul(m[5]))};
+    auto& fits = inout_fits_[m[1]];
+    const auto same = [&](const InoutFit& o) { return o.line == fit.line && o.port == fit.port; };
+    if (std::any_of(fits.begin(), fits.end(), same)) return false;
+    fits.push_back(fit);
+    read_clean_sources();
+    return true;
+}
+
+void Builder::read_clean_sources() {
+    CleanSources clean = clean_sources(
+        {design_.project, entities_, request_.is_model, folder_, limit_, inout_fits_});
+    files_ = std::move(clean.files);
+    design_.changes = std::move(clean.changes);
+    design_.init_files = std::move(clean.init_files);
+    checks_ = std::move(clean.checks);
 }
 
 const Design& Builder::examine() {
@@ -178,6 +209,7 @@ void Builder::check() {
     Checked checked = check_design({design_.project, (folder_ / "design.xml").string(), said_,
                                     checks_, design_.elaborated.ports});
     design_.warnings = std::move(checked.warnings);
+    design_.self_reading = std::move(checked.self_reading);
     if (checked.errors.empty()) return;
     const auto said = [](const Message& m) {
         return fmt::format("{}: Quartus error {}: {}", m.place(), m.number, m.text);
@@ -214,6 +246,19 @@ std::string Builder::key() const {
     return hash_of(all);
 }
 
+// An array that is assigned in a loop needs the loop unrolled, which is not done by itself where it
+// has many rounds.
+std::string Builder::translate(std::vector<std::string> words) const {
+    try {
+        return run_tool(words, folder_, limit_);
+    } catch (const ProjectError& error) {
+        if (std::string_view{error.what()}.find("inside for loops") == std::string_view::npos)
+            throw;
+    }
+    words.insert(words.begin() + 1, {"--unroll-count", "5000", "--unroll-stmts", "1000000"});
+    return run_tool(words, folder_, limit_);
+}
+
 Built Builder::build(const Progress& progress) {
     examine();
     const std::string name = fmt::format("chip-{}{}.so", key(), trace_ ? "-trace" : "");
@@ -239,7 +284,8 @@ Built Builder::build(const Progress& progress) {
     words.push_back("data/project/de1sim_chip.v");
     words.push_back("de1sim_pll_taps.v");
     for (const fs::path& file : files_) words.push_back(file.string());
-    write_whole_file(objects / "de1sim_loops.h", loops_text(run_tool(words, folder_, limit_)));
+    write_whole_file(objects / "de1sim_loops.h",
+                     loops_text(translate(words), design_.self_reading));
     forget_edges_of_power_up(objects);
 
     progress("compiling");

@@ -8,6 +8,7 @@
 
 #include "sim/project/binding.h"
 #include "sim/project/folder_lock.h"
+#include "sim/project/inout_fits.h"
 #include "sim/project/part_drivers.h"
 #include "sim/project/project.h"
 #include "sim/project/quartus/check.h"
@@ -22,6 +23,7 @@ struct Design {
     Binding binding;
     std::vector<std::string> changes;  // by the normaliser
     Messages warnings;                 // as Quartus would give, sorted
+    std::string self_reading;          // what has no register and reads itself: "q (ring.v:7)"
     std::vector<InitFile> init_files;  // of the design's own memories, and of its IP
 };
 
@@ -49,6 +51,9 @@ public:
 private:
     void read_and_elaborate();
     void prepare_folder();
+    void read_clean_sources();
+    bool fit_inout(const std::string& error);
+    std::string translate(std::vector<std::string> words) const;
     void check();
     void elaborate();
     bool translate_to_xml();
@@ -62,10 +67,11 @@ private:
     Design design_;
     std::filesystem::path folder_;       // .de1sim beside the project, or in the user's cache
     std::vector<std::string> includes_;  // names in folder_ of the folders of headers
-    std::vector<std::filesystem::path> files_;  // cleaned copies, in folder_
-    std::vector<GenericEntity> entities_;       // in VHDL
-    std::map<std::string, TextChecks> checks_;  // by file
-    std::string said_;                          // by Verilator of the last elaboration
+    std::vector<std::filesystem::path> files_;                 // cleaned copies, in folder_
+    std::vector<GenericEntity> entities_;                      // in VHDL
+    std::map<std::string, TextChecks> checks_;                 // by file
+    std::map<std::string, std::vector<InoutFit>> inout_fits_;  // by file
+    std::string said_;  // by Verilator of the last elaboration
     bool examined_ = false;
 };
 

@@ -62,7 +62,8 @@ std::vector<std::string> translate_vhdl(const SourceRequest& from, const Modules
     for (const SourceFile& file : project.sources) needed.insert(file.path);
     const std::vector<std::string> texts =
         verilog_of({project.folder, project.vhdl, roots, needed, from.folder / "vhdl",
-                    vhdl_libraries(ip, read_open_inputs(ip / "defaults.tsv")), in_verilog},
+                    vhdl_libraries(ip, read_open_inputs(ip / "defaults.tsv")),
+                    project.vhdl_libraries, in_verilog},
                    from.limit);
     std::vector<std::string> all;
     auto text = texts.begin();
@@ -95,8 +96,10 @@ CleanSources clean_sources(const SourceRequest& from) {
         const std::string name = file.path.lexically_relative(project.folder).string();
         if (file.language == SourceFile::Language::VHDL) continue;
         const bool system_verilog = file.language == SourceFile::Language::SYSTEM_VERILOG;
+        const auto fits = from.inout_fits.find(name);
         Normalised normalised =
-            normalise(synthesised(file, project), name, system_verilog, open_inputs, modules);
+            normalise(synthesised(file, project), name, system_verilog, open_inputs, modules,
+                      fits == from.inout_fits.end() ? std::vector<InoutFit>{} : fits->second);
         clean.changes.insert(clean.changes.end(), normalised.changes.begin(),
                              normalised.changes.end());
         for (const InitName& init : normalised.init_names)
@@ -104,7 +107,10 @@ CleanSources clean_sources(const SourceRequest& from) {
         clean.checks[name] = std::move(normalised.checks);
         const fs::path to = fmt::format("source/{:03}{}", number++, system_verilog ? ".sv" : ".v");
         write_if_new(from.folder / to,
-                     fmt::format("`line 1 \"{}\" 0\n{}", without_blanks(name), normalised.text));
+                     fmt::format("`line 1 \"{}\" 0\n{}{}", without_blanks(name),
+                                 // As Quartus does in SystemVerilog.
+                                 system_verilog ? "/*verilator lint_off PROCASSWIRE*/" : "",
+                                 normalised.text));
         clean.files.push_back(to);
     }
     for (std::size_t n = 0; n < vhdl.size(); ++n) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "sim/project/elaborated.h"
+#include "sim/project/inout_fits.h"
 #include "sim/project/project.h"
 #include "sim/project/quartus/text_checks.h"
 #include "sim/project/tools.h"
@@ -21,6 +22,7 @@ struct SourceRequest {
     const std::function<bool(const std::string& module)>& is_model;
     const std::filesystem::path& folder;  // to write to
     const TimeLimit& limit;
+    const std::map<std::string, std::vector<InoutFit>>& inout_fits;  // by file
 };
 
 struct CleanSources {

@@ -66,7 +66,7 @@ std::string facts_text(const Project& project, const Elaborated& elaborated,
                       binding.has_xck, binding.drives_codec_clocks, folders, below.size());
 }
 
-std::string loops_text(const std::string& said) {
+std::string loops_text(const std::string& said, const std::string& otherwise) {
     std::string loops;
     std::istringstream lines{said};
     for (std::string line; std::getline(lines, line);) {
@@ -75,10 +75,12 @@ std::string loops_text(const std::string& said) {
             continue;
         const std::size_t place = line.find(": ") + 2, begin = line.find('.', quote + 14) + 1;
         const std::string name = line.substr(begin, line.find('\'', begin) - begin);
+        if (name.find("__V") != std::string::npos) continue;  // of Verilator's making
         const std::size_t column = line.find(':', line.find(':', place) + 1);
         loops += fmt::format("{}{} ({})", loops.empty() ? "" : ", ", name,
                              line.substr(place, column - place));
     }
+    if (loops.empty()) loops = otherwise;
     if (!loops.empty()) loops += " depends on itself without a register";
     return fmt::format("// Written by de1sim.\n#pragma once\nconstexpr char LOOPS[] = \"{}\";\n",
                        escaped(loops));

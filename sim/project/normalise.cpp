@@ -56,13 +56,14 @@ bool is_charge_strength(std::string_view word) {
 class Normaliser {
 public:
     Normaliser(std::string_view text, const std::string& name, const OpenInputs& open_inputs,
-               const Modules& modules)
+               const Modules& modules, const std::vector<InoutFit>& inout_fits)
         : tokens_{tokens_of(text)}, items_{tokens_.all}, name_{name} {
         reorder(tokens_.all, items_, edits_);
         repeat_parameter_types(tokens_.all, edits_);
         enable_part_drivers(tokens_, modules, edits_);
         make_registers(tokens_, edits_);
         complete_lists(tokens_, edits_);
+        fit_inouts(tokens_.all, inout_fits, edits_);
         init_names_ = read_at_run_time(tokens_, edits_);
         for (std::size_t i = 0; i < tokens_.all.size(); ++i)
             if (tokens_.all[i].kind == Kind::NAME && open_inputs.count(tokens_.all[i].text))
@@ -100,7 +101,7 @@ public:
             if (const auto here = edits_.behind.find(i); here != edits_.behind.end())
                 result.text += in_one_line(here->second);
         }
-        result.text += tokens_.tail;
+        result.text += without_pragmas(tokens_.tail);
         if (begun_) result.text += "\n`end_keywords\n";
         result.changes = std::move(changes_);
         result.init_names = std::move(init_names_);
@@ -129,8 +130,8 @@ private:
         return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
     }
 
-    // A comment that begins with the tool's name is an order to Verilator, unless it is one that it
-    // does not know, which is an error.
+    // A comment that begins with the tool's name is an order to Verilator; an older one does not
+    // know those for a newer one, and Quartus none.
     static std::string without_pragmas(std::string_view gap) {
         std::string text{gap};
         for (const char* open : {"//", "/*"})
@@ -138,10 +139,9 @@ private:
                  at = text.find(open, at + 2)) {
                 const std::size_t word = text.find_first_not_of(" \t", at + 2);
                 if (word == std::string::npos) break;
-                std::string name = text.substr(word, 19);
+                std::string name = text.substr(word, 9);
                 std::transform(name.begin(), name.end(), name.begin(), ::tolower);
-                if (name.compare(0, 9, "verilator") == 0 && name.compare(9, 6, " lint_") != 0)
-                    text.insert(at + 2, " -");
+                if (name.compare(0, 9, "verilator") == 0) text.insert(at + 2, " -");
             }
         return text;
     }
@@ -280,8 +280,9 @@ OpenInputs read_open_inputs(const std::filesystem::path& table) {
 }
 
 Normalised normalise(std::string_view text, const std::string& name, bool system_verilog,
-                     const OpenInputs& open_inputs, const Modules& modules) {
-    return Normaliser{text, name, open_inputs, modules}.run(system_verilog);
+                     const OpenInputs& open_inputs, const Modules& modules,
+                     const std::vector<InoutFit>& inout_fits) {
+    return Normaliser{text, name, open_inputs, modules, inout_fits}.run(system_verilog);
 }
 
 }  // namespace sim::project

@@ -23,6 +23,7 @@
 #include <vector>
 
 #include "sim/project/init_text.h"
+#include "sim/project/inout_fits.h"
 #include "sim/project/part_drivers.h"
 #include "sim/project/quartus/text_checks.h"
 
@@ -42,6 +43,7 @@ OpenInputs read_open_inputs(const std::filesystem::path& table);  // rtl/ip/defa
 // `name` is the file's in messages; `system_verilog`: it is read as such, keywords and all;
 // `modules`: as enable_part_drivers() has it.
 Normalised normalise(std::string_view text, const std::string& name, bool system_verilog,
-                     const OpenInputs& open_inputs = {}, const Modules& modules = {});
+                     const OpenInputs& open_inputs = {}, const Modules& modules = {},
+                     const std::vector<InoutFit>& inout_fits = {});
 
 }  // namespace sim::project

@@ -36,9 +36,12 @@ public:
 
     Project run() {
         if (!settings_.empty()) {
-            const std::vector<Assignment> all = read_settings(settings_);
-            for (const Assignment& a : all)  // before the sources, which they change
+            const std::vector<Assignment> all = settings_of(settings_);
+            for (const Assignment& a : all) {  // before the sources, which they change
                 if (a.name == "VERILOG_MACRO") project_.macros.push_back(a.value);
+                if (a.name == "VERILOG_INPUT_VERSION")
+                    is_system_verilog_ = lower(a.value).compare(0, 13, "systemverilog") == 0;
+            }
             for (const Assignment& a : all) take(a);
             if (project_.top.empty()) project_.top = settings_.stem().string();
         }
@@ -60,6 +63,12 @@ public:
 
 private:
     void note(std::string text) { project_.notes.push_back(std::move(text)); }
+
+    std::vector<Assignment> settings_of(const fs::path& file) {
+        Settings settings = read_settings(file);
+        for (std::string& text : settings.notes) note(std::move(text));
+        return std::move(settings.assignments);
+    }
 
     void take(const Assignment& a) {
         const std::string& name = a.name;
@@ -86,10 +95,10 @@ private:
                    name == "SOURCE_FILE") {
             take_source(a);
         } else if (name == "SDC_FILE") {
-            resolve(a);
+            if (const auto file = resolve(a)) settings_of(*file);  // for what is wrong in it
         } else if (name == "QIP_FILE") {
             if (const auto file = resolve(a))
-                for (const Assignment& inner : read_settings(*file)) take(inner);
+                for (const Assignment& inner : settings_of(*file)) take(inner);
         } else if (const auto why = unsupported_file(a.value);
                    why && name.size() > 5 && name.compare(name.size() - 5, 5, "_FILE") == 0) {
             unsupported_.push_back(
@@ -119,8 +128,12 @@ private:
         if (!file) return;
         const auto by_ending = language_of(*file);
         Language language = by_ending.value_or(Language::VERILOG);
+        if (language == Language::VERILOG && is_system_verilog_)
+            language = Language::SYSTEM_VERILOG;
         if (a.name == "SYSTEMVERILOG_FILE") language = Language::SYSTEM_VERILOG;
         if (a.name == "VHDL_FILE") language = Language::VHDL;
+        if (language == Language::VHDL && !a.library.empty() && lower(a.library) != "work")
+            project_.vhdl_libraries[lower(a.library)].push_back(*file);
         files_.add(*file, language, true);
     }
 
@@ -131,17 +144,25 @@ private:
                 why && (module.empty() || lower(file.stem().string()) == lower(module)))
                 throw ProjectError{fmt::format("{}: {}", files_.place(file), *why)};
     }
-    // ProjectError: why there is no such module, if that is known.
-    void refuse_missing() const {
+    // Why a module that the sources name is not there, if that is known.  Whether the design needs
+    // it, elaboration tells: a `generate` may leave it out.
+    std::string reason_for_missing() const {
         for (const auto& [module, by] : missing_)
             if (const auto why = unsupported_module(module))
-                throw ProjectError{fmt::format("{}: module {}, which {} wants: {}",
-                                               folder_.string(), module, by, *why)};
-        for (const auto& [module, by] : missing_) refuse_files(module);
-        if (missing_.empty()) return;
-        if (!unsupported_.empty()) throw ProjectError{unsupported_.front()};
+                return fmt::format("{}: module {}, which {} wants: {}", folder_.string(), module,
+                                   by, *why);
+        try {
+            for (const auto& [module, by] : missing_) refuse_files(module);
+        } catch (const ProjectError& error) {
+            return error.what();
+        }
+        if (missing_.empty()) return {};
+        const std::string wanted =
+            fmt::format(" (module {}, which {} wants)", missing_[0].first, missing_[0].second);
+        if (!unsupported_.empty()) return unsupported_.front() + wanted;
         if (!files_.encrypted().empty())
-            throw ProjectError{files_.place(*files_.encrypted().begin()) + ": " + ENCRYPTED};
+            return files_.place(*files_.encrypted().begin()) + ": " + ENCRYPTED + wanted;
+        return {};
     }
 
     void choose_top() {
@@ -224,7 +245,9 @@ private:
         std::set<fs::path> folders{folder_};
         for (const SourceFile& source : project_.sources) folders.insert(source.path.parent_path());
         project_.includes.insert(project_.includes.end(), folders.begin(), folders.end());
-        refuse_missing();
+        project_.why_missing = reason_for_missing();
+        if (!project_.entities.empty() && !project_.why_missing.empty())
+            throw ProjectError{project_.why_missing};
         for (const SourceFile& source : project_.sources)
             if (files_.encrypted().count(source.path))
                 throw ProjectError{files_.place(source.path) + ": " + ENCRYPTED};
@@ -244,6 +267,7 @@ private:
     std::vector<std::string> unsupported_;
     std::vector<std::pair<std::string, std::string>> missing_;  // modules, with who wants them
     bool is_folder_alone_ = false;                              // no files are listed
+    bool is_system_verilog_ = false;                            // .v files, too
     bool other_device_ = false;  // so its pins' locations mean other signals
 };
 

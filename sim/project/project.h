@@ -29,10 +29,12 @@ struct Project {
     std::string top;
     std::vector<SourceFile> sources;          // what the top needs, packages first
     std::vector<std::filesystem::path> vhdl;  // all files of it, if something needs one
-    std::vector<std::string> entities;        // that are the top, or that Verilog instances
+    std::map<std::string, std::vector<std::filesystem::path>> vhdl_libraries;  // of -library
+    std::vector<std::string> entities;  // that are the top, or that Verilog instances
     std::vector<std::filesystem::path> includes;
     std::vector<std::string> macros;  // NAME or NAME=VALUE
     TopParameters parameters;
+    std::string why_missing;  // the reason, where modules that the sources name are not there
     std::map<std::string, std::string> pins;  // "SW[3]" -> "PIN_AF9"
     std::vector<std::string> notes;           // what a person should know, a line each
 };

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
-#include <map>
+#include <set>
 #include <string>
 
 #include <fmt/format.h>
@@ -36,6 +36,8 @@ public:
         for (std::size_t i = 0; i < tokens_.size(); ++i) {
             const Token& token = tokens_[i];
             if (token.is("endmodule")) end_of_module();
+            if (token.is("begin")) scopes_.push_back(++scope_);
+            if (token.is("end") && scopes_.size() > 1) scopes_.pop_back();
             if (!items_.begins_item(i)) continue;
             if (token.is("defparam")) parameter(i);
             if (is_direction(token)) ports_.push_back(declaration(i));
@@ -97,31 +99,74 @@ private:
         }
         ports_.clear();
         nets_.clear();
-        parameters_.clear();
+        drop_earlier_parameters();
     }
 
-    void parameter(std::size_t begin) {
+    // "u.W = 4", of one statement "defparam u.W = 4, v.W = 8;"
+    struct Parameter {
         std::string name;
+        std::size_t begin, end;  // its tokens
+    };
+    struct Defparam {
+        std::size_t begin, end;  // the word, and its semicolon
+        std::vector<Parameter> parameters;
+    };
+
+    void parameter(std::size_t begin) {
+        Defparam all{begin, begin, {}};
         std::size_t i = begin + 1;
-        for (; i < tokens_.size() && !tokens_[i].is("=") && !tokens_[i].is(";"); ++i)
-            name += tokens_[i].text;
         while (i < tokens_.size() && !tokens_[i].is(";")) {
-            if (tokens_[i].is(",")) return;  // several in one statement
-            ++i;
+            Parameter p{std::to_string(scopes_.back()) + " ", i, i};
+            bool in_name = true;
+            for (int depth = 0; i < tokens_.size() && !tokens_[i].is(";"); ++i) {
+                if (depth == 0 && tokens_[i].is(",")) break;
+                depth += tokens_[i].is("(") + tokens_[i].is("[") + tokens_[i].is("{");
+                depth -= tokens_[i].is(")") + tokens_[i].is("]") + tokens_[i].is("}");
+                in_name = in_name && !tokens_[i].is("=");
+                if (in_name) p.name += tokens_[i].text;
+            }
+            p.end = i;
+            all.parameters.push_back(p);
+            if (i < tokens_.size() && tokens_[i].is(",")) ++i;
         }
-        if (const auto earlier = parameters_.find(name); earlier != parameters_.end()) {
-            drop(earlier->second.first, earlier->second.second);
-            edits_.told[earlier->second.first] =
-                fmt::format("left out defparam {}, which is set again", name);
+        all.end = i;
+        defparams_.push_back(std::move(all));
+    }
+
+    // Of those of one parameter of one instance the last one counts.
+    void drop_earlier_parameters() {
+        std::set<std::string> later;
+        for (auto statement = defparams_.rbegin(); statement != defparams_.rend(); ++statement) {
+            std::string kept;
+            bool drops = false;
+            auto& all = statement->parameters;
+            for (auto p = all.rbegin(); p != all.rend(); ++p) {
+                if (!later.insert(p->name).second) {
+                    drops = true;
+                    edits_.told[statement->begin] =
+                        fmt::format("left out defparam {}, which is set again",
+                                    p->name.substr(p->name.find(' ') + 1));
+                    continue;
+                }
+                std::string text;
+                for (std::size_t i = p->begin; i < p->end; ++i)
+                    text += std::string{tokens_[i].text} + " ";
+                kept = text + (kept.empty() ? "" : ", ") + kept;
+            }
+            if (!drops) continue;
+            drop(statement->begin, statement->end);
+            if (!kept.empty()) edits_.before[statement->begin] += "defparam " + kept + "; ";
         }
-        parameters_[name] = {begin, i};
+        defparams_.clear();
     }
 
     const std::vector<Token>& tokens_;
     const Items& items_;
     Edits& edits_;
     std::vector<Declaration> ports_, nets_;
-    std::map<std::string, std::pair<std::size_t, std::size_t>> parameters_;  // begin and semicolon
+    std::vector<Defparam> defparams_;
+    std::vector<unsigned> scopes_{0};  // numbers of the blocks that are open
+    unsigned scope_ = 0;
 };
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <optional>
 #include <set>
 #include <sstream>
 
@@ -19,18 +20,31 @@ namespace fs = std::filesystem;
 
 namespace {
 
+// "GHDL 2.0.0 crashed on this VHDL ...", where it says so itself.
+std::optional<std::string> crash(const std::string& said) {
+    if (said.find("GHDL Bug occurred") == std::string::npos) return {};
+    static const std::string RELEASE = "GHDL release: ";
+    std::string version;
+    if (const std::size_t at = said.find(RELEASE); at != std::string::npos) {
+        const std::size_t begin = at + RELEASE.size();
+        version = " " + said.substr(begin, said.find_first_of(" \n", begin) - begin);
+    }
+    return fmt::format("GHDL{} crashed on this VHDL; a newer GHDL may take it", version);
+}
+
 // GHDL's first error, or what it says instead: "top.vhd:14:2: no declaration for "x"".
-std::string first_error(const std::string& said) {
+std::string first_error(const std::string& said, const std::string& what) {
+    if (const auto crashed = crash(said)) return fmt::format("{}: {}", what, *crashed);
     std::istringstream lines{said};
-    std::string first;
     for (std::string line; std::getline(lines, line);) {
-        if (first.empty()) first = line;
         const std::size_t colon = line.find(':');
         const bool has_place = colon != std::string::npos && colon + 1 < line.size() &&
                                std::isdigit(static_cast<unsigned char>(line[colon + 1]));
-        if (has_place && line.find(":warning:") == std::string::npos) return line;
+        if (has_place && line.find(":warning:") == std::string::npos &&
+            line.find(":note:") == std::string::npos)
+            return line;
     }
-    return "ghdl: " + first;
+    return fmt::format("{}: GHDL failed on this VHDL, and does not say why", what);
 }
 
 std::string run_ghdl(std::vector<std::string> words, const fs::path& folder,
@@ -43,7 +57,7 @@ std::string run_ghdl(std::vector<std::string> words, const fs::path& folder,
     if (outcome.code == TIMED_OUT)
         throw ProjectError{fmt::format(
             "the build has not ended in {} s (--build-limit): ghdl was at work", limit.seconds())};
-    if (outcome.code != 0) throw ProjectError{first_error(outcome.output)};
+    if (outcome.code != 0) throw ProjectError{first_error(outcome.output, words.back())};
     return outcome.output;
 }
 
@@ -92,6 +106,13 @@ std::vector<std::string> verilog_of(const VhdlDesign& design, const TimeLimit& l
         write_whole_file(file, text);
         run_ghdl(words({"-a", "--work=" + name}, {file.string()}), design.folder, limit);
     }
+    for (const auto& [name, own] : design.own_libraries) {
+        if (all.find("library " + name) == std::string::npos) continue;
+        std::vector<std::string> of_library;
+        for (const fs::path& file : own)
+            of_library.push_back(file.lexically_relative(design.folder).string());
+        run_ghdl(words({"-a", "--work=" + name}, of_library), design.folder, limit);
+    }
     try {
         run_ghdl(words({"-i"}, files), design.folder, limit);
     } catch (const ProjectError&) {
@@ -110,13 +131,26 @@ std::vector<std::string> verilog_of(const VhdlDesign& design, const TimeLimit& l
         make.insert(make.begin(), "ghdl");
         run_command(make, design.folder, limit.left_s());
     }
+    const auto file_of = [&](const std::string& entity) {
+        for (std::size_t n = 0; n < paths.size(); ++n)
+            if (lower(text_of(paths[n])).find("entity " + lower(entity)) != std::string::npos)
+                return files[n];
+        return entity;
+    };
     std::set<std::string> known;
     std::vector<std::string> texts;
     for (const VhdlRoot& root : design.roots) {
         const auto synthesised = [&](const char* out) {
             std::vector<std::string> last = root.generics;
             last.push_back(root.entity);
-            return run_ghdl(words({"--synth", out}, last), design.folder, limit);
+            try {
+                return run_ghdl(words({"--synth", out}, last), design.folder, limit);
+            } catch (const ProjectError& failure) {
+                // What has no place of its own begins with the entity.
+                const std::string what = failure.what(), entity = root.entity + ": ";
+                if (what.compare(0, entity.size(), entity) != 0) throw;
+                throw ProjectError{file_of(root.entity) + what.substr(root.entity.size())};
+            }
         };
         std::string said = "\n" + synthesised("--out=verilog");
         said.erase(0, said.find("\nmodule ") + 1);  // its warnings

@@ -24,6 +24,7 @@ struct VhdlDesign {
     std::set<std::filesystem::path> needed;        // another with an error is left out
     std::filesystem::path work;                    // for GHDL's libraries, emptied before
     std::map<std::string, std::string> libraries;  // text by name; what no file names is left out
+    std::map<std::string, std::vector<std::filesystem::path>> own_libraries;  // files by name
     InVerilog in_verilog;
 };
 

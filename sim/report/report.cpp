@@ -122,6 +122,7 @@ const char* to_string(RunEnd end) {
         case RunEnd::INTERRUPTED: return "interrupted";
         case RunEnd::FIRMWARE_FAULT: return "firmware fault";
         case RunEnd::DESIGN_STOPPED: return "stopped by the design";
+        case RunEnd::DESIGN_OSCILLATES: return "oscillation of the design";
         case RunEnd::INTERNAL_ERROR: return "internal error";
     }
     return "unknown";

@@ -26,8 +26,9 @@ enum class RunEnd {
     PROGRAM_ENDED,  // if there is no scenario
     INTERRUPTED,
     FIRMWARE_FAULT,
-    DESIGN_STOPPED,  // by $stop, $error or $fatal of a project
-    INTERNAL_ERROR,  // of the simulator; the faults say which
+    DESIGN_STOPPED,     // by $stop, $error or $fatal of a project
+    DESIGN_OSCILLATES,  // a project that does not come to rest
+    INTERNAL_ERROR,     // of the simulator; the faults say which
 };
 
 const char* to_string(RunEnd end);  // "all steps done", ...

@@ -24,7 +24,8 @@ inline constexpr ReportKey REPORT_KEYS[] = {
     {"cpu", "`arm`: the modelled Cortex-A9; `native`: firmware compiled for this machine."},
     {"end",
      "How the run ended: `all steps done`, `duration reached`, `the program ended`, "
-     "`interrupted`, `firmware fault`, `stopped by the design` or `internal error`."},
+     "`interrupted`, `firmware fault`, `stopped by the design`, `oscillation of the design` or "
+     "`internal error`."},
     {"interrupted", "Whether a person or a signal ended it."},
     {"passed",
      "Every expectation and every check of the program's was met, nothing faulted, and "

@@ -59,6 +59,7 @@ public:
 ExitCode exit_code(const RunReport& report) {
     switch (report.end) {
         case RunEnd::INTERRUPTED: return INTERRUPTED;
+        case RunEnd::DESIGN_OSCILLATES:
         case RunEnd::INTERNAL_ERROR: return WRONG_INPUT;
         default: return report.passed() ? PASSED : FAILED;
     }

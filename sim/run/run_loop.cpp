@@ -17,7 +17,7 @@ RunEnd run_end(const Chip::End& end) {
         case Chip::End::Kind::FAILED: return RunEnd::DESIGN_STOPPED;
         case Chip::End::Kind::BROKEN: break;
     }
-    return RunEnd::INTERNAL_ERROR;
+    return RunEnd::DESIGN_OSCILLATES;
 }
 
 }  // namespace

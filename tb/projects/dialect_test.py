@@ -129,6 +129,58 @@ steps:
                          "`endif\n`endif\n`endif\nendmodule\n")
         self.leds(6)
 
+    def test_a_parameter_that_is_set_twice(self):
+        """The last one counts, of each instance of a name in its own block."""
+        self.write(top_v="module part(output [9:0] q); parameter A = 0, B = 0;\n"
+                         "assign q = A + B; endmodule\n"
+                         "module top(output [9:0] LEDR); wire [9:0] a, b;\n"
+                         "defparam u.A = 16, u.B = 3,\n  u.B = 5;\npart u(LEDR);\n"
+                         "generate if (1) begin : x defparam p.A = 1; part p(a); end\n"
+                         "if (1) begin : y defparam p.A = 2; part p(b); end endgenerate\n"
+                         "reg ok; always @* ok = a == 1 && b == 2;\n"
+                         "endmodule\n")
+        self.leds(21)
+        self.checked("top.v:4: left out defparam u.B, which is set again")
+
+    def test_an_inout_port_of_another_width_than_its_wire(self):
+        self.write(top_v="module pad(inout [7:0] io, input [7:0] d, input on, output [7:0] q);\n"
+                         "assign io = on ? d : 8'bz; assign q = io; endmodule\n"
+                         "module top(output [9:0] LEDR); tri [15:0] wide; tri [3:0] narrow;\n"
+                         "wire [7:0] a, b, c;\n"
+                         "pad p(.io(wide), .d(8'd5), .on(1'b1), .q(a));\n"
+                         "pad q(.io(narrow), .d(8'd6), .on(1'b1), .q(b));\n"
+                         "pad r(.io(UNKNOWN), .d(8'd1), .on(1'b1), .q(c));\n"
+                         "assign LEDR = {c[0], b[3:0], wide[3:0]};\nendmodule\n")
+        self.leds(0b101100101)
+
+    def test_comments_for_a_newer_verilator(self):
+        self.write(top_v="/* verilator lint_off WIDTHEXPAND */\n" + LEDS.format("SW[1:0]") +
+                         "// verilator lint_off WIDTHTRUNC\n")
+        self.leds(3, 3)
+
+    def test_a_wire_that_a_block_assigns_in_system_verilog(self):
+        self.write(top_sv="module top(input CLOCK_50, output wire [9:0] LEDR); wire [9:0] n;\n"
+                          "always_ff @(posedge CLOCK_50) n <= 10'd9;\n"
+                          "always_comb LEDR = n;\nendmodule\n")
+        self.leds(9)
+
+    def test_an_array_that_a_long_loop_assigns(self):
+        self.write(top_v="module top(input CLOCK_50, output [9:0] LEDR);\n"
+                         "reg [3:0] m [0:1199]; integer i; reg first = 1;\n"
+                         "always @(posedge CLOCK_50)\n"
+                         "if (first) begin first <= 0; for (i = 0; i < 1200; i = i + 1)\n"
+                         "  m[i] <= 4'd7; end\nelse m[3] <= 4'd9;\n"
+                         "assign LEDR = {m[1199], m[3]};\nendmodule\n")
+        self.leds(0b1111001)
+
+    def test_files_are_system_verilog_where_the_settings_say_so(self):
+        self.write(p_qsf="set_global_assignment -name VERILOG_INPUT_VERSION SYSTEMVERILOG_2005\n"
+                         "set_global_assignment -name VERILOG_FILE top.v\n"
+                         "set_global_assignment -name TOP_LEVEL_ENTITY top\n",
+                   top_v="module top(output [9:0] LEDR);\n"
+                         "for (genvar i = 0; i < 10; i++) assign LEDR[i] = i % 2;\nendmodule\n")
+        self.leds(0b1010101010)
+
     def test_pulls_of_the_wizards_files(self):
         """tri0 and tri1 in the wizard's file and where it is instanced: the memory must write."""
         self.write(top_v="module top(input CLOCK_50, output [9:0] LEDR);\n"

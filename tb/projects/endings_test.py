@@ -39,6 +39,12 @@ class Endings(Case):
         self.assertIn("a (top.v:2) depends on itself without a register, at 0.000000000 s",
                       done.stderr)
 
+    def test_an_oscillation_that_an_output_is_part_of(self):
+        done = self.played("ring r(LEDR[0]); endmodule\nmodule ring(output reg q);\n"
+                           "initial q = 0;\nalways begin #10; q = ~q; end\n", 2)
+        self.assertIn("the design oscillates: q (top.v:5) depends on itself", done.stderr)
+        self.assertNotIn("de1sim_chip", done.stderr)
+
     def test_a_clock_that_its_own_register_makes(self):
         done = self.played("reg q; always @(posedge c) q <= ~q; wire c = q ^ SW[0] ^ t;\n"
                            "reg t; always @(negedge c) t <= ~t; assign LEDR = c;\n", 2)

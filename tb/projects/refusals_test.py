@@ -65,6 +65,34 @@ class Refused(Case):
                       "p.qsf:2: part.tdf: AHDL cannot be simulated")
 
 
+class NotRefused(Case):
+    def test_a_module_that_only_an_untaken_branch_names(self):
+        """Though a Qsys system is in the project: what is needed of it is there as Verilog."""
+        self.write(p_qsf=QSF.format("QSYS_FILE system.qsys") +
+                         "set_global_assignment -name QIP_FILE system/system.qip\n",
+                   top_v="module top(output [9:0] LEDR); system s(LEDR); endmodule\n",
+                   system__system_qip="set HERE $::quartus(qip_path)\n"
+                                      "foreach f {system clock} {\n set_global_assignment -name "
+                                      "VERILOG_FILE [file join $HERE $f.v]\n}\n",
+                   system__clock_v="module clock(output q); assign q = 1; endmodule\n",
+                   system__system_v="module system #(parameter WITH_CAMERA = 0) (output [9:0] q);\n"
+                                    "generate if (WITH_CAMERA) camera c(q);\n"
+                                    "else clock k(q[0]);\nendgenerate\nendmodule\n")
+        self.leds(1)
+
+    def test_what_is_missing_is_told_beside_the_refusal(self):
+        self.write(p_qsf=QSF.format("QIP_FILE soc/soc.qip"), top_v=WANTS.format("soc"))
+        done = self.de1sim("check", ".")
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("p.qsf:2: 125092: soc/soc.qip is not there\n", done.stderr)
+        self.assertIn("12006: no file defines module soc", done.stderr)
+
+    def test_a_wrong_line_of_the_settings_is_told(self):
+        self.write(p_qsf=QSF.format("VERILOG_FILE top.v") + "set_global_assignment -name X {\n",
+                   top_v=LEDS.format("SW"))
+        self.refused("p.qsf:3: this is wrong Tcl: missing close-brace")
+
+
 class Libraries(Case):
     def test_an_own_module_with_the_name_of_a_model(self):
         self.write(top_v=LEDS.format("y").replace("; assign",

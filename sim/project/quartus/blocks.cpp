@@ -235,4 +235,71 @@ Messages block_warnings(const Netlist& netlist, const SourceLine& line_of_source
     return Blocks{netlist, line_of_source}.run();
 }
 
+namespace {
+
+class SelfReading {
+public:
+    explicit SelfReading(const NodeNames& assigned) : assigned_{assigned} {}
+
+    // What is read by a statement before it is assigned for certain.
+    void look(const Node& node) {
+        if (is_named(node, "sentree")) return;
+        if (is_named(node, "assign") || is_named(node, "assigndly")) {
+            take(node.first_child());
+            Node target = node.first_child().next_sibling();
+            while (is_named(target, "sel") || is_named(target, "arraysel"))
+                target = target.first_child();
+            if (is_named(target, "varref")) done_.insert(target.attribute("name").value());
+            return;
+        }
+        if (is_named(node, "varref")) return take(node);
+        const NodeNames before = done_;
+        for (const Node& child : node.children()) look(child);
+        if (is_named(node, "if") || is_named(node, "case")) done_ = before;
+    }
+    const NodeNames& found() const { return found_; }
+
+private:
+    void take(const Node& value) {
+        NodeNames names;
+        take_refs(value, names);
+        for (const std::string& name : names)
+            if (assigned_.count(name) && !done_.count(name)) found_.insert(name);
+    }
+
+    const NodeNames& assigned_;
+    NodeNames done_, found_;
+};
+
+void take_assigned(const Node& node, NodeNames& names) {
+    if (is_named(node, "assign") || is_named(node, "assigndly"))
+        take_refs(node.first_child().next_sibling(), names);
+    for (const Node& child : node.children()) take_assigned(child, names);
+}
+
+}  // namespace
+
+std::string self_reading(const Netlist& netlist) {
+    std::string said;
+    for (const auto& [key, module] : netlist.modules()) {
+        if (!module.is_own) continue;
+        for (const Node& block : module.blocks) {
+            bool clocked = false;
+            for (const Node& item : block.child("sentree").children("senitem"))
+                clocked |= std::string_view{item.attribute("edgeType").value()} != "CHANGED";
+            if (clocked) continue;
+            NodeNames assigned, loops;
+            take_assigned(block, assigned);
+            for (const auto& loop : block.select_nodes(".//while")) take_refs(loop.node(), loops);
+            SelfReading reading{assigned};
+            for (const Node& child : block.children()) reading.look(child);
+            for (const std::string& name : reading.found())
+                if (!loops.count(name))
+                    said += fmt::format("{}{} ({})", said.empty() ? "" : ", ", name,
+                                        netlist.place(block).text());
+        }
+    }
+    return said;
+}
+
 }  // namespace sim::project

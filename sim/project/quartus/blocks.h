@@ -14,4 +14,7 @@ using SourceLine = std::function<std::string(const std::string& file, unsigned l
 // 10199, 10235, 10240, 10270, 10272, 10762, 332060.
 Messages block_warnings(const Netlist& netlist, const SourceLine& line_of_source);
 
+// "q (ring.v:7), r (ring.v:9)": what blocks without an edge read before they assign it.
+std::string self_reading(const Netlist& netlist);
+
 }  // namespace sim::project

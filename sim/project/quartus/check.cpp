@@ -152,6 +152,7 @@ Checked check_design(const CheckRequest& request) {
     append(checked.warnings, warnings_in_our_words(request.said));
     append(checked.warnings, driver_warnings(netlist));
     append(checked.warnings, block_warnings(netlist, line));
+    checked.self_reading = self_reading(netlist);
     append(checked.warnings, WideAssignments{request, netlist}.run());
     make_tidy(checked.errors);
     make_tidy(checked.warnings);

@@ -21,6 +21,7 @@ struct CheckRequest {
 
 struct Checked {
     Messages errors, warnings;  // sorted, each once
+    std::string self_reading;   // "q (ring.v:7)": variables without a register that read themselves
 };
 
 Checked check_design(const CheckRequest& request);

@@ -25,7 +25,7 @@ void try_qsf(std::string_view input) {
     std::vector<Assignment> plain;
     std::string text;
     try {
-        for (const Assignment& a : sim::project::settings_in(input, file)) {
+        for (const Assignment& a : sim::project::settings_in(input, file).assignments) {
             must(a.line >= 1 && a.line <= lines, "an assignment's line is in the file");
             if (!is_plain(a.name) || !is_plain(a.value) || !is_plain(a.to)) continue;
             plain.push_back(a);
@@ -35,7 +35,7 @@ void try_qsf(std::string_view input) {
     } catch (const sim::project::ProjectError& error) {
         return must_be_a_line(error.what());
     }
-    const std::vector<Assignment> again = sim::project::settings_in(text, file);
+    const std::vector<Assignment> again = sim::project::settings_in(text, file).assignments;
     must(again.size() == plain.size(), "all assignments that are written are read");
     for (std::size_t i = 0; i < plain.size(); ++i)
         must(again[i].name == plain[i].name && again[i].to == plain[i].to &&

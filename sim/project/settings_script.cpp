@@ -1,0 +1,296 @@
+// settings_script.cpp - runs a settings file as the Tcl that it is: settings.h.
+#include <algorithm>
+#include <cctype>
+#include <memory>
+#include <set>
+#include <utility>
+
+#include <fmt/format.h>
+#include <tcl.h>
+
+#include "sim/project/file_finder.h"
+#include "sim/project/settings.h"
+
+namespace sim::project {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+using Words = std::vector<std::string>;
+
+constexpr int MOST_COMMANDS = 1'000'000, MOST_SECONDS = 2;
+constexpr unsigned DEEPEST_SOURCE = 8, MOST_SOURCED = 1'000;
+
+struct ForInterp {
+    void operator()(Tcl_Interp* interp) const { Tcl_DeleteInterp(interp); }
+};
+using Interp = std::unique_ptr<Tcl_Interp, ForInterp>;
+
+// All values of its name and target, unless it has one itself.
+void remove(std::vector<Assignment>& all, const Assignment& which) {
+    const auto same = [&](const Assignment& a) {
+        return a.name == which.name && a.to == which.to &&
+               (which.value.empty() || a.value == which.value);
+    };
+    all.erase(std::remove_if(all.begin(), all.end(), same), all.end());
+}
+
+// Commands of Quartus that say nothing about what is in the chip.
+bool is_of_quartus(const std::string& name) {
+    static const std::set<std::string> NAMES{"export_assignments",
+                                             "load_package",
+                                             "package",
+                                             "post_message",
+                                             "project_close",
+                                             "project_new",
+                                             "project_open",
+                                             "puts",
+                                             "set_current_revision",
+                                             "set_io_assignment",
+                                             "set_power_file_assignment",
+                                             "set_user_option"};
+    return NAMES.count(name) > 0;
+}
+
+std::string path_joined(const Words& words, std::size_t first) {
+    std::string path;
+    for (std::size_t i = first; i < words.size(); ++i) {
+        if (words[i].empty()) continue;
+        if (words[i][0] == '/' || path.empty())
+            path = words[i];
+        else
+            path += (path.back() == '/' ? "" : "/") + words[i];
+    }
+    return path;
+}
+
+class SettingsScript {
+public:
+    SettingsScript() {
+        Tcl_FindExecutable(nullptr);
+        parent_.reset(Tcl_CreateInterp());
+        interp_ = Tcl_CreateSlave(parent_.get(), "settings", 1);
+        for (const char* name :
+             {"set_global_assignment", "set_location_assignment", "set_instance_assignment",
+              "set_parameter", "source", "file", "unknown"})
+            Tcl_CreateObjCommand(interp_, name, &SettingsScript::call, this, nullptr);
+        for (const char* name : {"after", "vwait", "update", "interp", "close", "puts", "gets",
+                                 "read", "fileevent", "chan", "package"})
+            Tcl_DeleteCommand(interp_, name);
+        Tcl_SetVar2(interp_, "quartus", "version", "18.1", TCL_GLOBAL_ONLY);
+        Tcl_LimitSetCommands(interp_, MOST_COMMANDS);
+        Tcl_LimitTypeSet(interp_, TCL_LIMIT_COMMANDS);
+        Tcl_Time end;
+        Tcl_GetTime(&end);
+        end.sec += MOST_SECONDS;
+        Tcl_LimitSetTime(interp_, &end);
+        Tcl_LimitTypeSet(interp_, TCL_LIMIT_TIME);
+    }
+
+    Settings run(std::string_view text, const fs::path& file) {
+        read(text, file);
+        return std::move(settings_);
+    }
+
+private:
+    // Command by command, so that each has its line.
+    void read(std::string_view text, const fs::path& file) {
+        const auto before = std::pair{file_, line_};
+        const std::string folder = fs::absolute(file).lexically_normal().parent_path().string();
+        const std::string qip_before = std::exchange(folder_, folder);
+        Tcl_SetVar2(interp_, "quartus", "qip_path", folder.c_str(), TCL_GLOBAL_ONLY);
+        Tcl_SetVar2(interp_, "quartus", "project", file.stem().c_str(), TCL_GLOBAL_ONLY);
+        std::string script;
+        for (std::size_t i = 0; i < text.size(); ++i)
+            if (text[i] != '\r' || text.substr(i, 2) != "\r\n")
+                script += text[i] == '\0' ? ' ' : text[i];
+        const char *at = script.c_str(), *const end = at + script.size();
+        unsigned line = 1;
+        file_ = file;
+        while (at < end) {
+            Tcl_Parse parse;
+            const bool good =
+                Tcl_ParseCommand(interp_, at, static_cast<int>(end - at), 0, &parse) == TCL_OK;
+            const char* begin = good ? parse.commandStart : at;
+            if (!good)
+                while (begin < end && std::isspace(static_cast<unsigned char>(*begin))) ++begin;
+            line += static_cast<unsigned>(std::count(at, begin, '\n'));
+            line_ = line;
+            if (!good) fail();
+            const char* const behind = begin + parse.commandSize;
+            const bool is_empty = parse.numWords == 0;
+            Tcl_FreeParse(&parse);
+            if (!is_empty) evaluate({begin, static_cast<std::size_t>(behind - begin)});
+            line += static_cast<unsigned>(std::count(begin, behind, '\n'));
+            at = behind;
+        }
+        std::tie(file_, line_) = before;
+        folder_ = qip_before;
+        Tcl_SetVar2(interp_, "quartus", "qip_path", folder_.c_str(), TCL_GLOBAL_ONLY);
+    }
+
+    void evaluate(std::string command) {
+        failure_.clear();
+        // Paths of Windows: "\s" is no escape there.
+        if (command.compare(0, 4, "set_") == 0)
+            for (std::size_t i = 0; i + 1 < command.size(); ++i)
+                if (command[i] == '\\' &&
+                    (std::isalnum(static_cast<unsigned char>(command[i + 1])) ||
+                     command[i + 1] == '_' || command[i + 1] == '.' || command[i + 1] == '\\')) {
+                    command.insert(i, "\\");
+                    i += 1 + (command[i + 2] == '\\');
+                }
+        if (Tcl_EvalEx(interp_, command.c_str(), static_cast<int>(command.size()),
+                       TCL_EVAL_GLOBAL) == TCL_ERROR)
+            fail();
+    }
+
+    [[noreturn]] void fail() {
+        if (!failure_.empty()) throw ProjectError{failure_};
+        std::string why = Tcl_GetStringResult(interp_);
+        std::replace_if(
+            why.begin(), why.end(), [](unsigned char c) { return c < ' '; }, ' ');
+        throw ProjectError{fmt::format("{}: this is wrong Tcl: {}", place(), why)};
+    }
+    std::string place() const { return fmt::format("{}:{}", file_.filename().string(), line_); }
+    void note(const std::string& text) {
+        settings_.notes.push_back(fmt::format("{}: {}", place(), text));
+    }
+
+    // ---- Commands ----
+
+    static int call(ClientData self, Tcl_Interp* interp, int count, Tcl_Obj* const values[]) {
+        Words words;
+        for (int i = 0; i < count; ++i) words.emplace_back(Tcl_GetString(values[i]));
+        auto* const script = static_cast<SettingsScript*>(self);
+        try {
+            const std::string result = script->command(words);
+            Tcl_SetObjResult(interp, Tcl_NewStringObj(result.c_str(), -1));
+            return TCL_OK;
+        } catch (const std::exception& error) {  // must not pass through Tcl
+            script->failure_ = error.what();
+            Tcl_SetObjResult(interp, Tcl_NewStringObj(error.what(), -1));
+            return TCL_ERROR;
+        }
+    }
+
+    std::string command(Words& words) {
+        words[0].erase(0, words[0].find_first_not_of(':'));  // of the name space
+        const std::string& name = words[0];
+        if (name == "source") {
+            source(words.back());
+        } else if (name == "file") {
+            return of_file(words);
+        } else if (name == "unknown") {
+            words.erase(words.begin());
+            return unknown(words);
+        } else {
+            assign(words);
+        }
+        return {};
+    }
+
+    // SW[3] is not for Tcl.
+    std::string unknown(const Words& words) {
+        if (words.empty()) return {};
+        const std::string& name = words[0];
+        const bool index = std::all_of(name.begin(), name.end(), [](unsigned char c) {
+            return std::isdigit(c) || c == ':' || c == '.' || c == '*' || c == '-';
+        });
+        if (index) return "[" + name + "]";
+        const bool sdc = lower(file_.extension().string()) == ".sdc";
+        if (!sdc && !is_of_quartus(name))
+            note(fmt::format("the command {} is passed over", name.substr(0, 40)));
+        return {};
+    }
+
+    void source(const std::string& name) {
+        std::error_code error;
+        fs::path other = file_.parent_path() / name;
+        if (!fs::is_regular_file(other, error)) return;
+        if (depth_ >= DEEPEST_SOURCE) return;
+        if (++sourced_ > MOST_SOURCED)
+            throw ProjectError{
+                fmt::format("{}: more than {} files are sourced; does one source itself?", place(),
+                            MOST_SOURCED)};
+        ++depth_;
+        read(text_of(other), other);
+        --depth_;
+    }
+
+    // The subcommands that have to do with names, and whether a file of the project is there.
+    std::string of_file(const Words& words) {
+        if (words.size() < 3) return {};
+        const std::string& what = words[1];
+        const fs::path path{words[2]};
+        if (what == "join") return path_joined(words, 2);
+        if (what == "dirname") return path.has_parent_path() ? path.parent_path().string() : ".";
+        if (what == "tail") return path.filename().string();
+        if (what == "extension") return path.extension().string();
+        if (what == "rootname") return fs::path{path}.replace_extension().string();
+        if (what == "normalize") return (fs::path{folder_} / path).lexically_normal().string();
+        if (what == "nativename") return words[2];
+        std::error_code error;
+        if (what == "exists" || what == "isfile")
+            return fs::is_regular_file(fs::path{folder_} / path, error) ? "1" : "0";
+        if (what == "isdirectory")
+            return fs::is_directory(fs::path{folder_} / path, error) ? "1" : "0";
+        throw ProjectError{fmt::format("{}: `file {}` is not for settings", place(), what)};
+    }
+
+    void assign(const Words& words) {
+        const bool parameter = words[0] == "set_parameter";
+        const bool location = words[0] == "set_location_assignment";
+        Assignment a{location ? "LOCATION" : "", "", "", "", file_, line_, false};
+        bool disabled = false, removed = false;
+        for (std::size_t i = 1; i < words.size(); ++i) {
+            const std::string& word = words[i];
+            const bool more = i + 1 < words.size();
+            if (word == "-to" && more)
+                a.to = words[++i];
+            else if (word == "-name" && more)
+                a.name = words[++i];
+            else if (word == "-library" && more)
+                a.library = words[++i];
+            else if (word == "-disable")
+                disabled = true;
+            else if (word == "-remove")
+                removed = true;
+            else if (word.size() > 1 && word[0] == '-' && std::isalpha(word[1]) != 0 && more)
+                ++i;  // -section_id y
+            else if (a.value.empty())
+                a.value = word;
+        }
+        if (a.value.compare(0, folder_.size() + 1, folder_ + "/") == 0) {
+            a.value.erase(0, folder_.size() + 1);
+            a.in_qip_folder = true;
+        }
+        a.to.erase(std::remove(a.to.begin(), a.to.end(), '\\'), a.to.end());  // KEY\[0\]
+        if (parameter)  // whose -to names an instance
+            a.to = std::exchange(a.name, a.to.empty() ? "PARAMETER" : "INSTANCE_PARAMETER");
+        std::transform(a.name.begin(), a.name.end(), a.name.begin(), ::toupper);
+        if (removed)
+            remove(settings_.assignments, a);
+        else if (!disabled)
+            settings_.assignments.push_back(std::move(a));
+    }
+
+    Interp parent_;
+    Tcl_Interp* interp_ = nullptr;  // the parent's
+    Settings settings_;
+    fs::path file_;
+    std::string folder_;  // of file_
+    unsigned line_ = 0, depth_ = 0, sourced_ = 0;
+    std::string failure_;  // of a command of ours
+};
+
+}  // namespace
+
+Settings settings_in(std::string_view text, const fs::path& file) {
+    return SettingsScript{}.run(text, file);
+}
+
+Settings read_settings(const fs::path& file) { return settings_in(text_of(file), file); }
+
+}  // namespace sim::project
