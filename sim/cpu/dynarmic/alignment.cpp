@@ -51,6 +51,7 @@ Alignment of_arm(std::uint32_t w) {
     if (w >> 28 == 15) return is(w, 0xFF100000, 0xF4000000) ? structures(w) : WORD_ALWAYS;
     switch (w >> 25 & 7) {
         case 0: {
+            if (!is(w, 0x90, 0x90)) return ANY;  // data processing
             const unsigned kind = w >> 5 & 3;
             const bool load = w >> 20 & 1;
             if (kind == 0) {

@@ -82,7 +82,9 @@ bool ArmCore::Engine::before_access(std::uint32_t address, unsigned bytes, bool 
 
 // An access to an address that is no multiple of its size: false, and it must not be done, if it
 // is refused, or left to a step, which knows its instruction.
-bool ArmCore::Engine::may_be_unaligned(std::uint32_t address, bool write) {
+bool ArmCore::Engine::may_be_unaligned(std::uint32_t address, unsigned bytes, bool write) {
+    const bool by_pair = bytes == 8 && address % 4 == 0 && !has_doublewords;  // LDRD, STRD
+    if (by_pair && !stepping && page_of(address).bytes) return !aborted && !watched && !missed;
     if (aborted || watched || missed || miss(address)) return false;
     reached = true;
     if (address % required.bytes == 0) return true;
@@ -110,7 +112,8 @@ std::optional<std::uint32_t> ArmCore::Engine::unaligned_structure(std::uint32_t 
 
 template <class T>
 T ArmCore::Engine::load(std::uint32_t address) {
-    if (address % sizeof(T) != 0 && !is_literal(address) && !may_be_unaligned(address, false))
+    if (address % sizeof(T) != 0 && !is_literal(address) &&
+        !may_be_unaligned(address, sizeof(T), false))
         return 0;
     const bool in_page = (address & PAGE_MASK) + sizeof(T) <= PAGE_MASK + 1;
     if (!in_page || !page_of(address).bytes) return load_pieces<T>(address);
@@ -148,7 +151,7 @@ T ArmCore::Engine::load_pieces(std::uint32_t address) {
 
 template <class T>
 void ArmCore::Engine::store(std::uint32_t address, T value) {
-    if (address % sizeof(T) != 0 && !may_be_unaligned(address, true)) return;
+    if (address % sizeof(T) != 0 && !may_be_unaligned(address, sizeof(T), true)) return;
     for (unsigned done = 0, bytes; done < sizeof(T); done += bytes) {
         const std::uint32_t at = address + done, left = sizeof(T) - done;
         const bool in_page = (at & PAGE_MASK) + left <= PAGE_MASK + 1;

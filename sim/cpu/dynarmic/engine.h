@@ -158,8 +158,9 @@ struct ArmCore::Engine final : Dynarmic::A32::UserCallbacks {
     void requires_of(std::uint32_t word, bool in_thumb) { required = alignment(word, in_thumb); }
     std::optional<std::uint32_t> unaligned_structure(std::uint32_t word);
     ArmFault unaligned(std::uint32_t address, bool write) const;
-    bool may_be_unaligned(std::uint32_t address, bool write);
-    bool by_bytes = false;  // see ArmCore::run_by_bytes()
+    bool may_be_unaligned(std::uint32_t address, unsigned bytes, bool write);
+    bool has_doublewords = false;  // what needs a multiple of 8 has been translated
+    bool by_bytes = false;         // see ArmCore::run_by_bytes()
     template <class T>
     T load(std::uint32_t address);
     template <class T>

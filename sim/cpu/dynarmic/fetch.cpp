@@ -143,7 +143,9 @@ std::optional<std::uint32_t> ArmCore::Engine::MemoryReadCode(std::uint32_t addre
                                      : THUMB_UNDEFINED_FIRST << 16 | THUMB_UNDEFINED_SECOND;
     } else if (*whole > 0xFFFF || !block.thumb) {
         if (!(jit->Cpsr() & arm_cpsr::E)) instead = as_doublewords(*whole, block.thumb);
-        if (!stepping && alignment(instead, block.thumb).beyond_pieces) {
+        const Alignment needed = alignment(instead, block.thumb);
+        has_doublewords |= needed.bytes == 8;
+        if (!stepping && needed.beyond_pieces) {
             code.mark(block.next, false);
             return std::nullopt;
         }
