@@ -21,7 +21,9 @@ void ArmCpu::lost(const std::string& what) {
     const std::string why =
         fmt::format("{} {}; {}LR 0x{:08X}{}", what, where(), stack.empty() ? "" : stack + "; ",
                     core_.reg(14), callers());
-    if (!inspector_ || !inspector_->on_failure(core_, ArmException::UNDEFINED)) fail(why);
+    if (inspector_ && inspector_->on_failure(core_, ArmException::UNDEFINED)) return;
+    abort_log_.handled();
+    fail(why);
 }
 
 const ElfSection* ArmCpu::data_at(std::uint32_t address) const {

@@ -26,6 +26,7 @@ ArmCpu::ArmCpu(const sc_core::sc_module_name& name, ArmProgram program, Log log)
     : Processor{name},
       program_{std::move(program)},
       log_{std::move(log)},
+      abort_log_{log_},
       core_{*this},
       instruction_ps_{picoseconds(program_.cpi)} {
     SC_HAS_PROCESS(ArmCpu);
@@ -163,6 +164,7 @@ void ArmCpu::run() {
         running_ = false;
         drain();
         account();
+        if (open_ && !in_handler()) abort_log_.handled();  // before it may sleep
         handle(stop);
         look_astray();
         look_for_death();
@@ -258,9 +260,11 @@ void ArmCpu::raise(ArmException exception, std::uint32_t status, const std::stri
     const std::string stack = astray ? overgrown(push ? core_.fault().address : sp, true) : "";
     const std::string text = what + " " + where() + (stack.empty() ? "" : "; ") + stack;
     const std::uint32_t vector = vector_of(core_, exception);
-    if (!in_handler()) open_.reset();
+    if (!in_handler()) left_handler();
     const auto give_up = [&](const std::string& why) {
-        if (!inspector_ || !inspector_->on_failure(core_, exception)) fail(text + why + callers());
+        if (inspector_ && inspector_->on_failure(core_, exception)) return;
+        abort_log_.failed(text);
+        fail(text + why + callers());
     };
     std::uint32_t word = 0;
     if (core_.pc() == vector && !asynchronous) return give_up(", in its own vector");
@@ -268,7 +272,7 @@ void ArmCpu::raise(ArmException exception, std::uint32_t status, const std::stri
         return give_up(fmt::format("; no vector at 0x{:08X}", vector));
     if (unhandled(exception)) return give_up(", for the second time within its handler");
     if (astray) {
-        log_(text);
+        abort_log_.happened(static_cast<unsigned>(exception), core_.pc(), text);
         meet();
         if (!open_) open_ = Open{exception, text, now(), now()};
     }

@@ -31,10 +31,10 @@
 //
 // Boot: pc is the ELF's entry, SVC mode, interrupts off, VFP and NEON off, SP at the top of DDR3.
 //
-// An access without a target is a data abort in the program, and a line to `log`.  A program has
-// failed, see fault(), if it has no vector for an exception (the table's word is 0 or there is no
-// memory), if it faults in the vector table, or if it faults repeatedly at the same place of its
-// abort handler.
+// An access without a target is a data abort in the program, and a line to `log` (abort_log.h).  A
+// program has failed, see fault(), if it has no vector for an exception (the table's word is 0 or
+// there is no memory), if it faults in the vector table, or if it faults repeatedly at the same
+// place of its abort handler.
 //
 // The message of a program that has failed names the callers of its last function: LR, and the last
 // five words on the stack that are return addresses of a BL or BLX.  So it may name a function that
@@ -73,6 +73,7 @@
 #include <utility>
 #include <vector>
 
+#include "sim/cpu/abort_log.h"
 #include "sim/cpu/answers.h"
 #include "sim/cpu/arm_core.h"
 #include "sim/cpu/arm_exceptions.h"
@@ -154,6 +155,9 @@ public:
 
     std::optional<std::string> unfinished() const override;
     std::string accessed() const override;
+
+    // At the run's end: logs what is still to be said of the program's aborts.
+    void conclude();
 
     // How long the program has been over: ended by end(), or looping on one instruction with IRQ
     // and FIQ masked, so that only a reset could end the loop.  0 before, and under an
@@ -240,6 +244,7 @@ private:
     void raise(ArmException exception, std::uint32_t status, const std::string& what);
     bool unhandled(ArmException exception);
     bool in_handler() const;
+    void left_handler();
     bool spins() const;
     bool stands_still() const;
     void meet();
@@ -260,6 +265,7 @@ private:
 
     ArmProgram program_;
     Log log_;
+    AbortLog abort_log_;
     ArmCore core_;
     ArmInspector* inspector_ = nullptr;
     ArmKernel* kernel_ = nullptr;

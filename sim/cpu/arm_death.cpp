@@ -43,6 +43,16 @@ bool ArmCpu::stands_still() const {
 
 std::string ArmCpu::death() const { return open_->text + "; never left its handler: " + where(); }
 
+void ArmCpu::left_handler() {
+    open_.reset();
+    abort_log_.handled();
+}
+
+void ArmCpu::conclude() {
+    if (fault() || unfinished()) abort_log_.failed(open_ ? open_->text : "");
+    abort_log_.end();
+}
+
 std::optional<std::string> ArmCpu::unfinished() const {
     if (!open_ || !in_handler()) return std::nullopt;
     if (!spins() && now() - open_->since <= moment()) return std::nullopt;
@@ -63,6 +73,7 @@ void ArmCpu::look_for_death() {
     if (!open_) return;
     const auto dies = [this](const std::string& text) {
         const bool goes_on = inspector_ && inspector_->on_failure(core_, open_->exception);
+        if (!goes_on) abort_log_.failed(open_->text);
         open_.reset();
         met_ = 0;
         if (!goes_on) fail(text);
@@ -73,7 +84,7 @@ void ArmCpu::look_for_death() {
             return dies(
                 fmt::format("{}; its handler leads back to it, {} times", open_->text, met_));
         if (met_ >= AGAIN) met_ = 0;
-        open_.reset();
+        left_handler();
     } else if (!(core_.cpsr() & arm_cpsr::I) || !spins()) {
         open_->spins_from = now();
     } else if (now() - open_->spins_from >= spin_limit()) {

@@ -199,6 +199,7 @@ ExitCode run_doing(const char*& doing, RunOptions options, const Firmware& firmw
         while (computer && computer->fpga.is_busy())
             sc_core::sc_start(sc_core::sc_time{1, sc_core::SC_US});
         board.chip().catch_up();
+        if (computer && computer->arm) computer->arm->conclude();
     });
     progress.done();
     if (output) output->end();

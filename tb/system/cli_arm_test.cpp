@@ -12,6 +12,7 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::IsSupersetOf;
 using ::testing::SizeIs;
+using ::testing::StartsWith;
 
 class ArmRun : public tb::CommandLine {
 protected:
@@ -110,6 +111,16 @@ TEST_F(ArmRun, GoesOnAfterAnAbortThatTheProgramHandlesAndLogsIt) {
     EXPECT_THAT(log[1], HasSubstr("data abort: read of 4 bytes at 0xFF200040"))
         << "its bridge is in reset";
     EXPECT_EQ(report()["program"]["aborts"], 2u);
+}
+
+TEST_F(ArmRun, SaysAnAbortThatHappensOftenOnceAndHowOften) {
+    const tb::Outcome outcome = arm(ABORTS_OFTEN_ELF, "steps:\n  - wait-serial: done\n");
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    const nlohmann::json log = report()["log"]["first"];
+    ASSERT_EQ(log.size(), 2u) << log;
+    EXPECT_THAT(log[0], StartsWith("data abort: read of 4 bytes at 0xFF2FF000"));
+    EXPECT_EQ(log[1], "300 times in all: " + log[0].get<std::string>());
+    EXPECT_EQ(report()["program"]["aborts"], 300u);
 }
 
 TEST_F(ArmRun, SaysWhereAHangingProgramIsAndWhatItWaitsFor) {

@@ -19,6 +19,7 @@ protected:
         ASSERT_EQ(report()["faults"].size(), 1u);
         EXPECT_THAT(report()["faults"][0].get<std::string>(), MatchesRegex(fault));
         EXPECT_THAT(outcome.err, HasSubstr(report()["faults"][0].get<std::string>()));
+        EXPECT_EQ(report()["log"]["lines"], 0u) << "it was said already";
     }
 };
 
