@@ -91,7 +91,7 @@ protected:
 
 class PinListener {
 public:
-    // What the board does by itself.  Looked at anew after each call below.
+    // What the board does by itself.  Looked at anew after each call below that may change `in`.
     Agenda agenda;
 
     // A sample a clock, in order, in batches of up to a scan line.

@@ -62,13 +62,12 @@ public:
     }
 
     void run(std::uint64_t until_ps) override {
-        const std::uint64_t until_fs = until_ps * FS_PER_PS;
+        until_fs_ = until_ps * FS_PER_PS;
         look_ahead();
         for (;;) {
             const std::uint64_t rise = clocks_.next_rise_fs(), fall = clocks_.next_fall_fs();
-            const std::uint64_t next = std::min({rise, fall, bclk_next_fs_});
-            if (std::min(next, agenda_fs_) > until_fs || ended()) break;
-            if (agenda_fs_ < next) {
+            if (std::min({rise, fall, bclk_next_fs_}) > stop_fs_ || ended()) {
+                if (agenda_fs_ > until_fs_ || ended()) break;
                 keep_agenda();
             } else if (fall < rise && fall <= bclk_next_fs_) {
                 edges(fall);
@@ -129,6 +128,7 @@ private:
     void look_ahead() {
         agenda_ps_ = pins_.agenda.next_ps();
         agenda_fs_ = agenda_ps_ < NEVER / FS_PER_PS ? agenda_ps_ * FS_PER_PS : NEVER;
+        stop_fs_ = std::min(agenda_fs_, until_fs_);
     }
 
     void move(unsigned number, bool rises) {
@@ -232,7 +232,7 @@ private:
             pins_.ps2(ps2 & 3, ps2 >> 2, now_ps(), in);
             look_ = true;
         }
-        if (pins_.agenda.next_ps() != agenda_ps_) look_ahead();
+        if (look_ && pins_.agenda.next_ps() != agenda_ps_) look_ahead();
     }
 
     // From enough samples for 1 %.
@@ -258,13 +258,7 @@ private:
     }
 
     void look_at_codec() {
-        if (facts_.aud_xck_used && top_.aud_xck_o != xck_) {
-            xck_ = top_.aud_xck_o;
-            const std::uint64_t before_fs = std::exchange(xck_moved_fs_, now_fs_);
-            if (before_fs) tell_xck((now_fs_ - before_fs) / XCK_RISES);
-        } else if (xck_fs_ && now_fs_ - xck_moved_fs_ > QUIET_FS) {
-            tell_xck(0);
-        }
+        if (facts_.aud_xck_used) look_at_xck();
         const bool sdat_low = !top_.i2c_sdat_o && !top_.i2c_sdat_low_i;
         const unsigned codec =
             top_.aud_o | top_.aud_dacdat_o << 3 | top_.i2c_sclk_o << 4 | unsigned{sdat_low} << 5;
@@ -278,6 +272,16 @@ private:
                      (codec & 16) != 0, sdat_low, driven},
                     now_ps(), in);
         look_ |= controls || in.adcdat != adcdat;  // sound alone changes nothing else
+    }
+
+    void look_at_xck() {
+        if (top_.aud_xck_o != xck_) {
+            xck_ = top_.aud_xck_o;
+            const std::uint64_t before_fs = std::exchange(xck_moved_fs_, now_fs_);
+            if (before_fs) tell_xck((now_fs_ - before_fs) / XCK_RISES);
+        } else if (xck_fs_ && now_fs_ - xck_moved_fs_ > QUIET_FS) {
+            tell_xck(0);
+        }
     }
 
     void tell_xck(std::uint64_t period_fs) {
@@ -323,6 +327,7 @@ private:
     std::uint64_t now_fs_ = 0;     // of the last rise or entry, for the board
     std::uint64_t edge_fs_ = 0;    // of the last edge
     std::uint64_t agenda_ps_ = Agenda::NEVER, agenda_fs_ = NEVER;  // the next entry
+    std::uint64_t until_fs_ = 0, stop_fs_ = 0;  // of this run; or the next entry, if that is before
     std::uint64_t rises_27_ = 0;
     bool look_ = true;      // `in` may have changed
     bool entered_ = false;  // ... by an entry
