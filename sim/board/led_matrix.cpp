@@ -22,15 +22,23 @@ LedMatrix::LedMatrix(const PartPlan& plan)
     : plan_{plan},
       wires_{both(plan.pins, plan.columns)},
       width_{plan.columns.empty() ? 1 : static_cast<unsigned>(plan.columns.size())},
-      lit_(plan.pins.size()),
-      lamps_{static_cast<unsigned>(plan.pins.size()) * width_} {}
+      lit_(plan.rows()),
+      lamps_{static_cast<unsigned>(plan.rows()) * width_} {}
+
+std::uint64_t LedMatrix::shown_rows(const HeaderMasks& levels) const {
+    if (!plan_.coded_rows)
+        return gathered(levels, plan_.pins) ^ (plan_.high ? 0 : ~std::uint64_t{0});
+    unsigned number = 0;
+    for (const HeaderPin pin : plan_.pins) number = number << 1 | unsigned{is_high(levels, pin)};
+    return std::uint64_t{1} << number;
+}
 
 void LedMatrix::look(const HeaderMasks& levels, std::uint64_t time_ps) {
     const HeaderMasks now_here{levels[0] & wires_[0], levels[1] & wires_[1]};
     if (looked_ && now_here == levels_here_) return;
     looked_ = true;
     levels_here_ = now_here;
-    const std::uint64_t rows = gathered(levels, plan_.pins) ^ (plan_.high ? 0 : ~std::uint64_t{0});
+    const std::uint64_t rows = shown_rows(levels);
     const std::uint64_t columns =
         plan_.columns.empty() ? 1
                               : gathered(levels, plan_.columns) ^

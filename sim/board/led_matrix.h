@@ -2,6 +2,7 @@
 //
 // An LED is lit while its row and its column both have the level that lights it.  Rows are shown
 // one after the other as a rule, so a picture takes the brightest LED as the measure of the others.
+// Where a decoder on the LED board selects the row, its wires are a number.
 //
 // Not handled: the current through pull-ups, which lights an LED a little; the resistors that are
 // missing where several LEDs share one.
@@ -31,6 +32,8 @@ public:
     std::vector<std::string> picture(std::uint64_t time_ps);
 
 private:
+    std::uint64_t shown_rows(const HeaderMasks& levels) const;
+
     const PartPlan plan_;
     const HeaderMasks wires_;
     const unsigned width_;

@@ -13,12 +13,16 @@ struct PartPlan {
 
     Kind kind;
     std::string name;
-    HeaderPinList pins;     // a matrix's rows from the top; the keypad's D7 to D0
+    HeaderPinList pins;     // a matrix's rows from the top, or coded; the keypad's D7 to D0
     HeaderPinList columns;  // of a matrix, from the left
     // The level of a button that is pressed, and of an LED or of a matrix's row that is lit.
     bool high = false;
     bool column_high = false;  // the level that lights a matrix's column
     int line = 0, column = 0;  // in the scenario's file
+    // The pins of a matrix's rows are a number, bit 0 last: the row that is shown, 0 at the top.
+    bool coded_rows = false;
+
+    std::size_t rows() const { return coded_rows ? std::size_t{1} << pins.size() : pins.size(); }
 };
 
 }  // namespace sim

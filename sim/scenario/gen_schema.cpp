@@ -65,7 +65,7 @@ Json item_schema(const AForm& form) {
     Json bare = field_schema(form.fields[0]);
     bare.erase("description");
     Json map = object(form.fields);
-    if (!form.any_of.empty()) map["anyOf"] = any_of(form.any_of);
+    if (!form.any_of.empty()) map[form.only_one ? "oneOf" : "anyOf"] = any_of(form.any_of);
     Json out = {{"description", form.help}};
     if (form.notation == sim::Notation::BOTH)
         out["anyOf"] = {bare, map};

@@ -57,6 +57,9 @@ const ValueType PART_PIN{"a pin such as GPIO_0[3], numbered 0 to 35", as_json(ON
                          [](const YamlNode& node) { return read_pins(node, 1, 1); }};
 const ValueType PART_PINS{"1 to 32 pins such as GPIO_1[15:8], numbered 0 to 35", as_json(PIN_LIST),
                           [](const YamlNode& node) { return read_pins(node, 1, 32); }};
+const ValueType NUMBER_PINS{"1 to 5 pins such as GPIO_1[35:32], numbered 0 to 35",
+                            as_json(PIN_LIST),
+                            [](const YamlNode& node) { return read_pins(node, 1, 5); }};
 const ValueType EIGHT_PINS{"eight pins such as GPIO_1[7:0], numbered 0 to 35", as_json(PIN_LIST),
                            [](const YamlNode& node) { return read_pins(node, 8, 8); }};
 
@@ -97,7 +100,10 @@ PartPlan led(const Values& v) {
 }
 
 PartPlan led_matrix(const Values& v) {
-    PartPlan part = plan(Kind::LED_MATRIX, v.get<std::string>("name"), v, "rows");
+    const bool coded = v.find("row-number");
+    PartPlan part =
+        plan(Kind::LED_MATRIX, v.get<std::string>("name"), v, coded ? "row-number" : "rows");
+    part.coded_rows = coded;
     for (const std::uint64_t pin : v.list("columns"))
         part.columns.push_back(static_cast<HeaderPin>(pin));
     part.high = v.number<bool>("row-lit");
@@ -116,6 +122,11 @@ PartPlan lt24(const Values& v) {
     part.line = v.line();
     part.pins = Lt24::pins(v.number<unsigned>("header"));
     return part;
+}
+
+// The colours of one LED board, which has one decoder.
+bool shares_row_number(const PartPlan& part, const PartPlan& other) {
+    return &part != &other && part.coded_rows && other.coded_rows && part.pins == other.pins;
 }
 
 constexpr const char* NAME_HELP = "By which steps call it.";
@@ -154,14 +165,18 @@ const std::vector<PartForm>& part_forms() {
          "or "
          "columns are shown one after the other.",
          Notation::MAP,
-         {},
+         {"rows", "row-number"},
          {{"name", PART_NAME, Need::REQUIRED, "", NAME_HELP},
-          {"rows", PART_PINS, Need::REQUIRED, "", "The rows' pins, from the top."},
+          {"rows", PART_PINS, Need::OPTIONAL, "", "The rows' pins, from the top."},
+          {"row-number", NUMBER_PINS, Need::OPTIONAL, "",
+           "Instead of `rows`, where the LED board decodes a number: its pins, from the highest "
+           "bit. Row 0 is at the top. Several matrices may share them."},
           {"columns", PART_PINS, Need::REQUIRED, "", "The columns' pins, from the left."},
           {"row-lit", LEVEL_THAT, Need::OPTIONAL, "high", "The level of a row that is shown."},
           {"column-lit", LEVEL_THAT, Need::OPTIONAL, "low",
            "The level of a column whose LED in that row is lit."}},
-         led_matrix},
+         led_matrix,
+         true},
         {"keypad",
          "The keypad, on other pins than JP1 D7 to D0.",
          Notation::BOTH,
@@ -194,7 +209,8 @@ void check_parts(const std::vector<PartPlan>& parts) {
         for (const auto* list : {&part.pins, &part.columns})
             for (const HeaderPin pin : *list) {
                 const auto [other, is_free] = pins.emplace(pin, &part);
-                if (is_free) continue;
+                if (is_free || (list == &part.pins && shares_row_number(part, *other->second)))
+                    continue;
                 refuse(part, "pins that are free",
                        other->second == &part
                            ? pin_name(pin) + " twice"

@@ -80,13 +80,13 @@ Values read_values(const Path& folder, const AForm& form, const YamlNode& key,
         refuse(value, fmt::format("a map with {} in {}", list_of(names(form.fields)), form.name),
                describe(value));
     Values values = read_fields({folder, key.line}, form.fields, value, key, form.name);
-    const bool has_any = std::any_of(form.any_of.begin(), form.any_of.end(),
+    const auto found = std::count_if(form.any_of.begin(), form.any_of.end(),
                                      [&](const char* name) { return values.find(name); });
-    if (!form.any_of.empty() && !has_any)
+    if (!form.any_of.empty() && (found == 0 || (form.only_one && found > 1)))
         refuse(
             key,
             fmt::format("{} in {}", list_of({form.any_of.begin(), form.any_of.end()}), form.name),
-            "none");
+            found == 0 ? "none" : "more than one of them");
     return values;
 }
 

@@ -79,6 +79,7 @@ struct Form {
     std::vector<const char*> any_of;  // at least one of these fields; empty = no such rule
     std::vector<Field> fields;
     Made (*make)(const Values&);
+    bool only_one = false;  // of any_of
 };
 
 using StepForm = Form<std::unique_ptr<Step>>;

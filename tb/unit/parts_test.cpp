@@ -90,4 +90,18 @@ TEST_F(Matrix, IsDarkWithoutARow) {
     EXPECT_THAT(shown(MS_PS), ElementsAre("...", "..."));
 }
 
+// The row is the number on GPIO_0[7,2]; columns GPIO_1[1:0], active high.
+TEST_F(PartsTest, MatrixShowsTheRowOfThatNumber) {
+    PartPlan plan{Kind::LED_MATRIX, "m", {7, 2}, {37, 36}, false, true};
+    plan.coded_rows = true;
+    sim::Parts parts = plugged({plan});
+    for (std::uint64_t t = 0; t < 100 * MS; t += 4 * MS) {
+        parts.look({0, 0b10}, t);
+        parts.look({1 << 2, 0b01}, t + MS);
+        parts.look({1 << 7, 0b11}, t + 2 * MS);
+        parts.look({1 << 7 | 1 << 2, 0b00}, t + 3 * MS);
+    }
+    EXPECT_THAT(parts.leds("m").picture(100 * MS), ElementsAre("#.", ".#", "##", ".."));
+}
+
 }  // namespace

@@ -126,10 +126,10 @@ public:
                                return a.size() < b.size();
                            })->size();
         for (const std::string& row : rows_)
-            if (rows_.size() != part.pins.size() || row.size() != part.columns.size())
+            if (rows_.size() != part.rows() || row.size() != part.columns.size())
                 checks.refuse_step(
                     fmt::format("{} rows of {} characters, as {} of line {} has them",
-                                part.pins.size(), part.columns.size(), matrix_, part.line),
+                                part.rows(), part.columns.size(), matrix_, part.line),
                     fmt::format("{} rows of {}", rows_.size(),
                                 row.size() == width ? width : row.size()));
     }

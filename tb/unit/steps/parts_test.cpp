@@ -49,6 +49,26 @@ TEST_F(PartSteps, ReadPinsFromTheLeft) {
     EXPECT_THAT(scenario.parts[4].pins, ElementsAre(51, 50, 49, 48, 47, 46, 45, 44));
 }
 
+TEST_F(PartSteps, KnowMatricesWhoseRowIsANumber) {
+    const std::string board =
+        "- led-matrix: {name: red, row-number: \"GPIO_1[9:8]\", columns: \"GPIO_1[1:0]\"}\n"
+        "- led-matrix: {name: green, row-number: \"GPIO_1[9:8]\", columns: \"GPIO_1[3:2]\"}\n";
+    const auto scenario = sim::parse_scenario(
+        "name: a\nversion: 1\nparts:\n" + board +
+            "steps:\n- expect-matrix: {matrix: red, equals: \"#.\\n.#\\n..\\n..\"}\n",
+        "a.yaml");
+    EXPECT_THAT(scenario.parts[1].pins, ElementsAre(45, 44));
+    EXPECT_EQ(scenario.parts[1].rows(), 4u);
+}
+
+TEST_F(PartSteps, RefuseMatricesWithTwoKindsOfRowsOrNone) {
+    EXPECT_EQ(parts_error("- led-matrix: {name: a, columns: \"GPIO_1[1:0]\"}"),
+              "a.yaml:4:3: expected rows or row-number in led-matrix, got none");
+    EXPECT_EQ(parts_error("- led-matrix: {name: a, columns: \"GPIO_1[1:0]\", rows: "
+                          "\"GPIO_1[3:2]\", row-number: \"GPIO_1[9:8]\"}"),
+              "a.yaml:4:3: expected rows or row-number in led-matrix, got more than one of them");
+}
+
 TEST_F(PartSteps, MoveContacts) {
     play_with_parts("press-button: {button: fire, for: 80ms}");
     play_with_parts("press-button: fire");
