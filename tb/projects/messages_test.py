@@ -136,6 +136,40 @@ ERRORS = {
             END + SUB, "top.v:3: Quartus error 12014: LEDR[3:1] has two drivers, here by q of "
             "instance b and at top.v:2 by q of instance a (12015)"),
 }
+# What looks like one of those, and is none: the bodies of modules, which Quartus takes.
+TAKEN = {
+    "two ports of a memory": "reg [9:0] m [0:7]; reg [9:0] q; assign LEDR = q;\n"
+    "always @(posedge CLOCK_50) if (KEY[0]) m[SW[2:0]] <= SW;\n"
+    "always @(posedge CLOCK_50) begin if (KEY[1]) m[SW[5:3]] <= 1; q <= m[SW[2:0]]; end\n",
+    "a loop variable of two blocks": "reg [9:0] a; assign LEDR = a; integer i;\n"
+    "always @(posedge CLOCK_50) for (i = 0; i < 5; i = i + 1) a[i] <= SW[i];\n"
+    "always @(posedge CLOCK_50) for (i = 5; i < 10; i = i + 1) a[i] <= SW[i];\n",
+    "two drivers with enables": "wire [9:0] b; assign b = SW[0] ? 10'd1 : 10'bz;\n"
+    "assign b = SW[0] ? 10'bz : 10'd2; assign LEDR = b;\n",
+    "drivers of other bits": "genvar g; generate for (g = 0; g < 5; g = g + 1) begin : s\n"
+    "assign LEDR[2 * g] = SW[g]; sub u(SW[g], LEDR[2 * g + 1]); end endgenerate\n",
+    "a default that is never reached": "reg [9:0] a, b; assign LEDR = a ^ b;\n"
+    "always @(*) case (SW[0]) 0: a = 1; 1: a = 2; default: b = 0; endcase\n"
+    "always @(*) b = SW;\n",
+    "a variable that blocks use for themselves": "reg [9:0] t, a, b; assign LEDR = a ^ b;\n"
+    "always @(*) begin t = SW + 10'd1; a = t; end\n"
+    "always @(*) begin t = SW + 10'd2; b = t; end\n",
+    "an initial value": "reg [9:0] a = 3, b; initial b = 4; assign LEDR = a ^ b;\n"
+    "always @(posedge CLOCK_50) begin a <= SW; b <= a; end\n",
+    "set and reset": "reg a, b, c; assign LEDR = {a, b, c}; wire r = KEY[0], s = KEY[1];\n"
+    "always @(posedge CLOCK_50 or negedge r or posedge s)\n"
+    "if (!r) a <= 0; else if (s) a <= 1; else a <= SW[0];\n"
+    "always @(posedge CLOCK_50, negedge r) if (r == 1'b0) b <= 0; else b <= SW[1];\n"
+    "always @(posedge CLOCK_50 or negedge KEY[2]) begin if (~KEY[2]) c <= 0; else c <= a; end\n",
+    "an input of another width": "wire [3:0] q; assign LEDR = q; sub u(SW[3:0], q[0]);\n"
+    "assign q[3:1] = 0;\n",
+    "constants in pieces": "assign LEDR[4:0] = 5'd1; assign LEDR[9:5] = 5'd2;\n",
+    "a task and a function": "reg [9:0] a; assign LEDR = a;\n"
+    "function [9:0] f; input [9:0] x; f = x + 10'd1; endfunction\n"
+    "task t; begin a = f(SW); end endtask\nalways @(*) t;\n",
+    "a list of all": "reg [9:0] a; assign LEDR = a; always @(*) a = SW;\n"
+    "reg b; always @* b = SW[0]; always @(posedge CLOCK_50 or negedge KEY[0]) ;\n",
+}
 
 
 class Messages(Case):
@@ -159,6 +193,15 @@ class Messages(Case):
                 self.setUp()
                 self.write_files(files)
                 self.refused(said)
+
+    def test_what_quartus_takes_is_taken(self):
+        for what, body in TAKEN.items():
+            with self.subTest(what):
+                self.setUp()
+                self.write(top_v=WIRE + body + END +
+                           "module sub(input a, output q); assign q = a; endmodule\n")
+                done = self.de1sim("check", ".")
+                self.assertEqual(done.returncode, 0, done.stderr)
 
     def test_a_design_in_order_has_no_warning(self):
         self.write(top_v=REG + "reg [9:0] n = 0;\nalways @(posedge CLOCK_50 or negedge KEY[0])\n"

@@ -153,9 +153,8 @@ private:
 
     void find_loops(const Node& node) {
         for (const Node& child : node.children()) {
-            if (is_a(child, "while"))
-                for (const Node& part : child.children())
-                    if (!is_a(part, "begin")) take_names(part);
+            if (is_a(child, "while"))  // its second part is the condition
+                take_names(child.first_child().next_sibling());
             find_loops(child);
         }
     }
