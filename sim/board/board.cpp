@@ -162,7 +162,7 @@ void Board::adc(const AdcPins& pins, std::uint64_t time_ps, ChipInputs& in) {
 
 void Board::sdram(const SdramPins& pins, std::uint64_t time_ps, std::uint16_t& dq, bool& more) {
     sdram_chip.clock({pins.cs_n, pins.ras_n, pins.cas_n, pins.we_n, pins.ba, pins.addr, pins.dqm,
-                      pins.dq_driven, pins.dq},
+                      pins.dq_driven, pins.dq, pins.cke},
                      time_ps);
     dq = sdram_chip.dq();
     more = sdram_chip.busy();

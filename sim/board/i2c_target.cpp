@@ -9,7 +9,7 @@ void I2cTarget::drive(bool scl, bool sda) {
     if (scl && scl_was) {
         if (sda != sda_was) begin_or_end(!sda);
     } else if (scl) {
-        bit_ = sda;
+        bit_ = sda_was;  // what moves with SCL's edge comes after it
         clocked_ = true;
     } else if (scl_was && std::exchange(clocked_, false) && listening_) {
         bit_ends();

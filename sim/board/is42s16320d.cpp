@@ -1,6 +1,8 @@
 #include "sim/board/is42s16320d.h"
 
+#include <algorithm>
 #include <new>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -15,6 +17,7 @@ constexpr std::uint64_t RETENTION_PS = 64'000'000'000;
 constexpr std::uint64_t NEVER = ~std::uint64_t{0};
 
 constexpr std::uint16_t A10 = 0x400;
+constexpr unsigned NOP = 7;
 constexpr std::uint64_t MESSAGES = 20;
 
 std::uint16_t lanes(unsigned mask) {
@@ -44,12 +47,17 @@ void Is42s16320d::at_least(std::uint64_t since, unsigned ns, const char* name) {
 }
 
 void Is42s16320d::clock(const Pins& pins, std::uint64_t time_ps) {
+    static constexpr const char* NAMES[] = {"LOAD MODE", "REFRESH", "PRECHARGE",  "ACTIVE",
+                                            "WRITE",     "READ",    "BURST STOP", "NOP"};
     now_ = time_ps;
-    if (!pins.cs_n) {
-        static constexpr const char* NAMES[] = {"LOAD MODE", "REFRESH", "PRECHARGE",  "ACTIVE",
-                                                "WRITE",     "READ",    "BURST STOP", "NOP"};
-        const unsigned command = pins.ras_n * 4u + pins.cas_n * 2u + pins.we_n;
-        command_ = NAMES[command];
+    const unsigned command = pins.cs_n ? NOP : pins.ras_n * 4u + pins.cas_n * 2u + pins.we_n;
+    command_ = NAMES[command];
+    if (!is_awake(pins)) {
+        if (command != NOP) violation("not taken, since CKE is low");
+        return;
+    }
+    if (command != NOP) {
+        self_refresh_ = command == 1 && !pins.cke;
         if (command < 6 && command != 2 && !closed_once_)
             violation("no PRECHARGE of all banks after power-up");
         switch (command) {
@@ -64,6 +72,13 @@ void Is42s16320d::clock(const Pins& pins, std::uint64_t time_ps) {
         }
     }
     burst(pins);
+}
+
+bool Is42s16320d::is_awake(const Pins& pins) {
+    const bool before = std::exchange(cke_, pins.cke);
+    if (!before && pins.cke && std::exchange(self_refresh_, false))
+        std::fill(refreshed_.begin(), refreshed_.end(), now_);
+    return before;
 }
 
 void Is42s16320d::activate(const Pins& pins) {

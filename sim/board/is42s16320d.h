@@ -2,17 +2,19 @@
 //
 // 64 MB: four banks of 8,192 rows of 1,024 half-words.
 //
-// Sees the pins at each rising edge of CLK, CKE high.  Bursts of 1, 2, 4, 8 or a row, sequential
-// or interleaved, CAS latency 2 or 3, data masks, auto-precharge, burst stop.  Begins with zeros,
+// Sees the pins at each rising edge of CLK.  The edge after one at which CKE was low does nothing:
+// no command is taken, a burst stands still (clock suspend, power-down).  REFRESH with CKE low
+// begins self-refresh, in which no row is forgotten.  Bursts of 1, 2, 4, 8 or a row, sequential or
+// interleaved, CAS latency 2 or 3, data masks, auto-precharge, burst stop.  Begins with zeros,
 // where the real chip's content is unknown.
 //
 // A command that the datasheet does not allow is a violation: before the end of the initialisation,
 // to a bank in the wrong state, too early after another one (tRCD, tRP, tRAS, tRC, tRRD, tWR,
 // tMRD), refreshes of a row more than 64 ms apart, data driven by both sides.  The command is
-// executed even so, as far as possible.
+// executed even so, as far as possible.  One while CKE is low is a violation, too, and is not.
 //
-// Not handled: CKE low (power-down, self-refresh, clock suspend); loss of data in rows that are not
-// refreshed.
+// Not handled: loss of data in rows that are not refreshed; the time that it takes to leave
+// self-refresh.
 #pragma once
 
 #include <array>
@@ -35,11 +37,12 @@ public:
         std::uint8_t dqm;    // bit 1: upper byte
         bool driven;         // DQ, by the other side
         std::uint16_t dq;
+        bool cke = true;
     };
     // std::bad_alloc if the host lacks the address space.
     Is42s16320d();
 
-    // A rising edge of CLK.  Edges with CS_N high may be left out unless busy().
+    // A rising edge of CLK.  Edges with CS_N high may be left out unless busy() or CKE moves.
     void clock(const Pins& pins, std::uint64_t time_ps);
     // A burst is under way.
     bool busy() const { return left_ != 0 || driving_ != 0 || drives_; }
@@ -68,6 +71,7 @@ private:
     void close(Bank& bank, std::uint64_t time);
     void refresh();
     void load_mode(const Pins& pins);
+    bool is_awake(const Pins& pins);
     void burst(const Pins& pins);
     std::uint32_t cell() const;
     void at_least(std::uint64_t since, unsigned ns, const char* name);
@@ -93,6 +97,8 @@ private:
     std::uint16_t pipe_[2] = {0, 0};  // words on their way to DQ
     unsigned driving_ = 0;            // bit n: pipe_[n] holds one
     bool drives_ = false;             // DQ, since the last edge
+    bool cke_ = true;                 // at the edge before
+    bool self_refresh_ = false;
     std::uint16_t dq_ = 0;
     std::uint8_t mask_ = 0;  // DQM of the edge before
 };

@@ -35,13 +35,14 @@ void Ltc2308::drive(bool convst, bool sck, bool sdi, std::uint64_t time_ps) {
             result_ = 0;
         }
         if (bits_ == 0) word_ = 0;
-        if (bits_ < WORD_BITS) word_ |= (sdi ? 1u : 0u) << (WORD_BITS - 1 - bits_);
+        if (bits_ < WORD_BITS) word_ |= (sdi_ ? 1u : 0u) << (WORD_BITS - 1 - bits_);
         ++bits_;
     } else if (!sck && sck_) {
         result_ = result_ << 1 & 0xfff;
     }
     convst_ = convst;
     sck_ = sck;
+    sdi_ = sdi;
 }
 
 }  // namespace sim

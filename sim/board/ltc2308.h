@@ -35,7 +35,7 @@ private:
     unsigned convert() const;
 
     std::array<int, CHANNELS> inputs_{};
-    bool convst_ = false, sck_ = false;
+    bool convst_ = false, sck_ = false, sdi_ = false;
     bool converting_ = false;
     std::uint64_t since_ps_ = 0;  // of the conversion
     unsigned word_ = 0, bits_ = 0;

@@ -14,8 +14,8 @@
 // locked on to is told once per lock, a second without a lock once as "no signal".  A strict one
 // measures and tells the same, and shows what it shows regardless.
 //
-// The samples are the pins at each rising edge of VGA_CLK, or of any other clock that is fast
-// enough.  The time is the number of samples times the clock's period, unless idle() says more.
+// The samples are the pins before each rising edge of VGA_CLK, as the DAC takes them.  The time is
+// the number of samples times the clock's period, unless idle() says more.
 //
 // Not handled: interlace, sync on green, composite sync, a line without its HS.
 #pragma once
@@ -59,6 +59,9 @@ public:
     // range: ..." or "no signal: ..."; empty before.
     const std::string& signal() const { return told_; }
 
+    // Why there is no picture.  Nothing is told of that in the first second.
+    std::string no_signal() const;
+
     // It has been told of its pins, or that they stand still: there is something to look at.
     bool is_connected() const { return now_ps_ > 0; }
 
@@ -84,7 +87,6 @@ private:
     void lock();
     void unlock();
     void look_at_the_time();
-    std::string no_signal() const;
     void tell(const std::string& line);
 
     Sink sink_;

@@ -75,9 +75,9 @@ void Wm8731::drive(const Pins& pins, std::uint64_t time_ps) {
     if (sampling) {
         sampled_ps_ = time_ps;
         adc_.sampled();
-        // What answers to the codec's own edge comes after it.
-        const bool dacdat = clocks_.driven ? was.dacdat : pins.dacdat;
-        if (const auto ended = dac_.sample(pins.daclrck, dacdat)) frame(*ended);
+        // What others move with BCLK's edge comes after it.
+        const bool lrck = clocks_.driven ? pins.daclrck : was.daclrck;
+        if (const auto ended = dac_.sample(lrck, was.dacdat)) frame(*ended);
     } else if (pins.bclk == inverted_ && (clocked || pins.adclrck != was.adclrck)) {
         adcdat_ = adc_.bit();
     }

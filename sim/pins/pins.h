@@ -44,12 +44,13 @@ struct HeaderPins {
     HeaderMasks levels, enable;  // levels driven, and where they are driven
 };
 
-// At a rising edge of DRAM_CLK, in the middle of a clock.
+// Before a rising edge of DRAM_CLK.
 struct SdramPins {
     bool cs_n, ras_n, cas_n, we_n;
     std::uint8_t ba, dqm;
     std::uint16_t addr, dq;
     bool dq_driven;
+    bool cke = true;
 };
 
 struct LampPins {
@@ -109,8 +110,8 @@ public:
     virtual void headers(const HeaderPins& pins, std::uint64_t time_ps, ChipInputs& in) = 0;
     virtual void lamps(const LampPins& /*pins*/, std::uint64_t /*time_ps*/) {}
     virtual void adc(const AdcPins& pins, std::uint64_t time_ps, ChipInputs& in) = 0;
-    // Called in each clock in which CS_N is low, and in the next ones for as long as `more` stays
-    // true.  `dq` is what is on DQ when the next clock begins.
+    // Called in each clock in which CS_N is low or CKE has moved, and in the next ones for as long
+    // as `more` stays true.  `dq` is what is on DQ when the next clock begins.
     virtual void sdram(const SdramPins& pins, std::uint64_t time_ps, std::uint16_t& dq,
                        bool& more) = 0;
     // What the PS/2 ports pull low, bit n of port n.

@@ -78,10 +78,12 @@ void name_wires(std::vector<std::string>& wires, const Port& port,
 
 bool is_header(const std::string& wire) { return wire.compare(0, 5, "GPIO_") == 0; }
 
-// What an output is where nothing drives it: lamps dark, chips not selected.
+// What an output is where nothing drives it: lamps dark, chips not selected.  (Quartus pulls pins
+// that are not used up, which counts for DRAM_CKE alone.)
 bool idle_level(const std::string& wire) {
     const std::string name = wire.substr(0, wire.find('['));
     return name.compare(0, 3, "HEX") == 0 || name == "VGA_HS" || name == "VGA_VS" ||
+           name == "DRAM_CKE" ||
            (name.size() > 2 && name.compare(name.size() - 2, 2, "_N") == 0 && name != "VGA_SYNC_N");
 }
 
@@ -129,7 +131,6 @@ Binding bind(const std::vector<Port>& ports, const Locations& locations,
                 driven.insert(wire);
             }
             any = any || !wire.empty();
-            if (wire == "VGA_CLK" && port.direction != Direction::INPUT) binding.has_vga_clk = true;
             if (wire.compare(0, 4, "VGA_") == 0) binding.has_vga = true;
             if (wire == "TD_CLK27") binding.has_td_clk = true;
             if (wire == "AUD_XCK" && port.direction != Direction::INPUT) binding.has_xck = true;

@@ -19,7 +19,7 @@ struct Binding {
     };
     std::vector<BoundPort> ports;
     std::vector<std::string> notes;  // what fits nowhere, and what was assumed
-    bool has_vga_clk = false, has_vga = false, has_td_clk = false, has_xck = false;
+    bool has_vga = false, has_td_clk = false, has_xck = false;
     bool drives_codec_clocks = false;          // an output is on BCLK or an LRCK of the codec
     std::uint64_t header_outputs[2] = {0, 0};  // pins of GPIO_0 and GPIO_1 that it always drives
 };

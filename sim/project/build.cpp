@@ -275,8 +275,6 @@ Built Builder::build(const Progress& progress) {
         words.end(),
         {"--cc", "-O3", "--noassert", "--prefix", "Vde1sim_chip", "--Mdir",
          objects.filename().string(), "--top-module", "de1sim_chip", "-I.",
-         fmt::format("-DDE1SIM_PLL_CLOCKS={}", design_.elaborated.pll_clocks.size()),
-         fmt::format("-DDE1SIM_VGA_CLK={}", design_.binding.has_vga_clk ? "VGA_CLK" : "CLOCK_50"),
          fmt::format("-DDE1SIM_GPIO_0_OUTPUTS=36'd{}", design_.binding.header_outputs[0]),
          fmt::format("-DDE1SIM_GPIO_1_OUTPUTS=36'd{}", design_.binding.header_outputs[1])});
     words.push_back("-Wwarn-UNOPTFLAT");  // for loops_text()

@@ -126,8 +126,9 @@ void add_results(RunReport& report, Board& board, Computer* computer, const ArmR
     report.audio = {recorder.senses().rate_hz, recorder.senses().samples, 0};
     if (report.simulated_s > FIRST_FRAMES_S && report.frames_shown == 0 &&
         board.monitor.is_connected())
-        report.advice.push_back("the monitor found no picture" +
-                                (report.signal.empty() ? "" : ": " + report.signal));
+        report.advice.push_back("the monitor found no picture: " + (report.signal.empty()
+                                                                        ? board.monitor.no_signal()
+                                                                        : report.signal));
     if (!computer) return;
     // From here on, reading moves the board.
     report.audio.underruns = underruns(*computer);

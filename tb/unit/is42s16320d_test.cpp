@@ -95,6 +95,46 @@ TEST_F(Sdram, ReadsABurstBackAfterTheLatencyOfItsMode) {
     expect_none();
 }
 
+TEST_F(Sdram, TakesNoCommandAtTheEdgeAfterCkeLow) {
+    start(SINGLE_WRITES);
+    active(1, 1);
+    nop();
+    write(1, 0, 5);
+    edge({true, true, true, true, 0, 0, 0, false, 0, false});
+    edge({false, true, false, false, 1, 0, 0, true, 6, false});
+    edge({false, true, false, false, 1, 0, 0, true, 7, true});
+    EXPECT_EQ(chip.violations(), 2u);
+    EXPECT_THAT(chip.messages().front(), HasSubstr("WRITE at"));
+    EXPECT_THAT(chip.messages().front(), HasSubstr("not taken, since CKE is low"));
+    read(1, 0);
+    EXPECT_EQ(words(1, 2).front(), 5);
+}
+
+TEST_F(Sdram, HoldsABurstWhileCkeIsLow) {
+    start(BURST_4_CL3);
+    active(2, 7);
+    nop();
+    write(2, 100, 0x1111);
+    edge({true, true, true, true, 0, 0, 0, true, 0x2222, false});
+    for (int i = 0; i < 3; ++i) edge({true, true, true, true, 0, 0, 0, true, 0xdead, i == 2});
+    more(0x3333);
+    more(0x4444);
+    nop();
+    read(2, 100);
+    EXPECT_THAT(words(4, 3), ElementsAre(0x1111, 0x2222, 0x3333, 0x4444));
+    expect_none();
+}
+
+TEST_F(Sdram, ForgetsNoRowInSelfRefresh) {
+    start(SINGLE_WRITES);
+    edge({false, false, false, true, 0, 0, 0, false, 0, false});
+    now += 1'000'000 * US_PS;
+    edge({true, true, true, true, 0, 0, 0, false, 0, true});
+    nop(10);
+    active(0, 0);
+    expect_none();
+}
+
 TEST_F(Sdram, WrapsWithinTheBurst) {
     start(BURST_4_CL3);
     active(0, 0);

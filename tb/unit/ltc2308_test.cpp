@@ -27,7 +27,6 @@ protected:
         return static_cast<int>(result);
     }
 
-private:
     void pins(bool convst, bool sck, bool sdi) {
         chip.drive(convst, sck, sdi, now_ps);
         now_ps += 20'000;
@@ -40,6 +39,20 @@ TEST_F(Chip, AnswersWithTheChannelThatTheWordBeforeHasChosen) {
     transfer(0b100010);
     EXPECT_EQ(transfer(0b111010), 1000);
     EXPECT_EQ(transfer(0b100010), 2000);
+}
+
+TEST_F(Chip, TakesWhatWasOnSdiBeforeSckRises) {
+    chip.set(0, 1000);
+    chip.set(1, 2000);
+    constexpr unsigned WORD = 0b110010;  // channel 1
+    pins(true, false, false);
+    now_ps += sim::Ltc2308::CONVERSION_PS;
+    for (int bit = 5; bit >= -6; --bit) {
+        pins(false, false, bit >= 0 && (WORD >> bit & 1));
+        pins(false, true, bit >= 1 && (WORD >> (bit - 1) & 1));
+    }
+    pins(false, false, false);
+    EXPECT_EQ(transfer(0), 2000);
 }
 
 TEST_F(Chip, NumbersItsInputsAsTheDatasheet) {

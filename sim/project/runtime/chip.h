@@ -27,9 +27,9 @@ struct ModelSettings;
     PORT(std::uint8_t, key_ni)         \
     PORT(std::uint16_t, ledr_o)        \
     PORT(std::uint64_t, hex_no)        \
-    PORT(std::uint8_t, vga_sample_o)   \
+    PORT(std::uint8_t, clocks_o)       \
+    PORT(std::uint16_t, pins_o)        \
     PORT(std::uint32_t, vga_o)         \
-    PORT(std::uint8_t, dram_sample_o)  \
     PORT(std::uint32_t, dram_o)        \
     PORT(std::uint16_t, dram_dq_o)     \
     PORT(std::uint16_t, dram_dq_i)     \
@@ -42,19 +42,11 @@ struct ModelSettings;
     PORT(std::uint64_t, gpio_1_oe_o)   \
     PORT(std::uint8_t, aud_i)          \
     PORT(std::uint8_t, aud_en_i)       \
-    PORT(std::uint8_t, aud_o)          \
-    PORT(std::uint8_t, aud_xck_o)      \
-    PORT(std::uint8_t, aud_dacdat_o)   \
     PORT(std::uint8_t, aud_adcdat_i)   \
-    PORT(std::uint8_t, i2c_sclk_o)     \
-    PORT(std::uint8_t, i2c_sdat_o)     \
     PORT(std::uint8_t, i2c_sdat_low_i) \
-    PORT(std::uint8_t, adc_o)          \
     PORT(std::uint8_t, adc_dout_i)     \
     PORT(std::uint8_t, ps2_clk_low_i)  \
     PORT(std::uint8_t, ps2_dat_low_i)  \
-    PORT(std::uint8_t, ps2_clk_o)      \
-    PORT(std::uint8_t, ps2_dat_o)      \
     PORT(std::uint8_t, irda_rxd_i)     \
     PORT(std::uint8_t, td_data_i)
 
@@ -73,9 +65,8 @@ public:
     virtual void eval(std::uint64_t now_ps) = 0;
     virtual void final() = 0;
 
-    // Waveforms, in FST; nothing is done in a chip that was compiled without.
-    virtual void begin_trace(const std::string& file) = 0;
-    virtual bool is_tracing() const = 0;
+    // Waveforms, in FST; false, and nothing is done, in a chip that was compiled without.
+    virtual bool begin_trace(const std::string& file) = 0;
     virtual void dump(std::uint64_t time_ps) = 0;
     virtual void end_trace() = 0;
 };
@@ -87,7 +78,6 @@ struct PllTimes {
 struct DesignFacts {
     const PllTimes* pll_clocks;
     unsigned pll_clock_count;
-    bool edges_apart;  // each edge at its own time, for waveforms: clocks.h
     bool td_clk27_used, vga_used, aud_xck_used, aud_clocks_driven;
     const char* const* source_folders;  // from the project's on, for init files
     unsigned source_folder_count;

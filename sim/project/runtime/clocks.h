@@ -1,7 +1,4 @@
 // clocks.h - when the clock inputs of de1sim_chip move: CLOCK_50, the video decoder's, the PLLs'.
-//
-// An ordinary run makes a whole pulse of a clock in one evaluation, when it rises (de1sim_clock).
-// In waveforms each edge has its own time.
 #pragma once
 
 #include <algorithm>
@@ -19,7 +16,8 @@ class Clocks {
 public:
     static constexpr unsigned IS_CLOCK_50 = 64, IS_CLOCK_27 = 65;
 
-    explicit Clocks(const DesignFacts& design) : edges_apart_{design.edges_apart} {
+    // All begin low.
+    explicit Clocks(const DesignFacts& design) {
         add(CLOCK_50_FS, CLOCK_50_FS, CLOCK_50_FS / 2, IS_CLOCK_50);
         if (design.td_clk27_used) add(CLOCK_27_FS, CLOCK_27_FS, CLOCK_27_FS / 2, IS_CLOCK_27);
         for (unsigned n = 0; n < design.pll_clock_count; ++n) {
@@ -28,49 +26,40 @@ public:
             add(CLOCK_50_FS + pll.phase_fs, pll.period_fs, pulses ? pll.high_fs : pll.period_fs / 2,
                 n);
         }
+        for (const Clock& clock : clocks_) next_fs_ = std::min(next_fs_, clock.next_fs);
     }
 
-    std::uint64_t next_clock_50_fs() const { return clocks_[0].rises_fs; }
-    std::uint64_t next_rise_fs() const {
-        std::uint64_t next = clocks_[0].rises_fs;
-        for (const Clock& clock : clocks_) next = std::min(next, clock.rises_fs);
-        return next;
-    }
-    // NEVER if none is high, which without waveforms none is.
-    std::uint64_t next_fall_fs() const {
-        std::uint64_t next = NEVER;
-        if (edges_apart_)
-            for (const Clock& clock : clocks_) next = std::min(next, clock.falls_fs);
-        return next;
-    }
-    bool high() const { return next_fall_fs() != NEVER; }
+    // When the next of them moves.
+    std::uint64_t next_fs() const { return next_fs_; }
 
-    // Calls move(number, rises) for each that has an edge now: a PLL's clock, or one of the above.
+    // Calls move(number, rises) for each that moves then: a PLL's clock, or one of the above.
     template <class Move>
-    void edges(std::uint64_t now_fs, Move move) {
+    void edges(Move move) {
+        const std::uint64_t now_fs = next_fs_;
+        std::uint64_t next_fs = NEVER;
         for (Clock& clock : clocks_) {
-            if (clock.rises_fs == now_fs) {
-                clock.rises_fs += clock.period_fs;
-                if (edges_apart_) clock.falls_fs = now_fs + clock.high_fs;
-                move(clock.number, true);
-            } else if (edges_apart_ && clock.falls_fs == now_fs) {
-                clock.falls_fs = NEVER;
-                move(clock.number, false);
+            if (clock.next_fs == now_fs) {
+                clock.high = !clock.high;
+                clock.next_fs += clock.high ? clock.high_fs : clock.low_fs;
+                move(clock.number, clock.high);
             }
+            next_fs = std::min(next_fs, clock.next_fs);
         }
+        next_fs_ = next_fs;
     }
 
 private:
     struct Clock {
-        std::uint64_t rises_fs, falls_fs, period_fs, high_fs;
+        std::uint64_t next_fs, high_fs, low_fs;
         unsigned number;
+        bool high;
     };
     void add(std::uint64_t rises_fs, std::uint64_t period_fs, std::uint64_t high_fs,
              unsigned number) {
-        clocks_.push_back({rises_fs, NEVER, period_fs, high_fs, number});
+        clocks_.push_back({rises_fs, high_fs, period_fs - high_fs, number, false});
     }
 
-    const bool edges_apart_;
+    std::uint64_t next_fs_ = NEVER;
     std::vector<Clock> clocks_;
 };
 

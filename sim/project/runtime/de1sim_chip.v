@@ -3,14 +3,11 @@
 // de1sim_design.vh, which is written for each project, instances the design between the wires that
 // are declared here under the schematic's names, and drives those outputs that it has not.
 //
-// A clock input of this module moves once per clock: de1sim_clock makes a whole pulse of it in one
-// evaluation.  For waveforms (DE1SIM_TRACE) it is the clock itself.
+// Each edge of a clock is an evaluation of its own, in which the pins move once: what a part of the
+// board has on its pins when its clock rises is what was there before that evaluation.
 //
-// The video DAC and the SDRAM take their pins at a rising edge of a clock that the design makes, so
-// these are sampled here, as they would be in their input registers.
-//
-// The other inputs are taken over when moved_i changes.  An evaluation then need not look at them,
-// and all that hangs on them, at every clock.
+// The inputs that are no clocks are taken over when moved_i changes.  An evaluation then need not
+// look at them, and all that hangs on them, at every clock.
 //
 // A wire that both sides may drive has a pull-up, as on the board: X_low_i says where the outside
 // pulls it low, X_o is its level.
@@ -36,54 +33,39 @@ module de1sim_chip (
     output wire [35:0] gpio_1_o,
     output wire [35:0] gpio_1_oe_o,
 
-    output wire [27:0] vga_o,           // SYNC_N, BLANK_N, VS, HS, R, G, B at the last sample
-    output wire        vga_sample_o,    // moves with each sample
+    output wire [2:0]  clocks_o,        // VGA_CLK, DRAM_CLK, AUD_XCK
+    // I2C SDAT, SCLK; AUD_DACDAT, BCLK, DACLRCK, ADCLRCK; PS/2 DAT2, DAT, CLK2, CLK; ADC DIN, SCLK,
+    // CS_N
+    output wire [12:0] pins_o,
 
-    output wire [20:0] dram_o,          // CS_N, RAS_N, CAS_N, WE_N, BA, ADDR, UDQM, LDQM
-    output wire        dram_sample_o,
+    output wire [27:0] vga_o,           // SYNC_N, BLANK_N, VS, HS, R, G, B
+
+    output wire [21:0] dram_o,          // CKE, CS_N, RAS_N, CAS_N, WE_N, BA, ADDR, UDQM, LDQM
     output wire [15:0] dram_dq_o,
     input  wire [15:0] dram_dq_i,
     input  wire        dram_dq_en_i,
 
     input  wire [2:0]  aud_i,           // BCLK, DACLRCK, ADCLRCK where the codec drives them
     input  wire        aud_en_i,
-    output wire [2:0]  aud_o,
-    output wire        aud_xck_o,       // moves with every 128th rise of AUD_XCK
-    output wire        aud_dacdat_o,
     input  wire        aud_adcdat_i,
-    output wire        i2c_sclk_o,
-    output wire        i2c_sdat_o,
     input  wire        i2c_sdat_low_i,
 
-    output wire [2:0]  adc_o,           // DIN, SCLK, CS_N
     input  wire        adc_dout_i,
 
     input  wire [1:0]  ps2_clk_low_i,
     input  wire [1:0]  ps2_dat_low_i,
-    output wire [1:0]  ps2_clk_o,
-    output wire [1:0]  ps2_dat_o,
 
     input  wire        irda_rxd_i,
     input  wire [7:0]  td_data_i
 );
     // ---- Clocks ----
 
-    wire        CLOCK_50, TD_CLK27;
-    wire [63:0] pll_clocks;             // taken from here by de1sim_pll_tap
-
-    de1sim_clock clock_50(.clk_i(clock_50_i), .clk_o(CLOCK_50));
-    de1sim_clock clock_27(.clk_i(clock_27_i), .clk_o(TD_CLK27));
-
-    wire CLOCK2_50 = CLOCK_50;
-    wire CLOCK3_50 = CLOCK_50;
-    wire CLOCK4_50 = CLOCK_50;
-
-    genvar n;
-    generate
-        for (n = 0; n < `DE1SIM_PLL_CLOCKS; n = n + 1) begin : pll
-            de1sim_clock clock(.clk_i(pll_clocks_i[n]), .clk_o(pll_clocks[n]));
-        end
-    endgenerate
+    wire        CLOCK_50 = clock_50_i;
+    wire        CLOCK2_50 = clock_50_i;
+    wire        CLOCK3_50 = clock_50_i;
+    wire        CLOCK4_50 = clock_50_i;
+    wire        TD_CLK27 = clock_27_i;
+    wire [63:0] pll_clocks = pll_clocks_i;  // taken from here by de1sim_pll_tap
 
     // ---- Wires of the board ----
 
@@ -136,6 +118,7 @@ module de1sim_chip (
     wire        AUD_BCLK, AUD_DACLRCK, AUD_ADCLRCK, FPGA_I2C_SDAT;
     wire        PS2_CLK, PS2_DAT, PS2_CLK2, PS2_DAT2;
 
+    genvar n;
     generate
         for (n = 0; n < 36; n = n + 1) begin : header
             pullup(GPIO_0[n]);
@@ -173,57 +156,13 @@ module de1sim_chip (
     assign gpio_1_o = GPIO_1;
     assign gpio_0_oe_o = `DE1SIM_GPIO_0_OUTPUTS | ~GPIO_0 & ~gpio_0_low;
     assign gpio_1_oe_o = `DE1SIM_GPIO_1_OUTPUTS | ~GPIO_1 & ~gpio_1_low;
-    assign aud_o = {AUD_BCLK, AUD_DACLRCK, AUD_ADCLRCK};
-    assign aud_xck_o = xck_rises_q[7];
-    assign aud_dacdat_o = AUD_DACDAT;
-    assign i2c_sclk_o = FPGA_I2C_SCLK;
-    assign i2c_sdat_o = FPGA_I2C_SDAT;
-    assign adc_o = {ADC_DIN, ADC_SCLK, ADC_CS_N};
-    assign ps2_clk_o = {PS2_CLK2, PS2_CLK};
-    assign ps2_dat_o = {PS2_DAT2, PS2_DAT};
-    assign dram_dq_o = dram_dq_q;
-    assign dram_o = dram_q;
-    assign dram_sample_o = dram_sample_q;
-    assign vga_o = vga_q;
-    assign vga_sample_o = vga_sample_q;
-
-    reg [7:0] xck_rises_q = 8'd0;
-
-    always @(posedge AUD_XCK) xck_rises_q <= xck_rises_q + 8'd1;
-
-    reg [27:0] vga_q = 28'd0;
-    reg        vga_sample_q = 1'b0;
-
-    always @(posedge `DE1SIM_VGA_CLK) begin
-        vga_q <= {VGA_SYNC_N, VGA_BLANK_N, VGA_VS, VGA_HS, VGA_R, VGA_G, VGA_B};
-        vga_sample_q <= ~vga_sample_q;
-    end
-
-    reg [20:0] dram_q = 21'h1fffff;
-    reg [15:0] dram_dq_q = 16'd0;
-    reg        dram_sample_q = 1'b0;
-
-    always @(posedge DRAM_CLK) begin
-        dram_q <= {DRAM_CS_N, DRAM_RAS_N, DRAM_CAS_N, DRAM_WE_N, DRAM_BA, DRAM_ADDR, DRAM_UDQM,
-                   DRAM_LDQM};
-        dram_dq_q <= DRAM_DQ;
-        dram_sample_q <= ~dram_sample_q;
-    end
-endmodule
-
-// A pulse for each change of clk_i, within one evaluation; for waveforms a wire.
-module de1sim_clock (
-    input  wire clk_i,
-    output wire clk_o
-);
-`ifdef DE1SIM_TRACE
-    assign clk_o = clk_i;
-`else
-    reg seen_q = 1'b0;
-
-    assign clk_o = clk_i ^ seen_q;
-    always @(posedge clk_o) seen_q <= clk_i;
-`endif
+    assign clocks_o = {VGA_CLK, DRAM_CLK, AUD_XCK};
+    assign pins_o = {FPGA_I2C_SDAT, FPGA_I2C_SCLK, AUD_DACDAT, AUD_BCLK, AUD_DACLRCK, AUD_ADCLRCK,
+                     PS2_DAT2, PS2_DAT, PS2_CLK2, PS2_CLK, ADC_DIN, ADC_SCLK, ADC_CS_N};
+    assign vga_o = {VGA_SYNC_N, VGA_BLANK_N, VGA_VS, VGA_HS, VGA_R, VGA_G, VGA_B};
+    assign dram_o = {DRAM_CKE, DRAM_CS_N, DRAM_RAS_N, DRAM_CAS_N, DRAM_WE_N, DRAM_BA, DRAM_ADDR,
+                     DRAM_UDQM, DRAM_LDQM};
+    assign dram_dq_o = DRAM_DQ;
 endmodule
 
 `default_nettype wire

@@ -38,17 +38,16 @@ public:
     void final() override { top_.final(); }
 
 #ifdef DE1SIM_TRACE
-    void begin_trace(const std::string& file) override {
+    bool begin_trace(const std::string& file) override {
         context_.traceEverOn(true);
         top_.trace(&waveforms_, 99);
         waveforms_.open(file.c_str());
+        return waveforms_.isOpen();
     }
-    bool is_tracing() const override { return waveforms_.isOpen(); }
     void dump(std::uint64_t time_ps) override { waveforms_.dump(time_ps); }
     void end_trace() override { waveforms_.close(); }
 #else
-    void begin_trace(const std::string&) override {}
-    bool is_tracing() const override { return false; }
+    bool begin_trace(const std::string&) override { return false; }
     void dump(std::uint64_t) override {}
     void end_trace() override {}
 #endif
@@ -61,15 +60,9 @@ private:
 #endif
 };
 
-#ifdef DE1SIM_TRACE
-constexpr bool EDGES_APART = true;
-#else
-constexpr bool EDGES_APART = false;
-#endif
-
-constexpr DesignFacts FACTS{
-    PLL_CLOCKS,   PLL_CLOCK_COUNT,   EDGES_APART,    TD_CLK27_USED,       VGA_USED,
-    AUD_XCK_USED, AUD_CLOCKS_DRIVEN, SOURCE_FOLDERS, SOURCE_FOLDER_COUNT, LOOPS};
+constexpr DesignFacts FACTS{PLL_CLOCKS,     PLL_CLOCK_COUNT,     TD_CLK27_USED,
+                            VGA_USED,       AUD_XCK_USED,        AUD_CLOCKS_DRIVEN,
+                            SOURCE_FOLDERS, SOURCE_FOLDER_COUNT, LOOPS};
 
 }  // namespace
 

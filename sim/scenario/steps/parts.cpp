@@ -128,8 +128,8 @@ public:
         for (const std::string& row : rows_)
             if (rows_.size() != part.rows() || row.size() != part.columns.size())
                 checks.refuse_step(
-                    fmt::format("{} rows of {} characters, as {} of line {} has them",
-                                part.rows(), part.columns.size(), matrix_, part.line),
+                    fmt::format("{} rows of {} characters, as {} of line {} has them", part.rows(),
+                                part.columns.size(), matrix_, part.line),
                     fmt::format("{} rows of {}", rows_.size(),
                                 row.size() == width ? width : row.size()));
     }
