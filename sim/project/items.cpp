@@ -78,6 +78,10 @@ bool begins_process(const Token& token) {
 
 }  // namespace
 
+std::size_t behind_statement(const std::vector<Token>& tokens, std::size_t i) {
+    return Statements{tokens}.statement(i);
+}
+
 std::size_t closing(const std::vector<Token>& tokens, std::size_t open) {
     int depth = 0;
     for (std::size_t i = open; i < tokens.size(); ++i) {

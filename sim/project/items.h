@@ -27,6 +27,9 @@ private:
     std::vector<bool> statements_;  // in an always, initial or final block, a function or a task
 };
 
+// The token behind the statement that begins at `i`.
+std::size_t behind_statement(const std::vector<Token>& tokens, std::size_t i);
+
 // The parenthesis that closes the one at `open`; where there is none, the last token.
 std::size_t closing(const std::vector<Token>& tokens, std::size_t open);
 

@@ -10,6 +10,7 @@
 
 #include "sim/project/items.h"
 #include "sim/project/parameter_types.h"
+#include "sim/project/power_up.h"
 #include "sim/project/registers.h"
 #include "sim/project/reorder.h"
 #include "sim/project/sensitivity.h"
@@ -64,6 +65,7 @@ public:
         make_registers(tokens_, edits_);
         complete_lists(tokens_, edits_);
         fit_inouts(tokens_.all, inout_fits, edits_);
+        resets_ = reset_statements(tokens_.all);
         init_names_ = read_at_run_time(tokens_, edits_);
         for (std::size_t i = 0; i < tokens_.all.size(); ++i)
             if (tokens_.all[i].kind == Kind::NAME && open_inputs.count(tokens_.all[i].text))
@@ -73,6 +75,7 @@ public:
     Normalised run(bool system_verilog) {
         Normalised result;
         checks_ = check_text(tokens_.all, items_, name_, system_verilog);
+        std::size_t next_reset = 0;
         if (!system_verilog) choose_keywords(result.text);
         for (std::size_t i = 0; i < tokens_.all.size(); ++i) {
             const Token& token = tokens_.all[i];
@@ -87,12 +90,8 @@ public:
             }
             if (token.is(",") && next(i) && next(i)->is(")")) {
                 changed(token, "dropped the comma before \")\"");
-            } else if (token.kind == Kind::NUMBER) {
-                result.text += literal(token);
-            } else if (is_charge_strength(token.text)) {
-                result.text += fmt::format("\\{} ", token.text);
             } else {
-                result.text += token.text;
+                result.text += text_of_token(token);
             }
             if (items_.unnamed_instance(i)) {
                 changed(token, fmt::format("named the instance of {}", token.text));
@@ -100,6 +99,8 @@ public:
             }
             if (const auto here = edits_.behind.find(i); here != edits_.behind.end())
                 result.text += in_one_line(here->second);
+            for (; next_reset < resets_.size() && resets_[next_reset].behind == i; ++next_reset)
+                result.text += at_power_up(resets_[next_reset]);
         }
         result.text += without_pragmas(tokens_.tail);
         if (begun_) result.text += "\n`end_keywords\n";
@@ -119,6 +120,18 @@ private:
 
     void warn(unsigned number, const Token& token, const std::string& what) {
         checks_.warnings.push_back({number, name_, token.line, in_one_line(what)});
+    }
+
+    std::string at_power_up(const ResetStatement& reset) {
+        std::string text = " initial";
+        const std::size_t told = changes_.size(), warned = checks_.warnings.size();
+        for (std::size_t i = reset.begin; i < reset.end; ++i)
+            text += (i > reset.begin && tokens_.all[i].gap.empty() ? "" : " ") +
+                    text_of_token(tokens_.all[i]);
+        changes_.resize(told);  // of the original
+        checks_.warnings.erase(checks_.warnings.begin() + static_cast<std::ptrdiff_t>(warned),
+                               checks_.warnings.end());
+        return text;
     }
 
     // What is written or told of a text in quotes, which may go over lines, as in a broken file.
@@ -191,6 +204,11 @@ private:
         }
         edits_.behind[open] += added;
     }
+    std::string text_of_token(const Token& token) {
+        if (token.kind == Kind::NUMBER) return literal(token);
+        return is_charge_strength(token.text) ? fmt::format("\\{} ", token.text)
+                                              : std::string{token.text};
+    }
     std::string literal(const Token& token) {
         const std::string_view text = token.text;
         const std::size_t quote = text.find('\'');
@@ -257,6 +275,7 @@ private:
     const Items items_;
     const std::string& name_;
     Edits edits_;
+    std::vector<ResetStatement> resets_;
     std::vector<std::string> changes_;
     std::vector<InitName> init_names_;
     TextChecks checks_;

@@ -1,13 +1,36 @@
-// power_up.h - what is 1 when the chip powers up has not risen.
+// power_up.h - what registers are when the chip powers up, and that nothing has risen then.
+//
+// The registers of a Cyclone V power up at 0, and have a clear, but no preset.  Where the
+// asynchronous reset makes a bit 1, Quartus inverts before and behind the register ("NOT gate
+// push-back"), so that it powers up at 1 as well, whatever `initial` says, and also where the reset
+// never comes:
+//
+//   always @(posedge clk or negedge rst_n)
+//       if (!rst_n) q <= 4'b1010; else q <= d;       initial q <= 4'b1010;   is added
 //
 // Verilator 5.006 remembers what a signal was for `always @(posedge x)` before the design has
 // settled for the first time.  A signal that settles at 1 then counts as an edge, which no register
 // of the board sees.
+//
+// Not handled: an `initial` behind the block that says otherwise, which Quartus ignores with a
+// warning (18061).
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
+#include <vector>
+
+#include "sim/project/tokens.h"
 
 namespace sim::project {
+
+// The tokens [begin, end) are a statement of an asynchronous reset, to be executed at power-up, too;
+// what is written for that has its place behind token `behind`.
+struct ResetStatement {
+    std::size_t behind, begin, end;
+};
+// In the order of `behind`.
+std::vector<ResetStatement> reset_statements(const std::vector<Token>& tokens);
 
 // Lets the Verilated design in `objects` remember once more, when it has settled.
 void forget_edges_of_power_up(const std::filesystem::path& objects);

@@ -23,6 +23,24 @@ TEST(Normalise, LeavesAsItIsWhatIsInOrder) {
     EXPECT_THAT(result.changes, IsEmpty());
 }
 
+TEST(Normalise, ExecutesAsynchronousResetsAtPowerUp) {
+    const auto added = [](const std::string& text) {
+        const std::string clean = cleaned(text);
+        return clean.substr(text.size());
+    };
+    EXPECT_EQ(added("always_ff @(posedge c, posedge r) if (r) q <= {2'b10, K}; else q <= d;"),
+              " initial q <= {2'b10, K};");
+    EXPECT_EQ(added("always @(posedge c or negedge r) begin : b if (~r) begin a <= 1; b <= 2; end\n"
+                    "if (e) f <= 1; if (r == 0) g <= 3; else g <= 4; end"),
+              " initial begin a <= 1; b <= 2; end initial g <= 3;");
+    for (const char* none :
+         {"always @(posedge c) if (r) q <= 1; else q <= d;",
+          "always @(posedge c or posedge r) if (e) q <= 1;",
+          "always @(posedge c or posedge r) if (r) begin $display(1); q <= 1; end",
+          "always @(posedge c or posedge r) if (r)\n`ifdef A\nq <= 1;\n`endif\n"})
+        EXPECT_EQ(cleaned(none), none);
+}
+
 TEST(Normalise, NamesInstances) {
     const auto result =
         normalise("module m;\nsub (.a(x));\nram #(.W(2)) (.q(y));\nendmodule", "f.v", false);
@@ -130,7 +148,7 @@ TEST(Normalise, BlockingAssignmentsMakeRegisters) {
     EXPECT_EQ(cleaned("always @(negedge r or posedge c) begin if (!r) n = 0; else if (n < 9)\n"
                       "n = n + 1; end"),
               "always @(negedge r or posedge c) begin if (!r) n <= 0; else if (n < 9)\n"
-              "n <= n + 1; end");
+              "n <= n + 1; end initial n = 0;");
     EXPECT_EQ(cleaned("always @(posedge c) case (n) 2'd1: begin a = b[0]; d = 1; end\n"
                       "3, 4: a = d; default a[3:0] = m[n]; endcase"),
               "always @(posedge c) case (n) 2'd1: begin a <= b[0]; d <= 1; end\n"
