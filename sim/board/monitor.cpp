@@ -92,6 +92,11 @@ void Monitor::end_frame() {
         ++frames_;
         new_pictures_ += is_new;
         const Placement& place = raster_.place();
+        if (raster_.has_colour_in_porch() && !strict() && tell_ &&
+            !std::exchange(porch_told_, true))
+            tell_(
+                "colours before the picture begins, where BLANK_N is high: a monitor takes what is "
+                "there for black, so its picture is too dark or has false colours");
         if (sink_) sink_({frames_, is_new, raster_.pixels(), place.width, place.height});
     }
     raster_.begin_frame();
@@ -116,6 +121,7 @@ void Monitor::lock() {
     meter_.expect_line(lock_->line_samples);
     const PictureLock found = lock_on(*lock_, sample_ps_);
     in_range_ = found.picture.has_value();
+    porch_told_ = false;
     if (in_range_ && !strict()) {
         raster_ = Raster{*found.picture};
         raster_.begin_line();

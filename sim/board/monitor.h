@@ -104,6 +104,7 @@ private:
     unsigned unlike_ = 0;    // frames in a row that are not like the lock's
     Unlocked unlocked_;
     std::string told_;
+    bool porch_told_ = false;  // of this lock
 
     std::uint64_t sample_ps_, now_ps_ = 0, frame_ps_ = 0;  // frame_ps_: when the last frame ended
     std::uint64_t frames_ = 0, new_pictures_ = 0;

@@ -5,6 +5,10 @@
 // HS and VS, and has the standard's size.  BLANK_N low is black in both cases, since the ADV7123
 // makes it so; but a BLANK_N that is never high is not obeyed, or nothing would be seen.
 //
+// Where no standard mode is near, or VGA_CLK's rate has no relation to the nearest one's, the
+// picture is where BLANK_N is high, and each sample is a pixel; the lines may then have 20 to 150
+// kHz, the frames 24 to 160 Hz.
+//
 // The samples of a pixel: one or a whole number, if all lines are equal and that comes within 3 %
 // of the mode's clocks in a line; else the mode's clocks in a line are taken for true.
 #pragma once
@@ -30,7 +34,7 @@ struct Placement {
 };
 
 struct PictureLock {
-    std::optional<Placement> picture;  // none: no mode is near
+    std::optional<Placement> picture;  // none: out of range
     // "640 x 480 at 59.5 Hz, HS and VS negative, 800 x 525 clocks, BLANK_N ignored: never low"
     // "out of range: 15.7 kHz, 60.1 Hz, HS and VS negative, 262 lines"
     std::string text;

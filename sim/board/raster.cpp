@@ -26,8 +26,12 @@ void Raster::run(const std::uint32_t* pins, unsigned count, bool blank_n) {
             if (stored_ == 0 && !row_.empty()) early_ = phase_.edge(now_);
             store(pins, count, false);
         }
-    } else if (sample + count > left_) {
-        const auto before = static_cast<unsigned>(left_ > sample ? left_ - sample : 0);
+    } else {
+        const auto before = static_cast<unsigned>(
+            left_ > sample ? std::min<std::uint64_t>(left_ - sample, count) : 0);
+        if (blank_n && line_known_ && !colour_in_porch_)
+            colour_in_porch_ = std::any_of(pins, pins + before,
+                                           [](std::uint32_t pin) { return pin & video::RGB; });
         store(pins + before, count - before, place_.blank_is_black && !blank_n);
     }
     now_ += count;

@@ -28,6 +28,9 @@ public:
 
     // Valid from end_frame() to begin_frame().
     const std::vector<std::uint32_t>& pixels() const { return pixels_; }  // 0x00RRGGBB
+    // Colours while BLANK_N is high between the begin of HS and the picture; known unless BLANK_N
+    // tells where the picture is.
+    bool has_colour_in_porch() const { return colour_in_porch_; }
     // A row has changed since the last call; true at the first one.
     bool take_is_new() { return std::exchange(is_new_, false); }
     const Placement& place() const { return place_; }
@@ -53,6 +56,7 @@ private:
     unsigned stored_ = 0;                     // samples of this picture row
     unsigned rows_ = 0;                       // of this frame
     bool is_new_ = true;
+    bool colour_in_porch_ = false;
 };
 
 }  // namespace sim

@@ -47,6 +47,35 @@ INSTANTIATE_TEST_SUITE_P(Standard, MonitorMode, ::testing::ValuesIn(MODELINES), 
     return fmt::format("{}x{}of{}at{}MHz", m.hdisp, m.vdisp, m.vtotal, unsigned(m.mhz));
 });
 
+// GTF's 1680 x 1050; 1024 x 600 in about the time of 800 x 600; 1184 x 700; 720 x 480 at 27 MHz.
+TEST_F(MonitorModes, AreWhatBlankNSaysWhereNoneIsStandard) {
+    for (const Modeline& odd :
+         {Modeline{147.14, 1680, 1784, 1968, 2256, 1050, 1051, 1054, 1087, false, true},
+          Modeline{51.2, 1024, 1064, 1168, 1344, 600, 601, 604, 635, false, false},
+          Modeline{69.7, 1184, 1240, 1360, 1536, 700, 703, 709, 728, true, false},
+          Modeline{27, 720, 736, 798, 858, 480, 489, 495, 525, false, false}}) {
+        VideoPins video;
+        video.mode = odd;
+        monitor.clock_ps(1);
+        show(video, LOCKED);
+        EXPECT_EQ(size(), std::pair(odd.hdisp, odd.vdisp));
+        EXPECT_EQ(wrong_pixels(), 0u) << odd;
+        EXPECT_THAT(told.back(), EndsWith(fmt::format("{} x {} clocks", odd.htotal, odd.vtotal)));
+    }
+}
+
+TEST_F(MonitorModes, HaveFalseColoursWithColoursInThePorches) {
+    VideoPins video;
+    video.blank = Blank::HIGH;
+    video.fault = [](std::uint64_t clock, std::uint32_t pins) {
+        return clock % 800 == 760 ? pins | 0x808080 : pins;  // in the back porch
+    };
+    show(video, LOCKED + 2);
+    ASSERT_EQ(told.size(), 2u);
+    EXPECT_THAT(told[1], StartsWith("colours before the picture begins, where BLANK_N is high"));
+    EXPECT_EQ(wrong_pixels(), 0u);
+}
+
 TEST_F(MonitorModes, AreToldInALine) {
     VideoPins video;
     video.mode.mhz = 25;

@@ -89,8 +89,8 @@ TEST(VideoMode, IsNoneWhereNoneIsNear) {
     VideoTiming twice_as_fast = timing_of(VGA);
     twice_as_fast.line_ps /= 2;
     EXPECT_FALSE(nearest_mode(twice_as_fast));
-    VideoTiming full_hd{14.8e6, 2200, 1125, true, true, 1080};
-    EXPECT_FALSE(nearest_mode(full_hd));
+    const VideoTiming square{20e6, 1200, 1190, true, true, 1100};
+    EXPECT_FALSE(nearest_mode(square));
 }
 
 }  // namespace
