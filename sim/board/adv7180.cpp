@@ -9,7 +9,8 @@ namespace {
 
 constexpr unsigned ACTIVE = 276;  // the first byte of the pixels
 constexpr std::uint8_t BLACK = 0x10, GREY = 0x80;
-constexpr std::uint8_t FREE_Y = 0x34, FREE_CB = 0xC0, FREE_CR = 0x70;
+constexpr std::uint8_t DEF_Y = 0x0C, DEF_C = 0x0D;
+constexpr unsigned DEF_VAL_EN = 1, DEF_VAL_AUTO_EN = 2;  // of DEF_Y
 
 // Lines of a frame, counted from 1 as the standard does.
 bool second_field(unsigned line) { return line < 4 || line >= 266; }
@@ -24,7 +25,19 @@ std::uint8_t rounded(double level) { return static_cast<std::uint8_t>(std::lroun
 
 }  // namespace
 
-void Adv7180::show(std::shared_ptr<const Image> picture) { picture_ = std::move(picture); }
+void Adv7180::show(std::shared_ptr<const Image> picture) {
+    picture_ = std::move(picture);
+    registers_.signal(picture_ != nullptr);
+}
+
+bool Adv7180::byte(unsigned number, std::uint8_t value) {
+    if (number == 0) return value >> 1 == ADDRESS;
+    if (number == 1)
+        registers_.select(value);
+    else
+        registers_.write(value);
+    return true;
+}
 
 void Adv7180::make_line(std::uint64_t number) {
     line_ = number;
@@ -41,9 +54,15 @@ void Adv7180::make_line(std::uint64_t number) {
 
 void Adv7180::make_row(unsigned row) {
     std::uint8_t* out = &bytes_[ACTIVE];
+    const unsigned def_y = registers_.main(DEF_Y), def_c = registers_.main(DEF_C);
+    const bool forced = def_y & DEF_VAL_EN;
     for (unsigned x = 0; x < WIDTH; ++x, out += 2) {
-        std::uint8_t y = FREE_Y, cb = FREE_CB, cr = FREE_CR;
-        if (picture_) {
+        std::uint8_t y = BLACK, cb = GREY, cr = GREY;
+        if (forced || (!picture_ && def_y & DEF_VAL_AUTO_EN)) {
+            y = static_cast<std::uint8_t>(def_y & 0xfc);
+            cb = static_cast<std::uint8_t>(def_c << 4);
+            cr = static_cast<std::uint8_t>(def_c & 0xf0);
+        } else if (picture_) {
             const std::size_t from =
                 std::size_t{row * picture_->height / HEIGHT} * picture_->width +
                 x * picture_->width / WIDTH;

@@ -13,19 +13,21 @@
 // set after a reset, DEF_Y and DEF_C say Y = 0x34, Cb = 0xC0, Cr = 0x70.
 //
 // It needs no set-up over I2C: after its reset it detects the signal and sends 8-bit BT.656.  At
-// 0x20 (ALSB low, as on the board) it acknowledges whatever is written, which has no effect.
+// 0x40 and 0x41 (ALSB low, as on the board) its registers are written and read
+// (adv7180_registers.h).  Of them DEF_Y, DEF_C and their enables count; others have no effect.
 // RESET_N is an input from the FPGA; while it is low the chip stays in reset.
 //
 // Source: ITU-R BT.656 and BT.601; Analog Devices' ADV7180 datasheet.
 //
-// Not handled: HS and VS, its registers, PAL, the time that the chip takes to lock to a signal, the
-// noise and the limited bandwidth of a real one.
+// Not handled: HS and VS, what most registers do, PAL, the time that the chip takes to lock to a
+// signal, the noise and the limited bandwidth of a real one.
 #pragma once
 
 #include <array>
 #include <cstdint>
 #include <memory>
 
+#include "sim/board/adv7180_registers.h"
 #include "sim/board/i2c_target.h"
 #include "sim/report/png.h"
 
@@ -50,14 +52,16 @@ public:
     bool pulls_sda_low() const { return control_.pulls_low(); }
 
 private:
-    static constexpr std::uint8_t WRITE = 0x20 << 1;
+    static constexpr std::uint8_t ADDRESS = 0x20;
 
     void make_line(std::uint64_t line);
     void make_row(unsigned row);
 
-    I2cTarget control_{
-        [](unsigned number, std::uint8_t value) { return number != 0 || value == WRITE; },
-        [](unsigned, unsigned) {}};
+    bool byte(unsigned number, std::uint8_t value);
+
+    Adv7180Registers registers_;
+    I2cTarget control_{[this](unsigned number, std::uint8_t value) { return byte(number, value); },
+                       [](unsigned, unsigned) {}, [this] { return registers_.read(); }};
     std::shared_ptr<const Image> picture_;
     std::uint64_t line_ = ~std::uint64_t{0};  // of the bytes, counted from the first one
     std::array<std::uint8_t, LINE_CLOCKS> bytes_{};

@@ -19,18 +19,34 @@ void I2cTarget::drive(bool scl, bool sda) {
 void I2cTarget::begin_or_end(bool start) {
     if (listening_) on_end_(bytes_, bits_);
     listening_ = start;
-    acknowledging_ = clocked_ = false;
+    acknowledging_ = clocked_ = reads_ = sending_ = false;
     bits_ = bytes_ = 0;
 }
 
 // SCL has fallen: the bit is valid, because it can no longer turn into START or STOP.
 void I2cTarget::bit_ends() {
-    if (std::exchange(acknowledging_, false)) return;
+    if (sending_) return sent_bit_ends();
+    if (std::exchange(acknowledging_, false)) {
+        sending_ = reads_;
+        if (sending_) value_ = next_();
+        return;
+    }
     value_ = static_cast<std::uint8_t>(value_ << 1 | (bit_ ? 1 : 0));
     if (++bits_ < 8) return;
     bits_ = 0;
     listening_ = acknowledging_ = on_byte_(bytes_, value_);
+    reads_ = bytes_ == 0 && value_ & 1;
     ++bytes_;
+}
+
+// The ninth bit is the master's.
+void I2cTarget::sent_bit_ends() {
+    if (++bits_ < 9) return;
+    bits_ = 0;
+    if (bit_)
+        listening_ = sending_ = false;
+    else
+        value_ = next_();
 }
 
 }  // namespace sim

@@ -28,6 +28,94 @@ protected:
     int pixel_byte(unsigned line, unsigned n) { return chip.data((line - 1) * LINE + 276 + n); }
 };
 
+// A master of the I2C bus, which hears the chip's pull.
+class DecoderRegisters : public DecoderChip {
+protected:
+    void start() { wires(false, true), wires(true, true), wires(true, false), wires(false, false); }
+    void stop() { wires(false, false), wires(true, false), wires(true, true); }
+    bool bit(bool level) {
+        wires(false, level);
+        wires(true, level);
+        const bool seen = level && !chip.pulls_sda_low();
+        wires(false, level);
+        return seen;
+    }
+    bool send(unsigned byte) {  // acknowledged
+        for (int n = 7; n >= 0; --n) bit(byte >> n & 1);
+        return !bit(true);
+    }
+    unsigned receive(bool more) {
+        unsigned byte = 0;
+        for (int n = 0; n < 8; ++n) byte = byte << 1 | (bit(true) ? 1u : 0u);
+        bit(!more);
+        return byte;
+    }
+    void write(unsigned subaddress, std::vector<unsigned> values) {
+        start();
+        EXPECT_TRUE(send(0x40) && send(subaddress));
+        for (const unsigned value : values) EXPECT_TRUE(send(value));
+        stop();
+    }
+    std::vector<unsigned> read(unsigned subaddress, unsigned count = 1) {
+        start();
+        EXPECT_TRUE(send(0x40) && send(subaddress));
+        start();
+        EXPECT_TRUE(send(0x41));
+        std::vector<unsigned> values;
+        while (values.size() < count) values.push_back(receive(values.size() + 1 < count));
+        stop();
+        return values;
+    }
+
+private:
+    void wires(bool scl, bool sda) { chip.drive_i2c(scl, sda && !chip.pulls_sda_low()); }
+};
+
+using ::testing::ElementsAre;
+
+TEST_F(DecoderRegisters, AnswerAtTheirAddressAlone) {
+    start();
+    EXPECT_FALSE(send(0x42));
+    stop();
+    start();
+    EXPECT_FALSE(send(0x34));
+    stop();
+    EXPECT_THAT(read(0x11), ElementsAre(0x1Eu));
+}
+
+TEST_F(DecoderRegisters, AreReadBackAndCountUp) {
+    EXPECT_THAT(read(0x01, 4), ElementsAre(0xC8u, 0u, 0x0Cu, 0x45u));
+    write(0x08, {0x12, 0x34, 0x56});
+    EXPECT_THAT(read(0x08, 3), ElementsAre(0x12u, 0x34u, 0x56u));
+    write(0x0F, {0x80});
+    EXPECT_THAT(read(0x08, 2), ElementsAre(0x80u, 0u));
+}
+
+TEST_F(DecoderRegisters, HaveAnotherMapFrom0x40On) {
+    write(0x0E, {0x20});
+    write(0x4D, {0x5A});
+    EXPECT_THAT(read(0x4D), ElementsAre(0x5Au));
+    write(0x0E, {0});
+    EXPECT_THAT(read(0x4D), ElementsAre(0xEFu));
+}
+
+TEST_F(DecoderRegisters, SayWhetherThereIsASignal) {
+    EXPECT_THAT(read(0x10), ElementsAre(0x02u));
+    EXPECT_THAT(read(0x13), ElementsAre(0x10u));
+    show(1, 1, {9, 9, 9});
+    EXPECT_THAT(read(0x10), ElementsAre(0x07u)) << "it was lost before";
+    EXPECT_THAT(read(0x10, 4), ElementsAre(0x05u, 0x1Eu, 0u, 0x61u));
+    write(0x10, {0xFF});
+    EXPECT_THAT(read(0x10), ElementsAre(0x05u));
+}
+
+TEST_F(DecoderRegisters, ChooseTheColourOfAFreeRun) {
+    write(0x0C, {0x46, 0x9B});
+    EXPECT_EQ(pixel_byte(30, 0), 0xB0);
+    EXPECT_EQ(pixel_byte(30, 1), 0x44);
+    EXPECT_EQ(pixel_byte(30, 2), 0x90);
+}
+
 // Found as by a receiver without any state.
 TEST_F(DecoderChip, BeginsAndEndsEachLineWithACodeThatIsRight) {
     std::vector<std::uint64_t> begins;
