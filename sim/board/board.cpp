@@ -40,8 +40,9 @@ Board::Board(const sc_core::sc_module_name& name, Audience& audience, std::uint6
                 return keypad.levels(driven, enable);
             },
             keypad_pins(part_plans), [&audience](const std::string& line) { audience.log(line); }},
-      parts{part_plans,
-            [this](const HeaderMasks& pins, PinLevel level) { wires.part(pins, level); }} {
+      parts{part_plans, agenda,
+            [this](const HeaderMasks& pins, PinLevel level) { wires.part(pins, level); },
+            [this] { headers_moved(); }} {
     const auto plugged = [this](Ps2Plug plug) -> Ps2Device* {
         switch (plug) {
             case Ps2Plug::KEYBOARD: return &ps2_keyboard;
@@ -68,12 +69,16 @@ void Board::codec(const CodecPins& pins, std::uint64_t time_ps, ChipInputs& in) 
     const auto sdat_level = [&] {
         return !pins.sdat_low && !codec_chip.pulls_sda_low() && !video_decoder.pulls_sda_low();
     };
+    const auto hear = [&](bool sdat) {
+        codec_chip.drive({pins.bclk, pins.daclrck, pins.adclrck, pins.dacdat, pins.sclk, sdat,
+                          pins.clocks_driven},
+                         time_ps);
+        video_decoder.drive_i2c(pins.sclk, sdat);
+    };
     const bool sdat = sdat_level();
-    codec_chip.drive(
-        {pins.bclk, pins.daclrck, pins.adclrck, pins.dacdat, pins.sclk, sdat, pins.clocks_driven},
-        time_ps);
-    video_decoder.drive_i2c(pins.sclk, sdat);
+    hear(sdat);
     in.sdat = sdat_level();
+    if (in.sdat != sdat) hear(in.sdat);  // what one of them pulls or releases
     in.adcdat = codec_chip.adcdat();
     in.codec = codec_chip.clocks();
 }
@@ -91,6 +96,7 @@ void Board::bclk_edge(std::uint64_t, ChipInputs& in) {
 // ---- Headers ----
 
 void Board::headers(const HeaderPins& pins, std::uint64_t time_ps, ChipInputs& in) {
+    agenda.pass_to(time_ps);
     wires.fpga(pins);
     header_wires(in, time_ps);
 }
@@ -116,6 +122,10 @@ void Board::close_contact(const std::string& part, bool closed) {
         parts.close(part, closed);
         headers_moved();
     });
+}
+
+void Board::type_at(const std::string& part, const std::string& text) {
+    act([this, part, text] { parts.terminal(part).type(text); });
 }
 
 // ---- Lamps ----

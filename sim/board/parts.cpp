@@ -13,7 +13,9 @@ PinLevel level_of(const PartPlan& contact, bool closed) {
 
 }  // namespace
 
-Parts::Parts(const std::vector<PartPlan>& plans, Drive drive) : drive_{std::move(drive)} {
+Parts::Parts(const std::vector<PartPlan>& plans, Agenda& agenda, Drive drive,
+             std::function<void()> moved)
+    : drive_{std::move(drive)} {
     for (const PartPlan& plan : plans) switch (plan.kind) {
             case PartPlan::Kind::BUTTON:
             case PartPlan::Kind::SWITCH:
@@ -23,6 +25,16 @@ Parts::Parts(const std::vector<PartPlan>& plans, Drive drive) : drive_{std::move
             case PartPlan::Kind::LED:
             case PartPlan::Kind::LED_MATRIX: leds_.emplace(plan.name, LedMatrix{plan}); break;
             case PartPlan::Kind::LT24: lt24_.emplace(plan.pins.front() / PINS_OF_A_HEADER); break;
+            case PartPlan::Kind::TERMINAL: {
+                const HeaderMasks tx = mask_of({plan.pins.at(1)});
+                drive_(tx, PinLevel::HIGH);
+                terminals_.try_emplace(plan.name, plan.pins.at(0), agenda, plan.baud,
+                                       [this, tx, moved](bool level) {
+                                           drive_(tx, level ? PinLevel::HIGH : PinLevel::LOW);
+                                           moved();
+                                       });
+                break;
+            }
             case PartPlan::Kind::KEYPAD: break;  // a part of the board, wherever it hangs
         }
 }

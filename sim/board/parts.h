@@ -13,6 +13,7 @@
 #include "sim/board/led_matrix.h"
 #include "sim/board/lt24.h"
 #include "sim/board/part_plan.h"
+#include "sim/board/serial_terminal.h"
 
 namespace sim {
 
@@ -20,13 +21,16 @@ class Parts {
 public:
     using Drive = std::function<void(const HeaderMasks& pins, PinLevel level)>;
 
-    // `drive` puts a level on pins, until told otherwise.
-    Parts(const std::vector<PartPlan>& plans, Drive drive);
+    // `drive` puts a level on pins, until told otherwise; `moved` is called when a part has done so
+    // by itself.
+    Parts(const std::vector<PartPlan>& plans, Agenda& agenda, Drive drive,
+          std::function<void()> moved);
 
     // What is on the wires from now on.
     void look(const HeaderMasks& levels, std::uint64_t time_ps) {
         for (auto& [name, leds] : leds_) leds.look(levels, time_ps);
         if (lt24_) lt24_->look(levels);
+        for (auto& [name, wired] : terminals_) wired.terminal.look(is_high(levels, wired.rx));
     }
 
     bool is_button(const std::string& contact) const {
@@ -39,10 +43,26 @@ public:
     LedMatrix& leds(const std::string& name) { return leds_.at(name); }
     std::map<std::string, LedMatrix>& all_leds() { return leds_; }
 
+    SerialTerminal& terminal(const std::string& name) { return terminals_.at(name).terminal; }
+    // With the name and the terminal of each.
+    template <class Action>
+    void for_each_terminal(Action action) {
+        for (auto& [name, wired] : terminals_) action(name, wired.terminal);
+    }
+
     const Lt24& lt24() const { return lt24_.value(); }
 
 private:
+    struct WiredTerminal {
+        HeaderPin rx;
+        SerialTerminal terminal;
+
+        WiredTerminal(HeaderPin on, Agenda& agenda, unsigned baud, std::function<void(bool)> drive)
+            : rx{on}, terminal{agenda, baud, std::move(drive)} {}
+    };
+
     const Drive drive_;
+    std::map<std::string, WiredTerminal> terminals_;
     std::map<std::string, PartPlan> contacts_;
     std::map<std::string, LedMatrix> leds_;
     std::optional<Lt24> lt24_;

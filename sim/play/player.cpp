@@ -26,6 +26,12 @@ Player::Player(const sc_core::sc_module_name& name, Board& board, Senses& senses
     : sc_module{name}, board_{board}, senses_{senses}, steps_{steps}, out_{std::move(out)} {
     senses_.frame_shown = [this] { frame_shown_.notify(sc_core::SC_ZERO_TIME); };
     senses_.printed = [this] { printed_.notify(sc_core::SC_ZERO_TIME); };
+    board_.parts.for_each_terminal([this](const std::string& part, SerialTerminal& terminal) {
+        terminal.heard = [this, &text = terminals_[part]](char byte) {
+            text.print(byte);
+            printed_.notify(sc_core::SC_ZERO_TIME);
+        };
+    });
     SC_HAS_PROCESS(Player);
     SC_THREAD(run);
 }
@@ -114,6 +120,9 @@ void Player::accelerate(double x, double y, double z) { board_.accelerate({x, y,
 void Player::type_serial(const std::string& text, std::optional<SerialLine> to) {
     board_.type(text, to);
 }
+void Player::type_at(const std::string& part, const std::string& text) {
+    board_.type_at(part, text);
+}
 void Player::type_keys(const std::string& text) {
     board_.act([this, text] { board_.ps2_keyboard.type(text); });
 }
@@ -168,6 +177,11 @@ void Player::show_picture(std::shared_ptr<const Image> picture) {
 Senses& Player::senses() {
     board_.chip().catch_up();
     return senses_;
+}
+
+ConsoleText& Player::terminal(const std::string& part) {
+    board_.chip().catch_up();
+    return terminals_.at(part);
 }
 
 std::uint16_t Player::ledr() {

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -60,6 +61,7 @@ private:
     void set_voltage(unsigned channel, double volts) override;
     void accelerate(double x, double y, double z) override;
     void type_serial(const std::string& text, std::optional<SerialLine> to) override;
+    void type_at(const std::string& part, const std::string& text) override;
     void type_keys(const std::string& text) override;
     void hold_key(std::uint16_t code) override;
     void release_key(std::uint16_t code) override;
@@ -73,6 +75,7 @@ private:
     void play_silence(SoundInput input) override;
     void show_picture(std::shared_ptr<const Image> picture) override;
     Senses& senses() override;
+    ConsoleText& terminal(const std::string& part) override;
     std::uint16_t ledr() override;
     HexSegments hex() override;
     bool hps_led() override;
@@ -87,6 +90,7 @@ private:
     Board& board_;
     Hands hands_;
     Senses& senses_;
+    std::map<std::string, ConsoleText> terminals_;  // of the parts
     const std::vector<ScenarioStep>& steps_;
     const std::filesystem::path out_;
     sc_core::sc_event frame_shown_, printed_;

@@ -24,8 +24,8 @@
 
 namespace sim::project {
 
-// The tokens [begin, end) are a statement of an asynchronous reset, to be executed at power-up, too;
-// what is written for that has its place behind token `behind`.
+// The tokens [begin, end) are a statement of an asynchronous reset, to be executed at power-up,
+// too; what is written for that has its place behind token `behind`.
 struct ResetStatement {
     std::size_t behind, begin, end;
 };

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "sim/report/markup.h"
+#include "sim/report/printable.h"
 
 namespace sim {
 
@@ -81,9 +82,11 @@ nlohmann::ordered_json final_json(const std::vector<RunReport::Shown>& all) {
     return json;
 }
 
-nlohmann::ordered_json parts_json(const std::vector<RunReport::Leds>& all) {
+nlohmann::ordered_json parts_json(const RunReport& report) {
     nlohmann::ordered_json json = nlohmann::ordered_json::object();
-    for (const RunReport::Leds& leds : all) json[leds.name]["rows"] = leds.rows;
+    for (const RunReport::Leds& leds : report.leds) json[leds.name]["rows"] = leds.rows;
+    for (const RunReport::Terminal& terminal : report.terminals)
+        json[terminal.name] = {{"received", printable(terminal.received)}, {"lost", terminal.lost}};
     return json;
 }
 
@@ -177,7 +180,7 @@ std::string to_json(const RunReport& report) {
         {"key_events", report.key_events},
         {"final", final_json(report.shown)},
         {"shown", shown_json(report.shown)},
-        {"parts", parts_json(report.leds)},
+        {"parts", parts_json(report)},
         {"characters", characters_json(report.characters)},
         {"timing_violations",
          {{"count", report.timing_violation_count}, {"first", first(report.timing_violations)}}},

@@ -100,6 +100,11 @@ struct RunReport {
         std::string name;
         std::vector<std::string> rows;
     };
+    struct Terminal {
+        std::string name, received;
+        std::uint64_t lost = 0;
+    };
+    std::vector<Terminal> terminals;      // of the parts
     std::vector<Leds> leds;               // of the parts, as they are seen at the end
     std::vector<std::string> characters;  // rows of the character buffer, at the end
 

@@ -66,6 +66,12 @@ inline constexpr ReportKey REPORT_KEYS[] = {
     {"parts.*.rows[]",
      "What an LED or a matrix of the scenario's parts showed at the end, a row each: `#` lit, `+` "
      "a little, `.` dark."},
+    {"parts.*.received",
+     "What a terminal of the parts received, the last 65,536 characters or more; what is no text "
+     "is "
+     "written as `\\x07`."},
+    {"parts.*.lost",
+     "Bytes that it lost, since their stop bit was low: at another rate, as a rule."},
     {"characters[].row",
      "A row of the character buffer with text in it at the end, from 0 at the top."},
     {"characters[].text", "The text there."},

@@ -63,6 +63,8 @@ std::string seen(const RunReport& report) {
         text += picture.size() == 1
                     ? fmt::format("{} {}\n", name, picture[0])
                     : fmt::format("{}\n  | {}\n", name, fmt::join(picture, "\n  | "));
+    for (const RunReport::Terminal& terminal : report.terminals)
+        text += fmt::format("{} received {} characters\n", terminal.name, terminal.received.size());
     unsigned rows = 0;
     for (const std::string& row : report.characters)
         if (!row.empty() && ++rows <= MOST) text += "  | " + row + "\n";
@@ -117,6 +119,15 @@ void add_results(RunReport& report, Board& board, Computer* computer, const ArmR
     report.lamps = recorder.lamp_log().say(headers);
     for (auto& [name, leds] : board.parts.all_leds())
         report.leds.push_back({name, leds.picture(sc_core::sc_time_stamp().value())});
+    board.parts.for_each_terminal(
+        [&report](const std::string& name, const SerialTerminal& terminal) {
+            report.terminals.push_back({name, terminal.received(), terminal.lost()});
+            if (terminal.lost())
+                report.advice.push_back(fmt::format(
+                    "terminal {}: {} bytes were lost, their stop bit is low; expected the rate "
+                    "of the FPGA's transmitter",
+                    name, terminal.lost()));
+        });
     report.key_events = board.keypad.presses() + board.keypad.releases();
     report.timing_violation_count = board.monitor.violations();
     report.timing_violations = board.monitor.messages();

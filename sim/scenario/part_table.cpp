@@ -115,6 +115,15 @@ PartPlan keypad(const Values& v) { return plan(Kind::KEYPAD, "keypad", v, "pins"
 
 const ValueType HEADER = word("GPIO_0 or GPIO_1", {"GPIO_0", "GPIO_1"});
 
+const ValueType BAUD = whole_number("bits per second, 50 to 12500000", 50, 12'500'000);
+
+PartPlan terminal(const Values& v) {
+    PartPlan part = plan(Kind::TERMINAL, v.get<std::string>("name"), v, "rx");
+    part.pins.push_back(static_cast<HeaderPin>(v.list("tx").front()));
+    part.baud = v.number<unsigned>("baud");
+    return part;
+}
+
 PartPlan lt24(const Values& v) {
     PartPlan part;
     part.kind = Kind::LT24;
@@ -190,6 +199,16 @@ const std::vector<PartForm>& part_forms() {
          {},
          {{"header", HEADER, Need::REQUIRED, "", "The header that it is plugged into."}},
          lt24},
+        {"terminal",
+         "A serial terminal: 8 data bits, no parity, one stop bit. `type-serial` with `to` types "
+         "at it, `wait-serial` with `on` reads it.",
+         Notation::MAP,
+         {},
+         {{"name", PART_NAME, Need::REQUIRED, "", NAME_HELP},
+          {"rx", PART_PIN, Need::REQUIRED, "", "The pin that it hears: the FPGA's output."},
+          {"tx", PART_PIN, Need::REQUIRED, "", "The pin that it drives: the FPGA's input."},
+          {"baud", BAUD, Need::OPTIONAL, "115200", "Bits per second."}},
+         terminal},
     };
     return FORMS;
 }
@@ -228,6 +247,7 @@ const char* kind_name(Kind kind) {
         case Kind::LED_MATRIX: return "an led-matrix";
         case Kind::KEYPAD: return "a keypad";
         case Kind::LT24: return "an lt24";
+        case Kind::TERMINAL: return "a terminal";
     }
     return "a part";
 }

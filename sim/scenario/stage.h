@@ -53,6 +53,8 @@ public:
     virtual void accelerate(double x, double y, double z) = 0;     // in g, felt from now on
     // Goes on at once.  Without `to` at the terminals where a program listens: Board::type().
     virtual void type_serial(const std::string& text, std::optional<SerialLine> to) = 0;
+    // At a terminal among the parts; goes on at once.
+    virtual void type_at(const std::string& part, const std::string& text) = 0;
     virtual void type_keys(const std::string& text) = 0;  // goes on at once
     virtual void hold_key(std::uint16_t code) = 0;        // of the keyboard, see scan_codes.h
     virtual void release_key(std::uint16_t code) = 0;
@@ -73,6 +75,8 @@ public:
     // ---- Eyes and ears: what there is now ----
 
     virtual Senses& senses() = 0;
+    // What a terminal among the parts has received.
+    virtual ConsoleText& terminal(const std::string& part) = 0;
     virtual std::uint16_t ledr() = 0;
     virtual HexSegments hex() = 0;
     virtual bool hps_led() = 0;

@@ -55,6 +55,33 @@ class Parts(Case):
                          "columns: \"GPIO_1[15:8]\"}\n")
         self.assertEqual(self.report()["parts"]["face"]["rows"], left)
 
+    def test_a_terminal_at_a_megabaud(self):
+        """The design answers each letter with that of the other case."""
+        self.write(top_v="""\
+module top(input CLOCK_50, inout [35:0] GPIO_0);
+reg [2:0] last = 7;
+reg [8:0] t = 0;
+reg [7:0] in;
+reg [9:0] out = 10'h3ff;
+reg [5:0] n = 0;
+assign GPIO_0[1] = out[0];
+always @(posedge CLOCK_50) begin
+  last <= {last[1:0], GPIO_0[3]};
+  if (t) t <= t - 1;
+  else if (!last[2]) t <= 475;  // to the middle of the stop bit, of 50 clocks
+  if (t && t % 50 == 0 && t <= 400) in <= {last[2], in[7:1]};
+  if (t == 1) begin out <= {1'b1, in ^ 8'h20, 1'b0}; n <= 50; end
+  else if (n == 1) begin out <= {1'b1, out[9:1]}; n <= 50; end
+  else if (n) n <= n - 1;
+end
+endmodule
+""")
+        self.plays("delay: 1ms", "type-serial: {text: Hello, to: t}",
+                   "wait-serial: {text: hELLO, on: t, timeout: 1ms}",
+                   parts="  - terminal: {name: t, rx: \"GPIO_0[1]\", tx: \"GPIO_0[3]\", "
+                         "baud: 1000000}\n")
+        self.assertEqual(self.report()["parts"]["t"], {"received": "hELLO", "lost": 0})
+
     def test_the_keypad_elsewhere(self):
         """On GPIO_1[7:0]: the last column is low, and B is in its second row."""
         self.write(top_v="module top(inout [7:0] GPIO_1, output [9:0] LEDR);\n"

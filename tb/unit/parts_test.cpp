@@ -15,11 +15,13 @@ using Kind = PartPlan::Kind;
 class PartsTest : public ::testing::Test {
 protected:
     sim::Header header;  // GPIO_0
+    sim::Agenda agenda;
 
     sim::Parts plugged(const std::vector<PartPlan>& plans) {
-        return {plans, [this](const sim::HeaderMasks& pins, PinLevel level) {
-                    header.part(pins[0], level);
-                }};
+        return {
+            plans, agenda,
+            [this](const sim::HeaderMasks& pins, PinLevel level) { header.part(pins[0], level); },
+            [] {}};
     }
 };
 

@@ -35,6 +35,7 @@ RunReport sample() {
     r.shown = {
         {"hex", digits, {{0.5, digits}}, 41}, {"ledr", lamps, {}, 0}, {"hps_led", led, {}, 0}};
     r.leds = {{"face", {"#.", ".+"}}};
+    r.terminals = {{"t", "ok\a", 1}};
     r.characters = {"", " hello", ""};
     r.timing_violation_count = 1;
     r.timing_violations = {"H total 799"};
@@ -76,7 +77,7 @@ TEST(ReportJson, SaysEverythingThatTheRunKnows) {
             "hex": {"text": "    12", "segments": "00 00 00 00 06 5B",
                     "changes": {"count": 42, "first": [
                         {"time_s": 0.5, "text": "    12", "segments": "00 00 00 00 06 5B"}]}}},
-        "parts": {"face": {"rows": ["#.", ".+"]}},
+        "parts": {"face": {"rows": ["#.", ".+"]}, "t": {"received": "ok\\x07", "lost": 1}},
         "characters": [{"row": 1, "text": " hello"}],
         "timing_violations": {"count": 1, "first": ["H total 799"]},
         "sdram_violations": {"count": 2, "first": ["READ at 1.00 us: bank 1 has no open row"]},

@@ -26,7 +26,8 @@ class Hands:
         self.press(keypad=key, for_=for_)
 
     def type(self, text, to=None):
-        """At a terminal: serial, jtag-0 or jtag-1; if not told, where programs listen."""
+        """At a terminal: serial, jtag-0, jtag-1 or one of the parts; if not told, where programs
+        listen."""
         self.step({"type-serial": _without_none(text=text, to=to)})
 
     def type_keys(self, text):

@@ -1,9 +1,12 @@
-// serial.cpp - type-serial, wait-serial: the terminal at the board's serial line and JTAG UART
-#include <fmt/format.h>
-
+// serial.cpp - type-serial, wait-serial: the terminals at the board's serial line, at the JTAG
+// UARTs and among the parts
+#include <algorithm>
 #include <optional>
 
+#include <fmt/format.h>
+
 #include "sim/scenario/stage.h"
+#include "sim/scenario/static_checks.h"
 #include "sim/scenario/step_form.h"
 #include "sim/scenario/words.h"
 
@@ -13,37 +16,50 @@ namespace {
 
 using namespace value_types;
 
-const ValueType LINES =
-    word("serial, jtag-0 or jtag-1", {SERIAL_LINES.begin(), SERIAL_LINES.end()});
+std::optional<SerialLine> line_of(const std::string& name) {
+    const auto found = std::find(SERIAL_LINES.begin(), SERIAL_LINES.end(), name);
+    if (found == SERIAL_LINES.end()) return {};
+    return static_cast<SerialLine>(found - SERIAL_LINES.begin());
+}
 
 class TypeSerial : public Action {
 public:
-    explicit TypeSerial(const Values& v) : text_{v.get<std::string>("text")} {
-        if (v.find("to")) to_ = v.number<SerialLine>("to");
-    }
+    explicit TypeSerial(const Values& v)
+        : text_{v.get<std::string>("text")}, to_{v.get<std::string>("to")} {}
 
     std::string say() const override {
-        const std::string where =
-            to_ ? fmt::format(" at {}", SERIAL_LINES[static_cast<std::size_t>(*to_)]) : "";
-        return "type " + in_quotes(text_) + where;
+        return "type " + in_quotes(text_) + (to_.empty() ? "" : " at " + to_);
     }
-    void act(Stage& stage) const override { stage.type_serial(text_, to_); }
+    void check(StaticChecks& checks) const override {
+        if (!to_.empty() && !line_of(to_)) checks.need_part(PartPlan::Kind::TERMINAL, to_);
+    }
+    void act(Stage& stage) const override {
+        if (to_.empty() || line_of(to_))
+            stage.type_serial(text_, line_of(to_));
+        else
+            stage.type_at(to_, text_);
+    }
 
 private:
-    std::string text_;
-    std::optional<SerialLine> to_;
+    std::string text_, to_;
 };
 
 class WaitSerial : public Claim {
 public:
     explicit WaitSerial(const Values& v)
-        : text_{v.get<std::string>("text")}, timeout_{v.get<SimTime>("timeout")} {}
+        : text_{v.get<std::string>("text")},
+          on_{v.get<std::string>("on")},
+          timeout_{v.get<SimTime>("timeout")} {}
 
     std::string say() const override {
-        return "wait for " + in_quotes(text_) + " on the serial line" + within(timeout_);
+        return fmt::format("wait for {} on {}{}", in_quotes(text_),
+                           on_.empty() ? "the serial line" : on_, within(timeout_));
+    }
+    void check(StaticChecks& checks) const override {
+        if (!on_.empty()) checks.need_part(PartPlan::Kind::TERMINAL, on_);
     }
     Verdict decide(Stage& stage) const override {
-        ConsoleText& text = stage.senses().text;
+        ConsoleText& text = on_.empty() ? stage.senses().text : stage.terminal(on_);
         if (stage.wait_until(Stage::Each::CHARACTER, timeout_, [&] { return text.take(text_); }))
             return {true, ""};
         std::string detail = printed(text);
@@ -54,18 +70,17 @@ public:
 
 private:
     // What there was instead, or its end.
-    static std::string printed(const ConsoleText& text) {
+    std::string printed(const ConsoleText& text) const {
         constexpr std::size_t MOST = 60;
         const std::uint64_t count = text.unread();
-        if (count == 0) return "the console printed nothing behind the last match";
+        const std::string who = on_.empty() ? "the console printed" : on_ + " received";
+        if (count == 0) return who + " nothing behind the last match";
         const char* before = count > MOST ? "..." : "";
-        return fmt::format(
-            "the console printed {} character{} behind the last match, but not "
-            "that: {}{}",
-            count, count == 1 ? "" : "s", before, in_quotes(text.end(MOST)));
+        return fmt::format("{} {} character{} behind the last match, but not that: {}{}", who,
+                           count, count == 1 ? "" : "s", before, in_quotes(text.end(MOST)));
     }
 
-    std::string text_;
+    std::string text_, on_;
     SimTime timeout_;
 };
 
@@ -76,19 +91,22 @@ namespace steps {
 std::vector<StepForm> serial() {
     return {
         {"type-serial",
-         "Type a text at a terminal and go on; a character takes 1 ms.",
+         "Type a text at a terminal and go on; a character takes 1 ms, or ten bits at one of the "
+         "parts.",
          Notation::BOTH,
          {},
          {{"text", TEXT, Need::REQUIRED, "", "The text."},
-          {"to", LINES, Need::OPTIONAL, "",
-           "At which terminal. Without it where programs listen: at the first JTAG UART's and a "
-           "Linux program's."}},
+          {"to", LINE, Need::OPTIONAL, "",
+           "At which terminal: serial, jtag-0, jtag-1, or the name of one among the parts. Without "
+           "it where programs listen: at the first JTAG UART's and a Linux program's."}},
          make<TypeSerial>},
         {"wait-serial",
          "Wait until the firmware has printed a text; the next wait-serial searches after it.",
          Notation::BOTH,
          {},
          {{"text", TEXT, Need::REQUIRED, "", "The text."},
+          {"on", LINE, Need::OPTIONAL, "",
+           "The terminal among the parts that receives it. Without it what programs print."},
           {"timeout", SOME_TIME, Need::OPTIONAL, "10s",
            "Longest wait in simulated time; then the run fails."}},
          make<WaitSerial>},

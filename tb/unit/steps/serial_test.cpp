@@ -1,4 +1,5 @@
 // serial_test.cpp - type-serial, wait-serial
+#include "tb/unit/scenario_errors.h"
 #include "tb/unit/steps/step_bench.h"
 
 namespace {
@@ -23,6 +24,25 @@ TEST_F(SerialSteps, TypeAtOneOfTheTerminals) {
     EXPECT_THAT(acts("type-serial: {text: ls, to: serial}"), ElementsAre("to serial ls"));
     EXPECT_THAT(acts("type-serial: {text: ls}"), ElementsAre("serial ls"));
     EXPECT_EQ(said("type-serial: {text: ls, to: jtag-0}"), "type \"ls\" at jtag-0");
+}
+
+TEST_F(SerialSteps, TypeAndReadAtATerminalOfTheParts) {
+    const auto scenario = sim::parse_scenario(
+        "name: a\nversion: 1\nparts:\n"
+        "- terminal: {name: t, rx: \"GPIO_0[1]\", tx: \"GPIO_1[3]\", baud: 9600}\nsteps:\n"
+        "- type-serial: {text: ls, to: t}\n- wait-serial: {text: ok, on: t, timeout: 5ms}\n",
+        "a.yaml");
+    EXPECT_THAT(scenario.parts[0].pins, ElementsAre(1, 39));
+    EXPECT_EQ(scenario.parts[0].baud, 9600u);
+    for (const char c : std::string{"k ok k"}) stage.terminals["t"].print(c);
+    scenario.steps[0].step->play(stage);
+    EXPECT_THAT(stage.done, ElementsAre("at t ls"));
+    EXPECT_TRUE(scenario.steps[1].step->play(stage)->met);
+    EXPECT_EQ(scenario.steps[1].step->play(stage)->detail,
+              "t received 2 characters behind the last match, but not that: \" k\"");
+    EXPECT_EQ(scenario.steps[1].text, "wait for \"ok\" on t within 5ms");
+    EXPECT_EQ(step_error("type-serial: {text: a, to: t}"),
+              "a.yaml:4:3: expected a terminal among the parts, got \"t\"");
 }
 
 TEST_F(SerialSteps, WaitUntilATextIsPrinted) {

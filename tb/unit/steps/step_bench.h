@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -23,6 +24,7 @@ public:
     std::vector<std::string> done;  // "wait 80ms"
     std::vector<std::pair<std::string, sim::Image>> saved;
     sim::Senses seen;
+    std::map<std::string, sim::ConsoleText> terminals;
     std::uint16_t leds = 0;
     bool lit = false;
     std::vector<std::string> rows;
@@ -65,6 +67,9 @@ public:
         const std::string line = to ? sim::SERIAL_LINES[static_cast<std::size_t>(*to)] : "serial";
         done.push_back((to ? "to " : "") + line + " " + text);
     }
+    void type_at(const std::string& part, const std::string& text) override {
+        done.push_back("at " + part + " " + text);
+    }
     void type_keys(const std::string& text) override { done.push_back("keys " + text); }
     void hold_key(std::uint16_t code) override {
         done.push_back(fmt::format("key {:04X} down", code));
@@ -101,6 +106,7 @@ public:
         done.push_back(fmt::format("camera {} x {}", picture->width, picture->height));
     }
     sim::Senses& senses() override { return seen; }
+    sim::ConsoleText& terminal(const std::string& part) override { return terminals[part]; }
     std::uint16_t ledr() override { return leds; }
     sim::HexSegments hex() override { return segments; }
     bool hps_led() override { return lit; }
