@@ -65,7 +65,7 @@ std::uint64_t ArmCpu::budget() const {
 
 // After an access, which has advanced the time and may have changed the interrupt lines.
 void ArmCpu::run_on() {
-    const bool stop = let_in() || reset_;
+    const bool stop = let_in() || reset_ || waited_;
     core_.stop_after(stop ? 0 : std::min(budget(), inspected_end_ - core_.instructions()));
 }
 
@@ -160,6 +160,7 @@ void ArmCpu::run() {
         const std::uint64_t limit = inspector_ ? inspector_->on_quantum(core_, most) : part;
         inspected_end_ = limit < most ? core_.instructions() + limit : UINT64_MAX;
         running_ = true;
+        waited_ = false;
         const ArmStop stop = core_.run(std::min(limit, most));
         running_ = false;
         drain();

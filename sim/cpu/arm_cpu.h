@@ -293,6 +293,7 @@ private:
     SteadyLoop loop_;
     Answers answers_;
     std::uint64_t events_ = 0;          // how often time has passed in SystemC
+    bool waited_ = false;               // ... in an access, so the quantum ends with it
     std::vector<std::uint64_t> again_;  // ends of the next accesses, the last first; see pass_bus()
     unsigned looks_ = 0, pause_ = 0, longest_pause_ = 0;
     struct StoreBuffer {

@@ -70,7 +70,10 @@ bool ArmCpu::access(tlm::tlm_command command, std::uint32_t address, unsigned by
     const sc_time stamp = sc_core::sc_time_stamp(), before = stamp + ahead_;
     std::string answer = transport(payload_, command, address, data, bytes, ahead_);
     counts_.on_bus += sc_core::sc_time_stamp() + ahead_ - before;
-    events_ += sc_core::sc_time_stamp() != stamp;
+    if (sc_core::sc_time_stamp() != stamp) {
+        ++events_;
+        waited_ = true;
+    }
     if (answer.empty()) return true;
     bus_answer_ = std::move(answer);
     refused_address_ = address;
