@@ -94,7 +94,8 @@ bool ArmCpu::made_before() {
 }
 
 void ArmCpu::note(std::uint32_t address, unsigned bytes, bool write, std::uint32_t value) {
-    const bool plain = steady_bus_ && steady_bus_->is_plain(address, write, value);
+    // Whatever has come while it waited may not be in its answer.
+    const bool plain = !waited_ && steady_bus_ && steady_bus_->is_plain(address, write, value);
     answers_.made(address, bytes, write, value, plain, epoch());
 }
 

@@ -17,6 +17,7 @@ namespace {
 constexpr std::uint32_t FPGA_MEMORY = 0xC0000000;  // which the FPGA may write, too
 constexpr unsigned WORTH = 64;                     // instructions: of fewer it is not
 constexpr unsigned FEW = 16;                       // instructions until one is known
+constexpr unsigned ELSEWHERE = 400;                // until the program may be in another loop
 constexpr unsigned LOOKS = 4;                      // in vain, one after another
 constexpr unsigned LONGEST_PAUSE = 8;              // quanta
 
@@ -60,7 +61,7 @@ std::uint64_t ArmCpu::pass_rounds(std::uint64_t most) {
         return most;
     }
     LoopWorld world{core_, answers_, epoch()};
-    std::uint64_t next = 0;  // 0: it has been in vain
+    std::uint64_t next = 0;  // instructions to the next look, if this has been in vain
     if (loop_.follow(loop_registers(), world)) {
         const bool on_bus = loop_.use_count() > 0;
         if (!on_bus) {
@@ -75,7 +76,8 @@ std::uint64_t ArmCpu::pass_rounds(std::uint64_t most) {
     } else if (loop_.ahead()) {
         next = *loop_.ahead();
     }
-    if (next == 0 || ++looks_ >= LOOKS) {
+    if (next == 0) next = ELSEWHERE;
+    if (++looks_ >= LOOKS) {
         looks_ = 0;
         pause_ = longest_pause_;
         longest_pause_ = std::min(2 * longest_pause_ + 1, LONGEST_PAUSE);

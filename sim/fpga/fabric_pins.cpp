@@ -22,6 +22,7 @@ void Fabric::apply_inputs() {
     applied_ = in;
     applied_jtag_ = jtag;
     look_ = true;
+    ++changes_;
     moved_ |= PINS;
     jtag.typed = jtag.idle = 0;
 }

@@ -34,8 +34,11 @@ bool GicState::is_fiq(unsigned id) const { return !non_secure[id] && (control & 
 
 unsigned GicState::highest_pending() const {
     unsigned best = SPURIOUS, best_priority = mask;
-    for (unsigned id = 0; id < IDS; ++id) {
-        if (!enabled[id] || active[id] || !pending(id) || !(targets[id] & THIS_CPU)) continue;
+    const Bits candidates = enabled & ~active;
+    for (std::size_t next = candidates._Find_first(); next < IDS;
+         next = candidates._Find_next(next)) {
+        const auto id = static_cast<unsigned>(next);
+        if (!pending(id) || !(targets[id] & THIS_CPU)) continue;
         const bool on = non_secure[id] ? distribute_non_secure && (control & ENABLE_NON_SECURE)
                                        : distribute_secure && (control & ENABLE_SECURE);
         if (on && priority[id] < best_priority) best = id, best_priority = priority[id];

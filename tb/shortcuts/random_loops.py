@@ -11,6 +11,7 @@ reported with the seed of its program, which is then in FOLDER.
 import json
 import os
 import random
+import shutil
 import subprocess
 import sys
 
@@ -119,22 +120,24 @@ def program(chance, loops):
 
 
 def scenario(chance):
-    steps = []
+    steps, held = [], set()
     for _ in range(chance.randrange(6, 16)):
-        wait = chance.randrange(2, 900)
+        wait, switch = chance.randrange(2, 900), chance.randrange(10)
         steps.append(chance.choice([
             f"delay: {wait}us", f"delay: {wait}us", f"delay: {wait * 1000 + 137}ns",
             f"press: {{key: {chance.randrange(4)}, for: {chance.randrange(1, 600)}us}}",
             f"press: {{key: {chance.randrange(4)}, for: {chance.randrange(1, 600)}us}}",
-            f"hold: {{switch: {chance.randrange(10)}}}",
-            f"release: {{switch: {chance.randrange(10)}}}",
+            f"{'release' if switch in held else 'hold'}: {{switch: {switch}}}",
             'type-serial: "ab\\n"', "type-keys: k"]))
+        if "switch" in steps[-1]:
+            held ^= {switch}
     return "name: random\nversion: 1\nsteps:\n" + "".join(f"  - {step}\n" for step in steps)
 
 
 def told(de1sim, folder, options):
     """All that a run tells, but for what it cost."""
     out = os.path.join(folder, "out")
+    shutil.rmtree(out, ignore_errors=True)
     ran = subprocess.run([de1sim, "run", "random.yaml", "--elf", "random.elf", "--quiet",
                           "--frames", "none", "--duration", "9ms", "--out", "out"] + options,
                          cwd=folder, capture_output=True, text=True, timeout=600)

@@ -75,6 +75,12 @@ public:
     };
     // `page` and `physical` are page numbers.
     bool has_code(std::uint32_t physical) const { return words_of(physical) != nullptr; }
+    // Whether one of these bytes, of one page, has been.
+    bool is_translated(std::uint32_t physical_address, unsigned bytes) const {
+        const Words* const words = words_of(physical_address >> 12);
+        const std::uint32_t first = physical_address % 4096 / 4;
+        return words && ((*words)[first] || (bytes > 4 && (*words)[first + 1]));
+    }
     // Notes that the word at this address of the physical page has been translated.
     void translated_word(std::uint32_t page, std::uint32_t physical, std::uint32_t word);
     // Calls `invalidate(virtual address, bytes)` for what was translated from these words.

@@ -110,8 +110,25 @@ std::optional<std::uint32_t> ArmCore::Engine::unaligned_structure(std::uint32_t 
     return address;
 }
 
+// A page with code in it cannot be opened, although variables may lie beside the code: the host's
+// byte, where the access needs nothing else.
+std::uint8_t* ArmCore::Engine::beside_code(std::uint32_t address, unsigned bytes, bool write) {
+    if (watch || aborted || watched || missed || address % bytes != 0) return nullptr;
+    const PageTable::Page& page = page_of(address);
+    const std::uint32_t physical = page.physical | (address & PAGE_MASK);
+    if (!page.bytes || !(page.access & (write ? arm_access::WRITE : arm_access::READ)) ||
+        !code.has_code(physical >> 12) || (write && code.is_translated(physical, bytes)))
+        return nullptr;
+    return page.bytes + (address & PAGE_MASK);
+}
+
 template <class T>
 T ArmCore::Engine::load(std::uint32_t address) {
+    if (const std::uint8_t* const at = beside_code(address, sizeof(T), false)) {
+        T value;
+        std::memcpy(&value, at, sizeof value);
+        return value;
+    }
     if (address % sizeof(T) != 0 && !is_literal(address) &&
         !may_be_unaligned(address, sizeof(T), false))
         return 0;
@@ -151,6 +168,10 @@ T ArmCore::Engine::load_pieces(std::uint32_t address) {
 
 template <class T>
 void ArmCore::Engine::store(std::uint32_t address, T value) {
+    if (std::uint8_t* const at = beside_code(address, sizeof(T), true)) {
+        std::memcpy(at, &value, sizeof value);
+        return;
+    }
     if (address % sizeof(T) != 0 && !may_be_unaligned(address, sizeof(T), true)) return;
     for (unsigned done = 0, bytes; done < sizeof(T); done += bytes) {
         const std::uint32_t at = address + done, left = sizeof(T) - done;

@@ -169,6 +169,7 @@ struct ArmCore::Engine final : Dynarmic::A32::UserCallbacks {
     bool store_exclusive(std::uint32_t address, T value, T expected);
     bool refuse(std::uint32_t address, bool write, bool by_tables, std::uint32_t status);
     bool before_access(std::uint32_t address, unsigned bytes, bool write);
+    std::uint8_t* beside_code(std::uint32_t address, unsigned bytes, bool write);
     bool miss(std::uint32_t address);
     template <class T>
     T load_pieces(std::uint32_t address);
