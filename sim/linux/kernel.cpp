@@ -64,12 +64,19 @@ void LinuxKernel::call(ArmCore& core) {
         deliver_pending();
         return;
     }
-    if (named_.insert(number).second) {
-        const std::string name = name_of(number);
+    const std::string name = name_of(number);
+    if (++missing_[name.empty() ? std::to_string(number) : name] == 1)
         outside_.log(fmt::format("system call {}{} is not emulated: ENOSYS, {}", number,
                                  name.empty() ? "" : " (" + name + ")", cpu_.where()));
-    }
     core.set_reg(0, static_cast<std::uint32_t>(-ENOSYS));
+}
+
+std::string LinuxKernel::missing() const {
+    std::string all;
+    for (const auto& [name, times] : missing_)
+        all +=
+            (all.empty() ? "" : "; ") + name + (times > 1 ? fmt::format(", {} times", times) : "");
+    return all;
 }
 
 void LinuxKernel::exception(ArmCore& core, ArmException exception, const ArmFault& fault,

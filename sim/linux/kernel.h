@@ -11,8 +11,8 @@
 // A wrong access is SIGSEGV, an access without a target on the bus is SIGBUS, and so on: the
 // program's handler is called, or without one the program ends.  Such an end and an exit code other
 // than 0 are faults of the processor (ArmCpu::fault()), reported in one line.  A call that is not
-// emulated is reported once in the log and returns ENOSYS.  ioctl returns ENOTTY, except for the
-// settings of the console, which is a terminal.
+// emulated is reported once in the log and returns ENOSYS; see missing().  ioctl returns ENOTTY,
+// except for the settings of the console, which is a terminal.
 //
 // Not handled: threads, processes, timers that signal, job control; VFP registers are not saved for
 // a signal's handler; no vDSO, so that the C library makes system calls.
@@ -22,6 +22,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <optional>
 #include <set>
 #include <string>
@@ -58,6 +59,9 @@ public:
     // At the console.
     Terminal& terminal() { return terminal_; }
     const Terminal& terminal() const { return terminal_; }
+
+    // "clone, 2 times; pipe2": calls that returned ENOSYS because they are not emulated, or "".
+    std::string missing() const;
 
     // The program's, once it has called exit.
     std::optional<int> exit_code() const { return exit_code_; }
@@ -211,8 +215,9 @@ private:
     sc_core::sc_time line_free_;  // when the console's line has taken all that was printed
     std::uint64_t random_;
     std::uint32_t umask_ = 022;
-    std::set<std::uint32_t> unaligned_;  // instructions of which the log was told
-    std::set<std::uint32_t> named_;      // calls that were named on the log
+    std::set<std::uint32_t> unaligned_;        // instructions of which the log was told
+    std::map<std::string, unsigned> missing_;  // calls that are not emulated, how often
+    std::set<std::string> named_files_;        // of the system, that are not there
     std::optional<int> exit_code_;
 };
 

@@ -3,6 +3,8 @@
 #include <cerrno>
 #include <cmath>
 
+#include <fmt/format.h>
+
 #include "sim/linux/arm_abi.h"
 #include "sim/linux/kernel.h"
 
@@ -13,6 +15,12 @@ namespace {
 constexpr std::uint32_t MOST_BYTES = 0x7FFFF000;  // of one transfer, as the kernel has it
 constexpr std::uint32_t TCGETS = 0x5401, TCSETS = 0x5402, TCSETSF = 0x5404, TIOCGWINSZ = 0x5413,
                         FIONREAD = 0x541B;
+
+// What is there on each Linux without a program's doing.
+bool is_of_the_system(const std::string& path) {
+    const auto in = [&](const char* folder) { return path.rfind(folder, 0) == 0; };
+    return in("/dev/") || in("/proc/") || in("/sys/");
+}
 
 int fd_of(std::uint32_t value) { return static_cast<int>(value); }
 
@@ -25,7 +33,14 @@ std::int64_t pair_of(std::uint32_t low, std::uint32_t high) {
 std::int64_t LinuxKernel::open(std::uint32_t folder, std::uint32_t path, std::uint32_t flags,
                                std::uint32_t mode) {
     const auto [error, text] = path_at(folder, path);
-    return error ? error : files_.open(text, flags, mode & ~umask_);
+    if (error) return error;
+    const int fd = files_.open(text, flags, mode & ~umask_);
+    if (fd == -ENOENT && is_of_the_system(text) && named_files_.insert(text).second)
+        outside_.log(
+            fmt::format("{} is not there: of the system's files the simulated Linux has "
+                        "/dev/mem, and what --linux-root brings, {}",
+                        text, cpu_.where()));
+    return fd;
 }
 
 LinuxKernel::Result LinuxKernel::sys_open(const Arguments& a) {

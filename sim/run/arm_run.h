@@ -36,6 +36,8 @@ public:
     void close_input() { terminal().close(); }
 
     bool on_linux() const { return kernel_.has_value(); }
+    // Of a Linux program; as LinuxKernel::missing().
+    std::string missing_calls() const { return kernel_ ? kernel_->missing() : ""; }
     RunReport::Program program() const;
     std::string waiting() const;  // for what, "an interrupt"; or empty
     const std::vector<page::FrameUse>& frames() const { return budget_.frames(); }

@@ -74,10 +74,19 @@ std::string seen(const RunReport& report) {
 
 // The program may be waiting for something that does not come.
 bool waits_in_vain(const RunReport& report) {
-    if (!report.program || !report.faults.empty()) return false;
+    if (!report.program || report.end == RunEnd::FIRMWARE_FAULT) return false;
     const auto& all = report.expectations;
     return report.end == RunEnd::DURATION_REACHED || report.end == RunEnd::INTERRUPTED ||
            std::any_of(all.begin(), all.end(), [](const Expectation& e) { return !e.met; });
+}
+
+// The program was shown to do what it should: all that was expected came, or it ended itself with
+// 0.
+bool succeeds(const RunReport& report) {
+    const auto& all = report.expectations;
+    if (!all.empty())
+        return std::all_of(all.begin(), all.end(), [](const Expectation& e) { return e.met; });
+    return report.program && report.program->exit_code == 0;
 }
 
 // The scenario's, or the program's where there is none.
@@ -134,6 +143,9 @@ void add_results(RunReport& report, Board& board, Computer* computer, const ArmR
     report.sdram_violation_count = board.sdram_chip.violations();
     report.sdram_violations = board.sdram_chip.messages();
     if (arm) report.program = arm->program();
+    if (const std::string missing = arm ? arm->missing_calls() : ""; !missing.empty())
+        (succeeds(report) ? report.advice : report.faults)
+            .push_back("the simulated Linux does not have these calls of the program: " + missing);
     report.audio = {recorder.senses().rate_hz, recorder.senses().samples, 0};
     if (report.simulated_s > FIRST_FRAMES_S && report.frames_shown == 0 &&
         board.monitor.is_connected())
@@ -171,9 +183,12 @@ bool summarise(const RunReport& report, const std::filesystem::path& out) {
     for (const std::string& fault : report.faults) complain(fault);
     if (waits_in_vain(report)) {
         const RunReport::Program& p = *report.program;
-        complain(fmt::format("the program was at PC 0x{:08X}{}{}{}{}", p.pc,
-                             p.function.empty() ? "" : " in ", p.function,
-                             p.waiting.empty() ? "" : ", waiting for ", p.waiting));
+        if (p.exit_code)
+            complain(fmt::format("the program has ended itself with exit code {}", *p.exit_code));
+        else
+            complain(fmt::format("the program was at PC 0x{:08X}{}{}{}{}", p.pc,
+                                 p.function.empty() ? "" : " in ", p.function,
+                                 p.waiting.empty() ? "" : ", waiting for ", p.waiting));
     }
     if (report.timing_violation_count)
         complain(fmt::format("{} VGA timing violations; {}", report.timing_violation_count,

@@ -237,6 +237,18 @@ TEST_F(LinuxProgram, IsToldOfAnUnknownCallOnceAndGoesOn) {
     ASSERT_THAT(log, SizeIs(2));
     EXPECT_THAT(log[0].get<std::string>(), HasSubstr("system call 281 (socket) is not emulated"));
     EXPECT_THAT(log[1].get<std::string>(), HasSubstr("system call 9999 is not emulated"));
+    EXPECT_EQ(report()["faults"].size(), 0u) << "it succeeds all the same";
+}
+
+TEST_F(LinuxProgram, FailsByCallsThatAreNotEmulatedUnlessItSucceeds) {
+    const tb::Outcome outcome =
+        play(scenario("steps:\n  - expect-leds: {equals: 1, timeout: 1ms}\n"),
+             {"--elf", LINUX_PROGRAMS "faults", "--frames", "none", "--", "unknown"});
+    EXPECT_EQ(outcome.exit_code, 1);
+    ASSERT_EQ(report()["faults"].size(), 1u);
+    EXPECT_THAT(report()["faults"][0].get<std::string>(),
+                HasSubstr("does not have these calls of the program: 9999; socket"));
+    EXPECT_THAT(outcome.err, HasSubstr("the program has ended itself with exit code 0"));
 }
 
 TEST_F(LinuxProgram, IsTheSameToTheByteEveryTime) {
