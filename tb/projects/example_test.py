@@ -17,5 +17,6 @@ played = subprocess.run([de1sim, "run", f"{example.name}.yaml", "--project", f"{
 if played.returncode != 0:
     sys.exit(played.returncode)
 again = subprocess.run([de1sim, "build", "."], cwd=copy, capture_output=True, text=True)
-if "is up to date" not in again.stdout or again.stderr:
+said = [line for line in again.stderr.splitlines() if "as Quartus would give" not in line]
+if "is up to date" not in again.stdout or said:
     sys.exit(f"built again: {again.stdout}{again.stderr}")

@@ -177,7 +177,7 @@ private:
     void look_at_names(const NetModule& module) {
         std::map<std::string, const Variable*> names;
         for (const Variable& v : module.variables) {
-            if (v.is_local || v.name.compare(0, 6, "de1sim") == 0) continue;
+            if (v.is_local || v.is_parameter || v.name.compare(0, 6, "de1sim") == 0) continue;
             const auto [first, is_new] = names.emplace(lower(v.name), &v);
             if (!is_new && first->second->name != v.name)
                 add(10281, v.place,
