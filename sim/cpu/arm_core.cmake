@@ -22,7 +22,8 @@ if(DE1SIM_ARM_ENGINE STREQUAL dynarmic)
         cpu/dynarmic/direct.cpp cpu/dynarmic/fetch.cpp cpu/dynarmic/instructions.cpp
         cpu/dynarmic/memory_map.cpp cpu/dynarmic/modes.cpp cpu/dynarmic/multiples.cpp
         cpu/dynarmic/page_table.cpp cpu/dynarmic/registers.cpp cpu/dynarmic/saturating.cpp
-        cpu/dynarmic/steps.cpp cpu/dynarmic/system.cpp cpu/dynarmic/translation_tables.cpp)
+        cpu/dynarmic/single.cpp cpu/dynarmic/steps.cpp
+        cpu/dynarmic/system.cpp cpu/dynarmic/translation_tables.cpp)
     target_include_directories(arm_core SYSTEM PRIVATE ${DYNARMIC_INCLUDE_DIR})
     target_link_libraries(arm_core PRIVATE ${DYNARMIC_LIBRARY})
     include(${CMAKE_CURRENT_LIST_DIR}/dynarmic/without_llvm.cmake)

@@ -17,11 +17,10 @@
 // unaligned take 0.1 us; so does each VLD1 to VLD4 and VST1 to VST4 with an :<align> above :64.
 //
 // Not handled: the second core; caches (instructions that maintain them do nothing); SMC and HVC
-// are undefined instructions.  With dynarmic also: LDRT, STRT and their kind, SWP; FPSCR's
-// cumulative flags of exceptions are not exact; code that the translation tables keep from the user
-// mode is translated anew after each return to that mode.  With Unicorn also: alignment faults, no
-// memory is Normal to the bus, PMCCNTR reads 0, DFAR of an abort from the translation tables reads
-// 0.
+// are undefined instructions.  With dynarmic also: FPSCR's cumulative flags of exceptions are not
+// exact; code that the translation tables keep from the user mode is translated anew after each
+// return to that mode.  With Unicorn also: alignment faults, no memory is Normal to the bus,
+// PMCCNTR reads 0, DFAR of an abort from the translation tables reads 0.
 #pragma once
 
 #include <cstdint>

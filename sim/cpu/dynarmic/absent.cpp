@@ -102,7 +102,6 @@ constexpr Encoding ARM[] = {
     {0x0F900EF0, 0x01800C90},  // LDA, STL
     {0x0F900FF0, 0x01800E90},  // LDAEX, STLEX
     {0x0F900DF0, 0x01000040},  // CRC32
-    {0x0FB00FF0, 0x01000090},  // SWP, without SCTLR.SW
 };
 
 }  // namespace

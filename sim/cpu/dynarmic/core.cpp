@@ -84,39 +84,14 @@ bool ArmCore::Engine::done_directly(std::uint32_t pc, std::uint32_t before) {
     core.last_pc_ = pc;
     stepping = true;
     reached = false;
-    std::uint32_t value = r()[access->target];
-    switch (access->bytes) {
-        case 1:
-            if (access->load)
-                value = load<std::uint8_t>(access->address);
-            else
-                store(access->address, static_cast<std::uint8_t>(value));
-            if (access->is_signed)
-                value = static_cast<std::uint32_t>(static_cast<std::int8_t>(value));
-            break;
-        case 2:
-            if (access->load)
-                value = in_order(load<std::uint16_t>(access->address));
-            else
-                store(access->address, in_order(static_cast<std::uint16_t>(value)));
-            if (access->is_signed)
-                value = static_cast<std::uint32_t>(static_cast<std::int16_t>(value));
-            break;
-        default:
-            if (access->load)
-                value = in_order(load<std::uint32_t>(access->address));
-            else
-                store(access->address, in_order(value));
-    }
+    const bool done = transfer(*access);
     stepping = false;
     core.count_ -= unaccounted;
-    if (aborted) {
+    if (!done) {
         event = Event::ABORT;
         event_pc = pc;
         return false;
     }
-    if (access->write_back) r()[access->base] = access->new_base;
-    if (access->load) r()[access->target] = value;
     r()[15] = pc + (in_thumb && *word <= 0xFFFF ? 2 : 4);
     if (code.settle(pc, reached)) invalidate(pc, 2);
     return true;

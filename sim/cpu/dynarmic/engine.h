@@ -5,7 +5,7 @@
 //   data.cpp      loads and stores that are not in the page table
 //   direct.h      single loads and stores, decoded
 //   system.cpp    instructions that dynarmic does not have
-//   multiples.cpp, saturating.cpp, steps.cpp: more of them
+//   multiples.cpp, saturating.cpp, single.cpp, steps.cpp: more of them
 //   registers.cpp ArmCore's registers and memory, seen from outside
 #pragma once
 
@@ -24,6 +24,7 @@
 #include "sim/cpu/dynarmic/alignment.h"
 #include "sim/cpu/dynarmic/code.h"
 #include "sim/cpu/dynarmic/cp15.h"
+#include "sim/cpu/dynarmic/direct.h"
 #include "sim/cpu/dynarmic/memory_map.h"
 #include "sim/cpu/dynarmic/modes.h"
 #include "sim/cpu/dynarmic/page_table.h"
@@ -92,6 +93,7 @@ struct ArmCore::Engine final : Dynarmic::A32::UserCallbacks {
     std::uint32_t missed_address = 0;
     bool aborted = false, watched = false, reached = false;  // in a step
     std::uint64_t unaccounted = 0;  // instructions of the present block, in a callback
+    bool transfer(const SingleAccess& access);
     bool done_directly(std::uint32_t pc, std::uint32_t before);
 
     // ---- system.cpp: true if the instruction at `pc` was done ----
@@ -102,6 +104,8 @@ struct ArmCore::Engine final : Dynarmic::A32::UserCallbacks {
     bool coprocessor(std::uint32_t word);
     bool status(std::uint32_t word);
     bool exception_return(std::uint32_t word);
+    bool unprivileged(std::uint32_t word, bool in_thumb);
+    bool swap(std::uint32_t word);
     bool load_store_multiple(std::uint32_t word);
     bool load_with_base(unsigned base, unsigned list, bool up, bool before);
     bool newton_step(std::uint32_t word);

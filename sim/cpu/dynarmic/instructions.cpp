@@ -143,6 +143,7 @@ std::optional<Departure> departure(std::uint32_t word, bool thumb, std::uint32_t
 
 bool is_system(std::uint32_t word, bool thumb, bool floating_point) {
     if (is_absent(word, thumb) || loads_its_base(word, thumb)) return true;
+    if (is_unprivileged(word, thumb) || (!thumb && is_swap(word))) return true;
     if (is_newton_step(word, thumb) || is_missed_neon(word, thumb)) return true;
     return thumb ? is_thumb_system(word, floating_point) : is_arm_system(word, floating_point);
 }

@@ -57,6 +57,9 @@ std::optional<WriteBack> early_write_back(std::uint32_t word, bool thumb, const 
 bool loads_its_base(std::uint32_t word, bool thumb);
 // VRECPS and VRSQRTS.
 bool is_newton_step(std::uint32_t word, bool thumb);
+// LDRT, STRT and their kind; SWP and SWPB of ARM.
+bool is_unprivileged(std::uint32_t word, bool thumb);
+bool is_swap(std::uint32_t word);
 // Of NEON, not in dynarmic: saturating.cpp has them.
 bool is_missed_neon(std::uint32_t word, bool thumb);
 

@@ -58,6 +58,8 @@ bool ArmCore::Engine::arm_system(std::uint32_t w) {
             is(w, 0x0FB0F000, 0x0320F000)) {
             if (status(w)) return true;
         }
+        if (is_unprivileged(w, false)) return unprivileged(w, false);
+        if (is_swap(w)) return swap(w);
         if (loads_its_base(w, false)) return load_with_base(w >> 16 & 0xF, w & 0xFFFF, up, before);
         if (is(w, 0x0E400000, 0x08400000)) return load_store_multiple(w);
         if (is(w, 0x0C10F000, 0x0010F000)) return exception_return(w);
@@ -74,6 +76,7 @@ bool ArmCore::Engine::thumb_system(std::uint32_t w) {
         const bool up = w >> 23 & 1;
         return load_with_base(w >> 16 & 0xF, w & 0xFFFF, up, !up);
     }
+    if (w > 0xFFFF && is_unprivileged(w, true)) return unprivileged(w, true);
     if (is_newton_step(w, true)) return newton_step(w);
     if (missed_neon(w, true)) return true;
     if (is(w, 0xFFFFFFE8, 0xB660)) {
