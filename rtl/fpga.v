@@ -207,7 +207,7 @@ module fpga #(
     wire [11:0] waddr, raddr;
     wire [31:0] wdata;
     wire [3:0]  wstrb;
-    wire        rlow, ps2_wait;
+    wire        rlow, ps2_wait, audio_hold, adc_hold;
     wire [31:0] ports_rdata, sysid_rdata, vga_rdata, audio_rdata, keypad_rdata, timer0_rdata;
     wire [31:0] timer1_rdata, jtag_rdata, ps2_rdata, adc_rdata, irda_rdata;
     wire [31:0] video_in_rdata;
@@ -222,8 +222,9 @@ module fpga #(
         .arburst_i(lw_arburst_i), .arvalid_i(lw_arvalid_i), .arready_o(lw_arready_o),
         .rid_o(lw_rid_o), .rdata_o(lw_rdata_o), .rresp_o(lw_rresp_o), .rlast_o(lw_rlast_o),
         .rvalid_o(lw_rvalid_o), .rready_i(lw_rready_i),
-        .we_o(we), .waddr_o(waddr), .wdata_o(wdata), .wstrb_o(wstrb), .hold_i(ps2_wait),
-        .re_o(re), .raddr_o(raddr), .rlow_o(rlow),
+        .we_o(we), .waddr_o(waddr), .wdata_o(wdata), .wstrb_o(wstrb),
+        .hold_i(ps2_wait || audio_hold),
+        .re_o(re), .raddr_o(raddr), .rlow_o(rlow), .rhold_i(adc_hold),
         .rdata_i(ports_rdata | sysid_rdata | vga_rdata | audio_rdata | keypad_rdata
                  | timer0_rdata | timer1_rdata | jtag_rdata | ps2_rdata | adc_rdata
                  | irda_rdata | video_in_rdata),
@@ -360,7 +361,7 @@ module fpga #(
         .clk_i(audio_clk), .rst_i(rst_i), .clk_audio_i(clk_audio_i), .rst_audio_i(rst_audio_i),
         .fast_i(audio_48k_i),
         .we_i(audio_we), .wstrb_i(wstrb), .waddr_i(waddr), .wdata_i(wdata), .re_i(audio_re),
-        .raddr_i(raddr), .rdata_o(audio_rdata), .irq_o(audio_irq),
+        .raddr_i(raddr), .rdata_o(audio_rdata), .hold_o(audio_hold), .irq_o(audio_irq),
         .aud_bclk_o(aud_bclk_o), .aud_daclrck_o(aud_daclrck_o), .aud_dacdat_o(aud_dacdat_o),
         .aud_adclrck_o(aud_adclrck_o), .aud_adcdat_i(aud_adcdat_i),
         .i2c_sclk_o(i2c_sclk_o), .i2c_sdat_oe_o(i2c_sdat_oe_o), .i2c_sdat_i(i2c_sdat_i),
@@ -403,6 +404,7 @@ module fpga #(
     adc adc_block (
         .clk_i(ports_clk), .rst_i(rst_i), .we_i(we[SEL_ADC]), .wstrb_i(wstrb), .waddr_i(waddr),
         .wdata_i(wdata), .re_i(re[SEL_ADC]), .raddr_i(raddr), .rdata_o(adc_rdata),
+        .rhold_o(adc_hold),
         .convst_o(adc_convst_o), .sck_o(adc_sck_o), .sdi_o(adc_sdi_o), .sdo_i(adc_sdo_i),
         .awake_o(ports_awake[6])
     );
@@ -425,8 +427,8 @@ module fpga #(
 
     irda irda_block (
         .clk_i(ports_clk), .rst_i(rst_i), .we_i(we[SEL_IRDA]), .wstrb_i(wstrb), .waddr_i(waddr),
-        .wdata_i(wdata), .re_i(re[SEL_IRDA]), .raddr_i(raddr), .rdata_o(irda_rdata),
-        .irq_o(irda_irq), .rxd_i(irda_rxd_i), .txd_o(irda_txd_o),
+        .wdata_i(wdata), .re_i(re[SEL_IRDA]), .rlow_i(rlow), .raddr_i(raddr),
+        .rdata_o(irda_rdata), .irq_o(irda_irq), .rxd_i(irda_rxd_i), .txd_o(irda_txd_o),
         .awake_o(ports_awake[9])
     );
 

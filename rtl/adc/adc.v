@@ -1,7 +1,8 @@
 // adc.v - the DE1-SoC Computer's AD converter port, on an LTC2308
 //
 //   +00 ... +1C  CH_0 ... CH_7   bits 11:0 the voltage, 1 mV each; bit 15: new since last read
-//   +00          CH_0            a write of any value converts all channels once
+//   +00          CH_0            a write of any value converts all channels once; a read before
+//                                the end makes the bus wait for it
 //   +04          CH_1            a write of bit 0 = 1 converts them continuously
 //
 // A round is nine transfers, because a transfer returns the conversion that the previous one asked
@@ -13,9 +14,12 @@
 //   SDI    ____________ ... X S/D X O/S X ... X___________   changes as it falls
 //
 // A round takes 9 x 65 clocks, 23.4 us; at its end all channels are new.  A write during a round
-// asks for one more.
+// asks for nothing.
 //
 // Source: Linear Technology, LTC2308; University Program, ADC Controller for DE-series Boards.
+//
+// Of the core there are generations: some show bit 15 while channels are converted continuously
+// alone.  Programs that wait for it after a write of CH_0 need it here.
 //
 // Not handled: the AD7928 that early revisions of the board have in its place.
 
@@ -35,6 +39,7 @@ module adc (
     // verilator lint_on UNUSED
     input  wire        re_i,
     output reg  [31:0] rdata_o,
+    output wire        rhold_o,         // the read has to wait
 
     output reg         convst_o,
     output reg         sck_o,
@@ -50,12 +55,13 @@ module adc (
     localparam [3:0] LAST_TRANSFER = 4'd8;
 
     reg        busy_q, asked_q, auto_q;
+    reg        read_q;       // a read waits
     reg [3:0]  transfer_q;   // 0 - 7: asks for this channel, returns the previous one
     reg [6:0]  step_q;
     reg [11:0] bits_q;       // sent from the top, received at the bottom
 
     assign sdi_o   = bits_q[11];
-    assign awake_o = busy_q || asked_q || auto_q || rdata_o != 32'd0;
+    assign awake_o = busy_q || asked_q || auto_q || read_q || rdata_o != 32'd0;
 
     // Single-ended, unipolar, awake: S/D, O/S, S1, S0, UNI, SLP.  O/S is the channel's lowest bit.
     function [11:0] request;
@@ -68,7 +74,7 @@ module adc (
     wire ended = done && transfer_q == LAST_TRANSFER;
 
     always @(posedge clk_i) begin
-        if (we_i && waddr_i[4:0] == ADC_CH_0[4:0]) asked_q <= 1'b1;
+        if (we_i && waddr_i[4:0] == ADC_CH_0[4:0] && (!busy_q || ended)) asked_q <= 1'b1;
         if (we_i && waddr_i[4:0] == ADC_CH_1[4:0] && wstrb_i[0]) auto_q <= wdata_i[0];
         if (!busy_q) begin
             if (auto_q || asked_q) begin
@@ -104,12 +110,17 @@ module adc (
     end
 
     // ---- Channels ---------------------------------------------------------
+    // raddr_i stays as it is while the bus waits.
+    wire answers = (re_i || read_q) && !rhold_o;
+
+    assign rhold_o = (re_i || read_q) && (busy_q || asked_q) && !auto_q;
+
     reg [95:0] values_q;
     reg [7:0]  new_q;
 
     integer n;
     always @(posedge clk_i) begin
-        if (re_i) new_q[raddr_i[4:2]] <= 1'b0;
+        if (answers) new_q[raddr_i[4:2]] <= 1'b0;
         for (n = 0; n < 8; n = n + 1)
             if (done && transfer_q == n[3:0] + 4'd1) values_q[12 * n +: 12] <= bits_q;
         if (ended) new_q <= 8'hff;
@@ -128,7 +139,8 @@ module adc (
 
     always @(posedge clk_i) begin
         rdata_o <= 32'd0;
-        if (re_i) rdata_o <= channel(raddr_i[4:2]);
+        if (answers) rdata_o <= channel(raddr_i[4:2]);
+        read_q <= rhold_o && !rst_i;
     end
 endmodule
 

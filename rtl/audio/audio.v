@@ -10,7 +10,8 @@
 // A write to a full FIFO is dropped.  Once per frame a pair is sent if both FIFOs hold a sample,
 // otherwise zeros are.  UNDERRUNS counts the frames of zeros that follow a frame with a pair, so a
 // long silence counts once.  A pair that comes in while one of its FIFOs is full is dropped, so
-// left and right stay in step.  Reading an empty FIFO gives 0.
+// left and right stay in step.  Reading an empty FIFO gives the sample that was read last.  RI and
+// WI are 0 without RE and WE.
 //
 // A write with any byte strobe pushes the whole word on wdata_i or clears UNDERRUNS; CONTROL
 // changes by its byte lane.  A write with none does nothing.
@@ -31,6 +32,7 @@ module audio (
     input  wire        re_i,
     input  wire [11:0] raddr_i,
     output reg  [31:0] rdata_o,        // one clock after re_i; 0 at other times
+    output wire        hold_o,         // a write has not ended yet
     output reg         irq_o,          // level, one clock after its cause
 
     output wire        aud_bclk_o,
@@ -143,21 +145,23 @@ module audio (
         end
     end
 
-    wire        left_in_full, right_in_full, left_in_empty, right_in_empty;
+    wire        left_in_full, right_in_full;
     wire [23:0] left_in, right_in;
     wire [7:0]  left_in_count, right_in_count;
     wire        push = frame && !left_in_full && !right_in_full;
 
+    // verilator lint_off PINCONNECTEMPTY
     fifo #(.WIDTH(24)) left_in_fifo (
         .clk_i(clk_i), .rst_i(rst_i), .clear_i(hold_in_q), .push_i(push), .wdata_i(come[47:24]),
         .pop_i(re_left), .rdata_o(left_in), .count_o(left_in_count), .full_o(left_in_full),
-        .empty_o(left_in_empty), .awake_o(fifos_awake[2])
+        .empty_o(), .awake_o(fifos_awake[2])
     );
     fifo #(.WIDTH(24)) right_in_fifo (
         .clk_i(clk_i), .rst_i(rst_i), .clear_i(hold_in_q), .push_i(push), .wdata_i(come[23:0]),
         .pop_i(re_right), .rdata_o(right_in), .count_o(right_in_count), .full_o(right_in_full),
-        .empty_o(right_in_empty), .awake_o(fifos_awake[3])
+        .empty_o(), .awake_o(fifos_awake[3])
     );
+    // verilator lint_on PINCONNECTEMPTY
 
     // ---- Codec -------------------------------------------------------------
     wire       codec_ready, codec_error;
@@ -171,7 +175,7 @@ module audio (
         .clk_i(clk_i), .rst_i(rst_i), .we_i(we_i && waddr_i[11:4] == AV_CONFIG_BASE[11:4]),
         .wstrb_i(wstrb_i), .waddr_i(waddr_i), .wdata_i(wdata_i),
         .restart_o(config_restart), .send_o(config_send), .address_o(config_address),
-        .data_o(config_data), .busy_i(config_busy), .ready_o(config_ready),
+        .data_o(config_data), .busy_i(config_busy), .ready_o(config_ready), .hold_o(hold_o),
         .awake_o(config_awake)
     );
 
@@ -193,8 +197,9 @@ module audio (
 
     wire [7:0] left_room  = DEPTH - left_out_count;
     wire [7:0] right_room = DEPTH - right_out_count;
-    wire [1:0] wi_ri = {reached(left_room, right_room), reached(left_in_count, right_in_count)};
-    wire       irq   = ({wi_enable_q, ri_enable_q} & wi_ri) != 2'd0;
+    wire [1:0] wi_ri = {wi_enable_q && reached(left_room, right_room),
+                        ri_enable_q && reached(left_in_count, right_in_count)};
+    wire       irq   = wi_ri != 2'd0;
 
     always @(posedge clk_i) irq_o <= !rst_i && irq;
 
@@ -208,8 +213,8 @@ module audio (
                                                wi_enable_q, ri_enable_q};
             AUDIO_FIFOSPACE[11:0]: rdata_o <= {left_room, right_room, left_in_count,
                                                right_in_count};
-            AUDIO_LEFTDATA[11:0]:  if (!left_in_empty) rdata_o <= {left_in, 8'd0};
-            AUDIO_RIGHTDATA[11:0]: if (!right_in_empty) rdata_o <= {right_in, 8'd0};
+            AUDIO_LEFTDATA[11:0]:  rdata_o <= {left_in, 8'd0};
+            AUDIO_RIGHTDATA[11:0]: rdata_o <= {right_in, 8'd0};
             CODEC_RATE[11:0]:      rdata_o <= fast_i ? FAST_HZ : CODEC_RATE_RESET;
             CODEC_STATUS[11:0]:    rdata_o <= {24'd0, codec_step, 2'd0, codec_error, codec_ready};
             CODEC_UNDERRUNS[11:0]: rdata_o <= underruns_q;

@@ -1,10 +1,10 @@
 // h2f_bridge.v - full HPS bridge: from its AXI3 slave port to the FPGA's memories
 //
 //   SDRAM: 64 MB, through sdram/sdram.v.
-//   ONCHIP: 256 KB.  The 256 KB after it have no storage: they read 0 and ignore writes, because
-//   programs clear a little more than there is.
+//   ONCHIP: 256 KB.
 //   CHARACTERS: 8 KB, (x, y) at y << 7 | x; memory also where the screen does not show it.
-//   Any other address: DECERR.
+//   Any other address: the SDRAM, by its lower 26 bits, as Platform Designer's interconnect does it
+//   (lw_decode.v).  Bits 29:28 are not looked at, so all of it repeats each 256 MB.
 //
 // Writes to the on-chip memory and to the characters take one clock per beat.  Reads of these take
 // turns with the screen, which has priority in two clocks out of four: a word takes 6 to 8 clocks.
@@ -75,13 +75,12 @@ module h2f_bridge #(
 );
     `include "regmap.vh"
 
-    // Offset in the bridge, without the bits inside the window.
-    localparam [3:0]  DRAM   = SDRAM_BASE[29:26];
-    localparam [10:0] CHIP   = ONCHIP_BASE[29:19];     // and as much after it
-    localparam [16:0] CELLS  = CHARACTERS_BASE[29:13];
+    // Offset in the bridge, without the bits inside the window and those above the decoded ones.
+    localparam [9:0]  CHIP   = ONCHIP_BASE[27:18];
+    localparam [14:0] CELLS  = CHARACTERS_BASE[27:13];
 
     wire        re, we;
-    // The two lowest bits choose a lane, which the strobes name.
+    // The two lowest bits choose a lane, which the strobes name; the two highest do not count.
     // verilator lint_off UNUSED
     wire [29:0] raddr, waddr;
     // verilator lint_on UNUSED
@@ -89,10 +88,9 @@ module h2f_bridge #(
     // ---- Writes -----------------------------------------------------------
     wire [31:0] wdata;
     wire [3:0]  wstrb;
-    wire        wdram = waddr[29:26] == DRAM;
-    wire        wchip = waddr[29:19] == CHIP;
-    wire        winc  = waddr[29:13] == CELLS;
-    reg         werror_q;
+    wire        wchip = waddr[27:18] == CHIP;
+    wire        winc  = waddr[27:13] == CELLS;
+    wire        wdram = !wchip && !winc;
     reg         wcells_q, wdram_q;      // where the burst goes: none crosses 4 KB
     wire [1:0]  posted;                 // beats
     wire        full  = {1'b0, posted} + {2'd0, we} >= 3'd2;
@@ -103,8 +101,8 @@ module h2f_bridge #(
     assign wready_o = wready && !wwait;
     always @(posedge clk_i)
         if (awvalid_i && awready_o) begin
-            wcells_q <= awaddr_i[29:13] == CELLS;
-            wdram_q  <= awaddr_i[29:26] == DRAM;
+            wcells_q <= awaddr_i[27:13] == CELLS;
+            wdram_q  <= awaddr_i[27:13] != CELLS && awaddr_i[27:18] != CHIP;
         end
 
     axi_write #(.ADDR_W(30), .ID_W(ID_W)) writer (
@@ -113,7 +111,7 @@ module h2f_bridge #(
         .awburst_i(awburst_i), .awvalid_i(awvalid_i), .awready_o(awready_o),
         .wdata_i(wdata_i), .wstrb_i(wstrb_i), .wvalid_i(wvalid_i && !wwait), .wready_o(wready),
         .bid_o(bid_o), .bresp_o(bresp_o), .bvalid_o(bvalid_o), .bready_i(bready_i),
-        .we_o(we), .waddr_o(waddr), .wdata_o(wdata), .wstrb_o(wstrb), .werror_i(werror_q),
+        .we_o(we), .waddr_o(waddr), .wdata_o(wdata), .wstrb_o(wstrb), .werror_i(1'b0),
         .hold_i(1'b0),
         .awake_o(writer_awake)
     );
@@ -122,11 +120,10 @@ module h2f_bridge #(
         we_o      <= 4'd0;
         cell_we_o <= 4'd0;
         if (we) begin
-            we_o      <= wchip && !waddr[18] ? wstrb : 4'd0;
+            we_o      <= wchip ? wstrb : 4'd0;
             cell_we_o <= winc ? wstrb : 4'd0;
             windex_o  <= winc ? {5'd0, waddr[12:2]} : waddr[17:2];
             wdata_o   <= wdata;
-            werror_q  <= !(wdram || wchip || winc);
         end
         if (rst_i) {we_o, cell_we_o} <= 8'd0;
     end
@@ -138,12 +135,11 @@ module h2f_bridge #(
     );
 
     // ---- Reads ------------------------------------------------------------
-    wire        rdram = raddr[29:26] == DRAM;
-    wire        rchip = raddr[29:19] == CHIP;
-    wire        rinc  = raddr[29:13] == CELLS;
+    wire        rinc  = raddr[27:13] == CELLS;
+    wire        rdram = raddr[27:18] != CHIP && !rinc;
     wire        rwait = rdram ? sdram_we_o || !sdram_take_i : rinc && cells_wait_i;
     reg         rdram_q;                // a read of the SDRAM waits, so posted writes wait too
-    reg         rempty_q, rcells_q, rerror_q, granted_q;
+    reg         rcells_q, granted_q;
 
     assign sdram_we_o    = posted != 2'd0 && !rdram_q;
     assign sdram_req_o   = sdram_we_o || (re && rdram);
@@ -159,8 +155,8 @@ module h2f_bridge #(
         .rvalid_o(rvalid_o), .rready_i(rready_i),
         .re_o(re), .raddr_o(raddr), .rlow_o(), .rgrant_i(!rwait),
         .rdone_i(granted_q || sdram_valid_i),
-        .rdata_i(sdram_valid_i ? sdram_i : rempty_q ? 32'd0 : rcells_q ? cells_i : rdata_i),
-        .rerror_i(rerror_q), .awake_o(reader_awake)
+        .rdata_i(sdram_valid_i ? sdram_i : rcells_q ? cells_i : rdata_i),
+        .rerror_i(1'b0), .awake_o(reader_awake)
     );
     // verilator lint_on PINCONNECTEMPTY
 
@@ -171,9 +167,7 @@ module h2f_bridge #(
         if (re && !rwait) begin
             re_o     <= !rdram;
             rindex_o <= rinc ? {5'd0, raddr[12:2]} : raddr[17:2];
-            rempty_q <= !rinc && raddr[18];
             rcells_q <= rinc;
-            rerror_q <= !(rdram || rchip || rinc);
         end else if (rgrant_i) begin
             re_o <= 1'b0;
         end

@@ -4,10 +4,11 @@
 //   write:  we_o[block] for one clock, with waddr_o, wdata_o, wstrb_o; always taken.  A block that
 //           needs longer raises hold_i in that clock, until it is done: the response waits for it
 //   read:   re_o[block] for one clock, with raddr_o; rdata_i is sampled one clock later and is
-//           the OR of all blocks, so a block that was not asked gives 0
+//           the OR of all blocks, so a block that was not asked gives 0.  A block that cannot
+//           answer yet raises rhold_i in the clock of re_o, until the clock before its answer
 //
 // A register read takes 5 clocks from ARVALID to RVALID, a single write 5 from AWVALID to BVALID.
-// An address that no block owns gets DECERR.
+// Each address is some block's: lw_decode.v.
 
 `default_nettype none
 
@@ -54,6 +55,7 @@ module lw_bridge #(
     output wire [31:0]     re_o,
     output wire [11:0]     raddr_o,
     output wire            rlow_o,    // the read is of the word's lowest byte, too
+    input  wire            rhold_i,
     input  wire [31:0]     rdata_i,
 
     output wire            awake_o
@@ -63,7 +65,6 @@ module lw_bridge #(
     wire [20:0] waddr;
     wire [31:0] wdata;
     wire [3:0]  wstrb;
-    wire        wnobody;
     wire        writer_awake, write_decode_awake, reader_awake, read_decode_awake;
 
     axi_write #(.ADDR_W(21), .ID_W(ID_W)) writer (
@@ -72,13 +73,13 @@ module lw_bridge #(
         .awburst_i(awburst_i), .awvalid_i(awvalid_i), .awready_o(awready_o),
         .wdata_i(wdata_i), .wstrb_i(wstrb_i), .wvalid_i(wvalid_i), .wready_o(wready_o),
         .bid_o(bid_o), .bresp_o(bresp_o), .bvalid_o(bvalid_o), .bready_i(bready_i),
-        .we_o(we), .waddr_o(waddr), .wdata_o(wdata), .wstrb_o(wstrb), .werror_i(wnobody),
+        .we_o(we), .waddr_o(waddr), .wdata_o(wdata), .wstrb_o(wstrb), .werror_i(1'b0),
         .hold_i(hold_i),
         .awake_o(writer_awake)
     );
 
     lw_decode write_decode (
-        .clk_i(clk_i), .rst_i(rst_i), .enable_i(we), .addr_i(waddr), .sel_o(we_o), .none_o(wnobody),
+        .clk_i(clk_i), .rst_i(rst_i), .enable_i(we), .write_i(1'b1), .addr_i(waddr), .sel_o(we_o),
         .awake_o(write_decode_awake)
     );
 
@@ -91,7 +92,6 @@ module lw_bridge #(
     // ---- Reads ------------------------------------------------------------
     wire        re;
     wire [20:0] raddr;
-    wire        rnobody;
     reg         asked_q, done_q;
 
     axi_read #(.ADDR_W(21), .ID_W(ID_W)) reader (
@@ -101,11 +101,11 @@ module lw_bridge #(
         .rid_o(rid_o), .rdata_o(rdata_o), .rresp_o(rresp_o), .rlast_o(rlast_o),
         .rvalid_o(rvalid_o), .rready_i(rready_i),
         .re_o(re), .raddr_o(raddr), .rlow_o(rlow_o), .rgrant_i(1'b1),
-        .rdone_i(done_q), .rdata_i(rdata_i), .rerror_i(rnobody), .awake_o(reader_awake)
+        .rdone_i(done_q), .rdata_i(rdata_i), .rerror_i(1'b0), .awake_o(reader_awake)
     );
 
     lw_decode read_decode (
-        .clk_i(clk_i), .rst_i(rst_i), .enable_i(re), .addr_i(raddr), .sel_o(re_o), .none_o(rnobody),
+        .clk_i(clk_i), .rst_i(rst_i), .enable_i(re), .write_i(1'b0), .addr_i(raddr), .sel_o(re_o),
         .awake_o(read_decode_awake)
     );
 
@@ -115,8 +115,8 @@ module lw_bridge #(
     assign raddr_o = raddr[11:0];   // stable until the beat is done
 
     always @(posedge clk_i) begin
-        asked_q <= re;
-        done_q  <= asked_q;
+        asked_q <= re || (asked_q && rhold_i);
+        done_q  <= asked_q && !rhold_i;
         if (rst_i) begin
             asked_q <= 1'b0;
             done_q  <= 1'b0;

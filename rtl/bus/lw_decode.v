@@ -1,6 +1,12 @@
-// lw_decode.v - which block owns an address on the lightweight bridge
+// lw_decode.v - which block gets an access on the lightweight bridge
 //
-// The addresses are those of regmap.def.  No line is high for an address that no block owns.
+// The addresses are those of regmap.def.  As Platform Designer's interconnect does it, there is a
+// block for each access: what no block takes goes to the one with the largest span, of equals to
+// the one with the lowest base; so does a write to a block that can only be read.  The address bits
+// above those that the blocks need are not looked at.
+//
+// Source: the DE1-SoC Computer's generated interconnect; Platform Designer User Guide, Accessing
+// Undefined Memory Regions.
 
 `default_nettype none
 
@@ -8,9 +14,9 @@ module lw_decode (
     input  wire        clk_i,
     input  wire        rst_i,
     input  wire        enable_i,
+    input  wire        write_i,  // constant
     input  wire [20:0] addr_i,   // offset in the bridge's 2 MB
     output reg  [31:0] sel_o,    // one line per block for one clock, SEL_... of regmap.vh
-    output reg         none_o,   // the last address had no block
     output wire        awake_o
 );
     `include "regmap.vh"
@@ -20,10 +26,7 @@ module lw_decode (
 
     always @(posedge clk_i) begin
         sel_o <= 32'd0;
-        if (enable_i) begin
-            sel_o  <= line_of(addr_i);
-            none_o <= line_of(addr_i) == 32'd0;
-        end
+        if (enable_i) sel_o <= line_of(addr_i, write_i);
         if (rst_i) sel_o <= 32'd0;
     end
 endmodule

@@ -1,6 +1,8 @@
 // irda.v - the DE1-SoC Computer's IrDA port: bytes by infrared light
 //
-//   +0 DATA      read: RAVAIL[23:16], RVALID bit 15, the oldest byte [7:0], which it removes
+//   +0 DATA      read: RAVAIL[23:16], RVALID bit 15, the oldest byte [7:0], which it removes; while
+//                none waits, the byte that was read last.  A read without the lowest byte removes
+//                nothing
 //                write: sends the byte [7:0]; dropped when 128 wait
 //   +4 CONTROL   WSPACE[23:16], WI bit 9, RI bit 8, WE bit 1, RE bit 0
 //
@@ -27,6 +29,7 @@ module irda (
     input  wire [11:0] raddr_i,
     // verilator lint_on UNUSED
     input  wire        re_i,
+    input  wire        rlow_i,    // valid with re_i: the lowest byte is read, too
     output reg  [31:0] rdata_o,
     output reg         irq_o,
 
@@ -57,8 +60,8 @@ module irda (
     // verilator lint_off PINCONNECTEMPTY
     fifo #(.WIDTH(8)) in_fifo (
         .clk_i(clk_i), .rst_i(rst_i), .clear_i(1'b0), .push_i(received), .wdata_i(byte_in),
-        .pop_i(re_data), .rdata_o(read_byte), .count_o(in_count), .full_o(), .empty_o(none_in),
-        .awake_o()
+        .pop_i(re_data && rlow_i), .rdata_o(read_byte), .count_o(in_count), .full_o(),
+        .empty_o(none_in), .awake_o()
     );
     fifo #(.WIDTH(8)) out_fifo (
         .clk_i(clk_i), .rst_i(rst_i), .clear_i(1'b0), .push_i(we_data), .wdata_i(wdata_i[7:0]),
@@ -83,7 +86,7 @@ module irda (
         irq_o   <= ri || wi;
         rdata_o <= 32'd0;
         if (re_data) begin
-            if (!none_in) rdata_o <= {8'd0, in_count, 1'b1, 7'd0, read_byte};
+            rdata_o <= {8'd0, in_count, !none_in, 7'd0, read_byte};
         end else if (re_i) begin
             rdata_o <= {8'd0, space, 6'd0, wi, ri, 6'd0, we_q, re_q};
         end

@@ -1,7 +1,8 @@
 // jtag_uart.v - JTAG UART in the register layout of the DE1-SoC Computer, 64 bytes deep each way
 //
 //   +0 DATA      read: RAVAIL[31:16] left after this one, RVALID bit 15, the oldest byte, which
-//                goes away; write: a byte to the host, dropped if WSPACE is 0
+//                goes away; while none waits, the byte that was read last; write: a byte to the
+//                host, dropped if WSPACE is 0
 //   +4 CONTROL   RE bit 0, WE bit 1: enable RI and WI, which interrupt; AC bit 10: the host has
 //                been active, write 1 clears; WSPACE[31:16]: room for bytes to the host
 //                RI bit 8: there is room for 8 bytes from the host or fewer, or the host has paused
@@ -17,6 +18,9 @@
 //   idle_i  (t_pause)  the host has looked and has nothing to send
 //
 // Source: Embedded Peripherals IP User Guide, JTAG UART Core, with its thresholds of 8.
+//
+// Not handled: the core's state in bits 14:8 of DATA and 15:11 of CONTROL, which the guide
+// reserves; they read 0.
 
 `default_nettype none
 
@@ -69,7 +73,11 @@ module jtag_uart (
     );
 
     // ---- Registers --------------------------------------------------------
-    reg  re_q, we_q, ac_q, paused_q;
+    reg       re_q, we_q, ac_q, paused_q;
+    reg [7:0] last_q;            // read
+
+    wire       some  = read_count != 7'd0;
+    wire [6:0] left  = read_count - {6'd0, some};
 
     wire takes = take_i && write_count != 7'd0;
     wire room  = read_count != DEPTH;
@@ -82,8 +90,8 @@ module jtag_uart (
     always @(posedge clk_i) begin
         rdata_o <= 32'd0;
         if (re_data) begin
-            if (read_count != 7'd0)
-                rdata_o <= {9'd0, read_count - 7'd1, 1'b1, 7'd0, read_head};
+            rdata_o <= {9'd0, left, some, 7'd0, some ? read_head : last_q};
+            if (some) last_q <= read_head;
         end else if (re_i) begin
             rdata_o <= {9'd0, DEPTH - write_count, 5'd0, ac_q, wi, ri, 6'd0, we_q, re_q};
         end
@@ -97,7 +105,7 @@ module jtag_uart (
         if (typed_i || idle_i) ac_q <= 1'b1;
         else if (we_control && wstrb_i[1] && wdata_i[JTAG_UART0_CONTROL_AC_LSB]) ac_q <= 1'b0;
         if (we_control && wstrb_i[0]) {we_q, re_q} <= wdata_i[1:0];
-        if (rst_i) {re_q, we_q, ac_q, paused_q} <= 4'd0;
+        if (rst_i) {re_q, we_q, ac_q, paused_q, last_q} <= 12'd0;
     end
 endmodule
 

@@ -44,18 +44,22 @@ int log2(std::uint32_t size) {
 
 void print_decoder() {
     std::puts("// lw_decode.vh - generated from regmap.def by `make regmap`; do not edit.");
-    std::puts("// The select line of the block that owns an address on the lightweight bridge.\n");
+    std::puts("// The select line of the block that gets an access on the lightweight bridge.\n");
     std::printf("function [%d:0] line_of;\n", regmap::LW_SELECTS - 1);
-    std::puts("    // All registers are words.\n    // verilator lint_off UNUSED");
+    std::puts("    // All registers are words, and the upper bits are not looked at.");
+    std::puts("    // verilator lint_off UNUSED");
     std::printf("    input [%d:0] addr;\n", log2(regmap::LW_SIZE) - 1);
-    std::puts("    // verilator lint_on UNUSED\n    begin");
+    std::puts("    // verilator lint_on UNUSED\n    input write;\n    begin");
     std::printf("        line_of = %d'd0;\n", regmap::LW_SELECTS);
     for (const auto& block : regmap::BLOCKS) {
         if (!regmap::on_lightweight_bridge(block)) continue;
-        const int top = log2(regmap::LW_SIZE) - 1, low = log2(block.size);
-        std::printf("        line_of[SEL_%s] = addr[%d:%d] == %s_BASE[%d:%d];\n", block.name, top,
-                    low, block.name, top, low);
+        const int top = log2(regmap::LW_DECODED) - 1, low = log2(block.size);
+        std::printf("        line_of[SEL_%s] = %saddr[%d:%d] == %s_BASE[%d:%d];\n", block.name,
+                    regmap::takes_writes(block) ? "" : "!write && ", top, low, block.name, top,
+                    low);
     }
+    std::printf("        if (line_of == %d'd0) line_of[SEL_%s] = 1'b1;\n", regmap::LW_SELECTS,
+                regmap::lw_default().name);
     std::puts("    end\nendfunction");
 }
 
@@ -98,7 +102,12 @@ void print_markdown() {
     std::printf("`SYSID_HASH` reads `0x%08X` for this map.\n", regmap::REGMAP_HASH);
     std::puts(
         "\nA block reads 0 and loses writes where it has no register; a read-only register loses");
-    std::puts("writes.  A run reports it, once per block.");
+    std::puts(
+        "writes.  Addresses without a block, and writes to a block that can only be read, go to");
+    std::printf("%s on the lightweight bridge, and to the SDRAM on the full bridge; addresses\n",
+                regmap::lw_default().name);
+    std::printf("repeat each %u KB and each 256 MB.  A run reports it, once per place.\n",
+                regmap::LW_DECODED / 1024);
     for (const auto& block : regmap::BLOCKS) print_block(block);
 }
 

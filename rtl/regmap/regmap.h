@@ -144,6 +144,36 @@ constexpr int select(const Block& block) {
 }
 static_assert(select(*(std::end(BLOCKS) - 1)) < LW_SELECTS, "more blocks than select lines");
 
+// ---- Where the interconnect sends an address of that bridge ----
+
+// Bits above are not looked at, so addresses repeat: a power of two behind the last block.
+constexpr std::uint32_t lw_decoded() {
+    std::uint32_t end = 0, size = 1;
+    for (const Block& b : BLOCKS)
+        if (on_lightweight_bridge(b) && b.base - LW_BASE + b.size > end)
+            end = b.base - LW_BASE + b.size;
+    while (size < end) size *= 2;
+    return size;
+}
+constexpr std::uint32_t LW_DECODED = lw_decoded();
+
+// The block that gets what no other block takes: that with the largest span, of equals the first.
+constexpr const Block& lw_default() {
+    const Block* found = nullptr;
+    for (const Block& b : BLOCKS)
+        if (on_lightweight_bridge(b) &&
+            (!found || b.size > found->size || (b.size == found->size && b.base < found->base)))
+            found = &b;
+    return *found;
+}
+
+// A block that can only be read takes no writes.
+constexpr bool takes_writes(const Block& block) {
+    for (const Reg& r : REGS)
+        if (r.addr - block.base < block.size && r.access != Access::RO) return true;
+    return false;
+}
+
 // FNV-1a over every name, address, access, reset, field and interrupt: what SYSID_HASH reads.
 constexpr std::uint32_t hash() {
     std::uint32_t h = 2166136261u;

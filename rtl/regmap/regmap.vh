@@ -1,7 +1,7 @@
 // regmap.vh - generated from regmap.def by `make regmap`; do not edit.
 // Every module uses a few of these constants.
 // verilator lint_off UNUSEDPARAM
-localparam [31:0] REGMAP_HASH = 32'hbe845bcc;
+localparam [31:0] REGMAP_HASH = 32'ha190c3c6;
 
 // Select lines of the lightweight bridge.
 localparam SEL_LEDR = 0;
@@ -265,7 +265,7 @@ localparam [31:0] SYSID_HASH = 32'hff202044;
 localparam [31:0] SYSID_HASH_RESET = 32'h00000000;
 
 localparam [31:0] RESAMPLER_BASE = 32'hff203010;
-localparam [31:0] RESAMPLER_SIZE = 32'h00000010;
+localparam [31:0] RESAMPLER_SIZE = 32'h00000004;
 localparam [31:0] RESAMPLER_STATUS = 32'hff203010;
 localparam [31:0] RESAMPLER_STATUS_RESET = 32'h00000014;
 
@@ -353,7 +353,7 @@ localparam [31:0] AV_CONFIG_DATA_RESET = 32'h00000000;
 localparam [31:0] AUDIO_BASE = 32'hff203040;
 localparam [31:0] AUDIO_SIZE = 32'h00000010;
 localparam [31:0] AUDIO_CONTROL = 32'hff203040;
-localparam [31:0] AUDIO_CONTROL_RESET = 32'h00000200;
+localparam [31:0] AUDIO_CONTROL_RESET = 32'h00000000;
 localparam AUDIO_CONTROL_RE_LSB = 0;
 localparam AUDIO_CONTROL_RE_W = 1;
 localparam AUDIO_CONTROL_WE_LSB = 1;

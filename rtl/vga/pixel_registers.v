@@ -5,6 +5,10 @@
 //
 // A direct write never loads BUFFER.  STATUS.EN = 0 blanks the screen; STATUS.A = 1, where HAS_A,
 // means rows without gaps; the rest of STATUS is fixed.
+//
+// Not handled: the DE1-SoC Computer's address translation, by which bits 31:30 of BUFFER and
+// BACK_BUFFER read as ones.  Here they read as written, so that a run can say that a program shows
+// the processor's own memory.
 
 `default_nettype none
 

@@ -10,60 +10,110 @@ namespace sim {
 
 namespace {
 
-constexpr std::uint32_t ONCHIP_END = regmap::ONCHIP_BASE + regmap::ONCHIP_SIZE;
+constexpr std::uint32_t LW_MASK = regmap::LW_DECODED - 1;
+constexpr std::uint32_t H2F_DECODED = 0x10000000, H2F_MASK = H2F_DECODED - 1;
 
 const regmap::Block& block_of(std::uint32_t address) {
     return *std::find_if(std::begin(regmap::BLOCKS), std::end(regmap::BLOCKS),
                          [&](const regmap::Block& b) { return address - b.base < b.size; });
 }
 
-const char* name_of(std::uint32_t address) {
-    return std::find_if(std::begin(regmap::REGS), std::end(regmap::REGS),
-                        [&](const regmap::Reg& reg) { return reg.addr == address; })
-        ->name;
+// "TIMER0_STATUS", "TIMER0, where it has no register"
+std::string name_of(std::uint32_t address) {
+    for (const regmap::Reg& reg : regmap::REGS)
+        if (reg.addr == (address & ~3u)) return reg.name;
+    return std::string{block_of(address).name} + ", where it has no register";
+}
+
+// The memory at an offset of the full bridge, as far as it is decoded; none: nullptr.
+const regmap::Block* memory_at(std::uint32_t offset) {
+    for (const regmap::Block& block : regmap::BLOCKS)
+        if (!regmap::on_lightweight_bridge(block) &&
+            offset - (block.base - regmap::SDRAM_BASE) < block.size)
+            return &block;
+    return nullptr;
+}
+
+// Where the gap around an offset begins, as a place to speak of once.
+std::uint32_t gap_begin(std::uint32_t address) {
+    std::uint32_t begin = 0;
+    for (const regmap::Block& block : regmap::BLOCKS)
+        if (block.base + block.size <= address) begin = std::max(begin, block.base + block.size);
+    return begin;
 }
 
 }  // namespace
 
-// Addresses between the blocks answer with an error.
-LostAccesses::LostAccesses() : words_(regmap::LW_SIZE / 4, READ_WRITE) {
+LostAccesses::LostAccesses() : words_(regmap::LW_DECODED / 4, NOBODY) {
     for (const regmap::Block& block : regmap::BLOCKS)
         if (regmap::on_lightweight_bridge(block))
-            std::fill_n(words_.begin() + (block.base - regmap::LW_BASE) / 4, block.size / 4,
-                        NOTHING);
-    for (const regmap::Reg& reg : regmap::REGS)
-        words_[(reg.addr - regmap::LW_BASE) / 4] =
-            reg.access == regmap::Access::RO ? READ_ONLY : READ_WRITE;
+            std::fill_n(words_.begin() + (block.base - regmap::LW_BASE) / 4,
+                        std::max(1u, block.size / 4),
+                        regmap::takes_writes(block) ? NOTHING : READ_ALONE);
+    for (const regmap::Reg& reg : regmap::REGS) {
+        Word& word = words_[(reg.addr - regmap::LW_BASE) / 4];
+        if (word == NOTHING) word = reg.access == regmap::Access::RO ? READ_ONLY : READ_WRITE;
+    }
 }
 
 std::optional<std::string> LostAccesses::look(std::uint32_t address, unsigned bytes, bool write) {
     if (address - regmap::LW_BASE >= regmap::LW_SIZE) {
-        const std::uint32_t last = address + bytes - 1;
-        if (last < ONCHIP_END || address - regmap::ONCHIP_BASE >= 2 * regmap::ONCHIP_SIZE)
-            return std::nullopt;
-        return say(std::max(address, ONCHIP_END), write, NOTHING);
+        const std::uint32_t offset = address - regmap::SDRAM_BASE;
+        const regmap::Block* whole = memory_at(offset);
+        if (whole && memory_at(offset + bytes - 1) == whole) return std::nullopt;
+        for (std::uint32_t at = address; at < address + bytes; at = (at & ~3u) + 4)
+            if (!memory_at(at - regmap::SDRAM_BASE)) return memory(at, write);
+        return std::nullopt;
     }
     for (std::uint32_t at = address & ~3u; at < address + bytes; at += 4) {
-        const Word word = words_[(at - regmap::LW_BASE) / 4];
-        if (word != READ_WRITE && (write || word == NOTHING)) return say(at, write, word);
+        const std::uint32_t offset = at - regmap::LW_BASE;
+        const Word word = words_[(offset & LW_MASK) / 4];
+        const bool lost = write ? word != READ_WRITE : word == NOTHING || word == NOBODY;
+        if (lost || offset > LW_MASK) return registers(at, write, word);
     }
     return std::nullopt;
 }
 
-std::optional<std::string> LostAccesses::say(std::uint32_t address, bool write, Word word) {
-    const bool memory = address - regmap::LW_BASE >= regmap::LW_SIZE;
-    const std::uint32_t place = memory ? ONCHIP_END : block_of(address).base;
-    if (!said_.insert({place, write}).second) return std::nullopt;
+std::optional<std::string> LostAccesses::memory(std::uint32_t address, bool write) {
+    const std::uint32_t offset = address - regmap::SDRAM_BASE, local = offset & H2F_MASK;
+    const regmap::Block* block = memory_at(local);
+    const std::uint32_t again = offset & ~H2F_MASK;
+    const std::uint32_t place = again ? address & ~H2F_MASK : gap_begin(address);
+    if (!is_new(place, write)) return std::nullopt;
+    const char* did = write ? "wrote" : "read";
+    if (block)
+        return fmt::format(
+            "{} 0x{:08X}: addresses repeat each {} MB; on the board, too, it is {} at "
+            "0x{:08X}",
+            did, address, H2F_DECODED >> 20, block->name, regmap::SDRAM_BASE + local);
+    return fmt::format(
+        "{} 0x{:08X}: no memory is there; on the board, too, the interconnect sends it "
+        "to the SDRAM at 0x{:08X}",
+        did, address, regmap::SDRAM_BASE + local % regmap::SDRAM_SIZE);
+}
+
+std::optional<std::string> LostAccesses::registers(std::uint32_t address, bool write, Word word) {
+    const std::uint32_t local = regmap::LW_BASE + ((address - regmap::LW_BASE) & LW_MASK);
+    const bool again = local != address, nobody = word == NOBODY || (write && word == READ_ALONE);
+    const std::uint32_t place = again            ? address & ~LW_MASK
+                                : word == NOBODY ? gap_begin(local)
+                                                 : block_of(local).base;
+    if (!is_new(place, write)) return std::nullopt;
     const std::string what = fmt::format("{} 0x{:08X}: ", write ? "wrote" : "read", address);
+    if (nobody) {
+        const regmap::Block& other = regmap::lw_default();
+        const std::string why = word == NOBODY
+                                    ? "no block is there"
+                                    : fmt::format("{} cannot be written", name_of(local));
+        return what + why + "; on the board, too, the interconnect sends it to " +
+               name_of(other.base + local % other.size);
+    }
+    if (again)
+        return what + fmt::format("addresses repeat each {} KB; on the board, too, it is {}",
+                                  regmap::LW_DECODED / 1024, name_of(local));
     const char* lost = write ? "the write is lost" : "it reads 0";
-    if (memory)
-        return what + fmt::format(
-                          "the on-chip memory ends at 0x{:08X}; {}, on the board it would "
-                          "{} the SDRAM at 0x{:08X}",
-                          ONCHIP_END - 1, lost, write ? "change" : "be of",
-                          regmap::SDRAM_BASE + address % regmap::SDRAM_SIZE);
-    if (word == READ_ONLY) return what + fmt::format("{} is read-only; {}", name_of(address), lost);
-    return what + fmt::format("{} has no register there; {}", block_of(address).name, lost);
+    if (word == READ_ONLY) return what + fmt::format("{} is read-only; {}", name_of(local), lost);
+    return what + fmt::format("{} has no register there; {}", block_of(local).name, lost);
 }
 
 }  // namespace sim

@@ -1,15 +1,13 @@
-// lost_accesses.h - accesses that the FPGA answers but that have no effect; each is reported once
+// lost_accesses.h - accesses that the FPGA answers, but not as the program meant; each is reported
+// once
 //
-// A write is lost, and a read gives 0, in the second half of the on-chip memory's window (after its
-// 256 KB), and in a block at an offset without a register.  A write to a read-only register is
-// lost.
+// In a block at an offset without a register a write is lost, and a read gives 0.  A write to a
+// read-only register is lost.  An address that no block or memory has, and a write to a block that
+// can only be read, goes where the interconnect sends it (rtl/bus/lw_decode.v, h2f_bridge.v), and
+// above the decoded bits addresses repeat: here as on the board.
 //
 // Programs clear too far, or use a register of another system, mostly without harm.  So such an
 // access does not end the run; but it does not do what the program meant, so it is reported.
-//
-// On the board the interconnect routes an address that no slave owns to the slave with the largest
-// span, which on the full bridge is the SDRAM (Intel, Platform Designer User Guide, Accessing
-// Undefined Memory Regions; support article 000086447).
 #pragma once
 
 #include <cstdint>
@@ -25,15 +23,17 @@ class LostAccesses {
 public:
     LostAccesses();
 
-    // A message about an access that was answered but lost.  Only for the first write, and the
-    // first read, in each block or memory.
+    // A message about an access that was answered but went astray.  Only for the first write, and
+    // the first read, in each block, gap or repetition.
     std::optional<std::string> look(std::uint32_t address, unsigned bytes, bool write);
 
 private:
-    enum Word : std::uint8_t { READ_WRITE, READ_ONLY, NOTHING };
-    std::optional<std::string> say(std::uint32_t address, bool write, Word word);
+    enum Word : std::uint8_t { READ_WRITE, READ_ONLY, NOTHING, READ_ALONE, NOBODY };
+    std::optional<std::string> registers(std::uint32_t address, bool write, Word word);
+    std::optional<std::string> memory(std::uint32_t address, bool write);
+    bool is_new(std::uint32_t place, bool write) { return said_.insert({place, write}).second; }
 
-    std::vector<Word> words_;  // of the lightweight bridge
+    std::vector<Word> words_;  // of the lightweight bridge, as far as it is decoded
     std::set<std::pair<std::uint32_t, bool>> said_;
 };
 

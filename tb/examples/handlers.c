@@ -16,7 +16,7 @@ int main(void) {
     LEDR = 0;
     __asm volatile("udf #0");
     __asm volatile("svc #0" ::: "lr");
-    (void)*(volatile uint32_t*)0xC4100000;  // no memory
+    (void)*(volatile uint32_t*)0xFFC00000;  // no memory
     interrupt_on(29);                       // the private timer
     A9_TIMER_LOAD = 1000;
     A9_TIMER_CONTROL = 5;  // counts once, interrupts

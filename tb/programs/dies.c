@@ -17,7 +17,7 @@ int main(void) {
 #elif DIES_BY == 2
     ((void (*)(void))0x80000000)();
 #else
-    (void)REGISTER(0xC4100000);
+    (void)REGISTER(0xFFC00000);
 #endif
     LEDR = 0x3FF;
     return 0;

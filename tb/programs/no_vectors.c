@@ -2,6 +2,7 @@
 #include <stdint.h>
 
 void main_without_vectors(void) {
-    (void)*(volatile uint32_t*)0xFF2FF000;
-    for (;;) {}
+    (void)*(volatile uint32_t*)0xFFC00000;
+    for (;;) {
+    }
 }

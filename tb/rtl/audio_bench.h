@@ -14,7 +14,8 @@
 namespace tb {
 
 constexpr unsigned SLOW_FRAME = 3125, FAST_FRAME = 521;  // clocks, the last one in part
-constexpr std::uint32_t CONTROL_CW = 8, CONTROL_CR = 4, CONTROL_RI = 0x100, CONTROL_WI = 0x200;
+constexpr std::uint32_t CONTROL_RE = 1, CONTROL_WE = 2, CONTROL_CR = 4, CONTROL_CW = 8,
+                        CONTROL_RI = 0x100, CONTROL_WI = 0x200;
 
 // Pair number n, n > 0: both channels differ, no sample is 0, the low 8 bits are noise.
 inline std::uint32_t left_of(unsigned n) { return (n * 0x010203u << 8) | 0x5a; }

@@ -34,7 +34,7 @@ protected:
 };
 
 TEST_F(AudioAfterPowerOn, HasItsDocumentedDefaults) {
-    EXPECT_EQ(read(AUDIO_CONTROL), 0x200u);
+    EXPECT_EQ(read(AUDIO_CONTROL), 0u);
     EXPECT_EQ(read(AUDIO_FIFOSPACE), 0x80800000u);
     EXPECT_EQ(read(CODEC_STATUS), 0u);
     EXPECT_EQ(read(CODEC_UNDERRUNS), 0u);

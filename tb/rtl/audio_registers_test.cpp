@@ -12,7 +12,7 @@ using namespace tb;
 TEST_F(SlowAudio, RaisesWiFrom96FreePlacesOn) {
     for (const unsigned room : {128u, 97u, 96u, 95u, 94u, 0u}) {
         write(AUDIO_CONTROL, CONTROL_CW);
-        write(AUDIO_CONTROL, 0);
+        write(AUDIO_CONTROL, CONTROL_RE | CONTROL_WE);
         to_frame();
         push(1, 128 - room);
         ASSERT_EQ(read(AUDIO_FIFOSPACE) >> 16, room << 8 | room);
@@ -21,11 +21,12 @@ TEST_F(SlowAudio, RaisesWiFrom96FreePlacesOn) {
 }
 
 TEST_F(Audio, RaisesWiWhenEitherSideHasTheRoom) {
+    write(AUDIO_CONTROL, CONTROL_WE);
     for (unsigned n = 1; n <= 33; ++n) write(AUDIO_LEFTDATA, left_of(n));
     EXPECT_EQ(left_room(), 95u);
     EXPECT_EQ(read(AUDIO_CONTROL) & CONTROL_WI, CONTROL_WI);
     write(AUDIO_CONTROL, CONTROL_CW);
-    write(AUDIO_CONTROL, 0);
+    write(AUDIO_CONTROL, CONTROL_RE | CONTROL_WE);
     for (unsigned n = 1; n <= 33; ++n) write(AUDIO_RIGHTDATA, right_of(n));
     EXPECT_EQ(right_room(), 95u);
     EXPECT_EQ(read(AUDIO_CONTROL) & CONTROL_WI, CONTROL_WI);
@@ -35,7 +36,7 @@ TEST_F(SlowAudio, RaisesWiFor96FreePlacesOnOneSideAlone) {
     for (const std::uint32_t side : {AUDIO_LEFTDATA, AUDIO_RIGHTDATA}) {
         const std::uint32_t other = side == AUDIO_LEFTDATA ? AUDIO_RIGHTDATA : AUDIO_LEFTDATA;
         write(AUDIO_CONTROL, CONTROL_CW);
-        write(AUDIO_CONTROL, 0);
+        write(AUDIO_CONTROL, CONTROL_RE | CONTROL_WE);
         to_frame();
         for (unsigned n = 0; n < 50; ++n) write(other, n);
         for (unsigned n = 0; n < 32; ++n) write(side, n);
@@ -48,7 +49,7 @@ TEST_F(SlowAudio, RaisesWiFor96FreePlacesOnOneSideAlone) {
 TEST_F(SlowAudio, RaisesRiFor96SamplesOnOneSideAlone) {
     for (const std::uint32_t side : {AUDIO_LEFTDATA, AUDIO_RIGHTDATA}) {
         write(AUDIO_CONTROL, CONTROL_CR);
-        write(AUDIO_CONTROL, 0);
+        write(AUDIO_CONTROL, CONTROL_RE | CONTROL_WE);
         clock(100 * SLOW_FRAME);
         to_frame();
         const bool left = side == AUDIO_LEFTDATA;
@@ -63,7 +64,7 @@ TEST_F(SlowAudio, RaisesRiFor96SamplesOnOneSideAlone) {
 
 TEST_F(Audio, RaisesRiFrom96SamplesOnOnEitherSide) {
     write(AUDIO_CONTROL, CONTROL_CR);
-    write(AUDIO_CONTROL, 0);
+    write(AUDIO_CONTROL, CONTROL_RE | CONTROL_WE);
     unsigned last = 0;
     for (unsigned frames = 0; frames < 100; ++frames) {
         to_frame();
@@ -77,6 +78,14 @@ TEST_F(Audio, RaisesRiFrom96SamplesOnOnEitherSide) {
     EXPECT_EQ(read(AUDIO_CONTROL) & CONTROL_RI, CONTROL_RI) << "right alone";
     while (right_waiting() > 95) read(AUDIO_RIGHTDATA);
     EXPECT_EQ(read(AUDIO_CONTROL) & CONTROL_RI, 0u);
+}
+
+TEST_F(Audio, RaisesNeitherWithoutItsEnable) {
+    EXPECT_EQ(read(AUDIO_CONTROL), 0u) << "there is room";
+    write(AUDIO_CONTROL, CONTROL_WE);
+    EXPECT_EQ(read(AUDIO_CONTROL), CONTROL_WE | CONTROL_WI);
+    write(AUDIO_CONTROL, CONTROL_RE);
+    EXPECT_EQ(read(AUDIO_CONTROL), CONTROL_RE);
 }
 
 TEST_F(SlowAudio, InterruptsForEachSideByItsMask) {
@@ -112,7 +121,7 @@ TEST_F(Audio, DoesNothingOnAWriteWithoutAByte) {
     write(AUDIO_LEFTDATA, 1, 0);
     write(AUDIO_CONTROL, 0xf, 0);
     EXPECT_EQ(left_room(), 128u);
-    EXPECT_EQ(read(AUDIO_CONTROL), CONTROL_WI);
+    EXPECT_EQ(read(AUDIO_CONTROL), 0u);
 }
 
 TEST_F(Audio, TakesTheWholeSampleWithAnyByte) {
@@ -124,7 +133,7 @@ TEST_F(Audio, TakesTheWholeSampleWithAnyByte) {
 
 TEST_F(Audio, ChangesControlByItsByteLane) {
     write(AUDIO_CONTROL, 0xffffffff, 0xe);
-    EXPECT_EQ(read(AUDIO_CONTROL), CONTROL_WI);
+    EXPECT_EQ(read(AUDIO_CONTROL), 0u);
     write(AUDIO_CONTROL, 0xffffffff, 0x1);
     EXPECT_EQ(read(AUDIO_CONTROL), CONTROL_WI | 0xf);
 }

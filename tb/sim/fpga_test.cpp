@@ -184,13 +184,12 @@ TEST_F(FpgaTest, WritesAndReadsAnyLengthAtAnyAlignment) {
     });
 }
 
-TEST_F(FpgaTest, AnswersAWrongAddressAndGoesOn) {
+TEST_F(FpgaTest, AnswersEachAddressOfItsBridges) {
     run([this] {
         std::uint32_t value = 1;
-        EXPECT_EQ(access(cpu.lw, tlm::TLM_READ_COMMAND, 0x1ff000, &value, 4),
-                  tlm::TLM_ADDRESS_ERROR_RESPONSE);
+        EXPECT_EQ(access(cpu.lw, tlm::TLM_READ_COMMAND, 0x1ff000, &value, 4), tlm::TLM_OK_RESPONSE);
         EXPECT_EQ(access(cpu.h2f, tlm::TLM_WRITE_COMMAND, 0x04000000, &value, 4),
-                  tlm::TLM_ADDRESS_ERROR_RESPONSE);
+                  tlm::TLM_OK_RESPONSE);
         EXPECT_EQ(read(regmap::SYSID_ID), 0x44453153u);
     });
 }

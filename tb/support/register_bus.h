@@ -34,6 +34,16 @@ protected:
     template <class Block>
     static void tell_lane(Block&, bool, long) {}
 
+    // Whether a write makes the bus wait, which keeps its address and data meanwhile.
+    template <class Block>
+    static auto held(Block& block, int) -> decltype(bool(block.hold_o)) {
+        return block.hold_o;
+    }
+    template <class Block>
+    static bool held(Block&, long) {
+        return false;
+    }
+
     // Called after each rising edge, for models on the pins.
     virtual void after_clock() {}
 
@@ -63,6 +73,9 @@ protected:
         dut.wstrb_i = strobes;
         clock();
         dut.we_i = 0;
+        const bool waits = held(dut, 0);
+        for (int i = 0; held(dut, 0) && i < 100'000; ++i) clock();
+        if (waits) clock();  // in which the block takes it
         dut.wdata_i = 0;
         clock();
     }

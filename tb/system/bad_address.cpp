@@ -1,4 +1,4 @@
-// bad_address.cpp - a de1sim whose firmware reads an address without a target, after 50 ms.
+// bad_address.cpp - a de1sim whose firmware reads an address that nobody answers, after 50 ms.
 
 #include "sim/program.h"
 
@@ -6,7 +6,7 @@ namespace {
 
 void bad_address(hal::Mmio& io, hal::Cpu& cpu) {
     for (int i = 0; i < 1000; ++i) cpu.idle();  // 50 us each
-    io.read(0xFF2FF000);
+    io.read(0xFFC00000);                        // CAN0, which is not modelled
 }
 
 }  // namespace

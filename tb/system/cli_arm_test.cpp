@@ -106,7 +106,7 @@ TEST_F(ArmRun, GoesOnAfterAnAbortThatTheProgramHandlesAndLogsIt) {
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
     const nlohmann::json log = report()["log"]["first"];
     ASSERT_EQ(log.size(), 2u);
-    EXPECT_THAT(log[0], HasSubstr("data abort: read of 4 bytes at 0xFF2FF000"));
+    EXPECT_THAT(log[0], HasSubstr("data abort: read of 4 bytes at 0xFFC00000"));
     EXPECT_THAT(log[0], HasSubstr(" in main"));
     EXPECT_THAT(log[1], HasSubstr("data abort: read of 4 bytes at 0xFF200040"))
         << "its bridge is in reset";
@@ -136,7 +136,7 @@ TEST_F(ArmRun, SaysWhereAHangingProgramIsAndWhatItWaitsFor) {
 TEST_F(ArmRun, FailsAProgramThatAbortsWithoutAVector) {
     const tb::Outcome outcome = arm(NO_VECTORS_ELF, "duration: 1s\n", {"--quiet"});
     EXPECT_EQ(outcome.exit_code, 1);
-    EXPECT_THAT(outcome.err, HasSubstr("data abort: read of 4 bytes at 0xFF2FF000"));
+    EXPECT_THAT(outcome.err, HasSubstr("data abort: read of 4 bytes at 0xFFC00000"));
     EXPECT_THAT(outcome.err, HasSubstr("in main_without_vectors"));
     EXPECT_THAT(outcome.err, HasSubstr("no vector at 0x00000010"));
     EXPECT_EQ(report()["end"], "firmware fault");

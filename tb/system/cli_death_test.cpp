@@ -39,11 +39,11 @@ TEST_F(DyingProgram, FailsWhenItsPrefetchAbortEndsInASpinningVector) {
 
 TEST_F(DyingProgram, FailsWhenItsDataAbortEndsInASpinningVector) {
     dies(DATA_ABORT_ELF,
-         "data abort: read of 4 bytes at 0xC4100000 .*" PLACE "; never left its handler: " PLACE);
+         "data abort: read of 4 bytes at 0xFFC00000 .*" PLACE "; never left its handler: " PLACE);
 }
 
 TEST_F(DyingProgram, FailsWhenItsHandlerGoesRoundAndRound) {
-    dies(ROUND_AND_ROUND_ELF, "data abort: read of 4 bytes at 0xC4100000 .*" PLACE
+    dies(ROUND_AND_ROUND_ELF, "data abort: read of 4 bytes at 0xFFC00000 .*" PLACE
                               "; never left its handler: .* in on_data_abort.*");
 }
 

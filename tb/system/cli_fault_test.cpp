@@ -105,7 +105,7 @@ TEST_F(FailingRun, OfFirmwareThatReadsAWrongAddressEndsThereAndNamesIt) {
     const tb::Outcome outcome =
         play(scenario("duration: 1s\n"), {"--quiet", "--frames", "all"}, {}, BAD_ADDRESS);
     EXPECT_EQ(outcome.exit_code, 1);
-    const std::string fault = "data abort: read of 4 bytes at 0xFF2FF000 at 50.0";
+    const std::string fault = "data abort: read of 4 bytes at 0xFFC00000 at 50.0";
     EXPECT_THAT(outcome.err, HasSubstr(fault));
     EXPECT_EQ(report()["end"], "firmware fault");
     EXPECT_FALSE(report()["passed"]);

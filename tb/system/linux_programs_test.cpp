@@ -198,7 +198,7 @@ TEST_F(LinuxProgram, IsEndedByAWrongAccess) {
 }
 
 TEST_F(LinuxProgram, IsEndedByAnAccessThatNobodyAnswers) {
-    expect_end("bus", {"SIGBUS", "read of 4 bytes at 0xFF2FF000", "in read_unanswered"});
+    expect_end("bus", {"SIGBUS", "read of 4 bytes at 0xFFC00000", "in read_unanswered"});
 }
 
 // As the kernel's alignment trap does by default.

@@ -22,16 +22,28 @@ protected:
     }
 };
 
-TEST_F(LostAccesses, BehindTheOnChipMemoryAreSaidOnceForWritesAndOnceForReads) {
+TEST_F(LostAccesses, BehindAMemoryAreSaidOnceForWritesAndOnceForReads) {
     EXPECT_EQ(write(0xC803FFFC), "");
-    EXPECT_EQ(write(0xC8040000),
-              "wrote 0xC8040000: the on-chip memory ends at 0xC803FFFF; the write is lost, on the "
-              "board it would change the SDRAM at 0xC0040000");
+    EXPECT_EQ(
+        write(0xC8040000),
+        "wrote 0xC8040000: no memory is there; on the board, too, the interconnect sends it to "
+        "the SDRAM at 0xC0040000");
     EXPECT_EQ(write(0xC8041000), "");
-    EXPECT_EQ(read(0xC807FFFE, 2),
-              "read 0xC807FFFE: the on-chip memory ends at 0xC803FFFF; it reads 0, on the board it "
-              "would be of the SDRAM at 0xC007FFFE");
+    EXPECT_EQ(
+        read(0xC807FFFE, 2),
+        "read 0xC807FFFE: no memory is there; on the board, too, the interconnect sends it to "
+        "the SDRAM at 0xC007FFFE");
     EXPECT_EQ(read(0xC8040000), "");
+    EXPECT_THAT(write(0xC4000000), HasSubstr("the SDRAM at 0xC0000000"));
+    EXPECT_THAT(write(0xC9002000), HasSubstr("the SDRAM at 0xC1002000"));
+}
+
+TEST_F(LostAccesses, WhereTheMemoriesRepeatAreSaid) {
+    EXPECT_EQ(write(0xD0000010),
+              "wrote 0xD0000010: addresses repeat each 256 MB; on the board, too, it is SDRAM at "
+              "0xC0000010");
+    EXPECT_EQ(write(0xD8000000), "") << "once";
+    EXPECT_THAT(read(0xE8000004), HasSubstr("ONCHIP at 0xC8000004"));
 }
 
 TEST_F(LostAccesses, AreThoseOfABurstThatRunsOverTheEnd) {
@@ -69,6 +81,26 @@ TEST_F(LostAccesses, AreNoneAtRegisters) {
     }
 }
 
-TEST_F(LostAccesses, AreNotLookedForBetweenTheBlocks) { EXPECT_EQ(write(0xFF2FF000), ""); }
+TEST_F(LostAccesses, BetweenTheBlocksGoToTheFirstTimer) {
+    EXPECT_EQ(read(0xFF200080),
+              "read 0xFF200080: no block is there; on the board, too, the interconnect sends it to "
+              "TIMER0_STATUS");
+    EXPECT_EQ(read(0xFF200090), "") << "once per gap";
+    EXPECT_THAT(read(0xFF200110), HasSubstr("TIMER0_SNAP_LOW"));
+    EXPECT_THAT(write(0xFF201018), HasSubstr("TIMER0, where it has no register"));
+}
+
+TEST_F(LostAccesses, AreWritesToBlocksThatCanOnlyBeRead) {
+    EXPECT_EQ(write(0xFF200040),
+              "wrote 0xFF200040: SW_DATA cannot be written; on the board, too, the interconnect "
+              "sends it to TIMER0_STATUS");
+    EXPECT_EQ(read(0xFF200040), "");
+}
+
+TEST_F(LostAccesses, WhereTheRegistersRepeatAreSaid) {
+    EXPECT_EQ(write(0xFF208000),
+              "wrote 0xFF208000: addresses repeat each 32 KB; on the board, too, it is LEDR_DATA");
+    EXPECT_THAT(read(0xFF2FF000), HasSubstr("no block is there"));
+}
 
 }  // namespace

@@ -119,9 +119,11 @@ static void mouse(void) {
     PS2(1, DATA) = 0xF4;
     fact(331, (answer() & 0xFF) == 0xFA && PS2(1, DATA) >> 15 == 0);
     fact(332, (PS2(1, CONTROL) & 0x500) == 0);  // neither RI nor CE
+    PS2(1, CONTROL) = 1;                        // RI is of an interrupt that was asked for
     HEX3_0 = DIGITS[5];
     while ((PS2(1, CONTROL) & 0x100) == 0) {
     }
+    PS2(1, CONTROL) = 0;
     wait_us(20000);
     const uint32_t first = PS2(1, DATA), x = PS2(1, DATA), y = PS2(1, DATA);
     fact(333, first >> 15 == (3 << 1 | 1) && x >> 15 == (2 << 1 | 1) && y >> 15 == (1 << 1 | 1));

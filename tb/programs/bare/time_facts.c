@@ -6,7 +6,8 @@
 
 enum { STATUS = 0x0, CONTROL = 0x4, LOW = 0x8, HIGH = 0xC, SNAP_LOW = 0x10, SNAP_HIGH = 0x14 };
 enum { TO = 1, RUN = 2, CONT = 2, START = 4, STOP = 8 };
-enum { RI = 0x100, WI = 0x200, CLEAR_READ = 4, CLEAR_WRITE = 8, DEPTH = 128 };
+enum { READ_ENABLE = 1, WRITE_ENABLE = 2, CLEAR_READ = 4, CLEAR_WRITE = 8, RI = 0x100, WI = 0x200 };
+enum { DEPTH = 128 };
 
 static uint32_t snapshot(unsigned timer) {
     TIMER(timer, SNAP_LOW) = 0;
@@ -88,7 +89,7 @@ static void sound(void) {
     fact(60, AUDIO_SPACE == 0x80800000);
     for (int i = 0; i < 2 * DEPTH; ++i) AUDIO_LEFT = 0, AUDIO_RIGHT = 0;  // held empty
     fact(61, AUDIO_SPACE == 0x80800000);
-    AUDIO_CONTROL = 0;
+    AUDIO_CONTROL = READ_ENABLE | WRITE_ENABLE;
     for (int i = 0; i < 2 * DEPTH; ++i) AUDIO_LEFT = 0, AUDIO_RIGHT = 0;
     fact(62, AUDIO_SPACE >> 16 == 0 && (AUDIO_CONTROL & WI) == 0);
     for (uint32_t ms = 5; ms <= 15; ms += 5) {

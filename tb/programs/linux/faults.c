@@ -24,7 +24,7 @@ __attribute__((noinline)) static void write_to_nowhere(void) { *(volatile int*)1
 
 __attribute__((noinline)) static void read_unanswered(void) {
     const int memory = open("/dev/mem", O_RDWR | O_SYNC);
-    volatile unsigned* page = mmap(NULL, 4096, PROT_READ, MAP_SHARED, memory, 0xFF2FF000);
+    volatile unsigned* page = mmap(NULL, 4096, PROT_READ, MAP_SHARED, memory, 0xFFC00000);
     printf("%u\n", *page);
 }
 
@@ -34,7 +34,7 @@ int main(int argc, char** argv) {
     if (strcmp(what, "bus") == 0) read_unanswered();
     if (strcmp(what, "abort") == 0) abort();
     if (strcmp(what, "exit") == 0) exit(3);
-    if (strcmp(what, "constant") == 0) *(volatile char*)(size_t)"constant" = 1;
+    if (strcmp(what, "constant") == 0) *(volatile char*)(size_t) "constant" = 1;
     if (strcmp(what, "nowhere") == 0) ((void (*)(void))0x40000000)();
     if (strcmp(what, "undefined") == 0) __builtin_trap();
     if (strcmp(what, "unknown") == 0) {

@@ -1,2 +1,2 @@
 # sleeps
-s/asked_q || auto_q || rdata/asked_q || rdata/
+s/asked_q || auto_q || read_q/asked_q || read_q/

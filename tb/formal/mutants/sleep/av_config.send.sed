@@ -1,2 +1,2 @@
 # sleeps
-s/restart_o || send_o;/restart_o;/
+s/restart_o || send_o || waits_q;/restart_o || waits_q;/

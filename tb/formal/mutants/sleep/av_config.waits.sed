@@ -1,0 +1,2 @@
+# sleeps
+s/send_o || waits_q;/send_o;/
