@@ -96,6 +96,10 @@ Computer::Computer(const sc_core::sc_module_name& name, PinListener& pins, Audie
                h2f_gate_(!(in_reset & ResetManager::H2F));
                lw_gate_(!(in_reset & ResetManager::LWH2F));
            },
+           [this](bool write, std::uint32_t address, std::uint8_t* data, unsigned bytes,
+                  sc_core::sc_time& delay) {
+               return bus.transfer(write, address, data, bytes, delay);
+           },
            [this, &audience](const std::string& line) { audience.log(line + cpu.accessed()); }}},
       bus{"bus"},
       processor_{processor_for(std::move(software), audience)},

@@ -65,6 +65,22 @@ std::string Bus::place(std::uint32_t address) const {
     return "";
 }
 
+bool Bus::transfer(bool write, std::uint32_t address, unsigned char* data, unsigned bytes,
+                   sc_core::sc_time& delay) {
+    tlm::tlm_generic_payload tx;
+    tx.set_command(write ? tlm::TLM_WRITE_COMMAND : tlm::TLM_READ_COMMAND);
+    tx.set_address(address);
+    tx.set_data_ptr(data);
+    tx.set_data_length(bytes);
+    tx.set_streaming_width(bytes);
+    Window* window = find(address, bytes);
+    if (!window || !window->on) return false;
+    tx.set_address(address - window->base);
+    (*window->socket)->b_transport(tx, delay);
+    window->written |= write;
+    return tx.is_response_ok();
+}
+
 void Bus::b_transport(tlm::tlm_generic_payload& tx, sc_core::sc_time& delay) {
     const sc_core::sc_time begin =
         watch_ ? sc_core::sc_time_stamp() + delay : sc_core::SC_ZERO_TIME;

@@ -85,6 +85,10 @@ public:
     // The place at `address`: "LEDR", or "" where there is none.
     std::string place(std::uint32_t address) const;
 
+    // An access of another master than the processor, with its delay; false: refused.
+    bool transfer(bool write, std::uint32_t address, unsigned char* data, unsigned bytes,
+                  sc_core::sc_time& delay);
+
     const BusCounts& counts() const { return counts_; }
     // Something was written through the window `name`; as gate().
     bool written(const std::string& name) const { return windows_[number_of(name)].written; }

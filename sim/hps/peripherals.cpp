@@ -8,12 +8,13 @@ namespace sim {
 namespace {
 
 constexpr std::uint64_t SP_TIMER_HZ = 100'000'000, OSC_TIMER_HZ = 25'000'000;
-constexpr unsigned GLOBAL_TIMER_ID = 27, PRIVATE_TIMER_ID = 29, WATCHDOG_ID = 30, FPGA_ID = 72,
-                   I2C0_ID = 190, UART0_ID = 194, GPIO0_ID = 196, TIMER0_ID = 199,
-                   L4_WATCHDOG0_ID = 203;
+constexpr unsigned DMA_ID = 136, DMA_ABORT_ID = 144, SPI_ID = 186, GLOBAL_TIMER_ID = 27,
+                   PRIVATE_TIMER_ID = 29, WATCHDOG_ID = 30, FPGA_ID = 72, I2C0_ID = 190,
+                   UART0_ID = 194, GPIO0_ID = 196, TIMER0_ID = 199, L4_WATCHDOG0_ID = 203;
 
 // permodrst
-constexpr std::uint32_t WATCHDOG0 = 1 << 6, WATCHDOG1 = 1 << 7, I2C0 = 1 << 12;
+constexpr std::uint32_t WATCHDOG0 = 1 << 6, WATCHDOG1 = 1 << 7, I2C0 = 1 << 12,
+                        SPI_MASTER0 = 1 << 18, DMA = 1 << 28;
 
 }  // namespace
 
@@ -36,6 +37,7 @@ Peripherals::Peripherals(const sc_core::sc_module_name& name, Wires wires)
       watchdog1{"watchdog1", line(L4_WATCHDOG0_ID + 1),
                 [this] { reset_manager.reset(ResetManager::L4_WATCHDOG_1); }},
       uart0{"uart0", std::move(wires.console), line(UART0_ID)},
+      uart1{"uart1", [](char) {}, line(UART0_ID + 1)},
       i2c0{"i2c0", line(I2C0_ID)},
       i2c1{"i2c1", line(I2C0_ID + 1)},
       i2c2{"i2c2", line(I2C0_ID + 2)},
@@ -43,6 +45,14 @@ Peripherals::Peripherals(const sc_core::sc_module_name& name, Wires wires)
       gpio0{"gpio0", line(GPIO0_ID)},
       gpio1{"gpio1", line(GPIO0_ID + 1)},
       gpio2{"gpio2", line(GPIO0_ID + 2)},
+      spi_master0{"spi_master0", SpiController::Role::MASTER, line(SPI_ID)},
+      spi_master1{"spi_master1", SpiController::Role::MASTER, line(SPI_ID + 1)},
+      spi_slave0{"spi_slave0", SpiController::Role::SLAVE, line(SPI_ID + 2)},
+      spi_slave1{"spi_slave1", SpiController::Role::SLAVE, line(SPI_ID + 3)},
+      dma{"dma",
+          {std::move(wires.transfer),
+           [this](unsigned event, bool up) { gic.set_level(DMA_ID + event, up); },
+           line(DMA_ABORT_ID), [this](const std::string& said) { say_once(said); }}},
       reset_manager{
           "reset_manager",
           {std::move(wires.bridges), [this](std::uint32_t blocks) { reset_blocks(blocks); },
@@ -56,6 +66,9 @@ Peripherals::Peripherals(const sc_core::sc_module_name& name, Wires wires)
       system_manager{"system_manager", remembering::system_manager()},
       fpga_manager{"fpga_manager", remembering::fpga_manager()},
       l3{"l3", {}},
+      sdram_control{"sdram_control", remembering::sdram_control(),
+                    remembering::sdram_after_preloader()},
+      scan_manager{"scan_manager", remembering::scan_manager()},
       clock_manager{"clock_manager", clock_manager::registers(),
                     [this](std::uint32_t offset) {
                         if (clock_manager::changes_a_clock(offset))
@@ -73,6 +86,10 @@ void Peripherals::reset_blocks(std::uint32_t permodrst) {
     I2cController* const buses[] = {&i2c0, &i2c1, &i2c2, &i2c3};
     for (unsigned n = 0; n < 4; ++n)
         if (permodrst & I2C0 << n) buses[n]->reset();
+    SpiController* const spis[] = {&spi_master0, &spi_master1, &spi_slave0, &spi_slave1};
+    for (unsigned n = 0; n < 4; ++n)
+        if (permodrst & SPI_MASTER0 << n) spis[n]->reset();
+    if (permodrst & DMA) dma.reset();
 }
 
 void Peripherals::say_once(const std::string& line) {
@@ -90,6 +107,14 @@ void Peripherals::bind(Bus& bus) {
     add(gpio2, "GPIO2 of the HPS", GPIO1_BASE + 0x1000, 0x1000);
     add(l3, "the L3 interconnect", 0xFF800000, 0x80000);
     add(uart0, "UART0", 0xFFC02000, 0x1000);
+    add(uart1, "UART1", 0xFFC03000, 0x1000);
+    add(sdram_control, "the DDR3's controller", 0xFFC20000, 0x20000);
+    add(dma, "the DMA controller", 0xFFE01000, 0x1000);
+    add(spi_slave0, "SPI slave 0", 0xFFE02000, 0x1000);
+    add(spi_slave1, "SPI slave 1", 0xFFE03000, 0x1000);
+    add(spi_master0, "SPI master 0", 0xFFF00000, 0x1000);
+    add(spi_master1, "SPI master 1", 0xFFF01000, 0x1000);
+    add(scan_manager, "the scan manager", 0xFFF02000, 0x1000);
     add(i2c0, "I2C0 of the HPS", 0xFFC04000, 0x1000);
     add(i2c1, "I2C1 of the HPS", 0xFFC05000, 0x1000);
     add(i2c2, "I2C2 of the HPS", 0xFFC06000, 0x1000);

@@ -25,4 +25,17 @@ std::vector<FixedRegisters> fpga_manager() {
                  FPGA_POWER | INIT_DONE_PIN}};
 }
 
+// Cyclone V HPS TRM, SDRAM Controller Subsystem: dramsts says that the calibration has succeeded.
+std::vector<FixedRegisters> sdram_control() { return {{0x5038, 0x5038, 0x00000001}}; }
+
+// The DE1-SoC's preloader: DDR3, bursts of 8; 10 columns, 15 rows, 3 banks, one chip select; 32
+// bits.
+std::map<std::uint32_t, std::uint32_t> sdram_after_preloader() {
+    constexpr std::uint32_t CTRLCFG = 0x5000, DRAMADDRW = 0x502C, DRAMIFWIDTH = 0x5030;
+    return {{CTRLCFG, 0x000A8042}, {DRAMADDRW, 0x00002DEA}, {DRAMIFWIDTH, 32}};
+}
+
+// Cyclone V HPS TRM, Scan Manager: stat is 0, not active and no byte in its FIFOs.
+std::vector<FixedRegisters> scan_manager() { return {{0x00, 0x00, 0}}; }
+
 }  // namespace sim::remembering

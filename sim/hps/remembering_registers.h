@@ -6,6 +6,8 @@
 //   system_manager  0xFFD08000  silicon ID of a Cyclone V; the rest remembers
 //   fpga_manager    0xFF706000  user mode, MSEL 01010, pins nSTATUS, CONF_DONE and INIT_DONE high
 //   l3              0xFF800000  remap and security bits remember
+//   sdram_control   0xFFC20000  the DDR3's controller, calibrated, as the preloader leaves it
+//   scan_manager    0xFFF02000  idle, its FIFOs empty
 //
 // Not handled: what the bits would do; the FPGA is configured and cannot be configured again.
 #pragma once
@@ -52,6 +54,9 @@ std::vector<FixedRegisters> scu();
 std::vector<FixedRegisters> l2_cache();
 std::vector<FixedRegisters> system_manager();
 std::vector<FixedRegisters> fpga_manager();
+std::vector<FixedRegisters> sdram_control();
+std::map<std::uint32_t, std::uint32_t> sdram_after_preloader();
+std::vector<FixedRegisters> scan_manager();
 }  // namespace remembering
 
 }  // namespace sim

@@ -23,6 +23,10 @@ struct HpsBoard : sc_core::sc_module {
         "hps",
         {[this](char c) { printed += c; }, [this](bool i, bool f) { irq = i, fiq = f; },
          [this] { ++resets; }, [this](std::uint32_t bits) { bridges_in_reset = bits; },
+         [this](bool write, std::uint32_t address, std::uint8_t* data, unsigned bytes,
+                sc_core::sc_time& delay) {
+             return bus.transfer(write, address, data, bytes, delay);
+         },
          [this](const std::string& line) { said.push_back(line); }}};
 
     explicit HpsBoard(const sc_core::sc_module_name& name_) : sc_module{name_} {

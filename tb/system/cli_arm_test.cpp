@@ -118,7 +118,7 @@ TEST_F(ArmRun, SaysAnAbortThatHappensOftenOnceAndHowOften) {
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
     const nlohmann::json log = report()["log"]["first"];
     ASSERT_EQ(log.size(), 2u) << log;
-    EXPECT_THAT(log[0], StartsWith("data abort: read of 4 bytes at 0xFF2FF000"));
+    EXPECT_THAT(log[0], StartsWith("data abort: read of 4 bytes at 0xFFC00000"));
     EXPECT_EQ(log[1], "300 times in all: " + log[0].get<std::string>());
     EXPECT_EQ(report()["program"]["aborts"], 300u);
 }

@@ -1,0 +1,315 @@
+#include "sim/hps/dma330.h"
+
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace sim {
+
+namespace {
+
+const sc_core::sc_time dma_clock{5, sc_core::SC_NS};
+constexpr std::uint32_t ABORT_LINE = 1u << Dma330::EVENTS;
+// Fault types
+constexpr std::uint32_t UNDEFINED = 1 << 0, OPERAND = 1 << 1, MFIFO = 1 << 12, FETCH = 1 << 16,
+                        STORE = 1 << 17, LOAD = 1 << 18;
+// 8 channels, 32 requests, 8 events; 64 bits, 8 and 16 outstanding, 512 lines.
+constexpr std::uint32_t CR0 = 0x000FF071, CR1 = 0x00000075, CRD = 0x1FF7F73;
+constexpr std::size_t DMA_BUFFER = 512 * 8;
+constexpr std::uint32_t PERIPHERAL_ID = 0x00241330, CELL_ID = 0xB105F00D;
+
+std::uint32_t word(const std::uint8_t* bytes) {
+    return bytes[0] | static_cast<std::uint32_t>(bytes[1]) << 8 |
+           static_cast<std::uint32_t>(bytes[2]) << 16 | static_cast<std::uint32_t>(bytes[3]) << 24;
+}
+
+// Of the instruction that begins with this byte; 0: there is none.
+unsigned length(std::uint8_t op) {
+    switch (op) {
+        case 0x00:  // DMAEND
+        case 0x01:  // DMAKILL
+        case 0x04:
+        case 0x05:
+        case 0x07:  // DMALD
+        case 0x08:
+        case 0x09:
+        case 0x0B:  // DMAST
+        case 0x0C:  // DMASTZ
+        case 0x12:
+        case 0x13:            // DMARMB, DMAWMB
+        case 0x18: return 1;  // DMANOP
+        case 0x20:
+        case 0x22:  // DMALP
+        case 0x25:
+        case 0x27:  // DMALDP
+        case 0x29:
+        case 0x2B:  // DMASTP
+        case 0x30:
+        case 0x31:
+        case 0x32:  // DMAWFP
+        case 0x34:
+        case 0x35:
+        case 0x36: return 2;  // DMASEV, DMAFLUSHP, DMAWFE
+        case 0x54:
+        case 0x56:
+        case 0x5C:
+        case 0x5E: return 3;  // DMAADDH, DMAADNH
+        case 0xA0:
+        case 0xA2:
+        case 0xBC: return 6;  // DMAGO, DMAMOV
+        default: break;
+    }
+    const std::uint8_t kind = op & 0x0B;  // DMALPEND, with or without a count
+    const bool loop = (op & 0xE8) == 0x28 && (kind == 0x08 || kind == 0x09 || kind == 0x0B);
+    return loop ? 2 : 0;
+}
+
+}  // namespace
+
+Dma330::Dma330(const sc_core::sc_module_name& module_name, Wires wires)
+    : Registers{module_name}, wires_{std::move(wires)} {
+    SC_HAS_PROCESS(Dma330);
+    SC_THREAD(serve);
+}
+
+void Dma330::reset() {
+    channels_ = {};
+    enabled_ = events_ = 0;
+    update();
+}
+
+// ---- Programs ----
+
+void Dma330::serve() {
+    for (;;) {
+        bool runs = false;
+        sc_core::sc_time delay;
+        for (unsigned n = 0; n < CHANNELS; ++n) {
+            if (channels_[n].state != State::EXECUTING) continue;
+            runs = true;
+            delay += dma_clock;
+            step(n, delay);
+        }
+        if (runs)
+            wait(delay);
+        else
+            wait(start_);
+    }
+}
+
+void Dma330::step(unsigned number, sc_core::sc_time& delay) {
+    Channel& channel = channels_[number];
+    std::uint8_t code[6] = {};
+    sc_core::sc_time fetched;  // ahead, from its instruction cache
+    if (!wires_.access(false, channel.pc, code, 1, fetched)) return fail(number, FETCH);
+    const unsigned bytes = length(code[0]);
+    if (bytes == 0 || code[0] == 0xA0 || code[0] == 0xA2) return fail(number, UNDEFINED);
+    for (unsigned i = 1; i < bytes; ++i)
+        if (!wires_.access(false, channel.pc + i, code + i, 1, fetched)) return fail(number, FETCH);
+    const std::uint32_t next = channel.pc + bytes;
+    const std::uint8_t op = code[0];
+    const unsigned operand = code[1] >> 3;
+    const bool is_burst = (channel.control >> 4 & 0xF) != 0;  // of what was asked for last
+    const auto conditional = [&](std::uint8_t low) { return low == 1 ? !is_burst : true; };
+    channel.pc = next;
+    switch (op) {
+        case 0x00:
+            channel.state = State::STOPPED;
+            channel.fifo.clear();
+            return;
+        case 0x01:
+            channel.state = State::STOPPED;
+            channel.fifo.clear();
+            return;
+        case 0x04:
+        case 0x07: return load(channel, number, delay);
+        case 0x05: return conditional(1) ? load(channel, number, delay) : void();
+        case 0x08:
+        case 0x0B: return store(channel, number, false, delay);
+        case 0x09: return conditional(1) ? store(channel, number, false, delay) : void();
+        case 0x0C: return store(channel, number, true, delay);
+        case 0x20:
+        case 0x22: channel.loops[op >> 1 & 1] = code[1]; return;
+        case 0x25:
+        case 0x27: return load(channel, number, delay);
+        case 0x29:
+        case 0x2B: return store(channel, number, false, delay);
+        case 0x30:
+        case 0x31:
+        case 0x32:
+            channel.state = State::WAITS_FOR_PERIPHERAL;
+            wires_.say(
+                fmt::format("channel {} of the DMA controller waits for a request of "
+                            "peripheral {}; none makes any here",
+                            number, operand));
+            return;
+        case 0x34:
+            if (operand >= EVENTS) return fail(number, OPERAND);
+            return signal(operand);
+        case 0x36:
+            if (operand >= EVENTS) return fail(number, OPERAND);
+            if (events_ & ~enabled_ & 1u << operand) {
+                events_ &= ~(1u << operand);
+            } else {
+                channel.state = State::WAITS_FOR_EVENT;
+                channel.event = static_cast<std::uint8_t>(operand);
+            }
+            return;
+        case 0x54: channel.source += static_cast<std::uint32_t>(code[1] | code[2] << 8); return;
+        case 0x56:
+            channel.destination += static_cast<std::uint32_t>(code[1] | code[2] << 8);
+            return;
+        case 0x5C: channel.source += 0xFFFF0000u | code[1] | code[2] << 8; return;
+        case 0x5E: channel.destination += 0xFFFF0000u | code[1] | code[2] << 8; return;
+        case 0xBC: {
+            std::uint32_t* const registers[] = {&channel.source, &channel.control,
+                                                &channel.destination};
+            if (code[1] > 2) return fail(number, OPERAND);
+            *registers[code[1]] = word(code + 2);
+            return;
+        }
+        default: break;
+    }
+    if ((op & 0xE8) != 0x28) return;  // barriers, DMANOP, DMAFLUSHP: nothing is outstanding
+    const bool counts = op & 0x10;
+    std::uint32_t& loop = channel.loops[op >> 2 & 1];
+    if ((op & 3) == 1 && is_burst) return;
+    if (counts && loop-- == 0) {
+        loop = 0;
+        return;
+    }
+    channel.pc = next - bytes - code[1];
+}
+
+void Dma330::load(Channel& channel, unsigned number, sc_core::sc_time& delay) {
+    const unsigned size = 1u << (channel.control >> 1 & 7),
+                   beats = (channel.control >> 4 & 0xF) + 1;
+    if (size > 8) return fail(number, OPERAND);
+    std::uint8_t data[8];
+    for (unsigned beat = 0; beat < beats; ++beat) {
+        if (!wires_.access(false, channel.source, data, size, delay)) return fail(number, LOAD);
+        channel.fifo.insert(channel.fifo.end(), data, data + size);
+        if (channel.control & 1) channel.source += size;
+    }
+    if (channel.fifo.size() > DMA_BUFFER) fail(number, MFIFO);
+}
+
+void Dma330::store(Channel& channel, unsigned number, bool zeros, sc_core::sc_time& delay) {
+    const unsigned size = 1u << (channel.control >> 15 & 7),
+                   beats = (channel.control >> 18 & 0xF) + 1;
+    if (size > 8) return fail(number, OPERAND);
+    std::uint8_t data[8] = {};
+    for (unsigned beat = 0; beat < beats; ++beat) {
+        if (!zeros) {
+            if (channel.fifo.size() < size) return fail(number, MFIFO);
+            for (unsigned i = 0; i < size; ++i) {
+                data[i] = channel.fifo.front();
+                channel.fifo.pop_front();
+            }
+        }
+        if (!wires_.access(true, channel.destination, data, size, delay))
+            return fail(number, STORE);
+        if (channel.control & 1 << 14) channel.destination += size;
+    }
+}
+
+// An interrupt, or else for who waits for the event.
+void Dma330::signal(unsigned event) {
+    events_ |= 1u << event;
+    if (!(enabled_ >> event & 1))
+        for (Channel& channel : channels_)
+            if (channel.state == State::WAITS_FOR_EVENT && channel.event == event) {
+                channel.state = State::EXECUTING;
+                events_ &= ~(1u << event);
+            }
+    update();
+}
+
+void Dma330::fail(unsigned number, std::uint32_t why) {
+    channels_[number].state = State::FAULTING;
+    channels_[number].fault = why;
+    update();
+}
+
+void Dma330::update() {
+    std::uint32_t up = events_ & enabled_;
+    for (const Channel& channel : channels_)
+        if (channel.state == State::FAULTING) up |= ABORT_LINE;
+    const std::uint32_t moved = std::exchange(up_, up) ^ up;
+    for (unsigned event = 0; event < EVENTS; ++event)
+        if (moved >> event & 1) wires_.interrupt(event, up >> event & 1);
+    if (moved & ABORT_LINE) wires_.abort(up & ABORT_LINE);
+}
+
+// ---- Registers ----
+
+void Dma330::debug() {
+    const std::uint32_t op = instruction_[0] >> 16 & 0xFF, second = instruction_[0] >> 24;
+    const bool of_channel = instruction_[0] & 1;
+    Channel& addressed = channels_[instruction_[0] >> 8 & 7];
+    if ((op == 0xA0 || op == 0xA2) && !of_channel) {
+        Channel& channel = channels_[second & 7];
+        if (channel.state != State::STOPPED) return;
+        channel = Channel{};
+        channel.state = State::EXECUTING;
+        channel.pc = instruction_[1];
+        start_.notify(sc_core::SC_ZERO_TIME);
+    } else if (op == 0x01 && of_channel) {
+        addressed.state = State::STOPPED;
+        addressed.fault = 0;
+        addressed.fifo.clear();
+        update();
+    } else if (op == 0x34 && (second >> 3) < EVENTS) {
+        signal(second >> 3);
+        start_.notify(sc_core::SC_ZERO_TIME);
+    }
+}
+
+std::uint32_t Dma330::read(std::uint32_t offset, const sc_core::sc_time&) {
+    if (offset >= 0x040 && offset < 0x040 + 4 * CHANNELS)
+        return channels_[(offset - 0x040) / 4].fault;
+    if (offset >= 0x100 && offset < 0x100 + 8 * CHANNELS) {
+        const Channel& channel = channels_[(offset - 0x100) / 8];
+        if (offset % 8) return channel.pc;
+        return static_cast<std::uint32_t>(channel.state) | static_cast<std::uint32_t>(channel.event)
+                                                               << 4;
+    }
+    if (offset >= 0x400 && offset < 0x400 + 0x20 * CHANNELS) {
+        const Channel& channel = channels_[(offset - 0x400) / 0x20];
+        const std::uint32_t values[8] = {channel.source, channel.destination, channel.control,
+                                         channel.loops[0], channel.loops[1]};
+        return values[offset % 0x20 / 4];
+    }
+    std::uint32_t faulting = 0;
+    for (unsigned n = 0; n < CHANNELS; ++n)
+        if (channels_[n].state == State::FAULTING) faulting |= 1u << n;
+    switch (offset) {
+        case 0x020: return enabled_;
+        case 0x024: return events_;
+        case 0x028: return events_ & enabled_;
+        case 0x034: return faulting;
+        case 0xE00: return CR0;
+        case 0xE04: return CR1;
+        case 0xE14: return CRD;
+        default: break;
+    }
+    if (offset >= 0xFE0 && offset < 0xFF0) return PERIPHERAL_ID >> (offset - 0xFE0) * 2 & 0xFF;
+    if (offset >= 0xFF0) return CELL_ID >> (offset - 0xFF0) * 2 & 0xFF;
+    return 0;  // the manager is stopped, the debug unit is idle
+}
+
+void Dma330::write(std::uint32_t offset, std::uint32_t value, const sc_core::sc_time&) {
+    switch (offset) {
+        case 0x020: enabled_ = value & ((1u << EVENTS) - 1); break;
+        case 0x02C: events_ &= ~(value & enabled_); break;
+        case 0xD04:
+            if ((value & 3) == 0) debug();
+            break;
+        case 0xD08: instruction_[0] = value; break;
+        case 0xD0C: instruction_[1] = value; break;
+        default: break;
+    }
+    update();
+}
+
+}  // namespace sim
