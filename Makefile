@@ -8,6 +8,9 @@
 
 all: build
 
+# A warning of the compiler ends the build of the tests where CI builds them.
+WERROR = $(if $(CI),ON,OFF)
+
 build: configure        ## build/bin/de1sim
 	@cmake --build build --target tool
 
@@ -22,7 +25,7 @@ setup:                  ## [FOR="tool firmware test"] install the Debian package
 configure:
 	@.ci/configure
 everything:
-	@.ci/configure FIRMWARE TESTS PROOFS BENCH BOARD PART=$(PART)
+	@.ci/configure FIRMWARE TESTS PROOFS BENCH BOARD WERROR=$(WERROR) PART=$(PART)
 
 qsf:                    ## write the Quartus project anew from the top module's ports and pins.tsv
 	@/usr/bin/python3 -B rtl/board/de1_soc/gen_qsf.py > build/de1_soc.qsf
@@ -71,7 +74,7 @@ package:                ## build/package/de1sim_*.deb
 PART = all
 test:                   ## [PART=blocks|programs|projects|proofs] every test, packages first
 	@.ci/setup tool firmware board test video
-	@.ci/configure FIRMWARE TESTS PROOFS BENCH BOARD PART=$(PART)
+	@.ci/configure FIRMWARE TESTS PROOFS BENCH BOARD WERROR=$(WERROR) PART=$(PART)
 	@cmake --build build
 	@.ci/test test
 

@@ -11,7 +11,7 @@ function(arm_program name)
     list(TRANSFORM arg_SOURCES PREPEND ${CMAKE_CURRENT_SOURCE_DIR}/)
     add_custom_command(OUTPUT ${elf}
         COMMAND ${ARM_GCC} -mcpu=cortex-a9 -mfpu=neon -mfloat-abi=softfp -g -O1 -ffreestanding
-            -Wall -Wextra -Werror ${arg_SOURCES} ${arg_FLAGS} -Wl,--build-id=none
+            -Wall -Wextra ${WERROR} ${arg_SOURCES} ${arg_FLAGS} -Wl,--build-id=none
             -Wl,--no-warn-rwx-segments -o ${elf}
         DEPENDS ${arg_SOURCES} ${arg_DEPENDS} VERBATIM)
     add_custom_target(${name} ALL DEPENDS ${elf})

@@ -48,8 +48,9 @@ Value preset_value(const Field& field) {
 // `whole` names the map in messages; `at` is the place of messages about missing fields.
 Values read_fields(Values values, const std::vector<Field>& fields, const YamlNode& map,
                    const YamlNode& at, const std::string& whole) {
+    const std::string a_field = "a field of " + whole;
     for (std::size_t i = 0; i < map.keys.size(); ++i) {
-        const Field& field = find(fields, map.keys[i], "a field of " + whole);
+        const Field& field = find(fields, map.keys[i], a_field);
         if (!field.type.read) continue;
         values.set(field.name, read_value(field.type, map.items[i]));
     }
@@ -95,11 +96,12 @@ template <class AForm>
 std::pair<const AForm&, Values> read_item(const Path& folder, const std::vector<AForm>& forms,
                                           const YamlNode& node, const std::string& kind,
                                           const std::string& example) {
-    const std::string expected = fmt::format("a {} such as `{}`", kind, example);
+    const std::string a_kind = "a " + kind,
+                      expected = fmt::format("{} such as `{}`", a_kind, example);
     if (node.kind != YamlNode::Kind::MAP) refuse(node, expected, describe(node));
     if (node.keys.empty()) refuse(node, expected, "an empty map");
     const YamlNode& key = node.keys[0];
-    const AForm& form = find(forms, key, "a " + kind);
+    const AForm& form = find(forms, key, a_kind);
     if (node.keys.size() > 1)
         refuse(node.keys[1], fmt::format("one {} in an item of the list", kind),
                describe(node.keys[1]) + " after " + describe(key) + " (is it to be indented?)");
