@@ -139,7 +139,8 @@ TEST(ScenarioError, SaysWhatAValueShouldHaveBeen) {
         {"wait-serial: yes", 16, "expected text, got yes (put it in quotes)"},
         {"wait-serial: [a]", 16, "expected text, got a list"},
         {"expect-frame: a.png", 17,
-         "expected a map with equals, differing-pixels or of in expect-frame, got \"a.png\""},
+         "expected a map with equals, differing-pixels, ignore or of in expect-frame, got "
+         "\"a.png\""},
         {"expect-frame: {equals: 5}", 26, "expected a file's name, got 5 (put it in quotes)"},
         {"expect-frame: {equals: .}", 26, "expected a file's name, got \".\""},
         {"play-file: a/", 14, "expected a file's name, got \"a/\""},

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <regex>
 
 #include "sim/report/printable.h"
 #include "sim/report/whole_file.h"
@@ -92,18 +93,65 @@ private:
 // Of 1280 x 1024, the largest picture that the monitor shows.
 const ValueType PIXELS = whole_number("a whole number from 0 to 1310720", 0, 1310720);
 
+// A part of a picture, as one number of a list: 16 bits each for width, height, left and top.
+struct Rectangle {
+    std::size_t width, height, left, top;
+
+    explicit Rectangle(std::uint64_t packed)
+        : width{packed >> 48},
+          height{packed >> 32 & 0xffff},
+          left{packed >> 16 & 0xffff},
+          top{packed & 0xffff} {}
+};
+
+// In the notation of X11 and ImageMagick.
+Reading read_rectangle(const YamlNode& node) {
+    static const std::regex form{"([0-9]{1,4})x([0-9]{1,4})\\+([0-9]{1,4})\\+([0-9]{1,4})"};
+    std::smatch found;
+    if (!std::regex_match(node.text, found, form)) return std::nullopt;
+    std::uint64_t packed = 0;
+    for (unsigned n = 1; n <= 4; ++n) packed = packed << 16 | std::stoul(found[n]);
+    return packed >> 48 && packed >> 32 & 0xffff ? Reading{packed} : std::nullopt;
+}
+
+const ValueType RECTANGLES = [] {
+    ValueType type{"a rectangle WIDTHxHEIGHT+LEFT+TOP in pixels, such as 120x16+520+4",
+                   R"({"type": "string", "pattern": "^0*[1-9][0-9]{0,3}x0*[1-9][0-9]{0,3})"
+                   R"(\\+[0-9]{1,4}\\+[0-9]{1,4}$"})",
+                   read_rectangle};
+    type.list_of = "rectangle";
+    return type;
+}();
+
+// `picture` with these rectangles, as far as they are inside it, taken from `other`, of its size.
+Image patched(Image picture, const Image& other, const std::vector<Rectangle>& rectangles) {
+    for (const Rectangle& r : rectangles) {
+        if (r.left >= picture.width) continue;
+        const std::size_t width = std::min<std::size_t>(r.width, picture.width - r.left),
+                          end = std::min<std::size_t>(r.top + r.height, picture.height);
+        for (std::size_t y = r.top; y < end; ++y)
+            std::copy_n(&other.rgb[(y * picture.width + r.left) * 3], width * 3,
+                        &picture.rgb[(y * picture.width + r.left) * 3]);
+    }
+    return picture;
+}
+
 class ExpectFrame : public Claim, private OnDisplay {
 public:
     explicit ExpectFrame(const Values& v)
         : OnDisplay{v},
           line_{v.line()},
           golden_{v.path("equals")},
-          differing_pixels_{v.number<std::size_t>("differing-pixels")} {}
+          differing_pixels_{v.number<std::size_t>("differing-pixels")} {
+        for (const std::uint64_t packed : v.list("ignore")) ignored_.emplace_back(packed);
+    }
 
     std::string say() const override {
         std::string text =
             "expect the picture " + printable(golden_.filename().string()) + say_display();
         if (differing_pixels_) text += fmt::format(" but for {} pixels", differing_pixels_);
+        for (const Rectangle& r : ignored_)
+            text += fmt::format(", outside {}x{}+{}+{}", r.width, r.height, r.left, r.top);
         return text;
     }
     void check(StaticChecks& checks) const override { need(checks); }
@@ -141,14 +189,15 @@ public:
                 detail += "; see " + actual.string() + " and " + expected.string();
             return renewed(stage, picture, detail);
         }
-        const std::size_t different = differing_pixels(picture, golden);
+        const Image compared = patched(picture, golden, ignored_);
+        const std::size_t different = differing_pixels(compared, golden);
         std::string detail = fmt::format("{}: {} pixels differ", what_is_seen, different);
         if (different <= differing_pixels_) return {true, detail};
 
         const auto actual = file("actual"), expected = file("expected"),
                    difference = file("difference");
         if (stage.save(actual, picture) && stage.save(expected, golden) &&
-            stage.save(difference, difference_image(golden, picture)))
+            stage.save(difference, difference_image(golden, compared)))
             detail += fmt::format("; see {}, {} and {}", actual.string(), expected.string(),
                                   difference.string());
         return renewed(stage, picture, detail);
@@ -163,6 +212,7 @@ private:
     int line_;
     std::filesystem::path golden_;
     std::size_t differing_pixels_;
+    std::vector<Rectangle> ignored_;
 };
 
 // ---- take-screenshot ----
@@ -224,6 +274,8 @@ std::vector<StepForm> picture() {
          {},
          {{"equals", FILE_NAME, Need::REQUIRED, "", "The PNG, relative to the scenario file."},
           {"differing-pixels", PIXELS, Need::OPTIONAL, "0", "At most so many pixels may differ."},
+          {"ignore", RECTANGLES, Need::OPTIONAL, "",
+           "Parts of the picture that may differ, such as a time that is shown there."},
           {"of", DISPLAY, Need::OPTIONAL, "monitor", OF_HELP}},
          make<ExpectFrame>},
         {"take-screenshot",

@@ -74,6 +74,23 @@ TEST_F(PictureSteps, KeepWhatDiffers) {
     EXPECT_EQ(expect_frame(), "frame 0: 2 pixels differ");
 }
 
+TEST_F(PictureSteps, IgnoreWhatDiffersInsideARectangle) {
+    sim::Image golden{640, 480, std::vector<std::uint8_t>(BYTES)};
+    const auto light = [&](unsigned x, unsigned y) { golden.rgb[(y * 640 + x) * 3] = 1; };
+    light(100, 50);
+    light(109, 54);
+    light(639, 479);
+    sim::write_png(files / "golden.png", golden);
+    EXPECT_EQ(expect_frame(", ignore: [10x5+100+50, 9x9+635+475]"), "met");
+    EXPECT_THAT(expect_frame(", ignore: [10x5+100+50, 4x9+635+475]"), StartsWith("frame 0: 1 pix"));
+    EXPECT_THAT(expect_frame(", ignore: 10x4+100+50"), StartsWith("frame 0: 2 pixels differ"));
+    EXPECT_THAT(expect_frame(", ignore: 9x5+100+50"), StartsWith("frame 0: 2 pixels differ"));
+    EXPECT_THAT(expect_frame(", ignore: 9x5+101+50"), StartsWith("frame 0: 2 pixels differ"));
+    EXPECT_THAT(expect_frame(", ignore: 9x9+640+480"), StartsWith("frame 0: 3 pixels differ"));
+    EXPECT_EQ(said("expect-frame: {equals: a.png, ignore: 9x9+1+2}"),
+              "expect the picture a.png, outside 9x9+1+2");
+}
+
 TEST_F(PictureSteps, RenewTheGoldenPictureWhereThatIsAskedForAndItDiffers) {
     sim::write_png(files / "golden.png", {640, 480, std::vector<std::uint8_t>(BYTES, 0x80)});
     stage.renews = true;
