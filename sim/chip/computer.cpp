@@ -118,6 +118,7 @@ Computer::Computer(const sc_core::sc_module_name& name, PinListener& pins, Audie
     for (const char* bridge : {"h2f", "lw"})
         bus.on_answered(bridge,
                         [this, &audience](std::uint32_t address, unsigned bytes, bool write) {
+                            if (cpu.is_inspected()) return;
                             if (const auto lost = lost_accesses_.look(address, bytes, write))
                                 audience.log(*lost + cpu.accessed());
                         });

@@ -155,6 +155,7 @@ public:
 
     std::optional<std::string> unfinished() const override;
     std::string accessed() const override;
+    bool is_inspected() const override { return inspected_; }
 
     // At the run's end: logs what is still to be said of the program's aborts.
     void conclude();
@@ -268,6 +269,7 @@ private:
     AbortLog abort_log_;
     ArmCore core_;
     ArmInspector* inspector_ = nullptr;
+    bool inspected_ = false;
     ArmKernel* kernel_ = nullptr;
     std::function<void(ArmCore&)> semihosting_;
     const std::uint64_t instruction_ps_;

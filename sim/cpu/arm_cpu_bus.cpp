@@ -175,7 +175,9 @@ bool ArmCpu::inspect(tlm::tlm_command command, std::uint32_t address, void* data
     if (!on_bus) return false;
     const sc_time before = sc_core::sc_time_stamp();
     sc_time no_time;
+    inspected_ = true;
     const bool done = transport(command, *on_bus, data, bytes, no_time).empty();
+    inspected_ = false;
     ahead_ -= std::min(ahead_, sc_core::sc_time_stamp() - before);
     return done;
 }

@@ -27,6 +27,8 @@ public:
     // Where the access that is on the bus was made: ", at 12.345 ms, PC 0x00001234 in main+0x10",
     // or "".
     virtual std::string accessed() const { return ""; }
+    // A debugger accesses the bus, not the program.
+    virtual bool is_inspected() const { return false; }
 
     // Says in words why an access was refused, or without bytes why there is no instruction;
     // Bus::refusal().

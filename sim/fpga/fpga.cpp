@@ -224,6 +224,7 @@ void Fpga::transport(Bridge bridge, tlm::tlm_generic_payload& tx, sc_time& delay
     AxiResponse response = AxiResponse::OKAY;
 
     const bool map = bridge == Bridge::FULL && memory_ == Memory::MAPPED;
+    if (closed_) wait(never_);
     busy_ = true;
     fabric_.meet(next_event_ps(), &others_go_);
     for (unsigned left = bytes; left && response == AxiResponse::OKAY;) {

@@ -89,7 +89,9 @@ public:
 
     void end_trace() { fabric_.end_trace(); }
 
-    // A transaction is under way, which waits for SystemC: then no peek().
+    // Lets the transaction under way end, as SystemC's time goes on, and begins no other: the next
+    // initiator waits for ever.  No peek() while a transaction is under way.
+    void close() { closed_ = true; }
     bool is_busy() const { return busy_; }
 
     const Fabric& fabric() const { return fabric_; }
@@ -122,7 +124,8 @@ private:
     std::uint64_t took_[2] = {0, 0};  // clocks: the last read of a register, the last write
     std::function<void(std::uint32_t)> told_ = [](std::uint32_t) {};
     std::uint32_t irq_ = 0;
-    bool busy_ = false;
+    bool busy_ = false, closed_ = false;
+    sc_core::sc_event never_;
 };
 
 }  // namespace sim

@@ -99,7 +99,6 @@ std::string name_of(const RunReport& report) {
 
 void add_results(RunReport& report, Board& board, Computer* computer, const ArmRun* arm,
                  const Player& player, Recorder& recorder) {
-    report.simulated_s = sc_core::sc_time_stamp().to_seconds();
     if (computer && computer->cpu.fault())
         report.faults.push_back(*computer->cpu.fault());
     else if (const auto fault = computer ? computer->cpu.unfinished() : std::nullopt)

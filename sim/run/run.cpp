@@ -196,6 +196,8 @@ ExitCode run_doing(const char*& doing, RunOptions options, const Firmware& firmw
                              live_player ? &*live_player : nullptr,
                              last_words}
                          .run();
+        report.simulated_s = sc_core::sc_time_stamp().to_seconds();
+        if (computer) computer->fpga.close();
         while (computer && computer->fpga.is_busy())
             sc_core::sc_start(sc_core::sc_time{1, sc_core::SC_US});
         board.chip().catch_up();

@@ -48,7 +48,7 @@ def test_a_timeout_says_what_was_expected_and_what_there_is(board):
 
 @pytest.mark.parametrize("what, words", [
     ({"elf": "nowhere.elf"}, "nowhere.elf: no such file"),
-    ({"elf": __file__}, "not an ELF file"),
+    ({"elf": __file__}, "is not a program (ELF file)"),
     ({"options": ["--cpi", "0"]}, "--cpi"),
     ({"de1sim": "/nowhere/de1sim"}, "cannot start /nowhere/de1sim: No such file"),
 ])
