@@ -24,6 +24,7 @@ std::string text_of(const json& message) {
 void Greeting::take(const std::string& text) {
     const json message = json::parse(text, nullptr, false);
     if (message.contains("lamps")) lamps_ = text;
+    if (message.contains("ended")) ended_ = text;
     if (message.contains("log") || message.contains("fault") || message.contains("violation")) {
         events_.push_back(text);
         if (events_.size() > MOST_EVENTS) events_.pop_front();
@@ -39,6 +40,7 @@ std::deque<std::string> Greeting::texts() const {
     if (!lamps_.empty()) all.push_back(lamps_);
     if (!console_.empty()) all.push_back(text_of({{"console", console_}}));
     if (!terminals_.empty()) all.push_back(text_of({{"terminals", terminals_}}));
+    if (!ended_.empty()) all.push_back(ended_);
     return all;
 }
 

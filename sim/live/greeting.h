@@ -10,19 +10,18 @@ namespace sim::live {
 
 class Greeting {
 public:
-    // A text from the simulation.
+    // A text from the simulation, or that it has ended.
     void take(const std::string& text);
     void clear() { *this = {}; }
 
-    // The lamps as they are, the last 32 KiB or more of what was printed in all and
-    // on each line, and the last 20 aborts,
-    // faults and violations.
+    // The last 20 aborts, faults and violations, the lamps as they are, the last 32 KiB or more of
+    // what was printed in all and on each line, and the run's end.
     std::deque<std::string> texts() const;
 
 private:
     static constexpr std::size_t MOST_EVENTS = 20;
 
-    std::string lamps_, console_;
+    std::string lamps_, console_, ended_;
     std::map<std::string, std::string> terminals_;
     std::deque<std::string> events_;
 };

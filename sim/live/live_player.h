@@ -32,6 +32,8 @@ public:
                Wire& wire, const Scenario& scenario, std::uint64_t seed, const RunOptions& options);
 
     bool left() const { return left_; }  // the server is gone, or has asked for the end
+    // The run has ended: what is left of it waits for nobody's message.
+    void leave() { left_ = true; }
 
 private:
     struct Played {

@@ -112,7 +112,7 @@ private:
         } catch (const std::exception& error) {
             simulation_.reset();
             tell(json_text({{"error", error.what()}}));
-            tell(json_text({{"ended", static_cast<int>(WRONG_INPUT)}}));
+            tell_end(WRONG_INPUT);
         }
     }
 
@@ -125,8 +125,7 @@ private:
                                     while (const auto message = wire.receive()) take(*message);
                                     for (const auto& client : clients_) client->send_picture();
                                     if (there) return wait_for_wire();
-                                    const int code = simulation_->reap();
-                                    tell(json_text({{"ended", code}}));
+                                    tell_end(simulation_->reap());
                                 });
     }
 
@@ -143,6 +142,13 @@ private:
                 tell(message.bytes);
                 break;
         }
+    }
+
+    // Those who connect later are told as well.
+    void tell_end(int exit_code) {
+        const std::string text = json_text({{"ended", exit_code}});
+        greeting_.take(text);
+        tell(text);
     }
 
     void tell(const std::string& text) {

@@ -53,6 +53,7 @@ RunEnd RunLoop::run() {
     for (;;) {
         if (debugger) debugger->poll();
         if (const auto ended = end()) {
+            if (live) live->leave();
             if (*ended == RunEnd::FIRMWARE_FAULT) empty_the_consoles();
             return *ended;
         }

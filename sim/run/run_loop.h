@@ -36,8 +36,8 @@ struct RunLoop {
     std::optional<SimTime> duration;
     bool alone;  // the program has no scenario, which would say when the run ends
     Progress& progress;
-    Debugger* debugger;            // or none
-    const live::LivePlayer* live;  // or none
+    Debugger* debugger;      // or none
+    live::LivePlayer* live;  // or none
     LastWords& last_words;
 
     RunEnd run();

@@ -8,6 +8,7 @@ import time
 
 import pytest
 import de1sim
+from de1sim.connection import Connection
 from de1sim.digits import GLYPHS
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
@@ -55,6 +56,17 @@ def test_a_timeout_says_what_was_expected_and_what_there_is(board):
 def test_a_board_that_cannot_begin_is_refused(what, words):
     with pytest.raises(de1sim.Refused, match=re.escape(words)):
         de1sim.Board(**what)
+
+
+def test_a_board_that_ended_before_the_connection_is_refused(monkeypatch):
+    connect = Connection._connect
+
+    def connect_late(self):
+        time.sleep(1)
+        connect(self)
+    monkeypatch.setattr(Connection, "_connect", connect_late)
+    with pytest.raises(de1sim.Refused, match="--cpi"):
+        de1sim.Board(options=["--cpi", "0"])
 
 
 def test_a_scenario_plays_first(start_board, tmp_path):
