@@ -296,6 +296,7 @@ bool ArmCpu::unhandled(ArmException exception) {
 }
 
 ArmCpu::Position ArmCpu::position() {
+    if (final_) return *final_;
     const std::uint32_t pc = core_.pc();
     return {pc, program_.elf.function(pc), asleep_, ended_, asleep_ ? std::nullopt : polled()};
 }

@@ -157,7 +157,7 @@ public:
     std::string accessed() const override;
     bool is_inspected() const override { return inspected_; }
 
-    // At the run's end: logs what is still to be said of the program's aborts.
+    // At the run's end: logs what is still to be said of the program's aborts.  position() stays.
     void conclude();
 
     // How long the program has been over: ended by end(), or looping on one instruction with IRQ
@@ -270,6 +270,7 @@ private:
     ArmCore core_;
     ArmInspector* inspector_ = nullptr;
     bool inspected_ = false;
+    std::optional<Position> final_;  // where it was when the run ended
     ArmKernel* kernel_ = nullptr;
     std::function<void(ArmCore&)> semihosting_;
     const std::uint64_t instruction_ps_;

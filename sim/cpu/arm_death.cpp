@@ -51,6 +51,7 @@ void ArmCpu::left_handler() {
 void ArmCpu::conclude() {
     if (fault() || unfinished()) abort_log_.failed(open_ ? open_->text : "");
     abort_log_.end();
+    final_ = position();
 }
 
 std::optional<std::string> ArmCpu::unfinished() const {

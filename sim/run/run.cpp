@@ -197,11 +197,11 @@ ExitCode run_doing(const char*& doing, RunOptions options, const Firmware& firmw
                              last_words}
                          .run();
         report.simulated_s = sc_core::sc_time_stamp().to_seconds();
+        if (computer && computer->arm) computer->arm->conclude();
         if (computer) computer->fpga.close();
         while (computer && computer->fpga.is_busy())
             sc_core::sc_start(sc_core::sc_time{1, sc_core::SC_US});
         board.chip().catch_up();
-        if (computer && computer->arm) computer->arm->conclude();
     });
     progress.done();
     if (output) output->end();
