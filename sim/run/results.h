@@ -13,9 +13,9 @@
 namespace sim {
 
 // Adds to `report` what the board, the computer in its chip (if that is what is in it), its
-// program (if it is an ARM's), the person at it and the recorder know.  What they know without
-// moving the board comes first: should a part of this throw,
-// the rest is there.
+// program (if it is an ARM's), the person at it and the recorder know.  `simulated_s` is the
+// caller's, who knows when the run ended.  What they know without moving the board comes first:
+// should a part of this throw, the rest is there.
 void add_results(RunReport& report, Board& board, Computer* computer, const ArmRun* arm,
                  const Player& player, Recorder& recorder);
 
