@@ -20,6 +20,7 @@
 #include "sim/check/check_board.h"
 #include "sim/fpga/fabric.h"
 #include "sim/live/command.h"
+#include "sim/process/shell_word.h"
 #include "sim/report/messages.h"
 #include "sim/run/run.h"
 #include "sim/suite/command.h"
@@ -43,16 +44,6 @@ ExitCode become_tracing_build(char** argv) {
     complain(fmt::format("--trace: {} has no tracing build: {}: {}", self.filename().string(),
                          tracing.string(), std::strerror(errno)));
     return WRONG_INPUT;
-}
-
-// As a shell needs it, so that a command can be copied from a page.
-std::string shell_word(const std::string& word) {
-    constexpr const char* PLAIN =
-        "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_-./:=,+@%";
-    if (!word.empty() && word.find_first_not_of(PLAIN) == std::string::npos) return word;
-    std::string quoted = "'";
-    for (const char c : word) quoted += c == '\'' ? std::string{"'\\''"} : std::string{c};
-    return quoted + "'";
 }
 
 // `de1sim prog.elf` is `de1sim run prog.elf`: a first word that is a file stands for itself, also

@@ -13,6 +13,7 @@
 #include <fmt/format.h>
 
 #include "sim/cpu/elf.h"
+#include "sim/process/shell_word.h"
 
 namespace sim {
 
@@ -35,20 +36,25 @@ fs::path examples() {
     return "/usr/share/de1sim/examples";
 }
 
-fs::path elf_of(const fs::path& file) { return fs::path{file}.replace_extension(".elf"); }
+// A file in a command.
+std::string word(const fs::path& file) { return shell_word(file.string()); }
+
+std::string elf_of(const fs::path& file) { return word(fs::path{file}.replace_extension(".elf")); }
 
 // The commands that make a program of `file` and run it.
 std::string built(const fs::path& file, bool assembly, bool cpp) {
-    const std::string from = examples().string(), elf = elf_of(file).string();
+    const fs::path from = examples();
+    const std::string elf = elf_of(file);
     const std::string runs = fmt::format("-o {} && de1sim {}", elf, elf);
     if (assembly)
         return fmt::format(
-            "arm-none-eabi-gcc -mcpu=cortex-a9 -mfpu=neon -g {} -nostartfiles -T {}/program.ld {}",
-            file.string(), from, runs);
+            "arm-none-eabi-gcc -mcpu=cortex-a9 -mfpu=neon -g {} -nostartfiles -T {} {}", word(file),
+            word(from / "program.ld"), runs);
     return fmt::format(
         "arm-none-eabi-gcc -mcpu=cortex-a9 -mfpu=neon -mfloat-abi=soft -g -O1 {} "
-        "{}/course/syscalls.c {}/start.S -nostartfiles -Wl,-u,exit -T {}/course/memory.ld {}-lm {}",
-        file.string(), from, from, from, cpp ? "-lstdc++ " : "", runs);
+        "{} {} -nostartfiles -Wl,-u,exit -T {} {}-lm {}",
+        word(file), word(from / "course/syscalls.c"), word(from / "start.S"),
+        word(from / "course/memory.ld"), cpp ? "-lstdc++ " : "", runs);
 }
 
 std::string folder_of(const fs::path& file) {
@@ -71,7 +77,7 @@ std::string project_of(const fs::path& file) {
 
 std::string played(const std::string& project) {
     return fmt::format("de1sim live --project {0}, or de1sim run SCENARIO.yaml --project {0}",
-                       project);
+                       shell_word(project));
 }
 
 bool is_one_of(const std::string& ending, std::initializer_list<const char*> endings) {
@@ -97,8 +103,8 @@ std::string kind_by_bytes(const fs::path& file, const std::string& begin) {
         if (begin.rfind(magic, 0) == 0) return fmt::format(NO_ELF, name);
     if (begin.rfind("!<arch>", 0) == 0)
         return fmt::format("is a library, not a program: link it, as in arm-none-eabi-gcc ... {}",
-                           file.string());
-    if (begin.rfind("#!", 0) == 0) return "is a script: bash " + file.string() + " runs it";
+                           word(file));
+    if (begin.rfind("#!", 0) == 0) return "is a script: bash " + word(file) + " runs it";
     return "";
 }
 
@@ -112,11 +118,11 @@ bool is_for_linux(const std::string& source) {
 std::string kind_by_name(const fs::path& file, const std::string& begin) {
     const std::string ending = lower(file.extension().string()), name = file.string();
     if (ending == ".c" && is_for_linux(begin)) {
-        const std::string program = fs::path{file}.replace_extension("").string();
+        const std::string program = word(fs::path{file}.replace_extension(""));
         return fmt::format(
             "is C source, not a program: build it, for the board's Linux: arm-linux-gnueabihf-gcc "
             "-static {} -o {} -lpthread -lm && de1sim {}",
-            name, program, program);
+            word(file), program, program);
     }
     if (ending == ".c")
         return "is C source, not a program: build it, for example: " + built(file, false, false);
@@ -133,12 +139,12 @@ std::string kind_by_name(const fs::path& file, const std::string& begin) {
             "make one, here for address 0: arm-none-eabi-objcopy -I binary -O elf32-littlearm -B "
             "arm --rename-section .data=.text,code,alloc,load,contents,readonly {} image.o && "
             "arm-none-eabi-ld -Ttext=0 -e 0 image.o -o {} && de1sim {}",
-            name, elf_of(file).string(), elf_of(file).string());
+            word(file), elf_of(file), elf_of(file));
     if (is_one_of(ending, {".hex", ".ihex", ".ihx", ".srec", ".s19", ".s28", ".s37", ".mot"}))
         return fmt::format(
             "is an image of memory in text, not a program: run the ELF file that it was made of "
             "({})",
-            elf_of(file).string());
+            elf_of(file));
     if (is_one_of(ending, {".sof", ".rbf", ".pof", ".jic", ".jam", ".svf"}))
         return "is a bitstream; de1sim runs the design that it was made of: " +
                played(project_of(file));
@@ -152,7 +158,7 @@ std::string kind_by_name(const fs::path& file, const std::string& begin) {
         return fmt::format(
             "is a project of Intel's Monitor Program: copy {}, put its source files there, make, "
             "and run course.elf",
-            (examples() / "course").string());
+            word(examples() / "course"));
     return "";
 }
 
@@ -161,7 +167,7 @@ std::string what_it_is(const fs::path& file, bool may_be_text) {
     const fs::file_status status = fs::status(file, error);
     if (!fs::exists(status)) return "is not there";
     if (fs::is_directory(status)) {
-        const std::string folder = file.string();
+        const std::string folder = word(file);
         return may_be_text ? fmt::format(
                                  "is a folder: for one of scenarios: de1sim test {0}; for "
                                  "one of Verilog: de1sim live --project {0}",
@@ -178,8 +184,7 @@ std::string what_it_is(const fs::path& file, bool may_be_text) {
     if (begin.find('\0') != std::string::npos || (!may_be_text && !yaml))
         return may_be_text ? "is neither a program (ELF file) nor a scenario (YAML)"
                            : "is not a program (ELF file)";
-    return may_be_text ? ""
-                       : "is a scenario, not a program (ELF file): de1sim run " + file.string();
+    return may_be_text ? "" : "is a scenario, not a program (ELF file): de1sim run " + word(file);
 }
 
 }  // namespace

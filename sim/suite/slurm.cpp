@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include "sim/process/run_command.h"
+#include "sim/process/shell_word.h"
 #include "sim/report/messages.h"
 #include "sim/report/printable.h"
 #include "sim/report/whole_file.h"
@@ -23,13 +24,6 @@ namespace fs = std::filesystem;
 
 constexpr unsigned ANSWER_S = 120, ROUNDS = 3;
 
-// Lets a shell see one word.
-std::string quoted(const std::string& word) {
-    std::string out = "'";
-    for (const char c : word) out += c == '\'' ? "'\\''" : std::string{c};
-    return out + "'";
-}
-
 std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
 
 fs::path shard_folder(const TestOptions& options, unsigned number) {
@@ -38,16 +32,17 @@ fs::path shard_folder(const TestOptions& options, unsigned number) {
 
 std::string task(const TestOptions& options) {
     std::string text =
-        "#!/bin/sh\nexec " + quoted(fs::read_symlink("/proc/self/exe").string()) + " test";
-    for (const fs::path& path : options.paths) text += " " + quoted(path.string());
-    if (!options.filter.empty()) text += " --filter " + quoted(options.filter);
-    if (!options.times.empty()) text += " --times " + quoted(options.times.string());
+        "#!/bin/sh\nexec " + shell_word(fs::read_symlink("/proc/self/exe").string()) + " test";
+    for (const fs::path& path : options.paths) text += " " + shell_word(path.string());
+    if (!options.filter.empty()) text += " --filter " + shell_word(options.filter);
+    if (!options.times.empty()) text += " --times " + shell_word(options.times.string());
     if (options.update_goldens) text += " --update-goldens";
     if (options.trace_failure) text += " --trace-failure " + to_string(*options.trace_failure);
     return text + fmt::format(
                       " --time-limit {} --jobs \"${{SLURM_CPUS_PER_TASK:-1}}\" --resume"
                       " --shard \"$SLURM_ARRAY_TASK_ID/{}\" --out {}/\"$SLURM_ARRAY_TASK_ID\"\n",
-                      options.limit_s, options.shards, quoted((options.out / "shards").string()));
+                      options.limit_s, options.shards,
+                      shell_word((options.out / "shards").string()));
 }
 
 std::vector<std::string> words_of(const std::string& text) {

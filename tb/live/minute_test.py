@@ -40,6 +40,7 @@ async def play(board):
     client, dice = Client(await board.connect()), random.Random(4)
     await client.until(lambda: "ready" in client.console)
     await client.send(speed=0)
+    await client.wait_for("status")
     count = 0
     for name, value in inputs():
         count += 1

@@ -36,17 +36,18 @@ protected:
 };
 
 TEST_F(OtherFile, OfCIsBuiltAndRunByTheCommandThatIsSaid) {
-    EXPECT_THAT(obey("p.c", "#include <stdio.h>\nint main(void) { printf(\"c %d\\n\", 1); }\n").out,
-                HasSubstr("c 1\np.elf: the program ended"));
+    EXPECT_THAT(
+        obey("a b.c", "#include <stdio.h>\nint main(void) { printf(\"c %d\\n\", 1); }\n").out,
+        HasSubstr("c 1\na b.elf: the program ended"));
 }
 
 TEST_F(OtherFile, OfCxxIsBuiltAndRunByTheCommandThatIsSaid) {
-    EXPECT_THAT(obey("p.cpp", "#include <cstdio>\nint main() { std::puts(\"c++\"); }\n").out,
-                HasSubstr("c++\np.elf: the program ended"));
+    EXPECT_THAT(obey("a b.cpp", "#include <cstdio>\nint main() { std::puts(\"c++\"); }\n").out,
+                HasSubstr("c++\na b.elf: the program ended"));
 }
 
 TEST_F(OtherFile, OfAssemblyIsBuiltAndRunByTheCommandThatIsSaid) {
-    EXPECT_THAT(obey("p.s",
+    EXPECT_THAT(obey("a b.s",
                      ".global _start\n_start: ldr r0, =0xFF200000\n mov r1, #5\n"
                      " str r1, [r0]\n cpsid if\n b .\n")
                     .out,
