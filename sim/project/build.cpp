@@ -11,7 +11,6 @@
 #include "sim/project/compiled_headers.h"
 #include "sim/project/file_finder.h"
 #include "sim/project/generated.h"
-#include "sim/project/power_up.h"
 #include "sim/project/tools.h"
 #include "sim/report/sha256.h"
 #include "sim/report/whole_file.h"
@@ -284,7 +283,6 @@ Built Builder::build(const Progress& progress) {
     for (const fs::path& file : files_) words.push_back(file.string());
     write_whole_file(objects / "de1sim_loops.h",
                      loops_text(translate(words), design_.self_reading));
-    forget_edges_of_power_up(objects);
 
     progress("compiling");
     compile_library(folder_, objects, trace_, limit_);

@@ -1,4 +1,4 @@
-// power_up.h - what registers are when the chip powers up, and that nothing has risen then.
+// power_up.h - what registers are when the chip powers up.
 //
 // The registers of a Cyclone V power up at 0, and have a clear, but no preset.  Where the
 // asynchronous reset makes a bit 1, Quartus inverts before and behind the register ("NOT gate
@@ -8,16 +8,11 @@
 //   always @(posedge clk or negedge rst_n)
 //       if (!rst_n) q <= 4'b1010; else q <= d;       initial q <= 4'b1010;   is added
 //
-// Verilator 5.006 remembers what a signal was for `always @(posedge x)` before the design has
-// settled for the first time.  A signal that settles at 1 then counts as an edge, which no register
-// of the board sees.
-//
 // Not handled: an `initial` behind the block that says otherwise, which Quartus ignores with a
 // warning (18061).
 #pragma once
 
 #include <cstddef>
-#include <filesystem>
 #include <vector>
 
 #include "sim/project/tokens.h"
@@ -31,8 +26,5 @@ struct ResetStatement {
 };
 // In the order of `behind`.
 std::vector<ResetStatement> reset_statements(const std::vector<Token>& tokens);
-
-// Lets the Verilated design in `objects` remember once more, when it has settled.
-void forget_edges_of_power_up(const std::filesystem::path& objects);
 
 }  // namespace sim::project

@@ -106,6 +106,17 @@ class Beginning(Case):
         self.leds(0)
         self.leds(0, 1)
 
+    def test_a_bit_of_a_header_that_is_1_has_not_risen(self):
+        self.write(top_v="module top(inout [35:0] GPIO_0, inout PS2_DAT, output [9:0] LEDR);\n"
+                   "reg [3:0] n, k; always @(posedge GPIO_0[4]) n <= n + 1;\n"
+                   "always @(posedge PS2_DAT) k <= k + 1;\n"
+                   "reg a, b; always @(posedge GPIO_0[3]) a <= 1;\n"
+                   "always @(negedge GPIO_0[2]) b <= 1;\n"
+                   "assign LEDR = {a, b, k, n}; endmodule\n")
+        pulse = [f"set-pins: {{gpio_0: 4, level: {level}}}" for level in ("low", "high")]
+        self.plays("delay: 1ms", 'expect-leds: "0000000000"', *pulse * 3, "delay: 1ms",
+                   'expect-leds: "0000000011"')
+
 
 if __name__ == "__main__":
     run()

@@ -2,8 +2,11 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <utility>
 
 #include "Vde1sim_chip.h"
+#include "Vde1sim_chip__Syms.h"
+#include "Vde1sim_chip___024root.h"
 #include "verilated.h"
 #ifdef DE1SIM_TRACE
 #include "verilated_fst_c.h"
@@ -14,9 +17,37 @@
 #include "de1sim_facts.h"  // PLL_CLOCKS and so on
 #include "de1sim_loops.h"  // LOOPS
 
+// The parts of the model's first evaluation, which none of its headers has.
+using DesignRoot = Vde1sim_chip___024root;
+void Vde1sim_chip___024root___eval_static(DesignRoot*);
+void Vde1sim_chip___024root___eval_initial(DesignRoot*);
+void Vde1sim_chip___024root___eval_settle(DesignRoot*);
+void Vde1sim_chip___024root___eval_triggers__act(DesignRoot*);
+
 namespace sim::project {
 
 namespace {
+
+// Whether what has to be executed once, at the beginning, has been; not in each design.
+template <class Root>
+auto execute_once_again(Root& root, int) -> decltype(void(root.__VactDidInit)) {
+    root.__VactDidInit = 0;
+}
+template <class Root>
+void execute_once_again(Root&, long) {}
+
+// What is 1 when the chip has powered up has not risen.  But the model would remember for
+// `always @(posedge x)` what x was before the design has settled, and take a 1 for an edge.  So it
+// looks for edges once more than it does by itself, and what it finds then is not executed.
+void power_up(Vde1sim_chip& chip) {
+    DesignRoot& root = *chip.rootp;
+    root.vlSymsp->__Vm_didInit = true;
+    Vde1sim_chip___024root___eval_static(&root);
+    Vde1sim_chip___024root___eval_initial(&root);
+    Vde1sim_chip___024root___eval_settle(&root);
+    Vde1sim_chip___024root___eval_triggers__act(&root);
+    execute_once_again(root, 0);
+}
 
 // Otherwise it starts a thread for each processor of the machine, which the design never uses.
 VerilatedContext* of_one_thread(VerilatedContext& context) {
@@ -33,6 +64,7 @@ public:
     }
     void eval(std::uint64_t now_ps) override {
         context_.time(now_ps);
+        if (!std::exchange(is_up_, true)) power_up(top_);
         top_.eval();
     }
     void final() override { top_.final(); }
@@ -55,6 +87,7 @@ public:
 private:
     VerilatedContext context_;
     Vde1sim_chip top_{of_one_thread(context_)};
+    bool is_up_ = false;
 #ifdef DE1SIM_TRACE
     VerilatedFstC waveforms_;
 #endif
