@@ -26,12 +26,6 @@ if(DE1SIM_ARM_ENGINE STREQUAL dynarmic)
         cpu/dynarmic/system.cpp cpu/dynarmic/translation_tables.cpp)
     target_include_directories(arm_core SYSTEM PRIVATE ${DYNARMIC_INCLUDE_DIR})
     target_link_libraries(arm_core PRIVATE ${DYNARMIC_LIBRARY})
-    include(${CMAKE_CURRENT_LIST_DIR}/dynarmic/without_llvm.cmake)
-    if(TARGET without_llvm)
-        # Needed, although nothing else calls its functions.
-        target_link_libraries(arm_core PRIVATE
-            -Wl,--push-state,--no-as-needed without_llvm -Wl,--pop-state)
-    endif()
 elseif(DE1SIM_ARM_ENGINE STREQUAL unicorn)
     if(NOT Unicorn_FOUND)
         message(FATAL_ERROR "An engine for the ARM processor is needed: libdynarmic-dev, or "

@@ -14,8 +14,5 @@ cmake --build "$work/build" >> "$work/log"
     --trace "$work/waves.fst"
 [ -s "$work/waves.fst" ]
 "$work/a prefix/bin/de1sim" --version | grep -q '^de1sim '
-for program in "$work/build/blinker" "$work/a prefix/bin/de1sim"; do
-    # Z3 is what LLVM needs, and only LLVM: sim/cpu/dynarmic/without_llvm.cmake
-    if LD_TRACE_LOADED_OBJECTS=1 "$program" | grep libz3; then exit 1; fi
-done
+[ -e "$work/a prefix/share/de1sim/examples/first_led/first_led.yaml" ]
 rm -r "$work"
