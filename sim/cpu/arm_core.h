@@ -20,7 +20,8 @@
 // are undefined instructions.  With dynarmic also: FPSCR's cumulative flags of exceptions are not
 // exact; code that the translation tables keep from the user mode is translated anew after each
 // return to that mode.  With Unicorn also: alignment faults, no memory is Normal to the bus,
-// PMCCNTR reads 0, DFAR of an abort from the translation tables reads 0.
+// PMCCNTR reads 0, DFAR of an abort from the translation tables reads 0, clear_exclusive() does
+// nothing.
 #pragma once
 
 #include <cstdint>
@@ -205,6 +206,7 @@ public:
     void set_spsr(std::uint32_t value);
     std::uint64_t vfp(unsigned number) const;  // d0 - d31
     void set_vfp(unsigned number, std::uint64_t value);
+    void clear_exclusive();  // as CLREX
     // CPACR and FPEXC.EN, as an operating system sets them, and whether they let VFP and NEON be
     // used in the present mode.
     void set_floating_point(bool on);

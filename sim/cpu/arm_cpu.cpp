@@ -42,9 +42,12 @@ void ArmCpu::account() {
     ahead_ += sc_time::from_value(done * instruction_ps_);
 }
 
-sc_time ArmCpu::horizon() {
+sc_time ArmCpu::horizon() const {
     static const sc_time longest{100, sc_core::SC_US};
-    return std::min(sc_core::sc_time_to_pending_activity(), longest);
+    const sc_time to_event = std::min(sc_core::sc_time_to_pending_activity(), longest);
+    if (alarm_ == sc_core::sc_max_time()) return to_event;
+    const sc_time now = sc_core::sc_time_stamp();
+    return alarm_ > now ? std::min(to_event, alarm_ - now) : sc_core::SC_ZERO_TIME;
 }
 
 void ArmCpu::sync() {
@@ -152,6 +155,11 @@ void ArmCpu::run() {
         }
         account();
         sync();
+        if (kernel_ && now() >= alarm_) {
+            alarm_ = sc_core::sc_max_time();
+            kernel_->alarm(core_);
+            continue;
+        }
         if (!inspector_ || !inspector_->holds_interrupts()) take_interrupt();
         const bool closely = open_ && met_ >= AGAIN;
         const std::uint64_t whole = closely ? 1 : std::max<std::uint64_t>(budget(), 1);

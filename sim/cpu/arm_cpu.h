@@ -121,6 +121,8 @@ public:
     virtual void call(ArmCore&) = 0;
     // Any other synchronous exception, pc at it; `what` describes it in words.
     virtual void exception(ArmCore&, ArmException, const ArmFault&, const std::string& what) = 0;
+    // At the time of ArmCpu::set_alarm(), between two instructions.
+    virtual void alarm(ArmCore&) {}
 
 protected:
     ~ArmKernel() = default;
@@ -179,6 +181,9 @@ public:
     // with a fault if `why` is not empty.
     void pause(const sc_core::sc_time& time);
     void pause(const sc_core::sc_event& until, const sc_core::sc_time& at_most);
+    // For a kernel: when its alarm() is called, once, in the program's time.
+    void set_alarm(const sc_core::sc_time& at) { alarm_ = at; }
+    const sc_core::sc_time& alarm() const { return alarm_; }
     void end(const std::string& why = "");
     std::string where() const;  // "at 12.345678 ms, PC 0x00001234 in main+0x10"
 
@@ -211,8 +216,8 @@ private:
     static sc_core::sc_time spin_limit() { return {100, sc_core::SC_MS}; }
     static sc_core::sc_time moment() { return {1, sc_core::SC_MS}; }
     static sc_core::sc_time nap() { return {1, sc_core::SC_US}; }
-    // How far the core may run ahead: to SystemC's next event, but 100 us at most.
-    static sc_core::sc_time horizon();
+    // How far the core may run ahead: to SystemC's next event or the alarm, but 100 us at most.
+    sc_core::sc_time horizon() const;
 
     void run();
     void map(std::uint64_t first, std::uint64_t last);
@@ -282,6 +287,7 @@ private:
     bool running_ = false;                      // in ArmCore::run()
     std::uint64_t inspected_end_ = UINT64_MAX;  // count at which the inspector stops it
 
+    sc_core::sc_time alarm_ = sc_core::sc_max_time();
     sc_core::sc_time ahead_;       // of SystemC's time, as far as accounted
     std::uint64_t accounted_ = 0;  // instructions
     Counts counts_;

@@ -46,7 +46,7 @@ constexpr std::uint32_t HALF = 1 << 1, THUMB = 1 << 2, FAST_MULT = 1 << 4, VFP =
 
 namespace arm_signal {
 constexpr std::uint32_t TAKES_INFO = 4, HAS_RESTORER = 0x04000000, ON_STACK = 0x08000000,
-                        NO_DEFER = 0x40000000, RESETS = 0x80000000;
+                        RESTARTS = 0x10000000, NO_DEFER = 0x40000000, RESETS = 0x80000000;
 }
 
 }  // namespace sim

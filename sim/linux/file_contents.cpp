@@ -58,6 +58,14 @@ int LinuxFiles::truncate(int fd, std::int64_t bytes) {
     return static_cast<int>(or_error(::ftruncate(file->host->fd(), bytes)));
 }
 
+unsigned LinuxFiles::can_do(int fd) const {
+    const File* file = find(fd);
+    if (!file) return 0;
+    return file->kind == File::Kind::CONSOLE && !console_.readable() ? WRITE : READ | WRITE;
+}
+
+std::string LinuxFiles::name(int fd) const { return is_console(fd) ? "standard input" : "a file"; }
+
 // ---- Status -------------------------------------------------------------------------------------
 
 std::pair<int, FileStatus> LinuxFiles::host_status(int host) const {

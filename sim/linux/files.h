@@ -37,7 +37,8 @@ class LinuxFiles {
 public:
     struct Console {
         std::function<void(char)> print;
-        std::function<std::int64_t(char* to, std::size_t bytes)> read;
+        std::function<std::int64_t(char* to, std::size_t bytes)> read;  // or EAGAIN
+        std::function<bool()> readable;
     };
     // `root` and `input`, which is standard input instead of the console, may be empty.
     // std::runtime_error if the folder or the file cannot be opened.
@@ -53,12 +54,17 @@ public:
     int set_close_on_exec(int fd, bool on);
     int close_on_exec(int fd) const;
 
+    // EAGAIN where it would have to wait, whatever set_flags() says.
     std::int64_t read(int fd, void* data, std::size_t bytes);
     std::int64_t write(int fd, const void* data, std::size_t bytes);
     std::int64_t read_at(int fd, void* data, std::size_t bytes, std::int64_t offset);
     std::int64_t write_at(int fd, const void* data, std::size_t bytes, std::int64_t offset);
     std::int64_t seek(int fd, std::int64_t offset, int whence);
     int truncate(int fd, std::int64_t bytes);
+    // Of these, what would not have to wait.
+    static constexpr unsigned READ = 1, WRITE = 2, HUNG_UP = 4;
+    unsigned can_do(int fd) const;
+    std::string name(int fd) const;  // in a message about who waits for it
     int sync(int fd) const { return status_of(fd).first; }
 
     std::pair<int, FileStatus> status_of(int fd) const;

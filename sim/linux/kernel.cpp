@@ -1,5 +1,4 @@
 #include "sim/linux/kernel.h"
-#include "sim/linux/alignment.h"
 
 #include <cerrno>
 #include <csignal>
@@ -13,6 +12,7 @@ namespace sim {
 namespace {
 
 constexpr std::uint64_t SEED = 0x9E3779B97F4A7C15;
+constexpr int FIRST_PROCESS = 1;
 
 }  // namespace
 
@@ -26,31 +26,48 @@ LinuxKernel::LinuxKernel(ArmCpu& cpu, LinuxSettings settings, Outside outside)
     : cpu_{cpu},
       settings_{std::move(settings)},
       outside_{std::move(outside)},
-      memory_{cpu.core()},
       helpers_{cpu.core()},
       terminal_{{[&cpu] { return cpu.now(); },
                  [&cpu](const sc_core::sc_time& time) { cpu.pause(time); },
                  [&cpu](const sc_core::sc_event& until, const sc_core::sc_time& at_most) {
                      cpu.pause(until, at_most);
                  },
-                 outside_.console}},
-      files_{settings_.root,
-             settings_.input,
-             {outside_.console,
-              [this](char* to, std::size_t bytes) { return terminal_.read(to, bytes); }}},
+                 outside_.console, [this](unsigned number) { typed(number); }, [this] { hear(); }}},
       random_{SEED} {
+    processes_.push_back(std::make_unique<LinuxProcess>(LinuxProcess{
+        FIRST_PROCESS, 0, std::make_shared<AddressSpace>(cpu.core()),
+        LinuxFiles{settings_.root,
+                   settings_.input,
+                   {outside_.console,
+                    [this](char* to, std::size_t bytes) { return terminal_.take(to, bytes); },
+                    [this] { return terminal_.readable(); }}}}));
+    process_ = processes_.front().get();
     cpu.attach(this);
 }
 
+// Something has come from outside while a program runs, or all threads wait.
+void LinuxKernel::hear() {
+    woken_.notify(sc_core::SC_ZERO_TIME);
+    const sc_core::sc_time next = terminal_.next_arrival().value_or(sc_core::sc_max_time());
+    if (next < cpu_.alarm()) cpu_.set_alarm(next);
+}
+
 void LinuxKernel::boot(ArmCore& core) {
-    if (break_begin_ != 0) return cpu_.end("the program reset the board " + cpu_.where());
+    if (running_ || over_ || !process_->threads.empty())
+        return cpu_.end("the program reset the board " + cpu_.where());
     helpers_.connect();
     try {
-        break_begin_ = break_ =
-            start_linux_program(core, memory_, cpu_.program().elf, settings_.arguments);
+        process_->break_begin = process_->break_end =
+            start_linux_program(core, memory(), cpu_.program().elf, settings_.arguments);
     } catch (const std::runtime_error& e) {  // SystemC must not see exceptions
-        cpu_.end(e.what());
+        return cpu_.end(e.what());
     }
+    process_->threads.push_back(
+        std::make_unique<LinuxThread>(LinuxThread{process_->number, *process_}));
+    LinuxThread& first = *process_->threads.back();
+    first.save(core);
+    scheduler_.add(first, false);
+    go_on();
 }
 
 void LinuxKernel::call(ArmCore& core) {
@@ -61,7 +78,7 @@ void LinuxKernel::call(ArmCore& core) {
                                   core.reg(4), core.reg(5), core.reg(6)};
         if (const Result result = (this->*call.answer)(arguments))
             core.set_reg(0, static_cast<std::uint32_t>(*result));
-        deliver_pending();
+        go_on();
         return;
     }
     const std::string name = name_of(number);
@@ -69,6 +86,7 @@ void LinuxKernel::call(ArmCore& core) {
         outside_.log(fmt::format("system call {}{} is not emulated: ENOSYS, {}", number,
                                  name.empty() ? "" : " (" + name + ")", cpu_.where()));
     core.set_reg(0, static_cast<std::uint32_t>(-ENOSYS));
+    go_on();
 }
 
 std::string LinuxKernel::missing() const {
@@ -79,66 +97,28 @@ std::string LinuxKernel::missing() const {
     return all;
 }
 
-void LinuxKernel::exception(ArmCore& core, ArmException exception, const ArmFault& fault,
+void LinuxKernel::exception(ArmCore& core, ArmException exception, const ArmFault& abort,
                             const std::string& what) {
     switch (exception) {
         case ArmException::DATA_ABORT:
-            if (fault.mmu && fault.status == fault_status::ALIGNMENT)
-                return unaligned(core, fault, what);
-            if (!fault.mmu) return signal(SIGBUS, fault.address, what, true);
-            return signal(
-                SIGSEGV, fault.address,
-                fmt::format("{} 0x{:08X}", fault.write ? "write to" : "read from", fault.address),
-                true);
+            if (abort.mmu && abort.status == fault_status::ALIGNMENT)
+                unaligned(core, abort, what);
+            else if (!abort.mmu)
+                fault(SIGBUS, abort.address, what);
+            else
+                fault(SIGSEGV, abort.address,
+                      fmt::format("{} 0x{:08X}", abort.write ? "write to" : "read from",
+                                  abort.address));
+            break;
         case ArmException::PREFETCH_ABORT:
-            if (what == "breakpoint instruction") return signal(SIGTRAP, core.pc(), what, true);
-            return signal(SIGSEGV, core.pc(), "no instruction to be read", true);
-        default: return signal(SIGILL, core.pc(), what, true);
+            if (what == "breakpoint instruction")
+                fault(SIGTRAP, core.pc(), what);
+            else
+                fault(SIGSEGV, core.pc(), "no instruction to be read");
+            break;
+        default: fault(SIGILL, core.pc(), what); break;
     }
-}
-
-void LinuxKernel::unaligned(ArmCore& core, const ArmFault& fault, const std::string& what) {
-    const bool thumb = core.cpsr() & arm_cpsr::T;
-    const std::uint32_t pc = core.pc();
-    std::uint16_t halves[2]{};
-    memory_.read(pc, &halves[0], 2);
-    const bool wide = !thumb || halves[0] >= 0xE800;
-    if (wide) memory_.read(pc + 2, &halves[1], 2);
-    const std::uint32_t word = !thumb ? halves[0] | std::uint32_t{halves[1]} << 16
-                               : wide ? std::uint32_t{halves[0]} << 16 | halves[1]
-                                      : halves[0];
-    if (!kernel_does_unaligned(word, thumb)) return signal(SIGBUS, fault.address, what, true);
-    if (unaligned_.insert(pc).second)
-        outside_.log(fmt::format("{}; Linux does it byte by byte, {}", what, cpu_.where()));
-    if (core.run_by_bytes() == ArmStop::DATA_ABORT)
-        exception(core, ArmException::DATA_ABORT, core.fault(), "data abort");
-}
-
-// ---- Signals ------------------------------------------------------------------------------------
-
-void LinuxKernel::signal(unsigned number, std::uint32_t address, const std::string& why,
-                         bool forced) {
-    const std::uint32_t handler = signals_.actions[number].handler;
-    const bool blocked = signals_.blocked & LinuxSignals::bit(number);
-    const auto ignore = static_cast<std::uint32_t>(1);
-    const bool ignored =
-        handler == ignore || (handler == 0 && LinuxSignals::ignored_by_default(number));
-    if (!forced && blocked) {
-        signals_.pending |= LinuxSignals::bit(number);
-        return;
-    }
-    if (!forced && ignored) return;
-    const bool handled = handler > ignore && !blocked;
-    if (handled && signals_.enter(cpu_.core(), memory_, number, address)) return;
-    cpu_.end(fmt::format("the program was ended by {}: {} {}", LinuxSignals::name(number), why,
-                         cpu_.where()));
-}
-
-void LinuxKernel::deliver_pending() {
-    while (const auto number = signals_.next()) {
-        signals_.pending &= ~LinuxSignals::bit(*number);
-        signal(*number, 0, "sent by itself", false);
-    }
+    go_on();
 }
 
 const char* LinuxKernel::name_of(std::uint32_t number) {
@@ -250,8 +230,13 @@ const std::vector<LinuxKernel::Call>& LinuxKernel::calls() {
         {NR_sigaltstack, &K::sys_sigaltstack},
         {NR_sigreturn, &K::sys_sigreturn},
         {NR_rt_sigreturn, &K::sys_rt_sigreturn},
+        {NR_rt_sigpending, &K::sys_sigpending},
+        {NR_rt_sigsuspend, &K::sys_sigsuspend},
+        {NR_rt_sigtimedwait, &K::sys_sigtimedwait},
+        {NR_rt_sigtimedwait_time64, &K::sys_sigtimedwait_time64},
+        {NR_rt_sigqueueinfo, &K::sys_sigqueueinfo},
         {NR_kill, &K::sys_kill},
-        {NR_tkill, &K::sys_kill},
+        {NR_tkill, &K::sys_tkill},
         {NR_tgkill, &K::sys_tgkill},
     };
     return calls;

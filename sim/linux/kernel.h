@@ -1,4 +1,4 @@
-// kernel.h - the Linux kernel's user interface for one program: static, single-threaded, 32 bits.
+// kernel.h - the Linux kernel's user interface for one program: static, 32 bits.
 //
 // The simulator executes system calls, like gem5's syscall emulation.  The program itself runs on
 // the modelled processor in user mode, and accesses registers by mapping /dev/mem.
@@ -14,8 +14,11 @@
 // emulated is reported once in the log and returns ENOSYS; see missing().  ioctl returns ENOTTY,
 // except for the settings of the console, which is a terminal.
 //
-// Not handled: threads, processes, timers that signal, job control; VFP registers are not saved for
-// a signal's handler; no vDSO, so that the C library makes system calls.
+// A call that has to wait says what for and what ends that (LinuxWait); time passes when all
+// threads wait.  A signal comes at its exact time, also into a loop.  ^C, ^\ and ^Z at the terminal
+// send theirs; there is no shell, so a program that ^Z has stopped stays so.
+//
+// Not handled: timers that signal, job control; no vDSO, so that the C library makes system calls.
 #pragma once
 
 #include <array>
@@ -23,6 +26,7 @@
 #include <filesystem>
 #include <functional>
 #include <map>
+#include <memory>
 #include <optional>
 #include <set>
 #include <string>
@@ -31,9 +35,12 @@
 #include "sim/cpu/arm_cpu.h"
 #include "sim/linux/address_space.h"
 #include "sim/linux/files.h"
+#include "sim/linux/process.h"
+#include "sim/linux/scheduler.h"
 #include "sim/linux/signals.h"
 #include "sim/linux/start.h"
 #include "sim/linux/terminal.h"
+#include "sim/linux/thread.h"
 
 namespace sim {
 
@@ -63,8 +70,11 @@ public:
     // "clone, 2 times; pipe2": calls that returned ENOSYS because they are not emulated, or "".
     std::string missing() const;
 
-    // The program's, once it has called exit.
+    // The program's, once it has called exit; or as a shell has it, if ^C or ^\ has ended it.
     std::optional<int> exit_code() const { return exit_code_; }
+
+    // What it waits for, "standard input"; or "".
+    std::string waiting() const;
 
 private:
     // Of a system call: r0 - r6, and the new r0; without a value the registers stay unchanged.
@@ -75,9 +85,13 @@ private:
         Result (LinuxKernel::*answer)(const Arguments&);
     };
     static const std::vector<Call>& calls();
+    struct Piece {  // of the program's memory
+        std::uint32_t address, bytes;
+    };
 
     void boot(ArmCore& core) override;
     void call(ArmCore& core) override;
+    void alarm(ArmCore& core) override;
     void exception(ArmCore& core, ArmException, const ArmFault&, const std::string& what) override;
 
     // kernel_memory.cpp
@@ -114,8 +128,13 @@ private:
     Result sys_ioctl(const Arguments&);
     std::int64_t open(std::uint32_t folder, std::uint32_t path, std::uint32_t flags,
                       std::uint32_t mode);
-    std::int64_t each_vector(const Arguments&, bool write);
-    std::int64_t print(int fd, const std::uint8_t* from, std::uint32_t count);
+    Result read(int fd, std::vector<Piece> pieces);
+    Result write(int fd, std::vector<Piece> pieces);
+    std::int64_t print(int fd, const std::uint8_t* from, std::uint32_t count, LinuxWait& wait);
+    std::int64_t pieces_at(std::uint32_t list, std::uint32_t count,
+                           std::vector<Piece>& pieces) const;
+    std::pair<std::uint8_t*, std::uint32_t> part(const std::vector<Piece>& pieces,
+                                                 std::int64_t done, unsigned access) const;
 
     // kernel_names.cpp
     Result sys_fstat64(const Arguments&);
@@ -152,9 +171,7 @@ private:
     Result sys_clock_nanosleep(const Arguments&);
     Result sys_clock_nanosleep_time64(const Arguments&);
     Result sys_futex(const Arguments&);
-    Result sys_pause(const Arguments&);
-    std::uint64_t now_ns() const;
-    std::int64_t sleep(std::uint32_t flags, std::uint32_t span, bool wide, std::uint32_t left);
+    Result sleep(std::uint32_t flags, std::uint32_t span, bool wide, std::uint32_t left);
     std::int64_t give_time(std::uint32_t to, std::uint64_t ns, bool wide);
 
     // kernel_wait.cpp
@@ -167,11 +184,9 @@ private:
     enum class Span { TIMEVAL, TIMESPEC, TIMESPEC64 };  // struct timeval and so on
     std::int64_t span_at(std::uint32_t address, Span kind) const;
     void give_span(std::uint32_t address, Span kind, std::uint64_t ns);
-    std::pair<std::int64_t, std::uint64_t> wait_for(std::int64_t span_ns, bool at_console,
-                                                    const std::function<std::int64_t()>& look);
-    bool is_readable(int fd) const;
-    std::int64_t select(const Arguments&, Span kind);
-    std::int64_t poll(std::uint32_t list, std::uint32_t count, std::int64_t span_ns);
+    void name_source(std::string& what, int fd) const;
+    Result select(const Arguments&, Span kind);
+    Result poll(std::uint32_t list, std::uint32_t count, std::int64_t span_ns);
 
     // kernel_process.cpp
     Result sys_exit(const Arguments&);
@@ -182,39 +197,78 @@ private:
     Result sys_prlimit64(const Arguments&);
     Result sys_getrlimit(const Arguments&);
     Result sys_getrusage(const Arguments&);
-    Result sys_sysinfo(const Arguments&);
     Result sys_sched_getaffinity(const Arguments&);
     Result sys_umask(const Arguments&);
     Result sys_done(const Arguments&);     // answers 0
     Result sys_process(const Arguments&);  // the number of process and thread
+    Result sys_sysinfo(const Arguments&);
+
+    // kernel_signals.cpp
     Result sys_sigaction(const Arguments&);
     Result sys_sigprocmask(const Arguments&);
+    Result sys_sigpending(const Arguments&);
+    Result sys_sigsuspend(const Arguments&);
+    Result sys_sigtimedwait(const Arguments&);
+    Result sys_sigtimedwait_time64(const Arguments&);
+    Result sys_sigqueueinfo(const Arguments&);
     Result sys_sigaltstack(const Arguments&);
     Result sys_sigreturn(const Arguments&);
     Result sys_rt_sigreturn(const Arguments&);
     Result sys_kill(const Arguments&);
+    Result sys_tkill(const Arguments&);
     Result sys_tgkill(const Arguments&);
-    // Calls the handler, or ends the program.  `forced`: caused by its own instruction, so it
-    // cannot be blocked.
+    Result sys_pause(const Arguments&);
+    std::int64_t mask_meanwhile(std::uint32_t address, std::uint32_t bytes);
+    Result sigtimedwait(const Arguments&, Span kind);
     void unaligned(ArmCore& core, const ArmFault& fault, const std::string& what);
-    void signal(unsigned number, std::uint32_t address, const std::string& why, bool forced);
-    void deliver_pending();
+    // By an instruction of the running thread, so it cannot be blocked.
+    void fault(unsigned number, std::uint32_t address, const std::string& why);
+    // To any thread of it, or to this one; false: too many are pending.
+    bool send(LinuxProcess& process, const LinuxSignal& signal);
+    bool send(LinuxThread& thread, const LinuxSignal& signal);
+    void typed(unsigned number);
+    // Which of the signals would end what it waits for.
+    std::uint64_t wakes(const LinuxThread& thread) const;
+    void interrupt(LinuxThread& thread);
+    void deliver();  // to the running thread
+    void die(const LinuxSignal& signal);
+
+    // kernel_schedule.cpp
+    std::uint64_t now_ns() const;
+    std::uint64_t later_ns(std::uint64_t span_ns) const;  // so long after now, not before that
+    Result wait(LinuxWait wait);  // of the running thread, or what it waits for at once
+    void resume(LinuxThread& thread, std::optional<std::int64_t> result);
+    void look(LinuxThread& thread);
+    void look_at_all();
+    void suspend();  // the running thread waits, or has ended, or makes way
+    void go_on();    // with the one that is to run now, when time has come for one
+    std::uint64_t next_event_ns() const;
+    void run(LinuxThread& thread);
+    void stand_still();
+    void hear();
 
     // By number, "" if there is none; from the kernel's own header.
     static const char* name_of(std::uint32_t number);
 
+    AddressSpace& memory() const { return *process_->memory; }
+    LinuxFiles& files() const { return process_->files; }
+    std::vector<LinuxThread*> threads() const;  // of all processes
+
     ArmCpu& cpu_;
     const LinuxSettings settings_;
     const Outside outside_;
-    AddressSpace memory_;
     KernelHelpers helpers_;
     Terminal terminal_;
-    LinuxFiles files_;
-    LinuxSignals signals_;
-    std::uint32_t break_begin_ = 0, break_ = 0;
+    std::vector<std::unique_ptr<LinuxProcess>> processes_;
+    LinuxProcess* process_ = nullptr;  // which a call is about
+    LinuxThread* running_ = nullptr;   // whose registers the core has
+    LinuxScheduler scheduler_;
+    bool changed_ = false;   // files, so that a thread may go on
+    bool sleeping_ = false;  // all threads wait
+    bool over_ = false;
+    sc_core::sc_event woken_;     // something has come from outside
     sc_core::sc_time line_free_;  // when the console's line has taken all that was printed
     std::uint64_t random_;
-    std::uint32_t umask_ = 022;
     std::set<std::uint32_t> unaligned_;        // instructions of which the log was told
     std::map<std::string, unsigned> missing_;  // calls that are not emulated, how often
     std::set<std::string> named_files_;        // of the system, that are not there

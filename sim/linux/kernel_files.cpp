@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cmath>
+#include <csignal>
 
 #include <fmt/format.h>
 
@@ -13,8 +14,9 @@ namespace sim {
 namespace {
 
 constexpr std::uint32_t MOST_BYTES = 0x7FFFF000;  // of one transfer, as the kernel has it
-constexpr std::uint32_t TCGETS = 0x5401, TCSETS = 0x5402, TCSETSF = 0x5404, TIOCGWINSZ = 0x5413,
-                        FIONREAD = 0x541B;
+constexpr std::uint32_t TCGETS = 0x5401, TCSETS = 0x5402, TCSETSF = 0x5404, TCFLSH = 0x540B,
+                        TIOCGWINSZ = 0x5413, FIONREAD = 0x541B;
+constexpr std::uint32_t OUTPUT_ONLY = 1;
 
 // What is there on each Linux without a program's doing.
 bool is_of_the_system(const std::string& path) {
@@ -34,7 +36,7 @@ std::int64_t LinuxKernel::open(std::uint32_t folder, std::uint32_t path, std::ui
                                std::uint32_t mode) {
     const auto [error, text] = path_at(folder, path);
     if (error) return error;
-    const int fd = files_.open(text, flags, mode & ~umask_);
+    const int fd = files().open(text, flags, mode & ~process_->umask);
     if (fd == -ENOENT && is_of_the_system(text) && named_files_.insert(text).second)
         outside_.log(
             fmt::format("{} is not there: of the system's files the simulated Linux has "
@@ -55,116 +57,179 @@ LinuxKernel::Result LinuxKernel::sys_creat(const Arguments& a) {
     return open(ARM_AT_FDCWD, a[0], arm_open::CREAT | arm_open::WRONLY | arm_open::TRUNC, a[1]);
 }
 
-LinuxKernel::Result LinuxKernel::sys_close(const Arguments& a) { return files_.close(fd_of(a[0])); }
+LinuxKernel::Result LinuxKernel::sys_close(const Arguments& a) {
+    changed_ = true;
+    return files().close(fd_of(a[0]));
+}
+
+// The bytes from `done` on that lie together; nullptr: they are not the program's.
+std::pair<std::uint8_t*, std::uint32_t> LinuxKernel::part(const std::vector<Piece>& pieces,
+                                                          std::int64_t done,
+                                                          unsigned access) const {
+    auto skip = static_cast<std::uint64_t>(done);
+    for (const Piece& piece : pieces) {
+        if (skip >= piece.bytes && (&piece != &pieces.back() || skip > piece.bytes)) {
+            skip -= piece.bytes;
+            continue;
+        }
+        const auto rest = static_cast<std::uint32_t>(piece.bytes - skip);
+        return {memory().bytes(piece.address + static_cast<std::uint32_t>(skip), rest, access),
+                rest};
+    }
+    return {memory().bytes(0, 0, access), 0};
+}
+
+LinuxKernel::Result LinuxKernel::read(int fd, std::vector<Piece> pieces) {
+    LinuxWait wait;
+    wait.what = files().name(fd);
+    wait.restarts = true;
+    wait.look = [this, fd, pieces = std::move(pieces)](LinuxWait&) -> Result {
+        std::int64_t all = 0;
+        for (;;) {
+            const auto [to, bytes] = part(pieces, all, arm_access::WRITE);
+            const std::int64_t count = to ? files().read(fd, to, bytes) : -EFAULT;
+            if (count < 0 && all > 0) return all;
+            if (count == -EAGAIN && !(files().flags(fd) & static_cast<int>(arm_open::NONBLOCK)))
+                return std::nullopt;
+            if (count < 0) return count;
+            all += count;
+            if (count < bytes || part(pieces, all, 0).second == 0) break;
+        }
+        changed_ = true;
+        return all;
+    };
+    return this->wait(std::move(wait));
+}
+
+LinuxKernel::Result LinuxKernel::write(int fd, std::vector<Piece> pieces) {
+    LinuxWait wait;
+    wait.what = files().name(fd);
+    wait.restarts = true;
+    wait.look = [this, fd, pieces = std::move(pieces),
+                 &thread = *running_](LinuxWait& w) -> Result {
+        const int flags = files().flags(fd);
+        for (;;) {
+            const auto [from, bytes] = part(pieces, w.done, arm_access::READ);
+            const std::int64_t count = !from                    ? -EFAULT
+                                       : files().is_console(fd) ? print(fd, from, bytes, w)
+                                                                : files().write(fd, from, bytes);
+            if (count == -EAGAIN && flags >= 0 && !(flags & static_cast<int>(arm_open::NONBLOCK)))
+                return std::nullopt;
+            if (count == -EPIPE && w.done == 0) send(thread, {SIGPIPE, 0, {}, "nobody reads"});
+            changed_ = true;
+            if (count < 0) return w.done > 0 ? w.done : count;
+            w.done += count;
+            if (count == 0 || part(pieces, w.done, 0).second == 0) return w.done;
+        }
+    };
+    return this->wait(std::move(wait));
+}
 
 LinuxKernel::Result LinuxKernel::sys_read(const Arguments& a) {
-    const std::uint32_t count = std::min(a[2], MOST_BYTES);
-    std::uint8_t* to = memory_.bytes(a[1], count, arm_access::WRITE);
-    if (!to) return -EFAULT;
-    const int fd = fd_of(a[0]), flags = files_.flags(fd);
-    if (flags >= 0 && (flags & arm_open::NONBLOCK) && !is_readable(fd)) return -EAGAIN;
-    return files_.read(fd, to, count);
+    return read(fd_of(a[0]), {{a[1], std::min(a[2], MOST_BYTES)}});
 }
 
 LinuxKernel::Result LinuxKernel::sys_write(const Arguments& a) {
-    const std::uint32_t count = std::min(a[2], MOST_BYTES);
-    const std::uint8_t* from = memory_.bytes(a[1], count, arm_access::READ);
-    if (!from) return -EFAULT;
-    const int fd = fd_of(a[0]);
-    return files_.is_console(fd) ? print(fd, from, count) : files_.write(fd, from, count);
+    return write(fd_of(a[0]), {{a[1], std::min(a[2], MOST_BYTES)}});
 }
 
 // The board's console is a serial line behind a buffer of the kernel's.  What is printed is seen at
 // once here, but where the line would still have a full buffer before it, the program waits.
-std::int64_t LinuxKernel::print(int fd, const std::uint8_t* from, std::uint32_t count) {
+std::int64_t LinuxKernel::print(int fd, const std::uint8_t* from, std::uint32_t count,
+                                LinuxWait& wait) {
     constexpr std::uint32_t BUFFER = 4096, WAKES_AT = 256;  // as Linux' serial core and tty have it
     const sc_core::sc_time character{10. / 115'200, sc_core::SC_SEC};
-    std::uint32_t done = 0;
-    while (done < count) {
-        line_free_ = std::max(line_free_, cpu_.now());
-        const auto waiting =
-            static_cast<std::uint32_t>(std::ceil((line_free_ - cpu_.now()) / character));
-        const std::uint32_t part = std::min(count - done, BUFFER - std::min(BUFFER, waiting));
-        if (part == 0) {
-            if (files_.flags(fd) & static_cast<int>(arm_open::NONBLOCK))
-                return done ? done : -EAGAIN;
-            const std::uint32_t wanted = std::min(count - done, BUFFER - WAKES_AT);
-            cpu_.pause((waiting + wanted - BUFFER) * character);
-            continue;
-        }
-        const std::int64_t written = files_.write(fd, from + done, part);
-        if (written < 0) return written;
-        line_free_ += part * character;
-        done += part;
+    line_free_ = std::max(line_free_, cpu_.now());
+    const auto waiting =
+        static_cast<std::uint32_t>(std::ceil((line_free_ - cpu_.now()) / character));
+    const std::uint32_t room = std::min(count, BUFFER - std::min(BUFFER, waiting));
+    if (room == 0 && count > 0) {
+        const std::uint32_t wanted = std::min(count, BUFFER - WAKES_AT);
+        const sc_core::sc_time at = cpu_.now() + (waiting + wanted - BUFFER) * character;
+        wait.at_ns = (at.value() + 999) / 1000;
+        return -EAGAIN;
     }
-    return done;
+    const std::int64_t written = files().write(fd, from, room);
+    if (written > 0) line_free_ += static_cast<double>(written) * character;
+    return written;
 }
 
-std::int64_t LinuxKernel::each_vector(const Arguments& a, bool write) {
+// Of struct iovec.
+std::int64_t LinuxKernel::pieces_at(std::uint32_t list, std::uint32_t count,
+                                    std::vector<Piece>& pieces) const {
     constexpr std::uint32_t MOST = 1024;
-    if (a[2] > MOST) return -EINVAL;
-    std::int64_t all = 0;
-    for (std::uint32_t i = 0; i < a[2]; ++i) {
-        std::uint32_t vector[2];
-        if (!memory_.read(a[1] + 8 * i, vector, sizeof vector)) return all ? all : -EFAULT;
-        const Arguments one{a[0], vector[0], vector[1]};
-        const std::int64_t count = *(write ? sys_write(one) : sys_read(one));
-        if (count < 0) return all ? all : count;
-        all += count;
-        if (count < vector[1]) break;
+    if (count > MOST) return -EINVAL;
+    pieces.resize(count);
+    static_assert(sizeof(Piece) == 8);
+    if (!memory().read(list, pieces.data(), count * sizeof(Piece))) return -EFAULT;
+    std::uint64_t all = 0;
+    for (Piece& piece : pieces) {
+        if (piece.bytes > INT32_MAX) return -EINVAL;
+        piece.bytes = static_cast<std::uint32_t>(std::min<std::uint64_t>(
+            piece.bytes, MOST_BYTES - std::min<std::uint64_t>(all, MOST_BYTES)));
+        all += piece.bytes;
     }
-    return all;
+    return 0;
 }
 
-LinuxKernel::Result LinuxKernel::sys_readv(const Arguments& a) { return each_vector(a, false); }
-LinuxKernel::Result LinuxKernel::sys_writev(const Arguments& a) { return each_vector(a, true); }
+LinuxKernel::Result LinuxKernel::sys_readv(const Arguments& a) {
+    std::vector<Piece> pieces;
+    const std::int64_t error = pieces_at(a[1], a[2], pieces);
+    return error ? error : read(fd_of(a[0]), std::move(pieces));
+}
+
+LinuxKernel::Result LinuxKernel::sys_writev(const Arguments& a) {
+    std::vector<Piece> pieces;
+    const std::int64_t error = pieces_at(a[1], a[2], pieces);
+    return error ? error : write(fd_of(a[0]), std::move(pieces));
+}
 
 // 64-bit values lie in an even register and the next one.
 LinuxKernel::Result LinuxKernel::sys_pread64(const Arguments& a) {
     const std::uint32_t count = std::min(a[2], MOST_BYTES);
-    std::uint8_t* to = memory_.bytes(a[1], count, arm_access::WRITE);
-    return to ? files_.read_at(fd_of(a[0]), to, count, pair_of(a[4], a[5])) : -EFAULT;
+    std::uint8_t* to = memory().bytes(a[1], count, arm_access::WRITE);
+    return to ? files().read_at(fd_of(a[0]), to, count, pair_of(a[4], a[5])) : -EFAULT;
 }
 
 LinuxKernel::Result LinuxKernel::sys_pwrite64(const Arguments& a) {
     const std::uint32_t count = std::min(a[2], MOST_BYTES);
-    const std::uint8_t* from = memory_.bytes(a[1], count, arm_access::READ);
-    return from ? files_.write_at(fd_of(a[0]), from, count, pair_of(a[4], a[5])) : -EFAULT;
+    const std::uint8_t* from = memory().bytes(a[1], count, arm_access::READ);
+    return from ? files().write_at(fd_of(a[0]), from, count, pair_of(a[4], a[5])) : -EFAULT;
 }
 
 LinuxKernel::Result LinuxKernel::sys_lseek(const Arguments& a) {
-    return files_.seek(fd_of(a[0]), static_cast<std::int32_t>(a[1]), fd_of(a[2]));
+    return files().seek(fd_of(a[0]), static_cast<std::int32_t>(a[1]), fd_of(a[2]));
 }
 
 LinuxKernel::Result LinuxKernel::sys_llseek(const Arguments& a) {
-    const std::int64_t at = files_.seek(fd_of(a[0]), pair_of(a[2], a[1]), fd_of(a[4]));
+    const std::int64_t at = files().seek(fd_of(a[0]), pair_of(a[2], a[1]), fd_of(a[4]));
     if (at < 0) return at;
-    return memory_.write(a[3], &at, sizeof at) ? 0 : -EFAULT;
+    return memory().write(a[3], &at, sizeof at) ? 0 : -EFAULT;
 }
 
 LinuxKernel::Result LinuxKernel::sys_ftruncate64(const Arguments& a) {
-    return files_.truncate(fd_of(a[0]), pair_of(a[2], a[3]));
+    return files().truncate(fd_of(a[0]), pair_of(a[2], a[3]));
 }
 
-LinuxKernel::Result LinuxKernel::sys_fsync(const Arguments& a) { return files_.sync(fd_of(a[0])); }
+LinuxKernel::Result LinuxKernel::sys_fsync(const Arguments& a) { return files().sync(fd_of(a[0])); }
 
 LinuxKernel::Result LinuxKernel::sys_dup(const Arguments& a) {
-    return files_.duplicate(fd_of(a[0]), 0);
+    return files().duplicate(fd_of(a[0]), 0);
 }
 
 LinuxKernel::Result LinuxKernel::sys_dup2(const Arguments& a) {
-    return files_.duplicate_onto(fd_of(a[0]), fd_of(a[1]));
+    return files().duplicate_onto(fd_of(a[0]), fd_of(a[1]));
 }
 
 LinuxKernel::Result LinuxKernel::sys_fcntl(const Arguments& a) {
     const int fd = fd_of(a[0]);
     switch (a[1]) {
         case arm_fcntl::DUPFD:
-        case arm_fcntl::DUPFD_CLOEXEC: return files_.duplicate(fd, fd_of(a[2]));
-        case arm_fcntl::GETFD: return files_.close_on_exec(fd);
-        case arm_fcntl::SETFD: return files_.set_close_on_exec(fd, a[2] & 1);
-        case arm_fcntl::GETFL: return files_.flags(fd);
-        case arm_fcntl::SETFL: return files_.set_flags(fd, a[2]);
+        case arm_fcntl::DUPFD_CLOEXEC: return files().duplicate(fd, fd_of(a[2]));
+        case arm_fcntl::GETFD: return files().close_on_exec(fd);
+        case arm_fcntl::SETFD: return files().set_close_on_exec(fd, a[2] & 1);
+        case arm_fcntl::GETFL: return files().flags(fd);
+        case arm_fcntl::SETFL: return files().set_flags(fd, a[2]);
         default: return -EINVAL;
     }
 }
@@ -173,19 +238,26 @@ LinuxKernel::Result LinuxKernel::sys_fcntl(const Arguments& a) {
 // its output at each end of a line, on the board's serial console and here.
 LinuxKernel::Result LinuxKernel::sys_ioctl(const Arguments& a) {
     const int fd = fd_of(a[0]);
-    if (files_.flags(fd) < 0) return -EBADF;
-    if (!files_.is_console(fd)) return -ENOTTY;
+    if (files().flags(fd) < 0) return -EBADF;
+    if (!files().is_console(fd)) return -ENOTTY;
     Terminal::Settings& settings = terminal_.settings;
-    if (a[1] == TCGETS) return memory_.write(a[2], &settings, sizeof settings) ? 0 : -EFAULT;
-    if (a[1] >= TCSETS && a[1] <= TCSETSF)
-        return memory_.read(a[2], &settings, sizeof settings) ? 0 : -EFAULT;
+    if (a[1] == TCGETS) return memory().write(a[2], &settings, sizeof settings) ? 0 : -EFAULT;
+    if (a[1] >= TCSETS && a[1] <= TCSETSF) {
+        changed_ = true;
+        if (a[1] == TCSETSF) terminal_.flush();
+        return memory().read(a[2], &settings, sizeof settings) ? 0 : -EFAULT;
+    }
+    if (a[1] == TCFLSH) {
+        if (a[2] != OUTPUT_ONLY) terminal_.flush();
+        return 0;
+    }
     if (a[1] == FIONREAD) {
         const std::uint32_t count = terminal_.ready();
-        return memory_.write(a[2], &count, sizeof count) ? 0 : -EFAULT;
+        return memory().write(a[2], &count, sizeof count) ? 0 : -EFAULT;
     }
     if (a[1] == TIOCGWINSZ) {
         constexpr std::uint16_t SIZE[4] = {24, 80, 0, 0};
-        return memory_.write(a[2], SIZE, sizeof SIZE) ? 0 : -EFAULT;
+        return memory().write(a[2], SIZE, sizeof SIZE) ? 0 : -EFAULT;
     }
     return -ENOTTY;
 }

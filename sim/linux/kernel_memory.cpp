@@ -28,21 +28,22 @@ bool inside(std::uint32_t begin, std::uint32_t bytes) {
 
 LinuxKernel::Result LinuxKernel::sys_brk(const Arguments& a) {
     const std::uint32_t wish = a[0];
-    if (wish < break_begin_ || wish > AddressSpace::TOP - AddressSpace::PAGE) return break_;
-    const std::uint32_t was = pages(break_), will = pages(wish);
-    if (will < was) memory_.unmap(will, was - will);
-    if (will > was && (!memory_.is_free(was, will - was) ||
-                       !memory_.map(was, will - was, arm_access::READ | arm_access::WRITE)))
-        return break_;
-    return break_ = wish;
+    if (wish < process_->break_begin || wish > AddressSpace::TOP - AddressSpace::PAGE)
+        return process_->break_end;
+    const std::uint32_t was = pages(process_->break_end), will = pages(wish);
+    if (will < was) memory().unmap(will, was - will);
+    if (will > was && (!memory().is_free(was, will - was) ||
+                       !memory().map(was, will - was, arm_access::READ | arm_access::WRITE)))
+        return process_->break_end;
+    return process_->break_end = wish;
 }
 
 std::optional<std::uint32_t> LinuxKernel::place_of(std::uint32_t wish, std::uint32_t bytes,
                                                    std::uint32_t flags) const {
     if (flags & (arm_mmap::FIXED | arm_mmap::FIXED_NOREPLACE)) return wish;
     wish &= ~(AddressSpace::PAGE - 1);
-    if (wish != 0 && inside(wish, bytes) && memory_.is_free(wish, bytes)) return wish;
-    return memory_.find_room(bytes);
+    if (wish != 0 && inside(wish, bytes) && memory().is_free(wish, bytes)) return wish;
+    return memory().find_room(bytes);
 }
 
 LinuxKernel::Result LinuxKernel::sys_mmap2(const Arguments& a) {
@@ -54,26 +55,26 @@ LinuxKernel::Result LinuxKernel::sys_mmap2(const Arguments& a) {
     if (bytes == 0) return -ENOMEM;
     const bool fixed = flags & (arm_mmap::FIXED | arm_mmap::FIXED_NOREPLACE);
     if (fixed && (!aligned(wish) || !inside(wish, bytes))) return aligned(wish) ? -ENOMEM : -EINVAL;
-    if ((flags & arm_mmap::FIXED_NOREPLACE) && !memory_.is_free(wish, bytes)) return -EEXIST;
+    if ((flags & arm_mmap::FIXED_NOREPLACE) && !memory().is_free(wish, bytes)) return -EEXIST;
 
     const bool anonymous = flags & arm_mmap::ANONYMOUS;
     if (!anonymous) {
-        const int open_flags = files_.flags(fd);
+        const int open_flags = files().flags(fd);
         if (open_flags < 0) return -EBADF;
         const auto mode = static_cast<std::uint32_t>(open_flags) & arm_open::ACCESS;
         const bool shared_write = (access & arm_access::WRITE) && type != arm_mmap::PRIVATE;
         if (mode == arm_open::WRONLY || (shared_write && mode != arm_open::RDWR)) return -EACCES;
-        if (files_.is_memory(fd)) return map_bus(a, bytes, access);
-        if (files_.is_console(fd) || shared_write) return -ENODEV;
+        if (files().is_memory(fd)) return map_bus(a, bytes, access);
+        if (files().is_console(fd) || shared_write) return -ENODEV;
     }
     const auto place = place_of(wish, bytes, flags);
-    if (!place || !memory_.map(*place, bytes, anonymous ? access : ACCESS)) return -ENOMEM;
+    if (!place || !memory().map(*place, bytes, anonymous ? access : ACCESS)) return -ENOMEM;
     if (anonymous) return *place;
     const std::int64_t error =
         fill_from_file(fd, *place, bytes, std::int64_t{page} * AddressSpace::PAGE);
-    if (error < 0) memory_.unmap(*place, bytes);
+    if (error < 0) memory().unmap(*place, bytes);
     if (error < 0) return error;
-    memory_.protect(*place, bytes, access);
+    memory().protect(*place, bytes, access);
     return *place;
 }
 
@@ -82,17 +83,17 @@ std::int64_t LinuxKernel::map_bus(const Arguments& a, std::uint32_t bytes, unsig
     if (physical + bytes > std::uint64_t{1} << 32) return -EINVAL;
     const auto place = place_of(a[0], bytes, a[3]);
     if (!place) return -ENOMEM;
-    memory_.map_bus(*place, bytes, access & ~arm_access::EXECUTE,
-                    static_cast<std::uint32_t>(physical));
+    memory().map_bus(*place, bytes, access & ~arm_access::EXECUTE,
+                     static_cast<std::uint32_t>(physical));
     return *place;
 }
 
 // The rest of the last page stays zero.
 std::int64_t LinuxKernel::fill_from_file(int fd, std::uint32_t begin, std::uint32_t bytes,
                                          std::int64_t offset) {
-    std::uint8_t* to = memory_.bytes(begin, bytes, arm_access::WRITE);
+    std::uint8_t* to = memory().bytes(begin, bytes, arm_access::WRITE);
     for (std::uint32_t done = 0; done < bytes;) {
-        const std::int64_t count = files_.read_at(fd, to + done, bytes - done, offset + done);
+        const std::int64_t count = files().read_at(fd, to + done, bytes - done, offset + done);
         if (count < 0) return count == -ESPIPE ? -ENODEV : count;
         if (count == 0) break;
         done += static_cast<std::uint32_t>(count);
@@ -103,7 +104,7 @@ std::int64_t LinuxKernel::fill_from_file(int fd, std::uint32_t begin, std::uint3
 LinuxKernel::Result LinuxKernel::sys_munmap(const Arguments& a) {
     const std::uint32_t bytes = pages(a[1]);
     if (!aligned(a[0]) || bytes == 0 || !inside(a[0], bytes)) return -EINVAL;
-    memory_.unmap(a[0], bytes);
+    memory().unmap(a[0], bytes);
     return 0;
 }
 
@@ -112,40 +113,40 @@ LinuxKernel::Result LinuxKernel::sys_mprotect(const Arguments& a) {
     if (a[1] == 0) return 0;
     const std::uint32_t bytes = pages(a[1]);
     if (bytes == 0 || !inside(a[0], bytes)) return -ENOMEM;
-    return memory_.protect(a[0], bytes, a[2] & ACCESS) ? 0 : -ENOMEM;
+    return memory().protect(a[0], bytes, a[2] & ACCESS) ? 0 : -ENOMEM;
 }
 
 LinuxKernel::Result LinuxKernel::sys_mremap(const Arguments& a) {
     const std::uint32_t from = a[0], was = pages(a[1]), will = pages(a[2]), flags = a[3];
     if (!aligned(from) || will == 0 || was == 0 || (flags & arm_mremap::FIXED)) return -EINVAL;
-    const auto area = memory_.at(from);
+    const auto area = memory().at(from);
     if (!inside(from, was) || !area || area->second.end - from < was) return -EFAULT;
     if (will <= was) {
-        if (will < was) memory_.unmap(from + will, was - will);
+        if (will < was) memory().unmap(from + will, was - will);
         return from;
     }
     const bool on_bus = area->second.on_bus;
     const unsigned access = area->second.access;
     const std::uint32_t physical = area->second.physical_at(from - area->first);
-    if (inside(from, will) && memory_.is_free(from + was, will - was)) {
+    if (inside(from, will) && memory().is_free(from + was, will - was)) {
         if (on_bus)
-            memory_.map_bus(from + was, will - was, access, physical + was);
-        else if (!memory_.map(from + was, will - was, access))
+            memory().map_bus(from + was, will - was, access, physical + was);
+        else if (!memory().map(from + was, will - was, access))
             return -ENOMEM;
         return from;
     }
-    const auto to = flags & arm_mremap::MAYMOVE ? memory_.find_room(will) : std::nullopt;
+    const auto to = flags & arm_mremap::MAYMOVE ? memory().find_room(will) : std::nullopt;
     if (!to) return -ENOMEM;
     if (on_bus) {
-        memory_.map_bus(*to, will, access, physical);
+        memory().map_bus(*to, will, access, physical);
     } else {
-        if (!memory_.map(*to, will, ACCESS)) return -ENOMEM;
-        memory_.protect(from, was, ACCESS);
-        std::memcpy(memory_.bytes(*to, was, arm_access::WRITE),
-                    memory_.bytes(from, was, arm_access::READ), was);
-        memory_.protect(*to, will, access);
+        if (!memory().map(*to, will, ACCESS)) return -ENOMEM;
+        memory().protect(from, was, ACCESS);
+        std::memcpy(memory().bytes(*to, was, arm_access::WRITE),
+                    memory().bytes(from, was, arm_access::READ), was);
+        memory().protect(*to, will, access);
     }
-    memory_.unmap(from, was);
+    memory().unmap(from, was);
     return *to;
 }
 

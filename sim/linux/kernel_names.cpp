@@ -43,7 +43,7 @@ constexpr std::uint32_t BASIC_STATS = 0x7FF;
 // Relative paths begin at /, the program's working directory: other folders cannot be opened.
 std::pair<std::int64_t, std::string> LinuxKernel::path_at(std::uint32_t folder,
                                                           std::uint32_t address) const {
-    const auto text = memory_.string(address);
+    const auto text = memory().string(address);
     if (!text) return {-EFAULT, ""};
     if (folder != ARM_AT_FDCWD && (*text)[0] != '/') return {-EBADF, ""};
     return {0, *text};
@@ -62,32 +62,32 @@ std::int64_t LinuxKernel::give_status(const std::pair<int, FileStatus>& status, 
     stat.size = file.size;
     stat.block = BLOCK;
     stat.sectors = (file.size + SECTOR - 1) / SECTOR;
-    return memory_.write(to, &stat, sizeof stat) ? 0 : -EFAULT;
+    return memory().write(to, &stat, sizeof stat) ? 0 : -EFAULT;
 }
 
 LinuxKernel::Result LinuxKernel::sys_fstat64(const Arguments& a) {
-    return give_status(files_.status_of(static_cast<int>(a[0])), a[1]);
+    return give_status(files().status_of(static_cast<int>(a[0])), a[1]);
 }
 
 LinuxKernel::Result LinuxKernel::sys_stat64(const Arguments& a) {
     const auto [error, path] = path_at(ARM_AT_FDCWD, a[0]);
-    return error ? error : give_status(files_.status_of(path), a[1]);
+    return error ? error : give_status(files().status_of(path), a[1]);
 }
 
 LinuxKernel::Result LinuxKernel::sys_fstatat64(const Arguments& a) {
     const auto [error, path] = path_at(a[0], a[1]);
     if (path.empty() && (a[3] & ARM_AT_EMPTY_PATH)) return sys_fstat64({a[0], a[2]});
-    return error ? error : give_status(files_.status_of(path), a[2]);
+    return error ? error : give_status(files().status_of(path), a[2]);
 }
 
 LinuxKernel::Result LinuxKernel::sys_statx(const Arguments& a) {
-    const auto text = memory_.string(a[1]);
+    const auto text = memory().string(a[1]);
     const bool by_number = text && text->empty() && (a[2] & ARM_AT_EMPTY_PATH);
     const auto [error, path] =
         by_number ? std::pair<std::int64_t, std::string>{} : path_at(a[0], a[1]);
     if (error) return error;
     const auto [failed, file] =
-        by_number ? files_.status_of(static_cast<int>(a[0])) : files_.status_of(path);
+        by_number ? files().status_of(static_cast<int>(a[0])) : files().status_of(path);
     if (failed) return failed;
     Statx stat{};
     stat.mask = BASIC_STATS;
@@ -100,7 +100,7 @@ LinuxKernel::Result LinuxKernel::sys_statx(const Arguments& a) {
     stat.this_device[0] = static_cast<std::uint32_t>(file.device >> 8);
     stat.this_device[1] = static_cast<std::uint32_t>(file.device & 0xFF);
     stat.device[1] = 1;
-    return memory_.write(a[4], &stat, sizeof stat) ? 0 : -EFAULT;
+    return memory().write(a[4], &stat, sizeof stat) ? 0 : -EFAULT;
 }
 
 LinuxKernel::Result LinuxKernel::sys_access(const Arguments& a) {
@@ -109,7 +109,7 @@ LinuxKernel::Result LinuxKernel::sys_access(const Arguments& a) {
 
 LinuxKernel::Result LinuxKernel::sys_faccessat(const Arguments& a) {
     const auto [error, path] = path_at(a[0], a[1]);
-    return error ? error : files_.access(path, static_cast<int>(a[2]));
+    return error ? error : files().access(path, static_cast<int>(a[2]));
 }
 
 LinuxKernel::Result LinuxKernel::sys_unlink(const Arguments& a) {
@@ -122,7 +122,7 @@ LinuxKernel::Result LinuxKernel::sys_rmdir(const Arguments& a) {
 
 LinuxKernel::Result LinuxKernel::sys_unlinkat(const Arguments& a) {
     const auto [error, path] = path_at(a[0], a[1]);
-    return error ? error : files_.remove(path, a[2] & ARM_AT_REMOVEDIR);
+    return error ? error : files().remove(path, a[2] & ARM_AT_REMOVEDIR);
 }
 
 LinuxKernel::Result LinuxKernel::sys_mkdir(const Arguments& a) {
@@ -131,7 +131,7 @@ LinuxKernel::Result LinuxKernel::sys_mkdir(const Arguments& a) {
 
 LinuxKernel::Result LinuxKernel::sys_mkdirat(const Arguments& a) {
     const auto [error, path] = path_at(a[0], a[1]);
-    return error ? error : files_.make_folder(path, a[2] & ~umask_);
+    return error ? error : files().make_folder(path, a[2] & ~process_->umask);
 }
 
 LinuxKernel::Result LinuxKernel::sys_rename(const Arguments& a) {
@@ -142,18 +142,18 @@ LinuxKernel::Result LinuxKernel::sys_renameat(const Arguments& a) {
     const auto [from_error, from] = path_at(a[0], a[1]);
     const auto [to_error, to] = path_at(a[2], a[3]);
     if (from_error || to_error) return from_error ? from_error : to_error;
-    return files_.rename(from, to);
+    return files().rename(from, to);
 }
 
 // The only link is /proc/self/exe, to the program itself.
 std::int64_t LinuxKernel::give_link(const std::string& path, std::uint32_t to, std::uint32_t size) {
     if (path != "/proc/self/exe") {
-        const int error = files_.status_of(path).first;
+        const int error = files().status_of(path).first;
         return error && error != -ELOOP ? error : -EINVAL;
     }
     const std::string target = sim::path_of(cpu_.program().elf);
     const std::size_t count = std::min<std::size_t>(size, target.size());
-    return memory_.write(to, target.data(), count) ? static_cast<std::int64_t>(count) : -EFAULT;
+    return memory().write(to, target.data(), count) ? static_cast<std::int64_t>(count) : -EFAULT;
 }
 
 LinuxKernel::Result LinuxKernel::sys_readlink(const Arguments& a) {
@@ -168,7 +168,7 @@ LinuxKernel::Result LinuxKernel::sys_readlinkat(const Arguments& a) {
 LinuxKernel::Result LinuxKernel::sys_getcwd(const Arguments& a) {
     constexpr char ROOT[] = "/";
     if (a[1] < sizeof ROOT) return -ERANGE;
-    return memory_.write(a[0], ROOT, sizeof ROOT) ? std::int64_t{sizeof ROOT} : -EFAULT;
+    return memory().write(a[0], ROOT, sizeof ROOT) ? std::int64_t{sizeof ROOT} : -EFAULT;
 }
 
 LinuxKernel::Result LinuxKernel::sys_chdir(const Arguments& a) {
@@ -178,8 +178,8 @@ LinuxKernel::Result LinuxKernel::sys_chdir(const Arguments& a) {
 }
 
 LinuxKernel::Result LinuxKernel::sys_umask(const Arguments& a) {
-    const std::uint32_t was = umask_;
-    umask_ = a[0] & 0777;
+    const std::uint32_t was = process_->umask;
+    process_->umask = a[0] & 0777;
     return was;
 }
 

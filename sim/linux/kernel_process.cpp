@@ -1,7 +1,6 @@
 // kernel_process.cpp - LinuxKernel's calls about the process itself: start, end, limits, signals
 #include <algorithm>
 #include <cerrno>
-#include <csignal>
 #include <cstring>
 
 #include <fmt/format.h>
@@ -25,6 +24,7 @@ std::uint64_t limit_of(std::uint32_t resource) {
 }  // namespace
 
 LinuxKernel::Result LinuxKernel::sys_exit(const Arguments& a) {
+    over_ = true;
     exit_code_ = static_cast<int>(a[0] & 0xFF);
     cpu_.end(*exit_code_ == 0 ? ""
                               : fmt::format("the program ended with exit code {} {}", *exit_code_,
@@ -33,6 +33,7 @@ LinuxKernel::Result LinuxKernel::sys_exit(const Arguments& a) {
 }
 
 LinuxKernel::Result LinuxKernel::sys_set_tls(const Arguments& a) {
+    running_->tls = a[0];
     helpers_.set_tls(a[0]);
     return 0;
 }
@@ -40,7 +41,7 @@ LinuxKernel::Result LinuxKernel::sys_set_tls(const Arguments& a) {
 // Sequences are never restarted, because nothing preempts them; the program always runs on core 0.
 LinuxKernel::Result LinuxKernel::sys_rseq(const Arguments& a) {
     constexpr std::uint32_t CORE[2] = {0, 0};
-    return memory_.write(a[0], CORE, sizeof CORE) ? 0 : -EFAULT;
+    return memory().write(a[0], CORE, sizeof CORE) ? 0 : -EFAULT;
 }
 
 LinuxKernel::Result LinuxKernel::sys_uname(const Arguments& a) {
@@ -48,12 +49,12 @@ LinuxKernel::Result LinuxKernel::sys_uname(const Arguments& a) {
     char names[6 * FIELD] = {};
     const char* const values[6] = {"Linux", "de1soc", "6.1.0", "#1", "armv7l", "(none)"};
     for (std::size_t i = 0; i < 6; ++i) std::strcpy(names + i * FIELD, values[i]);
-    return memory_.write(a[0], names, sizeof names) ? 0 : -EFAULT;
+    return memory().write(a[0], names, sizeof names) ? 0 : -EFAULT;
 }
 
 // Vigna's splitmix64, from a fixed seed.
 LinuxKernel::Result LinuxKernel::sys_getrandom(const Arguments& a) {
-    std::uint8_t* to = memory_.bytes(a[0], a[1], arm_access::WRITE);
+    std::uint8_t* to = memory().bytes(a[0], a[1], arm_access::WRITE);
     if (!to) return -EFAULT;
     for (std::uint32_t i = 0; i < a[1]; ++i) {
         std::uint64_t z = random_ += 0x9E3779B97F4A7C15;
@@ -67,21 +68,21 @@ LinuxKernel::Result LinuxKernel::sys_getrandom(const Arguments& a) {
 LinuxKernel::Result LinuxKernel::sys_prlimit64(const Arguments& a) {
     if (a[1] >= LIMITS) return -EINVAL;
     const std::uint64_t limits[2] = {limit_of(a[1]), limit_of(a[1])};
-    return a[3] == 0 || memory_.write(a[3], limits, sizeof limits) ? 0 : -EFAULT;
+    return a[3] == 0 || memory().write(a[3], limits, sizeof limits) ? 0 : -EFAULT;
 }
 
 LinuxKernel::Result LinuxKernel::sys_getrlimit(const Arguments& a) {
     if (a[0] >= LIMITS) return -EINVAL;
     const auto limit = static_cast<std::uint32_t>(limit_of(a[0]));
     const std::uint32_t limits[2] = {limit, limit};
-    return memory_.write(a[1], limits, sizeof limits) ? 0 : -EFAULT;
+    return memory().write(a[1], limits, sizeof limits) ? 0 : -EFAULT;
 }
 
 LinuxKernel::Result LinuxKernel::sys_getrusage(const Arguments& a) {
     const std::uint64_t us = now_ns() / 1000;
     const std::uint32_t usage[18] = {static_cast<std::uint32_t>(us / 1'000'000),
                                      static_cast<std::uint32_t>(us % 1'000'000)};
-    return memory_.write(a[1], usage, sizeof usage) ? 0 : -EFAULT;
+    return memory().write(a[1], usage, sizeof usage) ? 0 : -EFAULT;
 }
 
 LinuxKernel::Result LinuxKernel::sys_sysinfo(const Arguments& a) {
@@ -90,97 +91,16 @@ LinuxKernel::Result LinuxKernel::sys_sysinfo(const Arguments& a) {
     info[4] = info[5] = static_cast<std::uint32_t>(AddressSpace::RAM);
     info[10] = 1;
     info[13] = 1;
-    return memory_.write(a[0], info, sizeof info) ? 0 : -EFAULT;
+    return memory().write(a[0], info, sizeof info) ? 0 : -EFAULT;
 }
 
 LinuxKernel::Result LinuxKernel::sys_sched_getaffinity(const Arguments& a) {
     constexpr std::uint32_t FIRST_CORE = 1;
     if (a[1] < sizeof FIRST_CORE) return -EINVAL;
-    return memory_.write(a[2], &FIRST_CORE, sizeof FIRST_CORE) ? int{sizeof FIRST_CORE} : -EFAULT;
+    return memory().write(a[2], &FIRST_CORE, sizeof FIRST_CORE) ? int{sizeof FIRST_CORE} : -EFAULT;
 }
 
 LinuxKernel::Result LinuxKernel::sys_done(const Arguments&) { return 0; }
 LinuxKernel::Result LinuxKernel::sys_process(const Arguments&) { return PROCESS; }
-
-// ---- Signals ------------------------------------------------------------------------------------
-
-LinuxKernel::Result LinuxKernel::sys_sigaction(const Arguments& a) {
-    const std::uint32_t number = a[0];
-    if (number < 1 || number > LinuxSignals::COUNT || a[3] != 8) return -EINVAL;
-    if (a[1] != 0 && (number == SIGKILL || number == SIGSTOP)) return -EINVAL;
-    LinuxSignals::Action& action = signals_.actions[number];
-    struct {
-        std::uint32_t handler, flags, restorer, mask[2];
-    } words;
-    static_assert(sizeof words == 20);
-    const auto was = action;
-    if (a[1] != 0) {
-        if (!memory_.read(a[1], &words, sizeof words)) return -EFAULT;
-        action = {words.handler, words.flags, words.restorer,
-                  std::uint64_t{words.mask[1]} << 32 | words.mask[0]};
-    }
-    if (a[2] != 0) {
-        words = {
-            was.handler,
-            was.flags,
-            was.restorer,
-            {static_cast<std::uint32_t>(was.mask), static_cast<std::uint32_t>(was.mask >> 32)}};
-        if (!memory_.write(a[2], &words, sizeof words)) return -EFAULT;
-    }
-    return 0;
-}
-
-LinuxKernel::Result LinuxKernel::sys_sigprocmask(const Arguments& a) {
-    if (a[3] != sizeof signals_.blocked) return -EINVAL;
-    const std::uint64_t was = signals_.blocked;
-    if (a[1] != 0) {
-        std::uint64_t set;
-        if (!memory_.read(a[1], &set, sizeof set)) return -EFAULT;
-        set &= ~(LinuxSignals::bit(SIGKILL) | LinuxSignals::bit(SIGSTOP));
-        switch (a[0]) {
-            case SIG_BLOCK: signals_.blocked |= set; break;
-            case SIG_UNBLOCK: signals_.blocked &= ~set; break;
-            case SIG_SETMASK: signals_.blocked = set; break;
-            default: return -EINVAL;
-        }
-    }
-    return a[2] == 0 || memory_.write(a[2], &was, sizeof was) ? 0 : -EFAULT;
-}
-
-LinuxKernel::Result LinuxKernel::sys_sigaltstack(const Arguments& a) {
-    constexpr std::uint32_t OFF = 2;
-    const std::uint32_t was[3] = {signals_.stack, signals_.stack_size ? 0 : OFF,
-                                  signals_.stack_size};
-    std::uint32_t words[3];
-    if (a[0] != 0) {
-        if (!memory_.read(a[0], words, sizeof words)) return -EFAULT;
-        signals_.stack = words[0];
-        signals_.stack_size = words[1] & OFF ? 0 : words[2];
-    }
-    return a[1] == 0 || memory_.write(a[1], was, sizeof was) ? 0 : -EFAULT;
-}
-
-LinuxKernel::Result LinuxKernel::sys_sigreturn(const Arguments&) {
-    if (!signals_.leave(cpu_.core(), memory_, false))
-        signal(SIGSEGV, 0, "no signal to return from", true);
-    return std::nullopt;
-}
-
-LinuxKernel::Result LinuxKernel::sys_rt_sigreturn(const Arguments&) {
-    if (!signals_.leave(cpu_.core(), memory_, true))
-        signal(SIGSEGV, 0, "no signal to return from", true);
-    return std::nullopt;
-}
-
-LinuxKernel::Result LinuxKernel::sys_kill(const Arguments& a) {
-    if (a[0] > PROCESS && a[0] != static_cast<std::uint32_t>(-1)) return -ESRCH;
-    if (a[1] > LinuxSignals::COUNT) return -EINVAL;
-    if (a[1] != 0) signals_.pending |= LinuxSignals::bit(a[1]);
-    return 0;
-}
-
-LinuxKernel::Result LinuxKernel::sys_tgkill(const Arguments& a) {
-    return a[0] == PROCESS ? sys_kill({a[1], a[2]}) : -ESRCH;
-}
 
 }  // namespace sim

@@ -1,6 +1,7 @@
 // kernel_time.cpp - LinuxKernel's calls for time: clocks and sleep
 #include <algorithm>
 #include <cerrno>
+#include <utility>
 
 #include "sim/linux/kernel.h"
 
@@ -15,18 +16,16 @@ constexpr std::uint32_t FUTEX_WAIT = 0, FUTEX_WAKE = 1, FUTEX_WAIT_BITSET = 9,
 
 }  // namespace
 
-std::uint64_t LinuxKernel::now_ns() const { return cpu_.now().value() / 1000; }
-
 // struct timespec, or with `wide` struct __kernel_timespec.
 std::int64_t LinuxKernel::give_time(std::uint32_t to, std::uint64_t ns, bool wide) {
     const std::uint64_t seconds = ns / NS, rest = ns % NS;
     if (wide) {
         const std::uint64_t time[2] = {seconds, rest};
-        return memory_.write(to, time, sizeof time) ? 0 : -EFAULT;
+        return memory().write(to, time, sizeof time) ? 0 : -EFAULT;
     }
     const std::uint32_t time[2] = {static_cast<std::uint32_t>(seconds),
                                    static_cast<std::uint32_t>(rest)};
-    return memory_.write(to, time, sizeof time) ? 0 : -EFAULT;
+    return memory().write(to, time, sizeof time) ? 0 : -EFAULT;
 }
 
 LinuxKernel::Result LinuxKernel::sys_clock_gettime(const Arguments& a) {
@@ -52,24 +51,25 @@ LinuxKernel::Result LinuxKernel::sys_gettimeofday(const Arguments& a) {
     const std::uint32_t time[2] = {static_cast<std::uint32_t>(us / 1'000'000),
                                    static_cast<std::uint32_t>(us % 1'000'000)};
     const std::uint32_t zone[2] = {0, 0};
-    const bool given = (a[0] == 0 || memory_.write(a[0], time, sizeof time)) &&
-                       (a[1] == 0 || memory_.write(a[1], zone, sizeof zone));
+    const bool given = (a[0] == 0 || memory().write(a[0], time, sizeof time)) &&
+                       (a[1] == 0 || memory().write(a[1], zone, sizeof zone));
     return given ? 0 : -EFAULT;
 }
 
 LinuxKernel::Result LinuxKernel::sys_times(const Arguments& a) {
     const auto ticks = static_cast<std::uint32_t>(now_ns() / TICK_NS);
     const std::uint32_t times[4] = {ticks, 0, 0, 0};
-    if (a[0] != 0 && !memory_.write(a[0], times, sizeof times)) return -EFAULT;
+    if (a[0] != 0 && !memory().write(a[0], times, sizeof times)) return -EFAULT;
     return ticks & 0x7FFFFFFF;
 }
 
-// Nothing can interrupt a sleep, so the remaining time is never returned.
-std::int64_t LinuxKernel::sleep(std::uint32_t flags, std::uint32_t span, bool wide,
-                                std::uint32_t left) {
+// `left`: where the remaining time is stored when a signal ends it.
+LinuxKernel::Result LinuxKernel::sleep(std::uint32_t flags, std::uint32_t span, bool wide,
+                                       std::uint32_t left) {
     std::uint64_t time[2];
     std::uint32_t narrow[2];
-    if (wide ? !memory_.read(span, time, sizeof time) : !memory_.read(span, narrow, sizeof narrow))
+    if (wide ? !memory().read(span, time, sizeof time)
+             : !memory().read(span, narrow, sizeof narrow))
         return -EFAULT;
     if (!wide) {
         const std::int64_t seconds = static_cast<std::int32_t>(narrow[0]);
@@ -79,13 +79,17 @@ std::int64_t LinuxKernel::sleep(std::uint32_t flags, std::uint32_t span, bool wi
     if (static_cast<std::int64_t>(time[0]) < 0 || time[1] >= NS) return -EINVAL;
     std::uint64_t ns = LONGEST_NS;
     if (time[0] < LONGEST_NS / NS) ns = time[0] * NS + time[1];
-    if (flags & ABSOLUTE) {
-        const std::uint64_t now = now_ns();
-        ns = ns > now ? ns - now : 0;
-    }
-    if (left != 0 && !(flags & ABSOLUTE)) give_time(left, 0, wide);
-    if (ns > 0) cpu_.pause(sc_core::sc_time::from_value(ns * 1000));
-    return 0;
+    LinuxWait wait;
+    wait.what = "the time to wake up";
+    wait.at_ns = flags & ABSOLUTE ? ns : ns == 0 ? now_ns() : later_ns(ns);
+    wait.look = [this](LinuxWait& w) { return now_ns() >= w.at_ns ? Result{0} : std::nullopt; };
+    if (left != 0 && !(flags & ABSOLUTE))
+        wait.interrupted = [this, left, wide, end = wait.at_ns, &thread = *running_] {
+            LinuxProcess* const present = std::exchange(process_, &thread.process);
+            give_time(left, end > now_ns() ? end - now_ns() : 0, wide);
+            process_ = present;
+        };
+    return this->wait(std::move(wait));
 }
 
 LinuxKernel::Result LinuxKernel::sys_nanosleep(const Arguments& a) {
@@ -108,18 +112,14 @@ LinuxKernel::Result LinuxKernel::sys_futex(const Arguments& a) {
         case FUTEX_WAIT:
         case FUTEX_WAIT_BITSET: {
             std::uint32_t value;
-            if (!memory_.read(a[0], &value, sizeof value)) return -EFAULT;
+            if (!memory().read(a[0], &value, sizeof value)) return -EFAULT;
             if (value != a[2]) return -EAGAIN;
+            over_ = true;
             cpu_.end("the program waits for a thread, and there is none, " + cpu_.where());
             return 0;
         }
         default: return -ENOSYS;
     }
-}
-
-LinuxKernel::Result LinuxKernel::sys_pause(const Arguments&) {
-    cpu_.pause(sc_core::sc_time::from_value(LONGEST_NS * 1000));
-    return -EINTR;
 }
 
 }  // namespace sim

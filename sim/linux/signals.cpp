@@ -1,8 +1,10 @@
 #include "sim/linux/signals.h"
 
+#include <algorithm>
 #include <csignal>
 #include <cstddef>
 #include <cstring>
+#include <iterator>
 
 #include "sim/linux/arm_abi.h"
 #include "sim/linux/start.h"
@@ -22,17 +24,29 @@ struct UContext {
     std::uint32_t mask[2], unused[30];
     std::uint32_t registers[128];
 };
+// Of registers[]: the floating-point unit's, and the end of such records.
+struct VfpFrame {
+    std::uint32_t magic, size;
+    std::uint64_t d[32];
+    std::uint32_t fpscr, pad, fpexc, fpinst, fpinst2, pad2, end[2];
+};
+constexpr std::uint32_t VFP_MAGIC = 0x56465001, FPEXC_ENABLED = 0x40000000;
 struct Frame {
     std::uint32_t info[32];
     UContext context;
     std::uint32_t code[4];
 };
 static_assert(sizeof(SigContext) == 84 && offsetof(UContext, registers) == 232);
+static_assert(offsetof(VfpFrame, end) == 288 && sizeof(VfpFrame) <= sizeof(UContext::registers));
 
 }  // namespace
 
 bool LinuxSignals::ignored_by_default(unsigned number) {
     return number == SIGCHLD || number == SIGCONT || number == SIGURG || number == SIGWINCH;
+}
+
+bool LinuxSignals::stops_by_default(unsigned number) {
+    return number == SIGSTOP || number == SIGTSTP || number == SIGTTIN || number == SIGTTOU;
 }
 
 const char* LinuxSignals::name(unsigned number) {
@@ -44,24 +58,59 @@ const char* LinuxSignals::name(unsigned number) {
     return number >= 1 && number <= 31 ? NAMES[number - 1] : "a real-time signal";
 }
 
-std::optional<unsigned> LinuxSignals::next() const {
-    const std::uint64_t ready = pending & ~blocked;
-    for (unsigned number = 1; number <= COUNT; ++number)
-        if (ready & bit(number)) return number;
-    return std::nullopt;
+// ---- Pending ------------------------------------------------------------------------------------
+
+bool PendingSignals::add(const LinuxSignal& signal) {
+    constexpr std::size_t MOST = 1024;
+    if (signal.number < LinuxSignals::FIRST_REAL_TIME && (set() & LinuxSignals::bit(signal.number)))
+        return true;
+    if (all_.size() >= MOST) return false;
+    all_.push_back(signal);
+    return true;
 }
 
-bool LinuxSignals::enter(ArmCore& core, AddressSpace& memory, unsigned number,
-                         std::uint32_t address) {
-    Action& action = actions[number];
+std::uint64_t PendingSignals::set() const {
+    std::uint64_t set = 0;
+    for (const LinuxSignal& signal : all_) set |= LinuxSignals::bit(signal.number);
+    return set;
+}
+
+std::optional<LinuxSignal> PendingSignals::take(std::uint64_t blocked) {
+    auto first = all_.end();
+    for (auto it = all_.begin(); it != all_.end(); ++it)
+        if (!(blocked & LinuxSignals::bit(it->number)) &&
+            (first == all_.end() || it->number < first->number))
+            first = it;
+    if (first == all_.end()) return std::nullopt;
+    const LinuxSignal signal = *first;
+    all_.erase(first);
+    return signal;
+}
+
+void PendingSignals::remove(std::uint64_t set) {
+    for (auto it = all_.begin(); it != all_.end();)
+        it = set & LinuxSignals::bit(it->number) ? all_.erase(it) : std::next(it);
+}
+
+// ---- Handlers -----------------------------------------------------------------------------------
+
+bool ThreadSignals::enter(ArmCore& core, AddressSpace& memory, LinuxSignals::Action& action,
+                          const LinuxSignal& signal) {
     Frame frame{};
-    frame.info[0] = number;
-    frame.info[3] = address;
+    frame.info[0] = signal.number;
+    frame.info[2] = static_cast<std::uint32_t>(signal.code);
+    std::copy(signal.fields.begin(), signal.fields.end(), frame.info + 3);
     SigContext& context = frame.context.context;
     for (unsigned i = 0; i < 16; ++i) context.r[i] = core.reg(i);
     context.cpsr = core.cpsr();
-    context.fault_address = address;
-    std::memcpy(frame.context.mask, &blocked, sizeof blocked);
+    context.fault_address = signal.fields[0];
+    const std::uint64_t mask = waits_with.value_or(blocked);
+    waits_with.reset();
+    std::memcpy(frame.context.mask, &mask, sizeof mask);
+    VfpFrame vfp{VFP_MAGIC, offsetof(VfpFrame, end), {}, core.fpscr(), 0, FPEXC_ENABLED, 0, 0, 0,
+                 {}};
+    for (unsigned i = 0; i < 32; ++i) vfp.d[i] = core.vfp(i);
+    std::memcpy(frame.context.registers, &vfp, sizeof vfp);
 
     const std::uint32_t sp = core.reg(13);
     const bool on_stack = sp - stack < stack_size;
@@ -73,8 +122,9 @@ bool LinuxSignals::enter(ArmCore& core, AddressSpace& memory, unsigned number,
     const auto ucontext = at + static_cast<std::uint32_t>(offsetof(Frame, context));
     if (!memory.write(at, &frame, sizeof frame)) return false;
 
+    core.clear_exclusive();
     core.set_reg(13, rt ? at : ucontext);
-    core.set_reg(0, number);
+    core.set_reg(0, signal.number);
     core.set_reg(1, at);
     core.set_reg(2, ucontext);
     core.set_reg(14, action.flags & arm_signal::HAS_RESTORER ? action.restorer
@@ -83,19 +133,27 @@ bool LinuxSignals::enter(ArmCore& core, AddressSpace& memory, unsigned number,
     const std::uint32_t thumb = action.handler & 1 ? arm_cpsr::T : 0;
     core.set_cpsr((core.cpsr() & ~(arm_cpsr::T | arm_cpsr::IT)) | thumb);
     core.set_reg(15, action.handler & ~1u);
-    blocked |= action.mask | (action.flags & arm_signal::NO_DEFER ? 0 : bit(number));
+    blocked |=
+        action.mask | (action.flags & arm_signal::NO_DEFER ? 0 : LinuxSignals::bit(signal.number));
     if (action.flags & arm_signal::RESETS) action.handler = 0;
     return true;
 }
 
-bool LinuxSignals::leave(ArmCore& core, const AddressSpace& memory, bool rt) {
+bool ThreadSignals::leave(ArmCore& core, const AddressSpace& memory, bool rt) {
     UContext frame;
     const std::uint32_t begin = rt ? static_cast<std::uint32_t>(offsetof(Frame, context)) : 0;
     if (!memory.read(core.reg(13) + begin, &frame, sizeof frame)) return false;
+    VfpFrame vfp;
+    std::memcpy(&vfp, frame.registers, sizeof vfp);
+    if (vfp.magic != VFP_MAGIC || vfp.size != offsetof(VfpFrame, end)) return false;
+    for (unsigned i = 0; i < 32; ++i) core.set_vfp(i, vfp.d[i]);
+    core.set_fpscr(vfp.fpscr);
+    core.clear_exclusive();
     constexpr std::uint32_t PROGRAMS_OWN = 0xF80F0000 | arm_cpsr::T | arm_cpsr::IT;
     core.set_cpsr((core.cpsr() & ~PROGRAMS_OWN) | (frame.context.cpsr & PROGRAMS_OWN));
     for (unsigned i = 0; i < 16; ++i) core.set_reg(i, frame.context.r[i]);
     std::memcpy(&blocked, frame.mask, sizeof blocked);
+    blocked &= ~(LinuxSignals::bit(SIGKILL) | LinuxSignals::bit(SIGSTOP));
     return true;
 }
 

@@ -1,38 +1,81 @@
-// signals.h - a Linux process's signals: their actions, and a handler's frame.
+// signals.h - a Linux process's signals: their actions, what is pending, and a handler's frame.
 //
-// Source: Linux 6.1, arch/arm/kernel/signal.c: struct sigframe, rt_sigframe, sigcontext.
+// Source: Linux 6.1, arch/arm/kernel/signal.c: struct sigframe, rt_sigframe, sigcontext,
+// vfp_sigframe.
 #pragma once
 
 #include <array>
 #include <cstdint>
+#include <deque>
 #include <optional>
+#include <string>
 
 #include "sim/cpu/arm_core.h"
 #include "sim/linux/address_space.h"
 
 namespace sim {
 
+// As in siginfo_t, and in words for the run's messages.
+struct LinuxSignal {
+    unsigned number = 0;
+    std::int32_t code = 0;
+    std::array<std::uint32_t, 3> fields{};  // an address; or process, user, value or status
+    std::string why{};                      // "sent by itself"
+};
+
+namespace arm_signal_code {
+constexpr std::int32_t USER = 0, KERNEL = 0x80, QUEUE = -1, TIMER = -2, TKILL = -6;
+}
+
 class LinuxSignals {
 public:
-    static constexpr unsigned COUNT = 64;  // numbered from 1
+    static constexpr unsigned COUNT = 64, FIRST_REAL_TIME = 32;  // numbered from 1
 
     struct Action {                                          // as the kernel's struct sigaction
         std::uint32_t handler = 0, flags = 0, restorer = 0;  // handler 0: default, 1: ignored
         std::uint64_t mask = 0;
+        bool handled() const { return handler > 1; }
     };
     std::array<Action, COUNT + 1> actions{};
-    std::uint64_t blocked = 0, pending = 0;   // bit n: signal n + 1
-    std::uint32_t stack = 0, stack_size = 0;  // of sigaltstack
 
     static constexpr std::uint64_t bit(unsigned number) { return std::uint64_t{1} << (number - 1); }
     static bool ignored_by_default(unsigned number);
+    static bool stops_by_default(unsigned number);
     static const char* name(unsigned number);  // "SIGSEGV"
+    bool ignores(unsigned number) const {
+        const std::uint32_t handler = actions[number].handler;
+        return handler == 1 || (handler == 0 && ignored_by_default(number));
+    }
+};
 
-    // The pending signal to deliver next.
-    std::optional<unsigned> next() const;
+// Of a thread or a process.  One of a number below 32 is kept once, others in their order.
+class PendingSignals {
+public:
+    bool add(const LinuxSignal& signal);  // false: there are too many
+    std::uint64_t set() const;
+    // The one of the lowest number that is not among `blocked`.
+    std::optional<LinuxSignal> take(std::uint64_t blocked);
+    void remove(std::uint64_t set);
+
+private:
+    std::deque<LinuxSignal> all_;
+};
+
+// What each thread has of its own.
+struct ThreadSignals {
+    std::uint64_t blocked = 0;                // bit n: signal n + 1
+    std::optional<std::uint64_t> waits_with;  // the mask before a call that changes it meanwhile
+    PendingSignals pending{};
+    std::uint32_t stack = 0, stack_size = 0;  // of sigaltstack
+
+    void restore_mask() {
+        if (waits_with) blocked = *waits_with;
+        waits_with.reset();
+    }
 
     // Writes the frame to the program's stack and jumps to the handler; false: no room there.
-    bool enter(ArmCore& core, AddressSpace& memory, unsigned number, std::uint32_t address);
+    bool enter(ArmCore& core, AddressSpace& memory, LinuxSignals::Action& action,
+               const LinuxSignal& signal);
     // Returns from it; `rt`: the kind of frame.  False: the frame cannot be read.
     bool leave(ArmCore& core, const AddressSpace& memory, bool rt);
 };

@@ -6,14 +6,18 @@
 // ICANON off a program gets each character as it comes, with VMIN = 0 possibly none; with ECHO off
 // nothing is echoed (TCSETS).  A carriage return is a newline.
 //
-// Not handled: the echo comes when the line is read, not when it is typed; signals by ^C and ^Z;
-// VTIME; settings of windows, modems and speeds are kept without effect.
+// With ISIG, and a listener for signals, ^C, ^\ and ^Z send theirs when they come; what was typed
+// before and is not read yet is dropped, unless NOFLSH says otherwise.
+//
+// Not handled: the echo comes when the line is read, not when it is typed, but for that of ^C and
+// its kind; VTIME; settings of windows, modems and speeds are kept without effect.
 #pragma once
 
 #include <array>
 #include <cstdint>
 #include <deque>
 #include <functional>
+#include <optional>
 #include <string>
 
 #include <systemc>
@@ -30,6 +34,8 @@ public:
         std::function<void(const sc_core::sc_time&)> sleep;
         std::function<void(const sc_core::sc_event&, const sc_core::sc_time& at_most)> sleep_until;
         std::function<void(char)> echo;
+        std::function<void(unsigned)> signal{};  // by its number
+        std::function<void()> typed{};           // there is something new
     };
     explicit Terminal(Outside outside);
 
@@ -38,9 +44,14 @@ public:
 
     // As read(2): waits for a line, or with ICANON off for a character.
     std::int64_t read(char* to, std::size_t bytes);
-    std::uint32_t ready() const;  // characters that could be read at once
-    bool readable() const;        // read() would not block: there is input, or its end
-    void wait(const sc_core::sc_time& at_most);  // until it is readable
+    // The same without waiting: EAGAIN.
+    std::int64_t take(char* to, std::size_t bytes);
+    void flush();  // what has come and is not read yet
+    // Sends the signals that were typed until now.  True if anything has come since the last call.
+    bool arrive();
+    std::optional<sc_core::sc_time> next_arrival() const;  // of what arrive() has not seen
+    std::uint32_t ready() const;                           // characters that could be read at once
+    bool readable() const;  // read() would not block: there is input, or its end
     bool waits() const { return waits_; }
 
     Settings settings;
@@ -55,11 +66,13 @@ private:
     bool arrived(std::size_t count) const;
     std::size_t unit() const;
     void doze(const sc_core::sc_time& at_most);
-    std::int64_t take(char* to, std::size_t bytes);
+    std::int64_t give(char* to, std::size_t bytes);
+    unsigned signal_of(char c) const;
 
     Outside outside_;
     std::deque<Key> typed_;
-    std::string line_;  // the rest of the one that is being read
+    std::size_t seen_ = 0;  // of these, by arrive()
+    std::string line_;      // the rest of the one that is being read
     bool closed_ = false, waits_ = false;
     sc_core::sc_event more_;
 };

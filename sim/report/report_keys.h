@@ -109,7 +109,8 @@ inline constexpr ReportKey REPORT_KEYS[] = {
     {"program.frames.instructions.*", "Instructions per frame: `min`, `median`, `max`."},
     {"program.frames.busy_share.*", "Share of the frame in which the processor was not asleep."},
     {"program.frames.bus_share.*", "Share of the frame in which it waited for the FPGA."},
-    {"program.exit_code", "Of a program that has ended on Linux or by semihosting."},
+    {"program.exit_code",
+     "Of a program that has ended on Linux or by semihosting; 130 of one that ^C has ended."},
 };
 
 }  // namespace sim

@@ -72,8 +72,9 @@ RunReport::Program ArmRun::program() const {
 std::string ArmRun::waiting() const {
     const ArmCpu::Position at = cpu_.position();
     if (at.ended) return "nothing: it has ended";
+    if (kernel_ && !kernel_->waiting().empty()) return kernel_->waiting();
     if (terminal().waits()) return "standard input";
-    if (at.sleeping) return kernel_ ? "the time to wake up" : "an interrupt";
+    if (at.sleeping) return "an interrupt";
     if (at.polled) return fmt::format("a change of 0x{:08X}{}", *at.polled, named(*at.polled));
     return "";
 }

@@ -71,6 +71,8 @@ void ArmCore::set_vfp(unsigned number, std::uint64_t value) {
     words[low + 1] = static_cast<std::uint32_t>(value >> 32);
 }
 
+void ArmCore::clear_exclusive() { engine_->jit->ClearExclusiveState(); }
+
 void ArmCore::set_floating_point(bool on) {
     engine_->cp15.set(cp15::CPACR, on ? 0x00F00000 : 0);
     engine_->fpexc = on ? FPEXC_EN : 0;

@@ -32,6 +32,8 @@ void ArmCore::reset(std::uint32_t entry, std::uint32_t stack) {
     set_reg(15, entry);
 }
 
+void ArmCore::clear_exclusive() {}
+
 void ArmCore::set_floating_point(bool on) {
     set_cp15(cp15::CPACR, on ? 0x00F00000 : 0);
     const std::uint32_t enable = on ? FPEXC_EN : 0;

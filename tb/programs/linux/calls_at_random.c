@@ -4,7 +4,7 @@
 // Pointers go into an arena, whose contents are at random too and whose pages calls unmap, protect
 // and move, to its own code, to nothing, or beyond the end; never to where it keeps its own data.
 // Calls that would end or stop it are left out: exit, signals to itself, returns from a signal,
-// pause, waiting for a thread.  What sleeps gets a time of less than a millisecond, and standard
+// waiting for one or for a thread.  What sleeps gets a time of less than a millisecond, and standard
 // input becomes a file.  Without a C library, because calls also change the heap and the TLS.
 #include <stdint.h>
 
@@ -16,6 +16,7 @@ enum {
     NR_EXIT = 1, NR_READ = 3, NR_WRITE = 4, NR_OPEN = 5, NR_CLOSE = 6, NR_PAUSE = 29, NR_KILL = 37,
     NR_BRK = 45, NR_DUP2 = 63, NR_MUNMAP = 91, NR_SIGRETURN = 119, NR_MPROTECT = 125,
     NR_SELECT = 142, NR_NANOSLEEP = 162, NR_MREMAP = 163, NR_POLL = 168, NR_RT_SIGRETURN = 173,
+    NR_SIGTIMEDWAIT = 177, NR_SIGQUEUEINFO = 178, NR_SIGSUSPEND = 179, NR_SIGTIMEDWAIT_64 = 421,
     NR_MMAP2 = 192, NR_FTRUNCATE64 = 194, NR_TKILL = 238, NR_FUTEX = 240, NR_EXIT_GROUP = 248,
     NR_CLOCK_NANOSLEEP = 265, NR_TGKILL = 268, NR_PSELECT6 = 335, NR_PPOLL = 336,
     NR_CLOCK_NANOSLEEP64 = 407, NR_PSELECT6_64 = 413, NR_PPOLL_64 = 414, NR_FUTEX_64 = 422,
@@ -137,7 +138,8 @@ static void close_files(void) {
 static int ends_or_stops(uint32_t number) {
     return number == NR_EXIT || number == NR_EXIT_GROUP || number == NR_PAUSE ||
            number == NR_KILL || number == NR_TKILL || number == NR_TGKILL ||
-           number == NR_SIGRETURN || number == NR_RT_SIGRETURN;
+           number == NR_SIGRETURN || number == NR_RT_SIGRETURN || number == NR_SIGTIMEDWAIT ||
+           number == NR_SIGQUEUEINFO || number == NR_SIGSUSPEND || number == NR_SIGTIMEDWAIT_64;
 }
 
 static void one_call(void) {

@@ -1,0 +1,134 @@
+// kernel_schedule.cpp - LinuxKernel's threads in time: which runs, which waits, what ends that
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "sim/linux/kernel.h"
+
+namespace sim {
+
+std::uint64_t LinuxKernel::now_ns() const { return cpu_.now().value() / 1000; }
+
+std::uint64_t LinuxKernel::later_ns(std::uint64_t span_ns) const {
+    return (cpu_.now().value() + 999) / 1000 + std::min(span_ns, LONGEST_NS);
+}
+
+std::vector<LinuxThread*> LinuxKernel::threads() const {
+    std::vector<LinuxThread*> all;
+    for (const auto& process : processes_)
+        for (const auto& thread : process->threads) all.push_back(thread.get());
+    return all;
+}
+
+// ---- Waiting ------------------------------------------------------------------------------------
+
+LinuxKernel::Result LinuxKernel::wait(LinuxWait wait) {
+    if (wait.look)
+        if (const Result result = wait.look(wait)) {
+            running_->signals.restore_mask();
+            return result;
+        }
+    running_->wait = std::move(wait);
+    return std::nullopt;
+}
+
+// Ends what it waits for; without a result its registers stay.
+void LinuxKernel::resume(LinuxThread& thread, Result result) {
+    if (result) thread.r[0] = static_cast<std::uint32_t>(*result);
+    thread.wait.reset();
+    if (!thread.process.stopped) scheduler_.add(thread, true);
+}
+
+void LinuxKernel::look(LinuxThread& thread) {
+    LinuxProcess* const present = process_;
+    process_ = &thread.process;
+    const Result result = thread.wait->look(*thread.wait);
+    process_ = present;
+    if (!result) return;
+    thread.signals.restore_mask();
+    resume(thread, result);
+}
+
+void LinuxKernel::look_at_all() {
+    const bool changed = std::exchange(changed_, false);
+    const std::uint64_t now = now_ns();
+    for (LinuxThread* const thread : threads())
+        if (thread->wait && thread->wait->look && (changed || thread->wait->at_ns <= now))
+            look(*thread);
+    for (LinuxThread* const thread : threads())
+        if (thread->wait && !thread->wait->uninterrupted && wakes(*thread)) interrupt(*thread);
+}
+
+// ---- The processor ------------------------------------------------------------------------------
+
+void LinuxKernel::suspend() {
+    LinuxThread& thread = *running_;
+    thread.save(cpu_.core());
+    running_ = nullptr;
+    if (!thread.wait && !thread.process.stopped) scheduler_.add(thread, false);
+}
+
+void LinuxKernel::run(LinuxThread& thread) {
+    running_ = &thread;
+    process_ = &thread.process;
+    thread.load(cpu_.core());
+    helpers_.set_tls(thread.tls);
+}
+
+void LinuxKernel::go_on() {
+    const std::uint64_t entered = now_ns();
+    if (running_) scheduler_.account(*running_, entered);
+    while (!over_) {
+        changed_ |= terminal_.arrive();
+        if (running_ && running_->wait) suspend();
+        look_at_all();
+        if (running_ && scheduler_.preempts(*running_, now_ns())) suspend();
+        if (!running_ && scheduler_.empty()) {
+            stand_still();
+            continue;
+        }
+        if (!running_) run(scheduler_.take(now_ns()));
+        deliver();
+        if (running_ && !running_->wait) break;
+    }
+    const std::uint64_t next = over_ ? LinuxWait::NEVER : next_event_ns();
+    cpu_.set_alarm(next == LinuxWait::NEVER ? sc_core::sc_max_time()
+                                            : sc_core::sc_time::from_value(next * 1000));
+}
+
+void LinuxKernel::alarm(ArmCore&) { go_on(); }
+
+std::uint64_t LinuxKernel::next_event_ns() const {
+    std::uint64_t next = running_ ? scheduler_.end_of_turn_ns(*running_) : LinuxWait::NEVER;
+    for (const LinuxThread* const thread : threads())
+        if (thread->wait) next = std::min(next, thread->wait->at_ns);
+    if (const auto typed = terminal_.next_arrival())
+        next = std::min<std::uint64_t>(next, (typed->value() + 999) / 1000);
+    return next;
+}
+
+// No thread can run: lets time pass until something happens.
+void LinuxKernel::stand_still() {
+    cpu_.pause(sc_core::SC_ZERO_TIME);  // what others do until now comes first
+    const std::uint64_t now = now_ns(), next = std::min(next_event_ns(), now + LONGEST_NS);
+    if (next <= now) return;
+    sleeping_ = true;
+    cpu_.pause(woken_, sc_core::sc_time::from_value((next - now) * 1000));
+    sleeping_ = false;
+}
+
+std::string LinuxKernel::waiting() const {
+    if (!sleeping_) return "";
+    std::string all;
+    const std::vector<LinuxThread*> list = threads();
+    for (const LinuxThread* const thread : list) {
+        if (list.size() > 1)
+            all += fmt::format("{}thread {}: ", all.empty() ? "" : "; ", thread->number);
+        all += thread->process.stopped ? "SIGCONT, because it is stopped"
+               : thread->wait          ? thread->wait->what
+                                       : "its turn";
+    }
+    return all;
+}
+
+}  // namespace sim

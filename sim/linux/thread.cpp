@@ -1,0 +1,20 @@
+#include "sim/linux/thread.h"
+
+namespace sim {
+
+void LinuxThread::save(const ArmCore& core) {
+    for (unsigned i = 0; i < 16; ++i) r[i] = core.reg(i);
+    cpsr = core.cpsr();
+    fpscr = core.fpscr();
+    for (unsigned i = 0; i < 32; ++i) vfp[i] = core.vfp(i);
+}
+
+void LinuxThread::load(ArmCore& core) const {
+    core.set_cpsr(cpsr);
+    for (unsigned i = 0; i < 16; ++i) core.set_reg(i, r[i]);
+    core.set_fpscr(fpscr);
+    for (unsigned i = 0; i < 32; ++i) core.set_vfp(i, vfp[i]);
+    core.clear_exclusive();
+}
+
+}  // namespace sim
