@@ -1,7 +1,7 @@
 # The menu. Each entry shows the real command.
 
-.PHONY: all build setup help demo test fast asan coverage bench bench-collision firmware package
-.PHONY: bench-history nightly weekly tsan clang
+.PHONY: all build setup help demo test test-all fast asan coverage bench bench-collision firmware
+.PHONY: package bench-history nightly weekly tsan clang
 .PHONY: soak formal formal-mutants mutants synth netlist table1 fuzz instructions qsf bitstream
 .PHONY: bitstream-open regmap format clean configure everything
 .PHONY: fuzz-programs deploy rollback deploy-jtag
@@ -25,7 +25,7 @@ setup:                  ## [FOR="tool firmware test"] install the Debian package
 configure:
 	@.ci/configure
 everything:
-	@.ci/configure FIRMWARE TESTS PROOFS BENCH BOARD WERROR=$(WERROR) PART=$(PART)
+	@.ci/configure FIRMWARE TESTS TEST_ALL BOARD WERROR=$(WERROR)
 
 qsf:                    ## write the Quartus project anew from the top module's ports and pins.tsv
 	@/usr/bin/python3 -B rtl/board/de1_soc/gen_qsf.py > build/de1_soc.qsf
@@ -70,13 +70,17 @@ package:                ## build/package/de1sim_*.deb
 	@.ci/configure FIRMWARE
 	@cmake --build build --target deb
 
-# Of the parts that are in tb/CMakeLists.txt.
-PART = all
-test:                   ## [PART=blocks|programs|projects|proofs] every test, packages first
+test:                   ## the tests that answer a change, packages first
 	@.ci/setup tool firmware board test video
-	@.ci/configure FIRMWARE TESTS PROOFS BENCH BOARD WERROR=$(WERROR) PART=$(PART)
+	@.ci/configure FIRMWARE TESTS BOARD WERROR=$(WERROR)
 	@cmake --build build
 	@.ci/test test
+
+test-all:               ## every test, packages first: before a release, and each night
+	@.ci/setup tool firmware board test video
+	@$(MAKE) --no-print-directory everything
+	@cmake --build build
+	@.ci/test test-all
 
 fast: everything        ## every test but the whole-system ones
 	@cmake --build build

@@ -89,7 +89,7 @@ class Tree:
             launcher = ["-DCMAKE_CXX_COMPILER_LAUNCHER=ccache"] if shutil.which("ccache") else []
             self._must(["cmake", "--preset", "default", f"-DVERILATOR_BIN={self.verilator}",
                         *launcher,
-                        *(f"-DDE1SIM_{name}=ON" for name in ("FIRMWARE", "TESTS", "PROOFS"))])
+                        *(f"-DDE1SIM_{name}=ON" for name in ("FIRMWARE", "TESTS", "TEST_ALL"))])
         self._must(["ninja", "-C", self.build, "build.ninja"])  # the copy may have other tests
         self.labels, self.folders = self._programs()
         wanted = [name for name, label in self.labels.items() if label in ("rtl", "sim")
