@@ -32,6 +32,8 @@ Board::Board(const sc_core::sc_module_name& name, Audience& audience, std::uint6
                  [this] { return line_in.sample(codec_chip.time_ps(), codec_chip.rate_hz()); },
                  [this] { return microphone.sample(codec_chip.time_ps(), codec_chip.rate_hz()); }},
       keypad{agenda, seed, [this] { headers_moved(); }},
+      switches{agenda, seed,
+               [this] { chip_->inputs().sw = static_cast<std::uint16_t>(switches.closed()); }},
       ps2_keyboard{agenda, [this] { ps2_wires(chip_->inputs()); }},
       ps2_mouse{agenda, [this] { ps2_wires(chip_->inputs()); }},
       remote_control{agenda, [this] { chip_->inputs().irda_rxd = remote_control.dark(); }},
@@ -204,22 +206,32 @@ void Board::set_voltage(unsigned channel, double volts) {
     act([this, channel, millivolts] { adc_chip.set(channel, millivolts); });
 }
 
-void Board::hold(std::uint16_t keys16, std::uint8_t keys, std::uint16_t switches) {
-    act([this, keys16, keys, switches] {
+namespace {
+
+BouncingContacts::Bounce bounce_now(std::uint64_t within_ps) {
+    return {2, sc_core::sc_time_stamp() == sc_core::SC_ZERO_TIME ? 0 : within_ps / 1000};
+}
+
+}  // namespace
+
+void Board::hold(std::uint16_t keys16, std::uint8_t keys, std::uint16_t slid,
+                 std::uint64_t bounce_ps) {
+    act([this, keys16, keys, slid, bounce = bounce_now(bounce_ps)] {
         if (keys16) keypad.press(keys16);
         ChipInputs& in = chip_->inputs();
         in.key_n = static_cast<std::uint8_t>(in.key_n & ~keys);
-        in.sw = static_cast<std::uint16_t>(in.sw | switches);
+        if (slid) switches.move(slid, true, bounce);
     });
     if (keys & HPS_KEY) chip_->hps_key(true);
 }
 
-void Board::release(std::uint16_t keys16, std::uint8_t keys, std::uint16_t switches) {
-    act([this, keys16, keys, switches] {
+void Board::release(std::uint16_t keys16, std::uint8_t keys, std::uint16_t slid,
+                    std::uint64_t bounce_ps) {
+    act([this, keys16, keys, slid, bounce = bounce_now(bounce_ps)] {
         if (keys16) keypad.release(keys16);
         ChipInputs& in = chip_->inputs();
         in.key_n = static_cast<std::uint8_t>(in.key_n | (keys & ALL_KEYS));
-        in.sw = static_cast<std::uint16_t>(in.sw & ~switches);
+        if (slid) switches.move(slid, false, bounce);
     });
     if (keys & HPS_KEY) chip_->hps_key(false);
 }

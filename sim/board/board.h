@@ -10,7 +10,10 @@
 //                +- RemoteControl  (infrared receiver)
 //                +- HeaderWires  (GPIO_0, GPIO_1)  --- Parts of the scenario
 //                +- Accelerometer  (I2C0 of the HPS)
-//                +- KEY, SW, LEDR, HEX, HPS_KEY, HPS_LED
+//                +- SW  (BouncingContacts)
+//                +- KEY, LEDR, HEX, HPS_KEY, HPS_LED
+//
+// The KEYs have Schmitt triggers that debounce them; the switches bounce.
 //
 // What is in the chip is not known here: sim/chip/chip.h.
 #pragma once
@@ -26,6 +29,7 @@
 #include "sim/board/accelerometer.h"
 #include "sim/board/adv7180.h"
 #include "sim/board/audience.h"
+#include "sim/board/bouncing_contacts.h"
 #include "sim/board/header_wires.h"
 #include "sim/board/is42s16320d.h"
 #include "sim/board/keypad.h"
@@ -49,7 +53,7 @@ class Board : public sc_core::sc_module, private PinListener {
     static constexpr unsigned HEX_LSB = 10, HPS_LED_BIT = 52, LAMPS = 53;
 
 public:
-    // `seed` of the keypad's contact bounce.
+    // `seed` of the bounce of contacts: the keypad's and the switches'.
     Board(const sc_core::sc_module_name& name, Audience& audience, std::uint64_t seed,
           Ps2Ports ps2_ports, const ChipMaker& make_chip,
           Monitor::Strictness vga = Monitor::Strictness::STRICT,
@@ -58,9 +62,12 @@ public:
     // Carries out what a person does now, once the chip has come to the present.
     void act(Agenda::Action action);
 
-    // Hands on the board: masks of keypad keys (4 * row + column), HPS_KEY and KEY3-0, and SW9-0.
-    void hold(std::uint16_t keypad, std::uint8_t keys, std::uint16_t switches);
-    void release(std::uint16_t keypad, std::uint8_t keys, std::uint16_t switches);
+    // Hands on the board: masks of keypad keys (4 * row + column), HPS_KEY and KEY3-0, and SW9-0,
+    // which bounce once or twice within a time; those that are moved at time 0 stand so before power comes.
+    void hold(std::uint16_t keypad, std::uint8_t keys, std::uint16_t switches,
+              std::uint64_t bounce_ps = 0);
+    void release(std::uint16_t keypad, std::uint8_t keys, std::uint16_t switches,
+                 std::uint64_t bounce_ps = 0);
 
     // From the next conversion on; `channel` is 0 to 7.
     void set_voltage(unsigned channel, double volts);
@@ -134,6 +141,7 @@ public:  // the parts, in the order in which they are soldered
     Ltc2308 adc_chip;
     Is42s16320d sdram_chip;
     Keypad keypad;
+    BouncingContacts switches;
     Ps2Keyboard ps2_keyboard;
     Ps2Mouse ps2_mouse;
     RemoteControl remote_control;

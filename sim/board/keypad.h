@@ -6,8 +6,7 @@
 //      D1     7    8    9    C      pull-ups.  So three corners of a rectangle close the path of
 //      D0     0    F    E    D      the fourth, in both directions.
 //
-// A contact that closes or opens bounces for up to 5 ms: 1 to 6 times open and closed again at
-// times drawn from a generator with the given seed.
+// A contact that closes or opens bounces 1 to 6 times, for up to 5 ms (bouncing_contacts.h).
 //
 // Not handled: contact resistance; contention.  A wire that one output drives high and another low
 // is low here; on a board it may damage a pin.
@@ -15,9 +14,8 @@
 
 #include <cstdint>
 #include <functional>
-#include <map>
-#include <random>
 
+#include "sim/board/bouncing_contacts.h"
 #include "sim/pins/agenda.h"
 
 namespace sim {
@@ -38,21 +36,7 @@ public:
     std::uint64_t releases() const { return releases_; }
 
 private:
-    struct Contact {
-        unsigned key;
-        bool closed;
-    };
-
-    void move(std::uint16_t keys, bool closed);
-    void step();
-    unsigned random(unsigned below) { return static_cast<unsigned>(random_() % below); }
-
-    Agenda& agenda_;
-    std::function<void()> moved_;
-    std::mt19937_64 random_;
-    std::multimap<std::uint64_t, Contact> pending_;  // by their times
-    PartTimer next_{agenda_, [this] { step(); }};
-    std::uint16_t closed_ = 0;  // contacts, as they are now
+    BouncingContacts contacts_;
     std::uint64_t presses_ = 0, releases_ = 0;
 };
 

@@ -100,12 +100,12 @@ void Player::before_press(const std::string& control) {
     if (hands_.has_just_let_go(control)) sc_module::wait(Hands::pause());
 }
 
-void Player::hold(const Controls& c) {
+void Player::hold(const Controls& c, SimTime bounce) {
     for (const unsigned number : control_numbers(c)) before_press(control_name(number));
-    board_.hold(c.keypad, c.keys, c.switches);
+    board_.hold(c.keypad, c.keys, c.switches, bounce.ps);
 }
-void Player::release(const Controls& c) {
-    board_.release(c.keypad, c.keys, c.switches);
+void Player::release(const Controls& c, SimTime bounce) {
+    board_.release(c.keypad, c.keys, c.switches, bounce.ps);
     for (const unsigned number : control_numbers(c)) hands_.let_go(control_name(number));
 }
 void Player::drive_pins(const HeaderMasks& pins, PinLevel level) { board_.drive_pins(pins, level); }

@@ -54,8 +54,8 @@ private:
 
     void wait(SimTime time) override;
     bool wait_until(Each each, SimTime timeout, const std::function<bool()>& met) override;
-    void hold(const Controls& controls) override;
-    void release(const Controls& controls) override;
+    void hold(const Controls& controls, SimTime bounce) override;
+    void release(const Controls& controls, SimTime bounce) override;
     void drive_pins(const HeaderMasks& pins, PinLevel level) override;
     void close_contact(const std::string& part, bool closed) override;
     void set_voltage(unsigned channel, double volts) override;

@@ -44,8 +44,9 @@ public:
 
     // ---- Hands ----
 
-    virtual void hold(const Controls& controls) = 0;
-    virtual void release(const Controls& controls) = 0;
+    // Switches bounce within this time.
+    virtual void hold(const Controls& controls, SimTime bounce) = 0;
+    virtual void release(const Controls& controls, SimTime bounce) = 0;
     virtual void drive_pins(const HeaderMasks& pins, PinLevel level) = 0;
     // A button or a switch of the parts, by its name.
     virtual void close_contact(const std::string& part, bool closed) = 0;

@@ -148,7 +148,8 @@ class DrivenProject(Played):
 
     async def test_presses_of_one_clock_are_seen(self):
         client = await self.client()
-        for control in [{"key": n} for n in range(4)] + [{"switch": n} for n in (0, 9)]:
+        for control in [{"key": n} for n in range(4)] + [
+                {"switch": n, "bounce": "0ms"} for n in (0, 9)]:
             await client.step("press", {**control, "for": "20ns"})
             await client.step("press", {**control, "for": "20ns"})  # 50 ms later
             await self.run_for(client, "51ms")

@@ -75,7 +75,7 @@ class Waves(unittest.IsolatedAsyncioTestCase):
             client = Client(socket)
             await client.frames_on(2)
             await client.send(waves={"next": "12ms"})
-            await client.step("hold", {"switch": 3})
+            await client.step("hold", {"switch": 3, "bounce": "0ms"})
             written = await client.wait_for("waves", 120)
             self.assertTrue(written.endswith("/out/waves-1/waves.fst"), written)
             frames = client.frames()

@@ -45,8 +45,8 @@ class Dac(Case):
         frame_us = 16800
         steps = [f"delay: {3 * frame_us + 16000}us"]
         for switch in range(5):
-            steps += [f"hold: {{switch: {switch}}}", f"delay: {frame_us}us",
-                      f"release: {{switch: {switch}}}"]
+            steps += [f"hold: {{switch: {switch}, bounce: 0ms}}", f"delay: {frame_us}us",
+                      f"release: {{switch: {switch}, bounce: 0ms}}"]
         self.plays(*steps)
         rgb = bytes(c for y in range(480) for x in range(640) for c in (x & 255, y & 255, 0x55))
         pictures = self.report()["frames"]["pictures"]

@@ -27,7 +27,7 @@ def key(n):
 
 
 def switch(n):
-    return f"press: {{switch: {n}, for: %s}}", 1 << 72 + n
+    return f"press: {{switch: {n}, for: %s, bounce: 0ns}}", 1 << 72 + n
 
 
 def button(n):
@@ -70,6 +70,20 @@ class Pins(Case):
         for seed in range(5):
             steps, expected = self.pulses(seed)
             self.assertEqual(self.heard(*steps, parts=self.BUTTONS), expected)
+
+    def test_a_switch_bounces_until_it_stays(self):
+        heard = self.heard("delay: 1us", "hold: {switch: 3}", "delay: 5ms", "release: {switch: 3}",
+                           "delay: 5ms")
+        self.assertEqual({mask for _, mask in heard}, {1 << 75})
+        on, off = ([time for time, _ in heard if begin < time <= begin + 500_100]
+                   for begin in (1_000, 5_001_000))
+        self.assertEqual(len(on) + len(off), len(heard))
+        for moves in on, off:
+            self.assertGreaterEqual(len(moves), 3)
+            self.assertEqual(len(moves) % 2, 1)
+
+    def test_a_switch_that_was_on_before_power_does_not_bounce(self):
+        self.assertEqual(self.heard("hold: {switch: 3}", "delay: 5ms"), [])
 
     def test_pulses_are_heard_in_waveforms_as_without(self):
         steps, expected = self.pulses(5)

@@ -85,7 +85,7 @@ TEST(ScenarioError, SaysWhichFieldOfAStepIsMissing) {
     EXPECT_EQ(step_error("hold: {}"),
               "a.yaml:4:3: expected keypad, key or switch in hold, got none");
     EXPECT_EQ(step_error("release:"),
-              "a.yaml:4:3: expected a map with keypad, key or switch in release, got nothing");
+              "a.yaml:4:3: expected a map with keypad, key, switch or bounce in release, got nothing");
 }
 
 TEST(ScenarioError, SaysThatTheVersionMustBeOne) {
@@ -127,7 +127,7 @@ TEST(ScenarioError, SaysWhatAValueShouldHaveBeen) {
          "expected a key number, 0 to 3, or hps, got \"1\" (leave out the quotes)"},
         {"press: {switch: 10}", 19, "expected a switch number, 0 to 9, got 10"},
         {"press: {switch: 1.5}", 19, "expected a switch number, 0 to 9, got 1.5"},
-        {"press: 5", 10, "expected a map with keypad, key, switch or for in press, got 5"},
+        {"press: 5", 10, "expected a map with keypad, key, switch, bounce or for in press, got 5"},
         {"wait-frame: 0", 15,
          "expected a frame number from 1 to 1000000, next or next-swap, got 0"},
         {"wait-frame: nxt", 15,

@@ -28,7 +28,8 @@ class OnControls : public Action {
 protected:
     explicit OnControls(const Values& v)
         : controls_{v.mask<std::uint16_t>("keypad"), v.mask<std::uint8_t>("key"),
-                    v.mask<std::uint16_t>("switch")} {}
+                    v.mask<std::uint16_t>("switch")},
+          bounce_{v.get<SimTime>("bounce")} {}
 
     template <class Check>
     void for_each(Check check) const {
@@ -36,6 +37,7 @@ protected:
     }
 
     Controls controls_;
+    SimTime bounce_;
 };
 
 class Press : public OnControls {
@@ -50,9 +52,9 @@ public:
         for_each([&](const std::string& control) { checks.need_free(control); });
     }
     void act(Stage& stage) const override {
-        stage.hold(controls_);
+        stage.hold(controls_, bounce_);
         stage.wait(time_);
-        stage.release(controls_);
+        stage.release(controls_, bounce_);
     }
 
 private:
@@ -66,7 +68,7 @@ public:
     void check(StaticChecks& checks) const override {
         for_each([&](const std::string& control) { checks.hold(control); });
     }
-    void act(Stage& stage) const override { stage.hold(controls_); }
+    void act(Stage& stage) const override { stage.hold(controls_, bounce_); }
 };
 
 class Release : public OnControls {
@@ -77,7 +79,7 @@ public:
     void check(StaticChecks& checks) const override {
         for_each([&](const std::string& control) { checks.release(control); });
     }
-    void act(Stage& stage) const override { stage.release(controls_); }
+    void act(Stage& stage) const override { stage.release(controls_, bounce_); }
 };
 
 Reading read_keypad(const YamlNode& node) {
@@ -114,6 +116,8 @@ std::vector<Field> controls_and(const std::vector<Field>& others) {
         {"key", KEY, Need::OPTIONAL, "",
          "Push button KEY0 to KEY3 by its number, hps: HPS_KEY, or a list."},
         {"switch", SWITCH, Need::OPTIONAL, "", "Slide switch SW0 to SW9, or a list of numbers."},
+        {"bounce", TIME, Need::OPTIONAL, "500us",
+         "How long contacts of the switches bounce at most; at time 0 they do not, nor do KEYs."},
     };
     for (const Field& other : others) fields.push_back(other);
     return fields;

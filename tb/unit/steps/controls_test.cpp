@@ -26,6 +26,9 @@ TEST_F(ControlSteps, TakeEveryCapOfTheKeypad) {
         EXPECT_THAT(acts(std::string("hold: {keypad: \"") + cap + "\"}"),
                     ElementsAre(std::string("hold keypad ") + cap));
     EXPECT_THAT(acts("hold: {keypad: 7}"), ElementsAre("hold keypad 7"));
+    EXPECT_THAT(
+        acts("press: {switch: 7, bounce: 0ms}"),
+        ElementsAre("hold switch 7 bounces 0s", "wait 100ms", "release switch 7 bounces 0s"));
 }
 
 TEST_F(ControlSteps, TakeListsOfEachKindOfControl) {

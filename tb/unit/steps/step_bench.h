@@ -18,6 +18,12 @@
 
 namespace tb {
 
+// "": as by default, or no switch.
+inline std::string bounces(const sim::Controls& c, sim::SimTime time) {
+    constexpr std::uint64_t DEFAULT_PS = 500'000'000;
+    return c.switches && time.ps != DEFAULT_PS ? " bounces " + to_string(time) : "";
+}
+
 // Time passes in milliseconds; after each `meanwhile` happens.
 class RecordingStage : public sim::Stage {
 public:
@@ -49,8 +55,12 @@ public:
             pass(std::min(end, now_ps_ + MS));
         }
     }
-    void hold(const sim::Controls& c) override { done.push_back("hold " + to_string(c)); }
-    void release(const sim::Controls& c) override { done.push_back("release " + to_string(c)); }
+    void hold(const sim::Controls& c, sim::SimTime bounce) override {
+        done.push_back("hold " + to_string(c) + bounces(c, bounce));
+    }
+    void release(const sim::Controls& c, sim::SimTime bounce) override {
+        done.push_back("release " + to_string(c) + bounces(c, bounce));
+    }
     void drive_pins(const sim::HeaderMasks& both, sim::PinLevel level) override {
         done.push_back(fmt::format("pins {:X} {:X} {}", both[0], both[1], static_cast<int>(level)));
     }
