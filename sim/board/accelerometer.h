@@ -3,9 +3,11 @@
 
 #include <cstdint>
 #include <functional>
+#include <string>
 #include <utility>
 
 #include "sim/board/adxl345.h"
+#include "sim/board/i2c_speed.h"
 #include "sim/pins/pins.h"
 
 #include <systemc>
@@ -14,9 +16,13 @@ namespace sim {
 
 class Accelerometer : public sc_core::sc_module, public I2cDevices {
 public:
-    // `interrupt` is called with INT1's level when it has moved.
-    Accelerometer(const sc_core::sc_module_name& name, std::function<void(bool up)> interrupt)
-        : sc_module{name}, interrupt_{std::move(interrupt)} {
+    // `interrupt` is called with INT1's level when it has moved; `log` told what a person should
+    // know.
+    Accelerometer(const sc_core::sc_module_name& name, std::function<void(bool up)> interrupt,
+                  std::function<void(const std::string&)> log)
+        : sc_module{name},
+          speed_{"ADXL345", 400'000, std::move(log)},
+          interrupt_{std::move(interrupt)} {
         SC_HAS_PROCESS(Accelerometer);
         SC_METHOD(sample);
         sensitive << event_;
@@ -29,8 +35,8 @@ public:
         settle();
     }
 
-    bool begin(std::uint8_t address, bool reads, std::uint64_t) override {
-        if (address != Adxl345::ADDRESS) return false;
+    bool begin(std::uint8_t address, bool reads, std::uint64_t scl_ps, std::uint64_t) override {
+        if (address != Adxl345::ADDRESS || !speed_.answers(scl_ps)) return false;
         chip_.begin(reads);
         settle();
         return true;
@@ -64,6 +70,7 @@ private:
     }
 
     Adxl345 chip_;
+    I2cSpeed speed_;
     bool up_ = false;
     std::function<void(bool)> interrupt_;
     sc_core::sc_event event_;

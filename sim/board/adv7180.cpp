@@ -31,7 +31,7 @@ void Adv7180::show(std::shared_ptr<const Image> picture) {
 }
 
 bool Adv7180::byte(unsigned number, std::uint8_t value) {
-    if (number == 0) return value >> 1 == ADDRESS;
+    if (number == 0) return value >> 1 == ADDRESS && speed_.answers(control_.shortest_ps());
     if (number == 1)
         registers_.select(value);
     else

@@ -25,9 +25,13 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <memory>
+#include <string>
+#include <utility>
 
 #include "sim/board/adv7180_registers.h"
+#include "sim/board/i2c_speed.h"
 #include "sim/board/i2c_target.h"
 #include "sim/report/png.h"
 
@@ -37,6 +41,10 @@ class Adv7180 {
 public:
     static constexpr unsigned LINE_CLOCKS = 1716, LINES = 525;
     static constexpr unsigned WIDTH = 720, HEIGHT = 480;
+
+    // `log` is told what a person should know.
+    explicit Adv7180(std::function<void(const std::string&)> log = [](const std::string&) {})
+        : speed_{"ADV7180", 400'000, std::move(log)} {}
 
     // The camera sees this picture from the next line on; null: there is no camera.
     void show(std::shared_ptr<const Image> picture);
@@ -48,7 +56,9 @@ public:
     }
 
     // Levels of its I2C wires, its own pull included; pulls_sda_low() may differ after it.
-    void drive_i2c(bool sclk, bool sda) { control_.drive(sclk, sda); }
+    void drive_i2c(bool sclk, bool sda, std::uint64_t time_ps) {
+        control_.drive(sclk, sda, time_ps);
+    }
     bool pulls_sda_low() const { return control_.pulls_low(); }
 
 private:
@@ -60,6 +70,7 @@ private:
     bool byte(unsigned number, std::uint8_t value);
 
     Adv7180Registers registers_;
+    I2cSpeed speed_;
     I2cTarget control_{[this](unsigned number, std::uint8_t value) { return byte(number, value); },
                        [](unsigned, unsigned) {}, [this] { return registers_.read(); }};
     std::shared_ptr<const Image> picture_;

@@ -31,13 +31,17 @@ Board::Board(const sc_core::sc_module_name& name, Audience& audience, std::uint6
                  },
                  [this] { return line_in.sample(codec_chip.time_ps(), codec_chip.rate_hz()); },
                  [this] { return microphone.sample(codec_chip.time_ps(), codec_chip.rate_hz()); }},
+      video_decoder{
+          [&audience](const std::string& line) { audience.log("video decoder: " + line); }},
       keypad{agenda, seed, [this] { headers_moved(); }},
       switches{agenda, seed,
                [this] { chip_->inputs().sw = static_cast<std::uint16_t>(switches.closed()); }},
       ps2_keyboard{agenda, [this] { ps2_wires(chip_->inputs()); }},
       ps2_mouse{agenda, [this] { ps2_wires(chip_->inputs()); }},
       remote_control{agenda, [this] { chip_->inputs().irda_rxd = remote_control.dark(); }},
-      accelerometer{"accelerometer", [this](bool up) { chip_->hps_accelerometer_interrupt(up); }},
+      accelerometer{
+          "accelerometer", [this](bool up) { chip_->hps_accelerometer_interrupt(up); },
+          [&audience](const std::string& line) { audience.log("accelerometer: " + line); }},
       wires{[this](std::uint8_t driven, std::uint8_t enable) {
                 return keypad.levels(driven, enable);
             },
@@ -75,7 +79,7 @@ void Board::codec(const CodecPins& pins, std::uint64_t time_ps, ChipInputs& in) 
         codec_chip.drive({pins.bclk, pins.daclrck, pins.adclrck, pins.dacdat, pins.sclk, sdat,
                           pins.clocks_driven},
                          time_ps);
-        video_decoder.drive_i2c(pins.sclk, sdat);
+        video_decoder.drive_i2c(pins.sclk, sdat, time_ps);
     };
     const bool sdat = sdat_level();
     hear(sdat);

@@ -62,8 +62,9 @@ public:
     // Carries out what a person does now, once the chip has come to the present.
     void act(Agenda::Action action);
 
-    // Hands on the board: masks of keypad keys (4 * row + column), HPS_KEY and KEY3-0, and SW9-0,
-    // which bounce once or twice within a time; those that are moved at time 0 stand so before power comes.
+    // Hands on the board: masks of keypad keys (4 * row + column), HPS_KEY and KEY3-0, and
+    // SW9-0, which bounce once or twice within a time; those that are moved at time 0 stand so
+    // before power comes.
     void hold(std::uint16_t keypad, std::uint8_t keys, std::uint16_t switches,
               std::uint64_t bounce_ps = 0);
     void release(std::uint16_t keypad, std::uint8_t keys, std::uint16_t switches,

@@ -1,16 +1,19 @@
 #include "sim/board/i2c_target.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace sim {
 
-void I2cTarget::drive(bool scl, bool sda) {
+void I2cTarget::drive(bool scl, bool sda, std::uint64_t time_ps) {
     const bool scl_was = std::exchange(scl_, scl), sda_was = std::exchange(sda_, sda);
     if (scl && scl_was) {
         if (sda != sda_was) begin_or_end(!sda);
     } else if (scl) {
         bit_ = sda_was;  // what moves with SCL's edge comes after it
         clocked_ = true;
+        if (bits_ > 0 || bytes_ > 0) shortest_ps_ = std::min(shortest_ps_, time_ps - rose_ps_);
+        rose_ps_ = time_ps;
     } else if (scl_was && std::exchange(clocked_, false) && listening_) {
         bit_ends();
     }
@@ -21,6 +24,7 @@ void I2cTarget::begin_or_end(bool start) {
     listening_ = start;
     acknowledging_ = clocked_ = reads_ = sending_ = false;
     bits_ = bytes_ = 0;
+    shortest_ps_ = NONE;
 }
 
 // SCL has fallen: the bit is valid, because it can no longer turn into START or STOP.

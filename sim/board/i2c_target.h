@@ -26,13 +26,18 @@ public:
         : on_byte_{std::move(on_byte)}, on_end_{std::move(on_end)}, next_{std::move(next)} {}
 
     // The levels of the wires, whenever one of them may have changed.
-    void drive(bool scl, bool sda);
+    void drive(bool scl, bool sda, std::uint64_t time_ps);
+
+    // The shortest time from one rise of SCL to the next since START.
+    std::uint64_t shortest_ps() const { return shortest_ps_; }
 
     bool pulls_low() const {
         return acknowledging_ || (sending_ && bits_ < 8 && !(value_ >> (7 - bits_) & 1));
     }
 
 private:
+    static constexpr std::uint64_t NONE = ~std::uint64_t{0};
+
     void begin_or_end(bool start);
     void bit_ends();
     void sent_bit_ends();
@@ -47,6 +52,7 @@ private:
     bool bit_ = false;                      // SDA when it rose
     std::uint8_t value_ = 0;                // received so far, or sent
     unsigned bits_ = 0, bytes_ = 0;
+    std::uint64_t rose_ps_ = 0, shortest_ps_ = NONE;
 };
 
 }  // namespace sim

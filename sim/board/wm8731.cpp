@@ -63,7 +63,7 @@ Wm8731::Wm8731(Sink sink, Source line_in, Source microphone)
 void Wm8731::drive(const Pins& pins, std::uint64_t time_ps) {
     const Pins was = std::exchange(pins_, pins);
     now_ps_ = time_ps;
-    if (pins.sclk != was.sclk || pins.sda != was.sda) control_.drive(pins.sclk, pins.sda);
+    if (pins.sclk != was.sclk || pins.sda != was.sda) control_.drive(pins.sclk, pins.sda, time_ps);
 
     const bool clocked = pins.bclk != was.bclk, sampling = clocked && pins.bclk != inverted_;
     bclk_moved_ |= clocked;
@@ -100,6 +100,10 @@ bool Wm8731::byte(unsigned number, std::uint8_t value) {
         case 0:
             if (value >> 1 != ADDRESS) return false;  // another device is addressed
             ++words_;
+            if (!speed_.answers(control_.shortest_ps())) {
+                ++refused_words_;
+                return false;
+            }
             if (value & 1) return refuse("I2C: a read, but the chip is write-only");
             if (words_ != refuse_word_) return true;
             ++refused_words_;

@@ -2,7 +2,8 @@
 //
 // Control: answers at 0x1A (CSB low) to words of a 7-bit register and 9 bits of data, and counts a
 // word when its last byte is complete.  It refuses a read, and registers other than 0 - 9 and 15.
-// R15 = 0 sets all registers to their defaults.
+// R15 = 0 sets all registers to their defaults.  It does not answer an SCL that is much faster than
+// 526 kHz (i2c_speed.h).
 //
 // Sound: takes DACDAT and gives ADCDAT in the format of R7, in step with BCLK and each LRCK.  Every
 // frame of DACLRCK is one sample for the sink: zeros while R9 is not active, R5 mutes, R6 powers
@@ -25,6 +26,7 @@
 #include <vector>
 
 #include "sim/board/digital_audio.h"
+#include "sim/board/i2c_speed.h"
 #include "sim/board/i2c_target.h"
 #include "sim/board/wm8731_clocks.h"
 #include "sim/pins/pins.h"
@@ -97,6 +99,7 @@ private:
     Sink sink_;
     Source line_in_, microphone_;
     I2cTarget control_;
+    I2cSpeed speed_{"WM8731", 526'000, [this](const std::string& text) { error(text); }};
     AudioReceiver dac_;
     AudioTransmitter adc_;
     Pins pins_{false, false, false, false, true, true};

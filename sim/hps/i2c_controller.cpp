@@ -135,7 +135,8 @@ void I2cController::finish_byte() {
     const std::uint64_t now_ps = sc_core::sc_time_stamp().value();
     if (std::exchange(addresses_, false)) {
         addressed_ = devices_ && !(tar_ & 0x1000) &&
-                     devices_->begin(static_cast<std::uint8_t>(tar_ & 0x7F), reads_, now_ps);
+                     devices_->begin(static_cast<std::uint8_t>(tar_ & 0x7F), reads_,
+                                     bits(1).value(), now_ps);
         if (!addressed_) abort(NO_ADDRESS);
         return;
     }

@@ -80,7 +80,8 @@ struct ChipInputs {
 // What hangs on an I2C bus of the HPS, as its master sees it: byte by byte.
 class I2cDevices {
 public:
-    virtual bool begin(std::uint8_t address, bool reads,
+    // `scl_ps`: the period of SCL.
+    virtual bool begin(std::uint8_t address, bool reads, std::uint64_t scl_ps,
                        std::uint64_t time_ps) = 0;                     // acknowledged
     virtual bool write(std::uint8_t byte, std::uint64_t time_ps) = 0;  // acknowledged
     virtual std::uint8_t read(std::uint64_t time_ps) = 0;

@@ -14,8 +14,10 @@ struct Device : sim::I2cDevices {
     std::vector<std::string> heard;
     std::uint8_t next = 0x10;
     bool takes = true;
+    std::uint64_t scl_ps = 0;
 
-    bool begin(std::uint8_t address, bool reads, std::uint64_t) override {
+    bool begin(std::uint8_t address, bool reads, std::uint64_t period, std::uint64_t) override {
+        scl_ps = period;
         heard.push_back(reads ? "read" : "write");
         return address == 0x53;
     }
@@ -71,6 +73,7 @@ TEST_F(I2cController, ReadsARegisterOfADevice) {
     EXPECT_EQ(read(RXFLR), 1u);
     wait_bits(10);
     EXPECT_EQ(read(RXFLR), 2u);
+    EXPECT_EQ(device.scl_ps, 2'500'000u);
     EXPECT_EQ(read(DATA), 0x10u);
     EXPECT_EQ(read(DATA), 0x11u);
     EXPECT_THAT(device.heard, ElementsAre("write", "50", "read", "byte", "byte", "stop"));

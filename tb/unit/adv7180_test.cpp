@@ -19,7 +19,8 @@ const std::map<int, std::array<bool, 3>> CODES{
 
 class DecoderChip : public ::testing::Test {
 protected:
-    Adv7180 chip;
+    std::vector<std::string> said;
+    Adv7180 chip{[this](const std::string& line) { said.push_back(line); }};
 
     void show(unsigned width, unsigned height, std::vector<std::uint8_t> rgb) {
         chip.show(std::make_shared<Image>(Image{width, height, std::move(rgb)}));
@@ -31,6 +32,8 @@ protected:
 // A master of the I2C bus, which hears the chip's pull.
 class DecoderRegisters : public DecoderChip {
 protected:
+    std::uint64_t third_ps = 3'000'000;  // of a bit: 111 kHz
+
     void start() { wires(false, true), wires(true, true), wires(true, false), wires(false, false); }
     void stop() { wires(false, false), wires(true, false), wires(true, true); }
     bool bit(bool level) {
@@ -68,7 +71,11 @@ protected:
     }
 
 private:
-    void wires(bool scl, bool sda) { chip.drive_i2c(scl, sda && !chip.pulls_sda_low()); }
+    std::uint64_t now_ps = 0;
+
+    void wires(bool scl, bool sda) {
+        chip.drive_i2c(scl, sda && !chip.pulls_sda_low(), now_ps += third_ps);
+    }
 };
 
 using ::testing::ElementsAre;
@@ -81,6 +88,22 @@ TEST_F(DecoderRegisters, AnswerAtTheirAddressAlone) {
     EXPECT_FALSE(send(0x34));
     stop();
     EXPECT_THAT(read(0x11), ElementsAre(0x1Eu));
+}
+
+TEST_F(DecoderRegisters, AnswerNoMasterThatIsMuchTooFast) {
+    third_ps = 700'000;  // 476 kHz
+    start();
+    EXPECT_TRUE(send(0x40) && send(0x01));
+    stop();
+    third_ps = 20'000;
+    for (int n = 0; n < 2; ++n) {
+        start();
+        EXPECT_FALSE(send(0x40));
+        stop();
+    }
+    EXPECT_THAT(said, ::testing::ElementsAre(
+                          ::testing::HasSubstr("476 kHz, faster than the ADV7180's 400 kHz"),
+                          ::testing::HasSubstr("it does not answer")));
 }
 
 TEST_F(DecoderRegisters, AreReadBackAndCountUp) {

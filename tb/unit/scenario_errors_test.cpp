@@ -84,8 +84,9 @@ TEST(ScenarioError, SaysWhichFieldOfAStepIsMissing) {
               "a.yaml:4:3: expected keypad, key or switch in press, got none");
     EXPECT_EQ(step_error("hold: {}"),
               "a.yaml:4:3: expected keypad, key or switch in hold, got none");
-    EXPECT_EQ(step_error("release:"),
-              "a.yaml:4:3: expected a map with keypad, key, switch or bounce in release, got nothing");
+    EXPECT_EQ(
+        step_error("release:"),
+        "a.yaml:4:3: expected a map with keypad, key, switch or bounce in release, got nothing");
 }
 
 TEST(ScenarioError, SaysThatTheVersionMustBeOne) {

@@ -36,6 +36,7 @@ protected:
     std::uint64_t now_ps = 0;
     sim::Wm8731::Pins pins{false, true, true, false, true, true};
     bool master_sda = true;
+    std::uint64_t quarter_ps = QUARTER_PS;
     std::string adc_bits;  // at the edges of BCLK that sample
     sim::Wm8731 chip{[this](const sim::StereoSample& s, std::uint64_t) {
                          heard.push_back({static_cast<std::uint32_t>(s.left),
@@ -57,12 +58,12 @@ protected:
     }
     void scl(bool level) {
         pins.sclk = level;
-        drive(QUARTER_PS);
-        drive(QUARTER_PS);
+        drive(quarter_ps);
+        drive(quarter_ps);
     }
     void sda(bool level) {
         master_sda = level;
-        drive(QUARTER_PS);
+        drive(quarter_ps);
     }
     void start() { sda(true), scl(true), sda(false), scl(false); }
     void stop() { sda(false), scl(true), sda(true); }

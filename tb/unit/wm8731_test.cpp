@@ -60,6 +60,20 @@ TEST_F(Wm8731Chip, AnswersToItsOwnAddressOnly) {
     EXPECT_THAT(chip.errors(), IsEmpty());
 }
 
+TEST_F(Wm8731Chip, DoesNotAnswerAMasterThatIsMuchTooFast) {
+    quarter_ps = 40'000;  // five a bit: 5 MHz
+    EXPECT_EQ(set(9, 1), 0u);
+    EXPECT_EQ(set(9, 1), 0u);
+    quarter_ps = 350'000;  // 571 kHz
+    EXPECT_EQ(set(9, 1), 3u);
+    quarter_ps = 400'000;  // 500 kHz
+    EXPECT_EQ(set(9, 1), 3u);
+    EXPECT_EQ(chip.refused_words(), 2u);
+    EXPECT_THAT(chip.errors(),
+                ElementsAre(HasSubstr("I2C: SCL at 5000 kHz, faster than the WM8731's 526 kHz"),
+                            HasSubstr("it answers here, and may not on a board")));
+}
+
 TEST_F(Wm8731Chip, RefusesToBeRead) {
     EXPECT_EQ(word(0x35, 0, 0), 0u);
     EXPECT_EQ(chip.refused_words(), 1u);

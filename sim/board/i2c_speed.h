@@ -1,0 +1,29 @@
+// i2c_speed.h - whether a chip on an I2C bus answers at the master's speed.
+//
+// A datasheet promises nothing above its greatest frequency of SCL.  Up to a quarter above it the
+// chip answers here all the same, as most do on a board; beyond that it does not.  Either is said
+// once.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+
+namespace sim {
+
+class I2cSpeed {
+public:
+    I2cSpeed(std::string chip, unsigned most_hz, std::function<void(const std::string&)> say)
+        : chip_{std::move(chip)}, most_hz_{most_hz}, say_{std::move(say)} {}
+
+    // `period_ps`: the shortest of SCL since START.
+    bool answers(std::uint64_t period_ps);
+
+private:
+    const std::string chip_;
+    const unsigned most_hz_;
+    const std::function<void(const std::string&)> say_;
+    bool slow_told_ = false, fast_told_ = false;
+};
+
+}  // namespace sim
