@@ -144,7 +144,7 @@ struct Cp15 {
 namespace cp15 {
 constexpr Cp15 SCTLR{1, 0, 0, 0}, CPACR{1, 0, 0, 2}, SCR{1, 0, 1, 0}, TTBR0{2, 0, 0, 0},
     TTBR1{2, 0, 0, 1}, TTBCR{2, 0, 0, 2}, DACR{3, 0, 0, 0}, DFSR{5, 0, 0, 0}, IFSR{5, 0, 0, 1},
-    DFAR{6, 0, 0, 0}, IFAR{6, 0, 0, 2}, VBAR{12, 0, 0, 0}, CONTEXTIDR{13, 0, 0, 1},
+    DFAR{6, 0, 0, 0}, IFAR{6, 0, 0, 2}, PAR{7, 0, 4, 0}, VBAR{12, 0, 0, 0}, CONTEXTIDR{13, 0, 0, 1},
     TPIDRURW{13, 0, 0, 2}, TPIDRURO{13, 0, 0, 3}, TPIDRPRW{13, 0, 0, 4}, CBAR{15, 4, 0, 0};
 }
 

@@ -62,7 +62,7 @@ Peripherals::Peripherals(const sc_core::sc_module_name& name, Wires wires)
                warm_reset_();
            }}},
       scu{"scu", remembering::scu()},
-      l2_cache{"l2_cache", remembering::l2_cache()},
+      l2_cache{"l2_cache", remembering::l2_cache(), remembering::l2_cache_after_preloader()},
       system_manager{"system_manager", remembering::system_manager()},
       fpga_manager{"fpga_manager", remembering::fpga_manager()},
       l3{"l3", {}},

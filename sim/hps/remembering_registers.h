@@ -2,7 +2,7 @@
 // was written and do nothing, others always read the same.
 //
 //   scu             0xFFFEC000  enable remembers; configuration: two processors, 32 KB caches
-//   l2_cache        0xFFFEF000  PL310: control remembers; maintenance is complete at once
+//   l2_cache        0xFFFEF000  L2C-310: 512 KB, 8 ways; maintenance is complete at once
 //   system_manager  0xFFD08000  silicon ID of a Cyclone V; the rest remembers
 //   fpga_manager    0xFF706000  user mode, MSEL 01010, pins nSTATUS, CONF_DONE and INIT_DONE high
 //   l3              0xFF800000  remap and security bits remember
@@ -52,6 +52,7 @@ private:
 namespace remembering {
 std::vector<FixedRegisters> scu();
 std::vector<FixedRegisters> l2_cache();
+std::map<std::uint32_t, std::uint32_t> l2_cache_after_preloader();
 std::vector<FixedRegisters> system_manager();
 std::vector<FixedRegisters> fpga_manager();
 std::vector<FixedRegisters> sdram_control();

@@ -145,4 +145,19 @@ TEST_F(Clocks, OfTheSecondProcessorAreNotSimulatedWhichIsSaidOnce) {
     EXPECT_NE(board.said[0].find("second processor"), std::string::npos);
 }
 
+using L2Cache = tb::HpsBench;
+
+TEST_F(L2Cache, HasEightWaysOf64Kilobytes) {
+    constexpr std::uint32_t L2 = 0xFFFEF000;
+    EXPECT_EQ(read(L2), 0x410030C9u);
+    const std::uint32_t type = read(L2 + 4), auxiliary = read(L2 + 0x104);
+    const auto way = [](std::uint32_t field) { return 8u << 10 << (field & 7); };
+    EXPECT_EQ(way(type >> 20), 64u << 10);
+    EXPECT_EQ(way(type >> 8), 64u << 10);
+    EXPECT_EQ(way(auxiliary >> 17), 64u << 10);
+    EXPECT_EQ(auxiliary >> 16 & 1, 0u) << "8 ways";
+    write(L2 + 4, 0);
+    EXPECT_EQ(read(L2 + 4), type);
+}
+
 }  // namespace

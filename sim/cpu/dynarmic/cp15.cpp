@@ -26,7 +26,7 @@ constexpr Reset PLAIN[] = {
     {{5, 0, 1, 1}, 0},  // ADFSR, AIFSR
     {cp15::DFAR, 0},
     {cp15::IFAR, 0},
-    {{7, 0, 4, 0}, 0},            // PAR
+    {cp15::PAR, 0},
     {{9, 0, 12, 0}, 0x41093000},  // PMCR
     {{9, 0, 12, 1}, 0},           // PMCNTENSET
     {{9, 0, 12, 5}, 0},           // PMSELR
@@ -68,7 +68,8 @@ constexpr Identification READ_ONLY[] = {
     {{12, 0, 1, 0}, 0},                                      // ISR
 };
 constexpr Cp15 CSSELR{0, 2, 0, 0}, CCSIDR{0, 1, 0, 0};
-constexpr std::uint32_t DATA_CACHE = 0x700FE019, INSTRUCTION_CACHE = 0x200FE019;
+constexpr std::uint32_t DATA_CACHE = 0x701FE019,  // 32 KB: 4 ways of 256 lines
+    INSTRUCTION_CACHE = 0x201FE019;
 
 constexpr Cp15 PMCR{9, 0, 12, 0}, PMCNTENSET{9, 0, 12, 1}, PMCNTENCLR{9, 0, 12, 2},
     PMCCNTR{9, 0, 13, 0}, PMUSERENR{9, 0, 14, 0};
@@ -138,6 +139,10 @@ std::optional<Cp15Registers::Effect> Cp15Registers::write(const Cp15& n, std::ui
     }
     if (is_barrier(n)) return Effect::NONE;
     if (!privileged && !is_users_counter(n)) return std::nullopt;
+    if (same(n, cp15::PAR)) {
+        at(n) = value;
+        return Effect::NONE;
+    }
     if (n.crn == 7) return Effect::NONE;         // caches
     if (n.crn == 8) return Effect::TRANSLATION;  // TLB
     if (n.crn == 9) {

@@ -4,8 +4,10 @@
 // simulator has no caches and detects by itself that code is overwritten.  The performance monitor
 // has its cycle counter, which counts instructions; PMCR.D has no effect.
 //
-// Not handled: event counters (read 0), address translation operations, lockdown, the second bank
-// of registers for the Secure state.
+// Address translation operations are the engine's: they walk the tables.
+//
+// Not handled: event counters (read 0), lockdown, the second bank of registers for the Secure
+// state.
 #pragma once
 
 #include <cstdint>

@@ -4,6 +4,7 @@
 // They change registers after all their accesses, so one that aborts has changed nothing.
 #include "sim/cpu/dynarmic/engine.h"
 #include "sim/cpu/dynarmic/instructions.h"
+#include "sim/cpu/dynarmic/translation_tables.h"
 
 namespace sim {
 
@@ -229,6 +230,16 @@ bool ArmCore::Engine::coprocessor(std::uint32_t w) {
         return true;
     }
     const std::uint32_t value = target_reg == 15 ? 0 : r()[target_reg];
+    if (name.crn == 7 && name.op1 == 0 && name.crm == 8) {
+        if (!privileged()) return false;
+        // For a reader or writer, privileged or user.  The Non-secure state has its MMU off.
+        const bool other_state = name.op2 & 4, user = name.op2 & 2;
+        const Translation to =
+            other_state ? Translation{value, arm_access::ALL, 0, false, 1u << 4 | 1u << 9}
+                        : translate(cp15, memory, value, !user);
+        cp15.set(cp15::PAR, par(to, name.op2 & 1 ? arm_access::WRITE : arm_access::READ));
+        return true;
+    }
     const auto effect = cp15.write(name, value, privileged(), core.count_);
     if (!effect) return false;
     if (*effect != Cp15Registers::Effect::NONE) forget_mappings();

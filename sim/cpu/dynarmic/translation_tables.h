@@ -21,11 +21,17 @@ struct Translation {
     // Of a refused access, as DFSR and IFSR have it (bits 3:0 and 10; DFSR's domain in 7:4).
     std::uint32_t status = 0;
     bool normal = false;  // Normal memory; else Device or Strongly-ordered
+    // PAR's bits 11:0 of a translation that succeeds: attributes of the memory, supersection.
+    std::uint32_t attributes = 0;
 };
 
 // `privileged`: the access is not of the user mode.  With SCTLR.M clear the physical address is the
 // virtual one.
 Translation translate(const Cp15Registers& cp15, const MemoryMap& memory, std::uint32_t address,
                       bool privileged);
+
+// What PAR has after an address translation operation: the physical address, or the fault's status.
+// `needed`: arm_access.
+std::uint32_t par(const Translation& translation, unsigned needed);
 
 }  // namespace sim

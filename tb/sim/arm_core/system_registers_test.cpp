@@ -43,6 +43,19 @@ TEST_P(SystemRegisters, TellWhatTheProcessorIs) {
     EXPECT_EQ(read(sim::cp15::SCTLR), 0x00C5187Cu) << "caches and branch prediction on";
 }
 
+// Bytes of a cache by CCSIDR: lines of so many words, ways, sets.
+TEST_P(SystemRegisters, TellThatTheCachesHave32Kilobytes) {
+    for (const std::uint32_t instructions : {0u, 1u}) {
+        write({0, 2, 0, 0}, instructions);
+        const std::uint32_t ccsidr = read({0, 1, 0, 0});
+        const std::uint32_t line = 16u << (ccsidr & 7), ways = (ccsidr >> 3 & 0x3FF) + 1,
+                            sets = (ccsidr >> 13 & 0x7FFF) + 1;
+        EXPECT_EQ(line, 32u);
+        EXPECT_EQ(ways, 4u);
+        EXPECT_EQ(line * ways * sets, 32u << 10);
+    }
+}
+
 TEST_P(SystemRegisters, SetFlagsWhenTheyAreReadToPc) {
     write(sim::cp15::TPIDRURW, N | C | 0x0FFFFFFF);
     become(SVC | V);

@@ -212,6 +212,32 @@ TEST_P(Translation, AllowsWhatTheSimplerPermissionsSay) {
     }
 }
 
+// ---- B4.1.112, B4.2.4: what a program learns of the tables --------------------------------------
+
+TEST_P(Translation, IsToldToAProgramThatAsks) {
+    constexpr sim::Cp15 READS{7, 0, 8, 0}, WRITES{7, 0, 8, 1}, USER_READS_{7, 0, 8, 2};
+    constexpr std::uint32_t WRITE_BACK = 0x7C, SHAREABLE = 1u << 16, FAULT = 1;
+    const auto par = [this](const sim::Cp15& operation, std::uint32_t address) {
+        write(operation, address);
+        done(mrc(sim::cp15::PAR));
+        return reg(2);
+    };
+    map(SECTION, section(0x00700000, PRIVILEGED_READS) | SHAREABLE);
+    EXPECT_EQ(par(READS, SECTION + 0x12345), 0x00712080u | WRITE_BACK);
+    EXPECT_EQ(par(WRITES, SECTION), FAULT | PERMISSION << 1);
+    EXPECT_EQ(par(USER_READS_, SECTION), FAULT | PERMISSION << 1);
+    map_page(PAGES + 0x5000, 0x00040000 | 0x32);  // Strongly-ordered
+    EXPECT_EQ(par(WRITES, PAGES + 0x5678), 0x00040010u);
+    EXPECT_EQ(par(READS, PAGES + 0x6000), FAULT | (TRANSLATION + OF_PAGE) << 1);
+    for (unsigned i = 0; i < 16; ++i)
+        map(0x01000000 + (i << 20), section(0x02000000, FULL) | SUPERSECTION);
+    EXPECT_EQ(par(READS, 0x01234567), 0x02000002u | WRITE_BACK);
+    write(sim::cp15::SCTLR, 0);
+    EXPECT_EQ(par(WRITES, 0x12345678), 0x12345010u) << "the MMU is off";
+    become(USR);
+    refused(mcr(READS));
+}
+
 INSTANTIATE_TEST_SUITE_P(In, Translation, ::testing::Combine(::testing::Bool(), ::testing::Bool()),
                          name_of_way);
 
