@@ -75,6 +75,10 @@ private:
         return !bus.is_watched() &&
                (write ? is_plain_output(address, value) : is_plain_input(address, value));
     }
+    std::optional<RunningCount> running(std::uint32_t address,
+                                        std::uint64_t time_ps) const override {
+        return bus.is_watched() ? std::nullopt : hps.running(address, time_ps);
+    }
     std::uint64_t fixed_ps(std::uint32_t address) const override;
     std::optional<std::uint64_t> again(bool write, std::uint64_t begin_ps) override {
         return fpga.again(write, begin_ps);

@@ -218,7 +218,14 @@ public:
 
     // What the program would reach, in no time, for those who know what it will do (steady_loop.h).
     // Unicorn's core and a core that is watched, probed or tallied never say.
-    std::optional<std::uint32_t> code_at(std::uint32_t pc);  // an instruction of ARM, not Thumb
+    // An instruction; of Thumb, one of 16 bits is at most 0xFFFF.
+    std::optional<std::uint32_t> code_at(std::uint32_t pc, bool thumb);
+    // PMCCNTR as the next instruction reads it, and whether it counts; nothing if it may not.
+    struct Cycles {
+        std::uint32_t now;
+        bool counts;
+    };
+    std::optional<Cycles> cycles() const;
     struct Place {
         std::uint8_t* ram = nullptr;       // the host's byte, up to the next multiple of 4 at least
         std::optional<std::uint32_t> bus;  // its address there, if accesses are not merged

@@ -25,10 +25,12 @@ constexpr unsigned LONGEST_PAUSE = 8;              // quanta
 
 class ArmCpu::LoopWorld final : public SteadyLoop::World {
 public:
-    LoopWorld(ArmCore& core, Answers& answers, std::uint64_t epoch)
-        : core_{core}, answers_{answers}, epoch_{epoch} {}
+    LoopWorld(ArmCpu& cpu, std::uint64_t epoch)
+        : cpu_{cpu}, core_{cpu.core_}, answers_{cpu.answers_}, epoch_{epoch} {}
 
-    std::optional<std::uint32_t> code(std::uint32_t pc) override { return core_.code_at(pc); }
+    std::optional<std::uint32_t> code(std::uint32_t pc, bool thumb) override {
+        return core_.code_at(pc, thumb);
+    }
     Place place(std::uint32_t address, bool write) override {
         const ArmCore::Place place = core_.place(address, write);
         fpga_memory |= place.ram && address >= FPGA_MEMORY;
@@ -42,9 +44,36 @@ public:
         return known->value;
     }
 
+    // Of one whose register has answered before, so none that is in reset.
+    std::optional<RunningCount> counter(const SteadyLoop::Use* uses, unsigned count) override {
+        const SteadyLoop::Use& use = uses[count - 1];
+        if (!cpu_.steady_bus_ || use.bytes != 4 ||
+            !answers_.last(use.address, use.bytes, use.write, epoch_))
+            return std::nullopt;
+        const std::uint64_t ps = round_ps(uses, count, use.at);
+        if (ps == 0) return std::nullopt;
+        return cpu_.steady_bus_->running(use.address, cpu_.now().value() + ps);
+    }
+    std::uint64_t round_ps(const SteadyLoop::Use* uses, unsigned count,
+                           unsigned instructions) override {
+        std::uint64_t ps = instructions * cpu_.instruction_ps_;
+        for (unsigned i = 0; i < count; ++i) {
+            const std::uint64_t fixed = cpu_.steady_bus_->fixed_ps(uses[i].address);
+            if (fixed == 0) return 0;
+            ps += fixed;
+        }
+        return ps;
+    }
+    std::optional<Cycles> cycles(unsigned at) override {
+        const std::optional<ArmCore::Cycles> cycles = core_.cycles();
+        if (!cycles) return std::nullopt;
+        return Cycles{cycles->now + (cycles->counts ? at - 1 : 0), cycles->counts};
+    }
+
     bool sure = true, unknown = false, fpga_memory = false;
 
 private:
+    ArmCpu& cpu_;
     ArmCore& core_;
     Answers& answers_;
     const std::uint64_t epoch_;
@@ -60,13 +89,13 @@ std::uint64_t ArmCpu::pass_rounds(std::uint64_t most) {
         --pause_;
         return most;
     }
-    LoopWorld world{core_, answers_, epoch()};
+    LoopWorld world{*this, epoch()};
     std::uint64_t next = 0;  // instructions to the next look, if this has been in vain
     if (loop_.follow(loop_registers(), world)) {
         const bool on_bus = loop_.use_count() > 0;
         if (!on_bus) {
             if (pass_memory(most)) return std::max<std::uint64_t>(budget(), 1);
-        } else if (world.sure && steady_bus_ && !world.fpga_memory) {
+        } else if (world.sure && steady_bus_ && !world.fpga_memory && stores_.bytes == 0) {
             if (pass_bus()) return std::min(2 * std::uint64_t{loop_.instructions()}, budget());
         } else if (!world.sure) {
             next = loop_.instructions();
@@ -92,9 +121,8 @@ void ArmCpu::passed(std::uint64_t rounds) {
         if (after.r[i] != core_.reg(i)) core_.set_reg(i, after.r[i]);
     for (unsigned i = 0; i < loop_.word_count(); ++i) {
         const SteadyLoop::Word& word = loop_.words()[i];
-        if (!word.value.fixed())
-            core_.store_word(word.address, word.value.base + static_cast<std::uint32_t>(rounds) *
-                                                                 word.value.step);
+        const std::uint32_t value = loop_.word_after(i, rounds);
+        if (value != word.value.base) core_.store_word(word.address, value);
     }
     core_.pass(rounds * loop_.instructions());
     looks_ = longest_pause_ = 0;
@@ -172,7 +200,7 @@ bool ArmCpu::go_round(std::uint64_t& time, std::uint64_t end) {
 
 // The register that a loop reads in which the program is.
 std::optional<std::uint32_t> ArmCpu::polled() {
-    LoopWorld world{core_, answers_, 0};
+    LoopWorld world{*this, 0};
     SteadyLoop loop;
     if (!loop.follow_with_flags(loop_registers(), world)) return std::nullopt;
     for (unsigned i = 0; i < loop.use_count(); ++i)

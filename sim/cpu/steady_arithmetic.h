@@ -9,10 +9,14 @@
 namespace sim::steady {
 
 constexpr unsigned LINK = 14, PC = 15;
-constexpr unsigned ALWAYS = 14, SPECIAL = 15;                  // conditions
-constexpr unsigned N = 8, Z = 4, C = 2, V = 1;                 // of NZCV
-constexpr std::uint32_t STATE = 1u << 5 | 1u << 9 | 1u << 24;  // CPSR: Thumb, big-endian, Jazelle
-constexpr int UNCHANGED = -1, UNKNOWN = -2;                    // carries
+constexpr unsigned ALWAYS = 14, SPECIAL = 15;                     // conditions
+constexpr unsigned N = 8, Z = 4, C = 2, V = 1;                    // of NZCV
+constexpr std::uint32_t THUMB = 1u << 5;                          // CPSR
+constexpr std::uint32_t STATE = 0x0600FC00 | 1u << 9 | 1u << 24;  // CPSR: IT, big-endian, Jazelle
+// Operations of data processing.
+constexpr unsigned AND = 0, EOR = 1, SUB = 2, RSB = 3, ADD = 4, ADC = 5, SBC = 6, RSC = 7, TST = 8,
+                   TEQ = 9, CMP = 10, CMN = 11, ORR = 12, MOV = 13, BIC = 14, MVN = 15;
+constexpr int UNCHANGED = -1, UNKNOWN = -2;  // carries
 
 constexpr std::uint32_t bits(std::uint32_t word, unsigned high, unsigned low) {
     return word >> low & ((2u << (high - low)) - 1);

@@ -25,21 +25,31 @@ bool SteadyLoop::follow_with_flags(const Registers& registers, World& world) {
 bool SteadyLoop::two_passes(const Registers& registers, World& world) {
     ahead_.reset();
     cpsr_ = registers.cpsr;
+    thumb_ = cpsr_ & THUMB;
     if (cpsr_ & STATE) return false;
     word_count_ = 0;
+    round_instructions_ = 0;
+    round_ps_ = 0;
     for (unsigned i = 0; i < 16; ++i) begin_[i] = fixed(registers.r[i]);
     if (!pass(world)) return false;
+    round_instructions_ = instructions_;
+    if (counts_) {
+        round_ps_ = world.round_ps(uses_.data(), use_count_, instructions_);
+        if (round_ps_ == 0) return false;
+    }
     for (unsigned i = 0; i < PC; ++i) begin_[i].step = r_[i].base - begin_[i].base;
     for (unsigned i = 0; i < word_count_; ++i)
         words_[i].value.step = now_[i].base - words_[i].value.base;
     if (!pass(world)) return false;
-    const auto grows = [](const Linear& begin, const Linear& end) {
-        return end == Linear{begin.base + begin.step, begin.step};
+    const auto grows = [](const Linear& begin, const Linear& end, bool is_read) {
+        return !end.unknown && (!is_read || end == Linear{begin.base + begin.step, begin.step});
     };
+    read_ |= ~written_;
+    words_read_ |= ~words_written_;
     for (unsigned i = 0; i < PC; ++i)
-        if (!grows(begin_[i], r_[i])) return false;
+        if (!grows(begin_[i], r_[i], read_ >> i & 1)) return false;
     for (unsigned i = 0; i < word_count_; ++i)
-        if (!grows(words_[i].value, now_[i])) return false;
+        if (!grows(words_[i].value, now_[i], words_read_ >> i & 1)) return false;
     return true;
 }
 
@@ -49,21 +59,24 @@ bool SteadyLoop::pass(World& world) {
     flags_ = first_flags_;
     flags_missing_ = false;
     use_count_ = instructions_ = 0;
+    read_ = written_ = words_read_ = words_written_ = 0;
+    counts_ = false;
+    it_ = 0;
     rounds_ = ALL_ROUNDS;
     const std::uint32_t begin = begin_[PC].base;
     std::uint32_t lowest = begin, highest = begin;
     for (pc_ = begin; instructions_ < MOST; pc_ = next_) {
-        const std::optional<std::uint32_t> word = world.code(pc_);
+        const std::optional<std::uint32_t> word = world.code(pc_, thumb_);
         if (!word) return false;
         ++instructions_;
-        next_ = pc_ + 4;
-        lowest = std::min(lowest, pc_);
-        highest = std::max(highest, pc_);
-        if (!execute(*word, world)) {
-            if (flags_missing_ && !ahead_) ahead_ = instructions_;
+        next_ = pc_ + (thumb_ && *word <= 0xFFFF ? 2 : 4);
+        lowest = std::min(lowest, pc_ & ~3u);
+        highest = std::max(highest, pc_ + 2);
+        if (!(thumb_ ? execute_thumb(*word, world) : execute(*word, world))) {
+            if (flags_missing_ && !ahead_ && !in_it()) ahead_ = instructions_;
             return false;
         }
-        if (next_ == begin) {
+        if (next_ == begin && !in_it()) {
             for (unsigned i = 0; i < word_count_; ++i)
                 if (words_[i].address - lowest <= highest - lowest) return false;
             return true;
@@ -75,8 +88,8 @@ bool SteadyLoop::pass(World& world) {
 
 SteadyLoop::Registers SteadyLoop::after(std::uint64_t n) const {
     Registers registers{{}, cpsr_};
-    for (unsigned i = 0; i < 16; ++i)
-        registers.r[i] = begin_[i].base + static_cast<std::uint32_t>(n) * begin_[i].step;
+    for (unsigned i = 0; i < PC; ++i) registers.r[i] = after(begin_[i], r_[i], read_ >> i & 1, n);
+    registers.r[PC] = begin_[PC].base;
     return registers;
 }
 
@@ -91,6 +104,11 @@ bool SteadyLoop::execute(std::uint32_t word, World& world) {
         if (!taken) return false;
         if (!*taken) return true;
     }
+    return execute_arm(word, world);
+}
+
+// Whatever its condition.
+bool SteadyLoop::execute_arm(std::uint32_t word, World& world) {
     switch (bits(word, 27, 25)) {
         case 0:
             if (matches(word, 0x90, 0x90)) return extra_transfer(word, world);
@@ -103,25 +121,42 @@ bool SteadyLoop::execute(std::uint32_t word, World& world) {
             [[fallthrough]];
         case 2: return single_transfer(word, world);
         case 4: return block_transfer(word, world);
-        case 5:
-            if (word >> 24 & 1) write(LINK, fixed(pc_ + 4));
-            next_ = pc_ + 8 + (extended(bits(word, 23, 0), 24) << 2);
-            return true;
+        case 5: return branch(extended(bits(word, 23, 0), 24) << 2, word >> 24 & 1);
+        case 7:
+            if (matches(word, 0x0FFF0FFF, 0x0E190F1D))
+                return cycle_counter(bits(word, 15, 12), world);
+            return false;
         default: return false;
     }
 }
 
-Linear SteadyLoop::read(unsigned number) const {
-    return number == PC ? fixed(pc_ + 8) : r_[number];
+bool SteadyLoop::branch(std::uint32_t offset, bool link) {
+    if (link) write(LINK, fixed(next_ | thumb_));
+    next_ = pc_ + (thumb_ ? 4 : 8) + offset;
+    return true;
+}
+
+// MRC of PMCCNTR.
+bool SteadyLoop::cycle_counter(unsigned target, World& world) {
+    const std::optional<World::Cycles> cycles = world.cycles(instructions_);
+    if (!cycles || target == PC) return false;
+    return write(target, {cycles->value, cycles->step * round_instructions_});
+}
+
+Linear SteadyLoop::read(unsigned number) {
+    if (number == PC) return fixed(thumb_ ? (pc_ + 4) & ~3u : pc_ + 8);
+    if (!(written_ >> number & 1)) read_ |= 1u << number;
+    return r_[number];
 }
 
 bool SteadyLoop::write(unsigned number, const Linear& value) {
     if (number != PC) {
+        written_ |= 1u << number;
         r_[number] = value;
         return true;
     }
-    if (!value.fixed() || value.base % 4 != 0) return false;
-    next_ = value.base;
+    if (!value.fixed() || (thumb_ ? value.base % 2 != 1 : value.base % 4 != 0)) return false;
+    next_ = value.base & ~1u;
     return true;
 }
 
@@ -136,7 +171,7 @@ std::optional<Linear> SteadyLoop::shifted(std::uint32_t word, int& carry) {
     }
     if (type == 0 && amount == 0) return value;
     if (!value.fixed()) {
-        if (type != 0) return std::nullopt;
+        if (type != 0 || !value.is_line()) return std::nullopt;
         carry = UNKNOWN;
         return Linear{value.base << amount, value.step << amount};
     }
@@ -184,7 +219,6 @@ void SteadyLoop::set_logical(const Linear& result, int carry) {
 
 bool SteadyLoop::operate(unsigned operation, bool sets, unsigned target, Linear a, Linear b,
                          int carry) {
-    enum { AND, EOR, SUB, RSB, ADD, ADC, SBC, RSC, TST, TEQ, CMP, CMN, ORR, MOV, BIC, MVN };
     const bool only_tests = operation >= TST && operation <= CMN;
     if (operation == RSB || operation == RSC) {
         std::swap(a, b);
@@ -301,7 +335,7 @@ bool SteadyLoop::miscellaneous(std::uint32_t word) {
     const bool link = matches(word, 0x0FFFFFF0, 0x012FFF30);
     if (link || matches(word, 0x0FFFFFF0, 0x012FFF10)) {  // BLX, BX
         const Linear to = read(word & 0xF);
-        if (link) write(LINK, fixed(pc_ + 4));
+        if (link) write(LINK, fixed(next_ | thumb_));
         return write(PC, to);
     }
     return false;

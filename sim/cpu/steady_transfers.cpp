@@ -110,6 +110,7 @@ std::optional<Linear> SteadyLoop::load(const Linear& address, unsigned bytes, Wo
     };
     for (unsigned i = 0; i < word_count_; ++i) {
         if (words_[i].address != aligned) continue;
+        if (!(words_written_ >> i & 1)) words_read_ |= 1u << i;
         if (bytes == 4) return now_[i];
         if (!now_[i].fixed()) return std::nullopt;
         return fixed(part(now_[i].base));
@@ -123,6 +124,16 @@ std::optional<Linear> SteadyLoop::load(const Linear& address, unsigned bytes, Wo
     if (!place.on_bus || use_count_ == USES) return std::nullopt;
     Use& use = uses_[use_count_++];
     use = {pc_, place.address, bytes, false, 0, instructions_};
+    if (const auto counter = world.counter(uses_.data(), use_count_)) {
+        use.value = counter->value;
+        Linear value = fixed(counter->value);
+        counts_ = true;
+        if (round_ps_ == 0) return value;
+        if (counter->left_ps != RunningCount::FOR_EVER)
+            limit((counter->left_ps - 1) / round_ps_ + 1);
+        value.stair = {counter->sign, counter->tick_ps, counter->phase_ps, round_ps_};
+        return value;
+    }
     const std::optional<std::uint32_t> value = world.answer(use);
     if (!value) return std::nullopt;
     use.value = *value;
@@ -141,7 +152,10 @@ bool SteadyLoop::store(const Linear& address, unsigned bytes, const Linear& valu
     }
     const Word* const word = word_at(address.base & ~3u, world);
     if (!word) return false;
-    Linear& now = now_[word - words_.data()];
+    const auto index = static_cast<unsigned>(word - words_.data());
+    Linear& now = now_[index];
+    if (bytes != 4 && !(words_written_ >> index & 1)) words_read_ |= 1u << index;
+    words_written_ |= 1u << index;
     if (bytes == 4) {
         now = value;
         return true;

@@ -8,6 +8,8 @@
 #include <cstdint>
 #include <optional>
 
+#include "sim/hps/running_count.h"
+
 namespace sim {
 
 class Countdown {
@@ -28,6 +30,15 @@ public:
         if (!reload_) return 0;
         return *reload_ -
                static_cast<std::uint32_t>((n - value_ - 1) % (std::uint64_t{*reload_} + 1));
+    }
+
+    // How it goes on from `now_ps`, at which it has been set already.
+    RunningCount running(std::uint64_t now_ps) const {
+        const std::uint32_t value = count(now_ps);
+        const bool stays = value == 0 && (!reload_ || *reload_ == 0);
+        if (!running_ || (stays && ticks(now_ps) > 0)) return {value, 0};
+        const std::uint64_t phase_ps = (now_ps - begin_ps_) % tick_ps_;
+        return {value, -1, tick_ps_, phase_ps, (std::uint64_t{value} + 1) * tick_ps_ - phase_ps};
     }
 
     // How often 0 was reached since it was set.

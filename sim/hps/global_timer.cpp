@@ -46,6 +46,17 @@ std::uint64_t GlobalTimer::count(std::uint64_t now_ps) const {
     return base_ + now_ps / tick_ps() - since_ps_ / tick_ps();
 }
 
+RunningCount GlobalTimer::running(bool high, std::uint64_t now_ps) const {
+    const std::uint64_t now = count(now_ps);
+    const auto low_word = static_cast<std::uint32_t>(now);
+    const std::uint64_t phase_ps = now_ps % tick_ps();
+    const bool runs = control_ & ENABLE;
+    if (!high) return {low_word, runs, tick_ps(), phase_ps};
+    const std::uint64_t left_ps = ((std::uint64_t{1} << 32) - low_word) * tick_ps() - phase_ps;
+    return {static_cast<std::uint32_t>(now >> 32), 0, 1, 0,
+            runs ? left_ps : RunningCount::FOR_EVER};
+}
+
 std::uint32_t GlobalTimer::read(std::uint32_t offset, const sc_core::sc_time& now) {
     update(now.value());
     switch (offset) {

@@ -17,6 +17,7 @@
 
 #include "sim/hps/alarm.h"
 #include "sim/hps/registers.h"
+#include "sim/hps/running_count.h"
 
 namespace sim {
 
@@ -25,6 +26,9 @@ public:
     GlobalTimer(
         const sc_core::sc_module_name& module_name,
         std::function<void(bool up)> line = [](bool) {});
+
+    // The low or the high word.
+    RunningCount running(bool high, std::uint64_t now_ps) const;
 
 private:
     enum Offset : std::uint32_t;  // of a register

@@ -25,6 +25,9 @@ public:
     HpsTimer(const sc_core::sc_module_name& module_name, std::uint64_t hz,
              std::function<void(bool up)> line);
 
+    // The current value.
+    RunningCount running(std::uint64_t now_ps) const { return countdown_.running(now_ps); }
+
 private:
     enum Offset : std::uint32_t;  // of a register
     enum Bit : std::uint32_t;     // of CONTROL

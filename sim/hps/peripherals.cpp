@@ -138,6 +138,20 @@ void Peripherals::bind(Bus& bus) {
     bus.leave_out(absent_blocks());
 }
 
+std::optional<RunningCount> Peripherals::running(std::uint32_t address,
+                                                 std::uint64_t now_ps) const {
+    switch (address) {
+        case 0xFFFEC200: return global_timer.running(false, now_ps);
+        case 0xFFFEC204: return global_timer.running(true, now_ps);
+        case 0xFFFEC604: return private_timer.running(now_ps);
+        case 0xFFC08004: return timer0.running(now_ps);
+        case 0xFFC09004: return timer1.running(now_ps);
+        case 0xFFD00004: return timer2.running(now_ps);
+        case 0xFFD01004: return timer3.running(now_ps);
+        default: return {};
+    }
+}
+
 void Peripherals::fpga_interrupts(std::uint32_t levels) {
     const std::uint32_t moved = levels ^ fpga_levels_;
     fpga_levels_ = levels;

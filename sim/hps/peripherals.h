@@ -18,6 +18,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <set>
 #include <string>
 
@@ -63,6 +64,9 @@ public:
 
     // Gives each block its window.
     void bind(Bus& bus);
+
+    // How the counter goes on that is read at this address; nothing if there is none.
+    std::optional<RunningCount> running(std::uint32_t address, std::uint64_t now_ps) const;
 
     // The FPGA's interrupts: bit n is ID 72 + n.
     void fpga_interrupts(std::uint32_t levels);

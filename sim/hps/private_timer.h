@@ -33,6 +33,7 @@ public:
 
     std::uint32_t load() const { return load_; }
     std::uint32_t count(std::uint64_t now_ps) const { return countdown_.count(now_ps); }
+    RunningCount running(std::uint64_t now_ps) const { return countdown_.running(now_ps); }
     bool status(std::uint64_t now_ps) const { return countdown_.zeros(now_ps) > seen_ || status_; }
     bool line(std::uint64_t now_ps) const { return (control & 4) && status(now_ps); }
     // When the status will be set next; no value if it is set or never will be.
@@ -53,6 +54,9 @@ public:
 
     PrivateTimer(const sc_core::sc_module_name& module_name, Line timer, Line watchdog,
                  std::function<void()> reset);
+
+    // The timer's counter.
+    RunningCount running(std::uint64_t now_ps) const { return timer_.running(now_ps); }
 
 private:
     std::uint32_t read(std::uint32_t offset, const sc_core::sc_time& now) override;

@@ -112,10 +112,20 @@ void ArmCore::watch(ArmWatch* watch) {
 
 // ---- For those who know what the program will do ------------------------------------------------
 
-std::optional<std::uint32_t> ArmCore::code_at(std::uint32_t pc) {
+std::optional<std::uint32_t> ArmCore::code_at(std::uint32_t pc, bool thumb) {
     const Engine& e = *engine_;
     if (e.tally || e.watch || e.probe) return std::nullopt;
-    return e.code.instruction(pc, false);
+    return e.code.instruction(pc, thumb);
+}
+
+std::optional<ArmCore::Cycles> ArmCore::cycles() const {
+    constexpr Cp15 PMCCNTR{9, 0, 13, 0};
+    const auto read_after = [&](std::uint64_t more) {
+        return engine_->cp15.read(PMCCNTR, engine_->privileged(), count_ + more);
+    };
+    const auto next = read_after(1);
+    if (!next) return std::nullopt;
+    return Cycles{*next, *read_after(2) != *next};
 }
 
 ArmCore::Place ArmCore::place(std::uint32_t address, bool write) {

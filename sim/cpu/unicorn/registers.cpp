@@ -107,7 +107,8 @@ void ArmCore::set_cp15(const Cp15& name, std::uint32_t value) {
     check_uc(uc_reg_write(engine_->uc, UC_ARM_REG_CP_REG, &reg), "CP15");
 }
 
-std::optional<std::uint32_t> ArmCore::code_at(std::uint32_t) { return {}; }
+std::optional<std::uint32_t> ArmCore::code_at(std::uint32_t, bool) { return {}; }
+std::optional<ArmCore::Cycles> ArmCore::cycles() const { return {}; }
 ArmCore::Place ArmCore::place(std::uint32_t, bool) { return {}; }
 void ArmCore::store_word(std::uint32_t, std::uint32_t) {}
 
