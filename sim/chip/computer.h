@@ -53,7 +53,10 @@ public:
 
     ChipInputs& inputs() override { return fpga.inputs(); }
     void catch_up() override { fpga.catch_up(); }
-    std::uint64_t time_ps() const override { return fpga.fabric().time_ps(); }
+    std::uint64_t time_ps() const override {
+        const bool by_program = arm && arm->is_running() && !fpga.is_busy();
+        return by_program ? arm->now().value() : fpga.fabric().time_ps();
+    }
     void hps_key(bool pressed) override { hps.gpio1.press_key(pressed); }
     void hps_accelerometer_interrupt(bool up) override { hps.gpio2.drive(ACCELEROMETER, up); }
     void type(const std::string& text, SerialLine to) override;

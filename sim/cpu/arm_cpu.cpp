@@ -138,6 +138,7 @@ void ArmCpu::start() {
 }
 
 void ArmCpu::run() {
+    process_ = sc_core::sc_get_current_process_handle();
     if (!kernel_) {
         map(0, 0xFFFFFFFF);
         load();
@@ -171,7 +172,8 @@ void ArmCpu::run() {
         waited_ = false;
         const ArmStop stop = core_.run(std::min(limit, most));
         running_ = false;
-        drain();
+        account();
+        if (stop != ArmStop::LIMIT || quantum_ends()) drain();
         account();
         if (open_ && !in_handler()) abort_log_.handled();  // before it may sleep
         handle(stop);
@@ -179,6 +181,12 @@ void ArmCpu::run() {
         look_for_death();
         look_for_end();
     }
+    drain();
+}
+
+// It does not where pass_rounds() only looks again.
+bool ArmCpu::quantum_ends() const {
+    return ahead_ >= horizon() || reset_ || (inspector_ && core_.instructions() >= inspected_end_);
 }
 
 std::optional<ArmException> ArmCpu::let_in() const {
@@ -305,7 +313,7 @@ bool ArmCpu::unhandled(ArmException exception) {
 
 ArmCpu::Position ArmCpu::position() {
     if (final_) return *final_;
-    const std::uint32_t pc = core_.pc();
+    const std::uint32_t pc = present_pc();
     return {pc, program_.elf.function(pc), asleep_, ended_, asleep_ ? std::nullopt : polled()};
 }
 

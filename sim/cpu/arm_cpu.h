@@ -155,6 +155,9 @@ public:
                sc_core::sc_time::from_value(run * instruction_ps_);
     }
 
+    // It is the processor that is at it now, no other process of SystemC.
+    bool is_running() const { return sc_core::sc_get_current_process_handle() == process_; }
+
     std::optional<std::string> unfinished() const override;
     std::string accessed() const override;
     bool is_inspected() const override { return inspected_; }
@@ -227,6 +230,7 @@ private:
     void account();
     void sync();
     std::uint64_t budget() const;
+    bool quantum_ends() const;
     void run_on();
     void sleep(const sc_core::sc_time& at_most);
     template <class... Until>
@@ -239,6 +243,8 @@ private:
     void passed(std::uint64_t rounds);
     std::optional<std::uint32_t> polled();
     SteadyLoop::Registers loop_registers() const;
+    // In an access that waits the core's own is not exact.
+    std::uint32_t present_pc() const { return running_ ? core_.instruction() : core_.pc(); }
     void drain();
     bool made_before();
     void note(std::uint32_t address, unsigned bytes, bool write, std::uint32_t value);
@@ -285,6 +291,7 @@ private:
     std::vector<Range> mapped_;                 // one for each call of the core
     std::optional<Range> remap_;                // whose direct access has changed
     bool running_ = false;                      // in ArmCore::run()
+    sc_core::sc_process_handle process_;        // run()
     std::uint64_t inspected_end_ = UINT64_MAX;  // count at which the inspector stops it
 
     sc_core::sc_time alarm_ = sc_core::sc_max_time();
@@ -301,6 +308,7 @@ private:
     SteadyBus* steady_bus_ = nullptr;
     SteadyLoop loop_;
     Answers answers_;
+    std::uint64_t epoch_before_ = 0;    // the last access
     std::uint64_t events_ = 0;          // how often time has passed in SystemC
     bool waited_ = false;               // ... in an access, so the quantum ends with it
     std::vector<std::uint64_t> again_;  // ends of the next accesses, the last first; see pass_bus()

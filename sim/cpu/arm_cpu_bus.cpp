@@ -68,6 +68,7 @@ bool ArmCpu::access(tlm::tlm_command command, std::uint32_t address, unsigned by
     account();
     sync();
     const sc_time stamp = sc_core::sc_time_stamp(), before = stamp + ahead_;
+    epoch_before_ = epoch();
     std::string answer = transport(payload_, command, address, data, bytes, ahead_);
     counts_.on_bus += sc_core::sc_time_stamp() + ahead_ - before;
     if (sc_core::sc_time_stamp() != stamp) {
@@ -96,7 +97,7 @@ bool ArmCpu::made_before() {
 void ArmCpu::note(std::uint32_t address, unsigned bytes, bool write, std::uint32_t value) {
     // Whatever has come while it waited may not be in its answer.
     const bool plain = !waited_ && steady_bus_ && steady_bus_->is_plain(address, write, value);
-    answers_.made(address, bytes, write, value, plain, epoch());
+    answers_.made(address, bytes, write, value, plain, epoch_before_);
 }
 
 bool ArmCpu::read(std::uint32_t address, unsigned bytes, std::uint32_t& value) {

@@ -210,7 +210,8 @@ std::optional<std::uint32_t> ArmCpu::polled() {
 
 SteadyLoop::Registers ArmCpu::loop_registers() const {
     SteadyLoop::Registers registers{{}, core_.cpsr()};
-    for (unsigned i = 0; i < 16; ++i) registers.r[i] = core_.reg(i);
+    for (unsigned i = 0; i < 15; ++i) registers.r[i] = core_.reg(i);
+    registers.r[15] = present_pc();
     return registers;
 }
 

@@ -121,7 +121,7 @@ public:
 private:
     struct Model;
     struct AxiPort;
-    static constexpr unsigned VIDEO_BATCH = 800, ANSWER_CLOCKS = 10'000;
+    static constexpr unsigned VIDEO_BATCH = 1024, ANSWER_CLOCKS = 10'000;
     static constexpr unsigned PROMPT_CLOCKS = 16;  // in which a write is answered, usually
 
     std::uint64_t clock(std::uint64_t most);  // how many have passed, 1 or more

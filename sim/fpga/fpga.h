@@ -4,7 +4,8 @@
 //   h2f  full bridge, offsets in 960 MB             16 words, none across 4 KB
 //
 // The fabric runs when somebody looks: at every bus access, at every entry of the board's agenda,
-// and once a scan line.  A transaction's delay is what its clocks took.  It blocks: where its
+// and once a scan line; then the listener is told of the picture, so a frame's end does not depend
+// on accesses.  A transaction's delay is what its clocks took.  It blocks: where its
 // clocks come to the time of an event of SystemC, that comes first, and a long one lets SystemC
 // catch up between its bursts.  So what a process enters into the agenda finds the fabric at the
 // process's time.

@@ -24,12 +24,12 @@ sc_time to_sc(SimTime time) { return sc_time::from_value(time.ps); }  // resolut
 Player::Player(const sc_core::sc_module_name& name, Board& board, Senses& senses,
                const std::vector<ScenarioStep>& steps, std::filesystem::path out)
     : sc_module{name}, board_{board}, senses_{senses}, steps_{steps}, out_{std::move(out)} {
-    senses_.frame_shown = [this] { frame_shown_.notify(sc_core::SC_ZERO_TIME); };
-    senses_.printed = [this] { printed_.notify(sc_core::SC_ZERO_TIME); };
+    senses_.frame_shown = [this] { perceive(frame_shown_); };
+    senses_.printed = [this] { perceive(printed_); };
     board_.parts.for_each_terminal([this](const std::string& part, SerialTerminal& terminal) {
         terminal.heard = [this, &text = terminals_[part]](char byte) {
             text.print(byte);
-            printed_.notify(sc_core::SC_ZERO_TIME);
+            perceive(printed_);
         };
     });
     SC_HAS_PROCESS(Player);
@@ -84,14 +84,15 @@ bool Player::wait_until(Each each, SimTime timeout, const std::function<bool()>&
             case Each::CHARACTER: sc_module::wait(rest, printed_); break;
             case Each::MILLISECOND: sc_module::wait(std::min(millisecond, rest)); break;
         }
-        await_chip();
+        while (perceived_ps_ > sc_time_stamp().value())
+            sc_module::wait(sc_time::from_value(perceived_ps_) - sc_time_stamp());
     }
 }
 
-// A processor that runs ahead may have come to what was seen before SystemC has.
-void Player::await_chip() {
-    for (std::uint64_t ps; (ps = board_.chip().time_ps()) > sc_time_stamp().value();)
-        sc_module::wait(sc_time::from_value(ps) - sc_time_stamp());
+// A processor that runs ahead may have come to it before SystemC has.
+void Player::perceive(sc_core::sc_event& what) {
+    perceived_ps_ = std::max(perceived_ps_, board_.chip().time_ps());
+    what.notify(sc_core::SC_ZERO_TIME);
 }
 
 // ---- Hands ----

@@ -47,7 +47,7 @@ public:
 
 private:
     void run();
-    void await_chip();
+    void perceive(sc_core::sc_event& what);
     void before_press(const std::string& control);
     SoundSource& source(SoundInput input);
     static Expectation expectation(const ScenarioStep& step, Verdict verdict);
@@ -94,6 +94,7 @@ private:
     const std::vector<ScenarioStep>& steps_;
     const std::filesystem::path out_;
     sc_core::sc_event frame_shown_, printed_;
+    std::uint64_t perceived_ps_ = 0;  // when the last of them came
     std::size_t current_ = 0;
     std::vector<Expectation> results_;
     std::vector<Played> played_;

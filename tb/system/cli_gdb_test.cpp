@@ -227,9 +227,7 @@ TEST_F(Gdb, ARunThatWasOnlyWaitedForIsTheSameAsOneWithout) {
     gdb({"detach"});
     EXPECT_EQ(end().exit_code, 0) << said();
     nlohmann::json with = report();
-    // A debugger keeps shortcuts off, which Shortcuts.* compares.
-    play(scenario(steps),
-         {"--frames", "none", "--cpu", "arm", "--no-shortcuts", "--elf", COLLIDE_ELF});
+    play(scenario(steps), {"--frames", "none", "--cpu", "arm", "--elf", COLLIDE_ELF});
     nlohmann::json without = report();
     for (nlohmann::json* one : {&with, &without}) one->erase("wall_s"), one->erase("speed");
     EXPECT_GT(with["program"]["instructions"], 100'000u);
