@@ -44,6 +44,12 @@ constexpr std::uint32_t HALF = 1 << 1, THUMB = 1 << 2, FAST_MULT = 1 << 4, VFP =
                         VFPD32 = 1 << 19;
 }
 
+namespace arm_clone {
+constexpr std::uint64_t VM = 0x100, FILES = 0x400, SIGHAND = 0x800, VFORK = 0x4000,
+                        THREAD = 0x10000, SETTLS = 0x80000, PARENT_SETTID = 0x100000,
+                        CHILD_CLEARTID = 0x200000, CHILD_SETTID = 0x1000000, EXIT_SIGNAL = 0xFF;
+}
+
 namespace arm_signal {
 constexpr std::uint32_t TAKES_INFO = 4, HAS_RESTORER = 0x04000000, ON_STACK = 0x08000000,
                         RESTARTS = 0x10000000, NO_DEFER = 0x40000000, RESETS = 0x80000000;

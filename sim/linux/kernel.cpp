@@ -82,11 +82,18 @@ void LinuxKernel::call(ArmCore& core) {
         return;
     }
     const std::string name = name_of(number);
-    if (++missing_[name.empty() ? std::to_string(number) : name] == 1)
-        outside_.log(fmt::format("system call {}{} is not emulated: ENOSYS, {}", number,
-                                 name.empty() ? "" : " (" + name + ")", cpu_.where()));
+    not_emulated(name.empty() ? std::to_string(number) : name);
     core.set_reg(0, static_cast<std::uint32_t>(-ENOSYS));
     go_on();
+}
+
+// It is said in the log once.
+void LinuxKernel::not_emulated(const std::string& what) {
+    if (++missing_[what] > 1) return;
+    const std::uint32_t number = cpu_.core().reg(7);
+    outside_.log(fmt::format("system call {}{} is not emulated: ENOSYS, {}", number,
+                             what == std::to_string(number) ? "" : " (" + what + ")",
+                             cpu_.where()));
 }
 
 std::string LinuxKernel::missing() const {
@@ -193,9 +200,8 @@ const std::vector<LinuxKernel::Call>& LinuxKernel::calls() {
         {NR_clock_nanosleep, &K::sys_clock_nanosleep},
         {NR_clock_nanosleep_time64, &K::sys_clock_nanosleep_time64},
         {NR_futex, &K::sys_futex},
-        {NR_futex_time64, &K::sys_futex},
+        {NR_futex_time64, &K::sys_futex_time64},
         {NR_pause, &K::sys_pause},
-        {NR_sched_yield, &K::sys_done},
 
         {NR__newselect, &K::sys_select},
         {NR_pselect6, &K::sys_pselect6},
@@ -205,10 +211,28 @@ const std::vector<LinuxKernel::Call>& LinuxKernel::calls() {
         {NR_ppoll_time64, &K::sys_ppoll_time64},
 
         {NR_exit, &K::sys_exit},
-        {NR_exit_group, &K::sys_exit},
+        {NR_exit_group, &K::sys_exit_group},
+        {NR_clone, &K::sys_clone},
+        {NR_clone3, &K::sys_clone3},
+        {NR_gettid, &K::sys_gettid},
+        {NR_sched_yield, &K::sys_sched_yield},
+        {NR_sched_setaffinity, &K::sys_sched_setaffinity},
+        {NR_sched_setscheduler, &K::sys_sched_setscheduler},
+        {NR_sched_getscheduler, &K::sys_sched_getscheduler},
+        {NR_sched_setparam, &K::sys_sched_setparam},
+        {NR_sched_getparam, &K::sys_sched_getparam},
+        {NR_sched_get_priority_max, &K::sys_sched_get_priority_max},
+        {NR_sched_get_priority_min, &K::sys_sched_get_priority_min},
+        {NR_sched_rr_get_interval, &K::sys_sched_rr_get_interval},
+        {NR_getcpu, &K::sys_getcpu},
+        {NR_nice, &K::sys_nice},
+        {NR_getpriority, &K::sys_getpriority},
+        {NR_setpriority, &K::sys_setpriority},
+        {NR_prctl, &K::sys_prctl},
         {NR_set_tls, &K::sys_set_tls},
-        {NR_set_tid_address, &K::sys_process},
-        {NR_set_robust_list, &K::sys_done},
+        {NR_set_tid_address, &K::sys_set_tid_address},
+        {NR_set_robust_list, &K::sys_set_robust_list},
+        {NR_get_robust_list, &K::sys_get_robust_list},
         {NR_rseq, &K::sys_rseq},
         {NR_uname, &K::sys_uname},
         {NR_getrandom, &K::sys_getrandom},
@@ -217,10 +241,9 @@ const std::vector<LinuxKernel::Call>& LinuxKernel::calls() {
         {NR_getrusage, &K::sys_getrusage},
         {NR_sysinfo, &K::sys_sysinfo},
         {NR_sched_getaffinity, &K::sys_sched_getaffinity},
-        {NR_getpid, &K::sys_process},
-        {NR_gettid, &K::sys_process},
-        {NR_getpgrp, &K::sys_process},
-        {NR_getppid, &K::sys_done},
+        {NR_getpid, &K::sys_getpid},
+        {NR_getpgrp, &K::sys_getpid},
+        {NR_getppid, &K::sys_getppid},
         {NR_getuid32, &K::sys_done},
         {NR_geteuid32, &K::sys_done},
         {NR_getgid32, &K::sys_done},

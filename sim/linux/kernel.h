@@ -18,13 +18,19 @@
 // threads wait.  A signal comes at its exact time, also into a loop.  ^C, ^\ and ^Z at the terminal
 // send theirs; there is no shell, so a program that ^Z has stopped stays so.
 //
-// Not handled: timers that signal, job control; no vDSO, so that the C library makes system calls.
+// Threads share one processor (scheduler.h), although the program is told of two, as on the board.
+// When all wait for each other for ever, the program ends by a fault that says who waits for whom.
+//
+// Not handled: processes, timers that signal, job control; mutexes with priority inheritance; the
+// second processor: threads never run at the same time; no vDSO, so that the C library makes system
+// calls.
 #pragma once
 
 #include <array>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <list>
 #include <map>
 #include <memory>
 #include <optional>
@@ -170,7 +176,9 @@ private:
     Result sys_nanosleep(const Arguments&);
     Result sys_clock_nanosleep(const Arguments&);
     Result sys_clock_nanosleep_time64(const Arguments&);
-    Result sys_futex(const Arguments&);
+    std::uint64_t used_ns(const LinuxProcess& process) const;  // of the processor
+    std::uint64_t used_ns(const LinuxThread& thread) const;
+    std::optional<std::uint64_t> clock_ns(std::uint32_t clock) const;
     Result sleep(std::uint32_t flags, std::uint32_t span, bool wide, std::uint32_t left);
     std::int64_t give_time(std::uint32_t to, std::uint64_t ns, bool wide);
 
@@ -188,19 +196,79 @@ private:
     Result select(const Arguments&, Span kind);
     Result poll(std::uint32_t list, std::uint32_t count, std::int64_t span_ns);
 
-    // kernel_process.cpp
+    // kernel_futex.cpp
+    struct FutexKey {  // a word, and whose
+        const void* space;
+        std::uint64_t address;
+        bool operator!=(const FutexKey& o) const { return !(*this == o); }
+        bool operator==(const FutexKey& o) const {
+            return space == o.space && address == o.address;
+        }
+    };
+    struct FutexWaiter {
+        LinuxThread* thread;
+        FutexKey key;
+        std::uint32_t bits;
+    };
+    Result sys_futex(const Arguments&);
+    Result sys_futex_time64(const Arguments&);
+    Result sys_set_robust_list(const Arguments&);
+    Result sys_get_robust_list(const Arguments&);
+    FutexKey futex_key(std::uint32_t address) const;
+    std::int64_t futex_wake(const FutexKey& key, std::uint32_t most, std::uint32_t bits);
+    Result futex_wait(std::uint32_t address, std::uint32_t value, std::uint32_t bits,
+                      std::uint64_t end_ns);
+    Result futex_requeue(const Arguments&, bool compare);
+    Result futex_wake_op(const Arguments&);
+    Result futex(const Arguments&, Span kind);
+    void give_back_locks(const LinuxThread& thread);
+    std::string awaited(const LinuxThread& thread) const;
+    bool is_deadlock() const;
+
+    // kernel_threads.cpp
+    struct Clone {
+        std::uint64_t flags;
+        std::uint32_t stack, parent_word, tls, child_word;
+    };
+    Result sys_clone(const Arguments&);
+    Result sys_clone3(const Arguments&);
     Result sys_exit(const Arguments&);
+    Result sys_exit_group(const Arguments&);
     Result sys_set_tls(const Arguments&);
+    Result sys_set_tid_address(const Arguments&);
+    Result sys_gettid(const Arguments&);
     Result sys_rseq(const Arguments&);
+    Result sys_sched_yield(const Arguments&);
+    Result sys_sched_getaffinity(const Arguments&);
+    Result sys_sched_setaffinity(const Arguments&);
+    Result sys_getcpu(const Arguments&);
+    Result sys_sched_setscheduler(const Arguments&);
+    Result sys_sched_getscheduler(const Arguments&);
+    Result sys_sched_setparam(const Arguments&);
+    Result sys_sched_getparam(const Arguments&);
+    Result sys_sched_get_priority_max(const Arguments&);
+    Result sys_sched_get_priority_min(const Arguments&);
+    Result sys_sched_rr_get_interval(const Arguments&);
+    Result sys_nice(const Arguments&);
+    Result sys_getpriority(const Arguments&);
+    Result sys_setpriority(const Arguments&);
+    Result sys_prctl(const Arguments&);
+    Result clone(const Clone& how);
+    void end_thread(LinuxThread& thread);
+    void restart_sequence();
+    LinuxThread* thread_of(std::uint32_t number) const;  // 0: the running one
+    std::int64_t set_policy(LinuxThread& thread, int policy, int priority);
+
+    // kernel_process.cpp
     Result sys_uname(const Arguments&);
     Result sys_getrandom(const Arguments&);
     Result sys_prlimit64(const Arguments&);
     Result sys_getrlimit(const Arguments&);
     Result sys_getrusage(const Arguments&);
-    Result sys_sched_getaffinity(const Arguments&);
     Result sys_umask(const Arguments&);
-    Result sys_done(const Arguments&);     // answers 0
-    Result sys_process(const Arguments&);  // the number of process and thread
+    Result sys_done(const Arguments&);  // answers 0
+    Result sys_getpid(const Arguments&);
+    Result sys_getppid(const Arguments&);
     Result sys_sysinfo(const Arguments&);
 
     // kernel_signals.cpp
@@ -242,11 +310,14 @@ private:
     void look_at_all();
     void suspend();  // the running thread waits, or has ended, or makes way
     void go_on();    // with the one that is to run now, when time has come for one
+    void account();
     std::uint64_t next_event_ns() const;
+    std::string waiting_list() const;  // of each thread
     void run(LinuxThread& thread);
     void stand_still();
     void hear();
 
+    void not_emulated(const std::string& what);
     // By number, "" if there is none; from the kernel's own header.
     static const char* name_of(std::uint32_t number);
 
@@ -263,8 +334,12 @@ private:
     LinuxProcess* process_ = nullptr;  // which a call is about
     LinuxThread* running_ = nullptr;   // whose registers the core has
     LinuxScheduler scheduler_;
-    bool changed_ = false;   // files, so that a thread may go on
-    bool sleeping_ = false;  // all threads wait
+    std::list<FutexWaiter> waiters_;  // in their order
+    int next_number_ = 2;             // of a process or thread
+    std::uint64_t since_ns_ = 0;      // when the running one was accounted
+    bool yields_ = false;             // the running one, by its own will
+    bool changed_ = false;            // files, so that a thread may go on
+    bool sleeping_ = false;           // all threads wait
     bool over_ = false;
     sc_core::sc_event woken_;     // something has come from outside
     sc_core::sc_time line_free_;  // when the console's line has taken all that was printed

@@ -1,9 +1,6 @@
-// kernel_process.cpp - LinuxKernel's calls about the process itself: start, end, limits, signals
-#include <algorithm>
+// kernel_process.cpp - LinuxKernel's calls about the process itself: what it is, its limits
 #include <cerrno>
 #include <cstring>
-
-#include <fmt/format.h>
 
 #include "sim/linux/arm_abi.h"
 #include "sim/linux/kernel.h"
@@ -12,7 +9,6 @@ namespace sim {
 
 namespace {
 
-constexpr std::int64_t PROCESS = 1;
 constexpr std::uint32_t LIMITS = 16, LIMIT_STACK = 3, LIMIT_FILES = 7;
 constexpr std::uint64_t NO_LIMIT = ~std::uint64_t{0};
 
@@ -22,27 +18,6 @@ std::uint64_t limit_of(std::uint32_t resource) {
 }
 
 }  // namespace
-
-LinuxKernel::Result LinuxKernel::sys_exit(const Arguments& a) {
-    over_ = true;
-    exit_code_ = static_cast<int>(a[0] & 0xFF);
-    cpu_.end(*exit_code_ == 0 ? ""
-                              : fmt::format("the program ended with exit code {} {}", *exit_code_,
-                                            cpu_.where()));
-    return std::nullopt;
-}
-
-LinuxKernel::Result LinuxKernel::sys_set_tls(const Arguments& a) {
-    running_->tls = a[0];
-    helpers_.set_tls(a[0]);
-    return 0;
-}
-
-// Sequences are never restarted, because nothing preempts them; the program always runs on core 0.
-LinuxKernel::Result LinuxKernel::sys_rseq(const Arguments& a) {
-    constexpr std::uint32_t CORE[2] = {0, 0};
-    return memory().write(a[0], CORE, sizeof CORE) ? 0 : -EFAULT;
-}
 
 LinuxKernel::Result LinuxKernel::sys_uname(const Arguments& a) {
     constexpr std::size_t FIELD = 65;
@@ -79,7 +54,7 @@ LinuxKernel::Result LinuxKernel::sys_getrlimit(const Arguments& a) {
 }
 
 LinuxKernel::Result LinuxKernel::sys_getrusage(const Arguments& a) {
-    const std::uint64_t us = now_ns() / 1000;
+    const std::uint64_t us = used_ns(*process_) / 1000;
     const std::uint32_t usage[18] = {static_cast<std::uint32_t>(us / 1'000'000),
                                      static_cast<std::uint32_t>(us % 1'000'000)};
     return memory().write(a[1], usage, sizeof usage) ? 0 : -EFAULT;
@@ -94,13 +69,8 @@ LinuxKernel::Result LinuxKernel::sys_sysinfo(const Arguments& a) {
     return memory().write(a[0], info, sizeof info) ? 0 : -EFAULT;
 }
 
-LinuxKernel::Result LinuxKernel::sys_sched_getaffinity(const Arguments& a) {
-    constexpr std::uint32_t FIRST_CORE = 1;
-    if (a[1] < sizeof FIRST_CORE) return -EINVAL;
-    return memory().write(a[2], &FIRST_CORE, sizeof FIRST_CORE) ? int{sizeof FIRST_CORE} : -EFAULT;
-}
-
 LinuxKernel::Result LinuxKernel::sys_done(const Arguments&) { return 0; }
-LinuxKernel::Result LinuxKernel::sys_process(const Arguments&) { return PROCESS; }
+LinuxKernel::Result LinuxKernel::sys_getpid(const Arguments&) { return process_->number; }
+LinuxKernel::Result LinuxKernel::sys_getppid(const Arguments&) { return process_->parent; }
 
 }  // namespace sim

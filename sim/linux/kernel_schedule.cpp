@@ -36,6 +36,7 @@ LinuxKernel::Result LinuxKernel::wait(LinuxWait wait) {
 void LinuxKernel::resume(LinuxThread& thread, Result result) {
     if (result) thread.r[0] = static_cast<std::uint32_t>(*result);
     thread.wait.reset();
+    waiters_.remove_if([&](const FutexWaiter& w) { return w.thread == &thread; });
     if (!thread.process.stopped) scheduler_.add(thread, true);
 }
 
@@ -63,26 +64,40 @@ void LinuxKernel::look_at_all() {
 
 void LinuxKernel::suspend() {
     LinuxThread& thread = *running_;
+    restart_sequence();
     thread.save(cpu_.core());
     running_ = nullptr;
-    if (!thread.wait && !thread.process.stopped) scheduler_.add(thread, false);
+    if (thread.wait || thread.process.stopped) return;
+    if (std::exchange(yields_, false))
+        scheduler_.yield(thread);
+    else
+        scheduler_.add(thread, false);
 }
 
 void LinuxKernel::run(LinuxThread& thread) {
     running_ = &thread;
     process_ = &thread.process;
+    since_ns_ = now_ns();
     thread.load(cpu_.core());
     helpers_.set_tls(thread.tls);
 }
 
+void LinuxKernel::account() {
+    const std::uint64_t now = now_ns();
+    if (!running_) return;
+    scheduler_.account(*running_, now);
+    running_->used_ns += now - since_ns_;
+    running_->process.used_ns += now - since_ns_;
+    since_ns_ = now;
+}
+
 void LinuxKernel::go_on() {
-    const std::uint64_t entered = now_ns();
-    if (running_) scheduler_.account(*running_, entered);
+    account();
     while (!over_) {
         changed_ |= terminal_.arrive();
         if (running_ && running_->wait) suspend();
         look_at_all();
-        if (running_ && scheduler_.preempts(*running_, now_ns())) suspend();
+        if (running_ && (yields_ || scheduler_.preempts(*running_, now_ns()))) suspend();
         if (!running_ && scheduler_.empty()) {
             stand_still();
             continue;
@@ -112,20 +127,26 @@ void LinuxKernel::stand_still() {
     cpu_.pause(sc_core::SC_ZERO_TIME);  // what others do until now comes first
     const std::uint64_t now = now_ns(), next = std::min(next_event_ns(), now + LONGEST_NS);
     if (next <= now) return;
+    if (is_deadlock()) {
+        over_ = true;
+        return cpu_.end(
+            fmt::format("deadlock: no thread can ever go on {}: {}", cpu_.where(), waiting_list()));
+    }
     sleeping_ = true;
     cpu_.pause(woken_, sc_core::sc_time::from_value((next - now) * 1000));
     sleeping_ = false;
 }
 
-std::string LinuxKernel::waiting() const {
-    if (!sleeping_) return "";
+std::string LinuxKernel::waiting() const { return sleeping_ ? waiting_list() : ""; }
+
+std::string LinuxKernel::waiting_list() const {
     std::string all;
     const std::vector<LinuxThread*> list = threads();
     for (const LinuxThread* const thread : list) {
         if (list.size() > 1)
             all += fmt::format("{}thread {}: ", all.empty() ? "" : "; ", thread->number);
         all += thread->process.stopped ? "SIGCONT, because it is stopped"
-               : thread->wait          ? thread->wait->what
+               : thread->wait          ? awaited(*thread)
                                        : "its turn";
     }
     return all;

@@ -84,6 +84,7 @@ void LinuxKernel::deliver() {
             if (thread.restarts && (action.flags & arm_signal::RESTARTS)) begin_anew();
             if (std::exchange(thread.restarts, false))
                 core.set_reg(0, static_cast<std::uint32_t>(-EINTR));
+            restart_sequence();
             if (!thread.signals.enter(core, memory(), action, *signal))
                 die({SIGSEGV, 0, {}, "no room on the stack for the handler of a signal"});
         } else if (LinuxSignals::stops_by_default(signal->number)) {

@@ -11,8 +11,6 @@ namespace {
 
 constexpr std::uint32_t CLOCKS = 12, ABSOLUTE = 1;
 constexpr std::uint64_t TICK_NS = 10'000'000;  // of times()
-constexpr std::uint32_t FUTEX_WAIT = 0, FUTEX_WAKE = 1, FUTEX_WAIT_BITSET = 9,
-                        FUTEX_WAKE_BITSET = 10, FUTEX_COMMAND = 0x7F;
 
 }  // namespace
 
@@ -28,21 +26,45 @@ std::int64_t LinuxKernel::give_time(std::uint32_t to, std::uint64_t ns, bool wid
     return memory().write(to, time, sizeof time) ? 0 : -EFAULT;
 }
 
+std::uint64_t LinuxKernel::used_ns(const LinuxProcess& process) const {
+    const bool runs = running_ && &running_->process == &process;
+    return process.used_ns + (runs ? now_ns() - since_ns_ : 0);
+}
+
+std::uint64_t LinuxKernel::used_ns(const LinuxThread& thread) const {
+    return thread.used_ns + (running_ == &thread ? now_ns() - since_ns_ : 0);
+}
+
+// No value: there is no such clock.  Below 0 are those of a process or a thread by its number.
+std::optional<std::uint64_t> LinuxKernel::clock_ns(std::uint32_t clock) const {
+    constexpr std::uint32_t PROCESS = 2, THREAD = 3, OF_A_THREAD = 4;
+    if (clock == PROCESS) return used_ns(*process_);
+    if (clock == THREAD) return used_ns(*running_);
+    if (clock < CLOCKS) return now_ns();
+    if (static_cast<std::int32_t>(clock) >= 0) return std::nullopt;
+    const auto number = static_cast<std::uint32_t>(~(static_cast<std::int32_t>(clock) >> 3));
+    const LinuxThread* const thread = thread_of(number);
+    if (!thread) return std::nullopt;
+    return clock & OF_A_THREAD ? used_ns(*thread) : used_ns(thread->process);
+}
+
 LinuxKernel::Result LinuxKernel::sys_clock_gettime(const Arguments& a) {
-    return a[0] < CLOCKS ? give_time(a[1], now_ns(), false) : -EINVAL;
+    const auto ns = clock_ns(a[0]);
+    return ns ? give_time(a[1], *ns, false) : -EINVAL;
 }
 
 LinuxKernel::Result LinuxKernel::sys_clock_gettime64(const Arguments& a) {
-    return a[0] < CLOCKS ? give_time(a[1], now_ns(), true) : -EINVAL;
+    const auto ns = clock_ns(a[0]);
+    return ns ? give_time(a[1], *ns, true) : -EINVAL;
 }
 
 LinuxKernel::Result LinuxKernel::sys_clock_getres(const Arguments& a) {
-    if (a[0] >= CLOCKS) return -EINVAL;
+    if (!clock_ns(a[0])) return -EINVAL;
     return a[1] ? give_time(a[1], 1, false) : 0;
 }
 
 LinuxKernel::Result LinuxKernel::sys_clock_getres_time64(const Arguments& a) {
-    if (a[0] >= CLOCKS) return -EINVAL;
+    if (!clock_ns(a[0])) return -EINVAL;
     return a[1] ? give_time(a[1], 1, true) : 0;
 }
 
@@ -58,7 +80,8 @@ LinuxKernel::Result LinuxKernel::sys_gettimeofday(const Arguments& a) {
 
 LinuxKernel::Result LinuxKernel::sys_times(const Arguments& a) {
     const auto ticks = static_cast<std::uint32_t>(now_ns() / TICK_NS);
-    const std::uint32_t times[4] = {ticks, 0, 0, 0};
+    const std::uint32_t times[4] = {static_cast<std::uint32_t>(used_ns(*process_) / TICK_NS), 0, 0,
+                                    0};
     if (a[0] != 0 && !memory().write(a[0], times, sizeof times)) return -EFAULT;
     return ticks & 0x7FFFFFFF;
 }
@@ -102,24 +125,6 @@ LinuxKernel::Result LinuxKernel::sys_clock_nanosleep(const Arguments& a) {
 
 LinuxKernel::Result LinuxKernel::sys_clock_nanosleep_time64(const Arguments& a) {
     return a[0] < CLOCKS ? sleep(a[1], a[2], true, a[3]) : -EINVAL;
-}
-
-// With one thread there is no other thread to wake or to be woken by.
-LinuxKernel::Result LinuxKernel::sys_futex(const Arguments& a) {
-    switch (a[1] & FUTEX_COMMAND) {
-        case FUTEX_WAKE:
-        case FUTEX_WAKE_BITSET: return 0;
-        case FUTEX_WAIT:
-        case FUTEX_WAIT_BITSET: {
-            std::uint32_t value;
-            if (!memory().read(a[0], &value, sizeof value)) return -EFAULT;
-            if (value != a[2]) return -EAGAIN;
-            over_ = true;
-            cpu_.end("the program waits for a thread, and there is none, " + cpu_.where());
-            return 0;
-        }
-        default: return -ENOSYS;
-    }
 }
 
 }  // namespace sim

@@ -100,6 +100,10 @@ bool LinuxScheduler::preempts(const LinuxThread& running, std::uint64_t now_ns) 
            other->share.used_ns + GRANULARITY_NS < running.share.used_ns;
 }
 
+void LinuxScheduler::put_behind(LinuxThread& thread) const {
+    thread.share.used_ns = std::max(thread.share.used_ns, least_used_ns_) + MIN_NS;
+}
+
 // Only to run again after those that could run now.
 void LinuxScheduler::yield(LinuxThread& running) {
     const LinuxThread* const other = first();

@@ -40,6 +40,8 @@ public:
     std::uint64_t end_of_turn_ns(const LinuxThread& running) const;
     // It makes way by itself, for any that could run.
     void yield(LinuxThread& running);
+    // A new one, whose share is its maker's, does not come at once.
+    void put_behind(LinuxThread& thread) const;
 
 private:
     bool before(const LinuxThread& a, const LinuxThread& b) const;

@@ -47,11 +47,14 @@ struct LinuxThread {
     bool in_vfork = false;  // its child has its memory
     LinuxShare share{};
     std::uint32_t clears = 0, robust_list = 0;  // at its end: a word to clear, locks to give back
+    std::uint32_t sequences = 0;                // struct rseq
+    std::uint32_t affinity = 3;                 // processors that it may use
+    std::uint64_t used_ns = 0;                  // of the processor
     std::string name{};
 
     // While another thread runs.
     std::array<std::uint32_t, 16> r{};
-    std::uint32_t cpsr = 0, fpscr = 0, tls = 0;
+    std::uint32_t cpsr = 0, fpscr = 0, tls = 0, own_tls = 0;  // TPIDRURO, TPIDRURW
     std::array<std::uint64_t, 32> vfp{};
 
     void save(const ArmCore& core);

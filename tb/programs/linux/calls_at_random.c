@@ -4,7 +4,7 @@
 // Pointers go into an arena, whose contents are at random too and whose pages calls unmap, protect
 // and move, to its own code, to nothing, or beyond the end; never to where it keeps its own data.
 // Calls that would end or stop it are left out: exit, signals to itself, returns from a signal,
-// waiting for one or for a thread.  What sleeps gets a time of less than a millisecond, and standard
+// waiting for one.  Some of them are made by other threads.  What sleeps gets a time of less than a millisecond, and standard
 // input becomes a file.  Without a C library, because calls also change the heap and the TLS.
 #include <stdint.h>
 
@@ -14,7 +14,8 @@
 
 enum {
     NR_EXIT = 1, NR_READ = 3, NR_WRITE = 4, NR_OPEN = 5, NR_CLOSE = 6, NR_PAUSE = 29, NR_KILL = 37,
-    NR_BRK = 45, NR_DUP2 = 63, NR_MUNMAP = 91, NR_SIGRETURN = 119, NR_MPROTECT = 125,
+    NR_BRK = 45, NR_DUP2 = 63, NR_MUNMAP = 91, NR_CLONE = 120,
+    NR_CLONE3 = 435, NR_SIGRETURN = 119, NR_MPROTECT = 125,
     NR_SELECT = 142, NR_NANOSLEEP = 162, NR_MREMAP = 163, NR_POLL = 168, NR_RT_SIGRETURN = 173,
     NR_SIGTIMEDWAIT = 177, NR_SIGQUEUEINFO = 178, NR_SIGSUSPEND = 179, NR_SIGTIMEDWAIT_64 = 421,
     NR_MMAP2 = 192, NR_FTRUNCATE64 = 194, NR_TKILL = 238, NR_FUTEX = 240, NR_EXIT_GROUP = 248,
@@ -29,7 +30,8 @@ static const uint16_t CALLS[] = {
     63, 358, 55, 221, 54, 197, 195, 196, 327, 397, 33, 334, 439, 10, 328, 40, 39, 323, 38, 329, 85,
     332, 183, 12, 60, 263, 403, 264, 406, 78, 43, 162, 265, 407, 240, 422, 158, 142, 335, 413, 168,
     336, 414, 256, 338, 398, 122, 384, 369, 191, 77, 116, 242, 20, 224, 65, 64, 199, 174, 175, 186,
-    2, 11, 42, 120, 190, 281, 290, 359, 1000};
+    2, 11, 42, 190, 281, 290, 359, 1000, 34, 96, 97, 154, 155, 156, 157, 159, 160, 161, 172, 176, 224,
+    241, 339, 345};
 
 static const char* const NAMES[] = {
     "a", "b", "/d", "d/e", "d/../a", "../outside", "/../../outside", "d/../../outside/x", ".", "/",
@@ -138,7 +140,7 @@ static void close_files(void) {
 static int ends_or_stops(uint32_t number) {
     return number == NR_EXIT || number == NR_EXIT_GROUP || number == NR_PAUSE ||
            number == NR_KILL || number == NR_TKILL || number == NR_TGKILL ||
-           number == NR_SIGRETURN || number == NR_RT_SIGRETURN || number == NR_SIGTIMEDWAIT ||
+           number == NR_CLONE || number == NR_CLONE3 || number == NR_SIGRETURN || number == NR_RT_SIGRETURN || number == NR_SIGTIMEDWAIT ||
            number == NR_SIGQUEUEINFO || number == NR_SIGSUSPEND || number == NR_SIGTIMEDWAIT_64;
 }
 
@@ -196,8 +198,8 @@ static void one_call(void) {
         case NR_POLL: a[2] = any() % 64 == 0; break;
         case NR_FUTEX:
         case NR_FUTEX_64:
-            a[1] = any();
-            if ((a[1] & 0x7F) == 0 || (a[1] & 0x7F) == 9) return;  // waiting
+            a[1] = any() & ~0x70u;
+            if ((a[1] & 0x7F) == 0 || (a[1] & 0x7F) == 9) a[3] = short_time(number != NR_FUTEX, 10000);
             break;
         case 5: case 8: case 10: case 12: case 33: case 38: case 39: case 40: case 85: case 195:
         case 196:
@@ -212,6 +214,50 @@ static void one_call(void) {
         default: break;
     }
     call(number, a);
+}
+
+// ---- Other threads ----
+
+#define THREADS 4
+static uint8_t stacks[THREADS][8192] __attribute__((aligned(8)));
+static volatile uint8_t busy[THREADS];
+
+__attribute__((used)) static void help(uint32_t own) {
+    for (uint32_t i = any() % 64; i > 0; --i) one_call();
+    busy[own] = 0;
+    call3(NR_EXIT, 0, 0, 0);
+}
+
+// clone(), of the child of which help(own) is all.
+__attribute__((naked)) static int32_t begin_help(uint32_t flags __attribute__((unused)),
+                                                 void* stack __attribute__((unused)),
+                                                 uint32_t own __attribute__((unused))) {
+    __asm__(
+        "push {r4, r5, r7, lr}\n"
+        "mov r5, r2\n"
+        "movs r2, #0\n"
+        "movs r3, #0\n"
+        "movs r4, #0\n"
+        "movs r7, #120\n"
+        "svc #0\n"
+        "cmp r0, #0\n"
+        "beq 1f\n"
+        "pop {r4, r5, r7, pc}\n"
+        "1: mov r0, r5\n"
+        "b help\n");
+}
+
+static void get_help(void) {
+    const uint32_t own = any() % THREADS;
+    if (busy[own]) return;
+    busy[own] = 1;
+    if (begin_help(0x10F00, stacks[own] + sizeof stacks[own], own) < 0) busy[own] = 0;
+}
+
+static void end_help(void) {
+    static const uint32_t SPAN[2] = {0, 100000};
+    for (unsigned i = 0; i < THREADS; ++i)
+        while (busy[i]) call3(NR_NANOSLEEP, (uint32_t)(uintptr_t)SPAN, 0, 0);
 }
 
 // For libgcc's division by zero.
@@ -230,10 +276,11 @@ __attribute__((used)) static void begin(const uint32_t* at) {
     state = state * 2654435769u | 1;
     for (uint32_t i = 0; i < calls; ++i) {
         if (i % 16384 == 0) close_files();
-        if (i % 256 == 0) begin_round();
+        if (i % 256 == 0) end_help(), begin_round();
+        if (i % 512 == 300) get_help(), get_help();
         one_call();
     }
-    call3(NR_EXIT, 0, 0, 0);
+    call3(NR_EXIT_GROUP, 0, 0, 0);
 }
 
 __attribute__((naked, used)) void _start(void) { __asm__("mov r0, sp\n b begin"); }
