@@ -16,6 +16,7 @@
 #include "sim/project/sensitivity.h"
 #include "sim/project/settings.h"
 #include "sim/project/tokens.h"
+#include "sim/project/tri_states.h"
 
 namespace sim::project {
 
@@ -61,6 +62,7 @@ public:
         : tokens_{tokens_of(text)}, items_{tokens_.all}, name_{name} {
         reorder(tokens_.all, items_, edits_);
         repeat_parameter_types(tokens_.all, edits_);
+        tri_states_ = join_tri_states(tokens_, modules, edits_);
         enable_part_drivers(tokens_, modules, edits_);
         make_registers(tokens_, edits_);
         complete_lists(tokens_, edits_);
@@ -75,6 +77,8 @@ public:
     Normalised run(bool system_verilog) {
         Normalised result;
         checks_ = check_text(tokens_.all, items_, name_, system_verilog);
+        for (const Message& m : tri_states_)
+            checks_.warnings.push_back({m.number, name_, m.line, m.text});
         std::size_t next_reset = 0;
         if (!system_verilog) choose_keywords(result.text);
         for (std::size_t i = 0; i < tokens_.all.size(); ++i) {
@@ -276,6 +280,7 @@ private:
     const std::string& name_;
     Edits edits_;
     std::vector<ResetStatement> resets_;
+    Messages tri_states_;
     std::vector<std::string> changes_;
     std::vector<InitName> init_names_;
     TextChecks checks_;

@@ -11,7 +11,7 @@
 // Not told: a comment that Verilator would take for an order to itself, inputs of models that are
 // 1 where they are open, the enables of part_drivers.h, the calls of init_text.h, the registers of
 // registers.h, the resets of power_up.h, the lists of sensitivity.h, and the names "small",
-// "medium" and "large", which are escaped.
+// "medium" and "large", which are escaped.  A warning tells of the wires of tri_states.h.
 //
 // Lines stay where they are, and messages name the original file.
 #pragma once

@@ -1,6 +1,8 @@
 #include "sim/project/part_drivers.h"
 
 #include <algorithm>
+#include <set>
+#include <string_view>
 
 #include <fmt/format.h>
 
@@ -9,6 +11,10 @@ namespace sim::project {
 namespace {
 
 using Kind = Token::Kind;
+
+// Not where it is asked who drives what.
+constexpr char ENABLE[] = "`ifdef DE1SIM_LISTS `else $c1(\"1\") ? `endif ";
+constexpr char RELEASE[] = "`ifdef DE1SIM_LISTS `else : 'sbz `endif ";
 
 class PartDrivers {
 public:
@@ -22,7 +28,8 @@ public:
                 const auto here = modules_.find(tokens_[at_ + 1].text);
                 module_ = here == modules_.end() ? nullptr : &here->second;
                 ++at_;
-            } else if (!module_ || module_->inouts.empty()) {
+                if (module_) find_released();
+            } else if (!module_ || released_.empty()) {
                 continue;
             } else if (token.is("assign")) {
                 assignments();
@@ -34,23 +41,16 @@ public:
     }
 
 private:
-    // The first of `ends` from `i` on that is not in parentheses of any kind, or the file's end.
     std::size_t find(std::size_t i, std::initializer_list<std::string_view> ends) const {
-        for (int depth = 0; i < tokens_.size(); ++i) {
-            const Token& token = tokens_[i];
-            if (depth == 0 && std::find(ends.begin(), ends.end(), token.text) != ends.end()) break;
-            depth += token.is("(") || token.is("[") || token.is("{");
-            depth -= token.is(")") || token.is("]") || token.is("}");
-        }
-        return i;
+        return find_outside(tokens_, i, ends);
     }
 
-    // Whether tokens up to `end` name a part of an inout port, or join one with others.
+    // Whether tokens up to `end` name a part of what is released, or join one with others.
     bool is_part(std::size_t begin, std::size_t end) const {
         const bool joined = tokens_[begin].is("{");
         for (std::size_t i = begin; i + 1 < end; ++i)
             if (tokens_[i].kind == Kind::NAME && (joined || tokens_[i + 1].is("[")) &&
-                module_->inouts.count(std::string{tokens_[i].text}))
+                released_.count(tokens_[i].text))
                 return true;
         return false;
     }
@@ -62,60 +62,62 @@ private:
                            });
     }
 
-    // From `assign` on, to its semicolon.
-    void assignments() {
-        std::size_t begin = at_ + 1;
+    // Calls take(begin, equals, end) for each assignment of the `assign` at `i`; its semicolon, or
+    // the file's end.
+    template <class Take>
+    std::size_t each_assignment(std::size_t i, Take take) const {
+        std::size_t begin = i + 1;
         if (begin < tokens_.size() && tokens_[begin].is("#")) begin += 2;
         for (;;) {
             const std::size_t equals = find(begin, {"=", ";"}), end = find(equals, {",", ";"});
-            if (end >= tokens_.size()) return;
-            if (tokens_[equals].is("=") && is_part(begin, equals) && !has_z(equals, end)) {
-                edits_.behind[equals] += " $c1(\"1\") ? (";
-                edits_.before[end] += ") : 'sbz";
-            }
-            at_ = end;
-            if (tokens_[end].is(";")) return;
+            if (end >= tokens_.size()) return end;
+            if (tokens_[equals].is("=")) take(begin, equals, end);
+            if (tokens_[end].is(";")) return end;
             begin = end + 1;
         }
     }
+    void assignments() {
+        at_ = each_assignment(at_, [this](std::size_t begin, std::size_t equals, std::size_t end) {
+            if (!is_part(begin, equals) || has_z(equals, end)) return;
+            if (equals + 2 == end && released_.count(tokens_[equals + 1].text)) return;
+            edits_.behind[equals] += fmt::format(" {}(", ENABLE);
+            edits_.before[end] += fmt::format("){}", RELEASE);
+        });
+    }
 
-    // From the module's name on: [#(...)] NAME [range] ( connections ), ... ;
+    // The module's inout ports, and what else an assign of it may release.
+    void find_released() {
+        released_.clear();
+        for (const std::string& name : module_->inouts) released_.insert(name);
+        for (std::size_t i = find(at_, {";"}); i < tokens_.size() && !tokens_[i].is("endmodule");
+             ++i) {
+            if (!tokens_[i].is("assign") && !tokens_[i].is("wire") && !tokens_[i].is("tri"))
+                continue;
+            i = each_assignment(i, [this](std::size_t begin, std::size_t equals, std::size_t end) {
+                if (!has_z(equals, end)) return;
+                for (int depth = 0; begin < equals; ++begin) {
+                    depth += tokens_[begin].is("[") - tokens_[begin].is("]");
+                    if (depth == 0 && tokens_[begin].kind == Kind::NAME)
+                        released_.insert(tokens_[begin].text);
+                }
+            });
+        }
+    }
+
+    // From the module's name on.
     void instances(const ModuleText& other) {
         const std::size_t statement = at_, end = find(at_, {";"});
         if (end >= tokens_.size()) return;
         std::string wires;
-        for (std::size_t open = find(at_ + 1, {"(", ";"}); open < end;
-             open = find(open + 1, {"(", ";"})) {
-            const std::size_t close = find(open + 1, {")"});
-            if (!tokens_[open - 1].is("#")) connections(other, open, close, wires);
-            open = close;
-        }
+        for (const ConnectionText& c : connections_of(tokens_, at_, other))
+            if (other.outputs.count(c.port) && is_part(c.first, c.last))
+                wires += wire_for(c.first, c.last);
         at_ = end;
         if (wires.empty()) return;
         const Token& before = tokens_[statement - 1];
         const bool alone = before.is(")") || before.is("else");  // behind an `if`
         edits_.before[statement] += (alone ? "begin " : "") + wires;
         if (alone) edits_.behind[end] += " end";
-    }
-
-    void connections(const ModuleText& other, std::size_t open, std::size_t close,
-                     std::string& wires) {
-        std::size_t position = 0;
-        for (std::size_t i = open + 1; i < close; ++position) {
-            const std::size_t end = find(i, {",", ")"});
-            std::size_t first = i, last = end;
-            std::string port;
-            if (tokens_[i].is(".") && i + 3 < end && tokens_[i + 2].is("(")) {
-                port = tokens_[i + 1].text;
-                first = i + 3;
-                last = end - 1;
-            } else if (position < other.header.size()) {
-                port = other.header[position];
-            }
-            if (first < last && other.outputs.count(port) && is_part(first, last))
-                wires += wire_for(first, last);
-            i = end + 1;
-        }
     }
 
     // Puts a wire in the place of the part of tokens up to `end`; the text that declares it.
@@ -129,14 +131,15 @@ private:
         edits_.before[begin] += wire;
         return fmt::format(
             "`begin_keywords \"1800-2017\" wire [$bits({0})-1:0] {1}; `end_keywords "
-            "assign {0}= $c1(\"1\") ? {1} : 'sbz; ",
-            part, wire);
+            "assign {0}= {2}{1}{3}; ",
+            part, wire, ENABLE, RELEASE);
     }
 
     const std::vector<Token>& tokens_;
     const Modules& modules_;
     Edits& edits_;
     const ModuleText* module_ = nullptr;
+    std::set<std::string_view> released_;
     std::size_t at_ = 0;
     unsigned number_ = 0;
 };

@@ -258,6 +258,42 @@ endmodule
 """)
         self.leds(9)
 
+    def test_a_buffer_inside_the_chip_is_a_wire(self):
+        """But one that another name takes to a pin."""
+        self.write(top_v="""\
+module inverter(input a, output y); assign y = ~a; endmodule
+module top(input [9:0] SW, output [9:0] LEDR, inout [35:0] GPIO_0);
+tri a;
+assign a = SW[0] ? 1'bz : SW[1];
+inverter i(.a(a), .y(LEDR[0]));
+wire [2:0] b = SW[2] ? SW[5:3] : {3{1'bz}};
+assign LEDR[3:1] = b + 3'd1, LEDR[9:4] = 6'd0;
+wire c = SW[0] ? 1'b0 : 1'bz;
+assign GPIO_0[3] = c;
+endmodule
+""")
+        self.checked("top.v:4: 13049: a is released inside the chip", "top.v:6: 13049: b is")
+        self.assertNotIn("top.v:9: 10230", self.de1sim("check", ".").stdout)
+        self.plays('expect-leds: "0000000011"', "hold: {switch: [0, 1, 3]}", "delay: 1us",
+                   'expect-leds: "0000000100"', "expect-pins: {gpio_0: 3, level: low}",
+                   "release: {switch: 0}", "delay: 1us",
+                   "expect-pins: {gpio_0: 3, level: high}")
+
+    def test_two_buffers_take_turns_on_a_pin_and_on_a_part_of_a_bus(self):
+        self.write(top_v="""\
+module top(input [9:0] SW, output [9:0] LEDR);
+wire [3:0] bus;
+assign LEDR[0] = SW[0] ? SW[1] : 1'bz;
+assign LEDR[0] = SW[0] ? 1'bz : SW[2], LEDR[5:1] = 0;
+assign bus[0] = SW[0] ? 1'b1 : 1'bz, bus[3:1] = 3'd5;
+assign bus[0] = ~SW[0] ? 1'b0 : 1'bz;
+assign LEDR[9:6] = bus;
+endmodule
+""")
+        self.leds(0b1010000001, 0b100)
+        self.leds(0b1011000000, 0b101)
+        self.leds(0b1011000001, 0b011)
+
     def test_a_file_for_readmemh_is_read_at_run_time(self):
         self.write(top_v="module top(output [9:0] LEDR); reg [7:0] m [0:3];\n"
                          'initial $readmemh("words.hex", m); assign LEDR = m[2]; endmodule\n',

@@ -84,6 +84,8 @@ WARNINGS = {
     13040: ("module top(input [9:0] SW, output [9:0] LEDR, inout [35:0] GPIO_0);\n"
             "assign LEDR = SW ^ GPIO_0[9:0];\n" +
             END, "top.v:1: 13040: inout GPIO_0 is never driven"),
+    13049: (WIRE + "wire b = SW[0] ? SW[1] : 1'bz;\nassign LEDR = b & SW;\n" + END,
+            "top.v:2: 13049: b is released inside the chip"),
     13410: (WIRE.replace(");", ", output [6:0] HEX0);") + ALL + "assign HEX0 = 7'h7f;\n" + END,
             "top.v:3: 13410: output HEX0 is constant"),
     15610: (WIRE + "assign LEDR = SW ^ CLOCK_50;\n" + END, "top.v:1: 15610: input KEY is not used"),
