@@ -72,6 +72,10 @@ std::vector<std::string> verilator_words(const Project& project,
     return words;
 }
 
+std::map<std::string, std::string> board_pins() {
+    return signals_by_pin(data_folder() / "rtl/board/de1_soc/pins.tsv");
+}
+
 }  // namespace
 
 Builder::Builder(const Request& request, bool trace)
@@ -95,6 +99,7 @@ void Builder::prepare_folder() {
 
 void Builder::elaborate() {
     read_clean_sources();
+    refuse(text_errors(checks_));  // before the translator finds them in other words
     check_verilator(limit_);
     while (!translate_to_xml()) {
     }
@@ -194,8 +199,7 @@ void Builder::read_and_elaborate() {
     design_.elaborated = read_elaborated(folder_ / "design.xml", design_.project.top);
     for (const InitFile& file : design_.elaborated.init_files) design_.init_files.push_back(file);
     design_.binding =
-        sim::project::bind(design_.elaborated.ports, design_.project.pins,
-                           signals_by_pin(data_folder() / "rtl/board/de1_soc/pins.tsv"));
+        sim::project::bind(design_.elaborated.ports, design_.project.pins, board_pins());
     if (design_.elaborated.pll_clocks.size() > 64)
         throw ProjectError{fmt::format("the design has {} PLL clocks, expected at most 64",
                                        design_.elaborated.pll_clocks.size())};
@@ -203,20 +207,24 @@ void Builder::read_and_elaborate() {
     generate();
 }
 
-// ProjectError: the first thing that Quartus refuses; the others are among the notes.
 void Builder::check() {
     Checked checked = check_design({design_.project, (folder_ / "design.xml").string(), said_,
-                                    checks_, design_.elaborated.ports});
+                                    checks_, design_.elaborated.ports, board_pins()});
     design_.warnings = std::move(checked.warnings);
     design_.self_reading = std::move(checked.self_reading);
-    if (checked.errors.empty()) return;
+    refuse(checked.errors);
+}
+
+// ProjectError: the first thing that Quartus refuses; the others are among the notes.
+void Builder::refuse(const Messages& errors) const {
+    if (errors.empty()) return;
     const auto said = [](const Message& m) {
-        return fmt::format("{}: Quartus error {}: {}", m.place(), m.number, m.text);
+        return m.number ? fmt::format("{}: Quartus error {}: {}", m.place(), m.number, m.text)
+                        : fmt::format("{}: Quartus refuses this: {}", m.place(), m.text);
     };
-    ProjectError error{said(checked.errors.front())};
+    ProjectError error{said(errors.front())};
     error.notes = design_.project.notes;
-    for (std::size_t n = 1; n < checked.errors.size(); ++n)
-        error.notes.push_back(said(checked.errors[n]));
+    for (std::size_t n = 1; n < errors.size(); ++n) error.notes.push_back(said(errors[n]));
     throw error;
 }
 

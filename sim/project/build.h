@@ -55,6 +55,7 @@ private:
     bool fit_inout(const std::string& error);
     std::string translate(std::vector<std::string> words) const;
     void check();
+    void refuse(const Messages& errors) const;
     void elaborate();
     bool translate_to_xml();
     void generate();

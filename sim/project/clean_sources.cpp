@@ -76,6 +76,21 @@ std::vector<std::string> translate_vhdl(const SourceRequest& from, const Modules
     return all;
 }
 
+// The modules below the top, and all where that is an entity.
+std::set<std::string> modules_of_design(const Modules& modules, const std::string& top) {
+    std::set<std::string> names;
+    std::vector<std::string> open{top};
+    if (!modules.count(top))
+        for (const auto& [name, module] : modules) open.push_back(name);
+    while (!open.empty()) {
+        const auto module = modules.find(open.back());
+        open.pop_back();
+        if (module == modules.end() || !names.insert(module->first).second) continue;
+        open.insert(open.end(), module->second.wants.begin(), module->second.wants.end());
+    }
+    return names;
+}
+
 }  // namespace
 
 CleanSources clean_sources(const SourceRequest& from) {
@@ -91,6 +106,7 @@ CleanSources clean_sources(const SourceRequest& from) {
         for (ModuleText& module : scan(text).modules) modules.emplace(module.name, module);
     OpenInputs open_inputs = read_open_inputs(data_folder() / "rtl/ip/defaults.tsv");
     for (const auto& [name, own] : modules) open_inputs.erase(name);  // not the model of that name
+    const std::set<std::string> in_design = modules_of_design(modules, project.top);
     add_models(modules);
     for (const SourceFile& file : project.sources) {
         const std::string name = file.path.lexically_relative(project.folder).string();
@@ -104,6 +120,8 @@ CleanSources clean_sources(const SourceRequest& from) {
                              normalised.changes.end());
         for (const InitName& init : normalised.init_names)
             clean.init_files.push_back({init.name, fmt::format("{}:{}", name, init.line)});
+        for (auto& [module, message] : normalised.checks.of_modules)
+            if (in_design.count(module)) normalised.checks.errors.push_back(std::move(message));
         clean.checks[name] = std::move(normalised.checks);
         const fs::path to = fmt::format("source/{:03}{}", number++, system_verilog ? ".sv" : ".v");
         write_if_new(from.folder / to,

@@ -22,9 +22,12 @@ public:
     // An item, and not a statement, begins at token `i`.
     bool begins_item(std::size_t i) const;
 
+    // Token `i` is in an always, initial or final block, a function or a task.
+    bool is_statement(std::size_t i) const { return statements_[i]; }
+
 private:
     const std::vector<Token>& tokens_;
-    std::vector<bool> statements_;  // in an always, initial or final block, a function or a task
+    std::vector<bool> statements_;
 };
 
 // The token behind the statement that begins at `i`.

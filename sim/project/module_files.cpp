@@ -28,7 +28,8 @@ std::string ModuleFiles::place(const fs::path& file) const {
     return fs::absolute(file).lexically_normal().lexically_relative(folder_).string();
 }
 
-void ModuleFiles::add(const fs::path& file, Language language, bool listed) {
+void ModuleFiles::add(const SourceFile& added) {
+    const fs::path& file = added.path;
     if (!known_.insert(file).second) return;
     if (is_simulation_library(file)) {
         notes_.push_back(
@@ -37,9 +38,9 @@ void ModuleFiles::add(const fs::path& file, Language language, bool listed) {
                         place(file)));
         return;
     }
-    Source source{{file, language, listed}, {}};
+    Source source{added, {}};
     const std::string text = text_of(file);
-    if (language != Language::VHDL) {
+    if (added.language != Language::VHDL) {
         source.text = scan(as_synthesised(text, macros_));
         if (project::is_encrypted(file, text)) encrypted_.insert(file);
     } else {
@@ -68,7 +69,7 @@ const ModuleFiles::Definition* ModuleFiles::definition(const std::string& name, 
     if (const Definition* d = in_any_case(name); d && (from_vhdl || is_vhdl(*d))) return d;
     for (const fs::path& file : finder_.with_stem(name))
         if (const auto language = language_of(file); language && !known_.count(file)) {
-            add(file, *language, false);
+            add({file, *language, false, {}});
             if (const auto i = modules_.find(name); i != modules_.end()) {
                 notes_.push_back(
                     fmt::format("12125: {} is not listed; it defines {}", place(file), name));

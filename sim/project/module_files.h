@@ -41,7 +41,7 @@ public:
     std::string place(const std::filesystem::path& file) const;
 
     // Reads a file, unless it was added before or is one of Quartus' libraries for simulators.
-    void add(const std::filesystem::path& file, SourceFile::Language language, bool listed);
+    void add(const SourceFile& source);
 
     std::size_t size() const { return sources_.size(); }
     const Source& source(std::size_t n) const { return sources_[n]; }
@@ -57,6 +57,8 @@ public:
 
     // ---- Of several files that define one module, the first that was added counts ----
 
+    // Those definitions, by the module's name, in the order in which they were added.
+    const std::map<std::string, std::vector<Definition>>& rivals() const { return rivals_; }
     // From now on the nearest to `user` does (nearest.h), which is noted.
     void take_nearest(const std::string& module, const std::filesystem::path& user);
     // Whether it defines modules, but none that counts.

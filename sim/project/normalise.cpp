@@ -11,6 +11,7 @@
 #include "sim/project/items.h"
 #include "sim/project/parameter_types.h"
 #include "sim/project/power_up.h"
+#include "sim/project/quartus/syntax.h"
 #include "sim/project/registers.h"
 #include "sim/project/reorder.h"
 #include "sim/project/sensitivity.h"
@@ -77,6 +78,7 @@ public:
     Normalised run(bool system_verilog) {
         Normalised result;
         checks_ = check_text(tokens_.all, items_, name_, system_verilog);
+        find_syntax_errors(tokens_.all, items_, name_, system_verilog, checks_);
         for (const Message& m : tri_states_)
             checks_.warnings.push_back({m.number, name_, m.line, m.text});
         std::size_t next_reset = 0;
@@ -98,6 +100,7 @@ public:
                 result.text += text_of_token(token);
             }
             if (items_.unnamed_instance(i)) {
+                warn(10846, token, fmt::format("the instance of {} has no name", token.text));
                 changed(token, fmt::format("named the instance of {}", token.text));
                 add_name(i);
             }

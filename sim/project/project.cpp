@@ -45,16 +45,18 @@ public:
             for (const Assignment& a : all) take(a);
             if (project_.top.empty()) project_.top = settings_.stem().string();
         }
-        if (other_device_) project_.pins.clear();
+        if (project_.is_for_other_device) project_.pins.clear();
         is_folder_alone_ = files_.size() == 0;
         if (is_folder_alone_) {
             for (const fs::path& file : files_.finder().files())
-                if (const auto language = language_of(file)) files_.add(file, *language, true);
+                if (const auto language = language_of(file))
+                    files_.add({file, *language, true, {}});
             if (files_.size() == 0) refuse_files();
             if (files_.size() == 0)
                 throw ProjectError{folder_.string() + ": no Verilog or VHDL files found here"};
         }
         choose_top();
+        if (!is_folder_alone_) refuse_rivals();
         take_what_it_needs();
         return std::move(project_);
     }
@@ -63,6 +65,9 @@ public:
 
 private:
     void note(std::string text) { project_.notes.push_back(std::move(text)); }
+    std::string place_of(const Assignment& a) const {
+        return fmt::format("{}:{}", files_.place(a.file), a.line);
+    }
 
     std::vector<Assignment> settings_of(const fs::path& file) {
         Settings settings = read_settings(file);
@@ -74,11 +79,12 @@ private:
         const std::string& name = a.name;
         if (name == "LOCATION") {
             project_.pins[a.to] = a.value;
+            project_.places_of_pins[a.to] = place_of(a);
         } else if (name == "TOP_LEVEL_ENTITY") {
             if (request_.top.empty()) project_.top = a.value;
+            place_of_top_ = place_of(a);
         } else if (name == "PARAMETER") {
-            project_.parameters[a.to] = {verilog_value(a.value),
-                                         fmt::format("{}:{}", files_.place(a.file), a.line)};
+            project_.parameters[a.to] = {verilog_value(a.value), place_of(a)};
         } else if (name == "INSTANCE_PARAMETER") {
             note(fmt::format("{}:{}: set_parameter of an instance is passed over",
                              files_.place(a.file), a.line));
@@ -90,7 +96,7 @@ private:
             if (lower(a.value).compare(0, 12, "5csema5f31c6") == 0) return;
             note(fmt::format(
                 "DEVICE is {}, not the DE1-SoC's 5CSEMA5F31C6: ports go by their names", a.value));
-            other_device_ = true;
+            project_.is_for_other_device = true;
         } else if (name == "VERILOG_FILE" || name == "SYSTEMVERILOG_FILE" || name == "VHDL_FILE" ||
                    name == "SOURCE_FILE") {
             take_source(a);
@@ -132,9 +138,10 @@ private:
             language = Language::SYSTEM_VERILOG;
         if (a.name == "SYSTEMVERILOG_FILE") language = Language::SYSTEM_VERILOG;
         if (a.name == "VHDL_FILE") language = Language::VHDL;
-        if (language == Language::VHDL && !a.library.empty() && lower(a.library) != "work")
-            project_.vhdl_libraries[lower(a.library)].push_back(*file);
-        files_.add(*file, language, true);
+        const std::string library = lower(a.library) == "work" ? "" : lower(a.library);
+        if (language == Language::VHDL && !library.empty())
+            project_.vhdl_libraries[library].push_back(*file);
+        files_.add({*file, language, true, library});
     }
 
     // ProjectError: there is a file that cannot be simulated, for this module or at all.
@@ -170,6 +177,7 @@ private:
         if (!project_.top.empty()) refuse_files(project_.top);
         if (!request_.top.empty())
             throw ProjectError{fmt::format("--top {}: no file defines that module", request_.top)};
+        if (!place_of_top_.empty() && files_.size() > 0) refuse_top();
         std::set<std::string> instanced;  // but by test benches, which have no ports
         for (const auto& [name, d] : files_.modules())
             if (!d.module->ports.empty())
@@ -201,6 +209,37 @@ private:
         note(fmt::format("the top module is taken to be {}, which has {} of the board's pins{}",
                          candidates[0].second, candidates[0].first, others));
         project_.top = candidates[0].second;
+    }
+
+    void refuse_top() const {
+        constexpr unsigned MOST = 6;
+        std::string others;
+        unsigned count = 0;
+        for (const auto& [name, d] : files_.modules())
+            if (!d.module->is_package && ++count <= MOST)
+                others += (others.empty() ? "" : ", ") + name;
+        if (count > MOST) others += " ...";
+        throw ProjectError{fmt::format(
+            "{}: Quartus error 12007: no file defines the top-level entity {}; the files define {}",
+            place_of_top_, project_.top, others.empty() ? "no module" : others)};
+    }
+
+    // Two files of one library that are listed cannot define a module.
+    void refuse_rivals() const {
+        for (const auto& [name, rivals] : files_.rivals())
+            for (const Definition& second : rivals)
+                for (const Definition& first : rivals) {
+                    if (&first == &second) break;
+                    const SourceFile &a = files_.source(first.source).file,
+                                     &b = files_.source(second.source).file;
+                    if (a.listed && b.listed && a.library == b.library &&
+                        a.language != Language::VHDL && b.language != Language::VHDL)
+                        throw ProjectError{fmt::format(
+                            "{}:{}: Quartus error 10228: module {} is declared at {}:{}, too; take "
+                            "one of the files out of the project",
+                            files_.place(b.path), second.module->line, name, files_.place(a.path),
+                            first.module->line)};
+                }
     }
 
     void take_what_it_needs() {
@@ -266,9 +305,9 @@ private:
     ModuleFiles files_;
     std::vector<std::string> unsupported_;
     std::vector<std::pair<std::string, std::string>> missing_;  // modules, with who wants them
+    std::string place_of_top_;                                  // where the settings name it
     bool is_folder_alone_ = false;                              // no files are listed
     bool is_system_verilog_ = false;                            // .v files, too
-    bool other_device_ = false;  // so its pins' locations mean other signals
 };
 
 }  // namespace

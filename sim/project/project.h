@@ -20,7 +20,8 @@ struct SourceFile {
     enum class Language { VERILOG, SYSTEM_VERILOG, VHDL };
     std::filesystem::path path;
     Language language;
-    bool listed;  // in the project, or found
+    bool listed;          // in the project, or found
+    std::string library;  // where it is listed, unless that is "work"
 };
 
 struct Project {
@@ -35,8 +36,10 @@ struct Project {
     std::vector<std::string> macros;  // NAME or NAME=VALUE
     TopParameters parameters;
     std::string why_missing;  // the reason, where modules that the sources name are not there
-    std::map<std::string, std::string> pins;  // "SW[3]" -> "PIN_AF9"
-    std::vector<std::string> notes;           // what a person should know, a line each
+    std::map<std::string, std::string> pins;            // "SW[3]" -> "PIN_AF9"
+    std::map<std::string, std::string> places_of_pins;  // "SW[3]" -> "top.qsf:12"
+    bool is_for_other_device = false;                   // so there are no pins
+    std::vector<std::string> notes;                     // what a person should know, a line each
 };
 
 struct Request {

@@ -186,6 +186,14 @@ private:
 
 Tokens tokens_of(std::string_view text) { return Scanner{text}.run(); }
 
+void follow_conditions(std::string_view gap, unsigned& open) {
+    for (std::size_t at = gap.find('`'); at != std::string_view::npos; at = gap.find('`', at + 1)) {
+        const std::string_view word = gap.substr(at + 1, 6);
+        if (word.substr(0, 5) == "ifdef" || word == "ifndef") ++open;
+        if (word.substr(0, 5) == "endif" && open) --open;
+    }
+}
+
 bool is_keyword(std::string_view name) {
     static constexpr std::string_view KEYWORDS[] = {
         "always",    "and",        "assign",   "automatic", "begin",       "buf",

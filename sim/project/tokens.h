@@ -28,6 +28,10 @@ struct Tokens {
 // `text` must outlive what is returned.  A comment or string without an end reaches to the file's.
 Tokens tokens_of(std::string_view text);
 
+// Counts in `open` the conditions (`ifdef) that a gap opens and closes.  What stands in a branch of
+// one may not be read.
+void follow_conditions(std::string_view gap, unsigned& open);
+
 // A keyword of Verilog-2005: no name of a module or an instance.
 bool is_keyword(std::string_view name);
 

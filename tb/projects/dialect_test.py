@@ -5,13 +5,13 @@ from case import LEDS, Case, run
 class AsQuartusTakesIt(Case):
     def test_odd_verilog(self):
         self.write(top_v="module sub(input a, output b); assign b = a; endmodule\n"
-                         "module top(input [9:0] SW, output [9:0] LEDR,);\n"
+                         "module top(input [9:0] SW, output [9:0] LEDR);\n"
                          "wire do = SW[0]; reg [3:0] q;\n"
-                         "sub (.a(do), .b(LEDR[0]));\n"
+                         "sub (.a(do), .b(LEDR[0]),);\n"
                          "always @* begin q = 4'b010101; q[1] = SW[1]; end\n"
                          "assign LEDR[4:1] = q; assign LEDR[9:5] = 0;\nendmodule\n")
         self.leds(0b1011, 1)
-        self.checked("top.v:2: dropped the comma", 'top.v:3: "do" is read as a name',
+        self.checked("top.v:4: dropped the comma", 'top.v:3: "do" is read as a name',
                      "top.v:4: named the instance of sub", "top.v:5: 4'b010101 has too many digits")
 
     def test_an_inout_port_on_an_input(self):
@@ -228,7 +228,8 @@ always @(posedge CLOCK_50, negedge off)
   end
 always @(posedge CLOCK_50) if (s) f <= 1;
 wire [1:0] chain;
-generate for (genvar n = 0; n < 1; n = n + 1) begin : g
+genvar n;
+generate for (n = 0; n < 1; n = n + 1) begin : g
   reg [1:0] r = 0;
   always @(posedge CLOCK_50 or negedge off)
     if (!off) r <= 2'b11; else r <= r;

@@ -58,9 +58,13 @@ WARNINGS = {
             "top.v:2: 10281: Sw and SW differ in their case alone"),
     10463: (WIRE + "wire final = SW[0];\nassign LEDR = final;\n" + END,
             'top.v:2: 10463: "final" is a word of SystemVerilog'),
+    10644: (REG + "always @(posedge CLOCK_50) begin integer k; k = SW; LEDR <= k; end\n" + END,
+            "top.v:2: 10644: a block with a declaration (integer) needs a name"),
     10762: (REG + "reg [31:0] n;\nalways @(posedge CLOCK_50) n <= n + 32'd1;\nalways @(*)\n"
             "casez (n)\n  32'h1???????: LEDR = 1;\n  default: LEDR = 2;\nendcase\n" + END,
             "top.v:5: 10762: the case has too many values"),
+    10846: (WIRE + "sub (SW[1:0], SW[3:2], LEDR[3:0]);\n" + END + SUB,
+            "top.v:2: 10846: the instance of sub has no name"),
     10858: (WIRE + "wire [9:0] count;\nassign LEDR = SW ^ count;\n" + END,
             "top.v:2: 10858: count is used, but nothing drives it"),
     12010: (WIRE + "sub s(.a(SW[1:0]), .b(SW), .q(LEDR[3:0]));\nassign LEDR[9:4] = SW[9:4];\n" +
@@ -99,6 +103,9 @@ WARNINGS = {
     169085: ({"p.qsf": QSF + "set_global_assignment -name TOP_LEVEL_ENTITY top\n"
               "set_location_assignment PIN_AA14 -to KEY[0]\n", "top.v": WIRE + ALL + END},
              "p.qsf:1: 169085: 24 of the top's ports have no pin"),
+    171016: ({"p.qsf": QSF + "set_global_assignment -name TOP_LEVEL_ENTITY top\n"
+              "set_location_assignment PIN_AA2 -to SW[1]\n", "top.v": WIRE + ALL + END},
+             "p.qsf:3: 171016: sw[1] is assigned to PIN_AA2, where the board has nothing"),
     332012: ({"p.qsf": QSF + "set_global_assignment -name SDC_FILE top.sdc\n"
               "set_global_assignment -name TOP_LEVEL_ENTITY top\n", "top.v": WIRE + ALL + END},
              "p.qsf:2: 332012: top.sdc is not there"),
@@ -117,27 +124,81 @@ ERRORS = {
             "top.v:2: Quartus error 10122: the list has signals with an edge beside"),
     10137: (WIRE + "always @(*) LEDR = SW;\n" + END,
             "top.v:2: Quartus error 10137: LEDR is a wire, and is assigned in a block"),
+    10149: (WIRE + ALL + "reg [9:0] LEDR;\n" + END,
+            "top.v:3: Quartus error 10149: LEDR is declared in the module's head"),
     10161: (WIRE + "wire count;\nassign LEDR = SW ^ cuont;\n" + END,
             "top.v:3: Quartus error 10161: cuont is not declared; is it count?"),
     10170: (WIRE + "assign LEDR = SW\nassign x = 1;\n" + END,
             'top.v:3: Quartus error 10170: syntax error near "assign"'),
+    10172: (REG + "real volts;\nalways @(*) begin volts = SW * 0.5; LEDR = volts; end\n" + END,
+            "top.v:2: Quartus error 10172: real variables are for simulation alone"),
+    10174: (REG + "always @(posedge KEY[0]) LEDR <= $random % 6;\n" + END,
+            "top.v:2: Quartus error 10174: $random is for simulation alone"),
     10200: (REG + "wire r = SW[0];\nalways @(posedge CLOCK_50 or negedge r)\nif (KEY[0]) LEDR <= 0;"
             " else LEDR <= SW;\n" +
             END, "top.v:4: Quartus error 10200: the list has several edges"),
     10219: (REG + "assign LEDR = SW;\n" + END,
             "top.v:2: Quartus error 10219: LEDR is a reg, and is assigned by `assign`"),
+    10228: ({"p.qsf": QSF + "set_global_assignment -name VERILOG_FILE old.v\n",
+             "top.v": WIRE + ALL + END, "old.v": WIRE + END},
+            "old.v:1: Quartus error 10228: module top is declared at top.v:1, too"),
     10231: (WIRE + ALL + "assign SW[0] = 1;\n" + END,
             "top.v:3: Quartus error 10231: input SW is assigned"),
     10239: (REG + "always @(posedge CLOCK_50 or negedge CLOCK_50) LEDR <= SW;\n" + END,
             "top.v:2: Quartus error 10239: the list has both edges of CLOCK_50"),
+    10278: (WIRE + ALL + END + "module sub(input reg a, output b); assign b = a; endmodule\n",
+            "top.v:4: Quartus error 10278: an input cannot be a reg"),
+    10355: ({"top.sv": WIRE + "typedef enum logic [1:0] {A = 1, B = 2} states;\nstates s;\n"
+             "assign s = B, LEDR = s;\n" + END},
+            "top.sv:2: Quartus error 10355: the value of A has no size, so it has 32 bits"),
+    10644: (WIRE + "genvar g;\ngenerate for (g = 0; g < 10; g = g + 1) begin\n"
+            "assign LEDR[g] = SW[9 - g];\nend endgenerate\n" + END,
+            "top.v:3: Quartus error 10644: the block of a generate loop needs a name"),
+    10773: (WIRE + ALL + END + "module sub(input [3:0] a [0:1], output b); endmodule\n",
+            "top.v:4: Quartus error 10773: port a is an array"),
     12002: (WIRE + "sub s(.c(SW[0]), .q(LEDR[3:0]));\n" + END + SUB,
             "top.v:2: Quartus error 12002: the module that is instanced has no port c"),
+    12007: ({"p.qsf": QSF + "set_global_assignment -name TOP_LEVEL_ENTITY main\n",
+             "top.v": WIRE + ALL + END},
+            "p.qsf:2: Quartus error 12007: no file defines the top-level entity main; the files "
+            "define top"),
     12006: (WIRE + ALL + "gone g(SW[0]);\n" + END,
             "top.v:3: Quartus error 12006: no file defines module gone"),
     12014: (WIRE + "sub a(SW[1:0], SW[3:2], LEDR[3:0]);\nsub b(SW[1:0], SW[3:2], LEDR[4:1]);\n" +
             END + SUB, "top.v:3: Quartus error 12014: LEDR[3:1] has two drivers, here by q of "
             "instance b and at top.v:2 by q of instance a (12015)"),
+    171016: ({"p.qsf": QSF + "set_location_assignment PIN_AK31 -to SW[1]\n",
+              "top.v": WIRE + ALL + END},
+             "p.qsf:2: Quartus error 171016: sw[1] is assigned to PIN_AK31, which the chip has"),
+    176310: ({"p.qsf": QSF + "set_location_assignment PIN_AB12 -to SW[0]\n"
+              "set_location_assignment PIN_AB12 -to SW[1]\n", "top.v": WIRE + ALL + END},
+             "p.qsf:3: Quartus error 176310: sw[0] and sw[1] are both on PIN_AB12"),
 }
+# What has no word of its own in Verilog-2001, or no place in hardware: of top.v, or of top.sv.
+SYNTAX = [
+    ("v", "always_ff @(posedge CLOCK_50) ;", 'near "always_ff"'),
+    ("v", "logic x;", 'near "logic"'),
+    ("v", "reg [1:0] n; always @(*) begin n = 0; n++; end", 'near "+"'),
+    ("v", "reg [1:0] n; always @(*) begin n = 0; n += 1; end", 'near "+"'),
+    ("v", "reg [3:0][7:0] n;", 'near "["'),
+    ("v", "reg [7:0] n [4];", 'near "]"'),
+    ("v", "wire [1:0] n = '0;", "near \"'\""),
+    ("v", "sub s(.a, .b(SW[3:2]), .q());", 'near "."'),
+    ("v", "reg n; always @(*) begin : name n = 0; end : name", 'near ":"'),
+    ("v", "typedef reg [3:0] four;", 'near "typedef"'),
+    ("v", "reg n; always @(*) for (int i = 0; i < 2; i = i + 1) n = i;", 'near "int"'),
+    ("sv", "wire w = SW inside {1, 2};", 'near "inside"'),
+    ("sv", "wire [9:0] w = {<<{SW}};", 'near "<"'),
+    ("sv", "logic w;;", 'near ";"'),
+    ("sv", "generate if (1) begin : g wire w; end endgenerate;", 'near ";"'),
+    ("sv", "localparam type T = logic;", 'near "type"'),
+    ("sv", "class c; endclass", "Quartus has no classes"),
+    ("v", "reg n; always #5 n = ~n;", "always needs a list of events"),
+    ("v", "reg n; always begin @(posedge CLOCK_50) n <= 1; end", "always needs a list of events"),
+    ("v", "reg n; always @(posedge CLOCK_50) begin wait (KEY[0]); n <= 1; end", "wait cannot be"),
+    ("v", "reg n; always @(*) begin n = 0; @(posedge CLOCK_50); end", "an event control inside"),
+    ("v", "reg n; always @(*) fork n = 0; join", "fork cannot be built"),
+]
 # What looks like one of those, and is none: the bodies of modules, which Quartus takes.
 TAKEN = {
     "two ports of a memory": "reg [9:0] m [0:7]; reg [9:0] q; assign LEDR = q;\n"
@@ -169,6 +230,14 @@ TAKEN = {
     "a task and a function": "reg [9:0] a; assign LEDR = a;\n"
     "function [9:0] f; input [9:0] x; f = x + 10'd1; endfunction\n"
     "task t; begin a = f(SW); end endtask\nalways @(*) t;\n",
+    "names that are words of SystemVerilog": "wire bit, do, byte; assign {bit, do, byte} = SW;\n"
+    "assign LEDR[2:0] = {bit, do, byte};\nreg int; always @(*) begin int = bit; end\n",
+    "a bench beside the design": "assign LEDR = SW; endmodule\nmodule bench; reg c; real r;\n"
+    "initial begin c = 0; forever #5 c = ~c; end\n"
+    "initial begin @(posedge c); wait (c); r = $random; end\n",
+    "logic in a block without a list": "reg [9:0] a; assign LEDR = a;\n"
+    "always begin a <= 1; case (SW) 1: a <= 2; endcase end\n",
+    "an empty statement": "reg a; always @(*) begin ; a = 1;; end\nassign LEDR = a;\n",
     "a list of all": "reg [9:0] a; assign LEDR = a; always @(*) a = SW;\n"
     "reg b; always @* b = SW[0]; always @(posedge CLOCK_50 or negedge KEY[0]) ;\n",
 }
@@ -194,6 +263,13 @@ class Messages(Case):
             with self.subTest(number=number):
                 self.setUp()
                 self.write_files(files)
+                self.refused(said)
+
+    def test_what_is_no_verilog_for_quartus(self):
+        for kind, body, said in SYNTAX:
+            with self.subTest(body):
+                self.setUp()
+                self.write_files({f"top.{kind}": WIRE + ALL + body + "\n" + END + SUB})
                 self.refused(said)
 
     def test_what_quartus_takes_is_taken(self):

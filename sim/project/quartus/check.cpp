@@ -10,6 +10,7 @@
 #include "sim/project/quartus/blocks.h"
 #include "sim/project/quartus/drivers.h"
 #include "sim/project/quartus/netlist.h"
+#include "sim/project/quartus/pins.h"
 #include "sim/project/quartus/words.h"
 #include "sim/project/settings.h"
 
@@ -86,38 +87,6 @@ private:
     Messages messages_;
 };
 
-// The .qsf's pins and the top's ports, where both are there.
-Messages pin_warnings(const CheckRequest& request) {
-    if (request.project.pins.empty()) return {};
-    Messages messages;
-    std::map<std::string, bool> bits;  // whether it has a pin
-    for (const Port& port : request.ports)
-        for (int n = std::min(port.left, port.right); n <= std::max(port.left, port.right); ++n)
-            bits[lower(port.vector ? fmt::format("{}[{}]", port.name, n) : port.name)] = false;
-    std::size_t others = 0;
-    for (const auto& [name, pin] : request.project.pins) {
-        const auto bit = bits.find(lower(name));
-        if (bit == bits.end())
-            ++others;
-        else
-            bit->second = true;
-    }
-    const std::string file = request.project.settings.filename().string();
-    std::string open;
-    std::size_t count = 0;
-    for (const auto& [name, has_pin] : bits)
-        if (!has_pin && ++count <= 3) open += (open.empty() ? "" : ", ") + name;
-    if (others)
-        messages.push_back(
-            {15706, file, 1, fmt::format("{} pins are assigned to what the top has not", others)});
-    if (count)
-        messages.push_back({169085, file, 1,
-                            fmt::format("{} of the top's ports have no pin, which Quartus chooses "
-                                        "then: {}{}",
-                                        count, open, count > 3 ? " ..." : "")});
-    return messages;
-}
-
 void append(Messages& all, Messages more) {
     all.insert(all.end(), std::make_move_iterator(more.begin()),
                std::make_move_iterator(more.end()));
@@ -136,6 +105,13 @@ void make_tidy(Messages& all) {
 
 }  // namespace
 
+Messages text_errors(const std::map<std::string, TextChecks>& texts) {
+    Messages errors;
+    for (const auto& [file, text] : texts) append(errors, text.errors);
+    make_tidy(errors);
+    return errors;
+}
+
 Checked check_design(const CheckRequest& request) {
     const Netlist netlist{request.xml_file};
     SourceTexts sources{request.project.folder};
@@ -143,12 +119,10 @@ Checked check_design(const CheckRequest& request) {
         return sources.line(file, number);
     };
     Checked checked;
-    for (const auto& [file, text] : request.texts) {
-        append(checked.errors, text.errors);
-        append(checked.warnings, text.warnings);
-    }
+    for (const auto& [file, text] : request.texts) append(checked.warnings, text.warnings);
     append(checked.errors, driver_errors(netlist));
-    append(checked.warnings, pin_warnings(request));
+    append(checked.errors, pin_errors(request.project, request.ports));
+    append(checked.warnings, pin_warnings(request.project, request.ports, request.board_pins));
     append(checked.warnings, warnings_in_our_words(request.said));
     append(checked.warnings, driver_warnings(netlist));
     append(checked.warnings, block_warnings(netlist, line));

@@ -13,16 +13,20 @@ namespace sim::project {
 
 struct CheckRequest {
     const Project& project;
-    std::string xml_file;                            // of Verilator, with -O0
-    const std::string& said;                         // by Verilator while it wrote that
-    const std::map<std::string, TextChecks>& texts;  // by the file's name in messages
-    const std::vector<Port>& ports;                  // of the top
+    std::string xml_file;                                  // of Verilator, with -O0
+    const std::string& said;                               // by Verilator while it wrote that
+    const std::map<std::string, TextChecks>& texts;        // by the file's name in messages
+    const std::vector<Port>& ports;                        // of the top
+    const std::map<std::string, std::string>& board_pins;  // as signals_by_pin() has it
 };
 
 struct Checked {
     Messages errors, warnings;  // sorted, each once
     std::string self_reading;   // "q (ring.v:7)": variables without a register that read themselves
 };
+
+// What Quartus refuses of the files' texts, without an elaborated design; sorted, each once.
+Messages text_errors(const std::map<std::string, TextChecks>& texts);
 
 Checked check_design(const CheckRequest& request);
 

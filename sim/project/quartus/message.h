@@ -6,6 +6,12 @@
 
 namespace sim::project {
 
+struct Place {
+    std::string file;  // as in messages
+    unsigned line = 0;
+    std::string text() const { return file + ":" + std::to_string(line); }
+};
+
 struct Message {
     unsigned number;   // of Quartus' messages: 10240
     std::string file;  // from the project's folder; empty: of the whole design

@@ -11,13 +11,9 @@
 
 #include <pugixml.hpp>
 
-namespace sim::project {
+#include "sim/project/quartus/message.h"
 
-struct Place {
-    std::string file;  // as in messages
-    unsigned line = 0;
-    std::string text() const { return file + ":" + std::to_string(line); }
-};
+namespace sim::project {
 
 struct Driver {
     enum class Kind { ASSIGN, ALWAYS, INSTANCE, INITIAL, TASK };

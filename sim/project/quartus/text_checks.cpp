@@ -152,7 +152,7 @@ public:
     TextChecks run() {
         for (std::size_t i = 0; i < all_.size(); ++i) {
             const Token& token = all_[i];
-            follow_conditions(token.gap);
+            follow_conditions(token.gap, conditions_);
             if (token.is("module") || token.is("macromodule")) begin_module(i);
             if (token.is("endmodule")) generate_ = 0;
             if (token.is("generate")) ++generate_;
@@ -177,15 +177,6 @@ public:
     }
 
 private:
-    // What stands in a branch of an `ifdef may not be read.
-    void follow_conditions(std::string_view gap) {
-        for (std::size_t at = gap.find('`'); at != std::string_view::npos;
-             at = gap.find('`', at + 1)) {
-            const std::string_view word = gap.substr(at + 1, 6);
-            if (word.substr(0, 5) == "ifdef" || word == "ifndef") ++conditions_;
-            if (word.substr(0, 5) == "endif" && conditions_) --conditions_;
-        }
-    }
     void error(unsigned number, const Token& token, std::string text) {
         if (conditions_) return;
         checks_.errors.push_back({number, name_, token.line, std::move(text)});

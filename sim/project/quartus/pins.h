@@ -1,0 +1,22 @@
+// pins.h - what Quartus says of the pins that the settings assign to the top's ports.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "sim/project/elaborated.h"
+#include "sim/project/project.h"
+#include "sim/project/quartus/message.h"
+
+namespace sim::project {
+
+// 171016: the chip has no such pin; 176310: two ports are on one.
+Messages pin_errors(const Project& project, const std::vector<Port>& ports);
+
+// 15706, 169085; 171016: the board has nothing at that pin, which perhaps is none for signals.
+// Nothing where there are no settings.
+Messages pin_warnings(const Project& project, const std::vector<Port>& ports,
+                      const std::map<std::string, std::string>& board_pins);
+
+}  // namespace sim::project
