@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cstring>
 #include <new>
+#include <utility>
+#include <vector>
 
 namespace sim {
 
@@ -31,7 +33,7 @@ AddressSpace::~AddressSpace() { munmap(host_, TOP); }
 
 void AddressSpace::connect(Areas::const_iterator area) {
     const auto& [begin, what] = *area;
-    if (what.access == 0) return;
+    if (what.access == 0 || !attached_) return;
     if (what.on_bus)
         core_.map_bus(begin, what.end - begin, what.physical, what.access);
     else
@@ -39,7 +41,37 @@ void AddressSpace::connect(Areas::const_iterator area) {
 }
 
 void AddressSpace::disconnect(Areas::const_iterator area) {
-    if (area->second.access != 0) core_.unmap(area->first, area->second.end - area->first);
+    if (area->second.access != 0 && attached_)
+        core_.unmap(area->first, area->second.end - area->first);
+}
+
+void AddressSpace::attach() {
+    attached_ = true;
+    for (auto area = areas_.begin(); area != areas_.end(); ++area) connect(area);
+}
+
+void AddressSpace::detach() {
+    for (auto area = areas_.begin(); area != areas_.end(); ++area) disconnect(area);
+    attached_ = false;
+}
+
+std::shared_ptr<AddressSpace> AddressSpace::copy() const {
+    static const std::vector<std::uint8_t> zeros(PAGE);
+    auto other = std::make_shared<AddressSpace>(core_);
+    for (const auto& [begin, area] : areas_) {
+        const std::uint32_t bytes = area.end - begin;
+        if (area.on_bus) {
+            other->map_bus(begin, bytes, area.access, area.physical);
+        } else if (area.shared) {
+            other->map_shared(begin, bytes, area.access, area.shared, area.physical);
+        } else {
+            other->map(begin, bytes, area.access);
+            for (std::uint32_t page = begin; page < area.end; page += PAGE)
+                if (std::memcmp(host_ + page, zeros.data(), PAGE) != 0)
+                    std::memcpy(other->host_ + page, host_ + page, PAGE);
+        }
+    }
+    return other;
 }
 
 // ---- Areas --------------------------------------------------------------------------------------
@@ -63,6 +95,7 @@ void AddressSpace::join(Areas::iterator area) {
     const auto next = std::next(area);
     if (next == areas_.end() || next->first != area->second.end ||
         next->second.access != area->second.access || next->second.on_bus != area->second.on_bus ||
+        next->second.shared != area->second.shared ||
         next->second.physical != area->second.physical_at(area->second.end - area->first))
         return;
     disconnect(area);
@@ -86,14 +119,26 @@ bool AddressSpace::map(std::uint32_t begin, std::uint32_t bytes, unsigned access
     void* const fresh = mmap(host_ + begin, bytes, PROT_READ | PROT_WRITE,
                              MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE | MAP_FIXED, -1, 0);
     if (fresh == MAP_FAILED) return false;
-    insert(begin, {begin + bytes, access, false, 0});
+    insert(begin, {begin + bytes, access, false, 0, nullptr});
     return true;
 }
 
 void AddressSpace::map_bus(std::uint32_t begin, std::uint32_t bytes, unsigned access,
                            std::uint32_t physical) {
     unmap(begin, bytes);
-    insert(begin, {begin + bytes, access, true, physical});
+    insert(begin, {begin + bytes, access, true, physical, nullptr});
+}
+
+bool AddressSpace::map_shared(std::uint32_t begin, std::uint32_t bytes, unsigned access,
+                              std::shared_ptr<SharedMemory> memory, std::uint32_t offset) {
+    if (bytes > RAM || ram_ + bytes > RAM || !memory->reserve(std::uint64_t{offset} + bytes))
+        return false;
+    unmap(begin, bytes);
+    void* const fresh = mmap(host_ + begin, bytes, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_FIXED,
+                             memory->fd(), static_cast<off_t>(offset));
+    if (fresh == MAP_FAILED) return false;
+    insert(begin, {begin + bytes, access, false, offset, std::move(memory)});
+    return true;
 }
 
 void AddressSpace::unmap(std::uint32_t begin, std::uint32_t bytes) {

@@ -7,15 +7,20 @@
 // `physical` on.  Adjacent areas that are alike become one, because the core keeps a list of them:
 // for n areas an operation costs O(log n) here, and O(n) and some us in the core.
 //
-// Not handled: memory shared with files or processes, guard pages that grow.
+// Of several address spaces one is the core's: attach().  Memory that processes share is the same
+// pages of the host in each.
+//
+// Not handled: memory shared with files, guard pages that grow.
 #pragma once
 
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 
 #include "sim/cpu/arm_core.h"
+#include "sim/linux/shared_memory.h"
 
 namespace sim {
 
@@ -29,20 +34,30 @@ public:
         std::uint32_t end;  // first address after it
         unsigned access;    // arm_access; 0: nothing may be done
         bool on_bus;
-        std::uint32_t physical;  // of the begin, on the bus
+        std::uint32_t physical;  // of the begin, on the bus or in `shared`
+        std::shared_ptr<SharedMemory> shared{};
 
         std::uint32_t physical_at(std::uint32_t offset) const {
-            return on_bus ? physical + offset : 0;
+            return on_bus || shared ? physical + offset : 0;
         }
     };
 
     explicit AddressSpace(ArmCore& core);
     ~AddressSpace();
     AddressSpace(const AddressSpace&) = delete;
+    // The same areas, those in RAM with a copy of their contents; not the core's yet.
+    std::shared_ptr<AddressSpace> copy() const;
+
+    // It is the one that the core sees, or no longer.
+    void attach();
+    void detach();
 
     // Replaces what is mapped there.  False, and nothing done, if RAM is used up.
     bool map(std::uint32_t begin, std::uint32_t bytes, unsigned access);
     void map_bus(std::uint32_t begin, std::uint32_t bytes, unsigned access, std::uint32_t physical);
+    // False, and nothing done, if there is no room for it.
+    bool map_shared(std::uint32_t begin, std::uint32_t bytes, unsigned access,
+                    std::shared_ptr<SharedMemory> memory, std::uint32_t offset);
     void unmap(std::uint32_t begin, std::uint32_t bytes);
     void unmap_all() { unmap(BOTTOM, TOP - BOTTOM); }
     // False, and nothing done, if a part of it is not mapped.
@@ -54,6 +69,8 @@ public:
     std::optional<std::uint32_t> find_room(std::uint32_t bytes) const;
     // The area around `address`: its begin and what it is.
     std::optional<std::pair<std::uint32_t, Area>> at(std::uint32_t address) const;
+
+    const std::map<std::uint32_t, Area>& areas() const { return areas_; }
 
     // Accesses of the kernel through a program's pointer: false unless it is RAM that allows it.
     bool read(std::uint32_t address, void* data, std::size_t bytes) const;
@@ -76,6 +93,7 @@ private:
     std::uint8_t* host_;  // address 0 of the process
     Areas areas_;         // by begin
     std::uint64_t ram_ = 0;
+    bool attached_ = false;
 };
 
 }  // namespace sim

@@ -11,8 +11,8 @@ namespace sim {
 
 namespace arm_open {
 constexpr std::uint32_t ACCESS = 3, RDONLY = 0, WRONLY = 1, RDWR = 2, CREAT = 0100, EXCL = 0200,
-                        TRUNC = 01000, APPEND = 02000, NONBLOCK = 04000, DIRECTORY = 040000,
-                        CLOEXEC = 02000000;
+                        TRUNC = 01000, APPEND = 02000, NONBLOCK = 04000, DIRECT = 0200000,
+                        DIRECTORY = 040000, CLOEXEC = 02000000;
 }
 
 namespace arm_mmap {
@@ -42,6 +42,10 @@ namespace arm_hwcap {
 constexpr std::uint32_t HALF = 1 << 1, THUMB = 1 << 2, FAST_MULT = 1 << 4, VFP = 1 << 6,
                         EDSP = 1 << 7, NEON = 1 << 12, VFPV3 = 1 << 13, TLS = 1 << 15,
                         VFPD32 = 1 << 19;
+}
+
+namespace arm_ioctl {
+constexpr std::uint32_t READABLE = 0x541B;  // FIONREAD
 }
 
 namespace arm_clone {

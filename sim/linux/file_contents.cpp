@@ -15,6 +15,7 @@ std::int64_t LinuxFiles::read(int fd, void* data, std::size_t bytes) {
     switch (file->kind) {
         case File::Kind::HOST: return or_error(::read(file->host->fd(), data, bytes));
         case File::Kind::MEMORY: return -EFAULT;
+        case File::Kind::DEVICE: return file->device->read(data, bytes);
         default: return console_.read(static_cast<char*>(data), bytes);
     }
 }
@@ -24,6 +25,7 @@ std::int64_t LinuxFiles::write(int fd, const void* data, std::size_t bytes) {
     if (!file || (file->flags & arm_open::ACCESS) == arm_open::RDONLY) return -EBADF;
     if (file->kind == File::Kind::HOST) return or_error(::write(file->host->fd(), data, bytes));
     if (file->kind == File::Kind::MEMORY) return -EFAULT;
+    if (file->kind == File::Kind::DEVICE) return file->device->write(data, bytes);
     const char* text = static_cast<const char*>(data);
     for (std::size_t i = 0; i < bytes; ++i) console_.print(text[i]);
     return static_cast<std::int64_t>(bytes);
@@ -32,6 +34,7 @@ std::int64_t LinuxFiles::write(int fd, const void* data, std::size_t bytes) {
 std::int64_t LinuxFiles::read_at(int fd, void* data, std::size_t bytes, std::int64_t offset) {
     const File* file = find(fd);
     if (!file) return -EBADF;
+    if (file->device) return file->device->read_at(data, bytes, offset);
     if (file->kind != File::Kind::HOST) return -ESPIPE;
     return or_error(::pread(file->host->fd(), data, bytes, offset));
 }
@@ -40,6 +43,7 @@ std::int64_t LinuxFiles::write_at(int fd, const void* data, std::size_t bytes,
                                   std::int64_t offset) {
     const File* file = find(fd);
     if (!file) return -EBADF;
+    if (file->device) return file->device->write_at(data, bytes, offset);
     if (file->kind != File::Kind::HOST) return -ESPIPE;
     return or_error(::pwrite(file->host->fd(), data, bytes, offset));
 }
@@ -47,6 +51,7 @@ std::int64_t LinuxFiles::write_at(int fd, const void* data, std::size_t bytes,
 std::int64_t LinuxFiles::seek(int fd, std::int64_t offset, int whence) {
     const File* file = find(fd);
     if (!file) return -EBADF;
+    if (file->device) return file->device->seek(offset, whence);
     if (file->kind != File::Kind::HOST) return -ESPIPE;
     return or_error(::lseek(file->host->fd(), offset, whence));
 }
@@ -54,6 +59,7 @@ std::int64_t LinuxFiles::seek(int fd, std::int64_t offset, int whence) {
 int LinuxFiles::truncate(int fd, std::int64_t bytes) {
     const File* file = find(fd);
     if (!file) return -EBADF;
+    if (file->device) return file->device->truncate(bytes);
     if (file->kind != File::Kind::HOST) return -EINVAL;
     return static_cast<int>(or_error(::ftruncate(file->host->fd(), bytes)));
 }
@@ -61,10 +67,20 @@ int LinuxFiles::truncate(int fd, std::int64_t bytes) {
 unsigned LinuxFiles::can_do(int fd) const {
     const File* file = find(fd);
     if (!file) return 0;
+    if (file->device) return file->device->can_do();
     return file->kind == File::Kind::CONSOLE && !console_.readable() ? WRITE : READ | WRITE;
 }
 
-std::string LinuxFiles::name(int fd) const { return is_console(fd) ? "standard input" : "a file"; }
+std::string LinuxFiles::name(int fd) const {
+    const File* file = find(fd);
+    if (file && file->device) return file->device->name();
+    return is_console(fd) ? "standard input" : "a file";
+}
+
+bool LinuxFiles::is_inside(int fd) const {
+    const File* file = find(fd);
+    return file && file->device && file->device->is_inside();
+}
 
 // ---- Status -------------------------------------------------------------------------------------
 
@@ -75,7 +91,7 @@ std::pair<int, FileStatus> LinuxFiles::host_status(int host) const {
     const bool folder = S_ISDIR(status.st_mode);
     if (!folder && !S_ISREG(status.st_mode)) return {-EACCES, {}};
     const auto number =
-        numbers_.emplace(std::pair{status.st_dev, status.st_ino}, numbers_.size() + 2);
+        numbers_->emplace(std::pair{status.st_dev, status.st_ino}, numbers_->size() + 2);
     return {0,
             {status.st_mode & (S_IFMT | 0777),
              folder ? 4096 : static_cast<std::uint64_t>(status.st_size), number.first->second, 0}};
@@ -87,12 +103,20 @@ std::pair<int, FileStatus> LinuxFiles::status_of(int fd) const {
     switch (file->kind) {
         case File::Kind::HOST: return host_status(file->host->fd());
         case File::Kind::MEMORY: return {0, {S_IFCHR | 0640, 0, 1, 1 << 8 | 1}};
+        case File::Kind::DEVICE: return {0, file->device->status()};
         default: return {0, {S_IFCHR | 0620, 0, 0, 5 << 8 | 1}};
     }
 }
 
 std::pair<int, FileStatus> LinuxFiles::status_of(const std::string& path) const {
     if (path == MEMORY_PATH) return {0, {S_IFCHR | 0640, 0, 1, 1 << 8 | 1}};
+    const auto found = status_on_host(path);
+    if (found.first != -ENOENT) return found;
+    const auto status = system_.status(path);
+    return status ? std::pair{0, *status} : found;
+}
+
+std::pair<int, FileStatus> LinuxFiles::status_on_host(const std::string& path) const {
     Place place;
     if (const int error = place_of(path, place)) return {error, {}};
     const Handle file{

@@ -56,8 +56,8 @@ int host_flags(std::uint32_t flags) {
 }  // namespace
 
 LinuxFiles::LinuxFiles(const std::filesystem::path& root, const std::filesystem::path& input,
-                       Console console)
-    : console_{std::move(console)} {
+                       Console console, System system)
+    : console_{std::move(console)}, system_{std::move(system)} {
     if (!root.empty()) {
         root_ = std::make_shared<Handle>(::open(root.c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC));
         if (root_->fd() < 0)
@@ -106,6 +106,14 @@ int LinuxFiles::open(const std::string& path, std::uint32_t flags, std::uint32_t
     const bool close_on_exec = flags & arm_open::CLOEXEC;
     if (path == MEMORY_PATH)
         return add(std::make_shared<File>(File{File::Kind::MEMORY, flags}), 0, close_on_exec);
+    if (status_on_host(path).first == -ENOENT) {
+        auto [error, device] = system_.open(path, flags);
+        if (device)
+            return add(
+                std::make_shared<File>(File{File::Kind::DEVICE, flags, nullptr, std::move(device)}),
+                0, close_on_exec);
+        if (error != -ENOENT) return error;
+    }
     Place place;
     if (const int error = place_of(path, place)) return error;
     const int fd = open_on_host(place, flags, mode);
@@ -143,6 +151,8 @@ int LinuxFiles::access(const std::string& path, int mode) const {
 }
 
 int LinuxFiles::remove(const std::string& path, bool folder) {
+    if (status_on_host(path).first == -ENOENT && !folder && system_.status(path))
+        return system_.remove(path);
     Place place;
     if (const int error = place_of(path, place)) return error;
     const int flags = folder ? AT_REMOVEDIR : 0;
@@ -177,6 +187,33 @@ int LinuxFiles::add(std::shared_ptr<File> file, int at_least, bool close_on_exec
 const LinuxFiles::File* LinuxFiles::find(int fd) const {
     const auto slot = slots_.find(fd);
     return slot == slots_.end() ? nullptr : slot->second.file.get();
+}
+
+int LinuxFiles::add(std::shared_ptr<LinuxDevice> device, std::uint32_t flags) {
+    return add(std::make_shared<File>(File{File::Kind::DEVICE, flags & ~arm_open::CLOEXEC, nullptr,
+                                           std::move(device)}),
+               0, flags & arm_open::CLOEXEC);
+}
+
+LinuxDevice* LinuxFiles::device(int fd) const {
+    const File* const file = find(fd);
+    return file ? file->device.get() : nullptr;
+}
+
+std::shared_ptr<void> LinuxFiles::hold(int fd) const {
+    const auto slot = slots_.find(fd);
+    return slot == slots_.end() ? nullptr : slot->second.file;
+}
+
+void LinuxFiles::close_all(bool only_on_exec) {
+    for (auto it = slots_.begin(); it != slots_.end();)
+        it = !only_on_exec || it->second.close_on_exec ? slots_.erase(it) : std::next(it);
+}
+
+int LinuxFiles::open_to_load(const std::string& path) const {
+    Place place;
+    if (const int error = place_of(path, place)) return error;
+    return open_on_host(place, arm_open::RDONLY, 0);
 }
 
 int LinuxFiles::close(int fd) { return slots_.erase(fd) ? 0 : -EBADF; }

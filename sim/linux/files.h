@@ -1,18 +1,20 @@
-// files.h - a Linux process's open files: the console, /dev/mem, and files under a folder.
+// files.h - a Linux process's open files: the console, /dev/mem, under a folder, the kernel's own.
 //
 //   0 stdin    the console, or a file       /dev/mem    for mmap; see address_space.h
 //   1, 2       the console                  PATH        ROOT/PATH on the host
 //
 // A path is relative to the root; "." and ".." are resolved as text.  A path that would leave the
 // root is refused (EACCES), symbolic links are not followed (ELOOP), and anything that is neither
-// file nor folder is refused (EACCES).  Without a root there is only /dev/mem (others: ENOENT).  A
+// file nor folder is refused (EACCES).  What is not there may be the kernel's own (device.h).  A
 // file's status does not depend on the host: owner 0, times 0, inodes numbered in the order of
 // first use.  Some of the host's files stay free for the run's own (EMFILE).
 //
 // Results are like the kernel's: a number of at least 0, or minus the error.  Flags, modes
 // and errors are Linux's for ARM.
 //
-// Not handled: reading folders, links, pipes, sockets, locks, reading /dev/mem by read().
+// A copy is that of a process that forks: it has the same open files.
+//
+// Not handled: reading folders, links, locks, reading /dev/mem by read().
 #pragma once
 
 #include <sys/types.h>
@@ -22,16 +24,15 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
-namespace sim {
+#include "sim/linux/device.h"
+#include "sim/linux/file_status.h"
 
-struct FileStatus {
-    std::uint32_t mode = 0;  // type and permissions
-    std::uint64_t size = 0, number = 0, device = 0;
-};
+namespace sim {
 
 class LinuxFiles {
 public:
@@ -40,11 +41,26 @@ public:
         std::function<std::int64_t(char* to, std::size_t bytes)> read;  // or EAGAIN
         std::function<bool()> readable;
     };
+    // Of the kernel's own by this path: open, or none with the error; and what stat() says of it.
+    struct System {
+        std::function<std::pair<int, std::shared_ptr<LinuxDevice>>(const std::string& path,
+                                                                   std::uint32_t flags)>
+            open;
+        std::function<std::optional<FileStatus>(const std::string& path)> status;
+        std::function<int(const std::string& path)> remove;
+    };
     // `root` and `input`, which is standard input instead of the console, may be empty.
     // std::runtime_error if the folder or the file cannot be opened.
     LinuxFiles(const std::filesystem::path& root, const std::filesystem::path& input,
-               Console console);
+               Console console, System system);
 
+    // The lowest free number, or EMFILE.
+    int add(std::shared_ptr<LinuxDevice> device, std::uint32_t flags);
+    LinuxDevice* device(int fd) const;         // nullptr: it is another kind of file
+    std::shared_ptr<void> hold(int fd) const;  // as long as this lives it stays open
+    void close_all(bool only_on_exec);
+    // For reading, on the host; the error, or the host's number.
+    int open_to_load(const std::string& path) const;
     int open(const std::string& path, std::uint32_t flags, std::uint32_t mode);
     int close(int fd);
     int duplicate(int fd, int at_least);         // the lowest free number from there on
@@ -62,9 +78,11 @@ public:
     std::int64_t seek(int fd, std::int64_t offset, int whence);
     int truncate(int fd, std::int64_t bytes);
     // Of these, what would not have to wait.
-    static constexpr unsigned READ = 1, WRITE = 2, HUNG_UP = 4;
+    static constexpr unsigned READ = LinuxDevice::READ, WRITE = LinuxDevice::WRITE,
+                              HUNG_UP = LinuxDevice::HUNG_UP;
     unsigned can_do(int fd) const;
     std::string name(int fd) const;  // in a message about who waits for it
+    bool is_inside(int fd) const;    // as LinuxDevice's
     int sync(int fd) const { return status_of(fd).first; }
 
     std::pair<int, FileStatus> status_of(int fd) const;
@@ -87,6 +105,7 @@ private:
     int place_of(const std::string& path, Place& place) const;
     int open_on_host(const Place& place, std::uint32_t flags, std::uint32_t mode) const;
     std::pair<int, FileStatus> host_status(int host) const;
+    std::pair<int, FileStatus> status_on_host(const std::string& path) const;
 
     struct Slot {
         std::shared_ptr<File> file;
@@ -95,8 +114,10 @@ private:
 
     std::shared_ptr<Handle> root_;  // may be none
     Console console_;
+    System system_;
     std::map<int, Slot> slots_;
-    mutable std::map<std::pair<std::uint64_t, std::uint64_t>, std::uint64_t> numbers_;  // of files
+    using Numbers = std::map<std::pair<std::uint64_t, std::uint64_t>, std::uint64_t>;
+    std::shared_ptr<Numbers> numbers_ = std::make_shared<Numbers>();  // of files
 };
 
 }  // namespace sim

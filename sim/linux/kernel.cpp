@@ -12,7 +12,6 @@ namespace sim {
 namespace {
 
 constexpr std::uint64_t SEED = 0x9E3779B97F4A7C15;
-constexpr int FIRST_PROCESS = 1;
 
 }  // namespace
 
@@ -34,13 +33,16 @@ LinuxKernel::LinuxKernel(ArmCpu& cpu, LinuxSettings settings, Outside outside)
                  },
                  outside_.console, [this](unsigned number) { typed(number); }, [this] { hear(); }}},
       random_{SEED} {
-    processes_.push_back(std::make_unique<LinuxProcess>(LinuxProcess{
-        FIRST_PROCESS, 0, std::make_shared<AddressSpace>(cpu.core()),
-        LinuxFiles{settings_.root,
-                   settings_.input,
-                   {outside_.console,
-                    [this](char* to, std::size_t bytes) { return terminal_.take(to, bytes); },
-                    [this] { return terminal_.readable(); }}}}));
+    const LinuxFiles::Console console{
+        outside_.console, [this](char* to, std::size_t bytes) { return terminal_.take(to, bytes); },
+        [this] { return terminal_.readable(); }};
+    const LinuxFiles::System system{
+        [this](const std::string& path, std::uint32_t flags) { return open_system(path, flags); },
+        [this](const std::string& path) { return system_status(path); },
+        [this](const std::string& path) { return remove_system(path); }};
+    processes_.push_back(std::make_unique<LinuxProcess>(
+        LinuxProcess{LinuxProcess::FIRST, 0, std::make_shared<AddressSpace>(cpu.core()),
+                     LinuxFiles{settings_.root, settings_.input, console, system}}));
     process_ = processes_.front().get();
     cpu.attach(this);
 }
@@ -57,8 +59,14 @@ void LinuxKernel::boot(ArmCore& core) {
         return cpu_.end("the program reset the board " + cpu_.where());
     helpers_.connect();
     try {
+        std::vector<std::string> words{path_of(cpu_.program().elf)};
+        words.insert(words.end(), settings_.arguments.begin(), settings_.arguments.end());
+        process_->command = words[0];
+        process_->set_command_line(words);
+        attached_ = process_->memory.get();
+        attached_->attach();
         process_->break_begin = process_->break_end =
-            start_linux_program(core, memory(), cpu_.program().elf, settings_.arguments);
+            start_linux_program(core, memory(), cpu_.program().elf, words, first_environment());
     } catch (const std::runtime_error& e) {  // SystemC must not see exceptions
         return cpu_.end(e.what());
     }
@@ -160,6 +168,8 @@ const std::vector<LinuxKernel::Call>& LinuxKernel::calls() {
         {NR_lseek, &K::sys_lseek},
         {NR__llseek, &K::sys_llseek},
         {NR_ftruncate64, &K::sys_ftruncate64},
+        {NR_ftruncate, &K::sys_ftruncate},
+        {NR_link, &K::sys_link},
         {NR_fsync, &K::sys_fsync},
         {NR_fdatasync, &K::sys_fsync},
         {NR_dup, &K::sys_dup},
@@ -168,6 +178,22 @@ const std::vector<LinuxKernel::Call>& LinuxKernel::calls() {
         {NR_fcntl, &K::sys_fcntl},
         {NR_fcntl64, &K::sys_fcntl},
         {NR_ioctl, &K::sys_ioctl},
+
+        {NR_pipe, &K::sys_pipe},
+        {NR_pipe2, &K::sys_pipe2},
+        {NR_eventfd, &K::sys_eventfd},
+        {NR_eventfd2, &K::sys_eventfd2},
+        {NR_memfd_create, &K::sys_memfd_create},
+
+        {NR_shmget, &K::sys_shmget},
+        {NR_shmat, &K::sys_shmat},
+        {NR_shmdt, &K::sys_shmdt},
+        {NR_shmctl, &K::sys_shmctl},
+        {NR_semget, &K::sys_semget},
+        {NR_semctl, &K::sys_semctl},
+        {NR_semop, &K::sys_semop},
+        {NR_semtimedop, &K::sys_semtimedop},
+        {NR_semtimedop_time64, &K::sys_semtimedop_time64},
 
         {NR_fstat64, &K::sys_fstat64},
         {NR_stat64, &K::sys_stat64},
@@ -213,6 +239,11 @@ const std::vector<LinuxKernel::Call>& LinuxKernel::calls() {
         {NR_exit, &K::sys_exit},
         {NR_exit_group, &K::sys_exit_group},
         {NR_clone, &K::sys_clone},
+        {NR_fork, &K::sys_fork},
+        {NR_vfork, &K::sys_vfork},
+        {NR_execve, &K::sys_execve},
+        {NR_wait4, &K::sys_wait4},
+        {NR_waitid, &K::sys_waitid},
         {NR_clone3, &K::sys_clone3},
         {NR_gettid, &K::sys_gettid},
         {NR_sched_yield, &K::sys_sched_yield},

@@ -21,9 +21,13 @@
 // Threads share one processor (scheduler.h), although the program is told of two, as on the board.
 // When all wait for each other for ever, the program ends by a fault that says who waits for whom.
 //
-// Not handled: processes, timers that signal, job control; mutexes with priority inheritance; the
-// second processor: threads never run at the same time; no vDSO, so that the C library makes system
-// calls.
+// Processes take turns in the core: each has its memory (address_space.h), and what the core has
+// translated is translated anew after a switch from one to another.  The end of the first ends the
+// run.  A program that another becomes is itself, or lies under the root.
+//
+// Not handled: message queues, sockets, groups and sessions of processes, timers that signal, job
+// control; mutexes with priority inheritance; the second processor: threads never run at the same
+// time; no vDSO, so that the C library makes system calls.
 #pragma once
 
 #include <array>
@@ -107,7 +111,10 @@ private:
     Result sys_mprotect(const Arguments&);
     Result sys_mremap(const Arguments&);
     Result sys_cacheflush(const Arguments&);
-    std::int64_t map_bus(const Arguments&, std::uint32_t bytes, unsigned access);
+    std::int64_t map_bus(const Arguments&, std::uint32_t bytes, unsigned access,
+                         std::uint32_t page);
+    std::int64_t map_shared(const Arguments&, std::uint32_t bytes, unsigned access,
+                            std::shared_ptr<SharedMemory> shared, bool as_copy);
     std::int64_t fill_from_file(int fd, std::uint32_t begin, std::uint32_t bytes,
                                 std::int64_t offset);
     std::optional<std::uint32_t> place_of(std::uint32_t wish, std::uint32_t bytes,
@@ -127,6 +134,7 @@ private:
     Result sys_lseek(const Arguments&);
     Result sys_llseek(const Arguments&);
     Result sys_ftruncate64(const Arguments&);
+    Result sys_ftruncate(const Arguments&);
     Result sys_fsync(const Arguments&);
     Result sys_dup(const Arguments&);
     Result sys_dup2(const Arguments&);
@@ -208,7 +216,7 @@ private:
     struct FutexWaiter {
         LinuxThread* thread;
         FutexKey key;
-        std::uint32_t bits;
+        std::uint32_t bits, address;
     };
     Result sys_futex(const Arguments&);
     Result sys_futex_time64(const Arguments&);
@@ -258,6 +266,67 @@ private:
     void restart_sequence();
     LinuxThread* thread_of(std::uint32_t number) const;  // 0: the running one
     std::int64_t set_policy(LinuxThread& thread, int policy, int priority);
+
+    void begin_thread(LinuxThread& child, const Clone& how);
+
+    // kernel_children.cpp
+    static constexpr std::uint32_t LEAVES = 0x1000000;  // a child to be waited for again
+    Result sys_fork(const Arguments&);
+    Result sys_vfork(const Arguments&);
+    Result sys_execve(const Arguments&);
+    Result sys_wait4(const Arguments&);
+    Result sys_waitid(const Arguments&);
+    Result fork(const Clone& how);
+    void end_process(LinuxProcess& process, std::uint32_t status);
+    LinuxProcess* process_of(int number) const;
+    void forget(LinuxProcess& process);
+    Result wait_for_child(std::int32_t which, std::uint32_t options,
+                          std::function<std::int64_t(const LinuxProcess&)> tell);
+    std::optional<std::vector<std::string>> strings_at(std::uint32_t list) const;
+    Result become(const ElfProgram& program, const std::string& path,
+                  const std::vector<std::string>& words, const std::vector<std::string>& variables);
+
+    // kernel_system.cpp
+    Result sys_pipe(const Arguments&);
+    Result sys_pipe2(const Arguments&);
+    Result sys_eventfd(const Arguments&);
+    Result sys_eventfd2(const Arguments&);
+    Result sys_memfd_create(const Arguments&);
+    Result sys_link(const Arguments&);
+    std::optional<std::string> text_of_process(const LinuxProcess& process,
+                                               const std::string& name) const;
+    std::optional<std::string> system_text(const std::string& path) const;
+    std::uint8_t random_byte();
+    std::pair<int, std::shared_ptr<LinuxDevice>> open_system(const std::string& path,
+                                                             std::uint32_t flags);
+    std::optional<FileStatus> system_status(const std::string& path) const;
+    int remove_system(const std::string& path);
+    Result give_two(std::uint32_t to, const std::array<int, 2>& numbers);
+
+    // kernel_ipc.cpp
+    struct Segment {
+        std::uint32_t key, rights;
+        std::shared_ptr<SharedMemory> memory;
+        int maker;
+        bool removed = false;
+    };
+    struct Semaphores {
+        std::uint32_t key, rights;
+        std::vector<std::uint16_t> values;
+        bool removed = false;
+    };
+    Result sys_shmget(const Arguments&);
+    Result sys_shmat(const Arguments&);
+    Result sys_shmdt(const Arguments&);
+    Result sys_shmctl(const Arguments&);
+    Result sys_semget(const Arguments&);
+    Result sys_semctl(const Arguments&);
+    Result sys_semop(const Arguments&);
+    Result sys_semtimedop(const Arguments&);
+    Result sys_semtimedop_time64(const Arguments&);
+    std::uint32_t attachments(int segment) const;
+    void remove_unused(int segment);
+    Result semop(const Arguments&, std::int64_t span);
 
     // kernel_process.cpp
     Result sys_uname(const Arguments&);
@@ -331,8 +400,9 @@ private:
     KernelHelpers helpers_;
     Terminal terminal_;
     std::vector<std::unique_ptr<LinuxProcess>> processes_;
-    LinuxProcess* process_ = nullptr;  // which a call is about
-    LinuxThread* running_ = nullptr;   // whose registers the core has
+    LinuxProcess* process_ = nullptr;   // which a call is about
+    LinuxThread* running_ = nullptr;    // whose registers the core has
+    AddressSpace* attached_ = nullptr;  // that the core sees
     LinuxScheduler scheduler_;
     std::list<FutexWaiter> waiters_;  // in their order
     int next_number_ = 2;             // of a process or thread
@@ -344,6 +414,10 @@ private:
     sc_core::sc_event woken_;     // something has come from outside
     sc_core::sc_time line_free_;  // when the console's line has taken all that was printed
     std::uint64_t random_;
+    std::map<std::string, std::shared_ptr<SharedMemory>> shared_files_;  // of /dev/shm
+    std::map<int, Segment> segments_;
+    std::map<int, Semaphores> semaphores_;
+    int next_ipc_ = 0;
     std::set<std::uint32_t> unaligned_;        // instructions of which the log was told
     std::map<std::string, unsigned> missing_;  // calls that are not emulated, how often
     std::set<std::string> named_files_;        // of the system, that are not there

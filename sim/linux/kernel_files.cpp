@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::uint32_t MOST_BYTES = 0x7FFFF000;  // of one transfer, as the kernel has it
 constexpr std::uint32_t TCGETS = 0x5401, TCSETS = 0x5402, TCSETSF = 0x5404, TCFLSH = 0x540B,
-                        TIOCGWINSZ = 0x5413, FIONREAD = 0x541B;
+                        TIOCGWINSZ = 0x5413, FIONBIO = 0x5421;
 constexpr std::uint32_t OUTPUT_ONLY = 1;
 
 // What is there on each Linux without a program's doing.
@@ -23,6 +23,8 @@ bool is_of_the_system(const std::string& path) {
     const auto in = [&](const char* folder) { return path.rfind(folder, 0) == 0; };
     return in("/dev/") || in("/proc/") || in("/sys/");
 }
+
+bool is_shared_memory(const std::string& path) { return path.rfind("/dev/shm/", 0) == 0; }
 
 int fd_of(std::uint32_t value) { return static_cast<int>(value); }
 
@@ -37,10 +39,11 @@ std::int64_t LinuxKernel::open(std::uint32_t folder, std::uint32_t path, std::ui
     const auto [error, text] = path_at(folder, path);
     if (error) return error;
     const int fd = files().open(text, flags, mode & ~process_->umask);
-    if (fd == -ENOENT && is_of_the_system(text) && named_files_.insert(text).second)
+    if (fd == -ENOENT && is_of_the_system(text) && !is_shared_memory(text) &&
+        named_files_.insert(text).second)
         outside_.log(
             fmt::format("{} is not there: of the system's files the simulated Linux has "
-                        "/dev/mem, and what --linux-root brings, {}",
+                        "/dev/mem and a few more, and what --linux-root brings, {}",
                         text, cpu_.where()));
     return fd;
 }
@@ -83,7 +86,9 @@ LinuxKernel::Result LinuxKernel::read(int fd, std::vector<Piece> pieces) {
     LinuxWait wait;
     wait.what = files().name(fd);
     wait.restarts = true;
-    wait.look = [this, fd, pieces = std::move(pieces)](LinuxWait&) -> Result {
+    wait.inside = files().is_inside(fd);
+    wait.look = [this, fd, pieces = std::move(pieces),
+                 file = files().hold(fd)](LinuxWait&) -> Result {
         std::int64_t all = 0;
         for (;;) {
             const auto [to, bytes] = part(pieces, all, arm_access::WRITE);
@@ -105,6 +110,7 @@ LinuxKernel::Result LinuxKernel::write(int fd, std::vector<Piece> pieces) {
     LinuxWait wait;
     wait.what = files().name(fd);
     wait.restarts = true;
+    wait.inside = files().is_inside(fd);
     wait.look = [this, fd, pieces = std::move(pieces),
                  &thread = *running_](LinuxWait& w) -> Result {
         const int flags = files().flags(fd);
@@ -211,6 +217,10 @@ LinuxKernel::Result LinuxKernel::sys_ftruncate64(const Arguments& a) {
     return files().truncate(fd_of(a[0]), pair_of(a[2], a[3]));
 }
 
+LinuxKernel::Result LinuxKernel::sys_ftruncate(const Arguments& a) {
+    return files().truncate(fd_of(a[0]), static_cast<std::int32_t>(a[1]));
+}
+
 LinuxKernel::Result LinuxKernel::sys_fsync(const Arguments& a) { return files().sync(fd_of(a[0])); }
 
 LinuxKernel::Result LinuxKernel::sys_dup(const Arguments& a) {
@@ -239,6 +249,15 @@ LinuxKernel::Result LinuxKernel::sys_fcntl(const Arguments& a) {
 LinuxKernel::Result LinuxKernel::sys_ioctl(const Arguments& a) {
     const int fd = fd_of(a[0]);
     if (files().flags(fd) < 0) return -EBADF;
+    if (LinuxDevice* const device = files().device(fd)) {
+        const std::int64_t result = device->control(a[1], a[2], memory());
+        if (result != -ENOTTY || a[1] != FIONBIO) return result;
+    }
+    if (a[1] == FIONBIO) {
+        std::uint32_t on;
+        if (!memory().read(a[2], &on, sizeof on)) return -EFAULT;
+        return files().set_flags(fd, on ? arm_open::NONBLOCK : 0);
+    }
     if (!files().is_console(fd)) return -ENOTTY;
     Terminal::Settings& settings = terminal_.settings;
     if (a[1] == TCGETS) return memory().write(a[2], &settings, sizeof settings) ? 0 : -EFAULT;
@@ -251,7 +270,7 @@ LinuxKernel::Result LinuxKernel::sys_ioctl(const Arguments& a) {
         if (a[2] != OUTPUT_ONLY) terminal_.flush();
         return 0;
     }
-    if (a[1] == FIONREAD) {
+    if (a[1] == arm_ioctl::READABLE) {
         const std::uint32_t count = terminal_.ready();
         return memory().write(a[2], &count, sizeof count) ? 0 : -EFAULT;
     }

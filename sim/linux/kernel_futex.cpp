@@ -11,10 +11,12 @@ namespace sim {
 
 namespace {
 
-constexpr std::uint32_t WAIT = 0, WAKE = 1, REQUEUE = 3, CMP_REQUEUE = 4, WAKE_OP = 5,
-                        WAIT_BITSET = 9, WAKE_BITSET = 10, COMMAND = 0x7F;
-constexpr std::uint32_t ANY = 0xFFFFFFFF;
-constexpr std::uint32_t OWNER_DIED = 0x40000000, OWNER = 0x3FFFFFFF, WAITERS = 0x80000000;
+constexpr std::uint32_t FUTEX_WAIT = 0, FUTEX_WAKE = 1, FUTEX_REQUEUE = 3, FUTEX_CMP_REQUEUE = 4,
+                        FUTEX_WAKE_OP = 5, FUTEX_WAIT_BITSET = 9, FUTEX_WAKE_BITSET = 10,
+                        FUTEX_COMMAND = 0x7F;
+constexpr std::uint32_t ANY_BITS = 0xFFFFFFFF;
+constexpr std::uint32_t LOCK_OWNER_DIED = 0x40000000, LOCK_OWNER = 0x3FFFFFFF,
+                        LOCK_WAITERS = 0x80000000;
 
 // FUTEX_WAKE_OP's; no value: there is no such operation.
 std::optional<std::uint32_t> changed_by(std::uint32_t operation, std::uint32_t old,
@@ -50,6 +52,9 @@ std::uint32_t extended(std::uint32_t value) {
 }  // namespace
 
 LinuxKernel::FutexKey LinuxKernel::futex_key(std::uint32_t address) const {
+    const auto area = memory().at(address);
+    if (area && area->second.shared)
+        return {area->second.shared.get(), area->second.physical_at(address - area->first)};
     return {&memory(), address};
 }
 
@@ -81,7 +86,7 @@ LinuxKernel::Result LinuxKernel::futex_wait(std::uint32_t address, std::uint32_t
         return now_ns() >= w.at_ns ? Result{-ETIMEDOUT} : std::nullopt;
     };
     const Result result = this->wait(std::move(wait));
-    if (!result) waiters_.push_back({running_, futex_key(address), bits});
+    if (!result) waiters_.push_back({running_, futex_key(address), bits, address});
     return result;
 }
 
@@ -92,7 +97,7 @@ LinuxKernel::Result LinuxKernel::futex_requeue(const Arguments& a, bool compare)
     if (!memory().read(a[0], &word, sizeof word)) return -EFAULT;
     if (compare && word != a[5]) return -EAGAIN;
     const FutexKey from = futex_key(a[0]), to = futex_key(a[4]);
-    std::int64_t count = futex_wake(from, a[2], ANY);
+    std::int64_t count = futex_wake(from, a[2], ANY_BITS);
     std::list<FutexWaiter> moved;
     for (auto it = waiters_.begin(); it != waiters_.end() && moved.size() < a[3];) {
         const auto next = std::next(it);
@@ -117,30 +122,30 @@ LinuxKernel::Result LinuxKernel::futex_wake_op(const Arguments& a) {
     const auto met = compares(what >> 24 & 0xF, old, extended(what & 0xFFF));
     if (!now || !met) return -ENOSYS;
     if (!memory().write(a[4], &*now, sizeof *now)) return -EFAULT;
-    std::int64_t count = futex_wake(futex_key(a[0]), a[2], ANY);
-    if (*met) count += futex_wake(futex_key(a[4]), a[3], ANY);
+    std::int64_t count = futex_wake(futex_key(a[0]), a[2], ANY_BITS);
+    if (*met) count += futex_wake(futex_key(a[4]), a[3], ANY_BITS);
     return count;
 }
 
 LinuxKernel::Result LinuxKernel::futex(const Arguments& a, Span kind) {
-    const std::uint32_t command = a[1] & COMMAND;
+    const std::uint32_t command = a[1] & FUTEX_COMMAND;
     if (a[0] % sizeof(std::uint32_t) != 0) return -EINVAL;
     std::uint64_t end_ns = LinuxWait::NEVER;
-    if ((command == WAIT || command == WAIT_BITSET) && a[3] != 0) {
+    if ((command == FUTEX_WAIT || command == FUTEX_WAIT_BITSET) && a[3] != 0) {
         const std::int64_t span = span_at(a[3], kind);
         if (span < 0) return span;
         end_ns = static_cast<std::uint64_t>(span);
-        if (command == WAIT) end_ns = later_ns(end_ns);  // the other's is a time of the clock
+        if (command == FUTEX_WAIT) end_ns = later_ns(end_ns);  // the other's is a time of the clock
     }
     switch (command) {
-        case WAIT: return futex_wait(a[0], a[2], ANY, end_ns);
-        case WAIT_BITSET: return a[5] == 0 ? -EINVAL : futex_wait(a[0], a[2], a[5], end_ns);
-        case WAKE: return futex_wake(futex_key(a[0]), std::max(a[2], 1u), ANY);
-        case WAKE_BITSET:
+        case FUTEX_WAIT: return futex_wait(a[0], a[2], ANY_BITS, end_ns);
+        case FUTEX_WAIT_BITSET: return a[5] == 0 ? -EINVAL : futex_wait(a[0], a[2], a[5], end_ns);
+        case FUTEX_WAKE: return futex_wake(futex_key(a[0]), std::max(a[2], 1u), ANY_BITS);
+        case FUTEX_WAKE_BITSET:
             return a[5] == 0 ? -EINVAL : futex_wake(futex_key(a[0]), std::max(a[2], 1u), a[5]);
-        case REQUEUE: return futex_requeue(a, false);
-        case CMP_REQUEUE: return futex_requeue(a, true);
-        case WAKE_OP: return futex_wake_op(a);
+        case FUTEX_REQUEUE: return futex_requeue(a, false);
+        case FUTEX_CMP_REQUEUE: return futex_requeue(a, true);
+        case FUTEX_WAKE_OP: return futex_wake_op(a);
         default: not_emulated(fmt::format("futex, operation {}", command)); return -ENOSYS;
     }
 }
@@ -181,11 +186,11 @@ void LinuxKernel::give_back_locks(const LinuxThread& thread) {
         const std::uint32_t address = (entry & ~1u) + head.offset;
         std::uint32_t word;
         if (!memory().read(address, &word, sizeof word) ||
-            (word & OWNER) != static_cast<std::uint32_t>(thread.number))
+            (word & LOCK_OWNER) != static_cast<std::uint32_t>(thread.number))
             return;
-        const std::uint32_t left = (word & WAITERS) | OWNER_DIED;
+        const std::uint32_t left = (word & LOCK_WAITERS) | LOCK_OWNER_DIED;
         memory().write(address, &left, sizeof left);
-        futex_wake(futex_key(address), 1, ANY);
+        futex_wake(futex_key(address), 1, ANY_BITS);
     };
     std::uint32_t entry = head.next;
     for (unsigned i = 0; i < MOST && (entry & ~1u) != thread.robust_list; ++i) {
@@ -204,7 +209,7 @@ std::string LinuxKernel::awaited(const LinuxThread& thread) const {
     const auto waiter = std::find_if(waiters_.begin(), waiters_.end(),
                                      [&](const FutexWaiter& w) { return w.thread == &thread; });
     if (waiter == waiters_.end()) return thread.wait->what;
-    const auto address = static_cast<std::uint32_t>(waiter->key.address);
+    const std::uint32_t address = waiter->address;
     std::uint32_t words[3];
     const bool read = thread.process.memory->read(address, words, sizeof words);
     for (const LinuxThread* const other : threads()) {
@@ -212,7 +217,7 @@ std::string LinuxKernel::awaited(const LinuxThread& thread) const {
         if (other->clears == address && other != &thread)
             return fmt::format("the end of thread {}", other->number);
         const auto number = static_cast<std::uint32_t>(other->number);
-        if (read && (words[0] == 2 ? words[2] : words[0] & OWNER) == number)
+        if (read && (words[0] == 2 ? words[2] : words[0] & LOCK_OWNER) == number)
             return fmt::format("the mutex at 0x{:08X} that {} has", address,
                                other == &thread ? "it" : fmt::format("thread {}", number));
     }

@@ -1,4 +1,6 @@
 // kernel_memory.cpp - LinuxKernel's calls for memory: heap, areas, /dev/mem
+#include <unistd.h>
+
 #include <cerrno>
 #include <cstring>
 
@@ -64,9 +66,20 @@ LinuxKernel::Result LinuxKernel::sys_mmap2(const Arguments& a) {
         const auto mode = static_cast<std::uint32_t>(open_flags) & arm_open::ACCESS;
         const bool shared_write = (access & arm_access::WRITE) && type != arm_mmap::PRIVATE;
         if (mode == arm_open::WRONLY || (shared_write && mode != arm_open::RDWR)) return -EACCES;
-        if (files().is_memory(fd)) return map_bus(a, bytes, access);
+        if (files().is_memory(fd)) return map_bus(a, bytes, access, a[5]);
+        if (LinuxDevice* const device = files().device(fd)) {
+            if (const auto range = device->on_bus()) {
+                if (std::uint64_t{page} * AddressSpace::PAGE + bytes > range->second)
+                    return -EINVAL;
+                return map_bus(a, bytes, access, range->first / AddressSpace::PAGE + page);
+            }
+            return map_shared(a, bytes, access, device->memory(), type == arm_mmap::PRIVATE);
+        }
         if (files().is_console(fd) || shared_write) return -ENODEV;
     }
+    if (anonymous && type != arm_mmap::PRIVATE)
+        return map_shared({wish, a[1], a[2], flags, 0, 0}, bytes, access,
+                          std::make_shared<SharedMemory>(), false);
     const auto place = place_of(wish, bytes, flags);
     if (!place || !memory().map(*place, bytes, anonymous ? access : ACCESS)) return -ENOMEM;
     if (anonymous) return *place;
@@ -78,8 +91,28 @@ LinuxKernel::Result LinuxKernel::sys_mmap2(const Arguments& a) {
     return *place;
 }
 
-std::int64_t LinuxKernel::map_bus(const Arguments& a, std::uint32_t bytes, unsigned access) {
-    const std::uint64_t physical = std::uint64_t{a[5]} * AddressSpace::PAGE;
+std::int64_t LinuxKernel::map_shared(const Arguments& a, std::uint32_t bytes, unsigned access,
+                                     std::shared_ptr<SharedMemory> shared, bool as_copy) {
+    const std::uint64_t offset = std::uint64_t{a[5]} * AddressSpace::PAGE;
+    if (!shared) return -ENODEV;
+    if (offset + bytes > AddressSpace::RAM) return -ENOMEM;
+    const auto place = place_of(a[0], bytes, a[3]);
+    if (!place) return -ENOMEM;
+    if (!as_copy) {
+        const bool mapped = memory().map_shared(*place, bytes, access, std::move(shared),
+                                                static_cast<std::uint32_t>(offset));
+        return mapped ? std::int64_t{*place} : -ENOMEM;
+    }
+    if (!memory().map(*place, bytes, ACCESS)) return -ENOMEM;
+    std::uint8_t* const to = memory().bytes(*place, bytes, arm_access::WRITE);
+    if (pread(shared->fd(), to, bytes, static_cast<off_t>(offset)) < 0) return -EIO;
+    memory().protect(*place, bytes, access);
+    return *place;
+}
+
+std::int64_t LinuxKernel::map_bus(const Arguments& a, std::uint32_t bytes, unsigned access,
+                                  std::uint32_t page) {
+    const std::uint64_t physical = std::uint64_t{page} * AddressSpace::PAGE;
     if (physical + bytes > std::uint64_t{1} << 32) return -EINVAL;
     const auto place = place_of(a[0], bytes, a[3]);
     if (!place) return -ENOMEM;
@@ -125,6 +158,7 @@ LinuxKernel::Result LinuxKernel::sys_mremap(const Arguments& a) {
         if (will < was) memory().unmap(from + will, was - will);
         return from;
     }
+    if (area->second.shared) return -EINVAL;
     const bool on_bus = area->second.on_bus;
     const unsigned access = area->second.access;
     const std::uint32_t physical = area->second.physical_at(from - area->first);

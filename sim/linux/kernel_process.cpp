@@ -1,4 +1,5 @@
 // kernel_process.cpp - LinuxKernel's calls about the process itself: what it is, its limits
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 
@@ -27,16 +28,10 @@ LinuxKernel::Result LinuxKernel::sys_uname(const Arguments& a) {
     return memory().write(a[0], names, sizeof names) ? 0 : -EFAULT;
 }
 
-// Vigna's splitmix64, from a fixed seed.
 LinuxKernel::Result LinuxKernel::sys_getrandom(const Arguments& a) {
     std::uint8_t* to = memory().bytes(a[0], a[1], arm_access::WRITE);
     if (!to) return -EFAULT;
-    for (std::uint32_t i = 0; i < a[1]; ++i) {
-        std::uint64_t z = random_ += 0x9E3779B97F4A7C15;
-        z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9;
-        z = (z ^ (z >> 27)) * 0x94D049BB133111EB;
-        to[i] = static_cast<std::uint8_t>(z >> 56);
-    }
+    std::generate_n(to, a[1], [this] { return random_byte(); });
     return a[1] & 0x7FFFFFFF;
 }
 

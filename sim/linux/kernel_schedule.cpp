@@ -78,6 +78,11 @@ void LinuxKernel::run(LinuxThread& thread) {
     running_ = &thread;
     process_ = &thread.process;
     since_ns_ = now_ns();
+    if (attached_ != &memory()) {
+        if (attached_) attached_->detach();
+        attached_ = &memory();
+        attached_->attach();
+    }
     thread.load(cpu_.core());
     helpers_.set_tls(thread.tls);
 }

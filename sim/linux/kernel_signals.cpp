@@ -12,9 +12,9 @@ namespace sim {
 
 namespace {
 
-constexpr std::uint64_t STOPS = LinuxSignals::bit(SIGSTOP) | LinuxSignals::bit(SIGTSTP) |
-                                LinuxSignals::bit(SIGTTIN) | LinuxSignals::bit(SIGTTOU);
-constexpr std::uint64_t ALWAYS = LinuxSignals::bit(SIGKILL) | LinuxSignals::bit(SIGSTOP);
+constexpr std::uint64_t STOP_SIGNALS = LinuxSignals::bit(SIGSTOP) | LinuxSignals::bit(SIGTSTP) |
+                                       LinuxSignals::bit(SIGTTIN) | LinuxSignals::bit(SIGTTOU);
+constexpr std::uint64_t NEVER_BLOCKED = LinuxSignals::bit(SIGKILL) | LinuxSignals::bit(SIGSTOP);
 constexpr const char* BY_ITSELF = "sent by itself";
 
 }  // namespace
@@ -25,8 +25,8 @@ bool LinuxKernel::send(LinuxThread& thread, const LinuxSignal& signal) {
     LinuxProcess& process = thread.process;
     const std::uint64_t bit = LinuxSignals::bit(signal.number);
     if (signal.number == SIGCONT || signal.number == SIGKILL) {
-        process.pending.remove(STOPS);
-        for (const auto& one : process.threads) one->signals.pending.remove(STOPS);
+        process.pending.remove(STOP_SIGNALS);
+        for (const auto& one : process.threads) one->signals.pending.remove(STOP_SIGNALS);
         const bool stopped = std::exchange(process.stopped, false);
         for (const auto& one : process.threads)
             if (stopped && !one->wait) scheduler_.add(*one, true);
@@ -116,6 +116,8 @@ void LinuxKernel::fault(unsigned number, std::uint32_t address, const std::strin
 
 // What a person types may end a program: that is no fault.
 void LinuxKernel::die(const LinuxSignal& signal) {
+    if (process_->number != processes_.front()->number)
+        return end_process(*process_, signal.number);
     const std::string text =
         fmt::format("the program was ended by {}: {} {}", LinuxSignals::name(signal.number),
                     signal.why, cpu_.where());
@@ -159,7 +161,7 @@ LinuxKernel::Result LinuxKernel::sys_sigaction(const Arguments& a) {
     if (a[1] != 0) {
         if (!memory().read(a[1], &words, sizeof words)) return -EFAULT;
         action = {words.handler, words.flags, words.restorer,
-                  (std::uint64_t{words.mask[1]} << 32 | words.mask[0]) & ~ALWAYS};
+                  (std::uint64_t{words.mask[1]} << 32 | words.mask[0]) & ~NEVER_BLOCKED};
         if (process_->signals.ignores(number)) {
             process_->pending.remove(LinuxSignals::bit(number));
             for (const auto& thread : process_->threads)
@@ -184,7 +186,7 @@ LinuxKernel::Result LinuxKernel::sys_sigprocmask(const Arguments& a) {
     if (a[1] != 0) {
         std::uint64_t set;
         if (!memory().read(a[1], &set, sizeof set)) return -EFAULT;
-        set &= ~ALWAYS;
+        set &= ~NEVER_BLOCKED;
         switch (a[0]) {
             case SIG_BLOCK: blocked |= set; break;
             case SIG_UNBLOCK: blocked &= ~set; break;
@@ -208,7 +210,7 @@ std::int64_t LinuxKernel::mask_meanwhile(std::uint32_t address, std::uint32_t by
     if (address == 0) return 0;
     if (bytes != sizeof set) return -EINVAL;
     if (!memory().read(address, &set, sizeof set)) return -EFAULT;
-    running_->signals.waits_with = std::exchange(running_->signals.blocked, set & ~ALWAYS);
+    running_->signals.waits_with = std::exchange(running_->signals.blocked, set & ~NEVER_BLOCKED);
     return 0;
 }
 

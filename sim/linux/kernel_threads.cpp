@@ -29,18 +29,22 @@ LinuxKernel::Result LinuxKernel::clone(const Clone& how) {
     if (((how.flags & THREAD) && (how.flags & TOGETHER) != TOGETHER) ||
         ((how.flags & SIGHAND) && !(how.flags & VM)))
         return -EINVAL;
-    if (!(how.flags & THREAD)) {
-        not_emulated("clone of a process");
-        return -ENOSYS;
-    }
     if (threads().size() >= MOST_THREADS) return -EAGAIN;
-    const int number = next_number_++;
-    const auto word = bits_of(number);
+    const auto word = bits_of(next_number_);
     LinuxProcess& process = *process_;
     if ((how.flags & PARENT_SETTID) && !memory().write(how.parent_word, &word, sizeof word))
         return -EFAULT;
+    if (!(how.flags & THREAD)) return fork(how);
+    const int number = next_number_++;
     process.threads.push_back(std::make_unique<LinuxThread>(LinuxThread{number, process}));
-    LinuxThread& child = *process.threads.back();
+    begin_thread(*process.threads.back(), how);
+    return number;
+}
+
+// As the running one, but for what is asked.
+void LinuxKernel::begin_thread(LinuxThread& child, const Clone& how) {
+    using namespace arm_clone;
+    const auto word = bits_of(child.number);
     child.save(cpu_.core());
     child.r[0] = 0;
     if (how.stack != 0) child.r[13] = how.stack;
@@ -51,9 +55,8 @@ LinuxKernel::Result LinuxKernel::clone(const Clone& how) {
     child.share = running_->share;
     scheduler_.put_behind(child);
     if (how.flags & CHILD_CLEARTID) child.clears = how.child_word;
-    if (how.flags & CHILD_SETTID) memory().write(how.child_word, &word, sizeof word);
+    if (how.flags & CHILD_SETTID) child.process.memory->write(how.child_word, &word, sizeof word);
     scheduler_.add(child, false);
-    return number;
 }
 
 LinuxKernel::Result LinuxKernel::sys_clone(const Arguments& a) {
@@ -94,15 +97,6 @@ void LinuxKernel::end_thread(LinuxThread& thread) {
 LinuxKernel::Result LinuxKernel::sys_exit(const Arguments& a) {
     if (process_->threads.size() == 1) return sys_exit_group(a);
     end_thread(*running_);
-    return std::nullopt;
-}
-
-LinuxKernel::Result LinuxKernel::sys_exit_group(const Arguments& a) {
-    over_ = true;
-    exit_code_ = static_cast<int>(a[0] & 0xFF);
-    cpu_.end(*exit_code_ == 0 ? ""
-                              : fmt::format("the program ended with exit code {} {}", *exit_code_,
-                                            cpu_.where()));
     return std::nullopt;
 }
 

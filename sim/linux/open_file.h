@@ -26,9 +26,10 @@ private:
 };
 
 struct LinuxFiles::File {
-    enum class Kind { CONSOLE, MEMORY, HOST } kind;
+    enum class Kind { CONSOLE, MEMORY, HOST, DEVICE } kind;
     std::uint32_t flags;
     std::shared_ptr<Handle> host = nullptr;
+    std::shared_ptr<LinuxDevice> device = nullptr;
 };
 
 struct LinuxFiles::Place {

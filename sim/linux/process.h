@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -15,6 +16,8 @@
 namespace sim {
 
 struct LinuxProcess {
+    static constexpr int FIRST = 1;  // the one that the run is about
+
     int number, parent;
     std::shared_ptr<AddressSpace> memory;  // with its parent, after vfork
     LinuxFiles files;
@@ -22,8 +25,17 @@ struct LinuxProcess {
     PendingSignals pending{};                             // that all threads block
     std::vector<std::unique_ptr<LinuxThread>> threads{};  // the first one first
     std::uint32_t break_begin = 0, break_end = 0, umask = 022;
-    std::uint64_t used_ns = 0;  // of the processor
+    std::uint64_t used_ns = 0, used_by_children_ns = 0;  // of the processor
     bool stopped = false;
+    std::optional<std::uint32_t> status{};    // once it has ended, as waitpid() has it
+    unsigned end_signal = 0;                  // that its parent gets then
+    std::map<std::uint32_t, int> segments{};  // of System V, by their addresses
+    std::string command{}, command_line{};    // the program's path; words, each with a 0
+
+    void set_command_line(const std::vector<std::string>& words) {
+        command_line.clear();
+        for (const std::string& word : words) command_line += word + '\0';
+    }
 };
 
 }  // namespace sim

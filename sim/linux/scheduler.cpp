@@ -7,15 +7,15 @@ namespace sim {
 
 namespace {
 
-constexpr double NORMAL_WEIGHT = 1024, IDLE_WEIGHT = 3, STEP = 1.25;  // per step of nice
+constexpr double NORMAL_WEIGHT = 1024, IDLE_WEIGHT = 3, NICE_STEP = 1.25;  // per step of nice
 
 bool in_real_time(const LinuxThread& thread) {
     return thread.share.policy == LinuxScheduler::FIFO || thread.share.policy == LinuxScheduler::RR;
 }
 
-double weight(const LinuxThread& thread) {
+double weight_of(const LinuxThread& thread) {
     if (thread.share.policy == LinuxScheduler::IDLE) return IDLE_WEIGHT;
-    return NORMAL_WEIGHT / std::pow(STEP, thread.share.nice);
+    return NORMAL_WEIGHT / std::pow(NICE_STEP, thread.share.nice);
 }
 
 }  // namespace
@@ -67,7 +67,7 @@ void LinuxScheduler::account(LinuxThread& running, std::uint64_t now_ns) {
     accounted_ns_ = now_ns;
     if (!in_real_time(running))
         running.share.used_ns +=
-            static_cast<std::uint64_t>(std::llround(ran * NORMAL_WEIGHT / weight(running)));
+            static_cast<std::uint64_t>(std::llround(ran * NORMAL_WEIGHT / weight_of(running)));
 }
 
 std::uint64_t LinuxScheduler::end_of_turn_ns(const LinuxThread& running) const {
@@ -78,11 +78,11 @@ std::uint64_t LinuxScheduler::end_of_turn_ns(const LinuxThread& running) const {
         });
         return shared && running.share.policy == RR ? begin_ns_ + ROUND_NS : LinuxWait::NEVER;
     }
-    double all = weight(running);
+    double all = weight_of(running);
     for (const LinuxThread* thread : queue_)
-        if (!in_real_time(*thread)) all += weight(*thread);
+        if (!in_real_time(*thread)) all += weight_of(*thread);
     const auto part = static_cast<std::uint64_t>(
-        std::llround(static_cast<double>(LATENCY_NS) * weight(running) / all));
+        std::llround(static_cast<double>(LATENCY_NS) * weight_of(running) / all));
     return begin_ns_ + std::max(part, MIN_NS);
 }
 

@@ -120,9 +120,11 @@ private:
 };
 
 std::uint32_t make_stack(AddressSpace& memory, const ElfProgram& program,
-                         const std::vector<std::string>& arguments) {
+                         const std::vector<std::string>& arguments,
+                         const std::vector<std::string>& variables) {
     std::size_t bytes = 0;
-    for (const std::string& argument : arguments) bytes += argument.size() + 5;
+    for (const auto* list : {&arguments, &variables})
+        for (const std::string& argument : *list) bytes += argument.size() + 5;
     if (bytes > MOST_ARGUMENT_BYTES)
         throw std::runtime_error{"the program's arguments are longer than 131072 bytes"};
     if (!memory.map(AddressSpace::TOP - STACK_BYTES, STACK_BYTES, arm_access::ALL))
@@ -133,11 +135,10 @@ std::uint32_t make_stack(AddressSpace& memory, const ElfProgram& program,
                                                   0xF3, 0x9C, 0xC0, 0x60, 0x5C, 0xED, 0xC8, 0x34};
     const std::uint32_t random = stack.push(RANDOM_BYTES, sizeof RANDOM_BYTES);
 
-    std::vector<std::uint32_t> words{static_cast<std::uint32_t>(arguments.size() + 1), name};
+    std::vector<std::uint32_t> words{static_cast<std::uint32_t>(arguments.size())};
     for (const std::string& argument : arguments) words.push_back(stack.push(argument));
     words.push_back(0);
-    for (const char* variable : {"PATH=/usr/sbin:/usr/bin:/sbin:/bin", "HOME=/", "TERM=linux"})
-        words.push_back(stack.push(std::string{variable}));
+    for (const std::string& variable : variables) words.push_back(stack.push(variable));
     words.push_back(0);
     using namespace arm_aux;
     const std::uint32_t able = arm_hwcap::HALF | arm_hwcap::THUMB | arm_hwcap::FAST_MULT |
@@ -190,10 +191,17 @@ void KernelHelpers::set_tls(std::uint32_t value) {
 
 std::string path_of(const ElfProgram& program) { return "/" + program.file.filename().string(); }
 
+const std::vector<std::string>& first_environment() {
+    static const std::vector<std::string> all{"PATH=/usr/sbin:/usr/bin:/sbin:/bin", "HOME=/",
+                                              "TERM=linux"};
+    return all;
+}
+
 std::uint32_t start_linux_program(ArmCore& core, AddressSpace& memory, const ElfProgram& program,
-                                  const std::vector<std::string>& arguments) {
+                                  const std::vector<std::string>& words,
+                                  const std::vector<std::string>& variables) {
     map_segments(memory, program);
-    const std::uint32_t sp = make_stack(memory, program, arguments);
+    const std::uint32_t sp = make_stack(memory, program, words, variables);
     core.set_floating_point(true);
     core.set_cpsr(arm_mode::USR | arm_cpsr::I | arm_cpsr::F |
                   (program.entry & 1 ? arm_cpsr::T : 0));

@@ -4,8 +4,9 @@
 //   0xFFFF0000: __kuser_cmpxchg64 +0xF60, memory_barrier +0xFA0, cmpxchg +0xFC0, get_tls +0xFE0,
 //               version +0xFFC
 //
-// The environment is empty except for PATH, HOME and TERM.  Source: Linux 6.1, fs/binfmt_elf.c;
-// Documentation/arm/kernel_user_helpers.rst.
+// The first environment is empty except for PATH, HOME and TERM.
+//
+// Source: Linux 6.1, fs/binfmt_elf.c; Documentation/arm/kernel_user_helpers.rst.
 #pragma once
 
 #include <string>
@@ -39,7 +40,12 @@ std::string path_of(const ElfProgram& program);
 
 // Maps and fills everything and sets the registers: user mode, pc at the entry.  Returns the first
 // address after the program, where its heap begins.  std::runtime_error if it does not fit.
+// `words`: argv; `variables`: envp.
 std::uint32_t start_linux_program(ArmCore& core, AddressSpace& memory, const ElfProgram& program,
-                                  const std::vector<std::string>& arguments);
+                                  const std::vector<std::string>& words,
+                                  const std::vector<std::string>& variables);
+
+// Of a program that nobody has given another.
+const std::vector<std::string>& first_environment();
 
 }  // namespace sim

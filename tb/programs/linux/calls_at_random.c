@@ -13,7 +13,10 @@
 #define AREAS_END 0xB0000000u  // below the stack
 
 enum {
-    NR_EXIT = 1, NR_READ = 3, NR_WRITE = 4, NR_OPEN = 5, NR_CLOSE = 6, NR_PAUSE = 29, NR_KILL = 37,
+    NR_EXIT = 1, NR_FORK = 2, NR_PIPE = 42, NR_WAIT4 = 114, NR_VFORK = 190, NR_SEMOP = 298,
+    NR_PIPE2 = 359, NR_FCNTL = 55, NR_FCNTL64 = 221, NR_EVENTFD2 = 356, NOT_BLOCKING = 04000,
+    NR_SIGACTION = 174, SIGPIPE = 13, NR_SEMTIMEDOP = 312, NR_SEMTIMEDOP_64 = 420,
+    NR_READ = 3, NR_WRITE = 4, NR_OPEN = 5, NR_CLOSE = 6, NR_PAUSE = 29, NR_KILL = 37,
     NR_BRK = 45, NR_DUP2 = 63, NR_MUNMAP = 91, NR_CLONE = 120,
     NR_CLONE3 = 435, NR_SIGRETURN = 119, NR_MPROTECT = 125,
     NR_SELECT = 142, NR_NANOSLEEP = 162, NR_MREMAP = 163, NR_POLL = 168, NR_RT_SIGRETURN = 173,
@@ -30,10 +33,11 @@ static const uint16_t CALLS[] = {
     63, 358, 55, 221, 54, 197, 195, 196, 327, 397, 33, 334, 439, 10, 328, 40, 39, 323, 38, 329, 85,
     332, 183, 12, 60, 263, 403, 264, 406, 78, 43, 162, 265, 407, 240, 422, 158, 142, 335, 413, 168,
     336, 414, 256, 338, 398, 122, 384, 369, 191, 77, 116, 242, 20, 224, 65, 64, 199, 174, 175, 186,
-    2, 11, 42, 190, 281, 290, 359, 1000, 34, 96, 97, 154, 155, 156, 157, 159, 160, 161, 172, 176, 224,
-    241, 339, 345};
+    11, 281, 290, 1000, 359, 359, 356, 385, 307, 305, 306, 308, 299, 300, 312, 420, 114, 280, 34,
+    96, 97, 154, 155, 156, 157, 159, 160, 161, 172, 176, 224, 241, 339, 345};
 
 static const char* const NAMES[] = {
+    "/dev/null", "/dev/zero", "/dev/urandom", "/dev/shm/a", "/dev/fb0", "/proc/self/maps",
     "a", "b", "/d", "d/e", "d/../a", "../outside", "/../../outside", "d/../../outside/x", ".", "/",
     "", "..", "/dev/mem", "/proc/self/exe", "/etc/passwd", "d/e/f/g", "//a//", "a/", "\xFF\n\x1B[2J"};
 
@@ -140,6 +144,7 @@ static void close_files(void) {
 static int ends_or_stops(uint32_t number) {
     return number == NR_EXIT || number == NR_EXIT_GROUP || number == NR_PAUSE ||
            number == NR_KILL || number == NR_TKILL || number == NR_TGKILL ||
+           number == NR_FORK || number == NR_VFORK || number == NR_PIPE || number == NR_SEMOP ||
            number == NR_CLONE || number == NR_CLONE3 || number == NR_SIGRETURN || number == NR_RT_SIGRETURN || number == NR_SIGTIMEDWAIT ||
            number == NR_SIGQUEUEINFO || number == NR_SIGSUSPEND || number == NR_SIGTIMEDWAIT_64;
 }
@@ -187,6 +192,17 @@ static void one_call(void) {
         case NR_FTRUNCATE64: a[2] = any() % 0x80000, a[3] = any() % 8 ? 0 : 0x80000000; break;
         case 145:  // readv, writev
         case 146: a[0] = 3 + any() % 16, a[1] = any_address(), a[2] = any() % 4; break;
+        case NR_SIGACTION:
+            if (a[0] == SIGPIPE) return;
+            break;
+        case NR_PIPE2:
+        case NR_EVENTFD2: a[1] = NOT_BLOCKING; break;
+        case NR_FCNTL:
+        case NR_FCNTL64:
+            if (a[1] == 4) a[2] |= NOT_BLOCKING;
+            break;
+        case NR_SEMTIMEDOP: a[3] = short_time(0, 10000); break;
+        case NR_SEMTIMEDOP_64: a[3] = short_time(1, 10000); break;
         case NR_NANOSLEEP: a[0] = short_time(0, 10000); break;
         case NR_CLOCK_NANOSLEEP: a[1] = any() % 3, a[2] = short_time(0, 10000); break;
         case NR_CLOCK_NANOSLEEP64: a[1] = any() % 3, a[2] = short_time(1, 10000); break;
@@ -260,6 +276,16 @@ static void end_help(void) {
         while (busy[i]) call3(NR_NANOSLEEP, (uint32_t)(uintptr_t)SPAN, 0, 0);
 }
 
+// Another process, with its own memory.
+static void get_child(void) {
+    const int32_t child = call3(NR_FORK, 0, 0, 0);
+    if (child == 0) {
+        for (uint32_t i = any() % 32; i > 0; --i) one_call();
+        call3(NR_EXIT_GROUP, 0, 0, 0);
+    }
+    if (child > 0) call3(NR_WAIT4, (uint32_t)child, 0, 0);
+}
+
 // For libgcc's division by zero.
 int raise(int number) { return number; }
 
@@ -274,10 +300,14 @@ __attribute__((used)) static void begin(const uint32_t* at) {
     const uint32_t calls = at[0] > 1 ? number_of((const char*)(uintptr_t)at[2]) : 30000;
     state = at[0] > 2 ? number_of((const char*)(uintptr_t)at[3]) : 1;
     state = state * 2654435769u | 1;
+    static const uint32_t IGNORED[5] = {1};
+    const uint32_t ignores[7] = {SIGPIPE, (uint32_t)(uintptr_t)IGNORED, 0, 8};
+    call(NR_SIGACTION, ignores);
     for (uint32_t i = 0; i < calls; ++i) {
         if (i % 16384 == 0) close_files();
         if (i % 256 == 0) end_help(), begin_round();
         if (i % 512 == 300) get_help(), get_help();
+        if (i % 4096 == 1000) get_child();
         one_call();
     }
     call3(NR_EXIT_GROUP, 0, 0, 0);

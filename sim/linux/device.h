@@ -1,0 +1,47 @@
+// device.h - an open file of the kernel's own: /dev/null, a text of /proc, a pipe, a socket.
+//
+// Results are like the kernel's: a number of at least 0, or minus the error; EAGAIN where it would
+// have to wait.
+#pragma once
+
+#include <cerrno>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "sim/linux/address_space.h"
+#include "sim/linux/file_status.h"
+
+namespace sim {
+
+class LinuxDevice {
+public:
+    // Of these, what would not have to wait.
+    static constexpr unsigned READ = 1, WRITE = 2, HUNG_UP = 4;
+
+    virtual ~LinuxDevice() = default;
+    virtual FileStatus status() const = 0;
+    virtual std::string name() const = 0;  // in a message about who waits for it
+    // Only threads of the run's own processes can end a wait for it.
+    virtual bool is_inside() const { return false; }
+    virtual unsigned can_do() const { return READ | WRITE; }
+
+    virtual std::int64_t read(void*, std::size_t) { return -EINVAL; }
+    virtual std::int64_t write(const void*, std::size_t) { return -EINVAL; }
+    virtual std::int64_t read_at(void*, std::size_t, std::int64_t) { return -ESPIPE; }
+    virtual std::int64_t write_at(const void*, std::size_t, std::int64_t) { return -ESPIPE; }
+    virtual std::int64_t seek(std::int64_t, int) { return -ESPIPE; }
+    virtual int truncate(std::int64_t) { return -EINVAL; }
+    virtual std::int64_t control(std::uint32_t, std::uint32_t, AddressSpace&) { return -ENOTTY; }
+
+    // For mmap: memory that others may map, too, or what lies on the bus and how much.
+    virtual std::shared_ptr<SharedMemory> memory() { return nullptr; }
+    virtual std::optional<std::pair<std::uint32_t, std::uint32_t>> on_bus() const {
+        return std::nullopt;
+    }
+};
+
+}  // namespace sim

@@ -1,0 +1,33 @@
+// pipes.h - what two ends of an open file have in common: pipes, and connected sockets.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "sim/linux/device.h"
+
+namespace sim {
+
+// Bytes in one direction, 64 KB at most; a write of 4096 or fewer is whole or not at all.
+class BytePipe {
+public:
+    static constexpr std::size_t CAPACITY = 65536, WHOLE = 4096;
+
+    std::int64_t read(void* data, std::size_t bytes, bool peek = false);
+    std::int64_t write(const void* data, std::size_t bytes);
+    unsigned can_do() const;  // of both ends
+    std::size_t size() const { return bytes_.size(); }
+
+    bool has_reader = true, has_writer = true;
+
+private:
+    std::deque<std::uint8_t> bytes_;
+};
+
+// The end to read from, and the one to write to.
+std::pair<std::shared_ptr<LinuxDevice>, std::shared_ptr<LinuxDevice>> make_pipe();
+
+}  // namespace sim

@@ -1,0 +1,40 @@
+#include "sim/linux/shared_memory.h"
+
+#include <fcntl.h>
+#include <sys/mman.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <new>
+
+#include "sim/linux/address_space.h"
+
+namespace sim {
+
+SharedMemory::SharedMemory() : fd_{memfd_create("shared", MFD_CLOEXEC)} {
+    if (fd_ < 0) throw std::bad_alloc{};
+}
+
+SharedMemory::~SharedMemory() { close(fd_); }
+
+// The host's file never shrinks: an access beyond its end would end the simulator.
+void SharedMemory::resize(std::uint64_t bytes) {
+    if (bytes < size_) {
+        const auto begin = static_cast<off_t>(bytes), length = static_cast<off_t>(size_ - bytes);
+        fallocate(fd_, FALLOC_FL_PUNCH_HOLE | FALLOC_FL_KEEP_SIZE, begin, length);
+    }
+    size_ = bytes;
+    reserve(bytes);
+}
+
+bool SharedMemory::reserve(std::uint64_t bytes) {
+    if (bytes > AddressSpace::RAM) return false;
+    const std::uint64_t pages =
+        (bytes + AddressSpace::PAGE - 1) / AddressSpace::PAGE * AddressSpace::PAGE;
+    if (pages <= reserved_) return true;
+    if (ftruncate(fd_, static_cast<off_t>(pages)) != 0) return false;
+    reserved_ = pages;
+    return true;
+}
+
+}  // namespace sim

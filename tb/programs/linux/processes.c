@@ -1,0 +1,216 @@
+// processes.c WHAT - processes: how they begin, end, and talk to each other
+#include <errno.h>
+#include <fcntl.h>
+#include <pthread.h>
+#include <semaphore.h>
+#include <signal.h>
+#include <spawn.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/eventfd.h>
+#include <sys/mman.h>
+#include <sys/sem.h>
+#include <sys/shm.h>
+#include <sys/wait.h>
+#include <time.h>
+#include <unistd.h>
+
+#define COUNT(array) (sizeof(array) / sizeof(array)[0])
+
+static int value = 1;
+static volatile sig_atomic_t ended;
+static char* own;
+extern char** environ;
+
+static void on_child(int number) { ended += number == SIGCHLD; }
+
+// Each has its own memory, and the same files.
+static void forks(void) {
+    int status = 0;
+    const pid_t child = fork();
+    if (child == 0) {
+        value = 5;
+        printf("child: %d\n", value);
+        exit(3);
+    }
+    const pid_t waited = waitpid(child, &status, 0);
+    printf("parent: %d, %s, exit code %d, then %d\n", value, waited == child ? "waited" : "lost",
+           WEXITSTATUS(status), wait(NULL));
+}
+
+static void pipes(void) {
+    int there[2], back[2];
+    char text[32];
+    if (pipe(there) || pipe(back)) return;
+    if (fork() == 0) {
+        close(there[1]);
+        long count;
+        while ((count = read(there[0], text, sizeof text)) > 0) {
+            for (long i = 0; i < count; ++i) text[i] ^= 0x20;
+            if (write(back[1], text, (size_t)count) != count) _exit(1);
+        }
+        _exit(0);
+    }
+    close(there[0]);
+    close(back[1]);
+    if (write(there[1], "hello", 5) != 5) return;
+    long count = read(back[0], text, sizeof text);
+    printf("%.*s, ", (int)count, text);
+    close(there[1]);
+    count = read(back[0], text, sizeof text);
+    wait(NULL);
+    signal(SIGPIPE, SIG_IGN);
+    close(back[0]);
+    printf("end %ld\n", count);
+}
+
+static void kills(void) {
+    int status = 0;
+    signal(SIGCHLD, on_child);
+    const pid_t child = fork();
+    if (child == 0)
+        for (;;) ++value;
+    usleep(2000);
+    kill(child, SIGTERM);
+    while (!ended) pause();
+    waitpid(child, &status, 0);
+    printf("signal %d, told %d times\n", WTERMSIG(status), ended);
+}
+
+static void becomes(void) {
+    if (fork() == 0) {
+        char* words[] = {own, "says", "it is another", NULL};
+        char* variables[] = {"NAME=value", NULL};
+        execve(own, words, variables);
+        _exit(9);
+    }
+    int status;
+    wait(&status);
+    char* words[] = {own, "says", "spawned", NULL};
+    pid_t child;
+    printf("%d, ", WEXITSTATUS(status));
+    fflush(stdout);
+    const int error = posix_spawn(&child, own, NULL, NULL, words, environ);
+    waitpid(child, &status, 0);
+    printf("%d %d\n", error, WEXITSTATUS(status));
+    printf("%s\n", strerror(posix_spawn(&child, "/none", NULL, NULL, words, environ)));
+}
+
+// Memory and locks that processes share, in three ways.
+static void shares(void) {
+    pthread_mutexattr_t attribute;
+    struct {
+        pthread_mutex_t lock;
+        int count;
+    }* all = mmap(NULL, 4096, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+    pthread_mutexattr_init(&attribute);
+    pthread_mutexattr_setpshared(&attribute, PTHREAD_PROCESS_SHARED);
+    pthread_mutex_init(&all->lock, &attribute);
+    const int segment = shmget(0xF0, 200, IPC_CREAT | 0666);
+    int* numbers = shmat(segment, NULL, 0);
+    sem_t* posted = sem_open("/posted", O_CREAT, 0600, 0);
+    const int file = shm_open("/file", O_CREAT | O_RDWR, 0600);
+    if (ftruncate(file, 8192)) return;
+    for (int i = 0; i < 3; ++i)
+        if (fork() == 0) {
+            char* text = mmap(NULL, 8192, PROT_READ | PROT_WRITE, MAP_SHARED, file, 0);
+            for (int j = 0; j < 20; ++j) {
+                pthread_mutex_lock(&all->lock);
+                const int was = all->count;
+                usleep(50);
+                all->count = was + 1;
+                pthread_mutex_unlock(&all->lock);
+            }
+            numbers[i] = i + 1;
+            text[5000 + i] = (char)('a' + i);
+            sem_post(posted);
+            _exit(0);
+        }
+    for (int i = 0; i < 3; ++i) sem_wait(posted);
+    while (wait(NULL) > 0) {}
+    char text[4] = "";
+    const long count = pread(file, text, 3, 5000);
+    printf("%d, %d, %ld %s\n", all->count, numbers[0] + numbers[1] + numbers[2], count, text);
+    shmdt(numbers);
+    shmctl(segment, IPC_RMID, NULL);
+    printf("%d %d\n", shm_unlink("/file"), shmget(0xF0, 200, 0));
+}
+
+static void semaphores(void) {
+    const int set = semget(IPC_PRIVATE, 2, 0600);
+    struct sembuf down = {0, -2, 0}, up = {0, 1, 0}, zero = {1, 0, IPC_NOWAIT};
+    if (fork() == 0) {
+        semop(set, &up, 1);
+        usleep(1000);
+        semop(set, &up, 1);
+        _exit(0);
+    }
+    const int result = semop(set, &down, 1);
+    printf("%d, %d left, ", result, semctl(set, 0, GETVAL));
+    semctl(set, 1, SETVAL, 1);
+    const int other = semop(set, &zero, 1);
+    printf("%d: %s\n", other, strerror(errno));
+}
+
+static void events(void) {
+    const int event = eventfd(0, 0);
+    uint64_t number = 40;
+    if (fork() == 0) {
+        usleep(500);
+        _exit(write(event, &number, sizeof number) != sizeof number);
+    }
+    number = 0;
+    const long count = read(event, &number, sizeof number);
+    printf("%ld, %d\n", count, (int)number);
+}
+
+static void files(void) {
+    static const char* const NAMES[] = {"/dev/null",     "/dev/zero", "/dev/urandom", "/dev/fb0",
+                                        "/proc/cpuinfo", "/proc/self/status",
+                                        "/sys/devices/system/cpu/online"};
+    for (unsigned i = 0; i < COUNT(NAMES); ++i) {
+        char text[64] = "";
+        FILE* file = fopen(NAMES[i], "r");
+        if (!file) puts(NAMES[i]);
+        if (file && i >= 4 && fgets(text, sizeof text, file)) fputs(text, stdout);
+        if (file) fclose(file);
+    }
+    printf("%ld processors\n", sysconf(_SC_NPROCESSORS_ONLN));
+}
+
+static void bombs(void) {
+    int made = 0;
+    while (fork() > 0) ++made;
+    if (made < 10) pause();
+    printf("%s after %d\n", strerror(errno), made);
+}
+
+static void hangs(void) {
+    int ends[2];
+    char byte;
+    if (pipe(ends)) return;
+    if (fork() == 0) _exit(read(ends[0], &byte, 1) == 1);
+    wait(NULL);
+}
+
+int main(int argc, char** argv) {
+    static const struct {
+        const char* name;
+        void (*run)(void);
+    } all[] = {{"forks", forks},   {"pipes", pipes},   {"kills", kills}, {"becomes", becomes},
+               {"shares", shares}, {"semaphores", semaphores}, {"events", events},
+               {"files", files},   {"bombs", bombs},   {"hangs", hangs}};
+    own = argv[0];
+    setvbuf(stdout, NULL, _IOLBF, 0);
+    if (argc > 2 && strcmp(argv[1], "says") == 0) {
+        printf("%s, %s\n", argv[2], getenv("NAME") ? getenv("NAME") : "no name");
+        return 7;
+    }
+    for (unsigned i = 0; i < COUNT(all); ++i)
+        if (argc > 1 && strcmp(argv[1], all[i].name) == 0) {
+            all[i].run();
+            return 0;
+        }
+    return 2;
+}

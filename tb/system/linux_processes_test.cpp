@@ -1,0 +1,66 @@
+// linux_processes_test.cpp - processes of Linux programs, what they share, and the system's files.
+#include <gmock/gmock.h>
+
+#include "tb/system/cli.h"
+
+namespace {
+
+using ::testing::EndsWith;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::SizeIs;
+using ::testing::StartsWith;
+
+class Processes : public tb::CommandLine {
+protected:
+    tb::Outcome run(const std::string& what) const {
+        return play(scenario("duration: 400ms\n"), {"--elf", LINUX_PROGRAMS "processes", "--frames",
+                                                    "none", "--quiet", "--", what});
+    }
+    std::string console() const { return file("console.txt"); }
+    void prints(const std::string& what, const std::string& text) const {
+        const tb::Outcome outcome = run(what);
+        EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+        EXPECT_EQ(console(), text);
+    }
+    void prints_without_a_message(const std::string& what, const std::string& text) const {
+        prints(what, text);
+        EXPECT_THAT(report()["log"]["first"], IsEmpty());
+    }
+};
+
+TEST_F(Processes, HaveTheirOwnMemoryAndAnExitCode) {
+    prints_without_a_message("forks", "child: 5\nparent: 1, waited, exit code 3, then -1\n");
+}
+TEST_F(Processes, TalkByPipes) { prints_without_a_message("pipes", "HELLO, end 0\n"); }
+TEST_F(Processes, KillEachOther) { prints_without_a_message("kills", "signal 15, told 1 times\n"); }
+TEST_F(Processes, BecomeAnotherProgram) {
+    prints("becomes",
+           "it is another, value\n7, spawned, no name\n0 7\nNo such file or directory\n");
+    ASSERT_THAT(report()["log"]["first"], SizeIs(1));
+    EXPECT_THAT(report()["log"]["first"][0].get<std::string>(),
+                StartsWith("/none cannot be run: it is not in the folder of --linux-root, at"));
+}
+TEST_F(Processes, ShareMemoryAndLocks) {
+    prints_without_a_message("shares", "60, 6, 3 abc\n0 -1\n");
+}
+TEST_F(Processes, WaitForSemaphoresOfSystemV) {
+    prints_without_a_message("semaphores", "0, 0 left, -1: Resource temporarily unavailable\n");
+}
+TEST_F(Processes, WaitForEvents) { prints_without_a_message("events", "8, 40\n"); }
+TEST_F(Processes, AreBoundedInNumber) {
+    prints("bombs", "Resource temporarily unavailable after 63\n");
+    EXPECT_THAT(report()["log"]["first"][0].get<std::string>(),
+                HasSubstr("and with it 63 processes that it had begun"));
+}
+TEST_F(Processes, ThatWaitForEachOtherAreADeadlock) {
+    EXPECT_EQ(run("hangs").exit_code, 1);
+    ASSERT_THAT(report()["faults"], SizeIs(1));
+    EXPECT_THAT(report()["faults"][0].get<std::string>(),
+                EndsWith("thread 1: the end of a process; thread 2: input from a pipe"));
+}
+TEST_F(Processes, SeeFilesOfTheBoardsSystem) {
+    prints_without_a_message("files", "processor\t: 0\nName:\tprocesses\n0-1\n2 processors\n");
+}
+
+}  // namespace
