@@ -64,7 +64,9 @@ bool is_plain_input(std::uint32_t address, std::uint32_t value) {
         0xFFD00010,
         0xFFD01010,  // timers: status
     };
-    constexpr std::uint32_t UART_STATUS = 0xFFC02014, OVERRUN = 2;  // which reading clears
+    constexpr std::uint32_t UART_STATUS = 0xFFC02014, OVERRUN = 2,  // which reading clears
+        UART_FIFOS = 0xFFC0207C;
+    if (address == UART_FIFOS) return true;
     if (address == UART_STATUS) return !(value & OVERRUN);
     if (address - LW_BASE >= LW_SIZE)
         return std::find(std::begin(HPS), std::end(HPS), address) != std::end(HPS);

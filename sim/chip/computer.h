@@ -64,7 +64,7 @@ public:
 
     // Something that the program has printed may still be on its way to its host.  The fabric has
     // to have run for some microseconds since.
-    bool is_printing() { return jtag_host.rests(); }
+    bool is_printing() { return jtag_host.rests() || hps.uart0.is_sending(); }
 
     // The character buffer's 60 rows of 80, as the processor would read it; once the run is over,
     // outside simulated time.  The monitor shows letters, but only as pixels.

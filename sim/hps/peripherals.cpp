@@ -36,8 +36,13 @@ Peripherals::Peripherals(const sc_core::sc_module_name& name, Wires wires)
                 [this] { reset_manager.reset(ResetManager::L4_WATCHDOG_0); }},
       watchdog1{"watchdog1", line(L4_WATCHDOG0_ID + 1),
                 [this] { reset_manager.reset(ResetManager::L4_WATCHDOG_1); }},
-      uart0{"uart0", std::move(wires.console), line(UART0_ID)},
-      uart1{"uart1", [](char) {}, line(UART0_ID + 1)},
+      uart0{"uart0", std::move(wires.console), line(UART0_ID),
+            [this] {
+                say_once(
+                    "UART0: a character was written while the FIFO was full, and is lost as on "
+                    "the board; wait until LSR (0xFFC02014) has bit 5");
+            }},
+      uart1{"uart1", [](char) {}, line(UART0_ID + 1), [] {}, {}},
       i2c0{"i2c0", line(I2C0_ID)},
       i2c1{"i2c1", line(I2C0_ID + 1)},
       i2c2{"i2c2", line(I2C0_ID + 2)},

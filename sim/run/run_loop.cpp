@@ -38,7 +38,9 @@ std::optional<RunEnd> RunLoop::end() {
     if (recorder.failed()) return RunEnd::INTERRUPTED;
     if (computer && computer->cpu.fault()) return RunEnd::FIRMWARE_FAULT;
     if (const auto ended = board.chip().end()) return run_end(*ended);
-    if (alone && !live && computer->arm->ended_for() >= last_looks) return RunEnd::PROGRAM_ENDED;
+    if (alone && !live && computer->arm->ended_for() >= last_looks &&
+        !computer->hps.uart0.is_sending())
+        return RunEnd::PROGRAM_ENDED;
     if (live ? live->left() : !duration && !alone && player.finished())
         return RunEnd::ALL_STEPS_DONE;
     if (duration && sc_core::sc_time_stamp() >= sc_time::from_value(duration->ps))
@@ -69,8 +71,9 @@ RunEnd RunLoop::run() {
 }
 
 void RunLoop::empty_the_consoles() {
-    const sc_time most = sc_core::sc_time_stamp() + sc_time{10, sc_core::SC_MS};
-    const sc_time step{20, sc_core::SC_US};  // in which a full FIFO is emptied
+    // A full FIFO at 9600 baud.
+    const sc_time most = sc_core::sc_time_stamp() + sc_time{150, sc_core::SC_MS};
+    const sc_time step{20, sc_core::SC_US};  // in which a JTAG UART's FIFO is emptied
     for (bool more = true; more && sc_core::sc_time_stamp() < most && !recorder.failed();) {
         more = computer->is_printing();
         sc_core::sc_start(step);

@@ -1,16 +1,26 @@
-// prints_much.c - 1.25 MiB on the serial line, then its checks, so that its first output has been
-// dropped.
+// prints_much.c - 1.1 MiB on the serial line, in 1.9 s, then its checks, so that its first output
+// has been dropped.
 #include "registers.h"
 
+#define UART_DLL REGISTER(0xFFC02000)
 #define UART_THR REGISTER(0xFFC02000)
+#define UART_LCR REGISTER(0xFFC0200C)
+#define UART_LSR REGISTER(0xFFC02014)
+#define DLAB 0x80
+#define THR_EMPTY 0x20
 
 static void print(const char* text) {
+    while (!(UART_LSR & THR_EMPTY)) {
+    }
     while (*text) UART_THR = (uint32_t)*text++;
 }
 
 int main(void) {
+    UART_LCR = DLAB | 3;
+    UART_DLL = 1;  // 6.25 Mbaud
+    UART_LCR = 3;
     print("first\n");
-    for (int line = 0; line < 20 * 1024; ++line)
+    for (int line = 0; line < 17 * 1024; ++line)
         print("a line of 64 characters, as a program prints them by thousands.\n");
     print("TAP version 13\n1..2\nok 1 - counts\nnot ok 2 - adds: 3, expected 4\n");
     print("last\n");

@@ -88,6 +88,7 @@ TEST_F(Uart0, PrintsAfterABootLoadersSetUp) {
     EXPECT_EQ(read(UART + 0x14) & 0x61, 0x60u) << "empty, nothing received";
     EXPECT_EQ(read(UART + 0x7C) & 0x02, 0x02u) << "FIFO not full";
     for (const char c : std::string{"ok\n"}) write(UART, static_cast<unsigned char>(c));
+    wait_ns(3 * 86'400 + 20);
     EXPECT_EQ(board.printed, "ok\n");
 }
 
@@ -112,7 +113,62 @@ TEST_F(Uart0, InterruptsForAnEmptyTransmitterUntilItIsTold) {
 
 TEST_F(Uart0, TakesBytesToo) {
     write(UART, 'b', 1);
+    wait_ns(86'420);
     EXPECT_EQ(board.printed, "b");
+}
+
+TEST_F(Uart0, TakesTheTimeOfItsBaudRate) {
+    constexpr double CHARACTER_NS = 10 * 16 * 54 * 10;  // 115,741 baud
+    for (const char c : std::string{"abc"}) write(UART, static_cast<unsigned char>(c));
+    EXPECT_EQ(read(UART + 0x14) & 0x60, 0u);
+    EXPECT_EQ(read(UART + 0x80), 2u) << "the first is on its way";
+    wait_ns(CHARACTER_NS + 20);
+    EXPECT_EQ(board.printed, "a");
+    EXPECT_EQ(read(UART + 0x14) & 0x60, 0u);
+    wait_ns(CHARACTER_NS);
+    EXPECT_EQ(read(UART + 0x14) & 0x60, 0x20u) << "the last has left the FIFO";
+    EXPECT_TRUE(board.hps.uart0.is_sending());
+    wait_ns(CHARACTER_NS);
+    EXPECT_EQ(board.printed, "abc");
+    EXPECT_EQ(read(UART + 0x14) & 0x60, 0x60u);
+    EXPECT_FALSE(board.hps.uart0.is_sending());
+}
+
+TEST_F(Uart0, LosesWhatItsFifoHasNoRoomForAndSaysSoOnce) {
+    for (int n = 0; n < 129; ++n) write(UART, 'a');
+    EXPECT_EQ(read(UART + 0x7C) & 2, 0u) << "full";
+    EXPECT_TRUE(board.said.empty());
+    write(UART, 'b');
+    write(UART, 'b');
+    EXPECT_EQ(board.said.size(), 1u);
+    wait_ms(12);
+    EXPECT_EQ(board.printed, std::string(129, 'a'));
+    write(UART + 0x08, 0);  // without FIFOs: one on its way, and one
+    for (const char c : std::string{"xyz"}) write(UART, static_cast<unsigned char>(c));
+    wait_ms(1);
+    EXPECT_EQ(board.printed, std::string(129, 'a') + "xz");
+}
+
+TEST_F(Uart0, AsksForMoreAtTheLevelThatIsChosen) {
+    take(194);
+    write(UART + 0x08, 0x21);  // a quarter
+    write(UART + 0x04, 0x82);
+    EXPECT_EQ(read(UART + 0x08) & 0xF, 2u);
+    for (int n = 0; n < 129; ++n) write(UART, 'a');
+    EXPECT_FALSE(board.irq);
+    EXPECT_EQ(read(UART + 0x14) & 0x20, 0x20u) << "full";
+    wait_ns(95.5 * 86'400);
+    EXPECT_FALSE(board.irq);
+    wait_ns(86'400);
+    EXPECT_TRUE(board.irq);
+    EXPECT_EQ(read(UART + 0x80), 32u);
+}
+
+TEST_F(Uart0, OfTheSecondNothingIsSentWithoutADivisor) {
+    constexpr std::uint32_t UART1 = 0xFFC03000;
+    write(UART1, 'a');
+    wait_ms(10);
+    EXPECT_EQ(read(UART1 + 0x14) & 0x60, 0u);
 }
 
 // ---- GPIO1 --------------------------------------------------------------------------------------

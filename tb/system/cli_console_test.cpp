@@ -42,7 +42,7 @@ TEST_F(ConsoleRun, GoesOnBehindTheMatchWithWhatWasPrintedBeforeTheStep) {
 
 TEST_F(ConsoleRun, FindsNewTextAndChecksHoweverMuchWasPrintedBeforeAndSaysWhatIsTooOld) {
     const tb::Outcome outcome = arm(PRINTS_MUCH_ELF,
-                                    "  - delay: 100ms\n"
+                                    "  - delay: 1900ms\n"
                                     "  - wait-serial: {text: first, timeout: 1ms}\n"
                                     "  - wait-serial: {text: last, timeout: 1ms}\n");
     EXPECT_EQ(met(), (std::vector<bool>{false, true}));

@@ -115,7 +115,7 @@ TEST_F(Hal, TheClockReadsMicrosecondsAcrossACarryOfTheLowWord) {
 
 TEST_F(Hal, TheConsoleWaitsForRoomButNotForEver) {
     hal::Console console{io};
-    io.answers[0xFFC02014] = {0, 0, 0x20};
+    io.answers[0xFFC0207C] = {1, 1, 3};
     console.print("a");
     EXPECT_EQ(io.reads, 3u);
     EXPECT_THAT(io.writes, ElementsAre(Pair(0xFFC02000u, std::uint32_t{'a'})));
