@@ -313,6 +313,11 @@ private:
     bool waited_ = false;               // ... in an access, so the quantum ends with it
     std::vector<std::uint64_t> again_;  // ends of the next accesses, the last first; see pass_bus()
     unsigned looks_ = 0, pause_ = 0, longest_pause_ = 0;
+    struct NoLoop {
+        std::uint32_t pc = 1;
+        unsigned times = 0;  // that none was found there
+    };
+    std::array<NoLoop, 64> no_loop_;
     struct StoreBuffer {
         std::uint32_t begin = 0, bytes = 0;
         std::uint32_t page = 1;  // of 4 KB, that is known to answer; 1 is none

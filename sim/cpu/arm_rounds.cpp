@@ -17,8 +17,9 @@ namespace {
 constexpr std::uint32_t FPGA_MEMORY = 0xC0000000;  // which the FPGA may write, too
 constexpr unsigned WORTH = 64;                     // instructions: of fewer it is not
 constexpr unsigned FEW = 16;                       // instructions until one is known
-constexpr unsigned ELSEWHERE = 400;                // until the program may be in another loop
+constexpr std::uint64_t ELSEWHERE = 400;           // until the program may be in another loop
 constexpr unsigned LOOKS = 4;                      // in vain, one after another
+constexpr unsigned PATIENCE = 8, RARELY = 32;      // looks where no loop is; then one of these
 constexpr unsigned LONGEST_PAUSE = 8;              // quanta
 
 }  // namespace
@@ -89,6 +90,9 @@ std::uint64_t ArmCpu::pass_rounds(std::uint64_t most) {
         --pause_;
         return most;
     }
+    NoLoop& here = no_loop_[core_.pc() / 2 % no_loop_.size()];
+    if (here.pc != core_.pc()) here = {core_.pc(), 0};
+    if (here.times > PATIENCE && ++here.times % RARELY != 0) return std::min(most, ELSEWHERE);
     LoopWorld world{*this, epoch()};
     std::uint64_t next = 0;  // instructions to the next look, if this has been in vain
     if (loop_.follow(loop_registers(), world)) {
@@ -104,6 +108,8 @@ std::uint64_t ArmCpu::pass_rounds(std::uint64_t most) {
         next = loop_.instructions() + FEW;
     } else if (loop_.ahead()) {
         next = *loop_.ahead();
+    } else {
+        ++here.times;
     }
     if (next == 0) next = ELSEWHERE;
     if (++looks_ >= LOOKS) {

@@ -34,11 +34,11 @@ bool GicState::is_fiq(unsigned id) const { return !non_secure[id] && (control & 
 
 unsigned GicState::highest_pending() const {
     unsigned best = SPURIOUS, best_priority = mask;
-    const Bits candidates = enabled & ~active;
+    const Bits candidates = enabled & ~active & (latched | (level & ~edge));
     for (std::size_t next = candidates._Find_first(); next < IDS;
          next = candidates._Find_next(next)) {
         const auto id = static_cast<unsigned>(next);
-        if (!pending(id) || !(targets[id] & THIS_CPU)) continue;
+        if (!(targets[id] & THIS_CPU)) continue;
         const bool on = non_secure[id] ? distribute_non_secure && (control & ENABLE_NON_SECURE)
                                        : distribute_secure && (control & ENABLE_SECURE);
         if (on && priority[id] < best_priority) best = id, best_priority = priority[id];
