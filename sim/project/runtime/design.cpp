@@ -17,12 +17,13 @@
 #include "de1sim_facts.h"  // PLL_CLOCKS and so on
 #include "de1sim_loops.h"  // LOOPS
 
-// The parts of the model's first evaluation, which none of its headers has.
+// The parts of the model's evaluation, which none of its headers has.
 using DesignRoot = Vde1sim_chip___024root;
 void Vde1sim_chip___024root___eval_static(DesignRoot*);
 void Vde1sim_chip___024root___eval_initial(DesignRoot*);
 void Vde1sim_chip___024root___eval_settle(DesignRoot*);
 void Vde1sim_chip___024root___eval_triggers__act(DesignRoot*);
+void Vde1sim_chip___024root___eval(DesignRoot*);
 
 namespace sim::project {
 
@@ -65,7 +66,12 @@ public:
     void eval(std::uint64_t now_ps) override {
         context_.time(now_ps);
         if (!std::exchange(is_up_, true)) power_up(top_);
+#ifdef DE1SIM_TRACE
         top_.eval();
+#else
+        // Without what is around it for waveforms, for several threads and for objects of classes.
+        Vde1sim_chip___024root___eval(top_.rootp);
+#endif
     }
     void final() override { top_.final(); }
 
