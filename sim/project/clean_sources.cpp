@@ -120,8 +120,10 @@ CleanSources clean_sources(const SourceRequest& from) {
                              normalised.changes.end());
         for (const InitName& init : normalised.init_names)
             clean.init_files.push_back({init.name, fmt::format("{}:{}", name, init.line)});
-        for (auto& [module, message] : normalised.checks.of_modules)
-            if (in_design.count(module)) normalised.checks.errors.push_back(std::move(message));
+        for (TextChecks::OfModule& one : normalised.checks.of_modules)
+            if (in_design.count(one.module))
+                (one.is_error ? normalised.checks.errors : normalised.checks.warnings)
+                    .push_back(std::move(one.message));
         clean.checks[name] = std::move(normalised.checks);
         const fs::path to = fmt::format("source/{:03}{}", number++, system_verilog ? ".sv" : ".v");
         write_if_new(from.folder / to,

@@ -193,7 +193,6 @@ SYNTAX = [
     ("sv", "generate if (1) begin : g wire w; end endgenerate;", 'near ";"'),
     ("sv", "localparam type T = logic;", 'near "type"'),
     ("sv", "class c; endclass", "Quartus has no classes"),
-    ("v", "reg n; always #5 n = ~n;", "always needs a list of events"),
     ("v", "reg n; always begin @(posedge CLOCK_50) n <= 1; end", "always needs a list of events"),
     ("v", "reg n; always @(posedge CLOCK_50) begin wait (KEY[0]); n <= 1; end", "wait cannot be"),
     ("v", "reg n; always @(*) begin n = 0; @(posedge CLOCK_50); end", "an event control inside"),
@@ -271,6 +270,10 @@ class Messages(Case):
                 self.setUp()
                 self.write_files({f"top.{kind}": WIRE + ALL + body + "\n" + END + SUB})
                 self.refused(said)
+
+    def test_delays_in_place_of_events_are_warned_of(self):
+        self.write(top_v=WIRE + ALL + "reg n; always #5 n = ~n;\n" + END)
+        self.checked("top.v:3: always needs a list of events, as in @(posedge CLOCK_50)")
 
     def test_what_quartus_takes_is_taken(self):
         for what, body in TAKEN.items():

@@ -62,7 +62,11 @@ public:
         found_.warnings.push_back({number, name_, all_[i].line, std::move(text)});
     }
     void refuse_in_design(unsigned number, std::size_t i, std::string text) {
-        found_.of_modules.push_back({module_, {number, name_, all_[i].line, std::move(text)}});
+        say_in_design(true, number, i, std::move(text));
+    }
+    void say_in_design(bool is_error, unsigned number, std::size_t i, std::string text) {
+        found_.of_modules.push_back(
+            {module_, is_error, {number, name_, all_[i].line, std::move(text)}});
     }
     void near(std::size_t i, const std::string& why) {
         refuse(10170, i, fmt::format("syntax error near \"{}\"; {}", all_[i].text, why));
@@ -300,17 +304,21 @@ private:
                 0, i, "fork cannot be built; <= between begin and end happens at once, too");
     }
 
-    // Without a list of events it is logic; Quartus ignores delays, so that nothing waits.
+    // Without a list of events it is logic, and Quartus ignores delays.
     void free_running(std::size_t i) {
         const std::size_t end = behind_statement(s_.all_, i + 1);
-        for (std::size_t at = i + 1; at < end; ++at) {
-            if (!s_.is(at, "#") && !s_.is(at, "@")) continue;
-            without_event_ = end;
-            return s_.refuse_in_design(
-                0, i,
+        const auto has = [&](std::string_view sign) {
+            std::size_t at = i + 1;
+            while (at < end && !s_.is(at, sign)) ++at;
+            return at < end;
+        };
+        const bool waits = has("@");
+        if (waits) without_event_ = end;
+        if (waits || has("#"))
+            s_.say_in_design(
+                waits, 0, i,
                 "always needs a list of events, as in @(posedge CLOCK_50) or @(*), and no other "
                 "inside; delays are nothing on the board, where a counter divides a clock");
-        }
     }
 
     // What is declared in a block of statements needs the block's name.

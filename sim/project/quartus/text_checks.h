@@ -14,8 +14,13 @@ namespace sim::project {
 
 struct TextChecks {
     Messages errors;  // 10122, 10170, 10200, 10219, 10239, and those of syntax.h
-    // What Quartus refuses where the module is in the design, and not in a test bench beside it.
-    std::vector<std::pair<std::string, Message>> of_modules;
+    // What counts where the module is in the design, and not in a test bench beside it.
+    struct OfModule {
+        std::string module;
+        bool is_error;
+        Message message;
+    };
+    std::vector<OfModule> of_modules;
     Messages warnings;  // 10175, 10222, 10268, 10273, 10281
     // Assignments whose value has 32 bits, since a number in it has no size: the line of
     // the sign, and the variable.

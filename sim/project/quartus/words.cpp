@@ -12,9 +12,8 @@
 namespace sim::project {
 
 std::string line_of(const Message& message) {
-    return message.file.empty()
-               ? fmt::format("{}: {}", message.number, message.text)
-               : fmt::format("{}: {}: {}", message.place(), message.number, message.text);
+    const std::string number = message.number ? fmt::format("{}: ", message.number) : "";
+    return (message.file.empty() ? "" : message.place() + ": ") + number + message.text;
 }
 
 namespace {
