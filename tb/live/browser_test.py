@@ -1,8 +1,12 @@
-"""browser_test.py DE1SIM FOLDER - `de1sim live` as a person has it: its page in Chromium."""
+"""browser_test.py DE1SIM FOLDER - `de1sim live` as a person has it: its page in Chromium.
+
+Exit code 77: Chromium is not installed.
+"""
 import base64
 import json
 import pathlib
 import re
+import shutil
 import subprocess
 import sys
 import unittest
@@ -13,6 +17,10 @@ from selenium.webdriver.common.keys import Keys
 from selenium.webdriver.support.wait import WebDriverWait
 
 from board import Board
+
+if not (shutil.which("chromedriver") and shutil.which("chromium")):
+    print("Chromium or its driver is not installed")
+    sys.exit(77)
 
 DE1SIM, FOLDER = sys.argv[1], pathlib.Path(sys.argv[2])
 

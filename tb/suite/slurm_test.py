@@ -1,7 +1,8 @@
 """slurm_test.py DE1SIM FOLDER [CASE...] - de1sim test --slurm, on a cluster of this machine alone
 
 slurmctld and slurmd run as root, at free ports of 127.0.0.1, in a folder without blanks, which they
-cannot read.  Exit code 77: they are not installed, or somebody else than root runs this.
+cannot read.  Exit code 77: they are not installed or do not start, as where there are no cgroups,
+or somebody else than root runs this.
 """
 import os
 import pathlib
@@ -65,8 +66,10 @@ class Cluster:
         while "idle" not in self.ask("sinfo", "--noheader", "--format=%T"):
             if time.monotonic() > end:
                 self.end()
-                log = folder / "slurmctld.log"
-                sys.exit("Slurm does not come up: " + (log.read_text() if log.exists() else ""))
+                for log in sorted(folder.glob("*.log")):
+                    print(f"Slurm does not start; the end of {log.name}:",
+                          *log.read_text().splitlines()[-5:], sep="\n")
+                sys.exit(77)
             time.sleep(0.2)
 
     @staticmethod
