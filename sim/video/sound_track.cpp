@@ -21,7 +21,7 @@ const AVChannelLayout STEREO = AV_CHANNEL_LAYOUT_STEREO;
 SoundTrack::SoundTrack(Muxer& muxer)
     : muxer_{muxer}, encoder_{av_encoder(muxer.is_webm() ? "libopus" : "aac")} {
     encoder_->sample_rate = RATE_HZ;
-    encoder_->sample_fmt = encoder_->codec->sample_fmts[0];
+    encoder_->sample_fmt = muxer.is_webm() ? AV_SAMPLE_FMT_S16 : AV_SAMPLE_FMT_FLTP;
     encoder_->ch_layout = STEREO;
     encoder_->time_base = {1, RATE_HZ};
     encoder_->bit_rate = 128'000;

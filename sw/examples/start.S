@@ -77,6 +77,10 @@ __dso_handle:                       @ names the program to C++'s library: a glob
     .word 0
     .text
 
+    .weak _fini                     @ newlib's exit() calls it after the destructors
+_fini:
+    bx lr
+
 @ Each is the program's own, if it has one.
     .macro handler name, otherwise
     .weak \name

@@ -71,7 +71,8 @@ endmodule
 // A1EN is active low; a word read while it is written gives the old one.
 module MISTRAL_M10K #(
     parameter CFG_ABITS = 10,
-    parameter CFG_DBITS = 10
+    parameter CFG_DBITS = 10,
+    parameter [(CFG_DBITS << CFG_ABITS) - 1:0] INIT = 0  // from Yosys 0.5x on
 ) (
     input wire                 CLK1,
     input wire [CFG_ABITS-1:0] A1ADDR,
@@ -82,6 +83,9 @@ module MISTRAL_M10K #(
     input wire                 B1EN
 );
     reg [CFG_DBITS-1:0] mem [0:(1 << CFG_ABITS) - 1];
+    integer i;
+    initial
+        for (i = 0; i < 1 << CFG_ABITS; i = i + 1) mem[i] = INIT[i * CFG_DBITS +: CFG_DBITS];
     always @(posedge CLK1) begin
         if (!A1EN) mem[A1ADDR] <= A1DATA;
         if (B1EN) B1DATA <= mem[B1ADDR];

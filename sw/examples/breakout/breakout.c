@@ -81,6 +81,7 @@ static void begin(struct Game* game) {
     game->balls = BALLS;
     game->score = 0;
     game->paddle = (WIDTH - PADDLE_WIDTH) / 2;
+    game->x = game->y = 0;
     game->in_play = 0;
 }
 

@@ -3,7 +3,8 @@
 // A picture is 240 rows of 1,024 bytes, so the second one begins 0x3C000 after the first.
 #include "registers.h"
 
-enum { WIDTH = 320, HEIGHT = 240, FIRST = 0xC0000000, SECOND = 0xC003C000 };
+enum { WIDTH = 320, HEIGHT = 240 };
+enum { FIRST = 0xC0000000, SECOND = 0xC003C000 };
 
 static void draw(uint32_t picture, int ball) {
     for (int y = 0; y < HEIGHT; ++y)
