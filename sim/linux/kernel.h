@@ -25,7 +25,7 @@
 // translated is translated anew after a switch from one to another.  The end of the first ends the
 // run.  A program that another becomes is itself, or lies under the root.
 //
-// Not handled: message queues, sockets, groups and sessions of processes, timers that signal, job
+// Not handled: message queues, groups and sessions of processes, timers that signal, job
 // control; mutexes with priority inheritance; the second processor: threads never run at the same
 // time; no vDSO, so that the C library makes system calls.
 #pragma once
@@ -48,6 +48,7 @@
 #include "sim/linux/process.h"
 #include "sim/linux/scheduler.h"
 #include "sim/linux/signals.h"
+#include "sim/linux/sockets.h"
 #include "sim/linux/start.h"
 #include "sim/linux/terminal.h"
 #include "sim/linux/thread.h"
@@ -299,9 +300,40 @@ private:
     std::uint8_t random_byte();
     std::pair<int, std::shared_ptr<LinuxDevice>> open_system(const std::string& path,
                                                              std::uint32_t flags);
-    std::optional<FileStatus> system_status(const std::string& path) const;
+    std::optional<FileStatus> system_status(const std::string& path);
     int remove_system(const std::string& path);
     Result give_two(std::uint32_t to, const std::array<int, 2>& numbers);
+
+    // kernel_sockets.cpp
+    Result sys_socket(const Arguments&);
+    Result sys_socketpair(const Arguments&);
+    Result sys_bind(const Arguments&);
+    Result sys_listen(const Arguments&);
+    Result sys_getsockname(const Arguments&);
+    Result sys_getpeername(const Arguments&);
+    Result sys_connect(const Arguments&);
+    Result sys_accept(const Arguments&);
+    Result sys_accept4(const Arguments&);
+    Result sys_shutdown(const Arguments&);
+    Result sys_send(const Arguments&);
+    Result sys_sendto(const Arguments&);
+    Result sys_sendmsg(const Arguments&);
+    Result sys_recv(const Arguments&);
+    Result sys_recvfrom(const Arguments&);
+    Result sys_recvmsg(const Arguments&);
+    Result sys_setsockopt(const Arguments&);
+    Result sys_getsockopt(const Arguments&);
+    static int check_socket(std::uint32_t family, std::uint32_t type, std::uint32_t protocol);
+    LinuxSocket* socket_at(std::uint32_t fd, int& error) const;
+    std::int64_t address_at(std::uint32_t at, std::uint32_t bytes, SocketAddress& address) const;
+    std::int64_t give_address(const SocketAddress& address, std::uint32_t to,
+                              std::uint32_t length_at);
+    bool is_reachable(const SocketAddress& address);
+    bool does_not_wait(std::uint32_t fd) const;
+    Result send_to(std::uint32_t fd, const std::vector<Piece>& pieces, std::uint32_t flags,
+                   const std::optional<SocketAddress>& to);
+    Result receive_from(std::uint32_t fd, std::vector<Piece> pieces, std::uint32_t flags,
+                        std::uint32_t name, std::uint32_t length_at, std::uint32_t header);
 
     // kernel_ipc.cpp
     struct Segment {
@@ -399,6 +431,8 @@ private:
     const Outside outside_;
     KernelHelpers helpers_;
     Terminal terminal_;
+    LinuxNetwork network_;
+    bool unreachable_told_ = false;
     std::vector<std::unique_ptr<LinuxProcess>> processes_;
     LinuxProcess* process_ = nullptr;   // which a call is about
     LinuxThread* running_ = nullptr;    // whose registers the core has

@@ -155,12 +155,14 @@ std::pair<int, std::shared_ptr<LinuxDevice>> LinuxKernel::open_system(const std:
     return {0, devices::text(path, std::move(*text))};
 }
 
-std::optional<FileStatus> LinuxKernel::system_status(const std::string& path) const {
+std::optional<FileStatus> LinuxKernel::system_status(const std::string& path) {
     if (begins(path, SHARED_FOLDER)) {
         const auto found = shared_files_.find(path.substr(std::strlen(SHARED_FOLDER)));
         if (found == shared_files_.end()) return std::nullopt;
         return devices::status_of_shared(*found->second);
     }
+    if (network_.has_path(path))
+        return LinuxSocket{network_, SocketAddress::UNIX, LinuxSocket::STREAM}.status();
     if (path == "/dev/null") return devices::null()->status();
     if (path == "/dev/zero" || path == "/dev/full") return devices::zero(false)->status();
     if (path == "/dev/urandom" || path == "/dev/random") return devices::random({})->status();
@@ -170,6 +172,7 @@ std::optional<FileStatus> LinuxKernel::system_status(const std::string& path) co
 }
 
 int LinuxKernel::remove_system(const std::string& path) {
+    if (network_.remove_path(path)) return 0;
     if (!begins(path, SHARED_FOLDER)) return -EACCES;
     return shared_files_.erase(path.substr(std::strlen(SHARED_FOLDER))) ? 0 : -ENOENT;
 }

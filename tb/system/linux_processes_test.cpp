@@ -14,8 +14,10 @@ using ::testing::StartsWith;
 class Processes : public tb::CommandLine {
 protected:
     tb::Outcome run(const std::string& what) const {
-        return play(scenario("duration: 400ms\n"), {"--elf", LINUX_PROGRAMS "processes", "--frames",
-                                                    "none", "--quiet", "--", what});
+        const bool sockets = what == "udp" || what == "tcp" || what == "unix" || what == "outside";
+        const std::string program = sockets ? "sockets" : "processes";
+        return play(scenario("duration: 400ms\n"),
+                    {"--elf", LINUX_PROGRAMS + program, "--frames", "none", "--quiet", "--", what});
     }
     std::string console() const { return file("console.txt"); }
     void prints(const std::string& what, const std::string& text) const {
@@ -58,6 +60,23 @@ TEST_F(Processes, ThatWaitForEachOtherAreADeadlock) {
     ASSERT_THAT(report()["faults"], SizeIs(1));
     EXPECT_THAT(report()["faults"][0].get<std::string>(),
                 EndsWith("thread 1: the end of a process; thread 2: input from a pipe"));
+}
+TEST_F(Processes, ExchangeDatagrams) {
+    prints_without_a_message("udp",
+                             "server: ping from 127.0.0.1:32768\nclient: pong\n"
+                             "client: -1, Resource temporarily unavailable\n");
+}
+TEST_F(Processes, ConnectToAServer) {
+    prints_without_a_message("tcp", "1 3 IBM, end 0\n1 3 IBM, end 0\n-1: Connection refused\n");
+}
+TEST_F(Processes, TalkBySocketsWithAName) {
+    prints_without_a_message("unix", "7 one two, 0 -1, 5 th ree, 0\n");
+}
+TEST_F(Processes, ReachNothingOutside) {
+    prints("outside", "-1: Network is unreachable\n-1: Network is unreachable\n");
+    ASSERT_THAT(report()["log"]["first"], SizeIs(1));
+    EXPECT_THAT(report()["log"]["first"][0].get<std::string>(),
+                StartsWith("192.168.1.1:80 is not reachable: the simulated Linux has no network"));
 }
 TEST_F(Processes, SeeFilesOfTheBoardsSystem) {
     prints_without_a_message("files", "processor\t: 0\nName:\tprocesses\n0-1\n2 processors\n");

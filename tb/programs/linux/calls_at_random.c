@@ -4,7 +4,8 @@
 // Pointers go into an arena, whose contents are at random too and whose pages calls unmap, protect
 // and move, to its own code, to nothing, or beyond the end; never to where it keeps its own data.
 // Calls that would end or stop it are left out: exit, signals to itself, returns from a signal,
-// waiting for one.  Some of them are made by other threads.  What sleeps gets a time of less than a millisecond, and standard
+// waiting for one.  Some of them are made by other threads, or by another process.  What sleeps gets
+// a time of less than a millisecond, what would wait is made not to, and standard
 // input becomes a file.  Without a C library, because calls also change the heap and the TLS.
 #include <stdint.h>
 
@@ -14,7 +15,8 @@
 
 enum {
     NR_EXIT = 1, NR_FORK = 2, NR_PIPE = 42, NR_WAIT4 = 114, NR_VFORK = 190, NR_SEMOP = 298,
-    NR_PIPE2 = 359, NR_FCNTL = 55, NR_FCNTL64 = 221, NR_EVENTFD2 = 356, NOT_BLOCKING = 04000,
+    NR_PIPE2 = 359, NR_SOCKET = 281, NR_ACCEPT = 285, NR_SOCKETPAIR = 288, NR_ACCEPT4 = 366,
+    NR_FCNTL = 55, NR_FCNTL64 = 221, NR_EVENTFD = 351, NR_EVENTFD2 = 356, NOT_BLOCKING = 04000,
     NR_SIGACTION = 174, SIGPIPE = 13, NR_SEMTIMEDOP = 312, NR_SEMTIMEDOP_64 = 420,
     NR_READ = 3, NR_WRITE = 4, NR_OPEN = 5, NR_CLOSE = 6, NR_PAUSE = 29, NR_KILL = 37,
     NR_BRK = 45, NR_DUP2 = 63, NR_MUNMAP = 91, NR_CLONE = 120,
@@ -34,12 +36,18 @@ static const uint16_t CALLS[] = {
     332, 183, 12, 60, 263, 403, 264, 406, 78, 43, 162, 265, 407, 240, 422, 158, 142, 335, 413, 168,
     336, 414, 256, 338, 398, 122, 384, 369, 191, 77, 116, 242, 20, 224, 65, 64, 199, 174, 175, 186,
     11, 281, 290, 1000, 359, 359, 356, 385, 307, 305, 306, 308, 299, 300, 312, 420, 114, 280, 34,
+    281, 281, 288, 282, 283, 283, 284, 366, 286, 287, 289, 290, 291, 292, 293, 294, 295, 296, 297,
     96, 97, 154, 155, 156, 157, 159, 160, 161, 172, 176, 224, 241, 339, 345};
 
 static const char* const NAMES[] = {
     "/dev/null", "/dev/zero", "/dev/urandom", "/dev/shm/a", "/dev/fb0", "/proc/self/maps",
     "a", "b", "/d", "d/e", "d/../a", "../outside", "/../../outside", "d/../../outside/x", ".", "/",
-    "", "..", "/dev/mem", "/proc/self/exe", "/etc/passwd", "d/e/f/g", "//a//", "a/", "\xFF\n\x1B[2J"};
+    "", "..", "/dev/mem", "/proc/self/exe", "/etc/passwd", "d/e/f/g", "//a//", "a/",
+    "\xFF\n\x1B[2J"};
+
+// struct sockaddr: two ports of this machine, and one of another.
+static const uint32_t HOSTS[3][4] = {
+    {0x901F0002, 0x0100007F}, {0x911F0002, 0x0100007F}, {0x901F0002, 0x0101A8C0}};
 
 #define COUNT(array) (sizeof(array) / sizeof(array)[0])
 
@@ -145,7 +153,9 @@ static int ends_or_stops(uint32_t number) {
     return number == NR_EXIT || number == NR_EXIT_GROUP || number == NR_PAUSE ||
            number == NR_KILL || number == NR_TKILL || number == NR_TGKILL ||
            number == NR_FORK || number == NR_VFORK || number == NR_PIPE || number == NR_SEMOP ||
-           number == NR_CLONE || number == NR_CLONE3 || number == NR_SIGRETURN || number == NR_RT_SIGRETURN || number == NR_SIGTIMEDWAIT ||
+           number == NR_EVENTFD || number == NR_ACCEPT || number == NR_CLONE ||
+           number == NR_CLONE3 || number == NR_SIGRETURN || number == NR_RT_SIGRETURN ||
+           number == NR_SIGTIMEDWAIT ||
            number == NR_SIGQUEUEINFO || number == NR_SIGSUSPEND || number == NR_SIGTIMEDWAIT_64;
 }
 
@@ -195,6 +205,18 @@ static void one_call(void) {
         case NR_SIGACTION:
             if (a[0] == SIGPIPE) return;
             break;
+        case NR_SOCKET:
+        case NR_SOCKETPAIR:
+            a[0] = any() % 8 ? any() % 2 + 1 : any_value();
+            a[1] = (any() % 5 + 1) | NOT_BLOCKING;
+            a[2] = 0;
+            break;
+        case NR_ACCEPT4: a[0] = 3 + any() % 16, a[3] = NOT_BLOCKING; break;
+        case NR_SOCKET + 1: case NR_SOCKET + 2: case NR_SOCKET + 3: case NR_SOCKET + 9:
+            a[0] = 3 + any() % 16;
+            a[number == NR_SOCKET + 9 ? 4 : 1] = (uint32_t)(uintptr_t)HOSTS[any() % 3];
+            a[number == NR_SOCKET + 9 ? 5 : 2] = any() % 8 ? 16 : any_value();
+            break;
         case NR_PIPE2:
         case NR_EVENTFD2: a[1] = NOT_BLOCKING; break;
         case NR_FCNTL:
@@ -215,7 +237,8 @@ static void one_call(void) {
         case NR_FUTEX:
         case NR_FUTEX_64:
             a[1] = any() & ~0x70u;
-            if ((a[1] & 0x7F) == 0 || (a[1] & 0x7F) == 9) a[3] = short_time(number != NR_FUTEX, 10000);
+            if ((a[1] & 0x7F) == 0 || (a[1] & 0x7F) == 9)
+                a[3] = short_time(number != NR_FUTEX, 10000);
             break;
         case 5: case 8: case 10: case 12: case 33: case 38: case 39: case 40: case 85: case 195:
         case 196:

@@ -38,7 +38,7 @@ int main(int argc, char** argv) {
     if (strcmp(what, "nowhere") == 0) ((void (*)(void))0x40000000)();
     if (strcmp(what, "undefined") == 0) __builtin_trap();
     if (strcmp(what, "unknown") == 0) {
-        printf("%ld %ld\n", syscall(SYS_socket, 1, 1, 0), syscall(SYS_socket, 1, 1, 0));
+        printf("%ld %ld\n", syscall(SYS_inotify_init1, 0), syscall(SYS_inotify_init1, 0));
         printf("%ld\n", syscall(9999));
     }
     if (strcmp(what, "handled") == 0) {
