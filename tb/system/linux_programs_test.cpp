@@ -235,7 +235,8 @@ TEST_F(LinuxProgram, IsToldOfAnUnknownCallOnceAndGoesOn) {
     EXPECT_EQ(console(), "-1 -1\n-1\n");
     const nlohmann::json log = report()["log"]["first"];
     ASSERT_THAT(log, SizeIs(2));
-    EXPECT_THAT(log[0].get<std::string>(), HasSubstr("system call 360 (inotify_init1) is not emulated"));
+    EXPECT_THAT(log[0].get<std::string>(),
+                HasSubstr("system call 360 (inotify_init1) is not emulated"));
     EXPECT_THAT(log[1].get<std::string>(), HasSubstr("system call 9999 is not emulated"));
     EXPECT_EQ(report()["faults"].size(), 0u) << "it succeeds all the same";
 }
