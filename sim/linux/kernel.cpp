@@ -247,6 +247,13 @@ const std::vector<LinuxKernel::Call>& LinuxKernel::calls() {
         {NR_futex, &K::sys_futex},
         {NR_futex_time64, &K::sys_futex_time64},
         {NR_pause, &K::sys_pause},
+        {NR_setitimer, &K::sys_setitimer},
+        {NR_getitimer, &K::sys_getitimer},
+        {NR_timerfd_create, &K::sys_timerfd_create},
+        {NR_timerfd_settime, &K::sys_timerfd_settime},
+        {NR_timerfd_settime64, &K::sys_timerfd_settime64},
+        {NR_timerfd_gettime, &K::sys_timerfd_gettime},
+        {NR_timerfd_gettime64, &K::sys_timerfd_gettime64},
 
         {NR__newselect, &K::sys_select},
         {NR_pselect6, &K::sys_pselect6},

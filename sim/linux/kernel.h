@@ -25,9 +25,12 @@
 // translated is translated anew after a switch from one to another.  The end of the first ends the
 // run.  A program that another becomes is itself, or lies under the root.
 //
-// Not handled: message queues, groups and sessions of processes, timers that signal, job
-// control; mutexes with priority inheritance; the second processor: threads never run at the same
-// time; no vDSO, so that the C library makes system calls.
+// Timers of setitimer, alarm and timerfd; /dev/i2c-0; the processor's LED below /sys/class/leds.
+//
+// Not handled: timer_create, ITIMER_VIRTUAL and ITIMER_PROF, GPIO below /sys, message queues,
+// groups and sessions of processes, job control; mutexes with priority inheritance; the
+// second processor: threads never run at the same time; no vDSO, so that the C library makes system
+// calls.
 #pragma once
 
 #include <array>
@@ -52,6 +55,8 @@
 #include "sim/linux/start.h"
 #include "sim/linux/terminal.h"
 #include "sim/linux/thread.h"
+#include "sim/linux/timers.h"
+#include "sim/pins/pins.h"
 
 namespace sim {
 
@@ -69,6 +74,9 @@ public:
     struct Outside {
         std::function<void(char)> console;
         std::function<void(const std::string&)> log;
+        // A register on the bus, for drivers; false: refused.
+        std::function<bool(bool write, std::uint32_t address, std::uint32_t& value)> access;
+        I2cDevices* i2c0;  // what /dev/i2c-0 has; may be none
     };
 
     // Attaches itself.  std::runtime_error if the root cannot be opened.
@@ -191,6 +199,22 @@ private:
     Result sleep(std::uint32_t flags, std::uint32_t span, bool wide, std::uint32_t left);
     std::int64_t give_time(std::uint32_t to, std::uint64_t ns, bool wide);
 
+    // kernel_timers.cpp
+    Result sys_setitimer(const Arguments&);
+    Result sys_getitimer(const Arguments&);
+    Result sys_timerfd_create(const Arguments&);
+    Result sys_timerfd_settime(const Arguments&);
+    Result sys_timerfd_settime64(const Arguments&);
+    Result sys_timerfd_gettime(const Arguments&);
+    Result sys_timerfd_gettime64(const Arguments&);
+    enum class Span { TIMEVAL, TIMESPEC, TIMESPEC64 };  // struct timeval and so on
+    Result timerfd(const Arguments&, Span kind, bool sets);
+    std::int64_t set_timer(LinuxTimer& timer, std::uint32_t from, std::uint32_t old, Span kind,
+                           bool absolute);
+    std::int64_t give_timer(std::uint32_t to, const LinuxTimer& timer, Span kind);
+    std::uint64_t next_timer_ns() const;
+    void expire_timers();
+
     // kernel_wait.cpp
     Result sys_select(const Arguments&);
     Result sys_pselect6(const Arguments&);
@@ -198,7 +222,6 @@ private:
     Result sys_poll(const Arguments&);
     Result sys_ppoll(const Arguments&);
     Result sys_ppoll_time64(const Arguments&);
-    enum class Span { TIMEVAL, TIMESPEC, TIMESPEC64 };  // struct timeval and so on
     std::int64_t span_at(std::uint32_t address, Span kind) const;
     void give_span(std::uint32_t address, Span kind, std::uint64_t ns);
     void name_source(std::string& what, int fd) const;
@@ -288,6 +311,7 @@ private:
                   const std::vector<std::string>& words, const std::vector<std::string>& variables);
 
     // kernel_system.cpp
+    std::shared_ptr<LinuxDevice> hps_led();
     Result sys_pipe(const Arguments&);
     Result sys_pipe2(const Arguments&);
     Result sys_eventfd(const Arguments&);
@@ -454,7 +478,8 @@ private:
     int next_ipc_ = 0;
     std::set<std::uint32_t> unaligned_;        // instructions of which the log was told
     std::map<std::string, unsigned> missing_;  // calls that are not emulated, how often
-    std::set<std::string> named_files_;        // of the system, that are not there
+    std::vector<std::weak_ptr<LinuxTimerFile>> timer_files_;
+    std::set<std::string> named_files_;  // of the system, that are not there
     std::optional<int> exit_code_;
 };
 

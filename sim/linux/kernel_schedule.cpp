@@ -100,6 +100,7 @@ void LinuxKernel::go_on() {
     account();
     while (!over_) {
         changed_ |= terminal_.arrive();
+        expire_timers();
         if (running_ && running_->wait) suspend();
         look_at_all();
         if (running_ && (yields_ || scheduler_.preempts(*running_, now_ns()))) suspend();
@@ -122,6 +123,7 @@ std::uint64_t LinuxKernel::next_event_ns() const {
     std::uint64_t next = running_ ? scheduler_.end_of_turn_ns(*running_) : LinuxWait::NEVER;
     for (const LinuxThread* const thread : threads())
         if (thread->wait) next = std::min(next, thread->wait->at_ns);
+    next = std::min(next, next_timer_ns());
     if (const auto typed = terminal_.next_arrival())
         next = std::min<std::uint64_t>(next, (typed->value() + 999) / 1000);
     return next;

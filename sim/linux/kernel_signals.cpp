@@ -122,7 +122,8 @@ void LinuxKernel::die(const LinuxSignal& signal) {
         fmt::format("the program was ended by {}: {} {}", LinuxSignals::name(signal.number),
                     signal.why, cpu_.where());
     over_ = true;
-    if (signal.code != arm_signal_code::KERNEL) return cpu_.end(text);
+    const bool typed = signal.code == arm_signal_code::KERNEL && signal.number != SIGALRM;
+    if (!typed) return cpu_.end(text);
     constexpr int OF_A_SHELL = 128;
     exit_code_ = OF_A_SHELL + static_cast<int>(signal.number);
     outside_.log(text);

@@ -7,6 +7,7 @@
 
 #include "sim/linux/arm_abi.h"
 #include "sim/linux/devices.h"
+#include "sim/linux/i2c_file.h"
 #include "sim/linux/kernel.h"
 #include "sim/linux/pipes.h"
 
@@ -15,6 +16,8 @@ namespace sim {
 namespace {
 
 constexpr const char* SHARED_FOLDER = "/dev/shm/";
+constexpr const char* I2C_BUS = "/dev/i2c-0";
+constexpr const char* HPS_LED = "/sys/class/leds/hps_led0/brightness";
 constexpr std::uint32_t PROCESSORS = 2, STAT_TICK_NS = 10'000'000;
 
 bool begins(const std::string& text, const char* with) { return text.rfind(with, 0) == 0; }
@@ -92,6 +95,9 @@ std::optional<std::string> LinuxKernel::system_text(const std::string& path) con
     const std::uint64_t ms = now_ns() / 1'000'000;
     if (path == "/proc/cpuinfo") return cpu_info();
     if (path == "/proc/iomem") return IO_MEMORY;
+    if (path == "/sys/class/leds/hps_led0/max_brightness") return "255\n";
+    if (path == "/sys/class/fpga_manager/fpga0/state") return "operating\n";
+    if (path == "/sys/class/fpga_manager/fpga0/name") return "Altera SOCFPGA FPGA Manager\n";
     if (path == "/proc/version") return "Linux version 6.1.0 (de1soc) #1\n";
     if (path == "/proc/uptime")
         return fmt::format("{}.{:02} {}.{:02}\n", ms / 1000, ms / 10 % 100, ms / 1000,
@@ -128,6 +134,24 @@ std::uint8_t LinuxKernel::random_byte() {
     return static_cast<std::uint8_t>(z >> 56);
 }
 
+// GPIO53 is pin 24 of GPIO1.
+std::shared_ptr<LinuxDevice> LinuxKernel::hps_led() {
+    constexpr std::uint32_t DATA = 0xFF709000, DIRECTIONS = 0xFF709004, LED = 1u << 24;
+    const auto change = [this](std::uint32_t address, std::uint32_t clear, std::uint32_t set) {
+        std::uint32_t value = 0;
+        outside_.access(false, address, value);
+        const std::uint32_t was = value;
+        value = (value & ~clear) | set;
+        if (value != was) outside_.access(true, address, value);
+        return was;
+    };
+    return devices::led([change] { return (change(DATA, 0, 0) & LED) != 0; },
+                        [change](bool lit) {
+                            change(DATA, LED, lit ? LED : 0);
+                            change(DIRECTIONS, 0, LED);
+                        });
+}
+
 std::pair<int, std::shared_ptr<LinuxDevice>> LinuxKernel::open_system(const std::string& path,
                                                                       std::uint32_t flags) {
     const bool writes = (flags & arm_open::ACCESS) != arm_open::RDONLY;
@@ -136,6 +160,11 @@ std::pair<int, std::shared_ptr<LinuxDevice>> LinuxKernel::open_system(const std:
     if (path == "/dev/urandom" || path == "/dev/random")
         return {0, devices::random([this] { return random_byte(); })};
     if (path == "/dev/fb0") return {0, devices::framebuffer()};
+    if (path == HPS_LED) return {0, hps_led()};
+    if (path == I2C_BUS && outside_.i2c0)
+        return {0, std::make_shared<I2cFile>(
+                       *outside_.i2c0, [this] { return cpu_.now().value(); },
+                       [this](std::uint64_t ps) { cpu_.pause(sc_core::sc_time::from_value(ps)); })};
     if (begins(path, SHARED_FOLDER)) {
         const std::string name = path.substr(std::strlen(SHARED_FOLDER));
         if (name.empty() || name.find('/') != std::string::npos) return {-EINVAL, nullptr};
@@ -167,6 +196,8 @@ std::optional<FileStatus> LinuxKernel::system_status(const std::string& path) {
     if (path == "/dev/zero" || path == "/dev/full") return devices::zero(false)->status();
     if (path == "/dev/urandom" || path == "/dev/random") return devices::random({})->status();
     if (path == "/dev/fb0") return devices::framebuffer()->status();
+    if (path == HPS_LED) return devices::led({}, {})->status();
+    if (path == I2C_BUS && outside_.i2c0) return I2cFile{*outside_.i2c0, {}, {}}.status();
     if (system_text(path)) return devices::status_of_text();
     return std::nullopt;
 }

@@ -12,6 +12,7 @@
 #include "sim/linux/files.h"
 #include "sim/linux/signals.h"
 #include "sim/linux/thread.h"
+#include "sim/linux/timers.h"
 
 namespace sim {
 
@@ -30,6 +31,7 @@ struct LinuxProcess {
     std::optional<std::uint32_t> status{};    // once it has ended, as waitpid() has it
     unsigned end_signal = 0;                  // that its parent gets then
     std::map<std::uint32_t, int> segments{};  // of System V, by their addresses
+    LinuxTimer alarm{};                       // setitimer()'s, of the real time
     std::string command{}, command_line{};    // the program's path; words, each with a 0
 
     void set_command_line(const std::vector<std::string>& words) {

@@ -29,14 +29,19 @@ ArmProgram load_program(const RunOptions& options, bool on_linux) {
     return {load_elf(options.elf, on_linux ? linux_memory() : program_memory()), options.cpi};
 }
 
-ArmRun::ArmRun(ArmCpu& cpu, const Bus& bus, const RunOptions& options, bool on_linux,
+ArmRun::ArmRun(ArmCpu& cpu, Bus& bus, I2cDevices* i2c0, const RunOptions& options, bool on_linux,
                Recorder& recorder, Audience& audience)
     : options_{options}, cpu_{cpu}, bus_{bus} {
     const auto print = [&audience](char c) { audience.console(c, SerialLine::UART); };
     const auto log = [&audience](const std::string& line) { audience.log(line); };
+    const auto access = [&bus](bool write, std::uint32_t address, std::uint32_t& value) {
+        sc_core::sc_time delay;
+        return bus.transfer(write, address, reinterpret_cast<unsigned char*>(&value), sizeof value,
+                            delay);
+    };
     if (on_linux)
         kernel_.emplace(cpu, LinuxSettings{options.linux_root, options.arguments, options.input},
-                        LinuxKernel::Outside{print, log});
+                        LinuxKernel::Outside{print, log, access, i2c0});
     else
         semihosting_.emplace(cpu, Semihosting::Outside{print, log});
     if (!options.profile.empty() || traces_a_part(options)) {

@@ -28,7 +28,7 @@ class ArmRun {
 public:
     // Attaches to the processor and to the recorder's frames.  What a Linux program prints, or
     // another by semihosting, goes to `audience`.
-    ArmRun(ArmCpu& cpu, const Bus& bus, const RunOptions& options, bool on_linux,
+    ArmRun(ArmCpu& cpu, Bus& bus, I2cDevices* i2c0, const RunOptions& options, bool on_linux,
            Recorder& recorder, Audience& audience);
 
     // At the console of these; or that nobody will.

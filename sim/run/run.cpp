@@ -145,7 +145,8 @@ ExitCode run_doing(const char*& doing, RunOptions options, const Firmware& firmw
         scenario.parts};
     std::optional<ArmRun> arm;
     if (computer && computer->arm)
-        arm.emplace(*computer->arm, computer->bus, options, on_linux, recorder, audience);
+        arm.emplace(*computer->arm, computer->bus, &board.accelerometer, options, on_linux,
+                    recorder, audience);
     std::optional<TraceNotes> notes;
     if (computer && traces_a_part(options))
         notes.emplace(*computer, arm ? &*arm : nullptr, options);

@@ -1,0 +1,122 @@
+// kernel_timers.cpp - LinuxKernel's calls for timers: setitimer, which alarm() is, and timerfd
+#include <algorithm>
+#include <cerrno>
+#include <csignal>
+
+#include "sim/linux/arm_abi.h"
+#include "sim/linux/kernel.h"
+
+namespace sim {
+
+namespace {
+
+constexpr std::uint32_t TIMER_CLOCKS = 12, ITIMER_OF_CLOCK = 0, ITIMERS = 3, AT_A_TIME = 1;
+
+}  // namespace
+
+// ---- When they expire ---------------------------------------------------------------------------
+
+std::uint64_t LinuxKernel::next_timer_ns() const {
+    std::uint64_t next = LinuxWait::NEVER;
+    for (const auto& process : processes_) next = std::min(next, process->alarm.at_ns);
+    for (const auto& file : timer_files_)
+        if (const auto timer = file.lock()) next = std::min(next, timer->timer.at_ns);
+    return next;
+}
+
+void LinuxKernel::expire_timers() {
+    const std::uint64_t now = now_ns();
+    for (const auto& process : processes_)
+        if (process->alarm.expire(now) > 0)
+            send(*process, {SIGALRM, arm_signal_code::KERNEL, {}, "a timer expired,"});
+    for (auto file = timer_files_.begin(); file != timer_files_.end();) {
+        const auto timer = file->lock();
+        if (timer) {
+            const std::uint64_t times = timer->timer.expire(now);
+            timer->expired += times;
+            changed_ |= times > 0;
+        }
+        file = timer ? std::next(file) : timer_files_.erase(file);
+    }
+}
+
+// ---- struct itimerval, itimerspec: the interval, then the time until it expires -----------------
+
+std::int64_t LinuxKernel::give_timer(std::uint32_t to, const LinuxTimer& timer, Span kind) {
+    const std::uint32_t bytes = kind == Span::TIMESPEC64 ? 16 : 8;
+    if (!memory().bytes(to, 2 * bytes, arm_access::WRITE)) return -EFAULT;
+    give_span(to, kind, timer.interval_ns);
+    give_span(to + bytes, kind, timer.left_ns(now_ns()));
+    return 0;
+}
+
+std::int64_t LinuxKernel::set_timer(LinuxTimer& timer, std::uint32_t from, std::uint32_t old,
+                                    Span kind, bool absolute) {
+    const std::int64_t interval = from ? span_at(from, kind) : -EFAULT;
+    if (interval < 0) return interval;
+    const std::int64_t value = span_at(from + (kind == Span::TIMESPEC64 ? 16 : 8), kind);
+    if (value < 0) return value;
+    if (old)
+        if (const std::int64_t error = give_timer(old, timer, kind)) return error;
+    const auto ns = static_cast<std::uint64_t>(value);
+    timer = {value == 0 ? LinuxWait::NEVER
+             : absolute ? ns
+                        : later_ns(ns),
+             static_cast<std::uint64_t>(interval)};
+    return 0;
+}
+
+LinuxKernel::Result LinuxKernel::sys_setitimer(const Arguments& a) {
+    constexpr std::uint32_t NO_TIME[4] = {};
+    if (a[0] >= ITIMERS) return -EINVAL;
+    if (a[0] != ITIMER_OF_CLOCK) {
+        not_emulated("setitimer");
+        return -ENOSYS;
+    }
+    if (a[1] == 0) {
+        process_->alarm = {};
+        return a[2] == 0 || memory().write(a[2], NO_TIME, sizeof NO_TIME) ? 0 : -EFAULT;
+    }
+    return set_timer(process_->alarm, a[1], a[2], Span::TIMEVAL, false);
+}
+
+LinuxKernel::Result LinuxKernel::sys_getitimer(const Arguments& a) {
+    if (a[0] >= ITIMERS) return -EINVAL;
+    return give_timer(a[1], a[0] == ITIMER_OF_CLOCK ? process_->alarm : LinuxTimer{},
+                      Span::TIMEVAL);
+}
+
+// ---- timerfd ------------------------------------------------------------------------------------
+
+LinuxKernel::Result LinuxKernel::sys_timerfd_create(const Arguments& a) {
+    if (a[0] >= TIMER_CLOCKS || a[1] & ~(arm_open::NONBLOCK | arm_open::CLOEXEC)) return -EINVAL;
+    const auto file = std::make_shared<LinuxTimerFile>([this] { return now_ns(); });
+    timer_files_.push_back(file);
+    return files().add(file, a[1]);
+}
+
+LinuxKernel::Result LinuxKernel::timerfd(const Arguments& a, Span kind, bool sets) {
+    const int fd = static_cast<int>(a[0]);
+    if (files().flags(fd) < 0) return -EBADF;
+    auto* const file = dynamic_cast<LinuxTimerFile*>(files().device(fd));
+    if (!file) return -EINVAL;
+    if (!sets) return give_timer(a[1], file->timer, kind);
+    const std::int64_t error = set_timer(file->timer, a[2], a[3], kind, a[1] & AT_A_TIME);
+    if (error == 0) file->expired = 0;
+    return error;
+}
+
+LinuxKernel::Result LinuxKernel::sys_timerfd_settime(const Arguments& a) {
+    return timerfd(a, Span::TIMESPEC, true);
+}
+LinuxKernel::Result LinuxKernel::sys_timerfd_settime64(const Arguments& a) {
+    return timerfd(a, Span::TIMESPEC64, true);
+}
+LinuxKernel::Result LinuxKernel::sys_timerfd_gettime(const Arguments& a) {
+    return timerfd(a, Span::TIMESPEC, false);
+}
+LinuxKernel::Result LinuxKernel::sys_timerfd_gettime64(const Arguments& a) {
+    return timerfd(a, Span::TIMESPEC64, false);
+}
+
+}  // namespace sim
