@@ -16,6 +16,7 @@ namespace {
 
 constexpr std::uint32_t FPGA_MEMORY = 0xC0000000;  // which the FPGA may write, too
 constexpr unsigned WORTH = 64;                     // instructions: of fewer it is not
+constexpr unsigned LONG = 2000;                    // instructions, of a loop that ends
 constexpr unsigned FEW = 16;                       // instructions until one is known
 constexpr std::uint64_t ELSEWHERE = 400;           // until the program may be in another loop
 constexpr unsigned LOOKS = 4;                      // in vain, one after another
@@ -98,7 +99,11 @@ std::uint64_t ArmCpu::pass_rounds(std::uint64_t most) {
     if (loop_.follow(loop_registers(), world)) {
         const bool on_bus = loop_.use_count() > 0;
         if (!on_bus) {
-            if (pass_memory(most)) return std::max<std::uint64_t>(budget(), 1);
+            const unsigned size = loop_.instructions();
+            const bool ends_late = loop_.rounds() <= most / size && loop_.rounds() * size >= LONG;
+            if (pass_memory(most))  // the next loop may begin soon
+                return std::max<std::uint64_t>(
+                    ends_late ? std::min<std::uint64_t>(budget(), 2 * size + FEW) : budget(), 1);
         } else if (world.sure && steady_bus_ && !world.fpga_memory && stores_.bytes == 0) {
             if (pass_bus()) return std::min(2 * std::uint64_t{loop_.instructions()}, budget());
         } else if (!world.sure) {
