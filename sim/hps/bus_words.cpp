@@ -41,7 +41,8 @@ std::string Bus::refusal(std::uint32_t address, unsigned bytes, bool write,
                          tlm::tlm_response_status answer) const {
     const Place* nearest = nullptr;
     for (const Window& window : windows_) {
-        if (!window.on && address - window.base < window.size) return window.title + " is in reset";
+        if (!window.on && address - window.base < window.size)
+            return window.title + " is in reset: on the board the processor hangs here";
         for (const Place& place : window.places) {
             if (!place.is_memory && address < REGISTERS) continue;
             if (!nearest || distance(place, address) < distance(*nearest, address))

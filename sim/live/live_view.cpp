@@ -104,6 +104,16 @@ void LiveView::console(char character, SerialLine line) {
     terminals_[static_cast<std::size_t>(line)].print(character);
 }
 
+void LiveView::add_terminal(const std::string& part) {
+    part_terminals_[part];
+    wire_.send(Kind::TEXT, text_of({{"terminals", {{part, ""}}}}));
+}
+
+void LiveView::terminal(const std::string& part, char character) {
+    part_terminals_[part].print(character);
+    ++printed_;
+}
+
 void LiveView::lamps(const Lamps& lamps, double time_s) {
     recorder_.lamps(lamps, time_s);
     const bool lit_otherwise =
@@ -132,6 +142,8 @@ void LiveView::flush() {
     for (std::size_t n = 0; n < terminals_.size(); ++n)
         if (std::string text = terminals_[n].take(); !text.empty())
             terminals[SERIAL_LINES[n]] = std::move(text);
+    for (auto& [part, stream] : part_terminals_)
+        if (std::string text = stream.take(); !text.empty()) terminals[part] = std::move(text);
     if (!terminals.empty()) wire_.send(Kind::TEXT, text_of({{"terminals", terminals}}));
     if (lamps_moved_) wire_.send(Kind::TEXT, text_of(as_json(lamps_)));
     lamps_moved_ = false;

@@ -8,6 +8,7 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,10 @@ public:
     void console(char character, SerialLine line) override;
     void lamps(const Lamps& lamps, double time_s) override;
     void log(const std::string& line) override;
+
+    // A terminal among the parts, and what it shows.
+    void add_terminal(const std::string& part);
+    void terminal(const std::string& part, char character);
 
     // Sends what has gathered of sound, lamps and text.
     void flush();
@@ -61,6 +66,7 @@ private:
     std::string sound_;
     TextStream console_;                                     // of all lines
     std::array<TextStream, SERIAL_LINES.size()> terminals_;  // of each
+    std::map<std::string, TextStream> part_terminals_;
     double rate_hz_ = 0;
     Lamps lamps_;
     bool lamps_moved_ = true;

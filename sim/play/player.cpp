@@ -27,8 +27,9 @@ Player::Player(const sc_core::sc_module_name& name, Board& board, Senses& senses
     senses_.frame_shown = [this] { perceive(frame_shown_); };
     senses_.printed = [this] { perceive(printed_); };
     board_.parts.for_each_terminal([this](const std::string& part, SerialTerminal& terminal) {
-        terminal.heard = [this, &text = terminals_[part]](char byte) {
+        terminal.heard = [this, part, &text = terminals_[part]](char byte) {
             text.print(byte);
+            on_terminal(part, byte);
             perceive(printed_);
         };
     });

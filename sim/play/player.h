@@ -41,6 +41,9 @@ public:
     const std::vector<Played>& played() const { return played_; }
     bool renews_goldens = false;            // that differ
     std::function<void()> on_step = [] {};  // called when one is done
+    // What the terminals of the parts show, as it comes.
+    std::function<void(const std::string& part, char)> on_terminal = [](const std::string&, char) {
+    };
 
     // Why a picture could not be written; empty if all could.
     const std::vector<std::string>& faults() const { return faults_; }

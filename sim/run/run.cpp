@@ -165,6 +165,11 @@ ExitCode run_doing(const char*& doing, RunOptions options, const Firmware& firmw
         };
         inside.emplace(board, computer, arm ? program : std::function<live::Inside::Program()>{});
         view->on_frame = [&inside] { inside->frame_ended(); };
+        player.on_terminal = [&view](const std::string& part, char byte) {
+            view->terminal(part, byte);
+        };
+        board.parts.for_each_terminal(
+            [&view](const std::string& part, SerialTerminal&) { view->add_terminal(part); });
         live_player.emplace("live_player", player, *view, *inside, *wire, scenario, seed, options);
     }
     const sc_core::sc_event never;

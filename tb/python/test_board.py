@@ -47,6 +47,21 @@ def test_a_timeout_says_what_was_expected_and_what_there_is(board):
     assert board.time - begin == pytest.approx(0.03)
 
 
+def test_a_terminal_of_the_parts_is_read_and_typed_at(tmp_path):
+    (tmp_path / "top.v").write_text("module top(inout [35:0] GPIO_0);\n"
+                                    "assign GPIO_0[1] = GPIO_0[3];\nendmodule\n")
+    (tmp_path / "s.yaml").write_text(
+        "name: s\nversion: 1\nparts:\n  - terminal: {name: echo, rx: \"GPIO_0[1]\", "
+        "tx: \"GPIO_0[3]\", baud: 115200}\nsteps:\n  - delay: 1ms\n")
+    with de1sim.Board(project=tmp_path, scenario=tmp_path / "s.yaml",
+                      out=tmp_path / "out") as board:
+        assert board.terminals["echo"] == ""
+        board.step({"type-serial": {"text": "hello", "to": "echo"}})
+        board.wait_text("hel", on="echo")
+        board.wait_text("lo")
+        assert board.terminals["echo"] == "hello"
+
+
 @pytest.mark.parametrize("what, words", [
     ({"elf": "nowhere.elf"}, "nowhere.elf: no such file"),
     ({"elf": __file__}, "is not a program (ELF file)"),

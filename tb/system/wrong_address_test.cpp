@@ -54,7 +54,7 @@ TEST_F(WrongAddress, BehindABridgeInResetIsADataAbortThatSaysSo) {
             io.read(0xFF200000);
         },
         "data abort: read of 4 bytes at 0xFF200000 at 2\\.000[0-9]* ms "
-        "\\(the lightweight bridge is in reset\\)");
+        "\\(the lightweight bridge is in reset: on the board the processor hangs here\\)");
 }
 
 TEST_F(WrongAddress, WithAWrongSizeIsADataAbortThatSaysSo) {

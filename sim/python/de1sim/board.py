@@ -93,7 +93,8 @@ class Board(Hands, Senses):
                           f"{self.frames} frames, {self.pictures} of them new")
 
     def wait_text(self, text, timeout="5s", on=None):
-        """Until it is printed, behind what was found before; `on`: serial, jtag-0 or jtag-1."""
+        """Until it is printed, behind what was found before; `on`: serial, jtag-0, jtag-1
+        or a terminal of the parts."""
         found = []
 
         def met():

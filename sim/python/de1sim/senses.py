@@ -19,9 +19,9 @@ class Senses:
         self.hps_led = False
         self.gpio = []  # of GPIO_0 and GPIO_1: levels, outputs
         self.console = ""  # what all lines have printed
-        self.terminals = dict.fromkeys(LINES, "")  # what each has
+        self.terminals = dict.fromkeys(LINES, "")  # what each has, and terminals of the parts
         self.log, self.violations, self.faults = [], [], []
-        self._searched = dict.fromkeys((None, *LINES), 0)
+        self._searched = {}  # by line, None: all in one; how far
         self._screen = Screen()
         self._sound, self._rate_hz = bytearray(), 0
 
@@ -57,11 +57,14 @@ class Senses:
         return f"LEDR {self.leds:010b}, HEX {self.hex!r}{printed}"
 
     def _find(self, text, line):
-        printed = self.console if line is None else self.terminals[line]
-        at = printed.find(text, self._searched[line])
-        if at >= 0:
-            self._searched[line] = at + len(text)
-        return at >= 0
+        lines = [None, *(name for name in self.terminals if name not in LINES)]
+        for name in lines if line is None else [line]:
+            printed = self.console if name is None else self.terminals.get(name, "")
+            at = printed.find(text, self._searched.get(name, 0))
+            if at >= 0:
+                self._searched[name] = at + len(text)
+                return True
+        return False
 
     def _take(self, message):
         if isinstance(message, bytes):
@@ -82,7 +85,7 @@ class Senses:
                 self.console += value
             elif name == "terminals":
                 for line, text in value.items():
-                    self.terminals[line] += text
+                    self.terminals[line] = self.terminals.get(line, "") + text
             elif name in ("log", "violation", "fault"):
                 {"log": self.log, "violation": self.violations,
                  "fault": self.faults}[name].append(value)
