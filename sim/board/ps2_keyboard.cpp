@@ -20,11 +20,13 @@ Ps2Keyboard::Ps2Keyboard(Agenda& agenda, std::function<void()> moved)
 // ---- The keys ----
 
 void Ps2Keyboard::press(std::uint16_t key) {
+    listener_(key, true);
     moves_.push_back({key, true});
     scan();
 }
 
 void Ps2Keyboard::release(std::uint16_t key) {
+    listener_(key, false);
     moves_.push_back({key, false});
     scan();
 }

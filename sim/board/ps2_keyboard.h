@@ -18,8 +18,10 @@
 
 #include <cstdint>
 #include <deque>
+#include <functional>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "sim/board/ps2_device.h"
 #include "sim/board/scan_codes.h"
@@ -37,6 +39,11 @@ public:
     // Strikes the keys of characters that have a stroke(), one after the other, each down for 20 ms
     // and up for 20 ms, from now on.
     void type(const std::string& text);
+
+    // Also hears of each key, when a finger moves it: the same keyboard on USB.
+    void also_tell(std::function<void(std::uint16_t key, bool down)> listener) {
+        listener_ = std::move(listener);
+    }
 
     bool enabled() const { return enabled_; }
     std::uint8_t lamps() const { return lamps_; }  // as of command ED
@@ -59,6 +66,7 @@ private:
     void strike();
     void repeat();
 
+    std::function<void(std::uint16_t, bool)> listener_ = [](std::uint16_t, bool) {};
     std::deque<Move> moves_;  // that the keyboard has not processed yet
     std::deque<char> typed_;
     std::optional<Stroke> struck_;  // of a character: down now

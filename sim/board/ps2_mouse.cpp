@@ -45,17 +45,20 @@ void Ps2Mouse::Counter::add(int quarters) {
 }
 
 void Ps2Mouse::move(int right, int up) {
+    listener_.move(right, up);
     x_.add(right * (1 << resolution_));
     y_.add(up * (1 << resolution_));
     stir();
 }
 
 void Ps2Mouse::turn(int notches) {
+    listener_.turn(notches);
     wheel_ += notches;
     stir();
 }
 
 void Ps2Mouse::button(MouseButton which, bool down) {
+    listener_.button(which, down);
     const unsigned bit = 1u << static_cast<unsigned>(which);
     buttons_ = down ? buttons_ | bit : buttons_ & ~bit;
     stir();

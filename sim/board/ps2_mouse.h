@@ -30,6 +30,8 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
+#include <utility>
 
 #include "sim/board/ps2_device.h"
 #include "sim/board/ps2_ports.h"
@@ -44,6 +46,14 @@ public:
     void move(int right, int up);
     void turn(int notches);  // of the wheel, towards the hand
     void button(MouseButton which, bool down);
+
+    // Also hears of these, when the hand does them: the same mouse on USB.
+    struct Listener {
+        std::function<void(int right, int up)> move = [](int, int) {};
+        std::function<void(int notches)> turn = [](int) {};
+        std::function<void(MouseButton, bool down)> button = [](MouseButton, bool) {};
+    };
+    void also_tell(Listener listener) { listener_ = std::move(listener); }
 
 private:
     enum Command : std::uint8_t;  // beside those of every device
@@ -74,6 +84,7 @@ private:
     Bytes packet(bool scaled);
     void forget();
 
+    Listener listener_;
     Counter x_, y_;
     int wheel_ = 0;
     unsigned buttons_ = 0;

@@ -32,6 +32,7 @@ LinuxKernel::LinuxKernel(ArmCpu& cpu, LinuxSettings settings, Outside outside)
                      cpu.pause(until, at_most);
                  },
                  outside_.console, [this](unsigned number) { typed(number); }, [this] { hear(); }}},
+      input_{[] { return sc_core::sc_time_stamp().value() / 1000; }, [this] { feel(); }},
       random_{SEED} {
     const LinuxFiles::Console console{
         outside_.console, [this](char* to, std::size_t bytes) { return terminal_.take(to, bytes); },
@@ -45,6 +46,13 @@ LinuxKernel::LinuxKernel(ArmCpu& cpu, LinuxSettings settings, Outside outside)
                      LinuxFiles{settings_.root, settings_.input, console, system}}));
     process_ = processes_.front().get();
     cpu.attach(this);
+}
+
+// A hand has done something with the keyboard or the mouse.
+void LinuxKernel::feel() {
+    changed_ = true;
+    woken_.notify(sc_core::SC_ZERO_TIME);
+    cpu_.set_alarm(std::min(cpu_.alarm(), sc_core::sc_time_stamp()));
 }
 
 // Something has come from outside while a program runs, or all threads wait.

@@ -48,6 +48,7 @@
 #include "sim/cpu/arm_cpu.h"
 #include "sim/linux/address_space.h"
 #include "sim/linux/files.h"
+#include "sim/linux/input.h"
 #include "sim/linux/process.h"
 #include "sim/linux/scheduler.h"
 #include "sim/linux/signals.h"
@@ -85,6 +86,9 @@ public:
     // At the console.
     Terminal& terminal() { return terminal_; }
     const Terminal& terminal() const { return terminal_; }
+
+    // What hands do with its keyboard and mouse.
+    LinuxInput& input() { return input_; }
 
     // "clone, 2 times; pipe2": calls that returned ENOSYS because they are not emulated, or "".
     std::string missing() const;
@@ -441,6 +445,7 @@ private:
     void run(LinuxThread& thread);
     void stand_still();
     void hear();
+    void feel();
 
     void not_emulated(const std::string& what);
     // By number, "" if there is none; from the kernel's own header.
@@ -455,6 +460,7 @@ private:
     const Outside outside_;
     KernelHelpers helpers_;
     Terminal terminal_;
+    LinuxInput input_;
     LinuxNetwork network_;
     bool unreachable_told_ = false;
     std::vector<std::unique_ptr<LinuxProcess>> processes_;

@@ -134,7 +134,7 @@ void LinuxKernel::stand_still() {
     cpu_.pause(sc_core::SC_ZERO_TIME);  // what others do until now comes first
     const std::uint64_t now = now_ns(), next = std::min(next_event_ns(), now + LONGEST_NS);
     if (next <= now) return;
-    if (is_deadlock()) {
+    if (next_event_ns() == LinuxWait::NEVER && is_deadlock()) {
         over_ = true;
         return cpu_.end(
             fmt::format("deadlock: no thread can ever go on {}: {}", cpu_.where(), waiting_list()));

@@ -160,6 +160,7 @@ std::pair<int, std::shared_ptr<LinuxDevice>> LinuxKernel::open_system(const std:
     if (path == "/dev/urandom" || path == "/dev/random")
         return {0, devices::random([this] { return random_byte(); })};
     if (path == "/dev/fb0") return {0, devices::framebuffer()};
+    if (auto device = input_.open(path)) return {0, std::move(device)};
     if (path == HPS_LED) return {0, hps_led()};
     if (path == I2C_BUS && outside_.i2c0)
         return {0, std::make_shared<I2cFile>(
@@ -196,6 +197,7 @@ std::optional<FileStatus> LinuxKernel::system_status(const std::string& path) {
     if (path == "/dev/zero" || path == "/dev/full") return devices::zero(false)->status();
     if (path == "/dev/urandom" || path == "/dev/random") return devices::random({})->status();
     if (path == "/dev/fb0") return devices::framebuffer()->status();
+    if (LinuxInput::has(path)) return input_.open(path)->status();
     if (path == HPS_LED) return devices::led({}, {})->status();
     if (path == I2C_BUS && outside_.i2c0) return I2cFile{*outside_.i2c0, {}, {}}.status();
     if (system_text(path)) return devices::status_of_text();

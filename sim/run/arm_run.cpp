@@ -55,6 +55,17 @@ ArmRun::ArmRun(ArmCpu& cpu, Bus& bus, I2cDevices* i2c0, const RunOptions& option
     recorder.on_frame = [this] { budget_.frame_ended(cpu_.counts(), sc_core::sc_time_stamp()); };
 }
 
+void ArmRun::plug_in(Ps2Keyboard& keyboard, Ps2Mouse& mouse) {
+    if (!kernel_) return;
+    LinuxInput& input = kernel_->input();
+    keyboard.also_tell([&input](std::uint16_t key, bool down) { input.key(key, down); });
+    mouse.also_tell({[&input](int right, int up) { input.move(right, up); },
+                     [&input](int notches) { input.turn(notches); },
+                     [&input](MouseButton which, bool down) {
+                         input.button(static_cast<unsigned>(which), down);
+                     }});
+}
+
 RunReport::Program ArmRun::program() const {
     const ArmCpu::Counts counts = cpu_.counts();
     const ArmCpu::Position at = cpu_.position();

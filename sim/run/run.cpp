@@ -151,6 +151,7 @@ ExitCode run_doing(const char*& doing, RunOptions options, const Firmware& firmw
     if (computer && traces_a_part(options))
         notes.emplace(*computer, arm ? &*arm : nullptr, options);
     if (arm) board.also_type_to([&arm](const std::string& text) { arm->type(text); });
+    if (arm) arm->plug_in(board.ps2_keyboard, board.ps2_mouse);
     if (arm && options.scenario.empty() && !view) arm->close_input();  // there is nobody to type
     Player player{"player", board, recorder.senses(), scenario.steps, options.out};
     player.renews_goldens = options.update_goldens;

@@ -1,51 +1,48 @@
-// linux_devices_test.cpp - what the board's Linux gives to its programs: timers, I2C, the LED.
+// linux_devices_test.cpp - a Linux program's keyboard and mouse on USB, and its frame buffer.
 #include <gmock/gmock.h>
 
 #include "tb/system/cli.h"
 
 namespace {
 
-using ::testing::HasSubstr;
+using ::testing::IsEmpty;
 
-class LinuxDevices : public tb::CommandLine {
+class LinuxDevice : public tb::CommandLine {
 protected:
-    tb::Outcome run(const std::string& program, const std::string& steps,
-                    std::vector<std::string> arguments = {}) const {
-        std::vector<std::string> words = {
-            "--elf", LINUX_PROGRAMS + program, "--frames", "none", "--quiet", "--"};
-        words.insert(words.end(), arguments.begin(), arguments.end());
-        return play(scenario("steps:\n" + steps), words);
+    // The program prints this in the course of the steps, which follow its first line.
+    void prints(const std::string& what, const std::string& first, const std::string& steps,
+                const std::string& text) const {
+        const tb::Outcome outcome =
+            play(scenario("steps:\n  - wait-serial: " + first + "\n" + steps + "  - delay: 10ms\n"),
+                 {"--elf", LINUX_PROGRAMS "devices", "--frames", "none", "--quiet", "--", what});
+        EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+        EXPECT_EQ(file("console.txt"), text);
+        EXPECT_THAT(report()["log"]["first"], IsEmpty());
     }
-    std::string console() const { return file("console.txt"); }
 };
 
-TEST_F(LinuxDevices, TickByTimers) {
-    const tb::Outcome outcome = run("timers", "  - wait-serial: slept over 6\n");
-    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-    EXPECT_EQ(console(),
-              "20 ticks in 200 ms\n"
-              "left 1.4 s, by alarm 1 s\n"
-              "0 ticks without\n"
-              "early -1: Resource temporarily unavailable\n"
-              "polled 3, slept over 6\n");
+TEST_F(LinuxDevice, HasTheKeysOfTheKeyboardAsEvents) {
+    prints("keyboard", "Keyboard",
+           "  - press-key: {key: Left, for: 50ms}\n  - press-key: {key: [Shift, z], for: 20ms}\n"
+           "  - press-key: {key: Esc, for: 10ms}\n",
+           "USB Keyboard\n1 105 1\n1 105 0\n1 42 1\n1 44 1\n1 44 0\n1 42 0\n1 1 1\n1 1 0\n");
 }
 
-TEST_F(LinuxDevices, EndAProgramByAnAlarmThatItDoesNotHandle) {
-    const tb::Outcome outcome = run("timers", "  - delay: 10ms\n", {"dies"});
-    EXPECT_EQ(outcome.exit_code, 1);
-    EXPECT_THAT(outcome.err, HasSubstr("the program was ended by SIGALRM: a timer expired, at 2."));
+const char* const HAND =
+    "  - move-mouse: {right: 2, down: 1, for: 2ms}\n  - delay: 1ms\n  - turn-wheel: 1\n"
+    "  - delay: 1ms\n  - click-mouse: right\n";
+
+TEST_F(LinuxDevice, HasTheMouseAsEvents) {
+    prints("mouse", "Mouse", HAND,
+           "USB Optical Mouse\n2 0 1\n2 0 1\n2 1 1\n2 8 -1\n1 273 1\n1 273 0\n");
 }
 
-TEST_F(LinuxDevices, HaveTheAccelerometerAndTheLed) {
-    const tb::Outcome outcome = run("i2c",
-                                    "  - tilt-board: {right: 30}\n"
-                                    "  - wait-serial: operating\n"
-                                    "  - expect-hps-led: lit\n");
-    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-    EXPECT_THAT(console(), HasSubstr("0x1D: Remote I/O error\n"
-                                     "id E5\n"
-                                     "rate 0A\n"));
-    EXPECT_THAT(console(), HasSubstr("x -128 y 0 z 222\nblock z 222\nlit\noperating\n"));
+TEST_F(LinuxDevice, HasTheMouseAsPackets) {
+    prints("mice", "ready", HAND, "ready -1 1\n08 1 0 0\n28 1 -1 0\n08 0 0 1\n0a 0 0 0\n");
+}
+
+TEST_F(LinuxDevice, HasThePixelBufferAsAFrameBuffer) {
+    prints("draws", "red", "", "320 x 240, 16 bits, red 5 at 11\nf800, 07e0\n");
 }
 
 }  // namespace

@@ -158,7 +158,9 @@ std::vector<StepForm> keyboard() {
         "NumpadPoint; or a list: down in this order, up in the other."};
     return {
         {"type-keys",
-         "Type a text on the PS/2 keyboard and go on; a key takes 40 ms.",
+         "Type a text on the PS/2 keyboard and go on; a key takes 40 ms. A Linux program has the "
+         "same "
+         "keyboard on USB, /dev/input/event0.",
          Notation::BARE,
          {},
          {{"text", KEYS_TEXT, Need::REQUIRED, "", "The text."}},

@@ -190,7 +190,10 @@ std::vector<StepForm> mouse() {
     const Field button{"button", BUTTON, Need::REQUIRED, "", "left, right or middle."};
     const Field left{"button", BUTTON, Need::OPTIONAL, "left", "left, right or middle."};
     return {
-        {"move-mouse", "Move the PS/2 mouse; the next step comes when it has arrived.",
+        {"move-mouse",
+         "Move the PS/2 mouse; the next step comes when it has arrived. A Linux program has the "
+         "same "
+         "mouse on USB, /dev/input/mice and /dev/input/event1.",
          Notation::MAP, any_way, way_and({}), make<MoveMouse>},
         {"click-mouse",
          "Hold a button of the PS/2 mouse for a while and let go. Two clicks of one button are 50 "
