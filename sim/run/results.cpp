@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <vector>
 
 #include "regmap.h"
 #include "sim/report/messages.h"
@@ -28,7 +29,14 @@ bool has_drawn(Computer& computer) {
     const auto holds = [&computer](std::uint32_t address, std::uint32_t value) {
         return computer.fpga.peek(address - 0xFF200000).value_or(value) == value;
     };
-    return computer.bus.written("h2f") || !holds(regmap::PIXEL_BUFFER, regmap::ONCHIP_BASE) ||
+    const auto has_pixels = [&fabric = computer.fpga.fabric()] {
+        std::vector<std::uint8_t> bytes(regmap::ONCHIP_SIZE);
+        fabric.read_onchip(0, bytes.data(), regmap::ONCHIP_SIZE);
+        return std::any_of(bytes.begin(), bytes.end(), [](std::uint8_t byte) { return byte != 0; });
+    };
+    return (computer.bus.written("h2f") &&
+            (!computer.fpga.fabric().has_memory() || has_pixels())) ||
+           !holds(regmap::PIXEL_BUFFER, regmap::ONCHIP_BASE) ||
            !holds(regmap::PIXEL_BACK_BUFFER, regmap::ONCHIP_BASE);
 }
 

@@ -78,6 +78,14 @@ TEST_F(ProgramAlone, IsToldThatTheFpgaDoesNotShowItsOwnMemory) {
     EXPECT_THAT(outcome.err, Not(HasSubstr("did not swap")));
 }
 
+TEST_F(ProgramAlone, IsToldNothingOfThePictureIfItAsksForNone) {
+    const tb::Outcome outcome =
+        alone(KEEPS_DATA_ELF, {"--duration", "100ms", "--fpga-memory", "bridge"});
+    EXPECT_EQ(outcome.exit_code, 0);
+    EXPECT_EQ(report()["shown"]["ledr"]["lit"], "0000000101");
+    EXPECT_THAT(outcome.err, Not(HasSubstr("the picture never changed")));
+}
+
 TEST_F(ProgramAlone, FailsWithTheProgram) {
     EXPECT_EQ(alone(LINUX_PROGRAMS "faults", {"--", "exit"}).exit_code, 1);
     EXPECT_EQ(report()["end"], "firmware fault");
