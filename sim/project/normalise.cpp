@@ -11,6 +11,7 @@
 #include "sim/project/items.h"
 #include "sim/project/parameter_types.h"
 #include "sim/project/power_up.h"
+#include "sim/project/quartus/instance_checks.h"
 #include "sim/project/quartus/syntax.h"
 #include "sim/project/registers.h"
 #include "sim/project/reorder.h"
@@ -60,7 +61,7 @@ class Normaliser {
 public:
     Normaliser(std::string_view text, const std::string& name, const OpenInputs& open_inputs,
                const Modules& modules, const std::vector<InoutFit>& inout_fits)
-        : tokens_{tokens_of(text)}, items_{tokens_.all}, name_{name} {
+        : tokens_{tokens_of(text)}, items_{tokens_.all}, name_{name}, modules_{modules} {
         reorder(tokens_.all, items_, edits_);
         repeat_parameter_types(tokens_.all, edits_);
         tri_states_ = join_tri_states(tokens_, modules, edits_);
@@ -79,6 +80,7 @@ public:
         Normalised result;
         checks_ = check_text(tokens_.all, items_, name_, system_verilog);
         find_syntax_errors(tokens_.all, items_, name_, system_verilog, checks_);
+        if (!system_verilog) check_instances(tokens_.all, modules_, name_, checks_);
         for (const Message& m : tri_states_)
             checks_.warnings.push_back({m.number, name_, m.line, m.text});
         std::size_t next_reset = 0;
@@ -281,6 +283,7 @@ private:
     Tokens tokens_;
     const Items items_;
     const std::string& name_;
+    const Modules& modules_;
     Edits edits_;
     std::vector<ResetStatement> resets_;
     Messages tri_states_;

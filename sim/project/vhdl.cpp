@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 #include <optional>
+#include <regex>
 #include <set>
 #include <sstream>
 
@@ -32,6 +33,64 @@ std::optional<std::string> crash(const std::string& said) {
     return fmt::format("GHDL{} crashed on this VHDL; a newer GHDL may take it", version);
 }
 
+// The latest place that GHDL wrote before `at`, "top.vhd:11", from "/* top.vhd:11:3  */".
+std::string place_before(const std::string& verilog, std::size_t at) {
+    const std::size_t open = verilog.rfind("/* ", at);
+    if (open == std::string::npos) return {};
+    const std::string place = verilog.substr(open + 3, verilog.find(' ', open + 3) - open - 3);
+    return place.substr(0, place.rfind(':'));
+}
+
+// ProjectError: a register that no clock alone makes, for which GHDL has a cell of its own.
+void refuse_two_clocks(const std::string& verilog) {
+    const std::size_t at = verilog.find("gate_mdff");
+    if (at != std::string::npos)
+        throw ProjectError{fmt::format(
+            "{}: Quartus error 10820: the register has more than one clock, or both edges of one; "
+            "a register has one edge of one clock",
+            place_before(verilog, at))};
+}
+
+// Whether a process of `vhdl`, in small letters, assigns `signal` in a branch before its clock's.
+bool loads_without_clock(const std::string& vhdl, const std::string& signal) {
+    static const std::string END = "end process";
+    const std::regex assigns{"\\b" + signal + "\\b[^;]*<="},
+        clock{"elsif[^;]*(rising_edge|falling_edge|'event)"};
+    std::size_t begin = 0;
+    for (std::size_t end; (end = vhdl.find(END, begin)) != std::string::npos;
+         begin = end + END.size()) {
+        const std::size_t open = vhdl.rfind("process", end - 1);
+        if (open == std::string::npos || open < begin) continue;
+        const std::string process = vhdl.substr(open, end - open);
+        if (std::regex_search(process, assigns) && std::regex_search(process, clock)) return true;
+    }
+    return false;
+}
+
+// ProjectError: a register that is loaded without a clock and keeps its value at the clock, which
+// GHDL takes for nothing at all.
+void refuse_lost_registers(const std::string& verilog, const std::string& vhdl) {
+    static const std::regex LOST{"\n  assign ([a-zA-Z][a-zA-Z0-9_]*) = [0-9]+'bX; // \\(signal\\)"};
+    for (std::sregex_iterator at{verilog.begin(), verilog.end(), LOST}, end; at != end; ++at)
+        if (loads_without_clock(vhdl, lower((*at)[1].str())))
+            throw ProjectError{fmt::format(
+                "{}: GHDL leaves out {}, which is loaded without a clock and not changed by one: "
+                "write it as a latch, without the clock",
+                place_before(verilog, static_cast<std::size_t>(at->position())), (*at)[1].str())};
+}
+
+// GHDL's words for what Quartus has a number of.
+std::string in_quartus_words(const std::string& line) {
+    static const std::regex SAID{
+        "^(.*?:[0-9]+):[0-9]+: ?(latch infered for net|multiple assignments for) \"([^\"]*)\".*"};
+    std::smatch m;
+    if (!std::regex_match(line, m, SAID)) return line;
+    return fmt::format("{}: Quartus error 10028: {} has two drivers{}: drive it in one process{}",
+                       m[1].str(), m[3].str(),
+                       m[2].str()[0] == 'l' ? ", or keeps its value without a clock" : "",
+                       m[2].str()[0] == 'l' ? ", and assign it on all paths through that" : "");
+}
+
 // GHDL's first error, or what it says instead: "top.vhd:14:2: no declaration for "x"".
 std::string first_error(const std::string& said, const std::string& what) {
     if (const auto crashed = crash(said)) return fmt::format("{}: {}", what, *crashed);
@@ -42,7 +101,7 @@ std::string first_error(const std::string& said, const std::string& what) {
                                std::isdigit(static_cast<unsigned char>(line[colon + 1]));
         if (has_place && line.find(":warning:") == std::string::npos &&
             line.find(":note:") == std::string::npos)
-            return line;
+            return in_quartus_words(line);
     }
     return fmt::format("{}: GHDL failed on this VHDL, and does not say why", what);
 }
@@ -154,6 +213,8 @@ std::vector<std::string> verilog_of(const VhdlDesign& design, const TimeLimit& l
         };
         std::string said = "\n" + synthesised("--out=verilog");
         said.erase(0, said.find("\nmodule ") + 1);  // its warnings
+        refuse_two_clocks(said);
+        refuse_lost_registers(said, all);
         said = repaired(said, lacks_others(said) ? synthesised("--out=raw-vhdl") : "");
         texts.push_back(
             VhdlOutput{said, root.entity, root.module, design.in_verilog}.without(known));

@@ -13,6 +13,11 @@ HEAD = "module top(input CLOCK_50, input [3:0] KEY, input [9:0] SW, output {} [9
 ALL = "assign LEDR = SW ^ {CLOCK_50, KEY};\n"
 REG, WIRE, END = HEAD.format("reg"), HEAD.format("wire"), "endmodule\n"
 SUB = "module sub(input [1:0] a, b, output [3:0] q); assign q = a + b; endmodule\n"
+VHDL = ("library ieee; use ieee.std_logic_1164.all;\n"
+        "entity top is port (CLOCK_50 : in std_logic; KEY : in std_logic_vector(3 downto 0);\n"
+        "SW : in std_logic_vector(9 downto 0); LEDR : out std_logic_vector(9 downto 0)); end;\n"
+        "architecture a of top is signal n : std_logic_vector(9 downto 0);\nbegin\n")
+VHDL_END = "LEDR <= n;\nend;\n"
 QSF = "set_global_assignment -name VERILOG_FILE top.v\n"
 
 # The text of top.v, or of the files; and what is said.
@@ -103,6 +108,9 @@ WARNINGS = {
     169085: ({"p.qsf": QSF + "set_global_assignment -name TOP_LEVEL_ENTITY top\n"
               "set_location_assignment PIN_AA14 -to KEY[0]\n", "top.v": WIRE + ALL + END},
              "p.qsf:1: 169085: 24 of the top's ports have no pin"),
+    170048: (REG + "reg [23:0] m [0:307199]; reg [18:0] a;\n"
+             "always @(posedge CLOCK_50) begin a <= a + 19'd1; m[a] <= SW; LEDR <= m[a]; end\n" +
+             END, "top.v:2: 170048: the design's memories have 7372800 bits"),
     171016: ({"p.qsf": QSF + "set_global_assignment -name TOP_LEVEL_ENTITY top\n"
               "set_location_assignment PIN_AA2 -to SW[1]\n", "top.v": WIRE + ALL + END},
              "p.qsf:3: 171016: sw[1] is assigned to PIN_AA2, where the board has nothing"),
@@ -120,6 +128,12 @@ ERRORS = {
             "top.v:2 by an always block (10029)"),
     10054: (WIRE + ALL + '`include "gone.vh"\n' + END,
             "top.v:3: Quartus error 10054: the file gone.vh that is included is not there"),
+    10106: (REG + "parameter N = 5001; integer i;\nalways @(*) begin LEDR = 0;\n"
+            "for (i = 0; i < N; i = i + 1) LEDR = LEDR + SW; end\n" + END,
+            "top.v:4: Quartus error 10106: the loop has more than 5000 rounds"),
+    10119: (REG + "reg [9:0] n;\nalways @(*) begin n = SW; LEDR = 1;\n"
+            "while (n != 0) begin LEDR = LEDR << 1; n = n - 1; end end\n" + END,
+            "top.v:4: Quartus error 10119: how many rounds the loop has depends on a signal"),
     10122: (REG + "always @(posedge CLOCK_50 or KEY) LEDR <= SW;\n" + END,
             "top.v:2: Quartus error 10122: the list has signals with an edge beside"),
     10137: (WIRE + "always @(*) LEDR = SW;\n" + END,
@@ -137,6 +151,8 @@ ERRORS = {
     10200: (REG + "wire r = SW[0];\nalways @(posedge CLOCK_50 or negedge r)\nif (KEY[0]) LEDR <= 0;"
             " else LEDR <= SW;\n" +
             END, "top.v:4: Quartus error 10200: the list has several edges"),
+    10207: (WIRE + "wire [3:0] q;\nsub s(SW[1:0], SW[3:2], q);\nassign LEDR = s.a;\n" + END +
+            SUB, "top.v:4: Quartus error 10207: s.a is inside the instance s"),
     10219: (REG + "assign LEDR = SW;\n" + END,
             "top.v:2: Quartus error 10219: LEDR is a reg, and is assigned by `assign`"),
     10228: ({"p.qsf": QSF + "set_global_assignment -name VERILOG_FILE old.v\n",
@@ -144,6 +160,8 @@ ERRORS = {
             "old.v:1: Quartus error 10228: module top is declared at top.v:1, too"),
     10231: (WIRE + ALL + "assign SW[0] = 1;\n" + END,
             "top.v:3: Quartus error 10231: input SW is assigned"),
+    10232: (WIRE + "assign LEDR = {9'd0, SW[10]};\n" + END,
+            "top.v:2: Quartus error 10232: 10 is an index outside of the range [9:0]"),
     10239: (REG + "always @(posedge CLOCK_50 or negedge CLOCK_50) LEDR <= SW;\n" + END,
             "top.v:2: Quartus error 10239: the list has both edges of CLOCK_50"),
     10278: (WIRE + ALL + END + "module sub(input reg a, output b); assign b = a; endmodule\n",
@@ -154,8 +172,13 @@ ERRORS = {
     10644: (WIRE + "genvar g;\ngenerate for (g = 0; g < 10; g = g + 1) begin\n"
             "assign LEDR[g] = SW[9 - g];\nend endgenerate\n" + END,
             "top.v:3: Quartus error 10644: the block of a generate loop needs a name"),
+    10663: (WIRE + "reg [3:0] q;\nsub s(SW[1:0], SW[3:2], q);\nassign LEDR = q;\n" + END + SUB,
+            "top.v:3: Quartus error 10663: q is a reg, and is connected with the output q"),
     10773: (WIRE + ALL + END + "module sub(input [3:0] a [0:1], output b); endmodule\n",
             "top.v:4: Quartus error 10773: port a is an array"),
+    10820: ({"top.vhd": VHDL + "process (CLOCK_50) begin if rising_edge(CLOCK_50) then n <= SW; "
+             "elsif falling_edge(CLOCK_50) then n <= not SW; end if; end process;\n" + VHDL_END},
+            "top.vhd:6: Quartus error 10820: the register has more than one clock"),
     12002: (WIRE + "sub s(.c(SW[0]), .q(LEDR[3:0]));\n" + END + SUB,
             "top.v:2: Quartus error 12002: the module that is instanced has no port c"),
     12007: ({"p.qsf": QSF + "set_global_assignment -name TOP_LEVEL_ENTITY main\n",
@@ -167,6 +190,14 @@ ERRORS = {
     12014: (WIRE + "sub a(SW[1:0], SW[3:2], LEDR[3:0]);\nsub b(SW[1:0], SW[3:2], LEDR[4:1]);\n" +
             END + SUB, "top.v:3: Quartus error 12014: LEDR[3:1] has two drivers, here by q of "
             "instance b and at top.v:2 by q of instance a (12015)"),
+    13076: (WIRE + "wire b;\nassign b = SW[0] ? SW[1] : 1'bz;\nassign b = SW[2];\n"
+            "assign LEDR = b;\n" +
+            END, "top.v:3: Quartus error 13076: b has a tri-state buffer here"),
+    276003: (REG + "reg [31:0] m [0:4095]; integer i;\n"
+             "always @(posedge CLOCK_50 or negedge KEY[0])\n"
+             "if (!KEY[0]) for (i = 0; i < 4096; i = i + 1) m[i] <= 0;\n"
+             "else begin m[SW] <= SW; LEDR <= m[SW]; end\n" + END,
+             "top.v:2: Quartus error 276003: m is cleared by a reset, which no memory can be"),
     171016: ({"p.qsf": QSF + "set_location_assignment PIN_AK31 -to SW[1]\n",
               "top.v": WIRE + ALL + END},
              "p.qsf:2: Quartus error 171016: sw[1] is assigned to PIN_AK31, which the chip has"),
@@ -216,6 +247,18 @@ TAKEN = {
     "a variable that blocks use for themselves": "reg [9:0] t, a, b; assign LEDR = a ^ b;\n"
     "always @(*) begin t = SW + 10'd1; a = t; end\n"
     "always @(*) begin t = SW + 10'd2; b = t; end\n",
+    "loops that end": "reg [9:0] a; reg [3:0] n; integer i, j; assign LEDR = a;\n"
+    "always @(*) begin a = 0; n = SW; for (i = 0; i < 5000; i = i + 1) a = a + 1;\n"
+    "for (j = 0; j < n; j = j + 1) a = a ^ j; while (n != 0) n = n >> 1;\n"
+    "for (i = 9; i >= 0; i = i - 1) a[i] = SW[i]; repeat (4) a = a << 1; end\n",
+    "a memory beside what a reset clears": "reg [31:0] m [0:4095]; reg [9:0] q; assign LEDR = q;\n"
+    "always @(posedge CLOCK_50 or negedge KEY[0])\n"
+    "if (!KEY[0]) q <= 0; else begin m[SW] <= SW; q <= m[SW]; end\n",
+    "an index that is never taken": "parameter P = 0; assign LEDR = P ? SW[10] : SW[0];\n",
+    "a parameter of an instance": "defparam u.P = 1; sub u(SW[0], LEDR[0]);\n"
+    "assign LEDR[9:1] = 0;\n",
+    "pins that are released as a whole": "wire [9:0] w; assign w = 10'bz; assign w[0] = SW[0];\n"
+    "assign LEDR = w;\n",
     "an initial value": "reg [9:0] a = 3, b; initial b = 4; assign LEDR = a ^ b;\n"
     "always @(posedge CLOCK_50) begin a <= SW; b <= a; end\n",
     "set and reset": "reg a, b, c; assign LEDR = {a, b, c}; wire r = KEY[0], s = KEY[1];\n"
@@ -271,6 +314,26 @@ class Messages(Case):
                 self.write_files({f"top.{kind}": WIRE + ALL + body + "\n" + END + SUB})
                 self.refused(said)
 
+    def test_an_output_that_is_open_inside_is_a_driver(self):
+        self.write(top_v=WIRE + "wire [3:0] v;\nsub s(.a(v), .q(LEDR[3:0]));\nassign v = SW;\n"
+                         "assign LEDR[9:4] = 0;\n" + END +
+                         "module sub(output [3:0] a, q); assign q = a; endmodule\n")
+        self.refused("top.v:4: Quartus error 10028: v has two drivers, here by an assign and at "
+                     "top.v:3 by a of instance s (10029)")
+
+    def test_of_vhdl_what_ghdl_refuses_or_loses(self):
+        for process, said in (
+                ("process (CLOCK_50) begin if rising_edge(CLOCK_50) then n <= SW; end if; end "
+                 "process;\nprocess (KEY) begin if KEY(0) = '0' then n <= \"0000000000\"; end if; "
+                 "end process;\n", "top.vhd:4: Quartus error 10028: n has two drivers"),
+                ("process (CLOCK_50, KEY, SW) begin if KEY(0) = '0' then n <= SW;\n"
+                 "elsif rising_edge(CLOCK_50) then n <= n; end if; end process;\n",
+                 "GHDL leaves out n, which is loaded without a clock")):
+            with self.subTest(said):
+                self.setUp()
+                self.write(top_vhd=VHDL + process + VHDL_END)
+                self.refused(said)
+
     def test_delays_in_place_of_events_are_warned_of(self):
         self.write(top_v=WIRE + ALL + "reg n; always #5 n = ~n;\n" + END)
         self.checked("top.v:3: always needs a list of events, as in @(posedge CLOCK_50)")
@@ -280,7 +343,8 @@ class Messages(Case):
             with self.subTest(what):
                 self.setUp()
                 self.write(top_v=WIRE + body + END +
-                           "module sub(input a, output q); assign q = a; endmodule\n")
+                           "module sub(input a, output q); parameter P = 0; assign q = a ^ P; "
+                           "endmodule\n")
                 done = self.de1sim("check", ".")
                 self.assertEqual(done.returncode, 0, done.stderr)
 

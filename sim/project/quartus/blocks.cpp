@@ -13,8 +13,6 @@ namespace {
 using Node = pugi::xml_node;
 using NodeNames = std::set<std::string>;
 
-bool is_named(const Node& node, std::string_view name) { return node.name() == name; }
-
 bool is_statement(const Node& node) {
     static const std::set<std::string_view> NAMES{"assign",  "assigndly", "begin",    "case",
                                                   "display", "if",        "stmtexpr", "stop",
@@ -23,7 +21,7 @@ bool is_statement(const Node& node) {
 }
 
 void take_refs(const Node& node, NodeNames& names) {
-    if (is_named(node, "varref")) names.insert(node.attribute("name").value());
+    if (is_node(node, "varref")) names.insert(node.attribute("name").value());
     for (const Node& child : node.children()) take_refs(child, names);
 }
 
@@ -58,7 +56,7 @@ private:
         any_.clear();
         NodeNames always;
         for (const Node& child : block.children()) {
-            if (is_named(child, "sentree")) continue;
+            if (is_node(child, "sentree")) continue;
             const NodeNames more = assigned(child);
             always.insert(more.begin(), more.end());
         }
@@ -78,7 +76,7 @@ private:
         NodeNames clocks, read;
         take_refs(list, clocks);
         for (const Node& child : block.children())
-            if (!is_named(child, "sentree")) take_reads(child, read);
+            if (!is_node(child, "sentree")) take_reads(child, read);
         for (const std::string& name : clocks) {
             const Variable* v = read.count(name) ? nullptr : variable(name);
             if (!v || std::none_of(v->drivers.begin(), v->drivers.end(), [](const Driver& d) {
@@ -113,7 +111,7 @@ private:
         NodeNames listed, read;
         take_refs(list, listed);
         for (const Node& child : block.children())
-            if (!is_named(child, "sentree")) take_reads(child, read);
+            if (!is_node(child, "sentree")) take_reads(child, read);
         for (const std::string& name : read) {
             const Variable* v = variable(name);
             if (!v || v->is_local || v->is_parameter || v->is_loop_variable || any_.count(name) ||
@@ -126,13 +124,13 @@ private:
         }
     }
     void take_reads(const Node& node, NodeNames& names) {
-        if (is_named(node, "assign") || is_named(node, "assigndly")) {
+        if (is_node(node, "assign") || is_node(node, "assigndly")) {
             take_refs(node.first_child(), names);
             for (const Node& part : node.first_child().next_sibling().children())
-                if (!is_named(part, "varref")) take_refs(part, names);
+                if (!is_node(part, "varref")) take_refs(part, names);
             return;
         }
-        if (is_named(node, "varref")) names.insert(node.attribute("name").value());
+        if (is_node(node, "varref")) names.insert(node.attribute("name").value());
         for (const Node& child : node.children()) take_reads(child, names);
     }
 
@@ -143,27 +141,26 @@ private:
             const NodeNames more = assigned(child);
             names.insert(more.begin(), more.end());
         };
-        if (is_named(node, "assign") || is_named(node, "assigndly")) {
+        if (is_node(node, "assign") || is_node(node, "assigndly")) {
             take_targets(node.first_child().next_sibling(), names);
             any_.insert(names.begin(), names.end());
-        } else if (is_named(node, "if")) {
+        } else if (is_node(node, "if")) {
             const Node then = node.first_child().next_sibling(), other = then.next_sibling();
             const NodeNames a = assigned(then), b = other ? assigned(other) : NodeNames{};
             names = common(a, b);
-        } else if (is_named(node, "case")) {
+        } else if (is_node(node, "case")) {
             names = of_case(node);
-        } else if (is_named(node, "begin") || is_named(node, "while") ||
-                   is_named(node, "stmtexpr")) {
+        } else if (is_node(node, "begin") || is_node(node, "while") || is_node(node, "stmtexpr")) {
             for (const Node& child : node.children()) join(child);
-        } else if (is_named(node, "taskref") || is_named(node, "funcref")) {
+        } else if (is_node(node, "taskref") || is_node(node, "funcref")) {
             take_refs(node, names);
         }
         return names;
     }
     static void take_targets(const Node& target, NodeNames& names) {
         Node at = target;
-        while (is_named(at, "sel") || is_named(at, "arraysel")) at = at.first_child();
-        if (is_named(at, "varref"))
+        while (is_node(at, "sel") || is_node(at, "arraysel")) at = at.first_child();
+        if (is_node(at, "varref"))
             names.insert(at.attribute("name").value());
         else
             for (const Node& child : at.children()) take_targets(child, names);
@@ -177,7 +174,7 @@ private:
         const auto has = [&](const char* word) { return text.find(word) != std::string::npos; };
         const bool wild = has("casex") || has("casez") || has("inside");
         Node of = node.first_child();
-        while (is_named(of, "extend")) of = of.first_child();
+        while (is_node(of, "extend")) of = of.first_child();
         const unsigned width = std::min(netlist_.width(of), 64u);
         std::set<long long> values;
         bool has_default = false, known = true, first = true;
@@ -243,19 +240,19 @@ public:
 
     // What is read by a statement before it is assigned for certain.
     void look(const Node& node) {
-        if (is_named(node, "sentree")) return;
-        if (is_named(node, "assign") || is_named(node, "assigndly")) {
+        if (is_node(node, "sentree")) return;
+        if (is_node(node, "assign") || is_node(node, "assigndly")) {
             take(node.first_child());
             Node target = node.first_child().next_sibling();
-            while (is_named(target, "sel") || is_named(target, "arraysel"))
+            while (is_node(target, "sel") || is_node(target, "arraysel"))
                 target = target.first_child();
-            if (is_named(target, "varref")) done_.insert(target.attribute("name").value());
+            if (is_node(target, "varref")) done_.insert(target.attribute("name").value());
             return;
         }
-        if (is_named(node, "varref")) return take(node);
+        if (is_node(node, "varref")) return take(node);
         const NodeNames before = done_;
         for (const Node& child : node.children()) look(child);
-        if (is_named(node, "if") || is_named(node, "case")) done_ = before;
+        if (is_node(node, "if") || is_node(node, "case")) done_ = before;
     }
     const NodeNames& found() const { return found_; }
 
@@ -272,7 +269,7 @@ private:
 };
 
 void take_assigned(const Node& node, NodeNames& names) {
-    if (is_named(node, "assign") || is_named(node, "assigndly"))
+    if (is_node(node, "assign") || is_node(node, "assigndly"))
         take_refs(node.first_child().next_sibling(), names);
     for (const Node& child : node.children()) take_assigned(child, names);
 }

@@ -8,7 +8,9 @@
 
 #include "sim/project/file_finder.h"
 #include "sim/project/quartus/blocks.h"
+#include "sim/project/quartus/device.h"
 #include "sim/project/quartus/drivers.h"
+#include "sim/project/quartus/loops.h"
 #include "sim/project/quartus/netlist.h"
 #include "sim/project/quartus/pins.h"
 #include "sim/project/quartus/words.h"
@@ -87,6 +89,18 @@ private:
     Messages messages_;
 };
 
+// An index outside of a range (10232) that is written there as a number; one that is computed may
+// be in a branch that is never taken.
+bool is_certain(const Message& message, const SourceLine& line_of_source) {
+    if (message.number != 10232) return false;
+    const std::string line = line_of_source(message.file, message.line);
+    const std::string index = message.text.substr(0, message.text.find(' '));
+    const auto has = [&](const char* before, const char* behind) {
+        return line.find(before + index + behind) != std::string::npos;
+    };
+    return line.find('?') == std::string::npos && (has("[", "]") || has("[", ":") || has(":", "]"));
+}
+
 void append(Messages& all, Messages more) {
     all.insert(all.end(), std::make_move_iterator(more.begin()),
                std::make_move_iterator(more.end()));
@@ -121,9 +135,13 @@ Checked check_design(const CheckRequest& request) {
     Checked checked;
     for (const auto& [file, text] : request.texts) append(checked.warnings, text.warnings);
     append(checked.errors, driver_errors(netlist));
+    append(checked.errors, loop_errors(netlist));
+    append(checked.errors, register_errors(netlist));
+    append(checked.warnings, memory_warnings(netlist));
     append(checked.errors, pin_errors(request.project, request.ports));
     append(checked.warnings, pin_warnings(request.project, request.ports, request.board_pins));
-    append(checked.warnings, warnings_in_our_words(request.said));
+    for (Message& m : warnings_in_our_words(request.said))
+        (is_certain(m, line) ? checked.errors : checked.warnings).push_back(std::move(m));
     append(checked.warnings, driver_warnings(netlist));
     append(checked.warnings, block_warnings(netlist, line));
     checked.self_reading = self_reading(netlist);

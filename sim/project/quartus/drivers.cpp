@@ -60,7 +60,21 @@ public:
 private:
     bool drives_always(const Driver& d) const {
         if (!is_permanent(d) || !d.exact || d.high_z) return false;
-        return d.kind != DriverKind::INSTANCE || netlist_.drives(d.of, d.port);
+        return d.kind != DriverKind::INSTANCE || netlist_.drives(d.of, d.port) || is_open(d);
+    }
+    // An output that nothing drives inside is 0, which is a driver, too.
+    bool is_open(const Driver& d) const {
+        const auto module = netlist_.modules().find(d.of);
+        if (module == netlist_.modules().end() || !module->second.is_own) return false;
+        const auto port = module->second.ports.find(d.port);
+        if (port == module->second.ports.end()) return false;
+        const Variable& v = module->second.variables[port->second];
+        return v.direction == "output" && v.drivers.empty();
+    }
+    // A buffer that releases the wire, and drives it at other times.
+    static bool is_buffer(const Driver& d) {
+        return d.kind == DriverKind::ASSIGN && d.exact && d.high_z &&
+               d.value.compare(0, 4, "cond") == 0;
     }
 
     void look(const Variable& v) {
@@ -76,6 +90,14 @@ private:
         for (std::size_t b = 1; b < all.size(); ++b)
             for (std::size_t a = 0; a < b; ++a)
                 if (meet(*all[a], *all[b])) return refuse(v, *all[a], *all[b]);
+        for (const Driver& d : v.drivers)
+            for (const Driver* always : all)
+                if (is_buffer(d) && meet(d, *always))
+                    return add(
+                        13076, d.place,
+                        fmt::format("{} has a tri-state buffer here, and a driver that never "
+                                    "releases it at {}; drive it in one place",
+                                    v.name, always->place.text()));
     }
 
     static bool meet(const Driver& a, const Driver& b) {
@@ -87,7 +109,9 @@ private:
 
     void refuse(const Variable& v, const Driver& a, const Driver& b) {
         const std::string what = bits_of(v, std::max(a.low, b.low), std::min(a.high, b.high));
-        const bool instance = a.kind == DriverKind::INSTANCE || b.kind == DriverKind::INSTANCE;
+        const bool open = is_open(a) || is_open(b);
+        const bool instance =
+            !open && (a.kind == DriverKind::INSTANCE || b.kind == DriverKind::INSTANCE);
         const Driver &first = a.place.line <= b.place.line ? a : b, &second = &first == &a ? b : a;
         add(instance ? 12014 : 10028, second.place,
             fmt::format("{} has two drivers, here {} and at {} {} ({}); drive it in one place",

@@ -7,6 +7,7 @@
 #include <map>
 #include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <pugixml.hpp>
@@ -35,6 +36,7 @@ struct Variable {
     Place place;
     std::string direction;  // input, output, inout or empty
     unsigned width = 1;
+    unsigned long long words = 1;  // of an array
     int left = 0, right = 0;
     bool is_vector = false, is_array = false, is_integer = false;
     bool has_own_type = false;                    // of a typedef or an enumeration
@@ -83,6 +85,7 @@ public:
 private:
     struct Type {
         unsigned width = 1;
+        unsigned long long words = 1;
         int left = 0, right = 0;
         bool is_vector = false, is_array = false, is_integer = false;
     };
@@ -96,6 +99,7 @@ private:
     std::map<std::string, NetModule> modules_;
 };
 
+bool is_node(const pugi::xml_node& node, std::string_view name);
 // The number of a constant, "4'h5"; -1: there is an x or z in it, or it is too large.
 long long constant(const pugi::xml_node& node);
 bool has_z(const pugi::xml_node& node);

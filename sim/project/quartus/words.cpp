@@ -178,10 +178,9 @@ Message warning(const std::string& code, const std::string& text) {
         return made(10037,
                     "the comparison always has the same result: the other value can never "
                     "be reached");
-    if (code == "SELRANGE" && matches("outside .*?([0-9]+:[0-9]+)", m))
-        return made(10232, fmt::format("the index is outside of the range [{}], which Quartus "
-                                       "refuses",
-                                       m[1].str()));
+    if (code == "SELRANGE" && matches("range: ([0-9]+)(?::[0-9]+)? outside .*?([0-9]+:[0-9]+)", m))
+        return made(
+            10232, fmt::format("{} is an index outside of the range [{}]", m[1].str(), m[2].str()));
     return made(0, {});
 }
 

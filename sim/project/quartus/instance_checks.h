@@ -1,0 +1,16 @@
+// instance_checks.h - what Quartus refuses of a .v file's instances, told from its text.
+#pragma once
+
+#include <string>
+
+#include "sim/project/instances.h"
+#include "sim/project/quartus/text_checks.h"
+
+namespace sim::project {
+
+// 10207: something inside an instance is named; 10663: an output of an instance is connected with a
+// reg.  `name` is the file's in messages; `modules`: as enable_part_drivers() has it.
+void check_instances(const std::vector<Token>& tokens, const Modules& modules,
+                     const std::string& name, TextChecks& found);
+
+}  // namespace sim::project
