@@ -85,7 +85,7 @@ module jtag_uart (
     wire wi    = we_q && write_count <= THRESHOLD;
 
     assign irq_o   = ri || wi;
-    assign awake_o = rdata_o != 32'd0 || takes || sent_o || room != room_o;
+    assign awake_o = rdata_o != 32'd0 || write_count != 7'd0 || sent_o || room != room_o;
 
     always @(posedge clk_i) begin
         rdata_o <= 32'd0;

@@ -136,7 +136,7 @@ def fabric(block, strobes, pins):
     yield Claim("rests",
                 {**block.clock("s0", "s1", others), **fetches,
                  **block.kept("s0", "s1", still + block.foreign)},
-                [*told, *framed(block, "s0", "video_block.vga_block."), block.low("skip_i", "s0"),
+                [*framed(block, "s0", "video_block.vga_block."), block.low("skip_i", "s0"),
                  *(block.low(name, state) for name in ("moved_i", "rst_i")
                    for state in ("s0", "s1")), block.rests("s0")],
                 [block.stands("s1", timeless), block.one_less("s0", "s1"),

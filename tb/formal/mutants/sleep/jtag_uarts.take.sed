@@ -1,2 +1,2 @@
 # sleeps
-s/ || takes / /
+s/ || write_count != 7'd0//
