@@ -2,6 +2,7 @@
 
 #include <cerrno>
 #include <csignal>
+#include <unordered_map>
 
 #include <fmt/format.h>
 
@@ -87,15 +88,18 @@ void LinuxKernel::boot(ArmCore& core) {
 }
 
 void LinuxKernel::call(ArmCore& core) {
+    static const auto by_number = [] {
+        std::unordered_map<std::uint32_t, Result (LinuxKernel::*)(const Arguments&)> all;
+        for (const Call& call : calls()) all.emplace(call.number, call.answer);
+        return all;
+    }();
     const std::uint32_t number = core.reg(7);
-    for (const Call& call : calls()) {
-        if (call.number != number) continue;
+    if (const auto call = by_number.find(number); call != by_number.end()) {
         const Arguments arguments{core.reg(0), core.reg(1), core.reg(2), core.reg(3),
                                   core.reg(4), core.reg(5), core.reg(6)};
-        if (const Result result = (this->*call.answer)(arguments))
+        if (const Result result = (this->*call->second)(arguments))
             core.set_reg(0, static_cast<std::uint32_t>(*result));
-        go_on();
-        return;
+        return go_on();
     }
     const std::string name = name_of(number);
     not_emulated(name.empty() ? std::to_string(number) : name);

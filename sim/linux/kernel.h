@@ -437,6 +437,7 @@ private:
     void resume(LinuxThread& thread, std::optional<std::int64_t> result);
     void look(LinuxThread& thread);
     void look_at_all();
+    bool any_waits() const;
     void suspend();  // the running thread waits, or has ended, or makes way
     void go_on();    // with the one that is to run now, when time has come for one
     void account();

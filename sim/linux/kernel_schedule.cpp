@@ -50,14 +50,26 @@ void LinuxKernel::look(LinuxThread& thread) {
     resume(thread, result);
 }
 
+// What one does may let another go on.
 void LinuxKernel::look_at_all() {
-    const bool changed = std::exchange(changed_, false);
-    const std::uint64_t now = now_ns();
-    for (LinuxThread* const thread : threads())
-        if (thread->wait && thread->wait->look && (changed || thread->wait->at_ns <= now))
-            look(*thread);
-    for (LinuxThread* const thread : threads())
-        if (thread->wait && !thread->wait->uninterrupted && wakes(*thread)) interrupt(*thread);
+    bool changed;
+    do {
+        changed = std::exchange(changed_, false);
+        if (!any_waits()) return;
+        const std::uint64_t now = now_ns();
+        for (LinuxThread* const thread : threads())
+            if (thread->wait && thread->wait->look && (changed || thread->wait->at_ns <= now))
+                look(*thread);
+        for (LinuxThread* const thread : threads())
+            if (thread->wait && !thread->wait->uninterrupted && wakes(*thread)) interrupt(*thread);
+    } while (changed_);
+}
+
+bool LinuxKernel::any_waits() const {
+    for (const auto& process : processes_)
+        for (const auto& thread : process->threads)
+            if (thread->wait) return true;
+    return false;
 }
 
 // ---- The processor ------------------------------------------------------------------------------
@@ -121,8 +133,9 @@ void LinuxKernel::alarm(ArmCore&) { go_on(); }
 
 std::uint64_t LinuxKernel::next_event_ns() const {
     std::uint64_t next = running_ ? scheduler_.end_of_turn_ns(*running_) : LinuxWait::NEVER;
-    for (const LinuxThread* const thread : threads())
-        if (thread->wait) next = std::min(next, thread->wait->at_ns);
+    for (const auto& process : processes_)
+        for (const auto& thread : process->threads)
+            if (thread->wait) next = std::min(next, thread->wait->at_ns);
     next = std::min(next, next_timer_ns());
     if (const auto typed = terminal_.next_arrival())
         next = std::min<std::uint64_t>(next, (typed->value() + 999) / 1000);

@@ -142,8 +142,9 @@ LinuxKernel::Result LinuxKernel::sys_connect(const Arguments& a) {
         int wrong;
         LinuxSocket* const own = socket_at(fd, wrong);
         const int result = own ? own->connect(address) : wrong;
+        if (result == -EAGAIN && !does_not_wait(fd)) return std::nullopt;
         changed_ = true;
-        return result == -EAGAIN && !does_not_wait(fd) ? Result{} : result;
+        return result;
     };
     return this->wait(std::move(wait));
 }
