@@ -1,7 +1,7 @@
 # The menu. Each entry shows the real command.
 
 .PHONY: all build setup help demo test test-all fast asan coverage bench bench-collision firmware
-.PHONY: package bench-history nightly weekly tsan clang
+.PHONY: package portable bench-history nightly weekly tsan clang
 .PHONY: soak formal formal-mutants mutants synth netlist table1 fuzz instructions qsf bitstream
 .PHONY: bitstream-open regmap format clean configure everything
 .PHONY: fuzz-programs deploy rollback deploy-jtag
@@ -69,6 +69,11 @@ demo:                   ## ten seconds of the demo -> out/, packages first
 package:                ## build/package/de1sim_*.deb
 	@.ci/configure FIRMWARE
 	@cmake --build build --target deb
+
+portable:               ## build/package/de1sim-*-linux-*.tar.xz, for every Linux
+	@.ci/configure FIRMWARE
+	@cmake --build build --target tool examples
+	@sim/package/portable.sh build
 
 test:                   ## the tests that answer a change, packages first
 	@.ci/setup tool firmware board test video

@@ -100,7 +100,7 @@ void Builder::prepare_folder() {
 void Builder::elaborate() {
     read_clean_sources();
     refuse(text_errors(checks_));  // before the translator finds them in other words
-    check_verilator(limit_);
+    verilator_ = find_verilator(limit_);
     while (!translate_to_xml()) {
     }
 }
@@ -239,7 +239,7 @@ void Builder::generate() {
 
 std::string Builder::key() const {
     std::string all = fmt::format("{} {}\n", trace_, design_.project.top);
-    for (const fs::path& part : {fs::path{"/proc/self/exe"}, runtime_library()})
+    for (const fs::path& part : {fs::path{"/proc/self/exe"}, runtime_library(verilator_, limit_)})
         all += fmt::format("{} {}\n", fs::file_size(part),
                            fs::last_write_time(part).time_since_epoch().count());
     for (const char* name : {"project", "rtl/ip"}) {
@@ -293,7 +293,7 @@ Built Builder::build(const Progress& progress) {
                      loops_text(translate(words), design_.self_reading));
 
     progress("compiling");
-    compile_library(folder_, objects, trace_, limit_);
+    compile_library(folder_, objects, trace_, verilator_, limit_);
     // Those of other states of the design are of no use any more.
     for (const auto& entry : fs::directory_iterator{folder_}) {
         const std::string old = entry.path().filename().string();

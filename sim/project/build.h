@@ -13,6 +13,7 @@
 #include "sim/project/project.h"
 #include "sim/project/quartus/check.h"
 #include "sim/project/tools.h"
+#include "sim/project/verilator.h"
 #include "sim/project/vhdl_generics.h"
 
 namespace sim::project {
@@ -63,6 +64,7 @@ private:
 
     FolderLock lock_;  // from examine() on: two runs of one project do not build at once
     Request request_;
+    Verilator verilator_;
     bool trace_;
     const TimeLimit limit_;
     Design design_;

@@ -9,6 +9,7 @@
 #include "sim/project/compiled_headers.h"
 #include "sim/project/quartus/words.h"
 #include "sim/project/settings.h"
+#include "sim/project/verilator.h"
 #include "sim/report/whole_file.h"
 
 namespace sim::project {
@@ -24,10 +25,6 @@ constexpr std::string_view BLANK = "\u00a0";  // one that does not end a word
 fs::path program_folder() {
     std::error_code error;
     return fs::read_symlink("/proc/self/exe", error).parent_path();
-}
-
-fs::path library(const char* name) {
-    return (program_folder() / ".." / LIBRARY_FOLDER / name).lexically_normal();
 }
 
 // Verilator's first error, in a line: "pong.v:12: Quartus error 10170: syntax error ...".
@@ -102,7 +99,9 @@ unsigned TimeLimit::left_s() const {
 
 fs::path data_folder() { return (program_folder() / "../share/de1sim").lexically_normal(); }
 
-fs::path runtime_library() { return library("libdesign_runtime.a"); }
+fs::path library(const char* name) {
+    return (program_folder() / ".." / LIBRARY_FOLDER / name).lexically_normal();
+}
 
 std::string run_tool(const std::vector<std::string>& words, const fs::path& folder,
                      const TimeLimit& limit) {
@@ -111,18 +110,8 @@ std::string run_tool(const std::vector<std::string>& words, const fs::path& fold
     return outcome.output;
 }
 
-void check_verilator(const TimeLimit& limit) {
-    const Outcome outcome = run_command({"verilator", "--version"}, "/", limit.left_s());
-    if (outcome.code != 0) throw ProjectError{first_error(outcome, "verilator", limit)};
-    const std::string expected = fmt::format("Verilator {} ", VERILATOR_VERSION);
-    if (outcome.output.compare(0, expected.size(), expected) != 0)
-        throw ProjectError{
-            fmt::format("{} is installed, expected version {}, with which de1sim was built",
-                        outcome.output.substr(0, outcome.output.find(' ', 10)), VERILATOR_VERSION)};
-}
-
 void compile_library(const fs::path& folder, const fs::path& objects, bool trace,
-                     const TimeLimit& limit) {
+                     const Verilator& verilator, const TimeLimit& limit) {
     const fs::path data = data_folder();
     std::string fast, slow = "#pragma GCC optimize \"O0\"\n";  // what runs once
     std::uintmax_t slow_bytes = 0;
@@ -137,7 +126,6 @@ void compile_library(const fs::path& folder, const fs::path& objects, bool trace
     const bool apart = slow_bytes > WORTH_A_PROCESS;
     write_whole_file(objects / "fast.cxx", apart ? fast : fast + slow);
     write_whole_file(objects / "slow.cxx", apart ? slow : "");
-    const fs::path verilator_root = VERILATOR_INCLUDE;
     const std::vector<std::string> compiler{"g++",
                                             "-std=c++17",
                                             "-O2",
@@ -145,8 +133,8 @@ void compile_library(const fs::path& folder, const fs::path& objects, bool trace
                                             "-DVL_TIME_CONTEXT",
                                             "-w",
                                             "-fvisibility=hidden",  // so that it can be inlined
-                                            "-I" + verilator_root.string(),
-                                            "-I" + (verilator_root / "vltstd").string()};
+                                            "-I" + verilator.include.string(),
+                                            "-I" + (verilator.include / "vltstd").string()};
     const auto compile = [&](const std::vector<std::string>& headers) {
         std::vector<std::vector<std::string>> commands;
         for (const char* name : {"fast", "slow"}) {
@@ -171,8 +159,8 @@ void compile_library(const fs::path& folder, const fs::path& objects, bool trace
     if (outcome.code != 0) throw ProjectError{first_error(outcome, "g++", limit)};
     std::vector<std::string> link{"g++", "-shared", "-o", "chip.so", "fast.o"};
     if (apart) link.emplace_back("slow.o");
-    link.insert(link.end(), {runtime_library().string(), library("libinit_file.a").string(),
-                             "-pthread", LINK_OPTION, "-lz"});
+    link.insert(link.end(), {runtime_library(verilator, limit).string(),
+                             library("libinit_file.a").string(), "-pthread", LINK_OPTION, "-lz"});
     run_tool(link, objects, limit);
 }
 

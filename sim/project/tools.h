@@ -8,8 +8,13 @@
 
 namespace sim::project {
 
+struct Verilator;
+
 // `share` of an installation, or of the build tree.
 std::filesystem::path data_folder();
+
+// A library of it.
+std::filesystem::path library(const char* name);
 
 // The name of a file for a `line directive, which Verilator reads up to a blank.  The messages
 // of run_tool() have the blanks again.
@@ -42,16 +47,9 @@ private:
 std::string run_tool(const std::vector<std::string>& words, const std::filesystem::path& folder,
                      const TimeLimit& limit);
 
-// ProjectError: there is no Verilator, or another than de1sim was built with; what it translates
-// runs on the library of one version.
-void check_verilator(const TimeLimit& limit);
-
-// The library that designs are linked with, runtime/model.cpp in it.
-std::filesystem::path runtime_library();
-
 // Verilator's output in `objects`, with runtime/design.cpp: objects/chip.so.  `folder` has
 // de1sim_facts.h.  ProjectError.
 void compile_library(const std::filesystem::path& folder, const std::filesystem::path& objects,
-                     bool trace, const TimeLimit& limit);
+                     bool trace, const Verilator& verilator, const TimeLimit& limit);
 
 }  // namespace sim::project
