@@ -1,0 +1,17 @@
+#!/usr/bin/env bash
+# portable_test.sh BUILD WORK - the archive of make portable plays an example wherever it is unpacked
+set -euo pipefail
+build=$1 work=$2
+rm -rf "$work"
+mkdir -p "$work/a place"
+archive=$("$(dirname "$0")/../../sim/package/portable.sh" "$build" | tail -n 1)
+tar -xJf "$archive" -C "$work/a place"
+cd "$work/a place"/de1sim-*
+env -i bin/de1sim run share/de1sim/examples/first_led/first_led.yaml --quiet --out "$work/out"
+
+# Of the machine it takes what every machine has.
+elsewhere=$(env -i LD_TRACE_LOADED_OBJECTS=1 bin/de1sim | sed -n 's/.* => \(.*\) (0x.*/\1/p' |
+    grep -v "^$PWD/bin/\.\./lib/" | sed 's,.*/,,; s,\.so.*,,' | sort -u | tr '\n' ' ')
+[ "$elsewhere" = "libc libgcc_s libm libstdc++ " ] || { echo "$elsewhere"; exit 1; }
+[ -s share/doc/de1sim/licences/libdynarmic6 ]
+rm -r "$work" "$archive"
