@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "sim/project/settings.h"
+#include "sim/project/verilator.h"
 #include "sim/report/whole_file.h"
 
 namespace {
@@ -108,7 +109,8 @@ TEST_F(CompiledHeaders, AreLeftOutWithoutACacheOrACompiler) {
 
 TEST_F(CompiledHeaders, AreForgottenWhenADesignDoesNotCompileWithThem) {
     const auto compile = [&] {
-        sim::project::compile_library(folder, folder / "objects", false, limit);
+        sim::project::compile_library(folder, folder / "objects", false,
+                                      sim::project::find_verilator(limit), limit);
     };
     compiler("case \"$*\" in *-include*) exit 1;; esac;");
     compile();
