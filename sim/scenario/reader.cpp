@@ -180,6 +180,11 @@ Scenario read_scenario(std::string_view text, const Path& file) {
     if (values.find("fpga-memory"))
         scenario.memory_bridged = values.number<unsigned>("fpga-memory") == 1;
     if (values.find("audio-rate")) scenario.audio_rate = values.number<unsigned>("audio-rate");
+    if (values.find("points")) scenario.points = values.number<unsigned>("points");
+    constexpr const char* VISIBILITIES[] = {"visible", "hidden", "after_due_date",
+                                            "after_published"};
+    if (values.find("visibility"))
+        scenario.visibility = VISIBILITIES[values.number<std::size_t>("visibility")];
     if (values.find("ps2")) scenario.ps2 = ps2_ports(values.list("ps2"));
     for (std::size_t i = 0; i < root.keys.size(); ++i) {
         if (root.keys[i].text == "steps")

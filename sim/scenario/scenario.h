@@ -38,6 +38,8 @@ struct Scenario {
     std::string cpu;                     // "native", "arm", or empty
     std::optional<bool> memory_bridged;  // as --fpga-memory says
     std::optional<unsigned> audio_rate;  // samples per second
+    unsigned points = 1;                 // for who grades
+    std::string visibility = "visible";  // of these, as Gradescope names it
     Ps2Ports ps2;
     std::vector<PartPlan> parts;      // on the headers
     std::vector<ScenarioStep> steps;  // may be empty when there is a duration

@@ -31,6 +31,9 @@ const ValueType RATE{"8000 or 48000", R"({"enum": [8000, 48000]})",
                          if (is_plain(node) && node.text == "48000") return std::uint64_t{48'000};
                          return std::nullopt;
                      }};
+const ValueType POINTS = whole_number("a whole number from 0 to 1000000", 0, 1'000'000);
+const ValueType VISIBILITY = word("visible, hidden, after-due-date or after-published",
+                                  {"visible", "hidden", "after-due-date", "after-published"});
 const ValueType PS2 = [] {
     ValueType type = word("keyboard, mouse or nothing", {"keyboard", "mouse", "nothing"});
     type.list_of = "device";
@@ -73,6 +76,9 @@ const std::vector<Field>& file_fields() {
          "processor's model. Without it arm where there is a program."},
         {"fpga-memory", MEMORY, Need::OPTIONAL, "", "As --fpga-memory, unless that is given."},
         {"audio-rate", RATE, Need::OPTIONAL, "", "As --audio-rate, unless that is given."},
+        {"points", POINTS, Need::OPTIONAL, "1", "What the scenario counts in de1sim test."},
+        {"visibility", VISIBILITY, Need::OPTIONAL, "visible",
+         "When Gradescope shows its result to who handed in."},
         {"ps2", PS2, Need::OPTIONAL, "",
          "What is in the first PS/2 port, or a list: in the first and in the second. Without it a "
          "keyboard and a mouse."},

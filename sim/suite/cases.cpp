@@ -40,16 +40,24 @@ bool looks_like_a_scenario(const fs::path& file) {
     }
 }
 
-double simulated_s(const fs::path& file) {
+double simulated_s(const Scenario& scenario) {
+    if (scenario.duration) return static_cast<double>(scenario.duration->ps) * 1e-12;
+    std::uint64_t ps = 0;
+    for (const ScenarioStep& step : scenario.steps) ps += step.step->least().ps;
+    return static_cast<double>(ps) * 1e-12;
+}
+
+Case case_of(const fs::path& file, const std::string& name) {
+    Case one{file, name, LEAST_S};
     try {
         const Scenario scenario = parse_scenario(read_whole_file(file, MAX_FILE_BYTES), file);
-        if (scenario.duration) return static_cast<double>(scenario.duration->ps) * 1e-12;
-        std::uint64_t ps = 0;
-        for (const ScenarioStep& step : scenario.steps) ps += step.step->least().ps;
-        return static_cast<double>(ps) * 1e-12;
+        one.expected_s += simulated_s(scenario);
+        one.points = scenario.points;
+        one.visibility = scenario.visibility;
     } catch (const std::runtime_error&) {
-        return 0;
+        // Its run will say what is wrong with it.
     }
+    return one;
 }
 
 void search(const fs::path& folder, std::vector<fs::path>& found) {
@@ -103,7 +111,7 @@ std::vector<Case> find_cases(const std::vector<fs::path>& paths) {
         if (!seen.insert(fs::weakly_canonical(file)).second) continue;
         std::string name = name_of(file);
         if (const unsigned before = names[name]++) name += fmt::format("~{}", before + 1);
-        cases.push_back({file, name, LEAST_S + simulated_s(file)});
+        cases.push_back(case_of(file, name));
     }
     std::sort(cases.begin(), cases.end(),
               [](const Case& a, const Case& b) { return a.name < b.name; });

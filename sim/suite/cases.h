@@ -12,6 +12,8 @@ struct Case {
     std::filesystem::path file;
     std::string name;       // unique: the file without .yaml, as it was found
     double expected_s = 0;  // of wall time; an estimate where it has not been measured
+    unsigned points = 1;
+    std::string visibility = "visible";
 };
 
 // All scenarios under the paths, by name, each once.  A path is a file, or a folder in which every

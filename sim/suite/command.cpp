@@ -21,6 +21,7 @@
 #include "sim/run/output_folder.h"
 #include "sim/run/run.h"
 #include "sim/suite/cases.h"
+#include "sim/suite/gradescope.h"
 #include "sim/suite/index_page.h"
 #include "sim/suite/reporter.h"
 #include "sim/suite/results.h"
@@ -43,10 +44,11 @@ std::pair<unsigned, unsigned> parse_shard(const std::string& text) {
     return {number, count};
 }
 
-void write_all(const fs::path& out, const Results& results) {
+void write_all(const fs::path& out, const Results& results, const fs::path& gradescope = {}) {
     write_results(out, results);
     write_junit(out, results);
     write_whole_file(out / "index.html", to_index(out, results));
+    if (!gradescope.empty()) write_whole_file(gradescope, to_gradescope(out, results));
 }
 
 // Writes results.json now and then, so that a machine that dies loses little.
@@ -86,7 +88,7 @@ int test_on_slurm(TestOptions options, const std::vector<Case>& cases) {
     Reporter reporter{cases, options.shards};
     const Results results = run_on_slurm(cases, options, interrupted,
                                          [&](const Result& result) { reporter.done(result); });
-    write_all(options.out, results);
+    write_all(options.out, results, options.gradescope);
     if (!summarise(results, reporter.wall_s(), options.out)) return WRONG_INPUT;
     return interrupted() ? INTERRUPTED : results.exit_code();
 }
@@ -131,6 +133,9 @@ void add_test_options(CLI::App& command, TestOptions& options) {
     command.add_option("--times", options.times,
                        "folder of results whose times tell how long each takes, for --shard;\n"
                        "without it lengths are estimated, the same way on every machine");
+    command.add_option("--gradescope", options.gradescope,
+                       "file for Gradescope's autograder, /autograder/results/results.json: the\n"
+                       "points of each scenario, and what was expected and found");
     CLI::Option* slurm = command.add_flag(
         "--slurm", options.slurm, "run on a cluster: as an array job of Slurm's, a task per shard");
     for (const char* other : {"--shard", "--rerun-failed", "--fail-fast", "--jobs"})
@@ -197,7 +202,7 @@ int test(const TestOptions& options) {
             keeper.keep(std::move(result));
         });
     std::sort(results.missing.begin(), results.missing.end());
-    write_all(options.out, results);
+    write_all(options.out, results, options.gradescope);
     if (!summarise(results, reporter.wall_s(), options.out)) return WRONG_INPUT;
     return interrupted() ? INTERRUPTED : results.exit_code();
 }

@@ -26,7 +26,8 @@ struct TestOptions {
     bool resume = false;  // what has a result does not run again
     bool list = false, rerun_failed = false, fail_fast = false, update_goldens = false;
     unsigned shard = 1, shards = 1;
-    std::filesystem::path times;  // results whose times are used; or empty
+    std::filesystem::path times;       // results whose times are used; or empty
+    std::filesystem::path gradescope;  // file for Gradescope; or empty
     std::optional<SimTime> trace_failure;
 };
 

@@ -17,11 +17,6 @@ namespace {
 namespace fs = std::filesystem;
 using page::escape;
 
-bool ends_with(const std::string& text, const std::string& end) {
-    return text.size() >= end.size() &&
-           text.compare(text.size() - end.size(), end.size(), end) == 0;
-}
-
 // A file's name as a link has it.
 std::string url(const fs::path& file) {
     std::string out;
@@ -33,19 +28,14 @@ std::string url(const fs::path& file) {
 }
 
 // The golden picture of a failure, what there was, and where they differ: side by side.
-std::string pictures(const std::vector<fs::path>& files, const Failure& failure) {
+std::string pictures(const fs::path& folder, const Result& result, const Failure& failure) {
     std::string out;
     for (const char* what : {"expected", "actual", "difference"})
-        for (const fs::path& file : files) {
-            const std::string name = file.filename().string();
-            if (name.rfind(fmt::format("line{}_", failure.line), 0) != 0 ||
-                !ends_with(name, fmt::format("_{}.png", what)))
-                continue;
+        for (const fs::path& file : pictures_of(folder, result, failure, what))
             out += fmt::format(
                 "<figure><img data-what=\"{0}\" alt=\"{0}\" src=\"{1}\"><figcaption>{0}: {2}"
                 "</figcaption></figure>\n",
-                what, url(file), escape(name));
-        }
+                what, url(file), escape(file.filename().string()));
     return out.empty() ? "" : "<div class=\"three\">\n" + out + "</div>\n";
 }
 
@@ -62,7 +52,7 @@ std::string section(const fs::path& folder, const Result& result) {
         for (const Failure& f : result.failures)
             out += fmt::format("<tr><td>{}</td><td>{}</td><td>{}{}</td></tr>\n",
                                f.line ? std::to_string(f.line) : "", escape(f.step),
-                               escape(f.detail), pictures(files, f));
+                               escape(f.detail), pictures(folder, result, f));
         out += "</table>\n";
     }
     if (!result.said.empty()) out += "<pre>" + escape_lines(result.said) + "</pre>\n";

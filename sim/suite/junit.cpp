@@ -57,6 +57,19 @@ std::vector<fs::path> attachments(const fs::path& folder, const Result& result) 
     return found;
 }
 
+std::vector<fs::path> pictures_of(const fs::path& folder, const Result& result,
+                                  const Failure& failure, const std::string& what) {
+    const std::string begin = fmt::format("line{}_", failure.line), end = "_" + what + ".png";
+    std::vector<fs::path> found;
+    for (const fs::path& file : attachments(folder, result)) {
+        const std::string name = file.filename().string();
+        if (name.rfind(begin, 0) == 0 && name.size() >= end.size() &&
+            name.compare(name.size() - end.size(), end.size(), end) == 0)
+            found.push_back(file);
+    }
+    return found;
+}
+
 std::string junit_suite(const fs::path& folder, const Result& result) {
     std::string suite = suite_of_run(folder / result.folder / "junit.xml", result.name);
     if (suite.empty()) suite = suite_of_an_error(result);

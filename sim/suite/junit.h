@@ -17,4 +17,9 @@ std::string junit_suite(const std::filesystem::path& folder, const Result& resul
 std::vector<std::filesystem::path> attachments(const std::filesystem::path& folder,
                                                const Result& result);
 
+// Of these the pictures "expected", "actual" or "difference" of a failure.
+std::vector<std::filesystem::path> pictures_of(const std::filesystem::path& folder,
+                                               const Result& result, const Failure& failure,
+                                               const std::string& what);
+
 }  // namespace sim::suite

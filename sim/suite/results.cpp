@@ -70,6 +70,8 @@ Json json_of(const Result& result) {
             {"simulated_s", result.simulated_s},
             {"wall_s", result.wall_s},
             {"folder", result.folder},
+            {"points", result.points},
+            {"visibility", result.visibility},
             {"failures", failures},
             {"said", result.said}};
 }
@@ -84,6 +86,9 @@ Result result_of(const Json& json) {
     json.at("wall_s").get_to(result.wall_s);
     json.at("folder").get_to(result.folder);
     json.at("said").get_to(result.said);
+    const int points = integer(json.value("points", Json(1)));
+    result.points = points < 0 ? 0 : static_cast<unsigned>(points);
+    result.visibility = json.value("visibility", "visible");
     for (const Json& f : json.at("failures"))
         result.failures.push_back({integer(f.at("line")), f.at("step").get<std::string>(),
                                    f.at("detail").get<std::string>(), f.at("met").get<bool>()});

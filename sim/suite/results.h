@@ -24,7 +24,9 @@ struct Result {
     std::string name, file;
     int exit_code = -1;  // of `de1sim run`; -1: it did not come to its end
     double wall_s = 0, simulated_s = 0;
-    std::string end;  // "all steps done"
+    std::string end;                     // "all steps done"
+    unsigned points = 1;                 // of the scenario: for --gradescope
+    std::string visibility = "visible";  // or "hidden", "after_due_date", "after_published"
     std::vector<Failure> failures;
     std::string said;    // the run's last lines
     std::string folder;  // relative to results.json

@@ -48,6 +48,8 @@ Result run_case(const Case& one, const RunSettings& settings,
     result.name = one.name;
     result.file = one.file.string();
     result.folder = folder;
+    result.points = one.points;
+    result.visibility = one.visibility;
     result.exit_code = outcome.code;
     result.wall_s = wall.count();
     if (!result.passed() || !result.failures.empty()) result.said = last_lines(outcome.output);

@@ -1,11 +1,14 @@
 """suite_test.py DE1SIM FOLDER [CASE...] - de1sim test: which run, what is told, what stays"""
+import json
 import re
 import signal
 import subprocess
 import time
 import xml.etree.ElementTree as xml
 
-from folder import DE1SIM, Folder, black_png, run
+import jsonschema
+
+from folder import DE1SIM, HERE, Folder, black_png, run
 
 READY = "wait-serial: ready", "wait-frame: 3"
 
@@ -71,6 +74,25 @@ class Suite(Folder):
         self.assertIn("1 of 1 scenarios passed, 1 golden pictures renewed", done.stdout)
         self.assertTrue((self.folder / "s" / "golden.png").exists())
         self.suite("s")
+
+    def test_gradescope(self):
+        """Points, and the first difference as a person sees it, by the format's description."""
+        self.scenario("s/good", head="duration: 2ms\npoints: 3")
+        self.scenario("s/bad", 'expect-leds: "1111111111"',
+                      head="duration: 2ms\npoints: 2\nvisibility: after-due-date")
+        self.scenario("s/picture", *READY, "expect-frame: {equals: golden.png}", head="")
+        black_png(self.folder / "s" / "golden.png")
+        self.suite("s", "--gradescope", "grades.json", code=1)
+        grades = json.loads((self.folder / "grades.json").read_text())
+        jsonschema.validate(grades, json.loads((HERE / "gradescope.schema.json").read_text()))
+        bad, good, picture = grades["tests"]
+        self.assertEqual([(t["name"], t["score"], t["max_score"]) for t in grades["tests"]],
+                         [("s/bad", 0, 2), ("s/good", 3, 3), ("s/picture", 0, 1)])
+        self.assertEqual((bad["visibility"], good["visibility"]), ("after_due_date", "visible"))
+        self.assertIn("LEDR shows 0000000000", bad["output"])
+        self.assertEqual(picture["output"].count("data:image/png;base64,"), 2)
+        done = self.suite("s", "--gradescope", "no/such/folder.json", code=2)
+        self.assertIn("no/such/folder.json", done.stderr)
 
     def test_rerun_failed(self):
         self.three()
