@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# portable.sh BUILD - BUILD/package/de1sim-VERSION-linux-ARCH.tar.xz, which runs on every Linux whose
-# glibc is not older than this machine's.
+# portable.sh BUILD - BUILD/package/de1sim-VERSION-linux-ARCH.tar.xz, which runs on every Linux
+# whose glibc is not older than this machine's.
 #
 # In it are what `cmake --install` installs and the libraries that this needs, with their licences,
 # found from the program's own place; not glibc and GCC's libraries, which are on every machine, nor
@@ -12,7 +12,8 @@ name=de1sim-$version-linux-$(uname -m)
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
-cmake --install "$build" --prefix "$work/$name" --strip > "$work/log" || { cat "$work/log"; exit 1; }
+cmake --install "$build" --prefix "$work/$name" --strip > "$work/log" ||
+    { cat "$work/log"; exit 1; }
 cd "$work/$name"
 rm -f lib/de1sim/de1sim-video.so
 licences=share/doc/de1sim/licences

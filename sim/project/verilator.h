@@ -16,9 +16,9 @@ struct Verilator {
 // ProjectError: there is none on the PATH, or one older than 5.006.
 Verilator find_verilator(const TimeLimit& limit);
 
-// What designs are linked with: Verilator's library of that version, and runtime/model.cpp.  That of
-// the version with which de1sim was built comes with de1sim; that of another is compiled once, in
-// about 10 s, into the user's cache.  ProjectError.
+// What designs are linked with: Verilator's library of that version, and runtime/model.cpp.  That
+// of the version with which de1sim was built comes with de1sim; that of another is compiled once,
+// in about 10 s, into the user's cache.  ProjectError.
 std::filesystem::path runtime_library(const Verilator& verilator, const TimeLimit& limit);
 
 }  // namespace sim::project

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# portable_test.sh BUILD WORK - the archive of make portable plays an example wherever it is unpacked
+# portable_test.sh BUILD WORK - the archive of make portable plays an example where it is unpacked
 set -euo pipefail
 build=$1 work=$2
 rm -rf "$work"

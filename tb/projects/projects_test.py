@@ -360,19 +360,36 @@ class Wrong(Case):
                    s_yaml="name: x\nversion: 1\nprogram: x.elf\nsteps: [delay: 1ms]\n")
         self.refused("has no processor", "run", "s.yaml", "--project", ".")
 
-    def test_no_verilator_and_another_one(self):
-        self.write(top_v=LEDS.format("SW"))
+    def with_verilator(self, text, *words):
+        """de1sim WORDS with another Verilator, a script of this text."""
         program = self.folder / "bin" / "verilator"
-        program.parent.mkdir()
+        program.parent.mkdir(exist_ok=True)
+        program.write_text(f"#!/bin/sh\n{text}\n")
+        program.chmod(0o755)
+        return subprocess.run([DE1SIM, *words], cwd=self.folder, capture_output=True, text=True,
+                              env={"PATH": f"{program.parent}:/usr/bin:/bin",
+                                   "XDG_CACHE_HOME": str(self.folder / "cache")})
+
+    def test_no_verilator_and_an_old_one(self):
+        self.write(top_v=LEDS.format("SW"))
         for text, message in (
                 ("exit 127", "verilator is not installed: apt install verilator g++"),
-                ("echo Verilator 5.020 2024", "Verilator 5.020 is installed, expected")):
-            program.write_text(f"#!/bin/sh\n{text}\n")
-            program.chmod(0o755)
-            done = subprocess.run([DE1SIM, "check", "."], cwd=self.folder, capture_output=True,
-                                  text=True, env={"PATH": f"{program.parent}:/usr/bin:/bin"})
+                ("echo Verilator 4.038 2020", "Verilator 4.038 is installed, expected 5.006 or")):
+            done = self.with_verilator(text, "check", ".")
             self.assertEqual(done.returncode, 2)
             self.assertIn(message, done.stderr)
+
+    def test_another_verilator(self):
+        """Its library is compiled once, into the user's cache."""
+        self.write(top_v=LEDS.format("SW"),
+                   s_yaml="name: x\nversion: 1\nsteps:\n  - delay: 1ms\n"
+                          '  - expect-leds: "0000000000"\n')
+        text = ('[ "$1" = --version ] && echo Verilator 5.999 2099 && exit\n'
+                f'exec {shutil.which("verilator")} "$@"')
+        for _ in range(2):
+            done = self.with_verilator(text, "run", "s.yaml", "--project", ".", "--quiet")
+            self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(len(list(self.folder.glob("cache/de1sim/runtime/*/*.a"))), 1)
 
     def test_options_of_a_processor(self):
         self.write(top_v=LEDS.format("SW"), s_yaml="name: x\nversion: 1\nsteps: [delay: 1ms]\n")

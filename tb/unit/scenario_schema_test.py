@@ -18,7 +18,8 @@ GOOD_FILES = [
     "version: 1\nsteps: [{delay: 3600s}]\nname: 'a: b'\n",
     HEAD + "duration: 1s\nps2: mouse\n", HEAD + "duration: 1s\nps2: [nothing, keyboard]\n",
     HEAD + "duration: 1s\nparts: [{keypad: 'GPIO_1[6:0], GPIO_0[35]'}]\n",
-    HEAD + "duration: 1s\nproject: a/b.qsf\ncpu: arm\nfpga-memory: bridge\naudio-rate: 48000\npoints: 3\nvisibility: hidden\n",
+    HEAD + "duration: 1s\nproject: a/b.qsf\ncpu: arm\nfpga-memory: bridge\naudio-rate: 48000\n",
+    HEAD + "duration: 1s\npoints: 3\nvisibility: hidden\n",
     HEAD + """parts:
   - button: {name: fire, pin: "GPIO_1[33]", pressed: high}
   - switch: {name: mode, pin: "GPIO_1[35]"}
