@@ -18,7 +18,7 @@ using page::escape;
 constexpr std::size_t MAX_PICTURE_BYTES = 4u << 20;
 
 // The golden picture of a failure and what there was, in the text itself.
-std::string pictures(const fs::path& folder, const Result& result, const Failure& failure) {
+std::string inlined_pictures(const fs::path& folder, const Result& result, const Failure& failure) {
     std::string out;
     for (const char* what : {"expected", "actual"})
         for (const fs::path& file : pictures_of(folder, result, failure, what)) {
@@ -35,7 +35,7 @@ std::string output_of(const fs::path& folder, const Result& result) {
         if (failure.met) continue;
         out += failure.line ? fmt::format("<p>line {}: {}<br>", failure.line, escape(failure.step))
                             : fmt::format("<p>{}<br>", escape(failure.step));
-        out += escape(failure.detail) + "</p>\n" + pictures(folder, result, failure);
+        out += escape(failure.detail) + "</p>\n" + inlined_pictures(folder, result, failure);
     }
     if (!result.passed() && result.failures.empty() && !result.said.empty())
         out += "<pre>" + escape_lines(result.said) + "</pre>\n";
