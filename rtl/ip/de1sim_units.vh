@@ -42,9 +42,11 @@ endfunction
 // The period of a frequency in GHz, MHz, kHz or Hz, rounded; 0 for 0.
 function [63:0] de1sim_period_fs(input [8*40-1:0] frequency);
     reg [63:0] hz;
+    reg [7:0]  unit;
     begin
         hz = de1sim_millionths(frequency);
-        case (de1sim_unit(frequency))
+        unit = de1sim_unit(frequency);
+        case (unit)
             "G": hz = hz * 1000;
             "k", "K": hz = hz / 1000;
             "H": hz = hz / 1000000;
@@ -57,9 +59,11 @@ endfunction
 // A phase in us, ns or ps, or without unit in ps, within one period: -1 ns of 20 is 19 ns.
 function [63:0] de1sim_phase_fs(input [8*40-1:0] phase, input [63:0] period_fs);
     reg signed [63:0] fs;
+    reg [7:0]         unit;
     begin
         fs = de1sim_millionths(phase);
-        case (de1sim_unit(phase))
+        unit = de1sim_unit(phase);
+        case (unit)
             "u": fs = fs * 1000;
             "n": ;
             default: fs = fs / 1000;

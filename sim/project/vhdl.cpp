@@ -91,7 +91,8 @@ std::string in_quartus_words(const std::string& line) {
                        m[2].str()[0] == 'l' ? ", and assign it on all paths through that" : "");
 }
 
-// GHDL's first error, or what it says instead: "top.vhd:14:2: no declaration for "x"".
+// GHDL's first error, or what it says instead: "top.vhd:14:2: no declaration for "x"".  GHDL 5 puts
+// "error:" before it, and names a unit that it has not found as one of its command line.
 std::string first_error(const std::string& said, const std::string& what) {
     if (const auto crashed = crash(said)) return fmt::format("{}: {}", what, *crashed);
     std::istringstream lines{said};
@@ -100,8 +101,12 @@ std::string first_error(const std::string& said, const std::string& what) {
         const bool has_place = colon != std::string::npos && colon + 1 < line.size() &&
                                std::isdigit(static_cast<unsigned char>(line[colon + 1]));
         if (has_place && line.find(":warning:") == std::string::npos &&
-            line.find(":note:") == std::string::npos)
-            return in_quartus_words(line);
+            line.find(":note:") == std::string::npos && line[0] != '*') {
+            static const std::string MARK = ":error: ";
+            const std::size_t mark = line.find(MARK);
+            return in_quartus_words(
+                mark == std::string::npos ? line : line.replace(mark, MARK.size(), ": "));
+        }
     }
     return fmt::format("{}: GHDL failed on this VHDL, and does not say why", what);
 }

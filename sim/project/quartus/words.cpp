@@ -155,7 +155,7 @@ Message warning(const std::string& code, const std::string& text) {
         return made(10236, fmt::format("{} is not declared, so it is a wire of one bit of its own; "
                                        "is the name right?",
                                        m[1].str()));
-    if (code == "WIDTH") {
+    if (code.rfind("WIDTH", 0) == 0) {  // WIDTHTRUNC and WIDTHEXPAND from 5.010 on
         if (matches("Operator ASSIGN.* expects ([0-9]+) bits on the Assign RHS, but .* generates "
                     "([0-9]+)(?: or ([0-9]+))? bits",
                     m) &&
