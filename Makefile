@@ -75,7 +75,7 @@ portable:               ## build/package/de1sim-*-linux-*.tar.xz, for every Linu
 	@cmake --build build --target tool examples
 	@sim/package/portable.sh build
 
-test:                   ## the tests that answer a change, packages first
+test:                   ## the tests of every push, packages first
 	@.ci/setup tool firmware board test video
 	@.ci/configure FIRMWARE TESTS BOARD WERROR=$(WERROR)
 	@cmake --build build

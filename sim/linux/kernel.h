@@ -294,7 +294,6 @@ private:
     void restart_sequence();
     LinuxThread* thread_of(std::uint32_t number) const;  // 0: the running one
     std::int64_t set_policy(LinuxThread& thread, int policy, int priority);
-
     void begin_thread(LinuxThread& child, const Clone& how);
 
     // kernel_children.cpp
