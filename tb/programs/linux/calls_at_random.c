@@ -1,12 +1,13 @@
-// calls_at_random.c [N [SEED]] - N system calls with numbers and arguments at random, which it has
-// to survive; the same seed makes the same calls
+// calls_at_random.c N SEED - N system calls with numbers and arguments at random, which it has to
+// survive; the same seed makes the same calls
 //
 // Pointers go into an arena, whose contents are at random too and whose pages calls unmap, protect
 // and move, to its own code, to nothing, or beyond the end; never to where it keeps its own data.
 // Calls that would end or stop it are left out: exit, signals to itself, returns from a signal,
-// waiting for one.  Some of them are made by other threads, or by another process.  What sleeps gets
-// a time of less than a millisecond, what would wait is made not to, and standard
-// input becomes a file.  Without a C library, because calls also change the heap and the TLS.
+// waiting for one.  Some of them are made by other threads, or by another process, which alone may
+// execute this program anew; that copy ends at once, since it has no N and SEED.  What sleeps gets
+// a time of less than a millisecond, what would wait is made not to, and standard input becomes a
+// file.  Without a C library, because calls also change the heap and the TLS.
 #include <stdint.h>
 
 #define ARENA 0x20000000u
@@ -18,7 +19,8 @@ enum {
     NR_PIPE2 = 359, NR_SOCKET = 281, NR_ACCEPT = 285, NR_SOCKETPAIR = 288, NR_ACCEPT4 = 366,
     NR_FCNTL = 55, NR_FCNTL64 = 221, NR_EVENTFD = 351, NR_EVENTFD2 = 356, NOT_BLOCKING = 04000,
     NR_SIGACTION = 174, SIGPIPE = 13, NR_SEMTIMEDOP = 312, NR_SEMTIMEDOP_64 = 420,
-    NR_READ = 3, NR_WRITE = 4, NR_OPEN = 5, NR_CLOSE = 6, NR_PAUSE = 29, NR_KILL = 37,
+    NR_READ = 3, NR_WRITE = 4, NR_OPEN = 5, NR_CLOSE = 6, NR_EXECVE = 11, NR_PAUSE = 29,
+    NR_KILL = 37,
     NR_BRK = 45, NR_DUP2 = 63, NR_MUNMAP = 91, NR_CLONE = 120,
     NR_CLONE3 = 435, NR_SIGRETURN = 119, NR_MPROTECT = 125,
     NR_SELECT = 142, NR_NANOSLEEP = 162, NR_MREMAP = 163, NR_POLL = 168, NR_RT_SIGRETURN = 173,
@@ -39,10 +41,12 @@ static const uint16_t CALLS[] = {
     281, 281, 288, 282, 283, 283, 284, 366, 286, 287, 289, 290, 291, 292, 293, 294, 295, 296, 297,
     96, 97, 154, 155, 156, 157, 159, 160, 161, 172, 176, 224, 241, 339, 345};
 
+static const char ITSELF[] = "/proc/self/exe";
+
 static const char* const NAMES[] = {
     "/dev/null", "/dev/zero", "/dev/urandom", "/dev/shm/a", "/dev/fb0", "/proc/self/maps",
     "a", "b", "/d", "d/e", "d/../a", "../outside", "/../../outside", "d/../../outside/x", ".", "/",
-    "", "..", "/dev/mem", "/proc/self/exe", "/etc/passwd", "d/e/f/g", "//a//", "a/",
+    "", "..", "/dev/mem", ITSELF, "/etc/passwd", "d/e/f/g", "//a//", "a/",
     "\xFF\n\x1B[2J"};
 
 // struct sockaddr: two ports of this machine, and one of another.
@@ -53,6 +57,7 @@ static const uint32_t HOSTS[3][4] = {
 
 static uint32_t state;
 static uint64_t span[2];  // a short time, as all calls take it
+static uint8_t in_child;
 
 static uint32_t any(void) {  // xorshift
     state ^= state << 13;
@@ -245,6 +250,10 @@ static void one_call(void) {
             a[0] = any_path();
             if (number == 38) a[1] = any_path();
             break;
+        case NR_EXECVE:
+            a[0] = any_path();
+            if (!in_child && a[0] == (uint32_t)(uintptr_t)ITSELF) return;
+            break;
         case 322: case 323: case 327: case 328: case 329: case 332: case 334: case 397: case 439:
             a[0] = any() % 4 ? 0xFFFFFF9C : any_value();
             a[1] = any_path();
@@ -303,6 +312,7 @@ static void end_help(void) {
 static void get_child(void) {
     const int32_t child = call3(NR_FORK, 0, 0, 0);
     if (child == 0) {
+        in_child = 1;
         for (uint32_t i = any() % 32; i > 0; --i) one_call();
         call3(NR_EXIT_GROUP, 0, 0, 0);
     }
@@ -320,9 +330,9 @@ static uint32_t number_of(const char* text) {
 
 // `at`: the stack at the start, which has the arguments.
 __attribute__((used)) static void begin(const uint32_t* at) {
-    const uint32_t calls = at[0] > 1 ? number_of((const char*)(uintptr_t)at[2]) : 30000;
-    state = at[0] > 2 ? number_of((const char*)(uintptr_t)at[3]) : 1;
-    state = state * 2654435769u | 1;
+    if (at[0] != 3) call3(NR_EXIT_GROUP, 4, 0, 0);
+    const uint32_t calls = number_of((const char*)(uintptr_t)at[2]);
+    state = number_of((const char*)(uintptr_t)at[3]) * 2654435769u | 1;
     static const uint32_t IGNORED[5] = {1};
     const uint32_t ignores[7] = {SIGPIPE, (uint32_t)(uintptr_t)IGNORED, 0, 8};
     call(NR_SIGACTION, ignores);
