@@ -3,14 +3,14 @@
 #include <cmath>
 #include <utility>
 
+#include "sim/report/seconds.h"
+
 namespace sim {
 
 namespace {
 
 // Bits of hold() and release().
 constexpr unsigned ALL_KEYS = 0x0F, HPS_KEY = 0x10;
-
-double seconds(std::uint64_t ps) { return static_cast<double>(ps) * 1e-12; }
 
 }  // namespace
 

@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "sim/report/seconds.h"
+
 namespace sim {
 
 using sc_core::sc_time;
@@ -255,7 +257,7 @@ std::string ArmCpu::no_code() const {
 
 std::string ArmCpu::where() const {
     const std::string function = program_.elf.function(core_.pc());
-    return fmt::format("at {:.6f} ms, PC 0x{:08X}{}{}", now().to_seconds() * 1e3, core_.pc(),
+    return fmt::format("at {:.6f} ms, PC 0x{:08X}{}{}", seconds(now()) * 1e3, core_.pc(),
                        function.empty() ? "" : " in ", function);
 }
 

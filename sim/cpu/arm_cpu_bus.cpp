@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include "sim/report/seconds.h"
+
 namespace sim {
 
 using sc_core::sc_time;
@@ -155,7 +157,7 @@ void ArmCpu::drain() {
 std::string ArmCpu::accessed() const {
     const std::uint32_t pc = core_.instruction();
     const std::string function = program_.elf.function(pc);
-    return fmt::format(", at {:.6f} ms, PC 0x{:08X}{}{}", now().to_seconds() * 1e3, pc,
+    return fmt::format(", at {:.6f} ms, PC 0x{:08X}{}{}", seconds(now()) * 1e3, pc,
                        function.empty() ? "" : " in ", function);
 }
 

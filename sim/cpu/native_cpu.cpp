@@ -4,6 +4,7 @@
 
 #include "hal/clock.h"
 #include "hal/console.h"
+#include "sim/report/seconds.h"
 
 namespace sim {
 
@@ -36,7 +37,7 @@ void NativeCpu::access(tlm::tlm_command command, std::uint32_t address, void* da
     const sc_time now = sc_core::sc_time_stamp() + ahead_;
     fail(fmt::format("data abort: {} of {} bytes at 0x{:08X} at {:.6f} ms ({})",
                      command == tlm::TLM_READ_COMMAND ? "read" : "write", bytes, address,
-                     now.to_seconds() * 1e3, answer));
+                     seconds(now) * 1e3, answer));
     throw Abort{};
 }
 

@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "sim/report/seconds.h"
+
 namespace sim {
 
 namespace {
@@ -250,7 +252,7 @@ void Debugger::points_changed() {
 
 std::string Debugger::monitor(std::string_view command) {
     if (command == "time")
-        return fmt::format("{:.6f} ms, {} instructions\n", cpu_.now().to_seconds() * 1e3,
+        return fmt::format("{:.6f} ms, {} instructions\n", seconds(cpu_.now()) * 1e3,
                            core_.instructions());
     return "monitor time: the simulated time, and instructions so far\n";
 }

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "regmap.h"
+#include "sim/report/seconds.h"
 
 namespace sim {
 
@@ -36,11 +37,11 @@ std::string BusLog::text() const {
     std::string text = fmt::format(
         "# the processor's bus from {:.9f} s to {:.9f} s: {} accesses; {} came before\n"
         "# time s, ns taken, read or write, bytes, address, first word, register, function\n",
-        from_.to_seconds(), to_.to_seconds(), entries_.size(), left_out_);
+        seconds(from_), seconds(to_), entries_.size(), left_out_);
     for (const Entry& e : entries_)
         text += fmt::format(
-            "{:.9f} {:6.0f} {} {:4} 0x{:08X} 0x{:08X} {:24} {}{}\n", e.begin.to_seconds(),
-            (e.end - e.begin).to_seconds() * 1e9, e.write ? "write" : "read ", e.bytes, e.address,
+            "{:.9f} {:6.0f} {} {:4} 0x{:08X} 0x{:08X} {:24} {}{}\n", seconds(e.begin),
+            seconds(e.end - e.begin) * 1e9, e.write ? "write" : "read ", e.bytes, e.address,
             e.value, name_of(e.address), program_.function(e.pc), e.answered ? "" : " ERROR");
     return text;
 }

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "sim/report/seconds.h"
 #include "sim/report/whole_file.h"
 #include "sim/scenario/continued.h"
 
@@ -22,7 +23,7 @@ constexpr int MOST_LEVELS = 16;  // of a message; thousands would need more stac
 constexpr auto STATUS_PERIOD = std::chrono::milliseconds{250};
 constexpr double MOST_BEHIND_S = 0.1;  // which is made up for; what is more is given up
 
-double seconds(std::chrono::steady_clock::duration d) {
+double wall_seconds(std::chrono::steady_clock::duration d) {
     return std::chrono::duration<double>(d).count();
 }
 
@@ -110,7 +111,7 @@ void LivePlayer::begin_exact_run(const nlohmann::json& order) {
 
 void LivePlayer::end_exact_run() {
     view_.flush();
-    const nlohmann::json ran{{"time", sc_time_stamp().to_seconds()},
+    const nlohmann::json ran{{"time", seconds(sc_time_stamp())},
                              {"frames", view_.frames()},
                              {"pictures", view_.new_pictures()},
                              {"picture", view_.sent_frame()},
@@ -129,7 +130,7 @@ void LivePlayer::keep_pace() {
         if (!paused_) {
             if (speed_ == 0) return;
             const double ahead =
-                (sc_time_stamp() - since_sim_).to_seconds() / speed_ - seconds(now - since_);
+                seconds(sc_time_stamp() - since_sim_) / speed_ - wall_seconds(now - since_);
             if (ahead < -MOST_BEHIND_S) {
                 since_ = now;
                 since_sim_ = sc_time_stamp();
@@ -145,15 +146,15 @@ void LivePlayer::keep_pace() {
 
 void LivePlayer::say_status() {
     const auto now = Clock::now();
-    const double passed = seconds(now - told_);
+    const double passed = wall_seconds(now - told_);
     nlohmann::json status{
-        {"time", sc_time_stamp().to_seconds()},
+        {"time", seconds(sc_time_stamp())},
         {"speed", speed_},
         {"paused", paused_},
         {"frames", view_.frames()},
         {"pictures", view_.new_pictures()},
         {"steps", played_.size()},
-        {"factor", (sc_time_stamp() - told_sim_).to_seconds() / std::max(passed, 1e-3)}};
+        {"factor", seconds(sc_time_stamp() - told_sim_) / std::max(passed, 1e-3)}};
     told_ = now;
     told_sim_ = sc_time_stamp();
     wire_.send(Kind::TEXT, nlohmann::json{{"status", status}}.dump());

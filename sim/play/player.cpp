@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "sim/report/seconds.h"
 #include "sim/report/whole_file.h"
 
 namespace sim {
@@ -40,11 +41,11 @@ Player::Player(const sc_core::sc_module_name& name, Board& board, Senses& senses
 void Player::run() {
     for (; current_ < steps_.size(); ++current_) {
         const ScenarioStep& step = steps_[current_];
-        const double from_s = sc_time_stamp().to_seconds();
+        const double from_s = seconds(sc_time_stamp());
         played_.push_back({from_s, from_s, {}});
         if (auto verdict = step.step->play(*this))
             results_.push_back(expectation(step, *std::move(verdict)));
-        played_.back().to_s = sc_time_stamp().to_seconds();
+        played_.back().to_s = seconds(sc_time_stamp());
         on_step();
     }
     finished_ = true;
@@ -53,8 +54,7 @@ void Player::run() {
 }
 
 Expectation Player::expectation(const ScenarioStep& step, Verdict verdict) {
-    return {step.text, step.line, sc_time_stamp().to_seconds(), verdict.met,
-            std::move(verdict.detail)};
+    return {step.text, step.line, seconds(sc_time_stamp()), verdict.met, std::move(verdict.detail)};
 }
 
 std::vector<Expectation> Player::results() const {

@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "sim/report/seconds.h"
+
 namespace sim {
 
 CallLog::CallLog(Profile& profile, const ArmCpu& cpu, const sc_core::sc_time& end)
@@ -26,9 +28,9 @@ std::string CallLog::text() const {
     std::size_t least = std::numeric_limits<std::size_t>::max();
     for (const Call& call : calls_) least = std::min(least, call.depth);
     for (const Call& call : calls_)
-        text += fmt::format("{:.9f}  {:{}}{} <- {}\n", call.time.to_seconds(), "",
-                            2 * (call.depth - least), profile_.name(call.callee),
-                            profile_.name(call.caller));
+        text +=
+            fmt::format("{:.9f}  {:{}}{} <- {}\n", seconds(call.time), "", 2 * (call.depth - least),
+                        profile_.name(call.callee), profile_.name(call.caller));
     return text;
 }
 

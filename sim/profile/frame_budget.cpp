@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "sim/report/seconds.h"
+
 namespace sim {
 
 namespace {
@@ -19,10 +21,10 @@ RunReport::Spread spread(const std::vector<Value>& all, double Value::*member) {
 
 void FrameBudget::frame_ended(const ArmCpu::Counts& counts, const sc_core::sc_time& now) {
     if (begun_ && now > last_time_ && frames_.size() < MOST) {
-        const double time = (now - last_time_).to_seconds();
-        const double asleep = counts.asleep.to_seconds() - last_.asleep.to_seconds();
-        const double on_bus = counts.on_bus.to_seconds() - last_.on_bus.to_seconds();
-        frames_.push_back({now.to_seconds(),
+        const double time = seconds(now - last_time_);
+        const double asleep = seconds(counts.asleep) - seconds(last_.asleep);
+        const double on_bus = seconds(counts.on_bus) - seconds(last_.on_bus);
+        frames_.push_back({seconds(now),
                            static_cast<double>(counts.instructions - last_.instructions),
                            std::clamp(1 - asleep / time, 0.0, 1.0), on_bus / time});
     }

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "regmap.h"
+#include "sim/report/seconds.h"
 
 namespace sim {
 
@@ -110,7 +111,7 @@ private:
             lines_.push_back(
                 fmt::format("{} was taken {} times since its line went up at {:.3f} "
                             "ms: its handler does not take the cause away{}",
-                            name_of(id), state().taken(id), since.to_seconds() * 1e3, cause(id)));
+                            name_of(id), state().taken(id), seconds(since) * 1e3, cause(id)));
             return;
         }
         const std::uint64_t entered = arm_.counts().interrupts;
@@ -118,13 +119,13 @@ private:
             lines_.push_back(
                 fmt::format("{} is pending since {:.3f} ms, and its handler does not "
                             "read ICCIAR (0xFFFEC10C): it was entered {} times",
-                            name_of(id), since.to_seconds() * 1e3, entered));
+                            name_of(id), seconds(since) * 1e3, entered));
             return;
         }
         if (const std::string masked = masked_in_cpsr(); !masked.empty()) reasons.push_back(masked);
         if (!reasons.empty())
             lines_.push_back(fmt::format("{} is pending since {:.3f} ms and not taken: {}",
-                                         name_of(id), since.to_seconds() * 1e3,
+                                         name_of(id), seconds(since) * 1e3,
                                          fmt::join(reasons, "; ")));
     }
 

@@ -1,13 +1,14 @@
 #include "sim/run/recorder.h"
 
 #include "sim/report/messages.h"
+#include "sim/report/seconds.h"
 #include "sim/report/sha256.h"
 
 namespace sim {
 
 namespace {
 
-double now_s() { return sc_core::sc_time_stamp().to_seconds(); }
+double now_s() { return seconds(sc_core::sc_time_stamp()); }
 
 }  // namespace
 

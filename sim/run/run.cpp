@@ -13,6 +13,7 @@
 #include "sim/process/interrupt.h"
 #include "sim/report/messages.h"
 #include "sim/report/report.h"
+#include "sim/report/seconds.h"
 #include "sim/report/trace_file.h"
 #include "sim/run/arm_run.h"
 #include "sim/run/last_words.h"
@@ -48,7 +49,7 @@ public:
         } catch (const IoError&) {
             throw;
         } catch (const std::exception& error) {
-            const double now_s = sc_core::sc_time_stamp().to_seconds();
+            const double now_s = seconds(sc_core::sc_time_stamp());
             failures.push_back(what_broke(error, fmt::format("{}, at {:.6f} s", doing, now_s)));
         }
     }
@@ -179,9 +180,8 @@ ExitCode run_doing(const char*& doing, RunOptions options, const Firmware& firmw
     std::optional<Debugger> debugger;
     if (gdb) debugger.emplace(*computer->arm, *gdb, interrupted);
 
-    Progress progress{
-        options.quiet,
-        duration ? std::optional<double>{static_cast<double>(duration->ps) * 1e-12} : std::nullopt};
+    Progress progress{options.quiet,
+                      duration ? std::optional<double>{seconds(duration->ps)} : std::nullopt};
     if (gdb) message(fmt::format("waiting for gdb at 127.0.0.1:{}", gdb->port()));
 
     RunReport report;
@@ -203,7 +203,7 @@ ExitCode run_doing(const char*& doing, RunOptions options, const Firmware& firmw
                              live_player ? &*live_player : nullptr,
                              last_words}
                          .run();
-        report.simulated_s = sc_core::sc_time_stamp().to_seconds();
+        report.simulated_s = seconds(sc_core::sc_time_stamp());
         if (computer && computer->arm) computer->arm->conclude();
         if (computer) computer->fpga.close();
         while (computer && computer->fpga.is_busy())

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "sim/process/interrupt.h"
+#include "sim/report/seconds.h"
 
 namespace sim {
 
@@ -61,7 +62,7 @@ RunEnd RunLoop::run() {
         }
         sc_core::sc_start(std::min(slice, most - sc_core::sc_time_stamp()));
         if (recorder.output) recorder.output->flush();
-        const double now_s = sc_core::sc_time_stamp().to_seconds();
+        const double now_s = seconds(sc_core::sc_time_stamp());
         progress.show(now_s, board.monitor.frames());
         if (now_s >= renew_s) {
             last_words.renew(now_s, board.monitor.frames());
