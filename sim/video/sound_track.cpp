@@ -112,9 +112,11 @@ void SoundTrack::write(int count) {
 }
 
 // An encoder's first samples are its run-up, at times before 0.  A player of WebM subtracts its
-// length from all times, since the header says it.
+// length from all times, since the header says it.  FFmpeg 5 writes that into the header, and does
+// not add it to the times, as later ones do.
 void SoundTrack::encode_frame(const AVFrame* frame) {
-    const int run_up = muxer_.is_webm() ? encoder_->initial_padding : 0;
+    const bool added = !muxer_.is_webm() || avformat_version() >= AV_VERSION_INT(60, 0, 0);
+    const int run_up = added ? 0 : encoder_->initial_padding;
     encode(*encoder_, frame, muxer_, *track_, [run_up](AVPacket& packet) {
         packet.pts += run_up;
         packet.dts += run_up;
