@@ -277,6 +277,21 @@ std::string ElfProgram::function(std::uint32_t address) const {
     return demangled(f.name) + (offset ? fmt::format("+0x{:x}", offset) : "");
 }
 
+void ElfProgram::leave_only_sections() {
+    if (sections.empty()) return;
+    for (ElfSegment& segment : segments) {
+        std::vector<std::uint8_t> kept(segment.data.size());
+        for (const ElfSection& section : sections) {
+            const std::uint64_t from = std::max(section.address, segment.address),
+                                to = std::min(std::uint64_t{section.address} + section.size,
+                                              std::uint64_t{segment.address} + kept.size());
+            for (std::uint64_t at = from; at < to; ++at)
+                kept[at - segment.address] = segment.data[at - segment.address];
+        }
+        segment.data = std::move(kept);
+    }
+}
+
 ElfProgram load_elf(const std::filesystem::path& file, const std::vector<MemoryRange>& memory) {
     return Reader{file, memory}.load();
 }

@@ -56,6 +56,10 @@ struct ElfProgram {
 
     // The function around `address`, demangled: "main", "main+0x10"; "" if there is none.
     std::string function(std::uint32_t address) const;
+
+    // What is in no section becomes zero, since GDB's `load` does not bring it: a segment may
+    // begin with the headers of the file.  A file without sections stays as it is.
+    void leave_only_sections();
 };
 
 struct MemoryRange {

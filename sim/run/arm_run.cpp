@@ -6,6 +6,7 @@
 
 #include "regmap.h"
 #include "sim/chip/computer.h"
+#include "sim/report/seconds.h"
 #include "sim/report/whole_file.h"
 #include "sim/run/file_kind.h"
 
@@ -26,7 +27,9 @@ ArmProgram load_program(const RunOptions& options, bool on_linux) {
     if (!on_linux && !options.input.empty())
         throw std::runtime_error{options.elf.string() +
                                  ": --stdin is for Linux programs (--system linux)"};
-    return {load_elf(options.elf, on_linux ? linux_memory() : program_memory()), options.cpi};
+    ElfProgram elf = load_elf(options.elf, on_linux ? linux_memory() : program_memory());
+    if (!on_linux) elf.leave_only_sections();
+    return {std::move(elf), options.cpi};
 }
 
 ArmRun::ArmRun(ArmCpu& cpu, Bus& bus, I2cDevices* i2c0, const RunOptions& options, bool on_linux,
@@ -75,8 +78,8 @@ RunReport::Program ArmRun::program() const {
     program.instructions = counts.instructions;
     program.interrupts = counts.interrupts;
     program.aborts = counts.aborts;
-    program.asleep_s = counts.asleep.to_seconds();
-    program.on_bus_s = counts.on_bus.to_seconds();
+    program.asleep_s = seconds(counts.asleep);
+    program.on_bus_s = seconds(counts.on_bus);
     program.pc = at.pc;
     program.function = at.function;
     program.frames = budget_.figures();

@@ -3,6 +3,7 @@
 
 #include <elf.h>
 
+#include <algorithm>
 #include <cstring>
 #include <fstream>
 #include <functional>
@@ -102,6 +103,22 @@ TEST_F(ElfFile, NamesTheFunctionAroundAnAddress) {
             EXPECT_EQ(program.function(f.address + 4), "main+0x4");
         }
     EXPECT_EQ(program.function(0x30000000), "");
+}
+
+TEST_F(ElfFile, LeavesOutWhatIsInNoSection) {
+    sim::ElfProgram program = load(good);
+    const std::vector<std::uint8_t> before = program.segments[1].data;
+    ASSERT_GE(before.size(), 12u);
+    program.sections = {{program.segments[1].address + 4, 4, ".text", false, true}};
+    program.leave_only_sections();
+    std::vector<std::uint8_t> expected(before.size());
+    std::copy_n(before.begin() + 4, 4, expected.begin() + 4);
+    EXPECT_EQ(program.segments[1].data, expected);
+
+    program = load(good);
+    program.sections.clear();
+    program.leave_only_sections();
+    EXPECT_EQ(program.segments[1].data, before);
 }
 
 TEST_F(ElfFile, IsRefusedOrLoadedButNeverWorseWhereverItIsCutOff) {
