@@ -74,6 +74,7 @@ module jtag_uart (
 
     // ---- Registers --------------------------------------------------------
     reg       re_q, we_q, ac_q, paused_q;
+    reg       take_q;            // take_i was high in the clock before
     reg [7:0] last_q;            // read
 
     wire       some  = read_count != 7'd0;
@@ -85,7 +86,8 @@ module jtag_uart (
     wire wi    = we_q && write_count <= THRESHOLD;
 
     assign irq_o   = ri || wi;
-    assign awake_o = rdata_o != 32'd0 || write_count != 7'd0 || sent_o || room != room_o;
+    assign awake_o = rdata_o != 32'd0 || (take_q && write_count != 7'd0) || sent_o
+                     || room != room_o;
 
     always @(posedge clk_i) begin
         rdata_o <= 32'd0;
@@ -96,6 +98,7 @@ module jtag_uart (
             rdata_o <= {9'd0, DEPTH - write_count, 5'd0, ac_q, wi, ri, 6'd0, we_q, re_q};
         end
 
+        take_q <= take_i;
         room_o <= room && !rst_i;
         sent_o <= takes && !rst_i;
         if (takes) sent_data_o <= write_head;

@@ -1,2 +1,2 @@
 # sleeps
-s/ || write_count != 7'd0//
+s/ || (take_q && write_count != 7'd0)//
