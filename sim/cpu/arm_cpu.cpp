@@ -276,14 +276,16 @@ void ArmCpu::raise(ArmException exception, std::uint32_t status, const std::stri
     counts_.aborts += abort;
     const std::uint32_t sp = core_.reg(13);
     const bool push = exception == ArmException::DATA_ABORT && sp - core_.fault().address <= PUSHED;
-    const std::string stack = astray ? overgrown(push ? core_.fault().address : sp, true) : "";
-    const std::string text = what + " " + where() + (stack.empty() ? "" : "; ") + stack;
+    const auto text = [&] {  // before the exception is entered
+        const std::string stack = astray ? overgrown(push ? core_.fault().address : sp, true) : "";
+        return what + " " + where() + (stack.empty() ? "" : "; ") + stack;
+    };
     const std::uint32_t vector = vector_of(core_, exception);
     if (!in_handler()) left_handler();
     const auto give_up = [&](const std::string& why) {
         if (inspector_ && inspector_->on_failure(core_, exception)) return;
-        abort_log_.failed(text);
-        fail(text + why + callers());
+        abort_log_.failed(text());
+        fail(text() + why + callers());
     };
     std::uint32_t word = 0;
     if (core_.pc() == vector && !asynchronous) return give_up(", in its own vector");
@@ -291,9 +293,10 @@ void ArmCpu::raise(ArmException exception, std::uint32_t status, const std::stri
         return give_up(fmt::format("; no vector at 0x{:08X}", vector));
     if (unhandled(exception)) return give_up(", for the second time within its handler");
     if (astray) {
-        abort_log_.happened(static_cast<unsigned>(exception), core_.pc(), text);
+        const std::string happened = text();
+        abort_log_.happened(static_cast<unsigned>(exception), core_.pc(), happened);
         meet();
-        if (!open_) open_ = Open{exception, text, now(), now()};
+        if (!open_) open_ = Open{exception, happened, now(), now()};
     }
     const bool debug = status == fault_status::DEBUG;  // there, IFAR is UNKNOWN
     enter(core_, exception, status, abort && !debug ? core_.fault().address : core_.pc());

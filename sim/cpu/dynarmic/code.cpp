@@ -59,6 +59,11 @@ unsigned Code::to_next_branch_now(std::uint32_t pc, bool thumb) {
     return to_next_branch(pc, thumb);
 }
 
+bool Code::is_spin(std::uint32_t pc, bool thumb) const {
+    const std::uint32_t word = instruction(pc, thumb).value_or(0);
+    return thumb ? word == 0xE7FE || word == 0xF7FFBFFE : word == 0xEAFFFFFE;
+}
+
 bool Code::is_blank(std::uint32_t pc, bool thumb) const {
     const unsigned halves = thumb ? BLANK : 2 * BLANK;
     for (unsigned i = 0; i < halves; ++i)

@@ -34,6 +34,8 @@ public:
     // Answers are cached; a write to words that are not translated yet does not invalidate them.
     unsigned to_next_branch(std::uint32_t pc, bool thumb);
     unsigned to_next_branch_now(std::uint32_t pc, bool thumb);
+    // A branch to itself, without a condition if no IT block makes one.
+    bool is_spin(std::uint32_t pc, bool thumb) const;
     // Nothing but zeros follows, for at least 64 instructions.
     bool is_blank(std::uint32_t pc, bool thumb) const;
 

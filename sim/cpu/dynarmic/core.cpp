@@ -59,7 +59,7 @@ void ArmCore::Engine::AddTicks(std::uint64_t ticks) {
 std::uint64_t ArmCore::Engine::GetTicksRemaining() {
     const std::uint64_t done = core.count_ + unaccounted;
     const std::uint64_t left = core.limit_ > done ? core.limit_ - done : 0;
-    std::uint64_t most = left > longest ? left - longest : 0;
+    std::uint64_t most = left > behind ? left - behind : 0;
     if (tally) most = std::min(most, TALLIED / 2);
     return std::max<std::uint64_t>(std::exchange(unaccounted, 0) + most, 1);
 }
@@ -147,19 +147,23 @@ std::optional<ArmStop> ArmCore::Engine::next(std::uint64_t left) {
         return step();
     }
     if (code.is_marked(pc) && (watch || !code.is_direct(pc))) return step();
-    if (left > longest) return run_translated(longest);
+    if (left > longest) return run_translated(longest, longest);
     const unsigned straight = code.to_next_branch(pc, thumb());
     if (straight == Code::FAR && code.is_blank(pc, thumb())) return ArmStop::RAN_OFF;
     if (straight > left || straight == Code::FAR) return step();
-    return run_translated(static_cast<unsigned>(std::min<std::uint64_t>(left, Code::FAR - 1)));
+    // Nothing but this branch is executed until run() ends.
+    const bool spins = code.is_spin(pc, thumb()) && it_state(jit->Cpsr()) == 0;
+    return run_translated(static_cast<unsigned>(std::min<std::uint64_t>(left, Code::FAR - 1)),
+                          spins ? 0 : longest);
 }
 
-std::optional<ArmStop> ArmCore::Engine::run_translated(unsigned without_branch) {
+std::optional<ArmStop> ArmCore::Engine::run_translated(unsigned without_branch, unsigned overrun) {
     const std::uint64_t before = core.count_;
     const std::uint32_t begin = r()[15];
     const std::uint32_t link = r()[14];
     unaccounted = 0;
     left_over = without_branch;
+    behind = overrun;
     event = Event::NONE;
     missed = retranslate = aborted = watched = called = false;
     block = {};

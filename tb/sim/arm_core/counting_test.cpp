@@ -301,4 +301,37 @@ TEST_P(Overlapping, CountWhatWasDoneBeforeAnAccessFromWhereverItWasEntered) {
 INSTANTIATE_TEST_SUITE_P(Blocks, Overlapping, ::testing::Bool(),
                          [](const auto& given) { return given.param ? "Thumb" : "Arm"; });
 
+// Branches to themselves: in ARM, in Thumb, in Thumb with 32 bits.
+TEST(Spin, IsDoneExactlyAsOftenAsWasAskedFor) {
+    const std::vector<std::uint16_t> spins[] = {{0xFFFE, 0xEAFF}, {0xE7FE}, {0xF7FF, 0xBFFE}};
+    for (const auto& spin : spins) {
+        Bench bench;
+        bench.put_halves(AT, spin);
+        bench.core.reset(AT | (spin[0] != 0xFFFE), RAM / 2);
+        std::uint64_t done = 0;
+        for (unsigned limit = 1; limit < 100; ++limit) {
+            EXPECT_EQ(bench.core.run(limit), ArmStop::LIMIT);
+            EXPECT_EQ(bench.core.instructions(), done += limit);
+            EXPECT_EQ(bench.core.pc(), AT);
+        }
+    }
+}
+
+TEST(Spin, IsLeftWhereAnItBlockGivesItACondition) {
+    for (const unsigned limit : {1, 2, 5, 20, 31, 40}) {
+        std::vector<std::uint16_t> code{0x2001, 0x2800, 0xBF08, 0xE7FE};    // MOVS, CMP, IT EQ, B
+        code.resize(200, 0x3101);                                           // ADDS r1, #1
+        for (std::size_t i = 9; i < code.size(); i += 5) code[i] = 0xE7FF;  // B to the next
+        Bench bench;
+        bench.put_halves(AT, code);
+        bench.core.reset(AT | 1, RAM / 2);
+        bench.core.run(150);  // all is translated
+        bench.core.reset(AT | 1, RAM / 2);
+        const std::uint64_t before = bench.core.instructions();
+        bench.core.run(3);
+        EXPECT_EQ(bench.core.run(limit), ArmStop::LIMIT);
+        EXPECT_EQ(bench.core.instructions(), before + 3 + limit);
+    }
+}
+
 }  // namespace counting
