@@ -1,8 +1,7 @@
 #include "sim/project/build.h"
 
-#include <unistd.h>
-
 #include <algorithm>
+#include <fstream>
 #include <regex>
 
 #include <fmt/format.h>
@@ -25,7 +24,16 @@ std::string hash_of(const std::string& text) {
     return sha256_hex(text.data(), text.size()).substr(0, 16);
 }
 
-bool is_writable(const fs::path& folder) { return access(folder.c_str(), W_OK) == 0; }
+// C functions that the design imports (DPI): Verilator's header of them has only the models' own.
+void refuse_foreign_functions(const fs::path& objects) {
+    std::ifstream header{objects / "Vde1sim_chip__Dpi.h"};
+    for (std::string line; std::getline(header, line);)
+        if (line.find(" extern ") != std::string::npos &&
+            line.find(" de1sim_init_") == std::string::npos)
+            throw ProjectError{
+                "a function of C is imported (DPI): " + line.substr(line.find("extern ") + 7) +
+                " runs code of this machine, which no board has; take it out"};
+}
 
 // Where the project's folder cannot be written to, the user's cache.
 fs::path place_for(const fs::path& folder) {
@@ -292,6 +300,7 @@ Built Builder::build(const Progress& progress) {
     write_whole_file(objects / "de1sim_loops.h",
                      loops_text(translate(words), design_.self_reading));
 
+    refuse_foreign_functions(objects);
     progress("compiling");
     compile_library(folder_, objects, trace_, verilator_, limit_);
     // Those of other states of the design are of no use any more.

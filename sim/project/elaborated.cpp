@@ -37,11 +37,26 @@ std::string text_of_value(const pugi::xml_node& parameter) {
     return text;
 }
 
-// Of the instances in files of the design: what the models instance themselves has the same file.
-std::vector<InitFile> init_files_of(const pugi::xml_node& root) {
-    std::map<std::string, std::string> paths, files;  // by the place's letter; by the module
+// Files by the letters that stand for them in places.
+std::map<std::string, std::string> paths_of(const pugi::xml_node& root) {
+    std::map<std::string, std::string> paths;
     for (const auto& file : root.child("files").children())
         paths.emplace(file.attribute("id").value(), file.attribute("filename").value());
+    return paths;
+}
+
+// "top.v:3"
+std::string place_of(const pugi::xml_node& node, const std::map<std::string, std::string>& paths) {
+    const std::string place = node.attribute("loc").value();
+    const std::size_t comma = place.find(',');
+    return fmt::format("{}:{}", paths.at(place.substr(0, comma)),
+                       std::stoi(place.substr(comma + 1)));
+}
+
+// Of the instances in files of the design: what the models instance themselves has the same file.
+std::vector<InitFile> init_files_of(const pugi::xml_node& root) {
+    const std::map<std::string, std::string> paths = paths_of(root);
+    std::map<std::string, std::string> files;  // by the module
     const auto modules = root.child("netlist").children("module");
     for (const auto& module : modules)
         for (const auto& var : module.children("var")) {
@@ -53,14 +68,11 @@ std::vector<InitFile> init_files_of(const pugi::xml_node& root) {
     for (const auto& module : modules)
         for (const auto& found : module.select_nodes(".//instance")) {
             const auto file = files.find(found.node().attribute("defName").value());
-            const std::string place = found.node().attribute("loc").value();
-            const std::size_t comma = place.find(',');
-            const std::string path = paths[place.substr(0, comma)];
-            if (file == files.end() || path.compare(0, 5, "data/") == 0) continue;
+            const std::string place = place_of(found.node(), paths);
+            if (file == files.end() || place.compare(0, 5, "data/") == 0) continue;
             const std::string name = lower(file->second);
             if (name.empty() || name == "unused" || name == "none") continue;
-            wanted.push_back(
-                {file->second, path + ":" + std::to_string(std::stoi(place.substr(comma + 1)))});
+            wanted.push_back({file->second, place});
         }
     return wanted;
 }
@@ -90,12 +102,28 @@ Port port_of(const pugi::xml_node& var, const std::map<std::string, pugi::xml_no
     return port;
 }
 
+// C++ in Verilog, and commands of this machine: Verilator takes them, and no board has them.
+void refuse_foreign_code(const pugi::xml_document& document) {
+    static const std::map<std::string, const char*> KINDS{
+        {"systemt", "$system"},     {"systemf", "$system"},
+        {"ucstmt", "$c"},           {"ucfunc", "$c"},
+        {"schdr", "`systemc_..."},  {"scimp", "`systemc_..."},
+        {"scctor", "`systemc_..."}, {"scdtor", "`systemc_..."},
+        {"scint", "`systemc_..."},  {"scimphdr", "`systemc_..."}};
+    for (const auto& [element, word] : KINDS)
+        if (const auto found = document.select_node(("//" + element).c_str()))
+            throw ProjectError{fmt::format(
+                "{}: {} runs code of this machine, which no board has; take it out",
+                place_of(found.node(), paths_of(document.child("verilator_xml"))), word)};
+}
+
 }  // namespace
 
 Elaborated read_elaborated(const std::filesystem::path& xml, const std::string& top) {
     pugi::xml_document document;
     const auto result = document.load_file(xml.c_str());
     if (!result) throw ProjectError{fmt::format("{}: {}", xml.string(), result.description())};
+    refuse_foreign_code(document);
     const auto netlist = document.child("verilator_xml").child("netlist");
     std::map<std::string, pugi::xml_node> types;
     for (const auto& type : netlist.child("typetable").children())
