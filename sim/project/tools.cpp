@@ -1,5 +1,7 @@
 #include "sim/project/tools.h"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <sstream>
 
@@ -86,6 +88,8 @@ std::string seen_from(const fs::path& folder, const fs::path& other, const std::
     link_to(other, folder / link);
     return link;
 }
+
+bool is_writable(const fs::path& folder) { return access(folder.c_str(), W_OK) == 0; }
 
 TimeLimit::TimeLimit(unsigned seconds)
     : seconds_{seconds}, end_{std::chrono::steady_clock::now() + std::chrono::seconds{seconds}} {}

@@ -30,6 +30,8 @@ void link_to(const std::filesystem::path& folder, const std::filesystem::path& l
 std::string seen_from(const std::filesystem::path& folder, const std::filesystem::path& other,
                       const std::string& link);
 
+bool is_writable(const std::filesystem::path& folder);
+
 // For all that a build runs, from when it is made on.
 class TimeLimit {
 public:

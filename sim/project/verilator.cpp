@@ -17,6 +17,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
+constexpr const char* RUNTIME = "libdesign_runtime.a";
 constexpr unsigned OLDEST_MAJOR = 5, OLDEST_MINOR = 6;
 
 std::string version_of(const std::string& said) {
@@ -71,18 +72,23 @@ Verilator find_verilator(const TimeLimit& limit) {
 }
 
 fs::path runtime_library(const Verilator& verilator, const TimeLimit& limit) {
-    if (verilator.version == VERILATOR_VERSION) return library("libdesign_runtime.a");
+    if (verilator.version == VERILATOR_VERSION) return library(RUNTIME);
     std::string key = verilator.version + verilator.include.string();
     for (const char* name : {"endings.cpp", "model.cpp"})
         key += text_of(data_folder() / "runtime/sim/project/runtime" / name);
-    const fs::path cache =
-        user_cache().empty() ? fs::temp_directory_path() / "de1sim" : user_cache();
-    const fs::path folder = cache / "runtime" / sha256_hex(key.data(), key.size()).substr(0, 16);
-    const fs::path file = folder / "libdesign_runtime.a";
-    fs::create_directories(folder);
+    const fs::path below = fs::path{"runtime"} / sha256_hex(key.data(), key.size()).substr(0, 16);
+    fs::path folder = user_cache() / below;
+    std::error_code error;
+    if (!user_cache().empty() && fs::is_regular_file(folder / RUNTIME, error))
+        return folder / RUNTIME;  // the cache may be read-only
+    fs::create_directories(folder, error);
+    if (user_cache().empty() || !is_writable(folder)) {
+        folder = fs::temp_directory_path() / "de1sim" / below;
+        fs::create_directories(folder);
+    }
+    const fs::path file = folder / RUNTIME;
     FolderLock lock;
     lock.take(folder / "lock");
-    std::error_code error;
     if (!fs::is_regular_file(file, error))
         fs::rename(compile_runtime(verilator, folder, limit), file);
     return file;

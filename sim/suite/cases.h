@@ -14,6 +14,8 @@ struct Case {
     double expected_s = 0;  // of wall time; an estimate where it has not been measured
     unsigned points = 1;
     std::string visibility = "visible";
+    std::string hand_in{};               // whose program or project it judges; or empty
+    std::vector<std::string> options{};  // for `de1sim run`, of this one
 };
 
 // All scenarios under the paths, by name, each once.  A path is a file, or a folder in which every

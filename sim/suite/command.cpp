@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cstdio>
 #include <map>
+#include <optional>
 #include <set>
 #include <stdexcept>
 #include <thread>
@@ -21,6 +22,8 @@
 #include "sim/run/output_folder.h"
 #include "sim/run/run.h"
 #include "sim/suite/cases.h"
+#include "sim/suite/classroom.h"
+#include "sim/suite/grades.h"
 #include "sim/suite/gradescope.h"
 #include "sim/suite/index_page.h"
 #include "sim/suite/reporter.h"
@@ -44,11 +47,14 @@ std::pair<unsigned, unsigned> parse_shard(const std::string& text) {
     return {number, count};
 }
 
-void write_all(const fs::path& out, const Results& results, const fs::path& gradescope = {}) {
+void write_all(const fs::path& out, const Results& results, const TestOptions& options = {}) {
     write_results(out, results);
     write_junit(out, results);
     write_whole_file(out / "index.html", to_index(out, results));
-    if (!gradescope.empty()) write_whole_file(gradescope, to_gradescope(out, results));
+    if (!options.gradescope.empty())
+        write_whole_file(options.gradescope, to_gradescope(out, results));
+    if (!options.classroom.empty()) write_whole_file(options.classroom, to_classroom(results));
+    if (!options.hand_ins.csv.empty()) write_whole_file(options.hand_ins.csv, to_csv(results));
 }
 
 // Writes results.json now and then, so that a machine that dies loses little.
@@ -88,7 +94,7 @@ int test_on_slurm(TestOptions options, const std::vector<Case>& cases) {
     Reporter reporter{cases, options.shards};
     const Results results = run_on_slurm(cases, options, interrupted,
                                          [&](const Result& result) { reporter.done(result); });
-    write_all(options.out, results, options.gradescope);
+    write_all(options.out, results, options);
     if (!summarise(results, reporter.wall_s(), options.out)) return WRONG_INPUT;
     return interrupted() ? INTERRUPTED : results.exit_code();
 }
@@ -97,6 +103,36 @@ int print_list(const std::vector<Case>& cases) {
     std::string text;
     for (const Case& one : cases) text += printable(one.name) + "\n";
     return print_result(text) ? PASSED : WRONG_INPUT;
+}
+
+void add_hand_in_options(CLI::App& command, HandInOptions& options) {
+    CLI::Option* folder =
+        command
+            .add_option(
+                "--hand-ins", options.folder,
+                "folder with a folder for each hand-in: every scenario judges each, by the\n"
+                "file in it that the scenario names as `program:` or `project:`")
+            ->excludes("--update-goldens")
+            ->excludes("--gradescope")
+            ->excludes("--classroom");
+    command
+        .add_option("--build", options.build,
+                    "command of a shell that makes that file, run in a copy of each hand-in")
+        ->needs(folder);
+    command.add_option("--csv", options.csv, "file for a table with a row for each hand-in")
+        ->needs(folder);
+    command.add_option("--memory-limit", options.memory_mb, "MB that a hand-in's run may use")
+        ->check(CLI::Range(1'500, 1'000'000))
+        ->needs(folder)
+        ->capture_default_str();
+    command.add_option("--output-limit", options.output_mb, "MB that a hand-in's run may write")
+        ->check(CLI::Range(1, 1'000'000))
+        ->needs(folder)
+        ->capture_default_str();
+    command
+        .add_flag("--unconfined", options.unconfined,
+                  "run hand-ins with all rights of yours, where bwrap cannot be used")
+        ->needs(folder);
 }
 
 }  // namespace
@@ -136,9 +172,14 @@ void add_test_options(CLI::App& command, TestOptions& options) {
     command.add_option("--gradescope", options.gradescope,
                        "file for Gradescope's autograder, /autograder/results/results.json: the\n"
                        "points of each scenario, and what was expected and found");
+    command.add_option(
+        "--classroom", options.classroom,
+        "file for the output `result` of a step in GitHub Classroom's workflow: the\n"
+        "points of each scenario");
+    add_hand_in_options(command, options.hand_ins);
     CLI::Option* slurm = command.add_flag(
         "--slurm", options.slurm, "run on a cluster: as an array job of Slurm's, a task per shard");
-    for (const char* other : {"--shard", "--rerun-failed", "--fail-fast", "--jobs"})
+    for (const char* other : {"--shard", "--rerun-failed", "--fail-fast", "--jobs", "--hand-ins"})
         slurm->excludes(other);
     command.add_option("--shards", options.tasks, "tasks of that job")
         ->check(CLI::Range(1, 1000))
@@ -155,6 +196,11 @@ void add_test_options(CLI::App& command, TestOptions& options) {
 
 int test(const TestOptions& options) {
     std::vector<Case> cases = find_cases(options.paths);
+    std::optional<HandIns> hand_ins;
+    if (!options.hand_ins.folder.empty()) {
+        hand_ins.emplace(options.hand_ins, options.paths, options.out);
+        cases = hand_ins->cases(cases);
+    }
     if (!options.filter.empty()) cases = filtered(std::move(cases), options.filter);
     if (cases.empty())
         throw std::runtime_error{"--filter: no scenario has \"" + printable(options.filter) +
@@ -191,6 +237,7 @@ int test(const TestOptions& options) {
     settings.options = run_options(options);
     settings.jobs = options.jobs ? options.jobs : std::max(1u, std::thread::hardware_concurrency());
     settings.limit_s = options.limit_s;
+    if (hand_ins) settings.hand_ins = &*hand_ins;
     Reporter reporter{cases, settings.jobs};
     Keeper keeper{options.out, results};
     std::atomic<bool> enough{false};
@@ -202,7 +249,7 @@ int test(const TestOptions& options) {
             keeper.keep(std::move(result));
         });
     std::sort(results.missing.begin(), results.missing.end());
-    write_all(options.out, results, options.gradescope);
+    write_all(options.out, results, options);
     if (!summarise(results, reporter.wall_s(), options.out)) return WRONG_INPUT;
     return interrupted() ? INTERRUPTED : results.exit_code();
 }

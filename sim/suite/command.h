@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "sim/scenario/sim_time.h"
+#include "sim/suite/hand_ins.h"
 
 namespace CLI {
 class App;
@@ -28,6 +29,8 @@ struct TestOptions {
     unsigned shard = 1, shards = 1;
     std::filesystem::path times;       // results whose times are used; or empty
     std::filesystem::path gradescope;  // file for Gradescope; or empty
+    std::filesystem::path classroom;   // file for GitHub Classroom; or empty
+    HandInOptions hand_ins;
     std::optional<SimTime> trace_failure;
 };
 

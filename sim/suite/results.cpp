@@ -132,6 +132,18 @@ int Results::exit_code() const {
     return worst;
 }
 
+std::string first_failure(const Result& result) {
+    constexpr std::size_t LONGEST = 300;
+    std::string text = result.end;
+    for (const Failure& failure : result.failures) {
+        if (failure.met) continue;
+        text = failure.line ? fmt::format("line {}: ", failure.line) : "";
+        text += failure.step + ": " + failure.detail;
+        break;
+    }
+    return text.size() > LONGEST ? text.substr(0, LONGEST) + "..." : text;
+}
+
 Result read_run(const std::filesystem::path& folder) {
     try {
         return run_in(read_whole_file(folder / "report.json", MAX_REPORT_BYTES));

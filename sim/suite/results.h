@@ -48,6 +48,10 @@ struct Results {
     int exit_code() const;
 };
 
+// "line 5: expect LEDs 0000000101: LEDR shows 0000000100", or how the run ended; at most 300 bytes,
+// then "...".
+std::string first_failure(const Result& result);
+
 // From report.json in the run's folder, as far as there is one.
 Result read_run(const std::filesystem::path& folder);
 // The same of its text.

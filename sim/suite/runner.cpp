@@ -4,6 +4,7 @@
 #include <chrono>
 #include <exception>
 #include <mutex>
+#include <sstream>
 #include <thread>
 
 #include <fmt/format.h>
@@ -22,6 +23,17 @@ std::string last_lines(const std::string& text) {
     return text.substr(line == std::string::npos ? text.size() - MOST : line + 1);
 }
 
+// The first line that names an error, else the first.
+std::string first_error(const std::string& text) {
+    std::istringstream lines{text};
+    std::string first;
+    for (std::string line; std::getline(lines, line);) {
+        if (line.find("rror") != std::string::npos) return line;
+        if (first.empty()) first = line;
+    }
+    return first;
+}
+
 Result run_case(const Case& one, const RunSettings& settings,
                 const std::function<bool()>& given_up) {
     const std::string folder = "runs/" + one.name;
@@ -35,25 +47,37 @@ Result run_case(const Case& one, const RunSettings& settings,
                                    "--out",
                                    out.string()};
     words.insert(words.end(), settings.options.begin(), settings.options.end());
+    words.insert(words.end(), one.options.begin(), one.options.end());
     // What an earlier run has left must not stand for this one.
     for (const char* file : {"report.json", "junit.xml"}) {
         std::error_code error;
         std::filesystem::remove(out / file, error);
     }
     const auto begin = std::chrono::steady_clock::now();
-    const Outcome outcome = run_command(words, ".", settings.limit_s, given_up);
+    HandIns* const hand_ins = one.hand_in.empty() ? nullptr : settings.hand_ins;
+    std::string not_built;
+    if (hand_ins) not_built = hand_ins->prepare(one.hand_in, settings.limit_s);
+    Outcome outcome{1, {}};
+    if (!hand_ins)
+        outcome = run_command(words, ".", settings.limit_s, given_up);
+    else if (not_built.empty())
+        outcome = hand_ins->run(one, words, out, settings.limit_s, given_up);
     const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - begin;
 
     Result result = read_run(out);
     result.name = one.name;
-    result.file = one.file.string();
+    result.file = (one.hand_in.empty() ? "" : one.hand_in + ": ") + one.file.string();
     result.folder = folder;
     result.points = one.points;
     result.visibility = one.visibility;
     result.exit_code = outcome.code;
     result.wall_s = wall.count();
     if (!result.passed() || !result.failures.empty()) result.said = last_lines(outcome.output);
-    if (outcome.code == TIMED_OUT)
+    if (!not_built.empty())
+        result.end = "it could not be built: " + first_error(not_built);
+    else if (outcome.code == WROTE_TOO_MUCH)
+        result.end = "it wrote more than --output-limit allows";
+    else if (outcome.code == TIMED_OUT)
         result.end = fmt::format("it did not end within {} s", settings.limit_s);
     else if (outcome.code > 128 + 2 || outcome.code == 127)
         result.end = fmt::format("it broke off: exit code {}", outcome.code);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "sim/suite/cases.h"
+#include "sim/suite/hand_ins.h"
 #include "sim/suite/results.h"
 
 namespace sim::suite {
@@ -16,6 +17,7 @@ struct RunSettings {
     std::vector<std::string> options;  // for `de1sim run`, of every scenario
     unsigned jobs = 1;                 // at once
     unsigned limit_s = 3600;           // of wall time for a scenario
+    HandIns* hand_ins = nullptr;       // for cases that have a `hand_in`
 };
 
 // Runs them in their order.  `done` is told of each as it ends, one call at a time; a case that

@@ -1,8 +1,10 @@
 """ci_test.py CI BIN EXAMPLES FOLDER - the CI examples do what a server would do with them.
 
-Runs the commands of CI/github.yml and CI/gitlab.yml, without those that install packages, in a
+Runs the commands of CI/*.yml, without those that install packages, in a
 copy of EXAMPLES that has two examples; BIN is in front of PATH.  What they keep has to be there.
 """
+import base64
+import json
 import os
 import pathlib
 import shutil
@@ -17,7 +19,7 @@ TWO = ["first_led", "first_picture"]
 
 def github(job):
     commands = [step["run"] for step in job["steps"] if "run" in step]
-    kept = [step["with"]["path"] for step in job["steps"] if "with" in step]
+    kept = [step["with"]["path"] for step in job["steps"] if "path" in step.get("with", {})]
     return commands, kept
 
 
@@ -28,8 +30,11 @@ def gitlab(job):
 def main():
     ci, bin_folder, examples, folder = (pathlib.Path(a).resolve() for a in sys.argv[1:])
     environment = dict(os.environ, PATH=f"{bin_folder}:{os.environ['PATH']}")
+    classroom = yaml.safe_load((ci / "classroom.yml").read_text())["jobs"]
+    environment["GITHUB_OUTPUT"] = str(folder.resolve() / "output.txt")
     for server, (commands, kept) in {
             "github": github(yaml.safe_load((ci / "github.yml").read_text())["jobs"]["simulate"]),
+            "classroom": github(classroom["run-autograding-tests"]),
             "gitlab": gitlab(yaml.safe_load((ci / "gitlab.yml").read_text())["simulate"])}.items():
         project = folder / server
         shutil.rmtree(project, ignore_errors=True)
@@ -46,6 +51,9 @@ def main():
         for file in [pathlib.Path(path, "runs", name, name, what)
                      for path in kept for name in TWO for what in KEPT]:
             assert (project / file).exists(), f"{server}: no {file}"
+        if server == "classroom":
+            key, result = pathlib.Path(environment["GITHUB_OUTPUT"]).read_text().split("=", 1)
+            assert key == "result" and json.loads(base64.b64decode(result))["max_score"] == 2
         print(f"{server}: {len(commands)} commands, kept {kept}")
 
 

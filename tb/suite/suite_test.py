@@ -1,4 +1,5 @@
 """suite_test.py DE1SIM FOLDER [CASE...] - de1sim test: which run, what is told, what stays"""
+import base64
 import json
 import re
 import signal
@@ -75,7 +76,7 @@ class Suite(Folder):
         self.assertTrue((self.folder / "s" / "golden.png").exists())
         self.suite("s")
 
-    def test_gradescope(self):
+    def test_gradescope_and_classroom(self):
         """Points, and the first difference as a person sees it, by the format's description."""
         self.scenario("s/good", head="duration: 2ms\npoints: 3")
         self.scenario("s/bad", 'expect-leds: "1111111111"',
@@ -91,6 +92,14 @@ class Suite(Folder):
         self.assertEqual((bad["visibility"], good["visibility"]), ("after_due_date", "visible"))
         self.assertIn("LEDR shows 0000000000", bad["output"])
         self.assertEqual(picture["output"].count("data:image/png;base64,"), 2)
+        self.suite("s", "--classroom", "result.txt", code=1)
+        line, = (self.folder / "result.txt").read_text().splitlines()
+        result = json.loads(base64.b64decode(line, validate=True))
+        jsonschema.validate(result, json.loads((HERE / "classroom.schema.json").read_text()))
+        self.assertEqual((result["status"], result["max_score"]), ("fail", 6))
+        self.assertEqual([(t["name"], t["status"], t["score"]) for t in result["tests"]],
+                         [("s/bad", "fail", 0), ("s/good", "pass", 3), ("s/picture", "fail", 0)])
+        self.assertIn("LEDR shows 0000000000", result["tests"][0]["message"])
         done = self.suite("s", "--gradescope", "no/such/folder.json", code=2)
         self.assertIn("no/such/folder.json", done.stderr)
 
