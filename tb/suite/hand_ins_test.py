@@ -2,6 +2,7 @@
 import csv
 import os
 import pathlib
+import shlex
 import shutil
 import subprocess
 import sys
@@ -10,8 +11,9 @@ import time
 from folder import DE1SIM, Folder, run
 
 EXAMPLES = pathlib.Path(DE1SIM).parent.parent / "examples"
-BUILD = (f"arm-none-eabi-gcc -mcpu=cortex-a9 -O1 -ffreestanding -nostdlib -I{EXAMPLES} "
-         f"-T{EXAMPLES}/program.ld {EXAMPLES}/start.S prog.c -o prog.elf")
+BUILD = shlex.join(["arm-none-eabi-gcc", "-mcpu=cortex-a9", "-O1", "-ffreestanding", "-nostdlib",
+                    f"-I{EXAMPLES}", f"-T{EXAMPLES}/program.ld", str(EXAMPLES / "start.S"),
+                    "prog.c", "-o", "prog.elf"])
 LIGHT = '#include "registers.h"\nint main(void) { LEDR = 5; for (;;) {} }\n'
 TOP = "module top(input CLOCK_50, output [9:0] LEDR);\n%s\nassign LEDR = 5;\nendmodule\n"
 # A program for Linux says 5 if it may do what it must not.
