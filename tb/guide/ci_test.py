@@ -29,6 +29,9 @@ def gitlab(job):
 
 def main():
     ci, bin_folder, examples, folder = (pathlib.Path(a).resolve() for a in sys.argv[1:])
+    container = ci.parents[2] / ".devcontainer"
+    build = json.loads((container / "devcontainer.json").read_text())["build"]
+    assert (container / build["dockerfile"]).resolve() == ci / "Dockerfile"
     environment = dict(os.environ, PATH=f"{bin_folder}:{os.environ['PATH']}")
     classroom = yaml.safe_load((ci / "classroom.yml").read_text())["jobs"]
     environment["GITHUB_OUTPUT"] = str(folder.resolve() / "output.txt")
