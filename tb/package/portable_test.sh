@@ -8,6 +8,10 @@ archive=$("$(dirname "$0")/../../sim/package/portable.sh" "$build" | tail -n 1)
 tar -xJf "$archive" -C "$work/a place"
 cd "$work/a place"/de1sim-*
 env -i bin/de1sim run share/de1sim/examples/first_led/first_led.yaml --quiet --out "$work/out"
+env -i PYTHONPATH=lib/python3/dist-packages DE1SIM="$PWD/bin/de1sim" /usr/bin/python3 -B -c '
+import de1sim
+with de1sim.Board() as board:
+    board.wait_text("ready")'
 
 # Of the machine it takes what every machine has.
 elsewhere=$(env -i LD_TRACE_LOADED_OBJECTS=1 bin/de1sim | sed -n 's/.* => \(.*\) (0x.*/\1/p' |
