@@ -2,7 +2,7 @@
 //
 //   +00 STATUS     TO bit 0, RUN bit 1; any write clears TO
 //   +04 CONTROL    ITO bit 0: interrupt while TO; CONT bit 1: go on after 0
-//                  START bit 2, STOP bit 3: events, read 0; with both it starts
+//                  START bit 2, STOP bit 3: events, read as written last; with both it starts
 //   +08, +0C       PERIOD_LOW, PERIOD_HIGH, 16 bits each; a write loads the counter and stops it
 //   +10, +14       SNAP_LOW, SNAP_HIGH: any write keeps the counter's value there
 //
@@ -10,9 +10,13 @@
 // Four ticks of 100 MHz pass per clock of 25 MHz.  The ticks of these four that come after 0 count
 // towards the next period, so the rate is exact and TO is at most 40 ns late.
 //
-// Source: Embedded Peripherals IP User Guide, Interval Timer Core.
+// With PERIOD = 0 the counter is 0 all the time: TO is set once, when it becomes 0, also while the
+// timer stands; without CONT a start ends at once.
 //
-// Not handled: periods of less than four ticks; they end once per clock.
+// Source: Embedded Peripherals IP User Guide, Interval Timer Core, and the Verilog that it
+// generates for the DE1-SoC Computer.
+//
+// Not handled: periods of two or three ticks; they end once per clock.
 
 `default_nettype none
 
@@ -44,7 +48,8 @@ module interval_timer (
                                       TIMER0_PERIOD_LOW_RESET[15:0]};
 
     reg [31:0] period_q, snap_q;
-    reg        to_q, run_q, ito_q, cont_q;
+    reg [3:0]  control_q;
+    reg        to_q, run_q;
 
     // ---- Counter ----------------------------------------------------------
     // While the timer runs nothing counts down: the counter is computed from the clock in which it
@@ -52,8 +57,9 @@ module interval_timer (
     reg  [29:0] due_q;    // that clock; or, while stopped, bits 31:2 of the counter
     reg  [1:0]  phase_q;  // bits 1:0 of the counter
     wire [29:0] left = due_q - now_i;
+    wire        cont = control_q[TIMER0_CONTROL_CONT_LSB];
 
-    assign irq_o   = to_q && ito_q;
+    assign irq_o   = to_q && control_q[TIMER0_CONTROL_ITO_LSB];
     assign due_o   = run_q && due_q == now_i;
     assign awake_o = rdata_o != 32'd0;
     assign rest_o  = run_q && left[29:10] == 20'd0 ? left[9:0] - 10'd1 : 10'd1023;
@@ -83,20 +89,21 @@ module interval_timer (
         next    = run_q ? counter - TICKS : counter;
         run     = run_q;
         if (due_o) begin
-            next = cont_q && period_q >= late ? period_q - late : period_q;
-            run  = cont_q;
-            to_q <= 1'b1;
+            next = cont && period_q >= late ? period_q - late : period_q;
+            run  = cont;
+            if (period_q != 32'd0) to_q <= 1'b1;
         end
         if (we_i) case (waddr_i[4:0])
             TIMER0_STATUS[4:0]: to_q <= 1'b0;
             TIMER0_CONTROL[4:0]: if (wstrb_i[0]) begin
-                {cont_q, ito_q} <= wdata_i[1:0];
-                run             = wdata_i[2] || (run && !wdata_i[3]);
+                control_q <= wdata_i[3:0];
+                run       = wdata_i[2] || (run && !wdata_i[3]);
             end
             TIMER0_PERIOD_LOW[4:0], TIMER0_PERIOD_HIGH[4:0]: begin
                 next     = period(waddr_i[4:0] == TIMER0_PERIOD_HIGH[4:0]);
                 period_q <= next;
                 run      = 1'b0;
+                if (next == 32'd0 && counter != 32'd0) to_q <= 1'b1;
             end
             TIMER0_SNAP_LOW[4:0], TIMER0_SNAP_HIGH[4:0]: snap_q <= counter;
             default: ;
@@ -108,7 +115,7 @@ module interval_timer (
             period_q         <= PERIOD_RESET;
             {due_q, phase_q} <= PERIOD_RESET;
             snap_q           <= 32'd0;
-            {to_q, run_q, ito_q, cont_q} <= 4'd0;
+            {to_q, run_q, control_q} <= 6'd0;
         end
     end
     // verilator lint_on BLKSEQ
@@ -118,7 +125,7 @@ module interval_timer (
         rdata_o <= 32'd0;
         if (re_i) case (raddr_i[4:0])
             TIMER0_STATUS[4:0]:      rdata_o <= {30'd0, run_q, to_q};
-            TIMER0_CONTROL[4:0]:     rdata_o <= {30'd0, cont_q, ito_q};
+            TIMER0_CONTROL[4:0]:     rdata_o <= {28'd0, control_q};
             TIMER0_PERIOD_LOW[4:0]:  rdata_o <= {16'd0, period_q[15:0]};
             TIMER0_PERIOD_HIGH[4:0]: rdata_o <= {16'd0, period_q[31:16]};
             TIMER0_SNAP_LOW[4:0]:    rdata_o <= {16'd0, snap_q[15:0]};

@@ -28,7 +28,8 @@ module interval_timer_formal (
     // ---- The reference: a tick at a time ----
     reg         live = 1'b0, known_q = 1'b0;  // known: reset before the last clock
     reg  [31:0] period_q, counter_q, counter, snap_q, read_q;
-    reg         to_q, run_q, ito_q, cont_q, to, run;
+    reg  [3:0]  control_q;                     // STOP, START, CONT, ITO
+    reg         to_q, run_q, to, run;
     wire [4:0]  register = waddr_i[4:0];
     integer     tick;
 
@@ -39,7 +40,7 @@ module interval_timer_formal (
                 if (counter == 32'd0) begin
                     counter = period_q;
                     to      = 1'b1;
-                    run     = cont_q;
+                    run     = control_q[1];
                 end else begin
                     counter = counter - 32'd1;
                 end
@@ -54,8 +55,8 @@ module interval_timer_formal (
         if (we_i) case (register)
             5'h00: to_q <= 1'b0;
             5'h04: begin
-                {cont_q, ito_q} <= wdata_i[1:0];
-                run_q <= wdata_i[2] || (run && !wdata_i[3]);
+                control_q <= wdata_i[3:0];
+                run_q     <= wdata_i[2] || (run && !wdata_i[3]);
             end
             5'h08: begin
                 period_q[15:0] <= wdata_i[15:0];
@@ -73,7 +74,7 @@ module interval_timer_formal (
         read_q <= 32'd0;
         if (re_i) case (raddr_i[4:0])
             5'h00: read_q[1:0]  <= {run_q, to_q};
-            5'h04: read_q[1:0]  <= {cont_q, ito_q};
+            5'h04: read_q[3:0]  <= control_q;
             5'h08: read_q[15:0] <= period_q[15:0];
             5'h0c: read_q[15:0] <= period_q[31:16];
             5'h10: read_q[15:0] <= snap_q[15:0];
@@ -84,7 +85,7 @@ module interval_timer_formal (
             snap_q    <= 32'd0;
             period_q  <= 32'd12_499_999;   // 125 ms
             counter_q <= 32'd12_499_999;
-            {to_q, run_q, ito_q, cont_q} <= 4'd0;
+            {to_q, run_q, control_q} <= 6'd0;
         end
     end
     always @(*) if (!live) assume (rst_i);
@@ -94,17 +95,17 @@ module interval_timer_formal (
     wire [31:0] dut__period_q, dut__snap_q;
     wire [29:0] dut__due_q;
     wire [1:0]  dut__phase_q;
-    wire        dut__to_q, dut__run_q, dut__ito_q, dut__cont_q;
+    wire [3:0]  dut__control_q;
+    wire        dut__to_q, dut__run_q;
 
     always @(*) if (live) begin
-        a_irq: assert (irq == (to_q && ito_q));
+        a_irq: assert (irq == (to_q && control_q[0]));
         if (known_q) a_reads: assert (rdata == read_q);
         i_period: assert (dut__period_q == period_q);
         i_counter: assert (dut__phase_q == counter_q[1:0] && counter_q <= period_q);
         i_due: assert ((run_q ? dut__due_q - now_q : dut__due_q) == counter_q[31:2]);
         i_snap: assert (dut__snap_q == snap_q);
-        i_flags: assert ({dut__to_q, dut__run_q, dut__ito_q, dut__cont_q}
-                         == {to_q, run_q, ito_q, cont_q});
+        i_flags: assert ({dut__to_q, dut__run_q, dut__control_q} == {to_q, run_q, control_q});
     end
 endmodule
 

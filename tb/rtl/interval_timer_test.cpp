@@ -116,20 +116,43 @@ TEST_F(IntervalTimer, ABytesWriteKeepsTheOtherBytesOfThePeriod) {
     EXPECT_EQ(counter(), 0x22AB'CD11u);
 }
 
-TEST_F(IntervalTimer, EventsOfControlReadZero) {
+TEST_F(IntervalTimer, ControlReadsAllThatWasWrittenStartAndStopToo) {
     write(CONTROL, START | STOP | CONT | ITO);
-    EXPECT_EQ(read(CONTROL), CONT | ITO);
+    EXPECT_EQ(read(CONTROL), START | STOP | CONT | ITO);
     EXPECT_EQ(read(STATUS), RUN);
+    write(CONTROL, STOP);
+    EXPECT_EQ(read(CONTROL), STOP);
+    EXPECT_EQ(read(STATUS), 0u);
+}
+
+TEST_F(IntervalTimer, ReadsZeroBehindItsRegisters) {
+    write(0x18, 0xffff);
+    EXPECT_EQ(read(0x18), 0u);
+    EXPECT_EQ(read(0x1C), 0u);
 }
 
 TEST_F(IntervalTimer, EndsOnceAClockWhereThePeriodIsShorter) {
-    period(0);
+    period(1);
     write(CONTROL, START | CONT);
     clock(2);
     write(STATUS, 0);
     clock(2);
     EXPECT_EQ(read(STATUS), TO | RUN);
+}
+
+TEST_F(IntervalTimer, APeriodOfZeroEndsOnceAndEvenWhileTheTimerStands) {
+    write(PERIOD_HIGH, 0);
+    EXPECT_EQ(read(STATUS), 0u);
+    write(PERIOD_LOW, 0);
+    EXPECT_EQ(read(STATUS), TO);
+    write(STATUS, 0);
+    write(CONTROL, START | CONT | ITO);
+    clock(10);
+    EXPECT_EQ(read(STATUS), RUN);
     EXPECT_EQ(counter(), 0u);
+    write(CONTROL, START);
+    clock(2);
+    EXPECT_EQ(read(STATUS), 0u);
 }
 
 }  // namespace
