@@ -1,10 +1,12 @@
 // jtag_uart.v - JTAG UART in the register layout of the DE1-SoC Computer, 64 bytes deep each way
 //
-//   +0 DATA      read: RAVAIL[31:16] left after this one, RVALID bit 15, the oldest byte, which
-//                goes away; while none waits, the byte that was read last; write: a byte to the
-//                host, dropped if WSPACE is 0
+//   +0 DATA      read: RAVAIL[31:16] left after this one, RVALID bit 15, bits 14:8 as in CONTROL,
+//                the oldest byte, which goes away; while none waits, the byte that was read last;
+//                write: a byte to the host, dropped if WSPACE is 0
 //   +4 CONTROL   RE bit 0, WE bit 1: enable RI and WI, which interrupt; AC bit 10: the host has
-//                been active, write 1 clears; WSPACE[31:16]: room for bytes to the host
+//                been active, write 1 clears; WAITS bit 12: bytes wait; ROOM bit 13: there is room
+//                for one to the host; LOST bit 14: the last byte to it was dropped; RVALID bit 15
+//                of the last read of DATA; WSPACE[31:16]: room for bytes to the host
 //                RI bit 8: there is room for 8 bytes from the host or fewer, or the host has paused
 //                after bytes and DATA has not been read since
 //                WI bit 9: 8 bytes or fewer wait for the host
@@ -17,10 +19,9 @@
 //   typed_i (t_ena)    a byte from the host, in typed_data_i (t_dat)
 //   idle_i  (t_pause)  the host has looked and has nothing to send
 //
-// Source: Embedded Peripherals IP User Guide, JTAG UART Core, with its thresholds of 8.
-//
-// Not handled: the core's state in bits 14:8 of DATA and 15:11 of CONTROL, which the guide
-// reserves; they read 0.
+// Source: Embedded Peripherals IP User Guide, JTAG UART Core, with its thresholds of 8; the Verilog
+// that it generates for the DE1-SoC Computer, for the bits that the guide reserves: WAITS, ROOM,
+// LOST, and those of DATA.
 
 `default_nettype none
 
@@ -73,12 +74,13 @@ module jtag_uart (
     );
 
     // ---- Registers --------------------------------------------------------
-    reg       re_q, we_q, ac_q, paused_q;
+    reg       re_q, we_q, ac_q, paused_q, valid_q, lost_q;
     reg       take_q;            // take_i was high in the clock before
     reg [7:0] last_q;            // read
 
     wire       some  = read_count != 7'd0;
     wire [6:0] left  = read_count - {6'd0, some};
+    wire       full  = write_count == DEPTH;
 
     wire takes = take_i && write_count != 7'd0;
     wire room  = read_count != DEPTH;
@@ -92,11 +94,15 @@ module jtag_uart (
     always @(posedge clk_i) begin
         rdata_o <= 32'd0;
         if (re_data) begin
-            rdata_o <= {9'd0, left, some, 7'd0, some ? read_head : last_q};
+            rdata_o <= {9'd0, left, some, lost_q, !full, left != 7'd0, 1'b0, ac_q, wi, ri,
+                        some ? read_head : last_q};
+            valid_q <= some;
             if (some) last_q <= read_head;
         end else if (re_i) begin
-            rdata_o <= {9'd0, DEPTH - write_count, 5'd0, ac_q, wi, ri, 6'd0, we_q, re_q};
+            rdata_o <= {9'd0, DEPTH - write_count, valid_q, lost_q, !full, some, 1'b0, ac_q, wi, ri,
+                        6'd0, we_q, re_q};
         end
+        if (we_data) lost_q <= full;
 
         take_q <= take_i;
         room_o <= room && !rst_i;
@@ -108,7 +114,7 @@ module jtag_uart (
         if (typed_i || idle_i) ac_q <= 1'b1;
         else if (we_control && wstrb_i[1] && wdata_i[JTAG_UART0_CONTROL_AC_LSB]) ac_q <= 1'b0;
         if (we_control && wstrb_i[0]) {we_q, re_q} <= wdata_i[1:0];
-        if (rst_i) {re_q, we_q, ac_q, paused_q, last_q} <= 12'd0;
+        if (rst_i) {re_q, we_q, ac_q, paused_q, valid_q, lost_q, last_q} <= 14'd0;
     end
 endmodule
 

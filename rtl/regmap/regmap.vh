@@ -1,7 +1,7 @@
 // regmap.vh - generated from regmap.def by `make regmap`; do not edit.
 // Every module uses a few of these constants.
 // verilator lint_off UNUSEDPARAM
-localparam [31:0] REGMAP_HASH = 32'ha190c3c6;
+localparam [31:0] REGMAP_HASH = 32'h22905656;
 
 // Select lines of the lightweight bridge.
 localparam SEL_LEDR = 0;
@@ -133,7 +133,7 @@ localparam PS2_1_CONTROL_CE_W = 1;
 localparam [31:0] JTAG_UART0_BASE = 32'hff201000;
 localparam [31:0] JTAG_UART0_SIZE = 32'h00000008;
 localparam [31:0] JTAG_UART0_DATA = 32'hff201000;
-localparam [31:0] JTAG_UART0_DATA_RESET = 32'h00000000;
+localparam [31:0] JTAG_UART0_DATA_RESET = 32'h00002000;
 localparam JTAG_UART0_DATA_DATA_LSB = 0;
 localparam JTAG_UART0_DATA_DATA_W = 8;
 localparam JTAG_UART0_DATA_RVALID_LSB = 15;
@@ -141,7 +141,7 @@ localparam JTAG_UART0_DATA_RVALID_W = 1;
 localparam JTAG_UART0_DATA_RAVAIL_LSB = 16;
 localparam JTAG_UART0_DATA_RAVAIL_W = 16;
 localparam [31:0] JTAG_UART0_CONTROL = 32'hff201004;
-localparam [31:0] JTAG_UART0_CONTROL_RESET = 32'h00400000;
+localparam [31:0] JTAG_UART0_CONTROL_RESET = 32'h00402000;
 localparam JTAG_UART0_CONTROL_RE_LSB = 0;
 localparam JTAG_UART0_CONTROL_RE_W = 1;
 localparam JTAG_UART0_CONTROL_WE_LSB = 1;
@@ -152,13 +152,21 @@ localparam JTAG_UART0_CONTROL_WI_LSB = 9;
 localparam JTAG_UART0_CONTROL_WI_W = 1;
 localparam JTAG_UART0_CONTROL_AC_LSB = 10;
 localparam JTAG_UART0_CONTROL_AC_W = 1;
+localparam JTAG_UART0_CONTROL_WAITS_LSB = 12;
+localparam JTAG_UART0_CONTROL_WAITS_W = 1;
+localparam JTAG_UART0_CONTROL_ROOM_LSB = 13;
+localparam JTAG_UART0_CONTROL_ROOM_W = 1;
+localparam JTAG_UART0_CONTROL_LOST_LSB = 14;
+localparam JTAG_UART0_CONTROL_LOST_W = 1;
+localparam JTAG_UART0_CONTROL_RVALID_LSB = 15;
+localparam JTAG_UART0_CONTROL_RVALID_W = 1;
 localparam JTAG_UART0_CONTROL_WSPACE_LSB = 16;
 localparam JTAG_UART0_CONTROL_WSPACE_W = 16;
 
 localparam [31:0] JTAG_UART1_BASE = 32'hff201008;
 localparam [31:0] JTAG_UART1_SIZE = 32'h00000008;
 localparam [31:0] JTAG_UART1_DATA = 32'hff201008;
-localparam [31:0] JTAG_UART1_DATA_RESET = 32'h00000000;
+localparam [31:0] JTAG_UART1_DATA_RESET = 32'h00002000;
 localparam JTAG_UART1_DATA_DATA_LSB = 0;
 localparam JTAG_UART1_DATA_DATA_W = 8;
 localparam JTAG_UART1_DATA_RVALID_LSB = 15;
@@ -166,7 +174,7 @@ localparam JTAG_UART1_DATA_RVALID_W = 1;
 localparam JTAG_UART1_DATA_RAVAIL_LSB = 16;
 localparam JTAG_UART1_DATA_RAVAIL_W = 16;
 localparam [31:0] JTAG_UART1_CONTROL = 32'hff20100c;
-localparam [31:0] JTAG_UART1_CONTROL_RESET = 32'h00400000;
+localparam [31:0] JTAG_UART1_CONTROL_RESET = 32'h00402000;
 localparam JTAG_UART1_CONTROL_RE_LSB = 0;
 localparam JTAG_UART1_CONTROL_RE_W = 1;
 localparam JTAG_UART1_CONTROL_WE_LSB = 1;
@@ -177,6 +185,14 @@ localparam JTAG_UART1_CONTROL_WI_LSB = 9;
 localparam JTAG_UART1_CONTROL_WI_W = 1;
 localparam JTAG_UART1_CONTROL_AC_LSB = 10;
 localparam JTAG_UART1_CONTROL_AC_W = 1;
+localparam JTAG_UART1_CONTROL_WAITS_LSB = 12;
+localparam JTAG_UART1_CONTROL_WAITS_W = 1;
+localparam JTAG_UART1_CONTROL_ROOM_LSB = 13;
+localparam JTAG_UART1_CONTROL_ROOM_W = 1;
+localparam JTAG_UART1_CONTROL_LOST_LSB = 14;
+localparam JTAG_UART1_CONTROL_LOST_W = 1;
+localparam JTAG_UART1_CONTROL_RVALID_LSB = 15;
+localparam JTAG_UART1_CONTROL_RVALID_W = 1;
 localparam JTAG_UART1_CONTROL_WSPACE_LSB = 16;
 localparam JTAG_UART1_CONTROL_WSPACE_W = 16;
 

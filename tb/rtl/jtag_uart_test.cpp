@@ -9,7 +9,8 @@
 namespace {
 
 constexpr int DATA = 0x0, CONTROL = 0x4;
-constexpr std::uint32_t RE = 1, WE = 2, RI = 1 << 8, WI = 1 << 9, AC = 1 << 10, RVALID = 1 << 15;
+constexpr std::uint32_t RE = 1, WE = 2, RI = 1 << 8, WI = 1 << 9, AC = 1 << 10, WAITS = 1 << 12,
+                        ROOM = 1 << 13, LOST = 1 << 14, RVALID = 1 << 15;
 
 class JtagUart : public tb::RegisterBus<Vjtag_uart> {
 protected:
@@ -73,16 +74,38 @@ TEST_F(JtagUart, HasRoomFor64BytesAndDropsWhatIsMore) {
 
 TEST_F(JtagUart, GivesTypedBytesOnceWithTheNumberLeft) {
     type("xyz");
-    EXPECT_EQ(read(DATA), 2u << 16 | RVALID | 'x');
-    EXPECT_EQ(read(DATA), 1u << 16 | RVALID | 'y');
-    EXPECT_EQ(read(DATA), 0u << 16 | RVALID | 'z');
-    EXPECT_EQ(read(DATA), static_cast<unsigned>('z')) << "empty: the last byte, not valid";
+    constexpr std::uint32_t STATE = ROOM | AC;
+    EXPECT_EQ(read(DATA), 2u << 16 | RVALID | WAITS | STATE | 'x');
+    EXPECT_EQ(read(DATA), 1u << 16 | RVALID | WAITS | STATE | 'y');
+    EXPECT_EQ(read(DATA), 0u << 16 | RVALID | STATE | 'z');
+    EXPECT_EQ(read(DATA), STATE | 'z') << "empty: the last byte, not valid";
 }
 
 TEST_F(JtagUart, KeepsTheByteWhenControlIsRead) {
     type("x");
     read(CONTROL);
-    EXPECT_EQ(read(DATA), RVALID | 'x');
+    EXPECT_EQ(read(DATA), RVALID | ROOM | AC | 'x');
+}
+
+TEST_F(JtagUart, ControlTellsWhetherTheLastReadOfDataWasValid) {
+    type("x");
+    EXPECT_EQ(read(CONTROL) & (RVALID | WAITS), WAITS);
+    read(DATA);
+    EXPECT_EQ(read(CONTROL) & (RVALID | WAITS), RVALID);
+    read(DATA);
+    EXPECT_EQ(read(CONTROL) & (RVALID | WAITS), 0u);
+}
+
+TEST_F(JtagUart, TellsThatThereIsNoRoomAndThatAByteWasLost) {
+    for (int i = 0; i < 64; ++i) write(DATA, 'x');
+    EXPECT_EQ(read(CONTROL) & (ROOM | LOST), 0u);
+    write(DATA, 'x');
+    EXPECT_EQ(read(CONTROL) & (ROOM | LOST), LOST);
+    EXPECT_EQ(read(DATA), LOST);
+    take();
+    EXPECT_EQ(read(CONTROL) & (ROOM | LOST), ROOM | LOST);
+    write(DATA, 'x');
+    EXPECT_EQ(read(CONTROL) & (ROOM | LOST), 0u);
 }
 
 TEST_F(JtagUart, TellsTheHostToStopAt64Bytes) {
