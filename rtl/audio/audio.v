@@ -9,9 +9,9 @@
 //
 // A write to a full FIFO is dropped.  Once per frame a pair is sent if both FIFOs hold a sample,
 // otherwise zeros are.  UNDERRUNS counts the frames of zeros that follow a frame with a pair, so a
-// long silence counts once.  A pair that comes in while one of its FIFOs is full is dropped, so
-// left and right stay in step.  Reading an empty FIFO gives the sample that was read last.  RI and
-// WI are 0 without RE and WE.
+// long silence counts once.  A sample that comes in while its FIFO is full is dropped, each side by
+// itself.  Reading an empty FIFO gives the sample that was read last.  RI and WI are 0 without RE
+// and WE.  While CW is 1 there is no room, so WSLC, WSRC and WI are 0.
 //
 // A write with any byte strobe pushes the whole word on wdata_i or clears UNDERRUNS; CONTROL
 // changes by its byte lane.  A write with none does nothing.
@@ -145,20 +145,18 @@ module audio (
         end
     end
 
-    wire        left_in_full, right_in_full;
     wire [23:0] left_in, right_in;
     wire [7:0]  left_in_count, right_in_count;
-    wire        push = frame && !left_in_full && !right_in_full;
 
     // verilator lint_off PINCONNECTEMPTY
     fifo #(.WIDTH(24)) left_in_fifo (
-        .clk_i(clk_i), .rst_i(rst_i), .clear_i(hold_in_q), .push_i(push), .wdata_i(come[47:24]),
-        .pop_i(re_left), .rdata_o(left_in), .count_o(left_in_count), .full_o(left_in_full),
+        .clk_i(clk_i), .rst_i(rst_i), .clear_i(hold_in_q), .push_i(frame), .wdata_i(come[47:24]),
+        .pop_i(re_left), .rdata_o(left_in), .count_o(left_in_count), .full_o(),
         .empty_o(), .awake_o(fifos_awake[2])
     );
     fifo #(.WIDTH(24)) right_in_fifo (
-        .clk_i(clk_i), .rst_i(rst_i), .clear_i(hold_in_q), .push_i(push), .wdata_i(come[23:0]),
-        .pop_i(re_right), .rdata_o(right_in), .count_o(right_in_count), .full_o(right_in_full),
+        .clk_i(clk_i), .rst_i(rst_i), .clear_i(hold_in_q), .push_i(frame), .wdata_i(come[23:0]),
+        .pop_i(re_right), .rdata_o(right_in), .count_o(right_in_count), .full_o(),
         .empty_o(), .awake_o(fifos_awake[3])
     );
     // verilator lint_on PINCONNECTEMPTY
@@ -195,8 +193,8 @@ module audio (
         reached = left >= THRESHOLD || right >= THRESHOLD;
     endfunction
 
-    wire [7:0] left_room  = DEPTH - left_out_count;
-    wire [7:0] right_room = DEPTH - right_out_count;
+    wire [7:0] left_room  = hold_out_q ? 8'd0 : DEPTH - left_out_count;
+    wire [7:0] right_room = hold_out_q ? 8'd0 : DEPTH - right_out_count;
     wire [1:0] wi_ri = {wi_enable_q && reached(left_room, right_room),
                         ri_enable_q && reached(left_in_count, right_in_count)};
     wire       irq   = wi_ri != 2'd0;

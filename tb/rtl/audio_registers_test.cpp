@@ -135,7 +135,7 @@ TEST_F(Audio, ChangesControlByItsByteLane) {
     write(AUDIO_CONTROL, 0xffffffff, 0xe);
     EXPECT_EQ(read(AUDIO_CONTROL), 0u);
     write(AUDIO_CONTROL, 0xffffffff, 0x1);
-    EXPECT_EQ(read(AUDIO_CONTROL), CONTROL_WI | 0xf);
+    EXPECT_EQ(read(AUDIO_CONTROL), 0xfu);
 }
 
 TEST_F(Audio, KeepsItsRateWhateverIsWritten) {
