@@ -166,13 +166,17 @@ module audio (
     wire [3:0] codec_step;
 
     wire       config_restart, config_send, config_busy, config_nack, config_ready;
-    wire [6:0] config_address;
+    wire [3:0] config_control;
+    wire [6:0] config_slave;
+    wire [7:0] config_address;
     wire [8:0] config_data;
+    wire [15:0] config_word;
 
     av_config config_block (
         .clk_i(clk_i), .rst_i(rst_i), .we_i(we_i && waddr_i[11:4] == AV_CONFIG_BASE[11:4]),
         .wstrb_i(wstrb_i), .waddr_i(waddr_i), .wdata_i(wdata_i),
-        .restart_o(config_restart), .send_o(config_send), .address_o(config_address),
+        .restart_o(config_restart), .send_o(config_send), .slave_o(config_slave),
+        .word_o(config_word), .control_o(config_control), .address_o(config_address),
         .data_o(config_data), .busy_i(config_busy), .ready_o(config_ready), .hold_o(hold_o),
         .awake_o(config_awake)
     );
@@ -180,7 +184,7 @@ module audio (
     codec_setup setup (
         .clk_i(clk_i), .rst_i(rst_i), .restart_i(config_restart), .fast_i(fast_i),
         .ready_o(codec_ready), .error_o(codec_error), .step_o(codec_step),
-        .send_i(config_send), .send_word_i({config_address, config_data}),
+        .send_i(config_send), .send_slave_i(config_slave), .send_word_i(config_word),
         .busy_o(config_busy), .nack_o(config_nack),
         .sclk_o(i2c_sclk_o), .sdat_oe_o(i2c_sdat_oe_o), .sdat_i(i2c_sdat_i),
         .awake_o(setup_awake)
@@ -216,9 +220,12 @@ module audio (
             CODEC_RATE[11:0]:      rdata_o <= fast_i ? FAST_HZ : CODEC_RATE_RESET;
             CODEC_STATUS[11:0]:    rdata_o <= {24'd0, codec_step, 2'd0, codec_error, codec_ready};
             CODEC_UNDERRUNS[11:0]: rdata_o <= underruns_q;
-            AV_CONFIG_STATUS[11:0]: rdata_o <= {23'd0, codec_ready, 6'd0, config_ready,
+            AV_CONFIG_CONTROL[11:0]: rdata_o <= {14'd0, config_control[3:2], 13'd0,
+                                                 config_control[1:0], 1'b0};
+            AV_CONFIG_STATUS[11:0]: rdata_o <= {AV_CONFIG_STATUS_RESET[31:9], codec_ready, 6'd0,
+                                                config_ready,
                                                 (config_nack && !config_send) || codec_error};
-            AV_CONFIG_ADDRESS[11:0]: rdata_o <= {25'd0, config_address};
+            AV_CONFIG_ADDRESS[11:0]: rdata_o <= {24'd0, config_address};
             AV_CONFIG_DATA[11:0]:    rdata_o <= {23'd0, config_data};
             default: ;
         endcase

@@ -11,8 +11,8 @@
 // word.  While ready_o is high, step_o is 10.  A restart waits for the end of the word on the wire,
 // then begins at word 0.
 //
-// send_i sends one word by hand, during which busy_o is high.  nack_o: the last such word was not
-// acknowledged.
+// send_i sends one word to any slave, during which busy_o is high.  nack_o: the last such word was
+// not acknowledged.
 //
 // Not handled: a reset of the FPGA while the codec pulls SDA low can spoil word 0; a restart helps.
 
@@ -30,7 +30,8 @@ module codec_setup (
     output reg  [3:0] step_o,
 
     input  wire        send_i,       // not while busy_o
-    input  wire [15:0] send_word_i,  // stable until then
+    input  wire [6:0]  send_slave_i, // its address; these two stable until then
+    input  wire [15:0] send_word_i,
     output wire        busy_o,       // sets up, or sends
     output reg         nack_o,
 
@@ -57,6 +58,7 @@ module codec_setup (
     localparam [8:0] ACTIVE     = 9'd1;          // R9
 
     localparam [3:0] LAST_STEP = 4'd10;
+    localparam [6:0] CODEC     = 7'h1a;          // on I2C: CSB is tied low
 
     function [15:0] word;
         input [3:0] step;
@@ -87,7 +89,7 @@ module codec_setup (
     assign busy_o = sets_up || send_q;
 
     i2c_writer writer (
-        .clk_i(clk_i), .rst_i(rst_i), .start_i(start),
+        .clk_i(clk_i), .rst_i(rst_i), .start_i(start), .slave_i(sets_up ? CODEC : send_slave_i),
         .word_i(sets_up ? word(step_o, fast_i) : send_word_i),
         .busy_o(busy), .done_o(done), .nack_o(nack),
         .sclk_o(sclk_o), .sdat_oe_o(sdat_oe_o), .sdat_i(sdat_i),

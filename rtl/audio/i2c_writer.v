@@ -1,4 +1,4 @@
-// i2c_writer.v - writes one 16-bit word to a WM8731 over I2C
+// i2c_writer.v - writes one 16-bit word to a slave on I2C
 //
 //   SCL  ~~~~~~~~|____~~~~|____~~~~|_ ... ____~~~~|____~~~~~~~~
 //   SDA  ~~~~|_____< bit  >< bit  >   ... < ack  >___ |___|~~~~
@@ -8,7 +8,7 @@
 // keeps all times of the standard at 100 kHz (4.7 us low, 4.0 us high, START, STOP, bus free).
 // Cells 9, 18 and 27 are acknowledge bits.  One that stays high ends the word with STOP at once.
 //
-// Not handled: a slave that stretches the clock (the WM8731 does not), other masters.
+// Not handled: a slave that stretches the clock, which the board's do not; other masters.
 
 `default_nettype none
 
@@ -19,6 +19,7 @@ module i2c_writer #(
     input  wire        rst_i,
 
     input  wire        start_i,       // taken while !busy_o
+    input  wire [6:0]  slave_i,       // its address
     input  wire [15:0] word_i,
     output reg         busy_o,
     output reg         done_o,        // one clock, when busy_o falls
@@ -30,7 +31,6 @@ module i2c_writer #(
 
     output wire        awake_o
 );
-    localparam [6:0] ADDRESS      = 7'h1a;   // CSB is tied low
     localparam       WRITE        = 1'b0;
     localparam       RELEASED     = 1'b1;    // SDA in an acknowledge bit
     localparam [4:0] START        = 5'd0;
@@ -63,7 +63,7 @@ module i2c_writer #(
                 clock_q   <= 0;
                 quarter_q <= 2'd0;
                 cell_q    <= START;
-                bits_q    <= {ADDRESS, WRITE, RELEASED,
+                bits_q    <= {slave_i, WRITE, RELEASED,
                               word_i[15:8], RELEASED, word_i[7:0], RELEASED};
             end
         end else if (clock_q != QUARTER_LAST) begin

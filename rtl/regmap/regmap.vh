@@ -1,7 +1,7 @@
 // regmap.vh - generated from regmap.def by `make regmap`; do not edit.
 // Every module uses a few of these constants.
 // verilator lint_off UNUSEDPARAM
-localparam [31:0] REGMAP_HASH = 32'h22905656;
+localparam [31:0] REGMAP_HASH = 32'h09d9d08d;
 
 // Select lines of the lightweight bridge.
 localparam SEL_LEDR = 0;
@@ -351,8 +351,12 @@ localparam [31:0] AV_CONFIG_CONTROL = 32'hff203000;
 localparam [31:0] AV_CONFIG_CONTROL_RESET = 32'h00000000;
 localparam AV_CONFIG_CONTROL_RESET_LSB = 0;
 localparam AV_CONFIG_CONTROL_RESET_W = 1;
+localparam AV_CONFIG_CONTROL_RIE_LSB = 1;
+localparam AV_CONFIG_CONTROL_RIE_W = 2;
+localparam AV_CONFIG_CONTROL_DEVICE_LSB = 16;
+localparam AV_CONFIG_CONTROL_DEVICE_W = 2;
 localparam [31:0] AV_CONFIG_STATUS = 32'hff203004;
-localparam [31:0] AV_CONFIG_STATUS_RESET = 32'h00000000;
+localparam [31:0] AV_CONFIG_STATUS_RESET = 32'h00030000;
 localparam AV_CONFIG_STATUS_ACK_LSB = 0;
 localparam AV_CONFIG_STATUS_ACK_W = 1;
 localparam AV_CONFIG_STATUS_RDY_LSB = 1;
@@ -364,7 +368,7 @@ localparam AV_CONFIG_STATUS_CFG_W = 8;
 localparam [31:0] AV_CONFIG_ADDRESS = 32'hff203008;
 localparam [31:0] AV_CONFIG_ADDRESS_RESET = 32'h00000000;
 localparam [31:0] AV_CONFIG_DATA = 32'hff20300c;
-localparam [31:0] AV_CONFIG_DATA_RESET = 32'h00000000;
+localparam [31:0] AV_CONFIG_DATA_RESET = 32'h00000055;
 
 localparam [31:0] AUDIO_BASE = 32'hff203040;
 localparam [31:0] AUDIO_SIZE = 32'h00000010;

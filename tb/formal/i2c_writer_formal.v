@@ -9,6 +9,7 @@ module i2c_writer_formal (
     input wire        clk_i,
     input wire        rst_i,
     input wire        start_i,
+    input wire [6:0]  slave_i,
     input wire [15:0] word_i,
     input wire        slave_low_i
 );
@@ -18,8 +19,8 @@ module i2c_writer_formal (
     wire line = !(oe || slave_low_i);
 
     i2c_writer #(.QUARTER_CYCLES(4)) dut (
-        .clk_i(clk_i), .rst_i(rst_i), .start_i(start_i), .word_i(word_i), .busy_o(busy),
-        .done_o(done), .nack_o(nack), .sclk_o(scl), .sdat_oe_o(oe), .sdat_i(line)
+        .clk_i(clk_i), .rst_i(rst_i), .start_i(start_i), .slave_i(slave_i), .word_i(word_i),
+        .busy_o(busy), .done_o(done), .nack_o(nack), .sclk_o(scl), .sdat_oe_o(oe), .sdat_i(line)
     );
 
     // ---- The reference: an observer of the two wires --------------------------
@@ -29,7 +30,7 @@ module i2c_writer_formal (
     reg         open_q;                      // between START and STOP
     reg  [4:0]  rises_q;                     // of SCL since START
     reg  [26:0] sent_q;                      // SDA as driven at each of them
-    reg  [15:0] word_q;
+    reg  [22:0] word_q;                      // the slave's address, and the word
     reg         line1_q, line2_q;
     reg         nack_q;                      // an acknowledge bit was read high
 
@@ -60,7 +61,7 @@ module i2c_writer_formal (
         line1_q   <= line;
         line2_q   <= line1_q;
         nack_q    <= nacked || (read && line2_q);
-        if (start_i && !busy) word_q <= word_i;
+        if (start_i && !busy) word_q <= {slave_i, word_i};
         if (rst_i) begin
             open_q    <= 1'b0;
             scl_age_q <= HALF;
@@ -70,7 +71,9 @@ module i2c_writer_formal (
     always @(*) if (!live) assume (rst_i);
 
     // ---- What must hold ---------------------------------------------------------
-    wire [26:0] frame = {7'h1a, 1'b0, 1'b1, word_q[15:8], 1'b1, word_q[7:0], 1'b1};
+    wire [26:0] frame = {word_q[22:16], 1'b0, 1'b1, word_q[15:8], 1'b1, word_q[7:0], 1'b1};
+    wire [26:0] gone = frame >> (5'd28 - rises);
+    wire [26:0] ended = {gone[25:0], 1'b0};          // with SDA low for STOP
     wire        before_stop = rises == 5'd10 || rises == 5'd19 || rises == 5'd28;
 
     always @(*) if (live) begin
@@ -85,7 +88,7 @@ module i2c_writer_formal (
         a_start_hold: assert (!(fall && rises == 5'd0) || sda_age_q >= HALF);
         a_slave_may_acknowledge: assert (!(open && acknowledge && scl) || !oe);
         a_bits: assert (!open || sent == frame >> (5'd27 - rises)
-                        || (before_stop && sent == {frame >> (5'd28 - rises), 1'b0}));
+                        || (before_stop && sent == ended));
         a_word: assert (!(done && !nack) || (rises == 5'd28 && sent == {frame[25:0], 1'b0}));
         a_nack: assert (!done || nack == nack_q);
     end
@@ -133,7 +136,7 @@ module i2c_writer_formal (
         if (busy && stopping) begin
             i_stop_rises: assert (second ? before_stop : acknowledge);
             i_stop_whole: assert (nack || rises == 5'd27 + {4'd0, second});
-            i_stop_sent:  assert (second ? sent == {frame >> (5'd28 - rises), 1'b0}
+            i_stop_sent:  assert (second ? sent == ended
                                   : sent == frame >> (5'd27 - rises));
         end
     end

@@ -6,7 +6,7 @@ namespace {
 using namespace regmap;
 using namespace tb;
 
-constexpr std::uint32_t ACK = 1, RDY = 2, AIS = 1 << 8;
+constexpr std::uint32_t ACK = 1, RDY = 2, AIS = 1 << 8, CFG = 3 << 16;
 constexpr int LEFT_HEADPHONE = 2, DIGITAL_PATH = 5;
 
 class AvConfig : public Audio {
@@ -22,13 +22,13 @@ protected:
 };
 
 TEST_F(AvConfig, SaysThatTheCodecIsSetUp) {
-    EXPECT_EQ(read(0xFF203004), RDY | AIS);
+    EXPECT_EQ(read(0xFF203004), CFG | RDY | AIS);
     EXPECT_EQ(read(0xFF203000), 0u);
 }
 
 TEST_F(AvConfig, SendsNineBitsToTheRegisterAddressed) {
     send(LEFT_HEADPHONE, 0x0f0);
-    EXPECT_EQ(read(AV_CONFIG_STATUS), AIS);
+    EXPECT_EQ(read(AV_CONFIG_STATUS), CFG | AIS);
     wait_until_ready();
     EXPECT_EQ(codec.reg(LEFT_HEADPHONE), 0x0f0);
     send(LEFT_HEADPHONE, 0x155);
@@ -36,7 +36,7 @@ TEST_F(AvConfig, SendsNineBitsToTheRegisterAddressed) {
     EXPECT_EQ(codec.reg(LEFT_HEADPHONE), 0x155);
     EXPECT_EQ(read(AV_CONFIG_ADDRESS), 2u);
     EXPECT_EQ(read(AV_CONFIG_DATA), 0x155u);
-    EXPECT_EQ(read(AV_CONFIG_STATUS), RDY | AIS);
+    EXPECT_EQ(read(AV_CONFIG_STATUS), CFG | RDY | AIS);
 }
 
 TEST_F(AvConfig, SendsOneWordForOneWrite) {
@@ -58,15 +58,54 @@ TEST_F(AvConfig, MakesAWordWaitWhileAnotherIsUnderWay) {
     EXPECT_EQ(codec.reg(DIGITAL_PATH), 0x008);
 }
 
+TEST_F(AvConfig, TakesAnAddressWhileAWordIsUnderWay) {
+    send(LEFT_HEADPHONE, 0x0f0);
+    const std::uint64_t before = clocks;
+    write(AV_CONFIG_ADDRESS, DIGITAL_PATH);
+    EXPECT_LE(clocks - before, 2u);
+    wait_until_ready();
+    EXPECT_EQ(codec.reg(LEFT_HEADPHONE), 0x0f0);
+    EXPECT_EQ(codec.reg(DIGITAL_PATH), 0);
+}
+
+TEST_F(AvConfig, KeepsTheDeviceAndTheInterruptsMask) {
+    write(AV_CONFIG_CONTROL, 0xfffffffe);
+    EXPECT_EQ(read(AV_CONFIG_CONTROL), 0x00030006u);
+    write(AV_CONFIG_CONTROL, 0, 0x4);
+    EXPECT_EQ(read(AV_CONFIG_CONTROL), 0x00000006u);
+}
+
+TEST_F(AvConfig, SendsNothingToTheCodecWhereAnotherDeviceIsNamed) {
+    for (const std::uint32_t device : {1u, 2u, 3u}) {
+        write(AV_CONFIG_CONTROL, device << 16);
+        send(LEFT_HEADPHONE << 1, 0x0f0);
+        wait_until_ready();
+        EXPECT_EQ(read(AV_CONFIG_STATUS), CFG | RDY | AIS | ACK) << "the codec alone is there";
+    }
+    EXPECT_EQ(codec.reg(LEFT_HEADPHONE), 0x079);
+}
+
+TEST_F(AvConfig, ClearsItsRegistersWithTheCodec) {
+    EXPECT_EQ(read(AV_CONFIG_DATA), 0x055u);
+    write(AV_CONFIG_CONTROL, 0x00030006);
+    write(AV_CONFIG_ADDRESS, 0xff);
+    EXPECT_EQ(read(AV_CONFIG_ADDRESS), 0xffu);
+    write(AV_CONFIG_CONTROL, 1);
+    clock(2);
+    EXPECT_EQ(read(AV_CONFIG_CONTROL), 0u);
+    EXPECT_EQ(read(AV_CONFIG_ADDRESS), 0u);
+    EXPECT_EQ(read(AV_CONFIG_DATA), 0x055u);
+}
+
 TEST_F(AvConfig, ShowsAWordThatWasNotAcknowledgedUntilTheNext) {
     codec.refuse_word(codec.words() + 1);
     send(LEFT_HEADPHONE, 0x0f0);
     wait_until_ready();
-    EXPECT_EQ(read(AV_CONFIG_STATUS), RDY | AIS | ACK);
+    EXPECT_EQ(read(AV_CONFIG_STATUS), CFG | RDY | AIS | ACK);
     send(LEFT_HEADPHONE, 0x0f0);
     EXPECT_EQ(read(AV_CONFIG_STATUS) & ACK, 0u);
     wait_until_ready();
-    EXPECT_EQ(read(AV_CONFIG_STATUS), RDY | AIS);
+    EXPECT_EQ(read(AV_CONFIG_STATUS), CFG | RDY | AIS);
 }
 
 TEST_F(AvConfig, SetsTheCodecUpAgain) {
@@ -74,9 +113,9 @@ TEST_F(AvConfig, SetsTheCodecUpAgain) {
     wait_until_ready();
     write(AV_CONFIG_CONTROL, 1);
     clock(2);
-    EXPECT_EQ(read(AV_CONFIG_STATUS), 0u);
+    EXPECT_EQ(read(AV_CONFIG_STATUS), CFG);
     wait_until_ready();
-    EXPECT_EQ(read(AV_CONFIG_STATUS), RDY | AIS);
+    EXPECT_EQ(read(AV_CONFIG_STATUS), CFG | RDY | AIS);
     EXPECT_EQ(codec.reg(LEFT_HEADPHONE), 0x079);
 }
 
@@ -87,7 +126,7 @@ TEST_F(AvConfig, LetsAWordOnTheWireEndBeforeANewSetUp) {
     write(AV_CONFIG_CONTROL, 1);
     clock(2);
     wait_until_ready();
-    EXPECT_EQ(read(AV_CONFIG_STATUS), RDY | AIS);
+    EXPECT_EQ(read(AV_CONFIG_STATUS), CFG | RDY | AIS);
     EXPECT_EQ(codec.words(), words + 12);
     EXPECT_EQ(codec.reg(LEFT_HEADPHONE), 0x079);
 }
@@ -97,7 +136,7 @@ TEST_F(AvConfig, ShowsASetUpThatFailed) {
     write(AV_CONFIG_CONTROL, 1);
     clock(2);
     wait_until_ready();
-    EXPECT_EQ(read(AV_CONFIG_STATUS), RDY | ACK);
+    EXPECT_EQ(read(AV_CONFIG_STATUS), CFG | RDY | ACK);
 }
 
 }  // namespace

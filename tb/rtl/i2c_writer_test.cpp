@@ -38,11 +38,13 @@ protected:
         dut.sdat_i = bus.sda();
     }
     // Whether all bytes were acknowledged, as the module says.
-    bool write(std::uint16_t word) {
+    bool write(std::uint16_t word, std::uint8_t slave = 0x1a) {
         dut.start_i = 1;
+        dut.slave_i = slave;
         dut.word_i = word;
         clock();
         dut.start_i = 0;
+        dut.slave_i = 0;
         dut.word_i = 0;
         int clocks = 0;
         while (!dut.done_o && clocks++ < 20'000) clock();
@@ -59,10 +61,11 @@ protected:
     tb::I2cBus bus;
 };
 
-TEST_F(I2cWriter, SendsTheCodecsAddressAndTwoBytesMostSignificantBitFirst) {
+TEST_F(I2cWriter, SendsTheSlavesAddressAndTwoBytesMostSignificantBitFirst) {
     EXPECT_TRUE(write(0x12c4));
-    EXPECT_THAT(bus.transfers, ElementsAre(Bytes{0x34, 0x12, 0xc4}));
-    EXPECT_EQ(bus.stops, 1u);
+    EXPECT_TRUE(write(0x8001, 0x65));
+    EXPECT_THAT(bus.transfers, ElementsAre(Bytes{0x34, 0x12, 0xc4}, Bytes{0xca, 0x80, 0x01}));
+    EXPECT_EQ(bus.stops, 2u);
 }
 
 TEST_F(I2cWriter, SendsOneWordAfterTheOther) {
