@@ -1,7 +1,7 @@
 // regmap.vh - generated from regmap.def by `make regmap`; do not edit.
 // Every module uses a few of these constants.
 // verilator lint_off UNUSEDPARAM
-localparam [31:0] REGMAP_HASH = 32'h09d9d08d;
+localparam [31:0] REGMAP_HASH = 32'h38a22815;
 
 // Select lines of the lightweight bridge.
 localparam SEL_LEDR = 0;
@@ -283,7 +283,7 @@ localparam [31:0] SYSID_HASH_RESET = 32'h00000000;
 localparam [31:0] RESAMPLER_BASE = 32'hff203010;
 localparam [31:0] RESAMPLER_SIZE = 32'h00000004;
 localparam [31:0] RESAMPLER_STATUS = 32'hff203010;
-localparam [31:0] RESAMPLER_STATUS_RESET = 32'h00000014;
+localparam [31:0] RESAMPLER_STATUS_RESET = 32'h00190014;
 
 localparam [31:0] PIXEL_BASE = 32'hff203020;
 localparam [31:0] PIXEL_SIZE = 32'h00000010;
@@ -313,7 +313,7 @@ localparam [31:0] TEXT_BACK_BUFFER_RESET = 32'hc9000000;
 localparam [31:0] TEXT_RESOLUTION = 32'hff203038;
 localparam [31:0] TEXT_RESOLUTION_RESET = 32'h003c0050;
 localparam [31:0] TEXT_STATUS = 32'hff20303c;
-localparam [31:0] TEXT_STATUS_RESET = 32'h06070004;
+localparam [31:0] TEXT_STATUS_RESET = 32'h06070704;
 localparam TEXT_STATUS_S_LSB = 0;
 localparam TEXT_STATUS_S_W = 1;
 localparam TEXT_STATUS_A_LSB = 1;

@@ -1,13 +1,13 @@
 // pixel_dma.v - fetches the rows of the front picture into the line buffer, one ahead of the beam
 //
 //   on-chip memory (0xC8000000, 256 KB)  --+
-//   SDRAM          (0xC0000000, 64 MB)   --+--> line_buffer
-//   anything else: black                 --+
+//   any other address: the SDRAM         --+--> line_buffer
 //
 // Each row is on the screen for two lines; while it is, the next one is fetched.  The first row is
 // fetched in the last two lines of the blanking, so a change of the front address at the end of a
-// frame is in time.  Bits 31:30 of an address are ignored, as in the board's controller: an address
-// in the DDR3 shows the SDRAM.
+// frame is in time.  As in the DE1-SoC Computer the controller reaches two memories and sees bits
+// 27:0 of an address: an address in the DDR3 shows the SDRAM, of which it has the lower 26 bits.
+// A row that begins in the on-chip memory is black from that memory's end on.
 //
 // The on-chip memory is read in every odd clock of the line.  Its word is taken in the next odd
 // clock, or already in the even clock between if the processor reads the memory in that one.  The
@@ -23,11 +23,10 @@ module pixel_dma (
     input  wire        odd_i,           // an odd clock of the beam's line
     input  wire        line_end_i,
     input  wire [9:0]  v_next_i,        // the line that begins after line_end_i
-    // Bits 1:0: vga.v handles a picture that begins in the middle of a word.
+    // Bits 1:0: vga.v handles a picture that begins in the middle of a word.  Bits 31:28: above.
     // verilator lint_off UNUSED
     input  wire [31:0] front_i,         // address of the picture
     // verilator lint_on UNUSED
-    input  wire        consecutive_i,   // rows are 640 bytes apart, not 1,024
 
     output wire        onchip_re_o,     // data one clock later
     input  wire        onchip_read_i,   // the processor reads it now
@@ -52,20 +51,20 @@ module pixel_dma (
 
     localparam [7:0]  WORDS     = 8'd161;
     localparam [9:0]  FIRST_ROW = 10'd523, LAST_PAIR = 10'd476;
-    localparam [27:0] XY = 28'd256, CONSECUTIVE = 28'd160;   // words per row
+    localparam [25:0] PITCH = 26'd256;   // words
 
     reg         busy_q, parity_q;        // parity_q: of the row
     reg  [7:0]  asked_q, got_q;          // words
     reg         waiting_q;               // for a word that is not the SDRAM's
     reg         onchip_q;                // ... but that memory's
     reg         sdram_q;                 // the row begins in the SDRAM
-    reg  [27:0] address_q, row_q;        // of the next word, of the next row
+    reg  [25:0] address_q, row_q;        // of the next word, of the next row
     wire        first = v_next_i == FIRST_ROW;
 
     // ---- Ask --------------------------------------------------------------
     wire more      = busy_q && asked_q != WORDS;
-    wire in_sdram  = sdram_q && address_q[27:24] == SDRAM_BASE[29:26];
-    wire in_onchip = address_q[27:16] == ONCHIP_BASE[29:18];
+    wire in_onchip = address_q[25:16] == ONCHIP_BASE[27:18];
+    wire in_sdram  = sdram_q && !in_onchip;
     wire ask       = odd_i && more && !in_sdram && (waiting_q || asked_q == got_q);
 
     assign sdram_req_o    = more && in_sdram;
@@ -80,12 +79,12 @@ module pixel_dma (
     assign windex_o = {parity_q, got_q};
     assign wdata_o  = !take ? sdram_word_i : onchip_q ? onchip_word_i : 32'd0;
 
-    wire [27:0] begins = first ? front_i[29:2] : row_q;
+    wire [25:0] begins = first ? front_i[27:2] : row_q;
 
     always @(posedge clk_i) begin
         if (ask || sdram_take_i) begin
             asked_q   <= asked_q + 8'd1;
-            address_q <= address_q + 28'd1;
+            address_q <= address_q + 26'd1;
         end
         if (ask || take) waiting_q <= ask;
         if (ask) onchip_q <= in_onchip;
@@ -98,9 +97,9 @@ module pixel_dma (
             parity_q  <= !first && !v_next_i[1];
             asked_q   <= 8'd0;
             got_q     <= 8'd0;
-            sdram_q   <= begins[27:24] == SDRAM_BASE[29:26];
+            sdram_q   <= begins[25:16] != ONCHIP_BASE[27:18];
             address_q <= begins;
-            row_q     <= begins + (consecutive_i ? CONSECUTIVE : XY);
+            row_q     <= begins + PITCH;
         end
         if (rst_i) begin
             busy_q    <= 1'b0;

@@ -1,22 +1,21 @@
 // pixel_registers.v - the registers of the pixel or the character buffer controller, and the swap
 //
 //   BUFFER write (any value)   S = 1
-//   frame_end_i while S = 1    BUFFER and BACK_BUFFER change places, S = 0
+//   swap_i while S = 1         BUFFER and BACK_BUFFER change places, S = 0
 //
-// A direct write never loads BUFFER.  STATUS.EN = 0 blanks the screen; STATUS.A = 1, where HAS_A,
-// means rows without gaps; the rest of STATUS is fixed.
+// A direct write never loads BUFFER.  A write of BACK_BUFFER in the clock of swap_i wins: S falls,
+// and nothing changes places.  STATUS.EN can be written, the rest of STATUS is fixed.  Bits 31:30
+// of both addresses read as ones, whatever was written; front_o has what was written, so that a run
+// can say that a program shows the processor's own memory.
 //
-// Not handled: the DE1-SoC Computer's address translation, by which bits 31:30 of BUFFER and
-// BACK_BUFFER read as ones.  Here they read as written, so that a run can say that a program shows
-// the processor's own memory.
+// Source: the DMA controller and the address translation of the DE1-SoC Computer, in Verilog.
 
 `default_nettype none
 
 module pixel_registers #(
     parameter [31:0] BUFFER     = 32'd0,  // after reset, of BACK_BUFFER too
     parameter [31:0] RESOLUTION = 32'd0,
-    parameter [31:0] STATUS     = 32'd0,
-    parameter        HAS_A      = 0       // otherwise it is fixed, too
+    parameter [31:0] STATUS     = 32'd0
 ) (
     input  wire        clk_i,
     input  wire        rst_i,
@@ -33,14 +32,15 @@ module pixel_registers #(
     input  wire        resampler_re_i,
     output reg  [31:0] rdata_o,
 
-    input  wire        frame_end_i,   // the last line has been fetched
-    output reg  [31:0] front_o,       // address of the picture on screen
+    input  wire        swap_i,        // now a picture ends or begins
+    output reg  [31:0] front_o,       // address of the picture
     output reg         enable_o,
-    output reg         consecutive_o,
     output wire        awake_o
 );
     `include "regmap.vh"
     `include "lanes.vh"
+
+    localparam [31:0] TRANSLATED = 32'hc000_0000;
 
     reg [31:0] back_q;
     reg        swap_q;
@@ -50,30 +50,26 @@ module pixel_registers #(
     always @(posedge clk_i) begin
         rdata_o <= 32'd0;
         if (re_i) case (raddr_i[3:0])
-            PIXEL_BUFFER[3:0]:      rdata_o <= front_o;
-            PIXEL_BACK_BUFFER[3:0]: rdata_o <= back_q;
+            PIXEL_BUFFER[3:0]:      rdata_o <= front_o | TRANSLATED;
+            PIXEL_BACK_BUFFER[3:0]: rdata_o <= back_q | TRANSLATED;
             PIXEL_RESOLUTION[3:0]:  rdata_o <= RESOLUTION;
-            default:                rdata_o <= {STATUS[31:3], enable_o, consecutive_o, swap_q};
+            default:                rdata_o <= {STATUS[31:3], enable_o, STATUS[1], swap_q};
         endcase
         if (resampler_re_i) rdata_o <= RESAMPLER_STATUS_RESET;
 
         if (we_i && waddr_i[3:0] == PIXEL_BACK_BUFFER[3:0])
-            back_q <= merged(frame_end_i && swap_q ? front_o : back_q, wdata_i, wstrb_i);
-        else if (frame_end_i && swap_q) back_q <= front_o;
-        if (frame_end_i && swap_q) front_o <= back_q;
+            back_q <= merged(back_q, wdata_i, wstrb_i);
+        else if (swap_i && swap_q) {front_o, back_q} <= {back_q, front_o};
 
         if (we_i && waddr_i[3:0] == PIXEL_BUFFER[3:0] && wstrb_i != 4'd0) swap_q <= 1'b1;
-        else if (frame_end_i) swap_q <= 1'b0;
-        if (we_i && waddr_i[3:0] == PIXEL_STATUS[3:0] && wstrb_i[0]) begin
-            enable_o      <= wdata_i[PIXEL_STATUS_EN_LSB];
-            consecutive_o <= HAS_A != 0 && wdata_i[PIXEL_STATUS_A_LSB];
-        end
+        else if (swap_i) swap_q <= 1'b0;
+        if (we_i && waddr_i[3:0] == PIXEL_STATUS[3:0] && wstrb_i[0])
+            enable_o <= wdata_i[PIXEL_STATUS_EN_LSB];
         if (rst_i) begin
             front_o  <= BUFFER;
             back_q   <= BUFFER;
             swap_q   <= 1'b0;
-            enable_o      <= STATUS[PIXEL_STATUS_EN_LSB];
-            consecutive_o <= STATUS[PIXEL_STATUS_A_LSB];
+            enable_o <= STATUS[PIXEL_STATUS_EN_LSB];
         end
     end
 endmodule

@@ -1,6 +1,7 @@
 // screen_registers.v - the registers of the pixel and the character buffer controller
 //
-// The character buffer cannot be moved: of its registers only STATUS and CLEAR have an effect.
+// The two controllers feed one mixer of pixels and characters.  So while EN of either is 0 there is
+// no picture, and no swap of either.
 
 `default_nettype none
 
@@ -21,9 +22,8 @@ module screen_registers (
 
     input  wire        frame_end_i,     // the last line has been fetched
     output wire [31:0] front_o,         // address of the picture on screen
+    output wire [12:0] text_front_o,    // of the characters on screen, in their memory
     output wire        enable_o,
-    output wire        consecutive_o,   // the picture's rows are without gaps
-    output wire        text_enable_o,
     output reg         clear_o,         // the characters, for one clock
     input  wire        clearing_i,
 
@@ -32,30 +32,34 @@ module screen_registers (
     `include "regmap.vh"
 
     wire [31:0] pixel_rdata, text_rdata;
-    wire        pixel_awake, text_awake;
+    // The characters' memory is the only one that their controller reaches.
+    // verilator lint_off UNUSED
+    wire [31:0] text_front;
+    // verilator lint_on UNUSED
+    wire        pixel_awake, text_awake, pixel_enable, text_enable;
+    wire        swap = frame_end_i && enable_o;
     reg         clearing_rdata_q;
 
     pixel_registers #(
         .BUFFER(PIXEL_BUFFER_RESET), .RESOLUTION(PIXEL_RESOLUTION_RESET),
-        .STATUS(PIXEL_STATUS_RESET), .HAS_A(1)
+        .STATUS(PIXEL_STATUS_RESET)
     ) pixel (
         .clk_i(clk_i), .rst_i(rst_i),
         .we_i(we_i), .wstrb_i(wstrb_i), .waddr_i(waddr_i), .wdata_i(wdata_i),
         .re_i(re_i), .resampler_re_i(resampler_re_i), .raddr_i(raddr_i), .rdata_o(pixel_rdata),
-        .frame_end_i(frame_end_i), .front_o(front_o), .enable_o(enable_o),
-        .consecutive_o(consecutive_o), .awake_o(pixel_awake)
+        .swap_i(swap), .front_o(front_o), .enable_o(pixel_enable), .awake_o(pixel_awake)
     );
-    // verilator lint_off PINCONNECTEMPTY
     pixel_registers #(
         .BUFFER(TEXT_BUFFER_RESET), .RESOLUTION(TEXT_RESOLUTION_RESET), .STATUS(TEXT_STATUS_RESET)
     ) text (
         .clk_i(clk_i), .rst_i(rst_i),
         .we_i(text_we_i), .wstrb_i(wstrb_i), .waddr_i(waddr_i), .wdata_i(wdata_i),
         .re_i(text_re_i), .resampler_re_i(1'b0), .raddr_i(raddr_i), .rdata_o(text_rdata),
-        .frame_end_i(frame_end_i), .front_o(), .enable_o(text_enable_o),
-        .consecutive_o(), .awake_o(text_awake)
+        .swap_i(swap), .front_o(text_front), .enable_o(text_enable), .awake_o(text_awake)
     );
-    // verilator lint_on PINCONNECTEMPTY
+
+    assign enable_o     = pixel_enable && text_enable;
+    assign text_front_o = text_front[12:0];
 
     assign rdata_o = pixel_rdata | text_rdata
                      | {31'd0, clearing_rdata_q} << TEXT_BUFFER_CLEAR_LSB;

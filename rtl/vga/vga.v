@@ -22,7 +22,7 @@ module vga (
 
     input  wire        upper_i,         // the picture begins in the upper half of a word
     input  wire        enable_i,
-    input  wire        text_enable_i,
+    input  wire [12:0] text_front_i,    // where the characters begin in their memory
     output wire        frame_end_o,     // the last line has been fetched
 
     output wire        odd_o,           // an odd clock of the line, for the picture's fetch
@@ -93,6 +93,7 @@ module vga (
     end
 
     // ---- Characters: asked for in every eighth clock --------------------------
+    wire [12:0] place_of_cell = text_front_i + {v[8:3], h[9:3]};
     reg  [1:0]  lane_q;     // of the character in its word
     reg  [2:0]  line_q;     // of the character's eight
     reg  [7:0]  strokes_q;  // bit 0 now, bit 1 in the next clock; 0 without text_q
@@ -111,12 +112,12 @@ module vga (
             cell_o    <= 1'b0;
             if (shown && h[2:0] == 3'd0) begin
                 cell_o       <= 1'b1;
-                cell_index_o <= {v[8:3], h[9:5]};
-                lane_q       <= h[4:3];
+                cell_index_o <= place_of_cell[12:2];
+                lane_q       <= place_of_cell[1:0];
                 line_q       <= v[2:0];
             end
         end
-        if (line_end_o) text_q <= cells_any_i && text_enable_i;
+        if (line_end_o) text_q <= cells_any_i && enable_i;
         if (rst_i) begin
             text_q    <= 1'b0;
             cell_o    <= 1'b0;
@@ -125,7 +126,7 @@ module vga (
     end
 
     // ---- Pins: a pixel of the picture is two clocks long -------------------
-    wire [15:0] colour = strokes_q[0] ? 16'hffff : enable_i ? pixel : 16'd0;
+    wire [15:0] colour = !enable_i ? 16'd0 : strokes_q[0] ? 16'hffff : pixel;
 
     assign vga_sync_no = 1'b0;     // no sync on green
 

@@ -62,16 +62,16 @@ module video (
     output wire [9:0]  fetch_rest_o,
     output wire [9:0]  rest_o
 );
-    wire        cells_any, cells_clearing, enable, text_enable, consecutive;
+    wire        cells_any, cells_clearing, enable;
     wire [31:0] front;
+    wire [12:0] text_front;
     wire [10:0] cell_index;
 
     screen_registers registers (
         .clk_i(registers_clk_i), .rst_i(rst_i), .we_i(we_i), .wstrb_i(wstrb_i), .waddr_i(waddr_i),
         .wdata_i(wdata_i), .re_i(re_i), .resampler_re_i(resampler_re_i),
         .text_we_i(text_we_i), .text_re_i(text_re_i), .raddr_i(raddr_i), .rdata_o(rdata_o),
-        .frame_end_i(frame_end_o), .front_o(front), .enable_o(enable), .text_enable_o(text_enable),
-        .consecutive_o(consecutive),
+        .frame_end_i(frame_end_o), .front_o(front), .text_front_o(text_front), .enable_o(enable),
         .clear_o(cells_clear_o), .clearing_i(cells_clearing), .awake_o(registers_awake_o)
     );
 
@@ -83,7 +83,7 @@ module video (
 
     vga vga_block (
         .clk_i(clk_i), .rst_i(rst_i), .now_i(now_i),
-        .upper_i(front[1]), .enable_i(enable), .text_enable_i(text_enable),
+        .upper_i(front[1]), .enable_i(enable), .text_front_i(text_front),
         .frame_end_o(frame_end_o), .odd_o(odd), .line_end_o(line_end), .v_next_o(v_next),
         .pixel_o(pixel), .index_o(pixel_index), .word_i(pixel_word),
         .flat_i(flat),
@@ -104,7 +104,7 @@ module video (
 
     pixel_dma dma (
         .clk_i(memory_clk_i), .rst_i(rst_i), .odd_i(odd), .line_end_i(line_end), .v_next_i(v_next),
-        .front_i(front), .consecutive_i(consecutive),
+        .front_i(front),
         .onchip_re_o(fetch), .onchip_read_i(onchip_re_i && rgrant_o),
         .onchip_index_o(fetch_index), .onchip_word_i(onchip_o),
         .sdram_req_o(sdram_req_o), .sdram_index_o(sdram_index_o), .sdram_take_i(sdram_take_i),

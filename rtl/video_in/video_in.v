@@ -6,7 +6,7 @@
 //               EDGE_DETECTION                          VIDEO_IN
 //
 //   +0 BUFFER      where pictures go; a write of any value asks for a swap with BACK_BUFFER, which
-//   +4 BACK_BUFFER takes place when a picture is whole
+//   +4 BACK_BUFFER takes place when the next picture begins, before its first word
 //   +8 RESOLUTION  320 x 240
 //   +C STATUS      EN bit 2: 1 = pictures come in, 59.94 per second; 0 = the buffer stays as it is
 //
@@ -51,10 +51,9 @@ module video_in (
 
     // ---- Registers --------------------------------------------------------
     wire [31:0] buffer, dma_rdata;
-    wire        enable, picture_end, dma_awake;
+    wire        enable, picture_begin, dma_awake;
     reg         edges_q, edges_rdata_q;
 
-    // verilator lint_off PINCONNECTEMPTY
     pixel_registers #(
         .BUFFER(VIDEO_IN_BUFFER_RESET), .RESOLUTION(VIDEO_IN_RESOLUTION_RESET),
         .STATUS(VIDEO_IN_STATUS_RESET)
@@ -62,10 +61,8 @@ module video_in (
         .clk_i(clk_i), .rst_i(rst_i),
         .we_i(we_i), .wstrb_i(wstrb_i), .waddr_i(waddr_i), .wdata_i(wdata_i),
         .re_i(re_i), .resampler_re_i(1'b0), .raddr_i(raddr_i), .rdata_o(dma_rdata),
-        .frame_end_i(picture_end), .front_o(buffer), .enable_o(enable), .consecutive_o(),
-        .awake_o(dma_awake)
+        .swap_i(picture_begin), .front_o(buffer), .enable_o(enable), .awake_o(dma_awake)
     );
-    // verilator lint_on PINCONNECTEMPTY
 
     assign rdata_o = dma_rdata | {31'd0, edges_rdata_q};
     always @(posedge clk_i) begin
@@ -99,7 +96,7 @@ module video_in (
         .came_i(!none), .word_i(word),
         .onchip_req_o(onchip_req_o), .onchip_take_i(onchip_take_i),
         .sdram_req_o(sdram_req_o), .sdram_take_i(sdram_take_i),
-        .index_o(index_o), .wdata_o(wdata_o), .end_o(picture_end), .awake_o(writer_awake)
+        .index_o(index_o), .wdata_o(wdata_o), .begin_o(picture_begin), .awake_o(writer_awake)
     );
 
     assign awake_o    = dma_awake || edges_rdata_q || come_awake || writer_awake;

@@ -3,8 +3,7 @@
 // By 2-step induction.  The SDRAM takes a request in its eleventh clock at the latest, or in its
 // seventh if the request came in the clock after the previous one was taken.  It answers four
 // clocks later.  sdram_wait_formal.v and sdram_formal.v prove both.  The processor may read the
-// on-chip memory in any clock that is free for it.  The picture begins anywhere; the addressing
-// mode is constant during a frame.
+// on-chip memory in any clock that is free for it.  The picture begins anywhere.
 //
 // Each word of a memory holds its own address, which shows where it was read.
 
@@ -14,7 +13,6 @@ module pixel_dma_formal (
     input wire        clk_i,
     input wire        rst_i,
     input wire [31:0] front_i,
-    input wire        consecutive_i,
     input wire        re_i,          // the processor's read of the on-chip memory
     input wire        sdram_take_i,
     input wire [31:0] other_i        // what it gives; on the SDRAM's data while no read waits
@@ -46,7 +44,7 @@ module pixel_dma_formal (
 
     pixel_dma dut (
         .clk_i(clk_i), .rst_i(rst_i), .odd_i(h_q[0]), .line_end_i(line_end), .v_next_i(v_next),
-        .front_i(front_i), .consecutive_i(consecutive_i),
+        .front_i(front_i),
         .onchip_re_o(onchip_re), .onchip_read_i(re_i && !onchip_re),
         .onchip_index_o(onchip_index), .onchip_word_i(onchip_q),
         .sdram_req_o(req), .sdram_index_o(sdram_index), .sdram_take_i(sdram_take_i),
@@ -73,20 +71,18 @@ module pixel_dma_formal (
     wire        begins   = line_end && (v_next == 10'd523 || (v_next < 10'd478 && !v_next[0]));
     wire [7:0]  row_next = v_next == 10'd523 ? 8'd0 : v_next[8:1] + 8'd1;
 
-    reg  [27:0] front_q, base_q;      // words: where the picture begins, and the row
-    reg         consecutive_q, req_q, next_q;
+    reg  [25:0] front_q, base_q;      // words: where the picture begins, and the row
+    reg         req_q, next_q;
     reg  [7:0]  count_q;              // words of the row that have been written
     reg  [3:0]  wait_q;               // clocks since the request
     reg  [23:0] sdram_index_q;
 
-    function [27:0] begin_of;
+    function [25:0] begin_of;
         input [7:0] row;
-        input [27:0] front;
-        input consecutive;
-        begin_of = front + (consecutive ? ({20'd0, row} << 7) + ({20'd0, row} << 5)
-                            : {20'd0, row} << 8);
+        input [25:0] front;
+        begin_of = front + {10'd0, row, 8'd0};
     endfunction
-    wire [27:0] front = v_next == 10'd523 ? front_i[29:2] : front_q;
+    wire [25:0] front = v_next == 10'd523 ? front_i[27:2] : front_q;
 
     always @(posedge clk_i) begin
         live <= 1'b1;
@@ -94,10 +90,9 @@ module pixel_dma_formal (
         if (line_end) v_q <= v_next;
         if (we) count_q <= count_q + 8'd1;
         if (begins) begin
-            front_q       <= front;
-            consecutive_q <= consecutive_i;
-            base_q        <= begin_of(row_next, front, consecutive_i);
-            count_q       <= 8'd0;
+            front_q <= front;
+            base_q  <= begin_of(row_next, front);
+            count_q <= 8'd0;
         end
         wait_q        <= req && !sdram_take_i ? wait_q + 4'd1 : 4'd0;
         next_q        <= req && (sdram_take_i || next_q) && !rst_i;
@@ -113,24 +108,23 @@ module pixel_dma_formal (
         if (!live) assume (rst_i);
         assume (!sdram_take_i || req);
         assume (!req || sdram_take_i || wait_q != (next_q ? NEXT : FIRST) - 4'd1);
-        if (fetching) assume (consecutive_i == consecutive_q);
     end
 
     // ---- What must hold ----
-    function in_sdram;                // 64 MB from the beginning
-        input [27:0] address;
-        in_sdram = {address, 2'd0} < 30'h400_0000;
-    endfunction
     function in_onchip;
-        input [27:0] address;
-        in_onchip = {address, 2'd0} >= 30'h800_0000 && {address, 2'd0} < 30'h804_0000;
+        input [25:0] address;
+        in_onchip = {address, 2'd0} >= 28'h800_0000 && {address, 2'd0} < 28'h804_0000;
     endfunction
-    function [31:0] word_of;          // a row is black after the last address
-        input [27:0] base;
+    function in_sdram;                // all else
+        input [25:0] address;
+        in_sdram = !in_onchip(address);
+    endfunction
+    function [31:0] word_of;          // a row of the on-chip memory is black after its end
+        input [25:0] base;
         input [7:0]  n;
-        reg [27:0] address;
+        reg [25:0] address;
         begin
-            address = base + {20'd0, n};
+            address = base + {18'd0, n};
             word_of = in_sdram(base) && in_sdram(address) ? sdram_word(address[23:0])
                       : in_onchip(address) ? onchip_word(address[15:0]) : 32'd0;
         end
@@ -139,11 +133,11 @@ module pixel_dma_formal (
     // Words asked for and on their way, and the most clocks that they can have taken.
     wire        dut__busy_q, dut__parity_q, dut__waiting_q, dut__onchip_q, dut__sdram_q;
     wire [7:0]  dut__asked_q, dut__got_q;
-    wire [27:0] dut__address_q, dut__row_q;
+    wire [25:0] dut__address_q, dut__row_q;
     wire [2:0]  coming = {2'd0, taken_q[0]} + {2'd0, taken_q[1]} + {2'd0, taken_q[2]}
                          + {2'd0, taken_q[3]};
-    wire [27:0] last   = base_q + {20'd0, dut__asked_q} - 28'd1;
-    wire [27:0] oldest = base_q + {20'd0, dut__got_q};
+    wire [25:0] last   = base_q + {18'd0, dut__asked_q} - 26'd1;
+    wire [25:0] oldest = base_q + {18'd0, dut__got_q};
     wire [1:0]  age    = taken_q[0] ? 2'd0 : taken_q[1] ? 2'd1 : taken_q[2] ? 2'd2 : 2'd3;
     wire [10:0] words_took = (dut__asked_q == 8'd0 ? 11'd0
                               : {dut__asked_q, 3'd0} + 11'd3)   // 8 each; the first may be late
@@ -167,8 +161,8 @@ module pixel_dma_formal (
         i_waits:  assert (wait_q < (next_q ? NEXT : FIRST) && (req || wait_q == 4'd0));
         i_coming: assert (!dut__waiting_q || (dut__busy_q && taken_q == 4'd0));
         if (fetching) begin
-            i_row:   assert (base_q == begin_of(row, front_q, consecutive_q)
-                             && dut__row_q == base_q + (consecutive_q ? 28'd160 : 28'd256)
+            i_row:   assert (base_q == begin_of(row, front_q)
+                             && dut__row_q == base_q + 26'd256
                              && dut__parity_q == row[0]);
             i_busy:  assert (dut__busy_q == (dut__got_q != WORDS));
             i_count: assert (dut__got_q == count_q && count_q <= dut__asked_q
@@ -177,7 +171,7 @@ module pixel_dma_formal (
             i_sdram: assert (dut__sdram_q == in_sdram(base_q)
                              && (taken_q == 4'd0 || (dut__sdram_q && in_sdram(last))));
             i_next:  assert (!req || next_q == (dut__asked_q != 8'd0));
-            i_address: assert (dut__address_q == base_q + {20'd0, dut__asked_q});
+            i_address: assert (dut__address_q == base_q + {18'd0, dut__asked_q});
             i_index1: assert (!taken_q[0] || index1_q == last[23:0]);
             i_index2: assert (!taken_q[1] || index2_q == last[23:0] - {23'd0, taken_q[0]});
             i_index3: assert (!taken_q[2] || index3_q == last[23:0] - {23'd0, taken_q[0]}

@@ -23,7 +23,7 @@ module vga_formal (
 
     vga dut (
         .clk_i(clk_i), .rst_i(rst_i), .now_i(now_q), .upper_i(upper_i), .enable_i(enable_i),
-        .text_enable_i(1'b0), .frame_end_o(), .odd_o(), .line_end_o(), .v_next_o(),
+        .text_front_i(13'd0), .frame_end_o(), .odd_o(), .line_end_o(), .v_next_o(),
         .pixel_o(pixel), .index_o(index), .word_i(rdata_q), .flat_i(flat_i),
         .cell_o(), .cell_index_o(), .cells_i(32'd0), .cells_any_i(1'b0),
         .vga_hs_no(), .vga_vs_no(), .vga_blank_no(blank_n), .vga_sync_no(),

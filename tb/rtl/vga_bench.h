@@ -47,10 +47,12 @@ protected:
         cells = 0x41414141;  // holds only for the clock after the fetch
         if (dut.cell_o) {
             ++cell_fetches;
-            const unsigned at = (dut.cell_index_o >> 5) * 80 + (dut.cell_index_o & 31) * 4;
-            ASSERT_LT(at, text.size());
-            cells = text[at] | text[at + 1] << 8 | text[at + 2] << 16 |
-                    static_cast<std::uint32_t>(text[at + 3]) << 24;
+            const unsigned row = dut.cell_index_o >> 5, column = (dut.cell_index_o & 31) * 4;
+            const unsigned at = row * 80 + column;
+            cells = 0x20202020;  // beside and below what the screen shows at first
+            if (row < 60 && column < 80)
+                cells = text[at] | text[at + 1] << 8 | text[at + 2] << 16 |
+                        static_cast<std::uint32_t>(text[at + 3]) << 24;
         }
         dut.onchip_read_i = 0;
         dut.eval();

@@ -43,7 +43,8 @@ module vga_bench (
     output wire [7:0]  vga_b_o
 );
     wire [31:0] front;
-    wire        enable, consecutive, text_enable, frame_end, line_end, odd, pixel, flat, line_we;
+    wire [12:0] text_front;
+    wire        enable, frame_end, line_end, odd, pixel, flat, line_we;
     wire [9:0]  v_next;
     wire [8:0]  pixel_index, line_windex;
     wire [31:0] pixel_word, line_wdata;
@@ -54,13 +55,13 @@ module vga_bench (
         .clk_i(clk_i), .rst_i(rst_i), .we_i(we_i), .wstrb_i(wstrb_i), .waddr_i(waddr_i),
         .wdata_i(wdata_i), .re_i(re_i), .resampler_re_i(resampler_re_i),
         .text_we_i(text_we_i), .text_re_i(text_re_i), .raddr_i(raddr_i), .rdata_o(rdata_o),
-        .frame_end_i(frame_end), .front_o(front), .enable_o(enable),
-        .consecutive_o(consecutive), .text_enable_o(text_enable),
+        .frame_end_i(frame_end), .front_o(front), .text_front_o(text_front),
+        .enable_o(enable),
         .clear_o(clear_o), .clearing_i(clearing_i), .awake_o()
     );
     vga beam (
         .clk_i(clk_i), .rst_i(rst_i), .now_i(now_i),
-        .upper_i(front[1]), .enable_i(enable), .text_enable_i(text_enable),
+        .upper_i(front[1]), .enable_i(enable), .text_front_i(text_front),
         .frame_end_o(frame_end), .odd_o(odd), .line_end_o(line_end), .v_next_o(v_next),
         .pixel_o(pixel), .index_o(pixel_index), .word_i(pixel_word),
         .flat_i(flat),
@@ -76,7 +77,7 @@ module vga_bench (
     );
     pixel_dma dma (
         .clk_i(clk_i), .rst_i(rst_i), .odd_i(odd), .line_end_i(line_end), .v_next_i(v_next),
-        .front_i(front), .consecutive_i(consecutive),
+        .front_i(front),
         .onchip_re_o(fetch_o), .onchip_read_i(onchip_read_i), .onchip_index_o(index_o),
         .onchip_word_i(word_i),
         .sdram_req_o(sdram_req_o), .sdram_index_o(sdram_index_o), .sdram_take_i(sdram_take_i),

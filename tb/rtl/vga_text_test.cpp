@@ -61,17 +61,39 @@ TEST_F(VgaText, ReadsAndShowsNoCharactersWhileThereAreOnlyBlanks) {
     EXPECT_EQ(cell_fetches, 0u);
 }
 
-TEST_F(VgaText, ShowsNoCharactersWhileTheyAreDisabled) {
+TEST_F(VgaText, ShowsNeitherCharactersNorPixelsWhileEitherIsDisabled) {
+    for (auto& w : onchip) w = 0xffffffff;
     for (auto& code : text) code = 'A';
     write_text(TEXT_STATUS, 0);
     for (const std::uint32_t rgb : shown()) ASSERT_EQ(rgb, 0u);
+    write_text(TEXT_STATUS, 4);
+    write(PIXEL_STATUS, 0);
+    for (const std::uint32_t rgb : shown()) ASSERT_EQ(rgb, 0u);
+}
+
+TEST_F(VgaText, ShowsTheCharactersFromWhereTheirBufferBegins) {
+    for (auto& code : text) code = ' ';
+    text[80 + 3] = 'A';  // row 1, column 3
+    const auto there = shown();
+    for (const std::uint32_t begins : {0u, 2u, 128u, 131u, 8191u}) {
+        write_text(TEXT_BACK_BUFFER, 0xC9000000 + begins);
+        write_text(TEXT_BUFFER, 1);
+        clock(FRAME);
+        const unsigned cell = (128 + 3 + 8192 - begins) % 8192;  // row << 7 | column
+        const auto pixels = shown();
+        for (unsigned y = 0; y < 8; ++y)
+            for (unsigned x = 0; x < 8; ++x)
+                ASSERT_EQ(pixels[((cell >> 7) * 8 + y) * 640 + (cell & 127) * 8 + x],
+                          there[(8 + y) * 640 + 3 * 8 + x])
+                    << begins;
+    }
 }
 
 TEST_F(VgaText, HasTheDocumentedCharacterRegistersAfterReset) {
     EXPECT_EQ(read_text(0xFF203030), 0xC9000000u);
     EXPECT_EQ(read_text(0xFF203034), 0xC9000000u);
     EXPECT_EQ(read_text(0xFF203038), 0x003C0050u);
-    EXPECT_EQ(read_text(0xFF20303C) & 7, 4u);
+    EXPECT_EQ(read_text(0xFF20303C), 0x06070704u);
 }
 
 TEST_F(VgaText, SwapsCharacterBuffersAtTheFramesEndApartFromThePictures) {

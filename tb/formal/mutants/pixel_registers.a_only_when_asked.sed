@@ -1,1 +1,1 @@
-s/frame_end_i \&\& swap_q/frame_end_i/g
+s/swap_i \&\& swap_q/swap_i/

@@ -1,1 +1,1 @@
-s/enable_o, consecutive_o, swap_q}/enable_o, 1'b0, swap_q}/
+s/enable_o, STATUS\[1\], swap_q}/enable_o, 1'b1, swap_q}/

@@ -1,1 +1,1 @@
-s/front_o <= back_q/front_o <= front_o/
+s/{front_o, back_q} <= {back_q, front_o}/back_q <= front_o/

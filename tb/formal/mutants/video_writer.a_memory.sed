@@ -1,1 +1,1 @@
-s/assign sdram_req_o  = !none \&\& belongs \&\& sdram;/assign sdram_req_o  = !none \&\& belongs \&\& !onchip;/
+s/assign sdram_req_o  = go \&\& belongs \&\& !onchip;/assign sdram_req_o  = go \&\& belongs;/

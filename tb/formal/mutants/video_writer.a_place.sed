@@ -1,1 +1,1 @@
-s/row ? row_q + PITCH/row ? row_q + PITCH + 28'd1/
+s/row ? row_q + PITCH/row ? row_q + PITCH + 26'd1/

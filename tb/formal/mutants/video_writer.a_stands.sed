@@ -1,1 +1,1 @@
-s/onchip_req_o = !none/onchip_req_o = !came_i \&\& !none/
+s/onchip_req_o = go/onchip_req_o = !came_i \&\& go/

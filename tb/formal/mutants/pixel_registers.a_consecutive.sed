@@ -1,1 +1,0 @@
-s/HAS_A != 0 \&\& wdata_i/wdata_i/

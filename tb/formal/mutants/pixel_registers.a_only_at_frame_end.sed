@@ -1,1 +1,0 @@
-s/frame_end_i \&\& swap_q/swap_q/g

@@ -1,0 +1,1 @@
+s/swap_i \&\& swap_q/swap_q/
