@@ -3,7 +3,10 @@
 //   +0 DATA   write: output register; read: the pins, whoever drives them
 //   +4 DIR    1 = output                            (only with HAS_OUTPUT)
 //   +8 MASK   1 = this bit's EDGE interrupts
-//   +C EDGE   set when DATA falls; write 1 clears that bit
+//   +C EDGE   set when DATA falls; write 1 clears that bit, also of an edge in the same clock
+//
+// Source: Embedded Peripherals IP User Guide, PIO Core, and the Verilog that it generates for the
+// DE1-SoC Computer.
 
 `default_nettype none
 
@@ -75,8 +78,8 @@ module pio #(
         // verilator lint_on WIDTH
 
         if (HAS_EDGE != 0)
-            edge_q <= (we_i && waddr_i[3:0] == JP1_EDGE[3:0] ? edge_q & ~ones(wstrb_i) : edge_q)
-                      | (data_was_q & ~data);
+            edge_q <= (edge_q | (data_was_q & ~data))
+                      & ~(we_i && waddr_i[3:0] == JP1_EDGE[3:0] ? ones(wstrb_i) : {WIDTH{1'b0}});
         data_was_q <= data;
         if (we_i) case (waddr_i[3:0])
             JP1_DATA[3:0]: if (HAS_OUTPUT != 0) pins_o <= written(pins_o);

@@ -34,8 +34,8 @@ module pio_formal (
         pin3_q <= rst_i ? 4'd0 : pin2_q;
         for (i = 0; i < 4; i = i + 1) begin
             if (write && waddr_i[3:0] == 4'h8) mask_q[i] <= wdata_i[i];
-            if (pin3_q[i] && !pin2_q[i]) pending_q[i] <= 1'b1;
-            else if (write && waddr_i[3:0] == 4'hc && wdata_i[i]) pending_q[i] <= 1'b0;
+            if (write && waddr_i[3:0] == 4'hc && wdata_i[i]) pending_q[i] <= 1'b0;
+            else if (pin3_q[i] && !pin2_q[i]) pending_q[i] <= 1'b1;
         end
         if (rst_i) begin
             mask_q    <= 4'd0;

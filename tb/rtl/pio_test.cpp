@@ -82,6 +82,14 @@ TEST_F(Pio, KeepsAnEdgeThatComesWhileOthersAreCleared) {
     EXPECT_EQ(read(EDGE), 0x02u);
 }
 
+TEST_F(Pio, LosesAnEdgeThatComesInTheClockInWhichItIsCleared) {
+    dut.pins_i = 0xfe;
+    clock(2);  // the synchroniser
+    write(EDGE, 0x01);
+    clock(2);
+    EXPECT_EQ(read(EDGE), 0x00u);
+}
+
 TEST_F(Pio, IgnoresAWriteWithoutItsByteLane) {
     write(DATA, 0x55);
     write(DATA, 0xaaaaaaaa, 0xe);
