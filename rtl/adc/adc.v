@@ -1,25 +1,26 @@
 // adc.v - the DE1-SoC Computer's AD converter port, on an LTC2308
 //
-//   +00 ... +1C  CH_0 ... CH_7   bits 11:0 the voltage, 1 mV each; bit 15: new since last read
+//   +00 ... +1C  CH_0 ... CH_7   bits 11:0 the voltage, 1 mV each; bit 15, while channels are
+//                                converted continuously: new since last read
 //   +00          CH_0            a write of any value converts all channels once; a read before
 //                                the end makes the bus wait for it
 //   +04          CH_1            a write of bit 0 = 1 converts them continuously
 //
 // A round is nine transfers, because a transfer returns the conversion that the previous one asked
-// for.  A transfer is CONVST for one clock, 1.6 us for the conversion, then 12 bits at 12.5 MHz
+// for.  A transfer is CONVST for one clock, 2.5 us for the conversion, then 12 bits at 12.5 MHz
 // each way.
 //
 //   CONVST _/^\________ ... ______________________________
 //   SCK    ____________ ... __/^\_/^\_/^\ ... /^\_________   a bit is read as SCK rises and
 //   SDI    ____________ ... X S/D X O/S X ... X___________   changes as it falls
 //
-// A round takes 9 x 65 clocks, 23.4 us; at its end all channels are new.  A write during a round
+// A round takes 9 x 88 clocks, 31.7 us; at its end all channels are new.  A write during a round
 // asks for nothing.
 //
-// Source: Linear Technology, LTC2308; University Program, ADC Controller for DE-series Boards.
+// Source: Linear Technology, LTC2308; the ADC Controller's Verilog in the DE1-SoC Computer.
 //
-// Of the core there are generations: some show bit 15 while channels are converted continuously
-// alone.  Programs that wait for it after a write of CH_0 need it here.
+// Of the core there are generations.  The older ones have no bit 15; those that find out which
+// converter the board has take one or two wrong rounds after a reset for it.  Here there are none.
 //
 // Not handled: the AD7928 that early revisions of the board have in its place.
 
@@ -50,7 +51,7 @@ module adc (
 );
     `include "regmap.vh"
 
-    localparam [6:0] CONVERTED = 7'd40,              // SCK rises 1.64 us after CONVST
+    localparam [6:0] CONVERTED = 7'd63,              // SCK rises 2.56 us after CONVST
                      LAST      = CONVERTED + 7'd24;  // two for each bit
     localparam [3:0] LAST_TRANSFER = 4'd8;
 
@@ -120,7 +121,7 @@ module adc (
 
     integer n;
     always @(posedge clk_i) begin
-        if (answers) new_q[raddr_i[4:2]] <= 1'b0;
+        if (answers && auto_q) new_q[raddr_i[4:2]] <= 1'b0;
         for (n = 0; n < 8; n = n + 1)
             if (done && transfer_q == n[3:0] + 4'd1) values_q[12 * n +: 12] <= bits_q;
         if (ended) new_q <= 8'hff;
@@ -133,7 +134,7 @@ module adc (
         begin
             channel = 32'd0;
             for (k = 0; k < 8; k = k + 1)
-                if (number == k[2:0]) channel = {16'd0, new_q[k], 3'd0, values_q[12 * k +: 12]};
+                if (number == k[2:0]) channel = {16'd0, new_q[k] && auto_q, 3'd0, values_q[12 * k +: 12]};
         end
     endfunction
 

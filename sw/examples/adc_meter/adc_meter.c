@@ -1,7 +1,8 @@
 // adc_meter.c - a voltmeter: SW2-0 choose the channel, HEX3-0 show its millivolts.
 //
-// With SW9 up the converter runs continuously and the program only reads; otherwise the program
-// starts each conversion and waits for it.  LEDR counts the new values.
+// With SW9 up the converter runs continuously, and bit 15 of a value says that it is new.  Otherwise
+// the program starts each conversion, and the read itself waits for its end; bit 15 is 0 then.
+// LEDR counts the new values.
 #include "registers.h"
 
 static void show(uint32_t millivolts) {
@@ -19,7 +20,7 @@ int main(void) {
         if (!automatic) ADC_CH[0] = 1;
         uint32_t value;
         do value = ADC_CH[channel];
-        while ((value & 0x8000) == 0);
+        while (automatic && (value & 0x8000) == 0);
         show(value & 0xFFF);
         LEDR = ++count;
     }
