@@ -4,10 +4,11 @@
 // from 20 and rows from 60 on are memory that is not shown.  The screen's reads have priority; the
 // processor's wait for them (video.v).
 //
-// clear_i and a reset fill the 60 rows with blanks, in 1,920 clocks without writes.  Meanwhile
-// filling_o, high from clear_i on, makes the processor wait: otherwise its writes could be blanked
-// and its reads could be stale.  any_o is high once something else than blanks has been written
-// since, so that nothing is fetched for an empty screen.
+// clear_i fills the 60 rows with blanks, a reset with zeros as the FPGA's configuration does, in
+// 1,920 clocks without writes; a zero shows nothing, too.  Meanwhile filling_o, high from clear_i
+// on, makes the processor wait: otherwise its writes could be blanked and its reads could be stale.
+// any_o is high once something else than blanks has been written since, so that nothing is fetched
+// for an empty screen.
 
 `default_nettype none
 
@@ -50,7 +51,7 @@ module character_store (
     wire        write = we_i != 4'd0;
     wire        fill  = filling_q && !write;
     wire [10:0] place = write ? windex_i : fill_q;
-    wire [31:0] wdata = write ? wdata_i : BLANKS;
+    wire [31:0] wdata = write ? wdata_i : clearing_o ? BLANKS : 32'd0;
 
     assign awake_o = filling_q;
 

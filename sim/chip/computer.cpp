@@ -132,7 +132,7 @@ Computer::Computer(const sc_core::sc_module_name& name, PinListener& pins, Audie
     if (arm) arm->set_steady_bus(this);
     if (arm && !settings.shortcuts) arm->leave_no_rounds_out();
     fpga.spread_phases(settings.seed);
-    fpga.on_interrupts([this](std::uint32_t levels) { hps.fpga_interrupts(levels); });
+    fpga.on_interrupts([this](std::uint64_t levels) { hps.fpga_interrupts(levels); });
 }
 
 void Computer::type(const std::string& text, SerialLine to) {
@@ -150,6 +150,7 @@ std::vector<std::string> Computer::characters() {
         for (unsigned x = 0; x < COLUMNS; x += BURST)
             fpga.peek_full(regmap::CHARACTERS_BASE - H2F_BASE + (y << 7) + x,
                            reinterpret_cast<std::uint8_t*>(&row[x]), BURST);
+        std::replace(row.begin(), row.end(), '\0', ' ');  // both show nothing
         rows.push_back(row);
     }
     return rows;
