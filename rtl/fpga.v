@@ -98,7 +98,7 @@ module fpga #(
     output wire            h2f_rvalid_o,
     input  wire            h2f_rready_i,
 
-    output wire [31:0]     irq_o,          // level; bit n is interrupt ID 72 + n
+    output wire [63:0]     irq_o,          // level; bit n is interrupt ID 72 + n
 
     // Parallel ports
     output wire [9:0]      ledr_o,
@@ -387,7 +387,7 @@ module fpga #(
     );
 
     // ---- JTAG UARTs -------------------------------------------------------
-    wire jtag_irq;
+    wire [1:0] jtag_irq;
 
     jtag_uarts jtag (
         .clk_i(ports_clk), .rst_i(rst_i),
@@ -446,12 +446,13 @@ module fpga #(
     );
 
     // ---- Interrupts -------------------------------------------------------
-    assign irq_o = {31'd0, key_irq} << KEY_IRQ | {31'd0, audio_irq} << AUDIO_IRQ
-                   | {31'd0, jp1_irq} << JP1_IRQ | {31'd0, jp2_irq} << JP2_IRQ
-                   | {31'd0, keypad_irq} << KEYPAD_IRQ | {31'd0, timer0_irq} << TIMER0_IRQ
-                   | {31'd0, timer1_irq} << TIMER1_IRQ | {31'd0, jtag_irq} << JTAG_UART0_IRQ
-                   | {31'd0, ps2_irq[0]} << PS2_0_IRQ | {31'd0, ps2_irq[1]} << PS2_1_IRQ
-                   | {31'd0, irda_irq} << IRDA_IRQ;
+    assign irq_o = {63'd0, key_irq} << KEY_IRQ | {63'd0, audio_irq} << AUDIO_IRQ
+                   | {63'd0, jp1_irq} << JP1_IRQ | {63'd0, jp2_irq} << JP2_IRQ
+                   | {63'd0, keypad_irq} << KEYPAD_IRQ | {63'd0, timer0_irq} << TIMER0_IRQ
+                   | {63'd0, timer1_irq} << TIMER1_IRQ | {63'd0, irda_irq} << IRDA_IRQ
+                   | {63'd0, jtag_irq[0]} << JTAG_UART0_IRQ
+                   | {63'd0, jtag_irq[1]} << JTAG_UART1_IRQ
+                   | {63'd0, ps2_irq[0]} << PS2_0_IRQ | {63'd0, ps2_irq[1]} << PS2_1_IRQ;
 endmodule
 
 `default_nettype wire

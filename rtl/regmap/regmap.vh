@@ -1,7 +1,7 @@
 // regmap.vh - generated from regmap.def by `make regmap`; do not edit.
 // Every module uses a few of these constants.
 // verilator lint_off UNUSEDPARAM
-localparam [31:0] REGMAP_HASH = 32'h38a22815;
+localparam [31:0] REGMAP_HASH = 32'hc4d296c3;
 
 // Select lines of the lightweight bridge.
 localparam SEL_LEDR = 0;
@@ -522,5 +522,7 @@ localparam JP2_IRQ = 12;  // GIC ID 84
 
 localparam KEYPAD_IRQ = 13;  // GIC ID 85
 
-localparam PS2_1_IRQ = 17;  // GIC ID 89
+localparam PS2_1_IRQ = 23;  // GIC ID 95
+
+localparam JTAG_UART1_IRQ = 40;  // GIC ID 112
 // verilator lint_on UNUSEDPARAM

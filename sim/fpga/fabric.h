@@ -113,7 +113,7 @@ public:
 
     std::uint16_t ledr() const;
     std::uint64_t hex_n() const;     // HEX5 in 41:35 ... HEX0 in 6:0, 0 = lit
-    std::uint32_t irq() const;       // bit n is interrupt ID 72 + n
+    std::uint64_t irq() const;       // bit n is interrupt ID 72 + n
     std::uint8_t jtag_room() const;  // bit n: JTAG UART n takes a byte from the host
 
     static bool can_trace();

@@ -116,7 +116,7 @@ std::optional<Fabric::Audio> Fabric::audio() const {
 
 std::uint16_t Fabric::ledr() const { return model_->top.ledr_o; }
 std::uint64_t Fabric::hex_n() const { return model_->top.hex_no; }
-std::uint32_t Fabric::irq() const { return model_->top.irq_o; }
+std::uint64_t Fabric::irq() const { return model_->top.irq_o; }
 std::uint8_t Fabric::jtag_room() const { return model_->top.jtag_room_o; }
 
 }  // namespace sim

@@ -107,7 +107,7 @@ std::uint64_t Fpga::let_others_go() {
 }
 
 void Fpga::tell_interrupts() {
-    const std::uint32_t levels = fabric_.irq();
+    const std::uint64_t levels = fabric_.irq();
     if (levels == irq_) return;
     irq_ = levels;
     told_(levels);

@@ -65,7 +65,7 @@ public:
     void spread_phases(std::uint64_t seed) { seed_ = seed; }
 
     // `told` is called with Fabric::irq() whenever it has changed.
-    void on_interrupts(std::function<void(std::uint32_t levels)> told) { told_ = std::move(told); }
+    void on_interrupts(std::function<void(std::uint64_t levels)> told) { told_ = std::move(told); }
 
     // The input pins, for the board's answers and entries.
     ChipInputs& inputs() { return fabric_.in; }
@@ -123,8 +123,8 @@ private:
     std::uint64_t busy_until_ = 0;    // a clock, by accesses that were made again
     std::uint64_t calm_until_ = 0;    // a clock
     std::uint64_t took_[2] = {0, 0};  // clocks: the last read of a register, the last write
-    std::function<void(std::uint32_t)> told_ = [](std::uint32_t) {};
-    std::uint32_t irq_ = 0;
+    std::function<void(std::uint64_t)> told_ = [](std::uint64_t) {};
+    std::uint64_t irq_ = 0;
     bool busy_ = false, closed_ = false;
     sc_core::sc_event never_;
 };

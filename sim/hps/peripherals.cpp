@@ -157,13 +157,11 @@ std::optional<RunningCount> Peripherals::running(std::uint32_t address,
     }
 }
 
-void Peripherals::fpga_interrupts(std::uint32_t levels) {
-    const std::uint32_t moved = levels ^ fpga_levels_;
+void Peripherals::fpga_interrupts(std::uint64_t levels) {
+    const std::uint64_t moved = levels ^ fpga_levels_;
     fpga_levels_ = levels;
-    for (unsigned bit = 0; moved >> bit; ++bit) {
+    for (unsigned bit = 0; bit < 64; ++bit)
         if (moved >> bit & 1) gic.set_level(FPGA_ID + bit, levels >> bit & 1);
-        if (bit == 31) break;
-    }
 }
 
 }  // namespace sim

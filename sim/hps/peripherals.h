@@ -69,7 +69,7 @@ public:
     std::optional<RunningCount> running(std::uint32_t address, std::uint64_t now_ps) const;
 
     // The FPGA's interrupts: bit n is ID 72 + n.
-    void fpga_interrupts(std::uint32_t levels);
+    void fpga_interrupts(std::uint64_t levels);
 
     Gic gic;
     GlobalTimer global_timer;
@@ -95,7 +95,7 @@ private:
     std::function<void()> warm_reset_;
     std::function<void(const std::string&)> say_;
     std::set<std::string> said_;
-    std::uint32_t fpga_levels_ = 0;
+    std::uint64_t fpga_levels_ = 0;
 };
 
 }  // namespace sim

@@ -14,6 +14,7 @@ namespace sim {
 namespace {
 
 constexpr unsigned FIRST_PRIVATE = 16, STORM = 100;
+constexpr unsigned PS2_1_IN_THE_MANUAL = 89;
 
 struct Register {
     const char* name;
@@ -53,6 +54,8 @@ constexpr Device DEVICES[] = {
      REGISTER(PS2_1_CONTROL), BITS(PS2_1_CONTROL_RE)},
     {regmap::JTAG_UART0_IRQ_ID, "JTAG_UART0", REGISTER(JTAG_UART0_DATA),
      BITS(JTAG_UART0_DATA_RVALID), REGISTER(JTAG_UART0_CONTROL), BITS(JTAG_UART0_CONTROL_RE)},
+    {regmap::JTAG_UART1_IRQ_ID, "JTAG_UART1", REGISTER(JTAG_UART1_DATA),
+     BITS(JTAG_UART1_DATA_RVALID), REGISTER(JTAG_UART1_CONTROL), BITS(JTAG_UART1_CONTROL_RE)},
     {regmap::IRDA_IRQ_ID, "IRDA", {}, 0, {}},
     {regmap::JP1_IRQ_ID, "JP1", REGISTER(JP1_EDGE), ALL, REGISTER(JP1_MASK)},
     {regmap::JP2_IRQ_ID, "JP2", REGISTER(JP2_EDGE), ALL, REGISTER(JP2_MASK)},
@@ -122,6 +125,11 @@ private:
                             name_of(id), seconds(since) * 1e3, entered));
             return;
         }
+        if (id == regmap::PS2_1_IRQ_ID && state().enabled[PS2_1_IN_THE_MANUAL])
+            reasons.push_back(
+                fmt::format("{}, by which the board's manual calls it, is connected to "
+                            "nothing",
+                            PS2_1_IN_THE_MANUAL));
         if (const std::string masked = masked_in_cpsr(); !masked.empty()) reasons.push_back(masked);
         if (!reasons.empty())
             lines_.push_back(fmt::format("{} is pending since {:.3f} ms and not taken: {}",

@@ -109,7 +109,9 @@ protected:
                                static_cast<unsigned>(bytes.size())),
                   sim::AxiResponse::OKAY);
     }
-    static std::uint32_t irq_of(unsigned id) { return 1u << (id - regmap::TIMER0_IRQ_ID); }
+    static std::uint64_t irq_of(unsigned id) {
+        return std::uint64_t{1} << (id - regmap::TIMER0_IRQ_ID);
+    }
 };
 
 }  // namespace tb

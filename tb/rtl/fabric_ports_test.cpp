@@ -49,7 +49,7 @@ protected:
     }
     static constexpr std::uint32_t data[] = {PS2_0_DATA, PS2_1_DATA};
     static constexpr std::uint32_t control[] = {PS2_0_CONTROL, PS2_1_CONTROL};
-    static constexpr unsigned id[] = {PS2_0_IRQ_ID, PS2_1_IRQ_ID};
+    static constexpr unsigned id[] = {79, 95};
 };
 
 TEST_F(FabricPs2, GivesEachPortsBytesAtItsOwnRegister) {
@@ -140,7 +140,7 @@ TEST_F(FabricPorts, KnowTheirOwnTerminalByItsLooks) {
     }
 }
 
-TEST_F(FabricPorts, InterruptForTheFirstTerminalAlone) {
+TEST_F(FabricPorts, InterruptForEachTerminalWithItsNumber) {
     for (const std::uint32_t control : {JTAG_UART0_CONTROL, JTAG_UART1_CONTROL})
         write(control, JTAG_UART0_CONTROL_RE_MASK);
     for (const unsigned number : {1u, 0u}) {
@@ -148,7 +148,8 @@ TEST_F(FabricPorts, InterruptForTheFirstTerminalAlone) {
         fabric.run(10);
         fabric.jtag.idle = static_cast<std::uint8_t>(1u << number);
         fabric.run(10);
-        EXPECT_EQ(fabric.irq(), number ? 0u : irq_of(JTAG_UART0_IRQ_ID));
+        EXPECT_EQ(fabric.irq(), irq_of(number ? 112 : 80));
+        read(number ? JTAG_UART1_DATA : JTAG_UART0_DATA);
     }
 }
 

@@ -78,7 +78,8 @@ TEST_F(Ps2OnTheBoard, HasAKeyboardInTheFirstPortAndAMouseInTheSecond) {
             board->ps2_mouse.move(-3, 4);
             board->ps2_keyboard.press(0x1C);
             idle_ms(cpu, 15);
-            EXPECT_EQ(computer->fpga.fabric().irq(), 1u << (regmap::PS2_1_IRQ_ID - 72));
+            EXPECT_EQ(computer->fpga.fabric().irq(),
+                      std::uint64_t{1} << (regmap::PS2_1_IRQ_ID - 72));
             EXPECT_THAT(received(io, regmap::PS2_1_DATA), ElementsAre(0x18, 0xFD, 0x04));
             EXPECT_THAT(received(io, regmap::PS2_0_DATA), ElementsAre(0x1C));
         },

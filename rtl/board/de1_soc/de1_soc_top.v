@@ -137,7 +137,7 @@ module de1_soc_top #(
     wire            h2f_awvalid, h2f_awready, h2f_wvalid, h2f_wready, h2f_bvalid, h2f_bready,
                     h2f_arvalid, h2f_arready, h2f_rlast, h2f_rvalid, h2f_rready;
     wire [31:0]     h2f_wdata, h2f_rdata;
-    wire [31:0]     irq;
+    wire [63:0]     irq;
     wire [1:0]      jtag_take, jtag_sent, jtag_room, jtag_typed, jtag_idle;
     wire [15:0]     jtag_sent_data, jtag_typed_data;
 

@@ -13,7 +13,7 @@ module hps #(
 ) (
     input  wire            clk_i,
     output wire            rst_no,        // asynchronous; low while the HPS is in reset
-    input  wire [31:0]     irq_i,
+    input  wire [63:0]     irq_i,
 
     // Lightweight bridge
     output wire [ID_W-1:0] lw_awid_o,
@@ -83,7 +83,7 @@ module hps #(
         .f2h_pending_rst_ack (1'b1)
     );
 
-    cyclonev_hps_interface_interrupts interrupts (.irq({32'b0, irq_i}));
+    cyclonev_hps_interface_interrupts interrupts (.irq(irq_i));
 
     // ---- Bridges ----------------------------------------------------------
     // The fabric's slaves ignore locks, caches, protection and write IDs.

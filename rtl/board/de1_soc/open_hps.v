@@ -12,7 +12,7 @@ module hps #(
 ) (
     input  wire            clk_i,
     output wire            rst_no,        // asynchronous; low while the HPS is in reset
-    input  wire [31:0]     irq_i,
+    input  wire [63:0]     irq_i,
 
     // Lightweight bridge
     output wire [ID_W-1:0] lw_awid_o,
