@@ -1,8 +1,7 @@
 // memory_facts.c - facts about the FPGA's memories and about what the screen shows
 //
-// HEX0 shows what is on the screen: 1 a picture in the SDRAM by X-Y addressing, 2 the same without
-// gaps between its rows, 3 nothing because the controller is off, 4 two letters in its upper
-// corners.
+// HEX0 shows what is on the screen: 1 a picture in the SDRAM, 2 the same at its end, 3 nothing
+// because the controller is off, 4 two letters in its upper corners.
 #include "facts.h"
 
 #define TEXT_BACK REGISTER(0xFF203034)
@@ -11,7 +10,7 @@
 #define BYTE(address) (*(volatile uint8_t*)(address))
 
 enum { SDRAM = 0xC0000000, ON_CHIP = 0xC8000000, CHARACTERS = 0xC9000000 };
-enum { S = 1, A = 2, EN = 4 };
+enum { S = 1, EN = 4 };
 
 // Whether each address line and each byte lane exists and is independent of the others.
 static int is_memory(uint32_t base, uint32_t size) {
@@ -58,17 +57,17 @@ static void controller(void) {
     swap();
     fact(14, about(0xFFFFFFFF - REGISTER(0xFFFEC604), 16800 * 200, 20 * 200));
     PIXEL_STATUS = 0xFFFFFFFF;
-    fact(15, (PIXEL_STATUS & ~(uint32_t)S) == (0x08090F04 | A));
+    fact(15, PIXEL_STATUS == 0x08090F04);
     PIXEL_STATUS = 0;
     fact(16, PIXEL_STATUS == (0x08090F04 & ~(uint32_t)EN));
     PIXEL_STATUS = EN;
 }
 
-static void draw(uint32_t picture, uint32_t row) {
+static void draw(uint32_t picture, uint32_t colours) {
     for (uint32_t y = 0; y < 240; ++y)
         for (uint32_t x = 0; x < 320; ++x)
-            HALF(picture + y * row + 2 * x) =
-                (uint16_t)((x / 10) << 11 | (y / 4) << 5 | (x ^ y) >> 3);
+            HALF(picture + (y << 10) + 2 * x) =
+                (uint16_t)(colours & ((x / 10) << 11 | (y / 4) << 5 | (x ^ y) >> 3));
 }
 
 static void show(uint32_t number) {
@@ -79,13 +78,12 @@ static void show(uint32_t number) {
 
 static void screen(void) {
     for (uint32_t at = 0; at < 8 << 10; at += 4) REGISTER(CHARACTERS + at) = 0x20202020;
-    draw(0xC2345678, 1024), draw(0xC3FDA800, 640);
+    draw(0xC2345678, 0xFFFF), draw(0xC3FC4180, 0xFFFF);
     PIXEL_BACK = 0xC2345678;
     swap();
     show(1);
-    PIXEL_BACK = 0xC3FDA800;  // to the last byte of the SDRAM
+    PIXEL_BACK = 0xC3FC4180;  // to the last byte of the SDRAM
     swap();
-    PIXEL_STATUS = EN | A;
     show(2);
     PIXEL_STATUS = 0;
     show(3);
@@ -97,6 +95,9 @@ static void characters(void) {
     BYTE(CHARACTERS) = 'F', BYTE(CHARACTERS + 79) = 'P';
     REGISTER(CHARACTERS + 80) = 0x58585858;  // after the row, and after the last row: not shown
     REGISTER(CHARACTERS + (60 << 7)) = 0x58585858;
+    draw(SDRAM, 0);
+    PIXEL_STATUS = EN, PIXEL_BACK = SDRAM;
+    swap();
     show(4);
     TEXT_CONTROL = 1 << 16;
     while (TEXT_CONTROL & 1 << 16) {

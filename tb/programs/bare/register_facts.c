@@ -29,7 +29,7 @@ static void ports(void) {
 
 static void picture(void) {
     fact(6, PIXEL_RESOLUTION == 0x00F00140 && (PIXEL_STATUS & ~1u) == 0x08090F04);
-    fact(7, RESAMPLER == 0x14 && PIXEL_BUFFER == 0xC8000000);
+    fact(7, RESAMPLER == 0x00190014 && PIXEL_BUFFER == 0xC8000000);
     PIXEL_BACK = 0xC0000000;
     fact(8, PIXEL_BACK == 0xC0000000);
     PIXEL_BUFFER = 0x12345678;  // asks for the swap and is not loaded
@@ -58,8 +58,10 @@ static void camera(void) {
     while (VIDEO_IN_STATUS & 1) {
     }
     fact(29, VIDEO_IN_BUFFER == 0xC0040000 && VIDEO_IN_BACK == 0xC8000000);
-    VIDEO_IN_BUFFER = 1;
-    while (VIDEO_IN_STATUS & 1) {
+    for (int i = 0; i < 2; ++i) {  // a picture into each
+        VIDEO_IN_BUFFER = 1;
+        while (VIDEO_IN_STATUS & 1) {
+        }
     }
     VIDEO_IN_STATUS = 0;  // no camera: blue
     fact(30, VIDEO_IN_STATUS == 0x08090F00 && REGISTER(0xC0040000) == 0x10F510F5);
@@ -82,7 +84,7 @@ static void sound(void) {
     }
     fact(16, AUDIO_SPACE >> 24 == 1 && (AUDIO_SPACE >> 16 & 0xFF) == DEPTH);
     AUDIO_CONTROL = 8;
-    fact(17, AUDIO_SPACE >> 24 == DEPTH);
+    fact(17, AUDIO_SPACE >> 24 == 0);
     AUDIO_CONTROL = 0;
 }
 
