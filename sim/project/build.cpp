@@ -74,6 +74,7 @@ std::vector<std::string> verilator_words(const Project& project,
     words.insert(words.end(),
                  {"-DALTERA_RESERVED_QIS", "-UVERILATOR", "-Uverilator", "-Uverilator3"});
     for (const std::string& macro : project.macros) words.push_back("-D" + macro);
+    words.push_back("-Iincluded");
     for (const std::string& include : includes) words.push_back("-I" + include);
     words.insert(words.end(),
                  {"-y", "data/rtl/ip", "-Idata/rtl/ip", "data/project/de1sim_init.sv"});
@@ -97,6 +98,7 @@ Builder::Builder(const Request& request, bool trace)
 
 void Builder::prepare_folder() {
     fs::create_directories(folder_ / "source");
+    fs::create_directories(folder_ / "included");
     lock_.take(folder_ / "lock");
     link_to(data_folder(), folder_ / "data");
     includes_.clear();
@@ -173,6 +175,7 @@ void Builder::read_clean_sources() {
     design_.changes = std::move(clean.changes);
     design_.init_files = std::move(clean.init_files);
     checks_ = std::move(clean.checks);
+    included_ = std::move(clean.included);
 }
 
 const Design& Builder::examine() {
@@ -256,6 +259,7 @@ std::string Builder::key() const {
     }
     for (const auto& word : verilator_words(design_.project, includes_)) all += word + "\n";
     for (const fs::path& file : files_) all += text_of(folder_ / file);
+    all += included_;
     for (const char* name : {"de1sim_design.vh", "de1sim_pll_taps.v", "de1sim_facts.h"})
         all += text_of(folder_ / name);
     return hash_of(all);

@@ -70,6 +70,7 @@ private:
     Design design_;
     std::filesystem::path folder_;       // .de1sim beside the project, or in the user's cache
     std::vector<std::string> includes_;  // names in folder_ of the folders of headers
+    std::string included_;               // the texts of all headers
     std::vector<std::filesystem::path> files_;                 // cleaned copies, in folder_
     std::vector<GenericEntity> entities_;                      // in VHDL
     std::map<std::string, TextChecks> checks_;                 // by file

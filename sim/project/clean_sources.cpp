@@ -5,7 +5,9 @@
 #include <fmt/format.h>
 
 #include "sim/project/file_finder.h"
+#include "sim/project/gates.h"
 #include "sim/project/generated.h"
+#include "sim/project/included_files.h"
 #include "sim/project/normalise.h"
 #include "sim/project/part_drivers.h"
 #include "sim/project/source.h"
@@ -76,6 +78,30 @@ std::vector<std::string> translate_vhdl(const SourceRequest& from, const Modules
     return all;
 }
 
+// The texts of the files that `texts` include; in `to` copies of those that Quartus does not read
+// wholly, by the names that the directives have.
+std::string copy_included(const std::vector<std::string>& texts, const Project& project,
+                          const fs::path& to) {
+    std::string all;
+    std::set<fs::path> copies;
+    for (const IncludedFile& file : included_files(texts, project.includes, project.macros)) {
+        all += file.text;
+        const fs::path copy = (to / file.name).lexically_normal();
+        const bool is_below =
+            !copy.lexically_relative(to).empty() && *copy.lexically_relative(to).begin() != "..";
+        if (file.synthesised == file.text || !is_below) continue;
+        fs::create_directories(copy.parent_path());
+        const std::string name = file.path.lexically_relative(project.folder).string();
+        write_if_new(copy,
+                     fmt::format("`line 1 \"{}\" 0\n{}", without_blanks(name), file.synthesised));
+        copies.insert(copy);
+    }
+    std::error_code error;
+    for (const auto& entry : fs::recursive_directory_iterator{to, error})
+        if (entry.is_regular_file() && !copies.count(entry.path())) fs::remove(entry.path(), error);
+    return all;
+}
+
 // The modules below the top, and all where that is an entity.
 std::set<std::string> modules_of_design(const Modules& modules, const std::string& top) {
     std::set<std::string> names;
@@ -98,9 +124,13 @@ CleanSources clean_sources(const SourceRequest& from) {
     CleanSources clean;
     unsigned number = 0;
     Modules modules;
+    std::vector<std::string> texts;
     for (const SourceFile& file : project.sources)
-        if (file.language != SourceFile::Language::VHDL)
-            take_modules(synthesised(file, project), modules);
+        if (file.language != SourceFile::Language::VHDL) {
+            texts.push_back(synthesised(file, project));
+            take_modules(texts.back(), modules);
+        }
+    clean.included = copy_included(texts, project, from.folder / "included");
     const std::vector<std::string> vhdl = translate_vhdl(from, modules);
     for (const std::string& text : vhdl)
         for (ModuleText& module : scan(text).modules) modules.emplace(module.name, module);
@@ -114,7 +144,8 @@ CleanSources clean_sources(const SourceRequest& from) {
         const bool system_verilog = file.language == SourceFile::Language::SYSTEM_VERILOG;
         const auto fits = from.inout_fits.find(name);
         Normalised normalised =
-            normalise(synthesised(file, project), name, system_verilog, open_inputs, modules,
+            normalise(gates_as_assignments(synthesised(file, project), modules), name,
+                      system_verilog, open_inputs, modules,
                       fits == from.inout_fits.end() ? std::vector<InoutFit>{} : fits->second);
         clean.changes.insert(clean.changes.end(), normalised.changes.begin(),
                              normalised.changes.end());

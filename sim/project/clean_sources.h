@@ -30,10 +30,12 @@ struct CleanSources {
     std::vector<std::string> changes;          // a line each, for a person
     std::vector<InitFile> init_files;          // that the sources name
     std::map<std::string, TextChecks> checks;  // by the name of the file
+    std::string included;                      // the texts of all files that they include
 };
 
-// Writes folder/source/*; what is there already and the same is not touched.  ProjectError: GHDL
-// refuses the VHDL.
+// Writes folder/source/*, and folder/included/* where Quartus does not read the whole of a file that
+// is included; what is there already and the same is not touched.  ProjectError: GHDL refuses the
+// VHDL.
 CleanSources clean_sources(const SourceRequest& from);
 
 }  // namespace sim::project

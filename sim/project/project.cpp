@@ -1,6 +1,7 @@
 #include "sim/project/project.h"
 
 #include <algorithm>
+#include <charconv>
 #include <deque>
 #include <set>
 
@@ -75,6 +76,17 @@ private:
         return std::move(settings.assignments);
     }
 
+    unsigned rounds(const Assignment& a) const {
+        unsigned count = 0;
+        const char* const end = a.value.data() + a.value.size();
+        const auto [behind, error] = std::from_chars(a.value.data(), end, count);
+        if (error != std::errc{} || behind != end || !count)
+            throw ProjectError{
+                fmt::format("{}: {} is \"{}\", expected a number of rounds from 1 on", place_of(a),
+                            a.name, a.value)};
+        return count;
+    }
+
     void take(const Assignment& a) {
         const std::string& name = a.name;
         if (name == "LOCATION") {
@@ -92,6 +104,10 @@ private:
             std::string path = a.value;
             std::replace(path.begin(), path.end(), '\\', '/');
             project_.includes.push_back((folder_ / path).lexically_normal());
+        } else if (name == "VERILOG_CONSTANT_LOOP_LIMIT") {
+            project_.loop_limits.constant = rounds(a);
+        } else if (name == "VERILOG_NON_CONSTANT_LOOP_LIMIT") {
+            project_.loop_limits.non_constant = rounds(a);
         } else if (name == "DEVICE") {
             if (lower(a.value).compare(0, 12, "5csema5f31c6") == 0) return;
             note(fmt::format(

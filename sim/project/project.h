@@ -24,6 +24,11 @@ struct SourceFile {
     std::string library;  // where it is listed, unless that is "work"
 };
 
+// Rounds: VERILOG_CONSTANT_LOOP_LIMIT and VERILOG_NON_CONSTANT_LOOP_LIMIT of the .qsf.
+struct LoopLimits {
+    unsigned constant = 5'000, non_constant = 250;
+};
+
 struct Project {
     std::filesystem::path folder;    // absolute
     std::filesystem::path settings;  // the .qsf, or empty
@@ -35,6 +40,7 @@ struct Project {
     std::vector<std::filesystem::path> includes;
     std::vector<std::string> macros;  // NAME or NAME=VALUE
     TopParameters parameters;
+    LoopLimits loop_limits;
     std::string why_missing;  // the reason, where modules that the sources name are not there
     std::map<std::string, std::string> pins;            // "SW[3]" -> "PIN_AF9"
     std::map<std::string, std::string> places_of_pins;  // "SW[3]" -> "top.qsf:12"

@@ -9,7 +9,8 @@
 // A comment in a branch of an `ifdef that is not taken says nothing: the wizards' files have
 // translate_off in one, where ALTERA_RESERVED_QIS, which Quartus defines, is not defined.
 //
-// Not handled: conditions on macros that an included file defines.
+// Not handled: conditions on macros that an included file defines; orders that are on where a file
+// includes another.
 #pragma once
 
 #include <string>

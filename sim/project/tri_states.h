@@ -7,7 +7,9 @@
 //
 // Several on one wire choose among themselves, which Verilator has, too.
 //
-// Not handled: a buffer whose wire is in another module, bufif0 and its like.
+// gates.h has made bufif1 and its like such assignments.
+//
+// Not handled: a buffer whose wire is in another module.
 #pragma once
 
 #include "sim/project/edits.h"

@@ -14,6 +14,66 @@ class AsQuartusTakesIt(Case):
         self.checked("top.v:4: dropped the comma", 'top.v:3: "do" is read as a name',
                      "top.v:4: named the instance of sub", "top.v:5: 4'b010101 has too many digits")
 
+    def test_what_is_for_simulators_in_an_included_file(self):
+        self.write(top_v="`include \"rtl/facts.vh\"\n"
+                         "module top(input [9:0] SW, output [9:0] LEDR); assign LEDR = `VALUE;\n"
+                         "endmodule\n",
+                   rtl__facts_vh="`define VALUE SW\n"
+                                 "// synthesis translate_off\n`undef VALUE\n`define VALUE 10'd7\n"
+                                 "// synthesis translate_on\n`include \"rtl/more.vh\"\n",
+                   rtl__more_vh="// pragma translate_off\nthis is no Verilog\n"
+                                "// pragma translate_on\n")
+        self.leds(0b1001, 0b1001)
+
+    def test_an_included_file_that_has_changed(self):
+        self.write(top_v="`include \"facts.vh\"\n" + LEDS.format("`VALUE"),
+                   facts_vh="`include \"more.vh\"\n", more_vh="`define VALUE 10'd21\n")
+        self.leds(21)
+        self.write(more_vh="`define VALUE 10'd42\n")
+        self.leds(42)
+
+    def test_tri_state_gates(self):
+        self.write(top_v="module top(input [9:0] SW, output [9:0] LEDR, inout [35:0] GPIO_0);\n"
+                         "tri y, z; wire n;\n"
+                         "bufif1 b1 (y, SW[0], SW[9]), (n, SW[4], 1'b1);\n"
+                         "bufif0 #(1,\n 2) b0 (y, SW[1], SW[9]);\n"
+                         "notif1 (strong0, strong1) (z, SW[2], ~SW[9]);\n"
+                         "notif0 n0 (z, SW[3], ~SW[9]);\n"
+                         "bufif1 (GPIO_0[0], SW[2], SW[8]); bufif0 (GPIO_0[1], SW[3], SW[8]);\n"
+                         "assign LEDR = {GPIO_0[1:0], n, z, y};\nendmodule\n")
+        self.leds(0b01011, 0b0000000010)  # the pin that is released is high
+        self.leds(0b11001, 0b1000001101)
+        self.leds(0b11101, 0b0100010110)
+        self.leds(0b10010, 0b1100000000)
+
+    def test_wired_nets(self):
+        self.write(top_v="module sub(output [1:0] q, input d); assign q = {d, 1'b1}; endmodule\n"
+                         "module top(input [9:0] SW, output [9:0] LEDR);\n"
+                         "wand a; wor b, c; wand [1:0] d;\n"
+                         "assign a = SW[0];\nassign a = SW[1], b = SW[2];\n"
+                         "assign b = SW[3]; and (c, SW[4], SW[5]); or o (c, SW[6], 1'b0);\n"
+                         "sub s (.q(d), .d(SW[7])); assign d[1] = SW[8];\n"
+                         "assign LEDR = {d, c, b, a};\nendmodule\n")
+        self.leds(0b01000, 0)
+        self.leds(0b01000, 0b0010000001)
+        self.leds(0b11111, 0b0110110111)
+        self.leds(0b01110, 0b0101001001)
+
+    def test_loops_as_long_as_the_project_wants(self):
+        qsf = "set_global_assignment -name {} {}\n"
+        self.write(top_v="module top(input [9:0] SW, output reg [9:0] LEDR); integer i;\n"
+                         "always @(*) begin LEDR = SW; for (i = 0; i < 6000; i = i + 1)\n"
+                         "  LEDR = LEDR ^ i; end\nendmodule\n",
+                   p_qsf=qsf.format("TOP_LEVEL_ENTITY", "top") + qsf.format("VERILOG_FILE", "top.v")
+                         + qsf.format("VERILOG_CONSTANT_LOOP_LIMIT", 10000))
+        self.checked("top.v")
+        self.write(p_qsf=qsf.format("VERILOG_FILE", "top.v")
+                         + qsf.format("VERILOG_CONSTANT_LOOP_LIMIT", 10))
+        self.refused("Quartus error 10106: the loop has more than 10 rounds", "check", ".",
+                     "--top", "top")
+        self.write(p_qsf=qsf.format("VERILOG_CONSTANT_LOOP_LIMIT", "many"))
+        self.refused('p.qsf:1: VERILOG_CONSTANT_LOOP_LIMIT is "many", expected a number of rounds')
+
     def test_an_inout_port_on_an_input(self):
         self.write(top_v="module pin(inout p, input on, output seen);\n"
                          "assign p = on ? 1'b0 : 1'bz; assign seen = p; endmodule\n"

@@ -112,8 +112,8 @@ WARNINGS = {
              "always @(posedge CLOCK_50) begin a <= a + 19'd1; m[a] <= SW; LEDR <= m[a]; end\n" +
              END, "top.v:2: 170048: the design's memories have 7372800 bits"),
     171016: ({"p.qsf": QSF + "set_global_assignment -name TOP_LEVEL_ENTITY top\n"
-              "set_location_assignment PIN_AA2 -to SW[1]\n", "top.v": WIRE + ALL + END},
-             "p.qsf:3: 171016: sw[1] is assigned to PIN_AA2, where the board has nothing"),
+              "set_location_assignment PIN_A4 -to SW[1]\n", "top.v": WIRE + ALL + END},
+             "p.qsf:3: 171016: sw[1] is assigned to PIN_A4, where the board has nothing"),
     332012: ({"p.qsf": QSF + "set_global_assignment -name SDC_FILE top.sdc\n"
               "set_global_assignment -name TOP_LEVEL_ENTITY top\n", "top.v": WIRE + ALL + END},
              "p.qsf:2: 332012: top.sdc is not there"),
@@ -198,9 +198,9 @@ ERRORS = {
              "if (!KEY[0]) for (i = 0; i < 4096; i = i + 1) m[i] <= 0;\n"
              "else begin m[SW] <= SW; LEDR <= m[SW]; end\n" + END,
              "top.v:2: Quartus error 276003: m is cleared by a reset, which no memory can be"),
-    171016: ({"p.qsf": QSF + "set_location_assignment PIN_AK31 -to SW[1]\n",
+    171016: ({"p.qsf": QSF + "set_location_assignment PIN_AA2 -to SW[1]\n",
               "top.v": WIRE + ALL + END},
-             "p.qsf:2: Quartus error 171016: sw[1] is assigned to PIN_AK31, which the chip has"),
+             "p.qsf:2: Quartus error 171016: sw[1] is assigned to PIN_AA2, which is no pin"),
     176310: ({"p.qsf": QSF + "set_location_assignment PIN_AB12 -to SW[0]\n"
               "set_location_assignment PIN_AB12 -to SW[1]\n", "top.v": WIRE + ALL + END},
              "p.qsf:3: Quartus error 176310: sw[0] and sw[1] are both on PIN_AB12"),

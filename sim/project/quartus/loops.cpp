@@ -5,14 +5,13 @@
 #include <string_view>
 #include <vector>
 
+#include <fmt/format.h>
+
 namespace sim::project {
 
 namespace {
 
 using Node = pugi::xml_node;
-
-constexpr long long MOST_ROUNDS = 5'000;
-constexpr unsigned BITS_OF_250 = 8;
 
 std::string name_of(const Node& node) { return node.attribute("name").value(); }
 
@@ -31,7 +30,7 @@ std::optional<long long> number(const Node& node) {
 
 class Loops {
 public:
-    explicit Loops(const Netlist& netlist) : netlist_{netlist} {}
+    Loops(const Netlist& netlist, const LoopLimits& limits) : netlist_{netlist}, limits_{limits} {}
 
     Messages run() {
         for (const auto& [key, module] : netlist_.modules()) {
@@ -68,17 +67,23 @@ private:
         if (!step) return;
         const auto end = number(other);
         if (start && end) {
-            if (rounds(condition.name(), is_right, *start, *end, *step) > MOST_ROUNDS)
+            if (rounds(condition.name(), is_right, *start, *end, *step) > limits_.constant)
                 add(10106, loop,
-                    "the loop has more than 5000 rounds, which Quartus does not unroll");
-        } else if ((start && is_signal(other, process) && netlist_.width(other) >= BITS_OF_250) ||
+                    fmt::format("the loop has more than {} rounds, which Quartus does not unroll "
+                                "(VERILOG_CONSTANT_LOOP_LIMIT)",
+                                limits_.constant));
+        } else if ((start && is_signal(other, process) && may_exceed(netlist_.width(other))) ||
                    (end && !start && (!begins || reads_variable(begin.first_child())))) {
             add(10119, loop,
-                "how many rounds the loop has depends on a signal, and is more than 250 perhaps; "
-                "count to a constant, with an `if` inside");
+                fmt::format("how many rounds the loop has depends on a signal, and is more than {} "
+                            "perhaps; count to a constant, with an `if` inside",
+                            limits_.non_constant));
         }
     }
 
+    bool may_exceed(unsigned bits) const {
+        return bits >= 32 || 1ull << bits > limits_.non_constant;
+    }
     static bool assigns(const Node& assign, const std::string& name) {
         const Node target = assign.first_child().next_sibling();
         return is_node(assign, "assign") && is_node(target, "varref") && name_of(target) == name;
@@ -125,8 +130,9 @@ private:
         for (const Node& child : node.children()) take_steps(child, name, inside, steps, all_plain);
     }
 
-    static long long rounds(std::string_view sign, bool is_right, long long at, long long end,
-                            long long step) {
+    // Those up to one more than the limit.
+    long long rounds(std::string_view sign, bool is_right, long long at, long long end,
+                     long long step) const {
         long long count = 0;
         const auto holds = [&] {
             const long long a = is_right ? end : at, b = is_right ? at : end;
@@ -136,7 +142,7 @@ private:
             if (sign == "gte" || sign == "gtes") return a >= b;
             return sign == "neq" && a != b;
         };
-        for (; count <= MOST_ROUNDS && holds(); ++count) at += step;
+        for (; count <= limits_.constant && holds(); ++count) at += step;
         return count;
     }
 
@@ -146,11 +152,14 @@ private:
     }
 
     const Netlist& netlist_;
+    const LoopLimits limits_;
     Messages messages_;
 };
 
 }  // namespace
 
-Messages loop_errors(const Netlist& netlist) { return Loops{netlist}.run(); }
+Messages loop_errors(const Netlist& netlist, const LoopLimits& limits) {
+    return Loops{netlist, limits}.run();
+}
 
 }  // namespace sim::project

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <set>
 #include <string_view>
 
 #include <fmt/format.h>
@@ -19,7 +20,9 @@ struct Assigned {
 
 class Pins {
 public:
-    Pins(const Project& project, const std::vector<Port>& ports) {
+    Pins(const Project& project, const std::vector<Port>& ports,
+         const std::map<std::string, std::string>& board_pins)
+        : board_pins_{board_pins} {
         file_ = project.settings.filename().string();
         for (const Port& port : ports)
             for (int n = std::min(port.left, port.right); n <= std::max(port.left, port.right); ++n)
@@ -42,10 +45,10 @@ public:
         std::map<std::string, std::string> taken;
         for (const auto& [name, assigned] : bits_) {
             if (assigned.pin.empty()) continue;
-            if (!is_of_package(assigned.pin)) {
+            if (!is_for_signals(assigned.pin)) {
                 add(171016, assigned.place,
-                    fmt::format("{} is assigned to {}, which the chip has not", name,
-                                assigned.pin));
+                    fmt::format("{} is assigned to {}, which is no pin for the FPGA's signals",
+                                name, assigned.pin));
                 continue;
             }
             const auto [first, is_new] = taken.emplace(assigned.pin, name);
@@ -57,17 +60,16 @@ public:
         return std::move(messages_);
     }
 
-    Messages warnings(const std::map<std::string, std::string>& board_pins) {
+    Messages warnings() {
         std::string open;
         std::size_t count = 0;
         for (const auto& [name, assigned] : bits_) {
             if (assigned.pin.empty()) {
                 if (++count <= 3) open += (open.empty() ? "" : ", ") + name;
-            } else if (board_pins.count(assigned.pin) == 0 && is_of_package(assigned.pin)) {
+            } else if (board_pins_.count(assigned.pin) == 0) {
                 add(171016, assigned.place,
-                    fmt::format("{} is assigned to {}, where the board has nothing; Quartus "
-                                "refuses that if it is no pin for signals",
-                                name, assigned.pin));
+                    fmt::format("{} is assigned to {}, where the board has nothing", name,
+                                assigned.pin));
             }
         }
         if (others_)
@@ -83,27 +85,24 @@ public:
     }
 
 private:
-    // PIN_A1 to PIN_AK30: the rows of balls have no letters that look like digits.
-    static bool is_of_package(const std::string& pin) {
-        constexpr std::string_view ROWS = "ABCDEFGHJKLMNPRTUVWY", PREFIX = "PIN_";
-        constexpr std::size_t LAST_OF_TWO_LETTERS = 10;  // AA to AK
-        constexpr unsigned long COLUMNS = 30;
+    // The 288 pins of the 5CSEMA5F31C6 for the FPGA's signals: the board's, and 30 of bank 8A where it
+    // has nothing.  The others are the processor's, for configuration, power and ground, or are not
+    // there.
+    bool is_for_signals(const std::string& pin) const {
+        static const std::set<std::string_view> OPEN{
+            "A4",  "A6", "A8", "A9", "A10", "B5", "B6", "B7", "B8", "C3",
+            "C4",  "C5", "C7", "C8", "C9",  "D4", "D5", "D6", "D7", "D9",
+            "D10", "E3", "E4", "E6", "E7",  "E8", "E9", "F8", "F9", "G8"};
+        constexpr std::string_view PREFIX = "PIN_";
         if (pin.compare(0, PREFIX.size(), PREFIX) != 0) return true;  // a bank or an edge
-        std::size_t at = PREFIX.size();
-        std::size_t row = at < pin.size() ? ROWS.find(pin[at++]) : std::string::npos;
-        if (row == 0 && at < pin.size() && ROWS.find(pin[at]) != std::string::npos) {
-            row = ROWS.find(pin[at++]);
-            if (row >= LAST_OF_TWO_LETTERS) return false;
-        }
-        char* end = nullptr;
-        const unsigned long column = std::strtoul(pin.c_str() + at, &end, 10);
-        return row != std::string::npos && *end == '\0' && column >= 1 && column <= COLUMNS;
+        return board_pins_.count(pin) || OPEN.count(std::string_view{pin}.substr(PREFIX.size()));
     }
 
     void add(unsigned number, const Place& place, std::string text) {
         messages_.push_back({number, place.file, place.line, std::move(text)});
     }
 
+    const std::map<std::string, std::string>& board_pins_;
     std::string file_;
     std::map<std::string, Assigned> bits_;  // of the ports, in small letters
     std::size_t others_ = 0;
@@ -112,14 +111,15 @@ private:
 
 }  // namespace
 
-Messages pin_errors(const Project& project, const std::vector<Port>& ports) {
-    return Pins{project, ports}.errors();
+Messages pin_errors(const Project& project, const std::vector<Port>& ports,
+                    const std::map<std::string, std::string>& board_pins) {
+    return Pins{project, ports, board_pins}.errors();
 }
 
 Messages pin_warnings(const Project& project, const std::vector<Port>& ports,
                       const std::map<std::string, std::string>& board_pins) {
     if (project.settings.empty() || project.is_for_other_device) return {};
-    return Pins{project, ports}.warnings(board_pins);
+    return Pins{project, ports, board_pins}.warnings();
 }
 
 }  // namespace sim::project

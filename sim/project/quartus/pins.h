@@ -11,11 +11,11 @@
 
 namespace sim::project {
 
-// 171016: the chip has no such pin; 176310: two ports are on one.
-Messages pin_errors(const Project& project, const std::vector<Port>& ports);
+// 171016: the pin is none for the FPGA's signals; 176310: two ports are on one.
+Messages pin_errors(const Project& project, const std::vector<Port>& ports,
+                    const std::map<std::string, std::string>& board_pins);
 
-// 15706, 169085; 171016: the board has nothing at that pin, which perhaps is none for signals.
-// Nothing where there are no settings.
+// 15706, 169085; 171016: the board has nothing at that pin.  Nothing where there are no settings.
 Messages pin_warnings(const Project& project, const std::vector<Port>& ports,
                       const std::map<std::string, std::string>& board_pins);
 
