@@ -134,7 +134,8 @@ module adc (
         begin
             channel = 32'd0;
             for (k = 0; k < 8; k = k + 1)
-                if (number == k[2:0]) channel = {16'd0, new_q[k] && auto_q, 3'd0, values_q[12 * k +: 12]};
+                if (number == k[2:0])
+                    channel = {16'd0, new_q[k] && auto_q, 3'd0, values_q[12 * k +: 12]};
         end
     endfunction
 

@@ -33,8 +33,8 @@ struct CleanSources {
     std::string included;                      // the texts of all files that they include
 };
 
-// Writes folder/source/*, and folder/included/* where Quartus does not read the whole of a file that
-// is included; what is there already and the same is not touched.  ProjectError: GHDL refuses the
+// Writes folder/source/*, and folder/included/* where Quartus does not read the whole of an
+// included file; files there that are the same stay as they are.  ProjectError: GHDL refuses the
 // VHDL.
 CleanSources clean_sources(const SourceRequest& from);
 

@@ -11,8 +11,8 @@
 //
 // An assignment of a part of a wired net leaves the rest to the others.
 //
-// Not handled: arrays of gates; a wired net that is a port, has a value in its declaration, is driven
-// in a generate loop, or a wand of which an instance drives a part.
+// Not handled: arrays of gates; a wired net that is a port, has a value in its declaration, or is
+// driven in a generate loop; a wand of which an instance drives a part.
 #pragma once
 
 #include <string>

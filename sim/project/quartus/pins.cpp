@@ -85,9 +85,9 @@ public:
     }
 
 private:
-    // The 288 pins of the 5CSEMA5F31C6 for the FPGA's signals: the board's, and 30 of bank 8A where it
-    // has nothing.  The others are the processor's, for configuration, power and ground, or are not
-    // there.
+    // The 288 pins of the 5CSEMA5F31C6 for the FPGA's signals: the board's, and 30 of bank 8A where
+    // it has nothing.  The others are the processor's, for configuration, power and ground, or are
+    // not there.
     bool is_for_signals(const std::string& pin) const {
         static const std::set<std::string_view> OPEN{
             "A4",  "A6", "A8", "A9", "A10", "B5", "B6", "B7", "B8", "C3",
