@@ -41,14 +41,18 @@ bool has_drawn(Computer& computer) {
 }
 
 // The address of one of the pixel controller's pictures, if that lies in the DDR3 memory.  The
-// controller does not look at bits 31 and 30, so it may also be meant as one of its own memories':
-// 0x08000000, in the on-chip memory, is usual.
+// controller does not keep bits 31 and 30.  So an address in its own memories may be meant as one
+// in the DDR3: it is, if the program has written nothing through the full bridge.
 std::optional<std::uint32_t> picture_in_ddr3(Computer& computer) {
     constexpr std::uint32_t DDR3_SIZE = 0x40000000;
     constexpr std::uint32_t ONCHIP = regmap::ONCHIP_BASE % DDR3_SIZE;
     for (const std::uint32_t reg : {regmap::PIXEL_BUFFER, regmap::PIXEL_BACK_BUFFER}) {
-        const std::uint32_t address = computer.fpga.peek(reg - 0xFF200000).value_or(~0u);
-        if (address < DDR3_SIZE && address - ONCHIP >= regmap::ONCHIP_SIZE) return address;
+        const auto value = computer.fpga.peek(reg - 0xFF200000);
+        if (!value) continue;
+        const std::uint32_t address = *value % DDR3_SIZE;
+        const bool in_sdram = address < regmap::SDRAM_SIZE;
+        if (address - ONCHIP < regmap::ONCHIP_SIZE) continue;
+        if (!in_sdram || !computer.bus.written("h2f")) return address;
     }
     return std::nullopt;
 }

@@ -1,6 +1,6 @@
 // av_config.c - waits for the codec to be set up, plays 500 Hz, and mutes it while KEY0 is held.
 //
-// The resampler must report pixels of 16 bits (0x14); otherwise LEDR shows 1 and nothing plays.
+// The resampler must report that pixels have 16 bits (0x14 in bits 5:0); otherwise LEDR shows 1 and nothing plays.
 #include "registers.h"
 
 enum { DIGITAL_PATH = 5, MUTE = 8, AUTO_INIT_OK = 0x100, READY = 2, NOT_ACKNOWLEDGED = 1 };
@@ -16,7 +16,7 @@ static void codec(uint32_t number, uint32_t value) {
 }
 
 int main(void) {
-    if (RESAMPLER_STATUS != 0x14) {
+    if ((RESAMPLER_STATUS & 0x3F) != 0x14) {
         LEDR = 1;
         return 1;
     }

@@ -1,2 +1,2 @@
 # sleeps
-s/ || (run_q \&\& !enable_i);/;/
+s/ || ((run_q || begun_q) \&\& !enable_i);/;/
