@@ -11,6 +11,9 @@
 #ifndef DE1SIM_PORTS_ALONE
 #include "Vfpga___024root.h"
 #endif
+#if !defined DE1SIM_PORTS_ALONE && !defined DE1SIM_TRACE
+void Vfpga___024root___eval(Vfpga___024root *);  // which none of the model's headers has
+#endif
 #ifdef DE1SIM_TRACE
 #include "verilated_fst_c.h"
 #endif
@@ -89,8 +92,14 @@ struct Fabric::Model {
     AxiPort &port(Bridge bridge) { return bridge == Bridge::LIGHTWEIGHT ? lw : h2f; }
 };
 
+// After the first evaluation, which is top.eval().
 inline void Fabric::Model::eval([[maybe_unused]] std::uint64_t time_ps) {
+#if !defined DE1SIM_PORTS_ALONE && !defined DE1SIM_TRACE
+    // Without what is around it for waveforms and for several threads.
+    Vfpga___024root___eval(top.rootp);
+#else
     top.eval();
+#endif
 #ifdef DE1SIM_TRACE
     if (waveforms.isOpen() && trace.wants(time_ps)) waveforms.dump(time_ps);
 #endif
