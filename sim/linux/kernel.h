@@ -473,7 +473,6 @@ private:
     std::uint64_t since_ns_ = 0;      // when the running one was accounted
     bool yields_ = false;             // the running one, by its own will
     bool changed_ = false;            // files, so that a thread may go on
-    bool sleeping_ = false;           // all threads wait
     bool over_ = false;
     sc_core::sc_event woken_;     // something has come from outside
     sc_core::sc_time line_free_;  // when the console's line has taken all that was printed

@@ -152,12 +152,10 @@ void LinuxKernel::stand_still() {
         return cpu_.end(
             fmt::format("deadlock: no thread can ever go on {}: {}", cpu_.where(), waiting_list()));
     }
-    sleeping_ = true;
     cpu_.pause(woken_, sc_core::sc_time::from_value((next - now) * 1000));
-    sleeping_ = false;
 }
 
-std::string LinuxKernel::waiting() const { return sleeping_ ? waiting_list() : ""; }
+std::string LinuxKernel::waiting() const { return running_ ? "" : waiting_list(); }
 
 std::string LinuxKernel::waiting_list() const {
     std::string all;
