@@ -11,22 +11,14 @@ namespace sim {
 namespace {
 
 // Cyclone V HPS memory map.
-constexpr std::uint32_t DDR3_BASE = 0x00000000, DDR3_SIZE = 0x40000000;
-constexpr std::uint32_t H2F_BASE = 0xC0000000, H2F_SIZE = 0x3C000000;
-constexpr std::uint32_t LW_BASE = 0xFF200000, LW_SIZE = 0x00200000;
+constexpr std::uint32_t DDR3_BASE = 0x00000000;
+constexpr std::uint32_t LW_BASE = ProcessorSystem::LW_BASE, LW_SIZE = ProcessorSystem::LW_SIZE;
 constexpr std::uint32_t ON_CHIP_RAM_BASE = 0xFFFF0000, ON_CHIP_RAM_SIZE = 0x10000;
-
-std::unique_ptr<Processor> processor_for(Computer::Software software, Audience& audience) {
-    if (auto* firmware = std::get_if<Firmware>(&software))
-        return std::make_unique<NativeCpu>("cpu", std::move(*firmware));
-    return std::make_unique<ArmCpu>("cpu", std::get<ArmProgram>(std::move(software)),
-                                    [&audience](const std::string& line) { audience.log(line); });
-}
 
 }  // namespace
 
 const std::vector<MemoryRange>& program_memory() {
-    static const std::vector<MemoryRange> memory{{DDR3_BASE, DDR3_SIZE},
+    static const std::vector<MemoryRange> memory{{DDR3_BASE, ProcessorSystem::DDR3_SIZE},
                                                  {ON_CHIP_RAM_BASE, ON_CHIP_RAM_SIZE},
                                                  {regmap::SDRAM_BASE, regmap::SDRAM_SIZE}};
     return memory;
@@ -84,37 +76,13 @@ std::uint64_t Computer::fixed_ps(std::uint32_t address) const {
 
 Computer::Computer(const sc_core::sc_module_name& name, PinListener& pins, Audience& audience,
                    std::uint8_t* sdram, Software software, const Settings& settings)
-    : sc_module{name},
+    : ProcessorSystem{name, pins, audience, std::move(software)},
       fpga{"fpga", pins, settings.trace, settings.memory, sdram, settings.audio_rate},
-      jtag_host{"jtag_host", fpga,
-                [&audience](unsigned number, char character) {
+      jtag_host{"jtag_host", fpga, [&audience](unsigned number, char character) {
                     audience.console(character, number ? SerialLine::JTAG_1 : SerialLine::JTAG_0);
-                }},
-      ddr3{"ddr3", DDR3_SIZE, sc_core::sc_time{60, sc_core::SC_NS}},
-      hps{"hps",
-          {[&audience](char character) { audience.console(character, SerialLine::UART); },
-           [this](bool irq, bool fiq) { cpu.interrupt(irq, fiq); }, [this] { cpu.warm_reset(); },
-           [this](std::uint32_t in_reset) {
-               h2f_gate_(!(in_reset & ResetManager::H2F));
-               lw_gate_(!(in_reset & ResetManager::LWH2F));
-           },
-           [this](bool write, std::uint32_t address, std::uint8_t* data, unsigned bytes,
-                  sc_core::sc_time& delay) {
-               return bus.transfer(write, address, data, bytes, delay);
-           },
-           [this, &audience](const std::string& line) { audience.log(line + cpu.accessed()); }}},
-      bus{"bus"},
-      processor_{processor_for(std::move(software), audience)},
-      cpu{*processor_},
-      arm{dynamic_cast<ArmCpu*>(processor_.get())} {
-    cpu.socket.bind(bus.socket);
-    bus.window("ddr3", DDR3_BASE, DDR3_SIZE).bind(ddr3.socket);
-    bus.window("h2f", H2F_BASE, H2F_SIZE).bind(fpga.h2f);
-    bus.window("lw", LW_BASE, LW_SIZE).bind(fpga.lw);
-    hps.bind(bus);
-    h2f_gate_ = bus.gate("h2f");
-    lw_gate_ = bus.gate("lw");
-    bus.describe("ddr3", "the DDR3", {{"the DDR3", DDR3_BASE, DDR3_SIZE, true}});
+                }} {
+    full_window.bind(fpga.h2f);
+    lightweight_window.bind(fpga.lw);
     bus.describe("h2f", "the full bridge", fpga_places(H2F_BASE, H2F_SIZE));
     bus.describe("lw", "the lightweight bridge", fpga_places(LW_BASE, LW_SIZE));
     for (const char* bridge : {"h2f", "lw"})
@@ -124,11 +92,6 @@ Computer::Computer(const sc_core::sc_module_name& name, PinListener& pins, Audie
                             if (const auto lost = lost_accesses_.look(address, bytes, write))
                                 audience.log(*lost + cpu.accessed());
                         });
-    cpu.explain_by([this](auto... access) { return bus.refusal(access...); });
-    hps.gpio1.on_led(
-        [&pins](bool lit, const sc_core::sc_time& now) { pins.hps_led(lit, now.value()); });
-    hps.i2c0.connect(pins.hps_i2c0());
-    hps.gpio2.drive(ACCELEROMETER, false);
     if (arm) arm->set_steady_bus(this);
     if (arm && !settings.shortcuts) arm->leave_no_rounds_out();
     fpga.spread_phases(settings.seed);

@@ -1,27 +1,19 @@
 // computer.h - the chip as this project fills it: the fabric of rtl/, and the processor with its
 // silicon.
 //
-//   Processor -- Bus -+- DDR3
-//                     +- Peripherals (GIC, timers, UART0, GPIO1, managers, on-chip RAM)
-//                     +- Fpga lw, h2f --> pins
+//   ProcessorSystem --+- Fpga lw, h2f --> pins
 //                          +- JtagHost (JTAG UARTs)
 #pragma once
 
-#include <memory>
 #include <string>
-#include <variant>
 #include <vector>
 
 #include "sim/chip/chip.h"
 #include "sim/chip/jtag_host.h"
 #include "sim/chip/lost_accesses.h"
-#include "sim/cpu/arm_cpu.h"
-#include "sim/cpu/native_cpu.h"
+#include "sim/chip/processor_system.h"
 #include "sim/cpu/steady_bus.h"
 #include "sim/fpga/fpga.h"
-#include "sim/hps/bus.h"
-#include "sim/hps/memory.h"
-#include "sim/hps/peripherals.h"
 
 namespace sim {
 
@@ -35,11 +27,8 @@ bool is_plain_output(std::uint32_t address, std::uint32_t value);
 // changes at events of SystemC alone.
 bool is_plain_input(std::uint32_t address, std::uint32_t value);
 
-class Computer : public sc_core::sc_module, public Chip, private SteadyBus {
+class Computer : public ProcessorSystem, public Chip, private SteadyBus {
 public:
-    // What runs on it, and so which processor it has: NativeCpu or ArmCpu.
-    using Software = std::variant<Firmware, ArmProgram>;
-
     struct Settings {
         std::uint64_t seed = 1;  // of the phases between the processor's clock and the fabric's
         Trace trace;
@@ -58,21 +47,20 @@ public:
         return by_program ? arm->now().value() : fpga.fabric().time_ps();
     }
     void hps_key(bool pressed) override { hps.gpio1.press_key(pressed); }
-    void hps_accelerometer_interrupt(bool up) override { hps.gpio2.drive(ACCELEROMETER, up); }
+    void hps_accelerometer_interrupt(bool up) override { accelerometer_interrupt(up); }
     void type(const std::string& text, SerialLine to) override;
     void end_trace() override { fpga.end_trace(); }
 
-    // Something that the program has printed may still be on its way to its host.  The fabric has
-    // to have run for some microseconds since.
-    bool is_printing() { return jtag_host.rests() || hps.uart0.is_sending(); }
+    // The fabric has to have run for some microseconds since.
+    bool is_printing() override { return jtag_host.rests() || ProcessorSystem::is_printing(); }
+    void close_bridges() override { fpga.close(); }
+    bool is_accessing() const override { return fpga.is_busy(); }
 
     // The character buffer's 60 rows of 80, as the processor would read it; once the run is over,
     // outside simulated time.  The monitor shows letters, but only as pixels.
     std::vector<std::string> characters();
 
 private:
-    static constexpr unsigned ACCELEROMETER = 61 - 58;  // GPIO61 is GPIO2's pin 3
-
     std::uint64_t changes() const override { return fpga.changes(); }
     bool is_plain(std::uint32_t address, bool write, std::uint32_t value) const override {
         return !bus.is_watched() &&
@@ -88,22 +76,11 @@ private:
     }
     void left_out(bool write, std::uint64_t accesses) override { bus.left_out(write, accesses); }
 
-    std::function<void(bool)> h2f_gate_, lw_gate_;  // true: out of reset
     LostAccesses lost_accesses_;
 
 public:
     Fpga fpga;
     JtagHost jtag_host;
-    Memory ddr3;
-    Peripherals hps;
-    Bus bus;
-
-private:
-    std::unique_ptr<Processor> processor_;
-
-public:
-    Processor& cpu;
-    ArmCpu* const arm;  // the same, if that is what it is
 };
 
 }  // namespace sim

@@ -2,7 +2,9 @@
 
 #include <dlfcn.h>
 
+#include <algorithm>
 #include <stdexcept>
+#include <utility>
 
 #include "sim/report/messages.h"
 
@@ -19,7 +21,7 @@ void ProjectChip::Unload::operator()(void* library) const { dlclose(library); }
 ProjectChip::ProjectChip(const sc_core::sc_module_name& name, PinListener& pins,
                          const std::filesystem::path& library, const std::string& folder,
                          const Trace& trace)
-    : sc_module{name}, library_{dlopen(library.c_str(), RTLD_NOW | RTLD_LOCAL)} {
+    : sc_module{name}, library_{dlopen(library.c_str(), RTLD_NOW | RTLD_LOCAL)}, pins_{pins} {
     if (!library_) throw std::runtime_error{std::string{"cannot load the design: "} + dlerror()};
     const auto open =
         reinterpret_cast<project::OpenModel*>(dlsym(library_.get(), "de1sim_open_model"));
@@ -27,14 +29,39 @@ ProjectChip::ProjectChip(const sc_core::sc_module_name& name, PinListener& pins,
     model_.reset(open(pins, {folder.c_str(), trace, [](const char* line) { complain(line); }}));
     SC_HAS_PROCESS(ProjectChip);
     SC_METHOD(look);
-    sensitive << look_;
+    sensitive << look_ << board_moves_;
 }
 
-ProjectChip::~ProjectChip() = default;
+ProjectChip::~ProjectChip() {
+    pins_.agenda.on_next([](std::uint64_t) {});
+}
+
+void ProjectChip::run_to(std::uint64_t time_ps) {
+    // Ahead of that already, by an access.
+    if (time_ps >= model_->time_ps()) model_->run(time_ps_ = time_ps);
+    tell_interrupts();
+}
 
 void ProjectChip::catch_up() {
-    model_->run(time_ps_ = sc_core::sc_time_stamp().value());
+    run_to(sc_core::sc_time_stamp().value());
     model_->flush();
+}
+
+void ProjectChip::on_interrupts(std::function<void(std::uint64_t)> told) {
+    told_ = std::move(told);
+    pins_.agenda.on_next([this](std::uint64_t next_ps) { wait_for_board(next_ps); });
+}
+
+void ProjectChip::tell_interrupts() {
+    if (!told_ || model_->interrupts() == interrupts_) return;
+    told_(interrupts_ = model_->interrupts());
+}
+
+void ProjectChip::wait_for_board(std::uint64_t next_ps) {
+    board_moves_.cancel();
+    if (next_ps == Agenda::NEVER) return;
+    const std::uint64_t now_ps = sc_core::sc_time_stamp().value();
+    board_moves_.notify(sc_core::sc_time::from_value(std::max(next_ps, now_ps) - now_ps));
 }
 
 std::optional<Chip::End> ProjectChip::end() const {

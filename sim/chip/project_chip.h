@@ -1,10 +1,12 @@
 // project_chip.h - the chip as somebody's project fills it: a library that sim/project/ has built.
 //
-// It has no processor.  As with Fpga it runs in batches: whenever somebody looks at a pin or moves
-// one, and once every 32 us.  The board's agenda is kept within them.
+// As with Fpga it runs in batches: whenever somebody looks at a pin or moves one, whenever a
+// processor accesses it, and once every 32 us.  The board's agenda is kept within them; with a
+// processor its entries are events of SystemC, too, past which the processor does not run ahead.
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <string>
 
@@ -30,8 +32,18 @@ public:
     void end_trace() override { model_->end_trace(); }
     std::optional<End> end() const override;
 
+    // ---- For a processor ----
+
+    project::Model& model() { return *model_; }
+    // Runs up to this time, at most SystemC's next event, and tells of interrupts.
+    void run_to(std::uint64_t time_ps);
+    // `told` is called with Model::interrupts() whenever it has changed.
+    void on_interrupts(std::function<void(std::uint64_t levels)> told);
+    void tell_interrupts();
+
 private:
     void look();
+    void wait_for_board(std::uint64_t next_ps);
 
     struct Unload {
         void operator()(void* library) const;
@@ -39,7 +51,10 @@ private:
     std::unique_ptr<void, Unload> library_;
     std::unique_ptr<project::Model> model_;
     std::uint64_t time_ps_ = 0;
-    sc_core::sc_event look_;
+    sc_core::sc_event look_, board_moves_;
+    PinListener& pins_;
+    std::function<void(std::uint64_t)> told_;  // of interrupts; or none
+    std::uint64_t interrupts_ = 0;
 };
 
 }  // namespace sim

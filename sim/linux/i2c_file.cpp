@@ -15,7 +15,7 @@ constexpr std::uint32_t RETRIES = 0x0701, TIMEOUT = 0x0702, SLAVE = 0x0703, TENB
                         SMBUS = 0x0720;
 // I2C, and SMBus' bytes, words and I2C blocks.
 constexpr std::uint32_t HAS = 0x00000001 | 0x00060000 | 0x00180000 | 0x00600000 | 0x0C000000;
-constexpr std::size_t MOST_BYTES = 8192, SMBUS_BLOCK = 32;
+constexpr std::size_t MOST_OF_MESSAGE = 8192, SMBUS_BLOCK = 32;
 
 struct WireMessage {  // struct i2c_msg
     std::uint16_t address, flags, bytes, pad;
@@ -52,7 +52,7 @@ std::int64_t I2cFile::transfer(std::vector<Message>& messages) {
 
 std::int64_t I2cFile::read(void* data, std::size_t bytes) {
     std::vector<Message> one{{address_, true, {}}};
-    one[0].bytes.resize(std::min(bytes, MOST_BYTES));
+    one[0].bytes.resize(std::min(bytes, MOST_OF_MESSAGE));
     if (const std::int64_t error = transfer(one)) return error;
     std::copy(one[0].bytes.begin(), one[0].bytes.end(), static_cast<std::uint8_t*>(data));
     return static_cast<std::int64_t>(one[0].bytes.size());
@@ -60,7 +60,7 @@ std::int64_t I2cFile::read(void* data, std::size_t bytes) {
 
 std::int64_t I2cFile::write(const void* data, std::size_t bytes) {
     const auto* const from = static_cast<const std::uint8_t*>(data);
-    const std::size_t count = std::min(bytes, MOST_BYTES);
+    const std::size_t count = std::min(bytes, MOST_OF_MESSAGE);
     std::vector<Message> one{{address_, false, {from, from + count}}};
     const std::int64_t error = transfer(one);
     return error ? error : static_cast<std::int64_t>(count);
@@ -94,7 +94,8 @@ std::int64_t I2cFile::messages(std::uint32_t at, AddressSpace& memory) {
     if (!memory.read(list[0], wire.data(), wire.size() * sizeof(WireMessage))) return -EFAULT;
     std::vector<Message> all;
     for (const WireMessage& each : wire) {
-        if (each.bytes > MOST_BYTES || each.address > 0x7F || each.flags & TEN_BITS) return -EINVAL;
+        if (each.bytes > MOST_OF_MESSAGE || each.address > 0x7F || each.flags & TEN_BITS)
+            return -EINVAL;
         Message message{static_cast<std::uint8_t>(each.address), (each.flags & READS) != 0, {}};
         message.bytes.resize(each.bytes);
         if (!memory.read(each.at, message.bytes.data(), each.bytes)) return -EFAULT;

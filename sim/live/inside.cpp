@@ -14,8 +14,8 @@ constexpr unsigned FIFO_SIZE =
 }  // namespace
 
 void Inside::frame_ended() {
-    if (!computer_) return;
-    const BusCounts now = computer_->bus.counts();
+    if (!processor_) return;
+    const BusCounts now = processor_->bus.counts();
     frame_ = {now.reads - then_.reads, now.writes - then_.writes, now.bursts - then_.bursts, 0};
     then_ = now;
 }
@@ -27,19 +27,19 @@ nlohmann::json Inside::look() const {
                        {"vga_violations", board_.monitor.violations()},
                        {"sdram_violations", board_.sdram_chip.violations()},
                        {"codec_errors", board_.codec_chip.error_count()}};
-    if (!computer_) return all;
+    if (!processor_) return all;
     all["bus"] = {{"reads", frame_.reads},
                   {"writes", frame_.writes},
                   {"bursts", frame_.bursts},
-                  {"errors", computer_->bus.counts().errors}};
-    if (const auto audio = computer_->fpga.fabric().audio())
+                  {"errors", processor_->bus.counts().errors}};
+    if (const auto audio = fpga_ ? fpga_->fabric().audio() : std::nullopt)
         all["audio"] = {{"to_play", audio->to_play},
                         {"recorded", audio->recorded},
                         {"size", FIFO_SIZE},
                         {"underruns", audio->underruns}};
-    if (!computer_->arm || !program_) return all;
-    const ArmCpu::Position at = computer_->arm->position();
-    const ArmCpu::Counts counts = computer_->arm->counts();
+    if (!processor_->arm || !program_) return all;
+    const ArmCpu::Position at = processor_->arm->position();
+    const ArmCpu::Counts counts = processor_->arm->counts();
     const Program more = program_();
     nlohmann::json& program = all["program"] = {{"pc", at.pc},
                                                 {"function", at.function},

@@ -29,9 +29,10 @@ public:
         std::optional<page::FrameUse> frame;  // the last one
     };
 
-    // `computer` and `program`: null where there is none.
-    Inside(Board& board, const Computer* computer, std::function<Program()> program)
-        : board_{board}, computer_{computer}, program_{std::move(program)} {}
+    // `processor`, `fpga` and `program`: null where there is none.
+    Inside(Board& board, const ProcessorSystem* processor, const Fpga* fpga,
+           std::function<Program()> program)
+        : board_{board}, processor_{processor}, fpga_{fpga}, program_{std::move(program)} {}
 
     // To be called once per millisecond: lamps that have stopped to flash are seen as they are.
     void settle_lamps() { board_.settle_lamps(); }
@@ -47,7 +48,8 @@ public:
 
 private:
     Board& board_;
-    const Computer* const computer_;
+    const ProcessorSystem* const processor_;
+    const Fpga* const fpga_;  // with the DE1-SoC Computer's audio core
     const std::function<Program()> program_;
     BusCounts then_, frame_;
     std::size_t told_[3] = {};

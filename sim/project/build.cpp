@@ -76,8 +76,8 @@ std::vector<std::string> verilator_words(const Project& project,
     for (const std::string& macro : project.macros) words.push_back("-D" + macro);
     words.push_back("-Iincluded");
     for (const std::string& include : includes) words.push_back("-I" + include);
-    words.insert(words.end(),
-                 {"-y", "data/rtl/ip", "-Idata/rtl/ip", "data/project/de1sim_init.sv"});
+    words.insert(words.end(), {"-y", "data/rtl/ip", "-y", "data/rtl/ip/qsys", "-Idata/rtl/ip",
+                               "data/project/de1sim_init.sv"});
     return words;
 }
 
@@ -89,10 +89,8 @@ std::map<std::string, std::string> board_pins() {
 
 Builder::Builder(const Request& request, bool trace)
     : request_{request}, trace_{trace}, limit_{request.build_limit_s} {
-    const fs::path models = data_folder() / "rtl" / "ip";
-    request_.is_model = [models](const std::string& module) {
-        std::error_code error;
-        return fs::is_regular_file(models / (module + ".v"), error) || module == "tri";  // in VHDL
+    request_.is_model = [](const std::string& module) {
+        return model_of(module).has_value() || module == "tri";  // in VHDL
     };
 }
 
@@ -283,7 +281,7 @@ Built Builder::build(const Progress& progress) {
     const std::string name = fmt::format("chip-{}{}.so", key(), trace_ ? "-trace" : "");
     const fs::path library = folder_ / name;
     std::error_code error;
-    if (fs::is_regular_file(library, error)) return {library, true};
+    if (fs::is_regular_file(library, error)) return {library, true, design_.project.systems};
 
     const fs::path objects = folder_ / (trace_ ? "objects-trace" : "objects");
     fs::remove_all(objects, error);
@@ -314,7 +312,7 @@ Built Builder::build(const Progress& progress) {
             fs::remove(entry.path(), error);
     }
     fs::rename(objects / "chip.so", library);
-    return {library, false};
+    return {library, false, design_.project.systems};
 }
 
 }  // namespace sim::project

@@ -31,6 +31,7 @@ struct Design {
 struct Built {
     std::filesystem::path library;
     bool was_up_to_date;
+    std::vector<qsys::Generated> systems;
 };
 
 // What is said while it goes on: "translating 12 files (Verilator)".

@@ -12,6 +12,7 @@
 #include "sim/project/part_drivers.h"
 #include "sim/project/source.h"
 #include "sim/project/synthesised.h"
+#include "sim/project/tools.h"
 #include "sim/project/vhdl.h"
 #include "sim/project/vhdl_library.h"
 
@@ -25,19 +26,16 @@ void take_modules(const std::string& text, Modules& modules) {
     for (ModuleText& module : scan(text).modules) modules.emplace(module.name, std::move(module));
 }
 std::string synthesised(const SourceFile& file, const Project& project) {
-    return as_synthesised(text_of(file.path), project.macros);
+    return as_synthesised(file.text.empty() ? text_of(file.path) : file.text, project.macros);
 }
 // The models that the modules instance.
 void add_models(Modules& modules) {
     std::set<std::string> wanted;
     for (const auto& [name, module] : modules)
         wanted.insert(module.wants.begin(), module.wants.end());
-    std::error_code error;
-    for (const std::string& name : wanted) {
-        const fs::path model = data_folder() / "rtl" / "ip" / (name + ".v");
-        if (!modules.count(name) && fs::is_regular_file(model, error))
-            take_modules(text_of(model), modules);
-    }
+    for (const std::string& name : wanted)
+        if (const auto model = model_of(name); model && !modules.count(name))
+            take_modules(text_of(*model), modules);
 }
 
 // The Verilog of each entity that is not only instanced by VHDL.
@@ -53,7 +51,7 @@ std::vector<std::string> translate_vhdl(const SourceRequest& from, const Modules
             if (lower(name) == lower(component)) return &module;
         const std::string model = lower(component) == "tri" ? "TRI" : lower(component);
         if (!from.is_model(model)) return nullptr;
-        take_modules(text_of(ip / (model + ".v")), models);
+        take_modules(text_of(*model_of(model)), models);
         return &models.at(model);
     };
     std::vector<VhdlRoot> roots;

@@ -70,12 +70,17 @@ std::optional<FileFinder::Found> FileFinder::find(const std::string& name,
     return Found{*best, false};
 }
 
+std::vector<fs::path> FileFinder::with_name(const std::string& name) const {
+    std::vector<fs::path> found;
+    const auto [begin, end] = by_name_.equal_range(lower(name));
+    for (auto i = begin; i != end; ++i) found.push_back(files_[i->second]);
+    return found;
+}
+
 std::vector<fs::path> FileFinder::with_stem(const std::string& stem) const {
     std::vector<fs::path> found;
-    for (const char* ending : {".v", ".sv", ".vhd", ".vhdl"}) {
-        const auto [begin, end] = by_name_.equal_range(lower(stem) + ending);
-        for (auto i = begin; i != end; ++i) found.push_back(files_[i->second]);
-    }
+    for (const char* ending : {".v", ".sv", ".vhd", ".vhdl"})
+        for (fs::path& file : with_name(stem + ending)) found.push_back(std::move(file));
     return found;
 }
 

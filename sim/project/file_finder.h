@@ -24,7 +24,9 @@ public:
     };
     std::optional<Found> find(const std::string& name, const std::filesystem::path& from) const;
 
-    // Files whose name without its ending is this, in any case; those in `folder` first.
+    // Files of this name, in any case.
+    std::vector<std::filesystem::path> with_name(const std::string& name) const;
+    // Verilog and VHDL whose name without its ending is this, in any case; those in `folder` first.
     std::vector<std::filesystem::path> with_stem(const std::string& stem) const;
 
     const std::vector<std::filesystem::path>& files() const { return files_; }

@@ -24,6 +24,15 @@ struct Ending {
     std::string message;  // a line: where, what, when
 };
 
+// An access of the processor, of bytes of an aligned word of eight.
+struct BridgeAccess {
+    bool full;  // HPS-to-FPGA, or the lightweight bridge
+    bool write;
+    std::uint32_t address;  // in the bridge's window; the word's
+    std::uint8_t byte_enable;
+    std::uint64_t data;  // to write
+};
+
 class Model {
 public:
     virtual ~Model() = default;
@@ -34,6 +43,19 @@ public:
     // to the PinListener, in order; a batch of video samples may come later, at flush().
     virtual void run(std::uint64_t until_ps) = 0;
     virtual void flush() = 0;
+
+    // ---- The processor's side of a design that has it ----
+
+    // Begins an access, at the time up to which run() has come; one at a time.
+    virtual void begin(const BridgeAccess& access) = 0;
+    // As run(), but ends with the clock edge that brings the answer; false: there is none so far.
+    virtual bool run_to_answer(std::uint64_t until_ps) = 0;
+    // Of the last access that was a read, the eight bytes.
+    virtual std::uint64_t answer() const = 0;
+    // Interrupt lines; bit n is ID 72 + n.
+    virtual std::uint64_t interrupts() const = 0;
+    // Of the last clock edge, or of the last entry of the agenda.
+    virtual std::uint64_t time_ps() const = 0;
     virtual void end_trace() = 0;
     // Once there is an end, run() does nothing any more.
     virtual const Ending& ending() const = 0;

@@ -39,7 +39,7 @@ void ModuleFiles::add(const SourceFile& added) {
         return;
     }
     Source source{added, {}};
-    const std::string text = text_of(file);
+    const std::string text = added.text.empty() ? text_of(file) : added.text;
     if (added.language != Language::VHDL) {
         source.text = scan(as_synthesised(text, macros_));
         if (project::is_encrypted(file, text)) encrypted_.insert(file);

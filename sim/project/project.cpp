@@ -9,6 +9,7 @@
 
 #include "sim/project/board_pins.h"
 #include "sim/project/module_files.h"
+#include "sim/project/tools.h"
 #include "sim/project/unsupported.h"
 
 namespace sim::project {
@@ -117,14 +118,28 @@ private:
                    name == "SOURCE_FILE") {
             take_source(a);
         } else if (name == "SDC_FILE") {
-            if (const auto file = resolve(a)) settings_of(*file);  // for what is wrong in it
+            if (const auto file = resolve(a)) check_timing(*file);
+        } else if (name == "QSYS_FILE") {
+            if (const auto file = resolve(a)) take_system(*file);
         } else if (name == "QIP_FILE") {
-            if (const auto file = resolve(a))
+            if (const auto system = system_of_qip(a.value))
+                take_system(*system);
+            else if (const auto file = resolve(a))
                 for (const Assignment& inner : settings_of(*file)) take(inner);
         } else if (const auto why = unsupported_file(a.value);
                    why && name.size() > 5 && name.compare(name.size() - 5, 5, "_FILE") == 0) {
             unsupported_.push_back(
                 fmt::format("{}:{}: {}: {}", files_.place(a.file), a.line, a.value, *why));
+        }
+    }
+
+    // For what is wrong in it.  What it sources computes with answers of the timing analyser.
+    void check_timing(const fs::path& file) {
+        try {
+            settings_of(file);
+        } catch (const ProjectError& error) {
+            const std::string own = file.filename().string() + ":";
+            if (std::string_view{error.what()}.substr(0, own.size()) == own) throw;
         }
     }
 
@@ -143,6 +158,41 @@ private:
             note(fmt::format("{}:{}: {} is taken from {}", files_.place(a.file), a.line, a.value,
                              files_.place(found->path)));
         return found->path;
+    }
+
+    // NAME.qsys for .../synthesis/NAME.qip, which Platform Designer makes of it.
+    std::optional<fs::path> system_of_qip(const std::string& value) const {
+        std::string path = value;
+        std::replace(path.begin(), path.end(), '\\', '/');
+        const fs::path qip{path};
+        if (lower(qip.parent_path().filename().string()) != "synthesis") return {};
+        const auto found = files_.finder().with_name(qip.stem().string() + ".qsys");
+        return found.empty() ? std::nullopt : std::optional{found.front()};
+    }
+
+    // A kind is described by KIND_hw.tcl: ours, or the project's.
+    std::optional<fs::path> component(const std::string& kind) const {
+        std::error_code error;
+        const fs::path ours = data_folder() / "rtl/ip/qsys" / (kind + "_hw.tcl");
+        if (fs::is_regular_file(ours, error)) return ours;
+        const auto found = files_.finder().with_name(kind + "_hw.tcl");
+        return found.empty() ? std::nullopt : std::optional{found.front()};
+    }
+
+    void take_system(const fs::path& file) {
+        if (!systems_.insert(file).second) return;
+        qsys::Generated made = qsys::generate(
+            qsys::read_system(file), [this](const std::string& kind) { return component(kind); });
+        files_.add({file, Language::VERILOG, true, {}, made.text});
+        for (const fs::path& source : made.sources) {
+            std::error_code error;
+            if (const auto language = language_of(source); !fs::is_regular_file(source, error))
+                note(fmt::format("{}: {} is not there", files_.place(file), files_.place(source)));
+            else
+                files_.add({source, *language, true, {}});
+        }
+        for (const std::string& text : made.notes) note(text);
+        project_.systems.push_back(std::move(made));
     }
 
     void take_source(const Assignment& a) {
@@ -270,6 +320,14 @@ private:
             const bool from_vhdl = user && files_.is_vhdl(*user);
             if (request_.is_model(from_vhdl ? lower(name) : name) && !files_.modules().count(name))
                 continue;
+            // Rather than the Verilog that was once made of it.
+            if (!files_.modules().count(name))
+                for (const fs::path& file : files_.finder().with_name(name + ".qsys")) {
+                    note(fmt::format("{} is not listed; {} is made of it", files_.place(file),
+                                     name));
+                    take_system(file);
+                    break;
+                }
             const Definition* d = files_.definition(name, from_vhdl);
             if (!d) {
                 if (!by.empty()) missing_.emplace_back(name, by);
@@ -322,6 +380,7 @@ private:
     std::vector<std::string> unsupported_;
     std::vector<std::pair<std::string, std::string>> missing_;  // modules, with who wants them
     std::string place_of_top_;                                  // where the settings name it
+    std::set<fs::path> systems_;                                // that have been taken
     bool is_folder_alone_ = false;                              // no files are listed
     bool is_system_verilog_ = false;                            // .v files, too
 };

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "sim/project/qsys/generate.h"
 #include "sim/project/settings.h"
 #include "sim/project/top_parameters.h"
 
@@ -20,8 +21,9 @@ struct SourceFile {
     enum class Language { VERILOG, SYSTEM_VERILOG, VHDL };
     std::filesystem::path path;
     Language language;
-    bool listed;          // in the project, or found
-    std::string library;  // where it is listed, unless that is "work"
+    bool listed;            // in the project, or found
+    std::string library;    // where it is listed, unless that is "work"
+    std::string text = {};  // instead of the file's: made of a Platform Designer system
 };
 
 // Rounds: VERILOG_CONSTANT_LOOP_LIMIT and VERILOG_NON_CONSTANT_LOOP_LIMIT of the .qsf.
@@ -41,6 +43,7 @@ struct Project {
     std::vector<std::string> macros;  // NAME or NAME=VALUE
     TopParameters parameters;
     LoopLimits loop_limits;
+    std::vector<qsys::Generated> systems;  // of Platform Designer
     std::string why_missing;  // the reason, where modules that the sources name are not there
     std::map<std::string, std::string> pins;            // "SW[3]" -> "PIN_AF9"
     std::map<std::string, std::string> places_of_pins;  // "SW[3]" -> "top.qsf:12"

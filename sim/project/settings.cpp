@@ -25,11 +25,20 @@ std::string text_of(const fs::path& file) {
     return {std::istreambuf_iterator<char>{in}, {}};
 }
 
+namespace {
+
+// Whether it is a script for Quartus' shell that makes a project: its assignments are those.
+bool makes_project(const fs::path& script) {
+    return text_of(script).find("project_new") != std::string::npos;
+}
+
+}  // namespace
+
 fs::path settings_at(const fs::path& place) {
     std::error_code error;
     if (fs::is_regular_file(place, error)) {
         const std::string ending = lower(place.extension().string());
-        if (ending == ".qsf") return place;
+        if (ending == ".qsf" || (ending == ".tcl" && makes_project(place))) return place;
         if (ending == ".qpf") {
             fs::path qsf = place;
             qsf.replace_extension(".qsf");
@@ -37,12 +46,17 @@ fs::path settings_at(const fs::path& place) {
             throw ProjectError{place.string() + ": there is no " + qsf.filename().string() +
                                " beside it"};
         }
-        throw ProjectError{place.string() + ": expected a .qsf, a .qpf or a folder"};
+        throw ProjectError{place.string() +
+                           ": expected a .qsf, a .qpf, a .tcl that makes a project, or a folder"};
     }
     if (!fs::is_directory(place, error)) throw ProjectError{place.string() + ": is not there"};
-    std::vector<fs::path> found;
-    for (const auto& entry : fs::directory_iterator{place, error})
-        if (lower(entry.path().extension().string()) == ".qsf") found.push_back(entry.path());
+    std::vector<fs::path> found, scripts;
+    for (const auto& entry : fs::directory_iterator{place, error}) {
+        const std::string ending = lower(entry.path().extension().string());
+        if (ending == ".qsf") found.push_back(entry.path());
+        if (ending == ".tcl" && makes_project(entry.path())) scripts.push_back(entry.path());
+    }
+    if (found.empty()) found = std::move(scripts);
     std::sort(found.begin(), found.end());
     if (found.size() > 1) {
         std::string names;

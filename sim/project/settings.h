@@ -45,7 +45,8 @@ struct Assignment {
     bool in_qip_folder;  // the value is a path from the .qip's folder on
 };
 
-// The .qsf that `place` is, belongs to or, as a folder, has; empty: a folder without one.
+// The .qsf that `place` is, belongs to or, as a folder, has, or the .tcl that makes a project;
+// empty: a folder without one.
 // ProjectError: there is nothing, or several.
 std::filesystem::path settings_at(const std::filesystem::path& place);
 

@@ -1,14 +1,13 @@
 // settings_script.cpp - runs a settings file as the Tcl that it is: settings.h.
 #include <algorithm>
 #include <cctype>
-#include <memory>
 #include <set>
 #include <utility>
 
 #include <fmt/format.h>
-#include <tcl.h>
 
 #include "sim/project/file_finder.h"
+#include "sim/project/safe_tcl.h"
 #include "sim/project/settings.h"
 
 namespace sim::project {
@@ -17,15 +16,9 @@ namespace fs = std::filesystem;
 
 namespace {
 
-using Words = std::vector<std::string>;
+using Words = SafeTcl::Words;
 
-constexpr int MOST_COMMANDS = 1'000'000, MOST_SECONDS = 2;
 constexpr unsigned DEEPEST_SOURCE = 8, MOST_SOURCED = 1'000;
-
-struct ForInterp {
-    void operator()(Tcl_Interp* interp) const { Tcl_DeleteInterp(interp); }
-};
-using Interp = std::unique_ptr<Tcl_Interp, ForInterp>;
 
 // All values of its name and target, unless it has one itself.
 void remove(std::vector<Assignment>& all, const Assignment& which) {
@@ -68,24 +61,11 @@ std::string path_joined(const Words& words, std::size_t first) {
 class SettingsScript {
 public:
     SettingsScript() {
-        Tcl_FindExecutable(nullptr);
-        parent_.reset(Tcl_CreateInterp());
-        interp_ = Tcl_CreateSlave(parent_.get(), "settings", 1);
         for (const char* name :
              {"set_global_assignment", "set_location_assignment", "set_instance_assignment",
               "set_parameter", "source", "file", "unknown"})
-            Tcl_CreateObjCommand(interp_, name, &SettingsScript::call, this, nullptr);
-        for (const char* name : {"after", "vwait", "update", "interp", "close", "puts", "gets",
-                                 "read", "fileevent", "chan", "package"})
-            Tcl_DeleteCommand(interp_, name);
-        Tcl_SetVar2(interp_, "quartus", "version", "18.1", TCL_GLOBAL_ONLY);
-        Tcl_LimitSetCommands(interp_, MOST_COMMANDS);
-        Tcl_LimitTypeSet(interp_, TCL_LIMIT_COMMANDS);
-        Tcl_Time end;
-        Tcl_GetTime(&end);
-        end.sec += MOST_SECONDS;
-        Tcl_LimitSetTime(interp_, &end);
-        Tcl_LimitTypeSet(interp_, TCL_LIMIT_TIME);
+            tcl_.add(name, [this](const Words& words) { return command(words); });
+        tcl_.set("quartus", "version", "18.1");
     }
 
     Settings run(std::string_view text, const fs::path& file) {
@@ -99,39 +79,44 @@ private:
         const auto before = std::pair{file_, line_};
         const std::string folder = fs::absolute(file).lexically_normal().parent_path().string();
         const std::string qip_before = std::exchange(folder_, folder);
-        Tcl_SetVar2(interp_, "quartus", "qip_path", folder.c_str(), TCL_GLOBAL_ONLY);
-        Tcl_SetVar2(interp_, "quartus", "project", file.stem().c_str(), TCL_GLOBAL_ONLY);
+        tcl_.set("quartus", "qip_path", folder);
+        tcl_.set("quartus", "project", file.stem().string());
         std::string script;
         for (std::size_t i = 0; i < text.size(); ++i)
             if (text[i] != '\r' || text.substr(i, 2) != "\r\n")
                 script += text[i] == '\0' ? ' ' : text[i];
-        const char *at = script.c_str(), *const end = at + script.size();
         unsigned line = 1;
         file_ = file;
-        while (at < end) {
-            Tcl_Parse parse;
-            const bool good =
-                Tcl_ParseCommand(interp_, at, static_cast<int>(end - at), 0, &parse) == TCL_OK;
-            const char* begin = good ? parse.commandStart : at;
-            if (!good)
-                while (begin < end && std::isspace(static_cast<unsigned char>(*begin))) ++begin;
-            line += static_cast<unsigned>(std::count(at, begin, '\n'));
+        const auto count_lines = [&](std::size_t from, std::size_t to) {
+            line += static_cast<unsigned>(
+                std::count(script.begin() + static_cast<std::ptrdiff_t>(from),
+                           script.begin() + static_cast<std::ptrdiff_t>(to), '\n'));
+        };
+        for (std::size_t at = 0; at < script.size();) {
+            SafeTcl::Extent extent;
+            try {
+                extent = tcl_.next_command(script, at);
+            } catch (const std::exception& error) {
+                std::size_t begin = at;
+                while (begin < script.size() &&
+                       std::isspace(static_cast<unsigned char>(script[begin])))
+                    ++begin;
+                count_lines(at, begin);
+                line_ = line;
+                fail(error.what());
+            }
+            count_lines(at, extent.begin);
             line_ = line;
-            if (!good) fail();
-            const char* const behind = begin + parse.commandSize;
-            const bool is_empty = parse.numWords == 0;
-            Tcl_FreeParse(&parse);
-            if (!is_empty) evaluate({begin, static_cast<std::size_t>(behind - begin)});
-            line += static_cast<unsigned>(std::count(begin, behind, '\n'));
-            at = behind;
+            if (!extent.is_empty) evaluate(script.substr(extent.begin, extent.end - extent.begin));
+            count_lines(extent.begin, extent.end);
+            at = extent.end;
         }
         std::tie(file_, line_) = before;
         folder_ = qip_before;
-        Tcl_SetVar2(interp_, "quartus", "qip_path", folder_.c_str(), TCL_GLOBAL_ONLY);
+        tcl_.set("quartus", "qip_path", folder_);
     }
 
     void evaluate(std::string command) {
-        failure_.clear();
         // Paths of Windows: "\s" is no escape there.
         if (command.compare(0, 4, "set_") == 0)
             for (std::size_t i = 0; i + 1 < command.size(); ++i)
@@ -141,16 +126,16 @@ private:
                     command.insert(i, "\\");
                     i += 1 + (command[i + 2] == '\\');
                 }
-        if (Tcl_EvalEx(interp_, command.c_str(), static_cast<int>(command.size()),
-                       TCL_EVAL_GLOBAL) == TCL_ERROR)
-            fail();
+        try {
+            tcl_.run(command);
+        } catch (const ProjectError&) {  // of a command of ours
+            throw;
+        } catch (const std::exception& error) {
+            fail(error.what());
+        }
     }
 
-    [[noreturn]] void fail() {
-        if (!failure_.empty()) throw ProjectError{failure_};
-        std::string why = Tcl_GetStringResult(interp_);
-        std::replace_if(
-            why.begin(), why.end(), [](unsigned char c) { return c < ' '; }, ' ');
+    [[noreturn]] void fail(const std::string& why) const {
         throw ProjectError{fmt::format("{}: this is wrong Tcl: {}", place(), why)};
     }
     std::string place() const { return fmt::format("{}:{}", file_.filename().string(), line_); }
@@ -160,31 +145,14 @@ private:
 
     // ---- Commands ----
 
-    static int call(ClientData self, Tcl_Interp* interp, int count, Tcl_Obj* const values[]) {
-        Words words;
-        for (int i = 0; i < count; ++i) words.emplace_back(Tcl_GetString(values[i]));
-        auto* const script = static_cast<SettingsScript*>(self);
-        try {
-            const std::string result = script->command(words);
-            Tcl_SetObjResult(interp, Tcl_NewStringObj(result.c_str(), -1));
-            return TCL_OK;
-        } catch (const std::exception& error) {  // must not pass through Tcl
-            script->failure_ = error.what();
-            Tcl_SetObjResult(interp, Tcl_NewStringObj(error.what(), -1));
-            return TCL_ERROR;
-        }
-    }
-
-    std::string command(Words& words) {
-        words[0].erase(0, words[0].find_first_not_of(':'));  // of the name space
+    std::string command(const Words& words) {
         const std::string& name = words[0];
         if (name == "source") {
             source(words.back());
         } else if (name == "file") {
             return of_file(words);
         } else if (name == "unknown") {
-            words.erase(words.begin());
-            return unknown(words);
+            return unknown({words.begin() + 1, words.end()});
         } else {
             assign(words);
         }
@@ -276,13 +244,11 @@ private:
             settings_.assignments.push_back(std::move(a));
     }
 
-    Interp parent_;
-    Tcl_Interp* interp_ = nullptr;  // the parent's
+    SafeTcl tcl_;
     Settings settings_;
     fs::path file_;
     std::string folder_;  // of file_
     unsigned line_ = 0, depth_ = 0, sourced_ = 0;
-    std::string failure_;  // of a command of ours
 };
 
 }  // namespace

@@ -107,6 +107,15 @@ fs::path library(const char* name) {
     return (program_folder() / ".." / LIBRARY_FOLDER / name).lexically_normal();
 }
 
+std::optional<fs::path> model_of(const std::string& module) {
+    std::error_code error;
+    for (const char* folder : {"rtl/ip", "rtl/ip/qsys"})
+        if (const fs::path file = data_folder() / folder / (module + ".v");
+            fs::is_regular_file(file, error))
+            return file;
+    return {};
+}
+
 std::string run_tool(const std::vector<std::string>& words, const fs::path& folder,
                      const TimeLimit& limit) {
     const Outcome outcome = run_command(words, folder, limit.left_s());

@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,8 @@ struct Verilator;
 
 // `share` of an installation, or of the build tree.
 std::filesystem::path data_folder();
+// The model of a module of Intel's IP; nothing: there is none.
+std::optional<std::filesystem::path> model_of(const std::string& module);
 
 // A library of it.
 std::filesystem::path library(const char* name);

@@ -19,15 +19,14 @@ const char ENCRYPTED[] =
     "is encrypted, so it cannot be simulated, expected Verilog that can be read";
 
 std::optional<std::string> unsupported_file(const std::filesystem::path& file) {
-    static const char QSYS[] =
-        "a Qsys system, whose parts are encrypted or a processor's, cannot be simulated";
+    static const char SOPC[] =
+        "a system of SOPC Builder cannot be simulated: Platform Designer makes a .qsys of it";
     static const char SCHEMATIC[] =
         "a schematic cannot be simulated: save it as Verilog in Quartus (File, Create HDL Design "
         "File)";
     static const char NETLIST[] = "a netlist of cells cannot be simulated, expected its sources";
     static const std::map<std::string, const char*> BY_ENDING{
-        {".qsys", QSYS},
-        {".sopc", QSYS},
+        {".sopc", SOPC},
         {".bdf", SCHEMATIC},
         {".gdf", SCHEMATIC},
         {".tdf", "AHDL cannot be simulated, expected Verilog"},

@@ -220,9 +220,13 @@ void settle_run_options(const CLI::App& command, RunOptions& options) {
     if (options.scenario.empty() && options.elf.empty() && !live)
         throw CLI::ValidationError("FILE", "expected a scenario or a program");
     if (!options.project.place.empty()) {
-        if (options.scenario.empty() && !live)
-            throw CLI::ValidationError("--project", "expected a scenario to play with it");
-        for (const char* option : {"--cpu", "--elf", "--fpga-memory", "--audio-rate"})
+        if (options.scenario.empty() && options.elf.empty() && !live)
+            throw CLI::ValidationError("--project", "expected a scenario or a program with it");
+        if (options.cpu == "native")
+            throw CLI::ValidationError("--cpu",
+                                       "native is this project's own firmware, for which "
+                                       "--project has no place");
+        for (const char* option : {"--fpga-memory", "--audio-rate"})
             if (command.count(option) > 0)
                 throw CLI::ValidationError(option, "and --project exclude each other");
     }
@@ -250,15 +254,17 @@ void settle_run_options(const CLI::App& command, RunOptions& options) {
 }
 
 void settle_by_scenario(RunOptions& options, const Scenario& scenario) {
-    const bool chip_given = !options.elf.empty() || options.cpu != "auto";
-    if (options.project.place.empty() && !chip_given) options.project.place = scenario.project;
+    if (options.project.place.empty() && options.cpu != "native")
+        options.project.place = scenario.project;
     if (!options.memory)
         options.memory = scenario.memory_bridged.value_or(false) ? "bridge" : "mapped";
     if (!options.audio_rate) options.audio_rate = scenario.audio_rate.value_or(8'000);
     if (!options.project.place.empty()) {
-        options.cpu = "none";
-        if (!scenario.program.empty())
-            throw std::runtime_error{"--project: has no processor for the scenario's program"};
+        if (options.elf.empty()) options.elf = scenario.program;
+        if (options.cpu == "arm" && options.elf.empty())
+            throw std::runtime_error{"--cpu: arm needs a program: --elf FILE"};
+        options.cpu = options.elf.empty() ? "none" : "arm";
+        if (options.cpu == "arm") return;
         if (!options.for_arm.empty())
             throw std::runtime_error{options.for_arm.front() + ": is for --cpu arm"};
         return;

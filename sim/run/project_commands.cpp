@@ -38,6 +38,22 @@ std::string lines(const char* title, const std::vector<std::string>& all) {
     return all.empty() ? "" : fmt::format("{}:\n{}", title, text);
 }
 
+// What each master reaches; the processor's bridges by its own addresses.
+std::string addresses(const project::qsys::Generated& system) {
+    std::string text, master;
+    for (const project::qsys::Place& place : system.map) {
+        if (place.master != master)
+            text += fmt::format("addresses of {}:\n", master = place.master);
+        const std::uint64_t base = place.base + place.window;
+        text +=
+            fmt::format("  0x{:08X} - 0x{:08X}  {}{}\n", base, base + place.span - 1, place.slave,
+                        place.reads && place.writes ? ""
+                        : place.reads               ? "  (reads alone)"
+                                                    : "  (writes alone)");
+    }
+    return text;
+}
+
 // "font.mif (rom.v:12): data/font.mif"
 std::string found(const project::InitFile& wanted, const project::Project& project) {
     std::vector<std::filesystem::path> folders;
@@ -117,6 +133,7 @@ int check_project(const ProjectOptions& options) {
                         file.listed ? "" : "  (found, not listed)");
     text += "ports:\n";
     for (const auto& port : design.binding.ports) text += bound(port);
+    for (const auto& system : design.project.systems) text += addresses(system);
     text += "clocks:\n  CLOCK_50: 50 MHz\n";
     for (const auto& clock : design.elaborated.pll_clocks)
         text += fmt::format("  PLL: {:.6f} MHz, phase {:.3f} ns\n",

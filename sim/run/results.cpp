@@ -109,11 +109,11 @@ std::string name_of(const RunReport& report) {
 
 }  // namespace
 
-void add_results(RunReport& report, Board& board, Computer* computer, const ArmRun* arm,
-                 const Player& player, Recorder& recorder) {
-    if (computer && computer->cpu.fault())
-        report.faults.push_back(*computer->cpu.fault());
-    else if (const auto fault = computer ? computer->cpu.unfinished() : std::nullopt)
+void add_results(RunReport& report, Board& board, ProcessorSystem* processor, Computer* computer,
+                 const ArmRun* arm, const Player& player, Recorder& recorder) {
+    if (processor && processor->cpu.fault())
+        report.faults.push_back(*processor->cpu.fault());
+    else if (const auto fault = processor ? processor->cpu.unfinished() : std::nullopt)
         report.faults.push_back(*fault);
     // Boards are more tolerant than datasheets, so of somebody's project these are advice.
     for (const std::string& error : board.codec_chip.errors())
@@ -131,7 +131,7 @@ void add_results(RunReport& report, Board& board, Computer* computer, const ArmR
         report.last_frame_sha256 = sha256_hex(recorder.senses().picture().rgb);
     report.signal = board.monitor.signal();
     report.pictures = recorder.pictures();
-    const BusCounts bus = computer ? computer->bus.counts() : BusCounts{};
+    const BusCounts bus = processor ? processor->bus.counts() : BusCounts{};
     report.bus = {bus.reads, bus.writes, bus.bursts, bus.errors};
     const auto headers = computer ? LampLog::Headers::JP : LampLog::Headers::GPIO;
     board.lamps();  // so that the log has come to now

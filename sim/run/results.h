@@ -16,8 +16,8 @@ namespace sim {
 // program (if it is an ARM's), the person at it and the recorder know.  `simulated_s` is the
 // caller's, who knows when the run ended.  What they know without moving the board comes first:
 // should a part of this throw, the rest is there.
-void add_results(RunReport& report, Board& board, Computer* computer, const ArmRun* arm,
-                 const Player& player, Recorder& recorder);
+void add_results(RunReport& report, Board& board, ProcessorSystem* processor, Computer* computer,
+                 const ArmRun* arm, const Player& player, Recorder& recorder);
 
 // What was missed and found, a line each on stderr, and a line on stdout.  False, with a line on
 // stderr, where stdout could not be written.

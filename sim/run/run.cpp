@@ -6,7 +6,7 @@
 
 #include "sim/board/board.h"
 #include "sim/chip/computer.h"
-#include "sim/chip/project_chip.h"
+#include "sim/chip/project_computer.h"
 #include "sim/debug/debugger.h"
 #include "sim/live/live_player.h"
 #include "sim/play/player.h"
@@ -72,6 +72,15 @@ std::string project_folder_of(const std::filesystem::path& place) {
     return (std::filesystem::is_directory(whole) ? whole : whole.parent_path()).string();
 }
 
+// std::runtime_error: the project has none.
+const project::qsys::Generated& processor_system_of(const project::Built& built) {
+    for (const auto& system : built.systems)
+        if (system.has_processor) return system;
+    throw std::runtime_error{
+        "--elf: the project has no processor to run it: expected a Platform Designer system "
+        "(.qsys) with a Hard Processor System in it"};
+}
+
 Scenario scenario_of(const RunOptions& options) {
     if (options.scenario.empty()) return {};
     return options.scenario_text
@@ -126,31 +135,39 @@ ExitCode run_doing(const char*& doing, RunOptions options, const Firmware& firmw
         view.emplace(recorder, *wire);
     }
     Audience& audience = view ? static_cast<Audience&>(*view) : recorder;
-    Computer* computer = nullptr;
+    ProcessorSystem* processor = nullptr;
+    Computer* computer = nullptr;  // where the chip has this project's own fabric
     Board board{
         "board",
         audience,
         seed,
         scenario.ps2,
         [&](PinListener& pins, Audience& listener, std::uint8_t* sdram) -> std::unique_ptr<Chip> {
+            if (built && options.cpu == "arm") {
+                auto chip = std::make_unique<ProjectComputer>(
+                    "computer", pins, listener, std::move(software), built->library, project_folder,
+                    settings.trace, processor_system_of(*built));
+                processor = chip.get();
+                return chip;
+            }
             if (built)
                 return std::make_unique<ProjectChip>("chip", pins, built->library, project_folder,
                                                      settings.trace);
             auto chip = std::make_unique<Computer>("computer", pins, listener, sdram,
                                                    std::move(software), settings);
-            computer = chip.get();
+            processor = computer = chip.get();
             return chip;
         },
         options.strict_vga.value_or(!built) ? Monitor::Strictness::STRICT
                                             : Monitor::Strictness::TOLERANT,
         scenario.parts};
     std::optional<ArmRun> arm;
-    if (computer && computer->arm)
-        arm.emplace(*computer->arm, computer->bus, &board.accelerometer, options, on_linux,
+    if (processor && processor->arm)
+        arm.emplace(*processor->arm, processor->bus, &board.accelerometer, options, on_linux,
                     recorder, audience);
     std::optional<TraceNotes> notes;
-    if (computer && traces_a_part(options))
-        notes.emplace(*computer, arm ? &*arm : nullptr, options);
+    if (processor && traces_a_part(options))
+        notes.emplace(*processor, arm ? &*arm : nullptr, options);
     if (arm) board.also_type_to([&arm](const std::string& text) { arm->type(text); });
     if (arm) arm->plug_in(board.ps2_keyboard, board.ps2_mouse);
     if (arm && options.scenario.empty() && !view) arm->close_input();  // there is nobody to type
@@ -165,7 +182,8 @@ ExitCode run_doing(const char*& doing, RunOptions options, const Firmware& firmw
             return live::Inside::Program{
                 arm->waiting(), frames.empty() ? std::nullopt : std::optional{frames.back()}};
         };
-        inside.emplace(board, computer, arm ? program : std::function<live::Inside::Program()>{});
+        inside.emplace(board, processor, computer ? &computer->fpga : nullptr,
+                       arm ? program : std::function<live::Inside::Program()>{});
         view->on_frame = [&inside] { inside->frame_ended(); };
         player.on_terminal = [&view](const std::string& part, char byte) {
             view->terminal(part, byte);
@@ -175,10 +193,10 @@ ExitCode run_doing(const char*& doing, RunOptions options, const Firmware& firmw
         live_player.emplace("live_player", player, *view, *inside, *wire, scenario, seed, options);
     }
     const sc_core::sc_event never;
-    Finish finish{"finish", player.done(), computer ? computer->cpu.faulted() : never};
+    Finish finish{"finish", player.done(), processor ? processor->cpu.faulted() : never};
 
     std::optional<Debugger> debugger;
-    if (gdb) debugger.emplace(*computer->arm, *gdb, interrupted);
+    if (gdb) debugger.emplace(*processor->arm, *gdb, interrupted);
 
     Progress progress{options.quiet,
                       duration ? std::optional<double>{seconds(duration->ps)} : std::nullopt};
@@ -193,7 +211,7 @@ ExitCode run_doing(const char*& doing, RunOptions options, const Firmware& firmw
     Parts parts;
     parts.carry_out("simulating", [&] {
         report.end = RunLoop{board,
-                             computer,
+                             processor,
                              player,
                              recorder,
                              duration,
@@ -204,9 +222,9 @@ ExitCode run_doing(const char*& doing, RunOptions options, const Firmware& firmw
                              last_words}
                          .run();
         report.simulated_s = seconds(sc_core::sc_time_stamp());
-        if (computer && computer->arm) computer->arm->conclude();
-        if (computer) computer->fpga.close();
-        while (computer && computer->fpga.is_busy())
+        if (processor && processor->arm) processor->arm->conclude();
+        if (processor) processor->close_bridges();
+        while (processor && processor->is_accessing())
             sc_core::sc_start(sc_core::sc_time{1, sc_core::SC_US});
         board.chip().catch_up();
     });
@@ -222,7 +240,7 @@ ExitCode run_doing(const char*& doing, RunOptions options, const Firmware& firmw
             if (notes) notes->write();
         });
     parts.carry_out("writing the report", [&] {
-        add_results(report, board, computer, arm ? &*arm : nullptr, player, recorder);
+        add_results(report, board, processor, computer, arm ? &*arm : nullptr, player, recorder);
     });
     if (view) view->end(report.faults);
     if (!parts.failures.empty()) report.end = RunEnd::INTERNAL_ERROR;

@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "sim/board/board.h"
-#include "sim/chip/computer.h"
+#include "sim/chip/processor_system.h"
 #include "sim/debug/debugger.h"
 #include "sim/live/live_player.h"
 #include "sim/play/player.h"
@@ -30,7 +30,7 @@ private:
 
 struct RunLoop {
     Board& board;
-    Computer* computer;  // in the chip, or none
+    ProcessorSystem* computer;  // in the chip, or none
     Player& player;
     Recorder& recorder;
     std::optional<SimTime> duration;

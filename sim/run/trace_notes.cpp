@@ -19,7 +19,7 @@ BusLog::Program program_of(ArmCpu* arm) {
 
 }  // namespace
 
-TraceNotes::TraceNotes(Computer& computer, const ArmRun* arm, const RunOptions& options)
+TraceNotes::TraceNotes(ProcessorSystem& computer, const ArmRun* arm, const RunOptions& options)
     : options_{options},
       arm_{arm},
       bus_{computer.bus, time_of(options.trace_from, sc_core::SC_ZERO_TIME),

@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include "sim/chip/computer.h"
+#include "sim/chip/processor_system.h"
 #include "sim/hps/bus_log.h"
 #include "sim/run/arm_run.h"
 #include "sim/run/options.h"
@@ -14,7 +14,7 @@ namespace sim {
 class TraceNotes {
 public:
     // Watches the computer's bus from now on.  `arm`: its program, or null.
-    TraceNotes(Computer& computer, const ArmRun* arm, const RunOptions& options);
+    TraceNotes(ProcessorSystem& computer, const ArmRun* arm, const RunOptions& options);
     void write() const;  // IoError
 
 private:

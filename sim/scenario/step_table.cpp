@@ -70,7 +70,7 @@ const std::vector<Field>& file_fields() {
          "The ELF to run, relative to the scenario file, unless the command line names another."},
         {"project", PATH, Need::OPTIONAL, "",
          "A Quartus project (.qsf, .qpf) or a folder of Verilog, relative to the scenario file, as "
-         "--project; the chip then has no processor."},
+         "--project; `program` runs on its processor, if it has one."},
         {"cpu", CPU, Need::OPTIONAL, "",
          "As --cpu, unless that is given: the firmware compiled for this machine, or the "
          "processor's model. Without it arm where there is a program."},

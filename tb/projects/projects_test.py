@@ -353,12 +353,7 @@ class Wrong(Case):
         self.write(p_qsf="set_global_assignment -name TOP_LEVEL_ENTITY top\n"
                          "set_global_assignment -name QSYS_FILE system.qsys\n",
                    top_v="module top(input CLOCK_50); system u (.clk(CLOCK_50)); endmodule\n")
-        self.refused("p.qsf:2: system.qsys: a Qsys system, whose parts")
-
-    def test_a_processors_program(self):
-        self.write(top_v=LEDS.format("SW"),
-                   s_yaml="name: x\nversion: 1\nprogram: x.elf\nsteps: [delay: 1ms]\n")
-        self.refused("has no processor", "run", "s.yaml", "--project", ".")
+        self.refused("12006: no file defines module system")
 
     def with_verilator(self, text, *words):
         """de1sim WORDS with another Verilator, a script of this text."""
@@ -393,8 +388,11 @@ class Wrong(Case):
 
     def test_options_of_a_processor(self):
         self.write(top_v=LEDS.format("SW"), s_yaml="name: x\nversion: 1\nsteps: [delay: 1ms]\n")
-        self.refused("--cpu: and --project exclude each other", "run", "s.yaml", "--project", ".",
-                     "--cpu", "arm")
+        self.refused("--cpu: arm needs a program", "run", "s.yaml", "--project", ".", "--cpu",
+                     "arm")
+        self.refused("--cpu: native is this project's own firmware", "run", "s.yaml", "--project",
+                     ".", "--cpu", "native")
+        self.refused("--cpi: is for --cpu arm", "run", "s.yaml", "--project", ".", "--cpi", "2")
 
 
 if __name__ == "__main__":

@@ -65,6 +65,7 @@ public:
         std::size_t count = 0;
         for (const auto& [name, assigned] : bits_) {
             if (assigned.pin.empty()) {
+                if (name.compare(0, 4, "hps_") == 0) continue;  // which have theirs by themselves
                 if (++count <= 3) open += (open.empty() ? "" : ", ") + name;
             } else if (board_pins_.count(assigned.pin) == 0) {
                 add(171016, assigned.place,

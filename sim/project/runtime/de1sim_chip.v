@@ -56,7 +56,19 @@ module de1sim_chip (
     input  wire [1:0]  ps2_dat_low_i,
 
     input  wire        irda_rxd_i,
-    input  wire [7:0]  td_data_i
+    input  wire [7:0]  td_data_i,
+
+    // The processor, where the design has a system with it (rtl/ip/de1sim_hps_bridge.v).
+    input  wire        hps_moved_i,     // changes after an input below has
+    input  wire [1:0]  hps_request_i,   // changes with an access: 0 lightweight bridge, 1 full
+    input  wire        hps_write_i,
+    input  wire [31:0] hps_address_i,   // in the bridge's window
+    input  wire [7:0]  hps_be_i,        // of the eight bytes around it
+    input  wire [63:0] hps_wdata_i,
+    output wire [1:0]  hps_answer_o,    // follows hps_request_i
+    output wire [63:0] hps_lw_rdata_o,
+    output wire [63:0] hps_full_rdata_o,
+    output wire [63:0] hps_irq_o        // IDs 72 to 135
 );
     // ---- Clocks ----
 
@@ -144,6 +156,22 @@ module de1sim_chip (
     pullup(PS2_CLK2);
     pullup(PS2_DAT2);
 
+    reg  [1:0]  hps_request = 2'd0;
+    reg         hps_write = 1'b0;
+    reg  [31:0] hps_address = 32'd0;
+    reg  [7:0]  hps_be = 8'd0;
+    reg  [63:0] hps_wdata = 64'd0;
+    wire [1:0]  hps_answer;
+    wire [63:0] hps_lw_rdata, hps_full_rdata, hps_irq;
+
+    always @(posedge hps_moved_i or negedge hps_moved_i) begin
+        hps_request <= hps_request_i;
+        hps_write <= hps_write_i;
+        hps_address <= hps_address_i;
+        hps_be <= hps_be_i;
+        hps_wdata <= hps_wdata_i;
+    end
+
     // ---- The design ----
 
 `include "de1sim_design.vh"
@@ -163,6 +191,10 @@ module de1sim_chip (
     assign dram_o = {DRAM_CKE, DRAM_CS_N, DRAM_RAS_N, DRAM_CAS_N, DRAM_WE_N, DRAM_BA, DRAM_ADDR,
                      DRAM_UDQM, DRAM_LDQM};
     assign dram_dq_o = DRAM_DQ;
+    assign hps_answer_o = hps_answer;
+    assign hps_lw_rdata_o = hps_lw_rdata;
+    assign hps_full_rdata_o = hps_full_rdata;
+    assign hps_irq_o = hps_irq;
 endmodule
 
 `default_nettype wire

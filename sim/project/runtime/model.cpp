@@ -67,20 +67,33 @@ public:
     }
 
     void run(std::uint64_t until_ps) override {
-        until_fs_ = until_ps * FS_PER_PS;
-        look_ahead();
-        for (;;) {
-            if (std::min(clocks_.next_fs(), bclk_next_fs_) > stop_fs_ || ended()) {
-                if (agenda_fs_ > until_fs_ || ended()) break;
-                keep_agenda();
-            } else if (bclk_next_fs_ < clocks_.next_fs()) {
-                bclk_edge();
-            } else {
-                edge();
-            }
-        }
-        listener_.agenda.pass_to(until_ps);
+        if (play(until_ps, false)) listener_.agenda.pass_to(until_ps);
     }
+
+    void begin(const BridgeAccess& access) override {
+        full_ = access.full;
+        top_.hps_request_i ^= full_ ? 2 : 1;
+        top_.hps_write_i = access.write;
+        top_.hps_address_i = access.address;
+        top_.hps_be_i = access.byte_enable;
+        top_.hps_wdata_i = access.data;
+        // In an evaluation of its own, so that it counts from the next clock edge on.
+        top_.hps_moved_i = !top_.hps_moved_i;
+        eval();
+        look();
+        if (look_) settle();
+    }
+
+    bool run_to_answer(std::uint64_t until_ps) override {
+        if (play(until_ps, true)) listener_.agenda.pass_to(until_ps);
+        return is_answered();
+    }
+
+    std::uint64_t answer() const override {
+        return full_ ? top_.hps_full_rdata_o : top_.hps_lw_rdata_o;
+    }
+    std::uint64_t interrupts() const override { return top_.hps_irq_o; }
+    std::uint64_t time_ps() const override { return now_ps(); }
 
     void flush() override {
         std::fflush(stdout);  // what $display has printed comes before what de1sim prints
@@ -103,6 +116,25 @@ public:
 
 private:
     std::uint64_t now_ps() const { return now_fs_ / FS_PER_PS; }
+
+    // Returns whether it has come to `until_ps`, not to the answer of an access before.
+    bool play(std::uint64_t until_ps, bool to_answer) {
+        until_fs_ = until_ps * FS_PER_PS;
+        look_ahead();
+        while (!to_answer || !is_answered()) {
+            if (std::min(clocks_.next_fs(), bclk_next_fs_) > stop_fs_ || ended()) {
+                if (agenda_fs_ > until_fs_ || ended()) return true;
+                keep_agenda();
+            } else if (bclk_next_fs_ < clocks_.next_fs()) {
+                bclk_edge();
+            } else {
+                edge();
+            }
+        }
+        return false;
+    }
+
+    bool is_answered() const { return top_.hps_answer_o == top_.hps_request_i; }
 
     // What happens at the same time at several clocks happens in one evaluation.
     void edge() {
@@ -328,6 +360,7 @@ private:
         look_ = true;
     }
 
+    bool full_ = false;  // the last access is on the full bridge
     const DesignFacts& facts_;
     PinListener& listener_;
     const Trace trace_;

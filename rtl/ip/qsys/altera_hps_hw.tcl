@@ -1,0 +1,141 @@
+# The processor: which bridges, interrupts and pins it has.  Its pins and the DDR3's are outside of
+# the simulated FPGA, so they are ports alone.
+set_module_property NAME altera_hps
+set_module_property ELABORATION_CALLBACK elaborate
+foreach {name value} {
+    S2F_Width 2 F2S_Width 2 LWH2F_Enable true F2SDRAM_Type "" F2SDRAM_Width ""
+    F2SINTERRUPT_Enable false F2SCLK_COLDRST_Enable false F2SCLK_DBGRST_Enable false
+    F2SCLK_WARMRST_Enable false STM_Enable false GP_Enable false
+    S2FCLK_USER0CLK_Enable false S2FCLK_USER1CLK_Enable false S2FCLK_USER2CLK_Enable false
+    MEM_ROW_ADDR_WIDTH 15 MEM_DQ_WIDTH 32 MEM_BANKADDR_WIDTH 3
+    GPIO_Enable "" LOANIO_Enable ""
+} { add_parameter $name STRING $value }
+foreach name {EMAC0 EMAC1 NAND QSPI SDIO USB0 USB1 SPIM0 SPIM1 SPIS0 SPIS1 UART0 UART1
+              I2C0 I2C1 I2C2 I2C3 CAN0 CAN1 TRACE} {
+    add_parameter ${name}_PinMuxing STRING Unused
+    add_parameter ${name}_Mode STRING N/A
+}
+
+proc value {name} { return [get_parameter_value $name] }
+proc yes {name} { return [string is true -strict [value $name]] }
+
+# A letter for each pin's direction and its name: "o CLK".
+proc pins_of {name mode} {
+    switch -glob $name {
+        EMAC?  { return {o TX_CLK o TXD0 o TXD1 o TXD2 o TXD3 i RXD0 b MDIO o MDC i RX_CTL o TX_CTL
+                         i RX_CLK i RXD1 i RXD2 i RXD3} }
+        QSPI   {
+            set pins {b IO0 b IO1 b IO2 b IO3 o SS0}
+            for {set n 1} {$n < [lindex $mode 0]} {incr n} { lappend pins o SS$n }
+            return [concat $pins o CLK]
+        }
+        SDIO   {
+            set pins {b CMD b D0 b D1 o CLK b D2 b D3}
+            if {[string match *8-bit* $mode]} { set pins [concat $pins b D4 b D5 b D6 b D7] }
+            return $pins
+        }
+        USB?   { return {b D0 b D1 b D2 b D3 b D4 b D5 b D6 b D7 i CLK o STP i DIR i NXT} }
+        SPIM?  { return [concat {o CLK o MOSI i MISO o SS0} [expr {
+                     [string match *Dual* $mode] ? {o SS1} : {}}]] }
+        SPIS?  { return {i CLK i MOSI o MISO i SS0} }
+        UART?  { return [concat {i RX o TX} [expr {
+                     [string match {No *} $mode] ? {} : {i CTS o RTS}}]] }
+        I2C?   { return {b SDA b SCL} }
+        CAN?   { return {i RX o TX} }
+        TRACE  { return {o CLK o D0 o D1 o D2 o D3 o D4 o D5 o D6 o D7} }
+        NAND   { return {o ALE o CE o CLE o RE i RB b DQ0 b DQ1 b DQ2 b DQ3 b DQ4 b DQ5 b DQ6 b DQ7
+                         o WP o WE} }
+    }
+}
+
+proc pin {direction role {width 1}} {
+    upvar interface interface
+    add_interface_port $interface $role $role \
+        [string map {i Input o Output b Bidir} $direction] $width
+}
+
+proc hps_io {} {
+    set interface hps_io
+    add_interface hps_io conduit end
+    foreach name {EMAC0 EMAC1 NAND QSPI SDIO USB0 USB1 SPIM0 SPIM1 SPIS0 SPIS1 UART0 UART1
+                  I2C0 I2C1 I2C2 I2C3 CAN0 CAN1 TRACE} {
+        if {![string match "HPS I/O Set*" [value ${name}_PinMuxing]]} continue
+        foreach {direction role} [pins_of $name [value ${name}_Mode]] {
+            pin $direction hps_io_[string tolower $name]_inst_$role
+        }
+    }
+    foreach {parameter name} {GPIO_Enable gpio_inst_GPIO LOANIO_Enable gpio_inst_LOANIO} {
+        set n 0
+        foreach used [split [value $parameter] ,] {
+            if {$used eq "Yes"} { pin b hps_io_[format %s%02d $name $n] }
+            incr n
+        }
+    }
+}
+
+proc memory {} {
+    set interface memory
+    add_interface memory conduit end
+    set bytes [expr {[value MEM_DQ_WIDTH] / 8}]
+    pin o mem_a [value MEM_ROW_ADDR_WIDTH]
+    pin o mem_ba [value MEM_BANKADDR_WIDTH]
+    foreach role {ck ck_n cke cs_n ras_n cas_n we_n reset_n} { pin o mem_$role }
+    pin b mem_dq [value MEM_DQ_WIDTH]
+    pin b mem_dqs $bytes
+    pin b mem_dqs_n $bytes
+    pin o mem_odt
+    pin o mem_dm $bytes
+    pin i oct_rzqin
+}
+
+proc reset {name direction} {
+    add_interface $name reset [expr {$direction eq "Output" ? "start" : "end"}]
+    set port ${name}_n
+    if {$name eq "h2f_reset"} { set port h2f_rst_n }
+    add_interface_port $name $port reset_n $direction 1
+}
+
+proc bridge {name master width address} {
+    add_interface ${name}_clock clock end
+    add_interface_port ${name}_clock ${name}_clk clk Input 1
+    add_interface ${name}_$master avalon [expr {$master eq "master" ? "start" : "end"}]
+    set_interface_property ${name}_$master associatedClock ${name}_clock
+    set_interface_property ${name}_$master dataWidth $width
+    set_interface_property ${name}_$master addressWidth $address
+}
+
+proc elaborate {} {
+    memory
+    hps_io
+    reset h2f_reset Output
+    foreach {parameter name} {F2SCLK_COLDRST_Enable f2h_cold_reset_req
+                              F2SCLK_DBGRST_Enable f2h_debug_reset_req
+                              F2SCLK_WARMRST_Enable f2h_warm_reset_req} {
+        if {[yes $parameter]} { reset $name Input }
+    }
+    foreach n {0 1 2} {
+        if {![yes S2FCLK_USER${n}CLK_Enable]} continue
+        add_interface h2f_user${n}_clock clock start
+        add_interface_port h2f_user${n}_clock h2f_user${n}_clk clk Output 1
+    }
+    set widths {"" 32 64 128}
+    if {[value S2F_Width] > 0} { bridge h2f_axi master [lindex $widths [value S2F_Width]] 30 }
+    if {[value F2S_Width] > 0} { bridge f2h_axi slave [lindex $widths [value F2S_Width]] 32 }
+    if {[yes LWH2F_Enable]} { bridge h2f_lw_axi master 32 21 }
+    if {[yes STM_Enable]} {
+        set interface f2h_stm_hw_events
+        add_interface $interface conduit end
+        add_interface_port $interface f2h_stm_hwevents stm_hwevents Input 28
+    }
+    if {[yes GP_Enable]} {
+        add_interface h2f_gp conduit end
+        add_interface_port h2f_gp h2f_gp_in gp_in Input 32
+        add_interface_port h2f_gp h2f_gp_out gp_out Output 32
+    }
+    if {[yes F2SINTERRUPT_Enable]} {
+        foreach n {0 1} {
+            add_interface f2h_irq$n interrupt start
+            add_interface_port f2h_irq$n f2h_irq_p$n irq Input 32
+        }
+    }
+}

@@ -1,0 +1,64 @@
+// de1sim_avalon_decoder.v - sends each command of a master to one of its slaves
+//
+// A command is valid_i with its address, until ready_o.  It has one answer, a read's with data, in
+// a later clock, and answers come in the order of the commands.  So another slave's turn comes when
+// all answers of the one before are there.
+//
+// hit_i has one bit for each slave, and one of them set: which one is computed from the address by
+// the system's module, where a person can read it.
+
+`default_nettype none
+
+module de1sim_avalon_decoder #(
+    parameter SLAVES = 2,
+    parameter WIDTH  = 32
+) (
+    input  wire                    clk_i,
+    input  wire                    rst_i,
+
+    input  wire                    valid_i,
+    output wire                    ready_o,
+    input  wire [SLAVES-1:0]       hit_i,
+    output wire                    rvalid_o,
+    output wire [WIDTH-1:0]        rdata_o,
+
+    output wire [SLAVES-1:0]       valid_o,
+    input  wire [SLAVES-1:0]       ready_i,
+    input  wire [SLAVES-1:0]       rvalid_i,
+    input  wire [SLAVES*WIDTH-1:0] rdata_i
+);
+    localparam [7:0] MOST = 8'd128;
+
+    reg [SLAVES-1:0] slave_q = 0;    // of the last command
+    reg [7:0]        pending_q = 0;  // commands without their answer
+
+    wire may   = pending_q == 8'd0 || (hit_i == slave_q && pending_q != MOST);
+    wire taken = valid_i && ready_o;
+
+    assign valid_o  = valid_i && may ? hit_i : {SLAVES{1'b0}};
+    assign ready_o  = may && (hit_i & ready_i) != {SLAVES{1'b0}};
+    assign rvalid_o = rvalid_i != {SLAVES{1'b0}};
+
+    always @(posedge clk_i) begin
+        if (taken) slave_q <= hit_i;
+        pending_q <= pending_q + {7'd0, taken} - {7'd0, rvalid_o};
+        if (rst_i) pending_q <= 8'd0;
+    end
+
+    // ---- Answers ----
+    genvar n;
+    generate
+        for (n = 0; n < SLAVES; n = n + 1) begin : slave
+            wire [WIDTH-1:0] rdata;
+            if (n == 0) begin : first
+                assign rdata = rvalid_i[0] ? rdata_i[WIDTH-1:0] : {WIDTH{1'b0}};
+            end else begin : others
+                assign rdata = slave[n - 1].rdata
+                             | (rvalid_i[n] ? rdata_i[WIDTH*n +: WIDTH] : {WIDTH{1'b0}});
+            end
+        end
+    endgenerate
+    assign rdata_o = slave[SLAVES - 1].rdata;
+endmodule
+
+`default_nettype wire

@@ -1,0 +1,55 @@
+#include "sim/chip/processor_system.h"
+
+#include <utility>
+
+namespace sim {
+
+namespace {
+
+constexpr std::uint32_t DDR3_BASE = 0x00000000;
+
+std::unique_ptr<Processor> processor_for(ProcessorSystem::Software software, Audience& audience) {
+    if (auto* firmware = std::get_if<Firmware>(&software))
+        return std::make_unique<NativeCpu>("cpu", std::move(*firmware));
+    return std::make_unique<ArmCpu>("cpu", std::get<ArmProgram>(std::move(software)),
+                                    [&audience](const std::string& line) { audience.log(line); });
+}
+
+}  // namespace
+
+ProcessorSystem::ProcessorSystem(const sc_core::sc_module_name& name, PinListener& pins,
+                                 Audience& audience, Software software)
+    : sc_module{name},
+      ddr3{"ddr3", DDR3_SIZE, sc_core::sc_time{60, sc_core::SC_NS}},
+      hps{"hps",
+          {[&audience](char character) { audience.console(character, SerialLine::UART); },
+           [this](bool irq, bool fiq) { cpu.interrupt(irq, fiq); }, [this] { cpu.warm_reset(); },
+           [this](std::uint32_t in_reset) {
+               h2f_gate_(!(in_reset & ResetManager::H2F));
+               lw_gate_(!(in_reset & ResetManager::LWH2F));
+           },
+           [this](bool write, std::uint32_t address, std::uint8_t* data, unsigned bytes,
+                  sc_core::sc_time& delay) {
+               return bus.transfer(write, address, data, bytes, delay);
+           },
+           [this, &audience](const std::string& line) { audience.log(line + cpu.accessed()); }}},
+      bus{"bus"},
+      processor_{processor_for(std::move(software), audience)},
+      cpu{*processor_},
+      arm{dynamic_cast<ArmCpu*>(processor_.get())},
+      lightweight_window{bus.window("lw", LW_BASE, LW_SIZE)},
+      full_window{bus.window("h2f", H2F_BASE, H2F_SIZE)} {
+    cpu.socket.bind(bus.socket);
+    bus.window("ddr3", DDR3_BASE, DDR3_SIZE).bind(ddr3.socket);
+    hps.bind(bus);
+    h2f_gate_ = bus.gate("h2f");
+    lw_gate_ = bus.gate("lw");
+    bus.describe("ddr3", "the DDR3", {{"the DDR3", DDR3_BASE, DDR3_SIZE, true}});
+    cpu.explain_by([this](auto... access) { return bus.refusal(access...); });
+    hps.gpio1.on_led(
+        [&pins](bool lit, const sc_core::sc_time& now) { pins.hps_led(lit, now.value()); });
+    hps.i2c0.connect(pins.hps_i2c0());
+    hps.gpio2.drive(ACCELEROMETER, false);
+}
+
+}  // namespace sim

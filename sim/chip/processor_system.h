@@ -1,0 +1,67 @@
+// processor_system.h - the processor with its silicon and its memory (HPS), without the FPGA
+//
+//   Processor -- Bus -+- DDR3
+//                     +- Peripherals (GIC, timers, UART0, GPIO1, managers, on-chip RAM)
+//                     +- lightweight and full bridge: windows that somebody else serves
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <variant>
+
+#include "sim/board/audience.h"
+#include "sim/cpu/arm_cpu.h"
+#include "sim/cpu/native_cpu.h"
+#include "sim/hps/bus.h"
+#include "sim/hps/memory.h"
+#include "sim/hps/peripherals.h"
+#include "sim/pins/pins.h"
+
+#include <systemc>
+
+namespace sim {
+
+class ProcessorSystem : public sc_core::sc_module {
+public:
+    // What runs on it, and so which processor it has: NativeCpu or ArmCpu.
+    using Software = std::variant<Firmware, ArmProgram>;
+
+    static constexpr std::uint32_t DDR3_SIZE = 0x40000000;
+    static constexpr std::uint32_t H2F_BASE = 0xC0000000, H2F_SIZE = 0x3C000000;
+    static constexpr std::uint32_t LW_BASE = 0xFF200000, LW_SIZE = 0x00200000;
+
+    ProcessorSystem(const sc_core::sc_module_name& name, PinListener& pins, Audience& audience,
+                    Software software);
+
+    // Something that the program has printed may still be on its way to its host.
+    virtual bool is_printing() { return hps.uart0.is_sending(); }
+    // Lets the access under way end, as SystemC's time goes on, and begins no other.
+    virtual void close_bridges() = 0;
+    virtual bool is_accessing() const = 0;
+
+    // An interrupt line of the HPS's own pins: GPIO61, the accelerometer's INT1.
+    void accelerometer_interrupt(bool up) { hps.gpio2.drive(ACCELEROMETER, up); }
+
+private:
+    static constexpr unsigned ACCELEROMETER = 61 - 58;  // GPIO61 is GPIO2's pin 3
+
+    std::function<void(bool)> h2f_gate_, lw_gate_;  // true: out of reset
+
+public:
+    Memory ddr3;
+    Peripherals hps;
+    Bus bus;
+
+private:
+    std::unique_ptr<Processor> processor_;
+
+public:
+    Processor& cpu;
+    ArmCpu* const arm;  // the same, if that is what it is
+
+protected:
+    // The windows "lw" and "h2f", to be bound.
+    tlm_utils::simple_initiator_socket<Bus>&lightweight_window, &full_window;
+};
+
+}  // namespace sim

@@ -1,0 +1,46 @@
+// project_bridges.h - the processor's bridges into a project's design, behind TLM
+//
+// A transaction becomes accesses of up to eight bytes, or of the bridge's width, each as long as
+// the design takes for it.  The design runs up to the access's time before, and in batches between;
+// an interrupt is told when the design has run past it.
+//
+// Where the design does not answer within 1 ms of simulated time the transaction is
+// TLM_INCOMPLETE: the board's processor would hang for ever.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+
+#include "sim/chip/project_chip.h"
+
+#include <systemc>
+#include <tlm>
+#include <tlm_utils/simple_target_socket.h>
+
+namespace sim {
+
+class ProjectBridges : public sc_core::sc_module {
+public:
+    tlm_utils::simple_target_socket<ProjectBridges> lw, h2f;
+
+    // The bridges' widths in bits; 0: nothing is behind that one.
+    ProjectBridges(const sc_core::sc_module_name& name, ProjectChip& fpga, unsigned full_width,
+                   unsigned lightweight_width);
+
+    // Lets the access under way end, and begins no other: the next initiator waits for ever.
+    void close() { closed_ = true; }
+    bool is_busy() const { return busy_; }
+
+private:
+    void lightweight_transport(tlm::tlm_generic_payload& tx, sc_core::sc_time& delay);
+    void full_transport(tlm::tlm_generic_payload& tx, sc_core::sc_time& delay);
+    void transport(bool full, tlm::tlm_generic_payload& tx, sc_core::sc_time& delay);
+    bool access(const project::BridgeAccess& access, sc_core::sc_time& delay);
+
+    ProjectChip& fpga_;
+    const unsigned full_width_, lightweight_width_;
+    bool busy_ = false, closed_ = false;
+    sc_core::sc_event never_;
+};
+
+}  // namespace sim

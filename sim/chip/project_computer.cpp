@@ -1,0 +1,81 @@
+#include "sim/chip/project_computer.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace sim {
+
+namespace {
+
+constexpr std::size_t MOST_STRAYS = 20;
+
+// What the processor reaches in a bridge's window.
+std::vector<Bus::Place> places_of(const project::qsys::Generated& system, std::uint32_t window) {
+    std::vector<Bus::Place> places;
+    for (const project::qsys::Place& place : system.map)
+        if (place.window == window)
+            places.push_back({place.slave.substr(0, place.slave.find('.')),
+                              window + static_cast<std::uint32_t>(place.base),
+                              static_cast<std::uint32_t>(place.span)});
+    return places;
+}
+
+// Bits of that bridge; 0: nothing is behind it.
+unsigned width_of(const project::qsys::Generated& system, std::uint32_t window) {
+    for (const project::qsys::Bridge& bridge : system.bridges)
+        if (bridge.window == window) return bridge.width;
+    return 0;
+}
+
+}  // namespace
+
+ProjectComputer::ProjectComputer(const sc_core::sc_module_name& name, PinListener& pins,
+                                 Audience& audience, Software software,
+                                 const std::filesystem::path& library, const std::string& folder,
+                                 const Trace& trace, const project::qsys::Generated& system)
+    : ProcessorSystem{name, pins, audience, std::move(software)},
+      fpga{"fpga", pins, library, folder, trace},
+      bridges{"bridges", fpga, width_of(system, H2F_BASE), width_of(system, LW_BASE)},
+      system_{system},
+      audience_{audience} {
+    full_window.bind(bridges.h2f);
+    lightweight_window.bind(bridges.lw);
+    bus.describe("h2f", "the full bridge", places_of(system, H2F_BASE));
+    bus.describe("lw", "the lightweight bridge", places_of(system, LW_BASE));
+    for (const char* bridge : {"h2f", "lw"})
+        bus.on_answered(bridge, [this](std::uint32_t address, unsigned, bool write) {
+            if (!cpu.is_inspected()) report_stray(address, write);
+        });
+    fpga.on_interrupts([this](std::uint64_t levels) { hps.fpga_interrupts(levels); });
+}
+
+void ProjectComputer::type(const std::string& text, SerialLine to) {
+    if (to == SerialLine::UART) hps.uart0.receive(text);
+}
+
+std::optional<Chip::End> ProjectComputer::end() const { return fpga.end(); }
+
+void ProjectComputer::report_stray(std::uint32_t address, bool write) {
+    if (!bus.place(address).empty()) return;
+    for (const project::qsys::Bridge& bridge : system_.bridges) {
+        const std::uint32_t offset = address - bridge.window;
+        if (offset >= (bridge.window == LW_BASE ? LW_SIZE : H2F_SIZE)) continue;
+        const auto meant = bridge.window + static_cast<std::uint32_t>(offset % bridge.decoded);
+        const std::string place = bus.place(meant);
+        const std::string line =
+            meant != address && !place.empty()
+                ? fmt::format(
+                      "{} 0x{:X}: the interconnect sees {} there, as at 0x{:X}: addresses "
+                      "repeat each 0x{:X} bytes",
+                      write ? "write to" : "read of", address, place, meant, bridge.decoded)
+                : fmt::format("{} 0x{:X}: nobody is there; the interconnect sends it to {}",
+                              write ? "write to" : "read of", address,
+                              write ? bridge.writes : bridge.reads);
+        if (said_.size() < MOST_STRAYS && said_.insert(line).second)
+            audience_.log(line + cpu.accessed());
+    }
+}
+
+}  // namespace sim

@@ -1,0 +1,52 @@
+// project_computer.h - the chip as somebody's project fills it, with the processor: a Platform
+// Designer system
+//
+//   ProcessorSystem --+- ProjectBridges --> ProjectChip --> pins
+#pragma once
+
+#include <filesystem>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "sim/chip/processor_system.h"
+#include "sim/chip/project_bridges.h"
+#include "sim/chip/project_chip.h"
+#include "sim/project/qsys/generate.h"
+
+namespace sim {
+
+class ProjectComputer : public ProcessorSystem, public Chip {
+public:
+    // `library` and `folder` as ProjectChip has them.
+    ProjectComputer(const sc_core::sc_module_name& name, PinListener& pins, Audience& audience,
+                    Software software, const std::filesystem::path& library,
+                    const std::string& folder, const Trace& trace,
+                    const project::qsys::Generated& system);
+
+    ChipInputs& inputs() override { return fpga.inputs(); }
+    void catch_up() override { fpga.catch_up(); }
+    std::uint64_t time_ps() const override {
+        return arm && arm->is_running() ? arm->now().value() : fpga.time_ps();
+    }
+    void hps_key(bool pressed) override { hps.gpio1.press_key(pressed); }
+    void hps_accelerometer_interrupt(bool up) override { accelerometer_interrupt(up); }
+    void type(const std::string& text, SerialLine to) override;
+    std::optional<End> end() const override;
+    void end_trace() override { fpga.end_trace(); }
+
+    void close_bridges() override { bridges.close(); }
+    bool is_accessing() const override { return bridges.is_busy(); }
+
+    ProjectChip fpga;
+    ProjectBridges bridges;
+
+private:
+    void report_stray(std::uint32_t address, bool write);
+
+    const project::qsys::Generated system_;
+    Audience& audience_;
+    std::set<std::string> said_;
+};
+
+}  // namespace sim

@@ -1,0 +1,156 @@
+#include "sim/project/qsys/assembly.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "sim/project/module_files.h"
+#include "sim/project/settings.h"
+
+namespace sim::project::qsys {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr const char* HPS = "altera_hps";
+constexpr unsigned LONGEST_CHAIN = 100;  // of clock bridges
+
+// Kinds without an effect on what is simulated, and why.
+const std::map<std::string, std::string>& silent_kinds() {
+    static const std::map<std::string, std::string> KINDS{
+        {"altera_jtag_avalon_master", "a computer's access by JTAG"},
+        {"interrupt_latency_counter", "a measurement by JTAG"}};
+    return KINDS;
+}
+
+}  // namespace
+
+bool End::is_processors() const { return instance->kind == HPS; }
+
+Assembly::Assembly(const System& system, const FindComponent& find) : system_{system} {
+    for (const Instance& instance : system.instances) read_component_of(instance, find);
+    for (const Connection& c : system.connections)
+        if (!silent_.count(instance_of(c.start)) && !silent_.count(instance_of(c.end)))
+            connections_.push_back(c);
+}
+
+void Assembly::fail(const std::string& what) const {
+    throw ProjectError{system_.file.filename().string() + ": " + what};
+}
+
+void Assembly::read_component_of(const Instance& instance, const FindComponent& find) {
+    if (const auto silent = silent_kinds().find(instance.kind); silent != silent_kinds().end()) {
+        notes_.push_back(fmt::format("{}: {} ({}) is left out: {}",
+                                     system_.file.filename().string(), instance.name, instance.kind,
+                                     silent->second));
+        silent_.insert(instance.name);
+        return;
+    }
+    if (instance.kind.find("nios2") != std::string::npos)
+        fail(
+            fmt::format("{} is a Nios II ({}), which cannot be simulated; disable it in Platform "
+                        "Designer if the ARM's program does without",
+                        instance.name, instance.kind));
+    const auto file = find(instance.kind);
+    if (!file)
+        fail(
+            fmt::format("{} is of the kind {}, which is neither known here nor described by a "
+                        "{}_hw.tcl in the project",
+                        instance.name, instance.kind, instance.kind));
+    constexpr std::string_view OWN_NAME = "$${FILENAME}";
+    std::map<std::string, std::string> parameters = instance.parameters;
+    for (auto& [name, value] : parameters)
+        for (std::size_t at; (at = value.find(OWN_NAME)) != std::string::npos;)
+            value.replace(at, OWN_NAME.size(), system_.name);
+    const Component component = read_component(*file, parameters, instance.name);
+    for (const ComponentFile& source : component.files) {
+        const fs::path path = (component.file.parent_path() / source.path).lexically_normal();
+        if (language_of(path) &&
+            std::find(sources_.begin(), sources_.end(), path) == sources_.end())
+            sources_.push_back(path);
+    }
+    components_.emplace(instance.name, component);
+}
+
+bool Assembly::has_processor() const {
+    return std::any_of(system_.instances.begin(), system_.instances.end(),
+                       [](const Instance& i) { return i.kind == HPS; });
+}
+
+std::optional<End> Assembly::find_end(const std::string& name) const {
+    const std::size_t dot = name.find('.');
+    const auto component = components_.find(name.substr(0, dot));
+    if (component == components_.end() || dot == std::string::npos) return {};
+    const Interface* interface = component->second.interface(name.substr(dot + 1));
+    if (!interface) return {};
+    for (const Instance& instance : system_.instances)
+        if (instance.name == component->first) return End{&instance, &component->second, interface};
+    return {};
+}
+
+End Assembly::end(const std::string& name) const {
+    if (const auto found = find_end(name)) return *found;
+    fail(fmt::format("a connection names {}, but {} has no such interface", name,
+                     instance_of(name)));
+}
+
+void Assembly::for_each(const std::function<void(const End&)>& visit) const {
+    for (const Instance& instance : system_.instances) {
+        const auto component = components_.find(instance.name);
+        if (component == components_.end()) continue;
+        for (const Interface& i : component->second.interfaces)
+            visit({&instance, &component->second, &i});
+    }
+}
+
+void Assembly::for_each(const std::string& type, bool is_start,
+                        const std::function<void(const End&)>& visit) const {
+    for_each([&](const End& e) {
+        if (e.interface->type == type && e.interface->is_start == is_start) visit(e);
+    });
+}
+
+const Export* Assembly::exported(const End& e) const {
+    for (const Export& x : system_.exports)
+        if (x.internal == e.name()) return &x;
+    return nullptr;
+}
+
+const Connection* Assembly::clock_source(const End& sink) const {
+    for (const Connection& c : connections_)
+        if (c.kind == Connection::Kind::CLOCK && c.end == sink.name()) return &c;
+    return nullptr;
+}
+
+std::string Assembly::root_of(const End& sink, unsigned depth) const {
+    const Connection* c = clock_source(sink);
+    if (!c || depth > LONGEST_CHAIN) return sink.name();
+    const End source = end(c->start);
+    const Interface* through =
+        source.component->interface(source.interface->property("associatedDirectClock"));
+    if (!through) return source.name();
+    return root_of({source.instance, source.component, through}, depth + 1);
+}
+
+Assembly::Clock Assembly::clock_of(const End& e) const {
+    const std::string name = e.interface->property("associatedClock");
+    const Interface* clock = e.component->interface(name);
+    if (!clock || !clock->port("clk"))
+        fail(fmt::format("{} has no clock: its associatedClock is \"{}\"", e.name(), name));
+    const End sink{e.instance, e.component, clock};
+    return {sink.wire("clk"), root_of(sink)};
+}
+
+std::string Assembly::active_high(const End& e) {
+    if (const Port* port = e.interface->port("reset")) return e.wire(*port);
+    if (const Port* port = e.interface->port("reset_n")) return "!" + e.wire(*port);
+    return "1'b0";
+}
+
+std::string Assembly::reset_of(const End& e) const {
+    const Interface* i = e.component->interface(e.interface->property("associatedReset"));
+    return i && !i->is_start ? active_high({e.instance, e.component, i}) : "1'b0";
+}
+
+}  // namespace sim::project::qsys

@@ -1,0 +1,280 @@
+#include "sim/project/qsys/generate.h"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "sim/project/file_finder.h"
+
+namespace sim::project::qsys {
+
+namespace {
+
+using Direction = Port::Direction;
+
+class Generator {
+public:
+    Generator(const System& system, const FindComponent& find)
+        : system_{system}, assembly_{system, find} {}
+
+    Generated run() {
+        clocks();
+        resets();
+        interrupts();
+        conduits();
+        Interconnect interconnect = write_interconnect(assembly_, text_);
+        instances();
+        Generated out{"",
+                      assembly_.sources(),
+                      std::move(interconnect.map),
+                      std::move(interconnect.bridges),
+                      assembly_.notes(),
+                      assembly_.has_processor()};
+        out.notes.insert(out.notes.end(), interconnect.notes.begin(), interconnect.notes.end());
+        out.text = fmt::format(
+            "// {0}.v - made by de1sim of {0}.qsys\n{1}\n`default_nettype none\n\n"
+            "module {0} (\n{2});\n{3}\n{4}\nendmodule\n\n`default_nettype wire\n",
+            system_.name, map_text(out.map), ports_text(), wires_text(), text_.body);
+        return out;
+    }
+
+private:
+    // ---- Clocks, resets, interrupts, conduits ----
+
+    void clocks() {
+        text_.section("Clocks");
+        assembly_.for_each("clock", false, [&](const End& sink) {
+            const Port* port = sink.interface->port("clk");
+            const Connection* c = assembly_.clock_source(sink);
+            if (!port || assembly_.exported(sink)) return;
+            if (!c)
+                return text_.line(
+                    fmt::format("assign {} = 1'b0;  // not connected", sink.wire(*port)));
+            const End source = assembly_.end(c->start);
+            text_.line(fmt::format("assign {} = {};", sink.wire(*port), source.wire("clk")));
+        });
+    }
+
+    void resets() {
+        text_.section("Resets");
+        assembly_.for_each("reset", false, [&](const End& sink) {
+            if (assembly_.exported(sink)) return;
+            std::string sources;
+            for (const Connection& c : assembly_.connections())
+                if (c.kind == Connection::Kind::RESET && c.end == sink.name())
+                    sources += (sources.empty() ? "" : " || ") +
+                               Assembly::active_high(assembly_.end(c.start));
+            const Port* high = sink.interface->port("reset");
+            const Port* low = sink.interface->port("reset_n");
+            if (const Port* request = sink.interface->port("reset_req"))
+                text_.line(fmt::format("assign {} = 1'b0;", sink.wire(*request)));
+            if (!high && !low) return;
+            const std::string wire = sink.wire(high ? *high : *low), own = wire + "_active";
+            const std::string clock = sink.interface->property("associatedClock");
+            const Interface* i = sink.component->interface(clock);
+            text_.wire(own, 1);
+            if (sources.empty()) {
+                text_.line(fmt::format("assign {} = 1'b0;  // not connected", own));
+            } else if (i && i->port("clk") &&
+                       lower(sink.interface->property("synchronousEdges", "deassert")) != "none") {
+                text_.line(fmt::format("de1sim_reset {}_sync (.clk_i({}), .rst_i({}), .rst_o({}));",
+                                       wire, End{sink.instance, sink.component, i}.wire("clk"),
+                                       sources, own));
+            } else {
+                text_.line(fmt::format("assign {} = {};", own, sources));
+            }
+            text_.line(fmt::format("assign {} = {}{};", wire, high ? "" : "!", own));
+        });
+    }
+
+    void interrupts() {
+        text_.section("Interrupts");
+        assembly_.for_each("interrupt", true, [&](const End& receiver) {
+            const Port* port = receiver.interface->port("irq");
+            if (!port || assembly_.exported(receiver)) return;
+            std::map<unsigned, End> senders;
+            for (const Connection& c : assembly_.connections())
+                if (c.kind == Connection::Kind::INTERRUPT && c.start == receiver.name()) {
+                    const auto [other, is_new] = senders.emplace(c.interrupt, assembly_.end(c.end));
+                    if (!is_new)
+                        assembly_.fail(fmt::format("interrupt {} of {} is that of {} and of {}",
+                                                   c.interrupt, receiver.name(),
+                                                   other->second.name(), c.end));
+                    if (c.interrupt >= port->width)
+                        assembly_.fail(fmt::format("{} has interrupt {} of {}, which has {}", c.end,
+                                                   c.interrupt, receiver.name(), port->width));
+                }
+            for (unsigned n = 0; n < port->width; ++n) {
+                const auto sender = senders.find(n);
+                if (sender == senders.end()) continue;
+                text_.line(fmt::format("assign {}{} = {};", receiver.wire(*port),
+                                       port->width > 1 ? fmt::format("[{}]", n) : "",
+                                       sender->second.wire("irq")));
+            }
+            for (unsigned n = 0; n < port->width; ++n)
+                if (!senders.count(n))
+                    text_.line(fmt::format("assign {}{} = 1'b0;", receiver.wire(*port),
+                                           port->width > 1 ? fmt::format("[{}]", n) : ""));
+        });
+    }
+
+    // Signals of one role at both sides, and streams from source to sink.
+    void conduits() {
+        text_.section("Conduits");
+        for (const Connection& c : assembly_.connections()) {
+            if (c.kind != Connection::Kind::CONDUIT && c.kind != Connection::Kind::STREAMING)
+                continue;
+            const End a = assembly_.end(c.start), b = assembly_.end(c.end);
+            for (const Port& port : a.interface->ports) {
+                const Port* other = b.interface->port(port.role);
+                if (!other || port.width == 0) continue;
+                const bool from_a = port.direction == Direction::OUTPUT;
+                text_.line(fmt::format("assign {} = {};", from_a ? b.wire(*other) : a.wire(port),
+                                       from_a ? a.wire(port) : b.wire(*other)));
+            }
+        }
+    }
+
+    // ---- Instances ----
+
+    void instances() {
+        for (const Instance& instance : system_.instances) {
+            std::string ports, module, parameters;
+            bool is_processor = false;
+            assembly_.for_each([&](const End& e) {
+                if (e.instance != &instance) return;
+                is_processor = e.is_processors();
+                module = e.component->module;
+                if (parameters.empty())
+                    for (const auto& [name, value] : e.component->parameters)
+                        parameters +=
+                            fmt::format("{}.{}({})", parameters.empty() ? "" : ", ", name, value);
+                for (const Port& port : e.interface->ports)
+                    if (port.width > 0)
+                        ports += fmt::format("{}\n        .{}({})", ports.empty() ? "" : ",",
+                                             port.name, wire_of(e, port));
+            });
+            if (ports.empty()) continue;
+            text_.section(fmt::format("{}: {}", instance.name, instance.kind));
+            if (is_processor)
+                processor(instance.name);
+            else
+                text_.line(fmt::format("{}{} {} ({}\n    );", module,
+                                       parameters.empty() ? "" : " #(" + parameters + ")",
+                                       instance.name, ports));
+        }
+    }
+
+    // Of the processor: its reset of the FPGA and its interrupts.  Its bridges are agents of the
+    // interconnect; what its own pins do is not simulated.
+    void processor(const std::string& name) {
+        const auto wire = [&](const char* interface, const char* role) {
+            const auto e = assembly_.find_end(name + "." + interface);
+            return e ? wire_of(*e, *e->interface->port(role)) : std::string{"32'd0"};
+        };
+        text_.line(fmt::format(
+            "de1sim_hps {} (\n        .h2f_rst_n({}), .f2h_irq_p0({}), "
+            ".f2h_irq_p1({})\n    );",
+            name, wire("h2f_reset", "reset_n"), wire("f2h_irq0", "irq"), wire("f2h_irq1", "irq")));
+        for (const Export& x : system_.exports) {
+            const auto e = assembly_.find_end(x.internal);
+            if (!e || !e->is_processors() || e->interface->type != "conduit") continue;
+            for (const Port& port : e->interface->ports)
+                if (port.direction == Direction::OUTPUT)
+                    text_.line(
+                        fmt::format("assign {} = {}'d0;", port_name(x, *e, port), port.width));
+        }
+    }
+
+    // The wire at a port of an instance; an exported interface has the system's port.
+    std::string wire_of(const End& e, const Port& port) const {
+        const Export* x = assembly_.exported(e);
+        return x ? port_name(*x, e, port) : e.wire(port);
+    }
+
+    // ---- The module's head ----
+
+    // EXPORT_ROLE; several signals of the role "export" have the names of their ports, without
+    // what they have in common up to a "_".
+    static std::string port_name(const Export& x, const End& e, const Port& port) {
+        const auto has_role = [](const Port& p) { return p.role == "export" && p.width > 0; };
+        const auto& ports = e.interface->ports;
+        if (!has_role(port) || std::count_if(ports.begin(), ports.end(), has_role) < 2)
+            return x.name + "_" + port.role;
+        std::string common = port.name;
+        for (const Port& p : ports)
+            if (has_role(p)) {
+                const auto [a, b] =
+                    std::mismatch(common.begin(), common.end(), p.name.begin(), p.name.end());
+                common.erase(a, common.end());
+            }
+        const std::size_t underscore = common.rfind('_');
+        const std::string rest =
+            underscore == std::string::npos ? port.name : port.name.substr(underscore + 1);
+        return x.name + "_" + rest;
+    }
+
+    std::string ports_text() const {
+        std::string text;
+        for (const Export& x : system_.exports) {
+            const auto e = assembly_.find_end(x.internal);
+            if (!e) continue;
+            for (const Port& port : e->interface->ports) {
+                if (port.width == 0) continue;
+                const char* direction = port.direction == Direction::INPUT    ? "input  wire "
+                                        : port.direction == Direction::OUTPUT ? "output wire "
+                                                                              : "inout  wire ";
+                text += fmt::format("{}    {}{}{}", text.empty() ? "" : ",\n", direction,
+                                    VerilogText::range(port.width, port.is_vector),
+                                    port_name(x, *e, port));
+            }
+        }
+        return text.empty() ? "" : text + "\n";
+    }
+
+    // The instances' own wires, and those of the interconnect.
+    std::string wires_text() const {
+        std::string text;
+        assembly_.for_each([&](const End& e) {
+            const std::string& type = e.interface->type;
+            if (e.is_processors() && type == "conduit") return;
+            const Export* x = assembly_.exported(e);
+            // Inside of the system these have both names.
+            const bool both = type == "clock" || type == "reset" || type == "interrupt";
+            if (x && !both) return;
+            for (const Port& port : e.interface->ports)
+                if (port.width > 0)
+                    text += fmt::format("    wire {}{}{};\n",
+                                        VerilogText::range(port.width, port.is_vector),
+                                        e.wire(port), x ? " = " + port_name(*x, e, port) : "");
+        });
+        return text + text_.wires;
+    }
+
+    static std::string map_text(const std::vector<Place>& map) {
+        std::string text, master;
+        for (const Place& place : map) {
+            if (place.master != master) text += fmt::format("//\n// {}\n", master = place.master);
+            text += fmt::format("//   0x{:08x} - 0x{:08x}  {}{}\n", place.base,
+                                place.base + place.span - 1, place.slave,
+                                place.reads && place.writes ? ""
+                                : place.reads               ? ", reads alone"
+                                                            : ", writes alone");
+        }
+        return text;
+    }
+
+    const System& system_;
+    const Assembly assembly_;
+    VerilogText text_;
+};
+
+}  // namespace
+
+Generated generate(const System& system, const FindComponent& find) {
+    return Generator{system, find}.run();
+}
+
+}  // namespace sim::project::qsys

@@ -1,0 +1,26 @@
+// generate.h - the Verilog of a Platform Designer system: its modules, and what is between them
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "sim/project/qsys/assembly.h"
+#include "sim/project/qsys/interconnect.h"
+
+namespace sim::project::qsys {
+
+struct Generated {
+    std::string text;                            // of the system's module
+    std::vector<std::filesystem::path> sources;  // of its components
+    std::vector<Place> map;
+    std::vector<Bridge> bridges;
+    std::vector<std::string> notes;
+    bool has_processor;
+};
+
+// ProjectError: an unknown kind, a slave whose base is not a multiple of its span, two at one
+// address, an interrupt that two senders have, a connection of interfaces that are not there.
+Generated generate(const System& system, const FindComponent& find);
+
+}  // namespace sim::project::qsys

@@ -1,0 +1,48 @@
+// interconnect.h - what is between the masters and the slaves of a system, as Verilog
+//
+//   master -> agent -> decoder -+-> [crossing] -> [width] -+-> [arbiter] -> agent -> slave
+//                               +-> ...                    |
+//   master -> agent -> decoder -+--------------------------+
+//
+// The modules are those of rtl/ip/qsys.  As in the vendor's interconnect an address is decoded up
+// to the end of the highest slave, and one of nobody goes to the largest slave that takes such an
+// access, of equals the lowest.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "sim/project/qsys/assembly.h"
+#include "sim/project/qsys/verilog_text.h"
+
+namespace sim::project::qsys {
+
+// What a master reaches.
+struct Place {
+    std::string master;  // "hps_0.h2f_lw_axi_master"
+    std::string slave;   // "led.s1"
+    std::uint64_t base, span;
+    bool reads, writes;
+    std::uint32_t window;  // of the processor's bridge, in its addresses; 0 for other masters
+};
+
+// A bridge of the processor with something behind it.
+struct Bridge {
+    std::uint32_t window;       // its first address, of the processor
+    unsigned width;             // bits
+    std::uint64_t decoded;      // bytes, after which the addresses repeat
+    std::string reads, writes;  // the slave that has those of no other
+};
+
+struct Interconnect {
+    std::vector<Place> map;
+    std::vector<Bridge> bridges;
+    std::vector<std::string> notes;
+};
+
+// Writes it.  ProjectError: a slave whose base is not a multiple of its span, two at one address, a
+// width that Avalon has not.
+Interconnect write_interconnect(const Assembly& assembly, VerilogText& text);
+
+}  // namespace sim::project::qsys

@@ -1,0 +1,129 @@
+#include "sim/project/qsys/system.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <set>
+
+#include <fmt/format.h>
+#include <pugixml.hpp>
+
+#include "sim/project/settings.h"
+
+namespace sim::project::qsys {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::size_t MOST_INSTANCES = 2'000;
+
+// A parameter's value is an attribute, or the element's text.
+std::string value_of(const pugi::xml_node& parameter) {
+    const pugi::xml_attribute value = parameter.attribute("value");
+    return value ? value.value() : parameter.child_value();
+}
+
+std::map<std::string, std::string> parameters_of(const pugi::xml_node& node) {
+    std::map<std::string, std::string> all;
+    for (const pugi::xml_node& parameter : node.children("parameter"))
+        all[parameter.attribute("name").value()] = value_of(parameter);
+    return all;
+}
+
+Connection::Kind kind_of(const std::string& name) {
+    static const std::map<std::string, Connection::Kind> KINDS{
+        {"avalon", Connection::Kind::AVALON},   {"clock", Connection::Kind::CLOCK},
+        {"reset", Connection::Kind::RESET},     {"interrupt", Connection::Kind::INTERRUPT},
+        {"conduit", Connection::Kind::CONDUIT}, {"avalon_streaming", Connection::Kind::STREAMING}};
+    const auto found = KINDS.find(name);
+    return found == KINDS.end() ? Connection::Kind::OTHER : found->second;
+}
+
+class SystemReader {
+public:
+    SystemReader(const std::string& text, const fs::path& file) : text_{text} {
+        system_.file = file;
+        system_.name = file.stem().string();
+    }
+
+    System run() {
+        pugi::xml_document document;
+        const pugi::xml_parse_result result = document.load_string(text_.c_str());
+        if (!result)
+            fail(result.offset, std::string{"this is broken XML: "} + result.description());
+        const pugi::xml_node system = document.child("system");
+        if (!system) fail(0, "this is no Platform Designer system: it has no element `system`");
+        for (const pugi::xml_node& node : system.children("module")) take_instance(node);
+        for (const pugi::xml_node& node : system.children("connection")) take_connection(node);
+        for (const pugi::xml_node& node : system.children("interface")) take_export(node);
+        return std::move(system_);
+    }
+
+private:
+    [[noreturn]] void fail(std::ptrdiff_t offset, const std::string& what) const {
+        const auto end = text_.begin() + std::min<std::ptrdiff_t>(
+                                             offset, static_cast<std::ptrdiff_t>(text_.size()));
+        throw ProjectError{fmt::format("{}:{}: {}", system_.file.filename().string(),
+                                       1 + std::count(text_.begin(), end, '\n'), what)};
+    }
+
+    void take_instance(const pugi::xml_node& node) {
+        const Instance instance{node.attribute("name").value(), node.attribute("kind").value(),
+                                node.attribute("version").value(), parameters_of(node)};
+        if (instance.name.empty() || instance.kind.empty())
+            fail(node.offset_debug(), "a module has no name or no kind");
+        if (!known_.insert(instance.name).second)
+            fail(node.offset_debug(), "there are two modules " + instance.name);
+        if (std::string_view{node.attribute("enabled").value()} == "0") return;
+        if (system_.instances.size() == MOST_INSTANCES)
+            fail(node.offset_debug(), fmt::format("more than {} modules", MOST_INSTANCES));
+        enabled_.insert(instance.name);
+        system_.instances.push_back(instance);
+    }
+
+    void take_connection(const pugi::xml_node& node) {
+        Connection c{kind_of(node.attribute("kind").value()), node.attribute("start").value(),
+                     node.attribute("end").value()};
+        for (const std::string& side : {c.start, c.end})
+            if (!known_.count(instance_of(side)))
+                fail(node.offset_debug(),
+                     fmt::format("a connection names {}, but there is no such module", side));
+        if (!enabled_.count(instance_of(c.start)) || !enabled_.count(instance_of(c.end))) return;
+        const auto parameters = parameters_of(node);
+        const auto number = [&](const char* name, std::uint64_t otherwise) {
+            const auto found = parameters.find(name);
+            return found == parameters.end() ? otherwise
+                                             : std::strtoull(found->second.c_str(), nullptr, 0);
+        };
+        c.base = number("baseAddress", 0);
+        c.interrupt = static_cast<unsigned>(number("irqNumber", 0));
+        c.shares = static_cast<unsigned>(
+            std::clamp<std::uint64_t>(number("arbitrationPriority", 1), 1, 100));
+        system_.connections.push_back(std::move(c));
+    }
+
+    void take_export(const pugi::xml_node& node) {
+        const std::string internal = node.attribute("internal").value();
+        if (!node.attribute("type") || !node.attribute("dir")) return;
+        if (!enabled_.count(instance_of(internal))) return;
+        system_.exports.push_back({node.attribute("name").value(), internal});
+    }
+
+    const std::string& text_;
+    System system_;
+    std::set<std::string> known_, enabled_;  // instances
+};
+
+}  // namespace
+
+std::string instance_of(const std::string& interface) {
+    return interface.substr(0, interface.find('.'));
+}
+
+System system_in(const std::string& text, const fs::path& file) {
+    return SystemReader{text, file}.run();
+}
+
+System read_system(const fs::path& file) { return system_in(text_of(file), file); }
+
+}  // namespace sim::project::qsys

@@ -1,0 +1,320 @@
+"""systems_test.py DE1SIM FOLDER [CASE...] - Platform Designer systems, with a program on them"""
+import pathlib
+import subprocess
+
+from case import Case, run
+
+EXAMPLES = pathlib.Path(__file__).resolve().parents[2] / "sw/examples"
+GCC = ["arm-none-eabi-gcc", "-mcpu=cortex-a9", "-mgeneral-regs-only", "-mno-unaligned-access",
+       "-O1", "-ffreestanding", "-nostartfiles", f"-I{EXAMPLES}", f"-T{EXAMPLES / 'program.ld'}",
+       str(EXAMPLES / "start.S")]
+HPS = {"LWH2F_Enable": "true", "S2F_Width": "2", "F2S_Width": "0", "F2SINTERRUPT_Enable": "true"}
+BASE = [("clk_0", "clock_source", {}), ("hps_0", "altera_hps", HPS)]
+CLOCKS = [("clock", "clk_0.clk", "hps_0.h2f_axi_clock"),
+          ("clock", "clk_0.clk", "hps_0.h2f_lw_axi_clock")]
+LW, FULL = "hps_0.h2f_lw_axi_master", "hps_0.h2f_axi_master"
+TOP = """module top(input CLOCK_50, input [9:0] SW, output [9:0] LEDR);
+sys system(.clk_clk(CLOCK_50), .reset_reset_n(1'b1){});
+endmodule
+"""
+
+
+def qsys(modules, connections, exports=()):
+    text = '<?xml version="1.0"?>\n<system name="$${FILENAME}">\n'
+    exports = [("clk", "clk_0.clk_in"), ("reset", "clk_0.clk_in_reset"), *exports]
+    for name, internal in exports:
+        text += f' <interface name="{name}" internal="{internal}" type="conduit" dir="end" />\n'
+    for name, kind, parameters in modules:
+        text += f' <module name="{name}" kind="{kind}" version="18.1" enabled="1">\n'
+        for parameter, value in parameters.items():
+            text += f'  <parameter name="{parameter}" value="{value}" />\n'
+        text += " </module>\n"
+    for kind, start, end, *number in connections:
+        text += f' <connection kind="{kind}" version="18.1" start="{start}" end="{end}">\n'
+        name = {"avalon": "baseAddress", "interrupt": "irqNumber"}.get(kind)
+        if number:
+            text += f'  <parameter name="{name}" value="{number[0]:#x}" />\n'
+        text += " </connection>\n"
+    return text + "</system>\n"
+
+
+def pio(name, base, **parameters):
+    """An output port of ten bits on the lightweight bridge."""
+    return ([(name, "altera_avalon_pio", {"width": "10", "direction": "Output", **parameters})],
+            [("clock", "clk_0.clk", f"{name}.clk"), ("reset", "clk_0.clk_reset", f"{name}.reset"),
+             ("avalon", LW, f"{name}.s1", base)])
+
+
+# A component with an array of words behind a slave of the timing that is asked for.
+HW_TCL = """package require -exact qsys 16.1
+set_module_property NAME {name}
+set_module_property VERSION 1.0
+add_fileset QUARTUS_SYNTH QUARTUS_SYNTH "" ""
+set_fileset_property QUARTUS_SYNTH TOP_LEVEL {name}
+add_fileset_file {name}.v VERILOG PATH {name}.v TOP_LEVEL_FILE
+add_interface clock clock end
+add_interface_port clock clk clk Input 1
+add_interface reset reset end
+set_interface_property reset associatedClock clock
+add_interface_port reset reset reset Input 1
+add_interface s avalon end
+set_interface_property s associatedClock clock
+set_interface_property s associatedReset reset
+{properties}
+add_interface_port s address address Input 4
+add_interface_port s write write Input 1
+add_interface_port s read read Input 1
+add_interface_port s writedata writedata Input {width}
+add_interface_port s readdata readdata Output {width}
+{ports}
+"""
+
+
+class Systems(Case):
+    def system(self, modules=(), connections=(), exports=(), top="", **files):
+        self.write(sys_qsys=qsys([*BASE, *modules], [*CLOCKS, *connections], exports),
+                   top_v=TOP.format(top),
+                   top_qsf="set_global_assignment -name DEVICE 5CSEMA5F31C6\n"
+                           "set_global_assignment -name VERILOG_FILE top.v\n"
+                           "set_global_assignment -name QSYS_FILE sys.qsys\n", **files)
+
+    def program(self, body):
+        self.write(program_c="#include <stdint.h>\n"
+                             "#define R8(a) (*(volatile uint8_t*)(a))\n"
+                             "#define R16(a) (*(volatile uint16_t*)(a))\n"
+                             "#define R32(a) (*(volatile uint32_t*)(a))\n"
+                             "#define R64(a) (*(volatile uint64_t*)(a))\n"
+                             f"int main(void) {{\n{body}\nfor (;;) {{}}\n}}\n")
+        subprocess.run([*GCC, "program.c", "-o", "program.elf"], cwd=self.folder, check=True)
+
+    def shows(self, leds, *words):
+        self.write(s_yaml='name: s\nversion: 1\nprogram: program.elf\nproject: top.qsf\nsteps:\n'
+                          f'  - expect-leds: {{equals: "{leds:010b}", timeout: 100ms}}\n')
+        done = self.de1sim("run", "s.yaml", *words)
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        return done
+
+    def with_leds(self, modules=(), connections=(), **files):
+        leds, wires = pio("leds", 0)
+        self.system([*leds, *modules], [*wires, *connections],
+                    [("leds", "leds.external_connection")], ", .leds_export(LEDR)", **files)
+
+    # ---- What runs --------------------------------------------------------
+
+    def test_every_width_and_timing_holds_what_was_written(self):
+        modules, wires, files, body = [], [], {}, "uint32_t bad = 0;\n"
+        kinds = [(8, "set_interface_property s readWaitTime 1", "", "read_data", 0),
+                 (16, "set_interface_property s readWaitTime 3\n"
+                      "set_interface_property s writeWaitTime 2\n"
+                      "set_interface_property s setupTime 1\n"
+                      "set_interface_property s holdTime 1", "", "read_data", 0),
+                 (32, "set_interface_property s readWaitTime 0\n"
+                      "set_interface_property s readLatency 2", "", "later", 0),
+                 (64, "", "add_interface_port s waitrequest waitrequest Output 1\n"
+                          "add_interface_port s byteenable byteenable Input 8", "read_data", 1),
+                 (32, "set_interface_property s maximumPendingReadTransactions 4",
+                  "add_interface_port s readdatavalid readdatavalid Output 1\n"
+                  "add_interface_port s waitrequest waitrequest Output 1\n"
+                  "add_interface_port s byteenable byteenable Input 4", "valid", 1)]
+        for n, (width, properties, ports, form, waits) in enumerate(kinds):
+            name = f"store{n}"
+            byte_enable = "byteenable" in ports
+            text = HW_TCL.format(name=name, width=width, properties=properties, ports=ports)
+            (self.folder / f"{name}_hw.tcl").write_text(text)
+            bytes_ = width // 8
+            write = "".join(f"if (be[{i}]) words[address][{8 * i} +: 8] <= "
+                            f"writedata[{8 * i} +: 8];\n" for i in range(bytes_))
+            (self.folder / f"{name}.v").write_text(f"""module {name}(input clk, input reset,
+input [3:0] address, input write, input read, input [{width - 1}:0] writedata,
+output [{width - 1}:0] readdata
+{", output waitrequest" if waits else ""}{", output readdatavalid" if form == "valid" else ""}
+{f", input [{bytes_ - 1}:0] byteenable" if byte_enable else ""});
+wire [{bytes_ - 1}:0] be = {"byteenable" if byte_enable else f"{{{bytes_}{{1'b1}}}}"};
+reg [{width - 1}:0] words [0:15];
+reg [2:0] count = 0;
+always @(posedge clk) count <= count + 1;
+{"assign waitrequest = count[1:0] != 2'd3;" if waits else ""}
+wire taken = {"!waitrequest" if waits else "1'b1"};
+always @(posedge clk) if (write && taken) begin
+{write}end
+reg [{width - 1}:0] q1, q2, q3;
+reg [2:0] line = 0;
+always @(posedge clk) begin
+    q1 <= words[address]; q2 <= q1; q3 <= q2;
+    line <= {{line[1:0], read && taken}};
+end
+{"assign readdatavalid = line[2];" if form == "valid" else ""}
+assign readdata = {"words[address]" if form == "read_data" else "q2" if form == "later" else "q3"};
+endmodule
+""")
+            modules.append((name, name, {}))
+            base = 0x100 * (n + 1)
+            for bridge in (LW, FULL):
+                wires.append(("avalon", bridge, f"{name}.s", base))
+            wires += [("clock", "clk_0.clk", f"{name}.clock"),
+                      ("reset", "clk_0.clk_reset", f"{name}.reset")]
+            # By both bridges, in every width that the slave's byte lanes allow.
+            sizes = [8, 16, 32, 64] if width == 8 or byte_enable else \
+                    [size for size in (8, 16, 32, 64) if size >= width]
+            for bridge in (0xFF200000, 0xC0000000):
+                for size in sizes:
+                    body += f"""for (uint32_t n = 0; n < {16 * bytes_ // (size // 8)}; ++n)
+    R{size}({bridge + base:#x} + n * {size // 8}) =
+        (uint{size}_t)((n + {size}) * 0x1020408040201ull);
+for (uint32_t n = 0; n < {16 * bytes_ // (size // 8)}; ++n)
+    if (R{size}({bridge + base:#x} + n * {size // 8}) !=
+        (uint{size}_t)((n + {size}) * 0x1020408040201ull)) bad |= 1u << {n};
+"""
+        self.with_leds(modules, wires, **files)
+        self.program(body + "R32(0xFF200000) = bad ? bad : 0x3FF;")
+        self.shows(0x3FF)
+
+    def test_a_slave_on_another_clock_of_two_masters(self):
+        modules = [("memory", "altera_avalon_onchip_memory2",
+                    {"dataWidth": "16", "memorySize": "1024", "initMemContent": "false"}),
+                   ("slow", "clock_source", {})]
+        wires = [("clock", "slow.clk", "memory.clk1"),
+                 ("reset", "slow.clk_reset", "memory.reset1"),
+                 ("avalon", LW, "memory.s1", 0x400), ("avalon", FULL, "memory.s1", 0)]
+        leds, of_leds = pio("leds", 0)
+        self.system([*leds, *modules], [*of_leds, *wires],
+                    [("leds", "leds.external_connection"), ("slow", "slow.clk_in"),
+                     ("slow_reset", "slow.clk_in_reset")],
+                    ", .leds_export(LEDR), .slow_clk(slow), .slow_reset_reset_n(1'b1)")
+        top = (self.folder / "top.v").read_text()
+        (self.folder / "top.v").write_text(top.replace(
+            "sys system", "reg slow = 0; reg [1:0] n = 0;\n"
+            "always @(posedge CLOCK_50) begin n <= n == 2 ? 0 : n + 1; if (n == 2) slow <= !slow; "
+            "end\nsys system"))
+        self.program("for (uint32_t n = 0; n < 256; ++n) R32(0xC0000000 + 4 * n) = n * 0x10003;\n"
+                     "uint32_t good = 1;\n"
+                     "for (uint32_t n = 0; n < 256; ++n) good &= R32(0xFF200400 + 4 * n) == "
+                     "n * 0x10003;\nR32(0xFF200000) = good ? 5 : 2;")
+        self.shows(5)
+
+    def test_strays_are_told_with_who_gets_them(self):
+        memory = [("memory", "altera_avalon_onchip_memory2",
+                   {"memorySize": "256", "initMemContent": "false"})]
+        self.with_leds(memory, [("clock", "clk_0.clk", "memory.clk1"),
+                                ("reset", "clk_0.clk_reset", "memory.reset1"),
+                                ("avalon", LW, "memory.s1", 0x100)])
+        self.program("R32(0xFF200040) = 9; R32(0xFF200200) = 6;")
+        done = self.shows(6)
+        self.assertIn("write to 0xFF200040: nobody is there; the interconnect sends it to "
+                      "memory.s1", done.stderr)
+        self.assertIn("write to 0xFF200200: the interconnect sees leds there, as at 0xFF200000: "
+                      "addresses repeat each 0x200 bytes", done.stderr)
+
+    def test_a_slave_that_never_answers_is_named(self):
+        (self.folder / "stuck_hw.tcl").write_text(HW_TCL.format(
+            name="stuck", width=32, properties="",
+            ports="add_interface_port s waitrequest waitrequest Output 1"))
+        (self.folder / "stuck.v").write_text(
+            "module stuck(input clk, input reset, input [3:0] address, input write, input read, "
+            "input [31:0] writedata, output [31:0] readdata, output waitrequest);\n"
+            "assign waitrequest = 1'b1;\nassign readdata = 0;\nendmodule\n")
+        self.with_leds([("stuck_0", "stuck", {})], [("clock", "clk_0.clk", "stuck_0.clock"),
+                                                    ("reset", "clk_0.clk_reset", "stuck_0.reset"),
+                                                    ("avalon", LW, "stuck_0.s", 0x40)])
+        self.program("R32(0xFF200000) = R32(0xFF200044);")
+        done = self.de1sim("run", "--elf", "program.elf", "--project", "top.qsf", "--duration",
+                           "20ms")
+        self.assertEqual(done.returncode, 1, done.stderr)
+        self.assertIn("read of 4 bytes at 0xFF200044 (stuck_0 did not answer", done.stderr)
+
+    def test_the_addresses_are_listed(self):
+        self.with_leds()
+        self.program("")
+        done = self.de1sim("check", "top.qsf")
+        self.assertIn("addresses of hps_0.h2f_lw_axi_master:\n"
+                      "  0xFF200000 - 0xFF20000F  leds.s1\n", done.stdout)
+
+    def test_a_script_that_makes_the_project(self):
+        self.with_leds()
+        (self.folder / "top.qsf").unlink()
+        self.write(make_tcl='set name top\nproject_new $name -overwrite\nforeach {n v} {DEVICE '
+                            '5CSEMA5F31C6 TOP_LEVEL_ENTITY top VERILOG_FILE top.v\nQIP_FILE '
+                            'sys/synthesis/sys.qip} {set_global_assignment -name $n $v}\n'
+                            'project_close\n')
+        self.program("R32(0xFF200000) = 3;")
+        self.write(s_yaml='name: s\nversion: 1\nprogram: program.elf\nproject: make.tcl\nsteps:\n'
+                          '  - expect-leds: {equals: "0000000011", timeout: 100ms}\n')
+        done = self.de1sim("run", "s.yaml")
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+
+    # ---- What is refused --------------------------------------------------
+
+    def refuses(self, message, modules=(), connections=(), **files):
+        self.with_leds(modules, connections, **files)
+        self.refused(message, "check", "top.qsf")
+
+    def test_a_program_without_a_processor(self):
+        self.write(top_v="module top(output [9:0] LEDR); assign LEDR = 1; endmodule")
+        self.program("")
+        self.refused("--elf: the project has no processor to run it", "run", "--elf", "program.elf",
+                     "--project", ".")
+
+    def test_broken_files(self):
+        self.with_leds()
+        self.write(sys_qsys="<system>\n <module name=\"a\" kind=\"b\">\n</system>\n")
+        self.refused("sys.qsys:3: this is broken XML", "check", "top.qsf")
+        self.write(sys_qsys="<component/>\n")
+        self.refused("sys.qsys:1: this is no Platform Designer system", "check", "top.qsf")
+        self.write(sys_qsys="")
+        self.refused("sys.qsys:1: this is broken XML", "check", "top.qsf")
+
+    def test_one_name_twice(self):
+        self.refuses("there are two modules leds", pio("leds", 0x10)[0])
+
+    def test_two_slaves_at_one_address(self):
+        more, wires = pio("more", 0)
+        self.refuses("leds.s1 and more.s1 have the same addresses of hps_0.h2f_lw_axi_master, from "
+                     "0x0 on", more, wires)
+
+    def test_a_base_within_a_span(self):
+        more, wires = pio("more", 0x18)
+        self.refuses("more.s1 is at 0x18, which is no multiple of its 16 bytes", more, wires)
+
+    def test_an_interrupt_twice(self):
+        keys = {"direction": "Input", "width": "4", "captureEdge": "true", "generateIRQ": "true"}
+        modules, wires = [], []
+        for n in (0, 1):
+            port, its_wires = pio(f"keys{n}", 0x20 + 0x10 * n, **keys)
+            modules += port
+            wires += [*its_wires, ("interrupt", "hps_0.f2h_irq0", f"keys{n}.irq", 3)]
+        self.refuses("interrupt 3 of hps_0.f2h_irq0 is that of keys0.irq and of keys1.irq", modules,
+                     wires)
+
+    def test_a_module_that_is_not_there(self):
+        self.refuses("a connection names nobody.s1, but there is no such module",
+                     connections=[("avalon", LW, "nobody.s1", 0x40)])
+
+    def test_an_unknown_kind(self):
+        self.refuses("odd_0 is of the kind odd, which is neither known here nor described by a "
+                     "odd_hw.tcl in the project", [("odd_0", "odd", {})])
+
+    def test_a_nios(self):
+        self.refuses("cpu is a Nios II (altera_nios2_gen2), which cannot be simulated",
+                     [("cpu", "altera_nios2_gen2", {})])
+
+    def test_wrong_component_descriptions(self):
+        for text, message in (("set_module_property NAME odd\nset_interface_property s a\n",
+                               "odd_hw.tcl:2: set_interface_property needs 3 words, has 2"),
+                              ("while 1 {}\n", "odd_hw.tcl:1: this is wrong Tcl: "),
+                              ("set f [open x]\n", "odd_hw.tcl:1: the command open is not"),
+                              ("add_interface s avalon end\nadd_interface_port s a address Input "
+                               "WIDTH\n", "odd_hw.tcl: the width of port a is `WIDTH`"),
+                              ("set_module_property NAME {odd\n",
+                               "odd_hw.tcl:1: this is wrong Tcl: missing close-brace")):
+            self.with_leds([("odd_0", "odd", {})], odd_hw_tcl="")
+            (self.folder / "odd_hw.tcl").write_text(text)
+            self.refused(message, "check", "top.qsf")
+
+    def test_a_port_that_the_system_has_not(self):
+        self.with_leds()
+        top = (self.folder / "top.v").read_text()
+        (self.folder / "top.v").write_text(top.replace(".leds_export", ".led_export"))
+        self.refused("led_export", "check", "top.qsf")
+
+
+run()
