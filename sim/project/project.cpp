@@ -120,9 +120,10 @@ private:
         } else if (name == "SDC_FILE") {
             if (const auto file = resolve(a)) check_timing(*file);
         } else if (name == "QSYS_FILE") {
-            if (const auto file = resolve(a)) take_system(*file);
+            const auto file = resolve(a);
+            if (file && has_processor(*file)) take_system(*file);  // others where they are needed
         } else if (name == "QIP_FILE") {
-            if (const auto system = system_of_qip(a.value))
+            if (const auto system = system_of_qip(a.value); system && has_processor(*system))
                 take_system(*system);
             else if (const auto file = resolve(a))
                 for (const Assignment& inner : settings_of(*file)) take(inner);
@@ -168,6 +169,12 @@ private:
         if (lower(qip.parent_path().filename().string()) != "synthesis") return {};
         const auto found = files_.finder().with_name(qip.stem().string() + ".qsys");
         return found.empty() ? std::nullopt : std::optional{found.front()};
+    }
+
+    // Such a system is made anew, also where there is the Verilog that was once made of it, which
+    // has the vendor's primitives in it.
+    static bool has_processor(const fs::path& system) {
+        return text_of(system).find("kind=\"altera_hps\"") != std::string::npos;
     }
 
     // A kind is described by KIND_hw.tcl: ours, or the project's.
@@ -308,6 +315,19 @@ private:
                 }
     }
 
+    // Of a file, or of a Platform Designer system that is not listed.
+    const Definition* definition(const std::string& name, bool from_vhdl) {
+        const auto systems = files_.finder().with_name(name + ".qsys");
+        const bool is_made =
+            !systems.empty() && !files_.modules().count(name) &&
+            (has_processor(systems.front()) || !files_.definition(name, from_vhdl));
+        if (is_made) {
+            note(fmt::format("{}: {} is made of it", files_.place(systems.front()), name));
+            take_system(systems.front());
+        }
+        return files_.definition(name, from_vhdl);
+    }
+
     void take_what_it_needs() {
         std::set<std::string> seen;
         std::set<std::size_t> packages, others;
@@ -320,15 +340,7 @@ private:
             const bool from_vhdl = user && files_.is_vhdl(*user);
             if (request_.is_model(from_vhdl ? lower(name) : name) && !files_.modules().count(name))
                 continue;
-            // Rather than the Verilog that was once made of it.
-            if (!files_.modules().count(name))
-                for (const fs::path& file : files_.finder().with_name(name + ".qsys")) {
-                    note(fmt::format("{} is not listed; {} is made of it", files_.place(file),
-                                     name));
-                    take_system(file);
-                    break;
-                }
-            const Definition* d = files_.definition(name, from_vhdl);
+            const Definition* d = definition(name, from_vhdl);
             if (!d) {
                 if (!by.empty()) missing_.emplace_back(name, by);
                 continue;

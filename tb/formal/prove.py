@@ -62,7 +62,9 @@ def write_smt2(arguments, step, sources):
         script.append(f"connect -nounset -set {name} {inner}")
     smt2 = arguments.work / f"{step}.smt2"
     if arguments.mutant:
-        script.append(f"select -set others t:$assert c:{arguments.mutant.suffixes[0][1:]} %d; "
+        # $check is what an assertion is called by newer releases of Yosys.
+        script.append("select -set others t:$assert t:$check %u "
+                      f"c:{arguments.mutant.suffixes[0][1:]} %d; "
                       + ("chformal -assert2assume @others; chformal -delay 1 @others"
                          if step == "induction" else "delete @others"))
     script.append(f"cd ..; prep -top {top} -nordff; opt -fast; check -assert; "

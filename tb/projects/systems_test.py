@@ -242,6 +242,17 @@ for (uint32_t n = 0; n < {16 * bytes_ // (size // 8)}; ++n)
         done = self.de1sim("run", "s.yaml")
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
 
+    def test_a_system_without_a_processor_by_the_verilog_that_was_made_of_it(self):
+        self.write(top_v=TOP.format(", .out_export(LEDR)"), sys_qsys=qsys(BASE[:1], []),
+                   sys__synthesis__sys_qip="set_global_assignment -name VERILOG_FILE [file join "
+                                           "$::quartus(qip_path) sys.v]\n",
+                   sys__synthesis__sys_v="module sys(input clk_clk, input reset_reset_n, output "
+                                         "[9:0] out_export); assign out_export = 9; endmodule\n",
+                   top_qsf="set_global_assignment -name VERILOG_FILE top.v\n"
+                           "set_global_assignment -name QSYS_FILE sys.qsys\n"
+                           "set_global_assignment -name QIP_FILE sys/synthesis/sys.qip\n")
+        self.leds(9, project="top.qsf")
+
     # ---- What is refused --------------------------------------------------
 
     def refuses(self, message, modules=(), connections=(), **files):

@@ -60,7 +60,16 @@ void UndefinedWords::compare(const char* bits, bool thumb, bool (*compared)(std:
 
 // ---- What is compared ----
 
+// VRINT and VCVT with a rounding of their own, which ARMv8 has where ARMv7 has nothing; so has the
+// Cortex-A9 of a newer Unicorn.
+bool is_of_armv8(std::uint32_t w) {
+    if ((w & 0xFFB00810) != 0xF3B00000) return false;
+    const std::uint32_t a = field(w, 17, 16), op = field(w, 9, 7);
+    return bit(w, 10) ? a == 2 && op != 4 && op != 6 : a == 3;
+}
+
 bool in_neon(std::uint32_t w) {
+    if (is_of_armv8(w)) return false;
     const bool sign = !bit(w, 24), b = bit(w, 4);
     const std::uint32_t a = field(w, 11, 8);
     if (a != 13 || sign) return true;
