@@ -33,6 +33,7 @@ module altsyncram #(
     parameter numwords_b = 0, NUMWORDS_B = numwords_b,
     parameter width_byteena_b = 1, WIDTH_BYTEENA_B = width_byteena_b,
     parameter address_reg_b = "CLOCK1", ADDRESS_REG_B = address_reg_b,
+    parameter address_reg_a = "CLOCK0", ADDRESS_REG_A = address_reg_a,  // without meaning
     parameter outdata_reg_b = "UNREGISTERED", OUTDATA_REG_B = outdata_reg_b,
     parameter outdata_aclr_b = "NONE", OUTDATA_ACLR_B = outdata_aclr_b,
     parameter clock_enable_input_b = "NORMAL", CLOCK_ENABLE_INPUT_B = clock_enable_input_b,

@@ -192,6 +192,44 @@ for (uint32_t n = 0; n < {16 * bytes_ // (size // 8)}; ++n)
                      "n * 0x10003;\nR32(0xFF200000) = good ? 5 : 2;")
         self.shows(5)
 
+    def test_the_sdram_by_the_university_programs_pll(self):
+        modules = [("clk_0", "clock_source", {}), ("hps_0", "altera_hps", HPS),
+                   ("pll", "altera_up_avalon_sys_sdram_pll", {"gui_outclk": "100.0"}),
+                   ("sdram", "altera_avalon_new_sdram_controller", {"clockRate": "100000000"}),
+                   ("leds", "altera_avalon_pio", {"width": "10", "direction": "Output"})]
+        wires = [("clock", "clk_0.clk", "pll.ref_clk"),
+                 ("reset", "clk_0.clk_reset", "pll.ref_reset"),
+                 *(("clock", "pll.sys_clk", end) for end in (
+                     "hps_0.h2f_axi_clock", "hps_0.h2f_lw_axi_clock", "sdram.clk", "leds.clk")),
+                 ("reset", "pll.reset_source", "sdram.reset"),
+                 ("reset", "pll.reset_source", "leds.reset"),
+                 ("avalon", FULL, "sdram.s1", 0), ("avalon", LW, "leds.s1", 0)]
+        exports = [("leds", "leds.external_connection"), ("dram", "sdram.wire"),
+                   ("dram_clk", "pll.sdram_clk")]
+        pins = "".join(f", .dram_{role}(DRAM_{pin})" for role, pin in (
+            ("addr", "ADDR"), ("ba", "BA"), ("cas_n", "CAS_N"), ("cke", "CKE"), ("cs_n", "CS_N"),
+            ("dq", "DQ"), ("ras_n", "RAS_N"), ("we_n", "WE_N"), ("clk_clk", "CLK")))
+        self.system((), (), (), "")
+        self.write(sys_qsys=qsys(modules, wires, exports), top_v=f"""module top(input CLOCK_50,
+output [9:0] LEDR, output [12:0] DRAM_ADDR, output [1:0] DRAM_BA, output DRAM_CAS_N, DRAM_CKE,
+DRAM_CS_N, DRAM_RAS_N, DRAM_WE_N, DRAM_CLK, DRAM_LDQM, DRAM_UDQM, inout [15:0] DRAM_DQ);
+sys system(.clk_clk(CLOCK_50), .reset_reset_n(1'b1), .leds_export(LEDR),
+           .dram_dqm({{DRAM_UDQM, DRAM_LDQM}}){pins});
+endmodule
+""")
+        self.program("""uint32_t bad = 0;
+const uint32_t steps[] = {4, 2048, 4096, 0x100000};
+for (unsigned s = 0; s < 4; ++s) {
+    for (uint32_t n = 0; n < 60; ++n) R32(0xC0000000 + n * steps[s]) = n * 0x01030507 + s;
+    for (uint32_t n = 0; n < 60; ++n)
+        if (R32(0xC0000000 + n * steps[s]) != n * 0x01030507 + s) bad |= 1u << s;
+}
+R64(0xC0000100) = 0x1122334455667788; R8(0xC0000103) = 0xAB; R16(0xC0000106) = 0xCDEF;
+if (R64(0xC0000100) != 0xCDEF3344AB667788) bad |= 16;
+R32(0xFF200000) = bad ? bad : 0x3FF;""")
+        self.shows(0x3FF)
+        self.assertEqual(self.report()["sdram_violations"]["count"], 0)
+
     def test_strays_are_told_with_who_gets_them(self):
         memory = [("memory", "altera_avalon_onchip_memory2",
                    {"memorySize": "256", "initMemContent": "false"})]

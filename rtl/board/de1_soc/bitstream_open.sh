@@ -35,6 +35,7 @@ yosys -q -l "$out/yosys.log" -p "
     iopadmap -bits -outpad MISTRAL_OB I:PAD -inpad MISTRAL_IB O:PAD \
         -toutpad MISTRAL_IO OE:O:PAD -tinoutpad MISTRAL_IO OE:O:I:PAD A:top
     synth_intel_alm -family cyclonev -top de1_soc_top -noiopad
+    delete t:\$scopeinfo
     write_json $out/de1_soc.json"
 [ "${1:-}" = --netlist ] && exit
 

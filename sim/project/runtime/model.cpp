@@ -21,6 +21,9 @@ namespace {
 
 constexpr std::uint64_t FS_PER_PS = 1'000;
 constexpr std::uint64_t QUIET_FS = 1'000'000'000'000;  // 1 ms
+// From DRAM_CLK in the FPGA to the data there: the SDRAM's tAC of 5.4 ns, and two pads.  So the
+// clock may lead by 3 ns, as the University Program has it.
+constexpr std::uint64_t DQ_DELAY_FS = 8'000'000;
 constexpr unsigned VIDEO_BATCH = 800, MOST_TURNS = 100;
 constexpr unsigned XCK_RISES = 128;  // for a measurement of its period
 
@@ -122,13 +125,16 @@ private:
         until_fs_ = until_ps * FS_PER_PS;
         look_ahead();
         while (!to_answer || !is_answered()) {
-            if (std::min(clocks_.next_fs(), bclk_next_fs_) > stop_fs_ || ended()) {
+            const std::uint64_t parts_fs = std::min(bclk_next_fs_, dq_next_fs_);
+            if (std::min(clocks_.next_fs(), parts_fs) > stop_fs_ || ended()) {
                 if (agenda_fs_ > until_fs_ || ended()) return true;
                 keep_agenda();
-            } else if (bclk_next_fs_ < clocks_.next_fs()) {
-                bclk_edge();
-            } else {
+            } else if (parts_fs >= clocks_.next_fs()) {
                 edge();
+            } else if (parts_fs == dq_next_fs_) {
+                dq_arrives();
+            } else {
+                bclk_edge();
             }
         }
         return false;
@@ -350,13 +356,31 @@ private:
         cke_ = cke;
         const bool reads = (pins >> 17 & 15) == 5, writes = (pins >> 17 & 15) == 4;
         if (reads || writes) reading_ = reads;
+        std::uint16_t dq = dq_;
         listener_.sdram(
             {!selected, (pins >> 19 & 1) != 0, (pins >> 18 & 1) != 0, (pins >> 17 & 1) != 0,
              static_cast<std::uint8_t>(pins >> 15 & 3), static_cast<std::uint8_t>(pins & 3),
              static_cast<std::uint16_t>(pins >> 2 & 0x1fff), before_.dram_dq,
              !reading_ && (writes || sdram_busy_), cke},
-            now_ps(), top_.dram_dq_i, sdram_busy_);
-        top_.dram_dq_en_i = sdram_busy_ && reading_;
+            now_ps(), dq, sdram_busy_);
+        const bool drives = sdram_busy_ && reading_;
+        if (!drives && !dq_drives_) return;
+        if (dq_next_fs_ != NEVER) put_dq();  // of the clock before, less than the delay ago
+        dq_ = dq;
+        dq_drives_ = drives;
+        dq_next_fs_ = now_fs_ + DQ_DELAY_FS;
+    }
+
+    void dq_arrives() {
+        now_fs_ = dq_next_fs_;
+        put_dq();
+        settle();
+    }
+
+    void put_dq() {
+        top_.dram_dq_i = dq_;
+        top_.dram_dq_en_i = dq_drives_;
+        dq_next_fs_ = NEVER;
         look_ = true;
     }
 
@@ -387,6 +411,9 @@ private:
     std::uint64_t first_sample_fs_ = 0, last_sample_fs_ = 0;  // of the batch
     std::uint64_t period_ps_ = 40'000;                        // that the board knows
     bool sdram_busy_ = false, reading_ = false, cke_ = true;
+    std::uint16_t dq_ = 0;  // what the SDRAM drives, from dq_next_fs_ on
+    bool dq_drives_ = false;
+    std::uint64_t dq_next_fs_ = NEVER;
     LampPins lamps_{0, (std::uint64_t{1} << 42) - 1};
     HeaderPins headers_{};
     unsigned clocks_high_ = 0, pins_ = 0;
