@@ -66,10 +66,10 @@ Peripherals::Peripherals(const sc_core::sc_module_name& name, Wires wires)
                reset_blocks(WATCHDOG0 | WATCHDOG1);
                warm_reset_();
            }}},
+      fpga_manager{"fpga_manager", [this](const std::string& line) { say_once(line); }},
       scu{"scu", remembering::scu()},
       l2_cache{"l2_cache", remembering::l2_cache(), remembering::l2_cache_after_preloader()},
       system_manager{"system_manager", remembering::system_manager()},
-      fpga_manager{"fpga_manager", remembering::fpga_manager()},
       l3{"l3", {}},
       sdram_control{"sdram_control", remembering::sdram_control(),
                     remembering::sdram_after_preloader()},

@@ -24,6 +24,7 @@
 
 #include "sim/hps/bus.h"
 #include "sim/hps/dma330.h"
+#include "sim/hps/fpga_manager.h"
 #include "sim/hps/gic.h"
 #include "sim/hps/global_timer.h"
 #include "sim/hps/hps_gpio.h"
@@ -82,8 +83,8 @@ public:
     SpiController spi_master0, spi_master1, spi_slave0, spi_slave1;
     Dma330 dma;
     ResetManager reset_manager;
-    RememberingRegisters scu, l2_cache, system_manager, fpga_manager, l3, sdram_control,
-        scan_manager;
+    FpgaManager fpga_manager;
+    RememberingRegisters scu, l2_cache, system_manager, l3, sdram_control, scan_manager;
     RegisterTable clock_manager;
     Memory on_chip_ram;
 

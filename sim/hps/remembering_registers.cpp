@@ -26,19 +26,6 @@ std::map<std::uint32_t, std::uint32_t> l2_cache_after_preloader() {
 // Cyclone V HPS TRM, siliconid1: a Cyclone V, first revision.
 std::vector<FixedRegisters> system_manager() { return {{0x00, 0x00, 0x00000001}}; }
 
-// Cyclone V HPS TRM, FPGA manager: stat is the mode (4: user mode) and MSEL from bit 3 on;
-// gpio_ext_porta shows the configuration pins and that the FPGA has power.
-std::vector<FixedRegisters> fpga_manager() {
-    constexpr std::uint32_t USER_MODE = 4, MSEL = 0x0A;
-    constexpr std::uint32_t NSTATUS = 1, CONF_DONE = 2, INIT_DONE = 4, NCONFIG_PIN = 0x100,
-                            NSTATUS_PIN = 0x200, CONF_DONE_PIN = 0x400, FPGA_POWER = 0x800,
-                            INIT_DONE_PIN = 0x1000;
-    return {{0x000, 0x000, MSEL << 3 | USER_MODE},
-            {0x850, 0x850,
-             NSTATUS | CONF_DONE | INIT_DONE | NCONFIG_PIN | NSTATUS_PIN | CONF_DONE_PIN |
-                 FPGA_POWER | INIT_DONE_PIN}};
-}
-
 // Cyclone V HPS TRM, SDRAM Controller Subsystem: dramsts says that the calibration has succeeded.
 std::vector<FixedRegisters> sdram_control() { return {{0x5038, 0x5038, 0x00000001}}; }
 

@@ -4,12 +4,11 @@
 //   scu             0xFFFEC000  enable remembers; configuration: two processors, 32 KB caches
 //   l2_cache        0xFFFEF000  L2C-310: 512 KB, 8 ways; maintenance is complete at once
 //   system_manager  0xFFD08000  silicon ID of a Cyclone V; the rest remembers
-//   fpga_manager    0xFF706000  user mode, MSEL 01010, pins nSTATUS, CONF_DONE and INIT_DONE high
 //   l3              0xFF800000  remap and security bits remember
 //   sdram_control   0xFFC20000  the DDR3's controller, calibrated, as the preloader leaves it
 //   scan_manager    0xFFF02000  idle, its FIFOs empty
 //
-// Not handled: what the bits would do; the FPGA is configured and cannot be configured again.
+// Not handled: what the bits would do.
 #pragma once
 
 #include <map>
@@ -54,7 +53,6 @@ std::vector<FixedRegisters> scu();
 std::vector<FixedRegisters> l2_cache();
 std::map<std::uint32_t, std::uint32_t> l2_cache_after_preloader();
 std::vector<FixedRegisters> system_manager();
-std::vector<FixedRegisters> fpga_manager();
 std::vector<FixedRegisters> sdram_control();
 std::map<std::uint32_t, std::uint32_t> sdram_after_preloader();
 std::vector<FixedRegisters> scan_manager();

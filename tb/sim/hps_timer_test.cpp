@@ -244,6 +244,28 @@ TEST_F(Managers, SayThatTheFpgaIsInUserMode) {
     EXPECT_EQ(read(0xFF706850) & 7, 7u) << "nSTATUS, CONF_DONE, INIT_DONE";
 }
 
+TEST_F(Managers, HaveTheFpgasConfigurationAsTheBootLoaderLeavesIt) {
+    EXPECT_EQ(read(0xFF706004), 0x2C0u) << "32 bits, a data ratio of 8, nothing pulled";
+}
+
+TEST_F(Managers, ShowTheModesOfAnFpgaThatIsResetAndSayOnceThatItsDesignStays) {
+    write(0xFF706004, 0x2C5);
+    EXPECT_EQ(read(0xFF706000) & 7, 1u) << "reset";
+    EXPECT_EQ(read(0xFF706850) & 7, 0u);
+    write(0xFF706004, 0x2C1);
+    EXPECT_EQ(read(0xFF706000) & 7, 2u) << "configuration";
+    EXPECT_EQ(read(0xFF706850) & 7, 1u) << "nSTATUS";
+    write(0xFF706004, 0x2C5);
+    ASSERT_EQ(board.said.size(), 1u);
+    EXPECT_NE(board.said[0].find("no bitstream is loaded"), std::string::npos);
+}
+
+TEST_F(Managers, DoNotResetTheFpgaWhileTheyHaveNoControl) {
+    write(0xFF706004, 0x2C4);
+    EXPECT_EQ(read(0xFF706000) & 7, 4u);
+    EXPECT_TRUE(board.said.empty());
+}
+
 TEST_F(Managers, RememberWhatTheyAreTold) {
     for (const std::uint32_t address : {0xFFD08060u, 0xFFFEF100u, 0xFFFEC000u}) {
         write(address, 0x1234);
