@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <map>
 #include <optional>
 #include <regex>
 #include <set>
@@ -187,13 +188,14 @@ std::vector<std::string> verilog_of(const VhdlDesign& design, const TimeLimit& l
             }
     }
     have_one_time(design.work / "work-obj08.cf");
-    // A component is bound to an entity only if that has been analysed.  Errors come again below.
-    std::set<std::string> analysed;
+    // A component is bound to an entity only if that has been analysed.  Errors of GHDL 2 come again
+    // below; GHDL 5 says there only that the entity has not been analysed.
+    std::map<std::string, std::string> analysed;  // what GHDL said
     for (const VhdlRoot& root : design.roots) {
-        if (!analysed.insert(root.entity).second) continue;
+        if (analysed.count(root.entity)) continue;
         auto make = words({"-m"}, {root.entity});
         make.insert(make.begin(), "ghdl");
-        run_command(make, design.folder, limit.left_s());
+        analysed[root.entity] = run_command(make, design.folder, limit.left_s()).output;
     }
     const auto file_of = [&](const std::string& entity) {
         for (std::size_t n = 0; n < paths.size(); ++n)
@@ -213,6 +215,8 @@ std::vector<std::string> verilog_of(const VhdlDesign& design, const TimeLimit& l
                 // What has no place of its own begins with the entity.
                 const std::string what = failure.what(), entity = root.entity + ": ";
                 if (what.compare(0, entity.size(), entity) != 0) throw;
+                const std::string before = first_error(analysed[root.entity], root.entity);
+                if (before.compare(0, entity.size(), entity) != 0) throw ProjectError{before};
                 throw ProjectError{file_of(root.entity) + what.substr(root.entity.size())};
             }
         };

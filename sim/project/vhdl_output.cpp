@@ -35,6 +35,16 @@ std::vector<std::string> lines_of(const std::string& text) {
     return lines;
 }
 
+// The module that `line` begins an instance of, "  NAME instance (" or "  NAME #("; else empty.
+std::string instanced(const std::string& line) {
+    const std::size_t name_end = line.find(' ', 2);
+    if (line.compare(0, 2, "  ") != 0 || line[2] == ' ' || name_end == std::string::npos) return {};
+    const std::string name = line.substr(2, name_end - 2), rest = line.substr(name_end + 1);
+    const bool named = rest.size() > 2 && rest.find(' ') == rest.size() - 2 && rest[0] != '@' &&
+                       rest.back() == '(';
+    return rest == "#(" || named ? name : std::string{};
+}
+
 }  // namespace
 
 VhdlOutput::VhdlOutput(const std::string& said, const std::string& root, const std::string& module,
@@ -43,14 +53,22 @@ VhdlOutput::VhdlOutput(const std::string& said, const std::string& root, const s
     for (std::size_t at = text.find(begin); at != std::string::npos; at = text.find(begin, at)) {
         const std::size_t behind = text.find(end, at);
         if (behind == std::string::npos) return;
-        take(text.substr(at + 1, behind + end.size() - at - 1), root, module, in_verilog);
+        take(text.substr(at + 1, behind + end.size() - at - 1), root, module);
         at = behind;
+    }
+    // GHDL 5 writes no module for a component without an entity.
+    for (const Module& of : modules_)
+        for (const std::string& line : lines_of(of.text))
+            if (const std::string name = instanced(line); !name.empty()) components_[name];
+    for (const Module& of : modules_) components_.erase(of.name);
+    for (auto& [name, found] : components_) {
+        found = in_verilog(name);
+        if (!found) throw ProjectError{fmt::format("component {}: no file defines it", name)};
     }
 }
 
-// A component without an entity has nothing between its ports and its end.
-void VhdlOutput::take(std::string text, const std::string& root, const std::string& module,
-                      const InVerilog& in_verilog) {
+// GHDL 2 writes a module for a component without an entity, with nothing behind its ports.
+void VhdlOutput::take(std::string text, const std::string& root, const std::string& module) {
     std::string name = text.substr(7, text.find_first_of(" \n(", 7) - 7);
     if (lower(name) == lower(root)) {
         text.replace(7, name.size(), module);
@@ -61,12 +79,10 @@ void VhdlOutput::take(std::string text, const std::string& root, const std::stri
         modules_.push_back({name, std::move(text)});
         return;
     }
-    components_[name] = in_verilog(name);
-    if (!components_[name])
-        throw ProjectError{fmt::format("component {}: no file defines it", name)};
+    components_[name];
 }
 
-// Instances of components are "  NAME instance (" or "  NAME #(", with a line for each connection.
+// Behind the line of an instance comes one for each connection.
 void VhdlOutput::rename(std::string& module) const {
     std::istringstream lines{module};
     module.clear();
@@ -76,7 +92,7 @@ void VhdlOutput::rename(std::string& module) const {
         if (line.compare(0, 5, "    .") == 0) {
             if (of) line.replace(5, end - 5, name_in(*of, line.substr(5, end - 5)));
         } else if (line.compare(0, 4, "    ") != 0) {
-            const std::string name = line.substr(0, line.find(' ', 2)).erase(0, 2);
+            const std::string name = instanced(line);
             const auto found = components_.find(name);
             of = found == components_.end() ? nullptr : found->second;
             if (of) line.replace(2, name.size(), of->name);
