@@ -149,12 +149,11 @@ Checked check_design(const CheckRequest& request) {
     make_tidy(checked.errors);
     make_tidy(checked.warnings);
     // None of what de1sim has written for a Platform Designer system.
-    checked.warnings.erase(std::remove_if(checked.warnings.begin(), checked.warnings.end(),
-                                          [](const Message& m) {
-                                              return std::filesystem::path{m.file}.extension() ==
-                                                     ".qsys";
-                                          }),
-                           checked.warnings.end());
+    checked.warnings.erase(
+        std::remove_if(
+            checked.warnings.begin(), checked.warnings.end(),
+            [](const Message& m) { return std::filesystem::path{m.file}.extension() == ".qsys"; }),
+        checked.warnings.end());
     return checked;
 }
 
