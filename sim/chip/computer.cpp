@@ -83,6 +83,7 @@ Computer::Computer(const sc_core::sc_module_name& name, PinListener& pins, Audie
                 }} {
     full_window.bind(fpga.h2f);
     lightweight_window.bind(fpga.lw);
+    bus.name_registers(fpga_registers());
     bus.describe("h2f", "the full bridge", fpga_places(H2F_BASE, H2F_SIZE));
     bus.describe("lw", "the lightweight bridge", fpga_places(LW_BASE, LW_SIZE));
     for (const char* bridge : {"h2f", "lw"})

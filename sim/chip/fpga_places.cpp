@@ -6,6 +6,12 @@
 
 namespace sim {
 
+std::map<std::uint32_t, std::string> fpga_registers() {
+    std::map<std::uint32_t, std::string> names;
+    for (const regmap::Reg& reg : regmap::REGS) names.emplace(reg.addr, reg.name);
+    return names;
+}
+
 std::vector<Bus::Place> fpga_places(std::uint32_t base, std::uint32_t size) {
     std::vector<Bus::Place> places;
     for (const regmap::Block& block : regmap::BLOCKS) {

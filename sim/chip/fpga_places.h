@@ -3,13 +3,18 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
+#include <string>
 #include <vector>
 
 #include "sim/hps/bus.h"
 
 namespace sim {
 
-// Those of the register map from `base` on, within `size` bytes.
+// The registers of the register map, by address.
+std::map<std::uint32_t, std::string> fpga_registers();
+
+// The blocks and memories of the register map from `base` on, within `size` bytes.
 std::vector<Bus::Place> fpga_places(std::uint32_t base, std::uint32_t size);
 
 }  // namespace sim

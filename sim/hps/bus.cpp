@@ -65,6 +65,11 @@ std::string Bus::place(std::uint32_t address) const {
     return "";
 }
 
+std::string Bus::register_at(std::uint32_t address) const {
+    const auto found = registers_.find(address / 4 * 4);
+    return found == registers_.end() ? place(address) : found->second;
+}
+
 bool Bus::transfer(bool write, std::uint32_t address, unsigned char* data, unsigned bytes,
                    sc_core::sc_time& delay) {
     tlm::tlm_generic_payload tx;

@@ -15,6 +15,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <memory>
 #include <string>
 #include <utility>
@@ -84,6 +85,12 @@ public:
     }
     // The place at `address`: "LEDR", or "" where there is none.
     std::string place(std::uint32_t address) const;
+    // Registers of 32 bits, by address.
+    void name_registers(std::map<std::uint32_t, std::string> names) {
+        registers_ = std::move(names);
+    }
+    // The register at `address`, "KEY_EDGE"; else as place().
+    std::string register_at(std::uint32_t address) const;
 
     // An access of another master than the processor, with its delay; false: refused.
     bool transfer(bool write, std::uint32_t address, unsigned char* data, unsigned bytes,
@@ -111,6 +118,7 @@ private:
 
     std::vector<Window> windows_;
     std::vector<Place> absent_;
+    std::map<std::uint32_t, std::string> registers_;
     BusCounts counts_;
     std::function<void(const Access&)> watch_;
 };

@@ -6,7 +6,6 @@
 
 #include <fmt/format.h>
 
-#include "regmap.h"
 #include "sim/report/seconds.h"
 
 namespace sim {
@@ -27,22 +26,17 @@ void BusLog::add(const Bus::Access& access) {
     ++left_out_;
 }
 
-std::string BusLog::name_of(std::uint32_t address) const {
-    for (const regmap::Reg& reg : regmap::REGS)
-        if (address - reg.addr < 4) return reg.name;
-    return bus_.place(address);
-}
-
 std::string BusLog::text() const {
     std::string text = fmt::format(
         "# the processor's bus from {:.9f} s to {:.9f} s: {} accesses; {} came before\n"
         "# time s, ns taken, read or write, bytes, address, first word, register, function\n",
         seconds(from_), seconds(to_), entries_.size(), left_out_);
     for (const Entry& e : entries_)
-        text += fmt::format(
-            "{:.9f} {:6.0f} {} {:4} 0x{:08X} 0x{:08X} {:24} {}{}\n", seconds(e.begin),
-            seconds(e.end - e.begin) * 1e9, e.write ? "write" : "read ", e.bytes, e.address,
-            e.value, name_of(e.address), program_.function(e.pc), e.answered ? "" : " ERROR");
+        text +=
+            fmt::format("{:.9f} {:6.0f} {} {:4} 0x{:08X} 0x{:08X} {:24} {}{}\n", seconds(e.begin),
+                        seconds(e.end - e.begin) * 1e9, e.write ? "write" : "read ", e.bytes,
+                        e.address, e.value, bus_.register_at(e.address), program_.function(e.pc),
+                        e.answered ? "" : " ERROR");
     return text;
 }
 

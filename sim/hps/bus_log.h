@@ -38,7 +38,6 @@ private:
         bool write, answered;
     };
     void add(const Bus::Access& access);
-    std::string name_of(std::uint32_t address) const;
 
     const Bus& bus_;
     const sc_core::sc_time from_, to_;

@@ -188,8 +188,8 @@ std::vector<std::string> verilog_of(const VhdlDesign& design, const TimeLimit& l
             }
     }
     have_one_time(design.work / "work-obj08.cf");
-    // A component is bound to an entity only if that has been analysed.  Errors of GHDL 2 come again
-    // below; GHDL 5 says there only that the entity has not been analysed.
+    // A component is bound to an entity only if that has been analysed.  Errors of GHDL 2 come
+    // again below; GHDL 5 says there only that the entity has not been analysed.
     std::map<std::string, std::string> analysed;  // what GHDL said
     for (const VhdlRoot& root : design.roots) {
         if (analysed.count(root.entity)) continue;

@@ -4,7 +4,6 @@
 
 #include <fmt/format.h>
 
-#include "regmap.h"
 #include "sim/chip/computer.h"
 #include "sim/report/seconds.h"
 #include "sim/report/whole_file.h"
@@ -94,16 +93,12 @@ std::string ArmRun::waiting() const {
     if (kernel_ && !kernel_->waiting().empty()) return kernel_->waiting();
     if (terminal().waits()) return "standard input";
     if (at.sleeping) return "an interrupt";
-    if (at.polled) return fmt::format("a change of 0x{:08X}{}", *at.polled, named(*at.polled));
+    if (at.polled) {
+        const std::string name = bus_.register_at(*at.polled);
+        return fmt::format("a change of 0x{:08X}{}{}{}", *at.polled, name.empty() ? "" : " (", name,
+                           name.empty() ? "" : ")");
+    }
     return "";
-}
-
-// " (KEY_DATA)", of a register, or of the block that it is in.
-std::string ArmRun::named(std::uint32_t address) const {
-    for (const regmap::Reg& reg : regmap::REGS)
-        if (reg.addr == address) return fmt::format(" ({})", reg.name);
-    const std::string place = bus_.place(address);
-    return place.empty() ? "" : " (" + place + ")";
 }
 
 void ArmRun::write_profile() const {

@@ -49,7 +49,6 @@ public:
     const CallLog* calls() const { return calls_ ? &*calls_ : nullptr; }  // of a part
 
 private:
-    std::string named(std::uint32_t address) const;
     Terminal& terminal() { return kernel_ ? kernel_->terminal() : semihosting_->terminal(); }
     const Terminal& terminal() const {
         return kernel_ ? kernel_->terminal() : semihosting_->terminal();

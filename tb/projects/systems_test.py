@@ -230,6 +230,84 @@ R32(0xFF200000) = bad ? bad : 0x3FF;""")
         self.shows(0x3FF)
         self.assertEqual(self.report()["sdram_violations"]["count"], 0)
 
+    def timer(self, body, leds, **parameters):
+        """A timer of 50 MHz at 0x1000, by interrupt 2; what `body` leaves in `shown`."""
+        self.with_leds(
+            [("timer_0", "altera_avalon_timer", {"systemFrequency": "50000000", **parameters})],
+            [("clock", "clk_0.clk", "timer_0.clk"), ("reset", "clk_0.clk_reset", "timer_0.reset"),
+             ("avalon", LW, "timer_0.s1", 0x1000),
+             ("interrupt", "hps_0.f2h_irq0", "timer_0.irq", 2)])
+        self.program("volatile uint16_t* const T = (volatile uint16_t*)0xFF201000;\n"
+                     "#define REG(n) T[(n) * 2]\nuint32_t shown = 0;\n"
+                     f"{body}\nR32(0xFF200000) = shown;")
+        self.shows(leds)
+
+    def test_a_timer_counts_its_period_and_one_clock(self):
+        self.timer("REG(2) = 99; REG(3) = 0; REG(1) = 6;\n"
+                   "for (int n = 0; n < 3; n++) { while (!(REG(0) & 1)) {} REG(0) = 0; shown++; }\n"
+                   "REG(4) = 0; uint32_t rest = REG(4); if (rest < 100) shown |= 8;\n"
+                   "if (REG(0) == 2) shown |= 16; REG(1) = 8; if (REG(0) == 0) shown |= 32;\n"
+                   "if (REG(1) == 8 && REG(2) == 99) shown |= 64;", 0b1111011)
+
+    def test_a_timer_begins_with_the_period_of_platform_designer(self):
+        """And stops at 0 without CONT, with the interrupt pending."""
+        self.timer("if (REG(2) == 0xC34F && REG(3) == 0) shown |= 1; REG(1) = 5;\n"
+                   "while (!(R32(0xFFFED208) >> 10 & 1)) {} shown |= 2;\n"
+                   "if (REG(0) == 1) shown |= 4; REG(0) = 0;\n"
+                   "if (!(R32(0xFFFED208) >> 10 & 1)) shown |= 8;", 0b1111,
+                   period="1", periodUnits="MSEC")
+
+    def test_a_timer_of_64_bits(self):
+        self.timer("REG(5) = 0; REG(4) = 1; REG(3) = 0; REG(2) = 0; REG(1) = 4; REG(6) = 0;\n"
+                   "if (REG(8) == 0 && REG(7) == 0xFFFF && REG(9) == 0) shown |= 1;\n"
+                   "if (REG(0) == 2) shown |= 2;", 0b11, counterSize="64")
+
+    def test_a_timer_without_a_frequency(self):
+        modules, wires = [("timer_0", "altera_avalon_timer", {})], [
+            ("clock", "clk_0.clk", "timer_0.clk"), ("reset", "clk_0.clk_reset", "timer_0.reset"),
+            ("avalon", LW, "timer_0.s1", 0x1000)]
+        self.refuses("systemFrequency is 0", modules, wires)
+
+    def bridged(self, kind, parameters, clocks):
+        """LEDs and a memory of 16 bits behind a bridge at 0x1000."""
+        modules = [("bridge", kind, {"ADDRESS_WIDTH": "9", **parameters}),
+                   ("leds", "altera_avalon_pio", {"width": "10", "direction": "Output"}),
+                   ("memory", "altera_avalon_onchip_memory2",
+                    {"dataWidth": "16", "memorySize": "256"})]
+        wires = [("avalon", LW, "bridge.s0", 0x1000), ("avalon", "bridge.m0", "leds.s1", 0x100),
+                 ("avalon", "bridge.m0", "memory.s1", 0)]
+        for end, clock in clocks.items():
+            wires += [("clock", clock, end),
+                      ("reset", "clk_0.clk_reset", end.replace("clk", "reset"))]
+        modules.append(("slow", "clock_source", {}))
+        self.system(modules, wires, [("leds", "leds.external_connection"),
+                                     ("slow", "slow.clk_in"), ("slow_reset", "slow.clk_in_reset")],
+                    ", .leds_export(LEDR), .slow_clk(slow), .slow_reset_reset_n(1'b1)")
+        top = (self.folder / "top.v").read_text()
+        (self.folder / "top.v").write_text(top.replace(
+            "sys system", "reg slow = 0; always @(posedge CLOCK_50) slow <= !slow;\nsys system"))
+        self.program("volatile uint32_t* const M = (volatile uint32_t*)0xFF201000;\n"
+                     "uint32_t bad = 0; for (int i = 0; i < 64; i++) M[i] = i * 0x12345678u;\n"
+                     "for (int i = 63; i >= 0; i--) if (M[i] != i * 0x12345678u) bad = 1;\n"
+                     "R8(0xFF201006) = 0x7F; if (R32(0xFF201004) != 0x127F5678) bad |= 2;\n"
+                     "R32(0xFF201100) = bad | 0x200; if (R32(0xFF201100) != (bad | 0x200))\n"
+                     "R32(0xFF201100) = 4;")
+        self.shows(0x200)
+        self.assertIn("  0xFF201100 - 0xFF20110F  leds.s1\n",
+                      self.de1sim("check", "top.qsf").stdout)
+
+    def test_a_bridge(self):
+        for command, response in ("1", "1"), ("0", "0"), ("1", "0"):
+            self.bridged("altera_avalon_mm_bridge",
+                         {"PIPELINE_COMMAND": command, "PIPELINE_RESPONSE": response},
+                         {"bridge.clk": "clk_0.clk", "leds.clk": "clk_0.clk",
+                          "memory.clk1": "clk_0.clk"})
+
+    def test_a_bridge_from_one_clock_to_another(self):
+        self.bridged("altera_avalon_mm_clock_crossing_bridge", {},
+                     {"bridge.s0_clk": "clk_0.clk", "bridge.m0_clk": "slow.clk",
+                      "leds.clk": "slow.clk", "memory.clk1": "slow.clk"})
+
     def test_strays_are_told_with_who_gets_them(self):
         memory = [("memory", "altera_avalon_onchip_memory2",
                    {"memorySize": "256", "initMemContent": "false"})]

@@ -14,7 +14,8 @@ namespace {
 
 constexpr std::uint32_t LIGHTWEIGHT = 0xFF200000, FULL = 0xC0000000;  // windows
 constexpr const char* FULL_MASTER = "h2f_axi_master";
-constexpr unsigned WIDEST = 1024;
+constexpr unsigned WIDEST = 1024, NATIVE = 32;  // bits of data
+constexpr unsigned DEEPEST = 20;               // bridges behind each other
 
 struct Slave {
     End end;
@@ -72,6 +73,8 @@ private:
             links_.push_back({masters[c.start], slaves[c.end], c.base, c.shares});
         }
         for (std::size_t n = 0; n < masters_.size(); ++n) check_addresses(n);
+        for (std::size_t n = 0; n < masters_.size(); ++n)
+            map_of(masters_[n], links_of(n), 0, std::uint64_t{1} << 32);
     }
 
     Master master(const End& e) {
@@ -99,6 +102,9 @@ private:
                 read != nullptr,
                 write != nullptr,
                 assembly_.clock_of(e).root};
+        // Each word of a slave that is aligned so has a word of 32 bits of its own.
+        if (lower(e.interface->property("addressAlignment")) == "native")
+            s.width = std::max(s.width, NATIVE);
         const std::uint64_t bytes = s.width / 8;
         if (s.width % 8 || (s.width & (s.width - 1)) || s.width > WIDEST)
             assembly_.fail(fmt::format("the slave {} has {} bits of data, expected 8, 16, ... 1024",
@@ -134,8 +140,27 @@ private:
                     fmt::format("{} and {} have the same addresses of {}, from 0x{:x} on",
                                 slaves_[all[n - 1].slave].end.name(), s.end.name(),
                                 masters_[master].end.name(), all[n].base));
-            out_.map.push_back({masters_[master].end.name(), s.end.name(), all[n].base, s.span,
-                                s.reads, s.writes, window_of(masters_[master])});
+        }
+    }
+
+    // What `master` reaches, also through bridges, from `base` on.
+    void map_of(const Master& master, const std::vector<Link>& links, std::uint64_t base,
+                std::uint64_t end, unsigned depth = 0) {
+        for (const Link& link : links) {
+            const Slave& s = slaves_[link.slave];
+            const std::uint64_t first = base + link.base;
+            if (first >= end) continue;
+            const std::string through = s.end.interface->property("bridgesToMaster");
+            const std::string behind = s.end.instance->name + "." + through;
+            const auto next = std::find_if(masters_.begin(), masters_.end(), [&](const Master& m) {
+                return m.end.name() == behind;
+            });
+            if (through.empty() || next == masters_.end() || depth == DEEPEST)
+                out_.map.push_back({master.end.name(), s.end.name(), first, s.span, s.reads,
+                                    s.writes, window_of(master)});
+            else
+                map_of(master, links_of(static_cast<std::size_t>(next - masters_.begin())), first,
+                       std::min(end, first + s.span), depth + 1);
         }
     }
 
