@@ -5,7 +5,6 @@ import pathlib
 import shlex
 import shutil
 import subprocess
-import sys
 import time
 
 from folder import DE1SIM, Folder, run
@@ -54,8 +53,8 @@ class HandIns(Folder):
         done = subprocess.run([DE1SIM, "test", *words], cwd=self.folder, capture_output=True,
                               text=True)
         if "bwrap" in done.stderr and "cannot do it here" in done.stderr:
-            print("skipped:", done.stderr)
-            sys.exit(77)
+            print(done.stderr.strip(), flush=True)
+            os._exit(77)  # of the whole test, not of this case
         self.assertEqual(done.returncode, code, done.stdout + done.stderr)
         return done
 
