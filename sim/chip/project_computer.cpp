@@ -1,6 +1,7 @@
 #include "sim/chip/project_computer.h"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include <fmt/format.h>
@@ -36,7 +37,7 @@ ProjectComputer::ProjectComputer(const sc_core::sc_module_name& name, PinListene
                                  const std::filesystem::path& library, const std::string& folder,
                                  const Trace& trace, const project::qsys::Generated& system)
     : ProcessorSystem{name, pins, audience, std::move(software)},
-      fpga{"fpga", pins, library, folder, trace},
+      fpga{"fpga", pins, library, folder, trace, this},
       bridges{"bridges", fpga, width_of(system, H2F_BASE), width_of(system, LW_BASE)},
       system_{system},
       audience_{audience} {
@@ -52,7 +53,20 @@ ProjectComputer::ProjectComputer(const sc_core::sc_module_name& name, PinListene
 }
 
 void ProjectComputer::type(const std::string& text, SerialLine to) {
-    if (to == SerialLine::UART) hps.uart0.receive(text);
+    if (to == SerialLine::UART) return hps.uart0.receive(text);
+    std::deque<char>& typed = typed_[to == SerialLine::JTAG_1];
+    typed.insert(typed.end(), text.begin(), text.end());
+}
+
+void ProjectComputer::sent(unsigned number, char character) {
+    audience_.console(character, number ? SerialLine::JTAG_1 : SerialLine::JTAG_0);
+}
+
+std::optional<char> ProjectComputer::typed(unsigned number) {
+    if (number >= std::size(typed_) || typed_[number].empty()) return {};
+    const char next = typed_[number].front();
+    typed_[number].pop_front();
+    return next;
 }
 
 std::optional<Chip::End> ProjectComputer::end() const { return fpga.end(); }

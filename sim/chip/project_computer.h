@@ -4,7 +4,9 @@
 //   ProcessorSystem --+- ProjectBridges --> ProjectChip --> pins
 #pragma once
 
+#include <deque>
 #include <filesystem>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -16,7 +18,7 @@
 
 namespace sim {
 
-class ProjectComputer : public ProcessorSystem, public Chip {
+class ProjectComputer : public ProcessorSystem, public Chip, project::JtagTerminals {
 public:
     // `library` and `folder` as ProjectChip has them.
     ProjectComputer(const sc_core::sc_module_name& name, PinListener& pins, Audience& audience,
@@ -42,10 +44,13 @@ public:
     ProjectBridges bridges;
 
 private:
+    void sent(unsigned number, char character) override;
+    std::optional<char> typed(unsigned number) override;
     void report_stray(std::uint32_t address, bool write);
 
     const project::qsys::Generated system_;
     Audience& audience_;
+    std::deque<char> typed_[2];  // at the JTAG UARTs
     std::set<std::string> said_;
 };
 

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include "sim/pins/pins.h"
@@ -31,6 +32,16 @@ struct BridgeAccess {
     std::uint32_t address;  // in the bridge's window; the word's
     std::uint8_t byte_enable;
     std::uint64_t data;  // to write
+};
+
+// The terminals on the PC, of the design's JTAG UARTs, by their numbers.
+class JtagTerminals {
+public:
+    virtual void sent(unsigned number, char character) = 0;
+    virtual std::optional<char> typed(unsigned number) = 0;  // the next one, which is taken
+
+protected:
+    ~JtagTerminals() = default;
 };
 
 class Model {
@@ -65,6 +76,7 @@ struct ModelSettings {
     const char* folder;  // the project's: $readmemh and other files are opened from there
     Trace trace;
     void (*say)(const char* line);  // what a person should know
+    JtagTerminals* terminals = nullptr;
 };
 
 // `extern "C"` as de1sim_open_model; the caller deletes what it gets.

@@ -10,6 +10,8 @@ import sys
 import unittest
 
 DE1SIM, FOLDER = sys.argv[1], pathlib.Path(sys.argv[2])
+GHDL = int(subprocess.run(["ghdl", "--version"], capture_output=True, text=True,
+                          check=True).stdout.split()[1].split(".")[0])
 LEDS = "module top(input [9:0] SW, output [9:0] LEDR); assign LEDR = {}; endmodule\n"
 
 

@@ -6,7 +6,7 @@ import pathlib
 import re
 import sys
 
-from case import Case, run
+from case import GHDL, Case, run
 
 README = pathlib.Path(sys.argv.pop(3)).read_text()
 HEAD = "module top(input CLOCK_50, input [3:0] KEY, input [9:0] SW, output {} [9:0] LEDR);\n"
@@ -322,13 +322,17 @@ class Messages(Case):
                      "top.v:3 by a of instance s (10029)")
 
     def test_of_vhdl_what_ghdl_refuses_or_loses(self):
+        """GHDL 2 names the process and loses a register; later releases name what is assigned."""
+        place = 4 if GHDL < 3 else 7
+        lost = ("GHDL leaves out n, which is loaded without a clock" if GHDL < 3 else
+                "top.vhd:6: Quartus error 10028: n has two drivers, or keeps its value without a")
         for process, said in (
                 ("process (CLOCK_50) begin if rising_edge(CLOCK_50) then n <= SW; end if; end "
                  "process;\nprocess (KEY) begin if KEY(0) = '0' then n <= \"0000000000\"; end if; "
-                 "end process;\n", "top.vhd:4: Quartus error 10028: n has two drivers"),
+                 "end process;\n", f"top.vhd:{place}: Quartus error 10028: n has two drivers"),
                 ("process (CLOCK_50, KEY, SW) begin if KEY(0) = '0' then n <= SW;\n"
                  "elsif rising_edge(CLOCK_50) then n <= n; end if; end process;\n",
-                 "GHDL leaves out n, which is loaded without a clock")):
+                 lost)):
             with self.subTest(said):
                 self.setUp()
                 self.write(top_vhd=VHDL + process + VHDL_END)

@@ -268,6 +268,41 @@ R32(0xFF200000) = bad ? bad : 0x3FF;""")
             ("avalon", LW, "timer_0.s1", 0x1000)]
         self.refuses("systemFrequency is 0", modules, wires)
 
+    def jtag_uart(self, body, leds, *steps):
+        self.with_leds(
+            [("jtag", "altera_avalon_jtag_uart", {"simInputCharacterStream": "a &quot;b&quot;"})],
+            [("clock", "clk_0.clk", "jtag.clk"), ("reset", "clk_0.clk_reset", "jtag.reset"),
+             ("avalon", LW, "jtag.avalon_jtag_slave", 0x1000),
+             ("interrupt", "hps_0.f2h_irq0", "jtag.irq", 8)])
+        self.program("#define DATA R32(0xFF201000)\n#define CONTROL R32(0xFF201004)\n"
+                     f"uint32_t shown = 0;\n{body}\nR32(0xFF200000) = shown;")
+        self.write(s_yaml="name: s\nversion: 1\nprogram: program.elf\nproject: top.qsf\nsteps:\n" +
+                   "".join(f"  - {step}\n" for step in steps) +
+                   f'  - expect-leds: {{equals: "{leds:010b}", timeout: 100ms}}\n')
+        done = self.de1sim("run", "s.yaml")
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        return done
+
+    def test_a_jtag_uart_prints_and_is_typed_at(self):
+        done = self.jtag_uart(
+            "for (const char* s = \"Hello, 1234567 and a line longer than the FIFO of sixty-four "
+            "bytes\\n\"; *s; s++) { while (CONTROL >> 16 == 0) {} DATA = *s; }\n"
+            "uint32_t d, n = 0; char text[3];\n"
+            "while (n < 3) if ((d = DATA) & 0x8000) text[n++] = d;\n"
+            "if (text[0] == 'x' && text[1] == 'y' && text[2] == 'z') shown = 0x155;", 0x155,
+            'wait-serial: {text: "sixty-four bytes", timeout: 50ms}',
+            'type-serial: {text: "xyz", to: jtag-0}')
+        self.assertIn("Hello, 1234567 and a line longer than the FIFO", done.stdout)
+
+    def test_a_full_jtag_uart_drops_and_interrupts(self):
+        self.jtag_uart(
+            "for (int n = 0; n < 70; n++) DATA = 'a';\n"
+            "if (CONTROL >> 16 == 0 && CONTROL >> 14 & 1) shown |= 1;\n"
+            "if (!(R32(0xFFFED208) >> 16 & 1)) shown |= 2; CONTROL = 2;\n"
+            "while (!(R32(0xFFFED208) >> 16 & 1)) {} if (CONTROL >> 9 & 1) shown |= 4;\n"
+            "if (CONTROL >> 16 == 64) shown |= 8; CONTROL = 0x402;\n"
+            "if (!(CONTROL >> 10 & 1)) shown |= 16;", 0b11111)
+
     def bridged(self, kind, parameters, clocks):
         """LEDs and a memory of 16 bits behind a bridge at 0x1000."""
         modules = [("bridge", kind, {"ADDRESS_WIDTH": "9", **parameters}),

@@ -14,6 +14,7 @@
 #include "sim/project/runtime/chip.h"
 #include "sim/project/runtime/clocks.h"
 #include "sim/project/runtime/endings.h"
+#include "sim/project/runtime/jtag.h"
 
 namespace sim::project {
 
@@ -57,6 +58,7 @@ public:
             sources.push_back(std::filesystem::path{settings.folder} / facts.source_folders[n]);
         set_init_folders({settings.folder, std::move(sources)},
                          [say = settings.say](const std::string& line) { say(line.c_str()); });
+        set_jtag_terminals(settings.terminals);
         evaluated = {&ending_, settings.say, 0};
         const InFolder in_folder{settings.folder};  // where the design's files are
         eval();
