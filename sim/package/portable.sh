@@ -34,6 +34,6 @@ ldd bin/* lib/de1sim/*.so* | awk '$2 == "=>" && $3 ~ "^/" {print $3}' | sort -u 
     done
 cd ..
 mkdir -p "$build/package"
-tar --sort=name --owner=0 --group=0 --numeric-owner -cJf "$name.tar.xz" "$name"
+XZ_OPT=-T0 tar --sort=name --owner=0 --group=0 --numeric-owner -cJf "$name.tar.xz" "$name"
 mv "$name.tar.xz" "$build/package/"
 echo "$build/package/$name.tar.xz"

@@ -10,6 +10,7 @@
 #include "sim/project/compiled_headers.h"
 #include "sim/project/file_finder.h"
 #include "sim/project/generated.h"
+#include "sim/project/syntax_tree.h"
 #include "sim/project/tools.h"
 #include "sim/report/sha256.h"
 #include "sim/report/whole_file.h"
@@ -110,17 +111,24 @@ void Builder::elaborate() {
     read_clean_sources();
     refuse(text_errors(checks_));  // before the translator finds them in other words
     verilator_ = find_verilator(limit_);
-    while (!translate_to_xml()) {
+    while (!write_tree()) {
     }
 }
 
+fs::path Builder::tree() const { return folder_ / (as_json_ ? "design.json" : "design.xml"); }
+
 // False: parameters that the top has not are left out now, as Quartus does.  Many are the global
 // ones of Intel's IP.
-bool Builder::translate_to_xml() {
+bool Builder::write_tree() {
     auto words = verilator_words(design_.project, includes_);
     words.insert(words.end(), {"-O0", "-Wwarn-lint", "-Wwarn-PINMISSING", "-DDE1SIM_LISTS",
-                               "--xml-only", "--xml-output", "design.xml", "--Mdir", "xml",
-                               "--top-module", design_.project.top});
+                               "--Mdir", "tree", "--top-module", design_.project.top});
+    const std::string written = tree().filename();
+    if (as_json_)
+        words.insert(words.end(), {"--json-only", "--json-only-output", written,
+                                   "--json-only-meta-output", tree_meta(written)});
+    else
+        words.insert(words.end(), {"--xml-only", "--xml-output", written});
     const auto parameters = verilator_options(design_.project.parameters);
     words.insert(words.end(), parameters.begin(), parameters.end());
     for (const fs::path& file : files_) words.push_back(file.string());
@@ -132,6 +140,10 @@ bool Builder::translate_to_xml() {
             (said.find("12006: no file defines module") != std::string_view::npos ||
              said.find("pragma protect") != std::string_view::npos))  // in an encrypted file
             throw ProjectError{design_.project.why_missing};
+        if (!as_json_ && said.find("--xml-only") != std::string_view::npos) {
+            as_json_ = true;
+            return false;
+        }
         if (fit_inout(e.what())) return false;
         bool left_out = false;
         for (const std::string& name : unknown_parameters(e.what())) {
@@ -202,11 +214,10 @@ void Builder::read_and_elaborate() {
     for (bool is_new = true; is_new;) {
         is_new = false;
         for (GenericEntity& entity : entities_)
-            if (entity.is_set)
-                is_new |= entity.add(parameters_of(folder_ / "design.xml", entity.name));
+            if (entity.is_set) is_new |= entity.add(parameters_of(tree(), entity.name));
         if (is_new) elaborate();
     }
-    design_.elaborated = read_elaborated(folder_ / "design.xml", design_.project.top);
+    design_.elaborated = read_elaborated(tree(), design_.project.top);
     for (const InitFile& file : design_.elaborated.init_files) design_.init_files.push_back(file);
     design_.binding =
         sim::project::bind(design_.elaborated.ports, design_.project.pins, board_pins());
@@ -218,8 +229,8 @@ void Builder::read_and_elaborate() {
 }
 
 void Builder::check() {
-    Checked checked = check_design({design_.project, (folder_ / "design.xml").string(), said_,
-                                    checks_, design_.elaborated.ports, board_pins()});
+    Checked checked = check_design(
+        {design_.project, tree().string(), said_, checks_, design_.elaborated.ports, board_pins()});
     design_.warnings = std::move(checked.warnings);
     design_.self_reading = std::move(checked.self_reading);
     refuse(checked.errors);

@@ -59,7 +59,8 @@ private:
     void check();
     void refuse(const Messages& errors) const;
     void elaborate();
-    bool translate_to_xml();
+    bool write_tree();
+    std::filesystem::path tree() const;
     void generate();
     std::string key() const;
 
@@ -76,7 +77,8 @@ private:
     std::vector<GenericEntity> entities_;                      // in VHDL
     std::map<std::string, TextChecks> checks_;                 // by file
     std::map<std::string, std::vector<InoutFit>> inout_fits_;  // by file
-    std::string said_;  // by Verilator of the last elaboration
+    std::string said_;      // by Verilator of the last elaboration
+    bool as_json_ = false;  // it cannot write XML
     bool examined_ = false;
 };
 

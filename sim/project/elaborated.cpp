@@ -9,6 +9,7 @@
 
 #include "sim/project/file_finder.h"
 #include "sim/project/settings.h"
+#include "sim/project/syntax_tree.h"
 
 namespace sim::project {
 
@@ -104,12 +105,19 @@ Port port_of(const pugi::xml_node& var, const std::map<std::string, pugi::xml_no
 
 // C++ in Verilog, and commands of this machine: Verilator takes them, and no board has them.
 void refuse_foreign_code(const pugi::xml_document& document) {
-    static const std::map<std::string, const char*> KINDS{
-        {"systemt", "$system"},     {"systemf", "$system"},
-        {"ucstmt", "$c"},           {"ucfunc", "$c"},
-        {"schdr", "`systemc_..."},  {"scimp", "`systemc_..."},
-        {"scctor", "`systemc_..."}, {"scdtor", "`systemc_..."},
-        {"scint", "`systemc_..."},  {"scimphdr", "`systemc_..."}};
+    static const std::map<std::string, const char*> KINDS{{"systemt", "$system"},
+                                                          {"systemf", "$system"},
+                                                          {"ucstmt", "$c"},
+                                                          {"ucfunc", "$c"},
+                                                          {"cstmtuser", "$c"},
+                                                          {"cexpruser", "$c"},
+                                                          {"systemcsection", "`systemc_..."},
+                                                          {"schdr", "`systemc_..."},
+                                                          {"scimp", "`systemc_..."},
+                                                          {"scctor", "`systemc_..."},
+                                                          {"scdtor", "`systemc_..."},
+                                                          {"scint", "`systemc_..."},
+                                                          {"scimphdr", "`systemc_..."}};
     for (const auto& [element, word] : KINDS)
         if (const auto found = document.select_node(("//" + element).c_str()))
             throw ProjectError{fmt::format(
@@ -119,10 +127,8 @@ void refuse_foreign_code(const pugi::xml_document& document) {
 
 }  // namespace
 
-Elaborated read_elaborated(const std::filesystem::path& xml, const std::string& top) {
-    pugi::xml_document document;
-    const auto result = document.load_file(xml.c_str());
-    if (!result) throw ProjectError{fmt::format("{}: {}", xml.string(), result.description())};
+Elaborated read_elaborated(const std::filesystem::path& file, const std::string& top) {
+    const pugi::xml_document document = syntax_tree(file);
     refuse_foreign_code(document);
     const auto netlist = document.child("verilator_xml").child("netlist");
     std::map<std::string, pugi::xml_node> types;
@@ -153,10 +159,9 @@ Elaborated read_elaborated(const std::filesystem::path& xml, const std::string& 
     return design;
 }
 
-std::vector<std::map<std::string, std::string>> parameters_of(const std::filesystem::path& xml,
+std::vector<std::map<std::string, std::string>> parameters_of(const std::filesystem::path& file,
                                                               const std::string& module) {
-    pugi::xml_document document;
-    document.load_file(xml.c_str());
+    const pugi::xml_document document = syntax_tree(file);
     std::vector<std::map<std::string, std::string>> all;
     for (const auto& copy : document.child("verilator_xml").child("netlist").children("module")) {
         if (module != copy.attribute("origName").value()) continue;

@@ -38,11 +38,11 @@ struct Elaborated {
     std::vector<InitFile> init_files;
 };
 
-// From the file that `verilator --xml-only` writes.  ProjectError.
-Elaborated read_elaborated(const std::filesystem::path& xml, const std::string& top);
+// From Verilator's file, as syntax_tree() has it.  ProjectError.
+Elaborated read_elaborated(const std::filesystem::path& file, const std::string& top);
 
 // The parameters' values of each copy of a module, as Verilator prints them: 32'sh8, "text".
-std::vector<std::map<std::string, std::string>> parameters_of(const std::filesystem::path& xml,
+std::vector<std::map<std::string, std::string>> parameters_of(const std::filesystem::path& file,
                                                               const std::string& module);
 
 }  // namespace sim::project

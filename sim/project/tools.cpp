@@ -29,13 +29,17 @@ fs::path program_folder() {
     return fs::read_symlink("/proc/self/exe", error).parent_path();
 }
 
+constexpr const char* PACKAGES = "apt install verilator g++ zlib1g-dev (packages of Debian)";
+
 // Verilator's first error, in a line: "pong.v:12: Quartus error 10170: syntax error ...".
 std::string first_error(const Outcome& outcome, const std::string& tool, const TimeLimit& limit) {
     if (outcome.code == TIMED_OUT)
         return fmt::format("the build has not ended in {} s (--build-limit): {} was at work",
                            limit.seconds(), tool);
-    if (outcome.code == 127)
-        return tool + " is not installed: apt install verilator g++ (packages of Debian)";
+    if (outcome.code == 127) return tool + " is not installed: " + PACKAGES;
+    for (const char* missing : {"zlib.h: No such file", "cannot find -lz"})
+        if (outcome.output.find(missing) != std::string::npos)
+            return std::string{"zlib's headers are not installed: "} + PACKAGES;
     std::istringstream lines{outcome.output};
     std::string first;
     for (std::string line; std::getline(lines, line);) {

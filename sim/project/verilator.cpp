@@ -33,13 +33,13 @@ bool is_too_old(const std::string& version) {
 
 fs::path compile_runtime(const Verilator& verilator, const fs::path& folder,
                          const TimeLimit& limit) {
-    const fs::path sources = data_folder() / "runtime";
+    const fs::path sources = data_folder() / "runtime", own = sources / "sim/project/runtime";
     std::vector<std::vector<std::string>> commands;
     std::vector<std::string> archive{"ar", "rcs", "new.a"};
     for (const fs::path& source :
          {verilator.include / "verilated.cpp", verilator.include / "verilated_dpi.cpp",
           verilator.include / "verilated_threads.cpp", verilator.include / "verilated_fst_c.cpp",
-          sources / "sim/project/runtime/endings.cpp", sources / "sim/project/runtime/model.cpp"}) {
+          own / "endings.cpp", own / "jtag.cpp", own / "model.cpp"}) {
         archive.push_back(source.stem().string() + ".o");
         commands.push_back(
             {"g++", "-std=c++17", "-O2", "-fPIC", "-w", "-DVL_TIME_CONTEXT", "-DVL_USER_FINISH",
@@ -74,7 +74,7 @@ Verilator find_verilator(const TimeLimit& limit) {
 fs::path runtime_library(const Verilator& verilator, const TimeLimit& limit) {
     if (verilator.version == VERILATOR_VERSION) return library(RUNTIME);
     std::string key = verilator.version + verilator.include.string();
-    for (const char* name : {"endings.cpp", "model.cpp"})
+    for (const char* name : {"endings.cpp", "jtag.cpp", "model.cpp"})
         key += text_of(data_folder() / "runtime/sim/project/runtime" / name);
     const fs::path below = fs::path{"runtime"} / sha256_hex(key.data(), key.size()).substr(0, 16);
     fs::path folder = user_cache() / below;

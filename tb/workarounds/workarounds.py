@@ -1,16 +1,16 @@
-"""workarounds.py [FOLDER NAME [PROBE]]: whether the fault NAME of a tool is still there.
+"""workarounds.py [NAME [PROBE]]: whether the fault NAME of a tool is still there.
 
 Passes where the fault is as FAULTS below has it for this release of Debian.  Where no release has
-it any more, or the table is wrong, one line says what to remove or to change.  FOLDER is written
-to; PROBE is libraries.cpp, by an absolute path.  Without arguments it prints the names.
+it any more, or the table is wrong, one line says what to remove or to change.  PROBE is
+libraries.cpp, by an absolute path.  Without arguments it prints the names.
 """
 import os
 import pathlib
 import platform
 import re
-import shutil
 import subprocess
 import sys
+import tempfile
 
 RELEASES = ["12", "13"]  # of Debian, that de1sim supports
 WARNINGS = ["-Wno-fatal", "-Wno-lint", "-Wno-style", "-Wno-BLKANDNBLK"]
@@ -147,7 +147,7 @@ def run_up_of_webm():
 
 
 def of_a_library(name):
-    return lambda: run(sys.argv[3], name).split()[0] == "there"  # then SystemC's banner
+    return lambda: run(sys.argv[2], name).split()[0] == "there"  # then SystemC's banner
 
 
 # Name: the function, the tool, the releases of Debian that have the fault, what is there for it.
@@ -210,12 +210,10 @@ def main():
     if len(sys.argv) == 1:
         print(" ".join(FAULTS))
         return None
-    folder, name = pathlib.Path(sys.argv[1]), sys.argv[2]
-    shutil.rmtree(folder, ignore_errors=True)
-    folder.mkdir(parents=True)
-    os.chdir(folder)
-    is_there, tool, releases, what = FAULTS[name]
-    return verdict(is_there(), tool, releases.split(), what)
+    is_there, tool, releases, what = FAULTS[sys.argv[1]]
+    with tempfile.TemporaryDirectory() as folder:  # without a blank in its path, for Verilator
+        os.chdir(folder)
+        return verdict(is_there(), tool, releases.split(), what)
 
 
 if __name__ == "__main__":

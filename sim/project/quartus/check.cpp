@@ -127,7 +127,7 @@ Messages text_errors(const std::map<std::string, TextChecks>& texts) {
 }
 
 Checked check_design(const CheckRequest& request) {
-    const Netlist netlist{request.xml_file};
+    const Netlist netlist{request.tree_file};
     SourceTexts sources{request.project.folder};
     const SourceLine line = [&](const std::string& file, unsigned number) {
         return sources.line(file, number);

@@ -6,6 +6,7 @@
 
 #include "sim/project/quartus/netlist_reader.h"
 #include "sim/project/settings.h"
+#include "sim/project/syntax_tree.h"
 #include "sim/project/tools.h"
 
 namespace sim::project {
@@ -91,9 +92,7 @@ void Netlist::read_types(const Node& table) {
     }
 }
 
-Netlist::Netlist(const std::string& xml_file) {
-    const auto result = document_.load_file(xml_file.c_str());
-    if (!result) throw ProjectError{fmt::format("{}: {}", xml_file, result.description())};
+Netlist::Netlist(const std::string& tree_file) : document_{syntax_tree(tree_file)} {
     const Node root = document_.child("verilator_xml"), netlist = root.child("netlist");
     for (const Node& file : root.child("files").children())
         files_.emplace(file.attribute("id").value(),

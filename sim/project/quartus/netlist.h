@@ -73,7 +73,7 @@ struct NetModule {
 class Netlist {
 public:
     // ProjectError.
-    explicit Netlist(const std::string& xml_file);
+    explicit Netlist(const std::string& tree_file);
 
     const std::map<std::string, NetModule>& modules() const { return modules_; }
     // Of a node's "loc".

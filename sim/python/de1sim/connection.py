@@ -17,7 +17,11 @@ import tempfile
 import threading
 import time
 
-import websockets
+try:
+    import websockets
+except ModuleNotFoundError:
+    raise ImportError("de1sim needs the Python package websockets: apt install "
+                      "python3-websockets, or pip install websockets") from None
 
 from .errors import Ended, Refused
 
