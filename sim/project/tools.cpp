@@ -60,6 +60,17 @@ std::string first_error(const Outcome& outcome, const std::string& tool, const T
                          : first;
 }
 
+// The model's function that looks for edges, which design.cpp calls once more at power-up, if it is
+// in this file; else empty.
+std::string function_for_triggers(const fs::path& source) {
+    const std::string text = text_of(source);
+    for (const char* name : {"___eval_triggers__act", "___eval_triggers_vec__act"}) {
+        const std::string function = std::string{"Vde1sim_chip___024root"} + name;
+        if (text.find("void " + function + "(") != std::string::npos) return function;
+    }
+    return {};
+}
+
 }  // namespace
 
 std::string without_blanks(std::string name) {
@@ -132,13 +143,19 @@ void compile_library(const fs::path& folder, const fs::path& objects, bool trace
     const fs::path data = data_folder();
     std::string fast, slow = "#pragma GCC optimize \"O0\"\n";  // what runs once
     std::uintmax_t slow_bytes = 0;
+    std::string triggers;
     for (const auto& entry : fs::directory_iterator{objects}) {
         const std::string file = entry.path().filename().string();
         if (entry.path().extension() != ".cpp") continue;
         const bool is_slow = file.find("__Slow") != std::string::npos;
+        if (triggers.empty()) triggers = function_for_triggers(entry.path());
         (is_slow ? slow : fast) += fmt::format("#include \"{}\"\n", file);
         if (is_slow) slow_bytes += entry.file_size();
     }
+    if (triggers.empty())
+        throw ProjectError{fmt::format(
+            "Verilator {} writes models of a form that is not known here, expected 5.006 to 5.050",
+            verilator.version)};
     fast += "#include \"design.cpp\"\n";
     const bool apart = slow_bytes > WORTH_A_PROCESS;
     write_whole_file(objects / "fast.cxx", apart ? fast : fast + slow);
@@ -161,6 +178,7 @@ void compile_library(const fs::path& folder, const fs::path& objects, bool trace
             command.insert(command.end(),
                            {"-c", "-I.", "-I" + folder.string(), "-I" + (data / "project").string(),
                             fmt::format("{}.cxx", name), "-o", fmt::format("{}.o", name)});
+            command.push_back("-DDE1SIM_EVAL_TRIGGERS=" + triggers);
             if (trace) command.emplace_back("-DDE1SIM_TRACE");
         }
         for (const Outcome& one : run_commands(commands, objects, limit.left_s()))

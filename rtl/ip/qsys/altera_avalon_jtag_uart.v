@@ -65,13 +65,16 @@ module altera_avalon_jtag_uart #(
         input [15:0] first, count, depth;
         place = (first + count) & (depth - 16'd1);
     endfunction
+    // verilator lint_off UNUSED
+    wire [15:0] read_end  = place(read_first_q, read_count_q, READ_DEPTH),
+                write_end = place(write_first_q, write_count_q, WRITE_DEPTH);
+    // verilator lint_on UNUSED
 
     always @(posedge clk) begin
         if (pops) read_q <= read_bytes[read_first_q];
-        if (typed && room) read_bytes[place(read_first_q, read_count_q, READ_DEPTH)] <= typed_data;
+        if (typed && room) read_bytes[read_end] <= typed_data;
         if (sends) sent_q <= write_bytes[write_first_q];
-        if (pushes)
-            write_bytes[place(write_first_q, write_count_q, WRITE_DEPTH)] <= av_writedata[7:0];
+        if (pushes) write_bytes[write_end] <= av_writedata[7:0];
     end
     // verilator lint_on WIDTH
 

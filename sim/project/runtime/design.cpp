@@ -22,7 +22,7 @@ using DesignRoot = Vde1sim_chip___024root;
 void Vde1sim_chip___024root___eval_static(DesignRoot*);
 void Vde1sim_chip___024root___eval_initial(DesignRoot*);
 void Vde1sim_chip___024root___eval_settle(DesignRoot*);
-void Vde1sim_chip___024root___eval_triggers__act(DesignRoot*);
+void DE1SIM_EVAL_TRIGGERS(DesignRoot*);  // of which the name depends on Verilator's release
 void Vde1sim_chip___024root___eval(DesignRoot*);
 
 namespace sim::project {
@@ -46,7 +46,7 @@ void power_up(Vde1sim_chip& chip) {
     Vde1sim_chip___024root___eval_static(&root);
     Vde1sim_chip___024root___eval_initial(&root);
     Vde1sim_chip___024root___eval_settle(&root);
-    Vde1sim_chip___024root___eval_triggers__act(&root);
+    DE1SIM_EVAL_TRIGGERS(&root);
     execute_once_again(root, 0);
 }
 
