@@ -14,10 +14,10 @@
 
 module alt_jtag_atlantic #(
     // verilator lint_off UNUSED
-    parameter INSTANCE_ID             = 0,
-    parameter LOG2_RXFIFO_DEPTH       = 3,
-    parameter LOG2_TXFIFO_DEPTH       = 3,
-    parameter SLD_AUTO_INSTANCE_INDEX = "NO"
+    parameter instance_id = 0, INSTANCE_ID = instance_id,
+    parameter log2_rxfifo_depth = 3, LOG2_RXFIFO_DEPTH = log2_rxfifo_depth,
+    parameter log2_txfifo_depth = 3, LOG2_TXFIFO_DEPTH = log2_txfifo_depth,
+    parameter sld_auto_instance_index = "NO", SLD_AUTO_INSTANCE_INDEX = sld_auto_instance_index
     // verilator lint_on UNUSED
 ) (
     input  wire       clk,

@@ -15,7 +15,7 @@ namespace {
 constexpr std::uint32_t LIGHTWEIGHT = 0xFF200000, FULL = 0xC0000000;  // windows
 constexpr const char* FULL_MASTER = "h2f_axi_master";
 constexpr unsigned WIDEST = 1024, NATIVE = 32;  // bits of data
-constexpr unsigned DEEPEST = 20;               // bridges behind each other
+constexpr unsigned DEEPEST = 20;                // bridges behind each other
 
 struct Slave {
     End end;
@@ -152,9 +152,8 @@ private:
             if (first >= end) continue;
             const std::string through = s.end.interface->property("bridgesToMaster");
             const std::string behind = s.end.instance->name + "." + through;
-            const auto next = std::find_if(masters_.begin(), masters_.end(), [&](const Master& m) {
-                return m.end.name() == behind;
-            });
+            const auto next = std::find_if(masters_.begin(), masters_.end(),
+                                           [&](const Master& m) { return m.end.name() == behind; });
             if (through.empty() || next == masters_.end() || depth == DEEPEST)
                 out_.map.push_back({master.end.name(), s.end.name(), first, s.span, s.reads,
                                     s.writes, window_of(master)});
