@@ -8,9 +8,9 @@
 
 namespace sim::project {
 
-// The XML of `verilator --xml-only`, or the JSON of `verilator --json-only` in the form of that XML;
-// Verilator 5.048 has the JSON alone.  Beside the JSON is its tree_meta().  ProjectError: the file is
-// not whole.
+// The XML of `verilator --xml-only`, or the JSON of `verilator --json-only` in the form of that
+// XML; Verilator 5.048 has the JSON alone.  Beside the JSON is its tree_meta().  ProjectError: the
+// file is not whole.
 pugi::xml_document syntax_tree(const std::filesystem::path& file);
 
 // The file that Verilator writes beside the JSON `file`, with the names of the sources.
