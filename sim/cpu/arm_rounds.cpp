@@ -97,6 +97,7 @@ std::uint64_t ArmCpu::pass_rounds(std::uint64_t most) {
     LoopWorld world{*this, epoch()};
     std::uint64_t next = 0;  // instructions to the next look, if this has been in vain
     if (loop_.follow(loop_registers(), world)) {
+        here.times = 0;
         const bool on_bus = loop_.use_count() > 0;
         if (!on_bus) {
             const unsigned size = loop_.instructions();
