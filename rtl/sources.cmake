@@ -69,6 +69,9 @@ function(verilate_rtl target top)
     if(DE1SIM_COVERAGE)
         set(coverage COVERAGE)
     endif()
+    if(NOT DE1SIM_WERROR)  # each new Verilator finds something new
+        set(warnings -Wno-fatal)
+    endif()
     if(DE1SIM_SANITIZE)
         set(unchecked -fno-sanitize=all)  # not ours, and hot
     endif()
@@ -90,7 +93,7 @@ function(verilate_rtl target top)
         endif()
     endforeach()
     verilate(${target} ${trace} ${coverage} ${flags} PREFIX ${arg_PREFIX} TOP_MODULE ${top}
-        SOURCES ${arg_SOURCES} VERILATOR_ARGS -Wall ${includes} ${arg_ARGS})
+        SOURCES ${arg_SOURCES} VERILATOR_ARGS -Wall ${warnings} ${includes} ${arg_ARGS})
     get_target_property(sources ${target} SOURCES)
     list(REMOVE_ITEM sources ${RUNTIME_SOURCES})
     set_target_properties(${target} PROPERTIES SOURCES "${sources}")

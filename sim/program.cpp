@@ -11,6 +11,7 @@
 #include <iterator>
 #include <new>
 #include <sstream>
+#include <tuple>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -19,6 +20,7 @@
 #include "selftest/self_test.h"
 #include "sim/check/check_board.h"
 #include "sim/fpga/fabric.h"
+#include "sim/link/link.h"
 #include "sim/live/command.h"
 #include "sim/process/shell_word.h"
 #include "sim/report/messages.h"
@@ -91,6 +93,20 @@ int command_line(int argc, char** argv, const Firmware& firmware) {
             ->required();
         add_project_options(*command, project);
     }
+    CheckPrints prints = CheckPrints::ALL;
+    auto* const systems = examine_command.add_option_group("of Platform Designer's systems");
+    systems->require_option(0, 1);
+    for (const auto& [name, what, text] :
+         {std::tuple{"--map", CheckPrints::MAP, "print who has which addresses, alone"},
+          std::tuple{"--header", CheckPrints::HEADER, "print hps_0.h, the macros for C, alone"},
+          std::tuple{"--device-tree", CheckPrints::DEVICE_TREE,
+                     "print the nodes for Linux' device tree, alone"}})
+        systems->add_flag_callback(
+            name, [&prints, what = what] { prints = what; }, text);
+    LinkOptions link_options;
+    CLI::App& link_command = *app.add_subcommand(
+        "link", "make one ARM program of Linux kernel modules and the program that uses them");
+    add_link_options(link_command, link_options);
     CLI::App& check_command = *app.add_subcommand(
         "check-board", "check registers, memory, timing, keys and lamps of the simulated board");
     add_check_board_options(check_command, check_options);
@@ -125,8 +141,10 @@ int command_line(int argc, char** argv, const Firmware& firmware) {
             settle_run_options(run_command, options);
         else if (live_command.parsed())
             live_options.run.live_socket = 0;
+        else if (link_command.parsed())
+            link_options.arguments = options.arguments;
         else if (!options.arguments.empty())
-            throw CLI::ValidationError("--", "is for de1sim run");
+            throw CLI::ValidationError("--", "is for de1sim run, live and link");
     } catch (const CLI::ParseError& e) {
         if (e.get_exit_code() == 0) {  // --help, --version
             std::ostringstream text;
@@ -136,7 +154,7 @@ int command_line(int argc, char** argv, const Firmware& firmware) {
         complain(fmt::format("{} (see de1sim --help)",
                              argc > 1 && app.get_subcommands().empty()
                                  ? fmt::format("expected run, test, live, build, check, "
-                                               "check-board, compare or merge, got \"{}\"",
+                                               "link, check-board, compare or merge, got \"{}\"",
                                                argv[1])
                                  : std::string{e.what()}));
         return WRONG_INPUT;
@@ -145,7 +163,8 @@ int command_line(int argc, char** argv, const Firmware& firmware) {
         return become_tracing_build(argv);
     if (live_command.parsed()) return live::live(live_options, {argv + 2, argv + argc});
     if (build_command.parsed()) return build_project(project);
-    if (examine_command.parsed()) return check_project(project);
+    if (link_command.parsed()) return link_program(link_options);
+    if (examine_command.parsed()) return check_project(project, prints);
     if (test_command.parsed()) return suite::test(test_options);
     if (merge_command.parsed()) return suite::merge(parts, merged);
     if (compare_command.parsed()) return compare_reports(reports[0], reports[1]);

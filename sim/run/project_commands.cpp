@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "sim/project/init_file.h"
+#include "sim/project/tools.h"
 #include "sim/report/messages.h"
 #include "sim/run/run.h"
 
@@ -72,6 +73,9 @@ project::Request ProjectOptions::request() const {
     request.top = top;
     request.macros = macros;
     request.build_limit_s = build_limit_s;
+    request.is_model = [](const std::string& module) {
+        return project::model_of(module).has_value();
+    };
     return request;
 }
 
@@ -123,7 +127,27 @@ int build_project(const ProjectOptions& options) {
                : WRONG_INPUT;
 }
 
-int check_project(const ProjectOptions& options) {
+namespace {
+
+// Of the Platform Designer systems, without Verilator.
+int print_systems(const ProjectOptions& options, CheckPrints prints) {
+    const project::Project project = project::read_project(options.request());
+    if (project.systems.empty())
+        throw project::ProjectError{
+            fmt::format("{} has no Platform Designer system", options.place.string())};
+    std::string text;
+    for (const auto& system : project.systems)
+        text += prints == CheckPrints::MAP ? addresses(system)
+                : prints == CheckPrints::HEADER
+                    ? project::qsys::header_text(system.name, system.devices)
+                    : project::qsys::device_tree_text(system.devices);
+    return print_result(text) ? PASSED : WRONG_INPUT;
+}
+
+}  // namespace
+
+int check_project(const ProjectOptions& options, CheckPrints prints) {
+    if (prints != CheckPrints::ALL) return print_systems(options, prints);
     project::Builder builder{options.request(), false};
     const project::Design& design = examine(builder);
     std::string text = fmt::format("top module: {}\nfiles:\n", design.project.top);

@@ -25,9 +25,13 @@ struct ProjectOptions {
 // --top, -D and --build-limit, to which CLI11 adds what it parses.
 void add_project_options(CLI::App& command, ProjectOptions& options);
 
+// What `de1sim check` prints: all, or of the Platform Designer systems the addresses, hps_0.h, or
+// the nodes for a device tree.
+enum class CheckPrints { ALL, MAP, HEADER, DEVICE_TREE };
+
 // Both print to stdout, and return an exit code.  project::ProjectError.
 int build_project(const ProjectOptions& options);
-int check_project(const ProjectOptions& options);
+int check_project(const ProjectOptions& options, CheckPrints prints);
 
 // With a line on stderr for each thing that takes time, unless `quiet`.
 project::Built build_with_progress(const ProjectOptions& options, bool trace, bool quiet);

@@ -3,46 +3,19 @@ import pathlib
 import subprocess
 
 from case import Case, run
+from systems import FULL, HPS, LW, pio, qsys
 
 EXAMPLES = pathlib.Path(__file__).resolve().parents[2] / "sw/examples"
 GCC = ["arm-none-eabi-gcc", "-mcpu=cortex-a9", "-mgeneral-regs-only", "-mno-unaligned-access",
        "-O1", "-ffreestanding", "-nostartfiles", f"-I{EXAMPLES}", f"-T{EXAMPLES / 'program.ld'}",
        str(EXAMPLES / "start.S")]
-HPS = {"LWH2F_Enable": "true", "S2F_Width": "2", "F2S_Width": "0", "F2SINTERRUPT_Enable": "true"}
 BASE = [("clk_0", "clock_source", {}), ("hps_0", "altera_hps", HPS)]
 CLOCKS = [("clock", "clk_0.clk", "hps_0.h2f_axi_clock"),
           ("clock", "clk_0.clk", "hps_0.h2f_lw_axi_clock")]
-LW, FULL = "hps_0.h2f_lw_axi_master", "hps_0.h2f_axi_master"
 TOP = """module top(input CLOCK_50, input [9:0] SW, output [9:0] LEDR);
 sys system(.clk_clk(CLOCK_50), .reset_reset_n(1'b1){});
 endmodule
 """
-
-
-def qsys(modules, connections, exports=()):
-    text = '<?xml version="1.0"?>\n<system name="$${FILENAME}">\n'
-    exports = [("clk", "clk_0.clk_in"), ("reset", "clk_0.clk_in_reset"), *exports]
-    for name, internal in exports:
-        text += f' <interface name="{name}" internal="{internal}" type="conduit" dir="end" />\n'
-    for name, kind, parameters in modules:
-        text += f' <module name="{name}" kind="{kind}" version="18.1" enabled="1">\n'
-        for parameter, value in parameters.items():
-            text += f'  <parameter name="{parameter}" value="{value}" />\n'
-        text += " </module>\n"
-    for kind, start, end, *number in connections:
-        text += f' <connection kind="{kind}" version="18.1" start="{start}" end="{end}">\n'
-        name = {"avalon": "baseAddress", "interrupt": "irqNumber"}.get(kind)
-        if number:
-            text += f'  <parameter name="{name}" value="{number[0]:#x}" />\n'
-        text += " </connection>\n"
-    return text + "</system>\n"
-
-
-def pio(name, base, **parameters):
-    """An output port of ten bits on the lightweight bridge."""
-    return ([(name, "altera_avalon_pio", {"width": "10", "direction": "Output", **parameters})],
-            [("clock", "clk_0.clk", f"{name}.clk"), ("reset", "clk_0.clk_reset", f"{name}.reset"),
-             ("avalon", LW, f"{name}.s1", base)])
 
 
 # A component with an array of words behind a slave of the timing that is asked for.

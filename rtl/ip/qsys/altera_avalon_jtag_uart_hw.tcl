@@ -19,6 +19,9 @@ foreach {name type value} {
 add_fileset synth QUARTUS_SYNTH "" ""
 set_fileset_property synth TOP_LEVEL altera_avalon_jtag_uart
 set_module_assignment embeddedsw.dts.compatible altr,juart-1.0
+set_module_assignment embeddedsw.dts.vendor altr
+set_module_assignment embeddedsw.dts.name juart
+set_module_assignment embeddedsw.dts.group serial
 
 add_interface clk clock end
 add_interface_port clk clk clk Input 1

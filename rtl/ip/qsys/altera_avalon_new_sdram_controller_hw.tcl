@@ -19,6 +19,9 @@ foreach {name type value hdl} {
 }
 add_fileset synth QUARTUS_SYNTH "" ""
 set_fileset_property synth TOP_LEVEL altera_avalon_new_sdram_controller
+set_module_assignment embeddedsw.dts.vendor altr
+set_module_assignment embeddedsw.dts.name sdram
+set_module_assignment embeddedsw.dts.group memory
 
 add_interface clk clock end
 add_interface_port clk clk clk Input 1

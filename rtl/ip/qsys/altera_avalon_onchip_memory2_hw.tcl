@@ -16,6 +16,9 @@ foreach {name type value hdl} {
 }
 add_fileset synth QUARTUS_SYNTH "" ""
 set_fileset_property synth TOP_LEVEL altera_avalon_onchip_memory2
+set_module_assignment embeddedsw.dts.vendor altr
+set_module_assignment embeddedsw.dts.name onchipmem
+set_module_assignment embeddedsw.dts.group flash
 
 add_interface clk1 clock end
 add_interface_port clk1 clk clk Input 1

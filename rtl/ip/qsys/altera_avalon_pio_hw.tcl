@@ -18,6 +18,9 @@ foreach name {has_input has_output is_bidir} { set_parameter_property $name HDL_
 add_fileset synth QUARTUS_SYNTH "" ""
 set_fileset_property synth TOP_LEVEL altera_avalon_pio
 set_module_assignment embeddedsw.dts.compatible altr,pio-1.0
+set_module_assignment embeddedsw.dts.vendor altr
+set_module_assignment embeddedsw.dts.name pio
+set_module_assignment embeddedsw.dts.group gpio
 
 add_interface clk clock end
 add_interface_port clk clk clk Input 1
@@ -39,6 +42,16 @@ proc elaborate {} {
     set_parameter_value has_input [expr {$direction ne "output"}]
     set_parameter_value has_output [expr {$direction ne "input"}]
     set_parameter_value is_bidir [expr {$direction eq "bidir"}]
+    foreach {name value} [list DATA_WIDTH $width CAPTURE $edges \
+                              HAS_IN [expr {$direction ne "output"}] \
+                              HAS_OUT [expr {$direction ne "input"}] \
+                              HAS_TRI [expr {$direction eq "bidir"}] \
+                              EDGE_TYPE [expr {$edges ? [get_parameter_value edgeType] : "NONE"}] \
+                              IRQ_TYPE [expr {$irq ? [get_parameter_value irqType] : "NONE"}] \
+                              RESET_VALUE [get_parameter_value resetValue] \
+                              BIT_MODIFYING_OUTPUT_REGISTER $modifies] {
+        set_module_assignment embeddedsw.CMacro.$name $value
+    }
 
     add_interface_port s1 address address Input [expr {$modifies && $direction ne "input" ? 3 : 2}]
     if {$direction ne "input" || $edges || $irq} {

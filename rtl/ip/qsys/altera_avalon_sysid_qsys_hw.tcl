@@ -9,6 +9,9 @@ set_parameter_property timestamp HDL_PARAMETER true
 add_fileset synth QUARTUS_SYNTH "" ""
 set_fileset_property synth TOP_LEVEL altera_avalon_sysid_qsys
 set_module_assignment embeddedsw.dts.compatible ALTR,sysid-1.0
+set_module_assignment embeddedsw.dts.vendor altr
+set_module_assignment embeddedsw.dts.name sysid
+set_module_assignment embeddedsw.dts.group sysid
 
 add_interface clk clock end
 add_interface_port clk clock clk Input 1

@@ -17,6 +17,9 @@ set_parameter_property LOAD WIDTH 64
 add_fileset synth QUARTUS_SYNTH "" ""
 set_fileset_property synth TOP_LEVEL altera_avalon_timer
 set_module_assignment embeddedsw.dts.compatible ALTR,timer-1.0
+set_module_assignment embeddedsw.dts.vendor altr
+set_module_assignment embeddedsw.dts.name timer
+set_module_assignment embeddedsw.dts.group timer
 
 add_interface clk clock end
 add_interface_port clk clk clk Input 1

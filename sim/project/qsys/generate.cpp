@@ -25,13 +25,16 @@ public:
         interrupts();
         conduits();
         Interconnect interconnect = write_interconnect(assembly_, text_);
+        std::vector<Device> devices = devices_of(assembly_, interconnect.map);
         instances();
         Generated out{"",
                       assembly_.sources(),
                       std::move(interconnect.map),
                       std::move(interconnect.bridges),
                       assembly_.notes(),
-                      assembly_.has_processor()};
+                      assembly_.has_processor(),
+                      std::move(devices),
+                      system_.name};
         out.notes.insert(out.notes.end(), interconnect.notes.begin(), interconnect.notes.end());
         out.text = fmt::format(
             "// {0}.v - made by de1sim of {0}.qsys\n{1}\n`default_nettype none\n\n"

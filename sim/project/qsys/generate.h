@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "sim/project/qsys/assembly.h"
+#include "sim/project/qsys/devices.h"
 #include "sim/project/qsys/interconnect.h"
 
 namespace sim::project::qsys {
@@ -17,6 +18,8 @@ struct Generated {
     std::vector<Bridge> bridges;
     std::vector<std::string> notes;
     bool has_processor;
+    std::vector<Device> devices;  // that the processor reaches
+    std::string name;             // of the system
 };
 
 // ProjectError: an unknown kind, a slave whose base is not a multiple of its span, two at one

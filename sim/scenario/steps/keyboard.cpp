@@ -1,5 +1,6 @@
 // keyboard.cpp - type-keys, press-key, hold-key, release-key: the PS/2 keyboard
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cctype>

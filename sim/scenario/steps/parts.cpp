@@ -1,6 +1,7 @@
 // parts.cpp - press-button, hold-button, release-button, set-switch, expect-led, expect-matrix: the
 // parts that the scenario hangs on the headers
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "sim/report/pattern.h"
 #include "sim/scenario/stage.h"

@@ -1,5 +1,6 @@
 // remote.cpp - press-remote: the infrared remote control
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <cctype>
 

@@ -1,0 +1,283 @@
+#include "sim/link/link.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cstdlib>
+#include <regex>
+#include <set>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "sim/process/run_command.h"
+#include "sim/project/project.h"
+#include "sim/project/qsys/devices.h"
+#include "sim/project/settings.h"
+#include "sim/project/tools.h"
+#include "sim/report/messages.h"
+#include "sim/report/whole_file.h"
+#include "sim/run/exit_code.h"
+#include "sim/run/options.h"
+
+namespace sim {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+using project::ProjectError;
+
+constexpr const char* PREFIX = "arm-linux-gnueabihf-";
+constexpr unsigned LIMIT_S = 600;
+constexpr std::size_t MOST_REGIONS = 8;  // KMOD_REGIONS of sw/kmod/nodes.h
+
+// The program's calls that kmod.c looks at.  libc has the second of a name for files or times of
+// 64 bits.
+constexpr const char* WRAPPED[] = {"main", "open",           "open64", "close",
+                                   "read", "write",          "ioctl",  "lseek",
+                                   "mmap", "__ioctl_time64", "mmap64", "lseek64"};
+
+bool is_module(const fs::path& file) {
+    if (file.extension() != ".c") return false;
+    static const std::regex HEADER{R"(#\s*include\s*<linux/(module|init)\.h>)"};
+    return std::regex_search(project::text_of(file), HEADER);
+}
+
+class TemporaryFolder {
+public:
+    TemporaryFolder() {
+        const char* parent = std::getenv("TMPDIR");
+        std::string name = (fs::path{parent ? parent : "/tmp"} / "de1sim-link-XXXXXX").string();
+        if (!mkdtemp(name.data()))
+            throw ProjectError{
+                fmt::format("no folder can be made in {}", fs::path{name}.parent_path().string())};
+        path_ = name;
+    }
+    ~TemporaryFolder() {
+        std::error_code error;
+        fs::remove_all(path_, error);
+    }
+    TemporaryFolder(const TemporaryFolder&) = delete;
+    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+    const fs::path& path() const { return path_; }
+
+private:
+    fs::path path_;
+};
+
+// The kernel's headers that a module names, also by its own headers, lead to kmod.h.
+void write_headers(const fs::path& source, const fs::path& folder, std::set<fs::path>& seen) {
+    std::error_code error;
+    if (!fs::is_regular_file(source, error) || !seen.insert(source).second) return;
+    static const std::regex INCLUDE{R"(#\s*include\s*([<"])([^>"\n]+)[>"])"};
+    const std::string text = project::text_of(source);
+    for (std::sregex_iterator at{text.begin(), text.end(), INCLUDE}, end; at != end; ++at) {
+        const std::string name = (*at)[2];
+        if ((*at)[1] == "\"") write_headers(source.parent_path() / name, folder, seen);
+        if (name.find("..") != std::string::npos || name[0] == '/') continue;
+        static const std::regex KERNELS{R"((linux|asm|asm-generic|uapi|mach|generated)/.*)"};
+        if (!std::regex_match(name, KERNELS)) continue;
+        fs::create_directories((folder / name).parent_path());
+        write_whole_file(folder / name, "#include \"kmod.h\"\n");
+    }
+}
+
+// kmod_nodes of sw/kmod/nodes.h: a node per module of the system.
+std::string nodes_text(const std::vector<project::qsys::Device>& devices) {
+    std::string lists, nodes;
+    for (std::size_t n = 0; n < devices.size(); ++n) {
+        const project::qsys::Device& d = devices[n];
+        if (n && devices[n - 1].instance == d.instance) continue;
+        std::string first, bytes;
+        unsigned regions = 0;
+        for (std::size_t m = n;
+             m < devices.size() && devices[m].instance == d.instance && regions < MOST_REGIONS;
+             ++m, ++regions) {
+            first += fmt::format("0x{:08x}, ", devices[m].window + devices[m].base);
+            bytes += fmt::format("0x{:x}, ", devices[m].span);
+        }
+        lists += fmt::format("static const char* const compatible_{}[] = {{", n);
+        for (const std::string& name : d.compatible) lists += '"' + name + "\", ";
+        lists += "0};\n";
+        nodes += fmt::format("    {{\"{}\", compatible_{}, {}, {{{}}}, {{{}}}}},\n", d.instance, n,
+                             regions, first, bytes);
+    }
+    return fmt::format(
+        "#include <stdint.h>\n#include \"nodes.h\"\n{}"
+        "struct device_node kmod_nodes[] = {{\n{}    {{0, 0, 0, {{0}}, {{0}}}}\n}};\n",
+        lists, nodes);
+}
+
+// "dial.c:12:5: error: implicit declaration of function 'request_irq'".
+void name_missing_functions(const std::string& said) {
+    static const std::regex IMPLICIT{
+        R"(([^\n]*:\d+):\d+: error: implicit declaration of function '(\w+)')"};
+    std::string first, others;
+    std::set<std::string> names;
+    for (std::sregex_iterator at{said.begin(), said.end(), IMPLICIT}, end; at != end; ++at) {
+        if (!names.insert((*at)[2]).second) continue;
+        if (first.empty())
+            first = fmt::format("{}: the kernel's function {}()", (*at)[1].str(), (*at)[2].str());
+        else
+            others += fmt::format("{} {}()", others.empty() ? "; nor are" : ",", (*at)[2].str());
+    }
+    if (first.empty()) return;
+    throw ProjectError{
+        fmt::format("{} is not one of those that a module can call here{}; {} has "
+                    "them all",
+                    first, others, (project::data_folder() / "kmod/kmod.h").string())};
+}
+
+class Linker {
+public:
+    explicit Linker(const LinkOptions& options) : options_{options} {}
+
+    int run() {
+        for (const fs::path& file : options_.files)
+            if (std::error_code error; !fs::is_regular_file(file, error))
+                throw ProjectError{fmt::format("{}: there is no such file", file.string())};
+        const fs::path kmod = project::data_folder() / "kmod";
+        write_whole_file(folder_.path() / "nodes.c", nodes_text(devices()));
+        const std::vector<std::string> own{"-std=gnu11", "-O2", "-I" + kmod.string(), "-c"};
+        std::vector<std::string> objects{compiled("gcc", own, kmod / "kmod.c"),
+                                         compiled("gcc", own, folder_.path() / "nodes.c")};
+        bool is_cpp = false;
+        for (const fs::path& file : options_.files) {
+            const std::string extension = file.extension().string();
+            if (extension == ".o" || extension == ".a") {
+                objects.push_back(fs::absolute(file).string());
+                continue;
+            }
+            is_cpp |= extension == ".cpp" || extension == ".cc" || extension == ".cxx";
+            objects.push_back(is_module(file) ? module(file, kmod) : program(file));
+        }
+        std::vector<std::string> words{PREFIX + std::string{is_cpp ? "g++" : "gcc"}, "-static"};
+        for (const char* name : WRAPPED) words.push_back(std::string{"-Wl,--wrap="} + name);
+        words.insert(words.end(), objects.begin(), objects.end());
+        words.insert(words.end(), options_.arguments.begin(), options_.arguments.end());
+        // Beside the result, so that this is never half there.
+        const fs::path out = fs::absolute(options_.out), half = out.string() + ".part";
+        words.insert(words.end(), {"-o", half.string()});
+        const bool linked = compiles(words);
+        std::error_code error;
+        if (linked) fs::rename(half, out, error);
+        if (error) throw ProjectError{fmt::format("{}: {}", out.string(), error.message())};
+        if (!linked) fs::remove(half, error);
+        return linked ? PASSED : WRONG_INPUT;
+    }
+
+private:
+    std::vector<project::qsys::Device> devices() const {
+        const project::Project project = project::read_project(options_.project.request());
+        for (const auto& system : project.systems)
+            if (system.has_processor) return system.devices;
+        throw ProjectError{fmt::format("{} has no Platform Designer system with the processor",
+                                       options_.project.place.string())};
+    }
+
+    std::string compiled(const char* compiler, std::vector<std::string> words,
+                         const fs::path& file) {
+        const std::string object = (folder_.path() / fmt::format("{}.o", object_count_++)).string();
+        words.insert(words.begin(), PREFIX + std::string{compiler});
+        words.insert(words.end(), {file.string(), "-o", object});
+        if (!compiles(words)) throw Failed{};
+        return object;
+    }
+
+    std::string module(const fs::path& file, const fs::path& kmod) {
+        const fs::path headers = folder_.path() / "headers";
+        std::set<fs::path> seen;
+        write_headers(fs::absolute(file), headers, seen);
+        std::string name = file.stem().string();
+        for (char& c : name)
+            if (!std::isalnum(static_cast<unsigned char>(c))) c = '_';
+        std::vector<std::string> words{"-std=gnu11",
+                                       "-O2",
+                                       "-g",
+                                       "-ffreestanding",
+                                       "-D__KERNEL__",
+                                       "-DMODULE",
+                                       "-DKBUILD_MODNAME=\"" + name + "\"",
+                                       "-I" + headers.string(),
+                                       "-I" + kmod.string(),
+                                       "-Wno-error=incompatible-pointer-types",
+                                       "-Wno-error=int-conversion",
+                                       "-Werror=implicit-function-declaration"};
+        add_compiler_arguments(words);
+        words.push_back("-c");
+        return compiled("gcc", words, file);
+    }
+
+    std::string program(const fs::path& file) {
+        std::vector<std::string> words{"-O2", "-g"};
+        add_compiler_arguments(words);
+        words.push_back("-c");
+        return compiled(file.extension() == ".c" || file.extension() == ".S" ? "gcc" : "g++", words,
+                        file);
+    }
+
+    // Those that are not the linker's.
+    void add_compiler_arguments(std::vector<std::string>& words) const {
+        for (const std::string& word : options_.arguments)
+            if (word.rfind("-l", 0) != 0 && word.rfind("-L", 0) != 0 && word.rfind("-Wl", 0) != 0)
+                words.push_back(word);
+    }
+
+    bool compiles(const std::vector<std::string>& words) {
+        std::vector<std::string> in_english{"env", "LC_ALL=C"};
+        in_english.insert(in_english.end(), words.begin(), words.end());
+        const Outcome outcome = run_command(in_english, fs::current_path(), LIMIT_S);
+        if (outcome.code == 127)
+            throw ProjectError{words[0] +
+                               " is not installed: apt install g++-arm-linux-gnueabihf (a package "
+                               "of Debian)"};
+        if (outcome.code == TIMED_OUT)
+            throw ProjectError{fmt::format("{} has not ended in {} s", words[0], LIMIT_S)};
+        name_missing_functions(outcome.output);
+        std::size_t at = 0;
+        while (at < outcome.output.size()) {
+            const std::size_t end = std::min(outcome.output.find('\n', at), outcome.output.size());
+            message(std::string_view{outcome.output}.substr(at, end - at));
+            at = end + 1;
+        }
+        return outcome.code == 0;
+    }
+
+public:
+    struct Failed {};  // the compiler has said why
+
+private:
+    const LinkOptions& options_;
+    const TemporaryFolder folder_;
+    unsigned object_count_ = 0;
+};
+
+}  // namespace
+
+void add_link_options(CLI::App& command, LinkOptions& options) {
+    command
+        .add_option("FILE", options.files,
+                    "kernel modules and the program that uses them: .c, .cpp, .S, .o, .a")
+        ->required();
+    command
+        .add_option("--project", options.project.place,
+                    "the .qsf, .qpf or folder with the Platform Designer system")
+        ->check(named)
+        ->required();
+    command.add_option("-o,--output", options.out, "the program")->capture_default_str();
+    add_project_options(command, options.project);
+    command.footer("What follows -- are arguments of the compiler: -lm, -I FOLDER.");
+}
+
+int link_program(const LinkOptions& options) {
+    try {
+        return Linker{options}.run();
+    } catch (const Linker::Failed&) {
+        complain(fmt::format("{} is not made: a file does not compile", options.out.string()));
+        return WRONG_INPUT;
+    }
+}
+
+}  // namespace sim

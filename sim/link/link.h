@@ -1,0 +1,35 @@
+// link.h - `de1sim link`: kernel modules and the program that uses them, as one ARM program
+//
+// A C file that includes <linux/module.h> or <linux/init.h> is a module and is compiled against
+// sw/kmod/kmod.h; the others are the program.  All are linked statically with sw/kmod/kmod.c and
+// with the devices of the project's Platform Designer system, so that the program's open(), ioctl()
+// and their like reach the module.  It runs on the board's Linux as it does here.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "sim/run/project_commands.h"
+
+namespace CLI {
+class App;
+}
+
+namespace sim {
+
+struct LinkOptions {
+    std::vector<std::filesystem::path> files;  // .c, .cpp, .S, .o, .a
+    ProjectOptions project;
+    std::filesystem::path out = "program.elf";
+    std::vector<std::string> arguments;  // of the compiler: -lm, -I include, -O2
+};
+
+void add_link_options(CLI::App& command, LinkOptions& options);
+
+// Returns an exit code.  What the compiler says of the files is on stderr.  ProjectError: the
+// project cannot be read, has no system with a processor; there is no compiler; a function of the
+// kernel is missing in kmod.h, with the place.
+int link_program(const LinkOptions& options);
+
+}  // namespace sim

@@ -1,0 +1,152 @@
+#include "sim/project/qsys/devices.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cstdlib>
+#include <set>
+
+#include <fmt/format.h>
+
+namespace sim::project::qsys {
+
+namespace {
+
+constexpr unsigned FIRST_INTERRUPT[] = {72, 104};  // of f2h_irq0 and f2h_irq1
+constexpr unsigned FIRST_SPI = 32;                 // from which on a device tree counts them
+
+std::vector<unsigned> interrupts_of(const Assembly& assembly, const std::string& instance) {
+    std::vector<unsigned> all;
+    for (const Connection& c : assembly.connections()) {
+        if (c.kind != Connection::Kind::INTERRUPT || instance_of(c.end) != instance) continue;
+        const auto receiver = assembly.find_end(c.start);
+        if (!receiver || !receiver->is_processors()) continue;
+        all.push_back(FIRST_INTERRUPT[receiver->interface->name == "f2h_irq1"] + c.interrupt);
+    }
+    std::sort(all.begin(), all.end());
+    return all;
+}
+
+std::vector<std::string> compatible_of(const End& e) {
+    const auto assigned = [&](const char* name) {
+        const auto found = e.component->assignments.find(std::string{"embeddedsw.dts."} + name);
+        return found == e.component->assignments.end() ? std::string{} : found->second;
+    };
+    std::vector<std::string> all;
+    const std::string listed = assigned("compatible");
+    for (std::size_t at = 0; (at = listed.find_first_not_of(" \t\n", at)) != std::string::npos;) {
+        const std::size_t end = std::min(listed.find_first_of(" \t\n", at), listed.size());
+        all.push_back(listed.substr(at, end - at));
+        at = end;
+    }
+    if (const std::string vendor = assigned("vendor"), name = assigned("name");
+        !vendor.empty() && !name.empty()) {
+        const std::string own = vendor + "," + name + "-";
+        for (const std::string& version : {e.instance->version, e.component->version})
+            if (!version.empty() && std::find(all.begin(), all.end(), own + version) == all.end())
+                all.push_back(own + version);
+    }
+    if (all.empty()) all.push_back("unknown," + e.instance->kind + "-" + e.instance->version);
+    return all;
+}
+
+std::string upper(std::string text) {
+    for (char& c : text)
+        c = std::isalnum(static_cast<unsigned char>(c))
+                ? static_cast<char>(std::toupper(static_cast<unsigned char>(c)))
+                : '_';
+    return text;
+}
+
+bool is_number(const std::string& text) {
+    char* end = nullptr;
+    std::strtoll(text.c_str(), &end, 0);
+    return !text.empty() && *end == '\0';
+}
+
+}  // namespace
+
+std::vector<Device> devices_of(const Assembly& assembly, const std::vector<Place>& map) {
+    std::map<std::string, std::set<std::string>> slaves;  // by instance
+    for (const Place& place : map)
+        if (place.window) slaves[instance_of(place.slave)].insert(place.slave);
+    std::vector<Device> all;
+    for (const Place& place : map) {
+        if (!place.window) continue;
+        const End e = assembly.end(place.slave);
+        Device d{e.instance->name,
+                 e.instance->kind,
+                 e.interface->name,
+                 slaves[e.instance->name].size() == 1,
+                 place.window,
+                 place.base,
+                 place.span,
+                 interrupts_of(assembly, e.instance->name),
+                 compatible_of(e),
+                 "",
+                 {}};
+        constexpr std::string_view MACRO = "embeddedsw.CMacro.";
+        for (const auto& [name, value] : e.component->assignments) {
+            if (name.compare(0, MACRO.size(), MACRO) == 0)
+                d.macros[name.substr(MACRO.size())] = value;
+            if (name == "embeddedsw.dts.group") d.group = value;
+        }
+        all.push_back(std::move(d));
+    }
+    std::stable_sort(all.begin(), all.end(), [](const Device& a, const Device& b) {
+        return a.window + a.base < b.window + b.base;
+    });
+    return all;
+}
+
+std::string header_text(const std::string& system, const std::vector<Device>& devices) {
+    std::string text = fmt::format(
+        "// Made by de1sim of {0}.qsys: what the processor reaches in the FPGA.\n"
+        "// A base counts from the bridge's first address: 0xFF200000 of the lightweight one,\n"
+        "// 0xC0000000 of the other.\n#ifndef HPS_0_H\n#define HPS_0_H\n",
+        system);
+    for (const Device& d : devices) {
+        const std::string prefix =
+            upper(d.is_only_slave ? d.instance : d.instance + "_" + d.slave) + "_";
+        const auto line = [&](const char* name, const std::string& value) {
+            text += fmt::format("#define {}{} {}\n", prefix, name, value);
+        };
+        text += fmt::format("\n// {}.{}, at 0x{:08X} of the processor\n", d.instance, d.slave,
+                            d.window + d.base);
+        line("COMPONENT_TYPE", d.kind);
+        line("COMPONENT_NAME", d.instance);
+        line("BASE", fmt::format("0x{:x}", d.base));
+        line("SPAN", std::to_string(d.span));
+        line("END", fmt::format("0x{:x}", d.base + d.span - 1));
+        if (!d.interrupts.empty())
+            line("IRQ", std::to_string(d.interrupts.front() - FIRST_INTERRUPT[0]));
+        for (const auto& [name, value] : d.macros)
+            line(upper(name).c_str(), is_number(value) ? value : '"' + value + '"');
+    }
+    return text + "\n#endif\n";
+}
+
+std::string device_tree_text(const std::vector<Device>& devices) {
+    std::string text;
+    for (std::size_t n = 0; n < devices.size(); ++n) {
+        const Device& d = devices[n];
+        if (n && devices[n - 1].instance == d.instance) continue;  // a further slave of it
+        std::string compatible, reg, interrupts;
+        for (const std::string& name : d.compatible)
+            compatible += fmt::format("{}\"{}\"", compatible.empty() ? "" : ", ", name);
+        for (std::size_t m = n; m < devices.size() && devices[m].instance == d.instance; ++m)
+            reg += fmt::format("{}<0x{:08x} 0x{:08x}>", reg.empty() ? "" : ", ",
+                               devices[m].window + devices[m].base, devices[m].span);
+        for (const unsigned number : d.interrupts)  // 4: while it is high
+            interrupts +=
+                fmt::format("{}<0 {} 4>", interrupts.empty() ? "" : ", ", number - FIRST_SPI);
+        text += fmt::format(
+            "{}: {}@{:08x} {{\n\tcompatible = {};\n\treg = {};\n{}}};\n", d.instance,
+            d.group.empty() ? d.instance : d.group, d.window + d.base, compatible, reg,
+            interrupts.empty()
+                ? ""
+                : fmt::format("\tinterrupt-parent = <&intc>;\n\tinterrupts = {};\n", interrupts));
+    }
+    return text;
+}
+
+}  // namespace sim::project::qsys

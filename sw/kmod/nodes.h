@@ -1,0 +1,16 @@
+// nodes.h - the modules of a Platform Designer system that the processor reaches, for kmod.c; the
+// table itself is written by `de1sim link`
+#ifndef DE1SIM_KMOD_NODES_H
+#define DE1SIM_KMOD_NODES_H
+
+enum { KMOD_REGIONS = 8 };  // at most, of a module
+
+struct device_node {
+    const char* name;               // NULL: behind the last
+    const char* const* compatible;  // up to a NULL
+    unsigned regions;
+    uint32_t first[KMOD_REGIONS], bytes[KMOD_REGIONS];  // of the processor's addresses
+};
+extern struct device_node kmod_nodes[];
+
+#endif
