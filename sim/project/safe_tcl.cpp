@@ -14,6 +14,16 @@ namespace {
 
 constexpr int MOST_COMMANDS = 1'000'000, MOST_SECONDS = 2;
 
+// Tcl 8.6 has these in its init.tcl, which a safe interpreter does not read.
+constexpr const char* FUNCTIONS = R"(
+foreach {name order} {max > min <} {
+    proc ::tcl::mathfunc::$name {first args} [string map [list ORDER $order] {
+        foreach value $args { if {$value ORDER $first} { set first $value } }
+        return $first
+    }]
+}
+)";
+
 }  // namespace
 
 struct SafeTcl::Impl {
@@ -62,6 +72,7 @@ SafeTcl::SafeTcl() : impl_{std::make_unique<Impl>()} {
     for (const char* name : {"after", "vwait", "update", "interp", "close", "puts", "gets", "read",
                              "fileevent", "chan", "package"})
         Tcl_DeleteCommand(interp, name);
+    Tcl_Eval(interp, FUNCTIONS);
     Tcl_LimitSetCommands(interp, MOST_COMMANDS);
     Tcl_LimitTypeSet(interp, TCL_LIMIT_COMMANDS);
     Tcl_Time end;

@@ -1,7 +1,22 @@
-"""systems.py - .qsys files of a few lines"""
+"""systems.py - .qsys files of a few lines, with a program on them"""
+import pathlib
+import subprocess
+
+from case import Case
 
 HPS = {"LWH2F_Enable": "true", "S2F_Width": "2", "F2S_Width": "0", "F2SINTERRUPT_Enable": "true"}
 LW, FULL = "hps_0.h2f_lw_axi_master", "hps_0.h2f_axi_master"
+EXAMPLES = pathlib.Path(__file__).resolve().parents[2] / "sw/examples"
+GCC = ["arm-none-eabi-gcc", "-mcpu=cortex-a9", "-mgeneral-regs-only", "-mno-unaligned-access",
+       "-O1", "-ffreestanding", "-nostartfiles", f"-I{EXAMPLES}", f"-T{EXAMPLES / 'program.ld'}",
+       str(EXAMPLES / "start.S")]
+BASE = [("clk_0", "clock_source", {}), ("hps_0", "altera_hps", HPS)]
+CLOCKS = [("clock", "clk_0.clk", "hps_0.h2f_axi_clock"),
+          ("clock", "clk_0.clk", "hps_0.h2f_lw_axi_clock")]
+TOP = """module top(input CLOCK_50, input [9:0] SW, output [9:0] LEDR);
+sys system(.clk_clk(CLOCK_50), .reset_reset_n(1'b1){});
+endmodule
+"""
 
 
 def qsys(modules, connections, exports=()):
@@ -28,3 +43,33 @@ def pio(name, base, **parameters):
     return ([(name, "altera_avalon_pio", {"width": "10", "direction": "Output", **parameters})],
             [("clock", "clk_0.clk", f"{name}.clk"), ("reset", "clk_0.clk_reset", f"{name}.reset"),
              ("avalon", LW, f"{name}.s1", base)])
+
+
+class SystemCase(Case):
+    def system(self, modules=(), connections=(), exports=(), top="", **files):
+        self.write(sys_qsys=qsys([*BASE, *modules], [*CLOCKS, *connections], exports),
+                   top_v=TOP.format(top),
+                   top_qsf="set_global_assignment -name DEVICE 5CSEMA5F31C6\n"
+                           "set_global_assignment -name VERILOG_FILE top.v\n"
+                           "set_global_assignment -name QSYS_FILE sys.qsys\n", **files)
+
+    def program(self, body):
+        self.write(program_c="#include <stdint.h>\n"
+                             "#define R8(a) (*(volatile uint8_t*)(a))\n"
+                             "#define R16(a) (*(volatile uint16_t*)(a))\n"
+                             "#define R32(a) (*(volatile uint32_t*)(a))\n"
+                             "#define R64(a) (*(volatile uint64_t*)(a))\n"
+                             f"int main(void) {{\n{body}\nfor (;;) {{}}\n}}\n")
+        subprocess.run([*GCC, "program.c", "-o", "program.elf"], cwd=self.folder, check=True)
+
+    def shows(self, leds, *words):
+        self.write(s_yaml='name: s\nversion: 1\nprogram: program.elf\nproject: top.qsf\nsteps:\n'
+                          f'  - expect-leds: {{equals: "{leds:010b}", timeout: 100ms}}\n')
+        done = self.de1sim("run", "s.yaml", *words)
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        return done
+
+    def with_leds(self, modules=(), connections=(), **files):
+        leds, wires = pio("leds", 0)
+        self.system([*leds, *modules], [*wires, *connections],
+                    [("leds", "leds.external_connection")], ", .leds_export(LEDR)", **files)

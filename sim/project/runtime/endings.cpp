@@ -41,6 +41,20 @@ void vl_stop(const char* file, int line, const char*) VL_MT_UNSAFE {
 }
 
 void vl_fatal(const char* file, int line, const char*, const char* message) VL_MT_UNSAFE {
+    if (message && std::strstr(message, "$readmem")) {
+        const bool too_long = std::strstr(message, "beyond bounds");
+        static std::string said;  // once for each file
+        if (too_long && said == file) return;
+        said = file;
+        const std::string what = std::string{file} + ":" + std::to_string(line) + ": ";
+        const auto say = sim::project::evaluated.say;
+        if (too_long && say)
+            say((what + "10850: the file has more words than the array, which are left out")
+                    .c_str());
+        else if (!too_long)
+            sim::project::end_run(Ending::Kind::STOPPED, what + message);
+        return;
+    }
     throw sim::project::Diverged{std::string{message ? message : ""} + " (" + (file ? file : "") +
                                  ":" + std::to_string(line) + ")"};
 }
