@@ -44,7 +44,7 @@ std::string Bus::refusal(std::uint32_t address, unsigned bytes, bool write,
         if (!window.on && address - window.base < window.size)
             return window.title + " is in reset: on the board the processor hangs here";
         for (const Place& place : window.places) {
-            if (!place.is_memory && address < REGISTERS) continue;
+            if (!place.is_memory && address < REGISTERS && !holds(place, address)) continue;
             if (!nearest || distance(place, address) < distance(*nearest, address))
                 nearest = &place;
         }

@@ -19,9 +19,11 @@ endmodule
 """
 
 
-def qsys(modules, connections, exports=()):
+def qsys(modules, connections, exports=(), clock="clk_0"):
+    """With the exports of its clock, if that has a name."""
     text = '<?xml version="1.0"?>\n<system name="$${FILENAME}">\n'
-    exports = [("clk", "clk_0.clk_in"), ("reset", "clk_0.clk_in_reset"), *exports]
+    if clock:
+        exports = [("clk", clock + ".clk_in"), ("reset", clock + ".clk_in_reset"), *exports]
     for name, internal in exports:
         text += f' <interface name="{name}" internal="{internal}" type="conduit" dir="end" />\n'
     for name, kind, parameters in modules:

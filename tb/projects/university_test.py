@@ -1,12 +1,19 @@
 """university_test.py DE1SIM FOLDER [CASE...] - the University Program's cores in a system"""
+import pathlib
+import re
+import struct
+import zlib
+
 from case import run
-from systems import LW, SystemCase, pio
+from systems import FULL, LW, SystemCase, pio, qsys
 
 SOUND = [("pll", "altera_up_avalon_audio_pll", {}),
          ("av_config", "altera_up_avalon_audio_and_video_config",
           {"bit_length": "16", "sampling_rate": "8 kHz", "AUTO_CLK_CLOCK_RATE": "50000000"})]
-SOUND_WIRES = [("clock", "clk_0.clk", "pll.ref_clk"), ("reset", "clk_0.clk_reset", "pll.ref_reset"),
-               ("clock", "clk_0.clk", "av_config.clk"), ("reset", "clk_0.clk_reset", "av_config.reset"),
+SOUND_WIRES = [("clock", "clk_0.clk", "pll.ref_clk"),
+               ("reset", "clk_0.clk_reset", "pll.ref_reset"),
+               ("clock", "clk_0.clk", "av_config.clk"),
+               ("reset", "clk_0.clk_reset", "av_config.reset"),
                ("clock", "clk_0.clk", "audio.clk"), ("reset", "clk_0.clk_reset", "audio.reset"),
                ("avalon", LW, "av_config.avalon_av_config_slave", 0x20)]
 SOUND_EXPORTS = [("xck", "pll.audio_clk"), ("i2c", "av_config.external_interface"),
@@ -95,6 +102,131 @@ class Sound(SystemCase):
                         "if (n == 1600) { c[2] = 5; c[3] = 8; } }\n",
                    steps=["expect-tone: {hz: 500, for: 60ms, timeout: 300ms}",
                           "delay: 250ms", "expect-silence: {for: 50ms}"])
+
+
+def png(path, rows):
+    """Rows of (red, green, blue)."""
+    def chunk(kind, data):
+        return struct.pack(">I", len(data)) + kind + data + struct.pack(">I",
+                                                                        zlib.crc32(kind + data))
+
+    data = b"".join(b"\0" + bytes(value for pixel in row for value in pixel) for row in rows)
+    path.write_bytes(b"\x89PNG\r\n\x1a\n" +
+                     chunk(b"IHDR", struct.pack(">IIBBBBB", len(rows[0]), len(rows), 8, 2, 0, 0, 0))
+                     + chunk(b"IDAT", zlib.compress(data)) + chunk(b"IEND", b""))
+
+
+FONT = pathlib.Path(__file__).resolve().parents[2] / "rtl/vga/character_font.vh"
+UP = "altera_up_avalon_video_"
+
+
+class Screen(SystemCase):
+    """A subsystem with a picture of 80 x 60 pixels of RGB 3-3-2, 8 times as large, under text."""
+    def screen(self, body, mode="Simple"):
+        parts = [("clock", "clock_source", {}),
+                 ("dma", UP + "pixel_buffer_dma", {"image_width": "80", "image_height": "60",
+                                                   "color_space": "8-bit RGB",
+                                                   "back_start_address": "0x2000"}),
+                 ("colors", UP + "rgb_resampler", {"input_type": "8-bit RGB"}),
+                 ("scaler", UP + "scaler", {"width_in": "80", "height_in": "60",
+                                            "width_scaling": "8", "height_scaling": "8"}),
+                 ("text", UP + "character_buffer_with_dma", {}),
+                 ("blender", UP + "alpha_blender", {"mode": mode}),
+                 ("buffer", UP + "dual_clock_buffer", {}),
+                 ("pll", UP + "pll", {}), ("vga", UP + "vga_controller", {})]
+        wires = [("avalon_streaming", *ends) for ends in [
+            ("dma.avalon_pixel_source", "colors.avalon_rgb_sink"),
+            ("colors.avalon_rgb_source", "scaler.avalon_scaler_sink"),
+            ("scaler.avalon_scaler_source", "blender.avalon_background_sink"),
+            ("text.avalon_char_source", "blender.avalon_foreground_sink"),
+            ("blender.avalon_blended_source", "buffer.avalon_dc_buffer_sink"),
+            ("buffer.avalon_dc_buffer_source", "vga.avalon_vga_sink")]]
+        for name in "dma", "colors", "scaler", "text", "blender":
+            wires += [("clock", "clock.clk", name + ".clk"),
+                      ("reset", "clock.clk_reset", name + ".reset")]
+        wires += [("clock", "clock.clk", "buffer.clock_stream_in"),
+                  ("reset", "clock.clk_reset", "buffer.reset_stream_in"),
+                  ("clock", "pll.vga_clk", "buffer.clock_stream_out"),
+                  ("reset", "pll.reset_source", "buffer.reset_stream_out"),
+                  ("clock", "pll.vga_clk", "vga.clk"), ("reset", "pll.reset_source", "vga.reset"),
+                  ("clock", "clock.clk", "pll.ref_clk"),
+                  ("reset", "clock.clk_reset", "pll.ref_reset")]
+        exports = [("reads", "dma.avalon_pixel_dma_master"), ("dma", "dma.avalon_control_slave"),
+                   ("chars", "text.avalon_char_buffer_slave"),
+                   ("text", "text.avalon_char_control_slave"), ("vga", "vga.external_interface"),
+                   ("clk_in", "clock.clk_in"), ("clk_in_reset", "clock.clk_in_reset")]
+        self.write(screen_qsys=qsys(parts, wires, exports, clock=""))
+        leds, led_wires = pio("leds", 0)
+        memory = {"memorySize": "16384", "dataWidth": "32", "initMemContent": "false"}
+        self.system([("view", "screen", {}), ("memory", "altera_avalon_onchip_memory2", memory),
+                     ("translation", UP + "dma_ctrl_addr_trans", {}), *leds],
+                    [*led_wires, ("clock", "clk_0.clk", "view.clk_in"),
+                     ("reset", "clk_0.clk_reset", "view.clk_in_reset"),
+                     ("clock", "clk_0.clk", "memory.clk1"),
+                     ("reset", "clk_0.clk_reset", "memory.reset1"),
+                     ("clock", "clk_0.clk", "translation.clock"),
+                     ("reset", "clk_0.clk_reset", "translation.reset"),
+                     ("avalon", FULL, "memory.s1", 0), ("avalon", "view.reads", "memory.s1", 0),
+                     ("avalon", LW, "translation.slave", 0x20),
+                     ("avalon", "translation.master", "view.dma", 0),
+                     ("avalon", FULL, "view.chars", 0x8000), ("avalon", LW, "view.text", 0x30)],
+                    [("leds", "leds.external_connection"), ("vga", "view.vga")],
+                    ", .leds_export(LEDR), " + ", ".join(
+                        f".vga_{role}(VGA_{pin})" for role, pin in [
+                            ("CLK", "CLK"), ("HS", "HS"), ("VS", "VS"), ("BLANK", "BLANK_N"),
+                            ("SYNC", "SYNC_N"), ("R", "R"), ("G", "G"), ("B", "B")]))
+        file = self.folder / "top.v"
+        file.write_text(file.read_text().replace(
+            "output [9:0] LEDR", "output [9:0] LEDR, output VGA_CLK, VGA_HS, VGA_VS, VGA_BLANK_N,\n"
+                                 "VGA_SYNC_N, output [7:0] VGA_R, VGA_G, VGA_B"))
+        self.program("volatile uint8_t* m = (volatile uint8_t*)0xC0000000;\n"
+                     "volatile uint8_t* c = (volatile uint8_t*)0xC0008000;\n"
+                     "volatile uint32_t* d = (volatile uint32_t*)0xFF200020;\n" + body +
+                     "R32(0xFF200000) = 0x155;")
+        self.write(s_yaml="name: s\nversion: 1\nprogram: program.elf\nproject: top.qsf\nsteps:\n"
+                          '  - expect-leds: {equals: "0101010101", timeout: 500ms}\n'
+                          "  - delay: 100ms\n  - expect-frame: {equals: golden.png}\n")
+
+    def shown(self, pixel, text):
+        """pixel(x, y) in RGB 3-3-2; text: characters by line and column."""
+        shapes = {int(code, 16): int(bits, 16) for code, bits in
+                  re.findall(r"7'h(\w+): +letter = 64'h(\w+)", FONT.read_text())}
+
+        def grown(value, bits):
+            return int((f"{value:0{bits}b}" * 10)[:8], 2)
+
+        def at(x, y):
+            bits = shapes[ord(text[y // 8, x // 8])] if (y // 8, x // 8) in text else 0
+            if bits >> (8 * (y % 8) + x % 8) & 1:
+                return 255, 255, 255
+            value = pixel(x // 8, y // 8)
+            return grown(value >> 5, 3), grown(value >> 2 & 7, 3), grown(value & 3, 2)
+
+        png(self.folder / "golden.png", [[at(x, y) for x in range(640)] for y in range(480)])
+        done = self.de1sim("run", "s.yaml")
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+
+    DRAW = ("for (int y = 0; y < 60; y++) for (int x = 0; x < 80; x++) "
+            "m[{} + (y << 7) + x] = {};\n")
+    TEXT = "while (R32(0xFF200030)) {} c[2 * 128 + 3] = 'A'; c[59 * 128 + 79] = 'z';\n"
+
+    def test_a_picture_and_text(self):
+        self.screen(self.TEXT + self.DRAW.format(0, "x ^ y * 4"))
+        self.shown(lambda x, y: (x ^ y * 4) & 255, {(2, 3): "A", (59, 79): "z"})
+
+    def test_two_buffers_and_the_processors_addresses(self):
+        self.screen(self.DRAW.format(0, "255") + self.DRAW.format("0x2000", "x + y") +
+                    "uint32_t ok = d[0] == 0xC0000000 && d[1] == 0xC0002000 && "
+                    "d[2] == 0x003C0050 && (d[3] & 7) == 4;\n"
+                    "d[0] = 1; while (d[3] & 1) {}\n"
+                    "d[1] = 0xC0001000; ok &= d[0] == 0xC0002000 && d[1] == 0xC0001000;\n"
+                    "while (!ok) {}\n", mode="Normal")
+        self.shown(lambda x, y: x + y, {})
+
+    def test_a_subsystem_that_contains_itself(self):
+        self.screen("")
+        self.write(screen_qsys=qsys([("again", "screen", {})], [], clock=""))
+        self.refused("screen.qsys: screen.qsys contains itself")
 
 
 if __name__ == "__main__":

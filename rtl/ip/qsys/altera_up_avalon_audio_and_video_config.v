@@ -6,8 +6,8 @@
 //   +8 address   the device's register
 //   +C data      what is written there; waits while a word is on its way
 //
-// After reset, with SETS_UP, ten words go to the codec: power, both inputs, both headphones, analogue
-// and digital path, format, sampling, active.  A bit of I2C takes four QUARTERs of clocks.
+// After reset, with SETS_UP, ten words go to the codec: power, both inputs, both headphones,
+// analogue and digital path, format, sampling, active.  A bit of I2C takes four QUARTERs of clocks.
 //
 // Source: Intel FPGA University Program, Audio/Video Configuration core for DE-Series Boards.
 //

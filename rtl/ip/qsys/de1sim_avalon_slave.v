@@ -61,13 +61,14 @@ module de1sim_avalon_slave #(
     localparam LAST_WRITE = SETUP + WRITE_WAIT;
 
     // ---- The transfer ----
-    // A write waits for the data of the reads before it, since answers keep their order.
+    // A write waits for the data of the reads before it, since answers keep their order.  In a
+    // reset all wait.
     reg  [7:0] clock_q = 0;    // of this transfer
     reg  [7:0] pending_q = 0;  // reads whose data are to come, with READDATAVALID
     wire       known  = write_i ? WRITES != 0 : READS != 0;
     wire       orders = READDATAVALID == 0 || (write_i || !known ? pending_q == 8'd0
                                                                   : pending_q != MOST);
-    wire       runs   = valid_i && orders;
+    wire       runs   = valid_i && orders && !rst_i;
     wire       acts   = runs && known;
     wire [7:0] last   = write_i ? LAST_WRITE : LAST_READ;
     wire       ends   = !known ? 1'b1

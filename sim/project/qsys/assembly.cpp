@@ -58,12 +58,7 @@ void Assembly::read_component_of(const Instance& instance, const FindComponent& 
             fmt::format("{} is of the kind {}, which is neither known here nor described by a "
                         "{}_hw.tcl in the project",
                         instance.name, instance.kind, instance.kind));
-    constexpr std::string_view OWN_NAME = "$${FILENAME}";
-    std::map<std::string, std::string> parameters = instance.parameters;
-    for (auto& [name, value] : parameters)
-        for (std::size_t at; (at = value.find(OWN_NAME)) != std::string::npos;)
-            value.replace(at, OWN_NAME.size(), system_.name);
-    const Component component = read_component(*file, parameters, instance.name);
+    const Component component = read_component(*file, instance.parameters, instance.name);
     for (const ComponentFile& source : component.files) {
         const fs::path path = (component.file.parent_path() / source.path).lexically_normal();
         if (language_of(path) &&

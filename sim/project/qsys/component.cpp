@@ -195,7 +195,8 @@ private:
     }
     bool is_true(const Parameter& p, const char* property) const {
         const auto found = p.properties.find(property);
-        return found != p.properties.end() && lower(found->second) == "true";
+        return found != p.properties.end() &&
+               (lower(found->second) == "true" || found->second == "1");
     }
 
     std::string add_fileset(const Words& words) {
@@ -266,7 +267,8 @@ private:
         need(words, 3);
         if (words[2] == "WIDTH" || words[2] == "WIDTH_EXPR") widths_[words[1]] = words[3];
         if (words[2] == "VHDL_TYPE" && words[3] == "STD_LOGIC_VECTOR") vectors_.insert(words[1]);
-        if (words[2] == "TERMINATION" && lower(words[3]) == "true") terminated_.insert(words[1]);
+        if (words[2] == "TERMINATION" && (lower(words[3]) == "true" || words[3] == "1"))
+            terminated_.insert(words[1]);
         return {};
     }
     std::string set_module_assignment(const Words& words) {

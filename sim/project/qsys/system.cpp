@@ -15,8 +15,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::size_t MOST_INSTANCES = 2'000;
-
 // A parameter's value is an attribute, or the element's text.
 std::string value_of(const pugi::xml_node& parameter) {
     const pugi::xml_attribute value = parameter.attribute("value");
@@ -68,8 +66,12 @@ private:
     }
 
     void take_instance(const pugi::xml_node& node) {
-        const Instance instance{node.attribute("name").value(), node.attribute("kind").value(),
-                                node.attribute("version").value(), parameters_of(node)};
+        Instance instance{node.attribute("name").value(), node.attribute("kind").value(),
+                          node.attribute("version").value(), parameters_of(node)};
+        constexpr std::string_view OWN_NAME = "$${FILENAME}";
+        for (auto& [name, value] : instance.parameters)
+            for (std::size_t at; (at = value.find(OWN_NAME)) != std::string::npos;)
+                value.replace(at, OWN_NAME.size(), system_.name);
         if (instance.name.empty() || instance.kind.empty())
             fail(node.offset_debug(), "a module has no name or no kind");
         if (!known_.insert(instance.name).second)
@@ -78,7 +80,7 @@ private:
         if (system_.instances.size() == MOST_INSTANCES)
             fail(node.offset_debug(), fmt::format("more than {} modules", MOST_INSTANCES));
         enabled_.insert(instance.name);
-        system_.instances.push_back(instance);
+        system_.instances.push_back(std::move(instance));
     }
 
     void take_connection(const pugi::xml_node& node) {

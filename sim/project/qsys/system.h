@@ -1,6 +1,7 @@
 // system.h - a system of Platform Designer (Qsys), as its .qsys file has it
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <map>
@@ -8,6 +9,8 @@
 #include <vector>
 
 namespace sim::project::qsys {
+
+constexpr std::size_t MOST_INSTANCES = 10'000;
 
 struct Instance {
     std::string name, kind, version;

@@ -1,0 +1,258 @@
+// kmod_devices.h - of kmod.h: devices, how a module finds them, their registers, and the files that
+// it offers in /dev
+#ifndef DE1SIM_KMOD_DEVICES_H
+#define DE1SIM_KMOD_DEVICES_H
+
+// ---- Devices, and how they are found ----
+
+struct device_node;
+struct of_device_id {
+    char name[32], type[32], compatible[128];
+    const void* data;
+};
+struct device_driver {
+    const char* name;
+    struct module* owner;
+    const struct of_device_id* of_match_table;
+    void* bus;
+};
+struct device {
+    struct device* parent;
+    struct device_node* of_node;
+    void *driver_data, *platform_data;
+    struct device_driver* driver;
+    const char* init_name;
+    kmod_dev_t devt;
+};
+const char* dev_name(const struct device* dev);
+static inline void* dev_get_drvdata(const struct device* dev) { return dev->driver_data; }
+static inline void dev_set_drvdata(struct device* dev, void* data) { dev->driver_data = data; }
+
+enum { IORESOURCE_IO = 0x100, IORESOURCE_MEM = 0x200, IORESOURCE_IRQ = 0x400 };
+struct resource {
+    resource_size_t start, end;
+    const char* name;
+    unsigned long flags;
+    struct resource* parent;
+};
+static inline resource_size_t resource_size(const struct resource* r) {
+    return r->end - r->start + 1;
+}
+
+struct platform_device {
+    const char* name;
+    int id;
+    struct device dev;
+    unsigned num_resources;
+    struct resource* resource;
+};
+struct platform_device_id {
+    char name[20];
+    unsigned long driver_data;
+};
+struct platform_driver {
+    int (*probe)(struct platform_device*);
+    int (*remove)(struct platform_device*);
+    void (*shutdown)(struct platform_device*);
+    int (*suspend)(struct platform_device*, int);
+    int (*resume)(struct platform_device*);
+    struct device_driver driver;
+    const struct platform_device_id* id_table;
+};
+#define to_platform_device(x) container_of((x), struct platform_device, dev)
+static inline void* platform_get_drvdata(const struct platform_device* d) {
+    return d->dev.driver_data;
+}
+static inline void platform_set_drvdata(struct platform_device* d, void* data) {
+    d->dev.driver_data = data;
+}
+int platform_driver_register(struct platform_driver* driver);
+int platform_driver_probe(struct platform_driver* driver, int (*probe)(struct platform_device*));
+void platform_driver_unregister(struct platform_driver* driver);
+struct resource* platform_get_resource(struct platform_device* d, unsigned type, unsigned n);
+#define module_platform_driver(driver)                                       \
+    static int kmod_register(void) { return platform_driver_register(&(driver)); } \
+    static void kmod_unregister(void) { platform_driver_unregister(&(driver)); }   \
+    module_init(kmod_register) module_exit(kmod_unregister)
+
+#define of_match_ptr(p) (p)
+const struct of_device_id* of_match_device(const struct of_device_id* table,
+                                           const struct device* dev);
+const struct of_device_id* of_match_node(const struct of_device_id* table,
+                                         const struct device_node* node);
+struct device_node* of_find_compatible_node(struct device_node* from, const char* type,
+                                            const char* compatible);
+struct device_node* of_find_node_by_name(struct device_node* from, const char* name);
+static inline void of_node_put(struct device_node* node) { (void)node; }
+int of_address_to_resource(struct device_node* node, int index, struct resource* r);
+void* of_iomap(struct device_node* node, int index);
+
+// ---- Registers ----
+
+struct resource* request_mem_region(resource_size_t start, resource_size_t n, const char* name);
+void release_mem_region(resource_size_t start, resource_size_t n);
+void* ioremap(resource_size_t start, size_t size);
+#define ioremap_nocache ioremap
+#define ioremap_wc ioremap
+void iounmap(volatile void* address);
+static inline void* devm_ioremap(struct device* dev, resource_size_t start, size_t size) {
+    return (void)dev, ioremap(start, size);
+}
+#define devm_ioremap_nocache devm_ioremap
+void* devm_ioremap_resource(struct device* dev, const struct resource* r);
+void* devm_platform_ioremap_resource(struct platform_device* d, unsigned n);
+#define devm_request_mem_region(dev, start, n, name) request_mem_region(start, n, name)
+
+#define mb() __asm__ volatile("dmb" : : : "memory")
+#define rmb() mb()
+#define wmb() mb()
+#define smp_mb() mb()
+#define barrier() __asm__ volatile("" : : : "memory")
+#define KMOD_ACCESS(bits)                                                                      \
+    static inline u##bits ioread##bits(const volatile void* a) {                               \
+        return *(const volatile u##bits*)a;                                                    \
+    }                                                                                          \
+    static inline void iowrite##bits(u##bits value, volatile void* a) {                        \
+        *(volatile u##bits*)a = value;                                                         \
+    }                                                                                          \
+    static inline void ioread##bits##_rep(const volatile void* a, void* to, unsigned long n) { \
+        for (u##bits* p = (u##bits*)to; n; --n) *p++ = ioread##bits(a);                        \
+    }                                                                                          \
+    static inline void iowrite##bits##_rep(volatile void* a, const void* from, unsigned long n) { \
+        for (const u##bits* p = (const u##bits*)from; n; --n) iowrite##bits(*p++, a);          \
+    }
+KMOD_ACCESS(8)
+KMOD_ACCESS(16)
+KMOD_ACCESS(32)
+#define readb ioread8
+#define readw ioread16
+#define readl ioread32
+#define writeb iowrite8
+#define writew iowrite16
+#define writel iowrite32
+#define readl_relaxed ioread32
+#define writel_relaxed iowrite32
+#define __raw_readb ioread8
+#define __raw_readl ioread32
+#define __raw_writeb iowrite8
+#define __raw_writel iowrite32
+void memcpy_fromio(void* to, const volatile void* from, size_t n);
+void memcpy_toio(volatile void* to, const void* from, size_t n);
+void memset_io(volatile void* to, int value, size_t n);
+
+// ---- Files ----
+
+struct file_operations;
+struct cdev {
+    struct module* owner;
+    const struct file_operations* ops;
+    kmod_dev_t dev;
+    unsigned count;
+};
+struct inode {
+    kmod_dev_t i_rdev;
+    struct cdev* i_cdev;
+    void* i_private;
+};
+struct file {
+    const struct file_operations* f_op;
+    void* private_data;
+    unsigned f_flags;
+    fmode_t f_mode;
+    loff_t f_pos;
+    struct inode* f_inode;
+};
+static inline struct inode* file_inode(const struct file* f) { return f->f_inode; }
+static inline unsigned iminor(const struct inode* inode) { return inode->i_rdev & 0xFFFFF; }
+static inline unsigned imajor(const struct inode* inode) { return inode->i_rdev >> 20; }
+
+typedef unsigned long pgprot_t;
+#define pgprot_noncached(p) (p)
+#define pgprot_writecombine(p) (p)
+#define VM_IO 0x4000
+#define VM_DONTEXPAND 0x40000
+#define VM_RESERVED 0
+struct vm_area_struct {
+    unsigned long vm_start, vm_end, vm_pgoff, vm_flags;
+    pgprot_t vm_page_prot;
+    void* vm_private_data;
+};
+int remap_pfn_range(struct vm_area_struct* area, unsigned long at, unsigned long page,
+                    unsigned long size, pgprot_t protection);
+#define io_remap_pfn_range remap_pfn_range
+
+struct file_operations {
+    struct module* owner;
+    loff_t (*llseek)(struct file*, loff_t, int);
+    ssize_t (*read)(struct file*, char*, size_t, loff_t*);
+    ssize_t (*write)(struct file*, const char*, size_t, loff_t*);
+    long (*unlocked_ioctl)(struct file*, unsigned, unsigned long);
+    long (*compat_ioctl)(struct file*, unsigned, unsigned long);
+    int (*mmap)(struct file*, struct vm_area_struct*);
+    int (*open)(struct inode*, struct file*);
+    int (*flush)(struct file*, void*);
+    int (*release)(struct inode*, struct file*);
+};
+loff_t noop_llseek(struct file* f, loff_t offset, int whence);
+loff_t no_llseek(struct file* f, loff_t offset, int whence);
+loff_t default_llseek(struct file* f, loff_t offset, int whence);
+
+#define MISC_DYNAMIC_MINOR 255
+struct miscdevice {
+    int minor;
+    const char* name;
+    const struct file_operations* fops;
+    struct device *parent, *this_device;
+    const char* nodename;
+    umode_t mode;
+};
+int misc_register(struct miscdevice* device);
+int misc_deregister(struct miscdevice* device);
+
+#define MKDEV(major, minor) ((kmod_dev_t)((major) << 20 | (minor)))
+#define MAJOR(dev) ((unsigned)((dev) >> 20))
+#define MINOR(dev) ((unsigned)((dev)&0xFFFFF))
+struct class {
+    const char* name;
+};
+int register_chrdev(unsigned major, const char* name, const struct file_operations* ops);
+void unregister_chrdev(unsigned major, const char* name);
+int alloc_chrdev_region(kmod_dev_t* dev, unsigned first, unsigned count, const char* name);
+int register_chrdev_region(kmod_dev_t dev, unsigned count, const char* name);
+void unregister_chrdev_region(kmod_dev_t dev, unsigned count);
+void cdev_init(struct cdev* cdev, const struct file_operations* ops);
+struct cdev* cdev_alloc(void);
+int cdev_add(struct cdev* cdev, kmod_dev_t dev, unsigned count);
+void cdev_del(struct cdev* cdev);
+struct class* kmod_class(const char* name);
+#define KMOD_CLASS_1(name) kmod_class(name)
+#define KMOD_CLASS_2(module, name) kmod_class(name)  // before Linux 6.4
+#define KMOD_PICK_(a, b, which, ...) which
+#define class_create(...) \
+    KMOD_PICK_(__VA_ARGS__, KMOD_CLASS_2, KMOD_CLASS_1, )(__VA_ARGS__)
+void class_destroy(struct class* c);
+struct device* device_create(struct class* c, struct device* parent, kmod_dev_t dev, void* data,
+                             const char* format, ...);
+void device_destroy(struct class* c, kmod_dev_t dev);
+
+#ifndef KMOD_RUNTIME
+enum {
+    O_RDONLY = 0, O_WRONLY = 1, O_RDWR = 2, O_ACCMODE = 3, O_NONBLOCK = 0x800, SEEK_SET = 0,
+    SEEK_CUR = 1, SEEK_END = 2, S_IRUSR = 0400, S_IWUSR = 0200, S_IRUGO = 0444, S_IWUGO = 0222
+};
+#define _IOC(direction, type, number, size) \
+    ((direction) << 30 | (size) << 16 | (unsigned)(type) << 8 | (unsigned)(number))
+#define _IOC_NONE 0U
+#define _IOC_WRITE 1U
+#define _IOC_READ 2U
+#define _IO(type, number) _IOC(_IOC_NONE, type, number, 0U)
+#define _IOR(type, number, of) _IOC(_IOC_READ, type, number, (unsigned)sizeof(of))
+#define _IOW(type, number, of) _IOC(_IOC_WRITE, type, number, (unsigned)sizeof(of))
+#define _IOWR(type, number, of) _IOC(_IOC_READ | _IOC_WRITE, type, number, (unsigned)sizeof(of))
+#define _IOC_DIR(n) ((n) >> 30 & 3U)
+#define _IOC_TYPE(n) ((n) >> 8 & 0xFFU)
+#define _IOC_NR(n) ((n)&0xFFU)
+#define _IOC_SIZE(n) ((n) >> 16 & 0x3FFFU)
+#endif
+
+#endif
