@@ -3,7 +3,7 @@
 _de1sim() {
     local word=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD - 1]} command=run choices=
     case ${COMP_WORDS[1]} in
-        run | test | live | build | check | check-board | compare | merge) command=${COMP_WORDS[1]} ;;
+        run | test | live | build | check | link | check-board | compare | merge) command=${COMP_WORDS[1]} ;;
     esac
     COMPREPLY=()
     # "--cpu TEXT:{auto,native,arm}=auto"
@@ -21,7 +21,7 @@ _de1sim() {
             sed 's/^ *\(-h,\)\?//')
         mapfile -t COMPREPLY < <(compgen -W "$choices" -- "$word")
     elif [[ $COMP_CWORD -eq 1 ]]; then
-        mapfile -t COMPREPLY < <(compgen -W "run test live build check check-board compare merge" -- "$word"; compgen -f -- "$word")
+        mapfile -t COMPREPLY < <(compgen -W "run test live build check link check-board compare merge" -- "$word"; compgen -f -- "$word")
     else
         mapfile -t COMPREPLY < <(compgen -f -- "$word")
     fi

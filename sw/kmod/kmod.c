@@ -354,7 +354,9 @@ void cdev_init(struct cdev* cdev, const struct file_operations* ops) {
     cdev->ops = ops;
 }
 
-struct cdev* cdev_alloc(void) { return calloc(1, sizeof(struct cdev)); }
+struct cdev* cdev_alloc(void) {
+    return calloc(1, sizeof(struct cdev));
+}
 
 int cdev_add(struct cdev* cdev, kmod_dev_t dev, unsigned count) {
     cdev->dev = dev;
@@ -484,8 +486,7 @@ int __wrap_close(int descriptor) {
         if (files[n].number != descriptor) continue;
         const struct file_operations* ops = files[n].file.f_op;
         files[n].number = 0;
-        const int result =
-            ops->release ? ops->release(files[n].file.f_inode, &files[n].file) : 0;
+        const int result = ops->release ? ops->release(files[n].file.f_inode, &files[n].file) : 0;
         __real_close(descriptor);
         return (int)answer(result);
     }
@@ -506,18 +507,18 @@ ssize_t __wrap_write(int descriptor, const void* from, size_t n) {
     return answer(f->f_op->write ? f->f_op->write(f, from, n, &f->f_pos) : -EINVAL);
 }
 
-#define IOCTL(name)                                                                  \
-    int __real_##name(int descriptor, unsigned long request, ...);                   \
-    int __wrap_##name(int descriptor, unsigned long request, ...) {                  \
-        va_list list;                                                                \
-        va_start(list, request);                                                     \
-        const unsigned long argument = va_arg(list, unsigned long);                  \
-        va_end(list);                                                                \
-        struct file* f = file_of(descriptor);                                        \
-        if (!f) return __real_##name(descriptor, request, argument);                 \
-        return (int)answer(f->f_op->unlocked_ioctl                        \
+#define IOCTL(name)                                                                      \
+    int __real_##name(int descriptor, unsigned long request, ...);                       \
+    int __wrap_##name(int descriptor, unsigned long request, ...) {                      \
+        va_list list;                                                                    \
+        va_start(list, request);                                                         \
+        const unsigned long argument = va_arg(list, unsigned long);                      \
+        va_end(list);                                                                    \
+        struct file* f = file_of(descriptor);                                            \
+        if (!f) return __real_##name(descriptor, request, argument);                     \
+        return (int)answer(f->f_op->unlocked_ioctl                                       \
                                ? f->f_op->unlocked_ioctl(f, (unsigned)request, argument) \
-                               : -ENOTTY);                                           \
+                               : -ENOTTY);                                               \
     }
 IOCTL(ioctl)
 IOCTL(__ioctl_time64)
@@ -527,8 +528,8 @@ IOCTL(__ioctl_time64)
     type __wrap_##name(int descriptor, type offset, int whence) {                    \
         struct file* f = file_of(descriptor);                                        \
         if (!f) return __real_##name(descriptor, offset, whence);                    \
-        return (type)answer((long)(f->f_op->llseek ? f->f_op->llseek(f, offset, whence) \
-                                                              : -ESPIPE));           \
+        return (type)answer(                                                         \
+            (long)(f->f_op->llseek ? f->f_op->llseek(f, offset, whence) : -ESPIPE)); \
     }
 LSEEK(lseek, long)
 LSEEK(lseek64, int64_t)
@@ -554,14 +555,14 @@ static void* map_device(struct file* f, size_t size, int64_t offset) {
     return MAP_FAILED;
 }
 
-#define MMAP(name, type)                                                                      \
-    void* __real_##name(void* at, size_t size, int protection, int flags, int descriptor,     \
-                        type offset);                                                         \
-    void* __wrap_##name(void* at, size_t size, int protection, int flags, int descriptor,     \
-                        type offset) {                                                        \
-        struct file* f = file_of(descriptor);                                                 \
-        return f ? map_device(f, size, offset)                                                \
-                 : __real_##name(at, size, protection, flags, descriptor, offset);            \
+#define MMAP(name, type)                                                                  \
+    void* __real_##name(void* at, size_t size, int protection, int flags, int descriptor, \
+                        type offset);                                                     \
+    void* __wrap_##name(void* at, size_t size, int protection, int flags, int descriptor, \
+                        type offset) {                                                    \
+        struct file* f = file_of(descriptor);                                             \
+        return f ? map_device(f, size, offset)                                            \
+                 : __real_##name(at, size, protection, flags, descriptor, offset);        \
     }
 MMAP(mmap, long)
 MMAP(mmap64, int64_t)
@@ -618,8 +619,7 @@ size_t __attribute__((weak)) strlcpy(char* to, const char* from, size_t n) {
     return strlen(from);
 }
 
-static int parsed(const char* text, unsigned base, long long least, long long most,
-                  long long* to) {
+static int parsed(const char* text, unsigned base, long long least, long long most, long long* to) {
     char* end;
     errno = 0;
     *to = strtoll(text, &end, (int)base);

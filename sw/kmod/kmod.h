@@ -32,7 +32,7 @@ typedef int64_t s64, __s64;
 typedef uint32_t phys_addr_t, resource_size_t, dma_addr_t;
 typedef int64_t ktime_t;
 typedef unsigned gfp_t, fmode_t, kmod_dev_t;  // libc's dev_t has 64 bits
-#ifndef KMOD_RUNTIME  // which has those of libc
+#ifndef KMOD_RUNTIME                          // which has those of libc
 typedef unsigned char uchar, u_char;
 typedef unsigned short ushort, u_short, umode_t, mode_t;
 typedef unsigned int uint, u_int;
@@ -78,34 +78,80 @@ typedef unsigned short umode_t;
 #define BIT(n) (1UL << (n))
 #define GENMASK(high, low) ((~0UL << (low)) & (~0UL >> (31 - (high))))
 #define ARRAY_SIZE(a) (sizeof(a) / sizeof((a)[0]))
-#define DIV_ROUND_UP(n, d) (((n) + (d) - 1) / (d))
-#define ALIGN(x, a) (((x) + (a) - 1) & ~((__typeof__(x))(a) - 1))
+#define DIV_ROUND_UP(n, d) (((n) + (d)-1) / (d))
+#define ALIGN(x, a) (((x) + (a)-1) & ~((__typeof__(x))(a)-1))
 #define container_of(pointer, type, member) \
     ((type*)((char*)(pointer) - __builtin_offsetof(type, member)))
-#define min(a, b) \
-    ({ __typeof__(a) a_ = (a); __typeof__(b) b_ = (b); a_ < b_ ? a_ : b_; })
-#define max(a, b) \
-    ({ __typeof__(a) a_ = (a); __typeof__(b) b_ = (b); a_ > b_ ? a_ : b_; })
+#define min(a, b)               \
+    ({                          \
+        __typeof__(a) a_ = (a); \
+        __typeof__(b) b_ = (b); \
+        a_ < b_ ? a_ : b_;      \
+    })
+#define max(a, b)               \
+    ({                          \
+        __typeof__(a) a_ = (a); \
+        __typeof__(b) b_ = (b); \
+        a_ > b_ ? a_ : b_;      \
+    })
 #define min_t(type, a, b) min((type)(a), (type)(b))
 #define max_t(type, a, b) max((type)(a), (type)(b))
 #define clamp(x, low, high) min(max(x, low), high)
-#define swap(a, b) \
-    do { __typeof__(a) a_ = (a); (a) = (b); (b) = a_; } while (0)
+#define swap(a, b)              \
+    do {                        \
+        __typeof__(a) a_ = (a); \
+        (a) = (b);              \
+        (b) = a_;               \
+    } while (0)
 #define upper_32_bits(n) ((u32)((u64)(n) >> 32))
 #define lower_32_bits(n) ((u32)(n))
 #define BUILD_BUG_ON(condition) _Static_assert(!(condition), #condition)
-#define WARN_ON(condition) \
-    ({ bool met_ = !!(condition); if (met_) printk("WARNING: " #condition "\n"); met_; })
+#define WARN_ON(condition)                             \
+    ({                                                 \
+        bool met_ = !!(condition);                     \
+        if (met_) printk("WARNING: " #condition "\n"); \
+        met_;                                          \
+    })
 
 // ---- Errors ----
 
 #ifndef KMOD_RUNTIME
 enum {
-    EPERM = 1, ENOENT = 2, EINTR = 4, EIO = 5, ENXIO = 6, E2BIG = 7, EBADF = 9, EAGAIN = 11,
-    EWOULDBLOCK = 11, ENOMEM = 12, EACCES = 13, EFAULT = 14, EBUSY = 16, EEXIST = 17, ENODEV = 19,
-    EINVAL = 22, ENFILE = 23, EMFILE = 24, ENOTTY = 25, EFBIG = 27, ENOSPC = 28, ESPIPE = 29,
-    EROFS = 30, EPIPE = 32, EDOM = 33, ERANGE = 34, ENOSYS = 38, ENODATA = 61, ETIME = 62,
-    EPROTO = 71, EOVERFLOW = 75, ENOBUFS = 105, ETIMEDOUT = 110, EALREADY = 114, EINPROGRESS = 115
+    EPERM = 1,
+    ENOENT = 2,
+    EINTR = 4,
+    EIO = 5,
+    ENXIO = 6,
+    E2BIG = 7,
+    EBADF = 9,
+    EAGAIN = 11,
+    EWOULDBLOCK = 11,
+    ENOMEM = 12,
+    EACCES = 13,
+    EFAULT = 14,
+    EBUSY = 16,
+    EEXIST = 17,
+    ENODEV = 19,
+    EINVAL = 22,
+    ENFILE = 23,
+    EMFILE = 24,
+    ENOTTY = 25,
+    EFBIG = 27,
+    ENOSPC = 28,
+    ESPIPE = 29,
+    EROFS = 30,
+    EPIPE = 32,
+    EDOM = 33,
+    ERANGE = 34,
+    ENOSYS = 38,
+    ENODATA = 61,
+    ETIME = 62,
+    EPROTO = 71,
+    EOVERFLOW = 75,
+    ENOBUFS = 105,
+    ETIMEDOUT = 110,
+    EALREADY = 114,
+    EINPROGRESS = 115
 };
 #endif
 enum { ERESTARTSYS = 512, ENOIOCTLCMD = 515, EPROBE_DEFER = 517, ENOTSUPP = 524 };
@@ -144,16 +190,20 @@ int printk(const char* format, ...) __attribute__((format(printf, 1, 2)));
 #define pr_notice(format, ...) printk(KERN_NOTICE pr_fmt(format), ##__VA_ARGS__)
 #define pr_info(format, ...) printk(KERN_INFO pr_fmt(format), ##__VA_ARGS__)
 #define pr_cont(format, ...) printk(KERN_CONT format, ##__VA_ARGS__)
-#define pr_debug(format, ...) \
-    do { if (0) printk(format, ##__VA_ARGS__); } while (0)
+#define pr_debug(format, ...)                 \
+    do {                                      \
+        if (0) printk(format, ##__VA_ARGS__); \
+    } while (0)
 #define dev_printk_(dev, format, ...) \
     printk("%s: " format, dev_name((const struct device*)(dev)), ##__VA_ARGS__)
 #define dev_err(dev, format, ...) dev_printk_(dev, format, ##__VA_ARGS__)
 #define dev_warn(dev, format, ...) dev_printk_(dev, format, ##__VA_ARGS__)
 #define dev_notice(dev, format, ...) dev_printk_(dev, format, ##__VA_ARGS__)
 #define dev_info(dev, format, ...) dev_printk_(dev, format, ##__VA_ARGS__)
-#define dev_dbg(dev, format, ...) \
-    do { if (0) dev_printk_(dev, format, ##__VA_ARGS__); } while (0)
+#define dev_dbg(dev, format, ...)                       \
+    do {                                                \
+        if (0) dev_printk_(dev, format, ##__VA_ARGS__); \
+    } while (0)
 
 // ---- Modules ----
 
@@ -163,13 +213,13 @@ struct module;
 #define KMOD_JOIN(a, b) KMOD_JOIN_(a, b)
 void kmod_add_module(const char* name, int (*init)(void), void (*exit)(void));
 void kmod_add_exit(const char* name, void (*exit)(void));
-#define module_init(f)                                                            \
+#define module_init(f)                                                               \
     static void __attribute__((constructor)) KMOD_JOIN(kmod_init_, __LINE__)(void) { \
-        kmod_add_module(KBUILD_MODNAME, f, 0);                                    \
+        kmod_add_module(KBUILD_MODNAME, f, 0);                                       \
     }
-#define module_exit(f)                                                            \
+#define module_exit(f)                                                               \
     static void __attribute__((constructor)) KMOD_JOIN(kmod_exit_, __LINE__)(void) { \
-        kmod_add_exit(KBUILD_MODNAME, f);                                         \
+        kmod_add_exit(KBUILD_MODNAME, f);                                            \
     }
 #define late_initcall(f) module_init(f)
 #define device_initcall(f) module_init(f)
@@ -243,8 +293,12 @@ int kstrtouint(const char* text, unsigned base, unsigned* to);
 int kstrtou8(const char* text, unsigned base, u8* to);
 static inline u64 div64_u64(u64 a, u64 b) { return a / b; }
 static inline u64 div_u64(u64 a, u32 b) { return a / b; }
-#define do_div(n, base) \
-    ({ u32 rest_ = (u32)((n) % (base)); (n) /= (base); rest_; })
+#define do_div(n, base)                  \
+    ({                                   \
+        u32 rest_ = (u32)((n) % (base)); \
+        (n) /= (base);                   \
+        rest_;                           \
+    })
 
 // ---- Locks: among the program's threads ----
 
@@ -263,7 +317,8 @@ typedef struct {
 #define DEFINE_MUTEX(name) struct mutex name = {0}
 #define DEFINE_SPINLOCK(name) spinlock_t name = {0}
 #define DEFINE_SEMAPHORE(name) struct semaphore name = {1}
-#define __SPIN_LOCK_UNLOCKED(name) {0}
+#define __SPIN_LOCK_UNLOCKED(name) \
+    { 0 }
 void kmod_lock(int* taken);
 bool kmod_try(int* taken);
 void kmod_unlock(int* taken);
@@ -289,18 +344,21 @@ void down(struct semaphore* s);
 #define down_interruptible(s) (down(s), 0)
 int down_trylock(struct semaphore* s);
 void up(struct semaphore* s);
-#define ATOMIC_INIT(n) {n}
+#define ATOMIC_INIT(n) \
+    { n }
 #define atomic_read(a) __atomic_load_n(&(a)->counter, __ATOMIC_SEQ_CST)
 #define atomic_set(a, n) __atomic_store_n(&(a)->counter, n, __ATOMIC_SEQ_CST)
 #define atomic_inc(a) ((void)__atomic_add_fetch(&(a)->counter, 1, __ATOMIC_SEQ_CST))
 #define atomic_dec(a) ((void)__atomic_sub_fetch(&(a)->counter, 1, __ATOMIC_SEQ_CST))
 #define atomic_inc_return(a) __atomic_add_fetch(&(a)->counter, 1, __ATOMIC_SEQ_CST)
 #define atomic_dec_and_test(a) (__atomic_sub_fetch(&(a)->counter, 1, __ATOMIC_SEQ_CST) == 0)
-#define atomic_cmpxchg(a, old, new)                                                      \
-    ({ int old_ = (old);                                                                 \
-       __atomic_compare_exchange_n(&(a)->counter, &old_, new, 0, __ATOMIC_SEQ_CST,       \
-                                   __ATOMIC_SEQ_CST);                                    \
-       old_; })
+#define atomic_cmpxchg(a, old, new)                                                 \
+    ({                                                                              \
+        int old_ = (old);                                                           \
+        __atomic_compare_exchange_n(&(a)->counter, &old_, new, 0, __ATOMIC_SEQ_CST, \
+                                    __ATOMIC_SEQ_CST);                              \
+        old_;                                                                       \
+    })
 
 // ---- Time ----
 
@@ -313,9 +371,9 @@ void cond_resched(void);
 #define cpu_relax() barrier()
 unsigned long kmod_jiffies(void);
 #define jiffies kmod_jiffies()
-#define msecs_to_jiffies(ms) ((unsigned long)(((ms) * HZ + 999) / 1000))
+#define msecs_to_jiffies(ms) ((unsigned long)(((ms)*HZ + 999) / 1000))
 #define usecs_to_jiffies(us) msecs_to_jiffies(((us) + 999) / 1000)
-#define jiffies_to_msecs(j) ((unsigned)((j) * 1000 / HZ))
+#define jiffies_to_msecs(j) ((unsigned)((j)*1000 / HZ))
 #define time_after(a, b) ((long)((b) - (a)) < 0)
 #define time_before(a, b) time_after(b, a)
 #define time_after_eq(a, b) ((long)((a) - (b)) >= 0)

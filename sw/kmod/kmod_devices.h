@@ -70,7 +70,7 @@ int platform_driver_register(struct platform_driver* driver);
 int platform_driver_probe(struct platform_driver* driver, int (*probe)(struct platform_device*));
 void platform_driver_unregister(struct platform_driver* driver);
 struct resource* platform_get_resource(struct platform_device* d, unsigned type, unsigned n);
-#define module_platform_driver(driver)                                       \
+#define module_platform_driver(driver)                                             \
     static int kmod_register(void) { return platform_driver_register(&(driver)); } \
     static void kmod_unregister(void) { platform_driver_unregister(&(driver)); }   \
     module_init(kmod_register) module_exit(kmod_unregister)
@@ -108,18 +108,18 @@ void* devm_platform_ioremap_resource(struct platform_device* d, unsigned n);
 #define wmb() mb()
 #define smp_mb() mb()
 #define barrier() __asm__ volatile("" : : : "memory")
-#define KMOD_ACCESS(bits)                                                                      \
-    static inline u##bits ioread##bits(const volatile void* a) {                               \
-        return *(const volatile u##bits*)a;                                                    \
-    }                                                                                          \
-    static inline void iowrite##bits(u##bits value, volatile void* a) {                        \
-        *(volatile u##bits*)a = value;                                                         \
-    }                                                                                          \
-    static inline void ioread##bits##_rep(const volatile void* a, void* to, unsigned long n) { \
-        for (u##bits* p = (u##bits*)to; n; --n) *p++ = ioread##bits(a);                        \
-    }                                                                                          \
+#define KMOD_ACCESS(bits)                                                                         \
+    static inline u##bits ioread##bits(const volatile void* a) {                                  \
+        return *(const volatile u##bits*)a;                                                       \
+    }                                                                                             \
+    static inline void iowrite##bits(u##bits value, volatile void* a) {                           \
+        *(volatile u##bits*)a = value;                                                            \
+    }                                                                                             \
+    static inline void ioread##bits##_rep(const volatile void* a, void* to, unsigned long n) {    \
+        for (u##bits* p = (u##bits*)to; n; --n) *p++ = ioread##bits(a);                           \
+    }                                                                                             \
     static inline void iowrite##bits##_rep(volatile void* a, const void* from, unsigned long n) { \
-        for (const u##bits* p = (const u##bits*)from; n; --n) iowrite##bits(*p++, a);          \
+        for (const u##bits* p = (const u##bits*)from; n; --n) iowrite##bits(*p++, a);             \
     }
 KMOD_ACCESS(8)
 KMOD_ACCESS(16)
@@ -228,8 +228,7 @@ struct class* kmod_class(const char* name);
 #define KMOD_CLASS_1(name) kmod_class(name)
 #define KMOD_CLASS_2(module, name) kmod_class(name)  // before Linux 6.4
 #define KMOD_PICK_(a, b, which, ...) which
-#define class_create(...) \
-    KMOD_PICK_(__VA_ARGS__, KMOD_CLASS_2, KMOD_CLASS_1, )(__VA_ARGS__)
+#define class_create(...) KMOD_PICK_(__VA_ARGS__, KMOD_CLASS_2, KMOD_CLASS_1, )(__VA_ARGS__)
 void class_destroy(struct class* c);
 struct device* device_create(struct class* c, struct device* parent, kmod_dev_t dev, void* data,
                              const char* format, ...);
@@ -237,8 +236,18 @@ void device_destroy(struct class* c, kmod_dev_t dev);
 
 #ifndef KMOD_RUNTIME
 enum {
-    O_RDONLY = 0, O_WRONLY = 1, O_RDWR = 2, O_ACCMODE = 3, O_NONBLOCK = 0x800, SEEK_SET = 0,
-    SEEK_CUR = 1, SEEK_END = 2, S_IRUSR = 0400, S_IWUSR = 0200, S_IRUGO = 0444, S_IWUGO = 0222
+    O_RDONLY = 0,
+    O_WRONLY = 1,
+    O_RDWR = 2,
+    O_ACCMODE = 3,
+    O_NONBLOCK = 0x800,
+    SEEK_SET = 0,
+    SEEK_CUR = 1,
+    SEEK_END = 2,
+    S_IRUSR = 0400,
+    S_IWUSR = 0200,
+    S_IRUGO = 0444,
+    S_IWUGO = 0222
 };
 #define _IOC(direction, type, number, size) \
     ((direction) << 30 | (size) << 16 | (unsigned)(type) << 8 | (unsigned)(number))
