@@ -43,6 +43,11 @@ class Places(Case):
         self.leds(0x5A, 1)
         self.checked("C:/me/lab/Font.MIF (top.v:2): data/font.mif")
 
+    def test_words_beyond_the_array(self):
+        self.write(top_v=HEAD + 'reg [7:0] m [0:3]; initial $readmemh("x.hex", m);\n' + READS,
+                   x_hex="01 02 a5 04\n05 06\n")
+        self.assertIn("10850: the file has more words than the array", self.leds(0xA5, 2))
+
     def test_nowhere(self):
         self.write(top_v=ROM.format("gone.mif"))
         self.assertIn("gone.mif: not found", self.leds(0, 1))
