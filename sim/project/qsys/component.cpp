@@ -59,8 +59,8 @@ public:
         : given_{parameters}, instance_{instance} {
         component_.file = file;
         for (const auto& [name, method] : METHODS)
-            tcl_.add(name, [this, method = method](const Words& words) {
-                return (this->*method)(words);
+            tcl_.add(name, [this, command = method](const Words& words) {
+                return (this->*command)(words);
             });
         for (const char* name : SILENT) tcl_.add(name, [](const Words&) { return ""; });
         tcl_.add("unknown", [this](const Words& words) -> std::string {
