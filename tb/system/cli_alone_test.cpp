@@ -108,7 +108,7 @@ TEST_F(ProgramAlone, IsRefusedTwiceOrForTheOtherProcessor) {
     refused(alone(LEDS_ELF, {"--cpu", "native"}), "--elf: is for --cpu arm");
     refused(alone("nothing.elf"), "nothing.elf: is not there");
     refused(alone("nothing"),
-            "expected run, test, live, build, check, check-board, compare or merge, got "
+            "expected run, test, live, build, check, link, check-board, compare or merge, got "
             "\"nothing\"");
     folder.put("cut.elf", "\177ELF");
     refused(alone(folder / "cut.elf"), "cut.elf: not an ELF file");
