@@ -2,7 +2,12 @@
 #include "sim/cpu/dynarmic/engine.h"
 
 #include <algorithm>
+#include <stdexcept>
 #include <utility>
+
+#ifdef __aarch64__
+#include <sys/auxv.h>
+#endif
 
 #include "sim/cpu/dynarmic/direct.h"
 #include "sim/cpu/dynarmic/instructions.h"
@@ -16,10 +21,23 @@ using Dynarmic::HaltReason;
 constexpr HaltReason EVENT = HaltReason::UserDefined1;
 constexpr std::size_t CODE_CACHE = 32 << 20;  // bytes; blocks that do not fit are translated anew
 
+// dynarmic 6.7's code for Arm reads a flag of 32 bits by an LDAR of 64, at an address that is a
+// multiple of 4 alone: SIGBUS but where the processor has LSE2.
+void check_host() {
+#ifdef __aarch64__
+    constexpr unsigned long USCAT = 1ul << 25;  // HWCAP_USCAT of the kernel: LSE2
+    if (!(getauxval(AT_HWCAP) & USCAT))
+        throw std::runtime_error{
+            "this machine's processor is older than Armv8.4 (it has not LSE2), which dynarmic "
+            "needs; build de1sim with -DDE1SIM_ARM_ENGINE=unicorn, or run --cpu native"};
+#endif
+}
+
 }  // namespace
 
 ArmCore::Engine::Engine(ArmCore& core_, ArmBus& bus_)
     : core{core_}, bus{bus_}, code{[this](std::uint32_t a) { return half_of_code(a); }} {
+    check_host();
     using Dynarmic::OptimizationFlag;
     Dynarmic::A32::UserConfig config;
     config.callbacks = this;
