@@ -7,7 +7,7 @@ namespace sim {
 
 void ArmCore::map_ram(std::uint32_t base, std::uint64_t size, void* bytes, unsigned access,
                       bool /*data_by_bus*/) {
-    check_uc(uc_mem_map_ptr(engine_->uc, base, size, access, bytes), "map of RAM");
+    check_uc(uc_mem_map_ptr(engine_->uc, base, size, access & UC_PROT_ALL, bytes), "map of RAM");
     engine_->ram.push_back({base, size, static_cast<std::uint8_t*>(bytes)});
 }
 
