@@ -127,7 +127,7 @@ void name_missing_functions(const std::string& said) {
     throw ProjectError{
         fmt::format("{} is not one of those that a module can call here{}; {} has "
                     "them all",
-                    first, others, (project::data_folder() / "kmod/kmod.h").string())};
+                    first, others, (project::data_folder() / "kmod").string())};
 }
 
 class Linker {

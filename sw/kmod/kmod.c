@@ -57,10 +57,7 @@ static unsigned module_of(const char* name) {
     return n;
 }
 
-void kmod_add_module(const char* name, int (*init)(void), void (*exit)(void)) {
-    (void)exit;
-    modules[module_of(name)].init = init;
-}
+void kmod_add_init(const char* name, int (*init)(void)) { modules[module_of(name)].init = init; }
 
 void kmod_add_exit(const char* name, void (*exit)(void)) { modules[module_of(name)].exit = exit; }
 
@@ -240,12 +237,22 @@ void* devm_platform_ioremap_resource(struct platform_device* d, unsigned n) {
     return devm_ioremap_resource(&d->dev, platform_get_resource(d, IORESOURCE_MEM, n));
 }
 
-// Registers take words, so no memcpy() of libc, which makes accesses of any size.
+// Of words where both sides are aligned, as the kernel makes them, else of bytes: memcpy() of libc
+// makes accesses of any size.
+static bool are_words(const volatile void* a, const volatile void* b, size_t n) {
+    return (((uintptr_t)a | (uintptr_t)b | n) & 3) == 0;
+}
 void memcpy_fromio(void* to, const volatile void* from, size_t n) {
-    for (size_t i = 0; i < n; ++i) ((u8*)to)[i] = ioread8((const volatile u8*)from + i);
+    if (are_words(to, from, n))
+        for (size_t i = 0; i < n / 4; ++i) ((u32*)to)[i] = ioread32((const volatile u32*)from + i);
+    else
+        for (size_t i = 0; i < n; ++i) ((u8*)to)[i] = ioread8((const volatile u8*)from + i);
 }
 void memcpy_toio(volatile void* to, const void* from, size_t n) {
-    for (size_t i = 0; i < n; ++i) iowrite8(((const u8*)from)[i], (volatile u8*)to + i);
+    if (are_words(to, from, n))
+        for (size_t i = 0; i < n / 4; ++i) iowrite32(((const u32*)from)[i], (volatile u32*)to + i);
+    else
+        for (size_t i = 0; i < n; ++i) iowrite8(((const u8*)from)[i], (volatile u8*)to + i);
 }
 void memset_io(volatile void* to, int value, size_t n) {
     for (size_t i = 0; i < n; ++i) iowrite8((u8)value, (volatile u8*)to + i);

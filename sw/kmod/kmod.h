@@ -211,11 +211,11 @@ struct module;
 #define THIS_MODULE ((struct module*)0)
 #define KMOD_JOIN_(a, b) a##b
 #define KMOD_JOIN(a, b) KMOD_JOIN_(a, b)
-void kmod_add_module(const char* name, int (*init)(void), void (*exit)(void));
+void kmod_add_init(const char* name, int (*init)(void));
 void kmod_add_exit(const char* name, void (*exit)(void));
 #define module_init(f)                                                               \
     static void __attribute__((constructor)) KMOD_JOIN(kmod_init_, __LINE__)(void) { \
-        kmod_add_module(KBUILD_MODNAME, f, 0);                                       \
+        kmod_add_init(KBUILD_MODNAME, f);                                            \
     }
 #define module_exit(f)                                                               \
     static void __attribute__((constructor)) KMOD_JOIN(kmod_exit_, __LINE__)(void) { \

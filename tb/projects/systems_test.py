@@ -293,14 +293,17 @@ R32(0xFF200000) = bad ? bad : 0x3FF;""")
             "module stuck(input clk, input reset, input [3:0] address, input write, input read, "
             "input [31:0] writedata, output [31:0] readdata, output waitrequest);\n"
             "assign waitrequest = 1'b1;\nassign readdata = 0;\nendmodule\n")
-        self.with_leds([("stuck_0", "stuck", {})], [("clock", "clk_0.clk", "stuck_0.clock"),
-                                                    ("reset", "clk_0.clk_reset", "stuck_0.reset"),
-                                                    ("avalon", LW, "stuck_0.s", 0x40)])
-        self.program("R32(0xFF200000) = R32(0xFF200044);")
-        done = self.de1sim("run", "--elf", "program.elf", "--project", "top.qsf", "--duration",
-                           "20ms")
-        self.assertEqual(done.returncode, 1, done.stderr)
-        self.assertIn("read of 4 bytes at 0xFF200044 (stuck_0 did not answer", done.stderr)
+        for bridge, window in (LW, 0xFF200000), (FULL, 0xC0000000):
+            self.with_leds([("stuck_0", "stuck", {})],
+                           [("clock", "clk_0.clk", "stuck_0.clock"),
+                            ("reset", "clk_0.clk_reset", "stuck_0.reset"),
+                            ("avalon", bridge, "stuck_0.s", 0x40)])
+            self.program(f"R32(0xFF200000) = R32({window + 0x44:#x});")
+            done = self.de1sim("run", "--elf", "program.elf", "--project", "top.qsf",
+                               "--duration", "20ms")
+            self.assertEqual(done.returncode, 1, done.stderr)
+            self.assertIn(f"read of 4 bytes at 0x{window + 0x44:08X} (stuck_0 did not answer",
+                          done.stderr)
 
     def test_the_addresses_are_listed(self):
         self.with_leds()

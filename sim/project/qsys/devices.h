@@ -31,7 +31,7 @@ std::vector<Device> devices_of(const Assembly& assembly, const std::vector<Place
 // hps_0.h, with the macros that the vendor's sopc-create-header-files gives.
 std::string header_text(const std::string& system, const std::vector<Device>& devices);
 
-// Nodes for a device tree of Linux, under the processor's bridges.
+// Nodes for Linux' device tree; their addresses are the processor's.
 std::string device_tree_text(const std::vector<Device>& devices);
 
 }  // namespace sim::project::qsys
