@@ -23,6 +23,9 @@ SOUND_TOP = """, .xck_clk(AUD_XCK), .i2c_SDAT(FPGA_I2C_SDAT), .i2c_SCLK(FPGA_I2C
 SOUND_IN = ", .codec_ADCDAT(AUD_ADCDAT), .codec_ADCLRCK(AUD_ADCLRCK)"
 SOUND_PORTS = """, output AUD_XCK, inout FPGA_I2C_SDAT, output FPGA_I2C_SCLK, inout AUD_BCLK,
 output AUD_DACDAT, inout AUD_DACLRCK, input AUD_ADCDAT, inout AUD_ADCLRCK"""
+ADC_TOP = """, .adc_sclk(ADC_SCLK), .adc_cs_n(ADC_CS_N), .adc_dout(ADC_DOUT),
+.adc_din(ADC_DIN)"""
+ADC_PORTS = ", output ADC_SCLK, output ADC_CS_N, input ADC_DOUT, output ADC_DIN"
 
 STREAM_TCL = """set_module_property NAME square
 add_fileset QUARTUS_SYNTH QUARTUS_SYNTH "" ""
@@ -102,6 +105,49 @@ class Sound(SystemCase):
                         "if (n == 1600) { c[2] = 5; c[3] = 8; } }\n",
                    steps=["expect-tone: {hz: 500, for: 60ms, timeout: 300ms}",
                           "delay: 250ms", "expect-silence: {for: 50ms}"])
+
+
+class Adc(SystemCase):
+    def adc(self, body, leds, **parameters):
+        self.with_leds([("adc", "altera_up_avalon_adc", {"AUTO_CLK_CLOCK_RATE": "50000000",
+                                                         **parameters})],
+                       [("clock", "clk_0.clk", "adc.clk"),
+                        ("reset", "clk_0.clk_reset", "adc.reset"),
+                        ("avalon", LW, "adc.adc_slave", 0x40)])
+        file = self.folder / "sys.qsys"
+        file.write_text(file.read_text().replace(
+            "</system>", '<interface name="adc" internal="adc.external_interface" '
+            'type="conduit" dir="end" />\n</system>'))
+        file = self.folder / "top.v"
+        file.write_text(file.read_text().replace("[9:0] LEDR", "[9:0] LEDR" + ADC_PORTS)
+                        .replace(".leds_export(LEDR)", ".leds_export(LEDR)" + ADC_TOP))
+        self.program("volatile uint32_t* a = (volatile uint32_t*)0xFF200040;\n" + body)
+        self.write(s_yaml="name: s\nversion: 1\nprogram: program.elf\nproject: top.qsf\nsteps:\n"
+                          "  - set-voltage: {channel: 0, volts: 0.5}\n"
+                          "  - set-voltage: {channel: 1, volts: 1.25}\n"
+                          "  - set-voltage: {channel: 7, volts: 2.5}\n"
+                          f'  - expect-leds: {{equals: "{leds:010b}", timeout: 10ms}}\n')
+        return self.de1sim("run", "s.yaml")
+
+    def holds(self, *arguments, **parameters):
+        done = self.adc(*arguments, **parameters)
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+
+    def test_a_read_waits_for_the_round_that_was_asked_for(self):
+        self.holds("for (;;) { a[0] = 0; R32(0xFF200000) = a[7] >> 2; }\n", 2500 >> 2)
+
+    def test_continuous_channels_are_new_once(self):
+        self.holds("a[1] = 1;\nfor (;;) { while (!(a[1] & 0x8000)) {}\n"
+                   "if (a[1] == 1250) R32(0xFF200000) = a[0] & 0xFFF; }\n", 500)
+
+    def test_channels_beyond_the_last_are_0(self):
+        self.holds("for (;;) { a[0] = 0;\n"
+                   "R32(0xFF200000) = a[7] == 0 && a[1] == 1250 ? a[0] : 1; }\n", 500, numch_="2")
+
+    def test_nine_channels_are_refused(self):
+        done = self.adc("", 0, numch_="9")
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("numch_ is 9, expected 1 to 8", done.stderr)
 
 
 def png(path, rows):
