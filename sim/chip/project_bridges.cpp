@@ -10,8 +10,9 @@ using sc_core::sc_time_stamp;
 
 namespace {
 
-constexpr std::uint64_t LONGEST_PS = 1'000'000'000;  // 1 ms
-constexpr unsigned WORD = 8;                         // bytes of a BridgeAccess
+// The University Program's PS/2 controller lets a write wait 15 ms for a device.
+constexpr std::uint64_t LONGEST_PS = 20'000'000'000;  // 20 ms
+constexpr unsigned WORD = 8;                          // bytes of a BridgeAccess
 
 sc_time picoseconds(std::uint64_t ps) { return sc_time::from_value(ps); }  // resolution: 1 ps
 

@@ -4,7 +4,7 @@
 // the design takes for it.  The design runs up to the access's time before, and in batches between;
 // an interrupt is told when the design has run past it.
 //
-// Where the design does not answer within 1 ms of simulated time the transaction is
+// Where the design does not answer within 20 ms of simulated time the transaction is
 // TLM_INCOMPLETE: the board's processor would hang for ever.
 #pragma once
 

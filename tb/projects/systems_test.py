@@ -300,7 +300,7 @@ R32(0xFF200000) = bad ? bad : 0x3FF;""")
                             ("avalon", bridge, "stuck_0.s", 0x40)])
             self.program(f"R32(0xFF200000) = R32({window + 0x44:#x});")
             done = self.de1sim("run", "--elf", "program.elf", "--project", "top.qsf",
-                               "--duration", "20ms")
+                               "--duration", "30ms")
             self.assertEqual(done.returncode, 1, done.stderr)
             self.assertIn(f"read of 4 bytes at 0x{window + 0x44:08X} (stuck_0 did not answer",
                           done.stderr)
@@ -326,7 +326,7 @@ R32(0xFF200000) = bad ? bad : 0x3FF;""")
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
 
     def test_a_system_without_a_processor_by_the_verilog_that_was_made_of_it(self):
-        self.write(top_v=TOP.format(", .out_export(LEDR)"), sys_qsys=qsys(BASE[:1], []),
+        self.write(top_v=TOP.format(", .out_export(LEDR)", ""), sys_qsys=qsys(BASE[:1], []),
                    sys__synthesis__sys_qip="set_global_assignment -name VERILOG_FILE [file join "
                                            "$::quartus(qip_path) sys.v]\n",
                    sys__synthesis__sys_v="module sys(input clk_clk, input reset_reset_n, output "
