@@ -13,8 +13,8 @@ GCC = ["arm-none-eabi-gcc", "-mcpu=cortex-a9", "-mgeneral-regs-only", "-mno-unal
 BASE = [("clk_0", "clock_source", {}), ("hps_0", "altera_hps", HPS)]
 CLOCKS = [("clock", "clk_0.clk", "hps_0.h2f_axi_clock"),
           ("clock", "clk_0.clk", "hps_0.h2f_lw_axi_clock")]
-TOP = """module top(input CLOCK_50, input [9:0] SW, output [9:0] LEDR);
-sys system(.clk_clk(CLOCK_50), .reset_reset_n(1'b1){});
+TOP = """module top(input CLOCK_50, input [9:0] SW, output [9:0] LEDR{1});
+sys system(.clk_clk(CLOCK_50), .reset_reset_n(1'b1){0});
 endmodule
 """
 
@@ -48,9 +48,9 @@ def pio(name, base, **parameters):
 
 
 class SystemCase(Case):
-    def system(self, modules=(), connections=(), exports=(), top="", **files):
+    def system(self, modules=(), connections=(), exports=(), top="", ports="", **files):
         self.write(sys_qsys=qsys([*BASE, *modules], [*CLOCKS, *connections], exports),
-                   top_v=TOP.format(top),
+                   top_v=TOP.format(top, ports),
                    top_qsf="set_global_assignment -name DEVICE 5CSEMA5F31C6\n"
                            "set_global_assignment -name VERILOG_FILE top.v\n"
                            "set_global_assignment -name QSYS_FILE sys.qsys\n", **files)
@@ -71,7 +71,8 @@ class SystemCase(Case):
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
         return done
 
-    def with_leds(self, modules=(), connections=(), **files):
+    def with_leds(self, modules=(), connections=(), exports=(), top="", **files):
         leds, wires = pio("leds", 0)
         self.system([*leds, *modules], [*wires, *connections],
-                    [("leds", "leds.external_connection")], ", .leds_export(LEDR)", **files)
+                    [("leds", "leds.external_connection"), *exports],
+                    ", .leds_export(LEDR)" + top, **files)

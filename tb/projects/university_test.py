@@ -60,10 +60,7 @@ class Sound(SystemCase):
         self.system([*SOUND, ("audio", "altera_up_avalon_audio", {"dw": "16", **audio}), *leds,
                      *modules], [*SOUND_WIRES, *led_wires, *wires],
                     [("leds", "leds.external_connection"), *SOUND_EXPORTS, *exports],
-                    ", .leds_export(LEDR)" + top)
-        file = self.folder / "top.v"
-        file.write_text(file.read_text().replace("output [9:0] LEDR", "output [9:0] LEDR" +
-                                                 SOUND_PORTS))
+                    ", .leds_export(LEDR)" + top, SOUND_PORTS)
         self.program("volatile uint32_t* a = (volatile uint32_t*)0xFF200040;\n"
                      "volatile uint32_t* c = (volatile uint32_t*)0xFF200020;\n" + body)
         self.write(s_yaml="name: s\nversion: 1\nprogram: program.elf\nproject: top.qsf\nsteps:\n" +
@@ -113,14 +110,8 @@ class Adc(SystemCase):
                                                          **parameters})],
                        [("clock", "clk_0.clk", "adc.clk"),
                         ("reset", "clk_0.clk_reset", "adc.reset"),
-                        ("avalon", LW, "adc.adc_slave", 0x40)])
-        file = self.folder / "sys.qsys"
-        file.write_text(file.read_text().replace(
-            "</system>", '<interface name="adc" internal="adc.external_interface" '
-            'type="conduit" dir="end" />\n</system>'))
-        file = self.folder / "top.v"
-        file.write_text(file.read_text().replace("[9:0] LEDR", "[9:0] LEDR" + ADC_PORTS)
-                        .replace(".leds_export(LEDR)", ".leds_export(LEDR)" + ADC_TOP))
+                        ("avalon", LW, "adc.adc_slave", 0x40)],
+                       exports=[("adc", "adc.external_interface")], top=ADC_TOP, ports=ADC_PORTS)
         self.program("volatile uint32_t* a = (volatile uint32_t*)0xFF200040;\n" + body)
         self.write(s_yaml="name: s\nversion: 1\nprogram: program.elf\nproject: top.qsf\nsteps:\n"
                           "  - set-voltage: {channel: 0, volts: 0.5}\n"
@@ -148,6 +139,53 @@ class Adc(SystemCase):
         done = self.adc("", 0, numch_="9")
         self.assertEqual(done.returncode, 2)
         self.assertIn("numch_ is 9, expected 1 to 8", done.stderr)
+
+
+class Ps2(SystemCase):
+    def ps2(self, body, *steps, pins=("PS2_CLK", "PS2_DAT"), **parameters):
+        self.with_leds([("ps2", "altera_up_avalon_ps2", {"AUTO_CLK_CLOCK_RATE": "50000000",
+                                                         **parameters})],
+                       [("clock", "clk_0.clk", "ps2.clk"),
+                        ("reset", "clk_0.clk_reset", "ps2.reset"),
+                        ("interrupt", "hps_0.f2h_irq0", "ps2.interrupt", 3),
+                        ("avalon", LW, "ps2.avalon_ps2_slave", 0x40)],
+                       exports=[("ps2", "ps2.external_interface")],
+                       top=", .ps2_CLK({}), .ps2_DAT({})".format(*pins),
+                       ports=", inout PS2_CLK, inout PS2_DAT, inout [35:0] GPIO_0")
+        self.program("#define DATA R32(0xFF200040)\n#define CONTROL R32(0xFF200044)\n"
+                     "#define LEDS R32(0xFF200000)\nuint32_t d;\n" + body)
+        self.write(s_yaml="name: s\nversion: 1\nps2: keyboard\nprogram: program.elf\n"
+                          "project: top.qsf\nsteps:\n" +
+                          "".join(f"  - {step}\n" for step in steps))
+        return self.de1sim("run", "s.yaml")
+
+    def holds(self, *arguments, **named):
+        done = self.ps2(*arguments, **named)
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+
+    # The keyboard sends AA when its self-test ends, half a second after the start.
+    def test_a_keyboard_interrupts_answers_and_types(self):
+        self.holds("CONTROL = 1;\nwhile (!(R32(0xFFFED208) & 0x800)) {}\n"
+                   "d = CONTROL << 16; d |= R8(0xFF200041); d |= DATA & 0xFF;\n"
+                   "if (d == 0x010100AA && CONTROL == 1 && !(R32(0xFFFED208) & 0x800)) LEDS = 1;\n"
+                   "DATA = 0xF2;\n"
+                   "for (uint32_t all = 0;;) { d = DATA;\n"
+                   "if (d & 0x8000) all = all << 8 | (d & 0xFF);\n"
+                   "if (all == 0xFAAB83) LEDS |= 2;\n"
+                   "if (all == 0x831CF01C) LEDS |= 4; }\n",
+                   "expect-leds: {equals: 1, timeout: 600ms}",
+                   "expect-leds: {equals: 3, timeout: 20ms}", "press-key: a",
+                   "expect-leds: {equals: 7, timeout: 20ms}")
+
+    def test_a_byte_that_nobody_takes_is_an_error_until_that_is_cleared(self):
+        self.holds("DATA = 0xFF; d = CONTROL; CONTROL = 0; LEDS = d == 0x400 && CONTROL == 0;\n",
+                   "delay: 14ms", "expect-leds: 0", "expect-leds: {equals: 1, timeout: 3ms}",
+                   pins=("GPIO_0[0]", "GPIO_0[1]"))
+
+    def test_streams_are_refused(self):
+        done = self.ps2("", "delay: 1ms", avalon_bus_type="Streaming")
+        self.assertEqual(done.returncode, 2)
+        self.assertIn('avalon_bus_type is "Streaming"', done.stderr)
 
 
 def png(path, rows):
