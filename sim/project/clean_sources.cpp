@@ -22,8 +22,11 @@ namespace fs = std::filesystem;
 
 namespace {
 
-void take_modules(const std::string& text, Modules& modules) {
-    for (ModuleText& module : scan(text).modules) modules.emplace(module.name, std::move(module));
+void take_modules(const std::string& text, Modules& modules, bool in_library = false) {
+    for (ModuleText& module : scan(text).modules) {
+        module.in_library = in_library;
+        modules.emplace(module.name, std::move(module));
+    }
 }
 std::string synthesised(const SourceFile& file, const Project& project) {
     return as_synthesised(file.text.empty() ? text_of(file.path) : file.text, project.macros);
@@ -126,7 +129,7 @@ CleanSources clean_sources(const SourceRequest& from) {
     for (const SourceFile& file : project.sources)
         if (file.language != SourceFile::Language::VHDL) {
             texts.push_back(synthesised(file, project));
-            take_modules(texts.back(), modules);
+            take_modules(texts.back(), modules, !file.text.empty() || !file.library.empty());
         }
     clean.included = copy_included(texts, project, from.folder / "included");
     const std::vector<std::string> vhdl = translate_vhdl(from, modules);

@@ -19,6 +19,7 @@ struct ModuleText {
     std::vector<std::string> header;        // the ports in the order of positional connections
     std::set<std::string> outputs, inouts;  // of the ports
     std::vector<std::string> parameters;    // names
+    bool in_library = false;                // of a Platform Designer system or another library
 };
 
 struct SourceText {

@@ -4,7 +4,7 @@ from systems import LW, SystemCase
 
 DUAL = {"singleClockMode": "false"}
 TOP = """module top(input CLOCK_50, input [9:0] SW, output [9:0] LEDR);
-wire [31:0] data;
+reg  [31:0] data;  // Quartus takes it from a system
 wire        ready;
 reg  [9:0]  shown;
 sys system(.clk_clk(CLOCK_50), .reset_reset_n(1'b1), .out_PORT(ready), .out_ASK(ASKS),

@@ -70,6 +70,7 @@ private:
         std::size_t named = i + 1;
         if (is(named, "#")) named = closing(named + 1) + 1;
         if (is_name(named)) instances_.insert(all_[named].text);
+        if (of.in_library) return;
         for (const ConnectionText& c : connections_of(all_, i, of)) {
             if (!of.outputs.count(c.port) && !of.inouts.count(c.port)) continue;
             int depth = 0;

@@ -9,7 +9,8 @@
 namespace sim::project {
 
 // 10207: something inside an instance is named; 10663: an output of an instance is connected with a
-// reg.  `name` is the file's in messages; `modules`: as enable_part_drivers() has it.
+// reg, which Quartus 24.1 takes where the module is in a library, as a Platform Designer system is.
+// `name` is the file's in messages; `modules`: as enable_part_drivers() has it.
 void check_instances(const std::vector<Token>& tokens, const Modules& modules,
                      const std::string& name, TextChecks& found);
 
