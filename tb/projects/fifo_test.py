@@ -96,6 +96,15 @@ class Fifo(SystemCase):
         file.write_text(file.read_text().replace("read <= 1'b0; if (read)", "if (ready)"))
         self.shows(0x211)
 
+    def test_a_stream_without_backpressure_flows(self):
+        self.exported("valid", "ready", "1'b1", "1'b0", bitsPerSymbol="8", symbolsPerBeat="4",
+                      fifoOutputInterfaceOptions="AVALONST_SOURCE", useBackpressure="false")
+        file = self.folder / "top.v"
+        file.write_text(file.read_text().replace("read <= 1'b0; if (read)", "if (ready)")
+                        .replace(" .out_ready(1'b1),", ""))
+        self.program("IN = 0x40000000; IN = 0xFF010000;\n".replace("IN", "R32(0xFF200040)"))
+        self.shows(0x1FF)
+
     def test_what_cannot_be_simulated_is_refused(self):
         for parameters, message in (({"fifoDepth": "12"}, "fifoDepth is 12, expected a power"),
                                     ({"fifoOutputInterfaceOptions": "AVALONST_SOURCE",

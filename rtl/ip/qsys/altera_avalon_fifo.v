@@ -25,7 +25,8 @@ module altera_avalon_fifo #(
     parameter DUAL   = 0,
     parameter SINK   = 0,    // 1 = a stream comes in
     parameter SOURCE = 0,    // 1 = a stream goes out
-    parameter SYMBOL = 8
+    parameter SYMBOL = 8,
+    parameter WAITS  = 1     // 0 = without backpressure: the stream that goes out is always ready
 ) (
     input  wire             wrclock,
     input  wire             wrreset_n,
@@ -72,7 +73,8 @@ module altera_avalon_fifo #(
     wire [LOG2:0]    write_level;
     wire             reads_seen;   // by the side of the writes
     wire             asks_write = SINK != 0 ? avalonst_sink_valid : avalonmm_write_slave_write;
-    wire             asks_read  = SOURCE != 0 ? avalonst_source_ready : avalonmm_read_slave_read;
+    wire             asks_read  = SOURCE != 0 ? avalonst_source_ready || WAITS == 0
+                                              : avalonmm_read_slave_read;
     wire             writes = asks_write && !write_full;
     wire             reads  = asks_read && !read_empty;
 

@@ -11,7 +11,7 @@ foreach {name type value} {
     usePacket BOOLEAN true                 useRegister BOOLEAN false
     useReadControl BOOLEAN true            useWriteControl BOOLEAN true
 } { add_parameter $name $type $value }
-foreach {name value} {WIDTH 32 LOG2 4 DUAL 0 SINK 0 SOURCE 0 SYMBOL 8} {
+foreach {name value} {WIDTH 32 LOG2 4 DUAL 0 SINK 0 SOURCE 0 SYMBOL 8 WAITS 1} {
     add_parameter $name INTEGER $value
     set_parameter_property $name HDL_PARAMETER true
 }
@@ -56,7 +56,7 @@ proc elaborate {} {
     set dual [expr {![on singleClockMode]}]
     for {set log2 3} {1 << $log2 < $depth} {incr log2} {}
     foreach {name value} [list WIDTH $width LOG2 $log2 DUAL $dual SINK $sink SOURCE $source \
-                              SYMBOL $symbol] { set_parameter_value $name $value }
+                              SYMBOL $symbol WAITS [on useBackpressure]] { set_parameter_value $name $value }
 
     foreach {side prefix} [expr {$dual ? "in wr out rd" : "in wr"}] {
         add_interface clk_$side clock end
