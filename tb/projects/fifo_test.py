@@ -23,8 +23,9 @@ class Fifo(SystemCase):
                   ("avalon", LW, "fifo.in", 0x40), ("avalon", LW, "fifo.in_csr", 0x60)]
         if parameters.get("singleClockMode") == "false":
             clocks += [("clock", "clk_0.clk", "fifo.clk_out"),
-                       ("reset", "clk_0.clk_reset", "fifo.reset_out"),
                        ("avalon", LW, "fifo.out_csr", 0x80)]
+            if parameters.get("singleResetMode") != "true":
+                clocks += [("reset", "clk_0.clk_reset", "fifo.reset_out")]
         self.with_leds([("fifo", "altera_avalon_fifo", {"usePacket": "false", **parameters})],
                        [*clocks, *wires], exports)
         self.program("#define LEDS R32(0xFF200000)\n#define IN R32(0xFF200040)\n"
@@ -60,6 +61,10 @@ class Fifo(SystemCase):
                   "all |= (n == 253) << 4; all |= (out[1] == 0xA) << 5;\nLEDS = all;\n", self.OUT,
                   fifoDepth="256", **DUAL)
         self.shows(0x3F)
+
+    def test_one_reset_serves_both_sides(self):
+        self.fifo("IN = 0x155; LEDS = OUT;\n", self.OUT, singleResetMode="true", **DUAL)
+        self.shows(0x155)
 
     def test_a_write_into_a_full_one_waits_for_ever(self):
         self.fifo("for (uint32_t n = 0; n < 17; n++) { LEDS = n; IN = n; }\n", self.OUT)

@@ -23,6 +23,7 @@ module altera_avalon_fifo #(
     parameter WIDTH  = 32,
     parameter LOG2   = 4,
     parameter DUAL   = 0,
+    parameter RESETS = 2,    // with DUAL; 1 = wrreset_n resets both sides
     parameter SINK   = 0,    // 1 = a stream comes in
     parameter SOURCE = 0,    // 1 = a stream goes out
     parameter SYMBOL = 8,
@@ -98,6 +99,7 @@ module altera_avalon_fifo #(
 
     // ---- Words and control slaves ----
     generate if (DUAL != 0) begin : dual
+        wire            read_rst_n = RESETS == 2 ? rdreset_n : wrreset_n;
         wire            full, full_too, writes_seen;
         wire [LOG2-1:0] write_used, read_used;
         wire [LOG2:0]   read_level = {1'b0, read_used};
@@ -109,20 +111,20 @@ module altera_avalon_fifo #(
         dcfifo #(
             .LPM_WIDTH(WIDTH), .LPM_WIDTHU(LOG2), .LPM_NUMWORDS(DEPTH), .LPM_SHOWAHEAD(AHEAD)
         ) words (
-            .aclr(!(wrreset_n && rdreset_n)), .wrclk(wrclock), .wrreq(writes), .data(data),
+            .aclr(!(wrreset_n && read_rst_n)), .wrclk(wrclock), .wrreq(writes), .data(data),
             .wrfull(full), .wrempty(write_empty), .wrusedw(write_used), .rdclk(rdclock),
             .rdreq(reads), .q(q), .rdfull(full_too), .rdempty(read_empty), .rdusedw(read_used),
             .eccstatus()
         );
         // verilator lint_on PINCONNECTEMPTY
         altera_std_synchronizer #(.DEPTH(4)) write_sync (
-            .clk(rdclock), .reset_n(rdreset_n), .din(asks_write), .dout(writes_seen)
+            .clk(rdclock), .reset_n(read_rst_n), .din(asks_write), .dout(writes_seen)
         );
         altera_std_synchronizer #(.DEPTH(4)) read_sync (
             .clk(wrclock), .reset_n(wrreset_n), .din(asks_read), .dout(reads_seen)
         );
         de1sim_avalon_fifo_csr #(.LEVEL_BITS(LOG2 + 1), .HIGHEST(HIGHEST)) read_csr (
-            .clk_i(rdclock), .rst_ni(rdreset_n), .level_i(read_level), .full_i(read_full),
+            .clk_i(rdclock), .rst_ni(read_rst_n), .level_i(read_level), .full_i(read_full),
             .empty_i(read_empty), .overflow_i(writes_seen && read_full),
             .underflow_i(asks_read && read_empty),
             .address_i(rdclk_control_slave_address), .read_i(rdclk_control_slave_read),

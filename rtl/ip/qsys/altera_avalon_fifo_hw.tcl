@@ -11,7 +11,7 @@ foreach {name type value} {
     usePacket BOOLEAN true                 useRegister BOOLEAN false
     useReadControl BOOLEAN true            useWriteControl BOOLEAN true
 } { add_parameter $name $type $value }
-foreach {name value} {WIDTH 32 LOG2 4 DUAL 0 SINK 0 SOURCE 0 SYMBOL 8 WAITS 1} {
+foreach {name value} {WIDTH 32 LOG2 4 DUAL 0 RESETS 2 SINK 0 SOURCE 0 SYMBOL 8 WAITS 1} {
     add_parameter $name INTEGER $value
     set_parameter_property $name HDL_PARAMETER true
 }
@@ -23,7 +23,8 @@ proc on {name} { string is true [get_parameter_value $name] }
 proc end_of {name type end side} {
     add_interface $name $type $end
     set_interface_property $name associatedClock clk_$side
-    set_interface_property $name associatedReset reset_$side
+    set_interface_property $name associatedReset \
+        reset_[expr {[on singleResetMode] ? "in" : $side}]
 }
 
 proc control {side prefix} {
@@ -55,12 +56,14 @@ proc elaborate {} {
                      : [get_parameter_value avalonMMAvalonMMDataWidth]}]
     set dual [expr {![on singleClockMode]}]
     for {set log2 3} {1 << $log2 < $depth} {incr log2} {}
-    foreach {name value} [list WIDTH $width LOG2 $log2 DUAL $dual SINK $sink SOURCE $source \
+    foreach {name value} [list WIDTH $width LOG2 $log2 DUAL $dual \
+                              RESETS [expr {2 - [on singleResetMode]}] SINK $sink SOURCE $source \
                               SYMBOL $symbol WAITS [on useBackpressure]] { set_parameter_value $name $value }
 
     foreach {side prefix} [expr {$dual ? "in wr out rd" : "in wr"}] {
         add_interface clk_$side clock end
         add_interface_port clk_$side ${prefix}clock clk Input 1
+        if {$side eq "out" && [on singleResetMode]} { continue }
         add_interface reset_$side reset end
         set_interface_property reset_$side associatedClock clk_$side
         add_interface_port reset_$side ${prefix}reset_n reset_n Input 1
