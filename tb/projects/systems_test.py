@@ -385,11 +385,14 @@ R32(0xFF200000) = bad ? bad : 0x3FF;""")
 
     def test_an_unknown_kind(self):
         self.refuses("odd_0 is of the kind odd, which is neither known here nor described by a "
-                     "odd_hw.tcl in the project", [("odd_0", "odd", {})])
+                     "odd_hw.tcl or a odd.qsys in the project", [("odd_0", "odd", {})])
 
-    def test_a_nios(self):
-        self.refuses("cpu is a Nios II (altera_nios2_gen2), which cannot be simulated",
-                     [("cpu", "altera_nios2_gen2", {})])
+    def test_a_nios_without_an_arm(self):
+        self.with_leds()
+        self.write(sys_qsys=qsys([BASE[0], ("cpu", "altera_nios2_gen2", {})], []))
+        self.refused("sys.qsys: cpu is a Nios (altera_nios2_gen2), which cannot be simulated, and "
+                     "the system has no ARM (altera_hps)")
+
 
     def test_wrong_component_descriptions(self):
         for text, message in (("set_module_property NAME odd\nset_interface_property s a\n",

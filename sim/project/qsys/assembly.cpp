@@ -20,9 +20,13 @@ constexpr unsigned LONGEST_CHAIN = 100;  // of clock bridges
 const std::map<std::string, std::string>& silent_kinds() {
     static const std::map<std::string, std::string> KINDS{
         {"altera_jtag_avalon_master", "a computer's access by JTAG"},
-        {"interrupt_latency_counter", "a measurement by JTAG"}};
+        {"interrupt_latency_counter", "a measurement by JTAG"},
+        {"intr_capturer", "a computer's view of the interrupts by JTAG"}};
     return KINDS;
 }
+
+// A Nios processor, or hardware that only a Nios reaches.
+bool is_nios(const std::string& kind) { return kind.find("nios") != std::string::npos; }
 
 }  // namespace
 
@@ -40,24 +44,22 @@ void Assembly::fail(const std::string& what) const {
 }
 
 void Assembly::read_component_of(const Instance& instance, const FindComponent& find) {
-    if (const auto silent = silent_kinds().find(instance.kind); silent != silent_kinds().end()) {
-        notes_.push_back(fmt::format("{}: {} ({}) is left out: {}",
-                                     system_.file.filename().string(), instance.name, instance.kind,
-                                     silent->second));
-        silent_.insert(instance.name);
-        return;
-    }
-    if (instance.kind.find("nios2") != std::string::npos)
-        fail(
-            fmt::format("{} is a Nios II ({}), which cannot be simulated; disable it in Platform "
-                        "Designer if the ARM's program does without",
-                        instance.name, instance.kind));
+    const auto silent = silent_kinds().find(instance.kind);
+    if (silent != silent_kinds().end()) return leave_out(instance, silent->second);
     const auto file = find(instance.kind);
+    if (!file && is_nios(instance.kind)) {
+        if (has_processor())
+            return leave_out(instance, "a Nios cannot be simulated, and stays in reset");
+        fail(
+            fmt::format("{} is a Nios ({}), which cannot be simulated, and the system has no ARM "
+                        "(altera_hps)",
+                        instance.name, instance.kind));
+    }
     if (!file)
         fail(
             fmt::format("{} is of the kind {}, which is neither known here nor described by a "
-                        "{}_hw.tcl in the project",
-                        instance.name, instance.kind, instance.kind));
+                        "{}_hw.tcl or a {}.qsys in the project",
+                        instance.name, instance.kind, instance.kind, instance.kind));
     const Component component = read_component(*file, instance.parameters, instance.name);
     for (const ComponentFile& source : component.files) {
         const fs::path path = (component.file.parent_path() / source.path).lexically_normal();
@@ -66,6 +68,12 @@ void Assembly::read_component_of(const Instance& instance, const FindComponent& 
             sources_.push_back(path);
     }
     components_.emplace(instance.name, component);
+}
+
+void Assembly::leave_out(const Instance& instance, const std::string& why) {
+    notes_.push_back(fmt::format("{}: {} ({}) is left out: {}", system_.file.filename().string(),
+                                 instance.name, instance.kind, why));
+    silent_.insert(instance.name);
 }
 
 bool Assembly::has_processor() const {

@@ -68,6 +68,7 @@ public:
 
 private:
     void read_component_of(const Instance& instance, const FindComponent& find);
+    void leave_out(const Instance& instance, const std::string& why);
     std::string root_of(const End& sink, unsigned depth = 0) const;
 
     const System& system_;
