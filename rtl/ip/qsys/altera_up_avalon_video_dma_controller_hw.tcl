@@ -17,7 +17,6 @@ foreach name {START BACK} {
     set_parameter_property $name WIDTH 32
 }
 add_fileset synth QUARTUS_SYNTH "" ""
-set_fileset_property synth TOP_LEVEL de1sim_up_dma
 
 add_interface clk clock end
 add_interface_port clk clk clk Input 1
@@ -26,8 +25,7 @@ set_interface_property reset associatedClock clk
 add_interface_port reset reset reset Input 1
 add_interface avalon_dma_master avalon start
 add_interface avalon_dma_control_slave avalon end
-add_interface avalon_pixel_source avalon_streaming start
-foreach name {avalon_dma_master avalon_dma_control_slave avalon_pixel_source} {
+foreach name {avalon_dma_master avalon_dma_control_slave} {
     set_interface_property $name associatedClock clk
     set_interface_property $name associatedReset reset
 }
@@ -39,10 +37,14 @@ proc bits_of {count} {
 }
 
 proc elaborate {} {
-    if {[get_parameter_value mode] ne "From Memory to Stream"} {
-        send_message error "mode is \"[get_parameter_value mode]\", of which only From Memory to\
-            Stream can be simulated"
+    set mode [get_parameter_value mode]
+    set writes [expr {$mode eq "From Stream to Memory"}]
+    if {!$writes && $mode ne "From Memory to Stream"} {
+        send_message error "mode is \"$mode\", expected From Memory to Stream, or From Stream to\
+            Memory"
     }
+    set_fileset_property synth TOP_LEVEL [expr {$writes ? "de1sim_up_dma_to_memory"
+                                                        : "de1sim_up_dma"}]
     set bits [expr {[get_parameter_value color_bits] * [get_parameter_value color_planes]}]
     set_parameter_value ENABLED [string is true [get_parameter_value dma_enabled]]
     set bytes [expr {$bits <= 8 ? 1 : $bits <= 16 ? 2 : 4}]
@@ -55,17 +57,25 @@ proc elaborate {} {
                               BACK [get_parameter_value back_start_address]] {
         set_parameter_value $name $value
     }
-    foreach {name role direction count} "
-        master_address address Output 32          master_read read Output 1
-        master_arbiterlock lock Output 1          master_waitrequest waitrequest Input 1
-        master_readdatavalid readdatavalid Input 1 master_readdata readdata Input [expr {8 * $bytes}]
-    " { add_interface_port avalon_dma_master $name $role $direction $count }
+    set width [expr {8 * $bytes}]
+    add_interface_port avalon_dma_master master_address address Output 32
+    foreach {name direction count} [expr {$writes ? "write Output 1 writedata Output $width"
+        : "read Output 1 arbiterlock Output 1 readdatavalid Input 1 readdata Input $width"}] {
+        set role [expr {$name eq "arbiterlock" ? "lock" : $name}]
+        add_interface_port avalon_dma_master master_$name $role $direction $count
+    }
+    add_interface_port avalon_dma_master master_waitrequest waitrequest Input 1
     foreach {name role direction count} {
         slave_address address Input 2        slave_byteenable byteenable Input 4
         slave_read read Input 1              slave_write write Input 1
         slave_writedata writedata Input 32   slave_readdata readdata Output 32
     } { add_interface_port avalon_dma_control_slave $name $role $direction $count }
+    set stream [expr {$writes ? "avalon_dma_sink" : "avalon_pixel_source"}]
+    lassign [expr {$writes ? "Input Output end" : "Output Input start"}] into against side
+    add_interface $stream avalon_streaming $side
+    set_interface_property $stream associatedClock clk
+    set_interface_property $stream associatedReset reset
     foreach {role direction count} "
-        ready Input 1 data Output $bits startofpacket Output 1 endofpacket Output 1 valid Output 1
-    " { add_interface_port avalon_pixel_source stream_$role $role $direction $count }
+        ready $against 1 data $into $bits startofpacket $into 1 endofpacket $into 1 valid $into 1
+    " { add_interface_port $stream stream_$role $role $direction $count }
 }

@@ -4,7 +4,7 @@ foreach {name type value} {
     color_bits INTEGER 10   color_planes INTEGER 3   width_in INTEGER 320   height_in INTEGER 240
     width_scaling STRING 2  height_scaling STRING 2  include_channel BOOLEAN false
 } { add_parameter $name $type $value }
-foreach {name value} {BITS 30 WIDTH 320 HEIGHT 240 X 2 Y 2} {
+foreach {name value} {BITS 30 WIDTH 320 HEIGHT 240 X 2 Y 2 X_LOST 1 Y_LOST 1} {
     add_parameter $name INTEGER $value
     set_parameter_property $name HDL_PARAMETER true
 }
@@ -25,16 +25,17 @@ foreach name {avalon_scaler_sink avalon_scaler_source} {
 
 proc elaborate {} {
     set bits [expr {[get_parameter_value color_bits] * [get_parameter_value color_planes]}]
-    foreach {name from} {X width_scaling Y height_scaling} {
+    foreach {name from size into} {X width_scaling WIDTH width_in Y height_scaling HEIGHT height_in} {
         set factor [get_parameter_value $from]
-        if {![string is integer $factor] || $factor < 1 || $factor > 8} {
-            send_message error "$from is $factor, expected a whole number of 1 to 8"
+        set lost [lindex {4 2} [lsearch {0.25 0.5} $factor]]
+        if {$lost eq "" && (![string is integer $factor] || $factor < 1 || $factor > 8)} {
+            send_message error "$from is $factor, expected 0.25, 0.5 or a whole number of 1 to 8"
         }
-        set_parameter_value $name $factor
+        set_parameter_value $name [expr {$lost eq "" ? $factor : 1}]
+        set_parameter_value ${name}_LOST [expr {$lost eq "" ? 1 : $lost}]
+        set_parameter_value $size [get_parameter_value $into]
     }
     set_parameter_value BITS $bits
-    set_parameter_value WIDTH [get_parameter_value width_in]
-    set_parameter_value HEIGHT [get_parameter_value height_in]
     foreach {interface port into against} {
         avalon_scaler_sink stream_in Input Output avalon_scaler_source stream_out Output Input
     } {

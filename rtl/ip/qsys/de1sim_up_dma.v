@@ -1,12 +1,7 @@
 // de1sim_up_dma.v - pictures from memory as a stream of pixels: the University Program's pixel
 // buffer, and its DMA controller from memory to stream
 //
-//   +0 buffer       reads the address of the picture on the screen; a write exchanges it with
-//                   backbuffer at the end of the picture
-//   +4 backbuffer
-//   +8 resolution   31:16 lines, 15:0 pixels of a line
-//   +C status       S bit 0: an exchange is due; A bit 1: consecutive addresses; EN bit 2; B 7:4
-//                   bytes of a pixel; n 23:16, m 31:24: bits of x and of y
+// Its registers: de1sim_up_dma_registers.v.
 //
 // In X-Y mode pixel (x, y) is at buffer + ((y << n) + x) * BYTES.  Up to 120 reads are on their way
 // or wait in the FIFO.
@@ -32,7 +27,9 @@ module de1sim_up_dma #(
 
     input  wire [1:0]         slave_address,
     input  wire [3:0]         slave_byteenable,
+    // verilator lint_off UNUSED
     input  wire               slave_read,
+    // verilator lint_on UNUSED
     input  wire               slave_write,
     input  wire [31:0]        slave_writedata,
     output wire [31:0]        slave_readdata,
@@ -52,9 +49,10 @@ module de1sim_up_dma #(
 );
     localparam [7:0] MOST = 8'd120;
 
-    reg [31:0] buffer_q, back_q, next_q;     // next_q: of consecutive addresses
+    wire [31:0] buffer;
+    wire        enabled;
+    reg [31:0] next_q;                       // of consecutive addresses
     reg [15:0] x_q, y_q, come_x_q, come_y_q; // of the next read, of the next answer
-    reg        swap_q, enabled_q;
     reg [7:0]  under_way_q;
 
     wire       last_x = x_q == WIDTH - 1, last_y = y_q == HEIGHT - 1;
@@ -64,18 +62,21 @@ module de1sim_up_dma #(
     wire [7:0] count;
     wire       pops = stream_ready && stream_valid;
 
-    assign master_address = CONSECUTIVE != 0 ? (begins ? buffer_q : next_q)
-                          : buffer_q + (({16'd0, y_q} << X_BITS) + {16'd0, x_q}) * BYTES;
-    assign master_read = (enabled_q || !begins) && count + under_way_q < MOST && !reset;
+    assign master_address = CONSECUTIVE != 0 ? (begins ? buffer : next_q)
+                          : buffer + (({16'd0, y_q} << X_BITS) + {16'd0, x_q}) * BYTES;
+    assign master_read = (enabled || !begins) && count + under_way_q < MOST && !reset;
     assign master_arbiterlock = 1'b0;
     assign stream_valid = count != 8'd0;
 
-    assign slave_readdata = slave_address == 2'd0 ? buffer_q
-                          : slave_address == 2'd1 ? back_q
-                          : slave_address == 2'd2 ? {HEIGHT[15:0], WIDTH[15:0]}
-                          : {Y_BITS[7:0], X_BITS[7:0], 8'd0, BYTES[3:0], 1'b0, enabled_q,
-                             CONSECUTIVE != 0, swap_q};
-
+    de1sim_up_dma_registers #(
+        .WIDTH(WIDTH), .HEIGHT(HEIGHT), .BYTES(BYTES), .CONSECUTIVE(CONSECUTIVE), .X_BITS(X_BITS),
+        .Y_BITS(Y_BITS), .START(START), .BACK(BACK), .ENABLED(ENABLED)
+    ) registers (
+        .clk(clk), .reset(reset), .slave_address(slave_address),
+        .slave_byteenable(slave_byteenable), .slave_write(slave_write),
+        .slave_writedata(slave_writedata), .slave_readdata(slave_readdata),
+        .picture_i(taken && last_x && last_y), .buffer_o(buffer), .enabled_o(enabled)
+    );
     de1sim_up_fifo #(.WIDTH(BITS + 2)) pixels (
         .clk_i(clk), .rst_i(reset), .push_i(master_readdatavalid),
         .wdata_i({come_x_q == 16'd0 && come_y_q == 16'd0, come_last_x && come_last_y,
@@ -84,34 +85,18 @@ module de1sim_up_dma #(
         .count_o(count)
     );
 
-    integer i;
     always @(posedge clk) begin
         under_way_q <= under_way_q + {7'd0, taken} - {7'd0, master_readdatavalid};
         if (taken) begin
             next_q <= master_address + BYTES;
             x_q    <= last_x ? 16'd0 : x_q + 16'd1;
             if (last_x) y_q <= last_y ? 16'd0 : y_q + 16'd1;
-            if (last_x && last_y && swap_q) begin
-                swap_q   <= 1'b0;
-                buffer_q <= back_q;
-                back_q   <= buffer_q;
-            end
         end
         if (master_readdatavalid) begin
             come_x_q <= come_last_x ? 16'd0 : come_x_q + 16'd1;
             if (come_last_x) come_y_q <= come_last_y ? 16'd0 : come_y_q + 16'd1;
         end
-        if (slave_write && slave_address == 2'd0) swap_q <= 1'b1;
-        for (i = 0; i < 4; i = i + 1)
-            if (slave_write && slave_address == 2'd1 && slave_byteenable[i])
-                back_q[8*i +: 8] <= slave_writedata[8*i +: 8];
-        if (slave_write && slave_address == 2'd3 && slave_byteenable[0])
-            enabled_q <= slave_writedata[2];
         if (reset) begin
-            buffer_q    <= START;
-            back_q      <= BACK;
-            swap_q      <= 1'b0;
-            enabled_q   <= ENABLED != 0;
             under_way_q <= 8'd0;
             {x_q, y_q, come_x_q, come_y_q} <= 64'd0;
         end
