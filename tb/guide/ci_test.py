@@ -34,7 +34,9 @@ def main():
     assert (container / build["dockerfile"]).resolve() == ci / "Dockerfile"
     environment = dict(os.environ, PATH=f"{bin_folder}:{os.environ['PATH']}")
     classroom = yaml.safe_load((ci / "classroom.yml").read_text())["jobs"]
-    environment["GITHUB_OUTPUT"] = str(folder.resolve() / "output.txt")
+    output = folder / "output.txt"  # to which the commands append
+    output.unlink(missing_ok=True)
+    environment["GITHUB_OUTPUT"] = str(output)
     for server, (commands, kept) in {
             "github": github(yaml.safe_load((ci / "github.yml").read_text())["jobs"]["simulate"]),
             "classroom": github(classroom["run-autograding-tests"]),
@@ -55,7 +57,7 @@ def main():
                      for path in kept for name in TWO for what in KEPT]:
             assert (project / file).exists(), f"{server}: no {file}"
         if server == "classroom":
-            key, result = pathlib.Path(environment["GITHUB_OUTPUT"]).read_text().split("=", 1)
+            key, result = output.read_text().split("=", 1)
             assert key == "result" and json.loads(base64.b64decode(result))["max_score"] == 2
         print(f"{server}: {len(commands)} commands, kept {kept}")
 
