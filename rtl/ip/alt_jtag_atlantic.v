@@ -47,7 +47,7 @@ module alt_jtag_atlantic #(
     assign r_ena = !asked_q && taken_q != PACKET;
 
     // verilator lint_off BLKSEQ
-    always @(posedge clk or negedge rst_n) begin
+    always @(posedge clk) begin
         if (!rst_n) begin
             {t_ena, t_pause, asked_q} <= 3'd0;
             taken_q <= PACKET;

@@ -78,7 +78,7 @@ module altera_avalon_jtag_uart #(
     end
     // verilator lint_on WIDTH
 
-    always @(posedge clk or negedge rst_n) begin
+    always @(posedge clk) begin
         if (!rst_n) begin
             {read_count_q, write_count_q, read_first_q, write_first_q} <= 64'd0;
             {re_q, we_q, ac_q, pause_q, valid_q, lost_q, of_data_q, sent_valid_q} <= 8'd0;

@@ -54,7 +54,7 @@ module altera_avalon_mm_bridge #(
                    command_q;
             assign m0_read  = read_q;
             assign m0_write = write_q;
-            always @(posedge clk or posedge reset) begin
+            always @(posedge clk) begin
                 if (reset) {read_q, write_q} <= 2'b00;
                 else if (!s0_waitrequest) {read_q, write_q} <= {s0_read, s0_write};
             end
@@ -71,7 +71,7 @@ module altera_avalon_mm_bridge #(
             reg                  readdatavalid_q;
             assign s0_readdata      = readdata_q;
             assign s0_readdatavalid = readdatavalid_q;
-            always @(posedge clk or posedge reset) begin
+            always @(posedge clk) begin
                 if (reset) readdatavalid_q <= 1'b0;
                 else readdatavalid_q <= m0_readdatavalid;
             end

@@ -85,7 +85,7 @@ module altera_avalon_new_sdram_controller #(
     reg [dataWidth-1:0] data_q;
     assign zs_dq = drives_q ? data_q : {dataWidth{1'bz}};
 
-    always @(posedge clk or negedge reset_n)
+    always @(posedge clk)
         if (!reset_n) begin
             state_q   <= WAITS;
             then_q    <= CLOSES;

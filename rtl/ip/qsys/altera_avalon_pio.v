@@ -66,7 +66,7 @@ module altera_avalon_pio #(
         end
     endgenerate
 
-    always @(posedge clk or negedge reset_n)
+    always @(posedge clk)
         if (!reset_n) begin
             out_q       <= resetValue[width-1:0];
             direction_q <= {width{1'b0}};
@@ -91,7 +91,7 @@ module altera_avalon_pio #(
     wire [width-1:0] asks = (irqType == "EDGE" ? edges_q : data) & mask_q;
     assign irq = generateIRQ != 0 && asks != {width{1'b0}};
 
-    always @(posedge clk or negedge reset_n)
+    always @(posedge clk)
         if (!reset_n) begin
             first_q  <= {width{1'b0}};
             second_q <= {width{1'b0}};
@@ -105,7 +105,7 @@ module altera_avalon_pio #(
         end
 
     // ---- Reads ------------------------------------------------------------
-    always @(posedge clk or negedge reset_n)
+    always @(posedge clk)
         if (!reset_n)
             readdata <= 32'd0;
         else

@@ -53,7 +53,7 @@ module altera_avalon_timer #(
     assign resetrequest = timeout_pulse;
 
     integer n;
-    always @(posedge clk or negedge reset_n) begin
+    always @(posedge clk) begin
         if (!reset_n) begin
             period_q <= LOAD[SIZE - 1:0];
             counter_q <= LOAD[SIZE - 1:0];

@@ -45,8 +45,6 @@ module altera_up_avalon_video_edge_detection #(parameter WIDTH = 720) (
     // ---- Smooth -----------------------------------------------------------
     wire [25*8-1:0] five;
     reg  [8:0]      smooth_q;
-    reg  [15:0]     sum;
-    integer         x, y;
 
     function [3:0] weight(input integer across, input integer down);
         case (across * across + down * down)
@@ -62,29 +60,49 @@ module altera_up_avalon_video_edge_detection #(parameter WIDTH = 720) (
     de1sim_up_rows #(.BITS(8), .N(5), .WIDTH(WIDTH)) smoothed (
         .clk(clk), .step_i(step), .pixel_i(data_q), .window_o(five)
     );
-    always @* begin
-        sum = 16'd0;
-        for (y = 0; y < 5; y = y + 1)
-            for (x = 0; x < 5; x = x + 1)
-                sum = sum + {8'd0, five[8*(5*y + x) +: 8]} * {12'd0, weight(x - 2, y - 2)};
-    end
+
+    // verilator lint_off UNUSED
+    function [8:0] smooth(input [25*8-1:0] all);
+        integer    x, y;
+        reg [15:0] sum;
+        begin
+            sum = 16'd0;
+            for (y = 0; y < 5; y = y + 1)
+                for (x = 0; x < 5; x = x + 1)
+                    sum = sum + {8'd0, all[8*(5*y + x) +: 8]} * {12'd0, weight(x - 2, y - 2)};
+            smooth = sum[15:7];
+        end
+    endfunction
+    // verilator lint_on UNUSED
 
     // ---- Sobel: column 0 is right, row 0 below ------------------------------
     wire [9*9-1:0]      three;
     reg  [9:0]          sobel_q; // direction, strength
-    wire signed [12:0]  gx = side(three, 0, 3) - side(three, 2, 3);
-    wire signed [12:0]  gy = side(three, 0, 1) - side(three, 6, 1);
-    wire [12:0]         ax = gx < 0 ? -gx : gx, ay = gy < 0 ? -gy : gy;
-    // verilator lint_off UNUSED
-    wire [12:0]         strength = ax + ay;      // its last quarters do not count
-    // verilator lint_on UNUSED
-    wire                falls = (gx < 0) ^ (gy < 0);
 
     // Three in a row from `first` on, the one in the middle twice.
     function signed [12:0] side(input [9*9-1:0] all, input integer first, input integer distance);
         side = {4'd0, all[9*first +: 9]} + {3'd0, all[9*(first + distance) +: 9], 1'b0}
                + {4'd0, all[9*(first + 2*distance) +: 9]};
     endfunction
+
+    // Its last quarters do not count.
+    // verilator lint_off UNUSED
+    function [9:0] slope(input [9*9-1:0] all);
+        reg signed [12:0] gx, gy;
+        reg [12:0]        ax, ay, strength;
+        reg               falls;
+        begin
+            gx       = side(all, 0, 3) - side(all, 2, 3);
+            gy       = side(all, 0, 1) - side(all, 6, 1);
+            ax       = gx < 0 ? -gx : gx;
+            ay       = gy < 0 ? -gy : gy;
+            strength = ax + ay;
+            falls    = (gx < 0) ^ (gy < 0);
+            slope    = {falls, falls ^ (ay > ax),
+                        strength[12:10] == 3'd0 ? strength[9:2] : 8'hFF};
+        end
+    endfunction
+    // verilator lint_on UNUSED
 
     de1sim_up_rows #(.BITS(9), .N(3), .WIDTH(WIDTH)) slopes (
         .clk(clk), .step_i(step), .pixel_i(smooth_q), .window_o(three)
@@ -93,26 +111,30 @@ module altera_up_avalon_video_edge_detection #(parameter WIDTH = 720) (
     // ---- Thin ---------------------------------------------------------------
     wire [9*10-1:0] edges;
     reg  [7:0]      thin_q;
-    wire [1:0]      direction = edges[10*4 + 8 +: 2];
-    wire [7:0]      middle = at(edges, 4);
-    // verilator lint_off UNUSED
-    reg  [8:0]      two;         // a sum, of which half counts
-    // verilator lint_on UNUSED
-    reg  [7:0]      one;
 
     function [7:0] at(input [9*10-1:0] all, input integer n);
         at = all[10*n +: 8];
     endfunction
+    // Half of a sum counts.
+    // verilator lint_off UNUSED
+    function [7:0] thin(input [9*10-1:0] all);
+        reg [8:0] two;
+        reg [7:0] one;
+        begin
+            case (all[10*4 + 8 +: 2])
+                2'd0:    {two, one} = {{1'b0, at(all, 0)} + {1'b0, at(all, 3)}, at(all, 5)};
+                2'd1:    {two, one} = {{1'b0, at(all, 0)} + {1'b0, at(all, 1)}, at(all, 7)};
+                2'd2:    {two, one} = {{1'b0, at(all, 1)} + {1'b0, at(all, 2)}, at(all, 6)};
+                default: {two, one} = {{1'b0, at(all, 2)} + {1'b0, at(all, 5)}, at(all, 3)};
+            endcase
+            thin = at(all, 4) >= two[8:1] && at(all, 4) >= one ? at(all, 4) : 8'd0;
+        end
+    endfunction
+    // verilator lint_on UNUSED
 
     de1sim_up_rows #(.BITS(10), .N(3), .WIDTH(WIDTH)) lines (
         .clk(clk), .step_i(step), .pixel_i(sobel_q), .window_o(edges)
     );
-    always @* case (direction)
-        2'd0:    {two, one} = {{1'b0, at(edges, 0)} + {1'b0, at(edges, 3)}, at(edges, 5)};
-        2'd1:    {two, one} = {{1'b0, at(edges, 0)} + {1'b0, at(edges, 1)}, at(edges, 7)};
-        2'd2:    {two, one} = {{1'b0, at(edges, 1)} + {1'b0, at(edges, 2)}, at(edges, 6)};
-        default: {two, one} = {{1'b0, at(edges, 2)} + {1'b0, at(edges, 5)}, at(edges, 3)};
-    endcase
 
     // ---- Choose -------------------------------------------------------------
     reg  [7:0]     chosen_q;
@@ -143,10 +165,9 @@ module altera_up_avalon_video_edge_detection #(parameter WIDTH = 720) (
             flush_q <= in_endofpacket || (flush_q && !in_startofpacket);
         end
         if (step) begin
-            smooth_q <= sum[15:7];
-            sobel_q  <= {falls, falls ^ (ay > ax),
-                         strength[12:10] == 3'd0 ? strength[9:2] : 8'hFF};
-            thin_q   <= middle >= two[8:1] && middle >= one ? middle : 8'd0;
+            smooth_q <= smooth(five);
+            sobel_q  <= slope(three);
+            thin_q   <= thin(edges);
             chosen_q <= high == 9'd0 ? 8'd0 : brighter[8] ? 8'hFF : brighter[7:0];
         end
         if (free) out_valid <= step && is_pixel;

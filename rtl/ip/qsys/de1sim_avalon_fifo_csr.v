@@ -43,7 +43,7 @@ module de1sim_avalon_fifo_csr #(
 
     assign irq_o = (events_q & enabled_q) != 6'd0;
 
-    always @(posedge clk_i or negedge rst_ni) begin
+    always @(posedge clk_i) begin
         if (!rst_ni) begin
             almost_full_q  <= HIGHEST;
             almost_empty_q <= 32'd1;
