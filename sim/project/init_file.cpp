@@ -73,9 +73,12 @@ void set_init_folders(InitFolders folders, std::function<void(const std::string&
 
 extern "C" int de1sim_init_file(const char* file, const char* memory, int width, int words) {
     using namespace sim::project;
-    const std::string name = file;
+    std::string name = file;
+    const bool may_be_nowhere = !name.empty() && name.back() == '?';
+    if (may_be_nowhere) name.pop_back();
     if (name.empty() || lower(name) == "unused" || lower(name) == "none") return 0;
     const auto found = find_init_file(name, search().folders);
+    if (!found && may_be_nowhere) return 0;
     if (!found) {
         const std::string message = fmt::format(
             "{}: not found, neither from {} nor below it; expected as the initial words of {}",

@@ -272,6 +272,17 @@ R32(0xFF200000) = bad ? bad : 0x3FF;""")
                      {"bridge.s0_clk": "clk_0.clk", "bridge.m0_clk": "slow.clk",
                       "leds.clk": "slow.clk", "memory.clk1": "slow.clk"})
 
+    def test_a_memorys_file_that_platform_designer_would_make(self):
+        memory = {"memorySize": "64", "dataWidth": "32", "autoInitializationFileName": "sys_ram"}
+        self.with_leds([("ram", "altera_avalon_onchip_memory2", memory)],
+                       [("clock", "clk_0.clk", "ram.clk1"), ("reset", "clk_0.clk_reset",
+                                                             "ram.reset1"),
+                        ("avalon", LW, "ram.s1", 0x40)])
+        self.program("R32(0xFF200000) = R32(0xFF200044) + 1;")
+        self.assertNotIn("sys_ram.hex", self.shows(1).stderr)
+        self.write(sys_ram_hex=":0400010000000007F4\n:00000001FF\n")
+        self.shows(8)
+
     def test_strays_are_told_with_who_gets_them(self):
         memory = [("memory", "altera_avalon_onchip_memory2",
                    {"memorySize": "256", "initMemContent": "false"})]

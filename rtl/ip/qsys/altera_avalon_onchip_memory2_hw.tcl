@@ -70,7 +70,8 @@ proc elaborate {} {
         if {[string is true [get_parameter_value useNonDefaultInitFile]]} {
             set_parameter_value init_file [get_parameter_value initializationFileName]
         } else {
-            set_parameter_value init_file [get_parameter_value autoInitializationFileName].hex
+            # Platform Designer makes this file, of zeros, where there is none.
+            set_parameter_value init_file [get_parameter_value autoInitializationFileName].hex?
         }
     }
 }

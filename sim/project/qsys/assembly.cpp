@@ -16,13 +16,11 @@ namespace {
 constexpr const char* HPS = "altera_hps";
 constexpr unsigned LONGEST_CHAIN = 100;  // of clock bridges
 
-// Kinds without an effect on what is simulated, and why.
-const std::map<std::string, std::string>& silent_kinds() {
-    static const std::map<std::string, std::string> KINDS{
-        {"altera_jtag_avalon_master", "a computer's access by JTAG"},
-        {"interrupt_latency_counter", "a measurement by JTAG"},
-        {"intr_capturer", "a computer's view of the interrupts by JTAG"}};
-    return KINDS;
+// What a computer at the JTAG port alone would use.
+bool is_for_jtag(const std::string& kind) {
+    static const std::set<std::string> KINDS{"altera_jtag_avalon_master", "intr_capturer",
+                                             "interrupt_latency_counter"};
+    return KINDS.count(kind) != 0;
 }
 
 // A Nios processor, or hardware that only a Nios reaches.
@@ -34,6 +32,9 @@ bool End::is_processors() const { return instance->kind == HPS; }
 
 Assembly::Assembly(const System& system, const FindComponent& find) : system_{system} {
     for (const Instance& instance : system.instances) read_component_of(instance, find);
+    for (const auto& [why, names] : left_out_)
+        notes_.push_back(
+            fmt::format("{}: left out, {}: {}", system.file.filename().string(), why, names));
     for (const Connection& c : system.connections)
         if (!silent_.count(instance_of(c.start)) && !silent_.count(instance_of(c.end)))
             connections_.push_back(c);
@@ -44,12 +45,10 @@ void Assembly::fail(const std::string& what) const {
 }
 
 void Assembly::read_component_of(const Instance& instance, const FindComponent& find) {
-    const auto silent = silent_kinds().find(instance.kind);
-    if (silent != silent_kinds().end()) return leave_out(instance, silent->second);
+    if (is_for_jtag(instance.kind)) return leave_out(instance, "for a computer at the JTAG port");
     const auto file = find(instance.kind);
     if (!file && is_nios(instance.kind)) {
-        if (has_processor())
-            return leave_out(instance, "a Nios cannot be simulated, and stays in reset");
+        if (has_processor()) return leave_out(instance, "since a Nios cannot be simulated");
         fail(
             fmt::format("{} is a Nios ({}), which cannot be simulated, and the system has no ARM "
                         "(altera_hps)",
@@ -71,8 +70,8 @@ void Assembly::read_component_of(const Instance& instance, const FindComponent& 
 }
 
 void Assembly::leave_out(const Instance& instance, const std::string& why) {
-    notes_.push_back(fmt::format("{}: {} ({}) is left out: {}", system_.file.filename().string(),
-                                 instance.name, instance.kind, why));
+    std::string& names = left_out_[why];
+    names += fmt::format("{}{} ({})", names.empty() ? "" : ", ", instance.name, instance.kind);
     silent_.insert(instance.name);
 }
 

@@ -74,6 +74,7 @@ private:
     const System& system_;
     std::map<std::string, Component> components_;  // by instance
     std::set<std::string> silent_;                 // instances
+    std::map<std::string, std::string> left_out_;  // instances by the reason
     std::vector<Connection> connections_;          // between those that are not
     std::vector<std::string> notes_;
     std::vector<std::filesystem::path> sources_;

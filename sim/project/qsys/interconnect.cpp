@@ -53,13 +53,13 @@ private:
 
     void masters_and_slaves() {
         std::map<std::string, std::size_t> masters, slaves;
+        std::map<std::string, std::string> unreached;  // masters by the processor's slave
         for (const Connection& c : assembly_.connections()) {
             if (c.kind != Connection::Kind::AVALON) continue;
             const End m = assembly_.end(c.start), s = assembly_.end(c.end);
             if (s.is_processors()) {
-                out_.notes.push_back(fmt::format(
-                    "{}: {} reaches the processor's memory by {}, which is not simulated yet",
-                    assembly_.system().file.filename().string(), c.start, c.end));
+                std::string& names = unreached[c.end];
+                names += (names.empty() ? "" : ", ") + c.start;
                 continue;
             }
             if (!masters.count(c.start)) {
@@ -72,6 +72,10 @@ private:
             }
             links_.push_back({masters[c.start], slaves[c.end], c.base, c.shares});
         }
+        for (const auto& [slave, names] : unreached)
+            out_.notes.push_back(
+                fmt::format("{}: the processor's memory by {} is not simulated yet, for {}",
+                            assembly_.system().file.filename().string(), slave, names));
         for (std::size_t n = 0; n < masters_.size(); ++n) check_addresses(n);
         for (std::size_t n = 0; n < masters_.size(); ++n)
             map_of(masters_[n], links_of(n), 0, std::uint64_t{1} << 32);
