@@ -1,4 +1,4 @@
-"""computer_test.py DE1SIM FOLDER [CASE...] - what the DE1-SoC Computer's system has besides"""
+"""computer_test.py DE1SIM FOLDER [CASE...] - serial ports, windows, resets and a Nios in systems"""
 from case import run
 from systems import FULL, LW, SystemCase
 
@@ -164,6 +164,101 @@ LEDS = ok && !IRQ ? 341 : 1;""", baud="921600")
         done = self.serial("rs232", "", "delay: 1ms", top="", avalon_bus_type="Streaming")
         self.assertEqual(done.returncode, 2)
         self.assertIn('avalon_bus_type is "Streaming"', done.stderr)
+
+
+class Uart(SystemCase):
+    def uart(self, body, *steps, top="", ports=", inout [35:0] GPIO_0", parts="", **parameters):
+        top = top or ", .port_rxd(GPIO_0[0]), .port_txd(GPIO_0[0])"
+        self.with_leds([("port", "altera_avalon_uart", {"clockRate": "50000000", **parameters})],
+                       [("clock", "clk_0.clk", "port.clk"),
+                        ("reset", "clk_0.clk_reset", "port.reset"),
+                        ("interrupt", "hps_0.f2h_irq0", "port.irq", 9),
+                        ("avalon", LW, "port.s1", 0x40)],
+                       exports=[("port", "port.external_connection")], top=top, ports=ports)
+        self.program("volatile uint16_t* u = (volatile uint16_t*)0xFF200040;\n"
+                     "enum { RX = 0, TX = 2, STATUS = 4, CONTROL = 6, DIVISOR = 8, EOP = 10 };\n"
+                     "#define IRQ (R32(0xFFFED208) >> 17 & 1)\nuint32_t ok = 1;\n" + body +
+                     "R32(0xFF200000) = ok ? 341 : 1;")
+        steps = steps or ("expect-leds: {equals: 341, timeout: 40ms}",)
+        self.write(s_yaml="name: s\nversion: 1\nprogram: program.elf\nproject: top.qsf\n" + parts +
+                          "steps:\n" + "".join(f"  - {step}\n" for step in steps))
+        done = self.de1sim("run", "s.yaml")
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+
+    def test_a_terminal_is_answered(self):
+        self.uart("for (;;) { while (!(u[STATUS] & 0x80)) {} uint16_t c = u[RX];\n"
+                  "while (!(u[STATUS] & 0x40)) {} u[TX] = c + 1; }\n",
+                  "type-serial: {to: pc, text: HAL}",
+                  "wait-serial: {on: pc, text: IBM, timeout: 20ms}",
+                  parts="parts:\n  - terminal: {name: pc, rx: 'GPIO_0[1]', tx: 'GPIO_0[0]'}\n",
+                  top=", .port_rxd(GPIO_0[0]), .port_txd(GPIO_0[1])")
+
+    def test_status_follows_what_goes_and_comes(self):
+        self.uart("""ok &= u[STATUS] == 0x60; u[TX] = 0x55;
+while (!(u[STATUS] & 0x40)) {} u[TX] = 0xAA; ok &= (u[STATUS] & 0x160) == 0;
+u[TX] = 0x33; ok &= (u[STATUS] & 0x110) == 0x110;
+u[STATUS] = 0; ok &= (u[STATUS] & 0x110) == 0;
+while (!(u[STATUS] & 0x80)) {} ok &= u[RX] == 0x55 && !(u[STATUS] & 0x80);
+while (!(u[STATUS] & 0x20)) {} ok &= u[RX] == 0x33 && u[STATUS] == 0x60;
+u[TX] = 1; while (!(u[STATUS] & 0x80)) {} u[TX] = 2; while (!(u[STATUS] & 0x20)) {}
+while (!(u[STATUS] & 8)) {} ok &= (u[STATUS] & 0x1FF) == 0x1E8 && u[RX] == 2;
+""")
+
+    def test_interrupts_and_the_end_of_a_packet(self):
+        self.uart("""u[EOP] = 10; u[CONTROL] = 0x80; ok &= !IRQ; u[TX] = 9;
+while (!IRQ) {} ok &= u[RX] == 9 && !IRQ && !(u[STATUS] & 0x1000);
+u[CONTROL] = 0x1000; u[TX] = 10; ok &= IRQ && u[STATUS] >> 12 == 1;
+u[STATUS] = 0; ok &= !IRQ; while (!(u[STATUS] & 0x80)) {} ok &= IRQ;
+u[CONTROL] = 0x40; ok &= IRQ; u[CONTROL] = 0x100; ok &= !IRQ;
+""", useEopRegister="true")
+
+    def test_a_break_is_an_error_of_the_frame(self):
+        self.uart("""u[CONTROL] = 0x300; ok &= !IRQ;
+while (!(u[STATUS] & 0x80)) {} ok &= (u[STATUS] & 0x1FF) == 0x1E6 && IRQ && u[RX] == 0;
+for (int n = 0; n < 20000; n++) ok &= !(u[STATUS] & 0x80);
+u[CONTROL] = 0; u[STATUS] = 0; u[TX] = 7; while (!(u[STATUS] & 0x80)) {}
+ok &= u[RX] == 7 && (u[STATUS] & 0x1F) == 0;
+""", parity="EVEN")
+
+    def test_the_rate_is_the_divisors(self):
+        self.uart("""ok &= u[DIVISOR] == 433; u[DIVISOR] = 49; ok &= u[DIVISOR] == 49;
+for (int n = 0; n < 100; n++) { u[TX] = 3 * n & 0x7F; while (!(u[STATUS] & 0x80)) {}
+    ok &= u[RX] == (3 * n & 0x7F); }
+""", "expect-leds: {equals: 341, timeout: 1300us}", fixedBaud="false", dataBits="7", parity="ODD")
+
+    def test_a_line_to_ask_before_sending(self):
+        self.uart("""ok &= (u[STATUS] & 0x0C00) == 0; u[CONTROL] = 0x800;
+while (!(u[STATUS] & 0x400)) {} ok &= u[STATUS] >> 10 == 3;
+u[STATUS] = 0; ok &= u[STATUS] >> 10 == 2;
+u[CONTROL] = 0x400; ok &= !IRQ; while (!IRQ) {} ok &= u[STATUS] >> 10 == 1;
+""", useCtsRts="true", top=", .port_rxd(1'b1), .port_txd(), .port_cts_n(GPIO_0[0]), "
+                           ".port_rts_n(GPIO_0[0])")
+
+
+class ResetController(SystemCase):
+    def test_a_reset_of_two(self):
+        """The PIO falls back to its value when the top resets it by the controller."""
+        self.with_leds([("both", "altera_reset_controller", {"NUM_RESET_INPUTS": "2"}),
+                        ("also", "clock_source", {}),
+                        ("held", "altera_avalon_pio", {"width": "10", "direction": "Output",
+                                                       "resetValue": "7"})],
+                       [("clock", "clk_0.clk", "both.clk"),
+                        ("reset", "clk_0.clk_reset", "both.reset_in0"),
+                        ("reset", "also.clk_reset", "both.reset_in1"),
+                        ("clock", "clk_0.clk", "held.clk"),
+                        ("reset", "both.reset_out", "held.reset"), ("avalon", LW, "held.s1", 0x40)],
+                       exports=[("also_clk", "also.clk_in"), ("also", "also.clk_in_reset"),
+                                ("held", "held.external_connection")],
+                       top=", .also_clk_clk(CLOCK_50), .also_reset_n(!SW[0]), .held_export()")
+        self.program("volatile uint32_t* held = (volatile uint32_t*)0xFF200040;\n"
+                     "uint32_t n = held[0]; held[0] = 5;\n"
+                     "for (;;) R32(0xFF200000) = n << 4 | held[0];\n")
+        self.write(s_yaml="name: s\nversion: 1\nprogram: program.elf\nproject: top.qsf\nsteps:\n"
+                          "  - expect-leds: {equals: 117, timeout: 1ms}\n"
+                          "  - hold: {switch: 0}\n  - release: {switch: 0}\n"
+                          "  - expect-leds: {equals: 119, timeout: 10ms}\n")
+        done = self.de1sim("run", "s.yaml")
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
 
 
 if __name__ == "__main__":

@@ -247,11 +247,13 @@ private:
             // Inside of the system these have both names.
             const bool both = type == "clock" || type == "reset" || type == "interrupt";
             if (x && !both) return;
-            for (const Port& port : e.interface->ports)
-                if (port.width > 0)
+            for (const Port& port : e.interface->ports) {
+                const std::string outside = x ? port_name(*x, e, port) : "";
+                if (port.width > 0 && outside != e.wire(port))
                     text += fmt::format("    wire {}{}{};\n",
                                         VerilogText::range(port.width, port.is_vector),
-                                        e.wire(port), x ? " = " + port_name(*x, e, port) : "");
+                                        e.wire(port), x ? " = " + outside : "");
+            }
         });
         return text + text_.wires;
     }
