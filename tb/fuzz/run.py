@@ -17,7 +17,7 @@ import sys
 import tempfile
 import time
 
-MOST_BYTES = {"elf": 1000, "collision": 300, "png": 600, "gdb": 600}
+MOST_BYTES = {"elf": 1000, "collision": 300, "png": 600, "gdb": 600, "qsys": 800}
 ORDINARY = 400  # of the others.  Longer inputs run less often; longer seeds are cut
 LIMIT_S, LIMIT_MB = 10, 1024  # of one input
 # AddressSanitizer keeps freed memory back to find its use: 1 MB here, because its usual 256 MB cost

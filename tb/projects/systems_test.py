@@ -394,6 +394,14 @@ R32(0xFF200000) = bad ? bad : 0x3FF;""")
         self.refuses("a connection names nobody.s1, but there is no such module",
                      connections=[("avalon", LW, "nobody.s1", 0x40)])
 
+    def test_names_that_are_none(self):
+        self.refuses("sys.qsys:18: the name `a b`, expected letters, digits and _",
+                     [("a b", "altera_avalon_pio", {})])
+        self.write(odd_hw_tcl="add_interface s avalon end\nadd_interface s conduit end\n",
+                   bad_hw_tcl="add_interface s conduit end\nadd_interface_port s 1 export Input\n")
+        self.refuses("odd_hw.tcl:2: there are two interfaces s", [("o", "odd", {})])
+        self.refuses("bad_hw.tcl:2: the name `1`, expected", [("b", "bad", {})])
+
     def test_an_unknown_kind(self):
         self.refuses("odd_0 is of the kind odd, which is neither known here nor described by a "
                      "odd_hw.tcl or a odd.qsys in the project", [("odd_0", "odd", {})])

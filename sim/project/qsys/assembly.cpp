@@ -6,6 +6,7 @@
 
 #include "sim/project/module_files.h"
 #include "sim/project/settings.h"
+#include "sim/report/printable.h"
 
 namespace sim::project::qsys {
 
@@ -41,7 +42,7 @@ Assembly::Assembly(const System& system, const FindComponent& find) : system_{sy
 }
 
 void Assembly::fail(const std::string& what) const {
-    throw ProjectError{system_.file.filename().string() + ": " + what};
+    throw ProjectError{printable(system_.file.filename().string() + ": " + what)};
 }
 
 void Assembly::read_component_of(const Instance& instance, const FindComponent& find) {

@@ -9,8 +9,10 @@
 #include <fmt/format.h>
 
 #include "sim/project/file_finder.h"
+#include "sim/project/qsys/verilog_text.h"
 #include "sim/project/safe_tcl.h"
 #include "sim/project/settings.h"
+#include "sim/report/printable.h"
 
 namespace sim::project::qsys {
 
@@ -64,10 +66,8 @@ public:
             });
         for (const char* name : SILENT) tcl_.add(name, [](const Words&) { return ""; });
         tcl_.add("unknown", [this](const Words& words) -> std::string {
-            throw ProjectError{
-                fmt::format("{}: the command {} is not one that describes a "
-                            "component",
-                            place(), words.size() > 1 ? words[1] : "")};
+            fail(fmt::format("the command {} is not one that describes a component",
+                             words.size() > 1 ? words[1] : ""));
         });
     }
 
@@ -91,8 +91,12 @@ private:
 
     // ---- Execution ----
 
-    std::string place() const {
-        return fmt::format("{}:{}", component_.file.filename().string(), line_);
+    [[noreturn]] void fail_of_file(const std::string& what) const {
+        throw ProjectError{printable(component_.file.filename().string() + ": " + what)};
+    }
+    [[noreturn]] void fail(const std::string& what) const {
+        throw ProjectError{
+            printable(fmt::format("{}:{}: {}", component_.file.filename().string(), line_, what))};
     }
 
     template <class Action>
@@ -102,7 +106,7 @@ private:
         } catch (const ProjectError&) {
             throw;
         } catch (const std::exception& error) {
-            throw ProjectError{fmt::format("{}: this is wrong Tcl: {}", place(), error.what())};
+            fail(std::string{"this is wrong Tcl: "} + error.what());
         }
     }
 
@@ -128,8 +132,7 @@ private:
 
     void need(const Words& words, std::size_t count) const {
         if (words.size() > count) return;
-        throw ProjectError{fmt::format("{}: {} needs {} words, has {}", place(), words[0], count,
-                                       words.size() - 1)};
+        fail(fmt::format("{} needs {} words, has {}", words[0], count, words.size() - 1));
     }
 
     // ---- Commands ----
@@ -162,7 +165,7 @@ private:
     Parameter& parameter(const std::string& name) {
         const auto found = parameters_.find(name);
         if (found != parameters_.end()) return found->second;
-        throw ProjectError{fmt::format("{}: there is no parameter {}", place(), name)};
+        fail("there is no parameter " + name);
     }
     std::string set_parameter_property(const Words& words) {
         need(words, 3);
@@ -225,8 +228,14 @@ private:
         return {};
     }
 
+    void need_name(const std::string& name) const {
+        if (!is_name(name))
+            fail(fmt::format("the name `{}`, expected letters, digits and _", name));
+    }
     std::string add_interface(const Words& words) {
         need(words, 2);
+        need_name(words[1]);
+        if (component_.interface(words[1])) fail("there are two interfaces " + words[1]);
         const std::string& end = words.size() > 3 ? words[3] : std::string{"end"};
         const bool start = end == "start" || end == "master" || end == "source";
         std::string type = words[2];
@@ -238,7 +247,7 @@ private:
     Interface& interface(const std::string& name) {
         for (Interface& i : component_.interfaces)
             if (i.name == name) return i;
-        throw ProjectError{fmt::format("{}: there is no interface {}", place(), name)};
+        fail("there is no interface " + name);
     }
     // set_interface_property NAME PROPERTY VALUE ?PROPERTY VALUE ...?
     std::string set_interface_property(const Words& words) {
@@ -255,6 +264,7 @@ private:
     std::string add_interface_port(const Words& words) {
         need(words, 3);
         const std::string direction = words.size() > 4 ? lower(words[4]) : "input";
+        need_name(words[2]);
         widths_[words[2]] = words.size() > 5 ? words[5] : "1";
         interface(words[1]).ports.push_back({words[2], words[3],
                                              direction == "output"  ? Port::Direction::OUTPUT
@@ -283,9 +293,7 @@ private:
     std::string send_message(const Words& words) {
         need(words, 2);
         if (lower(words[1]) == "error")
-            throw ProjectError{fmt::format("{}: {} does not take its parameters: {}",
-                                           component_.file.filename().string(), instance_,
-                                           words[2])};
+            fail_of_file(instance_ + " does not take its parameters: " + words[2]);
         return {};
     }
 
@@ -328,9 +336,9 @@ private:
         }
         const auto width = number(expression);
         if (!width || *width < 0 || *width > static_cast<long>(WIDEST_PORT))
-            throw ProjectError{fmt::format(
-                "{}: the width of port {} is `{}`, expected a number of 1 to {}, or parameters",
-                component_.file.filename().string(), port.name, text, WIDEST_PORT)};
+            fail_of_file(fmt::format(
+                "the width of port {} is `{}`, expected a number of 1 to {}, or parameters",
+                port.name, text, WIDEST_PORT));
         port.width = static_cast<unsigned>(*width);
         port.is_vector = port.width != 1 || vectors_.count(port.name) > 0 || text != "1";
         if (terminated_.count(port.name)) port.width = 0;

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "sim/project/settings.h"
+#include "sim/report/printable.h"
 
 namespace sim::project::qsys {
 
@@ -70,7 +71,7 @@ public:
 
 private:
     [[noreturn]] static void fail(const System& system, const std::string& what) {
-        throw ProjectError{system.file.filename().string() + ": " + what};
+        throw ProjectError{printable(system.file.filename().string() + ": " + what)};
     }
 
     const FindSystem& find_;

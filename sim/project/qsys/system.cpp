@@ -7,7 +7,9 @@
 #include <fmt/format.h>
 #include <pugixml.hpp>
 
+#include "sim/project/qsys/verilog_text.h"
 #include "sim/project/settings.h"
+#include "sim/report/printable.h"
 
 namespace sim::project::qsys {
 
@@ -61,8 +63,14 @@ private:
     [[noreturn]] void fail(std::ptrdiff_t offset, const std::string& what) const {
         const auto end = text_.begin() + std::min<std::ptrdiff_t>(
                                              offset, static_cast<std::ptrdiff_t>(text_.size()));
-        throw ProjectError{fmt::format("{}:{}: {}", system_.file.filename().string(),
-                                       1 + std::count(text_.begin(), end, '\n'), what)};
+        throw ProjectError{printable(fmt::format("{}:{}: {}", system_.file.filename().string(),
+                                                 1 + std::count(text_.begin(), end, '\n'), what))};
+    }
+
+    void need_name(const pugi::xml_node& node, const std::string& name) const {
+        if (!is_name(name))
+            fail(node.offset_debug(),
+                 fmt::format("the name `{}`, expected letters, digits and _", name));
     }
 
     void take_instance(const pugi::xml_node& node) {
@@ -74,6 +82,7 @@ private:
                 value.replace(at, OWN_NAME.size(), system_.name);
         if (instance.name.empty() || instance.kind.empty())
             fail(node.offset_debug(), "a module has no name or no kind");
+        need_name(node, instance.name);
         if (!known_.insert(instance.name).second)
             fail(node.offset_debug(), "there are two modules " + instance.name);
         if (std::string_view{node.attribute("enabled").value()} == "0") return;
@@ -108,6 +117,7 @@ private:
         const std::string internal = node.attribute("internal").value();
         if (!node.attribute("type") || !node.attribute("dir")) return;
         if (!enabled_.count(instance_of(internal))) return;
+        need_name(node, node.attribute("name").value());
         system_.exports.push_back({node.attribute("name").value(), internal});
     }
 

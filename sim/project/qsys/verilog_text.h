@@ -1,11 +1,22 @@
 // verilog_text.h - the text of a module that is being written: its wires, and what is below them
 #pragma once
 
+#include <algorithm>
+#include <cctype>
 #include <string>
 
 #include <fmt/format.h>
 
 namespace sim::project::qsys {
+
+// Whether it can be a part of a name in Verilog.  Platform Designer has no others.
+inline bool is_name(const std::string& text) {
+    const auto is_part = [](char c) {
+        return std::isalnum(static_cast<unsigned char>(c)) || c == '_';
+    };
+    return !text.empty() && std::all_of(text.begin(), text.end(), is_part) &&
+           !std::isdigit(static_cast<unsigned char>(text[0]));
+}
 
 struct VerilogText {
     std::string wires, body;

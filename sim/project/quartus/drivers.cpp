@@ -237,9 +237,9 @@ private:
         std::string open;
         for (const auto& [port, index] : of->second.ports) {
             if (of->second.variables[index].direction != "input") continue;
-            const bool connected =
-                std::any_of(i.connections.begin(), i.connections.end(),
-                            [&](const Connection& c) { return c.port == port && !c.is_open; });
+            const bool connected = std::any_of(
+                i.connections.begin(), i.connections.end(),
+                [&name = port](const Connection& c) { return c.port == name && !c.is_open; });
             if (!connected) open += (open.empty() ? "" : ", ") + port;
         }
         if (!open.empty())
