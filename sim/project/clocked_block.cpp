@@ -127,7 +127,7 @@ void ClockedBlock::loop() {
         if (all_[i].kind == Token::Kind::NAME) read_.insert(all_[i].text);
 }
 
-// "n[3:0] = d;", "{a, b} <= d;", "n += d;", "n++;", "++n;"
+// "n[3:0] = d;", "{a, b} <= d;", "n += d;", "n++;", "++n;"; or a task: "t;", "t(d);"
 void ClockedBlock::assignment() {
     Assignment a{{}, at_, at_, at_, true, true};
     const auto doubled = [this](std::string_view sign) {
@@ -139,6 +139,10 @@ void ClockedBlock::assignment() {
         for (; !take("}"); take(",")) a.targets.push_back(target());
     } else {
         a.targets.push_back(target());
+        if (here().is(";") || here().is("(")) {
+            calls_ = true;
+            return read_to(";");
+        }
     }
     a.sign = at_;
     if (leads || doubled("+") || doubled("-")) {

@@ -36,6 +36,9 @@ public:
     const Names& read_behind() const { return read_; }
     const Names& loop_variables() const { return loops_; }
     const Names& locals() const { return locals_; }
+    bool calls() const {
+        return calls_;
+    }  // a task, whose reads and assignments are not among these
 
 private:
     const Token& here() const;
@@ -57,6 +60,7 @@ private:
     const std::size_t begin_;
     std::size_t at_;
     unsigned nested_ = 0;
+    bool calls_ = false;
     Names assigned_, read_, loops_, locals_;  // assigned_: up to here
     std::vector<Assignment> assignments_;
 };

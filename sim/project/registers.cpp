@@ -144,7 +144,7 @@ private:
                 for (const auto& t : a.targets) by_nonblocking.insert(t.name);
         for (const auto& a : block.assignments()) {
             if (!a.is_blocking) continue;
-            if (a.is_plain && !read.count(a.targets[0].name)) {
+            if (a.is_plain && !read.count(a.targets[0].name) && !block.calls()) {
                 edits_.before[a.sign] += "<";
                 continue;
             }
@@ -152,7 +152,7 @@ private:
                 if (block.loop_variables().count(t.name) || block.locals().count(t.name)) continue;
                 const bool mixed = by_nonblocking.count(t.name) > 0;
                 const bool shared = users.at(t.name) > 1 || variables_.is_output(t.name);
-                if (!variables_.type(t.name).empty() && (mixed || shared))
+                if (!variables_.type(t.name).empty() && (mixed || shared) && !block.calls())
                     copied.insert(t.name);
                 else if (mixed)
                     echoed.insert(t.name);

@@ -110,6 +110,17 @@ class AsQuartusTakesIt(Case):
         self.leds(450, wait="60ms")
         self.leds(7, wait="1us")
 
+    def test_a_register_by_both_assignments_beside_a_task(self):
+        self.write(top_v="module top(input CLOCK_50, output reg [9:0] LEDR);\n"
+                         "reg [9:0] n = 0, seen = 0;\n"
+                         "task look(input [9:0] more); begin seen <= n + more; end endtask\n"
+                         "task stop; LEDR <= seen; endtask\n"
+                         "always @(posedge CLOCK_50) begin\n"
+                         "  if (n == 0) n = 300; else if (n < 305) n <= n + 1;\n"
+                         "  look(10'd7); stop; end\n"
+                         "endmodule\n")
+        self.leds(312, wait="60ms")
+
     def test_parts_of_a_register_by_both_assignments(self):
         self.write(top_sv="module top(input CLOCK_50, output logic [9:0] LEDR);\n"
                           "logic [9:0] n = 0, m = 0;\n"
