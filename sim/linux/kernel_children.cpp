@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t MOST_PROCESSES = 64;
 constexpr std::int32_t CHILD_EXITED = 1, CHILD_KILLED = 2;  // siginfo's si_code
-constexpr std::uint32_t NO_HANG = 1, ALREADY = 8;
+constexpr std::uint32_t NO_HANG = 1;
 
 }  // namespace
 

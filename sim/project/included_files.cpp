@@ -4,6 +4,7 @@
 #include <set>
 
 #include "sim/project/file_finder.h"
+#include "sim/project/settings.h"
 #include "sim/project/synthesised.h"
 
 namespace sim::project {
