@@ -11,8 +11,8 @@
 //       n = n + 1;                  becomes      begin d = d + 1; n <= d; end
 //       if (n == 10) n <= 0;                     if (d == 10) n <= 0;
 //
-// A block that calls tasks, which may have the variable as well, gets no copy: where it also assigns
-// n by "<=", its "n = d;" becomes "n = d; n <= n;".
+// A block that calls tasks, which may have the variable as well, gets no copy: where it also
+// assigns n by "<=", its "n = d;" becomes "n = d; n <= n;".
 //
 // Not handled: the others of a block that calls tasks; memories that a block reads after it has
 // assigned them.

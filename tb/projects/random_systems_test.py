@@ -1,4 +1,4 @@
-"""random_systems_test.py DE1SIM FOLDER [CASE...] - random systems whose masters check what they read
+"""random_systems_test.py DE1SIM FOLDER [CASE...] - random systems whose masters check their reads
 
 Masters of all widths, with and without readdatavalid and bursts, on two clocks; slaves of all
 widths and timings, which drive rubbish when their data do not count.  Each master has a window of
