@@ -97,13 +97,13 @@ TEST_F(PartsTest, MatrixShowsTheRowOfThatNumber) {
     PartPlan plan{Kind::LED_MATRIX, "m", {7, 2}, {37, 36}, false, true};
     plan.coded_rows = true;
     sim::Parts parts = plugged({plan});
-    for (std::uint64_t t = 0; t < 100 * MS; t += 4 * MS) {
+    for (std::uint64_t t = 0; t < 100 * MS_PS; t += 4 * MS_PS) {
         parts.look({0, 0b10}, t);
-        parts.look({1 << 2, 0b01}, t + MS);
-        parts.look({1 << 7, 0b11}, t + 2 * MS);
-        parts.look({1 << 7 | 1 << 2, 0b00}, t + 3 * MS);
+        parts.look({1 << 2, 0b01}, t + MS_PS);
+        parts.look({1 << 7, 0b11}, t + 2 * MS_PS);
+        parts.look({1 << 7 | 1 << 2, 0b00}, t + 3 * MS_PS);
     }
-    EXPECT_THAT(parts.leds("m").picture(100 * MS), ElementsAre("#.", ".#", "##", ".."));
+    EXPECT_THAT(parts.leds("m").picture(100 * MS_PS), ElementsAre("#.", ".#", "##", ".."));
 }
 
 }  // namespace
