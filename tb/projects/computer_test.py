@@ -235,6 +235,49 @@ u[CONTROL] = 0x400; ok &= !IRQ; while (!IRQ) {} ok &= u[STATUS] >> 10 == 1;
                            ".port_rts_n(GPIO_0[0])")
 
 
+class ParallelPort(SystemCase):
+    def port(self, body, *steps, top, ports="", leds=341, **parameters):
+        irq = [("interrupt", "hps_0.f2h_irq0", "port.interrupt", 9)] if "irq" in parameters else []
+        self.with_leds([("port", "altera_up_avalon_parallel_port",
+                         {"custom_port": "true", **parameters})],
+                       [("clock", "clk_0.clk", "port.clk"),
+                        ("reset", "clk_0.clk_reset", "port.reset"), *irq,
+                        ("avalon", LW, "port.avalon_parallel_port_slave", 0x40)],
+                       exports=[("port", "port.external_interface")],
+                       top=f", .port_export({top})", ports=ports)
+        self.program("volatile uint32_t* p = (volatile uint32_t*)0xFF200040;\n"
+                     "#define LEDS R32(0xFF200000)\n#define IRQ (R32(0xFFFED208) >> 17 & 1)\n" +
+                     body)
+        self.write(s_yaml="name: s\nversion: 1\nprogram: program.elf\nproject: top.qsf\nsteps:\n" +
+                          "".join(f"  - {step}\n" for step in
+                                  [*steps, f"expect-leds: {{equals: {leds}, timeout: 10ms}}"]))
+        done = self.de1sim("run", "s.yaml")
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+
+    def test_an_input_interrupts_at_edges(self):
+        self.port("p[2] = 3; while (!IRQ) {} uint32_t e = p[3]; p[3] = 0x80;\n"
+                  "LEDS = e == 0x22 && p[3] == 0 && !IRQ && (p[0] & 2) && p[2] == 3 ? 341 : e;\n",
+                  "delay: 1ms", "hold: {switch: [1, 5], bounce: 0us}", top="SW", custom_DW="10", capture="true",
+                  irq="true", irq_type="Edge")
+
+    def test_bytes_of_an_output(self):
+        self.port("p[0] = 0xFFFFFF; R8(0xFF200041) = 0x12;\n"
+                  "LEDS = p[0] == 0xFF12FF && p[1] == 0 ? 341 : 1;\n", top="", custom_DW="24",
+                  custom_direction="Output only")
+
+    def test_pins_in_both_directions(self):
+        self.port("p[1] = 1; p[0] = 1; uint32_t high = p[0] & 3, d = p[1]; p[0] = 0;\n"
+                  "for (int n = 0; n < 9; n++) d |= (p[0] & 3) << 8;\n"
+                  "LEDS = high == 3 && d == 1 ? 341 : 1;\n",
+                  top="pins", ports=");\nwire [1:0] pins; assign pins[1] = pins[0]; wire unused"
+                                    " = (1'b1", custom_DW="2", custom_direction="Bidirectional")
+
+    def test_a_preset_is_refused(self):
+        self.with_leds([("port", "altera_up_avalon_parallel_port", {})])
+        self.refused("it is preset for Pushbuttons, of which only a custom port can be simulated",
+                     "check", "top.qsf")
+
+
 class ResetController(SystemCase):
     def test_a_reset_of_two(self):
         """The PIO falls back to its value when the top resets it by the controller."""
