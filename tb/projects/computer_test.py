@@ -257,7 +257,8 @@ class ParallelPort(SystemCase):
     def test_an_input_interrupts_at_edges(self):
         self.port("p[2] = 3; while (!IRQ) {} uint32_t e = p[3]; p[3] = 0x80;\n"
                   "LEDS = e == 0x22 && p[3] == 0 && !IRQ && (p[0] & 2) && p[2] == 3 ? 341 : e;\n",
-                  "delay: 1ms", "hold: {switch: [1, 5], bounce: 0us}", top="SW", custom_DW="10", capture="true",
+                  "delay: 1ms", "hold: {switch: [1, 5], bounce: 0us}", top="SW", custom_DW="10",
+                  capture="true",
                   irq="true", irq_type="Edge")
 
     def test_bytes_of_an_output(self):
