@@ -1,6 +1,6 @@
 """computer_test.py DE1SIM FOLDER [CASE...] - serial ports, windows, resets and a Nios in systems"""
 from case import run
-from systems import FULL, LW, SystemCase
+from systems import FULL, LW, SystemCase, qsys
 
 NIOS = [("cpu", "altera_nios2_gen2", {}),
         ("floats", "altera_nios_custom_instr_floating_point", {}),
@@ -164,6 +164,37 @@ LEDS = ok && !IRQ ? 341 : 1;""", baud="921600")
         done = self.serial("rs232", "", "delay: 1ms", top="", avalon_bus_type="Streaming")
         self.assertEqual(done.returncode, 2)
         self.assertIn('avalon_bus_type is "Streaming"', done.stderr)
+
+
+class Rates(SystemCase):
+    def test_a_rate_that_the_file_has_not_is_the_plls(self):
+        """In a subsystem the file says 0: the port is 100 MHz' all the same."""
+        self.write(inner_qsys=qsys([("clock", "clock_source", {"clockFrequency": "50000000"}),
+                                    ("port", "altera_up_avalon_rs232",
+                                     {"AUTO_CLK_CLOCK_RATE": "0"})],
+                                   [("clock", "clock.clk", "port.clk"),
+                                    ("reset", "clock.clk_reset", "port.reset")],
+                                   [("clk", "clock.clk_in"), ("reset", "clock.clk_in_reset"),
+                                    ("slave", "port.avalon_rs232_slave"),
+                                    ("pins", "port.external_interface")], clock=""))
+        self.with_leds([("pll", "altera_up_avalon_sys_sdram_pll", {"gui_outclk": "100.0"}),
+                        ("inner", "inner", {})],
+                       [("clock", "clk_0.clk", "pll.ref_clk"),
+                        ("reset", "clk_0.clk_reset", "pll.ref_reset"),
+                        ("clock", "pll.sys_clk", "inner.clk"),
+                        ("reset", "pll.reset_source", "inner.reset"),
+                        ("avalon", LW, "inner.slave", 0x40)],
+                       exports=[("pins", "inner.pins")],
+                       top=", .pins_RXD(GPIO_0[0]), .pins_TXD(GPIO_0[1])",
+                       ports=", inout [35:0] GPIO_0")
+        self.program("uint32_t d; for (;;) if ((d = R32(0xFF200040)) & 0x8000)\n"
+                     "R32(0xFF200040) = (d & 0xFF) + 1;\n")
+        self.write(s_yaml="name: s\nversion: 1\nprogram: program.elf\nproject: top.qsf\nparts:\n"
+                          "  - terminal: {name: pc, rx: 'GPIO_0[1]', tx: 'GPIO_0[0]'}\nsteps:\n"
+                          "  - type-serial: {to: pc, text: HAL}\n"
+                          "  - wait-serial: {on: pc, text: IBM, timeout: 20ms}\n")
+        done = self.de1sim("run", "s.yaml")
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
 
 
 class Uart(SystemCase):

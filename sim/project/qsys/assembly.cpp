@@ -1,9 +1,11 @@
 #include "sim/project/qsys/assembly.h"
 
 #include <algorithm>
+#include <cstdlib>
 
 #include <fmt/format.h>
 
+#include "sim/project/file_finder.h"
 #include "sim/project/module_files.h"
 #include "sim/project/settings.h"
 #include "sim/report/printable.h"
@@ -39,6 +41,43 @@ Assembly::Assembly(const System& system, const FindComponent& find) : system_{sy
     for (const Connection& c : system.connections)
         if (!silent_.count(instance_of(c.start)) && !silent_.count(instance_of(c.end)))
             connections_.push_back(c);
+    fill_in_rates(find);
+}
+
+// Platform Designer writes AUTO_CLK_CLOCK_RATE, that of the interface clk; within a subsystem as 0.
+void Assembly::fill_in_rates(const FindComponent& find) {
+    for (const Instance& instance : system_.instances) {
+        const auto component = components_.find(instance.name);
+        if (component == components_.end()) continue;
+        std::map<std::string, std::string> parameters = instance.parameters;
+        for (const Interface& i : component->second.interfaces) {
+            const auto is_its = [&](const auto& p) {
+                return lower(p.first) == lower("AUTO_" + i.name + "_CLOCK_RATE");
+            };
+            const auto rate = std::find_if(parameters.begin(), parameters.end(), is_its);
+            if (i.type != "clock" || i.is_start || rate == parameters.end() || rate->second != "0")
+                continue;
+            const std::string hertz = hertz_of(end(root_of({&instance, &component->second, &i})));
+            if (!hertz.empty()) rate->second = hertz;
+        }
+        if (parameters != instance.parameters)
+            component->second = read_component(*find(instance.kind), parameters, instance.name);
+    }
+}
+
+// Of a clock that comes from outside, or from a PLL; empty: it is not known.
+std::string Assembly::hertz_of(const End& root) const {
+    const auto given = root.instance->parameters.find("clockFrequency");
+    if (root.instance->kind == "clock_source" && given != root.instance->parameters.end())
+        return given->second;
+    const Port* port = root.interface->port("clk");
+    if (!port) return {};
+    const auto& all = root.component->parameters;
+    const auto found =
+        all.find("output_clock_frequency" + port->name.substr(port->name.rfind('_') + 1));
+    if (found == all.end()) return {};
+    const double mhz = std::atof(found->second.c_str() + (found->second[0] == '"'));
+    return mhz > 0 ? fmt::format("{:.0f}", mhz * 1e6) : "";
 }
 
 void Assembly::fail(const std::string& what) const {

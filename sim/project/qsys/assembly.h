@@ -69,6 +69,8 @@ public:
 private:
     void read_component_of(const Instance& instance, const FindComponent& find);
     void leave_out(const Instance& instance, const std::string& why);
+    void fill_in_rates(const FindComponent& find);
+    std::string hertz_of(const End& root) const;
     std::string root_of(const End& sink, unsigned depth = 0) const;
 
     const System& system_;
