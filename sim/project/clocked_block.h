@@ -36,9 +36,8 @@ public:
     const Names& read_behind() const { return read_; }
     const Names& loop_variables() const { return loops_; }
     const Names& locals() const { return locals_; }
-    bool calls() const {
-        return calls_;
-    }  // a task, whose reads and assignments are not among these
+    // Whether it calls a task; what that reads and assigns is not among the above.
+    bool calls() const { return calls_; }
 
 private:
     const Token& here() const;

@@ -7,13 +7,13 @@
 //   thin      0, unless it is as strong as its two neighbours across the edge
 //   choose    32 more, at most 255, where one of the 3 x 3 around has 10 or more; else 0
 //
-// A stage's result is written below the pixel in the middle of what it used; at the left and at the
-// right edge that is the other edge, one row off (de1sim_up_rows.v).  The rows above the first and
-// below the last are the last pixel of the picture before, and of this one: while no picture
-// comes, the stages go on with it.
+// A stage's result takes the place of the middle one of the pixels that it used.  Beyond the left
+// and the right edge these are pixels of the other edge, one row off (de1sim_up_rows.v).  Above the
+// first row they are the last pixel of the picture before, and below the last row that of this
+// one, with which the stages go on while no picture comes.
 //
-// Source: Intel FPGA University Program, Video Cores for DE-Series Boards.  Across an edge two
-// neighbours of one side are averaged and one of the other side is taken alone, as the core does.
+// Source: Intel FPGA University Program, Video Cores for DE-Series Boards.  On one side of an edge
+// two neighbours are averaged, on the other side one is taken alone, as in that core.
 
 `default_nettype none
 

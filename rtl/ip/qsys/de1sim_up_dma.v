@@ -51,9 +51,9 @@ module de1sim_up_dma #(
 
     wire [31:0] buffer;
     wire        enabled;
-    reg [31:0] next_q;                       // of consecutive addresses
-    reg [15:0] x_q, y_q, come_x_q, come_y_q; // of the next read, of the next answer
-    reg [7:0]  under_way_q;
+    reg  [31:0] next_q;                       // of consecutive addresses
+    reg  [15:0] x_q, y_q, come_x_q, come_y_q; // of the next read, of the next answer
+    reg  [7:0]  under_way_q;
 
     wire       last_x = x_q == WIDTH - 1, last_y = y_q == HEIGHT - 1;
     wire       come_last_x = come_x_q == WIDTH - 1, come_last_y = come_y_q == HEIGHT - 1;
