@@ -406,6 +406,10 @@ R32(0xFF200000) = bad ? bad : 0x3FF;""")
         self.refuses("odd_0 is of the kind odd, which is neither known here nor described by a "
                      "odd_hw.tcl or a odd.qsys in the project", [("odd_0", "odd", {})])
 
+    def test_a_missing_subsystem_that_is_named_after_a_nios(self):
+        self.refuses("sub is of the kind nios_system, which is neither known here nor",
+                     [("sub", "nios_system", {})])
+
     def test_a_nios_without_an_arm(self):
         self.with_leds()
         self.write(sys_qsys=qsys([BASE[0], ("cpu", "altera_nios2_gen2", {})], []))

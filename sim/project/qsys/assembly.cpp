@@ -27,7 +27,9 @@ bool is_for_jtag(const std::string& kind) {
 }
 
 // A Nios processor, or hardware that only a Nios reaches.
-bool is_nios(const std::string& kind) { return kind.find("nios") != std::string::npos; }
+bool is_nios(const std::string& kind) {
+    return kind.rfind("altera_nios", 0) == 0 || kind.rfind("intel_nios", 0) == 0;
+}
 
 }  // namespace
 
