@@ -1,5 +1,7 @@
 #include "sim/project/source.h"
 
+#include <algorithm>
+#include <initializer_list>
 #include <utility>
 
 #include "sim/project/items.h"
@@ -43,7 +45,7 @@ private:
         if (name && (name->is("automatic") || name->is("static"))) name = peek(2);
         if (!name || name->kind != Kind::NAME) return;
         source_.modules.push_back(
-            {std::string{name->text}, name->line, {}, {}, token.is("package"), {}, {}, {}, {}});
+            {std::string{name->text}, name->line, {}, {}, token.is("package")});
         module_ = &source_.modules.back();
         at_ = static_cast<std::size_t>(name - tokens_.data());
         header();
@@ -98,17 +100,35 @@ private:
             depth += token.is("[") + token.is("(") + token.is("{");
             depth -= token.is("]") + token.is(")") + token.is("}");
             if (depth < 0 || token.is("parameter") || token.is("localparam")) return;
-            if (depth == 0 && is_name(token) && tokens_[i + 1].is("="))
-                module_->parameters.emplace_back(token.text);
+            if (depth != 0 || !is_name(token) || !tokens_[i + 1].is("=")) continue;
+            module_->parameters.emplace_back(token.text);
+            module_->defaults.emplace(token.text, text_up_to(i + 2, {",", ")", ";"}));
         }
+    }
+
+    // From token `i` to one of `ends` outside of brackets, with blanks between.
+    std::string text_up_to(std::size_t i, std::initializer_list<const char*> ends) const {
+        std::string text;
+        for (int depth = 0; i < tokens_.size(); ++i) {
+            const Token& token = tokens_[i];
+            if (depth == 0 && std::any_of(ends.begin(), ends.end(),
+                                          [&](const char* end) { return token.is(end); }))
+                break;
+            depth += token.is("[") + token.is("(") + token.is("{");
+            depth -= token.is("]") + token.is(")") + token.is("}");
+            (text += text.empty() ? "" : " ") += token.text;
+        }
+        return text;
     }
 
     // The names of one declaration, up to what ends it.
     void ports() {
         const Token& direction = tokens_[at_];
+        std::string range;
         int depth = 0;
         for (std::size_t i = at_ + 1; i < tokens_.size(); ++i) {
             const Token& token = tokens_[i];
+            if (depth == 0 && token.is("[") && range.empty()) range = text_up_to(i + 1, {"]"});
             if (token.is("[") || token.is("(") || token.is("{")) ++depth;
             if (token.is("]") || token.is("}")) --depth;
             if (token.is(")") && --depth < 0) break;
@@ -116,12 +136,13 @@ private:
                 break;
             if (depth == 0 && is_name(token) && !token.is("logic") && i + 1 < tokens_.size() &&
                 !is_name(tokens_[i + 1]))
-                declare(token, direction);
+                declare(token, direction, range);
         }
     }
 
-    void declare(const Token& name, const Token& direction) {
+    void declare(const Token& name, const Token& direction, const std::string& range) {
         module_->ports.emplace_back(name.text);
+        if (!range.empty()) module_->ranges.emplace(name.text, range);
         if (direction.is("output")) module_->outputs.emplace(name.text);
         if (direction.is("inout")) module_->inouts.emplace(name.text);
     }

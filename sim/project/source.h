@@ -3,6 +3,7 @@
 // Both branches of an `ifdef count, so it may want more than it does in the end.
 #pragma once
 
+#include <map>
 #include <set>
 #include <string>
 #include <string_view>
@@ -13,13 +14,15 @@ namespace sim::project {
 struct ModuleText {
     std::string name;
     unsigned line;
-    std::set<std::string> wants;     // modules that it instances
-    std::vector<std::string> ports;  // names, as far as they are declared
-    bool is_package;
-    std::vector<std::string> header;        // the ports in the order of positional connections
-    std::set<std::string> outputs, inouts;  // of the ports
-    std::vector<std::string> parameters;    // names
-    bool in_library = false;                // of a Platform Designer system or another library
+    std::set<std::string> wants = {};     // modules that it instances
+    std::vector<std::string> ports = {};  // names, as far as they are declared
+    bool is_package = false;
+    std::vector<std::string> header = {};  // ports in the order of positional connections
+    std::set<std::string> outputs = {}, inouts = {};   // of the ports
+    std::vector<std::string> parameters = {};          // names
+    std::map<std::string, std::string> defaults = {};  // of parameters, as written
+    std::map<std::string, std::string> ranges = {};    // of ports, as written: "7 : 0"
+    bool in_library = false;  // of a Platform Designer system or another library
 };
 
 struct SourceText {

@@ -57,7 +57,7 @@ public:
             if (is(i, "entity") && is(i + 2, "is"))
                 entity(i + 1);
             else if (is(i, "package") && !is(i + 1, "body") && is(i + 2, "is"))
-                source_.modules.push_back({text(i + 1), 0, {}, {}, true, {}, {}, {}, {}});
+                source_.modules.push_back({text(i + 1), 0, {}, {}, true});
             else if (is(i, "component") && !ends)
                 wants.insert(text(i + 1));
             else if (is(i, "work") && is(i + 1, "."))
@@ -77,7 +77,7 @@ private:
         std::size_t i = name + 2;
         while (i < words_.size() && (is(i, "generic") || is(i, "port")))
             i = members(i + 1, is(i, "port") ? head.ports : head.generics);
-        source_.modules.push_back({text(name), 0, {}, {}, false, {}, {}, {}, {}});
+        source_.modules.push_back({text(name), 0, {}, {}, false});
         for (const auto& port : head.ports) source_.modules.back().ports.push_back(port.name);
         heads_.push_back(std::move(head));
     }

@@ -403,11 +403,11 @@ R32(0xFF200000) = bad ? bad : 0x3FF;""")
         self.refuses("bad_hw.tcl:2: the name `1`, expected", [("b", "bad", {})])
 
     def test_an_unknown_kind(self):
-        self.refuses("odd_0 is of the kind odd, which is neither known here nor described by a "
-                     "odd_hw.tcl or a odd.qsys in the project", [("odd_0", "odd", {})])
+        self.refuses("odd_0 is of the kind odd, which is not known here, and the project has no "
+                     "odd_hw.tcl, odd.qsys or module odd", [("odd_0", "odd", {})])
 
     def test_a_missing_subsystem_that_is_named_after_a_nios(self):
-        self.refuses("sub is of the kind nios_system, which is neither known here nor",
+        self.refuses("sub is of the kind nios_system, which is not known here",
                      [("sub", "nios_system", {})])
 
     def test_a_nios_without_an_arm(self):
@@ -415,7 +415,6 @@ R32(0xFF200000) = bad ? bad : 0x3FF;""")
         self.write(sys_qsys=qsys([BASE[0], ("cpu", "altera_nios2_gen2", {})], []))
         self.refused("sys.qsys: cpu is a Nios (altera_nios2_gen2), which cannot be simulated, and "
                      "the system has no ARM (altera_hps)")
-
 
     def test_wrong_component_descriptions(self):
         for text, message in (("set_module_property NAME odd\nset_interface_property s a\n",

@@ -35,23 +35,23 @@ bool is_nios(const std::string& kind) {
 
 bool End::is_processors() const { return instance->kind == HPS; }
 
-Assembly::Assembly(const System& system, const FindComponent& find) : system_{system} {
-    for (const Instance& instance : system.instances) read_component_of(instance, find);
+Assembly::Assembly(const System& system, const Describe& describe) : system_{system} {
+    for (const Instance& instance : system.instances) read_component_of(instance, describe);
     for (const auto& [why, names] : left_out_)
         notes_.push_back(
             fmt::format("{}: left out, {}: {}", system.file.filename().string(), why, names));
     for (const Connection& c : system.connections)
         if (!silent_.count(instance_of(c.start)) && !silent_.count(instance_of(c.end)))
             connections_.push_back(c);
-    fill_in_rates(find);
+    fill_in_rates(describe);
 }
 
 // Platform Designer writes AUTO_CLK_CLOCK_RATE, that of the interface clk; within a subsystem as 0.
-void Assembly::fill_in_rates(const FindComponent& find) {
+void Assembly::fill_in_rates(const Describe& describe) {
     for (const Instance& instance : system_.instances) {
         const auto component = components_.find(instance.name);
         if (component == components_.end()) continue;
-        std::map<std::string, std::string> parameters = instance.parameters;
+        Parameters parameters = instance.parameters;
         for (const Interface& i : component->second.interfaces) {
             const auto is_its = [&](const auto& p) {
                 return lower(p.first) == lower("AUTO_" + i.name + "_CLOCK_RATE");
@@ -62,8 +62,7 @@ void Assembly::fill_in_rates(const FindComponent& find) {
             const std::string hertz = hertz_of(end(root_of({&instance, &component->second, &i})));
             if (!hertz.empty()) rate->second = hertz;
         }
-        if (parameters != instance.parameters)
-            component->second = read_component(*find(instance.kind), parameters, instance.name);
+        if (parameters != instance.parameters) component->second = *describe(instance, parameters);
     }
 }
 
@@ -86,29 +85,28 @@ void Assembly::fail(const std::string& what) const {
     throw ProjectError{printable(system_.file.filename().string() + ": " + what)};
 }
 
-void Assembly::read_component_of(const Instance& instance, const FindComponent& find) {
+void Assembly::read_component_of(const Instance& instance, const Describe& describe) {
     if (is_for_jtag(instance.kind)) return leave_out(instance, "for a computer at the JTAG port");
-    const auto file = find(instance.kind);
-    if (!file && is_nios(instance.kind)) {
+    const auto component = describe(instance, instance.parameters);
+    if (!component && is_nios(instance.kind)) {
         if (has_processor()) return leave_out(instance, "since a Nios cannot be simulated");
         fail(
             fmt::format("{} is a Nios ({}), which cannot be simulated, and the system has no ARM "
                         "(altera_hps)",
                         instance.name, instance.kind));
     }
-    if (!file)
+    if (!component)
         fail(
-            fmt::format("{} is of the kind {}, which is neither known here nor described by a "
-                        "{}_hw.tcl or a {}.qsys in the project",
-                        instance.name, instance.kind, instance.kind, instance.kind));
-    const Component component = read_component(*file, instance.parameters, instance.name);
-    for (const ComponentFile& source : component.files) {
-        const fs::path path = (component.file.parent_path() / source.path).lexically_normal();
+            fmt::format("{0} is of the kind {1}, which is not known here, and the project has no "
+                        "{1}_hw.tcl, {1}.qsys or module {1}",
+                        instance.name, instance.kind));
+    for (const ComponentFile& source : component->files) {
+        const fs::path path = (component->file.parent_path() / source.path).lexically_normal();
         if (language_of(path) &&
             std::find(sources_.begin(), sources_.end(), path) == sources_.end())
             sources_.push_back(path);
     }
-    components_.emplace(instance.name, component);
+    components_.emplace(instance.name, *component);
 }
 
 void Assembly::leave_out(const Instance& instance, const std::string& why) {

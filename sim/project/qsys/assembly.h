@@ -14,8 +14,8 @@
 
 namespace sim::project::qsys {
 
-// The description of a kind: its _hw.tcl.  Nothing: there is none.
-using FindComponent = std::function<std::optional<std::filesystem::path>(const std::string& kind)>;
+// The component of an instance with these parameters.  Nothing: its kind is not known.
+using Describe = std::function<std::optional<Component>(const Instance&, const Parameters&)>;
 
 // An interface of an instance.
 struct End {
@@ -33,7 +33,7 @@ struct End {
 class Assembly {
 public:
     // ProjectError: a kind that is not known, or that cannot be simulated.
-    Assembly(const System& system, const FindComponent& find);
+    Assembly(const System& system, const Describe& describe);
 
     const System& system() const { return system_; }
     const std::vector<Connection>& connections() const { return connections_; }
@@ -67,9 +67,9 @@ public:
     static std::string active_high(const End& e);
 
 private:
-    void read_component_of(const Instance& instance, const FindComponent& find);
+    void read_component_of(const Instance& instance, const Describe& describe);
     void leave_out(const Instance& instance, const std::string& why);
-    void fill_in_rates(const FindComponent& find);
+    void fill_in_rates(const Describe& describe);
     std::string hertz_of(const End& root) const;
     std::string root_of(const End& sink, unsigned depth = 0) const;
 

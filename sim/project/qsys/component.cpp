@@ -22,8 +22,6 @@ namespace {
 
 using Words = SafeTcl::Words;
 
-constexpr unsigned WIDEST_PORT = 4'096;
-
 struct Parameter {
     std::string type = "INTEGER", value;
     std::map<std::string, std::string> properties;
@@ -56,9 +54,9 @@ std::string literal(const Parameter& p) {
 
 class ComponentReader {
 public:
-    ComponentReader(const fs::path& file, const std::map<std::string, std::string>& parameters,
+    ComponentReader(const std::string& text, const fs::path& file, const Parameters& parameters,
                     const std::string& instance)
-        : given_{parameters}, instance_{instance} {
+        : text_{text}, given_{parameters}, instance_{instance} {
         component_.file = file;
         for (const auto& [name, method] : METHODS)
             tcl_.add(name, [this, command = method](const Words& words) {
@@ -72,7 +70,7 @@ public:
     }
 
     Component run() {
-        execute(text_of(component_.file));
+        execute(text_);
         for (const char* callback : {"VALIDATION_CALLBACK", "ELABORATION_CALLBACK"})
             if (const std::string name = property_of_module(callback); !name.empty())
                 guarded([&] { tcl_.run(name); });
@@ -218,13 +216,16 @@ private:
         need(words, 3);
         if (filesets_.empty()) return {};
         Fileset& fileset = callback_fileset_ ? *callback_fileset_ : filesets_.back();
-        if (words[3] == "PATH" && words.size() > 4) fileset.files.push_back({words[4], words[2]});
+        if (words[3] == "PATH" && words.size() > 4)
+            fileset.files.push_back(
+                {words[4], words[2],
+                 std::find(words.begin() + 5, words.end(), "TOP_LEVEL_FILE") != words.end()});
         return {};
     }
     // As components were described before Quartus 12.
     std::string add_file(const Words& words) {
         need(words, 1);
-        old_files_.push_back({words[1], ""});
+        old_files_.push_back({words[1], "", false});
         return {};
     }
 
@@ -389,7 +390,8 @@ private:
         {"send_message", &ComponentReader::send_message}};
 
     SafeTcl tcl_;
-    const std::map<std::string, std::string>& given_;  // the instance's parameters
+    const std::string& text_;
+    const Parameters& given_;  // the instance's
     const std::string instance_;
     unsigned line_ = 1;
     Component component_;
@@ -427,10 +429,14 @@ const Interface* Component::interface(const std::string& name) const {
     return nullptr;
 }
 
-Component read_component(const fs::path& hw_tcl,
-                         const std::map<std::string, std::string>& parameters,
+Component component_in(const std::string& text, const fs::path& file, const Parameters& parameters,
+                       const std::string& instance) {
+    return ComponentReader{text, file, parameters, instance}.run();
+}
+
+Component read_component(const fs::path& hw_tcl, const Parameters& parameters,
                          const std::string& instance) {
-    return ComponentReader{hw_tcl, parameters, instance}.run();
+    return component_in(text_of(hw_tcl), hw_tcl, parameters, instance);
 }
 
 }  // namespace sim::project::qsys

@@ -1,4 +1,4 @@
-// component.h - a kind of module of Platform Designer, as its _hw.tcl describes it
+// component.h - a kind of module of Platform Designer, as its description (_hw.tcl) has it
 #pragma once
 
 #include <filesystem>
@@ -7,6 +7,8 @@
 #include <vector>
 
 namespace sim::project::qsys {
+
+constexpr unsigned WIDEST_PORT = 4'096;
 
 struct Port {
     enum class Direction { INPUT, OUTPUT, BIDIR };
@@ -30,12 +32,13 @@ struct Interface {
 };
 
 struct ComponentFile {
-    std::string path;  // from the _hw.tcl's folder on
-    std::string type;  // VERILOG, SYSTEM_VERILOG, VHDL, SDC, OTHER ...
+    std::string path;      // from the _hw.tcl's folder on
+    std::string type;      // VERILOG, SYSTEM_VERILOG, VHDL, SDC, OTHER ...
+    bool has_top = false;  // TOP_LEVEL_FILE: it defines the module
 };
 
 struct Component {
-    std::filesystem::path file;  // the _hw.tcl
+    std::filesystem::path file;  // that describes it
     std::string kind, version;
     std::string module;  // in Verilog or VHDL; empty: it has none
     std::vector<ComponentFile> files;
@@ -47,11 +50,15 @@ struct Component {
     const Interface* interface(const std::string& name) const;  // null: it has none
 };
 
+using Parameters = std::map<std::string, std::string>;  // of an instance
+
 // Runs the _hw.tcl, with its callbacks, for an instance with these parameters.  ProjectError: wrong
 // Tcl, with its line; a command that the description of a component has not; a message of kind
 // `error`.
-Component read_component(const std::filesystem::path& hw_tcl,
-                         const std::map<std::string, std::string>& parameters,
+Component read_component(const std::filesystem::path& hw_tcl, const Parameters& parameters,
                          const std::string& instance);
+// The same of the text; `file` stands in messages.
+Component component_in(const std::string& text, const std::filesystem::path& file,
+                       const Parameters& parameters, const std::string& instance);
 
 }  // namespace sim::project::qsys

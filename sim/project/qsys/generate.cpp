@@ -16,8 +16,8 @@ using Direction = Port::Direction;
 
 class Generator {
 public:
-    Generator(const System& system, const FindComponent& find)
-        : system_{system}, assembly_{system, find} {}
+    Generator(const System& system, const Describe& describe)
+        : system_{system}, assembly_{system, describe} {}
 
     Generated run() {
         clocks();
@@ -278,8 +278,8 @@ private:
 
 }  // namespace
 
-Generated generate(const System& system, const FindComponent& find) {
-    return Generator{system, find}.run();
+Generated generate(const System& system, const Describe& describe) {
+    return Generator{system, describe}.run();
 }
 
 }  // namespace sim::project::qsys

@@ -24,6 +24,6 @@ struct Generated {
 
 // ProjectError: an unknown kind, a slave whose base is not a multiple of its span, two at one
 // address, an interrupt that two senders have, a connection of interfaces that are not there.
-Generated generate(const System& system, const FindComponent& find);
+Generated generate(const System& system, const Describe& describe);
 
 }  // namespace sim::project::qsys

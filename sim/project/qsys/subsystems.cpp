@@ -64,7 +64,7 @@ public:
         }
         for (const Export& x : system.exports)
             if (const std::string internal = inner(x.internal); !internal.empty())
-                flat.exports.push_back({x.name, internal});
+                flat.exports.push_back({x.name, internal, x.type, x.is_start});
         inside_.pop_back();
         return flat;
     }

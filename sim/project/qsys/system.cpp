@@ -115,10 +115,12 @@ private:
 
     void take_export(const pugi::xml_node& node) {
         const std::string internal = node.attribute("internal").value();
-        if (!node.attribute("type") || !node.attribute("dir")) return;
+        const pugi::xml_attribute type = node.attribute("type"), direction = node.attribute("dir");
+        if (!type || !direction) return;
         if (!enabled_.count(instance_of(internal))) return;
         need_name(node, node.attribute("name").value());
-        system_.exports.push_back({node.attribute("name").value(), internal});
+        system_.exports.push_back({node.attribute("name").value(), internal, type.value(),
+                                   std::string_view{direction.value()} == "start"});
     }
 
     const std::string& text_;

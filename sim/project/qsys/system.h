@@ -31,6 +31,8 @@ std::string instance_of(const std::string& interface);
 
 struct Export {
     std::string name, internal;  // "led", "pio_0.external_connection"
+    std::string type;            // conduit, clock, avalon ...
+    bool is_start;
 };
 
 struct System {

@@ -1,0 +1,144 @@
+"""components_test.py DE1SIM FOLDER [CASE...] - what describes a component"""
+from case import run
+from systems import LW, SystemCase
+
+ADDER = """module {name} #(parameter WIDTH = 8)(
+    input clk, input reset_n, input [1:0] avs_s0_address, input avs_s0_write, avs_s0_read,
+    input [WIDTH-1:0] avs_s0_writedata, output reg [WIDTH-1:0] avs_s0_readdata,
+    output [9:0] lamps, input [9:0] switches);
+reg [WIDTH-1:0] a, b;
+assign lamps = a[WIDTH-1 -: 10] ^ switches;
+always @(posedge clk)
+    if (!reset_n) a <= 0;
+    else begin
+        if (avs_s0_write && avs_s0_address == 0) a <= avs_s0_writedata;
+        if (avs_s0_write && avs_s0_address == 1) b <= avs_s0_writedata;
+        avs_s0_readdata <= avs_s0_address == 2 ? a + b : 0;
+    end
+endmodule
+"""
+HW_TCL = """set_module_property NAME adder
+add_fileset QUARTUS_SYNTH QUARTUS_SYNTH "" ""
+set_fileset_property QUARTUS_SYNTH TOP_LEVEL adder
+add_fileset_file adder.v VERILOG PATH adder.v TOP_LEVEL_FILE
+add_parameter WIDTH INTEGER 8
+set_parameter_property WIDTH HDL_PARAMETER true
+add_interface clock clock end
+add_interface_port clock clk clk Input 1
+add_interface reset reset end
+set_interface_property reset associatedClock clock
+add_interface_port reset reset_n reset_n Input 1
+add_interface s0 avalon end
+set_interface_property s0 associatedClock clock
+set_interface_property s0 associatedReset reset
+add_interface_port s0 avs_s0_address address Input 2
+add_interface_port s0 avs_s0_write write Input 1
+add_interface_port s0 avs_s0_read read Input 1
+add_interface_port s0 avs_s0_writedata writedata Input WIDTH
+add_interface_port s0 avs_s0_readdata readdata Output WIDTH
+add_interface pins conduit end
+add_interface_port pins lamps lamps Output 10
+add_interface_port pins switches switches Input 10
+"""
+
+
+def sopcinfo(kind="adder", width=32):
+    def interface(name, type_, properties, ports):
+        text = f'<interface name="{name}" kind="{type_}_x" version="21.1">'
+        for p, value in properties.items():
+            text += f'<parameter name="{p}"><type>int</type><value>{value}</value></parameter>'
+        text += f"<type>{type_}</type><isStart>false</isStart>"
+        for port, role, direction, bits in ports:
+            text += (f"<port><name>{port}</name><direction>{direction}</direction>"
+                     f"<width>{bits}</width><role>{role}</role></port>")
+        return text + "</interface>\n"
+    own = {"associatedClock": "clock", "associatedReset": "reset"}
+    return ('<?xml version="1.0"?>\n<EnsembleReport name="sys" kind="sys">\n'
+            f'<module name="adder_0" kind="{kind}" version="1.0" path="adder_0">\n'
+            + interface("clock", "clock", {}, [("clk", "clk", "Input", 1)])
+            + interface("reset", "reset", {"associatedClock": "clock"},
+                        [("reset_n", "reset_n", "Input", 1)])
+            + interface("s0", "avalon", {**own, "readWaitTime": 1, "addressUnits": "WORDS"},
+                        [("avs_s0_address", "address", "Input", 2),
+                         ("avs_s0_write", "write", "Input", 1),
+                         ("avs_s0_read", "read", "Input", 1),
+                         ("avs_s0_writedata", "writedata", "Input", width),
+                         ("avs_s0_readdata", "readdata", "Output", width)])
+            + interface("pins", "conduit", {}, [("lamps", "lamps", "Output", 10),
+                                                ("switches", "switches", "Input", 10)])
+            + "</module>\n</EnsembleReport>\n")
+
+
+class Components(SystemCase):
+    def adder(self, kind="adder", verilog="adder", **files):
+        self.system([("adder_0", kind, {"WIDTH": "32"})],
+                    [("clock", "clk_0.clk", "adder_0.clock"),
+                     ("reset", "clk_0.clk_reset", "adder_0.reset"),
+                     ("avalon", LW, "adder_0.s0", 0x40)], [("pins", "adder_0.pins")],
+                    ", .pins_lamps(LEDR), .pins_switches(SW)", **files)
+        (self.folder / f"{verilog}.v").write_text(ADDER.format(name=verilog))
+        self.program("R32(0xFF200040) = 0x41234567; R32(0xFF200044) = 0x3FFFFFFF;\n"
+                     "R32(0xFF200040) = R32(0xFF200048);")
+
+    def list_verilog(self, name):
+        with (self.folder / "top.qsf").open("a") as settings:
+            settings.write(f"set_global_assignment -name VERILOG_FILE {name}.v\n")
+
+    def test_a_hw_tcl_goes_by_the_name_that_it_gives_itself(self):
+        self.adder()
+        (self.folder / "some_hw.tcl").write_text(HW_TCL)
+        self.shows(0x81234566 >> 22)
+
+    def test_the_name_of_the_module_that_the_component_editor_leaves(self):
+        self.adder(verilog="other")
+        (self.folder / "adder_hw.tcl").write_text(
+            HW_TCL.replace("TOP_LEVEL adder", "TOP_LEVEL new_component")
+            .replace("adder.v VERILOG PATH adder.v", "other.v VERILOG PATH other.v"))
+        (self.folder / "other.v").write_text(
+            "module helper(input a, output b); assign b = a; endmodule\n"
+            + ADDER.format(name="other"))
+        self.assertIn("adder_hw.tcl names the module new_component, which its files do not have; "
+                      "module other of other.v is taken\n", self.shows(0x81234566 >> 22).stderr)
+
+    def test_a_sopcinfo_with_the_verilog_of_the_kinds_name(self):
+        self.adder()
+        (self.folder / "sys.sopcinfo").write_text(sopcinfo())
+        self.assertIn("sys.qsys: adder_0 is of the kind adder, which has no _hw.tcl: sys.sopcinfo "
+                      "describes it, module adder\n", self.shows(0x81234566 >> 22).stderr)
+
+    def test_a_sopcinfo_with_verilog_of_the_same_ports(self):
+        self.adder("bus_adder", "other")
+        (self.folder / "sys.sopcinfo").write_text(sopcinfo("bus_adder"))
+        self.refused("adder_0 is of the kind bus_adder, which is not known here, and the project "
+                     "has no bus_adder_hw.tcl, bus_adder.qsys or module bus_adder",
+                     "check", "top.qsf")
+        self.list_verilog("other")
+        self.shows(0x81234566 >> 22)
+        (self.folder / "twin.v").write_text(ADDER.format(name="twin"))
+        self.list_verilog("twin")
+        self.refused("sys.sopcinfo: adder_0 is of the kind bus_adder, which has no _hw.tcl; the "
+                     "modules other and twin have its ports", "check", "top.qsf")
+
+    def test_wrong_sopcinfo(self):
+        self.adder()
+        for text, message in (("<module", "sys.sopcinfo: this is broken XML: "),
+                              (sopcinfo().replace("<name>clk</name>", "<name>a b</name>"),
+                               "sys.sopcinfo: the name `a b`, expected letters, digits and _"),
+                              (sopcinfo(width=9999), "sys.sopcinfo: port avs_s0_writedata is 9999 "
+                                                     "bits wide, expected 1 to 4096")):
+            (self.folder / "sys.sopcinfo").write_text(text)
+            self.refused(message, "check", "top.qsf")
+
+    def test_verilog_alone(self):
+        self.adder()
+        self.assertIn("sys.qsys: adder_0 is of the kind adder, which has no _hw.tcl: adder.v "
+                      "describes it, module adder\n", self.shows(0x81234566 >> 22).stderr)
+
+    def test_verilog_without_the_names_of_a_slaves_data(self):
+        self.adder()
+        verilog = ADDER.format(name="adder").replace("writedata", "x").replace("readdata", "y")
+        (self.folder / "adder.v").write_text(verilog)
+        self.refused("no port has the name of data of s0", "check", "top.qsf")
+
+
+run()
