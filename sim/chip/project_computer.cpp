@@ -72,21 +72,21 @@ std::optional<char> ProjectComputer::typed(unsigned number) {
 std::optional<Chip::End> ProjectComputer::end() const { return fpga.end(); }
 
 void ProjectComputer::report_stray(std::uint32_t address, bool write) {
-    if (!bus.place(address).empty()) return;
+    if (!bus.place(address).empty() || system_.map.empty()) return;
     for (const project::qsys::Bridge& bridge : system_.bridges) {
         const std::uint32_t offset = address - bridge.window;
         if (offset >= (bridge.window == LW_BASE ? LW_SIZE : H2F_SIZE)) continue;
         const auto meant = bridge.window + static_cast<std::uint32_t>(offset % bridge.decoded);
-        const std::string place = bus.place(meant);
+        const std::string place = bus.place(meant), taker = write ? bridge.writes : bridge.reads;
         const std::string line =
             meant != address && !place.empty()
                 ? fmt::format(
                       "{} 0x{:X}: the interconnect sees {} there, as at 0x{:X}: addresses "
                       "repeat each 0x{:X} bytes",
                       write ? "write to" : "read of", address, place, meant, bridge.decoded)
-                : fmt::format("{} 0x{:X}: nobody is there; the interconnect sends it to {}",
-                              write ? "write to" : "read of", address,
-                              write ? bridge.writes : bridge.reads);
+                : fmt::format("{} 0x{:X}: nobody is there{}", write ? "write to" : "read of",
+                              address,
+                              taker.empty() ? "" : "; the interconnect sends it to " + taker);
         if (said_.size() < MOST_STRAYS && said_.insert(line).second)
             audience_.log(line + cpu.accessed());
     }

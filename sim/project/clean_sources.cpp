@@ -29,7 +29,7 @@ void take_modules(const std::string& text, Modules& modules, bool in_library = f
     }
 }
 std::string synthesised(const SourceFile& file, const Project& project) {
-    return as_synthesised(file.text.empty() ? text_of(file.path) : file.text, project.macros);
+    return as_synthesised(file.whole_text(), project.macros);
 }
 // The models that the modules instance.
 void add_models(Modules& modules) {

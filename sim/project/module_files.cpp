@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "sim/project/committed_system.h"
 #include "sim/project/nearest.h"
 #include "sim/project/settings.h"
 #include "sim/project/synthesised.h"
@@ -39,7 +40,8 @@ void ModuleFiles::add(const SourceFile& added) {
         return;
     }
     Source source{added, {}};
-    const std::string text = added.text.empty() ? text_of(file) : added.text;
+    std::string text = added.whole_text();
+    if (const auto header = without_pins(file, text)) source.file.text = text = *header;
     if (added.language != Language::VHDL) {
         source.text = scan(as_synthesised(text, macros_));
         if (project::is_encrypted(file, text)) encrypted_.insert(file);

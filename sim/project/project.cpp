@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "sim/project/board_pins.h"
+#include "sim/project/committed_system.h"
 #include "sim/project/module_files.h"
 #include "sim/project/platform_components.h"
 #include "sim/project/qsys/subsystems.h"
@@ -122,7 +123,8 @@ private:
                    name == "SOURCE_FILE") {
             take_source(a);
         } else if (name == "SDC_FILE") {
-            if (const auto file = resolve(a)) check_timing(*file);
+            // A .qip's is of a core, not of the person, and asks the timing analyser what it does.
+            if (const auto file = resolve(a); file && !a.in_qip_folder) check_timing(*file);
         } else if (name == "QSYS_FILE") {
             const auto file = resolve(a);
             if (file && has_processor(*file)) listed_systems_.push_back(*file);  // see definition()
@@ -210,6 +212,13 @@ private:
         }
         for (const std::string& text : made.notes) note(text);
         project_.systems.push_back(std::move(made));
+    }
+
+    void take_committed_system(const std::string& interfaces) {
+        project_.systems.push_back(committed_system(files_, interfaces));
+        note(fmt::format(
+            "{}: the .qsys of this system is not there, its Verilog is taken as it is",
+            files_.place(files_.source(files_.definition(interfaces)->source).file.path)));
     }
 
     void take_source(const Assignment& a) {
@@ -349,8 +358,11 @@ private:
             if (!seen.insert(name).second) continue;
             const Definition* user = by.empty() ? nullptr : files_.definition(by);
             const bool from_vhdl = user && files_.is_vhdl(*user);
-            if (request_.is_model(from_vhdl ? lower(name) : name) && !files_.modules().count(name))
+            if (request_.is_model(from_vhdl ? lower(name) : name) &&
+                !files_.modules().count(name)) {
+                if (name == "cyclonev_hps_interface_hps2fpga") take_committed_system(by);
                 continue;
+            }
             const Definition* d = definition(name, from_vhdl);
             if (!d) {
                 if (!by.empty()) missing_.emplace_back(name, by);
@@ -411,6 +423,8 @@ private:
 };
 
 }  // namespace
+
+std::string SourceFile::whole_text() const { return text.empty() ? text_of(path) : text; }
 
 Project read_project(const Request& request) {
     ProjectReader reader{request};

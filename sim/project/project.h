@@ -24,6 +24,8 @@ struct SourceFile {
     bool listed;            // in the project, or found
     std::string library;    // where it is listed, unless that is "work"
     std::string text = {};  // instead of the file's: made of a Platform Designer system
+
+    std::string whole_text() const;  // empty: it cannot be read
 };
 
 // Rounds: VERILOG_CONSTANT_LOOP_LIMIT and VERILOG_NON_CONSTANT_LOOP_LIMIT of the .qsf.

@@ -9,6 +9,8 @@
 // A comment in a branch of an `ifdef that is not taken says nothing: the wizards' files have
 // translate_off in one, where ALTERA_RESERVED_QIS, which Quartus defines, is not defined.
 //
+//   `define FF(q, rst) /``* synopsys sync_set_reset `"rst`" *``/ ...      is no comment here
+//
 // Not handled: conditions on macros that an included file defines; orders that are on where a file
 // includes another.
 #pragma once

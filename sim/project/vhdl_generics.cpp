@@ -128,8 +128,8 @@ bool is_generic(const EntityHead& head, const std::string& name) {
 }
 
 // Whether Verilog may set parameters of a module: NAME #(...), or a defparam, of whatever.
-bool sets_parameters(const fs::path& file, const std::string& module) {
-    const std::string text = text_of(file);
+bool sets_parameters(const SourceFile& file, const std::string& module) {
+    const std::string text = file.whole_text();
     const Tokens tokens = tokens_of(text);
     for (std::size_t i = 0; i + 1 < tokens.all.size(); ++i)
         if (tokens.all[i].is("defparam") || (tokens.all[i].is(module) && tokens.all[i + 1].is("#")))
@@ -258,9 +258,9 @@ std::vector<GenericEntity> generic_entities(const Project& project) {
                 entity.file = file.lexically_relative(project.folder).string();
             }
         for (const SourceFile& file : project.sources)
-            entity.is_set = entity.is_set ||
-                            (file.language != SourceFile::Language::VHDL &&
-                             !entity.head.generics.empty() && sets_parameters(file.path, name));
+            entity.is_set =
+                entity.is_set || (file.language != SourceFile::Language::VHDL &&
+                                  !entity.head.generics.empty() && sets_parameters(file, name));
         for (const auto& [parameter, value] : project.parameters)
             if (name == project.top && is_generic(entity.head, parameter)) entity.is_set = true;
         if (entity.is_set) entity.sets.clear();

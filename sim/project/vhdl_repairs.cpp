@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iterator>
 #include <map>
+#include <regex>
 #include <set>
 #include <sstream>
 #include <utility>
@@ -19,8 +20,11 @@ namespace {
 
 const std::string CASE = "\n    case (";
 
-// "01XZ" as 4'b01XZ, 'X' as 1'bX; else a name, as it is.
+// "01XZ" as 4'b01XZ, 'X' as 1'bX, (7 downto 0 => 'X') as {8{1'bX}}; else a name, as it is.
 std::string in_verilog(const std::string& value) {
+    static const std::regex SAME{R"(\((\d+) downto 0 => '(.)'\))"};
+    if (std::smatch same; std::regex_match(value, same, SAME))
+        return fmt::format("{{{}{{1'b{}}}}}", std::stoul(same[1]) + 1, same[2].str());
     if (value[0] != '"' && value[0] != '\'') return value;
     const std::string bits = value.substr(1, value.size() - 2);
     return fmt::format("{}'b{}", bits.size(), bits);
@@ -41,7 +45,11 @@ Others others_of(const std::string& vhdl) {
         in >> first >> second >> third >> fourth;
         if (first == "architecture") entity = lower(fourth);
         if (first == "with" && third == "select") signal = fourth;
-        if (second == "when" && third == "others;") others[{entity, signal}] = in_verilog(first);
+        if (const std::size_t when = line.find(" when others;"); when != std::string::npos) {
+            const std::size_t value = line.find_first_not_of(' ');
+            const std::string text = in_verilog(line.substr(value, when - value));
+            if (text.find('(') == std::string::npos) others[{entity, signal}] = text;
+        }
     }
     return others;
 }
@@ -173,6 +181,24 @@ std::string with_escaped_names(const std::string& verilog) {
     return text + std::string{tokens.tail};
 }
 
+// Of an instance u with an output q, GHDL calls the net u_q, also where a signal has that name.
+// Where the signal is that output, it is the same net.
+std::string with_one_net(const std::string& verilog) {
+    std::string text;
+    std::set<std::string> declared;  // in this module
+    std::istringstream lines{verilog};
+    for (std::string line; std::getline(lines, line);) {
+        std::istringstream in{line};
+        std::string first, second, third, fourth;
+        in >> first >> second >> third >> fourth;
+        if (first == "module") declared.clear();
+        if (first == "wire" && !declared.insert(line).second) continue;
+        if (first == "assign" && third == "=" && fourth == second + ";") continue;
+        text += line + "\n";
+    }
+    return text;
+}
+
 }  // namespace
 
 bool lacks_others(const std::string& verilog) {
@@ -181,7 +207,8 @@ bool lacks_others(const std::string& verilog) {
 }
 
 std::string repaired(const std::string& verilog, const std::string& vhdl) {
-    return with_escaped_names(with_operations(with_wide_constants(with_others(verilog, vhdl))));
+    return with_escaped_names(
+        with_operations(with_wide_constants(with_others(with_one_net(verilog), vhdl))));
 }
 
 }  // namespace sim::project

@@ -4,6 +4,7 @@
 //   a constant of more than 32 bits is a text in quotes  becomes 36'b0101...
 //   / rem mod, shifts to the right and abs of signed numbers   are written with $signed()
 //   minimum and maximum are VHDL                         become a choice
+//   an instance's output of the name of a signal   is that signal, where they are connected
 //   a name that is a keyword of Verilog, as in `signal reg`   is escaped
 #pragma once
 

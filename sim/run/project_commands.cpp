@@ -137,6 +137,13 @@ int print_systems(const ProjectOptions& options, CheckPrints prints) {
             fmt::format("{} has no Platform Designer system", options.place.string())};
     std::string text;
     for (const auto& system : project.systems)
+        if (prints != CheckPrints::MAP && system.has_processor && system.devices.empty() &&
+            system.text.empty())
+            throw project::ProjectError{
+                fmt::format("{}: of its Platform Designer system the .qsys is not there, which "
+                            "tells the kinds of its components",
+                            options.place.string())};
+    for (const auto& system : project.systems)
         text += prints == CheckPrints::MAP ? addresses(system)
                 : prints == CheckPrints::HEADER
                     ? project::qsys::header_text(system.name, system.devices)

@@ -17,6 +17,21 @@ always @(posedge clk)
     end
 endmodule
 """
+VHDL_ADDER = """library ieee; use ieee.std_logic_1164.all; use ieee.numeric_std.all;
+entity adder is generic (WIDTH : natural := 8); port (
+    clk, reset_n, avs_s0_write, avs_s0_read : in std_logic;
+    avs_s0_address : in std_logic_vector(1 downto 0);
+    avs_s0_writedata : in std_logic_vector(WIDTH - 1 downto 0);
+    avs_s0_readdata : out std_logic_vector(WIDTH - 1 downto 0);
+    lamps : out std_logic_vector(9 downto 0); switches : in std_logic_vector(9 downto 0)); end;
+architecture a of adder is signal a, b : unsigned(WIDTH - 1 downto 0) := (others => '0'); begin
+lamps <= std_logic_vector(a(WIDTH - 1 downto WIDTH - 10)) xor switches;
+process (clk) begin if rising_edge(clk) then
+    if avs_s0_write = '1' and avs_s0_address = "00" then a <= unsigned(avs_s0_writedata); end if;
+    if avs_s0_write = '1' and avs_s0_address = "01" then b <= unsigned(avs_s0_writedata); end if;
+    avs_s0_readdata <= std_logic_vector(a + b);
+end if; end process; end;
+"""
 HW_TCL = """set_module_property NAME adder
 add_fileset QUARTUS_SYNTH QUARTUS_SYNTH "" ""
 set_fileset_property QUARTUS_SYNTH TOP_LEVEL adder
@@ -99,6 +114,14 @@ class Components(SystemCase):
             + ADDER.format(name="other"))
         self.assertIn("adder_hw.tcl names the module new_component, which its files do not have; "
                       "module other of other.v is taken\n", self.shows(0x81234566 >> 22).stderr)
+
+    def test_vhdl_with_generics(self):
+        self.adder()
+        (self.folder / "adder.v").unlink()
+        (self.folder / "adder.vhd").write_text(VHDL_ADDER)
+        (self.folder / "adder_hw.tcl").write_text(
+            HW_TCL.replace("adder.v VERILOG PATH adder.v", "adder.vhd VHDL PATH adder.vhd"))
+        self.shows(0x81234566 >> 22)
 
     def test_a_sopcinfo_with_the_verilog_of_the_kinds_name(self):
         self.adder()

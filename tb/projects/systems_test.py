@@ -283,6 +283,21 @@ R32(0xFF200000) = bad ? bad : 0x3FF;""")
         self.write(sys_ram_hex=":0400010000000007F4\n:00000001FF\n")
         self.shows(8)
 
+    def test_an_export_of_the_name_of_an_instances_port(self):
+        """Of sink's clock, and of the PIO's own export."""
+        self.write(sink_v="module sink(input clk, output red, output green);\n"
+                          "assign red = clk, green = 1; endmodule\n")
+        (self.folder / "sink_hw.tcl").write_text(
+            'add_fileset s QUARTUS_SYNTH "" ""\nset_module_property NAME sink\n'
+            "set_fileset_property s TOP_LEVEL sink\nadd_fileset_file s.v VERILOG PATH sink.v\n"
+            "add_interface clock clock end\nadd_interface_port clock clk clk Input 1\n"
+            "add_interface vga conduit end\nadd_interface_port vga red clk Output 1\n"
+            "add_interface_port vga green green Output 1\n")
+        self.with_leds([("sink", "sink", {})], [("clock", "clk_0.clk", "sink.clock")],
+                       [("sink", "sink.vga")], ", .sink_clk(), .sink_green()")
+        self.program("R32(0xFF200000) = 5;")
+        self.shows(5)
+
     def test_strays_are_told_with_who_gets_them(self):
         memory = [("memory", "altera_avalon_onchip_memory2",
                    {"memorySize": "256", "initMemContent": "false"})]

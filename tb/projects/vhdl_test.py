@@ -117,6 +117,28 @@ class Vhdl(Case):
                    count_vhd=COUNT)
         self.leds(0b0000011100, 0b0000010000)
 
+    def test_an_array_of_wide_words_by_an_index(self):
+        self.write(p_qsf=QSF + "set_global_assignment -name VHDL_FILE a.vhd\n",
+                   a_vhd=TOP.format("", "type words is array (0 to 3) of "
+                                    "std_logic_vector(39 downto 0);\nsignal w : words;",
+                                    "w(0) <= 30x\"1\" & SW; w(1) <= 30x\"2\" & not SW;\n"
+                                    "w(2) <= SW & 30x\"3\"; w(3) <= not SW & 30x\"4\";\n"
+                                    "LEDR <= w(to_integer(unsigned(SW(1 downto 0))))"
+                                    "(19 downto 10) xor w(to_integer(unsigned(SW(9 downto 8))))"
+                                    "(9 downto 0);"))
+        self.leds(0b0000000011, 0b0000000011)
+        self.leds(0b0000000001, 0b1000000001)
+
+    def test_a_signal_of_the_name_that_ghdl_gives_a_net(self):
+        self.write(p_qsf=QSF + "set_global_assignment -name VHDL_FILE a.vhd\n"
+                   "set_global_assignment -name VERILOG_FILE b.v\n",
+                   a_vhd=TOP.format("", "component b port (a : in std_logic_vector(9 downto 0);\n"
+                                    "  q : out std_logic_vector(9 downto 0)); end component;\n"
+                                    "signal u_q : std_logic_vector(9 downto 0);",
+                                    "u : b port map (SW, u_q); LEDR <= u_q;"),
+                   b_v="module b(input [9:0] a, output [9:0] q); assign q = 40; endmodule\n")
+        self.leds(40)
+
     def sets(self, instances):
         """Verilog around an entity with generics of all types."""
         self.write(top_v="module top(input CLOCK_50, input [9:0] SW, output [9:0] LEDR);\n" +

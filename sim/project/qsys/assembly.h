@@ -24,8 +24,8 @@ struct End {
     const Interface* interface;
 
     std::string name() const { return instance->name + "." + interface->name; }
-    // The wire at a port, in the system's module.
-    std::string wire(const Port& port) const { return instance->name + "_" + port.name; }
+    // The wire at a port, in the system's module, whose own ports have one _ between their parts.
+    std::string wire(const Port& port) const { return instance->name + "__" + port.name; }
     std::string wire(const char* role) const { return wire(*interface->port(role)); }
     bool is_processors() const;
 };

@@ -249,7 +249,7 @@ private:
             if (x && !both) return;
             for (const Port& port : e.interface->ports) {
                 const std::string outside = x ? port_name(*x, e, port) : "";
-                if (port.width > 0 && outside != e.wire(port))
+                if (port.width > 0)
                     text += fmt::format("    wire {}{}{};\n",
                                         VerilogText::range(port.width, port.is_vector),
                                         e.wire(port), x ? " = " + outside : "");

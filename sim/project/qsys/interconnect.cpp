@@ -12,7 +12,6 @@ namespace sim::project::qsys {
 
 namespace {
 
-constexpr std::uint32_t LIGHTWEIGHT = 0xFF200000, FULL = 0xC0000000;  // windows
 constexpr const char* FULL_MASTER = "h2f_axi_master";
 constexpr unsigned WIDEST = 1024, NATIVE = 32;  // bits of data
 constexpr unsigned DEEPEST = 20;                // bridges behind each other

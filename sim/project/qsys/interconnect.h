@@ -18,6 +18,9 @@
 
 namespace sim::project::qsys {
 
+// The windows of the processor's bridges.
+constexpr std::uint32_t LIGHTWEIGHT = 0xFF200000, FULL = 0xC0000000;
+
 // What a master reaches.
 struct Place {
     std::string master;  // "hps_0.h2f_lw_axi_master"
@@ -32,7 +35,7 @@ struct Bridge {
     std::uint32_t window;       // its first address, of the processor
     unsigned width;             // bits
     std::uint64_t decoded;      // bytes, after which the addresses repeat
-    std::string reads, writes;  // the slave that has those of no other
+    std::string reads, writes;  // the slave that has those of no other; empty: not known
 };
 
 struct Interconnect {

@@ -41,13 +41,18 @@ Port port_in(const pugi::xml_node& node, const fs::path& file) {
             width, width != 1};
 }
 
-}  // namespace
-
-std::optional<Component> component_in_sopcinfo(const fs::path& file, const Instance& instance) {
+pugi::xml_document document_of(const fs::path& file) {
     pugi::xml_document document;
     const std::string text = text_of(file);
     if (const pugi::xml_parse_result result = document.load_string(text.c_str()); !result)
         fail(file, std::string{"this is broken XML: "} + result.description());
+    return document;
+}
+
+}  // namespace
+
+std::optional<Component> component_in_sopcinfo(const fs::path& file, const Instance& instance) {
+    const pugi::xml_document document = document_of(file);
     for (const pugi::xml_node& module : document.document_element().children("module")) {
         if (module.attribute("name").value() != instance.name ||
             module.attribute("kind").value() != instance.kind)
@@ -74,6 +79,27 @@ std::optional<Component> component_in_sopcinfo(const fs::path& file, const Insta
         return component;
     }
     return {};
+}
+
+std::vector<Place> map_in_sopcinfo(const fs::path& file) {
+    const pugi::xml_document document = document_of(file);
+    std::vector<Place> map;
+    for (const pugi::xml_node& module : document.document_element().children("module")) {
+        if (std::string_view{module.attribute("kind").value()} != "altera_hps") continue;
+        const std::string processor = module.attribute("name").value();
+        for (const pugi::xml_node& master : module.children("interface"))
+            for (const pugi::xml_node& block : master.children("memoryBlock")) {
+                const std::string bridge = master.attribute("name").value();
+                if (bridge != "h2f_lw_axi_master" && bridge != "h2f_axi_master") continue;
+                map.push_back({processor + "." + bridge,
+                               block.child_value("moduleName") + std::string{"."} +
+                                   block.child_value("slaveName"),
+                               block.child("baseAddress").text().as_ullong(),
+                               block.child("span").text().as_ullong(), true, true,
+                               bridge == "h2f_axi_master" ? FULL : LIGHTWEIGHT});
+            }
+    }
+    return map;
 }
 
 }  // namespace sim::project::qsys

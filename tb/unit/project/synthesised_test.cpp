@@ -20,6 +20,8 @@ TEST(Synthesised, LeavesOutWhatStandsBetweenOffAndOn) {
               "a // synthesis translate_off\n             \n      \n"
               "  // synthesis translate_on\ne");
     EXPECT_EQ(as_synthesised("a /*pragma translate_off*/b"), "a /*pragma translate_off*/ ");
+    EXPECT_EQ(as_synthesised("`define F(r) /``* synopsys x `\"r`\" *``/ q\nb"),
+              "`define F(r)                            q\nb");
 }
 
 TEST(Synthesised, OrdersCountWhereTheirBranchIsTaken) {
