@@ -60,7 +60,7 @@ module de1sim_hps_axi #(
         integer n;
         begin
             first_byte = 4'd0;
-            for (n = 15; n >= 0; n = n - 1) if (enables[n]) first_byte = n;
+            for (n = 15; n >= 0; n = n - 1) if (enables[n]) first_byte = n[3:0];
         end
     endfunction
 
@@ -68,7 +68,7 @@ module de1sim_hps_axi #(
         integer n;
         begin
             last_byte = 4'd0;
-            for (n = 0; n < 16; n = n + 1) if (enables[n]) last_byte = n;
+            for (n = 0; n < 16; n = n + 1) if (enables[n]) last_byte = n[3:0];
         end
     endfunction
 

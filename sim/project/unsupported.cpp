@@ -44,7 +44,7 @@ std::optional<std::string> unsupported_module(const std::string& name) {
     const std::string low = lower(name);
     if (low.compare(0, 12, "cyclonev_hps") == 0 || has(low, "hps_io") || has(low, "altera_hps") ||
         has(low, "hps_fpga_interfaces") || has(low, "hps_sdram"))
-        return "the processor (HPS) is not there in a simulated project";
+        return "this part of the processor (HPS) cannot be simulated";
     if (has(low, "nios2") || has(low, "nios_ii") || low == "nios")
         return "a Nios processor cannot be simulated";
     return {};

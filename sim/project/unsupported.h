@@ -11,7 +11,8 @@ namespace sim::project {
 // "a schematic; ...", by the file's ending: Qsys systems, schematics, other languages, netlists.
 std::optional<std::string> unsupported_file(const std::filesystem::path& file);
 
-// "the processor (HPS) ...", by the name of a module that no file defines and no model is of.
+// "this part of the processor (HPS) ...", by the name of a module that neither a file defines nor a
+// model is of.
 std::optional<std::string> unsupported_module(const std::string& name);
 
 // Quartus' own models, by the file's name: altera_mf.v, 220model.v.
