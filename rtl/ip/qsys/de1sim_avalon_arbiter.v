@@ -8,10 +8,11 @@
 // verilator lint_off WIDTH
 
 module de1sim_avalon_arbiter #(
-    parameter                 MASTERS = 2,
-    parameter                 WIDTH   = 32,
-    parameter [8*MASTERS-1:0] SHARES  = {MASTERS{8'd1}},  // the first master's in bits 7:0
-    parameter                 BYTES   = WIDTH / 8
+    parameter                 MASTERS   = 2,
+    parameter                 WIDTH     = 32,
+    parameter [8*MASTERS-1:0] SHARES    = {MASTERS{8'd1}},  // the first master's in bits 7:0
+    parameter                 MOST_LOG2 = 7,                // of answers that are on their way
+    parameter                 BYTES     = WIDTH / 8
 ) (
     input  wire                     clk_i,
     input  wire                     rst_i,
@@ -56,11 +57,11 @@ module de1sim_avalon_arbiter #(
     end
 
     // ---- Who has asked for the answers that are on their way ----
-    localparam [7:0] MOST = 8'd128;
-    reg  [7:0] owners_q [0:127];
-    reg  [6:0] first_q = 0, last_q = 0;
-    reg  [7:0] pending_q = 0;
-    wire       taken = valid_o && ready_i;
+    localparam [MOST_LOG2:0] MOST = 1 << MOST_LOG2;
+    reg  [7:0]           owners_q [0:MOST-1];
+    reg  [MOST_LOG2-1:0] first_q = 0, end_q = 0;
+    reg  [MOST_LOG2:0]   pending_q = 0;
+    wire                 taken = valid_o && ready_i;
 
     assign valid_o   = found && pending_q != MOST;
     assign write_o   = write_i[turn];
@@ -85,15 +86,15 @@ module de1sim_avalon_arbiter #(
                 left_q <= left_q - {7'd0, taken};
         end
         if (taken) begin
-            owners_q[last_q] <= turn;
-            last_q           <= last_q + 7'd1;
+            owners_q[end_q] <= turn;
+            end_q           <= end_q + 1'b1;
         end
-        if (rvalid_i) first_q <= first_q + 7'd1;
-        pending_q <= pending_q + {7'd0, taken} - {7'd0, rvalid_i};
+        if (rvalid_i) first_q <= first_q + 1'b1;
+        pending_q <= pending_q + taken - rvalid_i;
         if (rst_i) begin
-            {first_q, last_q} <= 14'd0;
-            pending_q         <= 8'd0;
-            left_q            <= 8'd0;
+            {first_q, end_q} <= 0;
+            pending_q        <= 0;
+            left_q           <= 8'd0;
         end
     end
 // verilator lint_on WIDTH

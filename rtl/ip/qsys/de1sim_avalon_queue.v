@@ -1,9 +1,12 @@
-// de1sim_avalon_queue.v - a queue of 16 words from one clock to another
+// de1sim_avalon_queue.v - a queue of 2^DEPTH_LOG2 words from one clock to another
+//
+// Each side counts its words, and sees the other's count in Gray code through two registers.
 
 `default_nettype none
 
 module de1sim_avalon_queue #(
-    parameter WIDTH = 32
+    parameter WIDTH      = 32,
+    parameter DEPTH_LOG2 = 4
 ) (
     input  wire             clk_i,
     input  wire             valid_i,
@@ -15,22 +18,23 @@ module de1sim_avalon_queue #(
     input  wire             ready_i,
     output wire [WIDTH-1:0] data_o
 );
-    reg [WIDTH-1:0] words_q [0:15];
-    reg [4:0] written_q = 0, read_q = 0;                      // counts
-    reg [4:0] written_gray_q = 0, read_gray_q = 0;
-    reg [4:0] written_meta_q = 0, written_seen_q = 0;         // on to_clk_i
-    reg [4:0] read_meta_q = 0, read_seen_q = 0;               // on clk_i
+    localparam [DEPTH_LOG2:0] FULL = 3 << (DEPTH_LOG2 - 1);   // XOR of the codes when full
 
-    wire [4:0] written = written_q + {4'd0, valid_i && ready_o};
-    wire [4:0] read    = read_q + {4'd0, valid_o && ready_i};
+    reg [WIDTH-1:0] words_q [0:(1<<DEPTH_LOG2)-1];
+    reg [DEPTH_LOG2:0] written_q = 0, read_q = 0;
+    reg [DEPTH_LOG2:0] written_gray_q = 0, read_gray_q = 0;
+    reg [DEPTH_LOG2:0] written_meta_q = 0, written_seen_q = 0;   // on to_clk_i
+    reg [DEPTH_LOG2:0] read_meta_q = 0, read_seen_q = 0;         // on clk_i
 
-    // Full: the counts differ by 16, in Gray code in the two highest bits.
-    assign ready_o = written_gray_q != {~read_seen_q[4:3], read_seen_q[2:0]};
+    wire [DEPTH_LOG2:0] written = written_q + {{DEPTH_LOG2{1'b0}}, valid_i && ready_o};
+    wire [DEPTH_LOG2:0] read    = read_q + {{DEPTH_LOG2{1'b0}}, valid_o && ready_i};
+
+    assign ready_o = (written_gray_q ^ read_seen_q) != FULL;
     assign valid_o = read_gray_q != written_seen_q;
-    assign data_o  = words_q[read_q[3:0]];
+    assign data_o  = words_q[read_q[DEPTH_LOG2-1:0]];
 
     always @(posedge clk_i) begin
-        if (valid_i && ready_o) words_q[written_q[3:0]] <= data_i;
+        if (valid_i && ready_o) words_q[written_q[DEPTH_LOG2-1:0]] <= data_i;
         written_q                  <= written;
         written_gray_q             <= written ^ written >> 1;
         {read_seen_q, read_meta_q} <= {read_meta_q, read_gray_q};

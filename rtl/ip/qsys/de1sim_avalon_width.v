@@ -9,6 +9,7 @@
 module de1sim_avalon_width #(
     parameter FROM       = 32,  // bits of the master: 8, 16, ... 1024
     parameter TO         = 16,  // of the slave: another
+    parameter MOST_LOG2  = 7,   // of answers that are on their way
     parameter FROM_BYTES = FROM / 8,
     parameter TO_BYTES   = TO / 8
 ) (
@@ -34,17 +35,17 @@ module de1sim_avalon_width #(
     input  wire [TO-1:0]         rdata_i
 );
     localparam PARTS = FROM > TO ? FROM / TO : TO / FROM;
-    localparam [7:0] MOST = 8'd128;
+    localparam [MOST_LOG2:0] MOST = 1 << MOST_LOG2;
 
     // ---- The parts whose answers are on their way: which, and whether it is a command's last ----
-    reg  [7:0] parts_q [0:127];
-    reg        lasts_q [0:127];
-    reg  [6:0] first_q = 0, end_q = 0;
-    reg  [7:0] pending_q = 0;
-    wire       taken = valid_o && ready_i;
-    wire [7:0] part;
-    wire       last;
-    wire [7:0] answered = parts_q[first_q];
+    reg  [7:0]           parts_q [0:MOST-1];
+    reg                  lasts_q [0:MOST-1];
+    reg  [MOST_LOG2-1:0] first_q = 0, end_q = 0;
+    reg  [MOST_LOG2:0]   pending_q = 0;
+    wire                 taken = valid_o && ready_i;
+    wire [7:0]           part;
+    wire                 last;
+    wire [7:0]           answered = parts_q[first_q];
 
     assign write_o = write_i;
     assign valid_o = valid_i && pending_q != MOST;
@@ -54,13 +55,13 @@ module de1sim_avalon_width #(
         if (taken) begin
             parts_q[end_q] <= part;
             lasts_q[end_q] <= last;
-            end_q          <= end_q + 7'd1;
+            end_q          <= end_q + 1'b1;
         end
-        if (rvalid_i) first_q <= first_q + 7'd1;
-        pending_q <= pending_q + {7'd0, taken} - {7'd0, rvalid_i};
+        if (rvalid_i) first_q <= first_q + 1'b1;
+        pending_q <= pending_q + {{MOST_LOG2{1'b0}}, taken} - {{MOST_LOG2{1'b0}}, rvalid_i};
         if (rst_i) begin
-            {first_q, end_q} <= 14'd0;
-            pending_q        <= 8'd0;
+            {first_q, end_q} <= 0;
+            pending_q        <= 0;
         end
     end
 
@@ -95,7 +96,10 @@ module de1sim_avalon_width #(
                 if (taken)
                     done_q <= last ? {PARTS{1'b0}} : done_q | {{PARTS-1{1'b0}}, 1'b1} << next;
                 if (rvalid_i) rdata_q <= rvalid_o ? {FROM{1'b0}} : rdata;
-                if (rst_i) done_q <= {PARTS{1'b0}};
+                if (rst_i) begin
+                    done_q  <= {PARTS{1'b0}};
+                    rdata_q <= {FROM{1'b0}};
+                end
             end
         end else begin : wider
             wire [31:0] index = address_i / FROM_BYTES % PARTS;

@@ -1,0 +1,156 @@
+// avalon_arbiter_formal.v - one master at a time, each in its turn, and each has its own answers
+//
+// Three masters with 1, 2 and 3 shares, and two answers on their way at most.  A master keeps its
+// command until it is taken.  By 1-step induction.
+
+`default_nettype none
+
+module avalon_arbiter_formal (
+    input wire        clk_i,
+    input wire        rst_i,
+    input wire [2:0]  valid_i,
+    input wire [2:0]  write_i,
+    input wire [95:0] address_i,
+    input wire [23:0] wdata_i,
+    input wire [2:0]  be_i,
+    input wire        ready_i,
+    input wire        rvalid_i
+);
+    wire [2:0]  ready, rvalid;
+    wire        valid, write, be;
+    wire [31:0] address;
+    wire [7:0]  wdata;
+
+    de1sim_avalon_arbiter #(
+        .MASTERS(3), .WIDTH(8), .SHARES({8'd3, 8'd2, 8'd1}), .MOST_LOG2(1)
+    ) dut (
+        .clk_i(clk_i), .rst_i(rst_i), .valid_i(valid_i), .ready_o(ready), .write_i(write_i),
+        .address_i(address_i), .wdata_i(wdata_i), .be_i(be_i), .rvalid_o(rvalid),
+        .valid_o(valid), .ready_i(ready_i), .write_o(write), .address_o(address),
+        .wdata_o(wdata), .be_o(be), .rvalid_i(rvalid_i)
+    );
+
+    function [1:0] shares;
+        input [1:0] master;
+        shares = master + 2'd1;
+    endfunction
+
+    // ---- The reference ----
+    wire [7:0] dut__turn;
+    wire [1:0] turn = dut__turn[1:0];    // who has the slave in this clock, if it is asked at all
+    wire       taken = valid && ready_i;
+
+    reg        live = 1'b0;
+    reg        offered_q;                // a command that the slave has not taken
+    reg  [1:0] owner_q, second_q;        // of the oldest answer on its way, and of the next
+    reg  [1:0] owed_q;                   // answers on their way
+    reg  [1:0] who_q = 2'd0, run_q;      // whose turn it was last, and its commands in this turn
+    reg  [2:0] waits_q;                  // masters whose command was not taken
+    reg  [2:0] write_was, be_was;
+    reg [95:0] address_was;
+    reg [23:0] wdata_was;
+    reg  [3:0] waited_q [0:2];           // commands of others since a master began to wait
+    wire       new_turn = turn != who_q || run_q == shares(who_q);
+
+    integer n;
+    always @(posedge clk_i) begin
+        live      <= 1'b1;
+        offered_q <= valid && !ready_i && !rst_i;
+        if (rvalid_i) owner_q <= second_q;
+        if (taken && owed_q - {1'b0, rvalid_i} == 2'd0) owner_q <= turn;
+        if (taken && owed_q - {1'b0, rvalid_i} == 2'd1) second_q <= turn;
+        owed_q <= owed_q + {1'b0, taken} - {1'b0, rvalid_i};
+        if (valid) begin
+            who_q <= turn;
+            run_q <= {1'b0, taken} + (new_turn ? 2'd0 : run_q);
+        end
+        waits_q <= valid_i & ~ready;
+        {write_was, address_was, wdata_was, be_was} <= {write_i, address_i, wdata_i, be_i};
+        for (n = 0; n < 3; n = n + 1)
+            waited_q[n] <= !valid_i[n] || ready[n] ? 4'd0
+                           : waited_q[n] + {3'd0, taken && turn != n[1:0]};
+        if (rst_i) begin
+            owed_q  <= 2'd0;
+            waits_q <= 3'd0;
+            run_q   <= valid ? shares(turn) : shares(who_q);
+            for (n = 0; n < 3; n = n + 1) waited_q[n] <= 4'd0;
+        end
+    end
+
+    always @(*) begin
+        if (!live) assume (rst_i);
+        if (owed_q == 2'd0) assume (!rvalid_i);
+    end
+
+    wire [2:0] asked = 3'd1 << turn;
+    genvar m;
+    generate
+        for (m = 0; m < 3; m = m + 1) begin : master
+            always @(*) if (waits_q[m])
+                assume (valid_i[m] && write_i[m] == write_was[m] && be_i[m] == be_was[m]
+                        && address_i[32*m +: 32] == address_was[32*m +: 32]
+                        && wdata_i[8*m +: 8] == wdata_was[8*m +: 8]);
+        end
+    endgenerate
+
+    // ---- What must hold ----
+    always @(*) if (live) begin
+        a_one:     assert ((ready & valid_i) == (taken ? asked : 3'd0));
+        a_asked:   assert (!valid || (valid_i & asked) != 3'd0);
+        if (valid) a_command: assert (write == write_i[turn] && be == be_i[turn]
+                                      && address == address_i[32*turn +: 32]
+                                      && wdata == wdata_i[8*turn +: 8]);
+        if (valid_i != 3'd0 && owed_q != 2'd2) a_offers: assert (valid);
+        a_at_most: assert (owed_q != 2'd3);
+        if (offered_q) a_stable: assert (valid && turn == who_q);
+        a_answers: assert (rvalid == (rvalid_i ? 3'd1 << owner_q : 3'd0));
+        if (valid && turn != who_q)
+            a_keeps_its_turn: assert (!valid_i[who_q] || run_q == shares(who_q));
+        if (valid && turn == who_q && run_q == shares(who_q))
+            a_gives_its_turn: assert ((valid_i & ~asked) == 3'd0);
+        a_waits: assert (waited_q[0] <= 4'd5 && waited_q[1] <= 4'd4 && waited_q[2] <= 4'd3);
+    end
+
+    // ---- Invariants ----
+    wire [7:0] dut__turn_q, dut__left_q;
+    wire [1:0] dut__pending_q;
+    wire       dut__first_q, dut__end_q;
+    wire [7:0] dut__owners_q__0, dut__owners_q__1;
+
+    // Commands of others until the master has its turn, if all of them ask.
+    function [3:0] until_turn;
+        input [1:0] of;
+        case ({who_q, of})
+            4'b00_00: until_turn = dut__left_q != 8'd0 ? 4'd0 : 4'd5;
+            4'b01_00: until_turn = dut__left_q[3:0] + 4'd3;
+            4'b10_00: until_turn = dut__left_q[3:0];
+            4'b00_01: until_turn = dut__left_q[3:0];
+            4'b01_01: until_turn = dut__left_q != 8'd0 ? 4'd0 : 4'd4;
+            4'b10_01: until_turn = dut__left_q[3:0] + 4'd1;
+            4'b00_10: until_turn = dut__left_q[3:0] + 4'd2;
+            4'b01_10: until_turn = dut__left_q[3:0];
+            default:  until_turn = dut__left_q != 8'd0 ? 4'd0 : 4'd3;
+        endcase
+    endfunction
+
+    wire [7:0] head   = dut__first_q ? dut__owners_q__1 : dut__owners_q__0;
+    wire [7:0] behind = dut__first_q ? dut__owners_q__0 : dut__owners_q__1;
+
+    always @(*) i_turn: assert (dut__turn_q == {6'd0, who_q} && who_q != 2'd3);
+    always @(*) if (live) begin
+        i_pending: assert (dut__pending_q == owed_q);
+        i_end:     assert (dut__end_q == (dut__first_q ^ owed_q[0]));
+        if (owed_q != 2'd0) i_owner: assert (head == {6'd0, owner_q} && owner_q != 2'd3);
+        if (owed_q == 2'd2) i_second: assert (behind == {6'd0, second_q} && second_q != 2'd3);
+        i_left:    assert (dut__left_q == {6'd0, shares(who_q)} - {6'd0, run_q}
+                           && run_q <= shares(who_q));
+        if (offered_q) i_offered: assert (waits_q[who_q] && dut__left_q != 8'd0 && owed_q != 2'd2);
+        i_waited0: assert (waited_q[0] + until_turn(2'd0) <= 4'd5 || waited_q[0] == 4'd0);
+        i_waited1: assert (waited_q[1] + until_turn(2'd1) <= 4'd4 || waited_q[1] == 4'd0);
+        i_waited2: assert (waited_q[2] + until_turn(2'd2) <= 4'd3 || waited_q[2] == 4'd0);
+        i_waits:   assert ((waits_q[0] || waited_q[0] == 4'd0) && (waits_q[1] || waited_q[1] == 4'd0)
+                           && (waits_q[2] || waited_q[2] == 4'd0));
+    end
+endmodule
+
+`default_nettype wire

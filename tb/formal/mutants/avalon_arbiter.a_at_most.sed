@@ -1,0 +1,1 @@
+s/found \&\& pending_q != MOST/found/

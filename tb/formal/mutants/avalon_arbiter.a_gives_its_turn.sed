@@ -1,0 +1,1 @@
+s/left_q <= left_q - {7'd0, taken}/left_q <= left_q/

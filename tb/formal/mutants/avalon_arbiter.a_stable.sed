@@ -1,0 +1,1 @@
+s/if (valid_o) begin/if (taken) begin/

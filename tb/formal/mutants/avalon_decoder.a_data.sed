@@ -1,0 +1,1 @@
+s/assign rdata = slave\[n - 1\].rdata/assign rdata = {WIDTH{1'b0}}/

@@ -1,0 +1,1 @@
+s/pending_q == 8'd0 ||/pending_q == 8'd1 ||/

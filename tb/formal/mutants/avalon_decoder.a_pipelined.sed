@@ -1,0 +1,1 @@
+s/hit_i == slave_q/1'b0/

@@ -1,0 +1,1 @@
+s/= may \&\& (hit_i/= (hit_i/

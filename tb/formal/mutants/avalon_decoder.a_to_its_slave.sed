@@ -1,0 +1,1 @@
+s/= valid_i \&\& may ? hit_i/= may ? hit_i/

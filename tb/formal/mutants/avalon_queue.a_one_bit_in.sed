@@ -1,0 +1,1 @@
+s/written ^ written >> 1/written/

@@ -1,0 +1,1 @@
+s/read ^ read >> 1/read/

@@ -1,0 +1,1 @@
+s/words_q\[written_q/words_q[read_q/

@@ -1,0 +1,1 @@
+s/!= FULL/!= FULL \&\& read_seen_q == 0/

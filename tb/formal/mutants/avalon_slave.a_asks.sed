@@ -1,0 +1,1 @@
+s/acts \&\& !write_i \&\& clock_q >= SETUP/acts \&\& clock_q >= SETUP/

@@ -1,0 +1,1 @@
+s/acts \&\& clock_q == 8'd0/acts/

@@ -1,0 +1,1 @@
+s/byteenable_o    = be_i/byteenable_o    = ~be_i/

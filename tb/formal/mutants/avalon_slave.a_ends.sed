@@ -1,0 +1,1 @@
+s/= SETUP + READ_WAIT/= READ_WAIT/

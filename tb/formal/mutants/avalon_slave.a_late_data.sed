@@ -1,0 +1,1 @@
+s/data ? readdata_i/data ? ~readdata_i/

@@ -1,0 +1,1 @@
+s/line_q\[LATENCY-1\]/line_q[0]/

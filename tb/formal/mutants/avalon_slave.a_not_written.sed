@@ -1,0 +1,1 @@
+s/= runs \&\& known;/= runs;/

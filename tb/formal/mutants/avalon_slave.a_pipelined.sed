@@ -1,0 +1,1 @@
+s/: clock_q == last;/: clock_q == last + 8'd1;/

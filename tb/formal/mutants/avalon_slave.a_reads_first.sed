@@ -1,0 +1,1 @@
+s/(write_i || !known ? pending_q/(!known ? pending_q/

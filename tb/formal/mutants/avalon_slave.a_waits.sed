@@ -1,0 +1,1 @@
+s/clock_q >= SETUP \&\& !waitrequest_i/clock_q >= SETUP/

@@ -1,0 +1,1 @@
+s/data   = readdatavalid_i/data   = readdatavalid_i \&\& runs/

@@ -1,0 +1,1 @@
+s/ \&\& pending_q != MOST//

@@ -1,0 +1,1 @@
+s/wdata_i\[TO\*next +: TO\]/wdata_i[TO-1:0]/

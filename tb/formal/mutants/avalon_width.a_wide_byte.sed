@@ -1,0 +1,1 @@
+s/{PARTS{wdata_i}}/{{TO-FROM{1'b0}}, wdata_i}/

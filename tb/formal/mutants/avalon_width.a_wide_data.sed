@@ -1,0 +1,1 @@
+s/rdata_i\[FROM\*answered +: FROM\]/rdata_i[FROM-1:0]/

@@ -1,0 +1,1 @@
+s,address_i / TO_BYTES \* TO_BYTES,address_i,

@@ -1,0 +1,1 @@
+s/ready_i \&\& valid_o \&\& last/ready_i \&\& last/
