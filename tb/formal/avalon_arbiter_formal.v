@@ -148,7 +148,8 @@ module avalon_arbiter_formal (
         i_waited0: assert (waited_q[0] + until_turn(2'd0) <= 4'd5 || waited_q[0] == 4'd0);
         i_waited1: assert (waited_q[1] + until_turn(2'd1) <= 4'd4 || waited_q[1] == 4'd0);
         i_waited2: assert (waited_q[2] + until_turn(2'd2) <= 4'd3 || waited_q[2] == 4'd0);
-        i_waits:   assert ((waits_q[0] || waited_q[0] == 4'd0) && (waits_q[1] || waited_q[1] == 4'd0)
+        i_waits:   assert ((waits_q[0] || waited_q[0] == 4'd0)
+                           && (waits_q[1] || waited_q[1] == 4'd0)
                            && (waits_q[2] || waited_q[2] == 4'd0));
     end
 endmodule

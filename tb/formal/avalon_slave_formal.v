@@ -120,7 +120,8 @@ module avalon_slave_formal (
         a_command: assert ((~passes & (read | write)) == 3'd0);
 
         // Setup, three clocks of a read; setup, two of a write, hold.
-        a_setup:      assert (chipselect[0] == fixed_runs && begins[0] == (fixed_runs && age_q == 2'd0));
+        a_setup:      assert (chipselect[0] == fixed_runs
+                              && begins[0] == (fixed_runs && age_q == 2'd0));
         a_read_wait:  assert (read[0] == (fixed_runs && !write_i[0] && age_q != 2'd0));
         a_write_hold: assert (write[0] == (fixed_runs && write_i[0]
                                            && (age_q == 2'd1 || age_q == 2'd2)));

@@ -7,7 +7,8 @@ holds a copy of the project, as a clone would.
 
 A block ```text that comes next is what the commands print.  There "..." is any text within a line,
 and alone on a line any number of lines.  Exit code 1 and the difference if something else was
-printed, or if a command failed.  Other kinds of block are for the reader alone.
+printed, or if a command failed.  Exit code 77 where bwrap cannot confine hand-ins, with its reason.  Other kinds
+of block are for the reader alone.
 """
 import argparse
 import difflib
@@ -91,6 +92,10 @@ def main():
 
     chapter = list(blocks(arguments.readme.read_text()))
     code, outputs = run(chapter, arguments)
+    cannot = re.search(r"^.* bwrap, which cannot do it here: .*$", "\n".join(outputs), re.M)
+    if cannot:
+        print(cannot[0])
+        return 77
     wrong = 0
     for (commands, expected), actual in zip(chapter, outputs):
         actual = actual and actual.rstrip("\n") + "\n"
