@@ -10,6 +10,7 @@
 #include "sim/project/included_files.h"
 #include "sim/project/normalise.h"
 #include "sim/project/part_drivers.h"
+#include "sim/project/read_outputs.h"
 #include "sim/project/source.h"
 #include "sim/project/synthesised.h"
 #include "sim/project/tools.h"
@@ -139,6 +140,7 @@ CleanSources clean_sources(const SourceRequest& from) {
     for (const auto& [name, own] : modules) open_inputs.erase(name);  // not the model of that name
     const std::set<std::string> in_design = modules_of_design(modules, project.top);
     add_models(modules);
+    find_read_outputs(texts, modules);
     for (const SourceFile& file : project.sources) {
         const std::string name = file.path.lexically_relative(project.folder).string();
         if (file.language == SourceFile::Language::VHDL) continue;

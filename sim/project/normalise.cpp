@@ -13,6 +13,7 @@
 #include "sim/project/power_up.h"
 #include "sim/project/quartus/instance_checks.h"
 #include "sim/project/quartus/syntax.h"
+#include "sim/project/read_outputs.h"
 #include "sim/project/registers.h"
 #include "sim/project/reorder.h"
 #include "sim/project/sensitivity.h"
@@ -66,6 +67,7 @@ public:
         repeat_parameter_types(tokens_.all, edits_);
         tri_states_ = join_tri_states(tokens_, modules, edits_);
         enable_part_drivers(tokens_, modules, edits_);
+        make_inouts(tokens_.all, modules, edits_);
         make_registers(tokens_, edits_);
         complete_lists(tokens_, edits_);
         fit_inouts(tokens_.all, inout_fits, edits_);

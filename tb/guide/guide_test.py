@@ -7,8 +7,8 @@ holds a copy of the project, as a clone would.
 
 A block ```text that comes next is what the commands print.  There "..." is any text within a line,
 and alone on a line any number of lines.  Exit code 1 and the difference if something else was
-printed, or if a command failed.  Exit code 77 where bwrap cannot confine hand-ins, with its reason.  Other kinds
-of block are for the reader alone.
+printed, or if a command failed; 77 where bwrap cannot confine hand-ins, with its reason.  Other
+kinds of block are for the reader alone.
 """
 import argparse
 import difflib

@@ -351,6 +351,26 @@ endmodule
                    "release: {switch: 0}", "delay: 1us",
                    "expect-pins: {gpio_0: 3, level: high}")
 
+    def test_an_output_that_is_released_and_read(self):
+        """By an assignment, and by an instance of an instance with an inout."""
+        self.write(top_v="""\
+module pad(inout p, input low, output q); assign p = low ? 1'b0 : 1'bz; assign q = p; endmodule
+module master(scl, low, seen);
+output scl;
+input low;
+output seen;
+pad pad(.p(scl), .low(low), .q(seen));
+endmodule
+module top(input [9:0] SW, output FPGA_I2C_SCLK, output [9:0] LEDR, output wire PS2_CLK);
+master m(.scl(FPGA_I2C_SCLK), .low(SW[0]), .seen(LEDR[0]));
+assign PS2_CLK = SW[1] ? 1'b0 : 1'bz;
+assign LEDR[9:1] = PS2_CLK;
+endmodule
+""")
+        self.plays('expect-leds: "0000000011"', "hold: {switch: 0}", "delay: 1us",
+                   'expect-leds: "0000000010"', "hold: {switch: 1}", "delay: 1us",
+                   'expect-leds: "0000000000"')
+
     def test_two_buffers_take_turns_on_a_pin_and_on_a_part_of_a_bus(self):
         self.write(top_v="""\
 module top(input [9:0] SW, output [9:0] LEDR);
