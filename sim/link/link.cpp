@@ -35,9 +35,9 @@ constexpr std::size_t MOST_REGIONS = 8;  // KMOD_REGIONS of sw/kmod/nodes.h
 
 // The program's calls that kmod.c looks at.  libc has the second of a name for files or times of
 // 64 bits.
-constexpr const char* WRAPPED[] = {"main", "open",           "open64", "close",
-                                   "read", "write",          "ioctl",  "lseek",
-                                   "mmap", "__ioctl_time64", "mmap64", "lseek64"};
+constexpr const char* WRAPPED[] = {"main",    "open",           "open64", "close",  "read",
+                                   "write",   "ioctl",          "lseek",  "mmap",   "fopen",
+                                   "fopen64", "__ioctl_time64", "mmap64", "lseek64"};
 
 bool is_module(const fs::path& file) {
     if (file.extension() != ".c") return false;

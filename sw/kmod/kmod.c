@@ -25,7 +25,7 @@
 int __real_open(const char* path, int flags, ...);
 int __real_close(int descriptor);
 
-enum { MODULES = 32, DEVICES = 64, DRIVERS = 32, FILES = 64, NAME = 64 };
+enum { MODULES = 32, DEVICES = 64, DRIVERS = 32, FILES = 64, NAME = 128 };
 
 int printk(const char* format, ...) {
     char text[1024];
@@ -258,10 +258,10 @@ void memset_io(volatile void* to, int value, size_t n) {
     for (size_t i = 0; i < n; ++i) iowrite8((u8)value, (volatile u8*)to + i);
 }
 
-// ---- Files in /dev ----
+// ---- Files in /dev and /sys ----
 
 static struct {
-    char name[NAME];  // behind /dev/; empty: none
+    char name[NAME];  // behind /dev/, or a path in /sys; empty: none
     const struct file_operations* ops;
     struct inode inode;
     struct device device;
@@ -305,7 +305,9 @@ int misc_register(struct miscdevice* device) {
     const int n = add_device(device->nodename ? device->nodename : device->name, device->fops,
                              MKDEV(10, device->minor));
     if (n < 0) return n;
+    static struct class misc = {"misc"};
     device->this_device = &devices[n].device;
+    devices[n].device.class = &misc;
     devices[n].inode.i_private = device;
     return 0;
 }
@@ -386,7 +388,7 @@ void class_destroy(struct class* c) { free(c); }
 
 struct device* device_create(struct class* c, struct device* parent, kmod_dev_t dev, void* data,
                              const char* format, ...) {
-    (void)c, (void)parent;
+    (void)parent;
     char name[NAME];
     va_list list;
     va_start(list, format);
@@ -397,6 +399,7 @@ struct device* device_create(struct class* c, struct device* parent, kmod_dev_t 
             devices[n].name[0] = '\0';
     const int n = add_device(name, NULL, dev);
     if (n < 0) return error_pointer(-n);
+    devices[n].device.class = c;
     devices[n].device.driver_data = data;
     return &devices[n].device;
 }
@@ -419,6 +422,130 @@ loff_t default_llseek(struct file* f, loff_t offset, int whence) {
     f->f_pos = whence == SEEK_CUR ? f->f_pos + offset : offset;
     return f->f_pos;
 }
+
+ssize_t simple_read_from_buffer(void* to, size_t n, loff_t* at, const void* from,
+                                size_t available) {
+    if (*at < 0) return -EINVAL;
+    if ((size_t)*at >= available) return 0;
+    if (n > available - (size_t)*at) n = available - (size_t)*at;
+    memcpy(to, (const char*)from + *at, n);
+    *at += (loff_t)n;
+    return (ssize_t)n;
+}
+ssize_t simple_write_to_buffer(void* to, size_t available, loff_t* at, const void* from, size_t n) {
+    if (*at < 0) return -EINVAL;
+    if ((size_t)*at >= available) return 0;
+    if (n > available - (size_t)*at) n = available - (size_t)*at;
+    memcpy((char*)to + *at, from, n);
+    *at += (loff_t)n;
+    return (ssize_t)n;
+}
+
+// ---- Attributes ----
+
+struct bus_type platform_bus_type = {"platform"};
+
+static struct entry {
+    struct device_driver* driver;  // one of the two
+    struct device* device;
+    const struct attribute* attribute;
+    const struct driver_attribute* of_driver;
+    const struct device_attribute* of_device;
+} entries[DEVICES];
+
+// What Linux lets nobody do: read an attribute that cannot show itself, or write one that keeps
+// nothing.
+static int open_attribute(struct inode* inode, struct file* f) {
+    const struct entry* e = inode->i_private;
+    const bool shows = e->driver ? e->of_driver->show != NULL : e->of_device->show != NULL;
+    const bool stores = e->driver ? e->of_driver->store != NULL : e->of_device->store != NULL;
+    const unsigned way = f->f_flags & O_ACCMODE;
+    if (way != O_WRONLY && !(shows && e->attribute->mode & 0444)) return -EACCES;
+    if (way != O_RDONLY && !(stores && e->attribute->mode & 0222)) return -EACCES;
+    return 0;
+}
+
+static ssize_t read_attribute(struct file* f, char* to, size_t n, loff_t* at) {
+    const struct entry* e = f->private_data;
+    char page[4096] = {0};
+    const ssize_t length =
+        e->driver ? e->of_driver->show(e->driver, page)
+                  : e->of_device->show(e->device, (struct device_attribute*)e->of_device, page);
+    return length < 0 ? length : simple_read_from_buffer(to, n, at, page, (size_t)length);
+}
+
+static ssize_t write_attribute(struct file* f, const char* from, size_t n, loff_t* at) {
+    (void)at;
+    const struct entry* e = f->private_data;
+    char page[4096];
+    if (n >= sizeof page) n = sizeof page - 1;
+    memcpy(page, from, n);
+    page[n] = '\0';
+    return e->driver
+               ? e->of_driver->store(e->driver, page, n)
+               : e->of_device->store(e->device, (struct device_attribute*)e->of_device, page, n);
+}
+
+static const struct file_operations attribute_ops = {
+    .open = open_attribute, .read = read_attribute, .write = write_attribute};
+
+static int add_attribute(const char* folder, struct entry entry) {
+    char path[NAME];
+    snprintf(path, sizeof path, "%s/%s", folder, entry.attribute->name);
+    struct entry* e = entries;
+    while (e < entries + DEVICES && e->attribute) ++e;
+    if (e == entries + DEVICES) return -ENOMEM;
+    const int n = add_device(path, &attribute_ops, 0);
+    if (n < 0) return n;
+    *e = entry;
+    devices[n].inode.i_private = e;
+    return 0;
+}
+
+static void remove_attribute(const void* of, const struct attribute* attribute) {
+    for (unsigned n = 0; n < DEVICES; ++n) {
+        struct entry* e = devices[n].inode.i_private;
+        if (!devices[n].name[0] || devices[n].ops != &attribute_ops || e->attribute != attribute ||
+            (of != e->driver && of != e->device))
+            continue;
+        devices[n].name[0] = '\0';
+        e->attribute = NULL;
+    }
+}
+
+int driver_register(struct device_driver* driver) { return driver->name ? 0 : -EINVAL; }
+void driver_unregister(struct device_driver* driver) { (void)driver; }
+
+int driver_create_file(struct device_driver* driver, const struct driver_attribute* attribute) {
+    char folder[NAME];
+    snprintf(folder, sizeof folder, "/sys/bus/%s/drivers/%s",
+             driver->bus ? driver->bus->name : platform_bus_type.name, driver->name);
+    return add_attribute(
+        folder,
+        (struct entry){.driver = driver, .attribute = &attribute->attr, .of_driver = attribute});
+}
+void driver_remove_file(struct device_driver* driver, const struct driver_attribute* attribute) {
+    remove_attribute(driver, &attribute->attr);
+}
+
+int device_create_file(struct device* device, const struct device_attribute* attribute) {
+    char folder[NAME];
+    struct resource r = {0};
+    of_address_to_resource(device->of_node, 0, &r);
+    if (device->class)
+        snprintf(folder, sizeof folder, "/sys/class/%s/%s", device->class->name, dev_name(device));
+    else
+        snprintf(folder, sizeof folder, "/sys/bus/platform/devices/%x.%s", r.start,
+                 dev_name(device));
+    return add_attribute(
+        folder,
+        (struct entry){.device = device, .attribute = &attribute->attr, .of_device = attribute});
+}
+void device_remove_file(struct device* device, const struct device_attribute* attribute) {
+    remove_attribute(device, &attribute->attr);
+}
+
+// ---- What the program calls ----
 
 // What a system call returns.
 static long answer(long result) {
@@ -469,8 +596,12 @@ static int open_device(unsigned device, int flags) {
 
 // The device of that path; DEVICES: none.
 static unsigned device_at(const char* path) {
-    unsigned n = strncmp(path, "/dev/", 5) == 0 ? 0 : DEVICES;
-    while (n < DEVICES && !(devices[n].name[0] && strcmp(devices[n].name, path + 5) == 0)) ++n;
+    if (strncmp(path, "/dev/", 5) == 0)
+        path += 5;
+    else if (strncmp(path, "/sys/", 5) != 0)
+        return DEVICES;
+    unsigned n = 0;
+    while (n < DEVICES && !(devices[n].name[0] && strcmp(devices[n].name, path) == 0)) ++n;
     return n;
 }
 
@@ -514,6 +645,49 @@ ssize_t __wrap_write(int descriptor, const void* from, size_t n) {
     return answer(f->f_op->write ? f->f_op->write(f, from, n, &f->f_pos) : -EINVAL);
 }
 
+#define LSEEK(name, type)                                                            \
+    type __real_##name(int descriptor, type offset, int whence);                     \
+    type __wrap_##name(int descriptor, type offset, int whence) {                    \
+        struct file* f = file_of(descriptor);                                        \
+        if (!f) return __real_##name(descriptor, offset, whence);                    \
+        return (type)answer(                                                         \
+            (long)(f->f_op->llseek ? f->f_op->llseek(f, offset, whence) : -ESPIPE)); \
+    }
+LSEEK(lseek, long)
+LSEEK(lseek64, int64_t)
+
+// As a stream, whose reads and writes are those of the file.
+static ssize_t read_stream(void* cookie, char* to, size_t n) {
+    return __wrap_read((int)(intptr_t)cookie, to, n);
+}
+static ssize_t write_stream(void* cookie, const char* from, size_t n) {
+    const ssize_t written = __wrap_write((int)(intptr_t)cookie, from, n);
+    return written < 0 ? 0 : written;
+}
+static int seek_stream(void* cookie, int64_t* offset, int whence) {
+    const int64_t at = __wrap_lseek64((int)(intptr_t)cookie, *offset, whence);
+    if (at < 0) return -1;
+    *offset = at;
+    return 0;
+}
+static int close_stream(void* cookie) { return __wrap_close((int)(intptr_t)cookie); }
+
+#define FOPEN(name)                                                                         \
+    FILE* __real_##name(const char* path, const char* mode);                                \
+    FILE* __wrap_##name(const char* path, const char* mode) {                               \
+        const unsigned device = device_at(path);                                            \
+        if (device == DEVICES) return __real_##name(path, mode);                            \
+        const int descriptor = open_device(device, strchr(mode, '+') ? O_RDWR               \
+                                                   : mode[0] == 'r'  ? O_RDONLY             \
+                                                                     : O_WRONLY);            \
+        if (descriptor < 0) return NULL;                                                    \
+        return fopencookie(                                                                 \
+            (void*)(intptr_t)descriptor, mode,                                              \
+            (cookie_io_functions_t){read_stream, write_stream, seek_stream, close_stream}); \
+    }
+FOPEN(fopen)
+FOPEN(fopen64)
+
 #define IOCTL(name)                                                                      \
     int __real_##name(int descriptor, unsigned long request, ...);                       \
     int __wrap_##name(int descriptor, unsigned long request, ...) {                      \
@@ -529,17 +703,6 @@ ssize_t __wrap_write(int descriptor, const void* from, size_t n) {
     }
 IOCTL(ioctl)
 IOCTL(__ioctl_time64)
-
-#define LSEEK(name, type)                                                            \
-    type __real_##name(int descriptor, type offset, int whence);                     \
-    type __wrap_##name(int descriptor, type offset, int whence) {                    \
-        struct file* f = file_of(descriptor);                                        \
-        if (!f) return __real_##name(descriptor, offset, whence);                    \
-        return (type)answer(                                                         \
-            (long)(f->f_op->llseek ? f->f_op->llseek(f, offset, whence) : -ESPIPE)); \
-    }
-LSEEK(lseek, long)
-LSEEK(lseek64, int64_t)
 
 // ---- A device's memory in the program ----
 

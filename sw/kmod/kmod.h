@@ -2,15 +2,16 @@
 //
 // `de1sim link` compiles a module against this file in place of the kernel's headers, and links it
 // with the program that uses it and with kmod.c.  Names, arguments and results are the kernel's.
-// The program's open("/dev/NAME"), ioctl, read, write, lseek, mmap and close go to the module.
+// The program's open("/dev/NAME"), fopen, ioctl, read, write, lseek, mmap and close go to the module,
+// and open and fopen of its attributes in /sys.
 //
 // The processor's memory and the program's are the same here, so copy_from_user() copies; registers
 // are mapped from /dev/mem, so ioread32() loads.  A device is found by its `compatible`, in the
 // table that `de1sim link` makes of the Platform Designer system.
 //
-// Not handled: interrupts, wait queues, kernel threads, timers and work queues, sysfs and procfs,
-// DMA, clocks: a module that calls such a function does not compile.  Parameters of a module keep
-// their default values.  fopen() and C++ streams of /dev/NAME do not reach the module.
+// Not handled: interrupts, wait queues, kernel threads, timers and work queues, procfs, groups of
+// attributes, DMA, clocks: a module that calls such a function does not compile.  Parameters of a
+// module keep their default values.  C++ streams of /dev/NAME do not reach the module.
 #ifndef DE1SIM_KMOD_H
 #define DE1SIM_KMOD_H
 
@@ -244,7 +245,7 @@ static inline void module_put(struct module* m) { (void)m; }
 
 // ---- Memory ----
 
-enum { GFP_KERNEL = 1, GFP_ATOMIC = 2, __GFP_ZERO = 4 };
+enum { GFP_KERNEL = 1, GFP_ATOMIC = 2, __GFP_ZERO = 4, GFP_DMA = 8 };
 enum { VERIFY_READ, VERIFY_WRITE };
 #define access_ok(...) 1
 unsigned long copy_from_user(void* to, const void* from, unsigned long n);

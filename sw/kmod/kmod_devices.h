@@ -10,14 +10,20 @@ struct of_device_id {
     char name[32], type[32], compatible[128];
     const void* data;
 };
+struct bus_type {
+    const char* name;
+};
+extern struct bus_type platform_bus_type;
 struct device_driver {
     const char* name;
+    struct bus_type* bus;
     struct module* owner;
     const struct of_device_id* of_match_table;
-    void* bus;
 };
+struct class;
 struct device {
     struct device* parent;
+    struct class* class;
     struct device_node* of_node;
     void *driver_data, *platform_data;
     struct device_driver* driver;
@@ -197,6 +203,10 @@ loff_t noop_llseek(struct file* f, loff_t offset, int whence);
 loff_t no_llseek(struct file* f, loff_t offset, int whence);
 loff_t default_llseek(struct file* f, loff_t offset, int whence);
 
+// Of a buffer of `available` bytes, from *at on, which moves: how many were copied.
+ssize_t simple_read_from_buffer(void* to, size_t n, loff_t* at, const void* from, size_t available);
+ssize_t simple_write_to_buffer(void* to, size_t available, loff_t* at, const void* from, size_t n);
+
 #define MISC_DYNAMIC_MINOR 255
 struct miscdevice {
     int minor;
@@ -234,6 +244,44 @@ struct device* device_create(struct class* c, struct device* parent, kmod_dev_t 
                              const char* format, ...);
 void device_destroy(struct class* c, kmod_dev_t dev);
 
+// ---- Attributes: files in /sys ----
+//
+// /sys/bus/platform/drivers/DRIVER/NAME of a driver; /sys/class/CLASS/DEVICE/NAME of a device that
+// has a file in /dev, /sys/bus/platform/devices/ADDRESS.DEVICE/NAME of another.
+
+struct attribute {
+    const char* name;
+    umode_t mode;
+};
+struct driver_attribute {
+    struct attribute attr;
+    ssize_t (*show)(struct device_driver*, char* page);
+    ssize_t (*store)(struct device_driver*, const char* from, size_t n);
+};
+struct device_attribute {
+    struct attribute attr;
+    ssize_t (*show)(struct device*, struct device_attribute*, char* page);
+    ssize_t (*store)(struct device*, struct device_attribute*, const char* from, size_t n);
+};
+#define __ATTR(name_, mode_, show_, store_) \
+    { {#name_, mode_}, show_, store_ }
+#define DRIVER_ATTR(name, mode, show, store) \
+    struct driver_attribute driver_attr_##name = __ATTR(name, mode, show, store)
+#define DRIVER_ATTR_RW(name) DRIVER_ATTR(name, 0644, name##_show, name##_store)
+#define DRIVER_ATTR_RO(name) DRIVER_ATTR(name, 0444, name##_show, NULL)
+#define DRIVER_ATTR_WO(name) DRIVER_ATTR(name, 0200, NULL, name##_store)
+#define DEVICE_ATTR(name, mode, show, store) \
+    struct device_attribute dev_attr_##name = __ATTR(name, mode, show, store)
+#define DEVICE_ATTR_RW(name) DEVICE_ATTR(name, 0644, name##_show, name##_store)
+#define DEVICE_ATTR_RO(name) DEVICE_ATTR(name, 0444, name##_show, NULL)
+#define DEVICE_ATTR_WO(name) DEVICE_ATTR(name, 0200, NULL, name##_store)
+int driver_register(struct device_driver* driver);
+void driver_unregister(struct device_driver* driver);
+int driver_create_file(struct device_driver* driver, const struct driver_attribute* attribute);
+void driver_remove_file(struct device_driver* driver, const struct driver_attribute* attribute);
+int device_create_file(struct device* device, const struct device_attribute* attribute);
+void device_remove_file(struct device* device, const struct device_attribute* attribute);
+
 #ifndef KMOD_RUNTIME
 enum {
     O_RDONLY = 0,
@@ -246,6 +294,10 @@ enum {
     SEEK_END = 2,
     S_IRUSR = 0400,
     S_IWUSR = 0200,
+    S_IRGRP = 0040,
+    S_IWGRP = 0020,
+    S_IROTH = 0004,
+    S_IWOTH = 0002,
     S_IRUGO = 0444,
     S_IWUGO = 0222
 };

@@ -218,6 +218,52 @@ module_exit(stop);
 MODULE_LICENSE("GPL");
 """
 
+# By attributes alone.
+ATTRIBUTES = """#include <linux/module.h>
+#include <linux/device.h>
+#include <linux/platform_device.h>
+#include <linux/miscdevice.h>
+#include <linux/fs.h>
+#include <linux/io.h>
+static void *base;
+static char text[] = "a text";
+static struct device_driver driver = {.name = "dial", .bus = &platform_bus_type};
+static ssize_t value_show(struct device_driver *d, char *to)
+{ return sprintf(to, "%u\\n", ioread32(base)); }
+static ssize_t value_store(struct device_driver *d, const char *from, size_t n)
+{
+    unsigned value;
+    if (kstrtouint(from, 0, &value)) return -EINVAL;
+    iowrite32(value, base);
+    return n;
+}
+static DRIVER_ATTR(value, S_IRUGO | S_IWUSR, value_show, value_store);
+static ssize_t last_show(struct device *d, struct device_attribute *a, char *to)
+{ return sprintf(to, "%u", ioread32(base + 12)); }
+static DEVICE_ATTR_RO(last);
+static ssize_t r(struct file *f, char __user *to, size_t n, loff_t *at)
+{ return simple_read_from_buffer(to, n, at, text, sizeof text - 1); }
+static ssize_t w(struct file *f, const char __user *from, size_t n, loff_t *at)
+{ return simple_write_to_buffer(text, sizeof text - 1, at, from, n); }
+static struct file_operations ops = {.read = r, .write = w};
+static struct miscdevice misc = {MISC_DYNAMIC_MINOR, "dialtext", &ops};
+static int __init start(void)
+{
+    base = ioremap(0xFF200100, 16);
+    iowrite32(77, base + 12);
+    if (driver_register(&driver) || driver_create_file(&driver, &driver_attr_value)) return -EBUSY;
+    return misc_register(&misc) || device_create_file(misc.this_device, &dev_attr_last);
+}
+static void __exit stop(void)
+{
+    driver_remove_file(&driver, &driver_attr_value);
+    driver_unregister(&driver);
+}
+module_init(start);
+module_exit(stop);
+MODULE_LICENSE("GPL");
+"""
+
 TOP = """module top(input CLOCK_50, output [9:0] LEDR);
 sys system(.clk_clk(CLOCK_50), .reset_reset_n(1'b1), .shown_export(LEDR));
 endmodule
@@ -313,6 +359,41 @@ int main(void) {
 }
 """)
         self.linked("words.c", "main.c")
+        self.shows(0x155, "done")
+
+    def test_attributes_and_streams(self):
+        self.write(sys_c=ATTRIBUTES, main_c="""#include <errno.h>
+#include <fcntl.h>
+#include <stdio.h>
+#include <string.h>
+#include <unistd.h>
+#define VALUE "/sys/bus/platform/drivers/dial/value"
+#define LAST "/sys/class/misc/dialtext/last"
+#define CHECK(what) if (!(what)) { printf("line %d: %d\\n", __LINE__, errno); return 1; }
+int main(void) {
+    unsigned value = 0;
+    char line[20] = "";
+    FILE *f = fopen(VALUE, "w");
+    CHECK(f && fprintf(f, "%d", 0x155) > 0 && fclose(f) == 0);
+    f = fopen(VALUE, "r");
+    CHECK(f && fscanf(f, "%u", &value) == 1 && value == 0x155 && fclose(f) == 0);
+    int fd = open(VALUE, O_RDWR);
+    CHECK(fd >= 0 && write(fd, "x", 1) == -1 && errno == EINVAL);
+    CHECK(read(fd, line, sizeof line) == 4 && strcmp(line, "341\\n") == 0);
+    CHECK(close(fd) == 0);
+    CHECK(open(LAST, O_WRONLY) == -1 && errno == EACCES);
+    f = fopen(LAST, "r");
+    CHECK(f && fgets(line, sizeof line, f) && strcmp(line, "77") == 0 && fclose(f) == 0);
+    f = fopen("/dev/dialtext", "r+");
+    CHECK(f && fputs("the", f) >= 0 && fflush(f) == 0 && fgets(line, sizeof line, f));
+    CHECK(strcmp(line, "ext") == 0 && fclose(f) == 0);
+    CHECK(!fopen("/sys/bus/platform/drivers/dial/other", "r"));
+    printf("done\\n");
+    fflush(stdout);
+    for (;;) usleep(1000);
+}
+""")
+        self.linked("sys.c", "main.c")
         self.shows(0x155, "done")
 
     def test_a_module_that_finds_no_device_says_what_there_is(self):
