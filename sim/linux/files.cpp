@@ -1,6 +1,7 @@
 #include "sim/linux/files.h"
 
 #include <fcntl.h>
+#include <sys/mman.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -65,15 +66,20 @@ LinuxFiles::LinuxFiles(const std::filesystem::path& root, const std::filesystem:
                 root.string() + ": cannot open as the program's root: " + std::strerror(errno)};
     }
     auto in = std::make_shared<File>(File{File::Kind::CONSOLE, arm_open::RDONLY});
-    if (!input.empty()) {
+    if (input == "/dev/null") {
+        in->kind = File::Kind::HOST;
+        in->host = std::make_shared<Handle>(memfd_create("empty", MFD_CLOEXEC));
+    } else if (!input.empty()) {
         in->kind = File::Kind::HOST;
         in->host = std::make_shared<Handle>(
             ::open(input.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY));
-        const int error = in->host->fd() < 0 ? errno : -host_status(in->host->fd()).first;
-        const bool folder = std::filesystem::is_directory(input);
-        if (error || folder)
+        const int error = in->host->fd() < 0 ? errno : 0;
+        if (error || !std::filesystem::is_regular_file(input))
             throw std::runtime_error{input.string() + ": cannot be standard input: " +
-                                     (folder ? "is a folder" : std::strerror(error))};
+                                     (error ? std::strerror(error)
+                                      : std::filesystem::is_directory(input)
+                                          ? "is a folder"
+                                          : "is a pipe or a device, expected a file")};
     }
     add(std::move(in), 0, false);
     const auto out = std::make_shared<File>(File{File::Kind::CONSOLE, arm_open::WRONLY});

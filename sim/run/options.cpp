@@ -88,8 +88,9 @@ void add_run_options(CLI::App& command, RunOptions& options) {
         ->capture_default_str();
     command
         .add_option("--project", options.project.place,
-                    "a Quartus project (.qsf, .qpf) or a folder of Verilog as the chip's content,\n"
-                    "which then has no processor; built first if it has changed")
+                    "a Quartus project (.qsf, .qpf) or a folder of Verilog as the chip's content;\n"
+                    "its Platform Designer system brings the processor, if it has one; built\n"
+                    "first if it has changed")
         ->check(named);
     add_project_options(command, options.project);
     command.add_flag_function(

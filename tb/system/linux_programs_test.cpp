@@ -115,6 +115,8 @@ TEST_F(LinuxProgram, ReadsItsInputFromAFile) {
     EXPECT_EQ(console(),
               "Number? squared 25 (no terminal)\nNumber? squared 49 (no terminal)\n"
               "Number? no more\n");
+    EXPECT_EQ(linux_run("asks", {}, {"--stdin", "/dev/null"}).exit_code, 0);
+    EXPECT_EQ(console(), "Number? no more\n");
 }
 
 TEST_F(LinuxProgram, TakesCharactersAsTheyComeWhenItAsksTheTerminalTo) {
@@ -275,6 +277,8 @@ TEST_F(LinuxProgram, RefusesOptionsThatAreNotForItsSystem) {
             "none: cannot be standard input: No such file or directory");
     refused(linux_run("hello", {}, {"--stdin", folder.path()}),
             ": cannot be standard input: is a folder");
+    refused(linux_run("hello", {}, {"--stdin", "/dev/zero"}),
+            "/dev/zero: cannot be standard input: is a pipe or a device, expected a file");
     refused(play("s.yaml", {"--", "x"}), "--: is for --cpu arm");
     refused(play("s.yaml", {"--system", "linux"}), "--system: is for --cpu arm");
     refused(linux_run("hello", {}, {"--linux-root", folder / "none"}),
