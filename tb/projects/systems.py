@@ -64,8 +64,10 @@ class SystemCase(Case):
                              f"int main(void) {{\n{body}\nfor (;;) {{}}\n}}\n")
         subprocess.run([*GCC, "program.c", "-o", "program.elf"], cwd=self.folder, check=True)
 
-    def shows(self, leds, *words):
-        self.write(s_yaml='name: s\nversion: 1\nprogram: program.elf\nproject: top.qsf\nsteps:\n'
+    def shows(self, leds, *words, steps=()):
+        """After the steps."""
+        self.write(s_yaml='name: s\nversion: 1\nprogram: program.elf\nproject: top.qsf\nsteps:\n' +
+                          "".join(f"  - {step}\n" for step in steps) +
                           f'  - expect-leds: {{equals: "{leds:010b}", timeout: 100ms}}\n')
         done = self.de1sim("run", "s.yaml", *words)
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)

@@ -26,6 +26,50 @@ add_interface_port s readdata readdata Output {width}
 {ports}
 """
 
+APB_TCL = """package require -exact qsys 16.1
+set_module_property NAME {name}
+add_parameter BYTES INTEGER 4
+add_fileset QUARTUS_SYNTH QUARTUS_SYNTH "" ""
+set_fileset_property QUARTUS_SYNTH TOP_LEVEL {name}
+add_fileset_file {name}.v VERILOG PATH {name}.v TOP_LEVEL_FILE
+add_interface clock clock end
+add_interface_port clock clk clk Input 1
+add_interface reset reset end
+set_interface_property reset associatedClock clock
+add_interface_port reset reset reset Input 1
+add_interface s apb end
+set_interface_property s associatedClock clock
+set_interface_property s associatedReset reset
+add_interface_port s paddr paddr Input 6
+add_interface_port s psel psel Input 1
+add_interface_port s penable penable Input 1
+add_interface_port s pwrite pwrite Input 1
+add_interface_port s pwdata pwdata Input 8*bytes
+add_interface_port s prdata prdata Output 32
+{pready}
+"""
+APB_V = """module {name}(input clk, input reset, input [5:0] paddr, input psel, input penable,
+                      input pwrite, input [31:0] pwdata, output [31:0] prdata {pready});
+    reg [31:0] words [0:14];
+    reg [38:0] was_q;
+    reg [7:0]  wrong_q = 0;
+    reg [1:0]  waits_q = 0;
+    reg        selected_q = 0, ended_q = 0;
+    wire       ends = psel && penable && {done};
+    {ready}
+    assign prdata = !ends ? 32'hdeadbeef : paddr == 60 ? wrong_q : words[paddr[5:2]];
+    always @(posedge clk) begin
+        selected_q <= psel && !ends;
+        was_q      <= {{paddr, pwrite, pwrite ? pwdata : 32'd0}};
+        waits_q    <= ends || !penable ? 2'd0 : waits_q + 2'd1;
+        if (ends && pwrite) words[paddr[5:2]] <= pwdata;
+        if (penable != (psel && selected_q)
+            || selected_q && (!psel || was_q != {{paddr, pwrite, pwrite ? pwdata : 32'd0}}))
+            wrong_q <= wrong_q + 8'd1;
+    end
+endmodule
+"""
+
 
 class Systems(SystemCase):
     # ---- What runs --------------------------------------------------------
@@ -96,6 +140,32 @@ for (uint32_t n = 0; n < {16 * bytes_ // (size // 8)}; ++n)
 """
         self.with_leds(modules, wires, **files)
         self.program(body + "R32(0xFF200000) = bad ? bad : 0x3FF;")
+        self.shows(0x3FF)
+
+    def test_an_apb_slave(self):
+        """Its last word counts what APB does not allow; each access waits for 0 to 3 clocks.
+
+        The width of its data is a parameter's, whose name is written in small letters.
+        """
+        for name, waits in (("apb", True), ("prompt", False)):
+            self.write(**{f"{name}_hw_tcl": APB_TCL.format(
+                name=name, pready="add_interface_port s pready pready Output 1" if waits else ""),
+                          f"{name}_v": APB_V.format(
+                name=name, pready=", output pready" if waits else "",
+                ready="assign pready = waits_q == paddr[3:2];" if waits else "",
+                done="pready" if waits else "1'b1")})
+        self.with_leds([("a", "apb", {}), ("b", "prompt", {})],
+                       [("avalon", LW, "a.s", 0x100), ("avalon", FULL, "b.s", 0x200)]
+                       + [(kind, f"clk_0.{of}", f"{name}.{to}") for name in "ab"
+                          for kind, of, to in (("clock", "clk", "clock"),
+                                               ("reset", "clk_reset", "reset"))])
+        self.program("""uint32_t bad = 0;
+for (uint32_t base = 0xFF200100; base; base = base == 0xFF200100 ? 0xC0000200 : 0) {
+    for (uint32_t n = 0; n < 15; ++n) R32(base + 4 * n) = 0x01020304 * (n + 1);
+    for (uint32_t n = 0; n < 15; ++n) bad |= R32(base + 4 * n) != 0x01020304 * (n + 1);
+    bad |= R32(base + 60) << 1;
+}
+R32(0xFF200000) = bad ? bad : 0x3FF;""")
         self.shows(0x3FF)
 
     def test_a_slave_on_another_clock_of_two_masters(self):
@@ -205,12 +275,7 @@ R32(0xFF200000) = bad ? bad : 0x3FF;""")
              ("interrupt", "hps_0.f2h_irq0", "jtag.irq", 8)])
         self.program("#define DATA R32(0xFF201000)\n#define CONTROL R32(0xFF201004)\n"
                      f"uint32_t shown = 0;\n{body}\nR32(0xFF200000) = shown;")
-        self.write(s_yaml="name: s\nversion: 1\nprogram: program.elf\nproject: top.qsf\nsteps:\n" +
-                   "".join(f"  - {step}\n" for step in steps) +
-                   f'  - expect-leds: {{equals: "{leds:010b}", timeout: 100ms}}\n')
-        done = self.de1sim("run", "s.yaml")
-        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
-        return done
+        return self.shows(leds, steps=steps)
 
     def test_a_jtag_uart_prints_and_is_typed_at(self):
         done = self.jtag_uart(
@@ -282,6 +347,23 @@ R32(0xFF200000) = bad ? bad : 0x3FF;""")
         self.assertNotIn("sys_ram.hex", self.shows(1).stderr)
         self.write(sys_ram_hex=":0400010000000007F4\n:00000001FF\n")
         self.shows(8)
+
+    def test_a_rom_that_a_debugger_may_write(self):
+        """Its port for that is there only where it is no RAM; a program does not write it."""
+        rom = {"memorySize": "64", "dataWidth": "32", "writable": "false", "dualPort": "true",
+               "singleClockOperation": "true", "autoInitializationFileName": "sys_rom"}
+        self.write(sys_rom_hex=":0400010000000007F4\n:00000001FF\n")
+        self.with_leds([("rom", "altera_avalon_onchip_memory2", rom)],
+                       [("clock", "clk_0.clk", "rom.clk1"), ("reset", "clk_0.clk_reset",
+                                                             "rom.reset1"),
+                        ("avalon", LW, "rom.s1", 0x40)], [("rom", "rom.s2")],
+                       ", .rom_address(4'd2), .rom_debugaccess(SW[0]), .rom_write(1'b1),"
+                       ".rom_chipselect(1'b1), .rom_clken(1'b1), .rom_writedata(32'd5),"
+                       ".rom_byteenable(4'd15), .rom_readdata()")
+        self.program("for (;;) { R32(0xFF200044) = 1;\n"
+                     "R32(0xFF200000) = R32(0xFF200044) << 4 | R32(0xFF200048); }")
+        self.shows(0x70)
+        self.shows(0x75, steps=["hold: {switch: 0}"])
 
     def test_an_export_of_the_name_of_an_instances_port(self):
         """Of sink's clock, and of the PIO's own export."""
@@ -425,6 +507,12 @@ R32(0xFF200000) = bad ? bad : 0x3FF;""")
         self.refuses("sub is of the kind nios_system, which is not known here",
                      [("sub", "nios_system", {})])
 
+    def test_a_slave_of_axi(self):
+        self.write(axi_hw_tcl=APB_TCL.format(name="axi", pready="").replace("s apb", "s axi4lite"),
+                   axi_v="module axi(input clk); endmodule")
+        self.refuses("a.s is of type axi4lite, which is not simulated: expected avalon, or apb",
+                     [("a", "axi", {})], [("avalon", LW, "a.s", 0x100)])
+
     def test_a_nios_without_an_arm(self):
         self.with_leds()
         self.write(sys_qsys=qsys([BASE[0], ("cpu", "altera_nios2_gen2", {})], []))
@@ -443,6 +531,14 @@ R32(0xFF200000) = bad ? bad : 0x3FF;""")
             self.with_leds([("odd_0", "odd", {})], odd_hw_tcl="")
             (self.folder / "odd_hw.tcl").write_text(text)
             self.refused(message, "check", "top.qsf")
+
+    def test_pins_that_are_assigned_to_the_processor(self):
+        self.with_leds(ports=", output [2:0] HPS_DDR3_BA")
+        with open(self.folder / "top.qsf", "a") as qsf:
+            qsf.write("set_location_assignment PIN_E29 -to HPS_DDR3_BA[0]\n")
+        done = self.de1sim("check", "top.qsf")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertNotIn("E29", done.stdout + done.stderr)
 
     def test_a_port_that_the_system_has_not(self):
         self.with_leds()

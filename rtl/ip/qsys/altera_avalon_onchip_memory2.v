@@ -33,6 +33,7 @@ module altera_avalon_onchip_memory2 #(
     output wire [dataWidth-1:0] readdata,
     input  wire [dataWidth-1:0] writedata,
     input  wire [BYTES-1:0]     byteenable,
+    input  wire                 debugaccess,   // a debugger, which may write a ROM
 
     input  wire                 clk2,
     input  wire                 reset_req2,
@@ -42,7 +43,8 @@ module altera_avalon_onchip_memory2 #(
     input  wire                 write2,
     output wire [dataWidth-1:0] readdata2,
     input  wire [dataWidth-1:0] writedata2,
-    input  wire [BYTES-1:0]     byteenable2
+    input  wire [BYTES-1:0]     byteenable2,
+    input  wire                 debugaccess2
 );
     wire clock2 = singleClockOperation != 0 ? clk : clk2;
 
@@ -55,11 +57,13 @@ module altera_avalon_onchip_memory2 #(
         .outdata_reg_b(slave2Latency == 2 ? "CLOCK1" : "UNREGISTERED")
     ) memory (
         .clock0(clk), .clocken0(clken && !reset_req), .clocken2(1'b1),
-        .address_a(address), .wren_a(chipselect && write && writable != 0), .rden_a(1'b1),
+        .address_a(address), .rden_a(1'b1),
+        .wren_a(chipselect && write && (writable != 0 || debugaccess)),
         .byteena_a(byteenable), .data_a(writedata), .q_a(readdata), .addressstall_a(1'b0),
         .aclr0(1'b0),
         .clock1(clock2), .clocken1(clken2 && !reset_req2), .clocken3(1'b1),
-        .address_b(address2), .wren_b(chipselect2 && write2 && writable != 0), .rden_b(1'b1),
+        .address_b(address2), .rden_b(1'b1),
+        .wren_b(chipselect2 && write2 && (writable != 0 || debugaccess2)),
         .byteena_b(byteenable2), .data_b(writedata2), .q_b(readdata2), .addressstall_b(1'b0),
         .aclr1(1'b0), .eccstatus()
     );

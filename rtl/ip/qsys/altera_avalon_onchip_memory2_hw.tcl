@@ -45,6 +45,9 @@ proc port {number suffix} {
     add_interface_port $s write$suffix write Input 1
     add_interface_port $s readdata$suffix readdata Output $width
     add_interface_port $s writedata$suffix writedata Input $width
+    if {[string is false [get_parameter_value writable]]} {
+        add_interface_port $s debugaccess$suffix debugaccess Input 1
+    }
     if {$width > 8} { add_interface_port $s byteenable$suffix byteenable Input [expr {$width / 8}] }
 }
 

@@ -52,6 +52,24 @@ std::string literal(const Parameter& p) {
     return '"' + value + '"';
 }
 
+// An APB slave has the signals of an Avalon one with a clock of setup, and two more: penable, which
+// is read or write, and pwrite, which is there in the setup too.
+void make_avalon(Interface& apb) {
+    static const std::map<std::string, const char*> ROLES{{"paddr", "address"},
+                                                          {"psel", "chipselect"},
+                                                          {"pwdata", "writedata"},
+                                                          {"prdata", "readdata"},
+                                                          {"pready", "waitrequest_n"}};
+    apb.type = "avalon";
+    for (Port& port : apb.ports)
+        if (const auto role = ROLES.find(port.role); role != ROLES.end()) port.role = role->second;
+    for (const auto& [name, value] : {std::pair{"addressUnits", "SYMBOLS"},
+                                      {"setupTime", "1"},
+                                      {"readWaitTime", "0"},
+                                      {"writeWaitTime", "0"}})
+        apb.properties[name] = value;
+}
+
 class ComponentReader {
 public:
     ComponentReader(const std::string& text, const fs::path& file, const Parameters& parameters,
@@ -79,8 +97,10 @@ public:
         take_files();
         for (const auto& [name, p] : parameters_)
             if (is_true(p, "HDL_PARAMETER")) component_.parameters[name] = literal(p);
-        for (Interface& i : component_.interfaces)
+        for (Interface& i : component_.interfaces) {
             for (Port& port : i.ports) set_width(port);
+            if (i.type == "apb" && !i.is_start) make_avalon(i);
+        }
         return std::move(component_);
     }
 
@@ -331,7 +351,9 @@ private:
                    (std::isalnum(static_cast<unsigned char>(text[end])) || text[end] == '_'))
                 ++end;
             const std::string word = text.substr(i, std::max<std::size_t>(end - i, 1));
-            const auto found = parameters_.find(word);
+            const auto found = std::find_if(  // whatever its case
+                parameters_.begin(), parameters_.end(),
+                [name = lower(word)](const auto& p) { return lower(p.first) == name; });
             expression += found == parameters_.end() ? word : found->second.value;
             i += word.size();
         }

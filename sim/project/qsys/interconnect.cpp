@@ -80,11 +80,21 @@ private:
             map_of(masters_[n], links_of(n), 0, std::uint64_t{1} << 32);
     }
 
+    // What is not Avalon: an AXI slave or master of the FPGA, an APB master.
+    void need_avalon(const End& e) const {
+        if (e.interface->type != "avalon")
+            assembly_.fail(
+                fmt::format("{} is of type {}, which is not simulated: expected avalon, "
+                            "or apb of a slave",
+                            e.name(), e.interface->type));
+    }
+
     Master master(const End& e) {
         const Assembly::Clock clock = assembly_.clock_of(e);
         if (e.is_processors()) {
             return {e, e.interface->number("dataWidth", 32), clock.root, true};
         }
+        need_avalon(e);
         const Port* data = e.interface->port("readdata");
         if (!data) data = e.interface->port("writedata");
         if (!data || !e.interface->port("address"))
@@ -93,6 +103,7 @@ private:
     }
 
     Slave slave(const End& e) {
+        need_avalon(e);
         const Port* read = e.interface->port("readdata");
         const Port* write = e.interface->port("writedata");
         const Port* address = e.interface->port("address");
@@ -432,11 +443,22 @@ private:
         };
         if (const Port* clken = i.port("clken"))
             text_.line(fmt::format("assign {} = 1'b1;", s.end.wire(*clken)));
+        if (const Port* debugger = i.port("debugaccess"))
+            text_.line(fmt::format("assign {} = 1'b0;", s.end.wire(*debugger)));
         if (const Port* burst = i.port("burstcount"))
             text_.line(fmt::format("assign {} = {}'d1;", s.end.wire(*burst), burst->width));
         if (const Port* first = i.port("beginbursttransfer"))
             text_.line(fmt::format("assign {} = {}_agent.begintransfer_o;", s.end.wire(*first),
                                    short_name(s.end)));
+        if (const Port* enable = i.port("penable"))  // APB
+            text_.line(fmt::format("assign {0} = {1}_agent.read_o || {1}_agent.write_o;",
+                                   s.end.wire(*enable), short_name(s.end)));
+        if (const Port* write = i.port("pwrite"))
+            text_.line(fmt::format("assign {} = {}_write;", s.end.wire(*write), from.name));
+        if (i.port("pslverr"))
+            out_.notes.push_back(
+                fmt::format("{}: an error of {} by pslverr is not passed on to the processor",
+                            assembly_.system().file.filename().string(), s.end.name()));
         const bool waits = i.port("waitrequest") || i.port("waitrequest_n");
         const std::string address = wire("address");
         const unsigned read_wait = i.number("readWaitTime", i.number("readWaitStates", 1)),

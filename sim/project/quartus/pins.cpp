@@ -44,7 +44,7 @@ public:
     Messages errors() {
         std::map<std::string, std::string> taken;
         for (const auto& [name, assigned] : bits_) {
-            if (assigned.pin.empty()) continue;
+            if (assigned.pin.empty() || is_of_processor(name)) continue;
             if (!is_for_signals(assigned.pin)) {
                 add(171016, assigned.place,
                     fmt::format("{} is assigned to {}, which is no pin for the FPGA's signals",
@@ -65,9 +65,9 @@ public:
         std::size_t count = 0;
         for (const auto& [name, assigned] : bits_) {
             if (assigned.pin.empty()) {
-                if (name.compare(0, 4, "hps_") == 0) continue;  // which have theirs by themselves
+                if (is_of_processor(name)) continue;
                 if (++count <= 3) open += (open.empty() ? "" : ", ") + name;
-            } else if (board_pins_.count(assigned.pin) == 0) {
+            } else if (board_pins_.count(assigned.pin) == 0 && !is_of_processor(name)) {
                 add(171016, assigned.place,
                     fmt::format("{} is assigned to {}, where the board has nothing", name,
                                 assigned.pin));
@@ -86,6 +86,9 @@ public:
     }
 
 private:
+    // Its pins are those of the processor, whatever is assigned.
+    static bool is_of_processor(const std::string& name) { return name.compare(0, 4, "hps_") == 0; }
+
     // The 288 pins of the 5CSEMA5F31C6 for the FPGA's signals: the board's, and 30 of bank 8A where
     // it has nothing.  The others are the processor's, for configuration, power and ground, or are
     // not there.
