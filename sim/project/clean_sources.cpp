@@ -140,7 +140,10 @@ CleanSources clean_sources(const SourceRequest& from) {
     for (const auto& [name, own] : modules) open_inputs.erase(name);  // not the model of that name
     const std::set<std::string> in_design = modules_of_design(modules, project.top);
     add_models(modules);
-    find_read_outputs(texts, modules);
+    std::vector<Tokens> tokens;
+    for (const std::string& text : texts) tokens.push_back(tokens_of(text));
+    find_read_outputs(tokens, modules);
+    const PinPorts pins = pin_ports(tokens, modules, project.top);
     for (const SourceFile& file : project.sources) {
         const std::string name = file.path.lexically_relative(project.folder).string();
         if (file.language == SourceFile::Language::VHDL) continue;
@@ -149,7 +152,7 @@ CleanSources clean_sources(const SourceRequest& from) {
         Normalised normalised =
             normalise(gates_as_assignments(synthesised(file, project), modules), name,
                       system_verilog, open_inputs, modules,
-                      fits == from.inout_fits.end() ? std::vector<InoutFit>{} : fits->second);
+                      fits == from.inout_fits.end() ? std::vector<InoutFit>{} : fits->second, pins);
         clean.changes.insert(clean.changes.end(), normalised.changes.begin(),
                              normalised.changes.end());
         for (const InitName& init : normalised.init_names)

@@ -61,11 +61,14 @@ bool is_charge_strength(std::string_view word) {
 class Normaliser {
 public:
     Normaliser(std::string_view text, const std::string& name, const OpenInputs& open_inputs,
-               const Modules& modules, const std::vector<InoutFit>& inout_fits)
+               const Modules& modules, const std::vector<InoutFit>& inout_fits,
+               const PinPorts& pins)
         : tokens_{tokens_of(text)}, items_{tokens_.all}, name_{name}, modules_{modules} {
         reorder(tokens_.all, items_, edits_);
         repeat_parameter_types(tokens_.all, edits_);
         tri_states_ = join_tri_states(tokens_, modules, edits_);
+        for (Message& m : keep_released_registers(tokens_.all, pins, edits_))
+            tri_states_.push_back(std::move(m));
         enable_part_drivers(tokens_, modules, edits_);
         make_inouts(tokens_.all, modules, edits_);
         make_registers(tokens_, edits_);
@@ -313,8 +316,8 @@ OpenInputs read_open_inputs(const std::filesystem::path& table) {
 
 Normalised normalise(std::string_view text, const std::string& name, bool system_verilog,
                      const OpenInputs& open_inputs, const Modules& modules,
-                     const std::vector<InoutFit>& inout_fits) {
-    return Normaliser{text, name, open_inputs, modules, inout_fits}.run(system_verilog);
+                     const std::vector<InoutFit>& inout_fits, const PinPorts& pins) {
+    return Normaliser{text, name, open_inputs, modules, inout_fits, pins}.run(system_verilog);
 }
 
 }  // namespace sim::project

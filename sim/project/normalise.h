@@ -11,7 +11,8 @@
 // Not told: a comment that Verilator would take for an order to itself, inputs of models that are
 // 1 where they are open, the enables of part_drivers.h, the calls of init_text.h, the registers of
 // registers.h, the resets of power_up.h, the lists of sensitivity.h, and the names "small",
-// "medium" and "large", which are escaped.  A warning tells of the wires of tri_states.h.
+// "medium" and "large", which are escaped.  A warning tells of the wires of tri_states.h and the
+// registers of released_registers.h.
 //
 // Lines stay where they are, and messages name the original file.
 #pragma once
@@ -26,6 +27,7 @@
 #include "sim/project/inout_fits.h"
 #include "sim/project/part_drivers.h"
 #include "sim/project/quartus/text_checks.h"
+#include "sim/project/released_registers.h"
 
 namespace sim::project {
 
@@ -44,6 +46,6 @@ OpenInputs read_open_inputs(const std::filesystem::path& table);  // rtl/ip/defa
 // `modules`: as enable_part_drivers() has it.
 Normalised normalise(std::string_view text, const std::string& name, bool system_verilog,
                      const OpenInputs& open_inputs = {}, const Modules& modules = {},
-                     const std::vector<InoutFit>& inout_fits = {});
+                     const std::vector<InoutFit>& inout_fits = {}, const PinPorts& pins = {});
 
 }  // namespace sim::project

@@ -94,12 +94,10 @@ std::vector<ModuleTokens> modules_in(const std::vector<Token>& all) {
 
 }  // namespace
 
-void find_read_outputs(const std::vector<std::string>& texts, Modules& modules) {
-    std::vector<Tokens> tokens;
-    for (const std::string& text : texts) tokens.push_back(tokens_of(text));
+void find_read_outputs(const std::vector<Tokens>& files, Modules& modules) {
     for (bool is_new = true; is_new;) {
         is_new = false;
-        for (const Tokens& file : tokens)
+        for (const Tokens& file : files)
             for (const ModuleTokens& module : modules_in(file.all)) {
                 const auto known = modules.find(module.name());
                 if (known == modules.end() || module.outputs().empty()) continue;

@@ -18,8 +18,8 @@
 
 namespace sim::project {
 
-// Makes such outputs of `modules`, which `texts` define, inouts, also of those that instance them.
-void find_read_outputs(const std::vector<std::string>& texts, Modules& modules);
+// Makes such outputs of `modules`, which `files` define, inouts, also of those that instance them.
+void find_read_outputs(const std::vector<Tokens>& files, Modules& modules);
 
 // The declarations of what find_read_outputs() has found.
 void make_inouts(const std::vector<Token>& tokens, const Modules& modules, Edits& edits);

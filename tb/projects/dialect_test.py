@@ -351,6 +351,31 @@ endmodule
                    "release: {switch: 0}", "delay: 1us",
                    "expect-pins: {gpio_0: 3, level: high}")
 
+    def test_a_register_that_is_released_inside_the_chip(self):
+        """In an instance, too; a choice, a part and a case."""
+        self.write(top_v="""\
+module words(input clk, input [1:0] at, input read, output reg [3:0] q, output reg [1:0] r);
+always @(posedge clk)
+    if (read) case (at)
+        2'b01: q <= 4'd5;
+        2'b10: q <= 4'd6;
+        default: q <= 4'bzzzz;
+    endcase
+always @(*) begin
+    r[0] = (read ? at[0] : 1'bz);
+    if (read) r[1] = at[1]; else r[1] = 1'hz;
+end
+endmodule
+module top(input CLOCK_50, input [9:0] SW, output [9:0] LEDR);
+wire [3:0] q; wire [1:0] r;
+words w(.clk(CLOCK_50), .at(SW[1:0]), .read(SW[9]), .q(q), .r(r));
+assign LEDR = {q + 4'd1, r + 2'd0};
+endmodule
+""")
+        self.checked("top.v:6: 13049: q is released inside the chip", "top.v:9: 13049: r is")
+        self.leds(0b0000011001, 0b1000000001)
+        self.leds(0b0000011110, 0b1000000010)
+
     def test_an_output_that_is_released_and_read(self):
         """By an assignment, and by an instance of an instance with an inout."""
         self.write(top_v="""\
