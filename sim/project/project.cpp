@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <deque>
+#include <regex>
 #include <set>
 
 #include <fmt/format.h>
@@ -179,8 +180,22 @@ private:
 
     // Such a system is made anew, also where there is the Verilog that was once made of it, which
     // has the vendor's primitives in it.
-    static bool has_processor(const fs::path& system) {
-        return text_of(system).find("kind=\"altera_hps\"") != std::string::npos;
+    bool has_processor(const fs::path& system) const {
+        std::set<std::string> seen;
+        return has_processor(system, seen);
+    }
+    // Also in a subsystem.
+    bool has_processor(const fs::path& system, std::set<std::string>& seen) const {
+        static const std::regex KIND{R"re(<module\b[^>]*\bkind="(\w+)")re"};
+        const std::string text = text_of(system);
+        for (std::sregex_iterator at{text.begin(), text.end(), KIND}, end; at != end; ++at) {
+            const std::string kind = (*at)[1];
+            if (kind == "altera_hps") return true;
+            if (!seen.insert(kind).second) continue;
+            const auto found = files_.finder().with_name(kind + ".qsys");
+            if (!found.empty() && has_processor(found.front(), seen)) return true;
+        }
+        return false;
     }
 
     // Verilog that Platform Designer has made of such a system.

@@ -2,8 +2,8 @@
 //
 // `de1sim link` compiles a module against this file in place of the kernel's headers, and links it
 // with the program that uses it and with kmod.c.  Names, arguments and results are the kernel's.
-// The program's open("/dev/NAME"), fopen, ioctl, read, write, lseek, mmap and close go to the module,
-// and open and fopen of its attributes in /sys.
+// The program's open("/dev/NAME"), fopen, ioctl, read, write, lseek, mmap and close go to the
+// module, and those of its attributes in /sys.
 //
 // The processor's memory and the program's are the same here, so copy_from_user() copies; registers
 // are mapped from /dev/mem, so ioread32() loads.  A device is found by its `compatible`, in the

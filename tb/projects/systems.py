@@ -78,3 +78,7 @@ class SystemCase(Case):
         self.system([*leds, *modules], [*wires, *connections],
                     [("leds", "leds.external_connection"), *exports],
                     ", .leds_export(LEDR)" + top, **files)
+
+    def refuses(self, message, modules=(), connections=(), **files):
+        self.with_leds(modules, connections, **files)
+        self.refused(message, "check", "top.qsf")

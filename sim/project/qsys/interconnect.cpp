@@ -441,20 +441,16 @@ private:
             if (const Port* low = i.port(std::string{role} + "_n")) return "!" + s.end.wire(*low);
             return otherwise;
         };
-        if (const Port* clken = i.port("clken"))
-            text_.line(fmt::format("assign {} = 1'b1;", s.end.wire(*clken)));
-        if (const Port* debugger = i.port("debugaccess"))
-            text_.line(fmt::format("assign {} = 1'b0;", s.end.wire(*debugger)));
-        if (const Port* burst = i.port("burstcount"))
-            text_.line(fmt::format("assign {} = {}'d1;", s.end.wire(*burst), burst->width));
-        if (const Port* first = i.port("beginbursttransfer"))
-            text_.line(fmt::format("assign {} = {}_agent.begintransfer_o;", s.end.wire(*first),
-                                   short_name(s.end)));
-        if (const Port* enable = i.port("penable"))  // APB
-            text_.line(fmt::format("assign {0} = {1}_agent.read_o || {1}_agent.write_o;",
-                                   s.end.wire(*enable), short_name(s.end)));
-        if (const Port* write = i.port("pwrite"))
-            text_.line(fmt::format("assign {} = {}_write;", s.end.wire(*write), from.name));
+        const std::string agent = short_name(s.end) + "_agent";
+        for (const auto& [role, value] :
+             {std::pair{"clken", std::string{"1'b1"}},
+              {"debugaccess", "1'b0"},
+              {"burstcount", "1'b1"},
+              {"beginbursttransfer", agent + ".begintransfer_o"},
+              {"penable", fmt::format("{0}.read_o || {0}.write_o", agent)},  // APB
+              {"pwrite", from.name + "_write"}})
+            if (const Port* port = i.port(role))
+                text_.line(fmt::format("assign {} = {};", s.end.wire(*port), value));
         if (i.port("pslverr"))
             out_.notes.push_back(
                 fmt::format("{}: an error of {} by pslverr is not passed on to the processor",
