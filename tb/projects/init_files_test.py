@@ -27,6 +27,13 @@ class Attributes(Case):
     def test_in_a_comment_to_the_lines_end(self):
         self.attribute('reg [7:0] m [0:3] // synthesis ram_init_file = "words.mif"\n;\n')
 
+    def test_of_more_words_than_a_loop_may_have(self):
+        self.write(words_mif="WIDTH=8; DEPTH=8192; CONTENT BEGIN 8191: 3c; END;\n"
+                             .replace("CONTENT", "ADDRESS_RADIX=DEC; DATA_RADIX=HEX; CONTENT"),
+                   top_v=HEAD + '(* ram_init_file = "words.mif" *) reg [7:0] m [0:8191];\n' +
+                   READS.replace("SW[1:0]", "{13{SW[0]}}"))
+        self.leds(0x3C, 1)
+
 
 class Places(Case):
     def test_beside_the_source(self):

@@ -214,6 +214,15 @@ for (;;) {{
                       "chroma"), ("chroma_resampler", {}, "chroma"), TO_RGB],
                     20, 6, pixels, 20, 6, expected)
 
+    def test_grey_of_colours(self):
+        draw = random.Random(4)
+        pixels = [[draw.randrange(1 << 24) for _ in range(20)] for _ in range(6)]
+        luma = {(x, y): ycbcr(p >> 16, p >> 8 & 255, p & 255)[0]
+                for y, row in enumerate(pixels) for x, p in enumerate(row)}
+        self.passed([("csc", {"csc_type": "24-bit RGB to Grayscale (Y)"}, "csc"),
+                     ("csc", {"csc_type": "Grayscale (Y) to 24-bit RGB"}, "csc")],
+                    20, 6, pixels, 20, 6, {at: grey * 0x10101 for at, grey in luma.items()})
+
     def test_a_picture_without_its_edges_in_a_frame(self):
         pixels = [[10 * y + x for x in range(10)] for y in range(8)]
         clip = {"width_in": "10", "height_in": "8", "drop_left": "1", "drop_right": "2",

@@ -43,6 +43,8 @@ public:
 private:
     void find(const Node& node, const Node& process) {
         if (is_node(node, "func") || is_node(node, "task") || is_node(node, "jumpblock")) return;
+        // Not those of init_text.h.
+        if (is_node(node, "begin") && name_of(node).rfind("de1sim_init_", 0) == 0) return;
         if (is_node(node, "while")) look(node, process);
         for (const Node& child : node.children())
             find(child, is_node(child, "always") || is_node(child, "initial") ? child : process);
