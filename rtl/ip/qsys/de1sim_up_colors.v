@@ -16,7 +16,7 @@
 // verilator lint_off WIDTH
 
 module de1sim_up_colors #(
-    parameter KIND = 1,                    // 0: RGB to YCrCb, 1: the reverse, 2: RGB to Y, 3: Y to RGB
+    parameter KIND = 1,  // 0: RGB to YCrCb, 1: the reverse, 2: RGB to Y, 3: the reverse
     parameter IN   = KIND == 3 ? 8 : 24,
     parameter OUT  = KIND == 2 ? 8 : 24
 ) (
@@ -51,7 +51,8 @@ module de1sim_up_colors #(
     wire signed [31:0] c  = {24'd0, in[7:0]};      // Y, B
 
     wire [23:0] rgb = {clipped(times(c - 16, 38141) + times(a - 128, 52297)),
-                       clipped(times(c - 16, 38141) - times(a - 128, 26640) - times(b - 128, 12845)),
+                       clipped(times(c - 16, 38141) - times(a - 128, 26640)
+                               - times(b - 128, 12845)),
                        clipped(times(c - 16, 38141) + times(b - 128, 66093))};
     wire [23:0] ycrcb = {clipped(128 + times(a, 14385) - times(b, 12059) - times(c, 2327)),
                          clipped(128 + times(c, 14385) - times(b, 9535) - times(a, 4850)),
