@@ -76,9 +76,12 @@ public:
         fit_inouts(tokens_.all, inout_fits, edits_);
         resets_ = reset_statements(tokens_.all);
         init_names_ = read_at_run_time(tokens_, edits_);
-        for (std::size_t i = 0; i < tokens_.all.size(); ++i)
-            if (tokens_.all[i].kind == Kind::NAME && open_inputs.count(tokens_.all[i].text))
-                connect(i, open_inputs);
+        for (std::size_t i = 0; i < tokens_.all.size(); ++i) {
+            if (tokens_.all[i].kind != Kind::NAME) continue;
+            if (open_inputs.count(tokens_.all[i].text)) connect(i, open_inputs);
+            if (const auto of = modules.find(tokens_.all[i].text); of != modules.end())
+                open_constants(i, of->second);
+        }
     }
 
     Normalised run(bool system_verilog) {
@@ -193,6 +196,18 @@ private:
         edits_.behind[at] += fmt::format(" de1sim_unnamed_{} ", ++unnamed_);
     }
     // Adds the connections that the instance of a model at `i` leaves open.
+    // Quartus takes an output that is connected with a number for one that is open.
+    void open_constants(std::size_t i, const ModuleText& module) {
+        for (const ConnectionText& c : connections_of(tokens_.all, i, module)) {
+            const Token& value = tokens_.all[c.first];
+            if (c.last != c.first + 1 || value.kind != Kind::NUMBER ||
+                !module.outputs.count(c.port))
+                continue;
+            edits_.left_out.insert(c.first);
+            edits_.told[c.first] =
+                fmt::format("left output {} open, which is connected with {}", c.port, value.text);
+        }
+    }
     void connect(std::size_t i, const OpenInputs& open_inputs) {
         std::size_t open = i + 1;
         if (next(i) && next(i)->is("#")) open = closing(tokens_.all, open + 1) + 1;

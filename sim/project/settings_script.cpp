@@ -66,6 +66,7 @@ public:
               "set_parameter", "source", "file", "unknown"})
             tcl_.add(name, [this](const Words& words) { return command(words); });
         tcl_.set("quartus", "version", "18.1");
+        tcl_.set("quartus", "nameofexecutable", "quartus_sh");
     }
 
     Settings run(std::string_view text, const fs::path& file) {

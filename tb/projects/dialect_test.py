@@ -351,6 +351,17 @@ endmodule
                    "release: {switch: 0}", "delay: 1us",
                    "expect-pins: {gpio_0: 3, level: high}")
 
+    def test_an_output_that_is_connected_with_a_number(self):
+        """As in an example on the board's CD."""
+        self.write(top_v="module part(input a, output y, output z);\n"
+                         "assign y = a, z = ~a; endmodule\n"
+                         "module top(input [9:0] SW, output [9:0] LEDR);\n"
+                         "part p(.a(SW[0]), .y(1'b1), .z(LEDR[0]));\n"
+                         "part q(SW[1], LEDR[1], 0);\nassign LEDR[9:2] = 0; endmodule\n")
+        self.leds(0b0000000010, 0b0000000011)
+        self.checked("top.v:4: left output y open, which is connected with 1'b1",
+                     "top.v:5: left output z open, which is connected with 0")
+
     def test_a_register_that_is_released_inside_the_chip(self):
         """In an instance, too; a choice, a part and a case."""
         self.write(top_v="""\

@@ -66,6 +66,11 @@ class Refused(Case):
 
 
 class NotRefused(Case):
+    def test_constraints_that_ask_who_reads_them(self):
+        self.write(p_qsf=QSF.format("SDC_FILE p.sdc"), top_v=LEDS.format("SW"),
+                   p_sdc='if {$::quartus(nameofexecutable) == "quartus_fit"} { set_min_delay 1 }\n')
+        self.leds(2, 2)
+
     def test_a_module_that_only_an_untaken_branch_names(self):
         """Though a Qsys system is in the project: what is needed of it is there as Verilog."""
         self.write(p_qsf=QSF.format("QSYS_FILE system.qsys") +

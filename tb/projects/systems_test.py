@@ -26,50 +26,6 @@ add_interface_port s readdata readdata Output {width}
 {ports}
 """
 
-APB_TCL = """package require -exact qsys 16.1
-set_module_property NAME {name}
-add_parameter BYTES INTEGER 4
-add_fileset QUARTUS_SYNTH QUARTUS_SYNTH "" ""
-set_fileset_property QUARTUS_SYNTH TOP_LEVEL {name}
-add_fileset_file {name}.v VERILOG PATH {name}.v TOP_LEVEL_FILE
-add_interface clock clock end
-add_interface_port clock clk clk Input 1
-add_interface reset reset end
-set_interface_property reset associatedClock clock
-add_interface_port reset reset reset Input 1
-add_interface s apb end
-set_interface_property s associatedClock clock
-set_interface_property s associatedReset reset
-add_interface_port s paddr paddr Input 6
-add_interface_port s psel psel Input 1
-add_interface_port s penable penable Input 1
-add_interface_port s pwrite pwrite Input 1
-add_interface_port s pwdata pwdata Input 8*bytes
-add_interface_port s prdata prdata Output 32
-{pready}
-"""
-APB_V = """module {name}(input clk, input reset, input [5:0] paddr, input psel, input penable,
-                      input pwrite, input [31:0] pwdata, output [31:0] prdata {pready});
-    reg [31:0] words [0:14];
-    reg [38:0] was_q;
-    reg [7:0]  wrong_q = 0;
-    reg [1:0]  waits_q = 0;
-    reg        selected_q = 0, ended_q = 0;
-    wire       ends = psel && penable && {done};
-    {ready}
-    assign prdata = !ends ? 32'hdeadbeef : paddr == 60 ? wrong_q : words[paddr[5:2]];
-    always @(posedge clk) begin
-        selected_q <= psel && !ends;
-        was_q      <= {{paddr, pwrite, pwrite ? pwdata : 32'd0}};
-        waits_q    <= ends || !penable ? 2'd0 : waits_q + 2'd1;
-        if (ends && pwrite) words[paddr[5:2]] <= pwdata;
-        if (penable != (psel && selected_q)
-            || selected_q && (!psel || was_q != {{paddr, pwrite, pwrite ? pwdata : 32'd0}}))
-            wrong_q <= wrong_q + 8'd1;
-    end
-endmodule
-"""
-
 
 class Systems(SystemCase):
     # ---- What runs --------------------------------------------------------
@@ -140,32 +96,6 @@ for (uint32_t n = 0; n < {16 * bytes_ // (size // 8)}; ++n)
 """
         self.with_leds(modules, wires, **files)
         self.program(body + "R32(0xFF200000) = bad ? bad : 0x3FF;")
-        self.shows(0x3FF)
-
-    def test_an_apb_slave(self):
-        """Its last word counts what APB does not allow; each access waits for 0 to 3 clocks.
-
-        The width of its data is a parameter's, whose name is written in small letters.
-        """
-        for name, waits in (("apb", True), ("prompt", False)):
-            self.write(**{f"{name}_hw_tcl": APB_TCL.format(
-                name=name, pready="add_interface_port s pready pready Output 1" if waits else ""),
-                          f"{name}_v": APB_V.format(
-                name=name, pready=", output pready" if waits else "",
-                ready="assign pready = waits_q == paddr[3:2];" if waits else "",
-                done="pready" if waits else "1'b1")})
-        self.with_leds([("a", "apb", {}), ("b", "prompt", {})],
-                       [("avalon", LW, "a.s", 0x100), ("avalon", FULL, "b.s", 0x200)]
-                       + [(kind, f"clk_0.{of}", f"{name}.{to}") for name in "ab"
-                          for kind, of, to in (("clock", "clk", "clock"),
-                                               ("reset", "clk_reset", "reset"))])
-        self.program("""uint32_t bad = 0;
-for (uint32_t base = 0xFF200100; base; base = base == 0xFF200100 ? 0xC0000200 : 0) {
-    for (uint32_t n = 0; n < 15; ++n) R32(base + 4 * n) = 0x01020304 * (n + 1);
-    for (uint32_t n = 0; n < 15; ++n) bad |= R32(base + 4 * n) != 0x01020304 * (n + 1);
-    bad |= R32(base + 60) << 1;
-}
-R32(0xFF200000) = bad ? bad : 0x3FF;""")
         self.shows(0x3FF)
 
     def test_a_slave_on_another_clock_of_two_masters(self):

@@ -61,12 +61,13 @@ class WrongSystems(SystemCase):
         self.refuses("sub is of the kind nios_system, which is not known here",
                      [("sub", "nios_system", {})])
 
-    def test_a_slave_of_axi(self):
-        self.write(axi_hw_tcl="set_module_property NAME axi\nadd_interface s axi4lite end\n"
-                              "add_interface_port s awaddr awaddr Input 4\n",
-                   axi_v="module axi(input [3:0] awaddr); endmodule\n")
-        self.refuses("a.s is of type axi4lite, which is not simulated: expected avalon, or apb",
-                     [("a", "axi", {})], [("avalon", LW, "a.s", 0x100)])
+    def test_a_slave_of_a_stream(self):
+        self.write(odd_hw_tcl="set_module_property NAME odd\nadd_interface s avalon_streaming end\n"
+                              "add_interface_port s data data Input 8\n",
+                   odd_v="module odd(input [7:0] data); endmodule\n")
+        self.refuses("the slave a.s is of type avalon_streaming, which is not simulated: expected "
+                     "avalon, apb, axi, axi4 or axi4lite", [("a", "odd", {})],
+                     [("avalon", LW, "a.s", 0x100)])
 
     def test_a_nios_without_an_arm(self):
         self.with_leds()

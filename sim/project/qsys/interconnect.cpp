@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "sim/project/file_finder.h"
+#include "sim/project/qsys/slave_agent.h"
 
 namespace sim::project::qsys {
 
@@ -15,14 +16,6 @@ namespace {
 constexpr const char* FULL_MASTER = "h2f_axi_master";
 constexpr unsigned WIDEST = 1024, NATIVE = 32;  // bits of data
 constexpr unsigned DEEPEST = 20;                // bridges behind each other
-
-struct Slave {
-    End end;
-    unsigned width, address_bits, shift;
-    std::uint64_t span;
-    bool reads, writes;
-    std::string clock;  // its root
-};
 
 struct Master {
     End end;
@@ -80,21 +73,16 @@ private:
             map_of(masters_[n], links_of(n), 0, std::uint64_t{1} << 32);
     }
 
-    // What is not Avalon: an AXI slave or master of the FPGA, an APB master.
-    void need_avalon(const End& e) const {
-        if (e.interface->type != "avalon")
-            assembly_.fail(
-                fmt::format("{} is of type {}, which is not simulated: expected avalon, "
-                            "or apb of a slave",
-                            e.name(), e.interface->type));
-    }
-
     Master master(const End& e) {
         const Assembly::Clock clock = assembly_.clock_of(e);
         if (e.is_processors()) {
             return {e, e.interface->number("dataWidth", 32), clock.root, true};
         }
-        need_avalon(e);
+        if (e.interface->type != "avalon")
+            assembly_.fail(
+                fmt::format("the master {} is of type {}, which is not simulated: "
+                            "expected avalon",
+                            e.name(), e.interface->type));
         const Port* data = e.interface->port("readdata");
         if (!data) data = e.interface->port("writedata");
         if (!data || !e.interface->port("address"))
@@ -103,10 +91,15 @@ private:
     }
 
     Slave slave(const End& e) {
-        need_avalon(e);
-        const Port* read = e.interface->port("readdata");
-        const Port* write = e.interface->port("writedata");
-        const Port* address = e.interface->port("address");
+        const bool axi = is_axi(*e.interface);
+        if (!axi && e.interface->type != "avalon")
+            assembly_.fail(
+                fmt::format("the slave {} is of type {}, which is not simulated: "
+                            "expected avalon, apb, axi, axi4 or axi4lite",
+                            e.name(), e.interface->type));
+        const Port* read = e.interface->port(axi ? "rdata" : "readdata");
+        const Port* write = e.interface->port(axi ? "wdata" : "writedata");
+        const Port* address = e.interface->port(!axi ? "address" : write ? "awaddr" : "araddr");
         if (!read && !write) assembly_.fail(fmt::format("the slave {} has no data", e.name()));
         Slave s{e,
                 (read ? read : write)->width,
@@ -123,7 +116,7 @@ private:
         if (s.width % 8 || (s.width & (s.width - 1)) || s.width > WIDEST)
             assembly_.fail(fmt::format("the slave {} has {} bits of data, expected 8, 16, ... 1024",
                                        e.name(), s.width));
-        if (lower(e.interface->property("addressUnits", "WORDS")) != "symbols")
+        if (!axi && lower(e.interface->property("addressUnits", "WORDS")) != "symbols")
             while (1u << s.shift < bytes) ++s.shift;
         s.span = e.interface->number("explicitAddressSpan", 0);
         if (s.span == 0) s.span = (std::uint64_t{1} << s.address_bits) << s.shift;
@@ -184,12 +177,6 @@ private:
 
     // ---- The pieces ----
 
-    // A set of wires of one command interface.
-    struct Bus {
-        std::string name;
-        unsigned width;
-        std::string clock, reset;
-    };
     Bus bus(const std::string& name, unsigned width, const std::string& clock,
             const std::string& reset) {
         for (const char* bit : {"_valid", "_ready", "_write", "_rvalid"}) text_.wire(name + bit, 1);
@@ -207,13 +194,6 @@ private:
             "        .rvalid_i({0}_rvalid), .rdata_i({0}_rdata)",
             b.name);
     }
-    static std::string is_asked(const Bus& b) {
-        return fmt::format(
-            ".valid_i({0}_valid), .ready_o({0}_ready), .write_i({0}_write),\n"
-            "        .address_i({0}_address), .wdata_i({0}_wdata), .be_i({0}_be),\n"
-            "        .rvalid_o({0}_rvalid), .rdata_o({0}_rdata)",
-            b.name);
-    }
     void connect_command(const Bus& from, const Bus& to) {
         for (const char* wire : {"_write", "_address", "_wdata", "_be"})
             text_.line(fmt::format("assign {}{} = {}{};", to.name, wire, from.name, wire));
@@ -224,7 +204,7 @@ private:
         if (e.is_processors()) return e.interface->name.substr(0, e.interface->name.find("_axi"));
         const auto& all = e.component->interfaces;
         const auto same = std::count_if(all.begin(), all.end(), [&](const Interface& i) {
-            return i.type == "avalon" && i.is_start == e.interface->is_start;
+            return i.type == e.interface->type && i.is_start == e.interface->is_start;
         });
         return e.instance->name + (same > 1 ? "_" + e.interface->name : "");
     }
@@ -251,7 +231,8 @@ private:
         }
         for (std::size_t n = 0; n < slaves_.size(); ++n) {
             text_.section("To " + slaves_[n].end.name());
-            agent_of(slaves_[n], arbitrated(slaves_[n], asked[n]));
+            write_slave_agent(assembly_, text_, slaves_[n], arbitrated(slaves_[n], asked[n]),
+                              short_name(slaves_[n].end) + "_agent", out_.notes);
         }
     }
 
@@ -378,7 +359,7 @@ private:
         text_.line(
             fmt::format("de1sim_avalon_crossing #(.WIDTH({})) {}_crossing (\n"
                         "        .clk_i({}), {},\n        .to_clk_i({}), {}\n    );",
-                        way.width, way.name, way.clock, is_asked(way), to.clock, asks(to)));
+                        way.width, way.name, way.clock, way.is_asked(), to.clock, asks(to)));
         return to;
     }
 
@@ -387,7 +368,7 @@ private:
         text_.line(fmt::format(
             "de1sim_avalon_width #(.FROM({}), .TO({})) {}_width (\n"
             "        .clk_i({}), .rst_i({}),\n        {},\n        {}\n    );",
-            way.width, s.width, way.name, way.clock, way.reset, is_asked(way), asks(to)));
+            way.width, s.width, way.name, way.clock, way.reset, way.is_asked(), asks(to)));
         return to;
     }
 
@@ -418,68 +399,6 @@ private:
         for (const auto& [way, n] : masters)
             text_.line(fmt::format("assign {}_rdata = {}_rdata;", way.name, to.name));
         return to;
-    }
-
-    void agent_of(const Slave& s, const Bus& from) {
-        const Interface& i = *s.end.interface;
-        const auto wire = [&](const char* role) {
-            const Port* port = i.port(role);
-            return port ? s.end.wire(*port) : std::string{};
-        };
-        // An input of the slave, active high or low.
-        const auto drive = [&](const char* role) {
-            if (const Port* port = i.port(role)) return s.end.wire(*port);
-            const Port* low = i.port(std::string{role} + "_n");
-            if (!low) return std::string{};
-            const std::string high = s.end.wire(*low) + "_high";
-            text_.wire(high, low->width, low->is_vector);
-            text_.line(fmt::format("assign {} = ~{};", s.end.wire(*low), high));
-            return high;
-        };
-        const auto hear = [&](const char* role, const std::string& otherwise) {
-            if (const Port* port = i.port(role)) return s.end.wire(*port);
-            if (const Port* low = i.port(std::string{role} + "_n")) return "!" + s.end.wire(*low);
-            return otherwise;
-        };
-        const std::string agent = short_name(s.end) + "_agent";
-        for (const auto& [role, value] :
-             {std::pair{"clken", std::string{"1'b1"}},
-              {"debugaccess", "1'b0"},
-              {"burstcount", "1'b1"},
-              {"beginbursttransfer", agent + ".begintransfer_o"},
-              {"penable", fmt::format("{0}.read_o || {0}.write_o", agent)},  // APB
-              {"pwrite", from.name + "_write"}})
-            if (const Port* port = i.port(role))
-                text_.line(fmt::format("assign {} = {};", s.end.wire(*port), value));
-        if (i.port("pslverr"))
-            out_.notes.push_back(
-                fmt::format("{}: an error of {} by pslverr is not passed on to the processor",
-                            assembly_.system().file.filename().string(), s.end.name()));
-        const bool waits = i.port("waitrequest") || i.port("waitrequest_n");
-        const std::string address = wire("address");
-        const unsigned read_wait = i.number("readWaitTime", i.number("readWaitStates", 1)),
-                       write_wait = i.number("writeWaitTime", i.number("writeWaitStates", 0));
-        // A slave has one of byteenable and writebyteenable.
-        const std::string bytes = i.port("byteenable") || i.port("byteenable_n")
-                                      ? drive("byteenable")
-                                      : drive("writebyteenable");
-        text_.line(fmt::format(
-            "de1sim_avalon_slave #(\n        .WIDTH({}), .ADDRESS({}), .SHIFT({}), .SETUP({}), "
-            ".READ_WAIT({}), .WRITE_WAIT({}), .HOLD({}), .LATENCY({}),\n"
-            "        .WAITREQUEST({}), .READDATAVALID({}), .READS({}), .WRITES({})\n    ) {}_agent "
-            "(\n"
-            "        .clk_i({}), .rst_i({}),\n        {},\n"
-            "        .address_o({}), .chipselect_o({}), .read_o({}), .write_o({}),\n"
-            "        .begintransfer_o({}), .byteenable_o({}), .writedata_o({}),\n"
-            "        .readdata_i({}), .waitrequest_i({}), .readdatavalid_i({})\n    );",
-            s.width, std::max(1u, s.address_bits), s.shift, i.number("setupTime", 0), read_wait,
-            write_wait, i.number("holdTime", 0), i.number("readLatency", 0), waits ? 1 : 0,
-            i.port("readdatavalid") || i.port("readdatavalid_n") ? 1 : 0, s.reads ? 1 : 0,
-            s.writes ? 1 : 0, short_name(s.end), assembly_.clock_of(s.end).wire,
-            assembly_.reset_of(s.end), is_asked(from), address, drive("chipselect"), drive("read"),
-            drive("write"), drive("begintransfer"), bytes, wire("writedata"),
-            hear("readdata", fmt::format("{}'d0", s.width)), hear("waitrequest", "1'b0"),
-            hear("readdatavalid", "1'b0")));
     }
 
     const Assembly& assembly_;

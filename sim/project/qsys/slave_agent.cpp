@@ -1,0 +1,146 @@
+#include "sim/project/qsys/slave_agent.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace sim::project::qsys {
+
+namespace {
+
+class Agent {
+public:
+    Agent(const Assembly& assembly, VerilogText& text, const Slave& slave, const Bus& from,
+          const std::string& name)
+        : text_{text},
+          slave_{slave},
+          interface_{*slave.end.interface},
+          from_{from},
+          name_{name},
+          clock_{assembly.clock_of(slave.end).wire},
+          reset_{assembly.reset_of(slave.end)} {}
+
+    void avalon() {
+        const Interface& i = interface_;
+        constant({{"clken", "1'b1"},
+                  {"debugaccess", "1'b0"},
+                  {"burstcount", "1'b1"},
+                  {"beginbursttransfer", name_ + ".begintransfer_o"},
+                  {"penable", fmt::format("{0}.read_o || {0}.write_o", name_)},  // APB
+                  {"pwrite", from_.name + "_write"}});
+        const bool waits = i.port("waitrequest") || i.port("waitrequest_n");
+        const unsigned read_wait = i.number("readWaitTime", i.number("readWaitStates", 1)),
+                       write_wait = i.number("writeWaitTime", i.number("writeWaitStates", 0));
+        // A slave has one of byteenable and writebyteenable.
+        const std::string bytes = i.port("byteenable") || i.port("byteenable_n")
+                                      ? drive("byteenable")
+                                      : drive("writebyteenable");
+        text_.line(fmt::format(
+            "de1sim_avalon_slave #(\n        .WIDTH({}), .ADDRESS({}), .SHIFT({}), .SETUP({}), "
+            ".READ_WAIT({}), .WRITE_WAIT({}), .HOLD({}), .LATENCY({}),\n"
+            "        .WAITREQUEST({}), .READDATAVALID({}), .READS({}), .WRITES({})\n    ) {} (\n"
+            "        .clk_i({}), .rst_i({}),\n        {},\n"
+            "        .address_o({}), .chipselect_o({}), .read_o({}), .write_o({}),\n"
+            "        .begintransfer_o({}), .byteenable_o({}), .writedata_o({}),\n"
+            "        .readdata_i({}), .waitrequest_i({}), .readdatavalid_i({})\n    );",
+            slave_.width, std::max(1u, slave_.address_bits), slave_.shift, i.number("setupTime", 0),
+            read_wait, write_wait, i.number("holdTime", 0), i.number("readLatency", 0),
+            waits ? 1 : 0, i.port("readdatavalid") || i.port("readdatavalid_n") ? 1 : 0,
+            slave_.reads ? 1 : 0, slave_.writes ? 1 : 0, name_, clock_, reset_, from_.is_asked(),
+            wire("address"), drive("chipselect"), drive("read"), drive("write"),
+            drive("begintransfer"), bytes, wire("writedata"),
+            hear("readdata", fmt::format("{}'d0", slave_.width)), hear("waitrequest", "1'b0"),
+            hear("readdatavalid", "1'b0")));
+    }
+
+    // One transfer of one word at a time.
+    void axi() {
+        unsigned size = 0;
+        while (8u << size < slave_.width) ++size;
+        const std::string of_word = fmt::format("3'd{}", size);
+        constant({{"awsize", of_word},
+                  {"arsize", of_word},
+                  {"awburst", "2'b01"},
+                  {"arburst", "2'b01"},
+                  {"wlast", "1'b1"}});
+        for (const char* role : {"awid", "awlen", "awlock", "awcache", "awprot", "awqos",
+                                 "awregion", "awuser", "wid", "wuser", "arid", "arlen", "arlock",
+                                 "arcache", "arprot", "arqos", "arregion", "aruser"})
+            constant({{role, "1'b0"}});
+        text_.line(
+            fmt::format("de1sim_axi_slave #(.WIDTH({}), .ADDRESS({})) {} (\n"
+                        "        .clk_i({}), .rst_i({}),\n        {},\n"
+                        "        .awaddr_o({}), .awvalid_o({}), .awready_i({}),\n"
+                        "        .wdata_o({}), .wstrb_o({}), .wvalid_o({}), .wready_i({}),\n"
+                        "        .bvalid_i({}), .bready_o({}),\n"
+                        "        .araddr_o({}), .arvalid_o({}), .arready_i({}),\n"
+                        "        .axi_rdata_i({}), .axi_rvalid_i({}), .axi_rready_o({})\n    );",
+                        slave_.width, std::max(1u, slave_.address_bits), name_, clock_, reset_,
+                        from_.is_asked(), wire("awaddr"), wire("awvalid"), hear("awready", "1'b1"),
+                        wire("wdata"), wire("wstrb"), wire("wvalid"), hear("wready", "1'b1"),
+                        hear("bvalid", "1'b1"), wire("bready"), wire("araddr"), wire("arvalid"),
+                        hear("arready", "1'b1"), hear("rdata", fmt::format("{}'d0", slave_.width)),
+                        hear("rvalid", "1'b1"), wire("rready")));
+    }
+
+private:
+    std::string wire(const char* role) const {
+        const Port* port = interface_.port(role);
+        return port ? slave_.end.wire(*port) : std::string{};
+    }
+    // An input of the slave, active high or low.
+    std::string drive(const char* role) const {
+        if (const Port* port = interface_.port(role)) return slave_.end.wire(*port);
+        const Port* low = interface_.port(std::string{role} + "_n");
+        if (!low) return {};
+        const std::string high = slave_.end.wire(*low) + "_high";
+        text_.wire(high, low->width, low->is_vector);
+        text_.line(fmt::format("assign {} = ~{};", slave_.end.wire(*low), high));
+        return high;
+    }
+    std::string hear(const char* role, const std::string& otherwise) const {
+        if (const Port* port = interface_.port(role)) return slave_.end.wire(*port);
+        if (const Port* low = interface_.port(std::string{role} + "_n"))
+            return "!" + slave_.end.wire(*low);
+        return otherwise;
+    }
+    void constant(const std::vector<std::pair<const char*, std::string>>& roles) const {
+        for (const auto& [role, value] : roles)
+            if (const Port* port = interface_.port(role))
+                text_.line(fmt::format("assign {} = {};", slave_.end.wire(*port), value));
+    }
+
+    VerilogText& text_;
+    const Slave& slave_;
+    const Interface& interface_;
+    const Bus& from_;
+    const std::string& name_;
+    const std::string clock_, reset_;
+};
+
+}  // namespace
+
+std::string Bus::is_asked() const {
+    return fmt::format(
+        ".valid_i({0}_valid), .ready_o({0}_ready), .write_i({0}_write),\n"
+        "        .address_i({0}_address), .wdata_i({0}_wdata), .be_i({0}_be),\n"
+        "        .rvalid_o({0}_rvalid), .rdata_o({0}_rdata)",
+        name);
+}
+
+bool is_axi(const Interface& slave) {
+    return slave.type == "axi" || slave.type == "axi4" || slave.type == "axi4lite";
+}
+
+void write_slave_agent(const Assembly& assembly, VerilogText& text, const Slave& slave,
+                       const Bus& from, const std::string& name, std::vector<std::string>& notes) {
+    Agent agent{assembly, text, slave, from, name};
+    is_axi(*slave.end.interface) ? agent.axi() : agent.avalon();
+    if (slave.end.interface->port("pslverr"))
+        notes.push_back(
+            fmt::format("{}: an error of {} by pslverr is not passed on to the processor",
+                        assembly.system().file.filename().string(), slave.end.name()));
+}
+
+}  // namespace sim::project::qsys

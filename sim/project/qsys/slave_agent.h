@@ -1,0 +1,38 @@
+// slave_agent.h - what joins the commands of the interconnect with a slave's own signals
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "sim/project/qsys/assembly.h"
+#include "sim/project/qsys/verilog_text.h"
+
+namespace sim::project::qsys {
+
+// A set of wires of one command interface, as rtl/ip/qsys/de1sim_avalon_decoder.v has it:
+// NAME_valid, NAME_ready and so on.
+struct Bus {
+    std::string name;
+    unsigned width;  // bits of data
+    std::string clock, reset;
+
+    std::string is_asked() const;  // its connections to a module's ports that are asked
+};
+
+struct Slave {
+    End end;
+    unsigned width, address_bits, shift;
+    std::uint64_t span;
+    bool reads, writes;
+    std::string clock;  // its root
+};
+
+bool is_axi(const Interface& slave);  // AXI3, AXI4 or AXI4-Lite
+
+// Writes the agent as an instance `name`, and what else the slave's inputs get.  A note for each of
+// its signals that the system does not have.
+void write_slave_agent(const Assembly& assembly, VerilogText& text, const Slave& slave,
+                       const Bus& from, const std::string& name, std::vector<std::string>& notes);
+
+}  // namespace sim::project::qsys
