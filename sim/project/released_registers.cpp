@@ -28,7 +28,7 @@ bool is_passed_on(const std::vector<Token>& all, std::size_t i) {
     if (all[i].kind != Kind::NAME || !(before.is("=") || before.is(",") || before.is("{")))
         return false;
     std::size_t next = i + 1;
-    if (all[next].is("[")) next = find_outside(all, next + 1, {"]"}) + 1;
+    if (next < all.size() && all[next].is("[")) next = find_outside(all, next + 1, {"]"}) + 1;
     return next < all.size() && (all[next].is(";") || all[next].is(",") || all[next].is("}"));
 }
 
@@ -79,6 +79,7 @@ std::size_t target_of(const std::vector<Token>& all, std::size_t begin, std::siz
     std::size_t name = i - 2;
     if (all[name].is("]")) {
         while (name > begin && !all[name].is("[")) --name;
+        if (name == begin) return all.size();
         --name;
     }
     const Token& before = all[name - 1];

@@ -30,8 +30,8 @@ struct Slave {
 
 bool is_axi(const Interface& slave);  // AXI3, AXI4 or AXI4-Lite
 
-// Writes the agent as an instance `name`, and what else the slave's inputs get.  A note for each of
-// its signals that the system does not have.
+// Writes the agent as an instance `name`, and what else the slave's inputs get.  Adds a note where
+// the slave can report an error, which is not passed on.
 void write_slave_agent(const Assembly& assembly, VerilogText& text, const Slave& slave,
                        const Bus& from, const std::string& name, std::vector<std::string>& notes);
 
