@@ -107,6 +107,11 @@ void ArmCpu::pause(const sc_core::sc_event& until, const sc_time& at_most) {
     pause_until(at_most, until);
 }
 
+void ArmCpu::work(const sc_time& time) {
+    ahead_ += time;
+    sync();
+}
+
 void ArmCpu::end(const std::string& why) {
     ended_ = true;
     if (!why.empty()) fail(why);

@@ -184,6 +184,8 @@ public:
     // with a fault if `why` is not empty.
     void pause(const sc_core::sc_time& time);
     void pause(const sc_core::sc_event& until, const sc_core::sc_time& at_most);
+    // For a kernel: the processor works for this long, besides what the program executes.
+    void work(const sc_core::sc_time& time);
     // For a kernel: when its alarm() is called, once, in the program's time.
     void set_alarm(const sc_core::sc_time& at) { alarm_ = at; }
     const sc_core::sc_time& alarm() const { return alarm_; }

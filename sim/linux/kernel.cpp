@@ -13,6 +13,7 @@ namespace sim {
 namespace {
 
 constexpr std::uint64_t SEED = 0x9E3779B97F4A7C15;
+const sc_core::sc_time call_time{1, sc_core::SC_US};
 
 }  // namespace
 
@@ -93,6 +94,7 @@ void LinuxKernel::call(ArmCore& core) {
         for (const Call& call : calls()) all.emplace(call.number, call.answer);
         return all;
     }();
+    cpu_.work(call_time);
     const std::uint32_t number = core.reg(7);
     if (const auto call = by_number.find(number); call != by_number.end()) {
         const Arguments arguments{core.reg(0), core.reg(1), core.reg(2), core.reg(3),

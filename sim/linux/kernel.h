@@ -4,8 +4,8 @@
 // the modelled processor in user mode, and accesses registers by mapping /dev/mem.
 //
 // Time is the simulated time since power-on, the same on all clocks; CLOCK_REALTIME therefore
-// begins in 1970.  A system call takes only the time of its instruction; sleeping lets simulated
-// time pass, and so does printing more than the console's line of 115,200 baud has taken away.
+// begins in 1970.  A system call takes 1 us, about as on the board; sleeping lets simulated time
+// pass, and so does printing more than the console's line of 115,200 baud has taken away.
 // Process number 1, user 0, AT_RANDOM and getrandom from a fixed seed: every run is identical.
 //
 // A wrong access is SIGSEGV, an access without a target on the bus is SIGBUS, and so on: the

@@ -169,7 +169,8 @@ TEST_F(LinuxProgram, SleepsInSimulatedTimeByEveryClock) {
     EXPECT_EQ(linux_run("clocks").exit_code, 0);
     EXPECT_EQ(console(),
               "nanosleep took 20 ms\nusleep took 20 ms\nclock_nanosleep took 20 ms\n"
-              "until took 20 ms\n");
+              "until took 20 ms\n"
+              "calls took 1 us each\n");
     EXPECT_NEAR(report()["program"]["asleep_s"].get<double>(), 0.08, 0.0002);
 }
 
