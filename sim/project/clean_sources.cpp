@@ -150,8 +150,8 @@ CleanSources clean_sources(const SourceRequest& from) {
         const bool system_verilog = file.language == SourceFile::Language::SYSTEM_VERILOG;
         const auto fits = from.inout_fits.find(name);
         Normalised normalised =
-            normalise(gates_as_assignments(synthesised(file, project), modules), name,
-                      system_verilog, open_inputs, modules,
+            normalise(with_enables(gates_as_assignments(synthesised(file, project), modules), pins),
+                      name, system_verilog, open_inputs, modules,
                       fits == from.inout_fits.end() ? std::vector<InoutFit>{} : fits->second, pins);
         clean.changes.insert(clean.changes.end(), normalised.changes.begin(),
                              normalised.changes.end());

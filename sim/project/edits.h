@@ -6,6 +6,8 @@
 #include <set>
 #include <string>
 
+#include "sim/project/tokens.h"
+
 namespace sim::project {
 
 struct Edits {
@@ -13,5 +15,8 @@ struct Edits {
     std::set<std::size_t> left_out;  // tokens; the white space and comments before them stay
     std::map<std::size_t, std::string> told;  // what a person is told, with that token's line
 };
+
+// The text of `tokens` with the changes; `told` is the caller's.
+std::string changed_text(const Tokens& tokens, const Edits& edits);
 
 }  // namespace sim::project

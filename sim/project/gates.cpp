@@ -58,9 +58,7 @@ private:
         return i < all_.size() && all_[i].is(text);
     }
     std::string text(std::size_t begin, std::size_t end) const {
-        std::string joined;
-        for (std::size_t i = begin; i < end; ++i) joined += fmt::format(" {}", all_[i].text);
-        return joined.empty() ? joined : joined.substr(1);
+        return text_between(all_, begin, end);
     }
 
     // ---- Tri-state gates ----
@@ -182,17 +180,7 @@ std::string gates_as_assignments(std::string_view text, const Modules& modules) 
         }))
         return std::string{text};
     Gates gates{all, modules};
-    const Edits& edits = gates.run();
-    std::string result;
-    for (std::size_t i = 0; i < all.size(); ++i) {
-        result += all[i].gap;
-        if (const auto here = edits.before.find(i); here != edits.before.end())
-            result += here->second;
-        if (!edits.left_out.count(i)) result += all[i].text;
-        if (const auto here = edits.behind.find(i); here != edits.behind.end())
-            result += here->second;
-    }
-    return result += tokens.tail;
+    return changed_text(tokens, gates.run());
 }
 
 }  // namespace sim::project

@@ -1,8 +1,12 @@
 #include "sim/project/released_registers.h"
 
+#include <algorithm>
+#include <optional>
 #include <utility>
 
 #include <fmt/format.h>
+
+#include "sim/project/items.h"
 
 namespace sim::project {
 
@@ -89,7 +93,238 @@ std::size_t target_of(const std::vector<Token>& all, std::size_t begin, std::siz
     return all[name].kind == Kind::NAME && in_block ? name : all.size();
 }
 
+// A module's registers at pins that its blocks release, each as a value and an enable.
+class EnabledRegisters {
+public:
+    EnabledRegisters(const std::vector<Token>& all, std::size_t begin, std::size_t end,
+                     const NameSet& names, Edits& edits)
+        : all_{all}, begin_{begin}, end_{end}, edits_{edits} {
+        find_assignments(names);
+        if (assignments_.empty()) return;
+        const std::size_t header = find_outside(all, begin, {";"});
+        for (std::size_t i = begin; i < end; ++i)
+            if (all[i].is("reg")) i = declaration(i, header);
+        for (const Assignment& assignment : assignments_)
+            if (enabled_.count(all[assignment.target].text)) assign(assignment);
+    }
+
+private:
+    struct Assignment {
+        std::size_t target, sign, value, end;  // the sign's first token; its semicolon
+    };
+
+    std::string text(std::size_t begin, std::size_t end) const {
+        return begin < end ? ' ' + text_between(all_, begin, end) : "";
+    }
+
+    // All of the registers `names`.
+    void find_assignments(const NameSet& names) {
+        for (std::size_t i = begin_; i < end_; ++i) {
+            if (!all_[i].is("=") || target_of(all_, begin_, i + 1) == all_.size()) continue;
+            const std::size_t target = target_of(all_, begin_, i + 1),
+                              end = find_outside(all_, i, {";"});
+            if (!names.count(all_[target].text) || end >= end_) continue;
+            std::size_t value = i + 1;  // behind a delay
+            if (all_[value].is("#"))
+                value = all_[value + 1].is("(") ? closing(all_, value + 1) + 1 : value + 2;
+            if (value >= end) continue;
+            assignments_.push_back({target, i - all_[i - 1].is("<"), value, end});
+            if (target + 1 != assignments_.back().sign || !is_whole(value, end))
+                in_parts_.emplace(all_[target].text);
+        }
+    }
+    // All bits are released together.
+    bool is_whole(std::size_t begin, std::size_t end) const {
+        const auto [question, colon] = choice(begin, end);
+        if (colon < end) return is_whole(question + 1, colon) && is_whole(colon + 1, end);
+        if (is_in_parentheses(begin, end)) return is_whole(begin + 1, end - 1);
+        return !releases(begin, end) || (begin + 1 == end && !enables_any(begin));
+    }
+    bool releases(std::size_t begin, std::size_t end) const {
+        return std::any_of(all_.begin() + static_cast<std::ptrdiff_t>(begin),
+                           all_.begin() + static_cast<std::ptrdiff_t>(end), is_released);
+    }
+    bool is_in_parentheses(std::size_t begin, std::size_t end) const {
+        return all_[begin].is("(") && closing(all_, begin) + 1 == end;
+    }
+    // The question mark and the colon of a ? b : c; the end twice: it is something else.
+    std::pair<std::size_t, std::size_t> choice(std::size_t begin, std::size_t end) const {
+        const std::size_t question = find_outside(all_, begin, {"?", ";"});
+        std::size_t colon = question;
+        for (int open = 1; colon < end && open > 0;) {
+            colon = find_outside(all_, colon + 1, {"?", ":", ";"});
+            if (colon < end) open += all_[colon].is("?") ? 1 : -1;
+        }
+        return colon < end ? std::pair{question, colon} : std::pair{end, end};
+    }
+    // A number with 1 in place of its digits, 0 where they are released.
+    std::string bits(std::size_t number) const {
+        std::string text{all_[number].text};
+        const std::size_t base = text.find_first_of("bBoOhHdD", text.find('\''));
+        const int radix = std::tolower(text[base]);
+        const char all = radix == 'h' ? 'f' : radix == 'o' ? '7' : '1';
+        for (std::size_t i = base + 1; i < text.size(); ++i)
+            if (text[i] != '_' && text[i] != ' ') text[i] = is_z(text[i]) ? '0' : all;
+        return text;
+    }
+    bool enables_any(std::size_t number) const {
+        const std::string text = bits(number);
+        return text.find_first_not_of("0_ ", text.find_first_of("bBoOhHdD", text.find('\'')) + 1) !=
+               std::string::npos;
+    }
+    static bool is_z(char c) { return c == 'z' || c == 'Z' || c == '?'; }
+    static std::string ones(const std::string& value) {
+        return fmt::format("({0}) | ~({0})", value);
+    }
+    // The enable of the expression [begin, end), of one bit or of as many as it has.
+    std::string enable(std::size_t begin, std::size_t end, bool in_parts) const {
+        const auto [question, colon] = choice(begin, end);
+        if (colon < end)
+            return fmt::format("{} ? {} : {}", text(begin, question),
+                               enable(question + 1, colon, in_parts),
+                               enable(colon + 1, end, in_parts));
+        if (is_in_parentheses(begin, end))
+            return fmt::format("({})", enable(begin + 1, end - 1, in_parts));
+        if (!in_parts) return releases(begin, end) ? "1'b0" : "1'b1";
+        return item(begin, end);
+    }
+    // Of as many bits as it has.
+    std::string item(std::size_t begin, std::size_t end) const {
+        if (!releases(begin, end)) return ones(text(begin, end));
+        if (begin + 1 == end) return bits(begin);
+        const std::size_t brace = find_outside(all_, begin, {"{"});  // {8{1'bz}}
+        return fmt::format("{}{{{}}}", text(begin, brace), items(brace + 1, end - 1));
+    }
+    // Of what stands in braces.
+    std::string items(std::size_t begin, std::size_t end) const {
+        std::string all;
+        while (begin < end) {
+            const std::size_t next = std::min(find_outside(all_, begin, {",", "}"}), end);
+            all += (all.empty() ? "" : ", ") + item(begin, next);
+            begin = next + 1;
+        }
+        return all;
+    }
+
+    // reg [7:0] a, b = 1; or output reg [7:0] a, and so on: without those that get an enable, which
+    // are declared behind it, or behind the module's header.  Its last token.
+    std::size_t declaration(std::size_t reg, std::size_t header) {
+        std::size_t name = reg + 1;
+        if (all_[name].is("signed")) ++name;
+        while (all_[name].is("[")) name = find_outside(all_, name + 1, {"]"}) + 1;
+        const bool is_port = all_[reg - 1].is("output");
+        const std::string type = text(reg + 1, name);
+        std::string kept, added;
+        bool is_first = true;
+        for (std::size_t end = name; name < end_; name = end + 1) {
+            end = std::min(find_outside(all_, name, {",", ";", ")"}), end_);
+            const std::size_t last = end;
+            if (all_[name].kind != Kind::NAME || is_keyword(all_[name].text)) break;
+            const std::string_view word = all_[name].text;
+            const bool is_memory = all_[name + 1].is("[");
+            if (!is_memory && releases_in_block(word)) {
+                enabled_.insert(std::string{word});
+                if (is_port) kept += fmt::format("{}output{} {}", is_first ? "" : ", ", type, word);
+                added += declarations(name, last, type, is_port);
+            } else {
+                kept += is_port ? fmt::format("{}output reg{} {}", is_first ? "" : ", ", type,
+                                              text(name, last))
+                                : fmt::format("reg{}{};", type, text(name, last));
+            }
+            is_first = false;
+            if (!all_[end].is(",")) {
+                name = end;
+                break;
+            }
+        }
+        if (added.empty()) return reg;
+        // `name` is behind the last; a comma before the next direction stays.
+        std::size_t last = name;
+        if (!all_[last].is(";") && !all_[last].is(")")) --last;
+        const std::size_t first = is_port ? reg - 1 : reg;
+        const bool takes_semicolon = !is_port && all_[last].is(";");
+        for (std::size_t i = first; i < last + takes_semicolon; ++i) edits_.left_out.insert(i);
+        edits_.before[first] += kept;
+        if (is_port && last < header)
+            edits_.behind[header] += added;
+        else
+            edits_.behind[last] += added;
+        return last;
+    }
+    // Of the name at token `at`, with its first value up to `end`.
+    std::string declarations(std::size_t at, std::size_t end, const std::string& type,
+                             bool is_port) const {
+        const std::string_view name = all_[at].text;
+        const bool in_parts = in_parts_.count(name) > 0;
+        std::string all = is_port ? "" : fmt::format(" wire{} {};", type, name);
+        all += fmt::format(" reg{} {}__value; reg{} {}__enable;", type, name, in_parts ? type : "",
+                           name);
+        if (in_parts)
+            all += fmt::format(
+                " genvar {0}__i; generate for ({0}__i = $low({0}__value); {0}__i <= "
+                "$high({0}__value); {0}__i = {0}__i + 1) begin : {0}__bits assign "
+                "{0}[{0}__i] = {0}__enable[{0}__i] ? {0}__value[{0}__i] : 1'bz; end "
+                "endgenerate",
+                name);
+        else
+            all += fmt::format(
+                " assign {0} = {0}__enable ? {0}__value : "
+                "{{$bits({0}__value){{1'bz}}}};",
+                name);
+        if (at + 2 >= end) return all;
+        const bool released = releases(at + 2, end);
+        const std::string value = text(at + 2, end);
+        return all + fmt::format(" initial begin {0}__value = {1}; {0}__enable = {2}; end", name,
+                                 released ? "1'b0" : value,
+                                 released   ? "1'b0"
+                                 : in_parts ? ones(value)
+                                            : "1'b1");
+    }
+    bool releases_in_block(std::string_view name) const {
+        return std::any_of(assignments_.begin(), assignments_.end(), [&](const Assignment& a) {
+            return all_[a.target].is(name) && releases(a.value, a.end);
+        });
+    }
+
+    void assign(const Assignment& a) {
+        const std::string name{all_[a.target].text};
+        edits_.left_out.insert(a.target);
+        edits_.before[a.target] += fmt::format("begin {}__value", name);
+        for (std::size_t i = a.value; i < a.end; ++i)
+            if (is_released(all_[i])) {
+                std::string value{all_[i].text};
+                for (char& c : value)
+                    if (is_z(c)) c = '0';
+                edits_.left_out.insert(i);
+                edits_.before[i] += value;
+            }
+        edits_.behind[a.end] +=
+            fmt::format(" {}__enable{} {}; end", name, text(a.target + 1, a.value),
+                        enable(a.value, a.end, in_parts_.count(name) > 0));
+    }
+
+    const std::vector<Token>& all_;
+    const std::size_t begin_, end_;
+    Edits& edits_;
+    std::vector<Assignment> assignments_;
+    NameSet in_parts_, enabled_;
+};
+
 }  // namespace
+
+std::string with_enables(std::string_view text, const PinPorts& pins) {
+    const Tokens tokens = tokens_of(text);
+    if (pins.empty() || std::none_of(tokens.all.begin(), tokens.all.end(), is_released))
+        return std::string{text};
+    Edits edits;
+    each_module(tokens.all, [&](std::size_t begin, std::size_t end) {
+        const auto ports = pins.find(tokens.all[begin].text);
+        if (ports == pins.end()) return;
+        EnabledRegisters{tokens.all, begin, end,
+                         names_at_pins(tokens.all, begin, end, ports->second), edits};
+    });
+    return changed_text(tokens, edits);
+}
 
 PinPorts pin_ports(const std::vector<Tokens>& files, const Modules& modules,
                    const std::string& top) {

@@ -186,6 +186,15 @@ private:
 
 Tokens tokens_of(std::string_view text) { return Scanner{text}.run(); }
 
+std::string text_between(const std::vector<Token>& tokens, std::size_t begin, std::size_t end) {
+    std::string text;
+    for (std::size_t i = begin; i < end; ++i) {
+        if (i > begin && !tokens[i].gap.empty()) text += ' ';
+        text += tokens[i].text;
+    }
+    return text;
+}
+
 void follow_conditions(std::string_view gap, unsigned& open) {
     for (std::size_t at = gap.find('`'); at != std::string_view::npos; at = gap.find('`', at + 1)) {
         const std::string_view word = gap.substr(at + 1, 6);

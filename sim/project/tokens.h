@@ -28,6 +28,9 @@ struct Tokens {
 // `text` must outlive what is returned.  A comment or string without an end reaches to the file's.
 Tokens tokens_of(std::string_view text);
 
+// The tokens [begin, end) in one line: a blank wherever something lies between two.
+std::string text_between(const std::vector<Token>& tokens, std::size_t begin, std::size_t end);
+
 // Counts in `open` the conditions (`ifdef) that a gap opens and closes.  What stands in a branch of
 // one may not be read.
 void follow_conditions(std::string_view gap, unsigned& open);

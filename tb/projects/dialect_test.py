@@ -39,7 +39,7 @@ class AsQuartusTakesIt(Case):
                          "bufif0 #(1,\n 2) b0 (y, SW[1], SW[9]);\n"
                          "notif1 (strong0, strong1) (z, SW[2], ~SW[9]);\n"
                          "notif0 n0 (z, SW[3], ~SW[9]);\n"
-                         "bufif1 (GPIO_0[0], SW[2], SW[8]); bufif0 (GPIO_0[1], SW[3], SW[8]);\n"
+                         "bufif1 (GPIO_0[0], SW[2], SW[8] == 1); bufif0 (GPIO_0[1], SW[3], SW[8]);\n"
                          "assign LEDR = {GPIO_0[1:0], n, z, y};\nendmodule\n")
         self.leds(0b01011, 0b0000000010)  # the pin that is released is high
         self.leds(0b11001, 0b1000001101)
@@ -386,6 +386,43 @@ endmodule
         self.checked("top.v:6: 13049: q is released inside the chip", "top.v:9: 13049: r is")
         self.leds(0b0000011001, 0b1000000001)
         self.leds(0b0000011110, 0b1000000010)
+
+    def test_registers_that_are_released_at_a_pin(self):
+        """Clocked and not, as a whole and in part, by a choice, in an instance, with a value."""
+        self.write(top_v="""\
+module open_drain(input clk, input low, inout p);
+reg r = 1'bz;
+always @(posedge clk) r <= #1 low ? 1'b0 : (1'bz);
+assign p = r;
+endmodule
+module halves(input [1:0] on, input [3:0] d, output reg [3:0] q, output n);
+reg a, b;
+assign n = a;
+always @(*) begin
+    a = d == 4'd5;
+    case (on)
+        2'd1: q = {2'bz, d[1:0]};
+        2'd2: q[3:2] = d[3:2];
+        default: q = {4{1'bz}};
+    endcase
+    if (on == 2'd2) q[1:0] = 2'bzz;
+end
+endmodule
+module top(input CLOCK_50, input [9:0] SW, output [9:0] LEDR, inout FPGA_I2C_SDAT, PS2_CLK,
+           inout [3:0] GPIO_0, output reg signed [1:0] GPIO_1, HEX0);
+reg sda, unused; wire n;
+always @(posedge CLOCK_50) if (SW[0]) sda <= 1'b0; else sda <= 1'bz;
+assign FPGA_I2C_SDAT = sda;
+open_drain o(CLOCK_50, SW[1], PS2_CLK);
+halves h(SW[3:2], SW[7:4], GPIO_0, n);
+always @(*) begin HEX0 = SW[9:8]; if (SW[8]) GPIO_1 = -1; else GPIO_1 = 2'bzz; end
+assign LEDR = {n, HEX0, 1'b0, GPIO_0, PS2_CLK, FPGA_I2C_SDAT};
+endmodule
+""")
+        self.leds(0b0000111111, 0b0000000000)
+        self.leds(0b0000111100, 0b0010100011)
+        self.leds(0b1000110111, 0b0001010100)
+        self.leds(0b0000101111, 0b0010101000)
 
     def test_an_output_that_is_released_and_read(self):
         """By an assignment, and by an instance of an instance with an inout."""

@@ -1,0 +1,18 @@
+#include "sim/project/edits.h"
+
+namespace sim::project {
+
+std::string changed_text(const Tokens& tokens, const Edits& edits) {
+    std::string text;
+    for (std::size_t i = 0; i < tokens.all.size(); ++i) {
+        text += tokens.all[i].gap;
+        if (const auto here = edits.before.find(i); here != edits.before.end())
+            text += here->second;
+        if (!edits.left_out.count(i)) text += tokens.all[i].text;
+        if (const auto here = edits.behind.find(i); here != edits.behind.end())
+            text += here->second;
+    }
+    return text += tokens.tail;
+}
+
+}  // namespace sim::project
