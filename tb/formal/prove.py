@@ -1,13 +1,9 @@
-"""prove.py - proves one harness with Yosys and z3, or shows that a mutant breaks a named property.
+"""prove.py - proves one harness with Yosys and z3.
 
-prove.py --rtl DIR --work DIR --depth N [--induction] [--clocks]
-         [--mutant FILE.PROPERTY.sed --bound M] HARNESS SOURCE...
+prove.py --rtl DIR --work DIR --depth N [--induction] [--clocks] HARNESS SOURCE...
 
-Without --mutant: 0 if every assert holds for N clocks from any state that a reset clock leads out
-of, and with --induction for ever (N-step induction).  With --mutant: the sed script is applied to a
-copy of the sources, and 0 means that the assert PROPERTY was seen to fail: within M clocks of a
-reset, or else, with --induction, first of all, one clock after N clocks of any states in which
-every assert held.
+0 if every assert holds for N clocks from any state that a reset clock leads out of, and with
+--induction for ever (N-step induction).
 
 With --clocks the clocks are inputs like others, and N counts steps in which each may tick or not.
 
@@ -30,19 +26,7 @@ def run(command, log):
     return done
 
 
-def mutated(arguments, sources):
-    work = arguments.work
-    copies = []
-    for source in sources:
-        copies.append(work / source.name)
-        copies[-1].write_bytes(source.read_bytes())
-    subprocess.run(["sed", "-i", "-f", arguments.mutant, *copies], check=True)
-    if all(a.read_bytes() == b.read_bytes() for a, b in zip(sources, copies)):
-        sys.exit(f"{arguments.mutant.name} changes nothing: the source has moved on")
-    return copies
-
-
-def write_smt2(arguments, step, sources):
+def write_smt2(arguments, sources):
     top = arguments.harness.stem
     text = arguments.harness.read_text()
     # From the folder of the outputs, since Yosys splits paths at blanks.
@@ -60,13 +44,7 @@ def write_smt2(arguments, step, sources):
         if word:
             script.append(f"rename {word[1]}[{word[2]}] {inner}")
         script.append(f"connect -nounset -set {name} {inner}")
-    smt2 = arguments.work / f"{step}.smt2"
-    if arguments.mutant:
-        # $check is what an assertion is called by newer releases of Yosys.
-        script.append("select -set others t:$assert t:$check %u "
-                      f"c:{arguments.mutant.suffixes[0][1:]} %d; "
-                      + ("chformal -assert2assume @others; chformal -delay 1 @others"
-                         if step == "induction" else "delete @others"))
+    smt2 = arguments.work / "problem.smt2"
     script.append(f"cd ..; prep -top {top} -nordff; opt -fast; check -assert; "
                   f"{'clk2fflogic' if arguments.clocks else 'async2sync'}; "
                   f"dffunmap; write_smt2 -wires {smt2.name}")
@@ -82,39 +60,25 @@ def main():
     parser.add_argument("--depth", type=int, required=True)
     parser.add_argument("--induction", action="store_true")
     parser.add_argument("--clocks", action="store_true")
-    parser.add_argument("--mutant", type=pathlib.Path)
-    parser.add_argument("--bound", type=int)
     parser.add_argument("harness", type=pathlib.Path)
     parser.add_argument("sources", type=pathlib.Path, nargs="+")
     arguments = parser.parse_args()
     arguments.work.mkdir(parents=True, exist_ok=True)
     sources = [arguments.rtl / source for source in arguments.sources]
-    if arguments.mutant:
-        sources = mutated(arguments, sources)
-    failed = set()
-    steps = {"bounded": ["-t", str(arguments.bound or arguments.depth)]}
+    smt2 = write_smt2(arguments, [*sources, arguments.harness])
+    steps = {"bounded": ["-t", str(arguments.depth)]}
     if arguments.induction:
         # Of N clocks at once: to try fewer first would take z3 up to eight times as long.
         steps["induction"] = ["-i", "-t", f"{arguments.depth}:{arguments.depth}"]
-    smt2 = None
     for step, options in steps.items():
-        if arguments.mutant or not smt2:  # of the unchanged block both steps ask the same
-            smt2 = write_smt2(arguments, step, [*sources, arguments.harness])
-        # Of a mutant nobody looks at the waveform, which takes as long as a fifth of the proof.
-        vcd = [] if arguments.mutant else ["--dump-vcd", str(arguments.work / f"{step}.vcd")]
-        done = run(["yosys-smtbmc", "-s", "z3", "--unroll", *options, *vcd, str(smt2)],
+        done = run(["yosys-smtbmc", "-s", "z3", "--unroll", *options,
+                    "--dump-vcd", str(arguments.work / f"{step}.vcd"), str(smt2)],
                    arguments.work / f"{step}.log")
-        failed |= set(re.findall(r"Assert failed in \w+: (\w+)", done.stdout))
-        if "Status: PASSED" not in done.stdout and not failed:
-            sys.exit(done.stdout)
-        if failed and not arguments.mutant:
-            sys.exit(f"{step}: {' '.join(sorted(failed))} failed, see {arguments.work}/{step}.vcd")
+        failed = sorted(set(re.findall(r"Assert failed in \w+: (\w+)", done.stdout)))
         if failed:
-            break
-    if arguments.mutant:
-        wanted = arguments.mutant.suffixes[0][1:]
-        if wanted not in failed:
-            sys.exit(f"{wanted} holds in spite of the mutant; failed: {sorted(failed)}")
+            sys.exit(f"{step}: {' '.join(failed)} failed, see {arguments.work}/{step}.vcd")
+        if "Status: PASSED" not in done.stdout:
+            sys.exit(done.stdout)
 
 
 if __name__ == "__main__":

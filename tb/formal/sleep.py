@@ -2,8 +2,7 @@
 
 What awake_o, due_o and rest_o promise is in rtl/README.md, Sleep.
 
-sleep.py --rtl DIR --work DIR [--strobes PORT...] [--pins PORT...] [--mutant FILE.sed]
-         --sources SOURCE...
+sleep.py --rtl DIR --work DIR [--strobes PORT...] [--pins PORT...] --sources SOURCE...
 
 The first source is the block.  It is proved from any state, reachable or not, after any clock
 before it, a reset too:
@@ -23,9 +22,8 @@ nobody is spoken to; of timebase.v, `leaps`, that a leap over n + 1 clocks is on
 clock.  Of fpga.v with the simulation's group_clock.v, `sleeps` is said of each group, and `rests`
 of all together.
 
-0 if all of it holds.  Where it does not, counterexample.txt in the work folder has a line a signal,
-and a column a clock.  With --mutant, which changes a copy of the sources, 0 if the claim that the
-script's first line names, as in "# rests", does not hold.
+0 if all of it holds.  Where it does not, counterexample.txt in the work folder has a line per
+signal, and a column per clock.
 """
 import argparse
 import collections
@@ -35,7 +33,6 @@ import subprocess
 import sys
 
 from block import Block, shown, symbols
-from prove import mutated
 
 
 # A claim: what registers became (block.py), what was so besides, and what follows from them.
@@ -158,12 +155,11 @@ def ask(problem, work):
     return subprocess.run(["z3", work / "problem.smt2"], stdout=subprocess.PIPE, text=True).stdout
 
 
-def holds(block, claim, work, mutant):
+def holds(block, claim, work):
     """Whether the claim holds: its premises are satisfiable, but not without a conclusion.
 
     Each conclusion is asked for by itself: it reaches less of the block than all of them.  If one
-    does not hold, counterexample.txt says why.  Of a mutant only a conclusion that fails is of
-    interest, for which the premises are satisfied.
+    does not hold, counterexample.txt says why.
     """
     given = f"(and {' '.join(claim.premises)})"
     for conclusion in sorted(claim.conclusions, key=len):  # the quick ones first
@@ -173,10 +169,9 @@ def holds(block, claim, work, mutant):
             continue
         if answer != "sat\n":
             sys.exit(answer)
-        if not mutant:
-            tell(block, claim, broken, work)
+        tell(block, claim, broken, work)
         return False
-    if not mutant and ask(block.problem(claim.steps, given), work) != "sat\n":
+    if ask(block.problem(claim.steps, given), work) != "sat\n":
         sys.exit(f"{claim.name}: this never is the case")
     return True
 
@@ -198,13 +193,10 @@ def main():
     parser.add_argument("--work", type=pathlib.Path, required=True)
     parser.add_argument("--strobes", nargs="*", default=[])
     parser.add_argument("--pins", nargs="*", default=[])
-    parser.add_argument("--mutant", type=pathlib.Path)
     parser.add_argument("--sources", type=pathlib.Path, nargs="+", required=True)
     arguments = parser.parse_args()
     arguments.work.mkdir(parents=True, exist_ok=True)
     sources = [arguments.rtl / source for source in arguments.sources]
-    if arguments.mutant:
-        sources = mutated(arguments, sources)
     block = Block(arguments, sources)
     if block.name == "vga":
         claims = beam(block)
@@ -213,13 +205,7 @@ def main():
     else:
         claims = (fabric if block.name == "fpga" else sleep)(block, arguments.strobes,
                                                              arguments.pins)
-    if arguments.mutant:
-        wanted = arguments.mutant.read_text().splitlines()[0].removeprefix("# ")
-        (claim,) = (claim for claim in claims if claim.name == wanted)
-        sys.exit(f"{wanted}: holds in spite of the mutant"
-                 if holds(block, claim, arguments.work, arguments.mutant) else 0)
-    failed = next((claim.name for claim in claims
-                   if not holds(block, claim, arguments.work, arguments.mutant)), None)
+    failed = next((claim.name for claim in claims if not holds(block, claim, arguments.work)), None)
     if failed:
         sys.exit(f"{failed}: does not hold, see {arguments.work}/counterexample.txt")
 

@@ -1,1 +1,0 @@
-s/owners_q\[end_q\] <= turn/owners_q[end_q] <= turn_q/

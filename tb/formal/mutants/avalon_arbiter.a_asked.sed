@@ -1,1 +1,0 @@
-s/found \&\& pending_q != MOST/pending_q != MOST/

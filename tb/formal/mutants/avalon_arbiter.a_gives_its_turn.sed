@@ -1,1 +1,0 @@
-s/left_q <= left_q - {7'd0, taken}/left_q <= left_q/

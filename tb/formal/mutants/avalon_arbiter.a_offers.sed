@@ -1,1 +1,0 @@
-s/pending_q != MOST/pending_q == 0/

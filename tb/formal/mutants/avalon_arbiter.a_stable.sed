@@ -1,1 +1,0 @@
-s/if (valid_o) begin/if (taken) begin/

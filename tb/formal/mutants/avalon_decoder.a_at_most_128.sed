@@ -1,1 +1,0 @@
-s/ \&\& pending_q != MOST//

@@ -1,1 +1,0 @@
-s/assign rdata = slave\[n - 1\].rdata/assign rdata = {WIDTH{1'b0}}/

@@ -1,1 +1,0 @@
-s/hit_i == slave_q \&\& //

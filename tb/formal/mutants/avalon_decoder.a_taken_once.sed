@@ -1,1 +1,0 @@
-s/= may \&\& (hit_i/= (hit_i/

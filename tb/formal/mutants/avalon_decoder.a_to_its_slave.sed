@@ -1,1 +1,0 @@
-s/= valid_i \&\& may ? hit_i/= may ? hit_i/

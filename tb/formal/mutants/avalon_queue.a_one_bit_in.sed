@@ -1,1 +1,0 @@
-s/written ^ written >> 1/written/

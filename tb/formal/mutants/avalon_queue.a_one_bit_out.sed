@@ -1,1 +1,0 @@
-s/read ^ read >> 1/read/

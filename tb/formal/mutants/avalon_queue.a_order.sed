@@ -1,1 +1,0 @@
-s/words_q\[written_q/words_q[read_q/

@@ -1,1 +1,0 @@
-s/!= FULL/!= FULL \&\& read_seen_q == 0/

@@ -1,1 +1,0 @@
-s/(data || others)/data/

@@ -1,1 +1,0 @@
-s/acts \&\& clock_q == 8'd0/acts/

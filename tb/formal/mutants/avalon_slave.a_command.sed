@@ -1,1 +1,0 @@
-s/byteenable_o    = be_i/byteenable_o    = ~be_i/

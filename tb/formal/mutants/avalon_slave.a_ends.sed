@@ -1,1 +1,0 @@
-s/= SETUP + READ_WAIT/= READ_WAIT/

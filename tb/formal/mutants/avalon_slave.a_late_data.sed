@@ -1,1 +1,0 @@
-s/data ? readdata_i/data ? ~readdata_i/

@@ -1,1 +1,0 @@
-s/line_q\[LATENCY-1\]/line_q[0]/

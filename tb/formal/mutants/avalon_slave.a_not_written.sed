@@ -1,1 +1,0 @@
-s/= runs \&\& known;/= runs;/

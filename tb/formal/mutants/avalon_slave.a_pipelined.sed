@@ -1,1 +1,0 @@
-s/: clock_q == last;/: clock_q == last + 8'd1;/

@@ -1,1 +1,0 @@
-s/acts \&\& !write_i \&\& clock_q >= SETUP/acts \&\& !write_i/

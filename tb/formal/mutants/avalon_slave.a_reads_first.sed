@@ -1,1 +1,0 @@
-s/(write_i || !known ? pending_q/(!known ? pending_q/

@@ -1,1 +1,0 @@
-s/chipselect_o    = acts/chipselect_o    = acts \&\& clock_q >= SETUP/

@@ -1,1 +1,0 @@
-s/pending_q != MOST)/pending_q != MOST \&\& !readdatavalid_i)/

@@ -1,1 +1,0 @@
-s/clock_q >= SETUP \&\& !waitrequest_i/clock_q >= SETUP/

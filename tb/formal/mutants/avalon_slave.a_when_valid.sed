@@ -1,1 +1,0 @@
-s/data   = readdatavalid_i/data   = readdatavalid_i \&\& runs/

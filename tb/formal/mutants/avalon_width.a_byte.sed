@@ -1,1 +1,0 @@
-s/wdata_i\[TO\*next +: TO\]/wdata_i[TO-1:0]/

@@ -1,1 +1,0 @@
-s/rvalid_o  = rvalid_i;/rvalid_o  = rvalid_i \&\& pending_q != MOST;/

@@ -1,1 +1,0 @@
-s/rdata_i\[FROM\*answered +: FROM\]/rdata_i[FROM-1:0]/

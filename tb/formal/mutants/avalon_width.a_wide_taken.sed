@@ -1,1 +1,0 @@
-s/ready_i \&\& valid_o \&\& last/ready_i \&\& last/

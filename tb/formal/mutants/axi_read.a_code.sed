@@ -1,1 +1,0 @@
-s/rerror_i ? DECERR : OKAY/OKAY/

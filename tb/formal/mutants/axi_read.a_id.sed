@@ -1,1 +1,0 @@
-s/rid_o    <= arid_i/rid_o    <= ~arid_i/

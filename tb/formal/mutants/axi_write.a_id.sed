@@ -1,1 +1,0 @@
-s/bid_o    <= awid_i/bid_o    <= ~awid_i/

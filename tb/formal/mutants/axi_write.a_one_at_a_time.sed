@@ -1,1 +1,0 @@
-s/awready_o = !busy_q/awready_o = !busy_q || drain_q[1]/

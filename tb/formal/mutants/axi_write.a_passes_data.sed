@@ -1,1 +1,0 @@
-s/wstrb_o <= wstrb_i/wstrb_o <= 15/

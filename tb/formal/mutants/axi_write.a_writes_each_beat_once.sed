@@ -1,1 +1,0 @@
-s/we_o    <= !refuse_q/we_o    <= 1/

@@ -1,1 +1,0 @@
-s/write_gray_q <= gray(write_q + ONE)/write_gray_q <= gray(write_q)/

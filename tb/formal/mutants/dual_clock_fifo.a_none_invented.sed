@@ -1,1 +1,0 @@
-s/pop_i \&\& !empty_o/pop_i/

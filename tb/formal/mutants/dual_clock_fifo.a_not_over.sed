@@ -1,1 +1,0 @@
-s/push_i \&\& !full_o/push_i/

@@ -1,1 +1,0 @@
-s/empty_o = count_o == .*/empty_o = count_o == ONE;/

@@ -1,1 +1,0 @@
-s/full_o  = count_o\[DEPTH_LOG2\]/full_o  = \&count_o[DEPTH_LOG2-1:0]/

@@ -1,1 +1,0 @@
-s/count_o <= left + ONE/count_o <= count_o + ONE/

@@ -1,1 +1,0 @@
-s/(left == n/(count_o == n/

@@ -1,1 +1,0 @@
-s/memory\[read_q\]/memory[0]/

@@ -1,1 +1,0 @@
-s/if (ack_cell \&\& sdat) nack_o <= 1'b1;/begin if (ack_cell \&\& sdat) nack_o <= 1'b1; sclk_o <= 1'b0; end/

@@ -1,1 +1,0 @@
-s/{run_q ? left : due_q, phase_q}/{due_q, phase_q}/

@@ -1,1 +1,0 @@
-s/if (!rectangle(last_q))/if (1'b1)/

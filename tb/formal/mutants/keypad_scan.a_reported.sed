@@ -1,1 +1,0 @@
-s/equal_q >= debounce_i/equal_q > debounce_i/

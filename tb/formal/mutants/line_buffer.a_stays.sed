@@ -1,1 +1,0 @@
-s/if (re_i) rdata_o/rdata_o/

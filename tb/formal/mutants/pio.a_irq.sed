@@ -1,1 +1,0 @@
-s/edge_q \& mask_q/edge_q | mask_q/

@@ -1,1 +1,0 @@
-s/(waiting_q || asked_q == got_q)/waiting_q/

@@ -1,1 +1,0 @@
-s/windex_o = {parity_q, got_q}/windex_o = {!parity_q, got_q}/

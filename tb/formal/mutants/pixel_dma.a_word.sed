@@ -1,1 +1,0 @@
-s/(odd_i || onchip_read_i)/odd_i/

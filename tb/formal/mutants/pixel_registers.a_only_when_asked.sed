@@ -1,1 +1,0 @@
-s/swap_i \&\& swap_q/swap_i/

@@ -1,1 +1,0 @@
-s/{front_o, back_q} <= {back_q, front_o}/back_q <= front_o/

@@ -1,1 +1,0 @@
-s/go    = !wait_q \&\& ready/go    = ready/

@@ -1,1 +1,0 @@
-s/take_o         = take \&\& !screen/take_o         = take/

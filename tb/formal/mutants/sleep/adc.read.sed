@@ -1,2 +1,0 @@
-# sleeps
-s/auto_q || read_q || rdata/auto_q || rdata/

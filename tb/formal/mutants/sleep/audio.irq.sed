@@ -1,2 +1,0 @@
-# sleeps
-s/ || irq != irq_o//

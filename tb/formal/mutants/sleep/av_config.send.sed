@@ -1,2 +1,0 @@
-# sleeps
-s/restart_o || send_o || waits_q;/restart_o || waits_q;/

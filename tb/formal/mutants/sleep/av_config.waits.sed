@@ -1,2 +1,0 @@
-# sleeps
-s/send_o || waits_q;/send_o;/

@@ -1,2 +1,0 @@
-# sleeps
-s/awake_o = filling_q/awake_o = 1'b0/

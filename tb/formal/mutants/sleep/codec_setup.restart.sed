@@ -1,2 +1,0 @@
-# sleeps
-s/start || restart_q ||/start ||/

@@ -1,2 +1,0 @@
-# sleeps
-s/awake_o = start || /awake_o = /

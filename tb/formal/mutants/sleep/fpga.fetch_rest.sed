@@ -1,2 +1,0 @@
-# rests
-s/least(beam_rest_i, fetch_rest_i)/beam_rest_i/

@@ -1,2 +1,0 @@
-# clocks.memory_group sleeps
-s/fetch_awake || onchip_we != 4'd0 ||/fetch_awake ||/

@@ -1,2 +1,0 @@
-# clocks.memory_group sleeps
-s/sdram_awake || sdram_due$/sdram_awake/

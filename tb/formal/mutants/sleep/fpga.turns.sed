@@ -1,2 +1,0 @@
-# clocks.memory_group sleeps
-s/ || turns_awake),/),/

@@ -1,2 +1,0 @@
-# sleeps
-s/ || cell_we_o != 4'd0$//

@@ -1,2 +1,0 @@
-# sleeps
-s/ || posted != 2'd0 || we_o/ || we_o/

@@ -1,2 +1,0 @@
-# sleeps
-s/|| reader_awake || re ||/|| re ||/

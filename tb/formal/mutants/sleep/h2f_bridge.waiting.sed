@@ -1,2 +1,0 @@
-# sleeps
-s/|| re || rdram_q || re_o/|| re || re_o/

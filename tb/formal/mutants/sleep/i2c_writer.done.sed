@@ -1,2 +1,0 @@
-# sleeps
-s/busy_o || done_o/busy_o/

@@ -1,2 +1,0 @@
-# sleeps
-s/ || irq_o != (ri || wi)//

@@ -1,2 +1,0 @@
-# sleeps
-s/waits_i || busy_q;/waits_i;/

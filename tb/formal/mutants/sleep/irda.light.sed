@@ -1,2 +1,0 @@
-# sleeps
-s/ || !rxd || busy_q/ || busy_q/

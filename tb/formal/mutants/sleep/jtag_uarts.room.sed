@@ -1,2 +1,0 @@
-# sleeps
-s/ || room != room_o;/;/

@@ -1,2 +1,0 @@
-# sleeps
-s/ || (take_q && write_count != 7'd0)//

@@ -1,2 +1,0 @@
-# sleeps
-s/|| walk_q != 4'd0 //

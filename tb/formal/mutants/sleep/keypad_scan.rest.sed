@@ -1,2 +1,0 @@
-# rests
-s/left - 1 : 10'd1023/left : 10'd1023/

@@ -1,2 +1,0 @@
-# sleeps
-s/run_i != runs_q || //

@@ -1,2 +1,0 @@
-# sleeps
-s/ || write_decode_awake$//

@@ -1,2 +1,0 @@
-# sleeps
-s/ || asked_q || done_q;/ || asked_q;/

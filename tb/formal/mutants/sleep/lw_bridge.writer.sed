@@ -1,2 +1,0 @@
-# sleeps
-s/writer_awake || we ||/we ||/

@@ -1,2 +1,0 @@
-# sleeps
-s/awake != 6'd0/awake[4:0] != 5'd0/

@@ -1,2 +1,0 @@
-# sleeps
-s/ || data != data_was_q;/;/

@@ -1,2 +1,0 @@
-# sleeps
-s/ || pins_awake || / || /

@@ -1,2 +1,0 @@
-# sleeps
-s/ || (busy_q \&\& odd_i);/;/

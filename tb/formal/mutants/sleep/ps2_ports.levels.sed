@@ -1,2 +1,0 @@
-# sleeps
-s/ || {clk_q, dat_q} != meta_q;/;/

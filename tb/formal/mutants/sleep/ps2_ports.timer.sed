@@ -1,2 +1,0 @@
-# sleeps
-s/ || timer_q != 14'd0$//

@@ -1,2 +1,0 @@
-# sleeps
-s/ || wires_q != meta_q$//

@@ -1,2 +1,0 @@
-# sleeps
-s/ || clear_o || clearing_rdata_q;/ || clearing_rdata_q;/

@@ -1,2 +1,0 @@
-# sleeps
-s/pixel_awake || text_awake/pixel_awake/

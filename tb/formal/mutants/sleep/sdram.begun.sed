@@ -1,2 +1,0 @@
-# sleeps
-s/controller_awake || begun_q ||/controller_awake ||/

@@ -1,2 +1,0 @@
-# sleeps
-s/ || screen_q != 4.d0;/;/

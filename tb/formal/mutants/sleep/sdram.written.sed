@@ -1,2 +1,0 @@
-# sleeps
-s/^ *|| dram_dq_oe_o;/;/

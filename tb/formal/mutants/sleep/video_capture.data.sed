@@ -1,2 +1,0 @@
-# sleeps
-s/if (run) data_q <= /data_q <= /

@@ -1,2 +1,0 @@
-# sleeps
-s/ || !rests_q;/;/

@@ -1,2 +1,0 @@
-# sleeps
-s/ || edges_rdata_q || / || /

@@ -1,2 +1,0 @@
-# decoder sleeps
-s/ || sent_awake;/;/

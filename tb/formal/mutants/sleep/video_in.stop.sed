@@ -1,2 +1,0 @@
-# sleeps
-s/ || ((run_q || begun_q) \&\& !enable_i);/;/

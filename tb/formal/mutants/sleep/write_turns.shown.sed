@@ -1,2 +1,0 @@
-# sleeps
-s/awake_o = shown_q || /awake_o = /

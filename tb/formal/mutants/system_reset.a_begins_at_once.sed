@@ -1,1 +1,0 @@
-s/ or posedge rst_i//

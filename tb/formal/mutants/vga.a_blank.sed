@@ -1,1 +1,0 @@
-s/SHOW = LATER,/SHOW = LATER + 10'd1,/

@@ -1,1 +1,0 @@
-s/: pixel;/: !flat_q ? pixel : 16'd0;/; s/draws \&\& !flat_q/draws/

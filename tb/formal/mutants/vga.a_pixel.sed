@@ -1,1 +1,0 @@
-s/if (pixel_o) half_q <= place\[0\]/if (pixel_o) half_q <= h[1]/

@@ -1,1 +1,0 @@
-s/if (hide) blank_no/if (hide \&\& v_o[0]) blank_no/

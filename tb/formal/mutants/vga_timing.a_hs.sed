@@ -1,1 +1,0 @@
-s/H_FRONT = 16/H_FRONT = 15/

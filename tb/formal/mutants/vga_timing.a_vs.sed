@@ -1,1 +1,0 @@
-s/V_FRONT = 10/V_FRONT = 11/

@@ -1,1 +1,0 @@
-s/first \&\& !begun_q/first/

@@ -1,1 +1,0 @@
-s/assign sdram_req_o  = go \&\& belongs \&\& !onchip;/assign sdram_req_o  = go \&\& belongs;/

@@ -1,1 +1,0 @@
-s/row ? row_q + PITCH/row ? row_q + PITCH + 26'd1/
