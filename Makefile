@@ -2,8 +2,8 @@
 
 .PHONY: all build setup help demo test test-all fast asan coverage bench bench-collision firmware
 .PHONY: package portable bench-history nightly weekly tsan clang
-.PHONY: soak formal formal-mutants mutants synth netlist table1 fuzz instructions qsf bitstream
-.PHONY: bitstream-open regmap format clean configure everything
+.PHONY: soak formal mutants synth netlist table1 fuzz instructions qsf bitstream
+.PHONY: regmap format clean configure everything
 .PHONY: fuzz-programs deploy rollback deploy-jtag
 
 all: build
@@ -33,9 +33,6 @@ qsf:                    ## write the Quartus project anew from the top module's 
 
 bitstream:              ## with Quartus: build/bitstream/de1_soc.rbf and de1_soc_jtag.rbf
 	@rtl/board/de1_soc/bitstream.sh
-
-bitstream-open:         ## with Yosys and nextpnr-mistral: colour bars, no PLL, no processor
-	@rtl/board/de1_soc/bitstream_open.sh
 
 deploy:                 ## BOARD=user@host [RBF=file] [DRY_RUN=1]: to the board's Linux (sw/deploy)
 	@sw/deploy/deploy.sh arguments
@@ -122,9 +119,6 @@ coverage:               ## of the RTL and the C++ -> build/coverage/html/index.h
 
 formal: everything      ## proofs with Yosys and z3 (tb/formal)
 	@cmake --build build --target formal
-
-formal-mutants: everything ## each property seen to fail on a mutant
-	@cmake --build build --target formal-mutants
 
 mutants:                ## [N=330] [SEED=n] [BLOCK=vga] [ONLY=id] [RESUME=1]: who finds its faults
 	@.ci/setup --check tool firmware test video

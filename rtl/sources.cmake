@@ -26,8 +26,6 @@ set(BOARD_SOURCES
     board/de1_soc/audio_clock.v board/de1_soc/clock_reset.v board/de1_soc/de1_soc_top.v
     board/de1_soc/header.v board/de1_soc/hps.v board/de1_soc/jtag_terminals.v
     common/reset_sync.v)
-# In the primitives' places where there are none: make bitstream-open.
-set(OPEN_SOURCES board/de1_soc/open_hps.v board/de1_soc/open_jtag.v board/de1_soc/open_pll.v)
 set(RTL_INCLUDES regmap bus vga)
 
 # What every Verilated class runs on, compiled once: verilate() would do so in each target.

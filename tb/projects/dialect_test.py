@@ -39,7 +39,7 @@ class AsQuartusTakesIt(Case):
                          "bufif0 #(1,\n 2) b0 (y, SW[1], SW[9]);\n"
                          "notif1 (strong0, strong1) (z, SW[2], ~SW[9]);\n"
                          "notif0 n0 (z, SW[3], ~SW[9]);\n"
-                         "bufif1 (GPIO_0[0], SW[2], SW[8] == 1); bufif0 (GPIO_0[1], SW[3], SW[8]);\n"
+                         "bufif1 (GPIO_0[0], SW[2], SW[8]==1); bufif0 (GPIO_0[1], SW[3], SW[8]);\n"
                          "assign LEDR = {GPIO_0[1:0], n, z, y};\nendmodule\n")
         self.leds(0b01011, 0b0000000010)  # the pin that is released is high
         self.leds(0b11001, 0b1000001101)
