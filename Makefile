@@ -1,6 +1,6 @@
 # The menu. Each entry shows the real command.
 
-.PHONY: all build setup help demo test test-all fast asan coverage bench bench-collision firmware
+.PHONY: all build setup help demo test test-all fast asan coverage bench firmware
 .PHONY: package portable bench-history nightly weekly tsan clang
 .PHONY: soak formal mutants synth netlist table1 fuzz instructions qsf bitstream
 .PHONY: regmap format clean configure everything
@@ -167,13 +167,10 @@ instructions: everything ## 10^9 random ones on the processor and QEMU's [ARM_CO
 	@cmake --build build --target arm_core_unicorn_test
 	@ARM_CORE_INSTRUCTIONS=1000000000 build/bin/arm_core_unicorn_test --gtest_filter='Against*'
 
-bench-collision: everything  ## the broad phases beside their peers, those that are installed
-	@cmake --build build --target bench_collision
-	@build/bin/bench_collision
 
 # The register map's views are printed without CMake, because its configuration runs Verilator on
 # them.
-regmap: configure       ## print the register map's views, the font, the schema and STEPS.md anew
+regmap: configure       ## write what is made of sources anew: REGISTERS.md, STEPS.md and more
 	@mkdir -p build
 	@$(CXX) -std=c++17 -Irtl/regmap -o build/gen_regmap rtl/regmap/gen_regmap.cpp
 	@build/gen_regmap vh > build/regmap.vh && mv build/regmap.vh rtl/regmap/
@@ -182,6 +179,7 @@ regmap: configure       ## print the register map's views, the font, the schema 
 	@$(CXX) -std=c++17 -Isw -o build/gen_font sw/gfx/gen_font.cpp sw/gfx/font.cpp sw/gfx/canvas.cpp
 	@build/gen_font > build/character_font.vh && mv build/character_font.vh rtl/vga/
 	@cmake --build build --target schema_files
+	@/usr/bin/python3 -B tb/lint/not_handled.py . --write
 
 nightly:                ## what CI does each night, command by command
 	@.ci/setup --check tool firmware board test video fuzz

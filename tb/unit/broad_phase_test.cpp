@@ -1,5 +1,4 @@
-// broad_phase_test.cpp - sweep, strips and simd against brute force, on every kind of processor's
-// kernels that this machine can run.
+// broad_phase_test.cpp - sweep and simd against brute force
 #include <gtest/gtest.h>
 
 #include <random>

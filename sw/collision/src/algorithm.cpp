@@ -7,10 +7,9 @@ namespace collision {
 namespace {
 
 // In the order of Algorithm.
-constexpr const char* NAMES[] = {"original",         "original_all_lines",
-                                 "original_by_copy", "improved",
-                                 "improved_vector",  "sweep",
-                                 "strips",           "simd"};
+constexpr const char* NAMES[] = {"original", "original_all_lines", "original_by_copy",
+                                 "improved", "improved_vector",    "sweep",
+                                 "simd"};
 static_assert(std::size(NAMES) == ALGORITHMS.size(), "an algorithm without a name");
 
 }  // namespace

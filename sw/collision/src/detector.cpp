@@ -85,7 +85,6 @@ Error BasicDetector<Counter>::find(Algorithm algorithm, Polygons shapes, PairLis
             find_improved_vector(shapes, pairs, counter);
             return Error::NONE;
         case Algorithm::SWEEP: sweep_.find(boxes_.data(), shapes.size(), overlaps_); break;
-        case Algorithm::STRIPS: strips_.find(boxes_.data(), shapes.size(), overlaps_); break;
         case Algorithm::SIMD: simd_.find(boxes_.data(), shapes.size(), overlaps_); break;
     }
     const CollisionPair* const end = keep(shapes, overlaps_.data(), overlaps_.size());

@@ -5,11 +5,11 @@
 
 #include "collision/collision_pair.h"
 
-namespace collision::detail {
+namespace collision {
 
 // Points to the place of the next pair in a list, and to the end of its places.  It overwrites the
-// list's content; within the old size nothing is allocated or cleared.  A kernel works on a copy of
-// this object and returns it, so that the compiler keeps it in registers.
+// list's content; within the old size nothing is allocated or cleared.  An inner loop works on a
+// copy of this object, so that the compiler keeps it in registers.
 class PairWriter {
 public:
     explicit PairWriter(PairList& list)
@@ -32,10 +32,16 @@ public:
 
 private:
     std::size_t used() const { return static_cast<std::size_t>(next - list_->data()); }
-    PairWriter larger(std::size_t places) const;  // not inline: see kernels_avx2.cpp
+    [[gnu::noinline]] PairWriter larger(std::size_t places) const {
+        const std::size_t written = used();
+        list_->resize(written + places);
+        PairWriter writer(*list_);
+        writer.next += written;
+        return writer;
+    }
 
     CollisionPair* end_;
     PairList* list_;
 };
 
-}  // namespace collision::detail
+}  // namespace collision

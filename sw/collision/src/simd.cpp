@@ -1,5 +1,6 @@
 // simd.cpp - see broad_phase.h
 #include <algorithm>
+#include <array>
 #include <limits>
 
 #include "collision/broad_phase.h"
@@ -58,8 +59,52 @@ void ShortBoxes::assign(const Aabb* boxes, unsigned count) {
 
 namespace {
 
-constexpr unsigned FEW = 12;          // up to so many boxes vectors do not pay
-constexpr unsigned MOST_IN_HIT = 16;  // lanes
+constexpr unsigned FEW = 12;  // up to so many boxes vectors do not pay
+
+// Up to so many boxes it is mostly faster than Sweep, measured on the paper's workload.
+#if defined(__ARM_NEON)
+constexpr unsigned MANY = 70;
+#else
+constexpr unsigned MANY = detail::ShortBoxes::CAPACITY;
+#endif
+
+// A vector with boxes that overlap box `box`: bit STRIDE * i stands for the box `other` + i.
+struct Hit {
+    std::uint64_t bits;  // not 0
+    std::uint32_t box, other;
+};
+
+// A branch on whether a vector has a hit would often be mispredicted.  So hits are first stored
+// without a branch, and split into pairs afterwards.
+struct Hits {
+    static constexpr unsigned PER_ROW = detail::ShortBoxes::CAPACITY / lanes::SHORTS;  // at most
+
+    std::array<Hit, 8 * PER_ROW> all;
+    unsigned count;
+};
+
+// Compares each box from `row` on with those after it.  Stops before `hits` could overflow.
+// Returns the row to go on with, or `count` at the end.
+unsigned compare_all(const detail::ShortBoxes& boxes, unsigned count, unsigned row, Hits& hits) {
+    using lanes::Shorts;
+    Hit* next = hits.all.data();
+    const Hit* const last = next + hits.all.size() - Hits::PER_ROW;
+    for (; row < count && next < last; ++row) {
+        const Shorts min_x = boxes.min_x[row] - Shorts{}, max_x = boxes.max_x[row] - Shorts{};
+        const Shorts min_y = boxes.min_y[row] - Shorts{}, max_y = boxes.max_y[row] - Shorts{};
+        for (unsigned j = row + 1; j < count; j += lanes::SHORTS) {
+            const Shorts apart = (lanes::load<Shorts>(&boxes.min_x[j]) > max_x) |
+                                 (lanes::load<Shorts>(&boxes.max_x[j]) < min_x) |
+                                 (lanes::load<Shorts>(&boxes.min_y[j]) > max_y) |
+                                 (lanes::load<Shorts>(&boxes.max_y[j]) < min_y);
+            const std::uint64_t bits = lanes::bits(~apart);
+            *next = {bits, row, j};
+            next += bits != 0;
+        }
+    }
+    hits.count = static_cast<unsigned>(next - hits.all.data());
+    return row;
+}
 
 // No branch: four comparisons.
 bool overlap(const Aabb& a, const Aabb& b) {
@@ -70,8 +115,8 @@ bool overlap(const Aabb& a, const Aabb& b) {
 }  // namespace
 
 void Simd::find(const Aabb* boxes, unsigned count, PairList& overlaps) {
-    if (count > kernels_->brute_force_up_to) return strips_.find(boxes, count, overlaps);
-    detail::PairWriter pairs(overlaps);
+    if (count > MANY) return sweep_.find(boxes, count, overlaps);
+    PairWriter pairs(overlaps);
     if (count <= FEW) {
         for (std::uint32_t row = 0; row < count; ++row) {
             pairs.need(count);
@@ -81,14 +126,14 @@ void Simd::find(const Aabb* boxes, unsigned count, PairList& overlaps) {
         return pairs.finish();
     }
     shorts_.assign(boxes, count);
+    Hits hits;
     for (unsigned row = 0; row < count;) {
-        row = kernels_->compare_all(shorts_, count, row, hits_);
-        for (unsigned i = 0; i < hits_.count; ++i) {
-            const detail::ShortHit& hit = hits_.hits[i];
-            pairs.need(MOST_IN_HIT);
+        row = compare_all(shorts_, count, row, hits);
+        for (unsigned i = 0; i < hits.count; ++i) {
+            const Hit& hit = hits.all[i];
+            pairs.need(lanes::SHORTS);
             for (std::uint64_t bits = hit.bits; bits != 0; bits &= bits - 1) {
-                const std::uint32_t other =
-                    hit.other + detail::lanes::lowest_bit(bits) / hits_.stride;
+                const std::uint32_t other = hit.other + lanes::lowest_bit(bits) / lanes::STRIDE;
                 // Rounding made boxes larger; this leaves out those that do not overlap.
                 pairs.append(hit.box, other, overlap(boxes[hit.box], boxes[other]));
             }

@@ -1,9 +1,12 @@
 // sweep.cpp - see broad_phase.h
+#include <algorithm>
+#include <array>
+#include <limits>
 #include <utility>
 
 #include "collision/broad_phase.h"
+#include "lanes.h"
 #include "pair_writer.h"
-#include "radix_sort.h"
 
 namespace collision {
 namespace {
@@ -30,6 +33,69 @@ constexpr unsigned ALLOWANCE = 64;     // the first few boxes say little
 
 constexpr unsigned SAMPLE = 256;  // boxes by which the present axis is judged
 
+// A position in the upper half, biased so that it orders as unsigned; an index in the lower.
+std::uint64_t sort_key(std::int32_t position, std::uint32_t index) {
+    return std::uint64_t{static_cast<std::uint32_t>(position) ^ 0x80000000u} << 32 | index;
+}
+std::uint32_t index_of(std::uint64_t key) { return static_cast<std::uint32_t>(key); }
+
+constexpr unsigned DIGIT_BITS = 11, DIGITS = 3, FIRST_BIT = 32;
+
+unsigned digit(std::uint64_t key, unsigned pass) {
+    return key >> (FIRST_BIT + DIGIT_BITS * pass) & ((1u << DIGIT_BITS) - 1);
+}
+
+// Sorts by the upper 32 bits; equal ones keep their order.  `spare` is resized to match.  O(count).
+//
+// Source: Knuth, The Art of Computer Programming 3, 5.2.5, least significant digit first.
+void radix_sort(std::vector<std::uint64_t>& keys, std::vector<std::uint64_t>& spare) {
+    std::array<std::array<std::uint32_t, 1u << DIGIT_BITS>, DIGITS> places{};
+    for (const std::uint64_t key : keys)
+        for (unsigned pass = 0; pass < DIGITS; ++pass) ++places[pass][digit(key, pass)];
+    spare.resize(keys.size());
+    for (unsigned pass = 0; pass < DIGITS; ++pass) {
+        if (keys.empty() || places[pass][digit(keys[0], pass)] == keys.size()) continue;
+        std::uint32_t place = 0;
+        for (std::uint32_t& of_digit : places[pass]) {
+            const std::uint32_t count = of_digit;
+            of_digit = place;
+            place += count;
+        }
+        for (const std::uint64_t key : keys) spare[places[pass][digit(key, pass)]++] = key;
+        keys.swap(spare);
+    }
+}
+
+// One array for each edge, so that a vector has the same edge of several boxes.  The boxes are
+// sorted by min_x.  Behind them are PADDING that overlap nothing, so that a vector may be read
+// beyond the end.
+constexpr unsigned PADDING = lanes::INTS;
+struct SortedBoxes {
+    std::int32_t *min_x, *max_x, *min_y, *max_y;
+    const std::uint32_t* index;  // of each box in the caller's array
+    unsigned count;
+};
+
+// Writes the pairs of each box with those after it.
+void sweep(const SortedBoxes boxes, PairWriter& to) {
+    using lanes::Ints;
+    PairWriter pairs = to;
+    for (unsigned row = 0; row < boxes.count; ++row) {
+        pairs.need(boxes.count - row + lanes::INTS);
+        const std::int32_t end = boxes.max_x[row];
+        const Ints max_x = end - Ints{};
+        const Ints min_y = boxes.min_y[row] - Ints{}, max_y = boxes.max_y[row] - Ints{};
+        for (std::uint32_t j = row + 1; j < boxes.count && boxes.min_x[j] <= end;
+             j += lanes::INTS) {
+            const Ints apart = (lanes::load<Ints>(boxes.min_x + j) > max_x) |
+                               (lanes::load<Ints>(boxes.min_y + j) > max_y) |
+                               (lanes::load<Ints>(boxes.max_y + j) < min_y);
+            lanes::append(pairs, boxes.index[row], boxes.index + j, ~apart);
+        }
+    }
+    to = pairs;
+}
+
 }  // namespace
 
 // The axis along which the centres vary most.  The axis changes only if the other one is twice as
@@ -50,14 +116,14 @@ void Sweep::choose_axis(const Aabb* boxes, unsigned count) {
 }
 
 std::uint64_t Sweep::key(const Aabb& box, std::uint32_t index) const {
-    return detail::sort_key(along_y_ ? box.min.y : box.min.x, index);
+    return sort_key(along_y_ ? box.min.y : box.min.x, index);
 }
 
 // Computes and sorts the keys of all boxes.
 void Sweep::sort(const Aabb* boxes, unsigned count) {
     keys_.resize(count);
     for (unsigned i = 0; i < count; ++i) keys_[i] = key(boxes[i], i);
-    detail::radix_sort(keys_, spare_);
+    radix_sort(keys_, spare_);
 }
 
 // Sorts the new boxes by insertion, beginning with the old order.  False as soon as that has cost
@@ -65,7 +131,7 @@ void Sweep::sort(const Aabb* boxes, unsigned count) {
 bool Sweep::repair(const Aabb* boxes) {
     std::size_t work = 0, most = ALLOWANCE;
     for (std::size_t i = 0; i < keys_.size(); ++i) {
-        const std::uint32_t index = detail::index_of(keys_[i]);
+        const std::uint32_t index = index_of(keys_[i]);
         const std::uint64_t moved = key(boxes[index], index);
         std::size_t place = i;
         for (; place > 0 && keys_[place - 1] > moved; --place) keys_[place] = keys_[place - 1];
@@ -81,19 +147,31 @@ void Sweep::find(const Aabb* boxes, unsigned count, PairList& overlaps) {
     if (count == 0) return overlaps.clear();
     choose_axis(boxes, count);
     if (keys_.size() != count || !repair(boxes)) sort(boxes, count);
-    entries_.clear();
-    for (const std::uint64_t key : keys_) entries_.push_back(detail::index_of(key));
-    const Aabb &first = boxes[entries_.front()], &last = boxes[entries_.back()];
-    entries_.resize(count + detail::SLACK);
-    const auto buckets = along_y_ ? detail::Buckets::of_one_unit(first.min.y, last.min.y)
-                                  : detail::Buckets::of_one_unit(first.min.x, last.min.x);
-    detail::SortedBoxes sorted = sorted_.fill(*kernels_, boxes, entries_.data(), count, buckets);
+    const std::size_t size = count + PADDING;
+    if (index_.size() < size) {
+        edges_.resize(4 * size);
+        index_.resize(size);
+    }
+    SortedBoxes sorted = {edges_.data(),
+                          edges_.data() + size,
+                          edges_.data() + 2 * size,
+                          edges_.data() + 3 * size,
+                          index_.data(),
+                          count};
+    for (unsigned i = 0; i < count; ++i) {
+        const Aabb& box = boxes[index_[i] = index_of(keys_[i])];
+        sorted.min_x[i] = box.min.x;
+        sorted.max_x[i] = box.max.x;
+        sorted.min_y[i] = box.min.y;
+        sorted.max_y[i] = box.max.y;
+    }
     if (along_y_) {
         std::swap(sorted.min_x, sorted.min_y);
         std::swap(sorted.max_x, sorted.max_y);
     }
-    detail::PairWriter pairs(overlaps);
-    kernels_->sweep(sorted, pairs);
+    std::fill_n(sorted.min_x + count, PADDING, std::numeric_limits<std::int32_t>::max());
+    PairWriter pairs(overlaps);
+    sweep(sorted, pairs);
     pairs.finish();
 }
 

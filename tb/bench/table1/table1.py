@@ -38,7 +38,7 @@ def run(arguments):
     rows.append(measure_board(arguments))
     numbers = tables.HEADER + "".join(rows)
     growth = measure(arguments.program, "growth", "16", "10,30,100,300,1000,3000,10000",
-                     "original,improved,improved_vector,sweep,strips,simd", "3")
+                     "original,improved,improved_vector,sweep,simd", "3")
 
     arguments.out.mkdir(parents=True, exist_ok=True)
     (arguments.out / "table1.csv").write_text(numbers + growth)

@@ -14,23 +14,19 @@ enum class Algorithm {
     IMPROVED,            // the paper's own as described: sorted intervals on two axes (intervals.h)
     IMPROVED_VECTOR,     // and a vector in place of its linked list
     SWEEP,               // broad_phase.h: one sorted axis, kept from tick to tick
-    STRIPS,              // broad_phase.h: a sweep in each of many strips, the one that scales
-    SIMD,                // broad_phase.h: brute force by vectors, then STRIPS
+    SIMD,                // broad_phase.h: brute force by vectors, then SWEEP
 };
 
 inline constexpr std::array ALGORITHMS = {
-    Algorithm::ORIGINAL,         Algorithm::ORIGINAL_ALL_LINES,
-    Algorithm::ORIGINAL_BY_COPY, Algorithm::IMPROVED,
-    Algorithm::IMPROVED_VECTOR,  Algorithm::SWEEP,
-    Algorithm::STRIPS,           Algorithm::SIMD};
+    Algorithm::ORIGINAL, Algorithm::ORIGINAL_ALL_LINES, Algorithm::ORIGINAL_BY_COPY,
+    Algorithm::IMPROVED, Algorithm::IMPROVED_VECTOR,    Algorithm::SWEEP,
+    Algorithm::SIMD};
 
-// The default.  On the modelled Cortex-A9 it takes the fewest instructions of all, to within 2 %
-// (README.md has more).  Instructions per tick:
+// The default: on the modelled Cortex-A9 it takes the fewest instructions of all.  Per tick:
 //
-//     squares      20       100       200
-//     SIMD      5,200    57,500   179,000
-//     SWEEP     8,700    56,500   191,000
-//     STRIPS    9,300    57,500   179,000
+//     squares      10       100       200
+//     SIMD      1,800    50,800   179,000
+//     SWEEP     3,700    50,800   179,000
 inline constexpr Algorithm BEST = Algorithm::SIMD;
 
 const char* name(Algorithm algorithm);  // "original_all_lines"

@@ -1,4 +1,4 @@
-// broad_phase.h - axis-aligned boxes in, the pairs that overlap out: three algorithms.
+// broad_phase.h - axis-aligned boxes in, the pairs that overlap out: two algorithms.
 //
 // All have one call:
 //
@@ -16,9 +16,7 @@
 #include <vector>
 
 #include "collision/collision_pair.h"
-#include "collision/detail/kernels.h"
 #include "collision/detail/short_boxes.h"
-#include "collision/detail/strip_grid.h"
 #include "collision/polygon.h"
 
 namespace collision {
@@ -42,9 +40,6 @@ namespace collision {
 // axis is that of Ericson, Real-Time Collision Detection (2005), 7.5.2.
 class Sweep {
 public:
-    explicit Sweep(const detail::Kernels& kernels = detail::fastest_kernels())
-        : kernels_{&kernels} {}
-
     void find(const Aabb* boxes, unsigned count, PairList& overlaps);
 
 private:
@@ -53,57 +48,25 @@ private:
     void sort(const Aabb* boxes, unsigned count);
     bool repair(const Aabb* boxes);
 
-    const detail::Kernels* kernels_;
     bool along_y_ = false;
     std::vector<std::uint64_t> keys_, spare_;  // positions with indices, in order
-    std::vector<std::uint32_t> entries_;       // the indices alone
-    detail::SortedBoxStore sorted_;
+    std::vector<std::int32_t> edges_;          // of the boxes in that order, edge by edge
+    std::vector<std::uint32_t> index_;         // the indices alone
 };
 
-// A sweep in each of many strips: the algorithm that scales.  A strip is a few times as tall as the
-// mean box.  In each strip the boxes are sorted into buckets along x and swept
-// (detail/strip_grid.h).  A strip that is crowded is divided into strips again.
-//
-// n boxes, k pairs: O(n + k), unless many boxes lie close together without overlapping.
-class Strips {
-public:
-    explicit Strips(const detail::Kernels& kernels = detail::fastest_kernels())
-        : kernels_{&kernels} {}
-
-    void find(const Aabb* boxes, unsigned count, PairList& overlaps);
-
-    std::size_t bytes() const;  // of memory in use
-
-private:
-    void find(const detail::BoxList& list, unsigned depth, detail::PairWriter& pairs);
-    void sweep_exactly(const detail::BoxList& strip, detail::PairWriter& pairs);
-
-    const detail::Kernels* kernels_;
-    std::vector<detail::StripGrid> levels_;  // a grid for each depth of strips within strips
-    std::vector<std::uint64_t> keys_, spare_;
-    std::vector<std::uint32_t> entries_;
-    detail::SortedBoxStore sorted_;  // of one strip
-};
-
-// Brute force, eight or sixteen boxes per vector of 16-bit coordinates.  It keeps no order and
-// builds no structure, which is fastest for the number of shapes that fits on a screen.  From 81
-// boxes on with vectors of eight, or 257 with vectors of sixteen, it calls Strips, which is then
-// faster.
+// Brute force, eight boxes per vector of 16-bit coordinates.  It keeps no order and builds no
+// structure, which is fastest for the number of shapes that fits on a screen.  From 71 boxes on
+// with NEON, and 257 elsewhere, it calls Sweep, which is then faster.
 //
 // Idea: tests of quantised boxes, as in the leaves of quantised bounding volume trees (Terdiman,
 // "Memory-optimized bounding-volume hierarchies", 2001); here without the tree.
 class Simd {
 public:
-    explicit Simd(const detail::Kernels& kernels = detail::fastest_kernels())
-        : kernels_{&kernels}, strips_{kernels} {}
-
     void find(const Aabb* boxes, unsigned count, PairList& overlaps);
 
 private:
-    const detail::Kernels* kernels_;
     detail::ShortBoxes shorts_{};
-    detail::ShortHits hits_{};
-    Strips strips_;
+    Sweep sweep_;
 };
 
 }  // namespace collision

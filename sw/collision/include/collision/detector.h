@@ -12,7 +12,7 @@
 
 namespace collision {
 
-// Owns the buffers that SWEEP, STRIPS and SIMD keep from tick to tick: after the first ticks they
+// Owns the buffers that SWEEP and SIMD keep from tick to tick: after the first ticks they
 // allocate nothing.  Previous calls change the speed of a call, never its result.
 template <class Counter>
 class BasicDetector {
@@ -24,7 +24,7 @@ public:
     // Refuses, in O(shapes) and before anything is compared, with `pairs` empty: TOO_MANY_LINES,
     // OUTSIDE_GRID, BOX_INSIDE_OUT, in this order of precedence.
     //
-    // Cost: that of the algorithm (algorithm.h, broad_phase.h).  For SWEEP, STRIPS and SIMD also,
+    // Cost: that of the algorithm (algorithm.h, broad_phase.h).  For SWEEP and SIMD also,
     // for each pair of overlapping boxes, O(lines) to leave out the lines that do not reach into
     // the intersection of the two boxes, then a test for each pair of those that are left.
     Error find(Algorithm algorithm, Polygons shapes, PairList& pairs);
@@ -38,7 +38,6 @@ private:
     std::vector<Aabb> boxes_;
     PairList overlaps_;
     Sweep sweep_;
-    Strips strips_;
     Simd simd_;
 };
 
