@@ -128,11 +128,11 @@ int command_line(int argc, char** argv, const Firmware& firmware) {
         "Exit code: 0 they say the same; 1 they differ; 2 wrong usage or input.");
 
     try {
-        const auto words = std::find_if(
+        const auto arguments = std::find_if(
             argv, argv + argc, [](const char* word) { return std::strcmp(word, "--") == 0; });
-        if (words != argv + argc) options.arguments.assign(words + 1, argv + argc);
+        if (arguments != argv + argc) options.arguments.assign(arguments + 1, argv + argc);
         live_options.run.arguments = options.arguments;
-        std::vector<std::string> ours(std::reverse_iterator{words},
+        std::vector<std::string> ours(std::reverse_iterator{arguments},
                                       std::reverse_iterator{argv + 1});  // as CLI11 wants them
         if (!ours.empty() && !names_a_command(app, ours.back()) && names_a_file(ours.back()))
             ours.push_back("run");
@@ -172,7 +172,7 @@ int command_line(int argc, char** argv, const Firmware& firmware) {
         return run(check_options,
                    [](hal::Mmio& io, hal::Cpu& cpu) { (void)selftest::run(io, cpu); });
     options.version = VERSION;
-    options.words.assign(argv + (std::strcmp(argv[1], "run") == 0 ? 2 : 1), argv + argc);
+    options.arguments_typed.assign(argv + (std::strcmp(argv[1], "run") == 0 ? 2 : 1), argv + argc);
     for (int i = 0; i < argc; ++i)
         options.command += (i ? " " : "") + shell_word(i ? argv[i] : "de1sim");
     return run(options, firmware);

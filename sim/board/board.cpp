@@ -14,25 +14,25 @@ constexpr unsigned ALL_KEYS = 0x0F, HPS_KEY = 0x10;
 
 }  // namespace
 
-Board::Board(const sc_core::sc_module_name& name, Audience& audience, std::uint64_t seed,
+Board::Board(const sc_core::sc_module_name& name, BoardObserver& observer, std::uint64_t seed,
              Ps2Ports ps2_ports, const ChipMaker& make_chip, Monitor::Strictness vga,
              const std::vector<PartPlan>& part_plans)
     : sc_module{name},
-      audience_{audience},
-      monitor{[&audience](const Monitor::Frame& frame) { audience.frame(frame); }, vga,
-              [&audience, vga](const std::string& line) {
-                  if (vga == Monitor::Strictness::TOLERANT) audience.log("monitor: " + line);
+      observer_{observer},
+      monitor{[&observer](const Monitor::Frame& frame) { observer.frame(frame); }, vga,
+              [&observer, vga](const std::string& line) {
+                  if (vga == Monitor::Strictness::TOLERANT) observer.log("monitor: " + line);
               }},
-      codec_chip{[this, &audience](const StereoSample& sample, std::uint64_t) {
+      codec_chip{[this, &observer](const StereoSample& sample, std::uint64_t) {
                      if (codec_chip.rate_hz() != rate_hz_)
-                         audience.sample_rate(rate_hz_ = codec_chip.rate_hz());
-                     audience.sample(static_cast<std::int16_t>(sample.left >> 16),
+                         observer.sample_rate(rate_hz_ = codec_chip.rate_hz());
+                     observer.sample(static_cast<std::int16_t>(sample.left >> 16),
                                      static_cast<std::int16_t>(sample.right >> 16));
                  },
                  [this] { return line_in.sample(codec_chip.time_ps(), codec_chip.rate_hz()); },
                  [this] { return microphone.sample(codec_chip.time_ps(), codec_chip.rate_hz()); }},
       video_decoder{
-          [&audience](const std::string& line) { audience.log("video decoder: " + line); }},
+          [&observer](const std::string& line) { observer.log("video decoder: " + line); }},
       keypad{agenda, seed, [this] { headers_moved(); }},
       switches{agenda, seed,
                [this] { chip_->inputs().sw = static_cast<std::uint16_t>(switches.closed()); }},
@@ -41,11 +41,11 @@ Board::Board(const sc_core::sc_module_name& name, Audience& audience, std::uint6
       remote_control{agenda, [this] { chip_->inputs().irda_rxd = remote_control.dark(); }},
       accelerometer{
           "accelerometer", [this](bool up) { chip_->hps_accelerometer_interrupt(up); },
-          [&audience](const std::string& line) { audience.log("accelerometer: " + line); }},
+          [&observer](const std::string& line) { observer.log("accelerometer: " + line); }},
       wires{[this](std::uint8_t driven, std::uint8_t enable) {
                 return keypad.levels(driven, enable);
             },
-            keypad_pins(part_plans), [&audience](const std::string& line) { audience.log(line); }},
+            keypad_pins(part_plans), [&observer](const std::string& line) { observer.log(line); }},
       parts{part_plans, agenda,
             [this](const HeaderMasks& pins, PinLevel level) { wires.part(pins, level); },
             [this] { headers_moved(); }} {
@@ -57,7 +57,7 @@ Board::Board(const sc_core::sc_module_name& name, Audience& audience, std::uint6
         }
     };
     ps2_ = {plugged(ps2_ports.first), plugged(ps2_ports.second)};
-    chip_ = make_chip(*this, audience, sdram_chip.bytes());
+    chip_ = make_chip(*this, observer, sdram_chip.bytes());
     if (!part_plans.empty()) agenda.at(0, [this] { headers_moved(); });
 }
 
@@ -111,7 +111,7 @@ void Board::header_wires(ChipInputs& in, std::uint64_t time_ps) {
     in.gpio = wires.settle();
     parts.look(in.gpio, time_ps);
     for (unsigned n = 0; n < 2; ++n) lamps_.gpio[n] = {in.gpio[n], wires.outputs(n)};
-    audience_.lamps(lamps_, seconds(time_ps));
+    observer_.lamps(lamps_, seconds(time_ps));
 }
 
 void Board::headers_moved() { header_wires(chip_->inputs(), agenda.now_ps()); }
@@ -161,7 +161,7 @@ void Board::see(std::uint64_t time_ps) {
     lamps_.ledr = static_cast<std::uint16_t>(seen & 0x3ff);
     lamps_.hex = seen >> HEX_LSB & ((std::uint64_t{1} << (HPS_LED_BIT - HEX_LSB)) - 1);
     lamps_.hps_led = seen >> HPS_LED_BIT;
-    audience_.lamps(lamps_, seconds(time_ps));
+    observer_.lamps(lamps_, seconds(time_ps));
 }
 
 const Lamps& Board::lamps() {

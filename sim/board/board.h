@@ -28,7 +28,7 @@
 
 #include "sim/board/accelerometer.h"
 #include "sim/board/adv7180.h"
-#include "sim/board/audience.h"
+#include "sim/board/board_observer.h"
 #include "sim/board/bouncing_contacts.h"
 #include "sim/board/header_wires.h"
 #include "sim/board/is42s16320d.h"
@@ -54,7 +54,7 @@ class Board : public sc_core::sc_module, private PinListener {
 
 public:
     // `seed` of the bounce of contacts: the keypad's and the switches'.
-    Board(const sc_core::sc_module_name& name, Audience& audience, std::uint64_t seed,
+    Board(const sc_core::sc_module_name& name, BoardObserver& observer, std::uint64_t seed,
           Ps2Ports ps2_ports, const ChipMaker& make_chip,
           Monitor::Strictness vga = Monitor::Strictness::STRICT,
           const std::vector<PartPlan>& parts = {});
@@ -97,7 +97,7 @@ public:
 
     // As a person sees them now.
     const Lamps& lamps();
-    // Tells the audience of those that are seen otherwise since they do not flash any more, as of
+    // Tells the observer of those that are seen otherwise since they do not flash any more, as of
     // where the chip is.
     void settle_lamps();
 
@@ -125,14 +125,14 @@ private:
     void light(std::uint64_t lit, std::uint64_t mask, std::uint64_t time_ps);
     void see(std::uint64_t time_ps);
 
-    Audience& audience_;
+    BoardObserver& observer_;
     std::function<void(const std::string&)> typed_ = [](const std::string&) {};
     Lamps lamps_;
     std::uint64_t lit_ = 0;  // LEDR in 9:0, HEX above, HPS_LED
     LampBank eyes_{LAMPS, [this](std::uint64_t time_ps) { see(time_ps); }};
     unsigned ps2_clk_low_ = 0, ps2_dat_low_ = 0;  // by the FPGA
     std::array<Ps2Device*, 2> ps2_{};             // in each port; may be none
-    double rate_hz_ = 0;                          // of the samples given to the audience so far
+    double rate_hz_ = 0;                          // of the samples given to the observer so far
 
 public:  // the parts, in the order in which they are soldered
     Monitor monitor;

@@ -35,8 +35,8 @@ void HeaderWires::part(const HeaderMasks& pins, PinLevel level) {
 const HeaderMasks& HeaderWires::settle() {
     for (unsigned n = 0; n < 2; ++n) {
         levels_[n] = headers_[n].levels();
-        const std::uint64_t conflicts = headers_[n].conflicts() & ~said_[n];
-        if (conflicts) say(n, conflicts);
+        const std::uint64_t conflicts = headers_[n].conflicts() & ~reported_[n];
+        if (conflicts) report_conflicts(n, conflicts);
     }
     join();
     return levels_;
@@ -52,8 +52,8 @@ void HeaderWires::join() {
                 ~(std::uint64_t{1} << keypad_pins_[n] % PINS_OF_A_HEADER);
 }
 
-void HeaderWires::say(unsigned header, std::uint64_t conflicts) {
-    said_[header] |= conflicts;
+void HeaderWires::report_conflicts(unsigned header, std::uint64_t conflicts) {
+    reported_[header] |= conflicts;
     for (unsigned pin = 0; pin < PINS_OF_A_HEADER; ++pin)
         if (conflicts >> pin & 1)
             log_(fmt::format("{} is driven high and low at once; on a board that may damage it",

@@ -35,14 +35,14 @@ public:
 
 private:
     void join();
-    void say(unsigned header, std::uint64_t conflicts);
+    void report_conflicts(unsigned header, std::uint64_t conflicts);
 
     std::array<Header, 2> headers_;
     const Join keypad_;
     const HeaderPinList keypad_pins_;
     const std::function<void(const std::string&)> log_;
     HeaderMasks levels_{ALL_HEADER_PINS, ALL_HEADER_PINS};
-    HeaderMasks said_{};
+    HeaderMasks reported_{};
 };
 
 }  // namespace sim

@@ -13,8 +13,8 @@ namespace sim {
 
 class I2cSpeed {
 public:
-    I2cSpeed(std::string chip, unsigned most_hz, std::function<void(const std::string&)> say)
-        : chip_{std::move(chip)}, most_hz_{most_hz}, say_{std::move(say)} {}
+    I2cSpeed(std::string chip, unsigned most_hz, std::function<void(const std::string&)> report)
+        : chip_{std::move(chip)}, most_hz_{most_hz}, report_{std::move(report)} {}
 
     // `period_ps`: the shortest of SCL since START.
     bool answers(std::uint64_t period_ps);
@@ -22,8 +22,8 @@ public:
 private:
     const std::string chip_;
     const unsigned most_hz_;
-    const std::function<void(const std::string&)> say_;
-    bool slow_told_ = false, fast_told_ = false;
+    const std::function<void(const std::string&)> report_;
+    bool slow_reported_ = false, fast_reported_ = false;
 };
 
 }  // namespace sim

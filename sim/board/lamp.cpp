@@ -51,7 +51,7 @@ void LampBank::light(unsigned number, bool lit) {
 void LampBank::show() {
     if (!news_) return;
     news_ = false;
-    if (told_) told_(now_ps_);
+    if (notify_) notify_(now_ps_);
 }
 
 std::uint64_t LampBank::lit_ps(const Lamp& lamp) const {

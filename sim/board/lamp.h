@@ -25,8 +25,8 @@ public:
 
     // `told` is called when a lamp is seen otherwise than before: by show(), and for the end of a
     // span by pass().
-    explicit LampBank(unsigned count, std::function<void(std::uint64_t time_ps)> told = {})
-        : told_{std::move(told)}, lamps_(count) {}
+    explicit LampBank(unsigned count, std::function<void(std::uint64_t time_ps)> notify = {})
+        : notify_{std::move(notify)}, lamps_(count) {}
 
     // What there is up to this time; then lamps move at it, and are shown together.
     void pass(std::uint64_t time_ps);
@@ -49,7 +49,7 @@ private:
     void look(Lamp& lamp);
     void end_span();
 
-    std::function<void(std::uint64_t)> told_;
+    std::function<void(std::uint64_t)> notify_;
     std::vector<Lamp> lamps_;
     std::uint64_t begin_ps_ = 0, now_ps_ = 0;  // of this span
     bool moved_ = false, moved_before_ = false;

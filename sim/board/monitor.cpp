@@ -31,10 +31,10 @@ std::string moved(const char* name, std::uint64_t edges) {
 
 }  // namespace
 
-Monitor::Monitor(Sink sink, Strictness strictness, Tell tell)
+Monitor::Monitor(Sink sink, Strictness strictness, Report report)
     : sink_{std::move(sink)},
       strictness_{strictness},
-      tell_{std::move(tell)},
+      report_{std::move(report)},
       raster_{STRICT_PLACE},
       sample_ps_{FABRIC_PERIOD_PS} {}
 
@@ -92,9 +92,9 @@ void Monitor::end_frame() {
         ++frames_;
         new_pictures_ += is_new;
         const Placement& place = raster_.place();
-        if (raster_.has_colour_in_porch() && !strict() && tell_ &&
-            !std::exchange(porch_told_, true))
-            tell_(
+        if (raster_.has_colour_in_porch() && !strict() && report_ &&
+            !std::exchange(porch_reported_, true))
+            report_(
                 "colours before the picture begins, where BLANK_N is high: a monitor takes what is "
                 "there for black, so its picture is too dark or has false colours");
         if (sink_) sink_({frames_, is_new, raster_.pixels(), place.width, place.height});
@@ -121,13 +121,13 @@ void Monitor::lock() {
     meter_.expect_line(lock_->line_samples);
     const PictureLock found = lock_on(*lock_, sample_ps_);
     in_range_ = found.picture.has_value();
-    porch_told_ = false;
+    porch_reported_ = false;
     if (in_range_ && !strict()) {
         raster_ = Raster{*found.picture};
         raster_.begin_line();
         raster_.begin_frame();
     }
-    tell(found.text);
+    report(found.text);
 }
 
 void Monitor::unlock() {
@@ -142,7 +142,7 @@ void Monitor::look_at_the_time() {
         if (now_ps_ - frame_ps_ > LONGEST_FRAME) unlock();
     } else if (!unlocked_.told && now_ps_ - unlocked_.since_ps >= PATIENCE) {
         unlocked_.told = true;
-        tell(no_signal());
+        report(no_signal());
     }
 }
 
@@ -157,9 +157,9 @@ std::string Monitor::no_signal() const {
                            : fmt::format("not 0 in {} samples", grouped(unlocked_.coloured)));
 }
 
-void Monitor::tell(const std::string& line) {
-    told_ = line;
-    if (tell_) tell_(line);
+void Monitor::report(const std::string& line) {
+    signal_ = line;
+    if (report_) report_(line);
 }
 
 }  // namespace sim

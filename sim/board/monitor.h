@@ -43,9 +43,9 @@ public:
         unsigned width, height;
     };
     using Sink = std::function<void(const Frame&)>;
-    using Tell = std::function<void(const std::string& line)>;
+    using Report = std::function<void(const std::string& line)>;
 
-    explicit Monitor(Sink sink, Strictness strictness = Strictness::STRICT, Tell tell = {});
+    explicit Monitor(Sink sink, Strictness strictness = Strictness::STRICT, Report report = {});
 
     // The period of the samples from the next one on, more than 0; without it that of our own
     // system's 25 MHz.  The lock is lost when it changes.
@@ -57,7 +57,7 @@ public:
 
     // What was told last: "640 x 480 at 59.5 Hz, HS and VS negative, 800 x 525 clocks", "out of
     // range: ..." or "no signal: ..."; empty before.
-    const std::string& signal() const { return told_; }
+    const std::string& signal() const { return signal_; }
 
     // Why there is no picture.  Nothing is told of that in the first second.
     std::string no_signal() const;
@@ -87,11 +87,11 @@ private:
     void lock();
     void unlock();
     void look_at_the_time();
-    void tell(const std::string& line);
+    void report(const std::string& line);
 
     Sink sink_;
     Strictness strictness_;
-    Tell tell_;
+    Report report_;
 
     VesaCheck check_;
     FrameMeter meter_;
@@ -103,8 +103,8 @@ private:
     VideoSignal before_;     // the frame before
     unsigned unlike_ = 0;    // frames in a row that are not like the lock's
     Unlocked unlocked_;
-    std::string told_;
-    bool porch_told_ = false;  // of this lock
+    std::string signal_;
+    bool porch_reported_ = false;  // of this lock
 
     std::uint64_t sample_ps_, now_ps_ = 0, frame_ps_ = 0;  // frame_ps_: when the last frame ended
     std::uint64_t frames_ = 0, new_pictures_ = 0;

@@ -41,7 +41,7 @@ public:
     void type(const std::string& text);
 
     // Also hears of each key, when a finger moves it: the same keyboard on USB.
-    void also_tell(std::function<void(std::uint16_t key, bool down)> listener) {
+    void set_listener(std::function<void(std::uint16_t key, bool down)> listener) {
         listener_ = std::move(listener);
     }
 

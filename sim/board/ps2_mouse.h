@@ -53,7 +53,7 @@ public:
         std::function<void(int notches)> turn = [](int) {};
         std::function<void(MouseButton, bool down)> button = [](MouseButton, bool) {};
     };
-    void also_tell(Listener listener) { listener_ = std::move(listener); }
+    void set_listener(Listener listener) { listener_ = std::move(listener); }
 
 private:
     enum Command : std::uint8_t;  // beside those of every device

@@ -33,7 +33,7 @@ void VesaCheck::run(std::uint32_t control, const std::uint32_t* pins, unsigned c
     if (control & video::BLANK_N) {
         if (row_pixels_ == 0) row_begin_ = clock_;
         row_pixels_ += count;
-    } else if (!colour_told_) {
+    } else if (!colour_reported_) {
         colour_in_blanking(pins, count);
     }
     clock_ += count;
@@ -48,14 +48,14 @@ void VesaCheck::colour_in_blanking(const std::uint32_t* pins, unsigned count) {
     clock_ += at;
     violation(fmt::format("colour 0x{:06X} during blanking", pins[at] & video::RGB));
     clock_ -= at;
-    colour_told_ = true;
+    colour_reported_ = true;
 }
 
 void VesaCheck::begin_line() {
     line_known_ = true;
     clock_ = hs_low_ = 0;
     row_pixels_ = 0;
-    colour_told_ = false;
+    colour_reported_ = false;
 }
 
 void VesaCheck::end_line() {

@@ -40,8 +40,8 @@ private:
     std::uint64_t row_begin_ = 0;   // clock at which this line's picture began
     std::uint64_t row_pixels_ = 0;  // pixels of this line so far
     std::uint64_t first_row_line_ = 0;
-    unsigned rows_ = 0;         // rows of this frame so far
-    bool colour_told_ = false;  // one violation a line for colour in the blanking
+    unsigned rows_ = 0;             // rows of this frame so far
+    bool colour_reported_ = false;  // one violation a line for colour in the blanking
 
     std::uint64_t frames_ = 0, violations_ = 0;
     std::vector<std::string> messages_;

@@ -68,7 +68,7 @@ void Wm8731::drive(const Pins& pins, std::uint64_t time_ps) {
     const bool clocked = pins.bclk != was.bclk, sampling = clocked && pins.bclk != inverted_;
     bclk_moved_ |= clocked;
     dacdat_moved_ |= pins.dacdat != was.dacdat;
-    if (clocks_.driven && pins.clocks_driven && told_.count(CONTENTION) == 0) error(CONTENTION);
+    if (clocks_.driven && pins.clocks_driven && reported_.count(CONTENTION) == 0) error(CONTENTION);
     if (active_ && !clocks_.driven) check_timing(was, sampling);
     if (pins.daclrck != was.daclrck || pins.dacdat != was.dacdat) moved_ps_ = time_ps;
     if (pins.adclrck != was.adclrck) adc_.lrck(pins.adclrck);
@@ -153,8 +153,8 @@ void Wm8731::apply() {
     }
     active_ = (registers_[CONTROL] & ACTIVE) != 0;
     was_active_ |= active_;
-    heard_ = active_ && !(registers_[POWER_DOWN] & (DACPD | OUTPD | POWEROFF)) &&
-             !(registers_[DIGITAL] & DACMU) && registers_[ANALOGUE] & DACSEL;
+    audible_ = active_ && !(registers_[POWER_DOWN] & (DACPD | OUTPD | POWEROFF)) &&
+               !(registers_[DIGITAL] & DACMU) && registers_[ANALOGUE] & DACSEL;
     apply_clocks();
 }
 
@@ -192,10 +192,10 @@ void Wm8731::frame(const AudioReceiver::Frame& frame) {
         error(fmt::format("DACDAT: slots of {} BCLKs for words of {} bits", frame.least_bclks,
                           format_.bits));
     ++samples_;
-    was_heard_ |= heard_;
+    was_audible_ |= audible_;
     if (!sink_) return;
     StereoSample sample;
-    if (heard_) sample = top_24_bits(frame.sample);
+    if (audible_) sample = top_24_bits(frame.sample);
     if (swapped_) std::swap(sample.left, sample.right);
     sink_(sample, now_ps_);
 }
@@ -224,7 +224,7 @@ StereoSample Wm8731::input() {
 }
 
 std::string Wm8731::silence() const {
-    if (was_heard_ || !(was_active_ || dacdat_moved_ || xck_moved_)) return {};
+    if (was_audible_ || !(was_active_ || dacdat_moved_ || xck_moved_)) return {};
     if (!was_active_) return "silent: it was never activated over I2C (R9 = 1)";
     if (!bclk_moved_ && !clocks_.driven)
         return "silent: it is a slave (R7), and nothing drives BCLK";
@@ -237,7 +237,7 @@ std::string Wm8731::silence() const {
 
 void Wm8731::error(const std::string& text) {
     ++error_count_;
-    if (errors_.size() < MESSAGES && told_.insert(text).second)
+    if (errors_.size() < MESSAGES && reported_.insert(text).second)
         errors_.push_back(fmt::format("{}.{:09} s: {}", now_ps_ / 1'000'000'000'000,
                                       now_ps_ / 1'000 % 1'000'000'000, text));
 }

@@ -116,17 +116,17 @@ private:
     // The decoded registers.
     AudioFormat format_;
     bool inverted_ = false;  // BCLK samples when it falls
-    bool active_ = false, heard_ = false, swapped_ = false;
+    bool active_ = false, audible_ = false, swapped_ = false;
 
     // Since the beginning.
     bool bclk_moved_ = false, dacdat_moved_ = false, xck_moved_ = false, was_active_ = false,
-         was_heard_ = false;
+         was_audible_ = false;
 
     std::uint64_t moved_ps_ = 0, sampled_ps_ = 0;  // DACLRCK or DACDAT; BCLK
     std::uint64_t frame_ps_ = 0;                   // when the last frame ended; 0: none did
     std::uint64_t last_period_ps_ = 0, period_ps_ = 0;
     std::uint64_t samples_ = 0, error_count_ = 0;
-    std::set<std::string> told_;
+    std::set<std::string> reported_;
     std::vector<std::string> errors_;
 };
 

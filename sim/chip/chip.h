@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "sim/board/audience.h"
+#include "sim/board/board_observer.h"
 #include "sim/pins/pins.h"
 
 namespace sim {
@@ -39,9 +39,9 @@ public:
     virtual void end_trace() {}
 };
 
-// Puts a chip on the board: onto these pins, with this audience for what it prints.  `sdram` points
+// Puts a chip on the board: onto these pins, with this observer for what it prints.  `sdram` points
 // to the 64 MB of the memory chip beside it.
-using ChipMaker = std::function<std::unique_ptr<Chip>(PinListener& pins, Audience& audience,
+using ChipMaker = std::function<std::unique_ptr<Chip>(PinListener& pins, BoardObserver& observer,
                                                       std::uint8_t* sdram)>;
 
 }  // namespace sim

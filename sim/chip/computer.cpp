@@ -74,12 +74,12 @@ std::uint64_t Computer::fixed_ps(std::uint32_t address) const {
     return address - LW_BASE < LW_SIZE ? 0 : HPS_PS;
 }
 
-Computer::Computer(const sc_core::sc_module_name& name, PinListener& pins, Audience& audience,
+Computer::Computer(const sc_core::sc_module_name& name, PinListener& pins, BoardObserver& observer,
                    std::uint8_t* sdram, Software software, const Settings& settings)
-    : ProcessorSystem{name, pins, audience, std::move(software)},
+    : ProcessorSystem{name, pins, observer, std::move(software)},
       fpga{"fpga", pins, settings.trace, settings.memory, sdram, settings.audio_rate},
-      jtag_host{"jtag_host", fpga, [&audience](unsigned number, char character) {
-                    audience.console(character, number ? SerialLine::JTAG_1 : SerialLine::JTAG_0);
+      jtag_host{"jtag_host", fpga, [&observer](unsigned number, char character) {
+                    observer.console(character, number ? SerialLine::JTAG_1 : SerialLine::JTAG_0);
                 }} {
     full_window.bind(fpga.h2f);
     lightweight_window.bind(fpga.lw);
@@ -88,10 +88,10 @@ Computer::Computer(const sc_core::sc_module_name& name, PinListener& pins, Audie
     bus.describe("lw", "the lightweight bridge", fpga_places(LW_BASE, LW_SIZE));
     for (const char* bridge : {"h2f", "lw"})
         bus.on_answered(bridge,
-                        [this, &audience](std::uint32_t address, unsigned bytes, bool write) {
+                        [this, &observer](std::uint32_t address, unsigned bytes, bool write) {
                             if (cpu.is_inspected()) return;
                             if (const auto lost = lost_accesses_.look(address, bytes, write))
-                                audience.log(*lost + cpu.accessed());
+                                observer.log(*lost + cpu.accessed());
                         });
     if (arm) arm->set_steady_bus(this);
     if (arm && !settings.shortcuts) arm->leave_no_rounds_out();

@@ -37,7 +37,7 @@ public:
         bool shortcuts = true;        // ArmCpu::leave_no_rounds_out()
     };
 
-    Computer(const sc_core::sc_module_name& name, PinListener& pins, Audience& audience,
+    Computer(const sc_core::sc_module_name& name, PinListener& pins, BoardObserver& observer,
              std::uint8_t* sdram, Software software, const Settings& settings);
 
     ChipInputs& inputs() override { return fpga.inputs(); }

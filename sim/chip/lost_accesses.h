@@ -31,10 +31,10 @@ private:
     enum Word : std::uint8_t { READ_WRITE, READ_ONLY, NOTHING, READ_ALONE, NOBODY };
     std::optional<std::string> registers(std::uint32_t address, bool write, Word word);
     std::optional<std::string> memory(std::uint32_t address, bool write);
-    bool is_new(std::uint32_t place, bool write) { return said_.insert({place, write}).second; }
+    bool is_new(std::uint32_t place, bool write) { return reported_.insert({place, write}).second; }
 
     std::vector<Word> words_;  // of the lightweight bridge, as far as it is decoded
-    std::set<std::pair<std::uint32_t, bool>> said_;
+    std::set<std::pair<std::uint32_t, bool>> reported_;
 };
 
 }  // namespace sim

@@ -8,21 +8,22 @@ namespace {
 
 constexpr std::uint32_t DDR3_BASE = 0x00000000;
 
-std::unique_ptr<Processor> processor_for(ProcessorSystem::Software software, Audience& audience) {
+std::unique_ptr<Processor> processor_for(ProcessorSystem::Software software,
+                                         BoardObserver& observer) {
     if (auto* firmware = std::get_if<Firmware>(&software))
         return std::make_unique<NativeCpu>("cpu", std::move(*firmware));
     return std::make_unique<ArmCpu>("cpu", std::get<ArmProgram>(std::move(software)),
-                                    [&audience](const std::string& line) { audience.log(line); });
+                                    [&observer](const std::string& line) { observer.log(line); });
 }
 
 }  // namespace
 
 ProcessorSystem::ProcessorSystem(const sc_core::sc_module_name& name, PinListener& pins,
-                                 Audience& audience, Software software)
+                                 BoardObserver& observer, Software software)
     : sc_module{name},
       ddr3{"ddr3", DDR3_SIZE, sc_core::sc_time{60, sc_core::SC_NS}},
       hps{"hps",
-          {[&audience](char character) { audience.console(character, SerialLine::UART); },
+          {[&observer](char character) { observer.console(character, SerialLine::UART); },
            [this](bool irq, bool fiq) { cpu.interrupt(irq, fiq); }, [this] { cpu.warm_reset(); },
            [this](std::uint32_t in_reset) {
                h2f_gate_(!(in_reset & ResetManager::H2F));
@@ -32,9 +33,9 @@ ProcessorSystem::ProcessorSystem(const sc_core::sc_module_name& name, PinListene
                   sc_core::sc_time& delay) {
                return bus.transfer(write, address, data, bytes, delay);
            },
-           [this, &audience](const std::string& line) { audience.log(line + cpu.accessed()); }}},
+           [this, &observer](const std::string& line) { observer.log(line + cpu.accessed()); }}},
       bus{"bus"},
-      processor_{processor_for(std::move(software), audience)},
+      processor_{processor_for(std::move(software), observer)},
       cpu{*processor_},
       arm{dynamic_cast<ArmCpu*>(processor_.get())},
       lightweight_window{bus.window("lw", LW_BASE, LW_SIZE)},

@@ -9,7 +9,7 @@
 #include <memory>
 #include <variant>
 
-#include "sim/board/audience.h"
+#include "sim/board/board_observer.h"
 #include "sim/cpu/arm_cpu.h"
 #include "sim/cpu/native_cpu.h"
 #include "sim/hps/bus.h"
@@ -30,7 +30,7 @@ public:
     static constexpr std::uint32_t H2F_BASE = 0xC0000000, H2F_SIZE = 0x3C000000;
     static constexpr std::uint32_t LW_BASE = 0xFF200000, LW_SIZE = 0x00200000;
 
-    ProcessorSystem(const sc_core::sc_module_name& name, PinListener& pins, Audience& audience,
+    ProcessorSystem(const sc_core::sc_module_name& name, PinListener& pins, BoardObserver& observer,
                     Software software);
 
     // Something that the program has printed may still be on its way to its host.

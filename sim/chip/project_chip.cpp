@@ -40,7 +40,7 @@ ProjectChip::~ProjectChip() {
 void ProjectChip::run_to(std::uint64_t time_ps) {
     // Ahead of that already, by an access.
     if (time_ps >= model_->time_ps()) model_->run(time_ps_ = time_ps);
-    tell_interrupts();
+    notify_interrupts();
 }
 
 void ProjectChip::catch_up() {
@@ -48,14 +48,14 @@ void ProjectChip::catch_up() {
     model_->flush();
 }
 
-void ProjectChip::on_interrupts(std::function<void(std::uint64_t)> told) {
-    told_ = std::move(told);
+void ProjectChip::on_interrupts(std::function<void(std::uint64_t)> notify) {
+    notify_ = std::move(notify);
     pins_.agenda.on_next([this](std::uint64_t next_ps) { wait_for_board(next_ps); });
 }
 
-void ProjectChip::tell_interrupts() {
-    if (!told_ || model_->interrupts() == interrupts_) return;
-    told_(interrupts_ = model_->interrupts());
+void ProjectChip::notify_interrupts() {
+    if (!notify_ || model_->interrupts() == interrupts_) return;
+    notify_(interrupts_ = model_->interrupts());
 }
 
 void ProjectChip::wait_for_board(std::uint64_t next_ps) {

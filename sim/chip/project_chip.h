@@ -39,8 +39,8 @@ public:
     // Runs up to this time, at most SystemC's next event, and tells of interrupts.
     void run_to(std::uint64_t time_ps);
     // `told` is called with Model::interrupts() whenever it has changed.
-    void on_interrupts(std::function<void(std::uint64_t levels)> told);
-    void tell_interrupts();
+    void on_interrupts(std::function<void(std::uint64_t levels)> notify);
+    void notify_interrupts();
 
 private:
     void look();
@@ -54,7 +54,7 @@ private:
     std::uint64_t time_ps_ = 0;
     sc_core::sc_event look_, board_moves_;
     PinListener& pins_;
-    std::function<void(std::uint64_t)> told_;  // of interrupts; or none
+    std::function<void(std::uint64_t)> notify_;  // of interrupts; or none
     std::uint64_t interrupts_ = 0;
 };
 

@@ -33,14 +33,14 @@ unsigned width_of(const project::qsys::Generated& system, std::uint32_t window) 
 }  // namespace
 
 ProjectComputer::ProjectComputer(const sc_core::sc_module_name& name, PinListener& pins,
-                                 Audience& audience, Software software,
+                                 BoardObserver& observer, Software software,
                                  const std::filesystem::path& library, const std::string& folder,
                                  const Trace& trace, const project::qsys::Generated& system)
-    : ProcessorSystem{name, pins, audience, std::move(software)},
+    : ProcessorSystem{name, pins, observer, std::move(software)},
       fpga{"fpga", pins, library, folder, trace, this},
       bridges{"bridges", fpga, width_of(system, H2F_BASE), width_of(system, LW_BASE)},
       system_{system},
-      audience_{audience} {
+      observer_{observer} {
     full_window.bind(bridges.h2f);
     lightweight_window.bind(bridges.lw);
     bus.describe("h2f", "the full bridge", places_of(system, H2F_BASE));
@@ -59,7 +59,7 @@ void ProjectComputer::type(const std::string& text, SerialLine to) {
 }
 
 void ProjectComputer::sent(unsigned number, char character) {
-    audience_.console(character, number ? SerialLine::JTAG_1 : SerialLine::JTAG_0);
+    observer_.console(character, number ? SerialLine::JTAG_1 : SerialLine::JTAG_0);
 }
 
 std::optional<char> ProjectComputer::typed(unsigned number) {
@@ -87,8 +87,8 @@ void ProjectComputer::report_stray(std::uint32_t address, bool write) {
                 : fmt::format("{} 0x{:X}: nobody is there{}", write ? "write to" : "read of",
                               address,
                               taker.empty() ? "" : "; the interconnect sends it to " + taker);
-        if (said_.size() < MOST_STRAYS && said_.insert(line).second)
-            audience_.log(line + cpu.accessed());
+        if (reported_.size() < MOST_STRAYS && reported_.insert(line).second)
+            observer_.log(line + cpu.accessed());
     }
 }
 

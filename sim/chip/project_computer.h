@@ -21,7 +21,7 @@ namespace sim {
 class ProjectComputer : public ProcessorSystem, public Chip, project::JtagTerminals {
 public:
     // `library` and `folder` as ProjectChip has them.
-    ProjectComputer(const sc_core::sc_module_name& name, PinListener& pins, Audience& audience,
+    ProjectComputer(const sc_core::sc_module_name& name, PinListener& pins, BoardObserver& observer,
                     Software software, const std::filesystem::path& library,
                     const std::string& folder, const Trace& trace,
                     const project::qsys::Generated& system);
@@ -49,9 +49,9 @@ private:
     void report_stray(std::uint32_t address, bool write);
 
     const project::qsys::Generated system_;
-    Audience& audience_;
+    BoardObserver& observer_;
     std::deque<char> typed_[2];  // at the JTAG UARTs
-    std::set<std::string> said_;
+    std::set<std::string> reported_;
 };
 
 }  // namespace sim

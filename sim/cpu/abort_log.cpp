@@ -11,11 +11,11 @@ void AbortLog::happened(unsigned exception, std::uint32_t pc, const std::string&
     Place& place = places_[key];
     if (++place.times > 1) return;
     place.text = text;
-    unsaid_.push_back(text);
+    pending_lines_.push_back(text);
 }
 
 void AbortLog::failed(const std::string& text) {
-    for (const std::string& line : std::exchange(unsaid_, {}))
+    for (const std::string& line : std::exchange(pending_lines_, {}))
         if (line != text) log_(line);
 }
 

@@ -37,7 +37,7 @@ private:
 
     std::function<void(const std::string&)> log_;
     std::map<std::pair<unsigned, std::uint32_t>, Place> places_;
-    std::vector<std::string> unsaid_;
+    std::vector<std::string> pending_lines_;
 };
 
 }  // namespace sim

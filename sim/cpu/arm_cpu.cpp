@@ -70,7 +70,7 @@ std::uint64_t ArmCpu::budget() const {
 
 // After an access, which has advanced the time and may have changed the interrupt lines.
 void ArmCpu::run_on() {
-    const bool stop = let_in() || reset_ || waited_;
+    const bool stop = pending_interrupt() || reset_ || waited_;
     core_.stop_after(stop ? 0 : std::min(budget(), inspected_end_ - core_.instructions()));
 }
 
@@ -137,7 +137,7 @@ void ArmCpu::warm_reset() {
 void ArmCpu::start() {
     reset_ = false;
     stores_.page = 1;
-    went_into_data_.clear();
+    entered_data_.clear();
     open_.reset();
     stacks_ = {};
     core_.reset(program_.elf.entry, STACK);
@@ -169,7 +169,7 @@ void ArmCpu::run() {
             continue;
         }
         if (!inspector_ || !inspector_->holds_interrupts()) take_interrupt();
-        const bool closely = open_ && met_ >= AGAIN;
+        const bool closely = open_ && repetitions_ >= MANY_REPETITIONS;
         const std::uint64_t whole = closely ? 1 : std::max<std::uint64_t>(budget(), 1);
         const std::uint64_t part = closely ? 1 : pass_rounds(whole);
         const std::uint64_t most = std::max<std::uint64_t>(closely ? 1 : budget(), 1);
@@ -184,9 +184,9 @@ void ArmCpu::run() {
         account();
         if (open_ && !in_handler()) abort_log_.handled();  // before it may sleep
         handle(stop);
-        look_astray();
-        look_for_death();
-        look_for_end();
+        check_runaway();
+        check_failure();
+        check_end();
     }
     drain();
 }
@@ -196,7 +196,7 @@ bool ArmCpu::quantum_ends() const {
     return ahead_ >= horizon() || reset_ || (inspector_ && core_.instructions() >= inspected_end_);
 }
 
-std::optional<ArmException> ArmCpu::let_in() const {
+std::optional<ArmException> ArmCpu::pending_interrupt() const {
     if (fiq_ && !(core_.cpsr() & arm_cpsr::F)) return ArmException::FIQ;
     if (irq_ && !(core_.cpsr() & arm_cpsr::I)) return ArmException::IRQ;
     return std::nullopt;
@@ -207,15 +207,15 @@ void ArmCpu::unmasked() {
 }
 
 void ArmCpu::take_interrupt() {
-    if (const auto exception = let_in())
+    if (const auto exception = pending_interrupt())
         raise(*exception, 0, *exception == ArmException::FIQ ? "FIQ" : "IRQ");
 }
 
 void ArmCpu::handle(ArmStop stop) {
     switch (stop) {
         case ArmStop::LIMIT: break;
-        case ArmStop::WFI: sleep(kernel_ ? nap() : SC_ZERO_TIME); break;
-        case ArmStop::WFE: sleep(nap()); break;
+        case ArmStop::WFI: sleep(kernel_ ? wait_timeout() : SC_ZERO_TIME); break;
+        case ArmStop::WFE: sleep(wait_timeout()); break;
         case ArmStop::SVC:
             if (inspector_ && inspector_->on_svc(core_)) break;
             if (kernel_)
@@ -227,15 +227,15 @@ void ArmCpu::handle(ArmStop stop) {
             break;
         case ArmStop::UNDEFINED: raise(ArmException::UNDEFINED, 0, undefined()); break;
         case ArmStop::PREFETCH_ABORT:
-            if (goes_into_data()) break;
+            if (enters_data()) break;
             raise(ArmException::PREFETCH_ABORT,
                   core_.fault().mmu ? core_.fault().status & 0x40F : fault_status::EXTERNAL,
-                  "prefetch abort: no instruction to be read" + no_code());
+                  "prefetch abort: no instruction to be read" + missing_code());
             break;
         case ArmStop::BREAKPOINT:
             raise(ArmException::PREFETCH_ABORT, fault_status::DEBUG, "breakpoint instruction");
             break;
-        case ArmStop::RAN_OFF: lost("the program ran off its code into zeros"); break;
+        case ArmStop::RAN_OFF: fail_runaway("the program ran off its code into zeros"); break;
         case ArmStop::DATA_ABORT: {
             const ArmFault& f = core_.fault();
             const std::uint32_t direction = f.write ? fault_status::WRITE : 0;
@@ -254,7 +254,7 @@ void ArmCpu::handle(ArmStop stop) {
 }
 
 // Why there is no code at pc, and where it came from: " (LEDR holds no instructions; LR 0x...)".
-std::string ArmCpu::no_code() const {
+std::string ArmCpu::missing_code() const {
     const std::optional<std::uint32_t> on_bus = core_.bus_address(core_.fault().address);
     if (kernel_ || core_.fault().mmu || !on_bus) return "";
     return fmt::format(" ({}; LR 0x{:08X}{})", why_refused(*on_bus), core_.reg(14), callers());
@@ -274,15 +274,16 @@ void ArmCpu::raise(ArmException exception, std::uint32_t status, const std::stri
     if (kernel_ && !asynchronous) return kernel_->exception(core_, exception, core_.fault(), what);
     const bool abort =
         exception == ArmException::DATA_ABORT || exception == ArmException::PREFETCH_ABORT;
-    const bool astray = abort || exception == ArmException::UNDEFINED;
-    if (astray)
-        if (const ElfSection* data = data_at(core_.pc())) return lost(in_data(*data, what));
+    const bool abnormal = abort || exception == ArmException::UNDEFINED;
+    if (abnormal)
+        if (const ElfSection* data = data_at(core_.pc())) return fail_runaway(in_data(*data, what));
     counts_.interrupts += asynchronous;
     counts_.aborts += abort;
     const std::uint32_t sp = core_.reg(13);
     const bool push = exception == ArmException::DATA_ABORT && sp - core_.fault().address <= PUSHED;
     const auto text = [&] {  // before the exception is entered
-        const std::string stack = astray ? overgrown(push ? core_.fault().address : sp, true) : "";
+        const std::string stack =
+            abnormal ? stack_overflow(push ? core_.fault().address : sp, true) : "";
         return what + " " + where() + (stack.empty() ? "" : "; ") + stack;
     };
     const std::uint32_t vector = vector_of(core_, exception);
@@ -297,10 +298,10 @@ void ArmCpu::raise(ArmException exception, std::uint32_t status, const std::stri
     if (!core_.read_ram(vector, &word, sizeof word) || word == 0)
         return give_up(fmt::format("; no vector at 0x{:08X}", vector));
     if (unhandled(exception)) return give_up(", for the second time within its handler");
-    if (astray) {
+    if (abnormal) {
         const std::string happened = text();
         abort_log_.happened(static_cast<unsigned>(exception), core_.pc(), happened);
-        meet();
+        count_repetition();
         if (!open_) open_ = Open{exception, happened, now(), now()};
     }
     const bool debug = status == fault_status::DEBUG;  // there, IFAR is UNKNOWN

@@ -27,7 +27,7 @@
 //
 // A loop that does the same in every round, but for what it counts (steady_loop.h), is not executed
 // round by round: the state and the time after many of them are computed.  That cannot be seen from
-// outside, nor by the program: all counts and times are those of the rounds (arm_rounds.cpp).
+// outside, nor by the program: all counts and times are those of the rounds (arm_shortcuts.cpp).
 //
 // Boot: pc is the ELF's entry, SVC mode, interrupts off, VFP and NEON off, SP at the top of DDR3.
 //
@@ -219,8 +219,8 @@ private:
     void unmasked() override;
 
     static sc_core::sc_time spin_limit() { return {100, sc_core::SC_MS}; }
-    static sc_core::sc_time moment() { return {1, sc_core::SC_MS}; }
-    static sc_core::sc_time nap() { return {1, sc_core::SC_US}; }
+    static sc_core::sc_time handler_grace() { return {1, sc_core::SC_MS}; }
+    static sc_core::sc_time wait_timeout() { return {1, sc_core::SC_US}; }
     // How far the core may run ahead: to SystemC's next event or the alarm, but 100 us at most.
     sc_core::sc_time horizon() const;
 
@@ -248,11 +248,12 @@ private:
     // In an access that waits the core's own is not exact.
     std::uint32_t present_pc() const { return running_ ? core_.instruction() : core_.pc(); }
     void drain();
-    bool made_before();
-    void note(std::uint32_t address, unsigned bytes, bool write, std::uint32_t value);
+    bool is_replayed();
+    void remember_access(std::uint32_t address, unsigned bytes, bool write, std::uint32_t value);
     bool access(tlm::tlm_command command, std::uint32_t address, unsigned bytes, void* data);
     bool inspect(tlm::tlm_command command, std::uint32_t address, void* data, unsigned bytes);
-    std::optional<ArmException> let_in() const;  // the interrupt that is pending and not masked
+    std::optional<ArmException> pending_interrupt()
+        const;  // the interrupt that is pending and not masked
     void take_interrupt();
     void handle(ArmStop stop);
     void raise(ArmException exception, std::uint32_t status, const std::string& what);
@@ -261,21 +262,21 @@ private:
     void left_handler();
     bool spins() const;
     bool stands_still() const;
-    void meet();
-    std::string death() const;
-    void lost(const std::string& what);
+    void count_repetition();
+    std::string failure() const;
+    void fail_runaway(const std::string& what);
     const ElfSection* data_at(std::uint32_t address) const;
-    bool goes_into_data();
+    bool enters_data();
     std::string in_data(const ElfSection& data, const std::string& what) const;
     bool is_as_loaded(std::uint32_t address) const;
-    std::string overgrown(std::uint32_t lowest, bool through) const;
-    void look_astray();
+    std::string stack_overflow(std::uint32_t lowest, bool through) const;
+    void check_runaway();
     std::string callers() const;
-    std::string no_code() const;
+    std::string missing_code() const;
     std::string undefined() const;
     std::string unaligned() const;
-    void look_for_end();
-    void look_for_death();
+    void check_end();
+    void check_failure();
 
     ArmProgram program_;
     Log log_;
@@ -336,18 +337,18 @@ private:
         sc_core::sc_time since;       // taken
         sc_core::sc_time spins_from;  // loops on one instruction; now, if it does not
     };
-    // An exception that repeats: the registers with which it happened, and how often.  From AGAIN
+    // An exception that repeats: the registers with which it happened, and how often.  From MANY_REPETITIONS
     // times on its handler is executed in single steps.
-    static constexpr unsigned AGAIN = 1000;
-    std::array<std::uint32_t, 17> met_with_{};
-    unsigned met_ = 0;
+    static constexpr unsigned MANY_REPETITIONS = 1000;
+    std::array<std::uint32_t, 17> repeated_state_{};
+    unsigned repetitions_ = 0;
 
     struct Stack {
         std::uint32_t top = 0, now = 0;  // r13: its highest value seen, its present one
     };
     std::array<Stack, 16> stacks_;  // of each mode, by CPSR[3:0]
 
-    std::string went_into_data_;                  // where and by whom, while it is there
+    std::string entered_data_;                    // where and by whom, while it is there
     std::optional<sc_core::sc_time> over_since_;  // see ended_for()
     std::optional<Open> open_;                    // the exception whose handler it is in
 };

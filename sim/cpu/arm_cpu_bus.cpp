@@ -85,7 +85,7 @@ bool ArmCpu::access(tlm::tlm_command command, std::uint32_t address, unsigned by
 }
 
 // The next access has been made already, by pass_bus(), and its answer is known.
-bool ArmCpu::made_before() {
+bool ArmCpu::is_replayed() {
     if (again_.empty()) return false;
     account();
     const sc_time end = sc_time::from_value(again_.back()) - sc_core::sc_time_stamp();
@@ -96,7 +96,8 @@ bool ArmCpu::made_before() {
     return true;
 }
 
-void ArmCpu::note(std::uint32_t address, unsigned bytes, bool write, std::uint32_t value) {
+void ArmCpu::remember_access(std::uint32_t address, unsigned bytes, bool write,
+                             std::uint32_t value) {
     // Whatever has come while it waited may not be in its answer.
     const bool plain = !waited_ && steady_bus_ && steady_bus_->is_plain(address, write, value);
     answers_.made(address, bytes, write, value, plain, epoch_before_);
@@ -104,13 +105,13 @@ void ArmCpu::note(std::uint32_t address, unsigned bytes, bool write, std::uint32
 
 bool ArmCpu::read(std::uint32_t address, unsigned bytes, std::uint32_t& value) {
     drain();
-    if (made_before()) {
+    if (is_replayed()) {
         value = answers_.last(address, bytes, false, 0)->value;
         return true;
     }
     value = 0;
     if (!access(tlm::TLM_READ_COMMAND, address, bytes, &value)) return false;
-    note(address, bytes, false, value);
+    remember_access(address, bytes, false, value);
     run_on();
     return true;
 }
@@ -118,9 +119,9 @@ bool ArmCpu::read(std::uint32_t address, unsigned bytes, std::uint32_t& value) {
 bool ArmCpu::write(std::uint32_t address, unsigned bytes, std::uint32_t value) {
     drain();
     stores_.page = 1;
-    if (made_before()) return true;
+    if (is_replayed()) return true;
     if (!access(tlm::TLM_WRITE_COMMAND, address, bytes, &value)) return false;
-    note(address, bytes, true, value);
+    remember_access(address, bytes, true, value);
     run_on();
     return true;
 }

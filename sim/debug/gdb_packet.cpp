@@ -46,14 +46,14 @@ std::optional<GdbEvent> GdbPacketReader::feed(char byte) {
             state_ = State::TEXT;
             break;
         case State::SUM_HIGH:
-            told_ = digit(byte) * 16;
+            received_sum_ = digit(byte) * 16;
             state_ = State::SUM_LOW;
             return std::nullopt;
         case State::SUM_LOW: {
             state_ = State::BETWEEN;
             const int low = digit(byte);
-            const bool right =
-                told_ >= 0 && low >= 0 && static_cast<unsigned>(told_ + low) == sum_ % 256;
+            const bool right = received_sum_ >= 0 && low >= 0 &&
+                               static_cast<unsigned>(received_sum_ + low) == sum_ % 256;
             return right && !too_long_ ? GdbEvent::PACKET : GdbEvent::CORRUPT;
         }
     }

@@ -32,8 +32,8 @@ public:
 private:
     enum class State { BETWEEN, TEXT, ESCAPED, SUM_HIGH, SUM_LOW } state_ = State::BETWEEN;
     std::string text_;
-    unsigned sum_ = 0;  // so far
-    int told_ = 0;      // the sender's sum; negative: not a number
+    unsigned sum_ = 0;      // so far
+    int received_sum_ = 0;  // the sender's sum; negative: not a number
     bool too_long_ = false;
 };
 

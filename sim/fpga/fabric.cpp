@@ -90,7 +90,7 @@ void Fabric::audio_edge() {
     top.clk_audio_i = rises;
     if (rises) top.aud_adcdat_i = in.adcdat;
     model_->eval(time_ps);
-    if (rises) tell_codec(time_ps);
+    if (rises) notify_codec(time_ps);
     audio_clock_.next();
     if (model_->every_clock) return;
     top.clk_audio_i = 0;  // changes nothing: the next eval() will do
@@ -155,7 +155,7 @@ inline std::uint64_t Fabric::clock(std::uint64_t most) {
         const std::uint64_t skip = moved_ ? 0 : std::min(model_->rest(), most - 1);
         passed += skip;
         model_->leave_out(skip);
-        model_->tell_moved(moved_);
+        model_->notify_moved(moved_);
         top.clk_i = !top.clk_i;  // sim/fpga/root_clock.v
     }
     changes_ += stirs && !accessed_;
@@ -175,8 +175,8 @@ inline std::uint64_t Fabric::clock(std::uint64_t most) {
         video_[video_count_++] = sample;
         if (video_count_ == VIDEO_BATCH) flush();
     }
-    if ((!top.dram_cs_no || sdram_) && !top.rst_i) tell_sdram();
-    if (stirs) tell_pins();  // else only the picture can have moved
+    if ((!top.dram_cs_no || sdram_) && !top.rst_i) notify_sdram();
+    if (stirs) notify_pins();  // else only the picture can have moved
     return passed;
 }
 

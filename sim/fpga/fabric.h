@@ -134,9 +134,9 @@ private:
     void wake_td();
     void begin_trace();
     void apply_inputs();
-    void tell_pins();
-    void tell_codec(std::uint64_t time_ps);
-    void tell_sdram();
+    void notify_pins();
+    void notify_codec(std::uint64_t time_ps);
+    void notify_sdram();
     bool clock_until(const std::uint8_t& ready);
     AxiResponse read_by(Bridge bridge, std::uint32_t address, std::uint8_t* data, unsigned bytes);
     AxiResponse write_by(Bridge bridge, std::uint32_t address, const std::uint8_t* data,

@@ -75,13 +75,13 @@ struct Fabric::Model {
     bool stirs() const { return true; }
     std::uint64_t rest() const { return 0; }
     void leave_out(std::uint64_t) {}
-    void tell_moved(std::uint8_t) {}
+    void notify_moved(std::uint8_t) {}
 #else
     bool td_awake() const { return top.td_awake_o; }
     bool stirs() const { return top.stirs_o; }
     std::uint64_t rest() const { return top.rest_o; }
     void leave_out(std::uint64_t clocks) { top.skip_i = static_cast<SData>(clocks); }
-    void tell_moved(std::uint8_t moved) { top.moved_i = moved; }
+    void notify_moved(std::uint8_t moved) { top.moved_i = moved; }
 #endif
     // For Fabric::calm(): for how many clocks no block of registers wakes, if all sleep; whether
     // the beam is in the line before a frame's end; whether a pair of samples comes with the next

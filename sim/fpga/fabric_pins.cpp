@@ -27,7 +27,7 @@ void Fabric::apply_inputs() {
     jtag.typed = jtag.idle = 0;
 }
 
-void Fabric::tell_sdram() {
+void Fabric::notify_sdram() {
     Vfpga& top = model_->top;
     pins_.sdram(
         {top.dram_cs_no != 0, top.dram_ras_no != 0, top.dram_cas_no != 0, top.dram_we_no != 0,
@@ -35,10 +35,10 @@ void Fabric::tell_sdram() {
         time_ps() - FABRIC_PERIOD_PS / 2, top.dram_dq_i, sdram_);
 }
 
-void Fabric::tell_pins() {
+void Fabric::notify_pins() {
     Vfpga& top = model_->top;
     look_ = true;
-    tell_codec(time_ps());
+    notify_codec(time_ps());
     HeaderBits& was = headers_was_;
     if ((top.jp1_o ^ was.jp1) | (top.jp1_oe_o ^ was.jp1_oe) | (top.jp2_o ^ was.jp2) |
         (top.jp2_oe_o ^ was.jp2_oe)) {
@@ -68,7 +68,7 @@ void Fabric::tell_pins() {
     if (pins_.agenda.next_ps() != agenda_ps_) look_ahead();
 }
 
-void Fabric::tell_codec(std::uint64_t time_ps) {
+void Fabric::notify_codec(std::uint64_t time_ps) {
     const Vfpga& top = model_->top;
     const std::uint32_t codec = static_cast<std::uint32_t>(
         top.aud_bclk_o | top.aud_daclrck_o << 1 | top.aud_adclrck_o << 2 | top.aud_dacdat_o << 3 |

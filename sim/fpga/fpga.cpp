@@ -76,7 +76,7 @@ void Fpga::run_to(const sc_time& time) {
     fabric_.run(start_of(time.value()) - fabric_.clocks());
     if (pins_.agenda.next_ps() <= time.value()) fabric_.keep_agenda(time.value());
     pins_.agenda.pass_to(time.value());
-    tell_interrupts();
+    notify_interrupts();
 }
 
 void Fpga::wait_for_board(std::uint64_t next_ps) {
@@ -106,11 +106,11 @@ std::uint64_t Fpga::let_others_go() {
     return next_ps;
 }
 
-void Fpga::tell_interrupts() {
+void Fpga::notify_interrupts() {
     const std::uint64_t levels = fabric_.irq();
     if (levels == irq_) return;
     irq_ = levels;
-    told_(levels);
+    notify_(levels);
 }
 
 void Fpga::catch_up() {
@@ -258,7 +258,7 @@ void Fpga::transport(Bridge bridge, tlm::tlm_generic_payload& tx, sc_time& delay
     busy_ = false;
     delay = std::max(delay, picoseconds(HALF_CLOCK_PS)) - picoseconds(HALF_CLOCK_PS) +
             picoseconds(phase_ps());
-    tell_interrupts();
+    notify_interrupts();
     tx.set_response_status(status_of(response));
 }
 

@@ -65,7 +65,9 @@ public:
     void spread_phases(std::uint64_t seed) { seed_ = seed; }
 
     // `told` is called with Fabric::irq() whenever it has changed.
-    void on_interrupts(std::function<void(std::uint64_t levels)> told) { told_ = std::move(told); }
+    void on_interrupts(std::function<void(std::uint64_t levels)> notify) {
+        notify_ = std::move(notify);
+    }
 
     // The input pins, for the board's answers and entries.
     ChipInputs& inputs() { return fabric_.in; }
@@ -108,7 +110,7 @@ private:
     void board_moves();
     void wait_for_board(std::uint64_t next_ps);
     std::uint64_t let_others_go();
-    void tell_interrupts();
+    void notify_interrupts();
     std::uint64_t start_of(std::uint64_t time_ps) const;
     std::uint64_t phase_ps();
 
@@ -123,7 +125,7 @@ private:
     std::uint64_t busy_until_ = 0;    // a clock, by accesses that were made again
     std::uint64_t calm_until_ = 0;    // a clock
     std::uint64_t took_[2] = {0, 0};  // clocks: the last read of a register, the last write
-    std::function<void(std::uint64_t)> told_ = [](std::uint64_t) {};
+    std::function<void(std::uint64_t)> notify_ = [](std::uint64_t) {};
     std::uint64_t irq_ = 0;
     bool busy_ = false, closed_ = false;
     sc_core::sc_event never_;

@@ -46,8 +46,8 @@ void Bus::describe(const std::string& name, std::string title, std::vector<Place
     window.places = std::move(places);
 }
 
-void Bus::on_answered(const std::string& name, Told told) {
-    windows_[number_of(name)].told = std::move(told);
+void Bus::on_answered(const std::string& name, Notify notify) {
+    windows_[number_of(name)].notify = std::move(notify);
 }
 
 Bus::Window* Bus::find(std::uint64_t address, unsigned bytes) {
@@ -97,8 +97,9 @@ void Bus::b_transport(tlm::tlm_generic_payload& tx, sc_core::sc_time& delay) {
         (*window->socket)->b_transport(tx, delay);
         tx.set_address(address);
         window->written |= tx.is_write();
-        if (window->told && tx.is_response_ok())
-            window->told(static_cast<std::uint32_t>(address), tx.get_data_length(), tx.is_write());
+        if (window->notify && tx.is_response_ok())
+            window->notify(static_cast<std::uint32_t>(address), tx.get_data_length(),
+                           tx.is_write());
     } else {
         tx.set_response_status(tlm::TLM_ADDRESS_ERROR_RESPONSE);  // never a default target
     }

@@ -65,9 +65,9 @@ public:
     std::string refusal(std::uint32_t address, unsigned bytes, bool write,
                         tlm::tlm_response_status answer) const;
 
-    // `told` is called after each access to the window `name` that was answered OK; as gate().
-    using Told = std::function<void(std::uint32_t address, unsigned bytes, bool write)>;
-    void on_answered(const std::string& name, Told told);
+    // `notify` is called after each access to the window `name` that was answered OK; as gate().
+    using Notify = std::function<void(std::uint32_t address, unsigned bytes, bool write)>;
+    void on_answered(const std::string& name, Notify notify);
 
     struct Access {
         sc_core::sc_time begin, end;  // of the initiator's own time
@@ -108,7 +108,7 @@ private:
         bool on = true, written = false;
         std::string title = name;
         std::vector<Place> places = {{name, base, size}};
-        Told told = {};  // may be none
+        Notify notify = {};  // may be none
     };
 
     void b_transport(tlm::tlm_generic_payload& tx, sc_core::sc_time& delay);

@@ -138,7 +138,7 @@ void Dma330::step(unsigned number, sc_core::sc_time& delay) {
         case 0x31:
         case 0x32:
             channel.state = State::WAITS_FOR_PERIPHERAL;
-            wires_.say(
+            wires_.log(
                 fmt::format("channel {} of the DMA controller waits for a request of "
                             "peripheral {}; none makes any here",
                             number, operand));

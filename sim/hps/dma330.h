@@ -36,7 +36,7 @@ public:
             access;
         std::function<void(unsigned event, bool up)> interrupt;
         std::function<void(bool up)> abort;
-        std::function<void(const std::string& line)> say;
+        std::function<void(const std::string& line)> log;
     };
     Dma330(const sc_core::sc_module_name& module_name, Wires wires);
 

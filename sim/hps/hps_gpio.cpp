@@ -75,7 +75,7 @@ void HpsGpio::write(std::uint32_t offset, std::uint32_t value, const sc_core::sc
         default: break;
     }
     pins_moved(before);
-    if (led() != was_lit) told_(led(), now);
+    if (led() != was_lit) notify_(led(), now);
 }
 
 }  // namespace sim

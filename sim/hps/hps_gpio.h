@@ -28,8 +28,8 @@ public:
         : Registers{module_name}, line_{std::move(line)} {}
 
     // Called with the processor's time when the LED goes on or off.
-    void on_led(std::function<void(bool lit, const sc_core::sc_time& now)> told) {
-        told_ = std::move(told);
+    void on_led(std::function<void(bool lit, const sc_core::sc_time& now)> notify) {
+        notify_ = std::move(notify);
     }
     bool led() const { return pins() >> LED & 1 && direction_ >> LED & 1; }
     void press_key(bool pressed) { drive(KEY, !pressed); }
@@ -52,7 +52,7 @@ private:
     std::uint32_t outside_ = ALL;  // what the board drives or pulls
     std::uint32_t captured_ = 0;   // edges
     std::function<void(bool)> line_;
-    std::function<void(bool, const sc_core::sc_time&)> told_ = [](bool, const auto&) {};
+    std::function<void(bool, const sc_core::sc_time&)> notify_ = [](bool, const auto&) {};
 };
 
 }  // namespace sim

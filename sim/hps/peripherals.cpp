@@ -38,7 +38,7 @@ Peripherals::Peripherals(const sc_core::sc_module_name& name, Wires wires)
                 [this] { reset_manager.reset(ResetManager::L4_WATCHDOG_1); }},
       uart0{"uart0", std::move(wires.console), line(UART0_ID),
             [this] {
-                say_once(
+                log_once(
                     "UART0: a character was written while the FIFO was full, and is lost as on "
                     "the board; wait until LSR (0xFFC02014) has bit 5");
             }},
@@ -57,16 +57,16 @@ Peripherals::Peripherals(const sc_core::sc_module_name& name, Wires wires)
       dma{"dma",
           {std::move(wires.transfer),
            [this](unsigned event, bool up) { gic.set_level(DMA_ID + event, up); },
-           line(DMA_ABORT_ID), [this](const std::string& said) { say_once(said); }}},
+           line(DMA_ABORT_ID), [this](const std::string& line) { log_once(line); }}},
       reset_manager{
           "reset_manager",
           {std::move(wires.bridges), [this](std::uint32_t blocks) { reset_blocks(blocks); },
-           [this] { say_once("the second processor was released; only the first is simulated"); },
+           [this] { log_once("the second processor was released; only the first is simulated"); },
            [this] {
                reset_blocks(WATCHDOG0 | WATCHDOG1);
                warm_reset_();
            }}},
-      fpga_manager{"fpga_manager", [this](const std::string& line) { say_once(line); }},
+      fpga_manager{"fpga_manager", [this](const std::string& line) { log_once(line); }},
       scu{"scu", remembering::scu()},
       l2_cache{"l2_cache", remembering::l2_cache(), remembering::l2_cache_after_preloader()},
       system_manager{"system_manager", remembering::system_manager()},
@@ -77,13 +77,13 @@ Peripherals::Peripherals(const sc_core::sc_module_name& name, Wires wires)
       clock_manager{"clock_manager", clock_manager::registers(),
                     [this](std::uint32_t offset) {
                         if (clock_manager::changes_a_clock(offset))
-                            say_once(
+                            log_once(
                                 "the clock manager was set anew; the clocks stay as the "
                                 "preloader set them: processor 800 MHz, L4_SP 100 MHz");
                     }},
       on_chip_ram{"on_chip_ram", 0x10000, sc_core::sc_time{10, sc_core::SC_NS}},
       warm_reset_{std::move(wires.warm_reset)},
-      say_{std::move(wires.say)} {}
+      log_{std::move(wires.log)} {}
 
 void Peripherals::reset_blocks(std::uint32_t permodrst) {
     if (permodrst & WATCHDOG0) watchdog0.reset();
@@ -97,8 +97,8 @@ void Peripherals::reset_blocks(std::uint32_t permodrst) {
     if (permodrst & DMA) dma.reset();
 }
 
-void Peripherals::say_once(const std::string& line) {
-    if (said_.insert(line).second) say_(line);
+void Peripherals::log_once(const std::string& line) {
+    if (logged_.insert(line).second) log_(line);
 }
 
 void Peripherals::bind(Bus& bus) {

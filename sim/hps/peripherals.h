@@ -56,7 +56,7 @@ public:
                 return false;
             };
         // What the program should know: it asked for something that the simulation does not do.
-        std::function<void(const std::string& line)> say = [](const std::string&) {};
+        std::function<void(const std::string& line)> log = [](const std::string&) {};
     };
 
     static constexpr std::uint32_t GPIO1_BASE = 0xFF709000;
@@ -91,11 +91,11 @@ public:
 private:
     std::function<void(bool)> line(unsigned id);
     void reset_blocks(std::uint32_t permodrst);
-    void say_once(const std::string& line);
+    void log_once(const std::string& line);
 
     std::function<void()> warm_reset_;
-    std::function<void(const std::string&)> say_;
-    std::set<std::string> said_;
+    std::function<void(const std::string&)> log_;
+    std::set<std::string> logged_;
     std::uint64_t fpga_levels_ = 0;
 };
 

@@ -13,7 +13,7 @@ constexpr std::uint32_t DLAB = 0x80, ERBFI = 1, ETBEI = 2, PTIME = 0x80, FIFO_ON
                         CLEAR_RECEIVED = 2, CLEAR_WAITING = 4;
 constexpr std::uint32_t RECEIVED = 1, OVERRUN = 2, THRE = 0x20, TEMT = 0x40;  // LSR
 constexpr std::uint32_t BUSY = 1, TFNF = 2, TFE = 4, RFNE = 8, RFF = 0x10;    // USR
-constexpr std::uint32_t NONE_PENDING = 1, THR_EMPTY = 2, CAME = 4, FIFOS_ON = 0xC0;
+constexpr std::uint32_t NONE_PENDING = 1, THR_EMPTY = 2, RECEIVED_DATA = 4, FIFOS_ON = 0xC0;
 constexpr std::size_t FIFO_SIZE = 128;
 const sc_core::sc_time typing_time{1, sc_core::SC_MS};
 constexpr std::uint32_t PARAMETERS = 0x000373F2, COMPONENT_VERSION = 0x3331312A,
@@ -41,13 +41,13 @@ sc_core::sc_time Uart::character_time() const {
 
 void Uart::send(char character, const sc_core::sc_time& now) {
     if (!transmitter_has_room()) {
-        lost_();
+        overflow_();
         if (fifos()) return;
         waiting_.pop_back();
     }
     waiting_.push_back(character);
     thr_empty_ = false;
-    tell();
+    update_interrupt();
     shift(now);
 }
 
@@ -58,7 +58,7 @@ void Uart::shift(const sc_core::sc_time& now) {
     shifts_ = true;
     sent_one_.notify(now - sc_core::sc_time_stamp() + character_time());
     if (waiting_.size() == level()) thr_empty_ = true;
-    tell();
+    update_interrupt();
 }
 
 void Uart::sent() {
@@ -69,7 +69,7 @@ void Uart::sent() {
 
 // ---- Registers ----
 
-void Uart::tell() {
+void Uart::update_interrupt() {
     line_((thr_empty_ && (ier_ & ETBEI)) || (!received_.empty() && (ier_ & ERBFI)));
 }
 
@@ -85,7 +85,7 @@ void Uart::arrive() {
         overrun_ = true;
     typed_.pop_front();
     if (!typed_.empty()) arrival_.notify(typing_time);
-    tell();
+    update_interrupt();
 }
 
 std::uint32_t Uart::read(std::uint32_t offset, const sc_core::sc_time&) {
@@ -95,7 +95,7 @@ std::uint32_t Uart::read(std::uint32_t offset, const sc_core::sc_time&) {
             if (received_.empty()) return 0;
             const auto character = static_cast<std::uint8_t>(received_.front());
             received_.pop_front();
-            tell();
+            update_interrupt();
             return character;
         }
         case IER: return lcr_ & DLAB ? divisor_ >> 8 : ier_;
@@ -104,9 +104,11 @@ std::uint32_t Uart::read(std::uint32_t offset, const sc_core::sc_time&) {
             const bool tells = !came && thr_empty_ && (ier_ & ETBEI);
             if (tells) {
                 thr_empty_ = false;
-                tell();
+                update_interrupt();
             }
-            return (fifos() ? FIFOS_ON : 0) | (came ? CAME : tells ? THR_EMPTY : NONE_PENDING);
+            return (fifos() ? FIFOS_ON : 0) | (came    ? RECEIVED_DATA
+                                               : tells ? THR_EMPTY
+                                                       : NONE_PENDING);
         }
         case LCR: return lcr_;
         case MCR: return mcr_;
@@ -148,7 +150,7 @@ void Uart::write(std::uint32_t offset, std::uint32_t value, const sc_core::sc_ti
                 const bool asks = (value & ETBEI) && !(ier_ & ETBEI);
                 ier_ = value;
                 thr_empty_ |= asks && waiting_.size() <= level();
-                tell();
+                update_interrupt();
             }
             break;
         case FCR:
@@ -156,7 +158,7 @@ void Uart::write(std::uint32_t offset, std::uint32_t value, const sc_core::sc_ti
             if ((value & CLEAR_RECEIVED) || ((value ^ fcr_) & FIFO_ON)) received_.clear();
             if ((value & CLEAR_WAITING) || ((value ^ fcr_) & FIFO_ON)) waiting_.clear();
             fcr_ = value;
-            tell();
+            update_interrupt();
             break;
         case LCR: lcr_ = value; break;
         case MCR: mcr_ = value; break;

@@ -45,7 +45,7 @@ public:
         : Registers{module_name},
           sent_{std::move(sent)},
           line_{std::move(line)},
-          lost_{std::move(lost)},
+          overflow_{std::move(lost)},
           divisor_{settings.divisor},
           fcr_{settings.fcr},
           lcr_{settings.lcr},
@@ -80,11 +80,11 @@ private:
     void shift(const sc_core::sc_time& now);
     void sent();
     void arrive();
-    void tell();
+    void update_interrupt();
 
     std::function<void(char)> sent_;
     std::function<void(bool)> line_;
-    std::function<void()> lost_;
+    std::function<void()> overflow_;
     std::uint32_t divisor_, ier_ = 0, fcr_, lcr_, mcr_, scr_ = 0;
     std::deque<char> waiting_;  // to be sent
     bool shifts_ = false;       // shifted_ is on its way

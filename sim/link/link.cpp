@@ -153,14 +153,14 @@ public:
             is_cpp |= extension == ".cpp" || extension == ".cc" || extension == ".cxx";
             objects.push_back(is_module(file) ? module(file, kmod) : program(file));
         }
-        std::vector<std::string> words{PREFIX + std::string{is_cpp ? "g++" : "gcc"}, "-static"};
-        for (const char* name : WRAPPED) words.push_back(std::string{"-Wl,--wrap="} + name);
-        words.insert(words.end(), objects.begin(), objects.end());
-        words.insert(words.end(), options_.arguments.begin(), options_.arguments.end());
+        std::vector<std::string> command{PREFIX + std::string{is_cpp ? "g++" : "gcc"}, "-static"};
+        for (const char* name : WRAPPED) command.push_back(std::string{"-Wl,--wrap="} + name);
+        command.insert(command.end(), objects.begin(), objects.end());
+        command.insert(command.end(), options_.arguments.begin(), options_.arguments.end());
         // Beside the result, so that this is never half there.
         const fs::path out = fs::absolute(options_.out), half = out.string() + ".part";
-        words.insert(words.end(), {"-o", half.string()});
-        const bool linked = compiles(words);
+        command.insert(command.end(), {"-o", half.string()});
+        const bool linked = compiles(command);
         std::error_code error;
         if (linked) fs::rename(half, out, error);
         if (error) throw ProjectError{fmt::format("{}: {}", out.string(), error.message())};
@@ -177,12 +177,12 @@ private:
                                        options_.project.place.string())};
     }
 
-    std::string compiled(const char* compiler, std::vector<std::string> words,
+    std::string compiled(const char* compiler, std::vector<std::string> command,
                          const fs::path& file) {
         const std::string object = (folder_.path() / fmt::format("{}.o", object_count_++)).string();
-        words.insert(words.begin(), PREFIX + std::string{compiler});
-        words.insert(words.end(), {file.string(), "-o", object});
-        if (!compiles(words)) throw Failed{};
+        command.insert(command.begin(), PREFIX + std::string{compiler});
+        command.insert(command.end(), {file.string(), "-o", object});
+        if (!compiles(command)) throw Failed{};
         return object;
     }
 
@@ -193,48 +193,48 @@ private:
         std::string name = file.stem().string();
         for (char& c : name)
             if (!std::isalnum(static_cast<unsigned char>(c))) c = '_';
-        std::vector<std::string> words{"-std=gnu11",
-                                       "-O2",
-                                       "-g",
-                                       "-ffreestanding",
-                                       "-D__KERNEL__",
-                                       "-DMODULE",
-                                       "-DKBUILD_MODNAME=\"" + name + "\"",
-                                       "-I" + headers.string(),
-                                       "-I" + kmod.string(),
-                                       "-Wno-error=incompatible-pointer-types",
-                                       "-Wno-error=int-conversion",
-                                       "-Werror=implicit-function-declaration"};
-        add_compiler_arguments(words);
-        words.push_back("-c");
-        return compiled("gcc", words, file);
+        std::vector<std::string> command{"-std=gnu11",
+                                         "-O2",
+                                         "-g",
+                                         "-ffreestanding",
+                                         "-D__KERNEL__",
+                                         "-DMODULE",
+                                         "-DKBUILD_MODNAME=\"" + name + "\"",
+                                         "-I" + headers.string(),
+                                         "-I" + kmod.string(),
+                                         "-Wno-error=incompatible-pointer-types",
+                                         "-Wno-error=int-conversion",
+                                         "-Werror=implicit-function-declaration"};
+        add_compiler_arguments(command);
+        command.push_back("-c");
+        return compiled("gcc", command, file);
     }
 
     std::string program(const fs::path& file) {
-        std::vector<std::string> words{"-O2", "-g"};
-        add_compiler_arguments(words);
-        words.push_back("-c");
-        return compiled(file.extension() == ".c" || file.extension() == ".S" ? "gcc" : "g++", words,
-                        file);
+        std::vector<std::string> command{"-O2", "-g"};
+        add_compiler_arguments(command);
+        command.push_back("-c");
+        return compiled(file.extension() == ".c" || file.extension() == ".S" ? "gcc" : "g++",
+                        command, file);
     }
 
     // Those that are not the linker's.
-    void add_compiler_arguments(std::vector<std::string>& words) const {
+    void add_compiler_arguments(std::vector<std::string>& command) const {
         for (const std::string& word : options_.arguments)
             if (word.rfind("-l", 0) != 0 && word.rfind("-L", 0) != 0 && word.rfind("-Wl", 0) != 0)
-                words.push_back(word);
+                command.push_back(word);
     }
 
-    bool compiles(const std::vector<std::string>& words) {
+    bool compiles(const std::vector<std::string>& command) {
         std::vector<std::string> in_english{"env", "LC_ALL=C"};
-        in_english.insert(in_english.end(), words.begin(), words.end());
+        in_english.insert(in_english.end(), command.begin(), command.end());
         const Outcome outcome = run_command(in_english, fs::current_path(), LIMIT_S);
         if (outcome.code == 127)
-            throw ProjectError{words[0] +
+            throw ProjectError{command[0] +
                                " is not installed: apt install g++-arm-linux-gnueabihf (a package "
                                "of Debian)"};
         if (outcome.code == TIMED_OUT)
-            throw ProjectError{fmt::format("{} has not ended in {} s", words[0], LIMIT_S)};
+            throw ProjectError{fmt::format("{} has not ended in {} s", command[0], LIMIT_S)};
         name_missing_functions(outcome.output);
         std::size_t at = 0;
         while (at < outcome.output.size()) {

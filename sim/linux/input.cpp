@@ -269,7 +269,7 @@ std::shared_ptr<LinuxDevice> LinuxInput::open(const std::string& path) {
     return device;
 }
 
-void LinuxInput::tell(bool mouse, std::uint16_t type, std::uint16_t code, int value) {
+void LinuxInput::queue_event(bool mouse, std::uint16_t type, std::uint16_t code, int value) {
     for (auto it = events_.begin(); it != events_.end();) {
         const auto device = it->lock();
         if (device && device->mouse == mouse) device->add(now_ns_(), type, code, value);
@@ -280,39 +280,39 @@ void LinuxInput::tell(bool mouse, std::uint16_t type, std::uint16_t code, int va
         mice_.end());
 }
 
-void LinuxInput::tell_end(bool mouse) { tell(mouse, EV_SYNC, 0, 0); }
+void LinuxInput::queue_sync(bool mouse) { queue_event(mouse, EV_SYNC, 0, 0); }
 
 void LinuxInput::key(std::uint16_t code, bool down) {
     const std::uint16_t number = key_number(code);
     if (number == 0) return;
-    tell(false, EV_OF_KEY, number, down);
-    tell_end(false);
-    told_();
+    queue_event(false, EV_OF_KEY, number, down);
+    queue_sync(false);
+    notify_();
 }
 
 void LinuxInput::move(int right, int up) {
-    if (right != 0) tell(true, EV_RELATIVE, RELATIVE_X, right);
-    if (up != 0) tell(true, EV_RELATIVE, RELATIVE_Y, -up);
-    if (right != 0 || up != 0) tell_end(true);
+    if (right != 0) queue_event(true, EV_RELATIVE, RELATIVE_X, right);
+    if (up != 0) queue_event(true, EV_RELATIVE, RELATIVE_Y, -up);
+    if (right != 0 || up != 0) queue_sync(true);
     for (const auto& device : mice_)
         if (const auto one = device.lock()) one->add(right, up, 0);
-    told_();
+    notify_();
 }
 
 void LinuxInput::turn(int notches) {
-    tell(true, EV_RELATIVE, RELATIVE_WHEEL, -notches);
-    tell_end(true);
+    queue_event(true, EV_RELATIVE, RELATIVE_WHEEL, -notches);
+    queue_sync(true);
     for (const auto& device : mice_)
         if (const auto one = device.lock()) one->add(0, 0, notches);
-    told_();
+    notify_();
 }
 
 void LinuxInput::button(unsigned which, bool down) {
-    tell(true, EV_OF_KEY, static_cast<std::uint16_t>(BUTTON_LEFT + which), down);
-    tell_end(true);
+    queue_event(true, EV_OF_KEY, static_cast<std::uint16_t>(BUTTON_LEFT + which), down);
+    queue_sync(true);
     for (const auto& device : mice_)
         if (const auto one = device.lock()) one->press(which, down);
-    told_();
+    notify_();
 }
 
 }  // namespace sim

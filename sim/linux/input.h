@@ -25,9 +25,9 @@ namespace sim {
 
 class LinuxInput {
 public:
-    // `told`: a program that has one of them open may go on.
-    LinuxInput(std::function<std::uint64_t()> now_ns, std::function<void()> told)
-        : now_ns_{std::move(now_ns)}, told_{std::move(told)} {}
+    // `notify`: a program that has one of them open may go on.
+    LinuxInput(std::function<std::uint64_t()> now_ns, std::function<void()> notify)
+        : now_ns_{std::move(now_ns)}, notify_{std::move(notify)} {}
 
     // By its path; nullptr: it is none of them.
     std::shared_ptr<LinuxDevice> open(const std::string& path);
@@ -45,12 +45,12 @@ private:
     class Mice;
 
     std::function<std::uint64_t()> now_ns_;
-    std::function<void()> told_;
+    std::function<void()> notify_;
     std::vector<std::weak_ptr<Events>> events_;
     std::vector<std::weak_ptr<Mice>> mice_;
 
-    void tell(bool mouse, std::uint16_t type, std::uint16_t code, int value);
-    void tell_end(bool mouse);
+    void queue_event(bool mouse, std::uint16_t type, std::uint16_t code, int value);
+    void queue_sync(bool mouse);
 };
 
 }  // namespace sim

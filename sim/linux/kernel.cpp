@@ -28,12 +28,12 @@ LinuxKernel::LinuxKernel(ArmCpu& cpu, LinuxSettings settings, Outside outside)
       settings_{std::move(settings)},
       outside_{std::move(outside)},
       helpers_{cpu.core()},
-      terminal_{{[&cpu] { return cpu.now(); },
-                 [&cpu](const sc_core::sc_time& time) { cpu.pause(time); },
-                 [&cpu](const sc_core::sc_event& until, const sc_core::sc_time& at_most) {
-                     cpu.pause(until, at_most);
-                 },
-                 outside_.console, [this](unsigned number) { typed(number); }, [this] { hear(); }}},
+      terminal_{
+          {[&cpu] { return cpu.now(); }, [&cpu](const sc_core::sc_time& time) { cpu.pause(time); },
+           [&cpu](const sc_core::sc_event& until, const sc_core::sc_time& at_most) {
+               cpu.pause(until, at_most);
+           },
+           outside_.console, [this](unsigned number) { typed(number); }, [this] { on_input(); }}},
       input_{[] { return sc_core::sc_time_stamp().value() / 1000; }, [this] { feel(); }},
       random_{SEED} {
     const LinuxFiles::Console console{
@@ -58,7 +58,7 @@ void LinuxKernel::feel() {
 }
 
 // Something has come from outside while a program runs, or all threads wait.
-void LinuxKernel::hear() {
+void LinuxKernel::on_input() {
     woken_.notify(sc_core::SC_ZERO_TIME);
     const sc_core::sc_time next = terminal_.next_arrival().value_or(sc_core::sc_max_time());
     if (next < cpu_.alarm()) cpu_.set_alarm(next);
@@ -69,14 +69,14 @@ void LinuxKernel::boot(ArmCore& core) {
         return cpu_.end("the program reset the board " + cpu_.where());
     helpers_.connect();
     try {
-        std::vector<std::string> words{path_of(cpu_.program().elf)};
-        words.insert(words.end(), settings_.arguments.begin(), settings_.arguments.end());
-        process_->command = words[0];
-        process_->set_command_line(words);
+        std::vector<std::string> arguments{path_of(cpu_.program().elf)};
+        arguments.insert(arguments.end(), settings_.arguments.begin(), settings_.arguments.end());
+        process_->command = arguments[0];
+        process_->set_command_line(arguments);
         attached_ = process_->memory.get();
         attached_->attach();
         process_->break_begin = process_->break_end =
-            start_linux_program(core, memory(), cpu_.program().elf, words, first_environment());
+            start_linux_program(core, memory(), cpu_.program().elf, arguments, first_environment());
     } catch (const std::runtime_error& e) {  // SystemC must not see exceptions
         return cpu_.end(e.what());
     }

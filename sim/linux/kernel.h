@@ -308,10 +308,11 @@ private:
     LinuxProcess* process_of(int number) const;
     void forget(LinuxProcess& process);
     Result wait_for_child(std::int32_t which, std::uint32_t options,
-                          std::function<std::int64_t(const LinuxProcess&)> tell);
+                          std::function<std::int64_t(const LinuxProcess&)> result_of);
     std::optional<std::vector<std::string>> strings_at(std::uint32_t list) const;
     Result become(const ElfProgram& program, const std::string& path,
-                  const std::vector<std::string>& words, const std::vector<std::string>& variables);
+                  const std::vector<std::string>& arguments,
+                  const std::vector<std::string>& variables);
 
     // kernel_system.cpp
     std::shared_ptr<LinuxDevice> hps_led();
@@ -444,7 +445,7 @@ private:
     std::string waiting_list() const;  // of each thread
     void run(LinuxThread& thread);
     void stand_still();
-    void hear();
+    void on_input();
     void feel();
 
     void not_emulated(const std::string& what);
@@ -462,7 +463,7 @@ private:
     Terminal terminal_;
     LinuxInput input_;
     LinuxNetwork network_;
-    bool unreachable_told_ = false;
+    bool unreachable_reported_ = false;
     std::vector<std::unique_ptr<LinuxProcess>> processes_;
     LinuxProcess* process_ = nullptr;   // which a call is about
     LinuxThread* running_ = nullptr;    // whose registers the core has

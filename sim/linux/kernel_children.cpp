@@ -132,18 +132,18 @@ LinuxKernel::Result LinuxKernel::sys_exit_group(const Arguments& a) {
 
 LinuxKernel::Result LinuxKernel::wait_for_child(
     std::int32_t which, std::uint32_t options,
-    std::function<std::int64_t(const LinuxProcess&)> tell) {
+    std::function<std::int64_t(const LinuxProcess&)> result_of) {
     LinuxWait wait;
     wait.what = which > 0 ? fmt::format("the end of process {}", which) : "the end of a process";
     wait.inside = wait.restarts = true;
-    wait.look = [this, which, options, tell = std::move(tell),
+    wait.look = [this, which, options, result_of = std::move(result_of),
                  own = process_->number](LinuxWait&) -> Result {
         bool any = false;
         for (const auto& process : processes_) {
             if (process->parent != own || (which > 0 && process->number != which)) continue;
             any = true;
             if (!process->status) continue;
-            const std::int64_t result = tell(*process);
+            const std::int64_t result = result_of(*process);
             if (result < 0 || (options & LEAVES)) return result;
             process_->used_by_children_ns += process->used_ns + process->used_by_children_ns;
             forget(*process);
@@ -204,8 +204,8 @@ std::optional<std::vector<std::string>> LinuxKernel::strings_at(std::uint32_t li
 
 LinuxKernel::Result LinuxKernel::sys_execve(const Arguments& a) {
     const auto path = memory().string(a[0]);
-    const auto words = strings_at(a[1]), variables = strings_at(a[2]);
-    if (!path || !words || !variables) return -EFAULT;
+    const auto arguments = strings_at(a[1]), variables = strings_at(a[2]);
+    if (!path || !arguments || !variables) return -EFAULT;
     const bool itself = *path == "/proc/self/exe" || *path == path_of(cpu_.program().elf);
     ElfProgram program;
     if (itself) {
@@ -230,12 +230,12 @@ LinuxKernel::Result LinuxKernel::sys_execve(const Arguments& a) {
         ::close(host);
         program.file = *path;
     }
-    return become(program, *path, *words, *variables);
+    return become(program, *path, *arguments, *variables);
 }
 
 // The present memory, threads and handlers are no more.
 LinuxKernel::Result LinuxKernel::become(const ElfProgram& program, const std::string& path,
-                                        const std::vector<std::string>& words,
+                                        const std::vector<std::string>& arguments,
                                         const std::vector<std::string>& variables) {
     LinuxProcess& process = *process_;
     LinuxThread& thread = *running_;
@@ -248,7 +248,7 @@ LinuxKernel::Result LinuxKernel::become(const ElfProgram& program, const std::st
     const auto before = std::exchange(process.memory, memory);
     try {
         process.break_begin = process.break_end =
-            start_linux_program(cpu_.core(), *memory, program, words, variables);
+            start_linux_program(cpu_.core(), *memory, program, arguments, variables);
     } catch (const std::runtime_error& e) {
         die({SIGKILL, 0, {}, fmt::format("{} (", e.what())});
         return std::nullopt;
@@ -256,7 +256,7 @@ LinuxKernel::Result LinuxKernel::become(const ElfProgram& program, const std::st
     process.files.close_all(true);
     process.segments.clear();
     process.command = path;
-    process.set_command_line(words);
+    process.set_command_line(arguments);
     for (LinuxSignals::Action& action : process.signals.actions)
         if (action.handled()) action = {};
     thread.number = process.number;

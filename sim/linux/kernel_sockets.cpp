@@ -89,12 +89,12 @@ std::int64_t LinuxKernel::give_address(const SocketAddress& address, std::uint32
 // Nothing leaves the simulator: said once.
 bool LinuxKernel::is_reachable(const SocketAddress& address) {
     if (address.is_here()) return true;
-    if (!unreachable_told_)
+    if (!unreachable_reported_)
         outside_.log(
             fmt::format("{} is not reachable: the simulated Linux has no network but the "
                         "loopback, {}",
                         address.text(), cpu_.where()));
-    unreachable_told_ = true;
+    unreachable_reported_ = true;
     return false;
 }
 

@@ -19,7 +19,7 @@ constexpr std::size_t MOST_ARGUMENT_BYTES = 128 << 10;
 
 struct Code {
     std::uint32_t offset;
-    std::vector<std::uint32_t> words;
+    std::vector<std::uint32_t> arguments;
 };
 
 const std::vector<Code>& helper_code() {
@@ -97,7 +97,7 @@ void map_segments(AddressSpace& memory, const ElfProgram& program) {
     }
 }
 
-// Grows down from the top, strings first, then words.
+// Grows down from the top, strings first, then arguments.
 class Stack {
 public:
     Stack(AddressSpace& memory, std::uint32_t top) : memory_{memory}, at_{top} {}
@@ -108,9 +108,9 @@ public:
         return at_;
     }
     std::uint32_t push(const std::string& text) { return push(text.c_str(), text.size() + 1); }
-    std::uint32_t push_words(const std::vector<std::uint32_t>& words) {
-        at_ = (at_ - static_cast<std::uint32_t>(4 * words.size())) & ~7u;
-        memory_.write(at_, words.data(), 4 * words.size());
+    std::uint32_t push_words(const std::vector<std::uint32_t>& arguments) {
+        at_ = (at_ - static_cast<std::uint32_t>(4 * arguments.size())) & ~7u;
+        memory_.write(at_, arguments.data(), 4 * arguments.size());
         return at_;
     }
 
@@ -174,7 +174,7 @@ KernelHelpers::KernelHelpers(ArmCore& core) : core_{core} {
     if (page == MAP_FAILED) throw std::bad_alloc{};
     page_ = static_cast<std::uint8_t*>(page);
     for (const Code& code : helper_code())
-        std::memcpy(page_ + code.offset, code.words.data(), 4 * code.words.size());
+        std::memcpy(page_ + code.offset, code.arguments.data(), 4 * code.arguments.size());
 }
 
 KernelHelpers::~KernelHelpers() { munmap(page_, AddressSpace::PAGE); }
@@ -198,10 +198,10 @@ const std::vector<std::string>& first_environment() {
 }
 
 std::uint32_t start_linux_program(ArmCore& core, AddressSpace& memory, const ElfProgram& program,
-                                  const std::vector<std::string>& words,
+                                  const std::vector<std::string>& arguments,
                                   const std::vector<std::string>& variables) {
     map_segments(memory, program);
-    const std::uint32_t sp = make_stack(memory, program, words, variables);
+    const std::uint32_t sp = make_stack(memory, program, arguments, variables);
     core.set_floating_point(true);
     core.set_cpsr(arm_mode::USR | arm_cpsr::I | arm_cpsr::F |
                   (program.entry & 1 ? arm_cpsr::T : 0));

@@ -40,9 +40,9 @@ std::string path_of(const ElfProgram& program);
 
 // Maps and fills everything and sets the registers: user mode, pc at the entry.  Returns the first
 // address after the program, where its heap begins.  std::runtime_error if it does not fit.
-// `words`: argv; `variables`: envp.
+// `arguments`: argv; `variables`: envp.
 std::uint32_t start_linux_program(ArmCore& core, AddressSpace& memory, const ElfProgram& program,
-                                  const std::vector<std::string>& words,
+                                  const std::vector<std::string>& arguments,
                                   const std::vector<std::string>& variables);
 
 // Of a program that nobody has given another.

@@ -13,20 +13,21 @@ namespace sim::live {
 
 namespace {
 
-// Takes an option with its value out of the words.
-void take_out(std::vector<std::string>& words, const std::string& option) {
-    for (auto word = words.begin(); word != words.end() && *word != "--";) {
+// Takes an option with its value out of the arguments.
+void take_out(std::vector<std::string>& arguments, const std::string& option) {
+    for (auto word = arguments.begin(); word != arguments.end() && *word != "--";) {
         if (*word == option)
-            word = words.erase(word, std::next(word, std::next(word) == words.end() ? 1 : 2));
+            word =
+                arguments.erase(word, std::next(word, std::next(word) == arguments.end() ? 1 : 2));
         else if (word->compare(0, option.size() + 1, option + "=") == 0)
-            word = words.erase(word);
+            word = arguments.erase(word);
         else
             ++word;
     }
 }
 
-bool has(const std::vector<std::string>& words, const std::string& option) {
-    for (const std::string& word : words)
+bool has(const std::vector<std::string>& arguments, const std::string& option) {
+    for (const std::string& word : arguments)
         if (word == option || word.compare(0, option.size() + 1, option + "=") == 0) return true;
     return false;
 }
@@ -48,7 +49,7 @@ void add_live_options(CLI::App& command, LiveOptions& options) {
     add_run_options(command, options.run);
 }
 
-ExitCode live(const LiveOptions& options, std::vector<std::string> words) {
+ExitCode live(const LiveOptions& options, std::vector<std::string> arguments) {
     ServerSettings settings;
     settings.address = options.address;
     settings.port = options.port;
@@ -59,19 +60,19 @@ ExitCode live(const LiveOptions& options, std::vector<std::string> words) {
     settings.title = !run.project.place.empty() ? run.project.place.filename().string()
                      : what.empty()             ? "the demo"
                                                 : what.filename().string();
-    for (const char* option : {"--port", "--listen", "--elf"}) take_out(words, option);
-    words.erase(std::remove(words.begin(), words.end(), "--driven"), words.end());
+    for (const char* option : {"--port", "--listen", "--elf"}) take_out(arguments, option);
+    arguments.erase(std::remove(arguments.begin(), arguments.end(), "--driven"), arguments.end());
     settings.driven = options.driven;
     // What runs comes first: what is dropped on the page takes its place.
     for (const auto& file : {run.scenario, run.elf}) {
-        const auto word = std::find(words.begin(), words.end(), file.string());
-        if (!file.empty() && word != words.end()) words.erase(word);
+        const auto word = std::find(arguments.begin(), arguments.end(), file.string());
+        if (!file.empty() && word != arguments.end()) arguments.erase(word);
     }
     if (!run.scenario.empty()) settings.what = {run.scenario.string()};
     if (!run.elf.empty()) settings.what.insert(settings.what.end(), {"--elf", run.elf.string()});
-    if (!has(words, "--frames")) settings.words = {"--frames", "none"};
-    settings.words.push_back("--quiet");
-    settings.words.insert(settings.words.end(), words.begin(), words.end());
+    if (!has(arguments, "--frames")) settings.arguments = {"--frames", "none"};
+    settings.arguments.push_back("--quiet");
+    settings.arguments.insert(settings.arguments.end(), arguments.begin(), arguments.end());
     const int code = serve(settings, [](const std::string& url) {
         message("the board is at " + url);
         message("Ctrl-C ends it");

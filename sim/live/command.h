@@ -18,8 +18,8 @@ struct LiveOptions {
 
 void add_live_options(CLI::App& command, LiveOptions& options);
 
-// `words` are those behind `live` on the command line, which CLI11 has found to be in order.
+// `arguments` are those behind `live` on the command line, which CLI11 has found to be in order.
 // std::runtime_error where the scenario or program is neither.
-ExitCode live(const LiveOptions& options, std::vector<std::string> words);
+ExitCode live(const LiveOptions& options, std::vector<std::string> arguments);
 
 }  // namespace sim::live

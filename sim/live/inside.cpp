@@ -60,10 +60,10 @@ std::vector<std::string> Inside::new_violations() {
         {"VGA: ", board_.monitor.messages()},
         {"SDRAM: ", board_.sdram_chip.messages()},
         {"codec: ", board_.codec_chip.errors()}};
-    std::size_t* told = told_;
+    std::size_t* sent = sent_;
     for (const auto& [part, messages] : parts) {
-        for (; *told < messages.size(); ++*told) lines.push_back(part + messages[*told]);
-        ++told;
+        for (; *sent < messages.size(); ++*sent) lines.push_back(part + messages[*sent]);
+        ++sent;
     }
     return lines;
 }

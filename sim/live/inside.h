@@ -52,7 +52,7 @@ private:
     const Fpga* const fpga_;  // with the DE1-SoC Computer's audio core
     const std::function<Program()> program_;
     BusCounts then_, frame_;
-    std::size_t told_[3] = {};
+    std::size_t sent_[3] = {};
 };
 
 }  // namespace sim::live

@@ -46,11 +46,11 @@ void add_delay(std::vector<std::string>& steps, sc_time time) {
 
 }  // namespace
 
-LivePlayer::LivePlayer(const sc_core::sc_module_name& name, Player& player, LiveView& view,
+LivePlayer::LivePlayer(const sc_core::sc_module_name& name, ScenarioRunner& runner, LiveView& view,
                        Inside& inside, Wire& wire, const Scenario& scenario, std::uint64_t seed,
                        const RunOptions& options)
     : sc_module{name},
-      player_{player},
+      runner_{runner},
       view_{view},
       inside_{inside},
       wire_{wire},
@@ -70,10 +70,10 @@ void LivePlayer::run() {
     keep_pace();
     for (;;) {
         wait(tick);
-        wait(sc_core::SC_ZERO_TIME);  // as in Player::wait()
+        wait(sc_core::SC_ZERO_TIME);  // as in ScenarioRunner::wait()
         inside_.settle_lamps();
         view_.flush();
-        for (const std::string& line : inside_.new_violations()) say("violation", line);
+        for (const std::string& line : inside_.new_violations()) send_event("violation", line);
         if (pause_at_frame_ != 0 && view_.frames() >= pause_at_frame_) set_pace(speed_, true);
         if (exact_run_ && exact_run_->over(counts(), sc_time_stamp())) end_exact_run();
         take_messages();
@@ -91,12 +91,12 @@ void LivePlayer::set_pace(double speed, bool paused) {
     pause_at_frame_ = 0;
     since_ = Clock::now();
     since_sim_ = sc_time_stamp();
-    say_status();
+    send_status();
 }
 
 ExactRun::Counts LivePlayer::counts() const {
     return {view_.frames(),     view_.new_pictures(), view_.printed(),
-            view_.lamps_seen(), view_.pins_seen(),    player_.finished()};
+            view_.lamps_seen(), view_.pins_seen(),    runner_.finished()};
 }
 
 void LivePlayer::begin_exact_run(const nlohmann::json& order) {
@@ -125,7 +125,7 @@ void LivePlayer::end_exact_run() {
 void LivePlayer::keep_pace() {
     while (!left_) {
         const auto now = Clock::now();
-        if (now - told_ >= STATUS_PERIOD) say_status();
+        if (now - status_at_ >= STATUS_PERIOD) send_status();
         int wait_ms = 50;
         if (!paused_) {
             if (speed_ == 0) return;
@@ -144,9 +144,9 @@ void LivePlayer::keep_pace() {
     }
 }
 
-void LivePlayer::say_status() {
+void LivePlayer::send_status() {
     const auto now = Clock::now();
-    const double passed = wall_seconds(now - told_);
+    const double passed = wall_seconds(now - status_at_);
     nlohmann::json status{
         {"time", seconds(sc_time_stamp())},
         {"speed", speed_},
@@ -154,16 +154,16 @@ void LivePlayer::say_status() {
         {"frames", view_.frames()},
         {"pictures", view_.new_pictures()},
         {"steps", played_.size()},
-        {"factor", seconds(sc_time_stamp() - told_sim_) / std::max(passed, 1e-3)}};
-    told_ = now;
-    told_sim_ = sc_time_stamp();
+        {"factor", seconds(sc_time_stamp() - status_at_sim_) / std::max(passed, 1e-3)}};
+    status_at_ = now;
+    status_at_sim_ = sc_time_stamp();
     wire_.send(Kind::TEXT, nlohmann::json{{"status", status}}.dump());
     wire_.send(Kind::TEXT, nlohmann::json{{"inside", inside_.look()}}.dump());
 }
 
 // ---- Messages ----
 
-void LivePlayer::say(const char* name, const std::string& text) {
+void LivePlayer::send_event(const char* name, const std::string& text) {
     wire_.send(Kind::TEXT, nlohmann::json{{name, text}}.dump(
                                -1, ' ', false, nlohmann::json::error_handler_t::replace));
 }
@@ -176,7 +176,7 @@ void LivePlayer::take_messages() {
         try {
             take(message->bytes);
         } catch (const std::exception& error) {
-            say("error", error.what());
+            send_event("error", error.what());
         }
     }
 }
@@ -223,35 +223,35 @@ void LivePlayer::take(const std::string& text) {
 }
 
 void LivePlayer::play(const std::string& text) {
-    if (!player_.finished())
+    if (!runner_.finished())
         throw std::runtime_error{"the scenario's steps still play; wait for their end"};
     const ScenarioStep step = steps_.read(text);
     Played played{sc_time_stamp(), {}, text};
-    const auto verdict = step.step->play(player_.stage());
+    const auto verdict = step.step->play(runner_.control());
     played.end = sc_time_stamp();
     played_.push_back(std::move(played));
     if (verdict)
-        say("verdict",
-            fmt::format("{}: {}", step.text, verdict->met ? "met" : "not met: " + verdict->detail));
+        send_event("verdict", fmt::format("{}: {}", step.text,
+                                          verdict->met ? "met" : "not met: " + verdict->detail));
 }
 
 // ---- The record ----
 
 void LivePlayer::mark() {
     const auto name = fmt::format("live-{}.png", ++marks_);
-    write_png(out_ / name, player_.stage().senses().picture());
+    write_png(out_ / name, runner_.control().observations().picture());
     const auto now = sc_time_stamp();
     played_.push_back({now, now, fmt::format("expect-frame: {{equals: {}}}", name)});
-    say("marked", (out_ / name).string());
+    send_event("marked", (out_ / name).string());
 }
 
 // A scenario that plays all of this again, up to now.
 std::string LivePlayer::record() {
-    if (!player_.finished())
+    if (!runner_.finished())
         throw std::runtime_error{
             "cannot save: the scenario's steps still play; wait for their end"};
     std::vector<std::string> steps;
-    sc_time now = player_.finished_at();
+    sc_time now = runner_.finished_at();
     for (const Played& played : played_) {
         add_delay(steps, played.begin - now);
         steps.push_back(played.step);
@@ -295,8 +295,8 @@ void LivePlayer::ask_for_waves(const nlohmann::json& when) {
 
 void LivePlayer::look_at_waves() {
     if (const auto done = waves_.done())
-        done->file.empty() ? say("error", "no waveforms: " + done->problem)
-                           : say("waves", done->file);
+        done->file.empty() ? send_event("error", "no waveforms: " + done->problem)
+                           : send_event("waves", done->file);
     if (!wanted_ || sc_time_stamp() < wanted_->to) return;
     const Part part = *wanted_;
     wanted_.reset();

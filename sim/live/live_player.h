@@ -18,7 +18,7 @@
 #include "sim/live/inside.h"
 #include "sim/live/live_view.h"
 #include "sim/live/waves.h"
-#include "sim/play/player.h"
+#include "sim/play/scenario_runner.h"
 #include "sim/scenario/step_reader.h"
 
 #include <systemc>
@@ -27,9 +27,10 @@ namespace sim::live {
 
 class LivePlayer : public sc_core::sc_module {
 public:
-    // Steps go through `player`, whose own must be over.  `scenario`: with which the run began.
-    LivePlayer(const sc_core::sc_module_name& name, Player& player, LiveView& view, Inside& inside,
-               Wire& wire, const Scenario& scenario, std::uint64_t seed, const RunOptions& options);
+    // Steps go through `runner`, whose own must be over.  `scenario`: with which the run began.
+    LivePlayer(const sc_core::sc_module_name& name, ScenarioRunner& runner, LiveView& view,
+               Inside& inside, Wire& wire, const Scenario& scenario, std::uint64_t seed,
+               const RunOptions& options);
 
     bool left() const { return left_; }  // the server is gone, or has asked for the end
     // The run has ended: what is left of it waits for nobody's message.
@@ -51,15 +52,15 @@ private:
     void begin_exact_run(const nlohmann::json& order);
     void end_exact_run();
     ExactRun::Counts counts() const;
-    void say(const char* name, const std::string& text);
-    void say_status();
+    void send_event(const char* name, const std::string& text);
+    void send_status();
     void mark();
     std::string record();
     void save();
     void ask_for_waves(const nlohmann::json& when);
     void look_at_waves();
 
-    Player& player_;
+    ScenarioRunner& runner_;
     LiveView& view_;
     Inside& inside_;
     Wire& wire_;
@@ -72,9 +73,9 @@ private:
     double speed_ = 1;  // simulated seconds per second; 0: as fast as it goes
     bool paused_ = false, left_ = false;
     std::uint64_t pause_at_frame_ = 0;
-    std::optional<ExactRun> exact_run_;      // which is under way
-    Clock::time_point since_, told_;         // when pace and status were last set
-    sc_core::sc_time since_sim_, told_sim_;  // in simulated time
+    std::optional<ExactRun> exact_run_;           // which is under way
+    Clock::time_point since_, status_at_;         // when pace and status were last set
+    sc_core::sc_time since_sim_, status_at_sim_;  // in simulated time
     std::vector<Played> played_;
     unsigned marks_ = 0;
     struct Part {

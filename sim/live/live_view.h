@@ -1,4 +1,4 @@
-// live_view.h - the audience of a live run: all of it goes to the recorder, and over the wire.
+// live_view.h - the observer of a live run: all of it goes to the recorder, and over the wire.
 //
 // Pictures are sent as the tiles that differ from what was sent before.  While the other side does
 // not read, pictures and sound are left out; texts and lamps are not.  For a program that plays,
@@ -18,7 +18,7 @@
 
 namespace sim::live {
 
-class LiveView final : public Audience {
+class LiveView final : public BoardObserver {
 public:
     LiveView(Recorder& recorder, Wire& wire) : recorder_{recorder}, wire_{wire} {}
 

@@ -97,12 +97,12 @@ private:
         pictures_.clear();
         greeting_.clear();
         for (const auto& client : clients_) client->forget_pictures();
-        auto words = what_;
-        words.insert(words.end(), settings_.words.begin(), settings_.words.end());
+        auto arguments = what_;
+        arguments.insert(arguments.end(), settings_.arguments.begin(), settings_.arguments.end());
         simulation_ =
-            std::make_unique<Simulation>(words, settings_.driven ? "{\"pause\": true}" : "");
+            std::make_unique<Simulation>(arguments, settings_.driven ? "{\"pause\": true}" : "");
         wire_ready_.emplace(io_, dup(simulation_->wire().descriptor()));
-        tell(json_text({{"power", true}}));
+        send(json_text({{"power", true}}));
         wait_for_wire();
     }
     // Where there is no process or no descriptor for another simulation, the clients are told.
@@ -111,8 +111,8 @@ private:
             power_on();
         } catch (const std::exception& error) {
             simulation_.reset();
-            tell(json_text({{"error", error.what()}}));
-            tell_end(WRONG_INPUT);
+            send(json_text({{"error", error.what()}}));
+            send_end(WRONG_INPUT);
         }
     }
 
@@ -125,7 +125,7 @@ private:
                                     while (const auto message = wire.receive()) take(*message);
                                     for (const auto& client : clients_) client->send_picture();
                                     if (there) return wait_for_wire();
-                                    tell_end(simulation_->reap());
+                                    send_end(simulation_->reap());
                                 });
     }
 
@@ -139,19 +139,19 @@ private:
             }
             case Kind::TEXT:
                 greeting_.take(message.bytes);
-                tell(message.bytes);
+                send(message.bytes);
                 break;
         }
     }
 
     // Those who connect later are told as well.
-    void tell_end(int exit_code) {
+    void send_end(int exit_code) {
         const std::string text = json_text({{"ended", exit_code}});
         greeting_.take(text);
-        tell(text);
+        send(text);
     }
 
-    void tell(const std::string& text) {
+    void send(const std::string& text) {
         for (const auto& client : clients_) client->send_text(text);
     }
 

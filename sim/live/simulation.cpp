@@ -14,15 +14,15 @@
 
 namespace sim::live {
 
-Simulation::Simulation(const std::vector<std::string>& words, const std::string& first) {
+Simulation::Simulation(const std::vector<std::string>& arguments, const std::string& first) {
     int ends[2];
     if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0)
         throw std::runtime_error{std::string{"no socket pair: "} + std::strerror(errno)};
     std::vector<std::string> all{"de1sim", "run", "--live-socket", std::to_string(ends[1])};
-    all.insert(all.end(), words.begin(), words.end());
-    std::vector<char*> arguments;
-    for (std::string& word : all) arguments.push_back(word.data());
-    arguments.push_back(nullptr);
+    all.insert(all.end(), arguments.begin(), arguments.end());
+    std::vector<char*> argv;
+    for (std::string& word : all) argv.push_back(word.data());
+    argv.push_back(nullptr);
     wire_ = std::make_unique<Wire>(ends[0]);
     if (!first.empty()) wire_->send(Kind::TEXT, first);
     child_ = fork();
@@ -30,7 +30,7 @@ Simulation::Simulation(const std::vector<std::string>& words, const std::string&
         // Ctrl-C is for the server, which then ends this process in order.
         setpgid(0, 0);
         fcntl(ends[1], F_SETFD, 0);
-        execv("/proc/self/exe", arguments.data());
+        execv("/proc/self/exe", argv.data());
         _exit(127);
     }
     close(ends[1]);

@@ -13,9 +13,9 @@ namespace sim::live {
 
 class Simulation {
 public:
-    // Starts this program with the words; `first`, if there is one, is a message that it has from
+    // Starts this program with the arguments; `first`, if there is one, is a message that it has from
     // the beginning.  std::runtime_error.
-    explicit Simulation(const std::vector<std::string>& words, const std::string& first = "");
+    explicit Simulation(const std::vector<std::string>& arguments, const std::string& first = "");
     ~Simulation() { end(); }
     Simulation(const Simulation&) = delete;
     Simulation& operator=(const Simulation&) = delete;

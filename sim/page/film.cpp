@@ -21,7 +21,7 @@ Image half_size(const Image& image) {
     return half;
 }
 
-void Film::show(double time_s, const Senses& eyes) {
+void Film::show(double time_s, const Observations& eyes) {
     number_ = eyes.frames;
     time_s_ = time_s;
     if (shown_++ % every_ != 0) return;
@@ -31,7 +31,7 @@ void Film::show(double time_s, const Senses& eyes) {
     while (others_ > 1 && (others_ > MOST || other_bytes_ > MOST_BYTES)) thin_out();
 }
 
-std::uint64_t Film::keep(const Senses& eyes) {
+std::uint64_t Film::keep(const Observations& eyes) {
     if (number_ == 0) return 0;
     const bool there = !pictures_.empty() && pictures_.back().number == number_;
     if (there && pictures_.back().of_step) return number_;

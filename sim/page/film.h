@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "sim/scenario/senses.h"
+#include "sim/scenario/observations.h"
 
 namespace sim::page {
 
@@ -24,10 +24,10 @@ public:
     };
 
     // A new picture, which `eyes` see now.
-    void show(double time_s, const Senses& eyes);
+    void show(double time_s, const Observations& eyes);
     // A step is done: the picture seen now stays.  Its number, or 0 if there is none or
     // enough are kept.
-    std::uint64_t keep(const Senses& eyes);
+    std::uint64_t keep(const Observations& eyes);
 
     const std::vector<Picture>& pictures() const { return pictures_; }
     std::uint64_t shown() const { return shown_; }

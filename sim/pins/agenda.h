@@ -55,20 +55,20 @@ public:
     void pass_to(std::uint64_t time_ps) { now_ps_ = std::max(now_ps_, time_ps); }
 
     // `told` is called with next_ps() whenever that is another.
-    void on_next(std::function<void(std::uint64_t)> told) {
-        told_ = std::move(told);
-        told_(next_ps_);
+    void on_next(std::function<void(std::uint64_t)> notify) {
+        notify_ = std::move(notify);
+        notify_(next_ps_);
     }
 
 private:
     void look() {
         const std::uint64_t next = entries_.empty() ? NEVER : entries_.begin()->first;
-        if (std::exchange(next_ps_, next) != next) told_(next);
+        if (std::exchange(next_ps_, next) != next) notify_(next);
     }
 
     std::multimap<std::uint64_t, Action> entries_;
     std::uint64_t next_ps_ = NEVER, now_ps_ = 0;
-    std::function<void(std::uint64_t)> told_ = [](std::uint64_t) {};
+    std::function<void(std::uint64_t)> notify_ = [](std::uint64_t) {};
 };
 
 // The timer of a part: an entry that is made again and again, one at a time.

@@ -27,9 +27,9 @@ std::vector<fs::path> program_folders() {
 }
 
 // /lib and its like are links into /usr, or folders.
-void add_system(std::vector<std::string>& words) {
+void add_system(std::vector<std::string>& command) {
     const auto add = [&](std::initializer_list<std::string> more) {
-        words.insert(words.end(), more);
+        command.insert(command.end(), more);
     };
     add({"--ro-bind", "/usr", "/usr"});
     for (const char* folder : {"/bin", "/lib", "/lib64", "/sbin"}) {
@@ -46,7 +46,7 @@ void add_system(std::vector<std::string>& words) {
 
 }  // namespace
 
-std::vector<std::string> confined(const std::vector<std::string>& words,
+std::vector<std::string> confined(const std::vector<std::string>& command,
                                   const Confinement& confinement) {
     const std::string here = fs::current_path().string();
     const char* path = std::getenv("PATH");
@@ -74,7 +74,7 @@ std::vector<std::string> confined(const std::vector<std::string>& words,
     add({"--dir", here, "--chdir", here, "--", "prlimit", "--core=0"});
     add({"--data=" + std::to_string(confinement.memory_bytes), "--fsize=" + size});
     add({"--nproc=" + std::to_string(MOST_PROCESSES), "--"});
-    all.insert(all.end(), words.begin(), words.end());
+    all.insert(all.end(), command.begin(), command.end());
     return all;
 }
 

@@ -23,9 +23,9 @@ struct Confinement {
     std::uint64_t file_bytes = 0;                 // of a file that it writes
 };
 
-// The words that run these in that confinement, in the same working directory and with the same
+// The command that run these in that confinement, in the same working directory and with the same
 // names.
-std::vector<std::string> confined(const std::vector<std::string>& words,
+std::vector<std::string> confined(const std::vector<std::string>& command,
                                   const Confinement& confinement);
 
 // std::runtime_error: bwrap is missing, or the kernel does not let this user make namespaces.

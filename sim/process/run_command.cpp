@@ -20,7 +20,7 @@ namespace {
 
 constexpr int NO_PROGRAM = 127, SIGNALLED = 128, LOOK_MS = 200;
 
-[[noreturn]] void become(const std::vector<std::string>& words, const char* folder, int output) {
+[[noreturn]] void become(const std::vector<std::string>& command, const char* folder, int output) {
     setpgid(0, 0);  // so that all of it can be ended
     prctl(PR_SET_PDEATHSIG, SIGTERM);
     const int null = open("/dev/null", O_RDONLY);
@@ -28,7 +28,7 @@ constexpr int NO_PROGRAM = 127, SIGNALLED = 128, LOOK_MS = 200;
     dup2(output, STDOUT_FILENO);
     dup2(output, STDERR_FILENO);
     std::vector<char*> arguments;
-    for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
+    for (const std::string& word : command) arguments.push_back(const_cast<char*>(word.c_str()));
     arguments.push_back(nullptr);
     if (chdir(folder) == 0) execvp(arguments[0], arguments.data());
     _exit(NO_PROGRAM);
@@ -44,7 +44,7 @@ std::string Outcome::last_line() const {
     return output.substr(begin, last + 1 - begin);
 }
 
-Outcome run_command(const std::vector<std::string>& words, const std::filesystem::path& folder,
+Outcome run_command(const std::vector<std::string>& command, const std::filesystem::path& folder,
                     unsigned limit_s, const std::function<bool()>& given_up) {
     int ends[2];
     if (pipe2(ends, O_CLOEXEC) != 0) return {NO_PROGRAM, "no pipe"};
@@ -54,7 +54,7 @@ Outcome run_command(const std::vector<std::string>& words, const std::filesystem
         close(ends[1]);
         return {NO_PROGRAM, "no process"};
     }
-    if (child == 0) become(words, folder.c_str(), ends[1]);
+    if (child == 0) become(command, folder.c_str(), ends[1]);
     setpgid(child, child);
     close(ends[1]);
     Outcome outcome{0, {}};

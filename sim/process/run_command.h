@@ -20,7 +20,7 @@ struct Outcome {
 // started, and the code is TIMED_OUT.  It also ends with the thread that has called.
 constexpr int TIMED_OUT = -1;
 Outcome run_command(
-    const std::vector<std::string>& words, const std::filesystem::path& folder, unsigned limit_s,
+    const std::vector<std::string>& command, const std::filesystem::path& folder, unsigned limit_s,
     const std::function<bool()>& given_up = [] { return false; });
 
 // The same for several, as many at once as the machine has processors; outcomes in their order.

@@ -45,42 +45,42 @@ fs::path place_for(const fs::path& folder) {
            hash_of(folder.string());
 }
 
-std::vector<std::string> verilator_words(const Project& project,
-                                         const std::vector<std::string>& includes) {
-    std::vector<std::string> words{"verilator",
-                                   "-Wno-fatal",
-                                   "-Wno-lint",
-                                   "-Wno-style",
-                                   "-Wno-ASSIGNIN",
-                                   "-Wno-BLKANDNBLK",
-                                   "-Wno-STMTDLY",
-                                   "-Wno-MULTIDRIVEN",
-                                   "-Wno-UNOPTFLAT",
-                                   "-Wno-TIMESCALEMOD",
-                                   "-Wno-COMBDLY",
-                                   "-Wno-INITIALDLY",
-                                   "-Wno-PINMISSING",
-                                   "-Wno-MODDUP",
-                                   "-Wno-SYMRSVDWORD",
-                                   "-Wno-SPLITVAR",
-                                   "-Wno-TICKCOUNT",
-                                   "--no-timing",
-                                   "--timescale",
-                                   "1ns/1ps",
-                                   "--timescale-override",
-                                   "/1ps",
-                                   "--x-initial",
-                                   "0",
-                                   "--x-assign",
-                                   "0"};
-    words.insert(words.end(),
-                 {"-DALTERA_RESERVED_QIS", "-UVERILATOR", "-Uverilator", "-Uverilator3"});
-    for (const std::string& macro : project.macros) words.push_back("-D" + macro);
-    words.push_back("-Iincluded");
-    for (const std::string& include : includes) words.push_back("-I" + include);
-    words.insert(words.end(), {"-y", "data/rtl/ip", "-y", "data/rtl/ip/qsys", "-Idata/rtl/ip",
-                               "data/project/de1sim_init.sv"});
-    return words;
+std::vector<std::string> verilator_command(const Project& project,
+                                           const std::vector<std::string>& includes) {
+    std::vector<std::string> command{"verilator",
+                                     "-Wno-fatal",
+                                     "-Wno-lint",
+                                     "-Wno-style",
+                                     "-Wno-ASSIGNIN",
+                                     "-Wno-BLKANDNBLK",
+                                     "-Wno-STMTDLY",
+                                     "-Wno-MULTIDRIVEN",
+                                     "-Wno-UNOPTFLAT",
+                                     "-Wno-TIMESCALEMOD",
+                                     "-Wno-COMBDLY",
+                                     "-Wno-INITIALDLY",
+                                     "-Wno-PINMISSING",
+                                     "-Wno-MODDUP",
+                                     "-Wno-SYMRSVDWORD",
+                                     "-Wno-SPLITVAR",
+                                     "-Wno-TICKCOUNT",
+                                     "--no-timing",
+                                     "--timescale",
+                                     "1ns/1ps",
+                                     "--timescale-override",
+                                     "/1ps",
+                                     "--x-initial",
+                                     "0",
+                                     "--x-assign",
+                                     "0"};
+    command.insert(command.end(),
+                   {"-DALTERA_RESERVED_QIS", "-UVERILATOR", "-Uverilator", "-Uverilator3"});
+    for (const std::string& macro : project.macros) command.push_back("-D" + macro);
+    command.push_back("-Iincluded");
+    for (const std::string& include : includes) command.push_back("-I" + include);
+    command.insert(command.end(), {"-y", "data/rtl/ip", "-y", "data/rtl/ip/qsys", "-Idata/rtl/ip",
+                                   "data/project/de1sim_init.sv"});
+    return command;
 }
 
 std::map<std::string, std::string> board_pins() {
@@ -109,7 +109,7 @@ void Builder::prepare_folder() {
 
 void Builder::elaborate() {
     read_clean_sources();
-    refuse(text_errors(checks_));  // before the translator finds them in other words
+    refuse(text_errors(checks_));  // before the translator finds them in other command
     verilator_ = find_verilator(limit_);
     while (!write_tree()) {
     }
@@ -120,27 +120,27 @@ fs::path Builder::tree() const { return folder_ / (as_json_ ? "design.json" : "d
 // False: parameters that the top has not are left out now, as Quartus does.  Many are the global
 // ones of Intel's IP.
 bool Builder::write_tree() {
-    auto words = verilator_words(design_.project, includes_);
-    words.insert(words.end(), {"-O0", "-Wwarn-lint", "-Wwarn-PINMISSING", "-DDE1SIM_LISTS",
-                               "--Mdir", "tree", "--top-module", design_.project.top});
+    auto command = verilator_command(design_.project, includes_);
+    command.insert(command.end(), {"-O0", "-Wwarn-lint", "-Wwarn-PINMISSING", "-DDE1SIM_LISTS",
+                                   "--Mdir", "tree", "--top-module", design_.project.top});
     const std::string written = tree().filename();
     if (as_json_)
-        words.insert(words.end(), {"--json-only", "--json-only-output", written,
-                                   "--json-only-meta-output", tree_meta(written)});
+        command.insert(command.end(), {"--json-only", "--json-only-output", written,
+                                       "--json-only-meta-output", tree_meta(written)});
     else
-        words.insert(words.end(), {"--xml-only", "--xml-output", written});
+        command.insert(command.end(), {"--xml-only", "--xml-output", written});
     const auto parameters = verilator_options(design_.project.parameters);
-    words.insert(words.end(), parameters.begin(), parameters.end());
-    for (const fs::path& file : files_) words.push_back(file.string());
+    command.insert(command.end(), parameters.begin(), parameters.end());
+    for (const fs::path& file : files_) command.push_back(file.string());
     try {
-        said_ = run_tool(words, folder_, limit_);
+        verilator_output_ = run_tool(command, folder_, limit_);
     } catch (const ProjectError& e) {
-        const std::string_view said = e.what();
+        const std::string_view text = e.what();
         if (!design_.project.why_missing.empty() &&
-            (said.find("12006: no file defines module") != std::string_view::npos ||
-             said.find("pragma protect") != std::string_view::npos))  // in an encrypted file
+            (text.find("12006: no file defines module") != std::string_view::npos ||
+             text.find("pragma protect") != std::string_view::npos))  // in an encrypted file
             throw ProjectError{design_.project.why_missing};
-        if (!as_json_ && said.find("--xml-only") != std::string_view::npos) {
+        if (!as_json_ && text.find("--xml-only") != std::string_view::npos) {
             as_json_ = true;
             return false;
         }
@@ -229,8 +229,8 @@ void Builder::read_and_elaborate() {
 }
 
 void Builder::check() {
-    Checked checked = check_design(
-        {design_.project, tree().string(), said_, checks_, design_.elaborated.ports, board_pins()});
+    Checked checked = check_design({design_.project, tree().string(), verilator_output_, checks_,
+                                    design_.elaborated.ports, board_pins()});
     design_.warnings = std::move(checked.warnings);
     design_.self_reading = std::move(checked.self_reading);
     refuse(checked.errors);
@@ -239,13 +239,13 @@ void Builder::check() {
 // ProjectError: the first thing that Quartus refuses; the others are among the notes.
 void Builder::refuse(const Messages& errors) const {
     if (errors.empty()) return;
-    const auto said = [](const Message& m) {
+    const auto text = [](const Message& m) {
         return m.number ? fmt::format("{}: Quartus error {}: {}", m.place(), m.number, m.text)
                         : fmt::format("{}: Quartus refuses this: {}", m.place(), m.text);
     };
-    ProjectError error{said(errors.front())};
+    ProjectError error{text(errors.front())};
     error.notes = design_.project.notes;
-    for (std::size_t n = 1; n < errors.size(); ++n) error.notes.push_back(said(errors[n]));
+    for (std::size_t n = 1; n < errors.size(); ++n) error.notes.push_back(text(errors[n]));
     throw error;
 }
 
@@ -267,7 +267,7 @@ std::string Builder::key() const {
         const FileFinder ours{data_folder() / name};
         for (const fs::path& file : ours.files()) all += text_of(file);
     }
-    for (const auto& word : verilator_words(design_.project, includes_)) all += word + "\n";
+    for (const auto& word : verilator_command(design_.project, includes_)) all += word + "\n";
     for (const fs::path& file : files_) all += text_of(folder_ / file);
     all += included_;
     for (const char* name : {"de1sim_design.vh", "de1sim_pll_taps.v", "de1sim_facts.h"})
@@ -277,15 +277,15 @@ std::string Builder::key() const {
 
 // An array that is assigned in a loop needs the loop unrolled, which is not done by itself where it
 // has many rounds.
-std::string Builder::translate(std::vector<std::string> words) const {
+std::string Builder::translate(std::vector<std::string> command) const {
     try {
-        return run_tool(words, folder_, limit_);
+        return run_tool(command, folder_, limit_);
     } catch (const ProjectError& error) {
         if (std::string_view{error.what()}.find("inside for loops") == std::string_view::npos)
             throw;
     }
-    words.insert(words.begin() + 1, {"--unroll-count", "5000", "--unroll-stmts", "1000000"});
-    return run_tool(words, folder_, limit_);
+    command.insert(command.begin() + 1, {"--unroll-count", "5000", "--unroll-stmts", "1000000"});
+    return run_tool(command, folder_, limit_);
 }
 
 Built Builder::build(const Progress& progress) {
@@ -299,20 +299,20 @@ Built Builder::build(const Progress& progress) {
     fs::remove_all(objects, error);
     fs::create_directories(objects);
     progress(fmt::format("translating {} (Verilator)", design_.project.top));
-    auto words = verilator_words(design_.project, includes_);
-    words.insert(
-        words.end(),
+    auto command = verilator_command(design_.project, includes_);
+    command.insert(
+        command.end(),
         {"--cc", "-O3", "--noassert", "--prefix", "Vde1sim_chip", "--Mdir",
          objects.filename().string(), "--top-module", "de1sim_chip", "-I.",
          fmt::format("-DDE1SIM_GPIO_0_OUTPUTS=36'd{}", design_.binding.header_outputs[0]),
          fmt::format("-DDE1SIM_GPIO_1_OUTPUTS=36'd{}", design_.binding.header_outputs[1])});
-    words.push_back("-Wwarn-UNOPTFLAT");  // for loops_text()
-    if (trace_) words.insert(words.end(), {"--trace-fst", "-DDE1SIM_TRACE"});
-    words.push_back("data/project/de1sim_chip.v");
-    words.push_back("de1sim_pll_taps.v");
-    for (const fs::path& file : files_) words.push_back(file.string());
+    command.push_back("-Wwarn-UNOPTFLAT");  // for loops_text()
+    if (trace_) command.insert(command.end(), {"--trace-fst", "-DDE1SIM_TRACE"});
+    command.push_back("data/project/de1sim_chip.v");
+    command.push_back("de1sim_pll_taps.v");
+    for (const fs::path& file : files_) command.push_back(file.string());
     write_whole_file(objects / "de1sim_loops.h",
-                     loops_text(translate(words), design_.self_reading));
+                     loops_text(translate(command), design_.self_reading));
 
     refuse_foreign_functions(objects);
     progress("compiling");

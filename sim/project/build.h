@@ -34,7 +34,7 @@ struct Built {
     std::vector<qsys::Generated> systems;
 };
 
-// What is said while it goes on: "translating 12 files (Verilator)".
+// What is text while it goes on: "translating 12 files (Verilator)".
 using Progress = std::function<void(const std::string& line)>;
 
 class Builder {
@@ -55,7 +55,7 @@ private:
     void prepare_folder();
     void read_clean_sources();
     bool fit_inout(const std::string& error);
-    std::string translate(std::vector<std::string> words) const;
+    std::string translate(std::vector<std::string> command) const;
     void check();
     void refuse(const Messages& errors) const;
     void elaborate();
@@ -77,8 +77,8 @@ private:
     std::vector<GenericEntity> entities_;                      // in VHDL
     std::map<std::string, TextChecks> checks_;                 // by file
     std::map<std::string, std::vector<InoutFit>> inout_fits_;  // by file
-    std::string said_;      // by Verilator of the last elaboration
-    bool as_json_ = false;  // it cannot write XML
+    std::string verilator_output_;  // by Verilator of the last elaboration
+    bool as_json_ = false;          // it cannot write XML
     bool examined_ = false;
 };
 

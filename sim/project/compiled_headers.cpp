@@ -83,9 +83,9 @@ bool precompile(const std::vector<std::string>& compiler, const fs::path& header
     for (const auto& entry : fs::directory_iterator{header.parent_path()})
         if (const std::string kind = entry.path().extension(); kind == ".gch" || kind == NOTES)
             fs::remove(entry.path(), error);  // of other compilers: each is of 60 MB
-    auto words = compiler;
-    words.insert(words.end(), {"-x", "c++-header", name, "-o", "new", "-MD", "-MF", "rule"});
-    if (run_command(words, header.parent_path(), limit.left_s()).code != 0) return false;
+    auto command = compiler;
+    command.insert(command.end(), {"-x", "c++-header", name, "-o", "new", "-MD", "-MF", "rule"});
+    if (run_command(command, header.parent_path(), limit.left_s()).code != 0) return false;
     std::string all;
     for (const fs::path& file :
          files_of_rule(read_whole_file(header.parent_path() / "rule", MAX_NOTES))) {
@@ -127,9 +127,9 @@ std::vector<std::string> compiled_headers(const std::vector<std::string>& compil
     }
 }
 
-void forget_compiled_headers(const std::vector<std::string>& words) {
+void forget_compiled_headers(const std::vector<std::string>& command) {
     std::error_code error;
-    if (!words.empty()) fs::remove(words.back() + NOTES, error);
+    if (!command.empty()) fs::remove(command.back() + NOTES, error);
 }
 
 }  // namespace sim::project

@@ -15,12 +15,12 @@ namespace sim::project {
 // $XDG_CACHE_HOME/de1sim, or what stands for it; empty: the user has no folder.
 std::filesystem::path user_cache();
 
-// The words that a command of `compiler`, whose words the design does not change, has in addition;
+// The command that a command of `compiler`, whose command the design does not change, has in addition;
 // none where the headers cannot be precompiled.
 std::vector<std::string> compiled_headers(const std::vector<std::string>& compiler,
                                           const TimeLimit& limit);
 
-// With these words a command has failed: they are made anew before the next one.
-void forget_compiled_headers(const std::vector<std::string>& words);
+// With these command a command has failed: they are made anew before the next one.
+void forget_compiled_headers(const std::vector<std::string>& command);
 
 }  // namespace sim::project

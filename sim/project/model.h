@@ -75,7 +75,7 @@ public:
 struct ModelSettings {
     const char* folder;  // the project's: $readmemh and other files are opened from there
     Trace trace;
-    void (*say)(const char* line);  // what a person should know
+    void (*report)(const char* line);  // what a person should know
     JtagTerminals* terminals = nullptr;
 };
 

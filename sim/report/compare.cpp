@@ -37,7 +37,7 @@ const Check* find(const Compared& report, const std::string& name) {
     return found == report.checks.end() ? nullptr : &*found;
 }
 
-std::string said(const Check* check) {
+std::string result_text(const Check* check) {
     if (!check) return "no such check";
     return (check->met ? "met: " : "not met: ") + check->detail;
 }
@@ -50,9 +50,10 @@ std::vector<std::string> differences(std::string_view a, const std::string& name
     std::vector<std::string> lines;
     const auto compare = [&](const std::string& name) {
         const Check *one = find(first, name), *other = find(second, name);
-        if (said(one) == said(other)) return;
-        lines.push_back(printable(name) + "\n  " + printable(name_a) + ": " + printable(said(one)) +
-                        "\n  " + printable(name_b) + ": " + printable(said(other)));
+        if (result_text(one) == result_text(other)) return;
+        lines.push_back(printable(name) + "\n  " + printable(name_a) + ": " +
+                        printable(result_text(one)) + "\n  " + printable(name_b) + ": " +
+                        printable(result_text(other)));
     };
     for (const Check& check : first.checks) compare(check.name);
     for (const Check& check : second.checks)

@@ -22,7 +22,7 @@ constexpr const char* CUT_OFF = "cannot write: it was cut off (is the disk full?
 constexpr int WRONG_INPUT = 2;
 
 // Prepared for the signal handler, which can neither allocate nor format.
-char last_words[8192];
+char crash_report[8192];
 char hierarchy_name[4096 + 8];  // the writer's temporary file, until it is closed
 
 void copy(char* to, std::size_t capacity, const std::string& text) {
@@ -30,7 +30,8 @@ void copy(char* to, std::size_t capacity, const std::string& text) {
 }
 
 void on_bus_error(int) {
-    [[maybe_unused]] const ssize_t said = write(STDERR_FILENO, last_words, std::strlen(last_words));
+    [[maybe_unused]] const ssize_t said =
+        write(STDERR_FILENO, crash_report, std::strlen(crash_report));
     remove_open_parts();
     unlink(hierarchy_name);
     _exit(WRONG_INPUT);
@@ -100,7 +101,7 @@ std::string packed_fst(const std::string& bytes) {
 }
 
 TraceFile::TraceFile(const std::filesystem::path& path) : file_{path} {
-    copy(last_words, sizeof last_words,
+    copy(crash_report, sizeof crash_report,
          std::string{"de1sim: "} + IoError(path, CUT_OFF).what() + "\n");
     copy(hierarchy_name, sizeof hierarchy_name, part().string() + ".hier");
     std::signal(SIGBUS, on_bus_error);

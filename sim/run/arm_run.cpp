@@ -32,10 +32,10 @@ ArmProgram load_program(const RunOptions& options, bool on_linux) {
 }
 
 ArmRun::ArmRun(ArmCpu& cpu, Bus& bus, I2cDevices* i2c0, const RunOptions& options, bool on_linux,
-               Recorder& recorder, Audience& audience)
+               Recorder& recorder, BoardObserver& observer)
     : options_{options}, cpu_{cpu}, bus_{bus} {
-    const auto print = [&audience](char c) { audience.console(c, SerialLine::UART); };
-    const auto log = [&audience](const std::string& line) { audience.log(line); };
+    const auto print = [&observer](char c) { observer.console(c, SerialLine::UART); };
+    const auto log = [&observer](const std::string& line) { observer.log(line); };
     const auto access = [&bus](bool write, std::uint32_t address, std::uint32_t& value) {
         sc_core::sc_time delay;
         return bus.transfer(write, address, reinterpret_cast<unsigned char*>(&value), sizeof value,
@@ -60,12 +60,12 @@ ArmRun::ArmRun(ArmCpu& cpu, Bus& bus, I2cDevices* i2c0, const RunOptions& option
 void ArmRun::plug_in(Ps2Keyboard& keyboard, Ps2Mouse& mouse) {
     if (!kernel_) return;
     LinuxInput& input = kernel_->input();
-    keyboard.also_tell([&input](std::uint16_t key, bool down) { input.key(key, down); });
-    mouse.also_tell({[&input](int right, int up) { input.move(right, up); },
-                     [&input](int notches) { input.turn(notches); },
-                     [&input](MouseButton which, bool down) {
-                         input.button(static_cast<unsigned>(which), down);
-                     }});
+    keyboard.set_listener([&input](std::uint16_t key, bool down) { input.key(key, down); });
+    mouse.set_listener({[&input](int right, int up) { input.move(right, up); },
+                        [&input](int notches) { input.turn(notches); },
+                        [&input](MouseButton which, bool down) {
+                            input.button(static_cast<unsigned>(which), down);
+                        }});
 }
 
 RunReport::Program ArmRun::program() const {

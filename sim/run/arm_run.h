@@ -29,9 +29,9 @@ ArmProgram load_program(const RunOptions& options, bool on_linux);
 class ArmRun {
 public:
     // Attaches to the processor and to the recorder's frames.  What a Linux program prints, or
-    // another by semihosting, goes to `audience`.
+    // another by semihosting, goes to `observer`.
     ArmRun(ArmCpu& cpu, Bus& bus, I2cDevices* i2c0, const RunOptions& options, bool on_linux,
-           Recorder& recorder, Audience& audience);
+           Recorder& recorder, BoardObserver& observer);
 
     // At the console of these; or that nobody will.
     void type(const std::string& text) { terminal().type(text); }

@@ -72,7 +72,7 @@ std::vector<RunReport::Shown> LampLog::shown(Headers headers) const {
             shown_of(jp ? "jp2" : "gpio_1", gpio_1_, fields)};
 }
 
-std::string LampLog::say(Headers headers) const {
+std::string LampLog::text(Headers headers) const {
     std::string text;
     const auto add = [&text](bool there, const std::string& what) {
         if (there) text += (text.empty() ? "" : ", ") + what;

@@ -21,7 +21,7 @@ public:
     // As the report has it.
     std::vector<RunReport::Shown> shown(Headers headers) const;
     // What is not dark or at rest, as a person says it: "LEDR 1000000001, HEX \"    12\""; or "".
-    std::string say(Headers headers) const;
+    std::string text(Headers headers) const;
 
 private:
     Changes<std::uint16_t> ledr_{0};

@@ -152,18 +152,18 @@ private:
     std::string cause(unsigned id) {
         const Device* device = device_of(id);
         const auto event = device && device->event.name ? read(device->event) : std::nullopt;
-        return event && (*event & device->event_bits) ? ": " + say(device->event, *event) : "";
+        return event && (*event & device->event_bits) ? ": " + describe(device->event, *event) : "";
     }
 
     void look_at_silent(const Device& device) {
-        const auto said = read(device.event), let = read(device.enable);
-        if (!said || !let || !(*said & device.event_bits)) return;
+        const auto status = read(device.event), let = read(device.enable);
+        if (!status || !let || !(*status & device.event_bits)) return;
         const std::uint32_t on = device.keeps_back ? ~*let : *let;
-        if (device.enable_bits ? on & device.enable_bits : on & *said & device.event_bits) return;
+        if (device.enable_bits ? on & device.enable_bits : on & *status & device.event_bits) return;
         std::string line = fmt::format("{} is enabled in the distributor, and not raised: {}",
-                                       name_of(device.id), say(device.event, *said));
+                                       name_of(device.id), describe(device.event, *status));
         if (device.enable.address != device.event.address)
-            line += ", but " + say(device.enable, *let);
+            line += ", but " + describe(device.enable, *let);
         if (device.enable_bits)
             line += fmt::format(", where 0x{:X} has to be {}", device.enable_bits,
                                 device.keeps_back ? 0 : 1);
@@ -178,7 +178,7 @@ private:
         return value;
     }
 
-    static std::string say(const Register& place, std::uint32_t value) {
+    static std::string describe(const Register& place, std::uint32_t value) {
         return fmt::format("{} (0x{:08X}) is 0x{:X}", place.name, place.address, value);
     }
 

@@ -53,15 +53,15 @@ struct RunOptions {
     std::optional<std::uint64_t> seed;            // instead of the scenario's
     std::string trace;                            // FST file, or empty
     std::optional<SimTime> trace_from, trace_to;  // the part of the run that is traced; else all
-    std::optional<SimTime> trace_failure;  // the time before a failure that a second run traces
-    std::filesystem::path again;           // that second run's folder, or empty
-    std::filesystem::path replay;          // scenario that it plays instead, or empty
-    std::vector<std::string> words;        // all that was given behind `run`
-    std::filesystem::path html;            // a page with all of the run, or empty
-    std::string command, version;          // for that page
-    std::filesystem::path video;           // .mp4 or .webm, or empty
-    std::optional<unsigned> audio_rate;    // samples a second
-    bool update_goldens = false;           // where they differ
+    std::optional<SimTime> trace_failure;      // the time before a failure that a second run traces
+    std::filesystem::path again;               // that second run's folder, or empty
+    std::filesystem::path replay;              // scenario that it plays instead, or empty
+    std::vector<std::string> arguments_typed;  // all that was given behind `run`
+    std::filesystem::path html;                // a page with all of the run, or empty
+    std::string command, version;              // for that page
+    std::filesystem::path video;               // .mp4 or .webm, or empty
+    std::optional<unsigned> audio_rate;        // samples a second
+    bool update_goldens = false;               // where they differ
     bool quiet = false;
     std::optional<int> live_socket;  // to `de1sim live`, whose simulation this is
 };

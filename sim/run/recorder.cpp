@@ -31,12 +31,12 @@ void Recorder::attempt(Write write) {
 }
 
 void Recorder::frame(const Monitor::Frame& frame) {
-    senses_.frame(frame);
+    observations_.frame(frame);
     on_frame();
-    if (page && frame.is_new) page->film.show(now_s(), senses_);
+    if (page && frame.is_new) page->film.show(now_s(), observations_);
     constexpr std::size_t MOST_PICTURES = 1000;
     if (frame.is_new && pictures_.size() < MOST_PICTURES)
-        pictures_.emplace_back(frame.number, sha256_hex(senses_.picture().rgb));
+        pictures_.emplace_back(frame.number, sha256_hex(observations_.picture().rgb));
     if (frame_writer_ && frames_.wants(frame.number, frame.is_new))
         attempt([&] {
             frame_writer_->push(frame.number, image_of(frame.pixels, frame.width, frame.height));
@@ -45,7 +45,7 @@ void Recorder::frame(const Monitor::Frame& frame) {
 }
 
 void Recorder::sample(std::int16_t left, std::int16_t right) {
-    senses_.sample(left, right);
+    observations_.sample(left, right);
     if (page) page->sound.sample(now_s(), left, right);
     attempt([&] {
         wav_.push(left, right);
@@ -54,7 +54,7 @@ void Recorder::sample(std::int16_t left, std::int16_t right) {
 }
 
 void Recorder::sample_rate(double hz) {
-    senses_.sample_rate(hz);
+    observations_.sample_rate(hz);
     if (page) page->sound.sample_rate(hz);
     attempt([&] {
         wav_.rate_changed(hz);
@@ -63,7 +63,7 @@ void Recorder::sample_rate(double hz) {
 }
 
 void Recorder::console(char character, SerialLine) {
-    senses_.console(character);
+    observations_.console(character);
     if (page) page->console.print(now_s(), character);
     if (output) output->print(character);
     attempt([&] { console_.print(character); });
@@ -80,8 +80,8 @@ void Recorder::log(const std::string& line) {
 void Recorder::close() {
     if (error_) std::rethrow_exception(error_);
     if (frame_writer_) {
-        if (frames_.which == FrameChoice::Which::LAST && senses_.frames > 0)
-            frame_writer_->push(senses_.frames, senses_.picture());
+        if (frames_.which == FrameChoice::Which::LAST && observations_.frames > 0)
+            frame_writer_->push(observations_.frames, observations_.picture());
         frame_writer_->close();
     }
     wav_.close();

@@ -1,4 +1,4 @@
-// recorder.h - the audience that writes everything down: pictures, sound, console.
+// recorder.h - the observer that writes everything down: pictures, sound, console.
 #pragma once
 
 #include <exception>
@@ -19,12 +19,12 @@
 #include "sim/run/options.h"
 #include "sim/run/output_folder.h"
 #include "sim/run/program_output.h"
-#include "sim/scenario/senses.h"
+#include "sim/scenario/observations.h"
 
 namespace sim {
 
 // A failure to write pauses SystemC and is kept for close(): nothing may be thrown through it.
-class Recorder : public Audience {
+class Recorder : public BoardObserver {
 public:
     // Makes and locks the folder, see OutputFolder.  IoError.
     Recorder(const std::filesystem::path& out, FrameChoice frames,
@@ -42,7 +42,7 @@ public:
     std::uint64_t log_lines() const { return log_lines_; }
     // Called at the end of each frame that the monitor shows.
     std::function<void()> on_frame = [] {};
-    Senses& senses() { return senses_; }
+    Observations& observations() { return observations_; }
     // Keeps for a page what passes by, if there is one.
     page::Page* page = nullptr;
     // Prints what the program does, if there is one.
@@ -61,7 +61,7 @@ private:
 
     FrameChoice frames_;
     OutputFolder folder_;  // before what writes into it
-    Senses senses_;
+    Observations observations_;
     std::optional<FrameWriter> frame_writer_;
     WavWriter wav_;
     ConsoleFile console_;

@@ -111,7 +111,7 @@ std::string name_of(const RunReport& report) {
 }  // namespace
 
 void add_results(RunReport& report, Board& board, ProcessorSystem* processor, Computer* computer,
-                 const ArmRun* arm, const Player& player, Recorder& recorder) {
+                 const ArmRun* arm, const ScenarioRunner& runner, Recorder& recorder) {
     if (processor && processor->cpu.fault())
         report.faults.push_back(*processor->cpu.fault());
     else if (const auto fault = processor ? processor->cpu.unfinished() : std::nullopt)
@@ -121,15 +121,15 @@ void add_results(RunReport& report, Board& board, ProcessorSystem* processor, Co
         (computer ? report.faults : report.advice).push_back("codec: " + error);
     if (const std::string silence = board.codec_chip.silence(); !computer && !silence.empty())
         report.advice.push_back("codec: " + silence);
-    for (const std::string& fault : player.faults()) report.faults.push_back(fault);
-    report.expectations = player.results();
-    report.checks = recorder.senses().tap.checks();
+    for (const std::string& fault : runner.faults()) report.faults.push_back(fault);
+    report.expectations = runner.results();
+    report.checks = recorder.observations().tap.checks();
     report.log_lines = recorder.log_lines();
     report.log = recorder.log();
     report.frames_shown = board.monitor.frames();
     report.frames_swapped = board.monitor.new_pictures();
     if (report.frames_shown > 0)
-        report.last_frame_sha256 = sha256_hex(recorder.senses().picture().rgb);
+        report.last_frame_sha256 = sha256_hex(recorder.observations().picture().rgb);
     report.signal = board.monitor.signal();
     report.pictures = recorder.pictures();
     const BusCounts bus = processor ? processor->bus.counts() : BusCounts{};
@@ -137,7 +137,7 @@ void add_results(RunReport& report, Board& board, ProcessorSystem* processor, Co
     const auto headers = computer ? LampLog::Headers::JP : LampLog::Headers::GPIO;
     board.lamps();  // so that the log has come to now
     report.shown = recorder.lamp_log().shown(headers);
-    report.lamps = recorder.lamp_log().say(headers);
+    report.lamps = recorder.lamp_log().text(headers);
     for (auto& [name, leds] : board.parts.all_leds())
         report.leds.push_back({name, leds.picture(sc_core::sc_time_stamp().value())});
     board.parts.for_each_terminal(
@@ -158,7 +158,7 @@ void add_results(RunReport& report, Board& board, ProcessorSystem* processor, Co
     if (const std::string missing = arm ? arm->missing_calls() : ""; !missing.empty())
         (succeeds(report) ? report.advice : report.faults)
             .push_back("the simulated Linux does not have these calls of the program: " + missing);
-    report.audio = {recorder.senses().rate_hz, recorder.senses().samples, 0};
+    report.audio = {recorder.observations().rate_hz, recorder.observations().samples, 0};
     if (report.simulated_s > FIRST_FRAMES_S && report.frames_shown == 0 &&
         board.monitor.is_connected())
         report.advice.push_back("the monitor found no picture: " + (report.signal.empty()
@@ -170,7 +170,7 @@ void add_results(RunReport& report, Board& board, ProcessorSystem* processor, Co
     for (const std::string& row : computer->characters()) report.characters.push_back(text_of(row));
     if (arm && !arm->on_linux() && waits_in_vain(report))
         for (const std::string& line : missed_interrupts(*computer)) report.advice.push_back(line);
-    if (report.frames_shown < 2 || report.frames_swapped > 1 || !recorder.senses().is_black())
+    if (report.frames_shown < 2 || report.frames_swapped > 1 || !recorder.observations().is_black())
         return;
     if (const auto address = picture_in_ddr3(*computer))
         report.advice.push_back(

@@ -5,7 +5,7 @@
 
 #include "sim/board/board.h"
 #include "sim/chip/computer.h"
-#include "sim/play/player.h"
+#include "sim/play/scenario_runner.h"
 #include "sim/report/report.h"
 #include "sim/run/arm_run.h"
 #include "sim/run/recorder.h"
@@ -17,7 +17,7 @@ namespace sim {
 // caller's, who knows when the run ended.  What they know without moving the board comes first:
 // should a part of this throw, the rest is there.
 void add_results(RunReport& report, Board& board, ProcessorSystem* processor, Computer* computer,
-                 const ArmRun* arm, const Player& player, Recorder& recorder);
+                 const ArmRun* arm, const ScenarioRunner& runner, Recorder& recorder);
 
 // What was missed and found, a line each on stderr, and a line on stdout.  False, with a line on
 // stderr, where stdout could not be written.

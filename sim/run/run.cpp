@@ -9,14 +9,14 @@
 #include "sim/chip/project_computer.h"
 #include "sim/debug/debugger.h"
 #include "sim/live/live_player.h"
-#include "sim/play/player.h"
+#include "sim/play/scenario_runner.h"
 #include "sim/process/interrupt.h"
 #include "sim/report/messages.h"
 #include "sim/report/report.h"
 #include "sim/report/seconds.h"
 #include "sim/report/trace_file.h"
 #include "sim/run/arm_run.h"
-#include "sim/run/last_words.h"
+#include "sim/run/crash_report.h"
 #include "sim/run/progress.h"
 #include "sim/run/recorder.h"
 #include "sim/run/results.h"
@@ -40,7 +40,7 @@ std::string what_broke(const std::exception& error, const std::string& doing) {
 
 // Carries out the parts of a run that has begun.  One that fails is written down and the others
 // still come; only an IoError ends them all.
-class Parts {
+class GuardedSteps {
 public:
     template <class Part>
     void carry_out(const char* doing, Part part) {
@@ -134,46 +134,46 @@ ExitCode run_doing(const char*& doing, RunOptions options, const Firmware& firmw
         wire.emplace(*options.live_socket);
         view.emplace(recorder, *wire);
     }
-    Audience& audience = view ? static_cast<Audience&>(*view) : recorder;
+    BoardObserver& observer = view ? static_cast<BoardObserver&>(*view) : recorder;
     ProcessorSystem* processor = nullptr;
     Computer* computer = nullptr;  // where the chip has this project's own fabric
-    Board board{
-        "board",
-        audience,
-        seed,
-        scenario.ps2,
-        [&](PinListener& pins, Audience& listener, std::uint8_t* sdram) -> std::unique_ptr<Chip> {
-            if (built && options.cpu == "arm") {
-                auto chip = std::make_unique<ProjectComputer>(
-                    "computer", pins, listener, std::move(software), built->library, project_folder,
-                    settings.trace, processor_system_of(*built));
-                processor = chip.get();
-                return chip;
-            }
-            if (built)
-                return std::make_unique<ProjectChip>("chip", pins, built->library, project_folder,
-                                                     settings.trace);
-            auto chip = std::make_unique<Computer>("computer", pins, listener, sdram,
-                                                   std::move(software), settings);
-            processor = computer = chip.get();
-            return chip;
-        },
-        options.strict_vga.value_or(!built) ? Monitor::Strictness::STRICT
-                                            : Monitor::Strictness::TOLERANT,
-        scenario.parts};
+    Board board{"board",
+                observer,
+                seed,
+                scenario.ps2,
+                [&](PinListener& pins, BoardObserver& listener,
+                    std::uint8_t* sdram) -> std::unique_ptr<Chip> {
+                    if (built && options.cpu == "arm") {
+                        auto chip = std::make_unique<ProjectComputer>(
+                            "computer", pins, listener, std::move(software), built->library,
+                            project_folder, settings.trace, processor_system_of(*built));
+                        processor = chip.get();
+                        return chip;
+                    }
+                    if (built)
+                        return std::make_unique<ProjectChip>("chip", pins, built->library,
+                                                             project_folder, settings.trace);
+                    auto chip = std::make_unique<Computer>("computer", pins, listener, sdram,
+                                                           std::move(software), settings);
+                    processor = computer = chip.get();
+                    return chip;
+                },
+                options.strict_vga.value_or(!built) ? Monitor::Strictness::STRICT
+                                                    : Monitor::Strictness::TOLERANT,
+                scenario.parts};
     std::optional<ArmRun> arm;
     if (processor && processor->arm)
         arm.emplace(*processor->arm, processor->bus, &board.accelerometer, options, on_linux,
-                    recorder, audience);
+                    recorder, observer);
     std::optional<TraceNotes> notes;
     if (processor && traces_a_part(options))
         notes.emplace(*processor, arm ? &*arm : nullptr, options);
     if (arm) board.also_type_to([&arm](const std::string& text) { arm->type(text); });
     if (arm) arm->plug_in(board.ps2_keyboard, board.ps2_mouse);
     if (arm && options.scenario.empty() && !view) arm->close_input();  // there is nobody to type
-    Player player{"player", board, recorder.senses(), scenario.steps, options.out};
-    player.renews_goldens = options.update_goldens;
-    if (page) player.on_step = [&page] { page->step_done(); };
+    ScenarioRunner runner{"runner", board, recorder.observations(), scenario.steps, options.out};
+    runner.renews_goldens = options.update_goldens;
+    if (page) runner.on_step = [&page] { page->step_done(); };
     std::optional<live::LivePlayer> live_player;
     std::optional<live::Inside> inside;
     if (view) {
@@ -185,15 +185,15 @@ ExitCode run_doing(const char*& doing, RunOptions options, const Firmware& firmw
         inside.emplace(board, processor, computer ? &computer->fpga : nullptr,
                        arm ? program : std::function<live::Inside::Program()>{});
         view->on_frame = [&inside] { inside->frame_ended(); };
-        player.on_terminal = [&view](const std::string& part, char byte) {
+        runner.on_terminal = [&view](const std::string& part, char byte) {
             view->terminal(part, byte);
         };
         board.parts.for_each_terminal(
             [&view](const std::string& part, SerialTerminal&) { view->add_terminal(part); });
-        live_player.emplace("live_player", player, *view, *inside, *wire, scenario, seed, options);
+        live_player.emplace("live_player", runner, *view, *inside, *wire, scenario, seed, options);
     }
     const sc_core::sc_event never;
-    Finish finish{"finish", player.done(), processor ? processor->cpu.faulted() : never};
+    Finish finish{"finish", runner.done(), processor ? processor->cpu.faulted() : never};
 
     std::optional<Debugger> debugger;
     if (gdb) debugger.emplace(*processor->arm, *gdb, interrupted);
@@ -207,19 +207,19 @@ ExitCode run_doing(const char*& doing, RunOptions options, const Firmware& firmw
     report.file = scenario.file.string();
     report.seed = seed;
     report.cpu = options.cpu;
-    LastWords last_words{options.out, report};
-    Parts parts;
+    CrashReport crash_report{options.out, report};
+    GuardedSteps parts;
     parts.carry_out("simulating", [&] {
         report.end = RunLoop{board,
                              processor,
-                             player,
+                             runner,
                              recorder,
                              duration,
                              options.scenario.empty(),
                              progress,
                              debugger ? &*debugger : nullptr,
                              live_player ? &*live_player : nullptr,
-                             last_words}
+                             crash_report}
                          .run();
         report.simulated_s = seconds(sc_core::sc_time_stamp());
         if (processor && processor->arm) processor->arm->conclude();
@@ -240,7 +240,7 @@ ExitCode run_doing(const char*& doing, RunOptions options, const Firmware& firmw
             if (notes) notes->write();
         });
     parts.carry_out("writing the report", [&] {
-        add_results(report, board, processor, computer, arm ? &*arm : nullptr, player, recorder);
+        add_results(report, board, processor, computer, arm ? &*arm : nullptr, runner, recorder);
     });
     if (view) view->end(report.faults);
     if (!parts.failures.empty()) report.end = RunEnd::INTERNAL_ERROR;
@@ -258,7 +258,7 @@ ExitCode run_doing(const char*& doing, RunOptions options, const Firmware& firmw
     doing = "writing the report";
     write_whole_file(options.out / "report.json", to_json(report));
     write_whole_file(options.out / "junit.xml", to_junit(report));
-    if (page) page->write(report, scenario, player, arm ? &*arm : nullptr);
+    if (page) page->write(report, scenario, runner, arm ? &*arm : nullptr);
     ExitCode code = exit_code(report);
     if ((!options.quiet || !report.passed()) && !summarise(report, options.out) && code == PASSED)
         code = WRONG_INPUT;

@@ -22,17 +22,17 @@ std::string run_part_again(const RunOptions& options, const RunPart& part,
                            const std::function<bool()>& given_up) {
     make_folder(part.folder);
     for (const char* file : FILES) std::filesystem::remove(part.folder / file);
-    std::vector<std::string> words{std::filesystem::read_symlink("/proc/self/exe").string(),
-                                   "run",
-                                   "--again",
-                                   part.folder.string(),
-                                   "--trace-from",
-                                   to_string(part.from),
-                                   "--trace-to",
-                                   to_string(part.to)};
-    if (!part.scenario.empty()) words.insert(words.end(), {"--replay", part.scenario.string()});
-    words.insert(words.end(), options.words.begin(), options.words.end());
-    const Outcome outcome = run_command(words, ".", LIMIT_S, given_up);
+    std::vector<std::string> command{std::filesystem::read_symlink("/proc/self/exe").string(),
+                                     "run",
+                                     "--again",
+                                     part.folder.string(),
+                                     "--trace-from",
+                                     to_string(part.from),
+                                     "--trace-to",
+                                     to_string(part.to)};
+    if (!part.scenario.empty()) command.insert(command.end(), {"--replay", part.scenario.string()});
+    command.insert(command.end(), options.arguments_typed.begin(), options.arguments_typed.end());
+    const Outcome outcome = run_command(command, ".", LIMIT_S, given_up);
     if (std::filesystem::exists(part.folder / FILES[0])) return "";
     const std::string said = outcome.last_line();
     return said.empty() ? fmt::format("exit code {}", outcome.code) : said;

@@ -42,10 +42,10 @@ std::optional<RunEnd> RunLoop::end() {
     if (alone && !live && computer->arm->ended_for() >= last_looks &&
         !computer->hps.uart0.is_sending())
         return RunEnd::PROGRAM_ENDED;
-    if (live ? live->left() : !duration && !alone && player.finished())
+    if (live ? live->left() : !duration && !alone && runner.finished())
         return RunEnd::ALL_STEPS_DONE;
     if (duration && sc_core::sc_time_stamp() >= sc_time::from_value(duration->ps))
-        return player.finished() && !alone ? RunEnd::ALL_STEPS_DONE : RunEnd::DURATION_REACHED;
+        return runner.finished() && !alone ? RunEnd::ALL_STEPS_DONE : RunEnd::DURATION_REACHED;
     return std::nullopt;
 }
 
@@ -65,7 +65,7 @@ RunEnd RunLoop::run() {
         const double now_s = seconds(sc_core::sc_time_stamp());
         progress.show(now_s, board.monitor.frames());
         if (now_s >= renew_s) {
-            last_words.renew(now_s, board.monitor.frames());
+            crash_report.renew(now_s, board.monitor.frames());
             renew_s = now_s + 0.05;
         }
     }

@@ -10,9 +10,9 @@
 #include "sim/chip/processor_system.h"
 #include "sim/debug/debugger.h"
 #include "sim/live/live_player.h"
-#include "sim/play/player.h"
+#include "sim/play/scenario_runner.h"
 #include "sim/report/report.h"
-#include "sim/run/last_words.h"
+#include "sim/run/crash_report.h"
 #include "sim/run/progress.h"
 #include "sim/run/recorder.h"
 
@@ -31,14 +31,14 @@ private:
 struct RunLoop {
     Board& board;
     ProcessorSystem* computer;  // in the chip, or none
-    Player& player;
+    ScenarioRunner& runner;
     Recorder& recorder;
     std::optional<SimTime> duration;
     bool alone;  // the program has no scenario, which would say when the run ends
     Progress& progress;
     Debugger* debugger;      // or none
     live::LivePlayer* live;  // or none
-    LastWords& last_words;
+    CrashReport& crash_report;
 
     RunEnd run();
 

@@ -19,9 +19,9 @@ RunPage::RunPage(const RunOptions& options, Recorder& recorder)
     page_.version = options.version;
 }
 
-void RunPage::step_done() { frame_of_step_.push_back(page_.film.keep(recorder_.senses())); }
+void RunPage::step_done() { frame_of_step_.push_back(page_.film.keep(recorder_.observations())); }
 
-void RunPage::write(const RunReport& report, const Scenario& scenario, const Player& player,
+void RunPage::write(const RunReport& report, const Scenario& scenario, const ScenarioRunner& runner,
                     const ArmRun* arm) {
     auto result = report.expectations.begin();
     unsigned pictures = 0;
@@ -29,8 +29,8 @@ void RunPage::write(const RunReport& report, const Scenario& scenario, const Pla
         const ScenarioStep& step = scenario.steps[i];
         page::Page::Step shown{step.line, step.text};
         if (i < frame_of_step_.size()) shown.frame = frame_of_step_[i];
-        if (i < player.played().size()) {
-            const Player::Played& played = player.played()[i];
+        if (i < runner.played().size()) {
+            const ScenarioRunner::Played& played = runner.played()[i];
             shown.begun = true;
             shown.from_s = played.from_s;
             shown.to_s = std::max(played.to_s, played.from_s);

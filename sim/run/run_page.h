@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "sim/page/page.h"
-#include "sim/play/player.h"
+#include "sim/play/scenario_runner.h"
 #include "sim/run/arm_run.h"
 #include "sim/run/options.h"
 #include "sim/run/recorder.h"
@@ -24,7 +24,7 @@ public:
 
     void step_done();
     // IoError.
-    void write(const RunReport& report, const Scenario& scenario, const Player& player,
+    void write(const RunReport& report, const Scenario& scenario, const ScenarioRunner& runner,
                const ArmRun* arm);
 
 private:

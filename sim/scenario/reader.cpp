@@ -111,7 +111,7 @@ std::pair<const AForm&, Values> read_item(const Path& folder, const std::vector<
 ScenarioStep read_step(const Path& folder, const YamlNode& node) {
     const auto [form, values] = read_item(folder, step_forms(), node, "step", "delay: 500ms");
     auto step = form.make(values);
-    std::string text = step->say();
+    std::string text = step->describe();
     const YamlNode& key = node.keys[0];
     return {key.line, key.column, std::move(text), std::move(step)};
 }

@@ -23,7 +23,7 @@ namespace sim {
 struct ScenarioStep {
     int line = 0;  // in the file, from 1
     int column = 0;
-    std::string text;  // what step->say() says
+    std::string text;  // what step->describe() says
     std::unique_ptr<Step> step;
 };
 

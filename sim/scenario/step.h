@@ -12,7 +12,7 @@
 
 namespace sim {
 
-class Stage;
+class BoardControl;
 class StaticChecks;
 
 enum class Goldens { ARE_THERE, MAY_BE_NEW };  // which the run writes then
@@ -29,7 +29,7 @@ public:
     Step& operator=(const Step&) = delete;
 
     // One line as a person would say it: "press keypad 5 for 80ms".
-    virtual std::string say() const = 0;
+    virtual std::string describe() const = 0;
 
     // The least time that it takes, whatever the board does.
     virtual SimTime least() const { return {}; }
@@ -41,7 +41,7 @@ public:
     virtual void load(Goldens) {}
 
     virtual bool decides() const = 0;
-    virtual std::optional<Verdict> play(Stage& stage) const = 0;  // a value if it decides()
+    virtual std::optional<Verdict> play(BoardControl& board) const = 0;  // a value if it decides()
 
 private:
     friend class Action;
@@ -52,22 +52,22 @@ private:
 class Action : public Step {
 public:
     bool decides() const final { return false; }
-    std::optional<Verdict> play(Stage& stage) const final {
-        act(stage);
+    std::optional<Verdict> play(BoardControl& board) const final {
+        act(board);
         return std::nullopt;
     }
 
 private:
-    virtual void act(Stage& stage) const = 0;
+    virtual void act(BoardControl& board) const = 0;
 };
 
 class Claim : public Step {
 public:
     bool decides() const final { return true; }
-    std::optional<Verdict> play(Stage& stage) const final { return decide(stage); }
+    std::optional<Verdict> play(BoardControl& board) const final { return decide(board); }
 
 private:
-    virtual Verdict decide(Stage& stage) const = 0;
+    virtual Verdict decide(BoardControl& board) const = 0;
 };
 
 }  // namespace sim

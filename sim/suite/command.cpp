@@ -77,13 +77,13 @@ private:
 };
 
 std::vector<std::string> run_options(const TestOptions& options) {
-    std::vector<std::string> words;
-    if (options.update_goldens) words.push_back("--update-goldens");
+    std::vector<std::string> arguments;
+    if (options.update_goldens) arguments.push_back("--update-goldens");
     if (options.trace_failure) {
-        words.push_back("--trace-failure");
-        words.push_back(to_string(*options.trace_failure));
+        arguments.push_back("--trace-failure");
+        arguments.push_back(to_string(*options.trace_failure));
     }
-    return words;
+    return arguments;
 }
 
 int test_on_slurm(TestOptions options, const std::vector<Case>& cases) {

@@ -143,25 +143,26 @@ std::string HandIns::build(const std::string& name, unsigned limit_s) const {
     }
 }
 
-Outcome HandIns::run(const Case& one, const std::vector<std::string>& words, const fs::path& folder,
-                     unsigned limit_s, const std::function<bool()>& given_up) const {
+Outcome HandIns::run(const Case& one, const std::vector<std::string>& command,
+                     const fs::path& folder, unsigned limit_s,
+                     const std::function<bool()>& given_up) const {
     // A copy for each run, since a project's Verilog may write beside itself.
     copy_of(out_ / "hand-ins" / one.hand_in, folder / COPY);
-    const Outcome outcome = run_confined(words, folder, limit_s, given_up);
+    const Outcome outcome = run_confined(command, folder, limit_s, given_up);
     fs::remove_all(folder / COPY);
     return outcome;
 }
 
-Outcome HandIns::run_confined(const std::vector<std::string>& words, const fs::path& writable,
+Outcome HandIns::run_confined(const std::vector<std::string>& command, const fs::path& writable,
                               unsigned limit_s, const std::function<bool()>& given_up) const {
     Confinement confinement = confinement_;
     confinement.writable = {writable};
     bool too_much = false;
-    Outcome outcome =
-        run_command(options_.unconfined ? words : confined(words, confinement), ".", limit_s, [&] {
-            too_much = bytes_in(writable) > confinement_.file_bytes;
-            return too_much || given_up();
-        });
+    Outcome outcome = run_command(options_.unconfined ? command : confined(command, confinement),
+                                  ".", limit_s, [&] {
+                                      too_much = bytes_in(writable) > confinement_.file_bytes;
+                                      return too_much || given_up();
+                                  });
     if (too_much) outcome.code = WROTE_TOO_MUCH;
     return outcome;
 }

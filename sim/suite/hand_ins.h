@@ -41,8 +41,8 @@ public:
     // Empty, or why it could not be built.  The first call does it; others wait for that.
     const std::string& prepare(const std::string& name, unsigned limit_s);
 
-    // Runs a case's words in a copy of its hand-in that lies in `folder`, where alone they write.
-    Outcome run(const Case& one, const std::vector<std::string>& words,
+    // Runs a case's command in a copy of its hand-in that lies in `folder`, where alone they write.
+    Outcome run(const Case& one, const std::vector<std::string>& command,
                 const std::filesystem::path& folder, unsigned limit_s,
                 const std::function<bool()>& given_up) const;
 
@@ -52,7 +52,7 @@ private:
         std::string problem;
     };
 
-    Outcome run_confined(const std::vector<std::string>& words,
+    Outcome run_confined(const std::vector<std::string>& command,
                          const std::filesystem::path& writable, unsigned limit_s,
                          const std::function<bool()>& given_up) const;
     std::string build(const std::string& name, unsigned limit_s) const;

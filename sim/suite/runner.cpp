@@ -38,16 +38,16 @@ Result run_case(const Case& one, const RunSettings& settings,
                 const std::function<bool()>& given_up) {
     const std::string folder = "runs/" + one.name;
     const std::filesystem::path out = settings.out / folder;
-    std::vector<std::string> words{std::filesystem::read_symlink("/proc/self/exe").string(),
-                                   "run",
-                                   one.file.string(),
-                                   "--quiet",
-                                   "--frames",
-                                   "none",
-                                   "--out",
-                                   out.string()};
-    words.insert(words.end(), settings.options.begin(), settings.options.end());
-    words.insert(words.end(), one.options.begin(), one.options.end());
+    std::vector<std::string> command{std::filesystem::read_symlink("/proc/self/exe").string(),
+                                     "run",
+                                     one.file.string(),
+                                     "--quiet",
+                                     "--frames",
+                                     "none",
+                                     "--out",
+                                     out.string()};
+    command.insert(command.end(), settings.options.begin(), settings.options.end());
+    command.insert(command.end(), one.options.begin(), one.options.end());
     // What an earlier run has left must not stand for this one.
     for (const char* file : {"report.json", "junit.xml"}) {
         std::error_code error;
@@ -59,9 +59,9 @@ Result run_case(const Case& one, const RunSettings& settings,
     if (hand_ins) not_built = hand_ins->prepare(one.hand_in, settings.limit_s);
     Outcome outcome{1, {}};
     if (!hand_ins)
-        outcome = run_command(words, ".", settings.limit_s, given_up);
+        outcome = run_command(command, ".", settings.limit_s, given_up);
     else if (not_built.empty())
-        outcome = hand_ins->run(one, words, out, settings.limit_s, given_up);
+        outcome = hand_ins->run(one, command, out, settings.limit_s, given_up);
     const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - begin;
 
     Result result = read_run(out);

@@ -48,9 +48,9 @@ std::string task(const TestOptions& options) {
 
 std::vector<std::string> words_of(const std::string& text) {
     std::istringstream stream{text};
-    std::vector<std::string> words;
-    for (std::string word; stream >> word;) words.push_back(word);
-    return words;
+    std::vector<std::string> command;
+    for (std::string word; stream >> word;) command.push_back(word);
+    return command;
 }
 
 // Whatever the shards have written so far.
@@ -74,12 +74,12 @@ SlurmJob::SlurmJob(const TestOptions& options, const std::vector<unsigned>& shar
     make_folder(folder);
     write_whole_file(script, task(options));
     chmod(script.c_str(), 0755);
-    std::vector<std::string> words{"sbatch", "--parsable", "--job-name=de1sim",
-                                   fmt::format("--array={}", fmt::join(shards, ",")),
-                                   "--output=" + (folder / "%a.txt").string()};
-    for (const std::string& word : words_of(options.sbatch)) words.push_back(word);
-    words.push_back(script.string());
-    const Outcome outcome = run_command(words, ".", ANSWER_S);
+    std::vector<std::string> command{"sbatch", "--parsable", "--job-name=de1sim",
+                                     fmt::format("--array={}", fmt::join(shards, ",")),
+                                     "--output=" + (folder / "%a.txt").string()};
+    for (const std::string& word : words_of(options.sbatch)) command.push_back(word);
+    command.push_back(script.string());
+    const Outcome outcome = run_command(command, ".", ANSWER_S);
     if (outcome.code == 127) throw std::runtime_error{"--slurm: there is no sbatch on the PATH"};
     id_ = first_line(outcome.output);
     id_ = id_.substr(0, id_.find(';'));  // "17;cluster"
@@ -104,14 +104,14 @@ bool SlurmJob::runs() {
 
 Results run_on_slurm(const std::vector<Case>& cases, const TestOptions& options,
                      const std::function<bool()>& given_up,
-                     const std::function<void(const Result&)>& told) {
+                     const std::function<void(const Result&)>& report) {
     std::error_code error;
     fs::remove_all(options.out / "shards", error);
     std::set<std::string> known;
     const auto look = [&] {
         Results all = collected(options);
         for (const Result& result : all.all)
-            if (known.insert(result.name).second) told(result);
+            if (known.insert(result.name).second) report(result);
         return all;
     };
     for (unsigned round = 0; round < ROUNDS && !given_up(); ++round) {

@@ -35,9 +35,9 @@ private:
 
 // Submits, waits and merges.  Shards of which scenarios have no result, since their node died or
 // their task was cancelled, are submitted anew, twice at most: these scenarios alone run again.
-// `told` hears of each result as it comes.
+// `report` hears of each result as it comes.
 Results run_on_slurm(const std::vector<Case>& cases, const TestOptions& options,
                      const std::function<bool()>& given_up,
-                     const std::function<void(const Result&)>& told);
+                     const std::function<void(const Result&)>& report);
 
 }  // namespace sim::suite

@@ -23,8 +23,8 @@ public:
     void frame(const std::vector<std::uint32_t>& pixels, unsigned width, unsigned height,
                double time_s) override {
         if (!pictures_) begin(width, height);
-        if (!said_ && std::pair{width, height} != size_) {
-            said_ = true;
+        if (!scaling_reported_ && std::pair{width, height} != size_) {
+            scaling_reported_ = true;
             complain(fmt::format("--video: pictures of {} x {} are scaled to {} x {}", width,
                                  height, size_.first, size_.second));
         }
@@ -57,7 +57,7 @@ private:
     SoundTrack sound_;
     std::optional<PictureTrack> pictures_;
     std::pair<unsigned, unsigned> size_;
-    bool said_ = false;
+    bool scaling_reported_ = false;
 };
 
 }  // namespace

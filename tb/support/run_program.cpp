@@ -87,9 +87,10 @@ Outcome run_program(const Command& command) {
     const std::vector<std::string> by_shell{"/bin/sh", "-c", command.shell + "; exec \"$@\"", "sh"};
     if (!command.shell.empty())
         for (const std::string& word : by_shell) argv.push_back(const_cast<char*>(word.c_str()));
-    for (const std::string& word : command.words) argv.push_back(const_cast<char*>(word.c_str()));
+    for (const std::string& word : command.arguments)
+        argv.push_back(const_cast<char*>(word.c_str()));
     argv.push_back(nullptr);
-    check(access(command.words.at(0).c_str(), X_OK), command.words[0].c_str());
+    check(access(command.arguments.at(0).c_str(), X_OK), command.arguments[0].c_str());
 
     Channel out{false}, err{command.on_terminal};
     const pid_t child = fork();

@@ -11,7 +11,7 @@
 namespace tb {
 
 struct Command {
-    std::vector<std::string> words;               // path and arguments
+    std::vector<std::string> arguments;           // path and arguments
     std::function<bool()> interrupt_when = {};    // Ctrl-C as soon as this is true
     int interrupt_by = SIGINT;                    // or another signal than Ctrl-C's
     std::string shell = {};                       // commands of a shell before it: "exec 2>&-"

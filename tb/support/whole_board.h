@@ -24,7 +24,7 @@ struct Picture {
     std::vector<std::uint32_t> pixels;
 };
 
-class WholeBoard : public ::testing::Test, private sim::Audience {
+class WholeBoard : public ::testing::Test, private sim::BoardObserver {
 protected:
     std::unique_ptr<sim::Board> board;
     sim::Computer* computer = nullptr;  // in its chip
@@ -41,11 +41,11 @@ protected:
                   sim::Monitor::Strictness vga = sim::Monitor::Strictness::STRICT) {
         sim::Computer::Settings settings;
         settings.seed = seed;
-        sim::Audience& ours = *this;
+        sim::BoardObserver& ours = *this;
         board = std::make_unique<sim::Board>(
             "board", ours, seed, sim::Ps2Ports{},
-            [&](sim::PinListener& pins, sim::Audience& audience, std::uint8_t* sdram) {
-                auto chip = std::make_unique<sim::Computer>("computer", pins, audience, sdram,
+            [&](sim::PinListener& pins, sim::BoardObserver& observer, std::uint8_t* sdram) {
+                auto chip = std::make_unique<sim::Computer>("computer", pins, observer, sdram,
                                                             std::move(firmware), settings);
                 computer = chip.get();
                 return chip;

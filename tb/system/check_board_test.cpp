@@ -17,9 +17,9 @@ protected:
     nlohmann::json checks(const std::string& run) const {
         return nlohmann::json::parse(folder.get(run + "/report.json"))["checks"];
     }
-    tb::Outcome check(const std::string& run, std::vector<std::string> words = {}) const {
-        words.insert(words.begin(), {"check-board", "--quiet", "--out", folder / run});
-        return de1sim(words);
+    tb::Outcome check(const std::string& run, std::vector<std::string> arguments = {}) const {
+        arguments.insert(arguments.begin(), {"check-board", "--quiet", "--out", folder / run});
+        return de1sim(arguments);
     }
 };
 

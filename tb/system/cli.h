@@ -21,15 +21,15 @@ protected:
     const std::filesystem::path out = folder / "out";
 
     // Runs `de1sim WORDS...`; a word that ends in .yaml is a file in `folder`.
-    Outcome de1sim(std::vector<std::string> words, Command command = {}) const {
-        words.insert(words.begin(), DE1SIM);
-        return start(std::move(words), std::move(command));
+    Outcome de1sim(std::vector<std::string> arguments, Command command = {}) const {
+        arguments.insert(arguments.begin(), DE1SIM);
+        return start(std::move(arguments), std::move(command));
     }
     // Runs `PROGRAM run SCENARIO --out OUT WORDS...`.
-    Outcome play(const std::string& scenario, const std::vector<std::string>& words = {},
+    Outcome play(const std::string& scenario, const std::vector<std::string>& arguments = {},
                  Command command = {}, const std::string& program = DE1SIM) const {
         std::vector<std::string> all{program, "run", scenario, "--out", out.string()};
-        all.insert(all.end(), words.begin(), words.end());
+        all.insert(all.end(), arguments.begin(), arguments.end());
         return start(std::move(all), std::move(command));
     }
 
@@ -57,11 +57,11 @@ protected:
     }
 
 private:
-    Outcome start(std::vector<std::string> words, Command command) const {
-        for (std::string& word : words)
+    Outcome start(std::vector<std::string> arguments, Command command) const {
+        for (std::string& word : arguments)
             if (std::filesystem::path{word}.extension() == ".yaml" && word[0] != '/')
                 word = (folder / word).string();
-        command.words = std::move(words);
+        command.arguments = std::move(arguments);
         Outcome outcome = run_program(command);
         EXPECT_FALSE(outcome.timed_out) << outcome.err;
         return outcome;

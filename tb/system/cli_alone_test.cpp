@@ -14,10 +14,10 @@ using ::testing::SizeIs;
 
 class ProgramAlone : public tb::CommandLine {
 protected:
-    tb::Outcome alone(const std::string& elf, std::vector<std::string> words = {},
+    tb::Outcome alone(const std::string& elf, std::vector<std::string> arguments = {},
                       tb::Command command = {}) const {
-        words.insert(words.begin(), {elf, "--out", out.string()});
-        return de1sim(words, command);
+        arguments.insert(arguments.begin(), {elf, "--out", out.string()});
+        return de1sim(arguments, command);
     }
     void refused(const tb::Outcome& outcome, const std::string& message) const {
         EXPECT_EQ(outcome.exit_code, 2);
@@ -92,13 +92,13 @@ TEST_F(ProgramAlone, FailsWithTheProgram) {
 }
 
 TEST_F(ProgramAlone, NeedsNeitherTheWordRunNorAProcessor) {
-    for (const auto& words : {std::vector<std::string>{LEDS_ELF},
-                              {"run", LEDS_ELF},
-                              {"run", "--elf", LEDS_ELF},
-                              {"run", scenario("duration: 9s\n"), "--elf", LEDS_ELF}}) {
-        std::vector<std::string> all = words;
+    for (const auto& arguments : {std::vector<std::string>{LEDS_ELF},
+                                  {"run", LEDS_ELF},
+                                  {"run", "--elf", LEDS_ELF},
+                                  {"run", scenario("duration: 9s\n"), "--elf", LEDS_ELF}}) {
+        std::vector<std::string> all = arguments;
         all.insert(all.end(), {"--out", out.string(), "--duration", "1ms"});
-        EXPECT_EQ(de1sim(all).exit_code, 0) << words.back();
+        EXPECT_EQ(de1sim(all).exit_code, 0) << arguments.back();
         EXPECT_EQ(report()["program"]["elf"], LEDS_ELF);
     }
 }

@@ -17,9 +17,9 @@ using ::testing::StartsWith;
 class ArmRun : public tb::CommandLine {
 protected:
     tb::Outcome arm(const std::string& elf, const std::string& steps,
-                    std::vector<std::string> words = {}) const {
-        words.insert(words.begin(), {"--cpu", "arm", "--elf", elf});
-        return play(scenario(steps), words);
+                    std::vector<std::string> arguments = {}) const {
+        arguments.insert(arguments.begin(), {"--cpu", "arm", "--elf", elf});
+        return play(scenario(steps), arguments);
     }
     static std::array<unsigned, 3> pixel(const sim::Image& image, unsigned x, unsigned y) {
         const std::uint8_t* p = &image.rgb[(y * image.width + x) * 3];

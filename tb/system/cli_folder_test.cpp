@@ -80,9 +80,9 @@ TEST_F(OutputFolder, OfARunThatWasKilledIsFree) {
 
 TEST_F(OutputFolder, WithoutANameIsRefused) {
     scenario("duration: 100ms\n");
-    for (const auto& words :
+    for (const auto& arguments :
          {std::vector<std::string>{"run", "s.yaml", "--out", ""}, {"check-board", "--out", ""}}) {
-        const tb::Outcome outcome = de1sim(words);
+        const tb::Outcome outcome = de1sim(arguments);
         EXPECT_EQ(outcome.exit_code, 2);
         EXPECT_THAT(tb::lines_of(outcome.err), SizeIs(1));
         EXPECT_THAT(outcome.err, HasSubstr("--out: expected a name, got an empty one"));
@@ -100,8 +100,8 @@ TEST_F(OutputFolder, WithAScreenshotInPlaceOfTheReportIsRefusedBeforeTheRun) {
 
 TEST_F(OutputFolder, EmptyNamesOfOtherFilesAreRefusedToo) {
     scenario("duration: 100ms\n");
-    const auto refused = [this](const std::vector<std::string>& words, const char* what) {
-        const tb::Outcome outcome = de1sim(words);
+    const auto refused = [this](const std::vector<std::string>& arguments, const char* what) {
+        const tb::Outcome outcome = de1sim(arguments);
         EXPECT_EQ(outcome.exit_code, 2) << what;
         EXPECT_THAT(outcome.err, HasSubstr(std::string{what} + ": expected a name, got an empty"));
     };

@@ -26,12 +26,12 @@ protected:
         elf = program;
         const auto file = folder / scenario(steps);
         tb::Command command;
-        command.words = {"/bin/sh",     "-c",    "exec \"$@\" 2>'" + errors.string() + "'",
-                         "sh",          DE1SIM,  "run",
-                         file.string(), "--out", out.string(),
-                         "--frames",    "none",  "--cpu",
-                         "arm",         "--elf", elf,
-                         "--gdb",       "0"};
+        command.arguments = {"/bin/sh",     "-c",    "exec \"$@\" 2>'" + errors.string() + "'",
+                             "sh",          DE1SIM,  "run",
+                             file.string(), "--out", out.string(),
+                             "--frames",    "none",  "--cpu",
+                             "arm",         "--elf", elf,
+                             "--gdb",       "0"};
         server = std::async(std::launch::async, [command] { return tb::run_program(command); });
         std::smatch found;
         for (unsigned i = 0; i < 1000 && port.empty(); ++i) {
@@ -51,14 +51,14 @@ protected:
     std::string gdb(const std::vector<std::string>& commands,
                     std::function<bool()> interrupt_when = {}) const {
         tb::Command command;
-        command.words = {GDB,      "-nx",
-                         "-batch", elf,
-                         "-iex",   "set debuginfod enabled off",
-                         "-ex",    "set confirm off",
-                         "-ex",    "target remote 127.0.0.1:" + port};
+        command.arguments = {GDB,      "-nx",
+                             "-batch", elf,
+                             "-iex",   "set debuginfod enabled off",
+                             "-ex",    "set confirm off",
+                             "-ex",    "target remote 127.0.0.1:" + port};
         for (const std::string& line : commands) {
-            command.words.push_back("-ex");
-            command.words.push_back(line);
+            command.arguments.push_back("-ex");
+            command.arguments.push_back(line);
         }
         command.interrupt_when = std::move(interrupt_when);
         const tb::Outcome outcome = tb::run_program(command);

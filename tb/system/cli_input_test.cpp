@@ -19,8 +19,8 @@ protected:
         EXPECT_THAT(outcome.err, HasSubstr(message));
         EXPECT_THAT(files(), IsEmpty());
     }
-    void usage(const std::vector<std::string>& words, const std::string& message) const {
-        refused(de1sim(words), message);
+    void usage(const std::vector<std::string>& arguments, const std::string& message) const {
+        refused(de1sim(arguments), message);
     }
 };
 

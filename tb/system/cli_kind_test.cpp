@@ -12,11 +12,11 @@ class OtherFile : public tb::CommandLine {
 protected:
     // de1sim FILE, and the line that it refuses it by.
     std::string refusal(const std::string& name, const std::string& content = "x\n",
-                        std::vector<std::string> words = {}) const {
+                        std::vector<std::string> arguments = {}) const {
         if (!name.empty()) folder.put(name, content);
-        words.push_back(folder / name);
-        words.insert(words.end(), {"--out", out.string()});
-        const tb::Outcome outcome = de1sim(words);
+        arguments.push_back(folder / name);
+        arguments.insert(arguments.end(), {"--out", out.string()});
+        const tb::Outcome outcome = de1sim(arguments);
         EXPECT_EQ(outcome.exit_code, 2);
         EXPECT_THAT(tb::lines_of(outcome.err), SizeIs(1));
         EXPECT_FALSE(std::filesystem::exists(out));
@@ -30,7 +30,7 @@ protected:
         tb::Command command;
         command.shell = "cd '" + folder.path().string() + "'; de1sim() { '" DE1SIM "' \"$@\"; }; " +
                         said.substr(at + before.size());
-        command.words = {"/bin/true"};
+        command.arguments = {"/bin/true"};
         return tb::run_program(command);
     }
 };
@@ -94,9 +94,9 @@ TEST_F(OtherFile, ThatIsAFolderOrNotThereIsSaidToBeThat) {
 TEST_F(OtherFile, InTheProgramsPlaceIsToldTheSame) {
     scenario("duration: 1ms\n");
     folder.put("p.c", "int main;\n");
-    for (const auto& words :
+    for (const auto& arguments :
          {std::vector<std::string>{"run", folder / "s.yaml", "--elf"}, {"live", "--elf"}}) {
-        std::vector<std::string> all = words;
+        std::vector<std::string> all = arguments;
         all.push_back(folder / "p.c");
         const tb::Outcome outcome = de1sim(all);
         EXPECT_EQ(outcome.exit_code, 2);

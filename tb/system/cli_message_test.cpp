@@ -83,10 +83,10 @@ TEST_F(Message, ThatHelpOrAComparisonCanNotBeWrittenIsExit2) {
     command.shell = "exec >/dev/full";
     folder.put("a", "{\"passed\": true, \"checks\": []}");
     const std::string a = folder / "a";
-    for (const auto& words :
+    for (const auto& arguments :
          {std::vector<std::string>{"--help"}, {"--version"}, {"compare", a, a}}) {
-        const tb::Outcome outcome = de1sim(words, command);
-        EXPECT_EQ(outcome.exit_code, 2) << words[0];
+        const tb::Outcome outcome = de1sim(arguments, command);
+        EXPECT_EQ(outcome.exit_code, 2) << arguments[0];
         EXPECT_THAT(tb::lines_of(outcome.err), SizeIs(1));
         EXPECT_THAT(outcome.err, HasSubstr("standard output could not be written: No space left"));
     }
@@ -158,7 +158,7 @@ TEST_F(BrokenRun, LeavesAReportThatSaysWhatBroke) {
     EXPECT_THAT(files(), Each(Not(EndsWith(".part"))));
 }
 
-#ifndef __SANITIZE_ADDRESS__  // which reports it in its own words
+#ifndef __SANITIZE_ADDRESS__  // which reports it in its own arguments
 TEST_F(BrokenRun, ThatASignalKillsLeavesAReportThatSaysSo) {
     for (const auto& [signal, name] : {std::pair{SIGSEGV, "SIGSEGV"}, {SIGABRT, "SIGABRT"}}) {
         std::filesystem::remove_all(out);

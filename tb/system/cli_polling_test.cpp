@@ -10,12 +10,12 @@ namespace {
 class PolledPs2 : public tb::CommandLine {
 protected:
     std::string told(const std::string& devices, const std::vector<std::string>& options) const {
-        std::vector<std::string> words = {"--elf", PS2_COMMANDS_ELF, "--frames", "none"};
-        words.insert(words.end(), options.begin(), options.end());
+        std::vector<std::string> arguments = {"--elf", PS2_COMMANDS_ELF, "--frames", "none"};
+        arguments.insert(arguments.end(), options.begin(), options.end());
         const auto steps = scenario("ps2: [" + devices +
                                     "]\nsteps:\n"
                                     "  - wait-serial: {text: \"\\n\", timeout: 9s}\n");
-        const tb::Outcome outcome = play(steps, words);
+        const tb::Outcome outcome = play(steps, arguments);
         EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
         return file("console.txt");
     }

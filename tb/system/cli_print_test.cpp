@@ -17,16 +17,16 @@ class PrintingProgram : public tb::CommandLine {
 protected:
     std::string duration = "5ms";
 
-    tb::Outcome run(const std::string& elf, std::vector<std::string> words = {},
+    tb::Outcome run(const std::string& elf, std::vector<std::string> arguments = {},
                     tb::Command command = {}) const {
-        words.insert(words.begin(), {elf, "--out", out.string(), "--frames", "none"});
-        words.insert(words.end(), {"--duration", duration});
-        return de1sim(words, command);
+        arguments.insert(arguments.begin(), {elf, "--out", out.string(), "--frames", "none"});
+        arguments.insert(arguments.end(), {"--duration", duration});
+        return de1sim(arguments, command);
     }
 };
 
 TEST_F(PrintingProgram, LosesNothingThatItPrintedBeforeItDied) {
-    const tb::Outcome outcome = run(LAST_WORDS_ELF);
+    const tb::Outcome outcome = run(CRASH_REPORT_ELF);
     EXPECT_EQ(outcome.exit_code, 1);
     for (const char letter : {'a', 'b', 'c'}) {
         const std::string all = file("console.txt");
@@ -65,7 +65,7 @@ TEST_F(PrintingProgram, IsNotJoinedWithAMessageOnOneLine) {
     command.shell = "exec 2>&1";
     const tb::Outcome outcome = run(PROMPTS_ELF, {}, command);
     EXPECT_THAT(outcome.out, HasSubstr(PROMPT + "\nde1sim: the program was at"));
-    EXPECT_THAT(run(LAST_WORDS_ELF, {}, command).out, HasSubstr("\nde1sim: the program ran off"));
+    EXPECT_THAT(run(CRASH_REPORT_ELF, {}, command).out, HasSubstr("\nde1sim: the program ran off"));
 }
 
 TEST_F(PrintingProgram, RunsOnWhereNobodyReadsItsOutput) {

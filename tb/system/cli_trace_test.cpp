@@ -14,9 +14,10 @@ protected:
     const std::filesystem::path trace = folder / "trace.fst";
 
     // The report without the host's time.
-    nlohmann::json outcome_of(const std::string& program, std::vector<std::string> words) const {
-        words.insert(words.end(), {"--frames", "none", "--quiet"});
-        exit_code = play("s.yaml", words, {}, program).exit_code;
+    nlohmann::json outcome_of(const std::string& program,
+                              std::vector<std::string> arguments) const {
+        arguments.insert(arguments.end(), {"--frames", "none", "--quiet"});
+        exit_code = play("s.yaml", arguments, {}, program).exit_code;
         nlohmann::json all = report();
         all.erase("wall");
         return all;

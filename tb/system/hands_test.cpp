@@ -2,14 +2,14 @@
 #include <map>
 
 #include "regmap.h"
-#include "sim/play/player.h"
+#include "sim/play/scenario_runner.h"
 #include "tb/support/whole_board.h"
 
 namespace {
 
 class Hands : public tb::WholeBoard {
 protected:
-    sim::Senses senses;
+    sim::Observations observations;
     std::map<std::string, int> presses;
 
     void SetUp() override { parts = {{sim::PartPlan::Kind::BUTTON, "b", {36 + 20}, {}}}; }
@@ -21,7 +21,7 @@ protected:
             "  - button: {name: b, pin: \"GPIO_1[20]\"}\nsteps:\n" +
                 steps,
             "a.yaml");
-        sim::Player player{"player", *board, senses, scenario.steps, ""};
+        sim::ScenarioRunner player{"player", *board, observations, scenario.steps, ""};
         while (!player.finished()) run_ms(1);
         run_ms(25);
     }

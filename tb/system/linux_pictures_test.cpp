@@ -49,11 +49,11 @@ protected:
     std::filesystem::path played(const std::string& name,
                                  const std::vector<std::string>& cpu) const {
         const std::filesystem::path to = folder / name;
-        std::vector<std::string> words{"run", "s.yaml", "--quiet",   "--frames",
-                                       "all", "--out",  to.string(), "--cpu"};
-        words.insert(words.end(), cpu.begin(), cpu.end());
+        std::vector<std::string> arguments{"run", "s.yaml", "--quiet",   "--frames",
+                                           "all", "--out",  to.string(), "--cpu"};
+        arguments.insert(arguments.end(), cpu.begin(), cpu.end());
         tb::Command command;
-        const tb::Outcome outcome = de1sim(words, command);
+        const tb::Outcome outcome = de1sim(arguments, command);
         EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
         return to;
     }

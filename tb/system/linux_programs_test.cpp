@@ -14,14 +14,14 @@ using ::testing::SizeIs;
 
 class LinuxProgram : public tb::CommandLine {
 protected:
-    // Runs the program NAME with `words` after --, and `options` before.
-    tb::Outcome linux_run(const std::string& name, const std::vector<std::string>& words = {},
+    // Runs the program NAME with `arguments` after --, and `options` before.
+    tb::Outcome linux_run(const std::string& name, const std::vector<std::string>& arguments = {},
                           std::vector<std::string> options = {},
                           const std::string& steps = "duration: 100ms\n") const {
         options.insert(options.begin(), {"--cpu", "arm", "--elf", LINUX_PROGRAMS + name, "--frames",
                                          "none", "--quiet"});
         options.push_back("--");
-        options.insert(options.end(), words.begin(), words.end());
+        options.insert(options.end(), arguments.begin(), arguments.end());
         return play(scenario(steps), options);
     }
     std::string console() const { return file("console.txt"); }

@@ -55,10 +55,10 @@ TEST_F(ProfileRun, IsReadByCallgrindAnnotate) {
 }
 
 TEST_F(ProfileRun, DoesNotChangeTheRun) {
-    const std::vector<std::string> words{"--cpu",   "arm",      "--elf", FIRMWARE "collide.elf",
-                                         "--quiet", "--frames", "none"};
+    const std::vector<std::string> arguments{"--cpu",   "arm",      "--elf", FIRMWARE "collide.elf",
+                                             "--quiet", "--frames", "none"};
     const auto run = [&](std::vector<std::string> more) {
-        more.insert(more.begin(), words.begin(), words.end());
+        more.insert(more.begin(), arguments.begin(), arguments.end());
         EXPECT_EQ(play(scenario("duration: 200ms\n"), more).exit_code, 0);
         nlohmann::json all = report();
         all.erase("wall");

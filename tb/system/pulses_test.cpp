@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include "regmap.h"
-#include "sim/play/player.h"
+#include "sim/play/scenario_runner.h"
 #include "tb/support/whole_board.h"
 
 namespace {
@@ -19,8 +19,8 @@ protected:
         power_on([this](hal::Mmio& io, hal::Cpu&) { watch(io); });
         const sim::Scenario scenario =
             sim::parse_scenario("name: a\nversion: 1\nsteps:\n" + steps, "a.yaml");
-        sim::Senses senses;
-        sim::Player player{"player", *board, senses, scenario.steps, ""};
+        sim::Observations observations;
+        sim::ScenarioRunner player{"player", *board, observations, scenario.steps, ""};
         while (!player.finished()) run_ms(0.1);
         run_ms(0.1);
     }

@@ -31,7 +31,7 @@ TEST_F(Semihosting, PrintsAndEndsAsUnderQemu) {
     EXPECT_EQ(console(), "half of 3 is 1.5\nan error of 7\na, input ends\n");
 
     tb::Command qemu;
-    qemu.words = {QEMU_ARM, "-cpu", "cortex-a9", SEMIHOSTING_ELF};
+    qemu.arguments = {QEMU_ARM, "-cpu", "cortex-a9", SEMIHOSTING_ELF};
     qemu.shell = "exec </dev/null 2>&1";
     const tb::Outcome reference = run_program(qemu);
     EXPECT_EQ(reference.exit_code, 0);

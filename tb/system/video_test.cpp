@@ -84,9 +84,9 @@ protected:
     const std::filesystem::path video = folder / ("film" + std::string{GetParam()});
 
     void film(const std::vector<std::string>& more = {}) const {
-        std::vector<std::string> words{"--frames", "all", "--quiet", "--video", video};
-        words.insert(words.end(), more.begin(), more.end());
-        const tb::Outcome outcome = play(SCENARIO, words);
+        std::vector<std::string> arguments{"--frames", "all", "--quiet", "--video", video};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        const tb::Outcome outcome = play(SCENARIO, arguments);
         ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     }
     std::string probe(const std::string& what) const {

@@ -64,7 +64,8 @@ TEST_F(WrongAddress, WithAWrongSizeIsADataAbortThatSaysSo) {
             io.write_words(0xFFFEC200, words, 2);
         },
         "data abort: write of 8 bytes at 0xFFFEC200 at 2\\.000[0-9]* ms "
-        "\\(the A9's global timer takes no writes of 8 bytes at 0xFFFEC200: aligned words only\\)");
+        "\\(the A9's global timer takes no writes of 8 bytes at 0xFFFEC200: aligned arguments "
+        "only\\)");
 }
 
 TEST_F(WrongAddress, WhereTheBoardHasNothingIsADataAbortWithAddressAndTime) {

@@ -50,7 +50,7 @@ protected:
         for (const Film::Picture& picture : film.pictures()) all.push_back(picture.number);
         return all;
     }
-    Senses eyes;
+    Observations eyes;
     Film film;
 };
 

@@ -50,8 +50,8 @@ public:
             slave_.reads ? 1 : 0, slave_.writes ? 1 : 0, name_, clock_, reset_, from_.is_asked(),
             wire("address"), drive("chipselect"), drive("read"), drive("write"),
             drive("begintransfer"), bytes, wire("writedata"),
-            hear("readdata", fmt::format("{}'d0", slave_.width)), hear("waitrequest", "1'b0"),
-            hear("readdatavalid", "1'b0")));
+            output("readdata", fmt::format("{}'d0", slave_.width)), output("waitrequest", "1'b0"),
+            output("readdatavalid", "1'b0")));
     }
 
     // One transfer of one word at a time.
@@ -68,20 +68,20 @@ public:
                                  "awregion", "awuser", "wid", "wuser", "arid", "arlen", "arlock",
                                  "arcache", "arprot", "arqos", "arregion", "aruser"})
             constant({{role, "1'b0"}});
-        text_.line(
-            fmt::format("de1sim_axi_slave #(.WIDTH({}), .ADDRESS({})) {} (\n"
-                        "        .clk_i({}), .rst_i({}),\n        {},\n"
-                        "        .awaddr_o({}), .awvalid_o({}), .awready_i({}),\n"
-                        "        .wdata_o({}), .wstrb_o({}), .wvalid_o({}), .wready_i({}),\n"
-                        "        .bvalid_i({}), .bready_o({}),\n"
-                        "        .araddr_o({}), .arvalid_o({}), .arready_i({}),\n"
-                        "        .axi_rdata_i({}), .axi_rvalid_i({}), .axi_rready_o({})\n    );",
-                        slave_.width, std::max(1u, slave_.address_bits), name_, clock_, reset_,
-                        from_.is_asked(), wire("awaddr"), wire("awvalid"), hear("awready", "1'b1"),
-                        wire("wdata"), wire("wstrb"), wire("wvalid"), hear("wready", "1'b1"),
-                        hear("bvalid", "1'b1"), wire("bready"), wire("araddr"), wire("arvalid"),
-                        hear("arready", "1'b1"), hear("rdata", fmt::format("{}'d0", slave_.width)),
-                        hear("rvalid", "1'b1"), wire("rready")));
+        text_.line(fmt::format(
+            "de1sim_axi_slave #(.WIDTH({}), .ADDRESS({})) {} (\n"
+            "        .clk_i({}), .rst_i({}),\n        {},\n"
+            "        .awaddr_o({}), .awvalid_o({}), .awready_i({}),\n"
+            "        .wdata_o({}), .wstrb_o({}), .wvalid_o({}), .wready_i({}),\n"
+            "        .bvalid_i({}), .bready_o({}),\n"
+            "        .araddr_o({}), .arvalid_o({}), .arready_i({}),\n"
+            "        .axi_rdata_i({}), .axi_rvalid_i({}), .axi_rready_o({})\n    );",
+            slave_.width, std::max(1u, slave_.address_bits), name_, clock_, reset_,
+            from_.is_asked(), wire("awaddr"), wire("awvalid"), output("awready", "1'b1"),
+            wire("wdata"), wire("wstrb"), wire("wvalid"), output("wready", "1'b1"),
+            output("bvalid", "1'b1"), wire("bready"), wire("araddr"), wire("arvalid"),
+            output("arready", "1'b1"), output("rdata", fmt::format("{}'d0", slave_.width)),
+            output("rvalid", "1'b1"), wire("rready")));
     }
 
 private:
@@ -99,7 +99,7 @@ private:
         text_.line(fmt::format("assign {} = ~{};", slave_.end.wire(*low), high));
         return high;
     }
-    std::string hear(const char* role, const std::string& otherwise) const {
+    std::string output(const char* role, const std::string& otherwise) const {
         if (const Port* port = interface_.port(role)) return slave_.end.wire(*port);
         if (const Port* low = interface_.port(std::string{role} + "_n"))
             return "!" + slave_.end.wire(*low);

@@ -38,7 +38,7 @@ bool is_scratch(const Variable& v) {
     return std::includes(drivers.begin(), drivers.end(), v.readers.begin(), v.readers.end());
 }
 
-std::string said_of(const Driver& d) {
+std::string text_of(const Driver& d) {
     switch (d.kind) {
         case DriverKind::INSTANCE: return fmt::format("by {} of instance {}", d.port, d.instance);
         case DriverKind::ALWAYS: return "by an always block";
@@ -115,7 +115,7 @@ private:
         const Driver &first = a.place.line <= b.place.line ? a : b, &second = &first == &a ? b : a;
         add(instance ? 12014 : 10028, second.place,
             fmt::format("{} has two drivers, here {} and at {} {} ({}); drive it in one place",
-                        what, said_of(second), first.place.text(), said_of(first),
+                        what, text_of(second), first.place.text(), text_of(first),
                         instance ? 12015 : 10029));
     }
 

@@ -62,9 +62,9 @@ public:
         found_.warnings.push_back({number, name_, all_[i].line, std::move(text)});
     }
     void refuse_in_design(unsigned number, std::size_t i, std::string text) {
-        say_in_design(true, number, i, std::move(text));
+        report_in_design(true, number, i, std::move(text));
     }
-    void say_in_design(bool is_error, unsigned number, std::size_t i, std::string text) {
+    void report_in_design(bool is_error, unsigned number, std::size_t i, std::string text) {
         found_.of_modules.push_back(
             {module_, is_error, {number, name_, all_[i].line, std::move(text)}});
     }
@@ -315,7 +315,7 @@ private:
         const bool waits = has("@");
         if (waits) without_event_ = end;
         if (waits || has("#"))
-            s_.say_in_design(
+            s_.report_in_design(
                 waits, 0, i,
                 "always needs a list of events, as in @(posedge CLOCK_50) or @(*), and no other "
                 "inside; delays are nothing on the board, where a counter divides a clock");

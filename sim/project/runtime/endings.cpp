@@ -47,10 +47,10 @@ void vl_fatal(const char* file, int line, const char*, const char* message) VL_M
         if (too_long && said == file) return;
         said = file;
         const std::string what = std::string{file} + ":" + std::to_string(line) + ": ";
-        const auto say = sim::project::evaluated.say;
-        if (too_long && say)
-            say((what + "10850: the file has more words than the array, which are left out")
-                    .c_str());
+        const auto report = sim::project::evaluated.report;
+        if (too_long && report)
+            report((what + "10850: the file has more words than the array, which are left out")
+                       .c_str());
         else if (!too_long)
             sim::project::end_run(Ending::Kind::STOPPED, what + message);
         return;
@@ -61,6 +61,6 @@ void vl_fatal(const char* file, int line, const char*, const char* message) VL_M
 
 void vl_warn(const char* file, int line, const char*, const char* message) VL_MT_UNSAFE {
     if (std::strstr(message, "file not found")) return;  // said by de1sim_init_path
-    if (const auto say = sim::project::evaluated.say)
-        say((std::string{file} + ":" + std::to_string(line) + ": " + message).c_str());
+    if (const auto report = sim::project::evaluated.report)
+        report((std::string{file} + ":" + std::to_string(line) + ": " + message).c_str());
 }

@@ -19,7 +19,7 @@ class Diverged : public std::runtime_error {
 // The design that is evaluated: its ending, which is null after the last one, and who is told.
 struct Evaluated {
     Ending* ending = nullptr;
-    void (*say)(const char* line) = nullptr;
+    void (*report)(const char* line) = nullptr;
     std::uint64_t time_ps = 0;
 };
 extern Evaluated evaluated;

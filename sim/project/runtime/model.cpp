@@ -56,10 +56,11 @@ public:
         std::vector<std::filesystem::path> sources;
         for (unsigned n = 0; n < facts.source_folder_count; ++n)
             sources.push_back(std::filesystem::path{settings.folder} / facts.source_folders[n]);
-        set_init_folders({settings.folder, std::move(sources)},
-                         [say = settings.say](const std::string& line) { say(line.c_str()); });
+        set_init_folders(
+            {settings.folder, std::move(sources)},
+            [report = settings.report](const std::string& line) { report(line.c_str()); });
         set_jtag_terminals(settings.terminals);
-        evaluated = {&ending_, settings.say, 0};
+        evaluated = {&ending_, settings.report, 0};
         const InFolder in_folder{settings.folder};  // where the design's files are
         eval();
         clocks_high_ = top_.clocks_o;  // what is high has not risen
@@ -105,7 +106,7 @@ public:
         const unsigned count = video_count_;
         video_count_ = 0;
         if (count) {
-            tell_video_clock(count);
+            notify_video_clock(count);
             listener_.video(video_, count);
         } else if (facts_.vga_used && now_fs_ - last_sample_fs_ > QUIET_FS) {
             listener_.video_idle(now_ps());
@@ -150,7 +151,7 @@ private:
         clocks_.edges([this](unsigned number, bool rises) { move(number, rises); });
         eval();
         look();
-        if (now_fs_ > xck_quiet_fs_) tell_xck(0);
+        if (now_fs_ > xck_quiet_fs_) notify_xck(0);
         if (look_) settle();
     }
 
@@ -243,7 +244,7 @@ private:
             static_cast<unsigned>(lamps_.ledr ^ top_.ledr_o) |
             (headers_.levels[0] ^ top_.gpio_0_o) | (headers_.levels[1] ^ top_.gpio_1_o) |
             (headers_.enable[0] ^ top_.gpio_0_oe_o) | (headers_.enable[1] ^ top_.gpio_1_oe_o))
-            tell();
+            notify();
     }
 
     void clocks_rise(unsigned which) {
@@ -252,7 +253,7 @@ private:
         if (which & AUD_XCK && facts_.aud_xck_used) count_xck();
     }
 
-    void tell() {
+    void notify() {
         if (pins_ != top_.pins_o) look_at_pins();
         const LampPins lamps{top_.ledr_o, top_.hex_no};
         if (lamps.ledr != lamps_.ledr || lamps.hex_n != lamps_.hex_n) {
@@ -290,11 +291,11 @@ private:
         if (++xck_rises_ % XCK_RISES) return;
         const std::uint64_t before_fs = std::exchange(xck_counted_fs_, now_fs_);
         xck_quiet_fs_ = now_fs_ + QUIET_FS;
-        if (before_fs) tell_xck((now_fs_ - before_fs) / XCK_RISES);
+        if (before_fs) notify_xck((now_fs_ - before_fs) / XCK_RISES);
     }
 
     // From enough samples for 1 %.
-    void tell_video_clock(unsigned count) {
+    void notify_video_clock(unsigned count) {
         if (count < VIDEO_BATCH / 2) return;
         const std::uint64_t period_ps =
             (last_sample_fs_ - first_sample_fs_) / (count - 1) / FS_PER_PS;
@@ -331,7 +332,7 @@ private:
         look_ |= controls || in.adcdat != adcdat;  // sound alone changes nothing else
     }
 
-    void tell_xck(std::uint64_t period_fs) {
+    void notify_xck(std::uint64_t period_fs) {
         if (period_fs == 0) {
             xck_counted_fs_ = 0;
             xck_quiet_fs_ = NEVER;

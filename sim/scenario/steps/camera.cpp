@@ -1,6 +1,6 @@
 // camera.cpp - show-picture: what the camera at the video input sees
 #include "sim/report/printable.h"
-#include "sim/scenario/stage.h"
+#include "sim/scenario/board_control.h"
 #include "sim/scenario/step_form.h"
 
 namespace sim {
@@ -13,7 +13,7 @@ class ShowPicture : public Action {
 public:
     explicit ShowPicture(const Values& v) : file_{v.path("file")} {}
 
-    std::string say() const override {
+    std::string describe() const override {
         return "show the camera " + printable(file_.filename().string());
     }
     void load(Goldens) override {
@@ -23,7 +23,7 @@ public:
             throw std::runtime_error(std::string{"expected a picture, got "} + error.what());
         }
     }
-    void act(Stage& stage) const override { stage.show_picture(picture_); }
+    void act(BoardControl& board) const override { board.show_picture(picture_); }
 
 private:
     std::filesystem::path file_;

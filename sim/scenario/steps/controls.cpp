@@ -1,8 +1,8 @@
 // controls.cpp - delay, press, hold, release: the board's controls, and waiting
 #include <fmt/format.h>
 
+#include "sim/scenario/board_control.h"
 #include "sim/scenario/controls.h"
-#include "sim/scenario/stage.h"
 #include "sim/scenario/static_checks.h"
 #include "sim/scenario/step_form.h"
 
@@ -16,9 +16,9 @@ class Delay : public Action {
 public:
     explicit Delay(const Values& v) : time_{v.get<SimTime>("time")} {}
 
-    std::string say() const override { return "wait " + to_string(time_); }
+    std::string describe() const override { return "wait " + to_string(time_); }
     SimTime least() const override { return time_; }
-    void act(Stage& stage) const override { stage.wait(time_); }
+    void act(BoardControl& board) const override { board.wait(time_); }
 
 private:
     SimTime time_;
@@ -44,17 +44,17 @@ class Press : public OnControls {
 public:
     explicit Press(const Values& v) : OnControls{v}, time_{v.get<SimTime>("for")} {}
 
-    std::string say() const override {
+    std::string describe() const override {
         return fmt::format("press {} for {}", to_string(controls_), to_string(time_));
     }
     SimTime least() const override { return time_; }
     void check(StaticChecks& checks) const override {
         for_each([&](const std::string& control) { checks.need_free(control); });
     }
-    void act(Stage& stage) const override {
-        stage.hold(controls_, bounce_);
-        stage.wait(time_);
-        stage.release(controls_, bounce_);
+    void act(BoardControl& board) const override {
+        board.hold(controls_, bounce_);
+        board.wait(time_);
+        board.release(controls_, bounce_);
     }
 
 private:
@@ -64,22 +64,22 @@ private:
 class Hold : public OnControls {
 public:
     explicit Hold(const Values& v) : OnControls{v} {}
-    std::string say() const override { return "hold " + to_string(controls_); }
+    std::string describe() const override { return "hold " + to_string(controls_); }
     void check(StaticChecks& checks) const override {
         for_each([&](const std::string& control) { checks.hold(control); });
     }
-    void act(Stage& stage) const override { stage.hold(controls_, bounce_); }
+    void act(BoardControl& board) const override { board.hold(controls_, bounce_); }
 };
 
 class Release : public OnControls {
 public:
     explicit Release(const Values& v) : OnControls{v} {}
 
-    std::string say() const override { return "release " + to_string(controls_); }
+    std::string describe() const override { return "release " + to_string(controls_); }
     void check(StaticChecks& checks) const override {
         for_each([&](const std::string& control) { checks.release(control); });
     }
-    void act(Stage& stage) const override { stage.release(controls_, bounce_); }
+    void act(BoardControl& board) const override { board.release(controls_, bounce_); }
 };
 
 Reading read_keypad(const YamlNode& node) {

@@ -6,7 +6,7 @@
 #include <cctype>
 
 #include "sim/board/scan_codes.h"
-#include "sim/scenario/stage.h"
+#include "sim/scenario/board_control.h"
 #include "sim/scenario/static_checks.h"
 #include "sim/scenario/step_form.h"
 #include "sim/scenario/words.h"
@@ -32,9 +32,11 @@ class TypeKeys : public Action {
 public:
     explicit TypeKeys(const Values& v) : text_{v.get<std::string>("text")} {}
 
-    std::string say() const override { return "type " + in_quotes(text_) + " on the keyboard"; }
+    std::string describe() const override {
+        return "type " + in_quotes(text_) + " on the keyboard";
+    }
     void check(StaticChecks& checks) const override { checks.need(Ps2Plug::KEYBOARD); }
-    void act(Stage& stage) const override { stage.type_keys(text_); }
+    void act(BoardControl& board) const override { board.type_keys(text_); }
 
 private:
     std::string text_;
@@ -90,11 +92,11 @@ protected:
         for (const Key* key : keys_) check(key->name + " on the keyboard");
     }
 
-    void hold(Stage& stage) const {
-        for (const Key* key : keys_) stage.hold_key(key->code);
+    void hold(BoardControl& board) const {
+        for (const Key* key : keys_) board.hold_key(key->code);
     }
-    void release(Stage& stage) const {
-        for (auto key = keys_.rbegin(); key != keys_.rend(); ++key) stage.release_key((*key)->code);
+    void release(BoardControl& board) const {
+        for (auto key = keys_.rbegin(); key != keys_.rend(); ++key) board.release_key((*key)->code);
     }
 
 private:
@@ -105,17 +107,17 @@ class PressKey : public OnKeys {
 public:
     explicit PressKey(const Values& v) : OnKeys{v}, time_{v.get<SimTime>("for")} {}
 
-    std::string say() const override {
+    std::string describe() const override {
         return fmt::format("press {} for {}", names(), to_string(time_));
     }
     SimTime least() const override { return time_; }
     void check(StaticChecks& checks) const override {
         for_each(checks, [&](const std::string& key) { checks.need_free(key); });
     }
-    void act(Stage& stage) const override {
-        hold(stage);
-        stage.wait(time_);
-        release(stage);
+    void act(BoardControl& board) const override {
+        hold(board);
+        board.wait(time_);
+        release(board);
     }
 
 private:
@@ -126,22 +128,22 @@ class HoldKey : public OnKeys {
 public:
     explicit HoldKey(const Values& v) : OnKeys{v} {}
 
-    std::string say() const override { return "hold " + names(); }
+    std::string describe() const override { return "hold " + names(); }
     void check(StaticChecks& checks) const override {
         for_each(checks, [&](const std::string& key) { checks.hold(key); });
     }
-    void act(Stage& stage) const override { hold(stage); }
+    void act(BoardControl& board) const override { hold(board); }
 };
 
 class ReleaseKey : public OnKeys {
 public:
     explicit ReleaseKey(const Values& v) : OnKeys{v} {}
 
-    std::string say() const override { return "release " + names(); }
+    std::string describe() const override { return "release " + names(); }
     void check(StaticChecks& checks) const override {
         for_each(checks, [&](const std::string& key) { checks.release(key); });
     }
-    void act(Stage& stage) const override { release(stage); }
+    void act(BoardControl& board) const override { release(board); }
 };
 
 }  // namespace

@@ -1,7 +1,7 @@
 // lamps.cpp - expect-leds, expect-hps-led, expect-hex: eyes on the LEDs and seven-segment digits
 #include <bitset>
 
-#include "sim/scenario/stage.h"
+#include "sim/scenario/board_control.h"
 #include "sim/scenario/step_form.h"
 #include "sim/scenario/words.h"
 
@@ -32,13 +32,13 @@ public:
     explicit ExpectLeds(const Values& v)
         : leds_{v.number<std::uint64_t>("equals")}, timeout_{v.get<SimTime>("timeout")} {}
 
-    std::string say() const override {
+    std::string describe() const override {
         return "expect LEDs " + leds_.to_string() + within(timeout_);
     }
-    Verdict decide(Stage& stage) const override {
-        const bool met = stage.wait_until(Stage::Each::MILLISECOND, timeout_,
-                                          [&] { return Leds{stage.ledr()} == leds_; });
-        return {met, "LEDR shows " + Leds{stage.ledr()}.to_string()};
+    Verdict decide(BoardControl& board) const override {
+        const bool met = board.wait_until(BoardControl::Each::MILLISECOND, timeout_,
+                                          [&] { return Leds{board.ledr()} == leds_; });
+        return {met, "LEDR shows " + Leds{board.ledr()}.to_string()};
     }
 
 private:
@@ -55,13 +55,13 @@ public:
     explicit ExpectHpsLed(const Values& v)
         : lit_{v.number<bool>("equals")}, timeout_{v.get<SimTime>("timeout")} {}
 
-    std::string say() const override {
+    std::string describe() const override {
         return std::string{"expect the HPS LED "} + (lit_ ? "lit" : "dark") + within(timeout_);
     }
-    Verdict decide(Stage& stage) const override {
-        const bool met = stage.wait_until(Stage::Each::MILLISECOND, timeout_,
-                                          [&] { return stage.hps_led() == lit_; });
-        return {met, stage.hps_led() ? "it is lit" : "it is dark"};
+    Verdict decide(BoardControl& board) const override {
+        const bool met = board.wait_until(BoardControl::Each::MILLISECOND, timeout_,
+                                          [&] { return board.hps_led() == lit_; });
+        return {met, board.hps_led() ? "it is lit" : "it is dark"};
     }
 
 private:
@@ -84,13 +84,13 @@ public:
     explicit ExpectHex(const Values& v)
         : text_{v.get<std::string>("equals")}, timeout_{v.get<SimTime>("timeout")} {}
 
-    std::string say() const override {
+    std::string describe() const override {
         return "expect \"" + text_ + "\" on HEX" + within(timeout_);
     }
-    Verdict decide(Stage& stage) const override {
-        const auto shown = [&] { return hex_text(stage.hex(), text_); };
-        const bool met =
-            stage.wait_until(Stage::Each::MILLISECOND, timeout_, [&] { return shown() == text_; });
+    Verdict decide(BoardControl& board) const override {
+        const auto shown = [&] { return hex_text(board.hex(), text_); };
+        const bool met = board.wait_until(BoardControl::Each::MILLISECOND, timeout_,
+                                          [&] { return shown() == text_; });
         return {met, "HEX shows \"" + shown() + "\""};
     }
 

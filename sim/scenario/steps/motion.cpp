@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "sim/scenario/stage.h"
+#include "sim/scenario/board_control.h"
 #include "sim/scenario/step_form.h"
 
 namespace sim {
@@ -19,15 +19,15 @@ public:
     explicit TiltBoard(const Values& v)
         : right_{v.get<double>("right")}, towards_{v.get<double>("towards")} {}
 
-    std::string say() const override {
+    std::string describe() const override {
         return fmt::format("tilt the board {:.6g} degrees to the right and {:.6g} towards you",
                            right_, towards_);
     }
     // At rest it feels what holds it up: 1 g, upwards.
-    void act(Stage& stage) const override {
+    void act(BoardControl& board) const override {
         constexpr double PER_DEGREE = 3.14159265358979323846 / 180;
         const double right = right_ * PER_DEGREE, towards = towards_ * PER_DEGREE;
-        stage.accelerate(-std::sin(right) * std::cos(towards), std::sin(towards),
+        board.accelerate(-std::sin(right) * std::cos(towards), std::sin(towards),
                          std::cos(right) * std::cos(towards));
     }
 
@@ -40,10 +40,10 @@ public:
     explicit AccelerateBoard(const Values& v)
         : x_{v.get<double>("x")}, y_{v.get<double>("y")}, z_{v.get<double>("z")} {}
 
-    std::string say() const override {
+    std::string describe() const override {
         return fmt::format("accelerate the board by {:.6g}, {:.6g}, {:.6g} g", x_, y_, z_);
     }
-    void act(Stage& stage) const override { stage.accelerate(x_, y_, z_); }
+    void act(BoardControl& board) const override { board.accelerate(x_, y_, z_); }
 
 private:
     double x_, y_, z_;

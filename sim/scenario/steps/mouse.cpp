@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "sim/scenario/stage.h"
+#include "sim/scenario/board_control.h"
 #include "sim/scenario/static_checks.h"
 #include "sim/scenario/step_form.h"
 
@@ -30,23 +30,23 @@ public:
           down_{v.number<int>("down")},
           time_{v.get<SimTime>("for")} {}
 
-    std::string say() const {
+    std::string describe() const {
         return fmt::format("the mouse {} to the right and {} down in {}", right_, down_,
                            to_string(time_));
     }
     SimTime time() const { return time_; }
-    void go(Stage& stage) const {
+    void go(BoardControl& board) const {
         constexpr std::uint64_t PIECE_PS = 1'000'000'000;  // 1 ms
         int gone_right = 0, gone_down = 0;
         for (std::uint64_t now = 0; now < time_.ps;) {
             const std::uint64_t next = std::min(now + PIECE_PS, time_.ps);
-            stage.wait(SimTime{next - now});
+            board.wait(SimTime{next - now});
             now = next;
             const double share = static_cast<double>(now) / static_cast<double>(time_.ps);
             const int right = static_cast<int>(right_ * share),
                       down = static_cast<int>(down_ * share);
             if (right != gone_right || down != gone_down)
-                stage.move_mouse(right - gone_right, gone_down - down);
+                board.move_mouse(right - gone_right, gone_down - down);
             gone_right = right;
             gone_down = down;
         }
@@ -78,10 +78,10 @@ class MoveMouse : public Action {
 public:
     explicit MoveMouse(const Values& v) : way_{v} {}
 
-    std::string say() const override { return "move " + way_.say(); }
+    std::string describe() const override { return "move " + way_.describe(); }
     SimTime least() const override { return way_.time(); }
     void check(StaticChecks& checks) const override { checks.need(Ps2Plug::MOUSE); }
-    void act(Stage& stage) const override { way_.go(stage); }
+    void act(BoardControl& board) const override { way_.go(board); }
 
 private:
     Way way_;
@@ -91,14 +91,14 @@ class ClickMouse : public OnButton {
 public:
     explicit ClickMouse(const Values& v) : OnButton{v}, time_{v.get<SimTime>("for")} {}
 
-    std::string say() const override {
+    std::string describe() const override {
         return fmt::format("press {} for {}", name_of(button_), to_string(time_));
     }
     SimTime least() const override { return time_; }
-    void act(Stage& stage) const override {
-        stage.hold_button(button_);
-        stage.wait(time_);
-        stage.release_button(button_);
+    void act(BoardControl& board) const override {
+        board.hold_button(button_);
+        board.wait(time_);
+        board.release_button(button_);
     }
 
 private:
@@ -109,38 +109,38 @@ class HoldMouse : public OnButton {
 public:
     explicit HoldMouse(const Values& v) : OnButton{v} {}
 
-    std::string say() const override { return "hold " + name_of(button_); }
+    std::string describe() const override { return "hold " + name_of(button_); }
     void check_button(StaticChecks& checks, const std::string& name) const override {
         checks.hold(name);
     }
-    void act(Stage& stage) const override { stage.hold_button(button_); }
+    void act(BoardControl& board) const override { board.hold_button(button_); }
 };
 
 class ReleaseMouse : public OnButton {
 public:
     explicit ReleaseMouse(const Values& v) : OnButton{v} {}
 
-    std::string say() const override { return "release " + name_of(button_); }
+    std::string describe() const override { return "release " + name_of(button_); }
     void check_button(StaticChecks& checks, const std::string& name) const override {
         checks.release(name);
     }
-    void act(Stage& stage) const override { stage.release_button(button_); }
+    void act(BoardControl& board) const override { board.release_button(button_); }
 };
 
 class DragMouse : public OnButton {
 public:
     explicit DragMouse(const Values& v) : OnButton{v}, way_{v} {}
 
-    std::string say() const override {
-        return fmt::format("drag {} with {}", way_.say(), name_of(button_));
+    std::string describe() const override {
+        return fmt::format("drag {} with {}", way_.describe(), name_of(button_));
     }
     SimTime least() const override { return {way_.time().ps + 2 * STILL.ps}; }
-    void act(Stage& stage) const override {
-        stage.hold_button(button_);
-        stage.wait(STILL);
-        way_.go(stage);
-        stage.wait(STILL);
-        stage.release_button(button_);
+    void act(BoardControl& board) const override {
+        board.hold_button(button_);
+        board.wait(STILL);
+        way_.go(board);
+        board.wait(STILL);
+        board.release_button(button_);
     }
 
 private:
@@ -154,12 +154,12 @@ class TurnWheel : public Action {
 public:
     explicit TurnWheel(const Values& v) : notches_{v.number<int>("notches")} {}
 
-    std::string say() const override {
+    std::string describe() const override {
         return fmt::format("turn the mouse wheel by {} {}", std::abs(notches_),
                            notches_ < 0 ? "away from the hand" : "towards the hand");
     }
     void check(StaticChecks& checks) const override { checks.need(Ps2Plug::MOUSE); }
-    void act(Stage& stage) const override { stage.turn_wheel(notches_); }
+    void act(BoardControl& board) const override { board.turn_wheel(notches_); }
 
 private:
     int notches_;

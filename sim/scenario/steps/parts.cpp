@@ -4,7 +4,7 @@
 #include <fmt/ranges.h>
 
 #include "sim/report/pattern.h"
-#include "sim/scenario/stage.h"
+#include "sim/scenario/board_control.h"
 #include "sim/scenario/static_checks.h"
 #include "sim/scenario/step_form.h"
 #include "sim/scenario/words.h"
@@ -34,15 +34,15 @@ class PressPartButton : public OnPartButton {
 public:
     explicit PressPartButton(const Values& v) : OnPartButton{v}, time_{v.get<SimTime>("for")} {}
 
-    std::string say() const override {
+    std::string describe() const override {
         return fmt::format("press the button {} for {}", button_, to_string(time_));
     }
     SimTime least() const override { return time_; }
     void check(StaticChecks& checks) const override { checks.need_free(control(checks)); }
-    void act(Stage& stage) const override {
-        stage.close_contact(button_, true);
-        stage.wait(time_);
-        stage.close_contact(button_, false);
+    void act(BoardControl& board) const override {
+        board.close_contact(button_, true);
+        board.wait(time_);
+        board.close_contact(button_, false);
     }
 
 private:
@@ -52,17 +52,17 @@ private:
 class HoldPartButton : public OnPartButton {
 public:
     explicit HoldPartButton(const Values& v) : OnPartButton{v} {}
-    std::string say() const override { return "hold the button " + button_; }
+    std::string describe() const override { return "hold the button " + button_; }
     void check(StaticChecks& checks) const override { checks.hold(control(checks)); }
-    void act(Stage& stage) const override { stage.close_contact(button_, true); }
+    void act(BoardControl& board) const override { board.close_contact(button_, true); }
 };
 
 class ReleasePartButton : public OnPartButton {
 public:
     explicit ReleasePartButton(const Values& v) : OnPartButton{v} {}
-    std::string say() const override { return "release the button " + button_; }
+    std::string describe() const override { return "release the button " + button_; }
     void check(StaticChecks& checks) const override { checks.release(control(checks)); }
-    void act(Stage& stage) const override { stage.close_contact(button_, false); }
+    void act(BoardControl& board) const override { board.close_contact(button_, false); }
 };
 
 // ---- set-switch ----
@@ -72,11 +72,11 @@ public:
     explicit SetSwitch(const Values& v)
         : switch_{v.get<std::string>("switch")}, high_{v.number<bool>("level")} {}
 
-    std::string say() const override {
+    std::string describe() const override {
         return fmt::format("set the switch {} {}", switch_, high_ ? "high" : "low");
     }
     void check(StaticChecks& checks) const override { checks.need_part(Kind::SWITCH, switch_); }
-    void act(Stage& stage) const override { stage.close_contact(switch_, high_); }
+    void act(BoardControl& board) const override { board.close_contact(switch_, high_); }
 
 private:
     std::string switch_;
@@ -92,13 +92,13 @@ public:
           lit_{v.number<bool>("equals")},
           timeout_{v.get<SimTime>("timeout")} {}
 
-    std::string say() const override {
+    std::string describe() const override {
         return fmt::format("expect the LED {} {}{}", led_, lit_ ? "lit" : "dark", within(timeout_));
     }
     void check(StaticChecks& checks) const override { checks.need_part(Kind::LED, led_); }
-    Verdict decide(Stage& stage) const override {
-        const bool met = stage.wait_until(Stage::Each::MILLISECOND, timeout_,
-                                          [&] { return stage.led_is_lit(led_) == lit_; });
+    Verdict decide(BoardControl& board) const override {
+        const bool met = board.wait_until(BoardControl::Each::MILLISECOND, timeout_,
+                                          [&] { return board.led_is_lit(led_) == lit_; });
         return {met, met ? "" : lit_ ? "it is dark" : "it is lit"};
     }
 
@@ -117,7 +117,7 @@ public:
           rows_{rows_of(v.get<std::string>("equals"))},
           timeout_{v.get<SimTime>("timeout")} {}
 
-    std::string say() const override {
+    std::string describe() const override {
         return fmt::format("expect {} on the matrix {}{}", fmt::join(rows_, "/"), matrix_,
                            within(timeout_));
     }
@@ -134,12 +134,12 @@ public:
                     fmt::format("{} rows of {}", rows_.size(),
                                 row.size() == width ? width : row.size()));
     }
-    Verdict decide(Stage& stage) const override {
-        const bool met = stage.wait_until(Stage::Each::MILLISECOND, timeout_,
-                                          [&] { return stage.matrix_rows(matrix_) == rows_; });
+    Verdict decide(BoardControl& board) const override {
+        const bool met = board.wait_until(BoardControl::Each::MILLISECOND, timeout_,
+                                          [&] { return board.matrix_rows(matrix_) == rows_; });
         return {met, met ? ""
                          : fmt::format("{} shows {}", matrix_,
-                                       fmt::join(stage.matrix_rows(matrix_), "/"))};
+                                       fmt::join(board.matrix_rows(matrix_), "/"))};
     }
 
 private:

@@ -7,7 +7,7 @@
 
 #include "sim/report/printable.h"
 #include "sim/report/whole_file.h"
-#include "sim/scenario/stage.h"
+#include "sim/scenario/board_control.h"
 #include "sim/scenario/static_checks.h"
 #include "sim/scenario/step_form.h"
 #include "sim/scenario/words.h"
@@ -43,17 +43,17 @@ public:
     explicit WaitFrame(const Values& v)
         : frame_{v.number<std::uint64_t>("frame")}, timeout_{v.get<SimTime>("timeout")} {}
 
-    std::string say() const override {
+    std::string describe() const override {
         const std::string what = frame_ == NEXT        ? "the next frame"
                                  : frame_ == NEXT_SWAP ? "the next new picture"
                                                        : fmt::format("frame {}", frame_);
         return "wait for " + what + within(timeout_);
     }
-    Verdict decide(Stage& stage) const override {
-        const Senses& eyes = stage.senses();
+    Verdict decide(BoardControl& board) const override {
+        const Observations& eyes = board.observations();
         const std::uint64_t pictures = eyes.new_pictures;
         const std::uint64_t number = frame_ == NEXT ? eyes.frames + 1 : frame_;
-        const bool met = stage.wait_until(Stage::Each::FRAME, timeout_, [&] {
+        const bool met = board.wait_until(BoardControl::Each::FRAME, timeout_, [&] {
             return frame_ == NEXT_SWAP ? eyes.new_pictures > pictures : eyes.frames >= number;
         });
         return {met, fmt::format("{} frames shown, {} of them new pictures", eyes.frames,
@@ -79,10 +79,10 @@ protected:
     void need(const StaticChecks& checks) const {
         if (on_lt24()) checks.need_part(PartPlan::Kind::LT24, "lt24");
     }
-    Image picture(Stage& stage) const {
-        return on_lt24() ? stage.lt24_picture() : stage.senses().picture();
+    Image picture(BoardControl& board) const {
+        return on_lt24() ? board.lt24_picture() : board.observations().picture();
     }
-    std::string say_display() const { return on_lt24() ? " on the LT24" : ""; }
+    std::string describe_display() const { return on_lt24() ? " on the LT24" : ""; }
 
 private:
     Display display_;
@@ -146,9 +146,9 @@ public:
         for (const std::uint64_t packed : v.list("ignore")) ignored_.emplace_back(packed);
     }
 
-    std::string say() const override {
+    std::string describe() const override {
         std::string text =
-            "expect the picture " + printable(golden_.filename().string()) + say_display();
+            "expect the picture " + printable(golden_.filename().string()) + describe_display();
         if (differing_pixels_) text += fmt::format(" but for {} pixels", differing_pixels_);
         for (const Rectangle& r : ignored_)
             text += fmt::format(", outside {}x{}+{}+{}", r.width, r.height, r.left, r.top);
@@ -163,20 +163,20 @@ public:
             throw std::runtime_error(std::string{"expected a picture, got "} + error.what());
         }
     }
-    Verdict decide(Stage& stage) const override {
-        const Image picture = this->picture(stage);
+    Verdict decide(BoardControl& board) const override {
+        const Image picture = this->picture(board);
         Image golden;
         try {
             golden = read_png(golden_);
         } catch (const std::exception& e) {
-            if (!std::filesystem::exists(golden_) && stage.renew(golden_, picture))
+            if (!std::filesystem::exists(golden_) && board.renew(golden_, picture))
                 return {true, "renewed: it was not there"};
             return {false, e.what()};
         }
         const std::string what_is_seen =
-            on_lt24() ? "the LT24" : fmt::format("frame {}", stage.senses().frames);
+            on_lt24() ? "the LT24" : fmt::format("frame {}", board.observations().frames);
         const auto file = [&](const char* what) {
-            return stage.folder() / "mismatch" /
+            return board.folder() / "mismatch" /
                    fmt::format("line{}_{}_{}.png", line_, golden_.stem().string(), what);
         };
         if (picture.width != golden.width || picture.height != golden.height) {
@@ -185,9 +185,9 @@ public:
                             picture.height, printable(golden_.filename().string()), golden.width,
                             golden.height);
             const auto actual = file("actual"), expected = file("expected");
-            if (stage.save(actual, picture) && stage.save(expected, golden))
+            if (board.save(actual, picture) && board.save(expected, golden))
                 detail += "; see " + actual.string() + " and " + expected.string();
-            return renewed(stage, picture, detail);
+            return renewed(board, picture, detail);
         }
         const Image compared = patched(picture, golden, ignored_);
         const std::size_t different = differing_pixels(compared, golden);
@@ -196,16 +196,16 @@ public:
 
         const auto actual = file("actual"), expected = file("expected"),
                    difference = file("difference");
-        if (stage.save(actual, picture) && stage.save(expected, golden) &&
-            stage.save(difference, difference_image(golden, compared)))
+        if (board.save(actual, picture) && board.save(expected, golden) &&
+            board.save(difference, difference_image(golden, compared)))
             detail += fmt::format("; see {}, {} and {}", actual.string(), expected.string(),
                                   difference.string());
-        return renewed(stage, picture, detail);
+        return renewed(board, picture, detail);
     }
 
 private:
-    Verdict renewed(Stage& stage, const Image& picture, const std::string& detail) const {
-        if (!stage.renew(golden_, picture)) return {false, detail};
+    Verdict renewed(BoardControl& board, const Image& picture, const std::string& detail) const {
+        if (!board.renew(golden_, picture)) return {false, detail};
         return {true, "renewed: " + detail};
     }
 
@@ -237,14 +237,16 @@ public:
     explicit TakeScreenshot(const Values& v)
         : OnDisplay{v}, save_to_{v.get<std::string>("save-to")} {}
 
-    std::string say() const override {
-        return "take screenshot " + printable(save_to_.string()) + say_display();
+    std::string describe() const override {
+        return "take screenshot " + printable(save_to_.string()) + describe_display();
     }
     void check(StaticChecks& checks) const override {
         need(checks);
         checks.new_file(save_to_);
     }
-    void act(Stage& stage) const override { stage.save(stage.folder() / save_to_, picture(stage)); }
+    void act(BoardControl& board) const override {
+        board.save(board.folder() / save_to_, picture(board));
+    }
 
 private:
     std::filesystem::path save_to_;  // relative to the output folder, and inside it

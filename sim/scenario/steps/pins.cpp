@@ -1,7 +1,7 @@
 // pins.cpp - set-pins, expect-pins: the headers, by JP1's and JP2's D31-D0 or by all 36 pins
 #include <fmt/format.h>
 
-#include "sim/scenario/stage.h"
+#include "sim/scenario/board_control.h"
 #include "sim/scenario/step_form.h"
 #include "sim/scenario/words.h"
 
@@ -24,7 +24,7 @@ public:
         return {pins_of_bits(d_[0]) | gpio_[0], pins_of_bits(d_[1]) | gpio_[1]};
     }
     // "JP1 D0 and D3, GPIO_1[4]", of those that are among `these`.
-    std::string say(const HeaderMasks& these = {ALL_HEADER_PINS, ALL_HEADER_PINS}) const {
+    std::string describe(const HeaderMasks& these = {ALL_HEADER_PINS, ALL_HEADER_PINS}) const {
         std::string text;
         for (unsigned n = 0; n < 2; ++n)
             text += names(fmt::format("JP{} D{{}}", n + 1), " and D{}",
@@ -52,12 +52,12 @@ class SetPins : public Action {
 public:
     explicit SetPins(const Values& v) : pins_{v}, level_{v.number<PinLevel>("level")} {}
 
-    std::string say() const override {
+    std::string describe() const override {
         return level_ == PinLevel::RELEASED
-                   ? "release " + pins_.say()
-                   : fmt::format("drive {} {}", pins_.say(), LEVELS[static_cast<int>(level_)]);
+                   ? "release " + pins_.describe()
+                   : fmt::format("drive {} {}", pins_.describe(), LEVELS[static_cast<int>(level_)]);
     }
-    void act(Stage& stage) const override { stage.drive_pins(pins_.all(), level_); }
+    void act(BoardControl& board) const override { board.drive_pins(pins_.all(), level_); }
 
 private:
     Pins pins_;
@@ -71,18 +71,19 @@ public:
           high_{v.number<PinLevel>("level") == PinLevel::HIGH},
           timeout_{v.get<SimTime>("timeout")} {}
 
-    std::string say() const override {
-        return fmt::format("expect {} {}{}", pins_.say(), high_ ? "high" : "low", within(timeout_));
+    std::string describe() const override {
+        return fmt::format("expect {} {}{}", pins_.describe(), high_ ? "high" : "low",
+                           within(timeout_));
     }
-    Verdict decide(Stage& stage) const override {
+    Verdict decide(BoardControl& board) const override {
         const HeaderMasks pins = pins_.all();
         HeaderMasks wrong{};
-        const bool met = stage.wait_until(Stage::Each::MILLISECOND, timeout_, [&] {
-            const HeaderMasks levels = stage.header_levels();
+        const bool met = board.wait_until(BoardControl::Each::MILLISECOND, timeout_, [&] {
+            const HeaderMasks levels = board.header_levels();
             for (unsigned n = 0; n < 2; ++n) wrong[n] = pins[n] & (high_ ? ~levels[n] : levels[n]);
             return !wrong[0] && !wrong[1];
         });
-        return {met, met ? "" : pins_.say(wrong) + (high_ ? " low" : " high")};
+        return {met, met ? "" : pins_.describe(wrong) + (high_ ? " low" : " high")};
     }
 
 private:

@@ -5,7 +5,7 @@
 #include <cctype>
 
 #include "sim/board/nec_frame.h"
-#include "sim/scenario/stage.h"
+#include "sim/scenario/board_control.h"
 #include "sim/scenario/step_form.h"
 
 namespace sim {
@@ -36,8 +36,10 @@ class PressRemote : public Action {
 public:
     explicit PressRemote(const Values& v) : button_{v.get<std::string>("button")} {}
 
-    std::string say() const override { return "press " + button_ + " on the remote control"; }
-    void act(Stage& stage) const override { stage.press_remote(remote_button(button_).value()); }
+    std::string describe() const override { return "press " + button_ + " on the remote control"; }
+    void act(BoardControl& board) const override {
+        board.press_remote(remote_button(button_).value());
+    }
 
 private:
     std::string button_;

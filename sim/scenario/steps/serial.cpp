@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "sim/scenario/stage.h"
+#include "sim/scenario/board_control.h"
 #include "sim/scenario/static_checks.h"
 #include "sim/scenario/step_form.h"
 #include "sim/scenario/words.h"
@@ -27,17 +27,17 @@ public:
     explicit TypeSerial(const Values& v)
         : text_{v.get<std::string>("text")}, to_{v.get<std::string>("to")} {}
 
-    std::string say() const override {
+    std::string describe() const override {
         return "type " + in_quotes(text_) + (to_.empty() ? "" : " at " + to_);
     }
     void check(StaticChecks& checks) const override {
         if (!to_.empty() && !line_of(to_)) checks.need_part(PartPlan::Kind::TERMINAL, to_);
     }
-    void act(Stage& stage) const override {
+    void act(BoardControl& board) const override {
         if (to_.empty() || line_of(to_))
-            stage.type_serial(text_, line_of(to_));
+            board.type_serial(text_, line_of(to_));
         else
-            stage.type_at(to_, text_);
+            board.type_at(to_, text_);
     }
 
 private:
@@ -51,16 +51,17 @@ public:
           on_{v.get<std::string>("on")},
           timeout_{v.get<SimTime>("timeout")} {}
 
-    std::string say() const override {
+    std::string describe() const override {
         return fmt::format("wait for {} on {}{}", in_quotes(text_),
                            on_.empty() ? "the serial line" : on_, within(timeout_));
     }
     void check(StaticChecks& checks) const override {
         if (!on_.empty()) checks.need_part(PartPlan::Kind::TERMINAL, on_);
     }
-    Verdict decide(Stage& stage) const override {
-        ConsoleText& text = on_.empty() ? stage.senses().text : stage.terminal(on_);
-        if (stage.wait_until(Stage::Each::CHARACTER, timeout_, [&] { return text.take(text_); }))
+    Verdict decide(BoardControl& board) const override {
+        ConsoleText& text = on_.empty() ? board.observations().text : board.terminal(on_);
+        if (board.wait_until(BoardControl::Each::CHARACTER, timeout_,
+                             [&] { return text.take(text_); }))
             return {true, ""};
         std::string detail = printed(text);
         if (text.forgotten())

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/scenario/stage.h"
+#include "sim/scenario/board_control.h"
 #include "sim/scenario/step_form.h"
 #include "sim/scenario/tone.h"
 #include "sim/scenario/words.h"
@@ -27,17 +27,17 @@ public:
           time_{v.get<SimTime>("for")},
           timeout_{v.get<SimTime>("timeout")} {}
 
-    std::string say() const override {
+    std::string describe() const override {
         return fmt::format("expect a tone of {} Hz, give or take {:.6g}%, for {}{}", hz_,
                            within_ * 100, to_string(time_), within(timeout_));
     }
     SimTime least() const override { return time_; }
-    Verdict decide(Stage& stage) const override {
-        const std::uint64_t from = stage.senses().samples;
+    Verdict decide(BoardControl& board) const override {
+        const std::uint64_t from = board.observations().samples;
         Tone best;
         const SimTime whole{timeout_.ps + time_.ps};
-        const bool met = stage.wait_until(Stage::Each::MILLISECOND, whole, [&] {
-            const Senses& ears = stage.senses();
+        const bool met = board.wait_until(BoardControl::Each::MILLISECOND, whole, [&] {
+            const Observations& ears = board.observations();
             const auto window = static_cast<std::uint64_t>(
                 std::llround(static_cast<double>(time_.ps) * 1e-12 * ears.rate_hz));
             if (window == 0 || ears.samples - from < window) return false;
@@ -65,12 +65,12 @@ class ExpectSilence : public Claim {
 public:
     explicit ExpectSilence(const Values& v) : time_{v.get<SimTime>("for")} {}
 
-    std::string say() const override { return "expect silence for " + to_string(time_); }
+    std::string describe() const override { return "expect silence for " + to_string(time_); }
     SimTime least() const override { return time_; }
-    Verdict decide(Stage& stage) const override {
-        const std::uint64_t from = stage.senses().samples;
-        stage.wait(time_);
-        const Senses& ears = stage.senses();
+    Verdict decide(BoardControl& board) const override {
+        const std::uint64_t from = board.observations().samples;
+        board.wait(time_);
+        const Observations& ears = board.observations();
         const auto samples = ears.last_samples(ears.samples - from);
         if (samples.empty()) return {false, "no samples were played"};
         const auto sound =

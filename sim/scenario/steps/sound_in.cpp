@@ -3,7 +3,7 @@
 
 #include "sim/board/recording.h"
 #include "sim/report/printable.h"
-#include "sim/scenario/stage.h"
+#include "sim/scenario/board_control.h"
 #include "sim/scenario/step_form.h"
 
 namespace sim {
@@ -28,7 +28,7 @@ public:
     explicit PlayFile(const Values& v)
         : IntoInput{v}, file_{v.path("file")}, for_ever_{v.number<bool>("repeat")} {}
 
-    std::string say() const override {
+    std::string describe() const override {
         return "play " + printable(file_.filename().string()) + into() +
                (for_ever_ ? " for ever" : "");
     }
@@ -39,7 +39,7 @@ public:
             throw std::runtime_error(std::string{"expected a sound file, got "} + error.what());
         }
     }
-    void act(Stage& stage) const override { stage.play(input_, recording_, for_ever_); }
+    void act(BoardControl& board) const override { board.play(input_, recording_, for_ever_); }
 
 private:
     std::filesystem::path file_;
@@ -52,10 +52,10 @@ public:
     explicit PlayTone(const Values& v)
         : IntoInput{v}, hz_{v.get<double>("hz")}, level_{v.get<double>("level")} {}
 
-    std::string say() const override {
+    std::string describe() const override {
         return fmt::format("play {:.6g} Hz at {:.6g}%{}", hz_, 100 * level_, into());
     }
-    void act(Stage& stage) const override { stage.play_tone(input_, hz_, level_); }
+    void act(BoardControl& board) const override { board.play_tone(input_, hz_, level_); }
 
 private:
     double hz_, level_;
@@ -65,8 +65,8 @@ class PlaySilence : public IntoInput {
 public:
     explicit PlaySilence(const Values& v) : IntoInput{v} {}
 
-    std::string say() const override { return "play nothing" + into(); }
-    void act(Stage& stage) const override { stage.play_silence(input_); }
+    std::string describe() const override { return "play nothing" + into(); }
+    void act(BoardControl& board) const override { board.play_silence(input_); }
 };
 
 const ValueType INPUT = word("line-in or microphone", {"line-in", "microphone"});

@@ -1,7 +1,7 @@
 // voltage.cpp - set-voltage: what is wired to the AD converter's inputs
 #include <fmt/format.h>
 
-#include "sim/scenario/stage.h"
+#include "sim/scenario/board_control.h"
 #include "sim/scenario/step_form.h"
 
 namespace sim {
@@ -15,10 +15,10 @@ public:
     explicit SetVoltage(const Values& v)
         : channel_{v.number<unsigned>("channel")}, volts_{v.get<double>("volts")} {}
 
-    std::string say() const override {
+    std::string describe() const override {
         return fmt::format("apply {:.6g} V to CH{}", volts_, channel_);
     }
-    void act(Stage& stage) const override { stage.set_voltage(channel_, volts_); }
+    void act(BoardControl& board) const override { board.set_voltage(channel_, volts_); }
 
 private:
     unsigned channel_;

@@ -1,4 +1,4 @@
-@ runs_off.S - programs that leave their code, for arm_death_test.cpp
+@ runs_off.S - programs that leave their code, for arm_failure_test.cpp
 #include "program.inc"
     .text
 

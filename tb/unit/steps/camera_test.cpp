@@ -21,9 +21,9 @@ protected:
 
 TEST_F(CameraSteps, ShowAPictureBesideTheScenario) {
     sim::write_png(files / "a.png", {3, 2, std::vector<std::uint8_t>(18, 7)});
-    load("show-picture: a.png").steps.at(0).step->play(stage);
-    load("show-picture: {file: a.png}").steps.at(0).step->play(stage);
-    EXPECT_THAT(stage.done, ElementsAre("camera 3 x 2", "camera 3 x 2"));
+    load("show-picture: a.png").steps.at(0).step->play(board);
+    load("show-picture: {file: a.png}").steps.at(0).step->play(board);
+    EXPECT_THAT(board.done, ElementsAre("camera 3 x 2", "camera 3 x 2"));
     EXPECT_EQ(said("show-picture: b/a.png"), "show the camera a.png");
 }
 

@@ -47,12 +47,12 @@ TEST_F(ControlSteps, ReleaseLetsGo) {
         "name: a\nversion: 1\nsteps:\n- hold: {keypad: A, key: 1, switch: 2}\n"
         "- release: {keypad: A, switch: 2}\n",
         "a.yaml");
-    s.steps.at(1).step->play(stage);
-    EXPECT_THAT(stage.done, ElementsAre("release keypad A, switch 2"));
+    s.steps.at(1).step->play(board);
+    EXPECT_THAT(board.done, ElementsAre("release keypad A, switch 2"));
     EXPECT_EQ(s.steps[1].text, "release keypad A, switch 2");
 }
 
-TEST_F(ControlSteps, SoundLikeAPerson) {
+TEST_F(ControlSteps, DescribeThemselves) {
     EXPECT_EQ(said("press: {keypad: [\"5\", \"1\"], key: 0}"),
               "press keypad 1 and 5, key 0 for 100ms");
     EXPECT_EQ(said("hold: {switch: [1, 2]}"), "hold switch 1 and 2");

@@ -42,8 +42,8 @@ TEST_F(KeyboardSteps, HoldAndRelease) {
     EXPECT_EQ(said("hold-key: [Shift, Up]"), "hold Shift and Up on the keyboard");
     const auto s = sim::parse_scenario(
         "name: a\nversion: 1\nsteps:\n- hold-key: [Shift, Up]\n- release-key: Up\n", "a.yaml");
-    s.steps.at(1).step->play(stage);
-    EXPECT_THAT(stage.done, ElementsAre("key E075 up"));
+    s.steps.at(1).step->play(board);
+    EXPECT_THAT(board.done, ElementsAre("key E075 up"));
 }
 
 TEST_F(KeyboardSteps, RefuseWhatIsNoKeyOrNotFree) {

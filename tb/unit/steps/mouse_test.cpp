@@ -11,19 +11,19 @@ using testing::StartsWith;
 class MouseSteps : public StepTest {};
 
 TEST_F(MouseSteps, MoveAtOneSpeedAndArriveExactly) {
-    stage.meanwhile = [&] {
-        if (stage.now_ms() == 51) {
-            EXPECT_EQ(stage.mouse_right, 150);
-            EXPECT_EQ(stage.mouse_up, 35);
+    board.meanwhile = [&] {
+        if (board.now_ms() == 51) {
+            EXPECT_EQ(board.mouse_right, 150);
+            EXPECT_EQ(board.mouse_up, 35);
         }
     };
     EXPECT_FALSE(play("move-mouse: {right: 300, down: -70}"));
-    EXPECT_EQ(stage.now_ms(), 100u);
-    EXPECT_EQ(stage.mouse_right, 300);
-    EXPECT_EQ(stage.mouse_up, 70);
+    EXPECT_EQ(board.now_ms(), 100u);
+    EXPECT_EQ(board.mouse_right, 300);
+    EXPECT_EQ(board.mouse_up, 70);
     EXPECT_FALSE(play("move-mouse: {down: 5000, for: 1s}"));
-    EXPECT_EQ(stage.now_ms(), 1100u);
-    EXPECT_EQ(stage.mouse_up, -4930);
+    EXPECT_EQ(board.now_ms(), 1100u);
+    EXPECT_EQ(board.mouse_up, -4930);
     EXPECT_EQ(said("move-mouse: {right: 5}"), "move the mouse 5 to the right and 0 down in 100ms");
 }
 
@@ -51,8 +51,8 @@ TEST_F(MouseSteps, DragWithTheButtonDownAllTheWay) {
     const auto done = acts("drag-mouse: {right: 20, down: 10, for: 2ms}");
     EXPECT_THAT(done, ElementsAre("button 0 down", "wait 30ms", "wait 1ms", "wait 1ms", "wait 30ms",
                                   "button 0 up"));
-    EXPECT_EQ(stage.mouse_right, 20);
-    EXPECT_EQ(stage.mouse_up, -10);
+    EXPECT_EQ(board.mouse_right, 20);
+    EXPECT_EQ(board.mouse_up, -10);
     EXPECT_EQ(said("drag-mouse: {right: 1, button: right}"),
               "drag the mouse 1 to the right and 0 down in 100ms with the right mouse button");
 }

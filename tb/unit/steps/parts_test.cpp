@@ -20,7 +20,7 @@ const std::string PARTS =
 class PartSteps : public StepTest {
 protected:
     std::optional<sim::Verdict> play_with_parts(const std::string& step) {
-        return sim::parse_scenario(PARTS + step + "\n", "a.yaml").steps.at(0).step->play(stage);
+        return sim::parse_scenario(PARTS + step + "\n", "a.yaml").steps.at(0).step->play(board);
     }
     std::string finds_with_parts(const std::string& step) {
         const auto verdict = play_with_parts(step);
@@ -50,11 +50,11 @@ TEST_F(PartSteps, ReadPinsFromTheLeft) {
 }
 
 TEST_F(PartSteps, KnowMatricesWhoseRowIsANumber) {
-    const std::string board =
+    const std::string matrices =
         "- led-matrix: {name: red, row-number: \"GPIO_1[9:8]\", columns: \"GPIO_1[1:0]\"}\n"
         "- led-matrix: {name: green, row-number: \"GPIO_1[9:8]\", columns: \"GPIO_1[3:2]\"}\n";
     const auto scenario = sim::parse_scenario(
-        "name: a\nversion: 1\nparts:\n" + board +
+        "name: a\nversion: 1\nparts:\n" + matrices +
             "steps:\n- expect-matrix: {matrix: red, equals: \"#.\\n.#\\n..\\n..\"}\n",
         "a.yaml");
     EXPECT_THAT(scenario.parts[1].pins, ElementsAre(45, 44));
@@ -75,21 +75,21 @@ TEST_F(PartSteps, MoveContacts) {
     play_with_parts("hold-button: fire");
     play_with_parts("set-switch: {switch: mode, level: high}");
     play_with_parts("set-switch: {switch: mode, level: low}");
-    EXPECT_THAT(stage.done,
+    EXPECT_THAT(board.done,
                 ElementsAre("fire closed", "wait 80ms", "fire open", "fire closed", "wait 100ms",
                             "fire open", "fire closed", "mode closed", "mode open"));
 }
 
 TEST_F(PartSteps, LookAtLeds) {
-    stage.lit = true;
+    board.lit = true;
     EXPECT_EQ(finds_with_parts("expect-led: {led: heart, equals: lit}"), "met");
     EXPECT_EQ(finds_with_parts("expect-led: {led: heart, equals: dark}"), "it is lit");
-    stage.meanwhile = [&] { stage.lit = stage.now_ms() < 7; };
+    board.meanwhile = [&] { board.lit = board.now_ms() < 7; };
     EXPECT_EQ(finds_with_parts("expect-led: {led: heart, equals: dark, timeout: 1s}"), "met");
 }
 
 TEST_F(PartSteps, LookAtAMatrix) {
-    stage.rows = {"#..", ".+#"};
+    board.rows = {"#..", ".+#"};
     EXPECT_EQ(finds_with_parts("expect-matrix: {matrix: face, equals: \"#..\\n.+#\"}"), "met");
     EXPECT_EQ(finds_with_parts("expect-matrix:\n    matrix: face\n    equals: |\n      #..\n"
                                "      ..#"),
@@ -97,15 +97,15 @@ TEST_F(PartSteps, LookAtAMatrix) {
 }
 
 TEST_F(PartSteps, SaveThePictureOfAnLt24) {
-    stage.lt24 = {1, 1, {1, 2, 3}};
+    board.lt24 = {1, 1, {1, 2, 3}};
     const auto scenario = sim::parse_scenario(
         "name: a\nversion: 1\nparts:\n- lt24: GPIO_1\nsteps:\n"
         "- take-screenshot: {save-to: a.png, of: lt24}\n- take-screenshot: {save-to: b.png}\n",
         "a.yaml");
-    for (const auto& step : scenario.steps) step.step->play(stage);
-    ASSERT_EQ(stage.saved.size(), 2u);
-    EXPECT_EQ(stage.saved[0].second, stage.lt24);
-    EXPECT_EQ(stage.saved[1].second.width, 640u);
+    for (const auto& step : scenario.steps) step.step->play(board);
+    ASSERT_EQ(board.saved.size(), 2u);
+    EXPECT_EQ(board.saved[0].second, board.lt24);
+    EXPECT_EQ(board.saved[1].second.width, 640u);
     EXPECT_EQ(scenario.steps[0].text, "take screenshot a.png on the LT24");
     EXPECT_EQ(step_error("take-screenshot: {save-to: a.png, of: lt24}"),
               "a.yaml:4:3: expected an lt24 among the parts, got \"lt24\"");
@@ -113,7 +113,7 @@ TEST_F(PartSteps, SaveThePictureOfAnLt24) {
               "a.yaml:5:3: expected pins that are free, got GPIO_0[13], which lt24 of line 4 has");
 }
 
-TEST_F(PartSteps, SoundLikeAPerson) {
+TEST_F(PartSteps, DescribeThemselves) {
     const auto steps =
         sim::parse_scenario(PARTS +
                                 "press-button: fire\n- hold-button: fire\n"

@@ -16,8 +16,8 @@ class PictureSteps : public StepTest {
 protected:
     // A frame each 10 ms, every third a new picture.
     void SetUp() override {
-        stage.meanwhile = [&] {
-            if (stage.now_ms() % 10 == 0) show_frame(stage.now_ms() % 30 == 0);
+        board.meanwhile = [&] {
+            if (board.now_ms() % 10 == 0) show_frame(board.now_ms() % 30 == 0);
         };
     }
 
@@ -27,35 +27,35 @@ protected:
     std::string expect_frame(const std::string& rest = "") {
         const std::string step = "expect-frame: {equals: golden.png" + rest + "}";
         const auto verdict =
-            read_step(step, (files / "run.yaml").string()).step->play(stage).value();
+            read_step(step, (files / "run.yaml").string()).step->play(board).value();
         return verdict.met ? "met" : verdict.detail;
     }
 };
 
 TEST_F(PictureSteps, WaitForANumberTheNextOrTheNextNewPicture) {
     EXPECT_EQ(finds("wait-frame: 2"), "met");
-    EXPECT_EQ(stage.now_ms(), 20u);
+    EXPECT_EQ(board.now_ms(), 20u);
     EXPECT_EQ(finds("wait-frame: 2"), "met");
-    EXPECT_EQ(stage.now_ms(), 20u);
+    EXPECT_EQ(board.now_ms(), 20u);
     EXPECT_EQ(finds("wait-frame: next"), "met");
-    EXPECT_EQ(stage.now_ms(), 30u);
+    EXPECT_EQ(board.now_ms(), 30u);
     EXPECT_EQ(finds("wait-frame: {frame: next-swap}"), "met");
-    EXPECT_EQ(stage.now_ms(), 60u);
+    EXPECT_EQ(board.now_ms(), 60u);
 }
 
 TEST_F(PictureSteps, GiveUpAfterTenSecondsUnlessTheySaySo) {
     EXPECT_EQ(finds("wait-frame: {frame: 7, timeout: 65ms}"),
               "6 frames shown, 2 of them new pictures");
-    stage.meanwhile = [] {};
+    board.meanwhile = [] {};
     EXPECT_NE(finds("wait-frame: next"), "met");
-    EXPECT_EQ(stage.now_ms(), 10'065u);
+    EXPECT_EQ(board.now_ms(), 10'065u);
 }
 
 TEST_F(PictureSteps, CompareWithThePictureBesideTheScenario) {
     sim::write_png(files / "golden.png", {640, 480, std::vector<std::uint8_t>(BYTES, 0x80)});
     show_frame(true, 0x808080);
     EXPECT_EQ(expect_frame(), "met");
-    EXPECT_THAT(stage.saved, IsEmpty());
+    EXPECT_THAT(board.saved, IsEmpty());
 }
 
 TEST_F(PictureSteps, KeepWhatDiffers) {
@@ -67,10 +67,10 @@ TEST_F(PictureSteps, KeepWhatDiffers) {
               "frame 0: 2 pixels differ; see out/mismatch/line4_golden_actual.png, "
               "out/mismatch/line4_golden_expected.png and "
               "out/mismatch/line4_golden_difference.png");
-    ASSERT_EQ(stage.saved.size(), 3u);
-    EXPECT_EQ(stage.saved[1].first, "out/mismatch/line4_golden_expected.png");
-    EXPECT_EQ(stage.saved[1].second, golden);
-    stage.disk_full = true;
+    ASSERT_EQ(board.saved.size(), 3u);
+    EXPECT_EQ(board.saved[1].first, "out/mismatch/line4_golden_expected.png");
+    EXPECT_EQ(board.saved[1].second, golden);
+    board.disk_full = true;
     EXPECT_EQ(expect_frame(), "frame 0: 2 pixels differ");
 }
 
@@ -93,23 +93,23 @@ TEST_F(PictureSteps, IgnoreWhatDiffersInsideARectangle) {
 
 TEST_F(PictureSteps, RenewTheGoldenPictureWhereThatIsAskedForAndItDiffers) {
     sim::write_png(files / "golden.png", {640, 480, std::vector<std::uint8_t>(BYTES, 0x80)});
-    stage.renews = true;
+    board.renews = true;
     const auto verdict =
         play(fmt::format("expect-frame: {{equals: \"{}\"}}", (files / "golden.png").string()));
     EXPECT_TRUE(verdict->met);
     EXPECT_THAT(verdict->detail, StartsWith("renewed: frame 0: 307200 pixels differ; see "));
-    EXPECT_THAT(stage.done, ElementsAre("renew golden.png"));
+    EXPECT_THAT(board.done, ElementsAre("renew golden.png"));
     show_frame(true, 0x808080);
     EXPECT_EQ(expect_frame(), "met");
-    EXPECT_THAT(stage.done, SizeIs(1));
+    EXPECT_THAT(board.done, SizeIs(1));
 }
 
 TEST_F(PictureSteps, TakeAPictureOfAnySize) {
     sim::write_png(files / "golden.png", {800, 600, std::vector<std::uint8_t>(800 * 600 * 3, 7)});
-    stage.seen.frame({1, true, std::vector<std::uint32_t>(800 * 600, 0x070707), 800, 600});
+    board.seen.frame({1, true, std::vector<std::uint32_t>(800 * 600, 0x070707), 800, 600});
     EXPECT_EQ(expect_frame(), "met");
     EXPECT_FALSE(play("take-screenshot: {save-to: a.png}"));
-    EXPECT_EQ(stage.saved.at(0).second.width, 800u);
+    EXPECT_EQ(board.saved.at(0).second.width, 800u);
 }
 
 TEST_F(PictureSteps, SayBothSizesWhereTheyDiffer) {
@@ -117,8 +117,8 @@ TEST_F(PictureSteps, SayBothSizesWhereTheyDiffer) {
     EXPECT_EQ(expect_frame(", differing-pixels: 1310720"),
               "frame 0: 640 x 480 pixels, but golden.png has 800 x 600; see "
               "out/mismatch/line4_golden_actual.png and out/mismatch/line4_golden_expected.png");
-    EXPECT_EQ(stage.saved.size(), 2u);
-    stage.disk_full = true;
+    EXPECT_EQ(board.saved.size(), 2u);
+    board.disk_full = true;
     EXPECT_EQ(expect_frame(), "frame 0: 640 x 480 pixels, but golden.png has 800 x 600");
 }
 
@@ -128,12 +128,12 @@ TEST_F(PictureSteps, AreNotMetWithoutTheirPicture) {
 
 TEST_F(PictureSteps, TakeAScreenshotIntoTheOutputFolder) {
     EXPECT_FALSE(play("take-screenshot: {save-to: shots/a.b.png}"));
-    ASSERT_EQ(stage.saved.size(), 1u);
-    EXPECT_EQ(stage.saved[0].first, "out/shots/a.b.png");
-    EXPECT_EQ(stage.saved[0].second.rgb, std::vector<std::uint8_t>(BYTES));
+    ASSERT_EQ(board.saved.size(), 1u);
+    EXPECT_EQ(board.saved[0].first, "out/shots/a.b.png");
+    EXPECT_EQ(board.saved[0].second.rgb, std::vector<std::uint8_t>(BYTES));
 }
 
-TEST_F(PictureSteps, SoundLikeAPerson) {
+TEST_F(PictureSteps, DescribeThemselves) {
     EXPECT_EQ(said("wait-frame: 120"), "wait for frame 120 within 10s");
     EXPECT_EQ(said("wait-frame: {frame: next, timeout: 1s}"), "wait for the next frame within 1s");
     EXPECT_EQ(said("wait-frame: next-swap"), "wait for the next new picture within 10s");

@@ -24,7 +24,7 @@ TEST_F(PinSteps, DriveAllPinsOfAHeader) {
 }
 
 TEST_F(PinSteps, ExpectAllOfOneLevel) {
-    stage.pins = {sim::pins_of_bits(0xFFFFFFF7), sim::pins_of_bits(0x10) | 1};
+    board.pins = {sim::pins_of_bits(0xFFFFFFF7), sim::pins_of_bits(0x10) | 1};
     EXPECT_EQ(finds("expect-pins: {jp1: [0, 1], jp2: 4, level: high}"), "met");
     EXPECT_EQ(finds("expect-pins: {jp1: 3, jp2: [3, 5], level: low}"), "met");
     EXPECT_EQ(finds("expect-pins: {jp1: [3, 4], jp2: [4, 6, 5], level: high}"),
@@ -36,12 +36,12 @@ TEST_F(PinSteps, ExpectAllOfOneLevel) {
 }
 
 TEST_F(PinSteps, WaitForALevel) {
-    stage.meanwhile = [&] { stage.pins[0] = sim::pins_of_bits(stage.now_ms() >= 25); };
+    board.meanwhile = [&] { board.pins[0] = sim::pins_of_bits(board.now_ms() >= 25); };
     EXPECT_EQ(finds("expect-pins: {jp1: 0, level: high, timeout: 1s}"), "met");
-    EXPECT_EQ(stage.now_ms(), 25u);
+    EXPECT_EQ(board.now_ms(), 25u);
 }
 
-TEST_F(PinSteps, SoundLikeAPerson) {
+TEST_F(PinSteps, DescribeThemselves) {
     EXPECT_EQ(said("set-pins: {jp1: [0, 3], jp2: 4, level: high}"),
               "drive JP1 D0 and D3, JP2 D4 high");
     EXPECT_EQ(said("set-pins: {jp2: 4, level: released}"), "release JP2 D4");

@@ -10,7 +10,7 @@ using testing::ElementsAre;
 class SerialSteps : public StepTest {
 protected:
     void print(const std::string& text) {
-        for (const char c : text) stage.seen.console(c);
+        for (const char c : text) board.seen.console(c);
     }
 };
 
@@ -34,11 +34,11 @@ TEST_F(SerialSteps, TypeAndReadAtATerminalOfTheParts) {
         "a.yaml");
     EXPECT_THAT(scenario.parts[0].pins, ElementsAre(1, 39));
     EXPECT_EQ(scenario.parts[0].baud, 9600u);
-    for (const char c : std::string{"k ok k"}) stage.terminals["t"].print(c);
-    scenario.steps[0].step->play(stage);
-    EXPECT_THAT(stage.done, ElementsAre("at t ls"));
-    EXPECT_TRUE(scenario.steps[1].step->play(stage)->met);
-    EXPECT_EQ(scenario.steps[1].step->play(stage)->detail,
+    for (const char c : std::string{"k ok k"}) board.terminals["t"].print(c);
+    scenario.steps[0].step->play(board);
+    EXPECT_THAT(board.done, ElementsAre("at t ls"));
+    EXPECT_TRUE(scenario.steps[1].step->play(board)->met);
+    EXPECT_EQ(scenario.steps[1].step->play(board)->detail,
               "t received 2 characters behind the last match, but not that: \" k\"");
     EXPECT_EQ(scenario.steps[1].text, "wait for \"ok\" on t within 5ms");
     EXPECT_EQ(step_error("type-serial: {text: a, to: t}"),
@@ -46,11 +46,11 @@ TEST_F(SerialSteps, TypeAndReadAtATerminalOfTheParts) {
 }
 
 TEST_F(SerialSteps, WaitUntilATextIsPrinted) {
-    stage.meanwhile = [&] {
-        if (stage.now_ms() == 30) print("ready\n");
+    board.meanwhile = [&] {
+        if (board.now_ms() == 30) print("ready\n");
     };
     EXPECT_EQ(finds("wait-serial: \"ready\\n\""), "met");
-    EXPECT_EQ(stage.now_ms(), 30u);
+    EXPECT_EQ(board.now_ms(), 30u);
 }
 
 TEST_F(SerialSteps, LookBehindTheTextThatWasFoundBefore) {
@@ -65,9 +65,9 @@ TEST_F(SerialSteps, GiveUpAfterTenSecondsUnlessTheySaySo) {
     print("go!");
     EXPECT_EQ(finds("wait-serial: ready"),
               "the console printed 3 characters behind the last match, but not that: \"go!\"");
-    EXPECT_EQ(stage.now_ms(), 10'000u);
+    EXPECT_EQ(board.now_ms(), 10'000u);
     finds("wait-serial: {text: ready, timeout: 2s}");
-    EXPECT_EQ(stage.now_ms(), 12'000u);
+    EXPECT_EQ(board.now_ms(), 12'000u);
 }
 
 TEST_F(SerialSteps, SayTheEndOfWhatWasPrintedInstead) {

@@ -32,8 +32,8 @@ TEST_F(SoundInSteps, PlayAFileBesideTheScenario) {
     sf_close(file);
     for (const char* step : {"play-file: a.wav", "play-file: {file: a.wav, repeat: forever}",
                              "play-file: {file: a.wav, into: microphone}"})
-        load(step).steps.at(0).step->play(stage);
-    EXPECT_THAT(stage.done,
+        load(step).steps.at(0).step->play(board);
+    EXPECT_THAT(board.done,
                 ElementsAre("play 3 into 0 false", "play 3 into 0 true", "play 3 into 1 false"));
     EXPECT_EQ(said("play-file: b/a.wav"), "play a.wav into LINE IN");
     EXPECT_EQ(said("play-file: {file: a.wav, into: microphone, repeat: forever}"),

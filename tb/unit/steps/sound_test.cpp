@@ -15,14 +15,14 @@ protected:
 
     // 8 samples per millisecond.
     void SetUp() override {
-        stage.seen.sample_rate(8000);
-        stage.meanwhile = [&] {
+        board.seen.sample_rate(8000);
+        board.meanwhile = [&] {
             for (int i = 0; i < 8; ++i) {
                 const double t = static_cast<double>(samples_++) / 8000;
-                const bool on = hz > 0 && stage.now_ms() > from_ms;
+                const bool on = hz > 0 && board.now_ms() > from_ms;
                 const auto s =
                     static_cast<std::int16_t>(on ? 8000 * std::sin(6.2831853 * hz * t) : 0);
-                stage.seen.sample(s, s);
+                board.seen.sample(s, s);
             }
         };
     }
@@ -34,16 +34,16 @@ private:
 TEST_F(SoundSteps, HearATone) {
     hz = 440;
     EXPECT_EQ(finds("expect-tone: {hz: 440}"), "met");
-    EXPECT_EQ(stage.now_ms(), 100u);
+    EXPECT_EQ(board.now_ms(), 100u);
     EXPECT_EQ(finds("expect-tone: {hz: 450}"), "met");  // within 3 %
     EXPECT_THAT(finds("expect-tone: {hz: 450, within: 0.5%}"), StartsWith("440."));
 }
 
 TEST_F(SoundSteps, WaitASecondForAToneToBeginUnlessTheySaySo) {
     EXPECT_EQ(finds("expect-tone: {hz: 440}"), "silence");
-    EXPECT_EQ(stage.now_ms(), 1100u);
+    EXPECT_EQ(board.now_ms(), 1100u);
     EXPECT_EQ(finds("expect-tone: {hz: 440.5, within: 0.5%, for: 50ms, timeout: 0s}"), "silence");
-    EXPECT_EQ(stage.now_ms(), 1150u);
+    EXPECT_EQ(board.now_ms(), 1150u);
     hz = 440;
     from_ms = 1500;
     EXPECT_EQ(finds("expect-tone: {hz: 440}"), "met");
@@ -51,18 +51,18 @@ TEST_F(SoundSteps, WaitASecondForAToneToBeginUnlessTheySaySo) {
 
 TEST_F(SoundSteps, HearNothing) {
     EXPECT_EQ(finds("expect-silence: {for: 100ms}"), "met");
-    EXPECT_EQ(stage.now_ms(), 100u);
+    EXPECT_EQ(board.now_ms(), 100u);
     hz = 440;
     from_ms = 150;
     EXPECT_THAT(finds("expect-silence: {for: 100ms}"), StartsWith("sound after 50."));
 }
 
 TEST_F(SoundSteps, DoNotTakeAPausedCodecForSilence) {
-    stage.meanwhile = [] {};
+    board.meanwhile = [] {};
     EXPECT_EQ(finds("expect-silence: {for: 100ms}"), "no samples were played");
 }
 
-TEST_F(SoundSteps, SoundLikeAPerson) {
+TEST_F(SoundSteps, DescribeThemselves) {
     EXPECT_EQ(said("expect-tone: {hz: 440}"),
               "expect a tone of 440 Hz, give or take 3%, for 100ms within 1s");
     EXPECT_EQ(said("expect-silence: {for: 1s}"), "expect silence for 1s");

@@ -1,4 +1,4 @@
-// step_bench.h - test fixture: a step read from its text, on a mock stage that records its actions
+// step_bench.h - test fixture: a step read from its text, on a mock board that records its actions
 #pragma once
 
 #include <algorithm>
@@ -13,8 +13,8 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
+#include "sim/scenario/board_control.h"
 #include "sim/scenario/scenario.h"
-#include "sim/scenario/stage.h"
 
 namespace tb {
 
@@ -25,11 +25,11 @@ inline std::string bounces(const sim::Controls& c, sim::SimTime time) {
 }
 
 // Time passes in milliseconds; after each `meanwhile` happens.
-class RecordingStage : public sim::Stage {
+class RecordingStage : public sim::BoardControl {
 public:
     std::vector<std::string> done;  // "wait 80ms"
     std::vector<std::pair<std::string, sim::Image>> saved;
-    sim::Senses seen;
+    sim::Observations seen;
     std::map<std::string, sim::ConsoleText> terminals;
     std::uint16_t leds = 0;
     bool lit = false;
@@ -115,7 +115,7 @@ public:
     void show_picture(std::shared_ptr<const sim::Image> picture) override {
         done.push_back(fmt::format("camera {} x {}", picture->width, picture->height));
     }
-    sim::Senses& senses() override { return seen; }
+    sim::Observations& observations() override { return seen; }
     sim::ConsoleText& terminal(const std::string& part) override { return terminals[part]; }
     std::uint16_t ledr() override { return leds; }
     sim::HexSegments hex() override { return segments; }
@@ -159,18 +159,18 @@ inline std::string said(const std::string& text) { return read_step(text).text; 
 
 class StepTest : public ::testing::Test {
 protected:
-    RecordingStage stage;
+    RecordingStage board;
 
     std::optional<sim::Verdict> play(const std::string& text) {
         const sim::ScenarioStep step = read_step(text);
-        std::optional<sim::Verdict> verdict = step.step->play(stage);
+        std::optional<sim::Verdict> verdict = step.step->play(board);
         EXPECT_EQ(verdict.has_value(), step.step->decides());
         return verdict;
     }
     // Of an action: what it did.
     std::vector<std::string> acts(const std::string& text) {
         EXPECT_FALSE(play(text));
-        return std::exchange(stage.done, {});
+        return std::exchange(board.done, {});
     }
     // Of a claim: "met" or what was found instead.
     std::string finds(const std::string& text) {
@@ -180,7 +180,7 @@ protected:
     }
     void show_frame(bool is_new, std::uint32_t colour = 0) {
         const std::vector<std::uint32_t> pixels(640 * 480, colour);
-        stage.seen.frame({++frames_, is_new, pixels, 640, 480});
+        board.seen.frame({++frames_, is_new, pixels, 640, 480});
     }
 
 private:

@@ -1,4 +1,4 @@
-#include "sim/play/player.h"
+#include "sim/play/scenario_runner.h"
 
 #include <algorithm>
 
@@ -22,11 +22,16 @@ sc_time to_sc(SimTime time) { return sc_time::from_value(time.ps); }  // resolut
 
 }  // namespace
 
-Player::Player(const sc_core::sc_module_name& name, Board& board, Senses& senses,
-               const std::vector<ScenarioStep>& steps, std::filesystem::path out)
-    : sc_module{name}, board_{board}, senses_{senses}, steps_{steps}, out_{std::move(out)} {
-    senses_.frame_shown = [this] { perceive(frame_shown_); };
-    senses_.printed = [this] { perceive(printed_); };
+ScenarioRunner::ScenarioRunner(const sc_core::sc_module_name& name, Board& board,
+                               Observations& observations, const std::vector<ScenarioStep>& steps,
+                               std::filesystem::path out)
+    : sc_module{name},
+      board_{board},
+      observations_{observations},
+      steps_{steps},
+      out_{std::move(out)} {
+    observations_.frame_shown = [this] { perceive(frame_shown_); };
+    observations_.printed = [this] { perceive(printed_); };
     board_.parts.for_each_terminal([this](const std::string& part, SerialTerminal& terminal) {
         terminal.heard = [this, part, &text = terminals_[part]](char byte) {
             text.print(byte);
@@ -34,11 +39,11 @@ Player::Player(const sc_core::sc_module_name& name, Board& board, Senses& senses
             perceive(printed_);
         };
     });
-    SC_HAS_PROCESS(Player);
+    SC_HAS_PROCESS(ScenarioRunner);
     SC_THREAD(run);
 }
 
-void Player::run() {
+void ScenarioRunner::run() {
     for (; current_ < steps_.size(); ++current_) {
         const ScenarioStep& step = steps_[current_];
         const double from_s = seconds(sc_time_stamp());
@@ -53,11 +58,11 @@ void Player::run() {
     done_.notify(sc_core::SC_ZERO_TIME);
 }
 
-Expectation Player::expectation(const ScenarioStep& step, Verdict verdict) {
+Expectation ScenarioRunner::expectation(const ScenarioStep& step, Verdict verdict) {
     return {step.text, step.line, seconds(sc_time_stamp()), verdict.met, std::move(verdict.detail)};
 }
 
-std::vector<Expectation> Player::results() const {
+std::vector<Expectation> ScenarioRunner::results() const {
     std::vector<Expectation> all = results_;
     for (std::size_t i = current_; i < steps_.size(); ++i)
         if (steps_[i].step->decides())
@@ -69,12 +74,12 @@ std::vector<Expectation> Player::results() const {
 
 // What earlier steps still do at that instant, such as letting a key go, comes before the next
 // step.  LivePlayer has the same order, so that what it recorded plays the same again.
-void Player::wait(SimTime time) {
+void ScenarioRunner::wait(SimTime time) {
     sc_module::wait(to_sc(time));
     sc_module::wait(sc_core::SC_ZERO_TIME);
 }
 
-bool Player::wait_until(Each each, SimTime timeout, const std::function<bool()>& met) {
+bool ScenarioRunner::wait_until(Each each, SimTime timeout, const std::function<bool()>& met) {
     const sc_time end = sc_time_stamp() + to_sc(timeout);
     for (;;) {
         if (met()) return true;
@@ -91,107 +96,112 @@ bool Player::wait_until(Each each, SimTime timeout, const std::function<bool()>&
 }
 
 // A processor that runs ahead may have come to it before SystemC has.
-void Player::perceive(sc_core::sc_event& what) {
+void ScenarioRunner::perceive(sc_core::sc_event& what) {
     perceived_ps_ = std::max(perceived_ps_, board_.chip().time_ps());
     what.notify(sc_core::SC_ZERO_TIME);
 }
 
 // ---- Hands ----
 
-void Player::before_press(const std::string& control) {
+void ScenarioRunner::before_press(const std::string& control) {
     if (hands_.has_just_let_go(control)) sc_module::wait(Hands::pause());
 }
 
-void Player::hold(const Controls& c, SimTime bounce) {
+void ScenarioRunner::hold(const Controls& c, SimTime bounce) {
     for (const unsigned number : control_numbers(c)) before_press(control_name(number));
     board_.hold(c.keypad, c.keys, c.switches, bounce.ps);
 }
-void Player::release(const Controls& c, SimTime bounce) {
+void ScenarioRunner::release(const Controls& c, SimTime bounce) {
     board_.release(c.keypad, c.keys, c.switches, bounce.ps);
     for (const unsigned number : control_numbers(c)) hands_.let_go(control_name(number));
 }
-void Player::drive_pins(const HeaderMasks& pins, PinLevel level) { board_.drive_pins(pins, level); }
-void Player::close_contact(const std::string& part, bool closed) {
+void ScenarioRunner::drive_pins(const HeaderMasks& pins, PinLevel level) {
+    board_.drive_pins(pins, level);
+}
+void ScenarioRunner::close_contact(const std::string& part, bool closed) {
     const std::string control = "part " + part;
     if (closed && board_.parts.is_button(part)) before_press(control);
     board_.close_contact(part, closed);
     if (!closed) hands_.let_go(control);
 }
-void Player::set_voltage(unsigned channel, double volts) { board_.set_voltage(channel, volts); }
-void Player::accelerate(double x, double y, double z) { board_.accelerate({x, y, z}); }
-void Player::type_serial(const std::string& text, std::optional<SerialLine> to) {
+void ScenarioRunner::set_voltage(unsigned channel, double volts) {
+    board_.set_voltage(channel, volts);
+}
+void ScenarioRunner::accelerate(double x, double y, double z) { board_.accelerate({x, y, z}); }
+void ScenarioRunner::type_serial(const std::string& text, std::optional<SerialLine> to) {
     board_.type(text, to);
 }
-void Player::type_at(const std::string& part, const std::string& text) {
+void ScenarioRunner::type_at(const std::string& part, const std::string& text) {
     board_.type_at(part, text);
 }
-void Player::type_keys(const std::string& text) {
+void ScenarioRunner::type_keys(const std::string& text) {
     board_.act([this, text] { board_.ps2_keyboard.type(text); });
 }
-void Player::hold_key(std::uint16_t code) {
+void ScenarioRunner::hold_key(std::uint16_t code) {
     before_press("code " + std::to_string(code));
     board_.act([this, code] { board_.ps2_keyboard.press(code); });
 }
-void Player::release_key(std::uint16_t code) {
+void ScenarioRunner::release_key(std::uint16_t code) {
     board_.act([this, code] { board_.ps2_keyboard.release(code); });
     hands_.let_go("code " + std::to_string(code));
 }
-void Player::press_remote(std::uint8_t button) {
+void ScenarioRunner::press_remote(std::uint8_t button) {
     board_.act([this, button] { board_.remote_control.press(button); });
 }
-void Player::move_mouse(int right, int up) {
+void ScenarioRunner::move_mouse(int right, int up) {
     board_.act([this, right, up] { board_.ps2_mouse.move(right, up); });
 }
-void Player::turn_wheel(int notches) {
+void ScenarioRunner::turn_wheel(int notches) {
     board_.act([this, notches] { board_.ps2_mouse.turn(notches); });
 }
-void Player::hold_button(MouseButton button) {
+void ScenarioRunner::hold_button(MouseButton button) {
     before_press(name_of(button));
     board_.act([this, button] { board_.ps2_mouse.button(button, true); });
 }
-void Player::release_button(MouseButton button) {
+void ScenarioRunner::release_button(MouseButton button) {
     board_.act([this, button] { board_.ps2_mouse.button(button, false); });
     hands_.let_go(name_of(button));
 }
 
-SoundSource& Player::source(SoundInput input) {
+SoundSource& ScenarioRunner::source(SoundInput input) {
     return input == SoundInput::LINE_IN ? board_.line_in : board_.microphone;
 }
 
-void Player::play(SoundInput input, std::shared_ptr<const Recording> recording, bool for_ever) {
+void ScenarioRunner::play(SoundInput input, std::shared_ptr<const Recording> recording,
+                          bool for_ever) {
     const std::uint64_t now_ps = sc_time_stamp().value();
     board_.act([=] { source(input).play(recording, for_ever, now_ps); });
 }
-void Player::play_tone(SoundInput input, double hz, double level) {
+void ScenarioRunner::play_tone(SoundInput input, double hz, double level) {
     const std::uint64_t now_ps = sc_time_stamp().value();
     board_.act([=] { source(input).tone(hz, level, now_ps); });
 }
-void Player::play_silence(SoundInput input) {
+void ScenarioRunner::play_silence(SoundInput input) {
     board_.act([=] { source(input).silence(); });
 }
 
-void Player::show_picture(std::shared_ptr<const Image> picture) {
+void ScenarioRunner::show_picture(std::shared_ptr<const Image> picture) {
     board_.act([=] { board_.video_decoder.show(picture); });
 }
 
 // ---- Eyes and ears ----
 
-Senses& Player::senses() {
+Observations& ScenarioRunner::observations() {
     board_.chip().catch_up();
-    return senses_;
+    return observations_;
 }
 
-ConsoleText& Player::terminal(const std::string& part) {
+ConsoleText& ScenarioRunner::terminal(const std::string& part) {
     board_.chip().catch_up();
     return terminals_.at(part);
 }
 
-std::uint16_t Player::ledr() {
+std::uint16_t ScenarioRunner::ledr() {
     board_.chip().catch_up();
     return board_.lamps().ledr;
 }
 
-HexSegments Player::hex() {
+HexSegments ScenarioRunner::hex() {
     board_.chip().catch_up();
     const std::uint64_t lit = board_.lamps().hex;
     HexSegments segments{};
@@ -200,35 +210,35 @@ HexSegments Player::hex() {
     return segments;
 }
 
-bool Player::hps_led() {
+bool ScenarioRunner::hps_led() {
     board_.chip().catch_up();
     return board_.lamps().hps_led;
 }
 
-HeaderMasks Player::header_levels() {
+HeaderMasks ScenarioRunner::header_levels() {
     board_.chip().catch_up();
     return {board_.lamps().gpio[0].levels, board_.lamps().gpio[1].levels};
 }
 
-bool Player::led_is_lit(const std::string& part) {
+bool ScenarioRunner::led_is_lit(const std::string& part) {
     board_.chip().catch_up();
     return board_.parts.leds(part).lit(sc_time_stamp().value());
 }
 
-Image Player::lt24_picture() {
+Image ScenarioRunner::lt24_picture() {
     board_.chip().catch_up();
     const Ili9341::Picture seen = board_.parts.lt24().picture();
     return image_of(seen.pixels, seen.width, seen.height);
 }
 
-std::vector<std::string> Player::matrix_rows(const std::string& part) {
+std::vector<std::string> ScenarioRunner::matrix_rows(const std::string& part) {
     board_.chip().catch_up();
     return board_.parts.leds(part).picture(sc_time_stamp().value());
 }
 
 // ---- The output folder ----
 
-bool Player::save(const std::filesystem::path& path, const Image& image) {
+bool ScenarioRunner::save(const std::filesystem::path& path, const Image& image) {
     try {
         make_folder(path.parent_path());
         write_png(path, image);
@@ -240,7 +250,7 @@ bool Player::save(const std::filesystem::path& path, const Image& image) {
     }
 }
 
-bool Player::renew(const std::filesystem::path& golden, const Image& picture) {
+bool ScenarioRunner::renew(const std::filesystem::path& golden, const Image& picture) {
     if (!renews_goldens) return false;
     try {
         write_png(golden, picture);

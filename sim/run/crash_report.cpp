@@ -1,5 +1,5 @@
-// last_words.cpp - see last_words.h
-#include "sim/run/last_words.h"
+// crash_report.cpp - see crash_report.h
+#include "sim/run/crash_report.h"
 
 #include <fcntl.h>
 #include <unistd.h>
@@ -89,7 +89,8 @@ void handle_by(void (*handler)(int)) {
 
 }  // namespace
 
-LastWords::LastWords(const std::filesystem::path& out, const RunReport& report) : report_{report} {
+CrashReport::CrashReport(const std::filesystem::path& out, const RunReport& report)
+    : report_{report} {
     report_.end = RunEnd::INTERNAL_ERROR;
     for (Prepared& each : prepared)
         for (Files& files : each.endings) {
@@ -105,9 +106,9 @@ LastWords::LastWords(const std::filesystem::path& out, const RunReport& report) 
     handle_by(on_death);
 }
 
-LastWords::~LastWords() { handle_by(SIG_DFL); }
+CrashReport::~CrashReport() { handle_by(SIG_DFL); }
 
-void LastWords::renew(double simulated_s, std::uint64_t frames_shown) {
+void CrashReport::renew(double simulated_s, std::uint64_t frames_shown) {
     report_.simulated_s = simulated_s;
     report_.frames_shown = frames_shown;
     const int other = 1 - counts;

@@ -1,4 +1,4 @@
-// arm_astray.cpp - ArmCpu's detection of programs whose pc or stack has gone where it cannot belong
+// arm_runaway.cpp - ArmCpu's detection of programs whose pc or stack has gone where it cannot belong
 #include <algorithm>
 #include <array>
 
@@ -16,8 +16,8 @@ constexpr std::uint32_t JUMP = 1 << 20;
 
 }  // namespace
 
-void ArmCpu::lost(const std::string& what) {
-    const std::string stack = overgrown(core_.reg(13), true);
+void ArmCpu::fail_runaway(const std::string& what) {
+    const std::string stack = stack_overflow(core_.reg(13), true);
     const std::string why =
         fmt::format("{} {}; {}LR 0x{:08X}{}", what, where(), stack.empty() ? "" : stack + "; ",
                     core_.reg(14), callers());
@@ -34,20 +34,20 @@ const ElfSection* ArmCpu::data_at(std::uint32_t address) const {
 
 // At a place of its data, from which no instruction has been read so far: it may have written some.
 // False: that is not why there is no instruction.
-bool ArmCpu::goes_into_data() {
+bool ArmCpu::enters_data() {
     const std::uint32_t pc = core_.fault().address;
     const ElfSection* const data = data_at(pc);
     std::uint16_t half = 0;
     if (!data || core_.fault().mmu || !core_.read_ram(pc, &half, sizeof half)) return false;
     for (const ElfSection& section : program_.elf.sections)
         if (section.is_data()) core_.permit_code(section.address, section.size);
-    went_into_data_ = fmt::format("the program went into its data, {}, {}; LR 0x{:08X}{}",
-                                  data->name, where(), core_.reg(14), callers());
+    entered_data_ = fmt::format("the program went into its data, {}, {}; LR 0x{:08X}{}", data->name,
+                                where(), core_.reg(14), callers());
     return true;
 }
 
 std::string ArmCpu::in_data(const ElfSection& data, const std::string& what) const {
-    if (!went_into_data_.empty()) return went_into_data_ + "; there: " + what;
+    if (!entered_data_.empty()) return entered_data_ + "; there: " + what;
     return fmt::format("the program is in its data, {}: {}", data.name, what);
 }
 
@@ -66,7 +66,7 @@ bool ArmCpu::is_as_loaded(std::uint32_t address) const {
 // What is wrong with the present mode's stack, or "".  `lowest`: the lowest address that was
 // written, or was about to be.  `through`: the stack may have passed the code already, and have
 // overwritten it.
-std::string ArmCpu::overgrown(std::uint32_t lowest, bool through) const {
+std::string ArmCpu::stack_overflow(std::uint32_t lowest, bool through) const {
     const Stack& stack = stacks_[core_.cpsr() & 0xF];
     if (stack.top == 0 || stack.now - lowest > JUMP)
         return "";  // it has not grown since it was first seen
@@ -84,15 +84,15 @@ std::string ArmCpu::overgrown(std::uint32_t lowest, bool through) const {
 }
 
 // Called after each quantum.
-void ArmCpu::look_astray() {
+void ArmCpu::check_runaway() {
     if (kernel_ || fault()) return;
     const ElfSection* const data = data_at(core_.pc());
     if (!data)
-        went_into_data_.clear();
+        entered_data_.clear();
     else if (stands_still() && is_as_loaded(core_.pc()))
-        return lost(in_data(*data, "it stands still"));
+        return fail_runaway(in_data(*data, "it stands still"));
     const std::uint32_t sp = core_.reg(13);
-    if (!overgrown(sp, false).empty()) return lost("the program ran out of stack");
+    if (!stack_overflow(sp, false).empty()) return fail_runaway("the program ran out of stack");
     Stack& stack = stacks_[core_.cpsr() & 0xF];
     const std::uint32_t moved = sp > stack.now ? sp - stack.now : stack.now - sp;
     stack.top = moved > JUMP ? sp : std::max(stack.top, sp);

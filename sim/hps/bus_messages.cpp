@@ -1,4 +1,4 @@
-// bus_words.cpp - why an access was refused, in the words of the board's map
+// bus_messages.cpp - why an access was refused, in the words of the board's map
 #include <fmt/format.h>
 
 #include "sim/hps/bus.h"

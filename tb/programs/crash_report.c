@@ -1,4 +1,4 @@
-// last_words.c - fills both JTAG UARTs' FIFOs and the serial line, then jumps into empty memory.
+// crash_report.c - fills both JTAG UARTs' FIFOs and the serial line, then jumps into empty memory.
 #include "registers.h"
 
 #define UART_THR REGISTER(0xFFC02000)

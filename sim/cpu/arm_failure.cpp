@@ -1,4 +1,4 @@
-// arm_death.cpp - ArmCpu's detection of programs that never return from an abort, or that have
+// arm_failure.cpp - ArmCpu's detection of programs that never return from an abort, or that have
 // ended
 #include "sim/cpu/arm_cpu.h"
 
@@ -41,7 +41,7 @@ bool ArmCpu::stands_still() const {
     return (core_.cpsr() & MASKED) == MASKED && spins();
 }
 
-std::string ArmCpu::death() const { return open_->text + "; never left its handler: " + where(); }
+std::string ArmCpu::failure() const { return open_->text + "; never left its handler: " + where(); }
 
 void ArmCpu::left_handler() {
     open_.reset();
@@ -56,45 +56,46 @@ void ArmCpu::conclude() {
 
 std::optional<std::string> ArmCpu::unfinished() const {
     if (!open_ || !in_handler()) return std::nullopt;
-    if (!spins() && now() - open_->since <= moment()) return std::nullopt;
-    return death();
+    if (!spins() && now() - open_->since <= handler_grace()) return std::nullopt;
+    return failure();
 }
 
 // Counts the exceptions that happen at the same instruction with the same registers.
-void ArmCpu::meet() {
-    decltype(met_with_) registers;
+void ArmCpu::count_repetition() {
+    decltype(repeated_state_) registers;
     for (unsigned i = 0; i < 16; ++i) registers[i] = core_.reg(i);
     registers[16] = core_.cpsr();
-    met_ = registers == met_with_ ? met_ + 1 : 1;
-    met_with_ = registers;
+    repetitions_ = registers == repeated_state_ ? repetitions_ + 1 : 1;
+    repeated_state_ = registers;
 }
 
 // Called after each quantum.
-void ArmCpu::look_for_death() {
+void ArmCpu::check_failure() {
     if (!open_) return;
     const auto dies = [this](const std::string& text) {
         const bool goes_on = inspector_ && inspector_->on_failure(core_, open_->exception);
         if (!goes_on) abort_log_.failed(open_->text);
         open_.reset();
-        met_ = 0;
+        repetitions_ = 0;
         if (!goes_on) fail(text);
     };
     if (!in_handler()) {
-        const bool back_at_it = met_ >= AGAIN && core_.pc() == met_with_[15];
+        const bool back_at_it =
+            repetitions_ >= MANY_REPETITIONS && core_.pc() == repeated_state_[15];
         if (back_at_it)
-            return dies(
-                fmt::format("{}; its handler leads back to it, {} times", open_->text, met_));
-        if (met_ >= AGAIN) met_ = 0;
+            return dies(fmt::format("{}; its handler leads back to it, {} times", open_->text,
+                                    repetitions_));
+        if (repetitions_ >= MANY_REPETITIONS) repetitions_ = 0;
         left_handler();
     } else if (!(core_.cpsr() & arm_cpsr::I) || !spins()) {
         open_->spins_from = now();
     } else if (now() - open_->spins_from >= spin_limit()) {
-        dies(death());
+        dies(failure());
     }
 }
 
 // Called after each quantum.
-void ArmCpu::look_for_end() {
+void ArmCpu::check_end() {
     if (!ended_ && (inspector_ || open_ || !stands_still()))
         over_since_.reset();
     else if (!over_since_)

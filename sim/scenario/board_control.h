@@ -1,7 +1,7 @@
-// stage.h - the board from the point of view of the person in front of it: hands, eyes, ears and a
+// board_control.h - the board from the point of view of the person in front of it: hands, eyes, ears and a
 // watch
 //
-// Steps act on this interface.  Player implements it for the simulated board; the tests of steps,
+// Steps act on this interface.  ScenarioRunner implements it for the simulated board; the tests of steps,
 // which need no simulation, implement it for a mock board.
 #pragma once
 
@@ -20,13 +20,13 @@
 #include "sim/pins/pins.h"
 #include "sim/report/png.h"
 #include "sim/scenario/controls.h"
-#include "sim/scenario/senses.h"
+#include "sim/scenario/observations.h"
 #include "sim/scenario/seven_segment.h"
 #include "sim/scenario/sim_time.h"
 
 namespace sim {
 
-class Stage {
+class BoardControl {
 public:
     // ---- Time ----
 
@@ -75,7 +75,7 @@ public:
 
     // ---- Eyes and ears: what there is now ----
 
-    virtual Senses& senses() = 0;
+    virtual Observations& observations() = 0;
     // What a terminal among the parts has received.
     virtual ConsoleText& terminal(const std::string& part) = 0;
     virtual std::uint16_t ledr() = 0;
@@ -93,7 +93,7 @@ public:
     virtual bool save(const std::filesystem::path& path, const Image& image) = 0;
 
 protected:
-    ~Stage() = default;
+    ~BoardControl() = default;
 };
 
 }  // namespace sim

@@ -1,4 +1,4 @@
-// arm_rounds.cpp - ArmCpu's shortcut: the rounds of a steady loop are not executed one by one
+// arm_shortcuts.cpp - ArmCpu's shortcut: the rounds of a steady loop are not executed one by one
 //
 // The state after them is computed (steady_loop.h), and so is their time: that of the instructions,
 // and of each access to the bus as it would have been.  So all is as without the shortcut.  It ends
@@ -86,7 +86,7 @@ std::uint64_t ArmCpu::epoch() const { return events_ + (steady_bus_ ? steady_bus
 // Called before each quantum of `most` instructions; returns how many to execute before the next
 // call.
 std::uint64_t ArmCpu::pass_rounds(std::uint64_t most) {
-    if (!shortcuts_ || inspector_ || reset_ || let_in() || !again_.empty()) return most;
+    if (!shortcuts_ || inspector_ || reset_ || pending_interrupt() || !again_.empty()) return most;
     if (pause_ > 0) {
         --pause_;
         return most;

@@ -1,4 +1,4 @@
-// senses.h - what a person in front of the board remembers: the picture, the sound, the console.
+// observations.h - what a person in front of the board remembers: the picture, the sound, the console.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@
 namespace sim {
 
 // Records what a person would see and hear: the last whole picture, the sound, the console.
-class Senses {
+class Observations {
 public:
     void frame(const Monitor::Frame& frame);
     void sample(std::int16_t left, std::int16_t right);
@@ -40,7 +40,7 @@ public:
 private:
     std::vector<std::uint32_t> pixels_ = std::vector<std::uint32_t>(640 * 480);
     unsigned width_ = 640, height_ = 480;
-    std::deque<std::pair<std::int16_t, std::int16_t>> heard_;
+    std::deque<std::pair<std::int16_t, std::int16_t>> recent_samples_;
 };
 
 // 0x00RRGGBB to PNG's bytes; as many pixels as the size says.

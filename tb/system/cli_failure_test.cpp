@@ -1,4 +1,4 @@
-// cli_death_test.cpp - programs that take an exception and never return from it.
+// cli_failure_test.cpp - programs that take an exception and never return from it.
 #include <gmock/gmock.h>
 
 #include "tb/system/cli.h"

@@ -1,4 +1,4 @@
-// player.h - the person in front of the board: carries out a scenario's steps in simulated time.
+// scenario_runner.h - the person in front of the board: carries out a scenario's steps in simulated time.
 #pragma once
 
 #include <filesystem>
@@ -10,23 +10,23 @@
 #include "sim/board/board.h"
 #include "sim/play/hands.h"
 #include "sim/report/report.h"
+#include "sim/scenario/board_control.h"
 #include "sim/scenario/scenario.h"
-#include "sim/scenario/stage.h"
 
 #include <systemc>
 
 namespace sim {
 
-class Player : public sc_core::sc_module, private Stage {
+class ScenarioRunner : public sc_core::sc_module, private BoardControl {
 public:
     // Runs through `steps` from time 0, then notifies done().  Pictures go into `out`.
-    Player(const sc_core::sc_module_name& name, Board& board, Senses& senses,
-           const std::vector<ScenarioStep>& steps, std::filesystem::path out);
+    ScenarioRunner(const sc_core::sc_module_name& name, Board& board, Observations& observations,
+                   const std::vector<ScenarioStep>& steps, std::filesystem::path out);
 
     const sc_core::sc_event& done() const { return done_; }
 
     // For steps that come later than the scenario's, from a process of SystemC.
-    Stage& stage() { return *this; }
+    BoardControl& control() { return *this; }
     bool finished() const { return finished_; }
     const sc_core::sc_time& finished_at() const { return finished_at_; }
 
@@ -77,7 +77,7 @@ private:
     void play_tone(SoundInput input, double hz, double level) override;
     void play_silence(SoundInput input) override;
     void show_picture(std::shared_ptr<const Image> picture) override;
-    Senses& senses() override;
+    Observations& observations() override;
     ConsoleText& terminal(const std::string& part) override;
     std::uint16_t ledr() override;
     HexSegments hex() override;
@@ -92,7 +92,7 @@ private:
 
     Board& board_;
     Hands hands_;
-    Senses& senses_;
+    Observations& observations_;
     std::map<std::string, ConsoleText> terminals_;  // of the parts
     const std::vector<ScenarioStep>& steps_;
     const std::filesystem::path out_;

@@ -1,4 +1,4 @@
-#include "sim/scenario/senses.h"
+#include "sim/scenario/observations.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -11,7 +11,7 @@ constexpr std::size_t HEARD_SECONDS = 10;
 
 }  // namespace
 
-void Senses::frame(const Monitor::Frame& frame) {
+void Observations::frame(const Monitor::Frame& frame) {
     frames = frame.number;
     new_pictures += frame.is_new;
     if (frame.is_new) {
@@ -22,40 +22,42 @@ void Senses::frame(const Monitor::Frame& frame) {
     if (frame_shown) frame_shown();
 }
 
-void Senses::sample(std::int16_t left, std::int16_t right) {
+void Observations::sample(std::int16_t left, std::int16_t right) {
     ++samples;
-    heard_.emplace_back(left, right);
-    while (heard_.size() > HEARD_SECONDS * static_cast<std::size_t>(std::max(rate_hz, 8000.0)))
-        heard_.pop_front();
+    recent_samples_.emplace_back(left, right);
+    while (recent_samples_.size() >
+           HEARD_SECONDS * static_cast<std::size_t>(std::max(rate_hz, 8000.0)))
+        recent_samples_.pop_front();
 }
 
-void Senses::sample_rate(double hz) {
-    if (rate_hz != 0) heard_.clear();
+void Observations::sample_rate(double hz) {
+    if (rate_hz != 0) recent_samples_.clear();
     rate_hz = hz;
 }
 
-void Senses::console(char character) {
+void Observations::console(char character) {
     text.print(character);
     tap.print(character);
     if (printed) printed();
 }
 
-bool Senses::is_black() const {
+bool Observations::is_black() const {
     return std::all_of(pixels_.begin(), pixels_.end(), [](std::uint32_t pixel) { return !pixel; });
 }
 
-Image Senses::picture() const { return image_of(pixels_, width_, height_); }
+Image Observations::picture() const { return image_of(pixels_, width_, height_); }
 
-std::vector<std::int16_t> Senses::last_samples(std::uint64_t count) const {
-    const auto n = static_cast<std::ptrdiff_t>(std::min<std::uint64_t>(count, heard_.size()));
+std::vector<std::int16_t> Observations::last_samples(std::uint64_t count) const {
+    const auto n =
+        static_cast<std::ptrdiff_t>(std::min<std::uint64_t>(count, recent_samples_.size()));
     std::int64_t left = 0, right = 0;
-    for (auto it = heard_.end() - n; it != heard_.end(); ++it) {
+    for (auto it = recent_samples_.end() - n; it != recent_samples_.end(); ++it) {
         left += std::abs(it->first);
         right += std::abs(it->second);
     }
     std::vector<std::int16_t> mono;
     mono.reserve(static_cast<std::size_t>(n));
-    for (auto it = heard_.end() - n; it != heard_.end(); ++it)
+    for (auto it = recent_samples_.end() - n; it != recent_samples_.end(); ++it)
         mono.push_back(left >= right ? it->first : it->second);
     return mono;
 }

@@ -7,7 +7,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-class ArmDeath : public tb::ArmTest {
+class ArmFailure : public tb::ArmTest {
 protected:
     std::string fault() const { return system->cpu.fault().value_or("none"); }
     std::string unfinished() const { return system->cpu.unfinished().value_or("none"); }
@@ -38,17 +38,17 @@ protected:
     }
 };
 
-TEST_F(ArmDeath, IsToSpinOnTheSpotInAHandler) { spins("test_spin_in_handler"); }
+TEST_F(ArmFailure, IsToSpinOnTheSpotInAHandler) { spins("test_spin_in_handler"); }
 
-TEST_F(ArmDeath, IsToSpinInThumbCodeToo) { spins("test_thumb_spin_in_handler"); }
+TEST_F(ArmFailure, IsToSpinInThumbCodeToo) { spins("test_thumb_spin_in_handler"); }
 
-TEST_F(ArmDeath, IsToSpinInAThumbInstructionOf32BitsToo) { spins("test_wide_spin_in_handler"); }
+TEST_F(ArmFailure, IsToSpinInAThumbInstructionOf32BitsToo) { spins("test_wide_spin_in_handler"); }
 
-TEST_F(ArmDeath, IsToBeStillAsleepInAHandlerAtTheEnd) {
+TEST_F(ArmFailure, IsToBeStillAsleepInAHandlerAtTheEnd) {
     fails_at_the_runs_end("test_sleep_in_handler");
 }
 
-TEST_F(ArmDeath, IsToBeStillInASlowHandlerAtTheEndButNotBehindIt) {
+TEST_F(ArmFailure, IsToBeStillInASlowHandlerAtTheEndButNotBehindIt) {
     load("test_slow_handler");
     run_ms(4);
     EXPECT_THAT(unfinished(), HasSubstr("; never left its handler: at 4."));
@@ -58,14 +58,14 @@ TEST_F(ArmDeath, IsToBeStillInASlowHandlerAtTheEndButNotBehindIt) {
     EXPECT_EQ(fault(), "none");
 }
 
-TEST_F(ArmDeath, IsToSpinInAHandlerThatLetsInterruptsInButOnlyAtTheEnd) {
+TEST_F(ArmFailure, IsToSpinInAHandlerThatLetsInterruptsInButOnlyAtTheEnd) {
     load("test_spin_with_interrupts");
     run_ms(200);
     EXPECT_EQ(fault(), "none");
     EXPECT_THAT(unfinished(), HasSubstr("; never left its handler: at "));
 }
 
-TEST_F(ArmDeath, IsToRunIntoZerosAndSaysWhoHasCalled) {
+TEST_F(ArmFailure, IsToRunIntoZerosAndSaysWhoHasCalled) {
     load("test_runs_off");
     run_ms(0.1);
     EXPECT_THAT(fault(), HasSubstr("the program ran off its code into zeros at 0.000"));
@@ -73,14 +73,14 @@ TEST_F(ArmDeath, IsToRunIntoZerosAndSaysWhoHasCalled) {
     EXPECT_THAT(fault(), HasSubstr("; called from inner, outer, test_runs_off"));
 }
 
-TEST_F(ArmDeath, IsToRunIntoZerosInThumbToo) {
+TEST_F(ArmFailure, IsToRunIntoZerosInThumbToo) {
     load("test_runs_off_in_thumb");
     run_ms(0.1);
     EXPECT_THAT(fault(),
                 HasSubstr("; called from thumb_inner, thumb_outer, test_runs_off_in_thumb"));
 }
 
-TEST_F(ArmDeath, IsNotToTakeAbortsAllTheTimeWithAHandlerThatReturns) {
+TEST_F(ArmFailure, IsNotToTakeAbortsAllTheTimeWithAHandlerThatReturns) {
     load("test_many_aborts");
     for (int i = 0; i < 50; ++i) {
         run_ms(0.0917);
@@ -89,7 +89,7 @@ TEST_F(ArmDeath, IsNotToTakeAbortsAllTheTimeWithAHandlerThatReturns) {
     EXPECT_GT(system->cpu.counts().aborts, 1000u);
 }
 
-TEST_F(ArmDeath, IsNotToSpinInTheProgramBehindAnAbortThatItHandled) {
+TEST_F(ArmFailure, IsNotToSpinInTheProgramBehindAnAbortThatItHandled) {
     load("test_spin_behind_aborts");
     run_ms(200);
     EXPECT_EQ(system->cpu.counts().aborts, 2u);

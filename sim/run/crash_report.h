@@ -1,4 +1,4 @@
-// last_words.h - the report of a run that ends by a signal such as SIGSEGV: de1sim's own death.
+// crash_report.h - the report of a run that ends by a signal such as SIGSEGV: de1sim's own death.
 //
 // Between construction and destruction SIGSEGV, SIGBUS, SIGFPE, SIGILL and SIGABRT write
 // report.json and junit.xml, which say "internal error", and end the process with exit code 2.  A
@@ -16,13 +16,13 @@
 
 namespace sim {
 
-class LastWords {
+class CrashReport {
 public:
     // Files of `out`, with what `report` says of the run.
-    LastWords(const std::filesystem::path& out, const RunReport& report);
-    ~LastWords();
-    LastWords(const LastWords&) = delete;
-    LastWords& operator=(const LastWords&) = delete;
+    CrashReport(const std::filesystem::path& out, const RunReport& report);
+    ~CrashReport();
+    CrashReport(const CrashReport&) = delete;
+    CrashReport& operator=(const CrashReport&) = delete;
 
     void renew(double simulated_s, std::uint64_t frames_shown);
 

@@ -1,4 +1,4 @@
-// audience.h - where what the board shows, plays and prints goes.
+// board_observer.h - where what the board shows, plays and prints goes.
 #pragma once
 
 #include <array>
@@ -25,7 +25,7 @@ struct Lamps {
     std::array<Header, 2> gpio{{{ALL_HEADER_PINS, 0}, {ALL_HEADER_PINS, 0}}};
 };
 
-class Audience {
+class BoardObserver {
 public:
     virtual void frame(const Monitor::Frame& frame) = 0;
     virtual void sample(std::int16_t left, std::int16_t right) = 0;
@@ -37,7 +37,7 @@ public:
     virtual void log(const std::string& /*line*/) {}
 
 protected:
-    ~Audience() = default;
+    ~BoardObserver() = default;
 };
 
 }  // namespace sim
