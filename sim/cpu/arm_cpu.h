@@ -337,8 +337,8 @@ private:
         sc_core::sc_time since;       // taken
         sc_core::sc_time spins_from;  // loops on one instruction; now, if it does not
     };
-    // An exception that repeats: the registers with which it happened, and how often.  From MANY_REPETITIONS
-    // times on its handler is executed in single steps.
+    // An exception that repeats: the registers with which it happened, and how often.  From
+    // MANY_REPETITIONS on its handler is executed in single steps.
     static constexpr unsigned MANY_REPETITIONS = 1000;
     std::array<std::uint32_t, 17> repeated_state_{};
     unsigned repetitions_ = 0;

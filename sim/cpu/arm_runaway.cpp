@@ -1,4 +1,4 @@
-// arm_runaway.cpp - ArmCpu's detection of programs whose pc or stack has gone where it cannot belong
+// arm_runaway.cpp - ArmCpu's detection of programs whose PC or stack is where it cannot belong
 #include <algorithm>
 #include <array>
 

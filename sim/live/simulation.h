@@ -13,8 +13,8 @@ namespace sim::live {
 
 class Simulation {
 public:
-    // Starts this program with the arguments; `first`, if there is one, is a message that it has from
-    // the beginning.  std::runtime_error.
+    // Starts this program with the arguments; `first`, if there is one, is its first message.
+    // std::runtime_error.
     explicit Simulation(const std::vector<std::string>& arguments, const std::string& first = "");
     ~Simulation() { end(); }
     Simulation(const Simulation&) = delete;

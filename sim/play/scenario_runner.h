@@ -1,4 +1,4 @@
-// scenario_runner.h - the person in front of the board: carries out a scenario's steps in simulated time.
+// scenario_runner.h - carries out a scenario's steps on the board, in simulated time
 #pragma once
 
 #include <filesystem>

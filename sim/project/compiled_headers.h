@@ -15,12 +15,11 @@ namespace sim::project {
 // $XDG_CACHE_HOME/de1sim, or what stands for it; empty: the user has no folder.
 std::filesystem::path user_cache();
 
-// The command that a command of `compiler`, whose command the design does not change, has in addition;
-// none where the headers cannot be precompiled.
+// The arguments to add to a command of `compiler`; none where the headers cannot be precompiled.
 std::vector<std::string> compiled_headers(const std::vector<std::string>& compiler,
                                           const TimeLimit& limit);
 
-// With these command a command has failed: they are made anew before the next one.
+// A command with these arguments has failed: they are made anew before the next one.
 void forget_compiled_headers(const std::vector<std::string>& command);
 
 }  // namespace sim::project

@@ -1,8 +1,7 @@
-// board_control.h - the board from the point of view of the person in front of it: hands, eyes, ears and a
-// watch
+// board_control.h - what a person in front of the board can do, see and hear, and wait for
 //
-// Steps act on this interface.  ScenarioRunner implements it for the simulated board; the tests of steps,
-// which need no simulation, implement it for a mock board.
+// Steps act on this interface.  ScenarioRunner implements it for the simulated board; the tests of
+// steps, which need no simulation, implement it for a mock board.
 #pragma once
 
 #include <cstdint>

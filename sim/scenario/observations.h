@@ -1,4 +1,4 @@
-// observations.h - what a person in front of the board remembers: the picture, the sound, the console.
+// observations.h - what a person in front of the board has seen and heard: picture, sound, console
 #pragma once
 
 #include <cstdint>

@@ -60,7 +60,7 @@ protected:
     Valtsyncram_bench dut;
 };
 
-TEST_F(Altsyncram, ReadsARomAfterTheEdgeThroughAWizardsPullUp) {
+TEST_F(Altsyncram, ReadsARomWhoseClockEnableIsPulledUp) {
     for (unsigned address = 0; address < 6; ++address) {
         dut.address_a_i = address;
         dut.eval();
@@ -196,7 +196,7 @@ TEST_F(Altsyncram, PutsTheLowestNarrowWordIntoTheLowestBits) {
     EXPECT_EQ(dut.wide_o, 0xA3A2A1A0);
 }
 
-TEST_F(Altsyncram, TakesTheFileOfADualPortMemoryForThatOfItsPortB) {
+TEST_F(Altsyncram, ReadsTheInitFileOfADualPortMemoryAsPortBs) {
     dut.address_b_i = 7;
     clock(2);
     EXPECT_EQ(dut.wide_o, 0u);
@@ -207,7 +207,7 @@ TEST_F(Altsyncram, TakesTheFileOfADualPortMemoryForThatOfItsPortB) {
     EXPECT_EQ(dut.wide_o, 0u);
 }
 
-TEST_F(Altsyncram, HasReadEnableStallAndOutputEnableAtPortBToo) {
+TEST_F(Altsyncram, HasReadEnableStallAndOutputEnableAtPortB) {
     dut.clocken_i = 15 - 2;
     clock(2);
     clock(2);
@@ -232,7 +232,7 @@ TEST_F(Altsyncram, HasReadEnableStallAndOutputEnableAtPortBToo) {
     EXPECT_EQ(dut.wide_o, 0x44332200u);
 }
 
-TEST_F(Altsyncram, WritesAndReadsAtBothPortsWithClocksOfTheirOwn) {
+TEST_F(Altsyncram, WritesAndReadsAtBothPortsWithTwoClocks) {
     write_a(2, 0x1234);
     dut.address_b_i = 5;
     clock(2);

@@ -52,7 +52,7 @@ protected:
     Vcells_bench dut;
 };
 
-TEST_F(Cells, SendTheHighWordWhileTheClockIsHighThenTheLowOne) {
+TEST_F(Cells, SendTheHighWordWhileTheClockIsHigh) {
     dut.a_i = 5;
     dut.b_i = 10;
     rise();
@@ -72,7 +72,7 @@ TEST_F(Cells, SendTheHighWordWhileTheClockIsHighThenTheLowOne) {
     EXPECT_EQ(dut.ddr_o, 0);
 }
 
-TEST_F(Cells, ReceiveAWordAtEachEdgeAndShowBothAtTheRisingOne) {
+TEST_F(Cells, ReceiveAWordPerEdgeAndShowBothAtTheRise) {
     rise();
     dut.a_i = 6;
     fall();

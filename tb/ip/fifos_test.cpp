@@ -78,7 +78,7 @@ TEST_F(Fifo, SaysHowFullItIs) {
     }
 }
 
-TEST_F(Fifo, IgnoresAWriteWhenFullUnlessAReadMayMakeRoom) {
+TEST_F(Fifo, IgnoresAWriteWhenFullWithoutARead) {
     for (unsigned i = 1; i <= 9; ++i) write(i);
     dut.rdreq_i = 1;
     write(10);

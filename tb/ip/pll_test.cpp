@@ -69,7 +69,7 @@ protected:
     Vpll_bench dut;
 };
 
-TEST_F(Pll, AsksForTheClocksThatAreUsedByPeriodPhaseAndHighTime) {
+TEST_F(Pll, RequestsUsedClocksByPeriodPhaseAndDuty) {
     EXPECT_THAT(taps, UnorderedElementsAre(
                           Pair("wizard.altpll_component0", Tap{40'000'000, 0, 20'000'000}),
                           Pair("wizard.altpll_component1", Tap{10'000'000, 7'000'000, 5'000'000}),

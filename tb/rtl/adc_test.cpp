@@ -89,7 +89,7 @@ TEST_F(Adc, SaysOnlyOnceThatAValueIsNew) {
     EXPECT_EQ(channel(5), NEW | 2517) << "again, though the same";
 }
 
-TEST_F(Adc, SaysThatAValueIsNewOnlyWhileItConvertsByItself) {
+TEST_F(Adc, FlagsNewValuesOnlyInContinuousMode) {
     write(CH_0, 1);
     clock(ROUND);
     EXPECT_EQ(channel(6), 3017u);
@@ -101,7 +101,7 @@ TEST_F(Adc, SaysThatAValueIsNewOnlyWhileItConvertsByItself) {
     EXPECT_EQ(channel(6), 3017u);
 }
 
-TEST_F(Adc, MakesAReadWaitForTheRoundThatWasAskedFor) {
+TEST_F(Adc, StallsAReadUntilTheRequestedRoundEnds) {
     write(CH_0, 1);
     clock(10);
     dut.re_i = 1;
@@ -131,7 +131,7 @@ TEST_F(Adc, AnswersAtOnceWhileItConvertsByItself) {
     EXPECT_EQ(dut.rhold_o, 0);
 }
 
-TEST_F(Adc, GoesOnByItselfFromAWriteOf1ToAWriteOf0) {
+TEST_F(Adc, ConvertsContinuouslyBetweenAWriteOf1AndOf0) {
     write(CH_1, 1);
     clock(ROUND);
     chip.set(2, 3333);
@@ -165,7 +165,7 @@ TEST_F(Adc, KeepsToTheChipsTimes) {
     EXPECT_GT(acquisitions.size(), 20u);
 }
 
-TEST_F(Adc, ConvertsNoMoreForAWriteInTheCourseOfARound) {
+TEST_F(Adc, IgnoresAWriteDuringARound) {
     write(CH_0, 0);
     clock(150);
     write(CH_0, 0);

@@ -49,7 +49,7 @@ TEST_F(AudioClock, GivesXckAndItsFractionsInAResetToo) {
     }
 }
 
-TEST_F(AudioClock, HasAsManyPulsesInTheHighHalfAsInTheLowOne) {
+TEST_F(AudioClock, HasEqualPulsesInBothHalves) {
     std::array<unsigned, 2> high{};
     for (unsigned i = 0; i < 120; ++i) {
         pulse();

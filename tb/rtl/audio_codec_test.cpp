@@ -41,7 +41,7 @@ TEST_F(AudioAfterPowerOn, HasItsDocumentedDefaults) {
     EXPECT_EQ(dut.irq_o, 0);
 }
 
-TEST_F(AudioAfterPowerOn, IsSilentUntilTheCodecIsSetUpAndHeardAfterwards) {
+TEST_F(AudioAfterPowerOn, IsSilentUntilTheCodecIsSetUp) {
     push(1, 20);
     clock(30 * FAST_FRAME);
     EXPECT_GE(heard.size(), 28u) << "silence has samples too";
@@ -52,7 +52,7 @@ TEST_F(AudioAfterPowerOn, IsSilentUntilTheCodecIsSetUpAndHeardAfterwards) {
     EXPECT_EQ(sound(), pairs(1, 20));
 }
 
-TEST_F(Audio, ReportsAWordThatTheCodecRefusesAndSucceedsOnASecondTry) {
+TEST_F(Audio, ReportsARefusedWordAndSucceedsWhenRepeated) {
     for (std::uint32_t step = 0; step < 11; ++step) {
         const std::uint64_t refused = codec.refused_words();
         codec.refuse_word(codec.words() + step + 1);

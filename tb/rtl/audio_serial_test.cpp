@@ -74,7 +74,7 @@ TEST_F(AudioSerial, HasAFrameIn128ClocksAnd64Bclks) {
     EXPECT_EQ(bits.size(), 640u);
 }
 
-TEST_F(AudioSerial, BeginsAFrameWithTheFirstFallOfBclkAfterAReset) {
+TEST_F(AudioSerial, BeginsAFrameAtTheFirstFallOfBclkAfterReset) {
     for (const unsigned before : {0u, 1u, 2u, 37u}) {  // clocks since the last reset
         SetUp();
         clock(before);
@@ -100,7 +100,7 @@ TEST_F(AudioSerial, TakesAPairWhenAFrameBegins) {
     for (std::size_t i = 0; i < taken.size(); ++i) EXPECT_EQ(taken[i] + 1, falls[i]);
 }
 
-TEST_F(AudioSerial, LeavesTimeForTheNextPairOnceItHasReceivedOne) {
+TEST_F(AudioSerial, LeavesTimeForTheNextPairAfterOne) {
     clock(10 * FRAME);
     ASSERT_EQ(received.size(), 10u);
     for (std::size_t i = 0; i + 1 < received.size(); ++i)
@@ -135,7 +135,7 @@ TEST_F(AudioSerial, SendsEveryBitInItsPlace) {
 }
 
 // The codec changes ADCDAT after BCLK's fall, and long before it rises.
-TEST_F(AudioSerial, ReadsTheBitsOfAdcdatThatBelongToBclksRisingEdges) {
+TEST_F(AudioSerial, SamplesAdcdatAtTheRisingEdgesOfBclk) {
     const std::uint64_t left = 0xa5c3f1, right = 0x7ffffe;
     const std::uint64_t word = left << (63 - 24) | right << (31 - 24);
     while (falls.empty()) clock();

@@ -21,7 +21,7 @@ TEST_F(SlowAudio, PlaysWhatIsWrittenInOrder) {
     EXPECT_EQ(sound(), pairs(1, 100));
 }
 
-TEST_F(Audio, PlaysWithoutAGapAsLongAsTheFifosAreFed) {
+TEST_F(Audio, PlaysWithoutAGapWhileTheFifosAreFed) {
     for (unsigned n = 1; n <= 1000; ++n) {
         while (left_room() < 100 || right_room() < 100) clock(FAST_FRAME);
         push(n);
@@ -30,7 +30,7 @@ TEST_F(Audio, PlaysWithoutAGapAsLongAsTheFifosAreFed) {
     EXPECT_EQ(sound(), pairs(1, 1000));
 }
 
-TEST_F(Audio, LetsAPairLeaveOnlyWhenBothSidesHoldASample) {
+TEST_F(Audio, SendsAPairOnlyWhenBothSidesHaveASample) {
     write(AUDIO_LEFTDATA, left_of(1));
     write(AUDIO_LEFTDATA, left_of(2));
     clock(5 * FAST_FRAME);
@@ -101,7 +101,7 @@ protected:
     }
 };
 
-TEST_F(UnderrunAt8Khz, IsTheFirstOneOfACountThatIsClearedInItsClock) {
+TEST_F(UnderrunAt8Khz, IsCountedInTheClockOfAClear) {
     write_in_the_third(CODEC_UNDERRUNS);
     EXPECT_EQ(read(CODEC_UNDERRUNS), 1u);
 }
@@ -147,7 +147,7 @@ TEST_F(Audio, ReadsTheLastSampleOnceMoreFromAnEmptyFifo) {
     EXPECT_EQ(read(AUDIO_FIFOSPACE) & 0xffff, 0u);
 }
 
-TEST_F(Audio, DropsWhatComesInToAFullFifoOnEachSideByItself) {
+TEST_F(Audio, DropsInputToAFullFifoPerSide) {
     line_in_on = true;
     write(AUDIO_CONTROL, CONTROL_CR);
     clock(2 * FAST_FRAME);

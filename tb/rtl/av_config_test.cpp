@@ -119,7 +119,7 @@ TEST_F(AvConfig, SetsTheCodecUpAgain) {
     EXPECT_EQ(codec.reg(LEFT_HEADPHONE), 0x079);
 }
 
-TEST_F(AvConfig, LetsAWordOnTheWireEndBeforeANewSetUp) {
+TEST_F(AvConfig, FinishesAWordBeforeANewSetUp) {
     const std::uint64_t words = codec.words();
     send(LEFT_HEADPHONE, 0x0f0);
     clock(1000);

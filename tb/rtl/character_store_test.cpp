@@ -198,7 +198,7 @@ TEST_F(CharacterStore, SaysWhetherAnythingButBlanksWasWrittenSinceTheClear) {
     EXPECT_EQ(dut.any_o, 0);
 }
 
-TEST_F(CharacterStore, KeepsWhatIsWrittenFromTheFirstClockAfterAReset) {
+TEST_F(CharacterStore, KeepsWritesFromTheFirstClockAfterAReset) {
     for (unsigned round = 0; round < 40; ++round) {
         fill();
         reset();
@@ -206,7 +206,7 @@ TEST_F(CharacterStore, KeepsWhatIsWrittenFromTheFirstClockAfterAReset) {
     }
 }
 
-TEST_F(CharacterStore, KeepsWhatIsWrittenFromTheFirstClockAfterAClear) {
+TEST_F(CharacterStore, KeepsWritesFromTheFirstClockAfterAClear) {
     for (unsigned round = 0; round < 40; ++round) {
         fill();
         dut.clear_i = 1;
@@ -216,7 +216,7 @@ TEST_F(CharacterStore, KeepsWhatIsWrittenFromTheFirstClockAfterAClear) {
     }
 }
 
-TEST_F(CharacterStore, ReadsZerosAndWhatWasWrittenFromTheFirstClockAfterAReset) {
+TEST_F(CharacterStore, ReadsZerosAndWritesFromTheFirstClockAfterAReset) {
     const std::uint32_t last = (ROWS - 1) << 7 | 4 * (COLUMNS / 4 - 1);
     fill();
     reset();

@@ -155,7 +155,7 @@ TEST_F(CodecSetup, EndsTheWordOnTheWireBeforeItBeginsAgain) {
     }
 }
 
-TEST_F(CodecSetup, BeginsAgainWhereARestartMeetsTheEndOfAWord) {
+TEST_F(CodecSetup, RestartsWhenARestartMeetsTheEndOfAWord) {
     for (int early = -3; early <= 3; ++early) {
         finish();
         restart();

@@ -67,7 +67,7 @@ TEST_F(FabricPorts, DriveEachPinOfTheirHeaderAlone) {
 }
 
 // Columns on D7 (left) to D4, rows on D3 (top) to D0; a key joins its row and its column.
-TEST_F(FabricPorts, SeeEachKeyOfTheKeypadInItsRowAndColumn) {
+TEST_F(FabricPorts, SeeEachKeypadKeyInItsRowAndColumn) {
     unsigned row = 0, column = 0;
     pins.on_headers = [&](sim::ChipInputs& in) {
         const std::uint64_t column_pin = std::uint64_t{1} << pin_of(7 - column),

@@ -75,7 +75,7 @@ TEST_F(FabricPs2, InterruptsWithEachPortsNumber) {
     }
 }
 
-TEST_F(FabricPs2, HoldsItsOwnClockLowFor120MicrosecondsAndThenPullsItsData) {
+TEST_F(FabricPs2, HoldsClockLow120MicrosecondsThenPullsData) {
     for (const unsigned port : {0u, 1u}) {
         pins.pulls.clear();
         begin_write(data[port], 0xf4);
@@ -185,7 +185,7 @@ TEST_F(FabricPorts, SendNoSyncOnGreen) {
     EXPECT_EQ(pins.with_sync, 0u);
 }
 
-TEST_F(FabricPorts, ShowAPictureThatBeginsInTheMiddleOfAWord) {
+TEST_F(FabricPorts, ShowAPictureThatBeginsMidWord) {
     constexpr unsigned FRAME = 800 * 525;
     put(ONCHIP_BASE, {0x00, 0xF8, 0xE0, 0x07, 0x1F, 0x00, 0x00, 0x00});  // red, green, blue, black
     write(PIXEL_BACK_BUFFER, ONCHIP_BASE + 2);

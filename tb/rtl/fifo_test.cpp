@@ -99,7 +99,7 @@ TEST_F(Fifo, DropsAPushWhenFullEvenBesideAPop) {
     EXPECT_EQ(dut.empty_o, 1);
 }
 
-TEST_F(Fifo, KeepsAWordThatIsPushedBesideAPopWhenEmpty) {
+TEST_F(Fifo, KeepsAWordPushedDuringAPopWhenEmpty) {
     step(true, 5, true);
     EXPECT_EQ(dut.count_o, 1);
     EXPECT_EQ(dut.rdata_o, 5u);

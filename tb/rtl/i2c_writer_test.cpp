@@ -61,7 +61,7 @@ protected:
     tb::I2cBus bus;
 };
 
-TEST_F(I2cWriter, SendsTheSlavesAddressAndTwoBytesMostSignificantBitFirst) {
+TEST_F(I2cWriter, SendsAddressAndTwoBytesMsbFirst) {
     EXPECT_TRUE(write(0x12c4));
     EXPECT_TRUE(write(0x8001, 0x65));
     EXPECT_THAT(bus.transfers, ElementsAre(Bytes{0x34, 0x12, 0xc4}, Bytes{0xca, 0x80, 0x01}));
@@ -79,7 +79,7 @@ TEST_F(I2cWriter, SendsOneWordAfterTheOther) {
     EXPECT_EQ(bus.stops, 16u);
 }
 
-TEST_F(I2cWriter, StopsAfterAByteThatIsNotAcknowledgedAndSaysSo) {
+TEST_F(I2cWriter, StopsAfterAByteWithoutAcknowledge) {
     for (std::size_t byte = 0; byte < 3; ++byte) {
         bus.refuse(bus.transfers.size(), byte);
         EXPECT_FALSE(write(0xa55a)) << "byte " << byte;

@@ -52,7 +52,7 @@ TEST_F(IntervalTimer, CountsFourTicksAClock) {
     EXPECT_EQ(before - after, 4 * (clocks - then));
 }
 
-TEST_F(IntervalTimer, StopsAtTheEndOfThePeriodUnlessToldToGoOn) {
+TEST_F(IntervalTimer, StopsAfterAPeriodWithoutContinuousMode) {
     period(99);
     write(CONTROL, START);
     clock(30);
@@ -140,7 +140,7 @@ TEST_F(IntervalTimer, EndsOnceAClockWhereThePeriodIsShorter) {
     EXPECT_EQ(read(STATUS), TO | RUN);
 }
 
-TEST_F(IntervalTimer, APeriodOfZeroEndsOnceAndEvenWhileTheTimerStands) {
+TEST_F(IntervalTimer, APeriodOfZeroEndsOnce) {
     write(PERIOD_HIGH, 0);
     EXPECT_EQ(read(STATUS), 0u);
     write(PERIOD_LOW, 0);

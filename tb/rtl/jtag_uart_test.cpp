@@ -96,7 +96,7 @@ TEST_F(JtagUart, ControlTellsWhetherTheLastReadOfDataWasValid) {
     EXPECT_EQ(read(CONTROL) & (RVALID | WAITS), 0u);
 }
 
-TEST_F(JtagUart, TellsThatThereIsNoRoomAndThatAByteWasLost) {
+TEST_F(JtagUart, ReportsAFullFifoAndALostByte) {
     for (int i = 0; i < 64; ++i) write(DATA, 'x');
     EXPECT_EQ(read(CONTROL) & (ROOM | LOST), 0u);
     write(DATA, 'x');
@@ -145,7 +145,7 @@ TEST_F(JtagUart, InterruptsWhenEightOrFewerBytesWaitForTheHost) {
     EXPECT_EQ(dut.irq_o, 0);
 }
 
-TEST_F(JtagUart, InterruptsWhenTheHostPausesBehindBytesUntilDataIsRead) {
+TEST_F(JtagUart, InterruptsAfterTheHostPausesUntilDataIsRead) {
     write(CONTROL, RE);
     idle();
     EXPECT_EQ(dut.irq_o, 0);
@@ -159,7 +159,7 @@ TEST_F(JtagUart, InterruptsWhenTheHostPausesBehindBytesUntilDataIsRead) {
     EXPECT_EQ(dut.irq_o, 0);
 }
 
-TEST_F(JtagUart, InterruptsWithRoomForEightBytesOrFewerFromTheHost) {
+TEST_F(JtagUart, InterruptsWithEightFreePlacesOrFewer) {
     write(CONTROL, RE);
     type(std::string(55, 'x'));
     EXPECT_EQ(dut.irq_o, 0);

@@ -141,7 +141,7 @@ TEST_F(Keypad, SeesAGhostOnEveryRectangleAndOnNothingElse) {
             }
 }
 
-TEST_F(Keypad, KeepsSixteenEventsInOrderAndSaysWhenOneIsLost) {
+TEST_F(Keypad, KeepsSixteenEventsInOrderAndReportsALostOne) {
     for (int i = 0; i < 8; ++i) {
         hold(static_cast<std::uint16_t>(1u << i));
         hold(0);
@@ -160,7 +160,7 @@ TEST_F(Keypad, KeepsSixteenEventsInOrderAndSaysWhenOneIsLost) {
     EXPECT_EQ(take_event(), 0u);
 }
 
-TEST_F(Keypad, TellsTheEventsOfOneScanInTheOrderOfTheKeys) {
+TEST_F(Keypad, ReportsTheEventsOfOneScanInKeyOrder) {
     write(KEYPAD_DEBOUNCE, scans = 2);  // a scan may see half of a chord
     const std::vector<std::vector<int>> chords{
         {0, 1}, {0, 15}, {0, 5, 10, 15}, {3, 6, 9, 12}, {0, 4, 12}, {12, 13, 14}, {7, 8}};
@@ -184,7 +184,7 @@ TEST_F(Keypad, TellsTheEventsOfOneScanInTheOrderOfTheKeys) {
     EXPECT_EQ(take_event(), event(2, false));
 }
 
-TEST_F(Keypad, LosesAnEventToAWriteWithAnyByteAndToNothingElse) {
+TEST_F(Keypad, DropsAnEventOnlyByAWrite) {
     hold(1u << 3);
     read(KEYPAD_EVENT);
     write(KEYPAD_EVENT, 0xffffffff, 0x0);

@@ -159,7 +159,7 @@ TEST_F(LwBridge, SendsAnAddressThatNobodyOwnsToTheFirstTimer) {
     EXPECT_EQ(write_order, (std::vector<std::uint32_t>{(NOBODY + 4) & 0xfff}));
 }
 
-TEST_F(LwBridge, SendsAWriteToABlockThatCanOnlyBeReadToTheFirstTimer) {
+TEST_F(LwBridge, SendsAWriteToAReadOnlyBlockToTheFirstTimer) {
     for (const std::uint32_t address :
          {regmap::SW_DATA, regmap::SYSID_ID, regmap::RESAMPLER_STATUS})
         axi.write({7, address & 0x1fffff, 2, INCR, {1}, {0xf}});
@@ -303,7 +303,7 @@ std::uint32_t line_of(std::uint32_t offset) {
     return TIMER0_LINE;
 }
 
-TEST_F(LwBridge, SelectsTheBlockOfEachOfItsAddressesAndNoOther) {
+TEST_F(LwBridge, SelectsExactlyTheBlockOfEachAddress) {
     for (std::uint32_t begin = 0; begin < 0x10000; begin += 64) {
         lines_read.clear();
         axi.forget();

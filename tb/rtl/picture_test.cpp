@@ -181,7 +181,7 @@ TEST_F(Picture, WritesABeatPerClockToTheOnChipMemory) {
     EXPECT_LE(clocks - begin, 16u + 5);
 }
 
-TEST_F(Picture, WritesABeatInTwoClocksToAnOpenRowOfTheSdram) {
+TEST_F(Picture, WritesABeatInTwoClocksToAnOpenRow) {
     axi.stall = 0;
     read(SDRAM);  // the initialisation is over, the row is open
     axi.forget();
@@ -211,7 +211,7 @@ TEST_F(Picture, RefreshesTheSdramWhateverTheTraffic) {
     EXPECT_EQ(read(SDRAM + 0x100000), 1u);
 }
 
-TEST_F(Picture, ReadsAWordInAtMostSevenClocksWhileTheScreenReads) {
+TEST_F(Picture, ReadsAWordWithinSevenClocksBesideTheScreen) {
     axi.stall = 0;
     for (std::uint32_t phase = 0; phase < 4; ++phase) {
         while (clocks % 4 != phase) clock();

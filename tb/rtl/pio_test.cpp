@@ -82,7 +82,7 @@ TEST_F(Pio, KeepsAnEdgeThatComesWhileOthersAreCleared) {
     EXPECT_EQ(read(EDGE), 0x02u);
 }
 
-TEST_F(Pio, LosesAnEdgeThatComesInTheClockInWhichItIsCleared) {
+TEST_F(Pio, LosesAnEdgeInTheClockOfItsClear) {
     dut.pins_i = 0xfe;
     clock(2);  // the synchroniser
     write(EDGE, 0x01);

@@ -166,7 +166,7 @@ TEST_F(Ps2Port, SendsNothingWithoutTheBytesLane) {
     EXPECT_EQ(device_takes() & 0xff, 0xed);
 }
 
-TEST_F(Ps2Port, LosesNoByteToAWriteOrToAReadOfControl) {
+TEST_F(Ps2Port, LosesNoByteToAnAccessOfControl) {
     device_sends(0x1c);
     read(CONTROL);
     write(CONTROL, 0);
@@ -230,7 +230,7 @@ TEST_F(Ps2Port, SendsAByteThatTheDeviceDoesNotAcknowledge) {
     EXPECT_EQ(dut.wait_o, 0);
 }
 
-TEST_F(Ps2Port, GivesUpADeviceThatTakesMoreThan2MillisecondsForAByte) {
+TEST_F(Ps2Port, TimesOutAfter2MillisecondsPerByte) {
     write(DATA, 0xf4);
     expect_request();
     for (int edge = 0; edge < 11; ++edge) {  // 0.24 ms from one to the next, 2.4 ms in all
@@ -270,7 +270,7 @@ TEST_F(Ps2Port, MakesTheBusWaitUntilAByteHasBeenSent) {
     EXPECT_EQ(dut.wait_o, 0);
 }
 
-TEST_F(Ps2Port, MakesTheBusWaitUntilCLKHasRisenAfterTheAcknowledge) {
+TEST_F(Ps2Port, WaitsUntilClkRisesAfterTheAcknowledge) {
     write(DATA, 0xf4);
     expect_request();
     for (int edge = 0; edge < 11; ++edge) {

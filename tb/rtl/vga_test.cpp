@@ -142,7 +142,7 @@ TEST_F(Vga, ReadsTheTwoHighestBitsOfBothAddressesAsOnes) {
     EXPECT_EQ(read(PIXEL_BUFFER), 0xC0012340u);
 }
 
-TEST_F(Vga, ForgetsASwapInWhoseClockTheBackBufferIsWritten) {
+TEST_F(Vga, DropsASwapInTheClockOfABackBufferWrite) {
     for (int i = 0; i < 2; ++i) {
         write(PIXEL_BACK_BUFFER, SDRAM_BASE);
         write(PIXEL_BUFFER, 1);

@@ -12,7 +12,7 @@ using tb::FRAME;
 
 using VgaText = tb::VgaBench;
 
-TEST_F(VgaText, ShowsLettersInWhiteOverThePixelsAndNothingForOtherCodes) {
+TEST_F(VgaText, ShowsWhiteLettersOverThePixels) {
     for (unsigned y = 0; y < 240; ++y)
         for (unsigned x = 0; x < 320; ++x)
             poke(onchip, x, y, static_cast<std::uint16_t>(x * 7 + y * 331));
@@ -96,7 +96,7 @@ TEST_F(VgaText, HasTheDocumentedCharacterRegistersAfterReset) {
     EXPECT_EQ(read_text(0xFF20303C), 0x06070704u);
 }
 
-TEST_F(VgaText, SwapsCharacterBuffersAtTheFramesEndApartFromThePictures) {
+TEST_F(VgaText, SwapsCharacterBuffersAtTheFramesEnd) {
     write_text(TEXT_BACK_BUFFER, 0xC9000800);
     write_text(TEXT_BUFFER, 1);
     EXPECT_EQ(read_text(TEXT_STATUS) & 1, 1u);

@@ -227,7 +227,7 @@ TEST_F(VideoIn, ChangesTheBufferWhenTheNextPictureBegins) {
     EXPECT_EQ(written.rbegin()->first, 0xC1000000u + (239 << 10) + 159 * 4);
 }
 
-TEST_F(VideoIn, WritesTheFirstPictureToTheBufferThatWasAskedForBefore) {
+TEST_F(VideoIn, WritesTheFirstPictureToTheRequestedBuffer) {
     write(VIDEO_IN_BACK_BUFFER, 0xC1000000);
     write(VIDEO_IN_BUFFER, 1);
     field(1);
@@ -239,7 +239,7 @@ TEST_F(VideoIn, WritesTheFirstPictureToTheBufferThatWasAskedForBefore) {
     EXPECT_EQ(written.begin()->first, 0xC1000000u);
 }
 
-TEST_F(VideoIn, LosesNothingWhileTheMemoryIsTakenForMostOfARow) {
+TEST_F(VideoIn, LosesNothingWhileTheMemoryIsBusy) {
     const auto image = noise();
     chip.show(image);
     busy_for = 900, every = 1600;
@@ -250,7 +250,7 @@ TEST_F(VideoIn, LosesNothingWhileTheMemoryIsTakenForMostOfARow) {
         ASSERT_TRUE(is_colour(pixel(x, 200), levels(*image, x, 200, 1))) << x;
 }
 
-TEST_F(VideoIn, WritesToTheSdramBehindTheOnChipMemoryAndAtOtherAddresses) {
+TEST_F(VideoIn, WritesToTheSdramAtAnyAddress) {
     write(VIDEO_IN_BACK_BUFFER, 0xC8020000);
     write(VIDEO_IN_STATUS, ENABLE);
     write(VIDEO_IN_BUFFER, 1);

@@ -51,7 +51,7 @@ TEST_F(AstrayProgram, MayRunWhatItHasWrittenOntoItsStack) {
     EXPECT_EQ(system->cpu.core().reg(5), 6u);
 }
 
-TEST_F(AstrayProgram, FailsWhenItsHandlerLeadsBackToTheAbortAThousandTimes) {
+TEST_F(AstrayProgram, FailsAfterAThousandAbortsAtOnePlace) {
     EXPECT_THAT(fault_of("test_goes_back_to_its_abort"),
                 AllOf(HasSubstr("data abort: read of 4 bytes at 0x80000000"),
                       HasSubstr("; its handler leads back to it, 1000 times")));
@@ -63,7 +63,7 @@ TEST_F(AstrayProgram, FailsWhenItsStackHasGrownIntoRegisters) {
                 HasSubstr("the stack has grown below its memory (SP 0xFFFEF"));
 }
 
-TEST_F(AstrayProgram, IsToldThatItsStackHasGrownToWhereNobodyAnswers) {
+TEST_F(AstrayProgram, FailsWhenItsStackLeavesTheMemory) {
     load("test_stack_below_more_ram");
     run_ms(20);
     EXPECT_THAT(system->cpu.unfinished().value_or("none"),

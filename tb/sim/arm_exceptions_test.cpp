@@ -27,7 +27,7 @@ TEST_F(ArmExceptions, EntersTheSvcVectorWithTheNextAddress) {
     EXPECT_EQ(result(), 99u);
 }
 
-TEST_F(ArmExceptions, AbortsAReadThatNobodyAnswersWithItsAddressAndPc) {
+TEST_F(ArmExceptions, AbortAnUnansweredReadWithAddressAndPc) {
     run_to_end("test_read_abort");
     EXPECT_EQ(record().vector, 4u);
     EXPECT_EQ(record().link, address_of("at_read_abort") + 8);
@@ -43,7 +43,7 @@ TEST_F(ArmExceptions, LeavesTheRegistersOfAnAbortedReadAsTheyWere) {
     EXPECT_EQ(result(1), NOBODY) << "no write-back";
 }
 
-TEST_F(ArmExceptions, LeavesTheBaseOfAnAbortedMultipleReadAsItWas) {
+TEST_F(ArmExceptions, KeepTheBaseOfAnAbortedLdm) {
     run_to_end("test_ldm_abort");
     EXPECT_EQ(record().link, address_of("at_ldm_abort") + 8);
     EXPECT_EQ(record().address, NOBODY);
@@ -51,7 +51,7 @@ TEST_F(ArmExceptions, LeavesTheBaseOfAnAbortedMultipleReadAsItWas) {
     EXPECT_EQ(system->bus.counts().errors, 1u) << "the second word is not asked for";
 }
 
-TEST_F(ArmExceptions, AbortsAWriteThatNobodyAnswersAndSaysThatItWasOne) {
+TEST_F(ArmExceptions, AbortAnUnansweredWriteAsAWrite) {
     run_to_end("test_write_abort");
     EXPECT_EQ(record().link, address_of("at_write_abort") + 8);
     EXPECT_EQ(record().status, 0x808u);
@@ -65,7 +65,7 @@ TEST_F(ArmExceptions, AbortsInThumbCodeWithTheSameLink) {
     EXPECT_EQ(record().cpsr & THUMB, 0u);
 }
 
-TEST_F(ArmExceptions, LogsAnAbortInOneLineWithAddressPcAndFunction) {
+TEST_F(ArmExceptions, LogAnAbortWithAddressPcAndFunction) {
     run_to_end("test_read_abort");
     char pc[32];
     std::snprintf(pc, sizeof pc, "PC 0x%08X in at_read_abort", address_of("at_read_abort"));
@@ -90,7 +90,7 @@ TEST_F(ArmExceptions, TellsWhereTheSecondHalfOfAnInstructionIsMissing) {
     EXPECT_EQ(record().address, 0x40000000u);
 }
 
-TEST_F(ArmExceptions, TakesABreakpointInstructionAsAPrefetchAbortOfItsOwnKind) {
+TEST_F(ArmExceptions, TurnABreakpointIntoAPrefetchAbortWithDebugStatus) {
     run_to_end("test_bkpt");
     EXPECT_EQ(record().vector, 3u);
     EXPECT_EQ(record().link, address_of("at_bkpt") + 4);

@@ -44,11 +44,11 @@ TEST_F(ArmFailure, IsToSpinInThumbCodeToo) { spins("test_thumb_spin_in_handler")
 
 TEST_F(ArmFailure, IsToSpinInAThumbInstructionOf32BitsToo) { spins("test_wide_spin_in_handler"); }
 
-TEST_F(ArmFailure, IsToBeStillAsleepInAHandlerAtTheEnd) {
+TEST_F(ArmFailure, IsReportedForASleepInAHandlerAtTheEnd) {
     fails_at_the_runs_end("test_sleep_in_handler");
 }
 
-TEST_F(ArmFailure, IsToBeStillInASlowHandlerAtTheEndButNotBehindIt) {
+TEST_F(ArmFailure, IsReportedForASlowHandlerAtTheEndAlone) {
     load("test_slow_handler");
     run_ms(4);
     EXPECT_THAT(unfinished(), HasSubstr("; never left its handler: at 4."));
@@ -58,7 +58,7 @@ TEST_F(ArmFailure, IsToBeStillInASlowHandlerAtTheEndButNotBehindIt) {
     EXPECT_EQ(fault(), "none");
 }
 
-TEST_F(ArmFailure, IsToSpinInAHandlerThatLetsInterruptsInButOnlyAtTheEnd) {
+TEST_F(ArmFailure, IsReportedAtTheEndForASpinWithInterruptsEnabled) {
     load("test_spin_with_interrupts");
     run_ms(200);
     EXPECT_EQ(fault(), "none");
@@ -80,7 +80,7 @@ TEST_F(ArmFailure, IsToRunIntoZerosInThumbToo) {
                 HasSubstr("; called from thumb_inner, thumb_outer, test_runs_off_in_thumb"));
 }
 
-TEST_F(ArmFailure, IsNotToTakeAbortsAllTheTimeWithAHandlerThatReturns) {
+TEST_F(ArmFailure, IsNotReportedForManyAbortsWhoseHandlerReturns) {
     load("test_many_aborts");
     for (int i = 0; i < 50; ++i) {
         run_ms(0.0917);
@@ -89,7 +89,7 @@ TEST_F(ArmFailure, IsNotToTakeAbortsAllTheTimeWithAHandlerThatReturns) {
     EXPECT_GT(system->cpu.counts().aborts, 1000u);
 }
 
-TEST_F(ArmFailure, IsNotToSpinInTheProgramBehindAnAbortThatItHandled) {
+TEST_F(ArmFailure, IsNotReportedForASpinAfterAHandledAbort) {
     load("test_spin_behind_aborts");
     run_ms(200);
     EXPECT_EQ(system->cpu.counts().aborts, 2u);

@@ -14,7 +14,7 @@ using ArmInterrupts = tb::ArmTest;
 
 // ---- Interrupts ---------------------------------------------------------------------------------
 
-TEST_F(ArmInterrupts, TakesAnIrqThatItSendsItselfBeforeTheNextInstruction) {
+TEST_F(ArmInterrupts, TakeASelfSentIrqBeforeTheNextInstruction) {
     run_to_end("test_irq");
     EXPECT_EQ(record().vector, 6u);
     EXPECT_EQ(record().link, address_of("after_irq") + 4);

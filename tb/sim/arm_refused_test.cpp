@@ -39,14 +39,14 @@ TEST_F(ArmRefused, IsAnUnalignedStoreWithSctlrA) {
     EXPECT_EQ(record().status, 0x801u) << "alignment fault, write";
 }
 
-TEST_F(ArmRefused, IsAnUnalignedMultipleWhichNoOptionOfTheCompilerCures) {
+TEST_F(ArmRefused, IsAnUnalignedLdmWithoutACompilersOption) {
     EXPECT_THAT(line_of("test_unaligned_multiple", DATA_ABORT),
                 AllOf(HasSubstr("ldm r1!, {r2, r3} at 0x00008002, expected a multiple of 4 (in any "
                                 "memory; align the data by .align) at "),
                       Not(HasSubstr("-mno-unaligned-access"))));
 }
 
-TEST_F(ArmRefused, IsAnUnalignedLoadOfARegisterOfWhichTheBusHearsNothing) {
+TEST_F(ArmRefused, IsAnUnalignedLoadOfADeviceBeforeTheBusSeesIt) {
     EXPECT_THAT(line_of("test_unaligned_at_the_bus", DATA_ABORT),
                 HasSubstr("ldr r2, [r1, #2] at 0xFF200002, expected a multiple of 4"));
     EXPECT_EQ(system->probe.reads, 0u);

@@ -26,7 +26,7 @@ protected:
     }
 };
 
-TEST_F(Stores, ThatFollowEachOtherGoAsBurstsOfSixteenWordsAtMost) {
+TEST_F(Stores, InARowGoAsBurstsOfSixteenWords) {
     run_to_end("test_stores_in_a_row");
     EXPECT_THAT(bursts(),
                 ElementsAre(Pair(0x28, 4), Pair(0x2C, 20), Pair(0x40, 64), Pair(0x80, 32)));

@@ -107,7 +107,7 @@ TEST_F(FpgaTest, StartsNoThread) {
     EXPECT_EQ(std::distance(begin(threads), end(threads)), 1);
 }
 
-TEST_F(FpgaTest, KnowsItsSystemIdAndTheHashOfItsRegisterMap) {
+TEST_F(FpgaTest, HasItsSystemIdAndRegisterMapHash) {
     run([this] {
         EXPECT_EQ(read(0xFF202040), 0x44453153u);
         EXPECT_EQ(read(0xFF202044), regmap::REGMAP_HASH);
@@ -239,7 +239,7 @@ TEST_F(FpgaTest, RunsOneClockForEvery40Nanoseconds) {
     });
 }
 
-TEST_F(FpgaTest, HandsTheKeypadsPinsToTheScannerOnlyWhileItIsEnabled) {
+TEST_F(FpgaTest, GivesTheKeypadsPinsToAnEnabledScannerAlone) {
     const auto jp1 = [](const sim::HeaderMasks& both) { return sim::bits_of_pins(both[0]); };
     run([&] {
         write(regmap::JP1_DIR, 0x1f0);

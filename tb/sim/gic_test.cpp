@@ -12,7 +12,7 @@ protected:
     bool irq() const { return board.irq; }
 };
 
-TEST_F(Gic, RaisesIrqForALevelThatIsUpAndTakesItBackWithTheLevel) {
+TEST_F(Gic, FollowsALevelWithIrq) {
     take(KEY);
     EXPECT_FALSE(irq());
     line(KEY, true);
@@ -29,7 +29,7 @@ TEST_F(Gic, GivesTheIdOnceAndThenNothing) {
     EXPECT_FALSE(irq());
 }
 
-TEST_F(Gic, RaisesALevelAgainAfterItsEndIfItIsStillUp) {
+TEST_F(Gic, RaisesAnActiveLevelAgainAfterItsEnd) {
     take(KEY);
     line(KEY, true);
     end(acknowledge());
@@ -39,7 +39,7 @@ TEST_F(Gic, RaisesALevelAgainAfterItsEndIfItIsStillUp) {
     EXPECT_FALSE(irq());
 }
 
-TEST_F(Gic, RemembersAnEdgeThatHasGoneByAndGivesItOnce) {
+TEST_F(Gic, RemembersAnEdgeOnce) {
     take(KEY);
     make_edge(KEY);
     line(KEY, true);
@@ -156,7 +156,7 @@ TEST_F(Gic, ShowsWhatIsActiveUntilItsEnd) {
     EXPECT_EQ(read(GIC + 0x308), 0u);
 }
 
-TEST_F(Gic, SendsSoftwareInterruptsToItselfAndToListsThatNameIt) {
+TEST_F(Gic, SendsSoftwareInterruptsToItself) {
     take(5);
     write(GIC + 0xF00, 0x02000005);
     EXPECT_EQ(acknowledge(), 5u);

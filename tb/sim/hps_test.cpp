@@ -101,7 +101,7 @@ TEST_F(Hps, MemoryRemembersBytesAcrossItsPages) {
     EXPECT_EQ(delay, sc_time(180, SC_NS));
 }
 
-TEST_F(Hps, AnAddressThatNobodyOwnsIsAnAddressErrorAndCounted) {
+TEST_F(Hps, AnUnownedAddressIsACountedError) {
     std::uint32_t value = 0;
     EXPECT_EQ(access(tlm::TLM_READ_COMMAND, 0x80000000, &value, 4),
               tlm::TLM_ADDRESS_ERROR_RESPONSE);
@@ -138,7 +138,7 @@ TEST_F(Hps, CountsReadsWritesAndBursts) {
     EXPECT_EQ(bus.counts().errors, 0u);
 }
 
-TEST_F(Hps, TheGlobalTimerStandsStillUntilEnabledAndThenCountsAt200MHz) {
+TEST_F(Hps, TheGlobalTimerCountsAt200MHzOnceEnabled) {
     sc_core::sc_start(1, sc_core::SC_US);
     EXPECT_EQ(read(0xFFFEC200), 0u);
     write(0xFFFEC208, 1);
@@ -190,7 +190,7 @@ TEST_F(Hps, TheUartInterruptsWhileACharacterWaits) {
     EXPECT_EQ(read(IIR) & 0xF, 1u);
 }
 
-TEST_F(Hps, TheUartLosesWhatItHasNoPlaceForAndSaysSoOnce) {
+TEST_F(Hps, TheUartReportsAnOverflowOnce) {
     write(FCR, 0);
     system.uart.receive("ab");
     pass(2001);
@@ -205,7 +205,7 @@ TEST_F(Hps, TheUartLosesWhatItHasNoPlaceForAndSaysSoOnce) {
     EXPECT_EQ(read(LSR) & 3, 0u);
 }
 
-TEST_F(Hps, AByteThatTheUartSendsTakesNoneThatItHasReceived) {
+TEST_F(Hps, ASentByteKeepsTheReceivedOnes) {
     system.uart.receive("x");
     pass(1001);
     std::uint8_t byte = 'h';
@@ -223,7 +223,7 @@ TEST_F(BusDeathTest, RefusesAWindowAroundAnother) {
     EXPECT_DEATH(Overlapping("two", 0x0000, 0x8000), "");  // SystemC prints to stdout
 }
 
-TEST_F(BusDeathTest, RefusesToSwitchAWindowThatItDoesNotHaveAndNamesThoseThatItHas) {
+TEST_F(BusDeathTest, RefusesAnUnknownWindowAndNamesTheKnownOnes) {
     sc_core::sc_report_handler::set_actions(sc_core::SC_FATAL, sc_core::SC_THROW);
     try {
         Gated("one", "lwh2f");

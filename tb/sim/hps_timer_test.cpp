@@ -134,7 +134,7 @@ TEST_F(Uart0, TakesTheTimeOfItsBaudRate) {
     EXPECT_FALSE(board.hps.uart0.is_sending());
 }
 
-TEST_F(Uart0, LosesWhatItsFifoHasNoRoomForAndSaysSoOnce) {
+TEST_F(Uart0, ReportsAnOverflowOnce) {
     for (int n = 0; n < 129; ++n) write(UART, 'a');
     EXPECT_EQ(read(UART + 0x7C) & 2, 0u) << "full";
     EXPECT_TRUE(board.said.empty());
@@ -248,7 +248,7 @@ TEST_F(Managers, HaveTheFpgasConfigurationAsTheBootLoaderLeavesIt) {
     EXPECT_EQ(read(0xFF706004), 0x2C0u) << "32 bits, a data ratio of 8, nothing pulled";
 }
 
-TEST_F(Managers, ShowTheModesOfAnFpgaThatIsResetAndSayOnceThatItsDesignStays) {
+TEST_F(Managers, ReportOnceThatAResetFpgaKeepsItsDesign) {
     write(0xFF706004, 0x2C5);
     EXPECT_EQ(read(0xFF706000) & 7, 1u) << "reset";
     EXPECT_EQ(read(0xFF706850) & 7, 0u);

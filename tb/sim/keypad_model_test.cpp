@@ -83,7 +83,7 @@ TEST_F(KeypadModel, BouncesForAtMostFiveMillisecondsAndThenRests) {
     EXPECT_EQ(keypad.releases(), 20u);
 }
 
-TEST_F(KeypadModel, BouncesTheSameWayWithTheSameSeedAndAnotherWayWithAnother) {
+TEST_F(KeypadModel, BouncesByItsSeed) {
     std::vector<std::uint64_t> same_moves, other_moves;
     sim::Keypad same{agenda, 1, [&] { same_moves.push_back(agenda.now_ps()); }};
     sim::Keypad other{agenda, 2, [&] { other_moves.push_back(agenda.now_ps()); }};
@@ -93,7 +93,7 @@ TEST_F(KeypadModel, BouncesTheSameWayWithTheSameSeedAndAnotherWayWithAnother) {
     EXPECT_NE(moves, other_moves);
 }
 
-TEST_F(KeypadModel, LetsAReleaseEndTheBounceOfThePressBeforeIt) {
+TEST_F(KeypadModel, EndsThePressesBounceAtARelease) {
     keypad.press(key(3, 3));
     pass(100 * US);
     keypad.release(key(3, 3));

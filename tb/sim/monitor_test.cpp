@@ -65,7 +65,7 @@ protected:
     }
 };
 
-TEST_F(MonitorTest, FindsThePictureOfAStandardSignalAndNothingToBlame) {
+TEST_F(MonitorTest, FindsThePictureOfAStandardSignal) {
     show({}, 3);
     ASSERT_EQ(pictures.size(), 3u);
     for (unsigned y = 0; y < 480; ++y)
@@ -74,7 +74,7 @@ TEST_F(MonitorTest, FindsThePictureOfAStandardSignalAndNothingToBlame) {
     EXPECT_EQ(monitor.violations(), 0u) << first_message();
 }
 
-TEST_F(MonitorTest, AcceptsAVerticalSyncThatDoesNotBeginWithTheHorizontalOne) {
+TEST_F(MonitorTest, AcceptsAVsApartFromHs) {
     Signal signal;
     signal.vs_late = 300;
     show(signal, 3);

@@ -6,7 +6,7 @@
 
 namespace {
 
-TEST(PlainOutput, IsAPortButNotACapturedEdgeThatIsCleared) {
+TEST(PlainOutput, HasPortsButNoCapturedEdge) {
     EXPECT_TRUE(sim::is_plain_output(regmap::LEDR_DATA, 0x3FF));
     EXPECT_TRUE(sim::is_plain_output(regmap::HEX5_4_DATA, 0x3F));
     EXPECT_TRUE(sim::is_plain_output(regmap::JP1_DIR, 0xF0));

@@ -157,7 +157,7 @@ TEST_F(PrivateTimer, AsASecondTimerInterruptsAsId30) {
 
 constexpr std::uint32_t GLOBAL = 0xFFFEC200;
 
-TEST_F(PrivateTimer, HasAGlobalNeighbourThatInterruptsAtItsComparatorAsId27) {
+TEST_F(PrivateTimer, LeavesId27ToTheGlobalTimersComparator) {
     take(27);
     write(GLOBAL + 0x10, 200'000);
     write(GLOBAL + 0x08, 1 | 2 | 4);

@@ -15,7 +15,7 @@ protected:
     Bytes repeats(unsigned count) { return Bytes(count, A); }
 };
 
-TEST_F(KeyboardModel, SaysThatItsTestHasPassedHalfASecondAfterPowerOn) {
+TEST_F(KeyboardModel, PassesItsTestHalfASecondAfterPowerOn) {
     EXPECT_THAT(within_ms(500), IsEmpty());
     EXPECT_THAT(within_ms(2), ElementsAre(0xAA));
 }
@@ -42,7 +42,7 @@ TEST_F(KeyboardModel, RepeatsAfter500MillisecondsTenPointNineTimesASecond) {
     EXPECT_THAT(within_ms(500), ElementsAre(0xE0, 0xF0, 0x6B));
 }
 
-TEST_F(KeyboardModel, RepeatsTheKeyThatWentDownLastUntilThatComesUp) {
+TEST_F(KeyboardModel, RepeatsTheLastKeyUntilItsRelease) {
     power_on();
     device.press(A);
     run_ms(100);
@@ -75,7 +75,7 @@ TEST_F(KeyboardModel, RepeatsAsTheHostHasAsked) {
     EXPECT_EQ(within_ms(505), repeats(2));
 }
 
-TEST_F(KeyboardModel, HasNoBreakCodeOfPauseAndDoesNotRepeatIt) {
+TEST_F(KeyboardModel, NeitherBreaksNorRepeatsPause) {
     power_on();
     device.press(0xE177);
     EXPECT_THAT(within_ms(700), ElementsAre(0xE1, 0x14, 0x77, 0xE1, 0xF0, 0x14, 0xF0, 0x77));
@@ -83,7 +83,7 @@ TEST_F(KeyboardModel, HasNoBreakCodeOfPauseAndDoesNotRepeatIt) {
     EXPECT_THAT(within_ms(20), IsEmpty());
 }
 
-TEST_F(KeyboardModel, TypesWhatWasTypedDuringItsTestWhenThatIsOver) {
+TEST_F(KeyboardModel, TypesKeysOfItsTestAfterwards) {
     device.type("aB");
     device.press(LEFT);
     run_ms(300);
@@ -134,7 +134,7 @@ TEST_F(KeyboardModel, LetsKeysWaitBetweenACommandAndItsSecondByte) {
     EXPECT_THAT(answers({0x02}), ElementsAre(0xFA, 0x1C));
 }
 
-TEST_F(KeyboardModel, DoesNotPileUpRepeatsWhileTheHostHoldsItBack) {
+TEST_F(KeyboardModel, DropsRepeatsWhileTheHostInhibits) {
     power_on();
     device.host(true, false);
     device.press(A);
@@ -143,7 +143,7 @@ TEST_F(KeyboardModel, DoesNotPileUpRepeatsWhileTheHostHoldsItBack) {
     EXPECT_EQ(within_ms(50), repeats(1));
 }
 
-TEST_F(KeyboardModel, IgnoresARequestBeforeWhichTheClockWasNotHeldLow) {
+TEST_F(KeyboardModel, IgnoresARequestWithoutALowClock) {
     power_on();
     const auto takes_after_us = [this](double held) {
         if (held > 0) {

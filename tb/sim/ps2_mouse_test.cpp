@@ -171,7 +171,7 @@ TEST_F(MouseModel, SendsBackWhatItGetsInWrapMode) {
     EXPECT_THAT(answers({0xF2}), ElementsAre(0xFA, 0x00));
 }
 
-TEST_F(MouseModel, RefusesWhatIsNoCommandAndASecondTimeMoreFirmly) {
+TEST_F(MouseModel, RefusesAnUnknownCommandWithFeThenFc) {
     power_on();
     EXPECT_THAT(answers({0x12, 0x12, 0xF2, 0x12}), ElementsAre(0xFE, 0xFC, 0xFA, 0x00, 0xFE));
 }

@@ -137,7 +137,7 @@ TEST_F(L4Watchdog, IsQuietAfterAnotherReset) {
 
 // ---- The second processor -----------------------------------------------------------------------
 
-TEST_F(Clocks, OfTheSecondProcessorAreNotSimulatedWhichIsSaidOnce) {
+TEST_F(Clocks, OfTheSecondProcessorAreReportedOnceAsMissing) {
     constexpr std::uint32_t MPUMODRST = 0xFFD05010;
     EXPECT_EQ(read(MPUMODRST), 2u) << "in reset";
     for (const std::uint32_t value : {0u, 2u, 0u}) write(MPUMODRST, value);

@@ -197,7 +197,7 @@ TEST_F(SteadyLoopTest, ReadsThumbsLongInstructionsAndCalls) {
     EXPECT_EQ(loop.instructions(), 4u);
 }
 
-TEST_F(SteadyLoopTest, EndsAThumbLoopWhereItsItBlockOrCbzIsMet) {
+TEST_F(SteadyLoopTest, EndsAThumbLoopByItsItBlockOrCbz) {
     now.r[1] = 100;
     // subs r1, #1; cmp r1, #10; it eq; moveq r4, #7; cbz r1, out; b
     const std::vector<std::uint16_t> delay{0x3901, 0x290A, 0xBF08, 0x2407, 0xB101, 0xE7F9};

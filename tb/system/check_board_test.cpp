@@ -33,7 +33,7 @@ TEST_F(CheckBoard, PassesInTheSimulation) {
 }
 
 // The board's own program, which writes its report as it does on the board.
-TEST_F(CheckBoard, FindsTheSameByTheBoardsProgramWhichReportsForCompare) {
+TEST_F(CheckBoard, AgreesWithTheBoardsOwnProgram) {
     ASSERT_EQ(check("native").exit_code, 0);
     std::filesystem::create_directories(folder / "root");
     const std::string scenario = std::string{SOURCE} + "/sim/check/check_board.yaml";

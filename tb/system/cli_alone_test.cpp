@@ -39,7 +39,7 @@ TEST_F(ProgramAlone, RunsUntilALinuxProgramExits) {
     EXPECT_THAT(outcome.out, Not(HasSubstr("expectations")));
 }
 
-TEST_F(ProgramAlone, RunsOnUntilItsLastPictureIsSeenWhenABareMetalProgramStandsStill) {
+TEST_F(ProgramAlone, RunsUntilItsLastPictureIsSeen) {
     const tb::Outcome outcome = alone(STANDS_STILL_ELF);
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_EQ(report()["end"], "the program ended");
@@ -50,7 +50,7 @@ TEST_F(ProgramAlone, RunsOnUntilItsLastPictureIsSeenWhenABareMetalProgramStandsS
     EXPECT_THAT(files(), Not(Contains(frame(2)))) << "it is the same picture";
 }
 
-TEST_F(ProgramAlone, GetsNoAdviceOnADisplayThatItDoesNotUse) {
+TEST_F(ProgramAlone, GetsNoAdviceOnAnUnusedDisplay) {
     for (const char* elf : {LINUX_PROGRAMS "hello", STANDS_STILL_ELF})
         EXPECT_EQ(alone(elf).err, "") << elf << " shows nothing, or just what it has drawn";
 }
@@ -71,14 +71,14 @@ TEST_F(ProgramAlone, RunsUntilItIsInterrupted) {
     EXPECT_THAT(outcome.err, HasSubstr("the program was at PC 0x"));
 }
 
-TEST_F(ProgramAlone, IsToldThatTheFpgaDoesNotShowItsOwnMemory) {
+TEST_F(ProgramAlone, IsWarnedOfAPictureInItsOwnMemory) {
     const tb::Outcome outcome = alone(OWN_PICTURE_ELF, {"--duration", "100ms"});
     EXPECT_EQ(outcome.exit_code, 0);
     EXPECT_THAT(outcome.err, ContainsRegex("the pixel buffer at 0x10000... is in the DDR3 memory"));
     EXPECT_THAT(outcome.err, Not(HasSubstr("did not swap")));
 }
 
-TEST_F(ProgramAlone, IsToldNothingOfThePictureIfItAsksForNone) {
+TEST_F(ProgramAlone, GetsNoAdviceOnAPictureWithoutFrames) {
     const tb::Outcome outcome =
         alone(KEEPS_DATA_ELF, {"--duration", "100ms", "--fpga-memory", "bridge"});
     EXPECT_EQ(outcome.exit_code, 0);

@@ -99,7 +99,7 @@ TEST_F(ArmRun, WakesByTheKeysInterruptAndCountsEachPressOnce) {
     EXPECT_EQ(report()["program"]["at"]["waiting_for"], "an interrupt");
 }
 
-TEST_F(ArmRun, GoesOnAfterAnAbortThatTheProgramHandlesAndLogsIt) {
+TEST_F(ArmRun, LogsAHandledAbortAndGoesOn) {
     const tb::Outcome outcome = arm(ABORTS_ELF,
                                     "steps:\n  - delay: 10ms\n  - press: {key: 0, for: 10ms}\n"
                                     "  - expect-leds: \"0000000001\"\n");
@@ -123,7 +123,7 @@ TEST_F(ArmRun, SaysAnAbortThatHappensOftenOnceAndHowOften) {
     EXPECT_EQ(report()["program"]["aborts"], 300u);
 }
 
-TEST_F(ArmRun, SaysWhereAHangingProgramIsAndWhatItWaitsFor) {
+TEST_F(ArmRun, ReportsWhereAHangingProgramWaits) {
     const tb::Outcome outcome = arm(ABORTS_ELF, "duration: 30ms\nsteps:\n  - wait-serial: x\n");
     EXPECT_EQ(outcome.exit_code, 1);
     EXPECT_THAT(outcome.err, HasSubstr(" in main"));
@@ -154,7 +154,7 @@ TEST_F(ArmRun, RefusesAProgramThatIsNoneInOneLine) {
     refused(arm(folder / "none.elf", "duration: 1s\n"), "none.elf: is not there");
 }
 
-TEST_F(ArmRun, RefusesOptionsOfTheOtherProcessorAndClocksThatMakeNoSense) {
+TEST_F(ArmRun, RefusesNativeOptionsAndImpossibleClocks) {
     scenario("duration: 1s\n");
     refused(play("s.yaml", {"--cpu", "native", "--elf", LEDS_ELF}), "--elf: is for --cpu arm");
     refused(play("s.yaml", {"--cpi", "2"}), "--cpi: is for --cpu arm");

@@ -21,7 +21,7 @@ protected:
     }
 };
 
-TEST_F(ConsoleRun, WaitsForATextOnceForEachTimeThatItIsPrinted) {
+TEST_F(ConsoleRun, WaitsForATextOncePerTimeItIsPrinted) {
     const tb::Outcome outcome = arm(LEDS_ELF,
                                     "  - wait-serial: ready\n"
                                     "  - wait-serial: {text: ready, timeout: 1ms}\n");
@@ -31,7 +31,7 @@ TEST_F(ConsoleRun, WaitsForATextOnceForEachTimeThatItIsPrinted) {
                                        "but not that: \"\\x0a\""));
 }
 
-TEST_F(ConsoleRun, GoesOnBehindTheMatchWithWhatWasPrintedBeforeTheStep) {
+TEST_F(ConsoleRun, SearchesOnAfterThePreviousMatch) {
     EXPECT_EQ(arm(LEDS_ELF, "  - wait-serial: rea\n  - delay: 1ms\n  - wait-serial: \"dy\\n\"\n")
                   .exit_code,
               0);
@@ -40,7 +40,7 @@ TEST_F(ConsoleRun, GoesOnBehindTheMatchWithWhatWasPrintedBeforeTheStep) {
               1);
 }
 
-TEST_F(ConsoleRun, FindsNewTextAndChecksHoweverMuchWasPrintedBeforeAndSaysWhatIsTooOld) {
+TEST_F(ConsoleRun, FindsTextAfterAnyAmountOfOutput) {
     const tb::Outcome outcome = arm(PRINTS_MUCH_ELF,
                                     "  - delay: 1900ms\n"
                                     "  - wait-serial: {text: first, timeout: 1ms}\n"

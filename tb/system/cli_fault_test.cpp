@@ -41,7 +41,7 @@ TEST_F(FailingRun, InterruptedLeavesWholeFilesAndSaysSo) {
     expect_whole_frames(report()["frames"]["shown"]);
 }
 
-TEST_F(FailingRun, OnAFullDiskEndsWithOneLineAndNothingHalfWritten) {
+TEST_F(FailingRun, OnAFullDiskLeavesNothingHalfWritten) {
     scenario("duration: 300ms\n");
     const struct {
         std::uint64_t bytes;
@@ -60,7 +60,7 @@ TEST_F(FailingRun, OnAFullDiskEndsWithOneLineAndNothingHalfWritten) {
     }
 }
 
-TEST_F(FailingRun, OnADiskThatFillsWithWaveformsLeavesNoTraceThatIsCutOff) {
+TEST_F(FailingRun, OnADiskFullOfWaveformsLeavesNoHalfTrace) {
     scenario("duration: 60ms\n");
     tb::Command command;
     command.disk_full = 20'000;
@@ -74,7 +74,7 @@ TEST_F(FailingRun, OnADiskThatFillsWithWaveformsLeavesNoTraceThatIsCutOff) {
         EXPECT_THAT(entry.path().filename().string(), Not(HasSubstr("trace.fst")));
 }
 
-TEST_F(FailingRun, OfFirmwareThatNeverSwapsEndsAtItsDurationAndSaysSo) {
+TEST_F(FailingRun, WithoutASwapEndsAtItsDuration) {
     const tb::Outcome outcome =
         play(scenario("duration: 150ms\nsteps:\n  - delay: 100ms\n"), {}, {}, NEVER_SWAPS);
     EXPECT_EQ(outcome.exit_code, 0);  // the scenario has no expectations
@@ -84,7 +84,7 @@ TEST_F(FailingRun, OfFirmwareThatNeverSwapsEndsAtItsDurationAndSaysSo) {
     EXPECT_LE(report()["frames"]["swapped"], 1u);
 }
 
-TEST_F(FailingRun, OfFirmwareThatNeverSwapsMissesTheSwapThatWasExpected) {
+TEST_F(FailingRun, WithoutASwapMissesTheExpectedSwap) {
     const tb::Outcome outcome = play(scenario("duration: 150ms\nsteps:\n"
                                               "  - wait-frame: 2\n"
                                               "  - wait-frame: {frame: next-swap, timeout: 50ms}\n"
@@ -101,7 +101,7 @@ TEST_F(FailingRun, OfFirmwareThatNeverSwapsMissesTheSwapThatWasExpected) {
     EXPECT_EQ(expectations[2]["detail"], "the run ended before");
 }
 
-TEST_F(FailingRun, OfFirmwareThatReadsAWrongAddressEndsThereAndNamesIt) {
+TEST_F(FailingRun, EndsAtAWrongAddressAndNamesIt) {
     const tb::Outcome outcome =
         play(scenario("duration: 1s\n"), {"--quiet", "--frames", "all"}, {}, BAD_ADDRESS);
     EXPECT_EQ(outcome.exit_code, 1);
@@ -115,7 +115,7 @@ TEST_F(FailingRun, OfFirmwareThatReadsAWrongAddressEndsThereAndNamesIt) {
     expect_whole_frames(report()["frames"]["shown"]);
 }
 
-TEST_F(FailingRun, WithAnotherPictureThanTheGoldenLeavesThreePicturesAndPrintsWhere) {
+TEST_F(FailingRun, WithAWrongPictureLeavesThreePictures) {
     const sim::Image black{640, 480, std::vector<std::uint8_t>(640 * 480 * 3)};
     sim::write_png(folder / "black.png", black);
     const tb::Outcome outcome =

@@ -47,7 +47,7 @@ private:
     }
 };
 
-TEST_F(OutputFolder, ThatARunWritesIsRefusedToAnotherWhichNamesTheFirst) {
+TEST_F(OutputFolder, InUseIsRefusedNamingTheFirstRun) {
     const tb::Outcome second = during_a_run(out, SIGINT);
     EXPECT_EQ(second.exit_code, 2);
     EXPECT_EQ(second.out, "");
@@ -57,7 +57,7 @@ TEST_F(OutputFolder, ThatARunWritesIsRefusedToAnotherWhichNamesTheFirst) {
     EXPECT_THAT(command_line_of_holder, AllOf(HasSubstr("s.yaml"), Not(HasSubstr("20ms"))));
 }
 
-TEST_F(OutputFolder, ThatARunWritesIsNotTouchedByTheRunThatIsRefused) {
+TEST_F(OutputFolder, InUseIsNotTouchedByTheRefusedRun) {
     during_a_run(out, SIGINT);
     EXPECT_TRUE(first_frame_stayed);
     EXPECT_EQ(first_run.exit_code, 130);
@@ -89,7 +89,7 @@ TEST_F(OutputFolder, WithoutANameIsRefused) {
     }
 }
 
-TEST_F(OutputFolder, WithAScreenshotInPlaceOfTheReportIsRefusedBeforeTheRun) {
+TEST_F(OutputFolder, WithAScreenshotNamedReportIsRefused) {
     const tb::Outcome outcome = play(
         scenario("steps:\n  - delay: 20ms\n  - take-screenshot: {save-to: junit.xml/x.png}\n"));
     EXPECT_EQ(outcome.exit_code, 2);

@@ -101,7 +101,7 @@ TEST_F(Gdb, StepsByLineAndByInstruction) {
     end();
 }
 
-TEST_F(Gdb, StopsWhereAVariableIsWrittenAndWhereItIsRead) {
+TEST_F(Gdb, StopsAtWritesAndReadsOfAVariable) {
     start(SUMS_ELF, "duration: 1ms\n");
     const std::string text = gdb({"watch total", "continue", "continue", "delete", "rwatch total",
                                   "continue", "delete", "awatch rounds", "continue"});
@@ -167,7 +167,7 @@ TEST_F(Gdb, AStepOverADeviceAccessIsOneInstruction) {
 }
 
 // The debugger itself makes ID 73 pending, in the distributor's ICDISPR2.
-TEST_F(Gdb, AStepKeepsAnInterruptOutAndContinueLetsItIn) {
+TEST_F(Gdb, AStepHoldsInterruptsAndContinueTakesThem) {
     start(KEY_INTERRUPT_ELF, "duration: 100ms\n");
     EXPECT_THAT(gdb({"tbreak key_interrupt.c:23", "continue", "set $begin = $pc",
                      "set var *(unsigned*)0xFFFED208 = 0x200", "stepi", "print $pc - $begin",
@@ -221,7 +221,7 @@ TEST_F(Gdb, SeesAnAbortThatTheProgramHasNoVectorFor) {
     EXPECT_EQ(end().exit_code, 1);
 }
 
-TEST_F(Gdb, ARunThatWasOnlyWaitedForIsTheSameAsOneWithout) {
+TEST_F(Gdb, ARunWithoutCommandsIsUnchanged) {
     const std::string steps = "duration: 100ms\nsteps:\n  - press: {keypad: \"1\", for: 30ms}\n";
     start(COLLIDE_ELF, steps);
     gdb({"detach"});
@@ -235,7 +235,7 @@ TEST_F(Gdb, ARunThatWasOnlyWaitedForIsTheSameAsOneWithout) {
     EXPECT_EQ(with["bus"], without["bus"]);
 }
 
-TEST_F(Gdb, AConnectionThatBreaksLetsTheRunGoOnAndAnotherDebuggerCome) {
+TEST_F(Gdb, ABrokenConnectionLetsTheRunContinue) {
     start(SUMS_ELF, "duration: 100s\n");
     const std::string first = gdb({"break square", "continue", "shell kill -9 $PPID"});
     EXPECT_THAT(first, HasSubstr("Breakpoint 1"));

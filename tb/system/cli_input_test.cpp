@@ -49,7 +49,7 @@ TEST_F(WrongInput, AHugeScenarioIsRefusedUnread) {
     refused(play("s.yaml"), "s.yaml: expected a scenario file, got: is larger than 1048576 bytes");
 }
 
-TEST_F(WrongInput, AMisspeltStepIsRefusedWithItsPlaceAndTheRightWord) {
+TEST_F(WrongInput, AMisspeltStepIsRefusedWithASuggestion) {
     refused(play(scenario("steps:\n  - dely: 5ms\n")),
             "s.yaml:4:5: expected a step, got \"dely\" (did you mean \"delay\"?)");
 }
@@ -64,21 +64,21 @@ TEST_F(WrongInput, OverlappingTimesAreRefused) {
     refused(play(scenario("duration: 1s\nsteps:\n  - delay: 2s\n")), "s.yaml:5:5: expected steps");
 }
 
-TEST_F(WrongInput, AGoldenOfAnotherSizeIsNotMetAndBothSizesAreSaid) {
+TEST_F(WrongInput, AGoldenOfAnotherSizeIsReportedWithBothSizes) {
     sim::write_png(folder / "small.png", {320, 240, std::vector<std::uint8_t>(320 * 240 * 3)});
     const auto outcome = play(scenario("steps:\n  - expect-frame: {equals: small.png}\n"));
     EXPECT_EQ(outcome.exit_code, 1);
     EXPECT_THAT(outcome.err, HasSubstr("640 x 480 pixels, but small.png has 320 x 240"));
 }
 
-TEST_F(WrongInput, AGoldenThatIsNotThereOrNoPictureIsRefusedBeforeTheRun) {
+TEST_F(WrongInput, AMissingGoldenIsRefusedBeforeTheRun) {
     scenario("steps:\n  - expect-frame: {equals: g.png}\n");
     refused(play("s.yaml"), "g.png");
     folder.put("g.png", "GIF89a");
     refused(play("s.yaml"), "g.png");
 }
 
-TEST_F(WrongInput, AnOutputFolderThatIsAFileIsNamedAndTheFileStays) {
+TEST_F(WrongInput, AnOutputFolderThatIsAFileIsRefused) {
     scenario("duration: 100ms\n");
     folder.put("out", "precious");
     refused(play("s.yaml"), out.string() + ": cannot create the folder: Not a directory");

@@ -101,7 +101,7 @@ TEST_F(MissedInterrupt, IsTakenAgainAndAgainWhileItsCauseLasts) {
     says(CAUSE, "its handler does not take the cause away: KEY_EDGE (0xFF20005C) is 0x1\n");
 }
 
-TEST_F(MissedInterrupt, IsTakenForEverWhereItsHandlerDoesNotReadWhichItIs) {
+TEST_F(MissedInterrupt, IsReportedForAHandlerThatNeverReadsIccIar) {
     says(ACKNOWLEDGE, "and its handler does not read ICCIAR (0xFFFEC10C): it was entered ");
 }
 

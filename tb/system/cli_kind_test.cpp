@@ -35,18 +35,18 @@ protected:
     }
 };
 
-TEST_F(OtherFile, OfCIsBuiltAndRunByTheCommandThatIsSaid) {
+TEST_F(OtherFile, OfCIsBuiltByTheSuggestedCommand) {
     EXPECT_THAT(
         obey("a b.c", "#include <stdio.h>\nint main(void) { printf(\"c %d\\n\", 1); }\n").out,
         HasSubstr("c 1\na b.elf: the program ended"));
 }
 
-TEST_F(OtherFile, OfCxxIsBuiltAndRunByTheCommandThatIsSaid) {
+TEST_F(OtherFile, OfCxxIsBuiltByTheSuggestedCommand) {
     EXPECT_THAT(obey("a b.cpp", "#include <cstdio>\nint main() { std::puts(\"c++\"); }\n").out,
                 HasSubstr("c++\na b.elf: the program ended"));
 }
 
-TEST_F(OtherFile, OfAssemblyIsBuiltAndRunByTheCommandThatIsSaid) {
+TEST_F(OtherFile, OfAssemblyIsBuiltByTheSuggestedCommand) {
     EXPECT_THAT(obey("a b.s",
                      ".global _start\n_start: ldr r0, =0xFF200000\n mov r1, #5\n"
                      " str r1, [r0]\n cpsid if\n b .\n")
@@ -54,7 +54,7 @@ TEST_F(OtherFile, OfAssemblyIsBuiltAndRunByTheCommandThatIsSaid) {
                 HasSubstr("LEDR 0000000101"));
 }
 
-TEST_F(OtherFile, OfCForLinuxIsSentToTheCompilerForLinux) {
+TEST_F(OtherFile, OfCForLinuxSuggestsTheLinuxCompiler) {
     EXPECT_THAT(refusal("p.c", "#include <sys/mman.h>\n"),
                 HasSubstr("p.c: is C source, not a program: build it, for the board's Linux: "
                           "arm-linux-gnueabihf-gcc -static "));
@@ -85,7 +85,7 @@ TEST_F(OtherFile, OfAnotherKindIsToldByItsBytes) {
                 HasSubstr("is neither a program (ELF file) nor a scenario (YAML)"));
 }
 
-TEST_F(OtherFile, ThatIsAFolderOrNotThereIsSaidToBeThat) {
+TEST_F(OtherFile, ThatIsAFolderOrMissingIsReported) {
     EXPECT_THAT(refusal(""), HasSubstr("is a folder: for one of scenarios: de1sim test "));
     EXPECT_THAT(de1sim({"run", folder / "none"}).err, HasSubstr("none: is not there\n"));
     EXPECT_THAT(de1sim({folder / "none.elf"}).err, HasSubstr("none.elf: is not there\n"));

@@ -14,7 +14,7 @@ protected:
     }
 };
 
-TEST_F(ShownRun, HasTheLampsAndPinsAtTheEndInReportAndSummary) {
+TEST_F(ShownRun, ReportsTheLampsAndPinsAtTheEnd) {
     const tb::Outcome outcome = run("  - delay: 5ms\n");
     const nlohmann::json shown = report()["shown"];
     EXPECT_EQ(shown["ledr"]["lit"], "1010101010");

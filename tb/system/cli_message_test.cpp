@@ -36,12 +36,12 @@ protected:
     }
 };
 
-TEST_F(Message, ThatCanNotBeWrittenLeavesTheRunAsItIs) {
+TEST_F(Message, ThatCanNotBeWrittenKeepsTheRun) {
     EXPECT_EQ(play_after("exec 2>/dev/full", WITH_PROGRESS).exit_code, 0);
     expect_all_files();
 }
 
-TEST_F(Message, ThatCanNotBeWrittenLeavesTheExitCodeAsItIs) {
+TEST_F(Message, ThatCanNotBeWrittenKeepsTheExitCode) {
     tb::Command command;
     command.shell = "exec 2>/dev/full";
     EXPECT_EQ(play("none.yaml", {}, command).exit_code, 2);
@@ -70,7 +70,7 @@ TEST_F(Message, GoesNowhereWhereNothingIsOpen) {
     EXPECT_EQ(file("console.txt"), "");
 }
 
-TEST_F(Message, ThatTheSummaryCanNotBeWrittenIsExit2WithTheReportWritten) {
+TEST_F(Message, OfASummaryThatCanNotBeWrittenIsExit2) {
     const tb::Outcome outcome = play_after("exec >/dev/full", WITHOUT);
     EXPECT_EQ(outcome.exit_code, 2);
     EXPECT_EQ(outcome.err,
@@ -78,7 +78,7 @@ TEST_F(Message, ThatTheSummaryCanNotBeWrittenIsExit2WithTheReportWritten) {
     expect_all_files();
 }
 
-TEST_F(Message, ThatHelpOrAComparisonCanNotBeWrittenIsExit2) {
+TEST_F(Message, OfHelpThatCanNotBeWrittenIsExit2) {
     tb::Command command;
     command.shell = "exec >/dev/full";
     folder.put("a", "{\"passed\": true, \"checks\": []}");

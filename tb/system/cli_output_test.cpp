@@ -163,7 +163,7 @@ TEST_F(CommandLineRun, BouncesTheKeysByTheSeed) {
     EXPECT_NE(last_picture("1"), last_picture("2"));
 }
 
-TEST_F(CommandLineRun, WithATraceShowsTheSameAndWritesAnFstFile) {
+TEST_F(CommandLineRun, WithATraceGivesTheSameFilesAndAnFst) {
     scenario("duration: 100ms\n");
     EXPECT_EQ(play("s.yaml", {"--frames", "last"}).exit_code, 0);
     const std::string picture = file(frame(FRAMES_IN_100_MS));

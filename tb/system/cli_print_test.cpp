@@ -35,7 +35,7 @@ TEST_F(PrintingProgram, LosesNothingThatItPrintedBeforeItDied) {
     }
 }
 
-TEST_F(PrintingProgram, IsReadOnStandardOutputByteForByteBeforeTheSummary) {
+TEST_F(PrintingProgram, PrintsByteForByteBeforeTheSummary) {
     const tb::Outcome outcome = run(PROMPTS_ELF);
     EXPECT_THAT(outcome.out, StartsWith(LINE + PROMPT + "\nprompts.elf: duration reached; "));
     EXPECT_THAT(outcome.err, Not(HasSubstr("first")));

@@ -8,7 +8,7 @@ constexpr unsigned SETUP_MS = 20;
 
 class CodecSetup : public tb::WholeBoard {};
 
-TEST_F(CodecSetup, IsReadySoonAfterPowerOnAndTheCodecPlaysAtItsRate) {
+TEST_F(CodecSetup, IsReadySoonAfterPowerOn) {
     run_to_end([](hal::Mmio& io, hal::Cpu& cpu) {
         idle_ms(cpu, SETUP_MS);
         EXPECT_EQ(io.read(regmap::CODEC_STATUS) &
@@ -21,7 +21,7 @@ TEST_F(CodecSetup, IsReadySoonAfterPowerOnAndTheCodecPlaysAtItsRate) {
     EXPECT_DOUBLE_EQ(rate_hz, 8'000);
 }
 
-TEST_F(CodecSetup, TellsTheWordThatTheCodecRefusedAndWorksWhenItIsDoneAgain) {
+TEST_F(CodecSetup, ReportsTheRefusedWordAndWorksWhenRepeated) {
     bool done = false;
     power_on([&](hal::Mmio& io, hal::Cpu& cpu) {
         idle_ms(cpu, SETUP_MS);

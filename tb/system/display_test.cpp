@@ -32,7 +32,7 @@ void fill(hal::Mmio& io, std::uint32_t picture, const Colour& c) {
 
 class DisplayOnTheBoard : public tb::WholeBoard {};
 
-TEST_F(DisplayOnTheBoard, NeverTearsAPictureHoweverFastTheyAreDrawnAndSwapped) {
+TEST_F(DisplayOnTheBoard, NeverTearsAPicture) {
     power_on([](hal::Mmio& io, hal::Cpu&) {
         hal::Display display{io};
         for (unsigned number = 0;; ++number) {
@@ -52,7 +52,7 @@ TEST_F(DisplayOnTheBoard, NeverTearsAPictureHoweverFastTheyAreDrawnAndSwapped) {
     }
 }
 
-TEST_F(DisplayOnTheBoard, ShowsOldPixelsOrNewOnesAndNothingElseWhileTheFrontPictureIsDrawn) {
+TEST_F(DisplayOnTheBoard, ShowsOldOrNewPixelsWhileTheFrontPictureIsDrawn) {
     const Colour &old_one = COLOURS[0], &new_one = COLOURS[2];
     power_on([&](hal::Mmio& io, hal::Cpu&) {
         for (;;) {

@@ -65,7 +65,7 @@ protected:
     }
 };
 
-TEST_F(Ps2OnTheBoard, HasAKeyboardInTheFirstPortAndAMouseInTheSecond) {
+TEST_F(Ps2OnTheBoard, HasKeyboardAndMouse) {
     run_to_end(
         [this](hal::Mmio& io, hal::Cpu& cpu) {
             idle_ms(cpu, 510);
@@ -103,7 +103,7 @@ protected:
     }
 };
 
-TEST_F(KeypadOnTheBoard, TellsEveryKeyOfAChordOnceAndTheirReleaseToo) {
+TEST_F(KeypadOnTheBoard, ReportsEveryKeyOfAChordOnce) {
     run_to_end([this](hal::Mmio& io, hal::Cpu& cpu) {
         io.write(regmap::KEYPAD_CONTROL, regmap::KEYPAD_CONTROL_EN_MASK);
         const std::uint16_t chord = key(0, 1) | key(2, 1) | key(3, 3);

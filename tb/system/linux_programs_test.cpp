@@ -119,7 +119,7 @@ TEST_F(LinuxProgram, ReadsItsInputFromAFile) {
     EXPECT_EQ(console(), "Number? no more\n");
 }
 
-TEST_F(LinuxProgram, TakesCharactersAsTheyComeWhenItAsksTheTerminalTo) {
+TEST_F(LinuxProgram, ReadsSingleCharactersInRawMode) {
     const tb::Outcome outcome = linux_run("asks", {"keys"}, {},
                                           "steps:\n  - delay: 5ms\n  - type-serial: \"wa\"\n"
                                           "  - wait-serial: \"[a]\"\n"
@@ -160,7 +160,7 @@ TEST_F(LinuxProgram, WaitsForAKeyAsLongAsItSays) {
         << "when the line is there";
 }
 
-TEST_F(LinuxProgram, WithoutAScenarioHasAnInputThatIsAtItsEnd) {
+TEST_F(LinuxProgram, WithoutAScenarioReadsEndOfFile) {
     EXPECT_EQ(de1sim({LINUX_PROGRAMS "asks", "--quiet", "--out", out.string()}).exit_code, 0);
     EXPECT_EQ(console(), "Number? no more\n");
 }

@@ -40,7 +40,7 @@ TEST_F(TypedSignal, EndsAReadAndDropsWhatWasTypedBefore) {
     EXPECT_EQ(console(), "running\n^Ccaught 2, read -1: Interrupted system call\n");
 }
 
-TEST_F(TypedSignal, LetsAReadGoOnWhereTheProgramAsksForThat) {
+TEST_F(TypedSignal, RestartsAReadWithSaRestart) {
     EXPECT_EQ(run("reads-on", "ab\\x03cd\\n", "caught").exit_code, 0);
     EXPECT_EQ(console(), "running\n^Ccd\ncaught 2, read 3: a line\n");
 }

@@ -42,12 +42,12 @@ TEST_F(LinuxStorm, WaitsInOneWriteUntilTheLineHasTakenIt) {
     EXPECT_EQ(console().substr(104'096), "\n4096 in 0 ms, 100000 in 8681 ms\n");
 }
 
-TEST_F(LinuxStorm, IsToldThatTheLineIsFullWhereItDoesNotWantToWait) {
+TEST_F(LinuxStorm, GetsEagainFromAFullLineWithoutBlocking) {
     EXPECT_EQ(storm("prints-unless-full", "1s").exit_code, 0);
     EXPECT_THAT(console(), EndsWith("\n4096, then -1\n"));
 }
 
-TEST_F(LinuxStorm, LeavesFilesForTheRunWhenItOpensAllThatItCanGet) {
+TEST_F(LinuxStorm, LeavesFilesForTheRunWhenItOpensAll) {
     std::filesystem::create_directories(folder / "root");
     folder.put("root/file", "x");
     const tb::Outcome outcome = storm("opens", "50ms", "ulimit -n 128");

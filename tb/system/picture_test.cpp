@@ -8,7 +8,7 @@ protected:
     void SetUp() override { ASSERT_NO_FATAL_FAILURE(start()); }
 };
 
-TEST_F(PictureOnTheMonitor, IsThatOfTheWorldForSquaresXAndTheConcaveShape) {
+TEST_F(PictureOnTheMonitor, IsThatOfTheWorld) {
     for (const char* cap : {"1", "2", "5"}) {
         ASSERT_NO_FATAL_FAILURE(press(cap));
         ASSERT_NO_FATAL_FAILURE(follow(12));
@@ -25,7 +25,7 @@ TEST_F(PictureOnTheMonitor, ShowsBoxesAndPauseAndSpeedAndEmptinessWhenTold) {
     EXPECT_EQ(replay->world().count, 0u);
 }
 
-TEST_F(PictureOnTheMonitor, IsANewOneInEveryFrameWithAHundredX) {
+TEST_F(PictureOnTheMonitor, IsNewInEveryFrameWithAHundredShapes) {
     ASSERT_NO_FATAL_FAILURE(press("2000000000222222222"));
     ASSERT_EQ(replay->world().count, 100u);
     const std::uint64_t frames = board->monitor.frames();

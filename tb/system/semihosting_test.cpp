@@ -38,7 +38,7 @@ TEST_F(Semihosting, PrintsAndEndsAsUnderQemu) {
     EXPECT_EQ(reference.out, console());
 }
 
-TEST_F(Semihosting, SaysOnceThatADebuggerHasToAnswerOnTheBoard) {
+TEST_F(Semihosting, WarnsOnceThatTheBoardNeedsADebugger) {
     typed("\\x04");
     EXPECT_THAT(log(), ElementsAre(AllOf(HasSubstr("semihosting: answered as by a debugger"),
                                          HasSubstr("PC 0x"))));

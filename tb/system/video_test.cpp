@@ -101,7 +101,7 @@ protected:
     }
 };
 
-TEST_P(Video, LastsAsLongAsTheRunWithEachFrameAtItsTime) {
+TEST_P(Video, HasEachFrameAtItsTime) {
     film();
     const double simulated_s = report()["simulated_s"];
     EXPECT_THAT(numbers(probe("-show_entries format=duration")),

@@ -40,14 +40,14 @@ TEST_F(WrongAddress, OnABridgeGoesWhereTheBoardsInterconnectSendsIt) {
     EXPECT_EQ(sdram, 77u);
 }
 
-TEST_F(WrongAddress, OfABlockOfTheHpsThatIsNotModelledSaysWhichItIs) {
+TEST_F(WrongAddress, InAnUnmodelledHpsBlockNamesTheBlock) {
     abort_with([](hal::Mmio& io, hal::Cpu&) { io.read(0xFFC00010); },
                "data abort: read of 4 bytes at 0xFFC00010 at 2\\.000[0-9]* ms "
                "\\(CAN0, 0xFFC00000 to 0xFFC00FFF, "
                "is not modelled\\)");
 }
 
-TEST_F(WrongAddress, BehindABridgeInResetIsADataAbortThatSaysSo) {
+TEST_F(WrongAddress, InABridgeInResetIsADataAbort) {
     abort_with(
         [](hal::Mmio& io, hal::Cpu&) {
             io.write(0xFFD0501C, 2);
@@ -57,7 +57,7 @@ TEST_F(WrongAddress, BehindABridgeInResetIsADataAbortThatSaysSo) {
         "\\(the lightweight bridge is in reset: on the board the processor hangs here\\)");
 }
 
-TEST_F(WrongAddress, WithAWrongSizeIsADataAbortThatSaysSo) {
+TEST_F(WrongAddress, WithAWrongSizeIsADataAbort) {
     abort_with(
         [](hal::Mmio& io, hal::Cpu&) {
             const std::uint32_t words[2] = {};
@@ -68,19 +68,19 @@ TEST_F(WrongAddress, WithAWrongSizeIsADataAbortThatSaysSo) {
         "only\\)");
 }
 
-TEST_F(WrongAddress, WhereTheBoardHasNothingIsADataAbortWithAddressAndTime) {
+TEST_F(WrongAddress, IsADataAbortWithAddressAndTime) {
     abort_with([](hal::Mmio& io, hal::Cpu&) { io.read(0x80000000); },
                "data abort: read of 4 bytes at 0x80000000 at 2\\.000[0-9]* ms "
                "\\(no memory at 0x80000000: [A-Z0-9]+ begins at 0xC0000000\\)");
 }
 
-TEST_F(WrongAddress, BehindTheDdr3IsADataAbortThatSaysWhereItEnds) {
+TEST_F(WrongAddress, AfterTheDdr3IsADataAbortNamingItsEnd) {
     abort_with([](hal::Mmio& io, hal::Cpu&) { io.write(0x40000000, 0); },
                "data abort: write of 4 bytes at 0x40000000 at 2\\.000[0-9]* ms "
                "\\(no memory at 0x40000000: the DDR3 ends at 0x3FFFFFFF\\)");
 }
 
-TEST_F(WrongAddress, InTheMiddleOfABurstIsADataAbortOfTheBurst) {
+TEST_F(WrongAddress, WithinABurstAbortsTheBurst) {
     abort_with(
         [](hal::Mmio& io, hal::Cpu&) {
             const std::uint32_t words[32] = {};

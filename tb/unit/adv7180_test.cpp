@@ -140,7 +140,7 @@ TEST_F(DecoderRegisters, ChooseTheColourOfAFreeRun) {
 }
 
 // Found as by a receiver without any state.
-TEST_F(DecoderChip, BeginsAndEndsEachLineWithACodeThatIsRight) {
+TEST_F(DecoderChip, BeginsAndEndsEachLineWithTheRightCode) {
     std::vector<std::uint64_t> begins;
     for (std::uint64_t n = 0; n < 2 * FRAME; ++n) {
         if (chip.data(n) != 0xFF) continue;
@@ -197,7 +197,7 @@ TEST_F(DecoderChip, ShowsColourBarsWithTheStandardsLevels) {
 }
 
 // A line of the second field lies under the one of the first that is 263 before it.
-TEST_F(DecoderChip, ShowsEvenRowsInTheFirstFieldAndOddOnesInTheSecond) {
+TEST_F(DecoderChip, ShowsEvenRowsFirstAndOddRowsSecond) {
     std::vector<std::uint8_t> rgb;
     for (int row = 0; row < 480; ++row) rgb.insert(rgb.end(), 3, row % 4 == 1 ? 255 : row / 4);
     show(1, 480, rgb);

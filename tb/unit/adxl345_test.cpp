@@ -73,7 +73,7 @@ TEST_F(Adxl345, Measures256StepsPerGLyingFlat) {
     EXPECT_EQ(axes(), (Axes{0, 0, 256}));
 }
 
-TEST_F(Adxl345, HasCoarserStepsInAWiderRangeUnlessItIsOfFullResolution) {
+TEST_F(Adxl345, HasCoarserStepsInAWiderRangeWithoutFullResolution) {
     set(POWER, MEASURE);
     chip.move({0.5, -1, 1}, now);
     for (const unsigned range : {0u, 1u, 2u, 3u}) {
@@ -134,7 +134,7 @@ TEST_F(Adxl345, SaysWhenASampleWasLost) {
     EXPECT_EQ(get(INT_SOURCE) & OVERRUN, 0u);
 }
 
-TEST_F(Adxl345, KeepsTheFirst33InAFifoAndTheLast33InAStream) {
+TEST_F(Adxl345, KeepsTheFirst33InFifoTheLast33InStreamMode) {
     for (const bool stream : {false, true}) {
         set(FIFO, 0);
         set(POWER, 0);

@@ -28,7 +28,7 @@ TEST_F(AgendaTest, CarriesOutEntriesInTheOrderOfTheirTimes) {
     EXPECT_EQ(agenda.next_ps(), 40u);
 }
 
-TEST_F(AgendaTest, CarriesOutEntriesOfOneTimeInTheOrderInWhichTheyCame) {
+TEST_F(AgendaTest, RunsEntriesOfOneTimeInTheirOrder) {
     std::vector<int> order;
     for (int n = 0; n < 3; ++n) agenda.at(10, [&order, n] { order.push_back(n); });
     agenda.run_to(10);
@@ -44,7 +44,7 @@ TEST_F(AgendaTest, CarriesOutWhatAnEntryEntersIfItIsDue) {
     EXPECT_THAT(times, ElementsAre(20));
 }
 
-TEST_F(AgendaTest, CarriesOutAtOnceWhatIsLateAndKeepsTheTime) {
+TEST_F(AgendaTest, RunsLateEntriesAtOnceAndKeepsTheTime) {
     agenda.run_to(100);
     agenda.at(50, note());
     agenda.run_to(100);
@@ -63,7 +63,7 @@ TEST_F(AgendaTest, TellsOfEachOtherNextTime) {
     EXPECT_THAT(told, ElementsAre(never, 20, 10, 15, 20));
 }
 
-TEST_F(AgendaTest, TimersGoOffOnceAndAtTheLastTimeThatWasSet) {
+TEST_F(AgendaTest, FiresATimerOnceAtTheLastTimeSet) {
     sim::PartTimer timer{agenda, note()};
     timer.set(10);
     timer.set(30);

@@ -75,7 +75,7 @@ unsigned longest_contact(World& world, int ticks) {
     return longest;
 }
 
-TEST(LongRun, TwoShapesNeverStickToEachOtherOrToAnEdge) {
+TEST(LongRun, TwoShapesNeverStickTogether) {
     for (char first = '1'; first <= '6'; ++first) {
         for (char second = '1'; second <= '6'; ++second) {
             for (std::uint32_t seed = 0; seed < 4; ++seed) {

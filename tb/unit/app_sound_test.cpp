@@ -178,7 +178,7 @@ TEST_F(SoundCollisions, PlaysANewPairAndNotOneThatLasts) {
     EXPECT_EQ(peak(heard()), 0) << "parting makes no sound";
 }
 
-TEST_F(SoundCollisions, PlaysAShapeAgainstAnEdgeAsIfAgainstItsLike) {
+TEST_F(SoundCollisions, PlaysAnEdgeAsAShapeOfItsKind) {
     world.pairs = {{BOTTOM, EDGES + 2}};
     const auto samples = heard(), expected = tone(20, 20, 160);
     EXPECT_TRUE(std::equal(samples.begin(), samples.end(), expected.begin(), equal));

@@ -54,7 +54,7 @@ TEST(Keys, OneToSixInsertTheirShape) {
     }
 }
 
-TEST(Keys, ZeroInsertsTenSquaresAtFirstAndTenOfTheLastShapeLater) {
+TEST(Keys, ZeroInsertsTenOfTheLastShape) {
     World world = world_after("0");
     EXPECT_EQ(world.count, 10u);
     EXPECT_EQ(world.bodies[9].shape, Shape::SQUARE);
@@ -96,7 +96,7 @@ TEST(Keys, BHoldsTheShapesStillUntilPressedAgain) {
         EXPECT_NE(state(world.bodies[i]), state(before.bodies[i]));
 }
 
-TEST(Keys, AShapeInsertedInAPauseHasItsPolygonAtOnce) {
+TEST(Keys, AShapeInsertedInAPauseHasItsPolygon) {
     World world = world_after("B");
     step(world, {"2"});
     EXPECT_EQ(world.polygons[EDGES].count, 12u);
@@ -197,7 +197,7 @@ TEST(NewShape, TouchesTheCircleOfItsSizeAndNeverLeavesIt) {
 
 // ---- Steps ----
 
-TEST(Step, LeadsFromTheSameWorldAndInputToTheSameWorld) {
+TEST(Step, IsDeterministic) {
     World a{42}, b{42};
     const char* const script[] = {"1", "20",  "",  "A", "F0", "B",  "3",
                                   "B", "456", "E", "",  "D",  "0C0"};

@@ -9,7 +9,7 @@ using sim::AsynchronousClock;
 
 constexpr std::uint64_t PS_PER_S = 1'000'000'000'000;
 
-TEST(AudioClock, Rises128TimesASampleAndDoesNotDriftInAMinute) {
+TEST(AudioClock, Rises128TimesPerSampleWithoutDrift) {
     for (const unsigned rate : {8'000u, 48'000u}) {
         AsynchronousClock clock = sim::audio_clock(rate);
         const std::uint64_t first = clock.time_ps();
@@ -21,7 +21,7 @@ TEST(AudioClock, Rises128TimesASampleAndDoesNotDriftInAMinute) {
 }
 
 // 976.5625 and 162.76041666... ns.
-TEST(AudioClock, HasPeriodsThatAreNeverOffByMoreThanAPicosecond) {
+TEST(AudioClock, KeepsItsPeriodWithinAPicosecond) {
     for (const unsigned rate : {8'000u, 48'000u}) {
         AsynchronousClock clock = sim::audio_clock(rate);
         const std::uint64_t first = clock.time_ps();
@@ -55,7 +55,7 @@ TEST(AudioClock, TellsInWhichHalfOfAClockItMoves) {
     }
 }
 
-TEST(DecoderClock, RisesEach25Over27ClocksAndNeverWithOneOfTheFabrics) {
+TEST(DecoderClock, NeverRisesWithTheFabricsClock) {
     AsynchronousClock clock = sim::decoder_clock();
     const std::uint64_t first = clock.time_ps();
     for (std::uint64_t half = 0; half < 540'000; ++half, clock.next()) {

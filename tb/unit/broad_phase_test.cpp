@@ -62,7 +62,7 @@ TEST(BroadPhase, FindsWhatBruteForceFindsInStacks) {
     }));
 }
 
-TEST(BroadPhase, FindsWhatBruteForceFindsWhereBoxesTouchInAGrid) {
+TEST(BroadPhase, AgreesWithBruteForceWhereBoxesTouchInAGrid) {
     EXPECT_TRUE(rc::check([] {
         const auto columns = number(1, 20), side = number(0, FAR / 20);
         Boxes boxes;
@@ -76,7 +76,7 @@ TEST(BroadPhase, FindsWhatBruteForceFindsAllOverTheGrid) {
     EXPECT_TRUE(rc::check([] { expect_all_agree(random_world(300, FAR, FAR)); }));
 }
 
-TEST(BroadPhase, FindsWhatBruteForceFindsAmongSliversAtTheEdgesOfTheGrid) {
+TEST(BroadPhase, AgreesWithBruteForceAmongSliversAtTheGridsEdges) {
     EXPECT_TRUE(rc::check([] {
         Boxes boxes = random_world(300, 3, 3);
         for (Aabb& b : boxes) {
@@ -97,7 +97,7 @@ TEST(BroadPhase, FindsWhatBruteForceFindsWhereSizesDifferAThousandfold) {
     EXPECT_TRUE(rc::check([] { expect_all_agree(heavy_tailed_world(500)); }));
 }
 
-TEST(BroadPhase, FindsWhatBruteForceFindsWhereEachPairIsOneUnitFromTouching) {
+TEST(BroadPhase, AgreesWithBruteForceWhereBoxesAreOneUnitApart) {
     EXPECT_TRUE(rc::check([] {
         const std::int64_t side = number(0, 100'000);
         Boxes boxes;
@@ -109,7 +109,7 @@ TEST(BroadPhase, FindsWhatBruteForceFindsWhereEachPairIsOneUnitFromTouching) {
     }));
 }
 
-TEST(BroadPhase, FindsWhatBruteForceFindsAmongTwoThousandOfAnySize) {
+TEST(BroadPhase, AgreesWithBruteForceAmongTwoThousandBoxes) {
     for (const std::int64_t side : {100, 5'000, 50'000}) {
         std::mt19937 random(1);
         std::uniform_int_distribution<std::int64_t> place(-100'000, 100'000), sides(0, side);

@@ -34,7 +34,7 @@ TEST_F(ConsoleOnDisk, IsKeptWholeUpToItsLimit) {
     }
 }
 
-TEST_F(ConsoleOnDisk, IsKeptAtItsBeginningAndItsEndBeyondAndSaysHowMuchIsLeftOut) {
+TEST_F(ConsoleOnDisk, KeepsItsBeginningAndEndAndCountsTheRest) {
     for (const std::size_t more : {1, 4711, 3'000'000}) {
         const std::string printed = bytes(ConsoleFile::FIRST + ConsoleFile::LAST + more);
         EXPECT_TRUE(file_of(printed) ==

@@ -14,7 +14,7 @@ struct Console : ConsoleText {
     }
 };
 
-TEST(ConsoleText, IsReadOnceUpToTheEndOfWhatWasTaken) {
+TEST(ConsoleText, IsConsumedUpToTheEndOfTheMatch) {
     Console console;
     console.print_all("one two three");
     EXPECT_TRUE(console.take("two"));
@@ -51,7 +51,7 @@ TEST(ConsoleText, IsLookedThroughFromTheBeginningForAnotherText) {
     EXPECT_TRUE(console.take("one"));
 }
 
-TEST(ConsoleText, IsFoundBehindAnyAmountAndAcrossWhereOldTextIsForgotten) {
+TEST(ConsoleText, IsFoundAcrossTheEdgeOfForgottenText) {
     Console console;
     for (std::size_t i = 0; i < 2 * ConsoleText::LIMIT - 3; ++i) console.print('.');
     EXPECT_FALSE(console.take("ready"));
@@ -62,7 +62,7 @@ TEST(ConsoleText, IsFoundBehindAnyAmountAndAcrossWhereOldTextIsForgotten) {
     EXPECT_EQ(console.forgotten(), 0u);
 }
 
-TEST(ConsoleText, IsFoundThoughItIsLongerThanWhatIsKeptOtherwise) {
+TEST(ConsoleText, IsFoundEvenIfLongerThanTheKeptText) {
     Console console;
     std::string text;
     for (std::size_t i = 0; i < 3 * ConsoleText::LIMIT; ++i)

@@ -121,7 +121,7 @@ protected:
     GdbNext next(const std::string& packet) { return sim::gdb_answer(target, packet).next; }
 };
 
-TEST_F(GdbCommands, RegistersAreLittleEndianAndAsWideAsTheDescriptionSays) {
+TEST_F(GdbCommands, RegistersAreLittleEndianAndOfTheDescribedWidth) {
     target.regs[3] = 0x11223344;
     target.regs[17] = 0x1122334455667788;
     EXPECT_EQ(answer("p3"), "44332211");
@@ -202,7 +202,7 @@ TEST_F(GdbCommands, WhatIsNotKnownIsAnsweredEmpty) {
         EXPECT_EQ(answer(packet), "") << packet;
 }
 
-TEST_F(GdbCommands, WhatIsWrongInItselfIsAnErrorAndChangesNothing) {
+TEST_F(GdbCommands, AnInvalidCommandIsAnErrorAndChangesNothing) {
     for (const char* packet : {"m",
                                "m1000",
                                "m1000,",

@@ -97,7 +97,7 @@ TEST(Line, IsExactForAnyCoordinatesAnIntCanHold) {
         expect_nearest_pixels({any(random), any(random), inside(random), inside(random)});
 }
 
-TEST(Line, ClippedIsThePartOfTheWholeLineThatLiesInside) {
+TEST(Line, ClippedIsItsPartInside) {
     std::mt19937 random{3};
     std::uniform_int_distribution<int> x{0, 319}, y{0, 239}, shift{-200, 200};
     for (int i = 0; i < 100; ++i) {

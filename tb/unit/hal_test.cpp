@@ -104,7 +104,7 @@ TEST_F(Hal, ThePanelShowsDecimalsWithoutLeadingZeros) {
                             Pair(0xFF200020u, 0x6f6f6f6fu)));
 }
 
-TEST_F(Hal, TheClockReadsMicrosecondsAcrossACarryOfTheLowWord) {
+TEST_F(Hal, TheClockCarriesIntoTheHighWord) {
     hal::Clock clock{io};
     clock.start();
     EXPECT_THAT(io.writes, ElementsAre(Pair(0xFFFEC208u, 1u)));
@@ -123,7 +123,7 @@ TEST_F(Hal, TheConsoleWaitsForRoomButNotForEver) {
     EXPECT_LT(io.reads, 200'000u);
 }
 
-TEST_F(Hal, TheSystemIdMustBeOursAndOfTheSameMap) {
+TEST_F(Hal, TheSystemIdMustMatchTheMap) {
     EXPECT_FALSE(hal::system_id_matches(io));
     io.registers[0xFF202040] = 0x44453153;
     EXPECT_FALSE(hal::system_id_matches(io));

@@ -79,7 +79,7 @@ TEST_F(Ili9341, HasWindowsBeyond255) {
     EXPECT_EQ(lit(), 1u);
 }
 
-TEST_F(Ili9341, TakesWordsOnlyWhileItIsSelectedAndAtTheRise) {
+TEST_F(Ili9341, TakesWordsAtTheRiseWhileSelected) {
     begin();
     window(0, 9, 0, 0);
     send(0x2C);

@@ -59,7 +59,7 @@ TEST_F(Lamp, IsDarkBelowATwentieth) {
     EXPECT_TRUE(bank.seen(0));
 }
 
-TEST_F(Lamp, IsSeenLitAtOnceWhereItIsDimmedFromPowerOn) {
+TEST_F(Lamp, IsSeenLitAtOnceIfDimmedFromPowerOn) {
     dim(MS / 10, MS, 0, 4 * MS);
     EXPECT_TRUE(bank.seen(0));
 }
@@ -72,7 +72,7 @@ TEST_F(Lamp, GoesOutWithin40MsOfItsLastFlash) {
     EXPECT_EQ(bank.brightness(0), 0);
 }
 
-TEST_F(Lamp, HasTheBrightnessOfAWholeSpanAfterALongRest) {
+TEST_F(Lamp, HasFullBrightnessAfterALongRest) {
     light(true, 10 * MS);
     light(false, 1005 * MS);  // 1000 ms begin a span
     EXPECT_NEAR(bank.brightness(0), 1, 1e-9);

@@ -22,7 +22,7 @@ protected:
     }
 };
 
-TEST_F(LostAccesses, BehindAMemoryAreSaidOnceForWritesAndOnceForReads) {
+TEST_F(LostAccesses, AreReportedOncePerDirection) {
     EXPECT_EQ(write(0xC803FFFC), "");
     EXPECT_EQ(
         write(0xC8040000),

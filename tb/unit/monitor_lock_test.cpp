@@ -82,7 +82,7 @@ TEST_F(MonitorLock, SurvivesAGlitchOfHsInEachFrame) {
     EXPECT_EQ(told.size(), 2u);  // with BLANK_N and without
 }
 
-TEST_F(MonitorLock, SurvivesAPictureThatIsNowAndThenAPixelSmaller) {
+TEST_F(MonitorLock, SurvivesAPictureThatShrinksByAPixel) {
     VideoPins video;
     const std::uint64_t frame = video.mode.clocks();
     video.fault = [frame](std::uint64_t clock, std::uint32_t pins) {
@@ -121,7 +121,7 @@ TEST_F(MonitorLock, SaysOnceThatASignalIsOutOfRange) {
     EXPECT_THAT(pictures, IsEmpty());
 }
 
-TEST_F(MonitorLock, SaysAfterASecondWhatThereIsInsteadOfASignal) {
+TEST_F(MonitorLock, DescribesAMissingSignalAfterASecond) {
     hold(sim::video::HS, 300);
     hold(sim::video::HS | sim::video::VS, 100);
     hold(sim::video::HS, 100);

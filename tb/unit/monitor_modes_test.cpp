@@ -154,7 +154,7 @@ TEST_F(MonitorModes, HaveTheSizeThatBlankNSays) {
     EXPECT_THAT(told, ElementsAre(StartsWith("636 x 478 at ")));
 }
 
-TEST_F(MonitorModes, DoNotTakeASizeFarFromThemFromBlankN) {
+TEST_F(MonitorModes, IgnoreABlankNSizeFarFromThem) {
     VideoPins video;
     video.blank = Blank::SYNCS;
     show(video, LOCKED);
@@ -176,7 +176,7 @@ TEST_F(MonitorModes, AreBlackWhereBlankNIsLow) {
               0u);
 }
 
-TEST_F(MonitorModes, TakeTheLineInWhichVsBeginsOrTheNextIfThatIsNearer) {
+TEST_F(MonitorModes, TakeTheLineNearestToVs) {
     for (const int late : {0, 1, 144, 300, -1, -16, -300}) {
         VideoPins video;
         video.blank = Blank::HIGH;
@@ -214,7 +214,7 @@ TEST_F(MonitorModes, AreResampledAtTheMiddleOfThePixels) {
         }
 }
 
-TEST_F(MonitorModes, HaveAWholeNumberOfSamplesPerPixelIfAllLinesAreMultiplesOfIt) {
+TEST_F(MonitorModes, HaveWholeSamplesPerPixel) {
     VideoPins video;
     video.mode = {25, 640, 656, 752, 790, 480, 490, 492, 525, false, false};
     video.sample_mhz = 50;

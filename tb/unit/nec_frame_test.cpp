@@ -32,7 +32,7 @@ TEST(NecFrame, SendsCustomCodeKeyCodeAndItsInverse) {
     EXPECT_EQ(bits_of(sim::nec_frame(0x1a)), 0xe51a6b86u);
 }
 
-TEST(NecFrame, LastsLessThanTheTimeToTheNextForEveryButton) {
+TEST(NecFrame, EndsBeforeTheNextForEveryButton) {
     for (const std::string& name : sim::remote_buttons()) {
         const auto times = sim::nec_frame(sim::remote_button(name).value());
         EXPECT_LT(std::accumulate(times.begin(), times.end(), 0ull), 108'000'000ull) << name;

@@ -161,7 +161,7 @@ TEST(PngDecode, RefusesAPngWithADamagedByte) {
     }
 }
 
-TEST(PngDecode, RefusesAPictureThatIsTooLargeWithoutMakingRoomForIt) {
+TEST(PngDecode, RefusesAHugePictureWithoutAllocatingIt) {
     std::string wide = text(encode_png(Image{4097, 1, std::vector<std::uint8_t>(4097 * 3)}));
     EXPECT_EQ(decode_error(wide), "the PNG is too large: 4097 x 1 pixels, at most 4096 x 4096");
     const auto widest = text(encode_png(Image{4096, 1, std::vector<std::uint8_t>(4096 * 3)}));

@@ -129,7 +129,7 @@ TEST(Recording, LosesWhatAnotherRateCanNotCarry) {
         ASSERT_LT(std::abs(r.samples[i].left), 1'000'000) << i;  // 60 dB below
 }
 
-TEST(Recording, KeepsItsSamplesAtARateThatIsTheSameButForACrystal) {
+TEST(Recording, KeepsItsSamplesAtNearlyTheSameRate) {
     const Recording before = sine(440, 8000, 100), after = at_rate(before, 8000.5);
     EXPECT_EQ(after.rate_hz, 8000.5);
     ASSERT_EQ(after.samples.size(), 100u);

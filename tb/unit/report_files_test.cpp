@@ -125,7 +125,7 @@ TEST(FrameWriter, ReportsAFullDiskWhenItIsClosed) {
     EXPECT_EQ(folder.count(), 1u);
 }
 
-TEST(FrameWriter, ReportsAFullDiskToAProducerThatWaitsForRoom) {
+TEST(FrameWriter, ReportsAFullDiskToAWaitingProducer) {
     const TempFolder folder;
     FrameWriter writer(folder.path());
     fill_disk_for(folder / "frames/frame_000001.png");

@@ -207,7 +207,7 @@ TEST(Report, PassesWhenAllIsMetAndNothingWentWrong) {
     EXPECT_FALSE(r.passed());
 }
 
-TEST_F(Junit, HasATestCaseForEachExpectationAndOneForTheRun) {
+TEST_F(Junit, HasATestCasePerExpectationAndOneForTheRun) {
     EXPECT_EQ(xpath(sample(), "string(/testsuites/testsuite/@tests)"), "3");
     EXPECT_EQ(xpath(sample(), "string(/testsuites/testsuite/@failures)"), "1");
     EXPECT_EQ(xpath(sample(), "string(/testsuites/testsuite/@errors)"), "0");

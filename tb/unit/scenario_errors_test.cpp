@@ -173,7 +173,7 @@ TEST(ScenarioError, SaysWhatAValueShouldHaveBeen) {
             << c.step;
 }
 
-TEST(ScenarioError, SaysThatDigitsNeedQuotesWhereYamlWouldReadANumber) {
+TEST(ScenarioError, AsksForQuotesAroundDigits) {
     EXPECT_THAT(step_error("expect-leds: 0000000101"),
                 EndsWith("got 0000000101 (put it in quotes)"));
     EXPECT_THAT(step_error("expect-hex: 123456"), EndsWith("got 123456 (put it in quotes)"));
@@ -216,7 +216,7 @@ TEST(ScenarioError, NamesTheLineSinceWhichAControlIsHeld) {
               "no error");
 }
 
-TEST(ScenarioError, NamesTheFirstStepThatTheDurationLeavesNoTimeFor) {
+TEST(ScenarioError, NamesTheFirstStepBeyondTheDuration) {
     const std::string head = "name: a\nversion: 1\nduration: 1s\nsteps:\n- delay: 900ms\n";
     EXPECT_EQ(error_of(head + "- press: {key: 0}\n- wait-frame: next\n"), "no error");
     EXPECT_EQ(error_of(head + "- press: {key: 0, for: 101ms}\n- expect-leds: 1\n- delay: 5s"),
@@ -243,7 +243,7 @@ TEST(ScenarioError, RefusesAScreenshotBelowAnother) {
         "a.yaml:5:3: expected a new file name, got \"a.png\" above \"a.png/b.png\" of line 4");
 }
 
-TEST(ScenarioError, RefusesAScreenshotInPlaceOfAFileOfTheRun) {
+TEST(ScenarioError, RefusesAScreenshotOverAFileOfTheRun) {
     for (const std::string name :
          {"junit.xml/x.png", "./report.json/x.png", "console.txt//a/x.png", "audio.wav/x.png",
           "audio-2.wav/x.png", "report.json.part/x.png", "frames/frame_000001.png", "frames/x.png",

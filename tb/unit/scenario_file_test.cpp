@@ -25,7 +25,7 @@ protected:
     const std::string expect = "name: a\nversion: 1\nsteps:\n- expect-frame:\n    equals: g.png\n";
 };
 
-TEST_F(ScenarioFile, IsRefusedWhenItIsMissingAFolderOrAPipe) {
+TEST_F(ScenarioFile, IsRefusedIfMissingOrAFolderOrAPipe) {
     EXPECT_EQ(load_error(folder / "b.yaml"), (folder / "b.yaml").string() + ": is not there");
     EXPECT_EQ(load_error(folder.path()),
               folder.path().string() + ": expected a scenario file, got: is a folder");

@@ -73,7 +73,7 @@ TEST(Scenario, KeepsTheOrderAndThePlaceOfItsSteps) {
     EXPECT_EQ(s.steps[1].text, "press key 0 for 100ms");
 }
 
-TEST(Scenario, IsReadTheSameWithWindowsLineEndsAndAByteOrderMark) {
+TEST(Scenario, AcceptsCrlfAndAByteOrderMark) {
     const auto s = parse(
         "\xEF\xBB\xBFname: a\r\nversion: 1\r\nsteps:\r\n  - delay: 1ms\r\n  - hold: {key: 2}\r\n");
     EXPECT_EQ(s.steps.at(1).line, 5);
@@ -81,7 +81,7 @@ TEST(Scenario, IsReadTheSameWithWindowsLineEndsAndAByteOrderMark) {
 }
 
 // yaml-cpp 0.7 makes single bytes of these two escapes, which are no UTF-8.
-TEST(Scenario, TakesTheEscapesOfANextLineAndOfANoBreakSpace) {
+TEST(Scenario, AcceptsEscapesOfNextLineAndNoBreakSpace) {
     const auto s = parse(R"(name: "caf\u00E9\N\_"
 version: 1
 duration: 1s)");
@@ -158,7 +158,7 @@ TEST(SevenSegment, ReadsSixSevenAndNineWithAndWithoutTheirBars) {
     EXPECT_EQ(shown(0x67), " 32109");
 }
 
-TEST(SevenSegment, ReadsASixWithoutItsBarWhereASixIsExpectedAndElseAsB) {
+TEST(SevenSegment, ReadsASixWithoutItsBarWhereExpected) {
     EXPECT_EQ(shown(0x7C, " 32106"), " 32106");
     EXPECT_EQ(shown(0x7C, " 3210B"), " 3210B");
     EXPECT_EQ(shown(0x7C, " 32108"), " 3210B");
@@ -172,7 +172,7 @@ TEST(SevenSegment, TakesSixCharactersThatItCanShow) {
     EXPECT_FALSE(is_hex_text("12345x"));
 }
 
-TEST(SevenSegment, ShowsAQuestionMarkForAPatternThatIsNoCharacter) {
+TEST(SevenSegment, ShowsAQuestionMarkForAnUnknownPattern) {
     EXPECT_EQ(hex_text({0x01, 0x3F, 0x3F, 0x3F, 0x3F, 0x3F}), "00000?");
 }
 

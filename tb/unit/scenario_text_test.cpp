@@ -97,7 +97,7 @@ TEST(ScenarioError, RefusesMoreThanAMebibyte) {
               "a.yaml: expected at most 1 MiB, got 1048577 bytes");
 }
 
-TEST(ScenarioFuzz, TwentyThousandMutationsEndInAScenarioOrAScenarioError) {
+TEST(ScenarioFuzz, MutationsEndInAScenarioOrAnError) {
     const std::string good =
         "name: Everything  # a comment\nversion: 1\nseed: 7\nduration: 60s\nsteps:\n"
         "  - delay: 500ms\n  - press: {keypad: [\"1\", 'A'], key: [0, 1], for: 80ms}\n"

@@ -30,7 +30,7 @@ protected:
     }
 };
 
-TEST_F(SerialTerminalTest, TakesBitsInTheirMiddleAtARateThatIs4PercentOff) {
+TEST_F(SerialTerminalTest, ReadsBitsAtARate4PercentOff) {
     for (const std::uint64_t bit_ps : {BIT_PS, BIT_PS * 96 / 100, BIT_PS * 104 / 100})
         for (unsigned byte = 0; byte < 256; ++byte) receive(byte, bit_ps);
     ASSERT_EQ(terminal.received().size(), 768u);

@@ -45,7 +45,7 @@ TEST_F(SoundAtTheCodec, IsEverySampleOnceThenSilence) {
     EXPECT_EQ(left(), 0);
 }
 
-TEST_F(SoundAtTheCodec, IsEverySampleOnceThoughTheCodecIsABitFasterThanItSays) {
+TEST_F(SoundAtTheCodec, HasEverySampleOnceWithAFastCodec) {
     play(100'000, false);
     now_ps = 7 * SAMPLE_PS;
     for (int i = 1; i <= 100'000; ++i) {

@@ -25,7 +25,7 @@ std::function<double(double)> sine(double hz, double amplitude = 10000, double p
     return [=](double t) { return amplitude * std::sin(2 * std::acos(-1.0) * hz * t + phase); };
 }
 
-TEST(Tone, IsFoundToHalfAPercentInATenthOfASecond) {
+TEST(Tone, IsFoundToHalfAPercentIn100Milliseconds) {
     for (double hz = 100; hz < 3500; hz *= 1.013)
         for (const double phase : {0.0, 0.7, 1.57, 3.0})
             ASSERT_NEAR(analyse_tone(sound(0.1, sine(hz, 10000, phase)), RATE_HZ).hz, hz,
@@ -44,7 +44,7 @@ TEST(Tone, HasTheLevelOfItsAmplitude) {
     EXPECT_NEAR(analyse_tone(sound(0.1, sine(1234.5, 327.68)), RATE_HZ).level_dbfs, -40, 0.1);
 }
 
-TEST(Tone, HasAllTheEnergyOfASineAndItsShareOfASquareWave) {
+TEST(Tone, HasTheEnergyOfASineAndASquareWave) {
     EXPECT_GT(analyse_tone(sound(0.1, sine(440)), RATE_HZ).share, 0.99);
     const auto square =
         sound(0.1, [](double t) { return std::fmod(t * 440, 1) < 0.5 ? 9000 : -9000; });

@@ -59,7 +59,7 @@ TEST_F(TraceFile, AppearsWhenItIsWhole) {
     EXPECT_EQ(std::filesystem::file_size(folder / "x.fst"), WHOLE.size());
 }
 
-TEST_F(TraceFile, IsAnErrorAndLeavesNothingWhenItWasCutOff) {
+TEST_F(TraceFile, IsAnErrorWhenItWasCutOff) {
     {
         sim::TraceFile trace{folder / "x.fst"};
         std::ofstream{trace.part(), std::ios::binary} << WHOLE.substr(0, 4000);
@@ -68,7 +68,7 @@ TEST_F(TraceFile, IsAnErrorAndLeavesNothingWhenItWasCutOff) {
     EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
 }
 
-TEST_F(TraceFile, EndsTheProgramInOneLineWhenItsWriterMeetsAFullDisk) {
+TEST_F(TraceFile, EndsTheProgramInOneLineOnAFullDisk) {
     const auto meets_a_full_disk = [this] {
         sim::TraceFile trace{folder / "x.fst"};
         std::raise(SIGBUS);

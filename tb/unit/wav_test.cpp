@@ -85,7 +85,7 @@ TEST_F(Wav, KeepsWhatWasHeardBeforeTheRateWasKnown) {
     EXPECT_THAT(samples("audio.wav"), ElementsAre(0, 0, 0, 0, 5, 6, 0, 0, 7, 8));
 }
 
-TEST_F(Wav, StartsAnewWithSilenceOfEqualLengthWhileNothingWasHeard) {
+TEST_F(Wav, RestartsWithEqualSilenceBeforeAnySound) {
     wav.rate_changed(8000);
     silence(4000);  // half a second
     wav.rate_changed(48000);
@@ -97,7 +97,7 @@ TEST_F(Wav, StartsAnewWithSilenceOfEqualLengthWhileNothingWasHeard) {
     EXPECT_EQ(all.back(), 9);
 }
 
-TEST_F(Wav, BeginsASecondFileWhenTheRateChangesAfterASound) {
+TEST_F(Wav, BeginsASecondFileWhenTheRateChanges) {
     wav.rate_changed(8000);
     wav.push(1, 1);
     wav.rate_changed(48000);
@@ -114,7 +114,7 @@ TEST_F(Wav, BeginsASecondFileWhenTheRateChangesAfterASound) {
     EXPECT_THAT(samples("audio-3.wav"), ElementsAre(3, 3));
 }
 
-TEST_F(Wav, GoesOnWhenTheRateChangesByLessThanItsHeaderCanSay) {
+TEST_F(Wav, ContinuesWhenTheRateChangesByAFraction) {
     wav.rate_changed(8000.0);
     wav.push(1, 1);
     wav.rate_changed(8000.4);
@@ -199,7 +199,7 @@ TEST_F(Wav, NeverLeavesHalfAFileWhenTheDiskFillsUp) {
     }
 }
 
-TEST_F(Wav, NeedsNoMoreMemoryForTenMinutesThanForOneSecond) {
+TEST_F(Wav, NeedsConstantMemory) {
     const auto peak_kb = [] {
         rusage usage{};
         getrusage(RUSAGE_SELF, &usage);

@@ -44,7 +44,7 @@ TEST_F(WireTest, MessagesArriveWholeInOrderWithTheirKinds) {
     EXPECT_FALSE(far->receive());
 }
 
-TEST_F(WireTest, WhatIsNotReadWaitsAndIsCountedAndThenArrives) {
+TEST_F(WireTest, QueuesAndCountsUnreadMessages) {
     for (int n = 0; n < 50; ++n) near->send(Kind::PICTURE, message(n));
     const std::size_t waiting = near->unsent();
     EXPECT_GT(waiting, 1'000'000u);  // what a socket holds is less
@@ -60,7 +60,7 @@ TEST_F(WireTest, WhatIsNotReadWaitsAndIsCountedAndThenArrives) {
     EXPECT_EQ(near->unsent(), 0u);
 }
 
-TEST_F(WireTest, NoticesThatTheOtherSideIsGoneAfterItsLastMessage) {
+TEST_F(WireTest, DetectsAClosedPeerAfterItsLastMessage) {
     near->send(Kind::TEXT, "bye");
     near.reset();
     EXPECT_FALSE(far->poll(1000));

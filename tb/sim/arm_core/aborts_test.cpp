@@ -167,7 +167,7 @@ void Aborts::each(const std::vector<Encoding>& rows, bool thumb, bool shared) {
 }
 
 // The base is r4 or sp.
-TEST_F(Aborts, OfMultiplesWithTheirBaseOrPcInTheListLeaveTheBaseAlone) {
+TEST_F(Aborts, KeepTheBaseOfAMultipleThatListsItOrPc) {
     const std::uint32_t arm[]{
         0xE8940078,  // LDM r4, {r3-r6}
         0xE9940038,  // LDMIB r4, {r3-r5}

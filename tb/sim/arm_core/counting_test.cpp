@@ -135,7 +135,7 @@ TEST_P(Counting, StopsBehindTheInstructionWhoseAccessAsksForIt) {
     });
 }
 
-TEST_P(Counting, StopsAsManyInstructionsBehindAnAccessAsItAsksFor) {
+TEST_P(Counting, StopsTheRequestedNumberOfInstructionsAfterAnAccess) {
     each_program([&](Bench& bench) {
         std::uint64_t end = 0;
         bench.on_access = [&] {
@@ -156,7 +156,7 @@ TEST_P(Counting, StopsAsManyInstructionsBehindAnAccessAsItAsksFor) {
 }
 
 // Breakpoints at a few addresses, some of them never reached; each stops half of the times.
-TEST_P(Counting, AsksTheProbeBeforeEachInstructionAtItsAddressesAndNowhereElse) {
+TEST_P(Counting, AsksTheProbeAtItsAddressesAlone) {
     struct Probe final : sim::ArmProbe {
         bool before(std::uint32_t pc) override {
             if (passed) {  // asked again where it has held
@@ -284,7 +284,7 @@ protected:
     unsigned at_bus = 0;
 };
 
-TEST_P(Overlapping, CountWhatWasDoneBeforeAnAccessFromWhereverItWasEntered) {
+TEST_P(Overlapping, CountsBeforeAnAccessFromAnyEntry) {
     std::uint32_t at = AT;
     for (const unsigned first : {0, 2, 4})
         for (const unsigned second : {0, 2, 4})

@@ -222,7 +222,7 @@ TEST_P(ArmExceptionReturns, GoToWhatIsComputed) {
 }
 
 // B9.3.5
-TEST_P(ArmExceptionReturns, TakeTheStateFromTheSpsrWhenPcIsLoadedLast) {
+TEST_P(ArmExceptionReturns, RestoreTheStateFromSpsrWhenPcIsLoadedLast) {
     const Multiple loads[] = {
         {{0xE8F18005, 0}, 0, 12},     // LDM r1!, {r0, r2, pc}^
         {{0xE9718005, 0}, -12, -12},  // LDMDB r1!, {r0, r2, pc}^

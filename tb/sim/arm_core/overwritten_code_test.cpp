@@ -137,7 +137,7 @@ TEST_F(OverwrittenCode, IsNewInABlockThatHasBeenExecutedBefore) {
     });
 }
 
-TEST_F(OverwrittenCode, IsNewAsWellWithTheMaintenanceThatARealProcessorNeeds) {
+TEST_F(OverwrittenCode, IsExecutedAfterCacheMaintenance) {
     for (const std::uint32_t at : PLACES)
         expect(
             {

@@ -62,14 +62,14 @@ TEST_F(ReplacedLoop, IsTheNewOneWhenALoaderHasWrittenIt) {
     EXPECT_EQ(result(), 1600u);
 }
 
-TEST_F(ReplacedLoop, IsTheNewOneWhenWhoeverWroteToRamSaysSo) {
+TEST_F(ReplacedLoop, IsNewAfterAReportedWriteToRam) {
     std::memcpy(bench.memory() + AT, &ADD_16, 1);
     bench.core.forget_translations(AT, 1);
     EXPECT_EQ(run_laps(100), 301u);
     EXPECT_EQ(result(), 1600u);
 }
 
-TEST_F(ReplacedLoop, IsTheNewOneWhenOtherRamIsMappedInItsPlace) {
+TEST_F(ReplacedLoop, IsNewAfterOtherRamIsMapped) {
     std::vector<std::uint8_t> other(2 * 0x1000);
     void* place = other.data();
     std::size_t space = other.size();
@@ -128,7 +128,7 @@ protected:
     ReplacedState() { bench.core.set_reg(7, BUS); }
 };
 
-TEST_F(ReplacedState, IsThumbWhereTheProgramHasPutItOverArmAndArmAgain) {
+TEST_F(ReplacedState, IsThumbAfterThumbOverArm) {
     bench.core.set_reg(1, TARGET);
     bench.core.set_reg(2, 0x30103010);  // ADDS r0, #16, twice
     bench.core.set_reg(3, 0xBF004770);  // BX lr; NOP

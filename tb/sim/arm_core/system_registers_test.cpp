@@ -102,7 +102,7 @@ TEST_P(SystemRegisters, RefuseWhatDoesNotExist) {
 
 // ---- The user mode ------------------------------------------------------------------------------
 
-TEST_P(SystemRegisters, AreOutOfTheUsersReachButForThoseOfThreads) {
+TEST_P(SystemRegisters, AreRefusedToUserModeExceptThreadIds) {
     write(sim::cp15::TPIDRURO, 0x1111);
     become(USR | Z);
     for (const Cp15& name :

@@ -102,7 +102,7 @@ TEST_F(UndefinedWords, AreThoseOfNeonThatUnicornRefusesInThumb) {
 TEST_F(UndefinedWords, AreThoseOfNeonsLoadsAndStoresThatUnicornRefuses) {
     compare("11110100x0x00xxx0xxxxxxxxxxxxxxx", false, nullptr);
 }
-TEST_F(UndefinedWords, AreThoseOfNeonsLoadsAndStoresThatUnicornRefusesInThumb) {
+TEST_F(UndefinedWords, IncludeNeonLoadsAndStoresInThumb) {
     compare("11110100x0x00xxx0xxxxxxxxxxxxxxx", true, nullptr);
 }
 TEST_F(UndefinedWords, AreThoseOfVfpThatUnicornRefuses) {

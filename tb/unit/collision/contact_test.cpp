@@ -75,7 +75,7 @@ TEST(Contact, IsTheSameWhicheverWayLinesAndEndsAreNamed) {
 
 class ContactsIn : public testing::TestWithParam<Kind> {};
 
-TEST_P(ContactsIn, AllKindsOfWorldsLieOnALineOfEachShape) {
+TEST_P(ContactsIn, AllWorldsLieOnBothShapes) {
     const auto make = GetParam().make;
     EXPECT_TRUE(rc::check([make] {
         const Shapes shapes = make();
@@ -92,7 +92,7 @@ TEST_P(ContactsIn, AllKindsOfWorldsLieOnALineOfEachShape) {
     }));
 }
 
-TEST_P(ContactsIn, AllKindsOfWorldsDoNotDependOnTheOrderOfShapesAndLines) {
+TEST_P(ContactsIn, AllWorldsAreIndependentOfOrder) {
     const auto make = GetParam().make;
     EXPECT_TRUE(rc::check([make] {
         Shapes shapes = make();

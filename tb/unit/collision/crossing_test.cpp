@@ -56,7 +56,7 @@ TEST(Crossing, KnowsTheCasesWorkedOutByHand) {
     }
 }
 
-TEST(Crossing, AgreesWithFractionsOnASmallGridWhereNearlyEverythingTies) {
+TEST(Crossing, AgreesWithFractionsOnASmallGrid) {
     std::vector<Line> lines;
     for (std::int32_t i = 0; i < 4 * 4 * 4 * 4; ++i)
         lines.push_back({{i & 3, i >> 2 & 3}, {i >> 4 & 3, i >> 6 & 3}});

@@ -108,7 +108,7 @@ TEST(Detector, RefusesABoxBeyondTheGridOnAnySide) {
     }
 }
 
-TEST(Detector, TakesABoxThatReachesToTheLastUnitOfTheGrid) {
+TEST(Detector, AcceptsABoxToTheLastUnitOfTheGrid) {
     constexpr std::int32_t FAR = COORDINATE_LIMIT - 1;
     const Polygon all = polygon({{-FAR, -FAR}, {FAR, -FAR}, {FAR, FAR}, {-FAR, FAR}});
     for (const Algorithm algorithm : ALGORITHMS)

@@ -70,7 +70,7 @@ TYPED_TEST(Overlapping, IsThatOfFewerAxesWhereAllBoxesAgreeOnTheLast) {
     }));
 }
 
-TEST(Overlapping, OfTwoAxesIsWhatTheDetectorFindsOfPolygonsThatFillTheirBoxes) {
+TEST(Overlapping, OnTwoAxesAgreesWithTheDetector) {
     EXPECT_TRUE(rc::check([] {
         const auto boxes = any_boxes<2>(30);
         Shapes shapes;

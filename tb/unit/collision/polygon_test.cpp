@@ -65,7 +65,7 @@ TEST(Polygon, RefusesTooManyCornersAndStaysAsItIs) {
     EXPECT_EQ(shape.aabb.max, (Vec2{4, 4}));
 }
 
-TEST(Polygon, RefusesACornerOutsideTheGridAndStaysAsItIs) {
+TEST(Polygon, RefusesACornerOutsideTheGrid) {
     Polygon shape = square(0, 0, 4);
     for (const std::int32_t far : {COORDINATE_LIMIT, -COORDINATE_LIMIT, INT32_MAX, INT32_MIN}) {
         const Vec2 corners[] = {{0, 0}, {9, far}};
@@ -74,7 +74,7 @@ TEST(Polygon, RefusesACornerOutsideTheGridAndStaysAsItIs) {
     }
 }
 
-TEST(Polygon, OfOneCornerIsAPointAndOfNoneIsEmpty) {
+TEST(Polygon, OfOneCornerIsAPoint) {
     const Polygon one = polygon({{3, 4}}), none = polygon({});
     EXPECT_EQ(one.count, 1u);
     EXPECT_EQ(one.lines[0].a, one.lines[0].b);

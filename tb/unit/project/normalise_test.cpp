@@ -170,7 +170,7 @@ TEST(Normalise, VariablesThatTheirBlockReadsStayAsTheyAre) {
     EXPECT_EQ(cleaned("always @(posedge c) n = m + ("), "always @(posedge c) n = m + (");
 }
 
-TEST(Normalise, ARegisterOfBothAssignmentsHasACopyForItsBlock) {
+TEST(Normalise, ARegisterOfBothAssignmentsGetsACopy) {
     EXPECT_EQ(cleaned("module m; reg [3:0] n;\nalways_ff @(posedge c) if (r) n <= 0;\n"
                       "else begin n[1] = n[0]; n++; a <= n; end\nendmodule"),
               "module m; reg [3:0] n;\nalways_ff @(posedge c) begin : de1sim_block_1 "
@@ -183,7 +183,7 @@ TEST(Normalise, ARegisterOfBothAssignmentsHasACopyForItsBlock) {
                 HasSubstr("begin n[i] = 1; n[ i ]  <= n[ i ] ; end"));
 }
 
-TEST(Normalise, ARegisterThatOtherBlocksSeeHasACopyForItsOwn) {
+TEST(Normalise, ARegisterThatOthersReadGetsACopy) {
     const std::string block = "always @(posedge c) begin n = n + 1; if (n == 9) n = 0; end ";
     const std::vector<std::string> seen{
         "module m; reg n; " + block + "always @(posedge c) d <= n; endmodule",
@@ -199,7 +199,7 @@ TEST(Normalise, ARegisterThatOtherBlocksSeeHasACopyForItsOwn) {
     for (const std::string& module : alone) EXPECT_EQ(cleaned(module), module);
 }
 
-TEST(Normalise, AListWithoutEdgesIsThatOfAllThatTheBlockReads) {
+TEST(Normalise, AListWithoutEdgesHasAllThatTheBlockReads) {
     EXPECT_EQ(cleaned("always @(a or b[0]) c = a & d;"),
               "always @(`ifdef DE1SIM_LISTS a or b[0] `else * `endif ) c = a & d;");
     EXPECT_EQ(cleaned("always @a c = a;"),

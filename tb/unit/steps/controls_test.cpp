@@ -14,7 +14,7 @@ TEST_F(ControlSteps, DelayWaits) {
     EXPECT_EQ(said("delay: 1500us"), "wait 1.5ms");
 }
 
-TEST_F(ControlSteps, PressHoldsForATenthOfASecondUnlessItSaysSo) {
+TEST_F(ControlSteps, PressHolds100MillisecondsByDefault) {
     EXPECT_THAT(acts("press: {keypad: \"5\"}"),
                 ElementsAre("hold keypad 5", "wait 100ms", "release keypad 5"));
     EXPECT_THAT(acts("press: {keypad: \"5\", for: 80ms}"),

@@ -15,7 +15,7 @@ TEST_F(KeyboardSteps, TypeWhatAKeyboardHas) {
     EXPECT_EQ(said("type-keys: 'Hi!'"), "type \"Hi!\" on the keyboard");
 }
 
-TEST_F(KeyboardSteps, PressAKeyByItsNameForATenthOfASecondUnlessTheySaySo) {
+TEST_F(KeyboardSteps, PressAKeyFor100MillisecondsByDefault) {
     EXPECT_THAT(acts("press-key: Left"), ElementsAre("key E06B down", "wait 100ms", "key E06B up"));
     EXPECT_THAT(acts("press-key: {key: Esc, for: 1s}"),
                 ElementsAre("key 0076 down", "wait 1s", "key 0076 up"));
@@ -31,7 +31,7 @@ TEST_F(KeyboardSteps, TakeAKeyByTheCharacterThatItMakes) {
         EXPECT_THAT(acts(std::string{"hold-key: "} + name), ElementsAre(down)) << name;
 }
 
-TEST_F(KeyboardSteps, PressAChordInOrderAndLetGoInTheOther) {
+TEST_F(KeyboardSteps, PressAChordInOrderAndReleaseInReverse) {
     EXPECT_THAT(acts("press-key: [Ctrl, RightAlt, Delete]"),
                 ElementsAre("key 0014 down", "key E011 down", "key E071 down", "wait 100ms",
                             "key E071 up", "key E011 up", "key 0014 up"));

@@ -32,7 +32,7 @@ protected:
     }
 };
 
-TEST_F(PictureSteps, WaitForANumberTheNextOrTheNextNewPicture) {
+TEST_F(PictureSteps, WaitForAFrameByNumberOrNext) {
     EXPECT_EQ(finds("wait-frame: 2"), "met");
     EXPECT_EQ(board.now_ms(), 20u);
     EXPECT_EQ(finds("wait-frame: 2"), "met");
@@ -91,7 +91,7 @@ TEST_F(PictureSteps, IgnoreWhatDiffersInsideARectangle) {
               "expect the picture a.png, outside 9x9+1+2");
 }
 
-TEST_F(PictureSteps, RenewTheGoldenPictureWhereThatIsAskedForAndItDiffers) {
+TEST_F(PictureSteps, RenewADifferentGoldenOnRequest) {
     sim::write_png(files / "golden.png", {640, 480, std::vector<std::uint8_t>(BYTES, 0x80)});
     board.renews = true;
     const auto verdict =

@@ -39,7 +39,7 @@ TEST_F(SoundSteps, HearATone) {
     EXPECT_THAT(finds("expect-tone: {hz: 450, within: 0.5%}"), StartsWith("440."));
 }
 
-TEST_F(SoundSteps, WaitASecondForAToneToBeginUnlessTheySaySo) {
+TEST_F(SoundSteps, WaitASecondForAToneByDefault) {
     EXPECT_EQ(finds("expect-tone: {hz: 440}"), "silence");
     EXPECT_EQ(board.now_ms(), 1100u);
     EXPECT_EQ(finds("expect-tone: {hz: 440.5, within: 0.5%, for: 50ms, timeout: 0s}"), "silence");
