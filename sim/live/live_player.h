@@ -47,7 +47,7 @@ private:
     void keep_pace();
     void take_messages();
     void take(const std::string& text);
-    void play(const std::string& step);
+    void play(const std::string& name, const std::string& text);
     void set_pace(double speed, bool paused);
     void begin_exact_run(const nlohmann::json& order);
     void end_exact_run();

@@ -87,6 +87,7 @@ const ValueType PATH = [] {
 const ValueType FILE_NAME = [] {
     ValueType type = PATH;
     type.expected = "a file's name";
+    type.is_opened = true;
     type.read = read_file_name;
     return type;
 }();

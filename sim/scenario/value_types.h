@@ -29,6 +29,7 @@ struct ValueType {
     std::vector<std::string> words = {};  // for the hint at a typing mistake
     std::size_t at_most = 0;              // entries of a list; 0: no limit
     bool is_path = false;                 // as seen from the scenario's folder
+    bool is_opened = false;               // it names a file that the step reads or writes
 };
 
 namespace value_types {

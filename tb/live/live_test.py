@@ -262,6 +262,36 @@ class Terminals(Live):
                          (self.board.out / "console.txt").read_bytes())
 
 
+class Parts(Live):
+    def setUp(self):
+        folder = FOLDER / "parts"
+        folder.mkdir(parents=True, exist_ok=True)
+        (folder / "top.v").write_text("""
+module top(input CLOCK_50, inout [35:0] GPIO_0, output [9:0] LEDR);
+    assign LEDR = GPIO_0[9:0]; endmodule
+""")
+        (folder / "s.yaml").write_text("""name: s
+version: 1
+parts:
+  - button: {name: a, pin: "GPIO_0[0]"}
+  - switch: {name: b, pin: "GPIO_0[1]"}
+steps:
+  - delay: 1ms
+""")
+        self.words = ("--project", str(folder), str(folder / "s.yaml"))
+        super().setUp()
+
+    async def test_buttons_and_switches_are_played(self):
+        client = await self.client()
+        await client.until(lambda: client.last.get("lamps", {}).get("ledr") == 0x3FD, 120)
+        await client.step("hold-button", {"button": "a"})
+        await client.step("set-switch", {"switch": "b", "level": "high"})
+        await client.until(lambda: client.last["lamps"]["ledr"] == 0x3FE)
+        await client.step("release-button", {"button": "a"})
+        await client.step("delay", "1ms")
+        await client.until(lambda: client.last["lamps"]["ledr"] == 0x3FF)
+
+
 class InsideAProject(Live):
     def setUp(self):
         project = FOLDER / "project"
@@ -306,6 +336,9 @@ class Refused(Live):
                 ('{"speed": -1}', "expected step, pause, speed"),
                 ('{"step": {"hold": {"keypad": "Z"}}}', "expected a keypad key"),
                 ('{"step": {"release": {"key": 1}}}', "expected a control that is held"),
+                ('{"step": {"expect-leds": 0}}', "not played live: expect-leds"),
+                ('{"step": {"press-button": {"button": "a"}}}', "expected a button among the parts"),
+                ('{"step": {"take-screenshot": {"save-to": "a.png"}}}', "not played live: take"),
                 ('{"step": {"play-file": "/etc/passwd"}}', "not played live: play-file")):
             await client.socket.send(text)
             self.assertIn(answer, await client.wait_for("error"))

@@ -304,7 +304,6 @@ const HANDLERS = {
     error: (line) => say(line, true),
     waves: (file) => say(`waveforms: ${file}`),
     marked: (file) => say(`marked: ${file}`),
-    verdict: (line) => say(line),
     ended: (code) => { if (code) say(`${$("message").textContent} The run has ended (exit code ${code}).`, true); },
 };
 socket.onmessage = ({data}) => {

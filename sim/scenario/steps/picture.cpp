@@ -230,7 +230,12 @@ const ValueType PNG_NAME{
     "a name such as start.png inside the output folder",
     R"({"type": "string", "pattern": "^(?!/)(?!(.*/)?\\.\\.(/|$))[^\\u0000-\\u001f\\u007f]*)"
     R"([^/\\u0000-\\u001f\\u007f]\\.png$"})",
-    read_png_name};
+    read_png_name,
+    "",
+    {},
+    0,
+    false,
+    true};
 
 class TakeScreenshot : public Action, private OnDisplay {
 public:
