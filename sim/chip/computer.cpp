@@ -12,7 +12,6 @@ namespace {
 
 // Cyclone V HPS memory map.
 constexpr std::uint32_t DDR3_BASE = 0x00000000;
-constexpr std::uint32_t LW_BASE = ProcessorSystem::LW_BASE, LW_SIZE = ProcessorSystem::LW_SIZE;
 constexpr std::uint32_t ON_CHIP_RAM_BASE = 0xFFFF0000, ON_CHIP_RAM_SIZE = 0x10000;
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include "sim/board/board_observer.h"
 #include "sim/cpu/arm_cpu.h"
 #include "sim/cpu/native_cpu.h"
+#include "sim/hps/bridge_windows.h"
 #include "sim/hps/bus.h"
 #include "sim/hps/memory.h"
 #include "sim/hps/peripherals.h"
@@ -27,8 +28,6 @@ public:
     using Software = std::variant<Firmware, ArmProgram>;
 
     static constexpr std::uint32_t DDR3_SIZE = 0x40000000;
-    static constexpr std::uint32_t H2F_BASE = 0xC0000000, H2F_SIZE = 0x3C000000;
-    static constexpr std::uint32_t LW_BASE = 0xFF200000, LW_SIZE = 0x00200000;
 
     ProcessorSystem(const sc_core::sc_module_name& name, PinListener& pins, BoardObserver& observer,
                     Software software);

@@ -7,17 +7,12 @@
 
 #include <fmt/format.h>
 
+#include "sim/hps/bridge_windows.h"
 #include "sim/report/seconds.h"
 
 namespace sim {
 
 using sc_core::sc_time;
-
-namespace {
-
-constexpr std::uint32_t FABRIC = 0xC0000000, FABRIC_END = 0xFC000000;
-
-}  // namespace
 
 // RAM is what grants direct access; everything else uses the bus, which answers or refuses it.
 // Memory that grants direct reads alone is used for fetching instructions alone.
@@ -130,7 +125,7 @@ bool ArmCpu::write_normal(std::uint32_t address, unsigned bytes, std::uint32_t v
     const std::uint32_t page = address & ~0xFFFu;
     if (page != stores_.page) {
         if (!write(address, bytes, value)) return false;
-        if (address >= FABRIC && address < FABRIC_END) stores_.page = page;
+        if (address - H2F_BASE < H2F_SIZE) stores_.page = page;
         return true;
     }
     const bool follows = address == stores_.begin + stores_.bytes;

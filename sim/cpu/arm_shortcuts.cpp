@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "sim/cpu/arm_cpu.h"
+#include "sim/hps/bridge_windows.h"
 
 namespace sim {
 
@@ -14,14 +15,13 @@ using sc_core::sc_time;
 
 namespace {
 
-constexpr std::uint32_t FPGA_MEMORY = 0xC0000000;  // which the FPGA may write, too
-constexpr unsigned WORTH = 64;                     // instructions: of fewer it is not
-constexpr unsigned LONG = 2000;                    // instructions, of a loop that ends
-constexpr unsigned FEW = 16;                       // instructions until one is known
-constexpr std::uint64_t ELSEWHERE = 400;           // until the program may be in another loop
-constexpr unsigned LOOKS = 4;                      // in vain, one after another
-constexpr unsigned PATIENCE = 8, RARELY = 32;      // looks where no loop is; then one of these
-constexpr unsigned LONGEST_PAUSE = 8;              // quanta
+constexpr unsigned WORTH = 64;                 // instructions: of fewer it is not
+constexpr unsigned LONG = 2000;                // instructions, of a loop that ends
+constexpr unsigned FEW = 16;                   // instructions until one is known
+constexpr std::uint64_t ELSEWHERE = 400;       // until the program may be in another loop
+constexpr unsigned LOOKS = 4;                  // in vain, one after another
+constexpr unsigned PATIENCE = 8, RARELY = 32;  // looks where no loop is; then one of these
+constexpr unsigned LONGEST_PAUSE = 8;          // quanta
 
 }  // namespace
 
@@ -35,7 +35,7 @@ public:
     }
     Place place(std::uint32_t address, bool write) override {
         const ArmCore::Place place = core_.place(address, write);
-        fpga_memory |= place.ram && address >= FPGA_MEMORY;
+        fpga_memory |= place.ram && address >= H2F_BASE;  // the FPGA may write it, too
         return {place.ram, place.bus.has_value(), place.bus.value_or(0)};
     }
     std::optional<std::uint32_t> answer(const SteadyLoop::Use& use) override {

@@ -4,6 +4,7 @@
 #include <cstring>
 
 #include "regmap.h"
+#include "sim/hps/bridge_windows.h"
 
 namespace sim {
 
@@ -11,8 +12,6 @@ using sc_core::sc_time;
 using sc_core::sc_time_stamp;
 
 namespace {
-
-constexpr std::uint32_t H2F_BASE = 0xC0000000;
 
 const sc_time scan_line_time{32, sc_core::SC_US};
 constexpr std::uint64_t WRITE_CLOCKS = 2'500'000;  // 100 ms

@@ -56,11 +56,9 @@ qsys::Generated committed_system(const ModuleFiles& files, const std::string& in
     }
     const ModuleFiles::Definition& d = files.modules().at(interfaces);
     const unsigned width = full_width(files.source(d.source).file.whole_text());
-    if (width)
-        system.bridges.push_back({qsys::FULL, width, decoded(system.map, qsys::FULL), "", ""});
+    if (width) system.bridges.push_back({H2F_BASE, width, decoded(system.map, H2F_BASE), "", ""});
     if (d.module->wants.count("cyclonev_hps_interface_hps2fpga_light_weight"))
-        system.bridges.push_back(
-            {qsys::LIGHTWEIGHT, 32, decoded(system.map, qsys::LIGHTWEIGHT), "", ""});
+        system.bridges.push_back({LW_BASE, 32, decoded(system.map, LW_BASE), "", ""});
     return system;
 }
 

@@ -20,7 +20,7 @@ namespace sim {
 namespace {
 
 std::uint64_t underruns(Computer& computer) {
-    return computer.fpga.peek(regmap::CODEC_UNDERRUNS - 0xFF200000).value_or(0);
+    return computer.fpga.peek(regmap::CODEC_UNDERRUNS - LW_BASE).value_or(0);
 }
 
 constexpr double FIRST_FRAMES_S = 0.034;  // the first is whole where the second begins
@@ -28,7 +28,7 @@ constexpr double FIRST_FRAMES_S = 0.034;  // the first is whole where the second
 // The program has given the display something to show: a picture, or a place for one.
 bool has_drawn(Computer& computer) {
     const auto holds = [&computer](std::uint32_t address, std::uint32_t value) {
-        return computer.fpga.peek(address - 0xFF200000).value_or(value) == value;
+        return computer.fpga.peek(address - LW_BASE).value_or(value) == value;
     };
     const auto has_pixels = [&fabric = computer.fpga.fabric()] {
         std::vector<std::uint8_t> bytes(regmap::ONCHIP_SIZE);
@@ -48,7 +48,7 @@ std::optional<std::uint32_t> picture_in_ddr3(Computer& computer) {
     constexpr std::uint32_t DDR3_SIZE = 0x40000000;
     constexpr std::uint32_t ONCHIP = regmap::ONCHIP_BASE % DDR3_SIZE;
     for (const std::uint32_t reg : {regmap::PIXEL_BUFFER, regmap::PIXEL_BACK_BUFFER}) {
-        const auto value = computer.fpga.peek(reg - 0xFF200000);
+        const auto value = computer.fpga.peek(reg - LW_BASE);
         if (!value) continue;
         const std::uint32_t address = *value % DDR3_SIZE;
         const bool in_sdram = address < regmap::SDRAM_SIZE;

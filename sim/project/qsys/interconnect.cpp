@@ -172,7 +172,7 @@ private:
 
     static std::uint32_t window_of(const Master& m) {
         if (!m.is_bridge) return 0;
-        return m.end.interface->name == FULL_MASTER ? FULL : LIGHTWEIGHT;
+        return m.end.interface->name == FULL_MASTER ? H2F_BASE : LW_BASE;
     }
 
     // ---- The pieces ----

@@ -13,13 +13,11 @@
 #include <string>
 #include <vector>
 
+#include "sim/hps/bridge_windows.h"
 #include "sim/project/qsys/assembly.h"
 #include "sim/project/qsys/verilog_text.h"
 
 namespace sim::project::qsys {
-
-// The windows of the processor's bridges.
-constexpr std::uint32_t LIGHTWEIGHT = 0xFF200000, FULL = 0xC0000000;
 
 // What a master reaches.
 struct Place {

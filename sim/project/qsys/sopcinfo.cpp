@@ -96,7 +96,7 @@ std::vector<Place> map_in_sopcinfo(const fs::path& file) {
                                    block.child_value("slaveName"),
                                block.child("baseAddress").text().as_ullong(),
                                block.child("span").text().as_ullong(), true, true,
-                               bridge == "h2f_axi_master" ? FULL : LIGHTWEIGHT});
+                               bridge == "h2f_axi_master" ? H2F_BASE : LW_BASE});
             }
     }
     return map;
