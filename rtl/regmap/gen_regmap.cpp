@@ -2,6 +2,7 @@
 //   gen_regmap vh       regmap.vh, included by the RTL
 //   gen_regmap decode   lw_decode.vh, which block owns an address on the lightweight bridge
 //   gen_regmap md       REGISTERS.md, for people
+//   gen_regmap c        sw/examples/registers.h, for programs in C
 #include <cstdio>
 #include <cstring>
 
@@ -111,6 +112,16 @@ void print_markdown() {
     for (const auto& block : regmap::BLOCKS) print_block(block);
 }
 
+void print_c() {
+    std::puts(
+        "// registers.h - the registers of the FPGA, by the names of rtl/regmap/REGISTERS.md");
+    std::puts("//\n// Generated from regmap.def by `make regmap`; do not edit.");
+    std::puts("#pragma once\n\n#include <stdint.h>\n");
+    std::puts("#define REGISTER(address) (*(volatile uint32_t*)(address))\n");
+    for (const auto& reg : regmap::REGS)
+        std::printf("#define %s REGISTER(0x%08X)\n", reg.name, reg.addr);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -118,6 +129,7 @@ int main(int argc, char** argv) {
     if (std::strcmp(view, "vh") == 0) return print_verilog(), 0;
     if (std::strcmp(view, "decode") == 0) return print_decoder(), 0;
     if (std::strcmp(view, "md") == 0) return print_markdown(), 0;
-    std::fprintf(stderr, "usage: gen_regmap vh|decode|md\n");
+    if (std::strcmp(view, "c") == 0) return print_c(), 0;
+    std::fprintf(stderr, "usage: gen_regmap vh|decode|md|c\n");
     return 2;
 }

@@ -39,7 +39,7 @@ static inline void screen_show(void) {
     PIXEL_BUFFER = 1;  // a write of any value asks for the change
     while (PIXEL_STATUS & 1) {
     }
-    screen_picture = PIXEL_BACK;
+    screen_picture = PIXEL_BACK_BUFFER;
 }
 
 // Characters lie over the picture, 80 in a line, 60 lines.  A space lets the picture through.
@@ -50,7 +50,7 @@ static inline void screen_text(int column, int line, const char* text) {
 
 // Both pictures black, no text.
 static inline void screen_begin(void) {
-    PIXEL_BACK = PICTURE_2;
+    PIXEL_BACK_BUFFER = PICTURE_2;
     screen_picture = PICTURE_2;
     for (int picture = 0; picture < 2; ++picture) {
         screen_clear(0);

@@ -13,7 +13,7 @@ import sys
 RUN_S = 0.2
 
 HEAD = """
-#include "registers.h"
+#include "processor.h"
 #define TIMER ((volatile uint32_t*)0xFF202000)
 static volatile unsigned ticks, flag;
 static unsigned n;
@@ -40,30 +40,30 @@ PROGRAMS = {
     "a flag in memory": "while (!flag) continue;",
     "itself": 'asm volatile("cpsie i"); for (;;) continue;',
     "nested delays": "for (;;) { for (volatile int i = 0; i < 100; i++) "
-                     "for (volatile int j = 0; j < 1000; j++) continue; LEDR = ++n; }",
-    "LEDs, all the time": "n = SW; for (;;) LEDR = n;",
-    "keys": "for (;;) { while (!KEY) continue; while (KEY) continue; LEDR = ++n; }",
+                     "for (volatile int j = 0; j < 1000; j++) continue; LEDR_DATA = ++n; }",
+    "LEDs, all the time": "n = SW_DATA; for (;;) LEDR_DATA = n;",
+    "keys": "for (;;) { while (!KEY_DATA) continue; while (KEY_DATA) continue; LEDR_DATA = ++n; }",
     "the private timer's end": "A9_TIMER_LOAD = 200000; A9_TIMER_CONTROL = 3; for (;;) { "
                                "while (!A9_TIMER_STATUS) continue; A9_TIMER_STATUS = 1; }",
     "the private timer": "A9_TIMER_LOAD = ~0u; A9_TIMER_CONTROL = 3; for (;;) { "
-                         "until_counted(&REGISTER(0xFFFEC604), 200000, 1); LEDR = ++n; }",
+                         "until_counted(&REGISTER(0xFFFEC604), 200000, 1); LEDR_DATA = ++n; }",
     "the global timer": "REGISTER(0xFFFEC208) = 1; for (;;) { "
-                        "until_counted(&REGISTER(0xFFFEC200), 200000, 0); LEDR = ++n; }",
+                        "until_counted(&REGISTER(0xFFFEC200), 200000, 0); LEDR_DATA = ++n; }",
     "PMCCNTR": 'asm volatile("mcr p15, 0, %0, c9, c12, 0" : : "r"(5)); '
                'asm volatile("mcr p15, 0, %0, c9, c12, 1" : : "r"(1u << 31)); for (;;) { '
                "const unsigned begin = cycles(); while (cycles() - begin < 800000) continue; "
-               "LEDR = ++n; }",
+               "LEDR_DATA = ++n; }",
     "an interval timer's snapshot": "TIMER[2] = TIMER[3] = 0xFFFF; TIMER[1] = 6; for (;;) { n = "
                                     "snapshot(); while (n - snapshot() < 100000) continue; }",
     "an interrupt every us": 'A9_TIMER_LOAD = 199; A9_TIMER_CONTROL = 7; interrupt_on(29); '
                              'asm volatile("cpsie i"); for (;;) continue;',
-    "room in the JTAG UART": "for (;;) { while (!(JTAG_UART_CONTROL >> 16)) continue; "
-                             "JTAG_UART_DATA = 'a' + n++ % 26; }",
-    "room for sound": "for (;;) { while (!(AUDIO_SPACE >> 24)) continue; "
-                      "AUDIO_LEFT = AUDIO_RIGHT = n++ << 20; }",
+    "room in the JTAG UART": "for (;;) { while (!(JTAG_UART0_CONTROL >> 16)) continue; "
+                             "JTAG_UART0_DATA = 'a' + n++ % 26; }",
+    "room for sound": "for (;;) { while (!(AUDIO_FIFOSPACE >> 24)) continue; "
+                      "AUDIO_LEFTDATA = AUDIO_RIGHTDATA = n++ << 20; }",
     "the screen's swap": "for (;;) { PIXEL_BUFFER = 1; while (PIXEL_STATUS & 1) continue; ++n; }",
-    "the AD converter, always on": "ADC_CH[1] = 1; for (;;) LEDR = ADC_CH[0] >> 2;",
-    "switches, with the camera on": "VIDEO_IN_STATUS = 4; for (;;) LEDR = SW;",
+    "the AD converter, always on": "ADC_CH_1 = 1; for (;;) LEDR_DATA = ADC_CH_0 >> 2;",
+    "switches, with the camera on": "VIDEO_IN_STATUS = 4; for (;;) LEDR_DATA = SW_DATA;",
 }
 
 

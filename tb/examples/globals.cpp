@@ -7,7 +7,7 @@ unsigned order;  // a digit for each that was constructed
 
 struct Counted {
     explicit Counted(unsigned digit) { order = order << 4 | digit; }
-    ~Counted() { LEDR = 0; }  // a destructor makes the compiler register the object
+    ~Counted() { LEDR_DATA = 0; }  // a destructor makes the compiler register the object
 };
 
 Counted first{1}, second{2};
@@ -22,9 +22,9 @@ unsigned calls() {
 }  // namespace
 
 int main() {
-    LEDR = order;  // 0x312
-    HEX3_0 = 0;
-    if (order == 0x312 && calls() == 0x3125 && calls() == 0x3126) LEDR = 0x155;
+    LEDR_DATA = order;  // 0x312
+    HEX3_0_DATA = 0;
+    if (order == 0x312 && calls() == 0x3125 && calls() == 0x3126) LEDR_DATA = 0x155;
     for (;;) {
     }
 }

@@ -8,10 +8,10 @@ void __attribute__((naked)) on_data_abort(void) { __asm("subs pc, lr, #4"); }
 int main(void) {
     (void)REGISTER(0xFFC00000);
     REGISTER(0xFFD0501C) = 2;  // lightweight bridge into reset
-    (void)SW;
+    (void)SW_DATA;
     REGISTER(0xFFD0501C) = 0;
-    while (!(KEY & 1)) {
+    while (!(KEY_DATA & 1)) {
     }  // KEY0
-    LEDR = 1;
+    LEDR_DATA = 1;
     return 0;
 }

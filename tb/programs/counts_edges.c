@@ -5,7 +5,7 @@
 #define KEY_EDGE REGISTER(0xFF20005C)
 
 int main(void) {
-    for (uint32_t count = 0;; LEDR = count) {
+    for (uint32_t count = 0;; LEDR_DATA = count) {
         uint32_t edges;
         while (!(edges = KEY_EDGE)) {
         }

@@ -6,7 +6,7 @@
 #define FIFO 64
 
 int main(void) {
-    for (unsigned n = 0; n < FIFO; ++n) JTAG_UART_DATA = 'a';
+    for (unsigned n = 0; n < FIFO; ++n) JTAG_UART0_DATA = 'a';
     for (unsigned n = 0; n < FIFO; ++n) JTAG_UART1_DATA = 'b';
     for (unsigned n = 0; n < FIFO; ++n) UART_THR = 'c';
     ((void (*)(void))0x20000000)();

@@ -6,7 +6,7 @@
 
 #if DIES_BY == 4
 void on_data_abort(void) {
-    for (;;) LEDR = LEDR + 1;
+    for (;;) LEDR_DATA = LEDR_DATA + 1;
 }
 #endif
 
@@ -19,6 +19,6 @@ int main(void) {
 #else
     (void)REGISTER(0xFFC00000);
 #endif
-    LEDR = 0x3FF;
+    LEDR_DATA = 0x3FF;
     return 0;
 }

@@ -1,5 +1,6 @@
 // interrupt_mistakes.c - waits for two interrupts of KEY, or of the private timer, with one thing
 // forgotten that the switches number.
+#include "processor.h"
 #include "registers.h"
 
 enum { KEY_ID = 73, TIMER_ID = 29 };
@@ -30,7 +31,7 @@ void __attribute__((interrupt("IRQ"))) on_irq(void) {
 }
 
 int main(void) {
-    mistake = SW;
+    mistake = SW_DATA;
     const unsigned id = mistake == TIMER_INTERRUPT ? TIMER_ID : KEY_ID;
     if (mistake != TARGET) ICDIPTR(id) = 1;
     if (mistake != ENABLE) ICDISER(id) = 1u << id % 32;
@@ -44,7 +45,7 @@ int main(void) {
     if (mistake != CPSR_I) __asm volatile("cpsie i");
     while (calls < 2 || mistake == CAUSE || mistake == ACKNOWLEDGE) {
     }
-    LEDR = 0x3FF;
+    LEDR_DATA = 0x3FF;
     for (;;) {
     }
 }

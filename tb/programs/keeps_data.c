@@ -3,7 +3,7 @@
 
 int main(void) {
     for (uint32_t n = 0; n < 1000; ++n) ((volatile uint32_t*)0xC0000000)[n] = n;
-    LEDR = ((volatile uint32_t*)0xC0000000)[5];
+    LEDR_DATA = ((volatile uint32_t*)0xC0000000)[5];
     for (;;) {
     }
 }

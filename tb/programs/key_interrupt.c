@@ -1,5 +1,6 @@
 // key_interrupt.c - KEY1 interrupts through the GIC (ID 73) and shows how often on HEX; sleeps in
 // between.  In the manner of the DE1-SoC Computer's courses: edge capture, cleared by the handler.
+#include "processor.h"
 #include "registers.h"
 
 enum { KEY_ID = 73 };
@@ -10,7 +11,7 @@ void __attribute__((interrupt("IRQ"))) on_irq(void) {
     const uint32_t id = ICCIAR;
     if (id == KEY_ID) {
         KEY_EDGE = KEY_EDGE;
-        HEX3_0 = DIGITS[++presses % 10];
+        HEX3_0_DATA = DIGITS[++presses % 10];
     }
     ICCEOIR = id;
 }
@@ -18,7 +19,7 @@ void __attribute__((interrupt("IRQ"))) on_irq(void) {
 int main(void) {
     KEY_MASK = 2;
     interrupt_on(KEY_ID);
-    HEX3_0 = DIGITS[0];
+    HEX3_0_DATA = DIGITS[0];
     __asm volatile("cpsie i");
     for (;;) __asm volatile("wfi");
 }

@@ -15,23 +15,23 @@ static void print(unsigned x, unsigned y, const char* text) {
 }
 
 int main(void) {
-    LEDR = 0x201;
-    LEDR = 0x2AA;
-    HEX3_0 = 0x7C276700;  // "679 " in HEX3 to HEX0
-    HEX5_4 = 0x0000;
+    LEDR_DATA = 0x201;
+    LEDR_DATA = 0x2AA;
+    HEX3_0_DATA = 0x7C276700;  // "679 " in HEX3 to HEX0
+    HEX5_4_DATA = 0x0000;
     HPS_GPIO1_DIRECTION = 1u << 24;
     HPS_GPIO1_DATA = 1u << 24;
-    JP1_DIRECTION = 0x0000F000;
-    JP1 = 0x00005000;
+    JP1_DIR = 0x0000F000;
+    JP1_DATA = 0x00005000;
     print(2, 1, "score 12");
     print(0, 59, "\"end\"");
-    while (!(KEY & 1)) {
+    while (!(KEY_DATA & 1)) {
     }
-    JP1_DIRECTION = 0x000003FF;
-    for (unsigned i = 1; i <= 300; ++i) JP1 = i;
+    JP1_DIR = 0x000003FF;
+    for (unsigned i = 1; i <= 300; ++i) JP1_DATA = i;
     for (unsigned i = 0;; i = (i + 1) % 8) {
-        LEDR = i == 0 ? 0x3FF : 0;
-        HEX3_0 = i < 4 ? 0x06u << 8 * i : 0;
-        HEX5_4 = i == 4 || i == 5 ? 0x06u << 8 * (i - 4) : 0;
+        LEDR_DATA = i == 0 ? 0x3FF : 0;
+        HEX3_0_DATA = i < 4 ? 0x06u << 8 * i : 0;
+        HEX5_4_DATA = i == 4 || i == 5 ? 0x06u << 8 * (i - 4) : 0;
     }
 }

@@ -50,7 +50,7 @@ int main(void) {
     PRIVATE_LOAD = 0xFFFFFFFF;
     PRIVATE_CONTROL = 3;
     for (unsigned i = 0; i < READS; ++i) {
-        (void)KEY;
+        (void)KEY_DATA;
         ++counts[PRIVATE_COUNTER & 15];
     }
     print_counts("behind KEY:");

@@ -5,7 +5,7 @@
 static volatile uint16_t picture[240][512];
 
 int main(void) {
-    PIXEL_BACK = (uint32_t)(uintptr_t)picture;
+    PIXEL_BACK_BUFFER = (uint32_t)(uintptr_t)picture;
     for (int y = 0; y < 240; ++y)
         for (int x = 0; x < 320; ++x) picture[y][x] = 0xF800;
     for (;;) {

@@ -76,7 +76,7 @@ int main(void) {
         byte_from(port, 100, 1000 * MS);
         commands[port] = byte_from(port, 100, 2 * MS) == 0 ? MOUSE : KEYBOARD;
     }
-    const uint32_t count = SW ? 10 * SW : 24;
+    const uint32_t count = SW_DATA ? 10 * SW_DATA : 24;
     uint32_t answered = 0;
     for (uint32_t n = 0; n < count; ++n) {
         const uint32_t octave = random_number() % 19;  // a turn takes two instructions

@@ -7,10 +7,10 @@
 
 int main(void) {
     for (uint32_t round = 1; round <= 3; ++round) {
-        for (int n = 0; n < 20; ++n) AUDIO_LEFT = AUDIO_RIGHT = 0x01000000;
+        for (int n = 0; n < 20; ++n) AUDIO_LEFTDATA = AUDIO_RIGHTDATA = 0x01000000;
         while (CODEC_UNDERRUNS < round) {}
     }
-    for (int n = 0; n < 100; ++n) AUDIO_LEFT = 0x01000000;
+    for (int n = 0; n < 100; ++n) AUDIO_LEFTDATA = 0x01000000;
     for (const char* text = "held\n"; *text; ++text) UART_THR = (uint32_t)*text;
     return 0;
 }

@@ -16,10 +16,10 @@ int main(void) {
             UART_DATA = '+';
             UART_DATA = character;
         }
-        const uint32_t first = JTAG_UART_DATA, second = JTAG_UART1_DATA;
+        const uint32_t first = JTAG_UART0_DATA, second = JTAG_UART1_DATA;
         if (first & 0x8000) {
-            JTAG_UART_DATA = '+';
-            JTAG_UART_DATA = first & 0xFF;
+            JTAG_UART0_DATA = '+';
+            JTAG_UART0_DATA = first & 0xFF;
         }
         if (second & 0x8000) {
             JTAG_UART1_DATA = '+';

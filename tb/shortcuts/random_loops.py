@@ -16,7 +16,7 @@ import subprocess
 import sys
 
 PROLOGUE = r"""
-#include "registers.h"
+#include "processor.h"
 #define TIMER ((volatile uint32_t*)0xFF202000)
 #define HPS_TIMER ((volatile uint32_t*)0xFFC08000)
 static volatile unsigned ticks, memory, other[4];
@@ -52,19 +52,19 @@ static unsigned __attribute__((noinline)) ticks_now(void) { return ticks; }
 // Samples, as many as there is room for; whether there was none.
 static int play(int most) {
     int n = 0;
-    for (; n < most && AUDIO_SPACE >> 24; n++) AUDIO_LEFT = AUDIO_RIGHT = n << 20;
+    for (; n < most && AUDIO_FIFOSPACE >> 24; n++) AUDIO_LEFTDATA = AUDIO_RIGHTDATA = n << 20;
     return n == 0;
 }
-static unsigned __attribute__((noinline)) key(void) { return KEY & 15; }
+static unsigned __attribute__((noinline)) key(void) { return KEY_DATA & 15; }
 static void tell(unsigned value) {
     sum = sum * 31 + value;
-    LEDR = sum & 0x3FF;
-    HEX3_0 = sum;
+    LEDR_DATA = sum & 0x3FF;
+    HEX3_0_DATA = sum;
     for (int digit = 28; digit >= 0; digit -= 4) {
-        for (int left = 10000; JTAG_UART_CONTROL >> 16 == 0 && left; --left) continue;
-        JTAG_UART_DATA = "0123456789ABCDEF"[value >> digit & 15];
+        for (int left = 10000; JTAG_UART0_CONTROL >> 16 == 0 && left; --left) continue;
+        JTAG_UART0_DATA = "0123456789ABCDEF"[value >> digit & 15];
     }
-    JTAG_UART_DATA = '\n';
+    JTAG_UART0_DATA = '\n';
 }
 int main(void) {
     unsigned n = 0, x = 0;
@@ -90,10 +90,11 @@ def conditions(chance):
     clocks = chance.randrange(300, 100000)
     bit = 1 << chance.randrange(4)
     return [
-        ("", f"(KEY & {bit}) == 0"), ("", f"(KEY & {bit}) != 0"), ("", "key() == 0"),
-        ("x = KEY;", "KEY == x"), ("x = SW;", "SW == x"), ("KEY_EDGE = 15;", "KEY_EDGE == 0"),
-        ("", "!(PS2_DATA & 0x8000)"), ("", "!(JTAG_UART_DATA & 0x8000)"),
-        ("", "!(PS2_CONTROL & 0x100)"), ("", "JTAG_UART_CONTROL >> 16 < 60"),
+        ("", f"(KEY_DATA & {bit}) == 0"), ("", f"(KEY_DATA & {bit}) != 0"), ("", "key() == 0"),
+        ("x = KEY_DATA;", "KEY_DATA == x"), ("x = SW_DATA;", "SW_DATA == x"),
+        ("KEY_EDGE = 15;", "KEY_EDGE == 0"),
+        ("", "!(PS2_0_DATA & 0x8000)"), ("", "!(JTAG_UART0_DATA & 0x8000)"),
+        ("", "!(PS2_0_CONTROL & 0x100)"), ("", "JTAG_UART0_CONTROL >> 16 < 60"),
         (f"start_timer({clocks}, 0);", "!(TIMER[0] & 1)"),
         (f"start_timer({clocks}, 1); x = ticks + 2;", "ticks < x"),
         (f"start_timer({clocks}, 1); x = ticks + 1;", "ticks_now() != x"),
@@ -105,20 +106,21 @@ def conditions(chance):
         ("then = global_time();", f"global_time() - then < {chance.randrange(200000)}"),
         ("x = HPS_TIMER[1];", f"x - HPS_TIMER[1] < {chance.randrange(4000)}"),
         ("x = cycles();", f"cycles() - x < {chance.randrange(500000)}"),
-        (f"x = cycles() + {chance.randrange(500000)};", "(int)(cycles() - x) < 0 && KEY == 0"),
+        (f"x = cycles() + {chance.randrange(500000)};", "(int)(cycles() - x) < 0 && KEY_DATA == 0"),
         ("", f"(REGISTER(0xFFFEC200) & {chance.randrange(256)}) != 0"),
         ("(void)HPS_TIMER[3];", "!HPS_TIMER[4]"),
         ("PIXEL_BUFFER = 1;", "PIXEL_STATUS & 1"),
-        ("x = AUDIO_SPACE;", "AUDIO_SPACE == x"),
+        ("x = AUDIO_FIFOSPACE;", "AUDIO_FIFOSPACE == x"),
         ("play(150);", "play(1)"),
     ]
 
 
 def bodies(chance):
     """What it does meanwhile."""
-    return ["", "", "", "++n;", "++memory;", "LEDR = sum & 0x3FF;", "x ^= 0;", "n += 3;",
-            "other[1] = n;", "(void)SW;", "play(1);", "HEX3_0 = sum; (void)KEY;", "n = key();",
-            f"if (++n == {chance.randrange(50, 5000)}) LEDR = 0x2AA;",
+    return ["", "", "", "++n;", "++memory;", "LEDR_DATA = sum & 0x3FF;", "x ^= 0;", "n += 3;",
+            "other[1] = n;", "(void)SW_DATA;", "play(1);",
+            "HEX3_0_DATA = sum; (void)KEY_DATA;", "n = key();",
+            f"if (++n == {chance.randrange(50, 5000)}) LEDR_DATA = 0x2AA;",
             f"for (volatile int i = 0; i < {chance.randrange(3, 60)}; i++) continue;"]
 
 
@@ -135,7 +137,7 @@ def loop(chance):
             f"for (volatile unsigned i = {count}; i; i -= 1) memory += 2;",
             f"for (int j = 0; j < 20; j++) for (volatile int i = 0; i < {count // 20}; i++);"])
     if kind == 1:  # the same register twice in a round
-        return (f"for (int i = 0; i < {most}; i++) {{ x = KEY; while (KEY) ++n; "
+        return (f"for (int i = 0; i < {most}; i++) {{ x = KEY_DATA; while (KEY_DATA) ++n; "
                 "if (x) { tell(x); break; } }")
     if kind == 2:
         return f"{before} for (n = 0; n < {most} && {condition}; n++) {{ {body} }}"
@@ -146,7 +148,8 @@ def loop(chance):
 
 def program(chance, loops):
     return PROLOGUE + "".join(f"    n = 0;\n    {loop(chance)}\n    tell(n);\n"
-                              for _ in range(loops)) + "    for (;;) LEDR = SW | sum;\n}\n"
+                              for _ in range(loops)) + \
+        "    for (;;) LEDR_DATA = SW_DATA | sum;\n}\n"
 
 
 def scenario(chance):

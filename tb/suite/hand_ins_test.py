@@ -13,7 +13,7 @@ EXAMPLES = pathlib.Path(DE1SIM).parent.parent / "examples"
 BUILD = shlex.join(["arm-none-eabi-gcc", "-mcpu=cortex-a9", "-O1", "-ffreestanding", "-nostdlib",
                     f"-I{EXAMPLES}", f"-T{EXAMPLES}/program.ld", str(EXAMPLES / "start.S"),
                     "prog.c", "-o", "prog.elf"])
-LIGHT = '#include "registers.h"\nint main(void) { LEDR = 5; for (;;) {} }\n'
+LIGHT = '#include "registers.h"\nint main(void) { LEDR_DATA = 5; for (;;) {} }\n'
 TOP = "module top(input CLOCK_50, output [9:0] LEDR);\n%s\nassign LEDR = 5;\nendmodule\n"
 # A program for Linux says 5 if it may do what it must not.
 LINUX = """#include <fcntl.h>
@@ -101,9 +101,9 @@ class HandIns(Folder):
 
     def test_hostile_programs(self):
         self.judge("program: prog.elf")
-        spin = "for (volatile unsigned i = 0;; i++) LEDR = i * i;"
+        spin = "for (volatile unsigned i = 0;; i++) LEDR_DATA = i * i;"
         self.hand_in("good", prog_c=LIGHT)
-        self.hand_in("endless", prog_c=LIGHT.replace("LEDR = 5;", spin))
+        self.hand_in("endless", prog_c=LIGHT.replace("LEDR_DATA = 5;", spin))
         self.hand_in("includes", prog_c=f'#include "{self.secret}"\n' + LIGHT)
         self.hand_in("assembles", prog_c=f'asm(".incbin \\"{self.secret}\\"");\n' + LIGHT)
         self.hand_in("neighbour", prog_c='#include "../../../hand-ins/good/prog.c"\n')

@@ -64,8 +64,7 @@ TEST_F(WrongAddress, WithAWrongSizeIsADataAbort) {
             io.write_words(0xFFFEC200, words, 2);
         },
         "data abort: write of 8 bytes at 0xFFFEC200 at 2\\.000[0-9]* ms "
-        "\\(the A9's global timer takes no writes of 8 bytes at 0xFFFEC200: aligned arguments "
-        "only\\)");
+        "\\(the A9's global timer takes no writes of 8 bytes at 0xFFFEC200: aligned words only\\)");
 }
 
 TEST_F(WrongAddress, IsADataAbortWithAddressAndTime) {

@@ -27,38 +27,38 @@ static void sdram(void) {
     uint32_t sum = 0;
     for (unsigned bit = 0; bit < WORDS_LOG2; ++bit) sum = with(sum, SDRAM[1u << bit]);
     for (unsigned digit = 0; digit < 8; ++digit)
-        JTAG_UART_DATA = (uint32_t)"0123456789ABCDEF"[sum >> 4 * digit & 15];
-    JTAG_UART_DATA = '\n';
+        JTAG_UART0_DATA = (uint32_t)"0123456789ABCDEF"[sum >> 4 * digit & 15];
+    JTAG_UART0_DATA = '\n';
 }
 
 int main(void) {
     uint32_t sum = 0;
-    JP1_DIRECTION = JP2_DIRECTION = 0xFFFFFFFF;
+    JP1_DIR = JP2_DIRECTION = 0xFFFFFFFF;
     for (unsigned n = 0; n < 32; ++n) {
-        JP1 = 1u << n;
-        sum = with(sum, JP1);
+        JP1_DATA = 1u << n;
+        sum = with(sum, JP1_DATA);
     }
-    JP1_DIRECTION = 0;
+    JP1_DIR = 0;
     VIDEO_IN_STATUS = CAMERA_ON;
-    ADC_CH[1] = AUTOMATIC;
+    (&ADC_CH_0)[1] = AUTOMATIC;
     AUDIO_CONTROL = FIFOS_EMPTY;
     AUDIO_CONTROL = 0;
     SECOND_JTAG_UART_DATA = '2';
     sdram();
     for (unsigned n = 0;; ++n) {
-        const uint32_t read[] = {SW, KEY, JP1, JP2, ADC_CH[n % 8], PS2_CONTROL, SECOND_PS2_CONTROL,
-                                 IRDA_DATA, JTAG_UART_DATA};
+        const uint32_t read[] = {SW_DATA, KEY_DATA, JP1_DATA, JP2, (&ADC_CH_0)[n % 8], PS2_0_CONTROL, SECOND_PS2_CONTROL,
+                                 IRDA_DATA, JTAG_UART0_DATA};
         for (unsigned i = 0; i < sizeof read / sizeof *read; ++i) sum = with(sum, read[i]);
-        LEDR = read[0];
-        HEX3_0 = sum;
-        HEX5_4 = sum >> 16;
+        LEDR_DATA = read[0];
+        HEX3_0_DATA = sum;
+        HEX5_4_DATA = sum >> 16;
         JP2 = 1u << n % 32;
-        if (n % 256 == 0) JTAG_UART_DATA = 'A' + sum % 26;
-        if (n % 1024 == 0) PS2_DATA = 0xFF;
+        if (n % 256 == 0) JTAG_UART0_DATA = 'A' + sum % 26;
+        if (n % 1024 == 0) PS2_0_DATA = 0xFF;
         if (n % 1024 == 512) SECOND_PS2_DATA = 0xFF;
-        while ((AUDIO_SPACE & 0xFF) != 0) {
-            AUDIO_LEFT = AUDIO_LEFT;
-            AUDIO_RIGHT = AUDIO_RIGHT;
+        while ((AUDIO_FIFOSPACE & 0xFF) != 0) {
+            AUDIO_LEFTDATA = AUDIO_LEFTDATA;
+            AUDIO_RIGHTDATA = AUDIO_RIGHTDATA;
         }
     }
 }

@@ -1,5 +1,6 @@
 // arrows_box.c - the arrow keys move a box over the screen, as long as they are held; Space paints it
 // in the next colour.  HEX5-3 is where it is from the left, HEX2-0 from the top.
+#include "processor.h"
 #include "registers.h"
 
 enum { WIDTH = 320, HEIGHT = 240, SIZE = 16, STEP = 8 };
@@ -27,8 +28,8 @@ static uint32_t three_digits(int number) {
 }
 
 static void show(int x, int y) {
-    HEX5_4 = three_digits(x) >> 8;
-    HEX3_0 = three_digits(x) << 24 | three_digits(y);
+    HEX5_4_DATA = three_digits(x) >> 8;
+    HEX3_0_DATA = three_digits(x) << 24 | three_digits(y);
 }
 
 static int within(int place, int most) { return place < 0 ? 0 : place > most ? most : place; }
@@ -42,7 +43,7 @@ int main(void) {
         fill(x, y, SIZE, SIZE, COLOURS[colour % 3]);
         show(x, y);
         uint32_t data;
-        do data = PS2_DATA;
+        do data = PS2_0_DATA;
         while ((data & 0x8000) == 0);
         const uint32_t byte = data & 0xFF;
         if (byte == EXTENDED) {

@@ -11,18 +11,18 @@ int main(void) {
     AUDIO_CONTROL = 4 | 8;  // both FIFOs empty
     AUDIO_CONTROL = 0;
     for (uint32_t n = 0;; n = (n + 1) % DELAY) {
-        while ((AUDIO_SPACE & 0xFF) == 0) {
+        while ((AUDIO_FIFOSPACE & 0xFF) == 0) {
         }
-        int32_t in = (int32_t)AUDIO_LEFT / 2 + (int32_t)AUDIO_RIGHT / 2;
+        int32_t in = (int32_t)AUDIO_LEFTDATA / 2 + (int32_t)AUDIO_RIGHTDATA / 2;
         if (KEY_EDGE & 2) {
             KEY_EDGE = 2;
             burst = BURST;
         }
         if (burst) in += --burst / HALF_PERIOD % 2 ? LOUD : -LOUD;
         past[n] = in + past[n] / 2;
-        while ((AUDIO_SPACE & 0x00FF0000) == 0) {
+        while ((AUDIO_FIFOSPACE & 0x00FF0000) == 0) {
         }
-        AUDIO_LEFT = (uint32_t)past[n];
-        AUDIO_RIGHT = (uint32_t)past[n];
+        AUDIO_LEFTDATA = (uint32_t)past[n];
+        AUDIO_RIGHTDATA = (uint32_t)past[n];
     }
 }

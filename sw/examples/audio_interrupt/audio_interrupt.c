@@ -1,5 +1,6 @@
 // audio_interrupt.c - a tone of 400 Hz for 120 ms on each KEY0, written by the interrupt of the
 // write FIFOs (ID 78), which asks for 96 samples or more at a time.  KEY0 by its own (ID 73).
+#include "processor.h"
 #include "registers.h"
 
 enum { AUDIO = 78, KEYS = 73, HALF_PERIOD = 10, LENGTH = 960, LOUD = 0x18000000 };
@@ -7,14 +8,14 @@ enum { AUDIO = 78, KEYS = 73, HALF_PERIOD = 10, LENGTH = 960, LOUD = 0x18000000 
 static volatile uint32_t left, fills;
 
 static void fill(void) {
-    while (AUDIO_SPACE & 0x00FF0000) {
+    while (AUDIO_FIFOSPACE & 0x00FF0000) {
         const int32_t wave = left / HALF_PERIOD % 2 ? LOUD : -LOUD;
         const uint32_t sample = left ? (uint32_t)wave : 0;
         if (left) --left;
-        AUDIO_LEFT = sample;
-        AUDIO_RIGHT = sample;
+        AUDIO_LEFTDATA = sample;
+        AUDIO_RIGHTDATA = sample;
     }
-    LEDR = ++fills;
+    LEDR_DATA = ++fills;
 }
 
 void __attribute__((interrupt("IRQ"))) on_irq(void) {

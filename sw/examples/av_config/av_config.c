@@ -12,25 +12,25 @@ static void codec(uint32_t number, uint32_t value) {
     AV_CONFIG_DATA = value;
     while ((AV_CONFIG_STATUS & READY) == 0) {
     }
-    if (AV_CONFIG_STATUS & NOT_ACKNOWLEDGED) LEDR = 2;
+    if (AV_CONFIG_STATUS & NOT_ACKNOWLEDGED) LEDR_DATA = 2;
 }
 
 int main(void) {
     if ((RESAMPLER_STATUS & 0x3F) != 0x14) {
-        LEDR = 1;
+        LEDR_DATA = 1;
         return 1;
     }
     while ((AV_CONFIG_STATUS & AUTO_INIT_OK) == 0) {
     }
-    LEDR = 0x200;
+    LEDR_DATA = 0x200;
     for (uint32_t n = 0, muted = 0;; ++n) {
-        const uint32_t held = KEY & 1;
+        const uint32_t held = KEY_DATA & 1;
         if (held != muted) codec(DIGITAL_PATH, held ? MUTE : 0);
         muted = held;
         const uint32_t sample = n / 8 % 2 ? 0x10000000 : 0xF0000000;
-        while ((AUDIO_SPACE & 0x00FF0000) == 0) {
+        while ((AUDIO_FIFOSPACE & 0x00FF0000) == 0) {
         }
-        AUDIO_LEFT = sample;
-        AUDIO_RIGHT = sample;
+        AUDIO_LEFTDATA = sample;
+        AUDIO_RIGHTDATA = sample;
     }
 }

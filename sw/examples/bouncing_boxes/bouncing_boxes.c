@@ -39,7 +39,7 @@ static void swap(void) {
     PIXEL_BUFFER = 1;
     while (PIXEL_STATUS & 1) {
     }
-    picture = PIXEL_BACK;
+    picture = PIXEL_BACK_BUFFER;
 }
 
 static void draw(const struct Box* boxes) {
@@ -66,11 +66,11 @@ int main(void) {
                                 i % 2 ? 1.5f : -1.5f, i % 3 ? 1.25f : -2.0f};
         boxes[i] = box;
     }
-    PIXEL_BACK = 0xC8000000;
+    PIXEL_BACK_BUFFER = 0xC8000000;
     swap();
     clear();
-    PIXEL_BACK = 0xC0000000;
-    picture = PIXEL_BACK;
+    PIXEL_BACK_BUFFER = 0xC0000000;
+    picture = PIXEL_BACK_BUFFER;
     for (;;) {
         clear();
         draw(boxes);

@@ -6,6 +6,7 @@
 //
 // The game moves on by one step per picture, so 60 per second.  Sound comes from the audio core's
 // interrupt, since a picture takes longer than the core's store of samples lasts.
+#include "processor.h"
 #include "screen.h"
 
 enum { AUDIO = 78, WRITE_INTERRUPT = 2, RATE_HZ = 8000, LOUD = 0x18000000 };
@@ -21,14 +22,14 @@ static void beep(unsigned hz, unsigned ms) {
 
 void __attribute__((interrupt("IRQ"))) on_irq(void) {
     const uint32_t id = ICCIAR;
-    while (id == AUDIO && AUDIO_SPACE & 0x00FF0000) {
+    while (id == AUDIO && AUDIO_FIFOSPACE & 0x00FF0000) {
         uint32_t sample = 0;
         if (samples_left > 0) {
             sample = samples_left / half_period % 2 ? LOUD : (uint32_t)-LOUD;
             --samples_left;
         }
-        AUDIO_LEFT = sample;
-        AUDIO_RIGHT = sample;
+        AUDIO_LEFTDATA = sample;
+        AUDIO_RIGHTDATA = sample;
     }
     ICCEOIR = id;
 }
@@ -43,7 +44,7 @@ struct Input {
 // with 0xE0, which may be passed over here.
 static void read_keyboard(struct Input* input) {
     static int released;
-    for (uint32_t data = PS2_DATA; data & 0x8000; data = PS2_DATA) {
+    for (uint32_t data = PS2_0_DATA; data & 0x8000; data = PS2_0_DATA) {
         const uint32_t code = data & 0xFF;
         if (code == 0x6B) input->left = !released;
         if (code == 0x74) input->right = !released;
@@ -55,8 +56,8 @@ static void read_keyboard(struct Input* input) {
 static struct Input read_input(void) {
     static struct Input keyboard;
     read_keyboard(&keyboard);
-    const struct Input input = {keyboard.left || KEY & 8, keyboard.right || KEY & 4,
-                                keyboard.serve || KEY & 1};
+    const struct Input input = {keyboard.left || KEY_DATA & 8, keyboard.right || KEY_DATA & 4,
+                                keyboard.serve || KEY_DATA & 1};
     return input;
 }
 
@@ -86,7 +87,7 @@ static void begin(struct Game* game) {
 }
 
 static void move_paddle(struct Game* game, const struct Input* input) {
-    const int by_itself = SW >> 9 & 1;
+    const int by_itself = SW_DATA >> 9 & 1;
     const int aim = game->paddle + 6 + game->score * 7 % 28;  // hits with another part each time
     const int ball = game->x / FINE + BALL / 2;
     if (input->left || (by_itself && ball < aim - 2)) game->paddle -= PADDLE_SPEED;
@@ -174,9 +175,9 @@ static void write(const struct Game* game) {
     if (game->bricks_left == 0) message = "      You win!      ";
     screen_text(30, 36, message);
     const unsigned score = (unsigned)game->score;
-    HEX3_0 = (uint32_t)DIGITS[score / 100 % 10] << 16 | (uint32_t)DIGITS[score / 10 % 10] << 8 |
+    HEX3_0_DATA = (uint32_t)DIGITS[score / 100 % 10] << 16 | (uint32_t)DIGITS[score / 10 % 10] << 8 |
              DIGITS[score % 10];
-    LEDR = (1u << game->balls) - 1;
+    LEDR_DATA = (1u << game->balls) - 1;
 }
 
 int main(void) {

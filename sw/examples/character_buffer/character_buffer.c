@@ -29,13 +29,13 @@ int main(void) {
     text(COLUMNS - 1, 0, ")");
     text(0, ROWS - 1, "[");
     text(COLUMNS - 1, ROWS - 1, "]");
-    LEDR = 1;
+    LEDR_DATA = 1;
     while ((KEY_EDGE & 1) == 0) {
     }
-    TEXT_CONTROL = 1 << 16;
-    while (TEXT_CONTROL & 1 << 16) {
+    TEXT_BUFFER = 1 << 16;
+    while (TEXT_BUFFER & 1 << 16) {
     }
-    LEDR = 3;
+    LEDR_DATA = 3;
     for (;;) {
     }
 }

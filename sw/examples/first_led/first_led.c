@@ -3,7 +3,7 @@
 
 int main(void) {
     for (;;) {
-        const uint32_t switches = SW;
-        LEDR = KEY & 1 ? ~switches : switches;
+        const uint32_t switches = SW_DATA;
+        LEDR_DATA = KEY_DATA & 1 ? ~switches : switches;
     }
 }

@@ -1,4 +1,5 @@
 // hex_counter.cpp - KEY0 counts up and KEY1 down on HEX5-0, KEY3 clears; classes, edges polled.
+#include "processor.h"
 #include "registers.h"
 
 namespace {
@@ -24,8 +25,8 @@ public:
             if (place == 5 && minus) segments = MINUS;
             (place < 4 ? low : high) |= segments << place % 4 * 8;
         }
-        HEX3_0 = low;
-        HEX5_4 = high;
+        HEX3_0_DATA = low;
+        HEX5_4_DATA = high;
     }
 
 private:

@@ -14,15 +14,15 @@ enum { LED = 1 << 24, KEY_UP = 1 << 25 };
 int main(void) {
     uint32_t edges = 0;
     GPIO1_DIRECTION = LED;
-    JP1_DIRECTION = 0;
+    JP1_DIR = 0;
     JP2_DIRECTION = 0xF;
     JP1_EDGE = 0xFFFFFFFF;
     for (;;) {
         GPIO1_DATA = GPIO1_PINS & KEY_UP ? 0 : LED;
-        JP2 = ~JP1 >> 28;
+        JP2 = ~JP1_DATA >> 28;
         if (JP1_EDGE & 1u << 28) {
             JP1_EDGE = 1u << 28;
-            LEDR = ++edges;
+            LEDR_DATA = ++edges;
         }
     }
 }

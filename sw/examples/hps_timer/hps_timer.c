@@ -1,4 +1,5 @@
 // hps_timer.c - counts tenths of a second on HEX1-0 by HPS timer 0, polled; built for soft float.
+#include "processor.h"
 #include "registers.h"
 
 #define TIMER_LOAD REGISTER(0xFFC08000)
@@ -15,7 +16,7 @@ int main(void) {
     TIMER_LOAD = (uint32_t)(CLOCK_HZ * seconds);
     TIMER_CONTROL = USER_MODE | ENABLE;
     for (uint32_t count = 0;; ++count) {
-        HEX3_0 = DIGITS[count % 10] | (uint32_t)DIGITS[count / 10 % 10] << 8;
+        HEX3_0_DATA = DIGITS[count % 10] | (uint32_t)DIGITS[count / 10 % 10] << 8;
         while (TIMER_STATUS == 0) {
         }
         (void)TIMER_END;  // reading clears

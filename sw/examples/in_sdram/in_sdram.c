@@ -2,6 +2,7 @@
 //
 // The pictures are global arrays.  A list is built on the heap, sorted and summed; the sum is drawn
 // as a bar.  HEX shows the number of pictures that have been shown.
+#include "processor.h"
 #include "registers.h"
 
 enum { WIDTH = 320, HEIGHT = 240, NUMBERS = 300 };
@@ -55,11 +56,11 @@ int main(void) {
     for (uint32_t shown = 0; shown < 2; ++shown) {
         uint16_t(*const picture)[512] = pictures[shown];
         draw(picture, bar + shown);
-        PIXEL_BACK = (uint32_t)picture;
+        PIXEL_BACK_BUFFER = (uint32_t)picture;
         PIXEL_BUFFER = 1;
         while (PIXEL_STATUS & 1) {
         }
-        HEX3_0 = DIGITS[shown + 1];
+        HEX3_0_DATA = DIGITS[shown + 1];
     }
     return 0;
 }

@@ -1,6 +1,7 @@
 // interval_timers.c - the FPGA's two timers: the first polled, the second by interrupt (ID 74).
 //
 // LEDR counts periods of the first (a quarter of its default 125 ms), HEX0 of the second (10 ms).
+#include "processor.h"
 #include "registers.h"
 
 #define TIMER0 0xFF202000
@@ -18,7 +19,7 @@ void __attribute__((interrupt("IRQ"))) on_irq(void) {
     const uint32_t id = ICCIAR;
     if (id == TIMER1_ID) {
         STATUS(TIMER1) = 0;
-        HEX3_0 = DIGITS[++tens % 10];
+        HEX3_0_DATA = DIGITS[++tens % 10];
     }
     ICCEOIR = id;
 }
@@ -34,7 +35,7 @@ int main(void) {
     CONTROL(TIMER1) = START | CONT | ITO;
     __asm volatile("cpsie i");
     for (uint32_t quarters = 0;; ++quarters) {
-        LEDR = quarters;
+        LEDR_DATA = quarters;
         while ((STATUS(TIMER0) & 1) == 0) {
         }
         STATUS(TIMER0) = 0;

@@ -4,9 +4,9 @@
 #include "registers.h"
 
 static void put(char c) {
-    while ((JTAG_UART_CONTROL & 0xFFFF0000) == 0) {
+    while ((JTAG_UART0_CONTROL & 0xFFFF0000) == 0) {
     }
-    JTAG_UART_DATA = c;
+    JTAG_UART0_DATA = c;
 }
 
 static void print(const char* text) {
@@ -15,13 +15,13 @@ static void print(const char* text) {
 
 int main(void) {
     print("A prompt that is longer than the 64 characters for which the JTAG UART has room.\n> ");
-    while ((JTAG_UART_CONTROL & 0x400) == 0) {
+    while ((JTAG_UART0_CONTROL & 0x400) == 0) {
     }
-    LEDR = 0x200;
+    LEDR_DATA = 0x200;
     for (uint32_t count = 0;;) {
-        const uint32_t data = JTAG_UART_DATA;
+        const uint32_t data = JTAG_UART0_DATA;
         if ((data & 0x8000) == 0) continue;
-        LEDR = 0x200 | ++count;
+        LEDR_DATA = 0x200 | ++count;
         put(data & 0xFF);
         if ((data & 0xFF) == '\n') print("> ");
     }

@@ -2,6 +2,7 @@
 //
 // A key that is pressed interrupts the processor: it leaves the loop in main(), runs on_irq() and goes
 // back.  So no press is missed, however long the loop takes, and a loop with nothing to do may sleep.
+#include "processor.h"
 #include "registers.h"
 
 enum { KEYS = 73 };  // the number of the keys' interrupt
@@ -25,7 +26,7 @@ int main(void) {
     __asm volatile("cpsie i");  // interrupts are enabled in the processor
     for (;;) {
         const unsigned now = count;
-        HEX3_0 = (uint32_t)DIGITS[now / 10 % 10] << 8 | DIGITS[now % 10];
+        HEX3_0_DATA = (uint32_t)DIGITS[now / 10 % 10] << 8 | DIGITS[now % 10];
         __asm volatile("wfi");  // sleeps until the next interrupt
     }
 }

@@ -1,5 +1,6 @@
 // keypad_jp1.c - the keypad on JP1 D7-D0 without the scanner: columns as outputs give the row,
 // then rows as outputs give the column.  Shows the last key on HEX0, LEDR0 while one is down.
+#include "processor.h"
 #include "registers.h"
 
 enum { COLUMNS_OUT = 0xF0, ROWS_OUT = 0x0F };
@@ -16,13 +17,13 @@ static unsigned only_low(uint32_t wires) {
 
 int main(void) {
     for (;;) {
-        JP1_DIRECTION = COLUMNS_OUT;
-        JP1 = 0;
-        const unsigned row = only_low(JP1);
-        JP1_DIRECTION = ROWS_OUT;
-        JP1 = 0;
-        const unsigned column = only_low(JP1 >> 4);
-        if (row < 4 && column < 4) HEX3_0 = DIGITS[KEYS[row][column]];
-        LEDR = row < 4 && column < 4;
+        JP1_DIR = COLUMNS_OUT;
+        JP1_DATA = 0;
+        const unsigned row = only_low(JP1_DATA);
+        JP1_DIR = ROWS_OUT;
+        JP1_DATA = 0;
+        const unsigned column = only_low(JP1_DATA >> 4);
+        if (row < 4 && column < 4) HEX3_0_DATA = DIGITS[KEYS[row][column]];
+        LEDR_DATA = row < 4 && column < 4;
     }
 }

@@ -50,6 +50,6 @@ int main(void) {
         int32_t bubble = 5 + x() * 5 / G;  // it rises; LED 9 is at the left
         if (bubble < 0) bubble = 0;
         if (bubble > 9) bubble = 9;
-        LEDR = 1u << bubble;
+        LEDR_DATA = 1u << bubble;
     }
 }

@@ -20,21 +20,21 @@ int main(void) {
     AUDIO_CONTROL = 4 | 8;  // both FIFOs empty
     AUDIO_CONTROL = 0;
     for (uint32_t n = 0, count = 0;; n = (n + 1) % DELAY) {
-        while ((AUDIO_SPACE & 0xFF) == 0) {
+        while ((AUDIO_FIFOSPACE & 0xFF) == 0) {
         }
-        const int32_t left = (int32_t)AUDIO_LEFT, right = (int32_t)AUDIO_RIGHT;
+        const int32_t left = (int32_t)AUDIO_LEFTDATA, right = (int32_t)AUDIO_RIGHTDATA;
         if (magnitude(left) > peak) peak = magnitude(left);
         if (++count == WINDOW) {
-            LEDR = bar(peak);
+            LEDR_DATA = bar(peak);
             count = 0;
             peak = 0;
         }
         const int32_t echo_left = past_left[n] / 2, echo_right = past_right[n] / 2;
         past_left[n] = left;
         past_right[n] = right;
-        while ((AUDIO_SPACE & 0x00FF0000) == 0) {
+        while ((AUDIO_FIFOSPACE & 0x00FF0000) == 0) {
         }
-        AUDIO_LEFT = (uint32_t)(left / 2 + echo_left / 2);
-        AUDIO_RIGHT = (uint32_t)(right / 2 + echo_right / 2);
+        AUDIO_LEFTDATA = (uint32_t)(left / 2 + echo_left / 2);
+        AUDIO_RIGHTDATA = (uint32_t)(right / 2 + echo_right / 2);
     }
 }

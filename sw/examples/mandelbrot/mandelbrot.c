@@ -4,6 +4,7 @@
 //
 // A point c of the plane belongs to the set if z = z * z + c, begun at 0, stays near 0 for ever.  A
 // point that leaves gets a colour by the number of steps that it takes.
+#include "processor.h"
 #include "screen.h"
 
 enum { STEPS = 500, BAR_COLUMN = 14, BAR_LINE = 57, BAR_LENGTH = 50, ZOOM_KEY = 1 };
@@ -37,7 +38,7 @@ static uint16_t colour_of(int steps) {
 
 // On the monitor a bar of characters, and the ten LEDs from the left.
 static void show_progress(int done, int all) {
-    LEDR = 0x3FF & ~(0x3FFu >> done * 10 / all);
+    LEDR_DATA = 0x3FF & ~(0x3FFu >> done * 10 / all);
     screen_text(BAR_COLUMN, BAR_LINE, "[");
     for (int i = 0; i < BAR_LENGTH; ++i)
         screen_text(BAR_COLUMN + 1 + i, BAR_LINE, i < done * BAR_LENGTH / all ? "#" : ".");
@@ -66,7 +67,7 @@ int main(void) {
     draw(-0.6, 0, 3.0 / WIDTH);  // the whole
     unsigned ready = 1;
     for (double size = 1.0 / WIDTH;; size /= 8) {
-        HEX3_0 = DIGITS[ready++ % 10];
+        HEX3_0_DATA = DIGITS[ready++ % 10];
         KEY_EDGE = ZOOM_KEY;
         while ((KEY_EDGE & ZOOM_KEY) == 0) {
         }

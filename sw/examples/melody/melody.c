@@ -2,6 +2,7 @@
 //
 // The audio core takes 8,000 samples per second and keeps 128 of them.  A program that waits for room
 // before it writes a sample is never too fast, and it counts time in samples.
+#include "processor.h"
 #include "registers.h"
 
 enum { RATE_HZ = 8000, LOUD = 0x30000000, BEAT = RATE_HZ / 5 };  // BEAT in samples: 200 ms
@@ -18,10 +19,10 @@ static const struct Note MELODY[] = {{E4, 1}, {E4, 1}, {F4, 1}, {G4, 1}, {G4, 1}
 enum { NOTES = sizeof MELODY / sizeof MELODY[0] };
 
 static void play_sample(int32_t sample) {
-    while ((AUDIO_SPACE & 0x00FF0000) == 0) {  // no room on the right side
+    while ((AUDIO_FIFOSPACE & 0x00FF0000) == 0) {  // no room on the right side
     }
-    AUDIO_LEFT = (uint32_t)sample;
-    AUDIO_RIGHT = (uint32_t)sample;
+    AUDIO_LEFTDATA = (uint32_t)sample;
+    AUDIO_RIGHTDATA = (uint32_t)sample;
 }
 
 // A triangle wave that fades.  `phase` counts 65,536 in a period, so 65536 * hz / RATE_HZ in a sample.
@@ -39,10 +40,10 @@ static void play(const struct Note* note) {
 int main(void) {
     for (;;) {
         for (unsigned n = 0; n < NOTES; ++n) {
-            HEX3_0 = (uint32_t)DIGITS[(n + 1) / 10] << 8 | DIGITS[(n + 1) % 10];
+            HEX3_0_DATA = (uint32_t)DIGITS[(n + 1) / 10] << 8 | DIGITS[(n + 1) % 10];
             play(&MELODY[n]);
         }
-        HEX3_0 = 0;
+        HEX3_0_DATA = 0;
         KEY_EDGE = 1;
         while ((KEY_EDGE & 1) == 0) {
         }

@@ -28,15 +28,15 @@ int main(void) {
     for (uint32_t up = 0;;) {
         int32_t peak = 0;
         for (int count = 0; count < WINDOW; ++count) {
-            while ((AUDIO_SPACE & 0xFF) == 0) {
+            while ((AUDIO_FIFOSPACE & 0xFF) == 0) {
             }
-            const int32_t left = (int32_t)AUDIO_LEFT, right = (int32_t)AUDIO_RIGHT;
+            const int32_t left = (int32_t)AUDIO_LEFTDATA, right = (int32_t)AUDIO_RIGHTDATA;
             if (left > peak) peak = left;
             if (right > peak) peak = right;
         }
-        LEDR = bar(peak);
-        if ((SW & 1) != up) {
-            up = SW & 1;
+        LEDR_DATA = bar(peak);
+        if ((SW_DATA & 1) != up) {
+            up = SW_DATA & 1;
             codec(ANALOGUE_PATH, up ? MICROPHONE : LINE);
         }
     }

@@ -1,6 +1,7 @@
 // mouse_draw.c - a mouse in the first PS/2 port, by its interrupt (ID 79): the left button draws, the
 // right one clears the screen.  HEX5-3 is where it is from the left, HEX2-0 from the top; LEDR2-0 are
 // the buttons.
+#include "processor.h"
 #include "registers.h"
 
 enum { PS2 = 79, WIDTH = 320, HEIGHT = 240 };
@@ -27,9 +28,9 @@ static uint32_t three_digits(int number) {
 }
 
 static void show(void) {
-    HEX5_4 = three_digits(x) >> 8;
-    HEX3_0 = three_digits(x) << 24 | three_digits(y);
-    LEDR = buttons;
+    HEX5_4_DATA = three_digits(x) >> 8;
+    HEX3_0_DATA = three_digits(x) << 24 | three_digits(y);
+    LEDR_DATA = buttons;
 }
 
 static void packet(const uint8_t* bytes) {
@@ -48,7 +49,7 @@ void __attribute__((interrupt("IRQ"))) on_irq(void) {
     static uint8_t bytes[3];
     static unsigned count;
     const uint32_t id = ICCIAR;
-    for (uint32_t data; id == PS2 && (data = PS2_DATA) & 0x8000;) {
+    for (uint32_t data; id == PS2 && (data = PS2_0_DATA) & 0x8000;) {
         if (count == 0 && !(data & FIRST)) continue;  // not the beginning of a packet
         bytes[count++] = (uint8_t)data;
         if (count == 3) {
@@ -61,18 +62,18 @@ void __attribute__((interrupt("IRQ"))) on_irq(void) {
 
 static uint32_t next(void) {
     uint32_t data;
-    do data = PS2_DATA;
+    do data = PS2_0_DATA;
     while ((data & 0x8000) == 0);
     return data & 0xFF;
 }
 
 static void command(uint32_t byte) {
     do {
-        PS2_CONTROL = 0;
-        PS2_DATA = byte;
-        while ((PS2_CONTROL & 0x400) == 0 && (PS2_DATA & 0x80FF) != (0x8000 | ACKNOWLEDGE)) {
+        PS2_0_CONTROL = 0;
+        PS2_0_DATA = byte;
+        while ((PS2_0_CONTROL & 0x400) == 0 && (PS2_0_DATA & 0x80FF) != (0x8000 | ACKNOWLEDGE)) {
         }
-    } while (PS2_CONTROL & 0x400);
+    } while (PS2_0_CONTROL & 0x400);
 }
 
 int main(void) {
@@ -83,7 +84,7 @@ int main(void) {
     next();  // 00, a mouse
     command(REPORT);
     show();
-    PS2_CONTROL = 1;
+    PS2_0_CONTROL = 1;
     interrupt_on(PS2);
     __asm volatile("cpsie i");
     for (;;) __asm volatile("wfi");

@@ -2,6 +2,7 @@
 // as text and on HEX.  KEY0 holds the picture.
 //
 // A pixel is a sample at 8 kHz, 40 per division; a vertical division is a quarter of full scale.
+#include "processor.h"
 #include "registers.h"
 
 enum { WIDTH = 320, HEIGHT = 240, MIDDLE = 120, DIVISION = 40, RATE = 8000, NOISE = 0x00800000 };
@@ -16,10 +17,10 @@ static void record(void) {
     AUDIO_CONTROL = 4;  // drops the samples of the time in which the picture was drawn
     AUDIO_CONTROL = 0;
     for (int i = 0; i < 2 * WIDTH; ++i) {
-        while ((AUDIO_SPACE & 0xFF) == 0) {
+        while ((AUDIO_FIFOSPACE & 0xFF) == 0) {
         }
-        samples[i] = (int32_t)AUDIO_LEFT;
-        (void)AUDIO_RIGHT;
+        samples[i] = (int32_t)AUDIO_LEFTDATA;
+        (void)AUDIO_RIGHTDATA;
     }
 }
 
@@ -47,7 +48,7 @@ static void write_number(uint32_t number) {
         line[3 - i] = blank ? ' ' : (char)('0' + number % 10);
         if (!blank) segments |= (uint32_t)DIGITS[number % 10] << 8 * i;
     }
-    HEX3_0 = segments;
+    HEX3_0_DATA = segments;
     for (int i = 0; line[i]; ++i) *(volatile char*)(0xC9000000 + (1 << 7) + 72 + i) = line[i];
 }
 
@@ -68,16 +69,16 @@ static void draw(uint32_t picture, int first) {
 int main(void) {
     uint32_t picture = 0xC0000000;
     for (;;) {
-        while (KEY & 1) {
+        while (KEY_DATA & 1) {
         }
         record();
         const int first = rise(0, WIDTH);
         draw(picture, first);
-        PIXEL_BACK = picture;
+        PIXEL_BACK_BUFFER = picture;
         PIXEL_BUFFER = 1;
         while (PIXEL_STATUS & 1) {
         }
         write_number(frequency(first));
-        picture = PIXEL_BACK;
+        picture = PIXEL_BACK_BUFFER;
     }
 }

@@ -2,6 +2,7 @@
 //
 // All of it is in the SDRAM, the pictures are a global array that is shown by turns.  The ball goes
 // two pixels per picture to the side and three down; it is faster after each hit.
+#include "processor.h"
 #include "registers.h"
 
 enum { WIDTH = 320, HEIGHT = 240, BALL = 8, BAT = 48, FLOOR = 228, STEP = 5 };
@@ -18,7 +19,7 @@ static int left, right, beep;
 // What the keyboard has sent: which of the two arrows are down.
 static void look_at_keys(void) {
     static int extended, released;
-    for (uint32_t data; (data = PS2_DATA) & 0x8000;) {
+    for (uint32_t data; (data = PS2_0_DATA) & 0x8000;) {
         const uint32_t byte = data & 0xFF;
         if (byte == EXTENDED) {
             extended = 1;
@@ -33,12 +34,12 @@ static void look_at_keys(void) {
 }
 
 static void sound(void) {
-    while (AUDIO_SPACE & 0x00FF0000) {
+    while (AUDIO_FIFOSPACE & 0x00FF0000) {
         const uint32_t sample = beep == 0                     ? 0
                                 : beep-- / HALF_WAVE % 2 == 0 ? 0x20000000
                                                               : 0xE0000000;
-        AUDIO_LEFT = sample;
-        AUDIO_RIGHT = sample;
+        AUDIO_LEFTDATA = sample;
+        AUDIO_RIGHTDATA = sample;
     }
 }
 
@@ -53,7 +54,7 @@ static void draw(int ball_x, int ball_y, int bat) {
     for (int x = 0; x < WIDTH; x += 16) box(picture, x, FLOOR + 4, 8, 2, 0x7BEF);
     box(picture, bat, FLOOR, BAT, 4, 0xFFE0);
     box(picture, ball_x, ball_y, BALL, BALL, 0xF800);
-    PIXEL_BACK = (uint32_t)picture;
+    PIXEL_BACK_BUFFER = (uint32_t)picture;
     PIXEL_BUFFER = 1;
     while (PIXEL_STATUS & 1) {
         sound();
@@ -63,7 +64,7 @@ static void draw(int ball_x, int ball_y, int bat) {
 
 int main(void) {
     int x = 60, y = 12, across = 2, down = 3, bat = (WIDTH - BAT) / 2, hits = 0;
-    HEX3_0 = DIGITS[0];
+    HEX3_0_DATA = DIGITS[0];
     for (;;) {
         draw(x, y, bat);
         bat += STEP * (right - left);
@@ -77,10 +78,10 @@ int main(void) {
         down = -down - 1;
         y = FLOOR - BALL;
         beep = BEEP;
-        HEX3_0 = DIGITS[++hits];
+        HEX3_0_DATA = DIGITS[++hits];
     }
     const char* text = "MISSED";
     for (int i = 0; text[i]; ++i) *(volatile char*)(0xC9000000 + (30 << 7) + 37 + i) = text[i];
-    LEDR = 0x3FF;
+    LEDR_DATA = 0x3FF;
     for (;;) sound();
 }

@@ -3,6 +3,7 @@
 //
 // The IrDA port receives light as zero bytes, so the first byte after a pause marks the begin of a
 // light.  From one begin to the next it is 1.1 ms for a 0, 2.3 ms for a 1, 13.5 ms for the lead.
+#include "processor.h"
 #include "registers.h"
 
 #define GLOBAL_TIMER REGISTER(0xFFFEC200)
@@ -25,8 +26,8 @@ int main(void) {
             word = word >> 1 | (since > MS * 17 / 10 ? 0x80000000 : 0);
             const int whole = ++bits == 32 && (word & 0xFFFF) == 0x6B86;
             if (whole && ((word >> 16 ^ word >> 24) & 0xFF) == 0xFF) {
-                HEX3_0 = (uint32_t)DIGITS[word >> 20 & 15] << 8 | DIGITS[word >> 16 & 15];
-                LEDR = ++buttons;
+                HEX3_0_DATA = (uint32_t)DIGITS[word >> 20 & 15] << 8 | DIGITS[word >> 16 & 15];
+                LEDR_DATA = ++buttons;
             }
         }
     }

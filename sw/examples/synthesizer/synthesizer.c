@@ -8,6 +8,7 @@
 // Two activities run at different rates.  The audio core interrupts 83 times per second or more,
 // when it has room for 96 samples: on_irq() computes them.  main() looks at the keys and draws, 60
 // times per second.  They share a few variables, which are volatile.
+#include "processor.h"
 #include "screen.h"
 
 enum { AUDIO = 78, WRITE_INTERRUPT = 2 };
@@ -56,13 +57,13 @@ static int next_sample(unsigned kind) {
 
 void __attribute__((interrupt("IRQ"))) on_irq(void) {
     const uint32_t id = ICCIAR;
-    const unsigned kind = SW & 3;
-    while (id == AUDIO && AUDIO_SPACE & 0x00FF0000) {
+    const unsigned kind = SW_DATA & 3;
+    while (id == AUDIO && AUDIO_FIFOSPACE & 0x00FF0000) {
         const int sample = next_sample(kind);
         wave[wave_end] = (int16_t)sample;
         wave_end = (wave_end + 1) % WAVE;
-        AUDIO_LEFT = (uint32_t)sample << 16;  // the core's samples have 32 bits
-        AUDIO_RIGHT = (uint32_t)sample << 16;
+        AUDIO_LEFTDATA = (uint32_t)sample << 16;  // the core's samples have 32 bits
+        AUDIO_RIGHTDATA = (uint32_t)sample << 16;
     }
     ICCEOIR = id;
 }
@@ -74,10 +75,10 @@ void __attribute__((interrupt("IRQ"))) on_irq(void) {
 
 static uint32_t read_keys(void) {
     uint32_t down = 0;
-    JP1_DIRECTION = 0xF0;  // D7-D4, the columns from the left, are outputs
+    JP1_DIR = 0xF0;  // D7-D4, the columns from the left, are outputs
     for (int column = 0; column < 4; ++column) {
-        JP1 = 0xF0 & ~(0x80u >> column);
-        const uint32_t rows = ~JP1;  // D3-D0, from the top
+        JP1_DATA = 0xF0 & ~(0x80u >> column);
+        const uint32_t rows = ~JP1_DATA;  // D3-D0, from the top
         for (int row = 0; row < 4; ++row)
             if (rows >> (3 - row) & 1) down |= 1u << (4 * row + column);
     }
@@ -130,7 +131,7 @@ static void show_loudness(void) {
     int peak = 0;
     for (unsigned i = 0; i < WAVE; ++i)
         if (sample_at(i) > peak) peak = sample_at(i);
-    LEDR = (1u << peak * 10 / 8192) - 1;
+    LEDR_DATA = (1u << peak * 10 / 8192) - 1;
 }
 
 int main(void) {

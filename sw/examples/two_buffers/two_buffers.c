@@ -1,6 +1,7 @@
 // two_buffers.c - two pictures in the SDRAM, one after the other, by turns; a ball on a chessboard
 //
 // A picture is 240 rows of 1,024 bytes, so the second one begins 0x3C000 after the first.
+#include "processor.h"
 #include "registers.h"
 
 enum { WIDTH = 320, HEIGHT = 240 };
@@ -19,14 +20,14 @@ static void draw(uint32_t picture, int ball) {
 int main(void) {
     draw(FIRST, 40);
     draw(SECOND, 40);
-    PIXEL_BACK = FIRST;
+    PIXEL_BACK_BUFFER = FIRST;
     PIXEL_BUFFER = 1;
     for (int ball = 40;; ball = ball < 280 ? ball + 40 : 280) {
         while (PIXEL_STATUS & 1) {
         }
-        HEX3_0 = DIGITS[ball / 40];
+        HEX3_0_DATA = DIGITS[ball / 40];
         const uint32_t picture = PIXEL_BUFFER == FIRST ? SECOND : FIRST;
-        PIXEL_BACK = picture;
+        PIXEL_BACK_BUFFER = picture;
         draw(picture, ball < 280 ? ball + 40 : 280);
         PIXEL_BUFFER = 1;
     }

@@ -3,13 +3,14 @@
 // All LEDs: every fact holds.  Otherwise the LEDs show the number of the first one that does not.
 #pragma once
 
+#include "processor.h"
 #include "registers.h"
 
 enum { ALL_LEDS = 0x3FF };
 
 static inline void fact(uint32_t number, int holds) {
     if (holds) return;
-    LEDR = number;
+    LEDR_DATA = number;
     for (;;) {
     }
 }

@@ -2,6 +2,7 @@
 //
 // HEX0 shows what the scenario has to do: 1 press KEY2, 2 hold HPS_KEY, 3 let go of it, 4 pull JP1
 // D20 low, 5 move the mouse in the second PS/2 port, 6 release JP1 D20, 7 press the remote control.
+#include "processor.h"
 #include "facts.h"
 
 #define JP(number, offset) REGISTER(0xFF200060 + 0x10 * (number) + (offset))
@@ -47,7 +48,7 @@ static void interrupts(void) {
         registers[0] = 0;
     }
     fact_of(78, &AUDIO_CONTROL, 2);
-    fact_of(80, &JTAG_UART_CONTROL, 2);
+    fact_of(80, &JTAG_UART0_CONTROL, 2);
     fact_of(81, &IRDA_CONTROL, 2);
     for (uint32_t jp = 0; jp < 2; ++jp) {
         JP(jp, DIRECTION) = 2, JP(jp, DATA) = 2, JP(jp, DATA) = 0;
@@ -73,11 +74,11 @@ static void interrupts(void) {
 }
 
 static void keys(void) {
-    HEX3_0 = DIGITS[1];
-    while (KEY == 0) {
+    HEX3_0_DATA = DIGITS[1];
+    while (KEY_DATA == 0) {
     }
-    fact(300, KEY == 4);
-    while (KEY) {
+    fact(300, KEY_DATA == 4);
+    while (KEY_DATA) {
     }
     fact(301, KEY_EDGE == 4);
     fact_of(73, &KEY_MASK, 4);
@@ -87,18 +88,18 @@ static void keys(void) {
     fact(303, KEY_EDGE == 0);
     GPIO1(4) = LED, GPIO1(0) = LED;
     fact(310, GPIO1(0x50) & LED && GPIO1(0x50) & KEY_UP);
-    HEX3_0 = DIGITS[2];
+    HEX3_0_DATA = DIGITS[2];
     while (GPIO1(0x50) & KEY_UP) {
     }
     GPIO1(0x38) = 0, GPIO1(0x34) = ~(uint32_t)KEY_UP;  // the level, low
     fact_of(197, &GPIO1(0x30), KEY_UP);
-    HEX3_0 = DIGITS[3];
+    HEX3_0_DATA = DIGITS[3];
     while ((GPIO1(0x50) & KEY_UP) == 0) {
     }
 }
 
 static void pins(void) {
-    HEX3_0 = DIGITS[4];
+    HEX3_0_DATA = DIGITS[4];
     while (JP(0, DATA) & D20) {
     }
     fact(320, JP(0, DATA) == (0xFFFFFFFF & ~(uint32_t)D20) && JP(0, EDGE) == D20);
@@ -120,7 +121,7 @@ static void mouse(void) {
     fact(331, (answer() & 0xFF) == 0xFA && PS2(1, DATA) >> 15 == 0);
     fact(332, (PS2(1, CONTROL) & 0x500) == 0);  // neither RI nor CE
     PS2(1, CONTROL) = 1;                        // RI is of an interrupt that was asked for
-    HEX3_0 = DIGITS[5];
+    HEX3_0_DATA = DIGITS[5];
     while ((PS2(1, CONTROL) & 0x100) == 0) {
     }
     PS2(1, CONTROL) = 0;
@@ -136,7 +137,7 @@ static void mouse(void) {
 
 static void light(void) {
     fact(340, IRDA_DATA == 0);
-    HEX3_0 = DIGITS[7];
+    HEX3_0_DATA = DIGITS[7];
     uint32_t data;
     while (((data = IRDA_DATA) & 0x8000) == 0) {
     }
@@ -148,10 +149,10 @@ int main(void) {
     keys();
     pins();
     mouse();
-    HEX3_0 = DIGITS[6];
+    HEX3_0_DATA = DIGITS[6];
     while ((JP(0, DATA) & D20) == 0) {
     }
     light();
-    LEDR = ALL_LEDS;
+    LEDR_DATA = ALL_LEDS;
     return 0;
 }

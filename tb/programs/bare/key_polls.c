@@ -10,11 +10,11 @@
 
 int main(void) {
     for (unsigned noticed = 0;;) {
-        const unsigned key = KEY;
-        while (KEY) continue;
+        const unsigned key = KEY_DATA;
+        while (KEY_DATA) continue;
         if (key == 1) {
             ++noticed;
-            LEDR = (noticed >= 6 ? NOTICED : 0) | (noticed > 18 ? TOO_MANY : 0);
+            LEDR_DATA = (noticed >= 6 ? NOTICED : 0) | (noticed > 18 ? TOO_MANY : 0);
         }
     }
 }

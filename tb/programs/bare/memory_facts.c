@@ -2,6 +2,7 @@
 //
 // HEX0 shows what is on the screen: 1 a picture in the SDRAM, 2 the same at its end, 3 nothing
 // because the controller is off, 4 two letters in its upper corners.
+#include "processor.h"
 #include "facts.h"
 
 #define TEXT_BACK REGISTER(0xFF203034)
@@ -43,14 +44,14 @@ static void swap(void) {
 
 static void controller(void) {
     static const uint32_t places[] = {0xC0000000, 0xC1234568, 0xC3FC4000, 0xC8000400, 0xC8000000};
-    fact(10, PIXEL_BUFFER == ON_CHIP && PIXEL_BACK == ON_CHIP);
+    fact(10, PIXEL_BUFFER == ON_CHIP && PIXEL_BACK_BUFFER == ON_CHIP);
     fact(11, PIXEL_RESOLUTION == 0x00F00140 && PIXEL_STATUS == 0x08090F04);
     for (unsigned i = 0; i < sizeof places / sizeof *places; ++i) {
         const uint32_t before = PIXEL_BUFFER;
-        PIXEL_BACK = places[i];
-        fact(12, PIXEL_BUFFER == before && PIXEL_BACK == places[i]);
+        PIXEL_BACK_BUFFER = places[i];
+        fact(12, PIXEL_BUFFER == before && PIXEL_BACK_BUFFER == places[i]);
         swap();
-        fact(13, PIXEL_BUFFER == places[i] && PIXEL_BACK == before);
+        fact(13, PIXEL_BUFFER == places[i] && PIXEL_BACK_BUFFER == before);
     }
     swap();  // at the end of a frame, so the next one is a frame later: 800 x 525 clocks of 25 MHz
     A9_TIMER_LOAD = 0xFFFFFFFF, A9_TIMER_CONTROL = 1;
@@ -71,18 +72,18 @@ static void draw(uint32_t picture, uint32_t colours) {
 }
 
 static void show(uint32_t number) {
-    HEX3_0 = DIGITS[number];
-    while ((SW & 1u << number) == 0) {
+    HEX3_0_DATA = DIGITS[number];
+    while ((SW_DATA & 1u << number) == 0) {
     }
 }
 
 static void screen(void) {
     for (uint32_t at = 0; at < 8 << 10; at += 4) REGISTER(CHARACTERS + at) = 0x20202020;
     draw(0xC2345678, 0xFFFF), draw(0xC3FC4180, 0xFFFF);
-    PIXEL_BACK = 0xC2345678;
+    PIXEL_BACK_BUFFER = 0xC2345678;
     swap();
     show(1);
-    PIXEL_BACK = 0xC3FC4180;  // to the last byte of the SDRAM
+    PIXEL_BACK_BUFFER = 0xC3FC4180;  // to the last byte of the SDRAM
     swap();
     show(2);
     PIXEL_STATUS = 0;
@@ -96,11 +97,11 @@ static void characters(void) {
     REGISTER(CHARACTERS + 80) = 0x58585858;  // after the row, and after the last row: not shown
     REGISTER(CHARACTERS + (60 << 7)) = 0x58585858;
     draw(SDRAM, 0);
-    PIXEL_STATUS = EN, PIXEL_BACK = SDRAM;
+    PIXEL_STATUS = EN, PIXEL_BACK_BUFFER = SDRAM;
     swap();
     show(4);
-    TEXT_CONTROL = 1 << 16;
-    while (TEXT_CONTROL & 1 << 16) {
+    TEXT_BUFFER = 1 << 16;
+    while (TEXT_BUFFER & 1 << 16) {
     }
     fact(22, BYTE(CHARACTERS) == ' ' && BYTE(CHARACTERS + (59 << 7) + 79) == ' ');
 }
@@ -110,6 +111,6 @@ int main(void) {
     memories();
     screen();
     characters();
-    LEDR = ALL_LEDS;
+    LEDR_DATA = ALL_LEDS;
     return 0;
 }

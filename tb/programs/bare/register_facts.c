@@ -1,4 +1,5 @@
 // register_facts.c - facts about the registers
+#include "processor.h"
 #include "facts.h"
 
 #define JP2 REGISTER(0xFF200070)
@@ -13,15 +14,15 @@
 enum { DEPTH = 128 };
 
 static void ports(void) {
-    LEDR = 0xFFFFFFFF;
-    fact(1, LEDR == ALL_LEDS);
-    LEDR = 0;
-    HEX3_0 = 0x5B3F0679, HEX5_4 = 0x00003F06;
-    fact(2, HEX3_0 == 0x5B3F0679 && HEX5_4 == 0x00003F06);
+    LEDR_DATA = 0xFFFFFFFF;
+    fact(1, LEDR_DATA == ALL_LEDS);
+    LEDR_DATA = 0;
+    HEX3_0_DATA = 0x5B3F0679, HEX5_4_DATA = 0x00003F06;
+    fact(2, HEX3_0_DATA == 0x5B3F0679 && HEX5_4_DATA == 0x00003F06);
     KEY_MASK = 0xF;
-    fact(3, KEY_MASK == 0xF && KEY_EDGE == 0 && KEY == 0 && SW == 0);
+    fact(3, KEY_MASK == 0xF && KEY_EDGE == 0 && KEY_DATA == 0 && SW_DATA == 0);
     KEY_MASK = 0;
-    fact(4, JP1_DIRECTION == 0 && JP1 == 0xFFFFFFFF && JP2 == 0xFFFFFFFF);
+    fact(4, JP1_DIR == 0 && JP1_DATA == 0xFFFFFFFF && JP2 == 0xFFFFFFFF);
     JP2_DIRECTION = 0xFFFF0000, JP2 = 0x12345678;
     fact(5, JP2_DIRECTION == 0xFFFF0000 && JP2 == 0x1234FFFF);
     fact(22, IRDA_DATA == 0 && IRDA_CONTROL == 0x00800000);
@@ -30,13 +31,13 @@ static void ports(void) {
 static void picture(void) {
     fact(6, PIXEL_RESOLUTION == 0x00F00140 && (PIXEL_STATUS & ~1u) == 0x08090F04);
     fact(7, RESAMPLER == 0x00190014 && PIXEL_BUFFER == 0xC8000000);
-    PIXEL_BACK = 0xC0000000;
-    fact(8, PIXEL_BACK == 0xC0000000);
+    PIXEL_BACK_BUFFER = 0xC0000000;
+    fact(8, PIXEL_BACK_BUFFER == 0xC0000000);
     PIXEL_BUFFER = 0x12345678;  // asks for the swap and is not loaded
     fact(9, PIXEL_BUFFER == 0xC8000000 && PIXEL_STATUS & 1);
     while (PIXEL_STATUS & 1) {
     }
-    fact(10, PIXEL_BUFFER == 0xC0000000 && PIXEL_BACK == 0xC8000000);
+    fact(10, PIXEL_BUFFER == 0xC0000000 && PIXEL_BACK_BUFFER == 0xC8000000);
     REGISTER(0xC803FFFC) = 1, REGISTER(0xC8040000) = 2, REGISTER(0xC8041000) = 3;
     *(volatile uint16_t*)0xC8000280 = 0xF81F;  // after the 320th pixel of a row: not shown
     *(volatile uint16_t*)0xC800027E = 0x07E0;
@@ -44,12 +45,12 @@ static void picture(void) {
 }
 
 static void camera(void) {
-    fact(23, VIDEO_IN_BUFFER == 0xC8000000 && VIDEO_IN_BACK == 0xC8000000);
+    fact(23, VIDEO_IN_BUFFER == 0xC8000000 && VIDEO_IN_BACK_BUFFER == 0xC8000000);
     fact(24, VIDEO_IN_RESOLUTION == 0x00F00140 && VIDEO_IN_STATUS == 0x08090F00);
-    EDGE_DETECTION = 0xFFFFFFFF;
-    fact(25, EDGE_DETECTION == 1);
-    EDGE_DETECTION = 0, VIDEO_IN_BACK = 0xC0040000;
-    fact(26, EDGE_DETECTION == 0 && VIDEO_IN_BACK == 0xC0040000);
+    EDGE_DETECTION_CONTROL = 0xFFFFFFFF;
+    fact(25, EDGE_DETECTION_CONTROL == 1);
+    EDGE_DETECTION_CONTROL = 0, VIDEO_IN_BACK_BUFFER = 0xC0040000;
+    fact(26, EDGE_DETECTION_CONTROL == 0 && VIDEO_IN_BACK_BUFFER == 0xC0040000);
     REGISTER(0xC0040000) = 0x12345678;
     VIDEO_IN_BUFFER = 0x12345678;  // asks for the swap and is not loaded
     fact(27, VIDEO_IN_BUFFER == 0xC8000000 && VIDEO_IN_STATUS == 0x08090F01);
@@ -57,7 +58,7 @@ static void camera(void) {
     fact(28, VIDEO_IN_STATUS == 0x08090F05);
     while (VIDEO_IN_STATUS & 1) {
     }
-    fact(29, VIDEO_IN_BUFFER == 0xC0040000 && VIDEO_IN_BACK == 0xC8000000);
+    fact(29, VIDEO_IN_BUFFER == 0xC0040000 && VIDEO_IN_BACK_BUFFER == 0xC8000000);
     for (int i = 0; i < 2; ++i) {  // a picture into each
         VIDEO_IN_BUFFER = 1;
         while (VIDEO_IN_STATUS & 1) {
@@ -69,22 +70,22 @@ static void camera(void) {
 }
 
 static void sound(void) {
-    fact(12, AUDIO_SPACE >> 24 == DEPTH && (AUDIO_SPACE >> 16 & 0xFF) == DEPTH);
-    for (int i = 0; i < 2 * DEPTH; ++i) AUDIO_LEFT = 0;  // what does not fit is dropped
-    fact(13, AUDIO_SPACE >> 24 == 0 && (AUDIO_SPACE >> 16 & 0xFF) == DEPTH);
+    fact(12, AUDIO_FIFOSPACE >> 24 == DEPTH && (AUDIO_FIFOSPACE >> 16 & 0xFF) == DEPTH);
+    for (int i = 0; i < 2 * DEPTH; ++i) AUDIO_LEFTDATA = 0;  // what does not fit is dropped
+    fact(13, AUDIO_FIFOSPACE >> 24 == 0 && (AUDIO_FIFOSPACE >> 16 & 0xFF) == DEPTH);
     A9_TIMER_LOAD = 200000, A9_TIMER_CONTROL = 1;  // 1 ms: no left one leaves without a right one
     const uint32_t earlier = A9_TIMER_COUNTER;
     while (A9_TIMER_STATUS == 0) {
     }
     fact(14, earlier <= 200000 && earlier > 190000 && A9_TIMER_COUNTER == 0);
-    fact(15, AUDIO_SPACE >> 24 == 0);
-    AUDIO_RIGHT = 0;
+    fact(15, AUDIO_FIFOSPACE >> 24 == 0);
+    AUDIO_RIGHTDATA = 0;
     A9_TIMER_STATUS = 1, A9_TIMER_LOAD = 200000;
     while (A9_TIMER_STATUS == 0) {
     }
-    fact(16, AUDIO_SPACE >> 24 == 1 && (AUDIO_SPACE >> 16 & 0xFF) == DEPTH);
+    fact(16, AUDIO_FIFOSPACE >> 24 == 1 && (AUDIO_FIFOSPACE >> 16 & 0xFF) == DEPTH);
     AUDIO_CONTROL = 8;
-    fact(17, AUDIO_SPACE >> 24 == 0);
+    fact(17, AUDIO_FIFOSPACE >> 24 == 0);
     AUDIO_CONTROL = 0;
 }
 
@@ -105,6 +106,6 @@ int main(void) {
     camera();
     sound();
     processor_side();
-    LEDR = ALL_LEDS;
+    LEDR_DATA = ALL_LEDS;
     return 0;
 }

@@ -12,6 +12,6 @@ int main(void) {
     for (int y = 0; y < 60; ++y)
         for (int x = 0; x < 80; ++x)
             kept &= TEXT[(y << 7) + x] == (y == 0 || y == 59 ? (char)('!' + x) : 0);
-    LEDR = kept ? 1 : 2;
+    LEDR_DATA = kept ? 1 : 2;
     return 0;
 }

@@ -1,4 +1,5 @@
 // time_facts.c - facts about the timers and the sound's rate
+#include "processor.h"
 #include "facts.h"
 
 #define TIMER(number, offset) REGISTER(0xFF202000 + 0x20 * (number) + (offset))
@@ -86,24 +87,24 @@ static void hps_timers(void) {
 
 static void sound(void) {
     AUDIO_CONTROL = CLEAR_READ | CLEAR_WRITE;
-    fact(60, AUDIO_SPACE == 0);  // no room
-    for (int i = 0; i < 2 * DEPTH; ++i) AUDIO_LEFT = 0, AUDIO_RIGHT = 0;  // held empty
-    fact(61, AUDIO_SPACE == 0);
+    fact(60, AUDIO_FIFOSPACE == 0);  // no room
+    for (int i = 0; i < 2 * DEPTH; ++i) AUDIO_LEFTDATA = 0, AUDIO_RIGHTDATA = 0;  // held empty
+    fact(61, AUDIO_FIFOSPACE == 0);
     AUDIO_CONTROL = READ_ENABLE | WRITE_ENABLE;
-    for (int i = 0; i < 2 * DEPTH; ++i) AUDIO_LEFT = 0, AUDIO_RIGHT = 0;
-    fact(62, AUDIO_SPACE >> 16 == 0 && (AUDIO_CONTROL & WI) == 0);
+    for (int i = 0; i < 2 * DEPTH; ++i) AUDIO_LEFTDATA = 0, AUDIO_RIGHTDATA = 0;
+    fact(62, AUDIO_FIFOSPACE >> 16 == 0 && (AUDIO_CONTROL & WI) == 0);
     for (uint32_t ms = 5; ms <= 15; ms += 5) {
         wait_us(5000);
-        fact(63, about(AUDIO_SPACE >> 24, 8 * ms, 1) && about(AUDIO_SPACE >> 16 & 0xFF, 8 * ms, 1));
-        fact(64, about(AUDIO_SPACE & 0xFF, 8 * ms, 1) && about(AUDIO_SPACE >> 8 & 0xFF, 8 * ms, 1));
+        fact(63, about(AUDIO_FIFOSPACE >> 24, 8 * ms, 1) && about(AUDIO_FIFOSPACE >> 16 & 0xFF, 8 * ms, 1));
+        fact(64, about(AUDIO_FIFOSPACE & 0xFF, 8 * ms, 1) && about(AUDIO_FIFOSPACE >> 8 & 0xFF, 8 * ms, 1));
         fact(65, !(AUDIO_CONTROL & WI) == (ms < 12) && !(AUDIO_CONTROL & RI) == (ms < 12));
     }
     wait_us(5000);
-    fact(66, (AUDIO_SPACE & 0xFFFF) == 0x8080);  // 128 deep
-    (void)AUDIO_LEFT;
-    fact(67, (AUDIO_SPACE & 0xFFFF) == 0x7F80 || (AUDIO_SPACE & 0xFFFF) == 0x8080);
+    fact(66, (AUDIO_FIFOSPACE & 0xFFFF) == 0x8080);  // 128 deep
+    (void)AUDIO_LEFTDATA;
+    fact(67, (AUDIO_FIFOSPACE & 0xFFFF) == 0x7F80 || (AUDIO_FIFOSPACE & 0xFFFF) == 0x8080);
     AUDIO_CONTROL = CLEAR_READ;
-    fact(68, (AUDIO_SPACE & 0xFFFF) == 0);
+    fact(68, (AUDIO_FIFOSPACE & 0xFFFF) == 0);
     AUDIO_CONTROL = 0;
 }
 
@@ -113,6 +114,6 @@ int main(void) {
     a9_timer();
     hps_timers();
     sound();
-    LEDR = ALL_LEDS;
+    LEDR_DATA = ALL_LEDS;
     return 0;
 }
