@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cstdlib>
+#include <list>
 #include <optional>
 #include <set>
 
@@ -421,7 +422,7 @@ private:
     std::map<std::string, Parameter> parameters_;
     std::map<std::string, std::string> widths_;  // of ports
     std::set<std::string> vectors_, terminated_;
-    std::vector<Fileset> filesets_;
+    std::list<Fileset> filesets_;  // their callbacks may add others
     Fileset* callback_fileset_ = nullptr;
     std::vector<ComponentFile> old_files_;
 };
