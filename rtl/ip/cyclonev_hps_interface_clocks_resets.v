@@ -1,4 +1,4 @@
-// cyclonev_hps_interface_clocks_resets.v - resets between processor and FPGA: none comes
+// cyclonev_hps_interface_clocks_resets.v - resets between processor and FPGA: that of a warm reset
 
 `default_nettype none
 
@@ -17,7 +17,12 @@ module cyclonev_hps_interface_clocks_resets (
     output wire  h2f_user2_clk
     // verilator lint_on UNUSED
 );
-    assign {h2f_rst_n, h2f_cold_rst_n, h2f_pending_rst_req_n} = 3'b111;
+`ifdef DE1SIM_LISTS
+    assign h2f_rst_n = 1'b1;  // the design alone, without the chip
+`else
+    assign h2f_rst_n = !de1sim_chip.hps_reset;
+`endif
+    assign {h2f_cold_rst_n, h2f_pending_rst_req_n} = 2'b11;
     assign {h2f_user0_clk, h2f_user1_clk, h2f_user2_clk} = 3'd0;
 endmodule
 

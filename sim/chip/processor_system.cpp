@@ -24,7 +24,11 @@ ProcessorSystem::ProcessorSystem(const sc_core::sc_module_name& name, PinListene
       ddr3{"ddr3", DDR3_SIZE, sc_core::sc_time{60, sc_core::SC_NS}},
       hps{"hps",
           {[&observer](char character) { observer.console(character, SerialLine::UART); },
-           [this](bool irq, bool fiq) { cpu.interrupt(irq, fiq); }, [this] { cpu.warm_reset(); },
+           [this](bool irq, bool fiq) { cpu.interrupt(irq, fiq); },
+           [this] {
+               cpu.warm_reset();
+               reset_fpga();
+           },
            [this](std::uint32_t in_reset) {
                h2f_gate_(!(in_reset & ResetManager::H2F));
                lw_gate_(!(in_reset & ResetManager::LWH2F));

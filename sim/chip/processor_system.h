@@ -42,6 +42,9 @@ public:
     void accelerometer_interrupt(bool up) { hps.gpio2.drive(ACCELEROMETER, up); }
 
 private:
+    // h2f_reset, at a warm reset of the processor.
+    virtual void reset_fpga() {}
+
     static constexpr unsigned ACCELEROMETER = 61 - 58;  // GPIO61 is GPIO2's pin 3
 
     std::function<void(bool)> h2f_gate_, lw_gate_;  // true: out of reset

@@ -13,6 +13,8 @@ namespace sim {
 namespace {
 
 const sc_core::sc_time batch{32, sc_core::SC_US};
+// 128 clocks of 25 MHz, as the reset manager's register counts has them (Cyclone V HPS TRM).
+constexpr std::uint64_t RESET_PS = 5'120'000;
 
 }  // namespace
 
@@ -31,6 +33,9 @@ ProjectChip::ProjectChip(const sc_core::sc_module_name& name, PinListener& pins,
     SC_HAS_PROCESS(ProjectChip);
     SC_METHOD(look);
     sensitive << look_ << board_moves_;
+    SC_METHOD(end_reset);
+    sensitive << reset_ends_;
+    dont_initialize();
 }
 
 ProjectChip::~ProjectChip() {
@@ -56,6 +61,19 @@ void ProjectChip::on_interrupts(std::function<void(std::uint64_t)> notify) {
 void ProjectChip::notify_interrupts() {
     if (!notify_ || model_->interrupts() == interrupts_) return;
     notify_(interrupts_ = model_->interrupts());
+}
+
+void ProjectChip::reset() {
+    const std::uint64_t now_ps = sc_core::sc_time_stamp().value();
+    run_to(now_ps);
+    model_->reset(true);
+    const std::uint64_t begin_ps = std::max(model_->time_ps(), now_ps);
+    reset_ends_.notify(sc_core::sc_time::from_value(begin_ps + RESET_PS - now_ps));
+}
+
+void ProjectChip::end_reset() {
+    run_to(sc_core::sc_time_stamp().value());
+    model_->reset(false);
 }
 
 void ProjectChip::wait_for_board(std::uint64_t next_ps) {

@@ -41,8 +41,11 @@ public:
     // `told` is called with Model::interrupts() whenever it has changed.
     void on_interrupts(std::function<void(std::uint64_t levels)> notify);
     void notify_interrupts();
+    // h2f_reset, of the length that a warm reset of the processor has.
+    void reset();
 
 private:
+    void end_reset();
     void look();
     void wait_for_board(std::uint64_t next_ps);
 
@@ -52,7 +55,7 @@ private:
     std::unique_ptr<void, Unload> library_;
     std::unique_ptr<project::Model> model_;
     std::uint64_t time_ps_ = 0;
-    sc_core::sc_event look_, board_moves_;
+    sc_core::sc_event look_, board_moves_, reset_ends_;
     PinListener& pins_;
     std::function<void(std::uint64_t)> notify_;  // of interrupts; or none
     std::uint64_t interrupts_ = 0;

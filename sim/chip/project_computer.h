@@ -44,6 +44,7 @@ public:
     ProjectBridges bridges;
 
 private:
+    void reset_fpga() override { fpga.reset(); }
     void sent(unsigned number, char character) override;
     std::optional<char> typed(unsigned number) override;
     void report_stray(std::uint32_t address, bool write);

@@ -15,6 +15,7 @@ using sc_core::SC_ZERO_TIME;
 namespace {
 
 constexpr double CLOCK_PS = 1250;             // 800 MHz
+const sc_time reset_time{6, sc_core::SC_US};  // longer than that of the FPGA
 constexpr std::uint64_t MASKED_QUANTUM = 64;  // while an interrupt is pending but masked
 constexpr std::uint32_t PUSHED = 128;         // bytes, by one instruction
 
@@ -155,6 +156,7 @@ void ArmCpu::run() {
     while (!fault() && !ended_) {
         if (reset_) {
             log_(fmt::format("warm reset {}", where()));
+            work(reset_time);
             start();
         }
         if (remap_) {

@@ -59,6 +59,8 @@ public:
 
     // Begins an access, at the time up to which run() has come; one at a time.
     virtual void begin(const BridgeAccess& access) = 0;
+    // h2f_reset begins or ends, at that time.
+    virtual void reset(bool active) = 0;
     // As run(), but ends with the clock edge that brings the answer; false: there is none so far.
     virtual bool run_to_answer(std::uint64_t until_ps) = 0;
     // Of the last access that was a read, the eight bytes.

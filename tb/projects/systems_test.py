@@ -30,6 +30,24 @@ add_interface_port s readdata readdata Output {width}
 class Systems(SystemCase):
     # ---- What runs --------------------------------------------------------
 
+    def test_a_warm_reset_of_the_processor_resets_the_design(self):
+        """By the reset manager; the LEDs' register is cleared, and begins anew."""
+        leds, wires = pio("leds", 0)
+        wires = [("reset", "hps_0.h2f_reset", "leds.reset") if kind == "reset" else
+                 (kind, *more) for kind, *more in wires]
+        self.system(leds, wires, [("leds", "leds.external_connection"),
+                                  ("h2f", "hps_0.h2f_reset")],
+                    ", .leds_export(leds), .h2f_reset_n(rst_n)",
+                    "); wire rst_n; wire [9:0] leds; reg [3:0] resets = 0; reg [8:0] clocks = 0;\n"
+                    "always @(negedge rst_n) resets <= resets + 1;\n"
+                    "always @(posedge CLOCK_50) if (!rst_n) clocks <= clocks + 1;\n"
+                    "wire right = clocks >= 254 && clocks <= 258;\n"
+                    "assign LEDR = {resets, right, leds[4:0]}; wire unused = (1'b0")
+        self.program("""if (R32(0xFFD05000) & 1 << 10) { R32(0xFF200000) |= 2; for (;;) {} }
+R32(0xFF200000) = 1;
+R32(0xFFD05004) = 2;""")
+        self.shows(0b0001_1_00010)
+
     def test_every_width_and_timing_holds_what_was_written(self):
         modules, wires, files, body = [], [], {}, "uint32_t bad = 0;\n"
         kinds = [(8, "set_interface_property s readWaitTime 1", "", "read_data", 0),

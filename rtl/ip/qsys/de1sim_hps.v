@@ -16,7 +16,7 @@ module de1sim_hps (
     wire [63:0] irq = {f2h_irq_p1, f2h_irq_p0};
     // verilator lint_on UNUSED
 `else
-    assign h2f_rst_n           = 1'b1;
+    assign h2f_rst_n           = !de1sim_chip.hps_reset;
     assign de1sim_chip.hps_irq = {f2h_irq_p1, f2h_irq_p0};
 `endif
 endmodule

@@ -55,6 +55,7 @@ struct ModelSettings;
     PORT(std::uint32_t, hps_address_i)    \
     PORT(std::uint8_t, hps_be_i)          \
     PORT(std::uint64_t, hps_wdata_i)      \
+    PORT(std::uint8_t, hps_reset_i)       \
     PORT(std::uint8_t, hps_answer_o)      \
     PORT(std::uint64_t, hps_lw_rdata_o)   \
     PORT(std::uint64_t, hps_full_rdata_o) \

@@ -65,6 +65,7 @@ module de1sim_chip (
     input  wire [31:0] hps_address_i,   // in the bridge's window
     input  wire [7:0]  hps_be_i,        // of the eight bytes around it
     input  wire [63:0] hps_wdata_i,
+    input  wire        hps_reset_i,     // h2f_reset
     output wire [1:0]  hps_answer_o,    // follows hps_request_i
     output wire [63:0] hps_lw_rdata_o,
     output wire [63:0] hps_full_rdata_o,
@@ -161,6 +162,7 @@ module de1sim_chip (
     reg  [31:0] hps_address = 32'd0;
     reg  [7:0]  hps_be = 8'd0;
     reg  [63:0] hps_wdata = 64'd0;
+    reg         hps_reset = 1'b0;
     wire [1:0]  hps_answer;
     wire [63:0] hps_lw_rdata, hps_full_rdata, hps_irq;
 
@@ -170,6 +172,7 @@ module de1sim_chip (
         hps_address <= hps_address_i;
         hps_be <= hps_be_i;
         hps_wdata <= hps_wdata_i;
+        hps_reset <= hps_reset_i;
     end
 
     // ---- The design ----

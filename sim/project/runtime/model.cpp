@@ -83,11 +83,12 @@ public:
         top_.hps_address_i = access.address;
         top_.hps_be_i = access.byte_enable;
         top_.hps_wdata_i = access.data;
-        // In an evaluation of its own, so that it counts from the next clock edge on.
-        top_.hps_moved_i = !top_.hps_moved_i;
-        eval();
-        look();
-        if (look_) settle();
+        move_processor();
+    }
+
+    void reset(bool active) override {
+        top_.hps_reset_i = active;
+        move_processor();
     }
 
     bool run_to_answer(std::uint64_t until_ps) override {
@@ -121,6 +122,14 @@ public:
     }
 
 private:
+    // In an evaluation of its own, so that it counts from the next clock edge on.
+    void move_processor() {
+        top_.hps_moved_i = !top_.hps_moved_i;
+        eval();
+        look();
+        if (look_) settle();
+    }
+
     std::uint64_t now_ps() const { return now_fs_ / FS_PER_PS; }
 
     // Returns whether it has come to `until_ps`, not to the answer of an access before.
