@@ -1,5 +1,7 @@
 #include "sim/project/edits.h"
 
+#include <algorithm>
+
 namespace sim::project {
 
 std::string changed_text(const Tokens& tokens, const Edits& edits) {
@@ -8,7 +10,12 @@ std::string changed_text(const Tokens& tokens, const Edits& edits) {
         text += tokens.all[i].gap;
         if (const auto here = edits.before.find(i); here != edits.before.end())
             text += here->second;
-        if (!edits.left_out.count(i)) text += tokens.all[i].text;
+        const std::string_view token = tokens.all[i].text;
+        if (edits.left_out.count(i))
+            text.append(static_cast<std::size_t>(std::count(token.begin(), token.end(), '\n')),
+                        '\n');
+        else
+            text += token;
         if (const auto here = edits.behind.find(i); here != edits.behind.end())
             text += here->second;
     }

@@ -103,7 +103,7 @@ public:
         if (assignments_.empty()) return;
         const std::size_t header = find_outside(all, begin, {";"});
         for (std::size_t i = begin; i < end; ++i)
-            if (all[i].is("reg")) i = declaration(i, header);
+            if (all[i].is("reg") || all[i].is("logic")) i = declaration(i, header);
         for (const Assignment& assignment : assignments_)
             if (enabled_.count(all[assignment.target].text)) assign(assignment);
     }
@@ -115,6 +115,10 @@ private:
 
     std::string text(std::size_t begin, std::size_t end) const {
         return begin < end ? ' ' + text_between(all_, begin, end) : "";
+    }
+
+    bool is(std::size_t i, std::string_view word) const {
+        return i < all_.size() && all_[i].is(word);
     }
 
     // All of the registers `names`.
@@ -210,8 +214,9 @@ private:
     // are declared behind it, or behind the module's header.  Its last token.
     std::size_t declaration(std::size_t reg, std::size_t header) {
         std::size_t name = reg + 1;
-        if (all_[name].is("signed")) ++name;
-        while (all_[name].is("[")) name = find_outside(all_, name + 1, {"]"}) + 1;
+        if (is(name, "signed")) ++name;
+        while (is(name, "[")) name = find_outside(all_, name + 1, {"]"}) + 1;
+        if (name >= end_) return reg;
         const bool is_port = all_[reg - 1].is("output");
         const std::string type = text(reg + 1, name);
         std::string kept, added;
@@ -221,23 +226,23 @@ private:
             const std::size_t last = end;
             if (all_[name].kind != Kind::NAME || is_keyword(all_[name].text)) break;
             const std::string_view word = all_[name].text;
-            const bool is_memory = all_[name + 1].is("[");
+            const bool is_memory = is(name + 1, "[");
             if (!is_memory && releases_in_block(word)) {
                 enabled_.insert(std::string{word});
                 if (is_port) kept += fmt::format("{}output{} {}", is_first ? "" : ", ", type, word);
                 added += declarations(name, last, type, is_port);
             } else {
-                kept += is_port ? fmt::format("{}output reg{} {}", is_first ? "" : ", ", type,
-                                              text(name, last))
-                                : fmt::format("reg{}{};", type, text(name, last));
+                kept += is_port ? fmt::format("{}output {}{} {}", is_first ? "" : ", ",
+                                              all_[reg].text, type, text(name, last))
+                                : fmt::format("{}{}{};", all_[reg].text, type, text(name, last));
             }
             is_first = false;
-            if (!all_[end].is(",")) {
+            if (!is(end, ",")) {
                 name = end;
                 break;
             }
         }
-        if (added.empty()) return reg;
+        if (added.empty() || name >= end_) return reg;
         // `name` is behind the last; a comma before the next direction stays.
         std::size_t last = name;
         if (!all_[last].is(";") && !all_[last].is(")")) --last;

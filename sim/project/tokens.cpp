@@ -192,6 +192,7 @@ std::string text_between(const std::vector<Token>& tokens, std::size_t begin, st
         if (i > begin && !tokens[i].gap.empty()) text += ' ';
         text += tokens[i].text;
     }
+    std::replace(text.begin(), text.end(), '\n', ' ');
     return text;
 }
 

@@ -424,6 +424,17 @@ endmodule
         self.leds(0b1000110111, 0b0001010100)
         self.leds(0b0000101111, 0b0010101000)
 
+    def test_logic_that_is_released_at_a_pin(self):
+        self.write(top_sv="""\
+module top(input [9:0] SW, output [9:0] LEDR, inout PS2_CLK, inout [1:0] GPIO_0);
+logic c; logic [1:0] d, other;
+always_comb begin other = SW[3:2]; c = SW[0] ? 1'b0 : 1'bz; if (SW[1]) d = other; else d = 'z; end
+assign PS2_CLK = c, GPIO_0 = d, LEDR = {GPIO_0, 7'd0, PS2_CLK};
+endmodule
+""")
+        self.leds(0b1100000001)
+        self.leds(0b0100000000, 0b0000000111)
+
     def test_an_output_that_is_released_and_read(self):
         """By an assignment, and by an instance of an instance with an inout."""
         self.write(top_v="""\

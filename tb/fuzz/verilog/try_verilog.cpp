@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <map>
 
+#include "sim/project/gates.h"
 #include "sim/project/normalise.h"
 #include "sim/project/source.h"
 #include "sim/project/tokens.h"
@@ -46,7 +47,15 @@ void try_verilog(std::string_view input) {
         must(module.line >= 1 && module.line <= lines_of(input) + 1u, "a module is in the file");
         modules.emplace(module.name, module);
     }
+    PinPorts pins;
+    for (const auto& [name, module] : modules) {
+        pins[name] = module.outputs;
+        pins[name].insert(module.inouts.begin(), module.inouts.end());
+    }
+    const std::string enabled = with_enables(gates_as_assignments(input, modules), pins);
+    must(lines_of(enabled) == lines_of(input), "enables keep the lines");
     const OpenInputs open{{"dff", "clrn"}, {"dff", "prn"}};
+    normalise(enabled, "a.v", system_verilog, open, modules, {}, pins);
     const Normalised clean = normalise(input, "a.v", system_verilog, open, modules);
     constexpr std::string_view END = "\n`end_keywords\n";
     const bool ends = clean.text.size() >= END.size() &&
