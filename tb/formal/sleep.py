@@ -1,6 +1,6 @@
 """sleep.py - proves with Yosys and z3 that a block which sleeps would not have changed.
 
-What awake_o, due_o and rest_o promise is in rtl/README.md, Sleep.
+What awake_o, due_o and rest_o promise is in rtl/SLEEP.md.
 
 sleep.py --rtl DIR --work DIR [--strobes PORT...] [--pins PORT...] --sources SOURCE...
 
