@@ -48,7 +48,7 @@ enum class AxiResponse : std::uint8_t {
 class Fabric {
 public:
     // Comes up in reset and leaves it after 8 clocks.  `trace`: waveforms, only in a build with
-    // tracing.  `audio_rate`: samples a second, 8,000 or 48,000.
+    // tracing.  `audio_rate`: samples per second, 8,000 or 48,000.
     explicit Fabric(PinListener& pins, const Trace& trace = {}, unsigned audio_rate = 8'000);
     ~Fabric();
 

@@ -96,7 +96,7 @@ public:
     // What the board does by itself.  Looked at anew after each call below that may change `in`.
     Agenda agenda;
 
-    // A sample a clock, in order, in batches of up to a scan line.
+    // A sample per clock, in order, in batches of up to a scan line.
     virtual void video(const std::uint32_t* samples, std::size_t count) = 0;
     // Before samples at another period than the fabric's clock, and when it changes by 1 %.
     virtual void video_clock(std::uint64_t /*period_ps*/) {}

@@ -168,7 +168,7 @@ void add_run_options(CLI::App& command, RunOptions& options) {
     command
         .add_option(
             "--audio-rate", options.audio_rate,
-            "samples a second of the audio core and codec: 8000 as in the DE1-SoC Computer\n"
+            "samples per second of the audio core and codec: 8000 as in the DE1-SoC Computer\n"
             "(default), or 48000, which is a parameter of the system on the board")
         ->check(CLI::IsMember({8'000u, 48'000u}));
     command

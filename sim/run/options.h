@@ -39,7 +39,7 @@ struct RunOptions {
     std::optional<bool> strict_vga;      // else: yes, but for a project
     std::filesystem::path elf;           // for the processor "arm", or empty
     std::vector<std::string> for_arm;    // options that were given and are for "arm" alone
-    double cpi = 1;                      // clocks an instruction of that processor
+    double cpi = 1;                      // clocks per instruction of that processor
     bool shortcuts = true;               // steady loops are not executed round by round
     std::optional<std::string> memory;   // how it reaches the FPGA's memories: "mapped", "bridge"
     std::string system = "auto";         // what the ELF expects: "bare", "linux", "auto"
@@ -60,7 +60,7 @@ struct RunOptions {
     std::filesystem::path html;                // a page with all of the run, or empty
     std::string command, version;              // for that page
     std::filesystem::path video;               // .mp4 or .webm, or empty
-    std::optional<unsigned> audio_rate;        // samples a second
+    std::optional<unsigned> audio_rate;        // samples per second
     bool update_goldens = false;               // where they differ
     bool quiet = false;
     std::optional<int> live_socket;  // to `de1sim live`, whose simulation this is

@@ -13,7 +13,7 @@
 
 namespace sim {
 
-// `steps` are YAML, one a line.  Files that the scenario names are named as seen from `folder`.
+// `steps` are YAML, one per line.  Files that the scenario names are named as seen from `folder`.
 std::string continued(const Scenario& scenario, std::uint64_t seed,
                       const std::filesystem::path& folder, const std::vector<std::string>& steps);
 

@@ -44,7 +44,7 @@ static int held(void) {
     return direction;
 }
 
-// Keeps the loudspeaker busy: 1,000 Hz at 8,000 samples a second, or silence.
+// Keeps the loudspeaker busy: 1,000 Hz at 8,000 samples per second, or silence.
 static void sound(int on) {
     static int phase;
     while (AUDIO_SPACE >> 24) {
