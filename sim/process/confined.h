@@ -23,8 +23,8 @@ struct Confinement {
     std::uint64_t file_bytes = 0;                 // of a file that it writes
 };
 
-// The command that run these in that confinement, in the same working directory and with the same
-// names.
+// The command that runs `command` in that confinement, in the same working directory and with the
+// same names.
 std::vector<std::string> confined(const std::vector<std::string>& command,
                                   const Confinement& confinement);
 

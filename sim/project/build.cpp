@@ -109,7 +109,7 @@ void Builder::prepare_folder() {
 
 void Builder::elaborate() {
     read_clean_sources();
-    refuse(text_errors(checks_));  // before the translator finds them in other command
+    refuse(text_errors(checks_));  // before Verilator reports them otherwise
     verilator_ = find_verilator(limit_);
     while (!write_tree()) {
     }

@@ -158,7 +158,7 @@ TEST_F(BrokenRun, LeavesAReportThatSaysWhatBroke) {
     EXPECT_THAT(files(), Each(Not(EndsWith(".part"))));
 }
 
-#ifndef __SANITIZE_ADDRESS__  // which reports it in its own arguments
+#ifndef __SANITIZE_ADDRESS__  // which reports it in its own words
 TEST_F(BrokenRun, ThatASignalKillsLeavesAReportThatSaysSo) {
     for (const auto& [signal, name] : {std::pair{SIGSEGV, "SIGSEGV"}, {SIGABRT, "SIGABRT"}}) {
         std::filesystem::remove_all(out);

@@ -21,8 +21,8 @@ protected:
             "  - button: {name: b, pin: \"GPIO_1[20]\"}\nsteps:\n" +
                 steps,
             "a.yaml");
-        sim::ScenarioRunner player{"player", *board, observations, scenario.steps, ""};
-        while (!player.finished()) run_ms(1);
+        sim::ScenarioRunner runner{"runner", *board, observations, scenario.steps, ""};
+        while (!runner.finished()) run_ms(1);
         run_ms(25);
     }
 

@@ -20,8 +20,8 @@ protected:
         const sim::Scenario scenario =
             sim::parse_scenario("name: a\nversion: 1\nsteps:\n" + steps, "a.yaml");
         sim::Observations observations;
-        sim::ScenarioRunner player{"player", *board, observations, scenario.steps, ""};
-        while (!player.finished()) run_ms(0.1);
+        sim::ScenarioRunner runner{"runner", *board, observations, scenario.steps, ""};
+        while (!runner.finished()) run_ms(0.1);
         run_ms(0.1);
     }
 
