@@ -18,14 +18,16 @@
 #include <systemc>
 
 #include "selftest/self_test.h"
-#include "sim/check/check_board.h"
 #include "sim/fpga/fabric.h"
 #include "sim/link/link.h"
 #include "sim/live/command.h"
+#include "sim/live/live_client.h"
 #include "sim/process/shell_word.h"
-#include "sim/report/messages.h"
+#include "sim/run/check_board.h"
 #include "sim/run/run.h"
+#include "sim/run/version.h"
 #include "sim/suite/command.h"
+#include "sim/text/messages.h"
 
 namespace sim {
 
@@ -62,6 +64,9 @@ bool names_a_command(CLI::App& app, const std::string& word) {
                        [&](const CLI::App* command) { return command->get_name() == word; });
 }
 
+// A run that is played by its scenario alone.
+std::unique_ptr<RunClient> nobody(int, Recorder&) { return nullptr; }
+
 int command_line(int argc, char** argv, const Firmware& firmware) {
     CLI::App app{
         "DE1-SoC, headless: your Verilog and your firmware, with picture and sound as files",
@@ -75,7 +80,8 @@ int command_line(int argc, char** argv, const Firmware& firmware) {
         "2 wrong usage or input, or an output that cannot be written, or an internal error;\n"
         "130 interrupted.");
 
-    RunOptions options, check_options;
+    RunOptions options;
+    RunDescription check;
     CLI::App& run_command = *app.add_subcommand("run", "play a scenario, or run a program");
     add_run_options(run_command, options);
     live::LiveOptions live_options;
@@ -109,7 +115,7 @@ int command_line(int argc, char** argv, const Firmware& firmware) {
     add_link_options(link_command, link_options);
     CLI::App& check_command = *app.add_subcommand(
         "check-board", "check registers, memory, timing, keys and lamps of the simulated board");
-    add_check_board_options(check_command, check_options);
+    add_check_board_options(check_command, check);
     std::filesystem::path reports[2];
     CLI::App& compare_command = *app.add_subcommand(
         "compare", "compare the checks in two report.json: of a board and of a simulation");
@@ -127,23 +133,25 @@ int command_line(int argc, char** argv, const Firmware& firmware) {
     compare_command.footer(
         "Exit code: 0 they say the same; 1 they differ; 2 wrong usage or input.");
 
+    RunDescription described;
     try {
         const auto arguments = std::find_if(
             argv, argv + argc, [](const char* word) { return std::strcmp(word, "--") == 0; });
-        if (arguments != argv + argc) options.arguments.assign(arguments + 1, argv + argc);
-        live_options.run.arguments = options.arguments;
+        std::vector<std::string>& program_arguments = options.description.program.arguments;
+        if (arguments != argv + argc) program_arguments.assign(arguments + 1, argv + argc);
+        live_options.run.description.program.arguments = program_arguments;
         std::vector<std::string> ours(std::reverse_iterator{arguments},
                                       std::reverse_iterator{argv + 1});  // as CLI11 wants them
         if (!ours.empty() && !names_a_command(app, ours.back()) && names_a_file(ours.back()))
             ours.push_back("run");
         app.parse(std::move(ours));
         if (run_command.parsed())
-            settle_run_options(run_command, options);
+            described = described_by(run_command, options, true);
         else if (live_command.parsed())
-            live_options.run.live_socket = 0;
+            described = live::described_by(live_command, live_options);
         else if (link_command.parsed())
-            link_options.arguments = options.arguments;
-        else if (!options.arguments.empty())
+            link_options.arguments = program_arguments;
+        else if (!program_arguments.empty())
             throw CLI::ValidationError("--", "is for de1sim run, live and link");
     } catch (const CLI::ParseError& e) {
         if (e.get_exit_code() == 0) {  // --help, --version
@@ -159,9 +167,7 @@ int command_line(int argc, char** argv, const Firmware& firmware) {
                                  : std::string{e.what()}));
         return WRONG_INPUT;
     }
-    if (!options.trace.empty() && options.project.place.empty() && !Fabric::can_trace())
-        return become_tracing_build(argv);
-    if (live_command.parsed()) return live::live(live_options, {argv + 2, argv + argc});
+    if (live_command.parsed()) return live::live(live_options, described);
     if (build_command.parsed()) return build_project(project);
     if (link_command.parsed()) return link_program(link_options);
     if (examine_command.parsed()) return check_project(project, prints);
@@ -169,13 +175,17 @@ int command_line(int argc, char** argv, const Firmware& firmware) {
     if (merge_command.parsed()) return suite::merge(parts, merged);
     if (compare_command.parsed()) return compare_reports(reports[0], reports[1]);
     if (check_command.parsed())
-        return run(check_options,
-                   [](hal::Mmio& io, hal::Cpu& cpu) { (void)selftest::run(io, cpu); });
-    options.version = VERSION;
-    options.arguments_typed.assign(argv + (std::strcmp(argv[1], "run") == 0 ? 2 : 1), argv + argc);
-    for (int i = 0; i < argc; ++i)
-        options.command += (i ? " " : "") + shell_word(i ? argv[i] : "de1sim");
-    return run(options, firmware);
+        return run(
+            check, [](hal::Mmio& io, hal::Cpu& cpu) { (void)selftest::run(io, cpu); }, nobody);
+    if (!described.outputs.trace.file.empty() && described.chip.project.place.empty() &&
+        !Fabric::can_trace())
+        return become_tracing_build(argv);
+    if (options.description_file.empty())
+        for (int i = 0; i < argc; ++i)
+            described.command += (i ? " " : "") + shell_word(i ? argv[i] : "de1sim");
+    return run(described, firmware, [](int socket, Recorder& recorder) {
+        return std::make_unique<live::LiveClient>(socket, recorder);
+    });
 }
 
 // sc_main() gets it no other way.

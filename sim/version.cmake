@@ -9,7 +9,7 @@ if(commit)
     list(PREPEND facts "commit ${commit}")
 endif()
 list(JOIN facts ", " facts)
-file(CONFIGURE OUTPUT ${VERSION_FILE} CONTENT [=[#include "sim/program.h"
+file(CONFIGURE OUTPUT ${VERSION_FILE} CONTENT [=[#include "sim/run/version.h"
 
 const char* const sim::VERSION = "de1sim @VERSION@ (@facts@)";
 ]=] @ONLY)

@@ -33,7 +33,7 @@
 #include "sim/board/adv7180_registers.h"
 #include "sim/board/i2c_speed.h"
 #include "sim/board/i2c_target.h"
-#include "sim/report/png.h"
+#include "sim/files/png.h"
 
 namespace sim {
 

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <utility>
 
-#include "sim/report/seconds.h"
+#include "sim/text/seconds.h"
 
 namespace sim {
 

@@ -15,7 +15,7 @@
 //
 // The KEYs have Schmitt triggers that debounce them; the switches bounce.
 //
-// What is in the chip is not known here: sim/chip/chip.h.
+// What is in the chip is not known here: sim/pins/chip.h.
 #pragma once
 
 #include <array>
@@ -43,7 +43,7 @@
 #include "sim/board/remote_control.h"
 #include "sim/board/sound_source.h"
 #include "sim/board/wm8731.h"
-#include "sim/chip/chip.h"
+#include "sim/pins/chip.h"
 
 #include <systemc>
 

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "sim/board/monitor.h"
-#include "sim/board/serial_line.h"
+#include "sim/pins/chip.h"
 #include "sim/pins/header_bits.h"
 
 namespace sim {
@@ -25,16 +25,13 @@ struct Lamps {
     std::array<Header, 2> gpio{{{ALL_HEADER_PINS, 0}, {ALL_HEADER_PINS, 0}}};
 };
 
-class BoardObserver {
+class BoardObserver : public ChipObserver {
 public:
     virtual void frame(const Monitor::Frame& frame) = 0;
     virtual void sample(std::int16_t left, std::int16_t right) = 0;
     virtual void sample_rate(double hz) = 0;
-    virtual void console(char character, SerialLine line) = 0;
     // Whenever one of them is seen otherwise than before.
     virtual void lamps(const Lamps& /*lamps*/, double /*time_s*/) {}
-    // What a person should know of the program: aborts, resets.
-    virtual void log(const std::string& /*line*/) {}
 
 protected:
     ~BoardObserver() = default;

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "sim/fpga/fabric.h"
+#include "sim/pins/pins.h"
 
 namespace sim {
 

@@ -18,7 +18,7 @@ constexpr std::uint64_t NEVER = ~std::uint64_t{0};
 
 constexpr std::uint16_t A10 = 0x400;
 constexpr unsigned NOP = 7;
-constexpr std::uint64_t MESSAGES = 20;
+constexpr std::uint64_t SDRAM_MESSAGES = 20;
 
 std::uint16_t lanes(unsigned mask) {
     return static_cast<std::uint16_t>((mask & 1 ? 0 : 0x00ff) | (mask & 2 ? 0 : 0xff00));
@@ -35,7 +35,7 @@ Is42s16320d::Is42s16320d()
 }
 
 void Is42s16320d::violation(const std::string& what) {
-    if (++violations_ > MESSAGES) return;
+    if (++violations_ > SDRAM_MESSAGES) return;
     messages_.push_back(
         fmt::format("{} at {:.2f} us: {}", command_, static_cast<double>(now_) / 1e6, what));
 }

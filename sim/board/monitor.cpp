@@ -5,8 +5,6 @@
 
 #include <fmt/format.h>
 
-#include "sim/fpga/fabric.h"
-
 namespace sim {
 
 namespace {
@@ -36,7 +34,7 @@ Monitor::Monitor(Sink sink, Strictness strictness, Report report)
       strictness_{strictness},
       report_{std::move(report)},
       raster_{STRICT_PLACE},
-      sample_ps_{FABRIC_PERIOD_PS} {}
+      sample_ps_{video::PERIOD_PS} {}
 
 void Monitor::clock_ps(std::uint64_t period) {
     if (period == sample_ps_) return;

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/fpga/fabric.h"
+#include "sim/pins/pins.h"
 
 namespace sim {
 

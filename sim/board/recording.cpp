@@ -15,12 +15,12 @@ namespace sim {
 namespace {
 
 constexpr double LONGEST_S = 300;
-constexpr double FULL_SCALE = 2147483648.0;
+constexpr double FULL_SCALE_32_BITS = 2147483648.0;
 
 std::int32_t to_sample(double value) {
     using Limits = std::numeric_limits<std::int32_t>;
     return static_cast<std::int32_t>(
-        std::clamp<double>(std::round(value * FULL_SCALE), Limits::min(), Limits::max()));
+        std::clamp<double>(std::round(value * FULL_SCALE_32_BITS), Limits::min(), Limits::max()));
 }
 
 }  // namespace
@@ -63,7 +63,7 @@ Recording at_rate(const Recording& recording, double rate_hz) {
     std::vector<float> in, out;
     for (const StereoSample& sample : recording.samples)
         for (const std::int32_t value : {sample.left, sample.right})
-            in.push_back(static_cast<float>(value / FULL_SCALE));
+            in.push_back(static_cast<float>(value / FULL_SCALE_32_BITS));
     const double frames = std::ceil(static_cast<double>(recording.samples.size()) * ratio);
     out.resize(2 * static_cast<std::size_t>(frames));
     SRC_DATA data{};

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "sim/fpga/fabric.h"
+#include "sim/pins/pins.h"
 
 namespace sim {
 
@@ -10,7 +10,7 @@ namespace {
 
 constexpr unsigned LINE_CLOCKS = 800, HS_CLOCKS = 96, PICTURE_CLOCK = 144, WIDTH = 640;
 constexpr unsigned FRAME_LINES = 525, VS_LINES = 2, PICTURE_LINE = 35, HEIGHT = 480;
-constexpr std::size_t MESSAGES = 20;
+constexpr std::size_t VIDEO_MESSAGES = 20;
 
 }  // namespace
 
@@ -89,7 +89,7 @@ void VesaCheck::check(const char* what, std::uint64_t got, std::uint64_t expecte
 
 void VesaCheck::violation(const std::string& what) {
     ++violations_;
-    if (messages_.size() < MESSAGES)
+    if (messages_.size() < VIDEO_MESSAGES)
         messages_.push_back(
             fmt::format("frame {}, line {}, clock {}: {}", frames_ + 1, line_, clock_, what));
 }

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::uint8_t ADDRESS = 0x1a;
 constexpr std::uint64_t SETUP_PS = 10'000, HOLD_PS = 10'000;  // t_DS, t_DH, t_LRSU, t_LRH
-constexpr std::size_t MESSAGES = 20;
+constexpr std::size_t CODEC_MESSAGES = 20;
 
 constexpr unsigned LEFT_IN = 0, RIGHT_IN = 1, RIGHT_OUT = 3, ANALOGUE = 4, DIGITAL = 5,
                    POWER_DOWN = 6, INTERFACE = 7, SAMPLING = 8, CONTROL = 9, RESET = 15;
@@ -237,7 +237,7 @@ std::string Wm8731::silence() const {
 
 void Wm8731::error(const std::string& text) {
     ++error_count_;
-    if (errors_.size() < MESSAGES && reported_.insert(text).second)
+    if (errors_.size() < CODEC_MESSAGES && reported_.insert(text).second)
         errors_.push_back(fmt::format("{}.{:09} s: {}", now_ps_ / 1'000'000'000'000,
                                       now_ps_ / 1'000 % 1'000'000'000, text));
 }

@@ -11,15 +11,15 @@ namespace sim {
 namespace {
 
 // Cyclone V HPS memory map.
-constexpr std::uint32_t DDR3_BASE = 0x00000000;
 constexpr std::uint32_t ON_CHIP_RAM_BASE = 0xFFFF0000, ON_CHIP_RAM_SIZE = 0x10000;
 
 }  // namespace
 
 const std::vector<MemoryRange>& program_memory() {
-    static const std::vector<MemoryRange> memory{{DDR3_BASE, ProcessorSystem::DDR3_SIZE},
-                                                 {ON_CHIP_RAM_BASE, ON_CHIP_RAM_SIZE},
-                                                 {regmap::SDRAM_BASE, regmap::SDRAM_SIZE}};
+    static const std::vector<MemoryRange> memory{
+        {ProcessorSystem::DDR3_BASE, ProcessorSystem::DDR3_SIZE},
+        {ON_CHIP_RAM_BASE, ON_CHIP_RAM_SIZE},
+        {regmap::SDRAM_BASE, regmap::SDRAM_SIZE}};
     return memory;
 }
 
@@ -73,7 +73,7 @@ std::uint64_t Computer::fixed_ps(std::uint32_t address) const {
     return address - LW_BASE < LW_SIZE ? 0 : HPS_PS;
 }
 
-Computer::Computer(const sc_core::sc_module_name& name, PinListener& pins, BoardObserver& observer,
+Computer::Computer(const sc_core::sc_module_name& name, PinListener& pins, ChipObserver& observer,
                    std::uint8_t* sdram, Software software, const Settings& settings)
     : ProcessorSystem{name, pins, observer, std::move(software)},
       fpga{"fpga", pins, settings.trace, settings.memory, sdram, settings.audio_rate},

@@ -8,12 +8,12 @@
 #include <string>
 #include <vector>
 
-#include "sim/chip/chip.h"
 #include "sim/chip/jtag_host.h"
 #include "sim/chip/lost_accesses.h"
 #include "sim/chip/processor_system.h"
 #include "sim/cpu/steady_bus.h"
 #include "sim/fpga/fpga.h"
+#include "sim/pins/chip.h"
 
 namespace sim {
 
@@ -37,7 +37,7 @@ public:
         bool shortcuts = true;        // ArmCpu::leave_no_rounds_out()
     };
 
-    Computer(const sc_core::sc_module_name& name, PinListener& pins, BoardObserver& observer,
+    Computer(const sc_core::sc_module_name& name, PinListener& pins, ChipObserver& observer,
              std::uint8_t* sdram, Software software, const Settings& settings);
 
     ChipInputs& inputs() override { return fpga.inputs(); }

@@ -6,10 +6,8 @@ namespace sim {
 
 namespace {
 
-constexpr std::uint32_t DDR3_BASE = 0x00000000;
-
 std::unique_ptr<Processor> processor_for(ProcessorSystem::Software software,
-                                         BoardObserver& observer) {
+                                         ChipObserver& observer) {
     if (auto* firmware = std::get_if<Firmware>(&software))
         return std::make_unique<NativeCpu>("cpu", std::move(*firmware));
     return std::make_unique<ArmCpu>("cpu", std::get<ArmProgram>(std::move(software)),
@@ -19,7 +17,7 @@ std::unique_ptr<Processor> processor_for(ProcessorSystem::Software software,
 }  // namespace
 
 ProcessorSystem::ProcessorSystem(const sc_core::sc_module_name& name, PinListener& pins,
-                                 BoardObserver& observer, Software software)
+                                 ChipObserver& observer, Software software)
     : sc_module{name},
       ddr3{"ddr3", DDR3_SIZE, sc_core::sc_time{60, sc_core::SC_NS}},
       hps{"hps",

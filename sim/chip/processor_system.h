@@ -9,14 +9,13 @@
 #include <memory>
 #include <variant>
 
-#include "sim/board/board_observer.h"
 #include "sim/cpu/arm_cpu.h"
 #include "sim/cpu/native_cpu.h"
 #include "sim/hps/bridge_windows.h"
 #include "sim/hps/bus.h"
 #include "sim/hps/memory.h"
 #include "sim/hps/peripherals.h"
-#include "sim/pins/pins.h"
+#include "sim/pins/chip.h"
 
 #include <systemc>
 
@@ -27,9 +26,9 @@ public:
     // What runs on it, and so which processor it has: NativeCpu or ArmCpu.
     using Software = std::variant<Firmware, ArmProgram>;
 
-    static constexpr std::uint32_t DDR3_SIZE = 0x40000000;
+    static constexpr std::uint32_t DDR3_BASE = 0, DDR3_SIZE = 0x40000000;
 
-    ProcessorSystem(const sc_core::sc_module_name& name, PinListener& pins, BoardObserver& observer,
+    ProcessorSystem(const sc_core::sc_module_name& name, PinListener& pins, ChipObserver& observer,
                     Software software);
 
     // Something that the program has printed may still be on its way to its host.

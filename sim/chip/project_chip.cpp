@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "sim/report/messages.h"
+#include "sim/text/messages.h"
 
 namespace sim {
 

@@ -10,7 +10,7 @@
 #include <memory>
 #include <string>
 
-#include "sim/chip/chip.h"
+#include "sim/pins/chip.h"
 #include "sim/pins/trace.h"
 #include "sim/project/model.h"
 

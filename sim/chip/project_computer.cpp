@@ -33,7 +33,7 @@ unsigned width_of(const project::qsys::Generated& system, std::uint32_t window) 
 }  // namespace
 
 ProjectComputer::ProjectComputer(const sc_core::sc_module_name& name, PinListener& pins,
-                                 BoardObserver& observer, Software software,
+                                 ChipObserver& observer, Software software,
                                  const std::filesystem::path& library, const std::string& folder,
                                  const Trace& trace, const project::qsys::Generated& system)
     : ProcessorSystem{name, pins, observer, std::move(software)},

@@ -21,7 +21,7 @@ namespace sim {
 class ProjectComputer : public ProcessorSystem, public Chip, project::JtagTerminals {
 public:
     // `library` and `folder` as ProjectChip has them.
-    ProjectComputer(const sc_core::sc_module_name& name, PinListener& pins, BoardObserver& observer,
+    ProjectComputer(const sc_core::sc_module_name& name, PinListener& pins, ChipObserver& observer,
                     Software software, const std::filesystem::path& library,
                     const std::string& folder, const Trace& trace,
                     const project::qsys::Generated& system);
@@ -50,7 +50,7 @@ private:
     void report_stray(std::uint32_t address, bool write);
 
     const project::qsys::Generated system_;
-    BoardObserver& observer_;
+    ChipObserver& observer_;
     std::deque<char> typed_[2];  // at the JTAG UARTs
     std::set<std::string> reported_;
 };

@@ -20,13 +20,13 @@ target_include_directories(arm_core PUBLIC ${CMAKE_SOURCE_DIR})
 target_link_libraries(arm_core PRIVATE warnings_strict)
 if(DE1SIM_ARM_ENGINE STREQUAL dynarmic)
     target_sources(arm_core PRIVATE
-        cpu/dynarmic/absent.cpp cpu/dynarmic/alignment.cpp cpu/dynarmic/code.cpp
-        cpu/dynarmic/core.cpp cpu/dynarmic/cp15.cpp cpu/dynarmic/data.cpp
-        cpu/dynarmic/direct.cpp cpu/dynarmic/fetch.cpp cpu/dynarmic/instructions.cpp
-        cpu/dynarmic/memory_map.cpp cpu/dynarmic/modes.cpp cpu/dynarmic/multiples.cpp
-        cpu/dynarmic/page_table.cpp cpu/dynarmic/registers.cpp cpu/dynarmic/saturating.cpp
-        cpu/dynarmic/single.cpp cpu/dynarmic/steps.cpp
-        cpu/dynarmic/system.cpp cpu/dynarmic/translation_tables.cpp)
+        dynarmic/absent.cpp dynarmic/alignment.cpp dynarmic/code.cpp
+        dynarmic/core.cpp dynarmic/cp15.cpp dynarmic/data.cpp
+        dynarmic/direct.cpp dynarmic/fetch.cpp dynarmic/instructions.cpp
+        dynarmic/memory_map.cpp dynarmic/modes.cpp dynarmic/multiples.cpp
+        dynarmic/page_table.cpp dynarmic/registers.cpp dynarmic/saturating.cpp
+        dynarmic/single.cpp dynarmic/steps.cpp
+        dynarmic/system.cpp dynarmic/translation_tables.cpp)
     target_include_directories(arm_core SYSTEM PRIVATE ${DYNARMIC_INCLUDE_DIR})
     target_link_libraries(arm_core PRIVATE ${DYNARMIC_LIBRARY})
 elseif(DE1SIM_ARM_ENGINE STREQUAL unicorn)
@@ -36,7 +36,7 @@ elseif(DE1SIM_ARM_ENGINE STREQUAL unicorn)
     endif()
     message(STATUS "--cpu arm runs on Unicorn, which is many times slower than dynarmic on x86-64.")
     target_sources(arm_core PRIVATE
-        cpu/unicorn/core.cpp cpu/unicorn/memory.cpp cpu/unicorn/registers.cpp)
+        unicorn/core.cpp unicorn/memory.cpp unicorn/registers.cpp)
     target_link_libraries(arm_core PRIVATE PkgConfig::Unicorn)
 else()
     message(FATAL_ERROR "DE1SIM_ARM_ENGINE is \"${DE1SIM_ARM_ENGINE}\": dynarmic or unicorn?")

@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 
 #include "sim/hps/bridge_windows.h"
-#include "sim/report/seconds.h"
+#include "sim/text/seconds.h"
 
 namespace sim {
 

@@ -4,7 +4,7 @@
 
 #include "hal/clock.h"
 #include "hal/console.h"
-#include "sim/report/seconds.h"
+#include "sim/text/seconds.h"
 
 namespace sim {
 

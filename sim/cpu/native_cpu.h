@@ -9,8 +9,8 @@
 // Not handled: interrupts; firmware for this processor polls.
 #pragma once
 
+#include "sim/cpu/firmware.h"
 #include "sim/cpu/processor.h"
-#include "sim/program.h"
 
 namespace sim {
 

@@ -11,15 +11,15 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "sim/files/whole_file.h"
 #include "sim/process/run_command.h"
 #include "sim/project/project.h"
 #include "sim/project/qsys/devices.h"
 #include "sim/project/settings.h"
 #include "sim/project/tools.h"
-#include "sim/report/messages.h"
-#include "sim/report/whole_file.h"
-#include "sim/run/exit_code.h"
+#include "sim/report/exit_code.h"
 #include "sim/run/options.h"
+#include "sim/text/messages.h"
 
 namespace sim {
 

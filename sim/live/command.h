@@ -1,11 +1,10 @@
-// command.h - `de1sim live`: its options, and what of the command line is for the simulation.
+// command.h - `de1sim live`: its options, and what its simulations are.
 #pragma once
 
 #include <string>
-#include <vector>
 
+#include "sim/report/exit_code.h"
 #include "sim/run/options.h"
-#include "sim/run/run.h"
 
 namespace sim::live {
 
@@ -18,8 +17,10 @@ struct LiveOptions {
 
 void add_live_options(CLI::App& command, LiveOptions& options);
 
-// `arguments` are those behind `live` on the command line, which CLI11 has found to be in order.
-// std::runtime_error where the scenario or program is neither.
-ExitCode live(const LiveOptions& options, std::vector<std::string> arguments);
+// As sim::described_by().
+RunDescription described_by(const CLI::App& command, const LiveOptions& options);
+
+// Serves until a signal.  std::runtime_error: the port is taken, there is no process.
+ExitCode live(const LiveOptions& options, const RunDescription& run);
 
 }  // namespace sim::live

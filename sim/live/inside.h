@@ -17,7 +17,7 @@
 
 #include "sim/board/board.h"
 #include "sim/chip/computer.h"
-#include "sim/page/page.h"
+#include "sim/report/report.h"
 
 namespace sim::live {
 
@@ -25,8 +25,8 @@ class Inside {
 public:
     // Of an ARM's program, beside what its processor knows.
     struct Program {
-        std::string waiting;                  // for what, or empty
-        std::optional<page::FrameUse> frame;  // the last one
+        std::string waiting;            // for what, or empty
+        std::optional<FrameUse> frame;  // the last one
     };
 
     // `processor`, `fpga` and `program`: null where there is none.

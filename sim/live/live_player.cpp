@@ -7,10 +7,10 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "sim/report/seconds.h"
-#include "sim/report/whole_file.h"
+#include "sim/files/whole_file.h"
 #include "sim/scenario/continued.h"
 #include "sim/scenario/step_table.h"
+#include "sim/text/seconds.h"
 
 namespace sim::live {
 
@@ -46,18 +46,17 @@ void add_delay(std::vector<std::string>& steps, sc_time time) {
 }  // namespace
 
 LivePlayer::LivePlayer(const sc_core::sc_module_name& name, ScenarioRunner& runner, LiveView& view,
-                       Inside& inside, Wire& wire, const Scenario& scenario, std::uint64_t seed,
-                       const RunOptions& options)
+                       Inside& inside, Wire& wire, const RunPlan& plan)
     : sc_module{name},
       runner_{runner},
       view_{view},
       inside_{inside},
       wire_{wire},
-      scenario_{scenario},
-      seed_{seed},
-      out_{options.out},
-      steps_{scenario},
-      waves_{options} {
+      scenario_{plan.scenario},
+      seed_{plan.seed},
+      out_{plan.description.outputs.out},
+      steps_{plan.scenario},
+      waves_{plan.description} {
     SC_HAS_PROCESS(LivePlayer);
     SC_THREAD(run);
 }

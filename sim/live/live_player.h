@@ -18,7 +18,8 @@
 #include "sim/live/inside.h"
 #include "sim/live/live_view.h"
 #include "sim/live/waves.h"
-#include "sim/play/scenario_runner.h"
+#include "sim/run/plan.h"
+#include "sim/scenario/scenario_runner.h"
 #include "sim/scenario/step_reader.h"
 
 #include <systemc>
@@ -27,10 +28,9 @@ namespace sim::live {
 
 class LivePlayer : public sc_core::sc_module {
 public:
-    // Steps go through `runner`, whose own must be over.  `scenario`: with which the run began.
+    // Steps go through `runner`, whose own must be over.  `plan`: with which the run began.
     LivePlayer(const sc_core::sc_module_name& name, ScenarioRunner& runner, LiveView& view,
-               Inside& inside, Wire& wire, const Scenario& scenario, std::uint64_t seed,
-               const RunOptions& options);
+               Inside& inside, Wire& wire, const RunPlan& plan);
 
     bool left() const { return left_; }  // the server is gone, or has asked for the end
     // The run has ended: what is left of it waits for nobody's message.

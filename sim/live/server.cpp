@@ -17,15 +17,15 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "sim/files/whole_file.h"
 #include "sim/live/client.h"
 #include "sim/live/greeting.h"
 #include "sim/live/http_connection.h"
 #include "sim/live/listener.h"
 #include "sim/live/page_files.h"
 #include "sim/live/simulation.h"
-#include "sim/report/messages.h"
-#include "sim/report/whole_file.h"
-#include "sim/run/exit_code.h"
+#include "sim/report/exit_code.h"
+#include "sim/text/messages.h"
 
 namespace sim::live {
 
@@ -55,7 +55,7 @@ class Server {
 public:
     explicit Server(const ServerSettings& settings)
         : settings_{settings},
-          what_{settings.what},
+          run_{settings.run},
           listener_{io_, settings.address, settings.port},
           signals_{io_, SIGINT, SIGTERM} {
         const auto temporary = std::filesystem::temp_directory_path();
@@ -97,10 +97,8 @@ private:
         pictures_.clear();
         greeting_.clear();
         for (const auto& client : clients_) client->forget_pictures();
-        auto arguments = what_;
-        arguments.insert(arguments.end(), settings_.arguments.begin(), settings_.arguments.end());
         simulation_ =
-            std::make_unique<Simulation>(arguments, settings_.driven ? "{\"pause\": true}" : "");
+            std::make_unique<Simulation>(run_, settings_.driven ? "{\"pause\": true}" : "");
         wire_ready_.emplace(io_, dup(simulation_->wire().descriptor()));
         send(json_text({{"power", true}}));
         wait_for_wire();
@@ -234,14 +232,15 @@ private:
             return answer(connection, http::status::insufficient_storage, "text/plain",
                           error.what());
         }
-        what_ = {file.string()};
+        run_.scenario = elf ? "" : file;
+        run_.program.elf = elf ? file : "";
         answer(connection, http::status::ok, "text/plain", "runs\n");
         power_on_again();
     }
 
     const ServerSettings& settings_;
     const std::string token_ = new_token();
-    std::vector<std::string> what_;
+    RunDescription run_;
     std::filesystem::path folder_;  // of dropped files
     asio::io_context io_;
     Listener listener_;

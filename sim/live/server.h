@@ -7,16 +7,16 @@
 #include <functional>
 #include <memory>
 #include <string>
-#include <vector>
+
+#include "sim/run/description.h"
 
 namespace sim::live {
 
 struct ServerSettings {
-    std::string address = "127.0.0.1";   // to listen at
-    unsigned port = 0;                   // 0: a free one
-    std::vector<std::string> arguments;  // for `de1sim run`, but for what is to run
-    std::vector<std::string> what;       // a scenario, and --elf with a program; each or none
-    std::string title;                   // of the page
+    std::string address = "127.0.0.1";  // to listen at
+    unsigned port = 0;                  // 0: a free one
+    RunDescription run;                 // what is simulated
+    std::string title;                  // of the page
     bool driven = false;  // by a program: time stands at 0, and it ends with the last client
 };
 

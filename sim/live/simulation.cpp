@@ -14,23 +14,24 @@
 
 namespace sim::live {
 
-Simulation::Simulation(const std::vector<std::string>& arguments, const std::string& first) {
+Simulation::Simulation(RunDescription run, const std::string& first) {
     int ends[2];
     if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0)
         throw std::runtime_error{std::string{"no socket pair: "} + std::strerror(errno)};
-    std::vector<std::string> all{"de1sim", "run", "--live-socket", std::to_string(ends[1])};
-    all.insert(all.end(), arguments.begin(), arguments.end());
-    std::vector<char*> argv;
-    for (std::string& word : all) argv.push_back(word.data());
-    argv.push_back(nullptr);
     wire_ = std::make_unique<Wire>(ends[0]);
+    run.outputs.live_socket = ends[1];
+    const DescriptionFile description{run};
+    std::vector<std::string> command = description.command();
+    std::vector<char*> argv;
+    for (std::string& word : command) argv.push_back(word.data());
+    argv.push_back(nullptr);
     if (!first.empty()) wire_->send(Kind::TEXT, first);
     child_ = fork();
     if (child_ == 0) {
         // Ctrl-C is for the server, which then ends this process in order.
         setpgid(0, 0);
         fcntl(ends[1], F_SETFD, 0);
-        execv("/proc/self/exe", argv.data());
+        execv(argv[0], argv.data());
         _exit(127);
     }
     close(ends[1]);

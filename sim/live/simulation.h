@@ -1,21 +1,21 @@
-// simulation.h - the process that simulates: `de1sim run ... --live-socket N`, and the wire to it.
+// simulation.h - the process that simulates, `de1sim run`, and the wire to it.
 #pragma once
 
 #include <sys/types.h>
 
 #include <memory>
 #include <string>
-#include <vector>
 
 #include "sim/live/wire.h"
+#include "sim/run/description.h"
 
 namespace sim::live {
 
 class Simulation {
 public:
-    // Starts this program with the arguments; `first`, if there is one, is its first message.
+    // Starts it; `first`, if there is one, is its first message.
     // std::runtime_error.
-    explicit Simulation(const std::vector<std::string>& arguments, const std::string& first = "");
+    explicit Simulation(RunDescription run, const std::string& first = "");
     ~Simulation() { end(); }
     Simulation(const Simulation&) = delete;
     Simulation& operator=(const Simulation&) = delete;

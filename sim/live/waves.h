@@ -10,14 +10,14 @@
 #include <string>
 #include <vector>
 
-#include "sim/run/options.h"
+#include "sim/run/description.h"
 
 namespace sim::live {
 
 class Waves {
 public:
-    // `options`: of the run that is played.
-    explicit Waves(const RunOptions& options);
+    // `run`: that is played.
+    explicit Waves(const RunDescription& run);
     // Ends the other run.
     ~Waves();
     Waves(const Waves&) = delete;
@@ -34,7 +34,7 @@ public:
     std::optional<Done> done();
 
 private:
-    const RunOptions& options_;
+    const RunDescription& run_;
     std::atomic<bool> given_up_{false};
     unsigned number_ = 0;
     std::future<Done> running_;

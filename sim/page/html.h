@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "sim/report/markup.h"
+#include "sim/text/markup.h"
 
 namespace sim::page {
 

@@ -34,10 +34,6 @@ private:
     bool begins_ = true;
 };
 
-struct FrameUse {
-    double time_s = 0, instructions = 0, busy_share = 0, bus_share = 0;
-};
-
 // All that the page shows and report.json does not have.
 struct Page {
     struct Picture {

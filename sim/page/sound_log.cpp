@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/scenario/tone.h"
+#include "sim/board/tone.h"
 
 namespace sim::page {
 

@@ -24,6 +24,7 @@ namespace sim {
 namespace video {
 constexpr std::uint32_t RGB = 0x00ffffff;  // R 23:16, G 15:8, B 7:0
 constexpr std::uint32_t HS = 1u << 24, VS = 1u << 25, BLANK_N = 1u << 26, SYNC_N = 1u << 27;
+constexpr std::uint64_t PERIOD_PS = 40'000;  // until PinListener::video_clock() says another
 }  // namespace video
 
 struct CodecPins {
@@ -98,7 +99,7 @@ public:
 
     // A sample per clock, in order, in batches of up to a scan line.
     virtual void video(const std::uint32_t* samples, std::size_t count) = 0;
-    // Before samples at another period than the fabric's clock, and when it changes by 1 %.
+    // Before samples at another period than video::PERIOD_PS, and when it changes by 1 %.
     virtual void video_clock(std::uint64_t /*period_ps*/) {}
     // There has been no sample up to now for more than a millisecond.
     virtual void video_idle(std::uint64_t /*time_ps*/) {}

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "sim/report/seconds.h"
+#include "sim/text/seconds.h"
 
 namespace sim {
 

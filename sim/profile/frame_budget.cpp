@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "sim/report/seconds.h"
+#include "sim/text/seconds.h"
 
 namespace sim {
 
@@ -34,7 +34,6 @@ void FrameBudget::frame_ended(const ArmCpu::Counts& counts, const sc_core::sc_ti
 }
 
 RunReport::FrameFigures FrameBudget::figures() const {
-    using page::FrameUse;
     return {frames_.size(), spread(frames_, &FrameUse::instructions),
             spread(frames_, &FrameUse::busy_share), spread(frames_, &FrameUse::bus_share)};
 }

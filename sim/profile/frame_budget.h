@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "sim/cpu/arm_cpu.h"
-#include "sim/page/page.h"
 #include "sim/report/report.h"
 
 namespace sim {
@@ -20,13 +19,13 @@ public:
 
     void frame_ended(const ArmCpu::Counts& counts, const sc_core::sc_time& now);
     RunReport::FrameFigures figures() const;
-    const std::vector<page::FrameUse>& frames() const { return frames_; }
+    const std::vector<FrameUse>& frames() const { return frames_; }
 
 private:
     bool begun_ = false;
     ArmCpu::Counts last_;
     sc_core::sc_time last_time_;
-    std::vector<page::FrameUse> frames_;
+    std::vector<FrameUse> frames_;
 };
 
 }  // namespace sim

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <sstream>
 
-#include "sim/project/file_finder.h"
 #include "sim/project/settings.h"
+#include "sim/text/lower.h"
 
 namespace sim::project {
 

@@ -6,14 +6,14 @@
 
 #include <fmt/format.h>
 
+#include "sim/files/sha256.h"
+#include "sim/files/whole_file.h"
 #include "sim/project/clean_sources.h"
 #include "sim/project/compiled_headers.h"
-#include "sim/project/file_finder.h"
 #include "sim/project/generated.h"
 #include "sim/project/syntax_tree.h"
 #include "sim/project/tools.h"
-#include "sim/report/sha256.h"
-#include "sim/report/whole_file.h"
+#include "sim/verilog/file_finder.h"
 
 namespace sim::project {
 

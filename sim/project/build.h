@@ -8,13 +8,13 @@
 
 #include "sim/project/binding.h"
 #include "sim/project/folder_lock.h"
-#include "sim/project/inout_fits.h"
-#include "sim/project/part_drivers.h"
 #include "sim/project/project.h"
 #include "sim/project/quartus/check.h"
 #include "sim/project/tools.h"
 #include "sim/project/verilator.h"
-#include "sim/project/vhdl_generics.h"
+#include "sim/verilog/inout_fits.h"
+#include "sim/verilog/part_drivers.h"
+#include "sim/vhdl/vhdl_generics.h"
 
 namespace sim::project {
 

@@ -4,18 +4,18 @@
 
 #include <fmt/format.h>
 
-#include "sim/project/file_finder.h"
-#include "sim/project/gates.h"
 #include "sim/project/generated.h"
-#include "sim/project/included_files.h"
-#include "sim/project/normalise.h"
-#include "sim/project/part_drivers.h"
-#include "sim/project/read_outputs.h"
-#include "sim/project/source.h"
-#include "sim/project/synthesised.h"
 #include "sim/project/tools.h"
-#include "sim/project/vhdl.h"
-#include "sim/project/vhdl_library.h"
+#include "sim/text/lower.h"
+#include "sim/verilog/gates.h"
+#include "sim/verilog/included_files.h"
+#include "sim/verilog/normalise.h"
+#include "sim/verilog/part_drivers.h"
+#include "sim/verilog/read_outputs.h"
+#include "sim/verilog/source.h"
+#include "sim/verilog/synthesised.h"
+#include "sim/vhdl/vhdl.h"
+#include "sim/vhdl/vhdl_library.h"
 
 namespace sim::project {
 
@@ -119,7 +119,38 @@ std::set<std::string> modules_of_design(const Modules& modules, const std::strin
     return names;
 }
 
+// Whether Verilog may set parameters of a module: NAME #(...), or a defparam, of whatever.
+bool sets_parameters(const SourceFile& file, const std::string& module) {
+    const std::string text = file.whole_text();
+    const Tokens tokens = tokens_of(text);
+    for (std::size_t i = 0; i + 1 < tokens.all.size(); ++i)
+        if (tokens.all[i].is("defparam") || (tokens.all[i].is(module) && tokens.all[i + 1].is("#")))
+            return true;
+    return false;
+}
+
 }  // namespace
+
+std::vector<GenericEntity> generic_entities(const Project& project) {
+    std::vector<GenericEntity> entities;
+    for (const std::string& name : project.entities) {
+        GenericEntity entity{{}, name, {}, false, {{}}};
+        for (const fs::path& file : project.vhdl)
+            if (const auto head = entity_in(text_of(file), name)) {
+                entity.head = *head;
+                entity.file = file.lexically_relative(project.folder).string();
+            }
+        for (const SourceFile& file : project.sources)
+            entity.is_set =
+                entity.is_set || (file.language != SourceFile::Language::VHDL &&
+                                  !entity.head.generics.empty() && sets_parameters(file, name));
+        for (const auto& [parameter, value] : project.parameters)
+            if (name == project.top && is_generic(entity.head, parameter)) entity.is_set = true;
+        if (entity.is_set) entity.sets.clear();
+        entities.push_back(std::move(entity));
+    }
+    return entities;
+}
 
 CleanSources clean_sources(const SourceRequest& from) {
     const Project& project = from.project;

@@ -8,13 +8,16 @@
 #include <vector>
 
 #include "sim/project/elaborated.h"
-#include "sim/project/inout_fits.h"
 #include "sim/project/project.h"
-#include "sim/project/quartus/text_checks.h"
 #include "sim/project/tools.h"
-#include "sim/project/vhdl_generics.h"
+#include "sim/verilog/inout_fits.h"
+#include "sim/verilog/quartus/text_checks.h"
+#include "sim/vhdl/vhdl_generics.h"
 
 namespace sim::project {
+
+// For each of the project's entities that Verilog wants.
+std::vector<GenericEntity> generic_entities(const Project& project);
 
 struct SourceRequest {
     const Project& project;

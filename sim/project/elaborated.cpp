@@ -7,9 +7,9 @@
 #include <fmt/format.h>
 #include <pugixml.hpp>
 
-#include "sim/project/file_finder.h"
 #include "sim/project/settings.h"
 #include "sim/project/syntax_tree.h"
+#include "sim/text/lower.h"
 
 namespace sim::project {
 

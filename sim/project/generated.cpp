@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "sim/files/whole_file.h"
 #include "sim/project/settings.h"
-#include "sim/report/whole_file.h"
 
 namespace sim::project {
 

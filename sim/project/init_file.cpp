@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "sim/project/memory_image.h"
+#include "sim/text/lower.h"
 
 namespace sim::project {
 namespace {

@@ -5,11 +5,12 @@
 #include <fmt/format.h>
 
 #include "sim/project/committed_system.h"
-#include "sim/project/nearest.h"
 #include "sim/project/settings.h"
-#include "sim/project/synthesised.h"
-#include "sim/project/unsupported.h"
-#include "sim/project/vhdl_source.h"
+#include "sim/text/lower.h"
+#include "sim/verilog/nearest.h"
+#include "sim/verilog/synthesised.h"
+#include "sim/verilog/unsupported.h"
+#include "sim/vhdl/vhdl_source.h"
 
 namespace sim::project {
 

@@ -10,9 +10,9 @@
 #include <string>
 #include <vector>
 
-#include "sim/project/file_finder.h"
 #include "sim/project/project.h"
-#include "sim/project/source.h"
+#include "sim/verilog/file_finder.h"
+#include "sim/verilog/source.h"
 
 namespace sim::project {
 

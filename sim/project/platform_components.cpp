@@ -10,8 +10,9 @@
 #include "sim/project/qsys/sopcinfo.h"
 #include "sim/project/settings.h"
 #include "sim/project/tools.h"
-#include "sim/project/top_parameters.h"
-#include "sim/report/printable.h"
+#include "sim/text/lower.h"
+#include "sim/text/printable.h"
+#include "sim/verilog/top_parameters.h"
 
 namespace sim::project {
 

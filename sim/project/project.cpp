@@ -14,7 +14,8 @@
 #include "sim/project/platform_components.h"
 #include "sim/project/qsys/subsystems.h"
 #include "sim/project/tools.h"
-#include "sim/project/unsupported.h"
+#include "sim/text/lower.h"
+#include "sim/verilog/unsupported.h"
 
 namespace sim::project {
 

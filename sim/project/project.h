@@ -13,7 +13,7 @@
 
 #include "sim/project/qsys/generate.h"
 #include "sim/project/settings.h"
-#include "sim/project/top_parameters.h"
+#include "sim/verilog/top_parameters.h"
 
 namespace sim::project {
 

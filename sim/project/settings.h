@@ -19,20 +19,13 @@
 #pragma once
 
 #include <filesystem>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
 
-namespace sim::project {
+#include "sim/verilog/project_error.h"
 
-// What is wrong with a project, in a line: file, line, what, what was expected.
-class ProjectError : public std::runtime_error {
-public:
-    using std::runtime_error::runtime_error;
-    std::vector<std::string>
-        notes;  // what was found out before, which may be the cause; a line each
-};
+namespace sim::project {
 
 struct Assignment {
     std::string name;     // TOP_LEVEL_ENTITY; LOCATION for set_location_assignment;
@@ -60,8 +53,5 @@ struct Settings {
 Settings read_settings(const std::filesystem::path& file);
 // The same of the file's text.
 Settings settings_in(std::string_view text, const std::filesystem::path& file);
-
-// The file's text.  ProjectError: it cannot be read, or is larger than 64 MB.
-std::string text_of(const std::filesystem::path& file);
 
 }  // namespace sim::project

@@ -6,9 +6,9 @@
 
 #include <fmt/format.h>
 
-#include "sim/project/file_finder.h"
 #include "sim/project/safe_tcl.h"
 #include "sim/project/settings.h"
+#include "sim/text/lower.h"
 
 namespace sim::project {
 

@@ -8,8 +8,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "sim/project/file_finder.h"
 #include "sim/project/settings.h"
+#include "sim/text/lower.h"
 
 namespace sim::project {
 

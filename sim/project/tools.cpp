@@ -2,17 +2,13 @@
 
 #include <unistd.h>
 
-#include <algorithm>
-#include <sstream>
-
 #include <fmt/format.h>
 
+#include "sim/files/whole_file.h"
 #include "sim/process/run_command.h"
 #include "sim/project/compiled_headers.h"
-#include "sim/project/quartus/words.h"
 #include "sim/project/settings.h"
 #include "sim/project/verilator.h"
-#include "sim/report/whole_file.h"
 
 namespace sim::project {
 
@@ -22,42 +18,10 @@ namespace {
 
 // Of C++ that is hardly optimised: with less of it, a compiler of its own takes longer to begin.
 constexpr std::uintmax_t WORTH_A_PROCESS = 500'000;
-constexpr std::string_view BLANK = "\u00a0";  // one that does not end a word
 
 fs::path program_folder() {
     std::error_code error;
     return fs::read_symlink("/proc/self/exe", error).parent_path();
-}
-
-constexpr const char* PACKAGES = "apt install verilator g++ zlib1g-dev (packages of Debian)";
-
-// Verilator's first error, in a line: "pong.v:12: Quartus error 10170: syntax error ...".
-std::string first_error(const Outcome& outcome, const std::string& tool, const TimeLimit& limit) {
-    if (outcome.code == TIMED_OUT)
-        return fmt::format("the build has not ended in {} s (--build-limit): {} was at work",
-                           limit.seconds(), tool);
-    if (outcome.code == 127) return tool + " is not installed: " + PACKAGES;
-    for (const char* missing : {"zlib.h: No such file", "cannot find -lz"})
-        if (outcome.output.find(missing) != std::string::npos)
-            return std::string{"zlib's headers are not installed: "} + PACKAGES;
-    std::istringstream lines{outcome.output};
-    std::string first;
-    for (std::string line; std::getline(lines, line);) {
-        const std::size_t mark = line.find("%Error");
-        if (mark != std::string::npos) {
-            if (line.find("Exiting due to") != std::string::npos) continue;
-            const std::size_t colon = line.find(": ", mark);
-            if (colon == std::string::npos) return line;
-            const auto behind =
-                static_cast<std::size_t>(std::max<std::streamoff>(lines.tellg(), 0));
-            return error_in_our_words(line.substr(colon + 2),
-                                      std::string_view{outcome.output}.substr(behind));
-        }
-        if (first.empty() && line.find("error:") != std::string::npos) first = line;
-    }
-    return first.empty() ? fmt::format("{} ended with code {}: {}", tool, outcome.code,
-                                       outcome.output.substr(0, 200))
-                         : first;
 }
 
 // The model's function that looks for edges, which design.cpp calls once more at power-up, if it is
@@ -72,18 +36,6 @@ std::string function_for_triggers(const fs::path& source) {
 }
 
 }  // namespace
-
-std::string without_blanks(std::string name) {
-    for (std::size_t at = 0; (at = name.find(' ', at)) != std::string::npos; at += BLANK.size())
-        name.replace(at, 1, BLANK);
-    return name;
-}
-
-std::string with_blanks(std::string text) {
-    for (std::size_t at = 0; (at = text.find(BLANK, at)) != std::string::npos;)
-        text.replace(at, BLANK.size(), " ");
-    return text;
-}
 
 void link_to(const fs::path& folder, const fs::path& link) {
     std::error_code error;
@@ -106,16 +58,6 @@ std::string seen_from(const fs::path& folder, const fs::path& other, const std::
 
 bool is_writable(const fs::path& folder) { return access(folder.c_str(), W_OK) == 0; }
 
-TimeLimit::TimeLimit(unsigned seconds)
-    : seconds_{seconds}, end_{std::chrono::steady_clock::now() + std::chrono::seconds{seconds}} {}
-
-unsigned TimeLimit::left_s() const {
-    const auto left = end_ - std::chrono::steady_clock::now();
-    return left.count() <= 0
-               ? 0
-               : static_cast<unsigned>(std::chrono::ceil<std::chrono::seconds>(left).count());
-}
-
 fs::path data_folder() { return (program_folder() / "../share/de1sim").lexically_normal(); }
 
 fs::path library(const char* name) {
@@ -129,13 +71,6 @@ std::optional<fs::path> model_of(const std::string& module) {
             fs::is_regular_file(file, error))
             return file;
     return {};
-}
-
-std::string run_tool(const std::vector<std::string>& words, const fs::path& folder,
-                     const TimeLimit& limit) {
-    const Outcome outcome = run_command(words, folder, limit.left_s());
-    if (outcome.code != 0) throw ProjectError{with_blanks(first_error(outcome, words[0], limit))};
-    return outcome.output;
 }
 
 void compile_library(const fs::path& folder, const fs::path& objects, bool trace,
@@ -191,7 +126,7 @@ void compile_library(const fs::path& folder, const fs::path& objects, bool trace
         forget_compiled_headers(headers);
         outcome = compile({});
     }
-    if (outcome.code != 0) throw ProjectError{first_error(outcome, "g++", limit)};
+    if (outcome.code != 0) throw ProjectError{error_of(outcome, "g++", limit)};
     std::vector<std::string> link{"g++", "-shared", "-o", "chip.so", "fast.o"};
     if (apart) link.emplace_back("slow.o");
     link.insert(link.end(), {runtime_library(verilator, limit).string(),

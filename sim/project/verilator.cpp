@@ -4,12 +4,12 @@
 
 #include <fmt/format.h>
 
+#include "sim/files/sha256.h"
+#include "sim/files/whole_file.h"
 #include "sim/process/run_command.h"
 #include "sim/project/compiled_headers.h"
 #include "sim/project/folder_lock.h"
 #include "sim/project/settings.h"
-#include "sim/report/sha256.h"
-#include "sim/report/whole_file.h"
 
 namespace sim::project {
 

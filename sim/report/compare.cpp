@@ -5,8 +5,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "sim/report/printable.h"
 #include "sim/report/tap.h"
+#include "sim/text/printable.h"
 
 namespace sim {
 

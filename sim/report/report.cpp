@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "sim/report/markup.h"
-#include "sim/report/printable.h"
+#include "sim/text/markup.h"
+#include "sim/text/printable.h"
 
 namespace sim {
 

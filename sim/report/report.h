@@ -33,6 +33,11 @@ enum class RunEnd {
 
 const char* to_string(RunEnd end);  // "all steps done", ...
 
+// What the program used of the frame that ended at this time; shares of the frame's time.
+struct FrameUse {
+    double time_s = 0, instructions = 0, busy_share = 0, bus_share = 0;
+};
+
 struct RunReport {
     struct Bus {
         std::uint64_t reads = 0, writes = 0, bursts = 0, errors = 0;

@@ -5,35 +5,34 @@
 #include <fmt/format.h>
 
 #include "sim/chip/computer.h"
-#include "sim/report/seconds.h"
-#include "sim/report/whole_file.h"
+#include "sim/files/whole_file.h"
 #include "sim/run/file_kind.h"
+#include "sim/text/seconds.h"
 
 namespace sim {
 
-bool runs_on_linux(const RunOptions& options) {
-    refuse_no_program(options.elf);
-    return options.system == "linux" || (options.system == "auto" && expects_linux(options.elf));
-}
-
-ArmProgram load_program(const RunOptions& options, bool on_linux) {
-    if (!on_linux && !options.arguments.empty())
-        throw std::runtime_error{options.elf.string() +
+ArmProgram load_program(const RunPlan& plan) {
+    const ProgramDescription& program = plan.description.program;
+    const bool on_linux = plan.on_linux;
+    if (!on_linux && !program.arguments.empty())
+        throw std::runtime_error{program.elf.string() +
                                  ": arguments behind -- are for Linux programs (--system linux)"};
-    if (!on_linux && !options.linux_root.empty())
-        throw std::runtime_error{options.elf.string() +
+    if (!on_linux && !program.linux_root.empty())
+        throw std::runtime_error{program.elf.string() +
                                  ": --linux-root is for Linux programs (--system linux)"};
-    if (!on_linux && !options.input.empty())
-        throw std::runtime_error{options.elf.string() +
+    if (!on_linux && !program.input.empty())
+        throw std::runtime_error{program.elf.string() +
                                  ": --stdin is for Linux programs (--system linux)"};
-    ElfProgram elf = load_elf(options.elf, on_linux ? linux_memory() : program_memory());
+    ElfProgram elf = load_elf(program.elf, on_linux ? linux_memory() : program_memory());
     if (!on_linux) elf.leave_only_sections();
-    return {std::move(elf), options.cpi};
+    return {std::move(elf), program.cpi};
 }
 
-ArmRun::ArmRun(ArmCpu& cpu, Bus& bus, I2cDevices* i2c0, const RunOptions& options, bool on_linux,
-               Recorder& recorder, BoardObserver& observer)
-    : options_{options}, cpu_{cpu}, bus_{bus} {
+ArmRun::ArmRun(ArmCpu& cpu, Bus& bus, I2cDevices* i2c0, const RunPlan& plan, Recorder& recorder,
+               BoardObserver& observer)
+    : profile_file_{plan.description.outputs.profile}, cpu_{cpu}, bus_{bus} {
+    const ProgramDescription& program = plan.description.program;
+    const TraceDescription& trace = plan.description.outputs.trace;
     const auto print = [&observer](char c) { observer.console(c, SerialLine::UART); };
     const auto log = [&observer](const std::string& line) { observer.log(line); };
     const auto access = [&bus](bool write, std::uint32_t address, std::uint32_t& value) {
@@ -41,19 +40,19 @@ ArmRun::ArmRun(ArmCpu& cpu, Bus& bus, I2cDevices* i2c0, const RunOptions& option
         return bus.transfer(write, address, reinterpret_cast<unsigned char*>(&value), sizeof value,
                             delay);
     };
-    if (on_linux)
-        kernel_.emplace(cpu, LinuxSettings{options.linux_root, options.arguments, options.input},
+    if (plan.on_linux)
+        kernel_.emplace(cpu, LinuxSettings{program.linux_root, program.arguments, program.input},
                         LinuxKernel::Outside{print, log, access, i2c0});
     else
         semihosting_.emplace(cpu, Semihosting::Outside{print, log});
-    if (!options.profile.empty() || traces_a_part(options)) {
+    if (!profile_file_.empty() || trace.is_of_a_part()) {
         profile_.emplace(cpu.program().elf);
         cpu.core().attach(&*profile_);
     }
-    if (traces_a_part(options))
-        calls_.emplace(*profile_, cpu,
-                       options.trace_to ? sc_core::sc_time::from_value(options.trace_to->ps)
-                                        : sc_core::sc_max_time());
+    if (trace.is_of_a_part())
+        calls_.emplace(
+            *profile_, cpu,
+            trace.to ? sc_core::sc_time::from_value(trace.to->ps) : sc_core::sc_max_time());
     recorder.on_frame = [this] { budget_.frame_ended(cpu_.counts(), sc_core::sc_time_stamp()); };
 }
 
@@ -102,7 +101,7 @@ std::string ArmRun::waiting() const {
 }
 
 void ArmRun::write_profile() const {
-    if (!options_.profile.empty()) write_whole_file(options_.profile, profile_->callgrind());
+    if (!profile_file_.empty()) write_whole_file(profile_file_, profile_->callgrind());
 }
 
 }  // namespace sim

@@ -14,24 +14,20 @@
 #include "sim/profile/frame_budget.h"
 #include "sim/profile/profile.h"
 #include "sim/report/report.h"
-#include "sim/run/options.h"
+#include "sim/run/plan.h"
 #include "sim/run/recorder.h"
 
 namespace sim {
 
-// What options.system says, or for "auto" what the ELF does.  ElfError; std::runtime_error if it is
-// none.
-bool runs_on_linux(const RunOptions& options);
-
 // ElfError; std::runtime_error for options that only a Linux program has.
-ArmProgram load_program(const RunOptions& options, bool on_linux);
+ArmProgram load_program(const RunPlan& plan);
 
 class ArmRun {
 public:
     // Attaches to the processor and to the recorder's frames.  What a Linux program prints, or
     // another by semihosting, goes to `observer`.
-    ArmRun(ArmCpu& cpu, Bus& bus, I2cDevices* i2c0, const RunOptions& options, bool on_linux,
-           Recorder& recorder, BoardObserver& observer);
+    ArmRun(ArmCpu& cpu, Bus& bus, I2cDevices* i2c0, const RunPlan& plan, Recorder& recorder,
+           BoardObserver& observer);
 
     // At the console of these; or that nobody will.
     void type(const std::string& text) { terminal().type(text); }
@@ -44,7 +40,7 @@ public:
     std::string missing_calls() const { return kernel_ ? kernel_->missing() : ""; }
     RunReport::Program program() const;
     std::string waiting() const;  // for what, "an interrupt"; or empty
-    const std::vector<page::FrameUse>& frames() const { return budget_.frames(); }
+    const std::vector<FrameUse>& frames() const { return budget_.frames(); }
     void write_profile() const;  // if it was asked for; IoError
     const CallLog* calls() const { return calls_ ? &*calls_ : nullptr; }  // of a part
 
@@ -54,7 +50,7 @@ private:
         return kernel_ ? kernel_->terminal() : semihosting_->terminal();
     }
 
-    const RunOptions& options_;
+    const std::filesystem::path profile_file_;  // or empty
     ArmCpu& cpu_;
     const Bus& bus_;
     std::optional<LinuxKernel> kernel_;

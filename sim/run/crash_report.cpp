@@ -8,9 +8,9 @@
 #include <csignal>
 #include <string>
 
-#include "sim/report/messages.h"
-#include "sim/report/whole_file.h"
+#include "sim/files/whole_file.h"
 #include "sim/run/run.h"
+#include "sim/text/messages.h"
 
 namespace sim {
 

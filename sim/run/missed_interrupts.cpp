@@ -8,7 +8,7 @@
 #include <fmt/ranges.h>
 
 #include "regmap.h"
-#include "sim/report/seconds.h"
+#include "sim/text/seconds.h"
 
 namespace sim {
 

@@ -15,9 +15,9 @@
 
 #include <fmt/format.h>
 
-#include "sim/report/pattern.h"
-#include "sim/report/run_files.h"
-#include "sim/report/whole_file.h"
+#include "sim/files/run_files.h"
+#include "sim/files/whole_file.h"
+#include "sim/text/pattern.h"
 
 namespace sim {
 

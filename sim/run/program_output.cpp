@@ -5,7 +5,7 @@
 
 #include <utility>
 
-#include "sim/report/messages.h"
+#include "sim/text/messages.h"
 
 namespace sim {
 

@@ -6,7 +6,7 @@
 
 #include <string>
 
-#include "sim/report/terminal_text.h"
+#include "sim/text/terminal_text.h"
 
 namespace sim {
 

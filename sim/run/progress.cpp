@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "sim/report/messages.h"
+#include "sim/text/messages.h"
 
 namespace sim {
 

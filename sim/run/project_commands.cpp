@@ -7,8 +7,8 @@
 
 #include "sim/project/init_file.h"
 #include "sim/project/tools.h"
-#include "sim/report/messages.h"
 #include "sim/run/run.h"
+#include "sim/text/messages.h"
 
 namespace sim {
 

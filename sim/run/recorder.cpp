@@ -1,8 +1,8 @@
 #include "sim/run/recorder.h"
 
-#include "sim/report/messages.h"
-#include "sim/report/seconds.h"
-#include "sim/report/sha256.h"
+#include "sim/files/sha256.h"
+#include "sim/text/messages.h"
+#include "sim/text/seconds.h"
 
 namespace sim {
 

@@ -10,13 +10,13 @@
 #include <vector>
 
 #include "sim/board/board.h"
+#include "sim/files/console_file.h"
+#include "sim/files/frame_writer.h"
+#include "sim/files/video.h"
+#include "sim/files/wav.h"
 #include "sim/page/page.h"
-#include "sim/report/console_file.h"
-#include "sim/report/frame_writer.h"
-#include "sim/report/video.h"
-#include "sim/report/wav.h"
+#include "sim/run/description.h"
 #include "sim/run/lamp_log.h"
-#include "sim/run/options.h"
 #include "sim/run/output_folder.h"
 #include "sim/run/program_output.h"
 #include "sim/scenario/observations.h"

@@ -9,11 +9,11 @@
 #include <vector>
 
 #include "regmap.h"
-#include "sim/report/messages.h"
-#include "sim/report/printable.h"
-#include "sim/report/sha256.h"
+#include "sim/files/sha256.h"
 #include "sim/report/tap.h"
 #include "sim/run/missed_interrupts.h"
+#include "sim/text/messages.h"
+#include "sim/text/printable.h"
 
 namespace sim {
 
@@ -45,7 +45,7 @@ bool has_drawn(Computer& computer) {
 // controller does not keep bits 31 and 30.  So an address in its own memories may be meant as one
 // in the DDR3: it is, if the program has written nothing through the full bridge.
 std::optional<std::uint32_t> picture_in_ddr3(Computer& computer) {
-    constexpr std::uint32_t DDR3_SIZE = 0x40000000;
+    constexpr std::uint32_t DDR3_SIZE = ProcessorSystem::DDR3_SIZE;
     constexpr std::uint32_t ONCHIP = regmap::ONCHIP_BASE % DDR3_SIZE;
     for (const std::uint32_t reg : {regmap::PIXEL_BUFFER, regmap::PIXEL_BACK_BUFFER}) {
         const auto value = computer.fpga.peek(reg - LW_BASE);

@@ -5,10 +5,10 @@
 
 #include "sim/board/board.h"
 #include "sim/chip/computer.h"
-#include "sim/play/scenario_runner.h"
 #include "sim/report/report.h"
 #include "sim/run/arm_run.h"
 #include "sim/run/recorder.h"
+#include "sim/scenario/scenario_runner.h"
 
 namespace sim {
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "sim/process/interrupt.h"
-#include "sim/report/seconds.h"
+#include "sim/text/seconds.h"
 
 namespace sim {
 
@@ -39,10 +39,10 @@ std::optional<RunEnd> RunLoop::end() {
     if (recorder.failed()) return RunEnd::INTERRUPTED;
     if (computer && computer->cpu.fault()) return RunEnd::FIRMWARE_FAULT;
     if (const auto ended = board.chip().end()) return run_end(*ended);
-    if (alone && !live && computer->arm->ended_for() >= last_looks &&
+    if (alone && !client && computer->arm->ended_for() >= last_looks &&
         !computer->hps.uart0.is_sending())
         return RunEnd::PROGRAM_ENDED;
-    if (live ? live->left() : !duration && !alone && runner.finished())
+    if (client ? client->has_left() : !duration && !alone && runner.finished())
         return RunEnd::ALL_STEPS_DONE;
     if (duration && sc_core::sc_time_stamp() >= sc_time::from_value(duration->ps))
         return runner.finished() && !alone ? RunEnd::ALL_STEPS_DONE : RunEnd::DURATION_REACHED;
@@ -56,7 +56,7 @@ RunEnd RunLoop::run() {
     for (;;) {
         if (debugger) debugger->poll();
         if (const auto ended = end()) {
-            if (live) live->leave();
+            if (client) client->leave();
             if (*ended == RunEnd::FIRMWARE_FAULT) empty_the_consoles();
             return *ended;
         }

@@ -9,12 +9,12 @@
 #include "sim/board/board.h"
 #include "sim/chip/processor_system.h"
 #include "sim/debug/debugger.h"
-#include "sim/live/live_player.h"
-#include "sim/play/scenario_runner.h"
 #include "sim/report/report.h"
 #include "sim/run/crash_report.h"
 #include "sim/run/progress.h"
 #include "sim/run/recorder.h"
+#include "sim/run/run_client.h"
+#include "sim/scenario/scenario_runner.h"
 
 namespace sim {
 
@@ -36,8 +36,8 @@ struct RunLoop {
     std::optional<SimTime> duration;
     bool alone;  // the program has no scenario, which would say when the run ends
     Progress& progress;
-    Debugger* debugger;      // or none
-    live::LivePlayer* live;  // or none
+    Debugger* debugger;  // or none
+    RunClient* client;   // or none
     CrashReport& crash_report;
 
     RunEnd run();

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "sim/run/version.h"
+
 namespace sim {
 
 namespace {
@@ -12,11 +14,11 @@ constexpr std::size_t MAX_PNG_BYTES = 8u << 20;
 
 }  // namespace
 
-RunPage::RunPage(const RunOptions& options, Recorder& recorder)
-    : recorder_{recorder}, file_{options.html} {
+RunPage::RunPage(const RunDescription& run, Recorder& recorder)
+    : recorder_{recorder}, file_{run.outputs.html} {
     recorder.page = &page_;
-    page_.command = options.command;
-    page_.version = options.version;
+    page_.command = run.command;
+    page_.version = VERSION;
 }
 
 void RunPage::step_done() { frame_of_step_.push_back(page_.film.keep(recorder_.observations())); }

@@ -6,11 +6,11 @@
 #include <vector>
 
 #include "sim/page/page.h"
-#include "sim/play/scenario_runner.h"
 #include "sim/run/arm_run.h"
-#include "sim/run/options.h"
+#include "sim/run/description.h"
 #include "sim/run/recorder.h"
 #include "sim/scenario/scenario.h"
+#include "sim/scenario/scenario_runner.h"
 
 namespace sim {
 
@@ -18,7 +18,7 @@ class RunPage {
 public:
     // Has the recorder keep what the page needs.  The file is there, empty, in the folder of the
     // page from now on, so that a wrong name is told before the run: IoError.
-    RunPage(const RunOptions& options, Recorder& recorder);
+    RunPage(const RunDescription& run, Recorder& recorder);
     RunPage(const RunPage&) = delete;
     RunPage& operator=(const RunPage&) = delete;
 

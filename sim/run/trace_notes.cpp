@@ -1,7 +1,7 @@
 // trace_notes.cpp - see trace_notes.h
 #include "sim/run/trace_notes.h"
 
-#include "sim/report/whole_file.h"
+#include "sim/files/whole_file.h"
 
 namespace sim {
 
@@ -19,17 +19,17 @@ BusLog::Program program_of(ArmCpu* arm) {
 
 }  // namespace
 
-TraceNotes::TraceNotes(ProcessorSystem& computer, const ArmRun* arm, const RunOptions& options)
-    : options_{options},
+TraceNotes::TraceNotes(ProcessorSystem& computer, const ArmRun* arm, const TraceDescription& trace)
+    : trace_{trace},
       arm_{arm},
-      bus_{computer.bus, time_of(options.trace_from, sc_core::SC_ZERO_TIME),
-           time_of(options.trace_to, sc_core::sc_max_time()), program_of(computer.arm)} {}
+      bus_{computer.bus, time_of(trace.from, sc_core::SC_ZERO_TIME),
+           time_of(trace.to, sc_core::sc_max_time()), program_of(computer.arm)} {}
 
 void TraceNotes::write() const {
-    std::filesystem::path file{options_.trace};
+    std::filesystem::path file{trace_.file};
     write_whole_file(file.replace_extension(".bus.txt"), bus_.text());
     if (arm_ && arm_->calls())
-        write_whole_file(std::filesystem::path{options_.trace}.replace_extension(".calls.txt"),
+        write_whole_file(std::filesystem::path{trace_.file}.replace_extension(".calls.txt"),
                          arm_->calls()->text());
 }
 

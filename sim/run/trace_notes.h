@@ -7,18 +7,18 @@
 #include "sim/chip/processor_system.h"
 #include "sim/hps/bus_log.h"
 #include "sim/run/arm_run.h"
-#include "sim/run/options.h"
+#include "sim/run/description.h"
 
 namespace sim {
 
 class TraceNotes {
 public:
     // Watches the computer's bus from now on.  `arm`: its program, or null.
-    TraceNotes(ProcessorSystem& computer, const ArmRun* arm, const RunOptions& options);
+    TraceNotes(ProcessorSystem& computer, const ArmRun* arm, const TraceDescription& trace);
     void write() const;  // IoError
 
 private:
-    const RunOptions& options_;
+    const TraceDescription& trace_;
     const ArmRun* const arm_;
     BusLog bus_;
 };

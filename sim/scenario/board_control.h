@@ -14,10 +14,10 @@
 
 #include "sim/board/header.h"
 #include "sim/board/ps2_ports.h"
-#include "sim/board/serial_line.h"
 #include "sim/board/sound_source.h"
+#include "sim/files/png.h"
 #include "sim/pins/pins.h"
-#include "sim/report/png.h"
+#include "sim/pins/serial_line.h"
 #include "sim/scenario/controls.h"
 #include "sim/scenario/observations.h"
 #include "sim/scenario/seven_segment.h"

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "sim/board/monitor.h"
-#include "sim/report/png.h"
+#include "sim/files/png.h"
 #include "sim/report/tap.h"
 #include "sim/scenario/console_text.h"
 

@@ -6,8 +6,8 @@
 #include <fmt/format.h>
 
 #include "sim/board/lt24.h"
-#include "sim/report/pattern.h"
-#include "sim/scenario/words.h"
+#include "sim/text/pattern.h"
+#include "sim/text/words.h"
 
 namespace sim {
 

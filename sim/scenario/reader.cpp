@@ -4,15 +4,15 @@
 #include <algorithm>
 #include <utility>
 
-#include "sim/report/printable.h"
-#include "sim/report/whole_file.h"
+#include "sim/files/whole_file.h"
 #include "sim/scenario/part_table.h"
 #include "sim/scenario/scenario.h"
 #include "sim/scenario/static_checks.h"
 #include "sim/scenario/step_reader.h"
 #include "sim/scenario/step_table.h"
-#include "sim/scenario/words.h"
 #include "sim/scenario/yaml_tree.h"
+#include "sim/text/printable.h"
+#include "sim/text/words.h"
 
 namespace sim {
 

@@ -68,4 +68,8 @@ std::string to_string(SimTime time) {
     return text + std::string(unit->name);
 }
 
+std::string within(SimTime timeout) {
+    return timeout.ps == 0 ? "" : " within " + to_string(timeout);
+}
+
 }  // namespace sim

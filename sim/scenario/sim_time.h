@@ -23,5 +23,7 @@ constexpr SimTime MAX_SIM_TIME{3'600'000'000'000'000};  // an hour
 
 // In the largest unit that gives at least 1, exactly: "1.5s", "80ms", "0s".
 std::string to_string(SimTime time);
+// " within 2s"; "" for no time at all.
+std::string within(SimTime timeout);
 
 }  // namespace sim

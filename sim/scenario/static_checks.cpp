@@ -6,11 +6,11 @@
 #include <algorithm>
 #include <iterator>
 
-#include "sim/report/pattern.h"
-#include "sim/report/run_files.h"
+#include "sim/files/run_files.h"
 #include "sim/scenario/part_table.h"
-#include "sim/scenario/words.h"
 #include "sim/scenario/yaml_tree.h"
+#include "sim/text/pattern.h"
+#include "sim/text/words.h"
 
 namespace sim {
 

@@ -8,7 +8,7 @@
 #include <charconv>
 #include <filesystem>
 
-#include "sim/scenario/words.h"
+#include "sim/text/words.h"
 
 namespace sim {
 

@@ -13,8 +13,8 @@
 #include <sstream>
 #include <utility>
 
-#include "sim/report/printable.h"
-#include "sim/scenario/words.h"
+#include "sim/text/printable.h"
+#include "sim/text/words.h"
 
 namespace sim {
 

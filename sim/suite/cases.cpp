@@ -8,10 +8,10 @@
 
 #include <fmt/format.h>
 
-#include "sim/report/printable.h"
-#include "sim/report/whole_file.h"
+#include "sim/files/whole_file.h"
 #include "sim/scenario/scenario.h"
 #include "sim/scenario/yaml_tree.h"
+#include "sim/text/printable.h"
 
 namespace sim::suite {
 

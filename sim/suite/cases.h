@@ -14,8 +14,9 @@ struct Case {
     double expected_s = 0;  // of wall time; an estimate where it has not been measured
     unsigned points = 1;
     std::string visibility = "visible";
-    std::string hand_in{};               // whose program or project it judges; or empty
-    std::vector<std::string> options{};  // for `de1sim run`, of this one
+    // Whose program or project it judges, and that, in place of the scenario's; or empty.
+    std::string hand_in{};
+    std::filesystem::path program{}, project{};
 };
 
 // All scenarios under the paths, by name, each once.  A path is a file, or a folder in which every

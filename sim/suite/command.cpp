@@ -15,12 +15,11 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "sim/files/whole_file.h"
 #include "sim/process/interrupt.h"
-#include "sim/report/messages.h"
-#include "sim/report/printable.h"
-#include "sim/report/whole_file.h"
+#include "sim/report/exit_code.h"
+#include "sim/run/options.h"
 #include "sim/run/output_folder.h"
-#include "sim/run/run.h"
 #include "sim/suite/cases.h"
 #include "sim/suite/classroom.h"
 #include "sim/suite/grades.h"
@@ -30,6 +29,8 @@
 #include "sim/suite/results.h"
 #include "sim/suite/runner.h"
 #include "sim/suite/slurm.h"
+#include "sim/text/messages.h"
+#include "sim/text/printable.h"
 
 namespace sim::suite {
 
@@ -75,16 +76,6 @@ private:
     Results& results_;
     std::chrono::steady_clock::time_point next_{};
 };
-
-std::vector<std::string> run_options(const TestOptions& options) {
-    std::vector<std::string> arguments;
-    if (options.update_goldens) arguments.push_back("--update-goldens");
-    if (options.trace_failure) {
-        arguments.push_back("--trace-failure");
-        arguments.push_back(to_string(*options.trace_failure));
-    }
-    return arguments;
-}
 
 int test_on_slurm(TestOptions options, const std::vector<Case>& cases) {
     options.shards = std::min(options.tasks, static_cast<unsigned>(cases.size()));
@@ -157,9 +148,10 @@ void add_test_options(CLI::App& command, TestOptions& options) {
     command.add_flag("--rerun-failed", options.rerun_failed,
                      "only those that did not pass the last time; the others' results stay");
     command.add_flag("--fail-fast", options.fail_fast, "end with the first that fails");
-    command.add_flag("--update-goldens", options.update_goldens,
-                     "write golden pictures anew that differ or are not there yet; old and new\n"
-                     "are in index.html");
+    command.add_flag(
+        "--update-goldens", options.update_goldens,
+        "replace golden pictures that differ, and write those that are not there yet;\n"
+        "old and new are in index.html");
     command.add_option_function<std::string>(
         "--shard",
         [&](const std::string& text) {
@@ -189,7 +181,8 @@ void add_test_options(CLI::App& command, TestOptions& options) {
         .add_option("--sbatch", options.sbatch,
                     "options of sbatch, as one word: '--partition=short --time=30'")
         ->needs(slurm);
-    command.add_flag("--resume", options.resume)->group("");
+    command.add_flag("--resume", options.resume,
+                     "keep the results that --out has, and run the other scenarios");
     add_time_option(command, "--trace-failure", options.trace_failure,
                     "run what fails again, for the waveforms of this time before");
 }
@@ -234,7 +227,8 @@ int test(const TestOptions& options) {
     note_interrupts();
     RunSettings settings;
     settings.out = options.out;
-    settings.options = run_options(options);
+    settings.update_goldens = options.update_goldens;
+    settings.trace_failure = options.trace_failure;
     settings.jobs = options.jobs ? options.jobs : std::max(1u, std::thread::hardware_concurrency());
     settings.limit_s = options.limit_s;
     if (hand_ins) settings.hand_ins = &*hand_ins;

@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "sim/files/whole_file.h"
 #include "sim/page/html.h"
-#include "sim/report/whole_file.h"
 #include "sim/suite/junit.h"
 
 namespace sim::suite {

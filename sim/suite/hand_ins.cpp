@@ -5,10 +5,10 @@
 
 #include <fmt/format.h>
 
+#include "sim/files/whole_file.h"
 #include "sim/project/compiled_headers.h"
-#include "sim/report/printable.h"
-#include "sim/report/whole_file.h"
 #include "sim/scenario/scenario.h"
+#include "sim/text/printable.h"
 
 namespace sim::suite {
 
@@ -91,17 +91,16 @@ HandIns::HandIns(const HandInOptions& options, const std::vector<fs::path>& path
 std::vector<Case> HandIns::cases(const std::vector<Case>& scenarios) const {
     std::vector<Case> all;
     for (const Case& scenario : scenarios) {
-        const char* option = "";
-        fs::path judged;
+        std::optional<Scenario> read;
         try {
-            const Scenario read =
+            read =
                 parse_scenario(read_whole_file(scenario.file, MAX_SCENARIO_BYTES), scenario.file);
-            option = read.program.empty() ? "--project" : "--elf";
-            judged = read.program.empty() ? read.project : read.program;
         } catch (const std::runtime_error&) {
             // Its run will say what is wrong with it.
         }
-        if (judged.empty() && *option)
+        const bool is_program = read && !read->program.empty();
+        const fs::path judged = is_program ? read->program : read ? read->project : fs::path{};
+        if (judged.empty() && read)
             throw std::runtime_error{printable(scenario.file.string()) +
                                      ": expected `program:` or `project:`, the file that each "
                                      "hand-in has under this name"};
@@ -110,9 +109,9 @@ std::vector<Case> HandIns::cases(const std::vector<Case>& scenarios) const {
             Case one = scenario;
             one.name = name + "/" + scenario.name;
             one.hand_in = name;
-            if (*option)
-                one.options = {
-                    option, (out_ / "runs" / one.name / COPY / file).lexically_normal().string()};
+            if (read)
+                (is_program ? one.program : one.project) =
+                    (out_ / "runs" / one.name / COPY / file).lexically_normal();
             all.push_back(std::move(one));
         }
     }

@@ -4,8 +4,8 @@
 
 #include <fmt/format.h>
 
-#include "sim/report/markup.h"
-#include "sim/report/whole_file.h"
+#include "sim/files/whole_file.h"
+#include "sim/text/markup.h"
 
 namespace sim::suite {
 

@@ -7,8 +7,8 @@
 
 #include <fmt/format.h>
 
-#include "sim/report/messages.h"
-#include "sim/report/printable.h"
+#include "sim/text/messages.h"
+#include "sim/text/printable.h"
 
 namespace sim::suite {
 

@@ -8,10 +8,10 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "sim/report/printable.h"
-#include "sim/report/whole_file.h"
-#include "sim/run/exit_code.h"
+#include "sim/files/whole_file.h"
+#include "sim/report/exit_code.h"
 #include "sim/suite/junit.h"
+#include "sim/text/printable.h"
 
 namespace sim::suite {
 

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "sim/process/run_command.h"
+#include "sim/run/description.h"
 
 namespace sim::suite {
 
@@ -38,16 +39,17 @@ Result run_case(const Case& one, const RunSettings& settings,
                 const std::function<bool()>& given_up) {
     const std::string folder = "runs/" + one.name;
     const std::filesystem::path out = settings.out / folder;
-    std::vector<std::string> command{std::filesystem::read_symlink("/proc/self/exe").string(),
-                                     "run",
-                                     one.file.string(),
-                                     "--quiet",
-                                     "--frames",
-                                     "none",
-                                     "--out",
-                                     out.string()};
-    command.insert(command.end(), settings.options.begin(), settings.options.end());
-    command.insert(command.end(), one.options.begin(), one.options.end());
+    RunDescription run;
+    run.scenario = one.file;
+    run.program.elf = one.program;
+    run.chip.project.place = one.project;
+    run.outputs.out = out;
+    run.outputs.frames = {FrameChoice::Which::NONE, 1};
+    run.outputs.trace_failure = settings.trace_failure;
+    run.outputs.update_goldens = settings.update_goldens;
+    run.outputs.quiet = true;
+    const DescriptionFile description{run};
+    const std::vector<std::string> command = description.command();
     // What an earlier run has left must not stand for this one.
     for (const char* file : {"report.json", "junit.xml"}) {
         std::error_code error;

@@ -3,9 +3,10 @@
 
 #include <filesystem>
 #include <functional>
-#include <string>
+#include <optional>
 #include <vector>
 
+#include "sim/scenario/sim_time.h"
 #include "sim/suite/cases.h"
 #include "sim/suite/hand_ins.h"
 #include "sim/suite/results.h"
@@ -13,11 +14,12 @@
 namespace sim::suite {
 
 struct RunSettings {
-    std::filesystem::path out;         // runs/NAME/ in it
-    std::vector<std::string> options;  // for `de1sim run`, of every scenario
-    unsigned jobs = 1;                 // at once
-    unsigned limit_s = 3600;           // of wall time for a scenario
-    HandIns* hand_ins = nullptr;       // for cases that have a `hand_in`
+    std::filesystem::path out;  // runs/NAME/ in it
+    bool update_goldens = false;
+    std::optional<SimTime> trace_failure = {};  // as RunOutputs has it
+    unsigned jobs = 1;                          // at once
+    unsigned limit_s = 3600;                    // of wall time for a scenario
+    HandIns* hand_ins = nullptr;                // for cases that have a `hand_in`
 };
 
 // Runs them in their order.  `done` is told of each as it ends, one call at a time; a case that

@@ -11,11 +11,11 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "sim/files/whole_file.h"
 #include "sim/process/run_command.h"
 #include "sim/process/shell_word.h"
-#include "sim/report/messages.h"
-#include "sim/report/printable.h"
-#include "sim/report/whole_file.h"
+#include "sim/text/messages.h"
+#include "sim/text/printable.h"
 
 namespace sim::suite {
 

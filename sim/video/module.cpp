@@ -4,8 +4,8 @@
 #include <optional>
 #include <utility>
 
-#include "sim/report/messages.h"
-#include "sim/report/video.h"
+#include "sim/files/video.h"
+#include "sim/text/messages.h"
 #include "sim/video/picture_track.h"
 #include "sim/video/sound_track.h"
 

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "sim/report/whole_file.h"
+#include "sim/files/whole_file.h"
 #include "sim/video/av.h"
 
 namespace sim {

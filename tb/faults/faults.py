@@ -65,17 +65,18 @@ def has_not_begun(said):
     return "shared librar" in said or "cannot be preloaded" in said
 
 
-def processes_with(word):
-    """Of all that run: process ids whose command line has this word in it."""
-    found = []
+def processes_in(folder):
+    """Processes other than this one that work in the folder, or have a file in it open."""
+    found = set()
     for process in filter(str.isdigit, os.listdir("/proc")):
         try:
-            with open(f"/proc/{process}/cmdline", "rb") as command:
-                if str(word).encode() in command.read():
-                    found.append(int(process))
-        except OSError:  # it has just ended
+            for link in ["cwd", *(f"fd/{n}" for n in os.listdir(f"/proc/{process}/fd"))]:
+                file = pathlib.Path(os.readlink(f"/proc/{process}/{link}"))
+                if file.is_relative_to(folder.resolve()):
+                    found.add(int(process))
+        except OSError:  # it has just ended, or is not ours
             pass
-    return found
+    return sorted(found - {os.getpid()})
 
 
 class Faults(unittest.TestCase):

@@ -13,7 +13,7 @@ import urllib.error
 import urllib.request
 
 from faults import (DE1SIM, Faults, MIB, NO_INODES, PASSED, WRONG, has_not_begun, limited,
-                    new_files, processes_with, run)
+                    new_files, processes_in, run)
 
 sys.path.append(str(pathlib.Path(__file__).parent.parent / "live"))
 from board import Board, Client  # noqa: E402
@@ -37,9 +37,9 @@ class Live(Faults):
             board.process.send_signal(sent)
         code = board.process.wait(30)
         end = time.monotonic() + 20
-        while processes_with(self.out) and time.monotonic() < end:
+        while processes_in(self.folder) and time.monotonic() < end:
             time.sleep(0.02)
-        self.assertEqual(processes_with(self.out), [], "the simulation is left")
+        self.assertEqual(processes_in(self.folder), [], "the simulation is left")
         return code
 
     def plays(self, board):

@@ -7,7 +7,7 @@ import subprocess
 import time
 
 from faults import (DE1SIM, FAILED, Faults, INTERRUPTED, MIB, PASSED, WRONG, has_not_begun,
-                    is_whole, limited, new_files, processes_with, run)
+                    is_whole, limited, new_files, processes_in, run)
 
 
 class Suite(Faults):
@@ -88,9 +88,9 @@ class Suite(Faults):
                               f"{note}: {said}")
                 seen.add(process.returncode)
                 end = time.monotonic() + 20
-                while processes_with(self.out) and time.monotonic() < end:
+                while processes_in(self.folder) and time.monotonic() < end:
                     time.sleep(0.02)
-                self.assertEqual(processes_with(self.out), [], f"{note}: runs are left")
+                self.assertEqual(processes_in(self.folder), [], f"{note}: runs are left")
                 self.all_whole(note, also=(".part",))
                 if process.returncode == INTERRUPTED:
                     results = json.loads((self.out / "results.json").read_text())

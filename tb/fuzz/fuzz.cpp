@@ -7,7 +7,7 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "sim/report/printable.h"
+#include "sim/text/printable.h"
 
 namespace fuzz {
 

@@ -1,5 +1,6 @@
 """waves_test.py DE1SIM FOLDER PROGRAMS [CASE...] - waveforms of what was played"""
 import asyncio
+import os
 import pathlib
 import shutil
 import subprocess
@@ -114,13 +115,21 @@ class Waves(unittest.IsolatedAsyncioTestCase):
             await client.frames_on(60)
             await client.send(waves={"last": "900ms"})
             await asyncio.sleep(0.5)
-            self.assertNotEqual(self.second_runs(), "")
+            self.assertNotEqual(self.second_runs(), [])
         self.board.__exit__()
-        self.assertEqual(self.second_runs(), "")
+        self.assertEqual(self.second_runs(), [])
 
     def second_runs(self):
-        return subprocess.run(["pgrep", "-f", str(self.folder / "out/waves-1")],
-                              capture_output=True, text=True).stdout
+        """Processes that write the waveforms."""
+        folder = str((self.folder / "out/waves-1").resolve())
+        found = []
+        for link in pathlib.Path("/proc").glob("[0-9]*/fd/*"):
+            try:
+                if os.readlink(link).startswith(folder):
+                    found.append(link)
+            except OSError:
+                pass  # it has ended since, or is not ours
+        return found
 
 
 unittest.main(argv=sys.argv[:1] + sys.argv[4:])

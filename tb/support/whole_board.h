@@ -44,7 +44,7 @@ protected:
         sim::BoardObserver& ours = *this;
         board = std::make_unique<sim::Board>(
             "board", ours, seed, sim::Ps2Ports{},
-            [&](sim::PinListener& pins, sim::BoardObserver& observer, std::uint8_t* sdram) {
+            [&](sim::PinListener& pins, sim::ChipObserver& observer, std::uint8_t* sdram) {
                 auto chip = std::make_unique<sim::Computer>("computer", pins, observer, sdram,
                                                             std::move(firmware), settings);
                 computer = chip.get();

@@ -36,7 +36,7 @@ TEST_F(CheckBoard, PassesInTheSimulation) {
 TEST_F(CheckBoard, AgreesWithTheBoardsOwnProgram) {
     ASSERT_EQ(check("native").exit_code, 0);
     std::filesystem::create_directories(folder / "root");
-    const std::string scenario = std::string{SOURCE} + "/sim/check/check_board.yaml";
+    const std::string scenario = std::string{SOURCE} + "/sim/run/check_board.yaml";
     const tb::Outcome outcome =
         play(scenario, {"--quiet", "--frames", "none", "--cpu", "arm", "--elf",
                         FIRMWARE "collide-linux", "--linux-root", folder / "root", "--duration",

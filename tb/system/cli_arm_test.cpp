@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "sim/report/png.h"
+#include "sim/files/png.h"
 #include "tb/system/cli.h"
 
 namespace {

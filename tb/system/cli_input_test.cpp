@@ -1,7 +1,7 @@
 // cli_input_test.cpp - wrong input: one clear line, exit 2, and nothing half-written.
 #include <gmock/gmock.h>
 
-#include "sim/report/png.h"
+#include "sim/files/png.h"
 #include "tb/system/cli.h"
 
 namespace {

@@ -2,8 +2,8 @@
 #include <gmock/gmock.h>
 #include <sndfile.h>
 
-#include "sim/report/png.h"
-#include "sim/report/sha256.h"
+#include "sim/files/png.h"
+#include "sim/files/sha256.h"
 #include "tb/system/cli.h"
 
 namespace {

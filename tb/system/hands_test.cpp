@@ -2,7 +2,7 @@
 #include <map>
 
 #include "regmap.h"
-#include "sim/play/scenario_runner.h"
+#include "sim/scenario/scenario_runner.h"
 #include "tb/support/whole_board.h"
 
 namespace {

@@ -5,7 +5,7 @@
 #include <future>
 
 #include "gfx/font.h"
-#include "sim/report/png.h"
+#include "sim/files/png.h"
 #include "tb/system/cli.h"
 
 namespace {

@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include "regmap.h"
-#include "sim/play/scenario_runner.h"
+#include "sim/scenario/scenario_runner.h"
 #include "tb/support/whole_board.h"
 
 namespace {

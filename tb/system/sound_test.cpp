@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "app/sound.h"
-#include "sim/scenario/tone.h"
+#include "sim/board/tone.h"
 #include "tb/system/running_program.h"
 
 namespace {

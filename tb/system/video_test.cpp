@@ -5,7 +5,7 @@
 #include <gmock/gmock.h>
 #include <sndfile.h>
 
-#include "sim/report/png.h"
+#include "sim/files/png.h"
 #include "tb/system/cli.h"
 
 namespace {

@@ -2,7 +2,7 @@
 // and end
 #include <gmock/gmock.h>
 
-#include "sim/report/console_file.h"
+#include "sim/files/console_file.h"
 #include "tb/unit/temp_folder.h"
 
 namespace {

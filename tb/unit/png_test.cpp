@@ -1,12 +1,12 @@
 // png_test.cpp - pictures to PNG and back, and how they differ
-#include "sim/report/png.h"
+#include "sim/files/png.h"
 
 #include <gmock/gmock.h>
 #include <png.h>
 
 #include <random>
 
-#include "sim/report/whole_file.h"
+#include "sim/files/whole_file.h"
 #include "tb/unit/temp_folder.h"
 
 namespace {

@@ -7,7 +7,7 @@
 #include <sndfile.h>
 #include <sys/stat.h>
 
-#include "sim/scenario/tone.h"
+#include "sim/board/tone.h"
 #include "tb/unit/temp_folder.h"
 
 namespace {

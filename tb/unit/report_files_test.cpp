@@ -8,10 +8,10 @@
 #include <random>
 #include <thread>
 
-#include "sim/report/frame_writer.h"
-#include "sim/report/printable.h"
-#include "sim/report/sha256.h"
-#include "sim/report/whole_file.h"
+#include "sim/files/frame_writer.h"
+#include "sim/files/sha256.h"
+#include "sim/files/whole_file.h"
+#include "sim/text/printable.h"
 #include "tb/unit/temp_folder.h"
 
 namespace {

@@ -3,7 +3,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "sim/report/png.h"
+#include "sim/files/png.h"
 #include "tb/unit/scenario_errors.h"
 #include "tb/unit/temp_folder.h"
 

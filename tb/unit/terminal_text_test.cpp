@@ -1,5 +1,5 @@
 // terminal_text.h: text and colours reach a terminal, what would change its modes does not.
-#include "sim/report/terminal_text.h"
+#include "sim/text/terminal_text.h"
 
 #include <gtest/gtest.h>
 

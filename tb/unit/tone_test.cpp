@@ -1,5 +1,5 @@
 // tone_test.cpp - tone detection: sines of known frequency and level, alone and with other sounds
-#include "sim/scenario/tone.h"
+#include "sim/board/tone.h"
 
 #include <gmock/gmock.h>
 

@@ -1,5 +1,5 @@
 // trace_file_test.cpp - a truncated waveform file never appears
-#include "sim/report/trace_file.h"
+#include "sim/files/trace_file.h"
 
 #include <csignal>
 #include <fstream>

@@ -1,5 +1,5 @@
 // wav_test.cpp - the sound file, as sox reads it
-#include "sim/report/wav.h"
+#include "sim/files/wav.h"
 
 #include <gmock/gmock.h>
 #include <sys/resource.h>
@@ -7,7 +7,7 @@
 #include <cmath>
 #include <csignal>
 
-#include "sim/report/whole_file.h"
+#include "sim/files/whole_file.h"
 #include "tb/unit/temp_folder.h"
 
 namespace {

@@ -152,35 +152,35 @@ def of_a_library(name):
 
 # Name: the function, the tool, the releases of Debian that have the fault, what is there for it.
 FAULTS = {
-    "parameter_types": (parameter_types, "Verilator", "12", "sim/project/parameter_types.cpp"),
-    "part_drivers": (part_drivers, "Verilator", "12 13", "sim/project/part_drivers.cpp"),
+    "parameter_types": (parameter_types, "Verilator", "12", "sim/verilog/parameter_types.cpp"),
+    "part_drivers": (part_drivers, "Verilator", "12 13", "sim/verilog/part_drivers.cpp"),
     "both_assignments": (both_assignments, "Verilator", "12 13",
-                         "in sim/project/registers.cpp the copy of what is also set by <="),
+                         "in sim/verilog/registers.cpp the copy of what is also set by <="),
     "names_with_blanks": (names_with_blanks, "Verilator", "12",
-                          "without_blanks() and with_blanks() in sim/project/tools.cpp, and the "
+                          "without_blanks() and with_blanks() in sim/verilog/run_tool.cpp, and the "
                           "relative paths in rtl/sources.cmake and tb/netlist/CMakeLists.txt"),
     "pulls_of_ports": (pulls_of_ports, "Verilator", "12 13", "what tb/lint/ip.py says of pulls"),
     "defaults_of_ports": (defaults_of_ports, "Verilator", "12", "rtl/ip/defaults.tsv"),
     "choice_of_others": (choice_of_others, "GHDL", "12",
-                         "with_others() in sim/project/vhdl_repairs.cpp"),
+                         "with_others() in sim/vhdl/vhdl_repairs.cpp"),
     "wide_constants": (wide_constants, "GHDL", "12",
-                       "with_wide_constants() in sim/project/vhdl_repairs.cpp"),
+                       "with_wide_constants() in sim/vhdl/vhdl_repairs.cpp"),
     "signed_remainders": (signed_remainders, "GHDL", "12 13",
-                          "srem and smod in sim/project/vhdl_repairs.cpp"),
+                          "srem and smod in sim/vhdl/vhdl_repairs.cpp"),
     "signed_quotients": (signed_quotients, "GHDL", "12",
-                         "sdiv in sim/project/vhdl_repairs.cpp"),
+                         "sdiv in sim/vhdl/vhdl_repairs.cpp"),
     "signed_shifts": (signed_shifts, "GHDL", "12",
-                      "the shift of operation() in sim/project/vhdl_repairs.cpp"),
+                      "the shift of operation() in sim/vhdl/vhdl_repairs.cpp"),
     "absolute_values": (absolute_values, "GHDL", "12",
-                        "abs and `when` of operation() in sim/project/vhdl_repairs.cpp"),
+                        "abs and `when` of operation() in sim/vhdl/vhdl_repairs.cpp"),
     "keywords": (keywords, "GHDL", "12",
-                 "with_escaped_names() in sim/project/vhdl_repairs.cpp"),
-    "times_of_units": (times_of_units, "GHDL", "12", "have_one_time() in sim/project/vhdl.cpp"),
+                 "with_escaped_names() in sim/vhdl/vhdl_repairs.cpp"),
+    "times_of_units": (times_of_units, "GHDL", "12", "have_one_time() in sim/vhdl/vhdl.cpp"),
     "blanks_for_yosys": (blanks_for_yosys, "Yosys", "12 13",
                          "the relative paths in tb/formal/prove.py and tb/synth/CMakeLists.txt"),
     "run_up_of_webm": (run_up_of_webm, "FFmpeg", "12",
                        "run_up of encode_frame() in sim/video/sound_track.cpp"),
-    "seconds": (of_a_library("seconds"), "SystemC", "12 13", "sim/report/seconds.h"),
+    "seconds": (of_a_library("seconds"), "SystemC", "12 13", "sim/text/seconds.h"),
 }
 
 

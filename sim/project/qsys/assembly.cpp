@@ -5,10 +5,10 @@
 
 #include <fmt/format.h>
 
-#include "sim/project/file_finder.h"
 #include "sim/project/module_files.h"
 #include "sim/project/settings.h"
-#include "sim/report/printable.h"
+#include "sim/text/lower.h"
+#include "sim/text/printable.h"
 
 namespace sim::project::qsys {
 

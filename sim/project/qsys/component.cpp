@@ -9,11 +9,11 @@
 
 #include <fmt/format.h>
 
-#include "sim/project/file_finder.h"
 #include "sim/project/qsys/verilog_text.h"
 #include "sim/project/safe_tcl.h"
 #include "sim/project/settings.h"
-#include "sim/report/printable.h"
+#include "sim/text/lower.h"
+#include "sim/text/printable.h"
 
 namespace sim::project::qsys {
 

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "sim/project/file_finder.h"
+#include "sim/text/lower.h"
 
 namespace sim::project::qsys {
 

@@ -6,8 +6,8 @@
 
 #include <fmt/format.h>
 
-#include "sim/project/file_finder.h"
 #include "sim/project/qsys/slave_agent.h"
+#include "sim/text/lower.h"
 
 namespace sim::project::qsys {
 

@@ -8,9 +8,9 @@
 
 #include <fmt/format.h>
 
-#include "sim/project/file_finder.h"
 #include "sim/project/settings.h"
-#include "sim/report/printable.h"
+#include "sim/text/lower.h"
+#include "sim/text/printable.h"
 
 namespace sim::project::qsys {
 

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "sim/project/qsys/system.h"
-#include "sim/project/source.h"
+#include "sim/verilog/source.h"
 
 namespace sim::project::qsys {
 

@@ -9,7 +9,7 @@
 
 #include "sim/project/qsys/verilog_text.h"
 #include "sim/project/settings.h"
-#include "sim/report/printable.h"
+#include "sim/text/printable.h"
 
 namespace sim::project::qsys {
 

@@ -3,8 +3,8 @@
 
 #include <functional>
 
-#include "sim/project/quartus/message.h"
 #include "sim/project/quartus/netlist.h"
+#include "sim/verilog/quartus/message.h"
 
 namespace sim::project {
 

@@ -6,15 +6,15 @@
 
 #include <fmt/format.h>
 
-#include "sim/project/file_finder.h"
 #include "sim/project/quartus/blocks.h"
 #include "sim/project/quartus/device.h"
 #include "sim/project/quartus/drivers.h"
 #include "sim/project/quartus/loops.h"
 #include "sim/project/quartus/netlist.h"
 #include "sim/project/quartus/pins.h"
-#include "sim/project/quartus/words.h"
 #include "sim/project/settings.h"
+#include "sim/verilog/file_finder.h"
+#include "sim/verilog/quartus/words.h"
 
 namespace sim::project {
 

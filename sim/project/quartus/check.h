@@ -6,8 +6,8 @@
 
 #include "sim/project/elaborated.h"
 #include "sim/project/project.h"
-#include "sim/project/quartus/message.h"
-#include "sim/project/quartus/text_checks.h"
+#include "sim/verilog/quartus/message.h"
+#include "sim/verilog/quartus/text_checks.h"
 
 namespace sim::project {
 

@@ -3,8 +3,8 @@
 // Not handled: logic; what Quartus leaves out since nobody reads it.
 #pragma once
 
-#include "sim/project/quartus/message.h"
 #include "sim/project/quartus/netlist.h"
+#include "sim/verilog/quartus/message.h"
 
 namespace sim::project {
 

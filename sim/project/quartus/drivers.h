@@ -2,8 +2,8 @@
 // none, or that nobody reads, of which it warns.
 #pragma once
 
-#include "sim/project/quartus/message.h"
 #include "sim/project/quartus/netlist.h"
+#include "sim/verilog/quartus/message.h"
 
 namespace sim::project {
 

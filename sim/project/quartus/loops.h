@@ -2,8 +2,8 @@
 #pragma once
 
 #include "sim/project/project.h"
-#include "sim/project/quartus/message.h"
 #include "sim/project/quartus/netlist.h"
+#include "sim/verilog/quartus/message.h"
 
 namespace sim::project {
 

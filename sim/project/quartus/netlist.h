@@ -12,7 +12,7 @@
 
 #include <pugixml.hpp>
 
-#include "sim/project/quartus/message.h"
+#include "sim/verilog/quartus/message.h"
 
 namespace sim::project {
 

@@ -7,7 +7,7 @@
 
 #include "sim/project/elaborated.h"
 #include "sim/project/project.h"
-#include "sim/project/quartus/message.h"
+#include "sim/verilog/quartus/message.h"
 
 namespace sim::project {
 

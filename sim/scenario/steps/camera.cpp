@@ -1,7 +1,7 @@
 // camera.cpp - show-picture: what the camera at the video input sees
-#include "sim/report/printable.h"
 #include "sim/scenario/board_control.h"
 #include "sim/scenario/step_form.h"
+#include "sim/text/printable.h"
 
 namespace sim {
 

@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "sim/report/pattern.h"
 #include "sim/scenario/board_control.h"
 #include "sim/scenario/static_checks.h"
 #include "sim/scenario/step_form.h"
-#include "sim/scenario/words.h"
+#include "sim/text/pattern.h"
+#include "sim/text/words.h"
 
 namespace sim {
 

@@ -5,12 +5,12 @@
 #include <limits>
 #include <regex>
 
-#include "sim/report/printable.h"
-#include "sim/report/whole_file.h"
+#include "sim/files/whole_file.h"
 #include "sim/scenario/board_control.h"
 #include "sim/scenario/static_checks.h"
 #include "sim/scenario/step_form.h"
-#include "sim/scenario/words.h"
+#include "sim/text/printable.h"
+#include "sim/text/words.h"
 
 namespace sim {
 

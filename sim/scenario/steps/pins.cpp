@@ -3,7 +3,7 @@
 
 #include "sim/scenario/board_control.h"
 #include "sim/scenario/step_form.h"
-#include "sim/scenario/words.h"
+#include "sim/text/words.h"
 
 namespace sim {
 

@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/board/tone.h"
 #include "sim/scenario/board_control.h"
 #include "sim/scenario/step_form.h"
-#include "sim/scenario/tone.h"
-#include "sim/scenario/words.h"
+#include "sim/text/words.h"
 
 namespace sim {
 

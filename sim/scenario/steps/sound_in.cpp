@@ -2,9 +2,9 @@
 #include <fmt/format.h>
 
 #include "sim/board/recording.h"
-#include "sim/report/printable.h"
 #include "sim/scenario/board_control.h"
 #include "sim/scenario/step_form.h"
+#include "sim/text/printable.h"
 
 namespace sim {
 

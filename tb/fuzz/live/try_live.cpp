@@ -14,7 +14,7 @@
 #include "sim/live/greeting.h"
 #include "sim/live/text_stream.h"
 #include "sim/live/wire.h"
-#include "sim/report/printable.h"
+#include "sim/text/printable.h"
 #include "tb/fuzz/fuzz.h"
 
 namespace fuzz {

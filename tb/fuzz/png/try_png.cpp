@@ -4,7 +4,7 @@
 
 #include <zlib.h>
 
-#include "sim/report/png.h"
+#include "sim/files/png.h"
 #include "tb/fuzz/fuzz.h"
 
 namespace fuzz {

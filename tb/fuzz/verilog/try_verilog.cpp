@@ -2,10 +2,10 @@
 #include <algorithm>
 #include <map>
 
-#include "sim/project/gates.h"
-#include "sim/project/normalise.h"
-#include "sim/project/source.h"
-#include "sim/project/tokens.h"
+#include "sim/verilog/gates.h"
+#include "sim/verilog/normalise.h"
+#include "sim/verilog/source.h"
+#include "sim/verilog/tokens.h"
 #include "tb/fuzz/fuzz.h"
 
 namespace fuzz {

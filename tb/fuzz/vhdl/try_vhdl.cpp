@@ -1,5 +1,5 @@
 // What a VHDL file defines: no text is refused, and both views of its entities agree.
-#include "sim/project/vhdl_source.h"
+#include "sim/vhdl/vhdl_source.h"
 #include "tb/fuzz/fuzz.h"
 
 namespace fuzz {

@@ -7,9 +7,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "sim/files/whole_file.h"
 #include "sim/project/settings.h"
 #include "sim/project/verilator.h"
-#include "sim/report/whole_file.h"
 
 namespace {
 

@@ -1,5 +1,5 @@
 // Of several files that define one module, the one that is meant.
-#include "sim/project/nearest.h"
+#include "sim/verilog/nearest.h"
 
 #include <gtest/gtest.h>
 

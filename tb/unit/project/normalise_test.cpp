@@ -1,5 +1,5 @@
 // What Quartus takes and Verilator does not, and what must stay as it is.
-#include "sim/project/normalise.h"
+#include "sim/verilog/normalise.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,10 +1,10 @@
 // Verilog as tokens, and what is found in it without elaborating it.
-#include "sim/project/source.h"
+#include "sim/verilog/source.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "sim/project/tokens.h"
+#include "sim/verilog/tokens.h"
 
 namespace {
 

@@ -1,5 +1,5 @@
 // What Quartus reads of a file, and what is for simulators.
-#include "sim/project/synthesised.h"
+#include "sim/verilog/synthesised.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // picture_test.cpp - wait-frame, expect-frame, take-screenshot
-#include "sim/report/png.h"
+#include "sim/files/png.h"
 #include "tb/unit/steps/step_bench.h"
 #include "tb/unit/temp_folder.h"
 

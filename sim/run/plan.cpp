@@ -1,0 +1,69 @@
+#include "sim/run/plan.h"
+
+#include <stdexcept>
+
+#include "sim/cpu/elf.h"
+#include "sim/run/file_kind.h"
+
+namespace sim {
+
+namespace {
+
+Scenario scenario_of(const RunDescription& run) {
+    if (run.scenario.empty()) return {};
+    return run.scenario_text
+               ? parse_scenario(*run.scenario_text, run.scenario)
+               : load_scenario(run.scenario, run.outputs.update_goldens ? Goldens::MAY_BE_NEW
+                                                                        : Goldens::ARE_THERE);
+}
+
+RunPlan::Processor processor_of(const ProgramDescription& program, const Scenario& scenario,
+                                bool has_project) {
+    using Processor = RunPlan::Processor;
+    const bool has_program = !program.elf.empty();
+    std::string cpu = program.cpu;
+    if (cpu == "auto" && !has_project && !has_program) cpu = scenario.cpu;
+    if (cpu == "native") return Processor::NATIVE;
+    if (cpu == "arm" && !has_program)
+        throw std::runtime_error{"--cpu: arm needs a program: --elf FILE"};
+    if (has_program) return Processor::ARM;
+    return has_project ? Processor::NONE : Processor::NATIVE;
+}
+
+// What the program is run on: --system, or for "auto" what the ELF expects.
+bool runs_on_linux(const ProgramDescription& program) {
+    refuse_no_program(program.elf);
+    return program.system == "linux" || (program.system == "auto" && expects_linux(program.elf));
+}
+
+}  // namespace
+
+RunPlan plan_run(RunDescription description) {
+    ChipDescription& chip = description.chip;
+    ProgramDescription& program = description.program;
+    Scenario scenario = scenario_of(description);
+    if (chip.project.place.empty() && program.cpu != "native")
+        chip.project.place = scenario.project;
+    const bool has_project = !chip.project.place.empty();
+    if (program.elf.empty() && program.cpu != "native" &&
+        (has_project || program.cpu == "arm" || scenario.cpu != "native"))
+        program.elf = scenario.program;
+    const RunPlan::Processor processor = processor_of(program, scenario, has_project);
+    const bool is_arm = processor == RunPlan::Processor::ARM;
+    if (!is_arm && !program.arm_options.empty())
+        throw std::runtime_error{program.arm_options.front() + ": is for --cpu arm"};
+    RunPlan plan;
+    plan.processor = processor;
+    plan.on_linux = is_arm && runs_on_linux(program);
+    plan.seed = description.seed.value_or(scenario.seed);
+    plan.duration = description.duration ? description.duration : scenario.duration;
+    plan.bridged_memory = chip.bridged_memory.value_or(scenario.memory_bridged.value_or(false));
+    plan.audio_rate = chip.audio_rate.value_or(scenario.audio_rate.value_or(8'000));
+    plan.strictness = chip.strict_vga.value_or(!has_project) ? Monitor::Strictness::STRICT
+                                                             : Monitor::Strictness::TOLERANT;
+    plan.description = std::move(description);
+    plan.scenario = std::move(scenario);
+    return plan;
+}
+
+}  // namespace sim

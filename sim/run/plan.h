@@ -1,0 +1,39 @@
+// plan.h - a run that is decided: the description, with what its scenario adds and the defaults
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "sim/board/monitor.h"
+#include "sim/run/description.h"
+#include "sim/scenario/scenario.h"
+
+namespace sim {
+
+struct RunPlan {
+    enum class Processor { NONE, NATIVE, ARM };
+
+    RunDescription description;  // with the project and the program that the scenario names
+    Scenario scenario;           // empty: the program alone
+    Processor processor = Processor::NATIVE;
+    bool on_linux = false;  // the ARM's program
+    std::uint64_t seed = 1;
+    std::optional<SimTime> duration;
+    bool bridged_memory = false;
+    unsigned audio_rate = 8'000;  // samples per second
+    Monitor::Strictness strictness = Monitor::Strictness::STRICT;
+
+    bool has_project() const { return !description.chip.project.place.empty(); }
+    // As reports name it.
+    const char* cpu() const {
+        return processor == Processor::ARM      ? "arm"
+               : processor == Processor::NATIVE ? "native"
+                                                : "none";
+    }
+};
+
+// Reads the scenario, and of the program what it runs on.  ScenarioError; ElfError;
+// std::runtime_error: an option that this run has no use for, or no program for its processor.
+RunPlan plan_run(RunDescription description);
+
+}  // namespace sim

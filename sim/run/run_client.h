@@ -1,0 +1,46 @@
+// run_client.h - whoever watches and plays a run from outside while it goes on: `de1sim live`
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "sim/board/board.h"
+#include "sim/chip/computer.h"
+#include "sim/run/arm_run.h"
+#include "sim/run/plan.h"
+#include "sim/run/recorder.h"
+#include "sim/scenario/scenario_runner.h"
+
+namespace sim {
+
+class RunClient {
+public:
+    virtual ~RunClient() = default;
+
+    // What the board shows goes through it, and on to the recorder.
+    virtual BoardObserver& observer() = 0;
+
+    // The board is there, and time has not begun.  Null: there is no such thing in this run.
+    struct Parts {
+        const RunPlan& plan;
+        Board& board;
+        ProcessorSystem* processor;
+        Computer* computer;  // where the chip has this project's own fabric
+        ArmRun* arm;
+        ScenarioRunner& runner;
+    };
+    virtual void attach(const Parts& parts) = 0;
+
+    virtual bool has_left() const = 0;  // which ends the run
+    // The run has ended: what is left of it waits for nobody's message.
+    virtual void leave() = 0;
+    // It is over, for these reasons.
+    virtual void end(const std::vector<std::string>& faults) = 0;
+};
+
+// Makes the client at the other end of a socket.
+using RunClientMaker = std::function<std::unique_ptr<RunClient>(int socket, Recorder& recorder)>;
+
+}  // namespace sim

@@ -1,0 +1,264 @@
+#include "sim/scenario/scenario_runner.h"
+
+#include <algorithm>
+
+#include "sim/files/whole_file.h"
+#include "sim/text/seconds.h"
+
+namespace sim {
+
+using sc_core::sc_time;
+using sc_core::sc_time_stamp;
+
+namespace {
+
+const sc_time millisecond{1, sc_core::SC_MS};
+
+std::string name_of(MouseButton button) {
+    return "button " + std::to_string(static_cast<int>(button));
+}
+
+sc_time to_sc(SimTime time) { return sc_time::from_value(time.ps); }  // resolution: 1 ps
+
+}  // namespace
+
+ScenarioRunner::ScenarioRunner(const sc_core::sc_module_name& name, Board& board,
+                               Observations& observations, const std::vector<ScenarioStep>& steps,
+                               std::filesystem::path out)
+    : sc_module{name},
+      board_{board},
+      observations_{observations},
+      steps_{steps},
+      out_{std::move(out)} {
+    observations_.frame_shown = [this] { perceive(frame_shown_); };
+    observations_.printed = [this] { perceive(printed_); };
+    board_.parts.for_each_terminal([this](const std::string& part, SerialTerminal& terminal) {
+        terminal.heard = [this, part, &text = terminals_[part]](char byte) {
+            text.print(byte);
+            on_terminal(part, byte);
+            perceive(printed_);
+        };
+    });
+    SC_HAS_PROCESS(ScenarioRunner);
+    SC_THREAD(run);
+}
+
+void ScenarioRunner::run() {
+    for (; current_ < steps_.size(); ++current_) {
+        const ScenarioStep& step = steps_[current_];
+        const double from_s = seconds(sc_time_stamp());
+        played_.push_back({from_s, from_s, {}});
+        if (auto verdict = step.step->play(*this))
+            results_.push_back(expectation(step, *std::move(verdict)));
+        played_.back().to_s = seconds(sc_time_stamp());
+        on_step();
+    }
+    finished_ = true;
+    finished_at_ = sc_time_stamp();
+    done_.notify(sc_core::SC_ZERO_TIME);
+}
+
+Expectation ScenarioRunner::expectation(const ScenarioStep& step, Verdict verdict) {
+    return {step.text, step.line, seconds(sc_time_stamp()), verdict.met, std::move(verdict.detail)};
+}
+
+std::vector<Expectation> ScenarioRunner::results() const {
+    std::vector<Expectation> all = results_;
+    for (std::size_t i = current_; i < steps_.size(); ++i)
+        if (steps_[i].step->decides())
+            all.push_back(expectation(steps_[i], {false, "the run ended before"}));
+    return all;
+}
+
+// ---- Time ----
+
+// What earlier steps still do at that instant, such as letting a key go, comes before the next
+// step.  LivePlayer has the same order, so that what it recorded plays the same again.
+void ScenarioRunner::wait(SimTime time) {
+    sc_module::wait(to_sc(time));
+    sc_module::wait(sc_core::SC_ZERO_TIME);
+}
+
+bool ScenarioRunner::wait_until(Each each, SimTime timeout, const std::function<bool()>& met) {
+    const sc_time end = sc_time_stamp() + to_sc(timeout);
+    for (;;) {
+        if (met()) return true;
+        if (sc_time_stamp() >= end) return false;
+        const sc_time rest = end - sc_time_stamp();
+        switch (each) {
+            case Each::FRAME: sc_module::wait(rest, frame_shown_); break;
+            case Each::CHARACTER: sc_module::wait(rest, printed_); break;
+            case Each::MILLISECOND: sc_module::wait(std::min(millisecond, rest)); break;
+        }
+        while (perceived_ps_ > sc_time_stamp().value())
+            sc_module::wait(sc_time::from_value(perceived_ps_) - sc_time_stamp());
+    }
+}
+
+// A processor that runs ahead may have come to it before SystemC has.
+void ScenarioRunner::perceive(sc_core::sc_event& what) {
+    perceived_ps_ = std::max(perceived_ps_, board_.chip().time_ps());
+    what.notify(sc_core::SC_ZERO_TIME);
+}
+
+// ---- Hands ----
+
+void ScenarioRunner::before_press(const std::string& control) {
+    if (hands_.has_just_let_go(control)) sc_module::wait(Hands::pause());
+}
+
+void ScenarioRunner::hold(const Controls& c, SimTime bounce) {
+    for (const unsigned number : control_numbers(c)) before_press(control_name(number));
+    board_.hold(c.keypad, c.keys, c.switches, bounce.ps);
+}
+void ScenarioRunner::release(const Controls& c, SimTime bounce) {
+    board_.release(c.keypad, c.keys, c.switches, bounce.ps);
+    for (const unsigned number : control_numbers(c)) hands_.let_go(control_name(number));
+}
+void ScenarioRunner::drive_pins(const HeaderMasks& pins, PinLevel level) {
+    board_.drive_pins(pins, level);
+}
+void ScenarioRunner::close_contact(const std::string& part, bool closed) {
+    const std::string control = "part " + part;
+    if (closed && board_.parts.is_button(part)) before_press(control);
+    board_.close_contact(part, closed);
+    if (!closed) hands_.let_go(control);
+}
+void ScenarioRunner::set_voltage(unsigned channel, double volts) {
+    board_.set_voltage(channel, volts);
+}
+void ScenarioRunner::accelerate(double x, double y, double z) { board_.accelerate({x, y, z}); }
+void ScenarioRunner::type_serial(const std::string& text, std::optional<SerialLine> to) {
+    board_.type(text, to);
+}
+void ScenarioRunner::type_at(const std::string& part, const std::string& text) {
+    board_.type_at(part, text);
+}
+void ScenarioRunner::type_keys(const std::string& text) {
+    board_.act([this, text] { board_.ps2_keyboard.type(text); });
+}
+void ScenarioRunner::hold_key(std::uint16_t code) {
+    before_press("code " + std::to_string(code));
+    board_.act([this, code] { board_.ps2_keyboard.press(code); });
+}
+void ScenarioRunner::release_key(std::uint16_t code) {
+    board_.act([this, code] { board_.ps2_keyboard.release(code); });
+    hands_.let_go("code " + std::to_string(code));
+}
+void ScenarioRunner::press_remote(std::uint8_t button) {
+    board_.act([this, button] { board_.remote_control.press(button); });
+}
+void ScenarioRunner::move_mouse(int right, int up) {
+    board_.act([this, right, up] { board_.ps2_mouse.move(right, up); });
+}
+void ScenarioRunner::turn_wheel(int notches) {
+    board_.act([this, notches] { board_.ps2_mouse.turn(notches); });
+}
+void ScenarioRunner::hold_button(MouseButton button) {
+    before_press(name_of(button));
+    board_.act([this, button] { board_.ps2_mouse.button(button, true); });
+}
+void ScenarioRunner::release_button(MouseButton button) {
+    board_.act([this, button] { board_.ps2_mouse.button(button, false); });
+    hands_.let_go(name_of(button));
+}
+
+SoundSource& ScenarioRunner::source(SoundInput input) {
+    return input == SoundInput::LINE_IN ? board_.line_in : board_.microphone;
+}
+
+void ScenarioRunner::play(SoundInput input, std::shared_ptr<const Recording> recording,
+                          bool for_ever) {
+    const std::uint64_t now_ps = sc_time_stamp().value();
+    board_.act([=] { source(input).play(recording, for_ever, now_ps); });
+}
+void ScenarioRunner::play_tone(SoundInput input, double hz, double level) {
+    const std::uint64_t now_ps = sc_time_stamp().value();
+    board_.act([=] { source(input).tone(hz, level, now_ps); });
+}
+void ScenarioRunner::play_silence(SoundInput input) {
+    board_.act([=] { source(input).silence(); });
+}
+
+void ScenarioRunner::show_picture(std::shared_ptr<const Image> picture) {
+    board_.act([=] { board_.video_decoder.show(picture); });
+}
+
+// ---- Eyes and ears ----
+
+Observations& ScenarioRunner::observations() {
+    board_.chip().catch_up();
+    return observations_;
+}
+
+ConsoleText& ScenarioRunner::terminal(const std::string& part) {
+    board_.chip().catch_up();
+    return terminals_.at(part);
+}
+
+std::uint16_t ScenarioRunner::ledr() {
+    board_.chip().catch_up();
+    return board_.lamps().ledr;
+}
+
+HexSegments ScenarioRunner::hex() {
+    board_.chip().catch_up();
+    const std::uint64_t lit = board_.lamps().hex;
+    HexSegments segments{};
+    for (unsigned i = 0; i < HEX_DIGITS; ++i)
+        segments[i] = static_cast<std::uint8_t>(lit >> (7 * i) & 0x7f);
+    return segments;
+}
+
+bool ScenarioRunner::hps_led() {
+    board_.chip().catch_up();
+    return board_.lamps().hps_led;
+}
+
+HeaderMasks ScenarioRunner::header_levels() {
+    board_.chip().catch_up();
+    return {board_.lamps().gpio[0].levels, board_.lamps().gpio[1].levels};
+}
+
+bool ScenarioRunner::led_is_lit(const std::string& part) {
+    board_.chip().catch_up();
+    return board_.parts.leds(part).lit(sc_time_stamp().value());
+}
+
+Image ScenarioRunner::lt24_picture() {
+    board_.chip().catch_up();
+    const Ili9341::Picture seen = board_.parts.lt24().picture();
+    return image_of(seen.pixels, seen.width, seen.height);
+}
+
+std::vector<std::string> ScenarioRunner::matrix_rows(const std::string& part) {
+    board_.chip().catch_up();
+    return board_.parts.leds(part).picture(sc_time_stamp().value());
+}
+
+// ---- The output folder ----
+
+bool ScenarioRunner::save(const std::filesystem::path& path, const Image& image) {
+    try {
+        make_folder(path.parent_path());
+        write_png(path, image);
+        if (!played_.empty()) played_.back().saved.push_back(path);
+        return true;
+    } catch (const IoError& e) {
+        faults_.push_back(e.what());
+        return false;
+    }
+}
+
+bool ScenarioRunner::renew(const std::filesystem::path& golden, const Image& picture) {
+    if (!renews_goldens) return false;
+    try {
+        write_png(golden, picture);
+        return true;
+    } catch (const IoError& e) {
+        faults_.push_back(e.what());
+        return false;
+    }
+}
+
+}  // namespace sim

@@ -1,0 +1,110 @@
+// scenario_runner.h - carries out a scenario's steps on the board, in simulated time
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "sim/board/board.h"
+#include "sim/report/report.h"
+#include "sim/scenario/board_control.h"
+#include "sim/scenario/hands.h"
+#include "sim/scenario/scenario.h"
+
+#include <systemc>
+
+namespace sim {
+
+class ScenarioRunner : public sc_core::sc_module, private BoardControl {
+public:
+    // Runs through `steps` from time 0, then notifies done().  Pictures go into `out`.
+    ScenarioRunner(const sc_core::sc_module_name& name, Board& board, Observations& observations,
+                   const std::vector<ScenarioStep>& steps, std::filesystem::path out);
+
+    const sc_core::sc_event& done() const { return done_; }
+
+    // For steps that come later than the scenario's, from a process of SystemC.
+    BoardControl& control() { return *this; }
+    bool finished() const { return finished_; }
+    const sc_core::sc_time& finished_at() const { return finished_at_; }
+
+    // One for each claim, in order.  Claims that the run's end cut off are included as not met.
+    std::vector<Expectation> results() const;
+
+    // When each step that has begun did so and was done, and the pictures that it saved.
+    struct Played {
+        double from_s, to_s;
+        std::vector<std::filesystem::path> saved;
+    };
+    const std::vector<Played>& played() const { return played_; }
+    bool renews_goldens = false;            // that differ
+    std::function<void()> on_step = [] {};  // called when one is done
+    // What the terminals of the parts show, as it comes.
+    std::function<void(const std::string& part, char)> on_terminal = [](const std::string&, char) {
+    };
+
+    // Why a picture could not be written; empty if all could.
+    const std::vector<std::string>& faults() const { return faults_; }
+
+private:
+    void run();
+    void perceive(sc_core::sc_event& what);
+    void before_press(const std::string& control);
+    SoundSource& source(SoundInput input);
+    static Expectation expectation(const ScenarioStep& step, Verdict verdict);
+
+    void wait(SimTime time) override;
+    bool wait_until(Each each, SimTime timeout, const std::function<bool()>& met) override;
+    void hold(const Controls& controls, SimTime bounce) override;
+    void release(const Controls& controls, SimTime bounce) override;
+    void drive_pins(const HeaderMasks& pins, PinLevel level) override;
+    void close_contact(const std::string& part, bool closed) override;
+    void set_voltage(unsigned channel, double volts) override;
+    void accelerate(double x, double y, double z) override;
+    void type_serial(const std::string& text, std::optional<SerialLine> to) override;
+    void type_at(const std::string& part, const std::string& text) override;
+    void type_keys(const std::string& text) override;
+    void hold_key(std::uint16_t code) override;
+    void release_key(std::uint16_t code) override;
+    void press_remote(std::uint8_t button) override;
+    void move_mouse(int right, int up) override;
+    void turn_wheel(int notches) override;
+    void hold_button(MouseButton button) override;
+    void release_button(MouseButton button) override;
+    void play(SoundInput input, std::shared_ptr<const Recording> recording, bool for_ever) override;
+    void play_tone(SoundInput input, double hz, double level) override;
+    void play_silence(SoundInput input) override;
+    void show_picture(std::shared_ptr<const Image> picture) override;
+    Observations& observations() override;
+    ConsoleText& terminal(const std::string& part) override;
+    std::uint16_t ledr() override;
+    HexSegments hex() override;
+    bool hps_led() override;
+    HeaderMasks header_levels() override;
+    bool led_is_lit(const std::string& part) override;
+    Image lt24_picture() override;
+    std::vector<std::string> matrix_rows(const std::string& part) override;
+    const std::filesystem::path& folder() const override { return out_; }
+    bool save(const std::filesystem::path& path, const Image& image) override;
+    bool renew(const std::filesystem::path& golden, const Image& picture) override;
+
+    Board& board_;
+    Hands hands_;
+    Observations& observations_;
+    std::map<std::string, ConsoleText> terminals_;  // of the parts
+    const std::vector<ScenarioStep>& steps_;
+    const std::filesystem::path out_;
+    sc_core::sc_event frame_shown_, printed_;
+    std::uint64_t perceived_ps_ = 0;  // when the last of them came
+    std::size_t current_ = 0;
+    std::vector<Expectation> results_;
+    std::vector<Played> played_;
+    std::vector<std::string> faults_;
+    bool finished_ = false;
+    sc_core::sc_time finished_at_;
+    sc_core::sc_event done_;
+};
+
+}  // namespace sim

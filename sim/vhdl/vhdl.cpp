@@ -1,0 +1,234 @@
+#include "sim/vhdl/vhdl.h"
+
+#include <algorithm>
+#include <cctype>
+#include <map>
+#include <optional>
+#include <regex>
+#include <set>
+#include <sstream>
+
+#include <fmt/format.h>
+
+#include "sim/files/whole_file.h"
+#include "sim/process/run_command.h"
+#include "sim/text/lower.h"
+#include "sim/verilog/project_error.h"
+#include "sim/vhdl/vhdl_repairs.h"
+
+namespace sim::project {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+// "GHDL 2.0.0 crashed on this VHDL ...", where it says so itself.
+std::optional<std::string> crash(const std::string& said) {
+    if (said.find("GHDL Bug occurred") == std::string::npos) return {};
+    static const std::string RELEASE = "GHDL release: ";
+    std::string version;
+    if (const std::size_t at = said.find(RELEASE); at != std::string::npos) {
+        const std::size_t begin = at + RELEASE.size();
+        version = " " + said.substr(begin, said.find_first_of(" \n", begin) - begin);
+    }
+    return fmt::format("GHDL{} crashed on this VHDL; a newer GHDL may take it", version);
+}
+
+// The latest place that GHDL wrote before `at`, "top.vhd:11", from "/* top.vhd:11:3  */".
+std::string place_before(const std::string& verilog, std::size_t at) {
+    const std::size_t open = verilog.rfind("/* ", at);
+    if (open == std::string::npos) return {};
+    const std::string place = verilog.substr(open + 3, verilog.find(' ', open + 3) - open - 3);
+    return place.substr(0, place.rfind(':'));
+}
+
+// ProjectError: a register that no clock alone makes, for which GHDL has a cell of its own.
+void refuse_two_clocks(const std::string& verilog) {
+    const std::size_t at = verilog.find("gate_mdff");
+    if (at != std::string::npos)
+        throw ProjectError{fmt::format(
+            "{}: Quartus error 10820: the register has more than one clock, or both edges of one; "
+            "a register has one edge of one clock",
+            place_before(verilog, at))};
+}
+
+// Whether a process of `vhdl`, in small letters, assigns `signal` in a branch before its clock's.
+bool loads_without_clock(const std::string& vhdl, const std::string& signal) {
+    static const std::string END = "end process";
+    const std::regex assigns{"\\b" + signal + "\\b[^;]*<="},
+        clock{"elsif[^;]*(rising_edge|falling_edge|'event)"};
+    std::size_t begin = 0;
+    for (std::size_t end; (end = vhdl.find(END, begin)) != std::string::npos;
+         begin = end + END.size()) {
+        const std::size_t open = vhdl.rfind("process", end - 1);
+        if (open == std::string::npos || open < begin) continue;
+        const std::string process = vhdl.substr(open, end - open);
+        if (std::regex_search(process, assigns) && std::regex_search(process, clock)) return true;
+    }
+    return false;
+}
+
+// ProjectError: a register that is loaded without a clock and keeps its value at the clock, which
+// GHDL takes for nothing at all.
+void refuse_lost_registers(const std::string& verilog, const std::string& vhdl) {
+    static const std::regex LOST{"\n  assign ([a-zA-Z][a-zA-Z0-9_]*) = [0-9]+'bX; // \\(signal\\)"};
+    for (std::sregex_iterator at{verilog.begin(), verilog.end(), LOST}, end; at != end; ++at)
+        if (loads_without_clock(vhdl, lower((*at)[1].str())))
+            throw ProjectError{fmt::format(
+                "{}: GHDL leaves out {}, which is loaded without a clock and not changed by one: "
+                "write it as a latch, without the clock",
+                place_before(verilog, static_cast<std::size_t>(at->position())), (*at)[1].str())};
+}
+
+// GHDL's words for what Quartus has a number of.
+std::string in_quartus_words(const std::string& line) {
+    static const std::regex SAID{
+        "^(.*?:[0-9]+):[0-9]+: ?(latch infered for net|multiple assignments for) \"([^\"]*)\".*"};
+    std::smatch m;
+    if (!std::regex_match(line, m, SAID)) return line;
+    return fmt::format("{}: Quartus error 10028: {} has two drivers{}: drive it in one process{}",
+                       m[1].str(), m[3].str(),
+                       m[2].str()[0] == 'l' ? ", or keeps its value without a clock" : "",
+                       m[2].str()[0] == 'l' ? ", and assign it on all paths through that" : "");
+}
+
+// GHDL's first error, or what it says instead: "top.vhd:14:2: no declaration for "x"".  GHDL 5 puts
+// "error:" before it, and names a unit that it has not found as one of its command line.
+std::string first_error(const std::string& said, const std::string& what) {
+    if (const auto crashed = crash(said)) return fmt::format("{}: {}", what, *crashed);
+    std::istringstream lines{said};
+    for (std::string line; std::getline(lines, line);) {
+        const std::size_t colon = line.find(':');
+        const bool has_place = colon != std::string::npos && colon + 1 < line.size() &&
+                               std::isdigit(static_cast<unsigned char>(line[colon + 1]));
+        if (has_place && line.find(":warning:") == std::string::npos &&
+            line.find(":note:") == std::string::npos && line[0] != '*') {
+            static const std::string MARK = ":error: ";
+            const std::size_t mark = line.find(MARK);
+            return in_quartus_words(
+                mark == std::string::npos ? line : line.replace(mark, MARK.size(), ": "));
+        }
+    }
+    return fmt::format("{}: GHDL failed on this VHDL, and does not say why", what);
+}
+
+std::string run_ghdl(std::vector<std::string> words, const fs::path& folder,
+                     const TimeLimit& limit) {
+    words.insert(words.begin(), "ghdl");
+    const Outcome outcome = run_command(words, folder, limit.left_s());
+    if (outcome.code == 127)
+        throw ProjectError{
+            "the project has VHDL, for which ghdl is not installed: apt install ghdl"};
+    if (outcome.code == TIMED_OUT)
+        throw ProjectError{fmt::format(
+            "the build has not ended in {} s (--build-limit): ghdl was at work", limit.seconds())};
+    if (outcome.code != 0) throw ProjectError{first_error(outcome.output, words.back())};
+    return outcome.output;
+}
+
+// The library `file`, `"a.vhd" "checksum" "20261123112025.189";` in it, with one time for all: GHDL
+// takes a unit for out of date if one that it needs has been found a millisecond later.
+void have_one_time(const fs::path& file) {
+    std::istringstream lines{text_of(file)};
+    std::string text, time;
+    for (std::string line; std::getline(lines, line); text += line + "\n") {
+        if (line.rfind("file ", 0) != 0) continue;
+        const std::size_t at = line.rfind(" \"");
+        if (time.empty()) time = line.substr(at);
+        line.replace(at, std::string::npos, time);
+    }
+    write_whole_file(file, text);
+}
+
+}  // namespace
+
+std::vector<std::string> verilog_of(const VhdlDesign& design, const TimeLimit& limit) {
+    std::error_code error;
+    fs::remove_all(design.work, error);
+    fs::create_directories(design.work);
+    // As much as Quartus takes: the libraries of Synopsys, shared variables, undriven outputs.
+    const std::vector<std::string> options{"--std=08", "-fsynopsys", "-frelaxed",
+                                           "--workdir=" + design.work.string(),
+                                           "-P" + design.work.string()};
+    const auto words = [&options](std::vector<std::string> first,
+                                  const std::vector<std::string>& last) {
+        first.insert(first.end(), options.begin(), options.end());
+        first.insert(first.end(), last.begin(), last.end());
+        return first;
+    };
+    std::vector<std::string> files;
+    std::string all;                             // the text of the files
+    std::vector<fs::path> paths = design.files;  // the last one of two entities of one name counts
+    std::stable_partition(paths.begin(), paths.end(),
+                          [&](const fs::path& file) { return design.needed.count(file) == 0; });
+    for (const fs::path& file : paths) {
+        files.push_back(file.lexically_relative(design.folder).string());
+        all += lower(text_of(file));
+    }
+    for (const auto& [name, text] : design.libraries) {
+        if (all.find(name) == std::string::npos) continue;
+        const fs::path file = design.work / (name + ".vhd");
+        write_whole_file(file, text);
+        run_ghdl(words({"-a", "--work=" + name}, {file.string()}), design.folder, limit);
+    }
+    for (const auto& [name, own] : design.own_libraries) {
+        if (all.find("library " + name) == std::string::npos) continue;
+        std::vector<std::string> of_library;
+        for (const fs::path& file : own)
+            of_library.push_back(file.lexically_relative(design.folder).string());
+        run_ghdl(words({"-a", "--work=" + name}, of_library), design.folder, limit);
+    }
+    try {
+        run_ghdl(words({"-i"}, files), design.folder, limit);
+    } catch (const ProjectError&) {
+        for (std::size_t n = 0; n < files.size(); ++n) try {
+                run_ghdl(words({"-i"}, {files[n]}), design.folder, limit);
+            } catch (const ProjectError&) {
+                if (design.needed.count(paths[n])) throw;
+            }
+    }
+    have_one_time(design.work / "work-obj08.cf");
+    // A component is bound to an entity only if that has been analysed.  Errors of GHDL 2 come
+    // again below; GHDL 5 says there only that the entity has not been analysed.
+    std::map<std::string, std::string> analysed;  // what GHDL said
+    for (const VhdlRoot& root : design.roots) {
+        if (analysed.count(root.entity)) continue;
+        auto make = words({"-m"}, {root.entity});
+        make.insert(make.begin(), "ghdl");
+        analysed[root.entity] = run_command(make, design.folder, limit.left_s()).output;
+    }
+    const auto file_of = [&](const std::string& entity) {
+        for (std::size_t n = 0; n < paths.size(); ++n)
+            if (lower(text_of(paths[n])).find("entity " + lower(entity)) != std::string::npos)
+                return files[n];
+        return entity;
+    };
+    std::set<std::string> known;
+    std::vector<std::string> texts;
+    for (const VhdlRoot& root : design.roots) {
+        const auto synthesised = [&](const char* out) {
+            std::vector<std::string> last = root.generics;
+            last.push_back(root.entity);
+            try {
+                return run_ghdl(words({"--synth", out}, last), design.folder, limit);
+            } catch (const ProjectError& failure) {
+                // What has no place of its own begins with the entity.
+                const std::string what = failure.what(), entity = root.entity + ": ";
+                if (what.compare(0, entity.size(), entity) != 0) throw;
+                const std::string before = first_error(analysed[root.entity], root.entity);
+                if (before.compare(0, entity.size(), entity) != 0) throw ProjectError{before};
+                throw ProjectError{file_of(root.entity) + what.substr(root.entity.size())};
+            }
+        };
+        std::string said = "\n" + synthesised("--out=verilog");
+        said.erase(0, said.find("\nmodule ") + 1);  // its warnings
+        refuse_two_clocks(said);
+        refuse_lost_registers(said, all);
+        said = repaired(said, lacks_others(said) ? synthesised("--out=raw-vhdl") : "");
+        texts.push_back(
+            VhdlOutput{said, root.entity, root.module, design.in_verilog}.without(known));
+    }
+    return texts;
+}
+
+}  // namespace sim::project
