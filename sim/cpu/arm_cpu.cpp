@@ -1,10 +1,10 @@
 #include "sim/cpu/arm_cpu.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include <fmt/format.h>
 
+#include "sim/cpu/arm_messages.h"
 #include "sim/text/seconds.h"
 
 namespace sim {
@@ -14,14 +14,9 @@ using sc_core::SC_ZERO_TIME;
 
 namespace {
 
-constexpr double CLOCK_PS = 1250;             // 800 MHz
 const sc_time reset_time{6, sc_core::SC_US};  // longer than that of the FPGA
 constexpr std::uint64_t MASKED_QUANTUM = 64;  // while an interrupt is pending but masked
 constexpr std::uint32_t PUSHED = 128;         // bytes, by one instruction
-
-std::uint64_t picoseconds(double cpi) {
-    return static_cast<std::uint64_t>(std::llround(CLOCK_PS * cpi));
-}
 
 }  // namespace
 
@@ -29,9 +24,11 @@ ArmCpu::ArmCpu(const sc_core::sc_module_name& name, ArmProgram program, Log log)
     : Processor{name},
       program_{std::move(program)},
       log_{std::move(log)},
-      abort_log_{log_},
       core_{*this},
-      instruction_ps_{picoseconds(program_.cpi)} {
+      time_{core_, program_.cpi},
+      shortcuts_{core_, time_},
+      handlers_{core_, time_, log_},
+      runaway_{core_, program_.elf} {
     SC_HAS_PROCESS(ArmCpu);
     SC_THREAD(run);
     set_stack_size(STACK_BYTES);
@@ -39,32 +36,16 @@ ArmCpu::ArmCpu(const sc_core::sc_module_name& name, ArmProgram program, Log log)
 
 // ---- Time ---------------------------------------------------------------------------------------
 
-void ArmCpu::account() {
-    const std::uint64_t done = core_.instructions() - accounted_;
-    accounted_ += done;
-    ahead_ += sc_time::from_value(done * instruction_ps_);
-}
-
-sc_time ArmCpu::horizon() const {
-    static const sc_time longest{100, sc_core::SC_US};
-    const sc_time to_event = std::min(sc_core::sc_time_to_pending_activity(), longest);
-    if (alarm_ == sc_core::sc_max_time()) return to_event;
-    const sc_time now = sc_core::sc_time_stamp();
-    return alarm_ > now ? std::min(to_event, alarm_ - now) : sc_core::SC_ZERO_TIME;
-}
-
 void ArmCpu::sync() {
-    if (ahead_ < horizon()) return;
-    wait(ahead_);
-    ahead_ = SC_ZERO_TIME;
-    ++events_;
+    if (!time_.is_at_horizon()) return;
+    wait(time_.ahead());
+    time_.ahead() = SC_ZERO_TIME;
+    shortcuts_.changed();
 }
 
 // Instructions until SystemC's next event.
 std::uint64_t ArmCpu::budget() const {
-    const sc_time end = horizon();
-    if (end <= ahead_) return 0;
-    const std::uint64_t left = ((end - ahead_).value() + instruction_ps_ - 1) / instruction_ps_;
+    const std::uint64_t left = time_.budget();
     const bool looks_itself = !ArmCore::TELLS_OF_MASKS && (irq_ || fiq_);
     return looks_itself ? std::min(left, MASKED_QUANTUM) : left;
 }
@@ -76,9 +57,9 @@ void ArmCpu::run_on() {
 }
 
 void ArmCpu::sleep(const sc_time& at_most) {
-    ++events_;
-    wait(ahead_);
-    ahead_ = SC_ZERO_TIME;
+    shortcuts_.changed();
+    wait(time_.ahead());
+    time_.ahead() = SC_ZERO_TIME;
     asleep_since_ = sc_core::sc_time_stamp();
     asleep_ = true;
     if (!irq_ && !fiq_ && !reset_) {
@@ -93,9 +74,9 @@ void ArmCpu::sleep(const sc_time& at_most) {
 
 template <class... Until>
 void ArmCpu::pause_until(const Until&... until) {
-    ++events_;
-    wait(ahead_);
-    ahead_ = SC_ZERO_TIME;
+    shortcuts_.changed();
+    wait(time_.ahead());
+    time_.ahead() = SC_ZERO_TIME;
     asleep_since_ = sc_core::sc_time_stamp();
     asleep_ = true;
     wait(until...);
@@ -109,7 +90,7 @@ void ArmCpu::pause(const sc_core::sc_event& until, const sc_time& at_most) {
 }
 
 void ArmCpu::work(const sc_time& time) {
-    ahead_ += time;
+    time_.ahead() += time;
     sync();
 }
 
@@ -137,10 +118,9 @@ void ArmCpu::warm_reset() {
 
 void ArmCpu::start() {
     reset_ = false;
-    stores_.page = 1;
-    entered_data_.clear();
-    open_.reset();
-    stacks_ = {};
+    stores_.forget_page();
+    runaway_.reset();
+    handlers_.reset();
     core_.reset(program_.elf.entry, STACK);
     if (kernel_) kernel_->boot(core_);
 }
@@ -163,17 +143,16 @@ void ArmCpu::run() {
             map(remap_->first, remap_->last);
             remap_.reset();
         }
-        account();
+        time_.account();
         sync();
-        if (kernel_ && now() >= alarm_) {
-            alarm_ = sc_core::sc_max_time();
+        if (kernel_ && now() >= alarm()) {
+            set_alarm(sc_core::sc_max_time());
             kernel_->alarm(core_);
             continue;
         }
         if (!inspector_ || !inspector_->holds_interrupts()) take_interrupt();
-        const bool closely = open_ && repetitions_ >= MANY_REPETITIONS;
-        const std::uint64_t whole = closely ? 1 : std::max<std::uint64_t>(budget(), 1);
-        const std::uint64_t part = closely ? 1 : pass_rounds(whole);
+        const bool closely = handlers_.is_watched_closely();
+        const std::uint64_t part = closely ? 1 : shortened(std::max<std::uint64_t>(budget(), 1));
         const std::uint64_t most = std::max<std::uint64_t>(closely ? 1 : budget(), 1);
         const std::uint64_t limit = inspector_ ? inspector_->on_quantum(core_, most) : part;
         inspected_end_ = limit < most ? core_.instructions() + limit : UINT64_MAX;
@@ -181,21 +160,26 @@ void ArmCpu::run() {
         waited_ = false;
         const ArmStop stop = core_.run(std::min(limit, most));
         running_ = false;
-        account();
+        time_.account();
         if (stop != ArmStop::LIMIT || quantum_ends()) drain();
-        account();
-        if (open_ && !in_handler()) abort_log_.handled();  // before it may sleep
+        time_.account();
+        handlers_.log_handled();  // before it may sleep
         handle(stop);
-        check_runaway();
-        check_failure();
-        check_end();
+        check();
     }
     drain();
 }
 
-// It does not where pass_rounds() only looks again.
+// How many instructions to execute before the next look at the loop that the program may be in.
+std::uint64_t ArmCpu::shortened(std::uint64_t most) {
+    if (inspector_ || reset_ || pending_interrupt()) return most;
+    return shortcuts_.pass(most, !stores_.is_empty());
+}
+
+// It does not where ArmShortcuts only looks again.
 bool ArmCpu::quantum_ends() const {
-    return ahead_ >= horizon() || reset_ || (inspector_ && core_.instructions() >= inspected_end_);
+    return time_.is_at_horizon() || reset_ ||
+           (inspector_ && core_.instructions() >= inspected_end_);
 }
 
 std::optional<ArmException> ArmCpu::pending_interrupt() const {
@@ -227,9 +211,11 @@ void ArmCpu::handle(ArmStop stop) {
             else
                 raise(ArmException::SVC, 0, "supervisor call");
             break;
-        case ArmStop::UNDEFINED: raise(ArmException::UNDEFINED, 0, undefined()); break;
+        case ArmStop::UNDEFINED:
+            raise(ArmException::UNDEFINED, 0, undefined_instruction(core_));
+            break;
         case ArmStop::PREFETCH_ABORT:
-            if (enters_data()) break;
+            if (runaway_.enters_data(where(), callers())) break;
             raise(ArmException::PREFETCH_ABORT,
                   core_.fault().mmu ? core_.fault().status & 0x40F : fault_status::EXTERNAL,
                   "prefetch abort: no instruction to be read" + missing_code());
@@ -242,7 +228,8 @@ void ArmCpu::handle(ArmStop stop) {
             const ArmFault& f = core_.fault();
             const std::uint32_t direction = f.write ? fault_status::WRITE : 0;
             if (f.mmu && f.status == fault_status::ALIGNMENT)
-                raise(ArmException::DATA_ABORT, f.status | direction, unaligned());
+                raise(ArmException::DATA_ABORT, f.status | direction,
+                      unaligned_access(core_, kernel_ != nullptr));
             else if (f.mmu)
                 raise(ArmException::DATA_ABORT, f.status | direction,
                       "data abort: refused by the translation tables");
@@ -262,6 +249,8 @@ std::string ArmCpu::missing_code() const {
     return fmt::format(" ({}; LR 0x{:08X}{})", why_refused(*on_bus), core_.reg(14), callers());
 }
 
+std::string ArmCpu::callers() const { return sim::callers(core_, program_.elf); }
+
 std::string ArmCpu::where() const {
     const std::string function = program_.elf.function(core_.pc());
     return fmt::format("at {:.6f} ms, PC 0x{:08X}{}{}", seconds(now()) * 1e3, core_.pc(),
@@ -278,61 +267,83 @@ void ArmCpu::raise(ArmException exception, std::uint32_t status, const std::stri
         exception == ArmException::DATA_ABORT || exception == ArmException::PREFETCH_ABORT;
     const bool abnormal = abort || exception == ArmException::UNDEFINED;
     if (abnormal)
-        if (const ElfSection* data = data_at(core_.pc())) return fail_runaway(in_data(*data, what));
+        if (const auto astray = runaway_.in_data(what)) return fail_runaway(*astray);
     counts_.interrupts += asynchronous;
     counts_.aborts += abort;
     const std::uint32_t sp = core_.reg(13);
     const bool push = exception == ArmException::DATA_ABORT && sp - core_.fault().address <= PUSHED;
     const auto text = [&] {  // before the exception is entered
         const std::string stack =
-            abnormal ? stack_overflow(push ? core_.fault().address : sp, true) : "";
+            abnormal ? runaway_.stack_overflow(push ? core_.fault().address : sp, true) : "";
         return what + " " + where() + (stack.empty() ? "" : "; ") + stack;
     };
     const std::uint32_t vector = vector_of(core_, exception);
-    if (!in_handler()) left_handler();
+    handlers_.begin();
     const auto give_up = [&](const std::string& why) {
         if (inspector_ && inspector_->on_failure(core_, exception)) return;
-        abort_log_.failed(text());
+        handlers_.failed_by(text());
         fail(text() + why + callers());
     };
     std::uint32_t word = 0;
     if (core_.pc() == vector && !asynchronous) return give_up(", in its own vector");
     if (!core_.read_ram(vector, &word, sizeof word) || word == 0)
         return give_up(fmt::format("; no vector at 0x{:08X}", vector));
-    if (unhandled(exception)) return give_up(", for the second time within its handler");
-    if (abnormal) {
-        const std::string happened = text();
-        abort_log_.happened(static_cast<unsigned>(exception), core_.pc(), happened);
-        count_repetition();
-        if (!open_) open_ = Open{exception, happened, now(), now()};
-    }
+    if (handlers_.happens_again(exception))
+        return give_up(", for the second time within its handler");
+    if (abnormal) handlers_.enter(exception, text());
     const bool debug = status == fault_status::DEBUG;  // there, IFAR is UNKNOWN
     enter(core_, exception, status, abort && !debug ? core_.fault().address : core_.pc());
 }
 
-// True if an abort or undefined instruction happens again at the same place of its own handler.
-bool ArmCpu::unhandled(ArmException exception) {
-    if (exception == ArmException::IRQ || exception == ArmException::FIQ ||
-        exception == ArmException::SVC)
-        return false;
-    const std::uint32_t mode = core_.cpsr() & arm_cpsr::MODE;
-    const bool nested =
-        mode == (exception == ArmException::UNDEFINED ? arm_mode::UND : arm_mode::ABT);
-    if (!nested) return false;
-    const bool again = nested_pc_ == core_.pc();
-    nested_pc_ = core_.pc();
-    return again;
+void ArmCpu::fail_runaway(const std::string& what) {
+    const std::string stack = runaway_.stack_overflow(core_.reg(13), true);
+    const std::string why =
+        fmt::format("{} {}; {}LR 0x{:08X}{}", what, where(), stack.empty() ? "" : stack + "; ",
+                    core_.reg(14), callers());
+    if (inspector_ && inspector_->on_failure(core_, ArmException::UNDEFINED)) return;
+    handlers_.failed();
+    fail(why);
+}
+
+// After each quantum: whether the program has failed, or has ended.
+void ArmCpu::check() {
+    const bool stands_still = handlers_.stands_still();
+    if (!kernel_ && !fault())
+        if (const auto astray = runaway_.check(stands_still)) fail_runaway(*astray);
+    if (const auto failure = handlers_.has_open() ? handlers_.failure(where()) : std::nullopt) {
+        const bool goes_on = inspector_ && inspector_->on_failure(core_, handlers_.exception());
+        handlers_.conclude_failure(goes_on);
+        if (!goes_on) fail(*failure);
+    }
+    if (!ended_ && (inspector_ || handlers_.has_open() || !stands_still))
+        over_since_.reset();
+    else if (!over_since_)
+        over_since_ = now();
+}
+
+sc_time ArmCpu::ended_for() const {
+    return over_since_ ? sc_core::sc_time_stamp() - std::min(*over_since_, sc_core::sc_time_stamp())
+                       : SC_ZERO_TIME;
+}
+
+std::optional<std::string> ArmCpu::unfinished() const { return handlers_.unfinished(where()); }
+
+void ArmCpu::conclude() {
+    handlers_.end(fault() || unfinished());
+    final_ = position();
 }
 
 ArmCpu::Position ArmCpu::position() {
     if (final_) return *final_;
     const std::uint32_t pc = present_pc();
-    return {pc, program_.elf.function(pc), asleep_, ended_, asleep_ ? std::nullopt : polled()};
+    return {pc, program_.elf.function(pc), asleep_, ended_,
+            asleep_ ? std::nullopt : shortcuts_.polled(pc)};
 }
 
 ArmCpu::Counts ArmCpu::counts() const {
     Counts counts = counts_;
     counts.instructions = core_.instructions();
+    counts.on_bus += shortcuts_.on_bus();
     if (asleep_) counts.asleep += sc_core::sc_time_stamp() - asleep_since_;
     return counts;
 }

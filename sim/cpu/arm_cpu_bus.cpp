@@ -2,7 +2,6 @@
 #include "sim/cpu/arm_cpu.h"
 
 #include <algorithm>
-#include <cstring>
 #include <utility>
 
 #include <fmt/format.h>
@@ -57,19 +56,18 @@ void ArmCpu::load() {
         core_.write_ram(segment.physical + static_cast<std::uint32_t>(segment.data.size()),
                         zeros.data(), zeros.size());
     }
-    for (const ElfSection& section : program_.elf.sections)
-        if (section.is_data()) core_.forbid_code(section.address, section.size);
+    runaway_.forbid_data();
 }
 
 bool ArmCpu::access(tlm::tlm_command command, std::uint32_t address, unsigned bytes, void* data) {
-    account();
+    time_.account();
     sync();
-    const sc_time stamp = sc_core::sc_time_stamp(), before = stamp + ahead_;
-    epoch_before_ = epoch();
-    std::string answer = transport(payload_, command, address, data, bytes, ahead_);
-    counts_.on_bus += sc_core::sc_time_stamp() + ahead_ - before;
+    const sc_time stamp = sc_core::sc_time_stamp(), before = stamp + time_.ahead();
+    shortcuts_.access_begins();
+    std::string answer = transport(payload_, command, address, data, bytes, time_.ahead());
+    counts_.on_bus += sc_core::sc_time_stamp() + time_.ahead() - before;
     if (sc_core::sc_time_stamp() != stamp) {
-        ++events_;
+        shortcuts_.changed();
         waited_ = true;
     }
     if (answer.empty()) return true;
@@ -79,73 +77,57 @@ bool ArmCpu::access(tlm::tlm_command command, std::uint32_t address, unsigned by
     return false;
 }
 
-// The next access has been made already, by pass_bus(), and its answer is known.
 bool ArmCpu::is_replayed() {
-    if (again_.empty()) return false;
-    account();
-    const sc_time end = sc_time::from_value(again_.back()) - sc_core::sc_time_stamp();
-    again_.pop_back();
-    counts_.on_bus += end - ahead_;
-    ahead_ = end;
+    if (!shortcuts_.replay()) return false;
     run_on();
     return true;
-}
-
-void ArmCpu::remember_access(std::uint32_t address, unsigned bytes, bool write,
-                             std::uint32_t value) {
-    // Whatever has come while it waited may not be in its answer.
-    const bool plain = !waited_ && steady_bus_ && steady_bus_->is_plain(address, write, value);
-    answers_.made(address, bytes, write, value, plain, epoch_before_);
 }
 
 bool ArmCpu::read(std::uint32_t address, unsigned bytes, std::uint32_t& value) {
     drain();
     if (is_replayed()) {
-        value = answers_.last(address, bytes, false, 0)->value;
+        value = shortcuts_.replayed(address, bytes);
         return true;
     }
     value = 0;
     if (!access(tlm::TLM_READ_COMMAND, address, bytes, &value)) return false;
-    remember_access(address, bytes, false, value);
+    shortcuts_.answered(address, bytes, false, value, waited_);
     run_on();
     return true;
 }
 
 bool ArmCpu::write(std::uint32_t address, unsigned bytes, std::uint32_t value) {
     drain();
-    stores_.page = 1;
+    stores_.forget_page();
     if (is_replayed()) return true;
     if (!access(tlm::TLM_WRITE_COMMAND, address, bytes, &value)) return false;
-    remember_access(address, bytes, true, value);
+    shortcuts_.answered(address, bytes, true, value, waited_);
     run_on();
     return true;
 }
 
 bool ArmCpu::write_normal(std::uint32_t address, unsigned bytes, std::uint32_t value) {
-    const std::uint32_t page = address & ~0xFFFu;
-    if (page != stores_.page) {
+    if (!stores_.knows_page(address)) {
         if (!write(address, bytes, value)) return false;
-        if (address - H2F_BASE < H2F_SIZE) stores_.page = page;
+        if (address - H2F_BASE < H2F_SIZE) stores_.answered(address);
         return true;
     }
-    const bool follows = address == stores_.begin + stores_.bytes;
-    if (!follows) drain();
-    if (stores_.bytes == 0) stores_.begin = address;
-    std::memcpy(stores_.data.data() + stores_.bytes, &value, bytes);
-    stores_.bytes += bytes;
-    const bool full = (address + bytes) % stores_.data.size() == 0;
+    const bool continues = stores_.continues(address);
+    if (!continues) drain();
+    stores_.add(address, bytes, value);
+    const bool full = stores_.is_full();
     if (full) drain();
-    if (full || !follows) run_on();
+    if (full || !continues) run_on();
     return true;
 }
 
 void ArmCpu::drain() {
-    const unsigned bytes = std::exchange(stores_.bytes, 0);
-    if (bytes == 0) return;
-    ++events_;  // what it writes may be read elsewhere
-    if (access(tlm::TLM_WRITE_COMMAND, stores_.begin, bytes, stores_.data.data())) return;
-    fail(fmt::format("burst of {} bytes refused at 0x{:08X} {} ({})", bytes, stores_.begin, where(),
-                     bus_answer_));
+    if (stores_.is_empty()) return;
+    const StoreBuffer::Burst burst = stores_.remove();
+    shortcuts_.changed();  // what it writes may be read elsewhere
+    if (access(tlm::TLM_WRITE_COMMAND, burst.address, burst.bytes, burst.data.data())) return;
+    fail(fmt::format("burst of {} bytes refused at 0x{:08X} {} ({})", burst.bytes, burst.address,
+                     where(), bus_answer_));
     core_.stop_soon();
 }
 
@@ -177,7 +159,7 @@ bool ArmCpu::inspect(tlm::tlm_command command, std::uint32_t address, void* data
     inspected_ = true;
     const bool done = transport(command, *on_bus, data, bytes, no_time).empty();
     inspected_ = false;
-    ahead_ -= std::min(ahead_, sc_core::sc_time_stamp() - before);
+    time_.ahead() -= std::min(time_.ahead(), sc_core::sc_time_stamp() - before);
     return done;
 }
 

@@ -1,10 +1,8 @@
-// arm_runaway.cpp - ArmCpu's detection of programs whose PC or stack is where it cannot belong
+#include "sim/cpu/arm_runaway.h"
+
 #include <algorithm>
-#include <array>
 
 #include <fmt/format.h>
-
-#include "sim/cpu/arm_cpu.h"
 
 namespace sim {
 
@@ -16,46 +14,41 @@ constexpr std::uint32_t JUMP = 1 << 20;
 
 }  // namespace
 
-void ArmCpu::fail_runaway(const std::string& what) {
-    const std::string stack = stack_overflow(core_.reg(13), true);
-    const std::string why =
-        fmt::format("{} {}; {}LR 0x{:08X}{}", what, where(), stack.empty() ? "" : stack + "; ",
-                    core_.reg(14), callers());
-    if (inspector_ && inspector_->on_failure(core_, ArmException::UNDEFINED)) return;
-    abort_log_.handled();
-    fail(why);
-}
-
-const ElfSection* ArmCpu::data_at(std::uint32_t address) const {
-    for (const ElfSection& section : program_.elf.sections)
+const ElfSection* ArmRunaway::data_at(std::uint32_t address) const {
+    for (const ElfSection& section : elf_.sections)
         if (section.is_data() && section.holds(address)) return &section;
     return nullptr;
 }
 
-// At a place of its data, from which no instruction has been read so far: it may have written some.
-// False: that is not why there is no instruction.
-bool ArmCpu::enters_data() {
+void ArmRunaway::forbid_data() {
+    for (const ElfSection& section : elf_.sections)
+        if (section.is_data()) core_.forbid_code(section.address, section.size);
+}
+
+bool ArmRunaway::enters_data(const std::string& where, const std::string& callers) {
     const std::uint32_t pc = core_.fault().address;
     const ElfSection* const data = data_at(pc);
     std::uint16_t half = 0;
     if (!data || core_.fault().mmu || !core_.read_ram(pc, &half, sizeof half)) return false;
-    for (const ElfSection& section : program_.elf.sections)
+    for (const ElfSection& section : elf_.sections)
         if (section.is_data()) core_.permit_code(section.address, section.size);
     entered_data_ = fmt::format("the program went into its data, {}, {}; LR 0x{:08X}{}", data->name,
-                                where(), core_.reg(14), callers());
+                                where, core_.reg(14), callers);
     return true;
 }
 
-std::string ArmCpu::in_data(const ElfSection& data, const std::string& what) const {
+std::optional<std::string> ArmRunaway::in_data(const std::string& what) const {
+    const ElfSection* const data = data_at(core_.pc());
+    if (!data) return std::nullopt;
     if (!entered_data_.empty()) return entered_data_ + "; there: " + what;
-    return fmt::format("the program is in its data, {}: {}", data.name, what);
+    return fmt::format("the program is in its data, {}: {}", data->name, what);
 }
 
 // The program has not written this word.
-bool ArmCpu::is_as_loaded(std::uint32_t address) const {
+bool ArmRunaway::is_as_loaded(std::uint32_t address) const {
     std::array<std::uint8_t, 4> now{};
     if (!core_.read_ram(address, now.data(), now.size())) return false;
-    for (const ElfSegment& segment : program_.elf.segments) {
+    for (const ElfSegment& segment : elf_.segments) {
         const std::uint32_t offset = address - segment.physical;
         if (offset < segment.data.size() && segment.data.size() - offset >= now.size())
             return std::equal(now.begin(), now.end(), segment.data.begin() + offset);
@@ -63,17 +56,14 @@ bool ArmCpu::is_as_loaded(std::uint32_t address) const {
     return false;
 }
 
-// What is wrong with the present mode's stack, or "".  `lowest`: the lowest address that was
-// written, or was about to be.  `through`: the stack may have passed the code already, and have
-// overwritten it.
-std::string ArmCpu::stack_overflow(std::uint32_t lowest, bool through) const {
+std::string ArmRunaway::stack_overflow(std::uint32_t lowest, bool through) const {
     const Stack& stack = stacks_[core_.cpsr() & 0xF];
     if (stack.top == 0 || stack.now - lowest > JUMP)
         return "";  // it has not grown since it was first seen
     std::uint8_t byte;
     if (core_.read_ram(stack.now, &byte, 1) && !core_.read_ram(lowest, &byte, 1))
         return fmt::format("the stack has grown below its memory (SP 0x{:08X})", core_.reg(13));
-    for (const ElfSection& section : program_.elf.sections) {
+    for (const ElfSection& section : elf_.sections) {
         const std::uint32_t end = section.address + section.size;
         if (section.executable && stack.top > end && lowest < end &&
             (through || lowest >= section.address))
@@ -83,20 +73,18 @@ std::string ArmCpu::stack_overflow(std::uint32_t lowest, bool through) const {
     return "";
 }
 
-// Called after each quantum.
-void ArmCpu::check_runaway() {
-    if (kernel_ || fault()) return;
-    const ElfSection* const data = data_at(core_.pc());
-    if (!data)
+std::optional<std::string> ArmRunaway::check(bool stands_still) {
+    if (!data_at(core_.pc()))
         entered_data_.clear();
-    else if (stands_still() && is_as_loaded(core_.pc()))
-        return fail_runaway(in_data(*data, "it stands still"));
+    else if (stands_still && is_as_loaded(core_.pc()))
+        return in_data("it stands still");
     const std::uint32_t sp = core_.reg(13);
-    if (!stack_overflow(sp, false).empty()) return fail_runaway("the program ran out of stack");
+    if (!stack_overflow(sp, false).empty()) return "the program ran out of stack";
     Stack& stack = stacks_[core_.cpsr() & 0xF];
     const std::uint32_t moved = sp > stack.now ? sp - stack.now : stack.now - sp;
     stack.top = moved > JUMP ? sp : std::max(stack.top, sp);
     stack.now = sp;
+    return std::nullopt;
 }
 
 }  // namespace sim

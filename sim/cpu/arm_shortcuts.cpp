@@ -1,12 +1,7 @@
-// arm_shortcuts.cpp - ArmCpu's shortcut: the rounds of a steady loop are not executed one by one
-//
-// The state after them is computed (steady_loop.h), and so is their time: that of the instructions,
-// and of each access to the bus as it would have been.  So all is as without the shortcut.  It ends
-// before SystemC's next event, before anything changes that the program reads, and one round before
-// the loop ends; that round is executed and sets the flags.
+#include "sim/cpu/arm_shortcuts.h"
+
 #include <algorithm>
 
-#include "sim/cpu/arm_cpu.h"
 #include "sim/hps/bridge_windows.h"
 
 namespace sim {
@@ -25,10 +20,10 @@ constexpr unsigned LONGEST_PAUSE = 8;          // quanta
 
 }  // namespace
 
-class ArmCpu::LoopWorld final : public SteadyLoop::World {
+class ArmShortcuts::World final : public SteadyLoop::World {
 public:
-    LoopWorld(ArmCpu& cpu, std::uint64_t epoch)
-        : cpu_{cpu}, core_{cpu.core_}, answers_{cpu.answers_}, epoch_{epoch} {}
+    World(ArmShortcuts& owner, std::uint64_t epoch)
+        : owner_{owner}, core_{owner.core_}, answers_{owner.answers_}, epoch_{epoch} {}
 
     std::optional<std::uint32_t> code(std::uint32_t pc, bool thumb) override {
         return core_.code_at(pc, thumb);
@@ -49,18 +44,18 @@ public:
     // Of one whose register has answered before, so none that is in reset.
     std::optional<RunningCount> counter(const SteadyLoop::Use* uses, unsigned count) override {
         const SteadyLoop::Use& use = uses[count - 1];
-        if (!cpu_.steady_bus_ || use.bytes != 4 ||
+        if (!owner_.bus_ || use.bytes != 4 ||
             !answers_.last(use.address, use.bytes, use.write, epoch_))
             return std::nullopt;
         const std::uint64_t ps = round_ps(uses, count, use.at);
         if (ps == 0) return std::nullopt;
-        return cpu_.steady_bus_->running(use.address, cpu_.now().value() + ps);
+        return owner_.bus_->running(use.address, owner_.time_.now().value() + ps);
     }
     std::uint64_t round_ps(const SteadyLoop::Use* uses, unsigned count,
                            unsigned instructions) override {
-        std::uint64_t ps = instructions * cpu_.instruction_ps_;
+        std::uint64_t ps = instructions * owner_.time_.instruction_ps();
         for (unsigned i = 0; i < count; ++i) {
-            const std::uint64_t fixed = cpu_.steady_bus_->fixed_ps(uses[i].address);
+            const std::uint64_t fixed = owner_.bus_->fixed_ps(uses[i].address);
             if (fixed == 0) return 0;
             ps += fixed;
         }
@@ -75,18 +70,14 @@ public:
     bool sure = true, unknown = false, fpga_memory = false;
 
 private:
-    ArmCpu& cpu_;
+    ArmShortcuts& owner_;
     ArmCore& core_;
     Answers& answers_;
     const std::uint64_t epoch_;
 };
 
-std::uint64_t ArmCpu::epoch() const { return events_ + (steady_bus_ ? steady_bus_->changes() : 0); }
-
-// Called before each quantum of `most` instructions; returns how many to execute before the next
-// call.
-std::uint64_t ArmCpu::pass_rounds(std::uint64_t most) {
-    if (!shortcuts_ || inspector_ || reset_ || pending_interrupt() || !again_.empty()) return most;
+std::uint64_t ArmShortcuts::pass(std::uint64_t most, bool stores_wait) {
+    if (!enabled_ || !replays_.empty()) return most;
     if (pause_ > 0) {
         --pause_;
         return most;
@@ -94,9 +85,9 @@ std::uint64_t ArmCpu::pass_rounds(std::uint64_t most) {
     NoLoop& here = no_loop_[core_.pc() / 2 % no_loop_.size()];
     if (here.pc != core_.pc()) here = {core_.pc(), 0};
     if (here.times > PATIENCE && ++here.times % RARELY != 0) return std::min(most, ELSEWHERE);
-    LoopWorld world{*this, epoch()};
+    World world{*this, epoch()};
     std::uint64_t next = 0;  // instructions to the next look, if this has been in vain
-    if (loop_.follow(loop_registers(), world)) {
+    if (loop_.follow(registers(core_.pc()), world)) {
         here.times = 0;
         const bool on_bus = loop_.use_count() > 0;
         if (!on_bus) {
@@ -104,9 +95,12 @@ std::uint64_t ArmCpu::pass_rounds(std::uint64_t most) {
             const bool ends_late = loop_.rounds() <= most / size && loop_.rounds() * size >= LONG;
             if (pass_memory(most))  // the next loop may begin soon
                 return std::max<std::uint64_t>(
-                    ends_late ? std::min<std::uint64_t>(budget(), 2 * size + FEW) : budget(), 1);
-        } else if (world.sure && steady_bus_ && !world.fpga_memory && stores_.bytes == 0) {
-            if (pass_bus()) return std::min(2 * std::uint64_t{loop_.instructions()}, budget());
+                    ends_late ? std::min<std::uint64_t>(time_.budget(), 2 * size + FEW)
+                              : time_.budget(),
+                    1);
+        } else if (world.sure && bus_ && !world.fpga_memory && !stores_wait) {
+            if (pass_bus())
+                return std::min(2 * std::uint64_t{loop_.instructions()}, time_.budget());
         } else if (!world.sure) {
             next = loop_.instructions();
         }
@@ -127,7 +121,7 @@ std::uint64_t ArmCpu::pass_rounds(std::uint64_t most) {
     return std::min(most, next);
 }
 
-void ArmCpu::passed(std::uint64_t rounds) {
+void ArmShortcuts::passed(std::uint64_t rounds) {
     const SteadyLoop::Registers after = loop_.after(rounds);
     for (unsigned i = 0; i < 15; ++i)
         if (after.r[i] != core_.reg(i)) core_.set_reg(i, after.r[i]);
@@ -141,26 +135,26 @@ void ArmCpu::passed(std::uint64_t rounds) {
 }
 
 // Of a loop that stays in memory.  False: it has not been worth it.
-bool ArmCpu::pass_memory(std::uint64_t most) {
+bool ArmShortcuts::pass_memory(std::uint64_t most) {
     const std::uint64_t rounds = std::min(loop_.rounds(), most / loop_.instructions());
     if (rounds < 2 || (rounds - 1) * loop_.instructions() < WORTH) return false;
     passed(rounds - 1);
-    account();
+    time_.account();
     return true;
 }
 
 // Of one that uses the bus.  False likewise.
-bool ArmCpu::pass_bus() {
-    const std::uint64_t now = sc_core::sc_time_stamp().value(), end = now + horizon().value();
-    std::uint64_t round_ps = loop_.instructions() * instruction_ps_, waits_ps = 0;
+bool ArmShortcuts::pass_bus() {
+    const std::uint64_t now = sc_core::sc_time_stamp().value(), end = now + time_.horizon().value();
+    std::uint64_t round_ps = loop_.instructions() * time_.instruction_ps(), waits_ps = 0;
     bool all_fixed = true;
     for (unsigned i = 0; i < loop_.use_count(); ++i) {
-        const std::uint64_t fixed = steady_bus_->fixed_ps(loop_.uses()[i].address);
+        const std::uint64_t fixed = bus_->fixed_ps(loop_.uses()[i].address);
         all_fixed &= fixed > 0;
         waits_ps += fixed;
     }
     round_ps += waits_ps;
-    const std::uint64_t begin = now + ahead_.value();
+    const std::uint64_t begin = now + time_.ahead().value();
     std::uint64_t time = begin, rounds = 0;
     if (all_fixed) {
         if (end <= time) return false;
@@ -169,62 +163,77 @@ bool ArmCpu::pass_bus() {
         time += --rounds * round_ps;
     } else {
         while (rounds + 1 < loop_.rounds() && go_round(time, end)) ++rounds;
-        if (rounds == 0) return !again_.empty();
+        if (rounds == 0) return !replays_.empty();
     }
-    for (unsigned i = 0; i < loop_.use_count(); ++i)
-        steady_bus_->left_out(loop_.uses()[i].write, rounds);
+    for (unsigned i = 0; i < loop_.use_count(); ++i) bus_->left_out(loop_.uses()[i].write, rounds);
     passed(rounds);
-    accounted_ += rounds * loop_.instructions();
-    ahead_ = sc_time::from_value(time - now);
-    counts_.on_bus +=
-        sc_time::from_value(time - begin - rounds * loop_.instructions() * instruction_ps_);
+    time_.skip(rounds * loop_.instructions());
+    time_.ahead() = sc_time::from_value(time - now);
+    on_bus_ +=
+        sc_time::from_value(time - begin - rounds * loop_.instructions() * time_.instruction_ps());
     return true;
 }
 
 // The accesses of a round from `time` on.  False: they cannot all be left out before `end`; those
-// that can are kept in `again_`, and the round is executed.
-bool ArmCpu::go_round(std::uint64_t& time, std::uint64_t end) {
+// that can are kept in `replays_`, and the round is executed.
+bool ArmShortcuts::go_round(std::uint64_t& time, std::uint64_t end) {
     std::uint64_t at = time;
     unsigned done = 0;
-    again_.clear();
+    replays_.clear();
     for (unsigned i = 0; i < loop_.use_count(); ++i) {
         const SteadyLoop::Use& use = loop_.uses()[i];
-        at += (use.at - done) * instruction_ps_;
+        at += (use.at - done) * time_.instruction_ps();
         done = use.at;
         if (at >= end) break;
-        const std::uint64_t fixed = steady_bus_->fixed_ps(use.address);
+        const std::uint64_t fixed = bus_->fixed_ps(use.address);
         if (fixed && at + fixed >= end) break;
-        const auto answered = fixed ? at + fixed : steady_bus_->again(use.write, at);
+        const auto answered = fixed ? at + fixed : bus_->again(use.write, at);
         if (!answered) break;
-        again_.push_back(*answered);
+        replays_.push_back(*answered);
         at = *answered;
     }
-    at += (loop_.instructions() - done) * instruction_ps_;
-    if (again_.size() == loop_.use_count() && at < end) {
-        again_.clear();
+    at += (loop_.instructions() - done) * time_.instruction_ps();
+    if (replays_.size() == loop_.use_count() && at < end) {
+        replays_.clear();
         time = at;
         return true;
     }
-    for (std::size_t i = 0; i < again_.size(); ++i) steady_bus_->left_out(loop_.uses()[i].write, 1);
-    std::reverse(again_.begin(), again_.end());
+    for (std::size_t i = 0; i < replays_.size(); ++i) bus_->left_out(loop_.uses()[i].write, 1);
+    std::reverse(replays_.begin(), replays_.end());
     return false;
 }
 
-// The register that a loop reads in which the program is.
-std::optional<std::uint32_t> ArmCpu::polled() {
-    LoopWorld world{*this, 0};
+std::optional<std::uint32_t> ArmShortcuts::polled(std::uint32_t pc) {
+    World world{*this, 0};
     SteadyLoop loop;
-    if (!loop.follow_with_flags(loop_registers(), world)) return std::nullopt;
+    if (!loop.follow_with_flags(registers(pc), world)) return std::nullopt;
     for (unsigned i = 0; i < loop.use_count(); ++i)
         if (!loop.uses()[i].write) return loop.uses()[i].address;
     return std::nullopt;
 }
 
-SteadyLoop::Registers ArmCpu::loop_registers() const {
+SteadyLoop::Registers ArmShortcuts::registers(std::uint32_t pc) const {
     SteadyLoop::Registers registers{{}, core_.cpsr()};
     for (unsigned i = 0; i < 15; ++i) registers.r[i] = core_.reg(i);
-    registers.r[15] = present_pc();
+    registers.r[15] = pc;
     return registers;
+}
+
+void ArmShortcuts::answered(std::uint32_t address, unsigned bytes, bool write, std::uint32_t value,
+                            bool waited) {
+    // Whatever has come while it waited may not be in its answer.
+    const bool plain = !waited && bus_ && bus_->is_plain(address, write, value);
+    answers_.made(address, bytes, write, value, plain, epoch_before_);
+}
+
+bool ArmShortcuts::replay() {
+    if (replays_.empty()) return false;
+    time_.account();
+    const sc_time end = sc_time::from_value(replays_.back()) - sc_core::sc_time_stamp();
+    replays_.pop_back();
+    on_bus_ += end - time_.ahead();
+    time_.ahead() = end;
+    return true;
 }
 
 }  // namespace sim
