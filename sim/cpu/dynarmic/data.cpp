@@ -16,6 +16,11 @@ namespace {
 
 constexpr std::uint32_t PAGE_MASK = 0xFFF;
 
+// Bytes of the largest aligned piece there, of at most four.
+unsigned aligned_piece(std::uint32_t address, unsigned left) {
+    return left >= 4 && address % 4 == 0 ? 4 : left >= 2 && address % 2 == 0 ? 2 : 1;
+}
+
 }  // namespace
 
 const PageTable::Page& ArmCore::Engine::page_of(std::uint32_t address) {
@@ -149,10 +154,7 @@ T ArmCore::Engine::load_pieces(std::uint32_t address) {
     std::uint64_t value = 0;
     for (unsigned done = 0, bytes; done < sizeof(T); done += bytes) {
         const std::uint32_t at = address + done;
-        bytes = by_bytes                               ? 1
-                : sizeof(T) - done >= 4 && at % 4 == 0 ? 4
-                : sizeof(T) - done >= 2 && at % 2 == 0 ? 2
-                                                       : 1;
+        bytes = by_bytes ? 1 : aligned_piece(at, sizeof(T) - done);
         if (!before_access(at, bytes, false)) return 0;
         const PageTable::Page& page = page_of(at);
         std::uint32_t piece = 0;
@@ -166,6 +168,48 @@ T ArmCore::Engine::load_pieces(std::uint32_t address) {
     return static_cast<T>(value);
 }
 
+// What a store of up to `left` bytes does, by what lies there:
+//
+//   the page                 in one piece       what
+//   may not be written                          NOTHING: it is refused, or left to a step
+//   RAM without code         all in the page    RAM, which translated code may write from now on
+//   RAM with code in it      all in the page    CODE: RAM, once what was translated is forgotten
+//   on the bus, Normal       an aligned piece   MERGED with the stores around it
+//   on the bus               an aligned piece   BUS
+ArmCore::Engine::StorePlan ArmCore::Engine::plan_store(std::uint32_t address, unsigned left) {
+    using To = StorePlan::To;
+    const bool in_page = (address & PAGE_MASK) + left <= PAGE_MASK + 1;
+    const PageTable::Page& page = page_of(address);
+    if (!before_access(address, in_page ? left : 1, true)) return {To::NOTHING, 0, page};
+    const unsigned piece = by_bytes ? 1 : aligned_piece(address, left);
+    if (!page.bytes) return {page.normal ? To::MERGED : To::BUS, piece, page};
+    return {code.has_code(page.physical >> 12) ? To::CODE : To::RAM, in_page ? left : piece, page};
+}
+
+bool ArmCore::Engine::store_on_bus(const StorePlan& plan, std::uint32_t address,
+                                   std::uint32_t value) {
+    const std::uint32_t on_bus = plan.page.physical | (address & PAGE_MASK);
+    const bool done = plan.to == StorePlan::To::MERGED ? bus.write_normal(on_bus, plan.bytes, value)
+                                                       : bus.write(on_bus, plan.bytes, value);
+    if (!done) refuse(address, true, false, 0);
+    if (aborted) return false;
+    if (plan.page.code && code.has_code(on_bus >> 12)) invalidate(address, plan.bytes);
+    return true;
+}
+
+// Before bytes with code beside or in them are written.  False: that is left to a step.
+bool ArmCore::Engine::forget_written_code(const StorePlan& plan, std::uint32_t address) {
+    bool hit = false;
+    code.written(plan.page.physical | (address & PAGE_MASK), plan.bytes,
+                 [&](std::uint32_t begin, std::uint32_t size) {
+                     hit = true;
+                     if (stepping) invalidate(begin, size);
+                 });
+    if (hit && miss(address)) return false;
+    reached |= hit;
+    return true;
+}
+
 template <class T>
 void ArmCore::Engine::store(std::uint32_t address, T value) {
     if (std::uint8_t* const at = beside_code(address, sizeof(T), true)) {
@@ -174,38 +218,25 @@ void ArmCore::Engine::store(std::uint32_t address, T value) {
     }
     if (address % sizeof(T) != 0 && !may_be_unaligned(address, sizeof(T), true)) return;
     for (unsigned done = 0, bytes; done < sizeof(T); done += bytes) {
-        const std::uint32_t at = address + done, left = sizeof(T) - done;
-        const bool in_page = (at & PAGE_MASK) + left <= PAGE_MASK + 1;
-        if (!before_access(at, in_page ? left : 1, true)) return;
-        const PageTable::Page& page = page_of(at);
-        bytes = page.bytes && in_page      ? left
-                : by_bytes                 ? 1
-                : left >= 4 && at % 4 == 0 ? 4
-                : left >= 2 && at % 2 == 0 ? 2
-                                           : 1;
-        const std::uint32_t physical = page.physical | (at & PAGE_MASK);
+        const std::uint32_t at = address + done;
+        const StorePlan plan = plan_store(at, sizeof(T) - done);
         const auto piece = static_cast<std::uint64_t>(value) >> (8 * done);
-        if (!page.bytes) {
-            const auto word = static_cast<std::uint32_t>(piece);
-            if (!(page.normal ? bus.write_normal(physical, bytes, word)
-                              : bus.write(physical, bytes, word)))
-                refuse(at, true, false, 0);
-            if (aborted) return;
-            if (page.code && code.has_code(physical >> 12)) invalidate(at, bytes);
-            continue;
+        bytes = plan.bytes;
+        switch (plan.to) {
+            case StorePlan::To::NOTHING: return;
+            case StorePlan::To::MERGED:
+            case StorePlan::To::BUS:
+                if (!store_on_bus(plan, at, static_cast<std::uint32_t>(piece))) return;
+                continue;
+            case StorePlan::To::CODE:
+                if (!forget_written_code(plan, at)) return;
+                break;
+            case StorePlan::To::RAM:
+                if (!watch && (plan.page.access & arm_access::READ))
+                    pages.open(plan.page.number, plan.page.bytes);
+                break;
         }
-        if (code.has_code(physical >> 12)) {
-            bool hit = false;
-            code.written(physical, bytes, [&](std::uint32_t begin, std::uint32_t size) {
-                hit = true;
-                if (stepping) invalidate(begin, size);
-            });
-            if (hit && miss(at)) return;
-            reached |= hit;
-        } else if (!watch && (page.access & arm_access::READ)) {
-            pages.open(page.number, page.bytes);
-        }
-        std::memcpy(page.bytes + (at & PAGE_MASK), &piece, bytes);
+        std::memcpy(plan.page.bytes + (at & PAGE_MASK), &piece, bytes);
     }
 }
 

@@ -169,6 +169,14 @@ struct ArmCore::Engine final : Dynarmic::A32::UserCallbacks {
     bool by_bytes = false;         // see ArmCore::run_by_bytes()
     template <class T>
     T load(std::uint32_t address);
+    struct StorePlan {
+        enum class To { NOTHING, RAM, CODE, MERGED, BUS } to;
+        unsigned bytes;
+        const PageTable::Page& page;
+    };
+    StorePlan plan_store(std::uint32_t address, unsigned left);
+    bool store_on_bus(const StorePlan& plan, std::uint32_t address, std::uint32_t value);
+    bool forget_written_code(const StorePlan& plan, std::uint32_t address);
     template <class T>
     void store(std::uint32_t address, T value);
     template <class T>
