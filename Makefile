@@ -73,13 +73,13 @@ portable:               ## build/package/de1sim-*-linux-*.tar.xz, for every Linu
 	@sim/package/portable.sh build
 
 test:                   ## the tests of every push, packages first
-	@.ci/setup tool firmware board test video
+	@.ci/setup tool firmware board test
 	@.ci/configure FIRMWARE TESTS BOARD WERROR=$(WERROR)
 	@cmake --build build
 	@.ci/test test
 
 test-all:               ## every test, packages first: before a release, and each night
-	@.ci/setup tool firmware board test video
+	@.ci/setup tool firmware board test
 	@$(MAKE) --no-print-directory everything
 	@cmake --build build
 	@.ci/test test-all
@@ -92,7 +92,7 @@ fast: everything        ## every test but the whole-system ones
 THREADS = FrameWriter Wav CommandLineRun[.]Writes Scenario[.]one_key FailingRun[.]Interrupted \
     BrokenRun[.].*Report Of/Video[.]Lasts.*mp4 Gdb Suite[.]of_ Live[.](live|waves)
 tsan:                   ## what has threads, with the thread sanitizer
-	@.ci/setup --check tool firmware test video
+	@.ci/setup --check tool firmware test
 	@cmake --preset tsan
 	@cmake --build --preset tsan
 	@rm -rf build/tsan/races && mkdir build/tsan/races
@@ -100,19 +100,19 @@ tsan:                   ## what has threads, with the thread sanitizer
 	    cat build/tsan/races/* 2>/dev/null && exit 1; exit $$code
 
 asan:                   ## every test, with address and undefined-behaviour sanitizers
-	@.ci/setup --check tool firmware board test video
+	@.ci/setup --check tool firmware board test
 	@cmake --preset asan
 	@cmake --build build/asan
 	@.ci/test asan
 
 clang:                  ## every test but the whole-system ones, built by clang
-	@.ci/setup --check tool firmware test video fuzz
+	@.ci/setup --check tool firmware test fuzz
 	@cmake --preset clang
 	@cmake --build build/clang
 	@.ci/test clang
 
 coverage:               ## of the RTL and the C++ -> build/coverage/html/index.html
-	@.ci/setup --check tool firmware board test video
+	@.ci/setup --check tool firmware board test
 	@cmake --preset coverage
 	@cmake --build build/coverage
 	@cmake --build build/coverage --target coverage
@@ -121,7 +121,7 @@ formal: everything      ## proofs with Yosys and z3 (tb/formal)
 	@cmake --build build --target formal
 
 mutants:                ## [N=330] [SEED=n] [BLOCK=vga] [ONLY=id] [RESUME=1]: who finds its faults
-	@.ci/setup --check tool firmware test video
+	@.ci/setup --check tool firmware test
 	@/usr/bin/python3 -B tb/mutants/mutants.py --number $(or $(N),330) --seed $(or $(SEED),1) \
 	    $(if $(BLOCK),--block $(BLOCK)) $(if $(ONLY),--only "$$ONLY") $(if $(RESUME),--resume)
 
@@ -183,11 +183,11 @@ regmap: configure       ## write what is made of sources anew: REGISTERS.md, STE
 	@/usr/bin/python3 -B tb/lint/not_handled.py . --write
 
 nightly:                ## what CI does each night, command by command
-	@.ci/setup --check tool firmware board test video fuzz
+	@.ci/setup --check tool firmware board test fuzz
 	@.ci/tier nightly
 
 weekly:                 ## what CI does each week, likewise
-	@.ci/setup --check tool firmware board test video
+	@.ci/setup --check tool firmware board test
 	@.ci/tier weekly
 
 format:                 ## lay out all C++

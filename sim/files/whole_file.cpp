@@ -55,8 +55,6 @@ void remove_open_parts() {
         if (part.state == OpenPart::OPEN) ::unlink(part.name);
 }
 
-void remove_with_open_parts(const std::filesystem::path& part) { enlist(part.string()); }
-
 IoError::IoError(std::filesystem::path path, std::string problem)
     : std::runtime_error(printable(path.string()) + ": " + problem),
       path_(std::move(path)),

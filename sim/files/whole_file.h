@@ -51,8 +51,6 @@ private:
 // Removes the temporary files of all that are open: for a signal's handler that ends the program.
 // Those beyond the sixteenth, or with names of over 4,095 bytes, stay.
 void remove_open_parts();
-// And this one, which a module writes, whose list is another.
-void remove_with_open_parts(const std::filesystem::path& part);
 
 void write_whole_file(const std::filesystem::path& path, const void* bytes, std::size_t size);
 void write_whole_file(const std::filesystem::path& path, std::string_view text);

@@ -3,8 +3,7 @@
 # whose glibc is not older than this machine's.
 #
 # In it are what `cmake --install` installs and the libraries that this needs, with their licences,
-# found from the program's own place; not glibc and GCC's libraries, which are on every machine, nor
-# what --video needs, which is FFmpeg's.
+# found from the program's own place; not glibc and GCC's libraries, which are on every machine.
 set -euo pipefail
 build=$(realpath "$1")
 version=$(sed -n 's/^CMAKE_PROJECT_VERSION:STATIC=//p' "$build/CMakeCache.txt")
@@ -15,7 +14,6 @@ trap 'rm -rf "$work"' EXIT
 cmake --install "$build" --prefix "$work/$name" --strip > "$work/log" ||
     { cat "$work/log"; exit 1; }
 cd "$work/$name"
-rm -f lib/de1sim/de1sim-video.so
 licences=share/doc/de1sim/licences
 mkdir -p $licences
 ldd bin/* lib/de1sim/*.so* | awk '$2 == "=>" && $3 ~ "^/" {print $3}' | sort -u |

@@ -1,5 +1,7 @@
 #include "sim/process/run_command.h"
 
+#include "sim/process/become.h"
+
 #include <fcntl.h>
 #include <poll.h>
 #include <signal.h>
@@ -20,11 +22,12 @@ namespace {
 
 constexpr int NO_PROGRAM = 127, SIGNALLED = 128, LOOK_MS = 200;
 
-[[noreturn]] void become(const std::vector<std::string>& command, const char* folder, int output) {
+}  // namespace
+
+void become(const std::vector<std::string>& command, const char* folder, int input, int output) {
     setpgid(0, 0);  // so that all of it can be ended
     prctl(PR_SET_PDEATHSIG, SIGTERM);
-    const int null = open("/dev/null", O_RDONLY);
-    dup2(null, STDIN_FILENO);
+    dup2(input, STDIN_FILENO);
     dup2(output, STDOUT_FILENO);
     dup2(output, STDERR_FILENO);
     std::vector<char*> arguments;
@@ -34,7 +37,9 @@ constexpr int NO_PROGRAM = 127, SIGNALLED = 128, LOOK_MS = 200;
     _exit(NO_PROGRAM);
 }
 
-}  // namespace
+int code_of(int status) {
+    return WIFSIGNALED(status) ? SIGNALLED + WTERMSIG(status) : WEXITSTATUS(status);
+}
 
 std::string Outcome::last_line() const {
     const std::size_t last = output.find_last_not_of('\n');
@@ -54,7 +59,8 @@ Outcome run_command(const std::vector<std::string>& command, const std::filesyst
         close(ends[1]);
         return {NO_PROGRAM, "no process"};
     }
-    if (child == 0) become(command, folder.c_str(), ends[1]);
+    if (child == 0)
+        become(command, folder.c_str(), open("/dev/null", O_RDONLY | O_CLOEXEC), ends[1]);
     setpgid(child, child);
     close(ends[1]);
     Outcome outcome{0, {}};
@@ -79,9 +85,7 @@ Outcome run_command(const std::vector<std::string>& command, const std::filesyst
     close(ends[0]);
     int status = 0;
     waitpid(child, &status, 0);
-    outcome.code = late                  ? TIMED_OUT
-                   : WIFSIGNALED(status) ? SIGNALLED + WTERMSIG(status)
-                                         : WEXITSTATUS(status);
+    outcome.code = late ? TIMED_OUT : code_of(status);
     return outcome;
 }
 

@@ -7,9 +7,9 @@
 #include <CLI/CLI.hpp>
 
 #include "sim/cpu/elf.h"
-#include "sim/files/video.h"
 #include "sim/files/whole_file.h"
 #include "sim/run/file_kind.h"
+#include "sim/video/video.h"
 
 namespace sim {
 

@@ -15,7 +15,7 @@ double now_s() { return seconds(sc_core::sc_time_stamp()); }
 Recorder::Recorder(const std::filesystem::path& out, FrameChoice frames,
                    const std::filesystem::path& video)
     : frames_{frames}, folder_{out}, wav_{out}, console_{out / "console.txt"} {
-    if (!video.empty()) video_ = open_video(video);
+    if (!video.empty()) video_.emplace(video);
     if (frames.which != FrameChoice::Which::NONE) frame_writer_.emplace(out);
 }
 

@@ -12,7 +12,6 @@
 #include "sim/board/board.h"
 #include "sim/files/console_file.h"
 #include "sim/files/frame_writer.h"
-#include "sim/files/video.h"
 #include "sim/files/wav.h"
 #include "sim/page/page.h"
 #include "sim/run/description.h"
@@ -20,6 +19,7 @@
 #include "sim/run/output_folder.h"
 #include "sim/run/program_output.h"
 #include "sim/scenario/observations.h"
+#include "sim/video/video.h"
 
 namespace sim {
 
@@ -65,7 +65,7 @@ private:
     std::optional<FrameWriter> frame_writer_;
     WavWriter wav_;
     ConsoleFile console_;
-    std::unique_ptr<VideoWriter> video_;  // or none
+    std::optional<VideoWriter> video_;
     LampLog lamp_log_;
     std::vector<std::pair<std::uint64_t, std::string>> pictures_;
     std::vector<std::string> log_;

@@ -101,7 +101,8 @@ TEST_F(WrongInput, ATraceThatCanNotBeWrittenIsNamed) {
 
 TEST_F(WrongInput, AVideoThatCanNotBeWrittenIsNamed) {
     scenario("duration: 100ms\n");
-    refused(play("s.yaml", {"--video", folder / "none/a.mp4"}), VIDEO_REFUSAL);
+    refused(play("s.yaml", {"--video", folder / "none/a.mp4"}),
+            "none/a.mp4: cannot create: No such file or directory");
     for (const char* name : {"a.avi", "mp4", "a.mp4/", ""})
         usage({"run", "s.yaml", "--video", name},
               std::string{"--video: expected FILE.mp4 or FILE.webm, got \""} + name + '"');

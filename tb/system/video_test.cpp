@@ -163,6 +163,16 @@ TEST_P(Video, IsAbsentWithOneLineOnAFullDisk) {
     EXPECT_FALSE(std::filesystem::exists(video.string() + ".part"));
 }
 
+TEST_P(Video, IsRefusedBeforeTheRunWithoutFfmpeg) {
+    tb::Command command;
+    command.shell = "export PATH=/nonexistent";
+    const tb::Outcome outcome =
+        play(SCENARIO, {"--frames", "none", "--quiet", "--video", video}, command);
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_EQ(outcome.err, "de1sim: --video: ffmpeg is not installed (apt install ffmpeg)\n");
+    EXPECT_FALSE(std::filesystem::exists(video.string() + ".part"));
+}
+
 INSTANTIATE_TEST_SUITE_P(Of, Video, ::testing::Values(".mp4", ".webm"),
                          [](const auto& test) { return std::string{test.param}.substr(1); });
 

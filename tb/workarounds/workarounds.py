@@ -179,7 +179,7 @@ FAULTS = {
     "blanks_for_yosys": (blanks_for_yosys, "Yosys", "12 13",
                          "the relative paths in tb/formal/prove.py and tb/synth/CMakeLists.txt"),
     "run_up_of_webm": (run_up_of_webm, "FFmpeg", "12",
-                       "run_up of encode_frame() in sim/video/sound_track.cpp"),
+                       "asetpts of command_for() in sim/video/video.cpp"),
     "seconds": (of_a_library("seconds"), "SystemC", "12 13", "sim/text/seconds.h"),
 }
 
