@@ -15,7 +15,7 @@
 // video_in the decoder's 27 MHz.  On the board de1_soc_top.v connects the bridges to the HPS and
 // the pins to the package; in the simulation a TLM target does.
 //
-// Blocks that sleep together are a group with a clock of its own (fpga_clocks.v).
+// Blocks that sleep together are a group with a clock of its own (fpga_clocks.v, SLEEP.md).
 
 `default_nettype none
 
@@ -29,14 +29,6 @@ module fpga #(
     input  wire            audio_48k_i,    // constant: 48,000 samples per second, not 8,000
     input  wire            clk_td_i,       // 27 MHz, asynchronous to both
     input  wire            rst_td_i,       // ends first, too
-
-    // For a simulator; on the board all of moved_i is 1, skip_i is 0.
-    input  wire [2:0]      moved_i,        // an input has moved since the clock before: bit 0 of
-                                           // lw_*, 1 of h2f_*, 2 of the pins; all in a reset
-    output wire [9:0]      rest_o,         // clocks after this one in which nothing will happen,
-    input  wire [9:0]      skip_i,         // and how many of them are left out
-    output wire            stirs_o,        // others than the beam can change a pin in this clock
-    output wire            td_awake_o,     // clk_td_i could change something
 
     // Lightweight bridge, 0xFF200000, 2 MB: AXI3, 32 bits
     input  wire [ID_W-1:0] lw_awid_i,
@@ -173,33 +165,28 @@ module fpga #(
 );
     `include "regmap.vh"
 
-    // ---- Time, and who sleeps ---------------------------------------------
-    wire        clk, lw_clk, h2f_clk, memory_clk, ports_clk, audio_clk;
-    wire        lw_awake, h2f_awake, cells_awake, sdram_awake, audio_awake;
-    wire        turns_awake;
-    wire [10:0] ports_awake;
-    wire        sdram_due, keypad_due, ps2_due, timer0_due, timer1_due;
-    wire        frame_end, cells_clear, cell_fetch, fetch_awake, fetch_due;
-    wire [29:0] now;
-    wire [9:0]  beam_rest, fetch_rest, sdram_rest, keypad_rest, ps2_rest;
-    wire [9:0]  timer0_rest, timer1_rest;
+    // ---- Clocks, and who sleeps -------------------------------------------
+    wire clk, lw_clk, h2f_clk, memory_clk, ports_clk, audio_clk;
+    wire lw_awake, h2f_awake, cells_awake, sdram_awake, turns_awake, fetch_awake, audio_awake;
+    wire parallel_awake, sysid_awake, keypad_awake, timer0_awake, timer1_awake, jtag_awake;
+    wire adc_awake, ps2_awake, screen_awake, irda_awake, video_in_awake, td_awake;
+    wire frame_end, cells_clear, cell_fetch;
+
+    wire ports_awake = parallel_awake || sysid_awake || keypad_awake || timer0_awake
+                       || timer1_awake || jtag_awake || adc_awake || ps2_awake || screen_awake
+                       || irda_awake || video_in_awake;
 
     fpga_clocks clocks (
-        .clk_i(clk_i), .rst_i(rst_i), .moved_i(moved_i), .skip_i(skip_i), .rest_o(rest_o),
-        .stirs_o(stirs_o),
-        .lw_wakes_i(lw_awake),
-        .h2f_wakes_i(h2f_awake || cells_awake || cells_clear || cell_fetch),
-        .memory_wakes_i(fetch_awake || onchip_we != 4'd0 || onchip_re || sdram_awake || sdram_due
-                        || sdram_req || turns_awake),
-        .fetch_due_i(fetch_due),
-        .audio_wakes_i(audio_awake || audio_we || audio_re),
-        .ports_wakes_i(ports_awake != 11'd0 || we != 32'd0 || re != 32'd0 || frame_end
-                       || keypad_due || ps2_due || timer0_due || timer1_due),
-        .beam_rest_i(beam_rest), .fetch_rest_i(fetch_rest), .sdram_rest_i(sdram_rest),
-        .keypad_rest_i(keypad_rest), .ps2_rest_i(ps2_rest),
-        .timer0_rest_i(timer0_rest), .timer1_rest_i(timer1_rest),
+        .clk_i(clk_i), .rst_i(rst_i),
+        .lw_awake_i(lw_awake),
+        .h2f_awake_i(h2f_awake || cells_awake || cells_clear || cell_fetch),
+        .memory_awake_i(onchip_we != 4'd0 || onchip_re || sdram_awake || sdram_req || turns_awake),
+        .fetch_awake_i(fetch_awake),
+        .audio_awake_i(audio_awake || audio_we || audio_re),
+        .ports_awake_i(ports_awake || we != 32'd0 || re != 32'd0 || frame_end),
+        .td_awake_i(td_awake),
         .clk_o(clk), .lw_clk_o(lw_clk), .h2f_clk_o(h2f_clk), .memory_clk_o(memory_clk),
-        .ports_clk_o(ports_clk), .audio_clk_o(audio_clk), .now_o(now)
+        .ports_clk_o(ports_clk), .audio_clk_o(audio_clk)
     );
 
     // ---- Bridges ----------------------------------------------------------
@@ -286,7 +273,7 @@ module fpga #(
     );
 
     sdram sdram_block (
-        .clk_i(memory_clk), .rst_i(rst_i), .now_i(now),
+        .clk_i(memory_clk), .rst_i(rst_i),
         .screen_req_i(screen_req), .screen_index_i(screen_index), .screen_take_o(screen_take),
         .screen_valid_o(screen_valid),
         .req_i(dram_req), .we_i(dram_we), .index_i(dram_index), .wdata_i(dram_wdata),
@@ -295,7 +282,7 @@ module fpga #(
         .dram_we_no(dram_we_no), .dram_ba_o(dram_ba_o), .dram_addr_o(dram_addr_o),
         .dram_dqm_o(dram_dqm_o), .dram_dq_o(dram_dq_o), .dram_dq_oe_o(dram_dq_oe_o),
         .dram_dq_i(dram_dq_i),
-        .awake_o(sdram_awake), .due_o(sdram_due), .rest_o(sdram_rest)
+        .awake_o(sdram_awake)
     );
 
     // ---- Parallel ports ---------------------------------------------------
@@ -310,21 +297,21 @@ module fpga #(
         .ledr_o(ledr_o), .hex_no(hex_no), .sw_i(sw_i), .key_ni(key_ni),
         .jp1_i(jp1_i), .jp1_o(jp1_out), .jp1_oe_o(jp1_oe),
         .jp2_i(jp2_i), .jp2_o(jp2_o), .jp2_oe_o(jp2_oe_o),
-        .awake_o(ports_awake[0])
+        .awake_o(parallel_awake)
     );
     sysid sysid_block (
         .clk_i(ports_clk), .re_i(re[SEL_SYSID]), .raddr_i(raddr), .rdata_o(sysid_rdata),
-        .awake_o(ports_awake[1])
+        .awake_o(sysid_awake)
     );
 
     // ---- Keypad: columns on JP1 D7 (left) to D4, rows on D3 (top) to D0 -----
     keypad keypad_block (
-        .clk_i(ports_clk), .rst_i(rst_i), .now_i(now), .we_i(we[SEL_KEYPAD]),
+        .clk_i(ports_clk), .rst_i(rst_i), .we_i(we[SEL_KEYPAD]),
         .wstrb_i(wstrb), .waddr_i(waddr), .wdata_i(wdata), .re_i(re[SEL_KEYPAD]), .raddr_i(raddr),
         .rdata_o(keypad_rdata),
         .irq_o(keypad_irq), .enable_o(keypad_enable), .col_low_o(keypad_col_low),
         .row_ni({jp1_i[0], jp1_i[1], jp1_i[2], jp1_i[3]}),
-        .awake_o(ports_awake[2]), .due_o(keypad_due), .rest_o(keypad_rest)
+        .awake_o(keypad_awake)
     );
 
     assign jp1_o    = {jp1_out[31:8], keypad_enable ? 8'h00 : jp1_out[7:0]};
@@ -336,7 +323,7 @@ module fpga #(
     // ---- Video and audio --------------------------------------------------
     video video_block (
         .clk_i(clk), .registers_clk_i(ports_clk), .memory_clk_i(memory_clk), .cells_clk_i(h2f_clk),
-        .rst_i(rst_i), .now_i(now), .we_i(we[SEL_PIXEL]), .wstrb_i(wstrb), .waddr_i(waddr),
+        .rst_i(rst_i), .we_i(we[SEL_PIXEL]), .wstrb_i(wstrb), .waddr_i(waddr),
         .wdata_i(wdata), .re_i(re[SEL_PIXEL]), .resampler_re_i(re[SEL_RESAMPLER]),
         .text_we_i(we[SEL_TEXT]), .text_re_i(re[SEL_TEXT]), .raddr_i(raddr), .rdata_o(vga_rdata),
         .onchip_we_i(chip_we), .cells_we_i(cells_we), .windex_i(chip_windex),
@@ -348,10 +335,9 @@ module fpga #(
         .vga_hs_no(vga_hs_no), .vga_vs_no(vga_vs_no),
         .vga_blank_no(vga_blank_no), .vga_sync_no(vga_sync_no),
         .vga_r_o(vga_r_o), .vga_g_o(vga_g_o), .vga_b_o(vga_b_o),
-        .registers_awake_o(ports_awake[8]), .cells_awake_o(cells_awake),
+        .registers_awake_o(screen_awake), .cells_awake_o(cells_awake),
         .frame_end_o(frame_end), .cells_clear_o(cells_clear), .cell_fetch_o(cell_fetch),
-        .fetch_awake_o(fetch_awake), .fetch_due_o(fetch_due), .fetch_rest_o(fetch_rest),
-        .rest_o(beam_rest)
+        .fetch_awake_o(fetch_awake)
     );
 
     wire audio_we = we[SEL_AUDIO] || we[SEL_AV_CONFIG] || we[SEL_CODEC];
@@ -372,18 +358,18 @@ module fpga #(
     wire timer0_irq, timer1_irq;
 
     interval_timer timer0 (
-        .clk_i(ports_clk), .rst_i(rst_i), .now_i(now), .we_i(we[SEL_TIMER0]),
+        .clk_i(ports_clk), .rst_i(rst_i), .we_i(we[SEL_TIMER0]),
         .wstrb_i(wstrb), .waddr_i(waddr), .wdata_i(wdata), .re_i(re[SEL_TIMER0]), .raddr_i(raddr),
         .rdata_o(timer0_rdata),
         .irq_o(timer0_irq),
-        .awake_o(ports_awake[3]), .due_o(timer0_due), .rest_o(timer0_rest)
+        .awake_o(timer0_awake)
     );
     interval_timer timer1 (
-        .clk_i(ports_clk), .rst_i(rst_i), .now_i(now), .we_i(we[SEL_TIMER1]),
+        .clk_i(ports_clk), .rst_i(rst_i), .we_i(we[SEL_TIMER1]),
         .wstrb_i(wstrb), .waddr_i(waddr), .wdata_i(wdata), .re_i(re[SEL_TIMER1]), .raddr_i(raddr),
         .rdata_o(timer1_rdata),
         .irq_o(timer1_irq),
-        .awake_o(ports_awake[4]), .due_o(timer1_due), .rest_o(timer1_rest)
+        .awake_o(timer1_awake)
     );
 
     // ---- JTAG UARTs -------------------------------------------------------
@@ -397,7 +383,7 @@ module fpga #(
         .take_i(jtag_take_i), .sent_o(jtag_sent_o), .sent_data_o(jtag_sent_data_o),
         .room_o(jtag_room_o), .typed_i(jtag_typed_i), .typed_data_i(jtag_typed_data_i),
         .idle_i(jtag_idle_i),
-        .awake_o(ports_awake[5])
+        .awake_o(jtag_awake)
     );
 
     // ---- AD converter -----------------------------------------------------
@@ -406,20 +392,20 @@ module fpga #(
         .wdata_i(wdata), .re_i(re[SEL_ADC]), .raddr_i(raddr), .rdata_o(adc_rdata),
         .rhold_o(adc_hold),
         .convst_o(adc_convst_o), .sck_o(adc_sck_o), .sdi_o(adc_sdi_o), .sdo_i(adc_sdo_i),
-        .awake_o(ports_awake[6])
+        .awake_o(adc_awake)
     );
 
     // ---- PS/2 -------------------------------------------------------------
     wire [1:0] ps2_irq;
 
     ps2_ports ps2 (
-        .clk_i(ports_clk), .rst_i(rst_i), .now_i(now),
+        .clk_i(ports_clk), .rst_i(rst_i),
         .we_i({we[SEL_PS2_1], we[SEL_PS2_0]}), .wstrb_i(wstrb), .waddr_i(waddr), .wdata_i(wdata),
         .re_i({re[SEL_PS2_1], re[SEL_PS2_0]}), .rlow_i(rlow), .raddr_i(raddr),
         .rdata_o(ps2_rdata), .wait_o(ps2_wait), .irq_o(ps2_irq),
         .ps2_clk_i(ps2_clk_i), .ps2_dat_i(ps2_dat_i),
         .ps2_clk_low_o(ps2_clk_low_o), .ps2_dat_low_o(ps2_dat_low_o),
-        .awake_o(ports_awake[7]), .due_o(ps2_due), .rest_o(ps2_rest)
+        .awake_o(ps2_awake)
     );
 
     // ---- Infrared ---------------------------------------------------------
@@ -429,7 +415,7 @@ module fpga #(
         .clk_i(ports_clk), .rst_i(rst_i), .we_i(we[SEL_IRDA]), .wstrb_i(wstrb), .waddr_i(waddr),
         .wdata_i(wdata), .re_i(re[SEL_IRDA]), .rlow_i(rlow), .raddr_i(raddr),
         .rdata_o(irda_rdata), .irq_o(irda_irq), .rxd_i(irda_rxd_i), .txd_o(irda_txd_o),
-        .awake_o(ports_awake[9])
+        .awake_o(irda_awake)
     );
 
     // ---- Video in ---------------------------------------------------------
@@ -442,7 +428,7 @@ module fpga #(
         .onchip_req_o(camera_onchip), .onchip_take_i(camera_onchip_take),
         .sdram_req_o(camera_sdram), .sdram_take_i(camera_sdram_take),
         .index_o(camera_index), .wdata_o(camera_wdata),
-        .awake_o(ports_awake[10]), .td_awake_o(td_awake_o)
+        .awake_o(video_in_awake), .td_awake_o(td_awake)
     );
 
     // ---- Interrupts -------------------------------------------------------

@@ -6,8 +6,8 @@ set(RTL_SOURCES
     audio/audio.v audio/audio_serial.v audio/av_config.v audio/codec_setup.v audio/i2c_writer.v
     audio/i2s_rx.v audio/i2s_tx.v
     bus/axi_read.v bus/axi_write.v bus/h2f_bridge.v bus/lw_bridge.v bus/lw_decode.v
-    common/dual_clock_fifo.v common/fifo.v common/group_clock.v common/root_clock.v
-    common/shift_fifo.v common/small_fifo.v common/sync.v common/timebase.v
+    common/countdown.v common/dual_clock_fifo.v common/fifo.v common/prescaler.v
+    common/shift_fifo.v common/small_fifo.v common/sync.v
     gpio/hex_port.v gpio/output_port.v gpio/parallel_ports.v gpio/pio.v
     irda/irda.v irda/irda_rx.v irda/irda_tx.v
     jtag_uart/jtag_uart.v jtag_uart/jtag_uarts.v

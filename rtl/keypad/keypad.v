@@ -13,7 +13,6 @@ module keypad #(
 ) (
     input  wire        clk_i,
     input  wire        rst_i,
-    input  wire [29:0] now_i,
 
     input  wire        we_i,
     input  wire [3:0]  wstrb_i,
@@ -31,9 +30,7 @@ module keypad #(
     output wire [3:0]  col_low_o,
     input  wire [3:0]  row_ni,
 
-    output wire        awake_o,
-    output wire        due_o,
-    output wire [9:0]  rest_o
+    output wire        awake_o
 );
     `include "regmap.vh"
 
@@ -48,9 +45,9 @@ module keypad #(
     always @(posedge clk_i) on_q <= enable_o && !rst_i;
 
     keypad_scan #(.SLOT_CYCLES(SLOT_CYCLES)) scanner (
-        .clk_i(clk_i), .rst_i(off), .now_i(now_i), .run_i(enable_o), .debounce_i(debounce_q),
+        .clk_i(clk_i), .rst_i(off), .run_i(enable_o), .debounce_i(debounce_q),
         .col_low_o(col_low_o), .row_ni(row_ni), .keys_o(keys), .ghost_o(ghost),
-        .awake_o(scanner_awake), .due_o(due_o), .rest_o(rest_o)
+        .awake_o(scanner_awake)
     );
 
     // ---- Events: a walk over the keys, one a clock -------------------------

@@ -23,10 +23,6 @@ module keypad_scan #(
 ) (
     input  wire        clk_i,
     input  wire        rst_i,
-    // Only the low bits are used: enough for the clocks of one slot.
-    // verilator lint_off UNUSED
-    input  wire [29:0] now_i,
-    // verilator lint_on UNUSED
     input  wire        run_i,      // scans while high; must be reset between two runs
 
     input  wire [7:0]  debounce_i, // equal scans that make a change; 0 counts as 1
@@ -37,9 +33,7 @@ module keypad_scan #(
     output reg  [15:0] keys_o,     // bit 4 * r + c: key held
     output reg         ghost_o,
 
-    output wire        awake_o,
-    output wire        due_o,
-    output wire [9:0]  rest_o
+    output wire        awake_o
 );
     localparam SLOT_W = $clog2(SLOT_CYCLES);
     // The constant fits: the width was computed from it.
@@ -55,21 +49,23 @@ module keypad_scan #(
     );
 
     // ---- Column walk ------------------------------------------------------
-    reg              runs_q;
-    reg [SLOT_W-1:0] due_q;                 // the clock in which the slot ends
-    reg [1:0]        col_q;
+    reg       runs_q;
+    reg [1:0] col_q;
+    wire      last, counting;
+    wire      starts   = run_i && !runs_q;
+    wire      slot_end = runs_q && last;
 
-    wire [SLOT_W-1:0] now      = now_i[SLOT_W-1:0];
-    wire [SLOT_W-1:0] left     = due_q - now;
-    wire              slot_end = runs_q && due_q == now;
+    // The first slot is a clock shorter: the one in which it starts counts.
+    // verilator lint_off PINCONNECTEMPTY
+    countdown #(.WIDTH(SLOT_W)) slot (
+        .clk_i(clk_i), .load_i(starts || slot_end),
+        .value_i(SLOT_LAST - {{SLOT_W-1{1'b0}}, starts}), .run_i(runs_q), .count_o(),
+        .zero_o(last), .awake_o(counting)
+    );
+    // verilator lint_on PINCONNECTEMPTY
 
     assign col_low_o = 4'b0001 << col_q;
-    assign awake_o   = run_i != runs_q || scanned_q || rows_awake;
-    assign due_o     = slot_end;
-    // Slots may be shorter than the largest rest_o.
-    // verilator lint_off WIDTH
-    assign rest_o    = runs_q && left < 1024 ? left - 1 : 10'd1023;
-    // verilator lint_on WIDTH
+    assign awake_o   = run_i != runs_q || scanned_q || rows_awake || counting;
 
     // ---- Debounce over whole scans ----------------------------------------
     reg [3:0]  rows0_q, rows1_q, rows2_q;   // columns read so far
@@ -80,7 +76,6 @@ module keypad_scan #(
     always @(posedge clk_i) begin
         scanned_q <= 1'b0;
         runs_q    <= run_i;
-        if (run_i && !runs_q) due_q <= now + SLOT_LAST;
         if (slot_end) begin
             case (col_q)
                 2'd0: rows0_q <= ~row_n;
@@ -93,8 +88,7 @@ module keypad_scan #(
                     scanned_q <= 1'b1;
                 end
             endcase
-            col_q  <= col_q + 2'd1;
-            due_q  <= now + SLOT_LAST + 1'b1;
+            col_q <= col_q + 2'd1;
         end
         if (rst_i) begin
             runs_q    <= 1'b0;

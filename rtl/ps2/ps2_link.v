@@ -36,7 +36,7 @@ module ps2_link (
     output reg        ps2_clk_low_o, // 1 = pull low
     output reg        ps2_dat_low_o,
 
-    output wire       stirs_o        // the next tick counts
+    output wire       wants_tick_o   // the next tick changes something
 );
     localparam [13:0] INHIBIT  = 14'd94;        // 120 us, in ticks
     localparam [13:0] BETWEEN  = 14'd1_563;     // 2 ms
@@ -74,9 +74,9 @@ module ps2_link (
 
     always @(posedge clk_i) wires_q <= {ps2_clk_i, ps2_dat_i};
 
-    assign stirs_o = busy_o || failed_o || come_o || edge_q != 4'd0 || timer_q != 14'd0
-                     || ps2_dat_low_o || ps2_clk_low_o || wires_q != meta_q
-                     || {4{meta_q[1]}} != clk_was_q || {clk_q, dat_q} != meta_q;
+    assign wants_tick_o = busy_o || failed_o || come_o || edge_q != 4'd0 || timer_q != 14'd0
+                          || ps2_dat_low_o || ps2_clk_low_o || wires_q != meta_q
+                          || {4{meta_q[1]}} != clk_was_q || {clk_q, dat_q} != meta_q;
 
     always @(posedge clk_i) if (tick_i || send_i || rst_i) begin
         if (send_i || rst_i) begin

@@ -40,7 +40,7 @@ module ps2_port (
     output wire        ps2_dat_low_o,
 
     output wire        awake_o,
-    output wire        stirs_o         // the next tick counts
+    output wire        wants_tick_o    // the next tick changes something
 );
     `include "regmap.vh"
 
@@ -59,7 +59,7 @@ module ps2_port (
         .busy_o(busy), .failed_o(failed), .come_o(come), .come_data_o(come_data),
         .ps2_clk_i(ps2_clk_i), .ps2_dat_i(ps2_dat_i),
         .ps2_clk_low_o(ps2_clk_low_o), .ps2_dat_low_o(ps2_dat_low_o),
-        .stirs_o(stirs_o)
+        .wants_tick_o(wants_tick_o)
     );
 
     // verilator lint_off PINCONNECTEMPTY

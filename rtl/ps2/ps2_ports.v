@@ -7,10 +7,6 @@
 module ps2_ports (
     input  wire        clk_i,
     input  wire        rst_i,
-    // The wires are sampled every 32 clocks.
-    // verilator lint_off UNUSED
-    input  wire [29:0] now_i,
-    // verilator lint_on UNUSED
 
     input  wire [1:0]  we_i,
     input  wire [3:0]  wstrb_i,
@@ -28,20 +24,20 @@ module ps2_ports (
     output wire [1:0]  ps2_clk_low_o,    // 1 = pull low
     output wire [1:0]  ps2_dat_low_o,
 
-    output wire        awake_o,
-    output wire        due_o,
-    output wire [9:0]  rest_o
+    output wire        awake_o
 );
-    wire        tick = now_i[4:0] == 5'd0;
-    wire [1:0]  awake, stirs, waits;
+    wire        tick, counting;          // the wires are sampled at each tick
+    wire [1:0]  awake, wants_tick, waits;
     wire [63:0] rdata;
 
-    assign rdata_o = rdata[31:0] | rdata[63:32];
+    prescaler ticks (
+        .clk_i(clk_i), .rst_i(rst_i), .wanted_i(wants_tick != 2'd0), .tick_o(tick),
+        .awake_o(counting)
+    );
 
+    assign rdata_o = rdata[31:0] | rdata[63:32];
     assign wait_o  = waits != 2'd0;
-    assign awake_o = awake != 2'd0;
-    assign due_o   = tick && stirs != 2'd0;
-    assign rest_o  = stirs == 2'd0 ? 10'd1023 : {5'd0, 5'd31 - now_i[4:0]};
+    assign awake_o = awake != 2'd0 || counting;
 
     genvar n;
     generate for (n = 0; n < 2; n = n + 1) begin : port
@@ -52,7 +48,7 @@ module ps2_ports (
             .rdata_o(rdata[32 * n +: 32]), .wait_o(waits[n]), .irq_o(irq_o[n]),
             .ps2_clk_i(ps2_clk_i[n]), .ps2_dat_i(ps2_dat_i[n]),
             .ps2_clk_low_o(ps2_clk_low_o[n]), .ps2_dat_low_o(ps2_dat_low_o[n]),
-            .awake_o(awake[n]), .stirs_o(stirs[n])
+            .awake_o(awake[n]), .wants_tick_o(wants_tick[n])
         );
     end endgenerate
 endmodule

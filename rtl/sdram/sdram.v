@@ -8,7 +8,6 @@
 module sdram (
     input  wire        clk_i,
     input  wire        rst_i,
-    input  wire [29:0] now_i,
 
     input  wire        screen_req_i,    // reads
     input  wire [23:0] screen_index_i,
@@ -36,9 +35,7 @@ module sdram (
     output wire        dram_dq_oe_o,
     input  wire [15:0] dram_dq_i,
 
-    output wire        awake_o,
-    output wire        due_o,
-    output wire [9:0]  rest_o
+    output wire        awake_o
 );
     // A request for which a row has been opened or closed is served before any other.
     reg        begun_q;                  // the processor's has
@@ -59,7 +56,7 @@ module sdram (
     end
 
     sdram_controller controller (
-        .clk_i(clk_i), .rst_i(rst_i), .now_i(now_i),
+        .clk_i(clk_i), .rst_i(rst_i),
         .req_i(screen || req_i), .we_i(we_i && !screen),
         .index_i(screen ? screen_index_i : index_i),
         .wdata_i(wdata_i), .wstrb_i(wstrb_i), .take_o(take),
@@ -68,7 +65,7 @@ module sdram (
         .dram_we_no(dram_we_no), .dram_ba_o(dram_ba_o), .dram_addr_o(dram_addr_o),
         .dram_dqm_o(dram_dqm_o), .dram_dq_o(dram_dq_o), .dram_dq_oe_o(dram_dq_oe_o),
         .dram_dq_i(dram_dq_i),
-        .awake_o(controller_awake), .due_o(due_o), .rest_o(rest_o)
+        .awake_o(controller_awake)
     );
 endmodule
 

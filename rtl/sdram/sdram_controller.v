@@ -22,10 +22,6 @@
 module sdram_controller (
     input  wire        clk_i,          // 25 MHz
     input  wire        rst_i,
-    // Only the low bits are used: enough for the longest wait.
-    // verilator lint_off UNUSED
-    input  wire [29:0] now_i,
-    // verilator lint_on UNUSED
 
     input  wire        req_i,          // must not change until take_o
     input  wire        we_i,
@@ -47,9 +43,7 @@ module sdram_controller (
     output reg         dram_dq_oe_o,
     input  wire [15:0] dram_dq_i,
 
-    output wire        awake_o,
-    output wire        due_o,
-    output wire [9:0]  rest_o
+    output wire        awake_o
 );
     localparam [12:0] POWER_UP = 13'd5000;       // 200 us
     localparam [12:0] INTERVAL = 13'd192;        // 7.68 us: 8,192 refreshes in 62.9 ms
@@ -61,12 +55,15 @@ module sdram_controller (
     localparam [3:0]  CLOSE = 4'd0, SET_MODE = 4'd9, READY = 4'd10;
 
     // ---- When to refresh --------------------------------------------------
-    reg  [12:0] due_q;                           // the clock of the next refresh
     reg         refresh_q;                       // it is time for one
-    wire [12:0] left = due_q - now_i[12:0];
+    wire        due, counting;
 
-    assign due_o  = left == 13'd0;
-    assign rest_o = due_o ? 10'd0 : left > 13'd1023 ? 10'd1023 : left[9:0] - 10'd1;
+    // verilator lint_off PINCONNECTEMPTY
+    countdown #(.WIDTH(13)) interval (
+        .clk_i(clk_i), .load_i(due || rst_i), .value_i(rst_i ? POWER_UP : INTERVAL - 13'd1),
+        .run_i(1'b1), .count_o(), .zero_o(due), .awake_o(counting)
+    );
+    // verilator lint_on PINCONNECTEMPTY
 
     // ---- Banks, and what the next command is ------------------------------
     reg  [3:0]  step_q;                          // of the initialisation
@@ -115,16 +112,11 @@ module sdram_controller (
         end
         if (command == PRECHARGE) open_q <= address[10] ? 4'd0 : open_q & ~(4'd1 << bank);
 
-        if (due_o) begin
-            refresh_q <= 1'b1;
-            due_q     <= due_q + INTERVAL;
-        end else if (command == LOAD_MODE || (command == REFRESH && ready)) begin
-            refresh_q <= 1'b0;
-        end
+        if (due) refresh_q <= 1'b1;
+        else if (command == LOAD_MODE || (command == REFRESH && ready)) refresh_q <= 1'b0;
         if (!ready && command != NOP) step_q <= step_q + 4'd1;
         if (rst_i) begin
             {dram_cs_no, dram_ras_no, dram_cas_no, dram_we_no} <= NOP;
-            due_q     <= POWER_UP;
             refresh_q <= 1'b0;
             step_q    <= CLOSE;
             open_q    <= 4'd0;
@@ -169,7 +161,7 @@ module sdram_controller (
 
     assign awake_o = {dram_cs_no, dram_ras_no, dram_cas_no, dram_we_no} != NOP || refresh_q
                      || wait_q || opened_q || pipe_q != 3'd0 || rvalid_o || second_q
-                     || dram_dq_oe_o;
+                     || dram_dq_oe_o || counting;
 endmodule
 
 `default_nettype wire

@@ -17,13 +17,14 @@
 // generates for the DE1-SoC Computer.
 //
 // Not handled: periods of two or three ticks; they end once per clock.
+//
+// In the simulation sim/fpga/interval_timer.v takes its place.
 
 `default_nettype none
 
 module interval_timer (
     input  wire        clk_i,
     input  wire        rst_i,
-    input  wire [29:0] now_i,
 
     input  wire        we_i,
     input  wire [3:0]  wstrb_i,
@@ -36,9 +37,7 @@ module interval_timer (
     input  wire        re_i,
     output reg  [31:0] rdata_o,
     output wire        irq_o,
-    output wire        awake_o,
-    output wire        due_o,
-    output wire [9:0]  rest_o
+    output wire        awake_o
 );
     `include "regmap.vh"
     `include "lanes.vh"
@@ -52,17 +51,13 @@ module interval_timer (
     reg        to_q, run_q;
 
     // ---- Counter ----------------------------------------------------------
-    // While the timer runs nothing counts down: the counter is computed from the clock in which it
-    // ends.
-    reg  [29:0] due_q;    // that clock; or, while stopped, bits 31:2 of the counter
-    reg  [1:0]  phase_q;  // bits 1:0 of the counter
-    wire [29:0] left = due_q - now_i;
+    reg  [31:0] counter_q;
+    wire        ends = run_q && counter_q < TICKS;            // in this clock
+    wire [31:0] late = TICKS - 32'd1 - counter_q;             // ticks of this clock after its end
     wire        cont = control_q[TIMER0_CONTROL_CONT_LSB];
 
     assign irq_o   = to_q && control_q[TIMER0_CONTROL_ITO_LSB];
-    assign due_o   = run_q && due_q == now_i;
-    assign awake_o = rdata_o != 32'd0;
-    assign rest_o  = run_q && left[29:10] == 20'd0 ? left[9:0] - 10'd1 : 10'd1023;
+    assign awake_o = rdata_o != 32'd0 || run_q;
 
     // Registers have 16 bits, in the low half of the bus's word.
     // verilator lint_off WIDTH
@@ -81,14 +76,12 @@ module interval_timer (
 
     // verilator lint_off BLKSEQ
     always @(posedge clk_i) begin : count
-        reg [31:0] counter, late, next;   // now; ticks after its end; after this clock
-        reg        run;                   // after this clock
+        reg [31:0] next;   // after this clock
+        reg        run;
 
-        counter = {run_q ? left : due_q, phase_q};
-        late    = TICKS - 32'd1 - counter;
-        next    = run_q ? counter - TICKS : counter;
-        run     = run_q;
-        if (due_o) begin
+        next = run_q ? counter_q - TICKS : counter_q;
+        run  = run_q;
+        if (ends) begin
             next = cont && period_q >= late ? period_q - late : period_q;
             run  = cont;
             if (period_q != 32'd0) to_q <= 1'b1;
@@ -103,18 +96,17 @@ module interval_timer (
                 next     = period(waddr_i[4:0] == TIMER0_PERIOD_HIGH[4:0]);
                 period_q <= next;
                 run      = 1'b0;
-                if (next == 32'd0 && counter != 32'd0) to_q <= 1'b1;
+                if (next == 32'd0 && counter_q != 32'd0) to_q <= 1'b1;
             end
-            TIMER0_SNAP_LOW[4:0], TIMER0_SNAP_HIGH[4:0]: snap_q <= counter;
+            TIMER0_SNAP_LOW[4:0], TIMER0_SNAP_HIGH[4:0]: snap_q <= counter_q;
             default: ;
         endcase
-        due_q   <= run ? now_i - ~next[31:2] : next[31:2];   // now_i + 1 + next, by one adder
-        phase_q <= next[1:0];
-        run_q   <= run;
+        counter_q <= next;
+        run_q     <= run;
         if (rst_i) begin
-            period_q         <= PERIOD_RESET;
-            {due_q, phase_q} <= PERIOD_RESET;
-            snap_q           <= 32'd0;
+            period_q  <= PERIOD_RESET;
+            counter_q <= PERIOD_RESET;
+            snap_q    <= 32'd0;
             {to_q, run_q, control_q} <= 6'd0;
         end
     end

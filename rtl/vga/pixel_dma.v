@@ -43,9 +43,7 @@ module pixel_dma (
     output wire [8:0]  windex_o,
     output wire [31:0] wdata_o,
 
-    output wire        awake_o,
-    output wire        due_o,
-    output wire [9:0]  rest_o
+    output wire        awake_o
 );
     `include "regmap.vh"
 
@@ -107,9 +105,7 @@ module pixel_dma (
         end
     end
 
-    assign awake_o = busy_q && sdram_q;
-    assign due_o   = line_end_i || (busy_q && odd_i);
-    assign rest_o  = busy_q ? {9'd0, odd_i} : 10'd1023;
+    assign awake_o = busy_q || line_end_i;
 endmodule
 
 `default_nettype wire

@@ -10,15 +10,13 @@
 // transparent.  Codes are ASCII; bit 7 is ignored.  Whether there are any characters to show is
 // sampled between lines.
 //
-// Without characters a pixel lasts two clocks.  Then this block sleeps in every second clock,
-// between the lines, and for each block of 16 pixels that line_buffer.v reports as flat.
+// In the simulation sim/fpga/vga.v takes its place, which leaves out what does not change a pin.
 
 `default_nettype none
 
 module vga (
     input  wire        clk_i,
     input  wire        rst_i,
-    input  wire [29:0] now_i,
 
     input  wire        upper_i,         // the picture begins in the upper half of a word
     input  wire        enable_i,
@@ -31,7 +29,6 @@ module vga (
     output wire        pixel_o,         // to the line buffer; data one clock later
     output wire [8:0]  index_o,
     input  wire [31:0] word_i,
-    input  wire        flat_i,          // the 16 pixels from index_o on equal the one before
 
     output reg         cell_o,          // to the character store; data one clock later
     output reg  [10:0] cell_index_o,
@@ -44,52 +41,39 @@ module vga (
     output wire        vga_sync_no,
     output reg  [7:0]  vga_r_o,
     output reg  [7:0]  vga_g_o,
-    output reg  [7:0]  vga_b_o,
-
-    output wire [9:0]  rest_o
+    output reg  [7:0]  vga_b_o
 );
     `include "character_font.vh"
 
     localparam [9:0] H_SHOWN = 10'd640, V_SHOWN = 10'd480;
 
-    wire [9:0] h, v, timing_rest;
+    wire [9:0] h, v;
     wire       visible;
 
     vga_timing timing (
-        .clk_i(clk_i), .rst_i(rst_i), .now_i(now_i), .h_o(h), .v_o(v), .line_end_o(line_end_o),
+        .clk_i(clk_i), .rst_i(rst_i), .h_o(h), .v_o(v), .line_end_o(line_end_o),
         .v_next_o(v_next_o), .visible_o(visible), .hs_no(vga_hs_no), .vs_no(vga_vs_no),
-        .blank_no(vga_blank_no), .rest_o(timing_rest)
+        .blank_no(vga_blank_no)
     );
 
-    // Only in these clocks of a shown line can anything change: up to the end of the last pixel.
     reg  text_q;                         // there are characters, in this line
     wire shown = h < H_SHOWN && v < V_SHOWN;
-    wire draws = h <= H_SHOWN + 10'd3 && v < V_SHOWN && (h[0] || text_q);
 
     assign odd_o       = h[0];
     assign frame_end_o = h == 10'd0 && v == V_SHOWN;
-    assign rest_o      = flat ? {5'd0, 5'd0 - h[4:0]} : draws && shown ? {9'd0, !text_q}
-                         : timing_rest;
 
     // ---- Pixels -----------------------------------------------------------
-    // A block of 16 begins; whether it is flat, and whether that matters.
-    reg         flat_q;
-    wire        begins = h[4:0] == 5'd1;
-    wire        flat   = shown && (begins ? flat_i && !text_q && !upper_i : flat_q);
-
     wire [8:0]  place = h[9:1] + {8'd0, upper_i};    // the pixel's half word in the row
     reg         half_q;
     reg  [15:0] pixel_q;                             // in the clock before
     wire [15:0] pixel = !h[0] ? pixel_q : half_q ? word_i[31:16] : word_i[15:0];
 
-    assign pixel_o = shown && h[0] && !flat;
+    assign pixel_o = shown && h[0];
     assign index_o = {v[1], place[8:1]};
 
     always @(posedge clk_i) begin
         if (pixel_o) half_q <= place[0];
-        if (draws && h[0]) pixel_q <= pixel;
-        if (begins) flat_q <= flat;
-        if (rst_i) flat_q <= 1'b0;
+        pixel_q <= pixel;
     end
 
     // ---- Characters: asked for in every eighth clock --------------------------
@@ -106,7 +90,7 @@ module vga (
     endfunction
 
     always @(posedge clk_i) begin
-        if (draws && text_q) begin
+        if (text_q) begin
             strokes_q <= shown && h[2:0] == 3'd2 ? line_of(letter(code), line_q)
                          : {1'b0, strokes_q[7:1]};
             cell_o    <= 1'b0;
@@ -131,11 +115,9 @@ module vga (
     assign vga_sync_no = 1'b0;     // no sync on green
 
     always @(posedge clk_i) begin
-        if (draws && !flat_q) begin
-            vga_r_o <= visible ? {colour[15:11], colour[15:13]} : 8'd0;
-            vga_g_o <= visible ? {colour[10:5], colour[10:9]} : 8'd0;
-            vga_b_o <= visible ? {colour[4:0], colour[4:2]} : 8'd0;
-        end
+        vga_r_o <= visible ? {colour[15:11], colour[15:13]} : 8'd0;
+        vga_g_o <= visible ? {colour[10:5], colour[10:9]} : 8'd0;
+        vga_b_o <= visible ? {colour[4:0], colour[4:2]} : 8'd0;
         if (rst_i) {vga_r_o, vga_g_o, vga_b_o} <= 24'd0;
     end
 endmodule

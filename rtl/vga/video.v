@@ -14,7 +14,6 @@ module video (
     input  wire        memory_clk_i,    // of the on-chip memory and the picture's fetch
     input  wire        cells_clk_i,     // of the characters' memory
     input  wire        rst_i,
-    input  wire [29:0] now_i,
 
     input  wire        we_i,            // register bus, PIXEL
     input  wire [3:0]  wstrb_i,
@@ -57,10 +56,7 @@ module video (
     output wire        frame_end_o,     // wakes the registers
     output wire        cells_clear_o,   // these two wake the characters' memory
     output wire        cell_fetch_o,
-    output wire        fetch_awake_o,
-    output wire        fetch_due_o,
-    output wire [9:0]  fetch_rest_o,
-    output wire [9:0]  rest_o
+    output wire        fetch_awake_o
 );
     wire        cells_any, cells_clearing, enable;
     wire [31:0] front;
@@ -76,27 +72,25 @@ module video (
     );
 
     // ---- The beam and the rows of the picture -----------------------------
-    wire        odd, pixel, flat, line_we, line_end;
+    wire        odd, pixel, line_we, line_end;
     wire [8:0]  pixel_index, line_windex;
     wire [9:0]  v_next;
     wire [31:0] pixel_word, line_wdata;
 
     vga vga_block (
-        .clk_i(clk_i), .rst_i(rst_i), .now_i(now_i),
+        .clk_i(clk_i), .rst_i(rst_i),
         .upper_i(front[1]), .enable_i(enable), .text_front_i(text_front),
         .frame_end_o(frame_end_o), .odd_o(odd), .line_end_o(line_end), .v_next_o(v_next),
         .pixel_o(pixel), .index_o(pixel_index), .word_i(pixel_word),
-        .flat_i(flat),
         .cell_o(cell_fetch_o), .cell_index_o(cell_index), .cells_i(cells_o),
         .cells_any_i(cells_any),
         .vga_hs_no(vga_hs_no), .vga_vs_no(vga_vs_no), .vga_blank_no(vga_blank_no),
-        .vga_sync_no(vga_sync_no), .vga_r_o(vga_r_o), .vga_g_o(vga_g_o), .vga_b_o(vga_b_o),
-        .rest_o(rest_o)
+        .vga_sync_no(vga_sync_no), .vga_r_o(vga_r_o), .vga_g_o(vga_g_o), .vga_b_o(vga_b_o)
     );
 
     line_buffer rows (
         .wclk_i(memory_clk_i), .we_i(line_we), .windex_i(line_windex), .wdata_i(line_wdata),
-        .rclk_i(clk_i), .re_i(pixel), .rindex_i(pixel_index), .rdata_o(pixel_word), .flat_o(flat)
+        .rclk_i(clk_i), .re_i(pixel), .rindex_i(pixel_index), .rdata_o(pixel_word)
     );
 
     wire        fetch, grant;
@@ -110,7 +104,7 @@ module video (
         .sdram_req_o(sdram_req_o), .sdram_index_o(sdram_index_o), .sdram_take_i(sdram_take_i),
         .sdram_valid_i(sdram_valid_i), .sdram_word_i(sdram_i),
         .we_o(line_we), .windex_o(line_windex), .wdata_o(line_wdata),
-        .awake_o(fetch_awake_o), .due_o(fetch_due_o), .rest_o(fetch_rest_o)
+        .awake_o(fetch_awake_o)
     );
 
     // ---- Memories ---------------------------------------------------------

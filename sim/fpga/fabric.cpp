@@ -145,12 +145,12 @@ inline std::uint64_t Fabric::clock(std::uint64_t most) {
     if (std::exchange(look_, false) &&
         (jtag.typed || jtag.idle || !(jtag == applied_jtag_) || !(in == applied_)))
         apply_inputs();
-    bool stirs = true;
+    bool pins_may_move = true;
     std::uint64_t passed = 1;
     if (every_clock) {
         top.clk_i = 1;
     } else {
-        stirs = moved_ || model_->stirs();
+        pins_may_move = moved_ || model_->pins_may_move();
         most = td_on_ ? 1 : std::min({most, audio_clock_.clocks() - clocks_, until_ - clocks_});
         const std::uint64_t skip = moved_ ? 0 : std::min(model_->rest(), most - 1);
         passed += skip;
@@ -158,12 +158,12 @@ inline std::uint64_t Fabric::clock(std::uint64_t most) {
         model_->notify_moved(moved_);
         top.clk_i = !top.clk_i;  // sim/fpga/root_clock.v
     }
-    changes_ += stirs && !accessed_;
+    changes_ += pins_may_move && !accessed_;
     moved_ = 0;
     model_->eval(time_ps() + FABRIC_PERIOD_PS);
     clocks_ += passed;
     td_falls_ = false;
-    if (!every_clock && (stirs || td_on_)) wake_td();
+    if (!every_clock && (pins_may_move || td_on_)) wake_td();
 
     const std::uint32_t sample = static_cast<std::uint32_t>(top.vga_r_o) << 16 |
                                  static_cast<std::uint32_t>(top.vga_g_o) << 8 | top.vga_b_o |
@@ -176,7 +176,7 @@ inline std::uint64_t Fabric::clock(std::uint64_t most) {
         if (video_count_ == VIDEO_BATCH) flush();
     }
     if ((!top.dram_cs_no || sdram_) && !top.rst_i) notify_sdram();
-    if (stirs) notify_pins();  // else only the picture can have moved
+    if (pins_may_move) notify_pins();  // else only the picture can have moved
     return passed;
 }
 
@@ -213,7 +213,7 @@ void Fabric::run(std::uint64_t clocks) {
 // with a line, and a pair is seen one edge of that clock before it comes.
 std::uint64_t Fabric::calm() const {
     constexpr std::uint64_t LINE = 800;
-    if (td_on_ || moved_ || model_->stirs() || model_->last_line()) return 0;
+    if (td_on_ || moved_ || model_->pins_may_move() || model_->last_line()) return 0;
     if (!(in == applied_) || !(jtag == applied_jtag_)) return 0;
     AsynchronousClock audio = audio_clock_;
     if (!model_->pair_comes()) audio.next(), audio.next();

@@ -24,7 +24,7 @@ void Vfpga___024root___eval(Vfpga___024root *);  // which none of the model's he
 
 namespace sim {
 
-// Bits of moved_i.
+// Bits of `moved` in fpga_clocks.v.
 enum Moved : std::uint8_t { LIGHTWEIGHT = 1, FULL = 2, PINS = 4 };
 
 // The signals of one AXI3 port; both bridges have the same shapes.
@@ -72,16 +72,18 @@ struct Fabric::Model {
     // pins.
 #ifdef DE1SIM_EVERY_CLOCK
     bool td_awake() const { return true; }
-    bool stirs() const { return true; }
+    bool pins_may_move() const { return true; }
     std::uint64_t rest() const { return 0; }
     void leave_out(std::uint64_t) {}
     void notify_moved(std::uint8_t) {}
 #else
-    bool td_awake() const { return top.td_awake_o; }
-    bool stirs() const { return top.stirs_o; }
-    std::uint64_t rest() const { return top.rest_o; }
-    void leave_out(std::uint64_t clocks) { top.skip_i = static_cast<SData>(clocks); }
-    void notify_moved(std::uint8_t moved) { top.moved_i = moved; }
+    bool td_awake() const { return top.rootp->fpga__DOT__clocks__DOT__td_awake; }
+    bool pins_may_move() const { return top.rootp->fpga__DOT__clocks__DOT__pins_may_move; }
+    std::uint64_t rest() const { return top.rootp->fpga__DOT__clocks__DOT__rest; }
+    void leave_out(std::uint64_t clocks) {
+        top.rootp->fpga__DOT__clocks__DOT__skip = static_cast<SData>(clocks);
+    }
+    void notify_moved(std::uint8_t moved) { top.rootp->fpga__DOT__clocks__DOT__moved = moved; }
 #endif
     // For Fabric::calm(): for how many clocks no block of registers wakes, if all sleep; whether
     // the beam is in the line before a frame's end; whether a pair of samples comes with the next
@@ -115,8 +117,10 @@ inline void Fabric::Model::clock_every([[maybe_unused]] bool every) {
 #ifdef DE1SIM_KNOWS_CALM
 inline std::uint64_t Fabric::Model::ports_rest() const {
     const auto &root = *top.rootp;
-    return 1u + std::min({root.fpga__DOT__keypad_rest, root.fpga__DOT__ps2_rest,
-                          root.fpga__DOT__timer0_rest, root.fpga__DOT__timer1_rest});
+    return 1u + std::min({root.fpga__DOT__clocks__DOT__keypad_rest,
+                          root.fpga__DOT__clocks__DOT__ps2_rest,
+                          root.fpga__DOT__clocks__DOT__timer0_rest,
+                          root.fpga__DOT__clocks__DOT__timer1_rest});
 }
 
 inline bool Fabric::Model::last_line() const {

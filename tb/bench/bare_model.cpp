@@ -4,6 +4,7 @@
 #include <chrono>
 
 #include "Vfpga.h"
+#include "Vfpga___024root.h"
 #include "sim/fpga/asynchronous_clock.h"
 #include "verilated.h"
 
@@ -11,7 +12,7 @@ namespace bench {
 
 namespace {
 
-constexpr unsigned ALL = 7;  // of moved_i
+constexpr unsigned ALL = 7;  // of `moved` in sim/fpga/fpga_clocks.v
 
 class Bare {
 public:
@@ -21,12 +22,13 @@ public:
         while (clocks) {
             if (audio_.clocks() <= clocks_) audio_edge();
             const std::uint64_t most = std::min(clocks, audio_.clocks() - clocks_);
-            top_.skip_i =
-                skip ? static_cast<SData>(std::min<std::uint64_t>(top_.rest_o, most - 1)) : 0;
+            const std::uint64_t rest = top_.rootp->fpga__DOT__clocks__DOT__rest;
+            SData& left_out = top_.rootp->fpga__DOT__clocks__DOT__skip;
+            left_out = skip ? static_cast<SData>(std::min(rest, most - 1)) : 0;
             top_.clk_i = !top_.clk_i;  // sim/fpga/root_clock.v
             top_.eval();
-            clocks -= 1 + top_.skip_i;
-            clocks_ += 1 + top_.skip_i;
+            clocks -= 1 + left_out;
+            clocks_ += 1 + left_out;
         }
     }
 
@@ -55,7 +57,7 @@ double bare_model_s(std::uint64_t clocks, bool skip) {
     top.irda_rxd_i = 1;
     top.ps2_clk_i = top.ps2_dat_i = 3;
     top.lw_bready_i = top.lw_rready_i = top.h2f_bready_i = top.h2f_rready_i = 1;
-    top.moved_i = ALL;
+    top.rootp->fpga__DOT__clocks__DOT__moved = ALL;
     Bare bare{top};
     top.rst_i = top.rst_audio_i = 1;
     bare.run(100, false);
@@ -63,7 +65,7 @@ double bare_model_s(std::uint64_t clocks, bool skip) {
     bare.run(8, false);
     top.rst_i = 0;
     bare.run(1, false);
-    top.moved_i = 0;
+    top.rootp->fpga__DOT__clocks__DOT__moved = 0;
     bare.run(CLOCKS_OF_SET_UP, skip);
     const auto begin = std::chrono::steady_clock::now();
     bare.run(clocks, skip);

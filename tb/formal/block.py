@@ -1,4 +1,8 @@
-"""block.py - a block as SMT2: terms of its states, and problems with no more of it than needed."""
+"""block.py - a block as SMT2: terms of its states, and problems with no more of it than needed.
+
+Files of sim/fpga that read each other by their places in fpga.v (sim/fpga/inside.v) are connected
+where both places are in the block; what they read of outside may be anything.
+"""
 import collections
 import json
 import os
@@ -12,12 +16,14 @@ Edge = collections.namedtuple("Edge", "cell signal register term")
 class Block:
     def __init__(self, arguments, sources):
         self.name = sources[0].stem
+        inside = "".join(s.read_text() for s in sources if s.stem == "inside")
+        sources = [without_places(source, arguments.work) for source in sources]
         rtl = os.path.relpath(arguments.rtl, arguments.work)  # Yosys splits paths at blanks
         includes = " ".join(f"-I{rtl}/{folder}" for folder in ("regmap", "bus", "vga"))
         files = " ".join(os.path.relpath(source, arguments.work) for source in sources)
         script = (f"read_verilog {includes} {files}; hierarchy -check -top {self.name}; "
-                  "proc -norom; flatten; memory_collect; opt_clean; write_smt2 -wires block.smt2; "
-                  "write_json block.json")
+                  f"proc -norom; flatten; {connections(self.name, sources, inside)}; "
+                  "memory_collect; opt_clean; write_smt2 -wires block.smt2; write_json block.json")
         done = subprocess.run(["yosys", "-q", "-p", script], cwd=arguments.work, text=True,
                               stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
         if done.returncode:
@@ -89,12 +95,16 @@ class Block:
     def number(self, value, signal):
         return f"(_ bv{value} {self.widths[signal]})"
 
-    def rests(self, state):
-        return f"(not {self.low('rest_o', state)})"
+    def named(self, name):
+        """The signals of that name in the block and its parts."""
+        return sorted(one for one in self.widths if one.split(".")[-1] == name)
 
-    def one_less(self, before, after):
-        one = self.number(1, "rest_o")
-        return f"(bvuge {self.at('rest_o', after)} (bvsub {self.at('rest_o', before)} {one}))"
+    def rests(self, rest, state):
+        return f"(not {self.low(rest, state)})"
+
+    def one_less(self, rest, before, after):
+        one = self.number(1, rest)
+        return f"(bvuge {self.at(rest, after)} (bvsub {self.at(rest, before)} {one}))"
 
     # ---- Problems ----
 
@@ -134,6 +144,57 @@ class Block:
         """None: the register or input may have any value."""
         return told(self.wires[name], state) if name in self.wires else \
             steps.get(f"|{name} {state}|")
+
+
+# Where a block of which something is proved lies in fpga.v, if it reads places of its own.
+PLACES = {"fpga": "", "vga": "video_block.vga_block."}
+# Who reads by places: the instances of inside.v's modules, by their names.
+READERS = {"number": ("keypad_block.scanner.slot", "sdram_block.controller.interval", "timer0",
+                      "timer1", "ps2.ticks", "video_block.vga_block.timing"),
+           "flat_blocks": ("video_block.vga_block",), "rests": ("video_block.vga_block",),
+           "waiting": ("clocks",)}
+MODULE = re.compile(r"^module (\w+).*?^endmodule", re.M | re.S)
+PLACE = re.compile(r"^ *assign (\w+) += fpga\.([\w.]+);$", re.M)
+
+
+def without_places(source, work):
+    """The source, or a copy whose outputs by places may be anything until they are connected."""
+    text = source.read_text()
+    bare = PLACE.sub(lambda line: f"    assign {line[1]} = from_{line[1]};", text)
+    for module in MODULE.finditer(text):
+        for port in PLACE.findall(module[0]):
+            width = re.search(rf"output wire +(\[\d+:0\])? *{port[0]}\b", module[0])[1] or ""
+            bare = re.sub(rf"^(    assign {port[0]} = from_{port[0]};)",
+                          rf"    wire {width} from_{port[0]};\n\1", bare, flags=re.M)
+    # What fabric.cpp drives may be anything.
+    bare = re.sub(r"^    reg( +\[\d+:0\] +\w+ +/\* verilator public_flat_rw)",
+                  r"    (* anyseq, keep *) reg\1", bare, flags=re.M)
+    # Nobody reads these in a block alone.
+    bare = re.sub(r"^    (wire|reg)( +(?:\[\d+:0\])? *(?:due|rest|now)\b)",
+                  r"    (* keep *) \1\2", bare, flags=re.M)
+    if bare == text:
+        return source
+    copy = work / source.name
+    copy.write_text(bare)
+    return copy
+
+
+def connections(name, sources, inside):
+    """Commands of Yosys that connect what is read by places, in the flat block."""
+    place = PLACES.get(name)
+    commands = []
+    if inside and place is not None:
+        instances = {module: instance for source in sources for module, instance in
+                     re.findall(r"^ +(\w+) (\w+) \(", source.read_text(), re.M)}
+        for module in MODULE.finditer(inside):
+            readers = READERS[instances[module[1]]] if module[1] in instances else ()
+            for port, source in PLACE.findall(module[0]):
+                for reader in readers:
+                    if (reader + ".").startswith(place) and source.startswith(place):
+                        at = f"{reader}.{instances[module[1]]}"[len(place):]
+                        commands.append(f"connect -nounset -set {at}.from_{port} "
+                                        f"{source[len(place):]}")
+    return "; ".join([f"cd {name}", *commands, "cd ..", "setundef -undriven -anyseq"])
 
 
 def shown(signal):

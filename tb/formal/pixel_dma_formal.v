@@ -49,7 +49,7 @@ module pixel_dma_formal (
         .onchip_index_o(onchip_index), .onchip_word_i(onchip_q),
         .sdram_req_o(req), .sdram_index_o(sdram_index), .sdram_take_i(sdram_take_i),
         .sdram_valid_i(taken_q[3]), .sdram_word_i(taken_q[3] ? sdram_word(index4_q) : other_i),
-        .we_o(we), .windex_o(windex), .wdata_o(wdata), .awake_o(), .due_o(), .rest_o()
+        .we_o(we), .windex_o(windex), .wdata_o(wdata), .awake_o()
     );
 
     always @(posedge clk_i) begin

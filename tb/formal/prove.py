@@ -1,6 +1,7 @@
 """prove.py - proves one harness with Yosys and z3.
 
-prove.py --rtl DIR --work DIR --depth N [--induction] [--clocks] HARNESS SOURCE...
+prove.py --rtl DIR --work DIR --depth N [--induction] [--clocks] [--twins TWIN...]
+    --harness HARNESS --sources SOURCE...
 
 0 if every assert holds for N clocks from any state that a reset clock leads out of, and with
 --induction for ever (N-step induction).
@@ -10,6 +11,9 @@ With --clocks the clocks are inputs like others, and N counts steps in which eac
 A harness sees into its instances by wires that it leaves undriven: dut__part__name is
 dut.part.name, dut__name__3 is word 3 of a memory.  They carry invariants that induction needs.
 Where no word of a memory is named, memories are the solver's arrays.
+
+A TWIN is a file of sim/fpga, which takes the place of one of rtl/ in the simulation.  Its module
+has _twin behind its name here, so that both can be in one harness.
 """
 import argparse
 import os
@@ -24,6 +28,14 @@ def run(command, log):
                           stderr=subprocess.STDOUT, text=True)
     log.write_text(done.stdout)
     return done
+
+
+def renamed(twin, work):
+    """A copy of the twin whose module has _twin behind its name."""
+    copy = work / f"{twin.stem}_twin.v"
+    copy.write_text(re.sub(rf"^module {twin.stem}\b", rf"module {twin.stem}_twin",
+                           twin.read_text(), flags=re.M))
+    return copy
 
 
 def write_smt2(arguments, sources):
@@ -60,11 +72,13 @@ def main():
     parser.add_argument("--depth", type=int, required=True)
     parser.add_argument("--induction", action="store_true")
     parser.add_argument("--clocks", action="store_true")
-    parser.add_argument("harness", type=pathlib.Path)
-    parser.add_argument("sources", type=pathlib.Path, nargs="+")
+    parser.add_argument("--twins", type=pathlib.Path, nargs="*", default=[])
+    parser.add_argument("--harness", type=pathlib.Path, required=True)
+    parser.add_argument("--sources", type=pathlib.Path, nargs="*", default=[])
     arguments = parser.parse_args()
     arguments.work.mkdir(parents=True, exist_ok=True)
     sources = [arguments.rtl / source for source in arguments.sources]
+    sources += [renamed(twin, arguments.work) for twin in arguments.twins]
     smt2 = write_smt2(arguments, [*sources, arguments.harness])
     steps = {"bounded": ["-t", str(arguments.depth)]}
     if arguments.induction:

@@ -30,7 +30,6 @@ module sdram_formal (
     wire [12:0] row    = place[23:11];
     wire [1:0]  bank   = place[10:9];
 
-    reg  [29:0] now_q;
     reg         live = 1'b0;
     wire        screen_take, screen_valid, take, valid, cs_n, ras_n, cas_n, we_n, oe;
     wire [31:0] rdata;
@@ -39,13 +38,13 @@ module sdram_formal (
     wire [15:0] dq, dq_read;
 
     sdram dut (
-        .clk_i(clk_i), .rst_i(rst_i), .now_i(now_q),
+        .clk_i(clk_i), .rst_i(rst_i),
         .screen_req_i(screen_req_i), .screen_index_i(screen_index_i), .screen_take_o(screen_take),
         .screen_valid_o(screen_valid), .req_i(req_i), .we_i(we_i), .index_i(index_i),
         .wdata_i(wdata_i), .wstrb_i(wstrb_i), .take_o(take), .valid_o(valid), .rdata_o(rdata),
         .dram_cs_no(cs_n), .dram_ras_no(ras_n), .dram_cas_no(cas_n), .dram_we_no(we_n),
         .dram_ba_o(ba), .dram_addr_o(addr), .dram_dqm_o(dqm), .dram_dq_o(dq), .dram_dq_oe_o(oe),
-        .dram_dq_i(dq_read), .awake_o(), .due_o(), .rest_o()
+        .dram_dq_i(dq_read), .awake_o()
     );
 
     // ---- Requests ----
@@ -54,7 +53,6 @@ module sdram_formal (
 
     always @(posedge clk_i) begin
         live    <= 1'b1;
-        now_q   <= rst_i ? 30'd0 : now_q + 30'd1;
         screen_held_q       <= screen_req_i && !screen_take && !rst_i;
         screen_held_index_q <= screen_index_i;
         held_q       <= req_i && !take && !rst_i;
@@ -213,7 +211,7 @@ module sdram_formal (
     end
 
     // ---- Invariants ----
-    wire [12:0] dut__controller__due_q;
+    wire [12:0] dut__controller__interval__count_q;
     wire [51:0] dut__controller__rows_q;
     wire [3:0]  dut__controller__open_q, dut__controller__step_q;
     wire        dut__controller__refresh_q;
@@ -224,7 +222,7 @@ module sdram_formal (
         i_open:  assert (open == dut__controller__open_q[bank]);
         i_row:   assert (!open || open_row == dut__controller__rows_q[13 * bank +: 13]);
         i_dqm:   assert (oe || dqm == 2'b00);
-        i_due:   assert (dut__controller__due_q == now_q[12:0] + phase_q);
+        i_due:   assert (dut__controller__interval__count_q == phase_q);
         i_phase: assert (phase_q <= (begun_q ? INTERVAL - 13'd1 : POWER_UP));
         i_power: assert (begun_q || phase_q < 13'd2500 ? power_q == 12'd2500
                          : power_q == POWER_UP - phase_q);

@@ -1,6 +1,6 @@
 """sleep.py - proves with Yosys and z3 that a block which sleeps would not have changed.
 
-What awake_o, due_o and rest_o promise is in rtl/SLEEP.md.
+What awake_o, due and rest promise is in rtl/SLEEP.md.
 
 sleep.py --rtl DIR --work DIR [--strobes PORT...] [--pins PORT...] --sources SOURCE...
 
@@ -10,7 +10,7 @@ before it, a reset too:
     sleeps       not awake, not due, no strobe, pins as in the clock before: the next clock leaves
                  every register and every word of memory as it is
     stays        and awake_o stays 0
-    rests        with rest_o = r > 0 the clock after that is not due either, and has r - 1 to come
+    rests        with rest = r > 0 the clock after that is not due either, and has r - 1 to come
 
     decoder sleeps   of video_in.v: with td_awake_o = 0, and no reset there, the decoder's clock
                  leaves its registers as they are
@@ -18,9 +18,9 @@ before it, a reset too:
 Any other input, such as an address, data or the time, may do what it likes, and so may registers
 of the audio clock and the video decoder's, which do not tick in `stays` and `rests`.  Of vga.v,
 whose clock never stops, `rests` says that in the r clocks after this one nothing changes and
-nobody is spoken to; of timebase.v, `leaps`, that a leap over n + 1 clocks is one over n and a
-clock.  Of fpga.v with the simulation's group_clock.v, `sleeps` is said of each group, and `rests`
-of all together.
+nobody is spoken to; of fpga_clocks.v, `leaps`, that a leap over n + 1 clocks is one over n and a
+clock.  Of fpga.v with the simulation's files, `sleeps` is said of each group, and `rests` of all
+together.
 
 0 if all of it holds.  Where it does not, counterexample.txt in the work folder has a line per
 signal, and a column per clock.
@@ -47,7 +47,7 @@ def sleep(block, strobes, pins):
                 *(block.low(name, state) for name in ("rst_i",) if name in block.widths)]
 
     asleep = [*quiet("s1", "s0"), block.low("awake_o", "s1"),
-              *(block.low(name, "s1") for name in ("due_o",) if name in block.widths)]
+              *(block.low(name, "s1") for name in block.named("due"))]
     later = [*asleep, *quiet("s2", "s1")]
     clock = block.clock("s0", "s1")
     clocks = {**clock, **block.clock("s1", "s2")}
@@ -59,19 +59,10 @@ def sleep(block, strobes, pins):
         yield Claim("decoder sleeps", {**clock, **block.clock("s0", "s1", decoders)},
                     [block.low("td_awake_o", "s1"), block.low("rst_td_i", "s1")],
                     [block.stands("s1", decoders)])
-    if "line_end_i" in block.widths:
-        # It waits for the beam, and may also rest in a clock in which it is due.
-        yield Claim("rests", clocks,
-                    [*(block.low(name, state) for name in ("rst_i", "line_end_i", *strobes)
-                       for state in ("s1", "s2")),
-                     f"(xor {block.at('odd_i', 's1')} {block.at('odd_i', 's2')})",
-                     block.low("awake_o", "s1"), block.rests("s1")],
-                    [block.low("awake_o", "s2"), block.low("due_o", "s2"),
-                     block.one_less("s1", "s2")])
-    elif "rest_o" in block.widths:
+    for due, rest, now in zip(*map(block.named, ("due", "rest", "now"))):
         yield Claim("rests", home_clocks,
-                    [*later, block.rests("s1"), block.same("now_i", "s1", "s2", 1)],
-                    [block.low("due_o", "s2"), block.one_less("s1", "s2")])
+                    [*later, block.rests(rest, "s1"), block.same(now, "s1", "s2", 1)],
+                    [block.low(due, "s2"), block.one_less(rest, "s1", "s2")])
 
 
 def framed(block, state, beam=""):
@@ -90,16 +81,16 @@ def beam(block):
     """What holds of vga.v.  As line_buffer.v has it, a row does not begin with a flat block, and a
     word that was read stays until another is."""
     clock = block.clock("s0", "s1")
-    reset = [block.at("rst_i", "s0"), block.low("now_i", "s1")]
-    ticks = [block.low("rst_i", "s0"), *framed(block, "s0"),
-             block.same("now_i", "s0", "s1", 1),
+    now = block.same("timing.now", "s0", "s1", 1)
+    reset = [block.at("rst_i", "s0"), now]
+    ticks = [block.low("rst_i", "s0"), *framed(block, "s0"), now,
              f"(not (and {block.at('flat_i', 's0')}"
              f" (= ((_ extract 7 3) {block.at('index_o', 's0')}) #b00000)))",
              f"(or {block.at('pixel_o', 's0')} {block.same('word_i', 's0', 's1')})"]
     yield Claim("framed by a reset", clock, reset, framed(block, "s1"))
     yield Claim("framed", clock, ticks, framed(block, "s1"))
-    yield Claim("rests", clock, [*ticks, block.low("rst_i", "s1"), block.rests("s0")],
-                [block.stands("s1"), block.one_less("s0", "s1"),
+    yield Claim("rests", clock, [*ticks, block.low("rst_i", "s1"), block.rests("rest", "s0")],
+                [block.stands("s1"), block.one_less("rest", "s0", "s1"),
                  *(block.low(name, "s1") for name in ("pixel_o", "line_end_o", "frame_end_o",
                                                       "cell_o"))])
 
@@ -110,13 +101,13 @@ def fabric(block, strobes, pins):
     ours = {group: block.edges_of(f"{group}.clk_o") for group in groups}
     grouped = sum(ours.values(), [])
     others = [edge for edge in block.edges if edge not in grouped]
-    timeless = [edge for edge in others if edge.signal != r"\clocks.base.now_o"]
+    timeless = [edge for edge in others if edge.signal != r"\clocks.now"]
 
     def unmoved(name, state):
         bit = 0 if name.startswith("lw_") else 1 if name.startswith("h2f_") else 2
-        return f"(= ((_ extract {bit} {bit}) {block.at('moved_i', state)}) #b0)"
+        return f"(= ((_ extract {bit} {bit}) {block.at('clocks.moved', state)}) #b0)"
 
-    told = [f"(=> {block.at('rst_i', 's1')} (= {block.at('moved_i', 's1')} #b111))",
+    told = [f"(=> {block.at('rst_i', 's1')} (= {block.at('clocks.moved', 's1')} #b111))",
             *(f"(=> {unmoved(name, 's1')} {block.low(name, 's1')})" for name in strobes),
             *(f"(=> {unmoved(name, 's1')} {block.same(name, 's0', 's1')})" for name in pins)]
     for group in groups:
@@ -133,21 +124,20 @@ def fabric(block, strobes, pins):
     yield Claim("rests",
                 {**block.clock("s0", "s1", others), **fetches,
                  **block.kept("s0", "s1", still + block.foreign)},
-                [*framed(block, "s0", "video_block.vga_block."), block.low("skip_i", "s0"),
-                 *(block.low(name, state) for name in ("moved_i", "rst_i")
-                   for state in ("s0", "s1")), block.rests("s0")],
-                [block.stands("s1", timeless), block.one_less("s0", "s1"),
+                [*framed(block, "s0", "video_block.vga_block."), block.low("clocks.skip", "s0"),
+                 *(block.low(name, state) for name in ("clocks.moved", "rst_i")
+                   for state in ("s0", "s1")), block.rests("clocks.rest", "s0")],
+                [block.stands("s1", timeless), block.one_less("clocks.rest", "s0", "s1"),
                  *(block.low(f"{group}.awake_i", "s1") for group in groups)])
 
 
 def leap(block):
-    """What holds of timebase.v: s0 skips to s1; s2, at the same time, skips one less, to s3."""
+    """What holds of fpga_clocks.v: s0 skips to s1; s2, at the same time, skips one less, to s3."""
     yield Claim("leaps", {**block.clock("s0", "s1"), **block.clock("s2", "s3"),
                           **block.clock("s3", "s4")},
-                [block.same("now_o", "s0", "s2"), block.same("skip_i", "s2", "s0", 1),
-                 f"(not {block.low('skip_i', 's0')})", block.low("skip_i", "s3"),
-                 *(block.low("rst_i", state) for state in ("s0", "s2", "s3"))],
-                [block.same("now_o", "s1", "s4")])
+                [block.same("now", "s0", "s2"), block.same("skip", "s2", "s0", 1),
+                 f"(not {block.low('skip', 's0')})", block.low("skip", "s3")],
+                [block.same("now", "s1", "s4")])
 
 
 def ask(problem, work):
@@ -200,7 +190,7 @@ def main():
     block = Block(arguments, sources)
     if block.name == "vga":
         claims = beam(block)
-    elif block.name == "timebase":
+    elif block.name == "fpga_clocks":
         claims = leap(block)
     else:
         claims = (fabric if block.name == "fpga" else sleep)(block, arguments.strobes,

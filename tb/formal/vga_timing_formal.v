@@ -11,10 +11,9 @@ module vga_timing_formal (
 );
     wire [9:0] h, v, v_next;
     wire       line_end, visible, hs_n, vs_n, blank_n;
-    reg [29:0] now_q;
 
     vga_timing dut (
-        .clk_i(clk_i), .rst_i(rst_i), .now_i(now_q), .h_o(h), .v_o(v), .line_end_o(line_end),
+        .clk_i(clk_i), .rst_i(rst_i), .h_o(h), .v_o(v), .line_end_o(line_end),
         .v_next_o(v_next), .visible_o(visible), .hs_no(hs_n), .vs_no(vs_n),
         .blank_no(blank_n)
     );
@@ -31,7 +30,6 @@ module vga_timing_formal (
     always @(posedge clk_i) begin
         live     <= 1'b1;
         moved_q  <= !rst_i;
-        now_q    <= rst_i ? 30'd0 : now_q + 30'd1;
         h_q      <= h;
         v_q      <= v;
         hs_low_q <= rst_i ? 4'd0 : {hs_low_q[2:0], hs_low};

@@ -26,7 +26,7 @@ NOT_OURS = {"ip", "board", "examples"}
 INTERCONNECT = {f"ip/qsys/de1sim_{name}.v" for name in (
     "avalon_arbiter", "avalon_decoder", "avalon_queue", "avalon_slave", "avalon_width", "reset")}
 # Of these the simulation has its own version.
-DEVICE_ONLY = {"common/group_clock.v", "common/root_clock.v"}
+DEVICE_ONLY = {"fpga_clocks.v"}
 WHAT_JUDGES = {".v", ".vh", ".def", ".cpp", ".h", ".py", ".cmake", ".txt", ".yaml", ".png"}
 
 

@@ -39,7 +39,6 @@ module picture_bench (
     input  wire [15:0]     screen_index_i,
     output wire [31:0]     screen_word_o,
 
-    input  wire [29:0]     now_i,
     input  wire            screen_req_i,    // of the SDRAM
     input  wire [23:0]     screen_sdram_index_i,
     output wire            screen_take_o,
@@ -89,7 +88,7 @@ module picture_bench (
     );
 
     sdram sdram (
-        .clk_i(clk_i), .rst_i(rst_i), .now_i(now_i),
+        .clk_i(clk_i), .rst_i(rst_i),
         .screen_req_i(screen_req_i), .screen_index_i(screen_sdram_index_i),
         .screen_take_o(screen_take_o), .screen_valid_o(screen_valid_o),
         .req_i(sdram_req), .we_i(sdram_we), .index_i(sdram_index), .wdata_i(sdram_wdata),
@@ -97,7 +96,7 @@ module picture_bench (
         .dram_cs_no(dram_cs_no), .dram_ras_no(dram_ras_no), .dram_cas_no(dram_cas_no),
         .dram_we_no(dram_we_no), .dram_ba_o(dram_ba_o), .dram_addr_o(dram_addr_o),
         .dram_dqm_o(dram_dqm_o), .dram_dq_o(dram_dq_o), .dram_dq_oe_o(dram_dq_oe_o),
-        .dram_dq_i(dram_dq_i), .awake_o(), .due_o(), .rest_o()
+        .dram_dq_i(dram_dq_i), .awake_o()
     );
 
     onchip_store store (

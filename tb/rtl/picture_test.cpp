@@ -44,7 +44,7 @@ protected:
     void SetUp() override {
         dut.rst_i = 1;
         dut.awvalid_i = dut.wvalid_i = dut.arvalid_i = dut.screen_re_i = 0;
-        dut.cell_re_i = dut.clear_i = dut.screen_req_i = dut.now_i = 0;
+        dut.cell_re_i = dut.clear_i = dut.screen_req_i = 0;
         clock();
         clock();
         dut.rst_i = 0;
@@ -102,7 +102,6 @@ protected:
         dut.eval();
         dut.clk_i = 1;
         dut.eval();
-        dut.now_i = dut.rst_i ? 0 : dut.now_i + 1;
         chip_sees_its_pins();
         dut.eval();
         axi.after_edge();

@@ -5,7 +5,6 @@
 module vga_bench (
     input  wire        clk_i,
     input  wire        rst_i,
-    input  wire [29:0] now_i,
 
     input  wire        we_i,
     input  wire [3:0]  wstrb_i,
@@ -44,7 +43,7 @@ module vga_bench (
 );
     wire [31:0] front;
     wire [12:0] text_front;
-    wire        enable, frame_end, line_end, odd, pixel, flat, line_we;
+    wire        enable, frame_end, line_end, odd, pixel, line_we;
     wire [9:0]  v_next;
     wire [8:0]  pixel_index, line_windex;
     wire [31:0] pixel_word, line_wdata;
@@ -60,20 +59,18 @@ module vga_bench (
         .clear_o(clear_o), .clearing_i(clearing_i), .awake_o()
     );
     vga beam (
-        .clk_i(clk_i), .rst_i(rst_i), .now_i(now_i),
+        .clk_i(clk_i), .rst_i(rst_i),
         .upper_i(front[1]), .enable_i(enable), .text_front_i(text_front),
         .frame_end_o(frame_end), .odd_o(odd), .line_end_o(line_end), .v_next_o(v_next),
         .pixel_o(pixel), .index_o(pixel_index), .word_i(pixel_word),
-        .flat_i(flat),
         .cell_o(cell_o), .cell_index_o(cell_index_o), .cells_i(cells_i),
         .cells_any_i(cells_any_i),
         .vga_hs_no(vga_hs_no), .vga_vs_no(vga_vs_no), .vga_blank_no(vga_blank_no),
-        .vga_sync_no(vga_sync_no), .vga_r_o(vga_r_o), .vga_g_o(vga_g_o), .vga_b_o(vga_b_o),
-        .rest_o()
+        .vga_sync_no(vga_sync_no), .vga_r_o(vga_r_o), .vga_g_o(vga_g_o), .vga_b_o(vga_b_o)
     );
     line_buffer rows (
         .wclk_i(clk_i), .we_i(line_we), .windex_i(line_windex), .wdata_i(line_wdata),
-        .rclk_i(clk_i), .re_i(pixel), .rindex_i(pixel_index), .rdata_o(pixel_word), .flat_o(flat)
+        .rclk_i(clk_i), .re_i(pixel), .rindex_i(pixel_index), .rdata_o(pixel_word)
     );
     pixel_dma dma (
         .clk_i(clk_i), .rst_i(rst_i), .odd_i(odd), .line_end_i(line_end), .v_next_i(v_next),
@@ -83,7 +80,7 @@ module vga_bench (
         .sdram_req_o(sdram_req_o), .sdram_index_o(sdram_index_o), .sdram_take_i(sdram_take_i),
         .sdram_valid_i(sdram_valid_i), .sdram_word_i(sdram_i),
         .we_o(line_we), .windex_o(line_windex), .wdata_o(line_wdata),
-        .awake_o(), .due_o(), .rest_o()
+        .awake_o()
     );
     // verilator lint_on PINCONNECTEMPTY
 endmodule

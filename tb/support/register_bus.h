@@ -17,15 +17,6 @@ protected:
     Dut dut;
     std::uint64_t clocks = 0;
 
-    // timebase.v, for blocks that need the number of the clock.
-    template <class Block>
-    static auto tell_time(Block& block, int) -> decltype(void(block.now_i)) {
-        block.now_i = block.rst_i ? 0 : (block.now_i + 1) & 0x3fffffff;
-        block.eval();
-    }
-    template <class Block>
-    static void tell_time(Block&, long) {}
-
     // Whether a read is of the lowest byte, too, for blocks that need to know.
     template <class Block>
     static auto tell_lane(Block& block, bool low, int) -> decltype(void(block.rlow_i)) {
@@ -53,7 +44,6 @@ protected:
             dut.eval();
             dut.clk_i = 1;
             dut.eval();
-            tell_time(dut, 0);
             ++clocks;
             after_clock();
         }

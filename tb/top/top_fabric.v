@@ -6,8 +6,8 @@
 // So sim/fpga/fabric.cpp runs it as it runs fpga.v, and the same files come out.  Whether the chip
 // drives a tri-state pin cannot be seen at the pin: this is read inside, the level at the pin.
 //
-// Not handled: 48,000 samples per second, which is a parameter of the chip; leaving out clocks
-// (moved_i, skip_i); the resets of the ports, since the chip has its own.
+// Not handled: 48,000 samples per second, which is a parameter of the chip; the resets of the
+// ports, since the chip has its own.
 
 `default_nettype none
 
@@ -15,11 +15,6 @@
 
 module top_fabric (
     input  wire        clk_i, rst_i, clk_audio_i, rst_audio_i, audio_48k_i, clk_td_i, rst_td_i,
-
-    input  wire [2:0]  moved_i,
-    output wire [9:0]  rest_o,
-    input  wire [9:0]  skip_i,
-    output wire        stirs_o, td_awake_o,
 
     input  wire [11:0] lw_awid_i, lw_arid_i,
     input  wire [20:0] lw_awaddr_i, lw_araddr_i,
@@ -184,10 +179,6 @@ module top_fabric (
                                chip.terminals.terminal[0].atlantic.r_dat};
     assign jtag_room_o = {chip.terminals.terminal[1].atlantic.t_dav,
                           chip.terminals.terminal[0].atlantic.t_dav};
-
-    assign rest_o = 10'd0;
-    assign stirs_o = 1'b1;
-    assign td_awake_o = 1'b1;
 endmodule
 
 `default_nettype wire

@@ -217,11 +217,6 @@ module de1_soc_top #(
         .audio_48k_i          (AUDIO_RATE == 48000),
         .clk_td_i             (TD_CLK27),
         .rst_td_i             (rst_td),
-        .moved_i              (3'b111),
-        .rest_o               (),
-        .skip_i               (10'd0),
-        .stirs_o              (),
-        .td_awake_o           (),
 
         .lw_awid_i            (lw_awid),
         .lw_awaddr_i          (lw_awaddr),
