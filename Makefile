@@ -27,7 +27,7 @@ configure:
 everything:
 	@.ci/configure FIRMWARE TESTS TEST_ALL BOARD WERROR=$(WERROR)
 
-qsf:                    ## write the Quartus project anew from the top module's ports and pins.tsv
+qsf:                    ## write the Quartus project again from the top module's ports and pins.tsv
 	@/usr/bin/python3 -B rtl/board/de1_soc/gen_qsf.py > build/de1_soc.qsf
 	@mv build/de1_soc.qsf rtl/board/de1_soc/de1_soc.qsf
 
@@ -170,7 +170,7 @@ instructions: everything ## 10^9 random ones on the processor and QEMU's [ARM_CO
 
 # The register map's views are printed without CMake, because its configuration runs Verilator on
 # them.
-regmap: configure       ## write what is made of sources anew: REGISTERS.md, STEPS.md and more
+regmap: configure       ## write what is made of sources again: REGISTERS.md, STEPS.md and more
 	@mkdir -p build
 	@$(CXX) -std=c++17 -Irtl/regmap -o build/gen_regmap rtl/regmap/gen_regmap.cpp
 	@build/gen_regmap vh > build/regmap.vh && mv build/regmap.vh rtl/regmap/

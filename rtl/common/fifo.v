@@ -36,9 +36,9 @@ module fifo #(
     reg [DEPTH_LOG2-1:0] write_q, read_q;        // where the next word goes, where the oldest lies
     reg                  head_passed_q;
 
-    function [DEPTH_LOG2-1:0] behind;
+    function [DEPTH_LOG2-1:0] after;
         input [DEPTH_LOG2-1:0] place;
-        behind = place + ONE[DEPTH_LOG2-1:0];
+        after = place + ONE[DEPTH_LOG2-1:0];
     endfunction
 
     assign full_o  = count_o[DEPTH_LOG2];
@@ -52,12 +52,12 @@ module fifo #(
     // Reads come before writes, so that a simulator needs no copies of what both touch.
     always @(posedge clk_i) begin
         if (pop) begin
-            if (count_o != ONE) memory_q <= memory[behind(read_q)];
-            read_q <= behind(read_q);
+            if (count_o != ONE) memory_q <= memory[after(read_q)];
+            read_q <= after(read_q);
         end
         if (push) begin
             memory[write_q] <= wdata_i;
-            write_q         <= behind(write_q);
+            write_q         <= after(write_q);
         end
         if (push_i && (empty_o || (pop_i && count_o == ONE))) begin
             passed_q      <= wdata_i;

@@ -5,7 +5,7 @@
 `begin_keywords "1800-2017"
 
 // 1 if there is a file, which is then read; 0 for "", "UNUSED" and a file that is nowhere.  A file
-// that is nowhere is told, unless its name has a "?" behind it.
+// that is nowhere is told, unless its name has a "?" after it.
 import "DPI-C" function int de1sim_init_file(input string file, input string memory,
                                              input int width, input int words);
 // Bits 32 * part to 32 * part + 31 of a word of the file read last.

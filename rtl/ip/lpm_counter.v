@@ -2,7 +2,7 @@
 //
 // Of the inputs at one edge, sclr comes before sset, sload and counting; aclr and aset act at
 // once.  sload and the clears need clk_en; cnt_en and cin are for counting alone.  cout is
-// 1 at the last value before the counter begins anew.
+// 1 at the last value before the counter begins again.
 //
 // Not handled: aload (Cyclone V has no such registers).
 

@@ -146,7 +146,7 @@ static_assert(select(*(std::end(BLOCKS) - 1)) < LW_SELECTS, "more blocks than se
 
 // ---- Where the interconnect sends an address of that bridge ----
 
-// Bits above are not looked at, so addresses repeat: a power of two behind the last block.
+// Bits above are not looked at, so addresses repeat: a power of two after the last block.
 constexpr std::uint32_t lw_decoded() {
     std::uint32_t end = 0, size = 1;
     for (const Block& b : BLOCKS)

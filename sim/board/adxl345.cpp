@@ -73,7 +73,7 @@ void Adxl345::advance(std::uint64_t now_ps) {
         constexpr std::uint64_t MOST = 1'000'000;
         if (left > MOST) last_ps_ += (left - MOST) * period;
         last_ps_ += period;
-        take();
+        measure();
     }
 }
 
@@ -95,7 +95,7 @@ Adxl345::Sample Adxl345::measured() const {
     return sample;
 }
 
-void Adxl345::take() {
+void Adxl345::measure() {
     const Sample sample = measured();
     const unsigned mode = registers_[FIFO_CTL] >> 6;
     if (mode == BYPASS) {

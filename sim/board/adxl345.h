@@ -52,7 +52,7 @@ private:
     std::uint8_t get(std::uint8_t number) const;
     void set(std::uint8_t number, std::uint8_t value, std::uint64_t now_ps);
     std::uint64_t period_ps() const;
-    void take();
+    void measure();
     void judge();
     Sample measured() const;
     void pop();

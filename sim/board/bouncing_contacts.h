@@ -2,7 +2,7 @@
 //
 // One that is moved makes or breaks at once, and then some times the other way and back, at times
 // drawn from a generator with the given seed.  One that is moved again while
-// it still bounces begins anew.
+// it still bounces begins again.
 #pragma once
 
 #include <cstdint>

@@ -27,7 +27,7 @@ public:
     void hand(const HeaderMasks& pins, PinLevel level);
     void part(const HeaderMasks& pins, PinLevel level);
 
-    // Looks at the drivers and at the keypad anew.
+    // Looks at the drivers and at the keypad again.
     const HeaderMasks& settle();
 
     const HeaderMasks& levels() const { return levels_; }

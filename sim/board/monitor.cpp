@@ -86,7 +86,7 @@ void Monitor::end_frame() {
     const bool like_the_lock =
         strict() || (in_range_ && lock_ && meter_.signal().similar_to(*lock_));
     if (raster_.end_frame() && like_the_lock) {
-        const bool is_new = raster_.take_is_new();
+        const bool is_new = raster_.consume_is_new();
         ++frames_;
         new_pictures_ += is_new;
         const Placement& place = raster_.place();

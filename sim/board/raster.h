@@ -32,7 +32,7 @@ public:
     // tells where the picture is.
     bool has_colour_in_porch() const { return colour_in_porch_; }
     // A row has changed since the last call; true at the first one.
-    bool take_is_new() { return std::exchange(is_new_, false); }
+    bool consume_is_new() { return std::exchange(is_new_, false); }
     const Placement& place() const { return place_; }
 
 private:

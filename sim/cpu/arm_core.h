@@ -18,7 +18,7 @@
 //
 // Not handled: the second core; caches (instructions that maintain them do nothing); SMC and HVC
 // are undefined instructions.  With dynarmic also: FPSCR's cumulative flags of exceptions are not
-// exact; code that the translation tables keep from the user mode is translated anew after each
+// exact; code that the translation tables keep from the user mode is translated again after each
 // return to that mode.  With Unicorn also: alignment faults, no memory is Normal to the bus,
 // PMCCNTR reads 0, DFAR of an abort from the translation tables reads 0, clear_exclusive() does
 // nothing.

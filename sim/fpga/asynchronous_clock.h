@@ -17,7 +17,7 @@ class AsynchronousClock {
 public:
     explicit AsynchronousClock(std::uint64_t hz) : AsynchronousClock{2 * hz, 25'000'000} {}
 
-    // The next change: behind so many whole clocks of the fabric, when, and whether it is a rise.
+    // The next change: after so many whole clocks of the fabric, when, and whether it is a rise.
     std::uint64_t clocks() const { return clocks_; }
     std::uint64_t time_ps() const {
         return clocks_ * FABRIC_PERIOD_PS + part_ * FABRIC_PERIOD_PS / parts_;
@@ -34,10 +34,10 @@ public:
         if (part_ >= parts_) part_ -= parts_, ++clocks_;
     }
 
-    // On to the first rise behind so many whole clocks.
+    // On to the first rise after so many whole clocks.
     void skip_to(std::uint64_t clocks) {
         const std::uint64_t periods = (clocks * parts_ + 2 * half_ - 1) / (2 * half_);
-        const std::uint64_t first = periods ? periods - 1 : 0;  // rise n is n + 1 periods behind 0
+        const std::uint64_t first = periods ? periods - 1 : 0;  // rise n is n + 1 periods after 0
         const std::uint64_t at = 1 + 2 * half_ * (first + 1);
         changes_ = 2 * first;
         clocks_ = at / parts_;
@@ -53,7 +53,7 @@ private:
 
     std::uint64_t half_, parts_;  // half a period, a clock
     std::uint64_t changes_ = 0;
-    std::uint64_t clocks_ = 0, part_ = 1;  // the first would be one part behind the beginning
+    std::uint64_t clocks_ = 0, part_ = 1;  // the first would be one part after the beginning
 };
 
 inline AsynchronousClock audio_clock(unsigned samples_per_s) {

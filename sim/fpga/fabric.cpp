@@ -126,7 +126,7 @@ void Fabric::begin_trace() {
 }
 
 // Runs one clock, and leaves out those after it in which nothing happens: `most` in all, and none
-// behind the next edge of another clock.  Returns how many have passed.
+// after the next edge of another clock.  Returns how many have passed.
 inline std::uint64_t Fabric::clock(std::uint64_t most) {
     Vfpga& top = model_->top;
 #ifdef DE1SIM_TRACE

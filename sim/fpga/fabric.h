@@ -65,7 +65,7 @@ public:
     // Carries out the board's entries up to and with a time that is before the next clock's edge.
     void keep_agenda(std::uint64_t time_ps);
 
-    // `met` is called before the first clock edge behind `at_ps`; it returns the time behind which
+    // `met` is called before the first clock edge after `at_ps`; it returns the time after which
     // to call it next.  It may wait while others look at the pins.
     using Met = std::function<std::uint64_t()>;
     void meet(std::uint64_t at_ps, const Met* met) {

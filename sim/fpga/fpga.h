@@ -22,7 +22,7 @@
 // nothing holds it up.  The SDRAM also grants direct access (DMI), which takes none.
 //
 // What video-in writes lies in the same storage.  Instructions that were translated before it wrote
-// over them are not translated anew, as the real processor's caches would not hear of it either.
+// over them are not translated again, as the real processor's caches would not hear of it either.
 //
 // Memory::BRIDGED: every access goes through the Verilog; the SDRAM grants direct access for
 // instructions alone.

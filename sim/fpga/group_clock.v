@@ -1,7 +1,7 @@
 // group_clock.v - in the simulation: no edge for a group that sleeps
 //
 // awake_i moves only after an edge and while the clock is low, so the gate has no glitch: clk_i is
-// low again when Verilator looks at awake_i anew (root_clock.v).
+// low again when Verilator looks at awake_i again (root_clock.v).
 
 `default_nettype none
 

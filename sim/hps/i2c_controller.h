@@ -1,6 +1,6 @@
 // i2c_controller.h - one of the HPS's four I2C controllers (Synopsys DW_apb_i2c), as a master
 //
-//   0x00 con     0x04 tar     0x10 data_cmd: byte, bit 8 read, bit 9 STOP behind it, bit 10 START
+//   0x00 con     0x04 tar     0x10 data_cmd: byte, bit 8 read, bit 9 STOP after it, bit 10 START
 //   again before it    0x14 - 0x20 clocks of SCL high and low    0x2C - 0x34 interrupts, and 0x40 -
 //   0x68 whose reading clears them    0x38, 0x3C thresholds    0x6C enable: bit 1 aborts
 //   0x70 status    0x74, 0x78 bytes in the FIFOs, each of 64    0x80 why it has aborted    0x9C
@@ -55,7 +55,7 @@ private:
         tx_threshold_, hold_, setup_, spike_, dma_, dma_tx_, dma_rx_, general_call_;
     bool enabled_ = false, active_ = false;  // between START and STOP
     bool reads_ = false, busy_ = false;      // the transfer's direction; a byte is on the wires
-    bool stops_ = false;                     // disabled or aborted: STOP behind this byte
+    bool stops_ = false;                     // disabled or aborted: STOP after this byte
     bool addresses_ = false;                 // the byte on the wires is the address
     bool addressed_ = false;                 // which was acknowledged, for the next command
     bool aborted_ = false;                   // until the program has seen it

@@ -78,7 +78,7 @@ Peripherals::Peripherals(const sc_core::sc_module_name& name, Wires wires)
                     [this](std::uint32_t offset) {
                         if (clock_manager::changes_a_clock(offset))
                             log_once(
-                                "the clock manager was set anew; the clocks stay as the "
+                                "the clock manager was set again; the clocks stay as the "
                                 "preloader set them: processor 800 MHz, L4_SP 100 MHz");
                     }},
       on_chip_ram{"on_chip_ram", 0x10000, sc_core::sc_time{10, sc_core::SC_NS}},

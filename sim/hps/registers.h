@@ -28,7 +28,7 @@ protected:
     // `now` is the initiator's local time.  Offsets without a register read 0 and ignore writes.
     virtual std::uint32_t read(std::uint32_t offset, const sc_core::sc_time& now) = 0;
     virtual void write(std::uint32_t offset, std::uint32_t value, const sc_core::sc_time& now) = 0;
-    virtual bool takes_bytes() const { return false; }
+    virtual bool allows_bytes() const { return false; }
     // The register's other bytes, where a part of it is written.
     virtual std::uint32_t rest(std::uint32_t offset, const sc_core::sc_time& now) {
         return read(offset, now);
@@ -39,7 +39,7 @@ private:
         const unsigned bytes = tx.get_data_length();
         const auto address = static_cast<std::uint32_t>(tx.get_address());
         const bool whole = bytes == 4 && address % 4 == 0;
-        const bool part = (bytes == 1 || (bytes == 2 && address % 2 == 0)) && takes_bytes();
+        const bool part = (bytes == 1 || (bytes == 2 && address % 2 == 0)) && allows_bytes();
         if (!whole && !part) {
             tx.set_response_status(tlm::TLM_BURST_ERROR_RESPONSE);
             return;

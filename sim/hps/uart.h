@@ -68,7 +68,7 @@ public:
 private:
     std::uint32_t read(std::uint32_t offset, const sc_core::sc_time& now) override;
     void write(std::uint32_t offset, std::uint32_t value, const sc_core::sc_time& now) override;
-    bool takes_bytes() const override { return true; }
+    bool allows_bytes() const override { return true; }
     std::uint32_t rest(std::uint32_t, const sc_core::sc_time&) override {
         return 0;
     }  // all are bytes

@@ -109,7 +109,7 @@ std::int64_t I2cFile::messages(std::uint32_t at, AddressSpace& memory) {
 }
 
 // struct i2c_smbus_ioctl_data: direction, command, size, and where the data are: a byte, a word, or
-// a block behind its length.
+// a block after its length.
 std::int64_t I2cFile::smbus(std::uint32_t at, AddressSpace& memory) {
     enum Size : std::uint32_t {
         BYTE = 1,

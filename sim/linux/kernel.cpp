@@ -37,7 +37,8 @@ LinuxKernel::LinuxKernel(ArmCpu& cpu, LinuxSettings settings, Outside outside)
       input_{[] { return sc_core::sc_time_stamp().value() / 1000; }, [this] { feel(); }},
       random_{SEED} {
     const LinuxFiles::Console console{
-        outside_.console, [this](char* to, std::size_t bytes) { return terminal_.take(to, bytes); },
+        outside_.console,
+        [this](char* to, std::size_t bytes) { return terminal_.read_now(to, bytes); },
         [this] { return terminal_.readable(); }};
     const LinuxFiles::System system{
         [this](const std::string& path, std::uint32_t flags) { return open_system(path, flags); },

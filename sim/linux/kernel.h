@@ -22,7 +22,7 @@
 // When all wait for each other for ever, the program ends by a fault that says who waits for whom.
 //
 // Processes take turns in the core: each has its memory (address_space.h), and what the core has
-// translated is translated anew after a switch from one to another.  The end of the first ends the
+// translated is translated again after a switch from one to another.  The end of the first ends the
 // run.  A program that another becomes is itself, or lies under the root.
 //
 // Timers of setitimer, alarm and timerfd; /dev/i2c-0; the processor's LED below /sys/class/leds.

@@ -120,7 +120,7 @@ void LinuxKernel::go_on() {
             stand_still();
             continue;
         }
-        if (!running_) run(scheduler_.take(now_ns()));
+        if (!running_) run(scheduler_.pop(now_ns()));
         deliver();
         if (running_ && !running_->wait) break;
     }

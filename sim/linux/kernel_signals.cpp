@@ -74,8 +74,8 @@ void LinuxKernel::deliver() {
         thread.restarts = false;
     };
     while (running_ == &thread && !over_) {
-        auto signal = thread.signals.pending.take(thread.signals.blocked);
-        if (!signal) signal = process_->pending.take(thread.signals.blocked);
+        auto signal = thread.signals.pending.dequeue(thread.signals.blocked);
+        if (!signal) signal = process_->pending.dequeue(thread.signals.blocked);
         if (!signal) break;
         LinuxSignals& signals = process_->signals;
         LinuxSignals::Action& action = signals.actions[signal->number];
@@ -237,8 +237,8 @@ LinuxKernel::Result LinuxKernel::sigtimedwait(const Arguments& a, Span kind) {
     wait.what = "a signal";
     if (a[2] != 0) wait.at_ns = later_ns(static_cast<std::uint64_t>(span));
     wait.look = [this, set, to = a[1], &thread = *running_](LinuxWait& w) -> Result {
-        auto signal = thread.signals.pending.take(~set);
-        if (!signal) signal = thread.process.pending.take(~set);
+        auto signal = thread.signals.pending.dequeue(~set);
+        if (!signal) signal = thread.process.pending.dequeue(~set);
         if (!signal) return now_ns() >= w.at_ns ? Result{-EAGAIN} : std::nullopt;
         std::uint32_t info[32] = {signal->number, 0, static_cast<std::uint32_t>(signal->code)};
         std::copy(signal->fields.begin(), signal->fields.end(), info + 3);

@@ -358,7 +358,7 @@ LinuxKernel::Result LinuxKernel::sys_getsockopt(const Arguments& a) {
     if (!memory().read(a[4], &room, sizeof room)) return -EFAULT;
     std::uint32_t value = 0;
     if (a[1] == LEVEL && a[2] == TYPE) value = socket->type();
-    if (a[1] == LEVEL && a[2] == ERROR) value = static_cast<std::uint32_t>(socket->take_error());
+    if (a[1] == LEVEL && a[2] == ERROR) value = static_cast<std::uint32_t>(socket->consume_error());
     if (a[1] == LEVEL && (a[2] == SEND_ROOM || a[2] == RECEIVE_ROOM)) value = 212992;
     room = std::min<std::uint32_t>(room, sizeof value);
     return memory().write(a[3], &value, room) && memory().write(a[4], &room, sizeof room) ? 0

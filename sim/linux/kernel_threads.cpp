@@ -130,7 +130,7 @@ LinuxKernel::Result LinuxKernel::sys_rseq(const Arguments& a) {
     return 0;
 }
 
-// One in which the running thread is interrupted begins anew, where it says.
+// One in which the running thread is interrupted begins again, where it says.
 void LinuxKernel::restart_sequence() {
     constexpr std::uint32_t SEQUENCE = 8;
     struct {

@@ -54,7 +54,7 @@ void LinuxScheduler::remove(LinuxThread& thread) {
     thread.ready = false;
 }
 
-LinuxThread& LinuxScheduler::take(std::uint64_t now_ns) {
+LinuxThread& LinuxScheduler::pop(std::uint64_t now_ns) {
     LinuxThread& next = const_cast<LinuxThread&>(*first());
     remove(next);
     begin_ns_ = accounted_ns_ = now_ns;

@@ -31,7 +31,7 @@ public:
     bool empty() const { return queue_.empty(); }
 
     // The next one, which leaves the queue, and runs from now on; the queue must not be empty.
-    LinuxThread& take(std::uint64_t now_ns);
+    LinuxThread& pop(std::uint64_t now_ns);
     // The one that runs has run until now.
     void account(LinuxThread& running, std::uint64_t now_ns);
     // It has to make way for one in the queue.

@@ -75,7 +75,7 @@ std::uint64_t PendingSignals::set() const {
     return set;
 }
 
-std::optional<LinuxSignal> PendingSignals::take(std::uint64_t blocked) {
+std::optional<LinuxSignal> PendingSignals::dequeue(std::uint64_t blocked) {
     auto first = all_.end();
     for (auto it = all_.begin(); it != all_.end(); ++it)
         if (!(blocked & LinuxSignals::bit(it->number)) &&

@@ -54,7 +54,7 @@ public:
     bool add(const LinuxSignal& signal);  // false: there are too many
     std::uint64_t set() const;
     // The one of the lowest number that is not among `blocked`.
-    std::optional<LinuxSignal> take(std::uint64_t blocked);
+    std::optional<LinuxSignal> dequeue(std::uint64_t blocked);
     void remove(std::uint64_t set);
 
 private:

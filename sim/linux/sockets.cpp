@@ -215,7 +215,7 @@ std::pair<std::int64_t, std::int64_t> LinuxSocket::receive(void* data, std::size
         return {count, count};
     }
     if (messages_.empty()) {
-        if (error_ != 0) return {-take_error(), 0};
+        if (error_ != 0) return {-consume_error(), 0};
         const bool over = type_ == PACKETS && had_other_ && other_.expired();
         return {over ? 0 : -EAGAIN, 0};
     }
@@ -237,7 +237,7 @@ std::int64_t LinuxSocket::send(const void* data, std::size_t bytes, const Socket
         if (!out_) return listens_ || !peer_ ? -ENOTCONN : -EPIPE;
         return out_->has_writer ? out_->write(data, bytes) : -EPIPE;
     }
-    if (error_ != 0) return -take_error();
+    if (error_ != 0) return -consume_error();
     std::shared_ptr<LinuxSocket> other = other_.lock();
     if (had_other_ && !other) return type_ == PACKETS ? -EPIPE : -ECONNREFUSED;
     if (!other) {

@@ -88,7 +88,7 @@ public:
     const std::optional<SocketAddress>& peer() const { return peer_; }
     unsigned type() const { return type_; }
     std::uint16_t family() const { return family_; }
-    int take_error() { return std::exchange(error_, 0); }
+    int consume_error() { return std::exchange(error_, 0); }
 
     std::uint64_t receive_limit_ns = 0;  // SO_RCVTIMEO; 0: none
 

@@ -87,11 +87,11 @@ std::int64_t Terminal::give(char* to, std::size_t bytes) {
 
 std::int64_t Terminal::read(char* to, std::size_t bytes) {
     std::int64_t count;
-    while ((count = take(to, bytes)) == -EAGAIN) doze(forever);
+    while ((count = read_now(to, bytes)) == -EAGAIN) doze(forever);
     return count;
 }
 
-std::int64_t Terminal::take(char* to, std::size_t bytes) {
+std::int64_t Terminal::read_now(char* to, std::size_t bytes) {
     if (bytes == 0) return 0;
     if (!line_.empty()) return give(to, bytes);
     std::size_t count = unit();

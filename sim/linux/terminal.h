@@ -45,7 +45,7 @@ public:
     // As read(2): waits for a line, or with ICANON off for a character.
     std::int64_t read(char* to, std::size_t bytes);
     // The same without waiting: EAGAIN.
-    std::int64_t take(char* to, std::size_t bytes);
+    std::int64_t read_now(char* to, std::size_t bytes);
     void flush();  // what has come and is not read yet
     // Sends the signals that were typed until now.  True if anything has come since the last call.
     bool arrive();

@@ -43,7 +43,7 @@ struct LinuxThread {
     ThreadSignals signals{};
     std::optional<LinuxWait> wait{};
     bool ready = false;     // in the scheduler's queue
-    bool restarts = false;  // the call that it was in begins anew, unless a handler forbids it
+    bool restarts = false;  // the call that it was in begins again, unless a handler forbids it
     bool in_vfork = false;  // its child has its memory
     LinuxShare share{};
     std::uint32_t clears = 0, robust_list = 0;  // at its end: a word to clear, locks to give back

@@ -27,7 +27,7 @@ public:
            std::function<void(Client&)> closed);
 
     // Answers the upgrade; then `greeting` is asked for the first texts, which no other is lost
-    // behind.
+    // after.
     void accept(const Request& request, std::function<std::deque<std::string>()> greeting);
 
     void send_text(const std::string& text);

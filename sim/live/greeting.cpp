@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t MOST_PRINTED = 64 << 10;
 
-void add(std::string& to, const std::string& text) {
+void append(std::string& to, const std::string& text) {
     to += text;
     if (to.size() > MOST_PRINTED) to.erase(0, to.size() - MOST_PRINTED / 2);
 }
@@ -21,7 +21,7 @@ std::string text_of(const json& message) {
 
 }  // namespace
 
-void Greeting::take(const std::string& text) {
+void Greeting::add(const std::string& text) {
     const json message = json::parse(text, nullptr, false);
     if (message.contains("lamps")) lamps_ = text;
     if (message.contains("ended")) ended_ = text;
@@ -29,10 +29,10 @@ void Greeting::take(const std::string& text) {
         events_.push_back(text);
         if (events_.size() > MOST_EVENTS) events_.pop_front();
     }
-    if (message.contains("console")) add(console_, message["console"].get<std::string>());
+    if (message.contains("console")) append(console_, message["console"].get<std::string>());
     if (message.contains("terminals"))
         for (const auto& [line, printed] : message["terminals"].items())
-            add(terminals_[line], printed.get<std::string>());
+            append(terminals_[line], printed.get<std::string>());
 }
 
 std::deque<std::string> Greeting::texts() const {

@@ -11,7 +11,7 @@ namespace sim::live {
 class Greeting {
 public:
     // A text from the simulation, or that it has ended.
-    void take(const std::string& text);
+    void add(const std::string& text);
     void clear() { *this = {}; }
 
     // The last 20 aborts, faults and violations, the lamps as they are, the last 32 KiB or more of

@@ -64,7 +64,7 @@ LivePlayer::LivePlayer(const sc_core::sc_module_name& name, ScenarioRunner& runn
 void LivePlayer::run() {
     set_pace(1, false);
     wait(between_clocks);
-    take_messages();  // that time stands from the beginning
+    handle_messages();  // that time stands from the beginning
     keep_pace();
     for (;;) {
         wait(tick);
@@ -74,7 +74,7 @@ void LivePlayer::run() {
         for (const std::string& line : inside_.new_violations()) send_event("violation", line);
         if (pause_at_frame_ != 0 && view_.frames() >= pause_at_frame_) set_pace(speed_, true);
         if (exact_run_ && exact_run_->over(counts(), sc_time_stamp())) end_exact_run();
-        take_messages();
+        handle_messages();
         look_at_waves();
         keep_pace();
         if (left_) sc_core::sc_pause();
@@ -137,7 +137,7 @@ void LivePlayer::keep_pace() {
             wait_ms = std::min(wait_ms, static_cast<int>(ahead * 1000));
         }
         if (!wire_.poll(wait_ms)) left_ = true;
-        take_messages();
+        handle_messages();
         look_at_waves();
     }
 }
@@ -166,20 +166,20 @@ void LivePlayer::send_event(const char* name, const std::string& text) {
                                -1, ' ', false, nlohmann::json::error_handler_t::replace));
 }
 
-void LivePlayer::take_messages() {
+void LivePlayer::handle_messages() {
     if (!wire_.poll(0)) left_ = true;
     while (!left_) {
         const auto message = wire_.receive();
         if (!message) return;
         try {
-            take(message->bytes);
+            handle(message->bytes);
         } catch (const std::exception& error) {
             send_event("error", error.what());
         }
     }
 }
 
-void LivePlayer::take(const std::string& text) {
+void LivePlayer::handle(const std::string& text) {
     const auto look = [](int level, nlohmann::json::parse_event_t, nlohmann::json&) {
         if (level > MOST_LEVELS)
             throw std::runtime_error{fmt::format(

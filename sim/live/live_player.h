@@ -1,6 +1,6 @@
 // live_player.h - the person at a live board: steps that arrive over the wire, and the watch.
 //
-// Once per simulated millisecond, 3 ns behind its beginning, where no clock of the board ticks, the
+// Once per simulated millisecond, 3 ns after its beginning, where no clock of the board ticks, the
 // messages that have arrived are carried out and the run is held back to the speed that was chosen.
 // Each step is kept with its time: the scenario that save() writes has them at the same times, so
 // that it plays to the same pictures and the same sound.
@@ -45,8 +45,8 @@ private:
 
     void run();
     void keep_pace();
-    void take_messages();
-    void take(const std::string& text);
+    void handle_messages();
+    void handle(const std::string& text);
     void play(const std::string& name, const std::string& text);
     void set_pace(double speed, bool paused);
     void begin_exact_run(const nlohmann::json& order);

@@ -136,14 +136,14 @@ void LiveView::flush() {
         wire_.send(Kind::SOUND, bytes + sound_);
     }
     sound_.clear();
-    const std::string console = console_.take();
+    const std::string console = console_.remove();
     if (!console.empty()) wire_.send(Kind::TEXT, text_of({{"console", console}}));
     nlohmann::json terminals = nlohmann::json::object();
     for (std::size_t n = 0; n < terminals_.size(); ++n)
-        if (std::string text = terminals_[n].take(); !text.empty())
+        if (std::string text = terminals_[n].remove(); !text.empty())
             terminals[SERIAL_LINES[n]] = std::move(text);
     for (auto& [part, stream] : part_terminals_)
-        if (std::string text = stream.take(); !text.empty()) terminals[part] = std::move(text);
+        if (std::string text = stream.remove(); !text.empty()) terminals[part] = std::move(text);
     if (!terminals.empty()) wire_.send(Kind::TEXT, text_of({{"terminals", terminals}}));
     if (lamps_moved_) wire_.send(Kind::TEXT, text_of(as_json(lamps_)));
     lamps_moved_ = false;

@@ -21,7 +21,7 @@ inline unsigned tiles(unsigned pixels) { return (pixels + TILE - 1) / TILE; }
 inline void put(std::string& bytes, std::uint32_t value, unsigned count) {
     for (unsigned i = 0; i < count; ++i) bytes += static_cast<char>(value >> 8 * i);
 }
-inline std::uint32_t take(const std::string& bytes, std::size_t at, unsigned count) {
+inline std::uint32_t read_number(const std::string& bytes, std::size_t at, unsigned count) {
     std::uint32_t value = 0;
     for (unsigned i = 0; i < count; ++i)
         value |= std::uint32_t{static_cast<std::uint8_t>(bytes[at + i])} << 8 * i;

@@ -14,12 +14,12 @@ namespace sim::live {
 class PictureStore {
 public:
     // A message of kind PICTURE.
-    void take(const std::string& bytes);
+    void update(const std::string& bytes);
     void clear() { *this = {}; }
 
     std::uint64_t version() const { return version_; }
     // A message with the tiles that are newer than `version`; all, for 0.  As the page gets it:
-    // behind a byte that says its kind.
+    // after a byte that says its kind.
     std::string since(std::uint64_t version) const;
 
 private:

@@ -120,23 +120,23 @@ private:
                                     if (error) return;  // another simulation has begun
                                     Wire& wire = simulation_->wire();
                                     const bool there = wire.poll(0);
-                                    while (const auto message = wire.receive()) take(*message);
+                                    while (const auto message = wire.receive()) handle(*message);
                                     for (const auto& client : clients_) client->send_picture();
                                     if (there) return wait_for_wire();
                                     send_end(simulation_->reap());
                                 });
     }
 
-    void take(const Message& message) {
+    void handle(const Message& message) {
         switch (message.kind) {
-            case Kind::PICTURE: pictures_.take(message.bytes); break;
+            case Kind::PICTURE: pictures_.update(message.bytes); break;
             case Kind::SOUND: {
                 const std::string sound = static_cast<char>(Kind::SOUND) + message.bytes;
                 for (const auto& client : clients_) client->send_sound(sound);
                 break;
             }
             case Kind::TEXT:
-                greeting_.take(message.bytes);
+                greeting_.add(message.bytes);
                 send(message.bytes);
                 break;
         }
@@ -145,7 +145,7 @@ private:
     // Those who connect later are told as well.
     void send_end(int exit_code) {
         const std::string text = json_text({{"ended", exit_code}});
-        greeting_.take(text);
+        greeting_.add(text);
         send(text);
     }
 
@@ -155,7 +155,7 @@ private:
 
     // ---- Clients ----
 
-    void take_from(Client& client, const std::string& text) {
+    void handle_from(Client& client, const std::string& text) {
         const auto json = nlohmann::json::parse(text, nullptr, false);
         if (!json.is_object())
             return client.send_text(
@@ -207,7 +207,7 @@ private:
         connection->stream.expires_never();
         const auto client = std::make_shared<Client>(
             connection->stream.release_socket(), pictures_,
-            [this](Client& from, const std::string& text) { take_from(from, text); },
+            [this](Client& from, const std::string& text) { handle_from(from, text); },
             [this](Client& gone) {
                 clients_.erase(gone.shared_from_this());
                 if (settings_.driven && clients_.empty()) io_.stop();

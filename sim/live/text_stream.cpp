@@ -14,7 +14,7 @@ std::size_t length_of(char first) {
 
 }  // namespace
 
-std::string TextStream::take() {
+std::string TextStream::remove() {
     std::size_t end = text_.size();
     for (std::size_t back = 1; back <= 3 && back <= text_.size(); ++back)
         if (length_of(text_[text_.size() - back]) > back) end = text_.size() - back;

@@ -11,7 +11,7 @@ public:
 
     // What was printed since the last call, but not the beginning of a character whose other bytes
     // are still to come.
-    std::string take();
+    std::string remove();
 
 private:
     std::string text_;

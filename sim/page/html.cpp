@@ -6,7 +6,7 @@
 namespace sim::page {
 
 std::string base64(std::string_view bytes) {
-    std::vector<unsigned char> digits((bytes.size() + 2) / 3 * 4 + 1);  // with a 0 behind them
+    std::vector<unsigned char> digits((bytes.size() + 2) / 3 * 4 + 1);  // with a 0 after them
     EVP_EncodeBlock(digits.data(), reinterpret_cast<const unsigned char*>(bytes.data()),
                     static_cast<int>(bytes.size()));
     return {digits.begin(), digits.end() - 1};

@@ -25,7 +25,7 @@ public:
         std::string text;
     };
     const std::vector<Line>& lines() const { return lines_; }
-    std::uint64_t left_out() const { return left_out_; }  // characters behind them
+    std::uint64_t left_out() const { return left_out_; }  // characters after them
 
 private:
     std::vector<Line> lines_;

@@ -8,7 +8,7 @@
 // Whatever crosses the seam has its time, in both directions, also where the chip runs far at once.
 // A call tells when the outputs have moved.  The board changes ChipInputs in such a call, as an
 // answer without delay, or in an entry of its agenda, which the chip keeps; at no other place.
-// What changes at a time counts from the first clock edge behind it.
+// What changes at a time counts from the first clock edge after it.
 #pragma once
 
 #include <array>
@@ -94,7 +94,7 @@ protected:
 
 class PinListener {
 public:
-    // What the board does by itself.  Looked at anew after each call below that may change `in`.
+    // What the board does by itself.  Looked at again after each call below that may change `in`.
     Agenda agenda;
 
     // A sample per clock, in order, in batches of up to a scan line.

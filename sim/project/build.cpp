@@ -99,7 +99,7 @@ Builder::Builder(const Request& request, bool trace)
 void Builder::prepare_folder() {
     fs::create_directories(folder_ / "source");
     fs::create_directories(folder_ / "included");
-    lock_.take(folder_ / "lock");
+    lock_.acquire(folder_ / "lock");
     link_to(data_folder(), folder_ / "data");
     includes_.clear();
     for (const fs::path& include : design_.project.includes)

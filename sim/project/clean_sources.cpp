@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-void take_modules(const std::string& text, Modules& modules, bool in_library = false) {
+void add_modules(const std::string& text, Modules& modules, bool in_library = false) {
     for (ModuleText& module : scan(text).modules) {
         module.in_library = in_library;
         modules.emplace(module.name, std::move(module));
@@ -39,7 +39,7 @@ void add_models(Modules& modules) {
         wanted.insert(module.wants.begin(), module.wants.end());
     for (const std::string& name : wanted)
         if (const auto model = model_of(name); model && !modules.count(name))
-            take_modules(text_of(*model), modules);
+            add_modules(text_of(*model), modules);
 }
 
 // The Verilog of each entity that is not only instanced by VHDL.
@@ -55,7 +55,7 @@ std::vector<std::string> translate_vhdl(const SourceRequest& from, const Modules
             if (lower(name) == lower(component)) return &module;
         const std::string model = lower(component) == "tri" ? "TRI" : lower(component);
         if (!from.is_model(model)) return nullptr;
-        take_modules(text_of(*model_of(model)), models);
+        add_modules(text_of(*model_of(model)), models);
         return &models.at(model);
     };
     std::vector<VhdlRoot> roots;
@@ -161,7 +161,7 @@ CleanSources clean_sources(const SourceRequest& from) {
     for (const SourceFile& file : project.sources)
         if (file.language != SourceFile::Language::VHDL) {
             texts.push_back(synthesised(file, project));
-            take_modules(texts.back(), modules, !file.text.empty() || !file.library.empty());
+            add_modules(texts.back(), modules, !file.text.empty() || !file.library.empty());
         }
     clean.included = copy_included(texts, project, from.folder / "included");
     const std::vector<std::string> vhdl = translate_vhdl(from, modules);

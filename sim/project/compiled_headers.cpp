@@ -119,7 +119,7 @@ std::vector<std::string> compiled_headers(const std::vector<std::string>& compil
     try {
         fs::create_directories(folder);
         FolderLock lock;
-        if (!is_true(notes)) lock.take(folder / "lock");
+        if (!is_true(notes)) lock.acquire(folder / "lock");
         if (!is_true(notes) && !precompile(compiler, header, notes, limit)) return {};
         return {"-include", header.string()};
     } catch (const std::exception&) {  // of a cache that cannot be written to

@@ -1,7 +1,7 @@
 // compiled_headers.h - Verilator's headers, which the compiler reads once and not at each build.
 //
 // Reading them takes most of the time of compiling a small design.  Precompiled they lie in the
-// user's cache, and are made anew when the compiler, its options or one of the headers is another.
+// user's cache, and are made again when the compiler, its options or one of the headers is another.
 #pragma once
 
 #include <filesystem>
@@ -19,7 +19,7 @@ std::filesystem::path user_cache();
 std::vector<std::string> compiled_headers(const std::vector<std::string>& compiler,
                                           const TimeLimit& limit);
 
-// A command with these arguments has failed: they are made anew before the next one.
+// A command with these arguments has failed: they are made again before the next one.
 void forget_compiled_headers(const std::vector<std::string>& command);
 
 }  // namespace sim::project

@@ -15,7 +15,7 @@ FolderLock::~FolderLock() {
     if (descriptor_ >= 0) close(descriptor_);
 }
 
-void FolderLock::take(const std::filesystem::path& file) {
+void FolderLock::acquire(const std::filesystem::path& file) {
     descriptor_ = open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
     if (descriptor_ < 0) throw ProjectError{file.string() + ": " + std::strerror(errno)};
     flock(descriptor_, LOCK_EX);  // where a file system has none, there is no other process either

@@ -13,7 +13,7 @@ public:
     FolderLock(const FolderLock&) = delete;
     FolderLock& operator=(const FolderLock&) = delete;
 
-    void take(const std::filesystem::path& file);  // ProjectError: cannot be written
+    void acquire(const std::filesystem::path& file);  // ProjectError: cannot be written
 
 private:
     int descriptor_ = -1;

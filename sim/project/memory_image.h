@@ -10,7 +10,7 @@
 // follow.  Records 02 and 04 give the upper part of the address.
 //
 // Words that the file does not mention are 0, and so is the upper part of words wider than the
-// file's; of words narrower than a MIF's values the lower bits count.  What lies behind the
+// file's; of words narrower than a MIF's values the lower bits count.  What lies after the
 // memory's last word is lost.  Quartus does so with a warning.
 #pragma once
 
@@ -29,10 +29,10 @@ public:
     std::size_t words() const { return words_; }
     unsigned width() const { return width_; }
 
-    // Bits 32 * part to 32 * part + 31 of a word; 0 behind the last word or bit.
+    // Bits 32 * part to 32 * part + 31 of a word; 0 after the last word or bit.
     std::uint32_t part(std::size_t word, std::size_t part) const;
 
-    // Lost behind the last word; bits above the width are cut off.
+    // Lost after the last word; bits above the width are cut off.
     void set(std::size_t word, const std::vector<std::uint32_t>& parts);
 
 private:

@@ -135,7 +135,7 @@ private:
         if (last < at || last >= depth_) {
             fail(fmt::format("addresses {} to {} in order and below DEPTH={}", at, last, depth_));
         }
-        last = std::min(last, image.words());  // what lies behind is lost
+        last = std::min(last, image.words());  // what lies after is lost
         for (std::size_t i = 0; at <= last; ++at) image.set(at, values[i++ % values.size()]);
         next();
     }

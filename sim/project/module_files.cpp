@@ -82,7 +82,7 @@ const ModuleFiles::Definition* ModuleFiles::definition(const std::string& name, 
     return nullptr;
 }
 
-void ModuleFiles::take_nearest(const std::string& module, const fs::path& user) {
+void ModuleFiles::choose_nearest(const std::string& module, const fs::path& user) {
     const auto rivals = rivals_.find(module);
     if (rivals == rivals_.end()) return;
     std::vector<fs::path> files;

@@ -60,7 +60,7 @@ public:
     // Those definitions, by the module's name, in the order in which they were added.
     const std::map<std::string, std::vector<Definition>>& rivals() const { return rivals_; }
     // From now on the nearest to `user` does (nearest.h), which is noted.
-    void take_nearest(const std::string& module, const std::filesystem::path& user);
+    void choose_nearest(const std::string& module, const std::filesystem::path& user);
     // Whether it defines modules, but none that counts.
     bool is_passed_over(const Source& source) const;
     // In an order in which the first definition that a compiler reads is the one that counts.

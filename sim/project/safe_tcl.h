@@ -34,7 +34,7 @@ public:
     std::string run(const std::string& script);
     // The command at the beginning of the text, up to its end; npos: it does not end.
     struct Extent {
-        std::size_t begin, end;  // `begin` is behind blanks and comments
+        std::size_t begin, end;  // `begin` is after blanks and comments
         bool is_empty;
     };
     // std::runtime_error: as run().

@@ -88,7 +88,7 @@ fs::path runtime_library(const Verilator& verilator, const TimeLimit& limit) {
     }
     const fs::path file = folder / RUNTIME;
     FolderLock lock;
-    lock.take(folder / "lock");
+    lock.acquire(folder / "lock");
     if (!fs::is_regular_file(file, error))
         fs::rename(compile_runtime(verilator, folder, limit), file);
     return file;

@@ -9,14 +9,14 @@ namespace sim {
 
 namespace {
 
-bool take(std::string_view& text, std::string_view word) {
+bool skip(std::string_view& text, std::string_view word) {
     if (text.substr(0, word.size()) != word) return false;
     text.remove_prefix(word.size());
     return true;
 }
 
-void take_blanks(std::string_view& text) {
-    while (take(text, " ")) {
+void skip_blanks(std::string_view& text) {
+    while (skip(text, " ")) {
     }
 }
 
@@ -24,7 +24,7 @@ bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 // "TODO ..." or "SKIP ...", in upper or lower case, after the "#".
 bool excuses(std::string_view directive) {
-    take_blanks(directive);
+    skip_blanks(directive);
     std::string word{directive.substr(0, 4)};
     for (char& c : word) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
     return word == "TODO" || word == "SKIP";
@@ -33,12 +33,12 @@ bool excuses(std::string_view directive) {
 // "not ok 3 - name: detail # directive"; number and dash may be missing.
 std::optional<Check> result(std::string_view line, std::size_t number) {
     Check check;
-    check.met = !take(line, "not ");
-    if (!take(line, "ok") || (!line.empty() && line[0] != ' ')) return std::nullopt;
-    take_blanks(line);
+    check.met = !skip(line, "not ");
+    if (!skip(line, "ok") || (!line.empty() && line[0] != ' ')) return std::nullopt;
+    skip_blanks(line);
     while (!line.empty() && is_digit(line[0])) line.remove_prefix(1);
-    take_blanks(line);
-    if (take(line, "-")) take_blanks(line);
+    skip_blanks(line);
+    if (skip(line, "-")) skip_blanks(line);
     const std::size_t hash = line.find('#');
     if (hash != line.npos && excuses(line.substr(hash + 1))) {
         check.met = true;
@@ -54,7 +54,7 @@ std::optional<Check> result(std::string_view line, std::size_t number) {
 
 std::optional<std::size_t> plan(std::string_view line) {
     std::size_t checks = 0;
-    if (!take(line, "1..")) return std::nullopt;
+    if (!skip(line, "1..")) return std::nullopt;
     const auto [stop, error] = std::from_chars(line.data(), line.data() + line.size(), checks);
     if (error != std::errc{}) return std::nullopt;
     return checks;
@@ -75,8 +75,8 @@ void TapReader::end_line() {
     if (state_ == State::BEFORE) {
         if (line == "TAP version 13") state_ = State::WITHIN;
     } else if (state_ == State::WITHIN) {
-        if (take(line, "Bail out!")) {
-            take_blanks(line);
+        if (skip(line, "Bail out!")) {
+            skip_blanks(line);
             checks_.push_back({"bail out", false, std::string{line}});
             state_ = State::BEHIND;
         } else if (const auto count = plan(line)) {

@@ -16,7 +16,7 @@ ArmProgram load_program(const RunPlan& plan) {
     const bool on_linux = plan.on_linux;
     if (!on_linux && !program.arguments.empty())
         throw std::runtime_error{program.elf.string() +
-                                 ": arguments behind -- are for Linux programs (--system linux)"};
+                                 ": arguments after -- are for Linux programs (--system linux)"};
     if (!on_linux && !program.linux_root.empty())
         throw std::runtime_error{program.elf.string() +
                                  ": --linux-root is for Linux programs (--system linux)"};

@@ -38,7 +38,7 @@ public:
 
     // ---- Files ----
 
-    // With --update-goldens writes the golden picture anew and returns true.
+    // With --update-goldens writes the golden picture again and returns true.
     virtual bool renew(const std::filesystem::path& golden, const Image& picture) = 0;
 
     // ---- Hands ----

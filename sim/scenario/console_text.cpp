@@ -13,7 +13,7 @@ void ConsoleText::print(char character) {
     searched_ -= std::min(searched_, limit);
 }
 
-bool ConsoleText::take(std::string_view text) {
+bool ConsoleText::consume(std::string_view text) {
     if (text != wanted_) {
         wanted_ = text;
         searched_ = 0;

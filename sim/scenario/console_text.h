@@ -20,7 +20,7 @@ public:
     void print(char character);
 
     // Reads up to the end of the first `text` that is not read yet; false: nowhere, nothing read.
-    bool take(std::string_view text);
+    bool consume(std::string_view text);
 
     std::uint64_t unread() const { return forgotten_ + unread_.size(); }
     // The last of the unread text, `most` characters of it.
@@ -33,7 +33,7 @@ public:
 private:
     std::string unread_;
     std::uint64_t forgotten_ = 0;
-    std::string wanted_;        // by the last take()
+    std::string wanted_;        // by the last consume()
     std::size_t searched_ = 0;  // no wanted_ begins before this
 };
 

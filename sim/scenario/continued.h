@@ -1,4 +1,4 @@
-// continued.h - a scenario with more steps behind its own, as the text of a file in another folder.
+// continued.h - a scenario with more steps after its own, as the text of a file in another folder.
 //
 // All that the file has is in it, but for comments, and for `duration` where there are steps: the
 // run is as long as they are.

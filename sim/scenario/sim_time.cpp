@@ -19,7 +19,7 @@ constexpr Unit UNITS[] = {
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
-std::string_view take_digits(std::string_view& text) {
+std::string_view read_digits(std::string_view& text) {
     const auto end = std::find_if_not(text.begin(), text.end(), is_digit);
     const std::string_view digits = text.substr(0, static_cast<std::size_t>(end - text.begin()));
     text.remove_prefix(digits.size());
@@ -29,12 +29,12 @@ std::string_view take_digits(std::string_view& text) {
 }  // namespace
 
 std::optional<SimTime> SimTime::parse(std::string_view text) {
-    const std::string_view whole = take_digits(text);
+    const std::string_view whole = read_digits(text);
     std::string_view fraction;
     if (whole.empty()) return std::nullopt;
     if (!text.empty() && text.front() == '.') {
         text.remove_prefix(1);
-        fraction = take_digits(text);
+        fraction = read_digits(text);
         if (fraction.empty()) return std::nullopt;
     }
     for (const Unit& unit : UNITS) {

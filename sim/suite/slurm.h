@@ -34,7 +34,7 @@ private:
 };
 
 // Submits, waits and merges.  Shards of which scenarios have no result, since their node died or
-// their task was cancelled, are submitted anew, twice at most: these scenarios alone run again.
+// their task was cancelled, are submitted again, twice at most: these scenarios alone run again.
 // `report` hears of each result as it comes.
 Results run_on_slurm(const std::vector<Case>& cases, const TestOptions& options,
                      const std::function<bool()>& given_up,

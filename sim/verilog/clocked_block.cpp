@@ -20,13 +20,13 @@ const Token& ClockedBlock::here() const {
     if (at_ >= all_.size()) throw NotUnderstood{};
     return all_[at_];
 }
-bool ClockedBlock::take(std::string_view text) {
+bool ClockedBlock::accept(std::string_view text) {
     if (!here().is(text)) return false;
     ++at_;
     return true;
 }
 void ClockedBlock::expect(std::string_view text) {
-    if (!take(text)) throw NotUnderstood{};
+    if (!accept(text)) throw NotUnderstood{};
 }
 bool ClockedBlock::is_one_of(std::initializer_list<std::string_view> words) const {
     return std::find(words.begin(), words.end(), here().text) != words.end();
@@ -50,10 +50,10 @@ void ClockedBlock::statement() {
     if (nested_ > MOST_NESTED_STATEMENTS) throw NotUnderstood{};
     ++nested_;
     if (is_one_of({"unique", "unique0", "priority"})) ++at_;
-    if (take(";")) {
-    } else if (take("begin")) {
+    if (accept(";")) {
+    } else if (accept("begin")) {
         sequence();
-    } else if (take("if")) {
+    } else if (accept("if")) {
         branches();
     } else if (is_one_of({"case", "casex", "casez"})) {
         choices();
@@ -68,14 +68,14 @@ void ClockedBlock::statement() {
 }
 
 void ClockedBlock::sequence() {
-    if (take(":")) ++at_;
-    while (!take("end")) {
+    if (accept(":")) ++at_;
+    while (!accept("end")) {
         if (is_one_of({"automatic", "static", "reg", "integer", "logic", "int", "bit", "byte"}))
             local();
         else
             statement();
     }
-    if (at_ + 1 < all_.size() && take(":")) ++at_;
+    if (at_ + 1 < all_.size() && accept(":")) ++at_;
 }
 void ClockedBlock::local() {
     for (; !here().is(";"); ++at_) {
@@ -99,15 +99,15 @@ void ClockedBlock::branches() {
 void ClockedBlock::choices() {
     ++at_;
     condition();
-    take("inside");
+    accept("inside");
     const Names before = assigned_;
     Names after = before;
-    while (!take("endcase")) {
+    while (!accept("endcase")) {
         assigned_ = before;
-        if (!take("default"))
+        if (!accept("default"))
             read_to(":");
         else
-            take(":");
+            accept(":");
         statement();
         after.insert(assigned_.begin(), assigned_.end());
     }
@@ -135,8 +135,8 @@ void ClockedBlock::assignment() {
     };
     const bool leads = doubled("+") || doubled("-");
     if (leads) at_ += 2;
-    if (take("{")) {
-        for (; !take("}"); take(",")) a.targets.push_back(target());
+    if (accept("{")) {
+        for (; !accept("}"); accept(",")) a.targets.push_back(target());
     } else {
         a.targets.push_back(target());
         if (here().is(";") || here().is("(")) {
@@ -148,16 +148,16 @@ void ClockedBlock::assignment() {
     if (leads || doubled("+") || doubled("-")) {
         a.is_plain = false;
         if (!leads) at_ += 2;
-    } else if (!take("=")) {
-        a.is_blocking = !take("<");
+    } else if (!accept("=")) {
+        a.is_blocking = !accept("<");
         if (a.is_blocking) {
             a.is_plain = false;
             while (is_one_of({"+", "-", "*", "/", "%", "&", "|", "^", "<", ">"})) ++at_;
             if (at_ == a.sign) throw NotUnderstood{};
-        } else if (take("<")) {  // <<=
+        } else if (accept("<")) {  // <<=
             a.is_blocking = true;
             a.is_plain = false;
-            take("<");
+            accept("<");
         }
         expect("=");
     }
@@ -174,7 +174,7 @@ ClockedBlock::Target ClockedBlock::target() {
     Target t{here().text, at_, at_};
     ++at_;
     while (here().is("[") || here().is(".")) {
-        if (take("["))
+        if (accept("["))
             read_to("]");
         else
             at_ += 2;

@@ -30,7 +30,7 @@ public:
     ClockedBlock(const std::vector<Token>& all, std::size_t begin);
 
     std::size_t begin() const { return begin_; }
-    std::size_t end() const { return at_; }  // behind the statement
+    std::size_t end() const { return at_; }  // after the statement
     const std::vector<Assignment>& assignments() const { return assignments_; }
     // What may have been assigned before it is read, or where that is not known.
     const Names& read_behind() const { return read_; }
@@ -41,7 +41,7 @@ public:
 
 private:
     const Token& here() const;
-    bool take(std::string_view text);
+    bool accept(std::string_view text);
     void expect(std::string_view text);
     bool is_one_of(std::initializer_list<std::string_view> words) const;
     void read_to(std::string_view end);

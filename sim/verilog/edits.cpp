@@ -16,8 +16,7 @@ std::string changed_text(const Tokens& tokens, const Edits& edits) {
                         '\n');
         else
             text += token;
-        if (const auto here = edits.behind.find(i); here != edits.behind.end())
-            text += here->second;
+        if (const auto here = edits.after.find(i); here != edits.after.end()) text += here->second;
     }
     return text += tokens.tail;
 }

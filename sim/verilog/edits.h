@@ -11,7 +11,7 @@
 namespace sim::project {
 
 struct Edits {
-    std::map<std::size_t, std::string> before, behind;  // text to write there
+    std::map<std::size_t, std::string> before, after;  // text to write there
     std::set<std::size_t> left_out;  // tokens; the white space and comments before them stay
     std::map<std::size_t, std::string> told;  // what a person is told, with that token's line
 };

@@ -41,7 +41,7 @@ public:
             if (is_tri_state(all_[i]))
                 i = tri_states(i);
             else if (!nets_.empty())
-                take_drivers(i);
+                add_drivers(i);
         }
         return edits_;
     }
@@ -118,7 +118,7 @@ private:
         return nets;
     }
     // A net of its own in the place of the one that token `i` drives, declared before `item`.
-    void take_driver(std::size_t item, std::size_t i, std::size_t end) {
+    void add_driver(std::size_t item, std::size_t i, std::size_t end) {
         if (i >= all_.size()) return;
         const auto net = nets_.find(all_[i].text);
         if (net == nets_.end()) return;
@@ -130,27 +130,27 @@ private:
         // The bits that an assignment leaves open are 0, and so 1 for the "and" if it is inverted.
         const std::size_t equals = find_outside(all_, i, {"="});
         if (net->second.kind == "wand" && is(i + 1, "[") && equals < end) {
-            edits_.behind[equals] += "~(";
-            edits_.behind[end - 1] += ")";
+            edits_.after[equals] += "~(";
+            edits_.after[end - 1] += ")";
             own = "~" + own;
         }
         drivers.push_back(own);
     }
-    void take_drivers(std::size_t i) {
+    void add_drivers(std::size_t i) {
         const std::size_t end = find_outside(all_, i, {";"});
         if (all_[i].is("assign")) {
             for (std::size_t at = i + 1; at < end;) {
                 const std::size_t to = find_outside(all_, at, {",", ";"});
-                take_driver(i, at, to);
+                add_driver(i, at, to);
                 at = to + 1;
             }
         } else if (is_gate(all_[i])) {
             for (std::size_t open = find_outside(all_, i, {"(", ";"}); open < end;
                  open = find_outside(all_, closing(all_, open) + 1, {"(", ";"}))
-                take_driver(i, open + 1, open + 1);
+                add_driver(i, open + 1, open + 1);
         } else if (const auto module = modules_.find(all_[i].text); module != modules_.end()) {
             for (const ConnectionText& c : connections_of(all_, i, module->second))
-                if (module->second.outputs.count(c.port)) take_driver(i, c.first, c.first);
+                if (module->second.outputs.count(c.port)) add_driver(i, c.first, c.first);
         }
     }
     void join_drivers(std::size_t end) {

@@ -48,7 +48,7 @@ private:
         edits_.before[end] += ")";
     }
 
-    // The declaration behind the attributes among which the file's name is at `value`.
+    // The declaration after the attributes among which the file's name is at `value`.
     void attribute(std::size_t value) {
         std::size_t i = value;
         while (i < tokens_.size() && !tokens_[i].is("*)")) ++i;
@@ -80,7 +80,7 @@ private:
         note(tokens_[i - 1], file);
         const std::string memory{tokens_[i - 1].text};
         const std::string width = fmt::format("$bits({0}[$low({0})])", memory);
-        edits_.behind[end] += fmt::format(
+        edits_.after[end] += fmt::format(
             " {0}initial begin : de1sim_init_{1} int at, part; bit [{2}+31:0] word; "
             "if (de1sim_init::de1sim_init_file({3}, $sformatf(\"%m\"), {2}, $size({4})) != 0) "
             "for (at = 0; at < $size({4}); ++at) begin "

@@ -14,7 +14,7 @@ void fit_inouts(const std::vector<Token>& all, const std::vector<InoutFit>& fits
             const std::size_t end = closing(all, i + 2);
             if (fit.line < all[i].line || fit.line > all[end].line || end == i + 3) continue;
             if (fit.connected > fit.bits) {
-                edits.behind[end - 1] += fmt::format("[{}:0]", fit.bits - 1);
+                edits.after[end - 1] += fmt::format("[{}:0]", fit.bits - 1);
                 continue;
             }
             std::size_t begin = i;  // of the instance
@@ -25,7 +25,7 @@ void fit_inouts(const std::vector<Token>& all, const std::vector<InoutFit>& fits
             edits.before[begin] +=
                 fmt::format("wire [{}:0] {}; ", fit.bits - fit.connected - 1, open);
             edits.before[i + 3].insert(0, fmt::format("{{{}, ", open));
-            edits.behind[end - 1] += "}";
+            edits.after[end - 1] += "}";
         }
 }
 

@@ -6,8 +6,8 @@ namespace sim::project {
 
 namespace {
 
-void take_connections(const std::vector<Token>& tokens, std::size_t open, std::size_t close,
-                      const ModuleText& module, std::vector<ConnectionText>& all) {
+void add_connections(const std::vector<Token>& tokens, std::size_t open, std::size_t close,
+                     const ModuleText& module, std::vector<ConnectionText>& all) {
     std::size_t position = 0;
     for (std::size_t i = open + 1; i < close; ++position) {
         const std::size_t end = find_outside(tokens, i, {",", ")"});
@@ -44,7 +44,7 @@ std::vector<ConnectionText> connections_of(const std::vector<Token>& tokens, std
     for (std::size_t open = find_outside(tokens, at + 1, {"(", ";"}); open < end;
          open = find_outside(tokens, open + 1, {"(", ";"})) {
         const std::size_t close = find_outside(tokens, open + 1, {")"});
-        if (!tokens[open - 1].is("#")) take_connections(tokens, open, close, module, all);
+        if (!tokens[open - 1].is("#")) add_connections(tokens, open, close, module, all);
         open = close;
     }
     return all;

@@ -8,7 +8,7 @@ namespace sim::project {
 
 namespace {
 
-// Each function takes the index of a construct's first token and returns the one behind its end.
+// Each function takes the index of a construct's first token and returns the one after its end.
 class Statements {
 public:
     explicit Statements(const std::vector<Token>& tokens) : tokens_{tokens} {}

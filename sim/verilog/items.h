@@ -30,7 +30,7 @@ private:
     std::vector<bool> statements_;
 };
 
-// The token behind the statement that begins at `i`.
+// The token after the statement that begins at `i`.
 std::size_t behind_statement(const std::vector<Token>& tokens, std::size_t i);
 
 // The parenthesis that closes the one at `open`; where there is none, the last token.

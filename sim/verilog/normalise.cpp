@@ -114,9 +114,9 @@ public:
                 changed(token, fmt::format("named the instance of {}", token.text));
                 add_name(i);
             }
-            if (const auto here = edits_.behind.find(i); here != edits_.behind.end())
+            if (const auto here = edits_.after.find(i); here != edits_.after.end())
                 result.text += in_one_line(here->second);
-            for (; next_reset < resets_.size() && resets_[next_reset].behind == i; ++next_reset)
+            for (; next_reset < resets_.size() && resets_[next_reset].after == i; ++next_reset)
                 result.text += at_power_up(resets_[next_reset]);
         }
         result.text += without_pragmas(tokens_.tail);
@@ -193,7 +193,7 @@ private:
     void add_name(std::size_t i) {
         std::size_t at = i;
         if (tokens_.all[i + 1].is("#")) at = closing(tokens_.all, i + 2);
-        edits_.behind[at] += fmt::format(" de1sim_unnamed_{} ", ++unnamed_);
+        edits_.after[at] += fmt::format(" de1sim_unnamed_{} ", ++unnamed_);
     }
     // Adds the connections that the instance of a model at `i` leaves open.
     // Quartus takes an output that is connected with a number for one that is open.
@@ -229,9 +229,9 @@ private:
             if (there == connected.end())
                 added += fmt::format(".{}(-1), ", input->second);
             else if (tokens_.all[there->second + 1].is(")"))
-                edits_.behind[there->second] += "-1";
+                edits_.after[there->second] += "-1";
         }
-        edits_.behind[open] += added;
+        edits_.after[open] += added;
     }
     std::string text_of_token(const Token& token) {
         if (token.kind == Kind::NUMBER) return literal(token);

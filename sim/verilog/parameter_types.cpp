@@ -31,11 +31,11 @@ private:
         }
         if (!is(i, "#") || !is(i + 1, "(")) return;
         type_.clear();
-        for (i += 2; i < tokens_.size() && !is(i, ")"); i = behind(i)) parameter(i);
+        for (i += 2; i < tokens_.size() && !is(i, ")"); i = after(i)) parameter(i);
     }
 
-    // Of the parameter that begins at `begin`: what comes behind its comma, or its end.
-    std::size_t behind(std::size_t begin) const {
+    // Of the parameter that begins at `begin`: what comes after its comma, or its end.
+    std::size_t after(std::size_t begin) const {
         int depth = 0;
         for (std::size_t i = begin; i < tokens_.size(); ++i) {
             if (depth == 0 && is(i, ",")) return i + 1;

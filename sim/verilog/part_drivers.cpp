@@ -62,16 +62,16 @@ private:
                            });
     }
 
-    // Calls take(begin, equals, end) for each assignment of the `assign` at `i`; its semicolon, or
+    // Calls visit(begin, equals, end) for each assignment of the `assign` at `i`; its semicolon, or
     // the file's end.
-    template <class Take>
-    std::size_t each_assignment(std::size_t i, Take take) const {
+    template <class Visit>
+    std::size_t each_assignment(std::size_t i, Visit visit) const {
         std::size_t begin = i + 1;
         if (begin < tokens_.size() && tokens_[begin].is("#")) begin += 2;
         for (;;) {
             const std::size_t equals = find(begin, {"=", ";"}), end = find(equals, {",", ";"});
             if (end >= tokens_.size()) return end;
-            if (tokens_[equals].is("=")) take(begin, equals, end);
+            if (tokens_[equals].is("=")) visit(begin, equals, end);
             if (tokens_[end].is(";")) return end;
             begin = end + 1;
         }
@@ -80,7 +80,7 @@ private:
         at_ = each_assignment(at_, [this](std::size_t begin, std::size_t equals, std::size_t end) {
             if (!is_part(begin, equals) || has_z(equals, end)) return;
             if (equals + 2 == end && released_.count(tokens_[equals + 1].text)) return;
-            edits_.behind[equals] += fmt::format(" {}(", ENABLE);
+            edits_.after[equals] += fmt::format(" {}(", ENABLE);
             edits_.before[end] += fmt::format("){}", RELEASE);
         });
     }
@@ -115,9 +115,9 @@ private:
         at_ = end;
         if (wires.empty()) return;
         const Token& before = tokens_[statement - 1];
-        const bool alone = before.is(")") || before.is("else");  // behind an `if`
+        const bool alone = before.is(")") || before.is("else");  // after an `if`
         edits_.before[statement] += (alone ? "begin " : "") + wires;
-        if (alone) edits_.behind[end] += " end";
+        if (alone) edits_.after[end] += " end";
     }
 
     // Puts a wire in the place of the part of tokens up to `end`; the text that declares it.

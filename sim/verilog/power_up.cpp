@@ -39,7 +39,7 @@ private:
         return i < all_.size() && all_[i].is(text);
     }
 
-    void statement(std::size_t at, std::size_t behind) {
+    void statement(std::size_t at, std::size_t after) {
         if (!is(at, "if") || !is(at + 1, "(")) return;
         const std::size_t close = closing(all_, at + 1);
         const auto token = [&](std::size_t i) {
@@ -53,7 +53,7 @@ private:
         const auto is_odd = [](const Token& one) {  // or in branches of an `ifdef
             return is_of_simulation(one) || one.gap.find('`') != std::string_view::npos;
         };
-        if (std::none_of(token(begin), token(end), is_odd)) found_.push_back({behind, begin, end});
+        if (std::none_of(token(begin), token(end), is_odd)) found_.push_back({after, begin, end});
     }
 
     const std::vector<Token>& all_;

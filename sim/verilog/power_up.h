@@ -1,14 +1,14 @@
 // power_up.h - what registers are when the chip powers up.
 //
 // The registers of a Cyclone V power up at 0, and have a clear, but no preset.  Where the
-// asynchronous reset makes a bit 1, Quartus inverts before and behind the register ("NOT gate
+// asynchronous reset makes a bit 1, Quartus inverts before and after the register ("NOT gate
 // push-back"), so that it powers up at 1 as well, whatever `initial` says, and also where the reset
 // never comes:
 //
 //   always @(posedge clk or negedge rst_n)
 //       if (!rst_n) q <= 4'b1010; else q <= d;       initial q <= 4'b1010;   is added
 //
-// Not handled: an `initial` behind the block that says otherwise, which Quartus ignores with a
+// Not handled: an `initial` after the block that says otherwise, which Quartus ignores with a
 // warning (18061).
 #pragma once
 
@@ -20,11 +20,11 @@
 namespace sim::project {
 
 // The tokens [begin, end) are a statement of an asynchronous reset, to be executed at power-up,
-// too; what is written for that has its place behind token `behind`.
+// too; what is written for that has its place after token `after`.
 struct ResetStatement {
-    std::size_t behind, begin, end;
+    std::size_t after, begin, end;
 };
-// In the order of `behind`.
+// In the order of `after`.
 std::vector<ResetStatement> reset_statements(const std::vector<Token>& tokens);
 
 }  // namespace sim::project

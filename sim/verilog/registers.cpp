@@ -93,7 +93,7 @@ public:
     }
 
 private:
-    // Behind the block, where it is a clocked one that is understood.
+    // After the block, where it is a clocked one that is understood.
     std::size_t process(std::size_t i) {
         if (i + 2 >= all_.size() || !all_[i + 1].is("@") || !all_[i + 2].is("(")) return i;
         std::size_t at = i + 3;
@@ -170,7 +170,7 @@ private:
         for (const auto name : copied) open += variables_.type(name) + copy_of(name) + "; ";
         for (const auto name : copied) open += fmt::format("{} = {}; ", copy_of(name), name);
         edits_.before[block.begin()].insert(0, open);
-        edits_.behind[block.end() - 1] += " end";
+        edits_.after[block.end() - 1] += " end";
     }
 
     // All that the block reads and assigns by "=" of these is the copy.
@@ -186,9 +186,9 @@ private:
         }
     }
 
-    // Behind "n = d;" comes "n <= n;", or "n <= its copy;".
+    // After "n = d;" comes "n <= n;", or "n <= its copy;".
     void echo(const ClockedBlock::Assignment& a, const Names& copied, const Names& echoed) {
-        std::string behind;
+        std::string after;
         for (const auto& t : a.targets) {
             if (!a.is_blocking || (!copied.count(t.name) && !echoed.count(t.name))) continue;
             std::string select;
@@ -197,13 +197,13 @@ private:
                                ? copy_of(all_[i].text)
                                : std::string{all_[i].text}) +
                           " ";
-            behind +=
+            after +=
                 fmt::format(" {}{} <= {}{};", t.name, select,
                             copied.count(t.name) ? copy_of(t.name) : std::string{t.name}, select);
         }
-        if (behind.empty()) return;
+        if (after.empty()) return;
         edits_.before[a.begin].insert(0, "begin ");
-        edits_.behind[a.end].insert(0, behind + " end");
+        edits_.after[a.end].insert(0, after + " end");
     }
 
     const std::vector<Token>& all_;

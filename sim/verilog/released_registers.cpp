@@ -15,14 +15,14 @@ namespace {
 using Kind = Token::Kind;
 using NameSet = std::set<std::string, std::less<>>;
 
-// Calls take(begin, end) for each module, from its name up to `endmodule`.
-template <class Take>
-void each_module(const std::vector<Token>& all, Take take) {
+// Calls visit(begin, end) for each module, from its name up to `endmodule`.
+template <class Visit>
+void each_module(const std::vector<Token>& all, Visit visit) {
     for (std::size_t i = 0; i + 1 < all.size(); ++i) {
         if (!all[i].is("module")) continue;
         const std::size_t begin = ++i;
         while (i < all.size() && !all[i].is("endmodule")) ++i;
-        take(begin, i);
+        visit(begin, i);
     }
 }
 
@@ -128,7 +128,7 @@ private:
             const std::size_t target = target_of(all_, begin_, i + 1),
                               end = find_outside(all_, i, {";"});
             if (!names.count(all_[target].text) || end >= end_) continue;
-            std::size_t value = i + 1;  // behind a delay
+            std::size_t value = i + 1;  // after a delay
             if (all_[value].is("#"))
                 value = all_[value + 1].is("(") ? closing(all_, value + 1) + 1 : value + 2;
             if (value >= end) continue;
@@ -211,7 +211,7 @@ private:
     }
 
     // reg [7:0] a, b = 1; or output reg [7:0] a, and so on: without those that get an enable, which
-    // are declared behind it, or behind the module's header.  Its last token.
+    // are declared after it, or after the module's header.  Its last token.
     std::size_t declaration(std::size_t reg, std::size_t header) {
         std::size_t name = reg + 1;
         if (is(name, "signed")) ++name;
@@ -243,7 +243,7 @@ private:
             }
         }
         if (added.empty() || name >= end_) return reg;
-        // `name` is behind the last; a comma before the next direction stays.
+        // `name` is after the last; a comma before the next direction stays.
         std::size_t last = name;
         if (!all_[last].is(";") && !all_[last].is(")")) --last;
         const std::size_t first = is_port ? reg - 1 : reg;
@@ -251,9 +251,9 @@ private:
         for (std::size_t i = first; i < last + takes_semicolon; ++i) edits_.left_out.insert(i);
         edits_.before[first] += kept;
         if (is_port && last < header)
-            edits_.behind[header] += added;
+            edits_.after[header] += added;
         else
-            edits_.behind[last] += added;
+            edits_.after[last] += added;
         return last;
     }
     // Of the name at token `at`, with its first value up to `end`.
@@ -303,7 +303,7 @@ private:
                 edits_.left_out.insert(i);
                 edits_.before[i] += value;
             }
-        edits_.behind[a.end] +=
+        edits_.after[a.end] +=
             fmt::format(" {}__enable{} {}; end", name, text(a.target + 1, a.value),
                         enable(a.value, a.end, in_parts_.count(name) > 0));
     }

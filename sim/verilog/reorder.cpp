@@ -19,12 +19,12 @@ bool is_net(const Token& token) {
     return std::find(std::begin(WORDS), std::end(WORDS), token.text) != std::end(WORDS);
 }
 
-// A declaration of nets or ports: "input signed [7:0]" and the names behind it.
+// A declaration of nets or ports: "input signed [7:0]" and the names after it.
 struct Declaration {
     std::size_t begin, end;  // its first token, and its semicolon
     std::string type;
     std::vector<std::string> names;
-    bool plain = true;  // only names: neither values nor dimensions behind them
+    bool plain = true;  // only names: neither values nor dimensions after them
 };
 
 class Reorderer {

@@ -55,10 +55,9 @@ std::string error_of(const Outcome& outcome, const std::string& tool, const Time
             if (line.find("Exiting due to") != std::string::npos) continue;
             const std::size_t colon = line.find(": ", mark);
             if (colon == std::string::npos) return line;
-            const auto behind =
-                static_cast<std::size_t>(std::max<std::streamoff>(lines.tellg(), 0));
+            const auto after = static_cast<std::size_t>(std::max<std::streamoff>(lines.tellg(), 0));
             return error_in_our_words(line.substr(colon + 2),
-                                      std::string_view{outcome.output}.substr(behind));
+                                      std::string_view{outcome.output}.substr(after));
         }
         if (first.empty() && line.find("error:") != std::string::npos) first = line;
     }

@@ -19,7 +19,7 @@ void complete_lists(const Tokens& tokens, Edits& edits) {
         const std::size_t first = i + 2;
         if (all[first].kind == Token::Kind::NAME) {  // @a
             edits.before[first] += std::string{"("} + LIST_OPEN;
-            edits.behind[first] += std::string{LIST_CLOSE} + ")";
+            edits.after[first] += std::string{LIST_CLOSE} + ")";
             continue;
         }
         if (!all[first].is("(")) continue;
@@ -31,7 +31,7 @@ void complete_lists(const Tokens& tokens, Edits& edits) {
             std::any_of(all.begin() + static_cast<std::ptrdiff_t>(first),
                         all.begin() + static_cast<std::ptrdiff_t>(end) + 1, is_other))
             continue;
-        edits.behind[first] += LIST_OPEN;
+        edits.after[first] += LIST_OPEN;
         edits.before[end] += LIST_CLOSE;
     }
 }

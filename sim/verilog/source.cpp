@@ -51,7 +51,7 @@ private:
         header();
     }
 
-    // The names in the parentheses behind the module's name and its parameters.
+    // The names in the parentheses after the module's name and its parameters.
     void header() {
         std::size_t i = at_ + 1;
         while (i < tokens_.size() && !tokens_[i].is("(") && !tokens_[i].is(";")) ++i;
@@ -87,7 +87,7 @@ private:
         }
     }
 
-    // To the name of an instance behind #( ... ), or to what there is else.
+    // To the name of an instance after #( ... ), or to what there is else.
     void skip_parameters() {
         const std::size_t i = closing(tokens_, at_ + 2);
         at_ = i + 1 < tokens_.size() && is_name(tokens_[i + 1]) ? i + 1 : i;

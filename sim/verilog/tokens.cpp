@@ -29,7 +29,7 @@ public:
             }
             const std::size_t begin = at_;
             const unsigned line = line_;
-            const Token::Kind kind = take();
+            const Token::Kind kind = read();
             for (std::size_t i = begin; i < at_; ++i) line_ += text_[i] == '\n';
             tokens.all.push_back(
                 {kind, text_.substr(begin, at_ - begin), text_.substr(gap, begin - gap), line});
@@ -123,7 +123,7 @@ private:
         at_ = std::min(at_, text_.size());
     }
 
-    Token::Kind take() {
+    Token::Kind read() {
         const char c = peek();
         if (starts_name(c) || c == '$') {
             ++at_;
@@ -145,7 +145,7 @@ private:
             at_ = std::min(at_ + 1, text_.size());
             return Token::Kind::STRING;
         }
-        if (is_digit(c) || (c == '\'' && base_at(at_))) return take_number();
+        if (is_digit(c) || (c == '\'' && base_at(at_))) return read_number();
         ++at_;
         if ((c == '(' && peek() == '*' && peek(1) != ')') || (c == '*' && peek() == ')') ||
             (c == ':' && peek() == ':'))
@@ -160,7 +160,7 @@ private:
                std::string_view{"bBoOdDhH"}.find(text_[i]) != std::string_view::npos;
     }
 
-    Token::Kind take_number() {
+    Token::Kind read_number() {
         const auto digits = [](char c) {
             return std::isalnum(static_cast<unsigned char>(c)) || c == '_' || c == '?' || c == '.';
         };

@@ -22,7 +22,7 @@ struct Token {
 
 struct Tokens {
     std::vector<Token> all;
-    std::string_view tail;  // behind the last one
+    std::string_view tail;  // after the last one
 };
 
 // `text` must outlive what is returned.  A comment or string without an end reaches to the file's.

@@ -117,7 +117,7 @@ private:
         for (std::size_t i = b.equals + 1; i < b.end; ++i)
             if (i < first || i >= last) edits_.left_out.insert(i);
         edits_.before[first] += "(";
-        edits_.behind[last - 1] += ")";
+        edits_.after[last - 1] += ")";
         messages_.push_back({13049,
                              {},
                              all_[b.equals].line,

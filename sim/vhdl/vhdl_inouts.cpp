@@ -69,9 +69,9 @@ private:
                 return std::isalnum(static_cast<unsigned char>(c)) || c == '_';
             };
             for (std::size_t at = 0; (at = line.find(wire, at)) != std::string::npos;) {
-                const std::size_t behind = at + wire.size();
+                const std::size_t after = at + wire.size();
                 const bool whole = !in_name(line[at - 1]) && line[at - 1] != '.' &&
-                                   (behind >= line.size() || !in_name(line[behind]));
+                                   (after >= line.size() || !in_name(line[after]));
                 if (whole) line.replace(at, wire.size(), to);
                 at += whole ? to.size() : wire.size();
             }

@@ -71,7 +71,7 @@ private:
         }
     }
 
-    // From "input" to behind the comma or the parenthesis.  False: a range that VHDL does not have.
+    // From "input" to after the comma or the parenthesis.  False: a range that VHDL does not have.
     bool port() {
         if (is("input") || is("output") || is("inout")) {
             direction_ = all_.at(at_).text;

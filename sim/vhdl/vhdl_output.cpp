@@ -51,10 +51,10 @@ VhdlOutput::VhdlOutput(const std::string& said, const std::string& root, const s
                        const InVerilog& in_verilog) {
     const std::string text = "\n" + said, begin = "\nmodule ", end = "\nendmodule\n";
     for (std::size_t at = text.find(begin); at != std::string::npos; at = text.find(begin, at)) {
-        const std::size_t behind = text.find(end, at);
-        if (behind == std::string::npos) return;
-        take(text.substr(at + 1, behind + end.size() - at - 1), root, module);
-        at = behind;
+        const std::size_t after = text.find(end, at);
+        if (after == std::string::npos) return;
+        add(text.substr(at + 1, after + end.size() - at - 1), root, module);
+        at = after;
     }
     // GHDL 5 writes no module for a component without an entity.
     for (const Module& of : modules_)
@@ -67,8 +67,8 @@ VhdlOutput::VhdlOutput(const std::string& said, const std::string& root, const s
     }
 }
 
-// GHDL 2 writes a module for a component without an entity, with nothing behind its ports.
-void VhdlOutput::take(std::string text, const std::string& root, const std::string& module) {
+// GHDL 2 writes a module for a component without an entity, with nothing after its ports.
+void VhdlOutput::add(std::string text, const std::string& root, const std::string& module) {
     std::string name = text.substr(7, text.find_first_of(" \n(", 7) - 7);
     if (lower(name) == lower(root)) {
         text.replace(7, name.size(), module);
@@ -82,7 +82,7 @@ void VhdlOutput::take(std::string text, const std::string& root, const std::stri
     components_[name];
 }
 
-// Behind the line of an instance comes one for each connection.
+// After the line of an instance comes one for each connection.
 void VhdlOutput::rename(std::string& module) const {
     std::istringstream lines{module};
     module.clear();

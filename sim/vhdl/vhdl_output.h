@@ -29,7 +29,7 @@ private:
     struct Module {
         std::string name, text;
     };
-    void take(std::string text, const std::string& root, const std::string& module);
+    void add(std::string text, const std::string& root, const std::string& module);
 
     void rename(std::string& module) const;
 

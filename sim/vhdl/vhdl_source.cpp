@@ -19,7 +19,7 @@ struct Word {
 // Words and symbols without comments; `low` is the text in lower case.
 std::vector<Word> words_of(std::string_view text, std::string_view low) {
     std::vector<Word> words;
-    const auto take = [&](std::size_t begin, std::size_t count) {
+    const auto copy = [&](std::size_t begin, std::size_t count) {
         words.push_back({text.substr(begin, count), low.substr(begin, count)});
     };
     const auto in_word = [](char c) {
@@ -31,9 +31,9 @@ std::vector<Word> words_of(std::string_view text, std::string_view low) {
         } else if (in_word(text[i])) {
             const std::size_t begin = i;
             while (i < text.size() && in_word(text[i])) ++i;
-            take(begin, i - begin);
+            copy(begin, i - begin);
         } else {
-            if (!std::isspace(static_cast<unsigned char>(text[i]))) take(i, 1);
+            if (!std::isspace(static_cast<unsigned char>(text[i]))) copy(i, 1);
             ++i;
         }
     }
@@ -81,7 +81,7 @@ private:
         for (const auto& port : head.ports) source_.modules.back().ports.push_back(port.name);
         heads_.push_back(std::move(head));
     }
-    // ( a, b : in std_logic := '0'; ... ) ; and returns what is behind it.
+    // ( a, b : in std_logic := '0'; ... ) ; and returns what is after it.
     std::size_t members(std::size_t open, std::vector<EntityHead::Member>& list) {
         int depth = 0;
         enum { NAMES, TYPE, VALUE } part = NAMES;

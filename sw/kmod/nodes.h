@@ -6,7 +6,7 @@
 enum { KMOD_REGIONS = 8 };  // at most, of a module
 
 struct device_node {
-    const char* name;               // NULL: behind the last
+    const char* name;               // NULL: after the last
     const char* const* compatible;  // up to a NULL
     unsigned regions;
     uint32_t first[KMOD_REGIONS], bytes[KMOD_REGIONS];  // of the processor's addresses

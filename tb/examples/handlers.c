@@ -1,5 +1,5 @@
 // handlers.c - start.S calls a program's handlers by the names of Intel's Monitor Program: each
-// lights its LED and goes on behind what it handles.
+// lights its LED and goes on after what it handles.
 #include "processor.h"
 #include "registers.h"
 

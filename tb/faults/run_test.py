@@ -55,7 +55,7 @@ class Run(Faults):
         self.assertEqual((self.folder / "file").read_text(), "x")
 
     def test_ended_by_a_signal_at_any_time(self):
-        """From the program's first millisecond on to behind its last."""
+        """From the program's first millisecond on to after its last."""
         begin = time.monotonic()
         self.assertEqual(self.de1sim().returncode, PASSED)
         whole_s = time.monotonic() - begin

@@ -64,7 +64,7 @@ class Suite(Faults):
         self.assertEqual((self.folder / "file").read_text(), "x")
 
     def test_ended_by_a_signal_at_any_time(self):
-        """At once, when the first run begins, and from then on to behind the last."""
+        """At once, when the first run begins, and from then on to after the last."""
         for name in "abc":
             self.steps("80ms", name)
         begin = time.monotonic()

@@ -134,14 +134,14 @@ module avalon_arbiter_formal (
     endfunction
 
     wire [7:0] head   = dut__first_q ? dut__owners_q__1 : dut__owners_q__0;
-    wire [7:0] behind = dut__first_q ? dut__owners_q__0 : dut__owners_q__1;
+    wire [7:0] after = dut__first_q ? dut__owners_q__0 : dut__owners_q__1;
 
     always @(*) i_turn: assert (dut__turn_q == {6'd0, who_q} && who_q != 2'd3);
     always @(*) if (live) begin
         i_pending: assert (dut__pending_q == owed_q);
         i_end:     assert (dut__end_q == (dut__first_q ^ owed_q[0]));
         if (owed_q != 2'd0) i_owner: assert (head == {6'd0, owner_q} && owner_q != 2'd3);
-        if (owed_q == 2'd2) i_second: assert (behind == {6'd0, second_q} && second_q != 2'd3);
+        if (owed_q == 2'd2) i_second: assert (after == {6'd0, second_q} && second_q != 2'd3);
         i_left:    assert (dut__left_q == {6'd0, shares(who_q)} - {6'd0, run_q}
                            && run_q <= shares(who_q));
         if (offered_q) i_offered: assert (waits_q[who_q] && dut__left_q != 8'd0 && owed_q != 2'd2);

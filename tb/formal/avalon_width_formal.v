@@ -152,7 +152,7 @@ module avalon_width_formal (
 
     wire [8:0] head   = dut__first_q ? {dut__lasts_q__1, dut__parts_q__1}
                                      : {dut__lasts_q__0, dut__parts_q__0};
-    wire [8:0] behind = dut__first_q ? {dut__lasts_q__0, dut__parts_q__0}
+    wire [8:0] second = dut__first_q ? {dut__lasts_q__0, dut__parts_q__0}
                                      : {dut__lasts_q__1, dut__parts_q__1};
     wire [7:0] wide_head   = wide__first_q ? wide__parts_q__1 : wide__parts_q__0;
     wire [7:0] wide_behind = wide__first_q ? wide__parts_q__0 : wide__parts_q__1;
@@ -164,7 +164,7 @@ module avalon_width_formal (
         i_ends:   assert (dut__end_q == (dut__first_q ^ owed_q[0])
                           && wide__end_q == (wide__first_q ^ byte_owed_q[0]));
         if (owed_q != 2'd0) i_head: assert (head == {oldest_q[2], 6'd0, oldest_q[1:0]});
-        if (owed_q == 2'd2) i_behind: assert (behind == {second_q[2], 6'd0, second_q[1:0]});
+        if (owed_q == 2'd2) i_behind: assert (second == {second_q[2], 6'd0, second_q[1:0]});
         if (byte_owed_q != 2'd0) i_wide_head: assert (wide_head == {6'd0, byte_oldest_q});
         if (byte_owed_q == 2'd2) i_wide_behind: assert (wide_behind == {6'd0, byte_second_q});
         i_sent:   assert ((sent_q & ~wants) == 4'd0 && (sent_q == 4'd0 || waits_q)

@@ -3,7 +3,7 @@
 //
 // By 3-step induction, for a place that the solver chooses.  Words are written in ascending order,
 // from the first on; any number of them.  So the claims about a block hold from when it has been
-// written completely until its row begins anew.
+// written completely until its row begins again.
 
 `default_nettype none
 

@@ -13,7 +13,7 @@ dut.part.name, dut__name__3 is word 3 of a memory.  They carry invariants that i
 Where no word of a memory is named, memories are the solver's arrays.
 
 A TWIN is a file of sim/fpga, which takes the place of one of rtl/ in the simulation.  Its module
-has _twin behind its name here, so that both can be in one harness.
+has _twin after its name here, so that both can be in one harness.
 """
 import argparse
 import os
@@ -31,7 +31,7 @@ def run(command, log):
 
 
 def renamed(twin, work):
-    """A copy of the twin whose module has _twin behind its name."""
+    """A copy of the twin whose module has _twin after its name."""
     copy = work / f"{twin.stem}_twin.v"
     copy.write_text(re.sub(rf"^module {twin.stem}\b", rf"module {twin.stem}_twin",
                            twin.read_text(), flags=re.M))

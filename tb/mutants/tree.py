@@ -14,7 +14,7 @@ import time
 
 LEFT_OUT = {"build", "out", ".git", ".de1sim", "__pycache__"}
 FEW_SECONDS = 20       # even a short test may take so long on a busy machine
-# Verilator writes all of a class anew: what includes its header comes from the cache if the class
+# Verilator writes all of a class again: what includes its header comes from the cache if the class
 # looks as before.  Mutants themselves are not kept.
 CACHE = {"CCACHE_SLOPPINESS":
          "pch_defines,time_macros,include_file_mtime,include_file_ctime"}

@@ -53,7 +53,7 @@ int main(void) {
         (void)KEY_DATA;
         ++counts[PRIVATE_COUNTER & 15];
     }
-    print_counts("behind KEY:");
+    print_counts("after KEY:");
 
     TIMER_LOW = 9999;  // 100 us
     TIMER_HIGH = 0;

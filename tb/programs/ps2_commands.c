@@ -72,7 +72,7 @@ static int is_answered(int port, const struct Command* command, uint32_t turns) 
 int main(void) {
     const struct Command* commands[2];
     TIMER_CONTROL |= 1;
-    for (int port = 0; port < 2; ++port) {  // AA of the test; a mouse's 00 behind it
+    for (int port = 0; port < 2; ++port) {  // AA of the test; a mouse's 00 after it
         byte_from(port, 100, 1000 * MS);
         commands[port] = byte_from(port, 100, 2 * MS) == 0 ? MOUSE : KEYBOARD;
     }

@@ -36,7 +36,7 @@ class Case(unittest.TestCase):
         self.assertEqual(done.returncode, 2, done.stdout + done.stderr)
         self.assertIn(message, done.stderr)
         said = [line for line in done.stderr.splitlines() if line.startswith("de1sim: ")]
-        self.assertEqual(len(said), 1, done.stderr)  # behind the notes
+        self.assertEqual(len(said), 1, done.stderr)  # after the notes
 
     def checked(self, *lines):
         done = self.de1sim("check", ".")

@@ -27,7 +27,7 @@ always @(negedge half) s <= r;
 assign VGA_CLK = SW[0] ? pll_clk                // a PLL's, with the edge
                : SW[1] ? ~CLOCK_50 & ~half      // gated
                : SW[2] ? late                   // of the falling edge
-               : SW[3] ? r ^ s                  // a ripple behind
+               : SW[3] ? r ^ s                  // a ripple after
                : SW[4] ? half | (~CLOCK_50 & late)
                : half;                          // a register, with the edge
 wire shown = x < 640 && y < 480;

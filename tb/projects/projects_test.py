@@ -258,7 +258,7 @@ class Building(Case):
         self.assertEqual(sorted(said), ["built", "is up to date"])
 
     def test_a_build_that_does_not_end(self):
-        """Ended with what it has started, and the next one begins anew."""
+        """Ended with what it has started, and the next one begins again."""
         self.write(top_v=LEDS.format("SW"))
         real = shutil.which("verilator")
         tool = self.folder / "bin" / "verilator"

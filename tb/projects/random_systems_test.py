@@ -42,7 +42,7 @@ reg [{width}-1:0] expected [0:1023];
 reg [9:0] asked, answered;
 reg [31:0] seed, count;
 reg active, writes, bad;
-reg [3:0] left;        // words of the burst behind this one
+reg [3:0] left;        // words of the burst after this one
 reg [7:0] window;
 reg [15:0] word;       // of the window
 reg [{bytes}-1:0] bytes;

@@ -31,7 +31,7 @@ class Systems(SystemCase):
     # ---- What runs --------------------------------------------------------
 
     def test_a_warm_reset_of_the_processor_resets_the_design(self):
-        """By the reset manager; the LEDs' register is cleared, and begins anew."""
+        """By the reset manager; the LEDs' register is cleared, and begins again."""
         leds, wires = pio("leds", 0)
         wires = [("reset", "hps_0.h2f_reset", "leds.reset") if kind == "reset" else
                  (kind, *more) for kind, *more in wires]

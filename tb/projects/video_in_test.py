@@ -178,7 +178,7 @@ for (;;) {{
                      ("chroma_resampler", back, "chroma")])
 
     def passed(self, parts, width, height, pixels, out_width, out_height, expected, planes=3):
-        """A picture from the memory through the parts and back, behind it."""
+        """A picture from the memory through the parts and back, after it."""
         bits = {"color_bits": "8", "color_planes": str(planes)}
         bytes_ = 4 if planes == 3 else planes
         parts = [("dma_controller", {"width": str(width), "height": str(height), **bits}, ""),

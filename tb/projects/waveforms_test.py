@@ -36,7 +36,7 @@ steps:
 
 class Waveforms(Case):
     def changes(self):
-        """Signal of the design -> [(ps, value)], behind the first values, at 1 and 2 ps."""
+        """Signal of the design -> [(ps, value)], after the first values, at 1 and 2 ps."""
         vcd = subprocess.run(["fst2vcd", "-f", str(self.folder / "x.fst")], capture_output=True,
                              text=True, check=True).stdout
         self.assertEqual(re.search(r"\$timescale\s+(\S+)", vcd)[1], "1ps")

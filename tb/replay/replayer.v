@@ -11,7 +11,7 @@ module replayer;
     reg                clk = 1'b0;
     reg                begun, live;   // not a model's first clock; it was in reset once
     reg  [INPUTS-1:0]  inputs;
-    reg  [OUTPUTS-1:0] before, behind;
+    reg  [OUTPUTS-1:0] before, after;
     wire [OUTPUTS-1:0] outputs;
     integer            file, compared = 0, differ = 0;
 
@@ -26,7 +26,7 @@ module replayer;
 
     initial begin
         file = $fopen("stimuli.txt", "r");
-        while ($fscanf(file, "%b %b %b %b", begun, inputs, before, behind) == 4) begin
+        while ($fscanf(file, "%b %b %b %b", begun, inputs, before, after) == 4) begin
             #1;
             if (reset) live = 1'b1;
             else if (!begun) live = 1'b0;
@@ -34,7 +34,7 @@ module replayer;
             if (live && !reset) compare(before);
             clk = 1'b1;
             #1;
-            if (live && !reset) compare(behind);
+            if (live && !reset) compare(after);
             clk = 1'b0;
         end
         $display("%0d clocks compared, %0d differ", compared, differ);

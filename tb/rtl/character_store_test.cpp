@@ -241,7 +241,7 @@ TEST_F(CharacterStore, LetsABurstWaitThatAClearMeets) {
     EXPECT_FALSE(axi.idle());
     finish();
     EXPECT_EQ(shown(0, 59), 0x20202020u) << "written before";
-    EXPECT_EQ(shown(15, 59), 0x41414141u) << "written behind";
+    EXPECT_EQ(shown(15, 59), 0x41414141u) << "written after";
 }
 
 TEST_F(CharacterStore, KeepsNoPictureWaitingWhileItClears) {

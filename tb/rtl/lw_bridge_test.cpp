@@ -182,7 +182,7 @@ TEST_F(LwBridge, WaitsForABlockThatCannotAnswerYet) {
     EXPECT_TRUE(axi.beats.empty());
     EXPECT_EQ(read_order.size(), 1u) << "asked once";
     dut.rhold_i = 0;
-    late_answer = 77;  // in the clock behind
+    late_answer = 77;  // in the clock after
     for (int i = 0; i < 4; ++i) clock();
     ASSERT_EQ(axi.beats.size(), 1u);
     EXPECT_EQ(axi.beats[0].data, 77u);

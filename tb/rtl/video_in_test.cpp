@@ -196,7 +196,7 @@ TEST_F(VideoIn, ForgetsTheCodeInWhichItWasStopped) {
     for (unsigned place = 0; place < 40; ++place) {
         write(VIDEO_IN_STATUS, ENABLE);
         to_line(300);
-        clock(230 + place);  // the code is 251 to 255 clocks behind the line's beginning
+        clock(230 + place);  // the code is 251 to 255 clocks after the line's beginning
         write(VIDEO_IN_STATUS, 0);
         clock(100);
         to_line(100);

@@ -42,7 +42,7 @@ TEST_F(AstrayProgram, MayRunCodeThatIsInItsData) {
 TEST_F(AstrayProgram, MayRunWhatItHasWrittenIntoItsData) {
     run_to_end("test_runs_what_it_has_written_into_its_data");
     EXPECT_EQ(system->cpu.core().reg(4), 5u);
-    EXPECT_EQ(system->cpu.core().reg(5), 6u) << "written anew";
+    EXPECT_EQ(system->cpu.core().reg(5), 6u) << "written again";
 }
 
 TEST_F(AstrayProgram, MayRunWhatItHasWrittenOntoItsStack) {

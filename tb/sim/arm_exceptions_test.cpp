@@ -16,7 +16,7 @@ TEST_F(ArmExceptions, EntersTheUndefinedVectorWithTheNextAddress) {
     EXPECT_EQ(record().vector, 1u);
     EXPECT_EQ(record().link, address_of("test_undefined") + 4);
     EXPECT_EQ(record().cpsr & MODE, UND_MODE);
-    EXPECT_EQ(result(), 99u) << "goes on behind it";
+    EXPECT_EQ(result(), 99u) << "goes on after it";
 }
 
 TEST_F(ArmExceptions, EntersTheSvcVectorWithTheNextAddress) {

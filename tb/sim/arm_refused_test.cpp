@@ -11,11 +11,11 @@ using ::testing::Not;
 
 class ArmRefused : public tb::ArmTest {
 protected:
-    // What is logged of a program that goes on behind the instruction.
+    // What is logged of a program that goes on after the instruction.
     std::string line_of(const std::string& entry, unsigned vector) {
         run_to_end(entry);
         EXPECT_EQ(record().vector, vector);
-        EXPECT_EQ(result(), 99u) << "goes on behind it";
+        EXPECT_EQ(result(), 99u) << "goes on after it";
         EXPECT_EQ(system->log.size(), 1u);
         return system->log.empty() ? "" : system->log[0];
     }

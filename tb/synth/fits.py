@@ -2,7 +2,7 @@
 
 FOLDER holds Yosys' cells.txt, check.txt and yosys.log.  Fails above 80 % of what the device has, on
 a latch, a combinational loop, a memory that did not become M10Ks, and on growth by more than 5 %
-over the numbers kept in KEPT (--keep writes them anew).
+over the numbers kept in KEPT (--keep writes them again).
 
 ALMs are bounded from above, as nothing is placed: a table of 5 or 6 inputs takes one, of fewer a
 half, an adder bit a half.  Four registers fit into an ALM.

@@ -27,7 +27,7 @@ TEST_F(ConsoleRun, WaitsForATextOncePerTimeItIsPrinted) {
                                     "  - wait-serial: {text: ready, timeout: 1ms}\n");
     EXPECT_EQ(outcome.exit_code, 1);
     EXPECT_EQ(met(), (std::vector<bool>{true, false}));
-    EXPECT_THAT(outcome.err, HasSubstr("the console printed 1 character behind the last match, "
+    EXPECT_THAT(outcome.err, HasSubstr("the console printed 1 character after the last match, "
                                        "but not that: \"\\x0a\""));
 }
 

@@ -22,7 +22,7 @@ protected:
         EXPECT_FALSE(std::filesystem::exists(out));
         return outcome.err;
     }
-    // Does what the line for `name` says behind "for example: ".
+    // Does what the line for `name` says after "for example: ".
     tb::Outcome obey(const std::string& name, const std::string& content) const {
         const std::string said = refusal(name, content), before = "for example: ";
         const std::size_t at = said.find(before);

@@ -35,7 +35,7 @@ protected:
 
 TEST_F(Phases, AreSpreadEvenlyBehindARegisterOfTheFpga) {
     run("1");
-    EXPECT_LT(chi_square(counts("behind KEY:")), 37.70) << file("console.txt");
+    EXPECT_LT(chi_square(counts("after KEY:")), 37.70) << file("console.txt");
 }
 
 TEST_F(Phases, AreSpreadEvenlyInAnInterruptOfTheFpga) {

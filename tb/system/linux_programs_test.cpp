@@ -269,7 +269,7 @@ TEST_F(LinuxProgram, IsTheSameToTheByteEveryTime) {
 TEST_F(LinuxProgram, RefusesOptionsThatAreNotForItsSystem) {
     scenario("duration: 1ms\n");
     refused(play("s.yaml", {"--cpu", "arm", "--elf", LEDS_ELF, "--", "x"}),
-            "arguments behind -- are for Linux programs");
+            "arguments after -- are for Linux programs");
     refused(play("s.yaml", {"--cpu", "arm", "--elf", LEDS_ELF, "--linux-root", "."}),
             "--linux-root is for Linux programs");
     refused(play("s.yaml", {"--elf", LEDS_ELF, "--stdin", "s.yaml"}),

@@ -30,7 +30,7 @@ protected:
     std::string console() const { return file("console.txt"); }
 };
 
-// 115,200 baud with a start and a stop bit, behind the 4,096 characters of the kernel's buffer.
+// 115,200 baud with a start and a stop bit, after the 4,096 characters of the kernel's buffer.
 TEST_F(LinuxStorm, PrintsNoFasterThanTheSerialLineOfTheBoard) {
     EXPECT_EQ(storm("prints", "1s").exit_code, 0);
     EXPECT_GT(console().size(), 11'520u);

@@ -89,7 +89,7 @@ protected:
                                                         (frames + 0.2) / clocks_per_sample);
         std::vector<std::uint32_t> pins;
         for (std::uint64_t i = 0; i < samples; ++i) {
-            // The pixel clock runs a tenth of a clock behind the samples.
+            // The pixel clock runs a tenth of a clock after the samples.
             const auto clock = static_cast<std::uint64_t>(
                 static_cast<double>(i) * clocks_per_sample + 0.1 * clocks_per_sample);
             pins.push_back(video.at(begin + clock));

@@ -76,7 +76,7 @@ TEST(TextStreamTest, KeepsTheBeginningOfACharacterUntilItIsWhole) {
     std::string all;
     for (const char byte : std::string{"a\xC3\xA4\xE2\x82\xAC\xF0\x9F\x98\x80z"}) {
         stream.print(byte);
-        const std::string piece = stream.take();
+        const std::string piece = stream.remove();
         EXPECT_TRUE(piece.empty() || (piece[0] & 0xC0) != 0x80) << "a rest of a character";
         all += piece;
     }
@@ -86,11 +86,11 @@ TEST(TextStreamTest, KeepsTheBeginningOfACharacterUntilItIsWhole) {
 TEST(TextStreamTest, DoesNotWaitForWhatIsNoCharacter) {
     TextStream stream;
     for (const char byte : std::string{"\x80\xBF\xBF\xBF"}) stream.print(byte);
-    EXPECT_EQ(stream.take(), "\x80\xBF\xBF\xBF");
+    EXPECT_EQ(stream.remove(), "\x80\xBF\xBF\xBF");
     stream.print('\xC3');
-    EXPECT_EQ(stream.take(), "");
+    EXPECT_EQ(stream.remove(), "");
     stream.print('x');
-    EXPECT_EQ(stream.take(), "\xC3x");
+    EXPECT_EQ(stream.remove(), "\xC3x");
 }
 
 }  // namespace

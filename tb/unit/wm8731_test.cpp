@@ -113,7 +113,7 @@ TEST_F(Wm8731Chip, IgnoresAWordThatIsCutShort) {
     sda(true), scl(true), scl(false);
     start();  // in the middle of the last byte
     EXPECT_EQ(chip.reg(5), 0x008);
-    EXPECT_TRUE(byte(0x34) && byte(5 << 1) && byte(0x06)) << "a START begins anew";
+    EXPECT_TRUE(byte(0x34) && byte(5 << 1) && byte(0x06)) << "a START begins again";
     stop();
     EXPECT_EQ(chip.reg(5), 0x006);
     EXPECT_THAT(chip.errors(), ElementsAre(HasSubstr("ends after 2 bytes and 0 bits"),

@@ -63,7 +63,7 @@ module altera_avalon_new_sdram_controller #(
     wire writes = !az_wr_n;
 
     // ---- The state --------------------------------------------------------
-    reg [2:0]          state_q, then_q;  // then_q: behind a wait
+    reg [2:0]          state_q, then_q;  // then_q: after a wait
     reg [15:0]         left_q;           // clocks of the wait
     reg [15:0]         refresh_q;        // until the next one is due
     reg                due_q;

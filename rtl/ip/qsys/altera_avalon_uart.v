@@ -100,7 +100,7 @@ module altera_avalon_uart #(
     reg         receives_q, broken_q;   // broken_q: RXD has been low since the frame began
     reg  [15:0] rx_clock_q;
     reg  [3:0]  rx_bit_q;
-    reg  [9:0]  got_q;                  // the latest on top: data, and behind them parity
+    reg  [9:0]  got_q;                  // the latest on top: data, and after them parity
     reg  [8:0]  rxdata_q;
     reg         pe_q, fe_q, brk_q, roe_q, rrdy_q;
     wire [9:0]  frame = got_q >> (10 - CHECKED);

@@ -40,7 +40,7 @@ module de1sim_avalon_arbiter #(
     reg       found;
     integer   n;
 
-    // The bits of masters behind the present one come first.
+    // The bits of masters after the present one come first.
     always @* begin
         turn  = turn_q;
         found = valid_i[turn_q] && left_q != 8'd0;

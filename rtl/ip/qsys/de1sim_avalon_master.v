@@ -34,7 +34,7 @@ module de1sim_avalon_master #(
     input  wire             rvalid_i,
     input  wire [WIDTH-1:0] rdata_i
 );
-    // ---- Bursts: the words behind the first -------------------------------
+    // ---- Bursts: the words after the first -------------------------------
     reg  [10:0] left_q = 0;        // words of this burst that are to come
     reg         reads_q = 0;       // it reads, without the master
     reg  [31:0] next_q = 0;

@@ -94,7 +94,7 @@ module de1sim_avalon_slave #(
     wire read_done  = done && acts && !write_i;
     wire other_done = done && !(acts && !write_i);
     wire data;    // the slave's data are there
-    wire others;  // an answer without data, behind those of the reads before it
+    wire others;  // an answer without data, after those of the reads before it
 
     generate
         if (READDATAVALID != 0) begin : valid

@@ -60,7 +60,7 @@ module de1sim_up_serial #(
     reg         receives_q, come_q;
     reg  [19:0] rx_clock_q;
     reg  [3:0]  rx_bit_q;
-    reg  [9:0]  got_q;        // the latest on top: data, and behind them parity
+    reg  [9:0]  got_q;        // the latest on top: data, and after them parity
     wire [9:0]  frame  = got_q >> (10 - CHECKED);
     wire [8:0]  come   = frame[8:0] & ~(9'h1FF << DATA);
     wire        wrong  = PARITY != 0 && frame[DATA] != parity_of(come);

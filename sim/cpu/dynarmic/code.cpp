@@ -169,8 +169,8 @@ void Code::written(std::uint32_t physical_address, std::uint32_t bytes,
                     mark = mark->first + 4 - address < now + 4 ? marks_.erase(mark) : ++mark;
                 const std::uint32_t begin = address - std::min(address, LITERALS);
                 const std::uint32_t last = address + (now - 1);
-                const std::uint32_t behind = std::min(~last, LITERALS);  // to the last address
-                invalidate(begin, last - begin + 1 + behind);
+                const std::uint32_t after = std::min(~last, LITERALS);  // to the last address
+                invalidate(begin, last - begin + 1 + after);
             }
         }
         physical_address += now;

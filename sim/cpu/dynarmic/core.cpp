@@ -19,7 +19,7 @@ namespace {
 
 using Dynarmic::HaltReason;
 constexpr HaltReason EVENT = HaltReason::UserDefined1;
-constexpr std::size_t CODE_CACHE = 32 << 20;  // bytes; blocks that do not fit are translated anew
+constexpr std::size_t CODE_CACHE = 32 << 20;  // bytes; blocks that do not fit are translated again
 
 // dynarmic 6.7's code for Arm reads a flag of 32 bits by an LDAR of 64, at an address that is a
 // multiple of 4 alone: SIGBUS but where the processor has LSE2.
@@ -77,7 +77,7 @@ void ArmCore::Engine::AddTicks(std::uint64_t ticks) {
 std::uint64_t ArmCore::Engine::GetTicksRemaining() {
     const std::uint64_t done = core.count_ + unaccounted;
     const std::uint64_t left = core.limit_ > done ? core.limit_ - done : 0;
-    std::uint64_t most = left > behind ? left - behind : 0;
+    std::uint64_t most = left > after ? left - after : 0;
     if (tally) most = std::min(most, TALLIED / 2);
     return std::max<std::uint64_t>(std::exchange(unaccounted, 0) + most, 1);
 }
@@ -181,7 +181,7 @@ std::optional<ArmStop> ArmCore::Engine::run_translated(unsigned without_branch, 
     const std::uint32_t link = r()[14];
     unaccounted = 0;
     left_over = without_branch;
-    behind = overrun;
+    after = overrun;
     event = Event::NONE;
     missed = retranslate = aborted = watched = called = false;
     block = {};
@@ -189,7 +189,7 @@ std::optional<ArmStop> ArmCore::Engine::run_translated(unsigned without_branch, 
 
     std::optional<ArmStop> stop;
     if (missed) {
-        take_back_miss();
+        undo_miss();
     } else if (event == Event::NO_CODE) {
         --core.count_;  // of the exception
         back_to_event();
@@ -214,7 +214,7 @@ std::optional<ArmStop> ArmCore::Engine::run_translated(unsigned without_branch, 
 
 // Translated code has reached an access that a step must do: restores the state before its
 // instruction.
-void ArmCore::Engine::take_back_miss() {
+void ArmCore::Engine::undo_miss() {
     const std::uint32_t pc = r()[15], cpsr = jit->Cpsr();
     const bool in_thumb = thumb(), carry = cpsr >> 29 & 1;
     const std::uint32_t word = code.instruction(pc, in_thumb).value_or(0);

@@ -78,12 +78,12 @@ struct ArmCore::Engine final : Dynarmic::A32::UserCallbacks {
 
     // Runs translated code or one instruction.  Returns how it ended, if run() has to end, too.
     std::optional<ArmStop> next(std::uint64_t left);
-    // `overrun`: instructions that it may do behind the end of its count.
+    // `overrun`: instructions that it may do after the end of its count.
     std::optional<ArmStop> run_translated(unsigned without_branch, unsigned overrun);
     std::optional<ArmStop> step();
     std::optional<ArmStop> ended();
     void back_to_event();
-    void take_back_miss();
+    void undo_miss();
 
     // What happened in a callback.
     enum class Event { NONE, HINT_WFI, HINT_WFE, SVC, BREAKPOINT, UNDEFINED, NO_CODE, ABORT };
@@ -143,7 +143,7 @@ struct ArmCore::Engine final : Dynarmic::A32::UserCallbacks {
         bool linked = false;        // ends before the begin of another one, or of a function
     } block;
     unsigned longest = 32;   // instructions without a branch that have been translated
-    unsigned behind = 0;     // instructions, by which the present run may do too many
+    unsigned after = 0;      // instructions, by which the present run may do too many
     unsigned left_over = 0;  // instructions without a branch for which the present run leaves room
     bool retranslate = false;
 

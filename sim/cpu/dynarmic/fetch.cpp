@@ -198,7 +198,7 @@ void ArmCore::Engine::note_literal(std::uint32_t address) {
 }
 
 // dynarmic reads a literal in the same way as the program does, and only then is it known to be of
-// 64 bits.  A program that has a variable behind a literal of 32 bits may write it often.
+// 64 bits.  A program that has a variable after a literal of 32 bits may write it often.
 std::uint64_t ArmCore::Engine::MemoryRead64(std::uint32_t address) {
     if (address == literal) note_literal(address + 4);
     return load<std::uint64_t>(address);

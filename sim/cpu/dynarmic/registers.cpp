@@ -200,7 +200,7 @@ void ArmCore::Engine::invalidate(std::uint32_t address, std::uint32_t bytes) {
 }
 
 // Dynarmic keeps a list of every branch ever translated to a place, and walks through it when the
-// place is translated anew.  Also, its table of blocks hashes by address alone: for many modes of
+// place is translated again.  Also, its table of blocks hashes by address alone: for many modes of
 // FPSCR there are many blocks at one address, and then the table grows without bound.  So
 // everything is dropped when a page has been translated often.  It is not dropped at once, because
 // the first memory access would then end the translation that is in progress.

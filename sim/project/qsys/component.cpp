@@ -95,7 +95,7 @@ public:
                 guarded([&] { tcl_.run(name); });
         component_.kind = property_of_module("NAME");
         component_.version = property_of_module("VERSION");
-        take_files();
+        add_files();
         for (const auto& [name, p] : parameters_)
             if (is_true(p, "HDL_PARAMETER")) component_.parameters[name] = literal(p);
         for (Interface& i : component_.interfaces) {
@@ -175,10 +175,10 @@ private:
         Parameter& p = parameters_[words[1]];
         if (words.size() > 2) p.type = words[2];
         if (words.size() > 3) p.properties["DEFAULT_VALUE"] = p.value = words[3];
-        take_given(words[1], p);
+        set_given(words[1], p);
         return words[1];
     }
-    void take_given(const std::string& name, Parameter& p) const {
+    void set_given(const std::string& name, Parameter& p) const {
         if (const auto given = given_.find(name); given != given_.end()) p.value = given->second;
     }
     Parameter& parameter(const std::string& name) {
@@ -193,7 +193,7 @@ private:
         if (words[2] == "TYPE") p.type = words[3];
         if (words[2] == "DEFAULT_VALUE") {
             p.value = words[3];
-            take_given(words[1], p);
+            set_given(words[1], p);
         }
         return {};
     }
@@ -326,7 +326,7 @@ private:
         std::vector<ComponentFile> files;
     };
 
-    void take_files() {
+    void add_files() {
         component_.module = property_of_module("TOP_LEVEL_HDL_MODULE");
         component_.files = old_files_;
         for (Fileset& f : filesets_) {

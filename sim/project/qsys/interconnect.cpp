@@ -158,9 +158,9 @@ private:
             const std::uint64_t first = base + link.base;
             if (first >= end) continue;
             const std::string through = s.end.interface->property("bridgesToMaster");
-            const std::string behind = s.end.instance->name + "." + through;
+            const std::string after = s.end.instance->name + "." + through;
             const auto next = std::find_if(masters_.begin(), masters_.end(),
-                                           [&](const Master& m) { return m.end.name() == behind; });
+                                           [&](const Master& m) { return m.end.name() == after; });
             if (through.empty() || next == masters_.end() || depth == DEEPEST)
                 out_.map.push_back({master.end.name(), s.end.name(), first, s.span, s.reads,
                                     s.writes, window_of(master)});

@@ -53,9 +53,9 @@ public:
             fail(result.offset, std::string{"this is broken XML: "} + result.description());
         const pugi::xml_node system = document.child("system");
         if (!system) fail(0, "this is no Platform Designer system: it has no element `system`");
-        for (const pugi::xml_node& node : system.children("module")) take_instance(node);
-        for (const pugi::xml_node& node : system.children("connection")) take_connection(node);
-        for (const pugi::xml_node& node : system.children("interface")) take_export(node);
+        for (const pugi::xml_node& node : system.children("module")) add_instance(node);
+        for (const pugi::xml_node& node : system.children("connection")) add_connection(node);
+        for (const pugi::xml_node& node : system.children("interface")) add_export(node);
         return std::move(system_);
     }
 
@@ -73,7 +73,7 @@ private:
                  fmt::format("the name `{}`, expected letters, digits and _", name));
     }
 
-    void take_instance(const pugi::xml_node& node) {
+    void add_instance(const pugi::xml_node& node) {
         Instance instance{node.attribute("name").value(), node.attribute("kind").value(),
                           node.attribute("version").value(), parameters_of(node)};
         constexpr std::string_view OWN_NAME = "$${FILENAME}";
@@ -92,7 +92,7 @@ private:
         system_.instances.push_back(std::move(instance));
     }
 
-    void take_connection(const pugi::xml_node& node) {
+    void add_connection(const pugi::xml_node& node) {
         Connection c{kind_of(node.attribute("kind").value()), node.attribute("start").value(),
                      node.attribute("end").value()};
         for (const std::string& side : {c.start, c.end})
@@ -113,7 +113,7 @@ private:
         system_.connections.push_back(std::move(c));
     }
 
-    void take_export(const pugi::xml_node& node) {
+    void add_export(const pugi::xml_node& node) {
         const std::string internal = node.attribute("internal").value();
         const pugi::xml_attribute type = node.attribute("type"), direction = node.attribute("dir");
         if (!type || !direction) return;

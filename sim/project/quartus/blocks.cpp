@@ -20,9 +20,9 @@ bool is_statement(const Node& node) {
     return NAMES.count(node.name()) > 0;
 }
 
-void take_refs(const Node& node, NodeNames& names) {
+void add_refs(const Node& node, NodeNames& names) {
     if (is_node(node, "varref")) names.insert(node.attribute("name").value());
-    for (const Node& child : node.children()) take_refs(child, names);
+    for (const Node& child : node.children()) add_refs(child, names);
 }
 
 NodeNames common(const NodeNames& a, const NodeNames& b) {
@@ -74,9 +74,9 @@ private:
     // A register as a clock.  What the block also reads is its reset.
     void derived_clock(const Node& block, const Node& list) {
         NodeNames clocks, read;
-        take_refs(list, clocks);
+        add_refs(list, clocks);
         for (const Node& child : block.children())
-            if (!is_node(child, "sentree")) take_reads(child, read);
+            if (!is_node(child, "sentree")) add_reads(child, read);
         for (const std::string& name : clocks) {
             const Variable* v = read.count(name) ? nullptr : variable(name);
             if (!v || std::none_of(v->drivers.begin(), v->drivers.end(), [](const Driver& d) {
@@ -109,9 +109,9 @@ private:
     // What the block reads, and its list has not.
     void complete(const Node& block, const Node& list, const Place& place) {
         NodeNames listed, read;
-        take_refs(list, listed);
+        add_refs(list, listed);
         for (const Node& child : block.children())
-            if (!is_node(child, "sentree")) take_reads(child, read);
+            if (!is_node(child, "sentree")) add_reads(child, read);
         for (const std::string& name : read) {
             const Variable* v = variable(name);
             if (!v || v->is_local || v->is_parameter || v->is_loop_variable || any_.count(name) ||
@@ -123,15 +123,15 @@ private:
                             name));
         }
     }
-    void take_reads(const Node& node, NodeNames& names) {
+    void add_reads(const Node& node, NodeNames& names) {
         if (is_node(node, "assign") || is_node(node, "assigndly")) {
-            take_refs(node.first_child(), names);
+            add_refs(node.first_child(), names);
             for (const Node& part : node.first_child().next_sibling().children())
-                if (!is_node(part, "varref")) take_refs(part, names);
+                if (!is_node(part, "varref")) add_refs(part, names);
             return;
         }
         if (is_node(node, "varref")) names.insert(node.attribute("name").value());
-        for (const Node& child : node.children()) take_reads(child, names);
+        for (const Node& child : node.children()) add_reads(child, names);
     }
 
     // What is assigned on every path through a statement; any_ gets what is on some.
@@ -142,7 +142,7 @@ private:
             names.insert(more.begin(), more.end());
         };
         if (is_node(node, "assign") || is_node(node, "assigndly")) {
-            take_targets(node.first_child().next_sibling(), names);
+            add_targets(node.first_child().next_sibling(), names);
             any_.insert(names.begin(), names.end());
         } else if (is_node(node, "if")) {
             const Node then = node.first_child().next_sibling(), other = then.next_sibling();
@@ -153,17 +153,17 @@ private:
         } else if (is_node(node, "begin") || is_node(node, "while") || is_node(node, "stmtexpr")) {
             for (const Node& child : node.children()) join(child);
         } else if (is_node(node, "taskref") || is_node(node, "funcref")) {
-            take_refs(node, names);
+            add_refs(node, names);
         }
         return names;
     }
-    static void take_targets(const Node& target, NodeNames& names) {
+    static void add_targets(const Node& target, NodeNames& names) {
         Node at = target;
         while (is_node(at, "sel") || is_node(at, "arraysel")) at = at.first_child();
         if (is_node(at, "varref"))
             names.insert(at.attribute("name").value());
         else
-            for (const Node& child : at.children()) take_targets(child, names);
+            for (const Node& child : at.children()) add_targets(child, names);
     }
 
     // ---- Cases ----
@@ -242,14 +242,14 @@ public:
     void look(const Node& node) {
         if (is_node(node, "sentree")) return;
         if (is_node(node, "assign") || is_node(node, "assigndly")) {
-            take(node.first_child());
+            add_read_value(node.first_child());
             Node target = node.first_child().next_sibling();
             while (is_node(target, "sel") || is_node(target, "arraysel"))
                 target = target.first_child();
             if (is_node(target, "varref")) done_.insert(target.attribute("name").value());
             return;
         }
-        if (is_node(node, "varref")) return take(node);
+        if (is_node(node, "varref")) return add_read_value(node);
         const NodeNames before = done_;
         for (const Node& child : node.children()) look(child);
         if (is_node(node, "if") || is_node(node, "case")) done_ = before;
@@ -257,9 +257,9 @@ public:
     const NodeNames& found() const { return found_; }
 
 private:
-    void take(const Node& value) {
+    void add_read_value(const Node& value) {
         NodeNames names;
-        take_refs(value, names);
+        add_refs(value, names);
         for (const std::string& name : names)
             if (assigned_.count(name) && !done_.count(name)) found_.insert(name);
     }
@@ -268,10 +268,10 @@ private:
     NodeNames done_, found_;
 };
 
-void take_assigned(const Node& node, NodeNames& names) {
+void add_assigned(const Node& node, NodeNames& names) {
     if (is_node(node, "assign") || is_node(node, "assigndly"))
-        take_refs(node.first_child().next_sibling(), names);
-    for (const Node& child : node.children()) take_assigned(child, names);
+        add_refs(node.first_child().next_sibling(), names);
+    for (const Node& child : node.children()) add_assigned(child, names);
 }
 
 }  // namespace
@@ -286,8 +286,8 @@ std::string self_reading(const Netlist& netlist) {
                 clocked |= std::string_view{item.attribute("edgeType").value()} != "CHANGED";
             if (clocked) continue;
             NodeNames assigned, loops;
-            take_assigned(block, assigned);
-            for (const auto& loop : block.select_nodes(".//while")) take_refs(loop.node(), loops);
+            add_assigned(block, assigned);
+            for (const auto& loop : block.select_nodes(".//while")) add_refs(loop.node(), loops);
             SelfReading reading{assigned};
             for (const Node& child : block.children()) reading.look(child);
             for (const std::string& name : reading.found())

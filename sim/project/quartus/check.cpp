@@ -95,8 +95,8 @@ bool is_certain(const Message& message, const SourceLine& line_of_source) {
     if (message.number != 10232) return false;
     const std::string line = line_of_source(message.file, message.line);
     const std::string index = message.text.substr(0, message.text.find(' '));
-    const auto has = [&](const char* before, const char* behind) {
-        return line.find(before + index + behind) != std::string::npos;
+    const auto has = [&](const char* before, const char* after) {
+        return line.find(before + index + after) != std::string::npos;
     };
     return line.find('?') == std::string::npos && (has("[", "]") || has("[", ":") || has(":", "]"));
 }

@@ -114,7 +114,7 @@ private:
         bool is_plain = true;
         for (Node part = loop.first_child().next_sibling().next_sibling(); part;
              part = part.next_sibling())
-            take_steps(part, name, true, steps, is_plain);
+            find_steps(part, name, true, steps, is_plain);
         if (steps.size() != 1 || !is_plain) return {};
         const Node sum = steps[0].first_child();
         if (!is_node(sum, "add") && !is_node(sum, "sub")) return {};
@@ -122,14 +122,14 @@ private:
         const long long step = is_node(sum, "sub") ? -b.value_or(0) : a.value_or(b.value_or(0));
         return step ? std::optional<long long>{step} : std::nullopt;
     }
-    static void take_steps(const Node& node, const std::string& name, bool is_plain,
+    static void find_steps(const Node& node, const std::string& name, bool is_plain,
                            std::vector<Node>& steps, bool& all_plain) {
         if (assigns(node, name)) {
             steps.push_back(node);
             all_plain &= is_plain;
         }
         const bool inside = is_plain && is_node(node, "begin");
-        for (const Node& child : node.children()) take_steps(child, name, inside, steps, all_plain);
+        for (const Node& child : node.children()) find_steps(child, name, inside, steps, all_plain);
     }
 
     // Those up to one more than the limit.

@@ -126,13 +126,13 @@ private:
     void find_loops(const Node& node) {
         for (const Node& child : node.children()) {
             if (is_node(child, "while"))  // its second part is the condition
-                take_names(child.first_child().next_sibling());
+                add_names(child.first_child().next_sibling());
             find_loops(child);
         }
     }
-    void take_names(const Node& node) {
+    void add_names(const Node& node) {
         if (is_node(node, "varref")) loops_.insert(node.attribute("name").value());
-        for (const Node& child : node.children()) take_names(child);
+        for (const Node& child : node.children()) add_names(child);
     }
     bool has_loop_variable(const Node& node) const {
         if (is_node(node, "varref")) return loops_.count(node.attribute("name").value()) > 0;

@@ -257,7 +257,7 @@ private:
     }
 
     void clocks_rise(unsigned which) {
-        if (which & VGA_CLK && facts_.vga_used) take_video();
+        if (which & VGA_CLK && facts_.vga_used) sample_video();
         if (which & DRAM_CLK) look_at_sdram();
         if (which & AUD_XCK && facts_.aud_xck_used) count_xck();
     }
@@ -289,7 +289,7 @@ private:
         }
     }
 
-    void take_video() {
+    void sample_video() {
         if (video_count_ == 0) first_sample_fs_ = now_fs_;
         last_sample_fs_ = now_fs_;
         video_[video_count_++] = before_.vga;

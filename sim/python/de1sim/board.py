@@ -93,7 +93,7 @@ class Board(Hands, Senses):
                           f"{self.frames} frames, {self.pictures} of them new")
 
     def wait_text(self, text, timeout="5s", on=None):
-        """Until it is printed, behind what was found before; `on`: serial, jtag-0, jtag-1
+        """Until it is printed, after what was found before; `on`: serial, jtag-0, jtag-1
         or a terminal of the parts."""
         found = []
 
@@ -124,7 +124,7 @@ class Board(Hands, Senses):
     # ---- Messages ----
 
     def step(self, step):
-        """Any step of a scenario that hands can do: {"set-voltage": {...}}; returns behind it."""
+        """Any step of a scenario that hands can do: {"set-voltage": {...}}; returns after it."""
         self._connection.send(step=step)
         self._run("0ms")
 

@@ -61,7 +61,7 @@ public:
     Verdict decide(BoardControl& board) const override {
         ConsoleText& text = on_.empty() ? board.observations().text : board.terminal(on_);
         if (board.wait_until(BoardControl::Each::CHARACTER, timeout_,
-                             [&] { return text.take(text_); }))
+                             [&] { return text.consume(text_); }))
             return {true, ""};
         std::string detail = printed(text);
         if (text.forgotten())
@@ -75,10 +75,10 @@ private:
         constexpr std::size_t MOST = 60;
         const std::uint64_t count = text.unread();
         const std::string who = on_.empty() ? "the console printed" : on_ + " received";
-        if (count == 0) return who + " nothing behind the last match";
+        if (count == 0) return who + " nothing after the last match";
         const char* before = count > MOST ? "..." : "";
-        return fmt::format("{} {} character{} behind the last match, but not that: {}{}", who,
-                           count, count == 1 ? "" : "s", before, in_quotes(text.end(MOST)));
+        return fmt::format("{} {} character{} after the last match, but not that: {}{}", who, count,
+                           count == 1 ? "" : "s", before, in_quotes(text.end(MOST)));
     }
 
     std::string text_, on_;

@@ -45,7 +45,7 @@ public:
         static const Words BEFORE{";", "begin", ")", "*)", "else", "end", ":", "endcase"};
         return i > 0 && BEFORE.count(all_[i - 1].text) > 0;
     }
-    // Behind the brackets that begin at `i`, if some do.
+    // After the brackets that begin at `i`, if some do.
     std::size_t behind_range(std::size_t i) const {
         if (!is(i, "[")) return i;
         for (int depth = 0; i < all_.size(); ++i) {
@@ -156,13 +156,13 @@ private:
         at = s_.behind_range(at);
         if (s_.is(at, "[")) return is_new(at);
         while (s_.is_name(at)) {
-            const std::size_t behind = s_.behind_range(at + 1);
-            if (behind > at + 1 && port)
+            const std::size_t after = s_.behind_range(at + 1);
+            if (after > at + 1 && port)
                 s_.refuse(10773, at,
                           fmt::format("port {} is an array, which a .v file cannot have",
                                       s_.all_[at].text));
-            if (behind == at + 4 && s_.all_[at + 2].kind == Kind::NUMBER) is_new(at + 3);
-            at = behind;
+            if (after == at + 4 && s_.all_[at + 2].kind == Kind::NUMBER) is_new(at + 3);
+            at = after;
             if (!s_.is(at, ",")) break;
             ++at;
         }
@@ -250,9 +250,9 @@ public:
                             s_.all_[i].text));
         statement(i);
         if (s_.is(i, "for") && depth_ == 0 && s_.begins_item(i) && s_.is(i + 1, "(")) {
-            const std::size_t behind = closing(s_.all_, i + 1) + 1;
-            if (s_.is(behind, "begin") && !s_.is(behind + 1, ":"))
-                s_.refuse(10644, behind, "the block of a generate loop needs a name: begin : NAME");
+            const std::size_t after = closing(s_.all_, i + 1) + 1;
+            if (s_.is(after, "begin") && !s_.is(after + 1, ":"))
+                s_.refuse(10644, after, "the block of a generate loop needs a name: begin : NAME");
         }
         if (s_.is(i, "begin")) block(i);
         if ((s_.is(i, "reg") || s_.is_one_of(i, NETS)) && s_.begins_item(i)) redeclaration(i + 1);
@@ -272,7 +272,7 @@ private:
                 ports_.insert(s_.all_[at].text);
         }
         if (directions && s_.is(close - 1, ","))
-            s_.near(close, "a port is expected behind the comma; leave the comma out");
+            s_.near(close, "a port is expected after the comma; leave the comma out");
     }
 
     void redeclaration(std::size_t at) {

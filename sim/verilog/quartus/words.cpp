@@ -19,8 +19,8 @@ std::string line_of(const Message& message) {
 namespace {
 
 // What the arrow of the source's line points at: "    3 | foo bar" and "      | ^~~".
-std::string pointed_at(std::string_view behind) {
-    std::istringstream lines{std::string{behind}};
+std::string pointed_at(std::string_view after) {
+    std::istringstream lines{std::string{after}};
     std::string line, before;
     for (unsigned n = 0; n < 6 && std::getline(lines, line); ++n, before = line) {
         const std::size_t bar = line.find('|'), arrow = line.find('^');
@@ -32,12 +32,12 @@ std::string pointed_at(std::string_view behind) {
     return {};
 }
 
-std::string suggestion(std::string_view behind) {
+std::string suggestion(std::string_view after) {
     static const std::string SAID = "Suggested alternative: '";
-    const std::size_t line = behind.substr(0, 300).find(SAID);
+    const std::size_t line = after.substr(0, 300).find(SAID);
     if (line == std::string_view::npos) return {};
     const std::size_t begin = line + SAID.size();
-    return fmt::format("; is it {}?", behind.substr(begin, behind.find('\'', begin) - begin));
+    return fmt::format("; is it {}?", after.substr(begin, after.find('\'', begin) - begin));
 }
 
 struct Rule {
@@ -77,8 +77,8 @@ const Rule RULES[] = {
     {"Can't resolve module reference: '([^']*)'", 12006, "no file defines module {0}"},
 };
 
-std::string syntax_error(const std::string& what, std::string_view behind) {
-    std::string near = pointed_at(behind), expected;
+std::string syntax_error(const std::string& what, std::string_view after) {
+    std::string near = pointed_at(after), expected;
     const std::size_t expecting = what.find("expecting ");
     if (expecting != std::string::npos)
         expected = fmt::format("; expected {}", what.substr(expecting + 10));
@@ -105,18 +105,18 @@ bool split(const std::string& said, std::string& place, std::string& text) {
 
 }  // namespace
 
-std::string error_in_our_words(const std::string& error, std::string_view behind) {
+std::string error_in_our_words(const std::string& error, std::string_view after) {
     std::string place, text;
     if (!split(error, place, text)) return error;
     if (text.find("syntax error") != std::string::npos)
-        return fmt::format("{}: {}", place, syntax_error(text, behind));
+        return fmt::format("{}: {}", place, syntax_error(text, after));
     for (const Rule& rule : RULES) {
         std::smatch m;
         if (!std::regex_search(text, m, std::regex{rule.pattern})) continue;
         const std::string name = m.size() > 1 ? m[1].str() : "";
         return fmt::format("{}: {}{}{}", place,
                            rule.number ? fmt::format("Quartus error {}: ", rule.number) : "",
-                           fmt::format(fmt::runtime(rule.text), name), suggestion(behind));
+                           fmt::format(fmt::runtime(rule.text), name), suggestion(after));
     }
     static const std::regex STANDARD{" *\\(IEEE [^)]*\\)"};
     return fmt::format("{}: {}", place, std::regex_replace(text, STANDARD, ""));

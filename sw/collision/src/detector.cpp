@@ -29,7 +29,7 @@ Error first_error(Polygons shapes) {
 }
 
 // Copies the boxes to `boxes`, and names what is wrong with any.
-Error take_boxes(Polygons shapes, std::vector<Aabb>& boxes) {
+Error copy_boxes(Polygons shapes, std::vector<Aabb>& boxes) {
     boxes.resize(shapes.size());
     BoxCheck check;
     for (unsigned i = 0; i < shapes.size(); ++i) {
@@ -59,7 +59,7 @@ CollisionPair* BasicDetector<Counter>::keep(Polygons shapes, CollisionPair* over
 template <class Counter>
 Error BasicDetector<Counter>::find_among_few(Polygons shapes, PairList& pairs) {
     Few few;
-    if (!few.take(shapes)) return first_error(shapes);
+    if (!few.accept(shapes)) return first_error(shapes);
     std::array<CollisionPair, Few::MOST_PAIRS> found;
     if (const auto count = static_cast<std::size_t>(few.find(found.data()) - found.data()))
         pairs.assign(found.data(), keep(shapes, found.data(), count));
@@ -71,7 +71,7 @@ Error BasicDetector<Counter>::find(Algorithm algorithm, Polygons shapes, PairLis
     pairs.clear();
     if (algorithm == Algorithm::SIMD && shapes.size() <= Few::CAPACITY)
         return find_among_few(shapes, pairs);
-    if (const Error error = take_boxes(shapes, boxes_); error != Error::NONE) return error;
+    if (const Error error = copy_boxes(shapes, boxes_); error != Error::NONE) return error;
     switch (algorithm) {
         case Algorithm::ORIGINAL: find_original(shapes, pairs, counter); return Error::NONE;
         case Algorithm::ORIGINAL_ALL_LINES:

@@ -22,7 +22,7 @@ public:
 
     // At most CAPACITY polygons.  False, and no more to be done with them, if they do not pass the
     // check.  O(polygons).
-    bool take(Polygons polygons) {
+    bool accept(Polygons polygons) {
         const unsigned count = polygons.size();
         BoxCheck check;
         for (unsigned i = 0; i < count; ++i) {

@@ -67,7 +67,7 @@ void radix_sort(std::vector<std::uint64_t>& keys, std::vector<std::uint64_t>& sp
 }
 
 // One array for each edge, so that a vector has the same edge of several boxes.  The boxes are
-// sorted by min_x.  Behind them are PADDING that overlap nothing, so that a vector may be read
+// sorted by min_x.  After them are PADDING that overlap nothing, so that a vector may be read
 // beyond the end.
 constexpr unsigned PADDING = lanes::INTS;
 struct SortedBoxes {
@@ -99,7 +99,7 @@ void sweep(const SortedBoxes boxes, PairWriter& to) {
 }  // namespace
 
 // The axis along which the centres vary most.  The axis changes only if the other one is twice as
-// good, because a change means sorting anew.  A sample is enough to keep the axis.
+// good, because a change means sorting again.  A sample is enough to keep the axis.
 void Sweep::choose_axis(const Aabb* boxes, unsigned count) {
     const unsigned step = keys_.size() == count ? count / SAMPLE + 1 : 1;
     Spread x, y;
@@ -127,7 +127,7 @@ void Sweep::sort(const Aabb* boxes, unsigned count) {
 }
 
 // Sorts the new boxes by insertion, beginning with the old order.  False as soon as that has cost
-// more than sorting anew would.
+// more than sorting again would.
 bool Sweep::repair(const Aabb* boxes) {
     std::size_t work = 0, most = ALLOWANCE;
     for (std::size_t i = 0; i < keys_.size(); ++i) {

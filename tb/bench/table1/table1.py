@@ -1,7 +1,7 @@
 """table1.py run|check - the paper's experiments: measures, tables, plots, REPRODUCTION.md.
 
 run    times everything, writes table1.csv, table1.md and the plots into --out, keeps the numbers as
-       reproduction.csv beside --reproduction and writes that file's tables anew
+       reproduction.csv beside --reproduction and writes that file's tables again
 check  exit 1 if the tables in --reproduction are not those that reproduction.csv gives
 """
 import argparse

@@ -172,7 +172,7 @@ BLOCKS = {"board": board, "board_instructions": board_instructions,
 
 
 def rewritten(text, cells):
-    """`text` with each block between <!-- table NAME --> and <!-- end --> made anew."""
+    """`text` with each block between <!-- table NAME --> and <!-- end --> made again."""
     def block(match):
         return f"{match[1]}\n{BLOCKS[match[2]](cells)}<!-- end -->"
     return re.sub(r"(<!-- table (\w+) -->)\n.*?<!-- end -->", block, text, flags=re.S)

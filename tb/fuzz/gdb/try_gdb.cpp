@@ -1,4 +1,4 @@
-// Bytes of GDB's protocol: as they come, or, behind a byte of 1, lines that become packets.
+// Bytes of GDB's protocol: as they come, or, after a byte of 1, lines that become packets.
 #include <cstring>
 #include <vector>
 

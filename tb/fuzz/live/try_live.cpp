@@ -31,11 +31,11 @@ void try_text(std::string_view text) {
     for (const char c : text) {
         stream.print(c);
         if (static_cast<unsigned char>(c) % 3 == 0) continue;
-        const std::string piece = stream.take();
+        const std::string piece = stream.remove();
         must(!whole || sim::is_utf8(piece), "a piece of a text in UTF-8 is in UTF-8");
         taken += piece;
     }
-    taken += stream.take();
+    taken += stream.remove();
     must(text.substr(0, taken.size()) == taken, "nothing is changed");
     must(text.size() - taken.size() <= 3, "at most a part of a character is kept");
     must(!whole || taken == text, "nothing is lost");
@@ -84,7 +84,7 @@ void try_run(std::string_view text) {
 void try_greeting(std::string_view text) {
     Greeting greeting;
     try {
-        for (unsigned i = 0; i < 30; ++i) greeting.take(std::string{next_line(text)});
+        for (unsigned i = 0; i < 30; ++i) greeting.add(std::string{next_line(text)});
     } catch (const nlohmann::json::type_error&) {  // which no text from the simulation is
     }
     const auto texts = greeting.texts();

@@ -212,17 +212,17 @@ TEST_P(Counting, TalliesEachInstructionOnceWhereItWas) {
         for (const auto& run : tally.runs) {
             ASSERT_EQ(run.begin, steps[done].r[15]) << "after " << done;
             ASSERT_EQ(run.link, steps[done].r[14]) << "after " << done;
-            std::uint32_t behind = 0;
+            std::uint32_t after = 0;
             for (std::uint64_t left = run.instructions; left > 0; --left, ++done) {
                 const std::uint32_t pc = steps[done].r[15];
                 // Unless it has fallen in from the one above.
-                ASSERT_TRUE(tally.same_function(run.begin, pc) || pc == behind) << "at " << done;
-                behind = pc + bytes(bench, pc);
+                ASSERT_TRUE(tally.same_function(run.begin, pc) || pc == after) << "at " << done;
+                after = pc + bytes(bench, pc);
             }
             if (done == steps.size()) break;
             const std::uint32_t link = steps[done].r[14] & ~1u;
-            const bool called = link == behind && steps[done - 1].r[14] != steps[done].r[14];
-            ASSERT_TRUE(run.end == link ? link == behind : !called) << "at " << done;
+            const bool called = link == after && steps[done - 1].r[14] != steps[done].r[14];
+            ASSERT_TRUE(run.end == link ? link == after : !called) << "at " << done;
             calls += called;
         }
         ASSERT_EQ(done, bench.core.instructions());

@@ -193,7 +193,7 @@ TEST_F(OverwrittenCode, MayBeTheSecondHalfOfALiteral) {
             at, at + 36, SUM, 6 * LAPS + 1);
 }
 
-// A variable behind a literal is none: to write it takes no new translation.
+// A variable after a literal is none: to write it takes no new translation.
 TEST_F(OverwrittenCode, IsNotTheVariableBehindALiteral) {
     const auto processor_time = [&](std::uint32_t variable) {
         bench.put(0x8000, {
@@ -225,9 +225,9 @@ TEST_F(OverwrittenCode, ChangesHowFarItIsToTheNextBranch) {
                           NOP, NOP,
                           0xEAFFFFFE,  // B to itself
                       });
-    std::vector<std::uint32_t> behind(20, NOP);
-    behind.push_back(0xEAFFFFFE);
-    bench.put(0x8014, behind);
+    std::vector<std::uint32_t> after(20, NOP);
+    after.push_back(0xEAFFFFFE);
+    bench.put(0x8014, after);
     bench.core.set_reg(1, 0x8010);
     bench.core.set_reg(2, NOP);
     bench.core.set_reg(15, 0x8000);

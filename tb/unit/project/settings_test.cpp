@@ -42,7 +42,7 @@ TEST_F(Settings, HaveGlobalAndLocationAssignments) {
         "# a comment\r\n"
         "set_global_assignment -name TOP_LEVEL_ENTITY \"my top\"\r\n"
         "set_location_assignment PIN_AB12 -to SW[0]\r\n"
-        "set_global_assignment -name VERILOG_FILE {a b.v} ;# behind it\n");
+        "set_global_assignment -name VERILOG_FILE {a b.v} ;# after it\n");
     ASSERT_EQ(all.size(), 3u);
     EXPECT_EQ(all[0].name, "TOP_LEVEL_ENTITY");
     EXPECT_EQ(all[0].value, "my top");

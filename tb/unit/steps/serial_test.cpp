@@ -39,7 +39,7 @@ TEST_F(SerialSteps, TypeAndReadAtATerminalOfTheParts) {
     EXPECT_THAT(board.done, ElementsAre("at t ls"));
     EXPECT_TRUE(scenario.steps[1].step->play(board)->met);
     EXPECT_EQ(scenario.steps[1].step->play(board)->detail,
-              "t received 2 characters behind the last match, but not that: \" k\"");
+              "t received 2 characters after the last match, but not that: \" k\"");
     EXPECT_EQ(scenario.steps[1].text, "wait for \"ok\" on t within 5ms");
     EXPECT_EQ(step_error("type-serial: {text: a, to: t}"),
               "a.yaml:4:3: expected a terminal among the parts, got \"t\"");
@@ -58,13 +58,13 @@ TEST_F(SerialSteps, LookBehindTheTextThatWasFoundBefore) {
     EXPECT_EQ(finds("wait-serial: ready"), "met");
     EXPECT_EQ(finds("wait-serial: ready"), "met");
     EXPECT_EQ(finds("wait-serial: {text: ready, timeout: 1ms}"),
-              "the console printed nothing behind the last match");
+              "the console printed nothing after the last match");
 }
 
 TEST_F(SerialSteps, GiveUpAfterTenSecondsUnlessTheySaySo) {
     print("go!");
     EXPECT_EQ(finds("wait-serial: ready"),
-              "the console printed 3 characters behind the last match, but not that: \"go!\"");
+              "the console printed 3 characters after the last match, but not that: \"go!\"");
     EXPECT_EQ(board.now_ms(), 10'000u);
     finds("wait-serial: {text: ready, timeout: 2s}");
     EXPECT_EQ(board.now_ms(), 12'000u);
@@ -73,7 +73,7 @@ TEST_F(SerialSteps, GiveUpAfterTenSecondsUnlessTheySaySo) {
 TEST_F(SerialSteps, SayTheEndOfWhatWasPrintedInstead) {
     print(std::string(100, '-') + "\nEnter a number: ");
     EXPECT_EQ(finds("wait-serial: {text: ready, timeout: 1ms}"),
-              "the console printed 117 characters behind the last match, but not that: ...\"" +
+              "the console printed 117 characters after the last match, but not that: ...\"" +
                   std::string(43, '-') + "\\x0aEnter a number: \"");
 }
 

@@ -13,7 +13,7 @@ struct Turn {
     std::int32_t cosine = TURN_ONE, sine = 0;
 };
 
-// Both return the polygon with its box measured anew.  Equal points stay equal, so lines that were
+// Both return the polygon with its box measured again.  Equal points stay equal, so lines that were
 // joined stay joined.  O(lines).  The result must be on the grid.  If it is not, coordinates wrap,
 // and a Detector refuses the polygon unless it wrapped back onto the grid.
 Polygon moved(const Polygon& polygon, Vec2 by);
