@@ -4,7 +4,6 @@
 #include <iterator>
 
 #include "regmap.h"
-#include "sim/chip/fpga_places.h"
 
 namespace sim {
 
@@ -12,6 +11,26 @@ namespace {
 
 // Cyclone V HPS memory map.
 constexpr std::uint32_t ON_CHIP_RAM_BASE = 0xFFFF0000, ON_CHIP_RAM_SIZE = 0x10000;
+
+// The registers of the register map, by address.
+std::map<std::uint32_t, std::string> fpga_registers() {
+    std::map<std::uint32_t, std::string> names;
+    for (const regmap::Reg& reg : regmap::REGS) names.emplace(reg.addr, reg.name);
+    return names;
+}
+
+// Its blocks and memories from `base` on, within `size` bytes.
+std::vector<Bus::Place> fpga_places(std::uint32_t base, std::uint32_t size) {
+    std::vector<Bus::Place> places;
+    for (const regmap::Block& block : regmap::BLOCKS) {
+        if (block.base - base >= size) continue;
+        const bool registers =
+            std::any_of(std::begin(regmap::REGS), std::end(regmap::REGS),
+                        [&](const regmap::Reg& reg) { return reg.addr - block.base < block.size; });
+        places.push_back({block.name, block.base, block.size, !registers});
+    }
+    return places;
+}
 
 }  // namespace
 

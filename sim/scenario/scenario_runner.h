@@ -10,12 +10,30 @@
 #include "sim/board/board.h"
 #include "sim/report/report.h"
 #include "sim/scenario/board_control.h"
-#include "sim/scenario/hands.h"
 #include "sim/scenario/scenario.h"
 
 #include <systemc>
 
 namespace sim {
+
+// A person who presses a control again lets go of it for a while.
+//
+// A press that follows the release of the same control at the same instant comes 50 ms later.  With
+// time between them, however short, they are where the scenario has them.
+class Hands {
+public:
+    static sc_core::sc_time pause() { return {50, sc_core::SC_MS}; }
+
+    // Controls by any names.
+    void let_go(const std::string& control) { let_go_[control] = sc_core::sc_time_stamp(); }
+    bool has_just_let_go(const std::string& control) const {
+        const auto found = let_go_.find(control);
+        return found != let_go_.end() && found->second == sc_core::sc_time_stamp();
+    }
+
+private:
+    std::map<std::string, sc_core::sc_time> let_go_;  // when
+};
 
 class ScenarioRunner : public sc_core::sc_module, private BoardControl {
 public:
