@@ -9,6 +9,9 @@ namespace {
 
 constexpr unsigned PICTURES = 1, SOUND = 2;  // tracks
 constexpr std::uint64_t NS_PER_TICK = 1000;
+// How long a picture is shown after which none comes.  FFmpeg 7.1 guesses none from two pictures,
+// and VP9's encoder refuses a picture without.
+constexpr std::uint64_t PICTURE_NS = 16'666'667;
 
 std::string big_endian(std::uint64_t value, unsigned bytes) {
     std::string text;
@@ -57,6 +60,7 @@ Matroska::Matroska(unsigned width, unsigned height, unsigned rate_hz)
 std::string Matroska::head() const {
     const std::string unknown_size = '\1' + std::string(7, '\xff');
     const std::string video =
+        element(0x23E383, PICTURE_NS) +  // DefaultDuration
         element(0xE0, element(0xB0, std::uint64_t{width_}) + element(0xBA, std::uint64_t{height_}) +
                           element(0x2EB524, std::string{"BGRA"}));
     const std::string audio =

@@ -1,6 +1,7 @@
 // video_test.cpp - what --video writes, as FFmpeg's own programs play it.
 #include <cmath>
 #include <sstream>
+#include <utility>
 
 #include <gmock/gmock.h>
 #include <sndfile.h>
@@ -112,6 +113,16 @@ TEST_P(Video, HasEachFrameAtItsTime) {
     EXPECT_NEAR(times[1], 0.0171, 0.0006);  // the monitor's first frame is whole
     for (std::size_t i = 2; i < times.size(); ++i)
         EXPECT_NEAR(times[i], times[1] + static_cast<double>(i - 1) * FRAME_S, 0.0011) << i;
+}
+
+TEST_P(Video, OfLessThanTwoFramesHasThem) {
+    for (const auto& [duration, pictures] : {std::pair{"10ms", 1u}, std::pair{"25ms", 2u}}) {
+        const tb::Outcome outcome = play(scenario("duration: " + std::string{duration} + "\n"),
+                                         {"--quiet", "--video", video});
+        ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+        EXPECT_THAT(numbers(probe("-select_streams v -show_entries packet=pts_time")),
+                    SizeIs(pictures));
+    }
 }
 
 TEST_P(Video, ShowsTheMonitorsPixelsAtTwiceTheirSize) {
