@@ -199,9 +199,9 @@ module audio (
 
     wire [7:0] left_room  = hold_out_q ? 8'd0 : DEPTH - left_out_count;
     wire [7:0] right_room = hold_out_q ? 8'd0 : DEPTH - right_out_count;
-    wire [1:0] wi_ri = {wi_enable_q && reached(left_room, right_room),
-                        ri_enable_q && reached(left_in_count, right_in_count)};
-    wire       irq   = wi_ri != 2'd0;
+    wire       ri  = ri_enable_q && reached(left_in_count, right_in_count);
+    wire       wi  = wi_enable_q && reached(left_room, right_room);
+    wire       irq = ri || wi;
 
     always @(posedge clk_i) irq_o <= !rst_i && irq;
 
@@ -211,20 +211,39 @@ module audio (
     always @(posedge clk_i) begin
         rdata_o <= 32'd0;
         if (re_i) case (raddr_i)
-            AUDIO_CONTROL[11:0]:   rdata_o <= {22'd0, wi_ri, 4'd0, hold_out_q, hold_in_q,
-                                               wi_enable_q, ri_enable_q};
-            AUDIO_FIFOSPACE[11:0]: rdata_o <= {left_room, right_room, left_in_count,
-                                               right_in_count};
+            AUDIO_CONTROL[11:0]: begin
+                rdata_o[AUDIO_CONTROL_RE_LSB] <= ri_enable_q;
+                rdata_o[AUDIO_CONTROL_WE_LSB] <= wi_enable_q;
+                rdata_o[AUDIO_CONTROL_CR_LSB] <= hold_in_q;
+                rdata_o[AUDIO_CONTROL_CW_LSB] <= hold_out_q;
+                rdata_o[AUDIO_CONTROL_RI_LSB] <= ri;
+                rdata_o[AUDIO_CONTROL_WI_LSB] <= wi;
+            end
+            AUDIO_FIFOSPACE[11:0]: begin
+                rdata_o[AUDIO_FIFOSPACE_RARC_LSB +: 8] <= right_in_count;
+                rdata_o[AUDIO_FIFOSPACE_RALC_LSB +: 8] <= left_in_count;
+                rdata_o[AUDIO_FIFOSPACE_WSRC_LSB +: 8] <= right_room;
+                rdata_o[AUDIO_FIFOSPACE_WSLC_LSB +: 8] <= left_room;
+            end
             AUDIO_LEFTDATA[11:0]:  rdata_o <= {left_in, 8'd0};
             AUDIO_RIGHTDATA[11:0]: rdata_o <= {right_in, 8'd0};
             CODEC_RATE[11:0]:      rdata_o <= fast_i ? FAST_HZ : CODEC_RATE_RESET;
-            CODEC_STATUS[11:0]:    rdata_o <= {24'd0, codec_step, 2'd0, codec_error, codec_ready};
+            CODEC_STATUS[11:0]: begin
+                rdata_o[CODEC_STATUS_READY_LSB]     <= codec_ready;
+                rdata_o[CODEC_STATUS_ERROR_LSB]     <= codec_error;
+                rdata_o[CODEC_STATUS_STEP_LSB +: 4] <= codec_step;
+            end
             CODEC_UNDERRUNS[11:0]: rdata_o <= underruns_q;
-            AV_CONFIG_CONTROL[11:0]: rdata_o <= {14'd0, config_control[3:2], 13'd0,
-                                                 config_control[1:0], 1'b0};
-            AV_CONFIG_STATUS[11:0]: rdata_o <= {AV_CONFIG_STATUS_RESET[31:9], codec_ready, 6'd0,
-                                                config_ready,
-                                                (config_nack && !config_send) || codec_error};
+            AV_CONFIG_CONTROL[11:0]: begin
+                rdata_o[AV_CONFIG_CONTROL_RIE_LSB +: 2]    <= config_control[1:0];
+                rdata_o[AV_CONFIG_CONTROL_DEVICE_LSB +: 2] <= config_control[3:2];
+            end
+            AV_CONFIG_STATUS[11:0]: begin
+                rdata_o                           <= AV_CONFIG_STATUS_RESET;
+                rdata_o[AV_CONFIG_STATUS_ACK_LSB] <= (config_nack && !config_send) || codec_error;
+                rdata_o[AV_CONFIG_STATUS_RDY_LSB] <= config_ready;
+                rdata_o[AV_CONFIG_STATUS_AIS_LSB] <= codec_ready;
+            end
             AV_CONFIG_ADDRESS[11:0]: rdata_o <= {24'd0, config_address};
             AV_CONFIG_DATA[11:0]:    rdata_o <= {23'd0, config_data};
             default: ;

@@ -86,11 +86,20 @@ module irda (
         irq_o   <= ri || wi;
         rdata_o <= 32'd0;
         if (re_data) begin
-            rdata_o <= {8'd0, in_count, !none_in, 7'd0, read_byte};
+            rdata_o[IRDA_DATA_DATA_LSB +: IRDA_DATA_DATA_W]     <= read_byte;
+            rdata_o[IRDA_DATA_RVALID_LSB]                       <= !none_in;
+            rdata_o[IRDA_DATA_RAVAIL_LSB +: IRDA_DATA_RAVAIL_W] <= in_count;
         end else if (re_i) begin
-            rdata_o <= {8'd0, space, 6'd0, wi, ri, 6'd0, we_q, re_q};
+            rdata_o[IRDA_CONTROL_RE_LSB]                              <= re_q;
+            rdata_o[IRDA_CONTROL_WE_LSB]                              <= we_q;
+            rdata_o[IRDA_CONTROL_RI_LSB]                              <= ri;
+            rdata_o[IRDA_CONTROL_WI_LSB]                              <= wi;
+            rdata_o[IRDA_CONTROL_WSPACE_LSB +: IRDA_CONTROL_WSPACE_W] <= space;
         end
-        if (we_control) {we_q, re_q} <= wdata_i[1:0];
+        if (we_control) begin
+            re_q <= wdata_i[IRDA_CONTROL_RE_LSB];
+            we_q <= wdata_i[IRDA_CONTROL_WE_LSB];
+        end
         if (rst_i) begin
             irq_o        <= 1'b0;
             {we_q, re_q} <= 2'b00;

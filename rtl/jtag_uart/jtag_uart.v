@@ -93,14 +93,26 @@ module jtag_uart (
 
     always @(posedge clk_i) begin
         rdata_o <= 32'd0;
+        if (re_i) begin   // bits 14 to 8 of DATA are those of CONTROL
+            rdata_o[JTAG_UART0_CONTROL_RI_LSB]   <= ri;
+            rdata_o[JTAG_UART0_CONTROL_WI_LSB]   <= wi;
+            rdata_o[JTAG_UART0_CONTROL_AC_LSB]   <= ac_q;
+            rdata_o[JTAG_UART0_CONTROL_ROOM_LSB] <= !full;
+            rdata_o[JTAG_UART0_CONTROL_LOST_LSB] <= lost_q;
+        end
         if (re_data) begin
-            rdata_o <= {9'd0, left, some, lost_q, !full, left != 7'd0, 1'b0, ac_q, wi, ri,
-                        some ? read_head : last_q};
+            rdata_o[JTAG_UART0_DATA_DATA_LSB +: 8]   <= some ? read_head : last_q;
+            rdata_o[JTAG_UART0_CONTROL_WAITS_LSB]    <= left != 7'd0;
+            rdata_o[JTAG_UART0_DATA_RVALID_LSB]      <= some;
+            rdata_o[JTAG_UART0_DATA_RAVAIL_LSB +: 7] <= left;
             valid_q <= some;
             if (some) last_q <= read_head;
         end else if (re_i) begin
-            rdata_o <= {9'd0, DEPTH - write_count, valid_q, lost_q, !full, some, 1'b0, ac_q, wi, ri,
-                        6'd0, we_q, re_q};
+            rdata_o[JTAG_UART0_CONTROL_RE_LSB]          <= re_q;
+            rdata_o[JTAG_UART0_CONTROL_WE_LSB]          <= we_q;
+            rdata_o[JTAG_UART0_CONTROL_WAITS_LSB]       <= some;
+            rdata_o[JTAG_UART0_CONTROL_RVALID_LSB]      <= valid_q;
+            rdata_o[JTAG_UART0_CONTROL_WSPACE_LSB +: 7] <= DEPTH - write_count;
         end
         if (we_data) lost_q <= full;
 
@@ -113,7 +125,10 @@ module jtag_uart (
         else if (re_data) paused_q <= 1'b0;
         if (typed_i || idle_i) ac_q <= 1'b1;
         else if (we_control && wstrb_i[1] && wdata_i[JTAG_UART0_CONTROL_AC_LSB]) ac_q <= 1'b0;
-        if (we_control && wstrb_i[0]) {we_q, re_q} <= wdata_i[1:0];
+        if (we_control && wstrb_i[0]) begin
+            re_q <= wdata_i[JTAG_UART0_CONTROL_RE_LSB];
+            we_q <= wdata_i[JTAG_UART0_CONTROL_WE_LSB];
+        end
         if (rst_i) {re_q, we_q, ac_q, paused_q, valid_q, lost_q, last_q} <= 14'd0;
     end
 endmodule

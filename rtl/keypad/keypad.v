@@ -109,11 +109,20 @@ module keypad #(
     always @(posedge clk_i) begin
         rdata_o <= 32'd0;
         if (re_i) case (raddr_i[4:0])
-            KEYPAD_CONTROL[4:0]:  rdata_o <= {31'd0, enable_o};
-            KEYPAD_STATUS[4:0]:   rdata_o <= {19'd0, event_count, 4'd0, ghost, status};
+            KEYPAD_CONTROL[4:0]:  rdata_o[KEYPAD_CONTROL_EN_LSB] <= enable_o;
+            KEYPAD_STATUS[4:0]: begin
+                rdata_o[KEYPAD_STATUS_EVENT_LSB]      <= !event_empty;
+                rdata_o[KEYPAD_STATUS_OVERFLOW_LSB]   <= overflow_q;
+                rdata_o[KEYPAD_STATUS_GHOST_LSB]      <= ghost_q;
+                rdata_o[KEYPAD_STATUS_GHOST_HELD_LSB] <= ghost;
+                rdata_o[KEYPAD_STATUS_COUNT_LSB +: 5] <= event_count;
+            end
             KEYPAD_KEYS[4:0]:     rdata_o <= {16'd0, keys};
-            KEYPAD_EVENT[4:0]:    rdata_o <= event_empty
-                ? 32'd0 : {16'd0, 1'b1, 6'd0, event_head[4], 4'd0, event_head[3:0]};
+            KEYPAD_EVENT[4:0]: if (!event_empty) begin
+                rdata_o[KEYPAD_EVENT_KEY_LSB +: 4] <= event_head[3:0];
+                rdata_o[KEYPAD_EVENT_PRESSED_LSB]  <= event_head[4];
+                rdata_o[KEYPAD_EVENT_VALID_LSB]    <= 1'b1;
+            end
             KEYPAD_DEBOUNCE[4:0]: rdata_o <= {24'd0, debounce_q};
             KEYPAD_MASK[4:0]:     rdata_o <= {29'd0, mask_q};
             default: ;

@@ -81,8 +81,15 @@ module ps2_port (
 
     always @(posedge clk_i) begin
         rdata_o <= 32'd0;
-        if (re_data) rdata_o <= {7'd0, count, !empty, 7'd0, head};
-        else if (re_i) rdata_o <= {21'd0, ce_q, 1'b0, ri, 7'd0, re_q};
+        if (re_data) begin
+            rdata_o[PS2_0_DATA_DATA_LSB +: 8]   <= head;
+            rdata_o[PS2_0_DATA_RVALID_LSB]      <= !empty;
+            rdata_o[PS2_0_DATA_RAVAIL_LSB +: 9] <= count;
+        end else if (re_i) begin
+            rdata_o[PS2_0_CONTROL_RE_LSB] <= re_q;
+            rdata_o[PS2_0_CONTROL_RI_LSB] <= ri;
+            rdata_o[PS2_0_CONTROL_CE_LSB] <= ce_q;
+        end
 
         if (we_i && waddr_i[2] == PS2_0_CONTROL[2]) begin
             if (wstrb_i[0]) re_q <= wdata_i[PS2_0_CONTROL_RE_LSB];

@@ -90,7 +90,8 @@ module interval_timer (
             TIMER0_STATUS[4:0]: to_q <= 1'b0;
             TIMER0_CONTROL[4:0]: if (wstrb_i[0]) begin
                 control_q <= wdata_i[3:0];
-                run       = wdata_i[2] || (run && !wdata_i[3]);
+                run       = wdata_i[TIMER0_CONTROL_START_LSB]
+                            || (run && !wdata_i[TIMER0_CONTROL_STOP_LSB]);
             end
             TIMER0_PERIOD_LOW[4:0], TIMER0_PERIOD_HIGH[4:0]: begin
                 next     = period(waddr_i[4:0] == TIMER0_PERIOD_HIGH[4:0]);
@@ -116,7 +117,10 @@ module interval_timer (
     always @(posedge clk_i) begin
         rdata_o <= 32'd0;
         if (re_i) case (raddr_i[4:0])
-            TIMER0_STATUS[4:0]:      rdata_o <= {30'd0, run_q, to_q};
+            TIMER0_STATUS[4:0]: begin
+                rdata_o[TIMER0_STATUS_TO_LSB]  <= to_q;
+                rdata_o[TIMER0_STATUS_RUN_LSB] <= run_q;
+            end
             TIMER0_CONTROL[4:0]:     rdata_o <= {28'd0, control_q};
             TIMER0_PERIOD_LOW[4:0]:  rdata_o <= {16'd0, period_q[15:0]};
             TIMER0_PERIOD_HIGH[4:0]: rdata_o <= {16'd0, period_q[31:16]};

@@ -53,7 +53,11 @@ module pixel_registers #(
             PIXEL_BUFFER[3:0]:      rdata_o <= front_o | TRANSLATED;
             PIXEL_BACK_BUFFER[3:0]: rdata_o <= back_q | TRANSLATED;
             PIXEL_RESOLUTION[3:0]:  rdata_o <= RESOLUTION;
-            default:                rdata_o <= {STATUS[31:3], enable_o, STATUS[1], swap_q};
+            default: begin
+                rdata_o                      <= STATUS;
+                rdata_o[PIXEL_STATUS_S_LSB]  <= swap_q;
+                rdata_o[PIXEL_STATUS_EN_LSB] <= enable_o;
+            end
         endcase
         if (resampler_re_i) rdata_o <= RESAMPLER_STATUS_RESET;
 
