@@ -41,7 +41,8 @@ target_compile_definitions(verilated_runtime PUBLIC VL_TIME_CONTEXT)
 target_link_libraries(verilated_runtime PUBLIC Threads::Threads)
 target_compile_options(verilated_runtime PRIVATE -O1)  # hardly called while the model runs
 if(DE1SIM_COVERAGE)
-    target_sources(verilated_runtime PRIVATE ${CMAKE_SOURCE_DIR}/tb/coverage/write_coverage.cpp)
+    target_sources(verilated_runtime PRIVATE
+        ${CMAKE_SOURCE_DIR}/sim/fpga/write_coverage.cpp)
     target_compile_definitions(verilated_runtime PRIVATE
         COVERAGE_DATA="${CMAKE_BINARY_DIR}/coverage-data")
     target_link_options(verilated_runtime INTERFACE LINKER:--wrap=_ZN13VerilatedSymsD2Ev)

@@ -1,4 +1,4 @@
-// asan_stacks.cpp - tells AddressSanitizer on which stack the program is; in sanitized builds only.
+// asan_stacks.cpp - AddressSanitizer knows on which stack the program is; in sanitized builds only.
 //
 // libsystemc reports each switch between coroutines by yield(), but without bounds for the main
 // stack: after the first one, an exception there would not clear the marks of dead variables, which

@@ -1,6 +1,6 @@
-// tsan_fibers.cpp - tells ThreadSanitizer of SystemC's coroutines; in sanitized builds only.
+// tsan_fibers.cpp - ThreadSanitizer knows SystemC's coroutines; in sanitized builds only.
 //
-// libsystemc tells sanitizers of a switch by yield(), but not of one by abort(), with which a
+// libsystemc notifies sanitizers of a switch by yield(), but not of one by abort(), with which a
 // process ends.  The last process to run often ends so, and then the main stack is returned to.
 // This stands before both functions; libsystemc calls them by a table, which the dynamic linker
 // fills in with the first of each name.
