@@ -1,0 +1,25 @@
+// processor_systems.h - Platform Designer's systems that have the processor in them.
+//
+// Such a system is generated here, also where there is the Verilog that Platform Designer has made
+// of it, which has the vendor's primitives in it.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "sim/verilog/file_finder.h"
+
+namespace sim::project {
+
+// Whether a .qsys has the processor, itself or in a subsystem.
+bool has_processor(const std::filesystem::path& system, const FileFinder& finder);
+
+// Whether Platform Designer has made this Verilog of such a system.
+bool is_made_of_processor_system(const std::filesystem::path& file, const FileFinder& finder);
+
+// NAME.qsys for .../synthesis/NAME.qip, which Platform Designer makes of it.
+std::optional<std::filesystem::path> system_of_qip(const std::string& qip,
+                                                   const FileFinder& finder);
+
+}  // namespace sim::project
