@@ -1,4 +1,4 @@
-// greeting.h - what a client that comes later has to be told of the run so far.
+// greeting.h - what is sent of the run so far to a client that comes later.
 #pragma once
 
 #include <cstddef>

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "sim/live/picture.h"
+#include "sim/scenario/seven_segment.h"
 
 namespace sim::live {
 
@@ -15,11 +16,17 @@ constexpr std::size_t MOST_UNSENT = 4u << 20;  // bytes, from which on pictures 
 
 nlohmann::json as_json(const Lamps& lamps) {
     nlohmann::json hex = nlohmann::json::array(), gpio = nlohmann::json::array();
-    for (unsigned digit = 0; digit < 6; ++digit) hex.push_back(lamps.hex >> 7 * digit & 0x7f);
+    HexSegments segments;
+    for (unsigned digit = 0; digit < HEX_DIGITS; ++digit)
+        hex.push_back(segments[digit] = lamps.hex >> 7 * digit & 0x7f);
     for (const Lamps::Header& header : lamps.gpio)
         gpio.push_back({{"levels", header.levels}, {"outputs", header.outputs}});
     return {{"lamps",
-             {{"ledr", lamps.ledr}, {"hex", hex}, {"hps_led", lamps.hps_led}, {"gpio", gpio}}}};
+             {{"ledr", lamps.ledr},
+              {"hex", hex},
+              {"hex_text", hex_text(segments)},
+              {"hps_led", lamps.hps_led},
+              {"gpio", gpio}}}};
 }
 
 // JSON is UTF-8; other bytes become U+FFFD.

@@ -103,7 +103,7 @@ private:
         send(json_text({{"power", true}}));
         wait_for_wire();
     }
-    // Where there is no process or no descriptor for another simulation, the clients are told.
+    // Where there is no process or no descriptor for another simulation, the clients get an error.
     void power_on_again() {
         try {
             power_on();
@@ -142,7 +142,7 @@ private:
         }
     }
 
-    // Those who connect later are told as well.
+    // Those who connect later get it as well.
     void send_end(int exit_code) {
         const std::string text = json_text({{"ended", exit_code}});
         greeting_.add(text);

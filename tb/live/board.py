@@ -102,7 +102,4 @@ class Client:
         await self.until(lambda: self.frames() >= end)
 
     def hex(self):
-        names = {0x3f: "0", 0x06: "1", 0x5b: "2", 0x4f: "3", 0x66: "4", 0x6d: "5", 0x7d: "6",
-                 0x07: "7", 0x7f: "8", 0x6f: "9", 0: " "}
-        digits = self.last["lamps"]["hex"] if "lamps" in self.last else []
-        return "".join(names.get(digit, "?") for digit in reversed(digits))
+        return self.last.get("lamps", {}).get("hex_text", "")

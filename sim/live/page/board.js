@@ -84,17 +84,12 @@ for (let digit = 5; digit >= 0; --digit) {
 for (let n = 9; n >= 0; --n)
     $("ledr").insertAdjacentHTML("beforeend", `<div class="lamp" id="ledr${n}" title="LEDR${n}"></div>`);
 
-const FONT = {0x3f: "0", 0x06: "1", 0x5b: "2", 0x4f: "3", 0x66: "4", 0x6d: "5", 0x7d: "6", 0x7c: "6", 0x07: "7",
-    0x27: "7", 0x7f: "8", 0x6f: "9", 0x67: "9", 0x77: "A", 0x39: "C", 0x5e: "D", 0x79: "E", 0x71: "F", 0: " ", 0x40: "-"};
-
-function lamps({ledr, hex, gpio}) {
-    let text = "";
+function lamps({ledr, hex, hex_text, gpio}) {
     for (const svg of $("hex").children) {
         const lit = hex[svg.dataset.digit];
         [...svg.children].forEach((segment, n) => segment.classList.toggle("lit", lit >> n & 1));
-        text += FONT[lit] ?? "?";
     }
-    $("hex").setAttribute("aria-label", `HEX5 to HEX0: ${text}`);
+    $("hex").setAttribute("aria-label", `HEX5 to HEX0: ${hex_text}`);
     for (let n = 0; n < 10; ++n) $(`ledr${n}`).classList.toggle("lit", ledr >> n & 1);
     $("ledr").setAttribute("aria-label", `LEDR9 to LEDR0: ${ledr.toString(2).padStart(10, "0")}`);
     gpio.forEach((header, which) => headerPins(which, BigInt(header.levels), BigInt(header.outputs)));
