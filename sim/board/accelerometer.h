@@ -16,7 +16,7 @@ namespace sim {
 
 class Accelerometer : public sc_core::sc_module, public I2cDevices {
 public:
-    // `interrupt` is called with INT1's level when it has moved; `log` told what a person should
+    // `interrupt` is called with INT1's level when it has moved; `log` gets what a person should
     // know.
     Accelerometer(const sc_core::sc_module_name& name, std::function<void(bool up)> interrupt,
                   std::function<void(const std::string&)> log)

@@ -42,7 +42,7 @@ public:
     static constexpr unsigned LINE_CLOCKS = 1716, LINES = 525;
     static constexpr unsigned WIDTH = 720, HEIGHT = 480;
 
-    // `log` is told what a person should know.
+    // `log` gets what a person should know.
     explicit Adv7180(std::function<void(const std::string&)> log = [](const std::string&) {})
         : speed_{"ADV7180", 400'000, std::move(log)} {}
 

@@ -27,7 +27,7 @@ struct VideoSignal {
     bool similar_to(const VideoSignal& other) const;
 };
 
-// Of the numbers that it is told, the one that is more than half of them, if there is one (Boyer
+// Of the numbers that it is given, the one that is more than half of them, if there is one (Boyer
 // and Moore's vote); else any of them.
 class Majority {
 public:

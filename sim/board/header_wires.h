@@ -1,6 +1,6 @@
 // header_wires.h - the wires of both headers, joined by the keypad where it hangs on them
 //
-// A wire on which two drivers disagree is said once.
+// A wire on which two drivers disagree is reported once.
 //
 // Not handled: disagreement by way of the keypad's contacts.
 #pragma once

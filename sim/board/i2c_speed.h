@@ -1,8 +1,8 @@
 // i2c_speed.h - whether a chip on an I2C bus answers at the master's speed.
 //
 // A datasheet promises nothing above its greatest frequency of SCL.  Up to a quarter above it the
-// chip answers here all the same, as most do on a board; beyond that it does not.  Either is said
-// once.
+// chip answers here all the same, as most do on a board; beyond that it does not.  Either
+// is reported once.
 #pragma once
 
 #include <cstdint>

@@ -23,7 +23,7 @@ class LampBank {
 public:
     static constexpr std::uint64_t SPAN_PS = 20'000'000'000;
 
-    // `told` is called when a lamp is seen otherwise than before: by show(), and for the end of a
+    // `notify` is called when a lamp is seen otherwise than before: by show(), and for the end of a
     // span by pass().
     explicit LampBank(unsigned count, std::function<void(std::uint64_t time_ps)> notify = {})
         : notify_{std::move(notify)}, lamps_(count) {}

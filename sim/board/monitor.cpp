@@ -138,8 +138,8 @@ void Monitor::unlock() {
 void Monitor::look_at_the_time() {
     if (lock_) {
         if (now_ps_ - frame_ps_ > LONGEST_FRAME) unlock();
-    } else if (!unlocked_.told && now_ps_ - unlocked_.since_ps >= PATIENCE) {
-        unlocked_.told = true;
+    } else if (!unlocked_.reported && now_ps_ - unlocked_.since_ps >= PATIENCE) {
+        unlocked_.reported = true;
         report(no_signal());
     }
 }

@@ -11,8 +11,8 @@
 //
 // A tolerant monitor shows the frames that are like those it has locked on to.  It loses the lock
 // with the third frame in a row that is not, or when no frame has ended for 100 ms.  What it has
-// locked on to is told once per lock, a second without a lock once as "no signal".  A strict one
-// measures and tells the same, and shows what it shows regardless.
+// locked on to is reported once per lock, a second without a lock once as "no signal".  A strict
+// one measures and reports the same, and shows what it shows regardless.
 //
 // The samples are the pins before each rising edge of VGA_CLK, as the DAC takes them.  The time is
 // the number of samples times the clock's period, unless idle() says more.
@@ -55,14 +55,14 @@ public:
     // There was no sample up to this time since power-on.  Nothing happens if it is in the past.
     void idle(std::uint64_t until_ps);
 
-    // What was told last: "640 x 480 at 59.5 Hz, HS and VS negative, 800 x 525 clocks", "out of
+    // What was reported last: "640 x 480 at 59.5 Hz, HS and VS negative, 800 x 525 clocks", "out of
     // range: ..." or "no signal: ..."; empty before.
     const std::string& signal() const { return signal_; }
 
-    // Why there is no picture.  Nothing is told of that in the first second.
+    // Why there is no picture.  Nothing is reported of that in the first second.
     std::string no_signal() const;
 
-    // It has been told of its pins, or that they stand still: there is something to look at.
+    // It has been notified of its pins, or that they stand still: there is something to look at.
     bool is_connected() const { return now_ps_ > 0; }
 
     std::uint64_t frames() const { return frames_; }
@@ -77,7 +77,7 @@ private:
     struct Unlocked {
         std::uint64_t since_ps = 0, samples = 0, coloured = 0;
         std::uint64_t hs_edges = 0, vs_edges = 0;  // before that
-        bool told = false;
+        bool reported = false;
     };
 
     bool strict() const { return strictness_ == Strictness::STRICT; }

@@ -21,8 +21,8 @@ class Parts {
 public:
     using Drive = std::function<void(const HeaderMasks& pins, PinLevel level)>;
 
-    // `drive` puts a level on pins, until told otherwise; `moved` is called when a part has done so
-    // by itself.
+    // `drive` puts a level on pins, until the next call; `moved` is called after a part has driven
+    // pins at a time of its own.
     Parts(const std::vector<PartPlan>& plans, Agenda& agenda, Drive drive,
           std::function<void()> moved);
 

@@ -18,7 +18,7 @@ public:
     explicit Raster(const Placement& place);
 
     // Samples of the colours, while BLANK_N is high or low.  Where a line or a frame begins with
-    // the first of them, that is told before, the line first.
+    // the first of them, which is reported before, the line first.
     void run(const std::uint32_t* pins, unsigned count, bool blank_n);
     void begin_line();
     // Completes the picture.  False: there is none, since nobody saw the frame begin, or it had no
@@ -29,7 +29,7 @@ public:
     // Valid from end_frame() to begin_frame().
     const std::vector<std::uint32_t>& pixels() const { return pixels_; }  // 0x00RRGGBB
     // Colours while BLANK_N is high between the begin of HS and the picture; known unless BLANK_N
-    // tells where the picture is.
+    // says where the picture is.
     bool has_colour_in_porch() const { return colour_in_porch_; }
     // A row has changed since the last call; true at the first one.
     bool consume_is_new() { return std::exchange(is_new_, false); }

@@ -54,7 +54,7 @@ public:
     bool adcdat() const { return adcdat_; }
     bool pulls_sda_low() const { return control_.pulls_low(); }
 
-    // What it drives as the bus master.  xck() tells it the period of XCK, 0 if there is none; and
+    // What it drives as the bus master.  xck() says the period of XCK, 0 if there is none; and
     // bclk_edge() that BCLK's next edge is due.
     const CodecClocks& clocks() const { return clocks_; }
     void xck(std::uint64_t period_fs);

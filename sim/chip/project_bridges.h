@@ -2,7 +2,7 @@
 //
 // A transaction becomes accesses of up to eight bytes, or of the bridge's width, each as long as
 // the design takes for it.  The design runs up to the access's time before, and in batches between;
-// an interrupt is told when the design has run past it.
+// an interrupt is notified when the design has run past it.
 //
 // Where the design does not answer within 20 ms of simulated time the transaction is
 // TLM_INCOMPLETE: the board's processor would hang for ever.

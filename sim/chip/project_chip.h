@@ -36,9 +36,9 @@ public:
     // ---- For a processor ----
 
     project::Model& model() { return *model_; }
-    // Runs up to this time, at most SystemC's next event, and tells of interrupts.
+    // Runs up to this time, at most SystemC's next event, and notifies of interrupts.
     void run_to(std::uint64_t time_ps);
-    // `told` is called with Model::interrupts() whenever it has changed.
+    // `notify` is called with Model::interrupts() whenever it has changed.
     void on_interrupts(std::function<void(std::uint64_t levels)> notify);
     void notify_interrupts();
     // h2f_reset, of the length that a warm reset of the processor has.

@@ -1,4 +1,4 @@
-// abort_log.h - what a person is told of the aborts that a program takes: each place once.
+// abort_log.h - the log of the aborts that a program takes: each place once.
 //
 // The first abort of an instruction is a line, when the program has left its handler; one that ends
 // the program stands in its fault and is no line.  Those that follow are only counted, and at the
@@ -22,7 +22,7 @@ public:
     void happened(unsigned exception, std::uint32_t pc, const std::string& text);
     // The program has left its handlers.
     void handled() { failed(""); }
-    // The program has failed by the one with this text, which is not said again.
+    // The program has failed by the one with this text, which is not reported again.
     void failed(const std::string& text);
     // At the run's end.
     void end();

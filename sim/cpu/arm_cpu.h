@@ -131,7 +131,7 @@ public:
     std::string accessed() const override;
     bool is_inspected() const override { return inspected_; }
 
-    // At the run's end: logs what is still to be said of the program's aborts.  position() stays.
+    // At the run's end: logs what is not reported yet of the program's aborts.  position() stays.
     void conclude();
 
     // How long the program has been over: ended by end(), or looping on one instruction with IRQ

@@ -1,4 +1,4 @@
-// arm_messages.h - what a person is told of the program at an exception: the callers of its last
+// arm_messages.h - messages about the program at an exception: the callers of its last
 // function; an instruction that the processor does not execute; an unaligned access
 #pragma once
 

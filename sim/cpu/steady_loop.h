@@ -92,7 +92,7 @@ public:
     bool follow_with_flags(const Registers& registers, World& world);
 
     unsigned instructions() const { return instructions_; }
-    // In so many rounds from now on all is as said.
+    // In so many rounds from now on all is as computed.
     std::uint64_t rounds() const { return rounds_; }
     // The registers after n of them; the flags are those at the begin.
     Registers after(std::uint64_t n) const;

@@ -14,7 +14,7 @@
 
 namespace sim {
 
-constexpr std::size_t GDB_PACKET_BYTES = 0x4000;  // longest text, as told to GDB
+constexpr std::size_t GDB_PACKET_BYTES = 0x4000;  // longest text, as announced to GDB
 
 enum class GdbEvent {
     PACKET,     // its text is ready

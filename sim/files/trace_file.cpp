@@ -30,7 +30,7 @@ void copy(char* to, std::size_t capacity, const std::string& text) {
 }
 
 void on_bus_error(int) {
-    [[maybe_unused]] const ssize_t said =
+    [[maybe_unused]] const ssize_t written =
         write(STDERR_FILENO, crash_report, std::strlen(crash_report));
     remove_open_parts();
     unlink(hierarchy_name);

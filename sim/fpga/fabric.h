@@ -6,7 +6,7 @@
 // clock's next rise).  In each run, and in an access over a bridge, the board's agenda is kept: all
 // entries before a clock's edge come before it.
 // Clocks in which nothing would happen are left out of the model (rtl/SLEEP.md), but not of
-// what is told: it is the same as with every one of them.
+// what is notified: it is the same as with every one of them.
 #pragma once
 
 #include <cstddef>

@@ -4,15 +4,15 @@
 //   h2f  full bridge, offsets in 960 MB             16 words, none across 4 KB
 //
 // The fabric runs when somebody looks: at every bus access, at every entry of the board's agenda,
-// and once a scan line; then the listener is told of the picture, so a frame's end does not depend
-// on accesses.  A transaction's delay is what its clocks took.  It blocks: where its
+// and once per scan line; then the listener is notified of the picture, so a frame's end does not
+// depend on accesses.  A transaction's delay is what its clocks took.  It blocks: where its
 // clocks come to the time of an event of SystemC, that comes first, and a long one lets SystemC
 // catch up between its bursts.  So what a process enters into the agenda finds the fabric at the
 // process's time.
 //
 // Each entry of the agenda is an event of SystemC, too, past which a processor does not run ahead.
 //
-// Interrupts are levels, told when the fabric has caught up with their change: at once when a
+// Interrupts are levels, notified when the fabric has caught up with their change: at once when a
 // transaction makes it, else within a scan line (32 us).
 //
 // Memory::MAPPED: the memories behind the full bridge, the SDRAM chip and the on-chip memory, are
@@ -64,7 +64,7 @@ public:
     // Spreads the phases from now on; before, all are in the middle of the fabric's clock.
     void spread_phases(std::uint64_t seed) { seed_ = seed; }
 
-    // `told` is called with Fabric::irq() whenever it has changed.
+    // `notify` is called with Fabric::irq() whenever it has changed.
     void on_interrupts(std::function<void(std::uint64_t levels)> notify) {
         notify_ = std::move(notify);
     }

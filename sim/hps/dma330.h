@@ -11,8 +11,8 @@
 //
 // Sources: ARM DDI 0424D (CoreLink DMA-330 r1p2); Cyclone V HPS TRM, chapter DMA Controller.
 //
-// Not handled: requests of peripherals: a channel that waits for one waits for ever, which is said;
-// security, endian swaps, the watchdog, and that the processor's caches are not told.
+// Not handled: requests of peripherals: a channel that waits for one waits for ever, which is
+// reported; security, endian swaps, the watchdog, and that the processor's caches do not know.
 #pragma once
 
 #include <array>

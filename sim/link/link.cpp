@@ -111,12 +111,12 @@ std::string nodes_text(const std::vector<project::qsys::Device>& devices) {
 }
 
 // "dial.c:12:5: error: implicit declaration of function 'request_irq'".
-void name_missing_functions(const std::string& said) {
+void name_missing_functions(const std::string& output) {
     static const std::regex IMPLICIT{
         R"(([^\n]*:\d+):\d+: error: implicit declaration of function '(\w+)')"};
     std::string first, others;
     std::set<std::string> names;
-    for (std::sregex_iterator at{said.begin(), said.end(), IMPLICIT}, end; at != end; ++at) {
+    for (std::sregex_iterator at{output.begin(), output.end(), IMPLICIT}, end; at != end; ++at) {
         if (!names.insert((*at)[2]).second) continue;
         if (first.empty())
             first = fmt::format("{}: the kernel's function {}()", (*at)[1].str(), (*at)[2].str());

@@ -18,7 +18,7 @@
 // threads wait.  A signal comes at its exact time, also into a loop.  ^C, ^\ and ^Z at the terminal
 // send theirs; there is no shell, so a program that ^Z has stopped stays so.
 //
-// Threads share one processor (scheduler.h), although the program is told of two, as on the board.
+// Threads share one processor (scheduler.h), although the program is shown two, as on the board.
 // When all wait for each other for ever, the program ends by a fault that says who waits for whom.
 //
 // Processes take turns in the core: each has its memory (address_space.h), and what the core has
@@ -482,7 +482,7 @@ private:
     std::map<int, Segment> segments_;
     std::map<int, Semaphores> semaphores_;
     int next_ipc_ = 0;
-    std::set<std::uint32_t> unaligned_;        // instructions of which the log was told
+    std::set<std::uint32_t> unaligned_;        // instructions that are in the log
     std::map<std::string, unsigned> missing_;  // calls that are not emulated, how often
     std::vector<std::weak_ptr<LinuxTimerFile>> timer_files_;
     std::set<std::string> named_files_;  // of the system, that are not there

@@ -251,7 +251,7 @@ std::int64_t LinuxSocket::send(const void* data, std::size_t bytes, const Socket
     const bool is_unix = family_ == SocketAddress::UNIX;
     if (!other) {
         if (is_unix) return -ECONNREFUSED;
-        if (!to) error_ = ECONNREFUSED;  // told with the next call, as by ICMP
+        if (!to) error_ = ECONNREFUSED;  // reported with the next call, as by ICMP
         return static_cast<std::int64_t>(bytes);
     }
     // A connected one takes only what its peer sends.

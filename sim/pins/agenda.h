@@ -54,7 +54,7 @@ public:
     // It is at least as late as this.
     void pass_to(std::uint64_t time_ps) { now_ps_ = std::max(now_ps_, time_ps); }
 
-    // `told` is called with next_ps() whenever that is another.
+    // `notify` is called with next_ps() whenever that is another.
     void on_next(std::function<void(std::uint64_t)> notify) {
         notify_ = std::move(notify);
         notify_(next_ps_);

@@ -6,7 +6,7 @@
 // the wire low, and the level that is on the wire.
 //
 // Whatever crosses the seam has its time, in both directions, also where the chip runs far at once.
-// A call tells when the outputs have moved.  The board changes ChipInputs in such a call, as an
+// A call says when the outputs have moved.  The board changes ChipInputs in such a call, as an
 // answer without delay, or in an entry of its agenda, which the chip keeps; at no other place.
 // What changes at a time counts from the first clock edge after it.
 #pragma once

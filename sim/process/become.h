@@ -12,7 +12,7 @@ namespace sim {
 [[noreturn]] void become(const std::vector<std::string>& command, const char* folder, int input,
                          int output);
 
-// An Outcome's code, of what waitpid() has told.
+// An Outcome's code, of what waitpid() has given.
 int code_of(int status);
 
 }  // namespace sim

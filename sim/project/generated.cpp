@@ -66,9 +66,9 @@ std::string facts_text(const Project& project, const Elaborated& elaborated,
                       binding.has_xck, binding.drives_codec_clocks, folders, below.size());
 }
 
-std::string loops_text(const std::string& said, const std::string& otherwise) {
+std::string loops_text(const std::string& output, const std::string& otherwise) {
     std::string loops;
-    std::istringstream lines{said};
+    std::istringstream lines{output};
     for (std::string line; std::getline(lines, line);) {
         const std::size_t quote = line.find("'de1sim_chip.de1sim_design.");
         if (line.find("Warning-UNOPTFLAT: ") == std::string::npos || quote == std::string::npos)

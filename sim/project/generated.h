@@ -23,6 +23,6 @@ std::string facts_text(const Project& project, const Elaborated& elaborated,
 // de1sim_loops.h, by Verilator: "Signal unoptimizable: ... 'de1sim_chip.de1sim_design.a'"
 // is a loop without a register, which may oscillate.
 // Where it names none, `otherwise` is taken.
-std::string loops_text(const std::string& said, const std::string& otherwise);
+std::string loops_text(const std::string& output, const std::string& otherwise);
 
 }  // namespace sim::project

@@ -42,7 +42,7 @@ private:
     std::vector<std::uint32_t> bits_;
 };
 
-// The file's content is what tells the two formats apart, not its name.  Throws std::runtime_error
+// The two formats are told apart by the file's content, not its name.  Throws std::runtime_error
 // "FILE:LINE: ..., expected ..." on a file that is broken, and "FILE: ..." if it cannot be read.
 MemoryImage read_memory_image(const std::filesystem::path& file, unsigned width, std::size_t words);
 

@@ -20,9 +20,9 @@ namespace {
 constexpr const char* RUNTIME = "libdesign_runtime.a";
 constexpr unsigned OLDEST_MAJOR = 5, OLDEST_MINOR = 6;
 
-std::string version_of(const std::string& said) {
-    const std::size_t begin = said.find(' ') + 1;
-    return said.substr(begin, said.find(' ', begin) - begin);
+std::string version_of(const std::string& output) {
+    const std::size_t begin = output.find(' ') + 1;
+    return output.substr(begin, output.find(' ', begin) - begin);
 }
 
 bool is_too_old(const std::string& version) {
@@ -58,8 +58,8 @@ fs::path compile_runtime(const Verilator& verilator, const fs::path& folder,
 }  // namespace
 
 Verilator find_verilator(const TimeLimit& limit) {
-    const std::string said = run_tool({"verilator", "--version"}, "/", limit);
-    Verilator found{version_of(said), VERILATOR_INCLUDE};
+    const std::string output = run_tool({"verilator", "--version"}, "/", limit);
+    Verilator found{version_of(output), VERILATOR_INCLUDE};
     if (is_too_old(found.version))
         throw ProjectError{
             fmt::format("Verilator {} is installed, expected {}.{:03} or a later one",

@@ -1,8 +1,8 @@
 // file_kind.h - what to do with a file that is given as a program or scenario and is neither.
 //
-// A file is told by its first bytes, then by its name: sources of programs and of designs, images
-// of memories, bitstreams, projects of Quartus and of Intel's Monitor Program, pictures, archives.
-// What may be a scenario is left to the scenario's reader, which says line and column.
+// A file is recognised by its first bytes, then by its name: sources of programs and of designs,
+// images of memories, bitstreams, projects of Quartus and of Intel's Monitor Program, pictures,
+// archives.  What may be a scenario is left to the scenario's reader, which says line and column.
 #pragma once
 
 #include <filesystem>

@@ -34,8 +34,8 @@ std::string run_part_again(const RunDescription& run, const RunPart& part,
     const std::vector<std::string> command = description.command();
     const Outcome outcome = run_command(command, ".", LIMIT_S, given_up);
     if (std::filesystem::exists(part.folder / FILES[0])) return "";
-    const std::string said = outcome.last_line();
-    return said.empty() ? fmt::format("exit code {}", outcome.code) : said;
+    const std::string line = outcome.last_line();
+    return line.empty() ? fmt::format("exit code {}", outcome.code) : line;
 }
 
 void trace_failure(const RunDescription& run, RunReport& report,

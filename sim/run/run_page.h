@@ -17,7 +17,7 @@ namespace sim {
 class RunPage {
 public:
     // Has the recorder keep what the page needs.  The file is there, empty, in the folder of the
-    // page from now on, so that a wrong name is told before the run: IoError.
+    // page from now on, so that a wrong name is refused before the run: IoError.
     RunPage(const RunDescription& run, Recorder& recorder);
     RunPage(const RunPage&) = delete;
     RunPage& operator=(const RunPage&) = delete;

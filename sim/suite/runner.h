@@ -22,7 +22,7 @@ struct RunSettings {
     HandIns* hand_ins = nullptr;                // for cases that have a `hand_in`
 };
 
-// Runs them in their order.  `done` is told of each as it ends, one call at a time; a case that
+// Runs them in their order.  `done` is called with each as it ends, one call at a time; a case that
 // given_up() has cut off or kept from beginning has no result.  What `done` throws ends them all
 // and is thrown on.
 void run_cases(const std::vector<Case>& cases, const RunSettings& settings,

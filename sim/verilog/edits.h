@@ -13,10 +13,10 @@ namespace sim::project {
 struct Edits {
     std::map<std::size_t, std::string> before, after;  // text to write there
     std::set<std::size_t> left_out;  // tokens; the white space and comments before them stay
-    std::map<std::size_t, std::string> told;  // what a person is told, with that token's line
+    std::map<std::size_t, std::string> notes;  // for a person, with that token's line
 };
 
-// The text of `tokens` with the changes; `told` is the caller's.
+// The text of `tokens` with the changes; `notes` are the caller's.
 std::string changed_text(const Tokens& tokens, const Edits& edits);
 
 }  // namespace sim::project

@@ -17,7 +17,7 @@ public:
 
     // `name` as written: from `from` on, with / or \, in any case; else, as on the machine that it
     // is an absolute path of, by as much of its end as is found below the folder; at last by its
-    // name alone.  `exact` says whether it was found where it was said to be.
+    // name alone.  `exact` says whether it was found at the place that the name says.
     struct Found {
         std::filesystem::path path;
         bool exact;

@@ -22,7 +22,7 @@
 
 namespace sim::project {
 
-// `modules` tells which ports of an instance are outputs.
+// `modules` says which ports of an instance are outputs.
 std::string gates_as_assignments(std::string_view text, const Modules& modules);
 
 }  // namespace sim::project

@@ -1,4 +1,4 @@
-// instances.h - what the instances of a module are connected with, told from the text.
+// instances.h - what the instances of a module are connected with, as the text has it.
 #pragma once
 
 #include <initializer_list>

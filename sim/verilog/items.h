@@ -1,4 +1,4 @@
-// items.h - the items of a module, told from the statements of its processes.
+// items.h - the items of a module, told apart from the statements of its processes.
 //
 // `counter (clk, q);` is an instance without a name among the items, and calls a task among the
 // statements of an always block.

@@ -96,7 +96,7 @@ public:
         for (std::size_t i = 0; i < tokens_.all.size(); ++i) {
             const Token& token = tokens_.all[i];
             result.text += without_pragmas(token.gap);
-            if (const auto here = edits_.told.find(i); here != edits_.told.end())
+            if (const auto here = edits_.notes.find(i); here != edits_.notes.end())
                 changed(token, here->second);
             if (const auto here = edits_.before.find(i); here != edits_.before.end())
                 result.text += in_one_line(here->second);
@@ -141,17 +141,17 @@ private:
 
     std::string at_power_up(const ResetStatement& reset) {
         std::string text = " initial";
-        const std::size_t told = changes_.size(), warned = checks_.warnings.size();
+        const std::size_t noted = changes_.size(), warned = checks_.warnings.size();
         for (std::size_t i = reset.begin; i < reset.end; ++i)
             text += (i > reset.begin && tokens_.all[i].gap.empty() ? "" : " ") +
                     text_of_token(tokens_.all[i]);
-        changes_.resize(told);  // of the original
+        changes_.resize(noted);  // of the original
         checks_.warnings.erase(checks_.warnings.begin() + static_cast<std::ptrdiff_t>(warned),
                                checks_.warnings.end());
         return text;
     }
 
-    // What is written or told of a text in quotes, which may go over lines, as in a broken file.
+    // What is written or noted of a text in quotes, which may go over lines, as in a broken file.
     static std::string in_one_line(std::string text) {
         std::replace(text.begin(), text.end(), '\n', ' ');
         return text;
@@ -204,7 +204,7 @@ private:
                 !module.outputs.count(c.port))
                 continue;
             edits_.left_out.insert(c.first);
-            edits_.told[c.first] =
+            edits_.notes[c.first] =
                 fmt::format("left output {} open, which is connected with {}", c.port, value.text);
         }
     }

@@ -8,10 +8,10 @@
 //   a type that several parameters share        is repeated, see parameter_types.h
 //   a .v file with words of SystemVerilog as names  is read with the keywords of Verilog-2005
 //
-// Not told: a comment that Verilator would take for an order to itself, inputs of models that are
+// Not noted: a comment that Verilator would take for an order to itself, inputs of models that are
 // 1 where they are open, the enables of part_drivers.h, the calls of init_text.h, the registers of
 // registers.h, the resets of power_up.h, the lists of sensitivity.h, and the names "small",
-// "medium" and "large", which are escaped.  A warning tells of the wires of tri_states.h and the
+// "medium" and "large", which are escaped.  A warning is given of the wires of tri_states.h and the
 // registers of released_registers.h.
 //
 // Lines stay where they are, and messages name the original file.

@@ -64,7 +64,7 @@ private:
             }
         } else if (!type_.empty()) {
             edits_.before[name] += fmt::format("{} {} ", word_, type_);
-            edits_.told[name] =
+            edits_.notes[name] =
                 fmt::format("repeated the type of parameter {}: {}", tokens_[name].text, type_);
         }
     }

@@ -363,7 +363,7 @@ Messages keep_released_registers(const std::vector<Token>& all, const PinPorts& 
     Messages messages;
     if (pins.empty()) return messages;
     each_module(all, [&](std::size_t begin, std::size_t end) {
-        NameSet at_pins, told;
+        NameSet at_pins, noted;
         bool is_known = false;
         for (std::size_t i = begin; i < end; ++i) {
             if (!is_released(all[i])) continue;
@@ -378,7 +378,7 @@ Messages keep_released_registers(const std::vector<Token>& all, const PinPorts& 
                 if (c == 'z' || c == 'Z') c = 'x';
             edits.left_out.insert(i);
             edits.before[i] += value;
-            if (told.emplace(all[target].text).second)
+            if (noted.emplace(all[target].text).second)
                 messages.push_back({13049,
                                     {},
                                     all[i].line,

@@ -89,7 +89,7 @@ private:
                     continue;
                 }
                 edits_.before[net->begin] += port.type + name + "; ";
-                edits_.told[port.begin] +=
+                edits_.notes[port.begin] +=
                     fmt::format("{}{}", moved ? ", " : "moved before its net: port ", name);
                 moved = true;
             }
@@ -143,7 +143,7 @@ private:
             for (auto p = all.rbegin(); p != all.rend(); ++p) {
                 if (!later.insert(p->name).second) {
                     drops = true;
-                    edits_.told[statement->begin] =
+                    edits_.notes[statement->begin] =
                         fmt::format("left out defparam {}, which is set again",
                                     p->name.substr(p->name.find(' ') + 1));
                     continue;

@@ -28,12 +28,12 @@ std::vector<std::string> verilator_options(const TopParameters& parameters) {
     return words;
 }
 
-std::vector<std::string> unknown_parameters(const std::string& said) {
+std::vector<std::string> unknown_parameters(const std::string& output) {
     static const std::string SENTENCE =
         "Parameters from the command line were not found in the design:";
-    const std::size_t at = said.find(SENTENCE);
+    const std::size_t at = output.find(SENTENCE);
     if (at == std::string::npos) return {};
-    std::istringstream names{said.substr(at + SENTENCE.size())};
+    std::istringstream names{output.substr(at + SENTENCE.size())};
     return {std::istream_iterator<std::string>{names}, {}};
 }
 

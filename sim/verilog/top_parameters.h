@@ -21,7 +21,7 @@ std::vector<std::string> verilator_options(const TopParameters& parameters);
 
 // The names of which Verilator says that the top has no such parameter; none: it says something
 // else.
-std::vector<std::string> unknown_parameters(const std::string& said);
+std::vector<std::string> unknown_parameters(const std::string& output);
 
 // For an instance of the top: " #(.WIDTH (8))", or nothing.
 std::string instance_text(const TopParameters& parameters);

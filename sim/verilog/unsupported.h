@@ -1,4 +1,4 @@
-// unsupported.h - what a project may consist of that cannot be simulated, and what is said of it.
+// unsupported.h - what a project may consist of that cannot be simulated, and the message for each.
 #pragma once
 
 #include <filesystem>

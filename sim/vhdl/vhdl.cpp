@@ -23,13 +23,13 @@ namespace fs = std::filesystem;
 namespace {
 
 // "GHDL 2.0.0 crashed on this VHDL ...", where it says so itself.
-std::optional<std::string> crash(const std::string& said) {
-    if (said.find("GHDL Bug occurred") == std::string::npos) return {};
+std::optional<std::string> crash(const std::string& output) {
+    if (output.find("GHDL Bug occurred") == std::string::npos) return {};
     static const std::string RELEASE = "GHDL release: ";
     std::string version;
-    if (const std::size_t at = said.find(RELEASE); at != std::string::npos) {
+    if (const std::size_t at = output.find(RELEASE); at != std::string::npos) {
         const std::size_t begin = at + RELEASE.size();
-        version = " " + said.substr(begin, said.find_first_of(" \n", begin) - begin);
+        version = " " + output.substr(begin, output.find_first_of(" \n", begin) - begin);
     }
     return fmt::format("GHDL{} crashed on this VHDL; a newer GHDL may take it", version);
 }
@@ -94,9 +94,9 @@ std::string in_quartus_words(const std::string& line) {
 
 // GHDL's first error, or what it says instead: "top.vhd:14:2: no declaration for "x"".  GHDL 5 puts
 // "error:" before it, and names a unit that it has not found as one of its command line.
-std::string first_error(const std::string& said, const std::string& what) {
-    if (const auto crashed = crash(said)) return fmt::format("{}: {}", what, *crashed);
-    std::istringstream lines{said};
+std::string first_error(const std::string& output, const std::string& what) {
+    if (const auto crashed = crash(output)) return fmt::format("{}: {}", what, *crashed);
+    std::istringstream lines{output};
     for (std::string line; std::getline(lines, line);) {
         const std::size_t colon = line.find(':');
         const bool has_place = colon != std::string::npos && colon + 1 < line.size() &&
@@ -190,7 +190,7 @@ std::vector<std::string> verilog_of(const VhdlDesign& design, const TimeLimit& l
     have_one_time(design.work / "work-obj08.cf");
     // A component is bound to an entity only if that has been analysed.  Errors of GHDL 2 come
     // again below; GHDL 5 says there only that the entity has not been analysed.
-    std::map<std::string, std::string> analysed;  // what GHDL said
+    std::map<std::string, std::string> analysed;  // what GHDL printed
     for (const VhdlRoot& root : design.roots) {
         if (analysed.count(root.entity)) continue;
         auto make = words({"-m"}, {root.entity});
@@ -220,13 +220,13 @@ std::vector<std::string> verilog_of(const VhdlDesign& design, const TimeLimit& l
                 throw ProjectError{file_of(root.entity) + what.substr(root.entity.size())};
             }
         };
-        std::string said = "\n" + synthesised("--out=verilog");
-        said.erase(0, said.find("\nmodule ") + 1);  // its warnings
-        refuse_two_clocks(said);
-        refuse_lost_registers(said, all);
-        said = repaired(said, lacks_others(said) ? synthesised("--out=raw-vhdl") : "");
+        std::string output = "\n" + synthesised("--out=verilog");
+        output.erase(0, output.find("\nmodule ") + 1);  // its warnings
+        refuse_two_clocks(output);
+        refuse_lost_registers(output, all);
+        output = repaired(output, lacks_others(output) ? synthesised("--out=raw-vhdl") : "");
         texts.push_back(
-            VhdlOutput{said, root.entity, root.module, design.in_verilog}.without(known));
+            VhdlOutput{output, root.entity, root.module, design.in_verilog}.without(known));
     }
     return texts;
 }

@@ -47,9 +47,9 @@ std::string instanced(const std::string& line) {
 
 }  // namespace
 
-VhdlOutput::VhdlOutput(const std::string& said, const std::string& root, const std::string& module,
-                       const InVerilog& in_verilog) {
-    const std::string text = "\n" + said, begin = "\nmodule ", end = "\nendmodule\n";
+VhdlOutput::VhdlOutput(const std::string& output, const std::string& root,
+                       const std::string& module, const InVerilog& in_verilog) {
+    const std::string text = "\n" + output, begin = "\nmodule ", end = "\nendmodule\n";
     for (std::size_t at = text.find(begin); at != std::string::npos; at = text.find(begin, at)) {
         const std::size_t after = text.find(end, at);
         if (after == std::string::npos) return;

@@ -17,9 +17,9 @@ using InVerilog = std::function<const ModuleText*(const std::string& component)>
 // The modules of one run of GHDL.
 class VhdlOutput {
 public:
-    // `said` is all that GHDL says of the entity `root`, which gets the name `module`.
+    // `output` is what GHDL prints of the entity `root`, which gets the name `module`.
     // ProjectError: there is no module for a component.
-    VhdlOutput(const std::string& said, const std::string& root, const std::string& module,
+    VhdlOutput(const std::string& output, const std::string& root, const std::string& module,
                const InVerilog& in_verilog);
 
     // Those that are not in `known`, into which they go.

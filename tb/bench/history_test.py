@@ -35,7 +35,7 @@ class History(unittest.TestCase):
         self.assertEqual(json.loads(line)["ratios"], {"demo, arm": 0.5})
         self.assertIn("demo, arm", (self.folder / "history.svg").read_text())
 
-    def test_what_is_slower_than_a_week_before_is_told(self):
+    def test_what_is_slower_than_a_week_before_is_reported(self):
         self.keep((30, 0.9), (7.2, 0.50), (7, 0.52), (6.8, 0.1), (1, 0.9))
         self.assertEqual(self.bench(0.46).returncode, 0)
         done = self.bench(0.44)

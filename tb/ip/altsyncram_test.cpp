@@ -76,7 +76,7 @@ TEST_F(Altsyncram, FillsWordsOfMoreThan32BitsFromIntelHex) {
     EXPECT_EQ(dut.hex_o, 0x0102030405u);
 }
 
-TEST_F(Altsyncram, SaysWhichFileIsMissingAndIsZero) {
+TEST_F(Altsyncram, ReportsWhichFileIsMissingAndIsZero) {
     ASSERT_EQ(missing.size(), 1u);
     EXPECT_THAT(missing[0], testing::StartsWith("missing.mif: not found"));
     EXPECT_THAT(missing[0], testing::HasSubstr("altsyncram_bench.both"));

@@ -65,7 +65,7 @@ TEST_F(Fifo, ShowsAWriteAfterTheClocksOfTheGuide) {
     EXPECT_EQ(dut.normal_o, 0x42);
 }
 
-TEST_F(Fifo, SaysHowFullItIs) {
+TEST_F(Fifo, CountsItsWords) {
     EXPECT_TRUE(dut.almost_empty_o & 1);
     for (unsigned i = 1; i <= 8; ++i) {
         write(i);

@@ -75,7 +75,7 @@ TEST_F(InitFile, ReadsEachRadix) {
     EXPECT_EQ(first("DEC", "-91"), 0xA5);
 }
 
-TEST_F(InitFile, TakesHexadecimalWhereNoRadixIsSaid) {
+TEST_F(InitFile, ReadsHexadecimalWhereNoRadixIsGiven) {
     EXPECT_THAT(read("DEPTH=32; WIDTH=8; CONTENT BEGIN 10 : 10; END;", 8, 17)[16], 0x10);
 }
 
@@ -104,7 +104,7 @@ TEST_F(InitFile, FitsAFileOfAnotherSizeToTheMemory) {
     EXPECT_THAT(read(HEAD + "CONTENT BEGIN 0: AB 1; END;", 16, 3), ElementsAre(0xAB, 1, 0));
 }
 
-TEST_F(InitFile, SaysWhereAMifIsBroken) {
+TEST_F(InitFile, ReportsWhereAMifIsBroken) {
     EXPECT_EQ(refusal("hello"),
               ":1: \"HELLO\", expected WIDTH, DEPTH, ADDRESS_RADIX, DATA_RADIX or CONTENT");
     EXPECT_EQ(refusal(""),
@@ -147,7 +147,7 @@ TEST_F(InitFile, ReadsTheUpperPartOfAnAddress) {
     EXPECT_EQ(read(":020000040001F9\n:0100010007F7\n:00000001FF\n", 8, 0x10002)[0x10001], 7u);
 }
 
-TEST_F(InitFile, SaysWhereIntelHexIsBroken) {
+TEST_F(InitFile, ReportsWhereIntelHexIsBroken) {
     EXPECT_THAT(refusal(":0100000005FA\n:0100010006F9\n"),
                 HasSubstr(":2: the record has the checksum F9 instead of F8, expected :COUNT"));
     EXPECT_THAT(refusal(":0200000005FA"),
@@ -161,7 +161,7 @@ TEST_F(InitFile, SaysWhereIntelHexIsBroken) {
     EXPECT_THAT(refusal(":0100000401FA"), HasSubstr(":1: the record is of kind 02 or 04 without"));
 }
 
-TEST_F(InitFile, SaysThatAFileCannotBeRead) {
+TEST_F(InitFile, ReportsThatAFileCannotBeRead) {
     EXPECT_THROW(sim::project::read_memory_image(folder / "none", 8, 4), std::runtime_error);
     EXPECT_THROW(sim::project::read_memory_image(folder, 8, 4), std::runtime_error);
 }

@@ -300,7 +300,7 @@ class InsideAProject(Live):
         self.words = ("--project", str(project), "--strict-vga")
         super().setUp()
 
-    async def test_violations_are_told_as_they_happen(self):
+    async def test_violations_are_reported_as_they_happen(self):
         client = await self.client()
         await client.until(lambda: client.last.get("inside", {}).get("frames", 0) > 2, 120)
         self.assertNotIn("bus", client.last["inside"])

@@ -46,7 +46,7 @@ class AddressSpanExtender(SystemCase):
                      "volatile uint32_t* c = (volatile uint32_t*)0xFF200100;\n" + body)
         self.shows(0x155)
 
-    def test_two_windows_go_where_they_are_told(self):
+    def test_two_windows_go_where_they_are_sent(self):
         self.extended("""c[0] = 0xFFFFFFFF; c[1] = 0xFFFFFFFF;
 uint32_t ok = c[0] == 0xFFFFF800 && c[1] == 0 && c[2] == 0;
 c[0] = 0x08000000; c[2] = 0x08000800;

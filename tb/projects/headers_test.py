@@ -92,7 +92,7 @@ endmodule
                    "hold: {keypad: \"5\"}", "delay: 45ms", 'expect-leds: "0011101111"',
                    parts="  - keypad: GPIO_1[7:0]\n")
 
-    def test_two_drivers_are_said_once(self):
+    def test_two_drivers_are_reported_once(self):
         self.write(top_v="module top(output [35:0] GPIO_0); assign GPIO_0 = 36'h8; endmodule\n")
         done = self.plays("delay: 1ms", "set-switch: {switch: a, level: high}", "delay: 1ms",
                           "set-switch: {switch: a, level: low}", "delay: 1ms",

@@ -80,7 +80,7 @@ class Reading(Case):
                    top_v="module top(input x, output y); assign y = x; endmodule\n")
         self.leds(2, 1)
 
-    def test_another_device_is_said(self):
+    def test_another_device_is_reported(self):
         """And its pins are not taken: PIN_AB12 is SW0 here."""
         self.write(p_qsf="set_global_assignment -name DEVICE EP4CE115F29C7\n"
                          "set_global_assignment -name TOP_LEVEL_ENTITY top\n"
@@ -332,7 +332,7 @@ class Wrong(Case):
             self.write(top_v=f"module top(input [9:0] SW, inout {width} GPIO_0); endmodule\n")
             self.refused("expected at most 1024")
 
-    def test_bits_without_a_pin_are_said(self):
+    def test_bits_without_a_pin_are_reported(self):
         self.write(top_v=LEDS.format("SW").replace("output [9:0]", "output [17:0]"))
         self.checked("LEDR: 8 of its 18 bits have no pin of the board")
 

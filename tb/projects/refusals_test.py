@@ -85,14 +85,14 @@ class NotRefused(Case):
                                     "else clock k(q[0]);\nendgenerate\nendmodule\n")
         self.leds(1)
 
-    def test_what_is_missing_is_told_beside_the_refusal(self):
+    def test_what_is_missing_is_reported_beside_the_refusal(self):
         self.write(p_qsf=QSF.format("QIP_FILE soc/soc.qip"), top_v=WANTS.format("soc"))
         done = self.de1sim("check", ".")
         self.assertEqual(done.returncode, 2)
         self.assertIn("p.qsf:2: 125092: soc/soc.qip is not there\n", done.stderr)
         self.assertIn("12006: no file defines module soc", done.stderr)
 
-    def test_a_wrong_line_of_the_settings_is_told(self):
+    def test_a_wrong_line_of_the_settings_is_reported(self):
         self.write(p_qsf=QSF.format("VERILOG_FILE top.v") + "set_global_assignment -name X {\n",
                    top_v=LEDS.format("SW"))
         self.refused("p.qsf:3: this is wrong Tcl: missing close-brace")

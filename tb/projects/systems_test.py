@@ -328,7 +328,7 @@ R32(0xFF200000) = bad ? bad : 0x3FF;""")
         self.program("R32(0xFF200000) = 5;")
         self.shows(5)
 
-    def test_strays_are_told_with_who_gets_them(self):
+    def test_strays_are_reported_with_who_gets_them(self):
         memory = [("memory", "altera_avalon_onchip_memory2",
                    {"memorySize": "256", "initMemContent": "false"})]
         self.with_leds(memory, [("clock", "clk_0.clk", "memory.clk1"),

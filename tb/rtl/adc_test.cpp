@@ -78,7 +78,7 @@ TEST_F(Adc, ConvertsAllChannelsOnceWhenTheFirstIsWritten) {
     EXPECT_EQ(chip.conversions(), conversions_so_far);
 }
 
-TEST_F(Adc, SaysOnlyOnceThatAValueIsNew) {
+TEST_F(Adc, ReportsOnlyOnceThatAValueIsNew) {
     write(CH_1, 1);
     clock(ROUND + 20);
     for (const unsigned n : {5u, 4u, 7u, 0u}) {
@@ -189,7 +189,7 @@ TEST_F(Adc, IsAskedForARoundByTheFirstChannelAlone) {
     }
 }
 
-TEST_F(Adc, SaysThatChannelsAreNewWhenTheRoundIsOver) {
+TEST_F(Adc, ReportsThatChannelsAreNewWhenTheRoundIsOver) {
     write(CH_1, 1);
     clock(700);
     EXPECT_EQ(channel(0) & NEW, 0u);

@@ -21,7 +21,7 @@ protected:
     }
 };
 
-TEST_F(AvConfig, SaysThatTheCodecIsSetUp) {
+TEST_F(AvConfig, ReportsThatTheCodecIsSetUp) {
     EXPECT_EQ(read(0xFF203004), CFG | RDY | AIS);
     EXPECT_EQ(read(0xFF203000), 0u);
 }

@@ -185,7 +185,7 @@ TEST_F(CharacterStore, IsZeroAfterAReset) {
     EXPECT_EQ(dut.any_o, 0);
 }
 
-TEST_F(CharacterStore, SaysWhetherAnythingButBlanksWasWrittenSinceTheClear) {
+TEST_F(CharacterStore, ReportsWritesOtherThanBlanksSinceTheClear) {
     EXPECT_EQ(dut.any_o, 0);
     write(0, 0x20202020);
     write(4, 0x41414141, 0);

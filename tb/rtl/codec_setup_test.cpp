@@ -92,7 +92,7 @@ TEST_F(CodecSetup, SetsTheCodecUpFor48KhzWhenFast) {
     EXPECT_THAT(words(), ElementsAreArray(FAST));
 }
 
-TEST_F(CodecSetup, SaysWhichWordIsOnTheWire) {
+TEST_F(CodecSetup, ReportsWhichWordIsOnTheWire) {
     for (std::size_t i = 0; !dut.ready_o && i < WORDS * WORD_CLOCKS; ++i) {
         clock();
         if (!bus.transfers.empty() && !bus.idle()) {
@@ -102,7 +102,7 @@ TEST_F(CodecSetup, SaysWhichWordIsOnTheWire) {
     EXPECT_EQ(dut.step_o, 10);
 }
 
-TEST_F(CodecSetup, StopsAtAWordThatIsRefusedAndSaysWhich) {
+TEST_F(CodecSetup, StopsAtAWordThatIsRefusedAndReportsWhich) {
     finish();
     for (std::size_t word = 0; word < WORDS; ++word) {
         const std::size_t first = bus.transfers.size();

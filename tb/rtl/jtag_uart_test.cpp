@@ -87,7 +87,7 @@ TEST_F(JtagUart, KeepsTheByteWhenControlIsRead) {
     EXPECT_EQ(read(DATA), RVALID | ROOM | AC | 'x');
 }
 
-TEST_F(JtagUart, ControlTellsWhetherTheLastReadOfDataWasValid) {
+TEST_F(JtagUart, ControlShowsWhetherTheLastReadOfDataWasValid) {
     type("x");
     EXPECT_EQ(read(CONTROL) & (RVALID | WAITS), WAITS);
     read(DATA);
@@ -108,7 +108,7 @@ TEST_F(JtagUart, ReportsAFullFifoAndALostByte) {
     EXPECT_EQ(read(CONTROL) & (ROOM | LOST), 0u);
 }
 
-TEST_F(JtagUart, TellsTheHostToStopAt64Bytes) {
+TEST_F(JtagUart, StopsTheHostAt64Bytes) {
     type(std::string(63, 'x'));
     clock();
     EXPECT_EQ(dut.room_o, 1);

@@ -204,7 +204,7 @@ TEST_F(LwBridge, HoldsTheResponseWhileTheBlockIsNotDone) {
     EXPECT_EQ(axi.written[0].resp, OKAY);
 }
 
-TEST_F(LwBridge, SaysWhetherTheLowestByteIsRead) {
+TEST_F(LwBridge, ReportsWhetherTheLowestByteIsRead) {
     axi.read({1, KEYPAD, 1, 2, INCR});
     axi.read({1, KEYPAD, 4, 0, INCR});
     axi.read({1, KEYPAD + 2, 3, 1, INCR});

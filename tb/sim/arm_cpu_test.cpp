@@ -35,7 +35,7 @@ TEST_F(ArmCpu, FindsItsProgramAtTheSegmentsPhysicalAddresses) {
     EXPECT_EQ(result(1), 6u);
 }
 
-TEST_F(ArmCpu, TellsProgramsWhereItsPrivatePeripheralsAre) {
+TEST_F(ArmCpu, GivesProgramsTheBaseOfItsPrivatePeripherals) {
     run_to_end("test_boot");
     EXPECT_EQ(result(5), 0xFFFEC000u);
 }
@@ -54,7 +54,7 @@ TEST_F(ArmCpu, TakesOneClockOf800MhzAnInstruction) {
     EXPECT_EQ(between_writes(), sc_time(2001 * 1.25 + 10, SC_NS));
 }
 
-TEST_F(ArmCpu, TakesTheClocksAnInstructionThatItIsTold) {
+TEST_F(ArmCpu, SpendsTheClocksPerInstructionThatAreSet) {
     load("test_time", 2.5);
     run_ms(1);
     EXPECT_EQ(between_writes(), sc_time(2001 * 2.5 * 1.25 + 10, SC_NS));
@@ -100,7 +100,7 @@ TEST_F(ArmCpu, DoesNotCallAProgramWaitingThatHasGoneOn) {
     EXPECT_FALSE(system->cpu.position().polled);
 }
 
-TEST_F(ArmCpu, SaysWhereAHangingProgramIs) {
+TEST_F(ArmCpu, ReportsWhereAHangingProgramIs) {
     load("test_hang");
     run_ms(1);
     EXPECT_EQ(system->cpu.position().function, "test_hang");

@@ -83,7 +83,7 @@ TEST_F(ArmExceptions, AbortsAFetchFromWhereNoMemoryIs) {
     EXPECT_EQ(result(), 99u);
 }
 
-TEST_F(ArmExceptions, TellsWhereTheSecondHalfOfAnInstructionIsMissing) {
+TEST_F(ArmExceptions, ReportsWhereTheSecondHalfOfAnInstructionIsMissing) {
     run_to_end("test_half_prefetch_abort");
     EXPECT_EQ(record().vector, 3u);
     EXPECT_EQ(record().link, 0x3FFFFFFEu + 4);
@@ -97,7 +97,7 @@ TEST_F(ArmExceptions, TurnABreakpointIntoAPrefetchAbortWithDebugStatus) {
     EXPECT_EQ(record().status, 0x002u) << "debug event";
 }
 
-TEST_F(ArmExceptions, FindsItsVectorsAtTheTopWhenToldSo) {
+TEST_F(ArmExceptions, FindsItsVectorsAtTheTopWithHighVectors) {
     run_to_end("test_high_vectors");
     EXPECT_EQ(record().vector, 2u);
 }

@@ -65,7 +65,7 @@ TEST_F(ArmFailure, IsReportedAtTheEndForASpinWithInterruptsEnabled) {
     EXPECT_THAT(unfinished(), HasSubstr("; never left its handler: at "));
 }
 
-TEST_F(ArmFailure, IsToRunIntoZerosAndSaysWhoHasCalled) {
+TEST_F(ArmFailure, IsToRunIntoZerosAndReportsTheCaller) {
     load("test_runs_off");
     run_ms(0.1);
     EXPECT_THAT(fault(), HasSubstr("the program ran off its code into zeros at 0.000"));

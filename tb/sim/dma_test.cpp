@@ -120,7 +120,7 @@ TEST_F(Dma, FaultsAtWhatIsNoInstructionAndWhereNobodyAnswers) {
     EXPECT_EQ(read(TYPE + 8), 1u << 18) << "a load";
 }
 
-TEST_F(Dma, SaysThatItWaitsForAPeripheral) {
+TEST_F(Dma, ReportsThatItWaitsForAPeripheral) {
     op({0x31, 9 << 3, 0x00});
     go();
     wait_ms(0.01);
@@ -171,7 +171,7 @@ TEST_F(Spi, HoldsItsFramesUntilASlaveIsSelected) {
     EXPECT_EQ(read(TXFLR), 0u);
 }
 
-TEST_F(Spi, ReceivesAloneAsManyFramesAsItIsTold) {
+TEST_F(Spi, ReceivesAloneAsManyFramesAsAreSet) {
     write(SPI, 2 << 8 | 7);
     write(SPI + 4, 9);
     start();

@@ -169,7 +169,7 @@ TEST_F(Gic, SendsSoftwareInterruptsToItself) {
     EXPECT_EQ(acknowledge(), SPURIOUS);
 }
 
-TEST_F(Gic, SignalsSecureInterruptsAsFiqIfToldSo) {
+TEST_F(Gic, SignalsSecureInterruptsAsFiqIfEnabled) {
     take(KEY);
     write(GIC_CPU, 9);
     line(KEY, true);

@@ -101,7 +101,7 @@ TEST_F(Uart0, RemembersItsDivisorBehindDlab) {
     EXPECT_EQ(board.printed, "");
 }
 
-TEST_F(Uart0, InterruptsForAnEmptyTransmitterUntilItIsTold) {
+TEST_F(Uart0, InterruptsForAnEmptyTransmitterUntilTheIdIsRead) {
     take(194);
     write(UART + 0x04, 2);
     EXPECT_TRUE(board.irq);
@@ -223,7 +223,7 @@ TEST_F(Gpio1, InterruptsWhileALevelIsThere) {
 
 class Managers : public tb::HpsBench {};
 
-TEST_F(Managers, TellWhichBridgesAreInReset) {
+TEST_F(Managers, ShowWhichBridgesAreInReset) {
     EXPECT_EQ(read(0xFFD0501C), 0u) << "none, as the boot loader left it";
     write(0xFFD0501C, 2);
     EXPECT_EQ(board.bridges_in_reset, 2u);
@@ -238,7 +238,7 @@ TEST_F(Managers, ResetByTheResetManagersControl) {
     EXPECT_EQ(read(0xFFD05000), 0u);
 }
 
-TEST_F(Managers, SayThatTheFpgaIsInUserMode) {
+TEST_F(Managers, ShowThatTheFpgaIsInUserMode) {
     EXPECT_EQ(read(0xFF706000) & 7, 4u);
     EXPECT_EQ(read(0xFF706000) >> 3 & 0x1F, 0x0Au) << "MSEL";
     EXPECT_EQ(read(0xFF706850) & 7, 7u) << "nSTATUS, CONF_DONE, INIT_DONE";
@@ -266,7 +266,7 @@ TEST_F(Managers, DoNotResetTheFpgaWhileTheyHaveNoControl) {
     EXPECT_TRUE(board.said.empty());
 }
 
-TEST_F(Managers, RememberWhatTheyAreTold) {
+TEST_F(Managers, KeepWhatIsWritten) {
     for (const std::uint32_t address : {0xFFD08060u, 0xFFFEF100u, 0xFFFEC000u}) {
         write(address, 0x1234);
         EXPECT_EQ(read(address), 0x1234u) << std::hex << address;

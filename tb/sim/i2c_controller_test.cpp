@@ -88,7 +88,7 @@ TEST_F(I2cController, TakesNineClocksOfSclForAByte) {
     EXPECT_THAT(device.heard, ElementsAre("write", "1"));
 }
 
-TEST_F(I2cController, HoldsTheBusUntilItIsToldToStop) {
+TEST_F(I2cController, HoldsTheBusUntilAStop) {
     write(DATA, 1);
     wait_bits(100);
     EXPECT_EQ(read(STAT) & 0x21, 0x21u);

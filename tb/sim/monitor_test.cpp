@@ -82,7 +82,7 @@ TEST_F(MonitorTest, AcceptsAVsApartFromHs) {
     EXPECT_GE(pictures.size(), 2u);
 }
 
-TEST_F(MonitorTest, TellsANewPictureFromARepeatedOne) {
+TEST_F(MonitorTest, DistinguishesANewPictureFromARepeatedOne) {
     show({}, 3);
     EXPECT_EQ(is_new, (std::vector<bool>{true, false, false}));
     EXPECT_EQ(monitor.new_pictures(), 1u);

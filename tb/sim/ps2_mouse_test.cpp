@@ -19,7 +19,7 @@ protected:
     Bytes packet() { return within_ms(14); }
 };
 
-TEST_F(MouseModel, SaysThatItsTestHasPassedAndWhatItIs) {
+TEST_F(MouseModel, SendsThatItsTestHasPassedAndWhatItIs) {
     EXPECT_THAT(within_ms(500), IsEmpty());
     EXPECT_THAT(within_ms(4), ElementsAre(0xAA, 0x00));
     EXPECT_THAT(answers({0xF2}), ElementsAre(0xFA, 0x00));
@@ -51,7 +51,7 @@ TEST_F(MouseModel, SendsNineBitsEachWay) {
     EXPECT_THAT(packet(), IsEmpty());
 }
 
-TEST_F(MouseModel, StopsCountingAt255AndSaysSo) {
+TEST_F(MouseModel, StopsCountingAt255AndFlagsIt) {
     stream();
     device.move(256, -300);
     EXPECT_THAT(packet(), ElementsAre(0x08 | 0x20 | 0x40 | 0x80, 0xFF, 0x01));
@@ -130,7 +130,7 @@ TEST_F(MouseModel, SpeaksOnlyWhenAskedInRemoteMode) {
     EXPECT_THAT(packet(), ElementsAre(0x08, 7, 0));
 }
 
-TEST_F(MouseModel, TellsItsStatus) {
+TEST_F(MouseModel, SendsItsStatus) {
     power_on();
     EXPECT_THAT(answers({0xE9}), ElementsAre(0xFA, 0x00, 2, 100));
     answers({0xF4, 0xE7, 0xF0, 0xE8, 3, 0xF3, 20});

@@ -35,7 +35,7 @@ TEST_F(Clocks, AreLockedAndOnAndNotBypassed) {
     EXPECT_EQ(read(SDRAM + 0x18), 0xFu);
 }
 
-TEST_F(Clocks, KeepWhatIsWrittenAndSayOnceThatNothingFollows) {
+TEST_F(Clocks, KeepWhatIsWrittenAndReportOnceThatNothingFollows) {
     write(MAIN + 0x14, 7);
     EXPECT_EQ(read(MAIN + 0x14), 7u);
     write(PERIPHERAL + 0x18, 0xFFFFFFFF);
@@ -44,7 +44,7 @@ TEST_F(Clocks, KeepWhatIsWrittenAndSayOnceThatNothingFollows) {
     EXPECT_NE(board.said[0].find("the clocks stay"), std::string::npos);
 }
 
-TEST_F(Clocks, SayNothingWhileTheirSettingsAreTheSame) {
+TEST_F(Clocks, ReportNothingWhileTheirSettingsAreTheSame) {
     write(MAIN + 0x24, read(MAIN + 0x24));
     write(BASE + 0x0C, 1);
     EXPECT_TRUE(board.said.empty());

@@ -220,7 +220,7 @@ class Shards(Folder):
                          [re.sub("in [0-9.]+ s", "", str(one)) for one in merged["scenarios"]])
         self.check_junit("merged")
 
-    def test_a_missing_one_is_told(self):
+    def test_a_missing_one_is_reported(self):
         self.twelve()
         for n in (1, 3):
             self.suite("s", "--shard", f"{n}/3", "--out", f"part{n}",

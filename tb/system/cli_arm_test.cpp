@@ -113,7 +113,7 @@ TEST_F(ArmRun, LogsAHandledAbortAndGoesOn) {
     EXPECT_EQ(report()["program"]["aborts"], 2u);
 }
 
-TEST_F(ArmRun, SaysAnAbortThatHappensOftenOnceAndHowOften) {
+TEST_F(ArmRun, ReportsAnAbortThatHappensOftenOnceAndHowOften) {
     const tb::Outcome outcome = arm(ABORTS_OFTEN_ELF, "steps:\n  - wait-serial: done\n");
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
     const nlohmann::json log = report()["log"]["first"];

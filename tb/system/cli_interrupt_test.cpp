@@ -56,7 +56,7 @@ protected:
     }
 };
 
-TEST_F(MissedInterrupt, IsNotSaidOfOneThatWasTaken) {
+TEST_F(MissedInterrupt, IsNotReportedForOneThatWasTaken) {
     const tb::Outcome outcome = after(NOTHING);
     EXPECT_EQ(outcome.exit_code, 0);
     EXPECT_EQ(outcome.err, "");

@@ -78,7 +78,7 @@ TEST_F(OtherFile, OfADesignNamesTheProjectBesideIt) {
     EXPECT_THAT(refusal("top.amp"), HasSubstr("is a project of Intel's Monitor Program: copy "));
 }
 
-TEST_F(OtherFile, OfAnotherKindIsToldByItsBytes) {
+TEST_F(OtherFile, OfAnotherKindIsRecognisedByItsBytes) {
     EXPECT_THAT(refusal("p", "\x89PNG\r\n"), HasSubstr("is a picture, not a program (ELF file)"));
     EXPECT_THAT(refusal("p", "!<arch>\n"), HasSubstr("is a library, not a program"));
     EXPECT_THAT(refusal("p", std::string("a\0b", 3)),
@@ -91,7 +91,7 @@ TEST_F(OtherFile, ThatIsAFolderOrMissingIsReported) {
     EXPECT_THAT(de1sim({folder / "none.elf"}).err, HasSubstr("none.elf: is not there\n"));
 }
 
-TEST_F(OtherFile, InTheProgramsPlaceIsToldTheSame) {
+TEST_F(OtherFile, InTheProgramsPlaceGetsTheSameMessage) {
     scenario("duration: 1ms\n");
     folder.put("p.c", "int main;\n");
     for (const auto& arguments :

@@ -74,7 +74,7 @@ TEST_F(ShownRun, SeesWhatIsDimmedAndMultiplexedAsLit) {
     EXPECT_LE(report()["shown"]["hex"]["changes"]["count"], 60u);
 }
 
-TEST_F(ShownRun, SaysNothingOfWhatIsDark) {
+TEST_F(ShownRun, PrintsNothingOfWhatIsDark) {
     const tb::Outcome outcome =
         play(scenario("duration: 2ms\n"), {"--elf", STANDS_STILL_ELF, "--frames", "none"});
     EXPECT_EQ(tb::lines_of(outcome.out).size(), 1u);

@@ -139,7 +139,7 @@ TEST_F(HungUp, UnderNohupEndsNothing) {
 
 class BrokenRun : public tb::CommandLine {};
 
-TEST_F(BrokenRun, LeavesAReportThatSaysWhatBroke) {
+TEST_F(BrokenRun, LeavesAReportOfWhatBroke) {
     const tb::Outcome outcome = play(scenario("duration: 1s\nsteps:\n  - wait-frame: 50\n"),
                                      {"--quiet", "--frames", "all"}, {}, THROWS);
     EXPECT_EQ(outcome.exit_code, 2);

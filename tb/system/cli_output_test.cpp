@@ -181,13 +181,13 @@ TEST_F(CommandLineRun, WithATraceGivesTheSameFilesAndAnFst) {
     }
 }
 
-TEST_F(CommandLineRun, SaysNothingWhenItIsQuietAndAllIsWell) {
+TEST_F(CommandLineRun, PrintsNothingWhenQuietAndAllIsWell) {
     const tb::Outcome outcome = play(scenario("duration: 100ms\n"), {"--quiet"});
     EXPECT_EQ(outcome.exit_code, 0);
     EXPECT_EQ(outcome.out + outcome.err, "");
 }
 
-TEST_F(CommandLineRun, TellsItsProgressInPlainLinesWithoutATerminal) {
+TEST_F(CommandLineRun, PrintsItsProgressInPlainLinesWithoutATerminal) {
     const tb::Outcome outcome = play(scenario("duration: 1100ms\n"), {"--frames", "none"});
     EXPECT_THAT(tb::lines_of(outcome.err),
                 ElementsAre(MatchesRegex(" *1\\.00 s of 1\\.10 s, 59 frames, .* x real time")));

@@ -74,7 +74,7 @@ TEST_F(DisplayOnTheBoard, ShowsOldOrNewPixelsWhileTheFrontPictureIsDrawn) {
 }
 
 // The fabric's clock is 25 MHz, not VESA's 25.175 MHz.
-TEST_F(DisplayOnTheBoard, IsFoundByATolerantMonitorWithoutBeingTold) {
+TEST_F(DisplayOnTheBoard, IsFoundByATolerantMonitorWithoutAHint) {
     power_on(
         [](hal::Mmio& io, hal::Cpu& cpu) {
             fill(io, regmap::ONCHIP_BASE, COLOURS[1]);

@@ -103,7 +103,7 @@ TEST_F(LinuxProgram, WaitsInSimulatedTimeForALineThatIsTyped) {
     EXPECT_NEAR(answered_s - asked_s, 0.074, 0.0005) << "a character takes 1 ms";
 }
 
-TEST_F(LinuxProgram, SaysThatItWaitsForInputWhichDoesNotCome) {
+TEST_F(LinuxProgram, ReportsThatItWaitsForInputWhichDoesNotCome) {
     linux_run("asks");
     EXPECT_EQ(report()["program"]["at"]["waiting_for"], "standard input");
     EXPECT_EQ(console(), "Number? ");
@@ -144,7 +144,7 @@ TEST_F(LinuxProgram, LooksForAKeyInItsLoopWithoutWaiting) {
     }
 }
 
-TEST_F(LinuxProgram, WaitsForAKeyAsLongAsItSays) {
+TEST_F(LinuxProgram, WaitsForAKeyUntilItsTimeout) {
     const tb::Outcome outcome = linux_run("game", {"waits"}, {},
                                           "steps:\n  - wait-serial: type\n  - delay: 40ms\n"
                                           "  - type-serial: \"ab\"\n  - delay: 40ms\n"
@@ -233,7 +233,7 @@ TEST_F(LinuxProgram, HandlesItsSignals) {
     EXPECT_EQ(console(), "handler: signal 11 at 0x10\nraised 1, goes on\n");
 }
 
-TEST_F(LinuxProgram, IsToldOfAnUnknownCallOnceAndGoesOn) {
+TEST_F(LinuxProgram, GetsOneMessageForAnUnknownCallAndGoesOn) {
     EXPECT_EQ(linux_run("faults", {"unknown"}).exit_code, 0);
     EXPECT_EQ(console(), "-1 -1\n-1\n");
     const nlohmann::json log = report()["log"]["first"];

@@ -45,7 +45,7 @@ TEST_F(TypedSignal, RestartsAReadWithSaRestart) {
     EXPECT_EQ(console(), "running\n^Ccd\ncaught 2, read 3: a line\n");
 }
 
-TEST_F(TypedSignal, EndsASleepAndSaysWhatWasLeft) {
+TEST_F(TypedSignal, EndsASleepAndReportsWhatWasLeft) {
     EXPECT_EQ(run("sleeps", "\\x03", "caught").exit_code, 0);
     EXPECT_EQ(console(), "running\n^Ccaught 2, -1: Interrupted system call, 979 ms left\n");
 }

@@ -40,7 +40,7 @@ TEST_F(Threads, RunBesideOneThatSpins) { prints("spins", "at once, spun\n"); }
 TEST_F(Threads, HaveEqualParts) { prints("turns", "halves\n"); }
 TEST_F(Threads, CanBeCancelled) { prints("cancels", "cleaned up\ncancelled, cancelled\n"); }
 TEST_F(Threads, MayOutliveTheFirst) { prints("outlives", "the first\nthe last\n"); }
-TEST_F(Threads, WaitForAConditionAsLongAsTheySay) {
+TEST_F(Threads, WaitForAConditionUntilTheirTimeout) {
     prints("waits", "Connection timed out after 7 ms\n");
 }
 TEST_F(Threads, LeaveRobustMutexesToOthers) { prints("inherits", "Owner died\n"); }

@@ -16,7 +16,7 @@ TEST_F(PictureOnTheMonitor, IsThatOfTheWorld) {
     EXPECT_EQ(replay->world().count, 3u);
 }
 
-TEST_F(PictureOnTheMonitor, ShowsBoxesAndPauseAndSpeedAndEmptinessWhenTold) {
+TEST_F(PictureOnTheMonitor, ShowsBoxesPauseSpeedAndEmptinessOnTheirKeys) {
     ASSERT_NO_FATAL_FAILURE(press("40DF"));
     ASSERT_NO_FATAL_FAILURE(follow(5));
     ASSERT_NO_FATAL_FAILURE(press("BC"));

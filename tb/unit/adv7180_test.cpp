@@ -122,7 +122,7 @@ TEST_F(DecoderRegisters, HaveAnotherMapFrom0x40On) {
     EXPECT_THAT(read(0x4D), ElementsAre(0xEFu));
 }
 
-TEST_F(DecoderRegisters, SayWhetherThereIsASignal) {
+TEST_F(DecoderRegisters, ShowWhetherThereIsASignal) {
     EXPECT_THAT(read(0x10), ElementsAre(0x02u));
     EXPECT_THAT(read(0x13), ElementsAre(0x10u));
     show(1, 1, {9, 9, 9});

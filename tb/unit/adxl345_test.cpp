@@ -53,7 +53,7 @@ protected:
     using Axes = std::vector<int>;
 };
 
-TEST_F(Adxl345, TellsWhoItIs) { EXPECT_EQ(get(0), 0xE5u); }
+TEST_F(Adxl345, IdentifiesItself) { EXPECT_EQ(get(0), 0xE5u); }
 
 TEST_F(Adxl345, HasItsResetValues) {
     EXPECT_EQ(get(RATE), 0x0Au);
@@ -126,7 +126,7 @@ TEST_F(Adxl345, TakesASampleAtEachPeriodOfItsRate) {
     EXPECT_EQ(axes(), (Axes{256, 0, 0}));
 }
 
-TEST_F(Adxl345, SaysWhenASampleWasLost) {
+TEST_F(Adxl345, ReportsWhenASampleWasLost) {
     set(POWER, MEASURE);
     pass_ms(21);
     EXPECT_EQ(get(INT_SOURCE) & OVERRUN, OVERRUN);

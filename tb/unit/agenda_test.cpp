@@ -51,7 +51,7 @@ TEST_F(AgendaTest, RunsLateEntriesAtOnceAndKeepsTheTime) {
     EXPECT_THAT(times, ElementsAre(100));
 }
 
-TEST_F(AgendaTest, TellsOfEachOtherNextTime) {
+TEST_F(AgendaTest, NotifiesOfEachOtherNextTime) {
     std::vector<std::uint64_t> told;
     agenda.on_next([&](std::uint64_t next_ps) { told.push_back(next_ps); });
     agenda.at(20, note());

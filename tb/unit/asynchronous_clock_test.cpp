@@ -46,7 +46,7 @@ TEST(AudioClock, NeverMovesTogetherWithTheFabricsClock) {
     }
 }
 
-TEST(AudioClock, TellsInWhichHalfOfAClockItMoves) {
+TEST(AudioClock, ReportsInWhichHalfOfAClockItMoves) {
     AsynchronousClock clock = sim::audio_clock(48'000);
     for (int i = 0; i < 10'000; ++i, clock.next()) {
         const std::uint64_t half = clock.time_ps() / (sim::FABRIC_PERIOD_PS / 2);

@@ -30,7 +30,7 @@ std::string parts_of(const Scenario& scenario) {
     return all;
 }
 
-TEST(Continued, SaysWhatEachScenarioOfTheRepositorySays) {
+TEST(Continued, ReadsLikeEachScenarioOfTheRepository) {
     unsigned count = 0;
     const TempFolder folder;
     for (const char* part : {"tb", "sw", "rtl", "sim"})

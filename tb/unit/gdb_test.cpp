@@ -57,7 +57,7 @@ TEST(GdbPacket, IsAskedForAgainWhereItsChecksumIsWrong) {
     EXPECT_EQ(read("$?#3e$qC#b4").packets, std::vector<std::string>{"qC"});
 }
 
-TEST(GdbPacket, LongerThanToldIsRefusedAndTheNextOneRead) {
+TEST(GdbPacket, LongerThanTheLimitIsRefusedAndTheNextOneRead) {
     const std::string longest(sim::GDB_PACKET_BYTES, 'a'), longer = longest + "a";
     EXPECT_EQ(read(sim::gdb_packet(longest)).packets.size(), 1u);
     const Reading reading = read(sim::gdb_packet(longer) + "$qC#b4");

@@ -47,7 +47,7 @@ protected:
     FakeIo io;
 };
 
-TEST_F(Hal, TheKeypadTellsPressesAsCapsAndPassesOverReleases) {
+TEST_F(Hal, TheKeypadGivesPressesAsCapsAndPassesOverReleases) {
     hal::Keypad keypad{io};
     EXPECT_THAT(io.writes, ElementsAre(Pair(0xFF205000u, 1u)));
     // Key numbers row by row: 1 2 3 A, 4 5 6 B, 7 8 9 C, 0 F E D.

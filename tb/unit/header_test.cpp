@@ -21,7 +21,7 @@ TEST(Header, IsLowWhereAnybodyPullsLowAndElseHigh) {
             }
 }
 
-TEST(Header, RemembersEachWireUntilToldOtherwise) {
+TEST(Header, RemembersEachWireUntilTheNextCall) {
     Header header;
     header.hand(0xff, PinLevel::LOW);
     header.hand(0x0f, PinLevel::HIGH);

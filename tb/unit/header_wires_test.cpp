@@ -34,7 +34,7 @@ TEST_F(HeaderWires, AreJoinedWhereTheKeypadHangs) {
     EXPECT_THAT(wires.settle(), ElementsAre(0xfffffffff, 0x7ffffffff));
 }
 
-TEST_F(HeaderWires, SayOnceWhereTwoDisagree) {
+TEST_F(HeaderWires, ReportOnceWhereTwoDisagree) {
     wires.fpga({{0, 4}, {0, 4}});
     wires.hand({0, 4}, PinLevel::HIGH);
     wires.settle();

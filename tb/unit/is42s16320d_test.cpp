@@ -238,13 +238,13 @@ TEST_F(Sdram, KnowsItsModes) {
     expect_violation("0x0011 is not a mode");
 }
 
-TEST_F(Sdram, TellsABankWithoutAnOpenRow) {
+TEST_F(Sdram, ReportsABankWithoutAnOpenRow) {
     start(BURST_2_CL2);
     read(3, 0);
     expect_violation("bank 3 has no open row");
 }
 
-TEST_F(Sdram, TellsABankWithAnOpenRow) {
+TEST_F(Sdram, ReportsABankWithAnOpenRow) {
     start(BURST_2_CL2);
     active(1, 1);
     nop(10);
@@ -252,7 +252,7 @@ TEST_F(Sdram, TellsABankWithAnOpenRow) {
     expect_violation("bank 1 has an open row");
 }
 
-TEST_F(Sdram, TellsARefreshOfAnOpenRow) {
+TEST_F(Sdram, ReportsARefreshOfAnOpenRow) {
     start(BURST_2_CL2);
     active(1, 1);
     nop(10);
@@ -329,7 +329,7 @@ TEST_F(Sdram, WantsTmrd) {
     expect_violation("tMRD is 14 ns at least, not 10.0");
 }
 
-TEST_F(Sdram, TellsADataBusThatBothDrive) {
+TEST_F(Sdram, ReportsADataBusThatBothDrive) {
     start(BURST_2_CL2);
     active(0, 0);
     nop();
@@ -340,7 +340,7 @@ TEST_F(Sdram, TellsADataBusThatBothDrive) {
     EXPECT_THAT(chip.messages().front(), HasSubstr("DQ is driven by both sides"));
 }
 
-TEST_F(Sdram, TellsAWriteThatNobodyDrives) {
+TEST_F(Sdram, ReportsAWriteThatNobodyDrives) {
     start(BURST_2_CL2);
     active(0, 0);
     nop();

@@ -38,7 +38,7 @@ TEST_F(LostAccesses, AreReportedOncePerDirection) {
     EXPECT_THAT(write(0xC9002000), HasSubstr("the SDRAM at 0xC1002000"));
 }
 
-TEST_F(LostAccesses, WhereTheMemoriesRepeatAreSaid) {
+TEST_F(LostAccesses, WhereTheMemoriesRepeatAreReported) {
     EXPECT_EQ(write(0xD0000010),
               "wrote 0xD0000010: addresses repeat each 256 MB; on the board, too, it is SDRAM at "
               "0xC0000010");
@@ -97,7 +97,7 @@ TEST_F(LostAccesses, AreWritesToBlocksThatCanOnlyBeRead) {
     EXPECT_EQ(read(0xFF200040), "");
 }
 
-TEST_F(LostAccesses, WhereTheRegistersRepeatAreSaid) {
+TEST_F(LostAccesses, WhereTheRegistersRepeatAreReported) {
     EXPECT_EQ(write(0xFF208000),
               "wrote 0xFF208000: addresses repeat each 32 KB; on the board, too, it is LEDR_DATA");
     EXPECT_THAT(read(0xFF2FF000), HasSubstr("no block is there"));

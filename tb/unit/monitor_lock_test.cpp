@@ -112,7 +112,7 @@ TEST_F(MonitorLock, SurvivesLinesWithoutTheirPictureWhichIsBlackThen) {
               0u);
 }
 
-TEST_F(MonitorLock, SaysOnceThatASignalIsOutOfRange) {
+TEST_F(MonitorLock, ReportsOnceThatASignalIsOutOfRange) {
     VideoPins ntsc;
     ntsc.mode = {13.5, 720, 736, 799, 858, 240, 243, 246, 262, false, false};
     show(ntsc, 8);
@@ -139,7 +139,7 @@ TEST_F(MonitorLock, DescribesAMissingSignalAfterASecond) {
     EXPECT_THAT(pictures, IsEmpty());
 }
 
-TEST_F(MonitorLock, SaysThatThereAreNoSamplesAtAll) {
+TEST_F(MonitorLock, ReportsThatThereAreNoSamplesAtAll) {
     monitor.idle(999 * MS);
     EXPECT_THAT(told, IsEmpty());
     monitor.idle(1000 * MS);
@@ -157,7 +157,7 @@ TEST_F(MonitorLock, CountsIdleTimeAndThatOfSamplesTogether) {
     EXPECT_EQ(told.size(), 1u);
 }
 
-TEST_F(MonitorLock, SaysWhereTheSignalHasGoneAndLocksAnew) {
+TEST_F(MonitorLock, ReportsWhereTheSignalHasGoneAndLocksAnew) {
     VideoPins video;
     video.mode.mhz = 25;
     show(video, 5);
@@ -173,7 +173,7 @@ TEST_F(MonitorLock, SaysWhereTheSignalHasGoneAndLocksAnew) {
     EXPECT_EQ(wrong_pixels(), 0u);
 }
 
-TEST_F(MonitorLock, SaysThatASignalIsNotSteady) {
+TEST_F(MonitorLock, ReportsThatASignalIsNotSteady) {
     for (unsigned i = 0; i < 40; ++i) {
         VideoPins video;
         video.mode.vtotal = 500 + 20 * (i % 2);

@@ -48,7 +48,7 @@ INSTANTIATE_TEST_SUITE_P(Standard, MonitorMode, ::testing::ValuesIn(MODELINES), 
 });
 
 // GTF's 1680 x 1050; 1024 x 600 in about the time of 800 x 600; 1184 x 700; 720 x 480 at 27 MHz.
-TEST_F(MonitorModes, AreWhatBlankNSaysWhereNoneIsStandard) {
+TEST_F(MonitorModes, FollowBlankNWhereNoneIsStandard) {
     for (const Modeline& odd :
          {Modeline{147.14, 1680, 1784, 1968, 2256, 1050, 1051, 1054, 1087, false, true},
           Modeline{51.2, 1024, 1064, 1168, 1344, 600, 601, 604, 635, false, false},
@@ -76,7 +76,7 @@ TEST_F(MonitorModes, HaveFalseColoursWithColoursInThePorches) {
     EXPECT_EQ(wrong_pixels(), 0u);
 }
 
-TEST_F(MonitorModes, AreToldInALine) {
+TEST_F(MonitorModes, AreReportedInALine) {
     VideoPins video;
     video.mode.mhz = 25;
     show(video, LOCKED);
@@ -143,7 +143,7 @@ TEST_F(MonitorModes, AreFoundThoughBlankNIsNeverHigh) {
                                   "shows black"));
 }
 
-TEST_F(MonitorModes, HaveTheSizeThatBlankNSays) {
+TEST_F(MonitorModes, HaveTheSizeThatBlankNShows) {
     VideoPins video;
     video.blank = Blank::WINDOW;
     video.window_w = 636;

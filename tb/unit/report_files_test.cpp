@@ -63,7 +63,7 @@ TEST(WholeFile, ReplacesTheOldFile) {
     EXPECT_EQ(folder.get("a.txt"), "new");
 }
 
-TEST(WholeFile, SaysThatTheDiskIsFullAndLeavesNothing) {
+TEST(WholeFile, ReportsThatTheDiskIsFullAndLeavesNothing) {
     const TempFolder folder;
     fill_disk_for(folder / "a.txt");
     EXPECT_EQ(io_error([&] { write_whole_file(folder / "a.txt", "hello"); }),
@@ -71,7 +71,7 @@ TEST(WholeFile, SaysThatTheDiskIsFullAndLeavesNothing) {
     EXPECT_EQ(folder.count(), 0u);
 }
 
-TEST(WholeFile, SaysWhyItCanNotBeMade) {
+TEST(WholeFile, ReportsWhyItCanNotBeMade) {
     const TempFolder folder;
     folder.put("file", "");
     fs::create_directory(folder / "folder");
@@ -165,7 +165,7 @@ TEST(FrameWriter, MakesTheProducerWaitWhileEightPicturesAreQueued) {
     EXPECT_EQ(folder.count(), 1 + 20u);
 }
 
-TEST(FrameWriter, SaysAtOnceThatItsFolderCanNotBeMade) {
+TEST(FrameWriter, ReportsAtOnceThatItsFolderCanNotBeMade) {
     const TempFolder folder;
     folder.put("frames", "a file");
     EXPECT_THAT(io_error([&] { FrameWriter writer(folder.path()); }),

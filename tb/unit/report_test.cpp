@@ -60,7 +60,7 @@ protected:
     TempFolder folder;
 };
 
-TEST(ReportJson, SaysEverythingThatTheRunKnows) {
+TEST(ReportJson, HasEverythingThatTheRunKnows) {
     EXPECT_EQ(json::parse(to_json(sample())), json::parse(R"({
         "format": 1, "scenario": "Two shapes", "file": "demo.yaml",
         "seed": 18446744073709551615, "cpu": "arm",
@@ -142,7 +142,7 @@ TEST(ReportJson, DiffersBetweenTwoMachinesOnlyUnderWall) {
     EXPECT_EQ(a, b);
 }
 
-TEST(ReportJson, SaysWhereAProgramOfTheArmWas) {
+TEST(ReportJson, HasWhereAProgramOfTheArmWas) {
     sim::RunReport r = sample();
     r.program = sim::RunReport::Program{};
     r.program->elf = "a.elf";

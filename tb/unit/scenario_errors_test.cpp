@@ -48,7 +48,7 @@ TEST(ScenarioError, NamesTheNearestFieldOfAStep) {
               "a.yaml:4:11: expected a field of press, got \"keypd\" (did you mean \"keypad\"?)");
 }
 
-TEST(ScenarioError, SaysWhichFieldOfTheFileIsMissing) {
+TEST(ScenarioError, ReportsWhichFieldOfTheFileIsMissing) {
     EXPECT_EQ(error_of("version: 1\nduration: 1s"),
               "a.yaml:1:1: expected \"name\" in a scenario, got none");
     EXPECT_EQ(error_of("name: a\nduration: 1s"),
@@ -57,7 +57,7 @@ TEST(ScenarioError, SaysWhichFieldOfTheFileIsMissing) {
               "a.yaml:1:1: expected \"steps\" or \"duration\" in a scenario, got none");
 }
 
-TEST(ScenarioError, SaysWhatCanBeInAPs2Port) {
+TEST(ScenarioError, ReportsWhatCanBeInAPs2Port) {
     const auto error = [](const std::string& ps2) {
         return error_of("name: a\nversion: 1\nduration: 1s\nps2: " + ps2);
     };
@@ -70,7 +70,7 @@ TEST(ScenarioError, SaysWhatCanBeInAPs2Port) {
               "a.yaml:4:6: expected at most 2 in a list, got 3");
 }
 
-TEST(ScenarioError, SaysWhichFieldOfAStepIsMissing) {
+TEST(ScenarioError, ReportsWhichFieldOfAStepIsMissing) {
     EXPECT_EQ(step_error("expect-frame: {}"),
               "a.yaml:4:3: expected \"equals\" in expect-frame, got none");
     EXPECT_EQ(step_error("expect-tone: {within: 3%}"),
@@ -90,7 +90,7 @@ TEST(ScenarioError, SaysWhichFieldOfAStepIsMissing) {
         "a.yaml:4:3: expected a map with keypad, key, switch or bounce in release, got nothing");
 }
 
-TEST(ScenarioError, SaysThatTheVersionMustBeOne) {
+TEST(ScenarioError, ReportsThatTheVersionMustBeOne) {
     EXPECT_EQ(error_of("name: a\nversion: 2\nduration: 1s"),
               "a.yaml:2:10: expected 1, the version of the format, got 2");
     EXPECT_EQ(
@@ -104,7 +104,7 @@ struct BadValue {
     const char* message;  // from "expected" on
 };
 
-TEST(ScenarioError, SaysWhatAValueShouldHaveBeen) {
+TEST(ScenarioError, ReportsWhatAValueShouldHaveBeen) {
     const char* const some_time =
         "expected a time above 0 such as 500ms (s, ms, us or ns, up to an hour), got ";
     const char* const time = "expected a time such as 500ms (s, ms, us or ns, up to an hour), got ";
@@ -186,7 +186,7 @@ TEST(ScenarioError, NamesTheSecondOfTwoEqualKeys) {
               "a.yaml:4:19: expected each key once, got \"key\" again, first in line 4");
 }
 
-TEST(ScenarioError, SaysThatAnItemOfTheListIsOneStep) {
+TEST(ScenarioError, ReportsThatAnItemOfTheListIsOneStep) {
     EXPECT_EQ(step_error("delay: 1s\n  press: {key: 0}"),
               "a.yaml:5:3: expected one step in an item of the list, got \"press\" after \"delay\" "
               "(is it to be indented?)");

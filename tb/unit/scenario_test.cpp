@@ -22,7 +22,7 @@ TEST(Scenario, HasANameASeedADurationAndSteps) {
     EXPECT_EQ(s.steps.size(), 1u);
 }
 
-TEST(Scenario, HasSeedOneAndNoDurationUnlessItSaysSo) {
+TEST(Scenario, HasSeedOneAndNoDurationByDefault) {
     const auto s = parse("name: a\nversion: 1\nsteps: [{delay: 1ms}]");
     EXPECT_EQ(s.seed, 1u);
     EXPECT_FALSE(s.duration);
@@ -32,7 +32,7 @@ TEST(Scenario, HasSeedOneAndNoDurationUnlessItSaysSo) {
     EXPECT_FALSE(s.audio_rate);
 }
 
-TEST(Scenario, SaysWhatIsInTheChipAndHowItRuns) {
+TEST(Scenario, DescribesTheChipAndTheRun) {
     const std::string head = "name: a\nversion: 1\nduration: 1s\n";
     EXPECT_EQ(parse(head + "project: b/c.qsf").project, "tests/b/c.qsf");
     EXPECT_EQ(parse(head + "cpu: native").cpu, "native");
@@ -49,7 +49,7 @@ TEST(Scenario, TakesEverySeedOf64Bits) {
     EXPECT_EQ(parse("name: a\nversion: 1\nduration: 1s\nseed: 0xFF").seed, 255u);
 }
 
-TEST(Scenario, SaysWhatIsPluggedIntoThePs2Ports) {
+TEST(Scenario, DescribesWhatIsPluggedIntoThePs2Ports) {
     const auto ports = [](const std::string& line) {
         const Ps2Ports ps2 = parse("name: a\nversion: 1\nduration: 1s\n" + line).ps2;
         return std::pair{ps2.first, ps2.second};

@@ -142,13 +142,13 @@ TEST_F(SelfTest, SeesATimerThatNeverEnds) {
     unmet(selftest::interval_timer(bench), "1000000 us, expected 9800 to 15000");
 }
 
-TEST_F(SelfTest, WaitsAMinuteForAKeyAndThenSaysWhich) {
+TEST_F(SelfTest, WaitsAMinuteForAKeyAndThenReportsWhich) {
     board.answers[0xFF20500C] = [] { return 0u; };
     unmet(selftest::keypad(bench), "1 was not pressed within 60 s");
     EXPECT_GE(board.now_us, 60'000'000u);
 }
 
-TEST_F(SelfTest, SeesAKeypadThatTellsAnotherKey) {
+TEST_F(SelfTest, DetectsAKeypadThatReportsAnotherKey) {
     board.answers[0xFF20500C] = [this] {
         return board.printed.empty() ? 0u : 0x8100u | 4;  // the key "4"
     };

@@ -29,7 +29,7 @@ TEST(Tap, IsNoneWithoutItsFirstLine) {
     EXPECT_THAT(tap_checks(""), IsEmpty());
 }
 
-TEST(Tap, BeginsBehindWhateverTheProgramSaidBefore) {
+TEST(Tap, BeginsAfterWhatTheProgramHasPrinted) {
     const auto checks = tap_checks("ready\r\nTAP version 13\r\nok 1 - a\r\n1..1\r\n");
     ASSERT_EQ(checks.size(), 1u);
     EXPECT_EQ(checks[0].name, "a");
@@ -80,7 +80,7 @@ TEST(Tap, ReadsChecksBehindAnyAmountOfText) {
     EXPECT_EQ(checks[0].name, "late");
 }
 
-TEST(Tap, KeepsSoManyChecksAndSaysWhenThereWereMore) {
+TEST(Tap, KeepsSoManyChecksAndReportsWhenThereWereMore) {
     std::string lines;
     for (std::size_t i = 0; i < sim::TapReader::CHECKS; ++i) lines += "ok\n";
     EXPECT_EQ(read(lines).size(), sim::TapReader::CHECKS);
@@ -113,25 +113,25 @@ TEST(Compare, FindsNothingBetweenTheSameChecksInAnyOrder) {
     EXPECT_THAT(compare(report(LEDS + "," + KEYS), report(KEYS + "," + LEDS)), IsEmpty());
 }
 
-TEST(Compare, TellsAResultThatDiffersFromBothSides) {
+TEST(Compare, ReportsAResultThatDiffersFromBothSides) {
     EXPECT_THAT(compare(report(LEDS + "," + KEYS), report(LEDS + "," + NO_KEYS, "false")),
                 ElementsAre("keys\n  a.json: met: 4\n  b.json: not met: 3"));
 }
 
-TEST(Compare, TellsAnotherDetailAlthoughBothAreMet) {
+TEST(Compare, ReportsAnotherDetailAlthoughBothAreMet) {
     const std::string other = R"({"name": "LEDs", "met": true, "detail": "0x2"})";
     EXPECT_THAT(compare(report(LEDS), report(other)),
                 ElementsAre("LEDs\n  a.json: met: 0x1\n  b.json: met: 0x2"));
 }
 
-TEST(Compare, TellsACheckThatOneSideLacks) {
+TEST(Compare, ReportsACheckThatOneSideLacks) {
     const auto missing = ElementsAre("keys\n  a.json: no such check\n  b.json: met: 4");
     EXPECT_THAT(compare(report(LEDS), report(LEDS + "," + KEYS)), missing);
     EXPECT_THAT(compare(report(LEDS + "," + KEYS), report(LEDS)),
                 ElementsAre("keys\n  a.json: met: 4\n  b.json: no such check"));
 }
 
-TEST(Compare, TellsARunThatFailedForAnotherReason) {
+TEST(Compare, ReportsARunThatFailedForAnotherReason) {
     EXPECT_THAT(compare(report(LEDS), report(LEDS, "false")),
                 ElementsAre("passed\n  a.json: yes\n  b.json: no"));
 }

@@ -63,7 +63,7 @@ TEST(VideoMode, IsTheNearestOfTotalsThatDiffer) {
 }
 
 // Their lines take equally long, whatever their clocks.
-TEST(VideoMode, IsToldAmong449LinesByPolarityRowsAndClocks) {
+TEST(VideoMode, IsIdentifiedAmong449LinesByPolarityRowsAndClocks) {
     const auto size_of = [](const VideoTiming& timing) {
         const VideoMode* const mode = nearest_mode(timing);
         return mode ? std::pair{mode->h.shown, mode->v.shown} : std::pair{0u, 0u};

@@ -158,7 +158,7 @@ TEST_F(Wav, RefusesEndlessSoundWithoutARate) {
     EXPECT_THROW(push_many(), std::logic_error);
 }
 
-TEST_F(Wav, SaysThatTheDiskIsFull) {
+TEST_F(Wav, ReportsThatTheDiskIsFull) {
     std::filesystem::create_symlink("/dev/full", folder / "audio.wav.part");
     const auto play = [&] {
         wav.rate_changed(8000);

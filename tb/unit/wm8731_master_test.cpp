@@ -212,7 +212,7 @@ TEST_F(Wm8731Master, ReportsOnceThatBothSidesDriveTheClocks) {
 
 // ---- Why nothing is heard ----
 
-TEST_F(Wm8731Master, SaysWhyItIsSilent) {
+TEST_F(Wm8731Master, ReportsWhyItIsSilent) {
     EXPECT_EQ(chip.silence(), "") << "nobody uses it";
     pins.dacdat = true;
     drive(1000);

@@ -277,7 +277,7 @@ void add_assigned(const Node& node, NodeNames& names) {
 }  // namespace
 
 std::string self_reading(const Netlist& netlist) {
-    std::string said;
+    std::string names;
     for (const auto& [key, module] : netlist.modules()) {
         if (!module.is_own) continue;
         for (const Node& block : module.blocks) {
@@ -292,11 +292,11 @@ std::string self_reading(const Netlist& netlist) {
             for (const Node& child : block.children()) reading.look(child);
             for (const std::string& name : reading.found())
                 if (!loops.count(name))
-                    said += fmt::format("{}{} ({})", said.empty() ? "" : ", ", name,
-                                        netlist.place(block).text());
+                    names += fmt::format("{}{} ({})", names.empty() ? "" : ", ", name,
+                                         netlist.place(block).text());
         }
     }
-    return said;
+    return names;
 }
 
 }  // namespace sim::project

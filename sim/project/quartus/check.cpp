@@ -140,7 +140,7 @@ Checked check_design(const CheckRequest& request) {
     append(checked.warnings, memory_warnings(netlist));
     append(checked.errors, pin_errors(request.project, request.ports, request.board_pins));
     append(checked.warnings, pin_warnings(request.project, request.ports, request.board_pins));
-    for (Message& m : warnings_in_our_words(request.said))
+    for (Message& m : warnings_in_our_words(request.output))
         (is_certain(m, line) ? checked.errors : checked.warnings).push_back(std::move(m));
     append(checked.warnings, driver_warnings(netlist));
     append(checked.warnings, block_warnings(netlist, line));

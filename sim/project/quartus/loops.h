@@ -10,8 +10,8 @@ namespace sim::project {
 // 10106: a loop of more rounds than `constant`; 10119: how many it has depends on a signal, and may
 // be more than `non_constant`.
 //
-// Not handled: loops of functions and tasks; what is told neither by a counter nor by a variable
-// that counts itself.
+// Not handled: loops of functions and tasks; rounds that neither a counter nor a variable that
+// counts itself determines.
 Messages loop_errors(const Netlist& netlist, const LoopLimits& limits);
 
 }  // namespace sim::project

@@ -72,7 +72,7 @@ public:
     virtual ~Chip() = default;
 
     virtual ChipPorts ports() = 0;  // valid as long as the chip
-    // After inputs have moved.  `now_ps` is what $time tells.  May throw Diverged (endings.h).
+    // After inputs have moved.  `now_ps` is what $time gives.  May throw Diverged (endings.h).
     virtual void eval(std::uint64_t now_ps) = 0;
     virtual void final() = 0;
 

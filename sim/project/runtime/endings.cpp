@@ -43,9 +43,9 @@ void vl_stop(const char* file, int line, const char*) VL_MT_UNSAFE {
 void vl_fatal(const char* file, int line, const char*, const char* message) VL_MT_UNSAFE {
     if (message && std::strstr(message, "$readmem")) {
         const bool too_long = std::strstr(message, "beyond bounds");
-        static std::string said;  // once for each file
-        if (too_long && said == file) return;
-        said = file;
+        static std::string reported;  // once for each file
+        if (too_long && reported == file) return;
+        reported = file;
         const std::string what = std::string{file} + ":" + std::to_string(line) + ": ";
         const auto report = sim::project::evaluated.report;
         if (too_long && report)
@@ -60,7 +60,7 @@ void vl_fatal(const char* file, int line, const char*, const char* message) VL_M
 }
 
 void vl_warn(const char* file, int line, const char*, const char* message) VL_MT_UNSAFE {
-    if (std::strstr(message, "file not found")) return;  // said by de1sim_init_path
+    if (std::strstr(message, "file not found")) return;  // de1sim_init_path has reported it
     if (const auto report = sim::project::evaluated.report)
         report((std::string{file} + ":" + std::to_string(line) + ": " + message).c_str());
 }

@@ -16,7 +16,7 @@ class Diverged : public std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-// The design that is evaluated: its ending, which is null after the last one, and who is told.
+// The design that is evaluated: its ending, which is null after the last one, and who is notified.
 struct Evaluated {
     Ending* ending = nullptr;
     void (*report)(const char* line) = nullptr;

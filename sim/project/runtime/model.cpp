@@ -1,4 +1,4 @@
-// model.cpp - plays a design: its clocks, and who is told when its pins move.
+// model.cpp - plays a design: its clocks, and who is notified when its pins move.
 #include "sim/project/model.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// instance_checks.h - what Quartus refuses of a .v file's instances, told from its text.
+// instance_checks.h - what Quartus refuses of a .v file's instances, by its text.
 #pragma once
 
 #include <string>

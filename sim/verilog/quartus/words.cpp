@@ -94,10 +94,10 @@ std::string syntax_error(const std::string& what, std::string_view after) {
 }
 
 // "top.v:3:5: text" in its parts; false: it has no place.
-bool split(const std::string& said, std::string& place, std::string& text) {
+bool split(const std::string& output, std::string& place, std::string& text) {
     static const std::regex PLACE{"^(.*?):([0-9]+):[0-9]+: (.*)$"};
     std::smatch m;
-    if (!std::regex_match(said, m, PLACE)) return false;
+    if (!std::regex_match(output, m, PLACE)) return false;
     place = m[1].str() + ":" + m[2].str();
     text = m[3];
     return true;
@@ -186,9 +186,9 @@ Message warning(const std::string& code, const std::string& text) {
 
 }  // namespace
 
-Messages warnings_in_our_words(const std::string& said) {
+Messages warnings_in_our_words(const std::string& output) {
     Messages messages;
-    std::istringstream lines{said};
+    std::istringstream lines{output};
     static const std::string MARK = "%Warning-";
     for (std::string line; std::getline(lines, line);) {
         if (line.compare(0, MARK.size(), MARK) != 0) continue;

@@ -13,6 +13,6 @@ namespace sim::project {
 std::string error_in_our_words(const std::string& error, std::string_view after);
 
 // Of all that it says: 10027, 10037, 10230, 10232, 10236, 12010, 12020, 12030.
-Messages warnings_in_our_words(const std::string& said);
+Messages warnings_in_our_words(const std::string& output);
 
 }  // namespace sim::project

@@ -222,7 +222,7 @@ struct Breakpoint final : sim::ArmProbe {
     std::vector<std::uint32_t> met;
 };
 
-TEST_F(ReplacedLoop, KeepsABreakpointAndLosesItAsItIsTold) {
+TEST_F(ReplacedLoop, KeepsABreakpointUntilTheProbeIsDetached) {
     Breakpoint breakpoint;
     bench.core.attach(&breakpoint, {AT});
     EXPECT_EQ(run_laps(2), 7u);

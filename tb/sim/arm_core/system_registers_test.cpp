@@ -34,7 +34,7 @@ TEST_P(SystemRegisters, KeepWhatIsWritten) {
     for (const Cp15& name : names) EXPECT_EQ(read(name), value += 0x20);
 }
 
-TEST_P(SystemRegisters, TellWhatTheProcessorIs) {
+TEST_P(SystemRegisters, IdentifyTheProcessor) {
     EXPECT_EQ(read({0, 0, 0, 0}), 0x413FC090u) << "MIDR: Cortex-A9 r3p0";
     EXPECT_EQ(read({0, 0, 0, 5}), 0x80000000u) << "MPIDR: the first core";
     EXPECT_EQ(read(sim::cp15::CBAR), 0xFFFEC000u);
@@ -44,7 +44,7 @@ TEST_P(SystemRegisters, TellWhatTheProcessorIs) {
 }
 
 // Bytes of a cache by CCSIDR: lines of so many words, ways, sets.
-TEST_P(SystemRegisters, TellThatTheCachesHave32Kilobytes) {
+TEST_P(SystemRegisters, ShowThatTheCachesHave32Kilobytes) {
     for (const std::uint32_t instructions : {0u, 1u}) {
         write({0, 2, 0, 0}, instructions);
         const std::uint32_t ccsidr = read({0, 1, 0, 0});

@@ -63,7 +63,7 @@ TEST_P(Translation, ReachesTheBus) {
 }
 
 // B3.13.5: DFAR has the address that the program used.
-TEST_P(Translation, TellsTheVirtualAddressThatTheBusRefused) {
+TEST_P(Translation, ReportsTheVirtualAddressThatTheBusRefused) {
     map_page(PAGES, small_page(REFUSED, FULL));
     for (const Both access : {LDR, STR}) {
         set(1, PAGES + 0x20);
@@ -214,7 +214,7 @@ TEST_P(Translation, AllowsWhatTheSimplerPermissionsSay) {
 
 // ---- B4.1.112, B4.2.4: what a program learns of the tables --------------------------------------
 
-TEST_P(Translation, IsToldToAProgramThatAsks) {
+TEST_P(Translation, IsWrittenToTheParForAProgramThatAsks) {
     constexpr sim::Cp15 READS{7, 0, 8, 0}, WRITES{7, 0, 8, 1}, USER_READS_{7, 0, 8, 2};
     constexpr std::uint32_t WRITE_BACK = 0x7C, SHAREABLE = 1u << 16, FAULT = 1;
     const auto par = [this](const sim::Cp15& operation, std::uint32_t address) {

@@ -32,7 +32,7 @@ TEST_P(WaitingInterrupt, HasWfiGoOnWithoutLeavingTheTranslatedCode) {
     EXPECT_EQ(bench.core.instructions(), 1003u);
 }
 
-TEST_P(WaitingInterrupt, IsToldOfByTheInstructionThatLetsItIn) {
+TEST_P(WaitingInterrupt, IsReportedByTheInstructionThatEnablesIt) {
     unsigned told = 0;
     bench.on_unmasked = [&] { ++told; };
     bench.interrupt_waits = false;

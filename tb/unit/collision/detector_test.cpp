@@ -131,7 +131,7 @@ TEST(Detector, RefusesACountOfMoreLinesThanThereAre) {
     expect_refused(wrong, Error::TOO_MANY_LINES);
 }
 
-TEST(Error, IsSaidInWordsOfItsOwn) {
+TEST(Error, HasAMessageOfItsOwn) {
     std::set<std::string> texts;
     for (const Error error : {Error::NONE, Error::NOT_FINITE, Error::OUTSIDE_GRID,
                               Error::TOO_MANY_LINES, Error::BOX_INSIDE_OUT})

@@ -54,7 +54,7 @@ TEST(Binding, KnowsWhetherThereIsAPictureToSee) {
     EXPECT_FALSE(bind({{"LEDR", Direction::OUTPUT, 9, 0, true}}, {}, {}).has_vga);
 }
 
-TEST(Binding, SaysWhatFitsNowhere) {
+TEST(Binding, ReportsWhatFitsNowhere) {
     const auto b = bind({{"LEDG", Direction::OUTPUT, 7, 0, true},
                          {"rst_n", Direction::INPUT, 0, 0, false},
                          {"HPS_DDR3_CK_P", Direction::OUTPUT, 0, 0, false}},

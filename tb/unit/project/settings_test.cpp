@@ -153,7 +153,7 @@ TEST_F(Settings, ABackslashInAPathIsNoEscape) {
     EXPECT_EQ(all[1].value, "rtl\\a b.v");
 }
 
-TEST_F(Settings, AWrongLineIsToldWithItsFile) {
+TEST_F(Settings, AWrongLineIsReportedWithItsFile) {
     EXPECT_EQ(refused("# one\nset a 1\nset_global_assignment -name X $nothing\n"),
               "p.qsf:3: this is wrong Tcl: can't read \"nothing\": no such variable");
     EXPECT_EQ(refused("\n\nset_global_assignment -name {X\n"),

@@ -112,7 +112,7 @@ TEST_F(PictureSteps, TakeAPictureOfAnySize) {
     EXPECT_EQ(board.saved.at(0).second.width, 800u);
 }
 
-TEST_F(PictureSteps, SayBothSizesWhereTheyDiffer) {
+TEST_F(PictureSteps, ReportBothSizesWhereTheyDiffer) {
     sim::write_png(files / "golden.png", {800, 600, std::vector<std::uint8_t>(800 * 600 * 3)});
     EXPECT_EQ(expect_frame(", differing-pixels: 1310720"),
               "frame 0: 640 x 480 pixels, but golden.png has 800 x 600; see "

@@ -70,14 +70,14 @@ TEST_F(SerialSteps, GiveUpAfterTenSecondsUnlessTheySaySo) {
     EXPECT_EQ(board.now_ms(), 12'000u);
 }
 
-TEST_F(SerialSteps, SayTheEndOfWhatWasPrintedInstead) {
+TEST_F(SerialSteps, ReportTheEndOfWhatWasPrinted) {
     print(std::string(100, '-') + "\nEnter a number: ");
     EXPECT_EQ(finds("wait-serial: {text: ready, timeout: 1ms}"),
               "the console printed 117 characters after the last match, but not that: ...\"" +
                   std::string(43, '-') + "\\x0aEnter a number: \"");
 }
 
-TEST_F(SerialSteps, NeverSayAControlCharacter) {
+TEST_F(SerialSteps, NeverPrintAControlCharacter) {
     EXPECT_EQ(said("wait-serial: ready"), "wait for \"ready\" on the serial line within 10s");
     EXPECT_EQ(said("wait-serial: \"a\\e[31m\\n\""),
               "wait for \"a\\x1b[31m\\x0a\" on the serial line within 10s");
