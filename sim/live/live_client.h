@@ -16,7 +16,7 @@ public:
     LiveClient(int socket, Recorder& recorder) : wire_{socket}, view_{recorder, wire_} {}
 
     BoardObserver& observer() override { return view_; }
-    void attach(const Parts& parts) override;
+    void attach(const Access& access) override;
     bool has_left() const override { return player_->left(); }
     void leave() override { player_->leave(); }
     void end(const std::vector<std::string>& faults) override { view_.end(faults); }

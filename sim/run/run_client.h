@@ -23,7 +23,7 @@ public:
     virtual BoardObserver& observer() = 0;
 
     // The board is there, and time has not begun.  Null: there is no such thing in this run.
-    struct Parts {
+    struct Access {
         const RunPlan& plan;
         Board& board;
         ProcessorSystem* processor;
@@ -31,7 +31,7 @@ public:
         ArmRun* arm;
         ScenarioRunner& runner;
     };
-    virtual void attach(const Parts& parts) = 0;
+    virtual void attach(const Access& access) = 0;
 
     virtual bool has_left() const = 0;  // which ends the run
     // The run has ended: what is left of it waits for nobody's message.

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "sim/project/runtime/chip.h"
+#include "sim/project/runtime/design.h"
 
 namespace sim::project {
 

@@ -1,4 +1,4 @@
-// design.cpp - is compiled with each design: the Verilated de1sim_chip, as chip.h has it.
+// design.cpp - is compiled with each design: the Verilated de1sim_chip, as design.h has it.
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -12,7 +12,7 @@
 #include "verilated_fst_c.h"
 #endif
 
-#include "chip.h"
+#include "design.h"
 
 #include "de1sim_facts.h"  // PLL_CLOCKS and so on
 #include "de1sim_loops.h"  // LOOPS
@@ -56,7 +56,7 @@ VerilatedContext* of_one_thread(VerilatedContext& context) {
     return &context;
 }
 
-class VerilatedChip final : public Chip {
+class VerilatedDesign final : public Design {
 public:
     ChipPorts ports() override {
 #define DE1SIM_PORT(type, name) top_.name,
@@ -110,5 +110,5 @@ constexpr DesignFacts FACTS{PLL_CLOCKS,     PLL_CLOCK_COUNT,     TD_CLK27_USED,
 extern "C" __attribute__((visibility("default"))) sim::project::Model* de1sim_open_model(
     sim::PinListener& pins, const sim::project::ModelSettings& settings) {
     using namespace sim::project;
-    return play(std::make_unique<VerilatedChip>(), FACTS, pins, settings);
+    return play(std::make_unique<VerilatedDesign>(), FACTS, pins, settings);
 }

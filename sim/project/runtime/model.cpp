@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "sim/project/init_file.h"
-#include "sim/project/runtime/chip.h"
 #include "sim/project/runtime/clocks.h"
+#include "sim/project/runtime/design.h"
 #include "sim/project/runtime/endings.h"
 #include "sim/project/runtime/jtag.h"
 
@@ -47,12 +47,12 @@ private:
     const std::filesystem::path here_;
 };
 
-class ChipModel final : public Model {
+class DesignModel final : public Model {
 public:
-    ChipModel(std::unique_ptr<Chip> chip, const DesignFacts& facts, PinListener& pins,
-              const ModelSettings& settings)
-        : facts_{facts}, listener_{pins}, trace_{settings.trace}, chip_{std::move(chip)} {
-        if (!settings.trace.file.empty()) tracing_ = chip_->begin_trace(settings.trace.file);
+    DesignModel(std::unique_ptr<Design> design, const DesignFacts& facts, PinListener& pins,
+                const ModelSettings& settings)
+        : facts_{facts}, listener_{pins}, trace_{settings.trace}, design_{std::move(design)} {
+        if (!settings.trace.file.empty()) tracing_ = design_->begin_trace(settings.trace.file);
         std::vector<std::filesystem::path> sources;
         for (unsigned n = 0; n < facts.source_folder_count; ++n)
             sources.push_back(std::filesystem::path{settings.folder} / facts.source_folders[n]);
@@ -66,9 +66,9 @@ public:
         clocks_high_ = top_.clocks_o;  // what is high has not risen
         settle();
     }
-    ~ChipModel() override {
+    ~DesignModel() override {
         end_trace();
-        if (ending_.kind != Ending::Kind::DIVERGED) chip_->final();
+        if (ending_.kind != Ending::Kind::DIVERGED) design_->final();
         evaluated = {};
     }
 
@@ -118,7 +118,7 @@ public:
 
     void end_trace() override {
         tracing_ = false;
-        chip_->end_trace();
+        design_->end_trace();
     }
 
 private:
@@ -236,12 +236,13 @@ private:
         const std::uint64_t now = evaluated.time_ps = now_ps();
         before_ = {top_.vga_o, top_.dram_o, top_.dram_dq_o};
         try {
-            chip_->eval(now);
+            design_->eval(now);
         } catch (const Diverged& error) {
             const std::string why = facts_.loops[0] ? facts_.loops : error.what();
             end_run(Ending::Kind::DIVERGED, "the design oscillates: " + why);
         }
-        if (tracing_ && trace_.wants(now)) chip_->dump(dumped_ps_ = std::max(now, dumped_ps_ + 1));
+        if (tracing_ && trace_.wants(now))
+            design_->dump(dumped_ps_ = std::max(now, dumped_ps_ + 1));
     }
 
     void look() {
@@ -401,8 +402,8 @@ private:
     PinListener& listener_;
     const Trace trace_;
     bool tracing_ = false;
-    const std::unique_ptr<Chip> chip_;
-    const ChipPorts top_{chip_->ports()};
+    const std::unique_ptr<Design> design_;
+    const ChipPorts top_{design_->ports()};
     Ending ending_;
     Clocks clocks_{facts_};
     std::uint64_t dumped_ps_ = 0;  // what follows at the same time is a picosecond later
@@ -438,9 +439,9 @@ private:
 
 }  // namespace
 
-Model* play(std::unique_ptr<Chip> chip, const DesignFacts& facts, PinListener& pins,
+Model* play(std::unique_ptr<Design> design, const DesignFacts& facts, PinListener& pins,
             const ModelSettings& settings) {
-    return new ChipModel{std::move(chip), facts, pins, settings};
+    return new DesignModel{std::move(design), facts, pins, settings};
 }
 
 }  // namespace sim::project

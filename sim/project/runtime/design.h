@@ -1,4 +1,4 @@
-// chip.h - a design, Verilated: its pins as de1sim_chip.v has them, and what is known of it.
+// design.h - a design, Verilated: its pins as de1sim_chip.v has them, and what is known of it.
 //
 // design.cpp, which is compiled with each design, offers this; model.cpp, which is compiled once,
 // plays it.  Neither Verilator's headers nor the board's are needed, so that designs compile fast.
@@ -67,16 +67,16 @@ struct ChipPorts {
 #undef DE1SIM_DECLARE
 };
 
-class Chip {
+class Design {
 public:
-    virtual ~Chip() = default;
+    virtual ~Design() = default;
 
-    virtual ChipPorts ports() = 0;  // valid as long as the chip
+    virtual ChipPorts ports() = 0;  // valid as long as the design
     // After inputs have moved.  `now_ps` is what $time gives.  May throw Diverged (endings.h).
     virtual void eval(std::uint64_t now_ps) = 0;
     virtual void final() = 0;
 
-    // Waveforms, in FST; false, and nothing is done, in a chip that was compiled without.
+    // Waveforms, in FST; false, and nothing is done, in a design that was compiled without.
     virtual bool begin_trace(const std::string& file) = 0;
     virtual void dump(std::uint64_t time_ps) = 0;
     virtual void end_trace() = 0;
@@ -96,7 +96,7 @@ struct DesignFacts {
 };
 
 // The caller deletes it.
-Model* play(std::unique_ptr<Chip> chip, const DesignFacts& facts, PinListener& pins,
+Model* play(std::unique_ptr<Design> design, const DesignFacts& facts, PinListener& pins,
             const ModelSettings& settings);
 
 }  // namespace sim::project
