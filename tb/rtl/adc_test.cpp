@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 
 #include "Vadc.h"
+#include "regmap.h"
 #include "sim/board/ltc2308.h"
 #include "tb/support/register_bus.h"
 
@@ -11,8 +12,8 @@ using ::testing::Each;
 using ::testing::ElementsAre;
 using ::testing::Ge;
 
-constexpr int CH_0 = 0x00, CH_1 = 0x04;
-constexpr unsigned NEW = 0x8000, VALUE = 0xfff;
+using regmap::ADC_CH_0, regmap::ADC_CH_1;
+constexpr unsigned NEW = regmap::ADC_CH_0_NEW_MASK, VALUE = regmap::ADC_CH_0_VALUE_MASK;
 constexpr unsigned ROUND = 800;  // clocks, and some
 constexpr std::uint64_t CLOCK_PS = 40'000;
 
@@ -70,7 +71,7 @@ TEST_F(Adc, StaysIdleUntilItIsWrittenTo) {
 }
 
 TEST_F(Adc, ConvertsAllChannelsOnceWhenTheFirstIsWritten) {
-    write(CH_0, 0);
+    write(ADC_CH_0, 0);
     clock(ROUND);
     for (unsigned n = 0; n < 8; ++n) EXPECT_EQ(channel(n), 500 * n + 17) << n;
     const std::uint64_t conversions_so_far = chip.conversions();
@@ -79,7 +80,7 @@ TEST_F(Adc, ConvertsAllChannelsOnceWhenTheFirstIsWritten) {
 }
 
 TEST_F(Adc, ReportsOnlyOnceThatAValueIsNew) {
-    write(CH_1, 1);
+    write(ADC_CH_1, 1);
     clock(ROUND + 20);
     for (const unsigned n : {5u, 4u, 7u, 0u}) {
         EXPECT_EQ(channel(n), NEW | (500 * n + 17)) << "each for itself: " << n;
@@ -90,19 +91,19 @@ TEST_F(Adc, ReportsOnlyOnceThatAValueIsNew) {
 }
 
 TEST_F(Adc, FlagsNewValuesOnlyInContinuousMode) {
-    write(CH_0, 1);
+    write(ADC_CH_0, 1);
     clock(ROUND);
     EXPECT_EQ(channel(6), 3017u);
-    write(CH_1, 1);
+    write(ADC_CH_1, 1);
     clock(2);
     EXPECT_EQ(channel(6), NEW | 3017u) << "of the round before";
-    write(CH_1, 0);
+    write(ADC_CH_1, 0);
     clock(2 * ROUND);
     EXPECT_EQ(channel(6), 3017u);
 }
 
 TEST_F(Adc, StallsAReadUntilTheRequestedRoundEnds) {
-    write(CH_0, 1);
+    write(ADC_CH_0, 1);
     clock(10);
     dut.re_i = 1;
     dut.raddr_i = 4 * 5;
@@ -124,7 +125,7 @@ TEST_F(Adc, StallsAReadUntilTheRequestedRoundEnds) {
 }
 
 TEST_F(Adc, AnswersAtOnceWhileItConvertsByItself) {
-    write(CH_1, 1);
+    write(ADC_CH_1, 1);
     clock(2 * ROUND + 30);
     dut.re_i = 1;
     dut.eval();
@@ -132,12 +133,12 @@ TEST_F(Adc, AnswersAtOnceWhileItConvertsByItself) {
 }
 
 TEST_F(Adc, ConvertsContinuouslyBetweenAWriteOf1AndOf0) {
-    write(CH_1, 1);
+    write(ADC_CH_1, 1);
     clock(ROUND);
     chip.set(2, 3333);
     clock(2 * ROUND);
     EXPECT_EQ(channel(2) & VALUE, 3333u);
-    write(CH_1, 0);
+    write(ADC_CH_1, 0);
     clock(ROUND);
     chip.set(2, 1111);
     clock(2 * ROUND);
@@ -145,7 +146,7 @@ TEST_F(Adc, ConvertsContinuouslyBetweenAWriteOf1AndOf0) {
 }
 
 TEST_F(Adc, AsksForEachChannelSingleEndedUnipolarAndAwake) {
-    write(CH_0, 0);
+    write(ADC_CH_0, 0);
     clock(ROUND);
     // LTC2308, table 1: S/D O/S S1 S0, then UNI and SLP.
     ASSERT_EQ(words.size(), 9u);
@@ -155,7 +156,7 @@ TEST_F(Adc, AsksForEachChannelSingleEndedUnipolarAndAwake) {
 }
 
 TEST_F(Adc, KeepsToTheChipsTimes) {
-    write(CH_1, 1);
+    write(ADC_CH_1, 1);
     clock(3 * ROUND);
     EXPECT_THAT(pulses, Each(1u)) << "40 ns: at least 20, and over before the conversion";
     EXPECT_THAT(conversions, Each(Ge(1'600'000 / CLOCK_PS))) << "1.6 us at most";
@@ -166,9 +167,9 @@ TEST_F(Adc, KeepsToTheChipsTimes) {
 }
 
 TEST_F(Adc, IgnoresAWriteDuringARound) {
-    write(CH_0, 0);
+    write(ADC_CH_0, 0);
     clock(150);
-    write(CH_0, 0);
+    write(ADC_CH_0, 0);
     clock(2 * ROUND);
     EXPECT_EQ(chip.conversions(), 9u);
 }
@@ -179,7 +180,7 @@ TEST_F(Adc, IsAskedForARoundByTheFirstChannelAlone) {
         dut.we_i = 1;
         dut.wdata_i = 0;
         dut.wstrb_i = 0xf;
-        dut.waddr_i = CH_0;
+        dut.waddr_i = ADC_CH_0 & 0xfff;
         clock();
         dut.waddr_i = other;  // in the clock in which the round begins
         clock();
@@ -190,7 +191,7 @@ TEST_F(Adc, IsAskedForARoundByTheFirstChannelAlone) {
 }
 
 TEST_F(Adc, ReportsThatChannelsAreNewWhenTheRoundIsOver) {
-    write(CH_1, 1);
+    write(ADC_CH_1, 1);
     clock(700);
     EXPECT_EQ(channel(0) & NEW, 0u);
     clock(100);
@@ -199,7 +200,7 @@ TEST_F(Adc, ReportsThatChannelsAreNewWhenTheRoundIsOver) {
 }
 
 TEST_F(Adc, AnswersNothingWhenNotAsked) {
-    write(CH_0, 0);
+    write(ADC_CH_0, 0);
     clock(ROUND);
     channel(1);
     clock();

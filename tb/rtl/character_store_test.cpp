@@ -158,7 +158,7 @@ TEST_F(CharacterStore, IsMemoryBesideTheScreenToo) {
             ASSERT_EQ(shown(word, y), 0x20202020u) << word << "," << y;
 }
 
-TEST_F(CharacterStore, IsNotChangedByWritesBehindIt) {
+TEST_F(CharacterStore, IsNotChangedByWritesAfterIt) {
     write(0, 0x41414141);
     write(0x2000, 0x42424242);
     EXPECT_EQ(read(0), 0x41414141u);
@@ -227,7 +227,7 @@ TEST_F(CharacterStore, ReadsZerosAndWritesFromTheFirstClockAfterAReset) {
     EXPECT_EQ(read(last), 0x00434200u);
 }
 
-TEST_F(CharacterStore, LetsABurstWaitThatAClearMeets) {
+TEST_F(CharacterStore, LetsABurstWaitDuringAClear) {
     fill();
     axi.forget();
     WriteRequest burst{1, CHARACTERS + (59 << 7), 2, INCR, {}, {}};

@@ -155,7 +155,7 @@ TEST_F(CodecSetup, EndsTheWordOnTheWireBeforeItBeginsAgain) {
     }
 }
 
-TEST_F(CodecSetup, RestartsWhenARestartMeetsTheEndOfAWord) {
+TEST_F(CodecSetup, RestartsAtTheEndOfAWord) {
     for (int early = -3; early <= 3; ++early) {
         finish();
         restart();

@@ -2,13 +2,20 @@
 #include <gtest/gtest.h>
 
 #include "Vinterval_timer.h"
+#include "regmap.h"
 #include "tb/support/register_bus.h"
 
 namespace {
 
-constexpr int STATUS = 0x00, CONTROL = 0x04, PERIOD_LOW = 0x08, PERIOD_HIGH = 0x0C, SNAP_LOW = 0x10,
-              SNAP_HIGH = 0x14;
-constexpr unsigned TO = 1, RUN = 2, ITO = 1, CONT = 2, START = 4, STOP = 8;
+constexpr std::uint32_t STATUS = regmap::TIMER0_STATUS, CONTROL = regmap::TIMER0_CONTROL,
+                        PERIOD_LOW = regmap::TIMER0_PERIOD_LOW,
+                        PERIOD_HIGH = regmap::TIMER0_PERIOD_HIGH,
+                        SNAP_LOW = regmap::TIMER0_SNAP_LOW, SNAP_HIGH = regmap::TIMER0_SNAP_HIGH;
+constexpr std::uint32_t TO = regmap::TIMER0_STATUS_TO_MASK, RUN = regmap::TIMER0_STATUS_RUN_MASK,
+                        ITO = regmap::TIMER0_CONTROL_ITO_MASK,
+                        CONT = regmap::TIMER0_CONTROL_CONT_MASK,
+                        START = regmap::TIMER0_CONTROL_START_MASK,
+                        STOP = regmap::TIMER0_CONTROL_STOP_MASK;
 
 class IntervalTimer : public tb::RegisterBus<Vinterval_timer> {
 protected:
@@ -125,7 +132,7 @@ TEST_F(IntervalTimer, ControlReadsAllThatWasWrittenStartAndStopToo) {
     EXPECT_EQ(read(STATUS), 0u);
 }
 
-TEST_F(IntervalTimer, ReadsZeroBehindItsRegisters) {
+TEST_F(IntervalTimer, ReadsZeroAfterItsRegisters) {
     write(0x18, 0xffff);
     EXPECT_EQ(read(0x18), 0u);
     EXPECT_EQ(read(0x1C), 0u);

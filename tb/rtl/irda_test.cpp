@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 
 #include "Virda.h"
+#include "regmap.h"
 #include "tb/support/register_bus.h"
 
 namespace {
@@ -11,8 +12,9 @@ using ::testing::Each;
 using ::testing::Ge;
 using ::testing::Le;
 
-constexpr int DATA = 0, CONTROL = 4;
-constexpr std::uint32_t VALID = 0x8000, RI = 0x100, WI = 0x200;
+constexpr std::uint32_t DATA = regmap::IRDA_DATA, CONTROL = regmap::IRDA_CONTROL,
+                        VALID = regmap::IRDA_DATA_RVALID_MASK, RI = regmap::IRDA_CONTROL_RI_MASK,
+                        WI = regmap::IRDA_CONTROL_WI_MASK;
 constexpr double CLOCK_US = 0.04, BIT_US = 1e6 / 115'200;
 
 class Irda : public tb::RegisterBus<Virda> {

@@ -4,13 +4,16 @@
 #include <string>
 
 #include "Vjtag_uart.h"
+#include "regmap.h"
 #include "tb/support/register_bus.h"
 
 namespace {
 
-constexpr int DATA = 0x0, CONTROL = 0x4;
-constexpr std::uint32_t RE = 1, WE = 2, RI = 1 << 8, WI = 1 << 9, AC = 1 << 10, WAITS = 1 << 12,
-                        ROOM = 1 << 13, LOST = 1 << 14, RVALID = 1 << 15;
+#define FIELD(name) name = regmap::JTAG_UART0_CONTROL_##name##_MASK
+constexpr std::uint32_t DATA = regmap::JTAG_UART0_DATA, CONTROL = regmap::JTAG_UART0_CONTROL,
+                        FIELD(RE), FIELD(WE), FIELD(RI), FIELD(WI), FIELD(AC), FIELD(WAITS),
+                        FIELD(ROOM), FIELD(LOST), FIELD(RVALID);
+#undef FIELD
 
 class JtagUart : public tb::RegisterBus<Vjtag_uart> {
 protected:

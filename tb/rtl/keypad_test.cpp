@@ -57,7 +57,7 @@ TEST_F(Keypad, ReportsEachKeyAsItsOwnBitAndEvents) {
         hold(0);
         EXPECT_EQ(read(KEYPAD_KEYS), 0u);
         EXPECT_EQ(take_event(), event(key, false));
-        EXPECT_EQ(take_event(), 0u) << "key " << key << " told twice";
+        EXPECT_EQ(take_event(), 0u) << "key " << key << " reported twice";
     }
 }
 
@@ -255,7 +255,7 @@ TEST_F(Keypad, HasItsDocumentedDefaults) {
     EXPECT_EQ(read(KEYPAD_EVENT), 0u);
 }
 
-TEST_F(Keypad, ReadsZeroBehindItsLastRegister) {
+TEST_F(Keypad, ReadsZeroAfterItsLastRegister) {
     write(KEYPAD_MASK, 7);
     write(KEYPAD_MASK + 4, 0xffffffff);
     EXPECT_EQ(read(KEYPAD_MASK + 4), 0u);

@@ -2,11 +2,13 @@
 #include <gtest/gtest.h>
 
 #include "Vpio.h"
+#include "regmap.h"
 #include "tb/support/register_bus.h"
 
 namespace {
 
-constexpr int DATA = 0x0, DIR = 0x4, MASK = 0x8, EDGE = 0xC;
+constexpr std::uint32_t DATA = regmap::JP1_DATA, DIR = regmap::JP1_DIR, MASK = regmap::JP1_MASK,
+                        EDGE = regmap::JP1_EDGE;
 
 class Pio : public tb::RegisterBus<Vpio> {
 protected:

@@ -4,12 +4,14 @@
 #include <string>
 
 #include "Vps2_port.h"
+#include "regmap.h"
 #include "tb/support/register_bus.h"
 
 namespace {
 
-constexpr int DATA = 0x0, CONTROL = 0x4;
-constexpr std::uint32_t RE = 1, RI = 1 << 8, CE = 1 << 10, RVALID = 1 << 15;
+constexpr std::uint32_t DATA = regmap::PS2_0_DATA, CONTROL = regmap::PS2_0_CONTROL,
+                        RE = regmap::PS2_0_CONTROL_RE_MASK, RI = regmap::PS2_0_CONTROL_RI_MASK,
+                        CE = regmap::PS2_0_CONTROL_CE_MASK, RVALID = regmap::PS2_0_DATA_RVALID_MASK;
 constexpr unsigned QUARTER = 500;  // of a bit of 80 us
 
 class Ps2Port : public tb::RegisterBus<Vps2_port> {
@@ -204,7 +206,7 @@ TEST_F(Ps2Port, SendsEightBitsOddParityAndStop) {
     EXPECT_EQ(device_takes(), -1);
 }
 
-TEST_F(Ps2Port, TakesTheAnswerBehindAByteSent) {
+TEST_F(Ps2Port, TakesTheAnswerAfterAByteSent) {
     write(DATA, 0xf4);
     device_takes();
     device_sends(0xfa);
@@ -256,7 +258,7 @@ TEST_F(Ps2Port, GivesUpWhenNobodyTakesTheByteIn15Milliseconds) {
 TEST_F(Ps2Port, MakesTheBusWaitUntilAByteHasBeenSent) {
     EXPECT_EQ(dut.wait_o, 0);
     dut.we_i = 1;
-    dut.waddr_i = DATA;
+    dut.waddr_i = DATA & 0xfff;
     dut.wdata_i = 0xf4;
     dut.wstrb_i = 1;
     dut.eval();

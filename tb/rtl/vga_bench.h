@@ -17,7 +17,7 @@ constexpr int LINE = 800, LINES = 525, FRAME = LINE * LINES;
 class VgaBench : public RegisterBus<Vvga_bench> {
 protected:
     struct Pins {
-        bool hs, vs, blank_n, sync_n;
+        bool hs, vs, blank_n;
         std::uint32_t rgb;
     };
     static constexpr std::size_t ONCHIP_WORDS = 65536, SDRAM_WORDS = 1 << 18;  // again and again
@@ -65,7 +65,7 @@ protected:
         }
         answer();
         seen.push_back(
-            {dut.vga_hs_no != 0, dut.vga_vs_no != 0, dut.vga_blank_no != 0, dut.vga_sync_no != 0,
+            {dut.vga_hs_no != 0, dut.vga_vs_no != 0, dut.vga_blank_no != 0,
              static_cast<std::uint32_t>(dut.vga_r_o << 16 | dut.vga_g_o << 8 | dut.vga_b_o)});
     }
 

@@ -56,11 +56,6 @@ TEST_F(Vga, ShowsEveryPixelTwoByTwo) {
         }
 }
 
-TEST_F(Vga, HasNoSyncOnGreen) {
-    shown();
-    for (const Pins& p : seen) ASSERT_FALSE(p.sync_n);
-}
-
 TEST_F(Vga, IsBlackInTheBlanking) {
     for (auto& w : onchip) w = 0xffffffff;
     shown();
