@@ -258,7 +258,7 @@ TEST_F(Altsyncram, ReadsTheOldDataOfTheOtherPort) {
     EXPECT_EQ(dut.true_b_o, 0x34);
 }
 
-TEST_F(Altsyncram, IsBehindTheMemoriesOfTheLpmLibrary) {
+TEST_F(Altsyncram, BacksTheMemoriesOfTheLpmLibrary) {
     dut.address_a_i = 4;
     clock(1);
     EXPECT_EQ(dut.lpm_rom_o, 0);

@@ -38,11 +38,13 @@ protected:
     }
 };
 
-TEST_F(ArmFailure, IsToSpinOnTheSpotInAHandler) { spins("test_spin_in_handler"); }
+TEST_F(ArmFailure, IsReportedForASpinInAHandler) { spins("test_spin_in_handler"); }
 
-TEST_F(ArmFailure, IsToSpinInThumbCodeToo) { spins("test_thumb_spin_in_handler"); }
+TEST_F(ArmFailure, IsReportedForASpinInThumbCode) { spins("test_thumb_spin_in_handler"); }
 
-TEST_F(ArmFailure, IsToSpinInAThumbInstructionOf32BitsToo) { spins("test_wide_spin_in_handler"); }
+TEST_F(ArmFailure, IsReportedForASpinByA32BitThumbInstruction) {
+    spins("test_wide_spin_in_handler");
+}
 
 TEST_F(ArmFailure, IsReportedForASleepInAHandlerAtTheEnd) {
     fails_at_the_runs_end("test_sleep_in_handler");
@@ -65,7 +67,7 @@ TEST_F(ArmFailure, IsReportedAtTheEndForASpinWithInterruptsEnabled) {
     EXPECT_THAT(unfinished(), HasSubstr("; never left its handler: at "));
 }
 
-TEST_F(ArmFailure, IsToRunIntoZerosAndReportsTheCaller) {
+TEST_F(ArmFailure, IsReportedForARunIntoZerosWithTheCaller) {
     load("test_runs_off");
     run_ms(0.1);
     EXPECT_THAT(fault(), HasSubstr("the program ran off its code into zeros at 0.000"));
@@ -73,7 +75,7 @@ TEST_F(ArmFailure, IsToRunIntoZerosAndReportsTheCaller) {
     EXPECT_THAT(fault(), HasSubstr("; called from inner, outer, test_runs_off"));
 }
 
-TEST_F(ArmFailure, IsToRunIntoZerosInThumbToo) {
+TEST_F(ArmFailure, IsReportedForARunIntoZerosInThumb) {
     load("test_runs_off_in_thumb");
     run_ms(0.1);
     EXPECT_THAT(fault(),

@@ -72,7 +72,7 @@ TEST_F(Stores, ThatNobodyAnswersAreAbortedWhereTheyAre) {
     EXPECT_EQ(record().link, address_of("fill") + 4 + 8);
 }
 
-TEST_F(Stores, ArriveThoughTheProgramOnlyComputesBehindThem) {
+TEST_F(Stores, ArriveThoughTheProgramOnlyComputesAfterThem) {
     load("test_stores_and_computes");
     run_ms(1);
     ASSERT_THAT(bursts(), ElementsAre(Pair(0, 4), Pair(4, 4)));

@@ -92,7 +92,7 @@ TEST_F(Uart0, PrintsAfterABootLoadersSetUp) {
     EXPECT_EQ(board.printed, "ok\n");
 }
 
-TEST_F(Uart0, RemembersItsDivisorBehindDlab) {
+TEST_F(Uart0, KeepsItsDivisorUnderDlab) {
     write(UART + 0x0C, 0x80);
     write(UART + 0x00, 0x36);
     write(UART + 0x04, 0x01);

@@ -9,7 +9,7 @@ using ::testing::ElementsAre;
 
 constexpr std::uint32_t READS = 0x100, STOP = 0x200, START_AGAIN = 0x400;
 
-// Remembers what it is told, answers 0x10, 0x11, ...; at address 0x53.
+// Remembers what it is sent, answers 0x10, 0x11, ...; at address 0x53.
 struct Device : sim::I2cDevices {
     std::vector<std::string> heard;
     std::uint8_t next = 0x10;
@@ -159,7 +159,7 @@ TEST_F(I2cController, InterruptsAsItsMaskSays) {
     EXPECT_TRUE(board.irq);
 }
 
-TEST_F(I2cController, StopsBehindTheByteWhenItIsDisabled) {
+TEST_F(I2cController, StopsAfterTheByteWhenItIsDisabled) {
     write(DATA, 1);
     write(DATA, 2);
     wait_bits(5);

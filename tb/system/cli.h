@@ -11,7 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tb/support/run_program.h"
-#include "tb/unit/temp_folder.h"
+#include "tb/support/temp_folder.h"
 
 namespace tb {
 

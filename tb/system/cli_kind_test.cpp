@@ -1,4 +1,4 @@
-// cli_kind_test.cpp - a file that is no program and no scenario is told by its kind what to do.
+// cli_kind_test.cpp - a file that is no program and no scenario gets a message for its kind.
 #include <gmock/gmock.h>
 
 #include "tb/system/cli.h"

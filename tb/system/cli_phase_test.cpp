@@ -33,7 +33,7 @@ protected:
     }
 };
 
-TEST_F(Phases, AreSpreadEvenlyBehindARegisterOfTheFpga) {
+TEST_F(Phases, AreSpreadEvenlyAfterARegisterOfTheFpga) {
     run("1");
     EXPECT_LT(chi_square(counts("after KEY:")), 37.70) << file("console.txt");
 }

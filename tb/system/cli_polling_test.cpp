@@ -9,7 +9,8 @@ namespace {
 
 class PolledPs2 : public tb::CommandLine {
 protected:
-    std::string told(const std::string& devices, const std::vector<std::string>& options) const {
+    std::string reported(const std::string& devices,
+                         const std::vector<std::string>& options) const {
         std::vector<std::string> arguments = {"--elf", PS2_COMMANDS_ELF, "--frames", "none"};
         arguments.insert(arguments.end(), options.begin(), options.end());
         const auto steps = scenario("ps2: [" + devices +
@@ -22,11 +23,11 @@ protected:
 };
 
 TEST_F(PolledPs2, AnswersEveryCommand) {
-    EXPECT_EQ(told("keyboard, mouse", {}), "answered 24 of 24\n");
+    EXPECT_EQ(reported("keyboard, mouse", {}), "answered 24 of 24\n");
 }
 
 TEST_F(PolledPs2, AnswersEveryCommandOfASlowerProgram) {
-    EXPECT_EQ(told("mouse, keyboard", {"--cpi", "3.7"}), "answered 24 of 24\n");
+    EXPECT_EQ(reported("mouse, keyboard", {"--cpi", "3.7"}), "answered 24 of 24\n");
 }
 
 using PolledKeys = tb::CommandLine;

@@ -52,15 +52,15 @@ TEST_F(AgendaTest, RunsLateEntriesAtOnceAndKeepsTheTime) {
 }
 
 TEST_F(AgendaTest, NotifiesOfEachOtherNextTime) {
-    std::vector<std::uint64_t> told;
-    agenda.on_next([&](std::uint64_t next_ps) { told.push_back(next_ps); });
+    std::vector<std::uint64_t> reported;
+    agenda.on_next([&](std::uint64_t next_ps) { reported.push_back(next_ps); });
     agenda.at(20, note());
     const auto entry = agenda.at(10, note());
     agenda.at(15, note());
     agenda.cancel(entry);
     agenda.run_to(15);
     constexpr auto never = sim::Agenda::NEVER;
-    EXPECT_THAT(told, ElementsAre(never, 20, 10, 15, 20));
+    EXPECT_THAT(reported, ElementsAre(never, 20, 10, 15, 20));
 }
 
 TEST_F(AgendaTest, FiresATimerOnceAtTheLastTimeSet) {

@@ -68,7 +68,7 @@ TEST(DecoderClock, NeverRisesWithTheFabricsClock) {
 }
 
 // As if it had gone there edge by edge.
-TEST(DecoderClock, SkipsToTheFirstRiseBehindAClock) {
+TEST(DecoderClock, SkipsToTheFirstRiseAfterAClock) {
     AsynchronousClock steps = sim::decoder_clock();
     for (std::uint64_t clocks = 0; clocks < 5'000; ++clocks) {
         while (steps.clocks() < clocks || !steps.rises()) steps.next();

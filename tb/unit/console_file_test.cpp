@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 
 #include "sim/files/console_file.h"
-#include "tb/unit/temp_folder.h"
+#include "tb/support/temp_folder.h"
 
 namespace {
 

@@ -3,7 +3,7 @@
 
 #include <gmock/gmock.h>
 
-#include "tb/unit/temp_folder.h"
+#include "tb/support/temp_folder.h"
 
 namespace {
 
@@ -61,7 +61,7 @@ TEST(Continued, ReadsLikeEachScenarioOfTheRepository) {
     EXPECT_GT(count, 40u);
 }
 
-TEST(Continued, HasTheMoreStepsBehindItsOwnAndNoDuration) {
+TEST(Continued, HasTheMoreStepsAfterItsOwnAndNoDuration) {
     const Scenario before = parse_scenario(
         "name: \"a: b\"\nversion: 1\nduration: 1s\nsteps:\n"
         "  - hold: {keypad: \"5\"}  # a comment\n  - type-serial: \"x\\u001b\\n\"\n",

@@ -10,7 +10,7 @@
 #include <iterator>
 
 #include "sim/cpu/elf.h"
-#include "tb/unit/temp_folder.h"
+#include "tb/support/temp_folder.h"
 
 namespace {
 

@@ -9,8 +9,8 @@ constexpr std::uint64_t MS = 1'000'000'000;
 
 class Lamp : public ::testing::Test {
 protected:
-    unsigned told = 0;
-    sim::LampBank bank{2, [this](std::uint64_t) { ++told; }};
+    unsigned reported = 0;
+    sim::LampBank bank{2, [this](std::uint64_t) { ++reported; }};
 
     void light(bool lit, std::uint64_t time_ps) {
         bank.pass(time_ps);
@@ -40,16 +40,16 @@ TEST_F(Lamp, IsSeenAtOnceWhereItChangesNowAndThen) {
     EXPECT_TRUE(bank.seen(0));
     EXPECT_EQ(bank.brightness(0), 1);
     EXPECT_EQ(bank.brightness(1), 0);
-    EXPECT_EQ(told, 3u);
+    EXPECT_EQ(reported, 3u);
 }
 
 TEST_F(Lamp, IsSeenLitWhileItIsDimmed) {
     dim(MS / 10, MS, 20 * MS, 40 * MS);
-    told = 0;
+    reported = 0;
     dim(MS / 10, MS, 40 * MS, 500 * MS);
     EXPECT_TRUE(bank.seen(0));
     EXPECT_NEAR(bank.brightness(0), 0.1, 0.01);
-    EXPECT_EQ(told, 0u) << "nothing new was seen";
+    EXPECT_EQ(reported, 0u) << "nothing new was seen";
 }
 
 TEST_F(Lamp, IsDarkBelowATwentieth) {

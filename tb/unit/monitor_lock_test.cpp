@@ -22,7 +22,7 @@ protected:
 
 TEST_F(MonitorLock, TakesTwoFramesThatAreAlikeAndShowsTheThird) {
     show({}, 3);  // of which the first two are whole
-    EXPECT_EQ(told.size(), 1u);
+    EXPECT_EQ(reported.size(), 1u);
     EXPECT_THAT(pictures, IsEmpty());
 }
 
@@ -40,8 +40,8 @@ TEST_F(MonitorLock, FollowsAChangeOfModeAndShowsNothingInBetween) {
     VideoPins other;
     other.mode = SVGA;
     show(other, 8);
-    ASSERT_EQ(told.size(), 2u);
-    EXPECT_THAT(told[1], StartsWith("800 x 600 at 60.3 Hz, HS and VS positive"));
+    ASSERT_EQ(reported.size(), 2u);
+    EXPECT_THAT(reported[1], StartsWith("800 x 600 at 60.3 Hz, HS and VS positive"));
     EXPECT_GE(pictures.size(), before + 2);
     for (std::size_t i = before; i < pictures.size(); ++i) EXPECT_EQ(pictures[i].width, 800u);
     EXPECT_EQ(wrong_pixels(), 0u);
@@ -57,10 +57,11 @@ TEST_F(MonitorLock, FollowsAChangeOfModeAtOneClock) {
     second.blank = Blank::HIGH;
     const std::size_t before = pictures.size();
     show(second, 12);
-    ASSERT_EQ(told.size(), 2u);
-    EXPECT_THAT(told[0], StartsWith("800 x 600 at 72.2 Hz"));
-    EXPECT_THAT(told[1], StartsWith("640 x 480 at 59.5 Hz, HS and VS negative, 800 x 525 clocks, "
-                                    "2 samples per pixel"));
+    ASSERT_EQ(reported.size(), 2u);
+    EXPECT_THAT(reported[0], StartsWith("800 x 600 at 72.2 Hz"));
+    EXPECT_THAT(reported[1],
+                StartsWith("640 x 480 at 59.5 Hz, HS and VS negative, 800 x 525 clocks, "
+                           "2 samples per pixel"));
     for (std::size_t i = before; i < pictures.size(); ++i) EXPECT_EQ(pictures[i].width, 640u);
     EXPECT_GT(pictures.size(), before);
 }
@@ -79,7 +80,7 @@ TEST_F(MonitorLock, SurvivesAGlitchOfHsInEachFrame) {
         EXPECT_GE(pictures.size(), before + 4);
         EXPECT_EQ(wrong_pixels(), 0u);
     }
-    EXPECT_EQ(told.size(), 2u);  // with BLANK_N and without
+    EXPECT_EQ(reported.size(), 2u);  // with BLANK_N and without
 }
 
 TEST_F(MonitorLock, SurvivesAPictureThatShrinksByAPixel) {
@@ -91,7 +92,7 @@ TEST_F(MonitorLock, SurvivesAPictureThatShrinksByAPixel) {
         return edge ? pins & ~sim::video::BLANK_N : pins;
     };
     show(video, 10);
-    EXPECT_EQ(told.size(), 1u);
+    EXPECT_EQ(reported.size(), 1u);
     EXPECT_EQ(pictures.size(), 7u);
 }
 
@@ -105,7 +106,7 @@ TEST_F(MonitorLock, SurvivesLinesWithoutTheirPictureWhichIsBlackThen) {
         return gone ? pins & ~sim::video::BLANK_N : pins;
     };
     show(video, 5);
-    EXPECT_EQ(told.size(), 1u);
+    EXPECT_EQ(reported.size(), 1u);
     EXPECT_EQ(wrong_pixels([](unsigned x, unsigned y) {
                   return y == 479 || (y == 100 && x >= 300) ? 0 : VideoPins::colour(x, y);
               }),
@@ -116,7 +117,7 @@ TEST_F(MonitorLock, ReportsOnceThatASignalIsOutOfRange) {
     VideoPins ntsc;
     ntsc.mode = {13.5, 720, 736, 799, 858, 240, 243, 246, 262, false, false};
     show(ntsc, 8);
-    EXPECT_THAT(told,
+    EXPECT_THAT(reported,
                 ElementsAre("out of range: 15.7 kHz, 60.1 Hz, HS and VS negative, 262 lines"));
     EXPECT_THAT(pictures, IsEmpty());
 }
@@ -129,32 +130,32 @@ TEST_F(MonitorLock, DescribesAMissingSignalAfterASecond) {
     const std::vector<std::uint32_t> white(12'000, sim::video::HS | sim::video::VS | 0xFFFFFF);
     monitor.samples(white.data(), white.size());
     hold(sim::video::HS | sim::video::VS, 399);
-    EXPECT_THAT(told, IsEmpty());
+    EXPECT_THAT(reported, IsEmpty());
     hold(sim::video::HS | sim::video::VS, 1);
-    EXPECT_THAT(told, ElementsAre("no signal: HS never moved; VS moved 3 times; VGA_R/G/B were "
-                                  "not 0 in 12,000 samples"));
+    EXPECT_THAT(reported, ElementsAre("no signal: HS never moved; VS moved 3 times; VGA_R/G/B were "
+                                      "not 0 in 12,000 samples"));
     hold(sim::video::HS | sim::video::VS, 3000);
-    EXPECT_EQ(told.size(), 1u);
-    EXPECT_EQ(monitor.signal(), told[0]);
+    EXPECT_EQ(reported.size(), 1u);
+    EXPECT_EQ(monitor.signal(), reported[0]);
     EXPECT_THAT(pictures, IsEmpty());
 }
 
 TEST_F(MonitorLock, ReportsThatThereAreNoSamplesAtAll) {
     monitor.idle(999 * MS);
-    EXPECT_THAT(told, IsEmpty());
+    EXPECT_THAT(reported, IsEmpty());
     monitor.idle(1000 * MS);
     monitor.idle(500 * MS);
     monitor.idle(5000 * MS);
-    EXPECT_THAT(told, ElementsAre("no signal: not one sample, VGA_CLK does not rise"));
+    EXPECT_THAT(reported, ElementsAre("no signal: not one sample, VGA_CLK does not rise"));
 }
 
 TEST_F(MonitorLock, CountsIdleTimeAndThatOfSamplesTogether) {
     monitor.idle(900 * MS);
     monitor.idle(100 * MS);
     hold(0, 99);
-    EXPECT_THAT(told, IsEmpty());
+    EXPECT_THAT(reported, IsEmpty());
     hold(0, 1);
-    EXPECT_EQ(told.size(), 1u);
+    EXPECT_EQ(reported.size(), 1u);
 }
 
 TEST_F(MonitorLock, ReportsWhereTheSignalHasGoneAndLocksAnew) {
@@ -162,14 +163,14 @@ TEST_F(MonitorLock, ReportsWhereTheSignalHasGoneAndLocksAnew) {
     video.mode.mhz = 25;
     show(video, 5);
     hold(sim::video::HS | sim::video::VS, 1050);
-    EXPECT_EQ(told.size(), 1u);
+    EXPECT_EQ(reported.size(), 1u);
     hold(sim::video::HS | sim::video::VS, 100);
-    ASSERT_EQ(told.size(), 2u);
-    EXPECT_THAT(told[1], StartsWith("no signal: HS never moved; VS never moved; VGA_R/G/B were "
-                                    "always 0"));
+    ASSERT_EQ(reported.size(), 2u);
+    EXPECT_THAT(reported[1], StartsWith("no signal: HS never moved; VS never moved; VGA_R/G/B were "
+                                        "always 0"));
     show(video, 6);
-    ASSERT_EQ(told.size(), 3u);
-    EXPECT_EQ(told[2], told[0]);
+    ASSERT_EQ(reported.size(), 3u);
+    EXPECT_EQ(reported[2], reported[0]);
     EXPECT_EQ(wrong_pixels(), 0u);
 }
 
@@ -180,7 +181,7 @@ TEST_F(MonitorLock, ReportsThatASignalIsNotSteady) {
         show(video, 1);
         show(video, 1);
     }
-    EXPECT_THAT(told, ElementsAre(StartsWith("no steady signal: HS moved ")));
+    EXPECT_THAT(reported, ElementsAre(StartsWith("no steady signal: HS moved ")));
 }
 
 TEST_F(MonitorLock, IsOfNoConsequenceInAStrictMonitor) {

@@ -25,9 +25,9 @@ TEST_P(MonitorMode, IsFoundByBlankN) {
     show(video, LOCKED);
     EXPECT_EQ(size(), std::pair(video.mode.hdisp, video.mode.vdisp));
     EXPECT_EQ(wrong_pixels(), 0u);
-    ASSERT_EQ(told.size(), 1u);
-    EXPECT_THAT(told[0], StartsWith(fmt::format("{} x {} at ", size().first, size().second)));
-    EXPECT_THAT(told[0],
+    ASSERT_EQ(reported.size(), 1u);
+    EXPECT_THAT(reported[0], StartsWith(fmt::format("{} x {} at ", size().first, size().second)));
+    EXPECT_THAT(reported[0],
                 EndsWith(fmt::format("{} x {} clocks", video.mode.htotal, video.mode.vtotal)));
 }
 
@@ -38,8 +38,8 @@ TEST_P(MonitorMode, IsFoundWithoutBlankN) {
     show(video, LOCKED);
     EXPECT_EQ(size(), std::pair(video.mode.hdisp, video.mode.vdisp));
     EXPECT_EQ(wrong_pixels(), 0u);
-    ASSERT_EQ(told.size(), 1u);
-    EXPECT_THAT(told[0], EndsWith("clocks, BLANK_N ignored: never low"));
+    ASSERT_EQ(reported.size(), 1u);
+    EXPECT_THAT(reported[0], EndsWith("clocks, BLANK_N ignored: never low"));
 }
 
 INSTANTIATE_TEST_SUITE_P(Standard, MonitorMode, ::testing::ValuesIn(MODELINES), [](auto& mode) {
@@ -60,7 +60,8 @@ TEST_F(MonitorModes, FollowBlankNWhereNoneIsStandard) {
         show(video, LOCKED);
         EXPECT_EQ(size(), std::pair(odd.hdisp, odd.vdisp));
         EXPECT_EQ(wrong_pixels(), 0u) << odd;
-        EXPECT_THAT(told.back(), EndsWith(fmt::format("{} x {} clocks", odd.htotal, odd.vtotal)));
+        EXPECT_THAT(reported.back(),
+                    EndsWith(fmt::format("{} x {} clocks", odd.htotal, odd.vtotal)));
     }
 }
 
@@ -71,8 +72,9 @@ TEST_F(MonitorModes, HaveFalseColoursWithColoursInThePorches) {
         return clock % 800 == 760 ? pins | 0x808080 : pins;  // in the back porch
     };
     show(video, LOCKED + 2);
-    ASSERT_EQ(told.size(), 2u);
-    EXPECT_THAT(told[1], StartsWith("colours before the picture begins, where BLANK_N is high"));
+    ASSERT_EQ(reported.size(), 2u);
+    EXPECT_THAT(reported[1],
+                StartsWith("colours before the picture begins, where BLANK_N is high"));
     EXPECT_EQ(wrong_pixels(), 0u);
 }
 
@@ -80,8 +82,9 @@ TEST_F(MonitorModes, AreReportedInALine) {
     VideoPins video;
     video.mode.mhz = 25;
     show(video, LOCKED);
-    EXPECT_THAT(told, ElementsAre("640 x 480 at 59.5 Hz, HS and VS negative, 800 x 525 clocks"));
-    EXPECT_EQ(monitor.signal(), told[0]);
+    EXPECT_THAT(reported,
+                ElementsAre("640 x 480 at 59.5 Hz, HS and VS negative, 800 x 525 clocks"));
+    EXPECT_EQ(monitor.signal(), reported[0]);
 }
 
 TEST_F(MonitorModes, AreFoundInAnyPolarity) {
@@ -94,11 +97,11 @@ TEST_F(MonitorModes, AreFoundInAnyPolarity) {
             show(video, LOCKED + 6);
             EXPECT_EQ(wrong_pixels(), 0u) << h << v;
             const char* const names[] = {"negative", "positive"};
-            EXPECT_THAT(told.back(),
+            EXPECT_THAT(reported.back(),
                         HasSubstr(h == v ? fmt::format("HS and VS {}", names[h])
                                          : fmt::format("HS {}, VS {}", names[h], names[v])));
         }
-    EXPECT_EQ(told.size(), 4u);
+    EXPECT_EQ(reported.size(), 4u);
 }
 
 TEST_F(MonitorModes, MayHaveOtherTotals) {
@@ -107,7 +110,8 @@ TEST_F(MonitorModes, MayHaveOtherTotals) {
     show(video, LOCKED);
     EXPECT_EQ(size(), std::pair(640u, 480u));
     EXPECT_EQ(wrong_pixels(), 0u);
-    EXPECT_THAT(told, ElementsAre("640 x 480 at 59.9 Hz, HS and VS negative, 798 x 523 clocks"));
+    EXPECT_THAT(reported,
+                ElementsAre("640 x 480 at 59.9 Hz, HS and VS negative, 798 x 523 clocks"));
 }
 
 // The picture begins 2 clocks and 2 lines before the standard's.
@@ -139,8 +143,8 @@ TEST_F(MonitorModes, AreFoundThoughBlankNIsNeverHigh) {
     video.blank = Blank::LOW;
     show(video, LOCKED);
     EXPECT_EQ(wrong_pixels(), 0u);
-    EXPECT_THAT(told[0], EndsWith("BLANK_N ignored: never high, with which the board's ADV7123 "
-                                  "shows black"));
+    EXPECT_THAT(reported[0], EndsWith("BLANK_N ignored: never high, with which the board's ADV7123 "
+                                      "shows black"));
 }
 
 TEST_F(MonitorModes, HaveTheSizeThatBlankNShows) {
@@ -151,7 +155,7 @@ TEST_F(MonitorModes, HaveTheSizeThatBlankNShows) {
     show(video, LOCKED);
     EXPECT_EQ(size(), std::pair(636u, 478u));
     EXPECT_EQ(wrong_pixels(), 0u);
-    EXPECT_THAT(told, ElementsAre(StartsWith("636 x 478 at ")));
+    EXPECT_THAT(reported, ElementsAre(StartsWith("636 x 478 at ")));
 }
 
 TEST_F(MonitorModes, IgnoreABlankNSizeFarFromThem) {
@@ -160,7 +164,7 @@ TEST_F(MonitorModes, IgnoreABlankNSizeFarFromThem) {
     show(video, LOCKED);
     EXPECT_EQ(size(), std::pair(640u, 480u));
     EXPECT_EQ(wrong_pixels(), 0u);
-    EXPECT_THAT(told, ElementsAre(EndsWith("size: high for 704 x 523")));
+    EXPECT_THAT(reported, ElementsAre(EndsWith("size: high for 704 x 523")));
 }
 
 TEST_F(MonitorModes, AreBlackWhereBlankNIsLow) {
@@ -210,7 +214,7 @@ TEST_F(MonitorModes, AreResampledAtTheMiddleOfThePixels) {
             show(video, LOCKED);
             EXPECT_EQ(size(), std::pair(640u, 480u)) << sample_mhz;
             EXPECT_EQ(wrong_pixels(), 0u) << sample_mhz;
-            EXPECT_THAT(told.back(), HasSubstr(text));
+            EXPECT_THAT(reported.back(), HasSubstr(text));
         }
 }
 
@@ -221,7 +225,7 @@ TEST_F(MonitorModes, HaveWholeSamplesPerPixel) {
     show(video, LOCKED);
     EXPECT_EQ(size(), std::pair(640u, 480u));
     EXPECT_EQ(wrong_pixels(), 0u);
-    EXPECT_THAT(told, ElementsAre(HasSubstr("790 x 525 clocks, 2 samples per pixel")));
+    EXPECT_THAT(reported, ElementsAre(HasSubstr("790 x 525 clocks, 2 samples per pixel")));
 }
 
 TEST_F(MonitorModes, MayBeSampledMoreSlowlyThanTheirPixels) {

@@ -7,7 +7,7 @@
 #include <random>
 
 #include "sim/files/whole_file.h"
-#include "tb/unit/temp_folder.h"
+#include "tb/support/temp_folder.h"
 
 namespace {
 

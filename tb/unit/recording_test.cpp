@@ -8,7 +8,7 @@
 #include <sys/stat.h>
 
 #include "sim/board/tone.h"
-#include "tb/unit/temp_folder.h"
+#include "tb/support/temp_folder.h"
 
 namespace {
 

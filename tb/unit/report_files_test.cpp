@@ -12,7 +12,7 @@
 #include "sim/files/sha256.h"
 #include "sim/files/whole_file.h"
 #include "sim/text/printable.h"
-#include "tb/unit/temp_folder.h"
+#include "tb/support/temp_folder.h"
 
 namespace {
 

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "sim/report/report_keys.h"
-#include "tb/unit/temp_folder.h"
+#include "tb/support/temp_folder.h"
 
 namespace {
 

@@ -4,8 +4,8 @@
 #include <unistd.h>
 
 #include "sim/files/png.h"
+#include "tb/support/temp_folder.h"
 #include "tb/unit/scenario_errors.h"
-#include "tb/unit/temp_folder.h"
 
 namespace {
 

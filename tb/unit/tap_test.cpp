@@ -48,7 +48,7 @@ TEST(Tap, ReadsResultsAsTheSpecificationWritesThem) {
                 ElementsAre("+check 1|", "-check 2|", "+check 3|"));
 }
 
-TEST(Tap, TakesWhatStandsBehindAColonAsTheDetail) {
+TEST(Tap, TakesWhatStandsAfterAColonAsTheDetail) {
     EXPECT_THAT(read("not ok 1 - LEDR: 0x1, expected 0x2: a bit\n"),
                 ElementsAre("-LEDR|0x1, expected 0x2: a bit"));
 }
@@ -73,7 +73,7 @@ TEST(Tap, ReadsALineThatIsNotEndedYet) {
     EXPECT_THAT(read("ok 1 - a\nok 2 - b"), ElementsAre("+a|", "+b|"));
 }
 
-TEST(Tap, ReadsChecksBehindAnyAmountOfText) {
+TEST(Tap, ReadsChecksAfterAnyAmountOfText) {
     const auto checks =
         tap_checks(std::string(5'000'000, 'x') + "\nTAP version 13\nnot ok 1 - late\n");
     ASSERT_EQ(checks.size(), 1u);

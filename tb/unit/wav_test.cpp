@@ -8,7 +8,7 @@
 #include <csignal>
 
 #include "sim/files/whole_file.h"
-#include "tb/unit/temp_folder.h"
+#include "tb/support/temp_folder.h"
 
 namespace {
 

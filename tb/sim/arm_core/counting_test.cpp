@@ -120,7 +120,7 @@ TEST_P(Counting, StopsAfterExactlyAsManyInstructionsAsWereAskedFor) {
     each_program([&](Bench& bench) { run(bench); });
 }
 
-TEST_P(Counting, StopsBehindTheInstructionWhoseAccessAsksForIt) {
+TEST_P(Counting, StopsAfterTheInstructionWhoseAccessAsksForIt) {
     each_program([&](Bench& bench) {
         std::optional<std::uint64_t> asked;
         bench.on_access = [&] {

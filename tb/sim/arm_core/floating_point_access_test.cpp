@@ -107,7 +107,7 @@ TEST_P(FloatingPointAccess, LeavesNothingAtAllWithoutCpacr) {
 }
 
 // The same instruction, translated long ago.
-TEST_P(FloatingPointAccess, IsLostInTheMidstOfALoop) {
+TEST_P(FloatingPointAccess, CanEndInTheMidstOfALoop) {
     if (thumb()) return;
     bench.put(AT, {
                       0xEE300A81,                 // VADD.F32 s0, s1, s2

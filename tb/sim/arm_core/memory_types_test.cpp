@@ -1,4 +1,4 @@
-// The bus is told which stores go to Normal memory.  Types by the descriptors' TEX, C and B: ARM
+// The bus learns which stores go to Normal memory.  Types by the descriptors' TEX, C and B: ARM
 // DDI 0406C, B3.8.2; with TEX remap: B3.8.3.
 #include <gtest/gtest.h>
 

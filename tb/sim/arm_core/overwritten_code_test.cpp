@@ -87,7 +87,7 @@ void each_store_and_place(F&& test) {
 // Half of the laps add 16, the other half 1.
 constexpr std::uint32_t SUM = LAPS / 2 * (16 + 1);
 
-TEST_F(OverwrittenCode, IsNewRightBehindTheStore) {
+TEST_F(OverwrittenCode, IsNewRightAfterTheStore) {
     each_store_and_place([this](const Store& store, std::uint32_t at) {
         expect(
             {
@@ -194,7 +194,7 @@ TEST_F(OverwrittenCode, MayBeTheSecondHalfOfALiteral) {
 }
 
 // A variable after a literal is none: to write it takes no new translation.
-TEST_F(OverwrittenCode, IsNotTheVariableBehindALiteral) {
+TEST_F(OverwrittenCode, IsNotTheVariableAfterALiteral) {
     const auto processor_time = [&](std::uint32_t variable) {
         bench.put(0x8000, {
                               0xE59F3008,  // LDR r3, [pc, #8]

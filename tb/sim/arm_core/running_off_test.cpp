@@ -75,7 +75,7 @@ TEST_P(RunningOff, IsOverWhenCodeIsPutThere) {
 }
 
 // One instruction from the end, so that no block leads there.
-TEST_P(RunningOff, IsNoticedBehindTheLastInstructionThatWasAskedFor) {
+TEST_P(RunningOff, IsNoticedAfterTheLastInstructionThatWasAskedFor) {
     const std::uint32_t end = put(AT, std::vector<Both>(SOME, NOP));
     set(15, AT);
     EXPECT_EQ(bench.core.run(SOME), ArmStop::LIMIT);

@@ -36,10 +36,10 @@ protected:
 
 // ---- Entries that change (B3.9) -----------------------------------------------------------------
 
-TEST_P(TranslationChanges, AreSeenBehindTlbiall) { expect_seen_behind(TLBIALL, 0); }
-TEST_P(TranslationChanges, AreSeenBehindTlbimva) { expect_seen_behind(TLBIMVA, PLACE); }
-TEST_P(TranslationChanges, AreSeenBehindTlbimvaa) { expect_seen_behind({8, 0, 7, 3}, PLACE); }
-TEST_P(TranslationChanges, AreSeenBehindTlbiasid) { expect_seen_behind({8, 0, 7, 2}, 0); }
+TEST_P(TranslationChanges, AreSeenAfterTlbiall) { expect_seen_behind(TLBIALL, 0); }
+TEST_P(TranslationChanges, AreSeenAfterTlbimva) { expect_seen_behind(TLBIMVA, PLACE); }
+TEST_P(TranslationChanges, AreSeenAfterTlbimvaa) { expect_seen_behind({8, 0, 7, 3}, PLACE); }
+TEST_P(TranslationChanges, AreSeenAfterTlbiasid) { expect_seen_behind({8, 0, 7, 2}, 0); }
 TEST_P(TranslationChanges, AreSeenWithANewAsid) { expect_seen_behind(sim::cp15::CONTEXTIDR, 7); }
 
 TEST_P(TranslationChanges, AreSeenWithAnotherTable) {

@@ -33,23 +33,23 @@ TEST_P(WaitingInterrupt, HasWfiGoOnWithoutLeavingTheTranslatedCode) {
 }
 
 TEST_P(WaitingInterrupt, IsReportedByTheInstructionThatEnablesIt) {
-    unsigned told = 0;
-    bench.on_unmasked = [&] { ++told; };
+    unsigned reported = 0;
+    bench.on_unmasked = [&] { ++reported; };
     bench.interrupt_waits = false;
     become(SVC | I | F);
-    told = 0;
+    reported = 0;
     done(CPSID_I);
-    EXPECT_EQ(told, 0u);
+    EXPECT_EQ(reported, 0u);
     done(CPSIE_I);
-    EXPECT_EQ(told, 1u);
+    EXPECT_EQ(reported, 1u);
     done(CPSIE_I);
-    EXPECT_EQ(told, 1u) << "nothing was masked";
+    EXPECT_EQ(reported, 1u) << "nothing was masked";
     set(1, SVC | I);
     done(msr_cpsr(1));
-    EXPECT_EQ(told, 2u) << "F";
+    EXPECT_EQ(reported, 2u) << "F";
 }
 
-TEST_P(WaitingInterrupt, CanStopTheRunBehindThatInstruction) {
+TEST_P(WaitingInterrupt, CanStopTheRunAfterThatInstruction) {
     bench.interrupt_waits = false;
     become(SVC | I | F);
     bench.on_unmasked = [&] { bench.core.stop_soon(); };

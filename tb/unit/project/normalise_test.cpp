@@ -83,7 +83,7 @@ TEST(Normalise, PutsAPortBeforeItsNet) {
     EXPECT_THAT(result.changes, ElementsAre("f.v:5: moved before its net: port b"));
 }
 
-TEST(Normalise, LeavesNetsBehindPortsAndOtherModulesAlone) {
+TEST(Normalise, LeavesNetsAfterPortsAndOtherModulesAlone) {
     const std::string text =
         "module m(a, q);\ninput a;\noutput [3:0] q;\nwire a;\nreg [3:0] q;\nwire z;\nendmodule\n"
         "module n(z);\ninput z;\nendmodule\n"

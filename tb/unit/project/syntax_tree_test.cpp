@@ -7,7 +7,7 @@
 
 #include "sim/project/elaborated.h"
 #include "sim/project/settings.h"
-#include "tb/unit/temp_folder.h"
+#include "tb/support/temp_folder.h"
 
 namespace {
 

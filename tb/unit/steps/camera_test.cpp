@@ -1,7 +1,7 @@
 // camera_test.cpp - show-picture
+#include "tb/support/temp_folder.h"
 #include "tb/unit/scenario_errors.h"
 #include "tb/unit/steps/step_bench.h"
-#include "tb/unit/temp_folder.h"
 
 namespace {
 

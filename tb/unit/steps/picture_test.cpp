@@ -1,7 +1,7 @@
 // picture_test.cpp - wait-frame, expect-frame, take-screenshot
 #include "sim/files/png.h"
+#include "tb/support/temp_folder.h"
 #include "tb/unit/steps/step_bench.h"
-#include "tb/unit/temp_folder.h"
 
 namespace {
 

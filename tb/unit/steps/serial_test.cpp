@@ -53,7 +53,7 @@ TEST_F(SerialSteps, WaitUntilATextIsPrinted) {
     EXPECT_EQ(board.now_ms(), 30u);
 }
 
-TEST_F(SerialSteps, LookBehindTheTextThatWasFoundBefore) {
+TEST_F(SerialSteps, LookAfterTheTextThatWasFoundBefore) {
     print("ready ready");
     EXPECT_EQ(finds("wait-serial: ready"), "met");
     EXPECT_EQ(finds("wait-serial: ready"), "met");

@@ -1,9 +1,9 @@
 // sound_in_test.cpp - play-file, play-tone, play-silence
 #include <sndfile.h>
 
+#include "tb/support/temp_folder.h"
 #include "tb/unit/scenario_errors.h"
 #include "tb/unit/steps/step_bench.h"
-#include "tb/unit/temp_folder.h"
 
 namespace {
 
