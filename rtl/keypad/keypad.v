@@ -51,20 +51,20 @@ module keypad #(
     );
 
     // ---- Events: a walk over the keys, one a clock -------------------------
-    reg  [15:0] told_q;     // keys according to the events so far
+    reg  [15:0] reported_q;   // keys according to the events so far
     reg  [3:0]  walk_q;
-    wire        telling   = keys != told_q;
-    wire        event_now = telling && keys[walk_q] != told_q[walk_q];
+    wire        walks     = keys != reported_q;
+    wire        event_now = walks && keys[walk_q] != reported_q[walk_q];
     wire        pop;
     wire [4:0]  event_head, event_count;
     wire        event_empty = event_count == 5'd0;
 
     always @(posedge clk_i) begin
-        told_q[walk_q] <= keys[walk_q];
-        walk_q         <= telling ? walk_q + 4'd1 : 4'd0;
+        reported_q[walk_q] <= keys[walk_q];
+        walk_q             <= walks ? walk_q + 4'd1 : 4'd0;
         if (off) begin
-            walk_q <= 4'd0;
-            told_q <= 16'd0;
+            walk_q     <= 4'd0;
+            reported_q <= 16'd0;
         end
     end
 
@@ -81,7 +81,7 @@ module keypad #(
     assign pop   = we_i && wstrb_i != 4'd0 && waddr_i[4:0] == KEYPAD_EVENT[4:0];
     assign irq_o = (status & mask_q) != 3'd0;
 
-    assign awake_o = rdata_o != 32'd0 || on_q != enable_o || scanner_awake || telling
+    assign awake_o = rdata_o != 32'd0 || on_q != enable_o || scanner_awake || walks
                      || walk_q != 4'd0 || (ghost && !ghost_q);
 
     always @(posedge clk_i) begin

@@ -101,14 +101,14 @@ std::uint32_t Uart::read(std::uint32_t offset, const sc_core::sc_time&) {
         case IER: return lcr_ & DLAB ? divisor_ >> 8 : ier_;
         case FCR: {
             const bool came = !received_.empty() && (ier_ & ERBFI);
-            const bool tells = !came && thr_empty_ && (ier_ & ETBEI);
-            if (tells) {
+            const bool is_empty = !came && thr_empty_ && (ier_ & ETBEI);
+            if (is_empty) {
                 thr_empty_ = false;
                 update_interrupt();
             }
-            return (fifos() ? FIFOS_ON : 0) | (came    ? RECEIVED_DATA
-                                               : tells ? THR_EMPTY
-                                                       : NONE_PENDING);
+            return (fifos() ? FIFOS_ON : 0) | (came       ? RECEIVED_DATA
+                                               : is_empty ? THR_EMPTY
+                                                          : NONE_PENDING);
         }
         case LCR: return lcr_;
         case MCR: return mcr_;

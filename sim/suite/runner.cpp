@@ -93,17 +93,17 @@ void run_cases(const std::vector<Case>& cases, const RunSettings& settings,
     std::atomic<std::size_t> next{0};
     std::atomic<bool> broken{false};
     std::exception_ptr error;  // the first
-    std::mutex telling;        // and that
+    std::mutex reporting;      // and that
     const auto enough = [&] { return broken || given_up(); };
     const auto work = [&] {
         try {
             for (std::size_t n; !enough() && (n = next++) < cases.size();) {
                 Result result = run_case(cases[n], settings, enough);
-                const std::lock_guard<std::mutex> lock{telling};
+                const std::lock_guard<std::mutex> lock{reporting};
                 if (!enough()) done(std::move(result));
             }
         } catch (...) {
-            const std::lock_guard<std::mutex> lock{telling};
+            const std::lock_guard<std::mutex> lock{reporting};
             if (!broken.exchange(true)) error = std::current_exception();
         }
     };

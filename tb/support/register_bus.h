@@ -19,11 +19,11 @@ protected:
 
     // Whether a read is of the lowest byte, too, for blocks that need to know.
     template <class Block>
-    static auto tell_lane(Block& block, bool low, int) -> decltype(void(block.rlow_i)) {
+    static auto set_lane(Block& block, bool low, int) -> decltype(void(block.rlow_i)) {
         block.rlow_i = low;
     }
     template <class Block>
-    static void tell_lane(Block&, bool, long) {}
+    static void set_lane(Block&, bool, long) {}
 
     // Whether a write makes the bus wait, which keeps its address and data meanwhile.
     template <class Block>
@@ -72,7 +72,7 @@ protected:
 
     std::uint32_t read(std::uint32_t address, bool low = true) {
         dut.re_i = 1;
-        tell_lane(dut, low, 0);
+        set_lane(dut, low, 0);
         dut.raddr_i = address & 0xfff;
         clock();
         dut.re_i = 0;
