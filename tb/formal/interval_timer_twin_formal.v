@@ -33,16 +33,11 @@ module interval_timer_twin_formal (
     wire [31:0] plain__counter_q, plain__period_q, twin__period_q, plain__snap_q, twin__snap_q;
     wire [3:0]  plain__control_q, twin__control_q;
     wire        plain__run_q, twin__run_q, plain__to_q, twin__to_q;
-    reg  [29:0] now_q;
-    reg         live = 1'b0, read_q = 1'b0;
-    always @(posedge clk_i) begin
-        live   <= 1'b1;
-        read_q <= live;                      // what is read was reset before
-        now_q  <= twin__now;
-    end
-    always @(*)
-        if (!live) assume (rst_i);
-        else assume (twin__now == now_q + 30'd1);
+    wire        live;
+    numbered_clocks clocks (.clk_i(clk_i), .now_i(twin__now), .live_o(live));
+    reg         read_q = 1'b0;               // what is read was reset before
+    always @(posedge clk_i) read_q <= live;
+    always @(*) if (!live) assume (rst_i);
 
     wire [29:0] left = twin__run_q ? twin__due_q - twin__now : twin__due_q;
     always @(*) if (live) begin
@@ -53,12 +48,6 @@ module interval_timer_twin_formal (
         i_flags:   assert ({twin__run_q, twin__to_q, twin__control_q}
                            == {plain__run_q, plain__to_q, plain__control_q});
     end
-endmodule
-
-// The number of the clock, which the harness bounds.
-module clock_number (output wire [29:0] now_o);
-    (* anyseq *) reg [29:0] number;
-    assign now_o = number;
 endmodule
 
 `default_nettype wire
