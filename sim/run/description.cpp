@@ -11,11 +11,42 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+// Null for a value that is not there.
+template <class Value>
+struct nlohmann::adl_serializer<std::optional<Value>> {
+    static void to_json(json& to, const std::optional<Value>& value) {
+        to = value ? json(*value) : json();
+    }
+    static void from_json(const json& from, std::optional<Value>& value) {
+        value = from.is_null() ? std::nullopt : std::optional{from.get<Value>()};
+    }
+};
+
 namespace sim {
 
-namespace {
-
 using nlohmann::json;
+
+static void to_json(json& to, const SimTime& time) { to = time.ps; }
+static void from_json(const json& from, SimTime& time) { from.get_to(time.ps); }
+
+static void to_json(json& to, const FrameChoice& choice) { to = choice.text(); }
+static void from_json(const json& from, FrameChoice& choice) {
+    const auto parsed = FrameChoice::parse(from.get<std::string>());
+    if (!parsed) throw std::runtime_error{"no choice of frames"};
+    choice = *parsed;
+}
+
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ProjectOptions, place, top, macros, build_limit_s)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ChipDescription, project, bridged_memory, audio_rate, strict_vga)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ProgramDescription, cpu, elf, cpi, shortcuts, system, linux_root,
+                                   arguments, input, arm_options)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(TraceDescription, file, from, to)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(RunOutputs, out, frames, html, video, profile, trace,
+                                   trace_failure, gdb, live_socket, update_goldens, quiet)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(RunDescription, scenario, scenario_text, chip, program, outputs,
+                                   duration, seed, command)
+
+namespace {
 
 // A path may have any bytes, and JSON has characters: each byte is the character of its number.
 std::string characters_of(const std::string& bytes) {
@@ -46,144 +77,11 @@ std::string bytes_of(const std::string& text) {
     return bytes;
 }
 
-template <class Fields, class Description>
-void fields(Fields& field, Description& d);
-
-// Writes the fields of a structure into an object of JSON.
-class Writer {
-public:
-    template <class Value>
-    void operator()(const char* name, const Value& value) {
-        put(all[name], value);
-    }
-
-    json all = json::object();
-
-private:
-    template <class Value>
-    static void put(json& to, const std::optional<Value>& value) {
-        if (value)
-            put(to, *value);
-        else
-            to = nullptr;
-    }
-    static void put(json& to, const std::string& value) { to = characters_of(value); }
-    static void put(json& to, const std::filesystem::path& value) { put(to, value.string()); }
-    static void put(json& to, const std::vector<std::string>& values) {
-        to = json::array();
-        for (const std::string& value : values) put(to.emplace_back(), value);
-    }
-    static void put(json& to, const SimTime& value) { to = value.ps; }
-    static void put(json& to, const FrameChoice& value) { to = value.text(); }
-    template <class Value>
-    static void put(json& to, const Value& value) {
-        if constexpr (std::is_class_v<Value>) {
-            Writer inner;
-            fields(inner, value);
-            to = std::move(inner.all);
-        } else {
-            to = value;
-        }
-    }
-};
-
-// Reads them.
-class Reader {
-public:
-    explicit Reader(const json& all) : all_{all} {}
-
-    template <class Value>
-    void operator()(const char* name, Value& value) {
-        get(all_.at(name), value);
-    }
-
-private:
-    template <class Value>
-    static void get(const json& from, std::optional<Value>& value) {
-        if (from.is_null())
-            value.reset();
-        else
-            get(from, value.emplace());
-    }
-    static void get(const json& from, std::string& value) {
-        value = bytes_of(from.get<std::string>());
-    }
-    static void get(const json& from, std::filesystem::path& value) {
-        value = bytes_of(from.get<std::string>());
-    }
-    static void get(const json& from, std::vector<std::string>& values) {
-        values.clear();
-        for (const json& value : from) get(value, values.emplace_back());
-    }
-    static void get(const json& from, SimTime& value) { from.get_to(value.ps); }
-    static void get(const json& from, FrameChoice& value) {
-        const auto choice = FrameChoice::parse(from.get<std::string>());
-        if (!choice) throw std::runtime_error{"no choice of frames"};
-        value = *choice;
-    }
-    template <class Value>
-    static void get(const json& from, Value& value) {
-        if constexpr (std::is_class_v<Value>) {
-            Reader inner{from};
-            fields(inner, value);
-        } else {
-            from.get_to(value);
-        }
-    }
-
-    const json& all_;
-};
-
-// Each structure's fields, for both directions.
-template <class Fields, class Description>
-void fields(Fields& field, Description& d) {
-    using Type = std::remove_const_t<Description>;
-    if constexpr (std::is_same_v<Type, ProjectOptions>) {
-        field("place", d.place);
-        field("top", d.top);
-        field("macros", d.macros);
-        field("build_limit_s", d.build_limit_s);
-    } else if constexpr (std::is_same_v<Type, ChipDescription>) {
-        field("project", d.project);
-        field("bridged_memory", d.bridged_memory);
-        field("audio_rate", d.audio_rate);
-        field("strict_vga", d.strict_vga);
-    } else if constexpr (std::is_same_v<Type, ProgramDescription>) {
-        field("cpu", d.cpu);
-        field("elf", d.elf);
-        field("cpi", d.cpi);
-        field("shortcuts", d.shortcuts);
-        field("system", d.system);
-        field("linux_root", d.linux_root);
-        field("arguments", d.arguments);
-        field("input", d.input);
-        field("arm_options", d.arm_options);
-    } else if constexpr (std::is_same_v<Type, TraceDescription>) {
-        field("file", d.file);
-        field("from", d.from);
-        field("to", d.to);
-    } else if constexpr (std::is_same_v<Type, RunOutputs>) {
-        field("out", d.out);
-        field("frames", d.frames);
-        field("html", d.html);
-        field("video", d.video);
-        field("profile", d.profile);
-        field("trace", d.trace);
-        field("trace_failure", d.trace_failure);
-        field("gdb", d.gdb);
-        field("live_socket", d.live_socket);
-        field("update_goldens", d.update_goldens);
-        field("quiet", d.quiet);
-    } else {
-        field("scenario", d.scenario);
-        field("scenario_text", d.scenario_text);
-        field("chip", d.chip);
-        field("program", d.program);
-        field("outputs", d.outputs);
-        field("duration", d.duration);
-        field("seed", d.seed);
-        field("command", d.command);
-    }
+void change_strings(json& value, std::string (*change)(const std::string&)) {
+    if (value.is_string())
+        value = change(value.get_ref<const std::string&>());
+    else if (value.is_structured())
+        for (json& inner : value) change_strings(inner, change);
 }
 
 }  // namespace
@@ -213,23 +111,21 @@ std::string FrameChoice::text() const {
 }
 
 std::string to_json(const RunDescription& description) {
-    Writer writer;
-    fields(writer, description);
-    return writer.all.dump() + "\n";
+    json all = description;
+    change_strings(all, characters_of);
+    return all.dump() + "\n";
 }
 
 RunDescription description_from(const std::string& text, const std::string& name) {
-    RunDescription description;
     try {
-        const json all = json::parse(text);
-        Reader reader{all};
-        fields(reader, description);
+        json all = json::parse(text);
+        change_strings(all, bytes_of);
+        return all.get<RunDescription>();
     } catch (const std::exception& error) {
         throw std::runtime_error{
             fmt::format("{}: expected the description of a run as this version writes it: {}", name,
                         error.what())};
     }
-    return description;
 }
 
 DescriptionFile::DescriptionFile(const RunDescription& description)

@@ -57,8 +57,8 @@ TEST(RunDescription, OfOtherTextIsRefusedWithTheName) {
             description_from(text, "run.json");
             FAIL() << text;
         } catch (const std::runtime_error& error) {
-            const std::string said = error.what();
-            EXPECT_EQ(said.rfind("run.json: expected the description of a run", 0), 0u) << said;
+            const std::string message = error.what();
+            EXPECT_EQ(message.rfind("run.json: expected the description of a run", 0), 0u) << message;
         }
 }
 
