@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <regex>
 
+#include "sim/hps/bridge_windows.h"
 #include "sim/project/qsys/sopcinfo.h"
 #include "sim/project/settings.h"
 

@@ -58,7 +58,8 @@ TEST(RunDescription, OfOtherTextIsRefusedWithTheName) {
             FAIL() << text;
         } catch (const std::runtime_error& error) {
             const std::string message = error.what();
-            EXPECT_EQ(message.rfind("run.json: expected the description of a run", 0), 0u) << message;
+            EXPECT_EQ(message.rfind("run.json: expected the description of a run", 0), 0u)
+                << message;
         }
 }
 

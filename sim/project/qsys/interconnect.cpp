@@ -1,11 +1,11 @@
 #include "sim/project/qsys/interconnect.h"
 
 #include <algorithm>
-#include <map>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include "sim/hps/bridge_windows.h"
 #include "sim/project/qsys/slave_agent.h"
 #include "sim/text/lower.h"
 
@@ -13,167 +13,20 @@ namespace sim::project::qsys {
 
 namespace {
 
-constexpr const char* FULL_MASTER = "h2f_axi_master";
-constexpr unsigned WIDEST = 1024, NATIVE = 32;  // bits of data
-constexpr unsigned DEEPEST = 20;                // bridges behind each other
-
-struct Master {
-    End end;
-    unsigned width;
-    std::string clock;
-    bool is_bridge;  // of the processor
-};
-
-struct Link {
-    std::size_t master, slave;
-    std::uint64_t base;
-    unsigned shares;
-};
-
 class Writer {
 public:
-    Writer(const Assembly& assembly, VerilogText& text) : assembly_{assembly}, text_{text} {}
+    Writer(const Assembly& assembly, VerilogText& text)
+        : assembly_{assembly}, text_{text}, map_{assembly} {}
 
     Interconnect run() {
-        masters_and_slaves();
+        out_.map = map_.places();
+        out_.notes = map_.notes();
         interconnect();
         return std::move(out_);
     }
 
 private:
-    // ---- Who is connected to whom ----
-
-    void masters_and_slaves() {
-        std::map<std::string, std::size_t> masters, slaves;
-        std::map<std::string, std::string> unreached;  // masters by the processor's slave
-        for (const Connection& c : assembly_.connections()) {
-            if (c.kind != Connection::Kind::AVALON) continue;
-            const End m = assembly_.end(c.start), s = assembly_.end(c.end);
-            if (s.is_processors()) {
-                std::string& names = unreached[c.end];
-                names += (names.empty() ? "" : ", ") + c.start;
-                continue;
-            }
-            if (!masters.count(c.start)) {
-                masters[c.start] = masters_.size();
-                masters_.push_back(master(m));
-            }
-            if (!slaves.count(c.end)) {
-                slaves[c.end] = slaves_.size();
-                slaves_.push_back(slave(s));
-            }
-            links_.push_back({masters[c.start], slaves[c.end], c.base, c.shares});
-        }
-        for (const auto& [slave, names] : unreached)
-            out_.notes.push_back(
-                fmt::format("{}: the processor's memory by {} is not simulated yet, for {}",
-                            assembly_.system().file.filename().string(), slave, names));
-        for (std::size_t n = 0; n < masters_.size(); ++n) check_addresses(n);
-        for (std::size_t n = 0; n < masters_.size(); ++n)
-            map_of(masters_[n], links_of(n), 0, std::uint64_t{1} << 32);
-    }
-
-    Master master(const End& e) {
-        const Assembly::Clock clock = assembly_.clock_of(e);
-        if (e.is_processors()) {
-            return {e, e.interface->number("dataWidth", 32), clock.root, true};
-        }
-        if (e.interface->type != "avalon")
-            assembly_.fail(
-                fmt::format("the master {} is of type {}, which is not simulated: "
-                            "expected avalon",
-                            e.name(), e.interface->type));
-        const Port* data = e.interface->port("readdata");
-        if (!data) data = e.interface->port("writedata");
-        if (!data || !e.interface->port("address"))
-            assembly_.fail(fmt::format("the master {} has no address, or no data", e.name()));
-        return {e, data->width, clock.root, false};
-    }
-
-    Slave slave(const End& e) {
-        const bool axi = is_axi(*e.interface);
-        if (!axi && e.interface->type != "avalon")
-            assembly_.fail(
-                fmt::format("the slave {} is of type {}, which is not simulated: "
-                            "expected avalon, apb, axi, axi4 or axi4lite",
-                            e.name(), e.interface->type));
-        const Port* read = e.interface->port(axi ? "rdata" : "readdata");
-        const Port* write = e.interface->port(axi ? "wdata" : "writedata");
-        const Port* address = e.interface->port(!axi ? "address" : write ? "awaddr" : "araddr");
-        if (!read && !write) assembly_.fail(fmt::format("the slave {} has no data", e.name()));
-        Slave s{e,
-                (read ? read : write)->width,
-                address ? address->width : 0,
-                0,
-                0,
-                read != nullptr,
-                write != nullptr,
-                assembly_.clock_of(e).root};
-        // Each word of a slave that is aligned so has a word of 32 bits of its own.
-        if (lower(e.interface->property("addressAlignment")) == "native")
-            s.width = std::max(s.width, NATIVE);
-        const std::uint64_t bytes = s.width / 8;
-        if (s.width % 8 || (s.width & (s.width - 1)) || s.width > WIDEST)
-            assembly_.fail(fmt::format("the slave {} has {} bits of data, expected 8, 16, ... 1024",
-                                       e.name(), s.width));
-        if (!axi && lower(e.interface->property("addressUnits", "WORDS")) != "symbols")
-            while (1u << s.shift < bytes) ++s.shift;
-        s.span = e.interface->number("explicitAddressSpan", 0);
-        if (s.span == 0) s.span = (std::uint64_t{1} << s.address_bits) << s.shift;
-        std::uint64_t whole = bytes;
-        while (whole < s.span) whole *= 2;
-        s.span = whole;
-        return s;
-    }
-
-    std::vector<Link> links_of(std::size_t master) const {
-        std::vector<Link> all;
-        for (const Link& link : links_)
-            if (link.master == master) all.push_back(link);
-        std::sort(all.begin(), all.end(),
-                  [](const Link& a, const Link& b) { return a.base < b.base; });
-        return all;
-    }
-
-    void check_addresses(std::size_t master) {
-        const std::vector<Link> all = links_of(master);
-        for (std::size_t n = 0; n < all.size(); ++n) {
-            const Slave& s = slaves_[all[n].slave];
-            if (all[n].base % s.span)
-                assembly_.fail(fmt::format("{} is at 0x{:x}, which is no multiple of its {} bytes",
-                                           s.end.name(), all[n].base, s.span));
-            if (n && all[n - 1].base + slaves_[all[n - 1].slave].span > all[n].base)
-                assembly_.fail(
-                    fmt::format("{} and {} have the same addresses of {}, from 0x{:x} on",
-                                slaves_[all[n - 1].slave].end.name(), s.end.name(),
-                                masters_[master].end.name(), all[n].base));
-        }
-    }
-
-    // What `master` reaches, also through bridges, from `base` on.
-    void map_of(const Master& master, const std::vector<Link>& links, std::uint64_t base,
-                std::uint64_t end, unsigned depth = 0) {
-        for (const Link& link : links) {
-            const Slave& s = slaves_[link.slave];
-            const std::uint64_t first = base + link.base;
-            if (first >= end) continue;
-            const std::string through = s.end.interface->property("bridgesToMaster");
-            const std::string after = s.end.instance->name + "." + through;
-            const auto next = std::find_if(masters_.begin(), masters_.end(),
-                                           [&](const Master& m) { return m.end.name() == after; });
-            if (through.empty() || next == masters_.end() || depth == DEEPEST)
-                out_.map.push_back({master.end.name(), s.end.name(), first, s.span, s.reads,
-                                    s.writes, window_of(master)});
-            else
-                map_of(master, links_of(static_cast<std::size_t>(next - masters_.begin())), first,
-                       std::min(end, first + s.span), depth + 1);
-        }
-    }
-
-    static std::uint32_t window_of(const Master& m) {
-        if (!m.is_bridge) return 0;
-        return m.end.interface->name == FULL_MASTER ? H2F_BASE : LW_BASE;
-    }
+    const std::vector<Slave>& slaves() const { return map_.slaves(); }
 
     // ---- The pieces ----
 
@@ -210,29 +63,29 @@ private:
     }
 
     void interconnect() {
-        std::vector<std::vector<std::pair<Bus, unsigned>>> asked(slaves_.size());
-        for (std::size_t m = 0; m < masters_.size(); ++m) {
-            const std::vector<Link> links = links_of(m);
-            text_.section("From " + masters_[m].end.name());
-            const Bus own = agent_of(masters_[m]);
+        std::vector<std::vector<std::pair<Bus, unsigned>>> asked(slaves().size());
+        for (std::size_t m = 0; m < map_.masters().size(); ++m) {
+            const std::vector<Link> links = map_.links_of(m);
+            text_.section("From " + map_.masters()[m].end.name());
+            const Bus own = agent_of(map_.masters()[m]);
             std::vector<Bus> ways;
             for (const Link& link : links)
-                ways.push_back(bus(fmt::format("{}_to_{}", short_name(masters_[m].end),
-                                               short_name(slaves_[link.slave].end)),
+                ways.push_back(bus(fmt::format("{}_to_{}", short_name(map_.masters()[m].end),
+                                               short_name(slaves()[link.slave].end)),
                                    own.width, own.clock, own.reset));
             decode(own, links, ways);
             for (std::size_t n = 0; n < links.size(); ++n) {
-                const Slave& s = slaves_[links[n].slave];
+                const Slave& s = slaves()[links[n].slave];
                 Bus way = ways[n];
-                if (masters_[m].clock != s.clock) way = crossed(way, s);
+                if (map_.masters()[m].clock != s.clock) way = crossed(way, s);
                 if (way.width != s.width) way = fitted(way, s);
                 asked[links[n].slave].emplace_back(way, links[n].shares);
             }
         }
-        for (std::size_t n = 0; n < slaves_.size(); ++n) {
-            text_.section("To " + slaves_[n].end.name());
-            write_slave_agent(assembly_, text_, slaves_[n], arbitrated(slaves_[n], asked[n]),
-                              short_name(slaves_[n].end) + "_agent", out_.notes);
+        for (std::size_t n = 0; n < slaves().size(); ++n) {
+            text_.section("To " + slaves()[n].end.name());
+            write_slave_agent(assembly_, text_, slaves()[n], arbitrated(slaves()[n], asked[n]),
+                              short_name(slaves()[n].end) + "_agent", out_.notes);
         }
     }
 
@@ -241,11 +94,10 @@ private:
         const Bus own = bus("from_" + short_name(m.end), m.width, clock.wire,
                             m.is_bridge ? "1'b0" : assembly_.reset_of(m.end));
         if (m.is_bridge) {
-            text_.line(
-                fmt::format("de1sim_hps_bridge #(.FULL({}), .WIDTH({})) {}_agent (\n"
-                            "        .clk_i({}),\n        {}\n    );",
-                            m.end.interface->name == FULL_MASTER ? 1 : 0, m.width, own.name,
-                            own.clock, asks(own)));
+            text_.line(fmt::format(
+                "de1sim_hps_bridge #(.FULL({}), .WIDTH({})) {}_agent (\n"
+                "        .clk_i({}),\n        {}\n    );",
+                window_of(m) == H2F_BASE ? 1 : 0, m.width, own.name, own.clock, asks(own)));
             return own;
         }
         const Interface& i = *m.end.interface;
@@ -281,18 +133,19 @@ private:
         // Addresses are decoded up to the end of the highest slave; above they repeat.
         std::uint64_t end = 1;
         for (const Link& link : links)
-            while (end < link.base + slaves_[link.slave].span) end *= 2;
+            while (end < link.base + slaves()[link.slave].span) end *= 2;
         unsigned bits = 0;
         while (std::uint64_t{1} << bits < end) ++bits;
-        if (const Master& m = masters_[links.front().master]; m.is_bridge)
-            out_.bridges.push_back({window_of(m), m.width, end,
-                                    slaves_[links[default_of(links, false)].slave].end.name(),
-                                    slaves_[links[default_of(links, true)].slave].end.name()});
+        if (const Master& m = map_.masters()[links.front().master]; m.is_bridge)
+            out_.bridges.push_back(
+                {window_of(m), m.width, end,
+                 slaves()[links[map_.default_of(links, false)].slave].end.name(),
+                 slaves()[links[map_.default_of(links, true)].slave].end.name()});
         const std::string hit = own.name + "_hit";
         text_.wire(hit, static_cast<unsigned>(count));
         std::vector<std::string> inside;
         for (std::size_t n = 0; n < count; ++n) {
-            const Slave& s = slaves_[links[n].slave];
+            const Slave& s = slaves()[links[n].slave];
             unsigned low = 0;
             while (std::uint64_t{1} << low < s.span) ++low;
             const std::string name = fmt::format("{}_in_{}", own.name, short_name(s.end));
@@ -315,7 +168,8 @@ private:
         text_.line(fmt::format("assign {} = !({});", nobody, others));
         for (std::size_t n = 0; n < count; ++n) {
             std::string how;
-            const bool reads = default_of(links, false) == n, writes = default_of(links, true) == n;
+            const bool reads = map_.default_of(links, false) == n,
+                       writes = map_.default_of(links, true) == n;
             if (reads && writes)
                 how = fmt::format(" || {}", nobody);
             else if (reads)
@@ -340,17 +194,6 @@ private:
                         "        .rdata_i({8})\n    );",
                         count, own.width, own.name, own.clock, own.reset, all("_valid"),
                         all("_ready"), all("_rvalid"), all("_rdata")));
-    }
-
-    std::size_t default_of(const std::vector<Link>& links, bool write) const {
-        std::size_t best = links.size(), largest = 0;
-        for (std::size_t n = 0; n < links.size(); ++n) {
-            const Slave& s = slaves_[links[n].slave];
-            if (s.span > slaves_[links[largest].slave].span) largest = n;
-            if (!(write ? s.writes : s.reads)) continue;
-            if (best == links.size() || s.span > slaves_[links[best].slave].span) best = n;
-        }
-        return best == links.size() ? largest : best;  // who then must answer
     }
 
     Bus crossed(const Bus& way, const Slave& s) {
@@ -403,10 +246,8 @@ private:
 
     const Assembly& assembly_;
     VerilogText& text_;
+    const MemoryMap map_;
     Interconnect out_;
-    std::vector<Master> masters_;
-    std::vector<Slave> slaves_;
-    std::vector<Link> links_;
 };
 
 }  // namespace

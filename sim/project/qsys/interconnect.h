@@ -13,20 +13,11 @@
 #include <string>
 #include <vector>
 
-#include "sim/hps/bridge_windows.h"
 #include "sim/project/qsys/assembly.h"
+#include "sim/project/qsys/memory_map.h"
 #include "sim/project/qsys/verilog_text.h"
 
 namespace sim::project::qsys {
-
-// What a master reaches.
-struct Place {
-    std::string master;  // "hps_0.h2f_lw_axi_master"
-    std::string slave;   // "led.s1"
-    std::uint64_t base, span;
-    bool reads, writes;
-    std::uint32_t window;  // of the processor's bridge, in its addresses; 0 for other masters
-};
 
 // A bridge of the processor with something behind it.
 struct Bridge {
@@ -42,8 +33,7 @@ struct Interconnect {
     std::vector<std::string> notes;
 };
 
-// Writes it.  ProjectError: a slave whose base is not a multiple of its span, two at one address, a
-// width that Avalon has not.
+// Writes it.  ProjectError: as of MemoryMap.
 Interconnect write_interconnect(const Assembly& assembly, VerilogText& text);
 
 }  // namespace sim::project::qsys

@@ -129,10 +129,6 @@ std::string Bus::is_asked() const {
         name);
 }
 
-bool is_axi(const Interface& slave) {
-    return slave.type == "axi" || slave.type == "axi4" || slave.type == "axi4lite";
-}
-
 void write_slave_agent(const Assembly& assembly, VerilogText& text, const Slave& slave,
                        const Bus& from, const std::string& name, std::vector<std::string>& notes) {
     Agent agent{assembly, text, slave, from, name};

@@ -1,11 +1,11 @@
 // slave_agent.h - what joins the commands of the interconnect with a slave's own signals
 #pragma once
 
-#include <cstdint>
 #include <string>
 #include <vector>
 
 #include "sim/project/qsys/assembly.h"
+#include "sim/project/qsys/memory_map.h"
 #include "sim/project/qsys/verilog_text.h"
 
 namespace sim::project::qsys {
@@ -19,16 +19,6 @@ struct Bus {
 
     std::string is_asked() const;  // its connections to a module's ports that are asked
 };
-
-struct Slave {
-    End end;
-    unsigned width, address_bits, shift;
-    std::uint64_t span;
-    bool reads, writes;
-    std::string clock;  // its root
-};
-
-bool is_axi(const Interface& slave);  // AXI3, AXI4 or AXI4-Lite
 
 // Writes the agent as an instance `name`, and what else the slave's inputs get.  Adds a note where
 // the slave can report an error, which is not passed on.
