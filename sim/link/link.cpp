@@ -33,8 +33,8 @@ constexpr const char* PREFIX = "arm-linux-gnueabihf-";
 constexpr unsigned LIMIT_S = 600;
 constexpr std::size_t MOST_REGIONS = 8;  // KMOD_REGIONS of sw/kmod/nodes.h
 
-// The program's calls that kmod.c looks at.  libc has the second of a name for files or times of
-// 64 bits.
+// The program's calls that kmod_files.c looks at.  libc has the second of a name for files or times
+// of 64 bits.
 constexpr const char* WRAPPED[] = {"main",    "open",           "open64", "close",  "read",
                                    "write",   "ioctl",          "lseek",  "mmap",   "fopen",
                                    "fopen64", "__ioctl_time64", "mmap64", "lseek64"};
@@ -141,8 +141,9 @@ public:
         const fs::path kmod = project::data_folder() / "kmod";
         write_whole_file(folder_.path() / "nodes.c", nodes_text(devices()));
         const std::vector<std::string> own{"-std=gnu11", "-O2", "-I" + kmod.string(), "-c"};
-        std::vector<std::string> objects{compiled("gcc", own, kmod / "kmod.c"),
-                                         compiled("gcc", own, folder_.path() / "nodes.c")};
+        std::vector<std::string> objects{compiled("gcc", own, folder_.path() / "nodes.c")};
+        for (const char* name : {"kmod.c", "kmod_files.c", "kmod_library.c"})
+            objects.push_back(compiled("gcc", own, kmod / name));
         bool is_cpp = false;
         for (const fs::path& file : options_.files) {
             const std::string extension = file.extension().string();

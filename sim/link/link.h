@@ -1,8 +1,8 @@
 // link.h - `de1sim link`: kernel modules and the program that uses them, as one ARM program
 //
 // A C file that includes <linux/module.h> or <linux/init.h> is a module and is compiled against
-// sw/kmod/kmod.h; the others are the program.  All are linked statically with sw/kmod/kmod.c and
-// with the devices of the project's Platform Designer system, so that the program's open(), ioctl()
+// sw/kmod/kmod.h; the others are the program.  All are linked statically with sw/kmod and with
+// the devices of the project's Platform Designer system, so that the program's open(), ioctl()
 // and their like reach the module.  It runs on the board's Linux as it does here.
 #pragma once
 

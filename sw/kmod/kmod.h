@@ -1,9 +1,9 @@
 // kmod.h - what a Linux kernel module for this board includes, where it runs in its program
 //
 // `de1sim link` compiles a module against this file in place of the kernel's headers, and links it
-// with the program that uses it and with kmod.c.  Names, arguments and results are the kernel's.
-// The program's open("/dev/NAME"), fopen, ioctl, read, write, lseek, mmap and close go to the
-// module, and those of its attributes in /sys.
+// with the program that uses it and with the C files here.  Names, arguments and results are the
+// kernel's. The program's open("/dev/NAME"), fopen, ioctl, read, write, lseek, mmap and close go to
+// the module, and those of its attributes in /sys.
 //
 // The processor's memory and the program's are the same here, so copy_from_user() copies; registers
 // are mapped from /dev/mem, so ioread32() loads.  A device is found by its `compatible`, in the
