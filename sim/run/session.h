@@ -61,7 +61,7 @@ struct System {
 private:
     std::unique_ptr<Chip> chip_for(const RunPlan& plan, ProcessorSystem::Software software,
                                    const std::optional<project::Built>& built,
-                                   const std::string& trace, PinListener& pins,
+                                   const std::string& trace_part, PinListener& pins,
                                    ChipObserver& observer, std::uint8_t* sdram);
 };
 
