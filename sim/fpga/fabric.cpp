@@ -209,11 +209,13 @@ void Fabric::run(std::uint64_t clocks) {
 }
 
 // The registers change in clocks of their groups alone, and these wake by themselves when their
-// time has come, at the frame's end, or by a pair of samples from the audio clock.  The frame ends
-// with a line, and a pair is seen one edge of that clock before it comes.
+// time has come, at the frame's end, by a pair of samples from the audio clock, or when the
+// characters have been cleared.  The frame ends with a line, and a pair is seen one edge of that
+// clock before it comes.
 std::uint64_t Fabric::calm() const {
     constexpr std::uint64_t LINE = 800;
-    if (td_on_ || moved_ || model_->pins_may_move() || model_->last_line()) return 0;
+    if (td_on_ || moved_ || model_->pins_may_move()) return 0;
+    if (model_->cells_awake() || model_->last_line()) return 0;
     if (!(in == applied_) || !(jtag == applied_jtag_)) return 0;
     AsynchronousClock audio = audio_clock_;
     if (!model_->pair_comes()) audio.next(), audio.next();

@@ -86,9 +86,10 @@ struct Fabric::Model {
     void notify_moved(std::uint8_t moved) { top.rootp->fpga__DOT__clocks__DOT__moved = moved; }
 #endif
     // For Fabric::calm(): for how many clocks no block of registers wakes, if all sleep; whether
-    // the beam is in the line before a frame's end; whether a pair of samples comes with the next
-    // edge of the audio clock.
+    // the characters are being cleared, which a register shows; whether the beam is in the line
+    // before a frame's end; whether a pair of samples comes with the next edge of the audio clock.
     std::uint64_t ports_rest() const;
+    bool cells_awake() const;
     bool last_line() const;
     bool pair_comes() const;
     AxiPort &port(Bridge bridge) { return bridge == Bridge::LIGHTWEIGHT ? lw : h2f; }
@@ -123,6 +124,8 @@ inline std::uint64_t Fabric::Model::ports_rest() const {
                           root.fpga__DOT__clocks__DOT__timer1_rest});
 }
 
+inline bool Fabric::Model::cells_awake() const { return top.rootp->fpga__DOT__cells_awake; }
+
 inline bool Fabric::Model::last_line() const {
     constexpr unsigned LAST_SHOWN = 479;
     return top.rootp->fpga__DOT__video_block__DOT__vga_block__DOT__timing__DOT__v_o == LAST_SHOWN;
@@ -133,6 +136,7 @@ inline bool Fabric::Model::pair_comes() const {
 }
 #else
 inline std::uint64_t Fabric::Model::ports_rest() const { return 0; }
+inline bool Fabric::Model::cells_awake() const { return true; }
 inline bool Fabric::Model::last_line() const { return true; }
 inline bool Fabric::Model::pair_comes() const { return true; }
 #endif
