@@ -12,6 +12,13 @@ namespace {
 // Bits of hold() and release().
 constexpr unsigned ALL_KEYS = 0x0F, HPS_KEY = 0x10;
 
+// Where the keypad's D7 to D0 are: JP1 D7 to D0, unless it is among the parts.
+HeaderPinList keypad_pins(const std::vector<PartPlan>& plans) {
+    for (const PartPlan& plan : plans)
+        if (plan.kind == "keypad") return plan.pins;
+    return {9, 8, 7, 6, 5, 4, 3, 1};  // header_bits.h
+}
+
 }  // namespace
 
 Board::Board(const sc_core::sc_module_name& name, BoardObserver& observer, std::uint64_t seed,
@@ -46,9 +53,9 @@ Board::Board(const sc_core::sc_module_name& name, BoardObserver& observer, std::
                 return keypad.levels(driven, enable);
             },
             keypad_pins(part_plans), [&observer](const std::string& line) { observer.log(line); }},
-      parts{part_plans, agenda,
-            [this](const HeaderMasks& pins, PinLevel level) { wires.part(pins, level); },
-            [this] { headers_moved(); }} {
+      parts{part_plans,
+            {agenda, [this](const HeaderMasks& pins, PinLevel level) { wires.part(pins, level); },
+             [this] { headers_moved(); }}} {
     const auto plugged = [this](Ps2Plug plug) -> Ps2Device* {
         switch (plug) {
             case Ps2Plug::KEYBOARD: return &ps2_keyboard;
@@ -121,17 +128,6 @@ void Board::drive_pins(const HeaderMasks& pins, PinLevel level) {
         wires.hand(pins, level);
         headers_moved();
     });
-}
-
-void Board::close_contact(const std::string& part, bool closed) {
-    act([this, part, closed] {
-        parts.close(part, closed);
-        headers_moved();
-    });
-}
-
-void Board::type_at(const std::string& part, const std::string& text) {
-    act([this, part, text] { parts.terminal(part).type(text); });
 }
 
 // ---- Lamps ----

@@ -79,11 +79,6 @@ public:
     // Drives pins of the headers by hand.
     void drive_pins(const HeaderMasks& pins, PinLevel level);
 
-    // At a terminal of the parts.
-    void type_at(const std::string& part, const std::string& text);
-    // A button or a switch of the parts.
-    void close_contact(const std::string& part, bool closed);
-
     // At that terminal; or at those where a program listens, the first JTAG UART's and a Linux
     // console, if there is one.
     void type(const std::string& text, std::optional<SerialLine> to) {

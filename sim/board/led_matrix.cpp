@@ -1,6 +1,7 @@
 #include "sim/board/led_matrix.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace sim {
 
@@ -18,18 +19,18 @@ HeaderMasks both(const HeaderPinList& some, const HeaderPinList& others) {
 
 }  // namespace
 
-LedMatrix::LedMatrix(const PartPlan& plan)
-    : plan_{plan},
-      wires_{both(plan.pins, plan.columns)},
-      width_{plan.columns.empty() ? 1 : static_cast<unsigned>(plan.columns.size())},
-      lit_(plan.rows()),
-      lamps_{static_cast<unsigned>(plan.rows()) * width_} {}
+LedMatrix::LedMatrix(Wiring wiring)
+    : wiring_{std::move(wiring)},
+      wires_{both(wiring_.rows, wiring_.columns)},
+      width_{wiring_.columns.empty() ? 1 : static_cast<unsigned>(wiring_.columns.size())},
+      lit_(wiring_.row_count()),
+      lamps_{wiring_.row_count() * width_} {}
 
 std::uint64_t LedMatrix::shown_rows(const HeaderMasks& levels) const {
-    if (!plan_.coded_rows)
-        return gathered(levels, plan_.pins) ^ (plan_.high ? 0 : ~std::uint64_t{0});
+    if (!wiring_.coded_rows)
+        return gathered(levels, wiring_.rows) ^ (wiring_.row_lit ? 0 : ~std::uint64_t{0});
     unsigned number = 0;
-    for (const HeaderPin pin : plan_.pins) number = number << 1 | unsigned{is_high(levels, pin)};
+    for (const HeaderPin pin : wiring_.rows) number = number << 1 | unsigned{is_high(levels, pin)};
     return std::uint64_t{1} << number;
 }
 
@@ -40,9 +41,9 @@ void LedMatrix::look(const HeaderMasks& levels, std::uint64_t time_ps) {
     levels_here_ = now_here;
     const std::uint64_t rows = shown_rows(levels);
     const std::uint64_t columns =
-        plan_.columns.empty() ? 1
-                              : gathered(levels, plan_.columns) ^
-                                    (plan_.column_high ? 0 : (std::uint64_t{1} << width_) - 1);
+        wiring_.columns.empty() ? 1
+                                : gathered(levels, wiring_.columns) ^
+                                      (wiring_.column_lit ? 0 : (std::uint64_t{1} << width_) - 1);
     lamps_.pass(time_ps);
     for (unsigned row = 0; row < lit_.size(); ++row) {
         const std::uint64_t now = rows >> row & 1 ? columns : 0;

@@ -12,19 +12,27 @@
 #include <string>
 #include <vector>
 
+#include "sim/board/header_part.h"
 #include "sim/board/lamp.h"
-#include "sim/board/part_plan.h"
 
 namespace sim {
 
-class LedMatrix {
+class LedMatrix : public HeaderPart {
 public:
-    explicit LedMatrix(const PartPlan& plan);
+    struct Wiring {
+        HeaderPinList rows;                       // from the top
+        HeaderPinList columns;                    // from the left; none: one LED per row
+        bool row_lit = true, column_lit = false;  // the levels that light an LED
+        // The pins of `rows` are a number, bit 0 last: the row that is shown, 0 at the top.
+        bool coded_rows = false;
 
-    const std::string& name() const { return plan_.name; }
+        unsigned row_count() const {
+            return static_cast<unsigned>(coded_rows ? std::size_t{1} << rows.size() : rows.size());
+        }
+    };
+    explicit LedMatrix(Wiring wiring);
 
-    // The wires have these levels from now on.
-    void look(const HeaderMasks& levels, std::uint64_t time_ps);
+    void look(const HeaderMasks& levels, std::uint64_t time_ps) override;
 
     bool lit(std::uint64_t time_ps);  // the first LED
     // A line per row: `#` is lit, `+` has less than a third of the brightest one's light, `.` is
@@ -34,7 +42,7 @@ public:
 private:
     std::uint64_t shown_rows(const HeaderMasks& levels) const;
 
-    const PartPlan plan_;
+    const Wiring wiring_;
     const HeaderMasks wires_;
     const unsigned width_;
     HeaderMasks levels_here_{};

@@ -6,12 +6,12 @@
 // Not handled: the touch screen's converter.
 #pragma once
 
+#include "sim/board/header_part.h"
 #include "sim/board/ili9341.h"
-#include "sim/pins/header_pin.h"
 
 namespace sim {
 
-class Lt24 {
+class Lt24 : public HeaderPart {
 public:
     // Those of GPIO_0 or GPIO_1 that it is on.
     static HeaderPinList pins(unsigned header) {
@@ -24,8 +24,7 @@ public:
 
     explicit Lt24(unsigned header) : header_{header} {}
 
-    // The wires have these levels from now on.
-    void look(const HeaderMasks& levels) {
+    void look(const HeaderMasks& levels, std::uint64_t) override {
         const std::uint64_t now = levels[header_] & PINS;
         if (now == before_) return;
         before_ = now;

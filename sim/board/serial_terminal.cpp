@@ -10,13 +10,15 @@ constexpr unsigned FRAME_BITS = 10;  // with start and stop
 
 }  // namespace
 
-SerialTerminal::SerialTerminal(Agenda& agenda, unsigned baud, std::function<void(bool)> drive)
-    : agenda_{agenda}, baud_{baud}, drive_{std::move(drive)} {}
+SerialTerminal::SerialTerminal(HeaderPin rx, HeaderPin tx, unsigned baud, const PartSocket& socket)
+    : rx_{rx}, tx_{mask_of({tx})}, baud_{baud}, socket_{socket} {
+    socket_.drive(tx_, PinLevel::HIGH);
+}
 
-void SerialTerminal::look(bool level) {
-    const bool before = std::exchange(level_, level);
-    if (!before || level || sampling_.is_set()) return;
-    begin_ps_ = agenda_.now_ps();
+void SerialTerminal::look(const HeaderMasks& levels, std::uint64_t) {
+    const bool before = std::exchange(level_, is_high(levels, rx_));
+    if (!before || level_ || sampling_.is_set()) return;
+    begin_ps_ = socket_.agenda.now_ps();
     taken_ = 0;
     sampling_.set(after(begin_ps_, 1));
 }
@@ -39,7 +41,7 @@ void SerialTerminal::sample() {
 void SerialTerminal::type(const std::string& text) {
     typed_.insert(typed_.end(), text.begin(), text.end());
     if (sending_.is_set() || typed_.empty()) return;
-    sending_since_ps_ = agenda_.now_ps();
+    sending_since_ps_ = socket_.agenda.now_ps();
     sent_ = 0;
     sending_.set(sending_since_ps_);
 }
@@ -52,7 +54,9 @@ void SerialTerminal::send() {
         if (typed_.empty()) return;
     }
     const auto byte = static_cast<std::uint8_t>(typed_.front());
-    drive_(sent_ == 0 ? false : sent_ == FRAME_BITS - 1 || (byte >> (sent_ - 1) & 1));
+    const bool one = sent_ > 0 && (sent_ == FRAME_BITS - 1 || (byte >> (sent_ - 1) & 1));
+    socket_.drive(tx_, one ? PinLevel::HIGH : PinLevel::LOW);
+    socket_.moved();
     ++sent_;
     sending_.set(after(sending_since_ps_, 2 * sent_));
 }

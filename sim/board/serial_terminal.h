@@ -14,19 +14,18 @@
 #include <functional>
 #include <string>
 
-#include "sim/pins/agenda.h"
+#include "sim/board/header_part.h"
 
 namespace sim {
 
-class SerialTerminal {
+class SerialTerminal : public HeaderPart {
 public:
     static constexpr std::size_t MOST = 1 << 16;  // bytes that are kept of what it received
 
-    // `drive` puts a level on its wire to the FPGA, which is high before the first call.
-    SerialTerminal(Agenda& agenda, unsigned baud, std::function<void(bool level)> drive);
+    // `rx` is the wire from the FPGA; `tx` that to the FPGA, which begins high.
+    SerialTerminal(HeaderPin rx, HeaderPin tx, unsigned baud, const PartSocket& socket);
 
-    // The level of the wire from the FPGA, from now on.
-    void look(bool level);
+    void look(const HeaderMasks& levels, std::uint64_t time_ps) override;
     void type(const std::string& text);
 
     // Called with each byte received.
@@ -43,9 +42,10 @@ private:
     void sample();
     void send();
 
-    Agenda& agenda_;
+    const HeaderPin rx_;
+    const HeaderMasks tx_;
     const std::uint64_t baud_;
-    const std::function<void(bool)> drive_;
+    const PartSocket& socket_;
 
     bool level_ = true;
     unsigned taken_ = 0;  // bits, the start bit included
@@ -53,12 +53,12 @@ private:
     std::uint8_t byte_ = 0;
     std::string received_;
     std::uint64_t lost_ = 0;
-    PartTimer sampling_{agenda_, [this] { sample(); }};
+    PartTimer sampling_{socket_.agenda, [this] { sample(); }};
 
     std::deque<char> typed_;
     unsigned sent_ = 0;  // bits of the first of them
     std::uint64_t sending_since_ps_ = 0;
-    PartTimer sending_{agenda_, [this] { send(); }};
+    PartTimer sending_{socket_.agenda, [this] { send(); }};
 };
 
 }  // namespace sim

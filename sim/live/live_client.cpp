@@ -1,5 +1,7 @@
 #include "sim/live/live_client.h"
 
+#include "sim/board/serial_terminal.h"
+
 namespace sim::live {
 
 void LiveClient::attach(const Access& access) {
@@ -16,7 +18,7 @@ void LiveClient::attach(const Access& access) {
     access.runner.on_terminal = [this](const std::string& part, char byte) {
         view_.terminal(part, byte);
     };
-    access.board.parts.for_each_terminal(
+    access.board.parts.for_each<SerialTerminal>(
         [this](const std::string& part, SerialTerminal&) { view_.add_terminal(part); });
     player_.emplace("live_player", access.runner, view_, *inside_, wire_, access.plan);
 }

@@ -9,6 +9,8 @@
 #include <vector>
 
 #include "regmap.h"
+#include "sim/board/led_matrix.h"
+#include "sim/board/serial_terminal.h"
 #include "sim/files/sha256.h"
 #include "sim/report/tap.h"
 #include "sim/run/missed_interrupts.h"
@@ -138,9 +140,10 @@ void add_results(RunReport& report, Board& board, ProcessorSystem* processor, Co
     board.lamps();  // so that the log has come to now
     report.shown = recorder.lamp_log().shown(headers);
     report.lamps = recorder.lamp_log().text(headers);
-    for (auto& [name, leds] : board.parts.all_leds())
+    board.parts.for_each<LedMatrix>([&report](const std::string& name, LedMatrix& leds) {
         report.leds.push_back({name, leds.picture(sc_core::sc_time_stamp().value())});
-    board.parts.for_each_terminal(
+    });
+    board.parts.for_each<SerialTerminal>(
         [&report](const std::string& name, const SerialTerminal& terminal) {
             report.terminals.push_back({name, terminal.received(), terminal.lost()});
             if (terminal.lost())

@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/board/header.h"
+#include "sim/board/header_part.h"
 #include "sim/board/ps2_ports.h"
 #include "sim/board/sound_source.h"
 #include "sim/files/png.h"
@@ -47,14 +47,10 @@ public:
     virtual void hold(const Controls& controls, SimTime bounce) = 0;
     virtual void release(const Controls& controls, SimTime bounce) = 0;
     virtual void drive_pins(const HeaderMasks& pins, PinLevel level) = 0;
-    // A button or a switch of the parts, by its name.
-    virtual void close_contact(const std::string& part, bool closed) = 0;
     virtual void set_voltage(unsigned channel, double volts) = 0;  // at the AD converter
     virtual void accelerate(double x, double y, double z) = 0;     // in g, felt from now on
     // Goes on at once.  Without `to` at the terminals where a program listens: Board::type().
     virtual void type_serial(const std::string& text, std::optional<SerialLine> to) = 0;
-    // At a terminal among the parts; goes on at once.
-    virtual void type_at(const std::string& part, const std::string& text) = 0;
     virtual void type_keys(const std::string& text) = 0;  // goes on at once
     virtual void hold_key(std::uint16_t code) = 0;        // of the keyboard, see scan_codes.h
     virtual void release_key(std::uint16_t code) = 0;
@@ -81,9 +77,23 @@ public:
     virtual HexSegments hex() = 0;
     virtual bool hps_led() = 0;
     virtual HeaderMasks header_levels() = 0;
-    virtual bool led_is_lit(const std::string& part) = 0;  // parts, by their names
-    virtual Image lt24_picture() = 0;
-    virtual std::vector<std::string> matrix_rows(const std::string& part) = 0;
+
+    // ---- The parts on the headers ----
+
+    // By its name; StaticChecks::need_part() has found it.  To act on it, within act(); to observe
+    // it, after now_ps().
+    template <class Kind>
+    Kind& part(const std::string& name) {
+        return dynamic_cast<Kind&>(header_part(name));
+    }
+    // Carries out `action` now, once the chip has come to the present.
+    virtual void act(std::function<void()> action) = 0;
+    // The same with a control, by any name, that a finger presses: 50 ms later if it has just let
+    // go of it.
+    virtual void press(const std::string& control, std::function<void()> action) = 0;
+    virtual void let_go(const std::string& control, std::function<void()> action) = 0;
+    // Lets the chip come to the present.
+    virtual std::uint64_t now_ps() = 0;
 
     // ---- The output folder ----
 
@@ -93,6 +103,9 @@ public:
 
 protected:
     ~BoardControl() = default;
+
+private:
+    virtual HeaderPart& header_part(const std::string& name) = 0;
 };
 
 }  // namespace sim

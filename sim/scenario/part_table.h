@@ -3,19 +3,15 @@
 
 #include <vector>
 
-#include "sim/board/part_plan.h"
-#include "sim/scenario/step_form.h"
+#include "sim/scenario/part_form.h"
 
 namespace sim {
 
-using PartForm = Form<PartPlan>;
-
+// Those of all the files in parts/, in the order of their names.
 const std::vector<PartForm>& part_forms();
+const std::vector<StepForm>& steps_on_parts();
 
 // Throws Refusal where two parts have one name or one pin.
 void check_parts(const std::vector<PartPlan>& parts);
-
-// "a button", for messages.
-const char* kind_name(PartPlan::Kind kind);
 
 }  // namespace sim

@@ -120,6 +120,9 @@ PartPlan read_part(const Path& folder, const YamlNode& node) {
     const auto [form, values] =
         read_item(folder, part_forms(), node, "part", "keypad: GPIO_1[7:0]");
     PartPlan part = form.make(values);
+    part.kind = form.name;
+    part.name = values.get<std::string>("name", form.name);
+    part.line = values.line();
     part.column = node.keys[0].column;
     return part;
 }

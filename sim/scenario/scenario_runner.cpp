@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "sim/board/serial_terminal.h"
 #include "sim/files/whole_file.h"
 #include "sim/text/seconds.h"
 
@@ -32,13 +33,14 @@ ScenarioRunner::ScenarioRunner(const sc_core::sc_module_name& name, Board& board
       out_{std::move(out)} {
     observations_.frame_shown = [this] { perceive(frame_shown_); };
     observations_.printed = [this] { perceive(printed_); };
-    board_.parts.for_each_terminal([this](const std::string& part, SerialTerminal& terminal) {
-        terminal.heard = [this, part, &text = terminals_[part]](char byte) {
-            text.print(byte);
-            on_terminal(part, byte);
-            perceive(printed_);
-        };
-    });
+    board_.parts.for_each<SerialTerminal>(
+        [this](const std::string& part, SerialTerminal& terminal) {
+            terminal.heard = [this, part, &text = terminals_[part]](char byte) {
+                text.print(byte);
+                on_terminal(part, byte);
+                perceive(printed_);
+            };
+        });
     SC_HAS_PROCESS(ScenarioRunner);
     SC_THREAD(run);
 }
@@ -107,6 +109,14 @@ void ScenarioRunner::before_press(const std::string& control) {
     if (hands_.has_just_let_go(control)) sc_module::wait(Hands::pause());
 }
 
+void ScenarioRunner::press(const std::string& control, std::function<void()> action) {
+    before_press(control);
+    board_.act(std::move(action));
+}
+void ScenarioRunner::let_go(const std::string& control, std::function<void()> action) {
+    board_.act(std::move(action));
+    hands_.let_go(control);
+}
 void ScenarioRunner::hold(const Controls& c, SimTime bounce) {
     for (const unsigned number : control_numbers(c)) before_press(control_name(number));
     board_.hold(c.keypad, c.keys, c.switches, bounce.ps);
@@ -118,12 +128,6 @@ void ScenarioRunner::release(const Controls& c, SimTime bounce) {
 void ScenarioRunner::drive_pins(const HeaderMasks& pins, PinLevel level) {
     board_.drive_pins(pins, level);
 }
-void ScenarioRunner::close_contact(const std::string& part, bool closed) {
-    const std::string control = "part " + part;
-    if (closed && board_.parts.is_button(part)) before_press(control);
-    board_.close_contact(part, closed);
-    if (!closed) hands_.let_go(control);
-}
 void ScenarioRunner::set_voltage(unsigned channel, double volts) {
     board_.set_voltage(channel, volts);
 }
@@ -131,19 +135,14 @@ void ScenarioRunner::accelerate(double x, double y, double z) { board_.accelerat
 void ScenarioRunner::type_serial(const std::string& text, std::optional<SerialLine> to) {
     board_.type(text, to);
 }
-void ScenarioRunner::type_at(const std::string& part, const std::string& text) {
-    board_.type_at(part, text);
-}
 void ScenarioRunner::type_keys(const std::string& text) {
     board_.act([this, text] { board_.ps2_keyboard.type(text); });
 }
 void ScenarioRunner::hold_key(std::uint16_t code) {
-    before_press("code " + std::to_string(code));
-    board_.act([this, code] { board_.ps2_keyboard.press(code); });
+    press("code " + std::to_string(code), [this, code] { board_.ps2_keyboard.press(code); });
 }
 void ScenarioRunner::release_key(std::uint16_t code) {
-    board_.act([this, code] { board_.ps2_keyboard.release(code); });
-    hands_.let_go("code " + std::to_string(code));
+    let_go("code " + std::to_string(code), [this, code] { board_.ps2_keyboard.release(code); });
 }
 void ScenarioRunner::press_remote(std::uint8_t button) {
     board_.act([this, button] { board_.remote_control.press(button); });
@@ -155,12 +154,10 @@ void ScenarioRunner::turn_wheel(int notches) {
     board_.act([this, notches] { board_.ps2_mouse.turn(notches); });
 }
 void ScenarioRunner::hold_button(MouseButton button) {
-    before_press(name_of(button));
-    board_.act([this, button] { board_.ps2_mouse.button(button, true); });
+    press(name_of(button), [this, button] { board_.ps2_mouse.button(button, true); });
 }
 void ScenarioRunner::release_button(MouseButton button) {
-    board_.act([this, button] { board_.ps2_mouse.button(button, false); });
-    hands_.let_go(name_of(button));
+    let_go(name_of(button), [this, button] { board_.ps2_mouse.button(button, false); });
 }
 
 SoundSource& ScenarioRunner::source(SoundInput input) {
@@ -185,6 +182,11 @@ void ScenarioRunner::show_picture(std::shared_ptr<const Image> picture) {
 }
 
 // ---- Eyes and ears ----
+
+std::uint64_t ScenarioRunner::now_ps() {
+    board_.chip().catch_up();
+    return sc_time_stamp().value();
+}
 
 Observations& ScenarioRunner::observations() {
     board_.chip().catch_up();
@@ -218,22 +220,6 @@ bool ScenarioRunner::hps_led() {
 HeaderMasks ScenarioRunner::header_levels() {
     board_.chip().catch_up();
     return {board_.lamps().gpio[0].levels, board_.lamps().gpio[1].levels};
-}
-
-bool ScenarioRunner::led_is_lit(const std::string& part) {
-    board_.chip().catch_up();
-    return board_.parts.leds(part).lit(sc_time_stamp().value());
-}
-
-Image ScenarioRunner::lt24_picture() {
-    board_.chip().catch_up();
-    const Ili9341::Picture seen = board_.parts.lt24().picture();
-    return image_of(seen.pixels, seen.width, seen.height);
-}
-
-std::vector<std::string> ScenarioRunner::matrix_rows(const std::string& part) {
-    board_.chip().catch_up();
-    return board_.parts.leds(part).picture(sc_time_stamp().value());
 }
 
 // ---- The output folder ----

@@ -78,11 +78,9 @@ private:
     void hold(const Controls& controls, SimTime bounce) override;
     void release(const Controls& controls, SimTime bounce) override;
     void drive_pins(const HeaderMasks& pins, PinLevel level) override;
-    void close_contact(const std::string& part, bool closed) override;
     void set_voltage(unsigned channel, double volts) override;
     void accelerate(double x, double y, double z) override;
     void type_serial(const std::string& text, std::optional<SerialLine> to) override;
-    void type_at(const std::string& part, const std::string& text) override;
     void type_keys(const std::string& text) override;
     void hold_key(std::uint16_t code) override;
     void release_key(std::uint16_t code) override;
@@ -101,9 +99,11 @@ private:
     HexSegments hex() override;
     bool hps_led() override;
     HeaderMasks header_levels() override;
-    bool led_is_lit(const std::string& part) override;
-    Image lt24_picture() override;
-    std::vector<std::string> matrix_rows(const std::string& part) override;
+    void act(std::function<void()> action) override { board_.act(std::move(action)); }
+    void press(const std::string& control, std::function<void()> action) override;
+    void let_go(const std::string& control, std::function<void()> action) override;
+    std::uint64_t now_ps() override;
+    HeaderPart& header_part(const std::string& name) override { return board_.parts.get(name); }
     const std::filesystem::path& folder() const override { return out_; }
     bool save(const std::filesystem::path& path, const Image& image) override;
     bool renew(const std::filesystem::path& golden, const Image& picture) override;

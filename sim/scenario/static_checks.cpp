@@ -7,7 +7,6 @@
 #include <iterator>
 
 #include "sim/files/run_files.h"
-#include "sim/scenario/part_table.h"
 #include "sim/scenario/yaml_tree.h"
 #include "sim/text/pattern.h"
 #include "sim/text/words.h"
@@ -52,15 +51,17 @@ void StaticChecks::need(Ps2Plug plug) const {
         refuse_step(plug == Ps2Plug::MOUSE ? "a mouse among ps2" : "a keyboard among ps2", "none");
 }
 
-const PartPlan& StaticChecks::need_part(PartPlan::Kind kind, const std::string& name) const {
+const PartPlan& StaticChecks::need_part(const std::string& kind, const std::string& name) const {
     std::vector<std::string> names;
     for (const PartPlan& part : scenario_.parts) {
         if (part.kind != kind) continue;
         if (part.name == name) return part;
         names.push_back(part.name);
     }
-    refuse_step(names.empty() ? fmt::format("{} among the parts", kind_name(kind))
-                              : fmt::format("{} of the parts: {}", kind_name(kind), list_of(names)),
+    // "LED" and "LT24" begin with an L that is spoken alone.
+    const std::string a_kind = (kind[0] == 'l' ? "an " : "a ") + kind;
+    refuse_step(names.empty() ? a_kind + " among the parts"
+                              : fmt::format("{} of the parts: {}", a_kind, list_of(names)),
                 in_quotes(name) + did_you_mean(name, names));
 }
 

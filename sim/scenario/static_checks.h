@@ -21,7 +21,8 @@ public:
     void release(const std::string& control);
 
     void need(Ps2Plug plug) const;
-    const PartPlan& need_part(PartPlan::Kind kind, const std::string& name) const;
+    // Of a kind as a scenario names it.
+    const PartPlan& need_part(const std::string& kind, const std::string& name) const;
 
     // A file in the output folder that no other step and no run writes.
     void new_file(const std::filesystem::path& file);

@@ -1,8 +1,11 @@
-// step_table.cpp - one list of the lists in steps/
+// step_table.cpp - one list of the lists in steps/ and parts/
 #include "sim/scenario/step_table.h"
 
+#include <algorithm>
 #include <iterator>
 #include <limits>
+
+#include "sim/scenario/part_table.h"
 
 namespace sim {
 
@@ -54,6 +57,8 @@ const std::vector<StepForm>& step_forms() {
             std::vector<StepForm> forms = family();
             std::move(forms.begin(), forms.end(), std::back_inserter(all));
         }
+        const std::vector<StepForm>& on_parts = steps_on_parts();
+        std::copy(on_parts.begin(), on_parts.end(), std::back_inserter(all));
         return all;
     }();
     return FORMS;

@@ -7,7 +7,7 @@
 
 namespace sim {
 
-// Those of all the files in steps/.
+// Those of all the files in steps/ and parts/.
 const std::vector<StepForm>& step_forms();
 
 // The fields of the file itself; at least one of `steps` and `duration` has to be there.

@@ -12,15 +12,14 @@ protected:
     sim::Observations observations;
     std::map<std::string, int> presses;
 
-    void SetUp() override { parts = {{sim::PartPlan::Kind::BUTTON, "b", {36 + 20}, {}}}; }
-
     void play(const std::string& steps) {
-        power_on([this](hal::Mmio& io, hal::Cpu& cpu) { watch(io, cpu); });
         const sim::Scenario scenario = sim::parse_scenario(
             "name: a\nversion: 1\nparts:\n"
             "  - button: {name: b, pin: \"GPIO_1[20]\"}\nsteps:\n" +
                 steps,
             "a.yaml");
+        parts = scenario.parts;
+        power_on([this](hal::Mmio& io, hal::Cpu& cpu) { watch(io, cpu); });
         sim::ScenarioRunner runner{"runner", *board, observations, scenario.steps, ""};
         while (!runner.finished()) run_ms(1);
         run_ms(25);

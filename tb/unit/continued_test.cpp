@@ -1,6 +1,7 @@
 // continued_test.cpp - a scenario with more steps, written for another folder, says the same
 #include "sim/scenario/continued.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include "tb/support/temp_folder.h"
@@ -21,11 +22,10 @@ std::vector<std::string> says(const Scenario& scenario) {
 std::string parts_of(const Scenario& scenario) {
     std::string all;
     for (const PartPlan& part : scenario.parts) {
-        all += part.name + std::to_string(static_cast<int>(part.kind)) + ":";
-        for (const auto& pins : {part.pins, part.columns})
+        all += part.kind + " " + part.name + ":";
+        for (const auto& pins : {part.shared, part.pins})
             for (const auto& pin : pins) all += " " + std::to_string(pin);
-        all += part.high ? " high" : " low";
-        all += part.column_high ? " high\n" : " low\n";
+        all += fmt::format(", {} x {}\n", part.columns, part.rows);
     }
     return all;
 }

@@ -166,8 +166,8 @@ TEST(Lt24, HasItsWiresWhereTerasicPutsThem) {
         std::uint64_t levels = reset_n | on | (parameter ? rs : 0);
         for (unsigned n = 0; n < 16; ++n)
             if (data >> n & 1) levels |= std::uint64_t{1} << sim::Lt24::pins(0)[n];
-        lt24.look({levels, 0});
-        lt24.look({levels | wr_n, 0});
+        lt24.look({levels, 0}, 0);
+        lt24.look({levels | wr_n, 0}, 0);
     };
     for (const unsigned command : {0x11, 0x29}) word(false, command);
     word(false, 0x36);

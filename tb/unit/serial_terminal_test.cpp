@@ -9,24 +9,33 @@
 namespace {
 
 constexpr std::uint64_t BIT_PS = 1'000'000;  // 1 Mbaud
+constexpr sim::HeaderPin RX = 3, TX = 38;
 
 class SerialTerminalTest : public ::testing::Test {
 protected:
     sim::Agenda agenda;
     std::vector<std::pair<std::uint64_t, bool>> driven;
-    sim::SerialTerminal terminal{agenda, 1'000'000, [this](bool level) {
-                                     if (driven.empty() || driven.back().second != level)
+    bool tx = true;
+    const sim::PartSocket socket{agenda,
+                                 [this](const sim::HeaderMasks& pins, sim::PinLevel pin) {
+                                     EXPECT_EQ(pins, sim::mask_of({TX}));
+                                     const bool level = pin == sim::PinLevel::HIGH;
+                                     if (std::exchange(tx, level) != level)
                                          driven.emplace_back(agenda.now_ps(), level);
-                                 }};
+                                 },
+                                 [] {}};
+    sim::SerialTerminal terminal{RX, TX, 1'000'000, socket};
+
+    void look(bool rx) { terminal.look({rx ? 1u << RX : 0u, 0}, agenda.now_ps()); }
 
     // A byte of another's transmitter, whose bits take `bit_ps`.
     void receive(unsigned byte, std::uint64_t bit_ps = BIT_PS, bool stop = true) {
         const unsigned bits = byte << 1 | (stop ? 0x200u : 0u);
         for (unsigned n = 0; n < 10; ++n) {
-            terminal.look(bits >> n & 1);
+            look(bits >> n & 1);
             agenda.run_to(agenda.now_ps() + bit_ps);
         }
-        terminal.look(true);
+        look(true);
     }
 };
 
@@ -49,9 +58,9 @@ TEST_F(SerialTerminalTest, LosesAByteWithoutAStopBit) {
 }
 
 TEST_F(SerialTerminalTest, IgnoresAPulseShorterThanHalfABit) {
-    terminal.look(false);
+    look(false);
     agenda.run_to(agenda.now_ps() + BIT_PS / 3);
-    terminal.look(true);
+    look(true);
     agenda.run_to(agenda.now_ps() + 20 * BIT_PS);
     EXPECT_EQ(terminal.received(), "");
     receive('x');

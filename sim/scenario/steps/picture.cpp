@@ -5,6 +5,7 @@
 #include <limits>
 #include <regex>
 
+#include "sim/board/lt24.h"
 #include "sim/files/whole_file.h"
 #include "sim/scenario/board_control.h"
 #include "sim/scenario/static_checks.h"
@@ -77,10 +78,13 @@ protected:
 
     bool on_lt24() const { return display_ == Display::LT24; }
     void need(const StaticChecks& checks) const {
-        if (on_lt24()) checks.need_part(PartPlan::Kind::LT24, "lt24");
+        if (on_lt24()) checks.need_part("lt24", "lt24");
     }
     Image picture(BoardControl& board) const {
-        return on_lt24() ? board.lt24_picture() : board.observations().picture();
+        if (!on_lt24()) return board.observations().picture();
+        board.now_ps();  // so that the display has what the chip has sent it
+        const Ili9341::Picture seen = board.part<Lt24>("lt24").picture();
+        return image_of(seen.pixels, seen.width, seen.height);
     }
     std::string describe_display() const { return on_lt24() ? " on the LT24" : ""; }
 

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "sim/board/serial_terminal.h"
 #include "sim/scenario/board_control.h"
 #include "sim/scenario/static_checks.h"
 #include "sim/scenario/step_form.h"
@@ -31,13 +32,15 @@ public:
         return "type " + in_quotes(text_) + (to_.empty() ? "" : " at " + to_);
     }
     void check(StaticChecks& checks) const override {
-        if (!to_.empty() && !line_of(to_)) checks.need_part(PartPlan::Kind::TERMINAL, to_);
+        if (!to_.empty() && !line_of(to_)) checks.need_part("terminal", to_);
     }
     void act(BoardControl& board) const override {
         if (to_.empty() || line_of(to_))
             board.type_serial(text_, line_of(to_));
         else
-            board.type_at(to_, text_);
+            board.act([text = text_, &terminal = board.part<SerialTerminal>(to_)] {
+                terminal.type(text);
+            });
     }
 
 private:
@@ -56,7 +59,7 @@ public:
                            on_.empty() ? "the serial line" : on_, within(timeout_));
     }
     void check(StaticChecks& checks) const override {
-        if (!on_.empty()) checks.need_part(PartPlan::Kind::TERMINAL, on_);
+        if (!on_.empty()) checks.need_part("terminal", on_);
     }
     Verdict decide(BoardControl& board) const override {
         ConsoleText& text = on_.empty() ? board.observations().text : board.terminal(on_);

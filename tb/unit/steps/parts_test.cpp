@@ -20,7 +20,9 @@ const std::string PARTS =
 class PartSteps : public StepTest {
 protected:
     std::optional<sim::Verdict> play_with_parts(const std::string& step) {
-        return sim::parse_scenario(PARTS + step + "\n", "a.yaml").steps.at(0).step->play(board);
+        const sim::Scenario scenario = sim::parse_scenario(PARTS + step + "\n", "a.yaml");
+        if (!board.parts) board.hang(scenario.parts);
+        return scenario.steps.at(0).step->play(board);
     }
     std::string finds_with_parts(const std::string& step) {
         const auto verdict = play_with_parts(step);
@@ -39,13 +41,10 @@ TEST_F(PartSteps, ReadPinsFromTheLeft) {
     ASSERT_EQ(scenario.parts.size(), 5u);
     const PartPlan& matrix = scenario.parts[3];
     EXPECT_EQ(matrix.name, "face");
-    EXPECT_THAT(matrix.pins, ElementsAre(37, 36));
-    EXPECT_THAT(matrix.columns, ElementsAre(38, 39, 9));
-    EXPECT_TRUE(matrix.high);
-    EXPECT_FALSE(matrix.column_high);
-    EXPECT_FALSE(scenario.parts[0].high) << "a button closes to ground";
+    EXPECT_THAT(matrix.pins, ElementsAre(37, 36, 38, 39, 9)) << "rows, then columns";
+    EXPECT_EQ(matrix.rows, 2u);
+    EXPECT_EQ(matrix.columns, 3u);
     EXPECT_THAT(scenario.parts[2].pins, ElementsAre(71));
-    EXPECT_FALSE(scenario.parts[2].high);
     EXPECT_THAT(scenario.parts[4].pins, ElementsAre(51, 50, 49, 48, 47, 46, 45, 44));
 }
 
@@ -57,8 +56,8 @@ TEST_F(PartSteps, KnowMatricesWhoseRowIsANumber) {
         "name: a\nversion: 1\nparts:\n" + matrices +
             "steps:\n- expect-matrix: {matrix: red, equals: \"#.\\n.#\\n..\\n..\"}\n",
         "a.yaml");
-    EXPECT_THAT(scenario.parts[1].pins, ElementsAre(45, 44));
-    EXPECT_EQ(scenario.parts[1].rows(), 4u);
+    EXPECT_THAT(scenario.parts[1].shared, ElementsAre(45, 44));
+    EXPECT_EQ(scenario.parts[1].rows, 4u);
 }
 
 TEST_F(PartSteps, RefuseMatricesWithTwoKindsOfRowsOrNone) {
@@ -76,35 +75,45 @@ TEST_F(PartSteps, MoveContacts) {
     play_with_parts("set-switch: {switch: mode, level: high}");
     play_with_parts("set-switch: {switch: mode, level: low}");
     EXPECT_THAT(board.done,
-                ElementsAre("fire closed", "wait 80ms", "fire open", "fire closed", "wait 100ms",
-                            "fire open", "fire closed", "mode closed", "mode open"));
+                ElementsAre("pins 8 0 0", "wait 80ms", "pins 8 0 2", "pins 8 0 0", "wait 100ms",
+                            "pins 8 0 2", "pins 8 0 0", "pins 10 0 1", "pins 10 0 0"));
 }
+
+// Levels of GPIO_1; the LED on its pin 35 is lit by 0.
+constexpr std::uint64_t HEART = std::uint64_t{1} << 35;
 
 TEST_F(PartSteps, LookAtLeds) {
-    board.lit = true;
+    play_with_parts("delay: 1ms");
+    board.parts->look({0, 0}, board.now_ps());
     EXPECT_EQ(finds_with_parts("expect-led: {led: heart, equals: lit}"), "met");
     EXPECT_EQ(finds_with_parts("expect-led: {led: heart, equals: dark}"), "it is lit");
-    board.meanwhile = [&] { board.lit = board.now_ms() < 7; };
+    board.meanwhile = [&] {
+        if (board.now_ms() == 7) board.parts->look({0, HEART}, board.now_ps());
+    };
     EXPECT_EQ(finds_with_parts("expect-led: {led: heart, equals: dark, timeout: 1s}"), "met");
+    EXPECT_EQ(board.now_ms(), 7u);
 }
 
+// Its upper row is shown by GPIO_1[1]; a column is lit by 0: GPIO_1[2:3], GPIO_0[9].
 TEST_F(PartSteps, LookAtAMatrix) {
-    board.rows = {"#..", ".+#"};
-    EXPECT_EQ(finds_with_parts("expect-matrix: {matrix: face, equals: \"#..\\n.+#\"}"), "met");
+    play_with_parts("delay: 1ms");
+    board.parts->look({1 << 9, HEART | 0b1010}, board.now_ps());
+    board.wait(sim::SimTime{1'000'000'000});
+    EXPECT_EQ(finds_with_parts("expect-matrix: {matrix: face, equals: \"#..\\n...\"}"), "met");
     EXPECT_EQ(finds_with_parts("expect-matrix:\n    matrix: face\n    equals: |\n      #..\n"
                                "      ..#"),
-              "face shows #../.+#");
+              "face shows #../...");
 }
 
 TEST_F(PartSteps, SaveThePictureOfAnLt24) {
-    board.lt24 = {1, 1, {1, 2, 3}};
     const auto scenario = sim::parse_scenario(
         "name: a\nversion: 1\nparts:\n- lt24: GPIO_1\nsteps:\n"
         "- take-screenshot: {save-to: a.png, of: lt24}\n- take-screenshot: {save-to: b.png}\n",
         "a.yaml");
+    board.hang(scenario.parts);
     for (const auto& step : scenario.steps) step.step->play(board);
     ASSERT_EQ(board.saved.size(), 2u);
-    EXPECT_EQ(board.saved[0].second, board.lt24);
+    EXPECT_EQ(board.saved[0].second.width, 240u);
     EXPECT_EQ(board.saved[1].second.width, 640u);
     EXPECT_EQ(scenario.steps[0].text, "take screenshot a.png on the LT24");
     EXPECT_EQ(step_error("take-screenshot: {save-to: a.png, of: lt24}"),

@@ -33,10 +33,14 @@ TEST_F(SerialSteps, TypeAndReadAtATerminalOfTheParts) {
         "- type-serial: {text: ls, to: t}\n- wait-serial: {text: ok, on: t, timeout: 5ms}\n",
         "a.yaml");
     EXPECT_THAT(scenario.parts[0].pins, ElementsAre(1, 39));
-    EXPECT_EQ(scenario.parts[0].baud, 9600u);
     for (const char c : std::string{"k ok k"}) board.terminals["t"].print(c);
+    board.hang(scenario.parts);
     scenario.steps[0].step->play(board);
-    EXPECT_THAT(board.done, ElementsAre("at t ls"));
+    board.wait(sim::SimTime{1'100'000'000});
+    // GPIO_1[3] rises and falls by the bits of "l", 104 us each, then of "s".
+    EXPECT_THAT(board.done, ElementsAre("wait 1.1ms", "pins 0 8 0", "pins 0 8 0", "pins 0 8 0",
+                                        "pins 0 8 1", "pins 0 8 1", "pins 0 8 0", "pins 0 8 1",
+                                        "pins 0 8 1", "pins 0 8 0", "pins 0 8 1", "pins 0 8 0"));
     EXPECT_TRUE(scenario.steps[1].step->play(board)->met);
     EXPECT_EQ(scenario.steps[1].step->play(board)->detail,
               "t received 2 characters after the last match, but not that: \" k\"");

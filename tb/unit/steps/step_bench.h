@@ -13,6 +13,7 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
+#include "sim/board/parts.h"
 #include "sim/scenario/board_control.h"
 #include "sim/scenario/scenario.h"
 
@@ -33,8 +34,6 @@ public:
     std::map<std::string, sim::ConsoleText> terminals;
     std::uint16_t leds = 0;
     bool lit = false;
-    std::vector<std::string> rows;
-    sim::Image lt24;
     sim::HeaderMasks pins{};
     int mouse_right = 0, mouse_up = 0;
     sim::HexSegments segments{};
@@ -42,6 +41,15 @@ public:
     bool disk_full = false, renews = false;
 
     std::uint64_t now_ms() const { return now_ps_ / MS; }
+    void hang(const std::vector<sim::PartPlan>& plans) {
+        parts.emplace(plans, sim::PartSocket{agenda,
+                                             [this](const auto& both, sim::PinLevel level) {
+                                                 drive_pins(both, level);
+                                             },
+                                             [] {}});
+        done.clear();
+    }
+    std::optional<sim::Parts> parts;
 
     void wait(sim::SimTime time) override {
         done.push_back("wait " + to_string(time));
@@ -64,9 +72,6 @@ public:
     void drive_pins(const sim::HeaderMasks& both, sim::PinLevel level) override {
         done.push_back(fmt::format("pins {:X} {:X} {}", both[0], both[1], static_cast<int>(level)));
     }
-    void close_contact(const std::string& part, bool closed) override {
-        done.push_back(part + (closed ? " closed" : " open"));
-    }
     void set_voltage(unsigned channel, double volts) override {
         done.push_back(fmt::format("CH{} {} V", channel, volts));
     }
@@ -76,9 +81,6 @@ public:
     void type_serial(const std::string& text, std::optional<sim::SerialLine> to) override {
         const std::string line = to ? sim::SERIAL_LINES[static_cast<std::size_t>(*to)] : "serial";
         done.push_back((to ? "to " : "") + line + " " + text);
-    }
-    void type_at(const std::string& part, const std::string& text) override {
-        done.push_back("at " + part + " " + text);
     }
     void type_keys(const std::string& text) override { done.push_back("keys " + text); }
     void hold_key(std::uint16_t code) override {
@@ -121,9 +123,10 @@ public:
     sim::HexSegments hex() override { return segments; }
     bool hps_led() override { return lit; }
     sim::HeaderMasks header_levels() override { return pins; }
-    bool led_is_lit(const std::string&) override { return lit; }
-    sim::Image lt24_picture() override { return lt24; }
-    std::vector<std::string> matrix_rows(const std::string&) override { return rows; }
+    void act(std::function<void()> action) override { action(); }
+    void press(const std::string&, std::function<void()> action) override { action(); }
+    void let_go(const std::string&, std::function<void()> action) override { action(); }
+    std::uint64_t now_ps() override { return now_ps_; }
     const std::filesystem::path& folder() const override { return folder_; }
     bool save(const std::filesystem::path& path, const sim::Image& image) override {
         if (!disk_full) saved.emplace_back(path.string(), image);
@@ -137,13 +140,16 @@ public:
 private:
     static constexpr std::uint64_t MS = 1'000'000'000;  // in ps
 
+    sim::HeaderPart& header_part(const std::string& name) override { return parts->get(name); }
     void pass(std::uint64_t until_ps) {
         while (now_ps_ < until_ps) {
             now_ps_ = std::min(until_ps, now_ps_ + MS);
+            agenda.run_to(now_ps_);
             meanwhile();
         }
     }
 
+    sim::Agenda agenda;
     const std::filesystem::path folder_ = "out";
     std::uint64_t now_ps_ = 0;
 };

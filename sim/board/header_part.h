@@ -1,0 +1,37 @@
+// header_part.h - a part on the headers' wires, as all kinds of them look to the board
+#pragma once
+
+#include <cstdint>
+#include <functional>
+
+#include "sim/board/header.h"
+#include "sim/pins/agenda.h"
+#include "sim/pins/header_pin.h"
+
+namespace sim {
+
+class HeaderPart {
+public:
+    virtual ~HeaderPart() = default;
+    HeaderPart(const HeaderPart&) = delete;
+    HeaderPart& operator=(const HeaderPart&) = delete;
+
+    // The wires of both headers have these levels from now on.  Called at each change of any wire.
+    virtual void look(const HeaderMasks& levels, std::uint64_t time_ps) {
+        (void)levels, (void)time_ps;
+    }
+
+protected:
+    HeaderPart() = default;
+};
+
+// What the board gives to a part.
+struct PartSocket {
+    Agenda& agenda;
+    // Puts a level on wires, until the next call.
+    std::function<void(const HeaderMasks& pins, PinLevel level)> drive;
+    // To be called after drive(), but not by constructors: all who look at the wires look again.
+    std::function<void()> moved;
+};
+
+}  // namespace sim
