@@ -14,7 +14,7 @@
 
 namespace sim {
 
-class Accelerometer : public sc_core::sc_module, public I2cDevices {
+class Accelerometer : public sc_core::sc_module, public MotionSensor, public I2cDevices {
 public:
     // `interrupt` is called with INT1's level when it has moved; `log` gets what a person should
     // know.
@@ -29,8 +29,7 @@ public:
         dont_initialize();
     }
 
-    // By the hand that holds the board, from now on.
-    void move(const Adxl345::Acceleration& acceleration) {
+    void move(const Adxl345::Acceleration& acceleration) override {
         chip_.move(acceleration, now_ps());
         settle();
     }

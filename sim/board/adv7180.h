@@ -33,11 +33,12 @@
 #include "sim/board/adv7180_registers.h"
 #include "sim/board/i2c_speed.h"
 #include "sim/board/i2c_target.h"
+#include "sim/board/part.h"
 #include "sim/files/png.h"
 
 namespace sim {
 
-class Adv7180 {
+class Adv7180 : public Part {
 public:
     static constexpr unsigned LINE_CLOCKS = 1716, LINES = 525;
     static constexpr unsigned WIDTH = 720, HEIGHT = 480;

@@ -23,6 +23,8 @@
 #include <deque>
 #include <optional>
 
+#include "sim/board/part.h"
+
 namespace sim {
 
 class Adxl345 {
@@ -73,6 +75,12 @@ private:
 
 public:
     Adxl345();
+};
+
+// The chip where it is soldered: what the hand that holds the board does to it.
+class MotionSensor : public Part {
+public:
+    virtual void move(const Adxl345::Acceleration& acceleration) = 0;  // from now on
 };
 
 }  // namespace sim

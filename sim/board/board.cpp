@@ -1,6 +1,5 @@
 #include "sim/board/board.h"
 
-#include <cmath>
 #include <utility>
 
 #include "sim/text/seconds.h"
@@ -64,6 +63,16 @@ Board::Board(const sc_core::sc_module_name& name, BoardObserver& observer, std::
         }
     };
     ps2_ = {plugged(ps2_ports.first), plugged(ps2_ports.second)};
+    for (const auto& [part_name, part] :
+         std::initializer_list<std::pair<const char*, Part&>>{{"PS/2 keyboard", ps2_keyboard},
+                                                              {"PS/2 mouse", ps2_mouse},
+                                                              {"remote control", remote_control},
+                                                              {"LINE IN", line_in},
+                                                              {"microphone input", microphone},
+                                                              {"video decoder", video_decoder},
+                                                              {"AD converter", adc_chip},
+                                                              {"motion sensor", accelerometer}})
+        parts.add(part_name, part);
     chip_ = make_chip(*this, observer, sdram_chip.bytes());
     if (!part_plans.empty()) agenda.at(0, [this] { headers_moved(); });
 }
@@ -199,11 +208,6 @@ void Board::ps2_wires(ChipInputs& in) const {
     }
     in.ps2_clk = static_cast<std::uint8_t>(3 & ~clk_low);
     in.ps2_dat = static_cast<std::uint8_t>(3 & ~dat_low);
-}
-
-void Board::set_voltage(unsigned channel, double volts) {
-    const int millivolts = static_cast<int>(std::lround(volts * 1000));
-    act([this, channel, millivolts] { adc_chip.set(channel, millivolts); });
 }
 
 namespace {

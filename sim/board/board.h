@@ -70,12 +70,6 @@ public:
     void release(std::uint16_t keypad, std::uint8_t keys, std::uint16_t switches,
                  std::uint64_t bounce_ps = 0);
 
-    // From the next conversion on; `channel` is 0 to 7.
-    void set_voltage(unsigned channel, double volts);
-
-    // What the accelerometer feels from now on, in g.
-    void accelerate(const Adxl345::Acceleration& acceleration) { accelerometer.move(acceleration); }
-
     // Drives pins of the headers by hand.
     void drive_pins(const HeaderMasks& pins, PinLevel level);
 

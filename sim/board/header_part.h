@@ -5,24 +5,18 @@
 #include <functional>
 
 #include "sim/board/header.h"
+#include "sim/board/part.h"
 #include "sim/pins/agenda.h"
 #include "sim/pins/header_pin.h"
 
 namespace sim {
 
-class HeaderPart {
+class HeaderPart : public Part {
 public:
-    virtual ~HeaderPart() = default;
-    HeaderPart(const HeaderPart&) = delete;
-    HeaderPart& operator=(const HeaderPart&) = delete;
-
     // The wires of both headers have these levels from now on.  Called at each change of any wire.
     virtual void look(const HeaderMasks& levels, std::uint64_t time_ps) {
         (void)levels, (void)time_ps;
     }
-
-protected:
-    HeaderPart() = default;
 };
 
 // What the board gives to a part.

@@ -13,9 +13,11 @@
 #include <array>
 #include <cstdint>
 
+#include "sim/board/part.h"
+
 namespace sim {
 
-class Ltc2308 {
+class Ltc2308 : public Part {
 public:
     static constexpr unsigned CHANNELS = 8;
     static constexpr std::uint64_t CONVERSION_PS = 1'600'000;

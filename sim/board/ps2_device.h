@@ -25,15 +25,15 @@
 #include <functional>
 #include <vector>
 
+#include "sim/board/part.h"
 #include "sim/pins/agenda.h"
 
 namespace sim {
 
-class Ps2Device {
+class Ps2Device : public Part {
 public:
     // Powers on at agenda.now_ps().  `moved` is called after each change of clk_low() or dat_low().
     Ps2Device(Agenda& agenda, std::function<void()> moved);
-    virtual ~Ps2Device() = default;
 
     // What the host pulls low from agenda.now_ps() on.
     void host(bool clk_low, bool dat_low);

@@ -14,11 +14,12 @@
 #include <functional>
 #include <vector>
 
+#include "sim/board/part.h"
 #include "sim/pins/agenda.h"
 
 namespace sim {
 
-class RemoteControl {
+class RemoteControl : public Part {
 public:
     // `moved` is called after each change of dark().
     RemoteControl(Agenda& agenda, std::function<void()> moved);

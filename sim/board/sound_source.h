@@ -8,13 +8,12 @@
 #include <memory>
 #include <optional>
 
+#include "sim/board/part.h"
 #include "sim/board/recording.h"
 
 namespace sim {
 
-enum class SoundInput { LINE_IN, MICROPHONE };
-
-class SoundSource {
+class SoundSource : public Part {
 public:
     // Each replaces what was playing; `now_ps` is when it begins.
     void silence();

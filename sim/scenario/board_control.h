@@ -7,14 +7,10 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
-#include <memory>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "sim/board/header_part.h"
-#include "sim/board/ps2_ports.h"
-#include "sim/board/sound_source.h"
 #include "sim/files/png.h"
 #include "sim/pins/pins.h"
 #include "sim/pins/serial_line.h"
@@ -47,26 +43,8 @@ public:
     virtual void hold(const Controls& controls, SimTime bounce) = 0;
     virtual void release(const Controls& controls, SimTime bounce) = 0;
     virtual void drive_pins(const HeaderMasks& pins, PinLevel level) = 0;
-    virtual void set_voltage(unsigned channel, double volts) = 0;  // at the AD converter
-    virtual void accelerate(double x, double y, double z) = 0;     // in g, felt from now on
     // Goes on at once.  Without `to` at the terminals where a program listens: Board::type().
     virtual void type_serial(const std::string& text, std::optional<SerialLine> to) = 0;
-    virtual void type_keys(const std::string& text) = 0;  // goes on at once
-    virtual void hold_key(std::uint16_t code) = 0;        // of the keyboard, see scan_codes.h
-    virtual void release_key(std::uint16_t code) = 0;
-    virtual void press_remote(std::uint8_t button) = 0;  // see nec_frame.h; goes on at once
-    virtual void move_mouse(int right, int up) = 0;
-    virtual void turn_wheel(int notches) = 0;  // towards the hand
-    virtual void hold_button(MouseButton button) = 0;
-    virtual void release_button(MouseButton button) = 0;
-
-    // Into an input of the codec, from now on.
-    virtual void play(SoundInput input, std::shared_ptr<const Recording> recording,
-                      bool for_ever) = 0;
-    virtual void play_tone(SoundInput input, double hz, double level) = 0;
-    virtual void play_silence(SoundInput input) = 0;
-
-    virtual void show_picture(std::shared_ptr<const Image> picture) = 0;  // to the camera
 
     // ---- Eyes and ears: what there is now ----
 
@@ -78,22 +56,23 @@ public:
     virtual bool hps_led() = 0;
     virtual HeaderMasks header_levels() = 0;
 
-    // ---- The parts on the headers ----
+    // ---- Parts ----
 
-    // By its name; StaticChecks::need_part() has found it.  To act on it, within act(); to observe
-    // it, after now_ps().
+    // By its name, see sim/board/parts.h; StaticChecks::need_part() has found a scenario's.  Acted
+    // on within act(); observed after catch_up().
     template <class Kind>
     Kind& part(const std::string& name) {
-        return dynamic_cast<Kind&>(header_part(name));
+        return dynamic_cast<Kind&>(any_part(name));
     }
-    // Carries out `action` now, once the chip has come to the present.
+    // Carries out `action` now.
     virtual void act(std::function<void()> action) = 0;
     // The same with a control, by any name, that a finger presses: 50 ms later if it has just let
     // go of it.
     virtual void press(const std::string& control, std::function<void()> action) = 0;
     virtual void let_go(const std::string& control, std::function<void()> action) = 0;
     // Lets the chip come to the present.
-    virtual std::uint64_t now_ps() = 0;
+    virtual void catch_up() = 0;
+    virtual std::uint64_t now_ps() const = 0;
 
     // ---- The output folder ----
 
@@ -105,7 +84,7 @@ protected:
     ~BoardControl() = default;
 
 private:
-    virtual HeaderPart& header_part(const std::string& name) = 0;
+    virtual Part& any_part(const std::string& name) = 0;
 };
 
 }  // namespace sim

@@ -15,10 +15,6 @@ namespace {
 
 const sc_time millisecond{1, sc_core::SC_MS};
 
-std::string name_of(MouseButton button) {
-    return "button " + std::to_string(static_cast<int>(button));
-}
-
 sc_time to_sc(SimTime time) { return sc_time::from_value(time.ps); }  // resolution: 1 ps
 
 }  // namespace
@@ -128,83 +124,29 @@ void ScenarioRunner::release(const Controls& c, SimTime bounce) {
 void ScenarioRunner::drive_pins(const HeaderMasks& pins, PinLevel level) {
     board_.drive_pins(pins, level);
 }
-void ScenarioRunner::set_voltage(unsigned channel, double volts) {
-    board_.set_voltage(channel, volts);
-}
-void ScenarioRunner::accelerate(double x, double y, double z) { board_.accelerate({x, y, z}); }
 void ScenarioRunner::type_serial(const std::string& text, std::optional<SerialLine> to) {
     board_.type(text, to);
-}
-void ScenarioRunner::type_keys(const std::string& text) {
-    board_.act([this, text] { board_.ps2_keyboard.type(text); });
-}
-void ScenarioRunner::hold_key(std::uint16_t code) {
-    press("code " + std::to_string(code), [this, code] { board_.ps2_keyboard.press(code); });
-}
-void ScenarioRunner::release_key(std::uint16_t code) {
-    let_go("code " + std::to_string(code), [this, code] { board_.ps2_keyboard.release(code); });
-}
-void ScenarioRunner::press_remote(std::uint8_t button) {
-    board_.act([this, button] { board_.remote_control.press(button); });
-}
-void ScenarioRunner::move_mouse(int right, int up) {
-    board_.act([this, right, up] { board_.ps2_mouse.move(right, up); });
-}
-void ScenarioRunner::turn_wheel(int notches) {
-    board_.act([this, notches] { board_.ps2_mouse.turn(notches); });
-}
-void ScenarioRunner::hold_button(MouseButton button) {
-    press(name_of(button), [this, button] { board_.ps2_mouse.button(button, true); });
-}
-void ScenarioRunner::release_button(MouseButton button) {
-    let_go(name_of(button), [this, button] { board_.ps2_mouse.button(button, false); });
-}
-
-SoundSource& ScenarioRunner::source(SoundInput input) {
-    return input == SoundInput::LINE_IN ? board_.line_in : board_.microphone;
-}
-
-void ScenarioRunner::play(SoundInput input, std::shared_ptr<const Recording> recording,
-                          bool for_ever) {
-    const std::uint64_t now_ps = sc_time_stamp().value();
-    board_.act([=] { source(input).play(recording, for_ever, now_ps); });
-}
-void ScenarioRunner::play_tone(SoundInput input, double hz, double level) {
-    const std::uint64_t now_ps = sc_time_stamp().value();
-    board_.act([=] { source(input).tone(hz, level, now_ps); });
-}
-void ScenarioRunner::play_silence(SoundInput input) {
-    board_.act([=] { source(input).silence(); });
-}
-
-void ScenarioRunner::show_picture(std::shared_ptr<const Image> picture) {
-    board_.act([=] { board_.video_decoder.show(picture); });
 }
 
 // ---- Eyes and ears ----
 
-std::uint64_t ScenarioRunner::now_ps() {
-    board_.chip().catch_up();
-    return sc_time_stamp().value();
-}
-
 Observations& ScenarioRunner::observations() {
-    board_.chip().catch_up();
+    catch_up();
     return observations_;
 }
 
 ConsoleText& ScenarioRunner::terminal(const std::string& part) {
-    board_.chip().catch_up();
+    catch_up();
     return terminals_.at(part);
 }
 
 std::uint16_t ScenarioRunner::ledr() {
-    board_.chip().catch_up();
+    catch_up();
     return board_.lamps().ledr;
 }
 
 HexSegments ScenarioRunner::hex() {
-    board_.chip().catch_up();
+    catch_up();
     const std::uint64_t lit = board_.lamps().hex;
     HexSegments segments{};
     for (unsigned i = 0; i < HEX_DIGITS; ++i)
@@ -213,12 +155,12 @@ HexSegments ScenarioRunner::hex() {
 }
 
 bool ScenarioRunner::hps_led() {
-    board_.chip().catch_up();
+    catch_up();
     return board_.lamps().hps_led;
 }
 
 HeaderMasks ScenarioRunner::header_levels() {
-    board_.chip().catch_up();
+    catch_up();
     return {board_.lamps().gpio[0].levels, board_.lamps().gpio[1].levels};
 }
 

@@ -70,7 +70,6 @@ private:
     void run();
     void perceive(sc_core::sc_event& what);
     void before_press(const std::string& control);
-    SoundSource& source(SoundInput input);
     static Expectation expectation(const ScenarioStep& step, Verdict verdict);
 
     void wait(SimTime time) override;
@@ -78,21 +77,7 @@ private:
     void hold(const Controls& controls, SimTime bounce) override;
     void release(const Controls& controls, SimTime bounce) override;
     void drive_pins(const HeaderMasks& pins, PinLevel level) override;
-    void set_voltage(unsigned channel, double volts) override;
-    void accelerate(double x, double y, double z) override;
     void type_serial(const std::string& text, std::optional<SerialLine> to) override;
-    void type_keys(const std::string& text) override;
-    void hold_key(std::uint16_t code) override;
-    void release_key(std::uint16_t code) override;
-    void press_remote(std::uint8_t button) override;
-    void move_mouse(int right, int up) override;
-    void turn_wheel(int notches) override;
-    void hold_button(MouseButton button) override;
-    void release_button(MouseButton button) override;
-    void play(SoundInput input, std::shared_ptr<const Recording> recording, bool for_ever) override;
-    void play_tone(SoundInput input, double hz, double level) override;
-    void play_silence(SoundInput input) override;
-    void show_picture(std::shared_ptr<const Image> picture) override;
     Observations& observations() override;
     ConsoleText& terminal(const std::string& part) override;
     std::uint16_t ledr() override;
@@ -102,8 +87,9 @@ private:
     void act(std::function<void()> action) override { board_.act(std::move(action)); }
     void press(const std::string& control, std::function<void()> action) override;
     void let_go(const std::string& control, std::function<void()> action) override;
-    std::uint64_t now_ps() override;
-    HeaderPart& header_part(const std::string& name) override { return board_.parts.get(name); }
+    void catch_up() override { board_.chip().catch_up(); }
+    std::uint64_t now_ps() const override { return sc_core::sc_time_stamp().value(); }
+    Part& any_part(const std::string& name) override { return board_.parts.get(name); }
     const std::filesystem::path& folder() const override { return out_; }
     bool save(const std::filesystem::path& path, const Image& image) override;
     bool renew(const std::filesystem::path& golden, const Image& picture) override;

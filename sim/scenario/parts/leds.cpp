@@ -58,8 +58,10 @@ public:
     void check(StaticChecks& checks) const override { checks.need_part("led", led_); }
     Verdict decide(BoardControl& board) const override {
         LedMatrix& led = board.part<LedMatrix>(led_);
-        const bool met = board.wait_until(BoardControl::Each::MILLISECOND, timeout_,
-                                          [&] { return led.lit(board.now_ps()) == lit_; });
+        const bool met = board.wait_until(BoardControl::Each::MILLISECOND, timeout_, [&] {
+            board.catch_up();
+            return led.lit(board.now_ps()) == lit_;
+        });
         return {met, met ? "" : lit_ ? "it is dark" : "it is lit"};
     }
 
@@ -97,6 +99,7 @@ public:
     }
     Verdict decide(BoardControl& board) const override {
         const auto shown = [&, &matrix = board.part<LedMatrix>(matrix_)] {
+            board.catch_up();
             return matrix.picture(board.now_ps());
         };
         const bool met = board.wait_until(BoardControl::Each::MILLISECOND, timeout_,

@@ -1,4 +1,5 @@
 // camera.cpp - show-picture: what the camera at the video input sees
+#include "sim/board/adv7180.h"
 #include "sim/scenario/board_control.h"
 #include "sim/scenario/step_form.h"
 #include "sim/text/printable.h"
@@ -23,7 +24,10 @@ public:
             throw std::runtime_error(std::string{"expected a picture, got "} + error.what());
         }
     }
-    void act(BoardControl& board) const override { board.show_picture(picture_); }
+    void act(BoardControl& board) const override {
+        auto& decoder = board.part<Adv7180>("video decoder");
+        board.act([&decoder, picture = picture_] { decoder.show(picture); });
+    }
 
 private:
     std::filesystem::path file_;

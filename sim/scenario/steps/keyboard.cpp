@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cctype>
 
+#include "sim/board/ps2_keyboard.h"
 #include "sim/board/scan_codes.h"
 #include "sim/scenario/board_control.h"
 #include "sim/scenario/static_checks.h"
@@ -16,6 +17,8 @@ namespace sim {
 namespace {
 
 using namespace value_types;
+
+Ps2Keyboard& keyboard(BoardControl& board) { return board.part<Ps2Keyboard>("PS/2 keyboard"); }
 
 // ---- type-keys ----
 
@@ -36,7 +39,9 @@ public:
         return "type " + in_quotes(text_) + " on the keyboard";
     }
     void check(StaticChecks& checks) const override { checks.need(Ps2Plug::KEYBOARD); }
-    void act(BoardControl& board) const override { board.type_keys(text_); }
+    void act(BoardControl& board) const override {
+        board.act([&on = keyboard(board), text = text_] { on.type(text); });
+    }
 
 private:
     std::string text_;
@@ -75,6 +80,8 @@ const ValueType& key_type() {
     return TYPE;
 }
 
+std::string name_of(const Key& key) { return key.name + " on the keyboard"; }
+
 class OnKeys : public Action {
 protected:
     explicit OnKeys(const Values& v) {
@@ -89,14 +96,17 @@ protected:
     template <class Check>
     void for_each(StaticChecks& checks, Check check) const {
         checks.need(Ps2Plug::KEYBOARD);
-        for (const Key* key : keys_) check(key->name + " on the keyboard");
+        for (const Key* key : keys_) check(name_of(*key));
     }
 
     void hold(BoardControl& board) const {
-        for (const Key* key : keys_) board.hold_key(key->code);
+        for (const Key* key : keys_)
+            board.press(name_of(*key), [&on = keyboard(board), key] { on.press(key->code); });
     }
     void release(BoardControl& board) const {
-        for (auto key = keys_.rbegin(); key != keys_.rend(); ++key) board.release_key((*key)->code);
+        for (auto at = keys_.rbegin(); at != keys_.rend(); ++at)
+            board.let_go(name_of(**at),
+                         [&on = keyboard(board), key = *at] { on.release(key->code); });
     }
 
 private:

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "sim/board/adxl345.h"
 #include "sim/scenario/board_control.h"
 #include "sim/scenario/step_form.h"
 
@@ -13,6 +14,10 @@ namespace sim {
 namespace {
 
 using namespace value_types;
+
+void accelerate(BoardControl& board, const Adxl345::Acceleration& acceleration) {
+    board.part<MotionSensor>("motion sensor").move(acceleration);
+}
 
 class TiltBoard : public Action {
 public:
@@ -27,8 +32,8 @@ public:
     void act(BoardControl& board) const override {
         constexpr double PER_DEGREE = 3.14159265358979323846 / 180;
         const double right = right_ * PER_DEGREE, towards = towards_ * PER_DEGREE;
-        board.accelerate(-std::sin(right) * std::cos(towards), std::sin(towards),
-                         std::cos(right) * std::cos(towards));
+        accelerate(board, {-std::sin(right) * std::cos(towards), std::sin(towards),
+                           std::cos(right) * std::cos(towards)});
     }
 
 private:
@@ -43,7 +48,7 @@ public:
     std::string describe() const override {
         return fmt::format("accelerate the board by {:.6g}, {:.6g}, {:.6g} g", x_, y_, z_);
     }
-    void act(BoardControl& board) const override { board.accelerate(x_, y_, z_); }
+    void act(BoardControl& board) const override { accelerate(board, {x_, y_, z_}); }
 
 private:
     double x_, y_, z_;

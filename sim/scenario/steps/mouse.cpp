@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "sim/board/ps2_mouse.h"
 #include "sim/scenario/board_control.h"
 #include "sim/scenario/static_checks.h"
 #include "sim/scenario/step_form.h"
@@ -19,6 +20,8 @@ constexpr const char* BUTTONS[] = {"left", "right", "middle"};  // as MouseButto
 std::string name_of(MouseButton button) {
     return fmt::format("the {} mouse button", BUTTONS[static_cast<std::size_t>(button)]);
 }
+
+Ps2Mouse& mouse(BoardControl& board) { return board.part<Ps2Mouse>("PS/2 mouse"); }
 
 // ---- Parts of the steps ----
 
@@ -46,7 +49,8 @@ public:
             const int right = static_cast<int>(right_ * share),
                       down = static_cast<int>(down_ * share);
             if (right != gone_right || down != gone_down)
-                board.move_mouse(right - gone_right, gone_down - down);
+                board.act([&moved = mouse(board), more_right = right - gone_right,
+                           more_up = gone_down - down] { moved.move(more_right, more_up); });
             gone_right = right;
             gone_down = down;
         }
@@ -67,6 +71,15 @@ protected:
     }
     virtual void check_button(StaticChecks& checks, const std::string& name) const {
         checks.need_free(name);
+    }
+
+    void hold(BoardControl& board) const {
+        board.press(name_of(button_),
+                    [&on = mouse(board), button = button_] { on.button(button, true); });
+    }
+    void release(BoardControl& board) const {
+        board.let_go(name_of(button_),
+                     [&on = mouse(board), button = button_] { on.button(button, false); });
     }
 
     MouseButton button_;
@@ -96,9 +109,9 @@ public:
     }
     SimTime least() const override { return time_; }
     void act(BoardControl& board) const override {
-        board.hold_button(button_);
+        hold(board);
         board.wait(time_);
-        board.release_button(button_);
+        release(board);
     }
 
 private:
@@ -113,7 +126,7 @@ public:
     void check_button(StaticChecks& checks, const std::string& name) const override {
         checks.hold(name);
     }
-    void act(BoardControl& board) const override { board.hold_button(button_); }
+    void act(BoardControl& board) const override { hold(board); }
 };
 
 class ReleaseMouse : public OnButton {
@@ -124,7 +137,7 @@ public:
     void check_button(StaticChecks& checks, const std::string& name) const override {
         checks.release(name);
     }
-    void act(BoardControl& board) const override { board.release_button(button_); }
+    void act(BoardControl& board) const override { release(board); }
 };
 
 class DragMouse : public OnButton {
@@ -136,11 +149,11 @@ public:
     }
     SimTime least() const override { return {way_.time().ps + 2 * STILL.ps}; }
     void act(BoardControl& board) const override {
-        board.hold_button(button_);
+        hold(board);
         board.wait(STILL);
         way_.go(board);
         board.wait(STILL);
-        board.release_button(button_);
+        release(board);
     }
 
 private:
@@ -159,7 +172,9 @@ public:
                            notches_ < 0 ? "away from the hand" : "towards the hand");
     }
     void check(StaticChecks& checks) const override { checks.need(Ps2Plug::MOUSE); }
-    void act(BoardControl& board) const override { board.turn_wheel(notches_); }
+    void act(BoardControl& board) const override {
+        board.act([&turned = mouse(board), notches = notches_] { turned.turn(notches); });
+    }
 
 private:
     int notches_;

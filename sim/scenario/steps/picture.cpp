@@ -82,7 +82,7 @@ protected:
     }
     Image picture(BoardControl& board) const {
         if (!on_lt24()) return board.observations().picture();
-        board.now_ps();  // so that the display has what the chip has sent it
+        board.catch_up();
         const Ili9341::Picture seen = board.part<Lt24>("lt24").picture();
         return image_of(seen.pixels, seen.width, seen.height);
     }

@@ -5,6 +5,7 @@
 #include <cctype>
 
 #include "sim/board/nec_frame.h"
+#include "sim/board/remote_control.h"
 #include "sim/scenario/board_control.h"
 #include "sim/scenario/step_form.h"
 
@@ -38,7 +39,8 @@ public:
 
     std::string describe() const override { return "press " + button_ + " on the remote control"; }
     void act(BoardControl& board) const override {
-        board.press_remote(remote_button(button_).value());
+        auto& remote = board.part<RemoteControl>("remote control");
+        board.act([&remote, code = remote_button(button_).value()] { remote.press(code); });
     }
 
 private:

@@ -1,7 +1,7 @@
 // sound_in.cpp - play-file, play-tone, play-silence: what LINE IN and the microphone get
 #include <fmt/format.h>
 
-#include "sim/board/recording.h"
+#include "sim/board/sound_source.h"
 #include "sim/scenario/board_control.h"
 #include "sim/scenario/step_form.h"
 #include "sim/text/printable.h"
@@ -14,13 +14,15 @@ using namespace value_types;
 
 class IntoInput : public Action {
 protected:
-    explicit IntoInput(const Values& v) : input_{v.number<SoundInput>("into")} {}
+    explicit IntoInput(const Values& v) : microphone_{v.number<bool>("into")} {}
 
-    std::string into() const {
-        return input_ == SoundInput::LINE_IN ? " into LINE IN" : " into the microphone";
+    std::string into() const { return microphone_ ? " into the microphone" : " into LINE IN"; }
+    SoundSource& source(BoardControl& board) const {
+        return board.part<SoundSource>(microphone_ ? "microphone input" : "LINE IN");
     }
 
-    SoundInput input_;
+private:
+    bool microphone_;
 };
 
 class PlayFile : public IntoInput {
@@ -39,7 +41,10 @@ public:
             throw std::runtime_error(std::string{"expected a sound file, got "} + error.what());
         }
     }
-    void act(BoardControl& board) const override { board.play(input_, recording_, for_ever_); }
+    void act(BoardControl& board) const override {
+        board.act([&into = source(board), what = recording_, for_ever = for_ever_,
+                   now_ps = board.now_ps()] { into.play(what, for_ever, now_ps); });
+    }
 
 private:
     std::filesystem::path file_;
@@ -55,7 +60,11 @@ public:
     std::string describe() const override {
         return fmt::format("play {:.6g} Hz at {:.6g}%{}", hz_, 100 * level_, into());
     }
-    void act(BoardControl& board) const override { board.play_tone(input_, hz_, level_); }
+    void act(BoardControl& board) const override {
+        board.act([&into = source(board), hz = hz_, level = level_, now_ps = board.now_ps()] {
+            into.tone(hz, level, now_ps);
+        });
+    }
 
 private:
     double hz_, level_;
@@ -66,7 +75,9 @@ public:
     explicit PlaySilence(const Values& v) : IntoInput{v} {}
 
     std::string describe() const override { return "play nothing" + into(); }
-    void act(BoardControl& board) const override { board.play_silence(input_); }
+    void act(BoardControl& board) const override {
+        board.act([&into = source(board)] { into.silence(); });
+    }
 };
 
 const ValueType INPUT = word("line-in or microphone", {"line-in", "microphone"});

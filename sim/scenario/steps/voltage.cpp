@@ -1,6 +1,9 @@
 // voltage.cpp - set-voltage: what is wired to the AD converter's inputs
 #include <fmt/format.h>
 
+#include <cmath>
+
+#include "sim/board/ltc2308.h"
 #include "sim/scenario/board_control.h"
 #include "sim/scenario/step_form.h"
 
@@ -18,7 +21,12 @@ public:
     std::string describe() const override {
         return fmt::format("apply {:.6g} V to CH{}", volts_, channel_);
     }
-    void act(BoardControl& board) const override { board.set_voltage(channel_, volts_); }
+    void act(BoardControl& board) const override {
+        auto& converter = board.part<Ltc2308>("AD converter");
+        const int millivolts = static_cast<int>(std::lround(volts_ * 1000));
+        board.act(
+            [&converter, channel = channel_, millivolts] { converter.set(channel, millivolts); });
+    }
 
 private:
     unsigned channel_;

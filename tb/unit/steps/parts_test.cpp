@@ -21,13 +21,15 @@ class PartSteps : public StepTest {
 protected:
     std::optional<sim::Verdict> play_with_parts(const std::string& step) {
         const sim::Scenario scenario = sim::parse_scenario(PARTS + step + "\n", "a.yaml");
-        if (!board.parts) board.hang(scenario.parts);
+        if (!hung_) board.hang(scenario.parts);
+        hung_ = true;
         return scenario.steps.at(0).step->play(board);
     }
     std::string finds_with_parts(const std::string& step) {
         const auto verdict = play_with_parts(step);
         return verdict->met ? "met" : verdict->detail;
     }
+    bool hung_ = false;
     static std::string error(const std::string& step) { return error_of(PARTS + step + "\n"); }
 };
 

@@ -15,6 +15,10 @@ class SoundInSteps : public StepTest {
 protected:
     const TempFolder files;
 
+    // A tone after a quarter of its period, as a part of full scale.
+    static double crest(sim::SoundSource& source, std::uint64_t us) {
+        return source.sample(us * 1'000'000, 48'000).left / 2147483648.0;
+    }
     sim::Scenario load(const std::string& step) {
         files.put("run.yaml", "name: a\nversion: 1\nsteps:\n- " + step);
         return sim::load_scenario(files / "run.yaml");
@@ -27,14 +31,23 @@ TEST_F(SoundInSteps, PlayAFileBesideTheScenario) {
     info.samplerate = 8000;
     info.format = SF_FORMAT_WAV | SF_FORMAT_PCM_16;
     SNDFILE* file = sf_open((files / "a.wav").c_str(), SFM_WRITE, &info);
-    const short samples[] = {1, 2, 3};
+    const short samples[] = {100, 200, 300};
     sf_write_short(file, samples, 3);
     sf_close(file);
-    for (const char* step : {"play-file: a.wav", "play-file: {file: a.wav, repeat: forever}",
-                             "play-file: {file: a.wav, into: microphone}"})
-        load(step).steps.at(0).step->play(board);
-    EXPECT_THAT(board.done,
-                ElementsAre("play 3 into 0 false", "play 3 into 0 true", "play 3 into 1 false"));
+    // 16 bits of each sample.
+    const auto heard = [](sim::SoundSource& source) {
+        std::vector<int> all;
+        for (std::uint64_t n = 0; n < 5; ++n)
+            all.push_back(source.sample(n * 125'000'000, 8000).left >> 16);
+        return all;
+    };
+    load("play-file: a.wav").steps.at(0).step->play(board);
+    EXPECT_THAT(heard(board.line_in), ElementsAre(100, 200, 300, 0, 0));
+    load("play-file: {file: a.wav, repeat: forever}").steps.at(0).step->play(board);
+    EXPECT_THAT(heard(board.line_in), ElementsAre(100, 200, 300, 100, 200));
+    EXPECT_THAT(heard(board.microphone), ElementsAre(0, 0, 0, 0, 0));
+    load("play-file: {file: a.wav, into: microphone}").steps.at(0).step->play(board);
+    EXPECT_THAT(heard(board.microphone), ElementsAre(100, 200, 300, 0, 0));
     EXPECT_EQ(said("play-file: b/a.wav"), "play a.wav into LINE IN");
     EXPECT_EQ(said("play-file: {file: a.wav, into: microphone, repeat: forever}"),
               "play a.wav into the microphone for ever");
@@ -51,17 +64,24 @@ TEST_F(SoundInSteps, RefuseAFileThatIsNotThere) {
 }
 
 TEST_F(SoundInSteps, PlayATone) {
-    EXPECT_THAT(acts("play-tone: {hz: 440}"), ElementsAre("tone 440 0.5 into 0"));
-    EXPECT_THAT(acts("play-tone: {hz: 440.5, level: 100%, into: microphone}"),
-                ElementsAre("tone 440.5 1 into 1"));
+    acts("play-tone: {hz: 1000}");
+    EXPECT_NEAR(crest(board.line_in, 250), 0.5, 0.001);
+    EXPECT_EQ(crest(board.microphone, 250), 0);
+    acts("play-tone: {hz: 2000.0, level: 100%, into: microphone}");
+    EXPECT_NEAR(crest(board.microphone, 125), 1, 0.001);
     EXPECT_EQ(said("play-tone: {hz: 440}"), "play 440 Hz at 50% into LINE IN");
     EXPECT_EQ(step_error("play-tone: {hz: 440, level: 0%}"),
               "a.yaml:4:31: expected a percentage such as 50%, from 1% to 100%, got \"0%\"");
 }
 
 TEST_F(SoundInSteps, PlayNothing) {
-    EXPECT_THAT(acts("play-silence: {}"), ElementsAre("silence into 0"));
-    EXPECT_THAT(acts("play-silence: {into: microphone}"), ElementsAre("silence into 1"));
+    board.line_in.tone(1000, 0.5, 0);
+    board.microphone.tone(1000, 0.5, 0);
+    acts("play-silence: {into: microphone}");
+    EXPECT_EQ(crest(board.microphone, 250), 0);
+    EXPECT_NEAR(crest(board.line_in, 250), 0.5, 0.001);
+    acts("play-silence: {}");
+    EXPECT_EQ(crest(board.line_in, 250), 0);
     EXPECT_EQ(said("play-silence: {}"), "play nothing into LINE IN");
 }
 

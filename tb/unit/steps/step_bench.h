@@ -13,7 +13,14 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
+#include "sim/board/adv7180.h"
+#include "sim/board/adxl345.h"
+#include "sim/board/ltc2308.h"
 #include "sim/board/parts.h"
+#include "sim/board/ps2_keyboard.h"
+#include "sim/board/ps2_mouse.h"
+#include "sim/board/remote_control.h"
+#include "sim/board/sound_source.h"
 #include "sim/scenario/board_control.h"
 #include "sim/scenario/scenario.h"
 
@@ -28,6 +35,23 @@ inline std::string bounces(const sim::Controls& c, sim::SimTime time) {
 // Time passes in milliseconds; after each `meanwhile` happens.
 class RecordingStage : public sim::BoardControl {
 public:
+    RecordingStage() {
+        hang({});
+        keyboard.set_listener([this](std::uint16_t key, bool down) {
+            done.push_back(fmt::format("key {:04X} {}", key, down ? "down" : "up"));
+        });
+        mouse.set_listener(
+            {[this](int right, int up) {
+                 mouse_right += right;
+                 mouse_up += up;
+             },
+             [this](int notches) { done.push_back(fmt::format("wheel {}", notches)); },
+             [this](sim::MouseButton button, bool down) {
+                 done.push_back(
+                     fmt::format("button {} {}", static_cast<int>(button), down ? "down" : "up"));
+             }});
+    }
+
     std::vector<std::string> done;  // "wait 80ms"
     std::vector<std::pair<std::string, sim::Image>> saved;
     sim::Observations seen;
@@ -41,14 +65,34 @@ public:
     bool disk_full = false, renews = false;
 
     std::uint64_t now_ms() const { return now_ps_ / MS; }
+    // The parts of a scenario, in place of those before.
     void hang(const std::vector<sim::PartPlan>& plans) {
         parts.emplace(plans, sim::PartSocket{agenda,
                                              [this](const auto& both, sim::PinLevel level) {
                                                  drive_pins(both, level);
                                              },
                                              [] {}});
+        const std::initializer_list<std::pair<const char*, sim::Part&>> OF_THE_BOARD{
+            {"PS/2 keyboard", keyboard},      {"PS/2 mouse", mouse},
+            {"remote control", remote},       {"LINE IN", line_in},
+            {"microphone input", microphone}, {"video decoder", decoder},
+            {"AD converter", converter},      {"motion sensor", motion}};
+        for (const auto& [name, part] : OF_THE_BOARD) parts->add(name, part);
         done.clear();
     }
+
+    sim::Agenda agenda;
+    sim::Ps2Keyboard keyboard{agenda, [] {}};
+    sim::Ps2Mouse mouse{agenda, [] {}};
+    std::vector<std::uint64_t> remote_ps;  // when it begins and ends to send light
+    sim::RemoteControl remote{agenda, [this] { remote_ps.push_back(agenda.now_ps()); }};
+    sim::SoundSource line_in, microphone;
+    sim::Adv7180 decoder;
+    sim::Ltc2308 converter;
+    struct Motion : sim::MotionSensor {
+        sim::Adxl345::Acceleration felt{};
+        void move(const sim::Adxl345::Acceleration& acceleration) override { felt = acceleration; }
+    } motion;
     std::optional<sim::Parts> parts;
 
     void wait(sim::SimTime time) override {
@@ -72,50 +116,9 @@ public:
     void drive_pins(const sim::HeaderMasks& both, sim::PinLevel level) override {
         done.push_back(fmt::format("pins {:X} {:X} {}", both[0], both[1], static_cast<int>(level)));
     }
-    void set_voltage(unsigned channel, double volts) override {
-        done.push_back(fmt::format("CH{} {} V", channel, volts));
-    }
-    void accelerate(double x, double y, double z) override {
-        done.push_back(fmt::format("{:.2f} {:.2f} {:.2f} g", x, y, z));
-    }
     void type_serial(const std::string& text, std::optional<sim::SerialLine> to) override {
         const std::string line = to ? sim::SERIAL_LINES[static_cast<std::size_t>(*to)] : "serial";
         done.push_back((to ? "to " : "") + line + " " + text);
-    }
-    void type_keys(const std::string& text) override { done.push_back("keys " + text); }
-    void hold_key(std::uint16_t code) override {
-        done.push_back(fmt::format("key {:04X} down", code));
-    }
-    void release_key(std::uint16_t code) override {
-        done.push_back(fmt::format("key {:04X} up", code));
-    }
-    void press_remote(std::uint8_t button) override {
-        done.push_back(fmt::format("remote {:02X}", button));
-    }
-    void move_mouse(int right, int up) override {
-        mouse_right += right;
-        mouse_up += up;
-    }
-    void turn_wheel(int notches) override { done.push_back(fmt::format("wheel {}", notches)); }
-    void hold_button(sim::MouseButton button) override {
-        done.push_back(fmt::format("button {} down", static_cast<int>(button)));
-    }
-    void release_button(sim::MouseButton button) override {
-        done.push_back(fmt::format("button {} up", static_cast<int>(button)));
-    }
-    void play(sim::SoundInput input, std::shared_ptr<const sim::Recording> recording,
-              bool for_ever) override {
-        done.push_back(fmt::format("play {} into {} {}", recording->samples.size(),
-                                   static_cast<int>(input), for_ever));
-    }
-    void play_tone(sim::SoundInput input, double hz, double level) override {
-        done.push_back(fmt::format("tone {} {} into {}", hz, level, static_cast<int>(input)));
-    }
-    void play_silence(sim::SoundInput input) override {
-        done.push_back(fmt::format("silence into {}", static_cast<int>(input)));
-    }
-    void show_picture(std::shared_ptr<const sim::Image> picture) override {
-        done.push_back(fmt::format("camera {} x {}", picture->width, picture->height));
     }
     sim::Observations& observations() override { return seen; }
     sim::ConsoleText& terminal(const std::string& part) override { return terminals[part]; }
@@ -126,7 +129,8 @@ public:
     void act(std::function<void()> action) override { action(); }
     void press(const std::string&, std::function<void()> action) override { action(); }
     void let_go(const std::string&, std::function<void()> action) override { action(); }
-    std::uint64_t now_ps() override { return now_ps_; }
+    void catch_up() override {}
+    std::uint64_t now_ps() const override { return now_ps_; }
     const std::filesystem::path& folder() const override { return folder_; }
     bool save(const std::filesystem::path& path, const sim::Image& image) override {
         if (!disk_full) saved.emplace_back(path.string(), image);
@@ -140,7 +144,7 @@ public:
 private:
     static constexpr std::uint64_t MS = 1'000'000'000;  // in ps
 
-    sim::HeaderPart& header_part(const std::string& name) override { return parts->get(name); }
+    sim::Part& any_part(const std::string& name) override { return parts->get(name); }
     void pass(std::uint64_t until_ps) {
         while (now_ps_ < until_ps) {
             now_ps_ = std::min(until_ps, now_ps_ + MS);
@@ -149,7 +153,6 @@ private:
         }
     }
 
-    sim::Agenda agenda;
     const std::filesystem::path folder_ = "out";
     std::uint64_t now_ps_ = 0;
 };
