@@ -1,8 +1,8 @@
 // bouncing_contacts.h - contacts that close and open by hand, and bounce
 //
-// One that is moved makes or breaks at once, and then some times the other way and back, at times
-// drawn from a generator with the given seed.  One that is moved again while
-// it still bounces begins again.
+// A contact that is moved makes or breaks at once and then bounces: it goes back and forth a few
+// times, at times drawn from a generator with the given seed.  One that is moved again while it
+// bounces begins again.
 #pragma once
 
 #include <cstdint>

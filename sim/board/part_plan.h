@@ -1,4 +1,4 @@
-// part_plan.h - what a scenario hangs on the headers' pins: one of its `parts:`, as data
+// part_plan.h - what a scenario hangs on the headers' pins: one of its `parts:`
 #pragma once
 
 #include <functional>

@@ -1,9 +1,9 @@
 // asynchronous_clock.h - when another clock moves among the fabric's clocks, exactly
 //
-// The audio clock rises 128 times a sample: for 8,000 a second each 3,125 / 128 clocks of 25 MHz.
-// The video decoder's has 27 MHz, and rises each 25 / 27 clocks.  Nothing is rounded, so nothing
-// drifts.  On the board nobody knows the phase between the clocks; here no edge of one meets an
-// edge of the fabric's.
+// The audio clock rises 128 times per sample: at 8,000 samples per second every 3,125 / 128 clocks
+// of 25 MHz.  The video decoder's clock of 27 MHz rises every 25 / 27 clocks.  Nothing is rounded,
+// so nothing drifts.  The phase between the clocks is unknown on the board; here no edge of theirs
+// coincides with one of the fabric's.
 #pragma once
 
 #include <cstdint>
