@@ -3,6 +3,7 @@
 #include <cstddef>
 
 #include "sim/cpu/dynarmic/instructions.h"
+#include "sim/cpu/dynarmic/missed_neon.h"
 
 namespace sim {
 

@@ -5,7 +5,7 @@
 //   data.cpp      loads and stores that are not in the page table
 //   direct.h      single loads and stores, decoded
 //   system.cpp    instructions that dynarmic does not have
-//   multiples.cpp, saturating.cpp, single.cpp, steps.cpp: more of them
+//   multiples.cpp, single.cpp: more of them
 //   registers.cpp ArmCore's registers and memory, seen from outside
 #pragma once
 
@@ -109,8 +109,7 @@ struct ArmCore::Engine final : Dynarmic::A32::UserCallbacks {
     bool swap(std::uint32_t word);
     bool load_store_multiple(std::uint32_t word);
     bool load_with_base(unsigned base, unsigned list, bool up, bool before);
-    bool newton_step(std::uint32_t word);
-    bool missed_neon(std::uint32_t word, bool in_thumb);
+    bool neon(std::uint32_t word, bool in_thumb);
     void write_status(bool saved, unsigned mask, std::uint32_t value);
     void change_state(unsigned imod, bool change_mode, std::uint32_t masks, std::uint32_t mode);
     bool return_from(std::uint32_t base, bool up, bool before, std::optional<unsigned> write_back);

@@ -1,5 +1,7 @@
 #include "sim/cpu/dynarmic/instructions.h"
 
+#include "sim/cpu/dynarmic/missed_neon.h"
+
 namespace sim {
 
 namespace {

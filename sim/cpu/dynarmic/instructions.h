@@ -60,8 +60,6 @@ bool is_newton_step(std::uint32_t word, bool thumb);
 // LDRT, STRT and their kind; SWP and SWPB of ARM.
 bool is_unprivileged(std::uint32_t word, bool thumb);
 bool is_swap(std::uint32_t word);
-// Of NEON, not in dynarmic: saturating.cpp has them.
-bool is_missed_neon(std::uint32_t word, bool thumb);
 
 // ---- IT blocks: CPSR's IT[7:0] in one piece ----
 

@@ -2,16 +2,15 @@
 // bits, V(R)ADDHN, V(R)SUBHN, VQDMULL, VQDMLAL, VQDMLSL (ARM DDI 0406C, A8.8)
 #include <cstring>
 #include <limits>
+#include <optional>
 #include <type_traits>
 
-#include "sim/cpu/dynarmic/engine.h"
 #include "sim/cpu/dynarmic/instructions.h"
+#include "sim/cpu/dynarmic/missed_neon.h"
 
 namespace sim {
 
 namespace {
-
-constexpr std::uint32_t FPSCR_QC = 1u << 27;
 
 unsigned size_of(std::uint32_t w) { return w >> 20 & 3; }
 
@@ -31,17 +30,15 @@ struct Operands {
     bool quad, sign;
 };
 
-using Words = std::array<std::uint32_t, 64>;
-
 // Lanes of D registers from number `d` on.
 template <class T, std::size_t N>
-std::array<T, N> lanes(const Words& words, unsigned d) {
+std::array<T, N> lanes(const VfpWords& words, unsigned d) {
     std::array<T, N> all;
     std::memcpy(all.data(), &words[2 * d], sizeof all);
     return all;
 }
 template <class T, std::size_t N>
-void set_lanes(Words& words, unsigned d, const std::array<T, N>& all) {
+void set_lanes(VfpWords& words, unsigned d, const std::array<T, N>& all) {
     std::memcpy(&words[2 * d], all.data(), sizeof all);
 }
 
@@ -101,7 +98,7 @@ void by_type(unsigned size, bool sign, Function&& function) {
 }
 
 template <class Function>
-void of_same_length(Words& words, const Operands& o, Function&& function) {
+void of_same_length(VfpWords& words, const Operands& o, Function&& function) {
     by_type(o.size, o.sign, [&](auto zero) {
         using T = decltype(zero);
         for (unsigned i = 0; i < (o.quad ? 2u : 1u); ++i) {
@@ -115,7 +112,7 @@ void of_same_length(Words& words, const Operands& o, Function&& function) {
 }
 
 // The upper halves of sums or differences.
-void narrow(Words& words, const Operands& o, bool subtract, bool round) {
+void narrow(VfpWords& words, const Operands& o, bool subtract, bool round) {
     by_type(o.size + 1, false, [&](auto zero) {
         using T = decltype(zero);
         if constexpr (sizeof(T) > 1) {
@@ -138,7 +135,7 @@ void narrow(Words& words, const Operands& o, bool subtract, bool round) {
 enum class Product { ALONE, ADDED, SUBTRACTED };
 
 template <class T, class Twice>
-void doubling(Words& words, const Operands& o, Product kind, std::optional<T> scalar,
+void doubling(VfpWords& words, const Operands& o, Product kind, std::optional<T> scalar,
               bool& saturated) {
     constexpr std::size_t LANES = 8 / sizeof(T);
     const auto n = lanes<T, LANES>(words, o.n), m = lanes<T, LANES>(words, o.m);
@@ -154,7 +151,7 @@ void doubling(Words& words, const Operands& o, Product kind, std::optional<T> sc
 }
 
 template <class T, class Twice>
-void doubling_with(Words& words, const Operands& o, Product kind, std::uint32_t w,
+void doubling_with(VfpWords& words, const Operands& o, Product kind, std::uint32_t w,
                    bool& saturated) {
     std::optional<T> scalar;
     if (w >> 6 & 1) {
@@ -190,12 +187,10 @@ bool is_missed_neon(std::uint32_t word, bool thumb) {
     return is_doubling(w) && size_of(w) != 0 && !odd_d;
 }
 
-bool ArmCore::Engine::missed_neon(std::uint32_t word, bool in_thumb) {
-    if (!is_missed_neon(word, in_thumb)) return false;
-    const std::uint32_t w = in_arm(word, in_thumb), kind = w >> 8 & 0xF;
+bool missed_neon(std::uint32_t word, bool thumb, VfpWords& words, bool& saturated) {
+    if (!is_missed_neon(word, thumb)) return false;
+    const std::uint32_t w = in_arm(word, thumb), kind = w >> 8 & 0xF;
     Operands o{w};
-    auto& words = jit->ExtRegs();
-    bool saturated = false;
     if (is(w, 0x00800F10, 0x00000510)) {
         of_same_length(words, o, [&](auto n, auto m) {
             return shifted_with_rounding(m, static_cast<std::int8_t>(n), saturated);
@@ -217,7 +212,6 @@ bool ArmCore::Engine::missed_neon(std::uint32_t word, bool in_thumb) {
         else
             doubling_with<std::int32_t, std::int64_t>(words, o, product, w, saturated);
     }
-    if (saturated) jit->SetFpscr(jit->Fpscr() | FPSCR_QC);
     return true;
 }
 

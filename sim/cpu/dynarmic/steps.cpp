@@ -1,9 +1,10 @@
 // steps.cpp - VRECPS and VRSQRTS, which ARMv7 rounds twice (ARM DDI 0406C, A2.7.7), dynarmic once.
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <limits>
 
-#include "sim/cpu/dynarmic/engine.h"
+#include "sim/cpu/dynarmic/missed_neon.h"
 
 namespace sim {
 
@@ -26,15 +27,13 @@ float reciprocal_step(float a, float b, bool square_root) {
 
 }  // namespace
 
-// `w`: in ARM's encoding.
-bool ArmCore::Engine::newton_step(std::uint32_t w) {
+bool newton_step(std::uint32_t w, VfpWords& words) {
     const auto number = [w](unsigned high, unsigned low) {
         return (w >> high & 1) << 4 | (w >> low & 0xF);
     };
     const unsigned d = number(22, 12), n = number(7, 16), m = number(5, 0);
     const bool quad = w >> 6 & 1, square_root = w >> 21 & 1;
     if (quad && ((d | n | m) & 1)) return false;
-    auto& words = jit->ExtRegs();
     std::array<std::uint32_t, 4> results{};
     const unsigned lanes = quad ? 4 : 2;
     for (unsigned i = 0; i < lanes; ++i) {

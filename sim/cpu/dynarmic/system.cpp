@@ -4,6 +4,7 @@
 // They change registers after all their accesses, so one that aborts has changed nothing.
 #include "sim/cpu/dynarmic/engine.h"
 #include "sim/cpu/dynarmic/instructions.h"
+#include "sim/cpu/dynarmic/missed_neon.h"
 #include "sim/cpu/dynarmic/translation_tables.h"
 
 namespace sim {
@@ -15,6 +16,7 @@ std::uint32_t turned(std::uint32_t value, unsigned by) {
 }
 
 constexpr std::uint32_t SEEN_BY_MRS = 0xF8FF03DF;  // neither T nor IT nor J
+constexpr std::uint32_t FPSCR_QC = 1u << 27;
 constexpr std::uint32_t FPSID = 0x41033094, MVFR0 = 0x10110222, MVFR1 = 0x01111111;
 
 }  // namespace
@@ -67,7 +69,7 @@ bool ArmCore::Engine::arm_system(std::uint32_t w) {
     }
     if (w >> 28 == 15)
         return is(w, 0xFD30F000, 0xF410F000) ||  // PLI
-               (is_newton_step(w, false) && newton_step(w)) || missed_neon(w, false);
+               neon(w, false);
     return is(w, 0x0C000000, 0x0C000000) && coprocessor(w);
 }
 
@@ -78,8 +80,7 @@ bool ArmCore::Engine::thumb_system(std::uint32_t w) {
         return load_with_base(w >> 16 & 0xF, w & 0xFFFF, up, !up);
     }
     if (w > 0xFFFF && is_unprivileged(w, true)) return unprivileged(w, true);
-    if (is_newton_step(w, true)) return newton_step(w);
-    if (missed_neon(w, true)) return true;
+    if (is_newton_step(w, true) || is_missed_neon(w, true)) return neon(w, true);
     if (is(w, 0xFFFFFFE8, 0xB660)) {
         change_state(w >> 4 & 1 ? 3 : 2, false, (w & 7) << 6, 0);
         return true;
@@ -191,6 +192,17 @@ bool ArmCore::Engine::exception_return(std::uint32_t w) {
     set_cpsr(spsr());
     core.set_reg(15, to);
     return true;
+}
+
+// ---- NEON ---------------------------------------------------------------------------------------
+
+bool ArmCore::Engine::neon(std::uint32_t w, bool in_thumb) {
+    VfpWords& words = jit->ExtRegs();
+    if (is_newton_step(w, in_thumb)) return newton_step(w, words);
+    bool saturated = false;
+    const bool done = missed_neon(w, in_thumb, words, saturated);
+    if (saturated) jit->SetFpscr(jit->Fpscr() | FPSCR_QC);
+    return done;
 }
 
 // ---- Coprocessors -------------------------------------------------------------------------------
