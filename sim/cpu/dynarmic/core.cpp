@@ -49,11 +49,11 @@ ArmCore::Engine::Engine(ArmCore& core_, ArmBus& bus_)
                            ~(OptimizationFlag::ReturnStackBuffer | OptimizationFlag::FastDispatch);
     config.page_table = pages.direct();
     config.detect_misaligned_access_via_page_table = 16 | 32 | 64;
-    config.coprocessors[15] = std::make_shared<ThreadRegisters>(cp15);
+    config.coprocessors[15] = std::make_shared<ThreadRegisters>(cpu.cp15);
     config.hook_hint_instructions = true;
     config.check_halt_on_memory_access = true;
     config.code_cache_size = CODE_CACHE;
-    jit = std::make_unique<Dynarmic::A32::Jit>(config);
+    cpu.jit = std::make_unique<Dynarmic::A32::Jit>(config);
 }
 
 const bool ArmCore::TELLS_OF_MASKS = true;
@@ -83,19 +83,18 @@ std::uint64_t ArmCore::Engine::GetTicksRemaining() {
 }
 
 void ArmCore::Engine::CallSVC(std::uint32_t number) {
-    const std::uint32_t pc = r()[15] - (thumb() ? 2 : 4);
+    const std::uint32_t pc = cpu.r()[15] - (cpu.thumb() ? 2 : 4);
     if (!stepping && code.is_marked(pc) && done_directly(pc, number)) return;
     if (event == Event::NONE) event = Event::SVC;
-    jit->HaltExecution(EVENT);
+    cpu.jit->HaltExecution(EVENT);
 }
 
 // Does the load or store at `pc`, which fetch.cpp has replaced by a supervisor call.  Registers are
 // those before it, and `before` of its block's instructions are done.  False: it has aborted.
 bool ArmCore::Engine::done_directly(std::uint32_t pc, std::uint32_t before) {
-    const bool in_thumb = thumb();
+    const bool in_thumb = cpu.thumb();
     const auto word = code.instruction(pc, in_thumb);
-    const auto access =
-        single_access(word.value_or(0), in_thumb, pc, r().data(), jit->Cpsr() >> 29 & 1);
+    const auto access = single_access(word.value_or(0), in_thumb, pc, cpu.r().data(), cpu.carry());
     required = {access->bytes, false, false};
     unaccounted = before + 1;
     core.count_ += unaccounted;
@@ -110,7 +109,7 @@ bool ArmCore::Engine::done_directly(std::uint32_t pc, std::uint32_t before) {
         event_pc = pc;
         return false;
     }
-    r()[15] = pc + (in_thumb && *word <= 0xFFFF ? 2 : 4);
+    cpu.r()[15] = pc + (in_thumb && *word <= 0xFFFF ? 2 : 4);
     if (code.settle(pc, reached)) invalidate(pc, 2);
     return true;
 }
@@ -138,7 +137,7 @@ void ArmCore::Engine::ExceptionRaised(std::uint32_t pc, Dynarmic::A32::Exception
         default: event = Event::UNDEFINED; break;
     }
     event_pc = pc;
-    jit->HaltExecution(EVENT);
+    cpu.jit->HaltExecution(EVENT);
 }
 
 // ---- Running ------------------------------------------------------------------------------------
@@ -159,33 +158,33 @@ ArmStop ArmCore::run_by_bytes() {
 
 std::optional<ArmStop> ArmCore::Engine::next(std::uint64_t left) {
     if (overfull) forget_blocks();
-    const std::uint32_t pc = r()[15];
+    const std::uint32_t pc = cpu.r()[15];
     if (!probed.empty() && probed.count(pc)) {
         if (probe->before(pc)) return ArmStop::LIMIT;
         return step();
     }
     if (code.is_marked(pc) && (watch || !code.is_direct(pc))) return step();
     if (left > longest) return run_translated(longest, longest);
-    const unsigned straight = code.to_next_branch(pc, thumb());
-    if (straight == Code::FAR && code.is_blank(pc, thumb())) return ArmStop::RAN_OFF;
+    const unsigned straight = code.to_next_branch(pc, cpu.thumb());
+    if (straight == Code::FAR && code.is_blank(pc, cpu.thumb())) return ArmStop::RAN_OFF;
     if (straight > left || straight == Code::FAR) return step();
     // Nothing but this branch is executed until run() ends.
-    const bool spins = code.is_spin(pc, thumb()) && it_state(jit->Cpsr()) == 0;
+    const bool spins = code.is_spin(pc, cpu.thumb()) && it_state(cpu.cpsr()) == 0;
     return run_translated(static_cast<unsigned>(std::min<std::uint64_t>(left, Code::FAR - 1)),
                           spins ? 0 : longest);
 }
 
 std::optional<ArmStop> ArmCore::Engine::run_translated(unsigned without_branch, unsigned overrun) {
     const std::uint64_t before = core.count_;
-    const std::uint32_t begin = r()[15];
-    const std::uint32_t link = r()[14];
+    const std::uint32_t begin = cpu.r()[15];
+    const std::uint32_t link = cpu.r()[14];
     unaccounted = 0;
     left_over = without_branch;
     after = overrun;
     event = Event::NONE;
     missed = retranslate = aborted = watched = called = false;
     block = {};
-    jit->Run();
+    cpu.jit->Run();
 
     std::optional<ArmStop> stop;
     if (missed) {
@@ -203,11 +202,11 @@ std::optional<ArmStop> ArmCore::Engine::run_translated(unsigned without_branch, 
     }
     const std::uint64_t done = core.count_ - before;
     if (tally && done > 0) {
-        const std::uint32_t now = r()[14];
+        const std::uint32_t now = cpu.r()[14];
         tally->ran({begin, done, link, called ? now & ~1u : now + 1});
     }
     if (event == Event::NO_CODE && retranslate &&
-        code.to_next_branch(event_pc, thumb()) == Code::FAR)
+        code.to_next_branch(event_pc, cpu.thumb()) == Code::FAR)
         return next(1);
     return stop;
 }
@@ -215,30 +214,30 @@ std::optional<ArmStop> ArmCore::Engine::run_translated(unsigned without_branch, 
 // Translated code has reached an access that a step must do: restores the state before its
 // instruction.
 void ArmCore::Engine::undo_miss() {
-    const std::uint32_t pc = r()[15], cpsr = jit->Cpsr();
-    const bool in_thumb = thumb(), carry = cpsr >> 29 & 1;
+    const std::uint32_t pc = cpu.r()[15], cpsr = cpu.cpsr();
+    const bool in_thumb = cpu.thumb(), carry = cpsr >> 29 & 1;
     const std::uint32_t word = code.instruction(pc, in_thumb).value_or(0);
-    if (const auto change = early_write_back(word, in_thumb, r().data(), carry, missed_address))
-        r()[change->base] -= change->added;
+    if (const auto change = early_write_back(word, in_thumb, cpu.r().data(), carry, missed_address))
+        cpu.r()[change->base] -= change->added;
     core.count_ += code.done_before(pc, in_thumb);
     const bool direct =
-        !(cpsr & arm_cpsr::IT) && single_access(word, in_thumb, pc, r().data(), carry);
+        !(cpsr & arm_cpsr::IT) && single_access(word, in_thumb, pc, cpu.r().data(), carry);
     code.mark(pc, direct);
     invalidate(pc, 2);
     missed = false;
 }
 
 std::optional<ArmStop> ArmCore::Engine::step() {
-    const std::uint32_t pc = r()[15], cpsr = jit->Cpsr();
-    const auto saved = r();
-    const auto saved_vfp = jit->ExtRegs();
+    const std::uint32_t pc = cpu.r()[15], cpsr = cpu.cpsr();
+    const auto saved = cpu.r();
+    const auto saved_vfp = cpu.jit->ExtRegs();
     event = Event::NONE;
     missed = retranslate = aborted = watched = reached = false;
     block = {};
     core.last_pc_ = pc;
     ++core.count_;
-    const std::uint32_t word = code.instruction(pc, thumb()).value_or(0);
-    requires_of(word, thumb());
+    const std::uint32_t word = code.instruction(pc, cpu.thumb()).value_or(0);
+    requires_of(word, cpu.thumb());
     if (required.beyond_pieces) {
         reached = true;
         if (const auto address = unaligned_structure(word)) {
@@ -247,7 +246,7 @@ std::optional<ArmStop> ArmCore::Engine::step() {
         }
     }
     stepping = true;
-    jit->Step();
+    cpu.jit->Step();
     std::optional<ArmStop> stop;
     if (aborted || watched) {
         stop = aborted ? ArmStop::DATA_ABORT : ArmStop::LIMIT;
@@ -257,9 +256,9 @@ std::optional<ArmStop> ArmCore::Engine::step() {
     }
     stepping = false;
     if (aborted || watched) {
-        r() = saved;
-        jit->ExtRegs() = saved_vfp;
-        jit->SetCpsr(cpsr);
+        cpu.r() = saved;
+        cpu.jit->ExtRegs() = saved_vfp;
+        cpu.jit->SetCpsr(cpsr);
         if (watched) --core.count_;
         return stop;
     }
@@ -271,8 +270,8 @@ std::optional<ArmStop> ArmCore::Engine::step() {
 // Dynarmic raises an exception with pc and the IT state after the instruction; this restores those
 // of the instruction.
 void ArmCore::Engine::back_to_event() {
-    if (thumb()) jit->SetCpsr(with_it_state(jit->Cpsr(), code.it(event_pc)));
-    r()[15] = event_pc;
+    if (cpu.thumb()) cpu.jit->SetCpsr(with_it_state(cpu.cpsr(), code.it(event_pc)));
+    cpu.r()[15] = event_pc;
 }
 
 // How the last instructions have ended, with pc as ArmStop says.
@@ -282,7 +281,7 @@ std::optional<ArmStop> ArmCore::Engine::ended() {
         case Event::HINT_WFI: return ArmStop::WFI;
         case Event::HINT_WFE: return ArmStop::WFE;
         case Event::SVC: return ArmStop::SVC;
-        case Event::ABORT: r()[15] = event_pc; return ArmStop::DATA_ABORT;
+        case Event::ABORT: cpu.r()[15] = event_pc; return ArmStop::DATA_ABORT;
         case Event::BREAKPOINT: back_to_event(); return ArmStop::BREAKPOINT;
         case Event::UNDEFINED:
             back_to_event();
@@ -295,7 +294,7 @@ std::optional<ArmStop> ArmCore::Engine::ended() {
     }
     if (stepping) --core.count_;
     back_to_event();
-    const std::uint32_t second = thumb() && half_of_code(event_pc) ? event_pc + 2 : event_pc;
+    const std::uint32_t second = cpu.thumb() && half_of_code(event_pc) ? event_pc + 2 : event_pc;
     const PageTable::Page& page = page_of(second);
     const bool by_tables = page.no_code;
     core.fault_ = {second, false, by_tables, page.status};

@@ -26,7 +26,7 @@ unsigned aligned_piece(std::uint32_t address, unsigned left) {
 const PageTable::Page& ArmCore::Engine::page_of(std::uint32_t address) {
     PageTable::Page& page = pages.slot(address >> 12);
     if (page.number == address >> 12) return page;
-    const Translation to = translate(cp15, memory, address & ~PAGE_MASK, privileged());
+    const Translation to = translate(cpu.cp15, memory, address & ~PAGE_MASK, cpu.privileged());
     page = {};
     page.status = to.status;
     page.access = to.access;
@@ -54,7 +54,7 @@ bool ArmCore::Engine::miss(std::uint32_t address) {
     if (stepping) return false;
     missed = true;
     missed_address = address;
-    jit->HaltExecution(Dynarmic::HaltReason::MemoryAbort);
+    cpu.jit->HaltExecution(Dynarmic::HaltReason::MemoryAbort);
     return true;
 }
 
@@ -62,7 +62,7 @@ bool ArmCore::Engine::refuse(std::uint32_t address, bool write, bool by_tables,
                              std::uint32_t status) {
     aborted = true;
     core.fault_ = {address, write, by_tables, status};
-    jit->HaltExecution(Dynarmic::HaltReason::MemoryAbort);
+    cpu.jit->HaltExecution(Dynarmic::HaltReason::MemoryAbort);
     return false;
 }
 
@@ -76,7 +76,7 @@ bool ArmCore::Engine::before_access(std::uint32_t address, unsigned bytes, bool 
     if (watch && watch->touched(address, bytes, write)) {
         if (miss(address)) return false;
         watched = true;
-        jit->HaltExecution(Dynarmic::HaltReason::MemoryAbort);
+        cpu.jit->HaltExecution(Dynarmic::HaltReason::MemoryAbort);
         return false;
     }
     if (in_ram) return true;
@@ -93,7 +93,7 @@ bool ArmCore::Engine::may_be_unaligned(std::uint32_t address, unsigned bytes, bo
     if (aborted || watched || missed || miss(address)) return false;
     reached = true;
     if (address % required.bytes == 0) return true;
-    const bool strict = required.always || (cp15.value(cp15::SCTLR) & SCTLR_A);
+    const bool strict = required.always || (cpu.cp15.value(cp15::SCTLR) & SCTLR_A);
     const PageTable::Page& page = page_of(address);
     if (by_bytes || (!strict && (page.normal || page.access == 0))) return true;
     refuse(address, write, true, ALIGNMENT_FAULT);
@@ -107,10 +107,11 @@ ArmFault ArmCore::Engine::unaligned(std::uint32_t address, bool write) const {
 
 // The address of VLD1 and its like, if :<align> asks for more than it is.
 std::optional<std::uint32_t> ArmCore::Engine::unaligned_structure(std::uint32_t word) {
-    const unsigned it = it_state(jit->Cpsr());
-    const bool skipped = thumb() && (it & 0xF) != 0 && !condition_holds(it >> 4, jit->Cpsr());
-    const std::uint32_t address = r()[word >> 16 & 0xF];
-    if (!required.beyond_pieces || skipped || address % required.bytes == 0 || !floating_point())
+    const unsigned it = it_state(cpu.cpsr());
+    const bool skipped = cpu.thumb() && (it & 0xF) != 0 && !condition_holds(it >> 4, cpu.cpsr());
+    const std::uint32_t address = cpu.r()[word >> 16 & 0xF];
+    if (!required.beyond_pieces || skipped || address % required.bytes == 0 ||
+        !cpu.floating_point())
         return std::nullopt;
     return address;
 }

@@ -12,8 +12,6 @@
 #include <dynarmic/interface/A32/a32.h>
 #include <dynarmic/interface/exclusive_monitor.h>
 
-#include <array>
-#include <memory>
 #include <optional>
 #include <unordered_map>
 #include <unordered_set>
@@ -23,10 +21,9 @@
 #include "sim/cpu/arm_core.h"
 #include "sim/cpu/dynarmic/alignment.h"
 #include "sim/cpu/dynarmic/code.h"
-#include "sim/cpu/dynarmic/cp15.h"
+#include "sim/cpu/dynarmic/cpu_state.h"
 #include "sim/cpu/dynarmic/direct.h"
 #include "sim/cpu/dynarmic/memory_map.h"
-#include "sim/cpu/dynarmic/modes.h"
 #include "sim/cpu/dynarmic/page_table.h"
 
 namespace sim {
@@ -36,14 +33,11 @@ struct ArmCore::Engine final : Dynarmic::A32::UserCallbacks {
 
     ArmCore& core;
     ArmBus& bus;
+    CpuState cpu;
     MemoryMap memory;
     PageTable pages;
-    Cp15Registers cp15;
-    BankedRegisters banked;
-    std::uint32_t fpexc = 0;
     Code code;
     Dynarmic::ExclusiveMonitor monitor{1};
-    std::unique_ptr<Dynarmic::A32::Jit> jit;
 
     ArmProbe* probe = nullptr;
     std::unordered_set<std::uint32_t> probed;
@@ -53,17 +47,6 @@ struct ArmCore::Engine final : Dynarmic::A32::UserCallbacks {
     static constexpr std::uint64_t CALL = 1u << 24, JUMP = 2u << 24, TALLIED = CALL - 1;
     bool called = false;
     ArmWatch* watch = nullptr;
-
-    std::array<std::uint32_t, 16>& r() { return jit->Regs(); }
-    bool thumb() const { return jit->Cpsr() & arm_cpsr::T; }
-    std::uint32_t mode() const { return jit->Cpsr() & arm_cpsr::MODE; }
-    bool privileged() const { return mode() != arm_mode::USR; }
-    // CPACR's cp10: 1 is for privileged modes, 3 for all.
-    unsigned floating_point_rights() const { return cp15.value(cp15::CPACR) >> 20 & 3; }
-    bool may_use_floating_point() const {
-        return floating_point_rights() == 3 || (floating_point_rights() == 1 && privileged());
-    }
-    bool floating_point() const { return (fpexc >> 30 & 1) && may_use_floating_point(); }
 
     void set_cpsr(std::uint32_t value);
     void forget_mappings();  // of addresses, and all translated code
@@ -114,7 +97,6 @@ struct ArmCore::Engine final : Dynarmic::A32::UserCallbacks {
     void change_state(unsigned imod, bool change_mode, std::uint32_t masks, std::uint32_t mode);
     bool return_from(std::uint32_t base, bool up, bool before, std::optional<unsigned> write_back);
     bool save_return(std::uint32_t mode, bool up, bool before, bool write_back);
-    std::uint32_t& spsr() { return banked.spsr(mode()); }
 
     // ---- fetch.cpp ----
 
@@ -149,15 +131,6 @@ struct ArmCore::Engine final : Dynarmic::A32::UserCallbacks {
     // ---- data.cpp ----
 
     const PageTable::Page& page_of(std::uint32_t address);
-
-    // Swaps a value's bytes if CPSR.E asks for big-endian data; translated code does so by itself.
-    template <class T>
-    T in_order(T value) const {
-        if (!(jit->Cpsr() & arm_cpsr::E)) return value;
-        if constexpr (sizeof(T) == 4) return __builtin_bswap32(value);
-        if constexpr (sizeof(T) == 2) return __builtin_bswap16(value);
-        return value;
-    }
 
     Alignment required;  // of the instruction that a step does
     void requires_of(std::uint32_t word, bool in_thumb) { required = alignment(word, in_thumb); }

@@ -50,7 +50,7 @@ std::optional<std::uint16_t> ArmCore::Engine::half_of_code(std::uint32_t address
 
 // The translation tables do not keep it from the user mode.
 bool ArmCore::Engine::user_may(std::uint32_t address, unsigned right) const {
-    return translate(cp15, memory, address, false).access & right;
+    return translate(cpu.cp15, memory, address, false).access & right;
 }
 
 // Called before the user mode can reach code that was translated for privileged modes alone.
@@ -61,7 +61,7 @@ void ArmCore::Engine::forget_privileged_code() {
 
 bool ArmCore::Engine::is_single_access(std::uint32_t pc) {
     const auto word = code.instruction(pc, block.thumb);
-    return word && block.it == 0 && single_access(*word, block.thumb, pc, r().data(), false);
+    return word && block.it == 0 && single_access(*word, block.thumb, pc, cpu.r().data(), false);
 }
 
 // Dynarmic reads a block's words from its begin on (a Thumb instruction of 32 bits may lie in two
@@ -74,13 +74,13 @@ bool ArmCore::Engine::is_single_access(std::uint32_t pc) {
 // Blocks do not overlap, so each instruction belongs to one known block.  Where another block
 // begins, this one ends with a branch to it, which is not counted.
 std::optional<std::uint32_t> ArmCore::Engine::MemoryReadCode(std::uint32_t address) {
-    const std::uint32_t begin = r()[15];
+    const std::uint32_t begin = cpu.r()[15];
     const bool second_half = block.begin == begin && block.thumb && (block.next & 2) &&
                              address == (block.next & ~3u) + 4;
     if (!second_half) {
         const bool first = block.begin != begin || address != (block.next & ~3u);
         if (first) {
-            block = {begin, begin, thumb(), 0, it_state(jit->Cpsr()), false};
+            block = {begin, begin, cpu.thumb(), 0, it_state(cpu.cpsr()), false};
             translates(begin);
         }
         const std::uint32_t pc = block.next;
@@ -136,13 +136,13 @@ std::optional<std::uint32_t> ArmCore::Engine::MemoryReadCode(std::uint32_t addre
     const auto whole = code.instruction(block.next, block.thumb);
     if (!whole) return word;
     std::uint32_t instead = *whole;
-    if (is_system(*whole, block.thumb, floating_point())) {
+    if (is_system(*whole, block.thumb, cpu.floating_point())) {
         // UDF of the same length, because the instruction may be skipped by its condition.
         instead = !block.thumb       ? ARM_UNDEFINED
                   : *whole <= 0xFFFF ? THUMB_UNDEFINED
                                      : THUMB_UNDEFINED_FIRST << 16 | THUMB_UNDEFINED_SECOND;
     } else if (*whole > 0xFFFF || !block.thumb) {
-        if (!(jit->Cpsr() & arm_cpsr::E)) instead = as_doublewords(*whole, block.thumb);
+        if (!(cpu.cpsr() & arm_cpsr::E)) instead = as_doublewords(*whole, block.thumb);
         const Alignment needed = alignment(instead, block.thumb);
         has_doublewords |= needed.bytes == 8;
         if (!stepping && needed.beyond_pieces) {

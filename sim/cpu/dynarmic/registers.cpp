@@ -16,76 +16,80 @@ constexpr std::uint32_t FPEXC_EN = 1u << 30;
 
 void ArmCore::reset(std::uint32_t entry, std::uint32_t stack) {
     Engine& e = *engine_;
-    e.jit->Reset();
-    e.jit->ExtRegs().fill(0);
-    e.jit->SetFpscr(0);
-    e.jit->ClearExclusiveState();
-    e.cp15.reset();
-    e.banked = {};
-    e.fpexc = 0;
-    e.jit->SetCpsr(arm_mode::SVC | arm_cpsr::A | arm_cpsr::I | arm_cpsr::F |
-                   (entry & 1 ? arm_cpsr::T : 0));
-    e.r().fill(0);
+    e.cpu.jit->Reset();
+    e.cpu.jit->ExtRegs().fill(0);
+    e.cpu.jit->SetFpscr(0);
+    e.cpu.jit->ClearExclusiveState();
+    e.cpu.cp15.reset();
+    e.cpu.banked = {};
+    e.cpu.fpexc = 0;
+    e.cpu.jit->SetCpsr(arm_mode::SVC | arm_cpsr::A | arm_cpsr::I | arm_cpsr::F |
+                       (entry & 1 ? arm_cpsr::T : 0));
+    e.cpu.r().fill(0);
     set_reg(13, stack);
     set_reg(15, entry);
     e.forget_mappings();
 }
 
-std::uint32_t ArmCore::reg(unsigned number) const { return engine_->jit->Regs()[number & 15]; }
+std::uint32_t ArmCore::reg(unsigned number) const { return engine_->cpu.jit->Regs()[number & 15]; }
 
 void ArmCore::set_reg(unsigned number, std::uint32_t value) {
-    const std::uint32_t unaligned = engine_->thumb() ? 1 : 3;
-    engine_->r()[number & 15] = (number & 15) == 15 ? value & ~unaligned : value;
+    if ((number & 15) == 15)
+        engine_->cpu.go_to(value);
+    else
+        engine_->cpu.r()[number & 15] = value;
 }
 
-std::uint32_t ArmCore::cpsr() const { return engine_->jit->Cpsr(); }
+std::uint32_t ArmCore::cpsr() const { return engine_->cpu.cpsr(); }
 void ArmCore::set_cpsr(std::uint32_t value) { engine_->set_cpsr(value); }
 
 void ArmCore::Engine::set_cpsr(std::uint32_t value) {
-    const std::uint32_t was = mode(), is = value & arm_cpsr::MODE;
+    const std::uint32_t was = cpu.mode(), is = value & arm_cpsr::MODE;
     if (was != is) {
-        banked.change(r(), was, is);
-        jit->ClearExclusiveState();
+        cpu.banked.change(cpu.r(), was, is);
+        cpu.jit->ClearExclusiveState();
         const bool other_rights = (was == arm_mode::USR) != (is == arm_mode::USR);
-        if (other_rights && (cp15.value(cp15::SCTLR) & SCTLR_M)) pages.close_all();
+        if (other_rights && (cpu.cp15.value(cp15::SCTLR) & SCTLR_M)) pages.close_all();
         if (is == arm_mode::USR) forget_privileged_code();
-        if (other_rights && floating_point_rights() == 1) forget_mappings();
+        if (other_rights && cpu.floating_point_rights() == 1) forget_mappings();
     }
-    if (jit->Cpsr() & ~value & (arm_cpsr::I | arm_cpsr::F)) bus.unmasked();
-    jit->SetCpsr(value);
+    if (cpu.cpsr() & ~value & (arm_cpsr::I | arm_cpsr::F)) bus.unmasked();
+    cpu.jit->SetCpsr(value);
 }
 
-std::uint32_t ArmCore::spsr() const { return engine_->spsr(); }
-void ArmCore::set_spsr(std::uint32_t value) { engine_->spsr() = value; }
+std::uint32_t ArmCore::spsr() const { return engine_->cpu.spsr(); }
+void ArmCore::set_spsr(std::uint32_t value) { engine_->cpu.spsr() = value; }
 
 std::uint64_t ArmCore::vfp(unsigned number) const {
-    const auto& words = engine_->jit->ExtRegs();
+    const auto& words = engine_->cpu.jit->ExtRegs();
     const unsigned low = 2 * (number & 31);
     return words[low] | std::uint64_t{words[low + 1]} << 32;
 }
 
 void ArmCore::set_vfp(unsigned number, std::uint64_t value) {
-    auto& words = engine_->jit->ExtRegs();
+    auto& words = engine_->cpu.jit->ExtRegs();
     const unsigned low = 2 * (number & 31);
     words[low] = static_cast<std::uint32_t>(value);
     words[low + 1] = static_cast<std::uint32_t>(value >> 32);
 }
 
-void ArmCore::clear_exclusive() { engine_->jit->ClearExclusiveState(); }
+void ArmCore::clear_exclusive() { engine_->cpu.jit->ClearExclusiveState(); }
 
 void ArmCore::set_floating_point(bool on) {
-    engine_->cp15.set(cp15::CPACR, on ? 0x00F00000 : 0);
-    engine_->fpexc = on ? FPEXC_EN : 0;
+    engine_->cpu.cp15.set(cp15::CPACR, on ? 0x00F00000 : 0);
+    engine_->cpu.fpexc = on ? FPEXC_EN : 0;
     engine_->forget_mappings();
 }
 
-bool ArmCore::floating_point() const { return engine_->floating_point(); }
+bool ArmCore::floating_point() const { return engine_->cpu.floating_point(); }
 
-std::uint32_t ArmCore::fpscr() const { return engine_->jit->Fpscr(); }
-void ArmCore::set_fpscr(std::uint32_t value) { engine_->jit->SetFpscr(value); }
+std::uint32_t ArmCore::fpscr() const { return engine_->cpu.jit->Fpscr(); }
+void ArmCore::set_fpscr(std::uint32_t value) { engine_->cpu.jit->SetFpscr(value); }
 
-std::uint32_t ArmCore::cp15(const Cp15& name) const { return engine_->cp15.value(name); }
-void ArmCore::set_cp15(const Cp15& name, std::uint32_t value) { engine_->cp15.set(name, value); }
+std::uint32_t ArmCore::cp15(const Cp15& name) const { return engine_->cpu.cp15.value(name); }
+void ArmCore::set_cp15(const Cp15& name, std::uint32_t value) {
+    engine_->cpu.cp15.set(name, value);
+}
 
 // ---- Inspectors ---------------------------------------------------------------------------------
 
@@ -121,7 +125,7 @@ std::optional<std::uint32_t> ArmCore::code_at(std::uint32_t pc, bool thumb) {
 std::optional<ArmCore::Cycles> ArmCore::cycles() const {
     constexpr Cp15 PMCCNTR{9, 0, 13, 0};
     const auto read_after = [&](std::uint64_t more) {
-        return engine_->cp15.read(PMCCNTR, engine_->privileged(), count_ + more);
+        return engine_->cpu.cp15.read(PMCCNTR, engine_->cpu.privileged(), count_ + more);
     };
     const auto next = read_after(1);
     if (!next) return std::nullopt;
@@ -196,7 +200,7 @@ void ArmCore::Engine::forget_code(std::uint32_t address, std::uint32_t bytes) {
 }
 
 void ArmCore::Engine::invalidate(std::uint32_t address, std::uint32_t bytes) {
-    jit->InvalidateCacheRange(address, bytes);
+    cpu.jit->InvalidateCacheRange(address, bytes);
 }
 
 // Dynarmic keeps a list of every branch ever translated to a place, and walks through it when the
@@ -212,7 +216,7 @@ void ArmCore::Engine::translates(std::uint32_t pc) {
 void ArmCore::Engine::forget_blocks() {
     translations.clear();
     overfull = false;
-    jit->ClearCache();
+    cpu.jit->ClearCache();
 }
 
 void ArmCore::Engine::forget_mappings() {

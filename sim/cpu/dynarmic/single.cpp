@@ -28,7 +28,7 @@ bool is_swap(std::uint32_t w) { return is(w, 0x0FB00FF0, 0x01000090) && w >> 28 
 
 // False: it has aborted.
 bool ArmCore::Engine::transfer(const SingleAccess& access) {
-    std::uint32_t value = r()[access.target];
+    std::uint32_t value = cpu.r()[access.target];
     switch (access.bytes) {
         case 1:
             if (access.load)
@@ -40,31 +40,31 @@ bool ArmCore::Engine::transfer(const SingleAccess& access) {
             break;
         case 2:
             if (access.load)
-                value = in_order(load<std::uint16_t>(access.address));
+                value = cpu.in_order(load<std::uint16_t>(access.address));
             else
-                store(access.address, in_order(static_cast<std::uint16_t>(value)));
+                store(access.address, cpu.in_order(static_cast<std::uint16_t>(value)));
             if (access.is_signed)
                 value = static_cast<std::uint32_t>(static_cast<std::int16_t>(value));
             break;
         default:
             if (access.load)
-                value = in_order(load<std::uint32_t>(access.address));
+                value = cpu.in_order(load<std::uint32_t>(access.address));
             else
-                store(access.address, in_order(value));
+                store(access.address, cpu.in_order(value));
     }
     if (aborted || watched) return false;
-    if (access.write_back) r()[access.base] = access.new_base;
-    if (access.load) r()[access.target] = value;
+    if (access.write_back) cpu.r()[access.base] = access.new_base;
+    if (access.load) cpu.r()[access.target] = value;
     return true;
 }
 
 // As the LDR or STR that it is but for its rights.
 bool ArmCore::Engine::unprivileged(std::uint32_t w, bool in_thumb) {
     const std::uint32_t plain = in_thumb ? (w | 1u << 23) & ~0xF00u : w & ~(1u << 21);
-    const std::uint32_t pc = r()[15] - 4;
-    const auto access = single_access(plain, in_thumb, pc, r().data(), jit->Cpsr() >> 29 & 1);
+    const std::uint32_t pc = cpu.r()[15] - 4;
+    const auto access = single_access(plain, in_thumb, pc, cpu.r().data(), cpu.carry());
     if (!access) return false;
-    const Translation to = translate(cp15, memory, access->address, false);
+    const Translation to = translate(cpu.cp15, memory, access->address, false);
     if (!(to.access & (access->load ? arm_access::READ : arm_access::WRITE))) {
         refuse(access->address, !access->load, true, to.status);
         return false;
@@ -73,18 +73,18 @@ bool ArmCore::Engine::unprivileged(std::uint32_t w, bool in_thumb) {
 }
 
 bool ArmCore::Engine::swap(std::uint32_t w) {
-    if (!(cp15.value(cp15::SCTLR) & SCTLR_SW)) return false;
-    const std::uint32_t address = r()[w >> 16 & 0xF], value = r()[w & 0xF];
+    if (!(cpu.cp15.value(cp15::SCTLR) & SCTLR_SW)) return false;
+    const std::uint32_t address = cpu.r()[w >> 16 & 0xF], value = cpu.r()[w & 0xF];
     std::uint32_t old;
     if (w >> 22 & 1) {
         old = load<std::uint8_t>(address);
         store(address, static_cast<std::uint8_t>(value));
     } else {
-        old = in_order(load<std::uint32_t>(address));
-        store(address, in_order(value));
+        old = cpu.in_order(load<std::uint32_t>(address));
+        store(address, cpu.in_order(value));
     }
     if (aborted || watched) return false;
-    r()[w >> 12 & 0xF] = old;
+    cpu.r()[w >> 12 & 0xF] = old;
     return true;
 }
 

@@ -22,25 +22,25 @@ constexpr std::uint32_t FPSID = 0x41033094, MVFR0 = 0x10110222, MVFR1 = 0x011111
 }  // namespace
 
 bool ArmCore::Engine::system(std::uint32_t pc) {
-    const bool in_thumb = thumb();
+    const bool in_thumb = cpu.thumb();
     const auto word = code.instruction(pc, in_thumb);
     if (!word || is_absent(*word, in_thumb)) return false;
     const unsigned bytes = in_thumb && *word <= 0xFFFF ? 2 : 4;
     requires_of(*word, in_thumb);
     const bool was_stepping = stepping;
     stepping = true;  // its accesses may go to the bus
-    r()[15] = pc + bytes;
+    cpu.r()[15] = pc + bytes;
     bool done = true;
     if (in_thumb) {
-        const std::uint32_t cpsr = jit->Cpsr();
-        jit->SetCpsr(with_it_state(cpsr, next_it(it_state(cpsr))));
+        const std::uint32_t cpsr = cpu.cpsr();
+        cpu.jit->SetCpsr(with_it_state(cpsr, next_it(it_state(cpsr))));
         done = thumb_system(*word);
-        if (!done) jit->SetCpsr(cpsr);
-    } else if (*word >> 28 == 15 || condition_holds(*word >> 28, jit->Cpsr())) {
+        if (!done) cpu.jit->SetCpsr(cpsr);
+    } else if (*word >> 28 == 15 || condition_holds(*word >> 28, cpu.cpsr())) {
         done = arm_system(*word);
     }
-    if (!done) r()[15] = pc;
-    jit->ClearHalt(Dynarmic::HaltReason::MemoryAbort);  // of its accesses: nothing runs now
+    if (!done) cpu.r()[15] = pc;
+    cpu.jit->ClearHalt(Dynarmic::HaltReason::MemoryAbort);  // of its accesses: nothing runs now
     stepping = was_stepping;
     return done;
 }
@@ -53,7 +53,7 @@ bool ArmCore::Engine::arm_system(std::uint32_t w) {
     }
     if (is(w, 0xFE50FFFF, 0xF8100A00)) {
         const unsigned base = w >> 16 & 0xF;
-        return return_from(r()[base], up, before, write ? std::optional{base} : std::nullopt);
+        return return_from(cpu.r()[base], up, before, write ? std::optional{base} : std::nullopt);
     }
     if (is(w, 0xFE5FFFE0, 0xF84D0500)) return save_return(w & 0x1F, up, before, write);
     if (w >> 28 != 15) {
@@ -86,13 +86,13 @@ bool ArmCore::Engine::thumb_system(std::uint32_t w) {
         return true;
     }
     if (is(w, 0xFFE0F0FF, 0xF3808000)) {
-        write_status(w >> 20 & 1, w >> 8 & 0xF, r()[w >> 16 & 0xF]);
+        write_status(w >> 20 & 1, w >> 8 & 0xF, cpu.r()[w >> 16 & 0xF]);
         return true;
     }
     if (is(w, 0xFFEFF0FF, 0xF3EF8000)) {
         const bool saved = w >> 20 & 1;
-        if (saved && !privileged()) return false;
-        r()[w >> 8 & 0xF] = saved ? spsr() : jit->Cpsr() & SEEN_BY_MRS;
+        if (saved && !cpu.privileged()) return false;
+        cpu.r()[w >> 8 & 0xF] = saved ? cpu.spsr() : cpu.cpsr() & SEEN_BY_MRS;
         return true;
     }
     if (is(w, 0xFFFFF800, 0xF3AF8000)) {
@@ -100,16 +100,16 @@ bool ArmCore::Engine::thumb_system(std::uint32_t w) {
         return true;
     }
     if (is(w, 0xFFFFFF00, 0xF3DE8F00)) {
-        if (!privileged() || mode() == arm_mode::SYS) return false;
-        const std::uint32_t to = r()[14] - (w & 0xFF);
-        set_cpsr(spsr());
-        core.set_reg(15, to);
+        if (!cpu.privileged() || cpu.mode() == arm_mode::SYS) return false;
+        const std::uint32_t to = cpu.r()[14] - (w & 0xFF);
+        set_cpsr(cpu.spsr());
+        cpu.go_to(to);
         return true;
     }
     const bool up = is(w, 0xFF800000, 0xE9800000), write = w >> 21 & 1;
     if (is(w, 0xFFD0FFFF, 0xE810C000) || is(w, 0xFFD0FFFF, 0xE990C000)) {
         const unsigned base = w >> 16 & 0xF;
-        return return_from(r()[base], up, !up, write ? std::optional{base} : std::nullopt);
+        return return_from(cpu.r()[base], up, !up, write ? std::optional{base} : std::nullopt);
     }
     if (is(w, 0xFFDFFFE0, 0xE80DC000) || is(w, 0xFFDFFFE0, 0xE98DC000))
         return save_return(w & 0x1F, up, !up, write);
@@ -122,13 +122,14 @@ bool ArmCore::Engine::thumb_system(std::uint32_t w) {
 bool ArmCore::Engine::status(std::uint32_t w) {
     const bool saved = w >> 22 & 1;
     if (is(w, 0x0FBF0FFF, 0x010F0000)) {
-        if (saved && !privileged()) return false;
-        r()[w >> 12 & 0xF] = saved ? spsr() : jit->Cpsr() & SEEN_BY_MRS;
+        if (saved && !cpu.privileged()) return false;
+        cpu.r()[w >> 12 & 0xF] = saved ? cpu.spsr() : cpu.cpsr() & SEEN_BY_MRS;
         return true;
     }
     const bool immediate = is(w, 0x0FB0F000, 0x0320F000);
     if (!immediate && !is(w, 0x0FB0FFF0, 0x0120F000)) return false;
-    write_status(saved, w >> 16 & 0xF, immediate ? turned(w & 0xFF, w >> 7 & 0x1E) : r()[w & 0xF]);
+    write_status(saved, w >> 16 & 0xF,
+                 immediate ? turned(w & 0xFF, w >> 7 & 0x1E) : cpu.r()[w & 0xF]);
     return true;
 }
 
@@ -138,18 +139,19 @@ void ArmCore::Engine::write_status(bool saved, unsigned mask, std::uint32_t valu
     for (unsigned byte = 0; byte < 4; ++byte)
         if (mask >> byte & 1) bits |= 0xFFu << (8 * byte);
     if (saved) {
-        if (privileged() && mode() != arm_mode::SYS) spsr() = (spsr() & ~bits) | (value & bits);
+        if (cpu.privileged() && cpu.mode() != arm_mode::SYS)
+            cpu.spsr() = (cpu.spsr() & ~bits) | (value & bits);
         return;
     }
-    bits &= privileged() ? 0xF80F03DFu : 0xF80F0200u;  // neither T nor IT nor J
-    set_cpsr((jit->Cpsr() & ~bits) | (value & bits));
+    bits &= cpu.privileged() ? 0xF80F03DFu : 0xF80F0200u;  // neither T nor IT nor J
+    set_cpsr((cpu.cpsr() & ~bits) | (value & bits));
 }
 
 // CPS: `imod` 2 enables, 3 disables what `masks` (A, I, F as in the CPSR) names.
 void ArmCore::Engine::change_state(unsigned imod, bool change_mode, std::uint32_t masks,
                                    std::uint32_t to) {
-    if (!privileged()) return;
-    std::uint32_t value = jit->Cpsr();
+    if (!cpu.privileged()) return;
+    std::uint32_t value = cpu.cpsr();
     if (imod == 2) value &= ~masks;
     if (imod == 3) value |= masks;
     if (change_mode) value = (value & ~arm_cpsr::MODE) | to;
@@ -160,19 +162,19 @@ void ArmCore::Engine::change_state(unsigned imod, bool change_mode, std::uint32_
 
 // MOVS pc, SUBS pc and all other data processing that writes pc with S: CPSR from SPSR.
 bool ArmCore::Engine::exception_return(std::uint32_t w) {
-    if (!privileged() || mode() == arm_mode::SYS) return false;
-    const std::uint32_t cpsr = jit->Cpsr(), pc = r()[15] + 4;
+    if (!cpu.privileged() || cpu.mode() == arm_mode::SYS) return false;
+    const std::uint32_t cpsr = cpu.cpsr(), pc = cpu.r()[15] + 4;
     const auto reg = [&](unsigned n, bool by_register) {
-        return n == 15 ? pc + (by_register ? 4 : 0) : r()[n];
+        return n == 15 ? pc + (by_register ? 4 : 0) : cpu.r()[n];
     };
     bool carry = cpsr >> 29 & 1;
     const bool in = carry, by_register = !(w >> 25 & 1) && (w >> 4 & 1);
     const std::uint32_t a = reg(w >> 16 & 0xF, by_register);
     const std::uint32_t b =
-        w >> 25 & 1
-            ? turned(w & 0xFF, w >> 7 & 0x1E)
-            : shifted(reg(w & 0xF, by_register), w >> 5 & 3,
-                      by_register ? r()[w >> 8 & 0xF] & 0xFF : w >> 7 & 0x1F, by_register, carry);
+        w >> 25 & 1 ? turned(w & 0xFF, w >> 7 & 0x1E)
+                    : shifted(reg(w & 0xF, by_register), w >> 5 & 3,
+                              by_register ? cpu.r()[w >> 8 & 0xF] & 0xFF : w >> 7 & 0x1F,
+                              by_register, carry);
     std::uint32_t to = 0;
     switch (w >> 21 & 0xF) {
         case 0: to = a & b; break;
@@ -189,19 +191,19 @@ bool ArmCore::Engine::exception_return(std::uint32_t w) {
         case 15: to = ~b; break;
         default: return false;
     }
-    set_cpsr(spsr());
-    core.set_reg(15, to);
+    set_cpsr(cpu.spsr());
+    cpu.go_to(to);
     return true;
 }
 
 // ---- NEON ---------------------------------------------------------------------------------------
 
 bool ArmCore::Engine::neon(std::uint32_t w, bool in_thumb) {
-    VfpWords& words = jit->ExtRegs();
+    VfpWords& words = cpu.jit->ExtRegs();
     if (is_newton_step(w, in_thumb)) return newton_step(w, words);
     bool saturated = false;
     const bool done = missed_neon(w, in_thumb, words, saturated);
-    if (saturated) jit->SetFpscr(jit->Fpscr() | FPSCR_QC);
+    if (saturated) cpu.jit->SetFpscr(cpu.jit->Fpscr() | FPSCR_QC);
     return done;
 }
 
@@ -214,45 +216,45 @@ bool ArmCore::Engine::coprocessor(std::uint32_t w) {
     if (!is(w, 0x0F000010, 0x0E000010)) return false;
     if (is(w, 0x0FE00FFF, 0x0EE00A10)) {
         const unsigned which = w >> 16 & 0xF;
-        if (!privileged() || !may_use_floating_point()) return false;
+        if (!cpu.privileged() || !cpu.may_use_floating_point()) return false;
         if (!to_core) {
             if (which != 8) return which == 0;
-            const bool was = floating_point();
-            fpexc = r()[target_reg] & 0xE0000000;
-            if (was != floating_point()) forget_mappings();
+            const bool was = cpu.floating_point();
+            cpu.fpexc = cpu.r()[target_reg] & 0xE0000000;
+            if (was != cpu.floating_point()) forget_mappings();
             return true;
         }
         switch (which) {
-            case 0: r()[target_reg] = FPSID; return true;
-            case 6: r()[target_reg] = MVFR1; return true;
-            case 7: r()[target_reg] = MVFR0; return true;
-            case 8: r()[target_reg] = fpexc; return true;
+            case 0: cpu.r()[target_reg] = FPSID; return true;
+            case 6: cpu.r()[target_reg] = MVFR1; return true;
+            case 7: cpu.r()[target_reg] = MVFR0; return true;
+            case 8: cpu.r()[target_reg] = cpu.fpexc; return true;
             default: return false;
         }
     }
     if (number != 15) return false;
     const Cp15 name{w >> 16 & 0xF, w >> 21 & 7, w & 0xF, w >> 5 & 7};
     if (to_core) {
-        const auto value = cp15.read(name, privileged(), core.count_);
+        const auto value = cpu.cp15.read(name, cpu.privileged(), core.count_);
         if (!value) return false;
         if (target_reg == 15)
-            set_cpsr((jit->Cpsr() & 0x0FFFFFFF) | (*value & 0xF0000000));
+            set_cpsr((cpu.cpsr() & 0x0FFFFFFF) | (*value & 0xF0000000));
         else
-            r()[target_reg] = *value;
+            cpu.r()[target_reg] = *value;
         return true;
     }
-    const std::uint32_t value = target_reg == 15 ? 0 : r()[target_reg];
+    const std::uint32_t value = target_reg == 15 ? 0 : cpu.r()[target_reg];
     if (name.crn == 7 && name.op1 == 0 && name.crm == 8) {
-        if (!privileged()) return false;
+        if (!cpu.privileged()) return false;
         // For a reader or writer, privileged or user.  The Non-secure state has its MMU off.
         const bool other_state = name.op2 & 4, user = name.op2 & 2;
         const Translation to =
             other_state ? Translation{value, arm_access::ALL, 0, false, 1u << 4 | 1u << 9}
-                        : translate(cp15, memory, value, !user);
-        cp15.set(cp15::PAR, par(to, name.op2 & 1 ? arm_access::WRITE : arm_access::READ));
+                        : translate(cpu.cp15, memory, value, !user);
+        cpu.cp15.set(cp15::PAR, par(to, name.op2 & 1 ? arm_access::WRITE : arm_access::READ));
         return true;
     }
-    const auto effect = cp15.write(name, value, privileged(), core.count_);
+    const auto effect = cpu.cp15.write(name, value, cpu.privileged(), core.count_);
     if (!effect) return false;
     if (*effect != Cp15Registers::Effect::NONE) forget_mappings();
     return true;
