@@ -23,7 +23,7 @@ if(DE1SIM_ARM_ENGINE STREQUAL dynarmic)
         dynarmic/absent.cpp dynarmic/alignment.cpp dynarmic/code.cpp
         dynarmic/core.cpp dynarmic/cp15.cpp dynarmic/data.cpp
         dynarmic/direct.cpp dynarmic/fetch.cpp dynarmic/instructions.cpp
-        dynarmic/memory_map.cpp dynarmic/modes.cpp dynarmic/multiples.cpp
+        dynarmic/memory_map.cpp dynarmic/mmu.cpp dynarmic/modes.cpp dynarmic/multiples.cpp
         dynarmic/page_table.cpp dynarmic/registers.cpp dynarmic/saturating.cpp
         dynarmic/single.cpp dynarmic/steps.cpp
         dynarmic/system.cpp dynarmic/translation_tables.cpp)

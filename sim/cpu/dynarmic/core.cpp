@@ -36,7 +36,7 @@ void check_host() {
 }  // namespace
 
 ArmCore::Engine::Engine(ArmCore& core_, ArmBus& bus_)
-    : core{core_}, bus{bus_}, code{[this](std::uint32_t a) { return half_of_code(a); }} {
+    : core{core_}, bus{bus_}, code{[this](std::uint32_t a) { return mmu.half_of_code(a); }} {
     check_host();
     using Dynarmic::OptimizationFlag;
     Dynarmic::A32::UserConfig config;
@@ -47,7 +47,7 @@ ArmCore::Engine::Engine(ArmCore& core_, ArmBus& bus_)
     // ones would not check it, and a loop of them would never end.
     config.optimizations = Dynarmic::all_safe_optimizations &
                            ~(OptimizationFlag::ReturnStackBuffer | OptimizationFlag::FastDispatch);
-    config.page_table = pages.direct();
+    config.page_table = mmu.direct();
     config.detect_misaligned_access_via_page_table = 16 | 32 | 64;
     config.coprocessors[15] = std::make_shared<ThreadRegisters>(cpu.cp15);
     config.hook_hint_instructions = true;
@@ -294,8 +294,9 @@ std::optional<ArmStop> ArmCore::Engine::ended() {
     }
     if (stepping) --core.count_;
     back_to_event();
-    const std::uint32_t second = cpu.thumb() && half_of_code(event_pc) ? event_pc + 2 : event_pc;
-    const PageTable::Page& page = page_of(second);
+    const std::uint32_t second =
+        cpu.thumb() && mmu.half_of_code(event_pc) ? event_pc + 2 : event_pc;
+    const Mmu::Page& page = mmu.page(second);
     const bool by_tables = page.no_code;
     core.fault_ = {second, false, by_tables, page.status};
     invalidate(event_pc, 2);

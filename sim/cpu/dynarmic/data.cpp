@@ -8,7 +8,6 @@
 
 #include "sim/cpu/dynarmic/engine.h"
 #include "sim/cpu/dynarmic/instructions.h"
-#include "sim/cpu/dynarmic/translation_tables.h"
 
 namespace sim {
 
@@ -22,32 +21,6 @@ unsigned aligned_piece(std::uint32_t address, unsigned left) {
 }
 
 }  // namespace
-
-const PageTable::Page& ArmCore::Engine::page_of(std::uint32_t address) {
-    PageTable::Page& page = pages.slot(address >> 12);
-    if (page.number == address >> 12) return page;
-    const Translation to = translate(cpu.cp15, memory, address & ~PAGE_MASK, cpu.privileged());
-    page = {};
-    page.status = to.status;
-    page.access = to.access;
-    page.normal = to.normal;
-    page.no_code = !(to.access & arm_access::EXECUTE);
-    if (to.access == 0) return page;  // which is not cached, as in a TLB (B3.9.1)
-    page.number = address >> 12;
-    const MemoryMap::Area* const area = memory.find(to.physical);
-    if (!area) {
-        page.access = 0;
-        page.status = 0x5;  // translation fault
-        return page;
-    }
-    page.access &= area->access;
-    page.normal |= (area->access & arm_access::NORMAL) != 0;
-    const std::uint32_t offset = to.physical - area->base;
-    page.physical = area->bytes ? to.physical : area->bus_base + offset;
-    page.code = area->bytes ? area->bytes + offset : nullptr;
-    page.bytes = area->bytes && !area->data_by_bus ? area->bytes + offset : nullptr;
-    return page;
-}
 
 // Translated code stops before the present instruction; a step does it then.
 bool ArmCore::Engine::miss(std::uint32_t address) {
@@ -69,7 +42,7 @@ bool ArmCore::Engine::refuse(std::uint32_t address, bool write, bool by_tables,
 // False: the access must not be done.
 bool ArmCore::Engine::before_access(std::uint32_t address, unsigned bytes, bool write) {
     if (aborted || watched || missed) return false;
-    const PageTable::Page& page = page_of(address);
+    const Mmu::Page& page = mmu.page(address);
     const bool allowed = page.access & (write ? arm_access::WRITE : arm_access::READ);
     const bool in_ram = allowed && page.bytes;
     if (!in_ram && miss(address)) return false;
@@ -89,12 +62,12 @@ bool ArmCore::Engine::before_access(std::uint32_t address, unsigned bytes, bool 
 // is refused, or left to a step, which knows its instruction.
 bool ArmCore::Engine::may_be_unaligned(std::uint32_t address, unsigned bytes, bool write) {
     const bool by_pair = bytes == 8 && address % 4 == 0 && !has_doublewords;  // LDRD, STRD
-    if (by_pair && !stepping && page_of(address).bytes) return !aborted && !watched && !missed;
+    if (by_pair && !stepping && mmu.page(address).bytes) return !aborted && !watched && !missed;
     if (aborted || watched || missed || miss(address)) return false;
     reached = true;
     if (address % required.bytes == 0) return true;
     const bool strict = required.always || (cpu.cp15.value(cp15::SCTLR) & SCTLR_A);
-    const PageTable::Page& page = page_of(address);
+    const Mmu::Page& page = mmu.page(address);
     if (by_bytes || (!strict && (page.normal || page.access == 0))) return true;
     refuse(address, write, true, ALIGNMENT_FAULT);
     core.fault_ = unaligned(address, write);
@@ -120,7 +93,7 @@ std::optional<std::uint32_t> ArmCore::Engine::unaligned_structure(std::uint32_t 
 // byte, where the access needs nothing else.
 std::uint8_t* ArmCore::Engine::beside_code(std::uint32_t address, unsigned bytes, bool write) {
     if (watch || aborted || watched || missed || address % bytes != 0) return nullptr;
-    const PageTable::Page& page = page_of(address);
+    const Mmu::Page& page = mmu.page(address);
     const std::uint32_t physical = page.physical | (address & PAGE_MASK);
     if (!page.bytes || !(page.access & (write ? arm_access::WRITE : arm_access::READ)) ||
         !code.has_code(physical >> 12) || (write && code.is_translated(physical, bytes)))
@@ -139,11 +112,11 @@ T ArmCore::Engine::load(std::uint32_t address) {
         !may_be_unaligned(address, sizeof(T), false))
         return 0;
     const bool in_page = (address & PAGE_MASK) + sizeof(T) <= PAGE_MASK + 1;
-    if (!in_page || !page_of(address).bytes) return load_pieces<T>(address);
+    if (!in_page || !mmu.page(address).bytes) return load_pieces<T>(address);
     if (!before_access(address, sizeof(T), false)) return 0;
-    const PageTable::Page& page = page_of(address);
+    const Mmu::Page& page = mmu.page(address);
     if (!watch && (page.access & arm_access::WRITE) && !code.has_code(page.physical >> 12))
-        pages.open(page.number, page.bytes);
+        mmu.open(page);
     T value;
     std::memcpy(&value, page.bytes + (address & PAGE_MASK), sizeof value);
     return value;
@@ -157,7 +130,7 @@ T ArmCore::Engine::load_pieces(std::uint32_t address) {
         const std::uint32_t at = address + done;
         bytes = by_bytes ? 1 : aligned_piece(at, sizeof(T) - done);
         if (!before_access(at, bytes, false)) return 0;
-        const PageTable::Page& page = page_of(at);
+        const Mmu::Page& page = mmu.page(at);
         std::uint32_t piece = 0;
         if (page.bytes)
             std::memcpy(&piece, page.bytes + (at & PAGE_MASK), bytes);
@@ -180,7 +153,7 @@ T ArmCore::Engine::load_pieces(std::uint32_t address) {
 ArmCore::Engine::StorePlan ArmCore::Engine::plan_store(std::uint32_t address, unsigned left) {
     using To = StorePlan::To;
     const bool in_page = (address & PAGE_MASK) + left <= PAGE_MASK + 1;
-    const PageTable::Page& page = page_of(address);
+    const Mmu::Page& page = mmu.page(address);
     if (!before_access(address, in_page ? left : 1, true)) return {To::NOTHING, 0, page};
     const unsigned piece = by_bytes ? 1 : aligned_piece(address, left);
     if (!page.bytes) return {page.normal ? To::MERGED : To::BUS, piece, page};
@@ -233,8 +206,7 @@ void ArmCore::Engine::store(std::uint32_t address, T value) {
                 if (!forget_written_code(plan, at)) return;
                 break;
             case StorePlan::To::RAM:
-                if (!watch && (plan.page.access & arm_access::READ))
-                    pages.open(plan.page.number, plan.page.bytes);
+                if (!watch && (plan.page.access & arm_access::READ)) mmu.open(plan.page);
                 break;
         }
         std::memcpy(plan.page.bytes + (at & PAGE_MASK), &piece, bytes);

@@ -16,15 +16,13 @@
 #include <unordered_map>
 #include <unordered_set>
 #include <utility>
-#include <vector>
 
 #include "sim/cpu/arm_core.h"
 #include "sim/cpu/dynarmic/alignment.h"
 #include "sim/cpu/dynarmic/code.h"
 #include "sim/cpu/dynarmic/cpu_state.h"
 #include "sim/cpu/dynarmic/direct.h"
-#include "sim/cpu/dynarmic/memory_map.h"
-#include "sim/cpu/dynarmic/page_table.h"
+#include "sim/cpu/dynarmic/mmu.h"
 
 namespace sim {
 
@@ -34,8 +32,7 @@ struct ArmCore::Engine final : Dynarmic::A32::UserCallbacks {
     ArmCore& core;
     ArmBus& bus;
     CpuState cpu;
-    MemoryMap memory;
-    PageTable pages;
+    Mmu mmu{cpu};
     Code code;
     Dynarmic::ExclusiveMonitor monitor{1};
 
@@ -100,10 +97,6 @@ struct ArmCore::Engine final : Dynarmic::A32::UserCallbacks {
 
     // ---- fetch.cpp ----
 
-    std::optional<std::uint16_t> half_of_code(std::uint32_t address);
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> forbidden;  // base and size
-    bool is_forbidden(std::uint32_t address) const;
-    bool user_may(std::uint32_t address, unsigned right) const;
     void forget_privileged_code();
     std::unordered_set<std::uint32_t> privileged_code;  // virtual page numbers
     bool is_single_access(std::uint32_t pc);            // of the block that is read
@@ -130,8 +123,6 @@ struct ArmCore::Engine final : Dynarmic::A32::UserCallbacks {
 
     // ---- data.cpp ----
 
-    const PageTable::Page& page_of(std::uint32_t address);
-
     Alignment required;  // of the instruction that a step does
     void requires_of(std::uint32_t word, bool in_thumb) { required = alignment(word, in_thumb); }
     std::optional<std::uint32_t> unaligned_structure(std::uint32_t word);
@@ -144,7 +135,7 @@ struct ArmCore::Engine final : Dynarmic::A32::UserCallbacks {
     struct StorePlan {
         enum class To { NOTHING, RAM, CODE, MERGED, BUS } to;
         unsigned bytes;
-        const PageTable::Page& page;
+        const Mmu::Page& page;
     };
     StorePlan plan_store(std::uint32_t address, unsigned left);
     bool store_on_bus(const StorePlan& plan, std::uint32_t address, std::uint32_t value);

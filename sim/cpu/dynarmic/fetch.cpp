@@ -6,7 +6,6 @@
 #include "sim/cpu/dynarmic/direct.h"
 #include "sim/cpu/dynarmic/engine.h"
 #include "sim/cpu/dynarmic/instructions.h"
-#include "sim/cpu/dynarmic/translation_tables.h"
 
 namespace sim {
 
@@ -22,36 +21,6 @@ constexpr std::uint32_t ARM_CALL = 0x0F000000, MOST_ARM = 0xFFFFFF;  // SVC #n, 
 constexpr std::uint32_t THUMB_CALL = 0xDF00, MOST_THUMB = 0xFF;
 
 }  // namespace
-
-void ArmCore::forbid_code(std::uint32_t base, std::uint32_t size) {
-    engine_->forbidden.emplace_back(base, size);
-    engine_->forget_code(base, size);
-}
-
-void ArmCore::permit_code(std::uint32_t base, std::uint32_t size) {
-    auto& all = engine_->forbidden;
-    all.erase(std::remove(all.begin(), all.end(), std::pair{base, size}), all.end());
-}
-
-bool ArmCore::Engine::is_forbidden(std::uint32_t address) const {
-    for (const auto& [base, size] : forbidden)
-        if (address - base < size) return true;
-    return false;
-}
-
-std::optional<std::uint16_t> ArmCore::Engine::half_of_code(std::uint32_t address) {
-    if (is_forbidden(address)) return std::nullopt;
-    const PageTable::Page& page = page_of(address);
-    if (!page.code || !(page.access & arm_access::EXECUTE)) return std::nullopt;
-    std::uint16_t half;
-    std::memcpy(&half, page.code + (address & 0xFFE), sizeof half);
-    return half;
-}
-
-// The translation tables do not keep it from the user mode.
-bool ArmCore::Engine::user_may(std::uint32_t address, unsigned right) const {
-    return translate(cpu.cp15, memory, address, false).access & right;
-}
 
 // Called before the user mode can reach code that was translated for privileged modes alone.
 void ArmCore::Engine::forget_privileged_code() {
@@ -118,11 +87,11 @@ std::optional<std::uint32_t> ArmCore::Engine::MemoryReadCode(std::uint32_t addre
                block.instructions <= (block.thumb ? MOST_THUMB : MOST_ARM);
         if (!call) return std::nullopt;
     }
-    if (is_forbidden(second_half ? address : block.next)) return std::nullopt;
-    const PageTable::Page& page = page_of(address);
-    if (!page.code || !(page.access & arm_access::EXECUTE)) return std::nullopt;
-    if (!user_may(address, arm_access::EXECUTE)) privileged_code.insert(address >> 12);
-    if (page.bytes && !code.has_code(page.physical >> 12)) pages.close_bytes(page.bytes);
+    if (mmu.is_forbidden(second_half ? address : block.next)) return std::nullopt;
+    const Mmu::Page& page = mmu.page(address);
+    if (!page.may_execute()) return std::nullopt;
+    if (!mmu.user_may(address, arm_access::EXECUTE)) privileged_code.insert(address >> 12);
+    if (page.bytes && !code.has_code(page.physical >> 12)) mmu.close(page);
     code.translated_word(address >> 12, page.physical >> 12, (address & 0xFFF) / 4);
     std::uint32_t word;
     std::memcpy(&word, page.code + (address & 0xFFC), sizeof word);
@@ -181,10 +150,10 @@ std::uint64_t ArmCore::Engine::ticks_of_departure(bool is_thumb, std::uint32_t p
 // A load from an address that is known at translation, that is a literal in the code, becomes a
 // constant.  A store to it is detected like a store to an instruction.
 bool ArmCore::Engine::IsReadOnlyMemory(std::uint32_t address) {
-    const PageTable::Page& page = page_of(address);
+    const Mmu::Page& page = mmu.page(address);
     if (watch || address % 4 != 0 || !page.bytes || !(page.access & arm_access::READ) ||
         !code.has_code(page.physical >> 12) || (address & 0xFFF) > 0xFF8 ||
-        !user_may(address, arm_access::READ))
+        !mmu.user_may(address, arm_access::READ))
         return false;
     literal = address;
     reads_literal = true;
@@ -193,7 +162,7 @@ bool ArmCore::Engine::IsReadOnlyMemory(std::uint32_t address) {
 }
 
 void ArmCore::Engine::note_literal(std::uint32_t address) {
-    const PageTable::Page& page = page_of(address);
+    const Mmu::Page& page = mmu.page(address);
     code.translated_word(address >> 12, page.physical >> 12, (address & 0xFFF) / 4);
 }
 

@@ -7,6 +7,8 @@
 #include <memory>
 #include <vector>
 
+#include "sim/cpu/arm_core.h"
+
 namespace sim {
 
 class PageTable {
@@ -24,6 +26,8 @@ public:
         bool no_code = false;                // by the translation tables
         bool normal = false;                 // Normal memory, by the translation tables
         std::uint32_t status = 0;            // fault status of an access that is not allowed
+
+        bool may_execute() const { return code && (access & arm_access::EXECUTE); }
     };
 
     PageTable();

@@ -49,7 +49,7 @@ void ArmCore::Engine::set_cpsr(std::uint32_t value) {
         cpu.banked.change(cpu.r(), was, is);
         cpu.jit->ClearExclusiveState();
         const bool other_rights = (was == arm_mode::USR) != (is == arm_mode::USR);
-        if (other_rights && (cpu.cp15.value(cp15::SCTLR) & SCTLR_M)) pages.close_all();
+        if (other_rights && (cpu.cp15.value(cp15::SCTLR) & SCTLR_M)) mmu.forget();
         if (is == arm_mode::USR) forget_privileged_code();
         if (other_rights && cpu.floating_point_rights() == 1) forget_mappings();
     }
@@ -133,7 +133,7 @@ std::optional<ArmCore::Cycles> ArmCore::cycles() const {
 }
 
 ArmCore::Place ArmCore::place(std::uint32_t address, bool write) {
-    const PageTable::Page& page = engine_->page_of(address);
+    const Mmu::Page& page = engine_->mmu.page(address);
     const unsigned right = write ? arm_access::WRITE : arm_access::READ;
     if (!(page.access & right)) return {};
     if (page.bytes) return {page.bytes + (address & 0xFFF), {}};
@@ -143,7 +143,7 @@ ArmCore::Place ArmCore::place(std::uint32_t address, bool write) {
 
 void ArmCore::store_word(std::uint32_t address, std::uint32_t value) {
     Engine& e = *engine_;
-    const PageTable::Page& page = e.page_of(address);
+    const Mmu::Page& page = e.mmu.page(address);
     e.forget_code(page.physical | (address & 0xFFF), sizeof value);
     std::memcpy(page.bytes + (address & 0xFFF), &value, sizeof value);
 }
@@ -152,37 +152,43 @@ void ArmCore::store_word(std::uint32_t address, std::uint32_t value) {
 
 void ArmCore::map_ram(std::uint32_t base, std::uint64_t size, void* bytes, unsigned access,
                       bool data_by_bus) {
-    engine_->memory.add({base, size, static_cast<std::uint8_t*>(bytes), 0, access, data_by_bus});
-    engine_->pages.close_all();
+    engine_->mmu.map({base, size, static_cast<std::uint8_t*>(bytes), 0, access, data_by_bus});
 }
 
 void ArmCore::map_bus(std::uint32_t base, std::uint64_t size, std::uint32_t bus_base,
                       unsigned access) {
-    engine_->memory.add({base, size, nullptr, bus_base, access});
-    engine_->pages.close_all();
+    engine_->mmu.map({base, size, nullptr, bus_base, access});
 }
 
 void ArmCore::unmap(std::uint32_t base, std::uint64_t size) {
-    engine_->memory.remove(base);
-    engine_->pages.close_all();
+    engine_->mmu.unmap(base);
     engine_->forget_code(
         base, static_cast<std::uint32_t>(std::min<std::uint64_t>(size, 0x100000000 - base - 1)));
 }
 
+void ArmCore::forbid_code(std::uint32_t base, std::uint32_t size) {
+    engine_->mmu.forbid_code(base, size);
+    engine_->forget_code(base, size);
+}
+
+void ArmCore::permit_code(std::uint32_t base, std::uint32_t size) {
+    engine_->mmu.permit_code(base, size);
+}
+
 std::optional<std::uint32_t> ArmCore::bus_address(std::uint32_t address) const {
-    const MemoryMap::Area* const area = engine_->memory.find(address);
+    const MemoryMap::Area* const area = engine_->mmu.memory().find(address);
     if (!area || area->bytes) return std::nullopt;
     return area->bus_base + (address - area->base);
 }
 
 bool ArmCore::read_ram(std::uint32_t address, void* data, std::size_t bytes) const {
-    const std::uint8_t* const from = engine_->memory.ram(address, bytes);
+    const std::uint8_t* const from = engine_->mmu.memory().ram(address, bytes);
     if (from) std::copy_n(from, bytes, static_cast<std::uint8_t*>(data));
     return from != nullptr;
 }
 
 bool ArmCore::write_ram(std::uint32_t address, const void* data, std::size_t bytes) {
-    std::uint8_t* const to = engine_->memory.ram(address, bytes);
+    std::uint8_t* const to = engine_->mmu.memory().ram(address, bytes);
     if (!to) return false;
     std::copy_n(static_cast<const std::uint8_t*>(data), bytes, to);
     forget_translations(address, bytes);
@@ -220,7 +226,7 @@ void ArmCore::Engine::forget_blocks() {
 }
 
 void ArmCore::Engine::forget_mappings() {
-    pages.close_all();
+    mmu.forget();
     code.forget();
     privileged_code.clear();
     forget_blocks();

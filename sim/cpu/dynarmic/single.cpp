@@ -2,7 +2,6 @@
 // LDRT, STRT and their kind, which have the user mode's rights, and SWP
 #include "sim/cpu/dynarmic/engine.h"
 #include "sim/cpu/dynarmic/instructions.h"
-#include "sim/cpu/dynarmic/translation_tables.h"
 
 namespace sim {
 
@@ -64,7 +63,7 @@ bool ArmCore::Engine::unprivileged(std::uint32_t w, bool in_thumb) {
     const std::uint32_t pc = cpu.r()[15] - 4;
     const auto access = single_access(plain, in_thumb, pc, cpu.r().data(), cpu.carry());
     if (!access) return false;
-    const Translation to = translate(cpu.cp15, memory, access->address, false);
+    const Translation to = mmu.walk(access->address, false);
     if (!(to.access & (access->load ? arm_access::READ : arm_access::WRITE))) {
         refuse(access->address, !access->load, true, to.status);
         return false;

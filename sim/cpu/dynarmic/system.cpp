@@ -250,7 +250,7 @@ bool ArmCore::Engine::coprocessor(std::uint32_t w) {
         const bool other_state = name.op2 & 4, user = name.op2 & 2;
         const Translation to =
             other_state ? Translation{value, arm_access::ALL, 0, false, 1u << 4 | 1u << 9}
-                        : translate(cpu.cp15, memory, value, !user);
+                        : mmu.walk(value, !user);
         cpu.cp15.set(cp15::PAR, par(to, name.op2 & 1 ? arm_access::WRITE : arm_access::READ));
         return true;
     }
