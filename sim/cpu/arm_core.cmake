@@ -26,7 +26,7 @@ if(DE1SIM_ARM_ENGINE STREQUAL dynarmic)
         dynarmic/memory_map.cpp dynarmic/mmu.cpp dynarmic/modes.cpp dynarmic/multiples.cpp
         dynarmic/page_table.cpp dynarmic/registers.cpp dynarmic/saturating.cpp
         dynarmic/single.cpp dynarmic/steps.cpp
-        dynarmic/system.cpp dynarmic/translation_tables.cpp)
+        dynarmic/system.cpp dynarmic/translated_code.cpp dynarmic/translation_tables.cpp)
     target_include_directories(arm_core SYSTEM PRIVATE ${DYNARMIC_INCLUDE_DIR})
     target_link_libraries(arm_core PRIVATE ${DYNARMIC_LIBRARY})
 elseif(DE1SIM_ARM_ENGINE STREQUAL unicorn)

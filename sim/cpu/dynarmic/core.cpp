@@ -35,8 +35,7 @@ void check_host() {
 
 }  // namespace
 
-ArmCore::Engine::Engine(ArmCore& core_, ArmBus& bus_)
-    : core{core_}, bus{bus_}, code{[this](std::uint32_t a) { return mmu.half_of_code(a); }} {
+ArmCore::Engine::Engine(ArmCore& core_, ArmBus& bus_) : core{core_}, bus{bus_} {
     check_host();
     using Dynarmic::OptimizationFlag;
     Dynarmic::A32::UserConfig config;
@@ -65,7 +64,7 @@ ArmCore::~ArmCore() = default;
 
 void ArmCore::Engine::AddTicks(std::uint64_t ticks) {
     if (stepping) return;
-    if (tally) {
+    if (inspectors.tally) {
         called |= ticks & CALL;
         ticks &= TALLIED;
     }
@@ -78,7 +77,7 @@ std::uint64_t ArmCore::Engine::GetTicksRemaining() {
     const std::uint64_t done = core.count_ + unaccounted;
     const std::uint64_t left = core.limit_ > done ? core.limit_ - done : 0;
     std::uint64_t most = left > after ? left - after : 0;
-    if (tally) most = std::min(most, TALLIED / 2);
+    if (inspectors.tally) most = std::min(most, TALLIED / 2);
     return std::max<std::uint64_t>(std::exchange(unaccounted, 0) + most, 1);
 }
 
@@ -110,7 +109,7 @@ bool ArmCore::Engine::done_directly(std::uint32_t pc, std::uint32_t before) {
         return false;
     }
     cpu.r()[15] = pc + (in_thumb && *word <= 0xFFFF ? 2 : 4);
-    if (code.settle(pc, reached)) invalidate(pc, 2);
+    if (code.settle(pc, reached)) translated.invalidate(pc);
     return true;
 }
 
@@ -157,13 +156,13 @@ ArmStop ArmCore::run_by_bytes() {
 }
 
 std::optional<ArmStop> ArmCore::Engine::next(std::uint64_t left) {
-    if (overfull) forget_blocks();
+    translated.forget_if_overfull();
     const std::uint32_t pc = cpu.r()[15];
-    if (!probed.empty() && probed.count(pc)) {
-        if (probe->before(pc)) return ArmStop::LIMIT;
+    if (inspectors.is_probed(pc)) {
+        if (inspectors.probe->before(pc)) return ArmStop::LIMIT;
         return step();
     }
-    if (code.is_marked(pc) && (watch || !code.is_direct(pc))) return step();
+    if (code.is_marked(pc) && (inspectors.watch || !code.is_direct(pc))) return step();
     if (left > longest) return run_translated(longest, longest);
     const unsigned straight = code.to_next_branch(pc, cpu.thumb());
     if (straight == Code::FAR && code.is_blank(pc, cpu.thumb())) return ArmStop::RAN_OFF;
@@ -193,17 +192,17 @@ std::optional<ArmStop> ArmCore::Engine::run_translated(unsigned without_branch, 
         --core.count_;  // of the exception
         back_to_event();
         if (retranslate) {
-            invalidate(event_pc, 2);
-        } else if (!code.is_marked(event_pc) && !probed.count(event_pc)) {
+            translated.invalidate(event_pc);
+        } else if (!code.is_marked(event_pc) && !inspectors.is_probed(event_pc)) {
             stop = ended();
         }
     } else {
         stop = ended();
     }
     const std::uint64_t done = core.count_ - before;
-    if (tally && done > 0) {
+    if (inspectors.tally && done > 0) {
         const std::uint32_t now = cpu.r()[14];
-        tally->ran({begin, done, link, called ? now & ~1u : now + 1});
+        inspectors.tally->ran({begin, done, link, called ? now & ~1u : now + 1});
     }
     if (event == Event::NO_CODE && retranslate &&
         code.to_next_branch(event_pc, cpu.thumb()) == Code::FAR)
@@ -223,7 +222,7 @@ void ArmCore::Engine::undo_miss() {
     const bool direct =
         !(cpsr & arm_cpsr::IT) && single_access(word, in_thumb, pc, cpu.r().data(), carry);
     code.mark(pc, direct);
-    invalidate(pc, 2);
+    translated.invalidate(pc);
     missed = false;
 }
 
@@ -262,8 +261,9 @@ std::optional<ArmStop> ArmCore::Engine::step() {
         if (watched) --core.count_;
         return stop;
     }
-    if (code.settle(pc, reached)) invalidate(pc, 2);
-    if (tally) tally->ran({pc, 1, saved[14], code.after(pc, 1, cpsr & arm_cpsr::T)});
+    if (code.settle(pc, reached)) translated.invalidate(pc);
+    if (inspectors.tally)
+        inspectors.tally->ran({pc, 1, saved[14], code.after(pc, 1, cpsr & arm_cpsr::T)});
     return stop;
 }
 
@@ -299,7 +299,7 @@ std::optional<ArmStop> ArmCore::Engine::ended() {
     const Mmu::Page& page = mmu.page(second);
     const bool by_tables = page.no_code;
     core.fault_ = {second, false, by_tables, page.status};
-    invalidate(event_pc, 2);
+    translated.invalidate(event_pc);
     return ArmStop::PREFETCH_ABORT;
 }
 

@@ -46,7 +46,7 @@ bool ArmCore::Engine::before_access(std::uint32_t address, unsigned bytes, bool 
     const bool allowed = page.access & (write ? arm_access::WRITE : arm_access::READ);
     const bool in_ram = allowed && page.bytes;
     if (!in_ram && miss(address)) return false;
-    if (watch && watch->touched(address, bytes, write)) {
+    if (inspectors.watch && inspectors.watch->touched(address, bytes, write)) {
         if (miss(address)) return false;
         watched = true;
         cpu.jit->HaltExecution(Dynarmic::HaltReason::MemoryAbort);
@@ -61,7 +61,8 @@ bool ArmCore::Engine::before_access(std::uint32_t address, unsigned bytes, bool 
 // An access to an address that is no multiple of its size: false, and it must not be done, if it
 // is refused, or left to a step, which knows its instruction.
 bool ArmCore::Engine::may_be_unaligned(std::uint32_t address, unsigned bytes, bool write) {
-    const bool by_pair = bytes == 8 && address % 4 == 0 && !has_doublewords;  // LDRD, STRD
+    const bool by_pair =
+        bytes == 8 && address % 4 == 0 && !translated.has_doublewords();  // LDRD, STRD
     if (by_pair && !stepping && mmu.page(address).bytes) return !aborted && !watched && !missed;
     if (aborted || watched || missed || miss(address)) return false;
     reached = true;
@@ -92,7 +93,7 @@ std::optional<std::uint32_t> ArmCore::Engine::unaligned_structure(std::uint32_t 
 // A page with code in it cannot be opened, although variables may lie beside the code: the host's
 // byte, where the access needs nothing else.
 std::uint8_t* ArmCore::Engine::beside_code(std::uint32_t address, unsigned bytes, bool write) {
-    if (watch || aborted || watched || missed || address % bytes != 0) return nullptr;
+    if (inspectors.watch || aborted || watched || missed || address % bytes != 0) return nullptr;
     const Mmu::Page& page = mmu.page(address);
     const std::uint32_t physical = page.physical | (address & PAGE_MASK);
     if (!page.bytes || !(page.access & (write ? arm_access::WRITE : arm_access::READ)) ||
@@ -108,14 +109,15 @@ T ArmCore::Engine::load(std::uint32_t address) {
         std::memcpy(&value, at, sizeof value);
         return value;
     }
-    if (address % sizeof(T) != 0 && !is_literal(address) &&
+    if (address % sizeof(T) != 0 && !translated.is_literal(address) &&
         !may_be_unaligned(address, sizeof(T), false))
         return 0;
     const bool in_page = (address & PAGE_MASK) + sizeof(T) <= PAGE_MASK + 1;
     if (!in_page || !mmu.page(address).bytes) return load_pieces<T>(address);
     if (!before_access(address, sizeof(T), false)) return 0;
     const Mmu::Page& page = mmu.page(address);
-    if (!watch && (page.access & arm_access::WRITE) && !code.has_code(page.physical >> 12))
+    if (!inspectors.watch && (page.access & arm_access::WRITE) &&
+        !code.has_code(page.physical >> 12))
         mmu.open(page);
     T value;
     std::memcpy(&value, page.bytes + (address & PAGE_MASK), sizeof value);
@@ -167,7 +169,7 @@ bool ArmCore::Engine::store_on_bus(const StorePlan& plan, std::uint32_t address,
                                                        : bus.write(on_bus, plan.bytes, value);
     if (!done) refuse(address, true, false, 0);
     if (aborted) return false;
-    if (plan.page.code && code.has_code(on_bus >> 12)) invalidate(address, plan.bytes);
+    if (plan.page.code && code.has_code(on_bus >> 12)) translated.invalidate(address, plan.bytes);
     return true;
 }
 
@@ -177,7 +179,7 @@ bool ArmCore::Engine::forget_written_code(const StorePlan& plan, std::uint32_t a
     code.written(plan.page.physical | (address & PAGE_MASK), plan.bytes,
                  [&](std::uint32_t begin, std::uint32_t size) {
                      hit = true;
-                     if (stepping) invalidate(begin, size);
+                     if (stepping) translated.invalidate(begin, size);
                  });
     if (hit && miss(address)) return false;
     reached |= hit;
@@ -206,7 +208,7 @@ void ArmCore::Engine::store(std::uint32_t address, T value) {
                 if (!forget_written_code(plan, at)) return;
                 break;
             case StorePlan::To::RAM:
-                if (!watch && (plan.page.access & arm_access::READ)) mmu.open(plan.page);
+                if (!inspectors.watch && (plan.page.access & arm_access::READ)) mmu.open(plan.page);
                 break;
         }
         std::memcpy(plan.page.bytes + (at & PAGE_MASK), &piece, bytes);

@@ -13,16 +13,15 @@
 #include <dynarmic/interface/exclusive_monitor.h>
 
 #include <optional>
-#include <unordered_map>
-#include <unordered_set>
 #include <utility>
 
 #include "sim/cpu/arm_core.h"
 #include "sim/cpu/dynarmic/alignment.h"
-#include "sim/cpu/dynarmic/code.h"
 #include "sim/cpu/dynarmic/cpu_state.h"
 #include "sim/cpu/dynarmic/direct.h"
+#include "sim/cpu/dynarmic/inspectors.h"
 #include "sim/cpu/dynarmic/mmu.h"
+#include "sim/cpu/dynarmic/translated_code.h"
 
 namespace sim {
 
@@ -33,26 +32,17 @@ struct ArmCore::Engine final : Dynarmic::A32::UserCallbacks {
     ArmBus& bus;
     CpuState cpu;
     Mmu mmu{cpu};
-    Code code;
+    TranslatedCode translated{cpu, mmu};
+    Code& code{translated.code};
     Dynarmic::ExclusiveMonitor monitor{1};
 
-    ArmProbe* probe = nullptr;
-    std::unordered_set<std::uint32_t> probed;
-    ArmTally* tally = nullptr;
+    Inspectors inspectors;
     // For the tally, an instruction that may leave a function costs so many ticks more than any run
     // has left, so the run ends after its block.  The values also say which kind it was.
     static constexpr std::uint64_t CALL = 1u << 24, JUMP = 2u << 24, TALLIED = CALL - 1;
     bool called = false;
-    ArmWatch* watch = nullptr;
 
     void set_cpsr(std::uint32_t value);
-    void forget_mappings();  // of addresses, and all translated code
-    void forget_code(std::uint32_t address, std::uint32_t bytes);
-    void invalidate(std::uint32_t address, std::uint32_t bytes);  // what was translated from there
-    void translates(std::uint32_t pc);                            // a block from there on
-    void forget_blocks();                                         // all that was translated
-    std::unordered_map<std::uint32_t, unsigned> translations;     // so far, by pages of 4 KB
-    bool overfull = false;                                        // a page of them
 
     // ---- core.cpp ----
 
@@ -97,15 +87,9 @@ struct ArmCore::Engine final : Dynarmic::A32::UserCallbacks {
 
     // ---- fetch.cpp ----
 
-    void forget_privileged_code();
-    std::unordered_set<std::uint32_t> privileged_code;  // virtual page numbers
-    bool is_single_access(std::uint32_t pc);            // of the block that is read
+    bool is_single_access(std::uint32_t pc);  // of the block that is read
     std::optional<std::uint32_t> MemoryReadCode(std::uint32_t address) override;
     bool IsReadOnlyMemory(std::uint32_t address) override;
-    std::uint32_t literal = 1;   // that dynarmic has asked for last
-    bool reads_literal = false;  // next, while it translates
-    bool is_literal(std::uint32_t a) { return std::exchange(reads_literal, false) && a == literal; }
-    void note_literal(std::uint32_t address);
     std::uint64_t MemoryRead64(std::uint32_t address) override;
     std::uint64_t GetTicksForCode(bool thumb, std::uint32_t pc, std::uint32_t word) override;
     std::uint64_t ticks_of_departure(bool thumb, std::uint32_t pc, std::uint32_t word) const;
@@ -128,8 +112,7 @@ struct ArmCore::Engine final : Dynarmic::A32::UserCallbacks {
     std::optional<std::uint32_t> unaligned_structure(std::uint32_t word);
     ArmFault unaligned(std::uint32_t address, bool write) const;
     bool may_be_unaligned(std::uint32_t address, unsigned bytes, bool write);
-    bool has_doublewords = false;  // what needs a multiple of 8 has been translated
-    bool by_bytes = false;         // see ArmCore::run_by_bytes()
+    bool by_bytes = false;  // see ArmCore::run_by_bytes()
     template <class T>
     T load(std::uint32_t address);
     struct StorePlan {

@@ -22,12 +22,6 @@ constexpr std::uint32_t THUMB_CALL = 0xDF00, MOST_THUMB = 0xFF;
 
 }  // namespace
 
-// Called before the user mode can reach code that was translated for privileged modes alone.
-void ArmCore::Engine::forget_privileged_code() {
-    for (const std::uint32_t page : privileged_code) invalidate(page << 12, 0x1000);
-    privileged_code.clear();
-}
-
 bool ArmCore::Engine::is_single_access(std::uint32_t pc) {
     const auto word = code.instruction(pc, block.thumb);
     return word && block.it == 0 && single_access(*word, block.thumb, pc, cpu.r().data(), false);
@@ -50,12 +44,12 @@ std::optional<std::uint32_t> ArmCore::Engine::MemoryReadCode(std::uint32_t addre
         const bool first = block.begin != begin || address != (block.next & ~3u);
         if (first) {
             block = {begin, begin, cpu.thumb(), 0, it_state(cpu.cpsr()), false};
-            translates(begin);
+            translated.add_block(begin);
         }
         const std::uint32_t pc = block.next;
         if (block.thumb) code.set_it(pc, block.it);
         if (!stepping) {
-            if (!probed.empty() && probed.count(pc)) return std::nullopt;
+            if (inspectors.is_probed(pc)) return std::nullopt;
             if (first) {
                 const unsigned straight = code.to_next_branch_now(pc, block.thumb);
                 if (straight > left_over) {
@@ -63,13 +57,13 @@ std::optional<std::uint32_t> ArmCore::Engine::MemoryReadCode(std::uint32_t addre
                     retranslate = true;
                     return std::nullopt;
                 }
-                if (code.split(pc)) invalidate(pc, 2);
+                if (code.split(pc)) translated.invalidate(pc);
             }
         }
     }
     const bool inside = block.instructions > 0 && block.it == 0 && !second_half && !stepping;
     const auto ends_function = [&] {
-        return tally && !tally->same_function(block.begin, block.next);
+        return inspectors.tally && !inspectors.tally->same_function(block.begin, block.next);
     };
     const bool enough = block.instructions >= LONGEST_BLOCK;
     if (inside && (enough || code.is_begin(block.next) || ends_function()) &&
@@ -83,16 +77,14 @@ std::optional<std::uint32_t> ArmCore::Engine::MemoryReadCode(std::uint32_t addre
         // A mark may be of another instruction, which was there before.
         if (code.is_direct(block.next) && !is_single_access(block.next))
             code.mark(block.next, false);
-        call = !watch && code.is_direct(block.next) &&
+        call = !inspectors.watch && code.is_direct(block.next) &&
                block.instructions <= (block.thumb ? MOST_THUMB : MOST_ARM);
         if (!call) return std::nullopt;
     }
     if (mmu.is_forbidden(second_half ? address : block.next)) return std::nullopt;
     const Mmu::Page& page = mmu.page(address);
     if (!page.may_execute()) return std::nullopt;
-    if (!mmu.user_may(address, arm_access::EXECUTE)) privileged_code.insert(address >> 12);
-    if (page.bytes && !code.has_code(page.physical >> 12)) mmu.close(page);
-    code.translated_word(address >> 12, page.physical >> 12, (address & 0xFFF) / 4);
+    translated.add_word(address, page);
     std::uint32_t word;
     std::memcpy(&word, page.code + (address & 0xFFC), sizeof word);
 
@@ -113,7 +105,7 @@ std::optional<std::uint32_t> ArmCore::Engine::MemoryReadCode(std::uint32_t addre
     } else if (*whole > 0xFFFF || !block.thumb) {
         if (!(cpu.cpsr() & arm_cpsr::E)) instead = as_doublewords(*whole, block.thumb);
         const Alignment needed = alignment(instead, block.thumb);
-        has_doublewords |= needed.bytes == 8;
+        if (needed.bytes == 8) translated.add_doublewords();
         if (!stepping && needed.beyond_pieces) {
             code.mark(block.next, false);
             return std::nullopt;
@@ -128,13 +120,15 @@ std::optional<std::uint32_t> ArmCore::Engine::MemoryReadCode(std::uint32_t addre
 
 std::uint64_t ArmCore::Engine::GetTicksForCode(bool is_thumb, std::uint32_t pc,
                                                std::uint32_t word) {
-    if (block.linked) return tally && !tally->same_function(block.begin, pc) ? JUMP : 0;
+    if (block.linked)
+        return inspectors.tally && !inspectors.tally->same_function(block.begin, pc) ? JUMP : 0;
     block.next = pc + (is_thumb && word <= 0xFFFF ? 2 : 4);
     ++block.instructions;
     block.it = is_thumb && is_it(word) ? word & 0xFF : next_it(block.it);
     if (stepping) return 1;
-    if (const auto other = code.translated(block.begin, pc, block.next)) invalidate(*other, 2);
-    return tally ? 1 + ticks_of_departure(is_thumb, pc, word) : 1;
+    if (const auto other = code.translated(block.begin, pc, block.next))
+        translated.invalidate(*other);
+    return inspectors.tally ? 1 + ticks_of_departure(is_thumb, pc, word) : 1;
 }
 
 std::uint64_t ArmCore::Engine::ticks_of_departure(bool is_thumb, std::uint32_t pc,
@@ -142,34 +136,25 @@ std::uint64_t ArmCore::Engine::ticks_of_departure(bool is_thumb, std::uint32_t p
     const auto to = departure(word, is_thumb, pc);
     if (!to) return 0;
     if (to->call) return CALL;
-    const bool stays =
-        to->target && tally->same_function(pc, *to->target) && tally->same_function(pc, block.next);
+    const bool stays = to->target && inspectors.tally->same_function(pc, *to->target) &&
+                       inspectors.tally->same_function(pc, block.next);
     return stays ? 0 : JUMP;
 }
 
 // A load from an address that is known at translation, that is a literal in the code, becomes a
-// constant.  A store to it is detected like a store to an instruction.
+// constant.
 bool ArmCore::Engine::IsReadOnlyMemory(std::uint32_t address) {
     const Mmu::Page& page = mmu.page(address);
-    if (watch || address % 4 != 0 || !page.bytes || !(page.access & arm_access::READ) ||
+    if (inspectors.watch || address % 4 != 0 || !page.bytes || !(page.access & arm_access::READ) ||
         !code.has_code(page.physical >> 12) || (address & 0xFFF) > 0xFF8 ||
         !mmu.user_may(address, arm_access::READ))
         return false;
-    literal = address;
-    reads_literal = true;
-    note_literal(address);
+    translated.add_literal(address);
     return true;
 }
 
-void ArmCore::Engine::note_literal(std::uint32_t address) {
-    const Mmu::Page& page = mmu.page(address);
-    code.translated_word(address >> 12, page.physical >> 12, (address & 0xFFF) / 4);
-}
-
-// dynarmic reads a literal in the same way as the program does, and only then is it known to be of
-// 64 bits.  A program that has a variable after a literal of 32 bits may write it often.
 std::uint64_t ArmCore::Engine::MemoryRead64(std::uint32_t address) {
-    if (address == literal) note_literal(address + 4);
+    translated.read_64(address);
     return load<std::uint64_t>(address);
 }
 

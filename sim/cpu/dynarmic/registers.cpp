@@ -28,7 +28,7 @@ void ArmCore::reset(std::uint32_t entry, std::uint32_t stack) {
     e.cpu.r().fill(0);
     set_reg(13, stack);
     set_reg(15, entry);
-    e.forget_mappings();
+    e.translated.forget_mappings();
 }
 
 std::uint32_t ArmCore::reg(unsigned number) const { return engine_->cpu.jit->Regs()[number & 15]; }
@@ -50,8 +50,8 @@ void ArmCore::Engine::set_cpsr(std::uint32_t value) {
         cpu.jit->ClearExclusiveState();
         const bool other_rights = (was == arm_mode::USR) != (is == arm_mode::USR);
         if (other_rights && (cpu.cp15.value(cp15::SCTLR) & SCTLR_M)) mmu.forget();
-        if (is == arm_mode::USR) forget_privileged_code();
-        if (other_rights && cpu.floating_point_rights() == 1) forget_mappings();
+        if (is == arm_mode::USR) translated.forget_privileged();
+        if (other_rights && cpu.floating_point_rights() == 1) translated.forget_mappings();
     }
     if (cpu.cpsr() & ~value & (arm_cpsr::I | arm_cpsr::F)) bus.unmasked();
     cpu.jit->SetCpsr(value);
@@ -78,7 +78,7 @@ void ArmCore::clear_exclusive() { engine_->cpu.jit->ClearExclusiveState(); }
 void ArmCore::set_floating_point(bool on) {
     engine_->cpu.cp15.set(cp15::CPACR, on ? 0x00F00000 : 0);
     engine_->cpu.fpexc = on ? FPEXC_EN : 0;
-    engine_->forget_mappings();
+    engine_->translated.forget_mappings();
 }
 
 bool ArmCore::floating_point() const { return engine_->cpu.floating_point(); }
@@ -94,32 +94,34 @@ void ArmCore::set_cp15(const Cp15& name, std::uint32_t value) {
 // ---- Inspectors ---------------------------------------------------------------------------------
 
 void ArmCore::attach(ArmProbe* probe, const std::vector<std::uint32_t>& at) {
-    Engine& e = *engine_;
-    for (const std::uint32_t pc : e.probed) e.invalidate(pc & ~1u, 2);
-    e.probe = probe;
-    e.probed.clear();
+    Inspectors& all = engine_->inspectors;
+    TranslatedCode& translated = engine_->translated;
+    for (const std::uint32_t pc : all.probed) translated.invalidate(pc & ~1u);
+    all.probe = probe;
+    all.probed.clear();
     if (!probe) return;
-    e.probed.insert(at.begin(), at.end());
-    for (const std::uint32_t pc : at) e.invalidate(pc & ~1u, 2);
+    all.probed.insert(at.begin(), at.end());
+    for (const std::uint32_t pc : at) translated.invalidate(pc & ~1u);
 }
 
 void ArmCore::attach(ArmTally* tally) {
-    engine_->tally = tally;
-    engine_->forget_mappings();
+    engine_->inspectors.tally = tally;
+    engine_->translated.forget_mappings();
 }
 
 // With an empty page table every access is a callback; literals must not be constants either.
 void ArmCore::watch(ArmWatch* watch) {
-    if ((watch == nullptr) != (engine_->watch == nullptr)) engine_->forget_mappings();
-    engine_->watch = watch;
+    if ((watch == nullptr) != (engine_->inspectors.watch == nullptr))
+        engine_->translated.forget_mappings();
+    engine_->inspectors.watch = watch;
 }
 
 // ---- For those who know what the program will do ------------------------------------------------
 
 std::optional<std::uint32_t> ArmCore::code_at(std::uint32_t pc, bool thumb) {
     const Engine& e = *engine_;
-    if (e.tally || e.watch || e.probe) return std::nullopt;
-    return e.code.instruction(pc, thumb);
+    if (e.inspectors.has_any()) return std::nullopt;
+    return e.translated.code.instruction(pc, thumb);
 }
 
 std::optional<ArmCore::Cycles> ArmCore::cycles() const {
@@ -144,7 +146,7 @@ ArmCore::Place ArmCore::place(std::uint32_t address, bool write) {
 void ArmCore::store_word(std::uint32_t address, std::uint32_t value) {
     Engine& e = *engine_;
     const Mmu::Page& page = e.mmu.page(address);
-    e.forget_code(page.physical | (address & 0xFFF), sizeof value);
+    e.translated.written(page.physical | (address & 0xFFF), sizeof value);
     std::memcpy(page.bytes + (address & 0xFFF), &value, sizeof value);
 }
 
@@ -162,13 +164,13 @@ void ArmCore::map_bus(std::uint32_t base, std::uint64_t size, std::uint32_t bus_
 
 void ArmCore::unmap(std::uint32_t base, std::uint64_t size) {
     engine_->mmu.unmap(base);
-    engine_->forget_code(
+    engine_->translated.written(
         base, static_cast<std::uint32_t>(std::min<std::uint64_t>(size, 0x100000000 - base - 1)));
 }
 
 void ArmCore::forbid_code(std::uint32_t base, std::uint32_t size) {
     engine_->mmu.forbid_code(base, size);
-    engine_->forget_code(base, size);
+    engine_->translated.written(base, size);
 }
 
 void ArmCore::permit_code(std::uint32_t base, std::uint32_t size) {
@@ -196,40 +198,7 @@ bool ArmCore::write_ram(std::uint32_t address, const void* data, std::size_t byt
 }
 
 void ArmCore::forget_translations(std::uint32_t address, std::size_t bytes) {
-    engine_->forget_code(address, static_cast<std::uint32_t>(bytes));
-}
-
-void ArmCore::Engine::forget_code(std::uint32_t address, std::uint32_t bytes) {
-    if (bytes == 0) return;
-    code.written(address, bytes,
-                 [this](std::uint32_t begin, std::uint32_t size) { invalidate(begin, size); });
-}
-
-void ArmCore::Engine::invalidate(std::uint32_t address, std::uint32_t bytes) {
-    cpu.jit->InvalidateCacheRange(address, bytes);
-}
-
-// Dynarmic keeps a list of every branch ever translated to a place, and walks through it when the
-// place is translated again.  Also, its table of blocks hashes by address alone: for many modes of
-// FPSCR there are many blocks at one address, and then the table grows without bound.  So
-// everything is dropped when a page has been translated often.  It is not dropped at once, because
-// the first memory access would then end the translation that is in progress.
-void ArmCore::Engine::translates(std::uint32_t pc) {
-    constexpr unsigned OFTEN = 1024;
-    if (++translations[pc >> 12] == OFTEN) overfull = true;
-}
-
-void ArmCore::Engine::forget_blocks() {
-    translations.clear();
-    overfull = false;
-    cpu.jit->ClearCache();
-}
-
-void ArmCore::Engine::forget_mappings() {
-    mmu.forget();
-    code.forget();
-    privileged_code.clear();
-    forget_blocks();
+    engine_->translated.written(address, static_cast<std::uint32_t>(bytes));
 }
 
 }  // namespace sim

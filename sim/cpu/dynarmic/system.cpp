@@ -221,7 +221,7 @@ bool ArmCore::Engine::coprocessor(std::uint32_t w) {
             if (which != 8) return which == 0;
             const bool was = cpu.floating_point();
             cpu.fpexc = cpu.r()[target_reg] & 0xE0000000;
-            if (was != cpu.floating_point()) forget_mappings();
+            if (was != cpu.floating_point()) translated.forget_mappings();
             return true;
         }
         switch (which) {
@@ -256,7 +256,7 @@ bool ArmCore::Engine::coprocessor(std::uint32_t w) {
     }
     const auto effect = cpu.cp15.write(name, value, cpu.privileged(), core.count_);
     if (!effect) return false;
-    if (*effect != Cp15Registers::Effect::NONE) forget_mappings();
+    if (*effect != Cp15Registers::Effect::NONE) translated.forget_mappings();
     return true;
 }
 
