@@ -20,13 +20,12 @@ target_include_directories(arm_core PUBLIC ${CMAKE_SOURCE_DIR})
 target_link_libraries(arm_core PRIVATE warnings_strict)
 if(DE1SIM_ARM_ENGINE STREQUAL dynarmic)
     target_sources(arm_core PRIVATE
-        dynarmic/absent.cpp dynarmic/alignment.cpp dynarmic/code.cpp
-        dynarmic/core.cpp dynarmic/cp15.cpp dynarmic/data.cpp
-        dynarmic/direct.cpp dynarmic/fetch.cpp dynarmic/instructions.cpp
-        dynarmic/memory_map.cpp dynarmic/mmu.cpp dynarmic/modes.cpp dynarmic/multiples.cpp
-        dynarmic/page_table.cpp dynarmic/registers.cpp dynarmic/saturating.cpp
-        dynarmic/single.cpp dynarmic/steps.cpp
-        dynarmic/system.cpp dynarmic/translated_code.cpp dynarmic/translation_tables.cpp)
+        dynarmic/absent.cpp dynarmic/alignment.cpp dynarmic/code.cpp dynarmic/core.cpp
+        dynarmic/cp15.cpp dynarmic/data.cpp dynarmic/direct.cpp dynarmic/fetch.cpp
+        dynarmic/instructions.cpp dynarmic/memory_map.cpp dynarmic/mmu.cpp dynarmic/modes.cpp
+        dynarmic/multiples.cpp dynarmic/page_table.cpp dynarmic/registers.cpp
+        dynarmic/saturating.cpp dynarmic/single.cpp dynarmic/steps.cpp dynarmic/system.cpp
+        dynarmic/system_registers.cpp dynarmic/translated_code.cpp dynarmic/translation_tables.cpp)
     target_include_directories(arm_core SYSTEM PRIVATE ${DYNARMIC_INCLUDE_DIR})
     target_link_libraries(arm_core PRIVATE ${DYNARMIC_LIBRARY})
 elseif(DE1SIM_ARM_ENGINE STREQUAL unicorn)

@@ -4,7 +4,7 @@
 // simulator has no caches and detects by itself that code is overwritten.  The performance monitor
 // has its cycle counter, which counts instructions; PMCR.D has no effect.
 //
-// Address translation operations are the engine's: they walk the tables.
+// Address translation operations are in system_registers.h: they walk the tables.
 //
 // Not handled: event counters (read 0), lockdown, the second bank of registers for the Secure
 // state.

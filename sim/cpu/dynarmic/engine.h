@@ -21,6 +21,7 @@
 #include "sim/cpu/dynarmic/direct.h"
 #include "sim/cpu/dynarmic/inspectors.h"
 #include "sim/cpu/dynarmic/mmu.h"
+#include "sim/cpu/dynarmic/system_registers.h"
 #include "sim/cpu/dynarmic/translated_code.h"
 
 namespace sim {
@@ -36,13 +37,12 @@ struct ArmCore::Engine final : Dynarmic::A32::UserCallbacks {
     Code& code{translated.code};
     Dynarmic::ExclusiveMonitor monitor{1};
 
+    SystemRegisters registers{cpu, mmu, translated, bus};
     Inspectors inspectors;
     // For the tally, an instruction that may leave a function costs so many ticks more than any run
     // has left, so the run ends after its block.  The values also say which kind it was.
     static constexpr std::uint64_t CALL = 1u << 24, JUMP = 2u << 24, TALLIED = CALL - 1;
     bool called = false;
-
-    void set_cpsr(std::uint32_t value);
 
     // ---- core.cpp ----
 

@@ -25,7 +25,7 @@ bool ArmCore::Engine::return_from(std::uint32_t base, bool up, bool before,
                         value = cpu.in_order(load<std::uint32_t>(at + 4));
     if (aborted || watched) return false;
     if (write_back) cpu.r()[*write_back] = up ? base + 8 : base - 8;
-    set_cpsr(value);
+    registers.set_cpsr(value);
     cpu.go_to(to);
     return true;
 }
@@ -92,7 +92,7 @@ bool ArmCore::Engine::load_store_multiple(std::uint32_t w) {
         (returns ? cpu.r()[i] : cpu.banked.user(cpu.r(), cpu.mode(), i)) = values[i];
     }
     if (!returns) return true;
-    set_cpsr(cpu.spsr());
+    registers.set_cpsr(cpu.spsr());
     cpu.go_to(values[15]);
     return true;
 }

@@ -6,12 +6,6 @@
 
 namespace sim {
 
-namespace {
-
-constexpr std::uint32_t FPEXC_EN = 1u << 30;
-
-}  // namespace
-
 // ---- Registers ----------------------------------------------------------------------------------
 
 void ArmCore::reset(std::uint32_t entry, std::uint32_t stack) {
@@ -41,21 +35,7 @@ void ArmCore::set_reg(unsigned number, std::uint32_t value) {
 }
 
 std::uint32_t ArmCore::cpsr() const { return engine_->cpu.cpsr(); }
-void ArmCore::set_cpsr(std::uint32_t value) { engine_->set_cpsr(value); }
-
-void ArmCore::Engine::set_cpsr(std::uint32_t value) {
-    const std::uint32_t was = cpu.mode(), is = value & arm_cpsr::MODE;
-    if (was != is) {
-        cpu.banked.change(cpu.r(), was, is);
-        cpu.jit->ClearExclusiveState();
-        const bool other_rights = (was == arm_mode::USR) != (is == arm_mode::USR);
-        if (other_rights && (cpu.cp15.value(cp15::SCTLR) & SCTLR_M)) mmu.forget();
-        if (is == arm_mode::USR) translated.forget_privileged();
-        if (other_rights && cpu.floating_point_rights() == 1) translated.forget_mappings();
-    }
-    if (cpu.cpsr() & ~value & (arm_cpsr::I | arm_cpsr::F)) bus.unmasked();
-    cpu.jit->SetCpsr(value);
-}
+void ArmCore::set_cpsr(std::uint32_t value) { engine_->registers.set_cpsr(value); }
 
 std::uint32_t ArmCore::spsr() const { return engine_->cpu.spsr(); }
 void ArmCore::set_spsr(std::uint32_t value) { engine_->cpu.spsr() = value; }
@@ -75,12 +55,7 @@ void ArmCore::set_vfp(unsigned number, std::uint64_t value) {
 
 void ArmCore::clear_exclusive() { engine_->cpu.jit->ClearExclusiveState(); }
 
-void ArmCore::set_floating_point(bool on) {
-    engine_->cpu.cp15.set(cp15::CPACR, on ? 0x00F00000 : 0);
-    engine_->cpu.fpexc = on ? FPEXC_EN : 0;
-    engine_->translated.forget_mappings();
-}
-
+void ArmCore::set_floating_point(bool on) { engine_->registers.set_floating_point(on); }
 bool ArmCore::floating_point() const { return engine_->cpu.floating_point(); }
 
 std::uint32_t ArmCore::fpscr() const { return engine_->cpu.jit->Fpscr(); }
@@ -127,7 +102,7 @@ std::optional<std::uint32_t> ArmCore::code_at(std::uint32_t pc, bool thumb) {
 std::optional<ArmCore::Cycles> ArmCore::cycles() const {
     constexpr Cp15 PMCCNTR{9, 0, 13, 0};
     const auto read_after = [&](std::uint64_t more) {
-        return engine_->cpu.cp15.read(PMCCNTR, engine_->cpu.privileged(), count_ + more);
+        return engine_->registers.read(PMCCNTR, count_ + more);
     };
     const auto next = read_after(1);
     if (!next) return std::nullopt;

@@ -5,7 +5,6 @@
 #include "sim/cpu/dynarmic/engine.h"
 #include "sim/cpu/dynarmic/instructions.h"
 #include "sim/cpu/dynarmic/missed_neon.h"
-#include "sim/cpu/dynarmic/translation_tables.h"
 
 namespace sim {
 
@@ -102,7 +101,7 @@ bool ArmCore::Engine::thumb_system(std::uint32_t w) {
     if (is(w, 0xFFFFFF00, 0xF3DE8F00)) {
         if (!cpu.privileged() || cpu.mode() == arm_mode::SYS) return false;
         const std::uint32_t to = cpu.r()[14] - (w & 0xFF);
-        set_cpsr(cpu.spsr());
+        registers.set_cpsr(cpu.spsr());
         cpu.go_to(to);
         return true;
     }
@@ -144,7 +143,7 @@ void ArmCore::Engine::write_status(bool saved, unsigned mask, std::uint32_t valu
         return;
     }
     bits &= cpu.privileged() ? 0xF80F03DFu : 0xF80F0200u;  // neither T nor IT nor J
-    set_cpsr((cpu.cpsr() & ~bits) | (value & bits));
+    registers.set_cpsr((cpu.cpsr() & ~bits) | (value & bits));
 }
 
 // CPS: `imod` 2 enables, 3 disables what `masks` (A, I, F as in the CPSR) names.
@@ -155,7 +154,7 @@ void ArmCore::Engine::change_state(unsigned imod, bool change_mode, std::uint32_
     if (imod == 2) value &= ~masks;
     if (imod == 3) value |= masks;
     if (change_mode) value = (value & ~arm_cpsr::MODE) | to;
-    set_cpsr(value);
+    registers.set_cpsr(value);
 }
 
 // ---- Returns from exceptions --------------------------------------------------------------------
@@ -191,7 +190,7 @@ bool ArmCore::Engine::exception_return(std::uint32_t w) {
         case 15: to = ~b; break;
         default: return false;
     }
-    set_cpsr(cpu.spsr());
+    registers.set_cpsr(cpu.spsr());
     cpu.go_to(to);
     return true;
 }
@@ -219,9 +218,7 @@ bool ArmCore::Engine::coprocessor(std::uint32_t w) {
         if (!cpu.privileged() || !cpu.may_use_floating_point()) return false;
         if (!to_core) {
             if (which != 8) return which == 0;
-            const bool was = cpu.floating_point();
-            cpu.fpexc = cpu.r()[target_reg] & 0xE0000000;
-            if (was != cpu.floating_point()) translated.forget_mappings();
+            registers.set_fpexc(cpu.r()[target_reg]);
             return true;
         }
         switch (which) {
@@ -235,29 +232,15 @@ bool ArmCore::Engine::coprocessor(std::uint32_t w) {
     if (number != 15) return false;
     const Cp15 name{w >> 16 & 0xF, w >> 21 & 7, w & 0xF, w >> 5 & 7};
     if (to_core) {
-        const auto value = cpu.cp15.read(name, cpu.privileged(), core.count_);
+        const auto value = registers.read(name, core.count_);
         if (!value) return false;
         if (target_reg == 15)
-            set_cpsr((cpu.cpsr() & 0x0FFFFFFF) | (*value & 0xF0000000));
+            registers.set_cpsr((cpu.cpsr() & 0x0FFFFFFF) | (*value & 0xF0000000));
         else
             cpu.r()[target_reg] = *value;
         return true;
     }
-    const std::uint32_t value = target_reg == 15 ? 0 : cpu.r()[target_reg];
-    if (name.crn == 7 && name.op1 == 0 && name.crm == 8) {
-        if (!cpu.privileged()) return false;
-        // For a reader or writer, privileged or user.  The Non-secure state has its MMU off.
-        const bool other_state = name.op2 & 4, user = name.op2 & 2;
-        const Translation to =
-            other_state ? Translation{value, arm_access::ALL, 0, false, 1u << 4 | 1u << 9}
-                        : mmu.walk(value, !user);
-        cpu.cp15.set(cp15::PAR, par(to, name.op2 & 1 ? arm_access::WRITE : arm_access::READ));
-        return true;
-    }
-    const auto effect = cpu.cp15.write(name, value, cpu.privileged(), core.count_);
-    if (!effect) return false;
-    if (*effect != Cp15Registers::Effect::NONE) translated.forget_mappings();
-    return true;
+    return registers.write(name, target_reg == 15 ? 0 : cpu.r()[target_reg], core.count_);
 }
 
 }  // namespace sim
