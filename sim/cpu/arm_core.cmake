@@ -21,7 +21,7 @@ target_link_libraries(arm_core PRIVATE warnings_strict)
 if(DE1SIM_ARM_ENGINE STREQUAL dynarmic)
     target_sources(arm_core PRIVATE
         dynarmic/absent.cpp dynarmic/alignment.cpp dynarmic/code.cpp dynarmic/core.cpp
-        dynarmic/cp15.cpp dynarmic/data.cpp dynarmic/direct.cpp dynarmic/fetch.cpp
+        dynarmic/cp15.cpp dynarmic/data_access.cpp dynarmic/direct.cpp dynarmic/fetch.cpp
         dynarmic/instructions.cpp dynarmic/memory_map.cpp dynarmic/mmu.cpp dynarmic/modes.cpp
         dynarmic/multiples.cpp dynarmic/page_table.cpp dynarmic/registers.cpp
         dynarmic/saturating.cpp dynarmic/single.cpp dynarmic/steps.cpp dynarmic/system.cpp

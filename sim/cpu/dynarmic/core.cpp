@@ -94,14 +94,12 @@ bool ArmCore::Engine::done_directly(std::uint32_t pc, std::uint32_t before) {
     const bool in_thumb = cpu.thumb();
     const auto word = code.instruction(pc, in_thumb);
     const auto access = single_access(word.value_or(0), in_thumb, pc, cpu.r().data(), cpu.carry());
-    required = {access->bytes, false, false};
     unaccounted = before + 1;
     core.count_ += unaccounted;
     core.last_pc_ = pc;
-    stepping = true;
-    reached = false;
-    const bool done = transfer(*access);
-    stepping = false;
+    data.begin_step({access->bytes, false, false});
+    const bool done = data.transfer(*access);
+    data.end_step();
     core.count_ -= unaccounted;
     if (!done) {
         event = Event::ABORT;
@@ -109,7 +107,7 @@ bool ArmCore::Engine::done_directly(std::uint32_t pc, std::uint32_t before) {
         return false;
     }
     cpu.r()[15] = pc + (in_thumb && *word <= 0xFFFF ? 2 : 4);
-    if (code.settle(pc, reached)) translated.invalidate(pc);
+    if (code.settle(pc, data.has_reached())) translated.invalidate(pc);
     return true;
 }
 
@@ -149,9 +147,9 @@ ArmStop ArmCore::run(std::uint64_t limit) {
 }
 
 ArmStop ArmCore::run_by_bytes() {
-    engine_->by_bytes = true;
+    engine_->data.set_by_bytes(true);
     const auto stop = engine_->step();
-    engine_->by_bytes = false;
+    engine_->data.set_by_bytes(false);
     return stop.value_or(ArmStop::LIMIT);
 }
 
@@ -181,12 +179,13 @@ std::optional<ArmStop> ArmCore::Engine::run_translated(unsigned without_branch, 
     left_over = without_branch;
     after = overrun;
     event = Event::NONE;
-    missed = retranslate = aborted = watched = called = false;
+    retranslate = called = false;
     block = {};
+    data.begin_run();
     cpu.jit->Run();
 
     std::optional<ArmStop> stop;
-    if (missed) {
+    if (data.is_missed()) {
         undo_miss();
     } else if (event == Event::NO_CODE) {
         --core.count_;  // of the exception
@@ -216,14 +215,14 @@ void ArmCore::Engine::undo_miss() {
     const std::uint32_t pc = cpu.r()[15], cpsr = cpu.cpsr();
     const bool in_thumb = cpu.thumb(), carry = cpsr >> 29 & 1;
     const std::uint32_t word = code.instruction(pc, in_thumb).value_or(0);
-    if (const auto change = early_write_back(word, in_thumb, cpu.r().data(), carry, missed_address))
+    if (const auto change =
+            early_write_back(word, in_thumb, cpu.r().data(), carry, data.missed_address()))
         cpu.r()[change->base] -= change->added;
     core.count_ += code.done_before(pc, in_thumb);
     const bool direct =
         !(cpsr & arm_cpsr::IT) && single_access(word, in_thumb, pc, cpu.r().data(), carry);
     code.mark(pc, direct);
     translated.invalidate(pc);
-    missed = false;
 }
 
 std::optional<ArmStop> ArmCore::Engine::step() {
@@ -231,40 +230,41 @@ std::optional<ArmStop> ArmCore::Engine::step() {
     const auto saved = cpu.r();
     const auto saved_vfp = cpu.jit->ExtRegs();
     event = Event::NONE;
-    missed = retranslate = aborted = watched = reached = false;
+    retranslate = false;
     block = {};
     core.last_pc_ = pc;
     ++core.count_;
     const std::uint32_t word = code.instruction(pc, cpu.thumb()).value_or(0);
-    requires_of(word, cpu.thumb());
-    if (required.beyond_pieces) {
-        reached = true;
-        if (const auto address = unaligned_structure(word)) {
-            core.fault_ = unaligned(*address, !(word >> 21 & 1));
-            return ArmStop::DATA_ABORT;
-        }
+    const Alignment required = alignment(word, cpu.thumb());
+    data.begin_step(required);
+    if (data.refuses_structure(word)) {
+        data.end_step();
+        return data_abort();
     }
     stepping = true;
     cpu.jit->Step();
     std::optional<ArmStop> stop;
-    if (aborted || watched) {
-        stop = aborted ? ArmStop::DATA_ABORT : ArmStop::LIMIT;
-    } else {
-        stop = ended();
-        if (aborted) stop = ArmStop::DATA_ABORT;  // by one of system.cpp
-    }
+    if (data.is_done()) stop = ended();
+    const bool reached = required.beyond_pieces || data.has_reached();
+    data.end_step();
     stepping = false;
-    if (aborted || watched) {
+    if (!data.is_done()) {  // in translated code, or by one of system.cpp
         cpu.r() = saved;
         cpu.jit->ExtRegs() = saved_vfp;
         cpu.jit->SetCpsr(cpsr);
-        if (watched) --core.count_;
-        return stop;
+        if (data.is_aborted()) return data_abort();
+        --core.count_;
+        return ArmStop::LIMIT;
     }
     if (code.settle(pc, reached)) translated.invalidate(pc);
     if (inspectors.tally)
         inspectors.tally->ran({pc, 1, saved[14], code.after(pc, 1, cpsr & arm_cpsr::T)});
     return stop;
+}
+
+ArmStop ArmCore::Engine::data_abort() {
+    core.fault_ = data.fault();
+    return ArmStop::DATA_ABORT;
 }
 
 // Dynarmic raises an exception with pc and the IT state after the instruction; this restores those
@@ -281,13 +281,13 @@ std::optional<ArmStop> ArmCore::Engine::ended() {
         case Event::HINT_WFI: return ArmStop::WFI;
         case Event::HINT_WFE: return ArmStop::WFE;
         case Event::SVC: return ArmStop::SVC;
-        case Event::ABORT: cpu.r()[15] = event_pc; return ArmStop::DATA_ABORT;
+        case Event::ABORT: cpu.r()[15] = event_pc; return data_abort();
         case Event::BREAKPOINT: back_to_event(); return ArmStop::BREAKPOINT;
         case Event::UNDEFINED:
             back_to_event();
             if (system(event_pc)) return std::nullopt;
-            if (aborted) return ArmStop::DATA_ABORT;
-            if (!watched) return ArmStop::UNDEFINED;
+            if (data.is_aborted()) return data_abort();
+            if (!data.is_watched()) return ArmStop::UNDEFINED;
             if (!stepping) --core.count_;
             return ArmStop::LIMIT;
         case Event::NO_CODE: break;

@@ -2,8 +2,6 @@
 //
 //   core.cpp      run(): translated code, single steps, what they end with
 //   fetch.cpp     code as it is translated
-//   data.cpp      loads and stores that are not in the page table
-//   direct.h      single loads and stores, decoded
 //   system.cpp    instructions that dynarmic does not have
 //   multiples.cpp, single.cpp: more of them
 //   registers.cpp ArmCore's registers and memory, seen from outside
@@ -16,9 +14,8 @@
 #include <utility>
 
 #include "sim/cpu/arm_core.h"
-#include "sim/cpu/dynarmic/alignment.h"
 #include "sim/cpu/dynarmic/cpu_state.h"
-#include "sim/cpu/dynarmic/direct.h"
+#include "sim/cpu/dynarmic/data_access.h"
 #include "sim/cpu/dynarmic/inspectors.h"
 #include "sim/cpu/dynarmic/mmu.h"
 #include "sim/cpu/dynarmic/system_registers.h"
@@ -39,6 +36,7 @@ struct ArmCore::Engine final : Dynarmic::A32::UserCallbacks {
 
     SystemRegisters registers{cpu, mmu, translated, bus};
     Inspectors inspectors;
+    DataAccess data{cpu, mmu, translated, inspectors, bus};
     // For the tally, an instruction that may leave a function costs so many ticks more than any run
     // has left, so the run ends after its block.  The values also say which kind it was.
     static constexpr std::uint64_t CALL = 1u << 24, JUMP = 2u << 24, TALLIED = CALL - 1;
@@ -54,17 +52,14 @@ struct ArmCore::Engine final : Dynarmic::A32::UserCallbacks {
     std::optional<ArmStop> ended();
     void back_to_event();
     void undo_miss();
+    ArmStop data_abort();
 
     // What happened in a callback.
     enum class Event { NONE, HINT_WFI, HINT_WFE, SVC, BREAKPOINT, UNDEFINED, NO_CODE, ABORT };
     Event event = Event::NONE;
     std::uint32_t event_pc = 0;
-    bool stepping = false;  // one instruction is being done, and may do anything
-    bool missed = false;    // an access in translated code must be done by a step
-    std::uint32_t missed_address = 0;
-    bool aborted = false, watched = false, reached = false;  // in a step
+    bool stepping = false;          // one instruction is being done, and may do anything
     std::uint64_t unaccounted = 0;  // instructions of the present block, in a callback
-    bool transfer(const SingleAccess& access);
     bool done_directly(std::uint32_t pc, std::uint32_t before);
 
     // ---- system.cpp: true if the instruction at `pc` was done ----
@@ -105,63 +100,40 @@ struct ArmCore::Engine final : Dynarmic::A32::UserCallbacks {
     unsigned left_over = 0;  // instructions without a branch for which the present run leaves room
     bool retranslate = false;
 
-    // ---- data.cpp ----
+    // ---- Loads and stores ----
 
-    Alignment required;  // of the instruction that a step does
-    void requires_of(std::uint32_t word, bool in_thumb) { required = alignment(word, in_thumb); }
-    std::optional<std::uint32_t> unaligned_structure(std::uint32_t word);
-    ArmFault unaligned(std::uint32_t address, bool write) const;
-    bool may_be_unaligned(std::uint32_t address, unsigned bytes, bool write);
-    bool by_bytes = false;  // see ArmCore::run_by_bytes()
-    template <class T>
-    T load(std::uint32_t address);
-    struct StorePlan {
-        enum class To { NOTHING, RAM, CODE, MERGED, BUS } to;
-        unsigned bytes;
-        const Mmu::Page& page;
-    };
-    StorePlan plan_store(std::uint32_t address, unsigned left);
-    bool store_on_bus(const StorePlan& plan, std::uint32_t address, std::uint32_t value);
-    bool forget_written_code(const StorePlan& plan, std::uint32_t address);
-    template <class T>
-    void store(std::uint32_t address, T value);
-    template <class T>
-    bool store_exclusive(std::uint32_t address, T value, T expected);
-    bool refuse(std::uint32_t address, bool write, bool by_tables, std::uint32_t status);
-    bool before_access(std::uint32_t address, unsigned bytes, bool write);
-    std::uint8_t* beside_code(std::uint32_t address, unsigned bytes, bool write);
-    bool miss(std::uint32_t address);
-    template <class T>
-    T load_pieces(std::uint32_t address);
-
-    std::uint8_t MemoryRead8(std::uint32_t address) override { return load<std::uint8_t>(address); }
+    std::uint8_t MemoryRead8(std::uint32_t address) override {
+        return data.load<std::uint8_t>(address);
+    }
     std::uint16_t MemoryRead16(std::uint32_t address) override {
-        return load<std::uint16_t>(address);
+        return data.load<std::uint16_t>(address);
     }
     std::uint32_t MemoryRead32(std::uint32_t address) override {
-        return load<std::uint32_t>(address);
+        return data.load<std::uint32_t>(address);
     }
-    void MemoryWrite8(std::uint32_t address, std::uint8_t value) override { store(address, value); }
+    void MemoryWrite8(std::uint32_t address, std::uint8_t value) override {
+        data.store(address, value);
+    }
     void MemoryWrite16(std::uint32_t address, std::uint16_t value) override {
-        store(address, value);
+        data.store(address, value);
     }
     void MemoryWrite32(std::uint32_t address, std::uint32_t value) override {
-        store(address, value);
+        data.store(address, value);
     }
     void MemoryWrite64(std::uint32_t address, std::uint64_t value) override {
-        store(address, value);
+        data.store(address, value);
     }
     bool MemoryWriteExclusive8(std::uint32_t a, std::uint8_t v, std::uint8_t e) override {
-        return store_exclusive(a, v, e);
+        return data.store_exclusive(a, v, e);
     }
     bool MemoryWriteExclusive16(std::uint32_t a, std::uint16_t v, std::uint16_t e) override {
-        return store_exclusive(a, v, e);
+        return data.store_exclusive(a, v, e);
     }
     bool MemoryWriteExclusive32(std::uint32_t a, std::uint32_t v, std::uint32_t e) override {
-        return store_exclusive(a, v, e);
+        return data.store_exclusive(a, v, e);
     }
     bool MemoryWriteExclusive64(std::uint32_t a, std::uint64_t v, std::uint64_t e) override {
-        return store_exclusive(a, v, e);
+        return data.store_exclusive(a, v, e);
     }
 
     // ---- core.cpp ----

@@ -155,7 +155,7 @@ bool ArmCore::Engine::IsReadOnlyMemory(std::uint32_t address) {
 
 std::uint64_t ArmCore::Engine::MemoryRead64(std::uint32_t address) {
     translated.read_64(address);
-    return load<std::uint64_t>(address);
+    return data.load<std::uint64_t>(address);
 }
 
 }  // namespace sim

@@ -21,9 +21,9 @@ bool ArmCore::Engine::return_from(std::uint32_t base, bool up, bool before,
                                   std::optional<unsigned> write_back) {
     if (!cpu.privileged()) return false;
     const std::uint32_t at = first_address(base, 8, up, before);
-    const std::uint32_t to = cpu.in_order(load<std::uint32_t>(at)),
-                        value = cpu.in_order(load<std::uint32_t>(at + 4));
-    if (aborted || watched) return false;
+    const std::uint32_t to = cpu.in_order(data.load<std::uint32_t>(at)),
+                        value = cpu.in_order(data.load<std::uint32_t>(at + 4));
+    if (!data.is_done()) return false;
     if (write_back) cpu.r()[*write_back] = up ? base + 8 : base - 8;
     registers.set_cpsr(value);
     cpu.go_to(to);
@@ -38,9 +38,9 @@ bool ArmCore::Engine::save_return(std::uint32_t to, bool up, bool before, bool w
     const std::uint32_t base = cpu.r()[13];
     cpu.banked.change(cpu.r(), to, now);
     const std::uint32_t at = first_address(base, 8, up, before);
-    store(at, cpu.in_order(link));
-    store(at + 4, cpu.in_order(saved));
-    if (aborted || watched) return false;
+    data.store(at, cpu.in_order(link));
+    data.store(at + 4, cpu.in_order(saved));
+    if (!data.is_done()) return false;
     if (write_back) {
         cpu.banked.change(cpu.r(), now, to);
         cpu.r()[13] = up ? base + 8 : base - 8;
@@ -54,10 +54,10 @@ bool ArmCore::Engine::load_with_base(unsigned base, unsigned list, bool up, bool
     std::array<std::uint32_t, 16> values{};
     for (unsigned i = 0; i < 16; ++i) {
         if (!(list >> i & 1)) continue;
-        values[i] = cpu.in_order(load<std::uint32_t>(at));
+        values[i] = cpu.in_order(data.load<std::uint32_t>(at));
         at += 4;
     }
-    if (aborted || watched) return false;
+    if (!data.is_done()) return false;
     for (unsigned i = 0; i < 15; ++i)
         if (list >> i & 1) cpu.r()[i] = values[i];
     if (!(list >> 15 & 1)) return true;
@@ -78,13 +78,13 @@ bool ArmCore::Engine::load_store_multiple(std::uint32_t w) {
     for (unsigned i = 0; i < 16; ++i) {
         if (!(w >> i & 1)) continue;
         if (load_it)
-            values[i] = cpu.in_order(load<std::uint32_t>(at));
+            values[i] = cpu.in_order(data.load<std::uint32_t>(at));
         else
-            store(at, cpu.in_order(i == 15 ? cpu.r()[15] + 4
-                                           : cpu.banked.user(cpu.r(), cpu.mode(), i)));
+            data.store(at, cpu.in_order(i == 15 ? cpu.r()[15] + 4
+                                                : cpu.banked.user(cpu.r(), cpu.mode(), i)));
         at += 4;
     }
-    if (aborted || watched) return false;
+    if (!data.is_done()) return false;
     if (write) cpu.r()[base] = up ? cpu.r()[base] + bytes : cpu.r()[base] - bytes;
     if (!load_it) return true;
     for (unsigned i = 0; i < 15; ++i) {

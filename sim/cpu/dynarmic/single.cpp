@@ -25,38 +25,6 @@ bool is_unprivileged(std::uint32_t w, bool thumb) {
 
 bool is_swap(std::uint32_t w) { return is(w, 0x0FB00FF0, 0x01000090) && w >> 28 != 15; }
 
-// False: it has aborted.
-bool ArmCore::Engine::transfer(const SingleAccess& access) {
-    std::uint32_t value = cpu.r()[access.target];
-    switch (access.bytes) {
-        case 1:
-            if (access.load)
-                value = load<std::uint8_t>(access.address);
-            else
-                store(access.address, static_cast<std::uint8_t>(value));
-            if (access.is_signed)
-                value = static_cast<std::uint32_t>(static_cast<std::int8_t>(value));
-            break;
-        case 2:
-            if (access.load)
-                value = cpu.in_order(load<std::uint16_t>(access.address));
-            else
-                store(access.address, cpu.in_order(static_cast<std::uint16_t>(value)));
-            if (access.is_signed)
-                value = static_cast<std::uint32_t>(static_cast<std::int16_t>(value));
-            break;
-        default:
-            if (access.load)
-                value = cpu.in_order(load<std::uint32_t>(access.address));
-            else
-                store(access.address, cpu.in_order(value));
-    }
-    if (aborted || watched) return false;
-    if (access.write_back) cpu.r()[access.base] = access.new_base;
-    if (access.load) cpu.r()[access.target] = value;
-    return true;
-}
-
 // As the LDR or STR that it is but for its rights.
 bool ArmCore::Engine::unprivileged(std::uint32_t w, bool in_thumb) {
     const std::uint32_t plain = in_thumb ? (w | 1u << 23) & ~0xF00u : w & ~(1u << 21);
@@ -65,10 +33,10 @@ bool ArmCore::Engine::unprivileged(std::uint32_t w, bool in_thumb) {
     if (!access) return false;
     const Translation to = mmu.walk(access->address, false);
     if (!(to.access & (access->load ? arm_access::READ : arm_access::WRITE))) {
-        refuse(access->address, !access->load, true, to.status);
+        data.refuse({access->address, !access->load, true, to.status});
         return false;
     }
-    return transfer(*access);
+    return data.transfer(*access);
 }
 
 bool ArmCore::Engine::swap(std::uint32_t w) {
@@ -76,13 +44,13 @@ bool ArmCore::Engine::swap(std::uint32_t w) {
     const std::uint32_t address = cpu.r()[w >> 16 & 0xF], value = cpu.r()[w & 0xF];
     std::uint32_t old;
     if (w >> 22 & 1) {
-        old = load<std::uint8_t>(address);
-        store(address, static_cast<std::uint8_t>(value));
+        old = data.load<std::uint8_t>(address);
+        data.store(address, static_cast<std::uint8_t>(value));
     } else {
-        old = cpu.in_order(load<std::uint32_t>(address));
-        store(address, cpu.in_order(value));
+        old = cpu.in_order(data.load<std::uint32_t>(address));
+        data.store(address, cpu.in_order(value));
     }
-    if (aborted || watched) return false;
+    if (!data.is_done()) return false;
     cpu.r()[w >> 12 & 0xF] = old;
     return true;
 }

@@ -25,9 +25,7 @@ bool ArmCore::Engine::system(std::uint32_t pc) {
     const auto word = code.instruction(pc, in_thumb);
     if (!word || is_absent(*word, in_thumb)) return false;
     const unsigned bytes = in_thumb && *word <= 0xFFFF ? 2 : 4;
-    requires_of(*word, in_thumb);
-    const bool was_stepping = stepping;
-    stepping = true;  // its accesses may go to the bus
+    data.begin_step(alignment(*word, in_thumb));  // its accesses may go to the bus
     cpu.r()[15] = pc + bytes;
     bool done = true;
     if (in_thumb) {
@@ -40,7 +38,7 @@ bool ArmCore::Engine::system(std::uint32_t pc) {
     }
     if (!done) cpu.r()[15] = pc;
     cpu.jit->ClearHalt(Dynarmic::HaltReason::MemoryAbort);  // of its accesses: nothing runs now
-    stepping = was_stepping;
+    data.end_step();
     return done;
 }
 
