@@ -23,9 +23,9 @@ if(DE1SIM_ARM_ENGINE STREQUAL dynarmic)
         dynarmic/absent.cpp dynarmic/alignment.cpp dynarmic/code.cpp dynarmic/core.cpp
         dynarmic/cp15.cpp dynarmic/data_access.cpp dynarmic/direct.cpp dynarmic/fetch.cpp
         dynarmic/instructions.cpp dynarmic/memory_map.cpp dynarmic/mmu.cpp dynarmic/modes.cpp
-        dynarmic/multiples.cpp dynarmic/page_table.cpp dynarmic/registers.cpp
-        dynarmic/saturating.cpp dynarmic/single.cpp dynarmic/steps.cpp dynarmic/system.cpp
-        dynarmic/system_registers.cpp dynarmic/translated_code.cpp dynarmic/translation_tables.cpp)
+        dynarmic/page_table.cpp dynarmic/registers.cpp dynarmic/saturating.cpp dynarmic/steps.cpp
+        dynarmic/system_instructions.cpp dynarmic/system_registers.cpp
+        dynarmic/system_transfers.cpp dynarmic/translated_code.cpp dynarmic/translation_tables.cpp)
     target_include_directories(arm_core SYSTEM PRIVATE ${DYNARMIC_INCLUDE_DIR})
     target_link_libraries(arm_core PRIVATE ${DYNARMIC_LIBRARY})
 elseif(DE1SIM_ARM_ENGINE STREQUAL unicorn)

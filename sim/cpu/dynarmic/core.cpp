@@ -248,7 +248,7 @@ std::optional<ArmStop> ArmCore::Engine::step() {
     const bool reached = required.beyond_pieces || data.has_reached();
     data.end_step();
     stepping = false;
-    if (!data.is_done()) {  // in translated code, or by one of system.cpp
+    if (!data.is_done()) {  // in translated code, or by a system instruction
         cpu.r() = saved;
         cpu.jit->ExtRegs() = saved_vfp;
         cpu.jit->SetCpsr(cpsr);
@@ -285,7 +285,9 @@ std::optional<ArmStop> ArmCore::Engine::ended() {
         case Event::BREAKPOINT: back_to_event(); return ArmStop::BREAKPOINT;
         case Event::UNDEFINED:
             back_to_event();
-            if (system(event_pc)) return std::nullopt;
+            if (const auto word = code.instruction(event_pc, cpu.thumb());
+                word && system.execute(event_pc, *word))
+                return std::nullopt;
             if (data.is_aborted()) return data_abort();
             if (!data.is_watched()) return ArmStop::UNDEFINED;
             if (!stepping) --core.count_;

@@ -2,8 +2,6 @@
 //
 //   core.cpp      run(): translated code, single steps, what they end with
 //   fetch.cpp     code as it is translated
-//   system.cpp    instructions that dynarmic does not have
-//   multiples.cpp, single.cpp: more of them
 //   registers.cpp ArmCore's registers and memory, seen from outside
 #pragma once
 
@@ -18,6 +16,7 @@
 #include "sim/cpu/dynarmic/data_access.h"
 #include "sim/cpu/dynarmic/inspectors.h"
 #include "sim/cpu/dynarmic/mmu.h"
+#include "sim/cpu/dynarmic/system_instructions.h"
 #include "sim/cpu/dynarmic/system_registers.h"
 #include "sim/cpu/dynarmic/translated_code.h"
 
@@ -37,6 +36,7 @@ struct ArmCore::Engine final : Dynarmic::A32::UserCallbacks {
     SystemRegisters registers{cpu, mmu, translated, bus};
     Inspectors inspectors;
     DataAccess data{cpu, mmu, translated, inspectors, bus};
+    SystemInstructions system{cpu, registers, mmu, data, core};
     // For the tally, an instruction that may leave a function costs so many ticks more than any run
     // has left, so the run ends after its block.  The values also say which kind it was.
     static constexpr std::uint64_t CALL = 1u << 24, JUMP = 2u << 24, TALLIED = CALL - 1;
@@ -61,24 +61,6 @@ struct ArmCore::Engine final : Dynarmic::A32::UserCallbacks {
     bool stepping = false;          // one instruction is being done, and may do anything
     std::uint64_t unaccounted = 0;  // instructions of the present block, in a callback
     bool done_directly(std::uint32_t pc, std::uint32_t before);
-
-    // ---- system.cpp: true if the instruction at `pc` was done ----
-
-    bool system(std::uint32_t pc);
-    bool arm_system(std::uint32_t word);
-    bool thumb_system(std::uint32_t word);
-    bool coprocessor(std::uint32_t word);
-    bool status(std::uint32_t word);
-    bool exception_return(std::uint32_t word);
-    bool unprivileged(std::uint32_t word, bool in_thumb);
-    bool swap(std::uint32_t word);
-    bool load_store_multiple(std::uint32_t word);
-    bool load_with_base(unsigned base, unsigned list, bool up, bool before);
-    bool neon(std::uint32_t word, bool in_thumb);
-    void write_status(bool saved, unsigned mask, std::uint32_t value);
-    void change_state(unsigned imod, bool change_mode, std::uint32_t masks, std::uint32_t mode);
-    bool return_from(std::uint32_t base, bool up, bool before, std::optional<unsigned> write_back);
-    bool save_return(std::uint32_t mode, bool up, bool before, bool write_back);
 
     // ---- fetch.cpp ----
 

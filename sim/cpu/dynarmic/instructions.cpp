@@ -157,6 +157,20 @@ bool loads_its_base(std::uint32_t w, bool thumb) {
     return multiple && (w >> (w >> 16 & 0xF) & 1) && (w >> 16 & 0xF) != 15;
 }
 
+bool is_unprivileged(std::uint32_t w, bool thumb) {
+    if (thumb) {
+        if (!is(w, 0xFE800F00, 0xF8000E00) || (w >> 16 & 0xF) == 15) return false;
+        const unsigned size = w >> 21 & 3;
+        return is(w, 0x01000000, 0) ? size != 3 : size < 2 && (w >> 20 & 1);  // signed: loads alone
+    }
+    if (w >> 28 == 15) return false;
+    if (is(w, 0x0D200000, 0x04200000)) return !is(w, 0x02000010, 0x02000010);
+    const unsigned kind = w >> 5 & 3;
+    return is(w, 0x0F200090, 0x00200090) && (kind == 1 || (kind != 0 && (w >> 20 & 1)));
+}
+
+bool is_swap(std::uint32_t w) { return is(w, 0x0FB00FF0, 0x01000090) && w >> 28 != 15; }
+
 bool is_newton_step(std::uint32_t w, bool thumb) {
     return is(w, 0xFF900F10, thumb ? 0xEF000F10 : 0xF2000F10);
 }

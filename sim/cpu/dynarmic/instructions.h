@@ -22,7 +22,7 @@ constexpr unsigned bits_of(std::uint32_t word) {
 
 inline unsigned thumb_bytes(std::uint16_t first) { return first < 0xE800 ? 2 : 4; }
 
-// Dynarmic does not execute it, or does so wrongly: the engine's system.cpp executes it.
+// Dynarmic does not execute it, or does so wrongly: system_instructions.h has it.
 // `floating_point`: the program may use VFP and NEON.
 bool is_system(std::uint32_t word, bool thumb, bool floating_point);
 
