@@ -20,8 +20,8 @@ target_include_directories(arm_core PUBLIC ${CMAKE_SOURCE_DIR})
 target_link_libraries(arm_core PRIVATE warnings_strict)
 if(DE1SIM_ARM_ENGINE STREQUAL dynarmic)
     target_sources(arm_core PRIVATE
-        dynarmic/absent.cpp dynarmic/alignment.cpp dynarmic/code.cpp dynarmic/core.cpp
-        dynarmic/cp15.cpp dynarmic/data_access.cpp dynarmic/direct.cpp dynarmic/fetch.cpp
+        dynarmic/absent.cpp dynarmic/alignment.cpp dynarmic/code.cpp dynarmic/code_reader.cpp
+        dynarmic/core.cpp dynarmic/cp15.cpp dynarmic/data_access.cpp dynarmic/direct.cpp
         dynarmic/instructions.cpp dynarmic/memory_map.cpp dynarmic/mmu.cpp dynarmic/modes.cpp
         dynarmic/page_table.cpp dynarmic/registers.cpp dynarmic/saturating.cpp dynarmic/steps.cpp
         dynarmic/system_instructions.cpp dynarmic/system_registers.cpp

@@ -65,8 +65,8 @@ ArmCore::~ArmCore() = default;
 void ArmCore::Engine::AddTicks(std::uint64_t ticks) {
     if (stepping) return;
     if (inspectors.tally) {
-        called |= ticks & CALL;
-        ticks &= TALLIED;
+        called |= ticks & CodeReader::CALL;
+        ticks &= CodeReader::TALLIED;
     }
     core.count_ += ticks;
 }
@@ -77,7 +77,7 @@ std::uint64_t ArmCore::Engine::GetTicksRemaining() {
     const std::uint64_t done = core.count_ + unaccounted;
     const std::uint64_t left = core.limit_ > done ? core.limit_ - done : 0;
     std::uint64_t most = left > after ? left - after : 0;
-    if (inspectors.tally) most = std::min(most, TALLIED / 2);
+    if (inspectors.tally) most = std::min(most, CodeReader::TALLIED / 2);
     return std::max<std::uint64_t>(std::exchange(unaccounted, 0) + most, 1);
 }
 
@@ -88,8 +88,9 @@ void ArmCore::Engine::CallSVC(std::uint32_t number) {
     cpu.jit->HaltExecution(EVENT);
 }
 
-// Does the load or store at `pc`, which fetch.cpp has replaced by a supervisor call.  Registers are
-// those before it, and `before` of its block's instructions are done.  False: it has aborted.
+// Does the load or store at `pc`, which has been read as a supervisor call (code_reader.h).
+// Registers are those before it, and `before` of its block's instructions are done.  False: it has
+// aborted.
 bool ArmCore::Engine::done_directly(std::uint32_t pc, std::uint32_t before) {
     const bool in_thumb = cpu.thumb();
     const auto word = code.instruction(pc, in_thumb);
@@ -161,6 +162,7 @@ std::optional<ArmStop> ArmCore::Engine::next(std::uint64_t left) {
         return step();
     }
     if (code.is_marked(pc) && (inspectors.watch || !code.is_direct(pc))) return step();
+    const unsigned longest = reader.longest();
     if (left > longest) return run_translated(longest, longest);
     const unsigned straight = code.to_next_branch(pc, cpu.thumb());
     if (straight == Code::FAR && code.is_blank(pc, cpu.thumb())) return ArmStop::RAN_OFF;
@@ -176,11 +178,10 @@ std::optional<ArmStop> ArmCore::Engine::run_translated(unsigned without_branch, 
     const std::uint32_t begin = cpu.r()[15];
     const std::uint32_t link = cpu.r()[14];
     unaccounted = 0;
-    left_over = without_branch;
     after = overrun;
     event = Event::NONE;
-    retranslate = called = false;
-    block = {};
+    called = false;
+    reader.begin_run(without_branch);
     data.begin_run();
     cpu.jit->Run();
 
@@ -190,7 +191,7 @@ std::optional<ArmStop> ArmCore::Engine::run_translated(unsigned without_branch, 
     } else if (event == Event::NO_CODE) {
         --core.count_;  // of the exception
         back_to_event();
-        if (retranslate) {
+        if (reader.has_no_room()) {
             translated.invalidate(event_pc);
         } else if (!code.is_marked(event_pc) && !inspectors.is_probed(event_pc)) {
             stop = ended();
@@ -203,7 +204,7 @@ std::optional<ArmStop> ArmCore::Engine::run_translated(unsigned without_branch, 
         const std::uint32_t now = cpu.r()[14];
         inspectors.tally->ran({begin, done, link, called ? now & ~1u : now + 1});
     }
-    if (event == Event::NO_CODE && retranslate &&
+    if (event == Event::NO_CODE && reader.has_no_room() &&
         code.to_next_branch(event_pc, cpu.thumb()) == Code::FAR)
         return next(1);
     return stop;
@@ -230,8 +231,7 @@ std::optional<ArmStop> ArmCore::Engine::step() {
     const auto saved = cpu.r();
     const auto saved_vfp = cpu.jit->ExtRegs();
     event = Event::NONE;
-    retranslate = false;
-    block = {};
+    reader.begin_step();
     core.last_pc_ = pc;
     ++core.count_;
     const std::uint32_t word = code.instruction(pc, cpu.thumb()).value_or(0);
@@ -274,6 +274,29 @@ void ArmCore::Engine::back_to_event() {
     cpu.r()[15] = event_pc;
 }
 
+// An instruction that is undefined to dynarmic.
+std::optional<ArmStop> ArmCore::Engine::undefined() {
+    back_to_event();
+    const bool in_thumb = cpu.thumb();
+    const auto word = code.instruction(event_pc, in_thumb);
+    if (word && system.execute(event_pc, *word, in_thumb)) return std::nullopt;
+    if (data.is_aborted()) return data_abort();
+    if (!data.is_watched()) return ArmStop::UNDEFINED;
+    if (!stepping) --core.count_;
+    return ArmStop::LIMIT;
+}
+
+ArmStop ArmCore::Engine::no_code() {
+    if (stepping) --core.count_;
+    back_to_event();
+    const bool second = cpu.thumb() && mmu.half_of_code(event_pc);
+    const std::uint32_t missing = second ? event_pc + 2 : event_pc;
+    const Mmu::Page& page = mmu.page(missing);
+    core.fault_ = {missing, false, page.no_code, page.status};
+    translated.invalidate(event_pc);
+    return ArmStop::PREFETCH_ABORT;
+}
+
 // How the last instructions have ended, with pc as ArmStop says.
 std::optional<ArmStop> ArmCore::Engine::ended() {
     switch (event) {
@@ -283,26 +306,10 @@ std::optional<ArmStop> ArmCore::Engine::ended() {
         case Event::SVC: return ArmStop::SVC;
         case Event::ABORT: cpu.r()[15] = event_pc; return data_abort();
         case Event::BREAKPOINT: back_to_event(); return ArmStop::BREAKPOINT;
-        case Event::UNDEFINED:
-            back_to_event();
-            if (const auto word = code.instruction(event_pc, cpu.thumb());
-                word && system.execute(event_pc, *word))
-                return std::nullopt;
-            if (data.is_aborted()) return data_abort();
-            if (!data.is_watched()) return ArmStop::UNDEFINED;
-            if (!stepping) --core.count_;
-            return ArmStop::LIMIT;
+        case Event::UNDEFINED: return undefined();
         case Event::NO_CODE: break;
     }
-    if (stepping) --core.count_;
-    back_to_event();
-    const std::uint32_t second =
-        cpu.thumb() && mmu.half_of_code(event_pc) ? event_pc + 2 : event_pc;
-    const Mmu::Page& page = mmu.page(second);
-    const bool by_tables = page.no_code;
-    core.fault_ = {second, false, by_tables, page.status};
-    translated.invalidate(event_pc);
-    return ArmStop::PREFETCH_ABORT;
+    return no_code();
 }
 
 }  // namespace sim

@@ -1,7 +1,6 @@
 // engine.h - what ArmCore's files share: dynarmic, its callbacks, and the state around it.
 //
 //   core.cpp      run(): translated code, single steps, what they end with
-//   fetch.cpp     code as it is translated
 //   registers.cpp ArmCore's registers and memory, seen from outside
 #pragma once
 
@@ -12,6 +11,7 @@
 #include <utility>
 
 #include "sim/cpu/arm_core.h"
+#include "sim/cpu/dynarmic/code_reader.h"
 #include "sim/cpu/dynarmic/cpu_state.h"
 #include "sim/cpu/dynarmic/data_access.h"
 #include "sim/cpu/dynarmic/inspectors.h"
@@ -35,11 +35,9 @@ struct ArmCore::Engine final : Dynarmic::A32::UserCallbacks {
 
     SystemRegisters registers{cpu, mmu, translated, bus};
     Inspectors inspectors;
+    CodeReader reader{cpu, mmu, translated, inspectors};
     DataAccess data{cpu, mmu, translated, inspectors, bus};
     SystemInstructions system{cpu, registers, mmu, data, core};
-    // For the tally, an instruction that may leave a function costs so many ticks more than any run
-    // has left, so the run ends after its block.  The values also say which kind it was.
-    static constexpr std::uint64_t CALL = 1u << 24, JUMP = 2u << 24, TALLIED = CALL - 1;
     bool called = false;
 
     // ---- core.cpp ----
@@ -50,6 +48,8 @@ struct ArmCore::Engine final : Dynarmic::A32::UserCallbacks {
     std::optional<ArmStop> run_translated(unsigned without_branch, unsigned overrun);
     std::optional<ArmStop> step();
     std::optional<ArmStop> ended();
+    std::optional<ArmStop> undefined();
+    ArmStop no_code();
     void back_to_event();
     void undo_miss();
     ArmStop data_abort();
@@ -62,25 +62,17 @@ struct ArmCore::Engine final : Dynarmic::A32::UserCallbacks {
     std::uint64_t unaccounted = 0;  // instructions of the present block, in a callback
     bool done_directly(std::uint32_t pc, std::uint32_t before);
 
-    // ---- fetch.cpp ----
+    unsigned after = 0;  // instructions, by which the present run may do too many
 
-    bool is_single_access(std::uint32_t pc);  // of the block that is read
-    std::optional<std::uint32_t> MemoryReadCode(std::uint32_t address) override;
-    bool IsReadOnlyMemory(std::uint32_t address) override;
-    std::uint64_t MemoryRead64(std::uint32_t address) override;
-    std::uint64_t GetTicksForCode(bool thumb, std::uint32_t pc, std::uint32_t word) override;
-    std::uint64_t ticks_of_departure(bool thumb, std::uint32_t pc, std::uint32_t word) const;
-    struct Block {
-        std::uint32_t begin = 1, next = 1;  // `next`: of the instruction to be read
-        bool thumb = false;
-        unsigned instructions = 0;  // read so far
-        unsigned it = 0;            // state of the IT block for the next one
-        bool linked = false;        // ends before the begin of another one, or of a function
-    } block;
-    unsigned longest = 32;   // instructions without a branch that have been translated
-    unsigned after = 0;      // instructions, by which the present run may do too many
-    unsigned left_over = 0;  // instructions without a branch for which the present run leaves room
-    bool retranslate = false;
+    // ---- Reading code ----
+
+    std::optional<std::uint32_t> MemoryReadCode(std::uint32_t address) override {
+        return reader.word(address);
+    }
+    bool IsReadOnlyMemory(std::uint32_t address) override { return reader.is_constant(address); }
+    std::uint64_t GetTicksForCode(bool thumb, std::uint32_t pc, std::uint32_t word) override {
+        return reader.ticks(thumb, pc, word);
+    }
 
     // ---- Loads and stores ----
 
@@ -92,6 +84,10 @@ struct ArmCore::Engine final : Dynarmic::A32::UserCallbacks {
     }
     std::uint32_t MemoryRead32(std::uint32_t address) override {
         return data.load<std::uint32_t>(address);
+    }
+    std::uint64_t MemoryRead64(std::uint32_t address) override {
+        translated.read_64(address);
+        return data.load<std::uint64_t>(address);
     }
     void MemoryWrite8(std::uint32_t address, std::uint8_t value) override {
         data.store(address, value);

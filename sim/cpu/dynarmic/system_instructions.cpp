@@ -18,8 +18,7 @@ constexpr std::uint32_t FPSID = 0x41033094, MVFR0 = 0x10110222, MVFR1 = 0x011111
 
 }  // namespace
 
-bool SystemInstructions::execute(std::uint32_t pc, std::uint32_t word) {
-    const bool in_thumb = cpu_.thumb();
+bool SystemInstructions::execute(std::uint32_t pc, std::uint32_t word, bool in_thumb) {
     if (is_absent(word, in_thumb)) return false;
     data_.begin_step(alignment(word, in_thumb));
     cpu_.r()[15] = pc + (in_thumb && word <= 0xFFFF ? 2 : 4);

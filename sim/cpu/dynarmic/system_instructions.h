@@ -27,10 +27,10 @@ public:
                        const ArmCore& core)
         : cpu_{cpu}, registers_{registers}, mmu_{mmu}, data_{data}, core_{core} {}
 
-    // The instruction at `pc`, which is `word` (instructions.h), unless its condition skips it.
+    // The instruction at `pc`, `word` (instructions.h), unless its condition skips it.
     // False, and nothing is changed: it is undefined, or one of its accesses is not done, as
     // DataAccess says then.  Not while dynarmic runs.
-    bool execute(std::uint32_t pc, std::uint32_t word);
+    bool execute(std::uint32_t pc, std::uint32_t word, bool in_thumb);
 
 private:
     bool arm(std::uint32_t word);

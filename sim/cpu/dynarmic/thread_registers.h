@@ -9,7 +9,7 @@
 namespace sim {
 
 // Thread registers of CP15, which translated code reads and writes by itself.  All other
-// instructions of coprocessors are undefined to dynarmic (fetch.cpp).
+// instructions of coprocessors are undefined to dynarmic (code_reader.h).
 class ThreadRegisters final : public Dynarmic::A32::Coprocessor {
 public:
     explicit ThreadRegisters(Cp15Registers& cp15) : cp15_{cp15} {}
