@@ -20,10 +20,10 @@ target_include_directories(arm_core PUBLIC ${CMAKE_SOURCE_DIR})
 target_link_libraries(arm_core PRIVATE warnings_strict)
 if(DE1SIM_ARM_ENGINE STREQUAL dynarmic)
     target_sources(arm_core PRIVATE
-        dynarmic/absent.cpp dynarmic/alignment.cpp dynarmic/code.cpp dynarmic/code_reader.cpp
-        dynarmic/core.cpp dynarmic/cp15.cpp dynarmic/data_access.cpp dynarmic/direct.cpp
-        dynarmic/instructions.cpp dynarmic/memory_map.cpp dynarmic/mmu.cpp dynarmic/modes.cpp
-        dynarmic/page_table.cpp dynarmic/registers.cpp dynarmic/saturating.cpp dynarmic/steps.cpp
+        dynarmic/absent.cpp dynarmic/alignment.cpp dynarmic/arm_core.cpp dynarmic/code.cpp
+        dynarmic/code_reader.cpp dynarmic/cp15.cpp dynarmic/data_access.cpp dynarmic/direct.cpp
+        dynarmic/engine.cpp dynarmic/instructions.cpp dynarmic/memory_map.cpp dynarmic/mmu.cpp
+        dynarmic/modes.cpp dynarmic/page_table.cpp dynarmic/saturating.cpp dynarmic/steps.cpp
         dynarmic/system_instructions.cpp dynarmic/system_registers.cpp
         dynarmic/system_transfers.cpp dynarmic/translated_code.cpp dynarmic/translation_tables.cpp)
     target_include_directories(arm_core SYSTEM PRIVATE ${DYNARMIC_INCLUDE_DIR})

@@ -1,10 +1,26 @@
-// registers.cpp - ArmCore's registers and memory seen from outside, and their state after reset.
+// arm_core.cpp - ArmCore by dynarmic: what it is asked from outside.
+#include "sim/cpu/arm_core.h"
+
 #include <algorithm>
 #include <cstring>
 
 #include "sim/cpu/dynarmic/engine.h"
 
 namespace sim {
+
+const bool ArmCore::TELLS_OF_MASKS = true;
+
+ArmCore::ArmCore(ArmBus& bus) : engine_{std::make_unique<Engine>(*this, bus)} {}
+ArmCore::~ArmCore() = default;
+
+ArmStop ArmCore::run(std::uint64_t limit) {
+    limit_ = count_ + limit;
+    while (count_ < limit_)
+        if (const auto stop = engine_->next(limit_ - count_)) return *stop;
+    return ArmStop::LIMIT;
+}
+
+ArmStop ArmCore::run_by_bytes() { return engine_->step_by_bytes().value_or(ArmStop::LIMIT); }
 
 // ---- Registers ----------------------------------------------------------------------------------
 
