@@ -175,7 +175,7 @@ std::optional<ArmStop> ArmCore::Engine::run_translated(unsigned without_branch, 
         undo_miss();
     } else if (event_ == Event::NO_CODE) {
         --core_.count_;  // of the exception
-        back_to_event();
+        back_to_event(cpu.thumb());
         if (reader_.has_no_room()) {
             translated.invalidate(event_pc_);
         } else if (!code_.is_marked(event_pc_) && !inspectors.is_probed(event_pc_)) {
@@ -261,15 +261,15 @@ ArmStop ArmCore::Engine::data_abort() {
 
 // Dynarmic raises an exception with pc and the IT state after the instruction; this restores those
 // of the instruction.
-void ArmCore::Engine::back_to_event() {
-    if (cpu.thumb()) cpu.jit->SetCpsr(with_it_state(cpu.cpsr(), code_.it(event_pc_)));
+void ArmCore::Engine::back_to_event(bool in_thumb) {
+    if (in_thumb) cpu.jit->SetCpsr(with_it_state(cpu.cpsr(), code_.it(event_pc_)));
     cpu.r()[15] = event_pc_;
 }
 
 // An instruction that is undefined to dynarmic.
 std::optional<ArmStop> ArmCore::Engine::undefined() {
-    back_to_event();
     const bool in_thumb = cpu.thumb();
+    back_to_event(in_thumb);
     const auto word = code_.instruction(event_pc_, in_thumb);
     if (word && system_.execute(event_pc_, *word, in_thumb)) return std::nullopt;
     if (data_.is_aborted()) return data_abort();
@@ -280,8 +280,9 @@ std::optional<ArmStop> ArmCore::Engine::undefined() {
 
 ArmStop ArmCore::Engine::no_code() {
     if (stepping_) --core_.count_;
-    back_to_event();
-    const bool second = cpu.thumb() && mmu.half_of_code(event_pc_);
+    const bool in_thumb = cpu.thumb();
+    back_to_event(in_thumb);
+    const bool second = in_thumb && mmu.half_of_code(event_pc_);
     const std::uint32_t missing = second ? event_pc_ + 2 : event_pc_;
     const Mmu::Page& page = mmu.page(missing);
     core_.fault_ = {missing, false, page.no_code, page.status};
@@ -297,7 +298,7 @@ std::optional<ArmStop> ArmCore::Engine::ended() {
         case Event::HINT_WFE: return ArmStop::WFE;
         case Event::SVC: return ArmStop::SVC;
         case Event::ABORT: cpu.r()[15] = event_pc_; return data_abort();
-        case Event::BREAKPOINT: back_to_event(); return ArmStop::BREAKPOINT;
+        case Event::BREAKPOINT: back_to_event(cpu.thumb()); return ArmStop::BREAKPOINT;
         case Event::UNDEFINED: return undefined();
         case Event::NO_CODE: break;
     }

@@ -60,7 +60,7 @@ private:
     std::optional<ArmStop> undefined();
     ArmStop no_code();
     ArmStop data_abort();
-    void back_to_event();
+    void back_to_event(bool in_thumb);
     void undo_miss();
     bool done_directly(std::uint32_t pc, std::uint32_t before);
 
