@@ -1,12 +1,14 @@
 // primitives.v - the vendor's primitives in de1_soc_top.v, handed on to top_fabric.v's ports
 //
 // What the processor's bridges, the host's terminals and the PLLs put into the chip comes from
-// there.  Ports as in tb/lint/cyclonev.v, as far as somebody connects them here.
+// there.  With PORTS_ALONE, for linters, nothing is behind the ports: their names, widths and
+// directions are what they check.
 
 `default_nettype none
 
 // verilator lint_off DECLFILENAME
 // verilator lint_off UNUSED
+// verilator lint_off UNDRIVEN
 
 // ---- PLLs ----
 
@@ -25,6 +27,7 @@ module altera_pll #(
     output wire outclk,
     output wire locked
 );
+`ifndef PORTS_ALONE
     assign fboutclk = 1'b0;
 
     generate
@@ -39,8 +42,10 @@ module altera_pll #(
             always @(posedge outclk) if (!locked) clocks_q <= clocks_q + 3'd1;
         end
     endgenerate
+`endif
 endmodule
 
+`ifndef PORTS_ALONE
 // In one evaluation: clk_o rises until the sixth rise has taken over clk_i, and falls after each.
 module six_pulses (
     input  wire clk_i,
@@ -58,6 +63,7 @@ module six_pulses (
     end
     always @(negedge clk_o) falls_q <= rises_q;
 endmodule
+`endif
 
 // ---- The host ----
 
@@ -75,10 +81,12 @@ module alt_jtag_atlantic #(
     output wire       t_ena,
     output wire       t_pause
 );
+`ifndef PORTS_ALONE
     assign r_ena   = top_fabric.jtag_take_i[INSTANCE_ID];
     assign t_dat   = top_fabric.jtag_typed_data_i[8 * INSTANCE_ID +: 8];
     assign t_ena   = top_fabric.jtag_typed_i[INSTANCE_ID];
     assign t_pause = top_fabric.jtag_idle_i[INSTANCE_ID];
+`endif
 endmodule
 
 // ---- The processor ----
@@ -109,6 +117,7 @@ module cyclonev_hps_interface_hps2fpga_light_weight (
     input  wire [1:0]  bresp, rresp,
     input  wire        awready, wready, bvalid, arready, rlast, rvalid
 );
+`ifndef PORTS_ALONE
     assign awid    = top_fabric.lw_awid_i;
     assign awaddr  = top_fabric.lw_awaddr_i;
     assign awlen   = top_fabric.lw_awlen_i;
@@ -127,6 +136,7 @@ module cyclonev_hps_interface_hps2fpga_light_weight (
     assign arvalid = top_fabric.lw_arvalid_i;
     assign rready  = top_fabric.lw_rready_i;
     assign {wid, wlast, awcache, arcache, awprot, arprot, awlock, arlock} = 0;
+`endif
 endmodule
 
 module cyclonev_hps_interface_hps2fpga (
@@ -144,6 +154,7 @@ module cyclonev_hps_interface_hps2fpga (
     input  wire [1:0]  bresp, rresp,
     input  wire        awready, wready, bvalid, arready, rlast, rvalid
 );
+`ifndef PORTS_ALONE
     assign awid    = top_fabric.h2f_awid_i;
     assign awaddr  = top_fabric.h2f_awaddr_i;
     assign awlen   = top_fabric.h2f_awlen_i;
@@ -162,6 +173,7 @@ module cyclonev_hps_interface_hps2fpga (
     assign arvalid = top_fabric.h2f_arvalid_i;
     assign rready  = top_fabric.h2f_rready_i;
     assign {wid, wlast, awcache, arcache, awprot, arprot, awlock, arlock} = 0;
+`endif
 endmodule
 
 // ---- What is switched off ----
