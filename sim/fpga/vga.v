@@ -3,7 +3,7 @@
 // Without characters a pixel lasts two clocks, so it sleeps in every second clock, between the
 // lines, and for each block of 16 pixels that equal the pixel before them (line_buffer.v).  Of this
 // file and of rtl/vga/vga.v the same is proved: the pins show every pixel of a picture without
-// characters (tb/formal/vga_formal.v, vga_twin_formal.v).
+// characters (tb/formal/vga_formal.v).
 
 `default_nettype none
 

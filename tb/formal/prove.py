@@ -13,7 +13,8 @@ dut.part.name, dut__name__3 is word 3 of a memory.  They carry invariants that i
 Where no word of a memory is named, memories are the solver's arrays.
 
 A TWIN is a file of sim/fpga, which takes the place of one of rtl/ in the simulation.  Its module
-has _twin after its name here, so that both can be in one harness.
+has _twin after its name here, so that both can be in one harness.  What stands in a harness after
+`ifdef TWIN is there if a TWIN is given; what stands after `else, if not.
 """
 import argparse
 import os
@@ -40,11 +41,15 @@ def renamed(twin, work):
 
 def write_smt2(arguments, sources):
     top = arguments.harness.stem
-    text = arguments.harness.read_text()
+    kept = r"\1" if arguments.twins else r"\2"
+    text = re.sub(r"^`ifdef TWIN\n(.*?)(?:^`else\n(.*?))?^`endif\n", kept,
+                  arguments.harness.read_text(), flags=re.M | re.S)
+    harness = arguments.work / arguments.harness.name
+    harness.write_text(text)
     # From the folder of the outputs, since Yosys splits paths at blanks.
     rtl = os.path.relpath(arguments.rtl, arguments.work)
     includes = " ".join(f"-I{rtl}/{folder}" for folder in ("regmap", "bus", "vga"))
-    files = " ".join(os.path.relpath(source, arguments.work) for source in sources)
+    files = " ".join(os.path.relpath(source, arguments.work) for source in [*sources, harness])
     names = sorted(set(re.findall(r"\b[a-z]+__\w+", text)))
     words = "memory_map" if any(re.search(r"__\d+$", name) for name in names) else ""
     script = [f"read_verilog -sv -formal {includes} {files}",
@@ -79,7 +84,7 @@ def main():
     arguments.work.mkdir(parents=True, exist_ok=True)
     sources = [arguments.rtl / source for source in arguments.sources]
     sources += [renamed(twin, arguments.work) for twin in arguments.twins]
-    smt2 = write_smt2(arguments, [*sources, arguments.harness])
+    smt2 = write_smt2(arguments, sources)
     steps = {"bounded": ["-t", str(arguments.depth)]}
     if arguments.induction:
         # Of N clocks at once: to try fewer first would take z3 up to eight times as long.
