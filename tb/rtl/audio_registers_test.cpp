@@ -20,18 +20,6 @@ TEST_F(SlowAudio, RaisesWiFrom96FreePlacesOn) {
     }
 }
 
-TEST_F(Audio, RaisesWiWhenEitherSideHasTheRoom) {
-    write(AUDIO_CONTROL, CONTROL_WE);
-    for (unsigned n = 1; n <= 33; ++n) write(AUDIO_LEFTDATA, left_of(n));
-    EXPECT_EQ(left_room(), 95u);
-    EXPECT_EQ(read(AUDIO_CONTROL) & CONTROL_WI, CONTROL_WI);
-    write(AUDIO_CONTROL, CONTROL_CW);
-    write(AUDIO_CONTROL, CONTROL_RE | CONTROL_WE);
-    for (unsigned n = 1; n <= 33; ++n) write(AUDIO_RIGHTDATA, right_of(n));
-    EXPECT_EQ(right_room(), 95u);
-    EXPECT_EQ(read(AUDIO_CONTROL) & CONTROL_WI, CONTROL_WI);
-}
-
 TEST_F(SlowAudio, RaisesWiFor96FreePlacesOnOneSideAlone) {
     for (const std::uint32_t side : {AUDIO_LEFTDATA, AUDIO_RIGHTDATA}) {
         const std::uint32_t other = side == AUDIO_LEFTDATA ? AUDIO_RIGHTDATA : AUDIO_LEFTDATA;
@@ -60,24 +48,6 @@ TEST_F(SlowAudio, RaisesRiFor96SamplesOnOneSideAlone) {
         read(side);
         EXPECT_EQ(read(AUDIO_CONTROL) & CONTROL_RI, 0u) << std::hex << side;
     }
-}
-
-TEST_F(Audio, RaisesRiFrom96SamplesOnOnEitherSide) {
-    write(AUDIO_CONTROL, CONTROL_CR);
-    write(AUDIO_CONTROL, CONTROL_RE | CONTROL_WE);
-    unsigned last = 0;
-    for (unsigned frames = 0; frames < 100; ++frames) {
-        to_frame();
-        const std::uint32_t count = left_waiting();
-        EXPECT_EQ(right_waiting(), count);
-        EXPECT_EQ(read(AUDIO_CONTROL) & CONTROL_RI, count >= 96 ? CONTROL_RI : 0u) << count;
-        last = count;
-    }
-    ASSERT_GE(last, 98u);
-    while (left_waiting() > 95) read(AUDIO_LEFTDATA);
-    EXPECT_EQ(read(AUDIO_CONTROL) & CONTROL_RI, CONTROL_RI) << "right alone";
-    while (right_waiting() > 95) read(AUDIO_RIGHTDATA);
-    EXPECT_EQ(read(AUDIO_CONTROL) & CONTROL_RI, 0u);
 }
 
 TEST_F(Audio, RaisesNeitherWithoutItsEnable) {

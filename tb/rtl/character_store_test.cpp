@@ -123,31 +123,6 @@ TEST_F(CharacterStore, KeepsEveryCharacterApart) {
         }
 }
 
-TEST_F(CharacterStore, WritesBurstsByTheirStrobes) {
-    std::mt19937 random{5};
-    std::vector<std::uint32_t> row(COLUMNS / 4, 0x20202020);
-    for (int round = 0; round < 200; ++round) {
-        const auto beats = static_cast<std::uint32_t>(1 + random() % 16);
-        const auto first = static_cast<std::uint32_t>(random() % (21 - beats));
-        WriteRequest burst{3, CHARACTERS + (7 << 7) + 4 * first, 2, INCR, {}, {}};
-        for (std::uint32_t i = 0; i < beats; ++i) {
-            burst.data.push_back(static_cast<std::uint32_t>(random()));
-            burst.strobes.push_back(static_cast<std::uint8_t>(random() % 16));
-            for (unsigned lane = 0; lane < 4; ++lane)
-                if (burst.strobes[i] >> lane & 1) {
-                    const std::uint32_t mask = 0xffu << 8 * lane;
-                    row[first + i] = (row[first + i] & ~mask) | (burst.data[i] & mask);
-                }
-        }
-        axi.forget();
-        axi.write(burst);
-        axi.read({4, CHARACTERS + (7 << 7) + 4 * first, static_cast<std::uint8_t>(beats), 2, INCR});
-        finish();
-        for (std::uint32_t word = 0; word < row.size(); ++word)
-            ASSERT_EQ(shown(word, 7), row[word]) << round << ": " << word;
-    }
-}
-
 TEST_F(CharacterStore, IsMemoryBesideTheScreenToo) {
     const std::uint32_t beside[] = {80, 124, 60u << 7, 0x1ffc};
     for (const std::uint32_t offset : beside) write(offset, 0xdead0000 | offset);
@@ -257,19 +232,6 @@ TEST_F(CharacterStore, KeepsNoPictureWaitingWhileItClears) {
     EXPECT_LT(took, 20u);
     reset();
     EXPECT_EQ(picture(), took);
-}
-
-TEST_F(CharacterStore, SharesNothingWithThePictures) {
-    write(0, 0x41414141);
-    axi.write({1, 0x08000000, 2, INCR, {0x12345678}, {0xf}});
-    finish();
-    EXPECT_EQ(read(0), 0x41414141u);
-    write(0, 0x42424242);
-    axi.forget();
-    axi.read({1, 0x08000000, 1, 2, INCR});
-    finish();
-    EXPECT_EQ(axi.beats[0].data, 0x12345678u);
-    EXPECT_EQ(read(0), 0x42424242u);
 }
 
 }  // namespace

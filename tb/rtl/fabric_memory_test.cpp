@@ -32,20 +32,6 @@ TEST_F(FabricPorts, ReachEveryBankAndBothEndsOfTheMemories) {
     EXPECT_EQ(pins.memory.violations(), 0u);
 }
 
-TEST_F(FabricPorts, WriteTheBytesOfAMemoryThatAreMeant) {
-    fabric.run(10'000);
-    for (const std::uint32_t memory : {ONCHIP_BASE, SDRAM_BASE + SDRAM_SIZE / 2}) {
-        Bytes expected(8, 0xee);
-        put(memory, expected);
-        for (unsigned at = 0; at < 8; ++at) {
-            const auto value = static_cast<std::uint8_t>(0x10 + at);
-            put(memory + at, {value});
-            expected[at] = value;
-            EXPECT_EQ(bytes_at(memory, 8), expected) << at;
-        }
-    }
-}
-
 // D31-D0 of JP1 and JP2, as the DE1-SoC Computer's manual has them.
 unsigned pin_of(unsigned bit) {
     return bit == 0 ? 1 : bit <= 13 ? bit + 2 : bit == 14 ? 17 : bit + 4;

@@ -95,17 +95,6 @@ TEST_F(FabricPs2, HoldsClockLow120MicrosecondsThenPullsData) {
     }
 }
 
-TEST_F(FabricPs2, GivesUpAfter15Milliseconds) {
-    begin_write(PS2_1_DATA, 0xf4);
-    fabric.run(3'000 + 370'000);
-    EXPECT_EQ(read(PS2_1_CONTROL), 0u);
-    EXPECT_FALSE(written());
-    EXPECT_TRUE(written(10'000));
-    fabric.run(32);
-    EXPECT_EQ(read(PS2_1_CONTROL), PS2_1_CONTROL_CE_MASK);
-    EXPECT_EQ(read(PS2_0_CONTROL), 0u);
-}
-
 // ---- JTAG UARTs ----
 
 TEST_F(FabricPorts, TakeWhatIsTypedAtTheirOwnTerminal) {

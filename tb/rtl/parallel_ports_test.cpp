@@ -90,6 +90,17 @@ TEST_F(ParallelPorts, DriveTheHeadersByTheBytesThatAreWritten) {
     }
 }
 
+TEST_F(ParallelPorts, ReadThePinsOfAHeaderAfterTwoFlipFlops) {
+    write(JP1_DIR, 0xffffffff);
+    write(JP1_DATA, 0);
+    dut.jp1_i = 0x3c3c3c3c;
+    clock();
+    EXPECT_EQ(read(JP1_DATA), 0xffffffffu);
+    EXPECT_EQ(read(JP1_DATA), 0x3c3c3c3cu) << "and not what was written";
+    clock();
+    EXPECT_EQ(dut.rdata_o, 0u) << "when it was not asked";
+}
+
 TEST_F(ParallelPorts, ForgetTheEdgesOfTheBytesThatAreWritten) {
     dut.jp2_i = 0;
     clock(4);

@@ -138,19 +138,6 @@ TEST_F(Picture, KeepsEveryCornerOfBothMemoriesApart) {
     EXPECT_EQ(chip.bytes()[0x3fffffc], value - 1);  // where the chip's description says
 }
 
-TEST_F(Picture, WritesSinglePixelsAndBytes) {
-    for (const std::uint32_t memory : {ONCHIP, SDRAM}) {
-        write(memory + 1024, 0);
-        write(memory + 1024, 0x0000abcd, 0x3);
-        write(memory + 1026, 0x12340000, 0xc);
-        EXPECT_EQ(read(memory + 1024), 0x1234abcdu);
-        write(memory + 1024, 0x00550000, 0x4);
-        EXPECT_EQ(read(memory + 1024), 0x1255abcdu);
-        write(memory + 1024, 0xffffffff, 0x0);
-        EXPECT_EQ(read(memory + 1024), 0x1255abcdu);
-    }
-}
-
 TEST_F(Picture, SendsAddressesWithoutAMemoryToTheSdram) {
     write(ONCHIP, 0x22222222);
     write(ONCHIP + 0x3fffc, 0x11111111);
@@ -199,15 +186,6 @@ TEST_F(Picture, ReadsAWordOfTheSdramInNineClocks) {
     const std::uint64_t begin = clocks;
     finish();
     EXPECT_LE(clocks - begin, 16u * 9 + 6);
-}
-
-TEST_F(Picture, RefreshesTheSdramWhateverTheTraffic) {
-    sdram_screen = true;
-    for (std::uint32_t i = 0; i < 160; ++i) write(SDRAM + 4 * i, i);
-    const std::uint64_t begin = clocks;
-    while (clocks - begin < 1'650'000) clock();  // 66 ms; the chip counts the refreshes
-    write(SDRAM + 0x100000, 1);                  // it looks back over 64 ms when a row opens
-    EXPECT_EQ(read(SDRAM + 0x100000), 1u);
 }
 
 TEST_F(Picture, ReadsAWordWithinSevenClocksBesideTheScreen) {
