@@ -119,7 +119,7 @@ def test_each_terminal_has_its_own_text(start_board, programs):
 
 
 def test_a_program_that_dies_is_a_fault(start_board, programs):
-    board = start_board(elf=programs / "dies_by_1.elf")
+    board = start_board(elf=programs / "dies.elf")
     with pytest.raises(de1sim.Fault, match="PC 0x"):
         board.run("1s")
 

@@ -17,7 +17,7 @@
 
 namespace tb {
 
-// What the monitor showed: 640 x 480 of 0x00RRGGBB, or what a tolerant one has locked on to.
+// What the monitor showed: 640 x 480 of 0x00RRGGBB.
 struct Picture {
     std::uint64_t number;
     bool is_new;
@@ -29,28 +29,22 @@ protected:
     std::unique_ptr<sim::Board> board;
     sim::Computer* computer = nullptr;  // in its chip
 
-    // Since power-on.
-    std::vector<std::int16_t> left, right;
-    double rate_hz = 0;
-    std::string printed;
-    std::vector<std::string> logged;
-
     std::vector<sim::PartPlan> parts;  // to be hung on the headers at power-on
 
-    void power_on(sim::Firmware firmware, std::uint64_t seed = 1,
-                  sim::Monitor::Strictness vga = sim::Monitor::Strictness::STRICT) {
+    void power_on(sim::Firmware firmware) {
+        constexpr std::uint64_t SEED = 1;
         sim::Computer::Settings settings;
-        settings.seed = seed;
+        settings.seed = SEED;
         sim::BoardObserver& ours = *this;
         board = std::make_unique<sim::Board>(
-            "board", ours, seed, sim::Ps2Ports{},
+            "board", ours, SEED, sim::Ps2Ports{},
             [&](sim::PinListener& pins, sim::ChipObserver& observer, std::uint8_t* sdram) {
                 auto chip = std::make_unique<sim::Computer>("computer", pins, observer, sdram,
                                                             std::move(firmware), settings);
                 computer = chip.get();
                 return chip;
             },
-            vga, parts);
+            sim::Monitor::Strictness::STRICT, parts);
     }
 
     // The same for firmware that comes to an end, and runs to there.
@@ -93,13 +87,10 @@ private:
     void frame(const sim::Monitor::Frame& f) override {
         shown_.push_back({f.number, f.is_new, f.pixels});
     }
-    void sample(std::int16_t l, std::int16_t r) override {
-        left.push_back(l);
-        right.push_back(r);
-    }
-    void sample_rate(double hz) override { rate_hz = hz; }
-    void console(char character, sim::SerialLine) override { printed += character; }
-    void log(const std::string& line) override { logged.push_back(line); }
+    void sample(std::int16_t, std::int16_t) override {}
+    void sample_rate(double) override {}
+    void console(char, sim::SerialLine) override {}
+    void log(const std::string&) override {}
 
     std::deque<Picture> shown_;
 };

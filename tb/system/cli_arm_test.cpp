@@ -8,6 +8,7 @@
 
 namespace {
 
+using ::testing::ContainsRegex;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::IsSupersetOf;
@@ -140,6 +141,21 @@ TEST_F(ArmRun, FailsAProgramThatAbortsWithoutAVector) {
     EXPECT_THAT(outcome.err, HasSubstr("in main_without_vectors"));
     EXPECT_THAT(outcome.err, HasSubstr("no vector at 0x00000010"));
     EXPECT_EQ(report()["end"], "firmware fault");
+}
+
+TEST_F(ArmRun, FailsSoonWhereAVectorSpinsForEver) {
+    const tb::Outcome outcome =
+        arm(DIES_ELF, "steps:\n  - expect-leds: {equals: 1023, timeout: 5s}\n");
+    EXPECT_EQ(outcome.exit_code, 1);
+    ASSERT_EQ(report()["faults"].size(), 1u);
+    const std::string fault = report()["faults"][0];
+    EXPECT_THAT(fault,
+                ContainsRegex("^undefined instruction: udf #0 at .*; never left its handler: "
+                              "at [0-9.]+ ms, PC 0x[0-9A-F]+ in [a-z_+0-9x]+$"));
+    EXPECT_THAT(outcome.err, HasSubstr(fault));
+    EXPECT_EQ(report()["log"]["lines"], 0u) << "it was said already";
+    EXPECT_EQ(report()["end"], "firmware fault");
+    EXPECT_LT(report()["simulated_s"], 0.2);
 }
 
 TEST_F(ArmRun, NeedsAProgram) {

@@ -24,26 +24,6 @@ protected:
     }
 };
 
-TEST_F(WrongInput, AScenarioThatIsNotThereIsNamed) {
-    refused(play("none.yaml"), "none.yaml: is not there");
-}
-
-TEST_F(WrongInput, AScenarioThatIsAFolderIsNamed) {
-    refused(play(folder.path()), ": is a folder: for one of scenarios: de1sim test ");
-}
-
-TEST_F(WrongInput, AnEmptyScenarioIsRefused) {
-    folder.put("s.yaml", "");
-    refused(play("s.yaml"), "s.yaml: expected a scenario, got an empty file");
-}
-
-TEST_F(WrongInput, ABinaryScenarioIsRefusedAtItsFirstWrongByte) {
-    folder.put("s.yaml", std::string("name: a\n\x7f"
-                                     "ELF\x02\x00\x00",
-                                     15));
-    refused(play("s.yaml"), "s.yaml:2:6: expected text in UTF-8, got the byte 0x00");
-}
-
 TEST_F(WrongInput, AHugeScenarioIsRefusedUnread) {
     folder.put("s.yaml", std::string(32 << 20, '#'));
     refused(play("s.yaml"), "s.yaml: expected a scenario file, got: is larger than 1048576 bytes");
@@ -52,23 +32,6 @@ TEST_F(WrongInput, AHugeScenarioIsRefusedUnread) {
 TEST_F(WrongInput, AMisspeltStepIsRefusedWithASuggestion) {
     refused(play(scenario("steps:\n  - dely: 5ms\n")),
             "s.yaml:4:5: expected a step, got \"dely\" (did you mean \"delay\"?)");
-}
-
-TEST_F(WrongInput, ANegativeTimeIsRefused) {
-    refused(play(scenario("steps:\n  - delay: -5ms\n")), "s.yaml:4:12: expected a time");
-}
-
-TEST_F(WrongInput, OverlappingTimesAreRefused) {
-    refused(play(scenario("steps:\n  - hold: {keypad: \"5\"}\n  - press: {keypad: \"5\"}\n")),
-            "s.yaml:5:5: expected a control that is free, got keypad 5, held since line 4");
-    refused(play(scenario("duration: 1s\nsteps:\n  - delay: 2s\n")), "s.yaml:5:5: expected steps");
-}
-
-TEST_F(WrongInput, AGoldenOfAnotherSizeIsReportedWithBothSizes) {
-    sim::write_png(folder / "small.png", {320, 240, std::vector<std::uint8_t>(320 * 240 * 3)});
-    const auto outcome = play(scenario("steps:\n  - expect-frame: {equals: small.png}\n"));
-    EXPECT_EQ(outcome.exit_code, 1);
-    EXPECT_THAT(outcome.err, HasSubstr("640 x 480 pixels, but small.png has 320 x 240"));
 }
 
 TEST_F(WrongInput, AMissingGoldenIsRefusedBeforeTheRun) {
