@@ -184,18 +184,4 @@ TEST_F(MonitorLock, ReportsThatASignalIsNotSteady) {
     EXPECT_THAT(reported, ElementsAre(StartsWith("no steady signal: HS moved ")));
 }
 
-TEST_F(MonitorLock, IsOfNoConsequenceInAStrictMonitor) {
-    std::vector<unsigned> widths;
-    sim::Monitor strict{[&](const sim::Monitor::Frame& f) { widths.push_back(f.width); }};
-    VideoPins video;
-    video.mode = SVGA;
-    std::vector<std::uint32_t> pins;
-    for (std::uint64_t i = 0; i < 4 * video.mode.clocks(); ++i) pins.push_back(video.at(i));
-    strict.clock_ps(25'000);
-    strict.samples(pins.data(), pins.size());
-    EXPECT_THAT(widths, ElementsAre(640, 640, 640));
-    EXPECT_GT(strict.violations(), 1000u);
-    EXPECT_EQ(strict.signal(), "800 x 600 at 60.3 Hz, HS and VS positive, 1056 x 628 clocks");
-}
-
 }  // namespace

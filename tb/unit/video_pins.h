@@ -72,13 +72,15 @@ protected:
     std::vector<Picture> pictures;
     std::vector<bool> is_new;
     std::vector<std::string> reported;
-    sim::Monitor monitor{[this](const sim::Monitor::Frame& f) {
-                             EXPECT_EQ(f.number, pictures.size() + 1);
-                             pictures.push_back({f.width, f.height, f.pixels});
-                             is_new.push_back(f.is_new);
-                         },
-                         sim::Monitor::Strictness::TOLERANT,
-                         [this](const std::string& line) { reported.push_back(line); }};
+    sim::Monitor monitor;
+
+    explicit MonitorBench(sim::Monitor::Strictness how = sim::Monitor::Strictness::TOLERANT)
+        : monitor{[this](const sim::Monitor::Frame& f) {
+                      EXPECT_EQ(f.number, pictures.size() + 1);
+                      pictures.push_back({f.width, f.height, f.pixels});
+                      is_new.push_back(f.is_new);
+                  },
+                  how, [this](const std::string& line) { reported.push_back(line); }} {}
 
     // From the middle of a picture on, for so many frames and a bit, in batches of odd lengths.
     void show(const VideoPins& video, unsigned frames) {
