@@ -35,6 +35,7 @@ struct Wrong {
     Modeline mode;
     const char* message;
 };
+void PrintTo(const Wrong& wrong, std::ostream* out) { *out << wrong.name; }
 
 class WrongSignal : public StrictMonitor, public ::testing::WithParamInterface<Wrong> {};
 
