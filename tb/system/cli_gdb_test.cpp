@@ -243,16 +243,6 @@ TEST_F(Gdb, ABrokenConnectionLetsTheRunContinue) {
     EXPECT_EQ(end().exit_code, 130);
 }
 
-TEST_F(Gdb, DebugsTheBoardsOwnProgram) {
-    start(COLLIDE_ELF, "duration: 100s\n");
-    EXPECT_THAT(gdb({"tbreak main", "continue", "next", "tbreak app::run", "continue", "backtrace",
-                     "finish", "kill"},
-                    [this] { return said().find(" 1.00 s of") != said().npos; }),
-                AllOf(HasSubstr("main () at "), HasSubstr("app::run (io="), HasSubstr("#1  0x"),
-                      HasSubstr("Program received signal SIGINT")));
-    end();
-}
-
 TEST_F(Gdb, APortInUseIsOneLine) {
     start(SUMS_ELF, "duration: 1ms\n");
     const std::string scene = (folder / scenario("duration: 1ms\n", "b.yaml")).string();

@@ -51,9 +51,6 @@ protected:
         };
         EXPECT_EQ(std::count_if(lines.begin(), lines.end(), about), 1) << outcome.err;
     }
-    void keeps_back(Mistake mistake, const std::string& why) const {
-        says(mistake, "not taken: " + why + "\n");
-    }
 };
 
 TEST_F(MissedInterrupt, IsNotReportedForOneThatWasTaken) {
@@ -62,38 +59,22 @@ TEST_F(MissedInterrupt, IsNotReportedForOneThatWasTaken) {
     EXPECT_EQ(outcome.err, "");
 }
 
-TEST_F(MissedInterrupt, HasNoTarget) {
-    keeps_back(TARGET, "byte 0xFFFED849 of ICDIPTR is 0x00: CPU0 is not its target");
-}
-
-TEST_F(MissedInterrupt, IsKeptBackByThePriorityMask) {
-    keeps_back(PRIORITY_MASK, "ICCPMR (0xFFFEC104) is 0x00, which keeps its priority of 0x00 back");
+TEST_F(MissedInterrupt, IsKeptBackByTheProgramsMistake) {
+    for (const auto& [mistake, why] :
+         {std::pair{TARGET, "byte 0xFFFED849 of ICDIPTR is 0x00: CPU0 is not its target"},
+          {PRIORITY_MASK, "ICCPMR (0xFFFEC104) is 0x00, which keeps its priority of 0x00 back"},
+          {CPSR_I, "CPSR.I is 1: the program has masked interrupts (cpsie i lets them in)"},
+          {ENABLE, "its bit 9 of ICDISER2 (0xFFFED108) is 0"},
+          {DISTRIBUTOR, "bit 0 of ICDDCR (0xFFFED000) is 0"},
+          {CPU_INTERFACE, "bit 0 of ICCICR (0xFFFEC100) is 0"},
+          {END, "interrupt 73 is still active: ICCEOIR (0xFFFEC110) was not written"}})
+        says(mistake, std::string{"not taken: "} + why + "\n");
 }
 
 TEST_F(MissedInterrupt, IsMaskedInTheDevice) {
     says(DEVICE_MASK,
          "interrupt 73 (KEY) is enabled in the distributor, and not raised: "
          "KEY_EDGE (0xFF20005C) is 0x1, but KEY_MASK (0xFF200058) is 0x0\n");
-}
-
-TEST_F(MissedInterrupt, IsMaskedInTheCpsr) {
-    keeps_back(CPSR_I, "CPSR.I is 1: the program has masked interrupts (cpsie i lets them in)");
-}
-
-TEST_F(MissedInterrupt, IsNotEnabled) {
-    keeps_back(ENABLE, "its bit 9 of ICDISER2 (0xFFFED108) is 0");
-}
-
-TEST_F(MissedInterrupt, HasItsDistributorSwitchedOff) {
-    keeps_back(DISTRIBUTOR, "bit 0 of ICDDCR (0xFFFED000) is 0");
-}
-
-TEST_F(MissedInterrupt, HasItsCpuInterfaceSwitchedOff) {
-    keeps_back(CPU_INTERFACE, "bit 0 of ICCICR (0xFFFEC100) is 0");
-}
-
-TEST_F(MissedInterrupt, WaitsForTheEndOfTheOneBefore) {
-    keeps_back(END, "interrupt 73 is still active: ICCEOIR (0xFFFEC110) was not written");
 }
 
 TEST_F(MissedInterrupt, IsTakenAgainAndAgainWhileItsCauseLasts) {
