@@ -1,7 +1,7 @@
 // countdown.v - in the simulation: rtl/common/countdown.v, which sleeps while it counts
 //
 // While it runs nothing counts down: the count is computed from the clock in which it ends.  At its
-// ports it is rtl/common/countdown.v, but for awake_o (tb/formal/countdown_twin_formal.v).
+// ports it is rtl/common/countdown.v, but for awake_o (tb/formal/leaps_formal.v).
 
 `default_nettype none
 

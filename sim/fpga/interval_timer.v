@@ -2,7 +2,7 @@
 //
 // While the timer runs nothing counts down: the counter is computed from the clock in which it
 // ends, so the timer sleeps.  At its ports it is rtl/timer/interval_timer.v, but for awake_o
-// (tb/formal/interval_timer_twin_formal.v).
+// (tb/formal/leaps_formal.v).
 
 `default_nettype none
 

@@ -1,7 +1,7 @@
 // prescaler.v - in the simulation: rtl/common/prescaler.v, which never counts
 //
 // A tick is computed from the number of the clock.  At its ports it is rtl/common/prescaler.v, but
-// for awake_o (tb/formal/prescaler_twin_formal.v).
+// for awake_o (tb/formal/leaps_formal.v).
 
 `default_nettype none
 

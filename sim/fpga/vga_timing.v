@@ -2,7 +2,7 @@
 //
 // The beam's place in the line is computed from the number of the clock in which the line began, so
 // clocks in which no register changes can be left out.  At its ports it is rtl/vga/vga_timing.v
-// (tb/formal/vga_timing_twin_formal.v).
+// (tb/formal/leaps_formal.v).
 
 `default_nettype none
 
