@@ -44,11 +44,11 @@ class Case(unittest.TestCase):
         for line in lines:
             self.assertIn(line, done.stdout)
 
-    def plays(self, *steps, parts=""):
+    def plays(self, *steps, parts="", words=(), project="."):
         parts = parts and "parts:\n" + parts
         (self.folder / "s.yaml").write_text(f"name: s\nversion: 1\n{parts}steps:\n" +
                                             "".join(f"  - {step}\n" for step in steps))
-        done = self.de1sim("run", "s.yaml", "--project", ".")
+        done = self.de1sim("run", "s.yaml", "--project", project, *words)
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
         return done
 
@@ -57,13 +57,9 @@ class Case(unittest.TestCase):
 
     def leds(self, expected, switches=0, wait="1ms", project=".", top=""):
         held = [i for i in range(10) if switches >> i & 1]
-        hold = f"  - hold: {{switch: {held}}}\n" if held else ""
-        (self.folder / "s.yaml").write_text(
-            f"name: leds\nversion: 1\nsteps:\n{hold}  - delay: {wait}\n"
-            f'  - expect-leds: "{expected:010b}"\n')
-        done = self.de1sim("run", "s.yaml", "--project", project, *(["--top", top] if top else []))
-        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
-        return done.stderr
+        hold = [f"hold: {{switch: {held}}}"] if held else []
+        return self.plays(*hold, f"delay: {wait}", f'expect-leds: "{expected:010b}"',
+                          words=["--top", top] if top else [], project=project).stderr
 
 
 def run():

@@ -1,6 +1,6 @@
 """components_test.py DE1SIM FOLDER [CASE...] - what describes a component"""
 from case import run
-from systems import LW, SystemCase
+from systems import LW, SystemCase, clocked
 
 ADDER = """module {name} #(parameter WIDTH = 8)(
     input clk, input reset_n, input [1:0] avs_s0_address, input avs_s0_write, avs_s0_read,
@@ -87,8 +87,7 @@ def sopcinfo(kind="adder", width=32):
 class Components(SystemCase):
     def adder(self, kind="adder", verilog="adder", **files):
         self.system([("adder_0", kind, {"WIDTH": "32"})],
-                    [("clock", "clk_0.clk", "adder_0.clock"),
-                     ("reset", "clk_0.clk_reset", "adder_0.reset"),
+                    [*clocked("adder_0", "clock"),
                      ("avalon", LW, "adder_0.s0", 0x40)], [("pins", "adder_0.pins")],
                     ", .pins_lamps(LEDR), .pins_switches(SW)", **files)
         (self.folder / f"{verilog}.v").write_text(ADDER.format(name=verilog))

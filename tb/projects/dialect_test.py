@@ -148,20 +148,10 @@ class AsQuartusTakesIt(Case):
         self.write(top_v="module top(input [9:0] SW, output [9:0] LEDR); reg a, b, c;\n"
                          "always @(SW[0]) a = SW[0] & SW[1];\n"
                          "always @(SW[0] or SW[1]) begin c <= b; b <= SW[0] & SW[1]; end\n"
-                         "assign LEDR = {c, b, a};\nendmodule\n", s_yaml="""name: s
-version: 1
-steps:
-  - hold: {switch: 0}
-  - delay: 1ms
-  - hold: {switch: 1}
-  - delay: 60ms
-  - expect-leds: "0000000111"
-  - release: {switch: 1}
-  - delay: 60ms
-  - expect-leds: "0000000000"
-""")
-        done = self.de1sim("run", "s.yaml", "--project", ".")
-        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+                         "assign LEDR = {c, b, a};\nendmodule\n")
+        self.plays("hold: {switch: 0}", "delay: 1ms", "hold: {switch: 1}", "delay: 60ms",
+                   'expect-leds: "0000000111"', "release: {switch: 1}", "delay: 60ms",
+                   'expect-leds: "0000000000"')
 
     def test_translate_off(self):
         """What stands there is not read, not even its lines for the preprocessor."""
@@ -270,8 +260,7 @@ steps:
                          "  a.outdata_reg_a = \"UNREGISTERED\",\n"
                          "  a.read_during_write_mode_port_a = \"NEW_DATA_NO_NBE_READ\";\n"
                          "endmodule\n")
-        self.write(s_yaml="name: ram\nversion: 1\nsteps:\n  - delay: 1ms\n")
-        done = self.de1sim("run", "s.yaml", "--project", ".")
+        done = self.plays("delay: 1ms")
         self.assertRegex(done.stdout, r"LEDR 00(\d{4})\1")
         self.assertNotIn("LEDR 0000000000", done.stdout)
 

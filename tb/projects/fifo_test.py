@@ -1,6 +1,6 @@
 """fifo_test.py DE1SIM FOLDER [CASE...] - Platform Designer's FIFO in a system"""
 from case import run
-from systems import LW, SystemCase
+from systems import LW, SystemCase, clocked
 
 DUAL = {"singleClockMode": "false"}
 TOP = """module top(input CLOCK_50, input [9:0] SW, output [9:0] LEDR);
@@ -18,8 +18,7 @@ endmodule
 
 class Fifo(SystemCase):
     def fifo(self, body, wires=(), exports=(), **parameters):
-        clocks = [("clock", "clk_0.clk", "fifo.clk_in"),
-                  ("reset", "clk_0.clk_reset", "fifo.reset_in"),
+        clocks = [*clocked("fifo", "clk_in", "reset_in"),
                   ("avalon", LW, "fifo.in", 0x40), ("avalon", LW, "fifo.in_csr", 0x60)]
         if parameters.get("singleClockMode") == "false":
             clocks += [("clock", "clk_0.clk", "fifo.clk_out"),

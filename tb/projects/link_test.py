@@ -1,26 +1,15 @@
 """link_test.py DE1SIM FOLDER [CASE...] - `de1sim link`: kernel modules with their program"""
 import sys
 
-from case import Case, run
-from systems import HPS, LW, pio, qsys
+from case import run
+from systems import BASE, CLOCKS, HW_TCL, LW, OWN_CLOCK, SystemCase, clocked, pio, qsys
 
-HW_TCL = """package require -exact qsys 16.1
-set_module_property NAME dial
-set_module_property VERSION 1.0
-add_fileset QUARTUS_SYNTH QUARTUS_SYNTH "" ""
-set_fileset_property QUARTUS_SYNTH TOP_LEVEL dial
-add_fileset_file dial.v VERILOG PATH dial.v TOP_LEVEL_FILE
+DIAL_TCL = HW_TCL.format(name="dial") + """set_module_property VERSION 1.0
 set_module_assignment embeddedsw.dts.group dial
 set_module_assignment embeddedsw.dts.name dial
 set_module_assignment embeddedsw.dts.vendor acme
-add_interface clock clock end
-add_interface_port clock clk clk Input 1
-add_interface reset reset end
-set_interface_property reset associatedClock clock
-add_interface_port reset reset reset Input 1
 add_interface s avalon end
-set_interface_property s associatedClock clock
-set_interface_property s associatedReset reset
+""" + OWN_CLOCK + """\
 add_interface_port s address address Input 2
 add_interface_port s chipselect chipselect Input 1
 add_interface_port s write write Input 1
@@ -270,23 +259,18 @@ endmodule
 """
 
 
-class Link(Case):
+class Link(SystemCase):
     def setUp(self):
         super().setUp()
-        base = [("clk_0", "clock_source", {}), ("hps_0", "altera_hps", HPS)]
-        wires = [("clock", "clk_0.clk", "hps_0.h2f_axi_clock"),
-                 ("clock", "clk_0.clk", "hps_0.h2f_lw_axi_clock"),
-                 ("clock", "clk_0.clk", "dial_0.clock"),
-                 ("reset", "clk_0.clk_reset", "dial_0.reset"),
-                 ("avalon", LW, "dial_0.s", 0x100)]
+        wires = [*CLOCKS, *clocked("dial_0", "clock"), ("avalon", LW, "dial_0.s", 0x100)]
         led, led_wires = pio("led", 0x40)
-        self.write(sys_qsys=qsys([*base, ("dial_0", "dial", {}), *led], [*wires, *led_wires],
+        self.write(sys_qsys=qsys([*BASE, ("dial_0", "dial", {}), *led], [*wires, *led_wires],
                                  [("shown", "dial_0.q")]),
                    dial_hw_tcl="", dial_v=DIAL, top_v=TOP, dial_h=SHARED, dial_c=MODULE,
                    top_qsf="set_global_assignment -name DEVICE 5CSEMA5F31C6\n"
                            "set_global_assignment -name VERILOG_FILE top.v\n"
                            "set_global_assignment -name QSYS_FILE sys.qsys\n")
-        (self.folder / "dial_hw.tcl").write_text(HW_TCL)
+        (self.folder / "dial_hw.tcl").write_text(DIAL_TCL)
 
     def link(self, *words):
         return self.de1sim("link", "--project", "top.qsf", "-o", "program.elf", *words)
@@ -296,12 +280,8 @@ class Link(Case):
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
 
     def shows(self, leds, printed):
-        self.write(s_yaml='name: s\nversion: 1\nprogram: program.elf\nproject: top.qsf\nsteps:\n'
-                          f'  - wait-serial: "{printed}"\n'
-                          f'  - expect-leds: {{equals: "{leds:010b}", timeout: 1s}}\n')
-        done = self.de1sim("run", "s.yaml")
-        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
-        return done.stdout
+        return self.played(f'wait-serial: "{printed}"',
+                           f"expect-leds: {{equals: {leds}, timeout: 1s}}").stdout
 
     def refused(self, message, *words):
         self.write(main_c="int main(void) { return 0; }\n")
@@ -399,9 +379,7 @@ int main(void) {
     def test_a_module_that_finds_no_device_says_what_there_is(self):
         self.write(main_c=self.PROGRAM, dial_c=MODULE.replace("acme,dial-1.0", "acme,dail-1.0"))
         self.linked("dial.c", "main.c")
-        self.write(s_yaml="name: s\nversion: 1\nprogram: program.elf\nproject: top.qsf\n"
-                          "steps:\n  - delay: 20ms\n")
-        done = self.de1sim("run", "s.yaml")
+        done = self.played("delay: 20ms", code=1)
         for text in ("no module of the system is compatible with acme,dail-1.0",
                      "dial_0: acme,dial-18.1 acme,dial-1.0", "led: altr,pio-1.0 altr,pio-18.1",
                      "the init function of dial returned -19: No such device"):

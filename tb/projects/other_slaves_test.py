@@ -1,21 +1,8 @@
 """other_slaves_test.py DE1SIM FOLDER [CASE...] - slaves of APB and of AXI"""
 from case import run
-from systems import FULL, LW, SystemCase
+from systems import FULL, HW_TCL, LW, OWN_CLOCK, SystemCase, clocked
 
-APB_TCL = """package require -exact qsys 16.1
-set_module_property NAME {name}
-add_parameter BYTES INTEGER 4
-add_fileset QUARTUS_SYNTH QUARTUS_SYNTH "" ""
-set_fileset_property QUARTUS_SYNTH TOP_LEVEL {name}
-add_fileset_file {name}.v VERILOG PATH {name}.v TOP_LEVEL_FILE
-add_interface clock clock end
-add_interface_port clock clk clk Input 1
-add_interface reset reset end
-set_interface_property reset associatedClock clock
-add_interface_port reset reset reset Input 1
-add_interface s apb end
-set_interface_property s associatedClock clock
-set_interface_property s associatedReset reset
+APB_TCL = HW_TCL + "add_parameter BYTES INTEGER 4\nadd_interface s apb end\n" + OWN_CLOCK + """\
 add_interface_port s paddr paddr Input 6
 add_interface_port s psel psel Input 1
 add_interface_port s penable penable Input 1
@@ -122,9 +109,7 @@ R32(0xFF200000) = bad ? bad : 0x3FF;"""
         """One behind each of the processor's bridges."""
         self.with_leds([(name, kind, {}) for name, kind in slaves],
                        [("avalon", LW, "a.s", 0x100), ("avalon", FULL, "b.s", 0x200)]
-                       + [(kind, f"clk_0.{of}", f"{name}.{to}") for name in "ab"
-                          for kind, of, to in (("clock", "clk", "clock"),
-                                               ("reset", "clk_reset", "reset"))])
+                       + clocked("a", "clock") + clocked("b", "clock"))
 
     def test_an_apb_slave(self):
         """Its last word counts what APB does not allow; each access waits for 0 to 3 clocks.

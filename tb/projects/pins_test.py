@@ -38,11 +38,7 @@ class Pins(Case):
     def heard(self, *steps, parts="", words=()):
         """Time in ns and mask of each change."""
         self.write(top_v=LISTENER)
-        parts = parts and "parts:\n" + parts
-        self.write(s_yaml=f"name: s\nversion: 1\n{parts}steps:\n" +
-                   "".join(f"  - {step}\n" for step in steps))
-        done = self.de1sim("run", "s.yaml", "--project", ".", *words)
-        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        done = self.plays(*steps, parts=parts, words=words)
         lines = [line.split() for line in done.stdout.splitlines() if line[:1].isdigit()]
         return [(int(time), int(mask, 16)) for time, mask in lines
                 if int(time) > 10 * CLOCK]  # before, registers and wires come up

@@ -11,6 +11,21 @@ GCC = ["arm-none-eabi-gcc", "-mcpu=cortex-a9", "-mgeneral-regs-only", "-mno-unal
        "-O1", "-ffreestanding", "-nostartfiles", f"-I{EXAMPLES}", f"-T{EXAMPLES / 'program.ld'}",
        str(EXAMPLES / "start.S")]
 BASE = [("clk_0", "clock_source", {}), ("hps_0", "altera_hps", HPS)]
+# Of a component NAME in NAME.v, whose interfaces follow.
+HW_TCL = """package require -exact qsys 16.1
+set_module_property NAME {name}
+add_fileset QUARTUS_SYNTH QUARTUS_SYNTH "" ""
+set_fileset_property QUARTUS_SYNTH TOP_LEVEL {name}
+add_fileset_file {name}.v VERILOG PATH {name}.v TOP_LEVEL_FILE
+add_interface clock clock end
+add_interface_port clock clk clk Input 1
+add_interface reset reset end
+set_interface_property reset associatedClock clock
+add_interface_port reset reset reset Input 1
+"""
+OWN_CLOCK = """set_interface_property s associatedClock clock
+set_interface_property s associatedReset reset
+"""
 CLOCKS = [("clock", "clk_0.clk", "hps_0.h2f_axi_clock"),
           ("clock", "clk_0.clk", "hps_0.h2f_lw_axi_clock")]
 TOP = """module top(input CLOCK_50, input [9:0] SW, output [9:0] LEDR{1});
@@ -40,11 +55,16 @@ def qsys(modules, connections, exports=(), clock="clk_0"):
     return text + "</system>\n"
 
 
+def clocked(name, clock="clk", reset="reset"):
+    """The wires of a module's clock and reset."""
+    return [("clock", "clk_0.clk", f"{name}.{clock}"),
+            ("reset", "clk_0.clk_reset", f"{name}.{reset}")]
+
+
 def pio(name, base, **parameters):
     """An output port of ten bits on the lightweight bridge."""
     return ([(name, "altera_avalon_pio", {"width": "10", "direction": "Output", **parameters})],
-            [("clock", "clk_0.clk", f"{name}.clk"), ("reset", "clk_0.clk_reset", f"{name}.reset"),
-             ("avalon", LW, f"{name}.s1", base)])
+            [*clocked(name), ("avalon", LW, f"{name}.s1", base)])
 
 
 class SystemCase(Case):
@@ -64,14 +84,17 @@ class SystemCase(Case):
                              f"int main(void) {{\n{body}\nfor (;;) {{}}\n}}\n")
         subprocess.run([*GCC, "program.c", "-o", "program.elf"], cwd=self.folder, check=True)
 
-    def shows(self, leds, *words, steps=()):
-        """After the steps."""
-        self.write(s_yaml='name: s\nversion: 1\nprogram: program.elf\nproject: top.qsf\nsteps:\n' +
-                          "".join(f"  - {step}\n" for step in steps) +
-                          f'  - expect-leds: {{equals: "{leds:010b}", timeout: 100ms}}\n')
-        done = self.de1sim("run", "s.yaml", *words)
-        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+    def played(self, *steps, head="", code=0):
+        """The program in the system, with lines of the scenario before its steps."""
+        self.write(s_yaml="name: s\nversion: 1\nprogram: program.elf\nproject: top.qsf\n" + head +
+                          "steps:\n" + "".join(f"  - {step}\n" for step in steps))
+        done = self.de1sim("run", "s.yaml")
+        self.assertEqual(done.returncode, code, done.stdout + done.stderr)
         return done
+
+    def shows(self, leds, steps=()):
+        """After the steps."""
+        return self.played(*steps, f'expect-leds: {{equals: "{leds:010b}", timeout: 100ms}}')
 
     def with_leds(self, modules=(), connections=(), exports=(), top="", **files):
         leds, wires = pio("leds", 0)

@@ -1,22 +1,10 @@
 """systems_test.py DE1SIM FOLDER [CASE...] - Platform Designer systems, with a program on them"""
 from case import run
-from systems import BASE, CLOCKS, FULL, HPS, LW, TOP, SystemCase, pio, qsys
+from systems import (BASE, CLOCKS, FULL, HPS, HW_TCL, LW, OWN_CLOCK, TOP, SystemCase, clocked, pio,
+                     qsys)
 
 # A component with an array of words behind a slave of the timing that is asked for.
-HW_TCL = """package require -exact qsys 16.1
-set_module_property NAME {name}
-set_module_property VERSION 1.0
-add_fileset QUARTUS_SYNTH QUARTUS_SYNTH "" ""
-set_fileset_property QUARTUS_SYNTH TOP_LEVEL {name}
-add_fileset_file {name}.v VERILOG PATH {name}.v TOP_LEVEL_FILE
-add_interface clock clock end
-add_interface_port clock clk clk Input 1
-add_interface reset reset end
-set_interface_property reset associatedClock clock
-add_interface_port reset reset reset Input 1
-add_interface s avalon end
-set_interface_property s associatedClock clock
-set_interface_property s associatedReset reset
+STORE_TCL = HW_TCL + "add_interface s avalon end\n" + OWN_CLOCK + """\
 {properties}
 add_interface_port s address address Input 4
 add_interface_port s write write Input 1
@@ -66,7 +54,7 @@ R32(0xFFD05004) = 2;""")
         for n, (width, properties, ports, form, waits) in enumerate(kinds):
             name = f"store{n}"
             byte_enable = "byteenable" in ports
-            text = HW_TCL.format(name=name, width=width, properties=properties, ports=ports)
+            text = STORE_TCL.format(name=name, width=width, properties=properties, ports=ports)
             (self.folder / f"{name}_hw.tcl").write_text(text)
             bytes_ = width // 8
             write = "".join(f"if (be[{i}]) words[address][{8 * i} +: 8] <= "
@@ -98,8 +86,7 @@ endmodule
             base = 0x100 * (n + 1)
             for bridge in (LW, FULL):
                 wires.append(("avalon", bridge, f"{name}.s", base))
-            wires += [("clock", "clk_0.clk", f"{name}.clock"),
-                      ("reset", "clk_0.clk_reset", f"{name}.reset")]
+            wires += [*clocked(name, "clock")]
             # By both bridges, in every width that the slave's byte lanes allow.
             sizes = [8, 16, 32, 64] if width == 8 or byte_enable else \
                     [size for size in (8, 16, 32, 64) if size >= width]
@@ -144,8 +131,7 @@ for (uint32_t n = 0; n < {16 * bytes_ // (size // 8)}; ++n)
                    ("pll", "altera_up_avalon_sys_sdram_pll", {"gui_outclk": "100.0"}),
                    ("sdram", "altera_avalon_new_sdram_controller", {"clockRate": "100000000"}),
                    ("leds", "altera_avalon_pio", {"width": "10", "direction": "Output"})]
-        wires = [("clock", "clk_0.clk", "pll.ref_clk"),
-                 ("reset", "clk_0.clk_reset", "pll.ref_reset"),
+        wires = [*clocked("pll", "ref_clk", "ref_reset"),
                  *(("clock", "pll.sys_clk", end) for end in (
                      "hps_0.h2f_axi_clock", "hps_0.h2f_lw_axi_clock", "sdram.clk", "leds.clk")),
                  ("reset", "pll.reset_source", "sdram.reset"),
@@ -181,7 +167,7 @@ R32(0xFF200000) = bad ? bad : 0x3FF;""")
         """A timer of 50 MHz at 0x1000, by interrupt 2; what `body` leaves in `shown`."""
         self.with_leds(
             [("timer_0", "altera_avalon_timer", {"systemFrequency": "50000000", **parameters})],
-            [("clock", "clk_0.clk", "timer_0.clk"), ("reset", "clk_0.clk_reset", "timer_0.reset"),
+            [*clocked("timer_0"),
              ("avalon", LW, "timer_0.s1", 0x1000),
              ("interrupt", "hps_0.f2h_irq0", "timer_0.irq", 2)])
         self.program("volatile uint16_t* const T = (volatile uint16_t*)0xFF201000;\n"
@@ -211,14 +197,14 @@ R32(0xFF200000) = bad ? bad : 0x3FF;""")
 
     def test_a_timer_without_a_frequency(self):
         modules, wires = [("timer_0", "altera_avalon_timer", {})], [
-            ("clock", "clk_0.clk", "timer_0.clk"), ("reset", "clk_0.clk_reset", "timer_0.reset"),
+            *clocked("timer_0"),
             ("avalon", LW, "timer_0.s1", 0x1000)]
         self.refuses("systemFrequency is 0", modules, wires)
 
     def jtag_uart(self, body, leds, *steps):
         self.with_leds(
             [("jtag", "altera_avalon_jtag_uart", {"simInputCharacterStream": "a &quot;b&quot;"})],
-            [("clock", "clk_0.clk", "jtag.clk"), ("reset", "clk_0.clk_reset", "jtag.reset"),
+            [*clocked("jtag"),
              ("avalon", LW, "jtag.avalon_jtag_slave", 0x1000),
              ("interrupt", "hps_0.f2h_irq0", "jtag.irq", 8)])
         self.program("#define DATA R32(0xFF201000)\n#define CONTROL R32(0xFF201004)\n"
@@ -288,8 +274,7 @@ R32(0xFF200000) = bad ? bad : 0x3FF;""")
     def test_a_memorys_file_that_platform_designer_would_make(self):
         memory = {"memorySize": "64", "dataWidth": "32", "autoInitializationFileName": "sys_ram"}
         self.with_leds([("ram", "altera_avalon_onchip_memory2", memory)],
-                       [("clock", "clk_0.clk", "ram.clk1"), ("reset", "clk_0.clk_reset",
-                                                             "ram.reset1"),
+                       [*clocked("ram", "clk1", "reset1"),
                         ("avalon", LW, "ram.s1", 0x40)])
         self.program("R32(0xFF200000) = R32(0xFF200044) + 1;")
         self.assertNotIn("sys_ram.hex", self.shows(1).stderr)
@@ -302,8 +287,7 @@ R32(0xFF200000) = bad ? bad : 0x3FF;""")
                "singleClockOperation": "true", "autoInitializationFileName": "sys_rom"}
         self.write(sys_rom_hex=":0400010000000007F4\n:00000001FF\n")
         self.with_leds([("rom", "altera_avalon_onchip_memory2", rom)],
-                       [("clock", "clk_0.clk", "rom.clk1"), ("reset", "clk_0.clk_reset",
-                                                             "rom.reset1"),
+                       [*clocked("rom", "clk1", "reset1"),
                         ("avalon", LW, "rom.s1", 0x40)], [("rom", "rom.s2")],
                        ", .rom_address(4'd2), .rom_debugaccess(SW[0]), .rom_write(1'b1),"
                        ".rom_chipselect(1'b1), .rom_clken(1'b1), .rom_writedata(32'd5),"
@@ -331,8 +315,7 @@ R32(0xFF200000) = bad ? bad : 0x3FF;""")
     def test_strays_are_reported_with_who_gets_them(self):
         memory = [("memory", "altera_avalon_onchip_memory2",
                    {"memorySize": "256", "initMemContent": "false"})]
-        self.with_leds(memory, [("clock", "clk_0.clk", "memory.clk1"),
-                                ("reset", "clk_0.clk_reset", "memory.reset1"),
+        self.with_leds(memory, [*clocked("memory", "clk1", "reset1"),
                                 ("avalon", LW, "memory.s1", 0x100)])
         self.program("R32(0xFF200040) = 9; R32(0xFF200200) = 6;")
         done = self.shows(6)
@@ -342,7 +325,7 @@ R32(0xFF200000) = bad ? bad : 0x3FF;""")
                       "addresses repeat each 0x200 bytes", done.stderr)
 
     def test_a_slave_that_never_answers_is_named(self):
-        (self.folder / "stuck_hw.tcl").write_text(HW_TCL.format(
+        (self.folder / "stuck_hw.tcl").write_text(STORE_TCL.format(
             name="stuck", width=32, properties="",
             ports="add_interface_port s waitrequest waitrequest Output 1"))
         (self.folder / "stuck.v").write_text(
@@ -351,8 +334,7 @@ R32(0xFF200000) = bad ? bad : 0x3FF;""")
             "assign waitrequest = 1'b1;\nassign readdata = 0;\nendmodule\n")
         for bridge, window in (LW, 0xFF200000), (FULL, 0xC0000000):
             self.with_leds([("stuck_0", "stuck", {})],
-                           [("clock", "clk_0.clk", "stuck_0.clock"),
-                            ("reset", "clk_0.clk_reset", "stuck_0.reset"),
+                           [*clocked("stuck_0", "clock"),
                             ("avalon", bridge, "stuck_0.s", 0x40)])
             self.program(f"R32(0xFF200000) = R32({window + 0x44:#x});")
             done = self.de1sim("run", "--elf", "program.elf", "--project", "top.qsf",
@@ -400,8 +382,7 @@ R32(0xFF200000) = bad ? bad : 0x3FF;""")
         self.write(soc_system_qsys=qsys(BASE, CLOCKS,
                                         [("h2f_lw", "hps_0.h2f_lw_axi_master")]),
                    sys_qsys=qsys([BASE[0], ("soc", "soc_system", {}), *leds],
-                                 [("clock", "clk_0.clk", "soc.clk"),
-                                  ("reset", "clk_0.clk_reset", "soc.reset"), *wires],
+                                 [*clocked("soc"), *wires],
                                  [("leds", "leds.external_connection")]),
                    sys__synthesis__sys_v="// Generated using ACDS version 18.1\n"
                                          "module sys(output [9:0] leds_export);\nendmodule\n",

@@ -3,7 +3,7 @@ import math
 import random
 
 from case import run
-from systems import FULL, LW, SystemCase
+from systems import FULL, LW, SystemCase, clocked
 from university_test import UP, png
 
 CAMERA = """, .camera_TD_CLK27(TD_CLK27), .camera_TD_DATA(TD_DATA), .camera_TD_HS(TD_HS),
@@ -92,15 +92,13 @@ class VideoIn(SystemCase):
         """
         memory = {"memorySize": "262144", "dataWidth": "32", "initMemContent": "false"}
         modules = [("memory", "altera_avalon_onchip_memory2", memory)]
-        wires = [("clock", "clk_0.clk", "memory.clk1"), ("reset", "clk_0.clk_reset",
-                                                         "memory.reset1"),
+        wires = [*clocked("memory", "clk1", "reset1"),
                  ("avalon", FULL, "memory.s1", 0)]
         source = None
         for n, (kind, parameters, middle) in enumerate(parts):
             name = f"part{n}"
             modules.append((name, UP + kind, parameters))
-            wires += [("clock", "clk_0.clk", f"{name}.clk"),
-                      ("reset", "clk_0.clk_reset", f"{name}.reset")]
+            wires += [*clocked(name)]
             if kind == "dma_controller":
                 wires += [("avalon", f"{name}.avalon_dma_master", "memory.s1", 0),
                           ("avalon", LW, f"{name}.avalon_dma_control_slave", 0x40 + 0x10 * n)]
@@ -123,11 +121,7 @@ for (;;) {{
         wrong += m[(all[n].y << {width_bits}) + all[n].x] != all[n].pixel;
     R32(0xFF200000) = wrong == 0 ? 341 : wrong > 1000 ? 1000 : wrong;
 }}""")
-        self.write(s_yaml="name: s\nversion: 1\nprogram: program.elf\nproject: top.qsf\nsteps:\n" +
-                          "".join(f"  - {step}\n" for step in
-                                  [*steps, "expect-leds: {equals: 341, timeout: 200ms}"]))
-        done = self.de1sim("run", "s.yaml")
-        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        self.played(*steps, "expect-leds: {equals: 341, timeout: 200ms}")
 
     def filmed(self, picture, expected, more=()):
         """The camera sees rows of (red, green, blue), each of them twice, for both fields.
@@ -273,10 +267,8 @@ for (;;) {{
             ("split.avalon_sync_source", "merge.avalon_sync_sink"),
             ("merge." + router + "source", "writes.avalon_dma_sink")]]
         for name in "reads", "split", "colors", "merge", "writes", "choice":
-            wires += [("clock", "clk_0.clk", name + ".clk"),
-                      ("reset", "clk_0.clk_reset", name + ".reset")]
-        wires += [("clock", "clk_0.clk", "memory.clk1"), ("reset", "clk_0.clk_reset",
-                                                          "memory.reset1"),
+            wires += [*clocked(name)]
+        wires += [*clocked("memory", "clk1", "reset1"),
                   ("avalon", FULL, "memory.s1", 0), ("avalon", LW, "choice.s1", 0x40),
                   ("avalon", "reads.avalon_dma_master", "memory.s1", 0),
                   ("avalon", "writes.avalon_dma_master", "memory.s1", 0),
