@@ -9,7 +9,8 @@ constexpr std::uint32_t ENABLE = 1, USER = 2, MASKED = 4;
 
 class HpsTimer : public tb::HpsBench {
 protected:
-    static constexpr std::uint32_t T0 = 0xFFC08000, T2 = 0xFFD00000;
+    static constexpr std::uint32_t T0 = 0xFFC08000,
+                                   BASES[] = {T0, 0xFFC09000, 0xFFD00000, 0xFFD01000};
     void start(std::uint32_t timer, std::uint32_t load, std::uint32_t control) {
         write(timer, load);
         write(timer + 8, control | ENABLE);
@@ -17,21 +18,18 @@ protected:
 };
 
 TEST_F(HpsTimer, CountsDownAt100MhzAndTheOthersAt25) {
-    start(T0, 1'000'000, USER | MASKED);
-    start(T2, 1'000'000, USER | MASKED);
+    for (const std::uint32_t timer : BASES) start(timer, 1'000'000, USER | MASKED);
     wait_ms(1);
-    EXPECT_NEAR(read(T0 + 4), 900'000, 1);
-    EXPECT_NEAR(read(T2 + 4), 975'000, 1);
+    for (int i = 0; i < 4; ++i) EXPECT_NEAR(read(BASES[i] + 4), i < 2 ? 900'000 : 975'000, 1);
 }
 
 TEST_F(HpsTimer, InterruptsWithItsOwnId) {
-    const std::uint32_t bases[] = {0xFFC08000, 0xFFC09000, 0xFFD00000, 0xFFD01000};
     for (unsigned i = 0; i < 4; ++i) {
         take(199 + i);
-        start(bases[i], 1000, USER);
+        start(BASES[i], 1000, USER);
         wait_ms(0.041);
         EXPECT_EQ(acknowledge(), 199 + i);
-        write(bases[i] + 8, 0);
+        write(BASES[i] + 8, 0);
         end(199 + i);
     }
 }
@@ -183,6 +181,7 @@ TEST_F(Gpio1, LightsTheLedWhenItsPinIsAnOutput) {
     EXPECT_FALSE(board.hps.gpio1.led());
     write(GPIO + 4, LED);
     EXPECT_TRUE(board.hps.gpio1.led());
+    EXPECT_EQ(read(GPIO) & read(GPIO + 4), LED);
     write(GPIO, 0);
     EXPECT_FALSE(board.hps.gpio1.led());
 }
