@@ -157,13 +157,6 @@ TEST_F(Hps, TheGlobalTimerHas64Bits) {
     EXPECT_EQ(read(0xFFFEC204), 8u);
 }
 
-TEST_F(Hps, TheUartIsReadyAndPrints) {
-    EXPECT_EQ(read(0xFFC02014) & 0x60, 0x60u);
-    for (const char c : std::string{"hi\n"}) write(0xFFC02000, static_cast<unsigned char>(c));
-    pass(3 * 87);
-    EXPECT_EQ(system.printed, "hi\n");
-}
-
 TEST_F(Hps, TheUartGivesWhatIsTypedACharacterPerMillisecond) {
     write(FCR, 1);
     system.uart.receive("go");

@@ -2,7 +2,6 @@
 #include "sim/files/png.h"
 
 #include <gmock/gmock.h>
-#include <png.h>
 
 #include <random>
 
@@ -71,22 +70,6 @@ const char ALPHA[] =
 const char GREY_16[] =
     "89504e470d0a1a0a0000000d49484452000000010000000110000000006aee47160000000b4944415478da63f8"
     "ff1f00030001ff6f81abb60000000049454e44ae426082";
-
-TEST(PngEncode, GivesEveryPixelBackToAnotherReader) {
-    Image image{3, 2, {}};
-    for (std::uint8_t i = 0; i < 18; ++i) image.rgb.push_back(i * 15);
-    const auto bytes = encode_png(image);
-    png_image reader{};
-    reader.version = PNG_IMAGE_VERSION;
-    ASSERT_TRUE(png_image_begin_read_from_memory(&reader, bytes.data(), bytes.size()));
-    EXPECT_EQ(reader.width, 3u);
-    EXPECT_EQ(reader.height, 2u);
-    EXPECT_EQ(reader.format, unsigned(PNG_FORMAT_RGB));
-    std::vector<std::uint8_t> rgb(18);
-    reader.format = PNG_FORMAT_RGB;
-    ASSERT_TRUE(png_image_finish_read(&reader, nullptr, rgb.data(), 0, nullptr));
-    EXPECT_EQ(rgb, image.rgb);
-}
 
 TEST(PngEncode, GivesAFullScreenToAReaderWithoutLibpng) {
     const TempFolder folder;

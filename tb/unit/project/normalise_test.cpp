@@ -10,7 +10,6 @@ using sim::project::normalise;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
-using ::testing::Not;
 
 std::string cleaned(const std::string& text) { return normalise(text, "f.v", false).text; }
 
@@ -89,15 +88,6 @@ TEST(Normalise, LeavesNetsAfterPortsAndOtherModulesAlone) {
         "module n(z);\ninput z;\nendmodule\n"
         "module p(input x);\nfunction f; input y; reg y; f = y; endfunction\nendmodule\n";
     EXPECT_EQ(cleaned(text), text);
-}
-
-TEST(Normalise, TakesTheLastOfTwoDefparams) {
-    const auto result = normalise(
-        "module m; s u(a); defparam u.W = \"x\";\ndefparam u.V = 1;\ndefparam u.W = 8; endmodule",
-        "f.v", false);
-    EXPECT_THAT(result.text, Not(HasSubstr("\"x\"")));
-    EXPECT_THAT(result.text, HasSubstr("defparam u.V = 1;\ndefparam u.W = 8;"));
-    EXPECT_THAT(result.changes, ElementsAre("f.v:1: left out defparam u.W, which is set again"));
 }
 
 TEST(Normalise, RepeatsATypeThatParametersShare) {
@@ -226,11 +216,6 @@ TEST(Normalise, GivesOpenInputsOfModelsTheirLevel) {
     EXPECT_THAT(result.text, HasSubstr(".rden_b(-1)"));
     EXPECT_THAT(result.text, HasSubstr(".byteena_a(b)"));
     EXPECT_THAT(result.changes, IsEmpty());
-}
-
-TEST(Normalise, CommentsAreNoOrders) {
-    EXPECT_EQ(cleaned("// Verilator is a tool\nx"), "// - Verilator is a tool\nx");
-    EXPECT_EQ(cleaned("/* verilator lint_off NEWER */ x"), "/* - verilator lint_off NEWER */ x");
 }
 
 TEST(Normalise, LinesStayWhereTheyAre) {
