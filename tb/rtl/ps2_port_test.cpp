@@ -183,11 +183,6 @@ TEST_F(Ps2Port, Keeps256Bytes) {
     EXPECT_EQ(read(DATA), (255 * 7u) & 0xff);
 }
 
-TEST_F(Ps2Port, HoldsTheClockLowFor100MicrosecondsBeforeItSends) {
-    write(DATA, 0xf4);
-    expect_request();
-}
-
 TEST_F(Ps2Port, HoldsTheClockLowAsLongWhileAByteComes) {
     for (int i = 0; i < 5; ++i) device_bit(false);
     write(DATA, 0xf4);
@@ -204,13 +199,6 @@ TEST_F(Ps2Port, SendsEightBitsOddParityAndStop) {
     EXPECT_EQ(device_takes(), 0xed | 1 << 8 | 1 << 9);
     EXPECT_EQ(read(CONTROL), 0u);
     EXPECT_EQ(device_takes(), -1);
-}
-
-TEST_F(Ps2Port, TakesTheAnswerAfterAByteSent) {
-    write(DATA, 0xf4);
-    device_takes();
-    device_sends(0xfa);
-    EXPECT_EQ(read(DATA), 1u << 16 | RVALID | 0xfa);
 }
 
 TEST_F(Ps2Port, ClearsCeByAWriteOfAnything) {
@@ -248,7 +236,10 @@ TEST_F(Ps2Port, GivesUpWhenNobodyTakesTheByteIn15Milliseconds) {
     write(DATA, 0xf4);
     clock(340'000);
     EXPECT_EQ(read(CONTROL), 0u);
-    clock(50'000);
+    clock(30'000);
+    EXPECT_EQ(dut.wait_o, 1);
+    clock(20'000);
+    EXPECT_EQ(dut.wait_o, 0);
     EXPECT_EQ(read(CONTROL), CE);
     EXPECT_EQ(dut.ps2_dat_low_o, 0);
     device_sends(0xaa);
@@ -284,14 +275,6 @@ TEST_F(Ps2Port, WaitsUntilClkRisesAfterTheAcknowledge) {
     EXPECT_EQ(dut.wait_o, 1);
     clk_low = false;
     clock(200);
-    EXPECT_EQ(dut.wait_o, 0);
-}
-
-TEST_F(Ps2Port, LetsTheBusGoWhenNobodyTakesTheByte) {
-    write(DATA, 0xf4);
-    clock(370'000);
-    EXPECT_EQ(dut.wait_o, 1);
-    clock(20'000);
     EXPECT_EQ(dut.wait_o, 0);
 }
 
