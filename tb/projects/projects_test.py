@@ -72,14 +72,6 @@ class Reading(Case):
                    src__top_v=LEDS.format("SW"))
         self.leds(3, 3)
 
-    def test_pins_before_names(self):
-        self.write(p_qsf="set_global_assignment -name TOP_LEVEL_ENTITY top\n"
-                         "set_global_assignment -name VERILOG_FILE top.v\n"
-                         "set_location_assignment PIN_AB12 -to x\n"
-                         "set_location_assignment PIN_W16 -to y\n",
-                   top_v="module top(input x, output y); assign y = x; endmodule\n")
-        self.leds(2, 1)
-
     def test_another_device_is_reported(self):
         """And its pins are not taken: PIN_AB12 is SW0 here."""
         self.write(p_qsf="set_global_assignment -name DEVICE EP4CE115F29C7\n"
@@ -328,28 +320,9 @@ class Wrong(Case):
             self.write(top_v=f"module top(input [9:0] SW, inout {width} GPIO_0); endmodule\n")
             self.refused("expected at most 1024")
 
-    def test_bits_without_a_pin_are_reported(self):
-        self.write(top_v=LEDS.format("SW").replace("output [9:0]", "output [17:0]"))
-        self.checked("LEDR: 8 of its 18 bits have no pin of the board")
-
-    def test_a_missing_module(self):
-        self.write(top_v=LEDS.format("SW").replace("; assign", ";\ngone u (SW); assign"))
-        self.refused("top.v:2: Quartus error 12006: no file defines module gone")
-
-    def test_a_syntax_error(self):
-        self.write(top_v="module top(input [9:0] SW, output [9:0] LEDR);\n"
-                         "assign LEDR = SW +;\nendmodule\n")
-        self.refused("top.v:2:")
-
     def test_garbage(self):
         (self.folder / "top.v").write_bytes(bytes(range(256)) * 4000)
         self.refused("no module has the board's pins")
-
-    def test_a_processors_system(self):
-        self.write(p_qsf="set_global_assignment -name TOP_LEVEL_ENTITY top\n"
-                         "set_global_assignment -name QSYS_FILE system.qsys\n",
-                   top_v="module top(input CLOCK_50); system u (.clk(CLOCK_50)); endmodule\n")
-        self.refused("12006: no file defines module system")
 
     def with_verilator(self, text, *words):
         """de1sim WORDS with another Verilator, a script of this text."""
@@ -382,13 +355,10 @@ class Wrong(Case):
             self.assertEqual(done.returncode, 0, done.stderr)
         self.assertEqual(len(list(self.folder.glob("cache/de1sim/runtime/*/*.a"))), 1)
 
-    def test_options_of_a_processor(self):
+    def test_the_native_processor(self):
         self.write(top_v=LEDS.format("SW"), s_yaml="name: x\nversion: 1\nsteps: [delay: 1ms]\n")
-        self.refused("--cpu: arm needs a program", "run", "s.yaml", "--project", ".", "--cpu",
-                     "arm")
         self.refused("--cpu: native is this project's own firmware", "run", "s.yaml", "--project",
                      ".", "--cpu", "native")
-        self.refused("--cpi: is for --cpu arm", "run", "s.yaml", "--project", ".", "--cpi", "2")
 
 
 if __name__ == "__main__":
