@@ -146,17 +146,6 @@ TEST_F(VideoIn, KeepsThePictureWhenItIsStopped) {
     EXPECT_FALSE(dut.awake_o);
 }
 
-TEST_F(VideoIn, BeginsWithAWholePictureWhenItGoesOn) {
-    to_line(100);
-    write(VIDEO_IN_STATUS, ENABLE);
-    lines(160);
-    EXPECT_EQ(writes, 0u);
-    lines(270);
-    EXPECT_EQ(writes, WORDS);
-    EXPECT_EQ(written.size(), WORDS);
-    EXPECT_EQ(written.begin()->first, ONCHIP_BASE);
-}
-
 // The decoder's clock stands while it is stopped, but not before it has come to rest: what it has
 // counted of a field's lines is no longer true when it goes on.
 TEST_F(VideoIn, BeginsWithAWholePictureWhereverItWasStopped) {

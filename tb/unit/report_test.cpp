@@ -132,16 +132,6 @@ TEST(ReportKeys, AreThoseOfTheFile) {
             << key.path << " is in report_keys.h and not in report.json";
 }
 
-TEST(ReportJson, DiffersBetweenTwoMachinesOnlyUnderWall) {
-    RunReport slow = sample();
-    slow.wall_s = 77;
-    json a = json::parse(to_json(sample())), b = json::parse(to_json(slow));
-    EXPECT_NE(a, b);
-    a.erase("wall");
-    b.erase("wall");
-    EXPECT_EQ(a, b);
-}
-
 TEST(ReportJson, HasWhereAProgramOfTheArmWas) {
     sim::RunReport r = sample();
     r.program = sim::RunReport::Program{};
