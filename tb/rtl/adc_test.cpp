@@ -199,12 +199,4 @@ TEST_F(Adc, ReportsThatChannelsAreNewWhenTheRoundIsOver) {
     EXPECT_EQ(channel(7) & NEW, NEW);
 }
 
-TEST_F(Adc, AnswersNothingWhenNotAsked) {
-    write(ADC_CH_0, 0);
-    clock(ROUND);
-    channel(1);
-    clock();
-    EXPECT_EQ(dut.rdata_o, 0u);
-}
-
 }  // namespace

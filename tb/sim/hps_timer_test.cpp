@@ -109,12 +109,6 @@ TEST_F(Uart0, InterruptsForAnEmptyTransmitterUntilTheIdIsRead) {
     EXPECT_TRUE(board.irq);
 }
 
-TEST_F(Uart0, TakesBytesToo) {
-    write(UART, 'b', 1);
-    wait_ns(86'420);
-    EXPECT_EQ(board.printed, "b");
-}
-
 TEST_F(Uart0, TakesTheTimeOfItsBaudRate) {
     constexpr double CHARACTER_NS = 10 * 16 * 54 * 10;  // 115,741 baud
     for (const char c : std::string{"abc"}) write(UART, static_cast<unsigned char>(c));
