@@ -30,6 +30,7 @@ protected:
     unsigned line_in = 0;     // pairs played in so far
     sim::AsynchronousClock audio_clock = sim::audio_clock(8'000);
     bool line_in_on = false;
+    bool sent = false;  // a bit, since the reset
     sim::Wm8731 codec{
         [this](const sim::StereoSample& s, std::uint64_t) { heard.emplace_back(s.left, s.right); },
         [this] {
@@ -74,6 +75,7 @@ protected:
                      dut.aud_dacdat_o != 0, dut.i2c_sclk_o != 0, sda()},
                     time_ps);
         dut.i2c_sdat_i = sda();
+        sent |= dut.aud_dacdat_o && !dut.rst_audio_i;
     }
     bool sda() const { return !dut.i2c_sdat_oe_o && !codec.pulls_sda_low(); }
 

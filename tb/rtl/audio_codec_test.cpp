@@ -47,6 +47,7 @@ TEST_F(AudioAfterPowerOn, HasItsDocumentedDefaults) {
     EXPECT_EQ(read(CODEC_STATUS), 0u);
     EXPECT_EQ(read(CODEC_UNDERRUNS), 0u);
     EXPECT_EQ(dut.irq_o, 0);
+    EXPECT_FALSE(sent);
 }
 
 TEST_F(AudioAfterPowerOn, IsSilentUntilTheCodecIsSetUp) {
