@@ -170,7 +170,7 @@ instructions: everything ## 10^9 random ones on the processor and QEMU's [ARM_CO
 
 # The register map's views are printed without CMake, because its configuration runs Verilator on
 # them.
-regmap: configure       ## write what is made of sources again: REGISTERS.md, STEPS.md and more
+regmap:                 ## write what is made of sources again: REGISTERS.md, STEPS.md and more
 	@mkdir -p build
 	@$(CXX) -std=c++17 -Irtl/regmap -o build/gen_regmap rtl/regmap/gen_regmap.cpp
 	@build/gen_regmap vh > build/regmap.vh && mv build/regmap.vh rtl/regmap/
@@ -179,6 +179,7 @@ regmap: configure       ## write what is made of sources again: REGISTERS.md, ST
 	@build/gen_regmap c > build/registers.h && mv build/registers.h sw/examples/
 	@$(CXX) -std=c++17 -Isw -o build/gen_font sw/gfx/gen_font.cpp sw/gfx/font.cpp sw/gfx/canvas.cpp
 	@build/gen_font > build/character_font.vh && mv build/character_font.vh rtl/vga/
+	@.ci/configure
 	@cmake --build build --target schema_files
 	@/usr/bin/python3 -B tb/lint/not_handled.py . --write
 
@@ -191,7 +192,7 @@ weekly:                 ## what CI does each week, likewise
 	@.ci/tier weekly
 
 format:                 ## lay out all C++
-	@git ls-files '*.h' '*.cpp' | xargs -d '\n' clang-format -i
+	@git ls-files -co --exclude-standard '*.h' '*.cpp' | xargs -d '\n' clang-format -i
 
 clean:
 	rm -rf build out
