@@ -148,11 +148,7 @@ class Block:
 
 # Where a block of which something is proved lies in fpga.v, if it reads places of its own.
 PLACES = {"fpga": "", "vga": "video_block.vga_block."}
-# Who reads by places: the instances of inside.v's modules, by their names.
-READERS = {"number": ("keypad_block.scanner.slot", "sdram_block.controller.interval", "timer0",
-                      "timer1", "ps2.ticks", "video_block.vga_block.timing"),
-           "flat_blocks": ("video_block.vga_block",), "rests": ("video_block.vga_block",),
-           "waiting": ("clocks",)}
+INSTANCE = re.compile(r"^ +(\w+) (?:#\([^;]*?\) )?(\w+) \(", re.M)
 MODULE = re.compile(r"^module (\w+).*?^endmodule", re.M | re.S)
 PLACE = re.compile(r"^ *assign (\w+) += fpga\.([\w.]+);$", re.M)
 
@@ -179,20 +175,26 @@ def without_places(source, work):
     return copy
 
 
+def instances(inner, name, place):
+    """Module and place of whatever is in the module `name`; `inner` has modules' instances."""
+    for module, instance in inner.get(name, ()):
+        yield module, place + instance
+        yield from instances(inner, module, place + instance + ".")
+
+
 def connections(name, sources, inside):
     """Commands of Yosys that connect what is read by places, in the flat block."""
     place = PLACES.get(name)
     commands = []
     if inside and place is not None:
-        instances = {module: instance for source in sources for module, instance in
-                     re.findall(r"^ +(\w+) (\w+) \(", source.read_text(), re.M)}
+        inner = {source.stem: INSTANCE.findall(source.read_text()) for source in sources}
+        places = list(instances(inner, name, place))
         for module in MODULE.finditer(inside):
-            readers = READERS[instances[module[1]]] if module[1] in instances else ()
+            readers = [at for of, at in places if of == module[1]]
             for port, source in PLACE.findall(module[0]):
                 for reader in readers:
-                    if (reader + ".").startswith(place) and source.startswith(place):
-                        at = f"{reader}.{instances[module[1]]}"[len(place):]
-                        commands.append(f"connect -nounset -set {at}.from_{port} "
+                    if source.startswith(place):
+                        commands.append(f"connect -nounset -set {reader[len(place):]}.from_{port} "
                                         f"{source[len(place):]}")
     return "; ".join([f"cd {name}", *commands, "cd ..", "setundef -undriven -anyseq"])
 
