@@ -117,11 +117,7 @@ inline void Fabric::Model::clock_every([[maybe_unused]] bool every) {
 
 #ifdef DE1SIM_KNOWS_CALM
 inline std::uint64_t Fabric::Model::ports_rest() const {
-    const auto &root = *top.rootp;
-    return 1u + std::min({root.fpga__DOT__clocks__DOT__keypad_rest,
-                          root.fpga__DOT__clocks__DOT__ps2_rest,
-                          root.fpga__DOT__clocks__DOT__timer0_rest,
-                          root.fpga__DOT__clocks__DOT__timer1_rest});
+    return 1u + top.rootp->fpga__DOT__clocks__DOT__ports_rest;
 }
 
 inline bool Fabric::Model::cells_awake() const { return top.rootp->fpga__DOT__cells_awake; }

@@ -85,12 +85,15 @@ module fpga_clocks (
         least = a < b ? a : b;
     endfunction
 
+    // Of the registers that sleep, when the first wakes by itself.
+    wire [9:0] ports_rest
+        = least(least(keypad_rest, ps2_rest), least(timer0_rest, timer1_rest));
+
     // While a group is awake it may wake another one in any clock, so no clock can be left out.
     wire awake = lw_awake_i || h2f_awake_i || memory_wakes || ports_wakes || audio_awake_i;
 
     assign rest = awake ? 10'd0
-                  : least(least(least(beam_rest, fetch_rest), sdram_rest),
-                          least(least(keypad_rest, ps2_rest), least(timer0_rest, timer1_rest)));
+                  : least(least(least(beam_rest, fetch_rest), sdram_rest), ports_rest);
 endmodule
 
 `default_nettype wire
