@@ -182,6 +182,23 @@ def instances(inner, name, place):
         yield from instances(inner, module, place + instance + ".")
 
 
+def sources_of(block, rtl):
+    """The files of a block and of what is in it: the simulation's own where it has one."""
+    formal, sim = rtl / "../tb/formal", rtl / "../sim/fpga"
+    text, file_of = {}, {}
+    for file in [*rtl.glob("*.v"), *rtl.glob("*/*.v"), *sim.glob("*.v"), formal / "root_clock.v"]:
+        if file.parent.name != "ip":
+            text[file] = file.read_text()
+            file_of.update((module[1], file) for module in MODULE.finditer(text[file]))
+    files, names = [], [block]
+    for name in names:
+        file = file_of.get(name)
+        if file and file not in files:
+            files.append(file)
+            names += [module for module, _ in INSTANCE.findall(text[file])]
+    return files
+
+
 def connections(name, sources, inside):
     """Commands of Yosys that connect what is read by places, in the flat block."""
     place = PLACES.get(name)

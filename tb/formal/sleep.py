@@ -2,9 +2,11 @@
 
 What awake_o, due and rest promise is in rtl/SLEEP.md.
 
-sleep.py --rtl DIR --work DIR [--strobes PORT...] [--pins PORT...] --sources SOURCE...
+sleep.py --rtl DIR --work DIR BLOCK [--strobes PORT...] [--pins PORT...] [--list]
 
-The first source is the block.  It is proved from any state, reachable or not, after any clock
+With --list the names of the files that it reads.
+
+It is proved from any state, reachable or not, after any clock
 before it, a reset too:
 
     sleeps       not awake, not due, no strobe, pins as in the clock before: the next clock leaves
@@ -27,12 +29,13 @@ signal, and a column per clock.
 """
 import argparse
 import collections
+import os
 import pathlib
 import re
 import subprocess
 import sys
 
-from block import Block, shown, symbols
+from block import Block, shown, sources_of, symbols
 
 
 # A claim: what registers became (block.py), what was so besides, and what follows from them.
@@ -183,10 +186,14 @@ def main():
     parser.add_argument("--work", type=pathlib.Path, required=True)
     parser.add_argument("--strobes", nargs="*", default=[])
     parser.add_argument("--pins", nargs="*", default=[])
-    parser.add_argument("--sources", type=pathlib.Path, nargs="+", required=True)
+    parser.add_argument("--list", action="store_true")
+    parser.add_argument("block")
     arguments = parser.parse_args()
+    sources = sources_of(arguments.block, arguments.rtl)
+    if arguments.list:
+        print("\n".join(os.path.relpath(source, arguments.rtl) for source in sources))
+        return
     arguments.work.mkdir(parents=True, exist_ok=True)
-    sources = [arguments.rtl / source for source in arguments.sources]
     block = Block(arguments, sources)
     if block.name == "vga":
         claims = beam(block)

@@ -158,7 +158,10 @@ class Tree:
             where = properties.get("WORKING_DIRECTORY", str(self.build))
             environment = dict(v.split("=", 1) for v in properties.get("ENVIRONMENT", []))
             if "formal" in labels and re.match("(Proof|Sleep)[.]", name):
-                files = {word for word in command if word.endswith(".v")}
+                if name.startswith("Sleep."):
+                    files = set(Run([*command, "--list"], 60, where).output.split())
+                else:
+                    files = {word for word in command if word.endswith(".v")}
                 tests.append(Test("proofs", name, command, where, [], files, environment))
             elif "sim" in labels and command[0] in reads or \
                     "system" in labels and PLAY.match(name):
