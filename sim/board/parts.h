@@ -1,8 +1,7 @@
 // parts.h - the parts that people act on and observe, by their names
 //
-// Those of the board have names with a blank or a slash, which a scenario's parts cannot have:
-// "PS/2 keyboard", "PS/2 mouse", "remote control", "LINE IN", "microphone input", "video decoder",
-// "AD converter", "motion sensor".
+// Those of the board have names with a blank or a slash, which a scenario's parts cannot have; the
+// list is in board.cpp.
 #pragma once
 
 #include <map>
