@@ -191,6 +191,7 @@ bool SystemInstructions::exception_return(std::uint32_t w) {
 // ---- NEON ---------------------------------------------------------------------------------------
 
 bool SystemInstructions::neon(std::uint32_t w, bool in_thumb) {
+    if (!cpu_.floating_point()) return false;
     VfpWords& words = cpu_.jit->ExtRegs();
     if (is_newton_step(w, in_thumb)) return newton_step(w, words);
     bool saturated = false;
