@@ -179,6 +179,8 @@ TEST_F(AgainstUnicorn, NeonInArmComputesTheSame) { execute(false, Kind::NEON, 10
 TEST_F(AgainstUnicorn, NeonInThumbComputesTheSame) { execute(true, Kind::NEON, 5); }
 TEST_F(AgainstUnicorn, ArmInstructionsOfAllKindsDoTheSame) { execute(false, Kind::MIXED, 10); }
 TEST_F(AgainstUnicorn, ThumbInstructionsOfAllKindsDoTheSame) { execute(true, Kind::MIXED, 10); }
+TEST_F(AgainstUnicorn, ArmOperatingSystemsDoTheSame) { execute(false, Kind::SYSTEM, 10); }
+TEST_F(AgainstUnicorn, ThumbOperatingSystemsDoTheSame) { execute(true, Kind::SYSTEM, 10); }
 
 // As a program of the user mode, on a QEMU that is some years younger and knows alignment faults.
 class AgainstQemu : public Against {

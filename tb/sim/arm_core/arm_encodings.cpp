@@ -35,6 +35,7 @@ bool is_large_shift(Word w) {
     const Word type = field(w, 6, 5), by = field(w, 11, 7);
     return is_mode(w) && type != 0 && by >= 22 && (type != 3 || by == 22);
 }
+bool is_other_base(Word w) { return field(w, 15, 12) != field(w, 19, 16); }
 bool is_extra(Word w) { return is_mode(w) && field(w, 6, 5) != 0; }
 bool stores_pair(Word w) {
     const Word t = field(w, 15, 12), base = field(w, 19, 16);
@@ -114,6 +115,18 @@ const std::vector<Encoding>& arm_memory_encodings() {
          [](Word w) { return is_small_shift(w) && stores_no_base(w); }},
         {"STR STRB register, large shift", "cccc011xxxx0qqqqnnnnxxxxxxx0kkkk",
          [](Word w) { return is_large_shift(w) && stores_no_base(w); }},
+        {"LDRT LDRBT immediate", "cccc0100xx11qqqqddddxxxxxxxxxxxx"},
+        {"LDRT LDRBT register", "cccc0110xx11qqqqddddxxxxxxx0iiii",
+         [](Word w) { return is_small_shift(w | 1u << 24); }},
+        {"STRT STRBT immediate", "cccc0100xx10qqqqnnnnxxxxxxxxxxxx", is_other_base},
+        {"STRT STRBT register", "cccc0110xx10qqqqnnnnxxxxxxx0iiii",
+         [](Word w) { return is_small_shift(w | 1u << 24) && is_other_base(w); }},
+        {"LDRHT LDRSBT LDRSHT immediate", "cccc0000x111qqqqddddxxxx1xx1xxxx",
+         [](Word w) { return field(w, 6, 5) != 0; }},
+        {"LDRHT LDRSBT LDRSHT register", "cccc0000x011qqqqdddd00001xx1iiii",
+         [](Word w) { return field(w, 6, 5) != 0; }},
+        {"STRHT immediate", "cccc0000x110qqqqnnnnxxxx1011xxxx", is_other_base},
+        {"STRHT register", "cccc0000x010qqqqnnnn00001011iiii", is_other_base},
         {"LDRH LDRSB LDRSH immediate", "cccc000xx1x1qqqqddddxxxx1xx1xxxx", is_extra},
         {"LDRH LDRSB LDRSH register", "cccc000xx0x1qqqqdddd00001xx1iiii", is_extra},
         {"LDRH LDRSB LDRSH literal", "cccc0001x1011111ddddxxxx1xx1xxxx", is_extra},

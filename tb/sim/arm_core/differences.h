@@ -34,6 +34,10 @@ inline bool asks_for_more(std::uint32_t arm, std::uint32_t tested) {
     return (arm & 0xFF100000) == 0xF4000000 && asked.always && asked.bytes > tested;
 }
 
+// It does not ask CPACR, does not let the user mode write CPSR.E by MSR, and has other values of
+// VFP's identification.  Bits 23:20 of CPSR and SPSR are reserved.  system_items.cpp leaves all
+// these out.
+
 template <std::size_t N>
 bool is_one_of(const char* const (&names)[N], const Encoding& row) {
     for (const char* const name : names)

@@ -30,9 +30,8 @@ std::uint32_t Maker::word(const Encoding& row) {
     throw std::runtime_error{std::string{"no instruction fits "} + row.name};
 }
 
-void Maker::take() {
-    do held_ = register_of(free_, 15);
-    while (held_ > 12);
+void Maker::take(unsigned highest) {
+    held_ = register_of(free_, highest);
     free_ &= ~(1u << held_);
 }
 

@@ -25,7 +25,8 @@ public:
     std::uint32_t word(const Encoding& row);
 
     // Reserves a register for the letter t, which no row writes meanwhile; and releases it.
-    void take();
+    void take(unsigned highest = 12);
+    unsigned held() const { return held_; }
     void give_back() { free_ |= 1u << held_; }
     void keep(unsigned number) { free_ &= ~(1u << number); }  // for good
 

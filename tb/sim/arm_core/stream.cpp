@@ -6,6 +6,7 @@
 
 #include "tb/sim/arm_core/differences.h"
 #include "tb/sim/arm_core/maker.h"
+#include "tb/sim/arm_core/system_items.h"
 
 namespace tb::core {
 
@@ -22,6 +23,8 @@ bool arm_other(std::uint32_t w) { return field(w, 15, 12) != field(w, 3, 0); }
 bool arm_other_pair(std::uint32_t w) {
     return field(w, 15, 12) != field(w, 3, 0) && field(w, 15, 12) != field(w, 3, 0) + 1;
 }
+
+bool has_register(std::uint32_t w) { return (w & 0xFFFF) != 0; }
 
 constexpr std::uint32_t ARM_CLREX = 0xF57FF01F, THUMB_CLREX = 0xF3BF8F2F;
 const Encoding ARM_ALIGN{"BIC", "111000111100PPPPtttt000000000111"};
@@ -55,6 +58,23 @@ Item exclusive(Maker& maker, bool thumb, const Encoding& between) {
         item.name += std::string{" around "} + between.name;
     }
     item.words.push_back(maker.word((thumb ? THUMB_STORES : ARM_STORES)[kind]));
+    maker.give_back();
+    return item;
+}
+
+const Encoding ARM_PLACE{"ADD", "111000101000PPPPtttt0000000xxx00"};
+const Encoding THUMB_PLACE{"ADDW", "111100100000PPPP0000tttt000xxx00"};
+const Encoding ARM_LDM{"LDM", "cccc100xx001ttttllllllllllllllll"};
+const Encoding THUMB_LDMS[]{{"LDM of 16 bits", "11001tttllllllll"},
+                            {"LDM", "111010001001ttttllllllllllllllll", has_register},
+                            {"LDMDB", "111010010001ttttllllllllllllllll", has_register}};
+
+// LDM with its base in the list, and without write-back.
+Item load_with_base(Maker& maker, bool thumb) {
+    maker.take(7);
+    Item item{"LDM of its base", {maker.word(thumb ? THUMB_PLACE : ARM_PLACE)}};
+    const std::uint32_t ldm = maker.word(thumb ? THUMB_LDMS[maker.below(3)] : ARM_LDM);
+    item.words.push_back(ldm | 1u << maker.held());
     maker.give_back();
     return item;
 }
@@ -129,6 +149,7 @@ Stream make_stream(Random& random, bool thumb, Kind kind, unsigned length, bool 
             if (kind == Kind::MEMORY) which = maker.chance(60) ? 1 : 0;
             if (kind == Kind::VFP || kind == Kind::NEAREST) which = maker.chance(85) ? 2 : 0;
             if (kind == Kind::NEON_COMPUTING) which = maker.chance(85) ? 3 : 0;
+            if (kind == Kind::SYSTEM) which = maker.chance(70) ? 0 : 2 + maker.below(2);
             if (kind == Kind::NEON) which = maker.chance(80) ? 3 : maker.chance(80) ? 4 : 0;
             const Table tables[]{computing, memory, vfp_encodings, neon_encodings,
                                  neon_memory_encodings};
@@ -145,11 +166,21 @@ Stream make_stream(Random& random, bool thumb, Kind kind, unsigned length, bool 
     };
 
     stream.items.push_back({"CLREX", {thumb ? THUMB_CLREX : ARM_CLREX}});
+    if (kind == Kind::SYSTEM) stream.items.push_back(system_begin(maker, thumb));
+    if (kind == Kind::SYSTEM) length += stream.instructions();
     while (stream.instructions() < length) {
         if ((kind == Kind::MEMORY || kind == Kind::MIXED) && maker.chance(4)) {
             const auto& table = computing();
             stream.items.push_back(
                 exclusive(maker, thumb, table[maker.below(static_cast<unsigned>(table.size()))]));
+        } else if ((kind == Kind::MEMORY || kind == Kind::MIXED) && maker.chance(3)) {
+            stream.items.push_back(load_with_base(maker, thumb));
+        } else if (kind == Kind::SYSTEM && maker.chance(40)) {
+            const auto bytes = 2 * stream.code(stream.items.size()).size() - (thumb ? 2 : 4);
+            stream.items.push_back(system_item(maker, thumb, static_cast<std::uint32_t>(bytes)));
+        } else if (kind != Kind::COMPUTING && maker.chance(2)) {
+            const std::uint32_t big = maker.below(2);
+            stream.items.push_back({"SETEND", {thumb ? 0xB650 | big << 3 : 0xF1010000 | big << 9}});
         } else if ((kind == Kind::VFP || kind == Kind::NEON || kind == Kind::NEON_COMPUTING ||
                     kind == Kind::MIXED) &&
                    maker.chance(2)) {
@@ -174,6 +205,7 @@ Stream make_stream(Random& random, bool thumb, Kind kind, unsigned length, bool 
             stream.items.push_back({picked.row->name, {one(picked)}});
         }
     }
+    if (kind == Kind::SYSTEM) stream.items.push_back(system_end(maker, thumb));
     return stream;
 }
 

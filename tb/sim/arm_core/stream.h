@@ -20,8 +20,8 @@ struct Item {
 };
 
 // NEAREST: VFP that rounds to the nearest and does not change that.  NEON_COMPUTING: no NEON loads
-// and stores.
-enum class Kind { COMPUTING, MEMORY, VFP, NEAREST, NEON, NEON_COMPUTING, MIXED };
+// and stores.  SYSTEM: an operating system's instructions, among others.
+enum class Kind { COMPUTING, MEMORY, VFP, NEAREST, NEON, NEON_COMPUTING, MIXED, SYSTEM };
 
 struct Stream {
     bool thumb;

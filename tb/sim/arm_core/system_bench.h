@@ -25,15 +25,10 @@ struct Both {
 
 constexpr Both cps(std::uint32_t mode) { return {0xF1020000 | mode, 0xF3AF8100 | mode}; }
 constexpr Both CPSIE_I{0xF1080080, 0xB662}, CPSID_I{0xF10C0080, 0xB672};
-// MSR CPSR_, r1 and MSR SPSR_, r1; fields c, x, s, f are bits 0 to 3.
+// MSR CPSR_, r1; fields c, x, s, f are bits 0 to 3.
 constexpr Both msr_cpsr(unsigned fields) {
     return {0xE120F001 | fields << 16, 0xF3818000 | fields << 8};
 }
-constexpr Both msr_spsr(unsigned fields) {
-    return {0xE160F001 | fields << 16, 0xF3918000 | fields << 8};
-}
-constexpr unsigned ALL_FIELDS = 15;
-constexpr Both MRS_CPSR{0xE10F2000, 0xF3EF8200}, MRS_SPSR{0xE14F2000, 0xF3FF8200};  // to r2
 // MRC and MCR of coprocessor 15.
 constexpr Both mrc(const sim::Cp15& name, unsigned to = 2) {
     const std::uint32_t word =

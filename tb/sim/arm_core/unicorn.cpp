@@ -34,6 +34,7 @@ public:
             uc_hook_add(uc_, &hook, UC_HOOK_INTR, reinterpret_cast<void*>(&interrupt), this, 1, 0),
             "hook");
         set_cp15(1, 0, 0, 2, 0x00F00000);  // CPACR
+        set_cp15(1, 0, 1, 0, 0x30);        // SCR: CPSR.A and F can be changed
         const std::uint32_t enable = 1u << 30;
         check(uc_reg_write(uc_, UC_ARM_REG_FPEXC, &enable), "FPEXC");
     }
