@@ -85,7 +85,7 @@ protected:
         EXPECT_EQ(bench.core.pc(), AT);
         EXPECT_EQ(reg(2), 0x2222u);
         EXPECT_EQ(bench.core.fault().address, address);
-        EXPECT_EQ(bench.core.fault().write, access.arm == STR.arm);
+        EXPECT_EQ(bench.core.fault().write, !(access.arm >> 20 & 1));
         EXPECT_TRUE(bench.core.fault().mmu);
         EXPECT_EQ(bench.core.fault().status, status);
     }
