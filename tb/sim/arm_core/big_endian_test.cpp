@@ -43,7 +43,6 @@ TEST_P(BigEndian, TurnsWhatIsOnTheBusEachTime) {
         }
 }
 
-INSTANTIATE_TEST_SUITE_P(In, BigEndian, ::testing::Combine(::testing::Bool(), ::testing::Bool()),
-                         name_of_way);
+INSTANTIATE_TEST_SUITE_P(In, BigEndian, EACH_WAY, name_of_way);
 
 }  // namespace big_endian

@@ -79,7 +79,7 @@ TEST_P(ExceptionReturns, GoToWhatIsComputed) {
     };
     for (const auto& each : returns) {
         SCOPED_TRACE(each.word);
-        put_landing(LAND, false);
+        bench.put(LAND, {WFI.arm, SPIN.arm});
         become(ABT | (each.carry ? C : 0));
         bench.core.set_spsr(SYS | Z);
         set(1, each.r1);
@@ -90,7 +90,6 @@ TEST_P(ExceptionReturns, GoToWhatIsComputed) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(In, ExceptionReturns,
-                         ::testing::Combine(::testing::Bool(), ::testing::Bool()), name_of_way);
+INSTANTIATE_TEST_SUITE_P(In, ExceptionReturns, EACH_WAY, name_of_way);
 
 }  // namespace exception_returns

@@ -80,7 +80,6 @@ TEST_P(FloatingPointAccess, CanEndInTheMidstOfALoop) {
     EXPECT_EQ(bench.core.instructions(), 303u);
 }
 
-INSTANTIATE_TEST_SUITE_P(In, FloatingPointAccess,
-                         ::testing::Combine(::testing::Bool(), ::testing::Bool()), name_of_way);
+INSTANTIATE_TEST_SUITE_P(In, FloatingPointAccess, EACH_WAY, name_of_way);
 
 }  // namespace floating_point_access

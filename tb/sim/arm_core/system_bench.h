@@ -23,7 +23,7 @@ struct Both {
     std::uint32_t arm, thumb;
 };
 
-constexpr Both cps(std::uint32_t mode) { return {0xF1020000 | mode, 0xF3AF8100 | mode}; }
+constexpr Both NOP{0xE320F000, 0xBF00}, WFI{0xE320F003, 0xBF30}, SPIN{0xEAFFFFFE, 0xE7FE};
 constexpr Both CPSIE_I{0xF1080080, 0xB662}, CPSID_I{0xF10C0080, 0xB672};
 // MSR CPSR_, r1; fields c, x, s, f are bits 0 to 3.
 constexpr Both msr_cpsr(unsigned fields) {
@@ -54,23 +54,22 @@ protected:
     std::uint32_t reg(unsigned number) const { return bench.core.reg(number); }
     void set(unsigned number, std::uint32_t value) { bench.core.set_reg(number, value); }
 
-    // WFI in both sets: where exceptions return to.
-    void put_landing(std::uint32_t at, bool in_thumb) {
-        if (in_thumb)
-            bench.put_halves(at, {0xBF30, 0xE7FE});
-        else
-            bench.put(at, {0xE320F003, 0xEAFFFFFE});
+    // In this test's set.  Returns where they end.
+    std::uint32_t put(std::uint32_t at, const std::vector<Both>& instructions) {
+        for (const auto& [arm, in_thumb] : instructions) {
+            const auto half = static_cast<std::uint16_t>(in_thumb);
+            if (!thumb())
+                bench.put(at, {arm});
+            else if (in_thumb > 0xFFFF)
+                bench.put_halves(at, {static_cast<std::uint16_t>(in_thumb >> 16), half});
+            else
+                bench.put_halves(at, {half});
+            at += thumb() && in_thumb <= 0xFFFF ? 2 : 4;
+        }
+        return at;
     }
-    // One instruction, and WFI.
-    void put(Both instruction) {
-        if (!thumb())
-            bench.put(AT, {instruction.arm, 0xE320F003, 0xEAFFFFFE});
-        else if (instruction.thumb > 0xFFFF)
-            bench.put_halves(AT, {static_cast<std::uint16_t>(instruction.thumb >> 16),
-                                  static_cast<std::uint16_t>(instruction.thumb), 0xBF30, 0xE7FE});
-        else
-            bench.put_halves(AT, {static_cast<std::uint16_t>(instruction.thumb), 0xBF30, 0xE7FE});
-    }
+    // One, and WFI.
+    void put(Both instruction) { put(AT, {instruction, WFI, SPIN}); }
     // It, and the WFI after it or at its target.
     sim::ArmStop execute(Both instruction) {
         put(instruction);
@@ -100,6 +99,7 @@ protected:
     Bench bench;
 };
 
+inline const auto EACH_WAY = ::testing::Combine(::testing::Bool(), ::testing::Bool());
 inline std::string name_of_way(const ::testing::TestParamInfo<std::tuple<bool, bool>>& given) {
     return std::string{std::get<0>(given.param) ? "Thumb" : "Arm"} +
            (std::get<1>(given.param) ? "Stepping" : "");

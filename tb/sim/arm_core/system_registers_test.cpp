@@ -123,13 +123,12 @@ protected:
 TEST_P(CycleCounter, CountsEachInstructionBetweenTwoReadings) {
     start();
     constexpr unsigned NOPS = 50;
-    std::vector<std::uint32_t> arm{mrc(PMCCNTR, 2).arm};
-    std::vector<std::uint16_t> halves{0xEE19, 0x2F1D};
-    arm.insert(arm.end(), NOPS, 0xE320F000);
-    halves.insert(halves.end(), NOPS, 0xBF00);
-    arm.insert(arm.end(), {mrc(PMCCNTR, 3).arm, 0xE320F003, 0xEAFFFFFE});
-    halves.insert(halves.end(), {0xEE19, 0x3F1D, 0xBF30, 0xE7FE});
-    thumb() ? bench.put_halves(AT, halves) : bench.put(AT, arm);
+    std::vector<Both> code(NOPS + 4, NOP);
+    code.front() = mrc(PMCCNTR, 2);
+    code[NOPS + 1] = mrc(PMCCNTR, 3);
+    code[NOPS + 2] = WFI;
+    code.back() = SPIN;
+    put(AT, code);
     set(15, AT);
     ASSERT_EQ(run(), sim::ArmStop::WFI);
     EXPECT_EQ(reg(3) - reg(2), NOPS + 1);
@@ -188,9 +187,7 @@ TEST_P(CycleCounter, IsTheUsersWhenPmuserenrSaysSo) {
     refused(mcr(PMINTENSET));
 }
 
-INSTANTIATE_TEST_SUITE_P(In, SystemRegisters,
-                         ::testing::Combine(::testing::Bool(), ::testing::Bool()), name_of_way);
-INSTANTIATE_TEST_SUITE_P(In, CycleCounter, ::testing::Combine(::testing::Bool(), ::testing::Bool()),
-                         name_of_way);
+INSTANTIATE_TEST_SUITE_P(In, SystemRegisters, EACH_WAY, name_of_way);
+INSTANTIATE_TEST_SUITE_P(In, CycleCounter, EACH_WAY, name_of_way);
 
 }  // namespace system_registers

@@ -112,13 +112,8 @@ TEST_P(TranslationChanges, FailWhereTheSecondPageDoes) {
 class TranslatedCode : public TranslationChanges {
 protected:
     static constexpr Both ADD_1{0xE2800001, 0x3001}, ADD_16{0xE2800010, 0x3010};  // r0, of ADDS
-    // The instruction, and WFI.
     void put(std::uint32_t physical, Both instruction) {
-        if (thumb())
-            bench.put_halves(physical,
-                             {static_cast<std::uint16_t>(instruction.thumb), 0xBF30, 0xE7FE});
-        else
-            bench.put(physical, {instruction.arm, 0xE320F003, 0xEAFFFFFE});
+        SystemTest::put(physical, {instruction, WFI, SPIN});
     }
     ArmStop run_at(std::uint32_t address) {
         set(0, 0);
@@ -226,9 +221,7 @@ TEST_P(TranslatedCode, FailsWhereTheSecondHalfOfAnInstructionIs) {
     EXPECT_EQ(reg(0), 16u);
 }
 
-INSTANTIATE_TEST_SUITE_P(In, TranslationChanges,
-                         ::testing::Combine(::testing::Bool(), ::testing::Bool()), name_of_way);
-INSTANTIATE_TEST_SUITE_P(In, TranslatedCode,
-                         ::testing::Combine(::testing::Bool(), ::testing::Bool()), name_of_way);
+INSTANTIATE_TEST_SUITE_P(In, TranslationChanges, EACH_WAY, name_of_way);
+INSTANTIATE_TEST_SUITE_P(In, TranslatedCode, EACH_WAY, name_of_way);
 
 }  // namespace translation_changes

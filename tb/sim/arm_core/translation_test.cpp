@@ -175,7 +175,6 @@ TEST_P(Translation, IsWrittenToTheParForAProgramThatAsks) {
     refused(mcr(READS));
 }
 
-INSTANTIATE_TEST_SUITE_P(In, Translation, ::testing::Combine(::testing::Bool(), ::testing::Bool()),
-                         name_of_way);
+INSTANTIATE_TEST_SUITE_P(In, Translation, EACH_WAY, name_of_way);
 
 }  // namespace translation

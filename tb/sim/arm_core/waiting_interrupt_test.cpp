@@ -11,19 +11,11 @@ using sim::ArmStop;
 class WaitingInterrupt : public SystemTest {
 protected:
     WaitingInterrupt() { bench.interrupt_waits = true; }
-
-    // WFI, and back to it.
-    void put_sleepers_loop() {
-        if (thumb())
-            bench.put_halves(AT, {0xBF30, 0xE7FD});
-        else
-            bench.put(AT, {0xE320F003, 0xEAFFFFFD});
-        set(15, AT);
-    }
 };
 
 TEST_P(WaitingInterrupt, HasWfiGoOnWithoutLeavingTheTranslatedCode) {
-    put_sleepers_loop();
+    put(AT, {WFI, {0xEAFFFFFD, 0xE7FD}});  // B to the WFI
+    set(15, AT);
     EXPECT_EQ(bench.core.run(1001), ArmStop::LIMIT);
     EXPECT_EQ(bench.core.instructions(), 1001u);
     EXPECT_EQ(bench.core.pc(), AT + (thumb() ? 2 : 4));
@@ -60,7 +52,6 @@ TEST_P(WaitingInterrupt, CanStopTheRunAfterThatInstruction) {
     EXPECT_EQ(cpsr() & (I | F), F);
 }
 
-INSTANTIATE_TEST_SUITE_P(EachWay, WaitingInterrupt,
-                         ::testing::Combine(::testing::Bool(), ::testing::Bool()), name_of_way);
+INSTANTIATE_TEST_SUITE_P(EachWay, WaitingInterrupt, EACH_WAY, name_of_way);
 
 }  // namespace waiting_interrupt

@@ -25,7 +25,7 @@ protected:
     void expect_stop(Both instruction, bool several = false) {
         if (thumb() && !instruction.thumb) return;
         SCOPED_TRACE(instruction.arm);
-        put_landing(LAND, false);
+        bench.put(LAND, {WFI.arm, SPIN.arm});
         become(IRQ);
         bench.core.set_spsr(SYS);
         bench.put(PLACE, {LAND, SYS});
@@ -88,7 +88,6 @@ TEST_P(Watched, StopsWhatIsLeftOutOfTranslatedCode) {
     expect_stop({0xE8C16000, 0});           // STM r1, {sp, lr}^
 }
 
-INSTANTIATE_TEST_SUITE_P(In, Watched, ::testing::Combine(::testing::Bool(), ::testing::Bool()),
-                         name_of_way);
+INSTANTIATE_TEST_SUITE_P(In, Watched, EACH_WAY, name_of_way);
 
 }  // namespace watched
