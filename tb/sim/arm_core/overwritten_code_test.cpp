@@ -4,6 +4,7 @@
 // An ARMv7-A program must clean and invalidate (B2.2.7, B3.10); the model needs none of it.
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <array>
 #include <ctime>
 
@@ -74,123 +75,64 @@ constexpr Store STORES[] = {
 // In a page; over the end of one; at the end of all addresses.
 constexpr std::uint32_t PLACES[] = {0x8000, 0x8FF0, 0x9FF4, 0xFFFFF000, 0xFFFFFFC0};
 
-template <class F>
-void each_store_and_place(F&& test) {
-    for (const Store& store : STORES)
-        for (const std::uint32_t at : PLACES) {
-            SCOPED_TRACE(store.name);
-            SCOPED_TRACE(at);
-            test(store, at);
-        }
-}
+// A loop that overwrites a word of itself; half of the laps add 16 to r0, the other half 1.
+struct Loop {
+    const char* name;
+    std::uint32_t overwritten;  // where, in bytes from the begin
+    unsigned instructions;      // of a lap
+    std::vector<std::uint32_t> code;
+};
+constexpr std::uint32_t STORE_1 = 1, STORE_2 = 2;  // its two instructions
+constexpr std::uint32_t EOR = 0xE0222005;          // EOR r2, r2, r5: to the other word
+constexpr std::uint32_t SUBS = 0xE2544001;         // SUBS r4, r4, #1
+constexpr std::uint32_t B_NEXT = 0xEAFFFFFF;       // B to the next
+const Loop LOOPS[] = {
+    {"right after the store", 12, 6, {EOR, STORE_1, STORE_2, ADD_1, SUBS, 0x1AFFFFF9, WFI}},
+    {"in the next block", 16, 7, {EOR, STORE_1, STORE_2, B_NEXT, ADD_1, SUBS, 0x1AFFFFF8, WFI}},
+    {"in a block executed before",
+     0,
+     7,
+     {ADD_1, B_NEXT, EOR, STORE_1, STORE_2, SUBS, 0x1AFFFFF8, WFI}},
+    {"after cache maintenance",
+     36,
+     12,
+     {EOR, STORE_1, STORE_2,
+      0xEE071F3B,  // MCR p15, 0, r1, c7, c11, 1: DCCMVAU
+      0xF57FF04F,  // DSB
+      0xEE071F35,  // MCR p15, 0, r1, c7, c5, 1: ICIMVAU
+      0xEE070FD5,  // MCR p15, 0, r0, c7, c5, 6: BPIALL
+      0xF57FF04F,  // DSB
+      0xF57FF06F,  // ISB
+      ADD_1, SUBS, 0x1AFFFFF3, WFI}},
+    {"a literal in the midst",
+     32,
+     7,
+     {EOR, STORE_1, STORE_2,
+      0xE59F600C,  // LDR r6, [pc, #12]
+      0xE0800006,  // ADD r0, r0, r6
+      SUBS, 0x1AFFFFF8, WFI, 1, 0}},
+    {"the second half of a literal",
+     40,
+     7,
+     {EOR, STORE_1, STORE_2,
+      0xE1CF61D0,                   // LDRD r6, r7, [pc, #16]
+      0xE0800007,                   // ADD r0, r0, r7
+      SUBS, 0x1AFFFFF8, WFI, 0, 0,  // at + 36
+      1, 0}},
+};
 
-// Half of the laps add 16, the other half 1.
-constexpr std::uint32_t SUM = LAPS / 2 * (16 + 1);
-
-TEST_F(OverwrittenCode, IsNewRightAfterTheStore) {
-    each_store_and_place([this](const Store& store, std::uint32_t at) {
-        expect(
-            {
-                0xE0222005,  // EOR r2, r2, r5
-                store.words[0],
-                store.words[1],
-                ADD_1,
-                0xE2544001,  // SUBS r4, r4, #1
-                0x1AFFFFF9,  // BNE to the begin
-                WFI,
-            },
-            at, at + 12, SUM, 6 * LAPS + 1);
-    });
-}
-
-TEST_F(OverwrittenCode, IsNewInTheNextBlock) {
-    each_store_and_place([this](const Store& store, std::uint32_t at) {
-        expect(
-            {
-                0xE0222005,  // EOR r2, r2, r5
-                store.words[0],
-                store.words[1],
-                0xEAFFFFFF,  // B to the next
-                ADD_1,
-                0xE2544001,  // SUBS r4, r4, #1
-                0x1AFFFFF8,  // BNE to the begin
-                WFI,
-            },
-            at, at + 16, SUM, 7 * LAPS + 1);
-    });
-}
-
-TEST_F(OverwrittenCode, IsNewInABlockThatHasBeenExecutedBefore) {
-    each_store_and_place([this](const Store& store, std::uint32_t at) {
-        expect(
-            {
-                ADD_1,
-                0xEAFFFFFF,  // B to the next
-                0xE0222005,  // EOR r2, r2, r5
-                store.words[0],
-                store.words[1],
-                0xE2544001,  // SUBS r4, r4, #1
-                0x1AFFFFF8,  // BNE to the begin
-                WFI,
-            },
-            at, at, SUM, 7 * LAPS + 1);
-    });
-}
-
-TEST_F(OverwrittenCode, IsExecutedAfterCacheMaintenance) {
-    for (const std::uint32_t at : PLACES)
-        expect(
-            {
-                0xE0222005,  // EOR r2, r2, r5
-                0xE5812000,  // STR r2, [r1]
-                0xEE071F3B,  // MCR p15, 0, r1, c7, c11, 1: DCCMVAU
-                0xF57FF04F,  // DSB
-                0xEE071F35,  // MCR p15, 0, r1, c7, c5, 1: ICIMVAU
-                0xEE070FD5,  // MCR p15, 0, r0, c7, c5, 6: BPIALL
-                0xF57FF04F,  // DSB
-                0xF57FF06F,  // ISB
-                ADD_1,
-                0xE2544001,  // SUBS r4, r4, #1
-                0x1AFFFFF4,  // BNE to the begin
-                WFI,
-            },
-            at, at + 32, SUM, 11 * LAPS + 1);
-}
-
-TEST_F(OverwrittenCode, MayBeALiteralInTheMidst) {
-    for (const std::uint32_t at : PLACES)
-        expect(
-            {
-                0xE0222005,  // EOR r2, r2, r5
-                0xE5812000,  // STR r2, [r1]
-                0xE59F300C,  // LDR r3, [pc, #12]
-                0xE0800003,  // ADD r0, r0, r3
-                0xE2544001,  // SUBS r4, r4, #1
-                0x1AFFFFF9,  // BNE to the begin
-                WFI,
-                1,  // the literal: 16 and 1 in turn
-                0,
-            },
-            at, at + 28, SUM, 6 * LAPS + 1);
-}
-
-TEST_F(OverwrittenCode, MayBeTheSecondHalfOfALiteral) {
-    for (const std::uint32_t at : PLACES)
-        expect(
-            {
-                0xE0222005,  // EOR r2, r2, r5
-                0xE5812000,  // STR r2, [r1]
-                0xE1CF61D0,  // LDRD r6, r7, [pc, #16]
-                0xE0800007,  // ADD r0, r0, r7
-                0xE2544001,  // SUBS r4, r4, #1
-                0x1AFFFFF9,  // BNE to the begin
-                WFI,
-                0,
-                0,  // at + 32
-                1,  // the second half: 16 and 1 in turn
-                0,
-            },
-            at, at + 36, SUM, 6 * LAPS + 1);
+TEST_F(OverwrittenCode, IsNewForTheNextInstruction) {
+    for (const Loop& loop : LOOPS)
+        for (const Store& store : STORES)
+            for (const std::uint32_t at : PLACES) {
+                SCOPED_TRACE(testing::Message()
+                             << loop.name << " by " << store.name << " at " << at);
+                auto code = loop.code;
+                std::replace(code.begin(), code.begin() + 5, STORE_1, store.words[0]);
+                std::replace(code.begin(), code.begin() + 5, STORE_2, store.words[1]);
+                expect(code, at, at + loop.overwritten, LAPS / 2 * (16 + 1),
+                       loop.instructions * LAPS + 1);
+            }
 }
 
 // A variable after a literal is none: to write it takes no new translation.
