@@ -20,6 +20,7 @@ CACHE = {"CCACHE_SLOPPINESS":
          "pch_defines,time_macros,include_file_mtime,include_file_ctime"}
 CACHE_OF_MUTANTS = {**CACHE, "CCACHE_READONLY": "1"}
 PLAY = re.compile(r"Scenario\.(?!demo|board)")
+TOP = re.compile(r"(Top|EveryClock)\.")   # of two programs: the plain Verilog beside the twins
 
 
 class Run:
@@ -94,7 +95,7 @@ class Tree:
         self.labels, self.folders = self._programs()
         wanted = [name for name, label in self.labels.items() if label in ("rtl", "sim")
                   and self._reads(f"bin/{name}")]
-        self._must(self._build("de1sim", *wanted))
+        self._must(self._build("de1sim", "examples", *wanted))
         self.lists = list(self.build.rglob("V*_copy.cmake"))
         self.tests = self._find_tests(wanted)
 
@@ -163,8 +164,14 @@ class Tree:
                 else:
                     files = {word for word in command if word.endswith(".v")}
                 tests.append(Test("proofs", name, command, where, [], files, environment))
-            elif "sim" in labels and command[0] in reads or \
-                    "system" in labels and PLAY.match(name):
+            elif TOP.match(name):
+                programs = [word for word in command if word.startswith(f"{self.build}/bin/")]
+                files = set().union(*(self._reads(f"bin/{pathlib.Path(p).name}")
+                                      for p in programs))
+                tests.append(Test("whole", name, command, where,
+                                  [pathlib.Path(p).name for p in programs], files, environment))
+            elif command[0] in reads and ("sim" in labels or PLAY.match(name)
+                                          or command[-1].startswith(f"{self.build}/examples/")):
                 target = pathlib.Path(command[0]).name
                 tests.append(Test("whole", name, command, where, [target], reads[command[0]],
                                   environment))
@@ -174,7 +181,7 @@ class Tree:
         """Those that read a file: who reads little comes first, then who is quick."""
         return sorted((test for test in self.tests if test.layer == layer and file in test.reads),
                       key=lambda test: (len(test.reads) if layer == "proofs" else
-                                        PLAY.match(test.name) is not None,
+                                        "de1sim" in test.targets, len(test.targets),
                                         seconds.get(test.name, 0)))
 
     # ---- Judging ----
