@@ -179,6 +179,8 @@ public:
     };
     Counts counts() const;
     const ArmProgram& program() const { return program_; }
+    // Its names are in messages from now on.
+    void add_library(ElfProgram library) { program_.elf.libraries.push_back(std::move(library)); }
 
 private:
     bool read(std::uint32_t address, unsigned bytes, std::uint32_t& value) override;

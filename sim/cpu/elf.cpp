@@ -9,6 +9,7 @@
 #include <cstring>
 #include <fstream>
 #include <memory>
+#include <tuple>
 
 #include <fmt/format.h>
 
@@ -20,7 +21,7 @@ constexpr std::uint64_t MAX_BYTES = 256u << 20;
 
 constexpr std::size_t EM_AT = 18;  // the machine's number, low byte first
 constexpr const char* BUILD =
-    "build it with arm-none-eabi-gcc, or for Linux with arm-linux-gnueabihf-gcc -static";
+    "build it with arm-none-eabi-gcc, or for Linux with arm-linux-gnueabihf-gcc";
 
 std::string machine(unsigned number) {
     switch (number) {
@@ -40,8 +41,9 @@ using ElfHandle = std::unique_ptr<Elf, ElfEnd>;
 
 class Reader {
 public:
-    Reader(const std::filesystem::path& file, const std::vector<MemoryRange>& memory)
-        : file_{file}, memory_{memory} {}
+    Reader(const std::filesystem::path& file, const std::vector<MemoryRange>& memory,
+           Linking linking)
+        : file_{file}, memory_{memory}, linking_{linking} {}
 
     ElfProgram load() {
         open();
@@ -51,6 +53,8 @@ public:
         read_segments(program);
         read_sections(program);
         read_functions(program);
+        program.movable = is_movable();
+        if (program.movable) program.move(POSITION_INDEPENDENT_BASE);
         return program;
     }
 
@@ -58,8 +62,9 @@ public:
         open();
         if (header_->e_ident[EI_OSABI] == ELFOSABI_LINUX) return true;
         const std::vector<Elf32_Phdr> headers = program_headers();
-        return std::any_of(headers.begin(), headers.end(),
-                           [this](const Elf32_Phdr& header) { return has_linux_tag(header); });
+        return std::any_of(headers.begin(), headers.end(), [this](const Elf32_Phdr& header) {
+            return header.p_type == PT_INTERP || has_linux_tag(header);
+        });
     }
 
 private:
@@ -119,11 +124,13 @@ private:
         if (header_->e_machine != EM_ARM)
             refuse("for another machine ({}), expected ARM: {}", machine(header_->e_machine),
                    BUILD);
-        if (header_->e_type == ET_DYN)
+        if (is_movable() && linking_ == Linking::STATIC)
             refuse(
                 "dynamically linked or position-independent, expected a static executable: link "
                 "it with -static");
-        if (header_->e_type != ET_EXEC)
+        if (is_movable() && header_->e_entry == 0 && linking_ != Linking::LIBRARY)
+            refuse("a shared library, expected a program");
+        if (header_->e_type != ET_EXEC && !is_movable())
             refuse(
                 "not an executable (type {}): an object file, not linked yet: leave out -c, or "
                 "link it as the examples' Makefile does",
@@ -135,6 +142,8 @@ private:
             !inside(header_->e_shoff, std::uint64_t{header_->e_shnum} * sizeof(Elf32_Shdr)))
             refuse("is cut off: its tables lie beyond its end");
     }
+
+    bool is_movable() const { return header_->e_type == ET_DYN; }
 
     // Copies, because in a damaged file what libelf points to may be unaligned.
     std::vector<Elf32_Phdr> program_headers() const {
@@ -151,8 +160,11 @@ private:
         const std::vector<Elf32_Phdr> headers = program_headers();
         bool entry_found = false;
         for (const Elf32_Phdr& header : headers) {
-            if (header.p_type == PT_INTERP || header.p_type == PT_DYNAMIC)
-                refuse("dynamically linked, expected a static executable");
+            if (header.p_type == PT_INTERP || header.p_type == PT_DYNAMIC) {
+                if (linking_ == Linking::STATIC)
+                    refuse("dynamically linked, expected a static executable");
+                if (header.p_type == PT_INTERP) program.interpreter = interpreter(header);
+            }
             if (header.p_type != PT_LOAD || header.p_memsz == 0) continue;
             check_place(header, program);
             const auto* data = reinterpret_cast<const std::uint8_t*>(bytes_.data());
@@ -174,7 +186,7 @@ private:
                 entry_found = true;
         }
         if (program.segments.empty()) refuse("nothing to load: no PT_LOAD segment");
-        if (!entry_found)
+        if (!entry_found && linking_ != Linking::LIBRARY)
             refuse("its entry point 0x{:08X} is in no executable segment", header_->e_entry);
     }
 
@@ -185,8 +197,9 @@ private:
             refuse("{} has more bytes in the file than in memory", name);
         if (header.p_offset > bytes_.size() || header.p_filesz > bytes_.size() - header.p_offset)
             refuse("is cut off: {} lies beyond its end", name);
+        const std::uint64_t base = is_movable() ? POSITION_INDEPENDENT_BASE : 0;
         if (std::none_of(memory_.begin(), memory_.end(), [&](const MemoryRange& range) {
-                return begin >= range.base && end <= range.base + range.size;
+                return base + begin >= range.base && base + end <= range.base + range.size;
             }))
             refuse("{} is not in the memory", name);
         for (const ElfSegment& other : program.segments)
@@ -194,11 +207,19 @@ private:
                 refuse("{} overlaps the one at 0x{:08X}", name, other.physical);
     }
 
+    std::string interpreter(const Elf32_Phdr& header) const {
+        const std::size_t end = std::size_t{header.p_offset} + header.p_filesz;
+        if (header.p_filesz < 2 || end > bytes_.size() || bytes_[end - 1] != '\0')
+            refuse("a damaged ELF file: its interpreter has no name");
+        return &bytes_[header.p_offset];
+    }
+
     // Sections and names are optional: wrong ones are left out, not refused.
     void read_sections(ElfProgram& program) const {
         for (Elf_Scn* section = nullptr; (section = elf_nextscn(elf_.get(), section));) {
             GElf_Shdr header;
             if (!gelf_getshdr(section, &header) || !(header.sh_flags & SHF_ALLOC)) continue;
+            if (header.sh_type == SHT_DYNAMIC) read_needed(program, section, header);
             const char* name = elf_strptr(elf_.get(), header_->e_shstrndx, header.sh_name);
             program.sections.push_back({static_cast<std::uint32_t>(header.sh_addr),
                                         static_cast<std::uint32_t>(header.sh_size),
@@ -207,10 +228,24 @@ private:
         }
     }
 
+    void read_needed(ElfProgram& program, Elf_Scn* section, const GElf_Shdr& header) const {
+        Elf_Data* const data = elf_getdata(section, nullptr);
+        if (!data || !data->d_buf) return;
+        Elf32_Dyn entry;
+        for (std::size_t at = 0; at + sizeof entry <= data->d_size; at += sizeof entry) {
+            std::memcpy(&entry, static_cast<const char*>(data->d_buf) + at, sizeof entry);
+            if (entry.d_tag == DT_NULL) return;
+            const char* name = elf_strptr(elf_.get(), header.sh_link, entry.d_un.d_val);
+            if (entry.d_tag == DT_NEEDED && name) program.needed.emplace_back(name);
+        }
+    }
+
     void read_functions(ElfProgram& program) const {
         for (Elf_Scn* section = nullptr; (section = elf_nextscn(elf_.get(), section));) {
             GElf_Shdr header;
-            if (!gelf_getshdr(section, &header) || header.sh_type != SHT_SYMTAB) continue;
+            if (!gelf_getshdr(section, &header) ||
+                (header.sh_type != SHT_SYMTAB && header.sh_type != SHT_DYNSYM))
+                continue;
             const Elf_Data* data = elf_getdata(section, nullptr);
             if (!data || !data->d_buf) continue;
             Elf32_Sym symbol;
@@ -248,6 +283,7 @@ private:
 
     const std::filesystem::path& file_;
     const std::vector<MemoryRange>& memory_;
+    const Linking linking_;
     std::vector<char> bytes_;
     ElfHandle elf_;
     const Elf32_Ehdr* header_ = nullptr;
@@ -260,9 +296,8 @@ std::string demangled(const std::string& name) {
     return status == 0 ? text.get() : name;
 }
 
-}  // namespace
-
-std::string ElfProgram::function(std::uint32_t address) const {
+std::string own_function(const ElfProgram& program, std::uint32_t address) {
+    const auto& [functions, segments] = std::tie(program.functions, program.segments);
     const auto next = std::upper_bound(
         functions.begin(), functions.end(), address,
         [](std::uint32_t value, const ElfFunction& f) { return value < f.address; });
@@ -275,6 +310,35 @@ std::string ElfProgram::function(std::uint32_t address) const {
     });
     if (!loaded) return "";
     return demangled(f.name) + (offset ? fmt::format("+0x{:x}", offset) : "");
+}
+
+}  // namespace
+
+std::string ElfProgram::function(std::uint32_t address) const {
+    std::string name = own_function(*this, address);
+    for (auto library = libraries.rbegin(); name.empty() && library != libraries.rend();
+         ++library) {
+        const auto has = [address](const ElfSegment& s) { return address - s.address < s.size; };
+        const auto& segments_there = library->segments;
+        if (std::none_of(segments_there.begin(), segments_there.end(), has)) continue;
+        const std::string file_name = library->file.filename().string();
+        name = own_function(*library, address);
+        name = name.empty()
+                   ? fmt::format("{}+0x{:x}", file_name, address - segments_there.front().address)
+                   : name + " of " + file_name;
+    }
+    return name;
+}
+
+void ElfProgram::move(std::uint32_t bytes) {
+    entry += bytes;
+    if (headers != 0) headers += bytes;
+    for (ElfSegment& segment : segments) {
+        segment.physical += bytes;
+        segment.address += bytes;
+    }
+    for (ElfFunction& one : functions) one.address += bytes;
+    for (ElfSection& section : sections) section.address += bytes;
 }
 
 void ElfProgram::leave_only_sections() {
@@ -292,8 +356,9 @@ void ElfProgram::leave_only_sections() {
     }
 }
 
-ElfProgram load_elf(const std::filesystem::path& file, const std::vector<MemoryRange>& memory) {
-    return Reader{file, memory}.load();
+ElfProgram load_elf(const std::filesystem::path& file, const std::vector<MemoryRange>& memory,
+                    Linking linking) {
+    return Reader{file, memory, linking}.load();
 }
 
 bool is_elf(const std::filesystem::path& file) {
@@ -306,6 +371,8 @@ bool is_elf(const std::filesystem::path& file) {
            std::memcmp(magic, ELFMAG, SELFMAG) == 0;
 }
 
-bool expects_linux(const std::filesystem::path& file) { return Reader{file, {}}.expects_linux(); }
+bool expects_linux(const std::filesystem::path& file) {
+    return Reader{file, {}, Linking::ANY}.expects_linux();
+}
 
 }  // namespace sim

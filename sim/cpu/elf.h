@@ -1,11 +1,12 @@
-// elf.h - a program for the processor: a static ELF32 ARM little-endian executable, and its names.
+// elf.h - a program for the processor: an ELF32 ARM little-endian executable, and its names.
 //
 // Read with libelf.  Segments are placed at their physical addresses (LMA), as a boot loader and
 // GDB's `load` place them; what lies beyond the bytes of the file is zero.
 //
 // Refused, each with one line "FILE: why": what is not an ELF, another machine or byte order,
-// 64 bits, no executable, dynamic linking, segments that overlap, that leave the memory or the
-// file, an entry point in no executable segment, more than 256 MB.
+// 64 bits, no executable, segments that overlap, that leave the memory or the file, an entry point
+// in no executable segment, more than 256 MB; without a Linux, also dynamic linking and
+// position-independent programs.
 #pragma once
 
 #include <cstdint>
@@ -53,8 +54,16 @@ struct ElfProgram {
     std::vector<ElfSegment> segments;
     std::vector<ElfFunction> functions;  // by address
     std::vector<ElfSection> sections;    // those in memory; none in a stripped file
+    bool movable = false;                // position-independent
+    std::string interpreter;             // the dynamic linker's path; "": none
+    std::vector<std::string> needed;     // libraries, by name, for the interpreter to load
 
-    // The function around `address`, demangled: "main", "main+0x10"; "" if there is none.
+    // Adds `bytes` to all addresses: of a position-independent program.
+    void move(std::uint32_t bytes);
+
+    std::vector<ElfProgram> libraries;  // that have been loaded to it, with their names
+    // The function around `address`, demangled: "main", "main+0x10"; "" if there is none.  Of a
+    // library "qsort+0x10 of libc.so.6", or "libc.so.6+0x1234" where it has no name.
     std::string function(std::uint32_t address) const;
 
     // What is in no section becomes zero, since GDB's `load` does not bring it: a segment may
@@ -67,14 +76,20 @@ struct MemoryRange {
     std::uint64_t size;
 };
 
+enum class Linking { STATIC, ANY, LIBRARY };  // LIBRARY: ANY, and what has no entry point
+
+// Where a position-independent program lies, as Linux has it on ARM without randomisation.
+constexpr std::uint32_t POSITION_INDEPENDENT_BASE = 0x00400000;
+
 // ElfError.  Segments have to lie in `memory`.
-ElfProgram load_elf(const std::filesystem::path& file, const std::vector<MemoryRange>& memory);
+ElfProgram load_elf(const std::filesystem::path& file, const std::vector<MemoryRange>& memory,
+                    Linking linking = Linking::STATIC);
 
 // The file begins like an ELF file; false also if it cannot be read.
 bool is_elf(const std::filesystem::path& file);
 
-// A program for Linux: its OS ABI is Linux (GNU), or it has a note "GNU" with an ABI tag of Linux,
-// like every program linked with glibc's start files.  ElfError.
+// A program for Linux: its OS ABI is Linux (GNU), or it has an interpreter, or a note "GNU" with an
+// ABI tag of Linux, like every program linked with glibc's start files.  ElfError.
 bool expects_linux(const std::filesystem::path& file);
 
 }  // namespace sim

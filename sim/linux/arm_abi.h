@@ -29,7 +29,7 @@ constexpr std::uint32_t DUPFD = 0, GETFD = 1, SETFD = 2, GETFL = 3, SETFL = 4, D
 }
 
 constexpr std::uint32_t ARM_AT_FDCWD = 0xFFFFFF9C, ARM_AT_REMOVEDIR = 0x200,
-                        ARM_AT_EMPTY_PATH = 0x1000;
+                        ARM_AT_SYMLINK_NOFOLLOW = 0x100, ARM_AT_EMPTY_PATH = 0x1000;
 
 // Entries of the auxiliary vector, and what this processor can do.
 namespace arm_aux {

@@ -2,6 +2,8 @@
 #include <fcntl.h>
 #include <sys/stat.h>
 
+#include <climits>
+
 #include "sim/linux/arm_abi.h"
 #include "sim/linux/open_file.h"
 
@@ -87,9 +89,8 @@ bool LinuxFiles::is_inside(int fd) const {
 std::pair<int, FileStatus> LinuxFiles::host_status(int host) const {
     struct stat status {};
     if (fstat(host, &status) != 0) return {-errno, {}};
-    if (S_ISLNK(status.st_mode)) return {-ELOOP, {}};
     const bool folder = S_ISDIR(status.st_mode);
-    if (!folder && !S_ISREG(status.st_mode)) return {-EACCES, {}};
+    if (!folder && !S_ISREG(status.st_mode) && !S_ISLNK(status.st_mode)) return {-EACCES, {}};
     const auto number =
         numbers_->emplace(std::pair{status.st_dev, status.st_ino}, numbers_->size() + 2);
     return {0,
@@ -108,21 +109,31 @@ std::pair<int, FileStatus> LinuxFiles::status_of(int fd) const {
     }
 }
 
-std::pair<int, FileStatus> LinuxFiles::status_of(const std::string& path) const {
+std::pair<int, FileStatus> LinuxFiles::status_of(const std::string& path, bool of_link) const {
     if (path == MEMORY_PATH) return {0, {S_IFCHR | 0640, 0, 1, 1 << 8 | 1}};
-    const auto found = status_on_host(path);
+    const auto found = status_on_host(path, of_link);
     if (found.first != -ENOENT) return found;
     const auto status = system_.status(path);
     return status ? std::pair{0, *status} : found;
 }
 
-std::pair<int, FileStatus> LinuxFiles::status_on_host(const std::string& path) const {
+std::pair<int, FileStatus> LinuxFiles::status_on_host(const std::string& path, bool of_link) const {
     Place place;
-    if (const int error = place_of(path, place)) return {error, {}};
+    if (const int error = place_to_read(path, place, of_link ? Last::KEEP : Last::FOLLOW))
+        return {error, {}};
     const Handle file{
         ::openat(place.folder->fd(), place.name.c_str(), O_PATH | O_NOFOLLOW | O_CLOEXEC)};
     if (file.fd() < 0) return {-errno, {}};
     return host_status(file.fd());
+}
+
+std::pair<int, std::string> LinuxFiles::target_of(const std::string& path) const {
+    Place place;
+    if (const int error = place_to_read(path, place, Last::KEEP)) return {error, ""};
+    char text[PATH_MAX];
+    const ssize_t bytes = ::readlinkat(place.folder->fd(), place.name.c_str(), text, sizeof text);
+    if (bytes < 0) return {-errno, ""};
+    return {0, {text, static_cast<std::size_t>(bytes)}};
 }
 
 }  // namespace sim

@@ -7,7 +7,9 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <climits>
 #include <cstring>
+#include <deque>
 #include <stdexcept>
 
 #include "sim/linux/arm_abi.h"
@@ -27,20 +29,31 @@ bool is_one_too_many(int host) {
            static_cast<rlim_t>(host) + SPARE_FILES >= limit.rlim_cur;
 }
 
-// The components of a path from the root; no value if it leaves the root.
-bool components(const std::string& path, std::vector<std::string>& names) {
+constexpr unsigned MOST_LINKS = 40;  // on the way of a path, as in Linux
+
+std::deque<std::string> components(const std::string& path) {
+    std::deque<std::string> names;
     for (std::size_t begin = 0; begin < path.size();) {
         const std::size_t end = std::min(path.find('/', begin), path.size());
-        const std::string name = path.substr(begin, end - begin);
+        if (end > begin) names.push_back(path.substr(begin, end - begin));
         begin = end + 1;
-        if (name == "..") {
-            if (names.empty()) return false;
-            names.pop_back();
-        } else if (!name.empty() && name != ".") {
-            names.push_back(name);
-        }
     }
-    return true;
+    return names;
+}
+
+// What lies in the cross compiler's folder of libraries, "libc.so.6"; no value for other paths.
+std::optional<std::string> library(const std::string& path) {
+    for (const char* folder :
+         {"/usr/lib/arm-linux-gnueabihf/", "/lib/arm-linux-gnueabihf/", "/usr/lib/", "/lib/"})
+        if (path.rfind(folder, 0) == 0) return path.substr(std::strlen(folder));
+    return std::nullopt;
+}
+
+std::optional<std::string> link_target(int folder, const char* name) {
+    char text[PATH_MAX];
+    const ssize_t bytes = ::readlinkat(folder, name, text, sizeof text);
+    if (bytes < 0) return std::nullopt;
+    return std::string{text, static_cast<std::size_t>(bytes)};
 }
 
 int host_flags(std::uint32_t flags) {
@@ -56,9 +69,11 @@ int host_flags(std::uint32_t flags) {
 
 }  // namespace
 
-LinuxFiles::LinuxFiles(const std::filesystem::path& root, const std::filesystem::path& input,
-                       Console console, System system)
+LinuxFiles::LinuxFiles(const std::filesystem::path& root, const std::filesystem::path& libraries,
+                       const std::filesystem::path& input, Console console, System system)
     : console_{std::move(console)}, system_{std::move(system)} {
+    const int folder = ::open(libraries.c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC);
+    if (folder >= 0) libraries_ = std::make_shared<Handle>(folder);
     if (!root.empty()) {
         root_ = std::make_shared<Handle>(::open(root.c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC));
         if (root_->fd() < 0)
@@ -89,22 +104,60 @@ LinuxFiles::LinuxFiles(const std::filesystem::path& root, const std::filesystem:
 
 // ---- Names --------------------------------------------------------------------------------------
 
-int LinuxFiles::place_of(const std::string& path, Place& place) const {
+int LinuxFiles::walk(const std::shared_ptr<Handle>& root, const std::string& path, Place& place,
+                     Last last) {
     if (path.empty()) return -ENOENT;
-    std::vector<std::string> names;
-    if (!components(path, names)) return -EACCES;
-    if (!root_) return -ENOENT;
-    place = {root_, names.empty() ? "." : names.back()};
-    for (std::size_t i = 0; i + 1 < names.size(); ++i) {
-        const int next =
-            ::openat(place.folder->fd(), names[i].c_str(), O_PATH | O_NOFOLLOW | O_CLOEXEC);
+    if (!root) return -ENOENT;
+    std::deque<std::string> names = components(path);
+    std::vector<std::shared_ptr<Handle>> folders{root};  // from the root to where the way has come
+    unsigned links = 0;
+    place = {root, "."};
+    while (!names.empty()) {
+        const std::string name = std::move(names.front());
+        names.pop_front();
+        const bool is_last = names.empty();
+        if (name == ".") continue;
+        if (name == "..") {
+            if (folders.size() > 1) folders.pop_back();
+            place = {folders.back(), "."};
+            continue;
+        }
+        const int folder = folders.back()->fd();
+        if (!is_last || last == Last::FOLLOW)
+            if (const auto target = link_target(folder, name.c_str())) {
+                if (++links > MOST_LINKS) return -ELOOP;
+                if (target->rfind('/', 0) == 0) folders.resize(1);
+                const std::deque<std::string> instead = components(*target);
+                names.insert(names.begin(), instead.begin(), instead.end());
+                place = {folders.back(), "."};
+                continue;
+            }
+        place = {folders.back(), name};
+        if (is_last) break;
+        const int next = ::openat(folder, name.c_str(), O_PATH | O_NOFOLLOW | O_CLOEXEC);
         if (next < 0) return -errno;
-        place.folder = std::make_shared<Handle>(next);
+        folders.push_back(std::make_shared<Handle>(next));
         struct stat status {};
         if (fstat(next, &status) != 0) return -errno;
-        if (S_ISLNK(status.st_mode)) return -ELOOP;
         if (!S_ISDIR(status.st_mode)) return -ENOTDIR;
+        place = {folders.back(), "."};
     }
+    return 0;
+}
+
+int LinuxFiles::place_of(const std::string& path, Place& place, Last last) const {
+    return walk(root_, path, place, last);
+}
+
+int LinuxFiles::place_to_read(const std::string& path, Place& place, Last last) const {
+    const int error = place_of(path, place, last);
+    const bool is_there = !error && ::faccessat(place.folder->fd(), place.name.c_str(), F_OK,
+                                                AT_SYMLINK_NOFOLLOW) == 0;
+    const auto name = library(path);
+    if (is_there || !name || !libraries_ || (error && error != -ENOENT)) return error;
+    Place among_libraries;
+    if (walk(libraries_, *name, among_libraries, last) != 0) return error;
+    place = among_libraries;
     return 0;
 }
 
@@ -121,10 +174,12 @@ int LinuxFiles::open(const std::string& path, std::uint32_t flags, std::uint32_t
         if (error != -ENOENT) return error;
     }
     Place place;
-    if (const int error = place_of(path, place)) return error;
+    const bool reads = (flags & arm_open::ACCESS) == arm_open::RDONLY && !(flags & arm_open::CREAT);
+    if (const int error = reads ? place_to_read(path, place) : place_of(path, place)) return error;
     const int fd = open_on_host(place, flags, mode);
     if (fd < 0) return fd;
-    auto file = std::make_shared<File>(File{File::Kind::HOST, flags, std::make_shared<Handle>(fd)});
+    auto file = std::make_shared<File>(
+        File{File::Kind::HOST, flags, std::make_shared<Handle>(fd), nullptr, path});
     if (is_one_too_many(fd)) return -EMFILE;
     return add(std::move(file), 0, close_on_exec);
 }
@@ -157,10 +212,10 @@ int LinuxFiles::access(const std::string& path, int mode) const {
 }
 
 int LinuxFiles::remove(const std::string& path, bool folder) {
-    if (status_on_host(path).first == -ENOENT && !folder && system_.status(path))
+    if (status_on_host(path, true).first == -ENOENT && !folder && system_.status(path))
         return system_.remove(path);
     Place place;
-    if (const int error = place_of(path, place)) return error;
+    if (const int error = place_of(path, place, Last::KEEP)) return error;
     const int flags = folder ? AT_REMOVEDIR : 0;
     return static_cast<int>(or_error(unlinkat(place.folder->fd(), place.name.c_str(), flags)));
 }
@@ -174,8 +229,8 @@ int LinuxFiles::make_folder(const std::string& path, std::uint32_t mode) {
 
 int LinuxFiles::rename(const std::string& from, const std::string& to) {
     Place source, target;
-    if (const int error = place_of(from, source)) return error;
-    if (const int error = place_of(to, target)) return error;
+    if (const int error = place_of(from, source, Last::KEEP)) return error;
+    if (const int error = place_of(to, target, Last::KEEP)) return error;
     return static_cast<int>(or_error(renameat(source.folder->fd(), source.name.c_str(),
                                               target.folder->fd(), target.name.c_str())));
 }
@@ -218,7 +273,7 @@ void LinuxFiles::close_all(bool only_on_exec) {
 
 int LinuxFiles::open_to_load(const std::string& path) const {
     Place place;
-    if (const int error = place_of(path, place)) return error;
+    if (const int error = place_to_read(path, place)) return error;
     return open_on_host(place, arm_open::RDONLY, 0);
 }
 
@@ -265,6 +320,12 @@ int LinuxFiles::set_close_on_exec(int fd, bool on) {
 bool LinuxFiles::is_console(int fd) const {
     const File* file = find(fd);
     return file && file->kind == File::Kind::CONSOLE;
+}
+
+std::pair<int, std::string> LinuxFiles::on_host(int fd) const {
+    const File* const file = find(fd);
+    if (!file || file->kind != File::Kind::HOST) return {-1, ""};
+    return {file->host->fd(), file->path};
 }
 
 bool LinuxFiles::is_memory(int fd) const {

@@ -3,11 +3,12 @@
 //   0 stdin    the console, or a file       /dev/mem    for mmap; see address_space.h
 //   1, 2       the console                  PATH        ROOT/PATH on the host
 //
-// A path is relative to the root; "." and ".." are resolved as text.  A path that would leave the
-// root is refused (EACCES), symbolic links are not followed (ELOOP), and anything that is neither
-// file nor folder is refused (EACCES).  What is not there may be the kernel's own (device.h).  A
-// file's status does not depend on the host: owner 0, times 0, inodes numbered in the order of
-// first use.  Some of the host's files stay free for the run's own (EMFILE).
+// A path is relative to the root, and symbolic links are followed within it, as after chroot: ".."
+// of the root is the root.  Anything that is neither file nor folder is refused (EACCES).  What the
+// root does not have of /lib and /usr/lib is read among the cross compiler's libraries.  What is
+// not there may be the kernel's own (device.h).  A file's status does not depend on the host: owner
+// 0, times 0, inodes numbered in the order of first use.  Some of the host's files stay free for
+// the run's own (EMFILE).
 //
 // Results are like the kernel's: a number of at least 0, or minus the error.  Flags, modes
 // and errors are Linux's for ARM.
@@ -49,10 +50,10 @@ public:
         std::function<std::optional<FileStatus>(const std::string& path)> status;
         std::function<int(const std::string& path)> remove;
     };
-    // `root` and `input`, which is standard input instead of the console, may be empty.
-    // std::runtime_error if the folder or the file cannot be opened.
-    LinuxFiles(const std::filesystem::path& root, const std::filesystem::path& input,
-               Console console, System system);
+    // `root` and `input`, which is standard input instead of the console, may be empty;
+    // `libraries` may not exist.  std::runtime_error if the root or the input cannot be opened.
+    LinuxFiles(const std::filesystem::path& root, const std::filesystem::path& libraries,
+               const std::filesystem::path& input, Console console, System system);
 
     // The lowest free number, or EMFILE.
     int add(std::shared_ptr<LinuxDevice> device, std::uint32_t flags);
@@ -86,7 +87,9 @@ public:
     int sync(int fd) const { return status_of(fd).first; }
 
     std::pair<int, FileStatus> status_of(int fd) const;
-    std::pair<int, FileStatus> status_of(const std::string& path) const;
+    std::pair<int, FileStatus> status_of(const std::string& path, bool of_link = false) const;
+    // Of a symbolic link; EINVAL if it is none.
+    std::pair<int, std::string> target_of(const std::string& path) const;
     int access(const std::string& path, int mode) const;
     int remove(const std::string& path, bool folder);
     int make_folder(const std::string& path, std::uint32_t mode);
@@ -94,6 +97,8 @@ public:
 
     bool is_console(int fd) const;
     bool is_memory(int fd) const;
+    // Of a file under the root or among the libraries: the host's number and the path, or -1.
+    std::pair<int, std::string> on_host(int fd) const;
 
 private:
     class Handle;  // of the host
@@ -102,17 +107,23 @@ private:
 
     int add(std::shared_ptr<File> file, int at_least, bool close_on_exec);
     const File* find(int fd) const;
-    int place_of(const std::string& path, Place& place) const;
+    enum class Last { FOLLOW, KEEP };  // a symbolic link at the path's end
+    // Where a path leads to; KEEP: where it is itself.
+    int place_of(const std::string& path, Place& place, Last last = Last::FOLLOW) const;
+    // Of what is read, also among the libraries.
+    int place_to_read(const std::string& path, Place& place, Last last = Last::FOLLOW) const;
+    static int walk(const std::shared_ptr<Handle>& root, const std::string& path, Place& place,
+                    Last last);
     int open_on_host(const Place& place, std::uint32_t flags, std::uint32_t mode) const;
     std::pair<int, FileStatus> host_status(int host) const;
-    std::pair<int, FileStatus> status_on_host(const std::string& path) const;
+    std::pair<int, FileStatus> status_on_host(const std::string& path, bool of_link = false) const;
 
     struct Slot {
         std::shared_ptr<File> file;
         bool close_on_exec = false;
     };
 
-    std::shared_ptr<Handle> root_;  // may be none
+    std::shared_ptr<Handle> root_, libraries_;  // may be none
     Console console_;
     System system_;
     std::map<int, Slot> slots_;

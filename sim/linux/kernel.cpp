@@ -14,6 +14,7 @@ namespace {
 
 constexpr std::uint64_t SEED = 0x9E3779B97F4A7C15;
 const sc_core::sc_time call_time{1, sc_core::SC_US};
+constexpr const char* CROSS_LIBRARIES = "/usr/arm-linux-gnueabihf/lib";  // Debian's
 
 }  // namespace
 
@@ -44,9 +45,9 @@ LinuxKernel::LinuxKernel(ArmCpu& cpu, LinuxSettings settings, Outside outside)
         [this](const std::string& path, std::uint32_t flags) { return open_system(path, flags); },
         [this](const std::string& path) { return system_status(path); },
         [this](const std::string& path) { return remove_system(path); }};
-    processes_.push_back(std::make_unique<LinuxProcess>(
-        LinuxProcess{LinuxProcess::FIRST, 0, std::make_shared<AddressSpace>(cpu.core()),
-                     LinuxFiles{settings_.root, settings_.input, console, system}}));
+    processes_.push_back(std::make_unique<LinuxProcess>(LinuxProcess{
+        LinuxProcess::FIRST, 0, std::make_shared<AddressSpace>(cpu.core()),
+        LinuxFiles{settings_.root, CROSS_LIBRARIES, settings_.input, console, system}}));
     process_ = processes_.front().get();
     cpu.attach(this);
 }
@@ -76,8 +77,8 @@ void LinuxKernel::boot(ArmCore& core) {
         process_->set_command_line(arguments);
         attached_ = process_->memory.get();
         attached_->attach();
-        process_->break_begin = process_->break_end =
-            start_linux_program(core, memory(), cpu_.program().elf, arguments, first_environment());
+        process_->break_begin = process_->break_end = begin_program(
+            cpu_.program().elf, interpreter_of(cpu_.program().elf), arguments, first_environment());
     } catch (const std::runtime_error& e) {  // SystemC must not see exceptions
         return cpu_.end(e.what());
     }
@@ -231,7 +232,7 @@ const std::vector<LinuxKernel::Call>& LinuxKernel::calls() {
 
         {NR_fstat64, &K::sys_fstat64},
         {NR_stat64, &K::sys_stat64},
-        {NR_lstat64, &K::sys_stat64},
+        {NR_lstat64, &K::sys_lstat64},
         {NR_fstatat64, &K::sys_fstatat64},
         {NR_statx, &K::sys_statx},
         {NR_access, &K::sys_access},

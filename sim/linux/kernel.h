@@ -1,4 +1,4 @@
-// kernel.h - the Linux kernel's user interface for one program: static, 32 bits.
+// kernel.h - the Linux kernel's user interface for a program of 32 bits.
 //
 // The simulator executes system calls, like gem5's syscall emulation.  The program itself runs on
 // the modelled processor in user mode, and accesses registers by mapping /dev/mem.
@@ -130,6 +130,7 @@ private:
                             std::shared_ptr<SharedMemory> shared, bool as_copy);
     std::int64_t fill_from_file(int fd, std::uint32_t begin, std::uint32_t bytes,
                                 std::int64_t offset);
+    void note_library(int fd, std::uint32_t place);
     std::optional<std::uint32_t> place_of(std::uint32_t wish, std::uint32_t bytes,
                                           std::uint32_t flags) const;
 
@@ -166,6 +167,7 @@ private:
     // kernel_names.cpp
     Result sys_fstat64(const Arguments&);
     Result sys_stat64(const Arguments&);
+    Result sys_lstat64(const Arguments&);
     Result sys_fstatat64(const Arguments&);
     Result sys_statx(const Arguments&);
     Result sys_access(const Arguments&);
@@ -310,8 +312,15 @@ private:
     Result wait_for_child(std::int32_t which, std::uint32_t options,
                           std::function<std::int64_t(const LinuxProcess&)> result_of);
     std::optional<std::vector<std::string>> strings_at(std::uint32_t list) const;
-    Result become(const ElfProgram& program, const std::string& path,
-                  const std::vector<std::string>& arguments,
+    ElfProgram load(const std::string& path, int host);
+    void add_names(ElfProgram library);
+    std::uint32_t begin_program(const ElfProgram& program, std::optional<ElfProgram> interpreter,
+                                const std::vector<std::string>& arguments,
+                                const std::vector<std::string>& variables);
+    // std::runtime_error if it is not there.
+    std::optional<ElfProgram> interpreter_of(const ElfProgram& program);
+    Result become(const ElfProgram& program, std::optional<ElfProgram> interpreter,
+                  const std::string& path, const std::vector<std::string>& arguments,
                   const std::vector<std::string>& variables);
 
     // kernel_system.cpp
@@ -486,6 +495,7 @@ private:
     std::map<std::string, unsigned> missing_;  // calls that are not emulated, how often
     std::vector<std::weak_ptr<LinuxTimerFile>> timer_files_;
     std::set<std::string> named_files_;  // of the system, that are not there
+    std::string missing_library_;        // that was looked for last, and is not there
     std::optional<int> exit_code_;
 };
 

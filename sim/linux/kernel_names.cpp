@@ -74,10 +74,16 @@ LinuxKernel::Result LinuxKernel::sys_stat64(const Arguments& a) {
     return error ? error : give_status(files().status_of(path), a[1]);
 }
 
+LinuxKernel::Result LinuxKernel::sys_lstat64(const Arguments& a) {
+    const auto [error, path] = path_at(ARM_AT_FDCWD, a[0]);
+    return error ? error : give_status(files().status_of(path, true), a[1]);
+}
+
 LinuxKernel::Result LinuxKernel::sys_fstatat64(const Arguments& a) {
     const auto [error, path] = path_at(a[0], a[1]);
     if (path.empty() && (a[3] & ARM_AT_EMPTY_PATH)) return sys_fstat64({a[0], a[2]});
-    return error ? error : give_status(files().status_of(path), a[2]);
+    const bool of_link = a[3] & ARM_AT_SYMLINK_NOFOLLOW;
+    return error ? error : give_status(files().status_of(path, of_link), a[2]);
 }
 
 LinuxKernel::Result LinuxKernel::sys_statx(const Arguments& a) {
@@ -86,8 +92,8 @@ LinuxKernel::Result LinuxKernel::sys_statx(const Arguments& a) {
     const auto [error, path] =
         by_number ? std::pair<std::int64_t, std::string>{} : path_at(a[0], a[1]);
     if (error) return error;
-    const auto [failed, file] =
-        by_number ? files().status_of(static_cast<int>(a[0])) : files().status_of(path);
+    const auto [failed, file] = by_number ? files().status_of(static_cast<int>(a[0]))
+                                          : files().status_of(path, a[2] & ARM_AT_SYMLINK_NOFOLLOW);
     if (failed) return failed;
     Statx stat{};
     stat.mask = BASIC_STATS;
@@ -145,13 +151,14 @@ LinuxKernel::Result LinuxKernel::sys_renameat(const Arguments& a) {
     return files().rename(from, to);
 }
 
-// The only link is /proc/self/exe, to the program itself.
+// The kernel's own link is /proc/self/exe, to the program itself.
 std::int64_t LinuxKernel::give_link(const std::string& path, std::uint32_t to, std::uint32_t size) {
-    if (path != "/proc/self/exe") {
-        const int error = files().status_of(path).first;
-        return error && error != -ELOOP ? error : -EINVAL;
+    auto [error, target] = files().target_of(path);
+    if (path == "/proc/self/exe") {
+        error = 0;
+        target = sim::path_of(cpu_.program().elf);
     }
-    const std::string target = sim::path_of(cpu_.program().elf);
+    if (error) return error == -ENOENT && system_status(path) ? -EINVAL : error;
     const std::size_t count = std::min<std::size_t>(size, target.size());
     return memory().write(to, target.data(), count) ? static_cast<std::int64_t>(count) : -EFAULT;
 }

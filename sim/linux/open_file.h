@@ -30,6 +30,7 @@ struct LinuxFiles::File {
     std::uint32_t flags;
     std::shared_ptr<Handle> host = nullptr;
     std::shared_ptr<LinuxDevice> device = nullptr;
+    std::string path = "";
 };
 
 struct LinuxFiles::Place {

@@ -97,6 +97,14 @@ void map_segments(AddressSpace& memory, const ElfProgram& program) {
     }
 }
 
+// The first page after all segments.
+std::uint32_t end_of(const ElfProgram& program) {
+    std::uint32_t end = 0;
+    for (const ElfSegment& segment : program.segments)
+        end = std::max(end, segment.address + segment.size);
+    return page_up(end);
+}
+
 // Grows down from the top, strings first, then arguments.
 class Stack {
 public:
@@ -119,7 +127,8 @@ private:
     std::uint32_t at_;
 };
 
-std::uint32_t make_stack(AddressSpace& memory, const ElfProgram& program,
+// `base`: where the interpreter lies, or 0.
+std::uint32_t make_stack(AddressSpace& memory, const ElfProgram& program, std::uint32_t base,
                          const std::vector<std::string>& arguments,
                          const std::vector<std::string>& variables) {
     std::size_t bytes = 0;
@@ -148,7 +157,7 @@ std::uint32_t make_stack(AddressSpace& memory, const ElfProgram& program,
         words.insert(words.end(),
                      {PHDR, program.headers, PHENT, HEADER_BYTES, PHNUM, program.header_count});
     words.insert(words.end(), {PAGESZ,   AddressSpace::PAGE,
-                               BASE,     0,
+                               BASE,     base,
                                FLAGS,    0,
                                ENTRY,    program.entry,
                                UID,      0,
@@ -198,20 +207,30 @@ const std::vector<std::string>& first_environment() {
 }
 
 std::uint32_t start_linux_program(ArmCore& core, AddressSpace& memory, const ElfProgram& program,
+                                  ElfProgram* interpreter,
                                   const std::vector<std::string>& arguments,
                                   const std::vector<std::string>& variables) {
     map_segments(memory, program);
-    const std::uint32_t sp = make_stack(memory, program, arguments, variables);
+    std::uint32_t base = 0, entry = program.entry;
+    if (interpreter) {
+        if (!interpreter->movable)
+            throw std::runtime_error{interpreter->file.string() +
+                                     ": no interpreter: it is not position-independent"};
+        const auto room = memory.find_room(end_of(*interpreter) - POSITION_INDEPENDENT_BASE);
+        if (!room)
+            throw std::runtime_error{program.file.string() + ": does not fit into the memory"};
+        base = *room;
+        interpreter->move(base - POSITION_INDEPENDENT_BASE);
+        map_segments(memory, *interpreter);
+        entry = interpreter->entry;
+    }
+    const std::uint32_t sp = make_stack(memory, program, base, arguments, variables);
     core.set_floating_point(true);
-    core.set_cpsr(arm_mode::USR | arm_cpsr::I | arm_cpsr::F |
-                  (program.entry & 1 ? arm_cpsr::T : 0));
+    core.set_cpsr(arm_mode::USR | arm_cpsr::I | arm_cpsr::F | (entry & 1 ? arm_cpsr::T : 0));
     for (unsigned number = 0; number < 15; ++number) core.set_reg(number, 0);
     core.set_reg(13, sp);
-    core.set_reg(15, program.entry);
-    std::uint32_t end = 0;
-    for (const ElfSegment& segment : program.segments)
-        end = std::max(end, segment.address + segment.size);
-    return page_up(end);
+    core.set_reg(15, entry);
+    return end_of(program);
 }
 
 }  // namespace sim

@@ -38,10 +38,13 @@ private:
 // The program's path in /proc/self/exe and AT_EXECFN: "/collide-linux".
 std::string path_of(const ElfProgram& program);
 
-// Maps and fills everything and sets the registers: user mode, pc at the entry.  Returns the first
-// address after the program, where its heap begins.  std::runtime_error if it does not fit.
+// Maps and fills everything and sets the registers: user mode, pc at the entry, of the interpreter
+// if there is one.  Returns the first address after the program, where its heap begins.
+// std::runtime_error if it does not fit.
+// `interpreter`: of a program that is dynamically linked, or nullptr; it is moved to its place.
 // `arguments`: argv; `variables`: envp.
 std::uint32_t start_linux_program(ArmCore& core, AddressSpace& memory, const ElfProgram& program,
+                                  ElfProgram* interpreter,
                                   const std::vector<std::string>& arguments,
                                   const std::vector<std::string>& variables);
 

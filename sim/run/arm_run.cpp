@@ -23,7 +23,8 @@ ArmProgram load_program(const RunPlan& plan) {
     if (!on_linux && !program.input.empty())
         throw std::runtime_error{program.elf.string() +
                                  ": --stdin is for Linux programs (--system linux)"};
-    ElfProgram elf = load_elf(program.elf, on_linux ? linux_memory() : program_memory());
+    ElfProgram elf = on_linux ? load_elf(program.elf, linux_memory(), Linking::ANY)
+                              : load_elf(program.elf, program_memory());
     if (!on_linux) elf.leave_only_sections();
     return {std::move(elf), program.cpi};
 }

@@ -105,7 +105,7 @@ void add_run_options(CLI::App& command, RunOptions& options) {
     command
         .add_option("--linux-root", program.linux_root,
                     "folder that a Linux program sees as /; without it there are no files\n"
-                    "but /dev/mem")
+                    "but /dev/mem and the cross compiler's libraries")
         ->check(named);
     command
         .add_option("--stdin", program.input,

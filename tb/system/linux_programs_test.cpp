@@ -1,4 +1,4 @@
-// linux_programs_test.cpp - static Linux programs on the modelled Cortex-A9, by the command line.
+// linux_programs_test.cpp - Linux programs on the modelled Cortex-A9, by the command line.
 #include <gmock/gmock.h>
 
 #include <sys/stat.h>
@@ -53,12 +53,66 @@ TEST_F(LinuxProgram, PrintsAllocatesThrowsAndGetsItsArguments) {
     EXPECT_THAT(report()["log"]["first"], IsEmpty());
 }
 
+TEST_F(LinuxProgram, IsLinkedDynamicallyAsOnTheBoard) {
+    for (const std::string name : {"hello_pie", "hello_no_pie"}) {
+        const tb::Outcome outcome = linux_run(name, {"a", "b c"});
+        EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+        EXPECT_EQ(console(), "/" + name +
+                                 " with 2 arguments: [a] [b c]\n"
+                                 "sum 3264000, kept 255\n"
+                                 "999 squared is 998001, half of 3 is 1.5\n"
+                                 "caught\n");
+        EXPECT_THAT(report()["log"]["first"], IsEmpty());
+    }
+}
+
+// The library's name leads to it by a symbolic link, as on the board.
+TEST_F(LinuxProgram, LoadsALibraryOfItsOwnFromItsRoot) {
+    std::filesystem::create_directories(folder / "root/usr/lib");
+    std::filesystem::copy(LINUX_PROGRAMS "libgreet.so.1.0", folder / "root/usr/lib");
+    std::filesystem::create_symlink("/usr/lib/libgreet.so.1.0",
+                                    folder / "root/usr/lib/libgreet.so.1");
+    const std::vector<std::string> root{"--linux-root", folder / "root"};
+    EXPECT_EQ(linux_run("greets", {}, root).exit_code, 0);
+    EXPECT_EQ(console(), "greetings from the library\n");
+    EXPECT_EQ(linux_run("greets", {"crash"}, root).exit_code, 1);
+    EXPECT_THAT(report()["faults"][0].get<std::string>(),
+                AllOf(HasSubstr("SIGSEGV: write to 0x00000000"), HasSubstr(" in greet+"),
+                      EndsWith(" of libgreet.so.1")));
+}
+
+TEST_F(LinuxProgram, NamesALibraryThatIsNotThere) {
+    EXPECT_EQ(linux_run("greets").exit_code, 1);
+    EXPECT_THAT(report()["faults"][0].get<std::string>(),
+                HasSubstr("the program needs the library libgreet.so.1, which is not there: copy "
+                          "it from the board into /usr/lib of the folder of --linux-root"));
+}
+
+TEST_F(LinuxProgram, NamesAnInterpreterThatIsNotThere) {
+    std::filesystem::copy(LINUX_PROGRAMS "hello_pie", folder / "other");
+    std::string elf = folder.get("other");
+    elf.replace(elf.find("/lib/ld-linux-armhf.so.3"), 24, "/lib/ld-linux-armxx.so.3");
+    folder.put("other", elf);
+    const tb::Outcome outcome =
+        play(scenario("duration: 1ms\n"), {"--elf", folder / "other", "--quiet"});
+    EXPECT_EQ(outcome.exit_code, 1);
+    EXPECT_THAT(outcome.err, HasSubstr("its interpreter /lib/ld-linux-armxx.so.3 is not there"));
+}
+
+TEST_F(LinuxProgram, IsNoSharedLibrary) {
+    refused(linux_run("libgreet.so.1.0", {}, {"--system", "linux"}),
+            "a shared library, expected a program");
+}
+
 TEST_F(LinuxProgram, ReadsAndWritesFilesUnderItsRootOnly) {
     folder.put("outside.txt", "secret");
+    std::filesystem::create_directories(folder / "root/inside");
     std::filesystem::create_directories(folder / "root/data");
     folder.put("root/data/in.txt", "hello\nlast\n");
     std::filesystem::create_symlink("../outside.txt", folder / "root/link");
     std::filesystem::create_symlink("..", folder / "root/folder_link");
+    std::filesystem::create_symlink("/inside/../data", folder / "root/inside/to_data");
+    std::filesystem::create_symlink("round", folder / "root/round");
     ASSERT_EQ(mkfifo((folder / "root/fifo").c_str(), 0600), 0);
     EXPECT_EQ(linux_run("files", {}, {"--linux-root", folder / "root"}).exit_code, 0);
     EXPECT_EQ(console(),
@@ -67,10 +121,12 @@ TEST_F(LinuxProgram, ReadsAndWritesFilesUnderItsRootOnly) {
               "wrote 8890 bytes, file\n"
               "mapped hello\n"
               "ioctl: Inappropriate ioctl for device\n"
-              "../outside.txt: Permission denied\n"
-              "/data/../../outside.txt: Permission denied\n"
-              "/link: Too many levels of symbolic links\n"
-              "/folder_link/outside.txt: Too many levels of symbolic links\n"
+              "../outside.txt: No such file or directory\n"
+              "/data/../../outside.txt: No such file or directory\n"
+              "/link: No such file or directory\n"
+              "/folder_link/outside.txt: No such file or directory\n"
+              "/folder_link/inside/to_data/in.txt: open\n"
+              "/round: Too many levels of symbolic links\n"
               "/none: No such file or directory\n"
               "/fifo: Permission denied\n");
     const std::string written = folder.get("root/data/out.txt");

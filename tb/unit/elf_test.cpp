@@ -168,7 +168,25 @@ TEST_F(ElfFile, ThatIsNotLinkedIsRefused) {
                 HasSubstr("not an executable (type 1)"));
 }
 
-TEST_F(ElfFile, ThatIsDynamicIsRefused) {
+TEST_F(ElfFile, ThatIsPositionIndependentIsMovedForLinux) {
+    const std::vector<sim::MemoryRange> linux_memory{{0x1000, 0xBEFFF000}};
+    constexpr std::uint32_t ENTRY = 0x10, BASE = sim::POSITION_INDEPENDENT_BASE;
+    const auto movable = [&](std::uint32_t entry) {
+        folder.put("a.elf", with_header([entry](Elf32_Ehdr& h) {
+                       h.e_type = ET_DYN;
+                       h.e_entry = entry;
+                   }));
+        return sim::load_elf(folder / "a.elf", linux_memory, sim::Linking::ANY);
+    };
+    const sim::ElfProgram moved = movable(ENTRY), before = load(good);
+    EXPECT_EQ(moved.entry, BASE + ENTRY);
+    ASSERT_EQ(moved.segments.size(), before.segments.size());
+    EXPECT_EQ(moved.segments[0].address, before.segments[0].address + BASE);
+    EXPECT_EQ(moved.function(BASE + ENTRY), before.function(ENTRY));
+    EXPECT_THROW(movable(0), sim::ElfError) << "a shared library";
+}
+
+TEST_F(ElfFile, WithoutALinuxIsRefusedWhereItIsDynamic) {
     EXPECT_THAT(refusal(with_header([](Elf32_Ehdr& h) { h.e_type = ET_DYN; })),
                 HasSubstr("dynamically linked"));
     EXPECT_THAT(refusal(with_segment(1, [](Elf32_Phdr& s) { s.p_type = PT_INTERP; })),

@@ -44,6 +44,8 @@ int main(void) {
     try_open("/data/../../outside.txt");
     try_open("/link");
     try_open("/folder_link/outside.txt");
+    try_open("/folder_link/inside/to_data/in.txt");
+    try_open("/round");
     try_open("/none");
     try_open("/fifo");
     return 0;
