@@ -250,6 +250,10 @@ void Debugger::points_changed() {
     core_.watch(breaks.size() < points_.size() ? this : nullptr);
 }
 
+std::uint32_t Debugger::displacement() {
+    return cpu_.program().elf.movable ? POSITION_INDEPENDENT_BASE : 0;
+}
+
 std::string Debugger::monitor(std::string_view command) {
     if (command == "time")
         return fmt::format("{:.6f} ms, {} instructions\n", seconds(cpu_.now()) * 1e3,

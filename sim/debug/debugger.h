@@ -72,6 +72,7 @@ private:
     void remove(const GdbPoint& point) override;
     std::string stop_reply() override { return reply_; }
     std::string monitor(std::string_view command) override;
+    std::uint32_t displacement() override;
 
     void stop(const std::string& reply);
     void serve();

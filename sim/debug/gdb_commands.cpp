@@ -181,6 +181,8 @@ std::string query(GdbTarget& target, std::string_view packet) {
     if (packet == "qC") return "QC1";
     if (packet == "qfThreadInfo") return "m1";
     if (packet == "qsThreadInfo") return "l";
+    if (packet == "qOffsets" && target.displacement() != 0)
+        return fmt::format("TextSeg={:x}", target.displacement());
     if (begins(packet, "qRcmd,")) {
         const auto command = from_hex(packet.substr(6));
         if (!command) return ERROR;

@@ -7,6 +7,7 @@
 //   D k vKill     detach, kill
 //   ? H T qC qfThreadInfo qsThreadInfo qAttached qSupported qXfer:features QStartNoAckMode
 //   qRcmd         `monitor`
+//   qOffsets      of a program that is position-independent
 //
 // Everything else gets the empty answer, which means "not known"; a known packet with an error gets
 // E01 and changes nothing.  Source: "Debugging with GDB", E.2 and following.
@@ -46,6 +47,8 @@ public:
     virtual void remove(const GdbPoint& point) = 0;
     virtual std::string stop_reply() = 0;  // "T05...": why it has stopped
     virtual std::string monitor(std::string_view command) = 0;
+    // By how much the program's addresses are above those of its file.
+    virtual std::uint32_t displacement() = 0;
 
 protected:
     ~GdbTarget() = default;

@@ -72,6 +72,14 @@ protected:
     }
 };
 
+// The entry is the dynamic linker's; main is where it has been moved to.
+TEST_F(Gdb, StopsInADynamicallyLinkedProgram) {
+    start(LINUX_PROGRAMS "hello_pie", "duration: 50ms\n");
+    EXPECT_THAT(gdb({"break main", "continue", "info registers pc"}),
+                AllOf(HasSubstr("Breakpoint 1, main ("), HasSubstr("<main(int, char**)>")));
+    EXPECT_EQ(end().exit_code, 0);
+}
+
 TEST_F(Gdb, StandsAtTheEntryBeforeTheFirstInstruction) {
     start(SUMS_ELF, "duration: 1ms\n");
     EXPECT_THAT(gdb({"info registers pc sp cpsr", "monitor time"}),

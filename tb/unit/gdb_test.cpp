@@ -109,6 +109,8 @@ struct FakeTarget : sim::GdbTarget {
         points.erase(std::remove(points.begin(), points.end(), point), points.end());
     }
     std::string stop_reply() override { return "T05thread:1;"; }
+    std::uint32_t moved_by = 0;
+    std::uint32_t displacement() override { return moved_by; }
     std::string monitor(std::string_view command) override {
         return "<" + std::string{command} + ">";
     }
@@ -193,6 +195,12 @@ TEST_F(GdbCommands, GoOnStepLeaveAndEnd) {
     EXPECT_EQ(next("D"), GdbNext::DETACH);
     EXPECT_EQ(next("k"), GdbNext::KILL);
     EXPECT_EQ(next("vKill;1"), GdbNext::KILL);
+}
+
+TEST_F(GdbCommands, HaveTheDisplacementOfAPositionIndependentProgram) {
+    EXPECT_EQ(answer("qOffsets"), "");
+    target.moved_by = 0x400000;
+    EXPECT_EQ(answer("qOffsets"), "TextSeg=400000");
 }
 
 TEST_F(GdbCommands, MonitorSpeaksInHex) { EXPECT_EQ(answer("qRcmd,6869"), "3c68693e"); }
