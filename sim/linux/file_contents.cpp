@@ -1,8 +1,11 @@
 // file_contents.cpp - LinuxFiles' reading, writing and status
+#include <dirent.h>
 #include <fcntl.h>
 #include <sys/stat.h>
 
+#include <algorithm>
 #include <climits>
+#include <cstring>
 
 #include "sim/linux/arm_abi.h"
 #include "sim/linux/open_file.h"
@@ -55,7 +58,48 @@ std::int64_t LinuxFiles::seek(int fd, std::int64_t offset, int whence) {
     if (!file) return -EBADF;
     if (file->device) return file->device->seek(offset, whence);
     if (file->kind != File::Kind::HOST) return -ESPIPE;
+    if (!file->names.empty()) {  // a folder: telldir(), seekdir(), rewinddir()
+        if (whence == SEEK_SET) slots_[fd].file->next_name = static_cast<std::size_t>(offset);
+        return static_cast<std::int64_t>(file->next_name);
+    }
     return or_error(::lseek(file->host->fd(), offset, whence));
+}
+
+std::int64_t LinuxFiles::read_folder(int fd, std::uint8_t* data, std::size_t bytes) {
+    if (!find(fd)) return -EBADF;
+    File& file = *slots_[fd].file;
+    if (file.kind != File::Kind::HOST) return -ENOTDIR;
+    if (file.next_name == 0) {
+        DIR* const folder = fdopendir(::openat(file.host->fd(), ".", O_RDONLY | O_CLOEXEC));
+        if (!folder) return -errno;
+        file.names.clear();
+        while (const dirent* const entry = ::readdir(folder))
+            file.names.emplace_back(entry->d_name);
+        closedir(folder);
+        std::sort(file.names.begin(), file.names.end());
+    }
+    struct Entry {  // include/linux/dirent.h; the name follows
+        std::uint64_t number, next;
+        std::uint16_t size;
+        std::uint8_t type;
+    };
+    constexpr std::size_t NAME = 19;
+    std::size_t used = 0;
+    for (; file.next_name < file.names.size(); ++file.next_name) {
+        const std::string& name = file.names[file.next_name];
+        const std::size_t size = (NAME + name.size() + 1 + 7) & ~std::size_t{7};
+        if (used + size > bytes) return used == 0 ? -EINVAL : static_cast<std::int64_t>(used);
+        const Handle there{
+            ::openat(file.host->fd(), name.c_str(), O_PATH | O_NOFOLLOW | O_CLOEXEC)};
+        const FileStatus status = host_status(there.fd()).second;
+        std::memset(data + used, 0, size);
+        const Entry entry{status.number, file.next_name + 1, static_cast<std::uint16_t>(size),
+                          static_cast<std::uint8_t>(status.mode >> 12)};  // 0: unknown
+        std::memcpy(data + used, &entry, NAME);
+        std::memcpy(data + used + NAME, name.data(), name.size());
+        used += size;
+    }
+    return static_cast<std::int64_t>(used);
 }
 
 int LinuxFiles::truncate(int fd, std::int64_t bytes) {

@@ -15,7 +15,7 @@
 //
 // A copy is that of a process that forks: it has the same open files.
 //
-// Not handled: reading folders, links, locks, reading /dev/mem by read().
+// Not handled: making links, locks, reading /dev/mem by read(); folders of the kernel's own files.
 #pragma once
 
 #include <sys/types.h>
@@ -78,6 +78,8 @@ public:
     std::int64_t write_at(int fd, const void* data, std::size_t bytes, std::int64_t offset);
     std::int64_t seek(int fd, std::int64_t offset, int whence);
     int truncate(int fd, std::int64_t bytes);
+    // As getdents64: entries in the order of their names.  `data` is aligned to 8.
+    std::int64_t read_folder(int fd, std::uint8_t* data, std::size_t bytes);
     // Of these, what would not have to wait.
     static constexpr unsigned READ = LinuxDevice::READ, WRITE = LinuxDevice::WRITE,
                               HUNG_UP = LinuxDevice::HUNG_UP;

@@ -249,6 +249,8 @@ const std::vector<LinuxKernel::Call>& LinuxKernel::calls() {
         {NR_readlinkat, &K::sys_readlinkat},
         {NR_getcwd, &K::sys_getcwd},
         {NR_chdir, &K::sys_chdir},
+        {NR_fchdir, &K::sys_fchdir},
+        {NR_getdents64, &K::sys_getdents64},
         {NR_umask, &K::sys_umask},
 
         {NR_clock_gettime, &K::sys_clock_gettime},

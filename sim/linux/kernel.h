@@ -139,6 +139,7 @@ private:
     Result sys_openat(const Arguments&);
     Result sys_creat(const Arguments&);
     Result sys_close(const Arguments&);
+    Result sys_getdents64(const Arguments&);
     Result sys_read(const Arguments&);
     Result sys_write(const Arguments&);
     Result sys_readv(const Arguments&);
@@ -183,6 +184,8 @@ private:
     Result sys_readlinkat(const Arguments&);
     Result sys_getcwd(const Arguments&);
     Result sys_chdir(const Arguments&);
+    Result sys_fchdir(const Arguments&);
+    std::int64_t change_folder(const std::string& path);
     std::pair<std::int64_t, std::string> path_at(std::uint32_t folder, std::uint32_t address) const;
     std::int64_t give_status(const std::pair<int, FileStatus>& status, std::uint32_t to);
     std::int64_t give_link(const std::string& path, std::uint32_t to, std::uint32_t size);

@@ -50,6 +50,7 @@ LinuxKernel::Result LinuxKernel::fork(const Clone& how) {
     child.break_end = parent.break_end;
     child.umask = parent.umask;
     child.command = parent.command;
+    child.folder = parent.folder;
     child.command_line = parent.command_line;
     child.segments = parent.segments;
     child.end_signal = static_cast<unsigned>(how.flags & EXIT_SIGNAL);

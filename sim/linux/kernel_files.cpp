@@ -217,6 +217,11 @@ LinuxKernel::Result LinuxKernel::sys_pwrite64(const Arguments& a) {
     return from ? files().write_at(fd_of(a[0]), from, count, pair_of(a[4], a[5])) : -EFAULT;
 }
 
+LinuxKernel::Result LinuxKernel::sys_getdents64(const Arguments& a) {
+    std::uint8_t* const to = memory().bytes(a[1], a[2], arm_access::WRITE);
+    return to ? files().read_folder(fd_of(a[0]), to, a[2]) : -EFAULT;
+}
+
 LinuxKernel::Result LinuxKernel::sys_lseek(const Arguments& a) {
     return files().seek(fd_of(a[0]), static_cast<std::int32_t>(a[1]), fd_of(a[2]));
 }

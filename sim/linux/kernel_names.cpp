@@ -1,4 +1,6 @@
 // kernel_names.cpp - LinuxKernel's calls on paths, and on the status of files
+#include <sys/stat.h>
+
 #include <algorithm>
 #include <cerrno>
 
@@ -40,13 +42,20 @@ constexpr std::uint32_t BASIC_STATS = 0x7FF;
 
 }  // namespace
 
-// Relative paths begin at /, the program's working directory: other folders cannot be opened.
+// Relative paths begin at the folder of that number, or at the working directory.
 std::pair<std::int64_t, std::string> LinuxKernel::path_at(std::uint32_t folder,
                                                           std::uint32_t address) const {
     const auto text = memory().string(address);
     if (!text) return {-EFAULT, ""};
-    if (folder != ARM_AT_FDCWD && (*text)[0] != '/') return {-EBADF, ""};
-    return {0, *text};
+    if (text->empty() || (*text)[0] == '/') return {0, *text};
+    std::string base = process_->folder;
+    if (folder != ARM_AT_FDCWD) {
+        const auto [error, status] = files().status_of(static_cast<int>(folder));
+        if (error) return {error, ""};
+        if (!S_ISDIR(status.mode)) return {-ENOTDIR, ""};
+        base = files().on_host(static_cast<int>(folder)).second;
+    }
+    return {0, base == "/" ? *text : base + "/" + *text};
 }
 
 std::int64_t LinuxKernel::give_status(const std::pair<int, FileStatus>& status, std::uint32_t to) {
@@ -173,15 +182,31 @@ LinuxKernel::Result LinuxKernel::sys_readlinkat(const Arguments& a) {
 }
 
 LinuxKernel::Result LinuxKernel::sys_getcwd(const Arguments& a) {
-    constexpr char ROOT[] = "/";
-    if (a[1] < sizeof ROOT) return -ERANGE;
-    return memory().write(a[0], ROOT, sizeof ROOT) ? std::int64_t{sizeof ROOT} : -EFAULT;
+    const std::string& folder = process_->folder;
+    const std::size_t bytes = folder.size() + 1;
+    if (a[1] < bytes) return -ERANGE;
+    return memory().write(a[0], folder.c_str(), bytes) ? static_cast<std::int64_t>(bytes) : -EFAULT;
 }
 
 LinuxKernel::Result LinuxKernel::sys_chdir(const Arguments& a) {
     const auto [error, path] = path_at(ARM_AT_FDCWD, a[0]);
-    if (error) return error;
-    return path == "/" || path == "." ? 0 : -EACCES;
+    return error ? error : change_folder(path);
+}
+
+LinuxKernel::Result LinuxKernel::sys_fchdir(const Arguments& a) {
+    const auto [host, path] = files().on_host(static_cast<int>(a[0]));
+    return host < 0 ? -EBADF : change_folder(path);
+}
+
+std::int64_t LinuxKernel::change_folder(const std::string& path) {
+    if (path != "/" && path != ".") {
+        const auto [error, status] = files().status_of(path);
+        if (error) return error;
+        if (!S_ISDIR(status.mode)) return -ENOTDIR;
+    }
+    process_->folder = ("/" / std::filesystem::path{path}).lexically_normal().string();
+    if (process_->folder.size() > 1 && process_->folder.back() == '/') process_->folder.pop_back();
+    return 0;
 }
 
 LinuxKernel::Result LinuxKernel::sys_umask(const Arguments& a) {

@@ -31,6 +31,8 @@ struct LinuxFiles::File {
     std::shared_ptr<Handle> host = nullptr;
     std::shared_ptr<LinuxDevice> device = nullptr;
     std::string path = "";
+    std::vector<std::string> names = {};  // of a folder that is read, sorted
+    std::size_t next_name = 0;
 };
 
 struct LinuxFiles::Place {

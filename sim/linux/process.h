@@ -33,6 +33,7 @@ struct LinuxProcess {
     std::map<std::uint32_t, int> segments{};  // of System V, by their addresses
     LinuxTimer alarm{};                       // setitimer()'s, of the real time
     std::string command{}, command_line{};    // the program's path; words, each with a 0
+    std::string folder = "/";                 // that it works in
 
     void set_command_line(const std::vector<std::string>& words) {
         command_line.clear();

@@ -121,6 +121,8 @@ TEST_F(LinuxProgram, ReadsAndWritesFilesUnderItsRootOnly) {
               "wrote 8890 bytes, file\n"
               "mapped hello\n"
               "ioctl: Inappropriate ioctl for device\n"
+              "./ ../ in.txt out.txt in /data\n"
+              "in /\n"
               "../outside.txt: No such file or directory\n"
               "/data/../../outside.txt: No such file or directory\n"
               "/link: No such file or directory\n"

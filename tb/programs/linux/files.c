@@ -1,4 +1,5 @@
 // files.c - files under the root, and paths that leave it
+#include <dirent.h>
 #include <errno.h>
 #include <fcntl.h>
 #include <stdio.h>
@@ -39,6 +40,18 @@ int main(void) {
     const char* text = mmap(NULL, 4096, PROT_READ, MAP_PRIVATE, fd, 0);
     printf("mapped %.5s\n", text);
     printf("ioctl: %s\n", ioctl_error(fd));
+
+    DIR* folder = opendir("/data");
+    if (!folder || chdir("/data") != 0) return 4;
+    for (struct dirent* entry; (entry = readdir(folder));) {
+        if (fstatat(dirfd(folder), entry->d_name, &status, 0) != 0) return 5;
+        printf("%s%s ", entry->d_name, S_ISDIR(status.st_mode) ? "/" : "");
+    }
+    closedir(folder);
+    char here[20];
+    printf("in %s\n", getcwd(here, sizeof here));
+    if (access("in.txt", R_OK) != 0 || chdir("in.txt") == 0 || chdir("..") != 0) return 6;
+    printf("in %s\n", getcwd(here, sizeof here));
 
     try_open("../outside.txt");
     try_open("/data/../../outside.txt");
