@@ -18,17 +18,12 @@ constexpr const char* CROSS_LIBRARIES = "/usr/arm-linux-gnueabihf/lib";  // Debi
 
 }  // namespace
 
-const std::vector<MemoryRange>& linux_memory() {
-    static const std::vector<MemoryRange> memory{
-        {AddressSpace::BOTTOM, AddressSpace::TOP - AddressSpace::BOTTOM}};
-    return memory;
-}
-
 LinuxKernel::LinuxKernel(ArmCpu& cpu, LinuxSettings settings, Outside outside)
     : cpu_{cpu},
       settings_{std::move(settings)},
       outside_{std::move(outside)},
       helpers_{cpu.core()},
+      loader_{cpu},
       terminal_{
           {[&cpu] { return cpu.now(); }, [&cpu](const sc_core::sc_time& time) { cpu.pause(time); },
            [&cpu](const sc_core::sc_event& until, const sc_core::sc_time& at_most) {
@@ -77,8 +72,9 @@ void LinuxKernel::boot(ArmCore& core) {
         process_->set_command_line(arguments);
         attached_ = process_->memory.get();
         attached_->attach();
-        process_->break_begin = process_->break_end = begin_program(
-            cpu_.program().elf, interpreter_of(cpu_.program().elf), arguments, first_environment());
+        process_->break_begin = process_->break_end = loader_.begin(
+            memory(), cpu_.program().elf, LinuxLoader::interpreter_of(cpu_.program().elf, files()),
+            arguments, first_environment());
     } catch (const std::runtime_error& e) {  // SystemC must not see exceptions
         return cpu_.end(e.what());
     }

@@ -49,6 +49,7 @@
 #include "sim/linux/address_space.h"
 #include "sim/linux/files.h"
 #include "sim/linux/input.h"
+#include "sim/linux/loader.h"
 #include "sim/linux/process.h"
 #include "sim/linux/scheduler.h"
 #include "sim/linux/signals.h"
@@ -66,9 +67,6 @@ struct LinuxSettings {
     std::vector<std::string> arguments;  // after the program's name
     std::filesystem::path input;         // standard input; empty: the console
 };
-
-// Where a Linux program may lie.
-const std::vector<MemoryRange>& linux_memory();
 
 class LinuxKernel final : public ArmKernel {
 public:
@@ -130,7 +128,6 @@ private:
                             std::shared_ptr<SharedMemory> shared, bool as_copy);
     std::int64_t fill_from_file(int fd, std::uint32_t begin, std::uint32_t bytes,
                                 std::int64_t offset);
-    void note_library(int fd, std::uint32_t place);
     std::optional<std::uint32_t> place_of(std::uint32_t wish, std::uint32_t bytes,
                                           std::uint32_t flags) const;
 
@@ -315,13 +312,6 @@ private:
     Result wait_for_child(std::int32_t which, std::uint32_t options,
                           std::function<std::int64_t(const LinuxProcess&)> result_of);
     std::optional<std::vector<std::string>> strings_at(std::uint32_t list) const;
-    ElfProgram load(const std::string& path, int host);
-    void add_names(ElfProgram library);
-    std::uint32_t begin_program(const ElfProgram& program, std::optional<ElfProgram> interpreter,
-                                const std::vector<std::string>& arguments,
-                                const std::vector<std::string>& variables);
-    // std::runtime_error if it is not there.
-    std::optional<ElfProgram> interpreter_of(const ElfProgram& program);
     Result become(const ElfProgram& program, std::optional<ElfProgram> interpreter,
                   const std::string& path, const std::vector<std::string>& arguments,
                   const std::vector<std::string>& variables);
@@ -472,6 +462,7 @@ private:
     const LinuxSettings settings_;
     const Outside outside_;
     KernelHelpers helpers_;
+    LinuxLoader loader_;
     Terminal terminal_;
     LinuxInput input_;
     LinuxNetwork network_;
@@ -498,7 +489,6 @@ private:
     std::map<std::string, unsigned> missing_;  // calls that are not emulated, how often
     std::vector<std::weak_ptr<LinuxTimerFile>> timer_files_;
     std::set<std::string> named_files_;  // of the system, that are not there
-    std::string missing_library_;        // that was looked for last, and is not there
     std::optional<int> exit_code_;
 };
 

@@ -17,21 +17,6 @@ namespace {
 constexpr std::size_t MOST_PROCESSES = 64;
 constexpr std::int32_t CHILD_EXITED = 1, CHILD_KILLED = 2;  // siginfo's si_code
 constexpr std::uint32_t NO_HANG = 1;
-constexpr std::uint32_t LINKING_FAILED = 127;  // glibc's dynamic linker ends so
-
-// Debian's package of a library for the cross compiler, "install libc6-armhf-cross, or "; or "".
-std::string package_of(const std::string& library) {
-    constexpr std::pair<const char*, const char*> PACKAGES[] = {
-        {"libstdc++.so", "libstdc++6"}, {"libgcc_s.so", "libgcc-s1"},
-        {"libatomic.so", "libatomic1"}, {"libgomp.so", "libgomp1"},
-        {"libc.so", "libc6"},           {"libm.so", "libc6"},
-        {"libpthread.so", "libc6"},     {"libdl.so", "libc6"},
-        {"librt.so", "libc6"}};
-    for (const auto& [name, package] : PACKAGES)
-        if (library.rfind(name, 0) == 0) return fmt::format("install {}-armhf-cross, or ", package);
-    return "";
-}
-
 }  // namespace
 
 // ---- Fork ---------------------------------------------------------------------------------------
@@ -138,16 +123,10 @@ LinuxKernel::Result LinuxKernel::sys_exit_group(const Arguments& a) {
         outside_.log(fmt::format(
             "the program has ended, and with it {} that it had begun, {}",
             others == 2 ? "a process" : fmt::format("{} processes", others - 1), cpu_.where()));
-    if (code == 0)
-        cpu_.end("");
-    else if (code == LINKING_FAILED && !missing_library_.empty())
-        cpu_.end(
-            fmt::format("the program needs the library {}, which is not there: {}copy it from "
-                        "the board into /usr/lib of the folder of --linux-root, or link the "
-                        "program with -static",
-                        missing_library_, package_of(missing_library_)));
-    else
-        cpu_.end(fmt::format("the program ended with exit code {} {}", code, cpu_.where()));
+    std::string why = loader_.failure(code);
+    if (code != 0 && why.empty())
+        why = fmt::format("the program ended with exit code {} {}", code, cpu_.where());
+    cpu_.end(why);
     return std::nullopt;
 }
 
@@ -244,60 +223,19 @@ LinuxKernel::Result LinuxKernel::sys_execve(const Arguments& a) {
             return host;
         }
         try {
-            program = load(*path, host);
+            program = LinuxLoader::load(*path, host);
         } catch (const std::exception& e) {
             outside_.log(fmt::format("{} cannot be run: {}", *path, e.what()));
             return -ENOEXEC;
         }
     }
     try {
-        return become(program, interpreter_of(program), *path, *arguments, *variables);
+        return become(program, LinuxLoader::interpreter_of(program, files()), *path, *arguments,
+                      *variables);
     } catch (const std::runtime_error& e) {
         outside_.log(e.what());
         return -ENOENT;
     }
-}
-
-// From the host's file of this number, which is closed.
-ElfProgram LinuxKernel::load(const std::string& path, int host) {
-    const std::shared_ptr<void> open{nullptr, [host](void*) { ::close(host); }};
-    ElfProgram program =
-        load_elf("/proc/self/fd/" + std::to_string(host), linux_memory(), Linking::ANY);
-    program.file = path;
-    return program;
-}
-
-std::optional<ElfProgram> LinuxKernel::interpreter_of(const ElfProgram& program) {
-    const std::string& path = program.interpreter;
-    if (path.empty()) return std::nullopt;
-    const int host = process_->files.open_to_load(path);
-    if (host >= 0) return load(path, host);
-    std::string what_to_do = "copy the board's /lib into the folder of --linux-root";
-    if (path == "/lib/ld-linux-armhf.so.3")
-        what_to_do = "install libc6-armhf-cross, or " + what_to_do + ", or link it with -static";
-    if (path == "/lib/ld-linux.so.3")
-        what_to_do =
-            "it is for the soft-float ABI: build it with arm-linux-gnueabihf-gcc, or " + what_to_do;
-    throw std::runtime_error{
-        fmt::format("{}: is dynamically linked, and its interpreter {} is not there: {}",
-                    program.file.string(), path, what_to_do)};
-}
-
-// In the memory of the running process, which is empty; the first address after it.
-std::uint32_t LinuxKernel::begin_program(const ElfProgram& program,
-                                         std::optional<ElfProgram> interpreter,
-                                         const std::vector<std::string>& arguments,
-                                         const std::vector<std::string>& variables) {
-    const std::uint32_t end =
-        start_linux_program(cpu_.core(), memory(), program, interpreter ? &*interpreter : nullptr,
-                            arguments, variables);
-    if (interpreter) add_names(std::move(*interpreter));
-    return end;
-}
-
-void LinuxKernel::add_names(ElfProgram library) {
-    for (ElfSegment& segment : library.segments) segment.data.clear();
-    cpu_.add_library(std::move(library));
 }
 
 // The present memory, threads and handlers are no more.
@@ -317,7 +255,7 @@ LinuxKernel::Result LinuxKernel::become(const ElfProgram& program,
     const auto before = std::exchange(process.memory, memory);
     try {
         process.break_begin = process.break_end =
-            begin_program(program, std::move(interpreter), arguments, variables);
+            loader_.begin(*memory, program, std::move(interpreter), arguments, variables);
     } catch (const std::runtime_error& e) {
         die({SIGKILL, 0, {}, fmt::format("{} (", e.what())});
         return std::nullopt;

@@ -26,12 +26,6 @@ bool is_of_the_system(const std::string& path) {
 
 bool is_shared_memory(const std::string& path) { return path.rfind("/dev/shm/", 0) == 0; }
 
-// The dynamic linker looks for one in several places; its own files need not be there.
-bool is_library(const std::string& path) {
-    const std::string name = std::filesystem::path{path}.filename().string();
-    return name.find(".so") != std::string::npos || name == "ld.so.cache";
-}
-
 int fd_of(std::uint32_t value) { return static_cast<int>(value); }
 
 std::int64_t pair_of(std::uint32_t low, std::uint32_t high) {
@@ -46,11 +40,7 @@ std::int64_t LinuxKernel::open(std::uint32_t folder, std::uint32_t path, std::ui
     if (error) return error;
     const int fd = files().open(text, flags, mode & ~process_->umask);
     if (is_library(text)) {
-        const std::string name = std::filesystem::path{text}.filename().string();
-        if (fd == -ENOENT)
-            missing_library_ = name;
-        else if (missing_library_ == name)
-            missing_library_.clear();
+        loader_.looked_for(text, fd != -ENOENT);
         return fd;
     }
     if (fd == -ENOENT && is_of_the_system(text) && !is_shared_memory(text) &&

@@ -88,22 +88,8 @@ LinuxKernel::Result LinuxKernel::sys_mmap2(const Arguments& a) {
     if (error < 0) memory().unmap(*place, bytes);
     if (error < 0) return error;
     memory().protect(*place, bytes, access);
-    if ((access & arm_access::EXECUTE) && page == 0) note_library(fd, *place);
+    if ((access & arm_access::EXECUTE) && page == 0) loader_.mapped(files(), fd, *place);
     return *place;
-}
-
-// The dynamic linker maps a library from its beginning.  One that cannot be read has no names.
-void LinuxKernel::note_library(int fd, std::uint32_t place) {
-    const auto [host, name] = files().on_host(fd);
-    const std::string path = "/proc/self/fd/" + std::to_string(host);
-    try {
-        if (host < 0 || !is_elf(path)) return;
-        ElfProgram library = load_elf(path, linux_memory(), Linking::LIBRARY);
-        library.move(place - POSITION_INDEPENDENT_BASE);
-        library.file = name;
-        add_names(std::move(library));
-    } catch (const std::runtime_error&) {
-    }
 }
 
 std::int64_t LinuxKernel::map_shared(const Arguments& a, std::uint32_t bytes, unsigned access,
