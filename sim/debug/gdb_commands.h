@@ -48,7 +48,7 @@ public:
     virtual std::string stop_reply() = 0;  // "T05...": why it has stopped
     virtual std::string monitor(std::string_view command) = 0;
     // By how much the program's addresses are above those of its file.
-    virtual std::uint32_t displacement() = 0;
+    virtual std::uint32_t displacement() { return 0; }
 
 protected:
     ~GdbTarget() = default;
