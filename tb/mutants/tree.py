@@ -86,12 +86,12 @@ class Tree:
             real = shutil.which("verilator_bin")
             self.verilator.write_text(f'#!/bin/sh\nexec {real} "$@" -Wno-fatal\n')
             self.verilator.chmod(0o755)
-        if not (self.build / "build.ninja").exists():
+        # The copy may have other tests than before; where a source is gone Ninja cannot help itself.
+        if Run(["ninja", "-C", self.build, "build.ninja"], None, self.root, CACHE).code:
             launcher = ["-DCMAKE_CXX_COMPILER_LAUNCHER=ccache"] if shutil.which("ccache") else []
             self._must(["cmake", "--preset", "default", f"-DVERILATOR_BIN={self.verilator}",
                         *launcher,
                         *(f"-DDE1SIM_{name}=ON" for name in ("FIRMWARE", "TESTS", "TEST_ALL"))])
-        self._must(["ninja", "-C", self.build, "build.ninja"])  # the copy may have other tests
         self.labels, self.folders = self._programs()
         wanted = [name for name, label in self.labels.items() if label in ("rtl", "sim")
                   and self._reads(f"bin/{name}")]
