@@ -86,7 +86,7 @@ class Tree:
             real = shutil.which("verilator_bin")
             self.verilator.write_text(f'#!/bin/sh\nexec {real} "$@" -Wno-fatal\n')
             self.verilator.chmod(0o755)
-        # The copy may have other tests than before; where a source is gone Ninja cannot help itself.
+        # The copy may have other tests than before; where a source is gone Ninja cannot help.
         if Run(["ninja", "-C", self.build, "build.ninja"], None, self.root, CACHE).code:
             launcher = ["-DCMAKE_CXX_COMPILER_LAUNCHER=ccache"] if shutil.which("ccache") else []
             self._must(["cmake", "--preset", "default", f"-DVERILATOR_BIN={self.verilator}",
