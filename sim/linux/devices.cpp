@@ -169,12 +169,14 @@ public:
         if (more > MOST) return -EINVAL;
         if (more > MOST - value_) return -EAGAIN;
         value_ += more;
+        ++writes_;
         return sizeof more;
     }
+    std::uint64_t arrivals() const override { return writes_; }
 
 private:
     static constexpr std::uint64_t MOST = ~std::uint64_t{0} - 1;
-    std::uint64_t value_;
+    std::uint64_t value_, writes_ = 0;
     bool as_semaphore_;
 };
 

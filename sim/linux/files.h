@@ -82,7 +82,7 @@ public:
     std::int64_t read_folder(int fd, std::uint8_t* data, std::size_t bytes);
     // Of these, what would not have to wait.
     static constexpr unsigned READ = LinuxDevice::READ, WRITE = LinuxDevice::WRITE,
-                              HUNG_UP = LinuxDevice::HUNG_UP;
+                              HUNG_UP = LinuxDevice::HUNG_UP, BROKEN = LinuxDevice::BROKEN;
     unsigned can_do(int fd) const;
     std::string name(int fd) const;  // in a message about who waits for it
     bool is_inside(int fd) const;    // as LinuxDevice's

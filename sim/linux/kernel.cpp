@@ -275,6 +275,11 @@ const std::vector<LinuxKernel::Call>& LinuxKernel::calls() {
         {NR_poll, &K::sys_poll},
         {NR_ppoll, &K::sys_ppoll},
         {NR_ppoll_time64, &K::sys_ppoll_time64},
+        {NR_epoll_create, &K::sys_epoll_create},
+        {NR_epoll_create1, &K::sys_epoll_create1},
+        {NR_epoll_ctl, &K::sys_epoll_ctl},
+        {NR_epoll_wait, &K::sys_epoll_wait},
+        {NR_epoll_pwait, &K::sys_epoll_pwait},
 
         {NR_exit, &K::sys_exit},
         {NR_exit_group, &K::sys_exit_group},

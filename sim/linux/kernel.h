@@ -228,6 +228,11 @@ private:
     Result sys_poll(const Arguments&);
     Result sys_ppoll(const Arguments&);
     Result sys_ppoll_time64(const Arguments&);
+    Result sys_epoll_create(const Arguments&);
+    Result sys_epoll_create1(const Arguments&);
+    Result sys_epoll_ctl(const Arguments&);
+    Result sys_epoll_wait(const Arguments&);
+    Result sys_epoll_pwait(const Arguments&);
     std::int64_t span_at(std::uint32_t address, Span kind) const;
     void give_span(std::uint32_t address, Span kind, std::uint64_t ns);
     void name_source(std::string& what, int fd) const;

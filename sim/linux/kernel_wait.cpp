@@ -1,10 +1,11 @@
-// kernel_wait.cpp - LinuxKernel's calls that wait for open files: select, poll and their kind
+// kernel_wait.cpp - LinuxKernel's calls that wait for open files: select, poll, epoll
 #include <algorithm>
 #include <array>
 #include <cerrno>
 #include <vector>
 
 #include "sim/linux/arm_abi.h"
+#include "sim/linux/epoll.h"
 #include "sim/linux/kernel.h"
 
 namespace sim {
@@ -15,7 +16,7 @@ struct PollEntry {
     std::int32_t fd;
     std::int16_t events, found;
 };
-constexpr std::int16_t POLL_IN = 0x41, POLL_OUT = 0x104, POLL_HUNG_UP = 0x10,
+constexpr std::int16_t POLL_IN = 0x41, POLL_OUT = 0x104, POLL_ERROR = 8, POLL_HUNG_UP = 0x10,
                        POLL_INVALID = 0x20;  // with RDNORM, WRNORM
 
 }  // namespace
@@ -95,7 +96,8 @@ LinuxKernel::Result LinuxKernel::select(const Arguments& a, Span kind) {
             const unsigned can = files().can_do(static_cast<int>(fd));
             for (const unsigned set : {0u, 1u}) {
                 std::uint32_t& word = ready[set][fd / 32];
-                if (!(can & (set == 0 ? LinuxFiles::READ : LinuxFiles::WRITE)))
+                if (!(can & (set == 0 ? LinuxFiles::READ | LinuxFiles::HUNG_UP
+                                      : LinuxFiles::WRITE | LinuxFiles::BROKEN)))
                     word &= ~(1u << fd % 32);
                 found += word >> fd % 32 & 1;
             }
@@ -145,7 +147,8 @@ LinuxKernel::Result LinuxKernel::poll(std::uint32_t list, std::uint32_t count,
             const int allowed =
                 (can & LinuxFiles::READ ? POLL_IN : 0) | (can & LinuxFiles::WRITE ? POLL_OUT : 0);
             e.found = static_cast<std::int16_t>((e.events & allowed) |
-                                                (can & LinuxFiles::HUNG_UP ? POLL_HUNG_UP : 0));
+                                                (can & LinuxFiles::HUNG_UP ? POLL_HUNG_UP : 0) |
+                                                (can & LinuxFiles::BROKEN ? POLL_ERROR : 0));
             if (files().flags(e.fd) < 0) e.found = POLL_INVALID;
             found += e.found != 0;
         }
@@ -167,6 +170,55 @@ LinuxKernel::Result LinuxKernel::sys_ppoll(const Arguments& a) {
 LinuxKernel::Result LinuxKernel::sys_ppoll_time64(const Arguments& a) {
     const std::int64_t error = mask_meanwhile(a[3], a[4]);
     return error ? error : poll(a[0], a[1], span_at(a[2], Span::TIMESPEC64));
+}
+
+// ---- epoll: a list that is kept -----------------------------------------------------------------
+
+LinuxKernel::Result LinuxKernel::sys_epoll_create(const Arguments& a) {
+    return static_cast<std::int32_t>(a[0]) <= 0 ? -EINVAL : sys_epoll_create1({});
+}
+
+LinuxKernel::Result LinuxKernel::sys_epoll_create1(const Arguments& a) {
+    if (a[0] & ~arm_open::CLOEXEC) return -EINVAL;
+    return files().add(
+        std::make_shared<LinuxEpoll>([this]() -> const LinuxFiles& { return files(); }), a[0]);
+}
+
+LinuxKernel::Result LinuxKernel::sys_epoll_ctl(const Arguments& a) {
+    const int fd = static_cast<int>(a[0]);
+    if (files().flags(fd) < 0) return -EBADF;
+    auto* const epoll = dynamic_cast<LinuxEpoll*>(files().device(fd));
+    if (!epoll) return -EINVAL;
+    LinuxEpoll::Event event{};
+    if (a[1] != LinuxEpoll::DELETE && !memory().read(a[3], &event, sizeof event)) return -EFAULT;
+    return epoll->control(a[1], static_cast<int>(a[2]), event);
+}
+
+LinuxKernel::Result LinuxKernel::sys_epoll_wait(const Arguments& a) {
+    const int fd = static_cast<int>(a[0]);
+    constexpr std::uint32_t MOST = 0x7FFFFFFF / sizeof(LinuxEpoll::Event);
+    if (a[2] == 0 || a[2] > MOST) return -EINVAL;
+    if (files().flags(fd) < 0) return -EBADF;
+    auto* const epoll = dynamic_cast<LinuxEpoll*>(files().device(fd));
+    if (!epoll) return -EINVAL;
+    const auto ms = static_cast<std::int32_t>(a[3]);
+    LinuxWait wait;
+    wait.what = epoll->waits_for();
+    wait.at_ns = ms < 0 ? LinuxWait::NEVER : later_ns(static_cast<std::uint64_t>(ms) * 1'000'000);
+    wait.look = [this, epoll, open = files().hold(fd), to = a[1],
+                 most = a[2]](LinuxWait& w) -> Result {
+        const std::vector<LinuxEpoll::Event> events = epoll->take(most);
+        if (events.empty()) return now_ns() < w.at_ns ? Result{} : 0;
+        const bool written =
+            memory().write(to, events.data(), events.size() * sizeof(LinuxEpoll::Event));
+        return written ? static_cast<std::int64_t>(events.size()) : -EFAULT;
+    };
+    return this->wait(std::move(wait));
+}
+
+LinuxKernel::Result LinuxKernel::sys_epoll_pwait(const Arguments& a) {
+    const std::int64_t error = mask_meanwhile(a[4], a[5]);
+    return error ? error : sys_epoll_wait(a);
 }
 
 }  // namespace sim

@@ -18,10 +18,12 @@ public:
     FileStatus status() const override { return {S_IFIFO | 0600, 0, 1, 0}; }
     std::string name() const override { return reads_ ? "input from a pipe" : "room in a pipe"; }
     bool is_inside() const override { return true; }
+    // Source: Linux 6.1, fs/pipe.c, pipe_poll().
     unsigned can_do() const override {
-        const unsigned hung_up = (reads_ ? pipe_->has_writer : pipe_->has_reader) ? 0 : HUNG_UP;
-        return (pipe_->can_do() & (reads_ ? READ : WRITE)) | hung_up;
+        if (reads_) return (pipe_->size() > 0 ? READ : 0) | (pipe_->has_writer ? 0 : HUNG_UP);
+        return (pipe_->can_do() & WRITE) | (pipe_->has_reader ? 0 : BROKEN);
     }
+    std::uint64_t arrivals() const override { return reads_ ? pipe_->writes() : pipe_->rooms(); }
     std::int64_t read(void* data, std::size_t bytes) override {
         return reads_ ? pipe_->read(data, bytes) : -EBADF;
     }
@@ -47,7 +49,10 @@ std::int64_t BytePipe::read(void* data, std::size_t bytes, bool peek) {
     const std::size_t count = std::min(bytes, bytes_.size());
     const auto end = bytes_.begin() + static_cast<std::ptrdiff_t>(count);
     std::copy(bytes_.begin(), end, static_cast<std::uint8_t*>(data));
-    if (!peek) bytes_.erase(bytes_.begin(), end);
+    if (peek) return static_cast<std::int64_t>(count);
+    const bool was_full = !(can_do() & LinuxDevice::WRITE);
+    bytes_.erase(bytes_.begin(), end);
+    rooms_ += was_full && (can_do() & LinuxDevice::WRITE);
     return static_cast<std::int64_t>(count);
 }
 
@@ -58,6 +63,7 @@ std::int64_t BytePipe::write(const void* data, std::size_t bytes) {
     const std::size_t count = std::min(bytes, room);
     const auto* const from = static_cast<const std::uint8_t*>(data);
     bytes_.insert(bytes_.end(), from, from + count);
+    writes_ += count > 0;
     return static_cast<std::int64_t>(count);
 }
 

@@ -21,10 +21,14 @@ public:
     unsigned can_do() const;  // of both ends
     std::size_t size() const { return bytes_.size(); }
 
+    std::uint64_t writes() const { return writes_; }
+    std::uint64_t rooms() const { return rooms_; }  // that a full one got
+
     bool has_reader = true, has_writer = true;
 
 private:
     std::deque<std::uint8_t> bytes_;
+    std::uint64_t writes_ = 0, rooms_ = 0;
 };
 
 // The end to read from, and the one to write to.

@@ -187,6 +187,7 @@ int LinuxSocket::connect(const SocketAddress& to) {
     served->bound_ = true;
     connect_pair(*this, *served);
     listener->waiting_.push_back(served);
+    ++listener->arrivals_;
     return 0;
 }
 
@@ -263,6 +264,7 @@ std::int64_t LinuxSocket::send(const void* data, std::size_t bytes, const Socket
     if (!is_unix && own.ip == 0) own.ip = LOOPBACK << 24 | 1;
     const auto* const begin = static_cast<const std::uint8_t*>(data);
     other->messages_.push_back({own, {begin, begin + bytes}});
+    ++other->arrivals_;
     other->held_ += bytes;
     return static_cast<std::int64_t>(bytes);
 }

@@ -66,6 +66,9 @@ public:
     std::string name() const override;
     bool is_inside() const override { return true; }
     unsigned can_do() const override;
+    std::uint64_t arrivals() const override {
+        return arrivals_ + (in_ ? in_->writes() + out_->rooms() : 0);
+    }
     std::int64_t read(void* data, std::size_t bytes) override {
         return receive(data, bytes, false, nullptr).first;
     }
@@ -108,6 +111,7 @@ private:
     SocketAddress own_;
     std::optional<SocketAddress> peer_;
     std::shared_ptr<BytePipe> in_, out_;  // of a connected stream
+    std::uint64_t arrivals_ = 0;          // of connections and messages
     std::weak_ptr<LinuxSocket> other_;    // of one that is connected and has messages
     std::deque<std::shared_ptr<LinuxSocket>> waiting_;
     std::size_t backlog_ = 0;

@@ -104,6 +104,39 @@ TEST_F(LinuxProgram, IsNoSharedLibrary) {
             "a shared library, expected a program");
 }
 
+// As Linux 6.1 answers it under QEMU.
+TEST_F(LinuxProgram, GetsByEpollWhatLinuxGives) {
+    EXPECT_EQ(linux_run("epoll").exit_code, 0);
+    EXPECT_EQ(console(),
+              "empty: 0\n"
+              "add a: done\n"
+              "add a again: File exists\n"
+              "change b: No such file or directory\n"
+              "delete b: No such file or directory\n"
+              "add itself: Invalid argument\n"
+              "add none: Bad file descriptor\n"
+              "nothing to read: 0\n"
+              "by level: 1, a 1\n"
+              "by level: 1, a 1\n"
+              "read: 0\n"
+              "add b by edge: done\n"
+              "add b to write: done\n"
+              "both: 2, b 1, e 4\n"
+              "an edge, and once: 0\n"
+              "once more: done\n"
+              "once more: 1, e 4\n"
+              "the next edge: 1, b 1\n"
+              "add counter: done\n"
+              "add timer: done\n"
+              "timer: 1, d 1\n"
+              "counter: 1, c 1\n"
+              "add inner: done\n"
+              "inner rests: 0\n"
+              "inner has one: 1, a 1\n"
+              "hung up: 1, a 10\n"
+              "closed: 0\n");
+}
+
 TEST_F(LinuxProgram, ReadsAndWritesFilesUnderItsRootOnly) {
     folder.put("outside.txt", "secret");
     std::filesystem::create_directories(folder / "root/inside");
