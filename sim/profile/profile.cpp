@@ -27,12 +27,24 @@ Profile::Place Profile::place_of(std::uint32_t pc) const {
     const auto next = std::upper_bound(
         all.begin(), all.end(), pc,
         [](std::uint32_t value, const ElfFunction& f) { return value < f.address; });
-    if (next == all.begin()) return {all.size(), pc, pc + 1};
+    if (next == all.begin()) return place_outside(pc);
     const ElfFunction& f = *(next - 1);
-    const std::uint32_t border = next == all.end() ? 0xFFFFFFFF : next->address;
+    std::uint32_t border = next == all.end() ? 0xFFFFFFFF : next->address;
+    for (const ElfSegment& segment : elf_.segments)
+        if (f.address - segment.address < segment.size)
+            border = std::min(border, segment.address + segment.size);
     const std::uint32_t end = f.size == 0 ? border : std::min(border, f.address + f.size);
-    if (pc >= end) return {all.size(), pc, pc + 1};
+    if (pc >= end) return place_outside(pc);
     return {static_cast<std::size_t>(next - 1 - all.begin()), f.address, end};
+}
+
+Profile::Place Profile::place_outside(std::uint32_t pc) const {
+    const std::size_t nowhere = elf_.functions.size();
+    for (std::size_t i = elf_.libraries.size(); i-- > 0;)
+        for (const ElfSegment& segment : elf_.libraries[i].segments)
+            if (pc - segment.address < segment.size)
+                return {nowhere + 1 + i, segment.address, segment.address + segment.size};
+    return {nowhere, pc, pc + 1};
 }
 
 bool Profile::same_function(std::uint32_t pc, std::uint32_t other) const {
@@ -42,6 +54,7 @@ bool Profile::same_function(std::uint32_t pc, std::uint32_t other) const {
 void Profile::change(std::uint32_t pc, std::uint32_t link) {
     const std::size_t before = here_.function;
     here_ = place_of(pc);
+    if (here_.function >= own_.size()) own_.resize(here_.function + 1);
     const auto back = std::find_if(calls_.rbegin(), calls_.rend(),
                                    [pc](const Call& call) { return call.return_to == pc; });
     if (back != calls_.rend()) {
@@ -66,7 +79,9 @@ void Profile::leave(Edges& edges, const Call& call) const {
 }
 
 std::string Profile::name(std::size_t function) const {
-    if (function == elf_.functions.size()) return "???";
+    const std::size_t nowhere = elf_.functions.size();
+    if (function == nowhere) return "???";
+    if (function > nowhere) return elf_.libraries[function - nowhere - 1].file.filename().string();
     return elf_.function(elf_.functions[function].address);
 }
 

@@ -3,7 +3,8 @@
 // Follows every instruction.  It is a call when control reaches another function and LR points
 // after the previous instruction.  It is a return when control reaches a return address on the list
 // of open calls.  Anything else (a tail call, a branch, the entry and end of an exception) changes
-// the function without a call.  Instructions outside of all functions are in "???".
+// the function without a call.  A library that the dynamic linker has loaded counts as one function,
+// with the library's name.  Instructions elsewhere are in "???".
 //
 // The processor stops wherever control may leave a function.  That costs 0.1 us each time, 2 % of a
 // run of the demo with a hundred shapes.
@@ -54,17 +55,18 @@ private:
     };
     using Edges = std::map<std::pair<std::size_t, std::size_t>, Edge>;
 
-    // Of the function list; its size is "???".
+    // Of the function list; its size is "???", and what follows are libraries.
     struct Place {
         std::size_t function;
         std::uint32_t begin, end;  // addresses around it known to be in the same function
     };
     Place place_of(std::uint32_t pc) const;
+    Place place_outside(std::uint32_t pc) const;
     void change(std::uint32_t pc, std::uint32_t link);
     void leave(Edges& edges, const Call& call) const;
 
     const ElfProgram& elf_;
-    std::vector<std::uint64_t> own_;  // instructions of each function; the last is "???"
+    std::vector<std::uint64_t> own_;  // instructions of each function, of "???" and of libraries
     Edges edges_;
     std::vector<Call> calls_;
     std::uint64_t count_ = 0;

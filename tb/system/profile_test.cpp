@@ -54,6 +54,13 @@ TEST_F(ProfileRun, IsReadByCallgrindAnnotate) {
     EXPECT_THAT(table, ::testing::ContainsRegex("190 .*outer"));
 }
 
+TEST_F(ProfileRun, HasTheLibrariesOfADynamicallyLinkedProgram) {
+    const std::string profile = profile_of(LINUX_PROGRAMS "hello_pie", "duration: 50ms\n");
+    for (const char* library : {"ld-linux-armhf.so.3", "libc.so.6", "libstdc++.so.6"})
+        EXPECT_THAT(profile, HasSubstr(std::string{") "} + library + "\n0 "));
+    EXPECT_THAT(profile, ::testing::ContainsRegex("fn=\\([0-9]+\\) main\n0 [1-9]"));
+}
+
 TEST_F(ProfileRun, DoesNotChangeTheRun) {
     const std::vector<std::string> arguments{"--cpu",   "arm",      "--elf", FIRMWARE "collide.elf",
                                              "--quiet", "--frames", "none"};
