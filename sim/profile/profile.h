@@ -3,8 +3,8 @@
 // Follows every instruction.  It is a call when control reaches another function and LR points
 // after the previous instruction.  It is a return when control reaches a return address on the list
 // of open calls.  Anything else (a tail call, a branch, the entry and end of an exception) changes
-// the function without a call.  A library that the dynamic linker has loaded counts as one function,
-// with the library's name.  Instructions elsewhere are in "???".
+// the function without a call.  A library that the dynamic linker has loaded counts as one
+// function, with the library's name.  Instructions elsewhere are in "???".
 //
 // The processor stops wherever control may leave a function.  That costs 0.1 us each time, 2 % of a
 // run of the demo with a hundred shapes.
