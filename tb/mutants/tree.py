@@ -95,7 +95,7 @@ class Tree:
         self.labels, self.folders = self._programs()
         wanted = [name for name, label in self.labels.items() if label in ("rtl", "sim")
                   and self._reads(f"bin/{name}")]
-        self._must(self._build("de1sim", "examples", *wanted))
+        self._must(self._build("de1sim", "examples", "all_pins", *wanted))
         self.lists = list(self.build.rglob("V*_copy.cmake"))
         self.tests = self._find_tests(wanted)
 
