@@ -9,7 +9,6 @@
 #include <cstring>
 #include <fstream>
 #include <memory>
-#include <tuple>
 
 #include <fmt/format.h>
 
@@ -219,24 +218,11 @@ private:
         for (Elf_Scn* section = nullptr; (section = elf_nextscn(elf_.get(), section));) {
             GElf_Shdr header;
             if (!gelf_getshdr(section, &header) || !(header.sh_flags & SHF_ALLOC)) continue;
-            if (header.sh_type == SHT_DYNAMIC) read_needed(program, section, header);
             const char* name = elf_strptr(elf_.get(), header_->e_shstrndx, header.sh_name);
             program.sections.push_back({static_cast<std::uint32_t>(header.sh_addr),
                                         static_cast<std::uint32_t>(header.sh_size),
                                         name ? name : "", (header.sh_flags & SHF_WRITE) != 0,
                                         (header.sh_flags & SHF_EXECINSTR) != 0});
-        }
-    }
-
-    void read_needed(ElfProgram& program, Elf_Scn* section, const GElf_Shdr& header) const {
-        Elf_Data* const data = elf_getdata(section, nullptr);
-        if (!data || !data->d_buf) return;
-        Elf32_Dyn entry;
-        for (std::size_t at = 0; at + sizeof entry <= data->d_size; at += sizeof entry) {
-            std::memcpy(&entry, static_cast<const char*>(data->d_buf) + at, sizeof entry);
-            if (entry.d_tag == DT_NULL) return;
-            const char* name = elf_strptr(elf_.get(), header.sh_link, entry.d_un.d_val);
-            if (entry.d_tag == DT_NEEDED && name) program.needed.emplace_back(name);
         }
     }
 
@@ -296,18 +282,22 @@ std::string demangled(const std::string& name) {
     return status == 0 ? text.get() : name;
 }
 
+bool holds(const ElfSegment& segment, std::uint32_t address) {
+    return address - segment.address < segment.size;
+}
+
+// Without the libraries.
 std::string own_function(const ElfProgram& program, std::uint32_t address) {
-    const auto& [functions, segments] = std::tie(program.functions, program.segments);
     const auto next = std::upper_bound(
-        functions.begin(), functions.end(), address,
+        program.functions.begin(), program.functions.end(), address,
         [](std::uint32_t value, const ElfFunction& f) { return value < f.address; });
-    if (next == functions.begin()) return "";
+    if (next == program.functions.begin()) return "";
     const ElfFunction& f = *(next - 1);
     const std::uint32_t offset = address - f.address;
     if (f.size != 0 && offset >= f.size) return "";
-    const bool loaded = std::any_of(segments.begin(), segments.end(), [&](const ElfSegment& s) {
-        return address - s.address < s.size && f.address - s.address < s.size;
-    });
+    const bool loaded =
+        std::any_of(program.segments.begin(), program.segments.end(),
+                    [&](const ElfSegment& s) { return holds(s, address) && holds(s, f.address); });
     if (!loaded) return "";
     return demangled(f.name) + (offset ? fmt::format("+0x{:x}", offset) : "");
 }
@@ -318,14 +308,14 @@ std::string ElfProgram::function(std::uint32_t address) const {
     std::string name = own_function(*this, address);
     for (auto library = libraries.rbegin(); name.empty() && library != libraries.rend();
          ++library) {
-        const auto has = [address](const ElfSegment& s) { return address - s.address < s.size; };
-        const auto& segments_there = library->segments;
-        if (std::none_of(segments_there.begin(), segments_there.end(), has)) continue;
+        const auto& all = library->segments;
+        if (std::none_of(all.begin(), all.end(),
+                         [address](const ElfSegment& s) { return holds(s, address); }))
+            continue;
         const std::string file_name = library->file.filename().string();
         name = own_function(*library, address);
-        name = name.empty()
-                   ? fmt::format("{}+0x{:x}", file_name, address - segments_there.front().address)
-                   : name + " of " + file_name;
+        name = name.empty() ? fmt::format("{}+0x{:x}", file_name, address - all.front().address)
+                            : name + " of " + file_name;
     }
     return name;
 }

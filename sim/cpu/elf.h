@@ -56,7 +56,6 @@ struct ElfProgram {
     std::vector<ElfSection> sections;    // those in memory; none in a stripped file
     bool movable = false;                // position-independent
     std::string interpreter;             // the dynamic linker's path; "": none
-    std::vector<std::string> needed;     // libraries, by name, for the interpreter to load
 
     // Adds `bytes` to all addresses: of a position-independent program.
     void move(std::uint32_t bytes);

@@ -106,6 +106,12 @@ private:
         Result (LinuxKernel::*answer)(const Arguments&);
     };
     static const std::vector<Call>& calls();
+    // What answers each: sys_brk(), sys_open() and so on.
+#define CALL(name, answer) Result sys_##answer(const Arguments&);
+#define ALSO(name, answer)
+#include "sim/linux/kernel_calls.def"
+#undef ALSO
+#undef CALL
     struct Piece {  // of the program's memory
         std::uint32_t address, bytes;
     };
@@ -116,12 +122,6 @@ private:
     void exception(ArmCore& core, ArmException, const ArmFault&, const std::string& what) override;
 
     // kernel_memory.cpp
-    Result sys_brk(const Arguments&);
-    Result sys_mmap2(const Arguments&);
-    Result sys_munmap(const Arguments&);
-    Result sys_mprotect(const Arguments&);
-    Result sys_mremap(const Arguments&);
-    Result sys_cacheflush(const Arguments&);
     std::int64_t map_bus(const Arguments&, std::uint32_t bytes, unsigned access,
                          std::uint32_t page);
     std::int64_t map_shared(const Arguments&, std::uint32_t bytes, unsigned access,
@@ -132,26 +132,6 @@ private:
                                           std::uint32_t flags) const;
 
     // kernel_files.cpp
-    Result sys_open(const Arguments&);
-    Result sys_openat(const Arguments&);
-    Result sys_creat(const Arguments&);
-    Result sys_close(const Arguments&);
-    Result sys_getdents64(const Arguments&);
-    Result sys_read(const Arguments&);
-    Result sys_write(const Arguments&);
-    Result sys_readv(const Arguments&);
-    Result sys_writev(const Arguments&);
-    Result sys_pread64(const Arguments&);
-    Result sys_pwrite64(const Arguments&);
-    Result sys_lseek(const Arguments&);
-    Result sys_llseek(const Arguments&);
-    Result sys_ftruncate64(const Arguments&);
-    Result sys_ftruncate(const Arguments&);
-    Result sys_fsync(const Arguments&);
-    Result sys_dup(const Arguments&);
-    Result sys_dup2(const Arguments&);
-    Result sys_fcntl(const Arguments&);
-    Result sys_ioctl(const Arguments&);
     std::int64_t open(std::uint32_t folder, std::uint32_t path, std::uint32_t flags,
                       std::uint32_t mode);
     Result read(int fd, std::vector<Piece> pieces);
@@ -163,25 +143,6 @@ private:
                                                  std::int64_t done, unsigned access) const;
 
     // kernel_names.cpp
-    Result sys_fstat64(const Arguments&);
-    Result sys_stat64(const Arguments&);
-    Result sys_lstat64(const Arguments&);
-    Result sys_fstatat64(const Arguments&);
-    Result sys_statx(const Arguments&);
-    Result sys_access(const Arguments&);
-    Result sys_faccessat(const Arguments&);
-    Result sys_unlink(const Arguments&);
-    Result sys_unlinkat(const Arguments&);
-    Result sys_rmdir(const Arguments&);
-    Result sys_mkdir(const Arguments&);
-    Result sys_mkdirat(const Arguments&);
-    Result sys_rename(const Arguments&);
-    Result sys_renameat(const Arguments&);
-    Result sys_readlink(const Arguments&);
-    Result sys_readlinkat(const Arguments&);
-    Result sys_getcwd(const Arguments&);
-    Result sys_chdir(const Arguments&);
-    Result sys_fchdir(const Arguments&);
     std::int64_t change_folder(const std::string& path);
     std::pair<std::int64_t, std::string> path_at(std::uint32_t folder, std::uint32_t address) const;
     std::int64_t give_status(const std::pair<int, FileStatus>& status, std::uint32_t to);
@@ -190,29 +151,13 @@ private:
     // kernel_time.cpp
     static constexpr std::uint64_t NS = 1'000'000'000;                 // per second
     static constexpr std::uint64_t LONGEST_NS = NS * 3600 * 24 * 100;  // SystemC's time is finite
-    Result sys_clock_gettime(const Arguments&);
-    Result sys_clock_gettime64(const Arguments&);
-    Result sys_clock_getres(const Arguments&);
-    Result sys_clock_getres_time64(const Arguments&);
-    Result sys_gettimeofday(const Arguments&);
-    Result sys_times(const Arguments&);
-    Result sys_nanosleep(const Arguments&);
-    Result sys_clock_nanosleep(const Arguments&);
-    Result sys_clock_nanosleep_time64(const Arguments&);
-    std::uint64_t used_ns(const LinuxProcess& process) const;  // of the processor
+    std::uint64_t used_ns(const LinuxProcess& process) const;          // of the processor
     std::uint64_t used_ns(const LinuxThread& thread) const;
     std::optional<std::uint64_t> clock_ns(std::uint32_t clock) const;
     Result sleep(std::uint32_t flags, std::uint32_t span, bool wide, std::uint32_t left);
     std::int64_t give_time(std::uint32_t to, std::uint64_t ns, bool wide);
 
     // kernel_timers.cpp
-    Result sys_setitimer(const Arguments&);
-    Result sys_getitimer(const Arguments&);
-    Result sys_timerfd_create(const Arguments&);
-    Result sys_timerfd_settime(const Arguments&);
-    Result sys_timerfd_settime64(const Arguments&);
-    Result sys_timerfd_gettime(const Arguments&);
-    Result sys_timerfd_gettime64(const Arguments&);
     enum class Span { TIMEVAL, TIMESPEC, TIMESPEC64 };  // struct timeval and so on
     Result timerfd(const Arguments&, Span kind, bool sets);
     std::int64_t set_timer(LinuxTimer& timer, std::uint32_t from, std::uint32_t old, Span kind,
@@ -222,17 +167,6 @@ private:
     void expire_timers();
 
     // kernel_wait.cpp
-    Result sys_select(const Arguments&);
-    Result sys_pselect6(const Arguments&);
-    Result sys_pselect6_time64(const Arguments&);
-    Result sys_poll(const Arguments&);
-    Result sys_ppoll(const Arguments&);
-    Result sys_ppoll_time64(const Arguments&);
-    Result sys_epoll_create(const Arguments&);
-    Result sys_epoll_create1(const Arguments&);
-    Result sys_epoll_ctl(const Arguments&);
-    Result sys_epoll_wait(const Arguments&);
-    Result sys_epoll_pwait(const Arguments&);
     std::int64_t span_at(std::uint32_t address, Span kind) const;
     void give_span(std::uint32_t address, Span kind, std::uint64_t ns);
     void name_source(std::string& what, int fd) const;
@@ -253,10 +187,6 @@ private:
         FutexKey key;
         std::uint32_t bits, address;
     };
-    Result sys_futex(const Arguments&);
-    Result sys_futex_time64(const Arguments&);
-    Result sys_set_robust_list(const Arguments&);
-    Result sys_get_robust_list(const Arguments&);
     FutexKey futex_key(std::uint32_t address) const;
     std::int64_t futex_wake(const FutexKey& key, std::uint32_t most, std::uint32_t bits);
     Result futex_wait(std::uint32_t address, std::uint32_t value, std::uint32_t bits,
@@ -273,29 +203,6 @@ private:
         std::uint64_t flags;
         std::uint32_t stack, parent_word, tls, child_word;
     };
-    Result sys_clone(const Arguments&);
-    Result sys_clone3(const Arguments&);
-    Result sys_exit(const Arguments&);
-    Result sys_exit_group(const Arguments&);
-    Result sys_set_tls(const Arguments&);
-    Result sys_set_tid_address(const Arguments&);
-    Result sys_gettid(const Arguments&);
-    Result sys_rseq(const Arguments&);
-    Result sys_sched_yield(const Arguments&);
-    Result sys_sched_getaffinity(const Arguments&);
-    Result sys_sched_setaffinity(const Arguments&);
-    Result sys_getcpu(const Arguments&);
-    Result sys_sched_setscheduler(const Arguments&);
-    Result sys_sched_getscheduler(const Arguments&);
-    Result sys_sched_setparam(const Arguments&);
-    Result sys_sched_getparam(const Arguments&);
-    Result sys_sched_get_priority_max(const Arguments&);
-    Result sys_sched_get_priority_min(const Arguments&);
-    Result sys_sched_rr_get_interval(const Arguments&);
-    Result sys_nice(const Arguments&);
-    Result sys_getpriority(const Arguments&);
-    Result sys_setpriority(const Arguments&);
-    Result sys_prctl(const Arguments&);
     Result clone(const Clone& how);
     void end_thread(LinuxThread& thread);
     void restart_sequence();
@@ -305,11 +212,6 @@ private:
 
     // kernel_children.cpp
     static constexpr std::uint32_t LEAVES = 0x1000000;  // a child to be waited for again
-    Result sys_fork(const Arguments&);
-    Result sys_vfork(const Arguments&);
-    Result sys_execve(const Arguments&);
-    Result sys_wait4(const Arguments&);
-    Result sys_waitid(const Arguments&);
     Result fork(const Clone& how);
     void end_process(LinuxProcess& process, std::uint32_t status);
     LinuxProcess* process_of(int number) const;
@@ -323,12 +225,6 @@ private:
 
     // kernel_system.cpp
     std::shared_ptr<LinuxDevice> hps_led();
-    Result sys_pipe(const Arguments&);
-    Result sys_pipe2(const Arguments&);
-    Result sys_eventfd(const Arguments&);
-    Result sys_eventfd2(const Arguments&);
-    Result sys_memfd_create(const Arguments&);
-    Result sys_link(const Arguments&);
     std::optional<std::string> text_of_process(const LinuxProcess& process,
                                                const std::string& name) const;
     std::optional<std::string> system_text(const std::string& path) const;
@@ -340,24 +236,6 @@ private:
     Result give_two(std::uint32_t to, const std::array<int, 2>& numbers);
 
     // kernel_sockets.cpp
-    Result sys_socket(const Arguments&);
-    Result sys_socketpair(const Arguments&);
-    Result sys_bind(const Arguments&);
-    Result sys_listen(const Arguments&);
-    Result sys_getsockname(const Arguments&);
-    Result sys_getpeername(const Arguments&);
-    Result sys_connect(const Arguments&);
-    Result sys_accept(const Arguments&);
-    Result sys_accept4(const Arguments&);
-    Result sys_shutdown(const Arguments&);
-    Result sys_send(const Arguments&);
-    Result sys_sendto(const Arguments&);
-    Result sys_sendmsg(const Arguments&);
-    Result sys_recv(const Arguments&);
-    Result sys_recvfrom(const Arguments&);
-    Result sys_recvmsg(const Arguments&);
-    Result sys_setsockopt(const Arguments&);
-    Result sys_getsockopt(const Arguments&);
     static int check_socket(std::uint32_t family, std::uint32_t type, std::uint32_t protocol);
     LinuxSocket* socket_at(std::uint32_t fd, int& error) const;
     std::int64_t address_at(std::uint32_t at, std::uint32_t bytes, SocketAddress& address) const;
@@ -382,46 +260,11 @@ private:
         std::vector<std::uint16_t> values;
         bool removed = false;
     };
-    Result sys_shmget(const Arguments&);
-    Result sys_shmat(const Arguments&);
-    Result sys_shmdt(const Arguments&);
-    Result sys_shmctl(const Arguments&);
-    Result sys_semget(const Arguments&);
-    Result sys_semctl(const Arguments&);
-    Result sys_semop(const Arguments&);
-    Result sys_semtimedop(const Arguments&);
-    Result sys_semtimedop_time64(const Arguments&);
     std::uint32_t attachments(int segment) const;
     void remove_unused(int segment);
     Result semop(const Arguments&, std::int64_t span);
 
-    // kernel_process.cpp
-    Result sys_uname(const Arguments&);
-    Result sys_getrandom(const Arguments&);
-    Result sys_prlimit64(const Arguments&);
-    Result sys_getrlimit(const Arguments&);
-    Result sys_getrusage(const Arguments&);
-    Result sys_umask(const Arguments&);
-    Result sys_done(const Arguments&);  // answers 0
-    Result sys_getpid(const Arguments&);
-    Result sys_getppid(const Arguments&);
-    Result sys_sysinfo(const Arguments&);
-
     // kernel_signals.cpp
-    Result sys_sigaction(const Arguments&);
-    Result sys_sigprocmask(const Arguments&);
-    Result sys_sigpending(const Arguments&);
-    Result sys_sigsuspend(const Arguments&);
-    Result sys_sigtimedwait(const Arguments&);
-    Result sys_sigtimedwait_time64(const Arguments&);
-    Result sys_sigqueueinfo(const Arguments&);
-    Result sys_sigaltstack(const Arguments&);
-    Result sys_sigreturn(const Arguments&);
-    Result sys_rt_sigreturn(const Arguments&);
-    Result sys_kill(const Arguments&);
-    Result sys_tkill(const Arguments&);
-    Result sys_tgkill(const Arguments&);
-    Result sys_pause(const Arguments&);
     std::int64_t mask_meanwhile(std::uint32_t address, std::uint32_t bytes);
     Result sigtimedwait(const Arguments&, Span kind);
     void unaligned(ArmCore& core, const ArmFault& fault, const std::string& what);

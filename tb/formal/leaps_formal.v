@@ -1,7 +1,7 @@
-// leaps_formal.v - what leaps over clocks in sim/fpga is at its ports what stands in rtl/
+// leaps_formal.v - the modules of sim/fpga that leap over clocks equal those of rtl/ at their ports
 //
-// A countdown, a prescaler, an interval timer and a beam, but for awake_o.  By induction, from any
-// count; accesses, loads and resets are unconstrained, and so are periods.
+// Countdown, prescaler, interval timer and beam, but for awake_o.  By induction, from any count;
+// accesses, loads, resets and periods are unconstrained.
 
 `default_nettype none
 

@@ -1,7 +1,7 @@
-// system_registers.h - the registers of an operating system, written with all that it means.
+// system_registers.h - the registers of an operating system, and what else a write of them changes.
 //
 // A new mode has other banked registers and other rights; new translation tables and new rights
-// have other code; an interrupt that is unmasked is told to the bus.
+// have other code; the bus is notified when an interrupt is unmasked.
 #pragma once
 
 #include <cstdint>
