@@ -171,6 +171,15 @@ std::pair<int, FileStatus> LinuxFiles::status_on_host(const std::string& path, b
     return host_status(file.fd());
 }
 
+std::pair<int, std::string> LinuxFiles::folder_at(const std::string& path) const {
+    const auto [error, status] = status_on_host(path);
+    if (error) return {error, ""};
+    if (!S_ISDIR(status.mode)) return {-ENOTDIR, ""};
+    Place place;
+    place_to_read(path, place);
+    return {0, place.path};
+}
+
 std::pair<int, std::string> LinuxFiles::target_of(const std::string& path) const {
     Place place;
     if (const int error = place_to_read(path, place, Last::KEEP)) return {error, ""};

@@ -104,14 +104,12 @@ LinuxFiles::LinuxFiles(const std::filesystem::path& root, const std::filesystem:
 
 // ---- Names --------------------------------------------------------------------------------------
 
-int LinuxFiles::walk(const std::shared_ptr<Handle>& root, const std::string& path, Place& place,
-                     Last last) {
-    if (path.empty()) return -ENOENT;
-    if (!root) return -ENOENT;
+int LinuxFiles::walk(const Place& root, const std::string& path, Place& place, Last last) {
+    if (path.empty() || !root.folder) return -ENOENT;
     std::deque<std::string> names = components(path);
-    std::vector<std::shared_ptr<Handle>> folders{root};  // from the root to where the way has come
+    std::vector<Place> folders{root};  // from the root to where the way has come
     unsigned links = 0;
-    place = {root, "."};
+    place = root;
     while (!names.empty()) {
         const std::string name = std::move(names.front());
         names.pop_front();
@@ -119,34 +117,36 @@ int LinuxFiles::walk(const std::shared_ptr<Handle>& root, const std::string& pat
         if (name == ".") continue;
         if (name == "..") {
             if (folders.size() > 1) folders.pop_back();
-            place = {folders.back(), "."};
+            place = folders.back();
             continue;
         }
-        const int folder = folders.back()->fd();
+        const Place folder = folders.back();
         if (!is_last || last == Last::FOLLOW)
-            if (const auto target = link_target(folder, name.c_str())) {
+            if (const auto target = link_target(folder.folder->fd(), name.c_str())) {
                 if (++links > MOST_LINKS) return -ELOOP;
                 if (target->rfind('/', 0) == 0) folders.resize(1);
                 const std::deque<std::string> instead = components(*target);
                 names.insert(names.begin(), instead.begin(), instead.end());
-                place = {folders.back(), "."};
+                place = folders.back();
                 continue;
             }
-        place = {folders.back(), name};
+        const std::string there = (folder.path == "/" ? "" : folder.path) + "/" + name;
+        place = {folder.folder, name, there};
         if (is_last) break;
-        const int next = ::openat(folder, name.c_str(), O_PATH | O_NOFOLLOW | O_CLOEXEC);
+        const int next =
+            ::openat(folder.folder->fd(), name.c_str(), O_PATH | O_NOFOLLOW | O_CLOEXEC);
         if (next < 0) return -errno;
-        folders.push_back(std::make_shared<Handle>(next));
+        place = {std::make_shared<Handle>(next), ".", there};
         struct stat status {};
         if (fstat(next, &status) != 0) return -errno;
         if (!S_ISDIR(status.st_mode)) return -ENOTDIR;
-        place = {folders.back(), "."};
+        folders.push_back(place);
     }
     return 0;
 }
 
 int LinuxFiles::place_of(const std::string& path, Place& place, Last last) const {
-    return walk(root_, path, place, last);
+    return walk({root_, ".", "/"}, path, place, last);
 }
 
 int LinuxFiles::place_to_read(const std::string& path, Place& place, Last last) const {
@@ -156,7 +156,7 @@ int LinuxFiles::place_to_read(const std::string& path, Place& place, Last last) 
     const auto name = library(path);
     if (is_there || !name || !libraries_ || (error && error != -ENOENT)) return error;
     Place among_libraries;
-    if (walk(libraries_, *name, among_libraries, last) != 0) return error;
+    if (walk({libraries_, ".", "/lib"}, *name, among_libraries, last) != 0) return error;
     place = among_libraries;
     return 0;
 }
@@ -174,8 +174,13 @@ int LinuxFiles::open(const std::string& path, std::uint32_t flags, std::uint32_t
         if (error != -ENOENT) return error;
     }
     Place place;
-    const bool reads = (flags & arm_open::ACCESS) == arm_open::RDONLY && !(flags & arm_open::CREAT);
-    if (const int error = reads ? place_to_read(path, place) : place_of(path, place)) return error;
+    const bool creates = flags & arm_open::CREAT;
+    const bool reads = (flags & arm_open::ACCESS) == arm_open::RDONLY && !creates;
+    const Last last = flags & arm_open::NOFOLLOW || (creates && flags & arm_open::EXCL)
+                          ? Last::KEEP
+                          : Last::FOLLOW;
+    if (const int error = reads ? place_to_read(path, place, last) : place_of(path, place, last))
+        return error;
     const int fd = open_on_host(place, flags, mode);
     if (fd < 0) return fd;
     auto file = std::make_shared<File>(
@@ -222,7 +227,7 @@ int LinuxFiles::remove(const std::string& path, bool folder) {
 
 int LinuxFiles::make_folder(const std::string& path, std::uint32_t mode) {
     Place place;
-    if (const int error = place_of(path, place)) return error;
+    if (const int error = place_of(path, place, Last::KEEP)) return error;
     return static_cast<int>(or_error(
         mkdirat(place.folder->fd(), place.name.c_str(), static_cast<mode_t>(mode & 0777))));
 }

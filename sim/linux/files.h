@@ -99,13 +99,16 @@ public:
 
     bool is_console(int fd) const;
     bool is_memory(int fd) const;
-    // Of a file under the root or among the libraries: the host's number and the path, or -1.
+    // Of a file under the root or among the libraries: the host's number, and the path by which it
+    // was opened; or -1.
     std::pair<int, std::string> on_host(int fd) const;
+    // The path of a folder without links; or the error.
+    std::pair<int, std::string> folder_at(const std::string& path) const;
 
 private:
     class Handle;  // of the host
     struct File;
-    struct Place;  // a folder that is open, and a name in it
+    struct Place;  // a folder that is open, a name in it, and the path of that without links
 
     int add(std::shared_ptr<File> file, int at_least, bool close_on_exec);
     const File* find(int fd) const;
@@ -114,8 +117,7 @@ private:
     int place_of(const std::string& path, Place& place, Last last = Last::FOLLOW) const;
     // Of what is read, also among the libraries.
     int place_to_read(const std::string& path, Place& place, Last last = Last::FOLLOW) const;
-    static int walk(const std::shared_ptr<Handle>& root, const std::string& path, Place& place,
-                    Last last);
+    static int walk(const Place& root, const std::string& path, Place& place, Last last);
     int open_on_host(const Place& place, std::uint32_t flags, std::uint32_t mode) const;
     std::pair<int, FileStatus> host_status(int host) const;
     std::pair<int, FileStatus> status_on_host(const std::string& path, bool of_link = false) const;

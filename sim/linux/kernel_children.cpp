@@ -17,6 +17,7 @@ namespace {
 constexpr std::size_t MOST_PROCESSES = 64;
 constexpr std::int32_t CHILD_EXITED = 1, CHILD_KILLED = 2;  // siginfo's si_code
 constexpr std::uint32_t NO_HANG = 1;
+
 }  // namespace
 
 // ---- Fork ---------------------------------------------------------------------------------------
@@ -124,6 +125,9 @@ LinuxKernel::Result LinuxKernel::sys_exit_group(const Arguments& a) {
             "the program has ended, and with it {} that it had begun, {}",
             others == 2 ? "a process" : fmt::format("{} processes", others - 1), cpu_.where()));
     std::string why = loader_.failure(code);
+    if (why.empty() && !loader_.missing().empty())
+        outside_.log(fmt::format("the program looked for the library {}, which is not there",
+                                 loader_.missing()));
     if (code != 0 && why.empty())
         why = fmt::format("the program ended with exit code {} {}", code, cpu_.where());
     cpu_.end(why);

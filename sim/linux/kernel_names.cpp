@@ -194,19 +194,20 @@ LinuxKernel::Result LinuxKernel::sys_chdir(const Arguments& a) {
 }
 
 LinuxKernel::Result LinuxKernel::sys_fchdir(const Arguments& a) {
-    const auto [host, path] = files().on_host(static_cast<int>(a[0]));
-    return host < 0 ? -EBADF : change_folder(path);
+    const int fd = static_cast<int>(a[0]);
+    const auto [error, status] = files().status_of(fd);
+    if (error) return error;
+    return S_ISDIR(status.mode) ? change_folder(files().on_host(fd).second) : -ENOTDIR;
 }
 
 std::int64_t LinuxKernel::change_folder(const std::string& path) {
-    if (path != "/" && path != ".") {
-        const auto [error, status] = files().status_of(path);
-        if (error) return error;
-        if (!S_ISDIR(status.mode)) return -ENOTDIR;
+    if (path == "/" || path == ".") {  // which is there without a root, too
+        if (path == "/") process_->folder = path;
+        return 0;
     }
-    process_->folder = ("/" / std::filesystem::path{path}).lexically_normal().string();
-    if (process_->folder.size() > 1 && process_->folder.back() == '/') process_->folder.pop_back();
-    return 0;
+    const auto [error, folder] = files().folder_at(path);
+    if (error == 0) process_->folder = folder;
+    return error;
 }
 
 LinuxKernel::Result LinuxKernel::sys_umask(const Arguments& a) {

@@ -15,6 +15,7 @@ namespace sim {
 
 namespace {
 
+constexpr const char* CACHE = "ld.so.cache";   // which need not be there
 constexpr std::uint32_t LINKING_FAILED = 127;  // the exit code of glibc's dynamic linker
 
 std::string file_name(const std::string& path) {
@@ -40,7 +41,7 @@ std::string host_path(int host) { return "/proc/self/fd/" + std::to_string(host)
 
 bool is_library(const std::string& path) {
     const std::string name = file_name(path);
-    return name.find(".so") != std::string::npos || name == "ld.so.cache";
+    return name.find(".so") != std::string::npos || name == CACHE;
 }
 
 const std::vector<MemoryRange>& linux_memory() {
@@ -85,6 +86,7 @@ std::uint32_t LinuxLoader::begin(AddressSpace& memory, const ElfProgram& program
 
 void LinuxLoader::looked_for(const std::string& path, bool found) {
     const std::string name = file_name(path);
+    if (name == CACHE) return;
     if (!found)
         missing_ = name;
     else if (missing_ == name)

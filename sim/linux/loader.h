@@ -41,6 +41,8 @@ public:
 
     // Why the interpreter has ended the program with this exit code, and what to do; or "".
     std::string failure(std::uint32_t exit_code) const;
+    // A library that was looked for in vain, the last of them; or "".
+    const std::string& missing() const { return missing_; }
 
 private:
     void add_names(ElfProgram library);

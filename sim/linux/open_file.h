@@ -37,7 +37,7 @@ struct LinuxFiles::File {
 
 struct LinuxFiles::Place {
     std::shared_ptr<Handle> folder;
-    std::string name;
+    std::string name, path;
 };
 
 constexpr const char* MEMORY_PATH = "/dev/mem";

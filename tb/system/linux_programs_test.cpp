@@ -7,6 +7,7 @@
 
 namespace {
 
+using ::testing::ElementsAre;
 using ::testing::EndsWith;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
@@ -79,6 +80,15 @@ TEST_F(LinuxProgram, LoadsALibraryOfItsOwnFromItsRoot) {
     EXPECT_THAT(report()["faults"][0].get<std::string>(),
                 AllOf(HasSubstr("SIGSEGV: write to 0x00000000"), HasSubstr(" in greet+"),
                       EndsWith(" of libgreet.so.1")));
+}
+
+TEST_F(LinuxProgram, LogsALibraryThatItLookedForInVain) {
+    std::filesystem::create_directories(folder / "root/usr/lib");
+    std::filesystem::copy(LINUX_PROGRAMS "libgreet.so.1.0", folder / "root/usr/lib/libgreet.so.1");
+    EXPECT_EQ(linux_run("greets", {"a", "b"}, {"--linux-root", folder / "root"}).exit_code, 0);
+    EXPECT_THAT(
+        report()["log"]["first"],
+        ElementsAre("the program looked for the library libsongs.so.2, which is not there"));
 }
 
 TEST_F(LinuxProgram, NamesALibraryThatIsNotThere) {
@@ -156,6 +166,9 @@ TEST_F(LinuxProgram, ReadsAndWritesFilesUnderItsRootOnly) {
               "ioctl: Inappropriate ioctl for device\n"
               "./ ../ in.txt out.txt in /data\n"
               "in /\n"
+              "in /data by a link\n"
+              "not followed: Too many levels of symbolic links\n"
+              "not made by a link: File exists, File exists\n"
               "../outside.txt: No such file or directory\n"
               "/data/../../outside.txt: No such file or directory\n"
               "/link: No such file or directory\n"

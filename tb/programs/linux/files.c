@@ -52,6 +52,16 @@ int main(void) {
     printf("in %s\n", getcwd(here, sizeof here));
     if (access("in.txt", R_OK) != 0 || chdir("in.txt") == 0 || chdir("..") != 0) return 6;
     printf("in %s\n", getcwd(here, sizeof here));
+    if (chdir("/inside/to_data") != 0) return 7;
+    printf("in %s by a link\n", getcwd(here, sizeof here));
+    const int data = open("/inside/to_data", O_RDONLY | O_DIRECTORY);
+    if (chdir("/") != 0 || fchdir(data) != 0 || access("in.txt", R_OK) != 0) return 8;
+    if (chdir("/") != 0) return 9;
+    printf("not followed: %s\n", open("/inside/to_data", O_RDONLY | O_NOFOLLOW) < 0
+                                     ? strerror(errno) : "open");
+    printf("not made by a link: %s, ", open("/link", O_CREAT | O_EXCL | O_WRONLY, 0600) < 0
+                                           ? strerror(errno) : "open");
+    printf("%s\n", mkdir("/link", 0700) < 0 ? strerror(errno) : "made");
 
     try_open("../outside.txt");
     try_open("/data/../../outside.txt");
