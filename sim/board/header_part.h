@@ -1,4 +1,4 @@
-// header_part.h - a part on the headers' wires, as all kinds of them look to the board
+// header_part.h - a part on the headers' wires: what the board calls of it, and what it gets
 #pragma once
 
 #include <cstdint>

@@ -33,9 +33,9 @@ inline std::string bounces(const sim::Controls& c, sim::SimTime time) {
 }
 
 // Time passes in milliseconds; after each `meanwhile` happens.
-class RecordingStage : public sim::BoardControl {
+class RecordingBoard : public sim::BoardControl {
 public:
-    RecordingStage() {
+    RecordingBoard() {
         hang({});
         keyboard.set_listener([this](std::uint16_t key, bool down) {
             done.push_back(fmt::format("key {:04X} {}", key, down ? "down" : "up"));
@@ -168,7 +168,7 @@ inline std::string said(const std::string& text) { return read_step(text).text; 
 
 class StepTest : public ::testing::Test {
 protected:
-    RecordingStage board;
+    RecordingBoard board;
 
     std::optional<sim::Verdict> play(const std::string& text) {
         const sim::ScenarioStep step = read_step(text);
