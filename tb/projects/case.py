@@ -44,11 +44,11 @@ class Case(unittest.TestCase):
         for line in lines:
             self.assertIn(line, done.stdout)
 
-    def plays(self, *steps, parts="", words=(), project="."):
+    def plays(self, *steps, parts="", arguments=(), project="."):
         parts = parts and "parts:\n" + parts
         (self.folder / "s.yaml").write_text(f"name: s\nversion: 1\n{parts}steps:\n" +
                                             "".join(f"  - {step}\n" for step in steps))
-        done = self.de1sim("run", "s.yaml", "--project", project, *words)
+        done = self.de1sim("run", "s.yaml", "--project", project, *arguments)
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
         return done
 
@@ -59,7 +59,7 @@ class Case(unittest.TestCase):
         held = [i for i in range(10) if switches >> i & 1]
         hold = [f"hold: {{switch: {held}}}"] if held else []
         return self.plays(*hold, f"delay: {wait}", f'expect-leds: "{expected:010b}"',
-                          words=["--top", top] if top else [], project=project).stderr
+                          arguments=["--top", top] if top else [], project=project).stderr
 
 
 def run():

@@ -116,13 +116,13 @@ for (int n = 0; n < 8; n++) {{
     ok &= (d & 0x3FF) == ((1 << n) - 1 | ((n & 1) ^ {odd}) << 8);
 }}
 LEDS = ok ? 341 : 1;""", "expect-leds: {equals: 341, timeout: 40ms}",
-                               more=[("other", "altera_up_avalon_rs232", other)],
-                               wires=[*clocked("other"),
-                                      ("avalon", LW, "other.avalon_rs232_slave", 0x80)],
-                               exports=[("other", "other.external_interface")],
-                               top=", .port_RXD(1'b1), .port_TXD(GPIO_0[0]), "
-                                   ".other_RXD(GPIO_0[0])",
-                               ports=", inout [35:0] GPIO_0", parity=parity)
+                        more=[("other", "altera_up_avalon_rs232", other)],
+                        wires=[*clocked("other"),
+                               ("avalon", LW, "other.avalon_rs232_slave", 0x80)],
+                        exports=[("other", "other.external_interface")],
+                        top=", .port_RXD(1'b1), .port_TXD(GPIO_0[0]), "
+                            ".other_RXD(GPIO_0[0])",
+                        ports=", inout [35:0] GPIO_0", parity=parity)
 
     def test_interrupts_wait_for_many_bytes_or_much_room(self):
         self.looped("""#define IRQ (R32(0xFFFED208) >> 17 & 1)
@@ -138,19 +138,19 @@ LEDS = ok && !IRQ ? 341 : 1;""", baud="921600")
 
     def test_a_remote_control_is_zeros(self):
         self.serial("irda", "CONTROL = 1;\nwhile (!(R32(0xFFFED208) & 0x20000)) {}\n"
-                           "d = DATA; if (d >> 16 >= 96 && (d & 0x83FF) == 0x8000) LEDS = 341;\n",
-                           "press-remote: 5", "expect-leds: {equals: 341, timeout: 60ms}",
-                           top=", .port_RXD(IRDA_RXD), .port_TXD(IRDA_TXD)",
-                           ports=", input IRDA_RXD, output IRDA_TXD")
+                    "d = DATA; if (d >> 16 >= 96 && (d & 0x83FF) == 0x8000) LEDS = 341;\n",
+                    "press-remote: 5", "expect-leds: {equals: 341, timeout: 60ms}",
+                    top=", .port_RXD(IRDA_RXD), .port_TXD(IRDA_TXD)",
+                    ports=", input IRDA_RXD, output IRDA_TXD")
 
     def test_pulses_are_bytes(self):
         self.serial("irda", "for (int n = 0; n < 9; n++) DATA = 0x5A + n;\n"
-                           "uint32_t ok = 1; for (int n = 0; n < 9; n++) {\n"
-                           "while (!((d = DATA) & 0x8000)) {} ok &= (d & 0x3FF) == 0x5A + n; }\n"
-                           "LEDS = ok ? 341 : 1;\n",
-                           "expect-leds: {equals: 341, timeout: 20ms}",
-                           top=", .port_RXD(!GPIO_0[0]), .port_TXD(GPIO_0[0])",
-                           ports=", inout [35:0] GPIO_0")
+                    "uint32_t ok = 1; for (int n = 0; n < 9; n++) {\n"
+                    "while (!((d = DATA) & 0x8000)) {} ok &= (d & 0x3FF) == 0x5A + n; }\n"
+                    "LEDS = ok ? 341 : 1;\n",
+                    "expect-leds: {equals: 341, timeout: 20ms}",
+                    top=", .port_RXD(!GPIO_0[0]), .port_TXD(GPIO_0[0])",
+                    ports=", inout [35:0] GPIO_0")
 
     def test_streams_are_refused(self):
         done = self.serial("rs232", "", "delay: 1ms", top="", code=2, avalon_bus_type="Streaming")

@@ -35,10 +35,10 @@ def button(n):
 
 
 class Pins(Case):
-    def heard(self, *steps, parts="", words=()):
+    def heard(self, *steps, parts="", arguments=()):
         """Time in ns and mask of each change."""
         self.write(top_v=LISTENER)
-        done = self.plays(*steps, parts=parts, words=words)
+        done = self.plays(*steps, parts=parts, arguments=arguments)
         lines = [line.split() for line in done.stdout.splitlines() if line[:1].isdigit()]
         return [(int(time), int(mask, 16)) for time, mask in lines
                 if int(time) > 10 * CLOCK]  # before, registers and wires come up
@@ -83,7 +83,7 @@ class Pins(Case):
 
     def test_pulses_are_heard_in_waveforms_as_without(self):
         steps, expected = self.pulses(5)
-        heard = self.heard(*steps, parts=self.BUTTONS, words=["--trace", "w.fst"])
+        heard = self.heard(*steps, parts=self.BUTTONS, arguments=["--trace", "w.fst"])
         self.assertEqual(heard, expected)
 
     def test_pulses_of_one_clock_on_every_pin_of_the_headers(self):
