@@ -105,6 +105,7 @@ void ArmCpu::interrupt(bool irq, bool fiq) {
     fiq_ = fiq;
     if (!irq && !fiq) return;
     wake_.notify(SC_ZERO_TIME);
+    if (kernel_ && irq) kernel_->interrupt_raised();
     if (running_) core_.stop_soon();
 }
 

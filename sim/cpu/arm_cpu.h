@@ -96,6 +96,8 @@ public:
     virtual void exception(ArmCore&, ArmException, const ArmFault&, const std::string& what) = 0;
     // At the time of ArmCpu::set_alarm(), between two instructions.
     virtual void alarm(ArmCore&) {}
+    // The interrupt controller's IRQ has risen, perhaps within an access of the program.
+    virtual void interrupt_raised() {}
 
 protected:
     ~ArmKernel() = default;
@@ -117,6 +119,7 @@ public:
     void set_semihosting(std::function<void(ArmCore&)> answer) { semihosting_ = std::move(answer); }
 
     void interrupt(bool irq, bool fiq) override;
+    bool irq() const { return irq_; }
     void warm_reset() override;
     // Ends a WFI or WFE, as a debug event does.
     void wake() { wake_.notify(sc_core::SC_ZERO_TIME); }

@@ -217,8 +217,16 @@ private:
     void read_sections(ElfProgram& program) const {
         for (Elf_Scn* section = nullptr; (section = elf_nextscn(elf_.get(), section));) {
             GElf_Shdr header;
-            if (!gelf_getshdr(section, &header) || !(header.sh_flags & SHF_ALLOC)) continue;
+            if (!gelf_getshdr(section, &header)) continue;
             const char* name = elf_strptr(elf_.get(), header_->e_shstrndx, header.sh_name);
+            if (const Elf_Data* data = elf_getdata(section, nullptr);
+                data && data->d_buf && name &&
+                std::string_view{name}.rfind(MODULES_SECTION, 0) == 0) {
+                const auto* const bytes = static_cast<const std::uint8_t*>(data->d_buf);
+                program.modules.assign(bytes, bytes + data->d_size);
+                program.modules_name = name + std::string_view{MODULES_SECTION}.size();
+            }
+            if (!(header.sh_flags & SHF_ALLOC)) continue;
             program.sections.push_back({static_cast<std::uint32_t>(header.sh_addr),
                                         static_cast<std::uint32_t>(header.sh_size),
                                         name ? name : "", (header.sh_flags & SHF_WRITE) != 0,
@@ -275,7 +283,9 @@ private:
     const Elf32_Ehdr* header_ = nullptr;
 };
 
+// A name of C may be that of a type in mangled form: "w" is wchar_t.
 std::string demangled(const std::string& name) {
+    if (name.rfind("_Z", 0) != 0) return name;
     int status = 0;
     const std::unique_ptr<char, decltype(&std::free)> text{
         abi::__cxa_demangle(name.c_str(), nullptr, nullptr, &status), &std::free};

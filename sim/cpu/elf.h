@@ -46,6 +46,10 @@ struct ElfSection {
     bool is_data() const { return !executable && (writable || name.rfind(".rodata", 0) == 0); }
 };
 
+// Where `de1sim link` places kernel modules: each file in one of these places.
+constexpr std::uint32_t KERNEL_BASE = 0xBF000000, KERNEL_PLACE_BYTES = 4 << 20, KERNEL_PLACES = 64;
+constexpr const char* MODULES_SECTION = ".de1sim.modules.";  // and their name, in a program
+
 struct ElfProgram {
     std::filesystem::path file;
     std::uint32_t entry = 0;         // bit 0: Thumb
@@ -56,7 +60,10 @@ struct ElfProgram {
     std::vector<ElfSection> sections;    // those in memory; none in a stripped file
     bool movable = false;                // position-independent
     std::string interpreter;             // the dynamic linker's path; "": none
+    std::vector<std::uint8_t> modules;   // an ELF file of kernel modules that it carries; or none
+    std::string modules_name;
 
+    bool is_modules() const { return !segments.empty() && entry >= KERNEL_BASE; }
     // Adds `bytes` to all addresses: of a position-independent program.
     void move(std::uint32_t bytes);
 

@@ -11,6 +11,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "sim/cpu/elf.h"
 #include "sim/files/whole_file.h"
 #include "sim/process/run_command.h"
 #include "sim/project/project.h"
@@ -31,18 +32,24 @@ using project::ProjectError;
 
 constexpr const char* PREFIX = "arm-linux-gnueabihf-";
 constexpr unsigned LIMIT_S = 600;
-constexpr std::size_t MOST_REGIONS = 8;  // KMOD_REGIONS of sw/kmod/nodes.h
+// KMOD_REGIONS and KMOD_INTERRUPTS of sw/kmod/nodes.h
+constexpr std::size_t MOST_REGIONS = 8, MOST_INTERRUPTS = 8;
 
-// The program's calls that kmod_files.c looks at.  libc has the second of a name for files or times
-// of 64 bits.
-constexpr const char* WRAPPED[] = {"main",    "open",           "open64", "close",  "read",
-                                   "write",   "ioctl",          "lseek",  "mmap",   "fopen",
-                                   "fopen64", "__ioctl_time64", "mmap64", "lseek64"};
-
+// It includes a header that only the kernel has.
 bool is_module(const fs::path& file) {
     if (file.extension() != ".c") return false;
-    static const std::regex HEADER{R"(#\s*include\s*<linux/(module|init)\.h>)"};
+    static const std::regex HEADER{
+        R"(#\s*include\s*<(linux/(module|init|io|of|of_address|platform_device|interrupt|slab|)"
+        R"(cdev|device|uaccess|delay|miscdevice|spinlock|mutex|workqueue|kthread)|)"
+        R"(asm/(io|uaccess))\.h>)"};
     return std::regex_search(project::text_of(file), HEADER);
+}
+
+// Modules that are linked apart, but loaded together, mostly have different places.
+std::uint32_t place_of(const std::string& name) {
+    std::uint32_t hash = 2166136261;  // FNV-1a
+    for (const char c : name) hash = (hash ^ static_cast<unsigned char>(c)) * 16777619;
+    return KERNEL_BASE + hash % KERNEL_PLACES * KERNEL_PLACE_BYTES;
 }
 
 class TemporaryFolder {
@@ -101,12 +108,16 @@ std::string nodes_text(const std::vector<project::qsys::Device>& devices) {
         lists += fmt::format("static const char* const compatible_{}[] = {{", n);
         for (const std::string& name : d.compatible) lists += '"' + name + "\", ";
         lists += "0};\n";
-        nodes += fmt::format("    {{\"{}\", compatible_{}, {}, {{{}}}, {{{}}}}},\n", d.instance, n,
-                             regions, first, bytes);
+        std::string interrupts;
+        const std::size_t interrupt_count = std::min(d.interrupts.size(), MOST_INTERRUPTS);
+        for (std::size_t i = 0; i < interrupt_count; ++i)
+            interrupts += fmt::format("{}, ", d.interrupts[i]);
+        nodes += fmt::format("    {{\"{}\", compatible_{}, {}, {{{}}}, {{{}}}, {}, {{{}}}}},\n",
+                             d.instance, n, regions, first, bytes, interrupt_count, interrupts);
     }
     return fmt::format(
         "#include <stdint.h>\n#include \"nodes.h\"\n{}"
-        "struct device_node kmod_nodes[] = {{\n{}    {{0, 0, 0, {{0}}, {{0}}}}\n}};\n",
+        "struct device_node kmod_nodes[] = {{\n{}    {{0}}\n}};\n",
         lists, nodes);
 }
 
@@ -138,39 +149,37 @@ public:
         for (const fs::path& file : options_.files)
             if (std::error_code error; !fs::is_regular_file(file, error))
                 throw ProjectError{fmt::format("{}: there is no such file", file.string())};
-        const fs::path kmod = project::data_folder() / "kmod";
-        write_whole_file(folder_.path() / "nodes.c", nodes_text(devices()));
-        const std::vector<std::string> own{"-std=gnu11", "-O2", "-I" + kmod.string(), "-c"};
-        std::vector<std::string> objects{compiled("gcc", own, folder_.path() / "nodes.c")};
-        for (const char* name : {"kmod.c", "kmod_files.c", "kmod_library.c"})
-            objects.push_back(compiled("gcc", own, kmod / name));
-        bool is_cpp = false;
+        std::vector<std::string> modules, program;
+        std::string name;  // of the first module
         for (const fs::path& file : options_.files) {
             const std::string extension = file.extension().string();
             if (extension == ".o" || extension == ".a") {
-                objects.push_back(fs::absolute(file).string());
-                continue;
+                program.push_back(fs::absolute(file).string());
+            } else if (is_module(file)) {
+                if (name.empty()) name = file.stem().string();
+                modules.push_back(module(file));
+            } else {
+                is_cpp_ |= extension == ".cpp" || extension == ".cc" || extension == ".cxx";
+                program.push_back(compiled_program(file));
             }
-            is_cpp |= extension == ".cpp" || extension == ".cc" || extension == ".cxx";
-            objects.push_back(is_module(file) ? module(file, kmod) : program(file));
         }
-        std::vector<std::string> command{PREFIX + std::string{is_cpp ? "g++" : "gcc"}, "-static"};
-        for (const char* name : WRAPPED) command.push_back(std::string{"-Wl,--wrap="} + name);
-        command.insert(command.end(), objects.begin(), objects.end());
-        command.insert(command.end(), options_.arguments.begin(), options_.arguments.end());
-        // Beside the result, so that this is never half there.
-        const fs::path out = fs::absolute(options_.out), half = out.string() + ".part";
-        command.insert(command.end(), {"-o", half.string()});
-        const bool linked = compiles(command);
-        std::error_code error;
-        if (linked) fs::rename(half, out, error);
-        if (error) throw ProjectError{fmt::format("{}: {}", out.string(), error.message())};
-        if (!linked) fs::remove(half, error);
-        return linked ? PASSED : WRONG_INPUT;
+        if (modules.empty())
+            throw ProjectError{
+                fmt::format("{}: none of the files is a kernel module: none includes "
+                            "<linux/module.h>",
+                            options_.files.front().string())};
+        const fs::path kernel = folder_.path() / "modules";
+        if (!link_modules(std::move(modules), name, kernel)) return WRONG_INPUT;
+        if (program.empty())
+            return place(kernel, options_.out.empty() ? fs::path{name + ".ko"} : options_.out);
+        const fs::path linked = folder_.path() / "program";
+        if (!link_program(std::move(program), kernel, name, linked)) return WRONG_INPUT;
+        return place(linked, options_.out.empty() ? fs::path{"program.elf"} : options_.out);
     }
 
 private:
     std::vector<project::qsys::Device> devices() const {
+        if (options_.project.place.empty()) return {};
         const project::Project project = project::read_project(options_.project.request());
         for (const auto& system : project.systems)
             if (system.has_processor) return system.devices;
@@ -187,7 +196,49 @@ private:
         return object;
     }
 
-    std::string module(const fs::path& file, const fs::path& kmod) {
+    bool link_modules(std::vector<std::string> objects, const std::string& name,
+                      const fs::path& out) {
+        const fs::path kmod = project::data_folder() / "kmod";
+        write_whole_file(folder_.path() / "nodes.c", nodes_text(devices()));
+        const std::vector<std::string> own{"-std=gnu11", "-O2", "-g", "-I" + kmod.string(), "-c"};
+        objects.push_back(compiled("gcc", own, folder_.path() / "nodes.c"));
+        for (const char* file : {"kmod.c", "kmod_attributes.c", "kmod_files.c", "kmod_later.c",
+                                 "kmod_library.c", "kmod_sleep.c"})
+            objects.push_back(compiled("gcc", own, kmod / file));
+        std::vector<std::string> command{PREFIX + std::string{"gcc"}, "-static", "-pthread",
+                                         fmt::format("-Wl,-Ttext-segment=0x{:x}", place_of(name))};
+        command.insert(command.end(), objects.begin(), objects.end());
+        command.insert(command.end(), {"-o", out.string()});
+        return compiles(command);
+    }
+
+    // With the modules in a section of its own, which is loaded before it.
+    bool link_program(std::vector<std::string> objects, const fs::path& modules,
+                      const std::string& name, const fs::path& out) {
+        write_whole_file(folder_.path() / "modules.S",
+                         fmt::format(".section {}{},\"\",%progbits\n.incbin \"{}\"\n"
+                                     ".section .note.GNU-stack,\"\",%progbits\n",
+                                     MODULES_SECTION, name, modules.string()));
+        objects.push_back(compiled("gcc", {"-c"}, folder_.path() / "modules.S"));
+        std::vector<std::string> command{PREFIX + std::string{is_cpp_ ? "g++" : "gcc"}, "-static"};
+        command.insert(command.end(), objects.begin(), objects.end());
+        command.insert(command.end(), options_.arguments.begin(), options_.arguments.end());
+        command.insert(command.end(), {"-o", out.string()});
+        return compiles(command);
+    }
+
+    // Beside the result first, so that this is never half there.
+    static int place(const fs::path& made, const fs::path& wanted) {
+        const fs::path out = fs::absolute(wanted), half = out.string() + ".part";
+        std::error_code error;
+        fs::copy_file(made, half, fs::copy_options::overwrite_existing, error);
+        if (!error) fs::rename(half, out, error);
+        if (error) throw ProjectError{fmt::format("{}: {}", out.string(), error.message())};
+        return PASSED;
+    }
+
+    std::string module(const fs::path& file) {
+        const fs::path kmod = project::data_folder() / "kmod";
         const fs::path headers = folder_.path() / "headers";
         std::set<fs::path> seen;
         write_headers(fs::absolute(file), headers, seen);
@@ -198,6 +249,9 @@ private:
                                          "-O2",
                                          "-g",
                                          "-ffreestanding",
+                                         "-fno-strict-aliasing",
+                                         "-fno-strict-overflow",
+                                         "-fno-delete-null-pointer-checks",
                                          "-D__KERNEL__",
                                          "-DMODULE",
                                          "-DKBUILD_MODNAME=\"" + name + "\"",
@@ -211,7 +265,7 @@ private:
         return compiled("gcc", command, file);
     }
 
-    std::string program(const fs::path& file) {
+    std::string compiled_program(const fs::path& file) {
         std::vector<std::string> command{"-O2", "-g"};
         add_compiler_arguments(command);
         command.push_back("-c");
@@ -253,6 +307,7 @@ private:
     const LinkOptions& options_;
     const TemporaryFolder folder_;
     unsigned object_count_ = 0;
+    bool is_cpp_ = false;
 };
 
 }  // namespace
@@ -264,10 +319,11 @@ void add_link_options(CLI::App& command, LinkOptions& options) {
         ->required();
     command
         .add_option("--project", options.project.place,
-                    "the .qsf, .qpf or folder with the Platform Designer system")
-        ->check(named)
-        ->required();
-    command.add_option("-o,--output", options.out, "the program")->capture_default_str();
+                    "the .qsf, .qpf or folder with the Platform Designer system that modules find "
+                    "their devices in")
+        ->check(named);
+    command.add_option("-o,--output", options.out,
+                       "the program; without one, NAME.ko of the modules");
     add_project_options(command, options.project);
     command.footer("What follows -- are arguments of the compiler: -lm, -I FOLDER.");
 }
@@ -276,7 +332,7 @@ int link_program(const LinkOptions& options) {
     try {
         return Linker{options}.run();
     } catch (const Linker::Failed&) {
-        complain(fmt::format("{} is not made: a file does not compile", options.out.string()));
+        complain("nothing is made: a file does not compile");
         return WRONG_INPUT;
     }
 }

@@ -1,9 +1,9 @@
-// link.h - `de1sim link`: kernel modules and the program that uses them, as one ARM program
+// link.h - `de1sim link`: kernel modules, and the program that uses them, for the emulated Linux
 //
-// A C file that includes <linux/module.h> or <linux/init.h> is a module and is compiled against
-// sw/kmod/kmod.h; the others are the program.  All are linked statically with sw/kmod and with
-// the devices of the project's Platform Designer system, so that the program's open(), ioctl()
-// and their like reach the module.  It runs on the board's Linux as it does here.
+// A C file that includes a header of the kernel's, such as <linux/module.h>, is a module and is
+// compiled against sw/kmod/kmod.h; the others are the program.  The modules become an ELF file of
+// their own, NAME.ko, with sw/kmod and with the devices of the project's Platform Designer system.
+// A program carries it in a section: the emulated kernel loads it before the program.
 #pragma once
 
 #include <filesystem>
@@ -21,7 +21,7 @@ namespace sim {
 struct LinkOptions {
     std::vector<std::filesystem::path> files;  // .c, .cpp, .S, .o, .a
     ProjectOptions project;
-    std::filesystem::path out = "program.elf";
+    std::filesystem::path out;           // empty: program.elf, or MODULE.ko
     std::vector<std::string> arguments;  // of the compiler: -lm, -I include, -O2
 };
 

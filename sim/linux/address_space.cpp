@@ -21,13 +21,15 @@ std::uint64_t ram_of(std::uint32_t begin, const AddressSpace::Area& area) {
 
 }  // namespace
 
-AddressSpace::AddressSpace(ArmCore& core) : core_{core} {
-    void* area = mmap(nullptr, TOP, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+AddressSpace::AddressSpace(ArmCore& core, std::uint32_t bottom, std::uint32_t top)
+    : core_{core}, bottom_{bottom}, top_{top} {
+    void* area =
+        mmap(nullptr, top - bottom, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
     if (area == MAP_FAILED) throw std::bad_alloc{};
-    host_ = static_cast<std::uint8_t*>(area);
+    host_ = static_cast<std::uint8_t*>(area) - bottom;
 }
 
-AddressSpace::~AddressSpace() { munmap(host_, TOP); }
+AddressSpace::~AddressSpace() { munmap(host_ + bottom_, top_ - bottom_); }
 
 // ---- The core's list ----------------------------------------------------------------------------
 
@@ -193,12 +195,12 @@ bool AddressSpace::is_free(std::uint32_t begin, std::uint32_t bytes) const {
 }
 
 std::optional<std::uint32_t> AddressSpace::find_room(std::uint32_t bytes) const {
-    std::uint32_t limit = TOP - STACK_ROOM;
+    std::uint32_t limit = top_ == TOP ? TOP - STACK_ROOM : top_;
     for (auto it = areas_.rbegin(); it != areas_.rend(); ++it) {
         if (it->second.end <= limit && limit - it->second.end >= bytes) return limit - bytes;
         limit = std::min(limit, it->first);
     }
-    if (limit < BOTTOM || limit - BOTTOM < bytes) return std::nullopt;
+    if (limit < bottom_ || limit - bottom_ < bytes) return std::nullopt;
     return limit - bytes;
 }
 
@@ -212,11 +214,11 @@ std::optional<std::pair<std::uint32_t, AddressSpace::Area>> AddressSpace::at(
 // ---- The kernel's accesses ----------------------------------------------------------------------
 
 std::uint8_t* AddressSpace::bytes(std::uint32_t address, std::size_t bytes, unsigned access) const {
-    if (bytes == 0) return host_;
+    if (bytes == 0) return host_ + bottom_;
     const std::uint64_t end = std::uint64_t{address} + bytes;
     for (std::uint64_t reached = address; reached < end;) {
         const auto area = at(static_cast<std::uint32_t>(reached));
-        if (reached >= TOP || !area || area->second.on_bus ||
+        if (reached >= top_ || !area || area->second.on_bus ||
             (area->second.access & access) != access)
             return nullptr;
         reached = area->second.end;

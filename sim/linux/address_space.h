@@ -42,7 +42,8 @@ public:
         }
     };
 
-    explicit AddressSpace(ArmCore& core);
+    // Of a process, or the kernel's with its modules: the addresses from `bottom` to `top`.
+    explicit AddressSpace(ArmCore& core, std::uint32_t bottom = BOTTOM, std::uint32_t top = TOP);
     ~AddressSpace();
     AddressSpace(const AddressSpace&) = delete;
     // The same areas, those in RAM with a copy of their contents; not the core's yet.
@@ -59,7 +60,11 @@ public:
     bool map_shared(std::uint32_t begin, std::uint32_t bytes, unsigned access,
                     std::shared_ptr<SharedMemory> memory, std::uint32_t offset);
     void unmap(std::uint32_t begin, std::uint32_t bytes);
-    void unmap_all() { unmap(BOTTOM, TOP - BOTTOM); }
+    std::uint32_t bottom() const { return bottom_; }
+    std::uint32_t top() const { return top_; }
+    bool holds(std::uint32_t begin, std::uint32_t bytes) const {
+        return begin >= bottom_ && begin <= top_ && bytes <= top_ - begin;
+    }
     // False, and nothing done, if a part of it is not mapped.
     bool protect(std::uint32_t begin, std::uint32_t bytes, unsigned access);
 
@@ -90,7 +95,8 @@ private:
     void disconnect(Areas::const_iterator area);  // from it
 
     ArmCore& core_;
-    std::uint8_t* host_;  // address 0 of the process
+    const std::uint32_t bottom_, top_;
+    std::uint8_t* host_;  // where address 0 would be
     Areas areas_;         // by begin
     std::uint64_t ram_ = 0;
     bool attached_ = false;

@@ -11,8 +11,9 @@ namespace sim {
 
 namespace arm_open {
 constexpr std::uint32_t ACCESS = 3, RDONLY = 0, WRONLY = 1, RDWR = 2, CREAT = 0100, EXCL = 0200,
-                        TRUNC = 01000, APPEND = 02000, NONBLOCK = 04000, DIRECT = 0200000,
-                        DIRECTORY = 040000, NOFOLLOW = 0100000, CLOEXEC = 02000000;
+                        TRUNC = 01000, APPEND = 02000, NONBLOCK = 04000, ASYNC = 020000,
+                        DIRECT = 0200000, DIRECTORY = 040000, NOFOLLOW = 0100000,
+                        CLOEXEC = 02000000;
 }
 
 namespace arm_mmap {
@@ -25,7 +26,8 @@ constexpr std::uint32_t MAYMOVE = 1, FIXED = 2;
 }
 
 namespace arm_fcntl {
-constexpr std::uint32_t DUPFD = 0, GETFD = 1, SETFD = 2, GETFL = 3, SETFL = 4, DUPFD_CLOEXEC = 1030;
+constexpr std::uint32_t DUPFD = 0, GETFD = 1, SETFD = 2, GETFL = 3, SETFL = 4, SETOWN = 8,
+                        DUPFD_CLOEXEC = 1030;
 }
 
 constexpr std::uint32_t ARM_AT_FDCWD = 0xFFFFFF9C, ARM_AT_REMOVEDIR = 0x200,

@@ -20,7 +20,8 @@ namespace sim {
 class LinuxDevice {
 public:
     // Of these, what would not have to wait.
-    static constexpr unsigned READ = 1, WRITE = 2, HUNG_UP = 4, BROKEN = 8;
+    static constexpr unsigned READ = 1, WRITE = 2, HUNG_UP = 4, BROKEN = 8,
+                              UNKNOWN = 16;  // until something changes
 
     virtual ~LinuxDevice() = default;
     virtual FileStatus status() const = 0;
@@ -28,6 +29,8 @@ public:
     // Only threads of the run's own processes can end a wait for it.
     virtual bool is_inside() const { return false; }
     virtual unsigned can_do() const { return READ | WRITE; }
+    // What can_do() has returned may have changed.
+    virtual void look_again() {}
     // How often something has come to be read, or room to write, for EPOLLET; 0: nobody counts.
     virtual std::uint64_t arrivals() const { return 0; }
 

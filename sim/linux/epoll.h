@@ -83,6 +83,13 @@ public:
         return all.empty() ? "the time to wake up" : all;
     }
 
+    // What a file can do is not known yet.
+    bool is_unknown() const {
+        for (const auto& [fd, watch] : watches_)
+            if (!watch.file.expired() && files_().can_do(fd) & UNKNOWN) return true;
+        return false;
+    }
+
     FileStatus status() const override { return {0600, 0, 1, 0}; }
     std::string name() const override { return waits_for(); }
     unsigned can_do() const override {

@@ -303,6 +303,11 @@ int LinuxFiles::flags(int fd) const {
                 : -EBADF;
 }
 
+void LinuxFiles::for_each_device(const std::function<void(LinuxDevice&)>& visit) const {
+    for (const auto& [fd, slot] : slots_)
+        if (slot.file->device) visit(*slot.file->device);
+}
+
 int LinuxFiles::set_flags(int fd, std::uint32_t flags) {
     if (!find(fd)) return -EBADF;
     std::uint32_t& kept = slots_[fd].file->flags;

@@ -57,7 +57,8 @@ public:
 
     // The lowest free number, or EMFILE.
     int add(std::shared_ptr<LinuxDevice> device, std::uint32_t flags);
-    LinuxDevice* device(int fd) const;         // nullptr: it is another kind of file
+    LinuxDevice* device(int fd) const;  // nullptr: it is another kind of file
+    void for_each_device(const std::function<void(LinuxDevice&)>& visit) const;
     std::shared_ptr<void> hold(int fd) const;  // as long as this lives it stays open
     void close_all(bool only_on_exec);
     // For reading, on the host; the error, or the host's number.
@@ -82,7 +83,8 @@ public:
     std::int64_t read_folder(int fd, std::uint8_t* data, std::size_t bytes);
     // Of these, what would not have to wait.
     static constexpr unsigned READ = LinuxDevice::READ, WRITE = LinuxDevice::WRITE,
-                              HUNG_UP = LinuxDevice::HUNG_UP, BROKEN = LinuxDevice::BROKEN;
+                              HUNG_UP = LinuxDevice::HUNG_UP, BROKEN = LinuxDevice::BROKEN,
+                              UNKNOWN = LinuxDevice::UNKNOWN;
     unsigned can_do(int fd) const;
     std::string name(int fd) const;  // in a message about who waits for it
     bool is_inside(int fd) const;    // as LinuxDevice's

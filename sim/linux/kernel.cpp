@@ -14,6 +14,7 @@ namespace {
 
 constexpr std::uint64_t SEED = 0x9E3779B97F4A7C15;
 const sc_core::sc_time call_time{1, sc_core::SC_US};
+const sc_core::sc_time module_call_time{100, sc_core::SC_NS};  // a function's, within the kernel
 constexpr const char* CROSS_LIBRARIES = "/usr/arm-linux-gnueabihf/lib";  // Debian's
 
 }  // namespace
@@ -30,19 +31,18 @@ LinuxKernel::LinuxKernel(ArmCpu& cpu, LinuxSettings settings, Outside outside)
                cpu.pause(until, at_most);
            },
            outside_.console, [this](unsigned number) { typed(number); }, [this] { on_input(); }}},
+      console_{outside_.console,
+               [this](char* to, std::size_t bytes) { return terminal_.read_now(to, bytes); },
+               [this] { return terminal_.readable(); }},
+      system_{
+          [this](const std::string& path, std::uint32_t flags) { return open_system(path, flags); },
+          [this](const std::string& path) { return system_status(path); },
+          [this](const std::string& path) { return remove_system(path); }},
       input_{[] { return sc_core::sc_time_stamp().value() / 1000; }, [this] { feel(); }},
       random_{SEED} {
-    const LinuxFiles::Console console{
-        outside_.console,
-        [this](char* to, std::size_t bytes) { return terminal_.read_now(to, bytes); },
-        [this] { return terminal_.readable(); }};
-    const LinuxFiles::System system{
-        [this](const std::string& path, std::uint32_t flags) { return open_system(path, flags); },
-        [this](const std::string& path) { return system_status(path); },
-        [this](const std::string& path) { return remove_system(path); }};
     processes_.push_back(std::make_unique<LinuxProcess>(LinuxProcess{
         LinuxProcess::FIRST, 0, std::make_shared<AddressSpace>(cpu.core()),
-        LinuxFiles{settings_.root, CROSS_LIBRARIES, settings_.input, console, system}}));
+        LinuxFiles{settings_.root, CROSS_LIBRARIES, settings_.input, console_, system_}}));
     process_ = processes_.front().get();
     cpu.attach(this);
 }
@@ -66,6 +66,8 @@ void LinuxKernel::boot(ArmCore& core) {
         return cpu_.end("the program reset the board " + cpu_.where());
     helpers_.connect();
     try {
+        load_first_modules();
+        if (cpu_.program().elf.is_modules()) return go_on();
         std::vector<std::string> arguments{path_of(cpu_.program().elf)};
         arguments.insert(arguments.end(), settings_.arguments.begin(), settings_.arguments.end());
         process_->command = arguments[0];
@@ -82,7 +84,17 @@ void LinuxKernel::boot(ArmCore& core) {
         std::make_unique<LinuxThread>(LinuxThread{process_->number, *process_}));
     LinuxThread& first = *process_->threads.back();
     first.save(core);
-    scheduler_.add(first, false);
+    if (modules_.empty()) {
+        scheduler_.add(first, false);
+        return go_on();
+    }
+    LinuxWait wait;
+    wait.what = "the modules to be initialised";
+    wait.inside = wait.uninterrupted = true;
+    wait.look = [this, r0 = first.r[0]](LinuxWait&) {
+        return modules_are_initialised() ? Result{r0} : std::nullopt;
+    };
+    first.wait = std::move(wait);
     go_on();
 }
 
@@ -92,12 +104,15 @@ void LinuxKernel::call(ArmCore& core) {
         for (const Call& call : calls()) all.emplace(call.number, call.answer);
         return all;
     }();
-    cpu_.work(call_time);
     const std::uint32_t number = core.reg(7);
-    if (const auto call = by_number.find(number); call != by_number.end()) {
+    const bool by_module = process_->module && number == KMOD_CALL;
+    cpu_.work(by_module ? module_call_time : call_time);
+    const auto call = by_number.find(number);
+    if (by_module || call != by_number.end()) {
         const Arguments arguments{core.reg(0), core.reg(1), core.reg(2), core.reg(3),
                                   core.reg(4), core.reg(5), core.reg(6)};
-        if (const Result result = (this->*call->second)(arguments))
+        if (const Result result =
+                by_module ? call_of_module(arguments) : (this->*call->second)(arguments))
             core.set_reg(0, static_cast<std::uint32_t>(*result));
         return go_on();
     }

@@ -27,6 +27,8 @@
 //
 // Timers of setitimer, alarm and timerfd; /dev/i2c-0; the processor's LED below /sys/class/leds.
 //
+// Kernel modules: modules.h.  A program's access to their memory is not refused.
+//
 // Not handled: timer_create, ITIMER_VIRTUAL and ITIMER_PROF, GPIO below /sys, message queues,
 // groups and sessions of processes, job control; mutexes with priority inheritance; the
 // second processor: threads never run at the same time; no vDSO, so that the C library makes system
@@ -50,6 +52,7 @@
 #include "sim/linux/files.h"
 #include "sim/linux/input.h"
 #include "sim/linux/loader.h"
+#include "sim/linux/modules.h"
 #include "sim/linux/process.h"
 #include "sim/linux/scheduler.h"
 #include "sim/linux/signals.h"
@@ -66,6 +69,7 @@ struct LinuxSettings {
     std::filesystem::path root;          // the program's /; empty: it has no files
     std::vector<std::string> arguments;  // after the program's name
     std::filesystem::path input;         // standard input; empty: the console
+    std::vector<std::string> modules;    // loaded before it: "dial.ko period=5"
 };
 
 class LinuxKernel final : public ArmKernel {
@@ -80,6 +84,8 @@ public:
 
     // Attaches itself.  std::runtime_error if the root cannot be opened.
     LinuxKernel(ArmCpu& cpu, LinuxSettings settings, Outside outside);
+    ~LinuxKernel() { over_ = true; }  // nobody answers requests to close files
+    LinuxKernel(const LinuxKernel&) = delete;
 
     // At the console.
     Terminal& terminal() { return terminal_; }
@@ -96,6 +102,9 @@ public:
 
     // What it waits for, "standard input"; or "".
     std::string waiting() const;
+
+    // What the modules have printed, as `dmesg` shows it; "" without modules.
+    const std::string& messages() const { return messages_; }
 
 private:
     // Of a system call: r0 - r6, and the new r0; without a value the registers stay unchanged.
@@ -119,6 +128,7 @@ private:
     void boot(ArmCore& core) override;
     void call(ArmCore& core) override;
     void alarm(ArmCore& core) override;
+    void interrupt_raised() override;
     void exception(ArmCore& core, ArmException, const ArmFault&, const std::string& what) override;
 
     // kernel_memory.cpp
@@ -132,8 +142,8 @@ private:
                                           std::uint32_t flags) const;
 
     // kernel_files.cpp
-    std::int64_t open(std::uint32_t folder, std::uint32_t path, std::uint32_t flags,
-                      std::uint32_t mode);
+    Result open(std::uint32_t folder, std::uint32_t path, std::uint32_t flags, std::uint32_t mode);
+    static Piece first_of(const std::vector<Piece>& pieces);
     Result read(int fd, std::vector<Piece> pieces);
     Result write(int fd, std::vector<Piece> pieces);
     std::int64_t print(int fd, const std::uint8_t* from, std::uint32_t count, LinuxWait& wait);
@@ -170,6 +180,7 @@ private:
     std::int64_t span_at(std::uint32_t address, Span kind) const;
     void give_span(std::uint32_t address, Span kind, std::uint64_t ns);
     void name_source(std::string& what, int fd) const;
+    bool goes_on(LinuxWait& wait, bool unknown, std::uint64_t end_ns) const;
     Result select(const Arguments&, Span kind);
     Result poll(std::uint32_t list, std::uint32_t count, std::int64_t span_ns);
 
@@ -214,6 +225,7 @@ private:
     static constexpr std::uint32_t LEAVES = 0x1000000;  // a child to be waited for again
     Result fork(const Clone& how);
     void end_process(LinuxProcess& process, std::uint32_t status);
+    void end_run(std::uint32_t code);
     LinuxProcess* process_of(int number) const;
     void forget(LinuxProcess& process);
     Result wait_for_child(std::int32_t which, std::uint32_t options,
@@ -228,6 +240,8 @@ private:
     std::optional<std::string> text_of_process(const LinuxProcess& process,
                                                const std::string& name) const;
     std::optional<std::string> system_text(const std::string& path) const;
+    std::string modules_text() const;
+    std::string interrupts_text() const;
     std::uint8_t random_byte();
     std::pair<int, std::shared_ptr<LinuxDevice>> open_system(const std::string& path,
                                                              std::uint32_t flags);
@@ -264,6 +278,57 @@ private:
     void remove_unused(int segment);
     Result semop(const Arguments&, std::int64_t span);
 
+    // kernel_modules.cpp
+    struct ModuleNode {
+        KernelModule* module;
+        std::uint32_t id, mode, number;
+    };
+    AddressSpace& kernel_space();
+    std::optional<KernelModule*> module_named(const std::string& name) const;
+    KernelModule& load_module(ElfProgram program, std::vector<std::string> parameters,
+                              std::function<void(int)> on_initialised);
+    void load_first_modules();
+    bool modules_are_initialised() const;
+    Result insert_module(const std::string& path, const std::string& host,
+                         std::uint32_t parameters);
+    Result remove_module(KernelModule& module, LinuxThread* thread);
+    Result leave_modules(const Arguments&);
+    void unload(KernelModule& module);
+    Result request(KernelModule& module, ModuleRequest request, const std::string& what);
+    Result request(int fd, ModuleFile& file, kmod_operation operation, std::uint32_t a,
+                   std::uint32_t b, std::uint32_t c = 0);
+    void serve(KernelModule& module, LinuxThread& server);
+    Result module_next(KernelModule& module, std::uint32_t at);
+    void finish(KernelModule& module, const ModuleRequest& request, std::int64_t result);
+    void forget_requests_of(const LinuxThread& thread);
+    const LinuxProcess* process_below(const LinuxThread& thread) const;
+    std::optional<ModuleNode> module_node(const std::string& path) const;
+    static FileStatus status_of(const ModuleNode& node);
+    std::optional<FileStatus> module_status(const std::string& path) const;
+    ModuleFile* module_file(int fd) const;  // or nullptr
+    Result open_module(const ModuleNode& node, const std::string& path, std::uint32_t flags);
+    void poll_again();
+    void poll_module(ModuleFile& file);
+    Result map_module(int fd, ModuleFile& file, const Arguments& a, std::uint32_t bytes);
+    std::int64_t mknod(std::uint32_t folder, std::uint32_t path, std::uint32_t mode,
+                       std::uint32_t number);
+    Result call_of_module(const Arguments&);
+    std::int64_t module_copy(std::uint32_t to, std::uint32_t from, std::uint32_t bytes,
+                             bool to_program);
+    Result module_sleep(KernelModule& module, const Arguments&);
+    bool is_in_module(const LinuxThread& thread) const;
+    void print_message(const std::string& text, int level);
+    void change_register(std::uint32_t address, std::uint32_t clear, std::uint32_t set);
+    void mask_interrupt(unsigned number);
+    void unmask_interrupt(unsigned number);
+    std::int64_t enable_interrupt(KernelModule& module, unsigned number, std::uint32_t trigger,
+                                  std::uint32_t name);
+    Result wait_for_interrupt(unsigned number);
+    void take_interrupts();
+    std::string place_in_module(std::uint32_t pc) const;
+    void stop_by_fault(unsigned signal, std::uint32_t address, const std::string& why);
+    void stop_by_bug(const std::string& what, std::uint32_t pc);
+
     // kernel_signals.cpp
     std::int64_t mask_meanwhile(std::uint32_t address, std::uint32_t bytes);
     Result sigtimedwait(const Arguments&, Span kind);
@@ -293,6 +358,8 @@ private:
     void account();
     std::uint64_t next_event_ns() const;
     std::string waiting_list() const;  // of each thread
+    LinuxThread& next_thread();
+    void attach_memory_of(const LinuxThread& thread);
     void run(LinuxThread& thread);
     void stand_still();
     void on_input();
@@ -312,12 +379,22 @@ private:
     KernelHelpers helpers_;
     LinuxLoader loader_;
     Terminal terminal_;
+    const LinuxFiles::Console console_;
+    const LinuxFiles::System system_;
     LinuxInput input_;
     LinuxNetwork network_;
     bool unreachable_reported_ = false;
+    std::shared_ptr<AddressSpace> kernel_memory_;  // of all modules; none without
+    std::vector<std::unique_ptr<KernelModule>> modules_;
+    std::vector<std::string> first_modules_;  // that the run itself has loaded
+    std::map<unsigned, ModuleInterrupt> interrupts_;
+    std::map<std::string, std::uint32_t> nodes_;  // made by mknod, and their numbers
+    std::string messages_;
+    std::uint32_t dma_end_ = 0;
     std::vector<std::unique_ptr<LinuxProcess>> processes_;
     LinuxProcess* process_ = nullptr;   // which a call is about
     LinuxThread* running_ = nullptr;    // whose registers the core has
+    LinuxThread* next_ = nullptr;       // that runs at once after it, if it can
     AddressSpace* attached_ = nullptr;  // that the core sees
     LinuxScheduler scheduler_;
     std::list<FutexWaiter> waiters_;  // in their order

@@ -116,6 +116,13 @@ LinuxKernel::Result LinuxKernel::sys_exit_group(const Arguments& a) {
         end_process(*process_, code << 8);
         return std::nullopt;
     }
+    if (!modules_.empty()) return leave_modules(a);
+    end_run(code);
+    return std::nullopt;
+}
+
+// The first process has ended.
+void LinuxKernel::end_run(std::uint32_t code) {
     over_ = true;
     exit_code_ = static_cast<int>(code);
     const auto others = std::count_if(processes_.begin(), processes_.end(),
@@ -131,7 +138,6 @@ LinuxKernel::Result LinuxKernel::sys_exit_group(const Arguments& a) {
     if (code != 0 && why.empty())
         why = fmt::format("the program ended with exit code {} {}", code, cpu_.where());
     cpu_.end(why);
-    return std::nullopt;
 }
 
 // ---- Waiting for one ----------------------------------------------------------------------------
@@ -228,6 +234,8 @@ LinuxKernel::Result LinuxKernel::sys_execve(const Arguments& a) {
         }
         try {
             program = LinuxLoader::load(*path, host);
+            if (program.is_modules())
+                throw ElfError{"is a kernel module: insmod loads it, or --module"};
         } catch (const std::exception& e) {
             outside_.log(fmt::format("{} cannot be run: {}", *path, e.what()));
             return -ENOEXEC;

@@ -34,10 +34,11 @@ std::int64_t pair_of(std::uint32_t low, std::uint32_t high) {
 
 }  // namespace
 
-std::int64_t LinuxKernel::open(std::uint32_t folder, std::uint32_t path, std::uint32_t flags,
-                               std::uint32_t mode) {
+LinuxKernel::Result LinuxKernel::open(std::uint32_t folder, std::uint32_t path, std::uint32_t flags,
+                                      std::uint32_t mode) {
     const auto [error, text] = path_at(folder, path);
     if (error) return error;
+    if (const auto node = module_node(text)) return open_module(*node, text, flags);
     const int fd = files().open(text, flags, mode & ~process_->umask);
     if (is_library(text)) {
         loader_.looked_for(text, fd != -ENOENT);
@@ -66,6 +67,15 @@ LinuxKernel::Result LinuxKernel::sys_creat(const Arguments& a) {
 
 LinuxKernel::Result LinuxKernel::sys_close(const Arguments& a) {
     changed_ = true;
+    if (ModuleFile* const file = module_file(fd_of(a[0]))) {
+        ModuleRequest flush{KMOD_FLUSH, file->id};
+        flush.thread = running_;
+        flush.finish = [this, fd = fd_of(a[0])](std::int64_t result) -> Result {
+            files().close(fd);
+            return result;
+        };
+        return request(file->module, std::move(flush), "close of " + file->name());
+    }
     return files().close(fd_of(a[0]));
 }
 
@@ -86,7 +96,20 @@ std::pair<std::uint8_t*, std::uint32_t> LinuxKernel::part(const std::vector<Piec
     return {memory().bytes(0, 0, access), 0};
 }
 
+// A module gets one piece at a time: the program asks again for the others.
+LinuxKernel::Piece LinuxKernel::first_of(const std::vector<Piece>& pieces) {
+    for (const Piece& piece : pieces)
+        if (piece.bytes > 0) return piece;
+    return {0, 0};
+}
+
 LinuxKernel::Result LinuxKernel::read(int fd, std::vector<Piece> pieces) {
+    if (ModuleFile* const file = module_file(fd)) {
+        if ((static_cast<unsigned>(files().flags(fd)) & arm_open::ACCESS) == arm_open::WRONLY)
+            return -EBADF;
+        const Piece piece = first_of(pieces);
+        return request(fd, *file, KMOD_READ, piece.address, piece.bytes);
+    }
     LinuxWait wait;
     wait.what = files().name(fd);
     wait.restarts = true;
@@ -111,6 +134,12 @@ LinuxKernel::Result LinuxKernel::read(int fd, std::vector<Piece> pieces) {
 }
 
 LinuxKernel::Result LinuxKernel::write(int fd, std::vector<Piece> pieces) {
+    if (ModuleFile* const file = module_file(fd)) {
+        if ((static_cast<unsigned>(files().flags(fd)) & arm_open::ACCESS) == arm_open::RDONLY)
+            return -EBADF;
+        const Piece piece = first_of(pieces);
+        return request(fd, *file, KMOD_WRITE, piece.address, piece.bytes);
+    }
     LinuxWait wait;
     wait.what = files().name(fd);
     wait.restarts = true;
@@ -213,13 +242,22 @@ LinuxKernel::Result LinuxKernel::sys_getdents64(const Arguments& a) {
 }
 
 LinuxKernel::Result LinuxKernel::sys_lseek(const Arguments& a) {
+    if (ModuleFile* const file = module_file(fd_of(a[0])))
+        return request(fd_of(a[0]), *file, KMOD_SEEK, a[1],
+                       static_cast<std::int32_t>(a[1]) < 0 ? ~0u : 0, a[2]);
     return files().seek(fd_of(a[0]), static_cast<std::int32_t>(a[1]), fd_of(a[2]));
 }
 
 LinuxKernel::Result LinuxKernel::sys_llseek(const Arguments& a) {
-    const std::int64_t at = files().seek(fd_of(a[0]), pair_of(a[2], a[1]), fd_of(a[4]));
-    if (at < 0) return at;
-    return memory().write(a[3], &at, sizeof at) ? 0 : -EFAULT;
+    const auto give = [this, to = a[3]](std::int64_t at) -> Result {
+        if (at < 0) return at;
+        return memory().write(to, &at, sizeof at) ? 0 : -EFAULT;
+    };
+    if (ModuleFile* const file = module_file(fd_of(a[0]))) {
+        ModuleRequest seek{KMOD_SEEK, file->id, 0, {a[2], a[1], a[4]}, running_, nullptr, give};
+        return request(file->module, std::move(seek), "lseek of " + file->name());
+    }
+    return give(files().seek(fd_of(a[0]), pair_of(a[2], a[1]), fd_of(a[4])));
 }
 
 LinuxKernel::Result LinuxKernel::sys_ftruncate64(const Arguments& a) {
@@ -248,7 +286,23 @@ LinuxKernel::Result LinuxKernel::sys_fcntl(const Arguments& a) {
         case arm_fcntl::GETFD: return files().close_on_exec(fd);
         case arm_fcntl::SETFD: return files().set_close_on_exec(fd, a[2] & 1);
         case arm_fcntl::GETFL: return files().flags(fd);
-        case arm_fcntl::SETFL: return files().set_flags(fd, a[2]);
+        case arm_fcntl::SETFL:
+            files().set_flags(fd, a[2]);
+            if (ModuleFile* const file = module_file(fd)) {
+                const bool on = a[2] & arm_open::ASYNC;
+                if (std::exchange(file->sends_signals, on) != on) {
+                    ModuleRequest fasync{KMOD_FASYNC, file->id, 0,      {a[0], on},
+                                         running_,    nullptr,  nullptr};
+                    fasync.finish = [](std::int64_t result) {
+                        return Result{std::min<std::int64_t>(result, 0)};
+                    };
+                    return request(file->module, std::move(fasync), "fcntl of " + file->name());
+                }
+            }
+            return files().flags(fd) < 0 ? -EBADF : 0;
+        case arm_fcntl::SETOWN:
+            if (ModuleFile* const file = module_file(fd)) file->owner = fd_of(a[2]);
+            return files().flags(fd) < 0 ? -EBADF : 0;
         default: return -EINVAL;
     }
 }
@@ -258,6 +312,8 @@ LinuxKernel::Result LinuxKernel::sys_fcntl(const Arguments& a) {
 LinuxKernel::Result LinuxKernel::sys_ioctl(const Arguments& a) {
     const int fd = fd_of(a[0]);
     if (files().flags(fd) < 0) return -EBADF;
+    if (ModuleFile* const file = module_file(fd); file && a[1] != FIONBIO)
+        return request(fd, *file, KMOD_IOCTL, a[1], a[2]);
     if (LinuxDevice* const device = files().device(fd)) {
         const std::int64_t result = device->control(a[1], a[2], memory());
         if (result != -ENOTTY || a[1] != FIONBIO) return result;

@@ -208,12 +208,19 @@ void LinuxKernel::give_back_locks(const LinuxThread& thread) {
 std::string LinuxKernel::awaited(const LinuxThread& thread) const {
     const auto waiter = std::find_if(waiters_.begin(), waiters_.end(),
                                      [&](const FutexWaiter& w) { return w.thread == &thread; });
-    if (waiter == waiters_.end()) return thread.wait->what;
+    if (waiter == waiters_.end()) {
+        for (const auto& module : modules_)
+            for (const auto& [server, request] : module->served)
+                if (request->thread == &thread && server->wait)
+                    return fmt::format("{}, which waits for {}", thread.wait->what,
+                                       awaited(*server));
+        return thread.wait->what;
+    }
     const std::uint32_t address = waiter->address;
     std::uint32_t words[3];
     const bool read = thread.process.memory->read(address, words, sizeof words);
     for (const LinuxThread* const other : threads()) {
-        if (&other->process != &thread.process) continue;
+        if (&other->process != &thread.process && !thread.process.module) continue;
         if (other->clears == address && other != &thread)
             return fmt::format("the end of thread {}", other->number);
         const auto number = static_cast<std::uint32_t>(other->number);
@@ -226,8 +233,11 @@ std::string LinuxKernel::awaited(const LinuxThread& thread) const {
 
 // All wait for each other, and nothing from outside can change that.
 bool LinuxKernel::is_deadlock() const {
-    for (const LinuxThread* const thread : threads())
-        if (!thread->wait || !thread->wait->inside) return false;
+    const std::vector<LinuxThread*> all = threads();
+    if (std::all_of(all.begin(), all.end(), [](const auto* t) { return t->process.module; }))
+        return false;
+    for (const LinuxThread* const thread : all)
+        if (!thread->wait || !(thread->wait->inside || is_in_module(*thread))) return false;
     const auto hears = [](const LinuxProcess& process) {
         const auto& actions = process.signals.actions;
         return process.stopped || actions[SIGINT].handled() || actions[SIGQUIT].handled() ||

@@ -15,24 +15,20 @@ constexpr unsigned ACCESS = arm_access::ALL;  // PROT_ bits have the same places
 
 bool aligned(std::uint32_t address) { return address % AddressSpace::PAGE == 0; }
 
-// Whole pages, 0 when that is more than a process has.
-std::uint32_t pages(std::uint32_t bytes) {
-    return bytes > AddressSpace::TOP ? 0
-                                     : (bytes + AddressSpace::PAGE - 1) & ~(AddressSpace::PAGE - 1);
+std::uint32_t page_up(std::uint32_t address) {
+    return (address + AddressSpace::PAGE - 1) & ~(AddressSpace::PAGE - 1);
 }
 
-bool inside(std::uint32_t begin, std::uint32_t bytes) {
-    return begin >= AddressSpace::BOTTOM && begin <= AddressSpace::TOP &&
-           bytes <= AddressSpace::TOP - begin;
-}
+// Whole pages, 0 when that is more than a process has.
+std::uint32_t pages(std::uint32_t bytes) { return bytes > AddressSpace::TOP ? 0 : page_up(bytes); }
 
 }  // namespace
 
 LinuxKernel::Result LinuxKernel::sys_brk(const Arguments& a) {
     const std::uint32_t wish = a[0];
-    if (wish < process_->break_begin || wish > AddressSpace::TOP - AddressSpace::PAGE)
+    if (wish < process_->break_begin || wish > memory().top() - AddressSpace::PAGE)
         return process_->break_end;
-    const std::uint32_t was = pages(process_->break_end), will = pages(wish);
+    const std::uint32_t was = page_up(process_->break_end), will = page_up(wish);
     if (will < was) memory().unmap(will, was - will);
     if (will > was && (!memory().is_free(was, will - was) ||
                        !memory().map(was, will - was, arm_access::READ | arm_access::WRITE)))
@@ -44,7 +40,7 @@ std::optional<std::uint32_t> LinuxKernel::place_of(std::uint32_t wish, std::uint
                                                    std::uint32_t flags) const {
     if (flags & (arm_mmap::FIXED | arm_mmap::FIXED_NOREPLACE)) return wish;
     wish &= ~(AddressSpace::PAGE - 1);
-    if (wish != 0 && inside(wish, bytes) && memory().is_free(wish, bytes)) return wish;
+    if (wish != 0 && memory().holds(wish, bytes) && memory().is_free(wish, bytes)) return wish;
     return memory().find_room(bytes);
 }
 
@@ -56,7 +52,8 @@ LinuxKernel::Result LinuxKernel::sys_mmap2(const Arguments& a) {
     if (a[1] == 0 || type == 0 || type > 3) return -EINVAL;
     if (bytes == 0) return -ENOMEM;
     const bool fixed = flags & (arm_mmap::FIXED | arm_mmap::FIXED_NOREPLACE);
-    if (fixed && (!aligned(wish) || !inside(wish, bytes))) return aligned(wish) ? -ENOMEM : -EINVAL;
+    if (fixed && (!aligned(wish) || !memory().holds(wish, bytes)))
+        return aligned(wish) ? -ENOMEM : -EINVAL;
     if ((flags & arm_mmap::FIXED_NOREPLACE) && !memory().is_free(wish, bytes)) return -EEXIST;
 
     const bool anonymous = flags & arm_mmap::ANONYMOUS;
@@ -67,6 +64,7 @@ LinuxKernel::Result LinuxKernel::sys_mmap2(const Arguments& a) {
         const bool shared_write = (access & arm_access::WRITE) && type != arm_mmap::PRIVATE;
         if (mode == arm_open::WRONLY || (shared_write && mode != arm_open::RDWR)) return -EACCES;
         if (files().is_memory(fd)) return map_bus(a, bytes, access, a[5]);
+        if (ModuleFile* const file = module_file(fd)) return map_module(fd, *file, a, bytes);
         if (LinuxDevice* const device = files().device(fd)) {
             if (const auto range = device->on_bus()) {
                 if (std::uint64_t{page} * AddressSpace::PAGE + bytes > range->second)
@@ -137,7 +135,7 @@ std::int64_t LinuxKernel::fill_from_file(int fd, std::uint32_t begin, std::uint3
 
 LinuxKernel::Result LinuxKernel::sys_munmap(const Arguments& a) {
     const std::uint32_t bytes = pages(a[1]);
-    if (!aligned(a[0]) || bytes == 0 || !inside(a[0], bytes)) return -EINVAL;
+    if (!aligned(a[0]) || bytes == 0 || !memory().holds(a[0], bytes)) return -EINVAL;
     memory().unmap(a[0], bytes);
     return 0;
 }
@@ -146,7 +144,7 @@ LinuxKernel::Result LinuxKernel::sys_mprotect(const Arguments& a) {
     if (!aligned(a[0])) return -EINVAL;
     if (a[1] == 0) return 0;
     const std::uint32_t bytes = pages(a[1]);
-    if (bytes == 0 || !inside(a[0], bytes)) return -ENOMEM;
+    if (bytes == 0 || !memory().holds(a[0], bytes)) return -ENOMEM;
     return memory().protect(a[0], bytes, a[2] & ACCESS) ? 0 : -ENOMEM;
 }
 
@@ -154,7 +152,7 @@ LinuxKernel::Result LinuxKernel::sys_mremap(const Arguments& a) {
     const std::uint32_t from = a[0], was = pages(a[1]), will = pages(a[2]), flags = a[3];
     if (!aligned(from) || will == 0 || was == 0 || (flags & arm_mremap::FIXED)) return -EINVAL;
     const auto area = memory().at(from);
-    if (!inside(from, was) || !area || area->second.end - from < was) return -EFAULT;
+    if (!memory().holds(from, was) || !area || area->second.end - from < was) return -EFAULT;
     if (will <= was) {
         if (will < was) memory().unmap(from + will, was - will);
         return from;
@@ -163,7 +161,7 @@ LinuxKernel::Result LinuxKernel::sys_mremap(const Arguments& a) {
     const bool on_bus = area->second.on_bus;
     const unsigned access = area->second.access;
     const std::uint32_t physical = area->second.physical_at(from - area->first);
-    if (inside(from, will) && memory().is_free(from + was, will - was)) {
+    if (memory().holds(from, will) && memory().is_free(from + was, will - was)) {
         if (on_bus)
             memory().map_bus(from + was, will - was, access, physical + was);
         else if (!memory().map(from + was, will - was, access))

@@ -216,4 +216,29 @@ LinuxKernel::Result LinuxKernel::sys_umask(const Arguments& a) {
     return was;
 }
 
+// ---- Device nodes, of modules -------------------------------------------------------------------
+
+LinuxKernel::Result LinuxKernel::sys_mknod(const Arguments& a) {
+    return mknod(ARM_AT_FDCWD, a[0], a[1], a[2]);
+}
+LinuxKernel::Result LinuxKernel::sys_mknodat(const Arguments& a) {
+    return mknod(a[0], a[1], a[2], a[3]);
+}
+// Numbers of Linux' user interface: 8 bits of the minor one, the major one above.
+std::int64_t LinuxKernel::mknod(std::uint32_t folder, std::uint32_t path, std::uint32_t mode,
+                                std::uint32_t number) {
+    constexpr std::uint32_t TYPE = 0170000, CHARACTER = 020000;
+    const auto [error, text] = path_at(folder, path);
+    if (error) return error;
+    if ((mode & TYPE) != CHARACTER) {
+        not_emulated("mknod of what is no character device");
+        return -ENOSYS;
+    }
+    const std::uint32_t major = number >> 8 & 0xFFF,
+                        minor = (number & 0xFF) | (number >> 12 & 0xFFF00);
+    if (nodes_.count(text) || files().status_of(text).first == 0) return -EEXIST;
+    nodes_[text] = major << 20 | minor;
+    return 0;
+}
+
 }  // namespace sim

@@ -17,6 +17,8 @@ std::vector<LinuxThread*> LinuxKernel::threads() const {
     std::vector<LinuxThread*> all;
     for (const auto& process : processes_)
         for (const auto& thread : process->threads) all.push_back(thread.get());
+    for (const auto& module : modules_)
+        for (const auto& thread : module->process->threads) all.push_back(thread.get());
     return all;
 }
 
@@ -60,16 +62,19 @@ void LinuxKernel::look_at_all() {
         for (LinuxThread* const thread : threads())
             if (thread->wait && thread->wait->look && (changed || thread->wait->at_ns <= now))
                 look(*thread);
-        for (LinuxThread* const thread : threads())
-            if (thread->wait && !thread->wait->uninterrupted && wakes(*thread)) interrupt(*thread);
+        for (LinuxThread* const thread : threads()) {
+            if (!thread->wait || !wakes(*thread)) continue;
+            if (!thread->wait->uninterrupted)
+                interrupt(*thread);
+            else if (thread->wait->interrupted)
+                thread->wait->interrupted();
+        }
     } while (changed_);
 }
 
 bool LinuxKernel::any_waits() const {
-    for (const auto& process : processes_)
-        for (const auto& thread : process->threads)
-            if (thread->wait) return true;
-    return false;
+    const auto all = threads();
+    return std::any_of(all.begin(), all.end(), [](const auto* t) { return t->wait.has_value(); });
 }
 
 // ---- The processor ------------------------------------------------------------------------------
@@ -86,15 +91,21 @@ void LinuxKernel::suspend() {
         scheduler_.add(thread, false);
 }
 
+// The kernel's is always there.
+void LinuxKernel::attach_memory_of(const LinuxThread& thread) {
+    const LinuxProcess* const process =
+        thread.process.module ? process_below(thread) : &thread.process;
+    if (!process || attached_ == process->memory.get()) return;
+    if (attached_) attached_->detach();
+    attached_ = process->memory.get();
+    if (attached_) attached_->attach();
+}
+
 void LinuxKernel::run(LinuxThread& thread) {
     running_ = &thread;
     process_ = &thread.process;
     since_ns_ = now_ns();
-    if (attached_ != &memory()) {
-        if (attached_) attached_->detach();
-        attached_ = &memory();
-        attached_->attach();
-    }
+    attach_memory_of(thread);
     thread.load(cpu_.core());
     helpers_.set_tls(thread.tls);
 }
@@ -114,13 +125,14 @@ void LinuxKernel::go_on() {
         changed_ |= terminal_.arrive();
         expire_timers();
         if (running_ && running_->wait) suspend();
+        take_interrupts();
         look_at_all();
         if (running_ && (yields_ || scheduler_.preempts(*running_, now_ns()))) suspend();
         if (!running_ && scheduler_.empty()) {
             stand_still();
             continue;
         }
-        if (!running_) run(scheduler_.pop(now_ns()));
+        if (!running_) run(next_thread());
         deliver();
         if (running_ && !running_->wait) break;
     }
@@ -129,13 +141,20 @@ void LinuxKernel::go_on() {
                                             : sc_core::sc_time::from_value(next * 1000));
 }
 
+// A module's thread comes at once after the program's that has called it, and that one after it.
+LinuxThread& LinuxKernel::next_thread() {
+    LinuxThread* const next = std::exchange(next_, nullptr);
+    if (next && next->ready && !scheduler_.preempts(*next, now_ns()))
+        return scheduler_.take(*next, now_ns());
+    return scheduler_.pop(now_ns());
+}
+
 void LinuxKernel::alarm(ArmCore&) { go_on(); }
 
 std::uint64_t LinuxKernel::next_event_ns() const {
     std::uint64_t next = running_ ? scheduler_.end_of_turn_ns(*running_) : LinuxWait::NEVER;
-    for (const auto& process : processes_)
-        for (const auto& thread : process->threads)
-            if (thread->wait) next = std::min(next, thread->wait->at_ns);
+    for (const LinuxThread* const thread : threads())
+        if (thread->wait) next = std::min(next, thread->wait->at_ns);
     next = std::min(next, next_timer_ns());
     if (const auto typed = terminal_.next_arrival())
         next = std::min<std::uint64_t>(next, (typed->value() + 999) / 1000);
@@ -159,7 +178,10 @@ std::string LinuxKernel::waiting() const { return running_ ? "" : waiting_list()
 
 std::string LinuxKernel::waiting_list() const {
     std::string all;
-    const std::vector<LinuxThread*> list = threads();
+    std::vector<LinuxThread*> list = threads();
+    list.erase(std::remove_if(list.begin(), list.end(),
+                              [](const auto* t) { return t->wait && t->wait->idle; }),
+               list.end());
     for (const LinuxThread* const thread : list) {
         if (list.size() > 1)
             all += fmt::format("{}thread {}: ", all.empty() ? "" : "; ", thread->number);

@@ -105,6 +105,7 @@ void LinuxKernel::deliver() {
 }
 
 void LinuxKernel::fault(unsigned number, std::uint32_t address, const std::string& why) {
+    if (process_->module) return stop_by_fault(number, address, why);
     LinuxSignals::Action& action = process_->signals.actions[number];
     const bool blocked = running_->signals.blocked & LinuxSignals::bit(number);
     const LinuxSignal signal{number, 1, {address}, why};

@@ -114,6 +114,8 @@ std::optional<std::string> LinuxKernel::system_text(const std::string& path) con
             ms / 10);
     for (const char* which : {"online", "possible", "present"})
         if (path == std::string{"/sys/devices/system/cpu/"} + which) return "0-1\n";
+    if (path == "/proc/modules") return modules_text();
+    if (path == "/proc/interrupts") return interrupts_text();
     if (!begins(path, "/proc/")) return std::nullopt;
     const std::size_t slash = path.find('/', 6);
     if (slash == std::string::npos) return std::nullopt;
@@ -124,6 +126,23 @@ std::optional<std::string> LinuxKernel::system_text(const std::string& path) con
              ((who == "self" || who == "thread-self") && process.get() == process_)))
             return text_of_process(*process, path.substr(slash + 1));
     return std::nullopt;
+}
+
+std::string LinuxKernel::modules_text() const {
+    std::string text;
+    for (const auto& module : modules_)
+        text += fmt::format("{} {} {} - Live 0x{:08x} (O)\n", module->name,
+                            module->process->break_end % KERNEL_PLACE_BYTES, module->open_files,
+                            module->process->break_begin & ~(KERNEL_PLACE_BYTES - 1));
+    return text;
+}
+
+std::string LinuxKernel::interrupts_text() const {
+    std::string text = "           CPU0       CPU1       \n";
+    for (const auto& [number, interrupt] : interrupts_)
+        text += fmt::format("{:3}: {:10} {:10}     GIC-0 {:3} Level     {}\n", number,
+                            interrupt.count, 0, number, interrupt.name);
+    return text;
 }
 
 // Vigna's splitmix64.
@@ -191,6 +210,7 @@ std::optional<FileStatus> LinuxKernel::system_status(const std::string& path) {
         if (found == shared_files_.end()) return std::nullopt;
         return devices::status_of_shared(*found->second);
     }
+    if (auto status = module_status(path)) return status;
     if (network_.has_path(path))
         return LinuxSocket{network_, SocketAddress::UNIX, LinuxSocket::STREAM}.status();
     if (path == "/dev/null") return devices::null()->status();
@@ -205,7 +225,7 @@ std::optional<FileStatus> LinuxKernel::system_status(const std::string& path) {
 }
 
 int LinuxKernel::remove_system(const std::string& path) {
-    if (network_.remove_path(path)) return 0;
+    if (network_.remove_path(path) || nodes_.erase(path)) return 0;
     if (!begins(path, SHARED_FOLDER)) return -EACCES;
     return shared_files_.erase(path.substr(std::strlen(SHARED_FOLDER))) ? 0 : -ENOENT;
 }

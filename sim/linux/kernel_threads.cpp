@@ -81,6 +81,7 @@ void LinuxKernel::end_thread(LinuxThread& thread) {
     LinuxProcess& process = thread.process;
     LinuxProcess* const present = std::exchange(process_, &process);
     give_back_locks(thread);
+    forget_requests_of(thread);
     if (thread.clears != 0) {
         constexpr std::uint32_t NOBODY = 0;
         memory().write(thread.clears, &NOBODY, sizeof NOBODY);

@@ -54,6 +54,29 @@ void LinuxKernel::name_source(std::string& what, int fd) const {
     if (what.find(name) == std::string::npos) what += (what.empty() ? "" : " or ") + name;
 }
 
+// Modules say anew what their files can do.
+void LinuxKernel::poll_again() {
+    for (const auto& process : processes_)
+        process->files.for_each_device([](LinuxDevice& device) { device.look_again(); });
+}
+
+void LinuxKernel::poll_module(ModuleFile& file) {
+    ModuleRequest request{KMOD_POLL, file.id};
+    request.finish = [this, open = file.weak_from_this()](std::int64_t events) {
+        if (const auto still = open.lock()) still->polled(static_cast<std::uint32_t>(events));
+        changed_ = true;
+        return Result{0};
+    };
+    this->request(file.module, std::move(request), "");
+}
+
+// Nothing is ready: whether it waits longer, until `end_ns` or, where a module has still to say
+// what a file can do, for that.
+bool LinuxKernel::goes_on(LinuxWait& wait, bool unknown, std::uint64_t end_ns) const {
+    wait.at_ns = unknown ? LinuxWait::NEVER : end_ns;
+    return unknown || now_ns() < end_ns;
+}
+
 // ---- select: descriptors to read, to write and with exceptions, a bit each ----------------------
 
 LinuxKernel::Result LinuxKernel::select(const Arguments& a, Span kind) {
@@ -81,19 +104,24 @@ LinuxKernel::Result LinuxKernel::select(const Arguments& a, Span kind) {
         if (!memory().read(a[5], mask, sizeof mask)) return -EFAULT;
         if (const std::int64_t error = mask_meanwhile(mask[0], mask[1])) return error;
     }
+    poll_again();
     LinuxWait wait;
     wait.what = what.empty() ? "the time to wake up" : what;
     wait.at_ns = a[4] == 0 ? LinuxWait::NEVER : later_ns(static_cast<std::uint64_t>(span));
-    const auto give_left = [this, to = a[4], kind](const LinuxWait& w) {
+    const std::uint64_t end_ns = wait.at_ns;
+    const auto give_left = [this, to = a[4], kind, end_ns] {
         if (to == 0) return;
         const std::uint64_t now = now_ns();
-        give_span(to, kind, w.at_ns > now ? w.at_ns - now : 0);
+        give_span(to, kind, end_ns > now ? end_ns - now : 0);
     };
-    wait.look = [this, a, count, asked, ready, give_left](LinuxWait& w) mutable -> Result {
+    wait.look = [this, a, count, asked, ready, give_left, end_ns](LinuxWait& w) mutable -> Result {
         std::int64_t found = 0;
+        bool unknown = false;
         ready[0] = asked[0], ready[1] = asked[1], ready[2].assign(asked[2].size(), 0);
         for (std::uint32_t fd = 0; fd < count; ++fd) {
-            const unsigned can = files().can_do(static_cast<int>(fd));
+            const bool is_asked = (asked[0][fd / 32] | asked[1][fd / 32]) >> fd % 32 & 1;
+            const unsigned can = is_asked ? files().can_do(static_cast<int>(fd)) : 0;
+            unknown |= (can & LinuxFiles::UNKNOWN) != 0;
             for (const unsigned set : {0u, 1u}) {
                 std::uint32_t& word = ready[set][fd / 32];
                 if (!(can & (set == 0 ? LinuxFiles::READ | LinuxFiles::HUNG_UP
@@ -102,11 +130,11 @@ LinuxKernel::Result LinuxKernel::select(const Arguments& a, Span kind) {
                 found += word >> fd % 32 & 1;
             }
         }
-        if (found == 0 && now_ns() < w.at_ns) return std::nullopt;
+        if (found == 0 && goes_on(w, unknown, end_ns)) return std::nullopt;
         for (unsigned set = 0; set < 3; ++set)
             if (a[1 + set] && count)
                 memory().write(a[1 + set], ready[set].data(), 4 * ready[set].size());
-        give_left(w);
+        give_left();
         return found;
     };
     return this->wait(std::move(wait));
@@ -133,17 +161,20 @@ LinuxKernel::Result LinuxKernel::poll(std::uint32_t list, std::uint32_t count,
     std::string what;
     for (const PollEntry& entry : entries)
         if (files().flags(entry.fd) >= 0) name_source(what, entry.fd);
+    poll_again();
     LinuxWait wait;
     wait.what = what.empty() ? "the time to wake up" : what;
     wait.at_ns = span_ns >= static_cast<std::int64_t>(LONGEST_NS)
                      ? LinuxWait::NEVER
                      : later_ns(static_cast<std::uint64_t>(span_ns));
-    wait.look = [this, list, entries, bytes](LinuxWait& w) mutable -> Result {
+    wait.look = [this, list, entries, bytes, end_ns = wait.at_ns](LinuxWait& w) mutable -> Result {
         std::int64_t found = 0;
+        bool unknown = false;
         for (PollEntry& e : entries) {
             e.found = 0;
             if (e.fd < 0) continue;
             const unsigned can = files().can_do(e.fd);
+            unknown |= (can & LinuxFiles::UNKNOWN) != 0;
             const int allowed =
                 (can & LinuxFiles::READ ? POLL_IN : 0) | (can & LinuxFiles::WRITE ? POLL_OUT : 0);
             e.found = static_cast<std::int16_t>((e.events & allowed) |
@@ -152,7 +183,7 @@ LinuxKernel::Result LinuxKernel::poll(std::uint32_t list, std::uint32_t count,
             if (files().flags(e.fd) < 0) e.found = POLL_INVALID;
             found += e.found != 0;
         }
-        if (found == 0 && now_ns() < w.at_ns) return std::nullopt;
+        if (found == 0 && goes_on(w, unknown, end_ns)) return std::nullopt;
         if (!entries.empty() && !memory().write(list, entries.data(), bytes)) return -EFAULT;
         return found;
     };
@@ -202,13 +233,14 @@ LinuxKernel::Result LinuxKernel::sys_epoll_wait(const Arguments& a) {
     auto* const epoll = dynamic_cast<LinuxEpoll*>(files().device(fd));
     if (!epoll) return -EINVAL;
     const auto ms = static_cast<std::int32_t>(a[3]);
+    poll_again();
     LinuxWait wait;
     wait.what = epoll->waits_for();
     wait.at_ns = ms < 0 ? LinuxWait::NEVER : later_ns(static_cast<std::uint64_t>(ms) * 1'000'000);
-    wait.look = [this, epoll, open = files().hold(fd), to = a[1],
-                 most = a[2]](LinuxWait& w) -> Result {
+    wait.look = [this, epoll, open = files().hold(fd), to = a[1], most = a[2],
+                 end_ns = wait.at_ns](LinuxWait& w) -> Result {
         const std::vector<LinuxEpoll::Event> events = epoll->take(most);
-        if (events.empty()) return now_ns() < w.at_ns ? Result{} : 0;
+        if (events.empty()) return goes_on(w, epoll->is_unknown(), end_ns) ? Result{} : Result{0};
         const bool written =
             memory().write(to, events.data(), events.size() * sizeof(LinuxEpoll::Event));
         return written ? static_cast<std::int64_t>(events.size()) : -EFAULT;

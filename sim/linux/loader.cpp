@@ -46,7 +46,8 @@ bool is_library(const std::string& path) {
 
 const std::vector<MemoryRange>& linux_memory() {
     static const std::vector<MemoryRange> memory{
-        {AddressSpace::BOTTOM, AddressSpace::TOP - AddressSpace::BOTTOM}};
+        {AddressSpace::BOTTOM, AddressSpace::TOP - AddressSpace::BOTTOM},
+        {KERNEL_BASE, std::uint64_t{KERNEL_PLACES} * KERNEL_PLACE_BYTES}};
     return memory;
 }
 

@@ -16,7 +16,7 @@
 
 namespace sim {
 
-// Where a Linux program may lie.
+// Where a Linux program may lie, or its modules.
 const std::vector<MemoryRange>& linux_memory();
 
 class LinuxLoader {
@@ -44,9 +44,10 @@ public:
     // A library that was looked for in vain, the last of them; or "".
     const std::string& missing() const { return missing_; }
 
-private:
+    // The names of what is loaded are in messages from now on.
     void add_names(ElfProgram library);
 
+private:
     ArmCpu& cpu_;
     std::string missing_;  // the library that was looked for last, while it is not found
 };

@@ -16,6 +16,8 @@
 
 namespace sim {
 
+struct KernelModule;
+
 struct LinuxProcess {
     static constexpr int FIRST = 1;  // the one that the run is about
 
@@ -34,6 +36,7 @@ struct LinuxProcess {
     LinuxTimer alarm{};                       // setitimer()'s, of the real time
     std::string command{}, command_line{};    // the program's path; words, each with a 0
     std::string folder = "/";                 // that it works in
+    KernelModule* module = nullptr;           // that it is (modules.h), no program
 
     void set_command_line(const std::vector<std::string>& words) {
         command_line.clear();

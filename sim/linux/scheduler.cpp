@@ -56,10 +56,14 @@ void LinuxScheduler::remove(LinuxThread& thread) {
 
 LinuxThread& LinuxScheduler::pop(std::uint64_t now_ns) {
     LinuxThread& next = const_cast<LinuxThread&>(*first());
-    remove(next);
-    begin_ns_ = accounted_ns_ = now_ns;
     if (!in_real_time(next)) least_used_ns_ = std::max(least_used_ns_, next.share.used_ns);
-    return next;
+    return take(next, now_ns);
+}
+
+LinuxThread& LinuxScheduler::take(LinuxThread& thread, std::uint64_t now_ns) {
+    remove(thread);
+    begin_ns_ = accounted_ns_ = now_ns;
+    return thread;
 }
 
 void LinuxScheduler::account(LinuxThread& running, std::uint64_t now_ns) {

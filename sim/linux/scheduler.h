@@ -32,6 +32,8 @@ public:
 
     // The next one, which leaves the queue, and runs from now on; the queue must not be empty.
     LinuxThread& pop(std::uint64_t now_ns);
+    // This one of them instead.
+    LinuxThread& take(LinuxThread& thread, std::uint64_t now_ns);
     // The one that runs has run until now.
     void account(LinuxThread& running, std::uint64_t now_ns);
     // It has to make way for one in the queue.

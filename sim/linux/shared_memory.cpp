@@ -15,6 +15,11 @@ SharedMemory::SharedMemory() : fd_{memfd_create("shared", MFD_CLOEXEC)} {
     if (fd_ < 0) throw std::bad_alloc{};
 }
 
+SharedMemory::SharedMemory(const std::uint8_t* data, std::size_t bytes) : SharedMemory{} {
+    resize(bytes);
+    if (pwrite(fd_, data, bytes, 0) != static_cast<ssize_t>(bytes)) throw std::bad_alloc{};
+}
+
 SharedMemory::~SharedMemory() { close(fd_); }
 
 // The host's file never shrinks: an access beyond its end would end the simulator.

@@ -1,13 +1,15 @@
 // shared_memory.h - memory that several processes of a Linux program may map.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 
 namespace sim {
 
 class SharedMemory {
 public:
-    SharedMemory();  // std::bad_alloc
+    SharedMemory();                                             // std::bad_alloc
+    SharedMemory(const std::uint8_t* data, std::size_t bytes);  // with this in it
     ~SharedMemory();
     SharedMemory(const SharedMemory&) = delete;
 

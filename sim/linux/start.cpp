@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstring>
 #include <new>
+#include <optional>
 #include <stdexcept>
 
 #include "sim/linux/arm_abi.h"
@@ -14,7 +15,8 @@ namespace sim {
 namespace {
 
 constexpr std::uint32_t HELPERS = 0xFFFF0000;
-constexpr std::uint32_t STACK_BYTES = 8 << 20, HEADER_BYTES = 32, TICKS_A_SECOND = 100;
+constexpr std::uint32_t STACK_BYTES = 8 << 20, KERNEL_STACK_BYTES = 256 << 10, HEADER_BYTES = 32,
+                        TICKS_A_SECOND = 100;
 constexpr std::size_t MOST_ARGUMENT_BYTES = 128 << 10;
 
 struct Code {
@@ -136,9 +138,13 @@ std::uint32_t make_stack(AddressSpace& memory, const ElfProgram& program, std::u
         for (const std::string& argument : *list) bytes += argument.size() + 5;
     if (bytes > MOST_ARGUMENT_BYTES)
         throw std::runtime_error{"the program's arguments are longer than 131072 bytes"};
-    if (!memory.map(AddressSpace::TOP - STACK_BYTES, STACK_BYTES, arm_access::ALL))
+    const bool is_kernel = memory.top() != AddressSpace::TOP;
+    const std::uint32_t size = is_kernel ? KERNEL_STACK_BYTES : STACK_BYTES;
+    const auto begin =
+        is_kernel ? memory.find_room(size) : std::optional{AddressSpace::TOP - STACK_BYTES};
+    if (!begin || !memory.map(*begin, size, arm_access::ALL))
         throw std::runtime_error{program.file.string() + ": no room for its stack"};
-    Stack stack{memory, AddressSpace::TOP - 4};
+    Stack stack{memory, *begin + size - 4};
     const std::uint32_t name = stack.push(path_of(program)), platform = stack.push("v7l");
     static const std::uint8_t RANDOM_BYTES[16] = {0x9E, 0x37, 0x79, 0xB9, 0x7F, 0x4A, 0x7C, 0x15,
                                                   0xF3, 0x9C, 0xC0, 0x60, 0x5C, 0xED, 0xC8, 0x34};

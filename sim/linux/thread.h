@@ -21,12 +21,14 @@ struct LinuxWait {
     // The call's result, if it need not wait any longer.  Called when files have changed, and at
     // `at_ns`, which it may move.
     std::function<std::optional<std::int64_t>(LinuxWait&)> look{};
-    std::function<void()> interrupted{};  // by a signal
+    std::function<void()> interrupted{};  // by a signal, which need not end it
     std::string what{};                   // "standard input"
     std::uint64_t at_ns = NEVER;          // simulated
     bool restarts = false;                // after a handler of a signal with SA_RESTART
     bool inside = false;                  // only another thread can end it
     bool uninterrupted = false;           // by signals, but for those that end the process
+    bool by_signal = false;               // of a module's: a signal to its program ends it
+    bool idle = false;                    // of a module's: it has nothing to do
     std::int64_t done = 0;                // the result if a signal comes, unless 0
 };
 
@@ -50,6 +52,7 @@ struct LinuxThread {
     std::uint32_t sequences = 0;                // struct rseq
     std::uint32_t affinity = 3;                 // processors that it may use
     std::uint64_t used_ns = 0;                  // of the processor
+    std::uint32_t request = 0;                  // of a module's: where it awaits requests
     std::string name{};
 
     // While another thread runs.

@@ -20,6 +20,9 @@ ArmProgram load_program(const RunPlan& plan) {
     if (!on_linux && !program.linux_root.empty())
         throw std::runtime_error{program.elf.string() +
                                  ": --linux-root is for Linux programs (--system linux)"};
+    if (!on_linux && !program.modules.empty())
+        throw std::runtime_error{program.elf.string() +
+                                 ": --module is for Linux programs (--system linux)"};
     if (!on_linux && !program.input.empty())
         throw std::runtime_error{program.elf.string() +
                                  ": --stdin is for Linux programs (--system linux)"};
@@ -42,8 +45,10 @@ ArmRun::ArmRun(ArmCpu& cpu, Bus& bus, I2cDevices* i2c0, const RunPlan& plan, Rec
                             delay);
     };
     if (plan.on_linux)
-        kernel_.emplace(cpu, LinuxSettings{program.linux_root, program.arguments, program.input},
-                        LinuxKernel::Outside{print, log, access, i2c0});
+        kernel_.emplace(
+            cpu,
+            LinuxSettings{program.linux_root, program.arguments, program.input, program.modules},
+            LinuxKernel::Outside{print, log, access, i2c0});
     else
         semihosting_.emplace(cpu, Semihosting::Outside{print, log});
     if (!profile_file_.empty() || trace.is_of_a_part()) {

@@ -45,6 +45,7 @@ struct ProgramDescription {
     std::string system = "auto";           // what the ELF expects: "bare", "linux", "auto"
     std::filesystem::path linux_root;      // the Linux program's /, or empty
     std::vector<std::string> arguments;    // the Linux program's, after its name
+    std::vector<std::string> modules;      // kernel modules, "dial.ko period=5"
     std::filesystem::path input;           // the Linux program's standard input, or empty
     std::vector<std::string> arm_options;  // of the command line, which are for "arm" alone
 };

@@ -108,6 +108,11 @@ void add_run_options(CLI::App& command, RunOptions& options) {
                     "but /dev/mem and the cross compiler's libraries")
         ->check(named);
     command
+        .add_option("--module", program.modules,
+                    "kernel module that de1sim link has made, loaded before the Linux program,\n"
+                    "with its parameters: \"dial.ko period=5\"; one for each option")
+        ->check(named);
+    command
         .add_option("--stdin", program.input,
                     "file that is a Linux program's standard input, instead of what type-serial "
                     "types")
@@ -253,8 +258,8 @@ RunDescription described_by(const CLI::App& command, const RunOptions& options, 
         for (const char* option : {"--fpga-memory", "--audio-rate"})
             if (command.count(option) > 0)
                 throw CLI::ValidationError(option, "and --project exclude each other");
-    for (const char* option :
-         {"--cpi", "--no-shortcuts", "--gdb", "--system", "--linux-root", "--stdin", "--profile"})
+    for (const char* option : {"--cpi", "--no-shortcuts", "--gdb", "--system", "--linux-root",
+                               "--module", "--stdin", "--profile"})
         if (command.count(option) > 0) run.program.arm_options.push_back(option);
     if (!run.program.arguments.empty()) run.program.arm_options.push_back("--");
     check(run, needs_file);

@@ -1,8 +1,7 @@
-// kmod.c - kernel modules in the program that uses them: their init and exit, the system's devices
-// and their registers (kmod.h)
+// kmod.c - a module's beginning and end, the system's devices and their registers (kmod.h)
 //
-// Modules are initialised before main(), in the order of the command line, and left after it in the
-// reverse order.
+// Modules that are linked together are initialised in the order of the command line, and left in
+// the reverse order.
 #define _GNU_SOURCE
 #include <errno.h>
 #include <fcntl.h>
@@ -15,23 +14,31 @@
 #include <sys/types.h>
 #include <unistd.h>
 
-#define KMOD_RUNTIME
-#include "kmod.h"
+#include "runtime.h"
 #include "nodes.h"
 
-int __real_open(const char* path, int flags, ...);
-
-enum { MODULES = 32, DRIVERS = 32 };
+enum { MODULES = 32, DRIVERS = 32, CONTINUES = 'c', MESSAGE = 4 };
 
 int printk(const char* format, ...) {
     char text[1024];
     va_list list;
     va_start(list, format);
-    const int level = format[0] == KERN_SOH[0] && format[1] ? 2 : 0;
-    vsnprintf(text, sizeof text, format + level, list);
+    const int begin = format[0] == KERN_SOH[0] && format[1] ? 2 : 0;
+    const int level = !begin ? MESSAGE : format[1] == CONTINUES ? -1 : format[1] - '0';
+    int length = vsnprintf(text, sizeof text, format + begin, list);
     va_end(list);
-    fflush(stdout);
-    return fputs(text, stderr);
+    if (length > (int)sizeof text - 1) length = (int)sizeof text - 1;
+    kmod_call(KMOD_LOG, (uintptr_t)text, (uintptr_t)length, (uintptr_t)level, 0, 0);
+    return length;
+}
+
+void kmod_bug(const void* place, const char* format, ...) {
+    char text[512];
+    va_list list;
+    va_start(list, format);
+    vsnprintf(text, sizeof text, format, list);
+    va_end(list);
+    for (;;) kmod_call(KMOD_STOP, (uintptr_t)text, (uintptr_t)place, 0, 0, 0);
 }
 
 // ---- Modules ----
@@ -41,7 +48,7 @@ static struct {
     int (*init)(void);
     void (*exit)(void);
 } modules[MODULES];
-static unsigned module_count;
+static unsigned module_count, initialised;
 
 static unsigned module_of(const char* name) {
     unsigned n = 0;
@@ -55,24 +62,59 @@ void kmod_add_init(const char* name, int (*init)(void)) { modules[module_of(name
 
 void kmod_add_exit(const char* name, void (*exit)(void)) { modules[module_of(name)].exit = exit; }
 
-static unsigned initialised;
-
-static void leave_modules(void) {
-    while (initialised > 0)
-        if (modules[--initialised].exit) modules[initialised].exit();
+static int initialise(void) {
+    for (; initialised < module_count; ++initialised) {
+        const char* const name = modules[initialised].name;
+        const int result = modules[initialised].init ? modules[initialised].init() : 0;
+        kmod_check_returned("the module's init function");
+        if (result < 0) {
+            printk(KERN_ERR "%s: the init function returned %d: %s\n", name, result,
+                   strerror(-result));
+            return result;
+        }
+        const int error = kmod_offer_parameters(name);
+        if (error) return error;
+    }
+    return 0;
 }
 
-int __real_main(int argc, char** argv, char** environment);
-int __wrap_main(int argc, char** argv, char** environment) {
-    atexit(leave_modules);
-    for (; initialised < module_count; ++initialised) {
-        const int result = modules[initialised].init ? modules[initialised].init() : 0;
-        if (result == 0) continue;
-        printk("kmod: the init function of %s returned %d: %s\n", modules[initialised].name, result,
-               strerror(-result));
-        exit(1);
+static void leave(void) {
+    while (initialised > 0) {
+        if (modules[--initialised].exit) modules[initialised].exit();
+        kmod_check_returned("the module's exit function");
     }
-    return __real_main(argc, argv, environment);
+}
+
+// Answers requests for ever; the first is that the module is initialised.
+static void* serve(void* data) {
+    struct kmod_context* const context = kmod_context();
+    struct kmod_request request = {.operation = KMOD_INITIALISED,
+                                   .result = data ? *(const int*)data : 0};
+    for (;;) {
+        kmod_call(KMOD_NEXT, (uintptr_t)&request, 0, 0, 0, 0);
+        if (request.is_last) kmod_begin_thread(serve, NULL);
+        // A lock's owner is the program's thread, whichever thread of the module runs for it.
+        if (request.pid) context->number = (int)request.pid;
+        context->task.pid = context->task.tgid = context->number;
+        memcpy(context->task.comm, request.command, sizeof request.command);
+        context->task.state = TASK_RUNNING;
+        if (request.operation == KMOD_EXIT) {
+            leave();
+            request.result = 0;
+        } else {
+            kmod_answer(&request);
+        }
+        kmod_check_returned("the module's function");
+    }
+    return NULL;
+}
+
+int main(int argc, char** argv) {
+    int result = 0;
+    for (int n = 1; n < argc && result == 0; ++n) result = kmod_set_parameter(argv[n]);
+    if (result == 0) result = initialise();
+    serve(&result);
+    return 0;
 }
 
 // ---- Devices of the system ----
@@ -128,7 +170,7 @@ void* of_iomap(struct device_node* node, int index) {
 static struct {
     struct platform_driver* driver;
     struct platform_device device;
-    struct resource resources[KMOD_REGIONS];
+    struct resource resources[KMOD_REGIONS + KMOD_INTERRUPTS];
 } bound[DRIVERS];
 
 static int probe_all(struct platform_driver* driver, int (*probe)(struct platform_device*)) {
@@ -150,6 +192,9 @@ static int probe_all(struct platform_driver* driver, int (*probe)(struct platfor
         for (; device->num_resources < node->regions; ++device->num_resources)
             of_address_to_resource(node, (int)device->num_resources,
                                    &bound[n].resources[device->num_resources]);
+        for (unsigned i = 0; i < node->interrupt_count; ++i)
+            bound[n].resources[device->num_resources++] = (struct resource){
+                node->interrupts[i], node->interrupts[i], node->name, IORESOURCE_IRQ, NULL};
         bound[n].driver = driver;
         const int result = probe ? probe(device) : 0;
         if (result == 0) {
@@ -165,8 +210,9 @@ static int probe_all(struct platform_driver* driver, int (*probe)(struct platfor
                table && table->compatible[0] && table[1].compatible[0] ? ", ..." : "");
         for (const struct device_node* node = kmod_nodes; node->name; ++node) {
             printk("kmod:   %s:", node->name);
-            for (const char* const* name = node->compatible; *name; ++name) printk(" %s", *name);
-            printk("\n");
+            for (const char* const* name = node->compatible; *name; ++name)
+                printk(KERN_CONT " %s", *name);
+            printk(KERN_CONT "\n");
         }
     }
     return probed ? 0 : error;
@@ -190,7 +236,9 @@ void platform_driver_unregister(struct platform_driver* driver) {
 }
 
 struct resource* platform_get_resource(struct platform_device* d, unsigned type, unsigned n) {
-    return type == IORESOURCE_MEM && n < d->num_resources ? &d->resource[n] : NULL;
+    for (unsigned i = 0; i < d->num_resources; ++i)
+        if (d->resource[i].flags == type && n-- == 0) return &d->resource[i];
+    return NULL;
 }
 
 // ---- Registers ----
@@ -205,7 +253,7 @@ void release_mem_region(resource_size_t start, resource_size_t n) { (void)start,
 
 void* ioremap(resource_size_t start, size_t size) {
     static int memory = -1;
-    if (memory < 0) memory = __real_open("/dev/mem", O_RDWR | O_SYNC);
+    if (memory < 0) memory = open("/dev/mem", O_RDWR | O_SYNC);
     if (memory < 0) {
         printk("kmod: /dev/mem: %s\n", strerror(errno));
         return NULL;
@@ -218,7 +266,18 @@ void* ioremap(resource_size_t start, size_t size) {
     return NULL;
 }
 
-void iounmap(volatile void* address) { (void)address; }  // the program's end does
+void iounmap(volatile void* address) { (void)address; }  // the module's end does
+
+void* dma_alloc_coherent(struct device* dev, size_t n, dma_addr_t* at, gfp_t flags) {
+    (void)dev, (void)flags;
+    u32 physical = 0;
+    if (kmod_call(KMOD_ALLOCATE, n, (uintptr_t)&physical, 0, 0, 0) != 0) return NULL;
+    *at = physical;
+    return ioremap(physical, n);
+}
+void dma_free_coherent(struct device* dev, size_t n, void* address, dma_addr_t at) {
+    (void)dev, (void)n, (void)address, (void)at;
+}
 
 void* devm_ioremap_resource(struct device* dev, const struct resource* r) {
     (void)dev;

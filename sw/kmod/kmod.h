@@ -1,17 +1,21 @@
-// kmod.h - what a Linux kernel module for this board includes, where it runs in its program
+// kmod.h - what a Linux kernel module for this board includes, where de1sim runs it
 //
-// `de1sim link` compiles a module against this file in place of the kernel's headers, and links it
-// with the program that uses it and with the C files here.  Names, arguments and results are the
-// kernel's. The program's open("/dev/NAME"), fopen, ioctl, read, write, lseek, mmap and close go to
-// the module, and those of its attributes in /sys.
+// `de1sim link` compiles a module against this file in place of the kernel's headers.  Names,
+// arguments and results are the kernel's (4.19; where a later kernel has other arguments, both).
+// The C files here are its runtime: the emulated kernel (sim/linux) calls them by requests, see
+// kmod_calls.h.
 //
-// The processor's memory and the program's are the same here, so copy_from_user() copies; registers
-// are mapped from /dev/mem, so ioread32() loads.  A device is found by its `compatible`, in the
-// table that `de1sim link` makes of the Platform Designer system.
+// A module has the addresses from 0xBF000000 on.  Each call of a program runs in a thread of the
+// module, an interrupt's handler in one that comes before all others (kmod_later.h).  Registers are
+// mapped from /dev/mem, so ioread32() loads.  A device is found by its `compatible`, in the table
+// that `de1sim link` makes of the Platform Designer system.
 //
-// Not handled: interrupts, wait queues, kernel threads, timers and work queues, procfs, groups of
-// attributes, DMA, clocks: a module that calls such a function does not compile.  Parameters of a
-// module keep their default values.  C++ streams of /dev/NAME do not reach the module.
+// A function that may sleep, called where that is forbidden, a spinlock that is not given back or
+// taken twice, and a wrong address end the run, with the message of a kernel that looks for them.
+//
+// Not handled: seq_file, kfifo, networks, ALSA, block devices, input devices, regmap, clk, gpio,
+// DMA engines, virt_to_phys(); kobjects beside attributes; properties of the device tree; a program
+// that reads the modules' memory is not refused.
 #ifndef DE1SIM_KMOD_H
 #define DE1SIM_KMOD_H
 
@@ -32,8 +36,8 @@ typedef int32_t s32, __s32;
 typedef int64_t s64, __s64;
 typedef uint32_t phys_addr_t, resource_size_t, dma_addr_t;
 typedef int64_t ktime_t;
-typedef unsigned gfp_t, fmode_t, kmod_dev_t;  // libc's dev_t has 64 bits
-#ifndef KMOD_RUNTIME                          // which has those of libc
+typedef unsigned gfp_t, fmode_t, kmod_dev_t, __poll_t;  // libc's dev_t has 64 bits
+#ifndef KMOD_RUNTIME                                    // which has those of libc
 typedef unsigned char uchar, u_char;
 typedef unsigned short ushort, u_short, umode_t, mode_t;
 typedef unsigned int uint, u_int;
@@ -155,7 +159,13 @@ enum {
     EINPROGRESS = 115
 };
 #endif
-enum { ERESTARTSYS = 512, ENOIOCTLCMD = 515, EPROBE_DEFER = 517, ENOTSUPP = 524 };
+enum {
+    ERESTARTSYS = 512,
+    ERESTARTNOINTR = 513,
+    ENOIOCTLCMD = 515,
+    EPROBE_DEFER = 517,
+    ENOTSUPP = 524
+};
 
 #define MAX_ERRNO 4095
 #define IS_ERR_VALUE(x) ((unsigned long)(x) >= (unsigned long)-MAX_ERRNO)
@@ -233,13 +243,44 @@ void kmod_add_exit(const char* name, void (*exit)(void));
 #define MODULE_INFO(...) KMOD_TEXT_()
 #define MODULE_DEVICE_TABLE(...) KMOD_TEXT_()
 #define MODULE_PARM_DESC(...) KMOD_TEXT_()
-#define module_param(...) KMOD_TEXT_()
-#define module_param_named(...) KMOD_TEXT_()
-#define module_param_array(...) KMOD_TEXT_()
 #define EXPORT_SYMBOL(...) KMOD_TEXT_()
 #define EXPORT_SYMBOL_GPL(...) KMOD_TEXT_()
 static inline bool try_module_get(struct module* m) { return (void)m, true; }
 static inline void module_put(struct module* m) { (void)m; }
+
+// `insmod dial.ko period=5`, and /sys/module/dial/parameters/period.
+enum kmod_kind {
+    kmod_kind_int,
+    kmod_kind_uint,
+    kmod_kind_short,
+    kmod_kind_ushort,
+    kmod_kind_long,
+    kmod_kind_ulong,
+    kmod_kind_byte,
+    kmod_kind_bool,
+    kmod_kind_charp
+};
+struct kmod_parameter {
+    const char *module, *name;
+    enum kmod_kind kind;
+    unsigned short mode;
+    void* value;
+    unsigned most;  // of an array
+    int* count;     // of an array, where the module wants to know it; or NULL
+    struct kmod_parameter* next;
+};
+void kmod_add_parameter(struct kmod_parameter* parameter);
+#define KMOD_PARAMETER_(name, value, type, most, count, mode)                                     \
+    static void __attribute__((constructor)) KMOD_JOIN(kmod_parameter_, name)(void) {             \
+        static struct kmod_parameter parameter = {KBUILD_MODNAME, #name, kmod_kind_##type, mode,  \
+                                                  value,          most,  (int*)(count),    NULL}; \
+        kmod_add_parameter(&parameter);                                                           \
+    }
+#define module_param_named(name, value, type, mode) \
+    KMOD_PARAMETER_(name, &(value), type, 1, NULL, mode)
+#define module_param(name, type, mode) module_param_named(name, name, type, mode)
+#define module_param_array(name, type, count, mode) \
+    KMOD_PARAMETER_(name, name, type, ARRAY_SIZE(name), count, mode)
 
 #include "kmod_devices.h"
 
@@ -252,13 +293,29 @@ unsigned long copy_from_user(void* to, const void* from, unsigned long n);
 unsigned long copy_to_user(void* to, const void* from, unsigned long n);
 #define __copy_from_user copy_from_user
 #define __copy_to_user copy_to_user
-#define get_user(to, from) ((to) = *(from), 0)
-#define put_user(from, to) (*(to) = (from), 0)
+#define get_user(to, from)                                               \
+    ({                                                                   \
+        __typeof__(*(from)) value_ = 0;                                  \
+        const bool lost_ = copy_from_user(&value_, from, sizeof value_); \
+        (to) = value_;                                                   \
+        lost_ ? -EFAULT : 0;                                             \
+    })
+#define put_user(from, to)                                      \
+    ({                                                          \
+        const __typeof__(*(to)) value_ = (from);                \
+        copy_to_user(to, &value_, sizeof value_) ? -EFAULT : 0; \
+    })
+#define __get_user get_user
+#define __put_user put_user
+long strncpy_from_user(char* to, const char* from, long n);
 unsigned long clear_user(void* to, unsigned long n);
 void* memdup_user(const void* from, size_t n);
 void* kmalloc(size_t n, gfp_t flags);
 void* kzalloc(size_t n, gfp_t flags);
 void* kcalloc(size_t count, size_t n, gfp_t flags);
+void* krealloc(const void* p, size_t n, gfp_t flags);
+char* kstrdup(const char* text, gfp_t flags);
+char* kasprintf(gfp_t flags, const char* format, ...);
 void kfree(const void* p);
 #define kmalloc_array(count, n, flags) kcalloc(count, n, flags)
 #define devm_kzalloc(dev, n, flags) ((void)(dev), kzalloc(n, flags))
@@ -292,6 +349,15 @@ ssize_t strscpy(char* to, const char* from, size_t n);
 int kstrtoint(const char* text, unsigned base, int* to);
 int kstrtouint(const char* text, unsigned base, unsigned* to);
 int kstrtou8(const char* text, unsigned base, u8* to);
+int kstrtol(const char* text, unsigned base, long* to);
+int kstrtoul(const char* text, unsigned base, unsigned long* to);
+int kstrtobool(const char* text, bool* to);
+int kstrtoint_from_user(const char* text, size_t n, unsigned base, int* to);
+int kstrtouint_from_user(const char* text, size_t n, unsigned base, unsigned* to);
+unsigned long simple_strtoul(const char* text, char** end, unsigned base);
+long simple_strtol(const char* text, char** end, unsigned base);
+bool sysfs_streq(const char* a, const char* b);
+#define sysfs_emit(to, ...) scnprintf(to, PAGE_SIZE, __VA_ARGS__)
 static inline u64 div64_u64(u64 a, u64 b) { return a / b; }
 static inline u64 div_u64(u64 a, u32 b) { return a / b; }
 #define do_div(n, base)                  \
@@ -301,66 +367,6 @@ static inline u64 div_u64(u64 a, u32 b) { return a / b; }
         rest_;                           \
     })
 
-// ---- Locks: among the program's threads ----
-
-typedef struct {
-    int taken;
-} spinlock_t, raw_spinlock_t;
-struct mutex {
-    int taken;
-};
-struct semaphore {
-    int count;
-};
-typedef struct {
-    int counter;
-} atomic_t;
-#define DEFINE_MUTEX(name) struct mutex name = {0}
-#define DEFINE_SPINLOCK(name) spinlock_t name = {0}
-#define DEFINE_SEMAPHORE(name) struct semaphore name = {1}
-#define __SPIN_LOCK_UNLOCKED(name) \
-    { 0 }
-void kmod_lock(int* taken);
-bool kmod_try(int* taken);
-void kmod_unlock(int* taken);
-#define mutex_init(m) ((void)((m)->taken = 0))
-#define mutex_destroy(m) ((void)(m))
-#define mutex_lock(m) kmod_lock(&(m)->taken)
-#define mutex_lock_interruptible(m) (kmod_lock(&(m)->taken), 0)
-#define mutex_lock_killable mutex_lock_interruptible
-#define mutex_trylock(m) kmod_try(&(m)->taken)
-#define mutex_unlock(m) kmod_unlock(&(m)->taken)
-#define mutex_is_locked(m) ((m)->taken != 0)
-#define spin_lock_init(s) ((void)((s)->taken = 0))
-#define spin_lock(s) kmod_lock(&(s)->taken)
-#define spin_unlock(s) kmod_unlock(&(s)->taken)
-#define spin_lock_irq spin_lock
-#define spin_unlock_irq spin_unlock
-#define spin_lock_bh spin_lock
-#define spin_unlock_bh spin_unlock
-#define spin_lock_irqsave(s, flags) ((void)((flags) = 0), kmod_lock(&(s)->taken))
-#define spin_unlock_irqrestore(s, flags) ((void)(flags), kmod_unlock(&(s)->taken))
-void sema_init(struct semaphore* s, int count);
-void down(struct semaphore* s);
-#define down_interruptible(s) (down(s), 0)
-int down_trylock(struct semaphore* s);
-void up(struct semaphore* s);
-#define ATOMIC_INIT(n) \
-    { n }
-#define atomic_read(a) __atomic_load_n(&(a)->counter, __ATOMIC_SEQ_CST)
-#define atomic_set(a, n) __atomic_store_n(&(a)->counter, n, __ATOMIC_SEQ_CST)
-#define atomic_inc(a) ((void)__atomic_add_fetch(&(a)->counter, 1, __ATOMIC_SEQ_CST))
-#define atomic_dec(a) ((void)__atomic_sub_fetch(&(a)->counter, 1, __ATOMIC_SEQ_CST))
-#define atomic_inc_return(a) __atomic_add_fetch(&(a)->counter, 1, __ATOMIC_SEQ_CST)
-#define atomic_dec_and_test(a) (__atomic_sub_fetch(&(a)->counter, 1, __ATOMIC_SEQ_CST) == 0)
-#define atomic_cmpxchg(a, old, new)                                                 \
-    ({                                                                              \
-        int old_ = (old);                                                           \
-        __atomic_compare_exchange_n(&(a)->counter, &old_, new, 0, __ATOMIC_SEQ_CST, \
-                                    __ATOMIC_SEQ_CST);                              \
-        old_;                                                                       \
-    })
-
 // ---- Time ----
 
 void udelay(unsigned long us);
@@ -368,7 +374,8 @@ void ndelay(unsigned long ns);
 void mdelay(unsigned long ms);
 void msleep(unsigned ms);
 void usleep_range(unsigned long least, unsigned long most);
-void cond_resched(void);
+unsigned long msleep_interruptible(unsigned ms);
+void ssleep(unsigned seconds);
 #define cpu_relax() barrier()
 unsigned long kmod_jiffies(void);
 #define jiffies kmod_jiffies()
@@ -385,6 +392,28 @@ ktime_t ktime_get(void);
 #define ktime_to_us(t) ((t) / 1000)
 #define ktime_to_ms(t) ((t) / 1000000)
 #define ktime_sub(a, b) ((a) - (b))
+#define ktime_add(a, b) ((a) + (b))
+#define ktime_add_ns(a, ns) ((a) + (s64)(ns))
+#define ktime_add_us(a, us) ((a) + (s64)(us)*1000)
+#define ktime_add_ms(a, ms) ((a) + (s64)(ms)*1000000)
+#define ktime_set(seconds, ns) ((ktime_t)(seconds)*1000000000 + (ktime_t)(ns))
+#define ns_to_ktime(ns) ((ktime_t)(ns))
+#define us_to_ktime(us) ((ktime_t)(us)*1000)
+#define ms_to_ktime(ms) ((ktime_t)(ms)*1000000)
 #define ktime_us_delta(a, b) (((a) - (b)) / 1000)
+#define ktime_ms_delta(a, b) (((a) - (b)) / 1000000)
+#define ktime_get_real ktime_get
+#define ktime_get_boottime ktime_get
+#define NSEC_PER_SEC 1000000000L
+#define NSEC_PER_MSEC 1000000L
+#define NSEC_PER_USEC 1000L
+#define USEC_PER_SEC 1000000L
+#define MSEC_PER_SEC 1000L
+
+#include "kmod_list.h"
+
+#include "kmod_sleep.h"
+
+#include "kmod_later.h"
 
 #endif

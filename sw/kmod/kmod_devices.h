@@ -21,7 +21,11 @@ struct device_driver {
     const struct of_device_id* of_match_table;
 };
 struct class;
+struct kobject {
+    char path[128];  // "/sys/kernel/dial"
+};
 struct device {
+    struct kobject kobj;
     struct device* parent;
     struct class* class;
     struct device_node* of_node;
@@ -92,6 +96,18 @@ struct device_node* of_find_node_by_name(struct device_node* from, const char* n
 static inline void of_node_put(struct device_node* node) { (void)node; }
 int of_address_to_resource(struct device_node* node, int index, struct resource* r);
 void* of_iomap(struct device_node* node, int index);
+
+enum { IRQ_TYPE_NONE = 0, IRQ_TYPE_EDGE_RISING = 1, IRQ_TYPE_LEVEL_HIGH = 4 };
+
+// Memory that the FPGA and the processor reach, at `*at` of the bus; it is not given back.
+void* dma_alloc_coherent(struct device* dev, size_t n, dma_addr_t* at, gfp_t flags);
+#define dmam_alloc_coherent dma_alloc_coherent
+#define dma_zalloc_coherent dma_alloc_coherent
+void dma_free_coherent(struct device* dev, size_t n, void* address, dma_addr_t at);
+#define DMA_BIT_MASK(n) ((n) >= 64 ? ~0ULL : (1ULL << (n)) - 1)
+#define dma_set_mask_and_coherent(dev, mask) ((void)(dev), (void)(mask), 0)
+#define dma_set_mask dma_set_mask_and_coherent
+#define dma_set_coherent_mask dma_set_mask_and_coherent
 
 // ---- Registers ----
 
@@ -182,11 +198,17 @@ struct vm_area_struct {
     unsigned long vm_start, vm_end, vm_pgoff, vm_flags;
     pgprot_t vm_page_prot;
     void* vm_private_data;
+    struct file* vm_file;
+    const void* vm_ops;
 };
 int remap_pfn_range(struct vm_area_struct* area, unsigned long at, unsigned long page,
                     unsigned long size, pgprot_t protection);
 #define io_remap_pfn_range remap_pfn_range
+int vm_iomap_memory(struct vm_area_struct* area, phys_addr_t start, unsigned long size);
+int dma_mmap_coherent(struct device* dev, struct vm_area_struct* area, void* address, dma_addr_t at,
+                      size_t size);
 
+struct poll_table_struct;
 struct file_operations {
     struct module* owner;
     loff_t (*llseek)(struct file*, loff_t, int);
@@ -198,7 +220,40 @@ struct file_operations {
     int (*open)(struct inode*, struct file*);
     int (*flush)(struct file*, void*);
     int (*release)(struct inode*, struct file*);
+    __poll_t (*poll)(struct file*, struct poll_table_struct*);
+    int (*fasync)(int, struct file*, int);
 };
+static inline int nonseekable_open(struct inode* inode, struct file* f) {
+    return (void)inode, (void)f, 0;
+}
+#define stream_open nonseekable_open
+#ifndef KMOD_RUNTIME
+enum {
+    POLLIN = 1,
+    POLLPRI = 2,
+    POLLOUT = 4,
+    POLLERR = 8,
+    POLLHUP = 0x10,
+    POLLRDNORM = 0x40,
+    POLLRDBAND = 0x80,
+    POLLWRNORM = 0x100,
+    POLLWRBAND = 0x200
+};
+#define EPOLLIN POLLIN
+#define EPOLLPRI POLLPRI
+#define EPOLLOUT POLLOUT
+#define EPOLLERR POLLERR
+#define EPOLLHUP POLLHUP
+#define EPOLLRDNORM POLLRDNORM
+#define EPOLLWRNORM POLLWRNORM
+#define SIGIO 29
+#define POLL_IN 1
+#define POLL_OUT 2
+#endif
+// Programs that a signal tells.
+struct fasync_struct;
+int fasync_helper(int descriptor, struct file* file, int on, struct fasync_struct** list);
+void kill_fasync(struct fasync_struct** list, int signal, int band);
 loff_t noop_llseek(struct file* f, loff_t offset, int whence);
 loff_t no_llseek(struct file* f, loff_t offset, int whence);
 loff_t default_llseek(struct file* f, loff_t offset, int whence);
@@ -275,12 +330,101 @@ struct device_attribute {
 #define DEVICE_ATTR_RW(name) DEVICE_ATTR(name, 0644, name##_show, name##_store)
 #define DEVICE_ATTR_RO(name) DEVICE_ATTR(name, 0444, name##_show, NULL)
 #define DEVICE_ATTR_WO(name) DEVICE_ATTR(name, 0200, NULL, name##_store)
+struct kobj_attribute {
+    struct attribute attr;
+    ssize_t (*show)(struct kobject*, struct kobj_attribute*, char* page);
+    ssize_t (*store)(struct kobject*, struct kobj_attribute*, const char* from, size_t n);
+};
+#define __ATTR_RO(name) __ATTR(name, 0444, name##_show, NULL)
+#define __ATTR_WO(name) __ATTR(name, 0200, NULL, name##_store)
+#define __ATTR_RW(name) __ATTR(name, 0644, name##_show, name##_store)
+struct attribute_group {
+    const char* name;
+    struct attribute** attrs;
+};
+#define ATTRIBUTE_GROUPS(name)                                               \
+    static const struct attribute_group name##_group = {NULL, name##_attrs}; \
+    static const struct attribute_group* name##_groups[] __maybe_unused = {&name##_group, NULL}
+extern struct kobject* const kernel_kobj;
+struct kobject* kobject_create_and_add(const char* name, struct kobject* parent);
+void kobject_put(struct kobject* object);
+int sysfs_create_file(struct kobject* object, const struct attribute* attribute);
+void sysfs_remove_file(struct kobject* object, const struct attribute* attribute);
+int sysfs_create_group(struct kobject* object, const struct attribute_group* group);
+void sysfs_remove_group(struct kobject* object, const struct attribute_group* group);
 int driver_register(struct device_driver* driver);
 void driver_unregister(struct device_driver* driver);
 int driver_create_file(struct device_driver* driver, const struct driver_attribute* attribute);
 void driver_remove_file(struct device_driver* driver, const struct driver_attribute* attribute);
 int device_create_file(struct device* device, const struct device_attribute* attribute);
 void device_remove_file(struct device* device, const struct device_attribute* attribute);
+
+// ---- Texts: /proc, and debugfs in /sys/kernel/debug ----
+
+struct seq_file {
+    char* buf;
+    size_t size, count;
+    void* private;
+    int (*function)(struct seq_file*, void*);
+};
+int seq_printf(struct seq_file* s, const char* format, ...) __attribute__((format(printf, 2, 3)));
+void seq_puts(struct seq_file* s, const char* text);
+void seq_putc(struct seq_file* s, char c);
+int single_open(struct file* f, int (*function)(struct seq_file*, void*), void* data);
+ssize_t seq_read(struct file* f, char* to, size_t n, loff_t* at);
+loff_t seq_lseek(struct file* f, loff_t offset, int whence);
+int single_release(struct inode* inode, struct file* f);
+
+struct proc_ops {
+    int (*proc_open)(struct inode*, struct file*);
+    ssize_t (*proc_read)(struct file*, char*, size_t, loff_t*);
+    ssize_t (*proc_write)(struct file*, const char*, size_t, loff_t*);
+    loff_t (*proc_lseek)(struct file*, loff_t, int);
+    int (*proc_release)(struct inode*, struct file*);
+    __poll_t (*proc_poll)(struct file*, struct poll_table_struct*);
+    long (*proc_ioctl)(struct file*, unsigned, unsigned long);
+    int (*proc_mmap)(struct file*, struct vm_area_struct*);
+};
+struct proc_dir_entry;
+struct proc_dir_entry* kmod_proc_create(const char* name, umode_t mode,
+                                        struct proc_dir_entry* parent,
+                                        const struct file_operations* ops, void* data);
+struct proc_dir_entry* kmod_proc_create_ops(const char* name, umode_t mode,
+                                            struct proc_dir_entry* parent,
+                                            const struct proc_ops* ops, void* data);
+// With struct file_operations before Linux 5.6, with struct proc_ops since.
+#define proc_create_data(name, mode, parent, ops, data) \
+    _Generic((ops), const struct proc_ops*                                   \
+             : kmod_proc_create_ops, struct proc_ops*                        \
+             : kmod_proc_create_ops, default                                 \
+             : kmod_proc_create)(name, mode, parent, ops, data)
+#define proc_create(name, mode, parent, ops) proc_create_data(name, mode, parent, ops, NULL)
+struct proc_dir_entry* proc_create_single_data(const char* name, umode_t mode,
+                                               struct proc_dir_entry* parent,
+                                               int (*show)(struct seq_file*, void*), void* data);
+#define proc_create_single(name, mode, parent, show) \
+    proc_create_single_data(name, mode, parent, show, NULL)
+struct proc_dir_entry* proc_mkdir(const char* name, struct proc_dir_entry* parent);
+void proc_remove(struct proc_dir_entry* entry);
+void remove_proc_entry(const char* name, struct proc_dir_entry* parent);
+void* PDE_DATA(const struct inode* inode);
+#define pde_data PDE_DATA
+
+struct dentry;
+struct dentry* debugfs_create_dir(const char* name, struct dentry* parent);
+struct dentry* debugfs_create_file(const char* name, umode_t mode, struct dentry* parent,
+                                   void* data, const struct file_operations* ops);
+#define KMOD_NUMBER_(type) \
+    void debugfs_create_##type(const char* name, umode_t mode, struct dentry* parent, void* value)
+KMOD_NUMBER_(u8);
+KMOD_NUMBER_(u16);
+KMOD_NUMBER_(u32);
+KMOD_NUMBER_(x8);
+KMOD_NUMBER_(x16);
+KMOD_NUMBER_(x32);
+KMOD_NUMBER_(bool);
+void debugfs_remove(struct dentry* entry);
+void debugfs_remove_recursive(struct dentry* entry);
 
 #ifndef KMOD_RUNTIME
 enum {
@@ -289,6 +433,9 @@ enum {
     O_RDWR = 2,
     O_ACCMODE = 3,
     O_NONBLOCK = 0x800,
+    FASYNC = 0x2000,
+    FMODE_READ = 1,
+    FMODE_WRITE = 2,
     SEEK_SET = 0,
     SEEK_CUR = 1,
     SEEK_END = 2,

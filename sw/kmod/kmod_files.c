@@ -1,110 +1,149 @@
-// kmod_files.c - the files in /dev and /sys that kernel modules offer, and the program's calls
-//
-// The linker sends the program's open(), ioctl() and their like here (--wrap); what is no module's
-// goes on to libc.
-#define _GNU_SOURCE
+// kmod_files.c - a module's files, and the requests of programs that have them open
 #include <errno.h>
 #include <fcntl.h>
+#include <poll.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/mman.h>
 #include <sys/types.h>
-#include <unistd.h>
 
-#define KMOD_RUNTIME
-#include "kmod.h"
+#include "runtime.h"
 
-int __real_close(int descriptor);
+enum { FILES = 256, NUMBERS = 64, MISC_MAJOR = 10, WAY = 3 };
 
-enum { DEVICES = 64, FILES = 64, NAME = 128 };
-
-// ---- Files in /dev and /sys ----
+// ---- Files that are offered ----
 
 static struct {
-    char name[NAME];  // after /dev/, or a path in /sys; empty: none
-    const struct file_operations* ops;
+    char path[KMOD_NAME];  // empty: none
+    const struct file_operations* ops;  // NULL: those of its number, when it is opened
     struct inode inode;
-    struct device device;
-} devices[DEVICES];
+    struct device device, *of;
+} files[FILES];
 
-static struct {
+static struct numbers {
     const struct file_operations* ops;
     kmod_dev_t first;
     unsigned count;
     struct cdev* cdev;
-} numbers[DEVICES];
+} numbers[NUMBERS];
 
-static struct {
-    int number;  // of the descriptor; 0: none, since 0 is the program's input
-    struct file file;
-} files[FILES];
+int kmod_offer(const char* path, unsigned mode, const struct file_operations* ops, kmod_dev_t dev,
+               void* data, struct device* device) {
+    int n = 0;
+    while (n < FILES && files[n].path[0]) ++n;
+    if (n == FILES) return -ENOMEM;
+    const long error = kmod_call(KMOD_OFFER, (uintptr_t)path, mode, dev, (uintptr_t)n, 0);
+    if (error) return (int)error;
+    snprintf(files[n].path, KMOD_NAME, "%s", path);
+    files[n].ops = ops;
+    files[n].inode = (struct inode){dev, NULL, data};
+    files[n].of = device;
+    return n;
+}
 
-// Without operations: those of its number, when it is opened.
-static int add_device(const char* name, const struct file_operations* ops, kmod_dev_t dev) {
+void kmod_withdraw(int id) {
+    kmod_call(KMOD_WITHDRAW, (uintptr_t)id, 0, 0, 0, 0);
+    files[id].path[0] = '\0';
+}
+
+void kmod_withdraw_path(const char* path) {
+    const size_t length = strlen(path);
+    for (int n = 0; n < FILES; ++n)
+        if (strncmp(files[n].path, path, length) == 0 &&
+            (files[n].path[length] == '\0' || files[n].path[length] == '/'))
+            kmod_withdraw(n);
+}
+
+// The one with this number and, unless NULL, these operations; FILES: none.
+static int file_with(kmod_dev_t dev, const struct file_operations* ops) {
+    int n = 0;
+    while (n < FILES && !(files[n].path[0] && files[n].inode.i_rdev == dev &&
+                          (!ops || files[n].ops == ops)))
+        ++n;
+    return n;
+}
+
+static struct class misc = {"misc"};
+
+static int add_device(const char* name, const struct file_operations* ops, kmod_dev_t dev,
+                      struct class* class, void* data) {
+    char path[KMOD_NAME];
     if (strncmp(name, "/dev/", 5) == 0) name += 5;
-    for (unsigned n = 0; n < DEVICES; ++n)
-        if (strcmp(devices[n].name, name) == 0) return -EEXIST;
-    for (unsigned n = 0; n < DEVICES; ++n) {
-        if (devices[n].name[0]) continue;
-        snprintf(devices[n].name, NAME, "%s", name);
-        devices[n].ops = ops;
-        devices[n].inode = (struct inode){dev, NULL, NULL};
-        devices[n].device = (struct device){.init_name = devices[n].name, .devt = dev};
-        return (int)n;
-    }
-    return -ENOMEM;
+    snprintf(path, sizeof path, "/dev/%s", name);
+    for (char* c = path; *c; ++c)
+        if (*c == '!') *c = '/';
+    const int n = kmod_offer(path, KMOD_CHARACTER | 0600, ops, dev, data, NULL);
+    if (n < 0) return n;
+    struct device* const device = &files[n].device;
+    *device = (struct device){.init_name = files[n].path + 5, .devt = dev, .class = class};
+    files[n].of = device;
+    snprintf(device->kobj.path, sizeof device->kobj.path, "/sys/class/%s/%s",
+             class ? class->name : misc.name, name);
+    return n;
 }
 
 static void remove_device(kmod_dev_t dev, const struct file_operations* ops) {
-    for (unsigned n = 0; n < DEVICES; ++n)
-        if (devices[n].name[0] && devices[n].inode.i_rdev == dev && (!ops || devices[n].ops == ops))
-            devices[n].name[0] = '\0';
+    const int n = file_with(dev, ops);
+    if (n < FILES) kmod_withdraw(n);
 }
 
 int misc_register(struct miscdevice* device) {
+    static int next_minor = 63;
+    if (device->minor == MISC_DYNAMIC_MINOR) device->minor = next_minor--;
     const int n = add_device(device->nodename ? device->nodename : device->name, device->fops,
-                             MKDEV(10, device->minor));
+                             MKDEV(MISC_MAJOR, device->minor), &misc, device);
     if (n < 0) return n;
-    static struct class misc = {"misc"};
-    device->this_device = &devices[n].device;
-    devices[n].device.class = &misc;
-    devices[n].inode.i_private = device;
+    device->this_device = &files[n].device;
+    device->this_device->parent = device->parent;
     return 0;
 }
 
 int misc_deregister(struct miscdevice* device) {
-    remove_device(MKDEV(10, device->minor), device->fops);
+    remove_device(MKDEV(MISC_MAJOR, device->minor), device->fops);
     return 0;
 }
+
+// ---- Numbers of character devices ----
 
 static unsigned next_major = 240;
 
 static int add_numbers(kmod_dev_t first, unsigned count, const struct file_operations* ops,
                        struct cdev* cdev) {
-    for (unsigned n = 0; n < DEVICES; ++n)
-        if (numbers[n].count == 0) {
-            numbers[n].ops = ops;
-            numbers[n].first = first;
-            numbers[n].count = count ? count : 1;
-            numbers[n].cdev = cdev;
-            return 0;
-        }
+    for (struct numbers* n = numbers; n < numbers + NUMBERS; ++n) {
+        if (n->count) continue;
+        *n = (struct numbers){ops, first, count ? count : 1, cdev};
+        return (int)kmod_call(KMOD_OFFER, (uintptr_t) "", KMOD_CHARACTER | 0600, first,
+                              FILES + (uintptr_t)(n - numbers), 0);
+    }
     return -ENOMEM;
+}
+
+static void remove_numbers(struct numbers* n) {
+    kmod_call(KMOD_WITHDRAW, FILES + (uintptr_t)(n - numbers), 0, 0, 0, 0);
+    n->count = 0;
+}
+
+static struct numbers* numbers_with(kmod_dev_t dev) {
+    for (struct numbers* n = numbers; n < numbers + NUMBERS; ++n)
+        if (n->count && dev - n->first < n->count) return n;
+    return NULL;
 }
 
 int register_chrdev(unsigned major, const char* name, const struct file_operations* ops) {
     const unsigned number = major ? major : next_major++;
     const int error = add_numbers(MKDEV(number, 0), 256, ops, NULL);
     if (error) return error;
-    const int n = add_device(name, NULL, MKDEV(number, 0));  // what people make by mknod
+    // What people make by mknod; device_create() may give it another name.
+    const int n = add_device(name, NULL, MKDEV(number, 0), NULL, NULL);
     return n < 0 ? n : major ? 0 : (int)number;
 }
 
 void unregister_chrdev(unsigned major, const char* name) {
     (void)name;
     remove_device(MKDEV(major, 0), NULL);
+    struct numbers* const n = numbers_with(MKDEV(major, 0));
+    if (n) remove_numbers(n);
 }
 
 int alloc_chrdev_region(kmod_dev_t* dev, unsigned first, unsigned count, const char* name) {
@@ -125,9 +164,7 @@ void cdev_init(struct cdev* cdev, const struct file_operations* ops) {
     cdev->ops = ops;
 }
 
-struct cdev* cdev_alloc(void) {
-    return calloc(1, sizeof(struct cdev));
-}
+struct cdev* cdev_alloc(void) { return calloc(1, sizeof(struct cdev)); }
 
 int cdev_add(struct cdev* cdev, kmod_dev_t dev, unsigned count) {
     cdev->dev = dev;
@@ -136,8 +173,8 @@ int cdev_add(struct cdev* cdev, kmod_dev_t dev, unsigned count) {
 }
 
 void cdev_del(struct cdev* cdev) {
-    for (unsigned n = 0; n < DEVICES; ++n)
-        if (numbers[n].cdev == cdev) numbers[n].count = 0;
+    for (struct numbers* n = numbers; n < numbers + NUMBERS; ++n)
+        if (n->count && n->cdev == cdev) remove_numbers(n);
 }
 
 struct class* kmod_class(const char* name) {
@@ -150,20 +187,18 @@ void class_destroy(struct class* c) { free(c); }
 
 struct device* device_create(struct class* c, struct device* parent, kmod_dev_t dev, void* data,
                              const char* format, ...) {
-    (void)parent;
-    char name[NAME];
+    char name[KMOD_NAME];
     va_list list;
     va_start(list, format);
     vsnprintf(name, sizeof name, format, list);
     va_end(list);
-    for (unsigned n = 0; n < DEVICES; ++n)  // that register_chrdev() has made
-        if (devices[n].inode.i_rdev == dev && strcmp(devices[n].name, name) == 0)
-            devices[n].name[0] = '\0';
-    const int n = add_device(name, NULL, dev);
+    const int old = file_with(dev, NULL);
+    if (old < FILES && !files[old].device.class) kmod_withdraw(old);
+    const int n = add_device(name, NULL, dev, c, NULL);
     if (n < 0) return ERR_PTR(n);
-    devices[n].device.class = c;
-    devices[n].device.driver_data = data;
-    return &devices[n].device;
+    files[n].device.driver_data = data;
+    files[n].device.parent = parent;
+    return &files[n].device;
 }
 
 void device_destroy(struct class* c, kmod_dev_t dev) {
@@ -171,18 +206,20 @@ void device_destroy(struct class* c, kmod_dev_t dev) {
     remove_device(dev, NULL);
 }
 
-loff_t no_llseek(struct file* f, loff_t offset, int whence) {
-    (void)f, (void)offset, (void)whence;
-    return -ESPIPE;
-}
+// ---- What a module's functions call ----
+
 loff_t noop_llseek(struct file* f, loff_t offset, int whence) {
     (void)offset, (void)whence;
     return f->f_pos;
 }
+loff_t no_llseek(struct file* f, loff_t offset, int whence) {
+    (void)f, (void)offset, (void)whence;
+    return -ESPIPE;
+}
 loff_t default_llseek(struct file* f, loff_t offset, int whence) {
-    if (whence == SEEK_END) return -EINVAL;
-    f->f_pos = whence == SEEK_CUR ? f->f_pos + offset : offset;
-    return f->f_pos;
+    if (whence == SEEK_CUR) offset += f->f_pos;
+    if (whence == SEEK_END || offset < 0) return -EINVAL;
+    return f->f_pos = offset;
 }
 
 ssize_t simple_read_from_buffer(void* to, size_t n, loff_t* at, const void* from,
@@ -190,7 +227,8 @@ ssize_t simple_read_from_buffer(void* to, size_t n, loff_t* at, const void* from
     if (*at < 0) return -EINVAL;
     if ((size_t)*at >= available) return 0;
     if (n > available - (size_t)*at) n = available - (size_t)*at;
-    memcpy(to, (const char*)from + *at, n);
+    n -= copy_to_user(to, (const char*)from + *at, n);
+    if (n == 0) return -EFAULT;
     *at += (loff_t)n;
     return (ssize_t)n;
 }
@@ -198,303 +236,127 @@ ssize_t simple_write_to_buffer(void* to, size_t available, loff_t* at, const voi
     if (*at < 0) return -EINVAL;
     if ((size_t)*at >= available) return 0;
     if (n > available - (size_t)*at) n = available - (size_t)*at;
-    memcpy((char*)to + *at, from, n);
+    n -= copy_from_user((char*)to + *at, from, n);
+    if (n == 0) return -EFAULT;
     *at += (loff_t)n;
     return (ssize_t)n;
 }
 
-// ---- Attributes ----
-
-struct bus_type platform_bus_type = {"platform"};
-
-static struct entry {
-    struct device_driver* driver;  // one of the two
-    struct device* device;
-    const struct attribute* attribute;
-    const struct driver_attribute* of_driver;
-    const struct device_attribute* of_device;
-} entries[DEVICES];
-
-// What Linux lets nobody do: read an attribute that cannot show itself, or write one that keeps
-// nothing.
-static int open_attribute(struct inode* inode, struct file* f) {
-    const struct entry* e = inode->i_private;
-    const bool shows = e->driver ? e->of_driver->show != NULL : e->of_device->show != NULL;
-    const bool stores = e->driver ? e->of_driver->store != NULL : e->of_device->store != NULL;
-    const unsigned way = f->f_flags & O_ACCMODE;
-    if (way != O_WRONLY && !(shows && e->attribute->mode & 0444)) return -EACCES;
-    if (way != O_RDONLY && !(stores && e->attribute->mode & 0222)) return -EACCES;
-    return 0;
-}
-
-static ssize_t read_attribute(struct file* f, char* to, size_t n, loff_t* at) {
-    const struct entry* e = f->private_data;
-    char page[4096] = {0};
-    const ssize_t length =
-        e->driver ? e->of_driver->show(e->driver, page)
-                  : e->of_device->show(e->device, (struct device_attribute*)e->of_device, page);
-    return length < 0 ? length : simple_read_from_buffer(to, n, at, page, (size_t)length);
-}
-
-static ssize_t write_attribute(struct file* f, const char* from, size_t n, loff_t* at) {
-    (void)at;
-    const struct entry* e = f->private_data;
-    char page[4096];
-    if (n >= sizeof page) n = sizeof page - 1;
-    memcpy(page, from, n);
-    page[n] = '\0';
-    return e->driver
-               ? e->of_driver->store(e->driver, page, n)
-               : e->of_device->store(e->device, (struct device_attribute*)e->of_device, page, n);
-}
-
-static const struct file_operations attribute_ops = {
-    .open = open_attribute, .read = read_attribute, .write = write_attribute};
-
-static int add_attribute(const char* folder, struct entry entry) {
-    char path[NAME];
-    snprintf(path, sizeof path, "%s/%s", folder, entry.attribute->name);
-    struct entry* e = entries;
-    while (e < entries + DEVICES && e->attribute) ++e;
-    if (e == entries + DEVICES) return -ENOMEM;
-    const int n = add_device(path, &attribute_ops, 0);
-    if (n < 0) return n;
-    *e = entry;
-    devices[n].inode.i_private = e;
-    return 0;
-}
-
-static void remove_attribute(const void* of, const struct attribute* attribute) {
-    for (unsigned n = 0; n < DEVICES; ++n) {
-        struct entry* e = devices[n].inode.i_private;
-        if (!devices[n].name[0] || devices[n].ops != &attribute_ops || e->attribute != attribute ||
-            (of != e->driver && of != e->device))
-            continue;
-        devices[n].name[0] = '\0';
-        e->attribute = NULL;
-    }
-}
-
-int driver_register(struct device_driver* driver) { return driver->name ? 0 : -EINVAL; }
-void driver_unregister(struct device_driver* driver) { (void)driver; }
-
-int driver_create_file(struct device_driver* driver, const struct driver_attribute* attribute) {
-    char folder[NAME];
-    snprintf(folder, sizeof folder, "/sys/bus/%s/drivers/%s",
-             driver->bus ? driver->bus->name : platform_bus_type.name, driver->name);
-    return add_attribute(
-        folder,
-        (struct entry){.driver = driver, .attribute = &attribute->attr, .of_driver = attribute});
-}
-void driver_remove_file(struct device_driver* driver, const struct driver_attribute* attribute) {
-    remove_attribute(driver, &attribute->attr);
-}
-
-int device_create_file(struct device* device, const struct device_attribute* attribute) {
-    char folder[NAME];
-    struct resource r = {0};
-    of_address_to_resource(device->of_node, 0, &r);
-    if (device->class)
-        snprintf(folder, sizeof folder, "/sys/class/%s/%s", device->class->name, dev_name(device));
-    else
-        snprintf(folder, sizeof folder, "/sys/bus/platform/devices/%x.%s", r.start,
-                 dev_name(device));
-    return add_attribute(
-        folder,
-        (struct entry){.device = device, .attribute = &attribute->attr, .of_device = attribute});
-}
-void device_remove_file(struct device* device, const struct device_attribute* attribute) {
-    remove_attribute(device, &attribute->attr);
-}
-
-// ---- What the program calls ----
-
-// What a system call returns.
-static long answer(long result) {
-    if (result >= 0 || result < -MAX_ERRNO) return result;
-    errno = result == -ERESTARTSYS ? EINTR : result == -ENOIOCTLCMD ? ENOTTY : (int)-result;
-    return -1;
-}
-
-static struct file* file_of(int descriptor) {
-    for (unsigned n = 0; descriptor > 0 && n < FILES; ++n)
-        if (files[n].number == descriptor) return &files[n].file;
-    return NULL;
-}
-
-static int open_device(unsigned device, int flags) {
-    struct inode* inode = &devices[device].inode;
-    const struct file_operations* ops = devices[device].ops;
-    for (unsigned n = 0; !ops && n < DEVICES; ++n) {
-        if (numbers[n].count == 0 || inode->i_rdev - numbers[n].first >= numbers[n].count) continue;
-        ops = numbers[n].ops;
-        inode->i_cdev = numbers[n].cdev;
-    }
-    if (!ops) {
-        errno = ENXIO;
-        return -1;
-    }
-    unsigned n = 0;
-    while (n < FILES && files[n].number) ++n;
-    const int descriptor = n == FILES ? -1 : dup(STDERR_FILENO);  // a number that nobody else has
-    if (descriptor < 0) {
-        errno = EMFILE;
-        return -1;
-    }
-    files[n].file = (struct file){.f_op = ops,
-                                  .f_flags = (unsigned)flags,
-                                  .f_mode = (fmode_t)((flags + 1) & 3),
-                                  .f_inode = inode,
-                                  // where a misc device's open() finds itself
-                                  .private_data = inode->i_private};
-    const int result = ops->open ? ops->open(inode, &files[n].file) : 0;
-    if (result != 0) {
-        __real_close(descriptor);
-        return (int)answer(result);
-    }
-    files[n].number = descriptor;
-    return descriptor;
-}
-
-// The device of that path; DEVICES: none.
-static unsigned device_at(const char* path) {
-    if (strncmp(path, "/dev/", 5) == 0)
-        path += 5;
-    else if (strncmp(path, "/sys/", 5) != 0)
-        return DEVICES;
-    unsigned n = 0;
-    while (n < DEVICES && !(devices[n].name[0] && strcmp(devices[n].name, path) == 0)) ++n;
-    return n;
-}
-
-#define OPEN(function)                                                                \
-    int __real_##function(const char* path, int flags, ...);                          \
-    int __wrap_##function(const char* path, int flags, ...) {                         \
-        const unsigned device = device_at(path);                                      \
-        if (device < DEVICES) return open_device(device, flags);                      \
-        va_list list;                                                                 \
-        va_start(list, flags);                                                        \
-        const mode_t mode = flags & (O_CREAT | O_TMPFILE) ? va_arg(list, mode_t) : 0; \
-        va_end(list);                                                                 \
-        return __real_##function(path, flags, mode);                                  \
-    }
-OPEN(open)
-OPEN(open64)
-
-int __wrap_close(int descriptor) {
-    for (unsigned n = 0; descriptor > 0 && n < FILES; ++n) {
-        if (files[n].number != descriptor) continue;
-        const struct file_operations* ops = files[n].file.f_op;
-        files[n].number = 0;
-        const int result = ops->release ? ops->release(files[n].file.f_inode, &files[n].file) : 0;
-        __real_close(descriptor);
-        return (int)answer(result);
-    }
-    return __real_close(descriptor);
-}
-
-ssize_t __real_read(int descriptor, void* to, size_t n);
-ssize_t __wrap_read(int descriptor, void* to, size_t n) {
-    struct file* f = file_of(descriptor);
-    if (!f) return __real_read(descriptor, to, n);
-    return answer(f->f_op->read ? f->f_op->read(f, to, n, &f->f_pos) : -EINVAL);
-}
-
-ssize_t __real_write(int descriptor, const void* from, size_t n);
-ssize_t __wrap_write(int descriptor, const void* from, size_t n) {
-    struct file* f = file_of(descriptor);
-    if (!f) return __real_write(descriptor, from, n);
-    return answer(f->f_op->write ? f->f_op->write(f, from, n, &f->f_pos) : -EINVAL);
-}
-
-#define LSEEK(name, type)                                                            \
-    type __real_##name(int descriptor, type offset, int whence);                     \
-    type __wrap_##name(int descriptor, type offset, int whence) {                    \
-        struct file* f = file_of(descriptor);                                        \
-        if (!f) return __real_##name(descriptor, offset, whence);                    \
-        return (type)answer(                                                         \
-            (long)(f->f_op->llseek ? f->f_op->llseek(f, offset, whence) : -ESPIPE)); \
-    }
-LSEEK(lseek, long)
-LSEEK(lseek64, int64_t)
-
-// As a stream, whose reads and writes are those of the file.
-static ssize_t read_stream(void* cookie, char* to, size_t n) {
-    return __wrap_read((int)(intptr_t)cookie, to, n);
-}
-static ssize_t write_stream(void* cookie, const char* from, size_t n) {
-    const ssize_t written = __wrap_write((int)(intptr_t)cookie, from, n);
-    return written < 0 ? 0 : written;
-}
-static int seek_stream(void* cookie, int64_t* offset, int whence) {
-    const int64_t at = __wrap_lseek64((int)(intptr_t)cookie, *offset, whence);
-    if (at < 0) return -1;
-    *offset = at;
-    return 0;
-}
-static int close_stream(void* cookie) { return __wrap_close((int)(intptr_t)cookie); }
-
-#define FOPEN(name)                                                                         \
-    FILE* __real_##name(const char* path, const char* mode);                                \
-    FILE* __wrap_##name(const char* path, const char* mode) {                               \
-        const unsigned device = device_at(path);                                            \
-        if (device == DEVICES) return __real_##name(path, mode);                            \
-        const int descriptor = open_device(device, strchr(mode, '+') ? O_RDWR               \
-                                                   : mode[0] == 'r'  ? O_RDONLY             \
-                                                                     : O_WRONLY);            \
-        if (descriptor < 0) return NULL;                                                    \
-        return fopencookie(                                                                 \
-            (void*)(intptr_t)descriptor, mode,                                              \
-            (cookie_io_functions_t){read_stream, write_stream, seek_stream, close_stream}); \
-    }
-FOPEN(fopen)
-FOPEN(fopen64)
-
-#define IOCTL(name)                                                                      \
-    int __real_##name(int descriptor, unsigned long request, ...);                       \
-    int __wrap_##name(int descriptor, unsigned long request, ...) {                      \
-        va_list list;                                                                    \
-        va_start(list, request);                                                         \
-        const unsigned long argument = va_arg(list, unsigned long);                      \
-        va_end(list);                                                                    \
-        struct file* f = file_of(descriptor);                                            \
-        if (!f) return __real_##name(descriptor, request, argument);                     \
-        return (int)answer(f->f_op->unlocked_ioctl                                       \
-                               ? f->f_op->unlocked_ioctl(f, (unsigned)request, argument) \
-                               : -ENOTTY);                                               \
-    }
-IOCTL(ioctl)
-IOCTL(__ioctl_time64)
-
-// ---- A device's memory in the program ----
-
-static void* mapped;
-
 int remap_pfn_range(struct vm_area_struct* area, unsigned long at, unsigned long page,
                     unsigned long size, pgprot_t protection) {
-    (void)area, (void)at, (void)protection;
-    mapped = ioremap(page << PAGE_SHIFT, size);
-    return mapped ? 0 : -EAGAIN;
+    (void)area, (void)protection;
+    return (int)kmod_call(KMOD_MAP, at, page << PAGE_SHIFT, PAGE_ALIGN(size), 0, 0);
+}
+int vm_iomap_memory(struct vm_area_struct* area, phys_addr_t start, unsigned long size) {
+    const unsigned long wanted = area->vm_end - area->vm_start, from = area->vm_pgoff << PAGE_SHIFT;
+    if (from + wanted > PAGE_ALIGN(size)) return -EINVAL;
+    return remap_pfn_range(area, area->vm_start, (start + from) >> PAGE_SHIFT, wanted, 0);
+}
+int dma_mmap_coherent(struct device* dev, struct vm_area_struct* area, void* address, dma_addr_t at,
+                      size_t size) {
+    (void)dev, (void)address;
+    return vm_iomap_memory(area, at, size);
 }
 
-static void* map_device(struct file* f, size_t size, int64_t offset) {
-    struct vm_area_struct area = {.vm_end = PAGE_ALIGN(size),
-                                  .vm_pgoff = (unsigned long)(offset >> PAGE_SHIFT)};
-    mapped = NULL;
-    const int result = f->f_op->mmap ? f->f_op->mmap(f, &area) : -ENODEV;
-    if (result == 0 && mapped) return mapped;
-    errno = result ? -result : ENOMEM;
-    return MAP_FAILED;
-}
+// ---- Programs that a signal tells ----
 
-#define MMAP(name, type)                                                                  \
-    void* __real_##name(void* at, size_t size, int protection, int flags, int descriptor, \
-                        type offset);                                                     \
-    void* __wrap_##name(void* at, size_t size, int protection, int flags, int descriptor, \
-                        type offset) {                                                    \
-        struct file* f = file_of(descriptor);                                             \
-        return f ? map_device(f, size, offset)                                            \
-                 : __real_##name(at, size, protection, flags, descriptor, offset);        \
+struct fasync_struct {
+    struct file* file;
+    struct fasync_struct* next;
+};
+
+int fasync_helper(int descriptor, struct file* file, int on, struct fasync_struct** list) {
+    (void)descriptor;
+    struct fasync_struct** at = list;
+    while (*at && (*at)->file != file) at = &(*at)->next;
+    struct fasync_struct* const there = *at;
+    if (on && !there) {
+        struct fasync_struct* const added = calloc(1, sizeof *added);
+        if (!added) return -ENOMEM;
+        added->file = file;
+        *at = added;
+        return 1;
     }
-MMAP(mmap, long)
-MMAP(mmap64, int64_t)
+    if (on || !there) return 0;
+    *at = there->next;
+    free(there);
+    return 1;
+}
+void kill_fasync(struct fasync_struct** list, int signal, int band) {
+    (void)band;
+    for (struct fasync_struct* at = *list; at; at = at->next)
+        kmod_call(KMOD_SIGNAL, (uintptr_t)at->file, (uintptr_t)signal, 0, 0, 0);
+}
+
+// ---- Requests ----
+
+static s64 open_file(int id, unsigned flags, kmod_dev_t dev) {
+    if (id < 0) id = file_with(dev, NULL);  // a node that mknod has made
+    struct inode number = {dev, NULL, NULL};
+    struct inode* const inode = id < FILES ? &files[id].inode : &number;
+    const struct file_operations* ops = id < FILES ? files[id].ops : NULL;
+    const struct numbers* const of = ops ? NULL : numbers_with(inode->i_rdev);
+    if (of) {
+        ops = of->ops;
+        inode->i_cdev = of->cdev;
+    }
+    if (!ops) return -ENXIO;
+    struct file* const f = calloc(1, sizeof *f + sizeof *inode);
+    if (!f) return -ENOMEM;
+    struct inode* const own = (struct inode*)(f + 1);
+    *own = *inode;
+    *f = (struct file){.f_op = ops,
+                       .f_flags = flags,
+                       .f_mode = (fmode_t)((flags + 1) & WAY),
+                       .f_inode = id < FILES ? inode : own,
+                       .private_data = inode->i_private};
+    const int result = ops->open ? ops->open(f->f_inode, f) : 0;
+    if (result == 0) return (s64)(uintptr_t)f;
+    free(f);
+    return result;
+}
+
+static s64 map(struct file* f, unsigned long at, unsigned long bytes, unsigned long page) {
+    struct vm_area_struct area = {
+        .vm_start = at, .vm_end = at + bytes, .vm_pgoff = page, .vm_file = f};
+    return f->f_op->mmap ? f->f_op->mmap(f, &area) : -ENODEV;
+}
+
+static s64 answer(const struct kmod_request* r) {
+    struct file* const f = (struct file*)r->file;
+    if (r->operation == KMOD_OPEN) return open_file((int)r->a, r->flags, r->b);
+    const struct file_operations* const ops = f->f_op;
+    f->f_flags = r->flags;
+    switch (r->operation) {
+        case KMOD_RELEASE: {
+            const int result = ops->release ? ops->release(f->f_inode, f) : 0;
+            free(f);
+            return result;
+        }
+        case KMOD_FLUSH: return ops->flush ? ops->flush(f, NULL) : 0;
+        case KMOD_READ: return ops->read ? ops->read(f, (char*)r->a, r->b, &f->f_pos) : -EINVAL;
+        case KMOD_WRITE:
+            return ops->write ? ops->write(f, (const char*)r->a, r->b, &f->f_pos) : -EINVAL;
+        case KMOD_SEEK:
+            return ops->llseek ? ops->llseek(f, (loff_t)((u64)r->b << 32 | r->a), (int)r->c)
+                               : -ESPIPE;
+        case KMOD_IOCTL: {
+            const long result = ops->unlocked_ioctl ? ops->unlocked_ioctl(f, r->a, r->b) : -ENOTTY;
+            return result == -ENOIOCTLCMD ? -ENOTTY : result;
+        }
+        case KMOD_MMAP: return map(f, r->a, r->b, r->c);
+        case KMOD_POLL: {
+            poll_table table = {true};
+            return ops->poll ? ops->poll(f, &table)
+                             : POLLIN | POLLOUT | POLLRDNORM | POLLWRNORM;
+        }
+        case KMOD_FASYNC: return ops->fasync ? ops->fasync((int)r->a, f, (int)r->b) : 0;
+        default: return -EINVAL;
+    }
+}
+
+void kmod_answer(struct kmod_request* request) {
+    const s64 result = answer(request);
+    request->result = (int32_t)result;
+    request->result_high = (int32_t)(result >> 32);
+}

@@ -1,7 +1,6 @@
-// kmod_library.c - what kernel modules call that needs no device: memory, texts, locks, time
+// kmod_library.c - what kernel modules call that needs no device: memory, texts, time
 #define _GNU_SOURCE
 #include <errno.h>
-#include <sched.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -9,28 +8,42 @@
 #include <sys/types.h>
 #include <time.h>
 
-#define KMOD_RUNTIME
-#include "kmod.h"
+#include "runtime.h"
 
 // ---- Memory ----
 
 unsigned long copy_from_user(void* to, const void* from, unsigned long n) {
-    if (!from) return n;
-    memcpy(to, from, n);
-    return 0;
+    const unsigned long left =
+        (unsigned long)kmod_call(KMOD_COPY, (uintptr_t)to, (uintptr_t)from, n, false, 0);
+    memset((char*)to + (n - left), 0, left);
+    return left;
 }
 unsigned long copy_to_user(void* to, const void* from, unsigned long n) {
-    if (!to) return n;
-    memcpy(to, from, n);
-    return 0;
+    return (unsigned long)kmod_call(KMOD_COPY, (uintptr_t)to, (uintptr_t)from, n, true, 0);
 }
 unsigned long clear_user(void* to, unsigned long n) {
-    memset(to, 0, n);
+    static const char zeros[256];
+    while (n > 0) {
+        const unsigned long part = n < sizeof zeros ? n : sizeof zeros;
+        if (copy_to_user(to, zeros, part)) return n;
+        to = (char*)to + part;
+        n -= part;
+    }
     return 0;
+}
+long strncpy_from_user(char* to, const char* from, long n) {
+    for (long i = 0; i < n; ++i) {
+        if (copy_from_user(to + i, from + i, 1)) return -EFAULT;
+        if (!to[i]) return i;
+    }
+    return n;
 }
 void* memdup_user(const void* from, size_t n) {
     void* copy = malloc(n);
-    return copy ? memcpy(copy, from, n) : ERR_PTR(-ENOMEM);
+    if (!copy) return ERR_PTR(-ENOMEM);
+    if (!copy_from_user(copy, from, n)) return copy;
+    free(copy);
+    return ERR_PTR(-EFAULT);
 }
 void* kmalloc(size_t n, gfp_t flags) { return flags & __GFP_ZERO ? calloc(1, n) : malloc(n); }
 void* kzalloc(size_t n, gfp_t flags) {
@@ -40,6 +53,23 @@ void* kzalloc(size_t n, gfp_t flags) {
 void* kcalloc(size_t count, size_t n, gfp_t flags) {
     (void)flags;
     return calloc(count, n);
+}
+void* krealloc(const void* p, size_t n, gfp_t flags) {
+    (void)flags;
+    return realloc((void*)(uintptr_t)p, n);
+}
+char* kstrdup(const char* text, gfp_t flags) {
+    (void)flags;
+    return text ? strdup(text) : NULL;
+}
+char* kasprintf(gfp_t flags, const char* format, ...) {
+    (void)flags;
+    char* text = NULL;
+    va_list list;
+    va_start(list, format);
+    if (vasprintf(&text, format, list) < 0) text = NULL;
+    va_end(list);
+    return text;
 }
 void kfree(const void* p) { free((void*)(uintptr_t)p); }
 
@@ -91,27 +121,55 @@ int kstrtou8(const char* text, unsigned base, u8* to) {
     return error;
 }
 
-// ---- Locks ----
+int kstrtol(const char* text, unsigned base, long* to) {
+    int value;
+    const int error = kstrtoint(text, base, &value);
+    if (!error) *to = value;
+    return error;
+}
+int kstrtoul(const char* text, unsigned base, unsigned long* to) {
+    unsigned value;
+    const int error = kstrtouint(text, base, &value);
+    if (!error) *to = value;
+    return error;
+}
+int kstrtobool(const char* text, bool* to) {
+    const char c = text[0], next = c ? text[1] : '\0';
+    const bool yes = c == 'y' || c == 'Y' || c == '1' || c == 't' || c == 'T',
+               no = c == 'n' || c == 'N' || c == '0' || c == 'f' || c == 'F';
+    if (!yes && !no && !((c == 'o' || c == 'O') && (next == 'n' || next == 'N' || next == 'f' ||
+                                                    next == 'F')))
+        return -EINVAL;
+    *to = yes || next == 'n' || next == 'N';
+    return 0;
+}
 
-bool kmod_try(int* taken) { return !__atomic_exchange_n(taken, 1, __ATOMIC_ACQUIRE); }
-void kmod_lock(int* taken) {
-    while (!kmod_try(taken)) sched_yield();
+static int text_from_user(char* to, size_t room, const char* from, size_t n) {
+    if (n >= room) return -EINVAL;
+    if (copy_from_user(to, from, n)) return -EFAULT;
+    to[n] = '\0';
+    return 0;
 }
-void kmod_unlock(int* taken) { __atomic_store_n(taken, 0, __ATOMIC_RELEASE); }
-
-void sema_init(struct semaphore* s, int count) { s->count = count; }
-int down_trylock(struct semaphore* s) {
-    int count = __atomic_load_n(&s->count, __ATOMIC_RELAXED);
-    while (count > 0)
-        if (__atomic_compare_exchange_n(&s->count, &count, count - 1, false, __ATOMIC_ACQUIRE,
-                                        __ATOMIC_RELAXED))
-            return 0;
-    return 1;
+int kstrtoint_from_user(const char* text, size_t n, unsigned base, int* to) {
+    char own[32];
+    const int error = text_from_user(own, sizeof own, text, n);
+    return error ? error : kstrtoint(own, base, to);
 }
-void down(struct semaphore* s) {
-    while (down_trylock(s)) sched_yield();
+int kstrtouint_from_user(const char* text, size_t n, unsigned base, unsigned* to) {
+    char own[32];
+    const int error = text_from_user(own, sizeof own, text, n);
+    return error ? error : kstrtouint(own, base, to);
 }
-void up(struct semaphore* s) { __atomic_add_fetch(&s->count, 1, __ATOMIC_RELEASE); }
+unsigned long simple_strtoul(const char* text, char** end, unsigned base) {
+    return strtoul(text, end, (int)base);
+}
+long simple_strtol(const char* text, char** end, unsigned base) {
+    return strtol(text, end, (int)base);
+}
+bool sysfs_streq(const char* a, const char* b) {
+    while (*a && *a == *b) ++a, ++b;
+    return (!*a || (*a == '\n' && !a[1])) && (!*b || (*b == '\n' && !b[1]));
+}
 
 // ---- Time ----
 
@@ -122,10 +180,10 @@ ktime_t ktime_get(void) {
 }
 unsigned long kmod_jiffies(void) { return (unsigned long)(ktime_get() / (1000000000 / HZ)); }
 
-static void sleep_ns(uint64_t ns) {
-    struct timespec rest = {(time_t)(ns / 1000000000), (long)(ns % 1000000000)};
-    while (nanosleep(&rest, &rest) && errno == EINTR) {
-    }
+static bool sleep_ns(s64 ns, bool interruptible, const void* caller) {
+    static const int nobody;
+    kmod_might_sleep("msleep", caller);
+    return kmod_sleep(&nobody, 0, ns, interruptible) != -EINTR;
 }
 void ndelay(unsigned long ns) {
     const ktime_t begin = ktime_get();
@@ -134,9 +192,17 @@ void ndelay(unsigned long ns) {
 }
 void udelay(unsigned long us) { ndelay(1000 * us); }
 void mdelay(unsigned long ms) { ndelay(1000000 * ms); }
-void msleep(unsigned ms) { sleep_ns(1000000ull * ms); }
+void msleep(unsigned ms) { sleep_ns(1000000ll * ms, false, __builtin_return_address(0)); }
+void ssleep(unsigned seconds) {
+    sleep_ns(1000000000ll * seconds, false, __builtin_return_address(0));
+}
+unsigned long msleep_interruptible(unsigned ms) {
+    const ktime_t end = ktime_get() + 1000000ll * ms;
+    if (sleep_ns(1000000ll * ms, true, __builtin_return_address(0))) return 0;
+    const s64 left = end - ktime_get();
+    return left > 0 ? (unsigned long)((left + 999999) / 1000000) : 0;
+}
 void usleep_range(unsigned long least, unsigned long most) {
     (void)most;
-    sleep_ns(1000ull * least);
+    sleep_ns(1000ll * least, false, __builtin_return_address(0));
 }
-void cond_resched(void) { sched_yield(); }

@@ -3,13 +3,15 @@
 #ifndef DE1SIM_KMOD_NODES_H
 #define DE1SIM_KMOD_NODES_H
 
-enum { KMOD_REGIONS = 8 };  // at most, of a module
+enum { KMOD_REGIONS = 8, KMOD_INTERRUPTS = 8 };  // at most, of a module
 
 struct device_node {
     const char* name;               // NULL: after the last
     const char* const* compatible;  // up to a NULL
     unsigned regions;
     uint32_t first[KMOD_REGIONS], bytes[KMOD_REGIONS];  // of the processor's addresses
+    unsigned interrupt_count;
+    unsigned interrupts[KMOD_INTERRUPTS];  // at the processor's interrupt controller
 };
 extern struct device_node kmod_nodes[];
 
