@@ -150,6 +150,7 @@ private:
 
     // kernel_time.cpp
     static constexpr std::uint64_t NS = 1'000'000'000;                 // per second
+    static constexpr std::uint64_t TICK_NS = 10'000'000;               // clock_t's, USER_HZ
     static constexpr std::uint64_t LONGEST_NS = NS * 3600 * 24 * 100;  // SystemC's time is finite
     std::uint64_t used_ns(const LinuxProcess& process) const;          // of the processor
     std::uint64_t used_ns(const LinuxThread& thread) const;
@@ -274,6 +275,8 @@ private:
     bool send(LinuxProcess& process, const LinuxSignal& signal);
     bool send(LinuxThread& thread, const LinuxSignal& signal);
     void typed(unsigned number);
+    // The first that is not among `blocked`.
+    std::optional<LinuxSignal> take_signal(LinuxThread& thread, std::uint64_t blocked);
     // Which of the signals would end what it waits for.
     std::uint64_t wakes(const LinuxThread& thread) const;
     void interrupt(LinuxThread& thread);
@@ -286,6 +289,7 @@ private:
     Result wait(LinuxWait wait);  // of the running thread, or what it waits for at once
     void resume(LinuxThread& thread, std::optional<std::int64_t> result);
     void look(LinuxThread& thread);
+    LinuxThread& caller() const { return looks_ ? *looks_ : *running_; }  // of a call
     void look_at_all();
     bool any_waits() const;
     void suspend();  // the running thread waits, or has ended, or makes way
@@ -318,6 +322,7 @@ private:
     std::vector<std::unique_ptr<LinuxProcess>> processes_;
     LinuxProcess* process_ = nullptr;   // which a call is about
     LinuxThread* running_ = nullptr;    // whose registers the core has
+    LinuxThread* looks_ = nullptr;      // that waits, while its LinuxWait looks
     AddressSpace* attached_ = nullptr;  // that the core sees
     LinuxScheduler scheduler_;
     std::list<FutexWaiter> waiters_;  // in their order

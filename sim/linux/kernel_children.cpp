@@ -91,7 +91,8 @@ void LinuxKernel::end_process(LinuxProcess& process, std::uint32_t status) {
         send(*parent, {process.end_signal,
                        by ? CHILD_KILLED : CHILD_EXITED,
                        {static_cast<std::uint32_t>(process.number), 0,
-                        static_cast<std::uint32_t>(by ? by : code)},
+                        static_cast<std::uint32_t>(by ? by : code),
+                        static_cast<std::uint32_t>(process.used_ns / TICK_NS)},
                        "a child ended"});
     constexpr std::uint32_t IGNORED = 1;
     if (parent->signals.actions[SIGCHLD].handler == IGNORED) forget(process);

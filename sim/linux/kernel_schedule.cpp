@@ -43,7 +43,9 @@ void LinuxKernel::resume(LinuxThread& thread, Result result) {
 void LinuxKernel::look(LinuxThread& thread) {
     LinuxProcess* const present = process_;
     process_ = &thread.process;
+    looks_ = &thread;
     const Result result = thread.wait->look(*thread.wait);
+    looks_ = nullptr;
     process_ = present;
     if (!result) return;
     thread.signals.restore_mask();

@@ -51,6 +51,11 @@ void LinuxKernel::typed(unsigned number) {
         send(*process, {number, arm_signal_code::KERNEL, {}, fmt::format("{} was typed,", key)});
 }
 
+std::optional<LinuxSignal> LinuxKernel::take_signal(LinuxThread& thread, std::uint64_t blocked) {
+    auto signal = thread.signals.pending.dequeue(blocked);
+    return signal ? signal : thread.process.pending.dequeue(blocked);
+}
+
 std::uint64_t LinuxKernel::wakes(const LinuxThread& thread) const {
     return (thread.signals.pending.set() | thread.process.pending.set()) & ~thread.signals.blocked;
 }
@@ -74,8 +79,7 @@ void LinuxKernel::deliver() {
         thread.restarts = false;
     };
     while (running_ == &thread && !over_) {
-        auto signal = thread.signals.pending.dequeue(thread.signals.blocked);
-        if (!signal) signal = process_->pending.dequeue(thread.signals.blocked);
+        const auto signal = take_signal(thread, thread.signals.blocked);
         if (!signal) break;
         LinuxSignals& signals = process_->signals;
         LinuxSignals::Action& action = signals.actions[signal->number];
@@ -237,8 +241,7 @@ LinuxKernel::Result LinuxKernel::sigtimedwait(const Arguments& a, Span kind) {
     wait.what = "a signal";
     if (a[2] != 0) wait.at_ns = later_ns(static_cast<std::uint64_t>(span));
     wait.look = [this, set, to = a[1], &thread = *running_](LinuxWait& w) -> Result {
-        auto signal = thread.signals.pending.dequeue(~set);
-        if (!signal) signal = thread.process.pending.dequeue(~set);
+        const auto signal = take_signal(thread, ~set);
         if (!signal) return now_ns() >= w.at_ns ? Result{-EAGAIN} : std::nullopt;
         std::uint32_t info[32] = {signal->number, 0, static_cast<std::uint32_t>(signal->code)};
         std::copy(signal->fields.begin(), signal->fields.end(), info + 3);

@@ -10,7 +10,6 @@ namespace sim {
 namespace {
 
 constexpr std::uint32_t CLOCKS = 12, ABSOLUTE = 1;
-constexpr std::uint64_t TICK_NS = 10'000'000;  // of times()
 
 }  // namespace
 

@@ -66,6 +66,7 @@ bool PendingSignals::add(const LinuxSignal& signal) {
         return true;
     if (all_.size() >= MOST) return false;
     all_.push_back(signal);
+    ++added_;
     return true;
 }
 

@@ -19,8 +19,9 @@ namespace sim {
 struct LinuxSignal {
     unsigned number = 0;
     std::int32_t code = 0;
-    std::array<std::uint32_t, 3> fields{};  // an address; or process, user, value or status
-    std::string why{};                      // "sent by itself"
+    // An address; or process, user, value or status, ticks of a child.
+    std::array<std::uint32_t, 4> fields{};
+    std::string why{};  // "sent by itself"
 };
 
 namespace arm_signal_code {
@@ -56,9 +57,11 @@ public:
     // The one of the lowest number that is not among `blocked`.
     std::optional<LinuxSignal> dequeue(std::uint64_t blocked);
     void remove(std::uint64_t set);
+    std::uint64_t added() const { return added_; }  // so far
 
 private:
     std::deque<LinuxSignal> all_;
+    std::uint64_t added_ = 0;
 };
 
 // What each thread has of its own.
