@@ -25,12 +25,13 @@
 // translated is translated again after a switch from one to another.  The end of the first ends the
 // run.  A program that another becomes is itself, or lies under the root.
 //
-// Timers of setitimer, alarm and timerfd; /dev/i2c-0; the processor's LED below /sys/class/leds.
+// Timers of setitimer, alarm, timer_create and timerfd; /dev/i2c-0; the processor's LED below
+// /sys/class/leds.
 //
-// Not handled: timer_create, ITIMER_VIRTUAL and ITIMER_PROF, GPIO below /sys, message queues,
-// groups and sessions of processes, job control; mutexes with priority inheritance; the
-// second processor: threads never run at the same time; no vDSO, so that the C library makes system
-// calls.
+// Not handled: ITIMER_VIRTUAL and ITIMER_PROF, GPIO below /sys, message queues, groups and sessions
+// of processes, job control; mutexes with priority inheritance; the second processor: threads never
+// run at the same time; no vDSO, so that the C library makes system calls.  Timers of
+// processor time expire when they are due, not with a tick of 10 ms.
 #pragma once
 
 #include <array>
@@ -163,9 +164,22 @@ private:
     Result timerfd(const Arguments&, Span kind, bool sets);
     std::int64_t set_timer(LinuxTimer& timer, std::uint32_t from, std::uint32_t old, Span kind,
                            bool absolute);
-    std::int64_t give_timer(std::uint32_t to, const LinuxTimer& timer, Span kind);
+    std::int64_t give_timer(std::uint32_t to, const LinuxTimer& timer, Span kind,
+                            std::uint64_t now);
     std::uint64_t next_timer_ns() const;
     void expire_timers();
+
+    // kernel_posix_timers.cpp
+    std::optional<std::uint64_t> now_of(const PosixTimer& timer) const;
+    std::uint64_t at_used_ns(std::uint64_t at_ns, std::uint64_t used) const;
+    std::uint64_t next_posix_timer_ns() const;
+    void expire_posix_timers();
+    void expire(LinuxProcess& process, int number, PosixTimer& timer);
+    void go_on_with_timer(LinuxProcess& process, LinuxSignal& signal);
+    void delete_posix_timers(LinuxProcess& process);
+    std::int64_t clock_for_timer(std::uint32_t clock, PosixTimer& timer) const;
+    Result timer_settime(const Arguments&, Span kind);
+    Result timer_gettime(const Arguments&, Span kind);
 
     // kernel_wait.cpp
     std::int64_t span_at(std::uint32_t address, Span kind) const;

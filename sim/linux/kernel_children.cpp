@@ -267,6 +267,7 @@ LinuxKernel::Result LinuxKernel::become(const ElfProgram& program,
     }
     process.files.close_all(true);
     process.segments.clear();
+    delete_posix_timers(process);
     process.command = path;
     process.set_command_line(arguments);
     for (LinuxSignals::Action& action : process.signals.actions)

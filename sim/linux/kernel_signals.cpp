@@ -53,7 +53,9 @@ void LinuxKernel::typed(unsigned number) {
 
 std::optional<LinuxSignal> LinuxKernel::take_signal(LinuxThread& thread, std::uint64_t blocked) {
     auto signal = thread.signals.pending.dequeue(blocked);
-    return signal ? signal : thread.process.pending.dequeue(blocked);
+    if (!signal) signal = thread.process.pending.dequeue(blocked);
+    if (signal) go_on_with_timer(thread.process, *signal);
+    return signal;
 }
 
 std::uint64_t LinuxKernel::wakes(const LinuxThread& thread) const {

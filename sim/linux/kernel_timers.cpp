@@ -17,7 +17,7 @@ constexpr std::uint32_t TIMER_CLOCKS = 12, ITIMER_OF_CLOCK = 0, ITIMERS = 3, AT_
 // ---- When they expire ---------------------------------------------------------------------------
 
 std::uint64_t LinuxKernel::next_timer_ns() const {
-    std::uint64_t next = LinuxWait::NEVER;
+    std::uint64_t next = next_posix_timer_ns();
     for (const auto& process : processes_) next = std::min(next, process->alarm.at_ns);
     for (const auto& file : timer_files_)
         if (const auto timer = file.lock()) next = std::min(next, timer->timer.at_ns);
@@ -26,6 +26,7 @@ std::uint64_t LinuxKernel::next_timer_ns() const {
 
 void LinuxKernel::expire_timers() {
     const std::uint64_t now = now_ns();
+    expire_posix_timers();
     for (const auto& process : processes_)
         if (process->alarm.expire(now) > 0)
             send(*process, {SIGALRM, arm_signal_code::KERNEL, {}, "a timer expired,"});
@@ -42,11 +43,12 @@ void LinuxKernel::expire_timers() {
 
 // ---- struct itimerval, itimerspec: the interval, then the time until it expires -----------------
 
-std::int64_t LinuxKernel::give_timer(std::uint32_t to, const LinuxTimer& timer, Span kind) {
+std::int64_t LinuxKernel::give_timer(std::uint32_t to, const LinuxTimer& timer, Span kind,
+                                     std::uint64_t now) {
     const std::uint32_t bytes = kind == Span::TIMESPEC64 ? 16 : 8;
     if (!memory().bytes(to, 2 * bytes, arm_access::WRITE)) return -EFAULT;
     give_span(to, kind, timer.interval_ns);
-    give_span(to + bytes, kind, timer.left_ns(now_ns()));
+    give_span(to + bytes, kind, timer.left_ns(now));
     return 0;
 }
 
@@ -57,7 +59,7 @@ std::int64_t LinuxKernel::set_timer(LinuxTimer& timer, std::uint32_t from, std::
     const std::int64_t value = span_at(from + (kind == Span::TIMESPEC64 ? 16 : 8), kind);
     if (value < 0) return value;
     if (old)
-        if (const std::int64_t error = give_timer(old, timer, kind)) return error;
+        if (const std::int64_t error = give_timer(old, timer, kind, now_ns())) return error;
     const auto ns = static_cast<std::uint64_t>(value);
     timer = {value == 0 ? LinuxWait::NEVER
              : absolute ? ns
@@ -82,8 +84,8 @@ LinuxKernel::Result LinuxKernel::sys_setitimer(const Arguments& a) {
 
 LinuxKernel::Result LinuxKernel::sys_getitimer(const Arguments& a) {
     if (a[0] >= ITIMERS) return -EINVAL;
-    return give_timer(a[1], a[0] == ITIMER_OF_CLOCK ? process_->alarm : LinuxTimer{},
-                      Span::TIMEVAL);
+    return give_timer(a[1], a[0] == ITIMER_OF_CLOCK ? process_->alarm : LinuxTimer{}, Span::TIMEVAL,
+                      now_ns());
 }
 
 // ---- timerfd ------------------------------------------------------------------------------------
@@ -100,7 +102,7 @@ LinuxKernel::Result LinuxKernel::timerfd(const Arguments& a, Span kind, bool set
     if (files().flags(fd) < 0) return -EBADF;
     auto* const file = dynamic_cast<LinuxTimerFile*>(files().device(fd));
     if (!file) return -EINVAL;
-    if (!sets) return give_timer(a[1], file->timer, kind);
+    if (!sets) return give_timer(a[1], file->timer, kind, now_ns());
     const std::int64_t error = set_timer(file->timer, a[2], a[3], kind, a[1] & AT_A_TIME);
     if (error == 0) file->expired = 0;
     return error;

@@ -22,6 +22,11 @@ struct LinuxSignal {
     // An address; or process, user, value or status, ticks of a child.
     std::array<std::uint32_t, 4> fields{};
     std::string why{};  // "sent by itself"
+    // By which number of timer_create's, and in which of the times that it was sent or set.
+    struct {
+        int number = -1;
+        std::uint32_t sequence = 0;
+    } timer{};
 };
 
 namespace arm_signal_code {
@@ -49,7 +54,8 @@ public:
     }
 };
 
-// Of a thread or a process.  One of a number below 32 is kept once, others in their order.
+// Of a thread or a process.  One of a number below 32 is kept once, others in their order; a timer
+// has one of its own.
 class PendingSignals {
 public:
     bool add(const LinuxSignal& signal);  // false: there are too many
@@ -57,6 +63,8 @@ public:
     // The one of the lowest number that is not among `blocked`.
     std::optional<LinuxSignal> dequeue(std::uint64_t blocked);
     void remove(std::uint64_t set);
+    LinuxSignal* of_timer(int number);              // nullptr: it has none here
+    void remove_timers();                           // those that timers have sent
     std::uint64_t added() const { return added_; }  // so far
 
 private:

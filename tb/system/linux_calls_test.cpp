@@ -14,7 +14,7 @@ protected:
     void run(const std::string& name, std::vector<std::string> words) const {
         words.insert(words.begin(),
                      {"--elf", LINUX_PROGRAMS + name, "--frames", "none", "--quiet", "--"});
-        const tb::Outcome outcome = play(scenario("duration: 500ms\n"), words);
+        const tb::Outcome outcome = play(scenario("duration: 2s\n"), words);
         EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
         EXPECT_EQ(report()["program"]["exit_code"], 0);
     }
@@ -70,6 +70,74 @@ TEST_F(LinuxCalls, ReadSignalsAsALongOf32BitsHasThem) {
     prints("signalfd", {"apart"},
            "too short a mask: Invalid argument\n"
            "below 0: 34 code -1 value -1 pointer ffffffffffffffff own;\n");
+}
+TEST_F(LinuxCalls, SendTimersSignalsAndThreads) {
+    prints_as_on_linux("posix_timers",
+                       "clock 10: Invalid argument\n"
+                       "clock 12: Invalid argument\n"
+                       "a raw clock: Operation not supported\n"
+                       "a coarse clock: Operation not supported\n"
+                       "no memory: Bad address\n"
+                       "signal 65: Invalid argument\n"
+                       "notify 3: Invalid argument\n"
+                       "another's thread: Invalid argument\n"
+                       "none: done\n"
+                       "set: done\n"
+                       "10^9 ns: Invalid argument\n"
+                       "below 0: Invalid argument\n"
+                       "no time: Invalid argument\n"
+                       "no such timer: Invalid argument\n"
+                       "get none: Invalid argument\n"
+                       "overrun of none: Invalid argument\n"
+                       "delete none: Invalid argument\n"
+                       "delete: done\n"
+                       "delete again: Invalid argument\n"
+                       "not set: 0 0\n"
+                       "too early: Resource temporarily unavailable\n"
+                       "once: 34 code -2 value 7\n"
+                       "once: overrun 0\n"
+                       "not again: Resource temporarily unavailable\n"
+                       "over: 0 0\n"
+                       "it was before: 34 code -2 value 7\n"
+                       "by the clock: 34 code -2 value 7\n"
+                       "before: 1, 0\n"
+                       "before: 1, 3\n"
+                       "never: 0, 0\n"
+                       "every 5 ms: 34 code -2 value 7\n"
+                       "overrun: 1, 1\n"
+                       "every 5 ms: 34 code -2 value 7\n"
+                       "asked: 1\n"
+                       "asked: 0 0\n"
+                       "asked: 1\n"
+                       "the earlier: 34 code -2 value 2\n"
+                       "the later: 34 code -2 value 1\n"
+                       "caught 9\n"
+                       "the first: Resource temporarily unavailable\n"
+                       "the thread: 34 code -2 value 3\n"
+                       "a thread each: done\n"
+                       "a function: 4, in another thread: 1\n"
+                       "a function: 4, in another thread: 1\n"
+                       "while it waits: Resource temporarily unavailable\n"
+                       "while it computes: 1\n"
+                       "by processor time: 34 code -2 value 5\n"
+                       "while a thread computes: 1\n"
+                       "by processor time: 34 code -2 value 5\n"
+                       "while another computes: 0\n"
+                       "while this one computes: 1\n"
+                       "by its own time: 34 code -2 value 6\n"
+                       "in a child: 1\n"
+                       "here: 34 code -2 value 8\n");
+}
+TEST_F(LinuxCalls, CountWhatATimersSignalMissed) {
+    prints("posix_timers", {"apart"},
+           "timers 0 and 1: signal 14 of 1, value 1, overrun 9\n"
+           "0.9 ms left, every 2 ms\n"
+           "overrun 1\n"
+           "set while it was pending: overrun 1, then 0\n"
+           "the next one: 2\n"
+           "in another program: 0\n"
+           "deleted since: 34 code -2 value 8\n"
+           "deleted: Resource temporarily unavailable\n");
 }
 
 }  // namespace
