@@ -28,10 +28,10 @@
 // Timers of setitimer, alarm, timer_create and timerfd; /dev/i2c-0; the processor's LED below
 // /sys/class/leds.
 //
-// Not handled: ITIMER_VIRTUAL and ITIMER_PROF, GPIO below /sys, message queues, groups and sessions
-// of processes, job control; mutexes with priority inheritance; the second processor: threads never
-// run at the same time; no vDSO, so that the C library makes system calls.  Timers of
-// processor time expire when they are due, not with a tick of 10 ms.
+// Not handled: GPIO below /sys, message queues, groups and sessions of processes, job control;
+// mutexes with priority inheritance; the second processor: threads never run at the same time; no
+// vDSO, so that the C library makes system calls.  Timers of processor time expire when they are
+// due, not with a tick of 10 ms; a process's time in the kernel is its own.
 #pragma once
 
 #include <array>
@@ -162,8 +162,9 @@ private:
     // kernel_timers.cpp
     enum class Span { TIMEVAL, TIMESPEC, TIMESPEC64 };  // struct timeval and so on
     Result timerfd(const Arguments&, Span kind, bool sets);
+    // `used`: on a clock of processor time, which is this now.
     std::int64_t set_timer(LinuxTimer& timer, std::uint32_t from, std::uint32_t old, Span kind,
-                           bool absolute);
+                           bool absolute, std::optional<std::uint64_t> used = {});
     std::int64_t give_timer(std::uint32_t to, const LinuxTimer& timer, Span kind,
                             std::uint64_t now);
     std::uint64_t next_timer_ns() const;

@@ -48,7 +48,8 @@ bool LinuxKernel::send(LinuxProcess& process, const LinuxSignal& signal) {
 void LinuxKernel::typed(unsigned number) {
     const char* const key = number == SIGINT ? "^C" : number == SIGQUIT ? "^\\" : "^Z";
     for (const auto& process : processes_)
-        send(*process, {number, arm_signal_code::KERNEL, {}, fmt::format("{} was typed,", key)});
+        send(*process,
+             {number, arm_signal_code::KERNEL, {}, fmt::format("{} was typed,", key), {}, true});
 }
 
 std::optional<LinuxSignal> LinuxKernel::take_signal(LinuxThread& thread, std::uint64_t blocked) {
@@ -120,7 +121,7 @@ void LinuxKernel::fault(unsigned number, std::uint32_t address, const std::strin
     die(signal);
 }
 
-// What a person types may end a program: that is no fault.
+// What a person sends may end a program: that is no fault.
 void LinuxKernel::die(const LinuxSignal& signal) {
     if (process_->number != processes_.front()->number)
         return end_process(*process_, signal.number);
@@ -128,8 +129,7 @@ void LinuxKernel::die(const LinuxSignal& signal) {
         fmt::format("the program was ended by {}: {} {}", LinuxSignals::name(signal.number),
                     signal.why, cpu_.where());
     over_ = true;
-    const bool typed = signal.code == arm_signal_code::KERNEL && signal.number != SIGALRM;
-    if (!typed) return cpu_.end(text);
+    if (!signal.by_hand) return cpu_.end(text);
     constexpr int OF_A_SHELL = 128;
     exit_code_ = OF_A_SHELL + static_cast<int>(signal.number);
     outside_.log(text);

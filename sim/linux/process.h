@@ -1,6 +1,7 @@
 // process.h - a process of a Linux program: its memory, files, actions for signals, threads.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <map>
 #include <memory>
@@ -34,7 +35,7 @@ struct LinuxProcess {
     std::map<std::uint32_t, int> segments{};  // of System V, by their addresses
     std::map<int, PosixTimer> timers{};       // timer_create()'s, by their numbers
     int next_timer = 0;                       // a number does not come again
-    LinuxTimer alarm{};                       // setitimer()'s, of the real time
+    std::array<LinuxTimer, 3> itimers{};      // setitimer()'s: of the real time, of its own twice
     std::string command{}, command_line{};    // the program's path; words, each with a 0
     std::string folder = "/";                 // that it works in
 

@@ -27,6 +27,7 @@ struct LinuxSignal {
         int number = -1;
         std::uint32_t sequence = 0;
     } timer{};
+    bool by_hand = false;  // from outside of the program
 };
 
 namespace arm_signal_code {

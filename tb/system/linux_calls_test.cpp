@@ -7,7 +7,9 @@
 
 namespace {
 
+using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::StartsWith;
 
 class LinuxCalls : public tb::CommandLine {
 protected:
@@ -138,6 +140,37 @@ TEST_F(LinuxCalls, CountWhatATimersSignalMissed) {
            "in another program: 0\n"
            "deleted since: 34 code -2 value 8\n"
            "deleted: Resource temporarily unavailable\n");
+}
+TEST_F(LinuxCalls, SetTimersOfProcessorTime) {
+    prints_as_on_linux("itimers",
+                       "microseconds: Invalid argument\n"
+                       "no such timer: Invalid argument\n"
+                       "get no such timer: Invalid argument\n"
+                       "virtual: 0 while it sleeps\n"
+                       "left: 1, every 20000\n"
+                       "comes: 1, from the kernel: 1\n"
+                       "in a child: 0\n"
+                       "before: every 20000\n"
+                       "never: 0\n"
+                       "once: 1, left 0 0\n"
+                       "prof: 0 while it sleeps\n"
+                       "left: 1, every 20000\n"
+                       "comes: 1, from the kernel: 1\n"
+                       "in a child: 0\n"
+                       "before: every 20000\n"
+                       "never: 0\n"
+                       "once: 1, left 0 0\n");
+}
+TEST_F(LinuxCalls, CountProcessorTimeExactly) {
+    run("itimers", {"exactly"});
+    EXPECT_THAT(file("console.txt"), HasSubstr("left: 1, every 20000\n10 while it computes\n"));
+}
+TEST_F(LinuxCalls, EndByTheSignalOfATimer) {
+    const tb::Outcome outcome = play(scenario("duration: 100ms\n"),
+                                     {"--elf", LINUX_PROGRAMS "itimers", "--quiet", "--", "dies"});
+    EXPECT_EQ(outcome.exit_code, 1);
+    EXPECT_THAT(report()["faults"][0].get<std::string>(),
+                StartsWith("the program was ended by SIGPROF: a timer expired, at "));
 }
 
 }  // namespace
