@@ -28,10 +28,10 @@
 // Timers of setitimer, alarm, timer_create and timerfd; /dev/i2c-0; the processor's LED below
 // /sys/class/leds.
 //
-// Not handled: GPIO below /sys, message queues, groups and sessions of processes, job control;
-// mutexes with priority inheritance; the second processor: threads never run at the same time; no
-// vDSO, so that the C library makes system calls.  Timers of processor time expire when they are
-// due, not with a tick of 10 ms; a process's time in the kernel is its own.
+// Not handled: GPIO below /sys, groups and sessions of processes, job control; mutexes with
+// priority inheritance; the second processor: threads never run at the same time; no vDSO, so that
+// the C library makes system calls.  Timers of processor time expire when they are due, not with a
+// tick of 10 ms; a process's time in the kernel is its own.
 #pragma once
 
 #include <array>
@@ -50,7 +50,9 @@
 #include "sim/linux/address_space.h"
 #include "sim/linux/files.h"
 #include "sim/linux/input.h"
+#include "sim/linux/ipc_messages.h"
 #include "sim/linux/loader.h"
+#include "sim/linux/message_queues.h"
 #include "sim/linux/process.h"
 #include "sim/linux/scheduler.h"
 #include "sim/linux/signals.h"
@@ -264,6 +266,15 @@ private:
     Result receive_from(std::uint32_t fd, std::vector<Piece> pieces, std::uint32_t flags,
                         std::uint32_t name, std::uint32_t length_at, std::uint32_t header);
 
+    // kernel_mqueue.cpp
+    std::shared_ptr<MessageQueue> message_queue(std::uint32_t fd,
+                                                std::optional<std::uint32_t> access) const;
+    std::int64_t end_of_wait(std::uint32_t address, Span kind, LinuxWait& wait) const;
+    Result mq_send(const Arguments&, Span kind);
+    Result mq_receive(const Arguments&, Span kind);
+    void notify_of(MessageQueue& queue);
+    void forget_notice(std::uint32_t fd);
+
     // kernel_ipc.cpp
     struct Segment {
         std::uint32_t key, rights;
@@ -350,8 +361,10 @@ private:
     sc_core::sc_time line_free_;  // when the console's line has taken all that was printed
     std::uint64_t random_;
     std::map<std::string, std::shared_ptr<SharedMemory>> shared_files_;  // of /dev/shm
+    MessageQueues message_queues_;
     std::map<int, Segment> segments_;
     std::map<int, Semaphores> semaphores_;
+    std::map<int, IpcMessages> ipc_messages_;
     int next_ipc_ = 0;
     std::set<std::uint32_t> unaligned_;        // instructions that are in the log
     std::map<std::string, unsigned> missing_;  // calls that are not emulated, how often

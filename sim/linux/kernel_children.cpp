@@ -74,6 +74,7 @@ LinuxKernel::Result LinuxKernel::sys_vfork(const Arguments&) {
 void LinuxKernel::end_process(LinuxProcess& process, std::uint32_t status) {
     while (!process.threads.empty()) end_thread(*process.threads.back());
     process.files.close_all(false);
+    message_queues_.forget_owner(process.number, nullptr);
     process.segments.clear();
     if (process.memory.get() == attached_ && process.memory.use_count() == 1) {
         attached_->detach();
@@ -266,6 +267,7 @@ LinuxKernel::Result LinuxKernel::become(const ElfProgram& program,
         return std::nullopt;
     }
     process.files.close_all(true);
+    message_queues_.forget_owner(process.number, nullptr);
     process.segments.clear();
     delete_posix_timers(process);
     process.command = path;

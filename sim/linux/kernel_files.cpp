@@ -66,6 +66,7 @@ LinuxKernel::Result LinuxKernel::sys_creat(const Arguments& a) {
 
 LinuxKernel::Result LinuxKernel::sys_close(const Arguments& a) {
     changed_ = true;
+    forget_notice(a[0]);
     return files().close(fd_of(a[0]));
 }
 

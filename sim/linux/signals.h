@@ -31,7 +31,7 @@ struct LinuxSignal {
 };
 
 namespace arm_signal_code {
-constexpr std::int32_t USER = 0, KERNEL = 0x80, QUEUE = -1, TIMER = -2, TKILL = -6;
+constexpr std::int32_t USER = 0, KERNEL = 0x80, QUEUE = -1, TIMER = -2, MESSAGE = -3, TKILL = -6;
 }
 
 class LinuxSignals {
