@@ -91,6 +91,9 @@ public:
     // What hands do with its keyboard and mouse.
     LinuxInput& input() { return input_; }
 
+    // As `kill` from another shell sends it, now; if there is no such process the log has a line.
+    void signal_from_outside(unsigned number, int process);
+
     // "clone, 2 times; pipe2": calls that returned ENOSYS because they are not emulated, or "".
     std::string missing() const;
 
@@ -301,6 +304,7 @@ private:
     bool send(LinuxProcess& process, const LinuxSignal& signal);
     bool send(LinuxThread& thread, const LinuxSignal& signal);
     void typed(unsigned number);
+    void receive_from_outside();
     // The first that is not among `blocked`.
     std::optional<LinuxSignal> take_signal(LinuxThread& thread, std::uint64_t blocked);
     // Which of the signals would end what it waits for.
@@ -371,6 +375,7 @@ private:
     std::vector<std::weak_ptr<LinuxTimerFile>> timer_files_;
     std::set<std::string> named_files_;  // of the system, that are not there
     std::optional<int> exit_code_;
+    std::vector<std::pair<unsigned, int>> from_outside_;  // signals, and to which process
 };
 
 }  // namespace sim

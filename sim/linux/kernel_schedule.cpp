@@ -114,6 +114,7 @@ void LinuxKernel::go_on() {
     account();
     while (!over_) {
         changed_ |= terminal_.arrive();
+        receive_from_outside();
         expire_timers();
         if (running_ && running_->wait) suspend();
         look_at_all();

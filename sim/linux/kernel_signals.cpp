@@ -52,6 +52,25 @@ void LinuxKernel::typed(unsigned number) {
              {number, arm_signal_code::KERNEL, {}, fmt::format("{} was typed,", key), {}, true});
 }
 
+void LinuxKernel::signal_from_outside(unsigned number, int process) {
+    from_outside_.emplace_back(number, process);
+    if (over_) return receive_from_outside();
+    feel();
+}
+
+void LinuxKernel::receive_from_outside() {
+    for (const auto& [number, to] : std::exchange(from_outside_, {})) {
+        LinuxProcess* const process = process_of(to);
+        if (over_ || !process || process->status)
+            outside_.log(
+                fmt::format("{} was sent to process {}, which {}, {}", LinuxSignals::name(number),
+                            to, over_ || process ? "has ended" : "is not there", cpu_.where()));
+        else
+            send(*process,
+                 {number, arm_signal_code::USER, {}, "it was sent from outside,", {}, true});
+    }
+}
+
 std::optional<LinuxSignal> LinuxKernel::take_signal(LinuxThread& thread, std::uint64_t blocked) {
     auto signal = thread.signals.pending.dequeue(blocked);
     if (!signal) signal = thread.process.pending.dequeue(blocked);
