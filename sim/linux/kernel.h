@@ -25,14 +25,15 @@
 // translated is translated again after a switch from one to another.  The end of the first ends the
 // run.  A program that another becomes is itself, or lies under the root.
 //
-// Timers of setitimer, alarm and timerfd; /dev/i2c-0; the processor's LED below /sys/class/leds.
+// Timers of setitimer, alarm, timer_create and timerfd; /dev/i2c-0; the processor's LED below
+// /sys/class/leds.
 //
 // Kernel modules: modules.h.  A program's access to their memory is not refused.
 //
-// Not handled: timer_create, ITIMER_VIRTUAL and ITIMER_PROF, GPIO below /sys, message queues,
-// groups and sessions of processes, job control; mutexes with priority inheritance; the
-// second processor: threads never run at the same time; no vDSO, so that the C library makes system
-// calls.
+// Not handled: GPIO below /sys, groups and sessions of processes, job control; mutexes with
+// priority inheritance; the second processor: threads never run at the same time; no vDSO, so that
+// the C library makes system calls.  Timers of processor time expire when they are due, not with a
+// tick of 10 ms; a process's time in the kernel is its own.
 #pragma once
 
 #include <array>
@@ -51,7 +52,9 @@
 #include "sim/linux/address_space.h"
 #include "sim/linux/files.h"
 #include "sim/linux/input.h"
+#include "sim/linux/ipc_messages.h"
 #include "sim/linux/loader.h"
+#include "sim/linux/message_queues.h"
 #include "sim/linux/modules.h"
 #include "sim/linux/process.h"
 #include "sim/linux/scheduler.h"
@@ -93,6 +96,9 @@ public:
 
     // What hands do with its keyboard and mouse.
     LinuxInput& input() { return input_; }
+
+    // As `kill` from another shell sends it, now; if there is no such process the log has a line.
+    void signal_from_outside(unsigned number, int process);
 
     // "clone, 2 times; pipe2": calls that returned ENOSYS because they are not emulated, or "".
     std::string missing() const;
@@ -160,6 +166,7 @@ private:
 
     // kernel_time.cpp
     static constexpr std::uint64_t NS = 1'000'000'000;                 // per second
+    static constexpr std::uint64_t TICK_NS = 10'000'000;               // clock_t's, USER_HZ
     static constexpr std::uint64_t LONGEST_NS = NS * 3600 * 24 * 100;  // SystemC's time is finite
     std::uint64_t used_ns(const LinuxProcess& process) const;          // of the processor
     std::uint64_t used_ns(const LinuxThread& thread) const;
@@ -170,11 +177,25 @@ private:
     // kernel_timers.cpp
     enum class Span { TIMEVAL, TIMESPEC, TIMESPEC64 };  // struct timeval and so on
     Result timerfd(const Arguments&, Span kind, bool sets);
+    // `used`: on a clock of processor time, which is this now.
     std::int64_t set_timer(LinuxTimer& timer, std::uint32_t from, std::uint32_t old, Span kind,
-                           bool absolute);
-    std::int64_t give_timer(std::uint32_t to, const LinuxTimer& timer, Span kind);
+                           bool absolute, std::optional<std::uint64_t> used = {});
+    std::int64_t give_timer(std::uint32_t to, const LinuxTimer& timer, Span kind,
+                            std::uint64_t now);
     std::uint64_t next_timer_ns() const;
     void expire_timers();
+
+    // kernel_posix_timers.cpp
+    std::optional<std::uint64_t> now_of(const PosixTimer& timer) const;
+    std::uint64_t at_used_ns(std::uint64_t at_ns, std::uint64_t used) const;
+    std::uint64_t next_posix_timer_ns() const;
+    void expire_posix_timers();
+    void expire(LinuxProcess& process, int number, PosixTimer& timer);
+    void go_on_with_timer(LinuxProcess& process, LinuxSignal& signal);
+    void delete_posix_timers(LinuxProcess& process);
+    std::int64_t clock_for_timer(std::uint32_t clock, PosixTimer& timer) const;
+    Result timer_settime(const Arguments&, Span kind);
+    Result timer_gettime(const Arguments&, Span kind);
 
     // kernel_wait.cpp
     std::int64_t span_at(std::uint32_t address, Span kind) const;
@@ -262,6 +283,15 @@ private:
     Result receive_from(std::uint32_t fd, std::vector<Piece> pieces, std::uint32_t flags,
                         std::uint32_t name, std::uint32_t length_at, std::uint32_t header);
 
+    // kernel_mqueue.cpp
+    std::shared_ptr<MessageQueue> message_queue(std::uint32_t fd,
+                                                std::optional<std::uint32_t> access) const;
+    std::int64_t end_of_wait(std::uint32_t address, Span kind, LinuxWait& wait) const;
+    Result mq_send(const Arguments&, Span kind);
+    Result mq_receive(const Arguments&, Span kind);
+    void notify_of(MessageQueue& queue);
+    void forget_notice(std::uint32_t fd);
+
     // kernel_ipc.cpp
     struct Segment {
         std::uint32_t key, rights;
@@ -339,6 +369,9 @@ private:
     bool send(LinuxProcess& process, const LinuxSignal& signal);
     bool send(LinuxThread& thread, const LinuxSignal& signal);
     void typed(unsigned number);
+    void receive_from_outside();
+    // The first that is not among `blocked`.
+    std::optional<LinuxSignal> take_signal(LinuxThread& thread, std::uint64_t blocked);
     // Which of the signals would end what it waits for.
     std::uint64_t wakes(const LinuxThread& thread) const;
     void interrupt(LinuxThread& thread);
@@ -351,6 +384,7 @@ private:
     Result wait(LinuxWait wait);  // of the running thread, or what it waits for at once
     void resume(LinuxThread& thread, std::optional<std::int64_t> result);
     void look(LinuxThread& thread);
+    LinuxThread& caller() const { return looks_ ? *looks_ : *running_; }  // of a call
     void look_at_all();
     bool any_waits() const;
     void suspend();  // the running thread waits, or has ended, or makes way
@@ -395,6 +429,7 @@ private:
     LinuxProcess* process_ = nullptr;   // which a call is about
     LinuxThread* running_ = nullptr;    // whose registers the core has
     LinuxThread* next_ = nullptr;       // that runs at once after it, if it can
+    LinuxThread* looks_ = nullptr;      // that waits, while its LinuxWait looks
     AddressSpace* attached_ = nullptr;  // that the core sees
     LinuxScheduler scheduler_;
     std::list<FutexWaiter> waiters_;  // in their order
@@ -407,14 +442,17 @@ private:
     sc_core::sc_time line_free_;  // when the console's line has taken all that was printed
     std::uint64_t random_;
     std::map<std::string, std::shared_ptr<SharedMemory>> shared_files_;  // of /dev/shm
+    MessageQueues message_queues_;
     std::map<int, Segment> segments_;
     std::map<int, Semaphores> semaphores_;
+    std::map<int, IpcMessages> ipc_messages_;
     int next_ipc_ = 0;
     std::set<std::uint32_t> unaligned_;        // instructions that are in the log
     std::map<std::string, unsigned> missing_;  // calls that are not emulated, how often
     std::vector<std::weak_ptr<LinuxTimerFile>> timer_files_;
     std::set<std::string> named_files_;  // of the system, that are not there
     std::optional<int> exit_code_;
+    std::vector<std::pair<unsigned, int>> from_outside_;  // signals, and to which process
 };
 
 }  // namespace sim

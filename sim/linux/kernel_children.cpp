@@ -74,6 +74,7 @@ LinuxKernel::Result LinuxKernel::sys_vfork(const Arguments&) {
 void LinuxKernel::end_process(LinuxProcess& process, std::uint32_t status) {
     while (!process.threads.empty()) end_thread(*process.threads.back());
     process.files.close_all(false);
+    message_queues_.forget_owner(process.number, nullptr);
     process.segments.clear();
     if (process.memory.get() == attached_ && process.memory.use_count() == 1) {
         attached_->detach();
@@ -91,7 +92,8 @@ void LinuxKernel::end_process(LinuxProcess& process, std::uint32_t status) {
         send(*parent, {process.end_signal,
                        by ? CHILD_KILLED : CHILD_EXITED,
                        {static_cast<std::uint32_t>(process.number), 0,
-                        static_cast<std::uint32_t>(by ? by : code)},
+                        static_cast<std::uint32_t>(by ? by : code),
+                        static_cast<std::uint32_t>(process.used_ns / TICK_NS)},
                        "a child ended"});
     constexpr std::uint32_t IGNORED = 1;
     if (parent->signals.actions[SIGCHLD].handler == IGNORED) forget(process);
@@ -273,7 +275,9 @@ LinuxKernel::Result LinuxKernel::become(const ElfProgram& program,
         return std::nullopt;
     }
     process.files.close_all(true);
+    message_queues_.forget_owner(process.number, nullptr);
     process.segments.clear();
+    delete_posix_timers(process);
     process.command = path;
     process.set_command_line(arguments);
     for (LinuxSignals::Action& action : process.signals.actions)

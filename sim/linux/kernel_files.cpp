@@ -76,6 +76,7 @@ LinuxKernel::Result LinuxKernel::sys_close(const Arguments& a) {
         };
         return request(file->module, std::move(flush), "close of " + file->name());
     }
+    forget_notice(a[0]);
     return files().close(fd_of(a[0]));
 }
 

@@ -4,50 +4,25 @@
 #include <csignal>
 
 #include "sim/linux/arm_abi.h"
+#include "sim/linux/ipc.h"
 #include "sim/linux/kernel.h"
 
 namespace sim {
 
 namespace {
 
-constexpr std::uint32_t IPC_PRIVATE_KEY = 0, IPC_CREATE = 01000, IPC_EXCLUSIVE = 02000,
-                        IPC_RIGHTS = 0777;
-constexpr std::uint32_t IPC_REMOVE = 0, IPC_CHANGE = 1, IPC_STATUS = 2, IPC_NEW_LAYOUT = 0x100;
-constexpr std::uint32_t SHM_READ_ONLY = 010000, SHM_ROUND_DOWN = 020000, SEM_NO_WAIT = 04000;
-constexpr std::size_t MOST_IPC = 256, MOST_SEMAPHORES = 256;
+constexpr std::uint32_t SHM_READ_ONLY = 010000, SHM_ROUND_DOWN = 020000;
+constexpr std::size_t MOST_SEMAPHORES = 256;
 constexpr std::uint16_t MOST_VALUE = 32767;
-
-struct IpcRights {  // struct ipc64_perm
-    std::int32_t key;
-    std::uint32_t user, group, owner, owner_group;
-    std::uint16_t mode, pad, sequence, pad2;
-    std::uint32_t unused[2];
-};
-static_assert(sizeof(IpcRights) == 36);
-
-// The object by its key, or a new one; or minus the error.
-template <class Object>
-std::int64_t find_or_make(std::map<int, Object>& all, int& next, std::uint32_t key,
-                          std::uint32_t flags, const Object& made, bool can_be_made) {
-    if (key != IPC_PRIVATE_KEY)
-        for (const auto& [number, object] : all)
-            if (object.key == key && !object.removed)
-                return (flags & IPC_CREATE) && (flags & IPC_EXCLUSIVE) ? -EEXIST : number;
-    if (key != IPC_PRIVATE_KEY && !(flags & IPC_CREATE)) return -ENOENT;
-    if (!can_be_made) return -EINVAL;
-    if (all.size() >= MOST_IPC) return -ENOSPC;
-    all.emplace(next, made);
-    return next++;
-}
 
 }  // namespace
 
 // ---- Memory -------------------------------------------------------------------------------------
 
 LinuxKernel::Result LinuxKernel::sys_shmget(const Arguments& a) {
-    Segment made{a[0], a[2] & IPC_RIGHTS, nullptr, process_->number};
+    Segment made{a[0], a[2] & ipc::RIGHTS, nullptr, process_->number};
     const bool can = a[1] > 0 && a[1] <= AddressSpace::RAM;
-    const std::int64_t number = find_or_make(segments_, next_ipc_, a[0], a[2], made, can);
+    const std::int64_t number = ipc::find_or_make(segments_, next_ipc_, a[0], a[2], made, can);
     if (number < 0) return number;
     Segment& segment = segments_.at(static_cast<int>(number));
     if (!segment.memory) {
@@ -112,15 +87,15 @@ LinuxKernel::Result LinuxKernel::sys_shmctl(const Arguments& a) {
     const auto found = segments_.find(static_cast<int>(a[0]));
     if (found == segments_.end()) return -EINVAL;
     Segment& segment = found->second;
-    switch (a[1] & ~IPC_NEW_LAYOUT) {
-        case IPC_REMOVE:
+    switch (a[1] & ~ipc::NEW_LAYOUT) {
+        case ipc::REMOVE:
             segment.removed = true;
             remove_unused(found->first);
             return 0;
-        case IPC_CHANGE: return 0;
-        case IPC_STATUS: {
+        case ipc::CHANGE: return 0;
+        case ipc::STATUS: {
             struct {
-                IpcRights rights;
+                ipc::Rights rights;
                 std::uint32_t size, times[6], maker, last, attached, unused[2];
             } all{};
             static_assert(sizeof all == 84);
@@ -139,8 +114,8 @@ LinuxKernel::Result LinuxKernel::sys_shmctl(const Arguments& a) {
 
 LinuxKernel::Result LinuxKernel::sys_semget(const Arguments& a) {
     const bool can = a[1] > 0 && a[1] <= MOST_SEMAPHORES;
-    const Semaphores made{a[0], a[2] & IPC_RIGHTS, std::vector<std::uint16_t>(can ? a[1] : 0)};
-    const std::int64_t number = find_or_make(semaphores_, next_ipc_, a[0], a[2], made, can);
+    const Semaphores made{a[0], a[2] & ipc::RIGHTS, std::vector<std::uint16_t>(can ? a[1] : 0)};
+    const std::int64_t number = ipc::find_or_make(semaphores_, next_ipc_, a[0], a[2], made, can);
     if (number < 0) return number;
     return a[1] > semaphores_.at(static_cast<int>(number)).values.size() ? -EINVAL : number;
 }
@@ -151,17 +126,17 @@ LinuxKernel::Result LinuxKernel::sys_semctl(const Arguments& a) {
     const auto found = semaphores_.find(static_cast<int>(a[0]));
     if (found == semaphores_.end()) return -EINVAL;
     std::vector<std::uint16_t>& values = found->second.values;
-    const std::uint32_t command = a[2] & ~IPC_NEW_LAYOUT,
+    const std::uint32_t command = a[2] & ~ipc::NEW_LAYOUT,
                         bytes = static_cast<std::uint32_t>(2 * values.size());
     const bool of_one = command == GET || command == SET_ONE || command == GET_PROCESS ||
                         command == WAITING || command == WAITING_0;
     if (of_one && a[1] >= values.size()) return -EINVAL;
     switch (command) {
-        case IPC_REMOVE:
+        case ipc::REMOVE:
             semaphores_.erase(found);
             changed_ = true;
             return 0;
-        case IPC_CHANGE: return 0;
+        case ipc::CHANGE: return 0;
         case GET: return values[a[1]];
         case GET_ALL: return memory().write(a[3], values.data(), bytes) ? 0 : -EFAULT;
         case GET_PROCESS:
@@ -175,9 +150,9 @@ LinuxKernel::Result LinuxKernel::sys_semctl(const Arguments& a) {
         case SET_ALL:
             changed_ = true;
             return memory().read(a[3], values.data(), bytes) ? 0 : -EFAULT;
-        case IPC_STATUS: {
+        case ipc::STATUS: {
             struct {
-                IpcRights rights;
+                ipc::Rights rights;
                 std::uint32_t times[4], count, unused[2];
             } all{};
             all.rights.key = static_cast<std::int32_t>(found->second.key);
@@ -221,7 +196,7 @@ LinuxKernel::Result LinuxKernel::semop(const Arguments& a, std::int64_t span) {
             const int value = values[operation.number] + operation.change;
             const bool waits = operation.change == 0 ? value != 0 : value < 0;
             if (value > MOST_VALUE) return -ERANGE;
-            if (waits && (operation.flags & SEM_NO_WAIT)) return -EAGAIN;
+            if (waits && (operation.flags & ipc::NO_WAIT)) return -EAGAIN;
             if (waits) return now_ns() >= w.at_ns ? Result{-EAGAIN} : std::nullopt;
             values[operation.number] = static_cast<std::uint16_t>(value);
         }

@@ -10,11 +10,12 @@ namespace sim {
 
 namespace {
 
-constexpr std::uint32_t LIMITS = 16, LIMIT_STACK = 3, LIMIT_FILES = 7;
+constexpr std::uint32_t LIMITS = 16, LIMIT_STACK = 3, LIMIT_FILES = 7, LIMIT_QUEUES = 12;
 constexpr std::uint64_t NO_LIMIT = ~std::uint64_t{0};
 
 std::uint64_t limit_of(std::uint32_t resource) {
     if (resource == LIMIT_STACK) return 8 << 20;
+    if (resource == LIMIT_QUEUES) return MessageQueues::ALL_BYTES;
     return resource == LIMIT_FILES ? 1024 : NO_LIMIT;
 }
 

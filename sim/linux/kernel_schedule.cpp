@@ -45,7 +45,9 @@ void LinuxKernel::resume(LinuxThread& thread, Result result) {
 void LinuxKernel::look(LinuxThread& thread) {
     LinuxProcess* const present = process_;
     process_ = &thread.process;
+    looks_ = &thread;
     const Result result = thread.wait->look(*thread.wait);
+    looks_ = nullptr;
     process_ = present;
     if (!result) return;
     thread.signals.restore_mask();
@@ -123,6 +125,7 @@ void LinuxKernel::go_on() {
     account();
     while (!over_) {
         changed_ |= terminal_.arrive();
+        receive_from_outside();
         expire_timers();
         if (running_ && running_->wait) suspend();
         take_interrupts();

@@ -48,7 +48,34 @@ bool LinuxKernel::send(LinuxProcess& process, const LinuxSignal& signal) {
 void LinuxKernel::typed(unsigned number) {
     const char* const key = number == SIGINT ? "^C" : number == SIGQUIT ? "^\\" : "^Z";
     for (const auto& process : processes_)
-        send(*process, {number, arm_signal_code::KERNEL, {}, fmt::format("{} was typed,", key)});
+        send(*process,
+             {number, arm_signal_code::KERNEL, {}, fmt::format("{} was typed,", key), {}, true});
+}
+
+void LinuxKernel::signal_from_outside(unsigned number, int process) {
+    from_outside_.emplace_back(number, process);
+    if (over_) return receive_from_outside();
+    feel();
+}
+
+void LinuxKernel::receive_from_outside() {
+    for (const auto& [number, to] : std::exchange(from_outside_, {})) {
+        LinuxProcess* const process = process_of(to);
+        if (over_ || !process || process->status)
+            outside_.log(
+                fmt::format("{} was sent to process {}, which {}, {}", LinuxSignals::name(number),
+                            to, over_ || process ? "has ended" : "is not there", cpu_.where()));
+        else
+            send(*process,
+                 {number, arm_signal_code::USER, {}, "it was sent from outside,", {}, true});
+    }
+}
+
+std::optional<LinuxSignal> LinuxKernel::take_signal(LinuxThread& thread, std::uint64_t blocked) {
+    auto signal = thread.signals.pending.dequeue(blocked);
+    if (!signal) signal = thread.process.pending.dequeue(blocked);
+    if (signal) go_on_with_timer(thread.process, *signal);
+    return signal;
 }
 
 std::uint64_t LinuxKernel::wakes(const LinuxThread& thread) const {
@@ -74,8 +101,7 @@ void LinuxKernel::deliver() {
         thread.restarts = false;
     };
     while (running_ == &thread && !over_) {
-        auto signal = thread.signals.pending.dequeue(thread.signals.blocked);
-        if (!signal) signal = process_->pending.dequeue(thread.signals.blocked);
+        const auto signal = take_signal(thread, thread.signals.blocked);
         if (!signal) break;
         LinuxSignals& signals = process_->signals;
         LinuxSignals::Action& action = signals.actions[signal->number];
@@ -115,7 +141,7 @@ void LinuxKernel::fault(unsigned number, std::uint32_t address, const std::strin
     die(signal);
 }
 
-// What a person types may end a program: that is no fault.
+// What a person sends may end a program: that is no fault.
 void LinuxKernel::die(const LinuxSignal& signal) {
     if (process_->number != processes_.front()->number)
         return end_process(*process_, signal.number);
@@ -123,8 +149,7 @@ void LinuxKernel::die(const LinuxSignal& signal) {
         fmt::format("the program was ended by {}: {} {}", LinuxSignals::name(signal.number),
                     signal.why, cpu_.where());
     over_ = true;
-    const bool typed = signal.code == arm_signal_code::KERNEL && signal.number != SIGALRM;
-    if (!typed) return cpu_.end(text);
+    if (!signal.by_hand) return cpu_.end(text);
     constexpr int OF_A_SHELL = 128;
     exit_code_ = OF_A_SHELL + static_cast<int>(signal.number);
     outside_.log(text);
@@ -238,8 +263,7 @@ LinuxKernel::Result LinuxKernel::sigtimedwait(const Arguments& a, Span kind) {
     wait.what = "a signal";
     if (a[2] != 0) wait.at_ns = later_ns(static_cast<std::uint64_t>(span));
     wait.look = [this, set, to = a[1], &thread = *running_](LinuxWait& w) -> Result {
-        auto signal = thread.signals.pending.dequeue(~set);
-        if (!signal) signal = thread.process.pending.dequeue(~set);
+        const auto signal = take_signal(thread, ~set);
         if (!signal) return now_ns() >= w.at_ns ? Result{-EAGAIN} : std::nullopt;
         std::uint32_t info[32] = {signal->number, 0, static_cast<std::uint32_t>(signal->code)};
         std::copy(signal->fields.begin(), signal->fields.end(), info + 3);

@@ -10,7 +10,6 @@ namespace sim {
 namespace {
 
 constexpr std::uint32_t CLOCKS = 12, ABSOLUTE = 1;
-constexpr std::uint64_t TICK_NS = 10'000'000;  // of times()
 
 }  // namespace
 
@@ -99,6 +98,7 @@ LinuxKernel::Result LinuxKernel::sleep(std::uint32_t flags, std::uint32_t span, 
         time[0] = static_cast<std::uint64_t>(seconds);
         time[1] = narrow[1];
     }
+    time[1] &= 0xFFFFFFFF;  // a long: what lies above is not set by all libraries
     if (static_cast<std::int64_t>(time[0]) < 0 || time[1] >= NS) return -EINVAL;
     std::uint64_t ns = LONGEST_NS;
     if (time[0] < LONGEST_NS / NS) ns = time[0] * NS + time[1];

@@ -30,6 +30,7 @@ std::int64_t LinuxKernel::span_at(std::uint32_t address, Span kind) const {
                                  : !memory().read(address, narrow, sizeof narrow))
         return -EFAULT;
     if (kind != Span::TIMESPEC64) std::copy_n(narrow, 2, time);
+    time[1] = static_cast<std::int32_t>(time[1]);  // what lies above is not set by all libraries
     if (kind == Span::TIMEVAL) time[1] *= 1000;
     if (time[0] < 0 || time[1] < 0 || time[1] >= static_cast<std::int64_t>(NS)) return -EINVAL;
     const std::int64_t seconds = std::min<std::int64_t>(time[0], LONGEST_NS / NS - 1);

@@ -1,6 +1,7 @@
 // process.h - a process of a Linux program: its memory, files, actions for signals, threads.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <map>
 #include <memory>
@@ -10,6 +11,7 @@
 
 #include "sim/linux/address_space.h"
 #include "sim/linux/files.h"
+#include "sim/linux/posix_timers.h"
 #include "sim/linux/signals.h"
 #include "sim/linux/thread.h"
 #include "sim/linux/timers.h"
@@ -33,7 +35,9 @@ struct LinuxProcess {
     std::optional<std::uint32_t> status{};    // once it has ended, as waitpid() has it
     unsigned end_signal = 0;                  // that its parent gets then
     std::map<std::uint32_t, int> segments{};  // of System V, by their addresses
-    LinuxTimer alarm{};                       // setitimer()'s, of the real time
+    std::map<int, PosixTimer> timers{};       // timer_create()'s, by their numbers
+    int next_timer = 0;                       // a number does not come again
+    std::array<LinuxTimer, 3> itimers{};      // setitimer()'s: of the real time, of its own twice
     std::string command{}, command_line{};    // the program's path; words, each with a 0
     std::string folder = "/";                 // that it works in
     KernelModule* module = nullptr;           // that it is (modules.h), no program

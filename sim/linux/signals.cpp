@@ -62,10 +62,13 @@ const char* LinuxSignals::name(unsigned number) {
 
 bool PendingSignals::add(const LinuxSignal& signal) {
     constexpr std::size_t MOST = 1024;
-    if (signal.number < LinuxSignals::FIRST_REAL_TIME && (set() & LinuxSignals::bit(signal.number)))
+    const bool of_timer = signal.timer.number >= 0;
+    if (!of_timer && signal.number < LinuxSignals::FIRST_REAL_TIME &&
+        (set() & LinuxSignals::bit(signal.number)))
         return true;
-    if (all_.size() >= MOST) return false;
+    if (!of_timer && all_.size() >= MOST) return false;
     all_.push_back(signal);
+    ++added_;
     return true;
 }
 
@@ -90,6 +93,18 @@ std::optional<LinuxSignal> PendingSignals::dequeue(std::uint64_t blocked) {
 void PendingSignals::remove(std::uint64_t set) {
     for (auto it = all_.begin(); it != all_.end();)
         it = set & LinuxSignals::bit(it->number) ? all_.erase(it) : std::next(it);
+}
+
+LinuxSignal* PendingSignals::of_timer(int number) {
+    for (LinuxSignal& signal : all_)
+        if (signal.timer.number == number) return &signal;
+    return nullptr;
+}
+
+void PendingSignals::remove_timers() {
+    all_.erase(std::remove_if(all_.begin(), all_.end(),
+                              [](const LinuxSignal& signal) { return signal.timer.number >= 0; }),
+               all_.end());
 }
 
 // ---- Handlers -----------------------------------------------------------------------------------

@@ -19,12 +19,19 @@ namespace sim {
 struct LinuxSignal {
     unsigned number = 0;
     std::int32_t code = 0;
-    std::array<std::uint32_t, 3> fields{};  // an address; or process, user, value or status
-    std::string why{};                      // "sent by itself"
+    // An address; or process, user, value or status, ticks of a child.
+    std::array<std::uint32_t, 4> fields{};
+    std::string why{};  // "sent by itself"
+    // By which number of timer_create's, and in which of the times that it was sent or set.
+    struct {
+        int number = -1;
+        std::uint32_t sequence = 0;
+    } timer{};
+    bool by_hand = false;  // from outside of the program
 };
 
 namespace arm_signal_code {
-constexpr std::int32_t USER = 0, KERNEL = 0x80, QUEUE = -1, TIMER = -2, TKILL = -6;
+constexpr std::int32_t USER = 0, KERNEL = 0x80, QUEUE = -1, TIMER = -2, MESSAGE = -3, TKILL = -6;
 }
 
 class LinuxSignals {
@@ -48,7 +55,8 @@ public:
     }
 };
 
-// Of a thread or a process.  One of a number below 32 is kept once, others in their order.
+// Of a thread or a process.  One of a number below 32 is kept once, others in their order; a timer
+// has one of its own.
 class PendingSignals {
 public:
     bool add(const LinuxSignal& signal);  // false: there are too many
@@ -56,9 +64,13 @@ public:
     // The one of the lowest number that is not among `blocked`.
     std::optional<LinuxSignal> dequeue(std::uint64_t blocked);
     void remove(std::uint64_t set);
+    LinuxSignal* of_timer(int number);              // nullptr: it has none here
+    void remove_timers();                           // those that timers have sent
+    std::uint64_t added() const { return added_; }  // so far
 
 private:
     std::deque<LinuxSignal> all_;
+    std::uint64_t added_ = 0;
 };
 
 // What each thread has of its own.

@@ -52,6 +52,7 @@ LivePlayer::LivePlayer(const sc_core::sc_module_name& name, ScenarioRunner& runn
       view_{view},
       inside_{inside},
       wire_{wire},
+      plan_{plan},
       scenario_{plan.scenario},
       seed_{plan.seed},
       out_{plan.description.outputs.out},
@@ -223,6 +224,8 @@ void LivePlayer::play(const std::string& name, const std::string& text) {
     if (!runner_.finished())
         throw std::runtime_error{"the scenario's steps still play; wait for their end"};
     const ScenarioStep step = steps_.read(text);
+    if (const std::string missing = missing_for(plan_, *step.step); !missing.empty())
+        throw std::runtime_error{missing};
     if (step.step->decides()) throw std::runtime_error{"not played live: " + name};
     Played played{sc_time_stamp(), {}, text};
     step.step->play(runner_.control());

@@ -64,6 +64,7 @@ private:
     LiveView& view_;
     Inside& inside_;
     Wire& wire_;
+    const RunPlan& plan_;
     const Scenario& scenario_;
     const std::uint64_t seed_;
     const std::filesystem::path out_;

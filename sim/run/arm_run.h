@@ -6,6 +6,7 @@
 
 #include "sim/board/ps2_keyboard.h"
 #include "sim/board/ps2_mouse.h"
+#include "sim/board/signal_receiver.h"
 #include "sim/cpu/arm_cpu.h"
 #include "sim/debug/semihosting.h"
 #include "sim/hps/bus.h"
@@ -22,7 +23,7 @@ namespace sim {
 // ElfError; std::runtime_error for options that only a Linux program has.
 ArmProgram load_program(const RunPlan& plan);
 
-class ArmRun {
+class ArmRun final : public SignalReceiver {
 public:
     // Attaches to the processor and to the recorder's frames.  What a Linux program prints, or
     // another by semihosting, goes to `observer`.
@@ -32,6 +33,10 @@ public:
     // At the console of these; or that nobody will.
     void type(const std::string& text) { terminal().type(text); }
     void close_input() { terminal().close(); }
+    // Of a Linux program.
+    void send(unsigned signal, int process) override {
+        kernel_->signal_from_outside(signal, process);
+    }
     // The board's keyboard and mouse are a Linux program's, too, on USB.
     void plug_in(Ps2Keyboard& keyboard, Ps2Mouse& mouse);
 

@@ -38,6 +38,12 @@ bool runs_on_linux(const ProgramDescription& program) {
 
 }  // namespace
 
+std::string missing_for(const RunPlan& plan, const Step& step) {
+    if (plan.on_linux || !step.needs_linux()) return "";
+    return std::string{"expected a Linux program that gets the signal (--elf), got "} +
+           (plan.processor == RunPlan::Processor::ARM ? "one without Linux" : "none");
+}
+
 RunPlan plan_run(RunDescription description) {
     ChipDescription& chip = description.chip;
     ProgramDescription& program = description.program;
@@ -63,6 +69,9 @@ RunPlan plan_run(RunDescription description) {
                                                              : Monitor::Strictness::TOLERANT;
     plan.description = std::move(description);
     plan.scenario = std::move(scenario);
+    for (const ScenarioStep& step : plan.scenario.steps)
+        if (const std::string missing = missing_for(plan, *step.step); !missing.empty())
+            throw ScenarioError{plan.scenario.file, step.line, step.column, missing};
     return plan;
 }
 

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 
 #include "sim/board/monitor.h"
 #include "sim/run/description.h"
@@ -31,6 +32,9 @@ struct RunPlan {
                                                 : "none";
     }
 };
+
+// "expected a Linux program ..., got ..."; or "" if this run has what the step needs.
+std::string missing_for(const RunPlan& plan, const Step& step);
 
 // Reads the scenario, and of the program what it runs on.  ScenarioError; ElfError;
 // std::runtime_error: an option that this run has no use for, or no program for its processor.

@@ -118,6 +118,7 @@ System::System(const RunPlan& plan, ProcessorSystem::Software software,
         arm.emplace(*processor->arm, processor->bus, &board.accelerometer, plan, observers.recorder,
                     observers.all());
         board.also_type_to([this](const std::string& text) { arm->type(text); });
+        if (arm->on_linux()) board.parts.add("Linux program", *arm);
         arm->plug_in(board.ps2_keyboard, board.ps2_mouse);
         const bool nobody_types = plan.description.scenario.empty() && !observers.client;
         if (nobody_types) arm->close_input();

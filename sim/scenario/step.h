@@ -34,6 +34,9 @@ public:
     // The least time that it takes, whatever the board does.
     virtual SimTime least() const { return {}; }
 
+    // It acts on a Linux program: a run without one refuses it.
+    virtual bool needs_linux() const { return false; }
+
     // Throws Refusal if the steps before it show that it is wrong.
     virtual void check(StaticChecks&) const {}
 

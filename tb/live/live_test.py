@@ -338,6 +338,7 @@ class Refused(Live):
                 ('{"step": {"release": {"key": 1}}}', "expected a control that is held"),
                 ('{"step": {"expect-leds": 0}}', "not played live: expect-leds"),
                 ('{"step": {"press-button": {"button": "a"}}}', "expected a button among the"),
+                ('{"step": {"send-signal": "SIGHUP"}}', "expected a Linux program that gets"),
                 ('{"step": {"take-screenshot": {"save-to": "a.png"}}}', "not played live: take"),
                 ('{"step": {"play-file": "/etc/passwd"}}', "not played live: play-file")):
             await client.socket.send(text)

@@ -30,6 +30,10 @@ class Hands:
         listen."""
         self.step({"type-serial": _without_none(text=text, to=to)})
 
+    def send_signal(self, name, process=None):
+        """To a Linux program, such as "SIGUSR1"; or to one of its processes by its number."""
+        self.step({"send-signal": _without_none(name=name, process=process)})
+
     def type_keys(self, text):
         """On the PS/2 keyboard."""
         self.step({"type-keys": text})

@@ -4,6 +4,7 @@
 #include <signal.h>
 #include <stdio.h>
 #include <string.h>
+#include <sys/wait.h>
 #include <termios.h>
 #include <time.h>
 #include <unistd.h>
@@ -59,6 +60,20 @@ int main(int argc, char** argv) {
         sigprocmask(SIG_SETMASK, NULL, &before);
         printf("%d then, %d: %s, %s\n", caught, result, strerror(errno),
                sigismember(&before, SIGINT) ? "blocked again" : "open");
+    } else if (strcmp(how, "has-a-child") == 0) {
+        int status;
+        if (fork() == 0)
+            for (;;) pause();
+        wait(&status);
+        printf("caught %d, the child's end: %d\n", caught, WTERMSIG(status));
+    } else if (strcmp(how, "is-told") == 0) {
+        sigset_t set;
+        siginfo_t info;
+        sigemptyset(&set);
+        sigaddset(&set, SIGUSR1);
+        sigprocmask(SIG_BLOCK, &set, NULL);
+        sigwaitinfo(&set, &info);
+        printf("caught %d, code %d, from %d\n", info.si_signo, info.si_code, (int)info.si_pid);
     } else if (strcmp(how, "takes") == 0) {
         struct termios settings;
         tcgetattr(0, &settings);
