@@ -38,8 +38,9 @@ LinuxKernel::LinuxKernel(ArmCpu& cpu, LinuxSettings settings, Outside outside)
         [this] { return terminal_.readable(); }};
     const LinuxFiles::System system{
         [this](const std::string& path, std::uint32_t flags) { return open_system(path, flags); },
-        [this](const std::string& path) { return system_status(path); },
-        [this](const std::string& path) { return remove_system(path); }};
+        [this](const std::string& path, bool of_link) { return system_status(path, of_link); },
+        [this](const std::string& path) { return remove_system(path); },
+        [this](const std::string& path) { return system_target(path); }};
     processes_.push_back(std::make_unique<LinuxProcess>(LinuxProcess{
         LinuxProcess::FIRST, 0, std::make_shared<AddressSpace>(cpu.core()),
         LinuxFiles{settings_.root, CROSS_LIBRARIES, settings_.input, console, system}}));

@@ -50,6 +50,7 @@
 #include "sim/linux/files.h"
 #include "sim/linux/input.h"
 #include "sim/linux/loader.h"
+#include "sim/linux/own_files.h"
 #include "sim/linux/process.h"
 #include "sim/linux/scheduler.h"
 #include "sim/linux/signals.h"
@@ -231,7 +232,14 @@ private:
     std::uint8_t random_byte();
     std::pair<int, std::shared_ptr<LinuxDevice>> open_system(const std::string& path,
                                                              std::uint32_t flags);
-    std::optional<FileStatus> system_status(const std::string& path);
+    std::optional<FileStatus> system_status(const std::string& path, bool of_link);
+    std::optional<std::string> system_target(const std::string& path) const;
+    // The same by a path without links, of what is no folder.
+    std::pair<int, std::shared_ptr<LinuxDevice>> open_own(const std::string& path,
+                                                          std::uint32_t flags);
+    std::optional<FileStatus> status_of_own(const std::string& path);
+    OwnFiles own_files() const;
+    std::int64_t give_file_system(const std::string& path, std::uint32_t to, bool wide);
     int remove_system(const std::string& path);
     Result give_two(std::uint32_t to, const std::array<int, 2>& numbers);
 
