@@ -63,6 +63,8 @@ RunPlan plan_run(RunDescription description) {
                                                              : Monitor::Strictness::TOLERANT;
     plan.description = std::move(description);
     plan.scenario = std::move(scenario);
+    plan.scenario.on_linux = plan.on_linux;
+    check_scenario(plan.scenario);
     return plan;
 }
 

@@ -110,7 +110,8 @@ System::System(const RunPlan& plan, ProcessorSystem::Software software,
                                 observer, sdram);
             },
             plan.strictness,
-            plan.scenario.parts},
+            plan.scenario.parts,
+            plan.scenario.usb},
       runner{"runner", board, observers.recorder.observations(), plan.scenario.steps,
              plan.description.outputs.out} {
     const RunOutputs& outputs = plan.description.outputs;
