@@ -30,7 +30,8 @@ LinuxKernel::LinuxKernel(ArmCpu& cpu, LinuxSettings settings, Outside outside)
                cpu.pause(until, at_most);
            },
            outside_.console, [this](unsigned number) { typed(number); }, [this] { on_input(); }}},
-      input_{[] { return sc_core::sc_time_stamp().value() / 1000; }, [this] { feel(); }},
+      input_{[this] { feel(); }},
+      usb_{input_, uevents_, [&cpu] { return cpu.now().value(); }, [this] { feel(); }},
       random_{SEED} {
     const LinuxFiles::Console console{
         outside_.console,
@@ -48,7 +49,7 @@ LinuxKernel::LinuxKernel(ArmCpu& cpu, LinuxSettings settings, Outside outside)
     cpu.attach(this);
 }
 
-// A hand has done something with the keyboard or the mouse.
+// A hand has done something with a USB device, or that has.
 void LinuxKernel::feel() {
     changed_ = true;
     woken_.notify(sc_core::SC_ZERO_TIME);

@@ -25,7 +25,8 @@
 // translated is translated again after a switch from one to another.  The end of the first ends the
 // run.  A program that another becomes is itself, or lies under the root.
 //
-// Timers of setitimer, alarm and timerfd; /dev/i2c-0; the processor's LED below /sys/class/leds.
+// Timers of setitimer, alarm and timerfd; /dev/i2c-0; the processor's LED below /sys/class/leds;
+// USB devices as input devices and by usbfs (usb_bus.h).
 //
 // Not handled: timer_create, ITIMER_VIRTUAL and ITIMER_PROF, GPIO below /sys, message queues,
 // groups and sessions of processes, job control; mutexes with priority inheritance; the
@@ -59,9 +60,13 @@
 #include "sim/linux/terminal.h"
 #include "sim/linux/thread.h"
 #include "sim/linux/timers.h"
+#include "sim/linux/uevents.h"
+#include "sim/linux/usb_bus.h"
 #include "sim/pins/pins.h"
 
 namespace sim {
+
+class UsbFile;
 
 struct LinuxSettings {
     std::filesystem::path root;          // the program's /; empty: it has no files
@@ -86,8 +91,8 @@ public:
     Terminal& terminal() { return terminal_; }
     const Terminal& terminal() const { return terminal_; }
 
-    // What hands do with its keyboard and mouse.
-    LinuxInput& input() { return input_; }
+    // The board's USB devices, before it boots.
+    void plug_in(UsbPorts& ports);
 
     // "clone, 2 times; pipe2": calls that returned ENOSYS because they are not emulated, or "".
     std::string missing() const;
@@ -256,6 +261,16 @@ private:
     Result receive_from(std::uint32_t fd, std::vector<Piece> pieces, std::uint32_t flags,
                         std::uint32_t name, std::uint32_t length_at, std::uint32_t header);
 
+    // kernel_usb.cpp
+    static constexpr std::uint32_t NETLINK = 16;  // a family of sockets
+    Result usb_control(int fd, UsbFile& file, const Arguments&);
+    UeventSocket* uevents_at(std::uint32_t fd) const;
+    Result uevent_socket(const Arguments&);
+    std::int64_t bind_uevents(UeventSocket& socket, const Arguments&);
+    std::int64_t name_uevents(const UeventSocket& socket, const Arguments&);
+    std::int64_t set_uevents(UeventSocket& socket, const Arguments&);
+    Result receive_uevent(std::uint32_t fd, const Arguments&);
+
     // kernel_ipc.cpp
     struct Segment {
         std::uint32_t key, rights;
@@ -321,6 +336,9 @@ private:
     LinuxLoader loader_;
     Terminal terminal_;
     LinuxInput input_;
+    sc_core::sc_event woken_;  // something has come from outside
+    UeventGroup uevents_;
+    UsbBus usb_;
     LinuxNetwork network_;
     bool unreachable_reported_ = false;
     std::vector<std::unique_ptr<LinuxProcess>> processes_;
@@ -334,7 +352,6 @@ private:
     bool yields_ = false;             // the running one, by its own will
     bool changed_ = false;            // files, so that a thread may go on
     bool over_ = false;
-    sc_core::sc_event woken_;     // something has come from outside
     sc_core::sc_time line_free_;  // when the console's line has taken all that was printed
     std::uint64_t random_;
     std::map<std::string, std::shared_ptr<SharedMemory>> shared_files_;  // of /dev/shm

@@ -161,6 +161,7 @@ std::pair<int, std::shared_ptr<LinuxDevice>> LinuxKernel::open_own(const std::st
         return {0, devices::random([this] { return random_byte(); })};
     if (path == "/dev/fb0") return {0, devices::framebuffer()};
     if (auto device = input_.open(path)) return {0, std::move(device)};
+    if (auto device = usb_.open(path)) return {0, std::move(device)};
     if (path == HPS_LED) return {0, hps_led()};
     if (path == I2C_BUS && outside_.i2c0)
         return {0, std::make_shared<I2cFile>(
@@ -198,6 +199,7 @@ std::optional<FileStatus> LinuxKernel::status_of_own(const std::string& path) {
     if (path == "/dev/urandom" || path == "/dev/random") return devices::random({})->status();
     if (path == "/dev/fb0") return devices::framebuffer()->status();
     if (const auto device = input_.open(path)) return device->status();
+    if (const auto device = usb_.open(path)) return device->status();
     if (path == HPS_LED) return devices::led({}, {})->status();
     if (path == I2C_BUS && outside_.i2c0) return I2cFile{*outside_.i2c0, {}, {}}.status();
     if (system_text(path)) return devices::status_of_text();

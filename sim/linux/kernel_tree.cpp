@@ -46,8 +46,8 @@ OwnFiles LinuxKernel::own_files() const {
         if (process->memory && !process->threads.empty())
             for (const char* name : {"maps", "comm", "cmdline", "statm", "status", "stat"})
                 all.add(fmt::format("/proc/{}/{}", process->number, name));
-    for (const char* name : {"event0", "event1", "mice", "mouse0"})
-        all.add(std::string{"/dev/input/"} + name);
+    input_.list(all);
+    usb_.list(all);
     return all;
 }
 

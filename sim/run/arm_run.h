@@ -4,8 +4,7 @@
 #include <memory>
 #include <optional>
 
-#include "sim/board/ps2_keyboard.h"
-#include "sim/board/ps2_mouse.h"
+#include "sim/board/usb_ports.h"
 #include "sim/cpu/arm_cpu.h"
 #include "sim/debug/semihosting.h"
 #include "sim/hps/bus.h"
@@ -32,8 +31,8 @@ public:
     // At the console of these; or that nobody will.
     void type(const std::string& text) { terminal().type(text); }
     void close_input() { terminal().close(); }
-    // The board's keyboard and mouse are a Linux program's, too, on USB.
-    void plug_in(Ps2Keyboard& keyboard, Ps2Mouse& mouse);
+    // What is on the board's USB ports, for a Linux program.
+    void plug_in(UsbPorts& usb);
 
     bool on_linux() const { return kernel_.has_value(); }
     // Of a Linux program; as LinuxKernel::missing().

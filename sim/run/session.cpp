@@ -119,7 +119,7 @@ System::System(const RunPlan& plan, ProcessorSystem::Software software,
         arm.emplace(*processor->arm, processor->bus, &board.accelerometer, plan, observers.recorder,
                     observers.all());
         board.also_type_to([this](const std::string& text) { arm->type(text); });
-        arm->plug_in(board.ps2_keyboard, board.ps2_mouse);
+        arm->plug_in(board.usb);
         const bool nobody_types = plan.description.scenario.empty() && !observers.client;
         if (nobody_types) arm->close_input();
     }
