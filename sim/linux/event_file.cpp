@@ -125,7 +125,7 @@ std::int64_t EventFile::set(std::uint32_t what, std::uint32_t at, AddressSpace& 
 std::int64_t EventFile::control(std::uint32_t request, std::uint32_t at, AddressSpace& memory) {
     constexpr std::uint32_t LETTER = 'E', BUS_USB = 3;
     if (!device_->exists()) return -ENODEV;
-    if ((request >> 8 & 0xFF) != LETTER) return -EINVAL;
+    if ((request >> 8 & 0xFF) != LETTER) return -ENOTTY;  // FIONBIO and so on
     const std::uint32_t what = request & 0xFF, room = request >> 16 & 0x3FFF;
     if (request >> 30 & TO_KERNEL) return set(what, at, memory);
     const InputDevice::About& about = device_->about();

@@ -108,7 +108,8 @@ std::int64_t JoystickFile::control(std::uint32_t request, std::uint32_t at, Addr
     constexpr std::uint32_t LETTER = 'j', VERSION = 0x01, AXES = 0x11, BUTTONS = 0x12, NAME = 0x13,
                             CORRECTIONS = 0x22, AXIS_MAP = 0x32, BUTTON_MAP = 0x34, TO_PROGRAM = 2;
     if (!device_->exists()) return -ENODEV;
-    if ((request >> 8 & 0xFF) != LETTER || request >> 30 != TO_PROGRAM) return -EINVAL;
+    if ((request >> 8 & 0xFF) != LETTER) return -ENOTTY;  // FIONBIO and so on
+    if (request >> 30 != TO_PROGRAM) return -EINVAL;
     const std::size_t room = request >> 16 & 0x3FFF;
     const auto give = [&](const void* from, std::size_t bytes) -> std::int64_t {
         const std::size_t count = std::min(room, bytes);

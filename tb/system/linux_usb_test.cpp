@@ -149,7 +149,8 @@ TEST_F(LinuxInput, IsHeardAloneByWhoGrabsIt) {
     prints("input", "grabs", "", "ready",
            "  - press-key: {key: a, to: usb}\n  - delay: 50ms\n  - press-key: b\n"
            "  - delay: 100ms\n",
-           R"(ready 0 EBUSY EINVAL
+           R"(EAGAIN
+ready 0 EBUSY EINVAL
 0 4 4 458756
 0 1 30 1
 0 0 0 0

@@ -124,8 +124,10 @@ static void print_event(int fd) {
 
 // Who grabs a device hears it alone; what is asked for is not told again.
 static void grabs(void) {
-    const int one = open("/dev/input/event0", O_RDWR | O_NONBLOCK);
+    const int one = open("/dev/input/event0", O_RDWR), on = 1;
     const int other = open("/dev/input/event0", O_RDWR | O_NONBLOCK);
+    ioctl(one, FIONBIO, &on);
+    print_event(one);
     printf("ready %s", error_of(ioctl(one, EVIOCGRAB, 1)));
     printf(" %s", error_of(ioctl(other, EVIOCGRAB, 1)));
     printf(" %s\n", error_of(ioctl(other, EVIOCGRAB, 0)));
