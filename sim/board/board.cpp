@@ -22,7 +22,7 @@ HeaderPinList keypad_pins(const std::vector<PartPlan>& plans) {
 
 Board::Board(const sc_core::sc_module_name& name, BoardObserver& observer, std::uint64_t seed,
              Ps2Ports ps2_ports, const ChipMaker& make_chip, Monitor::Strictness vga,
-             const std::vector<PartPlan>& part_plans)
+             const std::vector<PartPlan>& part_plans, const UsbPlugs& usb_plugs)
     : sc_module{name},
       observer_{observer},
       monitor{[&observer](const Monitor::Frame& frame) { observer.frame(frame); }, vga,
@@ -44,6 +44,7 @@ Board::Board(const sc_core::sc_module_name& name, BoardObserver& observer, std::
                [this] { chip_->inputs().sw = static_cast<std::uint16_t>(switches.closed()); }},
       ps2_keyboard{agenda, [this] { ps2_wires(chip_->inputs()); }},
       ps2_mouse{agenda, [this] { ps2_wires(chip_->inputs()); }},
+      usb{agenda, usb_plugs},
       remote_control{agenda, [this] { chip_->inputs().irda_rxd = remote_control.dark(); }},
       accelerometer{
           "accelerometer", [this](bool up) { chip_->hps_accelerometer_interrupt(up); },
@@ -66,6 +67,9 @@ Board::Board(const sc_core::sc_module_name& name, BoardObserver& observer, std::
     for (const auto& [part_name, part] :
          std::initializer_list<std::pair<const char*, Part&>>{{"PS/2 keyboard", ps2_keyboard},
                                                               {"PS/2 mouse", ps2_mouse},
+                                                              {"USB keyboard", usb.keyboard},
+                                                              {"USB mouse", usb.mouse},
+                                                              {"USB gamepad", usb.gamepad},
                                                               {"remote control", remote_control},
                                                               {"LINE IN", line_in},
                                                               {"microphone input", microphone},
@@ -73,6 +77,14 @@ Board::Board(const sc_core::sc_module_name& name, BoardObserver& observer, std::
                                                               {"AD converter", adc_chip},
                                                               {"motion sensor", accelerometer}})
         parts.add(part_name, part);
+    // The same hands are on USB.
+    ps2_keyboard.set_listener([this](std::uint16_t key, bool down) {
+        down ? usb.keyboard.press(key) : usb.keyboard.release(key);
+    });
+    ps2_mouse.set_listener(
+        {[this](int right, int up) { usb.mouse.move(right, up); },
+         [this](int notches) { usb.mouse.turn(notches); },
+         [this](MouseButton which, bool down) { usb.mouse.button(which, down); }});
     chip_ = make_chip(*this, observer, sdram_chip.bytes());
     if (!part_plans.empty()) agenda.at(0, [this] { headers_moved(); });
 }

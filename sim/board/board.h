@@ -7,6 +7,7 @@
 //                +- Is42s16320d  (SDRAM)
 //                +- Keypad    (JP1 D7-D0, or where the scenario hangs it)
 //                +- Ps2Keyboard, Ps2Mouse  (PS/2 ports)
+//                +- UsbKeyboard, UsbMouse, UsbGamepad  (USB host ports of the HPS)
 //                +- RemoteControl  (infrared receiver)
 //                +- HeaderWires  (GPIO_0, GPIO_1)  --- Parts of the scenario
 //                +- Accelerometer  (I2C0 of the HPS)
@@ -42,6 +43,7 @@
 #include "sim/board/ps2_ports.h"
 #include "sim/board/remote_control.h"
 #include "sim/board/sound_source.h"
+#include "sim/board/usb_ports.h"
 #include "sim/board/wm8731.h"
 #include "sim/pins/chip.h"
 
@@ -57,7 +59,7 @@ public:
     Board(const sc_core::sc_module_name& name, BoardObserver& observer, std::uint64_t seed,
           Ps2Ports ps2_ports, const ChipMaker& make_chip,
           Monitor::Strictness vga = Monitor::Strictness::STRICT,
-          const std::vector<PartPlan>& parts = {});
+          const std::vector<PartPlan>& parts = {}, const UsbPlugs& usb_plugs = {});
 
     // Carries out what a person does now, once the chip has come to the present.
     void act(Agenda::Action action);
@@ -134,6 +136,7 @@ public:  // the parts, in the order in which they are soldered
     BouncingContacts switches;
     Ps2Keyboard ps2_keyboard;
     Ps2Mouse ps2_mouse;
+    UsbPorts usb;
     RemoteControl remote_control;
     Accelerometer accelerometer;
     HeaderWires wires;

@@ -7,6 +7,7 @@
 #include <cerrno>
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -41,6 +42,10 @@ public:
     virtual std::int64_t seek(std::int64_t, int) { return -ESPIPE; }
     virtual int truncate(std::int64_t) { return -EINVAL; }
     virtual std::int64_t control(std::uint32_t, std::uint32_t, AddressSpace&) { return -ENOTTY; }
+
+    // Of a folder: its names, sorted, with their modes.
+    using Entries = std::map<std::string, std::uint32_t>;
+    virtual const Entries* entries() const { return nullptr; }
 
     // For mmap: memory that others may map, too, or what lies on the bus and how much.
     virtual std::shared_ptr<SharedMemory> memory() { return nullptr; }

@@ -3,7 +3,7 @@
 // Source: epoll(7), epoll_ctl(2).
 //
 // Not handled: EPOLLEXCLUSIVE and EPOLLWAKEUP have no effect; with EPOLLET, more input of the
-// console, the keyboard or the mouse is no new event while there is some.
+// console or /dev/input/mice is no new event while there is some.
 #pragma once
 
 #include <cerrno>

@@ -56,9 +56,9 @@ std::int64_t LinuxFiles::write_at(int fd, const void* data, std::size_t bytes,
 std::int64_t LinuxFiles::seek(int fd, std::int64_t offset, int whence) {
     const File* file = find(fd);
     if (!file) return -EBADF;
-    if (file->device) return file->device->seek(offset, whence);
-    if (file->kind != File::Kind::HOST) return -ESPIPE;
-    if (!file->names.empty()) {  // a folder: telldir(), seekdir(), rewinddir()
+    if (file->device && !file->device->entries()) return file->device->seek(offset, whence);
+    if (file->kind != File::Kind::HOST && !file->device) return -ESPIPE;
+    if (file->device || !file->names.empty()) {  // a folder: telldir(), seekdir(), rewinddir()
         if (whence == SEEK_SET) slots_[fd].file->next_name = static_cast<std::size_t>(offset);
         return static_cast<std::int64_t>(file->next_name);
     }
@@ -68,8 +68,12 @@ std::int64_t LinuxFiles::seek(int fd, std::int64_t offset, int whence) {
 std::int64_t LinuxFiles::read_folder(int fd, std::uint8_t* data, std::size_t bytes) {
     if (!find(fd)) return -EBADF;
     File& file = *slots_[fd].file;
-    if (file.kind != File::Kind::HOST) return -ENOTDIR;
-    if (file.next_name == 0) {
+    const LinuxDevice::Entries* const own = file.device ? file.device->entries() : nullptr;
+    if (file.kind != File::Kind::HOST && !own) return -ENOTDIR;
+    if (file.next_name == 0 && own) {
+        file.names.clear();
+        for (const auto& [name, mode] : *own) file.names.push_back(name);
+    } else if (file.next_name == 0) {
         DIR* const folder = fdopendir(::openat(file.host->fd(), ".", O_RDONLY | O_CLOEXEC));
         if (!folder) return -errno;
         file.names.clear();
@@ -89,9 +93,12 @@ std::int64_t LinuxFiles::read_folder(int fd, std::uint8_t* data, std::size_t byt
         const std::string& name = file.names[file.next_name];
         const std::size_t size = (NAME + name.size() + 1 + 7) & ~std::size_t{7};
         if (used + size > bytes) return used == 0 ? -EINVAL : static_cast<std::int64_t>(used);
-        const Handle there{
-            ::openat(file.host->fd(), name.c_str(), O_PATH | O_NOFOLLOW | O_CLOEXEC)};
-        const FileStatus status = host_status(there.fd()).second;
+        FileStatus status{own ? own->at(name) : 0, 0, 1, 0};
+        if (!own) {
+            const Handle there{
+                ::openat(file.host->fd(), name.c_str(), O_PATH | O_NOFOLLOW | O_CLOEXEC)};
+            status = host_status(there.fd()).second;
+        }
         std::memset(data + used, 0, size);
         const Entry entry{status.number, file.next_name + 1, static_cast<std::uint16_t>(size),
                           static_cast<std::uint8_t>(status.mode >> 12)};  // 0: unknown
@@ -157,7 +164,7 @@ std::pair<int, FileStatus> LinuxFiles::status_of(const std::string& path, bool o
     if (path == MEMORY_PATH) return {0, {S_IFCHR | 0640, 0, 1, 1 << 8 | 1}};
     const auto found = status_on_host(path, of_link);
     if (found.first != -ENOENT) return found;
-    const auto status = system_.status(path);
+    const auto status = system_.status(path, of_link);
     return status ? std::pair{0, *status} : found;
 }
 
@@ -173,6 +180,9 @@ std::pair<int, FileStatus> LinuxFiles::status_on_host(const std::string& path, b
 
 std::pair<int, std::string> LinuxFiles::folder_at(const std::string& path) const {
     const auto [error, status] = status_on_host(path);
+    if (error == -ENOENT && path[0] == '/')
+        if (const auto own = system_.status(path, false))
+            return S_ISDIR(own->mode) ? std::pair{0, path} : std::pair{-ENOTDIR, std::string{}};
     if (error) return {error, ""};
     if (!S_ISDIR(status.mode)) return {-ENOTDIR, ""};
     Place place;
@@ -182,7 +192,10 @@ std::pair<int, std::string> LinuxFiles::folder_at(const std::string& path) const
 
 std::pair<int, std::string> LinuxFiles::target_of(const std::string& path) const {
     Place place;
-    if (const int error = place_to_read(path, place, Last::KEEP)) return {error, ""};
+    const int error = place_to_read(path, place, Last::KEEP);
+    if (error == -ENOENT || (!error && status_on_host(path, true).first == -ENOENT))
+        if (const auto target = system_.target(path)) return {0, *target};
+    if (error) return {error, ""};
     char text[PATH_MAX];
     const ssize_t bytes = ::readlinkat(place.folder->fd(), place.name.c_str(), text, sizeof text);
     if (bytes < 0) return {-errno, ""};

@@ -168,9 +168,9 @@ int LinuxFiles::open(const std::string& path, std::uint32_t flags, std::uint32_t
     if (status_on_host(path).first == -ENOENT) {
         auto [error, device] = system_.open(path, flags);
         if (device)
-            return add(
-                std::make_shared<File>(File{File::Kind::DEVICE, flags, nullptr, std::move(device)}),
-                0, close_on_exec);
+            return add(std::make_shared<File>(
+                           File{File::Kind::DEVICE, flags, nullptr, std::move(device), path}),
+                       0, close_on_exec);
         if (error != -ENOENT) return error;
     }
     Place place;
@@ -217,7 +217,7 @@ int LinuxFiles::access(const std::string& path, int mode) const {
 }
 
 int LinuxFiles::remove(const std::string& path, bool folder) {
-    if (status_on_host(path, true).first == -ENOENT && !folder && system_.status(path))
+    if (status_on_host(path, true).first == -ENOENT && !folder && system_.status(path, true))
         return system_.remove(path);
     Place place;
     if (const int error = place_of(path, place, Last::KEEP)) return error;
@@ -336,6 +336,11 @@ std::pair<int, std::string> LinuxFiles::on_host(int fd) const {
     const File* const file = find(fd);
     if (!file || file->kind != File::Kind::HOST) return {-1, ""};
     return {file->host->fd(), file->path};
+}
+
+std::string LinuxFiles::path_of(int fd) const {
+    const File* const file = find(fd);
+    return file ? file->path : "";
 }
 
 bool LinuxFiles::is_memory(int fd) const {

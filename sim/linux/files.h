@@ -15,7 +15,8 @@
 //
 // A copy is that of a process that forks: it has the same open files.
 //
-// Not handled: making links, locks, reading /dev/mem by read(); folders of the kernel's own files.
+// Not handled: making links, locks, reading /dev/mem by read(); the kernel's own files in the list
+// of a folder that the root has, too.
 #pragma once
 
 #include <sys/types.h>
@@ -42,13 +43,15 @@ public:
         std::function<std::int64_t(char* to, std::size_t bytes)> read;  // or EAGAIN
         std::function<bool()> readable;
     };
-    // Of the kernel's own by this path: open, or none with the error; and what stat() says of it.
+    // Of the kernel's own by this path: open, or none with the error; what stat() says of it, or
+    // lstat() of a link; and where that leads.
     struct System {
         std::function<std::pair<int, std::shared_ptr<LinuxDevice>>(const std::string& path,
                                                                    std::uint32_t flags)>
             open;
-        std::function<std::optional<FileStatus>(const std::string& path)> status;
+        std::function<std::optional<FileStatus>(const std::string& path, bool of_link)> status;
         std::function<int(const std::string& path)> remove;
+        std::function<std::optional<std::string>(const std::string& path)> target;
     };
     // `root` and `input`, which is standard input instead of the console, may be empty;
     // `libraries` may not exist.  std::runtime_error if the root or the input cannot be opened.
@@ -104,6 +107,7 @@ public:
     // Of a file under the root or among the libraries: the host's number, and the path by which it
     // was opened; or -1.
     std::pair<int, std::string> on_host(int fd) const;
+    std::string path_of(int fd) const;  // by which a file or folder was opened
     // The path of a folder without links; or the error.
     std::pair<int, std::string> folder_at(const std::string& path) const;
 

@@ -1,21 +1,20 @@
 #include "sim/linux/input.h"
 
-#include <sys/stat.h>
-
 #include <algorithm>
-#include <array>
-#include <cstring>
-#include <deque>
+
+#include <fmt/format.h>
 
 #include "sim/board/scan_codes.h"
+#include "sim/linux/event_file.h"
+#include "sim/linux/joystick_file.h"
+#include "sim/linux/mice_file.h"
 
 namespace sim {
 
 namespace {
 
-constexpr std::uint16_t EV_SYNC = 0, EV_OF_KEY = 1, EV_RELATIVE = 2, SYNC_DROPPED = 3;
-constexpr std::uint16_t RELATIVE_X = 0, RELATIVE_Y = 1, RELATIVE_WHEEL = 8, BUTTON_LEFT = 0x110;
-constexpr unsigned KEY_COUNT = 0x300;
+constexpr std::uint32_t KEYBOARD_PAGE = 0x70000, BUTTON_PAGE = 0x90000;  // of HID usages
+constexpr int WHEEL_STEP = 120;
 
 // Linux's numbers of keys, by the names of ours, in rows of consecutive numbers.
 struct KeyRow {
@@ -62,257 +61,238 @@ std::uint16_t key_number(std::uint16_t scan_code) {
     return 0;
 }
 
+// As %lx of each word of 32 bits, from the first that is not 0.
+std::string bitmap(const std::vector<std::uint8_t>& bits) {
+    std::string text;
+    for (std::size_t at = bits.size(); at >= 4; at -= 4) {
+        std::uint32_t word = 0;
+        for (std::size_t i = 1; i <= 4; ++i) word = word << 8 | bits[at - i];
+        if (word != 0 || !text.empty()) text += fmt::format(text.empty() ? "{:x}" : " {:x}", word);
+    }
+    return text.empty() ? "0" : text;
+}
+
+const char* kind_of(UsbPlug plug) {
+    return plug == UsbPlug::KEYBOARD ? "kbd" : plug == UsbPlug::MOUSE ? "mouse" : "joystick";
+}
+
 }  // namespace
 
-// ---- /dev/input/event* --------------------------------------------------------------------------
+// ---- The drivers --------------------------------------------------------------------------------
 
-class LinuxInput::Events final : public LinuxDevice {
-public:
-    explicit Events(bool of_mouse) : mouse{of_mouse} {}
+LinuxInput::Bound* LinuxInput::bound(UsbPlug plug) {
+    const auto found = bound_.find(plug);
+    return found == bound_.end() ? nullptr : &found->second;
+}
 
-    FileStatus status() const override {
-        return {S_IFCHR | 0660, 0, 1, 13u << 8 | (mouse ? 65u : 64u)};
-    }
-    std::string name() const override { return mouse ? "the USB mouse" : "the USB keyboard"; }
-    unsigned can_do() const override { return (queue_.empty() ? 0 : READ) | WRITE; }
-    std::int64_t read(void* data, std::size_t bytes) override {
-        if (bytes < sizeof(Event)) return -EINVAL;
-        if (queue_.empty()) return -EAGAIN;
-        std::size_t count = 0;
-        for (; (count + 1) * sizeof(Event) <= bytes && !queue_.empty(); ++count) {
-            std::memcpy(static_cast<char*>(data) + count * sizeof(Event), &queue_.front(),
-                        sizeof(Event));
-            queue_.pop_front();
-        }
-        return static_cast<std::int64_t>(count * sizeof(Event));
-    }
-    std::int64_t write(const void*, std::size_t bytes) override {  // LEDs, repetition
-        return static_cast<std::int64_t>(bytes);
-    }
-    std::int64_t control(std::uint32_t request, std::uint32_t at, AddressSpace& memory) override;
-
-    void add(std::uint64_t ns, std::uint16_t type, std::uint16_t code, int value) {
-        constexpr std::size_t MOST = 256;
-        if (type == EV_OF_KEY && code < KEY_COUNT) held_[code / 8] = flipped(code, value != 0);
-        const Event event{static_cast<std::uint32_t>(ns / 1'000'000'000),
-                          static_cast<std::uint32_t>(ns / 1000 % 1'000'000), type, code, value};
-        if (queue_.size() >= MOST) {
-            queue_.clear();
-            queue_.push_back({event.s, event.us, EV_SYNC, SYNC_DROPPED, 0});
-        }
-        queue_.push_back(event);
-    }
-
-    const bool mouse;
-
-private:
-    struct Event {
-        std::uint32_t s, us;
-        std::uint16_t type, code;
-        std::int32_t value;
+void LinuxInput::attach(UsbPorts& ports) {
+    using namespace input_event;
+    agenda_ = &ports.agenda;
+    ports.keyboard.on_key([this](std::uint16_t key, bool down) {
+        Bound* const one = bound(UsbPlug::KEYBOARD);
+        const std::uint16_t number = key_number(key);
+        if (!one || number == 0) return;
+        one->device->event(MSC, MSC_SCAN, static_cast<int>(KEYBOARD_PAGE + hid_usage(key)));
+        one->device->event(KEY, number, down);
+        one->device->report();
+    });
+    const auto button = [this](UsbPlug plug, std::uint16_t first, unsigned which, bool down) {
+        Bound* const one = bound(plug);
+        if (!one) return;
+        one->device->event(MSC, MSC_SCAN, static_cast<int>(BUTTON_PAGE + which + 1));
+        one->device->event(KEY, static_cast<std::uint16_t>(first + which), down);
+        one->device->report();
     };
-    static_assert(sizeof(Event) == 16);
-
-    std::uint8_t flipped(std::uint16_t code, bool on) const {
-        const auto bit = static_cast<std::uint8_t>(1u << code % 8);
-        const std::uint8_t was = held_[code / 8];
-        return static_cast<std::uint8_t>(on ? was | bit : was & ~bit);
-    }
-
-    std::deque<Event> queue_;
-    std::array<std::uint8_t, KEY_COUNT / 8> held_{};
-};
-
-// The requests of which a program learns what a device is and can do.
-std::int64_t LinuxInput::Events::control(std::uint32_t request, std::uint32_t at,
-                                         AddressSpace& memory) {
-    constexpr std::uint32_t LETTER = 'E', VERSION = 0x01, IDENTITY = 0x02, REPEAT = 0x03,
-                            NAME = 0x06, PLACE = 0x07, UNIQUE = 0x08, PROPERTIES = 0x09,
-                            HELD_KEYS = 0x18, LAMPS = 0x19, TYPES = 0x20, GRAB = 0x90, CLOCK = 0xA0;
-    if ((request >> 8 & 0xFF) != LETTER) return -ENOTTY;
-    const std::uint32_t what = request & 0xFF, room = request >> 16 & 0x3FFF;
-    std::vector<std::uint8_t> answer;
-    const auto add_bit = [&answer](unsigned bit) {
-        if (answer.size() <= bit / 8) answer.resize(bit / 8 + 1);
-        answer[bit / 8] = static_cast<std::uint8_t>(answer[bit / 8] | 1u << bit % 8);
+    UsbMouse::Listener mouse;
+    mouse.move = [this](int right, int up) {
+        Bound* const one = bound(UsbPlug::MOUSE);
+        if (!one || (right == 0 && up == 0)) return;
+        one->device->event(REL, REL_X, right);
+        one->device->event(REL, REL_Y, -up);
+        one->device->report();
     };
-    const auto add_text = [&answer](const std::string& text) {
-        answer.assign(text.begin(), text.end());
-        answer.push_back(0);
+    mouse.turn = [this](int notches) {
+        Bound* const one = bound(UsbPlug::MOUSE);
+        if (!one || notches == 0) return;
+        one->device->event(REL, REL_WHEEL, -notches);
+        one->device->event(REL, REL_WHEEL_HI_RES, -notches * WHEEL_STEP);
+        one->device->report();
     };
-    const auto add_words = [&answer](std::initializer_list<std::uint32_t> words) {
-        for (const std::uint32_t word : words)
-            for (unsigned i = 0; i < 32; i += 8)
-                answer.push_back(static_cast<std::uint8_t>(word >> i));
+    mouse.button = [button](MouseButton which, bool down) {
+        button(UsbPlug::MOUSE, BTN_LEFT, static_cast<unsigned>(which), down);
     };
-    switch (what) {
-        case VERSION: add_words({0x010001}); break;
-        case IDENTITY: add_words({mouse ? 0x046D0003u : 0x04D90003u, 0x01110001u}); break;
-        case REPEAT: add_words({250, 33}); break;
-        case NAME: add_text(mouse ? "USB Optical Mouse" : "USB Keyboard"); break;
-        case PLACE:
-            add_text(mouse ? "usb-ffb40000.usb-1.2/input0" : "usb-ffb40000.usb-1.1/input0");
-            break;
-        case UNIQUE: return -ENOENT;
-        case PROPERTIES:
-        case LAMPS: answer.resize(1); break;
-        case HELD_KEYS: answer.assign(held_.begin(), held_.end()); break;
-        case TYPES:
-            for (const unsigned type : {EV_SYNC, EV_OF_KEY}) add_bit(type);
-            if (mouse) add_bit(EV_RELATIVE);
-            break;
-        case TYPES + EV_OF_KEY:
-            if (mouse) {
-                for (unsigned i = 0; i < 3; ++i) add_bit(BUTTON_LEFT + i);
-                break;
-            }
+    ports.mouse.on_hand(std::move(mouse));
+    UsbGamepad::Listener gamepad;
+    gamepad.button = [button](unsigned number, bool down) {
+        button(UsbPlug::GAMEPAD, BTN_GAMEPAD, number, down);
+    };
+    gamepad.axes = [this, &pad = ports.gamepad] {
+        if (!bound(UsbPlug::GAMEPAD)) return;
+        axes(pad);
+        bound(UsbPlug::GAMEPAD)->device->report();
+    };
+    ports.gamepad.on_hand(std::move(gamepad));
+}
+
+void LinuxInput::axes(const UsbGamepad& gamepad) {
+    using namespace input_event;
+    InputDevice& device = *bound(UsbPlug::GAMEPAD)->device;
+    const auto sticks = gamepad.sticks();
+    std::size_t next = 0;
+    for (const std::uint16_t axis : {ABS_X, ABS_Y, ABS_Z, ABS_RZ})
+        device.event(ABS, axis, sticks[next++]);
+    device.event(ABS, ABS_HAT0X, gamepad.pad()[0]);
+    device.event(ABS, ABS_HAT0Y, gamepad.pad()[1]);
+}
+
+void LinuxInput::bind(const UsbDevice& usb, const std::string& port, const std::string& folder) {
+    using namespace input_event;
+    const UsbDevice::About& about = usb.about();
+    const unsigned number = next_input_++;
+    const auto device = std::make_shared<InputDevice>(
+        InputDevice::About{about.name, fmt::format("usb-ffb40000.usb-{}/input0", port.substr(2)),
+                           fmt::format("{}/0003:{:04X}:{:04X}.{:04X}/input/input{}", folder,
+                                       about.vendor, about.product, number + 1, number),
+                           about.vendor, about.product, about.release},
+        *agenda_, notify_);
+    device->can(MSC, {MSC_SCAN});
+    bound_[about.plug] = {device, port, number};
+    switch (about.plug) {
+        case UsbPlug::KEYBOARD:
             for (const KeyRow& row : key_rows())
-                for (unsigned i = 0; i < row.names.size(); ++i) add_bit(row.first + i);
+                for (unsigned i = 0; i < row.names.size(); ++i)
+                    device->can(KEY, {static_cast<std::uint16_t>(row.first + i)});
+            device->can(LED, {0, 1, 2});
+            device->can(REP, {0, 1});
             break;
-        case TYPES + EV_RELATIVE:
-            if (mouse)
-                for (const unsigned axis : {RELATIVE_X, RELATIVE_Y, RELATIVE_WHEEL}) add_bit(axis);
+        case UsbPlug::MOUSE:
+            device->can(KEY, {BTN_LEFT, BTN_LEFT + 1, BTN_LEFT + 2});
+            device->can(REL, {REL_X, REL_Y, REL_WHEEL, REL_WHEEL_HI_RES});
+            for (const auto& mice : mice_) device->add(mice);
             break;
-        case GRAB:
-        case CLOCK: return 0;
-        default:
-            if (what < TYPES || what >= TYPES + 0x20) return -EINVAL;
-            answer.resize(1);
+        case UsbPlug::GAMEPAD:
+            for (unsigned i = 0; i < UsbGamepad::BUTTONS; ++i)
+                device->can(KEY, {static_cast<std::uint16_t>(BTN_GAMEPAD + i)});
+            for (const std::uint16_t axis : {ABS_X, ABS_Y, ABS_Z, ABS_RZ})
+                device->has_axis(axis, {0, 0, 255, 0, 255 >> 4, 0});
+            for (const std::uint16_t axis : {ABS_HAT0X, ABS_HAT0Y})
+                device->has_axis(axis, {0, -1, 1, 0, 0, 0});
+            axes(static_cast<const UsbGamepad&>(usb));
+            break;
     }
-    const std::size_t count = std::min<std::size_t>(room, answer.size());
-    return memory.write(at, answer.data(), count) ? static_cast<std::int64_t>(count) : -EFAULT;
+    unsigned lowest = 0;
+    while (numbers_.count(lowest)) ++lowest;
+    numbers_[lowest] = about.plug;
 }
 
-// ---- /dev/input/mice ----------------------------------------------------------------------------
-
-class LinuxInput::Mice final : public LinuxDevice {
-public:
-    FileStatus status() const override { return {S_IFCHR | 0660, 0, 1, 13u << 8 | 63u}; }
-    std::string name() const override { return "the USB mouse"; }
-    unsigned can_do() const override { return (moved_ || !answer_.empty() ? READ : 0) | WRITE; }
-    std::int64_t read(void* data, std::size_t bytes) override {
-        if (answer_.empty() && moved_) report();
-        if (answer_.empty()) return bytes == 0 ? 0 : -EAGAIN;
-        const std::size_t count = std::min(bytes, answer_.size());
-        std::copy_n(answer_.begin(), count, static_cast<std::uint8_t*>(data));
-        answer_.erase(answer_.begin(), answer_.begin() + static_cast<std::ptrdiff_t>(count));
-        return static_cast<std::int64_t>(count);
-    }
-    std::int64_t write(const void* data, std::size_t bytes) override {
-        const auto* const all = static_cast<const std::uint8_t*>(data);
-        for (std::size_t i = 0; i < bytes; ++i) command(all[i]);
-        return static_cast<std::int64_t>(bytes);
-    }
-
-    void add(int right, int up, int notches) {
-        right_ += right, up_ += up, wheel_ += notches;
-        moved_ = true;
-    }
-    void press(unsigned which, bool down) {
-        buttons_ =
-            static_cast<std::uint8_t>(down ? buttons_ | 1u << which : buttons_ & ~(1u << which));
-        moved_ = true;
-    }
-
-private:
-    static constexpr std::uint8_t ACKNOWLEDGED = 0xFA, PASSED = 0xAA;
-
-    void report() {
-        const int right = std::clamp(right_, -127, 127), up = std::clamp(up_, -127, 127);
-        const int wheel = std::clamp(wheel_, -7, 7);
-        answer_ = {
-            static_cast<std::uint8_t>(8 | (right < 0 ? 0x10 : 0) | (up < 0 ? 0x20 : 0) | buttons_),
-            static_cast<std::uint8_t>(right), static_cast<std::uint8_t>(up)};
-        if (has_wheel_) answer_.push_back(static_cast<std::uint8_t>(wheel));
-        right_ -= right, up_ -= up;
-        wheel_ = has_wheel_ ? wheel_ - wheel : 0;
-        moved_ = right_ != 0 || up_ != 0 || wheel_ != 0;
-    }
-    void command(std::uint8_t byte) {
-        constexpr std::array<std::uint8_t, 6> ASKS_FOR_A_WHEEL{0xF3, 200, 0xF3, 100, 0xF3, 80};
-        constexpr std::uint8_t IDENTIFY = 0xF2, RESET = 0xFF;
-        asked_ = byte == ASKS_FOR_A_WHEEL[asked_] ? asked_ + 1 : byte == 0xF3 ? 1 : 0;
-        if (asked_ == ASKS_FOR_A_WHEEL.size()) {
-            asked_ = 0;
-            has_wheel_ = true;
-        }
-        answer_ = {ACKNOWLEDGED};
-        if (byte == IDENTIFY) answer_.push_back(has_wheel_ ? 3 : 0);
-        if (byte != RESET) return;
-        has_wheel_ = false;
-        answer_ = {ACKNOWLEDGED, PASSED, 0};
-    }
-
-    int right_ = 0, up_ = 0, wheel_ = 0;
-    std::uint8_t buttons_ = 0;
-    bool moved_ = false, has_wheel_ = false;
-    std::size_t asked_ = 0;
-    std::vector<std::uint8_t> answer_;
-};
-
-// ---- All of them --------------------------------------------------------------------------------
-
-bool LinuxInput::has(const std::string& path) {
-    return path == "/dev/input/event0" || path == "/dev/input/event1" ||
-           path == "/dev/input/mice" || path == "/dev/input/mouse0";
+void LinuxInput::unbind(const UsbDevice& usb) {
+    const UsbPlug plug = usb.about().plug;
+    Bound* const one = bound(plug);
+    if (!one) return;
+    const auto device = one->device;
+    bound_.erase(plug);
+    for (auto at = numbers_.begin(); at != numbers_.end();)
+        at = at->second == plug ? numbers_.erase(at) : std::next(at);
+    device->disconnect();
 }
+
+// ---- The files ----------------------------------------------------------------------------------
 
 std::shared_ptr<LinuxDevice> LinuxInput::open(const std::string& path) {
-    if (!has(path)) return nullptr;
-    if (path.find("event") == std::string::npos) {
-        const auto device = std::make_shared<Mice>();
-        mice_.push_back(device);
-        return device;
-    }
-    const auto device = std::make_shared<Events>(path.back() == '1');
-    events_.push_back(device);
-    return device;
-}
-
-void LinuxInput::queue_event(bool mouse, std::uint16_t type, std::uint16_t code, int value) {
-    for (auto it = events_.begin(); it != events_.end();) {
-        const auto device = it->lock();
-        if (device && device->mouse == mouse) device->add(now_ns_(), type, code, value);
-        it = device ? std::next(it) : events_.erase(it);
-    }
+    const auto listening = [](auto device, auto file) {
+        if (device) device->add(file);
+        return file;
+    };
+    for (const auto& [number, plug] : numbers_)
+        if (path == fmt::format("/dev/input/event{}", number)) {
+            const auto device = bound(plug)->device;
+            return listening(device, std::make_shared<EventFile>(device, number));
+        }
+    Bound* const mouse = bound(UsbPlug::MOUSE);
+    Bound* const gamepad = bound(UsbPlug::GAMEPAD);
+    if (path == "/dev/input/mouse0" && mouse)
+        return listening(mouse->device, std::make_shared<MiceFile>(mouse->device, FIRST_MOUSE));
+    if (path == "/dev/input/js0" && gamepad)
+        return listening(gamepad->device, std::make_shared<JoystickFile>(gamepad->device, 0));
+    if (path != "/dev/input/mice") return nullptr;
+    const auto mice = std::make_shared<MiceFile>(nullptr, MICE);
     mice_.erase(
-        std::remove_if(mice_.begin(), mice_.end(), [](const auto& m) { return m.expired(); }),
+        std::remove_if(mice_.begin(), mice_.end(), [](const auto& file) { return file.expired(); }),
         mice_.end());
+    mice_.push_back(mice);
+    return listening(mouse ? mouse->device : nullptr, mice);
 }
 
-void LinuxInput::queue_sync(bool mouse) { queue_event(mouse, EV_SYNC, 0, 0); }
-
-void LinuxInput::key(std::uint16_t code, bool down) {
-    const std::uint16_t number = key_number(code);
-    if (number == 0) return;
-    queue_event(false, EV_OF_KEY, number, down);
-    queue_sync(false);
-    notify_();
+void LinuxInput::describe(const Bound& one, UsbPlug plug, unsigned number, OwnFiles& files) const {
+    const InputDevice::About& about = one.device->about();
+    const std::string event = fmt::format("event{}", number);
+    const std::string by_id = fmt::format("/dev/input/by-id/usb-{:04x}_", about.vendor) + [&] {
+        std::string name = about.name;
+        std::replace(name.begin(), name.end(), ' ', '_');
+        return name;
+    }();
+    const std::string by_path =
+        fmt::format("/dev/input/by-path/platform-ffb40000.usb-usb-0:{}:1.0", one.port.substr(2));
+    const auto add_links = [&](const std::string& ending, const std::string& file) {
+        files.add_link(by_id + ending, "../" + file);
+        files.add_link(by_path + ending, "../" + file);
+    };
+    const auto add_node = [&](const std::string& name, unsigned minor) {
+        files.add("/dev/input/" + name);
+        files.add_text(about.folder + "/" + name + "/dev", fmt::format("13:{}\n", minor));
+        files.add_text(about.folder + "/" + name + "/uevent",
+                       fmt::format("MAJOR=13\nMINOR={}\nDEVNAME=input/{}\n", minor, name));
+        files.add_link(about.folder + "/" + name + "/device",
+                       "../../" + about.folder.substr(about.folder.rfind('/') + 1));
+        files.add_link("/sys/class/input/" + name, "../.." + about.folder.substr(4) + "/" + name);
+    };
+    add_node(event, 64 + number);
+    add_links(fmt::format("-event-{}", kind_of(plug)), event);
+    if (plug == UsbPlug::MOUSE) {
+        add_node("mouse0", FIRST_MOUSE);
+        add_links("-mouse", "mouse0");
+    }
+    if (plug == UsbPlug::GAMEPAD) {
+        add_node("js0", 0);
+        add_links("-joystick", "js0");
+    }
+    files.add_text(about.folder + "/name", about.name + "\n");
+    files.add_text(about.folder + "/phys", about.place + "\n");
+    files.add_text(about.folder + "/uniq", "\n");
+    files.add_text(about.folder + "/id/bustype", "0003\n");
+    files.add_text(about.folder + "/id/vendor", fmt::format("{:04x}\n", about.vendor));
+    files.add_text(about.folder + "/id/product", fmt::format("{:04x}\n", about.product));
+    files.add_text(about.folder + "/id/version", fmt::format("{:04x}\n", about.version));
 }
 
-void LinuxInput::move(int right, int up) {
-    if (right != 0) queue_event(true, EV_RELATIVE, RELATIVE_X, right);
-    if (up != 0) queue_event(true, EV_RELATIVE, RELATIVE_Y, -up);
-    if (right != 0 || up != 0) queue_sync(true);
-    for (const auto& device : mice_)
-        if (const auto one = device.lock()) one->add(right, up, 0);
-    notify_();
-}
-
-void LinuxInput::turn(int notches) {
-    queue_event(true, EV_RELATIVE, RELATIVE_WHEEL, -notches);
-    queue_sync(true);
-    for (const auto& device : mice_)
-        if (const auto one = device.lock()) one->add(0, 0, notches);
-    notify_();
-}
-
-void LinuxInput::button(unsigned which, bool down) {
-    queue_event(true, EV_OF_KEY, static_cast<std::uint16_t>(BUTTON_LEFT + which), down);
-    queue_sync(true);
-    for (const auto& device : mice_)
-        if (const auto one = device.lock()) one->press(which, down);
-    notify_();
+void LinuxInput::list(OwnFiles& files) const {
+    using namespace input_event;
+    std::string text;
+    for (const auto& [number, plug] : numbers_) {
+        const Bound& one = bound_.at(plug);
+        const InputDevice& device = *one.device;
+        const InputDevice::About& about = device.about();
+        describe(one, plug, number, files);
+        text += fmt::format(
+            "I: Bus=0003 Vendor={:04x} Product={:04x} Version={:04x}\nN: Name=\"{}\"\nP: Phys={}\n"
+            "S: Sysfs={}\nU: Uniq=\nH: Handlers={}event{} {}\nB: PROP=0\nB: EV={}\n",
+            about.vendor, about.product, about.version, about.name, about.place,
+            about.folder.substr(4),
+            plug == UsbPlug::KEYBOARD ? "sysrq kbd leds "
+            : plug == UsbPlug::MOUSE  ? "mouse0 "
+                                      : "",
+            number, plug == UsbPlug::GAMEPAD ? "js0 " : "", bitmap(device.bits(SYN)));
+        const std::pair<std::uint16_t, const char*> kinds[] = {
+            {KEY, "KEY"}, {REL, "REL"}, {ABS, "ABS"}, {MSC, "MSC"}, {LED, "LED"}};
+        for (const auto& [type, name] : kinds)
+            if (device.has(type))
+                text += fmt::format("B: {}={}\n", name, bitmap(device.bits(type)));
+        text += "\n";
+    }
+    files.add_text("/proc/bus/input/devices", text);
+    files.add("/dev/input/mice");
+    files.add_link("/sys/class/input/mice", "../../devices/virtual/input/mice");
+    files.add_text("/sys/devices/virtual/input/mice/dev", fmt::format("13:{}\n", MICE));
 }
 
 }  // namespace sim

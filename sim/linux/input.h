@@ -1,56 +1,71 @@
-// input.h - the keyboard and the mouse of the person at the board, on USB, as Linux has them.
+// input.h - the keyboard, the mouse and the gamepad on USB as Linux' input drivers show them.
 //
-//   /dev/input/event0   the keyboard: struct input_event        steps such as press-key, type-keys
-//   /dev/input/event1   the mouse, likewise                     move-mouse, click-mouse and so on
-//   /dev/input/mice     the mouse: packets of the PS/2 protocol, with a wheel if the program
-//                       asks as a PS/2 driver does (ImPS/2); also mouse0
+//   /dev/input/event*  struct input_event, numbered from 0 in the order of plugging in, and by
+//                      by-id/ and by-path/                      event_file.h
+//   /dev/input/mice    packets of the PS/2 protocol; mouse0     mice_file.h
+//   /dev/input/js0     the gamepad: struct js_event             joystick_file.h
+//   /proc/bus/input/devices; /sys/class/input
 //
-// They are the devices that are on PS/2, too: what hands do reaches both.  Each open file has its
-// own queue; what does not fit is lost, as SYN_DROPPED says.
+// A device is there while the HID driver has it: from when it is plugged in, until it is unplugged
+// or a program takes it by usbfs (usb_bus.h).  An open file of one that has gone returns ENODEV.
 //
-// Source: Linux 6.1, include/uapi/linux/input.h, input-event-codes.h; drivers/input/mousedev.c.
+// Source: Linux 6.1, drivers/hid/hid-input.c.
 //
-// Not handled: repetition of a key that is held; LEDs of the keyboard; other devices.
+// Not handled: the up to 8 ms from a movement to its report: events come at once.
 #pragma once
 
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
 
+#include "sim/board/usb_ports.h"
 #include "sim/linux/device.h"
+#include "sim/linux/input_device.h"
+#include "sim/linux/own_files.h"
 
 namespace sim {
+
+class MiceFile;
 
 class LinuxInput {
 public:
     // `notify`: a program that has one of them open may go on.
-    LinuxInput(std::function<std::uint64_t()> now_ns, std::function<void()> notify)
-        : now_ns_{std::move(now_ns)}, notify_{std::move(notify)} {}
+    explicit LinuxInput(std::function<void()> notify) : notify_{std::move(notify)} {}
 
-    // By its path; nullptr: it is none of them.
+    // Hears from now on what hands do with those that are bound.
+    void attach(UsbPorts& ports);
+
+    // The HID driver takes a device, at a port ("1-1.2"), whose interface has a folder in /sys; or
+    // lets go of it.
+    void bind(const UsbDevice& device, const std::string& port, const std::string& folder);
+    void unbind(const UsbDevice& device);
+
+    // By a path without links; nullptr: it is none of them.
     std::shared_ptr<LinuxDevice> open(const std::string& path);
-    static bool has(const std::string& path);
-
-    // Of the keyboard, by its scan code (board/scan_codes.h).
-    void key(std::uint16_t code, bool down);
-    // Of the mouse: counts; notches towards the hand; buttons left, right, middle.
-    void move(int right, int up);
-    void turn(int notches);
-    void button(unsigned which, bool down);
+    void list(OwnFiles& files) const;
 
 private:
-    class Events;
-    class Mice;
+    static constexpr unsigned MICE = 63, FIRST_MOUSE = 32;  // minor numbers
 
-    std::function<std::uint64_t()> now_ns_;
+    struct Bound {
+        std::shared_ptr<InputDevice> device;
+        std::string port;
+        unsigned input;  // among all that have been there
+    };
+
+    Bound* bound(UsbPlug plug);
+    void axes(const UsbGamepad& gamepad);
+    void describe(const Bound& one, UsbPlug plug, unsigned number, OwnFiles& files) const;
+
     std::function<void()> notify_;
-    std::vector<std::weak_ptr<Events>> events_;
-    std::vector<std::weak_ptr<Mice>> mice_;
-
-    void queue_event(bool mouse, std::uint16_t type, std::uint16_t code, int value);
-    void queue_sync(bool mouse);
+    Agenda* agenda_ = nullptr;
+    std::map<UsbPlug, Bound> bound_;
+    std::map<unsigned, UsbPlug> numbers_;  // of event*
+    std::vector<std::weak_ptr<MiceFile>> mice_;
+    unsigned next_input_ = 0;
 };
 
 }  // namespace sim

@@ -36,9 +36,11 @@ LinuxKernel::LinuxKernel(ArmCpu& cpu, LinuxSettings settings, Outside outside)
                [this] { return terminal_.readable(); }},
       system_{
           [this](const std::string& path, std::uint32_t flags) { return open_system(path, flags); },
-          [this](const std::string& path) { return system_status(path); },
-          [this](const std::string& path) { return remove_system(path); }},
-      input_{[] { return sc_core::sc_time_stamp().value() / 1000; }, [this] { feel(); }},
+          [this](const std::string& path, bool of_link) { return system_status(path, of_link); },
+          [this](const std::string& path) { return remove_system(path); },
+          [this](const std::string& path) { return system_target(path); }},
+      input_{[this] { feel(); }},
+      usb_{input_, uevents_, [&cpu] { return cpu.now().value(); }, [this] { feel(); }},
       random_{SEED} {
     processes_.push_back(std::make_unique<LinuxProcess>(LinuxProcess{
         LinuxProcess::FIRST, 0, std::make_shared<AddressSpace>(cpu.core()),
@@ -47,7 +49,7 @@ LinuxKernel::LinuxKernel(ArmCpu& cpu, LinuxSettings settings, Outside outside)
     cpu.attach(this);
 }
 
-// A hand has done something with the keyboard or the mouse.
+// A hand has done something with a USB device, or that has.
 void LinuxKernel::feel() {
     changed_ = true;
     woken_.notify(sc_core::SC_ZERO_TIME);

@@ -26,7 +26,7 @@
 // run.  A program that another becomes is itself, or lies under the root.
 //
 // Timers of setitimer, alarm, timer_create and timerfd; /dev/i2c-0; the processor's LED below
-// /sys/class/leds.
+// /sys/class/leds; USB devices as input devices and by usbfs (usb_bus.h).
 //
 // Kernel modules: modules.h.  A program's access to their memory is not refused.
 //
@@ -56,6 +56,7 @@
 #include "sim/linux/loader.h"
 #include "sim/linux/message_queues.h"
 #include "sim/linux/modules.h"
+#include "sim/linux/own_files.h"
 #include "sim/linux/process.h"
 #include "sim/linux/scheduler.h"
 #include "sim/linux/signals.h"
@@ -64,9 +65,13 @@
 #include "sim/linux/terminal.h"
 #include "sim/linux/thread.h"
 #include "sim/linux/timers.h"
+#include "sim/linux/uevents.h"
+#include "sim/linux/usb_bus.h"
 #include "sim/pins/pins.h"
 
 namespace sim {
+
+class UsbFile;
 
 struct LinuxSettings {
     std::filesystem::path root;          // the program's /; empty: it has no files
@@ -94,8 +99,8 @@ public:
     Terminal& terminal() { return terminal_; }
     const Terminal& terminal() const { return terminal_; }
 
-    // What hands do with its keyboard and mouse.
-    LinuxInput& input() { return input_; }
+    // The board's USB devices, before it boots.
+    void plug_in(UsbPorts& ports);
 
     // As `kill` from another shell sends it, now; if there is no such process the log has a line.
     void signal_from_outside(unsigned number, int process);
@@ -266,7 +271,14 @@ private:
     std::uint8_t random_byte();
     std::pair<int, std::shared_ptr<LinuxDevice>> open_system(const std::string& path,
                                                              std::uint32_t flags);
-    std::optional<FileStatus> system_status(const std::string& path);
+    std::optional<FileStatus> system_status(const std::string& path, bool of_link);
+    std::optional<std::string> system_target(const std::string& path) const;
+    // The same by a path without links, of what is no folder.
+    std::pair<int, std::shared_ptr<LinuxDevice>> open_own(const std::string& path,
+                                                          std::uint32_t flags);
+    std::optional<FileStatus> status_of_own(const std::string& path);
+    OwnFiles own_files() const;
+    std::int64_t give_file_system(const std::string& path, std::uint32_t to, bool wide);
     int remove_system(const std::string& path);
     Result give_two(std::uint32_t to, const std::array<int, 2>& numbers);
 
@@ -291,6 +303,15 @@ private:
     Result mq_receive(const Arguments&, Span kind);
     void notify_of(MessageQueue& queue);
     void forget_notice(std::uint32_t fd);
+    // kernel_usb.cpp
+    static constexpr std::uint32_t NETLINK = 16;  // a family of sockets
+    Result usb_control(int fd, UsbFile& file, const Arguments&);
+    UeventSocket* uevents_at(std::uint32_t fd) const;
+    Result uevent_socket(const Arguments&);
+    std::int64_t bind_uevents(UeventSocket& socket, const Arguments&);
+    std::int64_t name_uevents(const UeventSocket& socket, const Arguments&);
+    std::int64_t set_uevents(UeventSocket& socket, const Arguments&);
+    Result receive_uevent(std::uint32_t fd, const Arguments&);
 
     // kernel_ipc.cpp
     struct Segment {
@@ -416,6 +437,9 @@ private:
     const LinuxFiles::Console console_;
     const LinuxFiles::System system_;
     LinuxInput input_;
+    sc_core::sc_event woken_;  // something has come from outside
+    UeventGroup uevents_;
+    UsbBus usb_;
     LinuxNetwork network_;
     bool unreachable_reported_ = false;
     std::shared_ptr<AddressSpace> kernel_memory_;  // of all modules; none without
@@ -438,7 +462,6 @@ private:
     bool yields_ = false;             // the running one, by its own will
     bool changed_ = false;            // files, so that a thread may go on
     bool over_ = false;
-    sc_core::sc_event woken_;     // something has come from outside
     sc_core::sc_time line_free_;  // when the console's line has taken all that was printed
     std::uint64_t random_;
     std::map<std::string, std::shared_ptr<SharedMemory>> shared_files_;  // of /dev/shm

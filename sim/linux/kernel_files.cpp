@@ -8,6 +8,7 @@
 
 #include "sim/linux/arm_abi.h"
 #include "sim/linux/kernel.h"
+#include "sim/linux/usb_file.h"
 
 namespace sim {
 
@@ -21,7 +22,12 @@ constexpr std::uint32_t OUTPUT_ONLY = 1;
 // What is there on each Linux without a program's doing.
 bool is_of_the_system(const std::string& path) {
     const auto in = [&](const char* folder) { return path.rfind(folder, 0) == 0; };
+    if (in("/sys/bus/usb/devices/")) return false;  // some devices have no "serial"
     return in("/dev/") || in("/proc/") || in("/sys/");
+}
+
+bool is_of_usb(const std::string& path) {
+    return path.rfind("/dev/input/", 0) == 0 || path.rfind("/dev/bus/usb/", 0) == 0;
 }
 
 bool is_shared_memory(const std::string& path) { return path.rfind("/dev/shm/", 0) == 0; }
@@ -46,10 +52,12 @@ LinuxKernel::Result LinuxKernel::open(std::uint32_t folder, std::uint32_t path, 
     }
     if (fd == -ENOENT && is_of_the_system(text) && !is_shared_memory(text) &&
         named_files_.insert(text).second)
-        outside_.log(
-            fmt::format("{} is not there: of the system's files the simulated Linux has "
-                        "/dev/mem and a few more, and what --linux-root brings, {}",
-                        text, cpu_.where()));
+        outside_.log(fmt::format(
+            "{} is not there: {}, {}", text,
+            is_of_usb(text) ? "no device in a USB port has it (a scenario's usb, plug-usb)"
+                            : "of the system's files the simulated Linux has /dev/mem and a few "
+                              "more, and what --linux-root brings",
+            cpu_.where()));
     return fd;
 }
 
@@ -316,6 +324,8 @@ LinuxKernel::Result LinuxKernel::sys_ioctl(const Arguments& a) {
     if (ModuleFile* const file = module_file(fd); file && a[1] != FIONBIO)
         return request(fd, *file, KMOD_IOCTL, a[1], a[2]);
     if (LinuxDevice* const device = files().device(fd)) {
+        auto* const usb = dynamic_cast<UsbFile*>(device);
+        if (usb && UsbFile::is_request(a[1])) return usb_control(fd, *usb, a);
         const std::int64_t result = device->control(a[1], a[2], memory());
         if (result != -ENOTTY || a[1] != FIONBIO) return result;
     }

@@ -53,7 +53,7 @@ std::pair<std::int64_t, std::string> LinuxKernel::path_at(std::uint32_t folder,
         const auto [error, status] = files().status_of(static_cast<int>(folder));
         if (error) return {error, ""};
         if (!S_ISDIR(status.mode)) return {-ENOTDIR, ""};
-        base = files().on_host(static_cast<int>(folder)).second;
+        base = files().path_of(static_cast<int>(folder));
     }
     return {0, base == "/" ? *text : base + "/" + *text};
 }
@@ -167,7 +167,7 @@ std::int64_t LinuxKernel::give_link(const std::string& path, std::uint32_t to, s
         error = 0;
         target = sim::path_of(cpu_.program().elf);
     }
-    if (error) return error == -ENOENT && system_status(path) ? -EINVAL : error;
+    if (error) return error == -ENOENT && system_status(path, true) ? -EINVAL : error;
     const std::size_t count = std::min<std::size_t>(size, target.size());
     return memory().write(to, target.data(), count) ? static_cast<std::int64_t>(count) : -EFAULT;
 }
@@ -197,7 +197,7 @@ LinuxKernel::Result LinuxKernel::sys_fchdir(const Arguments& a) {
     const int fd = static_cast<int>(a[0]);
     const auto [error, status] = files().status_of(fd);
     if (error) return error;
-    return S_ISDIR(status.mode) ? change_folder(files().on_host(fd).second) : -ENOTDIR;
+    return S_ISDIR(status.mode) ? change_folder(files().path_of(fd)) : -ENOTDIR;
 }
 
 std::int64_t LinuxKernel::change_folder(const std::string& path) {

@@ -39,6 +39,7 @@ int LinuxKernel::check_socket(std::uint32_t family, std::uint32_t type, std::uin
 }
 
 LinuxKernel::Result LinuxKernel::sys_socket(const Arguments& a) {
+    if (a[0] == NETLINK) return uevent_socket(a);
     if (const int error = check_socket(a[0], a[1], a[2])) return error;
     return files().add(std::make_shared<LinuxSocket>(network_, static_cast<std::uint16_t>(a[0]),
                                                      a[1] & SOCKET_TYPE),
@@ -99,6 +100,7 @@ bool LinuxKernel::is_reachable(const SocketAddress& address) {
 }
 
 LinuxKernel::Result LinuxKernel::sys_bind(const Arguments& a) {
+    if (UeventSocket* const uevents = uevents_at(a[0])) return bind_uevents(*uevents, a);
     int error;
     SocketAddress address;
     LinuxSocket* const socket = socket_at(a[0], error);
@@ -114,6 +116,7 @@ LinuxKernel::Result LinuxKernel::sys_listen(const Arguments& a) {
 }
 
 LinuxKernel::Result LinuxKernel::sys_getsockname(const Arguments& a) {
+    if (const UeventSocket* const uevents = uevents_at(a[0])) return name_uevents(*uevents, a);
     int error;
     const LinuxSocket* const socket = socket_at(a[0], error);
     return socket ? give_address(socket->address(), a[1], a[2]) : error;
@@ -313,14 +316,17 @@ LinuxKernel::Result LinuxKernel::receive_from(std::uint32_t fd, std::vector<Piec
 }
 
 LinuxKernel::Result LinuxKernel::sys_recvfrom(const Arguments& a) {
+    if (uevents_at(a[0])) return read(static_cast<int>(a[0]), {{a[1], a[2]}});
     return receive_from(a[0], {{a[1], a[2]}}, a[3], a[4], a[5], 0);
 }
 
 LinuxKernel::Result LinuxKernel::sys_recv(const Arguments& a) {
+    if (uevents_at(a[0])) return read(static_cast<int>(a[0]), {{a[1], a[2]}});
     return receive_from(a[0], {{a[1], a[2]}}, a[3], 0, 0, 0);
 }
 
 LinuxKernel::Result LinuxKernel::sys_recvmsg(const Arguments& a) {
+    if (uevents_at(a[0])) return receive_uevent(a[0], a);
     std::uint32_t header[7];
     std::vector<Piece> pieces;
     if (!memory().read(a[1], header, sizeof header)) return -EFAULT;
@@ -331,6 +337,7 @@ LinuxKernel::Result LinuxKernel::sys_recvmsg(const Arguments& a) {
 // ---- Options ------------------------------------------------------------------------------------
 
 LinuxKernel::Result LinuxKernel::sys_setsockopt(const Arguments& a) {
+    if (UeventSocket* const uevents = uevents_at(a[0])) return set_uevents(*uevents, a);
     constexpr std::uint32_t LEVEL = 1, RECEIVE_LIMIT = 20, RECEIVE_LIMIT_64 = 66;
     int error;
     LinuxSocket* const socket = socket_at(a[0], error);

@@ -171,8 +171,8 @@ std::shared_ptr<LinuxDevice> LinuxKernel::hps_led() {
                         });
 }
 
-std::pair<int, std::shared_ptr<LinuxDevice>> LinuxKernel::open_system(const std::string& path,
-                                                                      std::uint32_t flags) {
+std::pair<int, std::shared_ptr<LinuxDevice>> LinuxKernel::open_own(const std::string& path,
+                                                                   std::uint32_t flags) {
     const bool writes = (flags & arm_open::ACCESS) != arm_open::RDONLY;
     if (path == "/dev/null") return {0, devices::null()};
     if (path == "/dev/zero" || path == "/dev/full") return {0, devices::zero(path == "/dev/full")};
@@ -180,6 +180,7 @@ std::pair<int, std::shared_ptr<LinuxDevice>> LinuxKernel::open_system(const std:
         return {0, devices::random([this] { return random_byte(); })};
     if (path == "/dev/fb0") return {0, devices::framebuffer()};
     if (auto device = input_.open(path)) return {0, std::move(device)};
+    if (auto device = usb_.open(path)) return {0, std::move(device)};
     if (path == HPS_LED) return {0, hps_led()};
     if (path == I2C_BUS && outside_.i2c0)
         return {0, std::make_shared<I2cFile>(
@@ -204,7 +205,7 @@ std::pair<int, std::shared_ptr<LinuxDevice>> LinuxKernel::open_system(const std:
     return {0, devices::text(path, std::move(*text))};
 }
 
-std::optional<FileStatus> LinuxKernel::system_status(const std::string& path) {
+std::optional<FileStatus> LinuxKernel::status_of_own(const std::string& path) {
     if (begins(path, SHARED_FOLDER)) {
         const auto found = shared_files_.find(path.substr(std::strlen(SHARED_FOLDER)));
         if (found == shared_files_.end()) return std::nullopt;
@@ -217,7 +218,8 @@ std::optional<FileStatus> LinuxKernel::system_status(const std::string& path) {
     if (path == "/dev/zero" || path == "/dev/full") return devices::zero(false)->status();
     if (path == "/dev/urandom" || path == "/dev/random") return devices::random({})->status();
     if (path == "/dev/fb0") return devices::framebuffer()->status();
-    if (LinuxInput::has(path)) return input_.open(path)->status();
+    if (const auto device = input_.open(path)) return device->status();
+    if (const auto device = usb_.open(path)) return device->status();
     if (path == HPS_LED) return devices::led({}, {})->status();
     if (path == I2C_BUS && outside_.i2c0) return I2cFile{*outside_.i2c0, {}, {}}.status();
     if (system_text(path)) return devices::status_of_text();

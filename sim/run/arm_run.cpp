@@ -62,15 +62,8 @@ ArmRun::ArmRun(ArmCpu& cpu, Bus& bus, I2cDevices* i2c0, const RunPlan& plan, Rec
     recorder.on_frame = [this] { budget_.frame_ended(cpu_.counts(), sc_core::sc_time_stamp()); };
 }
 
-void ArmRun::plug_in(Ps2Keyboard& keyboard, Ps2Mouse& mouse) {
-    if (!kernel_) return;
-    LinuxInput& input = kernel_->input();
-    keyboard.set_listener([&input](std::uint16_t key, bool down) { input.key(key, down); });
-    mouse.set_listener({[&input](int right, int up) { input.move(right, up); },
-                        [&input](int notches) { input.turn(notches); },
-                        [&input](MouseButton which, bool down) {
-                            input.button(static_cast<unsigned>(which), down);
-                        }});
+void ArmRun::plug_in(UsbPorts& usb) {
+    if (kernel_) kernel_->plug_in(usb);
 }
 
 RunReport::Program ArmRun::program() const {

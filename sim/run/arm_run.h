@@ -4,9 +4,8 @@
 #include <memory>
 #include <optional>
 
-#include "sim/board/ps2_keyboard.h"
-#include "sim/board/ps2_mouse.h"
 #include "sim/board/signal_receiver.h"
+#include "sim/board/usb_ports.h"
 #include "sim/cpu/arm_cpu.h"
 #include "sim/debug/semihosting.h"
 #include "sim/hps/bus.h"
@@ -37,12 +36,14 @@ public:
     void send(unsigned signal, int process) override {
         kernel_->signal_from_outside(signal, process);
     }
-    // The board's keyboard and mouse are a Linux program's, too, on USB.
-    void plug_in(Ps2Keyboard& keyboard, Ps2Mouse& mouse);
+    // What is on the board's USB ports, for a Linux program.
+    void plug_in(UsbPorts& usb);
 
     bool on_linux() const { return kernel_.has_value(); }
     // Of a Linux program; as LinuxKernel::missing().
     std::string missing_calls() const { return kernel_ ? kernel_->missing() : ""; }
+    // Of its modules, as `dmesg` shows them; or "".
+    std::string kernel_messages() const { return kernel_ ? kernel_->messages() : ""; }
     RunReport::Program program() const;
     std::string waiting() const;  // for what, "an interrupt"; or empty
     const std::vector<FrameUse>& frames() const { return budget_.frames(); }

@@ -72,6 +72,8 @@ RunPlan plan_run(RunDescription description) {
     for (const ScenarioStep& step : plan.scenario.steps)
         if (const std::string missing = missing_for(plan, *step.step); !missing.empty())
             throw ScenarioError{plan.scenario.file, step.line, step.column, missing};
+    plan.scenario.on_linux = plan.on_linux;
+    check_scenario(plan.scenario);
     return plan;
 }
 

@@ -110,7 +110,8 @@ System::System(const RunPlan& plan, ProcessorSystem::Software software,
                                 observer, sdram);
             },
             plan.strictness,
-            plan.scenario.parts},
+            plan.scenario.parts,
+            plan.scenario.usb},
       runner{"runner", board, observers.recorder.observations(), plan.scenario.steps,
              plan.description.outputs.out} {
     const RunOutputs& outputs = plan.description.outputs;
@@ -119,7 +120,7 @@ System::System(const RunPlan& plan, ProcessorSystem::Software software,
                     observers.all());
         board.also_type_to([this](const std::string& text) { arm->type(text); });
         if (arm->on_linux()) board.parts.add("Linux program", *arm);
-        arm->plug_in(board.ps2_keyboard, board.ps2_mouse);
+        arm->plug_in(board.usb);
         const bool nobody_types = plan.description.scenario.empty() && !observers.client;
         if (nobody_types) arm->close_input();
     }
@@ -216,6 +217,14 @@ void Session::write_files() {
     System& s = system_;
     carry_out("writing pictures, sound and console", [&] { observers_.recorder.close(); });
     if (s.arm) carry_out("writing the profile", [&] { s.arm->write_profile(); });
+    carry_out("writing the kernel's messages", [&] {
+        const auto file = plan_.description.outputs.out / "dmesg.txt";
+        const std::string messages = s.arm ? s.arm->kernel_messages() : "";
+        if (messages.empty())
+            std::filesystem::remove(file);  // an earlier run's
+        else
+            write_whole_file(file, messages);
+    });
     if (observers_.trace)
         carry_out("writing the waveforms", [&] {
             s.board.chip().end_trace();

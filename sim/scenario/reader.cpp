@@ -157,6 +157,14 @@ Ps2Ports ps2_ports(const Numbers& devices) {
             devices.size() > 1 ? static_cast<Ps2Plug>(devices[1]) : Ps2Plug::NOTHING};
 }
 
+UsbPlugs usb_plugs(const Numbers& devices) {
+    UsbPlugs plugs{false, false, false};
+    constexpr std::uint64_t NOTHING = 3;
+    for (const std::uint64_t device : devices)
+        if (device != NOTHING) plugs.set(static_cast<UsbPlug>(device), true);
+    return plugs;
+}
+
 Scenario read_scenario(std::string_view text, const Path& file) {
     if (text.size() > MAX_FILE_BYTES)
         throw Refusal{0, 0,
@@ -189,6 +197,7 @@ Scenario read_scenario(std::string_view text, const Path& file) {
     if (values.find("visibility"))
         scenario.visibility = VISIBILITIES[values.number<std::size_t>("visibility")];
     if (values.find("ps2")) scenario.ps2 = ps2_ports(values.list("ps2"));
+    if (values.find("usb")) scenario.usb = usb_plugs(values.list("usb"));
     for (std::size_t i = 0; i < root.keys.size(); ++i) {
         if (root.keys[i].text == "steps")
             scenario.steps = read_list(folder, root.items[i], "step", read_step);
@@ -223,6 +232,14 @@ Scenario parse_scenario(std::string_view text, const std::filesystem::path& file
         return read_scenario(text, file);
     } catch (const Refusal& refusal) {
         throw ScenarioError(file, refusal.line, refusal.column, refusal.message);
+    }
+}
+
+void check_scenario(const Scenario& scenario) {
+    try {
+        check_steps(scenario);
+    } catch (const Refusal& refusal) {
+        throw ScenarioError(scenario.file, refusal.line, refusal.column, refusal.message);
     }
 }
 

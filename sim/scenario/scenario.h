@@ -15,6 +15,7 @@
 
 #include "sim/board/part_plan.h"
 #include "sim/board/ps2_ports.h"
+#include "sim/board/usb_ports.h"
 #include "sim/scenario/sim_time.h"
 #include "sim/scenario/step.h"
 
@@ -41,6 +42,8 @@ struct Scenario {
     unsigned points = 1;                 // for who grades
     std::string visibility = "visible";  // of these, as Gradescope names it
     Ps2Ports ps2;
+    UsbPlugs usb;
+    bool on_linux = true;             // what runs is a Linux program, as far as is known
     std::vector<PartPlan> parts;      // on the headers
     std::vector<ScenarioStep> steps;  // may be empty when there is a duration
 };
@@ -64,5 +67,8 @@ Scenario load_scenario(const std::filesystem::path& file, Goldens goldens = Gold
 // The same for text that is already in memory.  `file` is for messages, and paths in the text are
 // relative to its folder; nothing is opened.
 Scenario parse_scenario(std::string_view text, const std::filesystem::path& file);
+
+// Again what can be known before the run, now with `on_linux`; ScenarioError.
+void check_scenario(const Scenario& scenario);
 
 }  // namespace sim

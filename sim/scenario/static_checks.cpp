@@ -51,6 +51,32 @@ void StaticChecks::need(Ps2Plug plug) const {
         refuse_step(plug == Ps2Plug::MOUSE ? "a mouse among ps2" : "a keyboard among ps2", "none");
 }
 
+namespace {
+
+std::string name_of(UsbPlug plug) {
+    constexpr const char* NAMES[] = {"a keyboard", "a mouse", "a gamepad"};
+    return NAMES[static_cast<std::size_t>(plug)];
+}
+
+}  // namespace
+
+void StaticChecks::need_linux() const {
+    if (!scenario_.on_linux) refuse_step("a Linux program, which has the USB ports", "none");
+}
+
+void StaticChecks::need(UsbPlug plug) const {
+    need_linux();
+    if (!usb_.has(plug)) refuse_step(name_of(plug) + " in a USB port", "none");
+}
+
+void StaticChecks::plug(UsbPlug plug, bool in) {
+    need_linux();
+    if (usb_.has(plug) == in)
+        refuse_step(name_of(plug) + (in ? " that is in no USB port" : " in a USB port"),
+                    in ? "one that is in one" : "none");
+    usb_.set(plug, in);
+}
+
 const PartPlan& StaticChecks::need_part(const std::string& kind, const std::string& name) const {
     std::vector<std::string> names;
     for (const PartPlan& part : scenario_.parts) {

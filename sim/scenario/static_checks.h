@@ -13,7 +13,7 @@ namespace sim {
 // What a step may ask about the steps before it.  A mistake is thrown as a Refusal with its place.
 class StaticChecks {
 public:
-    explicit StaticChecks(const Scenario& scenario) : scenario_{scenario} {}
+    explicit StaticChecks(const Scenario& scenario) : scenario_{scenario}, usb_{scenario.usb} {}
 
     // A control by its name, "keypad 6": held by one step, and then free again by another.
     void need_free(const std::string& control) const;
@@ -21,12 +21,16 @@ public:
     void release(const std::string& control);
 
     void need(Ps2Plug plug) const;
+    // A device on USB, which only a Linux program has.
+    void need(UsbPlug plug) const;
+    void plug(UsbPlug plug, bool in);
     // Of a kind as a scenario names it.
     const PartPlan& need_part(const std::string& kind, const std::string& name) const;
 
     // A file in the output folder that no other step and no run writes.
     void new_file(const std::filesystem::path& file);
 
+    void need_linux() const;
     [[noreturn]] void refuse_step(const std::string& expected, const std::string& got) const;
 
 private:
@@ -35,7 +39,8 @@ private:
 
     const Scenario& scenario_;
     const ScenarioStep* step_ = nullptr;
-    std::map<std::string, int> held_since_;         // line
+    std::map<std::string, int> held_since_;  // line
+    UsbPlugs usb_;
     std::map<std::filesystem::path, int> written_;  // line
 };
 

@@ -44,6 +44,14 @@ const ValueType PS2 = [] {
     return type;
 }();
 
+const ValueType USB = [] {
+    ValueType type =
+        word("keyboard, mouse, gamepad or nothing", {"keyboard", "mouse", "gamepad", "nothing"});
+    type.list_of = "device";
+    type.at_most = 3;
+    return type;
+}();
+
 }  // namespace
 
 const std::vector<StepForm>& step_forms() {
@@ -87,6 +95,10 @@ const std::vector<Field>& file_fields() {
         {"ps2", PS2, Need::OPTIONAL, "",
          "What is in the first PS/2 port, or a list: in the first and in the second. Without it a "
          "keyboard and a mouse."},
+        {"usb", USB, Need::OPTIONAL, "",
+         "What is in the USB host ports from the beginning, or a list, for a Linux program. "
+         "Without "
+         "it a keyboard and a mouse."},
         {"parts", PARTS, Need::OPTIONAL, "", "What hangs on the pins of the headers."},
         {"steps", STEPS, Need::OPTIONAL, "", "What happens, in order."},
     };

@@ -98,6 +98,8 @@ const ValueType SOME_TIME{"a time above 0 such as 500ms (s, ms, us or ns, up to 
                           "{\"type\": \"string\", \"pattern\": \"^(?=.*[1-9])" TIME_PATTERN "\"}",
                           read_some_time};
 
+const ValueType TO_USB = word("usb", {"usb"});
+
 ValueType whole_number(const std::string& expected, std::uint64_t least, std::uint64_t most) {
     return {expected,
             fmt::format(R"({{"type": "integer", "minimum": {}, "maximum": {}}})", least, most),

@@ -34,7 +34,7 @@ struct ValueType {
 
 namespace value_types {
 
-extern const ValueType LINE, PATH, FILE_NAME, TEXT, TIME, SOME_TIME, HERTZ;
+extern const ValueType LINE, PATH, FILE_NAME, TEXT, TIME, SOME_TIME, HERTZ, TO_USB;
 
 ValueType whole_number(const std::string& expected, std::uint64_t least, std::uint64_t most);
 ValueType decimal_number(const std::string& expected, double least, double most);

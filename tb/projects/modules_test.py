@@ -43,6 +43,7 @@ class Modules(ModuleCase):
             """, "ticks.c")
         self.assertIn("5 ticks", printed)
         self.assertIn("] left", printed)
+        self.assertIn("] left", (self.folder / "out" / "dmesg.txt").read_text())
 
     def test_a_signal_interrupts_a_read(self):
         self.write(wait_c=module("""

@@ -34,7 +34,7 @@ const char* const HAND =
 
 TEST_F(LinuxDevice, HasTheMouseAsEvents) {
     prints("mouse", "Mouse", HAND,
-           "USB Optical Mouse\n2 0 1\n2 0 1\n2 1 1\n2 8 -1\n1 273 1\n1 273 0\n");
+           "USB Optical Mouse\n2 0 1\n2 0 1\n2 1 1\n2 8 -1\n2 11 -120\n1 273 1\n1 273 0\n");
 }
 
 TEST_F(LinuxDevice, HasTheMouseAsPackets) {

@@ -34,25 +34,33 @@ class Hands:
         """To a Linux program, such as "SIGUSR1"; or to one of its processes by its number."""
         self.step({"send-signal": _without_none(name=name, process=process)})
 
-    def type_keys(self, text):
-        """On the PS/2 keyboard."""
-        self.step({"type-keys": text})
+    def type_keys(self, text, to=None):
+        """On the PS/2 keyboard; to="usb": on a Linux program's USB keyboard alone."""
+        self.step({"type-keys": _without_none(text=text, to=to)})
 
-    def press_key(self, key, for_=None):
-        """A key of the PS/2 keyboard, such as "Left", or a list."""
-        self.step({"press-key": _without_none(key=key, **{"for": for_})})
+    def press_key(self, key, for_=None, to=None):
+        """A key of a keyboard, such as "Left", or a list."""
+        self.step({"press-key": _without_none(key=key, to=to, **{"for": for_})})
 
-    def hold_key(self, key):
-        self.step({"hold-key": key})
+    def hold_key(self, key, to=None):
+        self.step({"hold-key": _without_none(key=key, to=to)})
 
-    def release_key(self, key):
-        self.step({"release-key": key})
+    def release_key(self, key, to=None):
+        self.step({"release-key": _without_none(key=key, to=to)})
 
-    def move_mouse(self, right=None, down=None, for_=None):
-        self.step({"move-mouse": _without_none(right=right, down=down, **{"for": for_})})
+    def move_mouse(self, right=None, down=None, for_=None, to=None):
+        self.step({"move-mouse": _without_none(right=right, down=down, to=to, **{"for": for_})})
 
-    def click_mouse(self, button="left"):
-        self.step({"click-mouse": button})
+    def click_mouse(self, button="left", to=None):
+        self.step({"click-mouse": _without_none(button=button, to=to)})
+
+    def press_pad_button(self, button, for_=None):
+        """Of the USB gamepad."""
+        self.step({"press-pad-button": _without_none(button=button, **{"for": for_})})
+
+    def move_stick(self, stick, right=0, down=0):
+        """In percent; it stays there."""
+        self.step({"move-stick": {"stick": stick, "right": right, "down": down}})
 
     def tilt_board(self, right=0, towards=0):
         """Degrees; the accelerometer feels it."""

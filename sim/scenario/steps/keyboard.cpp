@@ -1,4 +1,4 @@
-// keyboard.cpp - type-keys, press-key, hold-key, release-key: the PS/2 keyboard
+// keyboard.cpp - type-keys, press-key, hold-key, release-key: the PS/2 keyboard, or the USB one
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -7,6 +7,7 @@
 
 #include "sim/board/ps2_keyboard.h"
 #include "sim/board/scan_codes.h"
+#include "sim/board/usb_keyboard.h"
 #include "sim/scenario/board_control.h"
 #include "sim/scenario/static_checks.h"
 #include "sim/scenario/step_form.h"
@@ -18,7 +19,21 @@ namespace {
 
 using namespace value_types;
 
-Ps2Keyboard& keyboard(BoardControl& board) { return board.part<Ps2Keyboard>("PS/2 keyboard"); }
+// Carries out `action` with the one or the other.
+template <class Action>
+std::function<void()> on_keyboard(BoardControl& board, bool usb, Action action) {
+    if (usb) return [&on = board.part<UsbKeyboard>("USB keyboard"), action] { action(on); };
+    return [&on = board.part<Ps2Keyboard>("PS/2 keyboard"), action] { action(on); };
+}
+
+void need_keyboard(const StaticChecks& checks, bool usb) {
+    if (usb)
+        checks.need(UsbPlug::KEYBOARD);
+    else
+        checks.need(Ps2Plug::KEYBOARD);
+}
+
+const char* place_of(bool usb) { return usb ? " on the USB keyboard" : " on the keyboard"; }
 
 // ---- type-keys ----
 
@@ -33,18 +48,18 @@ const ValueType KEYS_TEXT{"text of characters that a US keyboard has",
 
 class TypeKeys : public Action {
 public:
-    explicit TypeKeys(const Values& v) : text_{v.get<std::string>("text")} {}
+    explicit TypeKeys(const Values& v)
+        : text_{v.get<std::string>("text")}, usb_{v.find("to") != nullptr} {}
 
-    std::string describe() const override {
-        return "type " + in_quotes(text_) + " on the keyboard";
-    }
-    void check(StaticChecks& checks) const override { checks.need(Ps2Plug::KEYBOARD); }
+    std::string describe() const override { return "type " + in_quotes(text_) + place_of(usb_); }
+    void check(StaticChecks& checks) const override { need_keyboard(checks, usb_); }
     void act(BoardControl& board) const override {
-        board.act([&on = keyboard(board), text = text_] { on.type(text); });
+        board.act(on_keyboard(board, usb_, [text = text_](auto& on) { on.type(text); }));
     }
 
 private:
     std::string text_;
+    bool usb_;
 };
 
 // ---- Keys by their names ----
@@ -80,37 +95,40 @@ const ValueType& key_type() {
     return TYPE;
 }
 
-std::string name_of(const Key& key) { return key.name + " on the keyboard"; }
-
 class OnKeys : public Action {
 protected:
-    explicit OnKeys(const Values& v) {
+    explicit OnKeys(const Values& v) : usb_{v.find("to") != nullptr} {
         for (const std::uint64_t place : v.list("key")) keys_.push_back(&keys()[place]);
     }
 
     std::string names() const {
         std::string all;
         for (const Key* key : keys_) all += (all.empty() ? "" : " and ") + key->name;
-        return all + " on the keyboard";
+        return all + place_of(usb_);
     }
     template <class Check>
     void for_each(StaticChecks& checks, Check check) const {
-        checks.need(Ps2Plug::KEYBOARD);
+        need_keyboard(checks, usb_);
         for (const Key* key : keys_) check(name_of(*key));
     }
 
     void hold(BoardControl& board) const {
         for (const Key* key : keys_)
-            board.press(name_of(*key), [&on = keyboard(board), key] { on.press(key->code); });
+            board.press(name_of(*key),
+                        on_keyboard(board, usb_, [key](auto& on) { on.press(key->code); }));
     }
     void release(BoardControl& board) const {
         for (auto at = keys_.rbegin(); at != keys_.rend(); ++at)
-            board.let_go(name_of(**at),
-                         [&on = keyboard(board), key = *at] { on.release(key->code); });
+            board.let_go(name_of(**at), on_keyboard(board, usb_, [key = *at](auto& on) {
+                             on.release(key->code);
+                         }));
     }
 
 private:
+    std::string name_of(const Key& key) const { return key.name + place_of(usb_); }
+
     std::vector<const Key*> keys_;
+    bool usb_;
 };
 
 class PressKey : public OnKeys {
@@ -169,34 +187,35 @@ std::vector<StepForm> keyboard() {
         "PageUp, Delete, End, PageDown, Up, Left, Down, Right, NumLock, Numpad0 to "
         "Numpad9, NumpadEnter, NumpadPlus, NumpadMinus, NumpadStar, NumpadSlash, "
         "NumpadPoint; or a list: down in this order, up in the other."};
+    const Field to{"to", TO_USB, Need::OPTIONAL, "",
+                   "usb: on a Linux program's USB keyboard alone, /dev/input/event0. Without it on "
+                   "the PS/2 keyboard, which such a program has on USB, too."};
     return {
         {"type-keys",
-         "Type a text on the PS/2 keyboard and go on; a key takes 40 ms. A Linux program has the "
-         "same "
-         "keyboard on USB, /dev/input/event0.",
-         Notation::BARE,
+         "Type a text on the keyboard and go on; a key takes 40 ms.",
+         Notation::BOTH,
          {},
-         {{"text", KEYS_TEXT, Need::REQUIRED, "", "The text."}},
+         {{"text", KEYS_TEXT, Need::REQUIRED, "", "The text."}, to},
          make<TypeKeys>},
         {"press-key",
-         "Hold keys of the PS/2 keyboard for a while and let go; the next step comes after that. "
+         "Hold keys of the keyboard for a while and let go; the next step comes after that. "
          "From 500 ms on the last repeats. A key that was let go of just before is pressed 50 ms "
          "later.",
          Notation::BOTH,
          {},
-         {key, {"for", SOME_TIME, Need::OPTIONAL, "100ms", "How long."}},
+         {key, {"for", SOME_TIME, Need::OPTIONAL, "100ms", "How long."}, to},
          make<PressKey>},
         {"hold-key",
-         "Begin to hold keys of the PS/2 keyboard and go on to the next step.",
+         "Begin to hold keys of the keyboard and go on to the next step.",
          Notation::BOTH,
          {},
-         {key},
+         {key, to},
          make<HoldKey>},
         {"release-key",
-         "Let go of keys of the PS/2 keyboard that are held.",
+         "Let go of keys of the keyboard that are held.",
          Notation::BOTH,
          {},
-         {key},
+         {key, to},
          make<ReleaseKey>},
     };
 }

@@ -5,6 +5,7 @@
 #include <cstdlib>
 
 #include "sim/board/ps2_mouse.h"
+#include "sim/board/usb_mouse.h"
 #include "sim/scenario/board_control.h"
 #include "sim/scenario/static_checks.h"
 #include "sim/scenario/step_form.h"
@@ -17,11 +18,32 @@ using namespace value_types;
 
 constexpr const char* BUTTONS[] = {"left", "right", "middle"};  // as MouseButton
 
-std::string name_of(MouseButton button) {
-    return fmt::format("the {} mouse button", BUTTONS[static_cast<std::size_t>(button)]);
-}
+// The PS/2 mouse, or the USB one.
+class WhichMouse {
+public:
+    explicit WhichMouse(const Values& v) : usb_{v.find("to") != nullptr} {}
 
-Ps2Mouse& mouse(BoardControl& board) { return board.part<Ps2Mouse>("PS/2 mouse"); }
+    std::string name() const { return usb_ ? "the USB mouse" : "the mouse"; }
+    std::string name_of(MouseButton button) const {
+        return fmt::format("the {} {}mouse button", BUTTONS[static_cast<std::size_t>(button)],
+                           usb_ ? "USB " : "");
+    }
+    void need(const StaticChecks& checks) const {
+        if (usb_)
+            checks.need(UsbPlug::MOUSE);
+        else
+            checks.need(Ps2Plug::MOUSE);
+    }
+    // Carries out `action` with it.
+    template <class Action>
+    std::function<void()> doing(BoardControl& board, Action action) const {
+        if (usb_) return [&on = board.part<UsbMouse>("USB mouse"), action] { action(on); };
+        return [&on = board.part<Ps2Mouse>("PS/2 mouse"), action] { action(on); };
+    }
+
+private:
+    bool usb_;
+};
 
 // ---- Parts of the steps ----
 
@@ -31,10 +53,11 @@ public:
     explicit Way(const Values& v)
         : right_{v.number<int>("right")},
           down_{v.number<int>("down")},
-          time_{v.get<SimTime>("for")} {}
+          time_{v.get<SimTime>("for")},
+          mouse_{v} {}
 
     std::string describe() const {
-        return fmt::format("the mouse {} to the right and {} down in {}", right_, down_,
+        return fmt::format("{} {} to the right and {} down in {}", mouse_.name(), right_, down_,
                            to_string(time_));
     }
     SimTime time() const { return time_; }
@@ -49,8 +72,9 @@ public:
             const int right = static_cast<int>(right_ * share),
                       down = static_cast<int>(down_ * share);
             if (right != gone_right || down != gone_down)
-                board.act([&moved = mouse(board), more_right = right - gone_right,
-                           more_up = gone_down - down] { moved.move(more_right, more_up); });
+                board.act(mouse_.doing(
+                    board, [more_right = right - gone_right, more_up = gone_down - down](
+                               auto& moved) { moved.move(more_right, more_up); }));
             gone_right = right;
             gone_down = down;
         }
@@ -59,45 +83,51 @@ public:
 private:
     int right_, down_;
     SimTime time_;
+    WhichMouse mouse_;
 };
 
 class OnButton : public Action {
 protected:
-    explicit OnButton(const Values& v) : button_{v.number<MouseButton>("button")} {}
+    explicit OnButton(const Values& v) : button_{v.number<MouseButton>("button")}, mouse_{v} {}
 
     void check(StaticChecks& checks) const override {
-        checks.need(Ps2Plug::MOUSE);
-        check_button(checks, name_of(button_));
+        mouse_.need(checks);
+        check_button(checks, name());
     }
     virtual void check_button(StaticChecks& checks, const std::string& name) const {
         checks.need_free(name);
     }
 
     void hold(BoardControl& board) const {
-        board.press(name_of(button_),
-                    [&on = mouse(board), button = button_] { on.button(button, true); });
+        board.press(name(),
+                    mouse_.doing(board, [button = button_](auto& on) { on.button(button, true); }));
     }
     void release(BoardControl& board) const {
-        board.let_go(name_of(button_),
-                     [&on = mouse(board), button = button_] { on.button(button, false); });
+        board.let_go(name(), mouse_.doing(board, [button = button_](auto& on) {
+            on.button(button, false);
+        }));
     }
 
+    std::string name() const { return mouse_.name_of(button_); }
+
     MouseButton button_;
+    WhichMouse mouse_;
 };
 
 // ---- The steps ----
 
 class MoveMouse : public Action {
 public:
-    explicit MoveMouse(const Values& v) : way_{v} {}
+    explicit MoveMouse(const Values& v) : way_{v}, mouse_{v} {}
 
     std::string describe() const override { return "move " + way_.describe(); }
     SimTime least() const override { return way_.time(); }
-    void check(StaticChecks& checks) const override { checks.need(Ps2Plug::MOUSE); }
+    void check(StaticChecks& checks) const override { mouse_.need(checks); }
     void act(BoardControl& board) const override { way_.go(board); }
 
 private:
     Way way_;
+    WhichMouse mouse_;
 };
 
 class ClickMouse : public OnButton {
@@ -105,7 +135,7 @@ public:
     explicit ClickMouse(const Values& v) : OnButton{v}, time_{v.get<SimTime>("for")} {}
 
     std::string describe() const override {
-        return fmt::format("press {} for {}", name_of(button_), to_string(time_));
+        return fmt::format("press {} for {}", name(), to_string(time_));
     }
     SimTime least() const override { return time_; }
     void act(BoardControl& board) const override {
@@ -122,7 +152,7 @@ class HoldMouse : public OnButton {
 public:
     explicit HoldMouse(const Values& v) : OnButton{v} {}
 
-    std::string describe() const override { return "hold " + name_of(button_); }
+    std::string describe() const override { return "hold " + name(); }
     void check_button(StaticChecks& checks, const std::string& name) const override {
         checks.hold(name);
     }
@@ -133,7 +163,7 @@ class ReleaseMouse : public OnButton {
 public:
     explicit ReleaseMouse(const Values& v) : OnButton{v} {}
 
-    std::string describe() const override { return "release " + name_of(button_); }
+    std::string describe() const override { return "release " + name(); }
     void check_button(StaticChecks& checks, const std::string& name) const override {
         checks.release(name);
     }
@@ -145,7 +175,7 @@ public:
     explicit DragMouse(const Values& v) : OnButton{v}, way_{v} {}
 
     std::string describe() const override {
-        return fmt::format("drag {} with {}", way_.describe(), name_of(button_));
+        return fmt::format("drag {} with {}", way_.describe(), name());
     }
     SimTime least() const override { return {way_.time().ps + 2 * STILL.ps}; }
     void act(BoardControl& board) const override {
@@ -165,24 +195,30 @@ private:
 
 class TurnWheel : public Action {
 public:
-    explicit TurnWheel(const Values& v) : notches_{v.number<int>("notches")} {}
+    explicit TurnWheel(const Values& v) : notches_{v.number<int>("notches")}, mouse_{v} {}
 
     std::string describe() const override {
-        return fmt::format("turn the mouse wheel by {} {}", std::abs(notches_),
+        return fmt::format("turn {} wheel by {} {}", mouse_.name(), std::abs(notches_),
                            notches_ < 0 ? "away from the hand" : "towards the hand");
     }
-    void check(StaticChecks& checks) const override { checks.need(Ps2Plug::MOUSE); }
+    void check(StaticChecks& checks) const override { mouse_.need(checks); }
     void act(BoardControl& board) const override {
-        board.act([&turned = mouse(board), notches = notches_] { turned.turn(notches); });
+        board.act(
+            mouse_.doing(board, [notches = notches_](auto& turned) { turned.turn(notches); }));
     }
 
 private:
     int notches_;
+    WhichMouse mouse_;
 };
 
 const ValueType DISTANCE = signed_number("a distance from -5000 to 5000", 5000);
 const ValueType NOTCHES = signed_number("a number of notches from -8 to 8", 8);
 const ValueType BUTTON = word("left, right or middle", {std::begin(BUTTONS), std::end(BUTTONS)});
+
+const Field TO{"to", TO_USB, Need::OPTIONAL, "",
+               "usb: a Linux program's USB mouse alone, /dev/input/mice and event1. Without it the "
+               "PS/2 mouse, which such a program has on USB, too."};
 
 std::vector<Field> way_and(const std::vector<Field>& others) {
     std::vector<Field> fields = others;
@@ -191,7 +227,8 @@ std::vector<Field> way_and(const std::vector<Field>& others) {
               "In quarters of a millimetre: counts, unless the program sets another resolution. "
               "Less than 0 is to the left; without it 0."},
              {"down", DISTANCE, Need::OPTIONAL, "", "Likewise; less than 0 is up."},
-             {"for", SOME_TIME, Need::OPTIONAL, "100ms", "How long the way takes."}})
+             {"for", SOME_TIME, Need::OPTIONAL, "100ms", "How long the way takes."},
+             TO})
         fields.push_back(field);
     return fields;
 }
@@ -205,38 +242,36 @@ std::vector<StepForm> mouse() {
     const Field button{"button", BUTTON, Need::REQUIRED, "", "left, right or middle."};
     const Field left{"button", BUTTON, Need::OPTIONAL, "left", "left, right or middle."};
     return {
-        {"move-mouse",
-         "Move the PS/2 mouse; the next step comes when it has arrived. A Linux program has the "
-         "same "
-         "mouse on USB, /dev/input/mice and /dev/input/event1.",
-         Notation::MAP, any_way, way_and({}), make<MoveMouse>},
+        {"move-mouse", "Move the mouse; the next step comes when it has arrived.", Notation::MAP,
+         any_way, way_and({}), make<MoveMouse>},
         {"click-mouse",
-         "Hold a button of the PS/2 mouse for a while and let go. Two clicks of one button are 50 "
+         "Hold a button of the mouse for a while and let go. Two clicks of one button are 50 "
          "ms apart.",
          Notation::BOTH,
          {},
-         {button, {"for", SOME_TIME, Need::OPTIONAL, "100ms", "How long."}},
+         {button, {"for", SOME_TIME, Need::OPTIONAL, "100ms", "How long."}, TO},
          make<ClickMouse>},
         {"hold-mouse",
-         "Begin to hold a button of the PS/2 mouse and go on to the next step.",
+         "Begin to hold a button of the mouse and go on to the next step.",
          Notation::BOTH,
          {},
-         {button},
+         {button, TO},
          make<HoldMouse>},
         {"release-mouse",
-         "Let go of a button of the PS/2 mouse that is held.",
+         "Let go of a button of the mouse that is held.",
          Notation::BOTH,
          {},
-         {button},
+         {button, TO},
          make<ReleaseMouse>},
-        {"drag-mouse", "Move the PS/2 mouse with a button held, 30 ms longer at each end.",
+        {"drag-mouse", "Move the mouse with a button held, 30 ms longer at each end.",
          Notation::MAP, any_way, way_and({left}), make<DragMouse>},
         {"turn-wheel",
-         "Turn the wheel of the PS/2 mouse at once and go on.",
-         Notation::BARE,
+         "Turn the wheel of the mouse at once and go on.",
+         Notation::BOTH,
          {},
          {{"notches", NOTCHES, Need::REQUIRED, "",
-           "Towards the hand, as for going down in a text; less than 0 is away from it."}},
+           "Towards the hand, as for going down in a text; less than 0 is away from it."},
+          TO},
          make<TurnWheel>},
     };
 }

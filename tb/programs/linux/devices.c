@@ -10,7 +10,7 @@
 #include <sys/mman.h>
 #include <unistd.h>
 
-// Each event that is not a SYN, until `last` is let go of.
+// Each event that is neither SYN nor MSC, until `last` is let go of.
 static void events(const char* path, int last) {
     char name[64] = "";
     struct input_event event;
@@ -18,7 +18,7 @@ static void events(const char* path, int last) {
     ioctl(fd, EVIOCGNAME(sizeof name), name);
     printf("%s\n", name);
     while (read(fd, &event, sizeof event) == sizeof event)
-        if (event.type != EV_SYN) {
+        if (event.type != EV_SYN && event.type != EV_MSC) {
             printf("%d %d %d\n", event.type, event.code, (int)event.value);
             if (event.type == EV_KEY && event.code == last && event.value == 0) break;
         }

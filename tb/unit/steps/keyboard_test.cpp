@@ -64,6 +64,33 @@ TEST_F(KeyboardSteps, RefuseWhatIsNoKeyOrNotFree) {
               "a.yaml:4:3: expected a control that is held, got Up on the keyboard, which is not");
 }
 
+TEST_F(KeyboardSteps, ReachTheUsbKeyboardAlone) {
+    EXPECT_THAT(acts("press-key: {key: [Ctrl, c], to: usb}"),
+                ElementsAre("USB key 0014 down", "USB key 0021 down", "wait 100ms",
+                            "USB key 0021 up", "USB key 0014 up"));
+    acts("type-keys: {text: H, to: usb}");
+    board.wait(sim::SimTime{100'000'000'000});
+    EXPECT_THAT(board.done, ElementsAre("wait 100ms", "USB key 0012 down", "USB key 0033 down",
+                                        "USB key 0033 up", "USB key 0012 up"));
+    EXPECT_EQ(said("hold-key: {key: Up, to: usb}"), "hold Up on the USB keyboard");
+    EXPECT_EQ(said("type-keys: {text: a, to: usb}"), "type \"a\" on the USB keyboard");
+    EXPECT_EQ(step_error("press-key: {key: a, to: hand}"),
+              "a.yaml:4:27: expected usb, got \"hand\"");
+}
+
+TEST_F(KeyboardSteps, HoldAKeyOfEachKeyboardByItself) {
+    const std::string head = "name: a\nversion: 1\nsteps:\n- hold-key: a\n- hold-key: ";
+    EXPECT_EQ(error_of(head + "{key: a, to: usb}"), "no error");
+}
+
+TEST_F(KeyboardSteps, NeedAUsbKeyboardForUsb) {
+    const std::string head = "name: a\nversion: 1\nps2: nothing\nusb: ";
+    const std::string step = "\nsteps:\n- press-key: {key: a, to: usb}";
+    EXPECT_EQ(error_of(head + "keyboard" + step), "no error");
+    EXPECT_EQ(error_of(head + "[mouse, gamepad]" + step),
+              "a.yaml:6:3: expected a keyboard in a USB port, got none");
+}
+
 TEST_F(KeyboardSteps, NeedAKeyboard) {
     const std::string head = "name: a\nversion: 1\nps2: mouse\nsteps:\n- ";
     for (const char* step : {"type-keys: a", "press-key: a", "hold-key: a"})

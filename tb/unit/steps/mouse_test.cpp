@@ -74,6 +74,21 @@ TEST_F(MouseSteps, RefuseWhatNoHandDoes) {
               "a.yaml:4:16: expected left, right or middle, got \"lef\" (did you mean \"left\"?)");
 }
 
+TEST_F(MouseSteps, ReachTheUsbMouseAlone) {
+    EXPECT_THAT(acts("move-mouse: {right: 4, down: 2, for: 2ms, to: usb}"),
+                ElementsAre("wait 1ms", "USB mouse 2 -1", "wait 1ms", "USB mouse 2 -1"));
+    EXPECT_THAT(acts("click-mouse: {button: right, to: usb}"),
+                ElementsAre("USB button 1 down", "wait 100ms", "USB button 1 up"));
+    EXPECT_THAT(acts("turn-wheel: {notches: -1, to: usb}"), ElementsAre("USB wheel -1"));
+    EXPECT_EQ(board.mouse_right, 0);
+    EXPECT_EQ(said("turn-wheel: {notches: 1, to: usb}"),
+              "turn the USB mouse wheel by 1 towards the hand");
+    EXPECT_EQ(said("hold-mouse: {button: left, to: usb}"), "hold the left USB mouse button");
+    EXPECT_EQ(error_of("name: a\nversion: 1\nusb: keyboard\nsteps:\n"
+                       "- drag-mouse: {right: 1, to: usb}"),
+              "a.yaml:5:3: expected a mouse in a USB port, got none");
+}
+
 TEST_F(MouseSteps, NeedAMouse) {
     for (const char* step : {"move-mouse: {right: 1}", "click-mouse: left", "hold-mouse: left",
                              "drag-mouse: {right: 1}", "turn-wheel: 1"})

@@ -21,6 +21,7 @@
 #include "sim/board/ps2_mouse.h"
 #include "sim/board/remote_control.h"
 #include "sim/board/sound_source.h"
+#include "sim/board/usb_ports.h"
 #include "sim/scenario/board_control.h"
 #include "sim/scenario/scenario.h"
 
@@ -50,6 +51,30 @@ public:
                  done.push_back(
                      fmt::format("button {} {}", static_cast<int>(button), down ? "down" : "up"));
              }});
+        usb.keyboard.on_key([this](std::uint16_t key, bool down) {
+            done.push_back(fmt::format("USB key {:04X} {}", key, down ? "down" : "up"));
+        });
+        sim::UsbMouse::Listener hand;
+        hand.move = [this](int right, int up) {
+            done.push_back(fmt::format("USB mouse {} {}", right, up));
+        };
+        hand.turn = [this](int notches) { done.push_back(fmt::format("USB wheel {}", notches)); };
+        hand.button = [this](sim::MouseButton button, bool down) {
+            done.push_back(
+                fmt::format("USB button {} {}", static_cast<int>(button), down ? "down" : "up"));
+        };
+        usb.mouse.on_hand(hand);
+        sim::UsbGamepad::Listener thumbs;
+        thumbs.button = [this](unsigned number, bool down) {
+            done.push_back(fmt::format("pad button {} {}", number, down ? "down" : "up"));
+        };
+        thumbs.axes = [this] {
+            const auto sticks = usb.gamepad.sticks();
+            const auto pad = usb.gamepad.pad();
+            done.push_back(fmt::format("pad {} {} {} {}, {} {}", sticks[0], sticks[1], sticks[2],
+                                       sticks[3], pad[0], pad[1]));
+        };
+        usb.gamepad.on_hand(thumbs);
     }
 
     std::vector<std::string> done;  // "wait 80ms"
@@ -76,7 +101,9 @@ public:
             {"PS/2 keyboard", keyboard},      {"PS/2 mouse", mouse},
             {"remote control", remote},       {"LINE IN", line_in},
             {"microphone input", microphone}, {"video decoder", decoder},
-            {"AD converter", converter},      {"motion sensor", motion}};
+            {"AD converter", converter},      {"motion sensor", motion},
+            {"USB keyboard", usb.keyboard},   {"USB mouse", usb.mouse},
+            {"USB gamepad", usb.gamepad}};
         for (const auto& [name, part] : OF_THE_BOARD) parts->add(name, part);
         done.clear();
     }
@@ -84,6 +111,7 @@ public:
     sim::Agenda agenda;
     sim::Ps2Keyboard keyboard{agenda, [] {}};
     sim::Ps2Mouse mouse{agenda, [] {}};
+    sim::UsbPorts usb{agenda, {true, true, true}};
     std::vector<std::uint64_t> remote_ps;  // when it begins and ends to send light
     sim::RemoteControl remote{agenda, [this] { remote_ps.push_back(agenda.now_ps()); }};
     sim::SoundSource line_in, microphone;
