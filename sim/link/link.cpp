@@ -35,14 +35,25 @@ constexpr unsigned LIMIT_S = 600;
 // KMOD_REGIONS and KMOD_INTERRUPTS of sw/kmod/nodes.h
 constexpr std::size_t MOST_REGIONS = 8, MOST_INTERRUPTS = 8;
 
-// It includes a header that only the kernel has.
-bool is_module(const fs::path& file) {
-    if (file.extension() != ".c") return false;
-    static const std::regex HEADER{
+// It includes a header that only the kernel has, itself or by its own headers.
+bool includes_kernel(const fs::path& file, std::set<fs::path>& seen) {
+    std::error_code error;
+    if (!fs::is_regular_file(file, error) || !seen.insert(file).second) return false;
+    static const std::regex KERNEL{
         R"(#\s*include\s*<(linux/(module|init|io|of|of_address|platform_device|interrupt|slab|)"
         R"(cdev|device|uaccess|delay|miscdevice|spinlock|mutex|workqueue|kthread)|)"
         R"(asm/(io|uaccess))\.h>)"};
-    return std::regex_search(project::text_of(file), HEADER);
+    static const std::regex OWN{R"re(#\s*include\s*"([^"\n]+)")re"};
+    const std::string text = project::text_of(file);
+    if (std::regex_search(text, KERNEL)) return true;
+    for (std::sregex_iterator at{text.begin(), text.end(), OWN}, end; at != end; ++at)
+        if (includes_kernel(file.parent_path() / (*at)[1].str(), seen)) return true;
+    return false;
+}
+
+bool is_module(const fs::path& file) {
+    std::set<fs::path> seen;
+    return file.extension() == ".c" && includes_kernel(file, seen);
 }
 
 // Modules that are linked apart, but loaded together, mostly have different places.

@@ -99,6 +99,18 @@ typedef unsigned short umode_t;
         __typeof__(b) b_ = (b); \
         a_ > b_ ? a_ : b_;      \
     })
+#define min3(a, b, c) min(min(a, b), c)
+#define max3(a, b, c) max(max(a, b), c)
+#define abs(n)                  \
+    ({                          \
+        __typeof__(n) n_ = (n); \
+        n_ < 0 ? -n_ : n_;      \
+    })
+#define roundup(n, to) (((n) + (to)-1) / (to) * (to))
+#define rounddown(n, to) ((n) / (to) * (to))
+#define IS_ENABLED(option) 0
+#define __stringify_(...) #__VA_ARGS__
+#define __stringify(...) __stringify_(__VA_ARGS__)
 #define min_t(type, a, b) min((type)(a), (type)(b))
 #define max_t(type, a, b) max((type)(a), (type)(b))
 #define clamp(x, low, high) min(max(x, low), high)
@@ -117,6 +129,29 @@ typedef unsigned short umode_t;
         if (met_) printk("WARNING: " #condition "\n"); \
         met_;                                          \
     })
+
+#define WARN(condition, ...)                         \
+    ({                                               \
+        const bool is_so_ = !!(condition);           \
+        if (is_so_) printk("WARNING: " __VA_ARGS__); \
+        is_so_;                                      \
+    })
+#define WARN_ON_ONCE WARN_ON
+#define WARN_ONCE WARN
+void kmod_bug(const void* place, const char* format, ...)
+    __attribute__((noreturn, format(printf, 2, 3)));
+#define _THIS_IP_               \
+    ({                          \
+        __label__ here_;        \
+    here_:                      \
+        (unsigned long)&&here_; \
+    })
+#define BUG() kmod_bug((void*)_THIS_IP_, "kernel BUG at %s:%d!", __FILE__, __LINE__)
+#define BUG_ON(condition)     \
+    do {                      \
+        if (condition) BUG(); \
+    } while (0)
+#define panic(...) kmod_bug((void*)_THIS_IP_, "Kernel panic: " __VA_ARGS__)
 
 // ---- Errors ----
 
@@ -154,6 +189,8 @@ enum {
     EPROTO = 71,
     EOVERFLOW = 75,
     ENOBUFS = 105,
+    ERESTART = 85,
+    EOPNOTSUPP = 95,
     ETIMEDOUT = 110,
     EALREADY = 114,
     EINPROGRESS = 115

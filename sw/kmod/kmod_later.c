@@ -390,14 +390,14 @@ bool cancel_delayed_work_sync(struct delayed_work* w) {
     return cancel_work_sync(&w->work) || waited;
 }
 bool flush_work(struct work_struct* work) {
-    might_sleep();
+    kmod_might_sleep(__func__, __builtin_return_address(0));
     const bool was = work->pending;
     while (work->pending) msleep(1);
     wait_for(&events, work);
     return was;
 }
 void flush_workqueue(struct workqueue_struct* queue) {
-    might_sleep();
+    kmod_might_sleep(__func__, __builtin_return_address(0));
     wait_for(queue, NULL);
 }
 void destroy_workqueue(struct workqueue_struct* queue) {

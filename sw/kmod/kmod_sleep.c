@@ -64,7 +64,7 @@ static void* run_kthread(void* data) {
 }
 
 struct task_struct* kmod_thread(int (*function)(void*), void* data, const char* format, ...) {
-    might_sleep();
+    kmod_might_sleep(__func__, __builtin_return_address(0));
     struct kmod_context* const context = calloc(1, sizeof *context);
     if (!context) return ERR_PTR(-ENOMEM);
     va_list list;
@@ -83,7 +83,7 @@ bool kthread_should_stop(void) { return kmod_context()->stops; }
 
 int kthread_stop(struct task_struct* task) {
     struct kmod_context* const context = task->thread;
-    might_sleep();
+    kmod_might_sleep(__func__, __builtin_return_address(0));
     context->stops = true;
     wake_up_process(task);
     for (int state; (state = __atomic_load_n(&task->state, __ATOMIC_ACQUIRE)) != -1;)
@@ -250,7 +250,7 @@ void wake_up(wait_queue_head_t* queue) {
 
 static void sleep_until_woken(wait_queue_head_t* queue, bool interruptible) {
     s64 never = -1;
-    might_sleep();
+    kmod_might_sleep(__func__, __builtin_return_address(0));
     kmod_wait(queue, kmod_sequence(queue), &never, interruptible);
 }
 void interruptible_sleep_on(wait_queue_head_t* queue) { sleep_until_woken(queue, true); }

@@ -53,7 +53,7 @@ static inline void set_user_nice(struct task_struct* task, long nice) { (void)ta
 
 // Of a function that may sleep: a bug where that is forbidden.
 void kmod_might_sleep(const char* function, const void* caller);
-#define might_sleep() kmod_might_sleep(__func__, __builtin_return_address(0))
+#define might_sleep() kmod_might_sleep(__func__, (void*)_THIS_IP_)
 bool kmod_in_interrupt(void);
 #define in_interrupt() kmod_in_interrupt()
 #define in_irq() kmod_in_interrupt()

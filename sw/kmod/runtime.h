@@ -35,9 +35,6 @@ struct kmod_context {
 };
 struct kmod_context* kmod_context(void);
 
-// A bug, at this place of the module; the run ends.
-void kmod_bug(const void* place, const char* format, ...)
-    __attribute__((noreturn, format(printf, 2, 3)));
 // The context is as it was before the function: a bug if a spinlock is still held.
 void kmod_check_returned(const char* what);
 
