@@ -251,7 +251,7 @@ private:
     static constexpr std::uint32_t LEAVES = 0x1000000;  // a child to be waited for again
     Result fork(const Clone& how);
     void end_process(LinuxProcess& process, std::uint32_t status);
-    void end_run(std::uint32_t code);
+    void end_run(std::uint32_t code, const std::string& where);
     LinuxProcess* process_of(int number) const;
     void forget(LinuxProcess& process);
     Result wait_for_child(std::int32_t which, std::uint32_t options,
@@ -377,6 +377,7 @@ private:
     Result wait_for_interrupt(unsigned number);
     void take_interrupts();
     std::string place_in_module(std::uint32_t pc) const;
+    std::string line_in_module(std::uint32_t pc) const;
     void stop_by_fault(unsigned signal, std::uint32_t address, const std::string& why);
     void stop_by_bug(const std::string& what, std::uint32_t pc);
 

@@ -119,12 +119,12 @@ LinuxKernel::Result LinuxKernel::sys_exit_group(const Arguments& a) {
         return std::nullopt;
     }
     if (!modules_.empty()) return leave_modules(a);
-    end_run(code);
+    end_run(code, cpu_.where());
     return std::nullopt;
 }
 
 // The first process has ended.
-void LinuxKernel::end_run(std::uint32_t code) {
+void LinuxKernel::end_run(std::uint32_t code, const std::string& where) {
     over_ = true;
     exit_code_ = static_cast<int>(code);
     const auto others = std::count_if(processes_.begin(), processes_.end(),
@@ -132,13 +132,13 @@ void LinuxKernel::end_run(std::uint32_t code) {
     if (others > 1)
         outside_.log(fmt::format(
             "the program has ended, and with it {} that it had begun, {}",
-            others == 2 ? "a process" : fmt::format("{} processes", others - 1), cpu_.where()));
+            others == 2 ? "a process" : fmt::format("{} processes", others - 1), where));
     std::string why = loader_.failure(code);
     if (why.empty() && !loader_.missing().empty())
         outside_.log(fmt::format("the program looked for the library {}, which is not there",
                                  loader_.missing()));
     if (code != 0 && why.empty())
-        why = fmt::format("the program ended with exit code {} {}", code, cpu_.where());
+        why = fmt::format("the program ended with exit code {} {}", code, where);
     cpu_.end(why);
 }
 

@@ -8,6 +8,7 @@
 
 #include "sim/linux/arm_abi.h"
 #include "sim/linux/kernel.h"
+#include "sim/process/run_command.h"
 
 namespace sim {
 
@@ -75,7 +76,7 @@ LinuxKernel::Result LinuxKernel::call_of_module(const Arguments& a) {
         }
         case KMOD_STOP: {
             const auto text = memory().string(a[1]);
-            stop_by_bug(text.value_or("BUG"), a[2]);
+            stop_by_bug(text.value_or("BUG"), (a[2] & ~1u) - 2);  // the call, not its return
             return std::nullopt;
         }
         case KMOD_SIGNAL: {
@@ -243,6 +244,16 @@ std::string LinuxKernel::place_in_module(std::uint32_t pc) const {
                : fmt::format("{} [{}]", function.substr(0, of), function.substr(of + 4));
 }
 
+// "dial.c:12", as the cross compiler's addr2line says; "" without it.
+std::string LinuxKernel::line_in_module(std::uint32_t pc) const {
+    constexpr unsigned LIMIT_S = 20;
+    const Outcome outcome = run_command({"arm-linux-gnueabihf-addr2line", "-s", "-e",
+                                         process_->module->elf.string(), fmt::format("0x{:x}", pc)},
+                                        "/", LIMIT_S);
+    const std::string line = outcome.output.substr(0, outcome.output.find_first_of(" \n"));
+    return outcome.code == 0 && line.find('?') == std::string::npos ? line : "";
+}
+
 // A fault in a module: as the kernel prints it; the run ends.
 void LinuxKernel::stop_by_fault(unsigned signal, std::uint32_t address, const std::string& why) {
     constexpr std::uint32_t NULL_PAGE = AddressSpace::PAGE;
@@ -272,12 +283,15 @@ void LinuxKernel::stop_by_bug(const std::string& what, std::uint32_t pc) {
     line("Modules linked in:" + linked);
     line(fmt::format("CPU: 0 PID: {} Comm: {}", caller ? caller->number : running_->number,
                      command.empty() ? name : command));
-    line(fmt::format("PC is at {}", place_in_module(pc)));
+    const std::string source = line_in_module(pc);
+    const std::string place =
+        place_in_module(pc) + (source.empty() ? "" : fmt::format(" ({})", source));
+    line("PC is at " + place);
     line(fmt::format("LR is at {}", place_in_module(core.reg(14) & ~1u)));
     line(fmt::format("pc : [<{:08x}>]    lr : [<{:08x}>]    psr: {:08x}", pc, core.reg(14),
                      core.cpsr()));
     over_ = true;
-    cpu_.end(fmt::format("kernel oops in {}, at {:.6f} ms: {}", place_in_module(pc),
+    cpu_.end(fmt::format("kernel oops in {}, at {:.6f} ms: {}", place,
                          static_cast<double>(now_ns()) / 1e6, what));
 }
 

@@ -1,8 +1,12 @@
 // kernel_modules.cpp - LinuxKernel's modules: loading them, requests to them, their files
+#include <unistd.h>
+
 #include <algorithm>
 #include <cerrno>
 #include <csignal>
 #include <cstring>
+#include <iterator>
+#include <sstream>
 
 #include <fmt/format.h>
 
@@ -35,6 +39,16 @@ const char* word_for(kmod_operation operation) {
         case KMOD_INITIALISED: break;
     }
     return "init";
+}
+
+std::vector<std::string> words_of(const std::string& text) {
+    std::istringstream stream{text};
+    return {std::istream_iterator<std::string>{stream}, {}};
+}
+
+// For this process and those that it starts.
+std::string path_of(const SharedMemory& file) {
+    return fmt::format("/proc/{}/fd/{}", getpid(), file.fd());
 }
 
 std::string without_suffix(const std::string& file) {
@@ -111,25 +125,21 @@ AddressSpace& LinuxKernel::kernel_space() {
 // The program begins when they are initialised; one that fails ends the run.
 void LinuxKernel::load_first_modules() {
     std::vector<std::pair<ElfProgram, std::vector<std::string>>> all;
+    std::shared_ptr<SharedMemory> carried;  // by the program
     const ElfProgram& program = cpu_.program().elf;
     const auto load = [](const std::string& path) {
         return load_elf(path, kernel_memory(), Linking::ANY);
     };
     for (const std::string& text : settings_.modules) {
-        std::vector<std::string> words;
-        for (std::size_t at = 0; at < text.size();) {
-            const std::size_t end = std::min(text.find(' ', at), text.size());
-            if (end > at) words.push_back(text.substr(at, end - at));
-            at = end + 1;
-        }
+        std::vector<std::string> words = words_of(text);
         if (words.empty()) continue;
         const std::string file = words.front();
         words.erase(words.begin());
         all.emplace_back(load(file), words);
     }
     if (!program.modules.empty()) {
-        const SharedMemory copy{program.modules.data(), program.modules.size()};
-        ElfProgram modules = load(fmt::format("/proc/self/fd/{}", copy.fd()));
+        carried = std::make_shared<SharedMemory>(program.modules.data(), program.modules.size());
+        ElfProgram modules = load(path_of(*carried));
         modules.file = program.modules_name;
         all.emplace_back(std::move(modules), std::vector<std::string>{});
     }
@@ -138,7 +148,8 @@ void LinuxKernel::load_first_modules() {
         kernel_space();
         const std::string name = without_suffix(elf.file.string());
         first_modules_.push_back(name);
-        load_module(std::move(elf), parameters, [this, name](int result) {
+        const auto file = std::filesystem::absolute(elf.file);
+        KernelModule& module = load_module(std::move(elf), parameters, [this, name](int result) {
             changed_ = true;
             if (result == 0) return;
             over_ = true;
@@ -147,6 +158,9 @@ void LinuxKernel::load_first_modules() {
                 "at {:.6f} ms",
                 name, result, std::strerror(-result), static_cast<double>(now_ns()) / 1e6));
         });
+        const bool is_carried = carried && name == without_suffix(program.modules_name);
+        module.elf = is_carried ? path_of(*carried) : file.string();
+        module.elf_image = is_carried ? carried : nullptr;
     }
 }
 
@@ -159,22 +173,19 @@ LinuxKernel::Result LinuxKernel::insert_module(const std::string& path, const st
                                                std::uint32_t parameters) {
     const auto text = memory().string(parameters);
     if (!text) return -EFAULT;
-    std::vector<std::string> words;
-    for (std::size_t at = 0; at < text->size();) {
-        const std::size_t end = std::min(text->find(' ', at), text->size());
-        if (end > at) words.push_back(text->substr(at, end - at));
-        at = end + 1;
-    }
     try {
         kernel_space();
         ElfProgram program = load_elf(host, kernel_memory(), Linking::ANY);
         program.file = path;
         if (module_named(without_suffix(path))) return -EEXIST;
         LinuxThread* const thread = running_;
-        KernelModule& module = load_module(std::move(program), words, [this, thread](int result) {
-            const auto all = threads();
-            if (std::find(all.begin(), all.end(), thread) != all.end()) resume(*thread, result);
-        });
+        KernelModule& module =
+            load_module(std::move(program), words_of(*text), [this, thread](int result) {
+                const auto all = threads();
+                if (std::find(all.begin(), all.end(), thread) != all.end()) resume(*thread, result);
+            });
+        std::error_code error;
+        module.elf = std::filesystem::read_symlink(host, error);
         LinuxWait wait;
         wait.what = fmt::format("the module {} to be initialised", module.name);
         wait.inside = wait.uninterrupted = true;
@@ -196,8 +207,7 @@ LinuxKernel::Result LinuxKernel::sys_init_module(const Arguments& a) {
     const std::uint8_t* const image = memory().bytes(a[0], a[1], arm_access::READ);
     if (!image) return -EFAULT;
     const SharedMemory copy{image, a[1]};
-    return insert_module(fmt::format("module{}.ko", modules_.size() + 1),
-                         fmt::format("/proc/self/fd/{}", copy.fd()), a[2]);
+    return insert_module(fmt::format("module{}.ko", modules_.size() + 1), path_of(copy), a[2]);
 }
 
 LinuxKernel::Result LinuxKernel::sys_delete_module(const Arguments& a) {
@@ -228,7 +238,7 @@ LinuxKernel::Result LinuxKernel::leave_modules(const Arguments& a) {
     LinuxWait wait;
     wait.what = "the modules to leave";
     wait.inside = wait.uninterrupted = true;
-    wait.look = [this, a](LinuxWait&) -> Result {
+    wait.look = [this, a, where = cpu_.where()](LinuxWait&) -> Result {
         if (std::any_of(modules_.begin(), modules_.end(),
                         [](const auto& module) { return module->is_busy(); }))
             return std::nullopt;
@@ -239,7 +249,7 @@ LinuxKernel::Result LinuxKernel::leave_modules(const Arguments& a) {
             remove_module(**module, nullptr);
             return std::nullopt;
         }
-        end_run(a[0] & 0xFF);
+        end_run(a[0] & 0xFF, where);
         return 0;
     };
     return this->wait(std::move(wait));
@@ -409,34 +419,6 @@ const LinuxProcess* LinuxKernel::process_below(const LinuxThread& thread) const 
 }
 
 // ---- Files --------------------------------------------------------------------------------------
-
-std::optional<LinuxKernel::ModuleNode> LinuxKernel::module_node(const std::string& path) const {
-    const auto made = nodes_.find(path);
-    for (const auto& module : modules_)
-        for (const auto& [id, file] : module->files)
-            if (made == nodes_.end() ? file.path == path : file.number == made->second)
-                return ModuleNode{module.get(), made == nodes_.end() ? id : ~0u, file.mode,
-                                  file.number};
-    if (made == nodes_.end()) return std::nullopt;
-    const std::uint32_t major = made->second >> 20;  // of another minor number
-    for (const auto& module : modules_)
-        for (const auto& [id, file] : module->files)
-            if (file.number >> 20 == major)
-                return ModuleNode{module.get(), ~0u, file.mode, made->second};
-    return std::nullopt;
-}
-
-std::optional<FileStatus> LinuxKernel::module_status(const std::string& path) const {
-    const auto node = module_node(path);
-    if (!node) return std::nullopt;
-    return status_of(*node);
-}
-
-// The number of a device as Linux' user interface has it.
-FileStatus LinuxKernel::status_of(const ModuleNode& node) {
-    const std::uint32_t major = node.number >> 20, minor = node.number & 0xFFFFF;
-    return FileStatus{node.mode, 0, 1, (minor & 0xFF) | major << 8 | (minor & ~0xFFu) << 12};
-}
 
 ModuleFile* LinuxKernel::module_file(int fd) const {
     return modules_.empty() ? nullptr : dynamic_cast<ModuleFile*>(files().device(fd));

@@ -218,6 +218,34 @@ LinuxKernel::Result LinuxKernel::sys_umask(const Arguments& a) {
 
 // ---- Device nodes, of modules -------------------------------------------------------------------
 
+std::optional<LinuxKernel::ModuleNode> LinuxKernel::module_node(const std::string& path) const {
+    const auto made = nodes_.find(path);
+    for (const auto& module : modules_)
+        for (const auto& [id, file] : module->files)
+            if (made == nodes_.end() ? file.path == path : file.number == made->second)
+                return ModuleNode{module.get(), made == nodes_.end() ? id : ~0u, file.mode,
+                                  file.number};
+    if (made == nodes_.end()) return std::nullopt;
+    const std::uint32_t major = made->second >> 20;  // of another minor number
+    for (const auto& module : modules_)
+        for (const auto& [id, file] : module->files)
+            if (file.number >> 20 == major)
+                return ModuleNode{module.get(), ~0u, file.mode, made->second};
+    return std::nullopt;
+}
+
+std::optional<FileStatus> LinuxKernel::module_status(const std::string& path) const {
+    const auto node = module_node(path);
+    if (!node) return std::nullopt;
+    return status_of(*node);
+}
+
+// The number of a device as Linux' user interface has it.
+FileStatus LinuxKernel::status_of(const ModuleNode& node) {
+    const std::uint32_t major = node.number >> 20, minor = node.number & 0xFFFFF;
+    return FileStatus{node.mode, 0, 1, (minor & 0xFF) | major << 8 | (minor & ~0xFFu) << 12};
+}
+
 LinuxKernel::Result LinuxKernel::sys_mknod(const Arguments& a) {
     return mknod(ARM_AT_FDCWD, a[0], a[1], a[2]);
 }

@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <deque>
+#include <filesystem>
 #include <functional>
 #include <map>
 #include <memory>
@@ -39,6 +40,8 @@ struct KernelModule {
     };
 
     std::string name;
+    std::filesystem::path elf{};                // on the host, for lines of its sources
+    std::shared_ptr<SharedMemory> elf_image{};  // that this path is, or none
     std::unique_ptr<LinuxProcess> process{};
     std::deque<std::shared_ptr<ModuleRequest>> requests{};  // that no thread has yet
     std::map<LinuxThread*, std::shared_ptr<ModuleRequest>> served{};

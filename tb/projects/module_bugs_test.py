@@ -20,7 +20,8 @@ class ModuleBugs(ModuleCase):
         printed = self.runs(self.OPENS, "bad.c", code=1)
         for one in (*expected, "Internal error: Oops", "Modules linked in: bad"):
             self.assertIn(one, printed)
-        self.assertRegex(printed, r"de1sim: kernel oops in [a-z_]+\+0x[0-9a-f]+ \[bad\]")
+        self.assertRegex(printed, r"de1sim: kernel oops in [a-z_]+\+0x[0-9a-f]+ \[bad\] "
+                                  r"\(bad\.c:[0-9]+\)")
 
     WRITE = "static ssize_t w(struct file *f, const char __user *from, size_t n, loff_t *at)\n"
 
