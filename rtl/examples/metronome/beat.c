@@ -1,4 +1,4 @@
-// beat.c - sets the metronome to 20 ms by its kernel module, and prints how many beats it counts
+// beat.c - sets the metronome to 20 ms by its kernel module, and waits for five beats
 #include <fcntl.h>
 #include <stdio.h>
 #include <sys/ioctl.h>
@@ -13,10 +13,11 @@ int main(void) {
         perror("/dev/metronome");
         return 1;
     }
-    while (beats < 5) {
-        usleep(1000);
-        ioctl(metronome, METRONOME_GET_BEATS, &beats);
-    }
+    while (beats < 5)
+        if (read(metronome, &beats, sizeof beats) != sizeof beats) {
+            perror("read");
+            return 1;
+        }
     printf("%u beats\n", beats);
     period = 0;
     ioctl(metronome, METRONOME_SET_PERIOD, &period);

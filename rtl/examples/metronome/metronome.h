@@ -1,10 +1,10 @@
-// metronome.h - what the module metronome_driver.c does for programs, by ioctl of /dev/metronome
+// metronome.h - what the module metronome_driver.c does for programs, by ioctl of /dev/metronome;
+// read() waits for a beat, and gives how many there have been
 #ifndef METRONOME_H
 #define METRONOME_H
 
 #include <linux/ioctl.h>
 
 #define METRONOME_SET_PERIOD _IOW('m', 1, unsigned)  // in clocks of 50 MHz
-#define METRONOME_GET_BEATS _IOR('m', 2, unsigned)
 
 #endif

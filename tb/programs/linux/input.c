@@ -118,7 +118,7 @@ static void print_event(int fd) {
         printf("%s\n", error_of(-1));
         return;
     }
-    printf("%u %d %d %d\n", (unsigned)(event.time.tv_sec * 1000 + event.time.tv_usec / 1000),
+    printf("%u %d %d %d\n", (unsigned)(event.input_event_sec * 1000 + event.input_event_usec / 1000),
            event.type, event.code, event.value);
 }
 
