@@ -74,10 +74,15 @@ namespace sim {
 class UsbFile;
 
 struct LinuxSettings {
+    struct Module {
+        ElfProgram elf;
+        std::vector<std::string> parameters;  // "period=5"
+    };
+
     std::filesystem::path root;          // the program's /; empty: it has no files
     std::vector<std::string> arguments;  // after the program's name
     std::filesystem::path input;         // standard input; empty: the console
-    std::vector<std::string> modules;    // loaded before it: "dial.ko period=5"
+    std::vector<Module> modules;         // loaded before it
 };
 
 class LinuxKernel final : public ArmKernel {
@@ -338,6 +343,8 @@ private:
     std::optional<KernelModule*> module_named(const std::string& name) const;
     KernelModule& load_module(ElfProgram program, std::vector<std::string> parameters,
                               std::function<void(int)> on_initialised);
+    void load_first_module(const ElfProgram& elf, const std::vector<std::string>& parameters,
+                           const std::filesystem::path& file);
     void load_first_modules();
     bool modules_are_initialised() const;
     Result insert_module(const std::string& path, const std::string& host,
@@ -369,7 +376,7 @@ private:
     Result module_sleep(KernelModule& module, const Arguments&);
     bool is_in_module(const LinuxThread& thread) const;
     void print_message(const std::string& text, int level);
-    void change_register(std::uint32_t address, std::uint32_t clear, std::uint32_t set);
+    std::uint32_t change_register(std::uint32_t address, std::uint32_t clear, std::uint32_t set);
     void mask_interrupt(unsigned number);
     void unmask_interrupt(unsigned number);
     std::int64_t enable_interrupt(KernelModule& module, unsigned number, std::uint32_t trigger,
@@ -446,6 +453,7 @@ private:
     std::shared_ptr<AddressSpace> kernel_memory_;  // of all modules; none without
     std::vector<std::unique_ptr<KernelModule>> modules_;
     std::vector<std::string> first_modules_;  // that the run itself has loaded
+    std::shared_ptr<SharedMemory> carried_;   // the ELF file of those that the program brings
     std::map<unsigned, ModuleInterrupt> interrupts_;
     std::map<std::string, std::uint32_t> nodes_;  // made by mknod, and their numbers
     std::string messages_;

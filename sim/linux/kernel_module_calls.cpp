@@ -80,13 +80,14 @@ LinuxKernel::Result LinuxKernel::call_of_module(const Arguments& a) {
             return std::nullopt;
         }
         case KMOD_SIGNAL: {
-            const LinuxSignal signal{a[2], arm_signal_code::KERNEL, {}, "a module sent it"};
+            int owner = ModuleFile::NOBODY;
             for (const auto& process : processes_)
                 process->files.for_each_device([&](LinuxDevice& device) {
                     auto* const file = dynamic_cast<ModuleFile*>(&device);
-                    if (!file || &file->module != &module || file->id != a[1]) return;
-                    if (LinuxProcess* const owner = process_of(file->owner)) send(*owner, signal);
+                    if (file && &file->module == &module && file->id == a[1]) owner = file->owner;
                 });
+            if (LinuxProcess* const process = process_of(owner))
+                send(*process, {a[2], arm_signal_code::KERNEL, {}, "a module sent it"});
             return 0;
         }
         case KMOD_ALLOCATE: {
@@ -147,19 +148,20 @@ void LinuxKernel::print_message(const std::string& text, int level) {
     line += text;
     messages_ += line;
     if (level >= SHOWN) return;
-    for (const char c : line) {
-        if (c == '\n') outside_.console('\r');
-        outside_.console(c);
-    }
+    for (const char c : line) outside_.console(c);
 }
 
 // ---- Interrupts ---------------------------------------------------------------------------------
 
-void LinuxKernel::change_register(std::uint32_t address, std::uint32_t clear, std::uint32_t set) {
+// What it was before.
+std::uint32_t LinuxKernel::change_register(std::uint32_t address, std::uint32_t clear,
+                                           std::uint32_t set) {
     std::uint32_t value = 0;
     outside_.access(false, address, value);
+    const std::uint32_t was = value;
     value = (value & ~clear) | set;
-    outside_.access(true, address, value);
+    if (value != was) outside_.access(true, address, value);
+    return was;
 }
 
 void LinuxKernel::mask_interrupt(unsigned number) {

@@ -17,12 +17,6 @@ namespace sim {
 
 namespace {
 
-const std::vector<MemoryRange>& kernel_memory() {
-    static const std::vector<MemoryRange> memory{
-        {KERNEL_BASE, std::uint64_t{KERNEL_PLACES} * KERNEL_PLACE_BYTES}};
-    return memory;
-}
-
 const char* word_for(kmod_operation operation) {
     switch (operation) {
         case KMOD_OPEN: return "open";
@@ -86,8 +80,8 @@ KernelModule& LinuxKernel::load_module(ElfProgram program, std::vector<std::stri
                 fmt::format("the module {} has the same place in memory as one that is loaded: "
                             "link both by one de1sim link",
                             name)};
-    modules_.push_back(std::make_unique<KernelModule>());
-    KernelModule& module = *modules_.back();
+    auto made = std::make_unique<KernelModule>();
+    KernelModule& module = *made;
     module.name = name;
     module.on_initialised = std::move(on_initialised);
     module.process = std::make_unique<LinuxProcess>(
@@ -110,6 +104,7 @@ KernelModule& LinuxKernel::load_module(ElfProgram program, std::vector<std::stri
     program.file = name;
     loader_.add_names(std::move(program));
     scheduler_.add(first, false);
+    modules_.push_back(std::move(made));
     return module;
 }
 
@@ -123,45 +118,32 @@ AddressSpace& LinuxKernel::kernel_space() {
 }
 
 // The program begins when they are initialised; one that fails ends the run.
+void LinuxKernel::load_first_module(const ElfProgram& elf,
+                                    const std::vector<std::string>& parameters,
+                                    const std::filesystem::path& file) {
+    const std::string name = without_suffix(elf.file.string());
+    first_modules_.push_back(name);
+    KernelModule& module = load_module(elf, parameters, [this, name](int result) {
+        changed_ = true;
+        if (result == 0) return;
+        over_ = true;
+        cpu_.end(fmt::format(
+            "the module {} cannot be loaded: its init function returned {} ({}) at {:.6f} ms", name,
+            result, std::strerror(-result), static_cast<double>(now_ns()) / 1e6));
+    });
+    module.elf = std::filesystem::absolute(file);
+}
+
 void LinuxKernel::load_first_modules() {
-    std::vector<std::pair<ElfProgram, std::vector<std::string>>> all;
-    std::shared_ptr<SharedMemory> carried;  // by the program
     const ElfProgram& program = cpu_.program().elf;
-    const auto load = [](const std::string& path) {
-        return load_elf(path, kernel_memory(), Linking::ANY);
-    };
-    for (const std::string& text : settings_.modules) {
-        std::vector<std::string> words = words_of(text);
-        if (words.empty()) continue;
-        const std::string file = words.front();
-        words.erase(words.begin());
-        all.emplace_back(load(file), words);
-    }
-    if (!program.modules.empty()) {
-        carried = std::make_shared<SharedMemory>(program.modules.data(), program.modules.size());
-        ElfProgram modules = load(path_of(*carried));
-        modules.file = program.modules_name;
-        all.emplace_back(std::move(modules), std::vector<std::string>{});
-    }
-    if (program.is_modules()) all.emplace_back(program, std::vector<std::string>{});
-    for (auto& [elf, parameters] : all) {
-        kernel_space();
-        const std::string name = without_suffix(elf.file.string());
-        first_modules_.push_back(name);
-        const auto file = std::filesystem::absolute(elf.file);
-        KernelModule& module = load_module(std::move(elf), parameters, [this, name](int result) {
-            changed_ = true;
-            if (result == 0) return;
-            over_ = true;
-            cpu_.end(fmt::format(
-                "the module {} cannot be loaded: its init function returned {} ({}) "
-                "at {:.6f} ms",
-                name, result, std::strerror(-result), static_cast<double>(now_ns()) / 1e6));
-        });
-        const bool is_carried = carried && name == without_suffix(program.modules_name);
-        module.elf = is_carried ? path_of(*carried) : file.string();
-        module.elf_image = is_carried ? carried : nullptr;
-    }
+    for (const LinuxSettings::Module& module : settings_.modules)
+        load_first_module(module.elf, module.parameters, module.elf.file);
+    if (program.is_modules()) load_first_module(program, {}, program.file);
+    if (program.modules.empty()) return;
+    carried_ = std::make_shared<SharedMemory>(program.modules.data(), program.modules.size());
+    ElfProgram carried = load_elf(path_of(*carried_), linux_memory(), Linking::ANY);
+    carried.file = program.modules_name;
+    load_first_module(carried, {}, path_of(*carried_));
 }
 
 bool LinuxKernel::modules_are_initialised() const {
@@ -174,8 +156,7 @@ LinuxKernel::Result LinuxKernel::insert_module(const std::string& path, const st
     const auto text = memory().string(parameters);
     if (!text) return -EFAULT;
     try {
-        kernel_space();
-        ElfProgram program = load_elf(host, kernel_memory(), Linking::ANY);
+        ElfProgram program = load_elf(host, linux_memory(), Linking::ANY);
         program.file = path;
         if (module_named(without_suffix(path))) return -EEXIST;
         LinuxThread* const thread = running_;
@@ -432,8 +413,7 @@ LinuxKernel::Result LinuxKernel::open_module(const ModuleNode& node, const std::
     request.arguments[0] = node.id;
     request.arguments[1] = node.number;
     request.finish = [this, node, path, flags](std::int64_t result) -> Result {
-        const bool error = static_cast<std::int32_t>(result) < 0 && result < 0;
-        if (error) return result;
+        if (result < 0) return result;
         const auto on_close = [this](ModuleFile& file) {
             if (over_) return;
             ModuleRequest release{KMOD_RELEASE, file.id};
@@ -441,8 +421,7 @@ LinuxKernel::Result LinuxKernel::open_module(const ModuleNode& node, const std::
         };
         const auto on_poll = [this](ModuleFile& file) { poll_module(file); };
         auto file = std::make_shared<ModuleFile>(*node.module, static_cast<std::uint32_t>(result),
-                                                 path, FileStatus{node.mode, 0, 1, node.number},
-                                                 on_close, on_poll);
+                                                 path, status_of(node), on_close, on_poll);
         return files().add(std::move(file), flags);
     };
     return this->request(*node.module, std::move(request), "open of " + path);

@@ -156,18 +156,10 @@ std::uint8_t LinuxKernel::random_byte() {
 // GPIO53 is pin 24 of GPIO1.
 std::shared_ptr<LinuxDevice> LinuxKernel::hps_led() {
     constexpr std::uint32_t DATA = 0xFF709000, DIRECTIONS = 0xFF709004, LED = 1u << 24;
-    const auto change = [this](std::uint32_t address, std::uint32_t clear, std::uint32_t set) {
-        std::uint32_t value = 0;
-        outside_.access(false, address, value);
-        const std::uint32_t was = value;
-        value = (value & ~clear) | set;
-        if (value != was) outside_.access(true, address, value);
-        return was;
-    };
-    return devices::led([change] { return (change(DATA, 0, 0) & LED) != 0; },
-                        [change](bool lit) {
-                            change(DATA, LED, lit ? LED : 0);
-                            change(DIRECTIONS, 0, LED);
+    return devices::led([this] { return (change_register(DATA, 0, 0) & LED) != 0; },
+                        [this](bool lit) {
+                            change_register(DATA, LED, lit ? LED : 0);
+                            change_register(DIRECTIONS, 0, LED);
                         });
 }
 

@@ -40,8 +40,7 @@ struct KernelModule {
     };
 
     std::string name;
-    std::filesystem::path elf{};                // on the host, for lines of its sources
-    std::shared_ptr<SharedMemory> elf_image{};  // that this path is, or none
+    std::filesystem::path elf{};  // on the host, for lines of its sources
     std::unique_ptr<LinuxProcess> process{};
     std::deque<std::shared_ptr<ModuleRequest>> requests{};  // that no thread has yet
     std::map<LinuxThread*, std::shared_ptr<ModuleRequest>> served{};
@@ -57,7 +56,7 @@ struct KernelModule {
 // An open file of a module; what is done with it is done by requests (LinuxKernel::request()).
 class ModuleFile final : public LinuxDevice, public std::enable_shared_from_this<ModuleFile> {
 public:
-    static constexpr std::uint32_t NOBODY = 0;
+    static constexpr int NOBODY = 0;
 
     ModuleFile(KernelModule& of, std::uint32_t number, std::string path, FileStatus status,
                std::function<void(ModuleFile&)> on_close, std::function<void(ModuleFile&)> on_poll)
@@ -75,7 +74,6 @@ public:
     }
     FileStatus status() const override { return status_; }
     std::string name() const override { return path_; }
-    bool is_inside() const override { return false; }
     // What the module's poll() has said; UNKNOWN while it has not answered.
     unsigned can_do() const override {
         if (!events_ && !asked_) {

@@ -1,5 +1,7 @@
 #include "sim/run/arm_run.h"
 
+#include <iterator>
+#include <sstream>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -32,6 +34,23 @@ ArmProgram load_program(const RunPlan& plan) {
     return {std::move(elf), program.cpi};
 }
 
+// Of --module; ElfError.
+static std::vector<LinuxSettings::Module> load_modules(const std::vector<std::string>& options) {
+    std::vector<LinuxSettings::Module> all;
+    for (const std::string& option : options) {
+        std::istringstream stream{option};
+        std::vector<std::string> words{std::istream_iterator<std::string>{stream}, {}};
+        if (words.empty()) throw ElfError{"--module: expected a file, got nothing"};
+        ElfProgram elf = load_elf(words.front(), linux_memory(), Linking::ANY);
+        if (!elf.is_modules())
+            throw ElfError{words.front() +
+                           ": is a program, expected a kernel module that de1sim link has made"};
+        words.erase(words.begin());
+        all.push_back({std::move(elf), std::move(words)});
+    }
+    return all;
+}
+
 ArmRun::ArmRun(ArmCpu& cpu, Bus& bus, I2cDevices* i2c0, const RunPlan& plan, Recorder& recorder,
                BoardObserver& observer)
     : profile_file_{plan.description.outputs.profile}, cpu_{cpu}, bus_{bus} {
@@ -45,10 +64,10 @@ ArmRun::ArmRun(ArmCpu& cpu, Bus& bus, I2cDevices* i2c0, const RunPlan& plan, Rec
                             delay);
     };
     if (plan.on_linux)
-        kernel_.emplace(
-            cpu,
-            LinuxSettings{program.linux_root, program.arguments, program.input, program.modules},
-            LinuxKernel::Outside{print, log, access, i2c0});
+        kernel_.emplace(cpu,
+                        LinuxSettings{program.linux_root, program.arguments, program.input,
+                                      load_modules(program.modules)},
+                        LinuxKernel::Outside{print, log, access, i2c0});
     else
         semihosting_.emplace(cpu, Semihosting::Outside{print, log});
     if (!profile_file_.empty() || trace.is_of_a_part()) {

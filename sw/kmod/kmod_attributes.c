@@ -322,11 +322,7 @@ int kmod_offer_parameters(const char* module) {
 
 // ---- Texts that a function writes ----
 
-struct seq_operations {
-    int (*show)(struct seq_file*, void*);
-};
-
-int seq_printf_(struct seq_file* s, const char* format, va_list list) {
+static int vprint(struct seq_file* s, const char* format, va_list list) {
     const size_t room = s->size - s->count;
     const int length = vsnprintf(s->buf + s->count, room, format, list);
     s->count = length < (int)room ? s->count + (size_t)length : s->size;
@@ -335,7 +331,7 @@ int seq_printf_(struct seq_file* s, const char* format, va_list list) {
 int seq_printf(struct seq_file* s, const char* format, ...) {
     va_list list;
     va_start(list, format);
-    seq_printf_(s, format, list);
+    vprint(s, format, list);
     va_end(list);
     return 0;
 }

@@ -339,7 +339,7 @@ struct workqueue_struct* kmod_workqueue(const char* name) {
 }
 
 void kmod_init_work(struct work_struct* work, work_func_t function) {
-    *work = (struct work_struct){function, LIST_HEAD_INIT(work->entry), false};
+    *work = (struct work_struct){function, LIST_HEAD_INIT(work->entry), false, NULL};
 }
 
 bool queue_work(struct workqueue_struct* queue, struct work_struct* work) {
@@ -347,6 +347,7 @@ bool queue_work(struct workqueue_struct* queue, struct work_struct* work) {
     const bool was = work->pending, begins = !queue->begun;
     if (!was) list_add_tail(&work->entry, &queue->works);
     work->pending = queue->begun = true;
+    work->queue = queue;
     kmod_interrupts_restore(flags);
     if (begins) kmod_begin_thread(run_work, queue);
     if (!was) change(queue);
@@ -376,24 +377,24 @@ static void wait_for(struct workqueue_struct* queue, const struct work_struct* w
     }
 }
 
-bool cancel_work_sync(struct work_struct* work) {
+bool kmod_cancel_work(struct work_struct* work, bool waits) {
+    if (waits) kmod_might_sleep("cancel_work_sync", __builtin_return_address(0));
     const unsigned long flags = kmod_interrupts_off();
     const bool was = work->pending;
     if (was) list_del_init(&work->entry);
     work->pending = false;
     kmod_interrupts_restore(flags);
-    if (!in_atomic() && events.running == work) wait_for(&events, work);
+    if (waits && work->queue) wait_for(work->queue, work);
     return was;
 }
-bool cancel_delayed_work_sync(struct delayed_work* w) {
+bool kmod_cancel_delayed_work(struct delayed_work* w, bool waits) {
     const bool waited = kmod_timer_stop(&w->timer);
-    return cancel_work_sync(&w->work) || waited;
+    return kmod_cancel_work(&w->work, waits) || waited;
 }
 bool flush_work(struct work_struct* work) {
     kmod_might_sleep(__func__, __builtin_return_address(0));
     const bool was = work->pending;
-    while (work->pending) msleep(1);
-    wait_for(&events, work);
+    if (work->queue) wait_for(work->queue, work);
     return was;
 }
 void flush_workqueue(struct workqueue_struct* queue) {

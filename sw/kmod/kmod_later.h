@@ -153,20 +153,21 @@ void kmod_run_tasklet(struct kmod_timer* timer);
 // ---- Work ----
 
 struct work_struct;
+struct workqueue_struct;
 typedef void (*work_func_t)(struct work_struct*);
 struct work_struct {
     work_func_t func;
     struct list_head entry;
     bool pending;
+    struct workqueue_struct* queue;  // that it was queued in last; NULL: in none
 };
-struct workqueue_struct;
 struct delayed_work {
     struct work_struct work;
     struct kmod_timer timer;
     struct workqueue_struct* queue;
 };
 #define KMOD_WORK_(name, function) \
-    { function, LIST_HEAD_INIT((name).entry), false }
+    { function, LIST_HEAD_INIT((name).entry), false, NULL }
 #define DECLARE_WORK(name, function) struct work_struct name = KMOD_WORK_(name, function)
 void kmod_init_work(struct work_struct* work, work_func_t function);
 void kmod_run_delayed(struct kmod_timer* timer);
@@ -197,10 +198,12 @@ bool queue_delayed_work(struct workqueue_struct* queue, struct delayed_work* w,
     (kmod_timer_stop(&(w)->timer), queue_delayed_work(queue, w, ticks))
 #define schedule_work(work) queue_work(system_wq, work)
 #define schedule_delayed_work(w, ticks) queue_delayed_work(system_wq, w, ticks)
-bool cancel_work_sync(struct work_struct* work);
-#define cancel_work cancel_work_sync
-bool cancel_delayed_work_sync(struct delayed_work* w);
-#define cancel_delayed_work cancel_delayed_work_sync
+bool kmod_cancel_work(struct work_struct* work, bool waits);
+bool kmod_cancel_delayed_work(struct delayed_work* w, bool waits);
+#define cancel_work(work) kmod_cancel_work(work, false)
+#define cancel_work_sync(work) kmod_cancel_work(work, true)
+#define cancel_delayed_work(w) kmod_cancel_delayed_work(w, false)
+#define cancel_delayed_work_sync(w) kmod_cancel_delayed_work(w, true)
 bool flush_work(struct work_struct* work);
 #define flush_delayed_work(w) flush_work(&(w)->work)
 void flush_workqueue(struct workqueue_struct* queue);

@@ -77,6 +77,17 @@ class ModuleBugs(ModuleCase):
         self.assertIn("irq 72: nobody cared", printed)
         self.assertIn("Disabling IRQ #72", printed)
 
+    def test_a_module_that_is_none_is_refused_before_the_run(self):
+        self.write(bad_c=module(""), no_module_ko="#!/bin/sh\n")
+        self.runs("int main(void) { return 0; }", "bad.c")
+        for file, why in (("nowhere.ko", "nowhere.ko: is not there"),
+                          ("no_module.ko", "no_module.ko: not an ELF file"),
+                          ("program.elf", "expected a kernel module that de1sim link has made")):
+            done = self.de1sim("run", "program.elf", "--module", file)
+            self.assertEqual(done.returncode, 2, done.stdout + done.stderr)
+            self.assertIn(why, done.stderr)
+            self.assertEqual(len(done.stderr.splitlines()), 1, done.stderr)
+
     def test_an_init_function_that_fails(self):
         self.write(bad_c=module("", init="return -ENOMEM;"))
         printed = self.runs(self.OPENS, "bad.c", code=1)

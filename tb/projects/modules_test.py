@@ -162,6 +162,32 @@ class Modules(ModuleCase):
             """, "work.c")
         self.assertRegex(printed, "1 3 4 5 4 in (4|5)[0-9] ms")
 
+    def test_work_of_an_own_queue_is_waited_for(self):
+        self.write(flush_c=module("""
+            static struct workqueue_struct *own;
+            static int runs;
+            static struct work_struct slow;
+            static void work(struct work_struct *w) { msleep(20); ++runs; cancel_work(w); }
+            static ssize_t w(struct file *f, const char __user *from, size_t n, loff_t *at)
+            {
+                queue_work(own, &slow);
+                flush_work(&slow);
+                if (runs != 1) return -EIO;
+                queue_work(own, &slow);
+                msleep(5);
+                return cancel_work_sync(&slow) || runs != 2 ? -EBUSY : n;
+            }
+            """, operations=".write = w",
+            init='own = create_workqueue("own"); INIT_WORK(&slow, work);',
+            leave="destroy_workqueue(own);"))
+        self.runs(r"""
+            int main(void) {
+                int fd = open("/dev/dev", O_WRONLY);
+                CHECK(fd >= 0 && write(fd, "x", 1) == 1 && ms() >= 40 && ms() < 50);
+                return 0;
+            }
+            """, "flush.c")
+
     def test_two_programs_share_a_module(self):
         self.write(pipe_c=module("""
             static DECLARE_WAIT_QUEUE_HEAD(queue);
@@ -341,11 +367,12 @@ class Modules(ModuleCase):
                 CHECK(fd >= 0 && syscall(SYS_finit_module, fd, "period=x", 0) == -1);
                 CHECK(syscall(SYS_finit_module, fd, "period=7 name=two", 0) == 0);
                 CHECK(syscall(SYS_finit_module, fd, "", 0) == -1 && errno == EEXIST);
+                struct stat s;
                 int device = open("/dev/dev", O_RDONLY);
+                CHECK(fstat(device, &s) == 0 && major(s.st_rdev) == 10);
                 CHECK(device >= 0 && read(device, &value, 4) == 4 && value == 7);
                 CHECK(syscall(SYS_delete_module, "late", 0) == -1 && errno == EWOULDBLOCK);
                 close(device);
-                struct stat s;
                 CHECK(stat("/dev/dev", &s) == 0 && S_ISCHR(s.st_mode) && major(s.st_rdev) == 10);
                 CHECK(syscall(SYS_delete_module, "late", 0) == 0);
                 CHECK(syscall(SYS_delete_module, "late", 0) == -1 && errno == ENOENT);
