@@ -13,9 +13,9 @@
 // A function that may sleep, called where that is forbidden, a spinlock that is not given back or
 // taken twice, and a wrong address end the run, with the message of a kernel that looks for them.
 //
-// Not handled: seq_file, kfifo, networks, ALSA, block devices, input devices, regmap, clk, gpio,
-// DMA engines, virt_to_phys(); kobjects beside attributes; properties of the device tree; a program
-// that reads the modules' memory is not refused.
+// Not handled: seq_file beyond single_open(), kfifo, networks, ALSA, block devices, input devices,
+// regmap, clk, gpio, DMA engines, virt_to_phys(); kobjects beside attributes; properties of the
+// device tree; a program that reads the modules' memory is not refused.
 #ifndef DE1SIM_KMOD_H
 #define DE1SIM_KMOD_H
 
