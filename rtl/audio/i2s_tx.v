@@ -40,7 +40,6 @@ module i2s_tx (
         if (rst_i) begin
             dacdat_o <= 1'b0;
             shift_q  <= 24'd0;
-            right_q  <= 24'd0;
         end
     end
 endmodule

@@ -3,13 +3,12 @@
 //   clk      _/0\_/1\_/2\_/3\_/4\_
 //   AR       =A0=
 //   re_o         =A0=                held, with raddr_o, until rgrant_i
-//   rdone_i          =D0=            any number of clocks after the grant, with rdata_i, rerror_i
+//   rdone_i          =D0=            any number of clocks after the grant, with rdata_i
 //   R                    =D0=        held until RREADY; then the next beat's re_o
 //
 // INCR bursts of 1 to 16 beats, beats of 1, 2 or 4 bytes, unaligned starts: every beat returns the
-// whole word that holds it, and the master takes its lanes.  A beat at an address that no block
-// owns gets DECERR.  FIXED, WRAP and beats wider than the bus: SLVERR on every beat, and nothing is
-// read.
+// whole word that holds it, and the master takes its lanes.  FIXED, WRAP and beats wider than the
+// bus: SLVERR on every beat, and nothing is read.
 //
 // Not handled: exclusive access (answered OKAY, so the master sees that it failed).
 
@@ -43,12 +42,11 @@ module axi_read #(
     input  wire              rgrant_i,
     input  wire              rdone_i,
     input  wire [31:0]       rdata_i,
-    input  wire              rerror_i,
 
     output wire              awake_o
 );
     localparam [1:0] INCR = 2'b01;
-    localparam [1:0] OKAY = 2'b00, SLVERR = 2'b10, DECERR = 2'b11;
+    localparam [1:0] OKAY = 2'b00, SLVERR = 2'b10;
 
     reg              busy_q;      // a burst is under way; otherwise nothing changes here
     reg [ADDR_W-1:0] addr_q;
@@ -73,8 +71,8 @@ module axi_read #(
             // ---- A beat, from the register bus ----
             if (rgrant_i) re_o <= 1'b0;
             if (rdone_i) begin
-                rdata_o  <= rerror_i ? 32'd0 : rdata_i;
-                rresp_o  <= rerror_i ? DECERR : OKAY;
+                rdata_o  <= rdata_i;
+                rresp_o  <= OKAY;
                 rvalid_o <= 1'b1;
             end
             // ---- The response ----

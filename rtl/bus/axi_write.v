@@ -4,9 +4,8 @@
 //   AW       =A0=                        accepted when idle
 //   W            =D0==D1=                one beat per clock
 //   we_o             =D0==D1=            with waddr_o, wdata_o, wstrb_o
-//   werror_i             =E0==E1=        one clock after we_o: no block owns that address
 //   hold_i                               from one clock after the last we_o: the block is not done
-//   B                            =OK=    not while hold_i; DECERR if any beat met an error
+//   B                            =OK=    not while hold_i
 //
 // INCR bursts of 1 to 16 beats, beats of 1, 2 or 4 bytes, unaligned starts; byte lanes by WSTRB.
 // FIXED and WRAP bursts, and beats wider than the bus, are accepted to the end, write nothing, and
@@ -46,20 +45,18 @@ module axi_write #(
     output reg  [ADDR_W-1:0] waddr_o,     // word aligned
     output reg  [31:0]       wdata_o,
     output reg  [3:0]        wstrb_o,
-    input  wire              werror_i,
     input  wire              hold_i,
 
     output wire              awake_o
 );
     localparam [1:0] INCR = 2'b01;
-    localparam [1:0] OKAY = 2'b00, SLVERR = 2'b10, DECERR = 2'b11;
+    localparam [1:0] OKAY = 2'b00, SLVERR = 2'b10;
 
     reg              busy_q;      // a burst is under way; otherwise nothing changes here
     reg [ADDR_W-1:0] addr_q;
     reg [3:0]        left_q;      // beats to come after this one
     reg [ADDR_W-1:0] step_q;      // bytes per beat
     reg              refuse_q;    // this kind of burst is refused
-    reg              we_was_q;    // its werror_i comes now
     reg [1:0]        drain_q;     // the last beat is on its way to the block
 
     assign awake_o   = busy_q;
@@ -69,7 +66,6 @@ module axi_write #(
         if (busy_q) begin
             // ---- A beat, to the register bus ----
             we_o     <= 1'b0;
-            we_was_q <= we_o;
             drain_q  <= {drain_q[0] || (drain_q[1] && hold_i), 1'b0};
             if (wvalid_i && wready_o) begin
                 we_o    <= !refuse_q;
@@ -84,7 +80,6 @@ module axi_write #(
                 end
             end
             // ---- The response ----
-            if (we_was_q && werror_i) bresp_o <= DECERR;
             if (drain_q[1] && !hold_i) bvalid_o <= 1'b1;
             if (bvalid_o && bready_i) begin
                 bvalid_o <= 1'b0;
@@ -105,7 +100,6 @@ module axi_write #(
             wready_o <= 1'b0;
             bvalid_o <= 1'b0;
             we_o     <= 1'b0;
-            we_was_q <= 1'b0;
             drain_q  <= 2'b00;
         end
     end

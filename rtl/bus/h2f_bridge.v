@@ -111,9 +111,8 @@ module h2f_bridge #(
         .awburst_i(awburst_i), .awvalid_i(awvalid_i), .awready_o(awready_o),
         .wdata_i(wdata_i), .wstrb_i(wstrb_i), .wvalid_i(wvalid_i && !wwait), .wready_o(wready),
         .bid_o(bid_o), .bresp_o(bresp_o), .bvalid_o(bvalid_o), .bready_i(bready_i),
-        .we_o(we), .waddr_o(waddr), .wdata_o(wdata), .wstrb_o(wstrb), .werror_i(1'b0),
-        .hold_i(1'b0),
-        .awake_o(writer_awake)
+        .we_o(we), .waddr_o(waddr), .wdata_o(wdata), .wstrb_o(wstrb),
+        .hold_i(1'b0), .awake_o(writer_awake)
     );
 
     always @(posedge clk_i) begin
@@ -156,7 +155,7 @@ module h2f_bridge #(
         .re_o(re), .raddr_o(raddr), .rlow_o(), .rgrant_i(!rwait),
         .rdone_i(granted_q || sdram_valid_i),
         .rdata_i(sdram_valid_i ? sdram_i : rcells_q ? cells_i : rdata_i),
-        .rerror_i(1'b0), .awake_o(reader_awake)
+        .awake_o(reader_awake)
     );
     // verilator lint_on PINCONNECTEMPTY
 

@@ -73,9 +73,8 @@ module lw_bridge #(
         .awburst_i(awburst_i), .awvalid_i(awvalid_i), .awready_o(awready_o),
         .wdata_i(wdata_i), .wstrb_i(wstrb_i), .wvalid_i(wvalid_i), .wready_o(wready_o),
         .bid_o(bid_o), .bresp_o(bresp_o), .bvalid_o(bvalid_o), .bready_i(bready_i),
-        .we_o(we), .waddr_o(waddr), .wdata_o(wdata), .wstrb_o(wstrb), .werror_i(1'b0),
-        .hold_i(hold_i),
-        .awake_o(writer_awake)
+        .we_o(we), .waddr_o(waddr), .wdata_o(wdata), .wstrb_o(wstrb),
+        .hold_i(hold_i), .awake_o(writer_awake)
     );
 
     lw_decode write_decode (
@@ -101,7 +100,7 @@ module lw_bridge #(
         .rid_o(rid_o), .rdata_o(rdata_o), .rresp_o(rresp_o), .rlast_o(rlast_o),
         .rvalid_o(rvalid_o), .rready_i(rready_i),
         .re_o(re), .raddr_o(raddr), .rlow_o(rlow_o), .rgrant_i(1'b1),
-        .rdone_i(done_q), .rdata_i(rdata_i), .rerror_i(1'b0), .awake_o(reader_awake)
+        .rdone_i(done_q), .rdata_i(rdata_i), .awake_o(reader_awake)
     );
 
     lw_decode read_decode (

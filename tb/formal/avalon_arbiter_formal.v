@@ -1,7 +1,7 @@
 // avalon_arbiter_formal.v - one master at a time, each in its turn, and each has its own answers
 //
-// Three masters with 1, 2 and 3 shares, and two answers on their way at most.  A master keeps its
-// command until it is taken.  By 1-step induction.
+// Three masters with 1, 2 and 3 shares, and four answers on their way at most, from power-on, with or
+// without a reset.  A master keeps its command until it is taken.  By 1-step induction.
 
 `default_nettype none
 
@@ -22,7 +22,7 @@ module avalon_arbiter_formal (
     wire [7:0]  wdata;
 
     de1sim_avalon_arbiter #(
-        .MASTERS(3), .WIDTH(8), .SHARES({8'd3, 8'd2, 8'd1}), .MOST_LOG2(1)
+        .MASTERS(3), .WIDTH(8), .SHARES({8'd3, 8'd2, 8'd1}), .MOST_LOG2(2)
     ) dut (
         .clk_i(clk_i), .rst_i(rst_i), .valid_i(valid_i), .ready_o(ready), .write_i(write_i),
         .address_i(address_i), .wdata_i(wdata_i), .be_i(be_i), .rvalid_o(rvalid),
@@ -40,26 +40,25 @@ module avalon_arbiter_formal (
     wire [1:0] turn = dut__turn[1:0];    // who has the slave in this clock, if it is asked at all
     wire       taken = valid && ready_i;
 
-    reg        live = 1'b0;
-    reg        offered_q;                // a command that the slave has not taken
-    reg  [1:0] owner_q, second_q;        // of the oldest answer on its way, and of the next
-    reg  [1:0] owed_q;                   // answers on their way
-    reg  [1:0] who_q = 2'd0, run_q;      // whose turn it was last, and its commands in this turn
-    reg  [2:0] waits_q;                  // masters whose command was not taken
+    reg        offered_q = 1'b0;         // a command that the slave has not taken
+    reg  [7:0] owners_q;                 // of the answers on their way, the oldest in bits 1:0
+    reg  [2:0] owed_q = 3'd0;            // answers on their way
+    reg  [1:0] who_q = 2'd0, run_q = 2'd1; // whose turn it was last, and its commands in this turn
+    reg  [2:0] waits_q = 3'd0;           // masters whose command was not taken
     reg  [2:0] write_was, be_was;
     reg [95:0] address_was;
     reg [23:0] wdata_was;
     reg  [3:0] waited_q [0:2];           // commands of others since a master began to wait
+    wire [2:0] left = owed_q - {2'd0, rvalid_i};
     wire       new_turn = turn != who_q || run_q == shares(who_q);
 
     integer n;
+    initial for (n = 0; n < 3; n = n + 1) waited_q[n] = 4'd0;
     always @(posedge clk_i) begin
-        live      <= 1'b1;
         offered_q <= valid && !ready_i && !rst_i;
-        if (rvalid_i) owner_q <= second_q;
-        if (taken && owed_q - {1'b0, rvalid_i} == 2'd0) owner_q <= turn;
-        if (taken && owed_q - {1'b0, rvalid_i} == 2'd1) second_q <= turn;
-        owed_q <= owed_q + {1'b0, taken} - {1'b0, rvalid_i};
+        if (rvalid_i) owners_q <= owners_q >> 2;
+        if (taken) owners_q[2 * left[1:0] +: 2] <= turn;
+        owed_q <= left + {2'd0, taken};
         if (valid) begin
             who_q <= turn;
             run_q <= {1'b0, taken} + (new_turn ? 2'd0 : run_q);
@@ -70,17 +69,14 @@ module avalon_arbiter_formal (
             waited_q[n] <= !valid_i[n] || ready[n] ? 4'd0
                            : waited_q[n] + {3'd0, taken && turn != n[1:0]};
         if (rst_i) begin
-            owed_q  <= 2'd0;
+            owed_q  <= 3'd0;
             waits_q <= 3'd0;
             run_q   <= valid ? shares(turn) : shares(who_q);
             for (n = 0; n < 3; n = n + 1) waited_q[n] <= 4'd0;
         end
     end
 
-    always @(*) begin
-        if (!live) assume (rst_i);
-        if (owed_q == 2'd0) assume (!rvalid_i);
-    end
+    always @(*) if (owed_q == 3'd0) assume (!rvalid_i);
 
     wire [2:0] asked = 3'd1 << turn;
     genvar m;
@@ -94,16 +90,16 @@ module avalon_arbiter_formal (
     endgenerate
 
     // ---- What must hold ----
-    always @(*) if (live) begin
+    always @(*) begin
         a_one:     assert ((ready & valid_i) == (taken ? asked : 3'd0));
         a_asked:   assert (!valid || (valid_i & asked) != 3'd0);
         if (valid) a_command: assert (write == write_i[turn] && be == be_i[turn]
                                       && address == address_i[32*turn +: 32]
                                       && wdata == wdata_i[8*turn +: 8]);
-        if (valid_i != 3'd0 && owed_q != 2'd2) a_offers: assert (valid);
-        a_at_most: assert (owed_q != 2'd3);
+        if (valid_i != 3'd0 && owed_q != 3'd4) a_offers: assert (valid);
+        a_at_most: assert (owed_q <= 3'd4);
         if (offered_q) a_stable: assert (valid && turn == who_q);
-        a_answers: assert (rvalid == (rvalid_i ? 3'd1 << owner_q : 3'd0));
+        a_answers: assert (rvalid == (rvalid_i ? 3'd1 << owners_q[1:0] : 3'd0));
         if (valid && turn != who_q)
             a_keeps_its_turn: assert (!valid_i[who_q] || run_q == shares(who_q));
         if (valid && turn == who_q && run_q == shares(who_q))
@@ -113,9 +109,9 @@ module avalon_arbiter_formal (
 
     // ---- Invariants ----
     wire [7:0] dut__turn_q, dut__left_q;
-    wire [1:0] dut__pending_q;
-    wire       dut__first_q, dut__end_q;
-    wire [7:0] dut__owners_q__0, dut__owners_q__1;
+    wire [2:0] dut__pending_q;
+    wire [1:0] dut__first_q, dut__end_q;
+    wire [7:0] dut__owners_q__0, dut__owners_q__1, dut__owners_q__2, dut__owners_q__3;
 
     // Commands of others until the master has its turn, if all of them ask.
     function [3:0] until_turn;
@@ -133,18 +129,26 @@ module avalon_arbiter_formal (
         endcase
     endfunction
 
-    wire [7:0] head   = dut__first_q ? dut__owners_q__1 : dut__owners_q__0;
-    wire [7:0] after = dut__first_q ? dut__owners_q__0 : dut__owners_q__1;
+    // The oldest in bits 7:0.
+    wire [63:0] twice  = {2{dut__owners_q__3, dut__owners_q__2, dut__owners_q__1,
+                            dut__owners_q__0}};
+    wire [31:0] owners = twice[8 * dut__first_q +: 32];
+    wire  [3:0] right;
+    generate
+        for (m = 0; m < 4; m = m + 1) begin : answer
+            assign right[m] = owed_q <= m || (owners_q[2*m +: 2] != 2'd3
+                              && owners[8*m +: 8] == {6'd0, owners_q[2*m +: 2]});
+        end
+    endgenerate
 
     always @(*) i_turn: assert (dut__turn_q == {6'd0, who_q} && who_q != 2'd3);
-    always @(*) if (live) begin
+    always @(*) begin
         i_pending: assert (dut__pending_q == owed_q);
-        i_end:     assert (dut__end_q == (dut__first_q ^ owed_q[0]));
-        if (owed_q != 2'd0) i_owner: assert (head == {6'd0, owner_q} && owner_q != 2'd3);
-        if (owed_q == 2'd2) i_second: assert (after == {6'd0, second_q} && second_q != 2'd3);
+        i_end:     assert (dut__end_q == (dut__first_q + owed_q[1:0]));
+        i_owners:  assert (right == 4'b1111);
         i_left:    assert (dut__left_q == {6'd0, shares(who_q)} - {6'd0, run_q}
                            && run_q <= shares(who_q));
-        if (offered_q) i_offered: assert (waits_q[who_q] && dut__left_q != 8'd0 && owed_q != 2'd2);
+        if (offered_q) i_offered: assert (waits_q[who_q] && dut__left_q != 8'd0 && owed_q != 3'd4);
         i_waited0: assert (waited_q[0] + until_turn(2'd0) <= 4'd5 || waited_q[0] == 4'd0);
         i_waited1: assert (waited_q[1] + until_turn(2'd1) <= 4'd4 || waited_q[1] == 4'd0);
         i_waited2: assert (waited_q[2] + until_turn(2'd2) <= 4'd3 || waited_q[2] == 4'd0);

@@ -16,8 +16,7 @@ module axi_read_formal (
     input wire        rready_i,
     input wire        rgrant_i,
     input wire        rdone_i,
-    input wire [31:0] rdata_i,
-    input wire        rerror_i
+    input wire [31:0] rdata_i
 );
     wire        arready, rvalid, rlast, re, rlow;
     wire [1:0]  rid, rresp;
@@ -29,12 +28,12 @@ module axi_read_formal (
         .arsize_i(arsize_i), .arburst_i(arburst_i), .arvalid_i(arvalid_i), .arready_o(arready),
         .rid_o(rid), .rdata_o(rdata), .rresp_o(rresp), .rlast_o(rlast), .rvalid_o(rvalid),
         .rready_i(rready_i), .re_o(re), .raddr_o(raddr), .rlow_o(rlow), .rgrant_i(rgrant_i),
-        .rdone_i(rdone_i), .rdata_i(rdata_i), .rerror_i(rerror_i)
+        .rdone_i(rdone_i), .rdata_i(rdata_i)
     );
 
     // ---- The reference: the burst that is open ----
     reg        live = 1'b0;
-    reg        open_q, refused_q, erred_q, granted_q, held_q, last_q;
+    reg        open_q, refused_q, granted_q, held_q, last_q;
     reg  [1:0] id_q, rid_q, rresp_q;
     reg  [4:0] to_come_q;                       // beats
     reg [31:0] answer_q, rdata_q;
@@ -49,7 +48,6 @@ module axi_read_formal (
         if (re && rgrant_i) granted_q <= 1'b1;
         if (rdone_i) begin
             granted_q <= 1'b0;
-            erred_q   <= rerror_i;
             answer_q  <= rdata_i;
         end
         if (rvalid && rready_i) begin
@@ -76,8 +74,8 @@ module axi_read_formal (
         a_no_response_without_request: assert (!rvalid || open_q);
         a_id:            assert (!rvalid || rid == id_q);
         a_last:          assert (!rvalid || rlast == (to_come_q == 5'd1));
-        a_code:          assert (!rvalid || rresp == (refused_q ? 2'b10 : erred_q ? 2'b11 : 2'b00));
-        a_data:          assert (!rvalid || rdata == (refused_q || erred_q ? 32'd0 : answer_q));
+        a_code:          assert (!rvalid || rresp == (refused_q ? 2'b10 : 2'b00));
+        a_data:          assert (!rvalid || rdata == (refused_q ? 32'd0 : answer_q));
         a_stable:        assert (!held_q || (rvalid && rid == rid_q && rresp == rresp_q
                                              && rdata == rdata_q && rlast == last_q));
         a_one_read_a_beat: assert (!re || (open_q && !refused_q && !granted_q && !rvalid));

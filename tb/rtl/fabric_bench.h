@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "regmap.h"
+#include "sim/board/adv7180.h"
 #include "sim/board/is42s16320d.h"
 #include "sim/fpga/fabric.h"
 
@@ -31,6 +32,7 @@ struct Pins : sim::PinListener {
     sim::HeaderPins driven{};
     std::function<void(sim::ChipInputs& in)> on_headers;
     sim::Is42s16320d memory;
+    sim::Adv7180 camera;
 
     void wires(sim::ChipInputs& in) const {
         const Ps2Pulls host = pulls.empty() ? Ps2Pulls{} : pulls.back();
@@ -54,6 +56,7 @@ struct Pins : sim::PinListener {
         if (on_headers) on_headers(in);
     }
     void adc(const sim::AdcPins&, std::uint64_t, sim::ChipInputs&) override {}
+    std::uint8_t td_data(std::uint64_t rise) override { return camera.data(rise); }
     void sdram(const sim::SdramPins& pins, std::uint64_t time_ps, std::uint16_t& dq,
                bool& more) override {
         memory.clock({pins.cs_n, pins.ras_n, pins.cas_n, pins.we_n, pins.ba, pins.addr, pins.dqm,

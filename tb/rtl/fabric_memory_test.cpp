@@ -32,6 +32,33 @@ TEST_F(FabricPorts, ReachEveryBankAndBothEndsOfTheMemories) {
     EXPECT_EQ(pins.memory.violations(), 0u);
 }
 
+// A row of the picture has 320 pixels of 512: the processor writes to the rest.
+TEST_F(FabricPorts, KeepWhatIsWrittenWhileAPictureComesIn) {
+    constexpr std::uint32_t ROW = 1024, PICTURE = 640, BURST = 64;
+    write(VIDEO_IN_BACK_BUFFER, ONCHIP_BASE);
+    write(VIDEO_IN_BUFFER, 1);
+    write(VIDEO_IN_STATUS, VIDEO_IN_STATUS_EN_MASK);
+    constexpr unsigned ROUNDS = 90;  // longer than a picture
+    const auto written = [](unsigned round, std::uint32_t place) {
+        Bytes bytes(BURST);
+        for (std::uint32_t i = 0; i < BURST; ++i)
+            bytes[i] = static_cast<std::uint8_t>(place / BURST * 7 + i + round / 6 * 29);
+        return bytes;
+    };
+    for (unsigned round = 0; round < ROUNDS; ++round)
+        for (std::uint32_t row = 0; row < 240; ++row) {
+            const std::uint32_t place = ONCHIP_BASE + row * ROW + PICTURE + BURST * (round % 6);
+            put(place, written(round, place));
+        }
+    for (std::uint32_t row = 0; row < 240; ++row) {
+        EXPECT_EQ(bytes_at(ONCHIP_BASE + row * ROW + 320, 2), (Bytes{0xf5, 0x10})) << row;
+        for (std::uint32_t burst = 0; burst < 6; ++burst) {
+            const std::uint32_t place = ONCHIP_BASE + row * ROW + PICTURE + BURST * burst;
+            ASSERT_EQ(bytes_at(place, BURST), written(ROUNDS - 1, place)) << row << ", " << burst;
+        }
+    }
+}
+
 // D31-D0 of JP1 and JP2, as the DE1-SoC Computer's manual has them.
 unsigned pin_of(unsigned bit) {
     return bit == 0 ? 1 : bit <= 13 ? bit + 2 : bit == 14 ? 17 : bit + 4;

@@ -142,6 +142,45 @@ TEST_F(FabricPorts, InterruptForEachTerminalWithItsNumber) {
     }
 }
 
+// ---- The other interrupts ----
+
+TEST_F(FabricPorts, InterruptWithEachBlocksNumber) {
+    struct Interrupt {
+        const char* block;
+        unsigned id;
+        std::uint32_t enable, value;  // register, what enables it
+        std::function<void()> happen;
+    };
+    const Interrupt interrupts[] = {
+        {"timer 0", TIMER0_IRQ_ID, TIMER0_CONTROL, TIMER0_CONTROL_ITO_MASK,
+         [this] { write(TIMER0_PERIOD_HIGH, 0), write(TIMER0_PERIOD_LOW, 0); }},
+        {"timer 1", TIMER1_IRQ_ID, TIMER1_CONTROL, TIMER0_CONTROL_ITO_MASK,
+         [this] { write(TIMER1_PERIOD_HIGH, 0), write(TIMER1_PERIOD_LOW, 0); }},
+        {"push buttons", KEY_IRQ_ID, KEY_MASK, 1,
+         [this] { fabric.in.key_n = 0xe, fabric.run(10), fabric.in.key_n = 0xf, fabric.run(10); }},
+        {"keypad", KEYPAD_IRQ_ID, KEYPAD_MASK, KEYPAD_STATUS_EVENT_MASK,
+         [this] {
+             write(KEYPAD_DEBOUNCE, 1);
+             pins.on_headers = [this](sim::ChipInputs& in) {  // key 0: its row and its column
+                 const std::uint64_t column = std::uint64_t{1} << 9, row = std::uint64_t{1} << 5;
+                 const bool low = pins.driven.enable[0] & ~pins.driven.levels[0] & column;
+                 in.gpio[0] = sim::ALL_HEADER_PINS & ~(low ? row | column : 0);
+             };
+             write(KEYPAD_CONTROL, 1);
+             fabric.run(4 * 4 * 1250);
+         }},
+        {"IrDA", IRDA_IRQ_ID, IRDA_CONTROL, IRDA_CONTROL_WE_MASK, [] {}},
+        {"audio", AUDIO_IRQ_ID, AUDIO_CONTROL, AUDIO_CONTROL_WE_MASK, [] {}},
+    };
+    for (const Interrupt& each : interrupts) {
+        each.happen();
+        EXPECT_EQ(fabric.irq(), 0u) << each.block;
+        write(each.enable, each.value);
+        EXPECT_EQ(fabric.irq(), irq_of(each.id)) << each.block;
+        write(each.enable, 0);
+    }
+}
+
 // ---- Headers, picture ----
 
 TEST_F(FabricPorts, InterruptForAFallingPinOfTheirHeader) {

@@ -40,6 +40,16 @@ TEST_F(IntervalTimer, ABytesWriteKeepsTheOtherBytesOfThePeriod) {
     EXPECT_EQ(counter(), 0x22AB'CD11u);
 }
 
+TEST_F(IntervalTimer, HasNothingBehindItsRegisters) {
+    write(CONTROL, CONT | ITO);
+    for (const std::uint32_t place : {SNAP_HIGH + 4, SNAP_HIGH + 8}) {
+        write(place, 0xffff'ffff);
+        EXPECT_EQ(read(place), 0u);
+    }
+    EXPECT_EQ(read(CONTROL), CONT | ITO);
+    EXPECT_EQ(read(PERIOD_LOW) | read(PERIOD_HIGH) << 16, 12'499'999u);
+}
+
 TEST_F(IntervalTimer, EndsOnceAClockWhereThePeriodIsShorter) {
     period(1);
     write(CONTROL, START | CONT);

@@ -1,4 +1,5 @@
 // vga.v: the characters over the pixels, and their controller.
+#include <algorithm>
 #include <string>
 
 #include "gfx/font.h"
@@ -59,6 +60,26 @@ TEST_F(VgaText, ReadsAndShowsNoCharactersWhileThereAreOnlyBlanks) {
     cell_fetches = 0;
     for (const std::uint32_t rgb : shown()) ASSERT_EQ(rgb, 0u);
     EXPECT_EQ(cell_fetches, 0u);
+}
+
+TEST_F(VgaText, BeginsCharactersWithALine) {
+    for (auto& code : text) code = '_';  // its only stroke is in the letter's last line but one
+    const auto whole = shown();
+    dut.cells_any_i = 0;
+    shown();
+    const auto line =
+        static_cast<unsigned>(std::find(whole.begin(), whole.end(), 0xffffffu) - whole.begin()) /
+        640;
+    ASSERT_LT(line, 8u);
+    clock(FRAME - 400);
+    seen.clear();
+    while (seen.size() < line * 640u + 320) clock();
+    dut.cells_any_i = 1;
+    while (seen.size() < (line + 8) * 640u + 640) clock();
+    for (unsigned x = 0; x < 640; ++x) {
+        ASSERT_EQ(seen[line * 640 + x], 0u) << x;
+        ASSERT_EQ(seen[(line + 8) * 640 + x], whole[(line + 8) * 640 + x]) << x;
+    }
 }
 
 TEST_F(VgaText, ShowsNeitherCharactersNorPixelsWhileEitherIsDisabled) {
