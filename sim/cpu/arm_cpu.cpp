@@ -308,7 +308,7 @@ void ArmCpu::fail_runaway(const std::string& what) {
 
 // After each quantum: whether the program has failed, or has ended.
 void ArmCpu::check() {
-    const bool stands_still = handlers_.stands_still();
+    const bool stands_still = handlers_.stands_still() && !(kernel_ && kernel_->may_interrupt());
     if (!kernel_ && !fault())
         if (const auto astray = runaway_.check(stands_still)) fail_runaway(*astray);
     if (const auto failure = handlers_.has_open() ? handlers_.failure(where()) : std::nullopt) {

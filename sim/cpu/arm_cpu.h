@@ -98,6 +98,8 @@ public:
     virtual void alarm(ArmCore&) {}
     // The interrupt controller's IRQ has risen, perhaps within an access of the program.
     virtual void interrupt_raised() {}
+    // Something may end a loop on one instruction by itself: a signal, another thread.
+    virtual bool may_interrupt() const { return false; }
 
 protected:
     ~ArmKernel() = default;
@@ -138,8 +140,8 @@ public:
     void conclude();
 
     // How long the program has been over: ended by end(), or looping on one instruction with IRQ
-    // and FIQ masked, so that only a reset could end the loop.  0 before, and under an
-    // inspector.
+    // and FIQ masked, so that only a reset could end the loop; and under a kernel nothing else may
+    // happen.  0 before, and under an inspector.
     sc_core::sc_time ended_for() const;
 
     // Lets loops that use the bus be shortened, too.

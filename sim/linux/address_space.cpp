@@ -29,7 +29,10 @@ AddressSpace::AddressSpace(ArmCore& core, std::uint32_t bottom, std::uint32_t to
     host_ = static_cast<std::uint8_t*>(area) - bottom;
 }
 
-AddressSpace::~AddressSpace() { munmap(host_ + bottom_, top_ - bottom_); }
+AddressSpace::~AddressSpace() {
+    all_ram_ -= own_ram_;
+    munmap(host_ + bottom_, top_ - bottom_);
+}
 
 // ---- The core's list ----------------------------------------------------------------------------
 
@@ -59,6 +62,7 @@ void AddressSpace::detach() {
 
 std::shared_ptr<AddressSpace> AddressSpace::copy() const {
     static const std::vector<std::uint8_t> zeros(PAGE);
+    if (all_ram_ + own_ram_ > ALL_RAM) return nullptr;
     auto other = std::make_shared<AddressSpace>(core_);
     for (const auto& [begin, area] : areas_) {
         const std::uint32_t bytes = area.end - begin;
@@ -67,13 +71,29 @@ std::shared_ptr<AddressSpace> AddressSpace::copy() const {
         } else if (area.shared) {
             other->map_shared(begin, bytes, area.access, area.shared, area.physical);
         } else {
-            other->map(begin, bytes, area.access);
+            other->map(begin, bytes, 0);
             for (std::uint32_t page = begin; page < area.end; page += PAGE)
                 if (std::memcmp(host_ + page, zeros.data(), PAGE) != 0)
                     std::memcpy(other->host_ + page, host_ + page, PAGE);
+            other->protect(begin, bytes, area.access);
         }
     }
     return other;
+}
+
+// ---- RAM ----------------------------------------------------------------------------------------
+
+void AddressSpace::count(std::uint32_t begin, const Area& area, bool more) {
+    const std::uint64_t bytes = ram_of(begin, area);
+    const auto add = [&](std::uint64_t& sum) { sum = more ? sum + bytes : sum - bytes; };
+    add(ram_);
+    if (area.shared) return;
+    add(own_ram_);
+    add(all_ram_);
+}
+
+bool AddressSpace::has_room(std::uint64_t bytes, bool shared) const {
+    return ram_ + bytes <= RAM && (shared || all_ram_ + bytes <= ALL_RAM);
 }
 
 // ---- Areas --------------------------------------------------------------------------------------
@@ -110,13 +130,13 @@ void AddressSpace::join(Areas::iterator area) {
 void AddressSpace::insert(std::uint32_t begin, const Area& area) {
     const auto at = areas_.emplace(begin, area).first;
     connect(at);
-    ram_ += ram_of(begin, area);
+    count(begin, area, true);
     join(at);
     if (at != areas_.begin()) join(std::prev(at));
 }
 
 bool AddressSpace::map(std::uint32_t begin, std::uint32_t bytes, unsigned access) {
-    if (bytes > RAM || (access != 0 && ram_ + bytes > RAM)) return false;
+    if (bytes > RAM || (access != 0 && !has_room(bytes, false))) return false;
     unmap(begin, bytes);
     void* const fresh = mmap(host_ + begin, bytes, PROT_READ | PROT_WRITE,
                              MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE | MAP_FIXED, -1, 0);
@@ -133,8 +153,7 @@ void AddressSpace::map_bus(std::uint32_t begin, std::uint32_t bytes, unsigned ac
 
 bool AddressSpace::map_shared(std::uint32_t begin, std::uint32_t bytes, unsigned access,
                               std::shared_ptr<SharedMemory> memory, std::uint32_t offset) {
-    if (bytes > RAM || ram_ + bytes > RAM || !memory->reserve(std::uint64_t{offset} + bytes))
-        return false;
+    if (!has_room(bytes, true) || !memory->reserve(std::uint64_t{offset} + bytes)) return false;
     unmap(begin, bytes);
     void* const fresh = mmap(host_ + begin, bytes, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_FIXED,
                              memory->fd(), static_cast<off_t>(offset));
@@ -148,7 +167,7 @@ void AddressSpace::unmap(std::uint32_t begin, std::uint32_t bytes) {
     split(begin + bytes);
     for (auto it = areas_.lower_bound(begin); it != areas_.end() && it->first < begin + bytes;) {
         disconnect(it);
-        ram_ -= ram_of(it->first, it->second);
+        count(it->first, it->second, false);
         if (!it->second.on_bus)  // gives the pages back to the host
             mmap(host_ + it->first, it->second.end - it->first, PROT_NONE,
                  MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE | MAP_FIXED, -1, 0);
@@ -160,12 +179,17 @@ bool AddressSpace::protect(std::uint32_t begin, std::uint32_t bytes, unsigned ac
     if (!is_mapped(begin, bytes)) return false;
     split(begin);
     split(begin + bytes);
+    std::uint64_t more = 0;
+    for (auto it = areas_.lower_bound(begin); it != areas_.end() && it->first < begin + bytes; ++it)
+        if (access != 0 && it->second.access == 0 && !it->second.on_bus)
+            more += it->second.end - it->first;
+    if (all_ram_ + more > ALL_RAM) return false;
     for (auto it = areas_.lower_bound(begin); it != areas_.end() && it->first < begin + bytes;
          ++it) {
         disconnect(it);
-        ram_ -= ram_of(it->first, it->second);
+        count(it->first, it->second, false);
         it->second.access = access;
-        ram_ += ram_of(it->first, it->second);
+        count(it->first, it->second, true);
         connect(it);
     }
     auto it = areas_.lower_bound(begin);

@@ -28,7 +28,11 @@ class AddressSpace {
 public:
     static constexpr std::uint32_t PAGE = 4096;
     static constexpr std::uint32_t BOTTOM = 0x1000, TOP = 0xBF000000;
-    static constexpr std::uint64_t RAM = 1u << 30;  // limit of all that is mapped, as on the board
+    // Limits of what is mapped for reading or writing: in one, as much as the board has, besides
+    // what is made so later, as stacks of threads are; in all of them, without what they share.
+    // Pages take the board's memory only once they are written to, so more may be mapped than
+    // that.
+    static constexpr std::uint64_t RAM = 1u << 30, ALL_RAM = 4 * RAM;
 
     struct Area {
         std::uint32_t end;  // first address after it
@@ -46,7 +50,8 @@ public:
     explicit AddressSpace(ArmCore& core, std::uint32_t bottom = BOTTOM, std::uint32_t top = TOP);
     ~AddressSpace();
     AddressSpace(const AddressSpace&) = delete;
-    // The same areas, those in RAM with a copy of their contents; not the core's yet.
+    // The same areas, those in RAM with a copy of their contents; not the core's yet.  Null if RAM
+    // is used up.
     std::shared_ptr<AddressSpace> copy() const;
 
     // It is the one that the core sees, or no longer.
@@ -65,7 +70,7 @@ public:
     bool holds(std::uint32_t begin, std::uint32_t bytes) const {
         return begin >= bottom_ && begin <= top_ && bytes <= top_ - begin;
     }
-    // False, and nothing done, if a part of it is not mapped.
+    // False, and nothing done, if a part of it is not mapped, or RAM is used up.
     bool protect(std::uint32_t begin, std::uint32_t bytes, unsigned access);
 
     bool is_mapped(std::uint32_t begin, std::uint32_t bytes) const;  // all of it
@@ -93,12 +98,15 @@ private:
     void insert(std::uint32_t begin, const Area& area);
     void connect(Areas::const_iterator area);     // to the core
     void disconnect(Areas::const_iterator area);  // from it
+    void count(std::uint32_t begin, const Area& area, bool more);
+    bool has_room(std::uint64_t bytes, bool shared) const;
 
     ArmCore& core_;
     const std::uint32_t bottom_, top_;
-    std::uint8_t* host_;  // where address 0 would be
-    Areas areas_;         // by begin
-    std::uint64_t ram_ = 0;
+    std::uint8_t* host_;                   // where address 0 would be
+    Areas areas_;                          // by begin
+    std::uint64_t ram_ = 0, own_ram_ = 0;  // own: not shared
+    inline static std::uint64_t all_ram_ = 0;
     bool attached_ = false;
 };
 

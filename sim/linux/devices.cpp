@@ -129,15 +129,13 @@ public:
     std::int64_t write_at(const void* data, std::size_t bytes, std::int64_t offset) override {
         if (offset < 0) return -EINVAL;
         const std::uint64_t end = static_cast<std::uint64_t>(offset) + bytes;
-        if (end > AddressSpace::RAM) return -ENOSPC;
-        if (end > memory_->size()) memory_->resize(end);
+        if (end > memory_->size() && !memory_->resize(end)) return -ENOSPC;
         return ::pwrite(memory_->fd(), data, bytes, static_cast<off_t>(offset));
     }
     int truncate(std::int64_t bytes) override {
         if (bytes < 0) return -EINVAL;
         if (static_cast<std::uint64_t>(bytes) > AddressSpace::RAM) return -EFBIG;
-        memory_->resize(static_cast<std::uint64_t>(bytes));
-        return 0;
+        return memory_->resize(static_cast<std::uint64_t>(bytes)) ? 0 : -ENOSPC;
     }
 
 private:

@@ -2,7 +2,6 @@
 
 #include <fcntl.h>
 #include <sys/mman.h>
-#include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -19,16 +18,7 @@ namespace sim {
 
 namespace {
 
-constexpr int MOST_FILES = 1024;  // of the program
-constexpr int SPARE_FILES = 32;   // of the host's that a run needs itself
-
-// The host numbers files from the lowest free number on.
-bool is_one_too_many(int host) {
-    rlimit limit{};
-    return getrlimit(RLIMIT_NOFILE, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY &&
-           static_cast<rlim_t>(host) + SPARE_FILES >= limit.rlim_cur;
-}
-
+constexpr int MOST_FILES = 1024;     // of the program
 constexpr unsigned MOST_LINKS = 40;  // on the way of a path, as in Linux
 
 std::deque<std::string> components(const std::string& path) {

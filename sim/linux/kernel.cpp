@@ -113,9 +113,13 @@ void LinuxKernel::call(ArmCore& core) {
     if (by_module || call != by_number.end()) {
         const Arguments arguments{core.reg(0), core.reg(1), core.reg(2), core.reg(3),
                                   core.reg(4), core.reg(5), core.reg(6)};
-        if (const Result result =
-                by_module ? call_of_module(arguments) : (this->*call->second)(arguments))
-            core.set_reg(0, static_cast<std::uint32_t>(*result));
+        Result result;
+        try {
+            result = by_module ? call_of_module(arguments) : (this->*call->second)(arguments);
+        } catch (const std::bad_alloc&) {  // the host has no more, of memory or of files
+            result = -ENOMEM;
+        }
+        if (result) core.set_reg(0, static_cast<std::uint32_t>(*result));
         return go_on();
     }
     const std::string name = name_of(number);

@@ -145,6 +145,7 @@ private:
     void call(ArmCore& core) override;
     void alarm(ArmCore& core) override;
     void interrupt_raised() override;
+    bool may_interrupt() const override;
     void exception(ArmCore& core, ArmException, const ArmFault&, const std::string& what) override;
 
     // kernel_memory.cpp
@@ -383,6 +384,8 @@ private:
                                   std::uint32_t name);
     Result wait_for_interrupt(unsigned number);
     void take_interrupts();
+    std::uint64_t lockup_ns() const;
+    void find_lockup();
     std::string place_in_module(std::uint32_t pc) const;
     std::string line_in_module(std::uint32_t pc) const;
     void stop_by_fault(unsigned signal, std::uint32_t address, const std::string& why);

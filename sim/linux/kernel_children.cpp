@@ -27,10 +27,11 @@ LinuxKernel::Result LinuxKernel::fork(const Clone& how) {
     using namespace arm_clone;
     if (processes_.size() >= MOST_PROCESSES) return -EAGAIN;
     LinuxProcess& parent = *process_;
+    auto memory = how.flags & VM ? parent.memory : parent.memory->copy();
+    if (!memory) return -ENOMEM;
     const int number = next_number_++;
     auto made = std::make_unique<LinuxProcess>(
-        LinuxProcess{number, parent.number, how.flags & VM ? parent.memory : parent.memory->copy(),
-                     parent.files, parent.signals});
+        LinuxProcess{number, parent.number, std::move(memory), parent.files, parent.signals});
     LinuxProcess& child = *made;
     child.break_begin = parent.break_begin;
     child.break_end = parent.break_end;
@@ -135,8 +136,7 @@ void LinuxKernel::end_run(std::uint32_t code, const std::string& where) {
             others == 2 ? "a process" : fmt::format("{} processes", others - 1), where));
     std::string why = loader_.failure(code);
     if (why.empty() && !loader_.missing().empty())
-        outside_.log(fmt::format("the program looked for the library {}, which is not there",
-                                 loader_.missing()));
+        outside_.log(fmt::format("the program looked for the library {}", loader_.missing()));
     if (code != 0 && why.empty())
         why = fmt::format("the program ended with exit code {} {}", code, where);
     cpu_.end(why);

@@ -27,7 +27,10 @@ LinuxKernel::Result LinuxKernel::sys_shmget(const Arguments& a) {
     Segment& segment = segments_.at(static_cast<int>(number));
     if (!segment.memory) {
         segment.memory = std::make_shared<SharedMemory>();
-        segment.memory->resize(a[1]);
+        if (!segment.memory->resize(a[1])) {
+            segments_.erase(static_cast<int>(number));
+            return -ENOMEM;
+        }
     }
     return a[1] > segment.memory->size() ? -EINVAL : number;
 }

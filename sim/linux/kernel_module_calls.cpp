@@ -201,7 +201,11 @@ LinuxKernel::Result LinuxKernel::wait_for_interrupt(unsigned number) {
     const auto found = interrupts_.find(number);
     if (found == interrupts_.end()) return -ENODEV;
     ModuleInterrupt& interrupt = found->second;
-    if (interrupt.enabled && std::exchange(interrupt.pending, false)) return 0;
+    if (interrupt.enabled && std::exchange(interrupt.pending, false)) {
+        interrupt.since_ns = now_ns();
+        return 0;
+    }
+    interrupt.running = nullptr;
     interrupt.waiting = running_;
     LinuxWait wait;
     wait.what = fmt::format("interrupt {}", number);
@@ -224,11 +228,34 @@ void LinuxKernel::take_interrupts() {
         if (found == interrupts_.end()) continue;
         ModuleInterrupt& interrupt = found->second;
         ++interrupt.count;
-        if (LinuxThread* const thread = std::exchange(interrupt.waiting, nullptr))
+        if (LinuxThread* const thread = std::exchange(interrupt.waiting, nullptr)) {
+            interrupt.running = thread;
+            interrupt.since_ns = now_ns();
             resume(*thread, 0);
-        else
+        } else {
             interrupt.pending = true;
+        }
     }
+}
+
+// When the handler that runs, if one does, has run too long: the board's kernel finds that, too,
+// and nothing else happens there any more.
+std::uint64_t LinuxKernel::lockup_ns() const {
+    constexpr std::uint64_t LONGEST_HANDLER_NS = NS;
+    for (const auto& [number, interrupt] : interrupts_)
+        if (running_ && interrupt.running == running_)
+            return interrupt.since_ns + LONGEST_HANDLER_NS;
+    return LinuxWait::NEVER;
+}
+
+void LinuxKernel::find_lockup() {
+    if (now_ns() < lockup_ns()) return;
+    for (const auto& [number, interrupt] : interrupts_)
+        if (interrupt.running == running_)
+            return stop_by_bug(fmt::format("soft lockup: the handler of interrupt {} ({}) has not "
+                                           "returned for 1 s",
+                                           number, interrupt.name),
+                               cpu_.core().pc());
 }
 
 // The line to the processor has risen, perhaps within an access of a program.
@@ -239,11 +266,11 @@ void LinuxKernel::interrupt_raised() { feel(); }
 // "dial_write+0x24/0x80 [dial]".
 std::string LinuxKernel::place_in_module(std::uint32_t pc) const {
     const std::string function = cpu_.program().elf.function(pc);
-    const std::size_t of = function.find(" of ");
     if (function.empty()) return fmt::format("0x{:08x}", pc);
-    return of == std::string::npos
-               ? function
-               : fmt::format("{} [{}]", function.substr(0, of), function.substr(of + 4));
+    const std::size_t of = function.find(" of ");
+    const std::string place = function.substr(0, of);
+    return place + (place.find('+') == std::string::npos ? "+0x0" : "") +
+           (of == std::string::npos ? "" : fmt::format(" [{}]", function.substr(of + 4)));
 }
 
 // "dial.c:12", as the cross compiler's addr2line says; "" without it.

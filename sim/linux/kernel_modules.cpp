@@ -379,8 +379,10 @@ void LinuxKernel::forget_requests_of(const LinuxThread& thread) {
         const auto idle = std::remove(module->idle.begin(), module->idle.end(), &thread);
         module->idle.erase(idle, module->idle.end());
     }
-    for (auto& [number, interrupt] : interrupts_)
+    for (auto& [number, interrupt] : interrupts_) {
         if (interrupt.waiting == &thread) interrupt.waiting = nullptr;
+        if (interrupt.running == &thread) interrupt.running = nullptr;
+    }
     if (next_ == &thread) next_ = nullptr;
 }
 

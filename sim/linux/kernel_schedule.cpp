@@ -7,6 +7,12 @@
 
 namespace sim {
 
+namespace {
+
+constexpr unsigned MOST_REASONS = 8;  // in a message
+
+}  // namespace
+
 std::uint64_t LinuxKernel::now_ns() const { return cpu_.now().value() / 1000; }
 
 std::uint64_t LinuxKernel::later_ns(std::uint64_t span_ns) const {
@@ -128,6 +134,7 @@ void LinuxKernel::go_on() {
         receive_from_outside();
         expire_timers();
         if (running_ && running_->wait) suspend();
+        find_lockup();
         take_interrupts();
         look_at_all();
         if (running_ && (yields_ || scheduler_.preempts(*running_, now_ns()))) suspend();
@@ -158,10 +165,14 @@ std::uint64_t LinuxKernel::next_event_ns() const {
     std::uint64_t next = running_ ? scheduler_.end_of_turn_ns(*running_) : LinuxWait::NEVER;
     for (const LinuxThread* const thread : threads())
         if (thread->wait) next = std::min(next, thread->wait->at_ns);
-    next = std::min(next, next_timer_ns());
+    next = std::min({next, next_timer_ns(), lockup_ns()});
     if (const auto typed = terminal_.next_arrival())
         next = std::min<std::uint64_t>(next, (typed->value() + 999) / 1000);
     return next;
+}
+
+bool LinuxKernel::may_interrupt() const {
+    return threads().size() > 1 || next_event_ns() != LinuxWait::NEVER;
 }
 
 // No thread can run: lets time pass until something happens.
@@ -185,12 +196,23 @@ std::string LinuxKernel::waiting_list() const {
     list.erase(std::remove_if(list.begin(), list.end(),
                               [](const auto* t) { return t->wait && t->wait->idle; }),
                list.end());
-    for (const LinuxThread* const thread : list) {
-        if (list.size() > 1)
-            all += fmt::format("{}thread {}: ", all.empty() ? "" : "; ", thread->number);
-        all += thread->process.stopped ? "SIGCONT, because it is stopped"
-               : thread->wait          ? awaited(*thread)
-                                       : "its turn";
+    const auto reason = [this](const LinuxThread& thread) -> std::string {
+        return thread.process.stopped ? "SIGCONT, because it is stopped"
+               : thread.wait          ? awaited(thread)
+                                      : "its turn";
+    };
+    if (list.size() == 1) return reason(*list[0]);
+    unsigned reasons = 0;
+    for (std::size_t first = 0, after; first < list.size(); first = after) {
+        const std::string why = reason(*list[first]);
+        after = first + 1;
+        while (after < list.size() && reason(*list[after]) == why) ++after;
+        if (first > 0) all += "; ";
+        if (++reasons > MOST_REASONS)
+            return all + fmt::format("and {} threads more", list.size() - first);
+        all += after - first == 1 ? fmt::format("thread {}: {}", list[first]->number, why)
+                                  : fmt::format("threads {} to {}: {}", list[first]->number,
+                                                list[after - 1]->number, why);
     }
     return all;
 }

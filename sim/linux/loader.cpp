@@ -1,5 +1,6 @@
 #include "sim/linux/loader.h"
 
+#include <elf.h>
 #include <unistd.h>
 
 #include <filesystem>
@@ -33,6 +34,23 @@ std::string package_of(const std::string& library) {
     for (const auto& [name, package] : PACKAGES)
         if (library.rfind(name, 0) == 0) return fmt::format("install {}-armhf-cross, or ", package);
     return "";
+}
+
+std::string host_path(int host);
+
+// Why the dynamic linker of the hard-float ABI does not take this library; or "".
+std::string why_unfit(int host) {
+    try {
+        if (!is_elf(host_path(host))) return "no ELF file";
+        load_elf(host_path(host), linux_memory(), Linking::LIBRARY);
+    } catch (const std::runtime_error& e) {
+        const std::string what = e.what();
+        const std::size_t begin = what.find(": ") + 2;
+        return what.substr(begin, what.find(": ", begin) - begin);  // without what to do
+    }
+    Elf32_Ehdr header{};
+    const bool read = ::pread(host, &header, sizeof header, 0) == sizeof header;
+    return read && (header.e_flags & EF_ARM_ABI_FLOAT_SOFT) ? "for the soft-float ABI" : "";
 }
 
 std::string host_path(int host) { return "/proc/self/fd/" + std::to_string(host); }
@@ -85,13 +103,23 @@ std::uint32_t LinuxLoader::begin(AddressSpace& memory, const ElfProgram& program
     return end;
 }
 
-void LinuxLoader::looked_for(const std::string& path, bool found) {
+void LinuxLoader::looked_for(const std::string& path, int host) {
     const std::string name = file_name(path);
     if (name == CACHE) return;
-    if (!found)
-        missing_ = name;
-    else if (missing_ == name)
-        missing_.clear();
+    const std::string unfit = host < 0 ? "" : why_unfit(host);
+    if (host >= 0 && unfit.empty()) {
+        if (missing_ == name) missing_.clear();
+        return;
+    }
+    if (missing_ != name) unfit_.clear();
+    missing_ = name;
+    if (!unfit.empty()) unfit_ = path + " is " + unfit;
+}
+
+std::string LinuxLoader::missing() const {
+    return missing_.empty()
+               ? ""
+               : missing_ + (unfit_.empty() ? ", which is not there" : "; but " + unfit_);
 }
 
 // One that cannot be read has no names.
@@ -115,9 +143,9 @@ void LinuxLoader::add_names(ElfProgram library) {
 std::string LinuxLoader::failure(std::uint32_t exit_code) const {
     if (exit_code != LINKING_FAILED || missing_.empty()) return "";
     return fmt::format(
-        "the program needs the library {}, which is not there: {}copy it from the board into "
-        "/usr/lib of the folder of --linux-root, or link the program with -static",
-        missing_, package_of(missing_));
+        "the program needs the library {}: {}copy it from the board into /usr/lib of the folder of "
+        "--linux-root, or link the program with -static",
+        missing(), package_of(missing_));
 }
 
 }  // namespace sim

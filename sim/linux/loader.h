@@ -34,15 +34,16 @@ public:
                         const std::vector<std::string>& arguments,
                         const std::vector<std::string>& variables);
 
-    // The program has opened `path`, or has not found it.
-    void looked_for(const std::string& path, bool found);
+    // The program has opened `path`, the host's file of this number, or has not found it: negative.
+    void looked_for(const std::string& path, int host);
     // It has mapped the beginning of a file as code.
     void mapped(const LinuxFiles& files, int fd, std::uint32_t place);
 
     // Why the interpreter has ended the program with this exit code, and what to do; or "".
     std::string failure(std::uint32_t exit_code) const;
-    // A library that was looked for in vain, the last of them; or "".
-    const std::string& missing() const { return missing_; }
+    // What was looked for in vain, the last library of that kind, and why: "libx.so.1, which is not
+    // there"; or "".
+    std::string missing() const;
 
     // The names of what is loaded are in messages from now on.
     void add_names(ElfProgram library);
@@ -50,6 +51,7 @@ public:
 private:
     ArmCpu& cpu_;
     std::string missing_;  // the library that was looked for last, while it is not found
+    std::string unfit_;    // why one of that name does not fit; or ""
 };
 
 // The interpreter looks for a library in several places.

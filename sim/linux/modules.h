@@ -114,6 +114,8 @@ struct ModuleInterrupt {
     std::string name;
     bool enabled = true, pending = false;
     LinuxThread* waiting = nullptr;  // the handler's
+    LinuxThread* running = nullptr;  // the handler's, since this time
+    std::uint64_t since_ns = 0;
     std::uint64_t count = 0;
 };
 

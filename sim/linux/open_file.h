@@ -1,6 +1,7 @@
 // open_file.h - LinuxFiles' record of an open file
 #pragma once
 
+#include <sys/resource.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -41,6 +42,15 @@ struct LinuxFiles::Place {
 };
 
 constexpr const char* MEMORY_PATH = "/dev/mem";
+
+// The host's file `fd` is one of the last that it allows, which a run needs itself.  The host
+// numbers files from the lowest free number on.
+inline bool is_one_too_many(int fd) {
+    constexpr rlim_t SPARE_FILES = 32;
+    rlimit limit{};
+    return getrlimit(RLIMIT_NOFILE, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY &&
+           static_cast<rlim_t>(fd) + SPARE_FILES >= limit.rlim_cur;
+}
 
 // The host's result, as the kernel returns it.
 inline std::int64_t or_error(std::int64_t result) { return result < 0 ? -errno : result; }

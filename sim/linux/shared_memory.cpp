@@ -8,36 +8,45 @@
 #include <new>
 
 #include "sim/linux/address_space.h"
+#include "sim/linux/open_file.h"
 
 namespace sim {
 
 SharedMemory::SharedMemory() : fd_{memfd_create("shared", MFD_CLOEXEC)} {
-    if (fd_ < 0) throw std::bad_alloc{};
+    if (fd_ >= 0 && !is_one_too_many(fd_)) return;
+    close(fd_);
+    throw std::bad_alloc{};
 }
 
 SharedMemory::SharedMemory(const std::uint8_t* data, std::size_t bytes) : SharedMemory{} {
-    resize(bytes);
-    if (pwrite(fd_, data, bytes, 0) != static_cast<ssize_t>(bytes)) throw std::bad_alloc{};
+    if (!resize(bytes) || pwrite(fd_, data, bytes, 0) != static_cast<ssize_t>(bytes))
+        throw std::bad_alloc{};
 }
 
-SharedMemory::~SharedMemory() { close(fd_); }
+SharedMemory::~SharedMemory() {
+    all_reserved_ -= reserved_;
+    close(fd_);
+}
 
 // The host's file never shrinks: an access beyond its end would end the simulator.
-void SharedMemory::resize(std::uint64_t bytes) {
+bool SharedMemory::resize(std::uint64_t bytes) {
+    if (!reserve(bytes)) return false;
     if (bytes < size_) {
         const auto begin = static_cast<off_t>(bytes), length = static_cast<off_t>(size_ - bytes);
         fallocate(fd_, FALLOC_FL_PUNCH_HOLE | FALLOC_FL_KEEP_SIZE, begin, length);
     }
     size_ = bytes;
-    reserve(bytes);
+    return true;
 }
 
 bool SharedMemory::reserve(std::uint64_t bytes) {
-    if (bytes > AddressSpace::RAM) return false;
+    if (bytes > LIMIT) return false;
     const std::uint64_t pages =
         (bytes + AddressSpace::PAGE - 1) / AddressSpace::PAGE * AddressSpace::PAGE;
     if (pages <= reserved_) return true;
+    if (all_reserved_ - reserved_ + pages > LIMIT) return false;
     if (ftruncate(fd_, static_cast<off_t>(pages)) != 0) return false;
+    all_reserved_ += pages - reserved_;
     reserved_ = pages;
     return true;
 }

@@ -1,4 +1,6 @@
 // shared_memory.h - memory that several processes of a Linux program may map.
+//
+// All of it together is at most LIMIT, as much as the board has.
 #pragma once
 
 #include <cstddef>
@@ -8,20 +10,26 @@ namespace sim {
 
 class SharedMemory {
 public:
-    SharedMemory();                                             // std::bad_alloc
+    static constexpr std::uint64_t LIMIT = 1u << 30;  // bytes
+
+    // std::bad_alloc: the host refuses, or the limit is reached.
+    SharedMemory();
     SharedMemory(const std::uint8_t* data, std::size_t bytes);  // with this in it
     ~SharedMemory();
     SharedMemory(const SharedMemory&) = delete;
 
     int fd() const { return fd_; }  // the host's
     std::uint64_t size() const { return size_; }
-    void resize(std::uint64_t bytes);  // as ftruncate: zeros after the old end
-    // From now on it may be mapped up to here; what lies beyond its size is zero.
+    // As ftruncate: zeros after the old end.  False, and nothing done, if there is no room.
+    bool resize(std::uint64_t bytes);
+    // From now on it may be mapped up to here; what lies beyond its size is zero.  False, and
+    // nothing done, if there is no room.
     bool reserve(std::uint64_t bytes);
 
 private:
     int fd_;
     std::uint64_t size_ = 0, reserved_ = 0;
+    inline static std::uint64_t all_reserved_ = 0;
 };
 
 }  // namespace sim

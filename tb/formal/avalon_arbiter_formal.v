@@ -1,6 +1,6 @@
 // avalon_arbiter_formal.v - one master at a time, each in its turn, and each has its own answers
 //
-// Three masters with 1, 2 and 3 shares, and four answers on their way at most, from power-on, with or
+// Three masters with 1, 2 and 3 shares, four answers on their way at most, from power-on, with or
 // without a reset.  A master keeps its command until it is taken.  By 1-step induction.
 
 `default_nettype none

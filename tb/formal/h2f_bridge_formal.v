@@ -1,4 +1,4 @@
-// h2f_bridge_formal.v - a request to the SDRAM stays as it is until it is taken, as sdram.v requires
+// h2f_bridge_formal.v - a request to the SDRAM stays as it is until taken, as sdram.v requires
 //
 // The masters of both channels and the SDRAM are unconstrained: a read and a write may be under way
 // at once.  By 2-step induction.

@@ -41,6 +41,14 @@ class ModuleBugs(ModuleCase):
                   " return request_irq(TIMER_IRQ, handler, 0, \"t\", NULL) ? : n; }",
                   "BUG: sleeping function called from invalid context: msleep() in an interrupt's")
 
+    def test_a_handler_without_end(self):
+        self.oops("static irqreturn_t handler(int irq, void *data)"
+                  "{ for (;;) cpu_relax(); return IRQ_HANDLED; }" + self.WRITE +
+                  "{ start_timer();"
+                  " return request_irq(TIMER_IRQ, handler, 0, \"t\", NULL) ? : n; }",
+                  "soft lockup: the handler of interrupt 72 (t) has not returned for 1 s",
+                  "PC is at handler+")
+
     def test_a_spinlock_that_is_not_given_back(self):
         self.oops("static DEFINE_SPINLOCK(lock);" + self.WRITE + "{ spin_lock(&lock); return n; }",
                   "returned while a spinlock is held")

@@ -172,6 +172,14 @@ TEST_F(LinuxCalls, EndByTheSignalOfATimer) {
     EXPECT_THAT(report()["faults"][0].get<std::string>(),
                 StartsWith("the program was ended by SIGPROF: a timer expired, at "));
 }
+TEST_F(LinuxCalls, InterruptALoopOfOneInstruction) {
+    EXPECT_EQ(play(scenario("duration: 2s\n"),
+                   {"--elf", LINUX_PROGRAMS "itimers", "--quiet", "--", "spins"})
+                  .exit_code,
+              1);
+    EXPECT_THAT(report()["faults"][0].get<std::string>(),
+                StartsWith("the program ended with exit code 14 "));
+}
 TEST_F(LinuxCalls, TalkByPosixMessageQueues) {
     prints_as_on_linux("mqueue",
                        "not there: No such file or directory\n"

@@ -3,6 +3,8 @@
 
 #include <sys/stat.h>
 
+#include <fstream>
+
 #include "tb/system/cli.h"
 
 namespace {
@@ -89,6 +91,24 @@ TEST_F(LinuxProgram, LogsALibraryThatItLookedForInVain) {
     EXPECT_THAT(
         report()["log"]["first"],
         ElementsAre("the program looked for the library libsongs.so.2, which is not there"));
+}
+
+TEST_F(LinuxProgram, SaysWhyALibraryDoesNotFit) {
+    std::filesystem::create_directories(folder / "root/usr/lib");
+    const std::filesystem::path library = folder / "root/usr/lib/libgreet.so.1";
+    const auto why = [&] {
+        EXPECT_EQ(linux_run("greets", {}, {"--linux-root", folder / "root"}).exit_code, 1);
+        return report()["faults"][0].get<std::string>();
+    };
+    std::filesystem::copy("/bin/true", library);
+    EXPECT_THAT(why(), HasSubstr("libgreet.so.1; but /usr/lib/libgreet.so.1 is a 64-bit ELF file"));
+    std::filesystem::remove(library);
+    std::filesystem::copy(LINUX_PROGRAMS "libgreet.so.1.0", library);
+    std::fstream file{library, std::ios::in | std::ios::out | std::ios::binary};
+    file.seekp(36);  // e_flags
+    file.write("\x00\x02\x00\x05", 4);
+    file.close();
+    EXPECT_THAT(why(), HasSubstr("/usr/lib/libgreet.so.1 is for the soft-float ABI: copy it from"));
 }
 
 TEST_F(LinuxProgram, NamesALibraryThatIsNotThere) {

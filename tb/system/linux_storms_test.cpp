@@ -55,6 +55,21 @@ TEST_F(LinuxStorm, LeavesFilesForTheRunWhenItOpensAll) {
     EXPECT_EQ(console(), "many files: Too many open files\n");
 }
 
+TEST_F(LinuxStorm, HasFourTimesTheBoardsMemoryInAllProcesses) {
+    EXPECT_EQ(storm("forks-with-memory", "400ms").exit_code, 0);
+    EXPECT_EQ(console(), "7 children: Cannot allocate memory\n");
+}
+
+TEST_F(LinuxStorm, SharesNoMoreMemoryThanTheBoardHas) {
+    EXPECT_EQ(storm("shares-memory", "400ms").exit_code, 0);
+    EXPECT_EQ(console(), "4 files: No space left on device\n");
+}
+
+TEST_F(LinuxStorm, LeavesFilesForTheRunWhenItSharesMany) {
+    EXPECT_EQ(storm("shares-files", "50ms", "ulimit -n 128").exit_code, 0);
+    EXPECT_EQ(console(), "many files: Cannot allocate memory\n");
+}
+
 TEST_F(LinuxStorm, NeverOpensWhatIsNeitherFileNorFolder) {
     std::filesystem::create_directories(folder / "root");
     const std::string fifo = folder / "root/fifo";

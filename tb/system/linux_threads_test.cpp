@@ -61,6 +61,12 @@ TEST_F(Threads, ThatWaitForEachOtherAreADeadlock) {
     EXPECT_THAT(text, EndsWith("that thread 1 has"));
 }
 
+TEST_F(Threads, ThatWaitAlikeAreOneReason) {
+    EXPECT_EQ(run("crowd").exit_code, 0);
+    EXPECT_EQ(report()["program"]["at"]["waiting_for"],
+              "thread 1: the time to wake up; threads 2 to 51: a signal");
+}
+
 TEST_F(Threads, AreThoseOfCppToo) {
     const tb::Outcome outcome = run("", "threads_of_cpp");
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;

@@ -7,7 +7,8 @@
 // waiting for one.  Some of them are made by other threads, or by another process, which alone may
 // execute this program anew; that copy ends at once, since it has no N and SEED.  What sleeps gets
 // a time of less than a millisecond, what would wait is made not to, and standard input becomes a
-// file.  Without a C library, because calls also change the heap and the TLS.
+// file.  Timers' signals are ignored.  Without a C library, because calls also change the heap and
+// the TLS.
 #include <stdint.h>
 
 #define ARENA 0x20000000u
@@ -27,6 +28,15 @@ enum {
     NR_SIGTIMEDWAIT = 177, NR_SIGQUEUEINFO = 178, NR_SIGSUSPEND = 179, NR_SIGTIMEDWAIT_64 = 421,
     NR_MMAP2 = 192, NR_FTRUNCATE64 = 194, NR_TKILL = 238, NR_FUTEX = 240, NR_EXIT_GROUP = 248,
     NR_CLOCK_NANOSLEEP = 265, NR_TGKILL = 268, NR_PSELECT6 = 335, NR_PPOLL = 336,
+    NR_IOCTL = 54, NR_EPOLL_CTL = 251, NR_EPOLL_WAIT = 252, NR_EPOLL_PWAIT = 346,
+    NR_EPOLL_PWAIT2 = 441, NR_TIMERFD_CREATE = 350, NR_TIMERFD_SETTIME = 353,
+    NR_TIMERFD_SETTIME64 = 411, NR_TIMER_CREATE = 257, NR_TIMER_SETTIME = 258,
+    NR_TIMER_GETTIME = 259, NR_TIMER_DELETE = 261, NR_TIMER_GETTIME64 = 408,
+    NR_TIMER_SETTIME64 = 409, NR_SIGNALFD = 349, NR_SIGNALFD4 = 355, NR_MQ_OPEN = 274,
+    NR_MQ_UNLINK = 275, NR_MQ_TIMEDSEND = 276, NR_MQ_TIMEDRECEIVE = 277, NR_MQ_NOTIFY = 278,
+    NR_MQ_TIMEDSEND64 = 418, NR_MQ_TIMEDRECEIVE64 = 419, NR_MSGSND = 301, NR_MSGRCV = 302,
+    NR_MSGGET = 303, NR_OPENAT = 322, SIGUSR1 = 10, SIGALRM = 14, SIGVTALRM = 26, SIGPROF = 27,
+    NO_WAIT = 04000, REAP_URB = 0x4004550C,
     NR_CLOCK_NANOSLEEP64 = 407, NR_PSELECT6_64 = 413, NR_PPOLL_64 = 414, NR_FUTEX_64 = 422,
     MAP_FIXED_ANONYMOUS = 0x32, READ_WRITE = 3, CREATE = 0102
 };
@@ -39,6 +49,9 @@ static const uint16_t CALLS[] = {
     336, 414, 256, 338, 398, 122, 384, 369, 191, 77, 116, 242, 20, 224, 65, 64, 199, 174, 175, 186,
     11, 281, 290, 1000, 359, 359, 356, 385, 307, 305, 306, 308, 299, 300, 312, 420, 114, 280, 34,
     281, 281, 288, 282, 283, 283, 284, 366, 286, 287, 289, 290, 291, 292, 293, 294, 295, 296, 297,
+    104, 105, 250, 357, 251, 251, 251, 252, 346, 441, 350, 353, 354, 410, 411, 257, 257, 258, 259,
+    260, 261, 408, 409, 355, 274, 274, 275, 276, 277, 278, 279, 418, 419, 303, 301, 302, 304, 128,
+    129, 379, 14, 324, 54, 54, 54, 5, 5,
     96, 97, 154, 155, 156, 157, 159, 160, 161, 172, 176, 224, 241, 339, 345};
 
 static const char ITSELF[] = "/proc/self/exe";
@@ -47,7 +60,18 @@ static const char* const NAMES[] = {
     "/dev/null", "/dev/zero", "/dev/urandom", "/dev/shm/a", "/dev/fb0", "/proc/self/maps",
     "a", "b", "/d", "d/e", "d/../a", "../outside", "/../../outside", "d/../../outside/x", ".", "/",
     "", "..", "/dev/mem", ITSELF, "/etc/passwd", "d/e/f/g", "//a//", "a/",
-    "\xFF\n\x1B[2J"};
+    "\xFF\n\x1B[2J", "/dev/input/event0", "/dev/input/event1", "/dev/input/mice",
+    "/dev/input/js0", "/dev/bus/usb/001/002", "/dev/bus/usb/001/003", "/dev/i2c-0", "/dev/mqueue/a",
+    "/proc/self/mem", "/proc/interrupts", "/sys/class/input"};
+
+// Of the event devices, USB devices, the joystick, the terminal, the frame buffer and I2C.
+static const uint32_t REQUESTS[] = {
+    0x80044501, 0x80084502, 0x80104502, 0x80604506, 0x80604520, 0x80604521, 0x80604522, 0x80604518,
+    0x80604519, 0x80184540, 0x40044590, 0x400445A0, 0x40084503, 0xC0105500, 0xC0105502,
+    0x8038550A, 0x0000550B, 0x4004550D, 0x8004550F, 0x80045510, 0x80045505, 0x80085504, 0x41045508,
+    0x8004551A, 0x40105511, 0xC00C5512, 0x00005514, 0x80046A01, 0x80016A11, 0x80406A13, 0x5401,
+    0x5402, 0x541B, 0x5413, 0x540B, 0x4600, 0x4601, 0x4602, 0x4606, 0x0703, 0x0705, 0x0706, 0x0707,
+    0x0720};
 
 // struct sockaddr: two ports of this machine, and one of another.
 static const uint32_t HOSTS[3][4] = {
@@ -131,6 +155,18 @@ static uint32_t any_path(void) {
     return any() % 8 ? (uint32_t)(uintptr_t)NAMES[any() % COUNT(NAMES)] : any_address();
 }
 
+// Of a timer: a signal that is ignored, of a thread perhaps, or a wrong one.
+static uint32_t any_notice(void) {
+    static const int32_t KINDS[] = {0, 1, 4, 2, 3, -1};
+    static uint32_t notice[16];
+    static const int32_t SIGNALS[] = {SIGUSR1, SIGALRM, 0, 65, -1};
+    notice[0] = any();
+    notice[1] = (uint32_t)SIGNALS[any() % COUNT(SIGNALS)];
+    notice[2] = (uint32_t)KINDS[any() % COUNT(KINDS)];
+    notice[3] = any_value();
+    return any() % 8 ? (uint32_t)(uintptr_t)notice : any() % 2 ? 3 : 0xC0000000;
+}
+
 // Seconds, none or a wrong number, and ns or us, in 32 or 64 bits each.
 static uint32_t short_time(int wide, uint32_t below) {
     const uint32_t rest = any() % 16 ? any() % below : 0x80000000;
@@ -160,7 +196,7 @@ static int ends_or_stops(uint32_t number) {
            number == NR_FORK || number == NR_VFORK || number == NR_PIPE || number == NR_SEMOP ||
            number == NR_EVENTFD || number == NR_ACCEPT || number == NR_CLONE ||
            number == NR_CLONE3 || number == NR_SIGRETURN || number == NR_RT_SIGRETURN ||
-           number == NR_SIGTIMEDWAIT ||
+           number == NR_SIGTIMEDWAIT || number == NR_SIGNALFD ||
            number == NR_SIGQUEUEINFO || number == NR_SIGSUSPEND || number == NR_SIGTIMEDWAIT_64;
 }
 
@@ -208,7 +244,9 @@ static void one_call(void) {
         case 145:  // readv, writev
         case 146: a[0] = 3 + any() % 16, a[1] = any_address(), a[2] = any() % 4; break;
         case NR_SIGACTION:
-            if (a[0] == SIGPIPE) return;
+            if (a[0] == SIGPIPE || a[0] == SIGUSR1 || a[0] == SIGALRM || a[0] == SIGVTALRM ||
+                a[0] == SIGPROF)
+                return;
             break;
         case NR_SOCKET:
         case NR_SOCKETPAIR:
@@ -228,6 +266,39 @@ static void one_call(void) {
         case NR_FCNTL64:
             if (a[1] == 4) a[2] |= NOT_BLOCKING;
             break;
+        case NR_IOCTL:
+            a[0] = 3 + any() % 16;
+            a[1] = any() % 16 ? REQUESTS[any() % COUNT(REQUESTS)] : any();
+            if (a[1] == REAP_URB) return;
+            break;
+        case NR_EPOLL_CTL:
+            a[0] = 3 + any() % 16, a[1] = any() % 4, a[2] = 3 + any() % 16;
+            break;
+        case NR_EPOLL_WAIT:
+        case NR_EPOLL_PWAIT:
+            a[0] = 3 + any() % 16, a[3] = any() % 64 == 0;
+            if (number == NR_EPOLL_PWAIT) a[4] = any_address();
+            break;
+        case NR_EPOLL_PWAIT2: a[0] = 3 + any() % 16, a[3] = short_time(1, 10000); break;
+        case NR_TIMERFD_CREATE: a[0] = any() % 8, a[1] = NOT_BLOCKING; break;
+        case NR_TIMERFD_SETTIME:
+        case NR_TIMERFD_SETTIME64: a[0] = 3 + any() % 16; break;
+        case NR_TIMER_CREATE: a[0] = any() % 12, a[1] = any_notice(); break;
+        case NR_TIMER_SETTIME: case NR_TIMER_GETTIME: case NR_TIMER_GETTIME + 1:
+        case NR_TIMER_DELETE: case NR_TIMER_GETTIME64: case NR_TIMER_SETTIME64:
+            a[0] = any() % 16;
+            break;
+        case NR_SIGNALFD4: a[0] = any() % 2 ? ~0u : a[0], a[2] = 8, a[3] = NOT_BLOCKING; break;
+        case NR_MQ_OPEN: a[0] = any_path(), a[1] |= NOT_BLOCKING; break;
+        case NR_MQ_UNLINK: a[0] = any_path(); break;
+        case NR_MQ_TIMEDSEND:
+        case NR_MQ_TIMEDRECEIVE: a[0] = 3 + any() % 16, a[4] = short_time(0, 10000); break;
+        case NR_MQ_TIMEDSEND64:
+        case NR_MQ_TIMEDRECEIVE64: a[0] = 3 + any() % 16, a[4] = short_time(1, 10000); break;
+        case NR_MQ_NOTIFY: a[0] = 3 + any() % 16, a[1] = any_notice(); break;
+        case NR_MSGGET: a[0] = any() % 4; break;
+        case NR_MSGSND: a[0] = any() % 8, a[2] = any_length(), a[3] = NO_WAIT; break;
+        case NR_MSGRCV: a[0] = any() % 8, a[2] = any_length(), a[4] |= NO_WAIT; break;
         case NR_SEMTIMEDOP: a[3] = short_time(0, 10000); break;
         case NR_SEMTIMEDOP_64: a[3] = short_time(1, 10000); break;
         case NR_NANOSLEEP: a[0] = short_time(0, 10000); break;
@@ -249,6 +320,7 @@ static void one_call(void) {
         case 196:
             a[0] = any_path();
             if (number == 38) a[1] = any_path();
+            if (number == NR_OPEN) a[1] |= NOT_BLOCKING;
             break;
         case NR_EXECVE:
             a[0] = any_path();
@@ -257,6 +329,7 @@ static void one_call(void) {
         case 322: case 323: case 327: case 328: case 329: case 332: case 334: case 397: case 439:
             a[0] = any() % 4 ? 0xFFFFFF9C : any_value();
             a[1] = any_path();
+            if (number == NR_OPENAT) a[2] |= NOT_BLOCKING;
             if (number == 329) a[2] = a[0], a[3] = any_path();
             break;
         default: break;
@@ -334,8 +407,12 @@ __attribute__((used)) static void begin(const uint32_t* at) {
     const uint32_t calls = number_of((const char*)(uintptr_t)at[2]);
     state = number_of((const char*)(uintptr_t)at[3]) * 2654435769u | 1;
     static const uint32_t IGNORED[5] = {1};
-    const uint32_t ignores[7] = {SIGPIPE, (uint32_t)(uintptr_t)IGNORED, 0, 8};
-    call(NR_SIGACTION, ignores);
+    uint32_t ignores[7] = {0, (uint32_t)(uintptr_t)IGNORED, 0, 8};
+    static const uint8_t NONE[] = {SIGPIPE, SIGUSR1, SIGALRM, SIGVTALRM, SIGPROF};
+    for (unsigned i = 0; i < COUNT(NONE); ++i) {
+        ignores[0] = NONE[i];
+        call(NR_SIGACTION, ignores);
+    }
     for (uint32_t i = 0; i < calls; ++i) {
         if (i % 16384 == 0) close_files();
         if (i % 256 == 0) end_help(), begin_round();

@@ -39,6 +39,8 @@ static void say(const char* name, long result) {
     printf("%s: %s\n", name, result < 0 ? strerror(errno) : "done");
 }
 
+static void leave(int number) { _exit(number); }
+
 int main(int words, char** word) {
     const struct itimerval every = {{0, 20000}, {0, 20000}}, never = {{0, 0}, {0, 0}},
                            once = {{0, 0}, {0, 40000}}, bad = {{0, 0}, {0, 1000000}};
@@ -49,6 +51,11 @@ int main(int words, char** word) {
     setvbuf(stdout, NULL, _IOLBF, 0);
     if (words > 1 && !strcmp(word[1], "dies")) {
         setitimer(ITIMER_PROF, &once, NULL);
+        for (;;) continue;
+    }
+    if (words > 1 && !strcmp(word[1], "spins")) {
+        signal(SIGALRM, leave);
+        alarm(1);
         for (;;) continue;
     }
     say("microseconds", setitimer(ITIMER_PROF, &bad, NULL));

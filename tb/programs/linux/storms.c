@@ -1,8 +1,10 @@
 /* storms.c CASE - a program that takes what it can get of the machine that it runs on. */
+#include <errno.h>
 #include <fcntl.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <string.h>
+#include <sys/mman.h>
 #include <time.h>
 #include <unistd.h>
 
@@ -34,6 +36,33 @@ int main(int argc, char** argv) {
         int files = 0;
         while (open("/file", O_RDONLY) >= 0) ++files;
         perror(files < 20 ? "few files" : "many files");
+    } else if (strcmp(which, "forks-with-memory") == 0) {
+        int children = 0;
+        char* const memory = mmap(NULL, 500 << 20, PROT_READ | PROT_WRITE,
+                                  MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+        memory[0] = 1;
+        for (pid_t child; (child = fork()) >= 0; ++children)
+            if (child == 0) pause();
+        printf("%d children: %s\n", children, strerror(errno));
+    } else if (strcmp(which, "shares-memory") == 0) {
+        int files = 0, error = 0;
+        for (; error == 0; ++files) {
+            char name[20];
+            sprintf(name, "/%d", files);
+            const int fd = shm_open(name, O_CREAT | O_RDWR, 0600);
+            error = ftruncate(fd, 300 << 20);
+            close(fd);
+        }
+        printf("%d files: %s\n", files, strerror(errno));
+    } else if (strcmp(which, "shares-files") == 0) {
+        int files = 0;
+        for (int fd = 0; fd >= 0; ++files) {
+            char name[20];
+            sprintf(name, "/%d", files);
+            fd = shm_open(name, O_CREAT | O_RDWR, 0600);
+            if (fd >= 0) close(fd);
+        }
+        printf("%s files: %s\n", files > 20 ? "many" : "few", strerror(errno));
     } else if (strcmp(which, "fifo") == 0) {
         if (open("/fifo", O_WRONLY) < 0) perror("/fifo");
     }

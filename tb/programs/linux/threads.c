@@ -379,6 +379,16 @@ static void storms(void) {
     printf("%s\n", made > 500 && made < 2000 ? "no more threads" : "another number");
 }
 
+static void* pauses(void* unused) {
+    pause();
+    return unused;
+}
+
+static void crowd(void) {
+    for (int i = 0; i < 50; ++i) start(pauses, NULL);
+    sleep(10);
+}
+
 static void schedules(void) {
     struct sched_param parameter = {.sched_priority = 10};
     cpu_set_t set;
@@ -401,7 +411,7 @@ int main(int argc, char** argv) {
                {"spins", spins},         {"turns", takes_turns},   {"cancels", cancels},
                {"outlives", outlives},   {"waits", waits_in_time}, {"inherits", inherits},
                {"signals", signals},     {"deadlocks", deadlocks}, {"storms", storms},
-               {"schedules", schedules}};
+               {"schedules", schedules}, {"crowd", crowd}};
     setvbuf(stdout, NULL, _IOLBF, 0);
     for (unsigned i = 0; i < COUNT(all); ++i)
         if (argc > 1 && strcmp(argv[1], all[i].name) == 0) {
