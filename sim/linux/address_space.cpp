@@ -1,8 +1,11 @@
 #include "sim/linux/address_space.h"
 
+#include <fcntl.h>
 #include <sys/mman.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cstring>
 #include <new>
 #include <utility>
@@ -17,6 +20,27 @@ constexpr std::size_t LONGEST_STRING = 4096;
 
 std::uint64_t ram_of(std::uint32_t begin, const AddressSpace::Area& area) {
     return area.on_bus || area.access == 0 ? 0 : area.end - begin;
+}
+
+// Calls this with each page from `begin` on that the host has given memory, or that may be so; the
+// others are zeros that nobody has touched.
+template <class Each>
+void each_touched_page(const std::uint8_t* begin, std::size_t bytes, Each each) {
+    static const int map = ::open("/proc/self/pagemap", O_RDONLY | O_CLOEXEC);
+    constexpr std::uint64_t PRESENT_OR_SWAPPED = std::uint64_t{3} << 62;
+    const bool is_known = map >= 0 && sysconf(_SC_PAGESIZE) == AddressSpace::PAGE;
+    std::array<std::uint64_t, 512> entries;
+    for (std::size_t page = 0, count = bytes / AddressSpace::PAGE; page < count;) {
+        const std::size_t some = std::min(entries.size(), count - page);
+        const std::uint8_t* const at = begin + page * AddressSpace::PAGE;
+        const auto offset = reinterpret_cast<std::uintptr_t>(at) / AddressSpace::PAGE * 8;
+        const auto size = static_cast<ssize_t>(some * 8);
+        const bool read =
+            is_known && pread(map, entries.data(), some * 8, static_cast<off_t>(offset)) == size;
+        for (std::size_t i = 0; i < some; ++i)
+            if (!read || (entries[i] & PRESENT_OR_SWAPPED)) each((page + i) * AddressSpace::PAGE);
+        page += some;
+    }
 }
 
 }  // namespace
@@ -72,9 +96,11 @@ std::shared_ptr<AddressSpace> AddressSpace::copy() const {
             other->map_shared(begin, bytes, area.access, area.shared, area.physical);
         } else {
             other->map(begin, bytes, 0);
-            for (std::uint32_t page = begin; page < area.end; page += PAGE)
-                if (std::memcmp(host_ + page, zeros.data(), PAGE) != 0)
-                    std::memcpy(other->host_ + page, host_ + page, PAGE);
+            each_touched_page(host_ + begin, bytes, [&](std::size_t page) {
+                std::uint8_t* const from = host_ + begin + page;
+                if (std::memcmp(from, zeros.data(), PAGE) != 0)
+                    std::memcpy(other->host_ + begin + page, from, PAGE);
+            });
             other->protect(begin, bytes, area.access);
         }
     }

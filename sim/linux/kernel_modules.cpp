@@ -172,7 +172,9 @@ LinuxKernel::Result LinuxKernel::insert_module(const std::string& path, const st
         wait.inside = wait.uninterrupted = true;
         return this->wait(std::move(wait));
     } catch (const std::exception& e) {
-        outside_.log(fmt::format("{}: {}", path, e.what()));
+        std::string why = e.what();
+        if (why.rfind(host + ": ", 0) == 0) why.erase(0, host.size() + 2);
+        outside_.log(fmt::format("{}: {}", path, why));
         return -ENOEXEC;
     }
 }

@@ -28,7 +28,7 @@ enum {
     NR_SIGTIMEDWAIT = 177, NR_SIGQUEUEINFO = 178, NR_SIGSUSPEND = 179, NR_SIGTIMEDWAIT_64 = 421,
     NR_MMAP2 = 192, NR_FTRUNCATE64 = 194, NR_TKILL = 238, NR_FUTEX = 240, NR_EXIT_GROUP = 248,
     NR_CLOCK_NANOSLEEP = 265, NR_TGKILL = 268, NR_PSELECT6 = 335, NR_PPOLL = 336,
-    NR_IOCTL = 54, NR_EPOLL_CTL = 251, NR_EPOLL_WAIT = 252, NR_EPOLL_PWAIT = 346,
+    NR_IOCTL = 54, NR_SETITIMER = 104, NR_EPOLL_CTL = 251, NR_EPOLL_CREATE1 = 357, NR_EPOLL_WAIT = 252, NR_EPOLL_PWAIT = 346,
     NR_EPOLL_PWAIT2 = 441, NR_TIMERFD_CREATE = 350, NR_TIMERFD_SETTIME = 353,
     NR_TIMERFD_SETTIME64 = 411, NR_TIMER_CREATE = 257, NR_TIMER_SETTIME = 258,
     NR_TIMER_GETTIME = 259, NR_TIMER_DELETE = 261, NR_TIMER_GETTIME64 = 408,
@@ -82,6 +82,7 @@ static const uint32_t HOSTS[3][4] = {
 static uint32_t state;
 static uint64_t span[2];  // a short time, as all calls take it
 static uint8_t in_child;
+static uint32_t timer, messages;  // the last that were made
 
 static uint32_t any(void) {  // xorshift
     state ^= state << 13;
@@ -146,6 +147,13 @@ static uint32_t any_value(void) {
     }
 }
 
+// Opened before each round: devices, and what calls of their own make.
+enum { FILES = 24, EPOLL = FILES + 6, TIMER, SIGNALS, QUEUE, FILES_END };
+
+static uint32_t any_file(void) {
+    return any() % 2 ? 3 + any() % 16 : FILES + any() % (FILES_END - FILES);
+}
+
 static uint32_t any_length(void) {
     const uint32_t value = any_value();
     return value < ARENA_BYTES || value > 0x7FFF0000 ? value : value % ARENA_BYTES;
@@ -176,11 +184,51 @@ static uint32_t short_time(int wide, uint32_t below) {
     return any() % 2 ? 3 : 0xC0000000;  // not readable
 }
 
+static void put_at(uint32_t place, int32_t fd) {
+    if (fd < 0 || fd == (int32_t)place) return;
+    call3(NR_DUP2, (uint32_t)fd, place, 0);
+    call3(NR_CLOSE, (uint32_t)fd, 0, 0);
+}
+
+static void open_files(void) {
+    static const char* const DEVICES[] = {
+        "/dev/input/event0", "/dev/input/event1", "/dev/input/mice", "/dev/bus/usb/001/002",
+        "/dev/bus/usb/001/003", "/dev/null"};
+    static const uint32_t MASK[2] = {1u << (SIGUSR1 - 1), 0};
+    for (uint32_t i = 0; i < COUNT(DEVICES); ++i)
+        put_at(FILES + i, call3(NR_OPEN, (uint32_t)(uintptr_t)DEVICES[i], NOT_BLOCKING | 2, 0));
+    const uint32_t signals[7] = {~0u, (uint32_t)(uintptr_t)MASK, 8, NOT_BLOCKING};
+    const uint32_t queue[7] = {(uint32_t)(uintptr_t)"a", CREATE | NOT_BLOCKING, 0600, 0};
+    put_at(EPOLL, call3(NR_EPOLL_CREATE1, 0, 0, 0));
+    put_at(TIMER, call3(NR_TIMERFD_CREATE, 1, NOT_BLOCKING, 0));
+    put_at(SIGNALS, call(NR_SIGNALFD4, signals));
+    put_at(QUEUE, call(NR_MQ_OPEN, queue));
+}
+
+// struct itimerspec, wide or not, or itimerval: an interval and a time, of less than 20 ms.
+static uint32_t any_interval(int wide) {
+    static uint64_t interval[4];
+    uint32_t* const narrow = (uint32_t*)interval;
+    for (unsigned i = 0; i < 4; ++i) {
+        const uint32_t part = i % 2 == 0 ? 0 : any() % 4 ? any() % 20000000 : any_value();
+        if (wide)
+            interval[i] = part;
+        else
+            narrow[i] = part;
+    }
+    return any() % 8 ? (uint32_t)(uintptr_t)interval : any_address();
+}
+
+static uint32_t any_place(void) {
+    return any() % 4 ? ARENA + any() % (ARENA_BYTES - 256) : any_address();
+}
+
 // The arena as it was at first, filled anew, and nothing else mapped.
 static void begin_round(void) {
     const uint32_t arena[7] = {ARENA, ARENA_BYTES, READ_WRITE, MAP_FIXED_ANONYMOUS, ~0u, 0, 0};
     call3(NR_MUNMAP, 0x10000000, AREAS_END - 0x10000000, 0);
     if ((uint32_t)call(NR_MMAP2, arena) != ARENA) call3(NR_EXIT, 3, 0, 0);
+    open_files();
     for (uint32_t i = 0; i < ARENA_BYTES / 4; i += 1 + any() % 64)
         *(volatile uint32_t*)(ARENA + 4 * i) = any() % 3 ? any_address() : any_value();
 }
@@ -224,13 +272,13 @@ static void one_call(void) {
             break;
         case NR_READ:
         case NR_WRITE:
-            a[0] = any() % 16;
+            a[0] = any() % 2 ? any_file() : any() % 16;
             a[1] = any_address();
             a[2] = a[0] == 1 || a[0] == 2 ? any() % 80 : any_length();
             break;
         case 180:  // pread64, pwrite64
         case 181:
-            a[0] = 3 + any() % 16;
+            a[0] = any_file();
             a[1] = any_address();
             a[2] = any_length();
             a[4] = any() % 8 ? any() % 0x80000 : any_value();
@@ -242,7 +290,7 @@ static void one_call(void) {
         case 140: a[1] = any() % 8 ? 0 : 0x80000000, a[2] = any() % 0x80000; break;
         case NR_FTRUNCATE64: a[2] = any() % 0x80000, a[3] = any() % 8 ? 0 : 0x80000000; break;
         case 145:  // readv, writev
-        case 146: a[0] = 3 + any() % 16, a[1] = any_address(), a[2] = any() % 4; break;
+        case 146: a[0] = any_file(), a[1] = any_address(), a[2] = any() % 4; break;
         case NR_SIGACTION:
             if (a[0] == SIGPIPE || a[0] == SIGUSR1 || a[0] == SIGALRM || a[0] == SIGVTALRM ||
                 a[0] == SIGPROF)
@@ -254,9 +302,9 @@ static void one_call(void) {
             a[1] = (any() % 5 + 1) | NOT_BLOCKING;
             a[2] = 0;
             break;
-        case NR_ACCEPT4: a[0] = 3 + any() % 16, a[3] = NOT_BLOCKING; break;
+        case NR_ACCEPT4: a[0] = any_file(), a[3] = NOT_BLOCKING; break;
         case NR_SOCKET + 1: case NR_SOCKET + 2: case NR_SOCKET + 3: case NR_SOCKET + 9:
-            a[0] = 3 + any() % 16;
+            a[0] = any_file();
             a[number == NR_SOCKET + 9 ? 4 : 1] = (uint32_t)(uintptr_t)HOSTS[any() % 3];
             a[number == NR_SOCKET + 9 ? 5 : 2] = any() % 8 ? 16 : any_value();
             break;
@@ -267,38 +315,63 @@ static void one_call(void) {
             if (a[1] == 4) a[2] |= NOT_BLOCKING;
             break;
         case NR_IOCTL:
-            a[0] = 3 + any() % 16;
+            a[0] = any_file();
             a[1] = any() % 16 ? REQUESTS[any() % COUNT(REQUESTS)] : any();
             if (a[1] == REAP_URB) return;
+            a[2] = any() % 2 ? any_place() : any() % 4;
             break;
         case NR_EPOLL_CTL:
-            a[0] = 3 + any() % 16, a[1] = any() % 4, a[2] = 3 + any() % 16;
+            a[0] = any() % 8 ? EPOLL : any_file(), a[1] = any() % 4, a[2] = any_file();
+            a[3] = any_place();
             break;
         case NR_EPOLL_WAIT:
         case NR_EPOLL_PWAIT:
-            a[0] = 3 + any() % 16, a[3] = any() % 64 == 0;
+            a[0] = any() % 8 ? EPOLL : any_file(), a[3] = any() % 64 == 0;
+            a[1] = any_place(), a[2] = any() % 4 ? any() % 16 : any_value();
             if (number == NR_EPOLL_PWAIT) a[4] = any_address();
             break;
-        case NR_EPOLL_PWAIT2: a[0] = 3 + any() % 16, a[3] = short_time(1, 10000); break;
+        case NR_EPOLL_PWAIT2: a[0] = any_file(), a[3] = short_time(1, 10000); break;
         case NR_TIMERFD_CREATE: a[0] = any() % 8, a[1] = NOT_BLOCKING; break;
         case NR_TIMERFD_SETTIME:
-        case NR_TIMERFD_SETTIME64: a[0] = 3 + any() % 16; break;
-        case NR_TIMER_CREATE: a[0] = any() % 12, a[1] = any_notice(); break;
+        case NR_TIMERFD_SETTIME64:
+            a[0] = any() % 4 ? TIMER : any_file();
+            a[1] = any() % 2;
+            a[2] = any_interval(number == NR_TIMERFD_SETTIME64);
+            break;
+        case NR_SETITIMER: a[0] = any() % 4, a[1] = any_interval(0); break;
+        case NR_TIMER_CREATE:
+            a[0] = any() % 12, a[1] = any_notice();
+            if (any() % 8) a[2] = (uint32_t)(uintptr_t)&timer;
+            break;
         case NR_TIMER_SETTIME: case NR_TIMER_GETTIME: case NR_TIMER_GETTIME + 1:
         case NR_TIMER_DELETE: case NR_TIMER_GETTIME64: case NR_TIMER_SETTIME64:
-            a[0] = any() % 16;
+            a[0] = timer - any() % 4;
+            if (number == NR_TIMER_SETTIME || number == NR_TIMER_SETTIME64)
+                a[1] = any() % 2, a[2] = any_interval(number != NR_TIMER_SETTIME);
             break;
         case NR_SIGNALFD4: a[0] = any() % 2 ? ~0u : a[0], a[2] = 8, a[3] = NOT_BLOCKING; break;
         case NR_MQ_OPEN: a[0] = any_path(), a[1] |= NOT_BLOCKING; break;
         case NR_MQ_UNLINK: a[0] = any_path(); break;
         case NR_MQ_TIMEDSEND:
-        case NR_MQ_TIMEDRECEIVE: a[0] = 3 + any() % 16, a[4] = short_time(0, 10000); break;
+        case NR_MQ_TIMEDRECEIVE:
+            a[0] = any() % 4 ? QUEUE : any_file();
+            a[1] = any_place(), a[2] = any() % 4 ? 8192 : any_length();
+            a[4] = short_time(0, 10000);
+            break;
         case NR_MQ_TIMEDSEND64:
-        case NR_MQ_TIMEDRECEIVE64: a[0] = 3 + any() % 16, a[4] = short_time(1, 10000); break;
-        case NR_MQ_NOTIFY: a[0] = 3 + any() % 16, a[1] = any_notice(); break;
-        case NR_MSGGET: a[0] = any() % 4; break;
-        case NR_MSGSND: a[0] = any() % 8, a[2] = any_length(), a[3] = NO_WAIT; break;
-        case NR_MSGRCV: a[0] = any() % 8, a[2] = any_length(), a[4] |= NO_WAIT; break;
+        case NR_MQ_TIMEDRECEIVE64:
+            a[0] = any() % 4 ? QUEUE : any_file();
+            a[1] = any_place(), a[2] = any() % 4 ? any() % 8200 : any_length();
+            a[4] = short_time(1, 10000);
+            break;
+        case NR_MQ_NOTIFY: a[0] = any_file(), a[1] = any_notice(); break;
+        case NR_MSGGET: a[0] = any() % 4, a[1] |= 01000; break;
+        case NR_MSGSND:
+            a[0] = messages - any() % 4, a[1] = any_place(), a[2] = any_length(), a[3] = NO_WAIT;
+            break;
+        case NR_MSGRCV:
+            a[0] = messages - any() % 4, a[1] = any_place(), a[2] = any_length(), a[4] |= NO_WAIT;
+            break;
         case NR_SEMTIMEDOP: a[3] = short_time(0, 10000); break;
         case NR_SEMTIMEDOP_64: a[3] = short_time(1, 10000); break;
         case NR_NANOSLEEP: a[0] = short_time(0, 10000); break;
@@ -334,7 +407,8 @@ static void one_call(void) {
             break;
         default: break;
     }
-    call(number, a);
+    const int32_t result = call(number, a);
+    if (number == NR_MSGGET && result >= 0) messages = (uint32_t)result;
 }
 
 // ---- Other threads ----
