@@ -49,6 +49,7 @@ LinuxKernel::LinuxKernel(ArmCpu& cpu, LinuxSettings settings, Outside outside)
       led_{{[this](bool lit) { gpio_.drive(LinuxGpio::HPS_LED, lit); },
             [this] { return !gpio_.is_exported(LinuxGpio::HPS_LED); },
             [this] { return now_ns(); }}},
+      host_network_{settings_.network},
       random_{SEED} {
     processes_.push_back(std::make_unique<LinuxProcess>(LinuxProcess{
         LinuxProcess::FIRST, 0, std::make_shared<AddressSpace>(cpu.core()),

@@ -6,7 +6,7 @@
 // Time is the simulated time since power-on, the same on all clocks; CLOCK_REALTIME therefore
 // begins in 1970.  A system call takes 1 us, about as on the board; sleeping lets simulated time
 // pass, and so does printing more than the console's line of 115,200 baud has taken away.
-// Process number 1, user 0, AT_RANDOM and getrandom from a fixed seed: every run is identical.
+// Process number 1, user 0, random bytes by a fixed seed: runs without --network are identical.
 //
 // A wrong access is SIGSEGV, an access without a target on the bus is SIGBUS, and so on: the
 // program's handler is called, or without one the program ends.  Such an end and an exit code other
@@ -27,14 +27,12 @@
 //
 // Timers of setitimer, alarm, timer_create and timerfd; /dev/i2c-0; the processor's pins and LED
 // (gpio.h, led.h); USB devices as input devices and by usbfs (usb_bus.h).
-//
 // Kernel modules: modules.h.  A program's access to their memory is not refused.
 //
 // Not handled: /dev/spidev (the DE1-SoC's device tree for Linux has no SPI device); groups and
 // sessions of processes, job control; mutexes with priority inheritance; the second processor:
-// threads never run at the same time; no vDSO, so that the C library makes system calls.  Timers of
-// processor time expire when they are due, not with a tick of 10 ms; a process's time in the kernel
-// is its own.
+// threads never run at the same time; no vDSO.  Timers of processor time expire when they are due,
+// not with a tick of 10 ms; a process's time in the kernel is its own.
 #pragma once
 
 #include <array>
@@ -53,6 +51,7 @@
 #include "sim/linux/address_space.h"
 #include "sim/linux/files.h"
 #include "sim/linux/gpio.h"
+#include "sim/linux/host_sockets.h"
 #include "sim/linux/input.h"
 #include "sim/linux/ipc_messages.h"
 #include "sim/linux/led.h"
@@ -63,7 +62,6 @@
 #include "sim/linux/process.h"
 #include "sim/linux/scheduler.h"
 #include "sim/linux/signals.h"
-#include "sim/linux/sockets.h"
 #include "sim/linux/start.h"
 #include "sim/linux/terminal.h"
 #include "sim/linux/thread.h"
@@ -86,6 +84,7 @@ struct LinuxSettings {
     std::vector<std::string> arguments;  // after the program's name
     std::filesystem::path input;         // standard input; empty: the console
     std::vector<Module> modules;         // loaded before it
+    std::vector<NamedPeer> network;      // outside, that it reaches
 };
 
 class LinuxKernel final : public ArmKernel {
@@ -458,7 +457,8 @@ private:
     UsbBus usb_;
     LinuxGpio gpio_;
     LinuxLed led_;
-    LinuxNetwork network_;
+    HostNetwork host_network_;
+    LinuxNetwork network_{host_network_};
     bool unreachable_reported_ = false;
     std::shared_ptr<AddressSpace> kernel_memory_;  // of all modules; none without
     std::vector<std::unique_ptr<KernelModule>> modules_;

@@ -53,7 +53,7 @@ LinuxKernel::Result LinuxKernel::call_of_module(const Arguments& a) {
         case KMOD_INTERRUPT_ENABLE: return enable_interrupt(module, a[1], a[2], a[3]);
         case KMOD_INTERRUPT_DISABLE: {
             const auto found = interrupts_.find(a[1]);
-            if (found == interrupts_.end()) return -EINVAL;
+            if (found == interrupts_.end() || !found->second.module) return -EINVAL;
             mask_interrupt(a[1]);
             found->second.enabled = false;
             if (!a[2]) return 0;
@@ -175,7 +175,7 @@ std::int64_t LinuxKernel::enable_interrupt(KernelModule& module, unsigned number
     if (number < gic::FIRST_SHARED || number >= gic::IDS) return -EINVAL;
     if (trigger == AGAIN) {
         const auto found = interrupts_.find(number);
-        if (found == interrupts_.end()) return -EINVAL;
+        if (found == interrupts_.end() || !found->second.module) return -EINVAL;
         found->second.enabled = true;
         if (found->second.waiting) unmask_interrupt(number);
         return 0;
