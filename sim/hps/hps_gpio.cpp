@@ -8,22 +8,6 @@ constexpr std::uint32_t VERSION_2_08 = 0x3230382A;
 
 }  // namespace
 
-enum HpsGpio::Offset : std::uint32_t {
-    DATA = 0x00,
-    DIRECTION = 0x04,
-    ENABLE = 0x30,
-    MASK = 0x34,
-    TYPE = 0x38,
-    POLARITY = 0x3C,
-    STATUS = 0x40,
-    RAW = 0x44,
-    DEBOUNCE = 0x48,
-    EOI = 0x4C,
-    PINS = 0x50,
-    SYNCHRONISE = 0x60,
-    VERSION = 0x6C
-};
-
 std::uint32_t HpsGpio::raw() const {
     const std::uint32_t levels = ~(pins() ^ polarity_);
     return enable_ & ((edge_type_ & captured_) | (~edge_type_ & levels)) & ALL;

@@ -24,6 +24,22 @@ class HpsGpio : public Registers {
 public:
     static constexpr unsigned LED = 24, KEY = 25;
 
+    enum Offset : std::uint32_t {  // of a register
+        DATA = 0x00,
+        DIRECTION = 0x04,
+        ENABLE = 0x30,
+        MASK = 0x34,
+        TYPE = 0x38,
+        POLARITY = 0x3C,
+        STATUS = 0x40,
+        RAW = 0x44,
+        DEBOUNCE = 0x48,
+        EOI = 0x4C,
+        PINS = 0x50,
+        SYNCHRONISE = 0x60,
+        VERSION = 0x6C
+    };
+
     HpsGpio(const sc_core::sc_module_name& module_name, std::function<void(bool up)> line)
         : Registers{module_name}, line_{std::move(line)} {}
 
@@ -36,8 +52,6 @@ public:
     void drive(unsigned pin, bool level);  // from outside
 
 private:
-    enum Offset : std::uint32_t;  // of a register
-
     std::uint32_t read(std::uint32_t offset, const sc_core::sc_time& now) override;
     void write(std::uint32_t offset, std::uint32_t value, const sc_core::sc_time& now) override;
 

@@ -4,7 +4,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <cstring>
 
 namespace sim::devices {
@@ -211,42 +210,6 @@ class Framebuffer final : public LinuxDevice {
     }
 };
 
-class Led final : public LinuxDevice {
-public:
-    Led(std::function<bool()> is_lit, std::function<void(bool)> light)
-        : is_lit_{std::move(is_lit)}, light_{std::move(light)} {}
-    FileStatus status() const override { return {S_IFREG | 0644, 4096, 1, 0}; }
-    std::string name() const override { return "an LED"; }
-    std::int64_t read(void* data, std::size_t bytes) override {
-        const std::int64_t count = read_at(data, bytes, at_);
-        at_ += count;
-        return count;
-    }
-    std::int64_t read_at(void* data, std::size_t bytes, std::int64_t offset) override {
-        const std::string text = is_lit_() ? "255\n" : "0\n";
-        const std::size_t from = std::min(static_cast<std::size_t>(offset), text.size());
-        return static_cast<std::int64_t>(
-            text.copy(static_cast<char*>(data), std::min(bytes, text.size()), from));
-    }
-    std::int64_t write(const void* data, std::size_t bytes) override {
-        const std::string text{static_cast<const char*>(data), bytes};
-        char* end = nullptr;
-        const unsigned long brightness = std::strtoul(text.c_str(), &end, 0);
-        if (end == text.c_str() || (*end != 0 && *end != '\n')) return -EINVAL;
-        light_(brightness > 0);
-        return static_cast<std::int64_t>(bytes);
-    }
-    std::int64_t seek(std::int64_t offset, int whence) override {
-        return whence == SEEK_SET && offset >= 0 ? at_ = offset : -EINVAL;
-    }
-    int truncate(std::int64_t) override { return 0; }
-
-private:
-    std::function<bool()> is_lit_;
-    std::function<void(bool)> light_;
-    std::int64_t at_ = 0;
-};
-
 }  // namespace
 
 FileStatus status_of_text() { return {S_IFREG | 0444, 0, 1, 0}; }
@@ -267,9 +230,6 @@ std::shared_ptr<LinuxDevice> shared(std::shared_ptr<SharedMemory> memory) {
 }
 std::shared_ptr<LinuxDevice> event(std::uint64_t value, bool as_semaphore) {
     return std::make_shared<Event>(value, as_semaphore);
-}
-std::shared_ptr<LinuxDevice> led(std::function<bool()> is_lit, std::function<void(bool)> light) {
-    return std::make_shared<Led>(std::move(is_lit), std::move(light));
 }
 std::shared_ptr<LinuxDevice> framebuffer() { return std::make_shared<Framebuffer>(); }
 

@@ -1,5 +1,5 @@
 // devices.h - small files of the kernel's own: /dev/null and its kind, texts of /proc and /sys,
-// /dev/shm, eventfd, /dev/fb0, an LED.
+// /dev/shm, eventfd, /dev/fb0.
 //
 // /dev/fb0 is the University Program's pixel buffer of the DE1-SoC Computer: 320 x 240 pixels of 16
 // bits, in lines of 1024 bytes, in the FPGA's on-chip memory.
@@ -20,8 +20,6 @@ std::shared_ptr<LinuxDevice> text(const std::string& path, std::string contents)
 std::shared_ptr<LinuxDevice> shared(std::shared_ptr<SharedMemory> memory);  // of /dev/shm
 std::shared_ptr<LinuxDevice> event(std::uint64_t value, bool as_semaphore);
 std::shared_ptr<LinuxDevice> framebuffer();
-// brightness below /sys/class/leds
-std::shared_ptr<LinuxDevice> led(std::function<bool()> is_lit, std::function<void(bool)> light);
 
 FileStatus status_of_text();
 FileStatus status_of_shared(const SharedMemory& memory);

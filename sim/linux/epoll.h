@@ -21,8 +21,9 @@ namespace sim {
 
 class LinuxEpoll final : public LinuxDevice {
 public:
-    static constexpr std::uint32_t IN = 1, OUT = 4, BROKEN = 8, HUNG_UP = 0x10, IN_NORMAL = 0x40,
-                                   OUT_NORMAL = 0x100, ONE_SHOT = 1u << 30, EDGE = 1u << 31;
+    static constexpr std::uint32_t IN = 1, PRI = 2, OUT = 4, BROKEN = 8, HUNG_UP = 0x10,
+                                   IN_NORMAL = 0x40, OUT_NORMAL = 0x100, ONE_SHOT = 1u << 30,
+                                   EDGE = 1u << 31;
     enum Operation : std::uint32_t { ADD = 1, DELETE = 2, MODIFY = 3 };
 
     struct Event {  // as the program has it
@@ -111,7 +112,8 @@ private:
         const unsigned can = files_().can_do(fd);
         const std::uint32_t all =
             (can & READ ? IN | IN_NORMAL : 0) | (can & WRITE ? OUT | OUT_NORMAL : 0) |
-            (can & LinuxDevice::HUNG_UP ? HUNG_UP : 0) | (can & LinuxDevice::BROKEN ? BROKEN : 0);
+            (can & LinuxDevice::HUNG_UP ? HUNG_UP : 0) | (can & LinuxDevice::BROKEN ? BROKEN : 0) |
+            (can & PRIORITY ? PRI : 0);
         const bool asked = watch.event.events & ~(EDGE | ONE_SHOT);
         return asked ? all & (watch.event.events | HUNG_UP | BROKEN) : 0;
     }

@@ -87,7 +87,7 @@ public:
     // Of these, what would not have to wait.
     static constexpr unsigned READ = LinuxDevice::READ, WRITE = LinuxDevice::WRITE,
                               HUNG_UP = LinuxDevice::HUNG_UP, BROKEN = LinuxDevice::BROKEN,
-                              UNKNOWN = LinuxDevice::UNKNOWN;
+                              UNKNOWN = LinuxDevice::UNKNOWN, PRIORITY = LinuxDevice::PRIORITY;
     unsigned can_do(int fd) const;
     std::string name(int fd) const;  // in a message about who waits for it
     bool is_inside(int fd) const;    // as LinuxDevice's

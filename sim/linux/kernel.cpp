@@ -41,6 +41,15 @@ LinuxKernel::LinuxKernel(ArmCpu& cpu, LinuxSettings settings, Outside outside)
           [this](const std::string& path) { return system_target(path); }},
       input_{[this] { feel(); }},
       usb_{input_, uevents_, [&cpu] { return cpu.now().value(); }, [this] { feel(); }},
+      gpio_{{[this](std::uint32_t address, std::uint32_t clear, std::uint32_t set) {
+                 return change_register(address, clear, set);
+             },
+             [this](unsigned number) { return listen_to(number); },
+             [this](unsigned pin) { return pin == LinuxGpio::HPS_LED && led_.is_bound(); }}},
+      led_{{[this](bool lit) { gpio_.drive(LinuxGpio::HPS_LED, lit); },
+            [this] { return !gpio_.is_exported(LinuxGpio::HPS_LED); },
+            [this] { return now_ns(); }}},
+      host_network_{settings_.network},
       random_{SEED} {
     processes_.push_back(std::make_unique<LinuxProcess>(LinuxProcess{
         LinuxProcess::FIRST, 0, std::make_shared<AddressSpace>(cpu.core()),

@@ -6,7 +6,7 @@
 // Time is the simulated time since power-on, the same on all clocks; CLOCK_REALTIME therefore
 // begins in 1970.  A system call takes 1 us, about as on the board; sleeping lets simulated time
 // pass, and so does printing more than the console's line of 115,200 baud has taken away.
-// Process number 1, user 0, AT_RANDOM and getrandom from a fixed seed: every run is identical.
+// Process number 1, user 0, random bytes by a fixed seed: runs without --network are identical.
 //
 // A wrong access is SIGSEGV, an access without a target on the bus is SIGBUS, and so on: the
 // program's handler is called, or without one the program ends.  Such an end and an exit code other
@@ -25,15 +25,14 @@
 // translated is translated again after a switch from one to another.  The end of the first ends the
 // run.  A program that another becomes is itself, or lies under the root.
 //
-// Timers of setitimer, alarm, timer_create and timerfd; /dev/i2c-0; the processor's LED below
-// /sys/class/leds; USB devices as input devices and by usbfs (usb_bus.h).
-//
+// Timers of setitimer, alarm, timer_create and timerfd; /dev/i2c-0; the processor's pins and LED
+// (gpio.h, led.h); USB devices as input devices and by usbfs (usb_bus.h).
 // Kernel modules: modules.h.  A program's access to their memory is not refused.
 //
-// Not handled: GPIO below /sys, groups and sessions of processes, job control; mutexes with
-// priority inheritance; the second processor: threads never run at the same time; no vDSO, so that
-// the C library makes system calls.  Timers of processor time expire when they are due, not with a
-// tick of 10 ms; a process's time in the kernel is its own.
+// Not handled: /dev/spidev (the DE1-SoC's device tree for Linux has no SPI device); groups and
+// sessions of processes, job control; mutexes with priority inheritance; the second processor:
+// threads never run at the same time; no vDSO.  Timers of processor time expire when they are due,
+// not with a tick of 10 ms; a process's time in the kernel is its own.
 #pragma once
 
 #include <array>
@@ -51,8 +50,11 @@
 #include "sim/cpu/arm_cpu.h"
 #include "sim/linux/address_space.h"
 #include "sim/linux/files.h"
+#include "sim/linux/gpio.h"
+#include "sim/linux/host_sockets.h"
 #include "sim/linux/input.h"
 #include "sim/linux/ipc_messages.h"
+#include "sim/linux/led.h"
 #include "sim/linux/loader.h"
 #include "sim/linux/message_queues.h"
 #include "sim/linux/modules.h"
@@ -60,7 +62,6 @@
 #include "sim/linux/process.h"
 #include "sim/linux/scheduler.h"
 #include "sim/linux/signals.h"
-#include "sim/linux/sockets.h"
 #include "sim/linux/start.h"
 #include "sim/linux/terminal.h"
 #include "sim/linux/thread.h"
@@ -83,6 +84,7 @@ struct LinuxSettings {
     std::vector<std::string> arguments;  // after the program's name
     std::filesystem::path input;         // standard input; empty: the console
     std::vector<Module> modules;         // loaded before it
+    std::vector<NamedPeer> network;      // outside, that it reaches
 };
 
 class LinuxKernel final : public ArmKernel {
@@ -268,7 +270,7 @@ private:
                   const std::vector<std::string>& variables);
 
     // kernel_system.cpp
-    std::shared_ptr<LinuxDevice> hps_led();
+    std::shared_ptr<AttributeFile> open_attribute(const std::string& path);
     std::optional<std::string> text_of_process(const LinuxProcess& process,
                                                const std::string& name) const;
     std::optional<std::string> system_text(const std::string& path) const;
@@ -278,12 +280,12 @@ private:
     std::pair<int, std::shared_ptr<LinuxDevice>> open_system(const std::string& path,
                                                              std::uint32_t flags);
     std::optional<FileStatus> system_status(const std::string& path, bool of_link);
-    std::optional<std::string> system_target(const std::string& path) const;
+    std::optional<std::string> system_target(const std::string& path);
     // The same by a path without links, of what is no folder.
     std::pair<int, std::shared_ptr<LinuxDevice>> open_own(const std::string& path,
                                                           std::uint32_t flags);
     std::optional<FileStatus> status_of_own(const std::string& path);
-    OwnFiles own_files() const;
+    OwnFiles own_files();
     std::int64_t give_file_system(const std::string& path, std::uint32_t to, bool wide);
     int remove_system(const std::string& path);
     Result give_two(std::uint32_t to, const std::array<int, 2>& numbers);
@@ -378,6 +380,8 @@ private:
     bool is_in_module(const LinuxThread& thread) const;
     void print_message(const std::string& text, int level);
     std::uint32_t change_register(std::uint32_t address, std::uint32_t clear, std::uint32_t set);
+    void route_interrupt(unsigned number, bool by_edge);
+    int listen_to(unsigned number);
     void mask_interrupt(unsigned number);
     void unmask_interrupt(unsigned number);
     std::int64_t enable_interrupt(KernelModule& module, unsigned number, std::uint32_t trigger,
@@ -451,7 +455,10 @@ private:
     sc_core::sc_event woken_;  // something has come from outside
     UeventGroup uevents_;
     UsbBus usb_;
-    LinuxNetwork network_;
+    LinuxGpio gpio_;
+    LinuxLed led_;
+    HostNetwork host_network_;
+    LinuxNetwork network_{host_network_};
     bool unreachable_reported_ = false;
     std::shared_ptr<AddressSpace> kernel_memory_;  // of all modules; none without
     std::vector<std::unique_ptr<KernelModule>> modules_;

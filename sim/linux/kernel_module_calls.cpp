@@ -53,7 +53,7 @@ LinuxKernel::Result LinuxKernel::call_of_module(const Arguments& a) {
         case KMOD_INTERRUPT_ENABLE: return enable_interrupt(module, a[1], a[2], a[3]);
         case KMOD_INTERRUPT_DISABLE: {
             const auto found = interrupts_.find(a[1]);
-            if (found == interrupts_.end()) return -EINVAL;
+            if (found == interrupts_.end() || !found->second.module) return -EINVAL;
             mask_interrupt(a[1]);
             found->second.enabled = false;
             if (!a[2]) return 0;
@@ -175,20 +175,35 @@ std::int64_t LinuxKernel::enable_interrupt(KernelModule& module, unsigned number
     if (number < gic::FIRST_SHARED || number >= gic::IDS) return -EINVAL;
     if (trigger == AGAIN) {
         const auto found = interrupts_.find(number);
-        if (found == interrupts_.end()) return -EINVAL;
+        if (found == interrupts_.end() || !found->second.module) return -EINVAL;
         found->second.enabled = true;
         if (found->second.waiting) unmask_interrupt(number);
         return 0;
     }
     if (interrupts_.count(number)) return -EBUSY;
     interrupts_[number] = {&module, memory().string(name).value_or("")};
+    route_interrupt(number, trigger & EDGE);
+    return 0;
+}
+
+// To the processor, if it is unmasked.
+void LinuxKernel::route_interrupt(unsigned number, bool by_edge) {
     const unsigned byte = number % 4 * 8, pair = number % 16 * 2;
     change_register(gic::ICDIPTR + number / 4 * 4, 0xFFu << byte, 1u << byte);
-    change_register(gic::ICDICFR + number / 16 * 4, 3u << pair, (trigger & EDGE ? 3u : 1u) << pair);
+    change_register(gic::ICDICFR + number / 16 * 4, 3u << pair, (by_edge ? 3u : 1u) << pair);
     std::uint32_t on = 1, lowest = 0xF0;
     outside_.access(true, gic::ICDDCR, on);
     outside_.access(true, gic::ICCPMR, lowest);
     outside_.access(true, gic::ICCICR, on);
+}
+
+// An interrupt of GPIO's, which the kernel handles itself.
+int LinuxKernel::listen_to(unsigned number) {
+    const auto [found, is_new] =
+        interrupts_.try_emplace(number, ModuleInterrupt{nullptr, "gpiolib"});
+    if (!is_new) return found->second.module ? -EBUSY : 0;
+    route_interrupt(number, false);
+    unmask_interrupt(number);
     return 0;
 }
 
@@ -228,6 +243,12 @@ void LinuxKernel::take_interrupts() {
         if (found == interrupts_.end()) continue;
         ModuleInterrupt& interrupt = found->second;
         ++interrupt.count;
+        if (!interrupt.module) {
+            gpio_.interrupt(number);
+            unmask_interrupt(number);
+            changed_ = true;
+            continue;
+        }
         if (LinuxThread* const thread = std::exchange(interrupt.waiting, nullptr)) {
             interrupt.running = thread;
             interrupt.since_ns = now_ns();

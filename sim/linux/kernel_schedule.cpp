@@ -130,6 +130,8 @@ void LinuxKernel::account() {
 void LinuxKernel::go_on() {
     account();
     while (!over_) {
+        led_.expire();
+        if (host_network_.next_ns() <= now_ns()) changed_ |= host_network_.look(now_ns(), false);
         changed_ |= terminal_.arrive();
         receive_from_outside();
         expire_timers();
@@ -146,7 +148,9 @@ void LinuxKernel::go_on() {
         deliver();
         if (running_ && !running_->wait) break;
     }
-    const std::uint64_t next = over_ ? LinuxWait::NEVER : next_event_ns();
+    const std::uint64_t next =
+        over_ ? LinuxWait::NEVER
+              : std::min({next_event_ns(), led_.next_ns(), host_network_.next_ns()});
     cpu_.set_alarm(next == LinuxWait::NEVER ? sc_core::sc_max_time()
                                             : sc_core::sc_time::from_value(next * 1000));
 }
@@ -178,7 +182,10 @@ bool LinuxKernel::may_interrupt() const {
 // No thread can run: lets time pass until something happens.
 void LinuxKernel::stand_still() {
     cpu_.pause(sc_core::SC_ZERO_TIME);  // what others do until now comes first
-    const std::uint64_t now = now_ns(), next = std::min(next_event_ns(), now + LONGEST_NS);
+    const std::uint64_t now = now_ns();
+    if (host_network_.is_used()) changed_ |= host_network_.look(now, true);
+    const std::uint64_t next =
+        std::min({next_event_ns(), led_.next_ns(), host_network_.next_ns(), now + LONGEST_NS});
     if (next <= now) return;
     if (next_event_ns() == LinuxWait::NEVER && is_deadlock()) {
         over_ = true;

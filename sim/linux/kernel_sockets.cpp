@@ -1,4 +1,5 @@
-// kernel_sockets.cpp - LinuxKernel's calls for sockets, which reach the run's own processes
+// kernel_sockets.cpp - LinuxKernel's calls for sockets, which reach the run's own processes, and
+// what --network names
 #include <algorithm>
 #include <cerrno>
 #include <csignal>
@@ -87,14 +88,15 @@ std::int64_t LinuxKernel::give_address(const SocketAddress& address, std::uint32
     return given ? 0 : -EFAULT;
 }
 
-// Nothing leaves the simulator: said once.
+// Nothing else leaves the simulator: said once.
 bool LinuxKernel::is_reachable(const SocketAddress& address) {
-    if (address.is_here()) return true;
+    if (address.is_here() || host_network_.has(address)) return true;
     if (!unreachable_reported_)
         outside_.log(
             fmt::format("{} is not reachable: the simulated Linux has no network but the "
-                        "loopback, {}",
-                        address.text(), cpu_.where()));
+                        "loopback{}, {}",
+                        address.text(), host_network_.exists() ? " and what --network names" : "",
+                        cpu_.where()));
     unreachable_reported_ = true;
     return false;
 }
@@ -139,13 +141,18 @@ LinuxKernel::Result LinuxKernel::sys_connect(const Arguments& a) {
     if (const std::int64_t wrong = address_at(a[1], a[2], address)) return wrong;
     if (!is_reachable(address)) return -ENETUNREACH;
     LinuxWait wait;
-    wait.what = fmt::format("a place among the connections to {}", address.text());
-    wait.inside = wait.restarts = true;
-    wait.look = [this, fd = a[0], address](LinuxWait&) -> Result {
+    const bool outside = host_network_.has(address);
+    wait.what = fmt::format("{} {}", outside ? "an answer of" : "a place among the connections to",
+                            address.text());
+    wait.restarts = true;
+    wait.inside = !outside;
+    wait.look = [this, fd = a[0], address, begun = false](LinuxWait&) mutable -> Result {
         int wrong;
         LinuxSocket* const own = socket_at(fd, wrong);
-        const int result = own ? own->connect(address) : wrong;
-        if (result == -EAGAIN && !does_not_wait(fd)) return std::nullopt;
+        int result = own ? own->connect(address) : wrong;
+        const bool connects = result == -EINPROGRESS || (begun && result == -EALREADY);
+        begun |= connects;
+        if ((result == -EAGAIN || connects) && !does_not_wait(fd)) return std::nullopt;
         changed_ = true;
         return result;
     };
@@ -213,7 +220,8 @@ LinuxKernel::Result LinuxKernel::send_to(std::uint32_t fd, const std::vector<Pie
     }
     LinuxWait wait;
     wait.what = "room in " + socket->name();
-    wait.inside = wait.restarts = true;
+    wait.restarts = true;
+    wait.inside = socket->is_inside();
     wait.look = [this, fd, data = std::move(data), flags, to,
                  &thread = *running_](LinuxWait& w) -> Result {
         int wrong;
@@ -270,7 +278,7 @@ LinuxKernel::Result LinuxKernel::receive_from(std::uint32_t fd, std::vector<Piec
     wait.what = socket->name();
     wait.restarts = true;
     if (socket->receive_limit_ns > 0) wait.at_ns = later_ns(socket->receive_limit_ns);
-    wait.inside = wait.at_ns == LinuxWait::NEVER;
+    wait.inside = wait.at_ns == LinuxWait::NEVER && socket->is_inside();
     wait.look = [this, fd, pieces = std::move(pieces), flags, name, length_at,
                  header](LinuxWait& w) -> Result {
         int wrong;

@@ -17,7 +17,6 @@ namespace {
 
 constexpr const char* SHARED_FOLDER = "/dev/shm/";
 constexpr const char* I2C_BUS = "/dev/i2c-0";
-constexpr const char* HPS_LED = "/sys/class/leds/hps_led0/brightness";
 constexpr std::uint32_t PROCESSORS = 2, STAT_TICK_NS = 10'000'000;
 
 bool begins(const std::string& text, const char* with) { return text.rfind(with, 0) == 0; }
@@ -95,7 +94,6 @@ std::optional<std::string> LinuxKernel::system_text(const std::string& path) con
     const std::uint64_t ms = now_ns() / 1'000'000;
     if (path == "/proc/cpuinfo") return cpu_info();
     if (path == "/proc/iomem") return IO_MEMORY;
-    if (path == "/sys/class/leds/hps_led0/max_brightness") return "255\n";
     if (path == "/sys/class/fpga_manager/fpga0/state") return "operating\n";
     if (path == "/sys/class/fpga_manager/fpga0/name") return "Altera SOCFPGA FPGA Manager\n";
     if (path == "/proc/version") return "Linux version 6.1.0 (de1soc) #1\n";
@@ -153,14 +151,9 @@ std::uint8_t LinuxKernel::random_byte() {
     return static_cast<std::uint8_t>(z >> 56);
 }
 
-// GPIO53 is pin 24 of GPIO1.
-std::shared_ptr<LinuxDevice> LinuxKernel::hps_led() {
-    constexpr std::uint32_t DATA = 0xFF709000, DIRECTIONS = 0xFF709004, LED = 1u << 24;
-    return devices::led([this] { return (change_register(DATA, 0, 0) & LED) != 0; },
-                        [this](bool lit) {
-                            change_register(DATA, LED, lit ? LED : 0);
-                            change_register(DIRECTIONS, 0, LED);
-                        });
+std::shared_ptr<AttributeFile> LinuxKernel::open_attribute(const std::string& path) {
+    auto file = gpio_.open(path);
+    return file ? file : led_.open(path);
 }
 
 std::pair<int, std::shared_ptr<LinuxDevice>> LinuxKernel::open_own(const std::string& path,
@@ -173,7 +166,11 @@ std::pair<int, std::shared_ptr<LinuxDevice>> LinuxKernel::open_own(const std::st
     if (path == "/dev/fb0") return {0, devices::framebuffer()};
     if (auto device = input_.open(path)) return {0, std::move(device)};
     if (auto device = usb_.open(path)) return {0, std::move(device)};
-    if (path == HPS_LED) return {0, hps_led()};
+    if (auto file = open_attribute(path)) {
+        const bool reads = (flags & arm_open::ACCESS) != arm_open::WRONLY;
+        if (!file->allows(reads, writes)) return {-EACCES, nullptr};
+        return {0, std::move(file)};
+    }
     if (path == I2C_BUS && outside_.i2c0)
         return {0, std::make_shared<I2cFile>(
                        *outside_.i2c0, [this] { return cpu_.now().value(); },
@@ -212,7 +209,7 @@ std::optional<FileStatus> LinuxKernel::status_of_own(const std::string& path) {
     if (path == "/dev/fb0") return devices::framebuffer()->status();
     if (const auto device = input_.open(path)) return device->status();
     if (const auto device = usb_.open(path)) return device->status();
-    if (path == HPS_LED) return devices::led({}, {})->status();
+    if (const auto file = open_attribute(path)) return file->status();
     if (path == I2C_BUS && outside_.i2c0) return I2cFile{*outside_.i2c0, {}, {}}.status();
     if (system_text(path)) return devices::status_of_text();
     return std::nullopt;

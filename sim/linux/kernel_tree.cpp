@@ -13,7 +13,7 @@
 
 namespace sim {
 
-OwnFiles LinuxKernel::own_files() const {
+OwnFiles LinuxKernel::own_files() {
     OwnFiles all;
     for (const char* path : {"/dev/mem",
                              "/dev/null",
@@ -22,7 +22,6 @@ OwnFiles LinuxKernel::own_files() const {
                              "/dev/random",
                              "/dev/urandom",
                              "/dev/fb0",
-                             "/sys/class/leds/hps_led0/brightness",
                              "/proc/cpuinfo",
                              "/proc/iomem",
                              "/proc/version",
@@ -32,7 +31,6 @@ OwnFiles LinuxKernel::own_files() const {
                              "/proc/stat",
                              "/proc/modules",
                              "/proc/interrupts",
-                             "/sys/class/leds/hps_led0/max_brightness",
                              "/sys/class/fpga_manager/fpga0/state",
                              "/sys/class/fpga_manager/fpga0/name",
                              "/sys/devices/system/cpu/online",
@@ -40,6 +38,7 @@ OwnFiles LinuxKernel::own_files() const {
                              "/sys/devices/system/cpu/present"})
         all.add(path);
     if (outside_.i2c0) all.add("/dev/i2c-0");
+    if (host_network_.exists()) all.add_text("/etc/hosts", host_network_.hosts());
     all.add_folder("/dev/shm");
     for (const auto& [name, memory] : shared_files_) all.add("/dev/shm/" + name);
     all.add_link("/proc/self", std::to_string(process_->number));
@@ -54,6 +53,8 @@ OwnFiles LinuxKernel::own_files() const {
     for (const auto& [path, number] : nodes_) all.add(path);
     input_.list(all);
     usb_.list(all);
+    gpio_.list(all);
+    led_.list(all);
     return all;
 }
 
@@ -89,7 +90,7 @@ std::optional<FileStatus> LinuxKernel::system_status(const std::string& path, bo
     return status_of_own(*way);
 }
 
-std::optional<std::string> LinuxKernel::system_target(const std::string& path) const {
+std::optional<std::string> LinuxKernel::system_target(const std::string& path) {
     const OwnFiles all = own_files();
     const auto way = all.resolve(path, OwnFiles::Last::KEEP);
     return way ? all.target_of(*way) : std::nullopt;

@@ -16,7 +16,8 @@ struct PollEntry {
     std::int32_t fd;
     std::int16_t events, found;
 };
-constexpr std::int16_t POLL_IN = 0x41, POLL_OUT = 0x104, POLL_ERROR = 8, POLL_HUNG_UP = 0x10,
+constexpr std::int16_t POLL_IN = 0x41, POLL_PRI = 2, POLL_OUT = 0x104, POLL_ERROR = 8,
+                       POLL_HUNG_UP = 0x10,
                        POLL_INVALID = 0x20;  // with RDNORM, WRNORM
 
 }  // namespace
@@ -118,16 +119,18 @@ LinuxKernel::Result LinuxKernel::select(const Arguments& a, Span kind) {
     wait.look = [this, a, count, asked, ready, give_left, end_ns](LinuxWait& w) mutable -> Result {
         std::int64_t found = 0;
         bool unknown = false;
-        ready[0] = asked[0], ready[1] = asked[1], ready[2].assign(asked[2].size(), 0);
+        ready = asked;
         for (std::uint32_t fd = 0; fd < count; ++fd) {
-            const bool is_asked = (asked[0][fd / 32] | asked[1][fd / 32]) >> fd % 32 & 1;
+            const bool is_asked =
+                (asked[0][fd / 32] | asked[1][fd / 32] | asked[2][fd / 32]) >> fd % 32 & 1;
             const unsigned can = is_asked ? files().can_do(static_cast<int>(fd)) : 0;
             unknown |= (can & LinuxFiles::UNKNOWN) != 0;
-            for (const unsigned set : {0u, 1u}) {
+            constexpr unsigned TOLD[3] = {LinuxFiles::READ | LinuxFiles::HUNG_UP,
+                                          LinuxFiles::WRITE | LinuxFiles::BROKEN,
+                                          LinuxFiles::PRIORITY};
+            for (const unsigned set : {0u, 1u, 2u}) {
                 std::uint32_t& word = ready[set][fd / 32];
-                if (!(can & (set == 0 ? LinuxFiles::READ | LinuxFiles::HUNG_UP
-                                      : LinuxFiles::WRITE | LinuxFiles::BROKEN)))
-                    word &= ~(1u << fd % 32);
+                if (!(can & TOLD[set])) word &= ~(1u << fd % 32);
                 found += word >> fd % 32 & 1;
             }
         }
@@ -176,8 +179,9 @@ LinuxKernel::Result LinuxKernel::poll(std::uint32_t list, std::uint32_t count,
             if (e.fd < 0) continue;
             const unsigned can = files().can_do(e.fd);
             unknown |= (can & LinuxFiles::UNKNOWN) != 0;
-            const int allowed =
-                (can & LinuxFiles::READ ? POLL_IN : 0) | (can & LinuxFiles::WRITE ? POLL_OUT : 0);
+            const int allowed = (can & LinuxFiles::READ ? POLL_IN : 0) |
+                                (can & LinuxFiles::PRIORITY ? POLL_PRI : 0) |
+                                (can & LinuxFiles::WRITE ? POLL_OUT : 0);
             e.found = static_cast<std::int16_t>((e.events & allowed) |
                                                 (can & LinuxFiles::HUNG_UP ? POLL_HUNG_UP : 0) |
                                                 (can & LinuxFiles::BROKEN ? POLL_ERROR : 0));

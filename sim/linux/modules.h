@@ -87,9 +87,10 @@ public:
         changed_ = asked_;
     }
     void polled(std::uint32_t events) {
-        constexpr std::uint32_t IN = 0x41, OUT = 0x104, ERROR = 8, HUNG = 0x10;
+        constexpr std::uint32_t IN = 0x41, PRI = 2, OUT = 0x104, ERROR = 8, HUNG = 0x10;
         events_ = (events & IN ? READ : 0) | (events & OUT ? WRITE : 0) |
-                  (events & HUNG ? HUNG_UP : 0) | (events & ERROR ? BROKEN : 0);
+                  (events & HUNG ? HUNG_UP : 0) | (events & ERROR ? BROKEN : 0) |
+                  (events & PRI ? PRIORITY : 0);
         asked_ = false;
         if (std::exchange(changed_, false)) events_.reset();
     }
@@ -108,9 +109,9 @@ private:
     bool changed_ = false;  // since it was asked
 };
 
-// An interrupt that a module has requested.
+// An interrupt that a module has requested, or the kernel itself.
 struct ModuleInterrupt {
-    KernelModule* module;
+    KernelModule* module;  // or nullptr
     std::string name;
     bool enabled = true, pending = false;
     LinuxThread* waiting = nullptr;  // the handler's

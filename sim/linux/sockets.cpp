@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "sim/linux/arm_abi.h"
+#include "sim/linux/host_sockets.h"
 
 namespace sim {
 
@@ -122,11 +123,21 @@ FileStatus LinuxSocket::status() const { return {S_IFSOCK | 0777, 0, 1, 0}; }
 
 std::string LinuxSocket::name() const {
     if (listens_) return fmt::format("a connection to {}", own_.text());
+    if (host_ && peer_) return fmt::format("an answer of {}", peer_->text());
     return own_.text().empty() ? "a socket" : fmt::format("the socket of {}", own_.text());
+}
+
+std::uint64_t LinuxSocket::arrivals() const {
+    return arrivals_ + (host_ ? host_->arrivals() : in_ ? in_->writes() + out_->rooms() : 0);
+}
+
+int LinuxSocket::consume_error() {
+    return host_ && error_ == 0 ? host_->consume_error() : std::exchange(error_, 0);
 }
 
 unsigned LinuxSocket::can_do() const {
     if (listens_) return waiting_.empty() ? 0 : READ;
+    if (host_) return host_->can_do() | (messages_.empty() && error_ == 0 ? 0 : READ);
     if (by_messages()) return (messages_.empty() && error_ == 0 ? 0 : READ) | WRITE;
     if (!in_) return WRITE | HUNG_UP;
     const bool over = !in_->has_writer && !out_->has_reader;
@@ -135,9 +146,10 @@ unsigned LinuxSocket::can_do() const {
 
 std::int64_t LinuxSocket::control(std::uint32_t request, std::uint32_t at, AddressSpace& memory) {
     if (request != arm_ioctl::READABLE) return -ENOTTY;
-    const std::size_t count = by_messages() ? messages_.empty() ? 0 : messages_.front().bytes.size()
-                              : in_ ? in_->size()
-                                            : 0;
+    const std::size_t count = !messages_.empty() ? messages_.front().bytes.size()
+                              : host_            ? host_->readable()
+                              : in_              ? in_->size()
+                                                 : 0;
     const auto word = static_cast<std::uint32_t>(count);
     return memory.write(at, &word, sizeof word) ? 0 : -EFAULT;
 }
@@ -161,15 +173,28 @@ void LinuxSocket::bind_somewhere() {
 
 int LinuxSocket::listen(std::uint32_t backlog) {
     if (type_ == DATAGRAM) return -EOPNOTSUPP;
-    if (in_) return -EINVAL;
+    if (in_ || host_) return -EINVAL;
     bind_somewhere();
     backlog_ = std::clamp<std::uint32_t>(backlog, 1, 128);
     listens_ = true;
     return 0;
 }
 
+int LinuxSocket::connect_outside(const SocketAddress& to) {
+    if (in_) return -EISCONN;
+    if (listens_) return -EINVAL;
+    if (!host_) host_ = network_.host().open(type_ == STREAM);
+    if (!host_) return -ENOBUFS;
+    bind_somewhere();
+    const int result = host_->connect(to);
+    if (result == 0 || result == -EINPROGRESS) peer_ = to;
+    return result;
+}
+
 int LinuxSocket::connect(const SocketAddress& to) {
     if (to.family != family_) return -EAFNOSUPPORT;
+    if (network_.host().has(to)) return connect_outside(to);
+    host_.reset();
     if (type_ == DATAGRAM) {
         bind_somewhere();
         peer_ = to;
@@ -202,6 +227,7 @@ std::pair<int, std::shared_ptr<LinuxSocket>> LinuxSocket::accept() {
 int LinuxSocket::shut_down(std::uint32_t how) {
     constexpr std::uint32_t READING = 0, WRITING = 1, BOTH = 2;
     if (how > BOTH) return -EINVAL;
+    if (host_) return host_->shut_down(how);
     if (!in_) return had_other_ || peer_ ? 0 : -ENOTCONN;
     if (how == READING || how == BOTH) in_->has_reader = in_->has_writer = false;
     if (how == WRITING || how == BOTH) out_->has_writer = false;
@@ -211,12 +237,14 @@ int LinuxSocket::shut_down(std::uint32_t how) {
 std::pair<std::int64_t, std::int64_t> LinuxSocket::receive(void* data, std::size_t bytes, bool peek,
                                                            SocketAddress* from) {
     if (from && peer_) *from = *peer_;
+    if (!by_messages() && host_) return host_->receive(data, bytes, peek, nullptr);
     if (!by_messages()) {
         const std::int64_t count = in_ ? in_->read(data, bytes, peek) : -ENOTCONN;
         return {count, count};
     }
     if (messages_.empty()) {
         if (error_ != 0) return {-consume_error(), 0};
+        if (host_) return receive_outside(data, bytes, peek, from);
         const bool over = type_ == PACKETS && had_other_ && other_.expired();
         return {over ? 0 : -EAGAIN, 0};
     }
@@ -232,8 +260,23 @@ std::pair<std::int64_t, std::int64_t> LinuxSocket::receive(void* data, std::size
     return {static_cast<std::int64_t>(count), all};
 }
 
+// Of datagrams only those from who is named.
+std::pair<std::int64_t, std::int64_t> LinuxSocket::receive_outside(void* data, std::size_t bytes,
+                                                                   bool peek, SocketAddress* from) {
+    for (;;) {
+        SocketAddress sender;
+        const auto result = host_->receive(data, bytes, peek, &sender);
+        if (result.first < 0 || network_.host().has(sender)) {
+            if (from) *from = sender;
+            return result;
+        }
+        if (peek) host_->receive(nullptr, 0, false, nullptr);
+    }
+}
+
 std::int64_t LinuxSocket::send(const void* data, std::size_t bytes, const SocketAddress* to) {
     constexpr std::size_t LONGEST = 65507;  // of UDP
+    if (!by_messages() && host_) return host_->send(data, bytes, nullptr);
     if (!by_messages()) {
         if (!out_) return listens_ || !peer_ ? -ENOTCONN : -EPIPE;
         return out_->has_writer ? out_->write(data, bytes) : -EPIPE;
@@ -246,6 +289,10 @@ std::int64_t LinuxSocket::send(const void* data, std::size_t bytes, const Socket
         if (!where) return -EDESTADDRREQ;
         if (where->family != family_) return -EAFNOSUPPORT;
         bind_somewhere();
+        if (network_.host().has(*where)) {
+            if (!host_) host_ = network_.host().open(false);
+            return host_ ? host_->send(data, bytes, to) : -ENOBUFS;
+        }
         other = network_.find(false, *where);
     }
     if (bytes > LONGEST) return -EMSGSIZE;

@@ -1,7 +1,8 @@
 // sockets.h - sockets between the processes of a run: AF_UNIX and AF_INET, streams and datagrams.
 //
 // All lies on the loopback: a connection is there at once, nothing is lost but datagrams for which
-// there is no more room, and nothing ever leaves the simulator.  Ports that nobody has asked for
+// there is no more room, and nothing leaves the simulator but to what --network names
+// (host_sockets.h).  Ports that nobody has asked for
 // are given in turn, from 32768 on, so every run is the same.
 //
 // Not handled: AF_INET6 and others, raw sockets, multicast, out-of-band data, passing of files and
@@ -35,11 +36,16 @@ struct SocketAddress {
     std::string text() const;
 };
 
+class HostNetwork;
+class HostSocket;
 class LinuxSocket;
 
 // Who has which address.
 class LinuxNetwork {
 public:
+    explicit LinuxNetwork(HostNetwork& host) : host_{host} {}
+
+    HostNetwork& host() const { return host_; }
     // EADDRINUSE; a port 0 becomes a free one.
     int bind(const std::shared_ptr<LinuxSocket>& socket, SocketAddress& address);
     std::shared_ptr<LinuxSocket> find(bool stream, const SocketAddress& address) const;
@@ -50,6 +56,7 @@ private:
     using Key = std::pair<bool, std::string>;  // a stream's or not
     static Key key(bool stream, const SocketAddress& address);
 
+    HostNetwork& host_;
     std::map<Key, std::weak_ptr<LinuxSocket>> bound_;
     std::uint16_t next_port_ = 32768;
 };
@@ -64,11 +71,9 @@ public:
 
     FileStatus status() const override;
     std::string name() const override;
-    bool is_inside() const override { return true; }
+    bool is_inside() const override { return !host_; }
     unsigned can_do() const override;
-    std::uint64_t arrivals() const override {
-        return arrivals_ + (in_ ? in_->writes() + out_->rooms() : 0);
-    }
+    std::uint64_t arrivals() const override;
     std::int64_t read(void* data, std::size_t bytes) override {
         return receive(data, bytes, false, nullptr).first;
     }
@@ -79,6 +84,7 @@ public:
 
     int bind(SocketAddress address);
     int listen(std::uint32_t backlog);
+    // EINPROGRESS, and then EALREADY, while the host connects.
     int connect(const SocketAddress& to);
     std::pair<int, std::shared_ptr<LinuxSocket>> accept();
     int shut_down(std::uint32_t how);
@@ -91,7 +97,7 @@ public:
     const std::optional<SocketAddress>& peer() const { return peer_; }
     unsigned type() const { return type_; }
     std::uint16_t family() const { return family_; }
-    int consume_error() { return std::exchange(error_, 0); }
+    int consume_error();
 
     std::uint64_t receive_limit_ns = 0;  // SO_RCVTIMEO; 0: none
 
@@ -104,6 +110,9 @@ private:
     };
     bool by_messages() const { return type_ != STREAM; }
     void bind_somewhere();
+    int connect_outside(const SocketAddress& to);
+    std::pair<std::int64_t, std::int64_t> receive_outside(void* data, std::size_t bytes, bool peek,
+                                                          SocketAddress* from);
 
     LinuxNetwork& network_;
     const std::uint16_t family_;
@@ -112,6 +121,7 @@ private:
     std::optional<SocketAddress> peer_;
     std::shared_ptr<BytePipe> in_, out_;  // of a connected stream
     std::uint64_t arrivals_ = 0;          // of connections and messages
+    std::shared_ptr<HostSocket> host_;    // of one that reaches the outside
     std::weak_ptr<LinuxSocket> other_;    // of one that is connected and has messages
     std::deque<std::shared_ptr<LinuxSocket>> waiting_;
     std::size_t backlog_ = 0;

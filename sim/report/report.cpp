@@ -52,6 +52,7 @@ nlohmann::ordered_json program_json(const RunReport::Program& program) {
                           {"busy_share", spread_json(program.frames.busy_share)},
                           {"bus_share", spread_json(program.frames.bus_share)}};
     if (program.exit_code) json["exit_code"] = *program.exit_code;
+    if (!program.network.empty()) json["network"] = program.network;
     return json;
 }
 

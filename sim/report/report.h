@@ -80,6 +80,7 @@ struct RunReport {
         std::string function;               // there; empty if it has no name
         std::string waiting;                // "an interrupt", "a change of 0xFF200050", or empty
         std::optional<int> exit_code = {};  // of a program that has ended itself
+        std::vector<std::string> network = {};  // outside, that it could reach: "host:port"
         FrameFigures frames = {};
     };
 
@@ -135,7 +136,7 @@ struct RunReport {
 constexpr int REPORT_FORMAT = 1;
 
 // Keys in a fixed order.  Only the key "wall" depends on the machine: without it, two runs of the
-// same inputs are equal byte for byte.
+// same inputs are equal byte for byte, unless the program had a network.
 std::string to_json(const RunReport& report);
 
 // One test case per expectation or check, and one for the run itself.  Faults and an interruption

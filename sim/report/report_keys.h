@@ -111,6 +111,10 @@ inline constexpr ReportKey REPORT_KEYS[] = {
     {"program.frames.bus_share.*", "Share of the frame in which it waited for the FPGA."},
     {"program.exit_code",
      "Of a program that has ended on Linux or by semihosting; 130 of one that ^C has ended."},
+    {"program.network[]",
+     "Only if the run had a network: what of `--network` the program could reach. Such a run is "
+     "not "
+     "reproducible."},
 };
 
 }  // namespace sim

@@ -28,6 +28,9 @@ ArmProgram load_program(const RunPlan& plan) {
     if (!on_linux && !program.input.empty())
         throw std::runtime_error{program.elf.string() +
                                  ": --stdin is for Linux programs (--system linux)"};
+    if (!on_linux && !program.network.empty())
+        throw std::runtime_error{program.elf.string() +
+                                 ": --network is for Linux programs (--system linux)"};
     ElfProgram elf = on_linux ? load_elf(program.elf, linux_memory(), Linking::ANY)
                               : load_elf(program.elf, program_memory());
     if (!on_linux) elf.leave_only_sections();
@@ -51,9 +54,19 @@ static std::vector<LinuxSettings::Module> load_modules(const std::vector<std::st
     return all;
 }
 
+// Of --network; std::runtime_error.
+static std::vector<NamedPeer> named_peers(const std::vector<std::string>& options) {
+    std::vector<NamedPeer> all;
+    for (const std::string& option : options) all.push_back(NamedPeer::from(option));
+    return all;
+}
+
 ArmRun::ArmRun(ArmCpu& cpu, Bus& bus, I2cDevices* i2c0, const RunPlan& plan, Recorder& recorder,
                BoardObserver& observer)
-    : profile_file_{plan.description.outputs.profile}, cpu_{cpu}, bus_{bus} {
+    : profile_file_{plan.description.outputs.profile},
+      network_{plan.description.program.network},
+      cpu_{cpu},
+      bus_{bus} {
     const ProgramDescription& program = plan.description.program;
     const TraceDescription& trace = plan.description.outputs.trace;
     const auto print = [&observer](char c) { observer.console(c, SerialLine::UART); };
@@ -66,7 +79,7 @@ ArmRun::ArmRun(ArmCpu& cpu, Bus& bus, I2cDevices* i2c0, const RunPlan& plan, Rec
     if (plan.on_linux)
         kernel_.emplace(cpu,
                         LinuxSettings{program.linux_root, program.arguments, program.input,
-                                      load_modules(program.modules)},
+                                      load_modules(program.modules), named_peers(program.network)},
                         LinuxKernel::Outside{print, log, access, i2c0});
     else
         semihosting_.emplace(cpu, Semihosting::Outside{print, log});
@@ -101,6 +114,7 @@ RunReport::Program ArmRun::program() const {
     program.frames = budget_.figures();
     program.exit_code = kernel_ ? kernel_->exit_code() : semihosting_->exit_code();
     program.waiting = waiting();
+    program.network = network_;
     return program;
 }
 

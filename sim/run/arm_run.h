@@ -57,6 +57,7 @@ private:
     }
 
     const std::filesystem::path profile_file_;  // or empty
+    const std::vector<std::string> network_;    // that a Linux program reaches
     ArmCpu& cpu_;
     const Bus& bus_;
     std::optional<LinuxKernel> kernel_;

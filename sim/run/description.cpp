@@ -39,7 +39,7 @@ static void from_json(const json& from, FrameChoice& choice) {
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ProjectOptions, place, top, macros, build_limit_s)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ChipDescription, project, bridged_memory, audio_rate, strict_vga)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ProgramDescription, cpu, elf, cpi, shortcuts, system, linux_root,
-                                   arguments, modules, input, arm_options)
+                                   arguments, modules, input, network, arm_options)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(TraceDescription, file, from, to)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(RunOutputs, out, frames, html, video, profile, trace,
                                    trace_failure, gdb, live_socket, update_goldens, quiet)

@@ -47,6 +47,7 @@ struct ProgramDescription {
     std::vector<std::string> arguments;    // the Linux program's, after its name
     std::vector<std::string> modules;      // kernel modules, "dial.ko period=5"
     std::filesystem::path input;           // the Linux program's standard input, or empty
+    std::vector<std::string> network;      // outside, that it reaches: "host:port"
     std::vector<std::string> arm_options;  // of the command line, which are for "arm" alone
 };
 

@@ -118,6 +118,13 @@ void add_run_options(CLI::App& command, RunOptions& options) {
                     "types")
         ->check(named);
     command
+        .add_option("--network", program.network,
+                    "HOST:PORT[,HOST:PORT...] that a Linux program reaches over this machine's\n"
+                    "network, by TCP and UDP; such a run is not reproducible")
+        ->delimiter(',')
+        ->allow_extra_args(false)
+        ->check(named);
+    command
         .add_option("--profile", outputs.profile,
                     "write instructions by function, for --cpu arm (callgrind format,\n"
                     "for KCachegrind and callgrind_annotate)")
@@ -230,6 +237,9 @@ void check(const RunDescription& run, bool needs_file) {
                                                            : outputs.gdb ? "--gdb"
                                                                          : "--trace") +
                                                           " exclude each other");
+    if (outputs.trace_failure && !program.network.empty())
+        throw CLI::ValidationError("--trace-failure",
+                                   "and --network exclude each other: a second run may differ");
     if (outputs.gdb && !outputs.profile.empty())
         throw CLI::ValidationError("--profile", "and --gdb exclude each other");
 }
@@ -259,7 +269,7 @@ RunDescription described_by(const CLI::App& command, const RunOptions& options, 
             if (command.count(option) > 0)
                 throw CLI::ValidationError(option, "and --project exclude each other");
     for (const char* option : {"--cpi", "--no-shortcuts", "--gdb", "--system", "--linux-root",
-                               "--module", "--stdin", "--profile"})
+                               "--module", "--stdin", "--network", "--profile"})
         if (command.count(option) > 0) run.program.arm_options.push_back(option);
     if (!run.program.arguments.empty()) run.program.arm_options.push_back("--");
     check(run, needs_file);

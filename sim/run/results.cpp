@@ -161,6 +161,9 @@ void add_results(RunReport& report, Board& board, ProcessorSystem* processor, Co
     if (const std::string missing = arm ? arm->missing_calls() : ""; !missing.empty())
         (succeeds(report) ? report.advice : report.faults)
             .push_back("the simulated Linux does not have these calls of the program: " + missing);
+    if (report.program && !report.program->network.empty())
+        report.advice.push_back("the run had a network, so it is not reproducible: " +
+                                fmt::format("{}", fmt::join(report.program->network, ", ")));
     report.audio = {recorder.observations().rate_hz, recorder.observations().samples, 0};
     if (report.simulated_s > FIRST_FRAMES_S && report.frames_shown == 0 &&
         board.monitor.is_connected())

@@ -118,6 +118,7 @@ TEST(ReportKeys, AreThoseOfTheFile) {
     full.checks = {{"adds", true, ""}};
     full.program = RunReport::Program{};
     full.program->exit_code = 0;
+    full.program->network = {"127.0.0.1:80"};
     full.program->frames.count = 1;
     std::set<std::string> paths;
     collect_paths(json::parse(to_json(full)), "", paths);
