@@ -215,6 +215,21 @@ int LinuxFiles::remove(const std::string& path, bool folder) {
     return static_cast<int>(or_error(unlinkat(place.folder->fd(), place.name.c_str(), flags)));
 }
 
+int LinuxFiles::set_rights(const std::string& path, std::uint32_t mode) {
+    if (status_on_host(path).first == -ENOENT && system_.status(path, false)) return 0;
+    Place place;
+    if (const int error = place_of(path, place)) return error;
+    return static_cast<int>(or_error(
+        fchmodat(place.folder->fd(), place.name.c_str(), static_cast<mode_t>(mode & 0777), 0)));
+}
+
+int LinuxFiles::set_rights(int fd, std::uint32_t mode) {
+    const File* const file = find(fd);
+    if (!file) return -EBADF;
+    if (file->kind != File::Kind::HOST) return 0;
+    return static_cast<int>(or_error(::fchmod(file->host->fd(), static_cast<mode_t>(mode & 0777))));
+}
+
 int LinuxFiles::make_folder(const std::string& path, std::uint32_t mode) {
     Place place;
     if (const int error = place_of(path, place, Last::KEEP)) return error;

@@ -101,6 +101,9 @@ public:
     int remove(const std::string& path, bool folder);
     int make_folder(const std::string& path, std::uint32_t mode);
     int rename(const std::string& from, const std::string& to);
+    // As chmod(); what is not on the host has no rights that count.
+    int set_rights(const std::string& path, std::uint32_t mode);
+    int set_rights(int fd, std::uint32_t mode);
 
     bool is_console(int fd) const;
     bool is_memory(int fd) const;

@@ -29,9 +29,9 @@
 // (gpio.h, led.h); USB devices as input devices and by usbfs (usb_bus.h).
 // Kernel modules: modules.h.  A program's access to their memory is not refused.
 //
-// Not handled: /dev/spidev (the DE1-SoC's device tree for Linux has no SPI device); groups and
-// sessions of processes, job control; mutexes with priority inheritance; the second processor:
-// threads never run at the same time; no vDSO.  Timers of processor time expire when they are due,
+// Not handled: /dev/spidev (the DE1-SoC's device tree for Linux has no SPI device); job control;
+// owners of files other than root; mutexes with priority inheritance; the second processor: threads
+// never run at the same time; no vDSO.  Timers of processor time expire when they are due,
 // not with a tick of 10 ms; a process's time in the kernel is its own.
 #pragma once
 

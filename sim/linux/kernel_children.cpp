@@ -38,6 +38,8 @@ LinuxKernel::Result LinuxKernel::fork(const Clone& how) {
     child.umask = parent.umask;
     child.command = parent.command;
     child.folder = parent.folder;
+    child.group = parent.group;
+    child.session = parent.session;
     child.command_line = parent.command_line;
     child.segments = parent.segments;
     child.end_signal = static_cast<unsigned>(how.flags & EXIT_SIGNAL);
@@ -150,11 +152,13 @@ LinuxKernel::Result LinuxKernel::wait_for_child(
     LinuxWait wait;
     wait.what = which > 0 ? fmt::format("the end of process {}", which) : "the end of a process";
     wait.inside = wait.restarts = true;
-    wait.look = [this, which, options, result_of = std::move(result_of),
-                 own = process_->number](LinuxWait&) -> Result {
+    wait.look = [this, which, options, result_of = std::move(result_of), own = process_->number,
+                 group = which == 0 ? process_->group : -which](LinuxWait&) -> Result {
         bool any = false;
         for (const auto& process : processes_) {
-            if (process->parent != own || (which > 0 && process->number != which)) continue;
+            const bool is_meant =
+                which == -1 || process->number == which || (which <= 0 && process->group == group);
+            if (process->parent != own || !is_meant) continue;
             any = true;
             if (!process->status) continue;
             const std::int64_t result = result_of(*process);
@@ -185,10 +189,12 @@ LinuxKernel::Result LinuxKernel::sys_wait4(const Arguments& a) {
 LinuxKernel::Result LinuxKernel::sys_waitid(const Arguments& a) {
     constexpr std::uint32_t ANY = 0, ONE = 1, GROUP = 2, EXITED = 4;
     if (a[0] > GROUP || !(a[3] & EXITED)) return -EINVAL;
-    const auto which = a[0] == ONE ? static_cast<std::int32_t>(a[1]) : -1;
+    const auto named = static_cast<std::int32_t>(a[1]);
     static_assert(ANY == 0);
-    return wait_for_child(which, a[3],
-                          [this, to = a[2]](const LinuxProcess& child) -> std::int64_t {
+    return wait_for_child(a[0] == ONE     ? named
+                          : a[0] == GROUP ? -named
+                                          : -1,
+                          a[3], [this, to = a[2]](const LinuxProcess& child) -> std::int64_t {
                               const std::uint32_t by = *child.status & 0x7F;
                               const std::uint32_t info[32] = {
                                   SIGCHLD,

@@ -11,6 +11,9 @@ namespace sim {
 
 namespace {
 
+// Or as it was: -1, in 32 bits or 16.
+bool is_root(std::uint32_t id) { return id == 0 || id == ~0u || id == 0xFFFF; }
+
 constexpr std::uint32_t BLOCK = 4096, SECTOR = 512;
 
 struct Stat64 {  // arch/arm/include/uapi/asm/stat.h
@@ -125,6 +128,32 @@ LinuxKernel::Result LinuxKernel::sys_access(const Arguments& a) {
 LinuxKernel::Result LinuxKernel::sys_faccessat(const Arguments& a) {
     const auto [error, path] = path_at(a[0], a[1]);
     return error ? error : files().access(path, static_cast<int>(a[2]));
+}
+
+LinuxKernel::Result LinuxKernel::sys_chmod(const Arguments& a) {
+    return sys_fchmodat({ARM_AT_FDCWD, a[0], a[1]});
+}
+LinuxKernel::Result LinuxKernel::sys_fchmodat(const Arguments& a) {
+    const auto [error, path] = path_at(a[0], a[1]);
+    return error ? error : files().set_rights(path, a[2]);
+}
+LinuxKernel::Result LinuxKernel::sys_fchmod(const Arguments& a) {
+    return files().set_rights(static_cast<int>(a[0]), a[1]);
+}
+
+// All files are root's, and so is the program.
+LinuxKernel::Result LinuxKernel::sys_fchownat(const Arguments& a) {
+    const auto [error, path] = path_at(a[0], a[1]);
+    if (error) return error;
+    if (const int missing = files().status_of(path, true).first) return missing;
+    return is_root(a[2]) && is_root(a[3]) ? 0 : -EPERM;
+}
+LinuxKernel::Result LinuxKernel::sys_chown(const Arguments& a) {
+    return sys_fchownat({ARM_AT_FDCWD, a[0], a[1], a[2]});
+}
+LinuxKernel::Result LinuxKernel::sys_fchown(const Arguments& a) {
+    if (const int missing = files().status_of(static_cast<int>(a[0])).first) return missing;
+    return is_root(a[1]) && is_root(a[2]) ? 0 : -EPERM;
 }
 
 LinuxKernel::Result LinuxKernel::sys_unlink(const Arguments& a) {

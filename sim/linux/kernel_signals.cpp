@@ -48,8 +48,10 @@ bool LinuxKernel::send(LinuxProcess& process, const LinuxSignal& signal) {
 void LinuxKernel::typed(unsigned number) {
     const char* const key = number == SIGINT ? "^C" : number == SIGQUIT ? "^\\" : "^Z";
     for (const auto& process : processes_)
-        send(*process,
-             {number, arm_signal_code::KERNEL, {}, fmt::format("{} was typed,", key), {}, true});
+        if (process->group == LinuxProcess::FIRST)  // in the foreground of the terminal
+            send(
+                *process,
+                {number, arm_signal_code::KERNEL, {}, fmt::format("{} was typed,", key), {}, true});
 }
 
 void LinuxKernel::signal_from_outside(unsigned number, int process) {
@@ -315,7 +317,7 @@ LinuxKernel::Result LinuxKernel::sys_kill(const Arguments& a) {
     for (const auto& process : processes_) {
         const bool meant = to > 0     ? process->number == to
                            : to == -1 ? process.get() != process_ || processes_.size() == 1
-                                      : to == 0 || to == -processes_.front()->number;
+                                      : process->group == (to == 0 ? process_->group : -to);
         if (!meant) continue;
         result = 0;
         if (a[1] != 0) send(*process, signal);

@@ -31,6 +31,7 @@ struct LinuxProcess {
     std::vector<std::unique_ptr<LinuxThread>> threads{};  // the first one first
     std::uint32_t break_begin = 0, break_end = 0, umask = 022;
     std::uint64_t used_ns = 0, used_by_children_ns = 0;  // of the processor
+    int group = FIRST, session = FIRST;
     bool stopped = false;
     std::optional<std::uint32_t> status{};    // once it has ended, as waitpid() has it
     unsigned end_signal = 0;                  // that its parent gets then
