@@ -90,7 +90,7 @@ void Debugger::on_idle(ArmCore&) {
 // The instruction at which the debugger resumes is not stopped at again.
 bool Debugger::before(std::uint32_t) {
     if (core_.instructions() == resumed_at_ && running() == resumed_thread_) return false;
-    reply_ = stopped_by(SIGNAL_TRAP);
+    reply_ = stopped_by(SIGNAL_TRAP, names_breaks_ ? "swbreak:;" : "");
     return hit_ = true;
 }
 
@@ -171,6 +171,8 @@ void Debugger::serve() {
         const bool resumes = answer.next == GdbNext::CONTINUE || answer.next == GdbNext::STEP;
         if (!resumes && packet != "k") connection_.send(answer.text);
         if (packet == "QStartNoAckMode") connection_.no_acks();
+        if (packet.rfind("qSupported", 0) == 0)
+            names_breaks_ = packet.find("swbreak+") != packet.npos;
         if (obey(answer)) return;
     }
     forget();

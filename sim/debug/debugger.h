@@ -121,6 +121,9 @@ private:
     bool unread_ = false;               // the connection's packet waits for an answer
     bool hit_ = false;                  // a point, reported by reply_
     bool killed_ = false;
+    // GDB hears of a stop that it was a breakpoint's.  Else it may take one that it has set for a
+    // thread, and needs no longer, for a signal of the program.
+    bool names_breaks_ = false;
 };
 
 }  // namespace sim

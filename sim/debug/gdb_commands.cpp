@@ -246,7 +246,7 @@ GdbAnswer resume_threads(GdbTarget& target, std::string_view actions) {
 std::string query(GdbTarget& target, std::string_view packet) {
     if (begins(packet, "qSupported"))
         return fmt::format(
-            "PacketSize={:x};qXfer:features:read+;qXfer:threads:read+;vContSupported+;"
+            "PacketSize={:x};qXfer:features:read+;qXfer:threads:read+;vContSupported+;swbreak+;"
             "QStartNoAckMode+",
             GDB_PACKET_BYTES);
     constexpr std::string_view FEATURES = "qXfer:features:read:target.xml:",

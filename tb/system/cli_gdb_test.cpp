@@ -110,6 +110,15 @@ TEST_F(Gdb, AStepEndsInTheThreadThatIsStepped) {
     end();
 }
 
+// Others come to the place where the call that thread 4 steps over returns to.
+TEST_F(Gdb, AStepOverACallIsOneWhereOtherThreadsCallToo) {
+    start(LINUX_PROGRAMS "threads", "duration: 100ms\n", {"--", "keeps"});
+    EXPECT_THAT(gdb({"tbreak compute", "continue", "tbreak threads.c:187 thread 4", "continue",
+                     "next", "print $_thread", "info line"}),
+                AllOf(HasSubstr("$1 = 4\n"), HasSubstr("Line 188 of "), Not(HasSubstr("SIGTRAP"))));
+    end();
+}
+
 TEST_F(Gdb, ReadsTheMemoryOfEachProcess) {
     start(LINUX_PROGRAMS "processes", "duration: 100ms\n", {"--", "forks"});
     EXPECT_THAT(gdb({"break exit", "continue", "print value", "info threads", "thread 1",
