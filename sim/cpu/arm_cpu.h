@@ -77,6 +77,8 @@ public:
     virtual bool on_exception(ArmCore&, ArmException, const ArmFault&) { return false; }
     // Before the program is ended because of an exception; true: it goes on at pc after all.
     virtual bool on_failure(ArmCore&, ArmException) { return false; }
+    // A kernel is about to end the program, as by this signal of Linux's.
+    virtual void on_end(ArmCore&, unsigned) {}
     // No thread of a kernel can run; after wake(), and each time that the kernel looks again.
     virtual void on_idle(ArmCore&) {}
     // Before each quantum: true keeps IRQ and FIQ waiting.
@@ -195,6 +197,10 @@ public:
     // For a kernel: when its alarm() is called, once, in the program's time.
     void set_alarm(const sc_core::sc_time& at) { time_.set_alarm(at); }
     const sc_core::sc_time& alarm() const { return time_.alarm(); }
+    // Before that, a kernel shows an inspector what ends it: a signal, by Linux's number.
+    void show_end(unsigned signal) {
+        if (inspector_) inspector_->on_end(core_, signal);
+    }
     void end(const std::string& why = "");
     std::string where() const;  // "at 12.345678 ms, PC 0x00001234 in main+0x10"
 

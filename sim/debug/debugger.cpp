@@ -1,6 +1,7 @@
 #include "sim/debug/debugger.h"
 
 #include <algorithm>
+#include <csignal>
 #include <cstring>
 
 #include <fmt/format.h>
@@ -15,14 +16,25 @@ constexpr int WAIT_MS = 50;  // between two calls of given_up()
 constexpr std::uint32_t PAGE = 4096;
 
 // GDB's numbers of signals (include/gdb/signals.def).
-constexpr unsigned SIGNAL_INT = 2, SIGNAL_ILL = 4, SIGNAL_TRAP = 5, SIGNAL_SEGV = 11,
-                   SIGNAL_SYS = 12;
+constexpr unsigned SIGNAL_INT = 2, SIGNAL_ILL = 4, SIGNAL_TRAP = 5, SIGNAL_BUS = 10,
+                   SIGNAL_SEGV = 11, SIGNAL_SYS = 12, SIGNAL_USR1 = 30, SIGNAL_USR2 = 31,
+                   SIGNAL_UNKNOWN = 143;
 
 unsigned signal_of(ArmException exception) {
     switch (exception) {
         case ArmException::UNDEFINED: return SIGNAL_ILL;
         case ArmException::SVC: return SIGNAL_SYS;
         default: return SIGNAL_SEGV;
+    }
+}
+
+unsigned signal_of_linux(unsigned signal) {
+    switch (signal) {
+        case SIGBUS: return SIGNAL_BUS;
+        case SIGUSR1: return SIGNAL_USR1;
+        case SIGUSR2: return SIGNAL_USR2;
+        case SIGSYS: return SIGNAL_SYS;
+        default: return signal <= SIGTERM ? signal : SIGNAL_UNKNOWN;
     }
 }
 
@@ -125,6 +137,10 @@ bool Debugger::on_failure(ArmCore& core, ArmException exception) {
     const std::uint32_t pc = core.pc();
     stop(stopped_by(signal_of(exception)));
     return core.pc() != pc;
+}
+
+void Debugger::on_end(ArmCore&, unsigned signal) {
+    if (connection_.connected()) stop(stopped_by(signal_of_linux(signal)));
 }
 
 // The core may be within an instruction here, so it must not be changed.

@@ -16,7 +16,9 @@
 // debugger, not in the program.
 //
 // Stops by itself: a BKPT instruction (SIGTRAP), an exception that the program has no vector for
-// (SIGILL, SIGSEGV, SIGSYS).  The end of the run is reported as an exit with de1sim's code.
+// (SIGILL, SIGSEGV, SIGSYS).  A Linux program: before a signal ends it, before an oops of a module
+// does (SIGSEGV), and before it ends because all threads wait for each other (SIGABRT).  The end of
+// the run is reported as an exit with de1sim's code.
 //
 // Linux: GDB sees the threads of all processes and modules as those of one program.  `thread 3`
 // chooses one: registers are its own, memory is that of its process.  When one thread stops, all
@@ -68,6 +70,7 @@ public:
     std::uint64_t on_quantum(ArmCore& core, std::uint64_t limit) override;
     bool on_exception(ArmCore& core, ArmException exception, const ArmFault& fault) override;
     bool on_failure(ArmCore& core, ArmException exception) override;
+    void on_end(ArmCore& core, unsigned signal) override;
     void on_idle(ArmCore& core) override;
     bool holds_interrupts() override { return stepping_ != 0 || hit_; }
 

@@ -119,6 +119,25 @@ TEST_F(Gdb, AStepOverACallIsOneWhereOtherThreadsCallToo) {
     end();
 }
 
+TEST_F(Gdb, StopsBeforeASignalEndsTheProgram) {
+    start(LINUX_PROGRAMS "faults", "duration: 100ms\n", {"--", "segv"});
+    EXPECT_THAT(gdb({"continue", "backtrace", "continue"}),
+                AllOf(HasSubstr("Program received signal SIGSEGV"),
+                      ContainsRegex("#0 .* in write_to_nowhere \\(\\) at .*#1 .* in main \\("),
+                      HasSubstr("exited with code 01")));
+    EXPECT_EQ(end().exit_code, 1);
+}
+
+TEST_F(Gdb, StopsWhereThreadsWaitForEachOther) {
+    start(LINUX_PROGRAMS "threads", "duration: 100ms\n", {"--", "deadlocks"});
+    EXPECT_THAT(gdb({"continue", "thread apply all backtrace", "continue"}),
+                AllOf(HasSubstr("received signal SIGABRT"),
+                      ContainsRegex("waits for the mutex at 0x[0-9A-F]+ that thread 1 has\\)"),
+                      HasSubstr(" in locks (unused="), HasSubstr(" in deadlocks ("),
+                      HasSubstr("exited with code 01")));
+    EXPECT_EQ(end().exit_code, 1);
+}
+
 TEST_F(Gdb, ReadsTheMemoryOfEachProcess) {
     start(LINUX_PROGRAMS "processes", "duration: 100ms\n", {"--", "forks"});
     EXPECT_THAT(gdb({"break exit", "continue", "print value", "info threads", "thread 1",
