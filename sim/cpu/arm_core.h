@@ -24,6 +24,7 @@
 // nothing.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -128,6 +129,13 @@ namespace arm_cpsr {
 constexpr std::uint32_t T = 1u << 5, F = 1u << 6, I = 1u << 7, A = 1u << 8, E = 1u << 9,
                         J = 1u << 24, IT = 0x0600fc00, MODE = 0x1f;
 }
+
+// What a thread has of the core's registers while another thread runs.
+struct ArmRegisters {
+    std::array<std::uint32_t, 16> r{};
+    std::uint32_t cpsr = 0, fpscr = 0;
+    std::array<std::uint64_t, 32> vfp{};  // d0 - d31
+};
 
 // What programs may do with memory.
 namespace arm_access {

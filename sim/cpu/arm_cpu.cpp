@@ -86,7 +86,9 @@ void ArmCpu::pause_until(const Until&... until) {
 
 void ArmCpu::pause(const sc_time& time) { pause_until(time); }
 void ArmCpu::pause(const sc_core::sc_event& until, const sc_time& at_most) {
-    pause_until(at_most, until);
+    if (!kernel_ || !inspector_) return pause_until(at_most, until);
+    pause_until(at_most, until | inspect_);
+    inspector_->on_idle(core_);
 }
 
 void ArmCpu::work(const sc_time& time) {

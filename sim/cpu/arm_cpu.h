@@ -38,6 +38,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <functional>
 #include <optional>
 #include <string>
@@ -76,11 +77,25 @@ public:
     virtual bool on_exception(ArmCore&, ArmException, const ArmFault&) { return false; }
     // Before the program is ended because of an exception; true: it goes on at pc after all.
     virtual bool on_failure(ArmCore&, ArmException) { return false; }
+    // A kernel is about to end the program, as by this signal of Linux's.
+    virtual void on_end(ArmCore&, unsigned) {}
+    // No thread of a kernel can run; after wake(), and each time that the kernel looks again.
+    virtual void on_idle(ArmCore&) {}
     // Before each quantum: true keeps IRQ and FIQ waiting.
     virtual bool holds_interrupts() { return false; }
 
 protected:
     ~ArmInspector() = default;
+};
+
+// What a debugger shows of a kernel.
+struct ArmThread {
+    unsigned number;          // from 1
+    std::string name, state;  // "tick"; "waits for standard input"
+};
+struct ArmModule {
+    std::string name;
+    std::filesystem::path file;  // ELF, on the host, its addresses final; empty: there is none
 };
 
 // An operating system that the simulator emulates: programs run in its address space and call it.
@@ -101,6 +116,21 @@ public:
     // Something may end a loop on one instruction by itself: a signal, another thread.
     virtual bool may_interrupt() const { return false; }
 
+    // For a debugger, outside of ArmCore::run().
+    // The threads of all processes and modules, those of the first process first; none before
+    // boot().
+    virtual std::vector<ArmThread> thread_list() const { return {}; }
+    // The number of the thread whose registers the core has; 0: all wait.
+    virtual unsigned running_thread() const { return 0; }
+    // Those of another thread, which may be changed; nullptr for the running one, and if there is
+    // no such thread.  Valid until a thread runs.
+    virtual ArmRegisters* saved_registers(unsigned) { return nullptr; }
+    // The core sees the memory of this thread; 0: again what it saw before, which has to be the
+    // case when the program goes on.  A number that is no thread's changes nothing.
+    virtual void show_memory_of(unsigned) {}
+    // The modules that are loaded.
+    virtual std::vector<ArmModule> module_list() const { return {}; }
+
 protected:
     ~ArmKernel() = default;
 };
@@ -114,6 +144,7 @@ public:
 
     void attach(ArmInspector* inspector) { inspector_ = inspector; }
     void attach(ArmKernel* kernel) { kernel_ = kernel; }
+    ArmKernel* kernel() const { return kernel_; }  // or nullptr
     ArmCore& core() { return core_; }
 
     // Answers a program's requests to a debugger, pc after each.  Without it, and with a kernel,
@@ -123,8 +154,11 @@ public:
     void interrupt(bool irq, bool fiq) override;
     bool irq() const { return irq_; }
     void warm_reset() override;
-    // Ends a WFI or WFE, as a debug event does.
-    void wake() { wake_.notify(sc_core::SC_ZERO_TIME); }
+    // Ends a WFI or WFE, as a debug event does; and has a kernel that waits look again.
+    void wake() {
+        wake_.notify(sc_core::SC_ZERO_TIME);
+        inspect_.notify(sc_core::SC_ZERO_TIME);
+    }
 
     // The program's time: SystemC's plus what it has run of its quantum.
     sc_core::sc_time now() const { return time_.now(); }
@@ -163,6 +197,10 @@ public:
     // For a kernel: when its alarm() is called, once, in the program's time.
     void set_alarm(const sc_core::sc_time& at) { time_.set_alarm(at); }
     const sc_core::sc_time& alarm() const { return time_.alarm(); }
+    // Before that, a kernel shows an inspector what ends it: a signal, by Linux's number.
+    void show_end(unsigned signal) {
+        if (inspector_) inspector_->on_end(core_, signal);
+    }
     void end(const std::string& why = "");
     std::string where() const;  // "at 12.345678 ms, PC 0x00001234 in main+0x10"
 
@@ -254,7 +292,7 @@ private:
     bool waited_ = false;                 // in an access, so the quantum ends with it
     bool irq_ = false, fiq_ = false, reset_ = false, asleep_ = false, ended_ = false;
     sc_core::sc_time asleep_since_;
-    sc_core::sc_event wake_;
+    sc_core::sc_event wake_, inspect_;            // inspect_: by wake() only
     std::optional<Position> final_;               // where it was when the run ended
     std::optional<sc_core::sc_time> over_since_;  // see ended_for()
 };

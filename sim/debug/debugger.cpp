@@ -1,6 +1,7 @@
 #include "sim/debug/debugger.h"
 
 #include <algorithm>
+#include <csignal>
 #include <cstring>
 
 #include <fmt/format.h>
@@ -15,18 +16,25 @@ constexpr int WAIT_MS = 50;  // between two calls of given_up()
 constexpr std::uint32_t PAGE = 4096;
 
 // GDB's numbers of signals (include/gdb/signals.def).
-constexpr unsigned SIGNAL_INT = 2, SIGNAL_ILL = 4, SIGNAL_TRAP = 5, SIGNAL_SEGV = 11,
-                   SIGNAL_SYS = 12;
-
-std::string stopped_by(unsigned signal, const std::string& why = "") {
-    return fmt::format("T{:02x}{}thread:1;", signal, why);
-}
+constexpr unsigned SIGNAL_INT = 2, SIGNAL_ILL = 4, SIGNAL_TRAP = 5, SIGNAL_BUS = 10,
+                   SIGNAL_SEGV = 11, SIGNAL_SYS = 12, SIGNAL_USR1 = 30, SIGNAL_USR2 = 31,
+                   SIGNAL_UNKNOWN = 143;
 
 unsigned signal_of(ArmException exception) {
     switch (exception) {
         case ArmException::UNDEFINED: return SIGNAL_ILL;
         case ArmException::SVC: return SIGNAL_SYS;
         default: return SIGNAL_SEGV;
+    }
+}
+
+unsigned signal_of_linux(unsigned signal) {
+    switch (signal) {
+        case SIGBUS: return SIGNAL_BUS;
+        case SIGUSR1: return SIGNAL_USR1;
+        case SIGUSR2: return SIGNAL_USR2;
+        case SIGSYS: return SIGNAL_SYS;
+        default: return signal <= SIGTERM ? signal : SIGNAL_UNKNOWN;
     }
 }
 
@@ -42,6 +50,13 @@ unsigned access_bytes(std::uint32_t address, std::size_t left) {
     return address % 4 == 0 && left >= 4 ? 4 : address % 2 == 0 && left >= 2 ? 2 : 1;
 }
 
+// As GDB takes words apart.
+std::string quoted(const std::string& file) {
+    std::string word;
+    for (const char c : file) word += (std::strchr(" \t'\"\\", c) ? "\\" : "") + std::string{c};
+    return word;
+}
+
 // Bytes of RAM that may be read in one piece.
 std::size_t piece(std::uint32_t address, std::size_t left) {
     return std::min<std::size_t>(left, PAGE - address % PAGE);
@@ -54,7 +69,7 @@ Debugger::Debugger(ArmCpu& cpu, GdbConnection& connection, std::function<bool()>
       core_{cpu.core()},
       connection_{connection},
       given_up_{std::move(given_up)},
-      reply_{stopped_by(SIGNAL_TRAP)} {
+      reply_{fmt::format("T{:02x}thread:1;", SIGNAL_TRAP)} {
     cpu_.attach(this);
 }
 
@@ -68,19 +83,26 @@ void Debugger::on_start(ArmCore&) {
 }
 
 std::uint64_t Debugger::on_quantum(ArmCore& core, std::uint64_t limit) {
+    stepped_ |= stepping_ && stepping_ == quantum_thread_ && core.instructions() != quantum_begin_;
     if (hit_)
         stop(reply_);
-    else if (stepping_ && core.instructions() != resumed_at_)
+    else if (stepping_ == running() && stepped_)
         stop(stopped_by(SIGNAL_TRAP));
     else if (interrupt_)
         stop(stopped_by(unread_ ? SIGNAL_TRAP : SIGNAL_INT));
-    return stepping_ ? 1 : limit;
+    quantum_begin_ = core.instructions();
+    quantum_thread_ = running();
+    return stepping_ == quantum_thread_ ? 1 : limit;
+}
+
+void Debugger::on_idle(ArmCore&) {
+    if (interrupt_) stop(stopped_by(unread_ ? SIGNAL_TRAP : SIGNAL_INT));
 }
 
 // The instruction at which the debugger resumes is not stopped at again.
 bool Debugger::before(std::uint32_t) {
-    if (core_.instructions() == resumed_at_) return false;
-    reply_ = stopped_by(SIGNAL_TRAP);
+    if (core_.instructions() == resumed_at_ && running() == resumed_thread_) return false;
+    reply_ = stopped_by(SIGNAL_TRAP, names_breaks_ ? "swbreak:;" : "");
     return hit_ = true;
 }
 
@@ -117,6 +139,10 @@ bool Debugger::on_failure(ArmCore& core, ArmException exception) {
     return core.pc() != pc;
 }
 
+void Debugger::on_end(ArmCore&, unsigned signal) {
+    if (connection_.connected()) stop(stopped_by(signal_of_linux(signal)));
+}
+
 // The core may be within an instruction here, so it must not be changed.
 void Debugger::poll() {
     if (!connection_.connected()) {
@@ -135,13 +161,18 @@ void Debugger::ended(unsigned exit_code) {
 
 // ---- While it stands ----------------------------------------------------------------------------
 
+// `reply`: of stopped_by().
 void Debugger::stop(const std::string& reply) {
     reply_ = reply;
-    interrupt_ = stepping_ = hit_ = false;
+    interrupt_ = stepped_ = hit_ = false;
+    stepping_ = 0;
+    choose_thread(stopped_);
     if (resumed_ == Resumed::BY_CLIENT) connection_.send(reply_);
     resumed_ = Resumed::BY_ITSELF;
     serve();
-    resumed_at_ = core_.instructions();
+    if (ArmKernel* const kernel = cpu_.kernel()) kernel->show_memory_of(0);
+    resumed_at_ = quantum_begin_ = core_.instructions();
+    resumed_thread_ = quantum_thread_ = running();
 }
 
 void Debugger::serve() {
@@ -156,6 +187,8 @@ void Debugger::serve() {
         const bool resumes = answer.next == GdbNext::CONTINUE || answer.next == GdbNext::STEP;
         if (!resumes && packet != "k") connection_.send(answer.text);
         if (packet == "QStartNoAckMode") connection_.no_acks();
+        if (packet.rfind("qSupported", 0) == 0)
+            names_breaks_ = packet.find("swbreak+") != packet.npos;
         if (obey(answer)) return;
     }
     forget();
@@ -165,7 +198,7 @@ void Debugger::serve() {
 bool Debugger::obey(const GdbAnswer& answer) {
     switch (answer.next) {
         case GdbNext::STAY: return false;
-        case GdbNext::STEP: stepping_ = true; [[fallthrough]];
+        case GdbNext::STEP: stepping_ = answer.thread ? answer.thread : stopped_; [[fallthrough]];
         case GdbNext::CONTINUE: resumed_ = Resumed::BY_CLIENT; return true;
         case GdbNext::KILL: killed_ = true; [[fallthrough]];
         case GdbNext::DETACH: break;
@@ -179,14 +212,61 @@ bool Debugger::obey(const GdbAnswer& answer) {
 void Debugger::forget() {
     points_.clear();
     points_changed();
-    stepping_ = hit_ = unread_ = false;
+    stepping_ = 0;
+    hit_ = unread_ = false;
     resumed_ = Resumed::BY_ITSELF;
+}
+
+// ---- Threads ------------------------------------------------------------------------------------
+
+// 0: all wait.
+std::uint32_t Debugger::running() const {
+    const ArmKernel* const kernel = cpu_.kernel();
+    return kernel ? kernel->running_thread() : 1;
+}
+
+// The one that runs, or the first one.
+std::uint32_t Debugger::shown() const {
+    if (const std::uint32_t thread = running()) return thread;
+    const auto all = cpu_.kernel()->thread_list();
+    return all.empty() ? 1 : all.front().number;
+}
+
+std::string Debugger::stopped_by(unsigned signal, const std::string& why) {
+    stopped_ = shown();
+    return fmt::format("T{:02x}{}thread:{:x};", signal, why, stopped_);
+}
+
+std::vector<GdbThread> Debugger::threads() {
+    std::vector<GdbThread> list;
+    if (const ArmKernel* const kernel = cpu_.kernel())
+        for (const ArmThread& thread : kernel->thread_list())
+            list.push_back({thread.number, thread.name, thread.state});
+    if (list.empty()) list.push_back({1, "", ""});
+    return list;
+}
+
+void Debugger::choose_thread(std::uint32_t thread) {
+    chosen_ = thread ? thread : stopped_;
+    if (ArmKernel* const kernel = cpu_.kernel())
+        kernel->show_memory_of(chosen_ == running() ? 0 : chosen_);
+}
+
+// The chosen thread's registers, unless the core has them.
+ArmRegisters* Debugger::saved() {
+    ArmKernel* const kernel = cpu_.kernel();
+    return kernel ? kernel->saved_registers(chosen_) : nullptr;
 }
 
 // ---- What the debugger sees and changes ---------------------------------------------------------
 
 std::uint64_t Debugger::reg(unsigned number) {
     using namespace gdb_register;
+    if (const ArmRegisters* const registers = saved()) {
+        if (number == CPSR) return registers->cpsr;
+        if (number == FPSCR) return registers->fpscr;
+        return number < CPSR ? registers->r[number] : registers->vfp[number - D0];
+    }
     if (number == CPSR) return core_.cpsr();
     if (number == FPSCR) return core_.fpscr();
     return number < CPSR ? core_.reg(number) : core_.vfp(number - D0);
@@ -195,6 +275,17 @@ std::uint64_t Debugger::reg(unsigned number) {
 void Debugger::set_reg(unsigned number, std::uint64_t value) {
     using namespace gdb_register;
     const auto word = static_cast<std::uint32_t>(value);
+    if (ArmRegisters* const registers = saved()) {
+        if (number == CPSR)
+            registers->cpsr = word;
+        else if (number == FPSCR)
+            registers->fpscr = word;
+        else if (number < CPSR)
+            registers->r[number] = word;
+        else
+            registers->vfp[number - D0] = value;
+        return;
+    }
     if (number == CPSR)
         core_.set_cpsr(word);
     else if (number == FPSCR)
@@ -258,7 +349,20 @@ std::string Debugger::monitor(std::string_view command) {
     if (command == "time")
         return fmt::format("{:.6f} ms, {} instructions\n", seconds(cpu_.now()) * 1e3,
                            core_.instructions());
-    return "monitor time: the simulated time, and instructions so far\n";
+    if (command == "modules") return modules();
+    return "monitor time: the simulated time, and instructions so far\n"
+           "monitor modules: GDB's commands for the names of the kernel modules\n";
+}
+
+std::string Debugger::modules() const {
+    std::string text;
+    if (const ArmKernel* const kernel = cpu_.kernel())
+        for (const ArmModule& module : kernel->module_list())
+            text +=
+                module.file.empty()
+                    ? fmt::format("# {}: the program has it in memory, from no file\n", module.name)
+                    : fmt::format("add-symbol-file {}\n", quoted(module.file.string()));
+    return text.empty() ? "# no kernel module is loaded\n" : text;
 }
 
 }  // namespace sim

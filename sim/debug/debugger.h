@@ -16,7 +16,19 @@
 // debugger, not in the program.
 //
 // Stops by itself: a BKPT instruction (SIGTRAP), an exception that the program has no vector for
-// (SIGILL, SIGSEGV, SIGSYS).  The end of the run is reported as an exit with de1sim's code.
+// (SIGILL, SIGSEGV, SIGSYS).  A Linux program: before a signal ends it, before an oops of a module
+// does (SIGSEGV), and before it ends because all threads wait for each other (SIGABRT).  The end of
+// the run is reported as an exit with de1sim's code.
+//
+// Linux: GDB sees the threads of all processes and modules as those of one program.  `thread 3`
+// chooses one: registers are its own, memory is that of its process.  When one thread stops, all
+// stand, and they go on together, as the scheduler has them.  A step ends when its thread has
+// executed one instruction, however many others have executed meanwhile.  Ctrl-C stops a program
+// whose threads all wait, too; GDB is shown the first thread then.
+// A point is an address, in whatever process: also in the child of a fork(), and in another program
+// that has something else there.
+// Kernel modules are at fixed addresses, so a breakpoint in one may be set before it is loaded.
+// `monitor modules`: GDB's commands that load their names.
 //
 // If the debugger detaches or the connection is lost, the run goes on without breakpoints.  A
 // debugger that connects later stops it.  `kill` ends the run as Ctrl-C on the terminal does.
@@ -25,7 +37,9 @@
 // Costs nothing until a point is set.  A breakpoint costs time when it is reached.  A watchpoint is
 // checked at every load and store, about 10 ns each.
 //
-// Not handled: translation tables that are not flat, banked registers of other modes, CP15.
+// Not handled: translation tables that are not flat, banked registers of other modes, CP15,
+// thread-local variables by their names, the files of other programs that processes become, one
+// thread that goes on alone (`set scheduler-locking on`).
 #pragma once
 
 #include <functional>
@@ -56,7 +70,9 @@ public:
     std::uint64_t on_quantum(ArmCore& core, std::uint64_t limit) override;
     bool on_exception(ArmCore& core, ArmException exception, const ArmFault& fault) override;
     bool on_failure(ArmCore& core, ArmException exception) override;
-    bool holds_interrupts() override { return stepping_ || hit_; }
+    void on_end(ArmCore& core, unsigned signal) override;
+    void on_idle(ArmCore& core) override;
+    bool holds_interrupts() override { return stepping_ != 0 || hit_; }
 
 private:
     enum class Resumed { BY_CLIENT, BY_ITSELF };
@@ -73,7 +89,15 @@ private:
     std::string stop_reply() override { return reply_; }
     std::string monitor(std::string_view command) override;
     std::uint32_t displacement() override;
+    std::vector<GdbThread> threads() override;
+    std::uint32_t chosen_thread() override { return chosen_; }
+    void choose_thread(std::uint32_t thread) override;
 
+    std::uint32_t running() const;
+    std::uint32_t shown() const;
+    std::string stopped_by(unsigned signal, const std::string& why = "");
+    ArmRegisters* saved();
+    std::string modules() const;
     void stop(const std::string& reply);
     void serve();
     bool obey(const GdbAnswer& answer);
@@ -86,14 +110,23 @@ private:
     const std::function<bool()> given_up_;
 
     std::vector<GdbPoint> points_;
-    std::string reply_;  // why it stopped last
+    std::string reply_;          // why it stopped last
+    std::uint32_t stopped_ = 1;  // the thread that reply_ names
+    std::uint32_t chosen_ = 1;   // by the debugger
     Resumed resumed_ = Resumed::BY_ITSELF;
-    std::uint64_t resumed_at_ = 0;  // instructions
-    bool stepping_ = false;
-    bool interrupt_ = false;  // asked for
-    bool unread_ = false;     // the connection's packet waits for an answer
-    bool hit_ = false;        // a point, reported by reply_
+    std::uint64_t resumed_at_ = 0;      // instructions
+    std::uint32_t resumed_thread_ = 1;  // that ran then
+    std::uint32_t stepping_ = 0;        // this thread; 0: none
+    bool stepped_ = false;              // it has executed its instruction
+    std::uint64_t quantum_begin_ = 0;   // instructions before the quantum
+    std::uint32_t quantum_thread_ = 1;  // that ran in it
+    bool interrupt_ = false;            // asked for
+    bool unread_ = false;               // the connection's packet waits for an answer
+    bool hit_ = false;                  // a point, reported by reply_
     bool killed_ = false;
+    // GDB hears of a stop that it was a breakpoint's.  Else it may take one that it has set for a
+    // thread, and needs no longer, for a signal of the program.
+    bool names_breaks_ = false;
 };
 
 }  // namespace sim

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <optional>
 #include <vector>
 
 #include <fmt/format.h>
@@ -87,12 +88,11 @@ std::string target_description() {
     return xml + "</feature></target>";
 }
 
-std::string part_of_description(GdbFields fields) {
+std::string part_of(const std::string& xml, GdbFields fields) {
     const auto offset = fields.word();
     if (!offset || !fields.skip(",")) return ERROR;
     const auto length = fields.word();
     if (!length) return ERROR;
-    const std::string xml = target_description();
     if (*offset > xml.size()) return ERROR;
     const std::string part = xml.substr(*offset, std::min<std::size_t>(*length, MOST_BYTES));
     return (*offset + part.size() < xml.size() ? "m" : "l") + part;
@@ -140,6 +140,66 @@ std::string change_point(GdbTarget& target, GdbFields fields, bool insert) {
     return OK;
 }
 
+// ---- Threads ------------------------------------------------------------------------------------
+
+// "-1", all, and "0", any, are 0.
+std::optional<std::uint32_t> thread_id(std::string_view text) {
+    if (text == "-1") return 0;
+    GdbFields fields{text};
+    const auto number = fields.word();
+    return fields.rest().empty() ? number : std::nullopt;
+}
+
+bool is_thread(GdbTarget& target, std::uint32_t number) {
+    const auto all = target.threads();
+    return std::any_of(all.begin(), all.end(),
+                       [&](const GdbThread& thread) { return thread.number == number; });
+}
+
+// A thread that is there, or 0.
+std::optional<std::uint32_t> valid_thread(GdbTarget& target, std::string_view text) {
+    const auto number = thread_id(text);
+    return number && (*number == 0 || is_thread(target, *number)) ? number : std::nullopt;
+}
+
+// "g3", "c-1".
+std::string choose_thread(GdbTarget& target, std::string_view what) {
+    if (!begins(what, "g") && !begins(what, "c")) return ERROR;
+    const auto number = valid_thread(target, what.substr(1));
+    if (!number) return ERROR;
+    if (what[0] == 'g') target.choose_thread(*number);
+    return OK;
+}
+
+std::string thread_numbers(GdbTarget& target) {
+    std::string text;
+    for (const GdbThread& thread : target.threads())
+        text += fmt::format("{}{:x}", text.empty() ? "m" : ",", thread.number);
+    return text;
+}
+
+// For XML; what is not ASCII becomes '?', because of a list that is no UTF-8 GDB takes nothing.
+std::string escaped(const std::string& text) {
+    std::string xml;
+    for (const char c : text) {
+        if (c == '&' || c == '<' || c == '"')
+            xml += fmt::format("&#{};", static_cast<int>(c));
+        else
+            xml += c >= ' ' && c <= '~' ? c : '?';
+    }
+    return xml;
+}
+
+std::string thread_list(GdbTarget& target) {
+    std::string xml = "<?xml version=\"1.0\"?><threads>";
+    for (const GdbThread& thread : target.threads()) {
+        xml += fmt::format("<thread id=\"{:x}\"", thread.number);
+        if (!thread.name.empty()) xml += fmt::format(" name=\"{}\"", escaped(thread.name));
+        xml += ">" + escaped(thread.state) + "</thread>";
+    }
+    return xml + "</threads>";
+}
+
 // ---- Running ------------------------------------------------------------------------------------
 
 // "c", "s" with an address, "C", "S" with a signal and an address: "c8000", "C05;8000".
@@ -157,29 +217,48 @@ GdbAnswer resume(GdbTarget& target, char command, GdbFields fields) {
     return {"", next};
 }
 
-// "vCont;s:1;c": there is one thread, so the first action is the one for it.
-GdbAnswer resume_threads(std::string_view actions) {
-    switch (actions.empty() ? '\0' : actions[0]) {
-        case 'c':
-        case 'C': return {"", GdbNext::CONTINUE};
-        case 's':
-        case 'S': return {"", GdbNext::STEP};
-        default: return {ERROR};
+// "vCont;s:3;c": of the actions for a thread the first one is valid.
+GdbAnswer resume_threads(GdbTarget& target, std::string_view actions) {
+    if (actions.empty()) return {ERROR};
+    GdbAnswer answer{"", GdbNext::CONTINUE};
+    bool all_have_one = false;
+    while (!actions.empty()) {
+        const std::string_view action = actions.substr(0, actions.find(';'));
+        actions.remove_prefix(std::min(actions.size(), action.size() + 1));
+        const char kind = action.empty() ? '\0' : action[0];
+        const bool steps = kind == 's' || kind == 'S';
+        if (!steps && kind != 'c' && kind != 'C') return {ERROR};
+        GdbFields fields{action.substr(1)};
+        if ((kind == 'C' || kind == 'S') && !fields.number()) return {ERROR};
+        std::optional<std::uint32_t> thread = 0;
+        if (!fields.rest().empty())
+            thread = fields.skip(":") ? valid_thread(target, fields.rest()) : std::nullopt;
+        if (!thread) return {ERROR};
+        if (steps && !all_have_one && answer.next == GdbNext::CONTINUE)
+            answer = {"", GdbNext::STEP, *thread};
+        all_have_one |= *thread == 0;
     }
+    return answer;
 }
 
 // ---- Queries ------------------------------------------------------------------------------------
 
 std::string query(GdbTarget& target, std::string_view packet) {
     if (begins(packet, "qSupported"))
-        return fmt::format("PacketSize={:x};qXfer:features:read+;vContSupported+;QStartNoAckMode+",
-                           GDB_PACKET_BYTES);
-    GdbFields fields{packet};
-    if (fields.skip("qXfer:features:read:target.xml:")) return part_of_description(fields);
+        return fmt::format(
+            "PacketSize={:x};qXfer:features:read+;qXfer:threads:read+;vContSupported+;swbreak+;"
+            "QStartNoAckMode+",
+            GDB_PACKET_BYTES);
+    constexpr std::string_view FEATURES = "qXfer:features:read:target.xml:",
+                               THREADS = "qXfer:threads:read::";
+    if (begins(packet, FEATURES))
+        return part_of(target_description(), GdbFields{packet.substr(FEATURES.size())});
     if (begins(packet, "qXfer:features:read:")) return "E00";
+    if (begins(packet, THREADS))
+        return part_of(thread_list(target), GdbFields{packet.substr(THREADS.size())});
     if (packet == "qAttached" || begins(packet, "qAttached:")) return "1";
-    if (packet == "qC") return "QC1";
-    if (packet == "qfThreadInfo") return "m1";
+    if (packet == "qC") return fmt::format("QC{:x}", target.chosen_thread());
+    if (packet == "qfThreadInfo") return thread_numbers(target);
     if (packet == "qsThreadInfo") return "l";
     if (packet == "qOffsets" && target.displacement() != 0)
         return fmt::format("TextSeg={:x}", target.displacement());
@@ -212,8 +291,11 @@ GdbAnswer gdb_answer(GdbTarget& target, std::string_view packet) {
         case 'C':
         case 's':
         case 'S': return resume(target, packet[0], fields);
-        case 'H':
-        case 'T': return {OK};
+        case 'H': return {choose_thread(target, packet.substr(1))};
+        case 'T': {
+            const auto number = thread_id(packet.substr(1));
+            return {number && is_thread(target, *number) ? OK : ERROR};
+        }
         case 'D': return {OK, GdbNext::DETACH};
         case 'k': return {"", GdbNext::KILL};
         case 'q': return {query(target, packet)};
@@ -221,7 +303,7 @@ GdbAnswer gdb_answer(GdbTarget& target, std::string_view packet) {
     }
     if (packet == "QStartNoAckMode") return {OK};
     if (packet == "vCont?") return {"vCont;c;C;s;S"};
-    if (begins(packet, "vCont;")) return resume_threads(packet.substr(6));
+    if (begins(packet, "vCont;")) return resume_threads(target, packet.substr(6));
     if (begins(packet, "vKill")) return {OK, GdbNext::KILL};
     return {};
 }

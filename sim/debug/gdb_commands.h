@@ -2,20 +2,27 @@
 //
 //   g G p P       r0 - r15, cpsr, d0 - d31, fpscr, as the target description names them
 //   m M X         memory
-//   c C s S vCont go on, or one instruction; signals are not delivered, they have no meaning here
+//   Hg T qC       whose registers and memory that is; whether a thread is there
+//   qXfer:threads qfThreadInfo qsThreadInfo   all threads, with names and what they wait for
+//   c C s S vCont go on, all threads together, or until one has executed one instruction; signals
+//                 are not delivered, they have no meaning here
 //   Z z 0 - 4     breakpoints (0 and 1 alike), watchpoints on write, read, access
 //   D k vKill     detach, kill
-//   ? H T qC qfThreadInfo qsThreadInfo qAttached qSupported qXfer:features QStartNoAckMode
+//   ? Hc qAttached qSupported qXfer:features QStartNoAckMode
 //   qRcmd         `monitor`
 //   qOffsets      of a program that is position-independent
 //
 // Everything else gets the empty answer, which means "not known"; a known packet with an error gets
 // E01 and changes nothing.  Source: "Debugging with GDB", E.2 and following.
+//
+// Not handled: a thread that goes on while others stand; Hc, which has no effect on c and s (GDB
+// uses vCont); processes as inferiors of GDB.
 #pragma once
 
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace sim {
 
@@ -34,7 +41,13 @@ struct GdbPoint {
     }
 };
 
-// The stopped processor.
+struct GdbThread {
+    std::uint32_t number;     // from 1
+    std::string name, state;  // of any bytes; "": none
+};
+
+// The stopped processor.  Registers and memory are those of the chosen thread: after a stop, of the
+// one that has stopped.
 class GdbTarget {
 public:
     virtual std::uint64_t reg(unsigned number) = 0;
@@ -47,6 +60,11 @@ public:
     virtual void remove(const GdbPoint& point) = 0;
     virtual std::string stop_reply() = 0;  // "T05...": why it has stopped
     virtual std::string monitor(std::string_view command) = 0;
+    // At least one.
+    virtual std::vector<GdbThread> threads() { return {{1, "", ""}}; }
+    virtual std::uint32_t chosen_thread() { return 1; }
+    // One of threads(); 0: the one that has stopped.
+    virtual void choose_thread(std::uint32_t) {}
     // By how much the program's addresses are above those of its file.
     virtual std::uint32_t displacement() { return 0; }
 
@@ -59,6 +77,7 @@ enum class GdbNext { STAY, CONTINUE, STEP, DETACH, KILL };
 struct GdbAnswer {
     std::string text = {};  // none is sent for CONTINUE and STEP: the next stop is the answer
     GdbNext next = GdbNext::STAY;
+    std::uint32_t thread = 0;  // of STEP; 0: the one that has stopped
 };
 
 GdbAnswer gdb_answer(GdbTarget& target, std::string_view packet);

@@ -7,6 +7,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <memory>
+#include <vector>
+
+#include "sim/linux/shared_memory.h"
 
 namespace sim::ipc {
 
@@ -22,6 +26,18 @@ struct Rights {
     std::uint32_t unused[2];
 };
 static_assert(sizeof(Rights) == 36);
+
+struct Segment {  // of memory
+    std::uint32_t key, rights;
+    std::shared_ptr<SharedMemory> memory;
+    int maker;
+    bool removed = false;
+};
+struct Semaphores {
+    std::uint32_t key, rights;
+    std::vector<std::uint16_t> values;
+    bool removed = false;
+};
 
 // The object by its key, or a new one; or minus the error.
 template <class Object>

@@ -91,8 +91,7 @@ void LinuxKernel::boot(ArmCore& core) {
     } catch (const std::runtime_error& e) {  // SystemC must not see exceptions
         return cpu_.end(e.what());
     }
-    process_->threads.push_back(
-        std::make_unique<LinuxThread>(LinuxThread{process_->number, *process_}));
+    process_->threads.push_back(std::make_unique<LinuxThread>(process_->number, *process_));
     LinuxThread& first = *process_->threads.back();
     first.save(core);
     if (modules_.empty()) {

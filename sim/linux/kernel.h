@@ -53,6 +53,7 @@
 #include "sim/linux/gpio.h"
 #include "sim/linux/host_sockets.h"
 #include "sim/linux/input.h"
+#include "sim/linux/ipc.h"
 #include "sim/linux/ipc_messages.h"
 #include "sim/linux/led.h"
 #include "sim/linux/loader.h"
@@ -322,17 +323,6 @@ private:
     Result receive_uevent(std::uint32_t fd, const Arguments&);
 
     // kernel_ipc.cpp
-    struct Segment {
-        std::uint32_t key, rights;
-        std::shared_ptr<SharedMemory> memory;
-        int maker;
-        bool removed = false;
-    };
-    struct Semaphores {
-        std::uint32_t key, rights;
-        std::vector<std::uint16_t> values;
-        bool removed = false;
-    };
     std::uint32_t attachments(int segment) const;
     void remove_unused(int segment);
     Result semop(const Arguments&, std::int64_t span);
@@ -434,6 +424,12 @@ private:
     void stand_still();
     void on_input();
     void feel();
+    // kernel_debug.cpp
+    std::vector<ArmThread> thread_list() const override;
+    unsigned running_thread() const override;
+    ArmRegisters* saved_registers(unsigned thread) override;
+    void show_memory_of(unsigned thread) override;
+    std::vector<ArmModule> module_list() const override;
 
     void not_emulated(const std::string& what);
     // By number, "" if there is none; from the kernel's own header.
@@ -474,6 +470,7 @@ private:
     LinuxThread* next_ = nullptr;       // that runs at once after it, if it can
     LinuxThread* looks_ = nullptr;      // that waits, while its LinuxWait looks
     AddressSpace* attached_ = nullptr;  // that the core sees
+    AddressSpace* shown_ = nullptr;     // by a debugger, in place of it
     LinuxScheduler scheduler_;
     std::list<FutexWaiter> waiters_;  // in their order
     int next_number_ = 2;             // of a process or thread
@@ -485,8 +482,8 @@ private:
     std::uint64_t random_;
     std::map<std::string, std::shared_ptr<SharedMemory>> shared_files_;  // of /dev/shm
     MessageQueues message_queues_;
-    std::map<int, Segment> segments_;
-    std::map<int, Semaphores> semaphores_;
+    std::map<int, ipc::Segment> segments_;
+    std::map<int, ipc::Semaphores> semaphores_;
     std::map<int, IpcMessages> ipc_messages_;
     int next_ipc_ = 0;
     std::set<std::uint32_t> unaligned_;        // instructions that are in the log

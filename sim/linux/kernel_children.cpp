@@ -44,7 +44,7 @@ LinuxKernel::Result LinuxKernel::fork(const Clone& how) {
     child.segments = parent.segments;
     child.end_signal = static_cast<unsigned>(how.flags & EXIT_SIGNAL);
     processes_.push_back(std::move(made));
-    child.threads.push_back(std::make_unique<LinuxThread>(LinuxThread{number, child}));
+    child.threads.push_back(std::make_unique<LinuxThread>(number, child));
     LinuxThread& thread = *child.threads.back();
     begin_thread(thread, how);
     thread.sequences = how.flags & VM ? 0 : running_->sequences;

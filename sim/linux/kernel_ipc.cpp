@@ -20,11 +20,11 @@ constexpr std::uint16_t MOST_VALUE = 32767;
 // ---- Memory -------------------------------------------------------------------------------------
 
 LinuxKernel::Result LinuxKernel::sys_shmget(const Arguments& a) {
-    Segment made{a[0], a[2] & ipc::RIGHTS, nullptr, process_->number};
+    ipc::Segment made{a[0], a[2] & ipc::RIGHTS, nullptr, process_->number};
     const bool can = a[1] > 0 && a[1] <= AddressSpace::RAM;
     const std::int64_t number = ipc::find_or_make(segments_, next_ipc_, a[0], a[2], made, can);
     if (number < 0) return number;
-    Segment& segment = segments_.at(static_cast<int>(number));
+    ipc::Segment& segment = segments_.at(static_cast<int>(number));
     if (!segment.memory) {
         segment.memory = std::make_shared<SharedMemory>();
         if (!segment.memory->resize(a[1])) {
@@ -89,7 +89,7 @@ LinuxKernel::Result LinuxKernel::sys_shmdt(const Arguments& a) {
 LinuxKernel::Result LinuxKernel::sys_shmctl(const Arguments& a) {
     const auto found = segments_.find(static_cast<int>(a[0]));
     if (found == segments_.end()) return -EINVAL;
-    Segment& segment = found->second;
+    ipc::Segment& segment = found->second;
     switch (a[1] & ~ipc::NEW_LAYOUT) {
         case ipc::REMOVE:
             segment.removed = true;
@@ -117,7 +117,8 @@ LinuxKernel::Result LinuxKernel::sys_shmctl(const Arguments& a) {
 
 LinuxKernel::Result LinuxKernel::sys_semget(const Arguments& a) {
     const bool can = a[1] > 0 && a[1] <= MOST_SEMAPHORES;
-    const Semaphores made{a[0], a[2] & ipc::RIGHTS, std::vector<std::uint16_t>(can ? a[1] : 0)};
+    const ipc::Semaphores made{a[0], a[2] & ipc::RIGHTS,
+                               std::vector<std::uint16_t>(can ? a[1] : 0)};
     const std::int64_t number = ipc::find_or_make(semaphores_, next_ipc_, a[0], a[2], made, can);
     if (number < 0) return number;
     return a[1] > semaphores_.at(static_cast<int>(number)).values.size() ? -EINVAL : number;

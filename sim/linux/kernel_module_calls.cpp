@@ -340,6 +340,7 @@ void LinuxKernel::stop_by_bug(const std::string& what, std::uint32_t pc) {
     line(fmt::format("LR is at {}", place_in_module(core.reg(14) & ~1u)));
     line(fmt::format("pc : [<{:08x}>]    lr : [<{:08x}>]    psr: {:08x}", pc, core.reg(14),
                      core.cpsr()));
+    cpu_.show_end(SIGSEGV);
     over_ = true;
     cpu_.end(fmt::format("kernel oops in {}, at {:.6f} ms: {}", place,
                          static_cast<double>(now_ns()) / 1e6, what));

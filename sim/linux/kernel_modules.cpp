@@ -94,7 +94,7 @@ KernelModule& LinuxKernel::load_module(ElfProgram program, std::vector<std::stri
     if (running_) running_->save(core);
     process.break_begin = process.break_end =
         loader_.begin(*kernel_memory_, program, std::nullopt, parameters, {});
-    process.threads.push_back(std::make_unique<LinuxThread>(LinuxThread{process.number, process}));
+    process.threads.push_back(std::make_unique<LinuxThread>(process.number, process));
     LinuxThread& first = *process.threads.back();
     first.save(core);
     if (running_) {

@@ -1,5 +1,6 @@
 // kernel_schedule.cpp - LinuxKernel's threads in time: which runs, which waits, what ends that
 #include <algorithm>
+#include <csignal>
 
 #include <fmt/format.h>
 
@@ -188,6 +189,7 @@ void LinuxKernel::stand_still() {
         std::min({next_event_ns(), led_.next_ns(), host_network_.next_ns(), now + LONGEST_NS});
     if (next <= now) return;
     if (next_event_ns() == LinuxWait::NEVER && is_deadlock()) {
+        cpu_.show_end(SIGABRT);
         over_ = true;
         return cpu_.end(
             fmt::format("deadlock: no thread can ever go on {}: {}", cpu_.where(), waiting_list()));

@@ -150,6 +150,7 @@ void LinuxKernel::die(const LinuxSignal& signal) {
     const std::string text =
         fmt::format("the program was ended by {}: {} {}", LinuxSignals::name(signal.number),
                     signal.why, cpu_.where());
+    cpu_.show_end(signal.number);
     over_ = true;
     if (!signal.by_hand) return cpu_.end(text);
     constexpr int OF_A_SHELL = 128;

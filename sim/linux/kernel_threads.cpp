@@ -36,7 +36,7 @@ LinuxKernel::Result LinuxKernel::clone(const Clone& how) {
         return -EFAULT;
     if (!(how.flags & THREAD)) return fork(how);
     const int number = next_number_++;
-    process.threads.push_back(std::make_unique<LinuxThread>(LinuxThread{number, process}));
+    process.threads.push_back(std::make_unique<LinuxThread>(number, process));
     begin_thread(*process.threads.back(), how);
     return number;
 }

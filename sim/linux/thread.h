@@ -1,7 +1,6 @@
 // thread.h - a thread of a Linux program: its registers, its signals, what it waits for.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -39,7 +38,11 @@ struct LinuxShare {
     std::uint64_t turn = 0;                  // when it became ready, among others
 };
 
-struct LinuxThread {
+// Its registers are those that it has while another thread runs.
+struct LinuxThread : ArmRegisters {
+    LinuxThread(int its_number, LinuxProcess& its_process)
+        : number{its_number}, process{its_process} {}
+
     int number;
     LinuxProcess& process;
     ThreadSignals signals{};
@@ -54,11 +57,7 @@ struct LinuxThread {
     std::uint64_t used_ns = 0;                  // of the processor
     std::uint32_t request = 0;                  // of a module's: where it awaits requests
     std::string name{};
-
-    // While another thread runs.
-    std::array<std::uint32_t, 16> r{};
-    std::uint32_t cpsr = 0, fpscr = 0, tls = 0, own_tls = 0;  // TPIDRURO, TPIDRURW
-    std::array<std::uint64_t, 32> vfp{};
+    std::uint32_t tls = 0, own_tls = 0;  // TPIDRURO, TPIDRURW, while another thread runs
 
     void save(const ArmCore& core);
     void load(ArmCore& core) const;  // without tls

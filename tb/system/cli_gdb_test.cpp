@@ -11,9 +11,11 @@
 namespace {
 
 using ::testing::AllOf;
+using ::testing::ContainsRegex;
 using ::testing::HasSubstr;
-
+using ::testing::Not;
 using ::testing::SizeIs;
+using ::testing::StartsWith;
 
 class Gdb : public tb::CommandLine {
 protected:
@@ -21,8 +23,9 @@ protected:
     std::string elf, port;
     std::future<tb::Outcome> server;
 
-    // Starts `de1sim run --gdb 0` and waits until it says its port.
-    void start(const std::string& program, const std::string& steps) {
+    // Starts `de1sim run --gdb 0 WORDS...` and waits until it says its port.
+    void start(const std::string& program, const std::string& steps,
+               const std::vector<std::string>& words = {}) {
         elf = program;
         const auto file = folder / scenario(steps);
         tb::Command command;
@@ -32,6 +35,7 @@ protected:
                              "--frames",    "none",  "--cpu",
                              "arm",         "--elf", elf,
                              "--gdb",       "0"};
+        command.arguments.insert(command.arguments.end(), words.begin(), words.end());
         server = std::async(std::launch::async, [command] { return tb::run_program(command); });
         std::smatch found;
         for (unsigned i = 0; i < 1000 && port.empty(); ++i) {
@@ -79,6 +83,135 @@ TEST_F(Gdb, StopsInADynamicallyLinkedProgram) {
                 AllOf(HasSubstr("Breakpoint 1, main ("), HasSubstr("<main(int, char**)>")));
     EXPECT_EQ(end().exit_code, 0);
 }
+
+// ---- Linux: threads and processes ---------------------------------------------------------------
+
+// The program cancels a thread in pause(), then one that computes.
+TEST_F(Gdb, ListsTheThreadsOfALinuxProgramAndTheirCallers) {
+    start(LINUX_PROGRAMS "threads", "duration: 100ms\n", {"--", "cancels"});
+    const std::string text =
+        gdb({"break pthread_cancel", "continue", "info threads", "thread 2", "backtrace",
+             "thread 1", "backtrace", "continue", "info threads", "thread 3", "backtrace"});
+    EXPECT_THAT(text,
+                ContainsRegex("Thread 1 \"threads\" \\(runs\\) +0x[0-9a-f]+ in pthread_cancel"));
+    EXPECT_THAT(text, ContainsRegex("Thread 2 \"threads\" \\(waits for a signal\\).* in "));
+    EXPECT_THAT(text, ContainsRegex("#[0-9]+ .* in forever \\(unused="));
+    EXPECT_THAT(text, ContainsRegex("#1 .* in cancels \\(\\) at "));
+    EXPECT_THAT(text, ContainsRegex("Thread 3 \"threads\" \\(waits for its turn\\).*busy \\("));
+    EXPECT_THAT(text, ContainsRegex("#0 .*busy \\(unused="));
+    end();
+}
+
+TEST_F(Gdb, AStepEndsInTheThreadThatIsStepped) {
+    start(LINUX_PROGRAMS "threads", "duration: 100ms\n", {"--", "keeps"});
+    EXPECT_THAT(gdb({"tbreak sched_yield", "continue", "stepi 8", "print $_thread", "next",
+                     "print $_thread"}),
+                AllOf(HasSubstr("$1 = 2\n"), HasSubstr("$2 = 2\n"), Not(HasSubstr("SIGTRAP"))));
+    end();
+}
+
+// Others come to the place where the call that thread 4 steps over returns to.
+TEST_F(Gdb, AStepOverACallIsOneWhereOtherThreadsCallToo) {
+    start(LINUX_PROGRAMS "threads", "duration: 100ms\n", {"--", "keeps"});
+    EXPECT_THAT(gdb({"tbreak compute", "continue", "tbreak threads.c:187 thread 4", "continue",
+                     "next", "print $_thread", "info line"}),
+                AllOf(HasSubstr("$1 = 4\n"), HasSubstr("Line 188 of "), Not(HasSubstr("SIGTRAP"))));
+    end();
+}
+
+TEST_F(Gdb, StopsBeforeASignalEndsTheProgram) {
+    start(LINUX_PROGRAMS "faults", "duration: 100ms\n", {"--", "segv"});
+    EXPECT_THAT(gdb({"continue", "backtrace", "continue"}),
+                AllOf(HasSubstr("Program received signal SIGSEGV"),
+                      ContainsRegex("#0 .* in write_to_nowhere \\(\\) at .*#1 .* in main \\("),
+                      HasSubstr("exited with code 01")));
+    EXPECT_EQ(end().exit_code, 1);
+}
+
+TEST_F(Gdb, StopsWhereThreadsWaitForEachOther) {
+    start(LINUX_PROGRAMS "threads", "duration: 100ms\n", {"--", "deadlocks"});
+    EXPECT_THAT(gdb({"continue", "thread apply all backtrace", "continue"}),
+                AllOf(HasSubstr("received signal SIGABRT"),
+                      ContainsRegex("waits for the mutex at 0x[0-9A-F]+ that thread 1 has\\)"),
+                      HasSubstr(" in locks (unused="), HasSubstr(" in deadlocks ("),
+                      HasSubstr("exited with code 01")));
+    EXPECT_EQ(end().exit_code, 1);
+}
+
+TEST_F(Gdb, ReadsTheMemoryOfEachProcess) {
+    start(LINUX_PROGRAMS "processes", "duration: 100ms\n", {"--", "forks"});
+    EXPECT_THAT(gdb({"break exit", "continue", "print value", "info threads", "thread 1",
+                     "print value", "set var value = 7", "continue", "print value"}),
+                AllOf(HasSubstr("$1 = 5\n"), HasSubstr("(process 2, runs)"), HasSubstr("$2 = 1\n"),
+                      HasSubstr("$3 = 7\n")));
+    EXPECT_EQ(end().exit_code, 0) << said();
+    EXPECT_THAT(file("console.txt"), HasSubstr("parent: 7, waited"));
+}
+
+TEST_F(Gdb, CtrlCStopsALinuxProgramThatWaits) {
+    start(LINUX_PROGRAMS "asks", "duration: 100s\n");
+    EXPECT_THAT(gdb({"continue", "info threads", "backtrace", "kill"},
+                    [this] { return said().find(" 1.00 s of") != said().npos; }),
+                AllOf(HasSubstr("Program received signal SIGINT"),
+                      HasSubstr("(waits for standard input)"), HasSubstr(" in read (")));
+    EXPECT_EQ(end().exit_code, 130) << said();
+}
+
+// ---- Linux: kernel modules ----------------------------------------------------------------------
+
+class GdbOfModules : public Gdb {
+protected:
+    void link(const std::string& made, const std::vector<std::string>& files) const {
+        folder.put("doubles.c", R"(
+#include <linux/module.h>
+static __attribute__((noinline)) int doubled(int value)
+{
+    int twice = 2 * value;
+    pr_info("%d\n", twice);
+    return twice;
+}
+static int __init begin(void) { return doubled(21) == 42 ? 0 : -EINVAL; }
+static void __exit end(void) {}
+module_init(begin);
+module_exit(end);
+MODULE_LICENSE("GPL");
+)");
+        folder.put("main.c", "int main(void) { return 0; }\n");
+        std::vector<std::string> words{"link", "-o", (folder / made).string()};
+        for (const std::string& name : files) words.push_back((folder / name).string());
+        words.insert(words.end(), {"--", "-Og"});
+        const tb::Outcome outcome = de1sim(words);
+        ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    }
+    // Loads the names by these commands and stops in the module's function.
+    void expect_names_after(std::vector<std::string> commands) {
+        for (const char* line : {"tbreak doubled", "continue", "next", "next", "info locals",
+                                 "backtrace", "info threads", "continue"})
+            commands.push_back(line);
+        EXPECT_THAT(gdb(commands),
+                    AllOf(ContainsRegex("doubled \\(value=(value@entry=)?21\\) at "),
+                          HasSubstr("twice = 42\n"), ContainsRegex("#1 .* in begin \\(\\) at "),
+                          HasSubstr("\"[doubles]\" (runs)"), HasSubstr("exited normally")));
+        EXPECT_EQ(end().exit_code, 0) << said();
+    }
+};
+
+TEST_F(GdbOfModules, KnowsAFileByItsFixedAddresses) {
+    link("doubles.ko", {"doubles.c"});
+    const std::string module = (folder / "doubles.ko").string();
+    start(LINUX_PROGRAMS "hello", "duration: 100ms\n", {"--module", module});
+    expect_names_after({"add-symbol-file " + module});
+}
+
+TEST_F(GdbOfModules, ReadsTheNamesOfWhatAProgramBrings) {
+    link("main.elf", {"doubles.c", "main.c"});
+    start((folder / "main.elf").string(), "duration: 100ms\n");
+    const std::string names = (folder / "names.gdb").string();
+    expect_names_after({"pipe monitor modules | cat > " + names, "source " + names});
+    EXPECT_THAT(folder.get("names.gdb"), StartsWith("add-symbol-file /proc/"));
+}
+
+// ---- Bare metal ---------------------------------------------------------------------------------
 
 TEST_F(Gdb, StandsAtTheEntryBeforeTheFirstInstruction) {
     start(SUMS_ELF, "duration: 1ms\n");

@@ -15,9 +15,12 @@ namespace {
 using sim::GdbEvent;
 using sim::GdbNext;
 using sim::GdbPoint;
+using ::testing::AllOf;
 using ::testing::ElementsAre;
+using ::testing::EndsWith;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::StartsWith;
 
 // ---- The envelope -------------------------------------------------------------------------------
 
@@ -109,6 +112,11 @@ struct FakeTarget : sim::GdbTarget {
         points.erase(std::remove(points.begin(), points.end(), point), points.end());
     }
     std::string stop_reply() override { return "T05thread:1;"; }
+    std::vector<sim::GdbThread> all{{1, "", ""}};
+    std::uint32_t chosen = 1;
+    std::vector<sim::GdbThread> threads() override { return all; }
+    std::uint32_t chosen_thread() override { return chosen; }
+    void choose_thread(std::uint32_t thread) override { chosen = thread ? thread : all[0].number; }
     std::uint32_t moved_by = 0;
     std::uint32_t displacement() override { return moved_by; }
     std::string monitor(std::string_view command) override {
@@ -121,6 +129,11 @@ protected:
     FakeTarget target;
     std::string answer(const std::string& packet) { return sim::gdb_answer(target, packet).text; }
     GdbNext next(const std::string& packet) { return sim::gdb_answer(target, packet).next; }
+    // The one that is stepped, 0 being the one that has stopped; -1: none is.
+    int stepped(const std::string& packet) {
+        const sim::GdbAnswer given = sim::gdb_answer(target, packet);
+        return given.next == GdbNext::STEP ? static_cast<int>(given.thread) : -1;
+    }
 };
 
 TEST_F(GdbCommands, RegistersAreLittleEndianAndOfTheDescribedWidth) {
@@ -197,6 +210,52 @@ TEST_F(GdbCommands, GoOnStepLeaveAndEnd) {
     EXPECT_EQ(next("vKill;1"), GdbNext::KILL);
 }
 
+TEST_F(GdbCommands, ThereIsOneThreadWithoutASystem) {
+    EXPECT_EQ(answer("qfThreadInfo"), "m1");
+    EXPECT_EQ(answer("qsThreadInfo"), "l");
+    EXPECT_EQ(answer("qC"), "QC1");
+    EXPECT_THAT(answer("qXfer:threads:read::0,fff"),
+                EndsWith("<threads><thread id=\"1\"></thread></threads>"));
+}
+
+TEST_F(GdbCommands, ThreadsAreListedWithTheirNamesAndStates) {
+    target.all = {{1, "main", "runs"}, {0x1f, "a<\"b\"&\xff", "waits for thread 1"}};
+    EXPECT_THAT(answer("qSupported"), HasSubstr(";qXfer:threads:read+;"));
+    EXPECT_EQ(answer("qfThreadInfo"), "m1,1f");
+    EXPECT_THAT(
+        answer("qXfer:threads:read::0,fff"),
+        AllOf(StartsWith("l<?xml"), HasSubstr("<thread id=\"1\" name=\"main\">runs</thread>"),
+              HasSubstr("<thread id=\"1f\" name=\"a&#60;&#34;b&#34;&#38;?\">waits for")));
+    EXPECT_EQ(answer("qXfer:threads:read::2,3"), "mxml");
+}
+
+TEST_F(GdbCommands, AThreadIsChosenForRegistersAndMemory) {
+    target.all = {{1, "", ""}, {0x1f, "", ""}};
+    EXPECT_EQ(answer("Hg1f"), "OK");
+    EXPECT_EQ(target.chosen, 0x1fu);
+    EXPECT_EQ(answer("qC"), "QC1f");
+    EXPECT_EQ(answer("Hg2"), "E01") << "is no thread";
+    EXPECT_EQ(answer("Hc1"), "OK") << "has no effect";
+    EXPECT_EQ(target.chosen, 0x1fu);
+    EXPECT_EQ(answer("Hg0"), "OK");
+    EXPECT_EQ(target.chosen, 1u);
+    EXPECT_EQ(answer("Hc-1"), "OK");
+    EXPECT_EQ(answer("T1f"), "OK");
+    EXPECT_EQ(answer("T2"), "E01");
+}
+
+TEST_F(GdbCommands, TheFirstActionForAThreadIsItsOwn) {
+    target.all = {{1, "", ""}, {0x1f, "", ""}};
+    EXPECT_EQ(stepped("vCont;s:1f;c"), 0x1f);
+    EXPECT_EQ(stepped("vCont;c:1;s:1f"), 0x1f);
+    EXPECT_EQ(stepped("vCont;S05:1;c"), 1);
+    EXPECT_EQ(stepped("vCont;s"), 0);
+    EXPECT_EQ(stepped("vCont;s:-1"), 0);
+    EXPECT_EQ(stepped("vCont;c;s:1f"), -1);
+    EXPECT_EQ(next("vCont;c:1f"), GdbNext::CONTINUE);
+    EXPECT_EQ(answer("vCont;s:2"), "E01") << "is no thread";
+}
+
 TEST_F(GdbCommands, HaveTheDisplacementOfAPositionIndependentProgram) {
     EXPECT_EQ(answer("qOffsets"), "");
     target.moved_by = 0x400000;
@@ -236,6 +295,17 @@ TEST_F(GdbCommands, AnInvalidCommandIsAnErrorAndChangesNothing) {
                                "cxyz",
                                "vCont;",
                                "vCont;t",
+                               "vCont;c;x",
+                               "vCont;c1",
+                               "vCont;s:",
+                               "vCont;s:z",
+                               "vCont;S:1",
+                               "H",
+                               "Hx1",
+                               "Hg",
+                               "Hgx",
+                               "T",
+                               "qXfer:threads:read::0",
                                "qRcmd,6",
                                "qXfer:features:read:target.xml:0",
                                "qXfer:features:read:target.xml:ffff,1"})
@@ -260,6 +330,8 @@ TEST_F(GdbCommands, AnyBytesAreSurvived) {
                                          "qRcmd,6869",
                                          "C05;1000",
                                          "Hg0",
+                                         "vCont;C05:1;s:-1;c",
+                                         "qXfer:threads:read::0,fff",
                                          "qXfer:features:read:target.xml:0,ffb",
                                          "qfThreadInfo",
                                          "?",
