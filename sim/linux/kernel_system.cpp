@@ -67,6 +67,11 @@ std::optional<std::string> LinuxKernel::text_of_process(const LinuxProcess& proc
                             area.shared || area.on_bus ? 's' : 'p', area.physical);
     }
     const auto& threads = process.threads;
+    const bool sleeps = std::all_of(threads.begin(), threads.end(),
+                                    [](const auto& thread) { return thread->wait.has_value(); });
+    const char* const state = process.stopped ? "T (stopped)"
+                              : sleeps        ? "S (sleeping)"
+                                              : "R (running)";
     if (name == "maps") return maps;
     if (name == "comm")
         return (threads.front()->name.empty() ? command : threads.front()->name) + "\n";
@@ -74,17 +79,19 @@ std::optional<std::string> LinuxKernel::text_of_process(const LinuxProcess& proc
     if (name == "statm") return fmt::format("{0} {0} 0 0 0 0 0\n", bytes / AddressSpace::PAGE);
     if (name == "status")
         return fmt::format(
-            "Name:\t{}\nUmask:\t{:04o}\nState:\tR (running)\nTgid:\t{}\nPid:\t{}\nPPid:\t{}\n"
+            "Name:\t{}\nUmask:\t{:04o}\nState:\t{}\nTgid:\t{}\nPid:\t{}\nPPid:\t{}\n"
             "Uid:\t0\t0\t0\t0\nGid:\t0\t0\t0\t0\nVmPeak:\t{:8} kB\nVmSize:\t{:8} kB\n"
             "VmRSS:\t{:8} kB\nThreads:\t{}\nCpus_allowed:\t3\nCpus_allowed_list:\t0-1\n",
-            command, process.umask, process.number, process.number, process.parent, bytes / 1024,
-            bytes / 1024, bytes / 1024, threads.size());
+            command, process.umask, state, process.number, process.number, process.parent,
+            bytes / 1024, bytes / 1024, bytes / 1024, threads.size());
     if (name == "stat")
         return fmt::format(
-            "{0} ({1}) R {2} 1 1 1025 1 0 0 0 0 0 {3} 0 0 0 20 0 {4} 0 0 {5} {6} 4294967295 0 0 0 "
+            "{0} ({1}) {7} {2} {8} {9} 1025 1 0 0 0 0 0 {3} 0 0 0 20 0 {4} 0 0 {5} {6} 4294967295 "
+            "0 0 0 "
             "0 0 0 0 0 0 0 0 17 0 0 0 0 0 0\n",
             process.number, command, process.parent, used_ns(process) / STAT_TICK_NS,
-            threads.size(), bytes, bytes / AddressSpace::PAGE);
+            threads.size(), bytes, bytes / AddressSpace::PAGE, state[0], process.group,
+            process.session);
     return std::nullopt;
 }
 

@@ -111,6 +111,8 @@ LinuxKernel::Result LinuxKernel::timerfd(const Arguments& a, Span kind, bool set
     auto* const file = dynamic_cast<LinuxTimerFile*>(files().device(fd));
     if (!file) return -EINVAL;
     if (!sets) return give_timer(a[1], file->timer, kind, now_ns());
+    constexpr std::uint32_t CANCEL_ON_SET = 2;  // the real-time clock is never set
+    if (a[1] & ~(AT_A_TIME | CANCEL_ON_SET)) return -EINVAL;
     const std::int64_t error = set_timer(file->timer, a[2], a[3], kind, a[1] & AT_A_TIME);
     if (error == 0) file->expired = 0;
     return error;

@@ -189,6 +189,7 @@ TEST_F(LinuxProgram, ReadsAndWritesFilesUnderItsRootOnly) {
               "in /data by a link\n"
               "not followed: Too many levels of symbolic links\n"
               "not made by a link: File exists, File exists\n"
+              "rights 0, 640, none, Operation not permitted\n"
               "../outside.txt: No such file or directory\n"
               "/data/../../outside.txt: No such file or directory\n"
               "/link: No such file or directory\n"

@@ -63,6 +63,12 @@ int main(void) {
                                            ? strerror(errno) : "open");
     printf("%s\n", mkdir("/link", 0700) < 0 ? strerror(errno) : "made");
 
+    printf("rights %d, ", chmod("data/out.txt", 0640));
+    if (stat("data/out.txt", &status) != 0) return 10;
+    printf("%o, ", status.st_mode & 0777);
+    printf("%s, ", chmod("/none", 0640) < 0 ? "none" : "some");
+    printf("%s\n", chown("data/out.txt", 0, 7) < 0 ? strerror(errno) : "changed");
+
     try_open("../outside.txt");
     try_open("/data/../../outside.txt");
     try_open("/link");

@@ -165,6 +165,27 @@ static void events(void) {
     printf("%ld, %d\n", count, (int)number);
 }
 
+static void groups(void) {
+    int status;
+    const pid_t child = fork();
+    if (child == 0) {
+        printf("%d %d %d\n", setsid() == getpid(), getpgrp() == getpid(), setsid());
+        pause();
+    }
+    usleep(2000);
+    char path[40], state = 0;
+    sprintf(path, "/proc/%d/stat", child);
+    FILE* const stat = fopen(path, "r");
+    if (stat && fscanf(stat, "%*d %*s %c", &state) == 1) printf("%c, ", state);
+    printf("%d %d, ", getpgid(child) == child, getsid(child) == child);
+    printf("%d ", setpgid(child, 0));
+    printf("%s, ", strerror(errno));
+    printf("%d, ", waitpid(0, &status, WNOHANG));
+    kill(-child, SIGTERM);
+    waitpid(-child, &status, 0);
+    printf("signal %d\n", WTERMSIG(status));
+}
+
 static void files(void) {
     static const char* const NAMES[] = {"/dev/null",     "/dev/zero", "/dev/urandom", "/dev/fb0",
                                         "/proc/cpuinfo", "/proc/self/status",
@@ -200,7 +221,7 @@ int main(int argc, char** argv) {
         void (*run)(void);
     } all[] = {{"forks", forks},   {"pipes", pipes},   {"kills", kills}, {"becomes", becomes},
                {"shares", shares}, {"semaphores", semaphores}, {"events", events},
-               {"files", files},   {"bombs", bombs},   {"hangs", hangs}};
+               {"groups", groups}, {"files", files},   {"bombs", bombs},   {"hangs", hangs}};
     own = argv[0];
     setvbuf(stdout, NULL, _IOLBF, 0);
     if (argc > 2 && strcmp(argv[1], "says") == 0) {
