@@ -44,6 +44,8 @@ public:
         switch (operation) {
             case ADD:
                 if (is_there) return -EEXIST;
+                if (const auto* other = dynamic_cast<const LinuxEpoll*>(files.device(fd)))
+                    if (other->watches(*this)) return -ELOOP;
                 watches_[fd] = {files.hold(fd), event, 0, 0};
                 return 0;
             case MODIFY:
@@ -77,6 +79,8 @@ public:
     // What it waits for, in a message.
     std::string waits_for() const {
         std::string all;
+        const Visit visit{*this};
+        if (!visit.is_first) return all;
         for (const auto& [fd, watch] : watches_) {
             const std::string name = files_().name(fd);
             if (all.find(name) == std::string::npos) all += (all.empty() ? "" : " or ") + name;
@@ -86,6 +90,8 @@ public:
 
     // What a file can do is not known yet.
     bool is_unknown() const {
+        const Visit visit{*this};
+        if (!visit.is_first) return false;
         for (const auto& [fd, watch] : watches_)
             if (!watch.file.expired() && files_().can_do(fd) & UNKNOWN) return true;
         return false;
@@ -94,6 +100,8 @@ public:
     FileStatus status() const override { return {0600, 0, 1, 0}; }
     std::string name() const override { return waits_for(); }
     unsigned can_do() const override {
+        const Visit visit{*this};
+        if (!visit.is_first) return 0;
         for (const auto& [fd, watch] : watches_)
             if (!watch.file.expired() && news(fd, watch) != 0) return READ;
         return 0;
@@ -108,7 +116,27 @@ private:
         std::uint64_t arrivals;
     };
 
+    // Another file may have a watched one's number by now, this one even.
+    struct Visit {
+        explicit Visit(const LinuxEpoll& of)
+            : epoll{of}, is_first{!std::exchange(of.is_visited_, true)} {}
+        ~Visit() { epoll.is_visited_ = !is_first; }
+        const LinuxEpoll& epoll;
+        const bool is_first;
+    };
+
+    bool watches(const LinuxEpoll& wanted) const {
+        const Visit visit{*this};
+        if (!visit.is_first) return false;
+        for (const auto& [fd, watch] : watches_) {
+            const auto* const other = dynamic_cast<const LinuxEpoll*>(files_().device(fd));
+            if (other && (other == &wanted || other->watches(wanted))) return true;
+        }
+        return false;
+    }
+
     std::uint32_t ready(int fd, const Watch& watch) const {
+        if (watch.file.lock() != files_().hold(fd)) return 0;
         const unsigned can = files_().can_do(fd);
         const std::uint32_t all =
             (can & READ ? IN | IN_NORMAL : 0) | (can & WRITE ? OUT | OUT_NORMAL : 0) |
@@ -137,6 +165,7 @@ private:
 
     std::function<const LinuxFiles&()> files_;
     std::map<int, Watch> watches_;
+    mutable bool is_visited_ = false;
 };
 
 }  // namespace sim

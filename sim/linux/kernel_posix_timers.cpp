@@ -74,7 +74,14 @@ void LinuxKernel::expire_posix_timers() {
     }
     std::stable_sort(all.begin(), all.end(),
                      [](const Due& a, const Due& b) { return a.since_ns > b.since_ns; });
-    for (const Due& due : all) expire(*due.process, due.number, due.process->timers.at(due.number));
+    const auto is_there = [this](const LinuxProcess* one) {  // one before it may have ended it
+        return std::any_of(processes_.begin(), processes_.end(), [&](const auto& process) {
+            return process.get() == one && !process->status;
+        });
+    };
+    for (const Due& due : all)
+        if (is_there(due.process))
+            expire(*due.process, due.number, due.process->timers.at(due.number));
 }
 
 // Source: kernel/time/posix-timers.c, posix_timer_fn(); kernel/signal.c, send_sigqueue().

@@ -67,11 +67,9 @@ std::optional<std::string> LinuxKernel::text_of_process(const LinuxProcess& proc
                             area.shared || area.on_bus ? 's' : 'p', area.physical);
     }
     const auto& threads = process.threads;
-    const bool sleeps = std::all_of(threads.begin(), threads.end(),
-                                    [](const auto& thread) { return thread->wait.has_value(); });
-    const char* const state = process.stopped ? "T (stopped)"
-                              : sleeps        ? "S (sleeping)"
-                                              : "R (running)";
+    const char* const state = process.stopped         ? "T (stopped)"
+                              : threads.front()->wait ? "S (sleeping)"
+                                                      : "R (running)";
     if (name == "maps") return maps;
     if (name == "comm")
         return (threads.front()->name.empty() ? command : threads.front()->name) + "\n";

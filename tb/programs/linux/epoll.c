@@ -77,6 +77,10 @@ int main(void) {
     control("add inner", EPOLL_CTL_ADD, inner, EPOLLIN);
     const int inners[] = {inner};
     look("inner rests", inners, 1, 0);
+    const int outer = epoll;
+    epoll = inner;
+    control("add outer to inner", EPOLL_CTL_ADD, outer, EPOLLIN);
+    epoll = outer;
     close(a[1]);
     look("inner has one", inners, 1, 0);
     close(epoll);
@@ -84,5 +88,11 @@ int main(void) {
     look("hung up", fds, 5, 0);
     close(a[0]);
     look("closed", fds, 5, 0);
+
+    int pair[2];
+    if (pipe(pair) != 0) return 10;
+    control("add pipe", EPOLL_CTL_ADD, pair[0], EPOLLIN);
+    if (dup(pair[0]) < 0 || dup2(epoll, pair[0]) < 0) return 11;
+    look("a watched number is its own", fds, 5, 10);
     return 0;
 }
