@@ -33,7 +33,7 @@ public:
 
     explicit LinuxEpoll(std::function<const LinuxFiles&()> files) : files_{std::move(files)} {}
 
-    std::int64_t control(std::uint32_t operation, int fd, const Event& event) {
+    std::int64_t change(std::uint32_t operation, int fd, const Event& event) {
         forget_closed();
         const LinuxFiles& files = files_();
         if (files.flags(fd) < 0) return -EBADF;
@@ -68,7 +68,7 @@ public:
             if (all.size() == most) break;
             const std::uint32_t events = news(fd, watch);
             watch.seen = ready(fd, watch);
-            watch.arrivals = arrivals(fd);
+            watch.arrivals = arrivals_of(fd);
             if (events == 0) continue;
             all.push_back({events, 0, watch.event.data});
             if (watch.event.events & ONE_SHOT) watch.event.events &= EDGE | ONE_SHOT;
@@ -145,14 +145,14 @@ private:
         const bool asked = watch.event.events & ~(EDGE | ONE_SHOT);
         return asked ? all & (watch.event.events | HUNG_UP | BROKEN) : 0;
     }
-    std::uint64_t arrivals(int fd) const {
+    std::uint64_t arrivals_of(int fd) const {
         const LinuxDevice* const device = files_().device(fd);
         return device ? device->arrivals() : 0;
     }
     // With EDGE only if something has come since.
     std::uint32_t news(int fd, const Watch& watch) const {
         const std::uint32_t now = ready(fd, watch);
-        const bool is_new = now & ~watch.seen || arrivals(fd) != watch.arrivals;
+        const bool is_new = now & ~watch.seen || arrivals_of(fd) != watch.arrivals;
         return !(watch.event.events & EDGE) || is_new ? now : 0;
     }
 

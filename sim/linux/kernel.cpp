@@ -138,18 +138,26 @@ void LinuxKernel::call(ArmCore& core) {
 
 // It is said in the log once.
 void LinuxKernel::not_emulated(const std::string& what) {
-    if (++missing_[what] > 1) return;
+    auto& [times, first] = missing_[what];
+    if (++times > 1) return;
+    first = cpu_.where();
     const std::uint32_t number = cpu_.core().reg(7);
     outside_.log(fmt::format("system call {}{} is not emulated: ENOSYS, {}", number,
-                             what == std::to_string(number) ? "" : " (" + what + ")",
-                             cpu_.where()));
+                             what == std::to_string(number) ? "" : " (" + what + ")", first));
 }
 
-std::string LinuxKernel::missing() const {
-    std::string all;
-    for (const auto& [name, times] : missing_)
-        all +=
-            (all.empty() ? "" : "; ") + name + (times > 1 ? fmt::format(", {} times", times) : "");
+std::vector<std::string> LinuxKernel::missing() const {
+    constexpr std::size_t MOST = 20;
+    std::vector<std::string> all;
+    for (const auto& [name, missing] : missing_) {
+        const auto& [times, first] = missing;
+        if (all.size() == MOST) {
+            all.push_back(fmt::format("{} other calls", missing_.size() - MOST));
+            break;
+        }
+        all.push_back(times == 1 ? fmt::format("{}, {}", name, first)
+                                 : fmt::format("{}, {} times, first {}", name, times, first));
+    }
     return all;
 }
 

@@ -227,7 +227,7 @@ LinuxKernel::Result LinuxKernel::sys_epoll_ctl(const Arguments& a) {
     if (!epoll) return -EINVAL;
     LinuxEpoll::Event event{};
     if (a[1] != LinuxEpoll::DELETE && !memory().read(a[3], &event, sizeof event)) return -EFAULT;
-    return epoll->control(a[1], static_cast<int>(a[2]), event);
+    return epoll->change(a[1], static_cast<int>(a[2]), event);
 }
 
 LinuxKernel::Result LinuxKernel::sys_epoll_wait(const Arguments& a) {

@@ -41,7 +41,9 @@ public:
 
     bool on_linux() const { return kernel_.has_value(); }
     // Of a Linux program; as LinuxKernel::missing().
-    std::string missing_calls() const { return kernel_ ? kernel_->missing() : ""; }
+    std::vector<std::string> missing_calls() const {
+        return kernel_ ? kernel_->missing() : std::vector<std::string>{};
+    }
     // Of its modules, as `dmesg` shows them; or "".
     std::string kernel_messages() const { return kernel_ ? kernel_->messages() : ""; }
     RunReport::Program program() const;

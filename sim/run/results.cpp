@@ -158,9 +158,11 @@ void add_results(RunReport& report, Board& board, ProcessorSystem* processor, Co
     report.sdram_violation_count = board.sdram_chip.violations();
     report.sdram_violations = board.sdram_chip.messages();
     if (arm) report.program = arm->program();
-    if (const std::string missing = arm ? arm->missing_calls() : ""; !missing.empty())
-        (succeeds(report) ? report.advice : report.faults)
-            .push_back("the simulated Linux does not have these calls of the program: " + missing);
+    if (arm) {
+        auto& lines = succeeds(report) ? report.advice : report.faults;
+        for (const std::string& call : arm->missing_calls())
+            lines.push_back("the simulated Linux does not have a call of the program: " + call);
+    }
     if (report.program && !report.program->network.empty())
         report.advice.push_back("the run had a network, so it is not reproducible: " +
                                 fmt::format("{}", fmt::join(report.program->network, ", ")));
