@@ -487,7 +487,7 @@ private:
     std::map<int, ipc::Semaphores> semaphores_;
     std::map<int, IpcMessages> ipc_messages_;
     int next_ipc_ = 0;
-    std::set<std::uint32_t> unaligned_;        // instructions that are in the log
+    std::set<std::uint32_t> unaligned_;  // instructions that are in the log
     // Calls that are not emulated: how often, and where first, as in messages.
     std::map<std::string, std::pair<unsigned, std::string>> missing_;
     std::vector<std::weak_ptr<LinuxTimerFile>> timer_files_;

@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 
 #include <arpa/inet.h>
+#include <netdb.h>
 #include <netinet/in.h>
 #include <poll.h>
 #include <sys/prctl.h>
@@ -115,6 +116,11 @@ TEST_F(LinuxNetwork, ConnectsToWhatIsNamed) {
     prints("tcp", "connected, Transport endpoint is already connected\nHELLO WORLD, 0\n");
 }
 TEST_F(LinuxNetwork, FindsTheHostByItsName) {
+    addrinfo* found = nullptr;
+    const addrinfo over_tcp{0, AF_INET, SOCK_STREAM, 0, 0, nullptr, nullptr, nullptr};
+    if (getaddrinfo("localhost", nullptr, &over_tcp, &found) != 0)
+        GTEST_SKIP() << "this machine does not know the name localhost";
+    freeaddrinfo(found);
     server.start();
     prints("tcp", "connected, Transport endpoint is already connected\nHELLO WORLD, 0\n",
            "localhost");

@@ -51,8 +51,8 @@ TEST_F(Processes, WaitForSemaphoresOfSystemV) {
 }
 TEST_F(Processes, WaitForEvents) { prints_without_a_message("events", "8, 40\n"); }
 TEST_F(Processes, HaveGroupsAndSessions) {
-    prints_without_a_message(
-        "groups", "1 1 -1\nS, 1 1, -1 Operation not permitted, -1, signal 15\n");
+    prints_without_a_message("groups",
+                             "1 1 -1\nS, 1 1, -1 Operation not permitted, -1, signal 15\n");
 }
 TEST_F(Processes, AreBoundedInNumber) {
     prints("bombs", "Resource temporarily unavailable after 63\n");
