@@ -50,7 +50,7 @@ unsigned access_bytes(std::uint32_t address, std::size_t left) {
     return address % 4 == 0 && left >= 4 ? 4 : address % 2 == 0 && left >= 2 ? 2 : 1;
 }
 
-// As GDB takes words apart.
+// A word of a GDB command.
 std::string quoted(const std::string& file) {
     std::string word;
     for (const char c : file) word += (std::strchr(" \t'\"\\", c) ? "\\" : "") + std::string{c};

@@ -124,8 +124,8 @@ private:
     bool unread_ = false;               // the connection's packet waits for an answer
     bool hit_ = false;                  // a point, reported by reply_
     bool killed_ = false;
-    // GDB hears of a stop that it was a breakpoint's.  Else it may take one that it has set for a
-    // thread, and needs no longer, for a signal of the program.
+    // The stop reply names a breakpoint's stop as such, as GDB asks.  Without that, GDB may
+    // mistake a breakpoint for one thread, reached by another, for a signal of the program.
     bool names_breaks_ = false;
 };
 

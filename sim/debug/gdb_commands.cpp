@@ -178,7 +178,7 @@ std::string thread_numbers(GdbTarget& target) {
     return text;
 }
 
-// For XML; what is not ASCII becomes '?', because of a list that is no UTF-8 GDB takes nothing.
+// For XML.  What is not ASCII becomes '?': GDB refuses a whole list that is no UTF-8.
 std::string escaped(const std::string& text) {
     std::string xml;
     for (const char c : text) {

@@ -22,8 +22,8 @@ std::uint64_t ram_of(std::uint32_t begin, const AddressSpace::Area& area) {
     return area.on_bus || area.access == 0 ? 0 : area.end - begin;
 }
 
-// Calls this with each page from `begin` on that the host has given memory, or that may be so; the
-// others are zeros that nobody has touched.
+// Calls `each` with the offset of every page that may hold something.  The host knows which pages
+// nobody has touched: they are zeros.
 template <class Each>
 void each_touched_page(const std::uint8_t* begin, std::size_t bytes, Each each) {
     static const int map = ::open("/proc/self/pagemap", O_RDONLY | O_CLOEXEC);
@@ -203,13 +203,17 @@ void AddressSpace::unmap(std::uint32_t begin, std::uint32_t bytes) {
 
 bool AddressSpace::protect(std::uint32_t begin, std::uint32_t bytes, unsigned access) {
     if (!is_mapped(begin, bytes)) return false;
-    split(begin);
-    split(begin + bytes);
+    const std::uint32_t end = begin + bytes;
     std::uint64_t more = 0;
-    for (auto it = areas_.lower_bound(begin); it != areas_.end() && it->first < begin + bytes; ++it)
-        if (access != 0 && it->second.access == 0 && !it->second.on_bus)
-            more += it->second.end - it->first;
+    for (std::uint32_t reached = begin; access != 0 && reached < end;) {
+        const Area area = at(reached)->second;
+        const std::uint32_t next = std::min(area.end, end);
+        if (area.access == 0 && !area.on_bus) more += next - reached;
+        reached = next;
+    }
     if (all_ram_ + more > ALL_RAM) return false;
+    split(begin);
+    split(end);
     for (auto it = areas_.lower_bound(begin); it != areas_.end() && it->first < begin + bytes;
          ++it) {
         disconnect(it);

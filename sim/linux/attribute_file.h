@@ -1,7 +1,7 @@
-// attribute_file.h - a file below /sys that shows a value and takes one, and says when it changes.
+// attribute_file.h - a file below /sys: a value that is read and written, and changes by itself
 //
-// A read at the beginning shows the value as it is then.  poll() says POLLPRI and POLLERR when the
-// value has changed since the last read, also before the first.
+// A read at the beginning shows the value as it is then.  poll() returns POLLPRI and POLLERR when
+// the value has changed since the last read, also before the first.
 //
 // Source: Linux 6.1, fs/kernfs/file.c, fs/sysfs/file.c.
 #pragma once
@@ -17,7 +17,7 @@ namespace sim {
 
 class AttributeFile final : public LinuxDevice {
 public:
-    // Of one whose changes are told; kept by whom it belongs to.
+    // Of one whose changes poll() reports; the owner of the file keeps it.
     struct Changes {
         std::uint64_t count = 1;
         bool gone = false;  // what it belonged to: reads and writes are ENODEV

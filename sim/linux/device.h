@@ -22,8 +22,8 @@ class LinuxDevice {
 public:
     // Of these, what would not have to wait.
     static constexpr unsigned READ = 1, WRITE = 2, HUNG_UP = 4, BROKEN = 8,
-                              UNKNOWN = 16,  // until something changes
-        PRIORITY = 32;                       // what POLLPRI tells
+                              UNKNOWN = 16;   // until something changes
+    static constexpr unsigned PRIORITY = 32;  // POLLPRI
 
     virtual ~LinuxDevice() = default;
     virtual FileStatus status() const = 0;

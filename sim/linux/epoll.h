@@ -82,6 +82,7 @@ public:
         const Visit visit{*this};
         if (!visit.is_first) return all;
         for (const auto& [fd, watch] : watches_) {
+            if (!is_open(fd, watch)) continue;
             const std::string name = files_().name(fd);
             if (all.find(name) == std::string::npos) all += (all.empty() ? "" : " or ") + name;
         }
@@ -93,7 +94,7 @@ public:
         const Visit visit{*this};
         if (!visit.is_first) return false;
         for (const auto& [fd, watch] : watches_)
-            if (!watch.file.expired() && files_().can_do(fd) & UNKNOWN) return true;
+            if (is_open(fd, watch) && files_().can_do(fd) & UNKNOWN) return true;
         return false;
     }
 
@@ -103,7 +104,7 @@ public:
         const Visit visit{*this};
         if (!visit.is_first) return 0;
         for (const auto& [fd, watch] : watches_)
-            if (!watch.file.expired() && news(fd, watch) != 0) return READ;
+            if (is_open(fd, watch) && news(fd, watch) != 0) return READ;
         return 0;
     }
 
@@ -116,7 +117,13 @@ private:
         std::uint64_t arrivals;
     };
 
-    // Another file may have a watched one's number by now, this one even.
+    // Its number may be another file's by now.
+    bool is_open(int fd, const Watch& watch) const {
+        return !watch.file.expired() && watch.file.lock() == files_().hold(fd);
+    }
+
+    // ADD refuses a ring of files that watch each other.  A process whose numbers differ from those
+    // by which they were added may still close one, so a file is visited once.
     struct Visit {
         explicit Visit(const LinuxEpoll& of)
             : epoll{of}, is_first{!std::exchange(of.is_visited_, true)} {}
@@ -129,6 +136,7 @@ private:
         const Visit visit{*this};
         if (!visit.is_first) return false;
         for (const auto& [fd, watch] : watches_) {
+            if (!is_open(fd, watch)) continue;
             const auto* const other = dynamic_cast<const LinuxEpoll*>(files_().device(fd));
             if (other && (other == &wanted || other->watches(wanted))) return true;
         }
@@ -136,7 +144,6 @@ private:
     }
 
     std::uint32_t ready(int fd, const Watch& watch) const {
-        if (watch.file.lock() != files_().hold(fd)) return 0;
         const unsigned can = files_().can_do(fd);
         const std::uint32_t all =
             (can & READ ? IN | IN_NORMAL : 0) | (can & WRITE ? OUT | OUT_NORMAL : 0) |
@@ -158,9 +165,7 @@ private:
 
     void forget_closed() {
         for (auto watch = watches_.begin(); watch != watches_.end();)
-            watch = watch->second.file.lock() == files_().hold(watch->first)
-                        ? std::next(watch)
-                        : watches_.erase(watch);
+            watch = is_open(watch->first, watch->second) ? std::next(watch) : watches_.erase(watch);
     }
 
     std::function<const LinuxFiles&()> files_;

@@ -10,9 +10,9 @@
 //
 // export and unexport take a number: EINVAL for one that no chip has, EBUSY for one that is taken,
 // EINVAL to unexport what is not exported.  gpioN has direction (in, out; high, low), value, edge
-// (none, rising, falling, both) and active_low.  An edge is an interrupt of the block; poll() tells
-// of it by POLLPRI and POLLERR on value, until that is read again from its beginning.  EPERM: to
-// set an input; EIO: an edge of an output, or an output that has one.
+// (none, rising, falling, both) and active_low.  An edge is an interrupt of the block; poll()
+// returns POLLPRI and POLLERR for value then, until that is read again from its beginning.
+// EPERM: to set an input; EIO: an edge of an output, or an output that has one.
 //
 // Numbers are those of Linux 4.x, which counts down from 512.  Sources: `ls /sys/class/gpio` on the
 // DE0-Nano-SoC (github.com/machinekit/mksocfpga, issue 58) and the labels on the DE10-Nano
@@ -43,7 +43,7 @@ public:
         // Clears and sets bits of a register on the bus; what it was before.
         std::function<std::uint32_t(std::uint32_t address, std::uint32_t clear, std::uint32_t set)>
             change;
-        // From now on the GIC's interrupt of that number is told by interrupt(): 0, or minus the
+        // From now on interrupt() is called for the GIC's interrupt of that number: 0, or minus the
         // error.
         std::function<int(unsigned number)> listen;
         std::function<bool(unsigned pin)> is_taken;  // by a driver

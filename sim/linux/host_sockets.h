@@ -56,8 +56,8 @@ private:
     const int fd_;
     bool connects_ = false, lacks_room_ = false;
     bool ended_ = false;       // and that has been read
-    bool over_ = false;        // hung up, broken or at its end, which has been told
-    std::size_t counted_ = 0;  // bytes that arrivals_ has told of
+    bool over_ = false;        // hung up, broken or at its end, which has been reported
+    std::size_t counted_ = 0;  // bytes that arrivals_ has reported
     std::uint64_t arrivals_ = 0;
 };
 

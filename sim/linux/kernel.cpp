@@ -136,7 +136,7 @@ void LinuxKernel::call(ArmCore& core) {
     go_on();
 }
 
-// It is said in the log once.
+// It is in the log once.
 void LinuxKernel::not_emulated(const std::string& what) {
     auto& [times, first] = missing_[what];
     if (++times > 1) return;

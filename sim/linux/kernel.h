@@ -329,10 +329,6 @@ private:
     Result semop(const Arguments&, std::int64_t span);
 
     // kernel_modules.cpp
-    struct ModuleNode {
-        KernelModule* module;
-        std::uint32_t id, mode, number;
-    };
     AddressSpace& kernel_space();
     std::optional<KernelModule*> module_named(const std::string& name) const;
     KernelModule& load_module(ElfProgram program, std::vector<std::string> parameters,
@@ -346,6 +342,7 @@ private:
     Result remove_module(KernelModule& module, LinuxThread* thread);
     Result leave_modules(const Arguments&);
     void unload(KernelModule& module);
+    // kernel_module_requests.cpp
     Result request(KernelModule& module, ModuleRequest request, const std::string& what);
     Result request(int fd, ModuleFile& file, kmod_operation operation, std::uint32_t a,
                    std::uint32_t b, std::uint32_t c = 0);
@@ -364,6 +361,7 @@ private:
     Result map_module(int fd, ModuleFile& file, const Arguments& a, std::uint32_t bytes);
     std::int64_t mknod(std::uint32_t folder, std::uint32_t path, std::uint32_t mode,
                        std::uint32_t number);
+    // kernel_module_calls.cpp
     Result call_of_module(const Arguments&);
     std::int64_t module_copy(std::uint32_t to, std::uint32_t from, std::uint32_t bytes,
                              bool to_program);
@@ -379,6 +377,7 @@ private:
                                   std::uint32_t name);
     Result wait_for_interrupt(unsigned number);
     void take_interrupts();
+    std::map<unsigned, ModuleInterrupt>::const_iterator handled_interrupt() const;
     std::uint64_t lockup_ns() const;
     void find_lockup();
     std::string place_in_module(std::uint32_t pc) const;

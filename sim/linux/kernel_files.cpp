@@ -47,7 +47,8 @@ LinuxKernel::Result LinuxKernel::open(std::uint32_t folder, std::uint32_t path, 
     if (const auto node = module_node(text)) return open_module(*node, text, flags);
     const int fd = files().open(text, flags, mode & ~process_->umask);
     if (is_library(text)) {
-        loader_.looked_for(text, fd < 0 ? fd : files().on_host(fd).first);
+        if (fd >= 0 || fd == -ENOENT)
+            loader_.looked_for(text, fd < 0 ? fd : files().on_host(fd).first);
         return fd;
     }
     if (fd == -ENOENT && is_of_the_system(text) && !is_shared_memory(text) &&

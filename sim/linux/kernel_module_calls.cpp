@@ -259,24 +259,29 @@ void LinuxKernel::take_interrupts() {
     }
 }
 
-// When the handler that runs, if one does, has run too long: the board's kernel finds that, too,
-// and nothing else happens there any more.
+// The one whose handler runs.
+std::map<unsigned, ModuleInterrupt>::const_iterator LinuxKernel::handled_interrupt() const {
+    return std::find_if(interrupts_.begin(), interrupts_.end(), [this](const auto& entry) {
+        return running_ && entry.second.running == running_;
+    });
+}
+
+// When its handler has run too long: the board's kernel finds that, too, and nothing else happens
+// there any more.
 std::uint64_t LinuxKernel::lockup_ns() const {
     constexpr std::uint64_t LONGEST_HANDLER_NS = NS;
-    for (const auto& [number, interrupt] : interrupts_)
-        if (running_ && interrupt.running == running_)
-            return interrupt.since_ns + LONGEST_HANDLER_NS;
-    return LinuxWait::NEVER;
+    const auto handled = handled_interrupt();
+    return handled == interrupts_.end() ? LinuxWait::NEVER
+                                        : handled->second.since_ns + LONGEST_HANDLER_NS;
 }
 
 void LinuxKernel::find_lockup() {
     if (now_ns() < lockup_ns()) return;
-    for (const auto& [number, interrupt] : interrupts_)
-        if (interrupt.running == running_)
-            return stop_by_bug(fmt::format("soft lockup: the handler of interrupt {} ({}) has not "
-                                           "returned for 1 s",
-                                           number, interrupt.name),
-                               cpu_.core().pc());
+    const auto& [number, interrupt] = *handled_interrupt();
+    stop_by_bug(
+        fmt::format("soft lockup: the handler of interrupt {} ({}) has not returned for 1 s",
+                    number, interrupt.name),
+        cpu_.core().pc());
 }
 
 // The line to the processor has risen, perhaps within an access of a program.

@@ -11,7 +11,7 @@ namespace sim {
 
 namespace {
 
-// Or as it was: -1, in 32 bits or 16.
+// -1, of 32 bits or 16, leaves the owner unchanged.
 bool is_root(std::uint32_t id) { return id == 0 || id == ~0u || id == 0xFFFF; }
 
 constexpr std::uint32_t BLOCK = 4096, SECTOR = 512;
@@ -247,7 +247,7 @@ LinuxKernel::Result LinuxKernel::sys_umask(const Arguments& a) {
 
 // ---- Device nodes, of modules -------------------------------------------------------------------
 
-std::optional<LinuxKernel::ModuleNode> LinuxKernel::module_node(const std::string& path) const {
+std::optional<ModuleNode> LinuxKernel::module_node(const std::string& path) const {
     const auto made = nodes_.find(path);
     for (const auto& module : modules_)
         for (const auto& [id, file] : module->files)

@@ -88,7 +88,7 @@ std::int64_t LinuxKernel::give_address(const SocketAddress& address, std::uint32
     return given ? 0 : -EFAULT;
 }
 
-// Nothing else leaves the simulator: said once.
+// Nothing else leaves the simulator: reported once.
 bool LinuxKernel::is_reachable(const SocketAddress& address) {
     if (address.is_here() || host_network_.has(address)) return true;
     if (!unreachable_reported_)

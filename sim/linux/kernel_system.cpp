@@ -85,8 +85,7 @@ std::optional<std::string> LinuxKernel::text_of_process(const LinuxProcess& proc
     if (name == "stat")
         return fmt::format(
             "{0} ({1}) {7} {2} {8} {9} 1025 1 0 0 0 0 0 {3} 0 0 0 20 0 {4} 0 0 {5} {6} 4294967295 "
-            "0 0 0 "
-            "0 0 0 0 0 0 0 0 17 0 0 0 0 0 0\n",
+            "0 0 0 0 0 0 0 0 0 0 0 17 0 0 0 0 0 0\n",
             process.number, command, process.parent, used_ns(process) / STAT_TICK_NS,
             threads.size(), bytes, bytes / AddressSpace::PAGE, state[0], process.group,
             process.session);

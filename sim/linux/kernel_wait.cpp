@@ -16,9 +16,8 @@ struct PollEntry {
     std::int32_t fd;
     std::int16_t events, found;
 };
-constexpr std::int16_t POLL_IN = 0x41, POLL_PRI = 2, POLL_OUT = 0x104, POLL_ERROR = 8,
-                       POLL_HUNG_UP = 0x10,
-                       POLL_INVALID = 0x20;  // with RDNORM, WRNORM
+constexpr std::int16_t POLL_IN = 0x41, POLL_OUT = 0x104;  // with RDNORM, WRNORM
+constexpr std::int16_t POLL_PRI = 2, POLL_ERROR = 8, POLL_HUNG_UP = 0x10, POLL_INVALID = 0x20;
 
 }  // namespace
 
@@ -125,12 +124,12 @@ LinuxKernel::Result LinuxKernel::select(const Arguments& a, Span kind) {
                 (asked[0][fd / 32] | asked[1][fd / 32] | asked[2][fd / 32]) >> fd % 32 & 1;
             const unsigned can = is_asked ? files().can_do(static_cast<int>(fd)) : 0;
             unknown |= (can & LinuxFiles::UNKNOWN) != 0;
-            constexpr unsigned TOLD[3] = {LinuxFiles::READ | LinuxFiles::HUNG_UP,
-                                          LinuxFiles::WRITE | LinuxFiles::BROKEN,
-                                          LinuxFiles::PRIORITY};
+            constexpr unsigned READY[3] = {LinuxFiles::READ | LinuxFiles::HUNG_UP,
+                                           LinuxFiles::WRITE | LinuxFiles::BROKEN,
+                                           LinuxFiles::PRIORITY};
             for (const unsigned set : {0u, 1u, 2u}) {
                 std::uint32_t& word = ready[set][fd / 32];
-                if (!(can & TOLD[set])) word &= ~(1u << fd % 32);
+                if (!(can & READY[set])) word &= ~(1u << fd % 32);
                 found += word >> fd % 32 & 1;
             }
         }

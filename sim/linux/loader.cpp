@@ -36,7 +36,7 @@ std::string package_of(const std::string& library) {
     return "";
 }
 
-std::string host_path(int host);
+std::string host_path(int host) { return "/proc/self/fd/" + std::to_string(host); }
 
 // Why the dynamic linker of the hard-float ABI does not take this library; or "".
 std::string why_unfit(int host) {
@@ -52,8 +52,6 @@ std::string why_unfit(int host) {
     const bool read = ::pread(host, &header, sizeof header, 0) == sizeof header;
     return read && (header.e_flags & EF_ARM_ABI_FLOAT_SOFT) ? "for the soft-float ABI" : "";
 }
-
-std::string host_path(int host) { return "/proc/self/fd/" + std::to_string(host); }
 
 }  // namespace
 

@@ -53,6 +53,12 @@ struct KernelModule {
     bool is_busy() const { return !requests.empty() || !served.empty(); }
 };
 
+// A device node of a module's file.
+struct ModuleNode {
+    KernelModule* module;
+    std::uint32_t id, mode, number;
+};
+
 // An open file of a module; what is done with it is done by requests (LinuxKernel::request()).
 class ModuleFile final : public LinuxDevice, public std::enable_shared_from_this<ModuleFile> {
 public:

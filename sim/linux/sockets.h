@@ -2,8 +2,8 @@
 //
 // All lies on the loopback: a connection is there at once, nothing is lost but datagrams for which
 // there is no more room, and nothing leaves the simulator but to what --network names
-// (host_sockets.h).  Ports that nobody has asked for
-// are given in turn, from 32768 on, so every run is the same.
+// (host_sockets.h).  Ports that nobody has asked for are given in turn, from 32768 on, so every run
+// is the same.
 //
 // Not handled: AF_INET6 and others, raw sockets, multicast, out-of-band data, passing of files and
 // credentials; options are taken, and only SO_RCVTIMEO, SO_ERROR and SO_TYPE do something.

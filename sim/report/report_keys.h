@@ -113,8 +113,7 @@ inline constexpr ReportKey REPORT_KEYS[] = {
      "Of a program that has ended on Linux or by semihosting; 130 of one that ^C has ended."},
     {"program.network[]",
      "Only if the run had a network: what of `--network` the program could reach. Such a run is "
-     "not "
-     "reproducible."},
+     "not reproducible."},
 };
 
 }  // namespace sim
