@@ -1,6 +1,7 @@
 #include "sim/linux/address_space.h"
 
 #include <fcntl.h>
+#include <signal.h>
 #include <sys/mman.h>
 #include <unistd.h>
 
@@ -19,8 +20,48 @@ constexpr std::uint32_t STACK_ROOM = 0x09000000;  // kept free below TOP
 constexpr std::size_t LONGEST_STRING = 4096;
 
 std::uint64_t ram_of(std::uint32_t begin, const AddressSpace::Area& area) {
-    return area.on_bus || area.access == 0 ? 0 : area.end - begin;
+    const bool is_file = area.shared && area.shared->is_file();
+    return area.on_bus || is_file || area.access == 0 ? 0 : area.end - begin;
 }
+
+// The file may have become longer since that was found.
+bool is_after_end(std::uint32_t begin, const AddressSpace::Area& area, std::uint32_t address) {
+    return area.is_beyond &&
+           area.physical_at(address - begin) / AddressSpace::PAGE >=
+               (area.shared->size() + AddressSpace::PAGE - 1) / AddressSpace::PAGE;
+}
+
+// Accesses to the pages of a file whose end has come nearer, or for which the disk has no room:
+// what a program does meanwhile can no longer be right.
+std::vector<std::pair<const std::uint8_t*, const std::uint8_t*>> with_files;
+struct sigaction before_files;
+
+void on_bus_error(int number, siginfo_t* info, void*) {
+    constexpr char MESSAGE[] =
+        "de1sim: error: a file that the program has mapped was made shorter by somebody else, or "
+        "the disk is full: the run ends\n";
+    const auto* const at = static_cast<const std::uint8_t*>(info->si_addr);
+    for (const auto& [begin, end] : with_files)
+        if (at >= begin && at < end) {
+            const ssize_t unused = ::write(STDERR_FILENO, MESSAGE, sizeof MESSAGE - 1);
+            _exit(unused < 0 ? 2 : 1);
+        }
+    if (before_files.sa_handler != SIG_DFL && before_files.sa_handler != SIG_IGN)
+        before_files.sa_handler(number);
+    sigaction(SIGBUS, &before_files, nullptr);
+}
+
+void watch(const std::uint8_t* begin, const std::uint8_t* end) {
+    if (with_files.empty()) {
+        struct sigaction action {};
+        action.sa_sigaction = on_bus_error;
+        action.sa_flags = SA_SIGINFO;
+        sigaction(SIGBUS, &action, &before_files);
+    }
+    with_files.emplace_back(begin, end);
+}
+
+bool is_connected(const AddressSpace::Area& area) { return area.access != 0 && !area.is_beyond; }
 
 // Calls `each` with the offset of every page that may hold something.  The host knows which pages
 // nobody has touched: they are zeros.
@@ -55,6 +96,9 @@ AddressSpace::AddressSpace(ArmCore& core, std::uint32_t bottom, std::uint32_t to
 
 AddressSpace::~AddressSpace() {
     all_ram_ -= own_ram_;
+    const auto watched =
+        std::pair<const std::uint8_t*, const std::uint8_t*>{host_ + bottom_, host_ + top_};
+    with_files.erase(std::remove(with_files.begin(), with_files.end(), watched), with_files.end());
     munmap(host_ + bottom_, top_ - bottom_);
 }
 
@@ -62,7 +106,7 @@ AddressSpace::~AddressSpace() {
 
 void AddressSpace::connect(Areas::const_iterator area) {
     const auto& [begin, what] = *area;
-    if (what.access == 0 || !attached_) return;
+    if (!is_connected(what) || !attached_) return;
     if (what.on_bus)
         core_.map_bus(begin, what.end - begin, what.physical, what.access);
     else
@@ -70,7 +114,7 @@ void AddressSpace::connect(Areas::const_iterator area) {
 }
 
 void AddressSpace::disconnect(Areas::const_iterator area) {
-    if (area->second.access != 0 && attached_)
+    if (is_connected(area->second) && attached_)
         core_.unmap(area->first, area->second.end - area->first);
 }
 
@@ -144,6 +188,7 @@ void AddressSpace::join(Areas::iterator area) {
     if (next == areas_.end() || next->first != area->second.end ||
         next->second.access != area->second.access || next->second.on_bus != area->second.on_bus ||
         next->second.shared != area->second.shared ||
+        next->second.is_beyond != area->second.is_beyond ||
         next->second.physical != area->second.physical_at(area->second.end - area->first))
         return;
     disconnect(area);
@@ -151,6 +196,16 @@ void AddressSpace::join(Areas::iterator area) {
     area->second.end = next->second.end;
     areas_.erase(next);
     connect(area);
+}
+
+void AddressSpace::join_all(std::uint32_t begin, std::uint32_t end) {
+    auto it = areas_.lower_bound(begin);
+    if (it != areas_.begin()) --it;
+    while (it != areas_.end() && it->first < end) {
+        const std::size_t before = areas_.size();
+        join(it);
+        if (areas_.size() == before) ++it;
+    }
 }
 
 void AddressSpace::insert(std::uint32_t begin, const Area& area) {
@@ -179,13 +234,34 @@ void AddressSpace::map_bus(std::uint32_t begin, std::uint32_t bytes, unsigned ac
 
 bool AddressSpace::map_shared(std::uint32_t begin, std::uint32_t bytes, unsigned access,
                               std::shared_ptr<SharedMemory> memory, std::uint32_t offset) {
-    if (!has_room(bytes, true) || !memory->reserve(std::uint64_t{offset} + bytes)) return false;
+    const bool is_file = memory->is_file();
+    if ((!is_file && !has_room(bytes, true)) || !memory->reserve(std::uint64_t{offset} + bytes))
+        return false;
     unmap(begin, bytes);
-    void* const fresh = mmap(host_ + begin, bytes, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_FIXED,
-                             memory->fd(), static_cast<off_t>(offset));
+    void* const fresh =
+        mmap(host_ + begin, bytes, memory->is_writable() ? PROT_READ | PROT_WRITE : PROT_READ,
+             MAP_SHARED | MAP_FIXED, memory->fd(), static_cast<off_t>(offset));
     if (fresh == MAP_FAILED) return false;
-    insert(begin, {begin + bytes, access, false, offset, std::move(memory)});
+    insert(begin, {begin + bytes, access, false, offset, std::move(memory), is_file});
+    if (!is_file) return true;
+    if (!std::exchange(has_files_, true)) watch(host_ + bottom_, host_ + top_);
+    fit_to_files();
     return true;
+}
+
+void AddressSpace::fit_to_files() {
+    if (!has_files_) return;
+    for (auto it = areas_.begin(); it != areas_.end(); ++it) {
+        const auto& [begin, area] = *it;
+        if (!area.shared || !area.shared->is_file()) continue;
+        const std::uint64_t size = (area.shared->size() + PAGE - 1) / PAGE * PAGE;
+        const std::uint64_t left = size > area.physical ? size - area.physical : 0;
+        if (left > 0 && left < area.end - begin) split(begin + static_cast<std::uint32_t>(left));
+        disconnect(it);
+        it->second.is_beyond = left == 0;
+        connect(it);
+    }
+    join_all(bottom_, top_);
 }
 
 void AddressSpace::unmap(std::uint32_t begin, std::uint32_t bytes) {
@@ -214,21 +290,28 @@ bool AddressSpace::protect(std::uint32_t begin, std::uint32_t bytes, unsigned ac
     if (all_ram_ + more > ALL_RAM) return false;
     split(begin);
     split(end);
-    for (auto it = areas_.lower_bound(begin); it != areas_.end() && it->first < begin + bytes;
-         ++it) {
+    for (auto it = areas_.lower_bound(begin); it != areas_.end() && it->first < end; ++it) {
         disconnect(it);
         count(it->first, it->second, false);
         it->second.access = access;
         count(it->first, it->second, true);
         connect(it);
     }
-    auto it = areas_.lower_bound(begin);
-    if (it != areas_.begin()) --it;
-    while (it != areas_.end() && it->first < begin + bytes) {
-        const std::size_t before = areas_.size();
-        join(it);
-        if (areas_.size() == before) ++it;
-    }
+    join_all(begin, end);
+    return true;
+}
+
+bool AddressSpace::is_after_file(std::uint32_t address) const {
+    const auto area = at(address);
+    return area && area->second.is_beyond;
+}
+
+bool AddressSpace::may_write(std::uint32_t begin, std::uint32_t bytes) const {
+    auto area = areas_.upper_bound(begin);
+    if (area != areas_.begin()) --area;
+    for (; area != areas_.end() && area->first < begin + bytes; ++area)
+        if (area->second.end > begin && area->second.shared && !area->second.shared->is_writable())
+            return false;
     return true;
 }
 
@@ -273,7 +356,8 @@ std::uint8_t* AddressSpace::bytes(std::uint32_t address, std::size_t bytes, unsi
     for (std::uint64_t reached = address; reached < end;) {
         const auto area = at(static_cast<std::uint32_t>(reached));
         if (reached >= top_ || !area || area->second.on_bus ||
-            (area->second.access & access) != access)
+            (area->second.access & access) != access ||
+            is_after_end(area->first, area->second, static_cast<std::uint32_t>(reached)))
             return nullptr;
         reached = area->second.end;
     }

@@ -8,9 +8,11 @@
 // for n areas an operation costs O(log n) here, and O(n) and some us in the core.
 //
 // Of several address spaces one is the core's: attach().  Memory that processes share is the same
-// pages of the host in each.
+// pages of the host in each; so is a file's, which must not be accessed after its end: such pages are
+// mapped only once the file is long enough.  Another program of the host that makes such a file
+// shorter ends the simulator with a message.
 //
-// Not handled: memory shared with files, guard pages that grow.
+// Not handled: guard pages that grow.
 #pragma once
 
 #include <cstdint>
@@ -40,6 +42,7 @@ public:
         bool on_bus;
         std::uint32_t physical;  // of the begin, on the bus or in `shared`
         std::shared_ptr<SharedMemory> shared{};
+        bool is_beyond = false;  // after the end of the file
 
         std::uint32_t physical_at(std::uint32_t offset) const {
             return on_bus || shared ? physical + offset : 0;
@@ -64,6 +67,8 @@ public:
     // False, and nothing done, if there is no room for it.
     bool map_shared(std::uint32_t begin, std::uint32_t bytes, unsigned access,
                     std::shared_ptr<SharedMemory> memory, std::uint32_t offset);
+    // A file of map_shared() has another size.
+    void fit_to_files();
     void unmap(std::uint32_t begin, std::uint32_t bytes);
     std::uint32_t bottom() const { return bottom_; }
     std::uint32_t top() const { return top_; }
@@ -73,6 +78,8 @@ public:
     // False, and nothing done, if a part of it is not mapped, or RAM is used up.
     bool protect(std::uint32_t begin, std::uint32_t bytes, unsigned access);
 
+    bool is_after_file(std::uint32_t address) const;                 // as fit_to_files() found
+    bool may_write(std::uint32_t begin, std::uint32_t bytes) const;  // no file open for reading
     bool is_mapped(std::uint32_t begin, std::uint32_t bytes) const;  // all of it
     bool is_free(std::uint32_t begin, std::uint32_t bytes) const;    // all of it
     // The highest free range below the stack's; no value if there is none.
@@ -95,6 +102,7 @@ private:
 
     void split(std::uint32_t address);
     void join(Areas::iterator area);
+    void join_all(std::uint32_t begin, std::uint32_t end);
     void insert(std::uint32_t begin, const Area& area);
     void connect(Areas::const_iterator area);     // to the core
     void disconnect(Areas::const_iterator area);  // from it
@@ -108,6 +116,7 @@ private:
     std::uint64_t ram_ = 0, own_ram_ = 0;  // own: not shared
     inline static std::uint64_t all_ram_ = 0;
     bool attached_ = false;
+    bool has_files_ = false;  // or had
 };
 
 }  // namespace sim

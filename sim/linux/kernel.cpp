@@ -163,24 +163,32 @@ std::vector<std::string> LinuxKernel::missing() const {
 
 void LinuxKernel::exception(ArmCore& core, ArmException exception, const ArmFault& abort,
                             const std::string& what) {
+    using namespace arm_signal_code;
     switch (exception) {
         case ArmException::DATA_ABORT:
             if (abort.mmu && abort.status == fault_status::ALIGNMENT)
                 unaligned(core, abort, what);
             else if (!abort.mmu)
-                fault(SIGBUS, abort.address, what);
+                fault({SIGBUS, EXTERNAL_ABORT, {abort.address}, what});
+            else if (memory().is_after_file(abort.address))
+                after_file(abort.address);
             else
-                fault(SIGSEGV, abort.address,
-                      fmt::format("{} 0x{:08X}", abort.write ? "write to" : "read from",
-                                  abort.address));
+                fault({SIGSEGV,
+                       memory().at(abort.address) ? NOT_ALLOWED : NOT_MAPPED,
+                       {abort.address},
+                       fmt::format("{} 0x{:08X}", abort.write ? "write to" : "read from",
+                                   abort.address)});
             break;
         case ArmException::PREFETCH_ABORT:
             if (what == "breakpoint instruction")
-                fault(SIGTRAP, core.pc(), what);
+                fault({SIGTRAP, BREAKPOINT, {core.pc()}, what});
             else
-                fault(SIGSEGV, core.pc(), "no instruction to be read");
+                fault({SIGSEGV,
+                       memory().at(core.pc()) ? NOT_ALLOWED : NOT_MAPPED,
+                       {core.pc()},
+                       "no instruction to be read"});
             break;
-        default: fault(SIGILL, core.pc(), what); break;
+        default: fault({SIGILL, ILLEGAL_OPCODE, {core.pc()}, what}); break;
     }
     go_on();
 }

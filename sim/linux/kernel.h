@@ -159,6 +159,8 @@ private:
                             std::shared_ptr<SharedMemory> shared, bool as_copy);
     std::int64_t fill_from_file(int fd, std::uint32_t begin, std::uint32_t bytes,
                                 std::int64_t offset);
+    void files_changed();  // their sizes
+    void after_file(std::uint32_t address);
     std::optional<std::uint32_t> place_of(std::uint32_t wish, std::uint32_t bytes,
                                           std::uint32_t flags) const;
 
@@ -390,7 +392,7 @@ private:
     Result sigtimedwait(const Arguments&, Span kind);
     void unaligned(ArmCore& core, const ArmFault& fault, const std::string& what);
     // By an instruction of the running thread, so it cannot be blocked.
-    void fault(unsigned number, std::uint32_t address, const std::string& why);
+    void fault(const LinuxSignal&);
     // To any thread of it, or to this one; false: too many are pending.
     bool send(LinuxProcess& process, const LinuxSignal& signal);
     bool send(LinuxThread& thread, const LinuxSignal& signal);

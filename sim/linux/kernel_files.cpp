@@ -46,6 +46,7 @@ LinuxKernel::Result LinuxKernel::open(std::uint32_t folder, std::uint32_t path, 
     if (error) return error;
     if (const auto node = module_node(text)) return open_module(*node, text, flags);
     const int fd = files().open(text, flags, mode & ~process_->umask);
+    if (flags & arm_open::TRUNC) files_changed();
     if (is_library(text)) {
         if (fd >= 0 || fd == -ENOENT)
             loader_.looked_for(text, fd < 0 ? fd : files().on_host(fd).first);
@@ -271,11 +272,27 @@ LinuxKernel::Result LinuxKernel::sys_llseek(const Arguments& a) {
 }
 
 LinuxKernel::Result LinuxKernel::sys_ftruncate64(const Arguments& a) {
-    return files().truncate(fd_of(a[0]), pair_of(a[2], a[3]));
+    const int error = files().truncate(fd_of(a[0]), pair_of(a[2], a[3]));
+    files_changed();
+    return error;
 }
 
 LinuxKernel::Result LinuxKernel::sys_ftruncate(const Arguments& a) {
-    return files().truncate(fd_of(a[0]), static_cast<std::int32_t>(a[1]));
+    const std::int64_t bytes = static_cast<std::int32_t>(a[1]);
+    return sys_ftruncate64(
+        {a[0], 0, static_cast<std::uint32_t>(bytes), static_cast<std::uint32_t>(bytes >> 32)});
+}
+
+LinuxKernel::Result LinuxKernel::sys_truncate64(const Arguments& a) {
+    const Result fd = open(ARM_AT_FDCWD, a[0], arm_open::WRONLY, 0);
+    if (!fd || *fd < 0) return fd;
+    const Result result = sys_ftruncate64({static_cast<std::uint32_t>(*fd), 0, a[2], a[3]});
+    files().close(static_cast<int>(*fd));
+    return result;
+}
+
+LinuxKernel::Result LinuxKernel::sys_truncate(const Arguments& a) {
+    return sys_truncate64({a[0], 0, a[1], static_cast<std::int32_t>(a[1]) < 0 ? ~0u : 0});
 }
 
 LinuxKernel::Result LinuxKernel::sys_fsync(const Arguments& a) { return files().sync(fd_of(a[0])); }

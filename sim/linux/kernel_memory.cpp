@@ -11,7 +11,8 @@ namespace sim {
 
 namespace {
 
-constexpr unsigned ACCESS = arm_access::ALL;  // PROT_ bits have the same places
+constexpr std::uint64_t LARGEST_FILE = std::uint64_t{1} << 32;  // that is mapped shared
+constexpr unsigned ACCESS = arm_access::ALL;                    // PROT_ bits have the same places
 
 bool aligned(std::uint32_t address) { return address % AddressSpace::PAGE == 0; }
 
@@ -73,7 +74,14 @@ LinuxKernel::Result LinuxKernel::sys_mmap2(const Arguments& a) {
             }
             return map_shared(a, bytes, access, device->memory(), type == arm_mmap::PRIVATE);
         }
-        if (files().is_console(fd) || shared_write) return -ENODEV;
+        if (files().is_console(fd)) return -ENODEV;
+        if (type != arm_mmap::PRIVATE) {
+            const auto shared = std::make_shared<SharedMemory>(files().on_host(fd).first);
+            const std::int64_t place = map_shared(a, bytes, access, shared, false);
+            if (place >= 0 && (access & arm_access::EXECUTE) && page == 0)
+                loader_.mapped(files(), fd, static_cast<std::uint32_t>(place));
+            return place;
+        }
     }
     if (anonymous && type != arm_mmap::PRIVATE)
         return map_shared({wish, a[1], a[2], flags, 0, 0}, bytes, access,
@@ -94,7 +102,7 @@ std::int64_t LinuxKernel::map_shared(const Arguments& a, std::uint32_t bytes, un
                                      std::shared_ptr<SharedMemory> shared, bool as_copy) {
     const std::uint64_t offset = std::uint64_t{a[5]} * AddressSpace::PAGE;
     if (!shared) return -ENODEV;
-    if (offset + bytes > AddressSpace::RAM) return -ENOMEM;
+    if (offset + bytes > (shared->is_file() ? LARGEST_FILE : AddressSpace::RAM)) return -ENOMEM;
     const auto place = place_of(a[0], bytes, a[3]);
     if (!place) return -ENOMEM;
     if (!as_copy) {
@@ -133,6 +141,21 @@ std::int64_t LinuxKernel::fill_from_file(int fd, std::uint32_t begin, std::uint3
     return 0;
 }
 
+void LinuxKernel::files_changed() {
+    for (const auto& process : processes_)
+        if (process->memory) process->memory->fit_to_files();
+}
+
+// The file may have become longer: then the program goes on.
+void LinuxKernel::after_file(std::uint32_t address) {
+    memory().fit_to_files();
+    if (memory().is_after_file(address))
+        fault({SIGBUS,
+               arm_signal_code::AFTER_FILE,
+               {address},
+               fmt::format("0x{:08X} is after the end of the mapped file", address)});
+}
+
 LinuxKernel::Result LinuxKernel::sys_munmap(const Arguments& a) {
     const std::uint32_t bytes = pages(a[1]);
     if (!aligned(a[0]) || bytes == 0 || !memory().holds(a[0], bytes)) return -EINVAL;
@@ -145,6 +168,7 @@ LinuxKernel::Result LinuxKernel::sys_mprotect(const Arguments& a) {
     if (a[1] == 0) return 0;
     const std::uint32_t bytes = pages(a[1]);
     if (bytes == 0 || !memory().holds(a[0], bytes)) return -ENOMEM;
+    if ((a[2] & arm_access::WRITE) && !memory().may_write(a[0], bytes)) return -EACCES;
     return memory().protect(a[0], bytes, a[2] & ACCESS) ? 0 : -ENOMEM;
 }
 
@@ -157,14 +181,16 @@ LinuxKernel::Result LinuxKernel::sys_mremap(const Arguments& a) {
         if (will < was) memory().unmap(from + will, was - will);
         return from;
     }
-    if (area->second.shared) return -EINVAL;
     const bool on_bus = area->second.on_bus;
     const unsigned access = area->second.access;
+    const std::shared_ptr<SharedMemory> shared = area->second.shared;
     const std::uint32_t physical = area->second.physical_at(from - area->first);
     if (memory().holds(from, will) && memory().is_free(from + was, will - was)) {
         if (on_bus)
             memory().map_bus(from + was, will - was, access, physical + was);
-        else if (!memory().map(from + was, will - was, access))
+        else if (shared
+                     ? !memory().map_shared(from + was, will - was, access, shared, physical + was)
+                     : !memory().map(from + was, will - was, access))
             return -ENOMEM;
         return from;
     }
@@ -172,6 +198,8 @@ LinuxKernel::Result LinuxKernel::sys_mremap(const Arguments& a) {
     if (!to) return -ENOMEM;
     if (on_bus) {
         memory().map_bus(*to, will, access, physical);
+    } else if (shared) {
+        if (!memory().map_shared(*to, will, access, shared, physical)) return -ENOMEM;
     } else {
         if (!memory().map(*to, will, ACCESS)) return -ENOMEM;
         memory().protect(from, was, ACCESS);

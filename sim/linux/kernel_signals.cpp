@@ -132,11 +132,10 @@ void LinuxKernel::deliver() {
     thread.signals.restore_mask();
 }
 
-void LinuxKernel::fault(unsigned number, std::uint32_t address, const std::string& why) {
-    if (process_->module) return stop_by_fault(number, address, why);
-    LinuxSignals::Action& action = process_->signals.actions[number];
-    const bool blocked = running_->signals.blocked & LinuxSignals::bit(number);
-    const LinuxSignal signal{number, 1, {address}, why};
+void LinuxKernel::fault(const LinuxSignal& signal) {
+    if (process_->module) return stop_by_fault(signal.number, signal.fields[0], signal.why);
+    LinuxSignals::Action& action = process_->signals.actions[signal.number];
+    const bool blocked = running_->signals.blocked & LinuxSignals::bit(signal.number);
     if (action.handled() && !blocked &&
         running_->signals.enter(cpu_.core(), memory(), action, signal))
         return;
@@ -169,7 +168,8 @@ void LinuxKernel::unaligned(ArmCore& core, const ArmFault& abort, const std::str
     const std::uint32_t word = !thumb ? halves[0] | std::uint32_t{halves[1]} << 16
                                : wide ? std::uint32_t{halves[0]} << 16 | halves[1]
                                       : halves[0];
-    if (!kernel_does_unaligned(word, thumb)) return fault(SIGBUS, abort.address, what);
+    if (!kernel_does_unaligned(word, thumb))
+        return fault({SIGBUS, arm_signal_code::MISALIGNED, {abort.address}, what});
     if (unaligned_.insert(pc).second)
         outside_.log(fmt::format("{}; Linux does it byte by byte, {}", what, cpu_.where()));
     if (core.run_by_bytes() == ArmStop::DATA_ABORT)
@@ -298,13 +298,13 @@ LinuxKernel::Result LinuxKernel::sys_sigaltstack(const Arguments& a) {
 
 LinuxKernel::Result LinuxKernel::sys_sigreturn(const Arguments&) {
     if (!running_->signals.leave(cpu_.core(), memory(), false))
-        fault(SIGSEGV, 0, "no signal to return from");
+        fault({SIGSEGV, arm_signal_code::KERNEL, {}, "no signal to return from"});
     return std::nullopt;
 }
 
 LinuxKernel::Result LinuxKernel::sys_rt_sigreturn(const Arguments&) {
     if (!running_->signals.leave(cpu_.core(), memory(), true))
-        fault(SIGSEGV, 0, "no signal to return from");
+        fault({SIGSEGV, arm_signal_code::KERNEL, {}, "no signal to return from"});
     return std::nullopt;
 }
 

@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <sys/mman.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -12,11 +13,25 @@
 
 namespace sim {
 
-SharedMemory::SharedMemory() : fd_{memfd_create("shared", MFD_CLOEXEC)} {
-    if (fd_ >= 0 && !is_one_too_many(fd_)) return;
-    close(fd_);
+namespace {
+
+int unless_too_many(int fd) {
+    if (fd >= 0 && !is_one_too_many(fd)) return fd;
+    close(fd);
     throw std::bad_alloc{};
 }
+
+}  // namespace
+
+SharedMemory::SharedMemory()
+    : fd_{unless_too_many(memfd_create("shared", MFD_CLOEXEC))},
+      is_file_{false},
+      is_writable_{true} {}
+
+SharedMemory::SharedMemory(int file)
+    : fd_{unless_too_many(fcntl(file, F_DUPFD_CLOEXEC, 0))},
+      is_file_{true},
+      is_writable_{(fcntl(file, F_GETFL) & O_ACCMODE) == O_RDWR} {}
 
 SharedMemory::SharedMemory(const std::uint8_t* data, std::size_t bytes) : SharedMemory{} {
     if (!resize(bytes) || pwrite(fd_, data, bytes, 0) != static_cast<ssize_t>(bytes))
@@ -26,6 +41,12 @@ SharedMemory::SharedMemory(const std::uint8_t* data, std::size_t bytes) : Shared
 SharedMemory::~SharedMemory() {
     all_reserved_ -= reserved_;
     close(fd_);
+}
+
+std::uint64_t SharedMemory::size() const {
+    struct stat status {};
+    if (!is_file_) return size_;
+    return fstat(fd_, &status) == 0 ? static_cast<std::uint64_t>(status.st_size) : 0;
 }
 
 // The host's file never shrinks: an access beyond its end would end the simulator.
@@ -40,6 +61,7 @@ bool SharedMemory::resize(std::uint64_t bytes) {
 }
 
 bool SharedMemory::reserve(std::uint64_t bytes) {
+    if (is_file_) return true;
     if (bytes > LIMIT) return false;
     const std::uint64_t pages =
         (bytes + AddressSpace::PAGE - 1) / AddressSpace::PAGE * AddressSpace::PAGE;

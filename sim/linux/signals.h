@@ -32,7 +32,11 @@ struct LinuxSignal {
 
 namespace arm_signal_code {
 constexpr std::int32_t USER = 0, KERNEL = 0x80, QUEUE = -1, TIMER = -2, MESSAGE = -3, TKILL = -6;
-}
+// Of faults: SIGSEGV, SIGBUS, SIGILL, SIGTRAP.
+constexpr std::int32_t NOT_MAPPED = 1, NOT_ALLOWED = 2;
+constexpr std::int32_t EXTERNAL_ABORT = 0, MISALIGNED = 1, AFTER_FILE = 2;
+constexpr std::int32_t ILLEGAL_OPCODE = 1, BREAKPOINT = 1;
+}  // namespace arm_signal_code
 
 class LinuxSignals {
 public:

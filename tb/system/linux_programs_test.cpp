@@ -206,6 +206,32 @@ TEST_F(LinuxProgram, ReadsAndWritesFilesUnderItsRootOnly) {
     EXPECT_THAT(written, EndsWith("line 998\nline 999\n"));
 }
 
+// As the program prints on a PC.
+TEST_F(LinuxProgram, MapsFilesThatOthersChange) {
+    std::filesystem::create_directories(folder / "root/data");
+    EXPECT_EQ(linux_run("mapped_files", {}, {"--linux-root", folder / "root"}).exit_code, 0);
+    EXPECT_EQ(console(),
+              "of the child, 16\n"
+              "of the child\n"
+              "by write, done\n"
+              "signal 7, code 2, 8192\n"
+              "Bad address\n"
+              "b\n"
+              "c\n"
+              "signal 7, code 2, 4096\n"
+              "e\n"
+              "signal 7, code 2, 0\n"
+              "g\n"
+              "h\n"
+              "done\n"
+              "h, Permission denied\n"
+              "Permission denied\n"
+              "h i\n"
+              "signal 11, code 2, 0\n"
+              "signal 11, code 1, 0\n");
+    EXPECT_EQ(folder.get("root/data/mapped.bin").substr(7 * 4096, 1), "h");
+}
+
 TEST_F(LinuxProgram, SeesNoFilesWithoutARoot) {
     const tb::Outcome outcome = linux_run("files");
     EXPECT_EQ(outcome.exit_code, 1);
