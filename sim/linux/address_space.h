@@ -8,9 +8,9 @@
 // for n areas an operation costs O(log n) here, and O(n) and some us in the core.
 //
 // Of several address spaces one is the core's: attach().  Memory that processes share is the same
-// pages of the host in each; so is a file's, which must not be accessed after its end: such pages are
-// mapped only once the file is long enough.  Another program of the host that makes such a file
-// shorter ends the simulator with a message.
+// pages of the host in each; so is a file's, which must not be accessed after its end: such pages
+// are mapped only once the file is long enough.  Another program of the host that makes such a
+// file shorter ends the simulator with a message.
 //
 // Not handled: guard pages that grow.
 #pragma once

@@ -27,7 +27,7 @@ constexpr std::uint32_t MAYMOVE = 1, FIXED = 2;
 
 namespace arm_fcntl {
 constexpr std::uint32_t DUPFD = 0, GETFD = 1, SETFD = 2, GETFL = 3, SETFL = 4, SETOWN = 8,
-                        DUPFD_CLOEXEC = 1030;
+                        DUPFD_CLOEXEC = 1030, SETPIPE_SZ = 1031, GETPIPE_SZ = 1032;
 }
 
 constexpr std::uint32_t ARM_AT_FDCWD = 0xFFFFFF9C, ARM_AT_REMOVEDIR = 0x200,

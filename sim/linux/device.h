@@ -44,6 +44,10 @@ public:
     virtual int truncate(std::int64_t) { return -EINVAL; }
     virtual std::int64_t control(std::uint32_t, std::uint32_t, AddressSpace&) { return -ENOTTY; }
 
+    // F_GETPIPE_SZ; F_SETPIPE_SZ with the bytes that are wished for.
+    virtual std::int64_t pipe_size() const { return -EBADF; }
+    virtual std::int64_t set_pipe_size(std::uint32_t) { return -EBADF; }
+
     // Of a folder: its names, sorted, with their modes.
     using Entries = std::map<std::string, std::uint32_t>;
     virtual const Entries* entries() const { return nullptr; }

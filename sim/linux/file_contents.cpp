@@ -156,12 +156,13 @@ std::pair<int, FileStatus> LinuxFiles::status_of(int fd) const {
         case File::Kind::HOST: return host_status(file->host->fd());
         case File::Kind::MEMORY: return {0, {S_IFCHR | 0640, 0, 1, 1 << 8 | 1}};
         case File::Kind::DEVICE: return {0, file->device->status()};
-        default: return {0, {S_IFCHR | 0620, 0, 0, 5 << 8 | 1}};
+        default: return {0, *console_status(file->path)};
     }
 }
 
 std::pair<int, FileStatus> LinuxFiles::status_of(const std::string& path, bool of_link) const {
     if (path == MEMORY_PATH) return {0, {S_IFCHR | 0640, 0, 1, 1 << 8 | 1}};
+    if (const auto console = console_status(path)) return {0, *console};
     const auto found = status_on_host(path, of_link);
     if (found.first != -ENOENT) return found;
     const auto status = system_.status(path, of_link);

@@ -70,7 +70,9 @@ LinuxFiles::LinuxFiles(const std::filesystem::path& root, const std::filesystem:
             throw std::runtime_error{
                 root.string() + ": cannot open as the program's root: " + std::strerror(errno)};
     }
-    auto in = std::make_shared<File>(File{File::Kind::CONSOLE, arm_open::RDONLY});
+    auto in = std::make_shared<File>(
+        File{File::Kind::CONSOLE, arm_open::RDONLY, nullptr, nullptr, SERIAL_CONSOLE});
+    if (!input.empty()) in->path = "";
     if (input == "/dev/null") {
         in->kind = File::Kind::HOST;
         in->host = std::make_shared<Handle>(memfd_create("empty", MFD_CLOEXEC));
@@ -87,7 +89,8 @@ LinuxFiles::LinuxFiles(const std::filesystem::path& root, const std::filesystem:
                                           : "is a pipe or a device, expected a file")};
     }
     add(std::move(in), 0, false);
-    const auto out = std::make_shared<File>(File{File::Kind::CONSOLE, arm_open::WRONLY});
+    const auto out = std::make_shared<File>(
+        File{File::Kind::CONSOLE, arm_open::WRONLY, nullptr, nullptr, SERIAL_CONSOLE});
     add(out, 1, false);
     add(out, 2, false);
 }
@@ -153,6 +156,10 @@ int LinuxFiles::place_to_read(const std::string& path, Place& place, Last last) 
 
 int LinuxFiles::open(const std::string& path, std::uint32_t flags, std::uint32_t mode) {
     const bool close_on_exec = flags & arm_open::CLOEXEC;
+    if (console_status(path))
+        return add(std::make_shared<File>(File{File::Kind::CONSOLE, flags & ~arm_open::CLOEXEC,
+                                               nullptr, nullptr, path}),
+                   0, close_on_exec);
     if (path == MEMORY_PATH)
         return add(std::make_shared<File>(File{File::Kind::MEMORY, flags}), 0, close_on_exec);
     if (status_on_host(path).first == -ENOENT) {
@@ -330,6 +337,38 @@ int LinuxFiles::set_close_on_exec(int fd, bool on) {
     if (slot == slots_.end()) return -EBADF;
     slot->second.close_on_exec = on;
     return 0;
+}
+
+std::vector<int> LinuxFiles::numbers() const {
+    std::vector<int> all;
+    for (const auto& [fd, slot] : slots_) all.push_back(fd);
+    return all;
+}
+
+std::string LinuxFiles::target_of(int fd) const {
+    const File* const file = find(fd);
+    if (!file) return "";
+    if (!file->path.empty()) return file->path;
+    if (file->kind == File::Kind::MEMORY) return MEMORY_PATH;
+    if (!file->device) return "/dev/null";
+    const std::uint32_t mode = file->device->status().mode;
+    return S_ISFIFO(mode) ? "pipe:[1]" : S_ISSOCK(mode) ? "socket:[1]" : "anon_inode:[file]";
+}
+
+int LinuxFiles::open_again(int fd, std::uint32_t flags) {
+    const File* const file = find(fd);
+    if (!file) return -ENOENT;
+    auto again = std::make_shared<File>(*file);
+    again->flags = flags;
+    again->next_name = 0;
+    if (file->kind == File::Kind::HOST) {
+        const std::string same = "/proc/self/fd/" + std::to_string(file->host->fd());
+        const int host = ::open(same.c_str(), host_flags(flags) & ~(O_CREAT | O_EXCL | O_NOFOLLOW));
+        if (host < 0) return -errno;
+        again->host = std::make_shared<Handle>(host);
+        if (is_one_too_many(host)) return -EMFILE;
+    }
+    return add(std::move(again), 0, flags & arm_open::CLOEXEC);
 }
 
 bool LinuxFiles::is_console(int fd) const {

@@ -2,6 +2,7 @@
 //
 //   0 stdin    the console, or a file       /dev/mem    for mmap; see address_space.h
 //   1, 2       the console                  PATH        ROOT/PATH on the host
+//   /dev/tty, /dev/console, /dev/ttyS0      the console
 //
 // A path is relative to the root, and symbolic links are followed within it, as after chroot: ".."
 // of the root is the root.  Anything that is neither file nor folder is refused (EACCES).  What the
@@ -43,8 +44,8 @@ public:
         std::function<std::int64_t(char* to, std::size_t bytes)> read;  // or EAGAIN
         std::function<bool()> readable;
     };
-    // Of the kernel's own by this path: open, or none with the error; what stat() says of it, or
-    // lstat() of a link; and where that leads.
+    // Of the kernel's own by this path: open, or none with the error or the number of a file that
+    // it is already; what stat() says of it, or lstat() of a link; and where that leads.
     struct System {
         std::function<std::pair<int, std::shared_ptr<LinuxDevice>>(const std::string& path,
                                                                    std::uint32_t flags)>
@@ -110,6 +111,10 @@ public:
     // Of a file under the root or among the libraries: the host's number, and the path by which it
     // was opened; or -1.
     std::pair<int, std::string> on_host(int fd) const;
+    std::vector<int> numbers() const;     // of open files
+    std::string target_of(int fd) const;  // of the link /proc/PID/fd/NUMBER
+    // Another open file of the same; devices and the console have their state in common.
+    int open_again(int fd, std::uint32_t flags);
     std::string path_of(int fd) const;  // by which a file or folder was opened
     // The path of a folder without links; or the error.
     std::pair<int, std::string> folder_at(const std::string& path) const;

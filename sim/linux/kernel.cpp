@@ -52,7 +52,7 @@ LinuxKernel::LinuxKernel(ArmCpu& cpu, LinuxSettings settings, Outside outside)
       host_network_{settings_.network},
       random_{SEED} {
     processes_.push_back(std::make_unique<LinuxProcess>(LinuxProcess{
-        LinuxProcess::FIRST, 0, std::make_shared<AddressSpace>(cpu.core()),
+        LinuxProcess::FIRST, LinuxProcess::SHELL, std::make_shared<AddressSpace>(cpu.core()),
         LinuxFiles{settings_.root, CROSS_LIBRARIES, settings_.input, console_, system_}}));
     process_ = processes_.front().get();
     cpu.attach(this);

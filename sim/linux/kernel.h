@@ -275,7 +275,7 @@ private:
 
     // kernel_system.cpp
     std::shared_ptr<AttributeFile> open_attribute(const std::string& path);
-    std::optional<std::string> text_of_process(const LinuxProcess& process,
+    std::optional<std::string> text_of_process(const LinuxProcess&, const LinuxThread*,
                                                const std::string& name) const;
     std::optional<std::string> system_text(const std::string& path) const;
     std::string modules_text() const;
@@ -474,11 +474,11 @@ private:
     AddressSpace* attached_ = nullptr;  // that the core sees
     AddressSpace* shown_ = nullptr;     // by a debugger, in place of it
     LinuxScheduler scheduler_;
-    std::list<FutexWaiter> waiters_;  // in their order
-    int next_number_ = 2;             // of a process or thread
-    std::uint64_t since_ns_ = 0;      // when the running one was accounted
-    bool yields_ = false;             // the running one, by its own will
-    bool changed_ = false;            // files, so that a thread may go on
+    std::list<FutexWaiter> waiters_;             // in their order
+    int next_number_ = LinuxProcess::FIRST + 1;  // of a process or thread
+    std::uint64_t since_ns_ = 0;                 // when the running one was accounted
+    bool yields_ = false;                        // the running one, by its own will
+    bool changed_ = false;                       // files, so that a thread may go on
     bool over_ = false;
     sc_core::sc_time line_free_;  // when the console's line has taken all that was printed
     std::uint64_t random_;

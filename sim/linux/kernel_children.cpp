@@ -14,7 +14,17 @@ namespace sim {
 
 namespace {
 
-constexpr std::size_t MOST_PROCESSES = 64;
+constexpr std::size_t MOST_PROCESSES = 256;
+
+// Which forgets those that have ended.
+void give_children_to_init(std::vector<std::unique_ptr<LinuxProcess>>& processes, int of) {
+    for (const auto& other : processes)
+        if (other->parent == of) other->parent = LinuxProcess::INIT;
+    const auto is_over = [](const auto& one) {
+        return one->parent == LinuxProcess::INIT && one->status;
+    };
+    processes.erase(std::remove_if(processes.begin(), processes.end(), is_over), processes.end());
+}
 constexpr std::int32_t CHILD_EXITED = 1, CHILD_KILLED = 2;  // siginfo's si_code
 constexpr std::uint32_t NO_HANG = 1;
 
@@ -86,10 +96,9 @@ void LinuxKernel::end_process(LinuxProcess& process, std::uint32_t status) {
     process.memory = nullptr;
     process.status = status;
     changed_ = true;
-    for (const auto& other : processes_)
-        if (other->parent == process.number) other->parent = LinuxProcess::FIRST;
+    give_children_to_init(processes_, process.number);
     LinuxProcess* const parent = process_of(process.parent);
-    if (!parent) return;
+    if (!parent) return forget(process);
     const int code = static_cast<int>(status >> 8), by = static_cast<int>(status & 0x7F);
     if (process.end_signal != 0)
         send(*parent, {process.end_signal,

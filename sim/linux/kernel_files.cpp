@@ -330,7 +330,15 @@ LinuxKernel::Result LinuxKernel::sys_fcntl(const Arguments& a) {
         case arm_fcntl::SETOWN:
             if (ModuleFile* const file = module_file(fd)) file->owner = fd_of(a[2]);
             return files().flags(fd) < 0 ? -EBADF : 0;
-        default: return -EINVAL;
+        case arm_fcntl::GETPIPE_SZ:
+        case arm_fcntl::SETPIPE_SZ: {
+            LinuxDevice* const device = files().device(fd);
+            if (!device) return -EBADF;
+            changed_ = true;
+            return a[1] == arm_fcntl::GETPIPE_SZ ? device->pipe_size()
+                                                 : device->set_pipe_size(a[2]);
+        }
+        default: not_emulated(fmt::format("fcntl, command {}", a[1])); return -EINVAL;
     }
 }
 

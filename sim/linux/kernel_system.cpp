@@ -51,11 +51,15 @@ constexpr const char* IO_MEMORY =
 
 }  // namespace
 
-// Of a process, "status" and so on.
+// "status" and so on, of a process or one of its threads.
 std::optional<std::string> LinuxKernel::text_of_process(const LinuxProcess& process,
+                                                        const LinuxThread* of_thread,
                                                         const std::string& name) const {
+    const auto& threads = process.threads;
+    const LinuxThread& thread = of_thread ? *of_thread : *threads.front();
     const std::string command =
-        process.command.substr(process.command.rfind('/') + 1).substr(0, 15);
+        thread.name.empty() ? process.command.substr(process.command.rfind('/') + 1).substr(0, 15)
+                            : thread.name;
     std::uint64_t bytes = 0;
     std::string maps;
     for (const auto& [begin, area] : process.memory->areas()) {
@@ -66,13 +70,11 @@ std::optional<std::string> LinuxKernel::text_of_process(const LinuxProcess& proc
                             area.access & arm_access::EXECUTE ? 'x' : '-',
                             area.shared || area.on_bus ? 's' : 'p', area.physical);
     }
-    const auto& threads = process.threads;
-    const char* const state = process.stopped         ? "T (stopped)"
-                              : threads.front()->wait ? "S (sleeping)"
-                                                      : "R (running)";
+    const char* const state = process.stopped ? "T (stopped)"
+                              : thread.wait   ? "S (sleeping)"
+                                              : "R (running)";
     if (name == "maps") return maps;
-    if (name == "comm")
-        return (threads.front()->name.empty() ? command : threads.front()->name) + "\n";
+    if (name == "comm") return command + "\n";
     if (name == "cmdline") return process.command_line;
     if (name == "statm") return fmt::format("{0} {0} 0 0 0 0 0\n", bytes / AddressSpace::PAGE);
     if (name == "status")
@@ -80,15 +82,15 @@ std::optional<std::string> LinuxKernel::text_of_process(const LinuxProcess& proc
             "Name:\t{}\nUmask:\t{:04o}\nState:\t{}\nTgid:\t{}\nPid:\t{}\nPPid:\t{}\n"
             "Uid:\t0\t0\t0\t0\nGid:\t0\t0\t0\t0\nVmPeak:\t{:8} kB\nVmSize:\t{:8} kB\n"
             "VmRSS:\t{:8} kB\nThreads:\t{}\nCpus_allowed:\t3\nCpus_allowed_list:\t0-1\n",
-            command, process.umask, state, process.number, process.number, process.parent,
+            command, process.umask, state, process.number, thread.number, process.parent,
             bytes / 1024, bytes / 1024, bytes / 1024, threads.size());
     if (name == "stat")
         return fmt::format(
             "{0} ({1}) {7} {2} {8} {9} 1025 1 0 0 0 0 0 {3} 0 0 0 20 0 {4} 0 0 {5} {6} 4294967295 "
             "0 0 0 0 0 0 0 0 0 0 0 17 0 0 0 0 0 0\n",
-            process.number, command, process.parent, used_ns(process) / STAT_TICK_NS,
-            threads.size(), bytes, bytes / AddressSpace::PAGE, state[0], process.group,
-            process.session);
+            thread.number, command, process.parent,
+            (of_thread ? thread.used_ns : used_ns(process)) / STAT_TICK_NS, threads.size(), bytes,
+            bytes / AddressSpace::PAGE, state[0], process.group, process.session);
     return std::nullopt;
 }
 
@@ -119,14 +121,15 @@ std::optional<std::string> LinuxKernel::system_text(const std::string& path) con
     if (path == "/proc/modules") return modules_text();
     if (path == "/proc/interrupts") return interrupts_text();
     if (!begins(path, "/proc/")) return std::nullopt;
-    const std::size_t slash = path.find('/', 6);
-    if (slash == std::string::npos) return std::nullopt;
-    const std::string who = path.substr(6, slash - 6);
-    for (const auto& process : processes_)
-        if (process->memory && !process->threads.empty() &&
-            (who == std::to_string(process->number) ||
-             ((who == "self" || who == "thread-self") && process.get() == process_)))
-            return text_of_process(*process, path.substr(slash + 1));
+    const std::string name = path.substr(path.rfind('/') + 1);
+    for (const auto& process : processes_) {
+        const std::string folder = fmt::format("/proc/{}/", process->number);
+        if (!process->memory || process->threads.empty() || !begins(path, folder.c_str())) continue;
+        if (path == folder + name) return text_of_process(*process, nullptr, name);
+        for (const auto& thread : process->threads)
+            if (path == fmt::format("{}task/{}/{}", folder, thread->number, name))
+                return text_of_process(*process, thread.get(), name);
+    }
     return std::nullopt;
 }
 

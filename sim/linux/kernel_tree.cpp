@@ -13,6 +13,25 @@
 
 namespace sim {
 
+namespace {
+
+void list_process(const LinuxProcess& process, OwnFiles& all) {
+    const std::string folder = fmt::format("/proc/{}", process.number);
+    for (const char* name : {"maps", "comm", "cmdline", "statm", "status", "stat"})
+        all.add(folder + "/" + name);
+    all.add_text(folder + "/mounts",
+                 "/dev/root / ext4 rw 0 0\nproc /proc proc rw 0 0\nsysfs /sys sysfs rw 0 0\n"
+                 "tmpfs /dev/shm tmpfs rw 0 0\n");
+    for (const auto& thread : process.threads)
+        for (const char* name : {"comm", "status", "stat"})
+            all.add(fmt::format("{}/task/{}/{}", folder, thread->number, name));
+    all.add_folder(folder + "/fd");
+    for (const int fd : process.files.numbers())
+        all.add_link(fmt::format("{}/fd/{}", folder, fd), process.files.target_of(fd));
+}
+
+}  // namespace
+
 OwnFiles LinuxKernel::own_files() {
     OwnFiles all;
     for (const char* path : {"/dev/mem",
@@ -42,11 +61,18 @@ OwnFiles LinuxKernel::own_files() {
     all.add_folder("/dev/shm");
     for (const auto& [name, memory] : shared_files_) all.add("/dev/shm/" + name);
     all.add_link("/proc/self", std::to_string(process_->number));
-    all.add_link("/proc/thread-self", std::to_string(process_->number));
+    if (running_)
+        all.add_link("/proc/thread-self",
+                     fmt::format("{}/task/{}", process_->number, running_->number));
+    all.add_link("/dev/fd", "/proc/self/fd");
+    all.add_link("/dev/stdin", "/proc/self/fd/0");
+    all.add_link("/dev/stdout", "/proc/self/fd/1");
+    all.add_link("/dev/stderr", "/proc/self/fd/2");
     for (const auto& process : processes_)
-        if (process->memory && !process->threads.empty())
-            for (const char* name : {"maps", "comm", "cmdline", "statm", "status", "stat"})
-                all.add(fmt::format("/proc/{}/{}", process->number, name));
+        if (process->memory && !process->threads.empty()) list_process(*process, all);
+    all.add_link("/proc/mounts", "self/mounts");
+    all.add_text("/proc/sys/kernel/pid_max", "32768\n");
+    all.add_text("/proc/filesystems", "nodev\tproc\nnodev\tsysfs\nnodev\ttmpfs\n\text4\n");
     for (const auto& module : modules_)
         for (const auto& [id, file] : module->files)
             if (!file.path.empty()) all.add(file.path);
@@ -62,6 +88,8 @@ std::pair<int, std::shared_ptr<LinuxDevice>> LinuxKernel::open_system(const std:
                                                                       std::uint32_t flags) {
     if (path.empty()) return {-ENOENT, nullptr};
     const OwnFiles all = own_files();
+    if (const auto number = all.open_file(path, process_->number))
+        return {files().open_again(*number, flags), nullptr};
     const auto way = all.resolve(path, OwnFiles::Last::FOLLOW);
     if (!way) return {-ELOOP, nullptr};
     if (all.is_folder(*way)) {
@@ -82,6 +110,8 @@ std::pair<int, std::shared_ptr<LinuxDevice>> LinuxKernel::open_system(const std:
 std::optional<FileStatus> LinuxKernel::system_status(const std::string& path, bool of_link) {
     if (path.empty()) return std::nullopt;
     const OwnFiles all = own_files();
+    const auto number = all.open_file(path, process_->number);
+    if (number && !of_link) return files().status_of(*number).second;
     const auto way = all.resolve(path, of_link ? OwnFiles::Last::KEEP : OwnFiles::Last::FOLLOW);
     if (!way) return std::nullopt;
     if (all.is_folder(*way)) return status_of_own_folder();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <sys/resource.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -42,6 +43,18 @@ struct LinuxFiles::Place {
 };
 
 constexpr const char* MEMORY_PATH = "/dev/mem";
+constexpr const char* SERIAL_CONSOLE = "/dev/ttyS0";  // at which the program was started
+
+// Of a name of the console.
+inline std::optional<FileStatus> console_status(const std::string& path) {
+    const auto device = [](std::uint64_t major, std::uint64_t minor) {
+        return FileStatus{S_IFCHR | 0620, 0, 1, major << 8 | minor};
+    };
+    if (path == SERIAL_CONSOLE) return device(4, 64);
+    if (path == "/dev/console") return device(5, 1);
+    if (path == "/dev/tty") return device(5, 0);
+    return std::nullopt;
+}
 
 // The host's file `fd` is one of the last that it allows, which a run needs itself.  The host
 // numbers files from the lowest free number on.

@@ -62,6 +62,17 @@ std::optional<std::string> OwnFiles::resolve(const std::string& path, Last last)
     return way;
 }
 
+std::optional<int> OwnFiles::open_file(const std::string& path, int process) const {
+    const std::string folder = "/proc/" + std::to_string(process) + "/fd/";
+    std::optional<std::string> at = resolve(path, Last::KEEP);
+    for (unsigned links = 0; at && links < 3; ++links) {
+        const auto target = target_of(*at);
+        if (target && at->rfind(folder, 0) == 0) return std::stoi(at->substr(folder.size()));
+        at = target && target->front() == '/' ? resolve(*target, Last::KEEP) : std::nullopt;
+    }
+    return std::nullopt;
+}
+
 bool OwnFiles::is_folder(const std::string& path) const {
     const std::string inside = path + "/";
     const auto next = files_.lower_bound(inside);

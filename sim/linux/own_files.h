@@ -26,6 +26,9 @@ public:
     enum class Last { FOLLOW, KEEP };
     std::optional<std::string> resolve(const std::string& path, Last last) const;
 
+    // The open file of `process` to which this path leads: /proc/PROCESS/fd/NUMBER, /dev/stdin.
+    std::optional<int> open_file(const std::string& path, int process) const;
+
     // Of paths that are resolved.
     bool is_folder(const std::string& path) const;
     std::optional<std::string> target_of(const std::string& path) const;

@@ -30,6 +30,8 @@ public:
     std::int64_t write(const void* data, std::size_t bytes) override {
         return reads_ ? -EBADF : pipe_->write(data, bytes);
     }
+    std::int64_t pipe_size() const override { return static_cast<std::int64_t>(pipe_->capacity()); }
+    std::int64_t set_pipe_size(std::uint32_t bytes) override { return pipe_->set_capacity(bytes); }
     std::int64_t control(std::uint32_t request, std::uint32_t at, AddressSpace& memory) override {
         if (request != arm_ioctl::READABLE) return -ENOTTY;
         const auto count = static_cast<std::uint32_t>(pipe_->size());
@@ -58,7 +60,7 @@ std::int64_t BytePipe::read(void* data, std::size_t bytes, bool peek) {
 
 std::int64_t BytePipe::write(const void* data, std::size_t bytes) {
     if (!has_reader) return -EPIPE;
-    const std::size_t room = CAPACITY - bytes_.size();
+    const std::size_t room = capacity_ - bytes_.size();
     if (bytes > 0 && (room == 0 || (bytes <= WHOLE && room < bytes))) return -EAGAIN;
     const std::size_t count = std::min(bytes, room);
     const auto* const from = static_cast<const std::uint8_t*>(data);
@@ -67,9 +69,19 @@ std::int64_t BytePipe::write(const void* data, std::size_t bytes) {
     return static_cast<std::int64_t>(count);
 }
 
+std::int64_t BytePipe::set_capacity(std::uint32_t bytes) {
+    if (bytes > LARGEST) return -EPERM;
+    std::size_t wish = WHOLE;
+    while (wish < bytes) wish *= 2;
+    if (wish < bytes_.size()) return -EBUSY;
+    rooms_ += wish > capacity_;
+    capacity_ = wish;
+    return static_cast<std::int64_t>(wish);
+}
+
 unsigned BytePipe::can_do() const {
     const bool readable = !bytes_.empty() || !has_writer;
-    const bool writable = CAPACITY - bytes_.size() >= WHOLE || !has_reader;
+    const bool writable = capacity_ - bytes_.size() >= WHOLE || !has_reader;
     return (readable ? LinuxDevice::READ : 0) | (writable ? LinuxDevice::WRITE : 0);
 }
 

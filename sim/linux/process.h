@@ -21,7 +21,9 @@ namespace sim {
 struct KernelModule;
 
 struct LinuxProcess {
-    static constexpr int FIRST = 1;  // the one that the run is about
+    static constexpr int INIT = 1;     // which adopts orphans; there is none
+    static constexpr int SHELL = 100;  // the parent of the first; there is none
+    static constexpr int FIRST = 101;  // the one that the run is about
 
     int number, parent;
     std::shared_ptr<AddressSpace> memory;  // with its parent, after vfork
@@ -31,7 +33,7 @@ struct LinuxProcess {
     std::vector<std::unique_ptr<LinuxThread>> threads{};  // the first one first
     std::uint32_t break_begin = 0, break_end = 0, umask = 022;
     std::uint64_t used_ns = 0, used_by_children_ns = 0;  // of the processor
-    int group = FIRST, session = FIRST;
+    int group = FIRST, session = SHELL;
     bool stopped = false;
     std::optional<std::uint32_t> status{};    // once it has ended, as waitpid() has it
     unsigned end_signal = 0;                  // that its parent gets then

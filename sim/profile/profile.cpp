@@ -1,6 +1,7 @@
 #include "sim/profile/profile.h"
 
 #include <algorithm>
+#include <optional>
 
 #include <fmt/format.h>
 
@@ -9,6 +10,29 @@ namespace sim {
 namespace {
 
 constexpr std::size_t DEEPEST = 100'000;  // calls; only a program that does not return has more
+
+// The number of the object's function there, or one more.  No value: it is not the object's.
+std::optional<Profile::Place> place_in(const ElfProgram& object, std::uint32_t pc) {
+    const auto segment =
+        std::find_if(object.segments.begin(), object.segments.end(),
+                     [pc](const ElfSegment& s) { return pc - s.address < s.size; });
+    if (segment == object.segments.end()) return std::nullopt;
+    std::uint32_t begin = segment->address, end = segment->address + segment->size;
+    const auto& all = object.functions;
+    const auto next = std::upper_bound(
+        all.begin(), all.end(), pc,
+        [](std::uint32_t value, const ElfFunction& f) { return value < f.address; });
+    if (next != all.end()) end = std::min(end, next->address);
+    if (next != all.begin() && std::prev(next)->address >= begin) {
+        const ElfFunction& f = *std::prev(next);
+        const std::uint32_t f_end = f.size == 0 ? end : std::min(end, f.address + f.size);
+        if (pc < f_end)
+            return Profile::Place{static_cast<std::size_t>(std::prev(next) - all.begin()),
+                                  f.address, f_end};
+        begin = f_end;
+    }
+    return Profile::Place{all.size(), begin, end};
+}
 
 }  // namespace
 
@@ -22,29 +46,48 @@ void Profile::ran(const Run& run) {
     last_end_ = run.end;
 }
 
-Profile::Place Profile::place_of(std::uint32_t pc) const {
-    const auto& all = elf_.functions;
-    const auto next = std::upper_bound(
-        all.begin(), all.end(), pc,
-        [](std::uint32_t value, const ElfFunction& f) { return value < f.address; });
-    if (next == all.begin()) return place_outside(pc);
-    const ElfFunction& f = *(next - 1);
-    std::uint32_t border = next == all.end() ? 0xFFFFFFFF : next->address;
-    for (const ElfSegment& segment : elf_.segments)
-        if (f.address - segment.address < segment.size)
-            border = std::min(border, segment.address + segment.size);
-    const std::uint32_t end = f.size == 0 ? border : std::min(border, f.address + f.size);
-    if (pc >= end) return place_outside(pc);
-    return {static_cast<std::size_t>(next - 1 - all.begin()), f.address, end};
+// ---- Functions by number: those of the program and "???", those of each library and itself ------
+
+const ElfProgram& Profile::object(std::size_t i) const {
+    return i == 0 ? elf_ : elf_.libraries[i - 1];
 }
 
-Profile::Place Profile::place_outside(std::uint32_t pc) const {
-    const std::size_t nowhere = elf_.functions.size();
-    for (std::size_t i = elf_.libraries.size(); i-- > 0;)
-        for (const ElfSegment& segment : elf_.libraries[i].segments)
-            if (pc - segment.address < segment.size)
-                return {nowhere + 1 + i, segment.address, segment.address + segment.size};
-    return {nowhere, pc, pc + 1};
+// What has been loaded last may lie where something else was.
+Profile::Place Profile::place_of(std::uint32_t pc) const {
+    std::size_t first = elf_.functions.size() + 1;
+    for (const ElfProgram& library : elf_.libraries) first += library.functions.size() + 1;
+    for (std::size_t i = elf_.libraries.size() + 1; i-- > 0;) {
+        first -= object(i).functions.size() + 1;
+        if (auto place = place_in(object(i), pc)) {
+            place->function += first;
+            return *place;
+        }
+    }
+    return {elf_.functions.size(), pc, pc + 1};
+}
+
+std::size_t Profile::object_of(std::size_t& function) const {
+    std::size_t i = 0;
+    for (; function > object(i).functions.size(); ++i) function -= object(i).functions.size() + 1;
+    return i;
+}
+
+std::string Profile::name_in(std::size_t i, std::size_t function) const {
+    const auto& all = object(i).functions;
+    if (function < all.size()) return object(i).function(all[function].address);
+    return i == 0 ? "???" : object(i).file.filename().string();
+}
+
+// Tools add up what has the same name in the same source file.
+std::string Profile::source_of(std::size_t i) const {
+    return i == 0 ? "???" : object(i).file.filename().string();
+}
+
+std::string Profile::name(std::size_t function) const {
+    const std::size_t i = object_of(function);
+    const std::string name = name_in(i, function);
+    if (i == 0 || function == object(i).functions.size()) return name;
+    return name + " of " + object(i).file.filename().string();
 }
 
 bool Profile::same_function(std::uint32_t pc, std::uint32_t other) const {
@@ -78,30 +121,29 @@ void Profile::leave(Edges& edges, const Call& call) const {
     edge.instructions += count_ - call.begin;
 }
 
-std::string Profile::name(std::size_t function) const {
-    const std::size_t nowhere = elf_.functions.size();
-    if (function == nowhere) return "???";
-    if (function > nowhere) return elf_.libraries[function - nowhere - 1].file.filename().string();
-    return elf_.function(elf_.functions[function].address);
-}
-
 std::string Profile::callgrind() const {
     Edges edges = edges_;
     for (auto call = calls_.rbegin(); call != calls_.rend(); ++call) leave(edges, *call);
-    const std::string file = elf_.file.string();
     std::string text = fmt::format(
         "# callgrind format\nversion: 1\ncreator: de1sim\ncmd: {}\npositions: line\n"
-        "events: Instructions\nsummary: {}\n\nob={}\n",
-        file, count_, file);
+        "events: Instructions\nsummary: {}\n",
+        elf_.file.string(), count_);
     for (std::size_t f = 0; f < own_.size(); ++f) {
         auto edge = edges.lower_bound({f, 0});
         const bool calls = edge != edges.end() && edge->first.first == f;
         if (own_[f] == 0 && !calls) continue;
-        text += fmt::format("\nfl=???\nfn=({}) {}\n0 {}\n", f + 1, name(f), own_[f]);
-        for (; edge != edges.end() && edge->first.first == f; ++edge)
+        std::size_t function = f;
+        const std::size_t i = object_of(function);
+        text += fmt::format("\nob={}\nfl={}\nfn=({}) {}\n0 {}\n", object(i).file.string(),
+                            source_of(i), f + 1, name_in(i, function), own_[f]);
+        for (; edge != edges.end() && edge->first.first == f; ++edge) {
+            std::size_t callee = edge->first.second;
+            const std::size_t of = object_of(callee);
+            if (of != i)
+                text += fmt::format("cob={}\ncfi={}\n", object(of).file.string(), source_of(of));
             text += fmt::format("cfn=({}) {}\ncalls={} 0\n0 {}\n", edge->first.second + 1,
-                                name(edge->first.second), edge->second.calls,
-                                edge->second.instructions);
+                                name_in(of, callee), edge->second.calls, edge->second.instructions);
+        }
     }
     return text;
 }

@@ -93,11 +93,11 @@ TEST_F(Gdb, ListsTheThreadsOfALinuxProgramAndTheirCallers) {
         gdb({"break pthread_cancel", "continue", "info threads", "thread 2", "backtrace",
              "thread 1", "backtrace", "continue", "info threads", "thread 3", "backtrace"});
     EXPECT_THAT(text,
-                ContainsRegex("Thread 1 \"threads\" \\(runs\\) +0x[0-9a-f]+ in pthread_cancel"));
-    EXPECT_THAT(text, ContainsRegex("Thread 2 \"threads\" \\(waits for a signal\\).* in "));
+                ContainsRegex("Thread 101 \"threads\" \\(runs\\) +0x[0-9a-f]+ in pthread_cancel"));
+    EXPECT_THAT(text, ContainsRegex("Thread 102 \"threads\" \\(waits for a signal\\).* in "));
     EXPECT_THAT(text, ContainsRegex("#[0-9]+ .* in forever \\(unused="));
     EXPECT_THAT(text, ContainsRegex("#1 .* in cancels \\(\\) at "));
-    EXPECT_THAT(text, ContainsRegex("Thread 3 \"threads\" \\(waits for its turn\\).*busy \\("));
+    EXPECT_THAT(text, ContainsRegex("Thread 103 \"threads\" \\(waits for its turn\\).*busy \\("));
     EXPECT_THAT(text, ContainsRegex("#0 .*busy \\(unused="));
     end();
 }
@@ -132,7 +132,7 @@ TEST_F(Gdb, StopsWhereThreadsWaitForEachOther) {
     start(LINUX_PROGRAMS "threads", "duration: 100ms\n", {"--", "deadlocks"});
     EXPECT_THAT(gdb({"continue", "thread apply all backtrace", "continue"}),
                 AllOf(HasSubstr("received signal SIGABRT"),
-                      ContainsRegex("waits for the mutex at 0x[0-9A-F]+ that thread 1 has\\)"),
+                      ContainsRegex("waits for the mutex at 0x[0-9A-F]+ that thread 101 has\\)"),
                       HasSubstr(" in locks (unused="), HasSubstr(" in deadlocks ("),
                       HasSubstr("exited with code 01")));
     EXPECT_EQ(end().exit_code, 1);
@@ -142,8 +142,8 @@ TEST_F(Gdb, ReadsTheMemoryOfEachProcess) {
     start(LINUX_PROGRAMS "processes", "duration: 100ms\n", {"--", "forks"});
     EXPECT_THAT(gdb({"break exit", "continue", "print value", "info threads", "thread 1",
                      "print value", "set var value = 7", "continue", "print value"}),
-                AllOf(HasSubstr("$1 = 5\n"), HasSubstr("(process 2, runs)"), HasSubstr("$2 = 1\n"),
-                      HasSubstr("$3 = 7\n")));
+                AllOf(HasSubstr("$1 = 5\n"), HasSubstr("(process 102, runs)"),
+                      HasSubstr("$2 = 1\n"), HasSubstr("$3 = 7\n")));
     EXPECT_EQ(end().exit_code, 0) << said();
     EXPECT_THAT(file("console.txt"), HasSubstr("parent: 7, waited"));
 }

@@ -34,7 +34,7 @@ protected:
 TEST_F(Processes, HaveTheirOwnMemoryAndAnExitCode) {
     prints_without_a_message("forks", "child: 5\nparent: 1, waited, exit code 3, then -1\n");
 }
-TEST_F(Processes, TalkByPipes) { prints_without_a_message("pipes", "HELLO, end 0\n"); }
+TEST_F(Processes, TalkByPipes) { prints_without_a_message("pipes", "HELLO, 65536, 8192, end 0\n"); }
 TEST_F(Processes, KillEachOther) { prints_without_a_message("kills", "signal 15, told 1 times\n"); }
 TEST_F(Processes, BecomeAnotherProgram) {
     prints("becomes",
@@ -55,15 +55,15 @@ TEST_F(Processes, HaveGroupsAndSessions) {
                              "1 1 -1\nS, 1 1, -1 Operation not permitted, -1, signal 15\n");
 }
 TEST_F(Processes, AreBoundedInNumber) {
-    prints("bombs", "Resource temporarily unavailable after 63\n");
+    prints("bombs", "Resource temporarily unavailable after 255\n");
     EXPECT_THAT(report()["log"]["first"][0].get<std::string>(),
-                HasSubstr("and with it 63 processes that it had begun"));
+                HasSubstr("and with it 255 processes that it had begun"));
 }
 TEST_F(Processes, ThatWaitForEachOtherAreADeadlock) {
     EXPECT_EQ(run("hangs").exit_code, 1);
     ASSERT_THAT(report()["faults"], SizeIs(1));
     EXPECT_THAT(report()["faults"][0].get<std::string>(),
-                EndsWith("thread 1: the end of a process; thread 2: input from a pipe"));
+                EndsWith("thread 101: the end of a process; thread 102: input from a pipe"));
 }
 TEST_F(Processes, ExchangeDatagrams) {
     prints_without_a_message("udp",
@@ -81,6 +81,16 @@ TEST_F(Processes, ReachNothingOutside) {
     ASSERT_THAT(report()["log"]["first"], SizeIs(1));
     EXPECT_THAT(report()["log"]["first"][0].get<std::string>(),
                 StartsWith("192.168.1.1:80 is not reachable: the simulated Linux has no network"));
+}
+TEST_F(Processes, SeeTheirOpenFilesAndThreadsByName) {
+    prints_without_a_message("names",
+                             "/dev/ttyS0, /dev/tty, 2 threads, 5 files: pipe: 11 from a pipe\n"
+                             "processes\n"
+                             "/dev/stdout 1 4,64\n"
+                             "/dev/tty 1 5,0\n"
+                             "/dev/console 1 5,1\n"
+                             "/dev/ttyS0 1 4,64\n"
+                             "-1\n");
 }
 TEST_F(Processes, SeeFilesOfTheBoardsSystem) {
     prints_without_a_message("files", "processor\t: 0\nName:\tprocesses\n0-1\n2 processors\n");

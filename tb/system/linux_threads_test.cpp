@@ -57,14 +57,14 @@ TEST_F(Threads, ThatWaitForEachOtherAreADeadlock) {
     ASSERT_THAT(report()["faults"], SizeIs(1));
     const std::string text = report()["faults"][0];
     EXPECT_THAT(text, HasSubstr("deadlock: no thread can ever go on at 1."));
-    EXPECT_THAT(text, HasSubstr("thread 1: the mutex at 0x"));
-    EXPECT_THAT(text, EndsWith("that thread 1 has"));
+    EXPECT_THAT(text, HasSubstr("thread 101: the mutex at 0x"));
+    EXPECT_THAT(text, EndsWith("that thread 101 has"));
 }
 
 TEST_F(Threads, ThatWaitAlikeAreOneReason) {
     EXPECT_EQ(run("crowd").exit_code, 0);
     EXPECT_EQ(report()["program"]["at"]["waiting_for"],
-              "thread 1: the time to wake up; threads 2 to 51: a signal");
+              "thread 101: the time to wake up; threads 102 to 151: a signal");
 }
 
 TEST_F(Threads, AreThoseOfCppToo) {

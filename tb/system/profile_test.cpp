@@ -57,7 +57,10 @@ TEST_F(ProfileRun, IsReadByCallgrindAnnotate) {
 TEST_F(ProfileRun, HasTheLibrariesOfADynamicallyLinkedProgram) {
     const std::string profile = profile_of(LINUX_PROGRAMS "hello_pie", "duration: 50ms\n");
     for (const char* library : {"ld-linux-armhf.so.3", "libc.so.6", "libstdc++.so.6"})
-        EXPECT_THAT(profile, HasSubstr(std::string{") "} + library + "\n0 "));
+        EXPECT_THAT(profile, HasSubstr(std::string{"/"} + library + "\nfl=" + library + "\nfn=("));
+    EXPECT_THAT(profile, ::testing::ContainsRegex("libc.so.6\nfl=[^\n]*\nfn=\\([0-9]+\\) exit\n"));
+    EXPECT_THAT(profile,
+                ::testing::ContainsRegex("cob=[^\n]*libc.so.6\ncfi=libc.so.6\ncfn=\\([0-9]+\\) "));
     EXPECT_THAT(profile, ::testing::ContainsRegex("fn=\\([0-9]+\\) main\n0 [1-9]"));
 }
 

@@ -1,4 +1,5 @@
 // processes.c WHAT - processes: how they begin, end, and talk to each other
+#include <dirent.h>
 #include <errno.h>
 #include <fcntl.h>
 #include <pthread.h>
@@ -12,6 +13,8 @@
 #include <sys/mman.h>
 #include <sys/sem.h>
 #include <sys/shm.h>
+#include <sys/stat.h>
+#include <sys/sysmacros.h>
 #include <sys/wait.h>
 #include <time.h>
 #include <unistd.h>
@@ -57,6 +60,8 @@ static void pipes(void) {
     if (write(there[1], "hello", 5) != 5) return;
     long count = read(back[0], text, sizeof text);
     printf("%.*s, ", (int)count, text);
+    printf("%d, ", fcntl(there[1], F_GETPIPE_SZ));
+    printf("%d, ", fcntl(there[1], F_SETPIPE_SZ, 5000));
     close(there[1]);
     count = read(back[0], text, sizeof text);
     wait(NULL);
@@ -200,6 +205,50 @@ static void files(void) {
     printf("%ld processors\n", sysconf(_SC_NPROCESSORS_ONLN));
 }
 
+static void* sleeps(void* unused) {
+    pause();
+    return unused;
+}
+
+// What a process has open, and its threads, by their names in /proc and /dev.
+static void names(void) {
+    int ends[2];
+    char text[32] = "", path[40];
+    pthread_t thread;
+    pthread_create(&thread, NULL, sleeps, NULL);
+    if (pipe(ends) || write(ends[1], "from a pipe", 11) != 11) return;
+    const char* const tty = ttyname(0);
+    printf("%s, ", tty ? tty : strerror(errno));
+    printf("%.8s, ", ttyname(1) ? ttyname(1) : "");
+    int count = 0;
+    DIR* folder = opendir("/proc/self/task");
+    while (folder && readdir(folder)) ++count;
+    printf("%d threads, ", count - 2);
+    if (folder) closedir(folder);
+    count = 0;
+    folder = opendir("/proc/self/fd");
+    while (folder && readdir(folder)) ++count;
+    printf("%d files: ", count - 2);
+    if (folder) closedir(folder);
+    snprintf(path, sizeof path, "/proc/self/fd/%d", ends[0]);
+    printf("%.5s ", readlink(path, text, sizeof text) > 0 ? text : "");
+    snprintf(path, sizeof path, "/dev/fd/%d", ends[0]);
+    const int again = open(path, O_RDONLY);
+    printf("%d %s\n", (int)read(again, text, sizeof text), text);
+    snprintf(path, sizeof path, "/proc/%d/task/%d/comm", getpid(), getpid());
+    FILE* file = fopen(path, "r");
+    printf("%s", file && fgets(text, sizeof text, file) ? text : "no name\n");
+    static const char* const CONSOLES[] = {"/dev/stdout", "/dev/tty", "/dev/console", "/dev/ttyS0"};
+    for (unsigned i = 0; i < COUNT(CONSOLES); ++i) {
+        const int fd = open(CONSOLES[i], O_WRONLY);
+        struct stat status = {0};
+        fstat(fd, &status);
+        dprintf(fd, "%s %d %d,%d\n", CONSOLES[i], isatty(fd), major(status.st_rdev),
+                minor(status.st_rdev));
+    }
+    printf("%d\n", access("/dev/fd/99", F_OK));
+}
+
 static void bombs(void) {
     int made = 0;
     while (fork() > 0) ++made;
@@ -221,7 +270,7 @@ int main(int argc, char** argv) {
         void (*run)(void);
     } all[] = {{"forks", forks},   {"pipes", pipes},   {"kills", kills}, {"becomes", becomes},
                {"shares", shares}, {"semaphores", semaphores}, {"events", events},
-               {"groups", groups}, {"files", files},   {"bombs", bombs},   {"hangs", hangs}};
+               {"groups", groups}, {"files", files},   {"names", names},   {"bombs", bombs},   {"hangs", hangs}};
     own = argv[0];
     setvbuf(stdout, NULL, _IOLBF, 0);
     if (argc > 2 && strcmp(argv[1], "says") == 0) {
