@@ -96,6 +96,7 @@ AddressSpace::AddressSpace(ArmCore& core, std::uint32_t bottom, std::uint32_t to
 
 AddressSpace::~AddressSpace() {
     all_ram_ -= own_ram_;
+    all_areas_ -= areas_.size();
     const auto watched =
         std::pair<const std::uint8_t*, const std::uint8_t*>{host_ + bottom_, host_ + top_};
     with_files.erase(std::remove(with_files.begin(), with_files.end(), watched), with_files.end());
@@ -130,7 +131,7 @@ void AddressSpace::detach() {
 
 std::shared_ptr<AddressSpace> AddressSpace::copy() const {
     static const std::vector<std::uint8_t> zeros(PAGE);
-    if (all_ram_ + own_ram_ > ALL_RAM) return nullptr;
+    if (all_ram_ + own_ram_ > ALL_RAM || all_areas_ + areas_.size() > MOST_AREAS) return nullptr;
     auto other = std::make_shared<AddressSpace>(core_);
     for (const auto& [begin, area] : areas_) {
         const std::uint32_t bytes = area.end - begin;
@@ -168,6 +169,16 @@ bool AddressSpace::has_room(std::uint64_t bytes, bool shared) const {
 
 // ---- Areas --------------------------------------------------------------------------------------
 
+AddressSpace::Areas::iterator AddressSpace::add(std::uint32_t begin, const Area& area) {
+    ++all_areas_;
+    return areas_.emplace(begin, area).first;
+}
+
+AddressSpace::Areas::iterator AddressSpace::remove(Areas::iterator area) {
+    --all_areas_;
+    return areas_.erase(area);
+}
+
 // Splits the area around `address` there.
 void AddressSpace::split(std::uint32_t address) {
     auto area = areas_.upper_bound(address);
@@ -179,7 +190,7 @@ void AddressSpace::split(std::uint32_t address) {
     upper.physical = upper.physical_at(address - area->first);
     area->second.end = address;
     connect(area);
-    connect(areas_.emplace(address, upper).first);
+    connect(add(address, upper));
 }
 
 // Joins it with the one after it, if both are alike.
@@ -194,7 +205,7 @@ void AddressSpace::join(Areas::iterator area) {
     disconnect(area);
     disconnect(next);
     area->second.end = next->second.end;
-    areas_.erase(next);
+    remove(next);
     connect(area);
 }
 
@@ -209,7 +220,7 @@ void AddressSpace::join_all(std::uint32_t begin, std::uint32_t end) {
 }
 
 void AddressSpace::insert(std::uint32_t begin, const Area& area) {
-    const auto at = areas_.emplace(begin, area).first;
+    const auto at = add(begin, area);
     connect(at);
     count(begin, area, true);
     join(at);
@@ -217,7 +228,7 @@ void AddressSpace::insert(std::uint32_t begin, const Area& area) {
 }
 
 bool AddressSpace::map(std::uint32_t begin, std::uint32_t bytes, unsigned access) {
-    if (bytes > RAM || (access != 0 && !has_room(bytes, false))) return false;
+    if (!has_areas() || bytes > RAM || (access != 0 && !has_room(bytes, false))) return false;
     unmap(begin, bytes);
     void* const fresh = mmap(host_ + begin, bytes, PROT_READ | PROT_WRITE,
                              MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE | MAP_FIXED, -1, 0);
@@ -226,16 +237,25 @@ bool AddressSpace::map(std::uint32_t begin, std::uint32_t bytes, unsigned access
     return true;
 }
 
-void AddressSpace::map_bus(std::uint32_t begin, std::uint32_t bytes, unsigned access,
+bool AddressSpace::map_bus(std::uint32_t begin, std::uint32_t bytes, unsigned access,
                            std::uint32_t physical) {
+    if (!has_areas()) return false;
     unmap(begin, bytes);
     insert(begin, {begin + bytes, access, true, physical, nullptr});
+    return true;
+}
+
+bool AddressSpace::may_unmap(std::uint32_t begin, std::uint32_t bytes) const {
+    const auto area = at(begin);
+    const bool divides = area && area->first < begin && area->second.end - begin > bytes;
+    return !divides || has_areas();
 }
 
 bool AddressSpace::map_shared(std::uint32_t begin, std::uint32_t bytes, unsigned access,
                               std::shared_ptr<SharedMemory> memory, std::uint32_t offset) {
     const bool is_file = memory->is_file();
-    if ((!is_file && !has_room(bytes, true)) || !memory->reserve(std::uint64_t{offset} + bytes))
+    if (!has_areas() || (!is_file && !has_room(bytes, true)) ||
+        !memory->reserve(std::uint64_t{offset} + bytes))
         return false;
     unmap(begin, bytes);
     void* const fresh =
@@ -273,7 +293,7 @@ void AddressSpace::unmap(std::uint32_t begin, std::uint32_t bytes) {
         if (!it->second.on_bus)  // gives the pages back to the host
             mmap(host_ + it->first, it->second.end - it->first, PROT_NONE,
                  MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE | MAP_FIXED, -1, 0);
-        it = areas_.erase(it);
+        it = remove(it);
     }
 }
 
@@ -287,7 +307,7 @@ bool AddressSpace::protect(std::uint32_t begin, std::uint32_t bytes, unsigned ac
         if (area.access == 0 && !area.on_bus) more += next - reached;
         reached = next;
     }
-    if (all_ram_ + more > ALL_RAM) return false;
+    if (all_ram_ + more > ALL_RAM || !has_areas()) return false;
     split(begin);
     split(end);
     for (auto it = areas_.lower_bound(begin); it != areas_.end() && it->first < end; ++it) {

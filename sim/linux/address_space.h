@@ -35,6 +35,8 @@ public:
     // Pages take the board's memory only once they are written to, so more may be mapped than
     // that.
     static constexpr std::uint64_t RAM = 1u << 30, ALL_RAM = 4 * RAM;
+    // Of areas in all address spaces: the host's Linux gives a process no more than 65,530.
+    static constexpr std::size_t MOST_AREAS = 25'000;
 
     struct Area {
         std::uint32_t end;  // first address after it
@@ -61,10 +63,10 @@ public:
     void attach();
     void detach();
 
-    // Replaces what is mapped there.  False, and nothing done, if RAM is used up.
+    // Replaces what is mapped there.  False, and nothing done, if RAM or areas are used up.
     bool map(std::uint32_t begin, std::uint32_t bytes, unsigned access);
-    void map_bus(std::uint32_t begin, std::uint32_t bytes, unsigned access, std::uint32_t physical);
-    // False, and nothing done, if there is no room for it.
+    bool map_bus(std::uint32_t begin, std::uint32_t bytes, unsigned access, std::uint32_t physical);
+    // False, and nothing done, also if there is no room for it.
     bool map_shared(std::uint32_t begin, std::uint32_t bytes, unsigned access,
                     std::shared_ptr<SharedMemory> memory, std::uint32_t offset);
     // A file of map_shared() has another size.
@@ -75,7 +77,9 @@ public:
     bool holds(std::uint32_t begin, std::uint32_t bytes) const {
         return begin >= bottom_ && begin <= top_ && bytes <= top_ - begin;
     }
-    // False, and nothing done, if a part of it is not mapped, or RAM is used up.
+    // False: this would be one area too many, in the midst of one.
+    bool may_unmap(std::uint32_t begin, std::uint32_t bytes) const;
+    // False, and nothing done, if a part of it is not mapped, or RAM or areas are used up.
     bool protect(std::uint32_t begin, std::uint32_t bytes, unsigned access);
 
     bool is_after_file(std::uint32_t address) const;                 // as fit_to_files() found
@@ -106,8 +110,11 @@ private:
     void insert(std::uint32_t begin, const Area& area);
     void connect(Areas::const_iterator area);     // to the core
     void disconnect(Areas::const_iterator area);  // from it
+    Areas::iterator add(std::uint32_t begin, const Area& area);
+    Areas::iterator remove(Areas::iterator area);
     void count(std::uint32_t begin, const Area& area, bool more);
     bool has_room(std::uint64_t bytes, bool shared) const;
+    static bool has_areas() { return all_areas_ + 2 <= MOST_AREAS; }
 
     ArmCore& core_;
     const std::uint32_t bottom_, top_;
@@ -115,6 +122,7 @@ private:
     Areas areas_;                          // by begin
     std::uint64_t ram_ = 0, own_ram_ = 0;  // own: not shared
     inline static std::uint64_t all_ram_ = 0;
+    inline static std::size_t all_areas_ = 0;
     bool attached_ = false;
     bool has_files_ = false;  // or had
 };

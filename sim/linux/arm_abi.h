@@ -17,9 +17,10 @@ constexpr std::uint32_t ACCESS = 3, RDONLY = 0, WRONLY = 1, RDWR = 2, CREAT = 01
 }
 
 namespace arm_mmap {
-constexpr std::uint32_t SHARED = 1, PRIVATE = 2, TYPE = 15, FIXED = 0x10, ANONYMOUS = 0x20,
-                        FIXED_NOREPLACE = 0x100000;
-}
+constexpr std::uint32_t SHARED = 1, PRIVATE = 2, SHARED_VALIDATE = 3, TYPE = 15, FIXED = 0x10,
+                        ANONYMOUS = 0x20, FIXED_NOREPLACE = 0x100000;
+constexpr std::uint32_t KNOWN = 0x407F933;  // those that a file's mapping may have
+}  // namespace arm_mmap
 
 namespace arm_mremap {
 constexpr std::uint32_t MAYMOVE = 1, FIXED = 2;
@@ -51,9 +52,10 @@ constexpr std::uint32_t READABLE = 0x541B;  // FIONREAD
 }
 
 namespace arm_clone {
-constexpr std::uint64_t VM = 0x100, FILES = 0x400, SIGHAND = 0x800, VFORK = 0x4000,
-                        THREAD = 0x10000, SETTLS = 0x80000, PARENT_SETTID = 0x100000,
-                        CHILD_CLEARTID = 0x200000, CHILD_SETTID = 0x1000000, EXIT_SIGNAL = 0xFF;
+constexpr std::uint64_t VM = 0x100, FILES = 0x400, SIGHAND = 0x800, VFORK = 0x4000, PARENT = 0x8000,
+                        THREAD = 0x10000, NEW_NAMESPACES = 0x7E020080, SETTLS = 0x80000,
+                        PARENT_SETTID = 0x100000, CHILD_CLEARTID = 0x200000,
+                        CHILD_SETTID = 0x1000000, EXIT_SIGNAL = 0xFF;
 }
 
 namespace arm_signal {

@@ -6,7 +6,8 @@
 // Time is the simulated time since power-on, the same on all clocks; CLOCK_REALTIME therefore
 // begins in 1970.  A system call takes 1 us, about as on the board; sleeping lets simulated time
 // pass, and so does printing more than the console's line of 115,200 baud has taken away.
-// Process number 1, user 0, random bytes by a fixed seed: runs without --network are identical.
+// The first process is number 101, of user 0; random bytes are by a fixed seed: runs without
+// --network are identical.
 //
 // A wrong access is SIGSEGV, an access without a target on the bus is SIGBUS, and so on: the
 // program's handler is called, or without one the program ends.  Such an end and an exit code other
@@ -26,13 +27,12 @@
 // run.  A program that another becomes is itself, or lies under the root.
 //
 // Timers of setitimer, alarm, timer_create and timerfd; /dev/i2c-0; the processor's pins and LED
-// (gpio.h, led.h); USB devices as input devices and by usbfs (usb_bus.h).
-// Kernel modules: modules.h.  A program's access to their memory is not refused.
+// (gpio.h, led.h); USB devices (usb_bus.h); kernel modules (modules.h).
 //
 // Not handled: /dev/spidev (the DE1-SoC's device tree for Linux has no SPI device); job control;
 // owners of files other than root; mutexes with priority inheritance; the second processor: threads
-// never run at the same time; no vDSO.  Timers of processor time expire when they are due,
-// not with a tick of 10 ms; a process's time in the kernel is its own.
+// never run at the same time; no vDSO; a program may access a module's memory.  Timers of processor
+// time expire when they are due, not by a tick of 10 ms; a process's time in the kernel is its own.
 #pragma once
 
 #include <array>

@@ -41,7 +41,8 @@ LinuxKernel::Result LinuxKernel::fork(const Clone& how) {
     if (!memory) return -ENOMEM;
     const int number = next_number_++;
     auto made = std::make_unique<LinuxProcess>(
-        LinuxProcess{number, parent.number, std::move(memory), parent.files, parent.signals});
+        LinuxProcess{number, how.flags & PARENT ? parent.parent : parent.number, std::move(memory),
+                     parent.files, parent.signals});
     LinuxProcess& child = *made;
     child.break_begin = parent.break_begin;
     child.break_end = parent.break_end;

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::uint32_t FUTEX_WAIT = 0, FUTEX_WAKE = 1, FUTEX_REQUEUE = 3, FUTEX_CMP_REQUEUE = 4,
                         FUTEX_WAKE_OP = 5, FUTEX_WAIT_BITSET = 9, FUTEX_WAKE_BITSET = 10,
-                        FUTEX_COMMAND = 0x7F;
+                        FUTEX_COMMAND = 0x7F, FUTEX_PRIVATE = 0x80;
 constexpr std::uint32_t ANY_BITS = 0xFFFFFFFF;
 constexpr std::uint32_t LOCK_OWNER_DIED = 0x40000000, LOCK_OWNER = 0x3FFFFFFF,
                         LOCK_WAITERS = 0x80000000;
@@ -54,7 +54,7 @@ std::uint32_t extended(std::uint32_t value) {
 LinuxKernel::FutexKey LinuxKernel::futex_key(std::uint32_t address) const {
     const auto area = memory().at(address);
     if (area && area->second.shared)
-        return {area->second.shared.get(), area->second.physical_at(address - area->first)};
+        return {area->second.shared->identity(), area->second.physical_at(address - area->first)};
     return {&memory(), address};
 }
 
@@ -137,6 +137,12 @@ LinuxKernel::Result LinuxKernel::futex(const Arguments& a, Span kind) {
         end_ns = static_cast<std::uint64_t>(span);
         if (command == FUTEX_WAIT) end_ns = later_ns(end_ns);  // the other's is a time of the clock
     }
+    const bool has_other = command == FUTEX_REQUEUE || command == FUTEX_CMP_REQUEUE;
+    const auto is_readable = [this](std::uint32_t address) {
+        return memory().bytes(address, sizeof(std::uint32_t), arm_access::READ) != nullptr;
+    };
+    if (!(a[1] & FUTEX_PRIVATE) && (!is_readable(a[0]) || (has_other && !is_readable(a[4]))))
+        return -EFAULT;
     switch (command) {
         case FUTEX_WAIT: return futex_wait(a[0], a[2], ANY_BITS, end_ns);
         case FUTEX_WAIT_BITSET: return a[5] == 0 ? -EINVAL : futex_wait(a[0], a[2], a[5], end_ns);

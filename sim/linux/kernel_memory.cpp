@@ -50,18 +50,19 @@ LinuxKernel::Result LinuxKernel::sys_mmap2(const Arguments& a) {
     const unsigned access = a[2] & ACCESS;
     const int fd = static_cast<int>(a[4]);
     const std::uint32_t type = flags & arm_mmap::TYPE;
-    if (a[1] == 0 || type == 0 || type > 3) return -EINVAL;
+    const bool anonymous = flags & arm_mmap::ANONYMOUS;
+    if (!anonymous && files().flags(fd) < 0) return -EBADF;
+    if (a[1] == 0 || type == 0 || type > arm_mmap::SHARED_VALIDATE) return -EINVAL;
+    if (!anonymous && type == arm_mmap::SHARED_VALIDATE && (flags & ~arm_mmap::KNOWN))
+        return -EOPNOTSUPP;
     if (bytes == 0) return -ENOMEM;
     const bool fixed = flags & (arm_mmap::FIXED | arm_mmap::FIXED_NOREPLACE);
     if (fixed && (!aligned(wish) || !memory().holds(wish, bytes)))
         return aligned(wish) ? -ENOMEM : -EINVAL;
     if ((flags & arm_mmap::FIXED_NOREPLACE) && !memory().is_free(wish, bytes)) return -EEXIST;
 
-    const bool anonymous = flags & arm_mmap::ANONYMOUS;
     if (!anonymous) {
-        const int open_flags = files().flags(fd);
-        if (open_flags < 0) return -EBADF;
-        const auto mode = static_cast<std::uint32_t>(open_flags) & arm_open::ACCESS;
+        const auto mode = static_cast<std::uint32_t>(files().flags(fd)) & arm_open::ACCESS;
         const bool shared_write = (access & arm_access::WRITE) && type != arm_mmap::PRIVATE;
         if (mode == arm_open::WRONLY || (shared_write && mode != arm_open::RDWR)) return -EACCES;
         if (files().is_memory(fd)) return map_bus(a, bytes, access, a[5]);
@@ -123,9 +124,9 @@ std::int64_t LinuxKernel::map_bus(const Arguments& a, std::uint32_t bytes, unsig
     if (physical + bytes > std::uint64_t{1} << 32) return -EINVAL;
     const auto place = place_of(a[0], bytes, a[3]);
     if (!place) return -ENOMEM;
-    memory().map_bus(*place, bytes, access & ~arm_access::EXECUTE,
-                     static_cast<std::uint32_t>(physical));
-    return *place;
+    const bool mapped = memory().map_bus(*place, bytes, access & ~arm_access::EXECUTE,
+                                         static_cast<std::uint32_t>(physical));
+    return mapped ? std::int64_t{*place} : -ENOMEM;
 }
 
 // The rest of the last page stays zero.
@@ -159,6 +160,7 @@ void LinuxKernel::after_file(std::uint32_t address) {
 LinuxKernel::Result LinuxKernel::sys_munmap(const Arguments& a) {
     const std::uint32_t bytes = pages(a[1]);
     if (!aligned(a[0]) || bytes == 0 || !memory().holds(a[0], bytes)) return -EINVAL;
+    if (!memory().may_unmap(a[0], bytes)) return -ENOMEM;
     memory().unmap(a[0], bytes);
     return 0;
 }
@@ -186,18 +188,16 @@ LinuxKernel::Result LinuxKernel::sys_mremap(const Arguments& a) {
     const std::shared_ptr<SharedMemory> shared = area->second.shared;
     const std::uint32_t physical = area->second.physical_at(from - area->first);
     if (memory().holds(from, will) && memory().is_free(from + was, will - was)) {
-        if (on_bus)
-            memory().map_bus(from + was, will - was, access, physical + was);
-        else if (shared
-                     ? !memory().map_shared(from + was, will - was, access, shared, physical + was)
-                     : !memory().map(from + was, will - was, access))
-            return -ENOMEM;
-        return from;
+        const std::uint32_t more = will - was, at = physical + was;
+        const bool mapped = on_bus   ? memory().map_bus(from + was, more, access, at)
+                            : shared ? memory().map_shared(from + was, more, access, shared, at)
+                                     : memory().map(from + was, more, access);
+        return mapped ? std::int64_t{from} : -ENOMEM;
     }
     const auto to = flags & arm_mremap::MAYMOVE ? memory().find_room(will) : std::nullopt;
     if (!to) return -ENOMEM;
     if (on_bus) {
-        memory().map_bus(*to, will, access, physical);
+        if (!memory().map_bus(*to, will, access, physical)) return -ENOMEM;
     } else if (shared) {
         if (!memory().map_shared(*to, will, access, shared, physical)) return -ENOMEM;
     } else {

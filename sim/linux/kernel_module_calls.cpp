@@ -39,8 +39,9 @@ LinuxKernel::Result LinuxKernel::call_of_module(const Arguments& a) {
             if (!below || a[1] % AddressSpace::PAGE || a[3] == 0 ||
                 !below->memory->is_mapped(a[1], a[3]))
                 return -EINVAL;
-            below->memory->map_bus(a[1], a[3], arm_access::READ | arm_access::WRITE, a[2]);
-            return 0;
+            return below->memory->map_bus(a[1], a[3], arm_access::READ | arm_access::WRITE, a[2])
+                       ? 0
+                       : -ENOMEM;
         }
         case KMOD_OFFER: {
             const auto path = memory().string(a[1]);

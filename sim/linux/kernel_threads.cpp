@@ -29,6 +29,10 @@ LinuxKernel::Result LinuxKernel::clone(const Clone& how) {
     if (((how.flags & THREAD) && (how.flags & TOGETHER) != TOGETHER) ||
         ((how.flags & SIGHAND) && !(how.flags & VM)))
         return -EINVAL;
+    if (how.flags & NEW_NAMESPACES) {
+        not_emulated("clone with a new namespace");
+        return -EINVAL;
+    }
     if (threads().size() >= MOST_THREADS) return -EAGAIN;
     const auto word = bits_of(next_number_);
     LinuxProcess& process = *process_;

@@ -6,7 +6,9 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <map>
 #include <new>
+#include <utility>
 
 #include "sim/linux/address_space.h"
 #include "sim/linux/open_file.h"
@@ -21,17 +23,26 @@ int unless_too_many(int fd) {
     throw std::bad_alloc{};
 }
 
+const void* identity_of(int file) {
+    static std::map<std::pair<dev_t, ino_t>, char> files;
+    struct stat status {};
+    fstat(file, &status);
+    return &files[{status.st_dev, status.st_ino}];
+}
+
 }  // namespace
 
 SharedMemory::SharedMemory()
     : fd_{unless_too_many(memfd_create("shared", MFD_CLOEXEC))},
       is_file_{false},
-      is_writable_{true} {}
+      is_writable_{true},
+      identity_{this} {}
 
 SharedMemory::SharedMemory(int file)
     : fd_{unless_too_many(fcntl(file, F_DUPFD_CLOEXEC, 0))},
       is_file_{true},
-      is_writable_{(fcntl(file, F_GETFL) & O_ACCMODE) == O_RDWR} {}
+      is_writable_{(fcntl(file, F_GETFL) & O_ACCMODE) == O_RDWR},
+      identity_{identity_of(file)} {}
 
 SharedMemory::SharedMemory(const std::uint8_t* data, std::size_t bytes) : SharedMemory{} {
     if (!resize(bytes) || pwrite(fd_, data, bytes, 0) != static_cast<ssize_t>(bytes))

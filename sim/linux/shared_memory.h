@@ -23,8 +23,9 @@ public:
 
     int fd() const { return fd_; }  // the host's
     bool is_file() const { return is_file_; }
-    bool is_writable() const { return is_writable_; }  // no: of a file that is open for reading
-    std::uint64_t size() const;                        // of a file: as it is now
+    const void* identity() const { return identity_; }  // the same for the same file
+    bool is_writable() const { return is_writable_; }   // no: of a file that is open for reading
+    std::uint64_t size() const;                         // of a file: as it is now
     // As ftruncate: zeros after the old end.  False, and nothing done, if there is no room.
     bool resize(std::uint64_t bytes);
     // From now on it may be mapped up to here; what lies beyond its size is zero.  False, and
@@ -34,6 +35,7 @@ public:
 private:
     const int fd_;
     const bool is_file_, is_writable_;
+    const void* const identity_;
     std::uint64_t size_ = 0, reserved_ = 0;
     inline static std::uint64_t all_reserved_ = 0;
 };

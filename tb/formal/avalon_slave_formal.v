@@ -1,8 +1,8 @@
 // avalon_slave_formal.v - a slave sees the timing that it has asked for, and is answered for once
 //
 // Three slaves: one with fixed waits, a setup and a hold time; one with waitrequest and
-// readdatavalid; one that is pipelined with a latency of 2 and cannot be written.  A master keeps
-// its command until it is taken.  By 3-step induction.
+// readdatavalid; one that is pipelined with a latency of 2 and cannot be written.  The hold time of
+// the last two does not count.  A master keeps its command until it is taken.  By 3-step induction.
 //
 // Source: Avalon Interface Specifications, Avalon Memory-Mapped Interfaces.
 
@@ -37,7 +37,7 @@ module avalon_slave_formal (
         .readdatavalid_i(1'b0)
     );
     de1sim_avalon_slave #(
-        .WIDTH(16), .ADDRESS(3), .SHIFT(0), .WAITREQUEST(1), .READDATAVALID(1)
+        .WIDTH(16), .ADDRESS(3), .SHIFT(0), .WAITREQUEST(1), .READDATAVALID(1), .HOLD(1)
     ) waits (
         .clk_i(clk_i), .rst_i(rst_i), .valid_i(valid_i[1]), .ready_o(ready[1]),
         .write_i(write_i[1]), .address_i(address_i[63:32]), .wdata_i(wdata_i[31:16]),
@@ -48,7 +48,7 @@ module avalon_slave_formal (
         .waitrequest_i(waitrequest_i), .readdatavalid_i(readdatavalid_i)
     );
     de1sim_avalon_slave #(
-        .WIDTH(16), .ADDRESS(3), .SHIFT(1), .READ_WAIT(0), .LATENCY(2), .WRITES(0)
+        .WIDTH(16), .ADDRESS(3), .SHIFT(1), .READ_WAIT(0), .LATENCY(2), .WRITES(0), .HOLD(1)
     ) later (
         .clk_i(clk_i), .rst_i(rst_i), .valid_i(valid_i[2]), .ready_o(ready[2]),
         .write_i(write_i[2]), .address_i(address_i[95:64]), .wdata_i(wdata_i[47:32]),

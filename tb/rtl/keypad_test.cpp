@@ -109,6 +109,7 @@ TEST_F(Keypad, InventsNoKeyWhenThreeCornersAreHeld) {
     EXPECT_EQ(read(KEYPAD_STATUS) & 0xc, 0xcu);
     hold(0x0012);  // two of them stay: unambiguous again
     EXPECT_EQ(read(KEYPAD_KEYS), 0x0012u);
+    write(KEYPAD_STATUS, ~0x4u);
     EXPECT_EQ(read(KEYPAD_STATUS) & 0xc, 0x4u);
     write(KEYPAD_STATUS, 0x4);
     EXPECT_EQ(read(KEYPAD_STATUS) & 0xc, 0x0u);
@@ -124,6 +125,8 @@ TEST_F(Keypad, KeepsSixteenEventsInOrderAndReportsALostOne) {
     hold(1u << 15);
     EXPECT_EQ(read(KEYPAD_STATUS) & 2, 2u);
     EXPECT_EQ(read(KEYPAD_KEYS), 1u << 15);
+    write(KEYPAD_STATUS, ~2u);
+    EXPECT_EQ(read(KEYPAD_STATUS) & 2, 2u);
     write(KEYPAD_STATUS, 2);
     EXPECT_EQ(read(KEYPAD_STATUS) & 2, 0u);
     for (int i = 0; i < 8; ++i) {

@@ -224,6 +224,7 @@ TEST_F(LinuxProgram, MapsFilesThatOthersChange) {
               "g\n"
               "h\n"
               "done\n"
+              "done\n"
               "h, Permission denied\n"
               "Permission denied\n"
               "h i\n"

@@ -65,6 +65,11 @@ TEST_F(LinuxStorm, SharesNoMoreMemoryThanTheBoardHas) {
     EXPECT_EQ(console(), "4 files: No space left on device\n");
 }
 
+TEST_F(LinuxStorm, LeavesTheHostsAreasForTheRun) {
+    EXPECT_EQ(storm("maps-pages", "400ms").exit_code, 0);
+    EXPECT_EQ(console(), "Cannot allocate memory, the first, Cannot allocate memory\n");
+}
+
 TEST_F(LinuxStorm, LeavesFilesForTheRunWhenItSharesMany) {
     EXPECT_EQ(storm("shares-files", "50ms", "ulimit -n 128").exit_code, 0);
     EXPECT_EQ(console(), "many files: Cannot allocate memory\n");

@@ -1,6 +1,7 @@
 // mapped_files.c - a file that processes map shared, and what lies after its end
 #include <errno.h>
 #include <fcntl.h>
+#include <semaphore.h>
 #include <setjmp.h>
 #include <signal.h>
 #include <stdio.h>
@@ -71,6 +72,19 @@ int main(void) {
     put(longer + 7 * PAGE, 'h');
     close(fd);
     printf("%s\n", error(munmap(longer, 8 * PAGE)));
+
+    // A semaphore in a file, which two processes map, each by itself.
+    sem_t* const sem = mmap(NULL, PAGE, PROT_READ | PROT_WRITE, MAP_SHARED,
+                            open("data/mapped.bin", O_RDWR), 0);
+    sem_init(sem, 1, 0);
+    if (fork() == 0) {
+        sem_t* const same = mmap(NULL, PAGE, PROT_READ | PROT_WRITE, MAP_SHARED,
+                                 open("data/mapped.bin", O_RDWR), 0);
+        usleep(1000);
+        _exit(sem_post(same));
+    }
+    printf("%s\n", error(sem_wait(sem)));
+    wait(NULL);
 
     const int read_only = open("data/mapped.bin", O_RDONLY);
     const char* const seen = mmap(NULL, PAGE, PROT_READ, MAP_SHARED, read_only, 7 * PAGE);

@@ -54,6 +54,15 @@ int main(int argc, char** argv) {
             close(fd);
         }
         printf("%d files: %s\n", files, strerror(errno));
+    } else if (strcmp(which, "maps-pages") == 0) {
+        char* const room = mmap(NULL, 800 << 20, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+        int areas = 0;
+        while (areas < 100000 && munmap(room + areas * 8192, 4096) == 0) ++areas;
+        printf("%s, ", areas > 20000 && areas < 100000 ? strerror(errno) : "all");
+        printf("%s, ", munmap(room, 4096) == 0 ? "the first" : strerror(errno));
+        printf("%s\n", mmap(NULL, 4096, PROT_READ, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0) == MAP_FAILED
+                           ? strerror(errno)
+                           : "one more");
     } else if (strcmp(which, "shares-files") == 0) {
         int files = 0;
         for (int fd = 0; fd >= 0; ++files) {
