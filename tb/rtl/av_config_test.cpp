@@ -11,6 +11,19 @@ constexpr int LEFT_HEADPHONE = 2, DIGITAL_PATH = 5;
 
 class AvConfig : public Audio {
 protected:
+    unsigned addressed = 0;  // the byte after the last start condition
+
+    void after_clock() override {
+        Audio::after_clock();
+        const bool scl = dut.i2c_sclk_o != 0;
+        if (scl && scl_was_ && sda_was_ && !sda()) bits_ = 0;
+        if (scl && !scl_was_ && bits_ < 8) {
+            addressed = (addressed << 1 | sda()) & 0xff;
+            ++bits_;
+        }
+        scl_was_ = scl;
+        sda_was_ = sda();
+    }
     void wait_until_ready() {
         for (int i = 0; i < 20'000 && !(read(AV_CONFIG_STATUS) & RDY); ++i) clock(10);
         EXPECT_TRUE(read(AV_CONFIG_STATUS) & RDY) << "never ready";
@@ -19,6 +32,10 @@ protected:
         write(AV_CONFIG_ADDRESS, codec_register);
         write(AV_CONFIG_DATA, value);
     }
+
+private:
+    bool scl_was_ = true, sda_was_ = true;
+    unsigned bits_ = 8;
 };
 
 TEST_F(AvConfig, ReportsThatTheCodecIsSetUp) {
@@ -76,10 +93,12 @@ TEST_F(AvConfig, KeepsTheDeviceAndTheInterruptsMask) {
 }
 
 TEST_F(AvConfig, SendsNothingToTheCodecWhereAnotherDeviceIsNamed) {
+    constexpr unsigned ADDRESSES[] = {0x1a, 0x20, 0x21, 0x21};
     for (const std::uint32_t device : {1u, 2u, 3u}) {
         write(AV_CONFIG_CONTROL, device << 16);
         send(LEFT_HEADPHONE << 1, 0x0f0);
         wait_until_ready();
+        EXPECT_EQ(addressed, ADDRESSES[device] << 1) << device;
         EXPECT_EQ(read(AV_CONFIG_STATUS), CFG | RDY | AIS | ACK) << "the codec alone is there";
     }
     EXPECT_EQ(codec.reg(LEFT_HEADPHONE), 0x079);
