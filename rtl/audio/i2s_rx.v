@@ -32,12 +32,7 @@ module i2s_rx (
             if (slot_i == LEFT_LAST) left_o <= {shift_q, adcdat_i};
             if (slot_i == RIGHT_LAST) right_o <= {shift_q, adcdat_i};
         end
-        if (rst_i) begin
-            valid_o <= 1'b0;
-            shift_q <= 23'd0;
-            left_o  <= 24'd0;
-            right_o <= 24'd0;
-        end
+        if (rst_i) valid_o <= 1'b0;
     end
 endmodule
 

@@ -29,7 +29,7 @@ module vga_formal (
     input wire [31:0] free_i,        // the next word of the line
     input wire [31:0] other_i        // any other word
 );
-    wire       pixel, blank_n;
+    wire       pixel, blank_n, frame_end, odd;
     wire [8:0] index;
     wire [7:0] r, g, b;
     reg [31:0] rdata_q;
@@ -40,7 +40,7 @@ module vga_formal (
     vga dut (
 `endif
         .clk_i(clk_i), .rst_i(rst_i), .upper_i(upper_i), .enable_i(enable_i),
-        .text_front_i(13'd0), .frame_end_o(), .odd_o(), .line_end_o(), .v_next_o(),
+        .text_front_i(13'd0), .frame_end_o(frame_end), .odd_o(odd), .line_end_o(), .v_next_o(),
         .pixel_o(pixel), .index_o(index), .word_i(rdata_q),
         .cell_o(), .cell_index_o(), .cells_i(32'd0), .cells_any_i(1'b0),
         .vga_hs_no(), .vga_vs_no(), .vga_blank_no(blank_n), .vga_sync_no(),
@@ -110,6 +110,8 @@ module vga_formal (
         a_blanking_is_black: assert (blank_n || {r, g, b} == 24'd0);
         a_pixel:             assert (!blank_n || flats_q[2] || right);
         a_flat_pixel:        assert (!blank_n || !flats_q[2] || right);
+        a_fetch:             assert (odd == dut__h[0] && frame_end
+                                     == (dut__h == 10'd0 && dut__v == 10'd480));
     end
 
     // ---- Invariants: the beam is in its frame; in a flat block all is as the pixel before ----
