@@ -12,7 +12,8 @@
 #include <sys/mman.h>
 #include <unistd.h>
 
-enum { WIDTH = 320, HEIGHT = 240, WORKERS = 3, ROOM = 8, FPGA = 0xFF200000 };
+enum { WIDTH = 320, HEIGHT = 240, WORKERS = 3, ROOM = 8 };
+#define FPGA 0xFF200000  // an address of the bus
 
 struct line {
     int y;
