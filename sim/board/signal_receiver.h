@@ -7,7 +7,8 @@ namespace sim {
 
 class SignalReceiver : public Part {
 public:
-    // By its number, to the process of a number; the program itself is 1.
+    static constexpr int PROGRAM = 101;  // the number of the program's own process
+    // By its number, to the process of a number.
     virtual void send(unsigned signal, int process) = 0;
 };
 

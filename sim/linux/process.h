@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "sim/board/signal_receiver.h"
 #include "sim/linux/address_space.h"
 #include "sim/linux/files.h"
 #include "sim/linux/posix_timers.h"
@@ -21,9 +22,9 @@ namespace sim {
 struct KernelModule;
 
 struct LinuxProcess {
-    static constexpr int INIT = 1;     // which adopts orphans; there is none
-    static constexpr int SHELL = 100;  // the parent of the first; there is none
-    static constexpr int FIRST = 101;  // the one that the run is about
+    static constexpr int INIT = 1;                         // which adopts orphans; there is none
+    static constexpr int SHELL = 100;                      // the parent of the first; there is none
+    static constexpr int FIRST = SignalReceiver::PROGRAM;  // the one that the run is about
 
     int number, parent;
     std::shared_ptr<AddressSpace> memory;  // with its parent, after vfork

@@ -112,7 +112,7 @@ TEST_F(SentSignal, WakesAProgramThatWaitsAndComesFromNoProcess) {
 }
 
 TEST_F(SentSignal, GoesToAProcessByItsNumber) {
-    EXPECT_EQ(run("has-a-child", "send-signal: {name: SIGTERM, process: 2}").exit_code, 0);
+    EXPECT_EQ(run("has-a-child", "send-signal: {name: SIGTERM, process: 102}").exit_code, 0);
     EXPECT_EQ(console(), "running\ncaught 0, the child's end: 15\n");
 }
 
@@ -141,7 +141,7 @@ TEST_F(SentSignal, ToNobodyIsALineOfTheLog) {
     EXPECT_EQ(
         run("is-told", "send-signal: SIGUSR1\n  - delay: 1ms\n  - send-signal: SIGHUP").exit_code,
         0);
-    EXPECT_THAT(logged(), StartsWith("SIGHUP was sent to process 1, which has ended, at "));
+    EXPECT_THAT(logged(), StartsWith("SIGHUP was sent to process 101, which has ended, at "));
 }
 
 TEST_F(SentSignal, IsRefusedWithoutALinuxProgram) {

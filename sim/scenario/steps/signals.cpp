@@ -16,7 +16,7 @@ const std::vector<std::string> SIGNALS{
     "SIGKILL", "SIGUSR1",   "SIGSEGV", "SIGUSR2",  "SIGPIPE", "SIGALRM", "SIGTERM", "SIGSTKFLT",
     "SIGCHLD", "SIGCONT",   "SIGSTOP", "SIGTSTP",  "SIGTTIN", "SIGTTOU", "SIGURG",  "SIGXCPU",
     "SIGXFSZ", "SIGVTALRM", "SIGPROF", "SIGWINCH", "SIGIO",   "SIGPWR",  "SIGSYS"};
-constexpr std::uint64_t THE_PROGRAM = 1, MOST = 4'194'304;  // Linux's pid_max at most
+constexpr std::uint64_t MOST = 4'194'304;  // Linux's pid_max at most
 
 class SendSignal : public Action {
 public:
@@ -25,7 +25,8 @@ public:
 
     std::string describe() const override {
         return "send " + SIGNALS[number_] + " to " +
-               (process_ == THE_PROGRAM ? "the program" : "process " + std::to_string(process_));
+               (process_ == SignalReceiver::PROGRAM ? "the program"
+                                                    : "process " + std::to_string(process_));
     }
     bool needs_linux() const override { return true; }
     void act(BoardControl& board) const override {
@@ -54,8 +55,9 @@ std::vector<StepForm> signals() {
          Notation::BOTH,
          {},
          {{"name", SIGNAL, Need::REQUIRED, "", "SIGUSR1 and so on: those of `kill -l` up to 31."},
-          {"process", PROCESS, Need::OPTIONAL, "1",
-           "The process's number; the program itself is 1. If there is none the log has a line."}},
+          {"process", PROCESS, Need::OPTIONAL, "101",
+           "The process's number; the program itself is 101, what it forks first 102. If there is "
+           "none the log has a line."}},
          make<SendSignal>},
     };
 }

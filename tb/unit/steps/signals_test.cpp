@@ -33,7 +33,7 @@ protected:
 
 TEST_F(SignalSteps, SendToTheProgramOrAProcess) {
     acts("send-signal: SIGUSR1");
-    EXPECT_EQ(program.got, "10 to 1");
+    EXPECT_EQ(program.got, "10 to 101");
     acts("send-signal: {name: SIGSYS, process: 3}");
     EXPECT_EQ(program.got, "31 to 3");
     EXPECT_EQ(said("send-signal: SIGHUP"), "send SIGHUP to the program");
