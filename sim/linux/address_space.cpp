@@ -1,7 +1,6 @@
 #include "sim/linux/address_space.h"
 
 #include <fcntl.h>
-#include <signal.h>
 #include <sys/mman.h>
 #include <unistd.h>
 
@@ -11,6 +10,8 @@
 #include <new>
 #include <utility>
 #include <vector>
+
+#include "sim/linux/bus_errors.h"
 
 namespace sim {
 
@@ -24,41 +25,11 @@ std::uint64_t ram_of(std::uint32_t begin, const AddressSpace::Area& area) {
     return area.on_bus || is_file || area.access == 0 ? 0 : area.end - begin;
 }
 
-// The file may have become longer since that was found.
+// As the file is now, which may have become longer since is_beyond was found.
 bool is_after_end(std::uint32_t begin, const AddressSpace::Area& area, std::uint32_t address) {
     return area.is_beyond &&
            area.physical_at(address - begin) / AddressSpace::PAGE >=
                (area.shared->size() + AddressSpace::PAGE - 1) / AddressSpace::PAGE;
-}
-
-// Accesses to the pages of a file whose end has come nearer, or for which the disk has no room:
-// what a program does meanwhile can no longer be right.
-std::vector<std::pair<const std::uint8_t*, const std::uint8_t*>> with_files;
-struct sigaction before_files;
-
-void on_bus_error(int number, siginfo_t* info, void*) {
-    constexpr char MESSAGE[] =
-        "de1sim: error: a file that the program has mapped was made shorter by somebody else, or "
-        "the disk is full: the run ends\n";
-    const auto* const at = static_cast<const std::uint8_t*>(info->si_addr);
-    for (const auto& [begin, end] : with_files)
-        if (at >= begin && at < end) {
-            const ssize_t unused = ::write(STDERR_FILENO, MESSAGE, sizeof MESSAGE - 1);
-            _exit(unused < 0 ? 2 : 1);
-        }
-    if (before_files.sa_handler != SIG_DFL && before_files.sa_handler != SIG_IGN)
-        before_files.sa_handler(number);
-    sigaction(SIGBUS, &before_files, nullptr);
-}
-
-void watch(const std::uint8_t* begin, const std::uint8_t* end) {
-    if (with_files.empty()) {
-        struct sigaction action {};
-        action.sa_sigaction = on_bus_error;
-        action.sa_flags = SA_SIGINFO;
-        sigaction(SIGBUS, &action, &before_files);
-    }
-    with_files.emplace_back(begin, end);
 }
 
 bool is_connected(const AddressSpace::Area& area) { return area.access != 0 && !area.is_beyond; }
@@ -97,9 +68,7 @@ AddressSpace::AddressSpace(ArmCore& core, std::uint32_t bottom, std::uint32_t to
 AddressSpace::~AddressSpace() {
     all_ram_ -= own_ram_;
     all_areas_ -= areas_.size();
-    const auto watched =
-        std::pair<const std::uint8_t*, const std::uint8_t*>{host_ + bottom_, host_ + top_};
-    with_files.erase(std::remove(with_files.begin(), with_files.end(), watched), with_files.end());
+    if (has_files_) bus_errors::forget(host_ + bottom_);
     munmap(host_ + bottom_, top_ - bottom_);
 }
 
@@ -131,7 +100,8 @@ void AddressSpace::detach() {
 
 std::shared_ptr<AddressSpace> AddressSpace::copy() const {
     static const std::vector<std::uint8_t> zeros(PAGE);
-    if (all_ram_ + own_ram_ > ALL_RAM || all_areas_ + areas_.size() > MOST_AREAS) return nullptr;
+    if (all_ram_ + own_ram_ > ALL_RAM || all_areas_ + areas_.size() + 2 > MOST_AREAS)
+        return nullptr;
     auto other = std::make_shared<AddressSpace>(core_);
     for (const auto& [begin, area] : areas_) {
         const std::uint32_t bytes = area.end - begin;
@@ -264,7 +234,7 @@ bool AddressSpace::map_shared(std::uint32_t begin, std::uint32_t bytes, unsigned
     if (fresh == MAP_FAILED) return false;
     insert(begin, {begin + bytes, access, false, offset, std::move(memory), is_file});
     if (!is_file) return true;
-    if (!std::exchange(has_files_, true)) watch(host_ + bottom_, host_ + top_);
+    if (!std::exchange(has_files_, true)) bus_errors::report(host_ + bottom_, host_ + top_);
     fit_to_files();
     return true;
 }
@@ -304,7 +274,7 @@ bool AddressSpace::protect(std::uint32_t begin, std::uint32_t bytes, unsigned ac
     for (std::uint32_t reached = begin; access != 0 && reached < end;) {
         const Area area = at(reached)->second;
         const std::uint32_t next = std::min(area.end, end);
-        if (area.access == 0 && !area.on_bus) more += next - reached;
+        if (area.access == 0 && !area.on_bus && !area.shared) more += next - reached;
         reached = next;
     }
     if (all_ram_ + more > ALL_RAM || !has_areas()) return false;

@@ -46,6 +46,10 @@ std::optional<std::string> link_target(int folder, const char* name) {
     return std::string{text, static_cast<std::size_t>(bytes)};
 }
 
+bool only_reads(std::uint32_t flags) {
+    return !(flags & (arm_open::ACCESS | arm_open::CREAT | arm_open::TRUNC));
+}
+
 int host_flags(std::uint32_t flags) {
     int host = O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK | O_NOCTTY;  // opening a FIFO must not block
     host |= static_cast<int>(flags & arm_open::ACCESS);
@@ -72,7 +76,10 @@ LinuxFiles::LinuxFiles(const std::filesystem::path& root, const std::filesystem:
     }
     auto in = std::make_shared<File>(
         File{File::Kind::CONSOLE, arm_open::RDONLY, nullptr, nullptr, SERIAL_CONSOLE});
-    if (!input.empty()) in->path = "";
+    if (!input.empty()) {
+        in->path = "";
+        in->is_outside = true;
+    }
     if (input == "/dev/null") {
         in->kind = File::Kind::HOST;
         in->host = std::make_shared<Handle>(memfd_create("empty", MFD_CLOEXEC));
@@ -151,6 +158,7 @@ int LinuxFiles::place_to_read(const std::string& path, Place& place, Last last) 
     Place among_libraries;
     if (walk({libraries_, ".", "/lib"}, *name, among_libraries, last) != 0) return error;
     place = among_libraries;
+    place.is_outside = true;
     return 0;
 }
 
@@ -172,7 +180,7 @@ int LinuxFiles::open(const std::string& path, std::uint32_t flags, std::uint32_t
     }
     Place place;
     const bool creates = flags & arm_open::CREAT;
-    const bool reads = (flags & arm_open::ACCESS) == arm_open::RDONLY && !creates;
+    const bool reads = only_reads(flags);
     const Last last = flags & arm_open::NOFOLLOW || (creates && flags & arm_open::EXCL)
                           ? Last::KEEP
                           : Last::FOLLOW;
@@ -182,6 +190,7 @@ int LinuxFiles::open(const std::string& path, std::uint32_t flags, std::uint32_t
     if (fd < 0) return fd;
     auto file = std::make_shared<File>(
         File{File::Kind::HOST, flags, std::make_shared<Handle>(fd), nullptr, path});
+    file->is_outside = place.is_outside;
     if (is_one_too_many(fd)) return -EMFILE;
     return add(std::move(file), 0, close_on_exec);
 }
@@ -234,6 +243,7 @@ int LinuxFiles::set_rights(int fd, std::uint32_t mode) {
     const File* const file = find(fd);
     if (!file) return -EBADF;
     if (file->kind != File::Kind::HOST) return 0;
+    if (file->is_outside) return -EROFS;
     return static_cast<int>(or_error(::fchmod(file->host->fd(), static_cast<mode_t>(mode & 0777))));
 }
 
@@ -358,6 +368,7 @@ std::string LinuxFiles::target_of(int fd) const {
 int LinuxFiles::open_again(int fd, std::uint32_t flags) {
     const File* const file = find(fd);
     if (!file) return -ENOENT;
+    if (file->is_outside && !only_reads(flags)) return -EROFS;
     auto again = std::make_shared<File>(*file);
     again->flags = flags;
     again->next_name = 0;

@@ -17,7 +17,7 @@
 // A copy is that of a process that forks: it has the same open files.
 //
 // Not handled: making links, locks, reading /dev/mem by read(); the kernel's own files in the list
-// of a folder that the root has, too.
+// of a folder that the root has, too; numbers of pipes and sockets, which all have 1.
 #pragma once
 
 #include <sys/types.h>

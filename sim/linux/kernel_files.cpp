@@ -32,6 +32,11 @@ bool is_of_usb(const std::string& path) {
 
 bool is_shared_memory(const std::string& path) { return path.rfind("/dev/shm/", 0) == 0; }
 
+// A command that Linux has, of those that are not answered here: locks, leases and so on.
+bool is_fcntl(std::uint32_t command) {
+    return command <= 38 || (command >= 1024 && command <= 1038);
+}
+
 int fd_of(std::uint32_t value) { return static_cast<int>(value); }
 
 std::int64_t pair_of(std::uint32_t low, std::uint32_t high) {
@@ -338,7 +343,9 @@ LinuxKernel::Result LinuxKernel::sys_fcntl(const Arguments& a) {
             return a[1] == arm_fcntl::GETPIPE_SZ ? device->pipe_size()
                                                  : device->set_pipe_size(a[2]);
         }
-        default: not_emulated(fmt::format("fcntl, command {}", a[1])); return -EINVAL;
+        default:
+            if (is_fcntl(a[1])) not_emulated(fmt::format("fcntl, command {}", a[1]));
+            return -EINVAL;
     }
 }
 

@@ -1,4 +1,5 @@
 // kernel_memory.cpp - LinuxKernel's calls for memory: heap, areas, /dev/mem
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -75,7 +76,7 @@ LinuxKernel::Result LinuxKernel::sys_mmap2(const Arguments& a) {
             }
             return map_shared(a, bytes, access, device->memory(), type == arm_mmap::PRIVATE);
         }
-        if (files().is_console(fd)) return -ENODEV;
+        if (!S_ISREG(files().status_of(fd).second.mode)) return -ENODEV;
         if (type != arm_mmap::PRIVATE) {
             const auto shared = std::make_shared<SharedMemory>(files().on_host(fd).first);
             const std::int64_t place = map_shared(a, bytes, access, shared, false);

@@ -33,6 +33,7 @@ struct LinuxFiles::File {
     std::shared_ptr<Handle> host = nullptr;
     std::shared_ptr<LinuxDevice> device = nullptr;
     std::string path = "";
+    bool is_outside = false;              // of the root: only to be read
     std::vector<std::string> names = {};  // of a folder that is read, sorted
     std::size_t next_name = 0;
 };
@@ -40,6 +41,7 @@ struct LinuxFiles::File {
 struct LinuxFiles::Place {
     std::shared_ptr<Handle> folder;
     std::string name, path;
+    bool is_outside = false;  // of the root: among the libraries
 };
 
 constexpr const char* MEMORY_PATH = "/dev/mem";

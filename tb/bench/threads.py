@@ -6,21 +6,14 @@ Then it prints the switches per second between two threads.  A short run is take
 """
 import json
 import os
-import resource
 import statistics
-import subprocess
 import sys
+
+from waiting_programs import processor_s
 
 LEAST = 0.9
 TIMES = 5
 ROUNDS, SIGNALS, YIELDS = 100_000_000, 40_000, 200_000
-
-
-def processor_s(command):
-    before = resource.getrusage(resource.RUSAGE_CHILDREN)
-    subprocess.run(command, check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-    after = resource.getrusage(resource.RUSAGE_CHILDREN)
-    return after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
 
 
 def main():

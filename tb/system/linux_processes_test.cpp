@@ -92,6 +92,18 @@ TEST_F(Processes, SeeTheirOpenFilesAndThreadsByName) {
                              "/dev/ttyS0 1 4,64\n"
                              "-1\n");
 }
+TEST_F(Processes, CannotWriteToAFileOutsideOfTheirRoot) {
+    folder.put("input.txt", "as it was");
+    const std::filesystem::path file = folder / "input.txt";
+    const auto rights = std::filesystem::status(file).permissions();
+    const tb::Outcome outcome =
+        play(scenario("duration: 10ms\n"), {"--elf", LINUX_PROGRAMS "processes", "--frames", "none",
+                                            "--quiet", "--stdin", file, "--", "input"});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_EQ(console(), "-1, Read-only file system, -1, -1, 9 as it was\n");
+    EXPECT_EQ(folder.get("input.txt"), "as it was");
+    EXPECT_EQ(std::filesystem::status(file).permissions(), rights);
+}
 TEST_F(Processes, SeeFilesOfTheBoardsSystem) {
     prints_without_a_message("files", "processor\t: 0\nName:\tprocesses\n0-1\n2 processors\n");
 }

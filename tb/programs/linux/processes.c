@@ -249,6 +249,17 @@ static void names(void) {
     printf("%d\n", access("/dev/fd/99", F_OK));
 }
 
+// Standard input is a file that lies outside of the root.
+static void input(void) {
+    char text[16] = "";
+    printf("%d, ", open("/dev/stdin", O_WRONLY | O_TRUNC));
+    printf("%s, ", strerror(errno));
+    printf("%d, ", open("/proc/self/fd/0", O_RDONLY | O_TRUNC));
+    printf("%d, ", fchmod(0, 0777));
+    const int again = open("/dev/stdin", O_RDONLY);
+    printf("%d %s\n", (int)read(again, text, sizeof text), text);
+}
+
 static void bombs(void) {
     int made = 0;
     while (fork() > 0) ++made;
@@ -270,7 +281,7 @@ int main(int argc, char** argv) {
         void (*run)(void);
     } all[] = {{"forks", forks},   {"pipes", pipes},   {"kills", kills}, {"becomes", becomes},
                {"shares", shares}, {"semaphores", semaphores}, {"events", events},
-               {"groups", groups}, {"files", files},   {"names", names},   {"bombs", bombs},   {"hangs", hangs}};
+               {"groups", groups}, {"files", files},   {"names", names}, {"input", input},   {"bombs", bombs},   {"hangs", hangs}};
     own = argv[0];
     setvbuf(stdout, NULL, _IOLBF, 0);
     if (argc > 2 && strcmp(argv[1], "says") == 0) {
