@@ -80,7 +80,7 @@ public:
     }
     FileStatus status() const override { return status_; }
     std::string name() const override { return path_; }
-    // What the module's poll() has said; UNKNOWN while it has not answered.
+    // What the module's poll() has returned; UNKNOWN while it has not answered.
     unsigned can_do() const override {
         if (!events_ && !asked_) {
             asked_ = true;

@@ -35,7 +35,7 @@ TEST_F(Processes, HaveTheirOwnMemoryAndAnExitCode) {
     prints_without_a_message("forks", "child: 5\nparent: 1, waited, exit code 3, then -1\n");
 }
 TEST_F(Processes, TalkByPipes) { prints_without_a_message("pipes", "HELLO, 65536, 8192, end 0\n"); }
-TEST_F(Processes, KillEachOther) { prints_without_a_message("kills", "signal 15, told 1 times\n"); }
+TEST_F(Processes, KillEachOther) { prints_without_a_message("kills", "signal 15, 1 of SIGCHLD\n"); }
 TEST_F(Processes, BecomeAnotherProgram) {
     prints("becomes",
            "it is another, value\n7, spawned, no name\n0 7\nNo such file or directory\n");

@@ -80,7 +80,7 @@ static void kills(void) {
     kill(child, SIGTERM);
     while (!ended) pause();
     waitpid(child, &status, 0);
-    printf("signal %d, told %d times\n", WTERMSIG(status), ended);
+    printf("signal %d, %d of SIGCHLD\n", WTERMSIG(status), ended);
 }
 
 static void becomes(void) {
