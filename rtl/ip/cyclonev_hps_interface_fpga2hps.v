@@ -1,10 +1,17 @@
-// cyclonev_hps_interface_fpga2hps.v - the FPGA-to-HPS bridge: it takes nothing
+// cyclonev_hps_interface_fpga2hps.v - the FPGA-to-HPS bridge: the processor's memory and
+// peripherals for a master in the FPGA
+//
+// Addresses: DDR3 from 0 to 0x3FFFFFFF, and once more from 0x80000000 on, where the board's
+// accesses are coherent with the processor's caches; peripherals and on-chip RAM where the
+// processor has them; the bridges to the FPGA answer DECERR.
+//
+// Not handled: exclusive accesses; AxCACHE, AxPROT and AxUSER, which change nothing.
 
 `default_nettype none
 
 module cyclonev_hps_interface_fpga2hps (
     input  wire          clk,
-    input  wire [1:0]    port_size_config,
+    input  wire [1:0]    port_size_config,  // 0: 32 bits, 1: 64, 2: 128, 3: unused
     input  wire [7:0]    awid,
     input  wire [31:0]   awaddr,
     input  wire [3:0]    awlen,
@@ -48,14 +55,16 @@ module cyclonev_hps_interface_fpga2hps (
     output wire          rvalid,
     input  wire          rready
 );
-    assign {awready, wready, bid, bresp, bvalid} = 13'd0;
-    assign {arready, rid, rdata, rresp, rlast, rvalid} = 141'd0;
-    // verilator lint_off UNUSED
-    wire unused = &{1'b0, clk, port_size_config, awid, awaddr, awlen, awsize, awburst, awlock,
-                    awcache, awprot, awuser, awvalid, wid, wdata, wstrb, wlast, wvalid, bready,
-                    arid, araddr, arlen, arsize, arburst, arlock,
-                    arcache, arprot, aruser, arvalid, rready};
-    // verilator lint_on UNUSED
+    de1sim_hps_axi_port #(.PORT(6)) port (
+        .clk(clk), .port_size_config(port_size_config), .awid(awid), .awaddr(awaddr),
+        .awlen(awlen), .awsize(awsize), .awburst(awburst), .awlock(awlock), .awcache(awcache),
+        .awprot(awprot), .awuser(awuser), .awvalid(awvalid), .awready(awready), .wid(wid),
+        .wdata(wdata), .wstrb(wstrb), .wlast(wlast), .wvalid(wvalid), .wready(wready), .bid(bid),
+        .bresp(bresp), .bvalid(bvalid), .bready(bready), .arid(arid), .araddr(araddr),
+        .arlen(arlen), .arsize(arsize), .arburst(arburst), .arlock(arlock), .arcache(arcache),
+        .arprot(arprot), .aruser(aruser), .arvalid(arvalid), .arready(arready), .rid(rid),
+        .rdata(rdata), .rresp(rresp), .rlast(rlast), .rvalid(rvalid), .rready(rready)
+    );
 endmodule
 
 `default_nettype wire

@@ -7,7 +7,7 @@ module de1sim_hps_axi #(
     parameter ADDRESS_BITS = 30
 ) (
     input  wire                    clk,
-    input  wire [1:0]              size_i,  // of the bus: 0: 32 bits, 1: 64, 2: 128
+    input  wire [1:0]              size_i,  // as de1sim_hps_bridge
 
     output wire [ADDRESS_BITS-1:0] awaddr,
     output wire [2:0]              awsize,
@@ -38,7 +38,7 @@ module de1sim_hps_axi #(
     wire         ready = write ? aw_done && w_done : arready;
 
     de1sim_hps_bridge #(.FULL(FULL), .WIDTH(128)) bridge (
-        .clk_i(clk),
+        .clk_i(clk), .size_i(size_i),
         .valid_o(valid), .ready_i(ready), .write_o(write), .address_o(address),
         .wdata_o(data), .be_o(be),
         .rvalid_i(bvalid || rvalid),

@@ -22,14 +22,8 @@ std::uint64_t next_event_ps() {
 
 }  // namespace
 
-ProjectBridges::ProjectBridges(const sc_core::sc_module_name& name, ProjectChip& fpga,
-                               unsigned full_width, unsigned lightweight_width)
-    : sc_module{name},
-      lw{"lw"},
-      h2f{"h2f"},
-      fpga_{fpga},
-      full_width_{full_width},
-      lightweight_width_{lightweight_width} {
+ProjectBridges::ProjectBridges(const sc_core::sc_module_name& name, ProjectChip& fpga)
+    : sc_module{name}, lw{"lw"}, h2f{"h2f"}, fpga_{fpga} {
     lw.register_b_transport(this, &ProjectBridges::lightweight_transport);
     h2f.register_b_transport(this, &ProjectBridges::full_transport);
 }
@@ -64,7 +58,7 @@ void ProjectBridges::transport(bool full, tlm::tlm_generic_payload& tx, sc_time&
         tx.set_response_status(tlm::TLM_COMMAND_ERROR_RESPONSE);
         return;
     }
-    const unsigned width = std::min((full ? full_width_ : lightweight_width_) / 8, WORD);
+    const unsigned width = std::min(fpga_.model().bridge_width(full) / 8, WORD);
     if (width == 0) {
         tx.set_response_status(tlm::TLM_ADDRESS_ERROR_RESPONSE);
         return;

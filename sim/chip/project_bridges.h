@@ -23,9 +23,7 @@ class ProjectBridges : public sc_core::sc_module {
 public:
     tlm_utils::simple_target_socket<ProjectBridges> lw, h2f;
 
-    // The bridges' widths in bits; 0: nothing is behind that one.
-    ProjectBridges(const sc_core::sc_module_name& name, ProjectChip& fpga, unsigned full_width,
-                   unsigned lightweight_width);
+    ProjectBridges(const sc_core::sc_module_name& name, ProjectChip& fpga);
 
     // Lets the access under way end, and begins no other: the next initiator waits for ever.
     void close() { closed_ = true; }
@@ -38,7 +36,6 @@ private:
     bool access(const project::BridgeAccess& access, sc_core::sc_time& delay);
 
     ProjectChip& fpga_;
-    const unsigned full_width_, lightweight_width_;
     bool busy_ = false, closed_ = false;
     sc_core::sc_event never_;
 };

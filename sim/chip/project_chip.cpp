@@ -22,14 +22,15 @@ void ProjectChip::Unload::operator()(void* library) const { dlclose(library); }
 
 ProjectChip::ProjectChip(const sc_core::sc_module_name& name, PinListener& pins,
                          const std::filesystem::path& library, const std::string& folder,
-                         const Trace& trace, project::JtagTerminals* terminals)
+                         const Trace& trace, project::JtagTerminals* terminals,
+                         project::ProcessorMemory* memory)
     : sc_module{name}, library_{dlopen(library.c_str(), RTLD_NOW | RTLD_LOCAL)}, pins_{pins} {
     if (!library_) throw std::runtime_error{std::string{"cannot load the design: "} + dlerror()};
     const auto open =
         reinterpret_cast<project::OpenModel*>(dlsym(library_.get(), "de1sim_open_model"));
     if (!open) throw std::runtime_error{library.string() + ": is not a design that was built here"};
-    model_.reset(
-        open(pins, {folder.c_str(), trace, [](const char* line) { complain(line); }, terminals}));
+    model_.reset(open(pins, {folder.c_str(), trace, [](const char* line) { complain(line); },
+                             terminals, memory}));
     SC_HAS_PROCESS(ProjectChip);
     SC_METHOD(look);
     sensitive << look_ << board_moves_;

@@ -20,11 +20,12 @@ namespace sim {
 
 class ProjectChip : public sc_core::sc_module, public Chip {
 public:
-    // `folder` is the project's.  `terminals` may be null.  std::runtime_error: the library cannot
-    // be loaded.
+    // `folder` is the project's.  `terminals` and `memory` may be null.  std::runtime_error: the
+    // library cannot be loaded.
     ProjectChip(const sc_core::sc_module_name& name, PinListener& pins,
                 const std::filesystem::path& library, const std::string& folder, const Trace& trace,
-                project::JtagTerminals* terminals = nullptr);
+                project::JtagTerminals* terminals = nullptr,
+                project::ProcessorMemory* memory = nullptr);
     ~ProjectChip() override;
 
     ChipInputs& inputs() override { return model_->in; }

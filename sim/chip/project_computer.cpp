@@ -23,22 +23,17 @@ std::vector<Bus::Place> places_of(const project::qsys::Generated& system, std::u
     return places;
 }
 
-// Bits of that bridge; 0: nothing is behind it.
-unsigned width_of(const project::qsys::Generated& system, std::uint32_t window) {
-    for (const project::qsys::Bridge& bridge : system.bridges)
-        if (bridge.window == window) return bridge.width;
-    return 0;
-}
-
 }  // namespace
 
 ProjectComputer::ProjectComputer(const sc_core::sc_module_name& name, PinListener& pins,
                                  ChipObserver& observer, Software software,
                                  const std::filesystem::path& library, const std::string& folder,
-                                 const Trace& trace, const project::qsys::Generated& system)
+                                 const Trace& trace, const project::qsys::Generated& system,
+                                 unsigned ddr3_mb_per_s)
     : ProcessorSystem{name, pins, observer, std::move(software)},
-      fpga{"fpga", pins, library, folder, trace, this},
-      bridges{"bridges", fpga, width_of(system, H2F_BASE), width_of(system, LW_BASE)},
+      masters{*this, ddr3_mb_per_s},
+      fpga{"fpga", pins, library, folder, trace, this, &masters},
+      bridges{"bridges", fpga},
       system_{system},
       observer_{observer} {
     full_window.bind(bridges.h2f);

@@ -2,6 +2,7 @@
 // Designer system
 //
 //   ProcessorSystem --+- ProjectBridges --> ProjectChip --> pins
+//                     +- ProjectMasters <------+
 #pragma once
 
 #include <deque>
@@ -14,17 +15,18 @@
 #include "sim/chip/processor_system.h"
 #include "sim/chip/project_bridges.h"
 #include "sim/chip/project_chip.h"
+#include "sim/chip/project_masters.h"
 #include "sim/project/qsys/generate.h"
 
 namespace sim {
 
 class ProjectComputer : public ProcessorSystem, public Chip, project::JtagTerminals {
 public:
-    // `library` and `folder` as ProjectChip has them.
+    // `library` and `folder` as ProjectChip has them, `ddr3_mb_per_s` as ProjectMasters.
     ProjectComputer(const sc_core::sc_module_name& name, PinListener& pins, ChipObserver& observer,
                     Software software, const std::filesystem::path& library,
                     const std::string& folder, const Trace& trace,
-                    const project::qsys::Generated& system);
+                    const project::qsys::Generated& system, unsigned ddr3_mb_per_s);
 
     ChipInputs& inputs() override { return fpga.inputs(); }
     void catch_up() override { fpga.catch_up(); }
@@ -40,6 +42,7 @@ public:
     void close_bridges() override { bridges.close(); }
     bool is_accessing() const override { return bridges.is_busy(); }
 
+    ProjectMasters masters;
     ProjectChip fpga;
     ProjectBridges bridges;
 

@@ -22,6 +22,8 @@ public:
     Memory(const sc_core::sc_module_name& name, std::uint32_t size, sc_core::sc_time latency);
     ~Memory() override;
 
+    std::uint8_t* bytes() { return bytes_; }
+
 private:
     void b_transport(tlm::tlm_generic_payload& tx, sc_core::sc_time& delay);
     bool get_direct_mem_ptr(tlm::tlm_generic_payload& tx, tlm::tlm_dmi& dmi);

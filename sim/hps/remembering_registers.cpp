@@ -32,8 +32,10 @@ std::vector<FixedRegisters> sdram_control() { return {{0x5038, 0x5038, 0x0000000
 // The DE1-SoC's preloader: DDR3, bursts of 8; 10 columns, 15 rows, 3 banks, one chip select; 32
 // bits.
 std::map<std::uint32_t, std::uint32_t> sdram_after_preloader() {
-    constexpr std::uint32_t CTRLCFG = 0x5000, DRAMADDRW = 0x502C, DRAMIFWIDTH = 0x5030;
-    return {{CTRLCFG, 0x000A8042}, {DRAMADDRW, 0x00002DEA}, {DRAMIFWIDTH, 32}};
+    constexpr std::uint32_t CTRLCFG = 0x5000, DRAMADDRW = 0x502C, DRAMIFWIDTH = 0x5030,
+                            FPGAPORTRST = 0x5080;  // all of the FPGA's ports are out of reset
+    return {
+        {CTRLCFG, 0x000A8042}, {DRAMADDRW, 0x00002DEA}, {DRAMIFWIDTH, 32}, {FPGAPORTRST, 0x3FFF}};
 }
 
 // Cyclone V HPS TRM, Scan Manager: stat is 0, not active and no byte in its FIFOs.

@@ -32,12 +32,16 @@ public:
                          std::map<std::uint32_t, std::uint32_t> reset = {})
         : Registers{module_name}, fixed_{std::move(fixed)}, values_{std::move(reset)} {}
 
-private:
-    std::uint32_t read(std::uint32_t offset, const sc_core::sc_time&) override {
+    std::uint32_t value(std::uint32_t offset) const {
         for (const FixedRegisters& range : fixed_)
             if (offset >= range.first && offset <= range.last) return range.value;
         const auto found = values_.find(offset);
         return found == values_.end() ? 0 : found->second;
+    }
+
+private:
+    std::uint32_t read(std::uint32_t offset, const sc_core::sc_time&) override {
+        return value(offset);
     }
     void write(std::uint32_t offset, std::uint32_t value, const sc_core::sc_time&) override {
         values_[offset] = value;

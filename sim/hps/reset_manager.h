@@ -51,6 +51,11 @@ public:
         wires_.warm();
     }
 
+    std::uint32_t bridges_in_reset() const {
+        const auto found = values_.find(BRGMODRST);
+        return found == values_.end() ? 0 : found->second;
+    }
+
 private:
     static constexpr std::uint32_t STAT = 0x00, CTRL = 0x04, MPUMODRST = 0x10, PERMODRST = 0x14,
                                    BRGMODRST = 0x1C;

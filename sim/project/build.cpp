@@ -31,7 +31,8 @@ void refuse_foreign_functions(const fs::path& objects) {
     for (std::string line; std::getline(header, line);)
         if (line.find(" extern ") != std::string::npos &&
             line.find(" de1sim_init_") == std::string::npos &&
-            line.find(" de1sim_jtag_") == std::string::npos)
+            line.find(" de1sim_jtag_") == std::string::npos &&
+            line.find(" de1sim_hps_") == std::string::npos)
             throw ProjectError{
                 "a function of C is imported (DPI): " + line.substr(line.find("extern ") + 7) +
                 " runs code of this machine, which no board has; take it out"};

@@ -44,6 +44,28 @@ protected:
     ~JtagTerminals() = default;
 };
 
+// What masters in the design reach: the processor's memory, and by fpga2hps its peripherals, too.
+// Ports are 0 to 5, the command ports of fpga2sdram, and FPGA2HPS.
+class ProcessorMemory {
+public:
+    static constexpr unsigned FPGA2HPS = 6, PORTS = 7;
+    enum class Answer { DONE, NOBODY, PAST_THE_END };
+
+    // Not held in reset.
+    virtual bool is_open(unsigned port) const = 0;
+    // Takes a burst, or a word of one, at the next clock: it is open, and the memory not behind.
+    virtual bool takes(unsigned port, std::uint64_t now_ps) const = 0;
+    // Begins a burst; returns when its first word is there, or when it is written.
+    virtual std::uint64_t begin(unsigned port, unsigned bytes, bool write,
+                                std::uint64_t now_ps) = 0;
+    // A word of it, or some bytes of a word.
+    virtual Answer access(unsigned port, bool write, std::uint32_t address, std::uint8_t* data,
+                          unsigned bytes, std::uint64_t now_ps) = 0;
+
+protected:
+    ~ProcessorMemory() = default;
+};
+
 class Model {
 public:
     virtual ~Model() = default;
@@ -57,6 +79,8 @@ public:
 
     // ---- The processor's side of a design that has it ----
 
+    // Bits of a bridge's bus in the design; 0: nothing is behind it.
+    virtual unsigned bridge_width(bool full) const = 0;
     // Begins an access, at the time up to which run() has come; one at a time.
     virtual void begin(const BridgeAccess& access) = 0;
     // h2f_reset begins or ends, at that time.
@@ -79,6 +103,7 @@ struct ModelSettings {
     Trace trace;
     void (*report)(const char* line);  // what a person should know
     JtagTerminals* terminals = nullptr;
+    ProcessorMemory* memory = nullptr;  // null: there is no program
 };
 
 // `extern "C"` as de1sim_open_model; the caller deletes what it gets.

@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "sim/project/committed_system.h"
+#include "sim/project/processor_primitives.h"
 #include "sim/project/settings.h"
 #include "sim/text/lower.h"
 #include "sim/verilog/nearest.h"

@@ -7,9 +7,9 @@
 
 #include <fmt/format.h>
 
-#include "sim/project/committed_system.h"
 #include "sim/project/module_files.h"
 #include "sim/project/platform_components.h"
+#include "sim/project/processor_primitives.h"
 #include "sim/project/processor_systems.h"
 #include "sim/project/qsys/subsystems.h"
 #include "sim/project/tools.h"
@@ -196,11 +196,15 @@ private:
         project_.systems.push_back(std::move(made));
     }
 
-    void add_committed_system(const std::string& interfaces) {
-        project_.systems.push_back(committed_system(files_, interfaces));
-        note(fmt::format(
-            "{}: the .qsys of this system is not there, its Verilog is taken as it is",
-            files_.place(files_.source(files_.definition(interfaces)->source).file.path)));
+    // Of the processor that a module of the design instances primitives of.
+    void add_processor(const std::string& module) {
+        for (const qsys::Generated& system : project_.systems)
+            if (system.has_processor) return;
+        project_.systems.push_back(processor_of_primitives(files_, module));
+        for (const std::string& text : project_.systems.back().notes)
+            note(fmt::format(
+                "{}: {}", files_.place(files_.source(files_.definition(module)->source).file.path),
+                text));
     }
 
     void add_source(const Assignment& a) {
@@ -321,7 +325,7 @@ private:
             const bool from_vhdl = user && files_.is_vhdl(*user);
             if (request_.is_model(from_vhdl ? lower(name) : name) &&
                 !files_.modules().count(name)) {
-                if (name == "cyclonev_hps_interface_hps2fpga") add_committed_system(by);
+                if (is_processor_primitive(name)) add_processor(by);
                 continue;
             }
             const Definition* d = definition(name, from_vhdl);

@@ -35,6 +35,7 @@ struct ChipDescription {
     std::optional<bool> bridged_memory;  // the processor's way to our computer's memories
     std::optional<unsigned> audio_rate;  // of our computer, in samples per second
     std::optional<bool> strict_vga;      // else: yes, but for a project
+    unsigned ddr3_mb_per_s = 3'200;      // for a project's masters: 32 bits at 400 MHz, both edges
 };
 
 struct ProgramDescription {

@@ -87,6 +87,12 @@ void add_run_options(CLI::App& command, RunOptions& options) {
             "how the processor reaches the SDRAM and the on-chip memory.  mapped: at once\n"
             "(default); bridge: every access goes through the bridge's Verilog")
         ->check(CLI::IsMember({"mapped", "bridge"}));
+    command
+        .add_option("--ddr3-rate", chip.ddr3_mb_per_s,
+                    "MB/s of the processor's DDR3 for masters in the FPGA, 1 to 100000, for\n"
+                    "--project")
+        ->check(CLI::Range(1u, 100'000u))
+        ->capture_default_str();
     command.add_option_function<std::string>(
         "--gdb",
         [&](const std::string& text) {
@@ -269,7 +275,7 @@ RunDescription described_by(const CLI::App& command, const RunOptions& options, 
             if (command.count(option) > 0)
                 throw CLI::ValidationError(option, "and --project exclude each other");
     for (const char* option : {"--cpi", "--no-shortcuts", "--gdb", "--system", "--linux-root",
-                               "--module", "--stdin", "--network", "--profile"})
+                               "--module", "--stdin", "--network", "--profile", "--ddr3-rate"})
         if (command.count(option) > 0) run.program.arm_options.push_back(option);
     if (!run.program.arguments.empty()) run.program.arm_options.push_back("--");
     check(run, needs_file);

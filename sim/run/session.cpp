@@ -46,7 +46,8 @@ const project::qsys::Generated& processor_system_of(const project::Built& built)
         if (system.has_processor) return system;
     throw std::runtime_error{
         "--elf: the project has no processor to run it: expected a Platform Designer system "
-        "(.qsys) with a Hard Processor System in it"};
+        "(.qsys) with a Hard Processor System in it, or the device's primitives in the Verilog "
+        "(cyclonev_hps_interface_hps2fpga_light_weight and others)"};
 }
 
 std::optional<GdbConnection> listening_for_gdb(const RunOutputs& outputs) {
@@ -152,9 +153,9 @@ std::unique_ptr<Chip> System::chip_for(const RunPlan& plan, ProcessorSystem::Sof
     const std::string folder = project_folder_of(run.chip.project.place);
     if (plan.processor != RunPlan::Processor::ARM)
         return std::make_unique<ProjectChip>("chip", pins, built->library, folder, trace);
-    auto chip = std::make_unique<ProjectComputer>("computer", pins, observer, std::move(software),
-                                                  built->library, folder, trace,
-                                                  processor_system_of(*built));
+    auto chip = std::make_unique<ProjectComputer>(
+        "computer", pins, observer, std::move(software), built->library, folder, trace,
+        processor_system_of(*built), run.chip.ddr3_mb_per_s);
     processor = chip.get();
     return chip;
 }

@@ -1,5 +1,5 @@
-# The processor: which bridges, interrupts and pins it has.  Its pins and the DDR3's are outside of
-# the simulated FPGA, so they are ports alone.
+# The processor: which bridges, ports to its SDRAM, interrupts and pins it has.  Its pins and the
+# DDR3's are outside of the simulated FPGA, so they are ports alone.
 set_module_property NAME altera_hps
 set_module_property ELABORATION_CALLBACK elaborate
 foreach {name value} {
@@ -95,13 +95,78 @@ proc reset {name direction} {
     add_interface_port $name $port reset_n $direction 1
 }
 
-proc bridge {name master width address} {
+proc clock {name} {
     add_interface ${name}_clock clock end
     add_interface_port ${name}_clock ${name}_clk clk Input 1
-    add_interface ${name}_$master avalon [expr {$master eq "master" ? "start" : "end"}]
-    set_interface_property ${name}_$master associatedClock ${name}_clock
-    set_interface_property ${name}_$master dataWidth $width
-    set_interface_property ${name}_$master addressWidth $address
+}
+
+proc bridge {name width address} {
+    clock $name
+    add_interface ${name}_master avalon start
+    set_interface_property ${name}_master associatedClock ${name}_clock
+    set_interface_property ${name}_master dataWidth $width
+    set_interface_property ${name}_master addressWidth $address
+}
+
+# An AXI3 slave's ports, with this before their names.
+proc axi_ports {interface prefix width user} {
+    foreach {direction roles} [list \
+        Input  [list awid 8 awaddr 32 awlen 4 awsize 3 awburst 2 awlock 2 awcache 4 awprot 3 \
+                     awvalid 1 wid 8 wdata $width wstrb [expr {$width / 8}] wlast 1 wvalid 1 bready 1 \
+                     arid 8 araddr 32 arlen 4 arsize 3 arburst 2 arlock 2 arcache 4 arprot 3 \
+                     arvalid 1 rready 1] \
+        Output {awready 1 wready 1 bid 8 bresp 2 bvalid 1 arready 1} \
+        Output [list rid 8 rdata $width rresp 2 rlast 1 rvalid 1]] {
+        foreach {role bits} $roles {
+            add_interface_port $interface $prefix[string toupper $role] $role $direction $bits
+        }
+    }
+    if {!$user} return
+    foreach role {awuser aruser} {
+        add_interface_port $interface $prefix[string toupper $role] $role Input 5
+    }
+}
+
+# Words of the bus, in all of the processor's 4 GB.
+proc avalon_ports {interface prefix width kind} {
+    set bytes [expr {$width / 8}]
+    set address [expr {$width == 32 ? 30 : $width == 64 ? 29 : $width == 128 ? 28 : 27}]
+    foreach {role direction bits} [list address Input $address burstcount Input 8 \
+                                        waitrequest Output 1] {
+        add_interface_port $interface $prefix[string toupper $role] $role $direction $bits
+    }
+    if {$kind ne "Write-Only"} {
+        foreach {role direction bits} [list readdata Output $width readdatavalid Output 1 \
+                                            read Input 1] {
+            add_interface_port $interface $prefix[string toupper $role] $role $direction $bits
+        }
+    }
+    if {$kind ne "Read-Only"} {
+        foreach {role direction bits} [list writedata Input $width byteenable Input $bytes \
+                                            write Input 1] {
+            add_interface_port $interface $prefix[string toupper $role] $role $direction $bits
+        }
+    }
+}
+
+# The ports to the SDRAM: lists of kinds and widths.
+proc sdram_ports {} {
+    set kinds [regexp -all -inline {AXI-3|Bidirectional|Read-Only|Write-Only} [value F2SDRAM_Type]]
+    set widths [regexp -all -inline {\d+} [value F2SDRAM_Width]]
+    set n 0
+    foreach kind $kinds width $widths {
+        set name f2h_sdram$n
+        clock $name
+        if {$kind eq "AXI-3"} {
+            add_interface ${name}_data axi end
+            axi_ports ${name}_data ${name}_ $width false
+        } else {
+            add_interface ${name}_data avalon end
+            avalon_ports ${name}_data ${name}_ $width $kind
+        }
+        set_interface_property ${name}_data associatedClock ${name}_clock
+        incr n
+    }
 }
 
 proc elaborate {} {
@@ -119,9 +184,15 @@ proc elaborate {} {
         add_interface_port h2f_user${n}_clock h2f_user${n}_clk clk Output 1
     }
     set widths {"" 32 64 128}
-    if {[value S2F_Width] > 0} { bridge h2f_axi master [lindex $widths [value S2F_Width]] 30 }
-    if {[value F2S_Width] > 0} { bridge f2h_axi slave [lindex $widths [value F2S_Width]] 32 }
-    if {[yes LWH2F_Enable]} { bridge h2f_lw_axi master 32 21 }
+    if {[value S2F_Width] > 0} { bridge h2f_axi [lindex $widths [value S2F_Width]] 30 }
+    if {[yes LWH2F_Enable]} { bridge h2f_lw_axi 32 21 }
+    if {[value F2S_Width] > 0} {
+        clock f2h_axi
+        add_interface f2h_axi_slave axi end
+        axi_ports f2h_axi_slave f2h_ [lindex $widths [value F2S_Width]] true
+        set_interface_property f2h_axi_slave associatedClock f2h_axi_clock
+    }
+    sdram_ports
     if {[yes STM_Enable]} {
         set interface f2h_stm_hw_events
         add_interface $interface conduit end

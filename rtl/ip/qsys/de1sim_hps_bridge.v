@@ -12,6 +12,7 @@ module de1sim_hps_bridge #(
     parameter BYTES = WIDTH / 8
 ) (
     input  wire             clk_i,
+    input  wire [1:0]       size_i,  // of the bus behind it: 0: 32 bits, 1: 64, 2: 128, 3: unused
 
     output wire             valid_o,
     input  wire             ready_i,
@@ -75,9 +76,11 @@ module de1sim_hps_bridge #(
         if (FULL != 0) begin : full
             assign de1sim_chip.hps_answer[1] = answer_q;
             assign de1sim_chip.hps_full_rdata = rdata_q;
+            assign de1sim_chip.hps_size[3:2] = size_i + 2'd1;
         end else begin : lightweight
             assign de1sim_chip.hps_answer[0] = answer_q;
             assign de1sim_chip.hps_lw_rdata = rdata_q;
+            assign de1sim_chip.hps_size[1:0] = size_i + 2'd1;
         end
     endgenerate
 `endif

@@ -170,8 +170,45 @@ private:
         }
     }
 
-    // Of the processor: its reset of the FPGA and its interrupts.  Its bridges are agents of the
-    // interconnect; what its own pins do is not simulated.
+    // A port to the processor's memory, for a master at the top.
+    void exported_slave(const Export& x, const End& e) {
+        const Interface& i = *e.interface;
+        const bool is_sdram = i.name.compare(0, 9, "f2h_sdram") == 0;
+        const std::string number = is_sdram ? i.name.substr(9, 1) : "6";
+        const std::string clock =
+            End{e.instance, e.component, e.component->interface(i.property("associatedClock"))}
+                .wire("clk");
+        const auto wire = [&](const char* role) {
+            const Port* port = i.port(role);
+            return port ? port_name(x, e, *port) : std::string{"1'b0"};
+        };
+        const Port* data = i.port(is_axi(i) ? "rdata" : "readdata");
+        if (!data) data = i.port("writedata");
+        const unsigned size = data->width / 64 - data->width / 256;  // 0: 32 bits, 1: 64 ...
+        const std::string name = fmt::format("{}_{}", e.instance->name, i.name);
+        if (is_axi(i)) {
+            std::string ports;
+            for (const Port& port : i.ports)
+                ports += fmt::format(",\n        .{}({})", port.role, port_name(x, e, port));
+            return text_.line(
+                fmt::format("de1sim_hps_axi_port #(.PORT({})) {} (\n        .clk({}), "
+                            ".port_size_config(2'd{}){}\n    );",
+                            number, name, clock, size, ports));
+        }
+        text_.line(fmt::format(
+            "de1sim_hps_avalon_port #(.PORT({}), .WIDTH({})) {} (\n        .clk_i({}),\n"
+            "        .address_i({}), .burstcount_i({}), .read_i({}), .write_i({}),\n"
+            "        .writedata_i({}), .byteenable_i({}),\n"
+            "        .waitrequest_o({}), .readdata_o({}), .readdatavalid_o({})\n    );",
+            number, data->width, name, clock, wire("address"), wire("burstcount"), wire("read"),
+            wire("write"), wire("writedata"), wire("byteenable"), wire("waitrequest"),
+            i.port("readdata") ? wire("readdata") : "",
+            i.port("readdata") ? wire("readdatavalid") : ""));
+    }
+
+    // Of the processor: its reset of the FPGA and its interrupts, and its slaves that are exported.
+    // Other slaves and its bridges are agents of the interconnect; what its own pins do is not
+    // simulated.
     void processor(const std::string& name) {
         const auto wire = [&](const char* interface, const char* role) {
             const auto e = assembly_.find_end(name + "." + interface);
@@ -183,7 +220,9 @@ private:
             name, wire("h2f_reset", "reset_n"), wire("f2h_irq0", "irq"), wire("f2h_irq1", "irq")));
         for (const Export& x : system_.exports) {
             const auto e = assembly_.find_end(x.internal);
-            if (!e || !e->is_processors() || e->interface->type != "conduit") continue;
+            if (!e || !e->is_processors()) continue;
+            if (is_axi(*e->interface) || e->interface->type == "avalon") exported_slave(x, *e);
+            if (e->interface->type != "conduit") continue;
             for (const Port& port : e->interface->ports)
                 if (port.direction == Direction::OUTPUT)
                     text_.line(

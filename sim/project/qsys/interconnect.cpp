@@ -94,10 +94,11 @@ private:
         const Bus own = bus("from_" + short_name(m.end), m.width, clock.wire,
                             m.is_bridge ? "1'b0" : assembly_.reset_of(m.end));
         if (m.is_bridge) {
-            text_.line(fmt::format(
-                "de1sim_hps_bridge #(.FULL({}), .WIDTH({})) {}_agent (\n"
-                "        .clk_i({}),\n        {}\n    );",
-                window_of(m) == H2F_BASE ? 1 : 0, m.width, own.name, own.clock, asks(own)));
+            text_.line(
+                fmt::format("de1sim_hps_bridge #(.FULL({}), .WIDTH({})) {}_agent (\n"
+                            "        .clk_i({}), .size_i(2'd{}),\n        {}\n    );",
+                            window_of(m) == H2F_BASE ? 1 : 0, m.width, own.name, own.clock,
+                            m.width / 64, asks(own)));
             return own;
         }
         const Interface& i = *m.end.interface;
@@ -138,8 +139,7 @@ private:
         while (std::uint64_t{1} << bits < end) ++bits;
         if (const Master& m = map_.masters()[links.front().master]; m.is_bridge)
             out_.bridges.push_back(
-                {window_of(m), m.width, end,
-                 slaves()[links[map_.default_of(links, false)].slave].end.name(),
+                {window_of(m), end, slaves()[links[map_.default_of(links, false)].slave].end.name(),
                  slaves()[links[map_.default_of(links, true)].slave].end.name()});
         const std::string hit = own.name + "_hit";
         text_.wire(hit, static_cast<unsigned>(count));

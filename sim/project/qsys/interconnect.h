@@ -22,7 +22,6 @@ namespace sim::project::qsys {
 // A bridge of the processor with something behind it.
 struct Bridge {
     std::uint32_t window;       // its first address, of the processor
-    unsigned width;             // bits
     std::uint64_t decoded;      // bytes, after which the addresses repeat
     std::string reads, writes;  // the slave that has those of no other; empty: not known
 };

@@ -25,15 +25,9 @@ bool is_axi(const Interface& slave) {
 
 MemoryMap::MemoryMap(const Assembly& assembly) : assembly_{assembly} {
     std::map<std::string, std::size_t> masters, slaves;
-    std::map<std::string, std::string> unreached;  // masters by the processor's slave
     for (const Connection& c : assembly_.connections()) {
         if (c.kind != Connection::Kind::AVALON) continue;
         const End m = assembly_.end(c.start), s = assembly_.end(c.end);
-        if (s.is_processors()) {
-            std::string& names = unreached[c.end];
-            names += (names.empty() ? "" : ", ") + c.start;
-            continue;
-        }
         if (!masters.count(c.start)) {
             masters[c.start] = masters_.size();
             masters_.push_back(master(m));
@@ -44,10 +38,6 @@ MemoryMap::MemoryMap(const Assembly& assembly) : assembly_{assembly} {
         }
         links_.push_back({masters[c.start], slaves[c.end], c.base, c.shares});
     }
-    for (const auto& [slave, names] : unreached)
-        notes_.push_back(
-            fmt::format("{}: the processor's memory by {} is not simulated yet, for {}",
-                        assembly_.system().file.filename().string(), slave, names));
     for (std::size_t n = 0; n < masters_.size(); ++n) check_addresses(n);
     for (std::size_t n = 0; n < masters_.size(); ++n)
         add_places(masters_[n], links_of(n), 0, std::uint64_t{1} << 32, 0);

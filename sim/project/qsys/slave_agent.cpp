@@ -54,6 +54,17 @@ public:
             output("readdatavalid", "1'b0")));
     }
 
+    // The processor's memory: what a master asks of it is no signal of the design.
+    void processor() {
+        const std::string& interface = interface_.name;  // f2h_sdram0_data, f2h_axi_slave
+        const bool is_sdram = interface.compare(0, 9, "f2h_sdram") == 0;
+        text_.line(fmt::format(
+            "de1sim_hps_agent #(.PORT({}), .WIDTH({})) {} (\n        .clk_i({}), .rst_i({}),\n"
+            "        {}\n    );",
+            is_sdram ? interface.substr(9, 1) : "6", slave_.width, name_, clock_, reset_,
+            from_.is_asked()));
+    }
+
     // One transfer of one word at a time.
     void axi() {
         unsigned size = 0;
@@ -132,7 +143,10 @@ std::string Bus::is_asked() const {
 void write_slave_agent(const Assembly& assembly, VerilogText& text, const Slave& slave,
                        const Bus& from, const std::string& name, std::vector<std::string>& notes) {
     Agent agent{assembly, text, slave, from, name};
-    is_axi(*slave.end.interface) ? agent.axi() : agent.avalon();
+    if (slave.end.is_processors())
+        agent.processor();
+    else
+        is_axi(*slave.end.interface) ? agent.axi() : agent.avalon();
     if (slave.end.interface->port("pslverr"))
         notes.push_back(
             fmt::format("{}: an error of {} by pslverr is not passed on to the processor",

@@ -67,6 +67,8 @@ module de1sim_chip (
     input  wire [63:0] hps_wdata_i,
     input  wire        hps_reset_i,     // h2f_reset
     output wire [1:0]  hps_answer_o,    // follows hps_request_i
+    output wire [3:0]  hps_size_o,      // buses, full and lightweight: 0: none, 1: 32 bits, 2: 64,
+                                        // 3: 128
     output wire [63:0] hps_lw_rdata_o,
     output wire [63:0] hps_full_rdata_o,
     output wire [63:0] hps_irq_o        // IDs 72 to 135
@@ -164,6 +166,7 @@ module de1sim_chip (
     reg  [63:0] hps_wdata = 64'd0;
     reg         hps_reset = 1'b0;
     wire [1:0]  hps_answer;
+    wire [3:0]  hps_size;
     wire [63:0] hps_lw_rdata, hps_full_rdata, hps_irq;
 
     always @(posedge hps_moved_i or negedge hps_moved_i) begin
@@ -195,6 +198,7 @@ module de1sim_chip (
                      DRAM_UDQM, DRAM_LDQM};
     assign dram_dq_o = DRAM_DQ;
     assign hps_answer_o = hps_answer;
+    assign hps_size_o = hps_size;
     assign hps_lw_rdata_o = hps_lw_rdata;
     assign hps_full_rdata_o = hps_full_rdata;
     assign hps_irq_o = hps_irq;

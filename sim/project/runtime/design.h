@@ -57,6 +57,7 @@ struct ModelSettings;
     PORT(std::uint64_t, hps_wdata_i)      \
     PORT(std::uint8_t, hps_reset_i)       \
     PORT(std::uint8_t, hps_answer_o)      \
+    PORT(std::uint8_t, hps_size_o)        \
     PORT(std::uint64_t, hps_lw_rdata_o)   \
     PORT(std::uint64_t, hps_full_rdata_o) \
     PORT(std::uint64_t, hps_irq_o)

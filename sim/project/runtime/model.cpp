@@ -15,6 +15,7 @@
 #include "sim/project/runtime/design.h"
 #include "sim/project/runtime/endings.h"
 #include "sim/project/runtime/jtag.h"
+#include "sim/project/runtime/masters.h"
 
 namespace sim::project {
 
@@ -60,6 +61,7 @@ public:
             {settings.folder, std::move(sources)},
             [report = settings.report](const std::string& line) { report(line.c_str()); });
         set_jtag_terminals(settings.terminals);
+        set_processor_memory(settings.memory);
         evaluated = {&ending_, settings.report, 0};
         const InFolder in_folder{settings.folder};  // where the design's files are
         eval();
@@ -74,6 +76,11 @@ public:
 
     void run(std::uint64_t until_ps) override {
         if (play(until_ps, false)) listener_.agenda.pass_to(until_ps);
+    }
+
+    unsigned bridge_width(bool full) const override {
+        const unsigned size = top_.hps_size_o >> (full ? 2 : 0) & 3;
+        return size ? 16u << size : 0;
     }
 
     void begin(const BridgeAccess& access) override {

@@ -1,11 +1,9 @@
-#include "sim/project/committed_system.h"
+#include "sim/project/processor_primitives.h"
 
 #include <algorithm>
-#include <regex>
 
 #include "sim/hps/bridge_windows.h"
 #include "sim/project/qsys/sopcinfo.h"
-#include "sim/project/settings.h"
 
 namespace sim::project {
 
@@ -16,15 +14,6 @@ namespace {
 bool ends_with(const std::string& text, std::string_view ending) {
     return text.size() >= ending.size() &&
            text.compare(text.size() - ending.size(), ending.size(), ending) == 0;
-}
-
-// Bits of the full bridge; 0: it is not used.
-unsigned full_width(const std::string& text) {
-    static const std::regex SIZE{
-        R"(cyclonev_hps_interface_hps2fpga [^;]*port_size_config\(\{\s*2'b([01]{2}))"};
-    std::smatch found;
-    if (!std::regex_search(text, found, SIZE)) return 0;
-    return found[1] == "00" ? 32 : found[1] == "01" ? 64 : found[1] == "10" ? 128 : 0;
 }
 
 // As many addresses as the vendor's interconnect decodes: up to the end of the highest slave.
@@ -38,6 +27,10 @@ std::uint64_t decoded(const std::vector<qsys::Place>& map, std::uint32_t window)
 
 }  // namespace
 
+bool is_processor_primitive(const std::string& module) {
+    return module.compare(0, 23, "cyclonev_hps_interface_") == 0;
+}
+
 std::optional<std::string> without_pins(const fs::path& file, const std::string& text) {
     if (!ends_with(file.stem().string(), "_hps_io_border")) return {};
     const std::size_t module = text.find("\nmodule "), end = text.find(");", module);
@@ -45,21 +38,20 @@ std::optional<std::string> without_pins(const fs::path& file, const std::string&
     return text.substr(0, end + 2) + "\nendmodule\n";
 }
 
-qsys::Generated committed_system(const ModuleFiles& files, const std::string& interfaces) {
+qsys::Generated processor_of_primitives(const ModuleFiles& files, const std::string& module) {
     qsys::Generated system;
     system.has_processor = true;
+    if (!ends_with(module, "_fpga_interfaces")) return system;
     for (const fs::path& file : files.finder().files()) {
         const std::string name = file.stem().string();
-        if (file.extension() != ".sopcinfo" || interfaces.compare(0, name.size() + 1, name + "_"))
+        if (file.extension() != ".sopcinfo" || module.compare(0, name.size() + 1, name + "_"))
             continue;
         system.name = name;
         system.map = qsys::map_in_sopcinfo(file);
     }
-    const ModuleFiles::Definition& d = files.modules().at(interfaces);
-    const unsigned width = full_width(files.source(d.source).file.whole_text());
-    if (width) system.bridges.push_back({H2F_BASE, width, decoded(system.map, H2F_BASE), "", ""});
-    if (d.module->wants.count("cyclonev_hps_interface_hps2fpga_light_weight"))
-        system.bridges.push_back({LW_BASE, 32, decoded(system.map, LW_BASE), "", ""});
+    for (const std::uint32_t window : {H2F_BASE, LW_BASE})
+        system.bridges.push_back({window, decoded(system.map, window), "", ""});
+    system.notes.push_back("the .qsys of this system is not there, its Verilog is taken as it is");
     return system;
 }
 
