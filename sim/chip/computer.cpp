@@ -117,6 +117,11 @@ Computer::Computer(const sc_core::sc_module_name& name, PinListener& pins, ChipO
     fpga.on_interrupts([this](std::uint64_t levels) { hps.fpga_interrupts(levels); });
 }
 
+// Of the University Program's pixel buffer, as the DE1-SoC Computer has it.
+std::optional<PixelBuffer> Computer::pixel_buffer() const {
+    return PixelBuffer{regmap::ONCHIP_BASE, 320, 240, 16, 1024};
+}
+
 void Computer::type(const std::string& text, SerialLine to) {
     if (to == SerialLine::UART)
         hps.uart0.receive(text);

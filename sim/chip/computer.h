@@ -49,6 +49,7 @@ public:
     void hps_key(bool pressed) override { hps.gpio1.press_key(pressed); }
     void hps_accelerometer_interrupt(bool up) override { accelerometer_interrupt(up); }
     void type(const std::string& text, SerialLine to) override;
+    std::optional<PixelBuffer> pixel_buffer() const override;
     void end_trace() override { fpga.end_trace(); }
 
     // The fabric has to have run for some microseconds since.

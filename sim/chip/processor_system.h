@@ -7,6 +7,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <variant>
 
 #include "sim/cpu/arm_cpu.h"
@@ -15,6 +16,7 @@
 #include "sim/hps/bus.h"
 #include "sim/hps/memory.h"
 #include "sim/hps/peripherals.h"
+#include "sim/hps/pixel_buffer.h"
 #include "sim/pins/chip.h"
 
 #include <systemc>
@@ -31,6 +33,8 @@ public:
     ProcessorSystem(const sc_core::sc_module_name& name, PinListener& pins, ChipObserver& observer,
                     Software software);
 
+    // What /dev/fb0 is; nothing: the FPGA has none that could be found.
+    virtual std::optional<PixelBuffer> pixel_buffer() const { return {}; }
     // Something that the program has printed may still be on its way to its host.
     virtual bool is_printing() { return hps.uart0.is_sending(); }
     // Lets the access under way end, as SystemC's time goes on, and begins no other.

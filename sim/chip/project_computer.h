@@ -37,6 +37,7 @@ public:
     void hps_accelerometer_interrupt(bool up) override { accelerometer_interrupt(up); }
     void type(const std::string& text, SerialLine to) override;
     std::optional<End> end() const override;
+    std::optional<PixelBuffer> pixel_buffer() const override { return system_.pixels; }
     void end_trace() override { fpga.end_trace(); }
 
     void close_bridges() override { bridges.close(); }

@@ -178,15 +178,17 @@ private:
 };
 
 class Framebuffer final : public LinuxDevice {
-    static constexpr std::uint32_t BASE = 0xC8000000, BYTES = 0x40000, WIDTH = 320, HEIGHT = 240,
-                                   BITS = 16, LINE = 1024;
+public:
+    explicit Framebuffer(const PixelBuffer& pixels) : pixels_{pixels} {}
+
+private:
     static constexpr std::uint32_t GET_VARIABLE = 0x4600, PUT_VARIABLE = 0x4601, GET_FIXED = 0x4602,
                                    PAN = 0x4606;
 
     FileStatus status() const override { return character(29, 0); }
     std::string name() const override { return "/dev/fb0"; }
     std::optional<std::pair<std::uint32_t, std::uint32_t>> on_bus() const override {
-        return std::pair{BASE, BYTES};
+        return std::pair{pixels_.base, bytes()};
     }
     // Source: Linux 6.1, include/uapi/linux/fb.h.
     std::int64_t control(std::uint32_t request, std::uint32_t at, AddressSpace& memory) override {
@@ -197,17 +199,55 @@ class Framebuffer final : public LinuxDevice {
                 std::uint16_t steps[3], pad;
                 std::uint32_t line, registers, register_bytes, acceleration;
                 std::uint16_t capabilities, reserved[3];
-            } fixed{"de1soc pixels", BASE, BYTES, 0, 0, 2, {}, 0, LINE, 0, 0, 0, 0, {}};
+            } fixed{"de1soc pixels",
+                    pixels_.base,
+                    bytes(),
+                    0,
+                    0,
+                    2,
+                    {},
+                    0,
+                    pixels_.line,
+                    0,
+                    0,
+                    0,
+                    0,
+                    {}};
             static_assert(sizeof fixed == 68);
             return memory.write(at, &fixed, sizeof fixed) ? 0 : -EFAULT;
         }
         if (request == GET_VARIABLE || request == PUT_VARIABLE || request == PAN) {
-            std::uint32_t variable[40] = {
-                WIDTH, HEIGHT, LINE / 2, BYTES / LINE, 0, 0, BITS, 0, 11, 5, 0, 5, 6, 0, 0, 5};
+            const bool is_wide = pixels_.bits == 32;  // 8-8-8, else 5-6-5
+            const std::uint32_t bits = is_wide ? 8 : 5, green_bits = is_wide ? 8 : 6;
+            std::uint32_t variable[40] = {pixels_.width,
+                                          pixels_.height,
+                                          pixels_.line * 8 / pixels_.bits,
+                                          bytes() / pixels_.line,
+                                          0,
+                                          0,
+                                          pixels_.bits,
+                                          0,
+                                          bits + green_bits,
+                                          bits,
+                                          0,
+                                          bits,
+                                          green_bits,
+                                          0,
+                                          0,
+                                          bits};
             return memory.write(at, variable, sizeof variable) ? 0 : -EFAULT;
         }
         return -ENOTTY;
     }
+
+    // As much as the memory that has it gives: whole powers of two.
+    std::uint32_t bytes() const {
+        std::uint32_t all = 1;
+        while (all < pixels_.bytes()) all *= 2;
+        return all;
+    }
+
+    const PixelBuffer pixels_;
 };
 
 }  // namespace
@@ -231,6 +271,8 @@ std::shared_ptr<LinuxDevice> shared(std::shared_ptr<SharedMemory> memory) {
 std::shared_ptr<LinuxDevice> event(std::uint64_t value, bool as_semaphore) {
     return std::make_shared<Event>(value, as_semaphore);
 }
-std::shared_ptr<LinuxDevice> framebuffer() { return std::make_shared<Framebuffer>(); }
+std::shared_ptr<LinuxDevice> framebuffer(const PixelBuffer& pixels) {
+    return std::make_shared<Framebuffer>(pixels);
+}
 
 }  // namespace sim::devices

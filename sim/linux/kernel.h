@@ -15,9 +15,8 @@
 // emulated is reported once in the log and returns ENOSYS; see missing().  ioctl returns ENOTTY,
 // except for the settings of the console, which is a terminal.
 //
-// A call that has to wait says what for and what ends that (LinuxWait); time passes when all
-// threads wait.  A signal comes at its exact time, also into a loop.  ^C, ^\ and ^Z at the terminal
-// send theirs; there is no shell, so a program that ^Z has stopped stays so.
+// A call that has to wait says what for (LinuxWait); time passes when all threads wait.  A signal
+// comes at its exact time, also into a loop.  There is no shell: a program that ^Z stops stays so.
 //
 // Threads share one processor (scheduler.h), although the program is shown two, as on the board.
 // When all wait for each other for ever, the program ends by a fault that says who waits for whom.
@@ -26,8 +25,8 @@
 // translated is translated again after a switch from one to another.  The end of the first ends the
 // run.  A program that another becomes is itself, or lies under the root.
 //
-// Timers of setitimer, alarm, timer_create and timerfd; /dev/i2c-0; the processor's pins and LED
-// (gpio.h, led.h); USB devices (usb_bus.h); kernel modules (modules.h).
+// Timers; the processor's pins and LED (gpio.h, led.h); USB devices (usb_bus.h); kernel modules
+// (modules.h).
 //
 // Not handled: /dev/spidev (the DE1-SoC's device tree for Linux has no SPI device); job control;
 // owners of files other than root; mutexes with priority inheritance; the second processor: threads
@@ -48,6 +47,7 @@
 #include <vector>
 
 #include "sim/cpu/arm_cpu.h"
+#include "sim/hps/pixel_buffer.h"
 #include "sim/linux/address_space.h"
 #include "sim/linux/files.h"
 #include "sim/linux/gpio.h"
@@ -95,7 +95,8 @@ public:
         std::function<void(const std::string&)> log;
         // A register on the bus, for drivers; false: refused.
         std::function<bool(bool write, std::uint32_t address, std::uint32_t& value)> access;
-        I2cDevices* i2c0;  // what /dev/i2c-0 has; may be none
+        I2cDevices* i2c0;                   // what /dev/i2c-0 has; may be none
+        std::optional<PixelBuffer> pixels;  // of /dev/fb0; or there is none
     };
 
     // Attaches itself.  std::runtime_error if the root cannot be opened.
@@ -489,8 +490,7 @@ private:
     std::map<int, IpcMessages> ipc_messages_;
     int next_ipc_ = 0;
     std::set<std::uint32_t> unaligned_;  // instructions that are in the log
-    // Calls that are not emulated: how often, and where first, as in messages.
-    std::map<std::string, std::pair<unsigned, std::string>> missing_;
+    std::map<std::string, std::pair<unsigned, std::string>> missing_;  // how often, where first
     std::vector<std::weak_ptr<LinuxTimerFile>> timer_files_;
     std::set<std::string> named_files_;  // of the system, that are not there
     std::optional<int> exit_code_;

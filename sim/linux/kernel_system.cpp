@@ -170,7 +170,8 @@ std::pair<int, std::shared_ptr<LinuxDevice>> LinuxKernel::open_own(const std::st
     if (path == "/dev/zero" || path == "/dev/full") return {0, devices::zero(path == "/dev/full")};
     if (path == "/dev/urandom" || path == "/dev/random")
         return {0, devices::random([this] { return random_byte(); })};
-    if (path == "/dev/fb0") return {0, devices::framebuffer()};
+    if (path == "/dev/fb0" && outside_.pixels)
+        return {0, devices::framebuffer(*outside_.pixels)};
     if (auto device = input_.open(path)) return {0, std::move(device)};
     if (auto device = usb_.open(path)) return {0, std::move(device)};
     if (auto file = open_attribute(path)) {
@@ -213,7 +214,8 @@ std::optional<FileStatus> LinuxKernel::status_of_own(const std::string& path) {
     if (path == "/dev/null") return devices::null()->status();
     if (path == "/dev/zero" || path == "/dev/full") return devices::zero(false)->status();
     if (path == "/dev/urandom" || path == "/dev/random") return devices::random({})->status();
-    if (path == "/dev/fb0") return devices::framebuffer()->status();
+    if (path == "/dev/fb0" && outside_.pixels)
+        return devices::framebuffer(*outside_.pixels)->status();
     if (const auto device = input_.open(path)) return device->status();
     if (const auto device = usb_.open(path)) return device->status();
     if (const auto file = open_attribute(path)) return file->status();

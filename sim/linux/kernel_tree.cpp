@@ -40,7 +40,6 @@ OwnFiles LinuxKernel::own_files() {
                              "/dev/full",
                              "/dev/random",
                              "/dev/urandom",
-                             "/dev/fb0",
                              "/proc/cpuinfo",
                              "/proc/iomem",
                              "/proc/version",
@@ -57,6 +56,7 @@ OwnFiles LinuxKernel::own_files() {
                              "/sys/devices/system/cpu/present"})
         all.add(path);
     if (outside_.i2c0) all.add("/dev/i2c-0");
+    if (outside_.pixels) all.add("/dev/fb0");
     if (host_network_.exists()) all.add_text("/etc/hosts", host_network_.hosts());
     all.add_folder("/dev/shm");
     for (const auto& [name, memory] : shared_files_) all.add("/dev/shm/" + name);

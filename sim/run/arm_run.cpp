@@ -61,17 +61,19 @@ static std::vector<NamedPeer> named_peers(const std::vector<std::string>& option
     return all;
 }
 
-ArmRun::ArmRun(ArmCpu& cpu, Bus& bus, I2cDevices* i2c0, const RunPlan& plan, Recorder& recorder,
-               BoardObserver& observer)
+ArmRun::ArmRun(ProcessorSystem& processor, I2cDevices* i2c0, const RunPlan& plan,
+               Recorder& recorder, BoardObserver& observer)
     : profile_file_{plan.description.outputs.profile},
       network_{plan.description.program.network},
-      cpu_{cpu},
-      bus_{bus} {
+      cpu_{*processor.arm},
+      bus_{processor.bus} {
+    ArmCpu& cpu = cpu_;
     const ProgramDescription& program = plan.description.program;
     const TraceDescription& trace = plan.description.outputs.trace;
     const auto print = [&observer](char c) { observer.console(c, SerialLine::UART); };
     const auto log = [&observer](const std::string& line) { observer.log(line); };
-    const auto access = [&bus](bool write, std::uint32_t address, std::uint32_t& value) {
+    const auto access = [&bus = processor.bus](bool write, std::uint32_t address,
+                                               std::uint32_t& value) {
         sc_core::sc_time delay;
         return bus.transfer(write, address, reinterpret_cast<unsigned char*>(&value), sizeof value,
                             delay);
@@ -80,7 +82,7 @@ ArmRun::ArmRun(ArmCpu& cpu, Bus& bus, I2cDevices* i2c0, const RunPlan& plan, Rec
         kernel_.emplace(cpu,
                         LinuxSettings{program.linux_root, program.arguments, program.input,
                                       load_modules(program.modules), named_peers(program.network)},
-                        LinuxKernel::Outside{print, log, access, i2c0});
+                        LinuxKernel::Outside{print, log, access, i2c0, processor.pixel_buffer()});
     else
         semihosting_.emplace(cpu, Semihosting::Outside{print, log});
     if (!profile_file_.empty() || trace.is_of_a_part()) {

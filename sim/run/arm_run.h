@@ -6,6 +6,7 @@
 
 #include "sim/board/signal_receiver.h"
 #include "sim/board/usb_ports.h"
+#include "sim/chip/processor_system.h"
 #include "sim/cpu/arm_cpu.h"
 #include "sim/debug/semihosting.h"
 #include "sim/hps/bus.h"
@@ -24,9 +25,9 @@ ArmProgram load_program(const RunPlan& plan);
 
 class ArmRun final : public SignalReceiver {
 public:
-    // Attaches to the processor and to the recorder's frames.  What a Linux program prints, or
+    // `processor` is one with an ArmCpu.  Attaches to that and to the recorder's frames.  What a Linux program prints, or
     // another by semihosting, goes to `observer`.
-    ArmRun(ArmCpu& cpu, Bus& bus, I2cDevices* i2c0, const RunPlan& plan, Recorder& recorder,
+    ArmRun(ProcessorSystem& processor, I2cDevices* i2c0, const RunPlan& plan, Recorder& recorder,
            BoardObserver& observer);
 
     // At the console of these; or that nobody will.

@@ -117,8 +117,7 @@ System::System(const RunPlan& plan, ProcessorSystem::Software software,
              plan.description.outputs.out} {
     const RunOutputs& outputs = plan.description.outputs;
     if (processor && processor->arm) {
-        arm.emplace(*processor->arm, processor->bus, &board.accelerometer, plan, observers.recorder,
-                    observers.all());
+        arm.emplace(*processor, &board.accelerometer, plan, observers.recorder, observers.all());
         board.also_type_to([this](const std::string& text) { arm->type(text); });
         if (arm->on_linux()) board.parts.add("Linux program", *arm);
         arm->plug_in(board.usb);

@@ -2,6 +2,7 @@
 import pathlib
 import re
 import struct
+import subprocess
 import zlib
 
 from case import run
@@ -260,6 +261,43 @@ class Screen(SystemCase):
                     "d[1] = 0xC0001000; ok &= d[0] == 0xC0002000 && d[1] == 0xC0001000;\n"
                     "while (!ok) {}\n", mode="Normal")
         self.shown(lambda x, y: x + y, {})
+
+    FB0 = """#include <fcntl.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <sys/ioctl.h>
+#include <linux/fb.h>
+int main(void) {
+    struct fb_fix_screeninfo fixed;
+    struct fb_var_screeninfo screen;
+    const int fd = open("/dev/fb0", O_RDWR);
+    if (fd < 0 || ioctl(fd, FBIOGET_FSCREENINFO, &fixed) || ioctl(fd, FBIOGET_VSCREENINFO, &screen))
+        return perror("fb0"), 0;
+    printf("0x%lx %u: %u x %u, %u, %u\\n", fixed.smem_start, fixed.line_length, screen.xres,
+           screen.yres, screen.bits_per_pixel, screen.red.offset);
+}
+"""
+
+    def test_a_linux_program_has_the_frame_buffer_of_the_system(self):
+        memory = {"memorySize": "65536", "dataWidth": "32", "initMemContent": "false"}
+        size = {"image_width": "80", "image_height": "60", "start_address": "0x1000"}
+        for parameters, printed in (
+                (None, "fb0: No such file or directory"),
+                ({"color_space": "16-bit RGB"}, "0xc0021000 256: 80 x 60, 16, 11"),
+                ({"color_space": "24-bit RGB", "addr_mode": "Consecutive"},
+                 "0xc0021000 320: 80 x 60, 32, 16")):
+            modules = [("memory", "altera_avalon_onchip_memory2", memory)]
+            wires = [*clocked("memory", "clk1", "reset1"), ("avalon", FULL, "memory.s1", 0x20000)]
+            if parameters:
+                modules += [("dma", UP + "pixel_buffer_dma", {**size, **parameters})]
+                wires += [*clocked("dma"), ("avalon", "dma.avalon_pixel_dma_master", "memory.s1", 0),
+                          ("avalon", LW, "dma.avalon_control_slave", 0)]
+            self.system(modules, wires)
+            self.write(fb0_c=self.FB0)
+            subprocess.run(["arm-linux-gnueabihf-gcc", "-static", "fb0.c", "-o", "fb0"],
+                           cwd=self.folder, check=True)
+            done = self.de1sim("run", "--elf", "fb0", "--project", "top.qsf")
+            self.assertIn(printed, done.stdout + done.stderr)
 
     def test_a_subsystem_that_contains_itself(self):
         self.screen("")

@@ -98,6 +98,41 @@ std::vector<Device> devices_of(const Assembly& assembly, const std::vector<Place
     return all;
 }
 
+std::optional<PixelBuffer> pixel_buffer_of(const Assembly& assembly,
+                                           const std::vector<Place>& map) {
+    std::optional<PixelBuffer> found;
+    assembly.for_each([&](const End& e) {
+        if (found || e.instance->kind != "altera_up_avalon_video_pixel_buffer_dma" ||
+            e.interface->name != "avalon_pixel_dma_master")
+            return;
+        const auto number = [&](const char* parameter) {
+            const std::string& value = e.component->parameters.at(parameter);  // 640, 32'h1000
+            const std::size_t base = value.find('\'');
+            return base == std::string::npos ? std::stoul(value)
+                                             : std::stoul(value.substr(base + 2), nullptr,
+                                                          value[base + 1] == 'h' ? 16 : 10);
+        };
+        PixelBuffer pixels{
+            0, static_cast<unsigned>(number("WIDTH")), static_cast<unsigned>(number("HEIGHT")),
+            number("BITS") <= 16 ? 16u : 32u, static_cast<unsigned>(number("BYTES"))};
+        if (pixels.line < 2) return;  // levels of grey, or 256 colours
+        // X-Y: each line is a power of two.
+        unsigned columns = 1;
+        while (columns < pixels.width) columns *= 2;
+        pixels.line *= number("CONSECUTIVE") ? pixels.width : columns;
+        const std::uint64_t start = number("START");
+        for (const Place& its : map)
+            for (const Place& ours : map)
+                if (!found && its.master == e.name() && start - its.base < its.span &&
+                    ours.window && ours.slave == its.slave) {
+                    pixels.base =
+                        static_cast<std::uint32_t>(ours.window + ours.base + (start - its.base));
+                    found = pixels;
+                }
+    });
+    return found;
+}
+
 std::string header_text(const std::string& system, const std::vector<Device>& devices) {
     std::string text = fmt::format(
         "// Made by de1sim of {0}.qsys: what the processor reaches in the FPGA.\n"

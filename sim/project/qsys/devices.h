@@ -3,9 +3,11 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "sim/hps/pixel_buffer.h"
 #include "sim/project/qsys/assembly.h"
 #include "sim/project/qsys/interconnect.h"
 
@@ -27,6 +29,10 @@ struct Device {
 
 // In the order of their addresses.
 std::vector<Device> devices_of(const Assembly& assembly, const std::vector<Place>& map);
+
+// Of the University Program's pixel buffer DMA, if the processor reaches its memory; of several the
+// first.
+std::optional<PixelBuffer> pixel_buffer_of(const Assembly& assembly, const std::vector<Place>& map);
 
 // hps_0.h, with the macros that the vendor's sopc-create-header-files gives.
 std::string header_text(const std::string& system, const std::vector<Device>& devices);

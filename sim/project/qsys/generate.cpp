@@ -26,6 +26,7 @@ public:
         conduits();
         Interconnect interconnect = write_interconnect(assembly_, text_);
         std::vector<Device> devices = devices_of(assembly_, interconnect.map);
+        const auto pixels = pixel_buffer_of(assembly_, interconnect.map);
         instances();
         Generated out{"",
                       assembly_.sources(),
@@ -34,7 +35,8 @@ public:
                       assembly_.notes(),
                       assembly_.has_processor(),
                       std::move(devices),
-                      system_.name};
+                      system_.name,
+                      pixels};
         out.notes.insert(out.notes.end(), interconnect.notes.begin(), interconnect.notes.end());
         out.text = fmt::format(
             "// {0}.v - made by de1sim of {0}.qsys\n{1}\n`default_nettype none\n\n"

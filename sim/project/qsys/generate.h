@@ -2,9 +2,11 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "sim/hps/pixel_buffer.h"
 #include "sim/project/qsys/assembly.h"
 #include "sim/project/qsys/devices.h"
 #include "sim/project/qsys/interconnect.h"
@@ -20,6 +22,7 @@ struct Generated {
     bool has_processor;
     std::vector<Device> devices;  // that the processor reaches
     std::string name;             // of the system
+    std::optional<PixelBuffer> pixels;
 };
 
 // ProjectError: an unknown kind, a slave whose base is not a multiple of its span, two at one
