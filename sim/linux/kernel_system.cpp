@@ -170,8 +170,7 @@ std::pair<int, std::shared_ptr<LinuxDevice>> LinuxKernel::open_own(const std::st
     if (path == "/dev/zero" || path == "/dev/full") return {0, devices::zero(path == "/dev/full")};
     if (path == "/dev/urandom" || path == "/dev/random")
         return {0, devices::random([this] { return random_byte(); })};
-    if (path == "/dev/fb0" && outside_.pixels)
-        return {0, devices::framebuffer(*outside_.pixels)};
+    if (path == "/dev/fb0" && outside_.pixels) return {0, devices::framebuffer(*outside_.pixels)};
     if (auto device = input_.open(path)) return {0, std::move(device)};
     if (auto device = usb_.open(path)) return {0, std::move(device)};
     if (auto file = open_attribute(path)) {

@@ -25,8 +25,8 @@ ArmProgram load_program(const RunPlan& plan);
 
 class ArmRun final : public SignalReceiver {
 public:
-    // `processor` is one with an ArmCpu.  Attaches to that and to the recorder's frames.  What a Linux program prints, or
-    // another by semihosting, goes to `observer`.
+    // `processor` has an ArmCpu.  Attaches to that, and to the recorder's frames.  What a Linux
+    // program prints, or another by semihosting, goes to `observer`.
     ArmRun(ProcessorSystem& processor, I2cDevices* i2c0, const RunPlan& plan, Recorder& recorder,
            BoardObserver& observer);
 

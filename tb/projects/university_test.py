@@ -290,7 +290,8 @@ int main(void) {
             wires = [*clocked("memory", "clk1", "reset1"), ("avalon", FULL, "memory.s1", 0x20000)]
             if parameters:
                 modules += [("dma", UP + "pixel_buffer_dma", {**size, **parameters})]
-                wires += [*clocked("dma"), ("avalon", "dma.avalon_pixel_dma_master", "memory.s1", 0),
+                wires += [*clocked("dma"),
+                          ("avalon", "dma.avalon_pixel_dma_master", "memory.s1", 0),
                           ("avalon", LW, "dma.avalon_control_slave", 0)]
             self.system(modules, wires)
             self.write(fb0_c=self.FB0)
