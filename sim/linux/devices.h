@@ -2,7 +2,8 @@
 // /dev/shm, eventfd, /dev/fb0.
 //
 // /dev/fb0 is the University Program's pixel buffer: of the DE1-SoC Computer 320 x 240 pixels of 16
-// bits, in lines of 1024 bytes, in the FPGA's on-chip memory.
+// bits, in lines of 1024 bytes, in the FPGA's on-chip memory.  Of a project's system it is that, or
+// a frame reader's.
 #pragma once
 
 #include <functional>

@@ -444,7 +444,7 @@ private:
 
     ArmCpu& cpu_;
     const LinuxSettings settings_;
-    const Outside outside_;
+    Outside outside_;
     KernelHelpers helpers_;
     LinuxLoader loader_;
     Terminal terminal_;

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -48,6 +49,24 @@ constexpr const char* IO_MEMORY =
     "ffd02000-ffd02fff : ffd02000.watchdog\n"
     "ffe01000-ffe01fff : ffe01000.pdma\n"
     "ffff0000-ffffffff : ffff0000.sram\n";
+
+// As the board's driver (altvipfb) does at boot, but when the program wants the picture.
+void start_frame_reader(LinuxKernel::Outside& outside) {
+    PixelBuffer& pixels = *outside.pixels;
+    const std::uint32_t registers = std::exchange(pixels.frame_reader, 0),
+                        all = pixels.width * pixels.height;
+    if (!registers) return;
+    enum { CONTROL, SELECT = 3, BASE, WORDS, SAMPLES, WIDTH = 8, HEIGHT, INTERLACED };
+    for (auto [number, value] : {std::pair{BASE, pixels.base},
+                                 {WORDS, all / (pixels.word / pixels.bits)},
+                                 {SAMPLES, all},
+                                 {WIDTH, pixels.width},
+                                 {HEIGHT, pixels.height},
+                                 {INTERLACED, 3},
+                                 {SELECT, 0},
+                                 {CONTROL, 1}})
+        outside.access(true, registers + 4 * static_cast<std::uint32_t>(number), value);
+}
 
 }  // namespace
 
@@ -170,7 +189,10 @@ std::pair<int, std::shared_ptr<LinuxDevice>> LinuxKernel::open_own(const std::st
     if (path == "/dev/zero" || path == "/dev/full") return {0, devices::zero(path == "/dev/full")};
     if (path == "/dev/urandom" || path == "/dev/random")
         return {0, devices::random([this] { return random_byte(); })};
-    if (path == "/dev/fb0" && outside_.pixels) return {0, devices::framebuffer(*outside_.pixels)};
+    if (path == "/dev/fb0" && outside_.pixels) {
+        start_frame_reader(outside_);
+        return {0, devices::framebuffer(*outside_.pixels)};
+    }
     if (auto device = input_.open(path)) return {0, std::move(device)};
     if (auto device = usb_.open(path)) return {0, std::move(device)};
     if (auto file = open_attribute(path)) {

@@ -1,6 +1,8 @@
 """systems.py - .qsys files of a few lines, with a program on them"""
 import pathlib
+import struct
 import subprocess
+import zlib
 
 from case import Case
 
@@ -65,6 +67,19 @@ def pio(name, base, **parameters):
     """An output port of ten bits on the lightweight bridge."""
     return ([(name, "altera_avalon_pio", {"width": "10", "direction": "Output", **parameters})],
             [*clocked(name), ("avalon", LW, f"{name}.s1", base)])
+
+
+def png(path, rows):
+    """Rows of (red, green, blue)."""
+    def chunk(kind, data):
+        return struct.pack(">I", len(data)) + kind + data + struct.pack(">I",
+                                                                        zlib.crc32(kind + data))
+
+    data = b"".join(b"\0" + bytes(value for pixel in row for value in pixel) for row in rows)
+    path.write_bytes(b"\x89PNG\r\n\x1a\n" +
+                     chunk(b"IHDR", struct.pack(">IIBBBBB", len(rows[0]), len(rows), 8, 2, 0, 0, 0))
+                     + chunk(b"IDAT", zlib.compress(data)) + chunk(b"IEND", b""))
+
 
 
 class SystemCase(Case):

@@ -1,12 +1,10 @@
 """university_test.py DE1SIM FOLDER [CASE...] - the University Program's cores in a system"""
 import pathlib
 import re
-import struct
 import subprocess
-import zlib
 
 from case import run
-from systems import FULL, HW_TCL, LW, SystemCase, clocked, pio, qsys
+from systems import FULL, HW_TCL, LW, SystemCase, clocked, pio, png, qsys
 
 SOUND = [("pll", "altera_up_avalon_audio_pll", {}),
          ("av_config", "altera_up_avalon_audio_and_video_config",
@@ -148,18 +146,6 @@ class Ps2(SystemCase):
     def test_streams_are_refused(self):
         done = self.ps2("", "delay: 1ms", code=2, avalon_bus_type="Streaming")
         self.assertIn('avalon_bus_type is "Streaming"', done.stderr)
-
-
-def png(path, rows):
-    """Rows of (red, green, blue)."""
-    def chunk(kind, data):
-        return struct.pack(">I", len(data)) + kind + data + struct.pack(">I",
-                                                                        zlib.crc32(kind + data))
-
-    data = b"".join(b"\0" + bytes(value for pixel in row for value in pixel) for row in rows)
-    path.write_bytes(b"\x89PNG\r\n\x1a\n" +
-                     chunk(b"IHDR", struct.pack(">IIBBBBB", len(rows[0]), len(rows), 8, 2, 0, 0, 0))
-                     + chunk(b"IDAT", zlib.compress(data)) + chunk(b"IEND", b""))
 
 
 FONT = pathlib.Path(__file__).resolve().parents[2] / "rtl/vga/character_font.vh"

@@ -98,37 +98,68 @@ std::vector<Device> devices_of(const Assembly& assembly, const std::vector<Place
     return all;
 }
 
+namespace {
+
+unsigned long number_of(const End& e, const char* parameter) {
+    const std::string& value = e.component->parameters.at(parameter);  // 640, 32'h1000
+    const std::size_t base = value.find('\'');
+    return base == std::string::npos
+               ? std::stoul(value)
+               : std::stoul(value.substr(base + 2), nullptr, value[base + 1] == 'h' ? 16 : 10);
+}
+
+std::optional<PixelBuffer> of_pixel_buffer(const End& master, const std::vector<Place>& map) {
+    const auto number = [&](const char* parameter) {
+        return static_cast<unsigned>(number_of(master, parameter));
+    };
+    const unsigned bytes = number("BYTES");
+    if (bytes < 2) return {};  // levels of grey, or 256 colours
+    unsigned columns = 1;      // X-Y: each line is a power of two
+    while (columns < number("WIDTH")) columns *= 2;
+    PixelBuffer pixels{0, number("WIDTH"), number("HEIGHT"), bytes == 2 ? 16u : 32u,
+                       bytes * (number("CONSECUTIVE") ? number("WIDTH") : columns)};
+    const std::uint64_t start = number_of(master, "START");
+    for (const Place& its : map)
+        for (const Place& ours : map)
+            if (its.master == master.name() && start - its.base < its.span && ours.window &&
+                ours.slave == its.slave) {
+                pixels.base =
+                    static_cast<std::uint32_t>(ours.window + ours.base + (start - its.base));
+                return pixels;
+            }
+    return {};
+}
+
+// The board's driver (altvipfb) has 32 MB of memory below that of other drivers.
+std::optional<PixelBuffer> of_frame_reader(const End& master, const std::vector<Place>& map) {
+    constexpr std::uint32_t MEMORY = 0x3C000000;
+    const auto number = [&](const char* parameter) {
+        return static_cast<unsigned>(number_of(master, parameter));
+    };
+    for (const Place& place : map)
+        if (place.window && place.slave == master.instance->name + ".avalon_slave")
+            return PixelBuffer{MEMORY,
+                               number("MAX_IMAGE_WIDTH"),
+                               number("MAX_IMAGE_HEIGHT"),
+                               32,
+                               4 * number("MAX_IMAGE_WIDTH"),
+                               static_cast<std::uint32_t>(place.window + place.base),
+                               number("MEM_PORT_WIDTH")};
+    return {};
+}
+
+}  // namespace
+
 std::optional<PixelBuffer> pixel_buffer_of(const Assembly& assembly,
                                            const std::vector<Place>& map) {
     std::optional<PixelBuffer> found;
     assembly.for_each([&](const End& e) {
-        if (found || e.instance->kind != "altera_up_avalon_video_pixel_buffer_dma" ||
-            e.interface->name != "avalon_pixel_dma_master")
-            return;
-        const auto number = [&](const char* parameter) {
-            const std::string& value = e.component->parameters.at(parameter);  // 640, 32'h1000
-            const std::size_t base = value.find('\'');
-            return base == std::string::npos ? std::stoul(value)
-                                             : std::stoul(value.substr(base + 2), nullptr,
-                                                          value[base + 1] == 'h' ? 16 : 10);
-        };
-        PixelBuffer pixels{
-            0, static_cast<unsigned>(number("WIDTH")), static_cast<unsigned>(number("HEIGHT")),
-            number("BITS") <= 16 ? 16u : 32u, static_cast<unsigned>(number("BYTES"))};
-        if (pixels.line < 2) return;  // levels of grey, or 256 colours
-        // X-Y: each line is a power of two.
-        unsigned columns = 1;
-        while (columns < pixels.width) columns *= 2;
-        pixels.line *= number("CONSECUTIVE") ? pixels.width : columns;
-        const std::uint64_t start = number("START");
-        for (const Place& its : map)
-            for (const Place& ours : map)
-                if (!found && its.master == e.name() && start - its.base < its.span &&
-                    ours.window && ours.slave == its.slave) {
-                    pixels.base =
-                        static_cast<std::uint32_t>(ours.window + ours.base + (start - its.base));
-                    found = pixels;
-                }
+        if (found) return;
+        if (e.instance->kind == "altera_up_avalon_video_pixel_buffer_dma" &&
+            e.interface->name == "avalon_pixel_dma_master")
+            found = of_pixel_buffer(e, map);
+        if (e.instance->kind == "alt_vip_vfr" && e.interface->name == "avalon_master")
+            found = of_frame_reader(e, map);
     });
     return found;
 }

@@ -30,8 +30,8 @@ struct Device {
 // In the order of their addresses.
 std::vector<Device> devices_of(const Assembly& assembly, const std::vector<Place>& map);
 
-// Of the University Program's pixel buffer DMA, if the processor reaches its memory; of several the
-// first.
+// Of the University Program's pixel buffer DMA, if the processor reaches its memory, or of a frame
+// reader; of several the first.
 std::optional<PixelBuffer> pixel_buffer_of(const Assembly& assembly, const std::vector<Place>& map);
 
 // hps_0.h, with the macros that the vendor's sopc-create-header-files gives.
