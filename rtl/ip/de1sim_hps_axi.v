@@ -41,7 +41,8 @@ module de1sim_hps_axi #(
         .clk_i(clk), .size_i(size_i),
         .valid_o(valid), .ready_i(ready), .write_o(write), .address_o(address),
         .wdata_o(data), .be_o(be),
-        .rvalid_i(bvalid || rvalid),
+        .waits_i(!valid ? (write ? 3'd3 : 3'd5) : !write ? 3'd4 : !aw_done ? 3'd1 : 3'd2),
+        .rvalid_i((!valid || ready) && (bvalid || rvalid)),
         .rdata_i(size_i == 2'd0 ? {4{rdata[31:0]}} : size_i == 2'd1 ? {2{rdata[63:0]}} : rdata)
     );
 

@@ -37,7 +37,10 @@ bool ProjectBridges::access(const project::BridgeAccess& access, sc_time& delay)
     for (;;) {
         const std::uint64_t until_ps = std::min(end_ps, next_event_ps());
         if (model.run_to_answer(until_ps)) break;
-        if (until_ps == end_ps || fpga_.end()) return false;
+        if (until_ps == end_ps || fpga_.end()) {
+            missing_ = model.waits_for();
+            return false;
+        }
         wait(picoseconds(until_ps) - sc_time_stamp());
     }
     delay = std::max(picoseconds(model.time_ps()), sc_time_stamp()) - sc_time_stamp();

@@ -10,6 +10,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <string>
 
 #include "sim/chip/project_chip.h"
 
@@ -28,6 +29,8 @@ public:
     // Lets the access under way end, and begins no other: the next initiator waits for ever.
     void close() { closed_ = true; }
     bool is_busy() const { return busy_; }
+    // The signal that an access has waited for, if one was not answered and it is known.
+    const std::string& missing() const { return missing_; }
 
 private:
     void lightweight_transport(tlm::tlm_generic_payload& tx, sc_core::sc_time& delay);
@@ -37,6 +40,7 @@ private:
 
     ProjectChip& fpga_;
     bool busy_ = false, closed_ = false;
+    std::string missing_;
     sc_core::sc_event never_;
 };
 

@@ -12,17 +12,6 @@ namespace {
 
 constexpr std::size_t MOST_STRAYS = 20;
 
-// What the processor reaches in a bridge's window.
-std::vector<Bus::Place> places_of(const project::qsys::Generated& system, std::uint32_t window) {
-    std::vector<Bus::Place> places;
-    for (const project::qsys::Place& place : system.map)
-        if (place.window == window)
-            places.push_back({place.slave.substr(0, place.slave.find('.')),
-                              window + static_cast<std::uint32_t>(place.base),
-                              static_cast<std::uint32_t>(place.span)});
-    return places;
-}
-
 }  // namespace
 
 ProjectComputer::ProjectComputer(const sc_core::sc_module_name& name, PinListener& pins,
@@ -38,13 +27,32 @@ ProjectComputer::ProjectComputer(const sc_core::sc_module_name& name, PinListene
       observer_{observer} {
     full_window.bind(bridges.h2f);
     lightweight_window.bind(bridges.lw);
-    bus.describe("h2f", "the full bridge", places_of(system, H2F_BASE));
-    bus.describe("lw", "the lightweight bridge", places_of(system, LW_BASE));
+    bus.describe("h2f", "the full bridge", places_of(H2F_BASE, H2F_SIZE));
+    bus.describe("lw", "the lightweight bridge", places_of(LW_BASE, LW_SIZE));
+    cpu.explain_by(
+        [this](std::uint32_t address, unsigned bytes, bool write, tlm::tlm_response_status answer) {
+            const std::string why = bus.refusal(address, bytes, write, answer);
+            const bool hangs = answer == tlm::TLM_INCOMPLETE_RESPONSE && !bridges.missing().empty();
+            return hangs ? why + ": its bridge waits for " + bridges.missing() : why;
+        });
     for (const char* bridge : {"h2f", "lw"})
         bus.on_answered(bridge, [this](std::uint32_t address, unsigned, bool write) {
             if (!cpu.is_inspected()) report_stray(address, write);
         });
     fpga.on_interrupts([this](std::uint64_t levels) { hps.fpga_interrupts(levels); });
+}
+
+// What the processor reaches in a bridge's window.
+std::vector<Bus::Place> ProjectComputer::places_of(std::uint32_t window, std::uint32_t size) {
+    std::vector<Bus::Place> places;
+    for (const project::qsys::Place& place : system_.map)
+        if (place.window == window)
+            places.push_back({place.slave.substr(0, place.slave.find('.')),
+                              window + static_cast<std::uint32_t>(place.base),
+                              static_cast<std::uint32_t>(place.span)});
+    if (system_.map.empty() && fpga.model().bridge_width(window == H2F_BASE) > 0)
+        places.push_back({"the design", window, size});
+    return places;
 }
 
 void ProjectComputer::type(const std::string& text, SerialLine to) {
@@ -67,7 +75,7 @@ std::optional<char> ProjectComputer::typed(unsigned number) {
 std::optional<Chip::End> ProjectComputer::end() const { return fpga.end(); }
 
 void ProjectComputer::report_stray(std::uint32_t address, bool write) {
-    if (!bus.place(address).empty() || system_.map.empty()) return;
+    if (system_.map.empty() || bus.has_place(address)) return;
     for (const project::qsys::Bridge& bridge : system_.bridges) {
         const std::uint32_t offset = address - bridge.window;
         if (offset >= (bridge.window == LW_BASE ? LW_SIZE : H2F_SIZE)) continue;

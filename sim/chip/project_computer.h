@@ -52,6 +52,7 @@ private:
     void sent(unsigned number, char character) override;
     std::optional<char> typed(unsigned number) override;
     void report_stray(std::uint32_t address, bool write);
+    std::vector<Bus::Place> places_of(std::uint32_t window, std::uint32_t size);
 
     const project::qsys::Generated system_;
     ChipObserver& observer_;

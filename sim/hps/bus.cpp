@@ -65,6 +65,13 @@ std::string Bus::place(std::uint32_t address) const {
     return "";
 }
 
+bool Bus::has_place(std::uint32_t address) const {
+    for (const Window& window : windows_)
+        for (const Place& place : window.places)
+            if (address - place.base < place.size) return true;
+    return false;
+}
+
 std::string Bus::register_at(std::uint32_t address) const {
     const auto found = registers_.find(address / 4 * 4);
     return found == registers_.end() ? place(address) : found->second;

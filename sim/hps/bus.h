@@ -85,6 +85,7 @@ public:
     }
     // The place at `address`: "LEDR", or "" where there is none.
     std::string place(std::uint32_t address) const;
+    bool has_place(std::uint32_t address) const;
     // Registers of 32 bits, by address.
     void name_registers(std::map<std::uint32_t, std::string> names) {
         registers_ = std::move(names);

@@ -43,6 +43,8 @@ std::string Bus::refusal(std::uint32_t address, unsigned bytes, bool write,
     for (const Window& window : windows_) {
         if (!window.on && address - window.base < window.size)
             return window.title + " is in reset: on the board the processor hangs here";
+        if (window.places.empty() && address - window.base < window.size)
+            return "the design has nothing at " + window.title;
         for (const Place& place : window.places) {
             if (!place.is_memory && address < REGISTERS && !holds(place, address)) continue;
             if (!nearest || distance(place, address) < distance(*nearest, address))

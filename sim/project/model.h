@@ -81,6 +81,8 @@ public:
 
     // Bits of a bridge's bus in the design; 0: nothing is behind it.
     virtual unsigned bridge_width(bool full) const = 0;
+    // For what the last access waits: "awready", "clk"; empty: not known.
+    virtual const char* waits_for() const = 0;
     // Begins an access, at the time up to which run() has come; one at a time.
     virtual void begin(const BridgeAccess& access) = 0;
     // h2f_reset begins or ends, at that time.

@@ -103,7 +103,8 @@ void compile_library(const fs::path& folder, const fs::path& objects, bool trace
                                             "-w",
                                             "-fvisibility=hidden",  // so that it can be inlined
                                             "-I" + verilator.include.string(),
-                                            "-I" + (verilator.include / "vltstd").string()};
+                                            "-I" + (verilator.include / "vltstd").string(),
+                                            "-I" + (data / "project").string()};
     const auto compile = [&](const std::vector<std::string>& headers) {
         std::vector<std::vector<std::string>> commands;
         for (const char* name : {"fast", "slow"}) {
@@ -111,7 +112,7 @@ void compile_library(const fs::path& folder, const fs::path& objects, bool trace
             auto& command = commands.emplace_back(compiler);
             command.insert(command.end(), headers.begin(), headers.end());
             command.insert(command.end(),
-                           {"-c", "-I.", "-I" + folder.string(), "-I" + (data / "project").string(),
+                           {"-include", "triggers.h", "-c", "-I.", "-I" + folder.string(),
                             fmt::format("{}.cxx", name), "-o", fmt::format("{}.o", name)});
             command.push_back("-DDE1SIM_EVAL_TRIGGERS=" + triggers);
             if (trace) command.emplace_back("-DDE1SIM_TRACE");

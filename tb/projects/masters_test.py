@@ -176,5 +176,45 @@ endmodule
         self.assertIn("bridge (fpga2hps): nothing is answered, since no program (--elf) has set up "
                       "the processor's memory", done.stderr)
 
+    # Answers with address bits 9 to 2; what is in `connected` is.
+    BRIDGE = """module top(input CLOCK_50, output [9:0] LEDR);
+wire awvalid, wvalid, arvalid; wire [20:0] araddr; wire [31:0] wdata;
+reg bvalid = 0, rvalid = 0; reg [31:0] rdata; reg [9:0] leds = 0;
+assign LEDR = leds;
+cyclonev_hps_interface_hps2fpga_light_weight bridge(.awvalid(awvalid), .wvalid(wvalid),
+    .wdata(wdata), .arvalid(arvalid), .araddr(araddr), .rdata(rdata), {connected});
+always @(posedge CLOCK_50) begin
+    bvalid <= awvalid && wvalid; rvalid <= arvalid; rdata <= araddr[9:2];
+    if (wvalid) leds <= wdata;
+end
+endmodule
+"""
+
+    def bridge(self, body, without="", code=0):
+        connected = [f".{port}({wire})" for port, wire in (
+            ("clk", "CLOCK_50"), ("awready", "awvalid"), ("wready", "wvalid"),
+            ("bvalid", "bvalid"), ("arready", "arvalid"), ("rvalid", "rvalid")) if port != without]
+        self.write(top_v=self.BRIDGE.replace("{connected}", ", ".join(connected)),
+                   top_qsf="set_global_assignment -name DEVICE 5CSEMA5F31C6\n"
+                           "set_global_assignment -name TOP_LEVEL_ENTITY top\n"
+                           "set_global_assignment -name VERILOG_FILE top.v\n")
+        self.program(body)
+        return self.played("delay: 30ms", 'expect-leds: "0001010101"', code=code)
+
+    def test_a_top_with_one_primitive_has_the_processor(self):
+        self.bridge("R32(0xFF200000) = R32(0xFF200154);")
+
+    def test_half_of_a_bridge_is_named(self):
+        for signal in "clk", "awready", "wready", "bvalid":
+            self.assertIn(f"the design did not answer: its bridge waits for {signal}",
+                          self.bridge("R32(0xFF200000) = 0x155;", signal, code=1).stderr)
+        for signal in "arready", "rvalid":
+            self.assertIn(f"the design did not answer: its bridge waits for {signal}",
+                          self.bridge("R32(0xFF200000) = R32(0xFF200154);", signal, code=1).stderr)
+
+    def test_a_bridge_that_the_design_has_not(self):
+        self.assertIn("the design has nothing at the full bridge",
+                      self.bridge("R32(0xC0000000) = 1;", code=1).stderr)
+
 
 run()

@@ -20,6 +20,7 @@ module de1sim_hps_bridge #(
     output wire [31:0]      address_o,
     output wire [WIDTH-1:0] wdata_o,
     output wire [BYTES-1:0] be_o,
+    input  wire [2:0]       waits_i,  // for what, as de1sim_chip's hps_waits_o; 0: not known
     input  wire             rvalid_i,
     input  wire [WIDTH-1:0] rdata_i
 );
@@ -77,10 +78,12 @@ module de1sim_hps_bridge #(
             assign de1sim_chip.hps_answer[1] = answer_q;
             assign de1sim_chip.hps_full_rdata = rdata_q;
             assign de1sim_chip.hps_size[3:2] = size_i + 2'd1;
+            assign de1sim_chip.hps_waits[5:3] = busy_q ? waits_i : 3'd7;
         end else begin : lightweight
             assign de1sim_chip.hps_answer[0] = answer_q;
             assign de1sim_chip.hps_lw_rdata = rdata_q;
             assign de1sim_chip.hps_size[1:0] = size_i + 2'd1;
+            assign de1sim_chip.hps_waits[2:0] = busy_q ? waits_i : 3'd7;
         end
     endgenerate
 `endif

@@ -94,11 +94,11 @@ private:
         const Bus own = bus("from_" + short_name(m.end), m.width, clock.wire,
                             m.is_bridge ? "1'b0" : assembly_.reset_of(m.end));
         if (m.is_bridge) {
-            text_.line(
-                fmt::format("de1sim_hps_bridge #(.FULL({}), .WIDTH({})) {}_agent (\n"
-                            "        .clk_i({}), .size_i(2'd{}),\n        {}\n    );",
-                            window_of(m) == H2F_BASE ? 1 : 0, m.width, own.name, own.clock,
-                            m.width / 64, asks(own)));
+            text_.line(fmt::format(
+                "de1sim_hps_bridge #(.FULL({}), .WIDTH({})) {}_agent (\n"
+                "        .clk_i({}), .size_i(2'd{}), .waits_i(3'd0),\n        {}\n    );",
+                window_of(m) == H2F_BASE ? 1 : 0, m.width, own.name, own.clock, m.width / 64,
+                asks(own)));
             return own;
         }
         const Interface& i = *m.end.interface;

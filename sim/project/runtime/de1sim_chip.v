@@ -69,6 +69,8 @@ module de1sim_chip (
     output wire [1:0]  hps_answer_o,    // follows hps_request_i
     output wire [3:0]  hps_size_o,      // buses, full and lightweight: 0: none, 1: 32 bits, 2: 64,
                                         // 3: 128
+    output wire [5:0]  hps_waits_o,     // of the same, for what an access waits: 1 awready,
+                                        // 2 wready, 3 bvalid, 4 arready, 5 rvalid, 7 the clock
     output wire [63:0] hps_lw_rdata_o,
     output wire [63:0] hps_full_rdata_o,
     output wire [63:0] hps_irq_o        // IDs 72 to 135
@@ -167,6 +169,7 @@ module de1sim_chip (
     reg         hps_reset = 1'b0;
     wire [1:0]  hps_answer;
     wire [3:0]  hps_size;
+    wire [5:0]  hps_waits;
     wire [63:0] hps_lw_rdata, hps_full_rdata, hps_irq;
 
     always @(posedge hps_moved_i or negedge hps_moved_i) begin
@@ -199,6 +202,7 @@ module de1sim_chip (
     assign dram_dq_o = DRAM_DQ;
     assign hps_answer_o = hps_answer;
     assign hps_size_o = hps_size;
+    assign hps_waits_o = hps_waits;
     assign hps_lw_rdata_o = hps_lw_rdata;
     assign hps_full_rdata_o = hps_full_rdata;
     assign hps_irq_o = hps_irq;

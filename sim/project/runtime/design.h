@@ -58,6 +58,7 @@ struct ModelSettings;
     PORT(std::uint8_t, hps_reset_i)       \
     PORT(std::uint8_t, hps_answer_o)      \
     PORT(std::uint8_t, hps_size_o)        \
+    PORT(std::uint8_t, hps_waits_o)       \
     PORT(std::uint64_t, hps_lw_rdata_o)   \
     PORT(std::uint64_t, hps_full_rdata_o) \
     PORT(std::uint64_t, hps_irq_o)

@@ -83,6 +83,12 @@ public:
         return size ? 16u << size : 0;
     }
 
+    const char* waits_for() const override {
+        constexpr const char* SIGNALS[8] = {"",        "awready", "wready", "bvalid",
+                                            "arready", "rvalid",  "",       "clk"};
+        return SIGNALS[top_.hps_waits_o >> (full_ ? 3 : 0) & 7];
+    }
+
     void begin(const BridgeAccess& access) override {
         full_ = access.full;
         top_.hps_request_i ^= full_ ? 2 : 1;
