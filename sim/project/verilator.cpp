@@ -18,6 +18,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr const char* RUNTIME = "libdesign_runtime.a";
+constexpr const char* RUNTIME_SOURCES[] = {"endings.cpp", "jtag.cpp", "masters.cpp", "model.cpp"};
 constexpr unsigned OLDEST_MAJOR = 5, OLDEST_MINOR = 6;
 
 std::string version_of(const std::string& output) {
@@ -36,10 +37,12 @@ fs::path compile_runtime(const Verilator& verilator, const fs::path& folder,
     const fs::path sources = data_folder() / "runtime", own = sources / "sim/project/runtime";
     std::vector<std::vector<std::string>> commands;
     std::vector<std::string> archive{"ar", "rcs", "new.a"};
-    for (const fs::path& source :
-         {verilator.include / "verilated.cpp", verilator.include / "verilated_dpi.cpp",
-          verilator.include / "verilated_threads.cpp", verilator.include / "verilated_fst_c.cpp",
-          own / "endings.cpp", own / "jtag.cpp", own / "model.cpp"}) {
+    std::vector<fs::path> files;
+    for (const char* name :
+         {"verilated.cpp", "verilated_dpi.cpp", "verilated_threads.cpp", "verilated_fst_c.cpp"})
+        files.push_back(verilator.include / name);
+    for (const char* name : RUNTIME_SOURCES) files.push_back(own / name);
+    for (const fs::path& source : files) {
         archive.push_back(source.stem().string() + ".o");
         commands.push_back(
             {"g++", "-std=c++17", "-O2", "-fPIC", "-w", "-DVL_TIME_CONTEXT", "-DVL_USER_FINISH",
@@ -74,7 +77,7 @@ Verilator find_verilator(const TimeLimit& limit) {
 fs::path runtime_library(const Verilator& verilator, const TimeLimit& limit) {
     if (verilator.version == VERILATOR_VERSION) return library(RUNTIME);
     std::string key = verilator.version + verilator.include.string();
-    for (const char* name : {"endings.cpp", "jtag.cpp", "model.cpp"})
+    for (const char* name : RUNTIME_SOURCES)
         key += text_of(data_folder() / "runtime/sim/project/runtime" / name);
     const fs::path below = fs::path{"runtime"} / sha256_hex(key.data(), key.size()).substr(0, 16);
     fs::path folder = user_cache() / below;

@@ -42,7 +42,7 @@ module alt_vip_vfr #(
     output wire                      slave_irq,
 
     output reg  [31:0]               master_address,
-    output reg  [BURST_BITS-1:0]     master_burstcount,
+    output wire [BURST_BITS-1:0]     master_burstcount,
     output reg                       master_read,
     input  wire [MEM_PORT_WIDTH-1:0] master_readdata,
     input  wire                      master_readdatavalid,
@@ -57,6 +57,7 @@ module alt_vip_vfr #(
     localparam SYMBOL = BITS_PER_PIXEL_PER_COLOR_PLANE, SYMBOLS = NUMBER_OF_CHANNELS_IN_PARALLEL;
     localparam NIBBLES = 9, PIXELS = MEM_PORT_WIDTH / BITS;  // of a control packet, of a word
     localparam LOG2 = $clog2(RMASTER_FIFO_DEPTH);
+    localparam LAST = PIXELS - 1;
     localparam [2:0] IDLE = 3'd0, CONTROL = 3'd1, VIDEO = 3'd2, SENDS = 3'd3, DRAINS = 3'd4;
 
     // ---- Registers --------------------------------------------------------
@@ -89,7 +90,7 @@ module alt_vip_vfr #(
     wire [LOG2:0]             words_here;
     wire        has_pixel = words_here != 0;
     wire        sends     = state_q == SENDS && dout_ready && has_pixel;
-    wire        pops      = (sends && (place_q == PIXELS - 1 || left_q == 32'd1))
+    wire        pops      = (sends && ({24'd0, place_q} == LAST || left_q == 32'd1))
                           || (state_q == DRAINS && popped_q != words_q && has_pixel);
 
     integer     n;
@@ -147,10 +148,10 @@ module alt_vip_vfr #(
             SENDS:
                 if (sends) begin
                     dout_valid <= 1'b1;
-                    dout_data  <= word >> (BITS * place_q);
+                    dout_data  <= word[BITS * place_q +: BITS];
                     dout_endofpacket <= left_q == 32'd1;
                     left_q  <= left_q - 32'd1;
-                    place_q <= place_q == PIXELS - 1 ? 8'd0 : place_q + 8'd1;
+                    place_q <= {24'd0, place_q} == LAST ? 8'd0 : place_q + 8'd1;
                     if (left_q == 32'd1) state_q <= DRAINS;
                 end
             DRAINS:  // words that no pixel has wanted
@@ -168,26 +169,30 @@ module alt_vip_vfr #(
 
     // ---- Its words, in the memory's clock ---------------------------------
     reg  [2:0]    asked_q;
-    reg  [31:0]   to_read_q;
+    reg  [31:0]   to_read_q, burst_q;
     reg  [LOG2:0] pending_q;   // words that were asked for and are not there yet
     wire [LOG2:0] used;
     wire [31:0]   burst = to_read_q < RMASTER_BURST_TARGET ? to_read_q : RMASTER_BURST_TARGET;
-    wire          room  = {1'b0, used} + {1'b0, pending_q} + burst <= (1 << LOG2);
+    wire          room  = {{31-LOG2{1'b0}}, used} + {{31-LOG2{1'b0}}, pending_q} + burst
+                          <= (1 << LOG2);
     wire          taken = master_read && !master_waitrequest;
+
+    assign master_burstcount = burst_q[BURST_BITS-1:0];
 
     always @(posedge master_clock) begin
         asked_q   <= {asked_q[1:0], asks_q};
-        pending_q <= pending_q + (taken ? master_burstcount : 0) - master_readdatavalid;
+        pending_q <= pending_q + (taken ? burst_q[LOG2:0] : {LOG2+1{1'b0}})
+                     - {{LOG2{1'b0}}, master_readdatavalid};
         if (taken) begin
             master_read    <= 1'b0;
-            master_address <= master_address + master_burstcount * (MEM_PORT_WIDTH / 8);
-            to_read_q      <= to_read_q - master_burstcount;
+            master_address <= master_address + burst_q * (MEM_PORT_WIDTH / 8);
+            to_read_q      <= to_read_q - burst_q;
         end else if (asked_q[2] != asked_q[1]) begin
             master_address <= base_q;
             to_read_q      <= words_q;
         end else if (!master_read && to_read_q != 32'd0 && room) begin
-            master_read       <= 1'b1;
-            master_burstcount <= burst[BURST_BITS-1:0];
+            master_read <= 1'b1;
+            burst_q     <= burst;
         end
         if (master_reset) begin
             master_read <= 1'b0;
