@@ -56,6 +56,19 @@ TEST_F(AvConfig, SendsNineBitsToTheRegisterAddressed) {
     EXPECT_EQ(read(AV_CONFIG_STATUS), CFG | RDY | AIS);
 }
 
+TEST_F(AvConfig, ChangesAWordByItsByteLanes) {
+    send(LEFT_HEADPHONE, 0x155);
+    const std::pair<std::uint8_t, std::uint32_t> steps[] = {
+        {0x1, 0x1aa}, {0xc, 0x1aa}, {0x2, 0x0aa}};
+    for (const auto& [strobes, expected] : steps) {
+        wait_until_ready();
+        write(AV_CONFIG_DATA, 0x0aa, strobes);
+        wait_until_ready();
+        EXPECT_EQ(read(AV_CONFIG_DATA), expected);
+        EXPECT_EQ(codec.reg(LEFT_HEADPHONE), expected);
+    }
+}
+
 TEST_F(AvConfig, SendsOneWordForOneWrite) {
     const std::uint64_t words = codec.words();
     send(LEFT_HEADPHONE, 0x0f0);

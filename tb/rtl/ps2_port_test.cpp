@@ -232,6 +232,22 @@ TEST_F(Ps2Port, TimesOutAfter2MillisecondsPerByte) {
     EXPECT_EQ(read(CONTROL), CE);
 }
 
+TEST_F(Ps2Port, CountsTheTimeOfAByteFromItsFirstEdgeOn) {
+    write(DATA, 0xf4);
+    expect_request();
+    clock(1'000);
+    const std::uint64_t first = clocks;
+    for (int edge = 0; edge < 9; ++edge) {
+        clk_low = true;
+        clock(1'000);
+        clk_low = false;
+        clock(1'000);
+    }
+    while (read(CONTROL) != CE && clocks < first + 100'000) {
+    }
+    EXPECT_NEAR(static_cast<double>(clocks - first), 1'563 * 32, 250);  // and the wires' filter
+}
+
 TEST_F(Ps2Port, GivesUpWhenNobodyTakesTheByteIn15Milliseconds) {
     write(DATA, 0xf4);
     clock(340'000);
