@@ -119,7 +119,7 @@ Computer::Computer(const sc_core::sc_module_name& name, PinListener& pins, ChipO
 
 // Of the University Program's pixel buffer, as the DE1-SoC Computer has it.
 std::optional<PixelBuffer> Computer::pixel_buffer() const {
-    return PixelBuffer{regmap::ONCHIP_BASE, 320, 240, 16, 1024};
+    return PixelBuffer{regmap::ONCHIP_BASE, 320, 240, 16, 1024, regmap::ONCHIP_SIZE};
 }
 
 void Computer::type(const std::string& text, SerialLine to) {

@@ -30,8 +30,7 @@ bool ProjectMasters::takes(unsigned port, std::uint64_t now_ps) const {
     return busy_until_ps_ <= now_ps + QUEUE_PS && is_open(port);
 }
 
-std::uint64_t ProjectMasters::begin(unsigned, unsigned bytes, bool, std::uint64_t now_ps) {
-    bytes_ += bytes;
+std::uint64_t ProjectMasters::begin(unsigned bytes, std::uint64_t now_ps) {
     busy_until_ps_ = std::max(busy_until_ps_, now_ps) + bytes * byte_fs_ / FS_PER_PS;
     return busy_until_ps_ + LATENCY_PS;
 }

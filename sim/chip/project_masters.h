@@ -31,17 +31,14 @@ public:
 
     bool is_open(unsigned port) const override;
     bool takes(unsigned port, std::uint64_t now_ps) const override;
-    std::uint64_t begin(unsigned port, unsigned bytes, bool write, std::uint64_t now_ps) override;
+    std::uint64_t begin(unsigned bytes, std::uint64_t now_ps) override;
     Answer access(unsigned port, bool write, std::uint32_t address, std::uint8_t* data,
                   unsigned bytes, std::uint64_t now_ps) override;
-
-    // Bytes of all bursts.
-    std::uint64_t bytes() const { return bytes_; }
 
 private:
     ProcessorSystem& system_;
     const std::uint64_t byte_fs_;
-    std::uint64_t busy_until_ps_ = 0, bytes_ = 0;
+    std::uint64_t busy_until_ps_ = 0;
 };
 
 }  // namespace sim

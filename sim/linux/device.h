@@ -52,7 +52,7 @@ public:
     using Entries = std::map<std::string, std::uint32_t>;
     virtual const Entries* entries() const { return nullptr; }
 
-    // For mmap: memory that others may map, too, or what lies on the bus and how much.
+    // For mmap: memory that others may map, too, or what lies on the bus and its bytes.
     virtual std::shared_ptr<SharedMemory> memory() { return nullptr; }
     virtual std::optional<std::pair<std::uint32_t, std::uint32_t>> on_bus() const {
         return std::nullopt;

@@ -188,7 +188,7 @@ private:
     FileStatus status() const override { return character(29, 0); }
     std::string name() const override { return "/dev/fb0"; }
     std::optional<std::pair<std::uint32_t, std::uint32_t>> on_bus() const override {
-        return std::pair{pixels_.base, bytes()};
+        return std::pair{pixels_.base, pixels_.bytes};
     }
     // Source: Linux 6.1, include/uapi/linux/fb.h.
     std::int64_t control(std::uint32_t request, std::uint32_t at, AddressSpace& memory) override {
@@ -199,30 +199,19 @@ private:
                 std::uint16_t steps[3], pad;
                 std::uint32_t line, registers, register_bytes, acceleration;
                 std::uint16_t capabilities, reserved[3];
-            } fixed{"de1soc pixels",
-                    pixels_.base,
-                    bytes(),
-                    0,
-                    0,
-                    2,
-                    {},
-                    0,
-                    pixels_.line,
-                    0,
-                    0,
-                    0,
-                    0,
-                    {}};
+            } fixed{"", pixels_.base, pixels_.bytes, 0, 0, 2, {}, 0, pixels_.line, 0, 0, 0, 0, {}};
             static_assert(sizeof fixed == 68);
+            std::strcpy(fixed.id, pixels_.frame_reader ? "altvipfb" : "de1soc pixels");
             return memory.write(at, &fixed, sizeof fixed) ? 0 : -EFAULT;
         }
-        if (request == GET_VARIABLE || request == PUT_VARIABLE || request == PAN) {
+        if (request == PAN) return -EINVAL;  // neither has a driver that pans
+        if (request == GET_VARIABLE || request == PUT_VARIABLE) {
             const bool is_wide = pixels_.bits == 32;  // 8-8-8, else 5-6-5
             const std::uint32_t bits = is_wide ? 8 : 5, green_bits = is_wide ? 8 : 6;
             std::uint32_t variable[40] = {pixels_.width,
                                           pixels_.height,
                                           pixels_.line * 8 / pixels_.bits,
-                                          bytes() / pixels_.line,
+                                          pixels_.bytes / pixels_.line,
                                           0,
                                           0,
                                           pixels_.bits,
@@ -238,13 +227,6 @@ private:
             return memory.write(at, variable, sizeof variable) ? 0 : -EFAULT;
         }
         return -ENOTTY;
-    }
-
-    // As much as the memory that has it gives: whole powers of two.
-    std::uint32_t bytes() const {
-        std::uint32_t all = 1;
-        while (all < pixels_.bytes()) all *= 2;
-        return all;
     }
 
     const PixelBuffer pixels_;

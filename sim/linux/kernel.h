@@ -15,8 +15,9 @@
 // emulated is reported once in the log and returns ENOSYS; see missing().  ioctl returns ENOTTY,
 // except for the settings of the console, which is a terminal.
 //
-// A call that has to wait says what for (LinuxWait); time passes when all threads wait.  A signal
-// comes at its exact time, also into a loop.  There is no shell: a program that ^Z stops stays so.
+// A call that has to wait says what for and what ends that (LinuxWait); time passes when all
+// threads wait.  A signal comes at its exact time, also into a loop.  ^C, ^\ and ^Z at the terminal
+// send theirs; there is no shell, so a program that ^Z has stopped stays so.
 //
 // Threads share one processor (scheduler.h), although the program is shown two, as on the board.
 // When all wait for each other for ever, the program ends by a fault that says who waits for whom.
@@ -25,8 +26,8 @@
 // translated is translated again after a switch from one to another.  The end of the first ends the
 // run.  A program that another becomes is itself, or lies under the root.
 //
-// Timers; the processor's pins and LED (gpio.h, led.h); USB devices (usb_bus.h); kernel modules
-// (modules.h).
+// Timers of setitimer, alarm, timer_create and timerfd; /dev/i2c-0; the processor's pins and LED
+// (gpio.h, led.h); USB devices (usb_bus.h); kernel modules (modules.h).
 //
 // Not handled: /dev/spidev (the DE1-SoC's device tree for Linux has no SPI device); job control;
 // owners of files other than root; mutexes with priority inheritance; the second processor: threads
@@ -56,6 +57,7 @@
 #include "sim/linux/ipc.h"
 #include "sim/linux/ipc_messages.h"
 #include "sim/linux/led.h"
+#include "sim/linux/linux_settings.h"
 #include "sim/linux/loader.h"
 #include "sim/linux/message_queues.h"
 #include "sim/linux/modules.h"
@@ -74,19 +76,6 @@
 namespace sim {
 
 class UsbFile;
-
-struct LinuxSettings {
-    struct Module {
-        ElfProgram elf;
-        std::vector<std::string> parameters;  // "period=5"
-    };
-
-    std::filesystem::path root;          // the program's /; empty: it has no files
-    std::vector<std::string> arguments;  // after the program's name
-    std::filesystem::path input;         // standard input; empty: the console
-    std::vector<Module> modules;         // loaded before it
-    std::vector<NamedPeer> network;      // outside, that it reaches
-};
 
 class LinuxKernel final : public ArmKernel {
 public:
@@ -444,7 +433,7 @@ private:
 
     ArmCpu& cpu_;
     const LinuxSettings settings_;
-    Outside outside_;
+    const Outside outside_;
     KernelHelpers helpers_;
     LinuxLoader loader_;
     Terminal terminal_;
@@ -481,6 +470,7 @@ private:
     bool yields_ = false;                        // the running one, by its own will
     bool changed_ = false;                       // files, so that a thread may go on
     bool over_ = false;
+    bool frame_reader_runs_ = false;
     sc_core::sc_time line_free_;  // when the console's line has taken all that was printed
     std::uint64_t random_;
     std::map<std::string, std::shared_ptr<SharedMemory>> shared_files_;  // of /dev/shm
@@ -490,7 +480,8 @@ private:
     std::map<int, IpcMessages> ipc_messages_;
     int next_ipc_ = 0;
     std::set<std::uint32_t> unaligned_;  // instructions that are in the log
-    std::map<std::string, std::pair<unsigned, std::string>> missing_;  // how often, where first
+    // Calls that are not emulated: how often, and where first, as in messages.
+    std::map<std::string, std::pair<unsigned, std::string>> missing_;
     std::vector<std::weak_ptr<LinuxTimerFile>> timer_files_;
     std::set<std::string> named_files_;  // of the system, that are not there
     std::optional<int> exit_code_;

@@ -70,7 +70,7 @@ LinuxKernel::Result LinuxKernel::sys_mmap2(const Arguments& a) {
         if (ModuleFile* const file = module_file(fd)) return map_module(fd, *file, a, bytes);
         if (LinuxDevice* const device = files().device(fd)) {
             if (const auto range = device->on_bus()) {
-                if (std::uint64_t{page} * AddressSpace::PAGE + bytes > range->second)
+                if (std::uint64_t{page} * AddressSpace::PAGE + bytes > page_up(range->second))
                     return -EINVAL;
                 return map_bus(a, bytes, access, range->first / AddressSpace::PAGE + page);
             }

@@ -51,11 +51,9 @@ constexpr const char* IO_MEMORY =
     "ffff0000-ffffffff : ffff0000.sram\n";
 
 // As the board's driver (altvipfb) does at boot, but when the program wants the picture.
-void start_frame_reader(LinuxKernel::Outside& outside) {
-    PixelBuffer& pixels = *outside.pixels;
-    const std::uint32_t registers = std::exchange(pixels.frame_reader, 0),
-                        all = pixels.width * pixels.height;
-    if (!registers) return;
+void start_frame_reader(const LinuxKernel::Outside& outside) {
+    const PixelBuffer& pixels = *outside.pixels;
+    const std::uint32_t all = pixels.width * pixels.height;
     enum { CONTROL, SELECT = 3, BASE, WORDS, SAMPLES, WIDTH = 8, HEIGHT, INTERLACED };
     for (auto [number, value] : {std::pair{BASE, pixels.base},
                                  {WORDS, all / (pixels.word / pixels.bits)},
@@ -65,7 +63,7 @@ void start_frame_reader(LinuxKernel::Outside& outside) {
                                  {INTERLACED, 3},
                                  {SELECT, 0},
                                  {CONTROL, 1}})
-        outside.access(true, registers + 4 * static_cast<std::uint32_t>(number), value);
+        outside.access(true, pixels.frame_reader + 4 * static_cast<std::uint32_t>(number), value);
 }
 
 }  // namespace
@@ -190,7 +188,8 @@ std::pair<int, std::shared_ptr<LinuxDevice>> LinuxKernel::open_own(const std::st
     if (path == "/dev/urandom" || path == "/dev/random")
         return {0, devices::random([this] { return random_byte(); })};
     if (path == "/dev/fb0" && outside_.pixels) {
-        start_frame_reader(outside_);
+        if (outside_.pixels->frame_reader && !std::exchange(frame_reader_runs_, true))
+            start_frame_reader(outside_);
         return {0, devices::framebuffer(*outside_.pixels)};
     }
     if (auto device = input_.open(path)) return {0, std::move(device)};

@@ -56,8 +56,7 @@ public:
     // Takes a burst, or a word of one, at the next clock: it is open, and the memory not behind.
     virtual bool takes(unsigned port, std::uint64_t now_ps) const = 0;
     // Begins a burst; returns when its first word is there, or when it is written.
-    virtual std::uint64_t begin(unsigned port, unsigned bytes, bool write,
-                                std::uint64_t now_ps) = 0;
+    virtual std::uint64_t begin(unsigned bytes, std::uint64_t now_ps) = 0;
     // A word of it, or some bytes of a word.
     virtual Answer access(unsigned port, bool write, std::uint32_t address, std::uint8_t* data,
                           unsigned bytes, std::uint64_t now_ps) = 0;

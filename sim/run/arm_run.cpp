@@ -67,7 +67,6 @@ ArmRun::ArmRun(ProcessorSystem& processor, I2cDevices* i2c0, const RunPlan& plan
       network_{plan.description.program.network},
       cpu_{*processor.arm},
       bus_{processor.bus} {
-    ArmCpu& cpu = cpu_;
     const ProgramDescription& program = plan.description.program;
     const TraceDescription& trace = plan.description.outputs.trace;
     const auto print = [&observer](char c) { observer.console(c, SerialLine::UART); };
@@ -79,19 +78,19 @@ ArmRun::ArmRun(ProcessorSystem& processor, I2cDevices* i2c0, const RunPlan& plan
                             delay);
     };
     if (plan.on_linux)
-        kernel_.emplace(cpu,
+        kernel_.emplace(cpu_,
                         LinuxSettings{program.linux_root, program.arguments, program.input,
                                       load_modules(program.modules), named_peers(program.network)},
                         LinuxKernel::Outside{print, log, access, i2c0, processor.pixel_buffer()});
     else
-        semihosting_.emplace(cpu, Semihosting::Outside{print, log});
+        semihosting_.emplace(cpu_, Semihosting::Outside{print, log});
     if (!profile_file_.empty() || trace.is_of_a_part()) {
-        profile_.emplace(cpu.program().elf);
-        cpu.core().attach(&*profile_);
+        profile_.emplace(cpu_.program().elf);
+        cpu_.core().attach(&*profile_);
     }
     if (trace.is_of_a_part())
         calls_.emplace(
-            *profile_, cpu,
+            *profile_, cpu_,
             trace.to ? sc_core::sc_time::from_value(trace.to->ps) : sc_core::sc_max_time());
     recorder.on_frame = [this] { budget_.frame_ended(cpu_.counts(), sc_core::sc_time_stamp()); };
 }

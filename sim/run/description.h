@@ -31,11 +31,11 @@ struct FrameChoice {
 
 // A value that is not there is the scenario's, or else the default.
 struct ChipDescription {
-    ProjectOptions project;              // none: our own computer
-    std::optional<bool> bridged_memory;  // the processor's way to our computer's memories
-    std::optional<unsigned> audio_rate;  // of our computer, in samples per second
-    std::optional<bool> strict_vga;      // else: yes, but for a project
-    unsigned ddr3_mb_per_s = 3'200;      // for a project's masters: 32 bits at 400 MHz, both edges
+    ProjectOptions project;                 // none: our own computer
+    std::optional<bool> bridged_memory;     // the processor's way to our computer's memories
+    std::optional<unsigned> audio_rate;     // of our computer, in samples per second
+    std::optional<bool> strict_vga;         // else: yes, but for a project
+    std::optional<unsigned> ddr3_mb_per_s;  // for a project's masters
 };
 
 struct ProgramDescription {

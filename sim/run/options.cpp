@@ -90,9 +90,8 @@ void add_run_options(CLI::App& command, RunOptions& options) {
     command
         .add_option("--ddr3-rate", chip.ddr3_mb_per_s,
                     "MB/s of the processor's DDR3 for masters in the FPGA, 1 to 100000, for\n"
-                    "--project")
-        ->check(CLI::Range(1u, 100'000u))
-        ->capture_default_str();
+                    "--project; 3200 by default")
+        ->check(CLI::Range(1u, 100'000u));
     command.add_option_function<std::string>(
         "--gdb",
         [&](const std::string& text) {
@@ -270,10 +269,6 @@ RunDescription described_by(const CLI::App& command, const RunOptions& options, 
         run.scenario.clear();
     }
     if (!run.scenario.empty()) refuse_other_kinds(run.scenario);
-    if (!run.chip.project.place.empty())
-        for (const char* option : {"--fpga-memory", "--audio-rate"})
-            if (command.count(option) > 0)
-                throw CLI::ValidationError(option, "and --project exclude each other");
     for (const char* option : {"--cpi", "--no-shortcuts", "--gdb", "--system", "--linux-root",
                                "--module", "--stdin", "--network", "--profile", "--ddr3-rate"})
         if (command.count(option) > 0) run.program.arm_options.push_back(option);

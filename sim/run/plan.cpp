@@ -9,6 +9,8 @@ namespace sim {
 
 namespace {
 
+constexpr unsigned DDR3_MB_PER_S = 3'200;  // of 32 bits at 400 MHz, both edges
+
 Scenario scenario_of(const RunDescription& run) {
     if (run.scenario.empty()) return {};
     return run.scenario_text
@@ -36,6 +38,20 @@ bool runs_on_linux(const ProgramDescription& program) {
     return program.system == "linux" || (program.system == "auto" && expects_linux(program.elf));
 }
 
+void refuse_other_chips_options(const ChipDescription& chip, bool has_project) {
+    if (!has_project && chip.ddr3_mb_per_s)
+        throw std::runtime_error{
+            "--ddr3-rate: is for a project's design: expected --project, or a scenario with a "
+            "project"};
+    const char* const ours = chip.bridged_memory ? "--fpga-memory"
+                             : chip.audio_rate   ? "--audio-rate"
+                                                 : nullptr;
+    if (has_project && ours)
+        throw std::runtime_error{
+            std::string{ours} +
+            ": is for the DE1-SoC Computer, which is built in: expected no project"};
+}
+
 }  // namespace
 
 std::string missing_for(const RunPlan& plan, const Step& step) {
@@ -51,6 +67,7 @@ RunPlan plan_run(RunDescription description) {
     if (chip.project.place.empty() && program.cpu != "native")
         chip.project.place = scenario.project;
     const bool has_project = !chip.project.place.empty();
+    refuse_other_chips_options(chip, has_project);
     if (program.elf.empty() && program.cpu != "native" &&
         (has_project || program.cpu == "arm" || scenario.cpu != "native"))
         program.elf = scenario.program;
@@ -64,6 +81,7 @@ RunPlan plan_run(RunDescription description) {
     plan.seed = description.seed.value_or(scenario.seed);
     plan.duration = description.duration ? description.duration : scenario.duration;
     plan.bridged_memory = chip.bridged_memory.value_or(scenario.memory_bridged.value_or(false));
+    plan.ddr3_mb_per_s = chip.ddr3_mb_per_s.value_or(DDR3_MB_PER_S);
     plan.audio_rate = chip.audio_rate.value_or(scenario.audio_rate.value_or(8'000));
     plan.strictness = chip.strict_vga.value_or(!has_project) ? Monitor::Strictness::STRICT
                                                              : Monitor::Strictness::TOLERANT;

@@ -22,6 +22,7 @@ struct RunPlan {
     std::optional<SimTime> duration;
     bool bridged_memory = false;
     unsigned audio_rate = 8'000;  // samples per second
+    unsigned ddr3_mb_per_s = 0;   // for a project's masters
     Monitor::Strictness strictness = Monitor::Strictness::STRICT;
 
     bool has_project() const { return !description.chip.project.place.empty(); }

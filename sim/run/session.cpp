@@ -152,9 +152,9 @@ std::unique_ptr<Chip> System::chip_for(const RunPlan& plan, ProcessorSystem::Sof
     const std::string folder = project_folder_of(run.chip.project.place);
     if (plan.processor != RunPlan::Processor::ARM)
         return std::make_unique<ProjectChip>("chip", pins, built->library, folder, trace);
-    auto chip = std::make_unique<ProjectComputer>(
-        "computer", pins, observer, std::move(software), built->library, folder, trace,
-        processor_system_of(*built), run.chip.ddr3_mb_per_s);
+    auto chip = std::make_unique<ProjectComputer>("computer", pins, observer, std::move(software),
+                                                  built->library, folder, trace,
+                                                  processor_system_of(*built), plan.ddr3_mb_per_s);
     processor = chip.get();
     return chip;
 }

@@ -32,7 +32,7 @@ public:
     explicit Bytes(std::mt19937& random) : random_{random} {}
     bool is_open(unsigned) const override { return true; }
     bool takes(unsigned, std::uint64_t) const override { return random_() % 4; }
-    std::uint64_t begin(unsigned, unsigned, bool, std::uint64_t now_ps) override {
+    std::uint64_t begin(unsigned, std::uint64_t now_ps) override {
         return now_ps + random_() % 100'000;
     }
     Answer access(unsigned, bool write, std::uint32_t address, std::uint8_t* data, unsigned bytes,

@@ -105,6 +105,13 @@ class Masters(SystemCase):
                             COPY.format(to=to, there=there))
                 self.shows(SHOWN)
 
+    def test_masters_have_the_bandwidth_that_is_asked_for(self):
+        self.copier({"F2SDRAM_Type": "Avalon-MM Bidirectional", "F2SDRAM_Width": "64"},
+                    "f2h_sdram0_data", COPY.format(to=0x20010000, there=0))
+        dark, lit = 'expect-leds: "0000000000"', f'expect-leds: "{SHOWN:010b}"'
+        self.played("delay: 300us", lit)  # 720 bytes
+        self.played("delay: 600us", dark, "delay: 400us", lit, options=("--ddr3-rate", "1"))
+
     def test_a_word_past_the_end_ends_the_run(self):
         self.copier({"F2SDRAM_Type": "Avalon-MM Bidirectional", "F2SDRAM_Width": "64"},
                     "f2h_sdram0_data", COPY.format(to=0x3FFFFEA0, there=0))
@@ -160,6 +167,46 @@ endmodule
             self.program(f"while (R32({address + width:#x}) != 15) {{}}\n"
                          f"R32(0xFF200000) = R32({address + width:#x}) << 4 | R32({address:#x});")
             self.shows(0xF7)
+
+
+    def test_an_axi_port_at_the_top(self):
+        """Four words of its bus, each of a number more."""
+        modules, wires = pio("leds", 0)
+        for port, width, processor in (
+                ("f2h_axi_slave", 64, {"F2S_Width": "2"}),
+                ("f2h_sdram0_data", 32, {"F2SDRAM_Type": "AXI-3", "F2SDRAM_Width": "32"}),
+                ("f2h_sdram1_data", 256, {"F2SDRAM_Type": "AXI-3,AXI-3",
+                                          "F2SDRAM_Width": "64,256"})):
+            clocks = [("clock", "clk_0.clk", f"hps_0.{name}_clock") for name in
+                      (["f2h_axi"] if "F2S_Width" in processor else ["f2h_sdram0", "f2h_sdram1"]
+                       [:len(processor["F2SDRAM_Width"].split(","))])]
+            self.write(
+                sys_qsys=qsys([BASE[0], ("hps_0", "altera_hps", {**BASE[1][2], **processor}),
+                               *modules], [*CLOCKS, *wires, *clocks],
+                              [("leds", "leds.external_connection"), ("ram", f"hps_0.{port}")]),
+                top_v=f"""module top(input CLOCK_50, output [9:0] LEDR);
+wire awready, wready; reg begun = 0, asks = 0, writes = 0; reg [1:0] place = 0;
+sys system(.clk_clk(CLOCK_50), .reset_reset_n(1'b1), .leds_export(LEDR),
+    .ram_awid(8'd5), .ram_awaddr(32'h1000000), .ram_awlen(4'd3), .ram_awburst(2'd1),
+    .ram_awsize(3'd{(width // 8).bit_length() - 1}), .ram_awvalid(asks), .ram_awready(awready),
+    .ram_wdata({{{width - 2}'d3, place}}), .ram_wstrb({{{width // 8}{{1'b1}}}}),
+    .ram_wlast(place == 3), .ram_wvalid(writes), .ram_wready(wready),
+    .ram_bready(1'b1), .ram_arvalid(1'b0), .ram_rready(1'b1));
+always @(posedge CLOCK_50) begin
+    begun <= 1;
+    if (!begun) begin asks <= 1; writes <= 1; end
+    if (awready) asks <= 0;
+    if (writes && wready) begin place <= place + 1; writes <= place != 3; end
+end
+endmodule
+""",
+                top_qsf="set_global_assignment -name DEVICE 5CSEMA5F31C6\n"
+                        "set_global_assignment -name VERILOG_FILE top.v\n"
+                        "set_global_assignment -name QSYS_FILE sys.qsys\n")
+            last = 0x1000000 + 3 * width // 8
+            self.program(f"while (R32({last:#x}) != 15) {{}}\n"
+                         f"R32(0xFF200000) = R32({last:#x}) << 4 | R32(0x1000000);")
+            self.shows(0xFC)
 
 
 class Primitives(SystemCase):

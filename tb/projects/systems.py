@@ -99,11 +99,11 @@ class SystemCase(Case):
                              f"int main(void) {{\n{body}\nfor (;;) {{}}\n}}\n")
         subprocess.run([*GCC, "program.c", "-o", "program.elf"], cwd=self.folder, check=True)
 
-    def played(self, *steps, head="", code=0):
+    def played(self, *steps, head="", code=0, options=()):
         """The program in the system, with lines of the scenario before its steps."""
         self.write(s_yaml="name: s\nversion: 1\nprogram: program.elf\nproject: top.qsf\n" + head +
                           "steps:\n" + "".join(f"  - {step}\n" for step in steps))
-        done = self.de1sim("run", "s.yaml")
+        done = self.de1sim("run", "s.yaml", *options)
         self.assertEqual(done.returncode, code, done.stdout + done.stderr)
         return done
 

@@ -174,6 +174,9 @@ TEST_F(ArmRun, RefusesNativeOptionsAndImpossibleClocks) {
     scenario("duration: 1s\n");
     refused(play("s.yaml", {"--cpu", "native", "--elf", LEDS_ELF}), "--elf: is for --cpu arm");
     refused(play("s.yaml", {"--cpi", "2"}), "--cpi: is for --cpu arm");
+    refused(arm(LEDS_ELF, "duration: 1s\n", {"--ddr3-rate", "100"}),
+            "--ddr3-rate: is for a project's design: expected --project, or a scenario with a "
+            "project");
     for (const char* cpi : {"0", "-1", "1000", "nan", "one", "1e99"})
         refused(arm(LEDS_ELF, "duration: 1s\n", {"--cpi", cpi}), "--cpi");
 }

@@ -42,7 +42,7 @@ TEST_F(LinuxDevice, HasTheMouseAsPackets) {
 }
 
 TEST_F(LinuxDevice, HasThePixelBufferAsAFrameBuffer) {
-    prints("draws", "red", "", "320 x 240, 16 bits, red 5 at 11\nf800, 07e0\n");
+    prints("draws", "red", "", "320 x 240, 16 bits, red 5 at 11\nf800, 07e0, pan -1\n");
 }
 
 }  // namespace

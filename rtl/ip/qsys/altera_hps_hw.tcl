@@ -149,11 +149,13 @@ proc avalon_ports {interface prefix width kind} {
     }
 }
 
-# The ports to the SDRAM: lists of kinds and widths.
+# The ports to the SDRAM: lists of kinds and widths.  AXI takes two of the six command ports, one
+# for each direction; commandPort is the first, as de1sim_hps_memory.vh numbers them.
 proc sdram_ports {} {
     set kinds [regexp -all -inline {AXI-3|Bidirectional|Read-Only|Write-Only} [value F2SDRAM_Type]]
     set widths [regexp -all -inline {\d+} [value F2SDRAM_Width]]
     set n 0
+    set command 0
     foreach kind $kinds width $widths {
         set name f2h_sdram$n
         clock $name
@@ -165,7 +167,9 @@ proc sdram_ports {} {
             avalon_ports ${name}_data ${name}_ $width $kind
         }
         set_interface_property ${name}_data associatedClock ${name}_clock
+        set_interface_property ${name}_data commandPort $command
         incr n
+        incr command [expr {$kind eq "AXI-3" ? 2 : 1}]
     }
 }
 
@@ -191,6 +195,7 @@ proc elaborate {} {
         add_interface f2h_axi_slave axi end
         axi_ports f2h_axi_slave f2h_ [lindex $widths [value F2S_Width]] true
         set_interface_property f2h_axi_slave associatedClock f2h_axi_clock
+        set_interface_property f2h_axi_slave commandPort 6
     }
     sdram_ports
     if {[yes STM_Enable]} {

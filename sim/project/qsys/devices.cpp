@@ -116,8 +116,9 @@ std::optional<PixelBuffer> of_pixel_buffer(const End& master, const std::vector<
     if (bytes < 2) return {};  // levels of grey, or 256 colours
     unsigned columns = 1;      // X-Y: each line is a power of two
     while (columns < number("WIDTH")) columns *= 2;
-    PixelBuffer pixels{0, number("WIDTH"), number("HEIGHT"), bytes == 2 ? 16u : 32u,
-                       bytes * (number("CONSECUTIVE") ? number("WIDTH") : columns)};
+    const unsigned line = bytes * (number("CONSECUTIVE") ? number("WIDTH") : columns);
+    PixelBuffer pixels{0,    number("WIDTH"),        number("HEIGHT"), bytes == 2 ? 16u : 32u,
+                       line, line * number("HEIGHT")};
     const std::uint64_t start = number_of(master, "START");
     for (const Place& its : map)
         for (const Place& ours : map)
@@ -143,6 +144,7 @@ std::optional<PixelBuffer> of_frame_reader(const End& master, const std::vector<
                                number("MAX_IMAGE_HEIGHT"),
                                32,
                                4 * number("MAX_IMAGE_WIDTH"),
+                               4 * number("MAX_IMAGE_WIDTH") * number("MAX_IMAGE_HEIGHT"),
                                static_cast<std::uint32_t>(place.window + place.base),
                                number("MEM_PORT_WIDTH")};
     return {};

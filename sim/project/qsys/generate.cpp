@@ -175,8 +175,7 @@ private:
     // A port to the processor's memory, for a master at the top.
     void exported_slave(const Export& x, const End& e) {
         const Interface& i = *e.interface;
-        const bool is_sdram = i.name.compare(0, 9, "f2h_sdram") == 0;
-        const std::string number = is_sdram ? i.name.substr(9, 1) : "6";
+        const unsigned number = i.number("commandPort", 0);
         const std::string clock =
             End{e.instance, e.component, e.component->interface(i.property("associatedClock"))}
                 .wire("clk");
@@ -186,16 +185,17 @@ private:
         };
         const Port* data = i.port(is_axi(i) ? "rdata" : "readdata");
         if (!data) data = i.port("writedata");
-        const unsigned size = data->width / 64 - data->width / 256;  // 0: 32 bits, 1: 64 ...
         const std::string name = fmt::format("{}_{}", e.instance->name, i.name);
         if (is_axi(i)) {
             std::string ports;
             for (const Port& port : i.ports)
                 ports += fmt::format(",\n        .{}({})", port.role, port_name(x, e, port));
+            unsigned size = 0;
+            while (32u << size < data->width) ++size;
             return text_.line(
-                fmt::format("de1sim_hps_axi_port #(.PORT({})) {} (\n        .clk({}), "
-                            ".port_size_config(2'd{}){}\n    );",
-                            number, name, clock, size, ports));
+                fmt::format("cyclonev_hps_interface_fpga2hps #(.PORT({}), .WIDTH({})) {} (\n"
+                            "        .clk({}), .port_size_config(2'd{}){}\n    );",
+                            number, data->width, name, clock, size, ports));
         }
         text_.line(fmt::format(
             "de1sim_hps_avalon_port #(.PORT({}), .WIDTH({})) {} (\n        .clk_i({}),\n"

@@ -56,12 +56,10 @@ public:
 
     // The processor's memory: what a master asks of it is no signal of the design.
     void processor() {
-        const std::string& interface = interface_.name;  // f2h_sdram0_data, f2h_axi_slave
-        const bool is_sdram = interface.compare(0, 9, "f2h_sdram") == 0;
         text_.line(fmt::format(
             "de1sim_hps_agent #(.PORT({}), .WIDTH({})) {} (\n        .clk_i({}), .rst_i({}),\n"
             "        {}\n    );",
-            is_sdram ? interface.substr(9, 1) : "6", slave_.width, name_, clock_, reset_,
+            interface_.number("commandPort", 0), slave_.width, name_, clock_, reset_,
             from_.is_asked()));
     }
 

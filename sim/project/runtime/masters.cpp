@@ -133,8 +133,7 @@ extern "C" long long de1sim_hps_begin(int number, int write, int address, int be
     const auto bus = static_cast<unsigned>(width);
     MasterBurst burst{static_cast<std::uint32_t>(address), words, words, std::min(1u << size, bus),
                       static_cast<unsigned>(kind),         bus};
-    const std::uint64_t due_ps =
-        memory->begin(port, words * burst.bytes, write != 0, evaluated.time_ps);
+    const std::uint64_t due_ps = memory->begin(words * burst.bytes, evaluated.time_ps);
     if (write) {
         ports[port].writes.push_back(burst);
     } else {

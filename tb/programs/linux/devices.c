@@ -55,8 +55,8 @@ static void draws(void) {
            variable.bits_per_pixel, variable.red.length, variable.red.offset);
     const uint8_t* shown = mmap(NULL, 0x40000, PROT_READ, MAP_SHARED, open("/dev/mem", O_RDONLY),
                                 0xC8000000);  // what the monitor gets
-    printf("%04x, %04x\n", *(const uint16_t*)(shown + 119 * 1024 + 638),
-           *(const uint16_t*)(shown + 120 * 1024));
+    printf("%04x, %04x, pan %d\n", *(const uint16_t*)(shown + 119 * 1024 + 638),
+           *(const uint16_t*)(shown + 120 * 1024), ioctl(fd, FBIOPAN_DISPLAY, &variable));
 }
 
 int main(int argc, char** argv) {
