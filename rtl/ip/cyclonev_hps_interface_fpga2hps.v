@@ -12,7 +12,7 @@
 module cyclonev_hps_interface_fpga2hps #(
     // The device's primitive has no parameters.  A Platform Designer system has an AXI port of
     // fpga2sdram by these.
-    parameter port = 6, PORT = port,       // as in de1sim_hps_memory.vh
+    parameter command_port = 6, COMMAND_PORT = command_port,  // as in de1sim_hps_memory.vh
     parameter width = 128, WIDTH = width   // 32 to 256
 ) (
     input  wire                   clk,
@@ -67,7 +67,7 @@ module cyclonev_hps_interface_fpga2hps #(
     wire         is_last;
     // verilator lint_on UNUSED
 
-    de1sim_hps_reads #(.PORT(PORT)) reads (
+    de1sim_hps_reads #(.PORT(COMMAND_PORT)) reads (
         .clk_i(clk), .width_i(bytes),
         .valid_i(arvalid && used), .ready_o(arready), .address_i(araddr),
         .beats_i({4'd0, arlen} + 8'd1), .size_i(arsize), .burst_i(arburst), .id_i(arid),
@@ -76,7 +76,7 @@ module cyclonev_hps_interface_fpga2hps #(
     );
     assign rdata = word[WIDTH-1:0];
 
-    de1sim_hps_writes #(.PORT(PORT)) writes (
+    de1sim_hps_writes #(.PORT(COMMAND_PORT)) writes (
         .clk_i(clk), .width_i(bytes),
         .valid_i(awvalid && used), .ready_o(awready), .address_i(awaddr),
         .beats_i({4'd0, awlen} + 8'd1), .size_i(awsize), .burst_i(awburst), .id_i(awid),

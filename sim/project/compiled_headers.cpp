@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <sstream>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -47,12 +48,20 @@ std::string note_of_program(const std::string& name) {
     return "";
 }
 
-// Those in "x.gch: /usr/include/a.h \", as -MD writes them.
+// Those in "x.gch: /usr/include/a.h \", as -MD writes them: a backslash before a space that is in
+// a name, or before the end of a line.
 std::vector<fs::path> files_of_rule(const std::string& rule) {
     std::vector<fs::path> files;
-    std::istringstream words{rule.substr(std::min(rule.size(), rule.find(": ") + 2))};
-    for (std::string word; words >> word;)
-        if (word != "\\") files.emplace_back(word);
+    std::string name;
+    for (std::size_t n = std::min(rule.size(), rule.find(": ") + 2); n < rule.size(); ++n) {
+        const bool escaped = rule[n] == '\\' && n + 1 < rule.size();
+        if (escaped) ++n;
+        if (rule[n] == '\n' || (rule[n] == ' ' && !escaped)) {
+            if (!name.empty()) files.emplace_back(std::exchange(name, {}));
+        } else {
+            name += rule[n];
+        }
+    }
     return files;
 }
 

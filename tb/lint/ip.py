@@ -2,12 +2,23 @@
 
 A file is named as its module.  Each parameter is there in lower and in upper case, where the upper
 one follows the lower one.  No net has a pull: with tri0 or tri1 in the instantiating module as
-well, Verilator 5.006 silently holds the signal constant.  defaults.tsv names inputs that there are,
+well, Verilator 5.006 silently holds the signal constant.  No parameter is a reserved word of VHDL,
+since VHDL has a component of each model.  defaults.tsv names inputs that there are,
 and gives all ones to each, as 1'b1 or as -1 to a vector.
 """
 import pathlib
 import re
 import sys
+
+VHDL_WORDS = set("""
+    abs access after alias all and architecture array assert attribute begin block body buffer bus
+    case component configuration constant disconnect downto else elsif end entity exit file for
+    function generate generic group guarded if impure in inertial inout is label library linkage
+    literal loop map mod nand new next nor not null of on open or others out package port postponed
+    procedure process pure range record register reject rem report return rol ror select severity
+    shared signal sla sll sra srl subtype then to transport type unaffected units until use
+    variable wait when while with xnor xor assume context cover default fairness force parameter
+    property protected release restrict sequence strong vmode vprop vunit""".split())
 
 
 def without_comments(text):
@@ -42,6 +53,8 @@ def problems(path):
         lower, upper = name.lower(), name.upper()
         if lower not in given or given.get(upper) != lower:
             yield f"parameter {name}: expected {lower} = ..., {upper} = {lower}"
+        if name in VHDL_WORDS:
+            yield f"parameter {name} is a reserved word of VHDL"
 
 
 def wrong_defaults(folder):

@@ -114,7 +114,10 @@ class Waves(unittest.IsolatedAsyncioTestCase):
             client = Client(socket)
             await client.frames_on(60)
             await client.send(waves={"last": "900ms"})
-            await asyncio.sleep(0.5)
+            for _ in range(200):  # 20 s
+                if self.second_runs():
+                    break
+                await asyncio.sleep(0.1)
             self.assertNotEqual(self.second_runs(), [])
         self.board.__exit__()
         self.assertEqual(self.second_runs(), [])

@@ -192,10 +192,10 @@ private:
                 ports += fmt::format(",\n        .{}({})", port.role, port_name(x, e, port));
             unsigned size = 0;
             while (32u << size < data->width) ++size;
-            return text_.line(
-                fmt::format("cyclonev_hps_interface_fpga2hps #(.PORT({}), .WIDTH({})) {} (\n"
-                            "        .clk({}), .port_size_config(2'd{}){}\n    );",
-                            number, data->width, name, clock, size, ports));
+            return text_.line(fmt::format(
+                "cyclonev_hps_interface_fpga2hps #(.COMMAND_PORT({}), .WIDTH({})) {} (\n"
+                "        .clk({}), .port_size_config(2'd{}){}\n    );",
+                number, data->width, name, clock, size, ports));
         }
         text_.line(fmt::format(
             "de1sim_hps_avalon_port #(.PORT({}), .WIDTH({})) {} (\n        .clk_i({}),\n"
