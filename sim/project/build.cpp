@@ -84,6 +84,11 @@ std::vector<std::string> verilator_command(const Project& project,
     return command;
 }
 
+std::string state_of(const fs::path& file) {
+    return fmt::format("{} {}\n", fs::file_size(file),
+                       fs::last_write_time(file).time_since_epoch().count());
+}
+
 std::map<std::string, std::string> board_pins() {
     return signals_by_pin(data_folder() / "rtl/board/de1_soc/pins.tsv");
 }
@@ -133,8 +138,20 @@ bool Builder::write_tree() {
     const auto parameters = verilator_options(design_.project.parameters);
     command.insert(command.end(), parameters.begin(), parameters.end());
     for (const fs::path& file : files_) command.push_back(file.string());
+    const std::string key = key_of(command);
+    const fs::path kept = folder_ / "design.kept";  // the key of the tree, and what was printed
+    std::error_code error;
+    if (fs::is_regular_file(kept, error) && fs::is_regular_file(tree(), error)) {
+        const std::string text = text_of(kept);
+        if (text.compare(0, key.size(), key) == 0) {
+            verilator_output_ = text.substr(key.size());
+            return true;
+        }
+    }
+    fs::remove(kept, error);
     try {
         verilator_output_ = run_tool(command, folder_, limit_);
+        write_whole_file(kept, key + verilator_output_);
     } catch (const ProjectError& e) {
         const std::string_view text = e.what();
         if (!design_.project.why_missing.empty() &&
@@ -260,19 +277,23 @@ void Builder::generate() {
 }
 
 std::string Builder::key() const {
-    std::string all = fmt::format("{} {}\n", trace_, design_.project.top);
-    for (const fs::path& part : {fs::path{"/proc/self/exe"}, runtime_library(verilator_, limit_)})
-        all += fmt::format("{} {}\n", fs::file_size(part),
-                           fs::last_write_time(part).time_since_epoch().count());
+    std::string more = fmt::format("{} {}\n", trace_, design_.project.top) +
+                       state_of(runtime_library(verilator_, limit_));
+    for (const char* name : {"de1sim_design.vh", "de1sim_pll_taps.v", "de1sim_facts.h"})
+        more += text_of(folder_ / name);
+    return key_of(verilator_command(design_.project, includes_), more);
+}
+
+// Of all that a command of Verilator reads: the design, our own models, and the programs.
+std::string Builder::key_of(const std::vector<std::string>& command, std::string all) const {
+    all += state_of("/proc/self/exe") + verilator_.version + "\n";
     for (const char* name : {"project", "rtl/ip"}) {
         const FileFinder ours{data_folder() / name};
         for (const fs::path& file : ours.files()) all += text_of(file);
     }
-    for (const auto& word : verilator_command(design_.project, includes_)) all += word + "\n";
+    for (const auto& word : command) all += word + "\n";
     for (const fs::path& file : files_) all += text_of(folder_ / file);
     all += included_;
-    for (const char* name : {"de1sim_design.vh", "de1sim_pll_taps.v", "de1sim_facts.h"})
-        all += text_of(folder_ / name);
     return hash_of(all);
 }
 

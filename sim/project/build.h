@@ -63,6 +63,7 @@ private:
     std::filesystem::path tree() const;
     void generate();
     std::string key() const;
+    std::string key_of(const std::vector<std::string>& command, std::string more = {}) const;
 
     FolderLock lock_;  // from examine() on: two runs of one project do not build at once
     Request request_;

@@ -237,6 +237,18 @@ class Building(Case):
         built = self.de1sim("build", "copy")
         self.assertEqual(built.returncode, 0, built.stdout + built.stderr)
 
+    def test_a_design_is_elaborated_again_where_a_file_of_it_has_changed(self):
+        self.write(top_v='`include "gate.vh"\n' + LEDS.format("`GATE"),
+                   gate_vh="`define GATE SW\n")
+        elaborated = []
+        for files in {}, {}, {"gate_vh": "`define GATE ~SW\n"}, {"top_v": LEDS.format("SW")}:
+            self.write(**files)
+            self.assertEqual(self.de1sim("check", ".").returncode, 0)
+            tree, = [*self.folder.rglob("design.xml"), *self.folder.rglob("design.json")]
+            elaborated.append(tree.stat().st_mtime_ns)
+        self.assertEqual(elaborated[0], elaborated[1])
+        self.assertEqual(len(set(elaborated)), 3)
+
     def test_two_at_once_build_once(self):
         self.write(top_v=LEDS.format("SW"))
         both = [subprocess.Popen([DE1SIM, "build", "."], cwd=self.folder, text=True,
