@@ -5,10 +5,14 @@
 module cyclonev_hps_interface_interrupts (
     input  wire [63:0] irq  // IDs 72 to 135
 );
+`ifdef DE1SIM_LISTS
+    // The design alone, without the chip.
     // verilator lint_off UNUSED
-    wire reset_n;
+    wire [63:0] unused = irq;
     // verilator lint_on UNUSED
-    de1sim_hps hps (.h2f_rst_n(reset_n), .f2h_irq_p0(irq[31:0]), .f2h_irq_p1(irq[63:32]));
+`else
+    assign de1sim_chip.hps_irq = irq;
+`endif
 endmodule
 
 `default_nettype wire

@@ -23,9 +23,9 @@ ProcessorSystem::ProcessorSystem(const sc_core::sc_module_name& name, PinListene
       hps{"hps",
           {[&observer](char character) { observer.console(character, SerialLine::UART); },
            [this](bool irq, bool fiq) { cpu.interrupt(irq, fiq); },
-           [this] {
+           [this](bool cold) {
                cpu.warm_reset();
-               reset_fpga();
+               reset_fpga(cold);
            },
            [this](std::uint32_t in_reset) {
                h2f_gate_(!(in_reset & ResetManager::H2F));
@@ -35,6 +35,8 @@ ProcessorSystem::ProcessorSystem(const sc_core::sc_module_name& name, PinListene
                   sc_core::sc_time& delay) {
                return bus.transfer(write, address, data, bytes, delay);
            },
+           [this](std::uint32_t gpo, const sc_core::sc_time& now) { general_purpose(gpo, now); },
+           [this](const sc_core::sc_time& now) { return general_purpose(now); },
            [this, &observer](const std::string& line) { observer.log(line + cpu.accessed()); }}},
       bus{"bus"},
       processor_{processor_for(std::move(software), observer)},

@@ -45,8 +45,11 @@ public:
     void accelerometer_interrupt(bool up) { hps.gpio2.drive(ACCELEROMETER, up); }
 
 private:
-    // h2f_reset, at a warm reset of the processor.
-    virtual void reset_fpga() {}
+    // h2f_reset, at a reset of the processor.
+    virtual void reset_fpga(bool /*cold*/) {}
+    // The general purpose signals, to the design and from it.
+    virtual void general_purpose(std::uint32_t /*gpo*/, const sc_core::sc_time& /*now*/) {}
+    virtual std::uint32_t general_purpose(const sc_core::sc_time& /*now*/) { return 0; }
 
     static constexpr unsigned ACCELEROMETER = 61 - 58;  // GPIO61 is GPIO2's pin 3
 

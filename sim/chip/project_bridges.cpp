@@ -44,7 +44,7 @@ bool ProjectBridges::access(const project::BridgeAccess& access, sc_time& delay)
         wait(picoseconds(until_ps) - sc_time_stamp());
     }
     delay = std::max(picoseconds(model.time_ps()), sc_time_stamp()) - sc_time_stamp();
-    fpga_.notify_interrupts();
+    fpga_.notify_processor();
     return true;
 }
 

@@ -46,7 +46,7 @@ ProjectChip::~ProjectChip() {
 void ProjectChip::run_to(std::uint64_t time_ps) {
     // Ahead of that already, by an access.
     if (time_ps >= model_->time_ps()) model_->run(time_ps_ = time_ps);
-    notify_interrupts();
+    notify_processor();
 }
 
 void ProjectChip::catch_up() {
@@ -54,27 +54,29 @@ void ProjectChip::catch_up() {
     model_->flush();
 }
 
-void ProjectChip::on_interrupts(std::function<void(std::uint64_t)> notify) {
-    notify_ = std::move(notify);
+void ProjectChip::on_processor_wires(Wires wires) {
+    wires_ = std::move(wires);
     pins_.agenda.on_next([this](std::uint64_t next_ps) { wait_for_board(next_ps); });
 }
 
-void ProjectChip::notify_interrupts() {
-    if (!notify_ || model_->interrupts() == interrupts_) return;
-    notify_(interrupts_ = model_->interrupts());
+void ProjectChip::notify_processor() {
+    if (wires_.interrupts && model_->interrupts() != interrupts_)
+        wires_.interrupts(interrupts_ = model_->interrupts());
+    if (wires_.reset_requests && model_->reset_requests() != reset_requests_)
+        wires_.reset_requests(reset_requests_ = model_->reset_requests());
 }
 
-void ProjectChip::reset() {
+void ProjectChip::reset(bool cold) {
     const std::uint64_t now_ps = sc_core::sc_time_stamp().value();
     run_to(now_ps);
-    model_->reset(true);
+    model_->reset(true, cold);
     const std::uint64_t begin_ps = std::max(model_->time_ps(), now_ps);
     reset_ends_.notify(sc_core::sc_time::from_value(begin_ps + RESET_PS - now_ps));
 }
 
 void ProjectChip::end_reset() {
     run_to(sc_core::sc_time_stamp().value());
-    model_->reset(false);
+    model_->reset(false, false);
 }
 
 void ProjectChip::wait_for_board(std::uint64_t next_ps) {

@@ -37,13 +37,17 @@ public:
     // ---- For a processor ----
 
     project::Model& model() { return *model_; }
-    // Runs up to this time, at most SystemC's next event, and notifies of interrupts.
+    // Runs up to this time, at most SystemC's next event, and notifies of what has changed.
     void run_to(std::uint64_t time_ps);
-    // `notify` is called with Model::interrupts() whenever it has changed.
-    void on_interrupts(std::function<void(std::uint64_t levels)> notify);
-    void notify_interrupts();
+    struct Wires {
+        std::function<void(std::uint64_t levels)> interrupts;   // Model::interrupts()
+        std::function<void(unsigned requests)> reset_requests;  // Model::reset_requests()
+    };
+    // Each is called whenever its value has changed.
+    void on_processor_wires(Wires wires);
+    void notify_processor();
     // h2f_reset, of the length that a warm reset of the processor has.
-    void reset();
+    void reset(bool cold);
 
 private:
     void end_reset();
@@ -58,8 +62,9 @@ private:
     std::uint64_t time_ps_ = 0;
     sc_core::sc_event look_, board_moves_, reset_ends_;
     PinListener& pins_;
-    std::function<void(std::uint64_t)> notify_;  // of interrupts; or none
+    Wires wires_;  // or none
     std::uint64_t interrupts_ = 0;
+    unsigned reset_requests_ = 0;
 };
 
 }  // namespace sim

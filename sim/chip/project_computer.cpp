@@ -11,6 +11,12 @@ namespace sim {
 namespace {
 
 constexpr std::size_t MOST_STRAYS = 20;
+constexpr unsigned MANY_RESETS = 10;
+const sc_core::sc_time longest_reset{20, sc_core::SC_MS};
+
+const char* name_of(unsigned reset_requests) {
+    return reset_requests & project::Model::COLD ? "f2h_cold_rst_req_n" : "f2h_warm_rst_req_n";
+}
 
 }  // namespace
 
@@ -39,7 +45,47 @@ ProjectComputer::ProjectComputer(const sc_core::sc_module_name& name, PinListene
         bus.on_answered(bridge, [this](std::uint32_t address, unsigned, bool write) {
             if (!cpu.is_inspected()) report_stray(address, write);
         });
-    fpga.on_interrupts([this](std::uint64_t levels) { hps.fpga_interrupts(levels); });
+    fpga.on_processor_wires({[this](std::uint64_t levels) { hps.fpga_interrupts(levels); },
+                             [this](unsigned requests) { request_reset(requests); }});
+    SC_HAS_PROCESS(ProjectComputer);
+    SC_METHOD(report_held_reset);
+    sensitive << reset_held_;
+    dont_initialize();
+}
+
+void ProjectComputer::general_purpose(std::uint32_t gpo, const sc_core::sc_time& now) {
+    fpga.run_to(now.value());
+    fpga.model().general_purpose(gpo);
+}
+
+std::uint32_t ProjectComputer::general_purpose(const sc_core::sc_time& now) {
+    fpga.run_to(now.value());
+    return fpga.model().general_purpose();
+}
+
+void ProjectComputer::request_reset(unsigned requests) {
+    using project::Model;
+    const unsigned begins = requests & ~std::exchange(reset_requests_, requests);
+    const bool held = requests & (Model::COLD | Model::WARM);
+    reset_held_.cancel();
+    if (held) reset_held_.notify(longest_reset);
+    cpu.hold_in_reset(held);
+    if (begins & Model::DEBUG) hps.reset_manager.reset(ResetManager::DEBUG_BY_FPGA);
+    if (!(begins & (Model::COLD | Model::WARM))) return;
+    const sc_core::sc_time now = sc_core::sc_time_stamp();
+    if (now - std::exchange(last_reset_, now) > longest_reset) resets_ = 0;
+    if (++resets_ == MANY_RESETS)
+        observer_.log(fmt::format(
+            "the design has reset the processor {} times in turn by {}: does the reset that it "
+            "gets by h2f_rst_n ask for the next one?",
+            resets_, name_of(requests)));
+    hps.reset_manager.reset(begins & Model::COLD ? ResetManager::COLD_BY_FPGA
+                                                 : ResetManager::WARM_BY_FPGA);
+}
+
+void ProjectComputer::report_held_reset() {
+    observer_.log(fmt::format("the design holds {} low: the processor stays in reset",
+                              name_of(reset_requests_)));
 }
 
 // What the processor reaches in a bridge's window.

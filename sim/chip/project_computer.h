@@ -48,7 +48,11 @@ public:
     ProjectBridges bridges;
 
 private:
-    void reset_fpga() override { fpga.reset(); }
+    void reset_fpga(bool cold) override { fpga.reset(cold); }
+    void general_purpose(std::uint32_t gpo, const sc_core::sc_time& now) override;
+    std::uint32_t general_purpose(const sc_core::sc_time& now) override;
+    void request_reset(unsigned requests);
+    void report_held_reset();
     void sent(unsigned number, char character) override;
     std::optional<char> typed(unsigned number) override;
     void report_stray(std::uint32_t address, bool write);
@@ -58,6 +62,9 @@ private:
     ChipObserver& observer_;
     std::deque<char> typed_[2];  // at the JTAG UARTs
     std::set<std::string> reported_;
+    unsigned reset_requests_ = 0, resets_ = 0;
+    sc_core::sc_event reset_held_;
+    sc_core::sc_time last_reset_;
 };
 
 }  // namespace sim

@@ -117,6 +117,11 @@ void ArmCpu::warm_reset() {
     if (running_) core_.stop_soon();
 }
 
+void ArmCpu::hold_in_reset(bool held) {
+    held_ = held;
+    if (!held) released_.notify(SC_ZERO_TIME);
+}
+
 // ---- The program --------------------------------------------------------------------------------
 
 void ArmCpu::start() {
@@ -140,6 +145,7 @@ void ArmCpu::run() {
         if (reset_) {
             log_(fmt::format("warm reset {}", where()));
             work(reset_time);
+            while (held_) pause(released_, sc_core::sc_max_time() - sc_core::sc_time_stamp());
             start();
         }
         if (remap_) {

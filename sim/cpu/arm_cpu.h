@@ -154,6 +154,7 @@ public:
     void interrupt(bool irq, bool fiq) override;
     bool irq() const { return irq_; }
     void warm_reset() override;
+    void hold_in_reset(bool held) override;
     // Ends a WFI or WFE, as a debug event does; and has a kernel that waits look again.
     void wake() {
         wake_.notify(sc_core::SC_ZERO_TIME);
@@ -290,11 +291,12 @@ private:
     sc_core::sc_process_handle process_;  // run()
     bool running_ = false;                // in ArmCore::run()
     bool waited_ = false;                 // in an access, so the quantum ends with it
-    bool irq_ = false, fiq_ = false, reset_ = false, asleep_ = false, ended_ = false;
+    bool irq_ = false, fiq_ = false, reset_ = false, held_ = false;
+    bool asleep_ = false, ended_ = false;
     sc_core::sc_time asleep_since_;
-    sc_core::sc_event wake_, inspect_;            // inspect_: by wake() only
-    std::optional<Position> final_;               // where it was when the run ended
-    std::optional<sc_core::sc_time> over_since_;  // see ended_for()
+    sc_core::sc_event wake_, inspect_, released_;  // inspect_: by wake() only
+    std::optional<Position> final_;                // where it was when the run ended
+    std::optional<sc_core::sc_time> over_since_;   // see ended_for()
 };
 
 }  // namespace sim

@@ -40,6 +40,8 @@ public:
     virtual void interrupt(bool /*irq*/, bool /*fiq*/) {}
     // A warm reset, as the reset manager or a watchdog asks for.
     virtual void warm_reset() {}
+    // After a reset it does not start before this ends, as a request of the FPGA that is held.
+    virtual void hold_in_reset(bool /*held*/) {}
 
 protected:
     // Of the host, for the thread: SystemC gives it 64 KB, which a translator's nesting outgrows,

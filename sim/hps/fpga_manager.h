@@ -3,6 +3,7 @@
 //   +0x000 stat: bits 2-0 the mode (1 reset, 2 configuration, 4 user mode), bits 7-3 MSEL, 01010
 //   +0x004 ctrl: bit 0 en: the bits below count; bit 2 nconfigpull: reset; bits 7-6 cdratio, bit 9
 //   cfgwdth; as a boot loader leaves it that has loaded an .rbf of 32 bits for this MSEL
+//   +0x010 gpo, +0x014 gpi: the general purpose signals, to the FPGA and from it
 //   +0x850 gpio_ext_porta: the configuration's pins, and that the FPGA has power
 //
 // A program that pulls nCONFIG sees the modes that come next.  The design stays in the FPGA and
@@ -25,30 +26,37 @@ namespace sim {
 
 class FpgaManager : public Registers {
 public:
-    FpgaManager(const sc_core::sc_module_name& module_name,
-                std::function<void(const std::string&)> notify)
-        : Registers{module_name}, notify_{std::move(notify)} {}
+    struct Wires {
+        std::function<void(const std::string&)> notify;
+        std::function<void(std::uint32_t gpo, const sc_core::sc_time& now)> gpo;
+        std::function<std::uint32_t(const sc_core::sc_time& now)> gpi;
+    };
+    FpgaManager(const sc_core::sc_module_name& module_name, Wires wires)
+        : Registers{module_name}, wires_{std::move(wires)} {}
 
 private:
-    static constexpr std::uint32_t STAT = 0x000, CTRL = 0x004, GPIO_EXT_PORTA = 0x850;
+    static constexpr std::uint32_t STAT = 0x000, CTRL = 0x004, GPO = 0x010, GPI = 0x014,
+                                   GPIO_EXT_PORTA = 0x850;
     static constexpr std::uint32_t EN = 1, NCONFIGPULL = 1 << 2, CDRATIO_X8 = 3 << 6,
                                    CFGWDTH_32 = 1 << 9;
     enum Mode : std::uint32_t { RESET = 1, CONFIGURATION = 2, USER = 4 };
 
-    std::uint32_t read(std::uint32_t offset, const sc_core::sc_time&) override {
+    std::uint32_t read(std::uint32_t offset, const sc_core::sc_time& now) override {
         constexpr std::uint32_t MSEL = 0x0A;
         if (offset == STAT) return MSEL << 3 | mode_;
         if (offset == GPIO_EXT_PORTA) return pins();
+        if (offset == GPI) return wires_.gpi(now);
         const auto found = values_.find(offset);
         return found == values_.end() ? 0 : found->second;
     }
 
-    void write(std::uint32_t offset, std::uint32_t value, const sc_core::sc_time&) override {
+    void write(std::uint32_t offset, std::uint32_t value, const sc_core::sc_time& now) override {
         values_[offset] = value;
+        if (offset == GPO) wires_.gpo(value, now);
         if (offset != CTRL) return;
         if ((value & EN) && (value & NCONFIGPULL)) {
             mode_ = RESET;
-            notify_(
+            wires_.notify(
                 "the program resets the FPGA to load another design (FPGA manager, ctrl): on the "
                 "board the design is gone; here it stays, and no bitstream is loaded");
         } else if (mode_ == RESET) {
@@ -68,7 +76,7 @@ private:
         return POWER | NCONFIG | NSTATUS | CONF_DONE | INIT_DONE;
     }
 
-    std::function<void(const std::string&)> notify_;
+    Wires wires_;
     Mode mode_ = USER;
     std::map<std::uint32_t, std::uint32_t> values_{{CTRL, CDRATIO_X8 | CFGWDTH_32}};
 };

@@ -62,11 +62,13 @@ Peripherals::Peripherals(const sc_core::sc_module_name& name, Wires wires)
           "reset_manager",
           {std::move(wires.bridges), [this](std::uint32_t blocks) { reset_blocks(blocks); },
            [this] { log_once("the second processor was released; only the first is simulated"); },
-           [this] {
+           [this](bool cold) {
                reset_blocks(WATCHDOG0 | WATCHDOG1);
-               warm_reset_();
+               reset_(cold);
            }}},
-      fpga_manager{"fpga_manager", [this](const std::string& line) { log_once(line); }},
+      fpga_manager{"fpga_manager",
+                   {[this](const std::string& line) { log_once(line); }, std::move(wires.gpo),
+                    std::move(wires.gpi)}},
       scu{"scu", remembering::scu()},
       l2_cache{"l2_cache", remembering::l2_cache(), remembering::l2_cache_after_preloader()},
       system_manager{"system_manager", remembering::system_manager()},
@@ -82,7 +84,7 @@ Peripherals::Peripherals(const sc_core::sc_module_name& name, Wires wires)
                                 "preloader set them: processor 800 MHz, L4_SP 100 MHz");
                     }},
       on_chip_ram{"on_chip_ram", 0x10000, sc_core::sc_time{10, sc_core::SC_NS}},
-      warm_reset_{std::move(wires.warm_reset)},
+      reset_{std::move(wires.reset)},
       log_{std::move(wires.log)} {}
 
 void Peripherals::reset_blocks(std::uint32_t permodrst) {

@@ -47,7 +47,7 @@ public:
     struct Wires {
         std::function<void(char)> console;
         std::function<void(bool irq, bool fiq)> interrupt;     // to the processor
-        std::function<void()> warm_reset;                      // to the processor
+        std::function<void(bool cold)> reset;                  // to the processor and the FPGA
         std::function<void(std::uint32_t brgmodrst)> bridges;  // ResetManager's bits
         // The DMA controller's accesses: Bus::transfer().
         std::function<bool(bool write, std::uint32_t address, std::uint8_t* data, unsigned bytes,
@@ -55,6 +55,11 @@ public:
             transfer = [](bool, std::uint32_t, std::uint8_t*, unsigned, sc_core::sc_time&) {
                 return false;
             };
+        // The general purpose signals: to the FPGA, from it.
+        std::function<void(std::uint32_t gpo, const sc_core::sc_time& now)> gpo =
+            [](std::uint32_t, const sc_core::sc_time&) {};
+        std::function<std::uint32_t(const sc_core::sc_time& now)> gpi =
+            [](const sc_core::sc_time&) { return 0; };
         // What the program should know: it asked for something that the simulation does not do.
         std::function<void(const std::string& line)> log = [](const std::string&) {};
     };
@@ -93,7 +98,7 @@ private:
     void reset_blocks(std::uint32_t permodrst);
     void log_once(const std::string& line);
 
-    std::function<void()> warm_reset_;
+    std::function<void(bool cold)> reset_;
     std::function<void(const std::string&)> log_;
     std::set<std::string> logged_;
     std::uint64_t fpga_levels_ = 0;

@@ -1,7 +1,8 @@
 // reset_manager.h - the HPS's reset manager: what is in reset, and the warm reset.
 //
-//   +0x00 stat: why the last resets were, write 1 clears: bit 4 a cold one and bit 10 a warm one by
-//   software, bit 12 the processor's watchdog, 14 and 15 the watchdogs on the L4 bus
+//   +0x00 stat: why the last resets were, write 1 clears: bit 2 a cold one and bit 9 a warm one by
+//   the FPGA, bit 4 a cold one and bit 10 a warm one by software, bit 12 the processor's watchdog,
+//   14 and 15 the watchdogs on the L4 bus, 18 a debug reset by the FPGA
 //   +0x04 ctrl: bit 0 cold, bit 1 warm
 //   +0x10 mpumodrst: bit 1: the second processor
 //   +0x14 permodrst: 1 = in reset: bits 6 and 7 the watchdogs, 12 - 15 I2C, 16 and 17 the UARTs,
@@ -29,26 +30,30 @@ class ResetManager : public Registers {
 public:
     static constexpr std::uint32_t H2F = 1, LWH2F = 2, F2H = 4;
     enum Cause : std::uint32_t {  // of stat
+        COLD_BY_FPGA = 1 << 2,
         COLD_BY_SOFTWARE = 1 << 4,
+        WARM_BY_FPGA = 1 << 9,
         WARM_BY_SOFTWARE = 1 << 10,
         MPU_WATCHDOG = 1 << 12,
         L4_WATCHDOG_0 = 1 << 14,
-        L4_WATCHDOG_1 = 1 << 15
+        L4_WATCHDOG_1 = 1 << 15,
+        DEBUG_BY_FPGA = 1 << 18
     };
 
     struct Wires {
         std::function<void(std::uint32_t brgmodrst)> bridges;  // when it is written
         std::function<void(std::uint32_t permodrst)> blocks;   // ... those that go into reset
         std::function<void()> second_processor;                // is released
-        std::function<void()> warm;                            // a reset is asked for
+        std::function<void(bool cold)> reset;                  // is asked for
     };
     ResetManager(const sc_core::sc_module_name& module_name, Wires wires)
         : Registers{module_name}, wires_{std::move(wires)} {}
 
     void reset(Cause cause) {
         values_[STAT] |= cause;
+        if (cause == DEBUG_BY_FPGA) return;  // of what the program does not see
         values_[MPUMODRST] |= CPU1;
-        wires_.warm();
+        wires_.reset(cause == COLD_BY_SOFTWARE || cause == COLD_BY_FPGA);
     }
 
     std::uint32_t bridges_in_reset() const {

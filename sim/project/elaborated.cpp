@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstdlib>
 #include <map>
+#include <set>
+#include <utility>
 
 #include <fmt/format.h>
 #include <pugixml.hpp>
@@ -125,6 +127,30 @@ void refuse_foreign_code(const pugi::xml_document& document) {
                 place_of(found.node(), paths_of(document.child("verilator_xml"))), word)};
 }
 
+// The copies of de1sim_pll_tap that make a clock: all but those of the processor's user clocks that
+// nobody connects.
+std::set<std::string> used_taps(const pugi::xml_node& netlist) {
+    std::set<std::pair<std::string, std::string>> connected;  // a module's port
+    for (const auto& module : netlist.children("module"))
+        for (const auto& instance : module.children("instance"))
+            for (const auto& port : instance.children("port"))
+                if (port.first_child())
+                    connected.emplace(instance.attribute("defName").value(),
+                                      port.attribute("name").value());
+    std::set<std::string> used;
+    for (const auto& module : netlist.children("module")) {
+        const bool is_processors = std::string{"cyclonev_hps_interface_clocks_resets"} ==
+                                   module.attribute("origName").value();
+        for (const auto& instance : module.children("instance")) {
+            const std::string clock =
+                instance.child("port").child("varref").attribute("name").value();
+            if (!is_processors || connected.count({module.attribute("name").value(), clock}))
+                used.insert(instance.attribute("defName").value());
+        }
+    }
+    return used;
+}
+
 }  // namespace
 
 Elaborated read_elaborated(const std::filesystem::path& file, const std::string& top) {
@@ -136,6 +162,7 @@ Elaborated read_elaborated(const std::filesystem::path& file, const std::string&
         types.emplace(type.attribute("id").value(), type);
 
     Elaborated design;
+    const std::set<std::string> taps = used_taps(netlist);
     for (const auto& module : netlist.children("module")) {
         if (top == module.attribute("origName").value()) {
             std::map<int, Port> ports;
@@ -144,7 +171,8 @@ Elaborated read_elaborated(const std::filesystem::path& file, const std::string&
                     ports.emplace(index.as_int(), port_of(var, types));
             for (const auto& [index, port] : ports) design.ports.push_back(port);
         }
-        if (std::string{"de1sim_pll_tap"} == module.attribute("origName").value()) {
+        if (std::string{"de1sim_pll_tap"} == module.attribute("origName").value() &&
+            taps.count(module.attribute("name").value())) {
             std::map<std::string, std::uint64_t> values;
             for (const auto& var : module.children("var"))
                 if (var.attribute("param"))

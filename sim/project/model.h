@@ -84,14 +84,20 @@ public:
     virtual const char* waits_for() const = 0;
     // Begins an access, at the time up to which run() has come; one at a time.
     virtual void begin(const BridgeAccess& access) = 0;
-    // h2f_reset begins or ends, at that time.
-    virtual void reset(bool active) = 0;
+    // h2f_reset begins or ends, at that time; of a cold reset h2f_cold_rst_n, too.
+    virtual void reset(bool active, bool cold) = 0;
     // As run(), but ends with the clock edge that brings the answer; false: there is none so far.
     virtual bool run_to_answer(std::uint64_t until_ps) = 0;
     // Of the last access that was a read, the eight bytes.
     virtual std::uint64_t answer() const = 0;
     // Interrupt lines; bit n is ID 72 + n.
     virtual std::uint64_t interrupts() const = 0;
+    // Resets of the processor that the design asks for: bits of ResetRequest.
+    enum ResetRequest : unsigned { COLD = 1, WARM = 2, DEBUG = 4 };
+    virtual unsigned reset_requests() const = 0;
+    // The general purpose signals: to the design, at that time; and from it.
+    virtual void general_purpose(std::uint32_t signals) = 0;
+    virtual std::uint32_t general_purpose() const = 0;
     // Of the last clock edge, or of the last entry of the agenda.
     virtual std::uint64_t time_ps() const = 0;
     virtual void end_trace() = 0;

@@ -14,7 +14,7 @@ namespace sim {
 
 namespace {
 
-constexpr unsigned FIRST_PRIVATE = 16, STORM = 100;
+constexpr unsigned FIRST_PRIVATE = 16, FIRST_OF_FPGA = 72, STORM = 100;
 constexpr unsigned PS2_1_IN_THE_MANUAL = 89;
 
 struct Register {
@@ -71,33 +71,42 @@ constexpr Device DEVICES[] = {
 #undef REGISTER
 #undef BITS
 
-const Device* device_of(unsigned id) {
-    const auto* const found = std::find_if(std::begin(DEVICES), std::end(DEVICES),
-                                           [id](const Device& d) { return d.id == id; });
-    return found == std::end(DEVICES) ? nullptr : found;
-}
-
-std::string name_of(unsigned id) {
-    const Device* device = device_of(id);
-    return fmt::format("interrupt {}{}", id, device ? fmt::format(" ({})", device->name) : "");
-}
-
 class Examination {
 public:
-    explicit Examination(Computer& computer) : computer_{computer}, arm_{*computer.arm} {}
+    Examination(ProcessorSystem& system, Computer* computer)
+        : system_{system}, computer_{computer}, arm_{*system.arm} {}
 
     std::vector<std::string> lines() {
         if (!uses_interrupts()) return {};
         for (unsigned id = 0; id < GicState::IDS; ++id)
             if (state().pending(id)) look_at_pending(id);
         for (const Device& device : DEVICES)
-            if (device.event.name && state().enabled[device.id] && !state().pending(device.id))
+            if (is_known(device) && device.event.name && state().enabled[device.id] &&
+                !state().pending(device.id))
                 look_at_silent(device);
         return std::move(lines_);
     }
 
 private:
-    const GicState& state() const { return computer_.hps.gic.state(); }
+    const GicState& state() const { return system_.hps.gic.state(); }
+
+    bool is_known(const Device& device) const { return computer_ || !is_of_fpga(device.id); }
+    static bool is_of_fpga(unsigned id) { return id - FIRST_OF_FPGA < 64; }
+
+    const Device* device_of(unsigned id) const {
+        const auto* const found =
+            std::find_if(std::begin(DEVICES), std::end(DEVICES),
+                         [&](const Device& d) { return d.id == id && is_known(d); });
+        return found == std::end(DEVICES) ? nullptr : found;
+    }
+
+    std::string name_of(unsigned id) const {
+        const Device* device = device_of(id);
+        if (device) return fmt::format("interrupt {} ({})", id, device->name);
+        if (!is_of_fpga(id)) return fmt::format("interrupt {}", id);
+        return fmt::format("interrupt {} (f2h_irq_p{}[{}])", id, (id - FIRST_OF_FPGA) / 32,
+                           (id - FIRST_OF_FPGA) % 32);
+    }
 
     bool uses_interrupts() const {
         if (!(arm_.core().cpsr() & arm_cpsr::I)) return true;
@@ -107,11 +116,11 @@ private:
     }
 
     void look_at_pending(unsigned id) {
-        const sc_core::sc_time since = computer_.hps.gic.raised_at(id);
+        const sc_core::sc_time since = system_.hps.gic.raised_at(id);
         const sc_core::sc_time moment{1, sc_core::SC_MS};
         if (sc_core::sc_time_stamp() < since + moment) return;
         std::vector<std::string> reasons = state().obstacles(id);
-        if (reasons.empty() && state().taken(id) >= STORM) {
+        if (state().enabled[id] && state().taken(id) >= STORM) {  // perhaps in its handler just now
             lines_.push_back(
                 fmt::format("{} was taken {} times since its line went up at {:.3f} "
                             "ms: its handler does not take the cause away{}",
@@ -126,7 +135,7 @@ private:
                             name_of(id), seconds(since) * 1e3, entered));
             return;
         }
-        if (id == regmap::PS2_1_IRQ_ID && state().enabled[PS2_1_IN_THE_MANUAL])
+        if (computer_ && id == regmap::PS2_1_IRQ_ID && state().enabled[PS2_1_IN_THE_MANUAL])
             reasons.push_back(
                 fmt::format("{}, by which the board's manual calls it, is connected to "
                             "nothing",
@@ -171,8 +180,8 @@ private:
     }
 
     std::optional<std::uint32_t> read(const Register& place) {
-        if (place.address - regmap::LW_BASE < regmap::LW_SIZE)
-            return computer_.fpga.peek(place.address - regmap::LW_BASE);
+        if (computer_ && place.address - regmap::LW_BASE < regmap::LW_SIZE)
+            return computer_->fpga.peek(place.address - regmap::LW_BASE);
         std::uint32_t value = 0;
         if (!arm_.read_memory(place.address, &value, sizeof value)) return std::nullopt;
         return value;
@@ -182,16 +191,17 @@ private:
         return fmt::format("{} (0x{:08X}) is 0x{:X}", place.name, place.address, value);
     }
 
-    Computer& computer_;
+    ProcessorSystem& system_;
+    Computer* const computer_;
     ArmCpu& arm_;
     std::vector<std::string> lines_;
 };
 
 }  // namespace
 
-std::vector<std::string> missed_interrupts(Computer& computer) {
-    if (!computer.arm) return {};
-    return Examination{computer}.lines();
+std::vector<std::string> missed_interrupts(ProcessorSystem& system, Computer* computer) {
+    if (!system.arm) return {};
+    return Examination{system, computer}.lines();
 }
 
 }  // namespace sim

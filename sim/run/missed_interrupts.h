@@ -19,7 +19,9 @@
 
 namespace sim {
 
-// A line each.  Once the run is over, outside simulated time: reading moves the board.
-std::vector<std::string> missed_interrupts(Computer& computer);
+// A line each.  Once the run is over, outside simulated time: reading moves the board.  `computer`
+// is `system` where the chip has this project's own fabric, or null: of somebody else's design the
+// devices are not known.
+std::vector<std::string> missed_interrupts(ProcessorSystem& system, Computer* computer);
 
 }  // namespace sim

@@ -172,12 +172,13 @@ void add_results(RunReport& report, Board& board, ProcessorSystem* processor, Co
         report.advice.push_back("the monitor found no picture: " + (report.signal.empty()
                                                                         ? board.monitor.no_signal()
                                                                         : report.signal));
-    if (!computer) return;
     // From here on, reading moves the board.
+    if (arm && !arm->on_linux() && waits_in_vain(report))
+        for (const std::string& line : missed_interrupts(*processor, computer))
+            report.advice.push_back(line);
+    if (!computer) return;
     report.audio.underruns = underruns(*computer);
     for (const std::string& row : computer->characters()) report.characters.push_back(text_of(row));
-    if (arm && !arm->on_linux() && waits_in_vain(report))
-        for (const std::string& line : missed_interrupts(*computer)) report.advice.push_back(line);
     if (report.frames_shown < 2 || report.frames_swapped > 1 || !recorder.observations().is_black())
         return;
     if (const auto address = picture_in_ddr3(*computer))

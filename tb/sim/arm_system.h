@@ -91,7 +91,7 @@ struct ArmSystem : sc_core::sc_module, private sim::SteadyBus {
     sim::Peripherals hps{
         "hps",
         {[this](char c) { printed += c; }, [this](bool irq, bool fiq) { cpu.interrupt(irq, fiq); },
-         [this] { cpu.warm_reset(); }, [this](std::uint32_t bits) { brgmodrst = bits; }}};
+         [this](bool) { cpu.warm_reset(); }, [this](std::uint32_t bits) { brgmodrst = bits; }}};
 
     ArmSystem(const sc_core::sc_module_name& name_, sim::ArmProgram program)
         : sc_module{name_}, cpu{"cpu", std::move(program), [this](const std::string& line) {

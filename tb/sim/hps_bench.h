@@ -16,17 +16,19 @@ struct HpsBoard : sc_core::sc_module {
     std::vector<std::string> said;
     bool irq = false, fiq = false;
     unsigned resets = 0;
-    std::uint32_t bridges_in_reset = 0;
+    std::uint32_t bridges_in_reset = 0, gpo = 0, gpi = 0;
     tlm_utils::simple_initiator_socket<HpsBoard> cpu{"cpu"};
     sim::Bus bus{"bus"};
     sim::Peripherals hps{
         "hps",
         {[this](char c) { printed += c; }, [this](bool i, bool f) { irq = i, fiq = f; },
-         [this] { ++resets; }, [this](std::uint32_t bits) { bridges_in_reset = bits; },
+         [this](bool) { ++resets; }, [this](std::uint32_t bits) { bridges_in_reset = bits; },
          [this](bool write, std::uint32_t address, std::uint8_t* data, unsigned bytes,
                 sc_core::sc_time& delay) {
              return bus.transfer(write, address, data, bytes, delay);
          },
+         [this](std::uint32_t value, const sc_core::sc_time&) { gpo = value; },
+         [this](const sc_core::sc_time&) { return gpi; },
          [this](const std::string& line) { said.push_back(line); }}};
 
     explicit HpsBoard(const sc_core::sc_module_name& name_) : sc_module{name_} {

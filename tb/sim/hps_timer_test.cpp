@@ -241,6 +241,14 @@ TEST_F(Managers, HaveTheFpgasConfigurationAsTheBootLoaderLeavesIt) {
     EXPECT_EQ(read(0xFF706004), 0x2C0u) << "32 bits, a data ratio of 8, nothing pulled";
 }
 
+TEST_F(Managers, PassTheGeneralPurposeSignals) {
+    write(0xFF706010, 0x12345678);
+    EXPECT_EQ(board.gpo, 0x12345678u);
+    EXPECT_EQ(read(0xFF706010), 0x12345678u);
+    board.gpi = 0x9ABCDEF0;
+    EXPECT_EQ(read(0xFF706014), 0x9ABCDEF0u);
+}
+
 TEST_F(Managers, ReportOnceThatAResetFpgaKeepsItsDesign) {
     write(0xFF706004, 0x2C5);
     EXPECT_EQ(read(0xFF706000) & 7, 1u) << "reset";

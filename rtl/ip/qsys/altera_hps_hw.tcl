@@ -9,7 +9,12 @@ foreach {name value} {
     S2FCLK_USER0CLK_Enable false S2FCLK_USER1CLK_Enable false S2FCLK_USER2CLK_Enable false
     MEM_ROW_ADDR_WIDTH 15 MEM_DQ_WIDTH 32 MEM_BANKADDR_WIDTH 3
     GPIO_Enable "" LOANIO_Enable ""
+    S2FCLK_USER0CLK_FREQ 100 S2FCLK_USER1CLK_FREQ 100 S2FCLK_USER2CLK_FREQ 100
 } { add_parameter $name STRING $value }
+foreach n {0 1 2} {  # of the primitive
+    add_parameter USER${n}_PERIOD_FS INTEGER 10000000
+    set_parameter_property USER${n}_PERIOD_FS HDL_PARAMETER true
+}
 foreach name {EMAC0 EMAC1 NAND QSPI SDIO USB0 USB1 SPIM0 SPIM1 SPIS0 SPIS1 UART0 UART1
               I2C0 I2C1 I2C2 I2C3 CAN0 CAN1 TRACE} {
     add_parameter ${name}_PinMuxing STRING Unused
@@ -184,6 +189,11 @@ proc elaborate {} {
     }
     foreach n {0 1 2} {
         if {![yes S2FCLK_USER${n}CLK_Enable]} continue
+        set mhz [value S2FCLK_USER${n}CLK_FREQ]
+        if {![string is double -strict $mhz] || $mhz < 1 || $mhz > 500} {
+            send_message error "S2FCLK_USER${n}CLK_FREQ is $mhz, expected 1 to 500 MHz"
+        }
+        set_parameter_value USER${n}_PERIOD_FS [expr {int(round(1e9 / $mhz))}]
         add_interface h2f_user${n}_clock clock start
         add_interface_port h2f_user${n}_clock h2f_user${n}_clk clk Output 1
     }

@@ -66,7 +66,7 @@ module de1sim_hps_bridge #(
             answer_q <= !answer_q;
             rdata_q  <= WIDTH == 32 ? {2{rdata_i[31:0]}} : answer[63:0];
         end
-        if (de1sim_chip.hps_reset) begin  // ends an access, which nobody will answer
+        if (de1sim_chip.hps_reset[0]) begin  // ends an access, which nobody will answer
             busy_q   <= 1'b0;
             valid_q  <= 1'b0;
             answer_q <= request;

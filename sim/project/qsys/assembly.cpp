@@ -66,7 +66,7 @@ void Assembly::fill_in_rates(const Describe& describe) {
     }
 }
 
-// Of a clock that comes from outside, or from a PLL; empty: it is not known.
+// Of a clock that comes from outside, from a PLL, or from the processor; empty: it is not known.
 std::string Assembly::hertz_of(const End& root) const {
     const auto given = root.instance->parameters.find("clockFrequency");
     if (root.instance->kind == "clock_source" && given != root.instance->parameters.end())
@@ -74,6 +74,10 @@ std::string Assembly::hertz_of(const End& root) const {
     const Port* port = root.interface->port("clk");
     if (!port) return {};
     const auto& all = root.component->parameters;
+    if (root.is_processors()) {
+        const auto period = all.find("USER" + port->name.substr(8, 1) + "_PERIOD_FS");
+        return period == all.end() ? "" : fmt::format("{:.0f}", 1e15 / std::stod(period->second));
+    }
     const auto found =
         all.find("output_clock_frequency" + port->name.substr(port->name.rfind('_') + 1));
     if (found == all.end()) return {};

@@ -164,7 +164,7 @@ private:
             if (ports.empty()) continue;
             text_.section(fmt::format("{}: {}", instance.name, instance.kind));
             if (is_processor)
-                processor(instance.name);
+                processor(instance.name, parameters);
             else
                 text_.line(fmt::format("{}{} {} ({}\n    );", module,
                                        parameters.empty() ? "" : " #(" + parameters + ")",
@@ -208,23 +208,37 @@ private:
             i.port("readdata") ? wire("readdatavalid") : ""));
     }
 
-    // Of the processor: its reset of the FPGA and its interrupts, and its slaves that are exported.
-    // Other slaves and its bridges are agents of the interconnect; what its own pins do is not
-    // simulated.
-    void processor(const std::string& name) {
-        const auto wire = [&](const char* interface, const char* role) {
+    // Of the processor: its primitives but those of its bridges, which are agents of the
+    // interconnect, and its slaves that are exported; what its own pins do is not simulated.
+    void processor(const std::string& name, const std::string& parameters) {
+        const auto wire = [&](const char* interface, const char* role, const char* otherwise) {
             const auto e = assembly_.find_end(name + "." + interface);
-            return e ? wire_of(*e, *e->interface->port(role)) : std::string{"32'd0"};
+            return e ? wire_of(*e, *e->interface->port(role)) : std::string{otherwise};
+        };
+        const auto request = [&](const char* which) {
+            return wire(fmt::format("f2h_{}_reset_req", which).c_str(), "reset_n", "1'b1");
         };
         text_.line(fmt::format(
-            "de1sim_hps {} (\n        .h2f_rst_n({}), .f2h_irq_p0({}), "
-            ".f2h_irq_p1({})\n    );",
-            name, wire("h2f_reset", "reset_n"), wire("f2h_irq0", "irq"), wire("f2h_irq1", "irq")));
+            "cyclonev_hps_interface_clocks_resets #({}) {}_clocks_resets (\n"
+            "        .h2f_rst_n({}), .f2h_cold_rst_req_n({}),\n"
+            "        .f2h_warm_rst_req_n({}), .f2h_dbg_rst_req_n({}),\n"
+            "        .h2f_user0_clk({}), .h2f_user1_clk({}), .h2f_user2_clk({})\n    );",
+            parameters, name, wire("h2f_reset", "reset_n", ""), request("cold"), request("warm"),
+            request("debug"), wire("h2f_user0_clock", "clk", ""),
+            wire("h2f_user1_clock", "clk", ""), wire("h2f_user2_clock", "clk", "")));
+        text_.line(fmt::format(
+            "cyclonev_hps_interface_interrupts {}_interrupts (.irq({{{},\n        {}}}));", name,
+            wire("f2h_irq1", "irq", "32'd0"), wire("f2h_irq0", "irq", "32'd0")));
+        if (assembly_.find_end(name + ".h2f_gp"))
+            text_.line(
+                fmt::format("cyclonev_hps_interface_mpu_general_purpose {}_gp (\n"
+                            "        .gp_in({}), .gp_out({})\n    );",
+                            name, wire("h2f_gp", "gp_in", ""), wire("h2f_gp", "gp_out", "")));
         for (const Export& x : system_.exports) {
             const auto e = assembly_.find_end(x.internal);
             if (!e || !e->is_processors()) continue;
             if (is_axi(*e->interface) || e->interface->type == "avalon") exported_slave(x, *e);
-            if (e->interface->type != "conduit") continue;
+            if (e->interface->type != "conduit" || e->interface->name == "h2f_gp") continue;
             for (const Port& port : e->interface->ports)
                 if (port.direction == Direction::OUTPUT)
                     text_.line(

@@ -65,7 +65,8 @@ module de1sim_chip (
     input  wire [31:0] hps_address_i,   // in the bridge's window
     input  wire [7:0]  hps_be_i,        // of the eight bytes around it
     input  wire [63:0] hps_wdata_i,
-    input  wire        hps_reset_i,     // h2f_reset
+    input  wire [1:0]  hps_reset_i,     // of the FPGA: h2f_cold_rst_n, h2f_rst_n, active high
+    input  wire [31:0] hps_gp_i,        // general purpose signals: the processor's
     output wire [1:0]  hps_answer_o,    // follows hps_request_i
     output wire [3:0]  hps_size_o,      // buses, full and lightweight: 0: none, 1: 32 bits, 2: 64,
                                         // 3: 128
@@ -73,7 +74,9 @@ module de1sim_chip (
                                         // 2 wready, 3 bvalid, 4 arready, 5 rvalid, 7 the clock
     output wire [63:0] hps_lw_rdata_o,
     output wire [63:0] hps_full_rdata_o,
-    output wire [63:0] hps_irq_o        // IDs 72 to 135
+    output wire [63:0] hps_irq_o,       // IDs 72 to 135
+    output wire [31:0] hps_gp_o,        // general purpose signals: the FPGA's
+    output wire [2:0]  hps_reset_requests_o  // debug, warm, cold; active high
 );
     // ---- Clocks ----
 
@@ -166,11 +169,14 @@ module de1sim_chip (
     reg  [31:0] hps_address = 32'd0;
     reg  [7:0]  hps_be = 8'd0;
     reg  [63:0] hps_wdata = 64'd0;
-    reg         hps_reset = 1'b0;
+    reg  [1:0]  hps_reset = 2'd0;
+    reg  [31:0] hps_gp = 32'd0;
     wire [1:0]  hps_answer;
     wire [3:0]  hps_size;
     wire [5:0]  hps_waits;
     wire [63:0] hps_lw_rdata, hps_full_rdata, hps_irq;
+    wire [31:0] hps_fpga_gp;
+    wire [2:0]  hps_reset_requests;
 
     always @(posedge hps_moved_i or negedge hps_moved_i) begin
         hps_request <= hps_request_i;
@@ -179,6 +185,7 @@ module de1sim_chip (
         hps_be <= hps_be_i;
         hps_wdata <= hps_wdata_i;
         hps_reset <= hps_reset_i;
+        hps_gp <= hps_gp_i;
     end
 
     // ---- The design ----
@@ -206,6 +213,8 @@ module de1sim_chip (
     assign hps_lw_rdata_o = hps_lw_rdata;
     assign hps_full_rdata_o = hps_full_rdata;
     assign hps_irq_o = hps_irq;
+    assign hps_gp_o = hps_fpga_gp;
+    assign hps_reset_requests_o = hps_reset_requests;
 endmodule
 
 `default_nettype wire

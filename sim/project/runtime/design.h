@@ -56,12 +56,15 @@ struct ModelSettings;
     PORT(std::uint8_t, hps_be_i)          \
     PORT(std::uint64_t, hps_wdata_i)      \
     PORT(std::uint8_t, hps_reset_i)       \
+    PORT(std::uint32_t, hps_gp_i)         \
     PORT(std::uint8_t, hps_answer_o)      \
     PORT(std::uint8_t, hps_size_o)        \
     PORT(std::uint8_t, hps_waits_o)       \
     PORT(std::uint64_t, hps_lw_rdata_o)   \
     PORT(std::uint64_t, hps_full_rdata_o) \
-    PORT(std::uint64_t, hps_irq_o)
+    PORT(std::uint64_t, hps_irq_o)        \
+    PORT(std::uint32_t, hps_gp_o)         \
+    PORT(std::uint8_t, hps_reset_requests_o)
 
 struct ChipPorts {
 #define DE1SIM_DECLARE(type, name) type& name;

@@ -99,8 +99,13 @@ public:
         move_processor();
     }
 
-    void reset(bool active) override {
-        top_.hps_reset_i = active;
+    void reset(bool active, bool cold) override {
+        top_.hps_reset_i = active ? cold ? 3 : 1 : 0;
+        move_processor();
+    }
+
+    void general_purpose(std::uint32_t signals) override {
+        top_.hps_gp_i = signals;
         move_processor();
     }
 
@@ -113,6 +118,8 @@ public:
         return full_ ? top_.hps_full_rdata_o : top_.hps_lw_rdata_o;
     }
     std::uint64_t interrupts() const override { return top_.hps_irq_o; }
+    unsigned reset_requests() const override { return top_.hps_reset_requests_o; }
+    std::uint32_t general_purpose() const override { return top_.hps_gp_o; }
     std::uint64_t time_ps() const override { return now_ps(); }
 
     void flush() override {
