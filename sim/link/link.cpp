@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cstdlib>
+#include <map>
 #include <regex>
 #include <set>
 
@@ -135,7 +136,8 @@ std::string nodes_text(const std::vector<project::qsys::Device>& devices) {
 // "dial.c:12:5: error: implicit declaration of function 'request_irq'".
 void name_missing_functions(const std::string& output) {
     static const std::regex IMPLICIT{
-        R"(([^\n]*:\d+):\d+: error: implicit declaration of function '(\w+)')"};
+        R"(([^\n]*:\d+):\d+: error: (?:implicit declaration of function|)"
+        R"(type defaults to 'int' in declaration of) '(\w+)')"};
     std::string first, others;
     std::set<std::string> names;
     for (std::sregex_iterator at{output.begin(), output.end(), IMPLICIT}, end; at != end; ++at) {
@@ -212,15 +214,37 @@ private:
         const fs::path kmod = project::data_folder() / "kmod";
         write_whole_file(folder_.path() / "nodes.c", nodes_text(devices()));
         const std::vector<std::string> own{"-std=gnu11", "-O2", "-g", "-I" + kmod.string(), "-c"};
+        part_names(objects);
         objects.push_back(compiled("gcc", own, folder_.path() / "nodes.c"));
-        for (const char* file : {"kmod.c", "kmod_attributes.c", "kmod_files.c", "kmod_later.c",
-                                 "kmod_library.c", "kmod_sleep.c"})
+        for (const char* file : {"kmod.c", "kmod_attributes.c", "kmod_files.c", "kmod_format.c",
+                                 "kmod_later.c", "kmod_library.c", "kmod_sleep.c"})
             objects.push_back(compiled("gcc", own, kmod / file));
         std::vector<std::string> command{PREFIX + std::string{"gcc"}, "-static", "-pthread",
                                          fmt::format("-Wl,-Ttext-segment=0x{:x}", place_of(name))};
         command.insert(command.end(), objects.begin(), objects.end());
         command.insert(command.end(), {"-o", out.string()});
         return compiles(command);
+    }
+
+    // A name that several modules have is each one's own, as it is to the kernel; one that a module
+    // exports is left to the linker.
+    void part_names(const std::vector<std::string>& modules) {
+        static const std::regex DEFINED{R"(^\w+ [BDRTV] (\w+)$)", std::regex::multiline};
+        std::map<std::string, unsigned> counts;
+        for (const std::string& object : modules) {
+            const std::string names = output({"nm", "-g", "--defined-only", object});
+            for (std::sregex_iterator at{names.begin(), names.end(), DEFINED}, end; at != end; ++at)
+                ++counts[(*at)[1]];
+        }
+        std::vector<std::string> command{"objcopy"};
+        for (const auto& [name, count] : counts)
+            if (count > 1 && !exported_.count(name)) command.push_back("--localize-symbol=" + name);
+        if (command.size() > 1)
+            for (const std::string& object : modules) {
+                command.push_back(object);
+                output(command);
+                command.pop_back();
+            }
     }
 
     // With the modules in a section of its own, which is loaded before it.
@@ -248,7 +272,20 @@ private:
         return PASSED;
     }
 
+    // Of one of binutils' programs.
+    static std::string output(std::vector<std::string> command) {
+        command[0] = PREFIX + command[0];
+        const Outcome outcome = run_command(command, fs::current_path(), LIMIT_S);
+        if (outcome.code != 0)
+            throw ProjectError{fmt::format("{}: {}", command[0], outcome.output)};
+        return outcome.output;
+    }
+
     std::string module(const fs::path& file) {
+        static const std::regex EXPORT{R"(EXPORT_SYMBOL(?:_GPL)?\s*\(\s*(\w+))"};
+        const std::string text = project::text_of(file);
+        for (std::sregex_iterator at{text.begin(), text.end(), EXPORT}, end; at != end; ++at)
+            exported_.insert((*at)[1]);
         const fs::path kmod = project::data_folder() / "kmod";
         const fs::path headers = folder_.path() / "headers";
         std::set<fs::path> seen;
@@ -270,7 +307,8 @@ private:
                                          "-I" + kmod.string(),
                                          "-Wno-error=incompatible-pointer-types",
                                          "-Wno-error=int-conversion",
-                                         "-Werror=implicit-function-declaration"};
+                                         "-Werror=implicit-function-declaration",
+                                         "-Werror=implicit-int"};
         add_compiler_arguments(command);
         command.push_back("-c");
         return compiled("gcc", command, file);
@@ -318,6 +356,7 @@ private:
     const LinkOptions& options_;
     const TemporaryFolder folder_;
     unsigned object_count_ = 0;
+    std::set<std::string> exported_;  // by a module for others
     bool is_cpp_ = false;
 };
 

@@ -25,7 +25,7 @@ int printk(const char* format, ...) {
     va_start(list, format);
     const int begin = format[0] == KERN_SOH[0] && format[1] ? 2 : 0;
     const int level = !begin ? MESSAGE : format[1] == CONTINUES ? -1 : format[1] - '0';
-    int length = vsnprintf(text, sizeof text, format + begin, list);
+    int length = kmod_vsnprintf(text, sizeof text, format + begin, list);
     va_end(list);
     if (length > (int)sizeof text - 1) length = (int)sizeof text - 1;
     kmod_call(KMOD_LOG, (uintptr_t)text, (uintptr_t)length, (uintptr_t)level, 0, 0);
@@ -36,7 +36,7 @@ void kmod_bug(const void* place, const char* format, ...) {
     char text[512];
     va_list list;
     va_start(list, format);
-    vsnprintf(text, sizeof text, format, list);
+    kmod_vsnprintf(text, sizeof text, format, list);
     va_end(list);
     for (;;) kmod_call(KMOD_STOP, (uintptr_t)text, (uintptr_t)place, 0, 0, 0);
 }
@@ -123,9 +123,19 @@ const char* dev_name(const struct device* dev) {
     return dev->of_node ? dev->of_node->name : dev->init_name ? dev->init_name : "device";
 }
 
+// A component that nothing in the project describes has no vendor: "?,switch-1.0" is any one's.
 static bool is_compatible(const struct device_node* node, const char* wanted) {
-    for (const char* const* name = node->compatible; *name; ++name)
+    static const char* last;
+    const char* const comma = strchr(wanted, ',');
+    for (const char* const* name = node->compatible; *name; ++name) {
         if (strcasecmp(*name, wanted) == 0) return true;
+        if (!comma || **name != '?' || strcasecmp(*name + 1, comma) != 0) continue;
+        if (last != wanted)
+            printk("kmod: %s is taken for %s: the project does not say its vendor\n", node->name,
+                   wanted);
+        last = wanted;
+        return true;
+    }
     return false;
 }
 

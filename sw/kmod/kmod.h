@@ -295,6 +295,7 @@ enum kmod_kind {
     kmod_kind_ulong,
     kmod_kind_byte,
     kmod_kind_bool,
+    kmod_kind__Bool = kmod_kind_bool,  // where bool is <stdbool.h>'s
     kmod_kind_charp
 };
 struct kmod_parameter {
@@ -376,10 +377,15 @@ char* strchr(const char* s, int c);
 char* strstr(const char* s, const char* part);
 int strcmp(const char* a, const char* b);
 int strncmp(const char* a, const char* b, size_t n);
-int snprintf(char* to, size_t n, const char* format, ...);
-int sprintf(char* to, const char* format, ...);
+int snprintf(char* to, size_t n, const char* format, ...) __asm__("kmod_snprintf");
+int vsnprintf(char* to, size_t n, const char* format, va_list list) __asm__("kmod_vsnprintf");
+int sprintf(char* to, const char* format, ...) __asm__("kmod_sprintf");
 int sscanf(const char* text, const char* format, ...);
 #endif
+struct va_format {  // of %pV
+    const char* fmt;
+    va_list* va;
+};
 int scnprintf(char* to, size_t n, const char* format, ...);
 size_t strlcpy(char* to, const char* from, size_t n);
 ssize_t strscpy(char* to, const char* from, size_t n);

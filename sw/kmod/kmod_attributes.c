@@ -324,7 +324,7 @@ int kmod_offer_parameters(const char* module) {
 
 static int vprint(struct seq_file* s, const char* format, va_list list) {
     const size_t room = s->size - s->count;
-    const int length = vsnprintf(s->buf + s->count, room, format, list);
+    const int length = kmod_vsnprintf(s->buf + s->count, room, format, list);
     s->count = length < (int)room ? s->count + (size_t)length : s->size;
     return 0;
 }

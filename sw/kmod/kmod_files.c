@@ -190,7 +190,7 @@ struct device* device_create(struct class* c, struct device* parent, kmod_dev_t 
     char name[KMOD_NAME];
     va_list list;
     va_start(list, format);
-    vsnprintf(name, sizeof name, format, list);
+    kmod_vsnprintf(name, sizeof name, format, list);
     va_end(list);
     const int old = file_with(dev, NULL);
     if (old < FILES && !files[old].device.class) kmod_withdraw(old);

@@ -43,6 +43,20 @@ unsigned irq_of_parse_and_map(struct device_node* node, int index);
 #define of_irq_get(node, index) ((int)irq_of_parse_and_map(node, index))
 #define irq_dispose_mapping(irq) ((void)(irq))
 int platform_get_irq(struct platform_device* d, unsigned n);
+
+// ---- Power: the board does not sleep ----
+
+#define device_init_wakeup(dev, on) ((void)(dev), (void)(on), 0)
+#define device_set_wakeup_capable(dev, on) ((void)(dev), (void)(on))
+#define device_may_wakeup(dev) ((void)(dev), false)
+#define enable_irq_wake(irq) ((void)(irq), 0)
+#define disable_irq_wake(irq) ((void)(irq), 0)
+#define pm_wakeup_event(dev, ms) ((void)(dev), (void)(ms))
+#define pm_runtime_enable(dev) ((void)(dev))
+#define pm_runtime_disable(dev) ((void)(dev))
+#define pm_runtime_get_sync(dev) ((void)(dev), 0)
+#define pm_runtime_put(dev) ((void)(dev), 0)
+#define pm_runtime_put_sync(dev) ((void)(dev), 0)
 #define platform_get_irq_optional platform_get_irq
 
 // ---- Timers ----

@@ -64,10 +64,11 @@ char* kstrdup(const char* text, gfp_t flags) {
 }
 char* kasprintf(gfp_t flags, const char* format, ...) {
     (void)flags;
-    char* text = NULL;
     va_list list;
     va_start(list, format);
-    if (vasprintf(&text, format, list) < 0) text = NULL;
+    const size_t room = (size_t)kmod_vsnprintf(NULL, 0, format, list) + 1;
+    char* const text = malloc(room);
+    if (text) kmod_vsnprintf(text, room, format, list);
     va_end(list);
     return text;
 }
@@ -76,7 +77,7 @@ void kfree(const void* p) { free((void*)(uintptr_t)p); }
 int scnprintf(char* to, size_t n, const char* format, ...) {
     va_list list;
     va_start(list, format);
-    const int length = vsnprintf(to, n, format, list);
+    const int length = kmod_vsnprintf(to, n, format, list);
     va_end(list);
     return n == 0 ? 0 : length < (int)n ? length : (int)n - 1;
 }

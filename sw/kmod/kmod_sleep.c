@@ -69,7 +69,7 @@ struct task_struct* kmod_thread(int (*function)(void*), void* data, const char* 
     if (!context) return ERR_PTR(-ENOMEM);
     va_list list;
     va_start(list, format);
-    vsnprintf(context->task.comm, TASK_COMM_LEN, format, list);
+    kmod_vsnprintf(context->task.comm, TASK_COMM_LEN, format, list);
     va_end(list);
     context->task.thread = context;
     context->function = function;

@@ -22,6 +22,9 @@ static inline long kmod_call(enum kmod_call what, uintptr_t a, uintptr_t b, uint
     return (long)r0;
 }
 
+// As the kernel's: kmod_format.c.
+int kmod_vsnprintf(char* to, size_t room, const char* format, va_list list);
+
 // A thread of the module.
 struct kmod_context {
     struct task_struct task;

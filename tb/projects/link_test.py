@@ -2,6 +2,7 @@
 import sys
 
 from case import run
+from module_case import HEADERS, ModuleCase, module
 from systems import BASE, CLOCKS, HW_TCL, LW, OWN_CLOCK, SystemCase, clocked, pio, qsys
 
 DIAL_TCL = HW_TCL.format(name="dial") + """set_module_property VERSION 1.0
@@ -406,6 +407,42 @@ int main(void) {
                    lone_v="module lone(output [9:0] LEDR); assign LEDR = 1; endmodule\n")
         self.refused("top.qsf has no Platform Designer system with the processor", "dial.c",
                      "main.c")
+
+
+class Together(ModuleCase):
+    def test_a_macro_that_is_missing_is_named(self):
+        self.write(x_c=HEADERS + "module_no_such_driver(x, y);\n")
+        done = self.de1sim("link", "x.c", "-o", "x.ko")
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("the kernel's function module_no_such_driver() is not one", done.stderr)
+
+    def test_a_driver_is_registered_with_its_probe(self):
+        self.write(x_c=HEADERS + """#include <linux/platform_device.h>
+            static int probe(struct platform_device *d) { return 0; }
+            static struct platform_driver driver = { .driver = { .name = "x" } };
+            module_platform_driver_probe(driver, probe);
+            """)
+        printed = self.runs("int main(void) { return 0; }", "x.c", code=1)
+        self.assertIn("no module of the system is compatible with the driver", printed)
+
+    def test_two_modules_may_have_the_same_names(self):
+        for name in "one", "two":
+            self.write(**{name + "_c": module(
+                f"""int count;
+                int both(int n) {{ return n + sizeof "{name}" + count; }}
+                static ssize_t r(struct file *f, char __user *to, size_t n, loff_t *at)
+                {{ ++count; return put_user((char)both(count), to) ? -EFAULT : 1; }}
+                """, name, ".read = r")})
+        self.runs("""
+            int main(void) {
+                char c = 0;
+                int one = open("/dev/one", O_RDONLY), two = open("/dev/two", O_RDONLY);
+                CHECK(read(one, &c, 1) == 1 && c == 1 + 4 + 1);
+                CHECK(read(two, &c, 1) == 1 && c == 1 + 4 + 1);
+                CHECK(read(two, &c, 1) == 1 && c == 2 + 4 + 2);
+                return 0;
+            }
+            """, "one.c", "two.c")
 
 
 run()

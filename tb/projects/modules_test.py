@@ -349,6 +349,41 @@ class Modules(ModuleCase):
             }
             """, "texts.c")
 
+    def test_messages_have_the_formats_of_the_kernel(self):
+        self.write(words_c="#include <stdbool.h>\n#include <linux/of.h>\n" + module(r"""
+            static bool loud;
+            module_param_named(noise, loud, bool, 0644);
+            static void say(const char *format, ...)
+            {
+                struct va_format f;
+                va_list list;
+                va_start(list, format);
+                f.fmt = format;
+                f.va = &list;
+                pr_info("say %d: %pV.\n", 1, &f);
+                va_end(list);
+            }
+            """, init=r"""
+            phys_addr_t at = 0xff200040;
+            struct resource r = { .start = at, .end = at + 15, .flags = IORESOURCE_MEM };
+            u8 bytes[6] = { 0, 1, 2, 0xAB, 255, 16 };
+            char text[40];
+            pr_info("a %pa %pap %pad %pR|\n", &at, &at, &at, &r);
+            pr_info("b %pM %*ph %*phC %pI4 %pe|\n", bytes, 3, bytes, 2, bytes, bytes,
+                    ERR_PTR(-EINVAL));
+            pr_info("c %5d|%-4u|%04x|%s|%.2s|%c|%lld|%zu|%%|%p|%px|\n", -7, 5u, 0xBEE, "text",
+                    "text", 'x', 1ll << 40, sizeof at, NULL, (void *)0x1234);
+            say("%d and %s", 5, "six");
+            if (snprintf(text, 8, "%pa and more", &at) != 19) return -EINVAL;
+            pr_info("d %s| %d\n", text, loud + device_init_wakeup(NULL, 1));
+            """))
+        printed = self.runs("int main(void) { return 0; }", "words.c")
+        for line in ("a 0xff200040 0xff200040 0xff200040 [mem 0xff200040-0xff20004f]|",
+                     "b 00:01:02:ab:ff:10 00 01 02 00:01 0.1.2.171 -EINVAL|",
+                     "c    -7|5   |0bee|text|te|x|1099511627776|4|%|(null)|00001234|",
+                     "say 1: 5 and six.", "d 0xff200| 0"):
+            self.assertIn("] " + line + "\n", printed)
+
     def test_insmod_and_rmmod_by_a_program(self):
         self.write(late_c=module("""
             static int period = 1;

@@ -45,7 +45,12 @@ std::vector<std::string> compatible_of(const End& e) {
             if (!version.empty() && std::find(all.begin(), all.end(), own + version) == all.end())
                 all.push_back(own + version);
     }
-    if (all.empty()) all.push_back("unknown," + e.instance->kind + "-" + e.instance->version);
+    // As the vendor's generator of device trees; of a component that nothing describes the vendor
+    // may be any, which sw/kmod/kmod.c takes for the driver's.
+    const bool is_described = e.component->file.extension() == ".tcl";
+    if (all.empty())
+        all.push_back(fmt::format("{},{}-{}", is_described ? "unknown" : "?", e.instance->kind,
+                                  e.instance->version));
     return all;
 }
 
