@@ -177,9 +177,10 @@ private:
     bool as_semaphore_;
 };
 
-class Framebuffer final : public LinuxDevice {
+class Framebuffer final : public Contents {
 public:
-    explicit Framebuffer(const PixelBuffer& pixels) : pixels_{pixels} {}
+    Framebuffer(const PixelBuffer& pixels, WordAccess access)
+        : pixels_{pixels}, access_{std::move(access)} {}
 
 private:
     static constexpr std::uint32_t GET_VARIABLE = 0x4600, PUT_VARIABLE = 0x4601, GET_FIXED = 0x4602,
@@ -190,6 +191,40 @@ private:
     std::optional<std::pair<std::uint32_t, std::uint32_t>> on_bus() const override {
         return std::pair{pixels_.base, pixels_.bytes};
     }
+    // Source: Linux 6.1, drivers/video/fbdev/core/fbmem.c.
+    std::int64_t read_at(void* data, std::size_t bytes, std::int64_t at) override {
+        if (at < 0) return -EINVAL;
+        if (at >= pixels_.bytes) return 0;
+        return transfer(false, static_cast<std::uint8_t*>(data), bytes, at);
+    }
+    std::int64_t write_at(const void* data, std::size_t bytes, std::int64_t at) override {
+        if (at < 0) return -EINVAL;
+        if (at > pixels_.bytes || (bytes > pixels_.bytes && at == pixels_.bytes)) return -EFBIG;
+        if (at == pixels_.bytes && bytes > 0) return -ENOSPC;
+        return transfer(true, const_cast<std::uint8_t*>(static_cast<const std::uint8_t*>(data)),
+                        bytes, at);
+    }
+    std::uint64_t size() const override { return 0; }  // for SEEK_END, as Linux has it
+
+    // By words of the bus; of those at the ends, a part.
+    std::int64_t transfer(bool write, std::uint8_t* data, std::size_t bytes, std::int64_t at) {
+        bytes = std::min<std::size_t>(bytes, static_cast<std::size_t>(pixels_.bytes - at));
+        auto address = static_cast<std::uint32_t>(pixels_.base + at);
+        for (std::size_t done = 0; done < bytes;) {
+            const std::uint32_t first = address % 4;
+            const auto part =
+                static_cast<std::uint32_t>(std::min<std::size_t>(bytes - done, 4 - first));
+            std::uint32_t word = 0;
+            if ((!write || part < 4) && !access_(false, address - first, word)) return -EFAULT;
+            std::uint8_t* const lanes = reinterpret_cast<std::uint8_t*>(&word) + first;
+            std::memcpy(write ? lanes : data + done, write ? data + done : lanes, part);
+            if (write && !access_(true, address - first, word)) return -EFAULT;
+            done += part;
+            address += part;
+        }
+        return static_cast<std::int64_t>(bytes);
+    }
+
     // Source: Linux 6.1, include/uapi/linux/fb.h.
     std::int64_t control(std::uint32_t request, std::uint32_t at, AddressSpace& memory) override {
         if (request == GET_FIXED) {
@@ -230,6 +265,7 @@ private:
     }
 
     const PixelBuffer pixels_;
+    const WordAccess access_;
 };
 
 }  // namespace
@@ -253,8 +289,8 @@ std::shared_ptr<LinuxDevice> shared(std::shared_ptr<SharedMemory> memory) {
 std::shared_ptr<LinuxDevice> event(std::uint64_t value, bool as_semaphore) {
     return std::make_shared<Event>(value, as_semaphore);
 }
-std::shared_ptr<LinuxDevice> framebuffer(const PixelBuffer& pixels) {
-    return std::make_shared<Framebuffer>(pixels);
+std::shared_ptr<LinuxDevice> framebuffer(const PixelBuffer& pixels, WordAccess access) {
+    return std::make_shared<Framebuffer>(pixels, std::move(access));
 }
 
 }  // namespace sim::devices

@@ -21,7 +21,9 @@ std::shared_ptr<LinuxDevice> random(std::function<std::uint8_t()> next);  // /de
 std::shared_ptr<LinuxDevice> text(const std::string& path, std::string contents);
 std::shared_ptr<LinuxDevice> shared(std::shared_ptr<SharedMemory> memory);  // of /dev/shm
 std::shared_ptr<LinuxDevice> event(std::uint64_t value, bool as_semaphore);
-std::shared_ptr<LinuxDevice> framebuffer(const PixelBuffer& pixels);
+// A word on the bus; false: refused.
+using WordAccess = std::function<bool(bool write, std::uint32_t address, std::uint32_t& value)>;
+std::shared_ptr<LinuxDevice> framebuffer(const PixelBuffer& pixels, WordAccess access);
 
 FileStatus status_of_text();
 FileStatus status_of_shared(const SharedMemory& memory);

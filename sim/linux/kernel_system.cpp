@@ -190,7 +190,7 @@ std::pair<int, std::shared_ptr<LinuxDevice>> LinuxKernel::open_own(const std::st
     if (path == "/dev/fb0" && outside_.pixels) {
         if (outside_.pixels->frame_reader && !std::exchange(frame_reader_runs_, true))
             start_frame_reader(outside_);
-        return {0, devices::framebuffer(*outside_.pixels)};
+        return {0, devices::framebuffer(*outside_.pixels, outside_.access)};
     }
     if (auto device = input_.open(path)) return {0, std::move(device)};
     if (auto device = usb_.open(path)) return {0, std::move(device)};
@@ -235,7 +235,7 @@ std::optional<FileStatus> LinuxKernel::status_of_own(const std::string& path) {
     if (path == "/dev/zero" || path == "/dev/full") return devices::zero(false)->status();
     if (path == "/dev/urandom" || path == "/dev/random") return devices::random({})->status();
     if (path == "/dev/fb0" && outside_.pixels)
-        return devices::framebuffer(*outside_.pixels)->status();
+        return devices::framebuffer(*outside_.pixels, {})->status();
     if (const auto device = input_.open(path)) return device->status();
     if (const auto device = usb_.open(path)) return device->status();
     if (const auto file = open_attribute(path)) return file->status();

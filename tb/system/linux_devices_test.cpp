@@ -42,7 +42,9 @@ TEST_F(LinuxDevice, HasTheMouseAsPackets) {
 }
 
 TEST_F(LinuxDevice, HasThePixelBufferAsAFrameBuffer) {
-    prints("draws", "red", "", "320 x 240, 16 bits, red 5 at 11\nf800, 07e0, pan -1\n");
+    prints("draws", "red", "",
+           "320 x 240, 16 bits, red 5 at 11\nf800, 07e0, pan -1\n"
+           "5 5 8: 00 01 05 05, 00\n2 -1 No space left on device 0\n");
 }
 
 }  // namespace

@@ -1,4 +1,6 @@
 // devices.c WHAT - the keyboard and the mouse on USB, and the frame buffer
+#define _GNU_SOURCE
+#include <errno.h>
 #include <fcntl.h>
 #include <linux/fb.h>
 #include <linux/input.h>
@@ -57,6 +59,19 @@ static void draws(void) {
                                 0xC8000000);  // what the monitor gets
     printf("%04x, %04x, pan %d\n", *(const uint16_t*)(shown + 119 * 1024 + 638),
            *(const uint16_t*)(shown + 120 * 1024), ioctl(fd, FBIOPAN_DISPLAY, &variable));
+    // As `dd of=/dev/fb0 seek=...` and `dd if=/dev/fb0`, at no word's beginning.
+    const uint8_t part[5] = {1, 2, 3, 4, 5};
+    uint8_t back[8] = {0};
+    const long at = lseek(fd, 119 * 1024 + 635, SEEK_SET);
+    const long written = write(fd, part, sizeof part), next = lseek(fd, 0, SEEK_CUR);
+    const long got = pread(fd, back, sizeof back, at - 1);
+    printf("%ld %ld %ld: %02x %02x %02x %02x, %02x\n", written, next - at, got, back[0], back[1],
+           back[5], shown[at + 4], shown[at - 1]);
+    const long size = fixed.smem_len;
+    const long cut = pwrite(fd, part, 5, size - 2), full = pwrite(fd, part, 5, size);
+    const int error = errno;
+    const long none = pread(fd, back, 8, size);
+    printf("%ld %ld %s %ld\n", cut, full, strerror(error), none);
 }
 
 int main(int argc, char** argv) {
