@@ -80,29 +80,30 @@ std::vector<std::string> translate_vhdl(const SourceRequest& from, const Modules
     return all;
 }
 
-// The texts of the files that `texts` include; in `to` copies of those that Quartus does not read
-// wholly, by the names that the directives have.
-std::string copy_included(const std::vector<std::string>& texts, const Project& project,
-                          const fs::path& to) {
-    std::string all;
+// In `to` copies of included files that Verilator is to read otherwise, by the names that the
+// directives have: text(file, name) is what it reads.
+template <class Text>
+void copy_included(const std::vector<IncludedFile>& files, const Project& project,
+                   const fs::path& to, Text text) {
     std::set<fs::path> copies;
-    for (const IncludedFile& file : included_files(texts, project.includes, project.macros)) {
-        all += file.text;
+    for (const IncludedFile& file : files) {
         const fs::path copy = (to / file.name).lexically_normal();
         const bool is_below =
             !copy.lexically_relative(to).empty() && *copy.lexically_relative(to).begin() != "..";
-        if (file.synthesised == file.text || !is_below) continue;
-        fs::create_directories(copy.parent_path());
+        if (!is_below) continue;
         const std::string name = file.path.lexically_relative(project.folder).string();
-        write_if_new(copy,
-                     fmt::format("`line 1 \"{}\" 0\n{}", without_blanks(name), file.synthesised));
+        const std::string read = text(file, name);
+        if (read == file.text) continue;
+        fs::create_directories(copy.parent_path());
+        write_if_new(copy, fmt::format("`line 1 \"{}\" 0\n{}", without_blanks(name), read));
         copies.insert(copy);
     }
     std::error_code error;
     for (const auto& entry : fs::recursive_directory_iterator{to, error})
         if (entry.is_regular_file() && !copies.count(entry.path())) fs::remove(entry.path(), error);
-    return all;
 }
+
+bool has_modules(const IncludedFile& file) { return !scan(file.synthesised).modules.empty(); }
 
 // The modules below the top, and all where that is an entity.
 std::set<std::string> modules_of_design(const Modules& modules, const std::string& top) {
@@ -163,7 +164,12 @@ CleanSources clean_sources(const SourceRequest& from) {
             texts.push_back(synthesised(file, project));
             add_modules(texts.back(), modules, !file.text.empty() || !file.library.empty());
         }
-    clean.included = copy_included(texts, project, from.folder / "included");
+    const std::vector<IncludedFile> included =
+        included_files(texts, project.includes, project.macros);
+    for (const IncludedFile& file : included) {
+        clean.included += file.text;
+        if (has_modules(file)) add_modules(file.synthesised, modules, false);
+    }
     const std::vector<std::string> vhdl = translate_vhdl(from, modules);
     for (const std::string& text : vhdl)
         for (ModuleText& module : scan(text).modules) modules.emplace(module.name, module);
@@ -201,6 +207,15 @@ CleanSources clean_sources(const SourceRequest& from) {
                                  normalised.text));
         clean.files.push_back(to);
     }
+    copy_included(
+        included, project, from.folder / "included",
+        [&](const IncludedFile& file, const std::string& name) {
+            if (!has_modules(file)) return file.synthesised;
+            const bool system_verilog = file.path.extension() == ".sv";
+            return normalise(with_enables(gates_as_assignments(file.synthesised, modules), pins),
+                             name, system_verilog, open_inputs, modules, {}, pins)
+                .text;
+        });
     for (std::size_t n = 0; n < vhdl.size(); ++n) {
         const fs::path to = fmt::format("source/vhdl{}.v", n);
         const std::string name = project.entities[n] + " in Verilog";

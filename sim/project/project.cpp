@@ -158,7 +158,10 @@ private:
     std::optional<fs::path> resolve(const Assignment& a) {
         const auto found = files_.finder().find(
             a.value, a.in_qip_folder ? fs::absolute(a.file).parent_path() : folder_);
-        if (!found) {
+        // A black box beside the module that it stands for would be a second one.
+        const bool is_other_black_box =
+            found && !found->exact && lower(a.value).find("_bb.v") != std::string::npos;
+        if (!found || is_other_black_box) {
             const unsigned number = a.name == "QIP_FILE"   ? 125092
                                     : a.name == "SDC_FILE" ? 332012
                                                            : 12019;
@@ -313,6 +316,18 @@ private:
         return files_.definition(name, from_vhdl);
     }
 
+    // The module that the vendor's generator makes of a system's instance, which a design may
+    // instance, too.
+    bool add_instance_module(const std::string& name) {
+        for (const qsys::Generated& system : project_.systems) {
+            const auto found = system.instance_modules.find(name);
+            if (found == system.instance_modules.end()) continue;
+            files_.add({folder_ / (name + ".v"), Language::VERILOG, true, {}, found->second});
+            return true;
+        }
+        return false;
+    }
+
     void collect_what_it_needs() {
         std::set<std::string> seen;
         std::set<std::size_t> packages, others;
@@ -329,6 +344,7 @@ private:
                 continue;
             }
             const Definition* d = definition(name, from_vhdl);
+            if (!d && add_instance_module(name)) d = files_.definition(name, from_vhdl);
             if (!d) {
                 if (!by.empty()) missing_.emplace_back(name, by);
                 continue;

@@ -225,8 +225,15 @@ std::vector<std::string> verilog_of(const VhdlDesign& design, const TimeLimit& l
         refuse_two_clocks(output);
         refuse_lost_registers(output, all);
         output = repaired(output, lacks_others(output) ? synthesised("--out=raw-vhdl") : "");
-        texts.push_back(
-            VhdlOutput{output, root.entity, root.module, design.in_verilog}.without(known));
+        try {
+            texts.push_back(
+                VhdlOutput{output, root.entity, root.module, design.in_verilog}.without(known));
+        } catch (const ProjectError&) {
+            // Perhaps there is that entity, but GHDL has refused it.
+            const std::string before = first_error(analysed[root.entity], root.entity);
+            if (before.compare(0, root.entity.size() + 1, root.entity + ":") == 0) throw;
+            throw ProjectError{before};
+        }
     }
     return texts;
 }

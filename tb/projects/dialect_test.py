@@ -25,6 +25,13 @@ class AsQuartusTakesIt(Case):
                                 "// pragma translate_on\n")
         self.leds(0b1001, 0b1001)
 
+    def test_an_included_module_is_read_as_quartus_reads_it(self):
+        self.write(top_v='`include "part.v"\n' + LEDS.format("part_q").replace(
+            "assign", "wire [9:0] part_q; part p(part_q);\nassign"),
+                   part_v="module part(output [9:0] q);\nparameter C = 9'h000100007;\n"
+                          "assign q = C;\nendmodule\n")
+        self.leds(7, top="top")
+
     def test_an_included_file_that_has_changed(self):
         self.write(top_v="`include \"facts.vh\"\n" + LEDS.format("`VALUE"),
                    facts_vh="`include \"more.vh\"\n", more_vh="`define VALUE 10'd21\n")

@@ -138,5 +138,19 @@ R32(0xFF200000) = bad ? bad : 0x3FF;"""
         self.shows(0x3FF)
 
 
+class InstanceModules(SystemCase):
+    def test_a_design_may_instance_the_module_of_an_instance(self):
+        """As Platform Designer names it: SYSTEM_INSTANCE."""
+        self.with_leds([("tones", "altera_avalon_onchip_memory2",
+                         {"memorySize": "64", "dataWidth": "32", "initMemContent": "false"})],
+                       [*clocked("tones", "clk1", "reset1"), ("avalon", LW, "tones.s1", 0x100)],
+                       top=");\nwire [31:0] word;\nsys_tones other(.clk(CLOCK_50), "
+                           ".address(4'd3), .clken(1'b1), .reset_req(1'b0), .reset(1'b0), "
+                           ".chipselect(1'b1), .write(SW[0]), .writedata(32'd99), "
+                           ".byteenable(4'd15), .readdata(word)")
+        self.program("R32(0xFF20010C) = 5; R32(0xFF200000) = R32(0xFF20010C);")
+        self.shows(5)
+
+
 if __name__ == "__main__":
     run()

@@ -220,6 +220,20 @@ class WithoutAPicture(Case):
         self.assertNotIn("found no picture", said)
 
 
+class Registers(Case):
+    def test_structures_are_as_wide_as_their_members(self):
+        self.write(top_sv="""module top(input CLOCK_50, input [3:0] KEY, output [9:0] LEDR);
+typedef struct packed { logic [9:0] x; logic [8:0] y; } place;
+place places[3];
+always_ff @(posedge CLOCK_50 or negedge KEY[0])
+    if (!KEY[0]) for (int i = 0; i < 3; i++) places[i] <= '{x: 10'(i * 3), y: 9'd7};
+    else places[2].x <= places[2].x | 10'd1;
+assign LEDR = places[2].x;
+endmodule
+""")
+        self.plays("press: {key: 0, for: 1ms}", "delay: 1ms", 'expect-leds: "0000000111"')
+
+
 class Building(Case):
     def test_what_is_built_can_be_copied_with_its_project(self):
         """No link leads back to the folder that is copied; an include beside it is found."""

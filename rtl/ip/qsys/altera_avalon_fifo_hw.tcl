@@ -17,6 +17,10 @@ foreach {name value} {WIDTH 32 LOG2 4 DUAL 0 RESETS 2 SINK 0 SOURCE 0 SYMBOL 8 W
 }
 add_fileset synth QUARTUS_SYNTH "" ""
 set_fileset_property synth TOP_LEVEL altera_avalon_fifo
+set_module_assignment embeddedsw.dts.vendor ALTR
+set_module_assignment embeddedsw.dts.name fifo
+set_module_assignment embeddedsw.dts.group fifo
+set_module_assignment embeddedsw.dts.compatible {ALTR,fifo-1.0}
 
 proc on {name} { string is true [get_parameter_value $name] }
 

@@ -29,6 +29,7 @@ public:
         const auto pixels = pixel_buffer_of(assembly_, interconnect.map);
         instances();
         Generated out{"",
+                      std::move(instance_modules_),
                       assembly_.sources(),
                       std::move(interconnect.map),
                       std::move(interconnect.bridges),
@@ -146,7 +147,7 @@ private:
 
     void instances() {
         for (const Instance& instance : system_.instances) {
-            std::string ports, module, parameters;
+            std::string ports, module, parameters, declared, passed;
             bool is_processor = false;
             assembly_.for_each([&](const End& e) {
                 if (e.instance != &instance) return;
@@ -156,19 +157,25 @@ private:
                     for (const auto& [name, value] : e.component->parameters)
                         parameters +=
                             fmt::format("{}.{}({})", parameters.empty() ? "" : ", ", name, value);
-                for (const Port& port : e.interface->ports)
-                    if (port.width > 0)
-                        ports += fmt::format("{}\n        .{}({})", ports.empty() ? "" : ",",
-                                             port.name, wire_of(e, port));
+                for (const Port& port : e.interface->ports) {
+                    if (port.width == 0) continue;
+                    const char* comma = ports.empty() ? "" : ",";
+                    ports += fmt::format("{}\n        .{}({})", comma, port.name, wire_of(e, port));
+                    passed += fmt::format("{} .{}({})", comma, port.name, port.name);
+                    declared += comma + declaration(port, port.name);
+                }
             });
             if (ports.empty()) continue;
+            const std::string set = parameters.empty() ? "" : " #(" + parameters + ")";
+            if (!is_processor)
+                instance_modules_[system_.name + "_" + instance.name] =
+                    fmt::format("module {}_{} ({});\n    {}{} {} ({});\nendmodule\n", system_.name,
+                                instance.name, declared, module, set, instance.name, passed);
             text_.section(fmt::format("{}: {}", instance.name, instance.kind));
             if (is_processor)
                 processor(instance.name, parameters);
             else
-                text_.line(fmt::format("{}{} {} ({}\n    );", module,
-                                       parameters.empty() ? "" : " #(" + parameters + ")",
-                                       instance.name, ports));
+                text_.line(fmt::format("{}{} {} ({}\n    );", module, set, instance.name, ports));
         }
     }
 
@@ -274,6 +281,13 @@ private:
         return x.name + "_" + rest;
     }
 
+    static std::string declaration(const Port& port, const std::string& name) {
+        const char* direction = port.direction == Direction::INPUT    ? "input  wire "
+                                : port.direction == Direction::OUTPUT ? "output wire "
+                                                                      : "inout  wire ";
+        return direction + VerilogText::range(port.width, port.is_vector) + name;
+    }
+
     std::string ports_text() const {
         std::string text;
         for (const Export& x : system_.exports) {
@@ -281,12 +295,8 @@ private:
             if (!e) continue;
             for (const Port& port : e->interface->ports) {
                 if (port.width == 0) continue;
-                const char* direction = port.direction == Direction::INPUT    ? "input  wire "
-                                        : port.direction == Direction::OUTPUT ? "output wire "
-                                                                              : "inout  wire ";
-                text += fmt::format("{}    {}{}{}", text.empty() ? "" : ",\n", direction,
-                                    VerilogText::range(port.width, port.is_vector),
-                                    port_name(x, *e, port));
+                text +=
+                    (text.empty() ? "    " : ",\n    ") + declaration(port, port_name(x, *e, port));
             }
         }
         return text.empty() ? "" : text + "\n";
@@ -329,6 +339,7 @@ private:
     const System& system_;
     const Assembly assembly_;
     VerilogText text_;
+    std::map<std::string, std::string> instance_modules_;
 };
 
 }  // namespace

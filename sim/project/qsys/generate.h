@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -14,7 +15,9 @@
 namespace sim::project::qsys {
 
 struct Generated {
-    std::string text;                            // of the system's module
+    std::string text;  // of the system's module
+    // Of the modules that the vendor's generator makes of instances: SYSTEM_INSTANCE.
+    std::map<std::string, std::string> instance_modules;
     std::vector<std::filesystem::path> sources;  // of its components
     std::vector<Place> map;
     std::vector<Bridge> bridges;

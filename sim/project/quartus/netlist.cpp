@@ -1,6 +1,9 @@
 #include "sim/project/quartus/netlist.h"
 
+#include <algorithm>
 #include <cstdlib>
+#include <map>
+#include <string>
 
 #include <fmt/format.h>
 
@@ -14,6 +17,8 @@ namespace sim::project {
 using Node = pugi::xml_node;
 
 namespace {
+
+constexpr unsigned long long MOST_BITS = 1u << 20;
 
 // How many [a:b] has.
 unsigned long long range_of(const Node& range) {
@@ -49,8 +54,41 @@ bool has_z(const Node& node) {
     return false;
 }
 
+namespace {
+
+using TypeNodes = std::map<std::string, Node>;
+
+// The bits of a type, at most MOST_BITS, which stands for what is not known, too.
+unsigned long long bits_of(const TypeNodes& nodes, const std::string& id, unsigned depth = 0) {
+    const auto found = nodes.find(id);
+    if (found == nodes.end() || depth > 32) return MOST_BITS;
+    const Node& type = found->second;
+    const std::string_view kind = type.name();
+    const auto bits_below = [&](const Node& node) {
+        return bits_of(nodes, node.attribute("sub_dtype_id").value(), depth + 1);
+    };
+    unsigned long long bits = MOST_BITS;
+    if (kind == "basicdtype") {
+        bits = static_cast<unsigned long long>(
+            std::llabs(type.attribute("left").as_llong() - type.attribute("right").as_llong()) + 1);
+    } else if (kind == "structdtype" || kind == "uniondtype") {
+        bits = 0;
+        for (const Node& member : type.children("memberdtype")) {
+            const unsigned long long one = bits_below(member);
+            bits = kind == "uniondtype" ? std::max(bits, one) : bits + one;
+        }
+    } else if (kind == "packarraydtype" || kind == "unpackarraydtype") {
+        bits = bits_below(type) * range_of(type.child("range"));
+    } else if (kind == "refdtype" || kind == "enumdtype" || kind == "constdtype") {
+        bits = bits_below(type);
+    }
+    return std::min(bits, MOST_BITS);
+}
+
+}  // namespace
+
 void Netlist::read_types(const Node& table) {
-    std::map<std::string, Node> nodes;
+    TypeNodes nodes;
     for (const Node& type : table.children()) nodes.emplace(type.attribute("id").value(), type);
     for (const auto& [id, node] : nodes) {
         Type t;
@@ -82,12 +120,12 @@ void Netlist::read_types(const Node& table) {
             } else if (kind == "packarraydtype") {
                 width *= range_of(at.child("range"));
             } else if (kind != "refdtype" && kind != "enumdtype" && kind != "constdtype") {
-                width = 1u << 20;  // a structure or what is not known
+                width *= bits_of(nodes, at.attribute("id").value());  // a structure
                 break;
             }
             at = next("sub_dtype_id");
         }
-        t.width = static_cast<unsigned>(std::min<unsigned long long>(width, 1u << 20));
+        t.width = static_cast<unsigned>(std::min(width, MOST_BITS));
         types_[id] = t;
     }
 }
