@@ -85,9 +85,9 @@ struct resource* platform_get_resource(struct platform_device* d, unsigned type,
     static void kmod_unregister(void) { platform_driver_unregister(&(driver)); }   \
     module_init(kmod_register) module_exit(kmod_unregister)
 
-#define module_platform_driver_probe(driver, probe)                                     \
-    static int kmod_register(void) { return platform_driver_probe(&(driver), probe); }  \
-    static void kmod_unregister(void) { platform_driver_unregister(&(driver)); }        \
+#define module_platform_driver_probe(driver, probe)                                    \
+    static int kmod_register(void) { return platform_driver_probe(&(driver), probe); } \
+    static void kmod_unregister(void) { platform_driver_unregister(&(driver)); }       \
     module_init(kmod_register) module_exit(kmod_unregister)
 
 #define of_match_ptr(p) (p)
