@@ -90,13 +90,13 @@ class SystemCase(Case):
                            "set_global_assignment -name VERILOG_FILE top.v\n"
                            "set_global_assignment -name QSYS_FILE sys.qsys\n", **files)
 
-    def program(self, body):
+    def program(self, body, head=""):
         self.write(program_c="#include <stdint.h>\n"
                              "#define R8(a) (*(volatile uint8_t*)(a))\n"
                              "#define R16(a) (*(volatile uint16_t*)(a))\n"
                              "#define R32(a) (*(volatile uint32_t*)(a))\n"
                              "#define R64(a) (*(volatile uint64_t*)(a))\n"
-                             f"int main(void) {{\n{body}\nfor (;;) {{}}\n}}\n")
+                             f"{head}int main(void) {{\n{body}\nfor (;;) {{}}\n}}\n")
         subprocess.run([*GCC, "program.c", "-o", "program.elf"], cwd=self.folder, check=True)
 
     def played(self, *steps, head="", code=0, options=()):
