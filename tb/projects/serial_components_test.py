@@ -256,5 +256,199 @@ R32(0xFF200088) = R32(0xFF20008C) = n & 32 ? 0x2000 : 0xE000; }""", "#define DEP
                     "expect-tone: {hz: 750, for: 60ms, timeout: 400ms}")
 
 
+# A device for each master: `out` is what it sends next, `in` what came last, with the number of
+# words while it was selected, of selections, and the clocks of the shortest half period and of the
+# time from SS_n to SCLK.
+SPI_DEVICE = """
+module spi_device #(parameter BITS = 8, MODE = 0, LSB = 0) (
+    input clk, input ss, input sclk, input mosi, output miso, input [31:0] out,
+    output reg [31:0] in, output [31:0] seen);
+    reg [BITS-1:0] shift = 0, got = 0; reg [5:0] n = 0;
+    reg [7:0] words = 0, times = 0, half = 255, lead = 0, clocks = 0;
+    reg was_ss = 1, was = 0, any = 0, wrong = 0;
+    wire level = sclk ^ (MODE >= 2);                       // 0 at rest
+    wire sample = level ^ (MODE % 2 == 1), changes = level != was;
+    wire [BITS-1:0] next = LSB ? {mosi, got} >> 1 : {got, mosi};
+    assign miso = LSB ? shift[0] : shift[BITS-1], seen = {words, times, half, lead | {8{wrong}}};
+    always @(posedge clk) begin
+        was_ss <= ss; was <= level;
+        clocks <= was_ss != ss || changes ? 1 : clocks + 1;
+        if (ss && was_ss && (level || changes)) wrong <= 1;
+        if (was_ss && !ss) begin
+            shift <= out; n <= 0; times <= times + 1; words <= 0; any <= 0;
+        end
+        if (!ss && !was_ss && changes) begin
+            any <= 1;
+            if (!any) lead <= clocks; else if (clocks < half) half <= clocks;
+            if (sample) begin
+                got <= next; n <= n + 1;
+                if (n == BITS - 1) begin in <= next; words <= words + 1; n <= 0; end
+            end else if (n != 0) shift <= LSB ? shift >> 1 : shift << 1;
+            else if (words != 0) shift <= out;
+        end
+    end
+endmodule
+"""
+SPI = CHECK + """#define SPI(n, r) R32(0xFF200100 + 0x40 * (n) + 4 * (r))
+#define IN(n) R32(0xFF200800 + 0x40 * (n))
+#define SEEN(n) R32(0xFF200810 + 0x40 * (n))
+#define OUT(n) R32(0xFF200820 + 0x40 * (n))
+enum { RX, TX, STATUS, CONTROL, SELECT = 5, END };
+enum { ROE = 8, TOE = 16, TMT = 32, TRDY = 64, RRDY = 128, E = 256, EOP = 512, SSO = 1024 };
+unsigned word(unsigned n, unsigned out) {
+    while (!(SPI(n, STATUS) & TRDY)) {} SPI(n, TX) = out;
+    while (!(SPI(n, STATUS) & RRDY)) {} return SPI(n, RX);
+}
+"""
+
+
+class Spi(SystemCase):
+    """Masters at 0x100, 0x140, ..., each with a device; devices' words at 0x800, 0x840, ..."""
+
+    def masters(self, body, *all_parameters, leds=0x3FF):
+        modules, wires, exports, ports, devices = [], [], [], "", ""
+        for n, parameters in enumerate(all_parameters):
+            bits, mode = int(parameters.get("dataWidth", 8)), int(parameters.pop("mode", 0))
+            parameters |= {"clockPolarity": str(mode // 2), "clockPhase": str(mode % 2),
+                           "inputClockRate": "50000000"}
+            modules += [(f"m{n}", "altera_avalon_spi", parameters)]
+            wires += [*clocked(f"m{n}"), ("avalon", LW, f"m{n}.spi_control_port", 0x100 + 64 * n),
+                      ("interrupt", "hps_0.f2h_irq0", f"m{n}.irq", n)]
+            exports += [(f"m{n}", f"m{n}.external")]
+            for at, name in enumerate(("in", "seen", "out")):
+                modules += [(f"{name}{n}", "altera_avalon_pio",
+                             {"width": "32", "direction": "Output" if at == 2 else "Input"})]
+                wires += [*clocked(f"{name}{n}"),
+                          ("avalon", LW, f"{name}{n}.s1", 0x800 + 64 * n + 16 * at)]
+                exports += [(f"{name}{n}", f"{name}{n}.external_connection")]
+                ports += f", .{name}{n}_export({name}{n})"
+            ports += "".join(f", .m{n}_{port}({wire}{n})" for port, wire in
+                             (("MISO", "miso"), ("MOSI", "mosi"), ("SCLK", "k"), ("SS_n", "ss")))
+            lsb = int(parameters.get("lsbOrderedFirst") == "true")
+            slaves = int(parameters.get("numberOfSlaves", 1))
+            devices += f"""
+wire miso{n}, mosi{n}, k{n}; wire [{slaves - 1}:0] ss{n}; wire [31:0] in{n}, seen{n}, out{n};
+spi_device #({bits}, {mode}, {lsb}) d{n} (CLOCK_50, ss{n}[{slaves - 1}], k{n}, mosi{n}, miso{n},
+                                          out{n}, in{n}, seen{n});
+"""
+        self.with_leds(modules, wires, exports)
+        self.write(top_v=SPI_DEVICE + "module top(input CLOCK_50, output [9:0] LEDR);" + devices +
+                   "sys system(.clk_clk(CLOCK_50), .reset_reset_n(1'b1), .leds_export(LEDR)" +
+                   ports + ");\nendmodule\n")
+        self.program(body + "\nLEDS = 0x3FF;", SPI)
+        self.shows(leds)
+
+    def test_the_four_modes_and_words_of_1_to_32_bits(self):
+        self.masters("""static const unsigned mask[] = {0xFF, 0xFFF, 0xFFFFFFFF, 0xFFFF, 1};
+for (unsigned n = 0; n < 5; ++n)
+    for (unsigned k = 1; k < 4; ++k) {
+        unsigned out = 0xA5C3E187 * k & mask[n], back = 0x35769A2F * k & mask[n];
+        OUT(n) = back;
+        CHECK(8 * n + k, word(n, out) == back && IN(n) == out); }
+for (unsigned n = 0; n < 5; ++n) CHECK(64 + n, SEEN(n) >> 16 == 0x103 && (SEEN(n) & 0xFF) == 6);
+CHECK(80, (SEEN(0) >> 8 & 0xFF) == 6);""",
+                     *({"dataWidth": str(bits), "mode": mode, "targetClockRate": "4500000",
+                        "lsbOrderedFirst": "true" if mode in (1, 2) else "false"}
+                       for bits, mode in ((8, 0), (12, 1), (32, 2), (16, 3), (1, 0))))
+
+    def test_slaves_are_selected_for_a_word_or_by_sso(self):
+        self.masters("""OUT(0) = 0x5A; CHECK(1, SPI(0, SELECT) == 1);
+word(0, 0x11); CHECK(2, SEEN(0) >> 16 == 0);
+SPI(0, SELECT) = 6; CHECK(3, SPI(0, SELECT) == 1);
+CHECK(4, word(0, 0x22) == 0x5A && IN(0) == 0x22 && SPI(0, SELECT) == 6);
+word(0, 0x33); CHECK(5, SEEN(0) >> 16 == 0x102);
+SPI(0, CONTROL) = SSO; CHECK(6, SPI(0, CONTROL) == SSO);
+for (unsigned n = 0; n < 3; ++n) {
+    OUT(0) = 0x40 + n; CHECK(7, word(0, n) == (n ? 0x3F + n : 0x5A)); }
+CHECK(8, SEEN(0) >> 16 == 0x303);
+SPI(0, CONTROL) = 0; SPI(0, SELECT) = 1; word(0, 0x44);
+CHECK(9, SEEN(0) >> 16 == 0x303 && IN(0) == 2);""",
+                     {"numberOfSlaves": "3", "targetClockRate": "5000000"})
+
+    def test_status_and_interrupts(self):
+        self.masters("""#define IRQ (R32(0xFFFED208) & 0x100)
+OUT(0) = 0x5A; CHECK(1, SPI(0, STATUS) == (TMT | TRDY) && !IRQ);
+SPI(0, TX) = 1; CHECK(2, (SPI(0, STATUS) & (TMT | TRDY)) == TRDY);
+SPI(0, TX) = 2; CHECK(3, (SPI(0, STATUS) & (TMT | TRDY | TOE)) == 0);
+SPI(0, CONTROL) = TOE; SPI(0, TX) = 3;
+CHECK(4, (SPI(0, STATUS) & (TOE | E)) == (TOE | E) && IRQ);
+SPI(0, STATUS) = 0; CHECK(5, (SPI(0, STATUS) & (TOE | E)) == 0 && !IRQ);
+SPI(0, CONTROL) = RRDY; CHECK(6, !IRQ);
+while (!(SPI(0, STATUS) & RRDY)) {} CHECK(7, IRQ);
+while (!(SPI(0, STATUS) & TMT)) {}
+CHECK(8, (SPI(0, STATUS) & (ROE | E)) == (ROE | E) && IN(0) == 2);
+SPI(0, CONTROL) = ROE; CHECK(9, IRQ); SPI(0, CONTROL) = E; CHECK(10, IRQ);
+CHECK(11, SPI(0, RX) == 0x5A && (SPI(0, STATUS) & (RRDY | ROE)) == ROE);
+SPI(0, STATUS) = 0; CHECK(12, SPI(0, STATUS) == (TMT | TRDY) && !IRQ);
+SPI(0, CONTROL) = TRDY; CHECK(13, IRQ); SPI(0, CONTROL) = EOP; CHECK(14, !IRQ);
+SPI(0, END) = 0x77; CHECK(15, SPI(0, END) == 0x77);
+word(0, 0x76); CHECK(16, !(SPI(0, STATUS) & EOP));
+SPI(0, TX) = 0x77; CHECK(17, SPI(0, STATUS) & EOP && IRQ);
+SPI(0, STATUS) = 0; OUT(0) = 0x77; while (!(SPI(0, STATUS) & TMT)) {}
+SPI(0, STATUS) = 0; SPI(0, TX) = 0; while (!(SPI(0, STATUS) & TMT)) {}
+CHECK(18, !(SPI(0, STATUS) & EOP) && SPI(0, RX) == 0x77 && SPI(0, STATUS) & EOP);
+SPI(0, CONTROL) = ~0u; CHECK(19, SPI(0, CONTROL) == 0x7D8);""",
+                     {"targetClockRate": "1000000"})
+
+    def test_the_rate_and_the_delay_before_the_first_edge(self):
+        """The next even part of 50 MHz below 3 MHz is an 18th; 1 us is six half periods."""
+        self.masters("""word(0, 1); CHECK(1, (SEEN(0) & 0xFFFF) == (9 << 8 | 54));
+word(1, 1); CHECK(2, (SEEN(1) & 0xFFFF) == (1 << 8 | 1));""",
+                     {"targetClockRate": "3000000", "targetSlaveSelectToSClkDelay": "1000.0",
+                      "insertDelayBetweenSlaveSelectAndSClk": "true"},
+                     {"targetClockRate": "100000000"})
+
+    def test_slaves_answer_masters(self):
+        """Four pairs, the masters at 0x100, the slaves at 0x300."""
+        modules, wires, exports, ports, text = [], [], [], "", ""
+        for mode in range(4):
+            for name, kind, at in (("m", "true", 0x100), ("s", "false", 0x300)):
+                modules += [(f"{name}{mode}", "altera_avalon_spi",
+                             {"masterSPI": kind, "dataWidth": str((8, 32, 11, 16)[mode]),
+                              "clockPolarity": str(mode // 2), "clockPhase": str(mode % 2),
+                              "lsbOrderedFirst": "true" if mode == 1 else "false",
+                              "insertSync": "true" if mode == 2 else "false",
+                              "targetClockRate": "2500000"})]
+                wires += [*clocked(f"{name}{mode}"), ("avalon", LW, f"{name}{mode}.spi_control_port",
+                                                     at + 64 * mode)]
+                exports += [(f"{name}{mode}", f"{name}{mode}.external")]
+                ports += "".join(f", .{name}{mode}_{p}({p}{mode})"
+                                 for p in ("MISO", "MOSI", "SCLK", "SS_n"))
+            text += f"wire MISO{mode}, MOSI{mode}, SCLK{mode}, SS_n{mode};\n"
+        self.with_leds(modules, wires, exports)
+        self.write(top_v="module top(input CLOCK_50, output [9:0] LEDR);\n" + text +
+                   "sys system(.clk_clk(CLOCK_50), .reset_reset_n(1'b1), .leds_export(LEDR)" +
+                   ports + ");\nendmodule\n")
+        self.program("""static const unsigned mask[] = {0xFF, 0xFFFFFFFF, 0x7FF, 0xFFFF};
+for (unsigned n = 0; n < 4; ++n) {
+    unsigned s = n + 8, last = 0;
+    for (unsigned k = 1; k < 5; ++k) {
+        unsigned out = 0xA5C3E187 * k & mask[n], back = 0x35769A2F * k & mask[n];
+        CHECK(32 * n + k, (SPI(s, STATUS) & (TMT | TRDY | RRDY)) == (TMT | TRDY));
+        if (k != 3) SPI(s, TX) = back;
+        SPI(n, TX) = out;
+        while (!(SPI(s, STATUS) & RRDY)) CHECK(32 * n + 8, !(SPI(n, STATUS) & TMT));
+        while (!(SPI(n, STATUS) & RRDY)) {}
+        CHECK(32 * n + 8 + k, SPI(n, RX) == (k == 3 ? last : back));
+        CHECK(32 * n + 16 + k, SPI(s, RX) == out);
+        last = out; }
+    SPI(n, CONTROL) = SSO; SPI(s, TX) = 1;
+    for (unsigned k = 0; k < 100; ++k) CHECK(32 * n + 21, !(SPI(s, STATUS) & TMT));
+    SPI(s, TX) = 0; CHECK(32 * n + 22, !(SPI(s, STATUS) & TOE));
+    SPI(s, TX) = 0; CHECK(32 * n + 23, SPI(s, STATUS) & TOE);
+    CHECK(32 * n + 24, word(n, 7) == 1 && word(n, 8) == 0 && SPI(s, STATUS) & ROE);
+    CHECK(32 * n + 25, SPI(s, RX) == 8); SPI(n, CONTROL) = 0; }
+LEDS = 0x3FF;""", SPI)
+        self.shows(0x3FF)
+
+    def test_wrong_parameters(self):
+        for parameter, value, message in (
+                ("dataWidth", "33", "dataWidth is 33, expected 1 to 32"),
+                ("numberOfSlaves", "0", "numberOfSlaves is 0, expected 1 to 32"),
+                ("targetClockRate", "0", "targetClockRate is 0, expected more than 0")):
+            self.refuses("spi does not take its parameters: " + message,
+                         [("spi", "altera_avalon_spi", {parameter: value})])
+
+
 if __name__ == "__main__":
     run()

@@ -12,8 +12,8 @@
 //   6 TFR_CMD_FIFO_LVL, 7 RX_DATA_FIFO_LVL
 //   8 SCL_LOW, 9 SCL_HIGH, 10 SDA_HOLD  in clocks
 //
-// While NACK_DET or ARBLOST_DET is set there are no commands: those that wait are gone, as are those
-// that are written.  With USE_AV_ST commands and bytes are streams, not TFR_CMD and RX_DATA.
+// While NACK_DET or ARBLOST_DET is set there are no commands: those that wait are gone, as are
+// those that are written.  With USE_AV_ST commands and bytes are streams, not TFR_CMD and RX_DATA.
 //
 // Source: Embedded Peripherals IP User Guide, Avalon I2C Master Core; its drivers.
 
