@@ -409,8 +409,8 @@ word(1, 1); CHECK(2, (SEEN(1) & 0xFFFF) == (1 << 8 | 1));""",
                               "lsbOrderedFirst": "true" if mode == 1 else "false",
                               "insertSync": "true" if mode == 2 else "false",
                               "targetClockRate": "2500000"})]
-                wires += [*clocked(f"{name}{mode}"), ("avalon", LW, f"{name}{mode}.spi_control_port",
-                                                     at + 64 * mode)]
+                wires += [*clocked(f"{name}{mode}"),
+                          ("avalon", LW, f"{name}{mode}.spi_control_port", at + 64 * mode)]
                 exports += [(f"{name}{mode}", f"{name}{mode}.external")]
                 ports += "".join(f", .{name}{mode}_{p}({p}{mode})"
                                  for p in ("MISO", "MOSI", "SCLK", "SS_n"))
