@@ -2,10 +2,11 @@
 //
 // outclk[i] is a clock of output_clock_frequencyI, phase_shiftI and duty_cycleI, all texts like
 // "25.175000 MHz" and "0 ps"; those from number_of_clocks on, and those of 0 MHz, do not exist.
-// It is 0 while rst is high.
+// It is 0 while rst is high.  Of pll_subtype "Reconfigurable" the counters are m_cnt_hi_div,
+// c_cnt_hi_div0 and so on, until an altera_pll_reconfig_top writes others.
 //
-// Not handled: the reference's true frequency, reconfiguration, dynamic phase, a second reference,
-// clocks of which only the counters (c_cnt_hi_div0 ...) are given.
+// Not handled: the reference's true frequency, dynamic phase, a second reference, clocks of which
+// only the counters are given; of two reconfigurable PLLs of the same clocks one alone is set.
 
 `default_nettype none
 // Texts of different lengths, and parameters with numbers.
@@ -173,7 +174,78 @@ module altera_pll #(
         endcase
     endfunction
 
-    de1sim_pll_lock lock (.refclk_i(refclk), .rst_i(rst), .locked_o(locked));
+    function [17:0] packed_of(input integer high, input integer low, input [8*40-1:0] bypass,
+                              input [8*40-1:0] odd);
+        packed_of = {odd == "true", bypass == "true", high[7:0], low[7:0]};
+    endfunction
+    function [17:0] counter(input integer i);
+        case (i)
+            0: counter = packed_of(C_CNT_HI_DIV0, C_CNT_LO_DIV0, C_CNT_BYPASS_EN0,
+                                   C_CNT_ODD_DIV_DUTY_EN0);
+            1: counter = packed_of(C_CNT_HI_DIV1, C_CNT_LO_DIV1, C_CNT_BYPASS_EN1,
+                                   C_CNT_ODD_DIV_DUTY_EN1);
+            2: counter = packed_of(C_CNT_HI_DIV2, C_CNT_LO_DIV2, C_CNT_BYPASS_EN2,
+                                   C_CNT_ODD_DIV_DUTY_EN2);
+            3: counter = packed_of(C_CNT_HI_DIV3, C_CNT_LO_DIV3, C_CNT_BYPASS_EN3,
+                                   C_CNT_ODD_DIV_DUTY_EN3);
+            4: counter = packed_of(C_CNT_HI_DIV4, C_CNT_LO_DIV4, C_CNT_BYPASS_EN4,
+                                   C_CNT_ODD_DIV_DUTY_EN4);
+            5: counter = packed_of(C_CNT_HI_DIV5, C_CNT_LO_DIV5, C_CNT_BYPASS_EN5,
+                                   C_CNT_ODD_DIV_DUTY_EN5);
+            6: counter = packed_of(C_CNT_HI_DIV6, C_CNT_LO_DIV6, C_CNT_BYPASS_EN6,
+                                   C_CNT_ODD_DIV_DUTY_EN6);
+            7: counter = packed_of(C_CNT_HI_DIV7, C_CNT_LO_DIV7, C_CNT_BYPASS_EN7,
+                                   C_CNT_ODD_DIV_DUTY_EN7);
+            8: counter = packed_of(C_CNT_HI_DIV8, C_CNT_LO_DIV8, C_CNT_BYPASS_EN8,
+                                   C_CNT_ODD_DIV_DUTY_EN8);
+            9: counter = packed_of(C_CNT_HI_DIV9, C_CNT_LO_DIV9, C_CNT_BYPASS_EN9,
+                                   C_CNT_ODD_DIV_DUTY_EN9);
+            10: counter = packed_of(C_CNT_HI_DIV10, C_CNT_LO_DIV10, C_CNT_BYPASS_EN10,
+                                   C_CNT_ODD_DIV_DUTY_EN10);
+            11: counter = packed_of(C_CNT_HI_DIV11, C_CNT_LO_DIV11, C_CNT_BYPASS_EN11,
+                                   C_CNT_ODD_DIV_DUTY_EN11);
+            12: counter = packed_of(C_CNT_HI_DIV12, C_CNT_LO_DIV12, C_CNT_BYPASS_EN12,
+                                   C_CNT_ODD_DIV_DUTY_EN12);
+            13: counter = packed_of(C_CNT_HI_DIV13, C_CNT_LO_DIV13, C_CNT_BYPASS_EN13,
+                                   C_CNT_ODD_DIV_DUTY_EN13);
+            14: counter = packed_of(C_CNT_HI_DIV14, C_CNT_LO_DIV14, C_CNT_BYPASS_EN14,
+                                   C_CNT_ODD_DIV_DUTY_EN14);
+            15: counter = packed_of(C_CNT_HI_DIV15, C_CNT_LO_DIV15, C_CNT_BYPASS_EN15,
+                                   C_CNT_ODD_DIV_DUTY_EN15);
+            16: counter = packed_of(C_CNT_HI_DIV16, C_CNT_LO_DIV16, C_CNT_BYPASS_EN16,
+                                   C_CNT_ODD_DIV_DUTY_EN16);
+            17: counter = packed_of(C_CNT_HI_DIV17, C_CNT_LO_DIV17, C_CNT_BYPASS_EN17,
+                                   C_CNT_ODD_DIV_DUTY_EN17);
+            default: counter = 0;
+        endcase
+    endfunction
+    function [18*18-1:0] counters(input integer unused);
+        integer i;
+        for (i = 0; i < 18; i = i + 1) counters[18*i +: 18] = counter(i);
+    endfunction
+
+    localparam SETTABLE = PLL_SUBTYPE == "Reconfigurable";
+    wire               sets, unlocks;
+    wire [18*64-1:0]   periods_fs, highs_fs;
+    generate
+        if (SETTABLE) begin : reconfigured
+            de1sim_pll_counters #(
+                .REFERENCE_FS(de1sim_period_fs(REFERENCE_CLOCK_FREQUENCY)),
+                .FRACTIONAL(FRACTIONAL_VCO_MULTIPLIER == "true"), .K(PLL_FRACTIONAL_DIVISION),
+                .M(packed_of(M_CNT_HI_DIV, M_CNT_LO_DIV, M_CNT_BYPASS_EN, M_CNT_ODD_DIV_DUTY_EN)),
+                .N(packed_of(N_CNT_HI_DIV, N_CNT_LO_DIV, N_CNT_BYPASS_EN, N_CNT_ODD_DIV_DUTY_EN)),
+                .C(counters(0))
+            ) at_work (
+                .reconfig_to_pll(reconfig_to_pll), .reconfig_from_pll(reconfig_from_pll),
+                .set_o(sets), .unlocks_o(unlocks), .period_fs_o(periods_fs),
+                .high_fs_o(highs_fs));
+        end else begin : fixed
+            assign {sets, unlocks, periods_fs, highs_fs} = 0;
+            assign reconfig_from_pll = 64'd0;
+        end
+    endgenerate
+
+    de1sim_pll_lock lock (.refclk_i(refclk), .rst_i(rst || unlocks), .locked_o(locked));
 
     genvar i;
     generate
@@ -183,8 +255,9 @@ module altera_pll #(
                 wire clk;
                 de1sim_pll_tap #(
                     .PERIOD_FS(PERIOD_FS), .PHASE_FS(de1sim_phase_fs(phase(i), PERIOD_FS)),
-                    .HIGH_FS(PERIOD_FS * duty(i) / 100)
-                ) tap (.clk(clk));
+                    .HIGH_FS(PERIOD_FS * duty(i) / 100), .SETTABLE(SETTABLE ? 64'd1 : 64'd0)
+                ) tap (.clk(clk), .set_i(sets), .period_fs_i(periods_fs[64*i +: 64]),
+                       .high_fs_i(highs_fs[64*i +: 64]));
                 assign outclk[i] = clk && !rst;
             end else begin : unused
                 assign outclk[i] = 1'b0;
@@ -193,7 +266,6 @@ module altera_pll #(
     endgenerate
 
     assign fboutclk = 1'b0;
-    assign reconfig_from_pll = 64'd0;
     assign phase_done = 1'b1;
     assign activeclk = 1'b0;
     assign cascade_out = 1'b0;

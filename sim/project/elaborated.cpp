@@ -177,7 +177,8 @@ Elaborated read_elaborated(const std::filesystem::path& file, const std::string&
             for (const auto& var : module.children("var"))
                 if (var.attribute("param"))
                     values[var.attribute("origName").value()] = value_of(var);
-            const PllClock clock{values["PERIOD_FS"], values["PHASE_FS"], values["HIGH_FS"]};
+            const PllClock clock{values["PERIOD_FS"], values["PHASE_FS"], values["HIGH_FS"],
+                                 values["SETTABLE"] != 0};
             const auto& all = design.pll_clocks;
             if (clock.period_fs && std::find(all.begin(), all.end(), clock) == all.end())
                 design.pll_clocks.push_back(clock);

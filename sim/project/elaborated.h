@@ -21,8 +21,10 @@ struct Port {
 // One output of a PLL, in femtoseconds.
 struct PllClock {
     std::uint64_t period_fs, phase_fs, high_fs;
+    bool is_settable;  // the design can change it
     bool operator==(const PllClock& o) const {
-        return period_fs == o.period_fs && phase_fs == o.phase_fs && high_fs == o.high_fs;
+        return period_fs == o.period_fs && phase_fs == o.phase_fs && high_fs == o.high_fs &&
+               is_settable == o.is_settable;
     }
 };
 

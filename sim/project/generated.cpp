@@ -1,5 +1,6 @@
 #include "sim/project/generated.h"
 
+#include <algorithm>
 #include <set>
 #include <sstream>
 
@@ -33,13 +34,27 @@ std::string tap_text(const std::vector<PllClock>& clocks) {
         "module de1sim_pll_tap #(\n"
         "    parameter [63:0] PERIOD_FS = 64'd0,\n"
         "    parameter [63:0] PHASE_FS  = 64'd0,\n"
-        "    parameter [63:0] HIGH_FS   = 64'd0\n"
-        ") (\n    output wire clk\n);\n    generate\n";
+        "    parameter [63:0] HIGH_FS   = 64'd0,\n"
+        "    parameter [63:0] SETTABLE  = 64'd0\n"
+        ") (\n    output wire clk,\n    input wire set_i,\n"
+        "    input wire [63:0] period_fs_i, high_fs_i\n);\n";
+    if (std::any_of(clocks.begin(), clocks.end(), [](const auto& c) { return c.is_settable; }))
+        text +=
+            "    import \"DPI-C\" function void de1sim_pll_set(\n"
+            "        input int number, input longint period_fs, input longint high_fs);\n";
+    text += "    generate\n";
     for (std::size_t n = 0; n < clocks.size(); ++n)
         text += fmt::format(
-            "        if (PERIOD_FS == 64'd{} && PHASE_FS == 64'd{} && HIGH_FS == 64'd{})\n"
-            "            assign clk = de1sim_chip.pll_clocks[{}];\n",
-            clocks[n].period_fs, clocks[n].phase_fs, clocks[n].high_fs, n);
+            "        if (PERIOD_FS == 64'd{0} && PHASE_FS == 64'd{1} && HIGH_FS == 64'd{2} &&\n"
+            "            SETTABLE == 64'd{3}) begin\n"
+            "            assign clk = de1sim_chip.pll_clocks[{4}];\n{5}        end\n",
+            clocks[n].period_fs, clocks[n].phase_fs, clocks[n].high_fs,
+            clocks[n].is_settable ? 1 : 0, n,
+            clocks[n].is_settable
+                ? fmt::format("            always @(posedge set_i) "
+                              "de1sim_pll_set({}, period_fs_i, high_fs_i);\n",
+                              n)
+                : "");
     return text + "    endgenerate\nendmodule\n";
 }
 

@@ -167,9 +167,10 @@ int check_project(const ProjectOptions& options, CheckPrints prints) {
     for (const auto& system : design.project.systems) text += addresses(system);
     text += "clocks:\n  CLOCK_50: 50 MHz\n";
     for (const auto& clock : design.elaborated.pll_clocks)
-        text += fmt::format("  PLL: {:.6f} MHz, phase {:.3f} ns\n",
+        text += fmt::format("  PLL: {:.6f} MHz, phase {:.3f} ns{}\n",
                             1e9 / static_cast<double>(clock.period_fs),
-                            static_cast<double>(clock.phase_fs) * 1e-6);
+                            static_cast<double>(clock.phase_fs) * 1e-6,
+                            clock.is_settable ? ", until it is reconfigured" : "");
     std::vector<std::string> init_files;
     for (const auto& file : design.init_files) init_files.push_back(found(file, design.project));
     text += lines("initial words of memories", init_files);

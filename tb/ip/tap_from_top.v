@@ -5,9 +5,15 @@
 module de1sim_pll_tap #(
     parameter [63:0] PERIOD_FS = 64'd0,
     parameter [63:0] PHASE_FS  = 64'd0,
-    parameter [63:0] HIGH_FS   = 64'd0
+    parameter [63:0] HIGH_FS   = 64'd0,
+    parameter [63:0] SETTABLE  = 64'd0
 ) (
-    output wire clk
+    output wire        clk,
+    // verilator lint_off UNUSED
+    input  wire        set_i,
+    input  wire [63:0] period_fs_i,
+    input  wire [63:0] high_fs_i
+    // verilator lint_on UNUSED
 );
     import "DPI-C" function void tap_found(input longint period_fs, input longint phase_fs,
                                            input longint high_fs, input string path);

@@ -1,7 +1,9 @@
-"""clocks_test.py DE1SIM FOLDER [CASE...] - parts of the board whose clock the design makes."""
+"""clocks_test.py DE1SIM FOLDER [CASE...] - clocks that the design makes, and parts of the board
+that have one of these."""
 import hashlib
 
 from case import Case, run
+from systems import LW, SystemCase, clocked
 
 # All that the DAC sees is right in the half of a pixel in which `half` is 0, and wrong from the
 # edge on with which `half` rises.
@@ -106,6 +108,113 @@ endmodule
         self.leds(0)
         said = self.report()["sdram_violations"]["first"]
         self.assertIn("READ at 122.46 us: not taken, since CKE is low", said)
+
+# Rises of c0 and c1 within 1000 clocks of CLOCK_50, and for how many of these c1 was high.
+MEASURE = """
+reg [15:0] n0 = 0, n1 = 0, t = 0, last0 = 0, last1 = 0, f0 = 0, f1 = 0, high = 0, h1 = 0;
+always @(posedge c0) n0 <= n0 + 1;
+always @(posedge c1) n1 <= n1 + 1;
+always @(posedge CLOCK_50) begin
+    t <= t == 999 ? 0 : t + 1;
+    high <= t == 999 ? c1 : high + c1;
+    if (t == 999) begin {last0, last1} <= {n0, n1}; f0 <= n0 - last0; f1 <= n1 - last1;
+        h1 <= high; end
+end
+"""
+
+
+class Reconfiguration(SystemCase):
+    def pll(self, body, *clocks, **parameters):
+        """The measures are at 0x100, whether it is locked at 0x110, its registers at 0x200."""
+        self.with_leds(
+            [("pll", "altera_pll", {
+                "gui_reference_clock_frequency": "50.0", "gui_en_reconf": "true",
+                "gui_number_of_clocks": str(len(clocks)), **parameters,
+                **{f"gui_output_clock_frequency{n}": str(mhz) for n, mhz in enumerate(clocks)}}),
+             ("set", "altera_pll_reconfig", {}),
+             *((name, "altera_avalon_pio", {"width": "32", "direction": "Input"})
+               for name in ("rates", "more"))],
+            [*clocked("pll", "refclk", "reset"), *clocked("set", "mgmt_clk", "mgmt_reset"),
+             *clocked("rates"), *clocked("more"), ("avalon", LW, "rates.s1", 0x100),
+             ("avalon", LW, "more.s1", 0x110), ("avalon", LW, "set.mgmt_avalon_slave", 0x200),
+             ("conduit", "set.reconfig_to_pll", "pll.reconfig_to_pll"),
+             ("conduit", "pll.reconfig_from_pll", "set.reconfig_from_pll")],
+            [("c0", "pll.outclk0"), ("c1", "pll.outclk1"), ("locked", "pll.locked"),
+             ("rates", "rates.external_connection"), ("more", "more.external_connection")])
+        self.write(top_v=f"""module top(input CLOCK_50, output [9:0] LEDR);
+wire c0, c1, locked;
+{MEASURE}
+sys system(.clk_clk(CLOCK_50), .reset_reset_n(1'b1), .leds_export(LEDR), .c0_clk(c0), .c1_clk(c1),
+           .locked_export(locked), .rates_export({{f0, f1}}), .more_export({{h1, 15'd0, locked}}));
+endmodule
+""")
+        self.program(body + "\nLEDS = 0x3FF;", """#define LEDS R32(0xFF200000)
+#define CHECK(n, c) if (!(c)) { LEDS = n; for (;;) {} }
+#define SET(n) R32(0xFF200200 + 4 * (n))
+#define LOCKED (R32(0xFF200110) & 1)
+enum { MODE, STATUS, START, N, M, C, PHASE, K, C0 = 10, C1 };
+int near(unsigned a, unsigned b) { return a + 1 >= b && b + 1 >= a; }
+// Over two whole spans of measuring.
+int rates(unsigned a, unsigned b) {
+    for (volatile unsigned n = 0; n < 20000; ++n) {}
+    return near(R32(0xFF200100) >> 16, a) && near(R32(0xFF200100) & 0xFFFF, b);
+}
+""")
+        self.shows(0x3FF)
+
+    def test_counters_that_a_program_writes_change_the_clocks(self):
+        self.pll("""CHECK(1, SET(M) == 0x303 && SET(N) == 0x10000 && SET(C0) == 0x20201);
+CHECK(2, SET(C1) == 0x606 && rates(2000, 500) && LOCKED);
+SET(C) = 1 << 18 | 0x303; CHECK(3, rates(2000, 500) && SET(C1) == 0x303);
+SET(START) = 0; CHECK(4, SET(STATUS) == 1 && rates(2000, 1000) && LOCKED);
+SET(M) = 0x404; SET(START) = 0; CHECK(5, rates(2667, 1333));
+SET(N) = 0x101; SET(M) = 0x808; SET(C) = 1 << 18 | 0x10000; SET(START) = 0;
+CHECK(6, rates(2667, 8000) && SET(N) == 0x101);
+SET(MODE) = 1; SET(C) = 0x202; SET(START) = 0;
+CHECK(7, SET(STATUS) == 0); SET(C) = 0x303; SET(M) = 0x808;
+while (!SET(STATUS)) {} CHECK(8, SET(C0) == 0x202 && rates(2000, 8000) && LOCKED);
+SET(C) = 1 << 18 | 50 << 8 | 150; SET(START) = 0; while (!SET(STATUS)) {}
+CHECK(9, rates(2000, 40)); unsigned high = R32(0xFF200110) >> 16;  // a quarter, to a clock each
+CHECK(9, high >= 240 && high <= 280);
+SET(M) = 0x202; SET(START) = 0; while (!SET(STATUS)) {}
+CHECK(10, rates(2000, 40) && !LOCKED);
+SET(M) = 0x808; SET(K) = 0x80000000; SET(START) = 0; while (!SET(STATUS)) {}
+CHECK(11, rates(2000, 40) && LOCKED && SET(MODE) == 1);
+SET(MODE) = 0; CHECK(12, SET(MODE) == 0);""", 100, 25)
+
+    def test_a_fraction(self):
+        self.pll("""CHECK(1, SET(M) == 0x303 && SET(K) == 0x66666666 && SET(C0) == 0x404);
+CHECK(2, rates(800, 400)); SET(K) = 0x80000000; SET(START) = 0;
+CHECK(3, rates(812, 406) && LOCKED);""", 40, 20, gui_pll_mode="Fractional-N PLL")
+
+    def test_what_check_says(self):
+        self.test_a_fraction()
+        self.assertIn("PLL: 40.000000 MHz, phase 0.000 ns, until it is reconfigured\n",
+                      self.de1sim("check", "top.qsf").stdout)
+
+    def test_a_mif_is_refused(self):
+        self.refuses("set does not take its parameters: ENABLE_MIF is set, but settings of a MIF",
+                     [("set", "altera_pll_reconfig", {"ENABLE_MIF": "true"})])
+
+    def test_a_pll_as_the_wizard_writes_it(self):
+        """Another of the same clock, which cannot be set, keeps that."""
+        self.write(top_v="""module top(input CLOCK_50, output [9:0] LEDR);
+wire c0, c1; wire [63:0] to, from; reg [2:0] at = 0; wire waits;
+altera_pll #(.reference_clock_frequency("50.0 MHz"), .number_of_clocks(1),
+    .output_clock_frequency0("100.0 MHz"), .pll_type("Cyclone V"), .pll_subtype("Reconfigurable"),
+    .m_cnt_hi_div(4), .m_cnt_lo_div(4), .n_cnt_hi_div(256), .n_cnt_lo_div(256),
+    .n_cnt_bypass_en("true"), .c_cnt_hi_div0(2), .c_cnt_lo_div0(2), .c_cnt_bypass_en0("false"))
+    pll (.refclk(CLOCK_50), .rst(1'b0), .outclk(c0), .reconfig_to_pll(to),
+         .reconfig_from_pll(from));
+altera_pll #(.output_clock_frequency0("100.0 MHz")) same (
+    .refclk(CLOCK_50), .rst(1'b0), .outclk(c1));
+altera_pll_reconfig_top #(.device_family("Cyclone V"), .ENABLE_MIF(0)) set (
+    .mgmt_clk(CLOCK_50), .mgmt_reset(1'b0), .mgmt_write(at >= 2 && at < 4), .mgmt_read(1'b0),
+    .mgmt_address(at == 2 ? 6'd5 : 6'd2), .mgmt_writedata(32'h505), .mgmt_waitrequest(waits),
+    .reconfig_to_pll(to), .reconfig_from_pll(from));
+always @(posedge CLOCK_50) if (!waits && at != 7) at <= at + 1;
+""" + MEASURE + "assign LEDR = {f0 == 800 || f0 == 801 || f0 == 799, f1 == 2000};\nendmodule\n")
+        self.leds(3)
 
 
 if __name__ == "__main__":

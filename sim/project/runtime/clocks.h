@@ -29,6 +29,16 @@ public:
         for (const Clock& clock : clocks_) next_fs_ = std::min(next_fs_, clock.next_fs);
     }
 
+    // From its next edge on, a PLL's clock has these times.
+    void set(unsigned number, std::uint64_t period_fs, std::uint64_t high_fs) {
+        if (high_fs == 0 || high_fs >= period_fs) return;
+        for (Clock& clock : clocks_)
+            if (clock.number == number) {
+                clock.high_fs = high_fs;
+                clock.low_fs = period_fs - high_fs;
+            }
+    }
+
     // When the next of them moves.
     std::uint64_t next_fs() const { return next_fs_; }
 

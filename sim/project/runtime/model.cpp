@@ -48,6 +48,8 @@ private:
     const std::filesystem::path here_;
 };
 
+Clocks* clocks_of_design = nullptr;  // of the one that is evaluated
+
 class DesignModel final : public Model {
 public:
     DesignModel(std::unique_ptr<Design> design, const DesignFacts& facts, PinListener& pins,
@@ -63,6 +65,7 @@ public:
         set_jtag_terminals(settings.terminals);
         set_processor_memory(settings.memory);
         evaluated = {&ending_, settings.report, 0};
+        clocks_of_design = &clocks_;
         const InFolder in_folder{settings.folder};  // where the design's files are
         eval();
         clocks_high_ = top_.clocks_o;  // what is high has not risen
@@ -72,6 +75,7 @@ public:
         end_trace();
         if (ending_.kind != Ending::Kind::DIVERGED) design_->final();
         evaluated = {};
+        clocks_of_design = nullptr;
     }
 
     void run(std::uint64_t until_ps) override {
@@ -465,3 +469,10 @@ Model* play(std::unique_ptr<Design> design, const DesignFacts& facts, PinListene
 }
 
 }  // namespace sim::project
+
+extern "C" void de1sim_pll_set(int number, long long period_fs, long long high_fs) {
+    if (sim::project::clocks_of_design)
+        sim::project::clocks_of_design->set(static_cast<unsigned>(number),
+                                            static_cast<std::uint64_t>(period_fs),
+                                            static_cast<std::uint64_t>(high_fs));
+}
