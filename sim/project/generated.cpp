@@ -50,11 +50,10 @@ std::string tap_text(const std::vector<PllClock>& clocks) {
             "            assign clk = de1sim_chip.pll_clocks[{4}];\n{5}        end\n",
             clocks[n].period_fs, clocks[n].phase_fs, clocks[n].high_fs,
             clocks[n].is_settable ? 1 : 0, n,
-            clocks[n].is_settable
-                ? fmt::format("            always @(posedge set_i) "
-                              "de1sim_pll_set({}, period_fs_i, high_fs_i);\n",
-                              n)
-                : "");
+            clocks[n].is_settable ? fmt::format("            always @(posedge set_i) "
+                                                "de1sim_pll_set({}, period_fs_i, high_fs_i);\n",
+                                                n)
+                                  : "");
     return text + "    endgenerate\nendmodule\n";
 }
 
