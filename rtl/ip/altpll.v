@@ -198,7 +198,7 @@ module altpll #(
                 de1sim_pll_tap #(
                     .PERIOD_FS(PERIOD_FS), .PHASE_FS(de1sim_phase_fs(phase(i), PERIOD_FS)),
                     .HIGH_FS(PERIOD_FS * duty(i) / 100)
-                ) tap (.clk(clock));
+                ) tap (.clk(clock), .set_i(1'b0), .period_fs_i(64'd0), .high_fs_i(64'd0));
                 if (has_enable(i)) begin : gated
                     assign clk[i] = clock && !stopped && clkena[i];
                 end else begin : free
