@@ -154,6 +154,17 @@ CHECK(6, starts == 0x25);
 CHECK(7, (I2C(ISR) & 0x1E) == 0 && I2C(BYTES) == 0 && I2C(CMDS) == 0);
 LEDS = 0x3FF;""")
 
+    def test_a_byte_before_another_start_is_not_acknowledged(self):
+        """Else the device sends another, which begins with 0, and there is no START."""
+        self.i2c("""rate(60, 40, 20); begins();
+put(0x2A0); put(0); put(0x11); put(0x22); put(0x133);
+put(0x2A0); put(0);
+put(0x2A1); put(0); put(0x2A1); put(0);
+CHECK(1, get() == 0x11 && get() == 0x22);
+put(0x2A1); CHECK(2, I2C(BYTES) == 0); put(0x100); CHECK(3, get() == 0x33); rest();
+CHECK(4, (I2C(ISR) & 0x1C) == 0);
+LEDS = 0x3FF;""")
+
     def test_a_slow_device_holds_the_clock(self):
         self.i2c("""rate(30, 30, 10); begins();
 put(0x2A0); put(4); put(200); put(0x12); put(0x134); rest();
