@@ -372,8 +372,9 @@ SPI(0, CONTROL) = SSO; CHECK(6, SPI(0, CONTROL) == SSO);
 for (unsigned n = 0; n < 3; ++n) {
     OUT(0) = 0x40 + n; CHECK(7, word(0, n) == (n ? 0x3F + n : 0x5A)); }
 CHECK(8, SEEN(0) >> 16 == 0x303);
-SPI(0, CONTROL) = 0; SPI(0, SELECT) = 1; word(0, 0x44);
-CHECK(9, SEEN(0) >> 16 == 0x303 && IN(0) == 2);""",
+SPI(0, CONTROL) = 0; SPI(0, SELECT) = 1; CHECK(9, SPI(0, SELECT) == 6);
+SPI(0, CONTROL) = SSO; CHECK(10, SPI(0, SELECT) == 1); SPI(0, CONTROL) = 0; word(0, 0x44);
+CHECK(11, SEEN(0) >> 16 == 0x303 && IN(0) == 2);""",
                      {"numberOfSlaves": "3", "targetClockRate": "5000000"})
 
     def test_status_and_interrupts(self):
