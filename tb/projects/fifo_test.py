@@ -109,10 +109,21 @@ class Fifo(SystemCase):
         self.program("IN = 0x40000000; IN = 0xFF010000;\n".replace("IN", "R32(0xFF200040)"))
         self.shows(0x1FF)
 
+    def test_a_stream_goes_a_clock_after_ready(self):
+        """The word that is there when ready falls still comes."""
+        self.exported("valid", "ready", "asks", "1'b0", bitsPerSymbol="8", symbolsPerBeat="4",
+                      fifoOutputInterfaceOptions="AVALONST_SOURCE")
+        file = self.folder / "top.v"
+        file.write_text(file.read_text().replace(
+            "read <= 1'b0; if (read) shown <= data[9:0];",
+            "asks <= !asks && !SW[0]; if (ready) begin shown <= shown + 1;"
+            " if (asks) shown <= 10'h3FF; end").replace("reg read;", "reg asks;"))
+        self.program("for (int n = 0; n < 16; n++) IN = n;\n".replace("IN", "R32(0xFF200040)"))
+        self.shows(16)
+
     def test_what_cannot_be_simulated_is_refused(self):
         for parameters, message in (({"fifoDepth": "12"}, "fifoDepth is 12, expected a power"),
-                                    ({"fifoOutputInterfaceOptions": "AVALONST_SOURCE",
-                                      "usePacket": "true"}, "usePacket is on")):
+                                    ({"channelWidth": "9"}, "channelWidth is 9, expected 0 to")):
             self.fifo("", **parameters)
             done = self.de1sim("check", "top.qsf")
             self.assertEqual(done.returncode, 2)

@@ -8,14 +8,19 @@
 // the first is lost and the second has the word before.  With two clocks (DUAL) it is full with
 // three words fewer, and each side sees the other's some clocks later.  Between a slave and a
 // stream the symbols (of SYMBOL bits) change their order: a stream's first is its highest, a
-// slave's its lowest.
+// slave's its lowest.  Streams have a ready latency of 1.
+//
+// Between a slave and a stream the slave's second register is what goes with the data:
+//
+//   bit 0 startofpacket  1 endofpacket  2 to 6 empty  8 to 15 channel  16 to 23 error
+//
+// It is written before its data, which take it along and clear the first two; a read has that of
+// the data that were read last.
 //
 // Registers: de1sim_avalon_fifo_csr.v.
 //
 // Source: Embedded Peripherals IP User Guide, Avalon FIFO Memory Core, and the Verilog that it
 // generates.
-//
-// Not handled: packets, channels and errors of streams.
 
 `default_nettype none
 
@@ -27,7 +32,11 @@ module altera_avalon_fifo #(
     parameter SINK   = 0,    // 1 = a stream comes in
     parameter SOURCE = 0,    // 1 = a stream goes out
     parameter SYMBOL = 8,
-    parameter WAITS  = 1     // 0 = without backpressure: the stream that goes out is always ready
+    parameter WAITS  = 1,    // 0 = without backpressure: streams are always ready
+    parameter EAB    = 1,    // 0 = of registers
+    parameter EMPTY  = 1,    // bits
+    parameter CHANNEL = 1,
+    parameter ERROR  = 1
 ) (
     input  wire             wrclock,
     input  wire             wrreset_n,
@@ -36,18 +45,30 @@ module altera_avalon_fifo #(
     input  wire             rdreset_n,
     // verilator lint_on UNUSED
 
+    input  wire             avalonmm_write_slave_address,
     input  wire             avalonmm_write_slave_write,
     input  wire [WIDTH-1:0] avalonmm_write_slave_writedata,
     output wire             avalonmm_write_slave_waitrequest,
     input  wire             avalonst_sink_valid,
     input  wire [WIDTH-1:0] avalonst_sink_data,
+    input  wire             avalonst_sink_startofpacket,
+    input  wire             avalonst_sink_endofpacket,
+    input  wire [EMPTY-1:0] avalonst_sink_empty,
+    input  wire [CHANNEL-1:0] avalonst_sink_channel,
+    input  wire [ERROR-1:0] avalonst_sink_error,
     output wire             avalonst_sink_ready,
 
+    input  wire             avalonmm_read_slave_address,
     input  wire             avalonmm_read_slave_read,
     output wire [WIDTH-1:0] avalonmm_read_slave_readdata,
     output wire             avalonmm_read_slave_waitrequest,
-    output wire             avalonst_source_valid,
+    output reg              avalonst_source_valid,
     output wire [WIDTH-1:0] avalonst_source_data,
+    output wire             avalonst_source_startofpacket,
+    output wire             avalonst_source_endofpacket,
+    output wire [EMPTY-1:0] avalonst_source_empty,
+    output wire [CHANNEL-1:0] avalonst_source_channel,
+    output wire [ERROR-1:0] avalonst_source_error,
     input  wire             avalonst_source_ready,
 
     input  wire [2:0]       wrclk_control_slave_address,
@@ -66,25 +87,63 @@ module altera_avalon_fifo #(
     output wire             rdclk_control_slave_irq
 );
     localparam DEPTH = 1 << LOG2, HIGHEST = DUAL != 0 ? DEPTH - 4 : DEPTH - 1;
-    localparam AHEAD = SOURCE != 0 ? "ON" : "OFF";
+    localparam INFO  = 2 + EMPTY + CHANNEL + ERROR, ALL = INFO + WIDTH;
 
-    wire [WIDTH-1:0] data = SINK != 0 ? avalonst_sink_data : avalonmm_write_slave_writedata;
     wire [WIDTH-1:0] q, turned;
     wire             write_full, write_empty, read_empty;
     wire [LOG2:0]    write_level;
     wire             reads_seen;   // by the side of the writes
-    wire             asks_write = SINK != 0 ? avalonst_sink_valid : avalonmm_write_slave_write;
-    wire             asks_read  = SOURCE != 0 ? avalonst_source_ready || WAITS == 0
-                                              : avalonmm_read_slave_read;
+    reg              was_ready_q;  // the stream that comes in
+    wire             ready = !write_full && (write_level < HIGHEST[LOG2:0] || !avalonst_sink_valid);
+    wire             asks_write = SINK != 0 ? avalonst_sink_valid && (was_ready_q || WAITS == 0)
+                                  : avalonmm_write_slave_write && !avalonmm_write_slave_address;
+    wire             asks_read  = SOURCE != 0
+                                  ? (avalonst_source_ready || WAITS == 0) && !read_empty
+                                  : avalonmm_read_slave_read && !avalonmm_read_slave_address;
     wire             writes = asks_write && !write_full;
     wire             reads  = asks_read && !read_empty;
 
     assign avalonmm_write_slave_waitrequest = write_full;
-    assign avalonst_sink_ready              = !write_full;
-    assign avalonmm_read_slave_waitrequest  = read_empty;
-    assign avalonmm_read_slave_readdata     = turned;
-    assign avalonst_source_valid            = !read_empty;
+    assign avalonst_sink_ready              = ready;
+    assign avalonmm_read_slave_waitrequest  = read_empty && !avalonmm_read_slave_address;
     assign avalonst_source_data             = turned;
+
+    // ---- What goes with the data ----
+    // A slave's word has more bits than the signals.
+    // verilator lint_off UNUSED
+    reg  [INFO-1:0] info_q;     // to go with the next word
+    wire [INFO-1:0] info_read;  // of the last word
+    wire [31:0]     wide = {{32-ERROR{1'b0}}, avalonst_source_error} << 16
+                           | {{32-CHANNEL{1'b0}}, avalonst_source_channel} << 8
+                           | {{32-EMPTY{1'b0}}, avalonst_source_empty} << 2
+                           | {30'd0, avalonst_source_endofpacket, avalonst_source_startofpacket};
+    wire [WIDTH+31:0] written = {32'd0, avalonmm_write_slave_writedata};
+    // verilator lint_on UNUSED
+    wire [INFO-1:0] info = SINK != 0 ? {avalonst_sink_error, avalonst_sink_channel,
+                                        avalonst_sink_empty, avalonst_sink_endofpacket,
+                                        avalonst_sink_startofpacket} : info_q;
+    wire [ALL-1:0]  data = {info, SINK != 0 ? avalonst_sink_data : avalonmm_write_slave_writedata};
+    reg             asks_info_q;
+    wire            read_clock = DUAL != 0 ? rdclock : wrclock;
+    wire            read_rst_n = DUAL != 0 && RESETS == 2 ? rdreset_n : wrreset_n;
+    wire [WIDTH+31:0] wide_info = {{WIDTH{1'b0}}, wide};
+
+    assign {avalonst_source_error, avalonst_source_channel, avalonst_source_empty,
+            avalonst_source_endofpacket, avalonst_source_startofpacket} = info_read;
+    assign avalonmm_read_slave_readdata = asks_info_q ? wide_info[WIDTH-1:0] : turned;
+
+    always @(posedge wrclock) begin
+        was_ready_q <= wrreset_n && ready;
+        if (avalonmm_write_slave_write && avalonmm_write_slave_address)
+            info_q <= {written[16 +: ERROR], written[8 +: CHANNEL], written[2 +: EMPTY],
+                       written[1:0]};
+        else if (writes) info_q[1:0] <= 2'b00;
+        if (!wrreset_n) info_q <= {INFO{1'b0}};
+    end
+    always @(posedge read_clock) begin
+        asks_info_q           <= avalonmm_read_slave_read && avalonmm_read_slave_address;
+        avalonst_source_valid <= read_rst_n && SOURCE != 0 && reads;
+    end
 
     genvar n;
     generate
@@ -99,7 +158,6 @@ module altera_avalon_fifo #(
 
     // ---- Words and control slaves ----
     generate if (DUAL != 0) begin : dual
-        wire            read_rst_n = RESETS == 2 ? rdreset_n : wrreset_n;
         wire            full, full_too, writes_seen;
         wire [LOG2-1:0] write_used, read_used;
         wire [LOG2:0]   read_level = {1'b0, read_used};
@@ -109,12 +167,12 @@ module altera_avalon_fifo #(
         assign write_full  = full || write_level >= HIGHEST[LOG2:0] + 1'b1;
         // verilator lint_off PINCONNECTEMPTY
         dcfifo #(
-            .LPM_WIDTH(WIDTH), .LPM_WIDTHU(LOG2), .LPM_NUMWORDS(DEPTH), .LPM_SHOWAHEAD(AHEAD)
+            .LPM_WIDTH(ALL), .LPM_WIDTHU(LOG2), .LPM_NUMWORDS(DEPTH)
         ) words (
             .aclr(!(wrreset_n && read_rst_n)), .wrclk(wrclock), .wrreq(writes), .data(data),
             .wrfull(full), .wrempty(write_empty), .wrusedw(write_used), .rdclk(rdclock),
-            .rdreq(reads), .q(q), .rdfull(full_too), .rdempty(read_empty), .rdusedw(read_used),
-            .eccstatus()
+            .rdreq(reads), .q({info_read, q}), .rdfull(full_too), .rdempty(read_empty),
+            .rdusedw(read_used), .eccstatus()
         );
         // verilator lint_on PINCONNECTEMPTY
         altera_std_synchronizer #(.DEPTH(4)) write_sync (
@@ -141,10 +199,11 @@ module altera_avalon_fifo #(
         assign rdclk_control_slave_irq      = 1'b0;
         // verilator lint_off PINCONNECTEMPTY
         scfifo #(
-            .LPM_WIDTH(WIDTH), .LPM_WIDTHU(LOG2), .LPM_NUMWORDS(DEPTH), .LPM_SHOWAHEAD(AHEAD)
+            .LPM_WIDTH(ALL), .LPM_WIDTHU(LOG2), .LPM_NUMWORDS(DEPTH),
+            .USE_EAB(EAB != 0 ? "ON" : "OFF")
         ) words (
             .clock(wrclock), .aclr(!wrreset_n), .sclr(1'b0), .wrreq(writes), .data(data),
-            .rdreq(reads), .q(q), .usedw(used), .full(write_full), .empty(read_empty),
+            .rdreq(reads), .q({info_read, q}), .usedw(used), .full(write_full), .empty(read_empty),
             .almost_full(), .almost_empty(), .eccstatus()
         );
         // verilator lint_on PINCONNECTEMPTY

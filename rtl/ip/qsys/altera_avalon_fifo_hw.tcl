@@ -11,7 +11,8 @@ foreach {name type value} {
     usePacket BOOLEAN true                 useRegister BOOLEAN false
     useReadControl BOOLEAN true            useWriteControl BOOLEAN true
 } { add_parameter $name $type $value }
-foreach {name value} {WIDTH 32 LOG2 4 DUAL 0 RESETS 2 SINK 0 SOURCE 0 SYMBOL 8 WAITS 1} {
+foreach {name value} {WIDTH 32 LOG2 4 DUAL 0 RESETS 2 SINK 0 SOURCE 0 SYMBOL 8 WAITS 1 EAB 1 EMPTY 1
+                      CHANNEL 1 ERROR 1} {
     add_parameter $name INTEGER $value
     set_parameter_property $name HDL_PARAMETER true
 }
@@ -44,6 +45,19 @@ proc control {side prefix} {
     add_interface_port ${side}_irq ${prefix}_control_slave_irq irq Output 1
 }
 
+proc stream {name port into against symbol width empty channel error} {
+    set packets [on usePacket]
+    foreach {property value} [list dataBitsPerSymbol $symbol maxChannel [expr {(1 << $channel) - 1}] \
+                                  readyLatency [on useBackpressure]] {
+        set_interface_property $name $property $value
+    }
+    foreach {role bits} "
+        valid 1 data $width startofpacket $packets endofpacket $packets
+        empty [expr {$packets ? $empty : 0}] channel $channel error $error
+    " { if {$bits > 0} { add_interface_port $name ${port}_$role $role $into $bits } }
+    if {[on useBackpressure]} { add_interface_port $name ${port}_ready ready $against 1 }
+}
+
 proc elaborate {} {
     set sink [expr {[get_parameter_value fifoInputInterfaceOptions] eq "AVALONST_SINK"}]
     set source [expr {[get_parameter_value fifoOutputInterfaceOptions] eq "AVALONST_SOURCE"}]
@@ -51,18 +65,25 @@ proc elaborate {} {
     if {$depth < 8 || $depth & ($depth - 1)} {
         send_message error "fifoDepth is $depth, expected a power of two from 8 on"
     }
-    if {$sink + $source == 1 && [on usePacket]} {
-        send_message error "usePacket is on between a slave and a stream, of which only data can be\
-            simulated"
-    }
     set symbol [get_parameter_value bitsPerSymbol]
     set width [expr {$sink || $source ? $symbol * [get_parameter_value symbolsPerBeat]
                      : [get_parameter_value avalonMMAvalonMMDataWidth]}]
     set dual [expr {![on singleClockMode]}]
+    foreach {name parameter} {channel channelWidth error errorWidth} {
+        set $name [get_parameter_value $parameter]
+        if {[set $name] < 0 || [set $name] > 8} {
+            send_message error "$parameter is [set $name], expected 0 to 8"
+        }
+    }
+    set symbols [get_parameter_value symbolsPerBeat]
+    for {set empty 0} {1 << $empty < $symbols} {incr empty} {}
+    if {$empty > 5} { send_message error "symbolsPerBeat is $symbols, expected at most 32" }
     for {set log2 3} {1 << $log2 < $depth} {incr log2} {}
     foreach {name value} [list WIDTH $width LOG2 $log2 DUAL $dual \
                               RESETS [expr {2 - [on singleResetMode]}] SINK $sink SOURCE $source \
-                              SYMBOL $symbol WAITS [on useBackpressure]] { set_parameter_value $name $value }
+                              SYMBOL $symbol WAITS [on useBackpressure] EAB [expr {![on useRegister]}] \
+                              EMPTY [expr {max($empty, 1)}] CHANNEL [expr {max($channel, 1)}] \
+                              ERROR [expr {max($error, 1)}]] { set_parameter_value $name $value }
 
     foreach {side prefix} [expr {$dual ? "in wr out rd" : "in wr"}] {
         add_interface clk_$side clock end
@@ -75,12 +96,10 @@ proc elaborate {} {
     set out [expr {$dual ? "out" : "in"}]
     if {$sink} {
         end_of in avalon_streaming end in
-        set_interface_property in dataBitsPerSymbol $symbol
-        add_interface_port in avalonst_sink_valid valid Input 1
-        add_interface_port in avalonst_sink_data data Input $width
-        if {[on useBackpressure]} { add_interface_port in avalonst_sink_ready ready Output 1 }
+        stream in avalonst_sink Input Output $symbol $width $empty $channel $error
     } else {
         end_of in avalon end in
+        if {$source} { add_interface_port in avalonmm_write_slave_address address Input 1 }
         add_interface_port in avalonmm_write_slave_write write Input 1
         add_interface_port in avalonmm_write_slave_writedata writedata Input $width
         if {[on useBackpressure]} {
@@ -89,12 +108,10 @@ proc elaborate {} {
     }
     if {$source} {
         end_of out avalon_streaming start $out
-        set_interface_property out dataBitsPerSymbol $symbol
-        add_interface_port out avalonst_source_valid valid Output 1
-        add_interface_port out avalonst_source_data data Output $width
-        if {[on useBackpressure]} { add_interface_port out avalonst_source_ready ready Input 1 }
+        stream out avalonst_source Output Input $symbol $width $empty $channel $error
     } else {
         end_of out avalon end $out
+        if {$sink} { add_interface_port out avalonmm_read_slave_address address Input 1 }
         set_interface_property out readWaitTime 0
         set_interface_property out readLatency 1
         add_interface_port out avalonmm_read_slave_read read Input 1
