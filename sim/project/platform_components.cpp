@@ -50,11 +50,14 @@ void PlatformComponents::find_names() {
 std::optional<fs::path> PlatformComponents::hw_tcl(const std::string& kind) {
     std::error_code error;
     const fs::path ours = data_folder() / "rtl/ip/qsys" / (kind + "_hw.tcl");
-    if (fs::is_regular_file(ours, error)) return ours;
+    const bool is_known = fs::is_regular_file(ours, error);
+    // A project's own `multiplexer` is another one; a copy of the vendor's files is not.
+    if (is_known && kind.rfind("alt", 0) == 0) return ours;
     if (!by_name_) find_names();
     if (const auto found = by_name_->find(kind); found != by_name_->end()) return found->second;
     const auto found = files_.finder().with_name(kind + "_hw.tcl");
-    return found.empty() ? std::nullopt : std::optional{found.front()};
+    if (!found.empty()) return found.front();
+    return is_known ? std::optional{ours} : std::nullopt;
 }
 
 const ModuleText* PlatformComponents::module_named(const std::string& kind) {

@@ -25,6 +25,7 @@ set_interface_property is_clk_rst_reset associatedClock is_clk_rst
 add_interface_port is_clk_rst_reset rst reset Input 1
 add_interface din avalon_streaming end
 set_interface_property din associatedClock is_clk_rst
+set_interface_property din readyLatency 1
 set_interface_property din associatedReset is_clk_rst_reset
 add_interface clocked_video conduit end
 

@@ -32,6 +32,7 @@ foreach {name role direction bits} {
 add_interface interrupt_sender interrupt end
 add_interface_port interrupt_sender slave_irq irq Output 1
 add_interface avalon_streaming_source avalon_streaming start
+set_interface_property avalon_streaming_source readyLatency 1
 add_interface avalon_master avalon start
 foreach {name clock} {
     avalon_slave clock_reset             interrupt_sender clock_reset

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "sim/project/qsys/streams.h"
 #include "sim/text/lower.h"
 
 namespace sim::project::qsys {
@@ -24,6 +25,7 @@ public:
         resets();
         interrupts();
         conduits();
+        streams();
         Interconnect interconnect = write_interconnect(assembly_, text_);
         std::vector<Device> devices = devices_of(assembly_, interconnect.map);
         const auto pixels = pixel_buffer_of(assembly_, interconnect.map);
@@ -47,7 +49,7 @@ public:
     }
 
 private:
-    // ---- Clocks, resets, interrupts, conduits ----
+    // ---- Clocks, resets, interrupts, conduits, streams ----
 
     void clocks() {
         text_.section("Clocks");
@@ -126,12 +128,18 @@ private:
         });
     }
 
-    // Signals of one role at both sides, and streams from source to sink.
+    void streams() {
+        text_.section("Streams");
+        for (const Connection& c : assembly_.connections())
+            if (c.kind == Connection::Kind::STREAMING)
+                write_stream(assembly_, text_, assembly_.end(c.start), assembly_.end(c.end));
+    }
+
+    // Signals of one role at both sides.
     void conduits() {
         text_.section("Conduits");
         for (const Connection& c : assembly_.connections()) {
-            if (c.kind != Connection::Kind::CONDUIT && c.kind != Connection::Kind::STREAMING)
-                continue;
+            if (c.kind != Connection::Kind::CONDUIT) continue;
             const End a = assembly_.end(c.start), b = assembly_.end(c.end);
             for (const Port& port : a.interface->ports) {
                 const Port* other = b.interface->port(port.role);
