@@ -2,7 +2,7 @@
 import subprocess
 
 from case import run
-from systems import BASE, CLOCKS, GCC, LW, TOP, SystemCase, clocked, pio, qsys
+from systems import BASE, CLOCKS, FULL, GCC, LW, TOP, SystemCase, clocked, pio, qsys
 
 HEAD = """#define LEDS R32(0xFF200000)
 #define PENDING (R32(0xFFFED208) >> 11 & 1)
@@ -12,6 +12,7 @@ volatile uint32_t* const slave = (uint32_t*)0xFF201020;
 volatile uint32_t* const response = (uint32_t*)0xFF201040;
 #define RAM(n) (*(volatile uint8_t*)(0xFF208000 + (n)))
 #define DDR(n) (*(volatile uint8_t*)(0x20000000 + (n)))
+#define CHIP(n) (*(volatile uint8_t*)(0xC0000000 + (n)))
 #define MORE(n) DDR(0x1000 + (n))
 static void give(uint32_t from, uint32_t to, uint32_t length, uint32_t control) {
     slave[0] = from; slave[1] = to; slave[2] = length; slave[3] = control | GO;
@@ -102,6 +103,42 @@ class Msgdma(Dma):
                     processor={"F2SDRAM_Type": "Avalon-MM Bidirectional", "F2SDRAM_Width": "64"})
         self.copies(250, "MORE", 0x20001000, 3, 13)
         self.shows(0xF)
+
+    def test_copies_in_bursts_to_the_boards_sdram(self):
+        modules = [
+            *BASE, ("pll", "altera_up_avalon_sys_sdram_pll", {"gui_outclk": "100.0"}),
+            ("sdram", "altera_avalon_new_sdram_controller", {"clockRate": "100000000"}),
+            ("leds", "altera_avalon_pio", {"width": "10", "direction": "Output"}),
+            ("dma", "altera_msgdma", {"MAX_BYTE": "4096", "BURST_ENABLE": "1",
+                                      "MAX_BURST_COUNT": "8"})]
+        modules[1] = ("hps_0", "altera_hps", {**BASE[1][2], "F2S_Width": "2"})
+        wires = [
+            *(("clock", "pll.sys_clk", end) for end in (
+                "hps_0.h2f_axi_clock", "hps_0.h2f_lw_axi_clock", "hps_0.f2h_axi_clock",
+                "sdram.clk", "leds.clk", "dma.clock")),
+            *(("reset", "pll.reset_source", end) for end in (
+                "sdram.reset", "leds.reset", "dma.reset_n")),
+            *clocked("pll", "ref_clk", "ref_reset"), *self.SLAVES[2:],
+            ("avalon", FULL, "sdram.s1", 0), ("avalon", LW, "leds.s1", 0),
+            ("avalon", "dma.mm_read", "hps_0.f2h_axi_slave", 0),
+            ("avalon", "dma.mm_write", "sdram.s1", 0x4000000)]
+        pins = "".join(f", .dram_{role}(DRAM_{pin})" for role, pin in (
+            ("addr", "ADDR"), ("ba", "BA"), ("cas_n", "CAS_N"), ("cke", "CKE"), ("cs_n", "CS_N"),
+            ("dq", "DQ"), ("ras_n", "RAS_N"), ("we_n", "WE_N"), ("clk_clk", "CLK")))
+        self.memories([], [])
+        self.write(
+            sys_qsys=qsys(modules, wires, [("leds", "leds.external_connection"),
+                                           ("dram", "sdram.wire"), ("dram_clk", "pll.sdram_clk")]),
+            top_v=f"""module top(input CLOCK_50,
+output [9:0] LEDR, output [12:0] DRAM_ADDR, output [1:0] DRAM_BA, output DRAM_CAS_N, DRAM_CKE,
+DRAM_CS_N, DRAM_RAS_N, DRAM_WE_N, DRAM_CLK, DRAM_LDQM, DRAM_UDQM, inout [15:0] DRAM_DQ);
+sys system(.clk_clk(CLOCK_50), .reset_reset_n(1'b1), .leds_export(LEDR),
+           .dram_dqm({{DRAM_UDQM, DRAM_LDQM}}){pins});
+endmodule
+""")
+        self.copies(248, "CHIP", 0x4000000, 0, 4)
+        self.shows(0xF)
+        self.assertEqual(self.report()["sdram_violations"]["count"], 0)
 
     def test_descriptors_wait_while_it_is_stopped(self):
         """With strides: every third word is read, every second written."""

@@ -109,15 +109,18 @@ class Streaming(SystemCase):
 reg [10:0] slow = 0;
 always @(posedge CLOCK_50) slow <= slow + 1;
 sys system""").replace("LEDR(LEDR)", "LEDR(LEDR[8:0])").replace(
-            "leds_export(LEDR)", "leds_export(leds)").replace("wire valid", """reg was = 0;
+            "leds_export(LEDR)", "leds_export(leds)").replace("wire valid", """reg was = 0, never = 1;
 wire [9:0] leds;
-assign LEDR = {was, leds[8:0]};
-always @(posedge CLOCK_50) if (valid && full && leds[0]) was <= 1;
+assign LEDR = {was && never, leds[8:0]};
+always @(posedge CLOCK_50) if (valid && full && leds == 1) never <= 0;
+    else if (valid && full && leds == 3) was <= 1;
 wire valid"""))
         self.program("""
     csr[1] = 6;
-    LEDS = 1;
+    LEDS = 1;                         // not almost full
+    LEDS = 2;
     for (uint32_t n = 0; n < 10; n++) tx[0] = n * 0x01010101;
+    LEDS = 3;                         // almost full
     all |= 1 | (csr[1] == 6) << 1;
     all |= (csr[0] >= 6 && csr[0] <= 10) << 2;
     uint32_t n = 0;
