@@ -322,4 +322,106 @@ class SimpleDma(Dma):
             self.refuses(message, [("dma", "altera_avalon_dma", parameters)])
 
 
+class ScatterGather(Dma):
+    PREPARE = """
+    enum { HW = 1u << 31, RUN = 1 << 5 };
+    #define D(n, k) R32(0x20002000 + 32 * (n) + 4 * (k))    // word k of descriptor n
+    #define CHAIN(n, from, to, count, more) do { D(n, 0) = from; D(n, 2) = to; \\
+        D(n, 4) = 0x20002020 + 32 * (n); D(n, 6) = count; D(n, 7) = HW | (more); } while (0)
+    for (uint32_t n = 0; n < 512; n++) { DDR(n) = 5 * n + 2; MORE(n) = 0; RAM(n) = 0; }
+    for (uint32_t n = 0; n < 64; n++) R32(0x20002000 + 4 * n) = 0;"""
+
+    def sgdma(self, name, base, irq, mode, **parameters):
+        """All it does is on the processor's memory, but what it writes from memory to memory."""
+        slave = "hps_0.f2h_axi_slave"
+        masters = ["descriptor_read", "descriptor_write"] + ["m_read"] * mode.startswith("MEM")
+        wires = [*clocked(name), ("avalon", LW, f"{name}.csr", base),
+                 ("interrupt", "hps_0.f2h_irq0", f"{name}.csr_irq", irq),
+                 *(("avalon", f"{name}.{master}", slave, 0) for master in masters)]
+        if mode.endswith("MEMORY"):
+            to = "ram.s1" if mode == "MEMORY_TO_MEMORY" else slave
+            wires.append(("avalon", f"{name}.m_write", to, 0))
+        return (name, "altera_avalon_sgdma", {"transferMode": mode, **parameters}), wires
+
+    def test_a_chain_of_descriptors(self):
+        dma, wires = self.sgdma("dma", 0x1000, 3, "MEMORY_TO_MEMORY",
+                                enableUnalignedTransfers="true")
+        self.memories([dma], wires, F2S_Width="2")
+        self.program(self.PREPARE + """
+    CHAIN(0, 0x20000001, 0x13, 100, 0);
+    CHAIN(1, 0x20000100, 0x80, 9, 0);
+    CHAIN(2, 0x20000010, 0x100, 16, 1 << 25);           // of one word
+    all |= csr[1] == 1 && csr[0] == 0;
+    csr[8] = 0x20002000;
+    csr[4] = RUN | 1 << 4 | 1 << 3;                     // interrupts at the end of the chain
+    while (!PENDING) {}
+    all |= (csr[0] == 0xC && csr[8] == 0x20002060) << 1;
+    csr[4] = 1u << 31; csr[0] = 0xC;
+    all |= (csr[0] == 0 && !PENDING) << 2;
+    uint32_t wrong = 0;
+    for (uint32_t n = 0; n < 512; n++) {
+        const uint32_t from = n >= 0x13 && n < 0x13 + 100 ? n - 0x12
+            : n >= 0x80 && n < 0x89 ? n + 0x80 : n >= 0x100 && n < 0x110 ? 0x10 + n % 4 : 512;
+        wrong += RAM(n) != (from < 512 ? (uint8_t)(5 * from + 2) : 0);
+    }
+    all |= (wrong == 0) << 3;
+    all |= (D(0, 7) == 100 && D(1, 7) == 9 && D(2, 7) == (16 | 1 << 25)) << 4;
+    D(3, 0) = 0x20000000; D(3, 2) = 0x180; D(3, 4) = 0x20002060; D(3, 6) = 4;
+    csr[4] = RUN | 1 << 18;                             // looks until there is one
+    for (volatile int n = 0; n < 99; n++) {}
+    all |= ((csr[0] & 8) == 0 && RAM(0x180) == 0) << 5;
+    D(3, 7) = HW;
+    while (RAM(0x180) != 2) {}
+    while (!(csr[0] & 4)) {}
+    csr[4] = 1 << 16; csr[4] = 1 << 16;
+    all |= (csr[4] == 0 && csr[8] == 0 && csr[0] == 0) << 6;""")
+        self.shows(0x7F)
+
+    def test_packets_from_one_to_another(self):
+        tx, tx_wires = self.sgdma("tx", 0x1040, 4, "MEMORY_TO_STREAM")
+        rx, rx_wires = self.sgdma("rx", 0x1000, 3, "STREAM_TO_MEMORY")
+        splitter = ("both", "altera_avalon_st_splitter", {"DATA_WIDTH": "32", "USE_PACKETS": "1"})
+        fifo = {**FIFO, "channelWidth": "0", "errorWidth": "0",
+                "fifoInputInterfaceOptions": "AVALONST_SINK"}
+        self.memories(
+            [tx, rx, splitter, ("fifo", "altera_avalon_fifo", fifo)],
+            [*tx_wires, *rx_wires, *clocked("both"), *clocked("fifo", "clk_in", "reset_in"),
+             ("avalon", LW, "fifo.out", 0x1080), ("avalon_streaming", "tx.out", "both.in"),
+             ("avalon_streaming", "both.out0", "rx.in"),
+             ("avalon_streaming", "both.out1", "fifo.in")], F2S_Width="1")
+        self.program(self.PREPARE + """
+    volatile uint32_t* const tx = (uint32_t*)0xFF201040;
+    CHAIN(0, 0x20000000, 0, 40, 0); CHAIN(1, 0x20000040, 0, 11, 1 << 24);   // one packet
+    CHAIN(2, 0x20000080, 0, 8, 1 << 24); CHAIN(3, 0, 0, 0, 0); D(3, 7) = 0;
+    CHAIN(4, 0, 0x20001000, 44, 0); CHAIN(5, 0, 0x20001040, 64, 0); CHAIN(6, 0, 0x20001080, 0, 0);
+    csr[8] = 0x20002080; csr[4] = RUN | 1 << 4 | 1 << 3;
+    tx[8] = 0x20002000; tx[4] = RUN;
+    while (!PENDING) {}
+    all |= (csr[0] == 0xE);                             // also the end of a packet
+    uint32_t wrong = 0;
+    for (uint32_t n = 0; n < 256; n++) {
+        const uint32_t from = n < 40 ? n : n < 44 ? n + 24 : n >= 64 && n < 71 ? n + 4
+            : n >= 128 && n < 136 ? n : 512;
+        wrong += MORE(n) != (from < 512 ? (uint8_t)(5 * from + 2) : 0);
+    }
+    all |= (wrong == 0) << 1;
+    all |= (D(4, 7) == 44 && D(5, 7) == (7 | 1 << 23) && D(6, 7) == (8 | 1 << 23)) << 2;
+    all |= (D(0, 7) == 40 && D(1, 7) == (11 | 1 << 24) && tx[0] == 0xC) << 3;
+    volatile uint32_t* const fifo = (uint32_t*)0xFF201080;
+    wrong = 0;
+    for (uint32_t n = 0; n < 15; n++) {
+        (void)fifo[0];
+        wrong += fifo[1] != (n == 0 || n == 13 ? 1 : n == 12 ? 2 | 1 << 2 : n == 14 ? 2 : 0);
+    }
+    all |= (wrong == 0) << 4;""")
+        self.shows(0x1F)
+
+    def test_wrong_parameters_are_named(self):
+        for parameters, message in (
+                ({"transferMode": "STREAM"}, "transferMode is STREAM, expected MEMORY_TO_MEMORY"),
+                ({"readBlockDataWidth": "24"}, "readBlockDataWidth is 24, expected 8, 16"),
+                ({"avalonMMByteReorderMode": "1"}, "avalonMMByteReorderMode cannot be simulated")):
+            self.refuses(message, [("dma", "altera_avalon_sgdma", parameters)])
+
+
 run()

@@ -109,7 +109,8 @@ class Streaming(SystemCase):
 reg [10:0] slow = 0;
 always @(posedge CLOCK_50) slow <= slow + 1;
 sys system""").replace("LEDR(LEDR)", "LEDR(LEDR[8:0])").replace(
-            "leds_export(LEDR)", "leds_export(leds)").replace("wire valid", """reg was = 0, never = 1;
+            "leds_export(LEDR)", "leds_export(leds)").replace("wire valid", """reg was = 0;
+reg never = 1;
 wire [9:0] leds;
 assign LEDR = {was && never, leds[8:0]};
 always @(posedge CLOCK_50) if (valid && full && leds == 1) never <= 0;
@@ -197,6 +198,31 @@ wire valid"""))
     all |= (rx[1] == EOP) << 4;""")
         self.shows(0x1F)
 
+    def test_packets_as_bytes(self):
+        eight = {"DATA_WIDTH": "8"}
+        self.with_leds(
+            [tx(channelWidth="8"), rx(channelWidth="8"), rx("rx2", usePacket="false"),
+             ("out", "altera_avalon_st_packets_to_bytes", {}),
+             ("back", "altera_avalon_st_bytes_to_packets", {}),
+             ("both", "altera_avalon_st_splitter", eight)],
+            [*self.WIRES, *clocked("rx2", "clk_in", "reset_in"), ("avalon", LW, "rx2.out", 0x118),
+             *clocked("both"), *clocked("out", "clk", "clk_reset"),
+             *clocked("back", "clk", "clk_reset"),
+             *stream("tx.out", "out.in_packets_stream", "out.out_bytes_stream", "both.in",
+                     "both.out0", "back.in_bytes_stream", "back.out_packets_stream", "rx.in",
+                     "both.out1", "rx2.in")])
+        self.program("""
+    enum { CHANNEL = 0x7B << 8 };
+    put(SOP | EOP | CHANNEL, 0x33227D11);
+    put(SOP | EOP | CHANNEL | 3 << 2, 0x44);
+    all |= got(rx, SOP | EOP | CHANNEL, 0x33227D11, ~0u);
+    all |= got(rx, SOP | EOP | CHANNEL | 3 << 2, 0x44, 0xFF) << 1;
+    all |= (rx2[0] == 0x7A5B7D7C) << 2;     // channel, begins
+    all |= (rx2[0] == 0x225D7D11) << 3;
+    all |= (rx2[0] == 0x7D7C337B) << 4;     // ends; channel
+    all |= (rx2[0] == 0x447B7A5B) << 5;""")
+        self.shows(0x3F)
+
     # A word in each clock in which `ready` was 1 the clock before; and what takes a byte at a time.
     SOURCE = """module counter(input clk, reset, input ready, output [31:0] data);
 reg was = 0;
@@ -264,6 +290,7 @@ endmodule
                 ("multiplexer", {"numInputInterfaces": "4"}, "outChannelWidth is 1, expected at "
                                                              "least 2 for 4 inputs"),
                 ("multiplexer", {"packetScheduling": "true"}, "packetScheduling needs usePackets"),
+                ("altera_avalon_st_bytes_to_packets", {"ENCODING": "1"}, "ENCODING is 1: channels"),
                 ("demultiplexer", {"numOutputInterfaces": "17"},
                  "numOutputInterfaces is 17, expected 1 to 16")):
             self.refuses(message, [("it", kind, parameters)])

@@ -153,7 +153,8 @@ module de1sim_msgdma_write #(
             kept_q    <= have - bytes;
             left_q    <= left_q - bytes;
             written_q <= written_q + bytes;
-            next_q    <= STRIDES != 0 ? next_q + BYTES * {16'd0, stride_q} : next_q + bytes;
+            next_q    <= next_q + (STRIDES != 0 && stride_q != 16'd1 ? BYTES * {16'd0, stride_q}
+                                                                      : bytes);
             if (pops) begin
                 error_o <= error_o | error;
                 if (eop && to_eop_q) ended_q <= 1'b1;
