@@ -238,29 +238,44 @@ always @(posedge clk) if (valid && count != 250) begin sum <= sum + data; count 
 endmodule
 """
 
+    PORT = "add_interface_port {0} {1} {1} {2} {3}\n"
+    SHOWN = "add_interface shown conduit end\n" + PORT.format("shown", "shown", "Output", 10)
+
+    def with_shown(self, component, modules, wires, **files):
+        """The LEDs are those of a component's conduit."""
+        self.with_leds(modules, wires, [("shown", f"{component}.shown")],
+                       top=", .shown_shown(shown)", **files)
+        top = self.folder / "top.v"
+        top.write_text(top.read_text().replace("sys system", "wire [9:0] shown;\n"
+                                               "assign LEDR = shown;\nsys system")
+                       .replace("leds_export(LEDR)", "leds_export()"))
+        self.program("")
+
     def test_own_sources_and_sinks_without_valid_or_ready(self):
-        port = "add_interface_port {0} {1} {1} {2} {3}\n"
+        port = self.PORT
         ends = "add_interface {0} avalon_streaming {1}\n" + "".join(
             "set_interface_property {0} %s %s\n" % item for item in
             (("associatedClock", "clock"), ("associatedReset", "reset"), ("dataBitsPerSymbol", 8)))
-        self.with_leds(
-            [("counter", "counter", {}), ("shower", "shower", {})],
+        self.with_shown(
+            "shower", [("counter", "counter", {}), ("shower", "shower", {})],
             [*clocked("counter", "clock"), *clocked("shower", "clock"),
-             *stream("counter.out", "shower.in")], [("shown", "shower.shown")],
-            top=", .shown_shown(shown)",
+             *stream("counter.out", "shower.in")],
             counter_v=self.SOURCE, shower_v=self.SINK,
             counter_hw_tcl=HW_TCL.format(name="counter") + ends.format("out", "start")
             + "set_interface_property out readyLatency 1\n"
             + port.format("out", "data", "Output", 32) + port.format("out", "ready", "Input", 1),
             shower_hw_tcl=HW_TCL.format(name="shower") + ends.format("in", "end")
             + port.format("in", "data", "Input", 8) + port.format("in", "valid", "Input", 1)
-            + "add_interface shown conduit end\n" + port.format("shown", "shown", "Output", 10))
-        top = self.folder / "top.v"
-        top.write_text(top.read_text().replace("sys system", "wire [9:0] shown;\n"
-                                               "assign LEDR = shown;\nsys system")
-                       .replace("leds_export(LEDR)", "leds_export()"))
-        self.program("")
+            + self.SHOWN)
         self.shows(0x201 | sum(n // 4 if n % 4 == 3 else 0 for n in range(250)) % 256 << 1)
+
+    def test_a_projects_own_multiplexer_is_another(self):
+        self.with_shown(
+            "mux", [("mux", "multiplexer", {})], clocked("mux", "clock"),
+            multiplexer_v="module multiplexer(input clk, reset, output [9:0] shown);\n"
+                          "assign shown = 10'h155;\nendmodule\n",
+            multiplexer_hw_tcl=HW_TCL.format(name="multiplexer") + self.SHOWN)
+        self.shows(0x155)
 
     def test_what_does_not_fit_is_refused(self):
         wires = [*self.WIRES, *stream("tx.out", "rx.in")]

@@ -69,7 +69,8 @@ module altera_avalon_dc_fifo #(
     output reg  [31:0]        out_csr_readdata
 );
     localparam WIDTH = DATA + 2 + EMPTY + CHANNEL + ERROR;
-    localparam [LOG2:0] FULL = FIFO_DEPTH;
+    localparam [31:0] DEPTH = FIFO_DEPTH;
+    localparam [LOG2:0] FULL = DEPTH[LOG2:0];
 
     wire [WIDTH-1:0] word;
     wire [LOG2:0]    in_used, out_used;

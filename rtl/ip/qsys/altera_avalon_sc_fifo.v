@@ -68,7 +68,8 @@ module altera_avalon_sc_fifo #(
 );
     localparam LOG2  = $clog2(FIFO_DEPTH), SIDE = 2 + EMPTY + CHANNEL + ERROR;
     localparam WIDTH = DATA + SIDE;
-    localparam [LOG2:0] FULL = FIFO_DEPTH;
+    localparam [31:0] DEPTH = FIFO_DEPTH, LAST = FIFO_DEPTH - 1;
+    localparam [LOG2:0] FULL = DEPTH[LOG2:0];
 
     // ---- Words ----
     reg  [WIDTH-1:0] words_q [0:(1<<LOG2)-1];
@@ -137,7 +138,7 @@ module altera_avalon_sc_fifo #(
                 default: ;
             endcase
         if (reset) begin
-            almost_full_q <= FIFO_DEPTH - 1;
+            almost_full_q <= LAST[23:0];
             {almost_empty_q, cut_through_q} <= 48'd0;
             drop_q <= 1'b0;
         end

@@ -65,11 +65,13 @@ module de1sim_st_adapter #(
     wire             rst = RESET_N != 0 ? !reset_n : reset;
 
     // ---- What goes with the data ----
-    // A signal that a side has not is one bit here.
+    // A signal that a side has not is one bit here, and MAX_CHANNEL may be the greatest there is.
     // verilator lint_off WIDTH
+    // verilator lint_off CMPCONST
     wire [CHANNEL-1:0] channel = IN_CHANNEL > 0 ? in_channel : 0;
     wire [9:0]       empty   = IN_EMPTY > 0 ? in_empty : 0;
     wire             is_in   = MAX_CHANNEL < 0 || in_channel <= MAX_CHANNEL;
+    // verilator lint_on CMPCONST
     // verilator lint_on WIDTH
     wire [ERROR-1:0] error;
     genvar n;

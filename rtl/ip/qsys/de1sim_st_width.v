@@ -37,7 +37,8 @@ module de1sim_st_width #(
     output wire [ERROR-1:0]      error_o
 );
     localparam ALL = (IN + OUT) * SYMBOL;
-    localparam [10:0] IN_SYMBOLS = IN, OUT_SYMBOLS = OUT;
+    localparam [31:0] WIDE_IN = IN, WIDE_OUT = OUT;
+    localparam [10:0] IN_SYMBOLS = WIDE_IN[10:0], OUT_SYMBOLS = WIDE_OUT[10:0];
 
     reg  [ALL-1:0]     held_q;    // the first symbol is the highest
     reg  [10:0]        count_q;   // of its symbols
