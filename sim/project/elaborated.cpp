@@ -132,16 +132,17 @@ void refuse_foreign_code(const pugi::xml_document& document) {
 std::set<std::string> used_taps(const pugi::xml_node& netlist) {
     std::set<std::pair<std::string, std::string>> connected;  // a module's port
     for (const auto& module : netlist.children("module"))
-        for (const auto& instance : module.children("instance"))
-            for (const auto& port : instance.children("port"))
+        for (const auto& instance : module.select_nodes(".//instance"))  // also of a `generate`
+            for (const auto& port : instance.node().children("port"))
                 if (port.first_child())
-                    connected.emplace(instance.attribute("defName").value(),
+                    connected.emplace(instance.node().attribute("defName").value(),
                                       port.attribute("name").value());
     std::set<std::string> used;
     for (const auto& module : netlist.children("module")) {
         const bool is_processors = std::string{"cyclonev_hps_interface_clocks_resets"} ==
                                    module.attribute("origName").value();
-        for (const auto& instance : module.children("instance")) {
+        for (const auto& found : module.select_nodes(".//instance")) {
+            const auto instance = found.node();
             const std::string clock =
                 instance.child("port").child("varref").attribute("name").value();
             if (!is_processors || connected.count({module.attribute("name").value(), clock}))
