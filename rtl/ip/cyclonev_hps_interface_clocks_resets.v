@@ -44,14 +44,20 @@ module cyclonev_hps_interface_clocks_resets #(
 
     // Each of them is a clock of the simulation only where it is connected.
     de1sim_pll_tap #(
-        .PERIOD_FS(USER0_PERIOD_FS), .PHASE_FS(64'd0), .HIGH_FS(USER0_PERIOD_FS / 2)
-    ) user0 (.clk(h2f_user0_clk));
+        .PERIOD_FS(USER0_PERIOD_FS), .PHASE_FS(64'd0), .HIGH_FS(64'd0 + USER0_PERIOD_FS / 2)
+    ) user0 (
+        .clk(h2f_user0_clk), .set_i(1'b0), .period_fs_i(64'd0), .high_fs_i(64'd0)
+    );
     de1sim_pll_tap #(
-        .PERIOD_FS(USER1_PERIOD_FS), .PHASE_FS(64'd0), .HIGH_FS(USER1_PERIOD_FS / 2)
-    ) user1 (.clk(h2f_user1_clk));
+        .PERIOD_FS(USER1_PERIOD_FS), .PHASE_FS(64'd0), .HIGH_FS(64'd0 + USER1_PERIOD_FS / 2)
+    ) user1 (
+        .clk(h2f_user1_clk), .set_i(1'b0), .period_fs_i(64'd0), .high_fs_i(64'd0)
+    );
     de1sim_pll_tap #(
-        .PERIOD_FS(USER2_PERIOD_FS), .PHASE_FS(64'd0), .HIGH_FS(USER2_PERIOD_FS / 2)
-    ) user2 (.clk(h2f_user2_clk));
+        .PERIOD_FS(USER2_PERIOD_FS), .PHASE_FS(64'd0), .HIGH_FS(64'd0 + USER2_PERIOD_FS / 2)
+    ) user2 (
+        .clk(h2f_user2_clk), .set_i(1'b0), .period_fs_i(64'd0), .high_fs_i(64'd0)
+    );
 endmodule
 
 `default_nettype wire
