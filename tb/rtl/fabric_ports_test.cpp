@@ -206,6 +206,21 @@ TEST_F(FabricPorts, InterruptForAFallingPinOfTheirHeader) {
     }
 }
 
+TEST_F(FabricPorts, DriveTheFirstAndTheLastPinOfTheirHeader) {
+    constexpr std::uint32_t direction[] = {JP1_DIR, JP2_DIR}, data[] = {JP1_DATA, JP2_DATA};
+    constexpr std::uint64_t FIRST = std::uint64_t{1} << 1, LAST = std::uint64_t{1} << 35;
+    for (const unsigned header : {0u, 1u}) {
+        write(direction[header], 0x80000001);  // bits 0 and 31
+        for (const auto& [bits, levels] :
+             {std::pair{0x00000001u, FIRST}, std::pair{0x80000000u, LAST}}) {
+            write(data[header], bits);
+            fabric.run(10);
+            EXPECT_EQ(pins.driven.enable[header], FIRST | LAST);
+            EXPECT_EQ(pins.driven.levels[header] & (FIRST | LAST), levels);
+        }
+    }
+}
+
 TEST_F(FabricPorts, SendNoSyncOnGreen) {
     fabric.run(800 * 525);
     fabric.flush();
