@@ -111,6 +111,10 @@ private:
             const Port* port = i.port(role);
             return port ? m.end.wire(*port) : std::string{};
         };
+        if (is_axi(i)) {
+            axi_agent(m, own, from, to);
+            return own;
+        }
         text_.line(fmt::format(
             "de1sim_avalon_master #(.WIDTH({}), .READDATAVALID({})) {}_agent (\n"
             "        .clk_i({}), .rst_i({}),\n        .address_i({}), .read_i({}), .write_i({}),\n"
@@ -126,6 +130,47 @@ private:
             from("writedata", fmt::format("{}'d0", m.width)), from("burstcount", "11'd1"),
             to("waitrequest"), to("readdatavalid"), to("readdata"), asks(own)));
         return own;
+    }
+
+    // Of AXI4-Lite and of what a master has not: bursts of one beat, as wide as its data.
+    template <class From, class To>
+    void axi_agent(const Master& m, const Bus& own, const From& from, const To& to) {
+        const Interface& i = *m.end.interface;
+        unsigned size = 0;
+        while (8u << size < m.width) ++size;
+        const std::string whole = fmt::format("3'd{}", size), one = "8'd0", up = "2'd1",
+                          none = "1'b0", lanes = fmt::format("{{{}{{1'b1}}}}", m.width / 8);
+        std::string ports;
+        const auto input = [&](const char* role, const std::string& otherwise) {
+            ports += fmt::format(" .{}_i({}),", role, from(role, otherwise));
+        };
+        for (const char* channel : {"aw", "ar"}) {
+            const auto role = [&](const char* rest) { return std::string{channel} + rest; };
+            ports += "\n       ";
+            input(role("id").c_str(), none);
+            input(role("addr").c_str(), "0");
+            input(role("len").c_str(), one);
+            input(role("size").c_str(), whole);
+            input(role("burst").c_str(), up);
+            input(role("valid").c_str(), none);
+            ports += fmt::format(" .{0}ready_o({1}),", channel, to(role("ready").c_str()));
+        }
+        ports += "\n       ";
+        input("wdata", fmt::format("{}'d0", m.width));
+        input("wstrb", lanes);
+        input("wvalid", none);
+        input("bready", none);
+        input("rready", none);
+        for (const char* role : {"wready", "bid", "bvalid", "rid", "rlast"})
+            ports += fmt::format(" .{}_o({}),", role, to(role));
+        const Port* id = i.port("arid") ? i.port("arid") : i.port("awid");
+        const Port* address = i.port("araddr") ? i.port("araddr") : i.port("awaddr");
+        text_.line(
+            fmt::format("de1sim_axi_master #(.WIDTH({}), .ADDRESS({}), .ID({})) {}_agent (\n"
+                        "        .clk_i({}), .rst_i({}),{}\n"
+                        "        .axi_rdata_o({}), .axi_rvalid_o({}),\n        {}\n    );",
+                        m.width, address->width, id && id->width ? id->width : 1, own.name,
+                        own.clock, own.reset, ports, to("rdata"), to("rvalid"), asks(own)));
     }
 
     void decode(const Bus& own, const std::vector<Link>& links, const std::vector<Bus>& ways) {

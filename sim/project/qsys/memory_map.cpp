@@ -48,14 +48,17 @@ Master MemoryMap::master(const End& e) const {
     if (e.is_processors()) {
         return {e, e.interface->number("dataWidth", 32), clock.root, true};
     }
-    if (e.interface->type != "avalon")
+    const bool axi = is_axi(*e.interface);
+    if (!axi && e.interface->type != "avalon")
         assembly_.fail(
             fmt::format("the master {} is of type {}, which is not simulated: "
-                        "expected avalon",
+                        "expected avalon, axi, axi4 or axi4lite",
                         e.name(), e.interface->type));
-    const Port* data = e.interface->port("readdata");
-    if (!data) data = e.interface->port("writedata");
-    if (!data || !e.interface->port("address"))
+    const Port* data = e.interface->port(axi ? "rdata" : "readdata");
+    if (!data) data = e.interface->port(axi ? "wdata" : "writedata");
+    const Port* address = e.interface->port(axi ? "araddr" : "address");
+    if (!address && axi) address = e.interface->port("awaddr");
+    if (!data || !address)
         assembly_.fail(fmt::format("the master {} has no address, or no data", e.name()));
     return {e, data->width, clock.root, false};
 }
