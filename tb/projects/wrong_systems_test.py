@@ -88,6 +88,20 @@ class WrongSystems(SystemCase):
             (self.folder / "odd_hw.tcl").write_text(text)
             self.refused(message, "check", "top.qsf")
 
+    def test_scripts_that_descriptions_share(self):
+        self.write(a_hw_tcl="source ports.tcl\nset_module_property NAME a\nadd_ports 9\n",
+                   ports_tcl="proc add_ports {bits} {\n    wrong $bits\n}\n")
+        self.refuses("a_hw.tcl:3: the command wrong is not one that describes a component",
+                     [("a", "a", {})])
+        self.write(ports_tcl="\nwrong\n")
+        self.refuses("ports.tcl:2: the command wrong is not one that describes a component",
+                     [("a", "a", {})])
+        self.write(ports_tcl="source ports.tcl\n")
+        self.refuses("more than 100 files are sourced; does one source itself?",
+                     [("a", "a", {})])
+        (self.folder / "ports.tcl").unlink()
+        self.refuses("a_hw.tcl:1: there is no file ports.tcl", [("a", "a", {})])
+
     def test_pins_that_are_assigned_to_the_processor(self):
         self.with_leds(ports=", output [2:0] HPS_DDR3_BA")
         with open(self.folder / "top.qsf", "a") as qsf:

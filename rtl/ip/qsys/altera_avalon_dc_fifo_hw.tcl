@@ -1,3 +1,4 @@
+source streams.tcl
 set_module_property NAME altera_avalon_dc_fifo
 set_module_property ELABORATION_CALLBACK elaborate
 foreach {name value hdl} {
@@ -15,19 +16,7 @@ add_fileset synth QUARTUS_SYNTH "" ""
 set_fileset_property synth TOP_LEVEL altera_avalon_dc_fifo
 
 foreach side {in out} {
-    add_interface ${side}_clk clock end
-    add_interface_port ${side}_clk ${side}_clk clk Input 1
-    add_interface ${side}_clk_reset reset end
-    set_interface_property ${side}_clk_reset associatedClock ${side}_clk
-    add_interface_port ${side}_clk_reset ${side}_reset_n reset_n Input 1
-}
-
-proc value {name} { get_parameter_value $name }
-
-proc interface {name type end side} {
-    add_interface $name $type $end
-    set_interface_property $name associatedClock ${side}_clk
-    set_interface_property $name associatedReset ${side}_clk_reset
+    clock_and_reset ${side}_clk ${side}_clk ${side}_clk_reset ${side}_reset_n
 }
 
 proc elaborate {} {
@@ -37,25 +26,21 @@ proc elaborate {} {
     }
     set symbols [value SYMBOLS_PER_BEAT]
     set width [expr {$symbols * [value BITS_PER_SYMBOL]}]
-    for {set empty 0} {1 << $empty < $symbols} {incr empty} {}
-    for {set log2 0} {1 << $log2 < $depth} {incr log2} {}
     set packets [value USE_PACKETS]
-    set most [expr {[string is true [value ENABLE_EXPLICIT_MAXCHANNEL]]
+    set most [expr {[on ENABLE_EXPLICIT_MAXCHANNEL]
                     ? [value EXPLICIT_MAXCHANNEL] : (1 << [value CHANNEL_WIDTH]) - 1}]
-    foreach {name end into against fill latency wait} {
-        in end Input Output USE_IN_FILL_LEVEL 1 0   out start Output Input USE_OUT_FILL_LEVEL 0 1
+    foreach {name end fill latency wait} {
+        in end USE_IN_FILL_LEVEL 1 0   out start USE_OUT_FILL_LEVEL 0 1
     } {
-        interface $name avalon_streaming $end $name
-        set_interface_property $name dataBitsPerSymbol [value BITS_PER_SYMBOL]
-        set_interface_property $name maxChannel $most
-        add_interface_port $name ${name}_ready ready $against 1
-        foreach {role bits} "
-            valid 1  data $width  startofpacket $packets  endofpacket $packets
-            empty [expr {$packets ? $empty : 0}]  channel [value CHANNEL_WIDTH]
-            error [value ERROR_WIDTH]
-        " { if {$bits > 0} { add_interface_port $name ${name}_$role $role $into $bits } }
+        stream $name $name $end ${name}_clk ${name}_clk_reset \
+            [list dataBitsPerSymbol [value BITS_PER_SYMBOL] maxChannel $most] \
+            [list ready 1 valid 1 data $width startofpacket $packets endofpacket $packets \
+                  empty [expr {$packets ? [bits_below $symbols] : 0}] \
+                  channel [value CHANNEL_WIDTH] error [value ERROR_WIDTH]]
         if {![value $fill]} { continue }
-        interface ${name}_csr avalon end $name
+        add_interface ${name}_csr avalon end
+        set_interface_property ${name}_csr associatedClock ${name}_clk
+        set_interface_property ${name}_csr associatedReset ${name}_clk_reset
         set_interface_property ${name}_csr readWaitTime $wait
         set_interface_property ${name}_csr readLatency $latency
         foreach {role direction bits} {
@@ -64,12 +49,10 @@ proc elaborate {} {
     }
     foreach {name side} {almost_full in almost_empty out} {
         if {![value STREAM_[string toupper $name]]} { continue }
-        interface $name avalon_streaming start $side
-        add_interface_port $name ${name}_valid valid Output 1
-        add_interface_port $name ${name}_data data Output 1
+        stream $name $name start ${side}_clk ${side}_clk_reset {} {valid 1 data 1}
     }
     if {[value USE_SPACE_AVAIL_IF]} {
-        interface space_avail avalon_streaming start in
-        add_interface_port space_avail space_avail_data data Output [expr {$log2 + 1}]
+        stream space_avail space_avail start in_clk in_clk_reset {} \
+            [list data [expr {[bits_below $depth] + 1}]]
     }
 }

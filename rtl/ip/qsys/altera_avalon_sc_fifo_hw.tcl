@@ -1,3 +1,4 @@
+source streams.tcl
 set_module_property NAME altera_avalon_sc_fifo
 set_module_property ELABORATION_CALLBACK elaborate
 foreach {name value hdl} {
@@ -14,19 +15,7 @@ add_parameter ENABLE_EXPLICIT_MAXCHANNEL BOOLEAN false
 add_fileset synth QUARTUS_SYNTH "" ""
 set_fileset_property synth TOP_LEVEL altera_avalon_sc_fifo
 
-add_interface clk clock end
-add_interface_port clk clk clk Input 1
-add_interface clk_reset reset end
-set_interface_property clk_reset associatedClock clk
-add_interface_port clk_reset reset reset Input 1
-
-proc value {name} { get_parameter_value $name }
-
-proc interface {name type end} {
-    add_interface $name $type $end
-    set_interface_property $name associatedClock clk
-    set_interface_property $name associatedReset clk_reset
-}
+clock_and_reset clk clk clk_reset reset
 
 proc elaborate {} {
     set depth [value FIFO_DEPTH]
@@ -46,23 +35,20 @@ proc elaborate {} {
     }
     set symbols [value SYMBOLS_PER_BEAT]
     set width [expr {$symbols * [value BITS_PER_SYMBOL]}]
-    for {set empty 0} {1 << $empty < $symbols} {incr empty} {}
     set packets [value USE_PACKETS]
-    set most [expr {[string is true [value ENABLE_EXPLICIT_MAXCHANNEL]]
+    set most [expr {[on ENABLE_EXPLICIT_MAXCHANNEL]
                     ? [value EXPLICIT_MAXCHANNEL] : (1 << [value CHANNEL_WIDTH]) - 1}]
-    foreach {name end into against} {in end Input Output out start Output Input} {
-        interface $name avalon_streaming $end
-        set_interface_property $name dataBitsPerSymbol [value BITS_PER_SYMBOL]
-        set_interface_property $name maxChannel $most
-        add_interface_port $name ${name}_ready ready $against 1
-        foreach {role bits} "
-            valid 1  data $width  startofpacket $packets  endofpacket $packets
-            empty [expr {$packets ? $empty : 0}]  channel [value CHANNEL_WIDTH]
-            error [value ERROR_WIDTH]
-        " { if {$bits > 0} { add_interface_port $name ${name}_$role $role $into $bits } }
+    foreach {name end} {in end out start} {
+        stream $name $name $end clk clk_reset \
+            [list dataBitsPerSymbol [value BITS_PER_SYMBOL] maxChannel $most] \
+            [list ready 1 valid 1 data $width startofpacket $packets endofpacket $packets \
+                  empty [expr {$packets ? [bits_below $symbols] : 0}] \
+                  channel [value CHANNEL_WIDTH] error [value ERROR_WIDTH]]
     }
     if {[value USE_FILL_LEVEL]} {
-        interface csr avalon end
+        add_interface csr avalon end
+        set_interface_property csr associatedClock clk
+        set_interface_property csr associatedReset clk_reset
         set_interface_property csr readWaitTime 0
         set_interface_property csr readLatency 1
         foreach {role direction bits} "
@@ -72,7 +58,6 @@ proc elaborate {} {
     }
     foreach name {almost_full almost_empty} {
         if {![value USE_[string toupper $name]_IF]} { continue }
-        interface $name avalon_streaming start
-        add_interface_port $name ${name}_data data Output 1
+        stream $name $name start clk clk_reset {} {data 1}
     }
 }

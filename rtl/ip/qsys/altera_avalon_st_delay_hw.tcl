@@ -1,3 +1,4 @@
+source streams.tcl
 set_module_property NAME altera_avalon_st_delay
 set_module_property ELABORATION_CALLBACK elaborate
 foreach {name value hdl} {
@@ -11,37 +12,26 @@ foreach {name value hdl} {
 add_fileset synth QUARTUS_SYNTH "" ""
 set_fileset_property synth TOP_LEVEL altera_avalon_st_delay
 
-add_interface clk clock end
-add_interface_port clk clk clk Input 1
-add_interface clk_reset reset end
-set_interface_property clk_reset associatedClock clk
-add_interface_port clk_reset reset reset Input 1
-
-proc value {name} { get_parameter_value $name }
+clock_and_reset clk clk clk_reset reset
 
 proc elaborate {} {
     set clocks [value NUMBER_OF_DELAY_CLOCKS]
     if {$clocks < 0 || $clocks > 16} {
         send_message error "NUMBER_OF_DELAY_CLOCKS is $clocks, expected 0 to 16"
     }
-    for {set empty 1} {1 << $empty < [value DATA_WIDTH] / [value BITS_PER_SYMBOL]} {incr empty} {}
+    set empty [expr {max(1, [bits_below [expr {[value DATA_WIDTH] / [value BITS_PER_SYMBOL]}]])}]
     set_parameter_value EMPTY_WIDTH $empty
     foreach name {CHANNEL_WIDTH ERROR_WIDTH} {
         if {[value $name] < 1} { set_parameter_value $name 1 }
     }
     set packets [value USE_PACKETS]
-    foreach {name end direction} {in end Input out start Output} {
-        add_interface $name avalon_streaming $end
-        foreach {property value} "
-            associatedClock clk associatedReset clk_reset
-            dataBitsPerSymbol [value BITS_PER_SYMBOL]
-            maxChannel [expr {[value USE_CHANNEL] ? [value MAX_CHANNELS] : 0}]
-        " { set_interface_property $name $property $value }
-        foreach {role bits} "
-            valid 1 data [value DATA_WIDTH] startofpacket $packets endofpacket $packets
-            empty [expr {$packets ? $empty : 0}]
-            channel [expr {[value USE_CHANNEL] ? [value CHANNEL_WIDTH] : 0}]
-            error [expr {[value USE_ERROR] ? [value ERROR_WIDTH] : 0}]
-        " { if {$bits > 0} { add_interface_port $name ${name}0_$role $role $direction $bits } }
+    foreach {name end} {in end out start} {
+        stream $name ${name}0 $end clk clk_reset \
+            [list dataBitsPerSymbol [value BITS_PER_SYMBOL] \
+                  maxChannel [expr {[value USE_CHANNEL] ? [value MAX_CHANNELS] : 0}]] \
+            [list valid 1 data [value DATA_WIDTH] startofpacket $packets endofpacket $packets \
+                  empty [expr {$packets ? $empty : 0}] \
+                  channel [expr {[value USE_CHANNEL] ? [value CHANNEL_WIDTH] : 0}] \
+                  error [expr {[value USE_ERROR] ? [value ERROR_WIDTH] : 0}]]
     }
 }

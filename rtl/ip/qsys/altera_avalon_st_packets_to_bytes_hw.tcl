@@ -1,3 +1,4 @@
+source streams.tcl
 set_module_property NAME altera_avalon_st_packets_to_bytes
 set_module_property ELABORATION_CALLBACK elaborate
 add_parameter CHANNEL_WIDTH INTEGER 8
@@ -5,27 +6,12 @@ add_parameter ENCODING INTEGER 0
 add_fileset synth QUARTUS_SYNTH "" ""
 set_fileset_property synth TOP_LEVEL altera_avalon_st_packets_to_bytes
 
-add_interface clk clock end
-add_interface_port clk clk clk Input 1
-add_interface clk_reset reset end
-set_interface_property clk_reset associatedClock clk
-add_interface_port clk_reset reset_n reset_n Input 1
-foreach {name end port into against packets} {
-    in_packets_stream end in Input Output 1
-    out_bytes_stream start out Output Input 0
-} {
-    add_interface $name avalon_streaming $end
-    foreach {property value} "
-        associatedClock clk associatedReset clk_reset dataBitsPerSymbol 8
-        maxChannel [expr {$packets ? 255 : 0}]
-    " { set_interface_property $name $property $value }
-    add_interface_port $name ${port}_ready ready $against 1
-    add_interface_port $name ${port}_valid valid $into 1
-    add_interface_port $name ${port}_data data $into 8
-    if {!$packets} { continue }
-    add_interface_port $name ${port}_channel channel $into 8
-    add_interface_port $name ${port}_startofpacket startofpacket $into 1
-    add_interface_port $name ${port}_endofpacket endofpacket $into 1
+clock_and_reset clk clk clk_reset reset_n
+foreach {name port end packets} {in_packets_stream in end 1   out_bytes_stream out start 0} {
+    stream $name $port $end clk clk_reset \
+        [list dataBitsPerSymbol 8 maxChannel [expr {$packets ? 255 : 0}]] \
+        [list ready 1 valid 1 data 8 channel [expr {$packets ? 8 : 0}] startofpacket $packets \
+              endofpacket $packets]
 }
 
 proc elaborate {} {

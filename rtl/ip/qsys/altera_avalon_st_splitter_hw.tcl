@@ -1,3 +1,4 @@
+source streams.tcl
 set_module_property NAME altera_avalon_st_splitter
 set_module_property ELABORATION_CALLBACK elaborate
 foreach {name value} {
@@ -6,39 +7,24 @@ foreach {name value} {
     MAX_CHANNELS 1 READY_LATENCY 0
 } { add_parameter $name INTEGER $value }
 add_parameter ERROR_DESCRIPTOR STRING_LIST ""
-foreach {name value} {COUNT 2 DATA 8 EMPTY 1 CHANNEL 1 OWN 1 ERROR 1 QUALIFIED 1 READY 1} {
-    add_parameter $name INTEGER $value
-    set_parameter_property $name HDL_PARAMETER true
-}
+hdl_parameters {COUNT 2 DATA 8 EMPTY 1 CHANNEL 1 OWN 1 ERROR 1 QUALIFIED 1 READY 1}
 add_fileset synth QUARTUS_SYNTH "" ""
 set_fileset_property synth TOP_LEVEL de1sim_st_splitter
 
-add_interface clk clock end
-add_interface_port clk clk clk Input 1
-add_interface reset reset end
-set_interface_property reset associatedClock clk
-add_interface_port reset reset reset Input 1
+clock_and_reset clk clk reset reset
 
-proc value {name} { get_parameter_value $name }
-
-proc stream {name port end} {
-    set into [expr {$end eq "end" ? "Input" : "Output"}]
-    add_interface $name avalon_streaming $end
-    foreach {property value} [list associatedClock clk associatedReset reset \
-        dataBitsPerSymbol [value BITS_PER_SYMBOL] readyLatency [value READY_LATENCY] \
-        maxChannel [expr {[value USE_CHANNEL] ? [value MAX_CHANNELS] : 0}]] {
-        set_interface_property $name $property $value
-    }
+proc side {name end} {
     set packets [value USE_PACKETS]
-    foreach {role bits} "
-        valid [value USE_VALID] data [expr {[value USE_DATA] ? [value DATA_WIDTH] : 0}]
-        startofpacket $packets endofpacket $packets empty [expr {$packets ? [value EMPTY] : 0}]
-        channel [expr {[value USE_CHANNEL] ? [value CHANNEL_WIDTH] : 0}]
-        error [expr {[value USE_ERROR] ? [value ERROR_WIDTH] : 0}]
-    " { if {$bits > 0} { add_interface_port $name ${port}_$role $role $into $bits } }
-    if {[value USE_READY]} {
-        add_interface_port $name ${port}_ready ready [expr {$end eq "end" ? "Output" : "Input"}] 1
-    }
+    set channel [value USE_CHANNEL]
+    stream $name $name $end clk reset \
+        [list dataBitsPerSymbol [value BITS_PER_SYMBOL] readyLatency [value READY_LATENCY] \
+              maxChannel [expr {$channel ? [value MAX_CHANNELS] : 0}]] \
+        [list valid [value USE_VALID] ready [value USE_READY] \
+              data [expr {[value USE_DATA] ? [value DATA_WIDTH] : 0}] \
+              startofpacket $packets endofpacket $packets \
+              empty [expr {$packets ? [value EMPTY] : 0}] \
+              channel [expr {$channel ? [value CHANNEL_WIDTH] : 0}] \
+              error [expr {[value USE_ERROR] ? [value ERROR_WIDTH] : 0}]]
 }
 
 proc elaborate {} {
@@ -46,12 +32,12 @@ proc elaborate {} {
     if {$count < 1 || $count > 16} {
         send_message error "NUMBER_OF_OUTPUTS is $count, expected 1 to 16"
     }
-    for {set empty 1} {1 << $empty < [value DATA_WIDTH] / [value BITS_PER_SYMBOL]} {incr empty} {}
+    set empty [expr {max(1, [bits_below [expr {[value DATA_WIDTH] / [value BITS_PER_SYMBOL]}]])}]
     foreach {name value} [list COUNT $count DATA [value DATA_WIDTH] EMPTY $empty \
         CHANNEL [value CHANNEL_WIDTH] OWN [value CHANNEL_WIDTH] ERROR [value ERROR_WIDTH] \
         QUALIFIED [value QUALIFY_VALID_OUT] READY [value USE_READY]] {
         set_parameter_value $name $value
     }
-    stream in in end
-    for {set n 0} {$n < $count} {incr n} { stream out$n out$n start }
+    side in end
+    for {set n 0} {$n < $count} {incr n} { side out$n start }
 }

@@ -1,3 +1,4 @@
+source streams.tcl
 set_module_property NAME multiplexer
 set_module_property ELABORATION_CALLBACK elaborate
 foreach {name type value} {
@@ -6,38 +7,21 @@ foreach {name type value} {
     errorWidth INTEGER 0      numInputInterfaces INTEGER 2
     schedulingSize INTEGER 2  packetScheduling BOOLEAN false
 } { add_parameter $name $type $value }
-foreach {name value} {
+hdl_parameters {
     COUNT 2 DATA 8 EMPTY 1 CHANNEL 1 OWN 1 ERROR 1 SELECT 1 HIGH 1 SIZE 2 BY_PACKETS 0
-} {
-    add_parameter $name INTEGER $value
-    set_parameter_property $name HDL_PARAMETER true
 }
 add_fileset synth QUARTUS_SYNTH "" ""
 set_fileset_property synth TOP_LEVEL de1sim_st_multiplexer
 
-add_interface clk clock end
-add_interface_port clk clk clk Input 1
-add_interface reset reset end
-set_interface_property reset associatedClock clk
-add_interface_port reset reset_n reset_n Input 1
+clock_and_reset clk clk reset reset_n
 
-proc value {name} { get_parameter_value $name }
-proc on {name} { string is true [value $name] }
-
-proc stream {name end channel} {
-    set into [expr {$end eq "end" ? "Input" : "Output"}]
-    add_interface $name avalon_streaming $end
-    foreach {property value} [list associatedClock clk associatedReset reset \
-        dataBitsPerSymbol [value bitsPerSymbol] maxChannel [expr {(1 << $channel) - 1}]] {
-        set_interface_property $name $property $value
-    }
+proc side {name end channel} {
     set packets [on usePackets]
-    foreach {role bits} "
-        valid 1 data [value DATA] startofpacket $packets endofpacket $packets
-        empty [expr {$packets && [value symbolsPerBeat] > 1 ? [value EMPTY] : 0}]
-        channel $channel error [value errorWidth]
-    " { if {$bits > 0} { add_interface_port $name ${name}_$role $role $into $bits } }
-    add_interface_port $name ${name}_ready ready [expr {$end eq "end" ? "Output" : "Input"}] 1
+    set empty [expr {$packets && [value symbolsPerBeat] > 1 ? [value EMPTY] : 0}]
+    stream $name $name $end clk reset \
+        [list dataBitsPerSymbol [value bitsPerSymbol] maxChannel [expr {(1 << $channel) - 1}]] \
+        [list valid 1 ready 1 data [value DATA] startofpacket $packets endofpacket $packets \
+              empty $empty channel $channel error [value errorWidth]]
 }
 
 proc elaborate {} {
@@ -45,7 +29,7 @@ proc elaborate {} {
     if {$count < 2 || $count > 16} {
         send_message error "numInputInterfaces is $count, expected 2 to 16"
     }
-    for {set select 1} {1 << $select < $count} {incr select} {}
+    set select [expr {max(1, [bits_below $count])}]
     set channel [value outChannelWidth]
     if {$channel < $select} {
         send_message error "outChannelWidth is $channel, expected at least $select for $count inputs"
@@ -53,7 +37,7 @@ proc elaborate {} {
     if {[on packetScheduling] && ![on usePackets]} {
         send_message error "packetScheduling needs usePackets"
     }
-    for {set empty 1} {1 << $empty < [value symbolsPerBeat]} {incr empty} {}
+    set empty [expr {max(1, [bits_below [value symbolsPerBeat]])}]
     set own [expr {$channel - $select}]
     foreach {name value} [list COUNT $count EMPTY $empty CHANNEL $channel SELECT $select \
         DATA [expr {[value symbolsPerBeat] * [value bitsPerSymbol]}] HIGH [on useHighBitsOfChannel] \
@@ -61,6 +45,6 @@ proc elaborate {} {
         SIZE [value schedulingSize] BY_PACKETS [on packetScheduling]] {
         set_parameter_value $name $value
     }
-    stream out start $channel
-    for {set n 0} {$n < $count} {incr n} { stream in$n end $own }
+    side out start $channel
+    for {set n 0} {$n < $count} {incr n} { side in$n end $own }
 }

@@ -75,7 +75,7 @@ class ComponentReader {
 public:
     ComponentReader(const std::string& text, const fs::path& file, const Parameters& parameters,
                     const std::string& instance)
-        : text_{text}, given_{parameters}, instance_{instance} {
+        : text_{text}, given_{parameters}, instance_{instance}, script_{file.filename().string()} {
         component_.file = file;
         for (const auto& [name, method] : METHODS)
             tcl_.add(name, [this, command = method](const Words& words) {
@@ -114,8 +114,7 @@ private:
         throw ProjectError{printable(component_.file.filename().string() + ": " + what)};
     }
     [[noreturn]] void fail(const std::string& what) const {
-        throw ProjectError{
-            printable(fmt::format("{}:{}: {}", component_.file.filename().string(), line_, what))};
+        throw ProjectError{printable(fmt::format("{}:{}: {}", script_, line_, what))};
     }
 
     template <class Action>
@@ -155,6 +154,23 @@ private:
     }
 
     // ---- Commands ----
+
+    // A script that several descriptions share; its name is relative to theirs.
+    std::string source(const Words& words) {
+        need(words, 1);
+        constexpr unsigned MOST = 100;
+        const fs::path file = component_.file.parent_path() / words.back();
+        std::error_code error;
+        if (!fs::is_regular_file(file, error)) fail("there is no file " + words.back());
+        if (++sourced_ > MOST)
+            fail(fmt::format("more than {} files are sourced; does one source itself?", MOST));
+        const auto [script, line] = std::pair{script_, line_};
+        script_ = file.filename().string();
+        execute(text_of(file));
+        script_ = script;
+        line_ = line;
+        return {};
+    }
 
     std::string set_module_property(const Words& words) {
         need(words, 2);
@@ -391,6 +407,7 @@ private:
                                              "set_module_upgrade"};
 
     const std::vector<std::pair<const char*, Method>> METHODS{
+        {"source", &ComponentReader::source},
         {"set_module_property", &ComponentReader::set_module_property},
         {"get_module_property", &ComponentReader::get_module_property},
         {"add_parameter", &ComponentReader::add_parameter},
@@ -416,7 +433,8 @@ private:
     const std::string& text_;
     const Parameters& given_;  // the instance's
     const std::string instance_;
-    unsigned line_ = 1;
+    std::string script_;  // that is executed, and the line in it
+    unsigned line_ = 1, sourced_ = 0;
     Component component_;
     std::map<std::string, std::string> module_properties_;
     std::map<std::string, Parameter> parameters_;
