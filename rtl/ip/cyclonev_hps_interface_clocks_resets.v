@@ -1,8 +1,8 @@
 // cyclonev_hps_interface_clocks_resets.v - clocks and resets between processor and FPGA
 //
-// The user clocks are those of the DE1-SoC's preloader, or of the system's Platform Designer.  A
-// request resets the processor, and the FPGA with it, and holds the processor in reset while it is
-// low.
+// The user clocks are as the DE1-SoC's preloader sets them, or as the Platform Designer system has
+// them.  A request resets the processor and, by h2f_rst_n, the FPGA; the processor stays in reset
+// while the request is low.
 //
 // Not handled: the handshake before a warm reset (h2f_pending_rst_req_n); a debug reset, which
 // the program cannot see but in the reset manager's stat.

@@ -214,7 +214,7 @@ private:
         const fs::path kmod = project::data_folder() / "kmod";
         write_whole_file(folder_.path() / "nodes.c", nodes_text(devices()));
         const std::vector<std::string> own{"-std=gnu11", "-O2", "-g", "-I" + kmod.string(), "-c"};
-        part_names(objects);
+        separate_names(objects);
         objects.push_back(compiled("gcc", own, folder_.path() / "nodes.c"));
         for (const char* file : {"kmod.c", "kmod_attributes.c", "kmod_files.c", "kmod_format.c",
                                  "kmod_later.c", "kmod_library.c", "kmod_sleep.c"})
@@ -226,9 +226,9 @@ private:
         return compiles(command);
     }
 
-    // A name that several modules have is each one's own, as it is to the kernel; one that a module
-    // exports is left to the linker.
-    void part_names(const std::vector<std::string>& modules) {
+    // Makes a global name that several modules define local to each of them, as the kernel's loader
+    // keeps it; one that a module exports stays global.
+    void separate_names(const std::vector<std::string>& modules) {
         static const std::regex DEFINED{R"(^\w+ [BDRTV] (\w+)$)", std::regex::multiline};
         std::map<std::string, unsigned> counts;
         for (const std::string& object : modules) {

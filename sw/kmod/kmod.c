@@ -123,7 +123,8 @@ const char* dev_name(const struct device* dev) {
     return dev->of_node ? dev->of_node->name : dev->init_name ? dev->init_name : "device";
 }
 
-// A component that nothing in the project describes has no vendor: "?,switch-1.0" is any one's.
+// Of a component that nothing in the project describes the vendor is not known: "?,switch-1.0" is
+// compatible with that name of any vendor.
 static bool is_compatible(const struct device_node* node, const char* wanted) {
     static const char* last;
     const char* const comma = strchr(wanted, ',');
