@@ -386,6 +386,16 @@ int main(void) {
                      "dial: the init function returned -19: No such device"):
             self.assertIn(text, done.stdout)
 
+    def test_a_component_without_a_description_is_of_any_vendor(self):
+        """By its Verilog alone nobody knows the vendor, but a driver of another one is no match."""
+        (self.folder / "dial_hw.tcl").unlink()
+        self.write(main_c=self.PROGRAM, dial_c=MODULE.replace("acme,dial-1.0", "acme,dial-18.1"))
+        self.linked("dial.c", "main.c")
+        done = self.played("delay: 20ms")
+        self.assertIn("kmod: dial_0 is taken for acme,dial-18.1: the project does not say its "
+                      "vendor", done.stdout)
+        self.assertIn("dial is 2a5", done.stdout)
+
     def test_a_function_that_is_missing_is_named_with_its_line(self):
         self.write(dial_c=MODULE.replace("    return 0;\nout_release",
                                          "    snd_card_new(0);\n    return 0;\n"
