@@ -7,7 +7,7 @@ namespace sim {
 namespace {
 
 constexpr std::uint8_t IN = 0x80, DEVICE = 1, CONFIGURATION = 2, TEXT = 3, INTERFACE = 4,
-                       ENDPOINT = 5, HID = 0x21, REPORT = 0x22, PACKET = 8;
+                       ENDPOINT = 5, HID = 0x21, REPORT = 0x22;
 
 std::uint8_t low(std::size_t value) { return static_cast<std::uint8_t>(value); }
 std::uint8_t high(std::size_t value) { return static_cast<std::uint8_t>(value >> 8); }

@@ -35,7 +35,8 @@ struct UsbSetup {
 
 class UsbDevice : public Part {
 public:
-    static constexpr unsigned PERIOD_MS = 8;  // between two polls of the endpoint
+    static constexpr unsigned PERIOD_MS = 8;   // between two polls of the endpoint
+    static constexpr std::uint8_t PACKET = 8;  // bytes
 
     struct About {
         UsbPlug plug;

@@ -163,7 +163,7 @@ void UsbBus::end(UsbTransfer& transfer, int status) {
     transfer.done = true;
     transfer.order = ++ended_;
     transfer.status = status;
-    if (status != 0) transfer.data.clear();
+    if (status != 0 && transfer.endpoint == 0) transfer.data.clear();
     notify_();
 }
 
@@ -188,12 +188,18 @@ void UsbBus::poll(const std::shared_ptr<Node>& node) {
     if (!node->connected || !node->device->has_report()) return;
     while (!node->waiting.empty()) {
         const auto transfer = node->waiting.front().lock();
-        node->waiting.pop_front();
-        if (!transfer || transfer->done) continue;
-        UsbBytes report = node->device->take_report();
-        const bool fits = report.size() <= transfer->room;
-        transfer->data = std::move(report);
-        end(*transfer, fits ? 0 : -EOVERFLOW);
+        if (!transfer || transfer->done) {
+            node->waiting.pop_front();
+            continue;
+        }
+        const UsbBytes report = node->device->take_report();
+        UsbBytes& data = transfer->data;
+        data.insert(data.end(), report.begin(), report.end());
+        if (report.size() < UsbDevice::PACKET || data.size() >= transfer->room) {
+            data.resize(std::min(data.size(), transfer->room));
+            node->waiting.pop_front();
+            end(*transfer, 0);
+        }
         break;
     }
     if (!node->waiting.empty() && node->device->has_report()) poll_later(node);

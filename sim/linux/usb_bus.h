@@ -9,9 +9,12 @@
 // are the lowest that are free, numbers on the bus go up.
 //
 // A control transfer takes 1 ms.  The interrupt endpoint is asked every 8 ms for a report, if a
-// transfer waits for one; there is one when something changes.
+// transfer waits for one.  A transfer ends with a report of less than a packet, 8 bytes, or when
+// its buffer is full; the rest of a report for which there is no room is lost, as the board's
+// controller has it.
 //
-// Source: Linux 6.1, drivers/usb/core; Documentation/ABI/testing/sysfs-bus-usb.
+// Source: Linux 6.1, drivers/usb/core, drivers/usb/dwc2/hcd_intr.c;
+// Documentation/ABI/testing/sysfs-bus-usb.
 //
 // Not handled: isochronous transfers, suspending, more than one configuration, authorisation.
 #pragma once

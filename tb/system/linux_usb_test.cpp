@@ -331,7 +331,7 @@ submit 0
 submit 0
 boot
 poll 4, reap 0, 0, 0 ms: 01 00 00
-poll 4, reap 0, -75, 0 ms: none
+poll 4, reap 0, 0, 0 ms: 00 00
 )");
 }
 
