@@ -69,7 +69,7 @@ Board::Board(const sc_core::sc_module_name& name, BoardObserver& observer, std::
                                                               {"PS/2 mouse", ps2_mouse},
                                                               {"USB keyboard", usb.keyboard},
                                                               {"USB mouse", usb.mouse},
-                                                              {"USB gamepad", usb.gamepad},
+                                                              {"USB ports", usb},
                                                               {"remote control", remote_control},
                                                               {"LINE IN", line_in},
                                                               {"microphone input", microphone},

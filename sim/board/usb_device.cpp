@@ -28,8 +28,8 @@ UsbBytes text_descriptor(const std::string& text) {
 UsbBytes UsbDevice::device_descriptor() const {
     return {18,
             DEVICE,
-            0x10,
-            0x01,
+            low(about_.usb),
+            high(about_.usb),
             0,
             0,
             0,
@@ -41,14 +41,15 @@ UsbBytes UsbDevice::device_descriptor() const {
             low(about_.release),
             high(about_.release),
             0,
-            1,
+            about_.name_index,
             0,
             1};
 }
 
 UsbBytes UsbDevice::hid_descriptor() const {
     const std::size_t bytes = about_.report_descriptor.size();
-    return {9, HID, 0x11, 0x01, 0, 1, REPORT, low(bytes), high(bytes)};
+    return {9, HID,    low(about_.hid), high(about_.hid), about_.country,
+            1, REPORT, low(bytes),      high(bytes)};
 }
 
 UsbBytes UsbDevice::configuration() const {
@@ -71,7 +72,8 @@ std::optional<UsbBytes> UsbDevice::descriptor(std::uint8_t type, std::uint8_t in
         case REPORT: return about_.report_descriptor;
         case TEXT:
             if (index == 0) return UsbBytes{4, TEXT, ENGLISH[0], ENGLISH[1]};
-            return index == 1 ? std::optional{text_descriptor(about_.name)} : std::nullopt;
+            return index == about_.name_index ? std::optional{text_descriptor(about_.name)}
+                                              : std::nullopt;
         default: return std::nullopt;
     }
 }
@@ -125,7 +127,7 @@ std::optional<UsbBytes> UsbDevice::control(const UsbSetup& setup, const UsbBytes
 // ---- The endpoint -------------------------------------------------------------------------------
 
 void UsbDevice::changed() {
-    if (is_plugged_ && !loaded_ && has_news()) load();
+    if (is_plugged_ && !has_report() && has_news()) load();
 }
 
 void UsbDevice::load() {
@@ -135,6 +137,7 @@ void UsbDevice::load() {
 }
 
 UsbBytes UsbDevice::take_report() {
+    if (about_.reports_always) return report(boot_);
     UsbBytes taken = std::move(*loaded_);
     loaded_.reset();
     if (has_news()) load();

@@ -2,7 +2,7 @@
 //
 //   endpoint 0       answers requests: for the descriptors, and of the HID class
 //   endpoint 1 IN    interrupt: holds one report; when the host has taken that, the next is loaded
-//                    if something has changed
+//                    if something has changed; or it has one always, as it is now
 //
 // It is in the boot protocol after SET_PROTOCOL 0, and in the report protocol after it was plugged
 // in or reset.  A report is loaded when something changes, as after SET_IDLE 0.
@@ -24,7 +24,7 @@
 
 namespace sim {
 
-enum class UsbPlug { KEYBOARD, MOUSE, GAMEPAD };
+enum class UsbPlug { KEYBOARD, MOUSE, GAMEPAD, SNES_GAMEPAD };
 
 using UsbBytes = std::vector<std::uint8_t>;
 
@@ -43,8 +43,10 @@ public:
         std::string name;
         std::uint16_t vendor, product, release;
         std::uint8_t subclass, protocol;  // 1, and 1 or 2: boot keyboard or mouse
-        std::uint8_t report_bytes;
         UsbBytes report_descriptor;
+        std::uint16_t usb = 0x0110, hid = 0x0111;  // versions
+        std::uint8_t country = 0, name_index = 1;
+        bool reports_always = false;
     };
 
     const About& about() const { return about_; }
@@ -54,7 +56,7 @@ public:
     // What it sends back, or takes of `data`; no value: STALL.
     std::optional<UsbBytes> control(const UsbSetup& setup, const UsbBytes& data);
 
-    bool has_report() const { return loaded_.has_value(); }
+    bool has_report() const { return about_.reports_always || loaded_.has_value(); }
     UsbBytes take_report();  // which has_report()
     void reset();
 

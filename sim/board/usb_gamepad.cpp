@@ -1,5 +1,8 @@
 #include "sim/board/usb_gamepad.h"
 
+#include <algorithm>
+#include <iterator>
+
 namespace sim {
 
 namespace {
@@ -17,17 +20,43 @@ const UsbBytes GAMEPAD_REPORT{
 }  // namespace
 
 UsbGamepad::UsbGamepad(bool is_plugged)
-    : UsbDevice{{UsbPlug::GAMEPAD, "USB Gamepad", 0x0079, 0x0006, 0x0110, 0, 0, 7, GAMEPAD_REPORT},
+    : UsbDevice{{UsbPlug::GAMEPAD, "USB Gamepad", 0x0079, 0x0006, 0x0110, 0, 0, GAMEPAD_REPORT,
+                 0x0110, 0x0110},
                 is_plugged} {
     reset();
 }
 
-std::array<int, 2> UsbGamepad::pad() const {
-    const auto is_down = [&](Direction which) {
-        return static_cast<int>(directions_ >> static_cast<unsigned>(which) & 1);
+std::optional<unsigned> UsbGamepad::number_of(PadButton button, UsbPlug plug) {
+    using Button = PadButton;
+    constexpr auto NONE = Button{-1};
+    constexpr Button ALL[] = {
+        Button::A,      Button::B,     NONE,         Button::X,          Button::Y,
+        NONE,           Button::L,     Button::R,    Button::L2,         Button::R2,
+        Button::SELECT, Button::START, Button::HOME, Button::LEFT_STICK, Button::RIGHT_STICK};
+    constexpr Button SNES[] = {Button::X, Button::A, Button::B, Button::Y,      Button::L,
+                               Button::R, NONE,      NONE,      Button::SELECT, Button::START};
+    const auto find = [&](const Button* begin, const Button* end) -> std::optional<unsigned> {
+        const Button* const at = std::find(begin, end, button);
+        return at == end ? std::nullopt : std::optional{static_cast<unsigned>(at - begin)};
     };
+    return plug == UsbPlug::GAMEPAD ? find(std::begin(ALL), std::end(ALL))
+                                    : find(std::begin(SNES), std::end(SNES));
+}
+
+bool UsbGamepad::is_down(PadButton which) const {
+    const auto number = number_of(which, about().plug);
+    return number && (buttons_ >> *number & 1);
+}
+
+std::array<int, 2> UsbGamepad::pad() const {
     return {is_down(Direction::RIGHT) - is_down(Direction::LEFT),
             is_down(Direction::DOWN) - is_down(Direction::UP)};
+}
+
+std::vector<int> UsbGamepad::axes() const {
+    std::vector<int> all{sticks_.begin(), sticks_.end()};
+    for (const int way : pad()) all.push_back(way);
+    return all;
 }
 
 UsbBytes UsbGamepad::report(bool) const {
@@ -40,7 +69,8 @@ UsbBytes UsbGamepad::report(bool) const {
     return bytes;
 }
 
-void UsbGamepad::button(unsigned number, bool down) {
+void UsbGamepad::button(PadButton which, bool down) {
+    const unsigned number = number_of(which, about().plug).value();
     buttons_ = down ? buttons_ | 1u << number : buttons_ & ~(1u << number);
     if (!is_plugged()) return;
     hear_.button(number, down);

@@ -12,28 +12,40 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <utility>
+#include <vector>
 
 #include "sim/board/usb_device.h"
 
 namespace sim {
 
+enum class PadButton { A, B, X, Y, L, R, L2, R2, SELECT, START, HOME, LEFT_STICK, RIGHT_STICK };
+
+constexpr bool is_gamepad(UsbPlug plug) {
+    return plug == UsbPlug::GAMEPAD || plug == UsbPlug::SNES_GAMEPAD;
+}
+
 class UsbGamepad : public UsbDevice {
 public:
     enum class Stick { LEFT, RIGHT };
     enum class Direction { UP, DOWN, LEFT, RIGHT };  // of the d-pad
-    static constexpr unsigned BUTTONS = 15;
-    static constexpr int REACH = 100;  // of a stick, each way
+    static constexpr int REACH = 100;                // of a stick, each way
 
     explicit UsbGamepad(bool is_plugged);
 
-    void button(unsigned number, bool down);  // by its bit
+    // The number of a button of such a gamepad, from 0 as Linux counts; no value: it has none.
+    static std::optional<unsigned> number_of(PadButton button, UsbPlug plug);
+
+    void button(PadButton which, bool down);
     void direction(Direction which, bool down);
     void stick(Stick which, int right, int down);
+    bool is_down(PadButton which) const;
+    bool is_down(Direction which) const { return directions_ >> static_cast<unsigned>(which) & 1; }
 
-    // What Linux has as axes: the sticks from 0 to 255, the d-pad from -1 to 1.
-    std::array<int, 4> sticks() const { return sticks_; }
-    std::array<int, 2> pad() const;  // right, down
+    // What Linux has as axes, in the order of its numbers: the sticks from 0 to 255, the d-pad from
+    // -1 to 1.
+    virtual std::vector<int> axes() const;
 
     // Hears of each while the gamepad is plugged in.
     struct Listener {
@@ -42,13 +54,18 @@ public:
     };
     void on_hand(Listener hear) { hear_ = std::move(hear); }
 
+protected:
+    UsbGamepad(About about, bool is_plugged) : UsbDevice{std::move(about), is_plugged} {}
+
+    UsbBytes report(bool boot) const override;
+    std::array<int, 2> pad() const;  // right, down
+    unsigned buttons() const { return buttons_; }
+
 private:
     static constexpr int MIDDLE = 128;
 
-    UsbBytes report(bool boot) const override;
-
     Listener hear_;
-    unsigned buttons_ = 0, directions_ = 0;
+    unsigned buttons_ = 0, directions_ = 0;  // by their numbers
     std::array<int, 4> sticks_{MIDDLE, MIDDLE, MIDDLE, MIDDLE};
 };
 

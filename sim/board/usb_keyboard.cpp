@@ -62,8 +62,7 @@ std::uint8_t hid_usage(std::uint16_t scan_code) {
 }
 
 UsbKeyboard::UsbKeyboard(Agenda& agenda, bool is_plugged)
-    : UsbDevice{{UsbPlug::KEYBOARD, "USB Keyboard", 0x04D9, 0x0001, 0x0111, 1, 1, 8,
-                 KEYBOARD_REPORT},
+    : UsbDevice{{UsbPlug::KEYBOARD, "USB Keyboard", 0x04D9, 0x0001, 0x0111, 1, 1, KEYBOARD_REPORT},
                 is_plugged},
       strike_{agenda, [this] { strike(); }} {
     reset();

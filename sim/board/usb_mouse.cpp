@@ -19,9 +19,8 @@ int in_a_report(int way) { return std::clamp(way, -127, 127); }
 }  // namespace
 
 UsbMouse::UsbMouse(bool is_plugged)
-    : UsbDevice{
-          {UsbPlug::MOUSE, "USB Optical Mouse", 0x046D, 0x0001, 0x0111, 1, 2, 4, MOUSE_REPORT},
-          is_plugged} {
+    : UsbDevice{{UsbPlug::MOUSE, "USB Optical Mouse", 0x046D, 0x0001, 0x0111, 1, 2, MOUSE_REPORT},
+                is_plugged} {
     reset();
 }
 

@@ -76,73 +76,101 @@ const char* kind_of(UsbPlug plug) {
     return plug == UsbPlug::KEYBOARD ? "kbd" : plug == UsbPlug::MOUSE ? "mouse" : "joystick";
 }
 
+// Of a gamepad: its first button and its axes, as the drivers number them.
+std::uint16_t first_button(UsbPlug plug) {
+    return plug == UsbPlug::GAMEPAD ? input_event::BTN_GAMEPAD : input_event::BTN_JOYSTICK;
+}
+
+std::vector<std::uint16_t> axes_of(UsbPlug plug) {
+    using namespace input_event;
+    if (plug == UsbPlug::SNES_GAMEPAD) return {ABS_X, ABS_Y};
+    return {ABS_X, ABS_Y, ABS_Z, ABS_RZ, ABS_HAT0X, ABS_HAT0Y};
+}
+
+void tell_axes(InputDevice& device, const UsbGamepad& gamepad) {
+    const std::vector<std::uint16_t> axes = axes_of(gamepad.about().plug);
+    const std::vector<int> places = gamepad.axes();
+    for (std::size_t i = 0; i < axes.size(); ++i)
+        device.event(input_event::ABS, axes[i], places[i]);
+}
+
+void tell_button(InputDevice& device, std::uint16_t first, unsigned which, bool down) {
+    using namespace input_event;
+    device.event(MSC, MSC_SCAN, static_cast<int>(BUTTON_PAGE + which + 1));
+    device.event(KEY, static_cast<std::uint16_t>(first + which), down);
+}
+
+void describe_gamepad(InputDevice& device, const UsbGamepad& gamepad) {
+    using namespace input_event;
+    const UsbPlug plug = gamepad.about().plug;
+    const unsigned buttons = plug == UsbPlug::GAMEPAD ? 15 : 10;
+    for (unsigned i = 0; i < buttons; ++i)
+        device.can(KEY, {static_cast<std::uint16_t>(first_button(plug) + i)});
+    for (const std::uint16_t axis : axes_of(plug))
+        device.has_axis(axis, axis < ABS_HAT0X ? InputDevice::Axis{0, 0, 255, 0, 255 >> 4, 0}
+                                               : InputDevice::Axis{0, -1, 1, 0, 0, 0});
+    tell_axes(device, gamepad);
+}
+
 }  // namespace
 
 // ---- The drivers --------------------------------------------------------------------------------
 
-LinuxInput::Bound* LinuxInput::bound(UsbPlug plug) {
-    const auto found = bound_.find(plug);
-    return found == bound_.end() ? nullptr : &found->second;
+void LinuxInput::tell(const UsbDevice& usb, const Event& event) {
+    for (auto& [number, one] : bound_) {
+        if (one.usb != &usb) continue;
+        event(*one.device);
+        one.device->report();
+    }
 }
 
 void LinuxInput::attach(UsbPorts& ports) {
     using namespace input_event;
     agenda_ = &ports.agenda;
-    ports.keyboard.on_key([this](std::uint16_t key, bool down) {
-        Bound* const one = bound(UsbPlug::KEYBOARD);
+    ports.keyboard.on_key([this, &usb = ports.keyboard](std::uint16_t key, bool down) {
         const std::uint16_t number = key_number(key);
-        if (!one || number == 0) return;
-        one->device->event(MSC, MSC_SCAN, static_cast<int>(KEYBOARD_PAGE + hid_usage(key)));
-        one->device->event(KEY, number, down);
-        one->device->report();
+        if (number == 0) return;
+        tell(usb, [&](InputDevice& device) {
+            device.event(MSC, MSC_SCAN, static_cast<int>(KEYBOARD_PAGE + hid_usage(key)));
+            device.event(KEY, number, down);
+        });
     });
-    const auto button = [this](UsbPlug plug, std::uint16_t first, unsigned which, bool down) {
-        Bound* const one = bound(plug);
-        if (!one) return;
-        one->device->event(MSC, MSC_SCAN, static_cast<int>(BUTTON_PAGE + which + 1));
-        one->device->event(KEY, static_cast<std::uint16_t>(first + which), down);
-        one->device->report();
-    };
     UsbMouse::Listener mouse;
-    mouse.move = [this](int right, int up) {
-        Bound* const one = bound(UsbPlug::MOUSE);
-        if (!one || (right == 0 && up == 0)) return;
-        one->device->event(REL, REL_X, right);
-        one->device->event(REL, REL_Y, -up);
-        one->device->report();
+    mouse.move = [this, &usb = ports.mouse](int right, int up) {
+        if (right == 0 && up == 0) return;
+        tell(usb, [&](InputDevice& device) {
+            device.event(REL, REL_X, right);
+            device.event(REL, REL_Y, -up);
+        });
     };
-    mouse.turn = [this](int notches) {
-        Bound* const one = bound(UsbPlug::MOUSE);
-        if (!one || notches == 0) return;
-        one->device->event(REL, REL_WHEEL, -notches);
-        one->device->event(REL, REL_WHEEL_HI_RES, -notches * WHEEL_STEP);
-        one->device->report();
+    mouse.turn = [this, &usb = ports.mouse](int notches) {
+        if (notches == 0) return;
+        tell(usb, [&](InputDevice& device) {
+            device.event(REL, REL_WHEEL, -notches);
+            device.event(REL, REL_WHEEL_HI_RES, -notches * WHEEL_STEP);
+        });
     };
-    mouse.button = [button](MouseButton which, bool down) {
-        button(UsbPlug::MOUSE, BTN_LEFT, static_cast<unsigned>(which), down);
+    mouse.button = [this, &usb = ports.mouse](MouseButton which, bool down) {
+        tell(usb, [&](InputDevice& device) {
+            tell_button(device, BTN_LEFT, static_cast<unsigned>(which), down);
+        });
     };
     ports.mouse.on_hand(std::move(mouse));
-    UsbGamepad::Listener gamepad;
-    gamepad.button = [button](unsigned number, bool down) {
-        button(UsbPlug::GAMEPAD, BTN_GAMEPAD, number, down);
-    };
-    gamepad.axes = [this, &pad = ports.gamepad] {
-        if (!bound(UsbPlug::GAMEPAD)) return;
-        axes(pad);
-        bound(UsbPlug::GAMEPAD)->device->report();
-    };
-    ports.gamepad.on_hand(std::move(gamepad));
+    for (UsbGamepad& gamepad : ports.gamepads) attach(gamepad);
+    for (UsbGamepad& gamepad : ports.snes_gamepads) attach(gamepad);
 }
 
-void LinuxInput::axes(const UsbGamepad& gamepad) {
-    using namespace input_event;
-    InputDevice& device = *bound(UsbPlug::GAMEPAD)->device;
-    const auto sticks = gamepad.sticks();
-    std::size_t next = 0;
-    for (const std::uint16_t axis : {ABS_X, ABS_Y, ABS_Z, ABS_RZ})
-        device.event(ABS, axis, sticks[next++]);
-    device.event(ABS, ABS_HAT0X, gamepad.pad()[0]);
-    device.event(ABS, ABS_HAT0Y, gamepad.pad()[1]);
+void LinuxInput::attach(UsbGamepad& gamepad) {
+    UsbGamepad::Listener listener;
+    listener.button = [this, &gamepad](unsigned number, bool down) {
+        tell(gamepad, [&](InputDevice& device) {
+            tell_button(device, first_button(gamepad.about().plug), number, down);
+        });
+    };
+    listener.axes = [this, &gamepad] {
+        tell(gamepad, [&](InputDevice& device) { tell_axes(device, gamepad); });
+    };
+    gamepad.on_hand(std::move(listener));
 }
 
 void LinuxInput::bind(const UsbDevice& usb, const std::string& port, const std::string& folder) {
@@ -153,81 +181,79 @@ void LinuxInput::bind(const UsbDevice& usb, const std::string& port, const std::
         InputDevice::About{about.name, fmt::format("usb-ffb40000.usb-{}/input0", port.substr(2)),
                            fmt::format("{}/0003:{:04X}:{:04X}.{:04X}/input/input{}", folder,
                                        about.vendor, about.product, number + 1, number),
-                           about.vendor, about.product, about.release},
+                           about.vendor, about.product, about.hid},
         *agenda_, notify_);
     device->can(MSC, {MSC_SCAN});
-    bound_[about.plug] = {device, port, number};
-    switch (about.plug) {
-        case UsbPlug::KEYBOARD:
-            for (const KeyRow& row : key_rows())
-                for (unsigned i = 0; i < row.names.size(); ++i)
-                    device->can(KEY, {static_cast<std::uint16_t>(row.first + i)});
-            device->can(LED, {0, 1, 2});
-            device->can(REP, {0, 1});
-            break;
-        case UsbPlug::MOUSE:
-            device->can(KEY, {BTN_LEFT, BTN_LEFT + 1, BTN_LEFT + 2});
-            device->can(REL, {REL_X, REL_Y, REL_WHEEL, REL_WHEEL_HI_RES});
-            for (const auto& mice : mice_) device->add(mice);
-            break;
-        case UsbPlug::GAMEPAD:
-            for (unsigned i = 0; i < UsbGamepad::BUTTONS; ++i)
-                device->can(KEY, {static_cast<std::uint16_t>(BTN_GAMEPAD + i)});
-            for (const std::uint16_t axis : {ABS_X, ABS_Y, ABS_Z, ABS_RZ})
-                device->has_axis(axis, {0, 0, 255, 0, 255 >> 4, 0});
-            for (const std::uint16_t axis : {ABS_HAT0X, ABS_HAT0Y})
-                device->has_axis(axis, {0, -1, 1, 0, 0, 0});
-            axes(static_cast<const UsbGamepad&>(usb));
-            break;
+    if (about.plug == UsbPlug::KEYBOARD) {
+        for (const KeyRow& row : key_rows())
+            for (unsigned i = 0; i < row.names.size(); ++i)
+                device->can(KEY, {static_cast<std::uint16_t>(row.first + i)});
+        device->can(LED, {0, 1, 2});
+        device->can(REP, {0, 1});
+    } else if (about.plug == UsbPlug::MOUSE) {
+        device->can(KEY, {BTN_LEFT, BTN_LEFT + 1, BTN_LEFT + 2});
+        device->can(REL, {REL_X, REL_Y, REL_WHEEL, REL_WHEEL_HI_RES});
+        for (const auto& mice : mice_) device->add(mice);
+    } else {
+        describe_gamepad(*device, static_cast<const UsbGamepad&>(usb));
     }
-    unsigned lowest = 0;
-    while (numbers_.count(lowest)) ++lowest;
-    numbers_[lowest] = about.plug;
+    unsigned event = 0, joystick = 0;
+    while (bound_.count(event)) ++event;
+    const auto is_taken = [&](const auto& one) {
+        return is_gamepad(one.second.usb->about().plug) && one.second.joystick == joystick;
+    };
+    while (std::any_of(bound_.begin(), bound_.end(), is_taken)) ++joystick;
+    bound_[event] = {&usb, device, port, joystick};
 }
 
 void LinuxInput::unbind(const UsbDevice& usb) {
-    const UsbPlug plug = usb.about().plug;
-    Bound* const one = bound(plug);
-    if (!one) return;
-    const auto device = one->device;
-    bound_.erase(plug);
-    for (auto at = numbers_.begin(); at != numbers_.end();)
-        at = at->second == plug ? numbers_.erase(at) : std::next(at);
+    const auto at = std::find_if(bound_.begin(), bound_.end(),
+                                 [&](const auto& one) { return one.second.usb == &usb; });
+    if (at == bound_.end()) return;
+    const auto device = at->second.device;
+    bound_.erase(at);
     device->disconnect();
 }
 
 // ---- The files ----------------------------------------------------------------------------------
+
+std::shared_ptr<InputDevice> LinuxInput::first_mouse() const {
+    for (const auto& [number, one] : bound_)
+        if (one.usb->about().plug == UsbPlug::MOUSE) return one.device;
+    return nullptr;
+}
 
 std::shared_ptr<LinuxDevice> LinuxInput::open(const std::string& path) {
     const auto listening = [](auto device, auto file) {
         if (device) device->add(file);
         return file;
     };
-    for (const auto& [number, plug] : numbers_)
-        if (path == fmt::format("/dev/input/event{}", number)) {
-            const auto device = bound(plug)->device;
-            return listening(device, std::make_shared<EventFile>(device, number));
-        }
-    Bound* const mouse = bound(UsbPlug::MOUSE);
-    Bound* const gamepad = bound(UsbPlug::GAMEPAD);
+    for (const auto& [number, one] : bound_) {
+        if (path == fmt::format("/dev/input/event{}", number))
+            return listening(one.device, std::make_shared<EventFile>(one.device, number));
+        if (is_gamepad(one.usb->about().plug) &&
+            path == fmt::format("/dev/input/js{}", one.joystick))
+            return listening(one.device, std::make_shared<JoystickFile>(one.device, one.joystick));
+    }
+    const auto mouse = first_mouse();
     if (path == "/dev/input/mouse0" && mouse)
-        return listening(mouse->device, std::make_shared<MiceFile>(mouse->device, FIRST_MOUSE));
-    if (path == "/dev/input/js0" && gamepad)
-        return listening(gamepad->device, std::make_shared<JoystickFile>(gamepad->device, 0));
+        return listening(mouse, std::make_shared<MiceFile>(mouse, FIRST_MOUSE));
     if (path != "/dev/input/mice") return nullptr;
     const auto mice = std::make_shared<MiceFile>(nullptr, MICE);
     mice_.erase(
         std::remove_if(mice_.begin(), mice_.end(), [](const auto& file) { return file.expired(); }),
         mice_.end());
     mice_.push_back(mice);
-    return listening(mouse ? mouse->device : nullptr, mice);
+    return listening(mouse, mice);
 }
 
-void LinuxInput::describe(const Bound& one, UsbPlug plug, unsigned number, OwnFiles& files) const {
+void LinuxInput::describe(const Bound& one, unsigned number, OwnFiles& files) const {
+    const UsbPlug plug = one.usb->about().plug;
     const InputDevice::About& about = one.device->about();
     const std::string event = fmt::format("event{}", number);
     const std::string by_id = fmt::format("/dev/input/by-id/usb-{:04x}_", about.vendor) + [&] {
         std::string name = about.name;
+        if (name.back() == ' ') name.pop_back();
         std::replace(name.begin(), name.end(), ' ', '_');
         return name;
     }();
@@ -252,9 +278,10 @@ void LinuxInput::describe(const Bound& one, UsbPlug plug, unsigned number, OwnFi
         add_node("mouse0", FIRST_MOUSE);
         add_links("-mouse", "mouse0");
     }
-    if (plug == UsbPlug::GAMEPAD) {
-        add_node("js0", 0);
-        add_links("-joystick", "js0");
+    if (is_gamepad(plug)) {
+        const std::string joystick = fmt::format("js{}", one.joystick);
+        add_node(joystick, one.joystick);
+        add_links("-joystick", joystick);
     }
     files.add_text(about.folder + "/name", about.name + "\n");
     files.add_text(about.folder + "/phys", about.place + "\n");
@@ -268,11 +295,11 @@ void LinuxInput::describe(const Bound& one, UsbPlug plug, unsigned number, OwnFi
 void LinuxInput::list(OwnFiles& files) const {
     using namespace input_event;
     std::string text;
-    for (const auto& [number, plug] : numbers_) {
-        const Bound& one = bound_.at(plug);
+    for (const auto& [number, one] : bound_) {
+        const UsbPlug plug = one.usb->about().plug;
         const InputDevice& device = *one.device;
         const InputDevice::About& about = device.about();
-        describe(one, plug, number, files);
+        describe(one, number, files);
         text += fmt::format(
             "I: Bus=0003 Vendor={:04x} Product={:04x} Version={:04x}\nN: Name=\"{}\"\nP: Phys={}\n"
             "S: Sysfs={}\nU: Uniq=\nH: Handlers={}event{} {}\nB: PROP=0\nB: EV={}\n",
@@ -281,7 +308,8 @@ void LinuxInput::list(OwnFiles& files) const {
             plug == UsbPlug::KEYBOARD ? "sysrq kbd leds "
             : plug == UsbPlug::MOUSE  ? "mouse0 "
                                       : "",
-            number, plug == UsbPlug::GAMEPAD ? "js0 " : "", bitmap(device.bits(SYN)));
+            number, is_gamepad(plug) ? fmt::format("js{} ", one.joystick) : "",
+            bitmap(device.bits(SYN)));
         const std::pair<std::uint16_t, const char*> kinds[] = {
             {KEY, "KEY"}, {REL, "REL"}, {ABS, "ABS"}, {MSC, "MSC"}, {LED, "LED"}};
         for (const auto& [type, name] : kinds)

@@ -1,15 +1,15 @@
-// input.h - the keyboard, the mouse and the gamepad on USB as Linux' input drivers show them.
+// input.h - the keyboard, the mouse and gamepads on USB as Linux' input drivers show them.
 //
 //   /dev/input/event*  struct input_event, numbered from 0 in the order of plugging in, and by
 //                      by-id/ and by-path/                      event_file.h
 //   /dev/input/mice    packets of the PS/2 protocol; mouse0     mice_file.h
-//   /dev/input/js0     the gamepad: struct js_event             joystick_file.h
+//   /dev/input/js*     gamepads: struct js_event                joystick_file.h
 //   /proc/bus/input/devices; /sys/class/input
 //
 // A device is there while the HID driver has it: from when it is plugged in, until it is unplugged
 // or a program takes it by usbfs (usb_bus.h).  An open file of one that has gone returns ENODEV.
 //
-// Source: Linux 6.1, drivers/hid/hid-input.c.
+// Source: Linux 6.1, drivers/hid/hid-input.c, hid-dr.c.
 //
 // Not handled: the up to 8 ms from a movement to its report: events come at once.
 #pragma once
@@ -51,19 +51,22 @@ private:
     static constexpr unsigned MICE = 63, FIRST_MOUSE = 32;  // minor numbers
 
     struct Bound {
+        const UsbDevice* usb;
         std::shared_ptr<InputDevice> device;
         std::string port;
-        unsigned input;  // among all that have been there
+        unsigned joystick;  // number of js*, of a gamepad
     };
+    // A function of one of its devices, where that is bound.
+    using Event = std::function<void(InputDevice&)>;
 
-    Bound* bound(UsbPlug plug);
-    void axes(const UsbGamepad& gamepad);
-    void describe(const Bound& one, UsbPlug plug, unsigned number, OwnFiles& files) const;
+    void tell(const UsbDevice& usb, const Event& event);
+    void attach(UsbGamepad& gamepad);
+    std::shared_ptr<InputDevice> first_mouse() const;  // or nullptr
+    void describe(const Bound& one, unsigned number, OwnFiles& files) const;
 
     std::function<void()> notify_;
     Agenda* agenda_ = nullptr;
-    std::map<UsbPlug, Bound> bound_;
-    std::map<unsigned, UsbPlug> numbers_;  // of event*
+    std::map<unsigned, Bound> bound_;  // by the number of event*
     std::vector<std::weak_ptr<MiceFile>> mice_;
     unsigned next_input_ = 0;
 };

@@ -171,10 +171,12 @@ void UsbBus::end(UsbTransfer& transfer, int status) {
 void UsbBus::look(UsbDevice& device) {
     const auto node = node_of(device);
     if (!node) return;
-    if (node->driver == "usbhid")
+    if (node->driver == "usbhid") {
+        if (device.about().reports_always) return;
         while (device.has_report()) device.take_report();
-    else if (device.has_report() && !node->waiting.empty())
+    } else if (device.has_report() && !node->waiting.empty()) {
         poll_later(node);
+    }
 }
 
 void UsbBus::poll_later(const std::shared_ptr<Node>& node) {

@@ -29,7 +29,8 @@ Json field_schema(const sim::Field& field) {
     }
     Json out = {{"description", field.help}};
     if (!field.type.list_of.empty()) {
-        Json list = {{"type", "array"}, {"minItems", 1}, {"uniqueItems", true}};
+        Json list = {{"type", "array"}, {"minItems", 1}};
+        if (!field.type.several) list["uniqueItems"] = true;
         if (field.type.at_most) list["maxItems"] = field.type.at_most;
         list["items"] = one;
         out["anyOf"] = {one, list};

@@ -158,10 +158,13 @@ Ps2Ports ps2_ports(const Numbers& devices) {
 }
 
 UsbPlugs usb_plugs(const Numbers& devices) {
-    UsbPlugs plugs{false, false, false};
-    constexpr std::uint64_t NOTHING = 3;
-    for (const std::uint64_t device : devices)
-        if (device != NOTHING) plugs.set(static_cast<UsbPlug>(device), true);
+    UsbPlugs plugs{{}};
+    constexpr std::uint64_t NOTHING = 4;
+    for (const std::uint64_t device : devices) {
+        if (device == NOTHING) continue;
+        const auto plug = static_cast<UsbPlug>(device);
+        plugs.plug({plug, is_gamepad(plug) ? plugs.free_number() : 0});
+    }
     return plugs;
 }
 

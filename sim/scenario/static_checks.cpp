@@ -53,9 +53,15 @@ void StaticChecks::need(Ps2Plug plug) const {
 
 namespace {
 
-std::string name_of(UsbPlug plug) {
-    constexpr const char* NAMES[] = {"a keyboard", "a mouse", "a gamepad"};
+const char* name_of(UsbPlug plug) {
+    constexpr const char* NAMES[] = {"a keyboard", "a mouse", "a gamepad", "a snes-gamepad"};
     return NAMES[static_cast<std::size_t>(plug)];
+}
+
+std::string numbers_of(const std::vector<UsbPlugged>& gamepads) {
+    std::vector<std::string> numbers;
+    for (const UsbPlugged& one : gamepads) numbers.push_back(fmt::format("pad: {}", one.number));
+    return list_of(numbers);
 }
 
 }  // namespace
@@ -66,15 +72,44 @@ void StaticChecks::need_linux() const {
 
 void StaticChecks::need(UsbPlug plug) const {
     need_linux();
-    if (!usb_.has(plug)) refuse_step(name_of(plug) + " in a USB port", "none");
+    if (!usb_.has(plug)) refuse_step(name_of(plug) + std::string{" in a USB port"}, "none");
 }
 
-void StaticChecks::plug(UsbPlug plug, bool in) {
+UsbPlugged StaticChecks::need_gamepad(std::optional<unsigned> number) const {
     need_linux();
-    if (usb_.has(plug) == in)
-        refuse_step(name_of(plug) + (in ? " that is in no USB port" : " in a USB port"),
-                    in ? "one that is in one" : "none");
-    usb_.set(plug, in);
+    const auto all = usb_.gamepads(), found = usb_.gamepads(number);
+    if (all.empty()) refuse_step("a gamepad in a USB port", "none");
+    if (found.empty())
+        refuse_step("a gamepad that is in a USB port: " + numbers_of(all),
+                    fmt::format("pad: {}", *number));
+    if (found.size() > 1)
+        refuse_step(numbers_of(all) + " in the step, as two gamepads are in USB ports", "neither");
+    return found.front();
+}
+
+void StaticChecks::plug(UsbPlug plug, std::optional<unsigned> number, bool in) {
+    need_linux();
+    const std::string name = name_of(plug);
+    if (number && !is_gamepad(plug))
+        refuse_step(fmt::format("a gamepad with pad: {}", *number), name);
+    if (in && is_gamepad(plug)) {
+        const unsigned free = usb_.free_number();
+        if (free == 0) refuse_step("a gamepad less in the USB ports", "two that are in them");
+        if (!usb_.gamepads(number.value_or(free)).empty())
+            refuse_step(fmt::format("pad: {}, which is free", free),
+                        fmt::format("pad: {}", *number));
+        return usb_.plug({plug, number.value_or(free)});
+    }
+    if (in && usb_.has(plug)) refuse_step(name + " that is in no USB port", "one that is in one");
+    if (in) return usb_.plug({plug});
+    need(plug);
+    std::vector<UsbPlugged> found = usb_.of(plug, number);
+    if (found.empty())
+        refuse_step(name + " in a USB port: " + numbers_of(usb_.of(plug)),
+                    fmt::format("pad: {}", *number));
+    if (found.size() > 1)
+        refuse_step(numbers_of(found) + " in the step, as two of them are in USB ports", "neither");
+    usb_.unplug(found.front());
 }
 
 const PartPlan& StaticChecks::need_part(const std::string& kind, const std::string& name) const {

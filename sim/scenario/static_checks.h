@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 
 #include "sim/scenario/scenario.h"
@@ -23,7 +24,10 @@ public:
     void need(Ps2Plug plug) const;
     // A device on USB, which only a Linux program has.
     void need(UsbPlug plug) const;
-    void plug(UsbPlug plug, bool in);
+    // The gamepad that is meant: that of this number, or the only one.
+    UsbPlugged need_gamepad(std::optional<unsigned> number) const;
+    void plug(UsbPlug plug, std::optional<unsigned> number, bool in);
+    bool is_held(const std::string& control) const { return held_since_.count(control) > 0; }
     // Of a kind as a scenario names it.
     const PartPlan& need_part(const std::string& kind, const std::string& name) const;
 

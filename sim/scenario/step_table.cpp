@@ -5,6 +5,7 @@
 #include <iterator>
 #include <limits>
 
+#include "sim/board/usb_ports.h"
 #include "sim/scenario/part_table.h"
 
 namespace sim {
@@ -45,10 +46,11 @@ const ValueType PS2 = [] {
 }();
 
 const ValueType USB = [] {
-    ValueType type =
-        word("keyboard, mouse, gamepad or nothing", {"keyboard", "mouse", "gamepad", "nothing"});
+    ValueType type = word("keyboard, mouse, gamepad, snes-gamepad or nothing",
+                          {"keyboard", "mouse", "gamepad", "snes-gamepad", "nothing"});
     type.list_of = "device";
-    type.at_most = 3;
+    type.several = {"at most two gamepads in a list", {2, 3}, UsbPlugs::GAMEPADS};
+    type.at_most = 4;
     return type;
 }();
 
@@ -96,9 +98,11 @@ const std::vector<Field>& file_fields() {
          "What is in the first PS/2 port, or a list: in the first and in the second. Without it a "
          "keyboard and a mouse."},
         {"usb", USB, Need::OPTIONAL, "",
-         "What is in the USB host ports from the beginning, or a list, for a Linux program. "
-         "Without "
-         "it a keyboard and a mouse."},
+         "What is in the USB host ports from the beginning, for a Linux program, or a list in the "
+         "order of their ports: at most two of them gamepads, of the same kind or not. Without it "
+         "a keyboard and a mouse. gamepad is 0079:0006 with two sticks, snes-gamepad 0079:0011 "
+         "with a d-pad and eight buttons. Libraries have an order of their own: libusb's list "
+         "begins with the last port."},
         {"parts", PARTS, Need::OPTIONAL, "", "What hangs on the pins of the headers."},
         {"steps", STEPS, Need::OPTIONAL, "", "What happens, in order."},
     };

@@ -8,6 +8,7 @@
 #include <charconv>
 #include <filesystem>
 
+#include "sim/board/usb_ports.h"
 #include "sim/text/words.h"
 
 namespace sim {
@@ -157,6 +158,7 @@ ValueType word(const std::string& expected, const std::vector<std::string>& word
             "", words};
 }
 
+const ValueType PAD = whole_number("the number of a gamepad, 1 or 2", 1, UsbPlugs::GAMEPADS);
 const ValueType HERTZ = decimal_number("a frequency in hertz, 20 to 20000", 20, 20000);
 
 }  // namespace value_types
@@ -191,8 +193,18 @@ Value read_value(const ValueType& type, const YamlNode& node) {
     Numbers numbers;
     for (const YamlNode& item : is_list ? node.items : std::vector<YamlNode>{node}) {
         const auto number = std::get<std::uint64_t>(read_one(type, item));
-        if (std::count(numbers.begin(), numbers.end(), number))
+        const auto is_of = [](const Numbers& all, std::uint64_t one) {
+            return std::count(all.begin(), all.end(), one) > 0;
+        };
+        if (type.several && is_of(type.several->numbers, number)) {
+            const auto before = std::count_if(numbers.begin(), numbers.end(), [&](auto other) {
+                return is_of(type.several->numbers, other);
+            });
+            if (static_cast<std::size_t>(before) == type.several->at_most)
+                refuse(item, type.several->what, "one more");
+        } else if (is_of(numbers, number)) {
             refuse(item, "each " + type.list_of + " once", describe(item) + " again");
+        }
         numbers.push_back(number);
     }
     return numbers;

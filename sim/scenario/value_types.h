@@ -30,11 +30,18 @@ struct ValueType {
     std::size_t at_most = 0;              // entries of a list; 0: no limit
     bool is_path = false;                 // as seen from the scenario's folder
     bool is_opened = false;               // it names a file that the step reads or writes
+    // Of a list: numbers of which there may be more, together so many.
+    struct Several {
+        std::string what;
+        Numbers numbers;
+        std::size_t at_most;
+    };
+    std::optional<Several> several = {};
 };
 
 namespace value_types {
 
-extern const ValueType LINE, PATH, FILE_NAME, TEXT, TIME, SOME_TIME, HERTZ, TO_USB;
+extern const ValueType LINE, PATH, FILE_NAME, TEXT, TIME, SOME_TIME, HERTZ, TO_USB, PAD;
 
 ValueType whole_number(const std::string& expected, std::uint64_t least, std::uint64_t most);
 ValueType decimal_number(const std::string& expected, double least, double most);

@@ -20,6 +20,7 @@ GOOD_FILES = [
     HEAD + "duration: 1s\nparts: [{keypad: 'GPIO_1[6:0], GPIO_0[35]'}]\n",
     HEAD + "duration: 1s\nproject: a/b.qsf\ncpu: arm\nfpga-memory: bridge\naudio-rate: 48000\n",
     HEAD + "duration: 1s\npoints: 3\nvisibility: hidden\n",
+    HEAD + "usb: [snes-gamepad, snes-gamepad]\nsteps:\n  - press-pad-button: {button: A, pad: 2}\n",
     HEAD + """parts:
   - button: {name: fire, pin: "GPIO_1[33]", pressed: high}
   - switch: {name: mode, pin: "GPIO_1[35]"}
@@ -49,6 +50,7 @@ GOOD_STEPS = [
     "press-key: Left", "press-key: 1", "press-key: [Ctrl, c, '/']", "press-key: {key: A, for: 1s}",
     "press-key: {key: A, to: usb}", "type-keys: {text: a, to: usb}", "turn-wheel: {notches: 1}",
     "move-mouse: {right: 1, to: usb}", "plug-usb: gamepad", "unplug-usb: {device: mouse}",
+    "plug-usb: {device: snes-gamepad, pad: 2}",
     "hold-key: F12", "hold-key: {key: [Shift, Numpad5]}",
     "press-remote: volume-up", "press-remote: 5", "press-remote: '5'",
     "move-mouse: {right: -5}", "move-mouse: {right: 5, down: 5000, for: 1s}",
@@ -114,6 +116,7 @@ BAD_STEPS = [
     "move-mouse: {}", "move-mouse: {for: 1s}", "move-mouse: {right: 5001}", "move-mouse: 5",
     "move-mouse: {right: 1.5}", "click-mouse: up", "click-mouse: {for: 1s}", "drag-mouse: {}",
     "turn-wheel: 9", "turn-wheel: fast", "press-key: {key: a, to: hand}", "plug-usb: hub",
+    "plug-usb: {device: gamepad, pad: 3}",
     "move-stick: left",
     "press-pad-button: C", "move-stick: {right: 5}", "move-stick: {stick: left, right: 101}",
     "press: {key: HPS}", "expect-hps-led: on", "expect-hps-led: {}", "set-pins: {level: low}",

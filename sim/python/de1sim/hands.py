@@ -54,13 +54,13 @@ class Hands:
     def click_mouse(self, button="left", to=None):
         self.step({"click-mouse": _without_none(button=button, to=to)})
 
-    def press_pad_button(self, button, for_=None):
-        """Of the USB gamepad."""
-        self.step({"press-pad-button": _without_none(button=button, **{"for": for_})})
+    def press_pad_button(self, button, for_=None, pad=None):
+        """Of a USB gamepad; where there are two, of the pad 1 or 2."""
+        self.step({"press-pad-button": _without_none(button=button, pad=pad, **{"for": for_})})
 
-    def move_stick(self, stick, right=0, down=0):
+    def move_stick(self, stick, right=0, down=0, pad=None):
         """In percent; it stays there."""
-        self.step({"move-stick": {"stick": stick, "right": right, "down": down}})
+        self.step({"move-stick": _without_none(stick=stick, right=right, down=down, pad=pad)})
 
     def tilt_board(self, right=0, towards=0):
         """Degrees; the accelerometer feels it."""

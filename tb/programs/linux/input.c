@@ -1,4 +1,4 @@
-// input.c WHAT - the keyboard, the mouse and the gamepad on USB as Linux' input devices
+// input.c WHAT - the keyboard, the mouse and gamepads on USB as Linux' input devices
 #include <dirent.h>
 #include <errno.h>
 #include <fcntl.h>
@@ -73,6 +73,7 @@ static void describe(const char* path) {
     const int fd = open(path, O_RDWR);
     ioctl(fd, EVIOCGNAME(sizeof text), text);
     ioctl(fd, EVIOCGID, &id);
+    const int is_keyboard = strstr(text, "Keyboard") != NULL;
     printf("%s, %x %04x:%04x %04x,", text, id.bustype, id.vendor, id.product, id.version);
     ioctl(fd, EVIOCGPHYS(sizeof text), text);
     printf(" %s,", text);
@@ -80,7 +81,7 @@ static void describe(const char* path) {
     printf(", repeats %s", error_of(ioctl(fd, EVIOCGREP, numbers)));
     printf(" %u %u\n", numbers[0], numbers[1]);
     bits(fd, "types", 0);
-    if (strstr(path, "event0") == NULL) bits(fd, "keys", EV_KEY);
+    if (!is_keyboard) bits(fd, "keys", EV_KEY);
     bits(fd, "movements", EV_REL);
     bits(fd, "axes", EV_ABS);
     bits(fd, "lamps", EV_LED);
@@ -118,8 +119,9 @@ static void print_event(int fd) {
         printf("%s\n", error_of(-1));
         return;
     }
-    printf("%u %d %d %d\n", (unsigned)(event.input_event_sec * 1000 + event.input_event_usec / 1000),
-           event.type, event.code, event.value);
+    printf("%u %d %d %d\n",
+           (unsigned)(event.input_event_sec * 1000 + event.input_event_usec / 1000), event.type,
+           event.code, event.value);
 }
 
 // Who grabs a device hears it alone; what is asked for is not told again.
@@ -221,6 +223,37 @@ static void gamepad(void) {
     } while (event.type != EV_KEY || event.value != 0);
 }
 
+// Two gamepads as joysticks, until the first is unplugged and both are let go of.
+static void pads(void) {
+    struct js_event event;
+    describe("/dev/input/event0");
+    describe("/dev/input/event1");
+    struct pollfd files[2] = {{open("/dev/input/js0", O_RDONLY), POLLIN, 0},
+                              {open("/dev/input/js1", O_RDONLY), POLLIN, 0}};
+    for (int i = 0; i < 2; ++i) {
+        uint8_t axes, buttons;
+        ioctl(files[i].fd, JSIOCGAXES, &axes);
+        ioctl(files[i].fd, JSIOCGBUTTONS, &buttons);
+        printf("js%d: %d axes, %d buttons\n", i, axes, buttons);
+    }
+    printf("ready\n");
+    while (poll(files, 2, 150) > 0) {
+        for (int i = 0; i < 2; ++i) {
+            if (files[i].revents == 0) continue;
+            if (read(files[i].fd, &event, sizeof event) < 0) {
+                printf("js%d %s\n", i, error_of(-1));
+                files[i].fd = -1;
+            } else if (!(event.type & JS_EVENT_INIT)) {
+                printf("js%d %s %d: %d\n", i, event.type == JS_EVENT_AXIS ? "axis" : "button",
+                       event.number, event.value);
+            } else if (event.value != 0) {
+                printf("js%d has %d at first\n", i, event.value);
+            }
+        }
+    }
+    list("/dev/input/by-id", 1);
+}
+
 int main(int argc, char** argv) {
     const char* what = argc > 1 ? argv[1] : "";
     setvbuf(stdout, NULL, _IOLBF, 0);
@@ -231,5 +264,6 @@ int main(int argc, char** argv) {
     if (strcmp(what, "pulls") == 0) pulls();
     if (strcmp(what, "joystick") == 0) joystick();
     if (strcmp(what, "gamepad") == 0) gamepad();
+    if (strcmp(what, "pads") == 0) pads();
     return 0;
 }

@@ -47,8 +47,9 @@ static void lists(void) {
             attribute(name, "bInterfaceClass");
             attribute(name, "bInterfaceProtocol");
         } else {
-            static const char* const NAMES[] = {"busnum", "devnum", "speed", "bConfigurationValue",
-                                                "idVendor", "idProduct", "product"};
+            static const char* const NAMES[] = {
+                "busnum",   "devnum",    "speed",  "bConfigurationValue",
+                "idVendor", "idProduct", "product"};
             for (unsigned n = 0; n < sizeof NAMES / sizeof *NAMES; ++n) attribute(name, NAMES[n]);
         }
         printf("\n");
@@ -190,6 +191,49 @@ static void gamepad(void) {
     for (int i = 0; i < 4; ++i) free(submit(fd, 7)), reap(fd);
 }
 
+// By the kind of request that libusb's interrupt transfers become.
+static int receive(int fd, uint8_t* data, int room) {
+    struct usbdevfs_bulktransfer bulk = {0x81, room, 1000, data};
+    return ioctl(fd, USBDEVFS_BULK, &bulk);
+}
+
+static void snes(void) {
+    uint8_t data[256];
+    const int fd = take("/dev/bus/usb/001/003");
+    print(data, (int)read(fd, data, 18));
+    print(data, (int)read(fd, data, sizeof data));
+    print(data, control(fd, 0x81, 6, 0x2200, 0, sizeof data, data));
+    print(data, control(fd, 0x80, 6, 0x0302, 0x409, sizeof data, data));
+    receive(fd, data, 8);
+    const long before = ms();
+    for (int i = 0; i < 10; ++i) receive(fd, data, 8);
+    printf("ten reports in %ld ms\n", ms() - before);
+    print(data, 8);
+    print(data, receive(fd, data, 7));
+    print(data, receive(fd, data, 20));
+}
+
+// What two gamepads report, when it is something else.
+static void pads(void) {
+    uint8_t last[2][8] = {{0}, {0}}, data[8];
+    const char* const nodes[2] = {"/dev/bus/usb/001/003", "/dev/bus/usb/001/004"};
+    const int fds[2] = {take(nodes[0]), take(nodes[1])};
+    for (int seen = 0;;) {
+        for (int i = 0; i < 2; ++i) {
+            const int bytes = receive(fds[i], data, 8);
+            if (bytes < 0) {
+                printf("pad %d %s\n", i + 1, error_of(bytes));
+                return;
+            }
+            if (memcmp(data, last[i], 8) == 0) continue;
+            memcpy(last[i], data, 8);
+            printf("pad %d: ", i + 1);
+            print(data, bytes);
+            if (++seen == 2) printf("ready\n");
+        }
+    }
+}
+
 static void pulls(void) {
     const int fd = take("/dev/bus/usb/001/003");
     void* urb;
@@ -232,6 +276,8 @@ int main(int argc, char** argv) {
     if (strcmp(what, "keyboard") == 0) keyboard();
     if (strcmp(what, "mouse") == 0) mouse();
     if (strcmp(what, "gamepad") == 0) gamepad();
+    if (strcmp(what, "snes") == 0) snes();
+    if (strcmp(what, "pads") == 0) pads();
     if (strcmp(what, "pulls") == 0) pulls();
     if (strcmp(what, "hears") == 0) hears();
     return 0;

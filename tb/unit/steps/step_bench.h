@@ -11,6 +11,7 @@
 #include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <gmock/gmock.h>
 
 #include "sim/board/adv7180.h"
@@ -64,17 +65,10 @@ public:
                 fmt::format("USB button {} {}", static_cast<int>(button), down ? "down" : "up"));
         };
         usb.mouse.on_hand(hand);
-        sim::UsbGamepad::Listener thumbs;
-        thumbs.button = [this](unsigned number, bool down) {
-            done.push_back(fmt::format("pad button {} {}", number, down ? "down" : "up"));
-        };
-        thumbs.axes = [this] {
-            const auto sticks = usb.gamepad.sticks();
-            const auto pad = usb.gamepad.pad();
-            done.push_back(fmt::format("pad {} {} {} {}, {} {}", sticks[0], sticks[1], sticks[2],
-                                       sticks[3], pad[0], pad[1]));
-        };
-        usb.gamepad.on_hand(thumbs);
+        for (std::size_t i = 0; i < usb.gamepads.size(); ++i) {
+            hear(i == 0 ? "pad" : "pad 2", usb.gamepads[i]);
+            hear(i == 0 ? "snes" : "snes 2", usb.snes_gamepads[i]);
+        }
     }
 
     std::vector<std::string> done;  // "wait 80ms"
@@ -98,12 +92,17 @@ public:
                                              },
                                              [] {}});
         const std::initializer_list<std::pair<const char*, sim::Part&>> OF_THE_BOARD{
-            {"PS/2 keyboard", keyboard},      {"PS/2 mouse", mouse},
-            {"remote control", remote},       {"LINE IN", line_in},
-            {"microphone input", microphone}, {"video decoder", decoder},
-            {"AD converter", converter},      {"motion sensor", motion},
-            {"USB keyboard", usb.keyboard},   {"USB mouse", usb.mouse},
-            {"USB gamepad", usb.gamepad}};
+            {"PS/2 keyboard", keyboard},
+            {"PS/2 mouse", mouse},
+            {"remote control", remote},
+            {"LINE IN", line_in},
+            {"microphone input", microphone},
+            {"video decoder", decoder},
+            {"AD converter", converter},
+            {"motion sensor", motion},
+            {"USB keyboard", usb.keyboard},
+            {"USB mouse", usb.mouse},
+            {"USB ports", usb}};
         for (const auto& [name, part] : OF_THE_BOARD) parts->add(name, part);
         done.clear();
     }
@@ -111,7 +110,7 @@ public:
     sim::Agenda agenda;
     sim::Ps2Keyboard keyboard{agenda, [] {}};
     sim::Ps2Mouse mouse{agenda, [] {}};
-    sim::UsbPorts usb{agenda, {true, true, true}};
+    sim::UsbPorts usb{agenda, {}};
     std::vector<std::uint64_t> remote_ps;  // when it begins and ends to send light
     sim::RemoteControl remote{agenda, [this] { remote_ps.push_back(agenda.now_ps()); }};
     sim::SoundSource line_in, microphone;
@@ -172,6 +171,16 @@ public:
 private:
     static constexpr std::uint64_t MS = 1'000'000'000;  // in ps
 
+    void hear(const std::string& name, sim::UsbGamepad& gamepad) {
+        sim::UsbGamepad::Listener thumbs;
+        thumbs.button = [this, name](unsigned number, bool down) {
+            done.push_back(fmt::format("{} button {} {}", name, number, down ? "down" : "up"));
+        };
+        thumbs.axes = [this, name, &gamepad] {
+            done.push_back(fmt::format("{} {}", name, fmt::join(gamepad.axes(), " ")));
+        };
+        gamepad.on_hand(thumbs);
+    }
     sim::Part& any_part(const std::string& name) override { return parts->get(name); }
     void pass(std::uint64_t until_ps) {
         while (now_ps_ < until_ps) {
