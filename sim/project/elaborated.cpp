@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <map>
+#include <optional>
 #include <set>
 #include <utility>
 
@@ -17,6 +18,7 @@ namespace sim::project {
 
 namespace {
 
+const std::vector<PinClocks::PortBit> NO_PINS;
 constexpr long long MOST_BITS = 1024;  // in a port; the chip has 457 pins for all
 
 // The value of a constant as Verilator prints it: 64'h1f, 32'sh2.
@@ -164,6 +166,7 @@ Elaborated read_elaborated(const std::filesystem::path& file, const std::string&
 
     Elaborated design;
     const std::set<std::string> taps = used_taps(netlist);
+    std::optional<PinClocks> pin_clocks;
     for (const auto& module : netlist.children("module")) {
         if (top == module.attribute("origName").value()) {
             std::map<int, Port> ports;
@@ -178,11 +181,16 @@ Elaborated read_elaborated(const std::filesystem::path& file, const std::string&
             for (const auto& var : module.children("var"))
                 if (var.attribute("param"))
                     values[var.attribute("origName").value()] = value_of(var);
-            const PllClock clock{values["PERIOD_FS"], values["PHASE_FS"], values["HIGH_FS"],
-                                 values["SETTABLE"] != 0};
-            const auto& all = design.pll_clocks;
-            if (clock.period_fs && std::find(all.begin(), all.end(), clock) == all.end())
-                design.pll_clocks.push_back(clock);
+            if (!pin_clocks) pin_clocks.emplace(netlist);
+            const PllClock clock{
+                values["PERIOD_FS"], values["PHASE_FS"], values["HIGH_FS"], values["SETTABLE"] != 0,
+                pin_clocks->driven_by(module.attribute("name").value()).value_or(NO_PINS)};
+            auto& all = design.pll_clocks;
+            const auto same = std::find(all.begin(), all.end(), clock);
+            if (same != all.end())
+                same->pins.clear();
+            else if (clock.period_fs)
+                all.push_back(clock);
         }
     }
     design.init_files = init_files_of(document.child("verilator_xml"));

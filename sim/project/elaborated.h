@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "sim/project/board_pins.h"
+#include "sim/project/pin_clocks.h"
 
 namespace sim::project {
 
@@ -22,6 +23,8 @@ struct Port {
 struct PllClock {
     std::uint64_t period_fs, phase_fs, high_fs;
     bool is_settable;  // the design can change it
+    // The top's outputs that it drives and nothing else in the design sees; else empty.
+    std::vector<PinClocks::PortBit> pins;
     bool operator==(const PllClock& o) const {
         return period_fs == o.period_fs && phase_fs == o.phase_fs && high_fs == o.high_fs &&
                is_settable == o.is_settable;

@@ -1,6 +1,7 @@
 #include "sim/project/generated.h"
 
 #include <algorithm>
+#include <map>
 #include <set>
 #include <sstream>
 
@@ -18,6 +19,23 @@ std::string escaped(const std::string& text) {
     std::string safe;
     for (const char c : text) safe += (c == '"' || c == '\\' ? "\\" : "") + std::string{c};
     return safe;
+}
+
+// Bits of clocks_o, if the clock drives these pins and nothing else; else 0.
+unsigned clock_pins(const PllClock& clock, const Binding& binding) {
+    static const std::map<std::string, unsigned> BITS{
+        {"AUD_XCK", 1}, {"DRAM_CLK", 2}, {"VGA_CLK", 4}};
+    unsigned pins = 0;
+    for (const auto& [name, bit] : clock.pins) {
+        const auto bound = std::find_if(binding.ports.begin(), binding.ports.end(),
+                                        [&](const auto& port) { return port.port.name == name; });
+        if (bound == binding.ports.end()) return 0;
+        const std::string& wire = bound->bits.at(bound->bits.size() - 1 - bit).wire;
+        const auto found = BITS.find(wire);
+        if (!wire.empty() && found == BITS.end()) return 0;
+        if (!wire.empty()) pins |= found->second;
+    }
+    return pins;
 }
 
 }  // namespace
@@ -68,10 +86,10 @@ std::string facts_text(const Project& project, const Elaborated& elaborated,
         "// Written by de1sim.\n#pragma once\n"
         "constexpr sim::project::PllTimes PLL_CLOCKS[] = {";
     for (const PllClock& clock : elaborated.pll_clocks)
-        text += fmt::format("{{{}ull, {}ull, {}ull}}, ", clock.period_fs, clock.phase_fs,
-                            clock.high_fs);
+        text += fmt::format("{{{}ull, {}ull, {}ull, {}}}, ", clock.period_fs, clock.phase_fs,
+                            clock.high_fs, clock_pins(clock, binding));
     return text + fmt::format(
-                      "{{0, 0, 0}}}};\nconstexpr unsigned PLL_CLOCK_COUNT = {};\n"
+                      "{{0, 0, 0, 0}}}};\nconstexpr unsigned PLL_CLOCK_COUNT = {};\n"
                       "constexpr bool TD_CLK27_USED = {}, VGA_USED = {};\n"
                       "constexpr bool AUD_XCK_USED = {}, AUD_CLOCKS_DRIVEN = {};\n"
                       "constexpr const char* SOURCE_FOLDERS[] = {{{}\"\"}};\n"

@@ -63,6 +63,56 @@ class Dac(Case):
         self.assertIn("VGA_CLK does not rise", done.stderr)
 
 
+class PinClock(Case):
+    """A PLL's clock that goes to a pin, straight."""
+
+    DESIGN = """\
+module wiz(input refclk, output a, b);
+altera_pll #(.number_of_clocks(2), .output_clock_frequency0("50.0 MHz"),
+             .output_clock_frequency1("12.5 MHz")) pll (
+    .refclk(refclk), .rst(1'b0), .outclk({b, a}));
+endmodule
+module counter(input clk, output reg [9:0] n = 0);
+always @(posedge clk) if (!(&n)) n <= n + 1;
+endmodule
+module top(input CLOCK_50, input [9:0] SW, output [9:0] LEDR, output AUD_XCK);
+wire a, b;
+reg was = 0;
+wiz w(.refclk(CLOCK_50), .a(a), .b(b));
+assign AUD_XCK = b;
+USE
+endmodule
+"""
+    USES = {"by_a_block": "reg [9:0] n = 0; always @(posedge b) if (!(&n)) n <= n + 1;\n"
+                          "assign LEDR = n;",
+            "by_its_fall": "reg [9:0] n = 0; always @(negedge b) if (!(&n)) n <= n + 1;\n"
+                           "assign LEDR = n;",
+            "below": "counter c(.clk(b), .n(LEDR));",
+            "behind_the_pin": "counter c(.clk(AUD_XCK), .n(LEDR));",
+            "in_a_vector": "wire [1:0] both = {a, b}; counter c(.clk(both[0]), .n(LEDR));",
+            "gated": "counter c(.clk(b && !SW[0]), .n(LEDR));",
+            "as_data": "always @(posedge CLOCK_50) was <= b;\n"
+                       "counter c(.clk(was), .n(LEDR));",
+            "in_a_generate": "generate if (1) begin : g wire c; assign c = b; end endgenerate\n"
+                             "counter c(.clk(g.c), .n(LEDR));"}
+
+    def test_is_seen_by_the_design_too_where_that_uses_it(self):
+        for name, use in self.USES.items():
+            with self.subTest(name):
+                self.write(top_v=self.DESIGN.replace("USE", use))
+                self.leds(0x3FF)
+
+    def test_stands_while_its_pll_is_in_reset(self):
+        held = FORMS[:FORMS.index("assign VGA_CLK")] + "assign VGA_CLK = pll_clk;\n" + \
+            FORMS[FORMS.index("wire shown"):]
+        self.write(top_v=held.replace("1'b0), .outclk", "SW[5]), .outclk"))
+        self.assertNotIn("VGA_CLK", self.plays("delay: 100ms").stderr)
+        self.assertGreater(self.report()["frames"]["shown"], 0)
+        done = self.plays("hold: {switch: 5}", "delay: 60ms")
+        self.assertEqual(self.report()["frames"]["shown"], 0)
+        self.assertIn("VGA_CLK does not rise", done.stderr)
+
+
 class Sdram(Case):
     DESIGN = """\
 module top(input CLOCK_50, input [9:0] SW, output reg [9:0] LEDR, output DRAM_CLK, %s

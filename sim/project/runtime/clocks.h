@@ -1,4 +1,7 @@
 // clocks.h - when the clock inputs of de1sim_chip move: CLOCK_50, the video decoder's, the PLLs'.
+//
+// A clock of a PLL that drives pins of the chip alone moves nothing in the design.  Its input is
+// held high, so that the design shows whether it lets the clock through to the pin.
 #pragma once
 
 #include <algorithm>
@@ -24,7 +27,9 @@ public:
             const PllTimes& pll = design.pll_clocks[n];
             const bool pulses = pll.high_fs > 0 && pll.high_fs < pll.period_fs;
             add(CLOCK_50_FS + pll.phase_fs, pll.period_fs, pulses ? pll.high_fs : pll.period_fs / 2,
-                n);
+                n, pll.pins);
+            if (pll.pins) held_ |= std::uint64_t{1} << n;
+            pins_ |= pll.pins;
         }
         for (const Clock& clock : clocks_) next_fs_ = std::min(next_fs_, clock.next_fs);
     }
@@ -42,34 +47,51 @@ public:
     // When the next of them moves.
     std::uint64_t next_fs() const { return next_fs_; }
 
-    // Calls move(number, rises) for each that moves then: a PLL's clock, or one of the above.
+    // Of pll_clocks_i, and the bits of clocks_o that belong to them.
+    std::uint64_t held() const { return held_; }
+    unsigned pins() const { return pins_; }
+
+    struct Edges {
+        bool seen;             // by the design
+        unsigned rising_pins;  // of pins()
+    };
+    // Calls move(number, rises) for each that moves then and is not held: a PLL's clock, or one of
+    // the above.
     template <class Move>
-    void edges(Move move) {
+    Edges edges(Move move) {
         const std::uint64_t now_fs = next_fs_;
         std::uint64_t next_fs = NEVER;
+        Edges edges{false, 0};
         for (Clock& clock : clocks_) {
             if (clock.next_fs == now_fs) {
                 clock.high = !clock.high;
                 clock.next_fs += clock.high ? clock.high_fs : clock.low_fs;
-                move(clock.number, clock.high);
+                if (clock.pins) {
+                    edges.rising_pins |= clock.high ? clock.pins : 0;
+                } else {
+                    edges.seen = true;
+                    move(clock.number, clock.high);
+                }
             }
             next_fs = std::min(next_fs, clock.next_fs);
         }
         next_fs_ = next_fs;
+        return edges;
     }
 
 private:
     struct Clock {
         std::uint64_t next_fs, high_fs, low_fs;
-        unsigned number;
+        unsigned number, pins;
         bool high;
     };
     void add(std::uint64_t rises_fs, std::uint64_t period_fs, std::uint64_t high_fs,
-             unsigned number) {
-        clocks_.push_back({rises_fs, high_fs, period_fs - high_fs, number, false});
+             unsigned number, unsigned pins = 0) {
+        clocks_.push_back({rises_fs, high_fs, period_fs - high_fs, number, pins, false});
     }
 
-    std::uint64_t next_fs_ = NEVER;
+    std::uint64_t next_fs_ = NEVER, held_ = 0;
+    unsigned pins_ = 0;
     std::vector<Clock> clocks_;
 };
 

@@ -89,6 +89,7 @@ public:
 
 struct PllTimes {
     std::uint64_t period_fs, phase_fs, high_fs;
+    unsigned pins;  // bits of clocks_o, if it drives these alone; else 0
 };
 
 struct DesignFacts {

@@ -66,6 +66,7 @@ public:
         set_processor_memory(settings.memory);
         evaluated = {&ending_, settings.report, 0};
         clocks_of_design = &clocks_;
+        top_.pll_clocks_i = clocks_.held();
         const InFolder in_folder{settings.folder};  // where the design's files are
         eval();
         clocks_high_ = top_.clocks_o;  // what is high has not risen
@@ -181,9 +182,10 @@ private:
     // What happens at the same time at several clocks happens in one evaluation.
     void edge() {
         now_fs_ = clocks_.next_fs();
-        clocks_.edges([this](unsigned number, bool rises) { move(number, rises); });
-        eval();
-        look();
+        const Clocks::Edges edges =
+            clocks_.edges([this](unsigned number, bool rises) { move(number, rises); });
+        edges.seen ? eval() : note_pins();
+        look(edges.rising_pins);
         if (now_fs_ > xck_quiet_fs_) notify_xck(0);
         if (look_) settle();
     }
@@ -258,7 +260,7 @@ private:
 
     void eval() {
         const std::uint64_t now = evaluated.time_ps = now_ps();
-        before_ = {top_.vga_o, top_.dram_o, top_.dram_dq_o};
+        note_pins();
         try {
             design_->eval(now);
         } catch (const Diverged& error) {
@@ -269,8 +271,12 @@ private:
             design_->dump(dumped_ps_ = std::max(now, dumped_ps_ + 1));
     }
 
-    void look() {
-        const unsigned clocks = top_.clocks_o, rises = clocks & ~clocks_high_;
+    void note_pins() { before_ = {top_.vga_o, top_.dram_o, top_.dram_dq_o}; }
+
+    // `pins`: those that clocks_ has let rise, where the design lets them through.
+    void look(unsigned pins = 0) {
+        const unsigned clocks = top_.clocks_o;
+        const unsigned rises = (clocks & ~clocks_high_ & ~clocks_.pins()) | (clocks & pins);
         clocks_high_ = clocks;
         if (rises) clocks_rise(rises);
         // One decision where nothing has moved, as at most edges.
