@@ -48,17 +48,15 @@ if(DE1SIM_COVERAGE)
     target_link_options(verilated_runtime INTERFACE LINKER:--wrap=_ZN13VerilatedSymsD2Ev)
 endif()
 
-# verilate_rtl(TARGET TOP [PREFIX class] [TRACE_FST] [FOR_TEST] SOURCES files under rtl/...
+# verilate_rtl(TARGET TOP [TRACE_FST] [FOR_TEST] SOURCES files under rtl/...
 #     ARGS for Verilator...)
 #
-# Adds class V<TOP>, or the one named, to the target; FOR_TEST, where it runs for milliseconds, as
-# one source, little optimised.  Paths are relative, because Verilator 5.006 stumbles over blanks in
+# Adds class V<TOP> to the target; FOR_TEST, where it runs for milliseconds, as one source, little
+# optimised.  Paths are relative, because Verilator 5.006 stumbles over blanks in
 # those of its sources.
 function(verilate_rtl target top)
-    cmake_parse_arguments(arg "TRACE_FST;FOR_TEST" "PREFIX" "SOURCES;ARGS" ${ARGN})
-    if(NOT arg_PREFIX)
-        set(arg_PREFIX V${top})
-    endif()
+    cmake_parse_arguments(arg "TRACE_FST;FOR_TEST" "" "SOURCES;ARGS" ${ARGN})
+    set(class V${top})
     file(RELATIVE_PATH rtl ${CMAKE_CURRENT_SOURCE_DIR} ${CMAKE_SOURCE_DIR}/rtl)
     list(TRANSFORM arg_SOURCES PREPEND ${rtl}/)
     list(TRANSFORM RTL_INCLUDES PREPEND -I${rtl}/ OUTPUT_VARIABLE includes)
@@ -82,16 +80,16 @@ function(verilate_rtl target top)
         set(flags OPT_FAST ${unchecked} OPT_SLOW -O0 ${unchecked})  # slow: what runs once
     endif()
     # What was made from a file that is gone would ask for it in each configuration.
-    set(folder ${CMAKE_CURRENT_BINARY_DIR}/CMakeFiles/${target}.dir/${arg_PREFIX}.dir)
-    set(made ${folder}/${arg_PREFIX}_copy.cmake)
+    set(folder ${CMAKE_CURRENT_BINARY_DIR}/CMakeFiles/${target}.dir/${class}.dir)
+    set(made ${folder}/${class}_copy.cmake)
     include(${made} OPTIONAL)
-    foreach(file ${${arg_PREFIX}_DEPS})
+    foreach(file ${${class}_DEPS})
         get_filename_component(file ${file} ABSOLUTE)
         if(NOT EXISTS ${file})
             file(REMOVE ${made})
         endif()
     endforeach()
-    verilate(${target} ${trace} ${coverage} ${flags} PREFIX ${arg_PREFIX} TOP_MODULE ${top}
+    verilate(${target} ${trace} ${coverage} ${flags} PREFIX ${class} TOP_MODULE ${top}
         SOURCES ${arg_SOURCES} VERILATOR_ARGS -Wall ${warnings} ${includes} ${arg_ARGS})
     get_target_property(sources ${target} SOURCES)
     list(REMOVE_ITEM sources ${RUNTIME_SOURCES})

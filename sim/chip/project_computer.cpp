@@ -13,6 +13,9 @@ namespace {
 constexpr std::size_t MOST_STRAYS = 20;
 constexpr unsigned MANY_RESETS = 10;
 const sc_core::sc_time longest_reset{20, sc_core::SC_MS};
+// From the end of the FPGA's configuration to the program's first instruction.  On the board it is
+// longer; by then PLLs have locked, and a slow clock's synchronizer has let go of its reset.
+const sc_core::sc_time program_begins{100, sc_core::SC_US};
 
 const char* name_of(unsigned reset_requests) {
     return reset_requests & project::Model::COLD ? "f2h_cold_rst_req_n" : "f2h_warm_rst_req_n";
@@ -51,6 +54,11 @@ ProjectComputer::ProjectComputer(const sc_core::sc_module_name& name, PinListene
     SC_METHOD(report_held_reset);
     sensitive << reset_held_;
     dont_initialize();
+    SC_METHOD(release_processor);
+    sensitive << program_begins_;
+    dont_initialize();
+    cpu.hold_in_reset(true);
+    program_begins_.notify(program_begins);
 }
 
 void ProjectComputer::general_purpose(std::uint32_t gpo, const sc_core::sc_time& now) {
@@ -69,7 +77,7 @@ void ProjectComputer::request_reset(unsigned requests) {
     const bool held = requests & (Model::COLD | Model::WARM);
     reset_held_.cancel();
     if (held) reset_held_.notify(longest_reset);
-    cpu.hold_in_reset(held);
+    release_processor();
     if (begins & Model::DEBUG) hps.reset_manager.reset(ResetManager::DEBUG_BY_FPGA);
     if (!(begins & (Model::COLD | Model::WARM))) return;
     const sc_core::sc_time now = sc_core::sc_time_stamp();
@@ -81,6 +89,11 @@ void ProjectComputer::request_reset(unsigned requests) {
             resets_, name_of(requests)));
     hps.reset_manager.reset(begins & Model::COLD ? ResetManager::COLD_BY_FPGA
                                                  : ResetManager::WARM_BY_FPGA);
+}
+
+void ProjectComputer::release_processor() {
+    const bool held = reset_requests_ & (project::Model::COLD | project::Model::WARM);
+    cpu.hold_in_reset(held || sc_core::sc_time_stamp() < program_begins);
 }
 
 void ProjectComputer::report_held_reset() {

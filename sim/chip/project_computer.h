@@ -52,6 +52,7 @@ private:
     void general_purpose(std::uint32_t gpo, const sc_core::sc_time& now) override;
     std::uint32_t general_purpose(const sc_core::sc_time& now) override;
     void request_reset(unsigned requests);
+    void release_processor();
     void report_held_reset();
     void sent(unsigned number, char character) override;
     std::optional<char> typed(unsigned number) override;
@@ -63,7 +64,7 @@ private:
     std::deque<char> typed_[2];  // at the JTAG UARTs
     std::set<std::string> reported_;
     unsigned reset_requests_ = 0, resets_ = 0;
-    sc_core::sc_event reset_held_;
+    sc_core::sc_event reset_held_, program_begins_;
     sc_core::sc_time last_reset_;
 };
 

@@ -135,6 +135,7 @@ void ArmCpu::start() {
 
 void ArmCpu::run() {
     process_ = sc_core::sc_get_current_process_handle();
+    while (held_) pause(released_, sc_core::sc_max_time() - sc_core::sc_time_stamp());
     if (!kernel_) {
         map(0, 0xFFFFFFFF);
         load();

@@ -97,8 +97,8 @@ public:
     AxiResponse await_write(Bridge bridge, std::uint64_t clocks);
 
     // The on-chip memory's 256 KB, without its ports and in no time.  has_memory(): this build can;
-    // one that knows the model's ports alone (DE1SIM_PORTS_ALONE: the netlist, the whole chip)
-    // cannot, and then the other two do nothing.
+    // one that knows the model's ports alone (DE1SIM_PORTS_ALONE: the netlist) cannot, and then the
+    // other two do nothing.
     bool has_memory() const;
     void read_onchip(std::uint32_t offset, std::uint8_t* data, unsigned bytes) const;
     void write_onchip(std::uint32_t offset, const std::uint8_t* data, unsigned bytes);

@@ -18,7 +18,7 @@ void Vfpga___024root___eval(Vfpga___024root *);  // which none of the model's he
 #include "verilated_fst_c.h"
 #endif
 // Whether the model shows what fabric.vlt names.
-#if !defined DE1SIM_PORTS_ALONE && !defined DE1SIM_EVERY_CLOCK && !defined DE1SIM_TRACE
+#if !defined DE1SIM_PORTS_ALONE && !defined DE1SIM_TRACE
 #define DE1SIM_KNOWS_CALM
 #endif
 
@@ -61,7 +61,7 @@ struct Fabric::Model {
     bool every_clock = true;
     VerilatedFstC waveforms;
     Trace trace;
-#elif defined DE1SIM_EVERY_CLOCK
+#elif defined DE1SIM_PORTS_ALONE
     static constexpr bool every_clock = true;
 #else
     static constexpr bool every_clock = false;
@@ -70,7 +70,7 @@ struct Fabric::Model {
     void clock_every(bool every);
     // What a fabric whose groups sleep says and hears.  One in which all clocks run has no such
     // pins.
-#ifdef DE1SIM_EVERY_CLOCK
+#ifdef DE1SIM_PORTS_ALONE
     bool td_awake() const { return true; }
     bool pins_may_move() const { return true; }
     std::uint64_t rest() const { return 0; }

@@ -39,9 +39,16 @@ void refuse_foreign_functions(const fs::path& objects) {
                 " runs code of this machine, which no board has; take it out"};
 }
 
+// de1sim's own project, in which a link to de1sim's data would lead back to itself.
+bool is_in_data(const fs::path& folder) {
+    const fs::path data = fs::weakly_canonical(data_folder() / "rtl/board");
+    const std::string below = fs::weakly_canonical(folder).lexically_relative(data).string();
+    return !below.empty() && below.compare(0, 2, "..") != 0;
+}
+
 // Where the project's folder cannot be written to, the user's cache.
 fs::path place_for(const fs::path& folder) {
-    if (is_writable(folder)) return folder / ".de1sim";
+    if (is_writable(folder) && !is_in_data(folder)) return folder / ".de1sim";
     const fs::path cache = user_cache();
     return (cache.empty() ? fs::temp_directory_path() / "de1sim" : cache) /
            hash_of(folder.string());
