@@ -15,7 +15,7 @@ else()
 endif()
 set(DE1SIM_ARM_ENGINE ${default_engine} CACHE STRING "dynarmic, or unicorn, which is slower")
 
-add_library(arm_core STATIC)
+add_library(arm_core STATIC transferred_words.cpp)
 target_include_directories(arm_core PUBLIC ${CMAKE_SOURCE_DIR})
 target_link_libraries(arm_core PRIVATE warnings_strict)
 if(DE1SIM_ARM_ENGINE STREQUAL dynarmic)
