@@ -51,22 +51,23 @@ module cyclonev_hps_interface_hps2fpga_light_weight (
     // verilator lint_on UNUSED
     de1sim_hps_axi #(.FULL(0), .ADDRESS_BITS(21)) bridge (
         .clk(clk), .size_i(2'd0),
-        .awaddr(awaddr), .awsize(awsize), .awvalid(awvalid), .awready(awready),
-        .wdata(wdata_wide), .wstrb(wstrb_wide), .wvalid(wvalid), .wready(wready), .bvalid(bvalid),
-        .araddr(araddr), .arsize(arsize), .arvalid(arvalid), .arready(arready),
-        .rdata({96'd0, rdata}), .rvalid(rvalid)
+        .id(awid), .addr(awaddr), .len(awlen), .size(awsize), .burst(awburst), .lock(awlock),
+        .cache(awcache), .prot(awprot),
+        .awvalid(awvalid), .awready(awready),
+        .wdata(wdata_wide), .wstrb(wstrb_wide), .wlast(wlast), .wvalid(wvalid), .wready(wready),
+        .bid(bid), .bvalid(bvalid),
+        .arvalid(arvalid), .arready(arready),
+        .rid(rid), .rdata({96'd0, rdata}), .rlast(rlast), .rvalid(rvalid)
     );
 
     assign wdata = wdata_wide[31:0];
     assign wstrb = wstrb_wide[3:0];
-    assign {awid, wid, arid} = 36'd0;
-    assign {awlen, arlen} = 8'd0;
-    assign {awburst, arburst} = {2'b01, 2'b01};
-    assign {awlock, awcache, awprot, arlock, arcache, arprot} = 18'd0;
-    assign wlast = wvalid;
+    assign wid = awid;
+    assign {arid, araddr, arlen, arsize} = {awid, awaddr, awlen, awsize};
+    assign {arburst, arlock, arcache, arprot} = {awburst, awlock, awcache, awprot};
     assign {bready, rready} = 2'b11;
     // verilator lint_off UNUSED
-    wire unused = &{1'b0, bid, bresp, rid, rresp, rlast};
+    wire unused = &{1'b0, bresp, rresp};
     // verilator lint_on UNUSED
 endmodule
 

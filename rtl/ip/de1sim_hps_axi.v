@@ -1,92 +1,150 @@
-// de1sim_hps_axi.v - a bridge of the processor to the FPGA as AXI3: an access is one beat
+// de1sim_hps_axi.v - a bridge of the processor to the FPGA as AXI3, one burst at a time
+//
+// Its address and its first word are there together.  BREADY and RREADY are always 1.
+//
+// An answer with another ID than the burst's is none of it.  Nor is a BVALID before the burst's
+// last word is taken; and RLAST belongs to the last word of a read, and to no other.  So a slave
+// that answers otherwise lets the processor wait for ever, as on the board; waits_o has what was
+// seen.
+//
+// Source: AMBA AXI Protocol Specification (ARM IHI 0022D), AXI3.
+//
+// Not handled: bursts that overlap: each waits for the answer to the one before; errors by BRESP
+// and RRESP, which the processor would take as aborts.
 
 `default_nettype none
 
 module de1sim_hps_axi #(
-    parameter FULL = 0,  // as de1sim_hps_bridge
+    parameter FULL = 0,  // as de1sim_hps_port
     parameter ADDRESS_BITS = 30
 ) (
     input  wire                    clk,
-    input  wire [1:0]              size_i,  // as de1sim_hps_bridge
+    input  wire [1:0]              size_i,  // as de1sim_hps_port
 
-    output wire [ADDRESS_BITS-1:0] awaddr,
-    output wire [2:0]              awsize,
+    output wire [11:0]             id,      // of AW, W and AR, and so on
+    output wire [ADDRESS_BITS-1:0] addr,
+    output wire [3:0]              len,
+    output wire [2:0]              size,
+    output wire [1:0]              burst,
+    output wire [1:0]              lock,
+    output wire [3:0]              cache,
+    output wire [2:0]              prot,
+
     output wire                    awvalid,
     input  wire                    awready,
     output wire [127:0]            wdata,
     output wire [15:0]             wstrb,
+    output wire                    wlast,
     output wire                    wvalid,
     input  wire                    wready,
+    input  wire [11:0]             bid,
     input  wire                    bvalid,
 
-    output wire [ADDRESS_BITS-1:0] araddr,
-    output wire [2:0]              arsize,
     output wire                    arvalid,
     input  wire                    arready,
+    input  wire [11:0]             rid,
     input  wire [127:0]            rdata,
+    input  wire                    rlast,
     input  wire                    rvalid
 );
-    wire         valid, write;
+    // As sim/project/runtime/bridge.h has them.
+    localparam [3:0] AWREADY = 4'd1, WREADY = 4'd2, BVALID = 4'd3, ARREADY = 4'd4, RVALID = 4'd5,
+                     BID = 4'd8, RID = 4'd9, EARLY_BVALID = 4'd10, EARLY_RLAST = 4'd11,
+                     NO_RLAST = 4'd12;
+
     // verilator lint_off UNUSED
-    wire [31:0]  address;  // of 16 bytes
+    reg  [63:0]  burst_q = 0;
     // verilator lint_on UNUSED
-    wire [127:0] data;
-    wire [15:0]  be;
+    reg          aw_q = 0, w_q = 0, ar_q = 0;  // not taken yet
+    reg          open_q = 0;                   // not answered yet
+    reg  [3:0]   beat_q = 0;
+    reg  [127:0] wdata_q = 0;
+    reg  [15:0]  wstrb_q = 0;
+    reg  [3:0]   wrong_q = 0;                  // what was seen instead of an answer; 0: nothing
+    reg  [11:0]  seen_q = 0;                   // that ID, or at which word
 
-    reg          aw_done_q = 0, w_done_q = 0;
-    wire         aw_done = aw_done_q || awready, w_done = w_done_q || wready;
-    wire         ready = write ? aw_done && w_done : arready;
+    wire         begins, reset;
+    wire         write = burst_q[62];
 
-    de1sim_hps_bridge #(.FULL(FULL), .WIDTH(128)) bridge (
+    assign {prot, cache, lock, id, burst, size, len} = burst_q[61:32];
+    assign addr = burst_q[ADDRESS_BITS-1:0];
+
+    // ---- Writes ----
+
+    wire         is_last = beat_q == len;
+    wire         sent    = (!aw_q || awready) && (!w_q || (wready && is_last));
+    wire         b_ends  = open_q && write && bvalid && sent && bid == id && wrong_q == 4'd0;
+
+    assign awvalid = aw_q;
+    assign wvalid  = w_q;
+    assign wlast   = w_q && is_last;
+    assign wdata   = wdata_q;
+    assign wstrb   = wstrb_q;
+
+    // ---- Reads ----
+
+    wire         asked  = !ar_q || arready;
+    wire         reads  = open_q && !write && rvalid && asked && wrong_q == 4'd0;
+    wire         r_ours = reads && rid == id;
+    wire         r_ends = r_ours && is_last && rlast;
+
+    assign arvalid = ar_q;
+
+    // ---- The processor ----
+
+    wire         is_sending = aw_q || w_q;
+    wire [3:0]   lacks = aw_q ? AWREADY : w_q ? WREADY : ar_q ? ARREADY : write ? BVALID : RVALID;
+
+    de1sim_hps_port #(.FULL(FULL)) port (
         .clk_i(clk), .size_i(size_i),
-        .valid_o(valid), .ready_i(ready), .write_o(write), .address_o(address),
-        .wdata_o(data), .be_o(be),
-        .waits_i(!valid ? (write ? 3'd3 : 3'd5) : !write ? 3'd4 : !aw_done ? 3'd1 : 3'd2),
-        .rvalid_i((!valid || ready) && (bvalid || rvalid)),
-        .rdata_i(size_i == 2'd0 ? {4{rdata[31:0]}} : size_i == 2'd1 ? {2{rdata[63:0]}} : rdata)
+        .begins_o(begins), .ends_i(b_ends || r_ends), .reset_o(reset),
+        .waits_i({beat_q, seen_q, wrong_q == 4'd0 || is_sending ? lacks : wrong_q})
     );
 
+`ifdef DE1SIM_LISTS
+    wire unused = &{1'b0, rdata, begins, reset, lacks};
+`else
+    `include "de1sim_hps_bridge.vh"
+
+    wire         w_next = w_q && wready && !is_last;
+
+    // verilator lint_off UNUSED
+    reg  [63:0]  head;
+    reg  [127:0] data;
+    integer      strobes, address;
+    // verilator lint_on UNUSED
+    // verilator lint_off BLKSEQ
     always @(posedge clk) begin
-        aw_done_q <= valid && write && aw_done && !ready;
-        w_done_q  <= valid && write && w_done && !ready;
+        if (begins) begin
+            head    = de1sim_hps_burst();
+            burst_q <= head;
+            {aw_q, w_q, ar_q} <= {head[62], head[62], !head[62]};
+            open_q  <= 1'b1;
+            beat_q  <= 4'd0;
+            wrong_q <= 4'd0;
+        end
+        if (begins || w_next) begin
+            strobes = de1sim_hps_beat(begins ? 0 : {28'd0, beat_q} + 1, address, data);
+            wdata_q <= data;
+            wstrb_q <= strobes[15:0];
+        end
+        if (awvalid && awready) aw_q <= 1'b0;
+        if (arvalid && arready) ar_q <= 1'b0;
+        if (wlast && wready) w_q <= 1'b0;
+        if (w_next) beat_q <= beat_q + 4'd1;
+        if (open_q && write && bvalid && wrong_q == 4'd0 && !b_ends)
+            {wrong_q, seen_q} <= bid == id ? {EARLY_BVALID, 8'd0, beat_q} : {BID, bid};
+        if (r_ours) begin
+            de1sim_hps_answered({28'd0, beat_q}, rdata);
+            if (rlast && !is_last) wrong_q <= EARLY_RLAST;
+            if (!rlast && is_last) wrong_q <= NO_RLAST;
+            if (!rlast && !is_last) beat_q <= beat_q + 4'd1;
+        end else if (reads) {wrong_q, seen_q} <= {RID, rid};
+        if (b_ends || r_ends) open_q <= 1'b0;
+        if (reset) {aw_q, w_q, ar_q, open_q} <= 4'b0000;
     end
-
-    assign awvalid = valid && write && !aw_done_q;
-    assign wvalid  = valid && write && !w_done_q;
-    assign arvalid = valid && !write;
-
-    // ---- The smallest part of the bus that holds the bytes ----
-
-    function [3:0] first_byte(input [15:0] enables);
-        integer n;
-        begin
-            first_byte = 4'd0;
-            for (n = 15; n >= 0; n = n - 1) if (enables[n]) first_byte = n[3:0];
-        end
-    endfunction
-
-    function [3:0] last_byte(input [15:0] enables);
-        integer n;
-        begin
-            last_byte = 4'd0;
-            for (n = 0; n < 16; n = n + 1) if (enables[n]) last_byte = n[3:0];
-        end
-    endfunction
-
-    wire [3:0] first = first_byte(be);
-    wire [3:0] differ = first ^ last_byte(be);
-    wire [2:0] size = differ[3] ? 3'd4 : differ[2] ? 3'd3 : differ[1] ? 3'd2 : {2'd0, differ[0]};
-
-    assign {awsize, arsize} = {2{size}};
-    assign awaddr = {address[ADDRESS_BITS-1:4], first};
-    assign araddr = {address[ADDRESS_BITS-1:4], first};
-
-    // ---- Its lanes ----
-
-    wire [7:0] be_of_64 = be[15:8] | be[7:0];
-    wire [3:0] be_of_32 = be_of_64[7:4] | be_of_64[3:0];
-    assign wdata = size_i == 2'd0 ? {4{|be_of_64[7:4] ? data[63:32] : data[31:0]}} : data;
-    assign wstrb = size_i == 2'd0 ? {12'd0, be_of_32} : size_i == 2'd1 ? {8'd0, be_of_64} : be;
+    // verilator lint_on BLKSEQ
+`endif
 endmodule
 
 `default_nettype wire

@@ -31,10 +31,7 @@ ProcessorSystem::ProcessorSystem(const sc_core::sc_module_name& name, PinListene
                h2f_gate_(!(in_reset & ResetManager::H2F));
                lw_gate_(!(in_reset & ResetManager::LWH2F));
            },
-           [this](bool write, std::uint32_t address, std::uint8_t* data, unsigned bytes,
-                  sc_core::sc_time& delay) {
-               return bus.transfer(write, address, data, bytes, delay);
-           },
+           [this](auto&&... burst) { return bus.transfer(burst...); },
            [this](std::uint32_t gpo, const sc_core::sc_time& now) { general_purpose(gpo, now); },
            [this](const sc_core::sc_time& now) { return general_purpose(now); },
            [this, &observer](const std::string& line) { observer.log(line + cpu.accessed()); }}},

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cstring>
+#include <vector>
+
+#include "sim/chip/axi_bursts.h"
 
 namespace sim {
 
@@ -12,12 +15,39 @@ namespace {
 
 // The University Program's PS/2 controller lets a write wait 15 ms for a device.
 constexpr std::uint64_t LONGEST_PS = 20'000'000'000;  // 20 ms
-constexpr unsigned WORD = 8;                          // bytes of a BridgeAccess
 
 sc_time picoseconds(std::uint64_t ps) { return sc_time::from_value(ps); }  // resolution: 1 ps
 
 std::uint64_t next_event_ps() {
     return (sc_time_stamp() + sc_core::sc_time_to_pending_activity()).value();
+}
+
+using project::BridgeBurst;
+
+constexpr unsigned FIXED = 0, INCR = 1;  // AxBURST
+
+// The burst with its beats: what is read, or written, of `data`, which is the transaction's.
+BridgeBurst with_beats(const AxiBurst& burst, bool full, bool write, unsigned width,
+                       const std::uint8_t* data) {
+    BridgeBurst made{
+        full, write, burst.address, burst.beats, 0, burst.fixed ? FIXED : INCR, 0, 0, 0, 0, {}};
+    while (1u << made.size < burst.size) ++made.size;
+    for (unsigned n = 0, done = 0; n < burst.beats; ++n) {
+        const std::uint32_t at = burst.fixed ? burst.address : burst.address + done;
+        const unsigned now = std::min(burst.bytes - done, burst.size - at % burst.size);
+        BridgeBurst::Beat& beat = made.beat[n];
+        beat.address = at / width * width;
+        beat.strobes = static_cast<std::uint16_t>(((1u << now) - 1) << at % width);
+        if (write) std::memcpy(&beat.lanes[at % width], data + burst.first + done, now);
+        done += now;
+    }
+    return made;
+}
+
+void take_answer(const BridgeBurst& burst, std::uint8_t* data) {
+    for (unsigned n = 0; n < burst.beats; ++n)
+        for (unsigned lane = 0; lane < BridgeBurst::LANES; ++lane)
+            if (burst.beat[n].strobes >> lane & 1) *data++ = burst.beat[n].lanes[lane];
 }
 
 }  // namespace
@@ -28,11 +58,19 @@ ProjectBridges::ProjectBridges(const sc_core::sc_module_name& name, ProjectChip&
     h2f.register_b_transport(this, &ProjectBridges::full_transport);
 }
 
+unsigned ProjectBridges::id_of(bool write, const AxiAttributes& how) {
+    constexpr unsigned PROCESSORS = 2, DMA = 1;
+    if (how.master == AxiAttributes::Master::DMA) return how.channel << 3 | DMA;
+    if (!write) return (reads_++ % 4 << 2 | 3) << 3 | PROCESSORS;
+    if (how.cache == AxiAttributes::STRONGLY_ORDERED) return PROCESSORS;
+    return ((writes_++ % 3 + 1) << 2 | 1) << 3 | PROCESSORS;
+}
+
 // Not past SystemC's next event: where that comes first, SystemC goes on to it.
-bool ProjectBridges::access(const project::BridgeAccess& access, sc_time& delay) {
+bool ProjectBridges::play(const BridgeBurst& burst, sc_time& delay) {
     project::Model& model = fpga_.model();
     fpga_.run_to((sc_time_stamp() + delay).value());
-    model.begin(access);
+    model.begin(burst);
     const std::uint64_t end_ps = model.time_ps() + LONGEST_PS;
     for (;;) {
         const std::uint64_t until_ps = std::min(end_ps, next_event_ps());
@@ -61,34 +99,31 @@ void ProjectBridges::transport(bool full, tlm::tlm_generic_payload& tx, sc_time&
         tx.set_response_status(tlm::TLM_COMMAND_ERROR_RESPONSE);
         return;
     }
-    const unsigned width = std::min(fpga_.model().bridge_width(full) / 8, WORD);
+    const unsigned width = fpga_.model().bridge_width(full) / 8;
     if (width == 0) {
         tx.set_response_status(tlm::TLM_ADDRESS_ERROR_RESPONSE);
         return;
     }
-    const bool write = tx.get_command() == tlm::TLM_WRITE_COMMAND;
-    auto address = static_cast<std::uint32_t>(tx.get_address());
-    std::uint8_t* data = tx.get_data_ptr();
+    const AxiAttributes of_a_word, *attributes = nullptr;
+    tx.get_extension(attributes);
+    const AxiAttributes& how = attributes ? *attributes : of_a_word;
+    const bool write = tx.is_write();
+    while (busy_ && !closed_) wait(free_);
     if (closed_) wait(never_);
     busy_ = true;
     bool answered = true;
-    for (unsigned left = tx.get_data_length(); left && answered;) {
-        const unsigned at = address % WORD, now = std::min(left, width - address % width);
-        project::BridgeAccess beat{full, write, address - at, 0, 0};
-        beat.byte_enable = static_cast<std::uint8_t>(((1u << now) - 1) << at);
-        if (write) std::memcpy(reinterpret_cast<std::uint8_t*>(&beat.data) + at, data, now);
-        // A narrow bridge sees which of its words is meant.
-        beat.address = address / width * width;
-        answered = access(beat, delay);
-        if (!write && answered) {
-            const std::uint64_t word = fpga_.model().answer();
-            std::memcpy(data, reinterpret_cast<const std::uint8_t*>(&word) + at, now);
-        }
-        address += now;
-        data += now;
-        left -= now;
+    for (const AxiBurst& part : axi_bursts(static_cast<std::uint32_t>(tx.get_address()),
+                                           tx.get_data_length(), write, how, width)) {
+        BridgeBurst burst = with_beats(part, full, write, width, tx.get_data_ptr());
+        burst.id = id_of(write, how);
+        burst.cache = how.cache;
+        burst.prot = how.prot;
+        answered = play(burst, delay);
+        if (!answered) break;
+        if (!write) take_answer(fpga_.model().answer(), tx.get_data_ptr() + part.first);
     }
     busy_ = false;
+    free_.notify();
     tx.set_response_status(answered ? tlm::TLM_OK_RESPONSE : tlm::TLM_INCOMPLETE_RESPONSE);
 }
 

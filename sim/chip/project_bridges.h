@@ -1,11 +1,24 @@
 // project_bridges.h - the processor's bridges into a project's design, behind TLM
 //
-// A transaction becomes accesses of up to eight bytes, or of the bridge's width, each as long as
-// the design takes for it.  The design runs up to the access's time before, and in batches between;
-// an interrupt is notified when the design has run past it.
+// A transaction becomes bursts (axi_bursts.h), one after the other, each as long as the design
+// takes for it.  The design runs up to the burst's time before, and in batches between; an
+// interrupt is notified when the design has run past it.
+//
+// A burst's ID says who makes it: bits 2:0 and 11 the port of the interconnect, 010 and 0 the
+// processors, 001 and 0 the DMA controller; bits 10:3 what that gives.  Of the processors that is
+// the L2 cache's: a linefill buffer of four for reads, a slot of three of the store buffer for
+// writes to Device and Normal memory, 0 for Strongly-ordered ones; here each in turn.  Of the DMA
+// controller it is the channel.
 //
 // Where the design does not answer within 20 ms of simulated time the transaction is
 // TLM_INCOMPLETE: the board's processor would hang for ever.
+//
+// Sources: Intel, "How do I decode the AXI ID fields from the HPS-FPGA bridges"; Cyclone V HPS TRM,
+// "HPS Peripheral Master Input IDs"; Cortex-A9 MPCore TRM (ARM DDI 0407I), 2.3.3.
+//
+// Not handled: posted writes, and bursts that overlap: the processor waits for each answer, where
+// the board's goes on after a store to Device or Normal memory.  That the store buffer's slots
+// write with the IDs that the TRM gives them for reads is not documented.
 #pragma once
 
 #include <cstdint>
@@ -13,6 +26,7 @@
 #include <string>
 
 #include "sim/chip/project_chip.h"
+#include "sim/hps/axi_attributes.h"
 
 #include <systemc>
 #include <tlm>
@@ -36,12 +50,14 @@ private:
     void lightweight_transport(tlm::tlm_generic_payload& tx, sc_core::sc_time& delay);
     void full_transport(tlm::tlm_generic_payload& tx, sc_core::sc_time& delay);
     void transport(bool full, tlm::tlm_generic_payload& tx, sc_core::sc_time& delay);
-    bool access(const project::BridgeAccess& access, sc_core::sc_time& delay);
+    unsigned id_of(bool write, const AxiAttributes& how);
+    bool play(const project::BridgeBurst& burst, sc_core::sc_time& delay);
 
     ProjectChip& fpga_;
     bool busy_ = false, closed_ = false;
+    unsigned reads_ = 0, writes_ = 0;  // of the processor's, by which IDs come in turn
     std::string missing_;
-    sc_core::sc_event never_;
+    sc_core::sc_event never_, free_;
 };
 
 }  // namespace sim

@@ -36,6 +36,9 @@ ProjectComputer::ProjectComputer(const sc_core::sc_module_name& name, PinListene
       observer_{observer} {
     full_window.bind(bridges.h2f);
     lightweight_window.bind(bridges.lw);
+    bus.show_bursts("h2f");
+    bus.show_bursts("lw");
+    if (arm) arm->show_bursts();
     bus.describe("h2f", "the full bridge", places_of(H2F_BASE, H2F_SIZE));
     bus.describe("lw", "the lightweight bridge", places_of(LW_BASE, LW_SIZE));
     cpu.explain_by(

@@ -19,9 +19,9 @@
 // Not handled: the second core; caches (instructions that maintain them do nothing); SMC and HVC
 // are undefined instructions.  With dynarmic also: FPSCR's cumulative flags of exceptions are not
 // exact; code that the translation tables keep from the user mode is translated again after each
-// return to that mode.  With Unicorn also: alignment faults, no memory is Normal to the bus,
-// PMCCNTR reads 0, DFAR of an abort from the translation tables reads 0, clear_exclusive() does
-// nothing.
+// return to that mode.  With Unicorn also: alignment faults, all memory is Strongly-ordered to the
+// bus, PMCCNTR reads 0, DFAR of an abort from the translation tables reads 0, clear_exclusive()
+// does nothing.
 #pragma once
 
 #include <array>
@@ -204,6 +204,13 @@ public:
     const ArmFault& fault() const { return fault_; }       // of the last abort
     // The address of the instruction that is using the bus, if one is.
     std::uint32_t instruction() const { return last_pc_; }
+    // Of the load or store that is using the bus.
+    struct OnBus {
+        unsigned words;   // that it transfers at rising addresses, where each is a call of its own
+        unsigned cache;   // the memory's type, as the Cortex-A9's AxCACHE has it
+        bool privileged;  // the mode
+    };
+    OnBus on_bus() const;
 
     std::uint32_t pc() const { return reg(15); }
     std::uint32_t reg(unsigned number) const;  // r0 - r15 of the present mode

@@ -3,6 +3,7 @@
 // It is made of ArmCore, which executes instructions, and of
 //   ArmTime       how far it is ahead of SystemC's time
 //   StoreBuffer   stores that become one burst
+//   WordBurst     words of one instruction that become one
 //   ArmShortcuts  rounds of loops that need not be executed
 //   ArmHandlers   programs that do not return from an abort
 //   ArmRunaway    programs whose PC or stack is where it cannot belong
@@ -55,6 +56,7 @@
 #include "sim/cpu/processor.h"
 #include "sim/cpu/steady_bus.h"
 #include "sim/cpu/store_buffer.h"
+#include "sim/cpu/word_burst.h"
 
 namespace sim {
 
@@ -181,6 +183,9 @@ public:
 
     // Lets loops that use the bus be shortened, too.
     void set_steady_bus(SteadyBus* bus) { shortcuts_.set_bus(bus); }
+    // Words that one instruction loads from the FPGA's bridges, or stores there, are one
+    // transaction; and all there have AxiAttributes.
+    void show_bursts();
     // Executes every round.
     void leave_no_rounds_out() { shortcuts_.disable(); }
 
@@ -252,6 +257,9 @@ private:
     std::uint32_t present_pc() const { return running_ ? core_.instruction() : core_.pc(); }
     void drain();
     bool is_replayed();
+    bool joins(std::uint32_t address, unsigned bytes);
+    bool write_now(std::uint32_t address, unsigned bytes, std::uint32_t value);
+    void describe_access();
     bool access(tlm::tlm_command command, std::uint32_t address, unsigned bytes, void* data);
     bool inspect(tlm::tlm_command command, std::uint32_t address, void* data, unsigned bytes);
     std::optional<ArmException> pending_interrupt() const;  // and not masked
@@ -268,6 +276,9 @@ private:
     ArmCore core_;
     ArmTime time_;
     StoreBuffer stores_;
+    AxiAttributes stored_;  // of those stores
+    bool shows_bursts_ = false;
+    WordBurst burst_;
     ArmShortcuts shortcuts_;
     ArmHandlers handlers_;
     ArmRunaway runaway_;

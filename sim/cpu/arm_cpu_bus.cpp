@@ -13,6 +13,12 @@ namespace sim {
 
 using sc_core::sc_time;
 
+namespace {
+
+constexpr std::uint32_t PAGE = 0x1000;
+
+}  // namespace
+
 // RAM is what grants direct access; everything else uses the bus, which answers or refuses it.
 // Memory that grants direct reads alone is used for fetching instructions alone.
 void ArmCpu::map(std::uint64_t first, std::uint64_t last) {
@@ -83,6 +89,32 @@ bool ArmCpu::is_replayed() {
     return true;
 }
 
+void ArmCpu::show_bursts() {
+    shows_bursts_ = true;
+    payload_.set_extension(&attributes_);
+}
+
+void ArmCpu::describe_access() {
+    const ArmCore::OnBus on_bus = core_.on_bus();
+    attributes_.cache = on_bus.cache;
+    attributes_.prot = on_bus.privileged ? AxiAttributes::PRIVILEGED : 0;
+}
+
+// The access is a word of a burst, if need be the first of a new one.
+bool ArmCpu::joins(std::uint32_t address, unsigned bytes) {
+    if (!shows_bursts_) return false;
+    describe_access();
+    const bool on_bridge = address - H2F_BASE < H2F_SIZE || address - LW_BASE < LW_SIZE;
+    if (bytes != 4 || !on_bridge) return false;
+    const std::uint64_t instruction = core_.instructions();
+    if (burst_.continues(instruction, address)) return true;
+    const unsigned words = burst_.is_of(instruction) ? burst_.later() : core_.on_bus().words,
+                   here = std::min(words, (PAGE - address % PAGE) / 4);
+    if (here < 2) return false;
+    burst_.begin(instruction, address, here, words - here);
+    return true;
+}
+
 bool ArmCpu::read(std::uint32_t address, unsigned bytes, std::uint32_t& value) {
     drain();
     if (is_replayed()) {
@@ -90,7 +122,17 @@ bool ArmCpu::read(std::uint32_t address, unsigned bytes, std::uint32_t& value) {
         return true;
     }
     value = 0;
-    if (!access(tlm::TLM_READ_COMMAND, address, bytes, &value)) return false;
+    if (joins(address, bytes)) {
+        const bool is_first = address == burst_.address();
+        if (is_first && !access(tlm::TLM_READ_COMMAND, address, burst_.bytes(), burst_.data())) {
+            burst_.drop();
+            return false;
+        }
+        value = burst_.take();
+        if (!is_first) return true;
+    } else if (!access(tlm::TLM_READ_COMMAND, address, bytes, &value)) {
+        return false;
+    }
     shortcuts_.answered(address, bytes, false, value, waited_);
     run_on();
     return true;
@@ -100,6 +142,17 @@ bool ArmCpu::write(std::uint32_t address, unsigned bytes, std::uint32_t value) {
     drain();
     stores_.forget_page();
     if (is_replayed()) return true;
+    if (!joins(address, bytes)) return write_now(address, bytes, value);
+    burst_.add(value);
+    if (!burst_.is_whole()) return true;
+    if (!access(tlm::TLM_WRITE_COMMAND, burst_.address(), burst_.bytes(), burst_.data()))
+        return false;
+    shortcuts_.answered(address, bytes, true, value, waited_);
+    run_on();
+    return true;
+}
+
+bool ArmCpu::write_now(std::uint32_t address, unsigned bytes, std::uint32_t value) {
     if (!access(tlm::TLM_WRITE_COMMAND, address, bytes, &value)) return false;
     shortcuts_.answered(address, bytes, true, value, waited_);
     run_on();
@@ -108,12 +161,20 @@ bool ArmCpu::write(std::uint32_t address, unsigned bytes, std::uint32_t value) {
 
 bool ArmCpu::write_normal(std::uint32_t address, unsigned bytes, std::uint32_t value) {
     if (!stores_.knows_page(address)) {
-        if (!write(address, bytes, value)) return false;
+        drain();
+        stores_.forget_page();
+        if (is_replayed()) return true;
+        if (shows_bursts_) describe_access();
+        if (!write_now(address, bytes, value)) return false;
         if (address - H2F_BASE < H2F_SIZE) stores_.answered(address);
         return true;
     }
     const bool continues = stores_.continues(address);
     if (!continues) drain();
+    if (shows_bursts_ && stores_.is_empty()) {
+        describe_access();
+        stored_ = attributes_;
+    }
     stores_.add(address, bytes, value);
     const bool full = stores_.is_full();
     if (full) drain();
@@ -125,6 +186,7 @@ void ArmCpu::drain() {
     if (stores_.is_empty()) return;
     const StoreBuffer::Burst burst = stores_.remove();
     shortcuts_.changed();  // what it writes may be read elsewhere
+    if (shows_bursts_) attributes_ = stored_;
     if (access(tlm::TLM_WRITE_COMMAND, burst.address, burst.bytes, burst.data.data())) return;
     fail(fmt::format("burst of {} bytes refused at 0x{:08X} {} ({})", burst.bytes, burst.address,
                      where(), bus_answer_));

@@ -6,6 +6,8 @@
 #include <optional>
 #include <string>
 
+#include "sim/hps/axi_attributes.h"
+
 #include <systemc>
 #include <tlm>
 #include <tlm_utils/simple_initiator_socket.h>
@@ -82,6 +84,7 @@ protected:
         return refusal_(address, 0, false, tlm::TLM_ADDRESS_ERROR_RESPONSE);
     }
 
+    AxiAttributes attributes_;          // of the payload, for who sets it as its extension
     tlm::tlm_generic_payload payload_;  // of the program's own accesses
 
     void fail(std::string why) {

@@ -78,14 +78,26 @@ std::string Bus::register_at(std::uint32_t address) const {
 }
 
 bool Bus::transfer(bool write, std::uint32_t address, unsigned char* data, unsigned bytes,
-                   sc_core::sc_time& delay) {
+                   AxiAttributes& how, sc_core::sc_time& delay) {
+    const Window* window = find(address, how.beat_bytes);
+    const unsigned step = window && window->shows_bursts ? bytes : how.beat_bytes;
+    for (unsigned done = 0; done < bytes; done += step)
+        if (!forward(write, how.fixed ? address : address + done, data + done, step, &how, delay))
+            return false;
+    return true;
+}
+
+bool Bus::forward(bool write, std::uint32_t address, unsigned char* data, unsigned bytes,
+                  AxiAttributes* how, sc_core::sc_time& delay) {
     tlm::tlm_generic_payload tx;
+    if (how) tx.set_extension(how);
     tx.set_command(write ? tlm::TLM_WRITE_COMMAND : tlm::TLM_READ_COMMAND);
     tx.set_address(address);
     tx.set_data_ptr(data);
     tx.set_data_length(bytes);
-    tx.set_streaming_width(bytes);
-    Window* window = find(address, bytes);
+    const unsigned span = how && how->fixed ? how->beat_bytes : bytes;
+    tx.set_streaming_width(span);
+    Window* window = find(address, span);
     if (!window || !window->on) return false;
     tx.set_address(address - window->base);
     (*window->socket)->b_transport(tx, delay);

@@ -21,6 +21,8 @@
 #include <utility>
 #include <vector>
 
+#include "sim/hps/axi_attributes.h"
+
 #include <systemc>
 #include <tlm>
 #include <tlm_utils/simple_initiator_socket.h>
@@ -95,7 +97,14 @@ public:
 
     // An access of another master than the processor, with its delay; false: refused.
     bool transfer(bool write, std::uint32_t address, unsigned char* data, unsigned bytes,
-                  sc_core::sc_time& delay);
+                  sc_core::sc_time& delay) {
+        return forward(write, address, data, bytes, nullptr, delay);
+    }
+    // A burst of one, of `bytes` together.
+    bool transfer(bool write, std::uint32_t address, unsigned char* data, unsigned bytes,
+                  AxiAttributes& how, sc_core::sc_time& delay);
+    // To the window `name` it comes as one transaction, to others as one for each beat; as gate().
+    void show_bursts(const std::string& name) { windows_[number_of(name)].shows_bursts = true; }
 
     const BusCounts& counts() const { return counts_; }
     // Something was written through the window `name`; as gate().
@@ -106,7 +115,7 @@ private:
         std::string name;
         std::uint32_t base, size;
         std::unique_ptr<tlm_utils::simple_initiator_socket<Bus>> socket;
-        bool on = true, written = false;
+        bool on = true, written = false, shows_bursts = false;
         std::string title = name;
         std::vector<Place> places = {{name, base, size}};
         Notify notify = {};  // may be none
@@ -114,6 +123,8 @@ private:
 
     void b_transport(tlm::tlm_generic_payload& tx, sc_core::sc_time& delay);
     bool get_direct_mem_ptr(tlm::tlm_generic_payload& tx, tlm::tlm_dmi& dmi);
+    bool forward(bool write, std::uint32_t address, unsigned char* data, unsigned bytes,
+                 AxiAttributes* how, sc_core::sc_time& delay);
     Window* find(std::uint64_t address, unsigned bytes);
     std::size_t number_of(const std::string& name) const;
 

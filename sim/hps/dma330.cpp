@@ -1,5 +1,6 @@
 #include "sim/hps/dma330.h"
 
+#include <algorithm>
 #include <utility>
 
 #include <fmt/format.h>
@@ -21,6 +22,20 @@ constexpr std::uint32_t PERIPHERAL_ID = 0x00241330, CELL_ID = 0xB105F00D;
 std::uint32_t word(const std::uint8_t* bytes) {
     return bytes[0] | static_cast<std::uint32_t>(bytes[1]) << 8 |
            static_cast<std::uint32_t>(bytes[2]) << 16 | static_cast<std::uint32_t>(bytes[3]) << 24;
+}
+
+constexpr unsigned MOST_BYTES = 16 * 8;  // of a burst
+
+AxiAttributes attributes(unsigned channel, unsigned beat_bytes, bool fixed, unsigned cache,
+                         unsigned prot) {
+    AxiAttributes how;
+    how.master = AxiAttributes::Master::DMA;
+    how.channel = channel;
+    how.beat_bytes = beat_bytes;
+    how.fixed = fixed;
+    how.cache = cache;
+    how.prot = prot;
+    return how;
 }
 
 // Of the instruction that begins with this byte; 0: there is none.
@@ -101,11 +116,13 @@ void Dma330::step(unsigned number, sc_core::sc_time& delay) {
     Channel& channel = channels_[number];
     std::uint8_t code[6] = {};
     sc_core::sc_time fetched;  // ahead, from its instruction cache
-    if (!wires_.access(false, channel.pc, code, 1, fetched)) return fail(number, FETCH);
+    AxiAttributes how = attributes(number, 1, false, 0, 0);
+    if (!wires_.access(false, channel.pc, code, 1, how, fetched)) return fail(number, FETCH);
     const unsigned bytes = length(code[0]);
     if (bytes == 0 || code[0] == 0xA0 || code[0] == 0xA2) return fail(number, UNDEFINED);
     for (unsigned i = 1; i < bytes; ++i)
-        if (!wires_.access(false, channel.pc + i, code + i, 1, fetched)) return fail(number, FETCH);
+        if (!wires_.access(false, channel.pc + i, code + i, 1, how, fetched))
+            return fail(number, FETCH);
     const std::uint32_t next = channel.pc + bytes;
     const std::uint8_t op = code[0];
     const unsigned operand = code[1] >> 3;
@@ -185,12 +202,14 @@ void Dma330::load(Channel& channel, unsigned number, sc_core::sc_time& delay) {
     const unsigned size = 1u << (channel.control >> 1 & 7),
                    beats = (channel.control >> 4 & 0xF) + 1;
     if (size > 8) return fail(number, OPERAND);
-    std::uint8_t data[8];
-    for (unsigned beat = 0; beat < beats; ++beat) {
-        if (!wires_.access(false, channel.source, data, size, delay)) return fail(number, LOAD);
-        channel.fifo.insert(channel.fifo.end(), data, data + size);
-        if (channel.control & 1) channel.source += size;
-    }
+    const bool moves = channel.control & 1;
+    std::uint8_t data[MOST_BYTES];
+    AxiAttributes how =
+        attributes(number, size, !moves, channel.control >> 11 & 7, channel.control >> 8 & 7);
+    if (!wires_.access(false, channel.source, data, size * beats, how, delay))
+        return fail(number, LOAD);
+    channel.fifo.insert(channel.fifo.end(), data, data + size * beats);
+    if (moves) channel.source += size * beats;
     if (channel.fifo.size() > DMA_BUFFER) fail(number, MFIFO);
 }
 
@@ -198,19 +217,20 @@ void Dma330::store(Channel& channel, unsigned number, bool zeros, sc_core::sc_ti
     const unsigned size = 1u << (channel.control >> 15 & 7),
                    beats = (channel.control >> 18 & 0xF) + 1;
     if (size > 8) return fail(number, OPERAND);
-    std::uint8_t data[8] = {};
-    for (unsigned beat = 0; beat < beats; ++beat) {
-        if (!zeros) {
-            if (channel.fifo.size() < size) return fail(number, MFIFO);
-            for (unsigned i = 0; i < size; ++i) {
-                data[i] = channel.fifo.front();
-                channel.fifo.pop_front();
-            }
-        }
-        if (!wires_.access(true, channel.destination, data, size, delay))
-            return fail(number, STORE);
-        if (channel.control & 1 << 14) channel.destination += size;
+    const bool moves = channel.control & 1 << 14;
+    const unsigned cache = channel.control >> 25 & 7;  // AWCACHE[3], and its bits 1 and 0
+    std::uint8_t data[MOST_BYTES] = {};
+    if (!zeros) {
+        if (channel.fifo.size() < size * beats) return fail(number, MFIFO);
+        const auto end = channel.fifo.begin() + size * beats;
+        std::copy(channel.fifo.begin(), end, data);
+        channel.fifo.erase(channel.fifo.begin(), end);
     }
+    AxiAttributes how =
+        attributes(number, size, !moves, (cache & 4) << 1 | (cache & 3), channel.control >> 22 & 7);
+    if (!wires_.access(true, channel.destination, data, size * beats, how, delay))
+        return fail(number, STORE);
+    if (moves) channel.destination += size * beats;
 }
 
 // An interrupt, or else for who waits for the event.

@@ -21,6 +21,7 @@
 #include <functional>
 #include <string>
 
+#include "sim/hps/axi_attributes.h"
 #include "sim/hps/registers.h"
 
 namespace sim {
@@ -30,9 +31,9 @@ public:
     static constexpr unsigned CHANNELS = 8, EVENTS = 8;
 
     struct Wires {
-        // An access as a master on the bus; false: refused.  May wait.
+        // A burst as a master on the bus, of `bytes` together; false: refused.  May wait.
         std::function<bool(bool write, std::uint32_t address, std::uint8_t* data, unsigned bytes,
-                           sc_core::sc_time& delay)>
+                           AxiAttributes& how, sc_core::sc_time& delay)>
             access;
         std::function<void(unsigned event, bool up)> interrupt;
         std::function<void(bool up)> abort;

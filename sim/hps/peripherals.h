@@ -49,12 +49,11 @@ public:
         std::function<void(bool irq, bool fiq)> interrupt;     // to the processor
         std::function<void(bool cold)> reset;                  // to the processor and the FPGA
         std::function<void(std::uint32_t brgmodrst)> bridges;  // ResetManager's bits
-        // The DMA controller's accesses: Bus::transfer().
+        // The DMA controller's bursts: Bus::transfer().
         std::function<bool(bool write, std::uint32_t address, std::uint8_t* data, unsigned bytes,
-                           sc_core::sc_time& delay)>
-            transfer = [](bool, std::uint32_t, std::uint8_t*, unsigned, sc_core::sc_time&) {
-                return false;
-            };
+                           AxiAttributes& how, sc_core::sc_time& delay)>
+            transfer = [](bool, std::uint32_t, std::uint8_t*, unsigned, AxiAttributes&,
+                          sc_core::sc_time&) { return false; };
         // The general purpose signals: to the FPGA, from it.
         std::function<void(std::uint32_t gpo, const sc_core::sc_time& now)> gpo =
             [](std::uint32_t, const sc_core::sc_time&) {};

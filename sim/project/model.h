@@ -4,6 +4,7 @@
 // linked with runtime/model.cpp.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -25,13 +26,20 @@ struct Ending {
     std::string message;  // a line: where, what, when
 };
 
-// An access of the processor, of bytes of an aligned word of eight.
-struct BridgeAccess {
+// A burst over a bridge, as AXI3 has it: of the processor, or of another master that uses it.
+struct BridgeBurst {
+    static constexpr unsigned BEATS = 16, LANES = 16;
+    struct Beat {
+        std::uint32_t address;                  // of the bus's word
+        std::uint16_t strobes;                  // of a read: the lanes that are wanted
+        std::array<std::uint8_t, LANES> lanes;  // as far as the bus is wide; of a read, the answer
+    };
     bool full;  // HPS-to-FPGA, or the lightweight bridge
     bool write;
-    std::uint32_t address;  // in the bridge's window; the word's
-    std::uint8_t byte_enable;
-    std::uint64_t data;  // to write
+    std::uint32_t address;           // in the bridge's window
+    unsigned beats, size, kind;      // AxLEN + 1, AxSIZE, AxBURST
+    unsigned id, lock, cache, prot;  // AxID, AxLOCK, AxCACHE, AxPROT
+    std::array<Beat, BEATS> beat;
 };
 
 // The terminals on the PC, of the design's JTAG UARTs, by their numbers.
@@ -80,16 +88,17 @@ public:
 
     // Bits of a bridge's bus in the design; 0: nothing is behind it.
     virtual unsigned bridge_width(bool full) const = 0;
-    // For what the last access waits: "awready", "clk"; empty: not known.
-    virtual const char* waits_for() const = 0;
-    // Begins an access, at the time up to which run() has come; one at a time.
-    virtual void begin(const BridgeAccess& access) = 0;
+    // For what the last burst waits: "awready", "rvalid of word 2 of a burst of 8"; empty: not
+    // known.
+    virtual std::string waits_for() const = 0;
+    // Begins a burst, at the time up to which run() has come; one at a time.
+    virtual void begin(const BridgeBurst& burst) = 0;
     // h2f_reset begins or ends, at that time; of a cold reset h2f_cold_rst_n, too.
     virtual void reset(bool active, bool cold) = 0;
     // As run(), but ends with the clock edge that brings the answer; false: there is none so far.
     virtual bool run_to_answer(std::uint64_t until_ps) = 0;
-    // Of the last access that was a read, the eight bytes.
-    virtual std::uint64_t answer() const = 0;
+    // The last burst, with what was read.
+    virtual const BridgeBurst& answer() const = 0;
     // Interrupt lines; bit n is ID 72 + n.
     virtual std::uint64_t interrupts() const = 0;
     // Resets of the processor that the design asks for: bits of ResetRequest.

@@ -5,14 +5,17 @@ from systems import SystemCase
 # A memory behind AXI3 that takes address and data in the order that `DATA_FIRST` says, each after
 # two clocks, and shows wrong strobes in `bad`.  Bytes 16 and 17 are lamps, byte 18 an interrupt.
 MEMORY = """module axi_memory #(parameter BYTES = 4, DATA_FIRST = 0) (
-    input clk, input [4:0] awaddr, input [2:0] awsize, input awvalid, output reg awready,
+    input clk, input [11:0] awid, input [4:0] awaddr, input [2:0] awsize, input awvalid,
+    output reg awready,
     input [8*BYTES-1:0] wdata, input [BYTES-1:0] wstrb, input wvalid, wlast, output reg wready,
-    output reg bvalid, input bready, input [4:0] araddr, input arvalid, output reg arready,
-    output reg [8*BYTES-1:0] rdata, output reg rvalid, input rready,
+    output reg [11:0] bid, output reg bvalid, input bready, input [11:0] arid, input [4:0] araddr,
+    input [3:0] arlen, input [2:0] arsize, input arvalid, output reg arready,
+    output reg [11:0] rid, output reg [8*BYTES-1:0] rdata, output reg rlast, rvalid, input rready,
     output [9:0] lamps, output irq, output reg bad);
 reg [7:0] bytes [0:31];
-reg [4:0] address;
-reg [2:0] size;
+reg [4:0] address, at, left = 0;
+reg [2:0] size, step;
+reg last = 1;
 reg [8*BYTES-1:0] data;
 reg [BYTES-1:0] strobes;
 reg has_address = 0, has_data = 0;
@@ -29,12 +32,11 @@ always @(posedge clk) begin
     awready <= awvalid && !awready && !has_address && &wait_q && (!DATA_FIRST || has_data);
     wready <= wvalid && !wready && !has_data && &wait_q && (DATA_FIRST || has_address);
     arready <= arvalid && !arready && &wait_q;
-    if (awvalid && awready) begin address <= awaddr; size <= awsize; has_address <= 1; end
-    if (wvalid && wready) begin
-        data <= wdata; strobes <= wstrb; has_data <= 1;
-        if (!wlast) bad <= 1;
+    if (awvalid && awready) begin
+        {bid, address, size} <= {awid, awaddr, awsize}; has_address <= 1;
     end
-    if (has_address && awvalid || has_data && wvalid) bad <= 1;
+    if (wvalid && wready) begin {data, strobes, last} <= {wdata, wstrb, wlast}; has_data <= 1; end
+    if (has_address && awvalid || has_data && last && wvalid) bad <= 1;
     bvalid <= 0;
     if (has_address && has_data) begin
         for (n = 0; n < BYTES; n = n + 1)
@@ -42,23 +44,28 @@ always @(posedge clk) begin
                 if ((n >> size) != ((address % BYTES) >> size)) bad <= 1;
                 bytes[address / BYTES * BYTES + n] <= data[8*n +: 8];
             end
-        has_address <= 0; has_data <= 0; bvalid <= bready;
+        address <= (address >> size << size) + (5'd1 << size);
+        has_address <= !last; has_data <= 0; bvalid <= last && bready;
     end
-    rvalid <= arvalid && arready && rready;
-    for (n = 0; n < BYTES; n = n + 1) rdata[8*n +: 8] <= bytes[araddr / BYTES * BYTES + n];
+    if (arvalid && arready) {rid, at, step, left} <= {arid, araddr, arsize, {1'b0, arlen} + 5'd1};
+    rvalid <= left != 0 && rready;
+    rlast <= left == 1;
+    if (left != 0) begin left <= left - 1; at <= (at >> step << step) + (5'd1 << step); end
+    for (n = 0; n < BYTES; n = n + 1) rdata[8*n +: 8] <= bytes[at / BYTES * BYTES + n];
 end
 endmodule
 """
 AXI = ("awid awaddr awlen awsize awburst awlock awcache awprot awvalid awready wid wdata wstrb "
        "wlast wvalid wready bid bresp bvalid bready arid araddr arlen arsize arburst arlock "
        "arcache arprot arvalid arready rid rdata rresp rlast rvalid rready").split()
-TO_PROCESSOR = {"awready", "wready", "bvalid", "arready", "rvalid", "rdata"}
+TO_PROCESSOR = {"awready", "wready", "bid", "bvalid", "arready", "rid", "rlast", "rvalid", "rdata"}
 
 
 def bridge(primitive, name, data, more=""):
     """The primitive with wires NAME_awaddr ..., and the memory behind it."""
     widths = {"awaddr": 30 if more else 21, "araddr": 30 if more else 21, "wdata": data,
-              "rdata": data, "wstrb": data // 8, "awsize": 3}
+              "rdata": data, "wstrb": data // 8, "awsize": 3, "arsize": 3, "arlen": 4,
+              "awid": 12, "bid": 12, "arid": 12, "rid": 12}
     used = [p for p in AXI if p in widths or p in TO_PROCESSOR
             or p in ("awvalid", "wvalid", "wlast", "bready", "arvalid", "rready")]
     text = "".join(f"wire [{widths.get(p, 1) - 1}:0] {name}_{p};\n" for p in used)

@@ -225,10 +225,11 @@ endmodule
 
     # Answers with address bits 9 to 2; what is in `connected` is.
     BRIDGE = """module top(input CLOCK_50, output [9:0] LEDR);
-wire awvalid, wvalid, arvalid; wire [20:0] araddr; wire [31:0] wdata;
+wire awvalid, wvalid, arvalid; wire [11:0] awid, arid; wire [20:0] araddr; wire [31:0] wdata;
 reg bvalid = 0, rvalid = 0; reg [31:0] rdata; reg [9:0] leds = 0;
 assign LEDR = leds;
 cyclonev_hps_interface_hps2fpga_light_weight bridge(.awvalid(awvalid), .wvalid(wvalid),
+    .awid(awid), .bid(awid), .arid(arid), .rid(arid), .rlast(1'b1),
     .wdata(wdata), .arvalid(arvalid), .araddr(araddr), .rdata(rdata), {connected});
 always @(posedge CLOCK_50) begin
     bvalid <= awvalid && wvalid; rvalid <= arvalid; rdata <= araddr[9:2];

@@ -23,10 +23,7 @@ struct HpsBoard : sc_core::sc_module {
         "hps",
         {[this](char c) { printed += c; }, [this](bool i, bool f) { irq = i, fiq = f; },
          [this](bool) { ++resets; }, [this](std::uint32_t bits) { bridges_in_reset = bits; },
-         [this](bool write, std::uint32_t address, std::uint8_t* data, unsigned bytes,
-                sc_core::sc_time& delay) {
-             return bus.transfer(write, address, data, bytes, delay);
-         },
+         [this](auto&&... burst) { return bus.transfer(burst...); },
          [this](std::uint32_t value, const sc_core::sc_time&) { gpo = value; },
          [this](const sc_core::sc_time&) { return gpi; },
          [this](const std::string& line) { said.push_back(line); }}};

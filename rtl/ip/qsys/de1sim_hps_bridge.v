@@ -1,8 +1,6 @@
-// de1sim_hps_bridge.v - a bridge of the processor to the FPGA: its accesses as commands
+// de1sim_hps_bridge.v - a bridge of the processor to the FPGA: its bursts as commands
 //
-// It meets the simulated processor in the chip around the design (de1sim_chip.v): an access is
-// there when its bit of hps_request differs from that of hps_answer.  Commands as in
-// de1sim_avalon_decoder.v, one at a time, of up to eight bytes.
+// Commands as in de1sim_avalon_decoder.v, one for each beat of a burst, and one at a time.
 
 `default_nettype none
 
@@ -12,7 +10,6 @@ module de1sim_hps_bridge #(
     parameter BYTES = WIDTH / 8
 ) (
     input  wire             clk_i,
-    input  wire [1:0]       size_i,  // of the bus behind it: 0: 32 bits, 1: 64, 2: 128, 3: unused
 
     output wire             valid_o,
     input  wire             ready_i,
@@ -20,72 +17,66 @@ module de1sim_hps_bridge #(
     output wire [31:0]      address_o,
     output wire [WIDTH-1:0] wdata_o,
     output wire [BYTES-1:0] be_o,
-    input  wire [2:0]       waits_i,  // for what, as de1sim_chip's hps_waits_o; 0: not known
     input  wire             rvalid_i,
     input  wire [WIDTH-1:0] rdata_i
 );
+    localparam [1:0] SIZE = WIDTH == 128 ? 2'd2 : WIDTH == 64 ? 2'd1 : 2'd0;
+
+    reg              valid_q = 0;
+    reg  [3:0]       beat_q = 0;
+    wire             begins, ends, reset;
+
+    de1sim_hps_port #(.FULL(FULL)) port (
+        .clk_i(clk_i), .size_i(SIZE),
+        .begins_o(begins), .ends_i(ends), .reset_o(reset), .waits_i(20'd0)
+    );
+
+    assign valid_o = valid_q;
+
 `ifdef DE1SIM_LISTS
-    // The design alone, without the chip.
-    assign valid_o   = 1'b0;
-    assign write_o   = 1'b0;
-    assign address_o = 32'd0;
-    assign wdata_o   = {WIDTH{1'b0}};
-    assign be_o      = {BYTES{1'b0}};
+    assign {write_o, address_o, wdata_o, be_o} = {1 + 32 + WIDTH + BYTES{1'b0}};
+    assign ends = 1'b0;
 `else
-    localparam COPIES = WIDTH > 64 ? WIDTH / 64 : 1;
+    `include "de1sim_hps_bridge.vh"
 
-    reg              busy_q = 0, valid_q = 0, write_q = 0, answer_q = 0;
+    reg              write_q = 0;
+    reg  [3:0]       last_q = 0;
     reg  [31:0]      address_q = 0;
-    reg  [63:0]      wdata_q = 0;
-    reg  [7:0]       be_q = 0;
-    reg  [63:0]      rdata_q = 0;
+    reg  [WIDTH-1:0] wdata_q = 0;
+    reg  [BYTES-1:0] be_q = 0;
+    wire             next = rvalid_i && beat_q != last_q;
 
-    wire             request = FULL != 0 ? de1sim_chip.hps_request[1] : de1sim_chip.hps_request[0];
-    wire [BYTES-1:0] lane    = address_q & (BYTES - 1) & ~7;
-    wire [127:0]     answer  = {{128-WIDTH{1'b0}}, rdata_i} >> {lane, 3'd0};
-    wire [127:0]     wide    = {2{wdata_q}};
-
-    assign valid_o   = valid_q;
+    assign ends      = rvalid_i && beat_q == last_q;
     assign write_o   = write_q;
-    assign address_o = address_q & ~(BYTES - 1);
-    assign wdata_o   = WIDTH == 32 ? wdata_q >> {address_q[2], 5'd0} : wide[WIDTH-1:0];
-    assign be_o      = WIDTH == 32 ? be_q >> {address_q[2], 2'd0} : {8'd0, be_q} << lane;
+    assign address_o = address_q;
+    assign wdata_o   = wdata_q;
+    assign be_o      = be_q;
 
+    // verilator lint_off UNUSED
+    reg  [63:0]      burst;
+    reg  [127:0]     data;
+    integer          strobes, address;
+    // verilator lint_on UNUSED
+    // verilator lint_off BLKSEQ
     always @(posedge clk_i) begin
-        if (!busy_q && request != answer_q) begin
-            busy_q    <= 1'b1;
-            valid_q   <= 1'b1;
-            write_q   <= de1sim_chip.hps_write;
-            address_q <= de1sim_chip.hps_address;
-            wdata_q   <= de1sim_chip.hps_wdata;
-            be_q      <= de1sim_chip.hps_be;
-        end
         if (valid_q && ready_i) valid_q <= 1'b0;
-        if (rvalid_i) begin
-            busy_q   <= 1'b0;
-            answer_q <= !answer_q;
-            rdata_q  <= WIDTH == 32 ? {2{rdata_i[31:0]}} : answer[63:0];
+        if (rvalid_i && !write_q)
+            de1sim_hps_answered({28'd0, beat_q}, {{128-WIDTH{1'b0}}, rdata_i});
+        if (begins) begin
+            burst = de1sim_hps_burst();
+            {write_q, last_q} <= {burst[62], burst[35:32]};
         end
-        if (de1sim_chip.hps_reset[0]) begin  // ends an access, which nobody will answer
-            busy_q   <= 1'b0;
-            valid_q  <= 1'b0;
-            answer_q <= request;
+        if (begins || next) begin
+            strobes   = de1sim_hps_beat(begins ? 0 : {28'd0, beat_q} + 1, address, data);
+            valid_q   <= 1'b1;
+            beat_q    <= begins ? 4'd0 : beat_q + 4'd1;
+            address_q <= address;
+            wdata_q   <= data[WIDTH-1:0];
+            be_q      <= strobes[BYTES-1:0];
         end
+        if (reset) valid_q <= 1'b0;
     end
-
-    generate
-        if (FULL != 0) begin : full
-            assign de1sim_chip.hps_answer[1] = answer_q;
-            assign de1sim_chip.hps_full_rdata = rdata_q;
-            assign de1sim_chip.hps_size[3:2] = size_i + 2'd1;
-            assign de1sim_chip.hps_waits[5:3] = busy_q ? waits_i : 3'd7;
-        end else begin : lightweight
-            assign de1sim_chip.hps_answer[0] = answer_q;
-            assign de1sim_chip.hps_lw_rdata = rdata_q;
-            assign de1sim_chip.hps_size[1:0] = size_i + 2'd1;
-            assign de1sim_chip.hps_waits[2:0] = busy_q ? waits_i : 3'd7;
-        end
-    endgenerate
+    // verilator lint_on BLKSEQ
 `endif
 endmodule
 

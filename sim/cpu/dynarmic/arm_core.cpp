@@ -22,6 +22,8 @@ ArmStop ArmCore::run(std::uint64_t limit) {
 
 ArmStop ArmCore::run_by_bytes() { return engine_->step_by_bytes().value_or(ArmStop::LIMIT); }
 
+ArmCore::OnBus ArmCore::on_bus() const { return engine_->on_bus(); }
+
 // ---- Registers ----------------------------------------------------------------------------------
 
 void ArmCore::reset(std::uint32_t entry, std::uint32_t stack) {

@@ -137,6 +137,7 @@ T DataAccess::load_pieces(std::uint32_t address) {
         if (!before_access(at, bytes, false)) return 0;
         const Mmu::Page& page = mmu_.page(at);
         std::uint32_t piece = 0;
+        cache_ = page.cache;
         if (page.bytes)
             std::memcpy(&piece, page.bytes + (at & PAGE_MASK), bytes);
         else if (!bus_.read(page.physical | (at & PAGE_MASK), bytes, piece))
@@ -168,6 +169,7 @@ DataAccess::StorePlan DataAccess::plan_store(std::uint32_t address, unsigned lef
 
 bool DataAccess::store_on_bus(const StorePlan& plan, std::uint32_t address, std::uint32_t value) {
     const std::uint32_t on_bus = plan.page.physical | (address & PAGE_MASK);
+    cache_ = plan.page.cache;
     const bool done = plan.to == StorePlan::To::MERGED
                           ? bus_.write_normal(on_bus, plan.bytes, value)
                           : bus_.write(on_bus, plan.bytes, value);

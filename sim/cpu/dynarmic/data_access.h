@@ -66,6 +66,8 @@ public:
     bool is_watched() const { return end_ == End::WATCHED; }
     std::uint32_t missed_address() const { return missed_address_; }
     const ArmFault& fault() const { return fault_; }
+    // Of the last one on the bus, as ArmCore::OnBus has it.
+    unsigned cache() const { return cache_; }
     // One of the step would have been missed in translated code.
     bool has_reached() const { return reached_; }
 
@@ -99,6 +101,7 @@ private:
     Alignment required_;  // of the instruction that a step does
     End end_ = End::DONE;
     bool reached_ = false;
+    unsigned cache_ = 0;
     std::uint32_t missed_address_ = 0;
     ArmFault fault_;  // of the last that was refused
 };

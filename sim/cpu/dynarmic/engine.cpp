@@ -11,6 +11,7 @@
 #include "sim/cpu/dynarmic/direct.h"
 #include "sim/cpu/dynarmic/instructions.h"
 #include "sim/cpu/dynarmic/thread_registers.h"
+#include "sim/cpu/transferred_words.h"
 
 namespace sim {
 
@@ -97,6 +98,7 @@ bool ArmCore::Engine::done_directly(std::uint32_t pc, std::uint32_t before) {
     unaccounted_ = before + 1;
     core_.count_ += unaccounted_;
     core_.last_pc_ = pc;
+    words_ = 1;
     data_.begin_step({access->bytes, false, false});
     const bool done = data_.transfer(*access);
     data_.end_step();
@@ -221,6 +223,7 @@ std::optional<ArmStop> ArmCore::Engine::step() {
     ++core_.count_;
     const std::uint32_t word = code_.instruction(pc, cpu.thumb()).value_or(0);
     const Alignment required = alignment(word, cpu.thumb());
+    words_ = transferred_words(word, cpu.thumb());
     data_.begin_step(required);
     if (data_.refuses_structure(word)) {
         data_.end_step();

@@ -49,6 +49,9 @@ struct ArmCore::Engine final : private Dynarmic::A32::UserCallbacks {
     // Executes one; its accesses as ArmCore::run_by_bytes() says.
     std::optional<ArmStop> step_by_bytes();
 
+    // In an access to the bus.
+    OnBus on_bus() const { return {words_, data_.cache(), cpu.privileged()}; }
+
 private:
     // What happened in a callback.
     enum class Event { NONE, HINT_WFI, HINT_WFE, SVC, BREAKPOINT, UNDEFINED, NO_CODE, ABORT };
@@ -131,6 +134,7 @@ private:
     Dynarmic::ExclusiveMonitor monitor_{1};
 
     bool stepping_ = false;          // one instruction is being done, whose count is added already
+    unsigned words_ = 1;             // that the one being done transfers
     unsigned after_ = 0;             // instructions, by which the present run may do too many
     std::uint64_t unaccounted_ = 0;  // instructions of the present block, in a callback
     bool called_ = false;            // the run has ended with a call, for the tally

@@ -21,6 +21,7 @@ void Mmu::look_up(std::uint32_t address, Page& page) const {
     page.status = to.status;
     page.access = to.access;
     page.normal = to.normal;
+    page.cache = static_cast<std::uint8_t>(axi_cache(to));
     page.no_code = !(to.access & arm_access::EXECUTE);
     if (to.access == 0) return;  // which is not cached, as in a TLB (B3.9.1)
     page.number = address >> 12;

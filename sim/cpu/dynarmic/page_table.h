@@ -25,6 +25,7 @@ public:
         unsigned access = 0;                 // arm_access
         bool no_code = false;                // by the translation tables
         bool normal = false;                 // Normal memory, by the translation tables
+        std::uint8_t cache = 0;              // the same as ArmCore::OnBus has it
         std::uint32_t status = 0;            // fault status of an access that is not allowed
 
         bool may_execute() const { return code && (access & arm_access::EXECUTE); }

@@ -140,6 +140,12 @@ Translation translate(const Cp15Registers& cp15, const MemoryMap& memory, std::u
     return {physical, access, PERMISSION | level | in_status, type.normal, attributes};
 }
 
+unsigned axi_cache(const Translation& to) {
+    constexpr std::uint8_t OUTER[] = {0b0011, 0b1111, 0b0110, 0b0111};
+    if (to.normal) return OUTER[to.attributes >> 2 & 3];
+    return (to.attributes & DEVICE) == DEVICE ? 0b0001 : 0b0000;
+}
+
 std::uint32_t par(const Translation& to, unsigned needed) {
     constexpr std::uint32_t FAULT = 1, STATUS = 0xF, STATUS_4 = 1 << 10;
     if ((to.access & needed) != needed)

@@ -30,6 +30,9 @@ struct Translation {
 Translation translate(const Cp15Registers& cp15, const MemoryMap& memory, std::uint32_t address,
                       bool privileged);
 
+// AxCACHE of an access there, as the Cortex-A9 has it: for Normal memory by the outer attributes.
+unsigned axi_cache(const Translation& translation);
+
 // What PAR has after an address translation operation: the physical address, or the fault's status.
 // `needed`: arm_access.
 std::uint32_t par(const Translation& translation, unsigned needed);

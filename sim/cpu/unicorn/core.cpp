@@ -1,3 +1,4 @@
+#include "sim/cpu/transferred_words.h"
 #include "sim/cpu/unicorn/engine.h"
 
 namespace sim {
@@ -24,6 +25,18 @@ unsigned hint(const ArmCore& core) {
 }  // namespace
 
 ArmStop ArmCore::run_by_bytes() { return run(1); }
+
+ArmCore::OnBus ArmCore::on_bus() const {
+    const std::uint32_t flags = cpsr();
+    const bool thumb = flags & arm_cpsr::T, privileged = (flags & arm_cpsr::MODE) != arm_mode::USR;
+    std::uint16_t half[2] = {};
+    if (!read_ram(last_pc_, half, sizeof half)) return {1, 0, privileged};
+    const std::uint32_t first = half[0], second = half[1];
+    const std::uint32_t word = !thumb           ? first | second << 16
+                               : first < 0xE800 ? first
+                                                : first << 16 | second;
+    return {transferred_words(word, thumb), 0, privileged};
+}
 
 const bool ArmCore::TELLS_OF_MASKS = false;
 

@@ -96,9 +96,8 @@ private:
         if (m.is_bridge) {
             text_.line(fmt::format(
                 "de1sim_hps_bridge #(.FULL({}), .WIDTH({})) {}_agent (\n"
-                "        .clk_i({}), .size_i(2'd{}), .waits_i(3'd0),\n        {}\n    );",
-                window_of(m) == H2F_BASE ? 1 : 0, m.width, own.name, own.clock, m.width / 64,
-                asks(own)));
+                "        .clk_i({}),\n        {}\n    );",
+                window_of(m) == H2F_BASE ? 1 : 0, m.width, own.name, own.clock, asks(own)));
             return own;
         }
         const Interface& i = *m.end.interface;

@@ -58,22 +58,15 @@ module de1sim_chip (
     input  wire        irda_rxd_i,
     input  wire [7:0]  td_data_i,
 
-    // The processor, where the design has a system with it (rtl/ip/de1sim_hps_bridge.v).
+    // The processor, where the design has a system with it (rtl/ip/de1sim_hps_port.v).
     input  wire        hps_moved_i,     // changes after an input below has
-    input  wire [1:0]  hps_request_i,   // changes with an access: 0 lightweight bridge, 1 full
-    input  wire        hps_write_i,
-    input  wire [31:0] hps_address_i,   // in the bridge's window
-    input  wire [7:0]  hps_be_i,        // of the eight bytes around it
-    input  wire [63:0] hps_wdata_i,
+    input  wire [1:0]  hps_request_i,   // changes with a burst: 0 lightweight bridge, 1 full
     input  wire [1:0]  hps_reset_i,     // of the FPGA: h2f_cold_rst_n, h2f_rst_n, active high
     input  wire [31:0] hps_gp_i,        // general purpose signals: the processor's
     output wire [1:0]  hps_answer_o,    // follows hps_request_i
     output wire [3:0]  hps_size_o,      // buses, full and lightweight: 0: none, 1: 32 bits, 2: 64,
                                         // 3: 128
-    output wire [5:0]  hps_waits_o,     // of the same, for what an access waits: 1 awready,
-                                        // 2 wready, 3 bvalid, 4 arready, 5 rvalid, 7 the clock
-    output wire [63:0] hps_lw_rdata_o,
-    output wire [63:0] hps_full_rdata_o,
+    output wire [39:0] hps_waits_o,     // of the same, for what a burst waits (bridge.h)
     output wire [63:0] hps_irq_o,       // IDs 72 to 135
     output wire [31:0] hps_gp_o,        // general purpose signals: the FPGA's
     output wire [2:0]  hps_reset_requests_o  // debug, warm, cold; active high
@@ -165,25 +158,17 @@ module de1sim_chip (
     pullup(PS2_DAT2);
 
     reg  [1:0]  hps_request = 2'd0;
-    reg         hps_write = 1'b0;
-    reg  [31:0] hps_address = 32'd0;
-    reg  [7:0]  hps_be = 8'd0;
-    reg  [63:0] hps_wdata = 64'd0;
     reg  [1:0]  hps_reset = 2'd0;
     reg  [31:0] hps_gp = 32'd0;
     wire [1:0]  hps_answer;
     wire [3:0]  hps_size;
-    wire [5:0]  hps_waits;
-    wire [63:0] hps_lw_rdata, hps_full_rdata, hps_irq;
+    wire [39:0] hps_waits;
+    wire [63:0] hps_irq;
     wire [31:0] hps_fpga_gp;
     wire [2:0]  hps_reset_requests;
 
     always @(posedge hps_moved_i or negedge hps_moved_i) begin
         hps_request <= hps_request_i;
-        hps_write <= hps_write_i;
-        hps_address <= hps_address_i;
-        hps_be <= hps_be_i;
-        hps_wdata <= hps_wdata_i;
         hps_reset <= hps_reset_i;
         hps_gp <= hps_gp_i;
     end
@@ -210,8 +195,6 @@ module de1sim_chip (
     assign hps_answer_o = hps_answer;
     assign hps_size_o = hps_size;
     assign hps_waits_o = hps_waits;
-    assign hps_lw_rdata_o = hps_lw_rdata;
-    assign hps_full_rdata_o = hps_full_rdata;
     assign hps_irq_o = hps_irq;
     assign hps_gp_o = hps_fpga_gp;
     assign hps_reset_requests_o = hps_reset_requests;

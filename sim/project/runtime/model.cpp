@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "sim/project/init_file.h"
+#include "sim/project/runtime/bridge.h"
 #include "sim/project/runtime/clocks.h"
 #include "sim/project/runtime/design.h"
 #include "sim/project/runtime/endings.h"
@@ -88,19 +89,13 @@ public:
         return size ? 16u << size : 0;
     }
 
-    const char* waits_for() const override {
-        constexpr const char* SIGNALS[8] = {"",        "awready", "wready", "bvalid",
-                                            "arready", "rvalid",  "",       "clk"};
-        return SIGNALS[top_.hps_waits_o >> (full_ ? 3 : 0) & 7];
+    std::string waits_for() const override {
+        return bridge_waits_for(top_.hps_waits_o >> (bridge_burst.full ? 20 : 0));
     }
 
-    void begin(const BridgeAccess& access) override {
-        full_ = access.full;
-        top_.hps_request_i ^= full_ ? 2 : 1;
-        top_.hps_write_i = access.write;
-        top_.hps_address_i = access.address;
-        top_.hps_be_i = access.byte_enable;
-        top_.hps_wdata_i = access.data;
+    void begin(const BridgeBurst& burst) override {
+        bridge_burst = burst;
+        top_.hps_request_i ^= burst.full ? 2 : 1;
         move_processor();
     }
 
@@ -119,9 +114,7 @@ public:
         return is_answered();
     }
 
-    std::uint64_t answer() const override {
-        return full_ ? top_.hps_full_rdata_o : top_.hps_lw_rdata_o;
-    }
+    const BridgeBurst& answer() const override { return bridge_burst; }
     std::uint64_t interrupts() const override { return top_.hps_irq_o; }
     unsigned reset_requests() const override { return top_.hps_reset_requests_o; }
     std::uint32_t general_purpose() const override { return top_.hps_gp_o; }
@@ -427,7 +420,6 @@ private:
         look_ = true;
     }
 
-    bool full_ = false;  // the last access is on the full bridge
     const DesignFacts& facts_;
     PinListener& listener_;
     const Trace trace_;

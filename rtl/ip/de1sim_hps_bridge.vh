@@ -1,0 +1,15 @@
+// de1sim_hps_bridge.vh - the functions by which a bridge of the processor gets its bursts
+//
+// To be included in a module.  The C++ side is sim/project/runtime/bridge.h.
+`begin_keywords "1800-2017"
+
+// The burst that is there: write, prot, cache, lock, id, burst, size, len and address, from bit 62
+// down, as AXI3 has them.
+import "DPI-C" function longint de1sim_hps_burst();
+// A beat of it: returns the strobes of its bytes; `address` is of the bus's word.
+import "DPI-C" function int de1sim_hps_beat(input int beat, output int address,
+                                            output bit [127:0] data);
+// The design has answered a beat of a read, each byte in its lane.
+import "DPI-C" function void de1sim_hps_answered(input int beat, input bit [127:0] data);
+
+`end_keywords
