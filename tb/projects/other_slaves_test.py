@@ -65,13 +65,14 @@ AXI_V = """module {name}(input clk, input reset,
     assign bvalid = aw_q && w_q && chance_q[7];
     assign rvalid = ar_q && waits_q;
     assign rdata  = !rvalid ? 32'hdeadbeef : at_q == 60 ? wrong_q : words[at_q[5:2]];
-    assign {{bid, bresp, rid, rresp, rlast}} = {{12'd0, 2'd0, 12'd0, 2'd0, 1'b1}};
+    reg [11:0] id_q;
+    assign {{bid, bresp, rid, rresp, rlast}} = {{id_q, 2'd0, id_q, 2'd0, 1'b1}};
     integer n;
     always @(posedge clk) begin
         chance_q <= {{chance_q[14:0], chance_q[15] ^ chance_q[13] ^ chance_q[12] ^ chance_q[10]}};
-        if (awvalid && awready) {{aw_q, at_q}} <= {{1'b1, awaddr}};
+        if (awvalid && awready) {{aw_q, at_q, id_q}} <= {{1'b1, awaddr, awid}};
         if (wvalid && wready) {{w_q, data_q, strobe_q}} <= {{1'b1, wdata, wstrb}};
-        if (arvalid && arready) {{ar_q, at_q}} <= {{1'b1, araddr}};
+        if (arvalid && arready) {{ar_q, at_q, id_q}} <= {{1'b1, araddr, arid}};
         waits_q <= ar_q && (waits_q || chance_q[9]) && !(rvalid && rready);
         if (rvalid && rready) ar_q <= 0;
         if (bvalid && bready) begin
@@ -127,15 +128,25 @@ R32(0xFF200000) = bad ? bad : 0x3FF;"""
         self.program(self.PROGRAM.replace("NARROW", ""))
         self.shows(0x3FF)
 
-    def test_an_axi4_slave(self):
-        """Its last word counts what AXI does not allow; it is ready, and answers, by chance."""
+    def axi4(self, verilog):
         ports = "".join(f"add_interface_port s {role} {role} {direction} {width}\n"
                         for role, width, direction in AXI_PORTS)
         text = APB_TCL[:APB_TCL.index("add_interface_port s paddr")].replace("s apb", "s axi4")
-        self.write(axi_hw_tcl=text.format(name="axi") + ports, axi_v=AXI_V.format(name="axi"))
+        self.write(axi_hw_tcl=text.format(name="axi") + ports, axi_v=verilog)
         self.joined([("a", "axi"), ("b", "axi")])
+
+    def test_an_axi4_slave(self):
+        """Its last word counts what AXI does not allow; it is ready, and answers, by chance."""
+        self.axi4(AXI_V.format(name="axi"))
         self.program(self.PROGRAM.replace("NARROW", self.NARROW))
         self.shows(0x3FF)
+
+    def test_an_axi4_slave_that_does_not_return_the_id(self):
+        self.axi4(AXI_V.format(name="axi").replace("{id_q, 2'd0, id_q, ", "{12'd0, 2'd0, 12'd0, "))
+        for access, what in (("R32(0xFF200100) = 1;", "write of 4 bytes at 0xFF200100 (a did not"),
+                             ("(void)R32(0xC0000200);", "read of 4 bytes at 0xC0000200 (b did")):
+            self.program(access)
+            self.assertIn(what, self.played("delay: 30ms", code=1).stderr)
 
 
 class InstanceModules(SystemCase):

@@ -73,22 +73,29 @@ public:
                   {"awburst", "2'b01"},
                   {"arburst", "2'b01"},
                   {"wlast", "1'b1"}});
-        for (const char* role : {"awid", "awlen", "awlock", "awcache", "awprot", "awqos",
-                                 "awregion", "awuser", "wid", "wuser", "arid", "arlen", "arlock",
-                                 "arcache", "arprot", "arqos", "arregion", "aruser"})
+        const Port* of_id = nullptr;
+        for (const char* role : {"awid", "wid", "bid", "arid", "rid"})
+            if (!of_id) of_id = interface_.port(role);
+        const std::string id = name_ + "_id";
+        text_.wire(id, of_id ? std::max(1u, of_id->width) : 1);
+        for (const char* role : {"awid", "wid", "arid"}) constant({{role, id}});
+        for (const char* role :
+             {"awlen", "awlock", "awcache", "awprot", "awqos", "awregion", "awuser", "wuser",
+              "arlen", "arlock", "arcache", "arprot", "arqos", "arregion", "aruser"})
             constant({{role, "1'b0"}});
         text_.line(fmt::format(
-            "de1sim_axi_slave #(.WIDTH({}), .ADDRESS({})) {} (\n"
+            "de1sim_axi_slave #(.WIDTH({}), .ADDRESS({}), .ID({})) {} (\n"
             "        .clk_i({}), .rst_i({}),\n        {},\n"
             "        .awaddr_o({}), .awvalid_o({}), .awready_i({}),\n"
             "        .wdata_o({}), .wstrb_o({}), .wvalid_o({}), .wready_i({}),\n"
-            "        .bvalid_i({}), .bready_o({}),\n"
+            "        .bvalid_i({}), .bready_o({}), .id_o({}), .bid_i({}), .rid_i({}),\n"
             "        .araddr_o({}), .arvalid_o({}), .arready_i({}),\n"
             "        .axi_rdata_i({}), .axi_rvalid_i({}), .axi_rready_o({})\n    );",
-            slave_.width, std::max(1u, slave_.address_bits), name_, clock_, reset_,
-            from_.is_asked(), wire("awaddr"), wire("awvalid"), output("awready", "1'b1"),
-            wire("wdata"), wire("wstrb"), wire("wvalid"), output("wready", "1'b1"),
-            output("bvalid", "1'b1"), wire("bready"), wire("araddr"), wire("arvalid"),
+            slave_.width, std::max(1u, slave_.address_bits), of_id ? std::max(1u, of_id->width) : 1,
+            name_, clock_, reset_, from_.is_asked(), wire("awaddr"), wire("awvalid"),
+            output("awready", "1'b1"), wire("wdata"), wire("wstrb"), wire("wvalid"),
+            output("wready", "1'b1"), output("bvalid", "1'b1"), wire("bready"), id,
+            output("bid", id), output("rid", id), wire("araddr"), wire("arvalid"),
             output("arready", "1'b1"), output("rdata", fmt::format("{}'d0", slave_.width)),
             output("rvalid", "1'b1"), wire("rready")));
     }
