@@ -11,6 +11,7 @@
 #include "sim/project/clean_sources.h"
 #include "sim/project/compiled_headers.h"
 #include "sim/project/generated.h"
+#include "sim/project/init_checks.h"
 #include "sim/project/syntax_tree.h"
 #include "sim/project/tools.h"
 #include "sim/verilog/file_finder.h"
@@ -251,6 +252,7 @@ void Builder::read_and_elaborate() {
         throw ProjectError{fmt::format("the design has {} PLL clocks, expected at most 64",
                                        design_.elaborated.pll_clocks.size())};
     check();
+    check_init_files(design_.init_files, init_folders(design_.project));
     generate();
 }
 

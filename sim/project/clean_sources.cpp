@@ -193,7 +193,9 @@ CleanSources clean_sources(const SourceRequest& from) {
         clean.changes.insert(clean.changes.end(), normalised.changes.begin(),
                              normalised.changes.end());
         for (const InitName& init : normalised.init_names)
-            clean.init_files.push_back({init.name, fmt::format("{}:{}", name, init.line)});
+            if (in_design.count(init.module))
+                clean.init_files.push_back(
+                    {init.name, fmt::format("{}:{}", name, init.line), init.reader});
         for (TextChecks::OfModule& one : normalised.checks.of_modules)
             if (in_design.count(one.module))
                 (one.is_error ? normalised.checks.errors : normalised.checks.warnings)

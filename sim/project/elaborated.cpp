@@ -63,21 +63,26 @@ std::vector<InitFile> init_files_of(const pugi::xml_node& root) {
     const std::map<std::string, std::string> paths = paths_of(root);
     std::map<std::string, std::string> files;  // by the module
     const auto modules = root.child("netlist").children("module");
-    for (const auto& module : modules)
+    for (const auto& module : modules) {
+        if (place_of(module, paths).compare(0, 5, "data/") != 0) continue;  // is no model
         for (const auto& var : module.children("var")) {
             const std::string name = var.attribute("name").value();
             if (var.attribute("param") && (name == "INIT_FILE" || name == "LPM_FILE"))
+                files[module.attribute("name").value()] = text_of_value(var);
+            else if (var.attribute("param") && name == "init_file")  // Platform Designer's
                 files.emplace(module.attribute("name").value(), text_of_value(var));
         }
+    }
     std::vector<InitFile> wanted;
     for (const auto& module : modules)
         for (const auto& found : module.select_nodes(".//instance")) {
             const auto file = files.find(found.node().attribute("defName").value());
             const std::string place = place_of(found.node(), paths);
             if (file == files.end() || place.compare(0, 5, "data/") == 0) continue;
-            const std::string name = lower(file->second);
-            if (name.empty() || name == "unused" || name == "none") continue;
-            wanted.push_back({file->second, place});
+            std::string name = file->second;
+            if (!name.empty() && name.back() == '?') name.pop_back();  // it may be nowhere
+            if (!name.empty() && lower(name) != "unused" && lower(name) != "none")
+                wanted.push_back({name, place, {}});
         }
     return wanted;
 }
@@ -129,9 +134,9 @@ void refuse_foreign_code(const pugi::xml_document& document) {
                 place_of(found.node(), paths_of(document.child("verilator_xml"))), word)};
 }
 
-// The copies of de1sim_pll_tap that make a clock: all but those of the processor's user clocks that
-// nobody connects.
-std::set<std::string> used_taps(const pugi::xml_node& netlist) {
+// The copies of de1sim_pll_tap that make a clock, and what has them: all but those of the
+// processor's user clocks that nobody connects.
+std::map<std::string, std::set<std::string>> used_taps(const pugi::xml_node& netlist) {
     std::set<std::pair<std::string, std::string>> connected;  // a module's port
     for (const auto& module : netlist.children("module"))
         for (const auto& instance : module.select_nodes(".//instance"))  // also of a `generate`
@@ -139,7 +144,7 @@ std::set<std::string> used_taps(const pugi::xml_node& netlist) {
                 if (port.first_child())
                     connected.emplace(instance.node().attribute("defName").value(),
                                       port.attribute("name").value());
-    std::set<std::string> used;
+    std::map<std::string, std::set<std::string>> used;
     for (const auto& module : netlist.children("module")) {
         const bool is_processors = std::string{"cyclonev_hps_interface_clocks_resets"} ==
                                    module.attribute("origName").value();
@@ -148,7 +153,7 @@ std::set<std::string> used_taps(const pugi::xml_node& netlist) {
             const std::string clock =
                 instance.child("port").child("varref").attribute("name").value();
             if (!is_processors || connected.count({module.attribute("name").value(), clock}))
-                used.insert(instance.attribute("defName").value());
+                used[instance.attribute("defName").value()].insert(is_processors ? clock : "PLL");
         }
     }
     return used;
@@ -165,7 +170,7 @@ Elaborated read_elaborated(const std::filesystem::path& file, const std::string&
         types.emplace(type.attribute("id").value(), type);
 
     Elaborated design;
-    const std::set<std::string> taps = used_taps(netlist);
+    const auto taps = used_taps(netlist);
     std::optional<PinClocks> pin_clocks;
     for (const auto& module : netlist.children("module")) {
         if (top == module.attribute("origName").value()) {
@@ -175,22 +180,29 @@ Elaborated read_elaborated(const std::filesystem::path& file, const std::string&
                     ports.emplace(index.as_int(), port_of(var, types));
             for (const auto& [index, port] : ports) design.ports.push_back(port);
         }
+        const auto tap = taps.find(module.attribute("name").value());
         if (std::string{"de1sim_pll_tap"} == module.attribute("origName").value() &&
-            taps.count(module.attribute("name").value())) {
+            tap != taps.end()) {
             std::map<std::string, std::uint64_t> values;
             for (const auto& var : module.children("var"))
                 if (var.attribute("param"))
                     values[var.attribute("origName").value()] = value_of(var);
             if (!pin_clocks) pin_clocks.emplace(netlist);
             const PllClock clock{
-                values["PERIOD_FS"], values["PHASE_FS"], values["HIGH_FS"], values["SETTABLE"] != 0,
+                values["PERIOD_FS"],
+                values["PHASE_FS"],
+                values["HIGH_FS"],
+                values["SETTABLE"] != 0,
+                tap->second,
                 pin_clocks->driven_by(module.attribute("name").value()).value_or(NO_PINS)};
             auto& all = design.pll_clocks;
             const auto same = std::find(all.begin(), all.end(), clock);
-            if (same != all.end())
+            if (same != all.end()) {
+                same->names.insert(clock.names.begin(), clock.names.end());
                 same->pins.clear();
-            else if (clock.period_fs)
+            } else if (clock.period_fs) {
                 all.push_back(clock);
+            }
         }
     }
     design.init_files = init_files_of(document.child("verilator_xml"));

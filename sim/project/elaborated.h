@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -19,10 +20,11 @@ struct Port {
     bool vector;      // has a range
 };
 
-// One output of a PLL, in femtoseconds.
+// One output of a PLL, or a clock of the processor's, in femtoseconds.
 struct PllClock {
     std::uint64_t period_fs, phase_fs, high_fs;
-    bool is_settable;  // the design can change it
+    bool is_settable;             // the design can change it
+    std::set<std::string> names;  // of what makes it: PLL, h2f_user0_clk
     // The top's outputs that it drives and nothing else in the design sees; else empty.
     std::vector<PinClocks::PortBit> pins;
     bool operator==(const PllClock& o) const {
@@ -31,10 +33,11 @@ struct PllClock {
     }
 };
 
-// A file that a model of IP begins with: INIT_FILE or LPM_FILE.
+// A file that a memory begins with: of a model by INIT_FILE or LPM_FILE, or of the design's own.
 struct InitFile {
-    std::string name;   // as written
-    std::string place;  // of the instance: "rom.v:12"
+    std::string name;    // as written
+    std::string place;   // of the instance or memory: "rom.v:12"
+    std::string reader;  // $readmemh, $readmemb; else it is a MIF or Intel HEX file
 };
 
 struct Elaborated {

@@ -23,8 +23,13 @@ public:
         next();
     }
 
-    void read(MemoryImage& image) {
+    MifSize size() {
         while (token_ != "CONTENT") read_setting();
+        return {static_cast<unsigned>(width_), depth_};
+    }
+
+    void read(MemoryImage& image) {
+        size();
         next();
         expect("BEGIN");
         while (token_ != "END") read_entry(image);
@@ -51,7 +56,9 @@ private:
         std::size_t length = 1;
         if (text_.substr(0, 2) == "..") length = 2;
         if (is_word(text_[0])) {
-            while (length < text_.size() && is_word(text_[length])) ++length;
+            while (length < text_.size() && is_word(text_[length]) &&
+                   text_.substr(length, 2) != "--")
+                ++length;
         }
         for (const char c : text_.substr(0, length)) {
             token_ += static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
@@ -202,6 +209,10 @@ private:
 };
 
 }  // namespace
+
+MifSize size_of_mif(std::string_view text, const std::string& name) {
+    return Mif{text, name}.size();
+}
 
 void read_mif(std::string_view text, const std::string& name, MemoryImage& image) {
     Mif{text, name}.read(image);

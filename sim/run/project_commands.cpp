@@ -4,8 +4,9 @@
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
-#include "sim/project/init_file.h"
+#include "sim/project/init_checks.h"
 #include "sim/project/tools.h"
 #include "sim/run/run.h"
 #include "sim/text/messages.h"
@@ -57,9 +58,7 @@ std::string addresses(const project::qsys::Generated& system) {
 
 // "font.mif (rom.v:12): data/font.mif"
 std::string found(const project::InitFile& wanted, const project::Project& project) {
-    std::vector<std::filesystem::path> folders;
-    for (const auto& source : project.sources) folders.push_back(source.path.parent_path());
-    const auto file = project::find_init_file(wanted.name, {project.folder, folders});
+    const auto file = project::find_init_file(wanted.name, project::init_folders(project));
     return fmt::format("{} ({}): {}", wanted.name, wanted.place,
                        file ? file->lexically_relative(project.folder).string()
                             : "not found, the memory will begin with zeros");
@@ -167,7 +166,7 @@ int check_project(const ProjectOptions& options, CheckPrints prints) {
     for (const auto& system : design.project.systems) text += addresses(system);
     text += "clocks:\n  CLOCK_50: 50 MHz\n";
     for (const auto& clock : design.elaborated.pll_clocks)
-        text += fmt::format("  PLL: {:.6f} MHz, phase {:.3f} ns{}\n",
+        text += fmt::format("  {}: {:.6f} MHz, phase {:.3f} ns{}\n", fmt::join(clock.names, ", "),
                             1e9 / static_cast<double>(clock.period_fs),
                             static_cast<double>(clock.phase_fs) * 1e-6,
                             clock.is_settable ? ", until it is reconfigured" : "");

@@ -17,6 +17,7 @@ public:
     std::vector<InitName> run() {
         for (std::size_t i = 0; i + 2 < tokens_.size(); ++i) {
             const Token& token = tokens_[i];
+            if (token.is("module")) module_ = tokens_[i + 1].text;
             if ((token.is("$readmemh") || token.is("$readmemb")) && tokens_[i + 1].is("("))
                 readmem(i + 2);
             else if (token.is("ram_init_file") && tokens_[i + 1].is("="))
@@ -28,9 +29,10 @@ public:
     }
 
 private:
-    void note(const Token& token, std::string_view literal) {
+    void note(const Token& token, std::string_view literal, std::string_view reader) {
         if (literal.size() > 2 && literal.front() == '"')
-            names_.push_back({std::string{literal.substr(1, literal.size() - 2)}, token.line});
+            names_.push_back({std::string{literal.substr(1, literal.size() - 2)}, token.line,
+                              module_, std::string{reader}});
     }
 
     void readmem(std::size_t begin) {
@@ -42,7 +44,7 @@ private:
             if (depth < 0) return;
         }
         if (end == tokens_.size()) return;
-        if (end == begin + 1) note(tokens_[begin], tokens_[begin].text);
+        if (end == begin + 1) note(tokens_[begin], tokens_[begin].text, tokens_[begin - 2].text);
         edits_.before[begin] +=
             fmt::format("{}de1sim_init::de1sim_init_path({}", SYSTEM_VERILOG, BACK);
         edits_.before[end] += ")";
@@ -77,7 +79,7 @@ private:
             --i;
         }
         if (i == 0 || i == end || tokens_[i - 1].kind != Kind::NAME) return;
-        note(tokens_[i - 1], file);
+        note(tokens_[i - 1], file, "ram_init_file");
         const std::string memory{tokens_[i - 1].text};
         const std::string width = fmt::format("$bits({0}[$low({0})])", memory);
         edits_.after[end] += fmt::format(
@@ -92,6 +94,7 @@ private:
 
     const std::vector<Token>& tokens_;
     Edits& edits_;
+    std::string module_;
     std::vector<InitName> names_;
     unsigned number_ = 0;
 };

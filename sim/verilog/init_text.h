@@ -16,6 +16,7 @@ namespace sim::project {
 struct InitName {
     std::string name;  // as written
     unsigned line;
+    std::string module, reader;  // that names it, and by what: $readmemh, $readmemb, ram_init_file
 };
 
 // Lets them be read at run time, from wherever they are.  Returns those whose names are literals.

@@ -35,6 +35,16 @@ class Attributes(Case):
         self.leds(0x3C, 1)
 
 
+class Mifs(Case):
+    def test_of_one_line_with_comments_everywhere(self):
+        self.write(top_v=ROM.format("x.mif"), x_mif="Width=8;%a\n;b%DEPTH=4;--DEPTH=5;\n"
+                   "address_radix=UNS;DATA_RADIX=bin;CONTENT--\nBegin--1\n"
+                   "[0..1]:1010 0101;2:%3:1;%00111100;--2:0;\n3:11--\n;END;--x\n")
+        self.leds(0b101, 1)
+        self.leds(0x3C, 2)
+        self.leds(3, 3)
+
+
 class Places(Case):
     def test_beside_the_source(self):
         words = 'reg [7:0] m [0:3]; initial $readmemh("w/x.hex", m);\n'
@@ -59,6 +69,47 @@ class Places(Case):
         self.write(top_v=ROM.format("gone.mif"))
         self.assertIn("gone.mif: not found", self.leds(0, 1))
         self.checked("gone.mif (top.v:2): not found, the memory will begin with zeros")
+
+
+class Broken(Case):
+    """Files that Quartus refuses, and de1sim before the design runs."""
+
+    def test_words_for_readmemh_as_a_memorys_file(self):
+        self.write(top_v=ROM.format("data/x.hex"), data__x_hex="// of the ROM\n01 02\na5 04\n")
+        message = ('data/x.hex:2: "01 02" are words for $readmemh, expected Intel HEX, whose lines '
+                   "begin with a colon, or a MIF, as the initial words of the memory at top.v:2")
+        self.refused(message)
+        self.refused(message, "build", ".")
+
+    def test_a_mif(self):
+        for design in (ROM.format("words.mif"),
+                       HEAD + '(* ram_init_file = "words.mif" *) reg [7:0] m [0:3];\n' + READS):
+            self.write(top_v=design, words_mif=MIF.format("0: 11;\n1: 5g;"))
+            self.refused('words.mif:3: "5G", expected a value in base 16, as the initial words of '
+                         "the memory at top.v:2")
+
+    def test_words_for_readmemh_that_are_none(self):
+        self.write(top_v=HEAD + 'reg [7:0] m [0:3]; initial $readmemh("x.hex", m);\n' + READS,
+                   x_hex="/* words\n */ 01 // of it\n@2 a_5 :02\n")
+        self.refused('x.hex:3: ":02", expected hexadecimal digits of a word, or @ and an address')
+
+    def test_words_that_are_right_in_all_ways_of_writing(self):
+        self.write(top_v=HEAD + 'reg [7:0] m [0:3]; initial $readmemb("x.txt", m);\n' + READS,
+                   x_txt="/* 2 */ 1_0 // 9\n01/**/x1\t@3\r\n11\n")
+        self.leds(3, 3)
+
+    def test_of_a_module_that_the_design_does_not_have_are_not_read(self):
+        self.write(top_v=HEAD + "assign LEDR[7:0] = SW[7:0]; endmodule\nmodule other;\n"
+                   'reg [7:0] m [0:3]; initial $readmemh("x.hex", m); endmodule\n', x_hex="ghi\n")
+        self.checked("top module: top")
+
+    def test_of_a_parameter_in_the_projects_own_module(self):
+        """It has the name that a model's has, and is no MIF."""
+        self.write(top_v=HEAD + "rom #(.INIT_FILE(\"x.hex\")) r (CLOCK_50, SW[1:0], LEDR[7:0]);\n"
+                   "endmodule\nmodule rom #(parameter INIT_FILE = \"\") (input c, input [1:0] a,\n"
+                   "output reg [7:0] q); reg [7:0] m [0:3]; initial $readmemh(INIT_FILE, m);\n"
+                   "always @(posedge c) q <= m[a]; endmodule\n", x_hex="01 02 a5 04\n")
+        self.leds(0xA5, 2)
 
 
 if __name__ == "__main__":

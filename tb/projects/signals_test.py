@@ -82,6 +82,9 @@ always @(posedge clocks[2]) if (counts) c2 <= c2 + 1;"""
                  ".h2f_user2_clk()")
         self.assertEqual(self.de1sim("build", ".").returncode, 0)
         self.assertEqual(self.pll_clocks(), 1)
+        said = self.de1sim("check", ".").stdout
+        self.assertIn("  h2f_user1_clk: 1.953125 MHz, phase 0.000 ns\n", said)
+        self.assertNotIn("PLL", said)
 
     def test_a_system_runs_on_one(self):
         """The port's rate follows from it: a word of 10 bits at 115,200 Hz takes 86.8 us."""

@@ -14,7 +14,8 @@ namespace {
 using namespace sim::project;
 
 // As Verilator 5.048 writes it, without what nobody reads.
-constexpr const char* META = R"~({"files": {"e": {"filename": "top.v"}}})~";
+constexpr const char* META = R"~({"files": {"e": {"filename": "top.v"},
+  "f": {"filename": "data/rtl/ip/sub.v"}}})~";
 constexpr const char* TREE = R"~({"type": "NETLIST", "modulesp": [
   {"type": "MODULE", "name": "top", "addr": "(A)", "loc": "e,1:8,1:11", "origName": "top",
    "stmtsp": [
@@ -39,7 +40,7 @@ constexpr const char* TREE = R"~({"type": "NETLIST", "modulesp": [
       {"type": "LOOPTEST", "loc": "e,6:3,6:4", "condp": [{"type": "CONST", "name": "1'h0"}]},
       {"type": "ASSIGN", "loc": "e,6:5,6:6"}], "contsp": [{"type": "ASSIGN", "loc": "e,6:7,6:8"}]}
     ]}]},
-  {"type": "MODULE", "name": "sub__1", "addr": "(D)", "loc": "e,9:8,9:11", "origName": "sub",
+  {"type": "MODULE", "name": "sub__1", "addr": "(D)", "loc": "f,9:8,9:11", "origName": "sub",
    "stmtsp": [
     {"type": "VAR", "name": "INIT_FILE", "addr": "(F)", "loc": "e,9:9,9:9", "dtypep": "(U)",
      "origName": "INIT_FILE", "direction": "NONE", "varType": "GPARAM",
