@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "sim/project/generated.h"
+#include "sim/project/init_checks.h"
 #include "sim/project/tools.h"
 #include "sim/text/lower.h"
 #include "sim/verilog/gates.h"
@@ -43,7 +44,8 @@ void add_models(Modules& modules) {
 }
 
 // The Verilog of each entity that is not only instanced by VHDL.
-std::vector<std::string> translate_vhdl(const SourceRequest& from, const Modules& modules) {
+std::vector<std::string> translate_vhdl(const SourceRequest& from, const Modules& modules,
+                                        std::vector<InitFile>& init_files) {
     const Project& project = from.project;
     if (project.entities.empty()) return {};
     const fs::path ip = data_folder() / "rtl" / "ip";
@@ -64,10 +66,17 @@ std::vector<std::string> translate_vhdl(const SourceRequest& from, const Modules
             roots.push_back({entity.name, entity.module(n), entity.options(n)});
     std::set<fs::path> needed;
     for (const SourceFile& file : project.sources) needed.insert(file.path);
+    const auto words = [&, folders = init_folders(project)](
+                           const std::string& file, const std::string& place, unsigned width) {
+        const fs::path of = project.folder / place.substr(0, place.rfind(':'));
+        if (!needed.count(of.lexically_normal())) return std::vector<std::string>{};
+        init_files.push_back({file, place, {}});
+        return initial_words(init_files.back(), folders, width);
+    };
     const std::vector<std::string> texts =
         verilog_of({project.folder, project.vhdl, roots, needed, from.folder / "vhdl",
                     vhdl_libraries(ip, read_open_inputs(ip / "defaults.tsv")),
-                    project.vhdl_libraries, in_verilog},
+                    project.vhdl_libraries, in_verilog, words},
                    from.limit);
     std::vector<std::string> all;
     auto text = texts.begin();
@@ -170,7 +179,7 @@ CleanSources clean_sources(const SourceRequest& from) {
         clean.included += file.text;
         if (has_modules(file)) add_modules(file.synthesised, modules, false);
     }
-    const std::vector<std::string> vhdl = translate_vhdl(from, modules);
+    const std::vector<std::string> vhdl = translate_vhdl(from, modules, clean.init_files);
     for (const std::string& text : vhdl)
         for (ModuleText& module : scan(text).modules) modules.emplace(module.name, module);
     OpenInputs open_inputs = read_open_inputs(data_folder() / "rtl/ip/defaults.tsv");

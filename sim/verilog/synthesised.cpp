@@ -13,7 +13,8 @@ namespace {
 
 bool in_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; }
 
-// What a comment orders: "translate_off", "read_comments_as_hdl on"; empty: nothing.
+}  // namespace
+
 std::string order_in(std::string_view comment) {
     static const std::set<std::string> SPEAKERS{"synthesis", "synopsys", "pragma",
                                                 "altera",    "exemplar", "ambit"};
@@ -22,8 +23,11 @@ std::string order_in(std::string_view comment) {
     words >> speaker >> what >> how;
     if (!SPEAKERS.count(speaker)) return {};
     while (!what.empty() && !in_word(what.back())) what.pop_back();
+    if (what == "synthesis_off" || what == "synthesis_on") return "translate" + what.substr(9);
     return what == "read_comments_as_hdl" ? what + " " + how.substr(0, how.find('*')) : what;
 }
+
+namespace {
 
 class SynthesisedText {
 public:

@@ -2,7 +2,8 @@
 //
 //   // synthesis translate_off          up to translate_on nothing is read, no directive either;
 //   initial $monitor(q);                "synopsys", "pragma" and so on are words for it, too, and
-//   // synthesis translate_on           a comment /* of this kind */ does the same
+//   // synthesis translate_on           a comment /* of this kind */ does the same, and so do
+//                                       synthesis_off and synthesis_on
 //
 //   // synthesis read_comments_as_HDL on     up to "off" the comments are read
 //
@@ -24,5 +25,8 @@ namespace sim::project {
 // The text with blanks in the place of what is not read; lines and columns stay.
 // `macros`: NAME or NAME=VALUE.
 std::string as_synthesised(std::string_view text, const std::vector<std::string>& macros = {});
+
+// What a comment orders: "translate_off", "read_comments_as_hdl on"; empty: nothing.
+std::string order_in(std::string_view comment);
 
 }  // namespace sim::project

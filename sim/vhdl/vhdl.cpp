@@ -14,6 +14,8 @@
 #include "sim/process/run_command.h"
 #include "sim/text/lower.h"
 #include "sim/verilog/project_error.h"
+#include "sim/vhdl/vhdl_dialect.h"
+#include "sim/vhdl/vhdl_files.h"
 #include "sim/vhdl/vhdl_repairs.h"
 
 namespace sim::project {
@@ -112,20 +114,6 @@ std::string first_error(const std::string& output, const std::string& what) {
     return fmt::format("{}: GHDL failed on this VHDL, and does not say why", what);
 }
 
-std::string run_ghdl(std::vector<std::string> words, const fs::path& folder,
-                     const TimeLimit& limit) {
-    words.insert(words.begin(), "ghdl");
-    const Outcome outcome = run_command(words, folder, limit.left_s());
-    if (outcome.code == 127)
-        throw ProjectError{
-            "the project has VHDL, for which ghdl is not installed: apt install ghdl"};
-    if (outcome.code == TIMED_OUT)
-        throw ProjectError{fmt::format(
-            "the build has not ended in {} s (--build-limit): ghdl was at work", limit.seconds())};
-    if (outcome.code != 0) throw ProjectError{first_error(outcome.output, words.back())};
-    return outcome.output;
-}
-
 // The library `file`, `"a.vhd" "checksum" "20261123112025.189";` in it, with one time for all: GHDL
 // takes a unit for out of date if one that it needs has been found a millisecond later.
 void have_one_time(const fs::path& file) {
@@ -140,102 +128,175 @@ void have_one_time(const fs::path& file) {
     write_whole_file(file, text);
 }
 
+// What GHDL refuses, with all that it printed.
+class Refusal : public ProjectError {
+public:
+    Refusal(const std::string& what, std::string all)
+        : ProjectError{what}, output{std::move(all)} {}
+    const std::string output;
+};
+
+// All runs of GHDL for a design.
+class Translation {
+public:
+    Translation(const VhdlDesign& design, VhdlFiles& files, const TimeLimit& limit)
+        : design_{design}, files_{files}, limit_{limit}, paths_{design.files} {
+        // The last one of two entities of one name counts.
+        std::stable_partition(paths_.begin(), paths_.end(),
+                              [&](const fs::path& file) { return design.needed.count(file) == 0; });
+        for (const fs::path& file : paths_) {
+            words_.push_back(files_.word(file));
+            all_ += lower(text_of(file));
+        }
+    }
+
+    std::vector<std::string> run() {
+        std::error_code error;
+        fs::remove_all(library_folder(), error);
+        fs::create_directories(library_folder());
+        analyse_libraries();
+        import();
+        analyse_roots();
+        std::set<std::string> known;
+        std::vector<std::string> texts;
+        for (const VhdlRoot& root : design_.roots) texts.push_back(verilog_of(root, known));
+        return texts;
+    }
+
+private:
+    fs::path library_folder() const { return design_.work / "libraries"; }
+
+    // As much as Quartus takes: the libraries of Synopsys, shared variables, undriven outputs.
+    Outcome outcome_of(const std::vector<std::string>& first,
+                       const std::vector<std::string>& last) const {
+        std::vector<std::string> words{"ghdl"};
+        words.insert(words.end(), first.begin(), first.end());
+        words.insert(words.end(),
+                     {"--std=08", "-fsynopsys", "-frelaxed", "-fno-caret-diagnostics",
+                      "--workdir=" + library_folder().string(), "-P" + library_folder().string()});
+        words.insert(words.end(), last.begin(), last.end());
+        Outcome outcome = run_command(words, design_.folder, limit_.left_s());
+        outcome.output = files_.in_own_names(std::move(outcome.output));
+        return outcome;
+    }
+    std::string run_ghdl(const std::vector<std::string>& first,
+                         const std::vector<std::string>& last) const {
+        const Outcome outcome = outcome_of(first, last);
+        if (outcome.code == 127)
+            throw ProjectError{
+                "the project has VHDL, for which ghdl is not installed: apt install ghdl"};
+        if (outcome.code == TIMED_OUT)
+            throw ProjectError{
+                fmt::format("the build has not ended in {} s (--build-limit): ghdl was at work",
+                            limit_.seconds())};
+        if (outcome.code != 0)
+            throw Refusal{first_error(outcome.output, files_.in_own_names(last.back())),
+                          outcome.output};
+        return outcome.output;
+    }
+
+    void analyse_libraries() {
+        for (const auto& [name, text] : design_.libraries) {
+            if (all_.find(name) == std::string::npos) continue;
+            const fs::path file = library_folder() / (name + ".vhd");
+            write_whole_file(file, text);
+            run_ghdl({"-a", "--work=" + name}, {file.string()});
+        }
+        for (const auto& [name, own] : design_.own_libraries) {
+            if (all_.find("library " + name) == std::string::npos) continue;
+            std::vector<std::string> of_library;
+            for (const fs::path& file : own) of_library.push_back(files_.word(file));
+            run_ghdl({"-a", "--work=" + name}, of_library);
+        }
+    }
+
+    void import() {
+        try {
+            run_ghdl({"-i"}, words_);
+        } catch (const ProjectError&) {
+            for (std::size_t n = 0; n < words_.size(); ++n) try {
+                    run_ghdl({"-i"}, {words_[n]});
+                } catch (const ProjectError&) {
+                    if (design_.needed.count(paths_[n])) throw;
+                }
+        }
+        have_one_time(library_folder() / "work-obj08.cf");
+    }
+
+    // A component is bound to an entity only if that has been analysed.  Errors of GHDL 2 come
+    // again below; GHDL 5 says there only that the entity has not been analysed.
+    void analyse_roots() {
+        for (const VhdlRoot& root : design_.roots)
+            if (!analysed_.count(root.entity))
+                analysed_[root.entity] = outcome_of({"-m"}, {name_for_ghdl(root.entity)}).output;
+    }
+
+    std::string verilog_of(const VhdlRoot& root, std::set<std::string>& known) const {
+        std::string output = "\n" + synthesised(root, "--out=verilog");
+        output.erase(0, output.find("\nmodule ") + 1);  // its warnings
+        refuse_two_clocks(output);
+        refuse_lost_registers(output, all_);
+        output = repaired(output, lacks_others(output) ? synthesised(root, "--out=raw-vhdl") : "");
+        try {
+            return VhdlOutput{output, root.entity, root.module, design_.in_verilog}.without(known);
+        } catch (const ProjectError&) {
+            // Perhaps there is that entity, but GHDL has refused it.
+            const std::string& printed = analysed_.at(root.entity);
+            const std::string before = first_error(printed, root.entity);
+            if (before.compare(0, root.entity.size() + 1, root.entity + ":") == 0) throw;
+            throw Refusal{before, printed};
+        }
+    }
+
+    std::string synthesised(const VhdlRoot& root, const char* out) const {
+        std::vector<std::string> last = root.generics;
+        for (std::string& option : last) {  // -gNAME=VALUE
+            const std::size_t end = option.find('=');
+            option = "-g" + name_for_ghdl(option.substr(2, end - 2)) + option.substr(end);
+        }
+        last.push_back(name_for_ghdl(root.entity));
+        try {
+            return run_ghdl({"--synth", out}, last);
+        } catch (const Refusal& refusal) {
+            // What has no place of its own begins with the entity.
+            const std::string what = refusal.what(), entity = root.entity + ": ";
+            if (what.compare(0, entity.size(), entity) != 0) throw;
+            const std::string& printed = analysed_.at(root.entity);
+            const std::string before = first_error(printed, root.entity);
+            if (before.compare(0, entity.size(), entity) != 0) throw Refusal{before, printed};
+            throw ProjectError{file_of(root.entity) + what.substr(root.entity.size())};
+        }
+    }
+
+    std::string file_of(const std::string& entity) const {
+        for (const fs::path& path : paths_)
+            if (lower(text_of(path)).find("entity " + lower(entity)) != std::string::npos)
+                return files_.name(path);
+        return entity;
+    }
+
+    const VhdlDesign& design_;
+    VhdlFiles& files_;
+    const TimeLimit& limit_;
+    std::vector<fs::path> paths_;
+    std::vector<std::string> words_;               // for GHDL's command, of each of them
+    std::string all_;                              // their text, in small letters
+    std::map<std::string, std::string> analysed_;  // by the entity, what GHDL printed
+};
+
 }  // namespace
 
 std::vector<std::string> verilog_of(const VhdlDesign& design, const TimeLimit& limit) {
     std::error_code error;
     fs::remove_all(design.work, error);
     fs::create_directories(design.work);
-    // As much as Quartus takes: the libraries of Synopsys, shared variables, undriven outputs.
-    const std::vector<std::string> options{"--std=08", "-fsynopsys", "-frelaxed",
-                                           "--workdir=" + design.work.string(),
-                                           "-P" + design.work.string()};
-    const auto words = [&options](std::vector<std::string> first,
-                                  const std::vector<std::string>& last) {
-        first.insert(first.end(), options.begin(), options.end());
-        first.insert(first.end(), last.begin(), last.end());
-        return first;
-    };
-    std::vector<std::string> files;
-    std::string all;                             // the text of the files
-    std::vector<fs::path> paths = design.files;  // the last one of two entities of one name counts
-    std::stable_partition(paths.begin(), paths.end(),
-                          [&](const fs::path& file) { return design.needed.count(file) == 0; });
-    for (const fs::path& file : paths) {
-        files.push_back(file.lexically_relative(design.folder).string());
-        all += lower(text_of(file));
-    }
-    for (const auto& [name, text] : design.libraries) {
-        if (all.find(name) == std::string::npos) continue;
-        const fs::path file = design.work / (name + ".vhd");
-        write_whole_file(file, text);
-        run_ghdl(words({"-a", "--work=" + name}, {file.string()}), design.folder, limit);
-    }
-    for (const auto& [name, own] : design.own_libraries) {
-        if (all.find("library " + name) == std::string::npos) continue;
-        std::vector<std::string> of_library;
-        for (const fs::path& file : own)
-            of_library.push_back(file.lexically_relative(design.folder).string());
-        run_ghdl(words({"-a", "--work=" + name}, of_library), design.folder, limit);
-    }
-    try {
-        run_ghdl(words({"-i"}, files), design.folder, limit);
-    } catch (const ProjectError&) {
-        for (std::size_t n = 0; n < files.size(); ++n) try {
-                run_ghdl(words({"-i"}, {files[n]}), design.folder, limit);
-            } catch (const ProjectError&) {
-                if (design.needed.count(paths[n])) throw;
-            }
-    }
-    have_one_time(design.work / "work-obj08.cf");
-    // A component is bound to an entity only if that has been analysed.  Errors of GHDL 2 come
-    // again below; GHDL 5 says there only that the entity has not been analysed.
-    std::map<std::string, std::string> analysed;  // what GHDL printed
-    for (const VhdlRoot& root : design.roots) {
-        if (analysed.count(root.entity)) continue;
-        auto make = words({"-m"}, {root.entity});
-        make.insert(make.begin(), "ghdl");
-        analysed[root.entity] = run_command(make, design.folder, limit.left_s()).output;
-    }
-    const auto file_of = [&](const std::string& entity) {
-        for (std::size_t n = 0; n < paths.size(); ++n)
-            if (lower(text_of(paths[n])).find("entity " + lower(entity)) != std::string::npos)
-                return files[n];
-        return entity;
-    };
-    std::set<std::string> known;
-    std::vector<std::string> texts;
-    for (const VhdlRoot& root : design.roots) {
-        const auto synthesised = [&](const char* out) {
-            std::vector<std::string> last = root.generics;
-            last.push_back(root.entity);
-            try {
-                return run_ghdl(words({"--synth", out}, last), design.folder, limit);
-            } catch (const ProjectError& failure) {
-                // What has no place of its own begins with the entity.
-                const std::string what = failure.what(), entity = root.entity + ": ";
-                if (what.compare(0, entity.size(), entity) != 0) throw;
-                const std::string before = first_error(analysed[root.entity], root.entity);
-                if (before.compare(0, entity.size(), entity) != 0) throw ProjectError{before};
-                throw ProjectError{file_of(root.entity) + what.substr(root.entity.size())};
-            }
-        };
-        std::string output = "\n" + synthesised("--out=verilog");
-        output.erase(0, output.find("\nmodule ") + 1);  // its warnings
-        refuse_two_clocks(output);
-        refuse_lost_registers(output, all);
-        output = repaired(output, lacks_others(output) ? synthesised("--out=raw-vhdl") : "");
-        try {
-            texts.push_back(
-                VhdlOutput{output, root.entity, root.module, design.in_verilog}.without(known));
-        } catch (const ProjectError&) {
-            // Perhaps there is that entity, but GHDL has refused it.
-            const std::string before = first_error(analysed[root.entity], root.entity);
-            if (before.compare(0, root.entity.size() + 1, root.entity + ":") == 0) throw;
-            throw ProjectError{before};
+    VhdlFiles files{design.folder, design.work / "files", design.initial_words};
+    for (;;) try {
+            return Translation{design, files, limit}.run();
+        } catch (const Refusal& refusal) {
+            if (!files.rewrite_choices(refusal.output))
+                throw ProjectError{files.cause(refusal.what())};
         }
-    }
-    return texts;
 }
 
 }  // namespace sim::project

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "sim/verilog/run_tool.h"
+#include "sim/vhdl/vhdl_files.h"
 #include "sim/vhdl/vhdl_output.h"
 
 namespace sim::project {
@@ -26,6 +27,7 @@ struct VhdlDesign {
     std::map<std::string, std::string> libraries;  // text by name; what no file names is left out
     std::map<std::string, std::vector<std::filesystem::path>> own_libraries;  // files by name
     InVerilog in_verilog;
+    InitialWordsAt initial_words;
 };
 
 // Verilog-2001 for each root, each module once.  ProjectError: GHDL is missing, or its first error.

@@ -106,10 +106,16 @@ std::map<std::string, PortLine> ports_of(const std::string& module, const std::s
             port.left = static_cast<unsigned>(std::stoul(port.name.substr(1)));
             words >> port.name;
         }
+        if (port.name[0] == '\\') port.name.erase(0, 1);
         ports[lower(port.name)] = port;
         if (line.find(");") != std::string::npos) break;
     }
     return ports;
+}
+
+// Escaped, where it is a keyword of Verilog.
+std::string escaped(const std::string& name) {
+    return is_keyword(name) ? fmt::format("\\{} ", name) : name;
 }
 
 std::string direction_of(const EntityHead::Member& port) {
@@ -157,11 +163,12 @@ std::string GenericEntity::wrapper(const std::vector<std::string>& modules) cons
     std::string first, others;
     for (const auto& generic : head.generics) {
         std::string before = lower(generic.name);
-        first += fmt::format("{}{} = {}", first.empty() ? "" : ", ", before, DEFAULT_VALUE);
+        first +=
+            fmt::format("{}{} = {}", first.empty() ? "" : ", ", escaped(before), DEFAULT_VALUE);
         known.insert(before);
         for (const std::string& twin : {generic.name, in_upper_case(generic.name)})
             if (known.insert(twin).second) {
-                others += fmt::format(", {} = {}", twin, before);
+                others += fmt::format(", {} = {}", escaped(twin), escaped(before));
                 before = twin;
             }
     }
@@ -183,10 +190,11 @@ std::string GenericEntity::wrapper(const std::vector<std::string>& modules) cons
         std::string range;
         for (std::size_t n = 0; n < of_sets.size(); ++n)
             range += fmt::format("{} ? {} : ", conditions[n], of_sets[n][lower(port.name)].left);
+        const std::string name_of_port = escaped(port.name);
         ports += fmt::format("{}    {} [{}0:0] {}", ports.empty() ? "" : ",\n", direction_of(port),
-                             range, port.name);
+                             range, name_of_port);
         connections +=
-            fmt::format("{}.{}({})", connections.empty() ? "" : ", ", port.name, port.name);
+            fmt::format("{}.{}({})", connections.empty() ? "" : ", ", name_of_port, name_of_port);
     }
     std::string chosen;
     for (std::size_t n = 0; n < of_sets.size(); ++n)

@@ -1,7 +1,7 @@
 #include "sim/vhdl/vhdl_library.h"
 
 #include <cctype>
-#include <optional>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -15,6 +15,24 @@ namespace fs = std::filesystem;
 
 namespace {
 
+const char ARRAY_OF_LPM[] =
+    "    type std_logic_2d is array (natural range <>, natural range <>) of std_logic;\n";
+
+// Of synthesis, which say nothing here.
+std::string attributes() {
+    static const std::pair<const char*, const char*> ALL[] = {
+        {"altera_attribute", "string"}, {"chip_pin", "string"},        {"direct_enable", "boolean"},
+        {"dont_merge", "boolean"},      {"dont_replicate", "boolean"}, {"dont_retime", "boolean"},
+        {"enum_encoding", "string"},    {"keep", "boolean"},           {"maxfan", "natural"},
+        {"multstyle", "string"},        {"noprune", "boolean"},        {"preserve", "boolean"},
+        {"ram_init_file", "string"},    {"ramstyle", "string"},        {"romstyle", "string"},
+        {"syn_encoding", "string"},     {"useioff", "boolean"}};
+    std::string text = "package altera_syn_attributes is\n";
+    for (const auto& [name, type] : ALL)
+        text += fmt::format("    attribute {} : {};\n", name, type);
+    return text + "end package;\n";
+}
+
 // Of a component: both lists as VHDL has them.
 struct Component {
     std::string name;
@@ -24,7 +42,8 @@ struct Component {
 std::string library_of(const std::string& model) {
     const auto begins = [&model](const char* with) { return model.rfind(with, 0) == 0; };
     if (begins("lpm_")) return "lpm";
-    if (begins("altera_pll")) return "altera_lnsim";
+    if (begins("cyclonev_")) return "cyclonev";
+    if (begins("altera_pll") || begins("altera_syncram")) return "altera_lnsim";
     if (begins("alt_")) return "altera";  // buffers
     return begins("alt") || begins("scfifo") || begins("dcfifo") || begins("sld_") ? "altera_mf"
                                                                                    : "altera";
@@ -46,12 +65,11 @@ public:
     ModelReader(const std::string& text, const std::string& library, const OpenInputs& ones)
         : all_{tokens_of(text).all}, library_{library}, ones_{ones} {}
 
-    std::optional<Component> run() {
+    Component run() {
         while (!is("module")) ++at_;
         component_.name = all_.at(++at_).text;
         if (all_.at(++at_).is("#")) parameters();
-        for (++at_; !all_[at_ - 1].is(")");)
-            if (!port()) return {};
+        for (++at_; !all_[at_ - 1].is(")");) port();
         return component_;
     }
 
@@ -71,15 +89,19 @@ private:
         }
     }
 
-    // From "input" to after the comma or the parenthesis.  False: a range that VHDL does not have.
-    bool port() {
+    // From "input" to after the comma or the parenthesis.
+    void port() {
         if (is("input") || is("output") || is("inout")) {
             direction_ = all_.at(at_).text;
             range_.clear();
             at_ += 2;
             if (is("["))
                 for (++at_; !is("]"); ++at_) {
-                    if (is("?")) return false;
+                    if (is("?")) {  // (WIDTH ? WIDTH : 1)-1 is WIDTH-1, of no bits in VHDL
+                        range_.erase(0, 1);
+                        while (!is(")")) ++at_;
+                        continue;
+                    }
                     range_ += is(":") ? " downto " : std::string{all_.at(at_).text};
                 }
             at_ += !range_.empty();
@@ -92,7 +114,6 @@ private:
         component_.ports.push_back(fmt::format("{}{} : {} {}{}", word ? "a_" : "", name, direction,
                                                type(), direction_ == "input" ? value(name) : ""));
         at_ += 2;
-        return true;
     }
 
     // In lpm a product of widths is an array of two dimensions: LPM_SIZE*LPM_WIDTH-1 downto 0.
@@ -132,30 +153,29 @@ std::string list_of(const char* word, const std::vector<std::string>& members) {
 }  // namespace
 
 std::map<std::string, std::string> vhdl_libraries(const fs::path& models, const OpenInputs& ones) {
-    std::map<std::string, std::string> libraries{{"altera", "altera_primitives"},
-                                                 {"altera_lnsim", "altera_lnsim"},
-                                                 {"altera_mf", "altera_mf"},
-                                                 {"lpm", "lpm"}};
-    for (auto& [library, text] : libraries)
-        text = fmt::format(
-            "library ieee;\nuse ieee.std_logic_1164.all;\n\npackage {}_components is\n", text);
-    libraries["lpm"] +=
-        "    type std_logic_2d is array (natural range <>, natural range <>) of std_logic;\n";
     std::map<std::string, fs::path> files;
     for (const auto& entry : fs::directory_iterator{models}) {
         const std::string name = entry.path().stem().string();
         if (entry.path().extension() == ".v" && name.rfind("de1sim_", 0) != 0)
             files.emplace(name, entry.path());
     }
+    std::map<std::string, std::string> components;  // by the library
     for (const auto& [name, file] : files) {
         const std::string library = library_of(name), text = whole_text(file);
-        const auto component = ModelReader{text, library, ones}.run();
-        if (!component) continue;
-        libraries[library] +=
+        const Component component = ModelReader{text, library, ones}.run();
+        components[library] +=
             fmt::format("    component {}\n{}{}    end component;\n", name,
-                        list_of("generic", component->generics), list_of("port", component->ports));
+                        list_of("generic", component.generics), list_of("port", component.ports));
     }
-    for (auto& [library, text] : libraries) text += "end package;\n";
+    static const std::pair<const char*, const char*> PACKAGES[] = {
+        {"altera", "altera_primitives_components"},  {"altera", "maxplus2"},
+        {"altera_lnsim", "altera_lnsim_components"}, {"altera_mf", "altera_mf_components"},
+        {"cyclonev", "cyclonev_components"},         {"lpm", "lpm_components"}};
+    std::map<std::string, std::string> libraries{{"altera", attributes()}};
+    for (const auto& [library, package] : PACKAGES)
+        libraries[library] += fmt::format(
+            "library ieee;\nuse ieee.std_logic_1164.all;\n\npackage {} is\n{}{}end package;\n",
+            package, std::string{library} == "lpm" ? ARRAY_OF_LPM : "", components[library]);
     return libraries;
 }
 
