@@ -4,8 +4,13 @@
 
 #include <fmt/format.h>
 
+#include <sys/mman.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <cctype>
+#include <fstream>
+#include <iterator>
 #include <stdexcept>
 
 #include "sim/project/memory_image.h"
@@ -35,6 +40,19 @@ Search& search() {
 bool is_file(const fs::path& path) {
     std::error_code ignored;
     return fs::is_regular_file(path, ignored);
+}
+
+// Verilator 5.006 loses a word at the very end of a file of $readmemh: then a copy in memory, with
+// a line's end, for the process's life.
+fs::path with_its_last_word(const fs::path& file) {
+    std::ifstream in{file, std::ios::binary};
+    std::string text{std::istreambuf_iterator<char>{in}, {}};
+    if (text.empty() || !std::isxdigit(static_cast<unsigned char>(text.back()))) return file;
+    const int copy = memfd_create(file.filename().c_str(), 0);
+    text += '\n';
+    if (copy < 0 || write(copy, text.data(), text.size()) != static_cast<ssize_t>(text.size()))
+        return file;
+    return fmt::format("/proc/self/fd/{}", copy);
 }
 
 }  // namespace
@@ -97,7 +115,7 @@ extern "C" const char* de1sim_init_path(const char* file) {
     using namespace sim::project;
     static std::string path;
     const auto found = find_init_file(file, search().folders);
-    path = found ? found->string() : file;
+    path = found ? with_its_last_word(*found).string() : file;
     return path.c_str();
 }
 

@@ -95,7 +95,7 @@ class Broken(Case):
 
     def test_words_that_are_right_in_all_ways_of_writing(self):
         self.write(top_v=HEAD + 'reg [7:0] m [0:3]; initial $readmemb("x.txt", m);\n' + READS,
-                   x_txt="/* 2 */ 1_0 // 9\n01/**/x1\t@3\r\n11\n")
+                   x_txt="/* 2 */ 1_0 // 9\n01/**/x1\t@3\r\n11")
         self.leds(3, 3)
 
     def test_of_a_module_that_the_design_does_not_have_are_not_read(self):
