@@ -17,6 +17,7 @@
 #include "sim/verilog/synthesised.h"
 #include "sim/vhdl/vhdl.h"
 #include "sim/vhdl/vhdl_library.h"
+#include "sim/vhdl/vhdl_ports.h"
 
 namespace sim::project {
 
@@ -30,8 +31,9 @@ void add_modules(const std::string& text, Modules& modules, bool in_library = fa
         modules.emplace(module.name, std::move(module));
     }
 }
-std::string synthesised(const SourceFile& file, const Project& project) {
-    return as_synthesised(file.whole_text(), project.macros);
+std::string synthesised(const SourceFile& file, const SourceRequest& from) {
+    return with_ports_of_entities(as_synthesised(file.whole_text(), from.project.macros),
+                                  from.entities);
 }
 // The models that the modules instance.
 void add_models(Modules& modules) {
@@ -170,7 +172,7 @@ CleanSources clean_sources(const SourceRequest& from) {
     std::vector<std::string> texts;
     for (const SourceFile& file : project.sources)
         if (file.language != SourceFile::Language::VHDL) {
-            texts.push_back(synthesised(file, project));
+            texts.push_back(synthesised(file, from));
             add_modules(texts.back(), modules, !file.text.empty() || !file.library.empty());
         }
     const std::vector<IncludedFile> included =
@@ -196,7 +198,7 @@ CleanSources clean_sources(const SourceRequest& from) {
         const bool system_verilog = file.language == SourceFile::Language::SYSTEM_VERILOG;
         const auto fits = from.inout_fits.find(name);
         Normalised normalised =
-            normalise(with_enables(gates_as_assignments(synthesised(file, project), modules), pins),
+            normalise(with_enables(gates_as_assignments(synthesised(file, from), modules), pins),
                       name, system_verilog, open_inputs, modules,
                       fits == from.inout_fits.end() ? std::vector<InoutFit>{} : fits->second, pins);
         clean.changes.insert(clean.changes.end(), normalised.changes.begin(),

@@ -31,9 +31,13 @@ public:
         find_statements();
     }
 
-    std::optional<ChoicesAsConditions> run(const std::set<unsigned>& lines) {
+    std::optional<ChoicesAsConditions> run(const std::set<unsigned>& lines,
+                                           const std::set<unsigned>& incomplete) {
         for (const Statement& statement : statements_)
-            if (has_choice_on(statement, lines) && can_be_rewritten(statement)) rewrite(statement);
+            if ((has_choice_on(statement, lines) ||
+                 (has_choice_on(statement, incomplete) && has_all_bits(statement))) &&
+                can_be_rewritten(statement))
+                rewrite(statement);
         if (rewritten_.empty()) return {};
         return ChoicesAsConditions{changed_text(tokens_, edits_), rewritten_};
     }
@@ -98,6 +102,21 @@ private:
             for (At i = one.when; i < one.end; ++i)
                 if (lines.count(tokens_.all[i].line)) return true;
         return false;
+    }
+
+    // Whether each combination of 0 and 1 is a choice, and nothing else.
+    bool has_all_bits(const Statement& statement) const {
+        std::set<std::string> choices;
+        for (const Alternative& one : statement.alternatives)
+            for (At i = one.begin; i < one.end; ++i) {
+                if (is(i, "|")) continue;
+                const std::string bits = low_[i].substr(1, low_[i].size() - 2);
+                if (tokens_.all[i].kind != Token::Kind::STRING || bits.empty() ||
+                    bits.size() > 16 || bits.find_first_not_of("01") != std::string::npos)
+                    return false;
+                choices.insert(bits);
+            }
+        return !choices.empty() && choices.size() == std::size_t{1} << choices.begin()->size();
     }
 
     // A literal of std_logic with Z or the like equals nothing, which = would not say.
@@ -195,8 +214,9 @@ private:
 }  // namespace
 
 std::optional<ChoicesAsConditions> choices_as_conditions(const std::string& text,
-                                                         const std::set<unsigned>& lines) {
-    return ChoiceRewriter{text}.run(lines);
+                                                         const std::set<unsigned>& lines,
+                                                         const std::set<unsigned>& incomplete) {
+    return ChoiceRewriter{text}.run(lines, incomplete);
 }
 
 }  // namespace sim::project

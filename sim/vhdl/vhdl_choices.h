@@ -9,7 +9,8 @@
 //   with count select                      q <= a when ((count) = (last)) else b;
 //     q <= a when last, b when others;
 //
-// Lines are kept.  Where there is no `others`, the last choice is all the rest.
+// Lines are kept.  Where there is no `others`, the last choice is all the rest: so, too, where all
+// combinations of 0 and 1 are there, but none of the seven other values that std_logic has.
 //
 // Not handled: `case?` and `select?`, choices with other bits than 0 and 1, subtypes as choices:
 // they stay refused.  Choices that overlap or leave values out, which Quartus refuses, are taken.
@@ -26,8 +27,10 @@ struct ChoicesAsConditions {
     std::set<unsigned> lines;  // that are written otherwise
 };
 
-// All statements with a choice on one of `lines`.  Nothing: there is none that can be rewritten.
+// All statements with a choice on one of `lines`, and on one of `incomplete` those with all
+// combinations of bits.  Nothing: there is none that can be rewritten.
 std::optional<ChoicesAsConditions> choices_as_conditions(const std::string& text,
-                                                         const std::set<unsigned>& lines);
+                                                         const std::set<unsigned>& lines,
+                                                         const std::set<unsigned>& incomplete = {});
 
 }  // namespace sim::project

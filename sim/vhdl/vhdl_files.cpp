@@ -98,18 +98,27 @@ std::string VhdlFiles::in_own_names(std::string output) const {
 
 bool VhdlFiles::rewrite_choices(const std::string& output) {
     std::map<std::string, std::map<unsigned, std::string>> refused;  // by file and line
+    std::map<std::string, std::set<unsigned>> incomplete;
     std::istringstream lines{output};
-    for (std::string line; std::getline(lines, line);)
-        if (const auto said = said_in(line); said && said->what.rfind("choice ", 0) == 0 &&
-                                             said->what.find("locally static") != std::string::npos)
-            refused[said->name].emplace(said->line, line);
+    for (std::string line; std::getline(lines, line);) {
+        const auto said = said_in(line);
+        if (!said) continue;
+        const bool is_incomplete = said->what.rfind("missing choice(s)", 0) == 0,
+                   is_static = said->what.rfind("choice ", 0) != 0 ||
+                               said->what.find("locally static") == std::string::npos;
+        if (is_static && !is_incomplete) continue;
+        refused[said->name].emplace(said->line, line);
+        if (is_incomplete) incomplete[said->name].insert(said->line);
+    }
     bool is_new = false;
     for (auto& [path, file] : files_) {
         const auto found = refused.find(file.name);
         if (found == refused.end()) continue;
+        const std::set<unsigned>& missing = incomplete[file.name];
         std::set<unsigned> numbers;
-        for (const auto& [number, line] : found->second) numbers.insert(number);
-        const auto rewritten = choices_as_conditions(file.text, numbers);
+        for (const auto& [number, line] : found->second)
+            if (!missing.count(number)) numbers.insert(number);
+        const auto rewritten = choices_as_conditions(file.text, numbers, missing);
         if (!rewritten) continue;
         file.text = rewritten->text;
         for (const unsigned line : rewritten->lines) {

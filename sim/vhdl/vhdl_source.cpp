@@ -56,6 +56,8 @@ public:
             const bool ends = i > 0 && is(i - 1, "end");
             if (is(i, "entity") && is(i + 2, "is"))
                 entity(i + 1);
+            else if (is(i, "entity") && is(i + 2, "."))  // of any library
+                wants.insert(text(i + 3));
             else if (is(i, "package") && !is(i + 1, "body") && is(i + 2, "is"))
                 source_.modules.push_back({text(i + 1), 0, {}, {}, true});
             else if (is(i, "component") && !ends)

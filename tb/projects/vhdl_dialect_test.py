@@ -81,6 +81,21 @@ class Choices(Case):
             before = switches
         self.plays(*steps)
 
+    def test_of_all_bits_without_others(self):
+        self.write(top_vhd=TOP.format(
+            "", "process (SW) begin case SW(2 downto 1) is when \"00\" | \"11\" => LEDR <= SW;\n"
+                "when \"01\" => LEDR <= (others => '0'); when \"10\" => LEDR <= (others => '1');\n"
+                "end case; end process;"))
+        self.leds(0b111, 0b111)
+        self.leds(0, 0b010)
+        self.leds(0b1111111111, 0b100)
+
+    def test_of_fewer_than_all_bits_are_refused(self):
+        self.write(top_vhd=TOP.format(
+            "", "process (SW) begin case SW(2 downto 1) is when \"00\" | \"11\" => LEDR <= SW;\n"
+                "when \"01\" => LEDR <= (others => '0'); end case; end process;"))
+        self.refused("top.vhd:8:")
+
     def part(self, body):
         self.write(top_vhd=TOP.format("", INSTANCE), part_vhd=PART.format(body))
 

@@ -168,6 +168,15 @@ class Vhdl(Case):
                   "foo u (LEDR[8:6], 1'b0); defparam u.S = \"h\"; assign LEDR[9] = 1;")
         self.leds(0b1110_111_001, 3)
 
+    def test_ports_that_verilog_writes_in_another_case(self):
+        self.write(top_v="module top(input [9:0] SW, output [9:0] LEDR, input CLOCK_50);\n"
+                         "Pad p (.A_IN(SW[4:0]), .Q(LEDR[4:0])),\n"
+                         "    q (.a_in(SW[9:5]), .q(LEDR[9:5])); endmodule\n",
+                   pad_vhd=USE + "entity PAD is port (A_In : in std_logic_vector(4 downto 0);\n"
+                                 "q : out std_logic_vector(4 downto 0)); end;\n"
+                                 "architecture x of pad is begin q <= not a_in; end;\n")
+        self.leds(0b1111011110, 0b0000100001)
+
     def test_a_generic_that_cannot_be_set(self):
         self.sets("foo #(.T(2)) a (.q(LEDR[2:0]), .i(SW[0]));")
         self.refused("foo.vhd: entity foo: generic T cannot have the value 32'sh2 from Verilog, "
@@ -250,6 +259,23 @@ class Vhdl(Case):
                        'std_logic_vector(9 downto 0) := "1000000101"; end;\n')
             self.checked("lab.vhd")
         self.leds(0b1000000101)
+
+    def test_an_entity_of_a_library_that_has_verilog_in_it(self):
+        """As the wizard writes a PLL in VHDL."""
+        self.write(p_qsf=QSF + "set_global_assignment -name VHDL_FILE lab.vhd\n"
+                   "set_global_assignment -library pll -name VHDL_FILE pll.vhd\n"
+                   "set_global_assignment -library pll -name VERILOG_FILE pll/pll_0002.v\n",
+                   lab_vhd=TOP.format("library pll; use pll.all;\n", "",
+                                      "p : entity pll.pll port map (SW, LEDR);"),
+                   pll_vhd=USE + "entity pll is port (a : in std_logic_vector(9 downto 0);\n"
+                                 "q : out std_logic_vector(9 downto 0)); end;\n"
+                                 "architecture rtl of pll is component pll_0002 is port (\n"
+                                 "a : in std_logic_vector(9 downto 0);\n"
+                                 "q : out std_logic_vector(9 downto 0)); end component; begin\n"
+                                 "u : component pll_0002 port map (a => a, q => q); end;\n",
+                   pll__pll_0002_v="module pll_0002(input wire [9:0] a, output wire [9:0] q);\n"
+                                   "assign q = ~a; endmodule\n")
+        self.leds(0b1111111010, 5)
 
     def test_a_crash_of_ghdl_is_called_one(self):
         self.write(lab_vhd=TOP.format("", "type words is array (0 to 1) of std_logic;\n"

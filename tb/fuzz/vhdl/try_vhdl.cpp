@@ -24,7 +24,7 @@ void try_rewriting(const std::string& input) {
     must(lines_of(filled) == lines_of(input), "initial words keep lines");
     std::set<unsigned> all;
     for (unsigned line = 1; line <= lines_of(filled) + 1; ++line) all.insert(line);
-    if (const auto rewritten = sim::project::choices_as_conditions(filled, all))
+    if (const auto rewritten = sim::project::choices_as_conditions(filled, all, all))
         must(lines_of(rewritten->text) == lines_of(input), "conditions keep lines");
 }
 
