@@ -281,6 +281,17 @@ R32(0xFF200000) = bad ? bad : 0x3FF;""")
         self.write(sys_ram_hex=":0400010000000007F4\n:00000001FF\n")
         self.shows(8)
 
+    def test_a_memorys_broken_file(self):
+        memory = {"memorySize": "64", "dataWidth": "32", "useNonDefaultInitFile": "true",
+                  "initializationFileName": "words.hex"}
+        self.with_leds([("ram", "altera_avalon_onchip_memory2", memory)],
+                       [*clocked("ram", "clk1", "reset1"),
+                        ("avalon", LW, "ram.s1", 0x40)])
+        self.write(words_hex="00000001\n0000beef\n")
+        for command in "check", "build":
+            self.refused('words.hex:1: "00000001" are words for $readmemh, expected Intel HEX',
+                         command, ".")
+
     def test_a_rom_that_a_debugger_may_write(self):
         """Its port for that is there only where it is no RAM; a program does not write it."""
         rom = {"memorySize": "64", "dataWidth": "32", "writable": "false", "dualPort": "true",
