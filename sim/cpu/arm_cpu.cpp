@@ -135,7 +135,7 @@ void ArmCpu::start() {
 
 void ArmCpu::run() {
     process_ = sc_core::sc_get_current_process_handle();
-    while (held_) pause(released_, sc_core::sc_max_time() - sc_core::sc_time_stamp());
+    while (held_) pause_until(released_);  // not for an inspector: there is nothing to see yet
     if (!kernel_) {
         map(0, 0xFFFFFFFF);
         load();
