@@ -9,7 +9,7 @@ from case import Case, run
 DESIGN = """\
 `timescale 1ns / 1ns
 module top(input CLOCK_50, input [3:0] KEY, output [9:0] LEDR, output VGA_CLK, VGA_HS, VGA_VS,
-           output VGA_BLANK_N, VGA_SYNC_N, output [7:0] VGA_R, VGA_G, VGA_B);
+           output VGA_BLANK_N, VGA_SYNC_N, output [7:0] VGA_R, VGA_G, VGA_B, output AUD_XCK);
 wire slow, narrow;
 altera_pll #(.number_of_clocks(2), .output_clock_frequency0("40.0 MHz"),
              .output_clock_frequency1("10.0 MHz"), .duty_cycle1(20), .phase_shift1("5000 ps")) pll (
@@ -20,6 +20,7 @@ always @(posedge CLOCK_50) begin rising <= ~rising; n <= n + 1; end
 always @(negedge CLOCK_50) falling <= ~falling;
 always @(negedge slow) slowly <= ~slowly;
 assign LEDR = {n[12:5], KEY[1:0]};
+assign AUD_XCK = narrow;  // which nothing else sees
 assign VGA_CLK = ~n[0], VGA_BLANK_N = 1, VGA_SYNC_N = 0;
 assign VGA_R = n[8:1], VGA_G = n[16:9], VGA_B = 0, VGA_HS = n[10], VGA_VS = n[19];
 endmodule

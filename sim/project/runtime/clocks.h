@@ -1,7 +1,8 @@
 // clocks.h - when the clock inputs of de1sim_chip move: CLOCK_50, the video decoder's, the PLLs'.
 //
-// A clock of a PLL that drives pins of the chip alone moves nothing in the design.  Its input is
-// held high, so that the design shows whether it lets the clock through to the pin.
+// A clock of a PLL that drives pins of the chip alone moves nothing in the design.  Its input can
+// be held high: then none of its edges is an evaluation, and the design shows whether it lets the
+// clock through to the pin.
 #pragma once
 
 #include <algorithm>
@@ -19,17 +20,18 @@ class Clocks {
 public:
     static constexpr unsigned IS_CLOCK_50 = 64, IS_CLOCK_27 = 65;
 
-    // All begin low.
-    explicit Clocks(const DesignFacts& design) {
+    // All begin low.  `holds`: the clocks that only pins see; not for waveforms, which show them.
+    Clocks(const DesignFacts& design, bool holds) {
         add(CLOCK_50_FS, CLOCK_50_FS, CLOCK_50_FS / 2, IS_CLOCK_50);
         if (design.td_clk27_used) add(CLOCK_27_FS, CLOCK_27_FS, CLOCK_27_FS / 2, IS_CLOCK_27);
         for (unsigned n = 0; n < design.pll_clock_count; ++n) {
             const PllTimes& pll = design.pll_clocks[n];
             const bool pulses = pll.high_fs > 0 && pll.high_fs < pll.period_fs;
+            const unsigned pins = holds ? pll.pins : 0;
             add(CLOCK_50_FS + pll.phase_fs, pll.period_fs, pulses ? pll.high_fs : pll.period_fs / 2,
-                n, pll.pins);
-            if (pll.pins) held_ |= std::uint64_t{1} << n;
-            pins_ |= pll.pins;
+                n, pins);
+            if (pins) held_ |= std::uint64_t{1} << n;
+            pins_ |= pins;
         }
         for (const Clock& clock : clocks_) next_fs_ = std::min(next_fs_, clock.next_fs);
     }

@@ -427,7 +427,7 @@ private:
     const std::unique_ptr<Design> design_;
     const ChipPorts top_{design_->ports()};
     Ending ending_;
-    Clocks clocks_{facts_};
+    Clocks clocks_{facts_, trace_.file.empty()};
     std::uint64_t dumped_ps_ = 0;  // what follows at the same time is a picosecond later
     std::uint64_t now_fs_ = 0;     // of the last edge or entry
     std::uint64_t agenda_ps_ = Agenda::NEVER, agenda_fs_ = NEVER;  // the next entry
