@@ -27,7 +27,7 @@ struct Statement {
 class ChoiceRewriter {
 public:
     explicit ChoiceRewriter(const std::string& text)
-        : tokens_{vhdl_tokens(text)}, low_{in_lower_case(tokens_)} {
+        : tokens_{vhdl_tokens(text)}, low_{in_lower_case(tokens_.all)} {
         find_statements();
     }
 

@@ -63,7 +63,7 @@ bool is_word_of_2008(const std::string& low) {
 class Dialect {
 public:
     explicit Dialect(const std::string& text)
-        : tokens_{vhdl_tokens(text)}, low_{in_lower_case(tokens_)} {}
+        : tokens_{vhdl_tokens(text)}, low_{in_lower_case(tokens_.all)} {}
 
     std::string run() {
         for (std::size_t i = 0; i < low_.size(); ++i) {

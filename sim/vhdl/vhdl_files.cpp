@@ -20,17 +20,17 @@ namespace fs = std::filesystem;
 namespace {
 
 // "a.vhd:14:9: choice is not locally static"
-struct Said {
+struct GhdlMessage {
     std::string name;
     unsigned line, column;
     std::string what;
 };
-std::optional<Said> said_in(const std::string& line) {
+std::optional<GhdlMessage> message_in(const std::string& line) {
     static const std::regex PLACE{"^(.+?):([0-9]{1,9}):([0-9]{1,9}): ?(error: ?)?(.*)$"};
     std::smatch m;
     if (!std::regex_match(line, m, PLACE)) return {};
     const auto number = [&m](std::size_t n) { return static_cast<unsigned>(std::stoul(m[n])); };
-    return Said{m[1], number(2), number(3), m[5]};
+    return GhdlMessage{m[1], number(2), number(3), m[5]};
 }
 
 // As GHDL counts, from 1, with tabs to the next eighth.
@@ -45,7 +45,7 @@ unsigned column_of(const Token& token, const std::string& text) {
 // Of a statement that is written with conditions, or that has some: not in what it does then.
 bool is_in_condition(const std::string& text, unsigned line, unsigned column) {
     const Tokens tokens = vhdl_tokens(text);
-    const std::vector<std::string> low = in_lower_case(tokens);
+    const std::vector<std::string> low = in_lower_case(tokens.all);
     bool is_in = false;
     for (std::size_t i = 0; i < low.size(); ++i) {
         const Token& token = tokens.all[i];
@@ -101,14 +101,14 @@ bool VhdlFiles::rewrite_choices(const std::string& output) {
     std::map<std::string, std::set<unsigned>> incomplete;
     std::istringstream lines{output};
     for (std::string line; std::getline(lines, line);) {
-        const auto said = said_in(line);
-        if (!said) continue;
-        const bool is_incomplete = said->what.rfind("missing choice(s)", 0) == 0,
-                   is_static = said->what.rfind("choice ", 0) != 0 ||
-                               said->what.find("locally static") == std::string::npos;
+        const auto message = message_in(line);
+        if (!message) continue;
+        const bool is_incomplete = message->what.rfind("missing choice(s)", 0) == 0,
+                   is_static = message->what.rfind("choice ", 0) != 0 ||
+                               message->what.find("locally static") == std::string::npos;
         if (is_static && !is_incomplete) continue;
-        refused[said->name].emplace(said->line, line);
-        if (is_incomplete) incomplete[said->name].insert(said->line);
+        refused[message->name].emplace(message->line, line);
+        if (is_incomplete) incomplete[message->name].insert(message->line);
     }
     bool is_new = false;
     for (auto& [path, file] : files_) {
@@ -133,13 +133,14 @@ bool VhdlFiles::rewrite_choices(const std::string& output) {
 }
 
 std::string VhdlFiles::cause(const std::string& error) const {
-    const auto said = said_in(error);
-    if (!said) return error;
+    const auto message = message_in(error);
+    if (!message) return error;
     for (const auto& [path, file] : files_) {
-        const auto cause = file.causes.find(said->line);
-        if (file.name != said->name || cause == file.causes.end()) continue;
-        if (is_in_condition(file.text, said->line, said->column)) return cause->second;
-        return fmt::format("{}:{}: {}", said->name, said->line, said->what);  // without the column
+        const auto cause = file.causes.find(message->line);
+        if (file.name != message->name || cause == file.causes.end()) continue;
+        if (is_in_condition(file.text, message->line, message->column)) return cause->second;
+        return fmt::format("{}:{}: {}", message->name, message->line,
+                           message->what);  // without the column
     }
     return error;
 }

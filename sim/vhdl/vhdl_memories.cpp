@@ -18,7 +18,7 @@ using At = std::size_t;  // a token's number
 class Memories {
 public:
     Memories(const std::string& text, const InitialWords& words)
-        : tokens_{vhdl_tokens(text)}, low_{in_lower_case(tokens_)}, words_{words} {}
+        : tokens_{vhdl_tokens(text)}, low_{in_lower_case(tokens_.all)}, words_{words} {}
 
     std::string run() {
         // attribute ram_init_file of NAME : signal is "FILE" ;

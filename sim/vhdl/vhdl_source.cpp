@@ -7,43 +7,16 @@
 #include <vector>
 
 #include "sim/text/lower.h"
+#include "sim/vhdl/vhdl_tokens.h"
 
 namespace sim::project {
 
 namespace {
 
-struct Word {
-    std::string_view text, low;  // as written, and in lower case
-};
-
-// Words and symbols without comments; `low` is the text in lower case.
-std::vector<Word> words_of(std::string_view text, std::string_view low) {
-    std::vector<Word> words;
-    const auto copy = [&](std::size_t begin, std::size_t count) {
-        words.push_back({text.substr(begin, count), low.substr(begin, count)});
-    };
-    const auto in_word = [](char c) {
-        return std::isalnum(static_cast<unsigned char>(c)) || c == '_';
-    };
-    for (std::size_t i = 0; i < text.size();) {
-        if (text.compare(i, 2, "--") == 0) {
-            i = std::min(text.find('\n', i), text.size());
-        } else if (in_word(text[i])) {
-            const std::size_t begin = i;
-            while (i < text.size() && in_word(text[i])) ++i;
-            copy(begin, i - begin);
-        } else {
-            if (!std::isspace(static_cast<unsigned char>(text[i]))) copy(i, 1);
-            ++i;
-        }
-    }
-    return words;
-}
-
 class VhdlScanner {
 public:
     explicit VhdlScanner(std::string_view text)
-        : low_{lower(std::string{text})}, words_{words_of(text, low_)} {}
+        : tokens_{vhdl_tokens(text).all}, low_{in_lower_case(tokens_)} {}
 
     std::vector<EntityHead> heads() {
         run();
@@ -52,7 +25,7 @@ public:
 
     SourceText run() {
         std::set<std::string> wants;  // of all architectures in the file
-        for (std::size_t i = 0; i + 3 < words_.size(); ++i) {
+        for (std::size_t i = 0; i + 3 < low_.size(); ++i) {
             const bool ends = i > 0 && is(i - 1, "end");
             if (is(i, "entity") && is(i + 2, "is"))
                 entity(i + 1);
@@ -70,14 +43,14 @@ public:
     }
 
 private:
-    std::string text(std::size_t i) const { return std::string{words_[i].text}; }
-    bool is(std::size_t i, std::string_view word) const { return words_[i].low == word; }
+    std::string text(std::size_t i) const { return std::string{tokens_[i].text}; }
+    bool is(std::size_t i, std::string_view word) const { return low_[i] == word; }
 
     // From its name on: generic ( ... ) ; port ( ... ) ;
     void entity(std::size_t name) {
         EntityHead head{text(name), {}, {}};
         std::size_t i = name + 2;
-        while (i < words_.size() && (is(i, "generic") || is(i, "port")))
+        while (i < low_.size() && (is(i, "generic") || is(i, "port")))
             i = members(i + 1, is(i, "port") ? head.ports : head.generics);
         source_.modules.push_back({text(name), 0, {}, {}, false});
         for (const auto& port : head.ports) source_.modules.back().ports.push_back(port.name);
@@ -88,28 +61,27 @@ private:
         int depth = 0;
         enum { NAMES, TYPE, VALUE } part = NAMES;
         std::size_t first = list.size();  // of those that share a type
-        for (std::size_t i = open; i < words_.size(); ++i) {
+        for (std::size_t i = open; i < low_.size(); ++i) {
             depth += is(i, "(") - is(i, ")");
             if (depth <= 0) return i + 2;
             if (depth == 1 && is(i, ";")) {
                 part = NAMES;
                 first = list.size();
-            } else if (depth == 1 && is(i, ":")) {
-                part = part == NAMES ? TYPE : VALUE;
+            } else if (depth == 1 && (is(i, ":") || is(i, ":="))) {
+                part = is(i, ":") ? TYPE : VALUE;
             } else if (part == TYPE) {
-                for (std::size_t n = first; n < list.size(); ++n)
-                    list[n].type.emplace_back(words_[i].low);
+                for (std::size_t n = first; n < list.size(); ++n) list[n].type.push_back(low_[i]);
             } else if (part == NAMES &&
-                       std::isalpha(static_cast<unsigned char>(words_[i].text[0])) &&
+                       std::isalpha(static_cast<unsigned char>(tokens_[i].text[0])) &&
                        !is(i, "signal") && !is(i, "constant")) {
                 list.push_back({text(i), {}});
             }
         }
-        return words_.size();
+        return low_.size();
     }
 
-    const std::string low_;
-    const std::vector<Word> words_;
+    const std::vector<Token> tokens_;
+    const std::vector<std::string> low_;
     SourceText source_;
     std::vector<EntityHead> heads_;
 };

@@ -116,10 +116,10 @@ private:
 
 Tokens vhdl_tokens(std::string_view text) { return VhdlReader{text}.run(); }
 
-std::vector<std::string> in_lower_case(const Tokens& tokens) {
+std::vector<std::string> in_lower_case(const std::vector<Token>& tokens) {
     std::vector<std::string> low;
-    low.reserve(tokens.all.size());
-    for (const Token& token : tokens.all) {
+    low.reserve(tokens.size());
+    for (const Token& token : tokens) {
         const std::string text{token.text};
         const bool as_it_is = token.kind == Token::Kind::STRING || text[0] == '\\';
         low.push_back(as_it_is ? text : lower(text));

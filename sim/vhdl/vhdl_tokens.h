@@ -17,6 +17,6 @@ namespace sim::project {
 Tokens vhdl_tokens(std::string_view text);
 
 // The tokens in lower case, but strings and extended names as they are.
-std::vector<std::string> in_lower_case(const Tokens& tokens);
+std::vector<std::string> in_lower_case(const std::vector<Token>& tokens);
 
 }  // namespace sim::project
