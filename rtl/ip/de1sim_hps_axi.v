@@ -2,10 +2,9 @@
 //
 // Its address and its first word are there together.  BREADY and RREADY are always 1.
 //
-// An answer with another ID than the burst's is none of it.  Nor is a BVALID before the burst's
-// last word is taken; and RLAST belongs to the last word of a read, and to no other.  So a slave
-// that answers otherwise lets the processor wait for ever, as on the board; waits_o has what was
-// seen.
+// An answer counts if its ID is the burst's, if BVALID comes after the burst's last word was taken,
+// and if RLAST comes with the last word of a read and with no other.  Otherwise the processor waits
+// for ever, as on the board, and waits_o has what was seen.
 //
 // Source: AMBA AXI Protocol Specification (ARM IHI 0022D), AXI3.
 //

@@ -104,9 +104,9 @@ void ProjectBridges::transport(bool full, tlm::tlm_generic_payload& tx, sc_time&
         tx.set_response_status(tlm::TLM_ADDRESS_ERROR_RESPONSE);
         return;
     }
-    const AxiAttributes of_a_word, *attributes = nullptr;
+    const AxiAttributes strongly_ordered, *attributes = nullptr;
     tx.get_extension(attributes);
-    const AxiAttributes& how = attributes ? *attributes : of_a_word;
+    const AxiAttributes& how = attributes ? *attributes : strongly_ordered;
     const bool write = tx.is_write();
     while (busy_ && !closed_) wait(free_);
     if (closed_) wait(never_);

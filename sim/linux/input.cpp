@@ -87,14 +87,14 @@ std::vector<std::uint16_t> axes_of(UsbPlug plug) {
     return {ABS_X, ABS_Y, ABS_Z, ABS_RZ, ABS_HAT0X, ABS_HAT0Y};
 }
 
-void tell_axes(InputDevice& device, const UsbGamepad& gamepad) {
+void send_axes(InputDevice& device, const UsbGamepad& gamepad) {
     const std::vector<std::uint16_t> axes = axes_of(gamepad.about().plug);
     const std::vector<int> places = gamepad.axes();
     for (std::size_t i = 0; i < axes.size(); ++i)
         device.event(input_event::ABS, axes[i], places[i]);
 }
 
-void tell_button(InputDevice& device, std::uint16_t first, unsigned which, bool down) {
+void send_button(InputDevice& device, std::uint16_t first, unsigned which, bool down) {
     using namespace input_event;
     device.event(MSC, MSC_SCAN, static_cast<int>(BUTTON_PAGE + which + 1));
     device.event(KEY, static_cast<std::uint16_t>(first + which), down);
@@ -109,14 +109,14 @@ void describe_gamepad(InputDevice& device, const UsbGamepad& gamepad) {
     for (const std::uint16_t axis : axes_of(plug))
         device.has_axis(axis, axis < ABS_HAT0X ? InputDevice::Axis{0, 0, 255, 0, 255 >> 4, 0}
                                                : InputDevice::Axis{0, -1, 1, 0, 0, 0});
-    tell_axes(device, gamepad);
+    send_axes(device, gamepad);
 }
 
 }  // namespace
 
 // ---- The drivers --------------------------------------------------------------------------------
 
-void LinuxInput::tell(const UsbDevice& usb, const Event& event) {
+void LinuxInput::send(const UsbDevice& usb, const Event& event) {
     for (auto& [number, one] : bound_) {
         if (one.usb != &usb) continue;
         event(*one.device);
@@ -130,7 +130,7 @@ void LinuxInput::attach(UsbPorts& ports) {
     ports.keyboard.on_key([this, &usb = ports.keyboard](std::uint16_t key, bool down) {
         const std::uint16_t number = key_number(key);
         if (number == 0) return;
-        tell(usb, [&](InputDevice& device) {
+        send(usb, [&](InputDevice& device) {
             device.event(MSC, MSC_SCAN, static_cast<int>(KEYBOARD_PAGE + hid_usage(key)));
             device.event(KEY, number, down);
         });
@@ -138,21 +138,21 @@ void LinuxInput::attach(UsbPorts& ports) {
     UsbMouse::Listener mouse;
     mouse.move = [this, &usb = ports.mouse](int right, int up) {
         if (right == 0 && up == 0) return;
-        tell(usb, [&](InputDevice& device) {
+        send(usb, [&](InputDevice& device) {
             device.event(REL, REL_X, right);
             device.event(REL, REL_Y, -up);
         });
     };
     mouse.turn = [this, &usb = ports.mouse](int notches) {
         if (notches == 0) return;
-        tell(usb, [&](InputDevice& device) {
+        send(usb, [&](InputDevice& device) {
             device.event(REL, REL_WHEEL, -notches);
             device.event(REL, REL_WHEEL_HI_RES, -notches * WHEEL_STEP);
         });
     };
     mouse.button = [this, &usb = ports.mouse](MouseButton which, bool down) {
-        tell(usb, [&](InputDevice& device) {
-            tell_button(device, BTN_LEFT, static_cast<unsigned>(which), down);
+        send(usb, [&](InputDevice& device) {
+            send_button(device, BTN_LEFT, static_cast<unsigned>(which), down);
         });
     };
     ports.mouse.on_hand(std::move(mouse));
@@ -163,12 +163,12 @@ void LinuxInput::attach(UsbPorts& ports) {
 void LinuxInput::attach(UsbGamepad& gamepad) {
     UsbGamepad::Listener listener;
     listener.button = [this, &gamepad](unsigned number, bool down) {
-        tell(gamepad, [&](InputDevice& device) {
-            tell_button(device, first_button(gamepad.about().plug), number, down);
+        send(gamepad, [&](InputDevice& device) {
+            send_button(device, first_button(gamepad.about().plug), number, down);
         });
     };
     listener.axes = [this, &gamepad] {
-        tell(gamepad, [&](InputDevice& device) { tell_axes(device, gamepad); });
+        send(gamepad, [&](InputDevice& device) { send_axes(device, gamepad); });
     };
     gamepad.on_hand(std::move(listener));
 }

@@ -56,10 +56,10 @@ private:
         std::string port;
         unsigned joystick;  // number of js*, of a gamepad
     };
-    // A function of one of its devices, where that is bound.
+    // Sends events to an input device.
     using Event = std::function<void(InputDevice&)>;
 
-    void tell(const UsbDevice& usb, const Event& event);
+    void send(const UsbDevice& usb, const Event& event);  // if that is bound
     void attach(UsbGamepad& gamepad);
     std::shared_ptr<InputDevice> first_mouse() const;  // or nullptr
     void describe(const Bound& one, unsigned number, OwnFiles& files) const;
