@@ -45,17 +45,19 @@ if(DE1SIM_COVERAGE)
         ${CMAKE_SOURCE_DIR}/sim/fpga/write_coverage.cpp)
     target_compile_definitions(verilated_runtime PRIVATE
         COVERAGE_DATA="${CMAKE_BINARY_DIR}/coverage-data")
-    target_link_options(verilated_runtime INTERFACE LINKER:--wrap=_ZN13VerilatedSymsD2Ev)
+    target_link_options(verilated_runtime INTERFACE LINKER:--wrap=_ZN13VerilatedSymsD2Ev
+        LINKER:--wrap=_ZN13VerilatedSymsC2EP16VerilatedContext)
 endif()
 
-# verilate_rtl(TARGET TOP [TRACE_FST] [FOR_TEST] SOURCES files under rtl/...
+# verilate_rtl(TARGET TOP [TRACE_FST] [FOR_TEST] [COVERAGE] SOURCES files under rtl/...
 #     ARGS for Verilator...)
 #
 # Adds class V<TOP> to the target; FOR_TEST, where it runs for milliseconds, as one source, little
-# optimised.  Paths are relative, because Verilator 5.006 stumbles over blanks in
-# those of its sources.
+# optimised, and with the counters of `make coverage`, as with COVERAGE: they make a run six times
+# as long.  Paths are relative, because Verilator 5.006 stumbles over blanks in those of its
+# sources.
 function(verilate_rtl target top)
-    cmake_parse_arguments(arg "TRACE_FST;FOR_TEST" "" "SOURCES;ARGS" ${ARGN})
+    cmake_parse_arguments(arg "TRACE_FST;FOR_TEST;COVERAGE" "" "SOURCES;ARGS" ${ARGN})
     set(class V${top})
     file(RELATIVE_PATH rtl ${CMAKE_CURRENT_SOURCE_DIR} ${CMAKE_SOURCE_DIR}/rtl)
     list(TRANSFORM arg_SOURCES PREPEND ${rtl}/)
@@ -63,7 +65,7 @@ function(verilate_rtl target top)
     if(arg_TRACE_FST)
         set(trace TRACE_FST)
     endif()
-    if(DE1SIM_COVERAGE)
+    if(DE1SIM_COVERAGE AND (arg_FOR_TEST OR arg_COVERAGE))
         set(coverage COVERAGE)
     endif()
     if(NOT DE1SIM_WERROR)  # each new Verilator finds something new
