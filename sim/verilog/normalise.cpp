@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "sim/verilog/assertions.h"
 #include "sim/verilog/items.h"
 #include "sim/verilog/parameter_types.h"
 #include "sim/verilog/power_up.h"
@@ -78,7 +79,8 @@ public:
         init_names_ = read_at_run_time(tokens_, edits_);
         for (std::size_t i = 0; i < tokens_.all.size(); ++i) {
             if (tokens_.all[i].kind != Kind::NAME) continue;
-            if (open_inputs.count(tokens_.all[i].text)) connect(i, open_inputs);
+            if (open_inputs.count(tokens_.all[i].text) && !is_instance_name(i))
+                connect(i, open_inputs);
             if (const auto of = modules.find(tokens_.all[i].text); of != modules.end())
                 open_constants(i, of->second);
         }
@@ -194,6 +196,18 @@ private:
         std::size_t at = i;
         if (tokens_.all[i + 1].is("#")) at = closing(tokens_.all, i + 2);
         edits_.after[at] += fmt::format(" de1sim_unnamed_{} ", ++unnamed_);
+    }
+    // After a module's name, or its parameters.
+    bool is_instance_name(std::size_t i) const {
+        if (i == 0) return false;
+        const Token& before = tokens_.all[i - 1];
+        if (before.kind == Kind::NAME) return !is_keyword(before.text);
+        int depth = 0;
+        for (std::size_t at = i; before.is(")") && at-- > 1;) {
+            depth += tokens_.all[at].is(")") - tokens_.all[at].is("(");
+            if (depth == 0) return tokens_.all[at - 1].is("#");
+        }
+        return false;
     }
     // Adds the connections that the instance of a model at `i` leaves open.
     // Quartus takes an output that is connected with a number for one that is open.
@@ -332,7 +346,17 @@ OpenInputs read_open_inputs(const std::filesystem::path& table) {
 Normalised normalise(std::string_view text, const std::string& name, bool system_verilog,
                      const OpenInputs& open_inputs, const Modules& modules,
                      const std::vector<InoutFit>& inout_fits, const PinPorts& pins) {
-    return Normaliser{text, name, open_inputs, modules, inout_fits, pins}.run(system_verilog);
+    const auto of = [&](std::string_view source) {
+        return Normaliser{source, name, open_inputs, modules, inout_fits, pins}.run(system_verilog);
+    };
+    if (!system_verilog) return of(text);
+    const WithoutAssertions without = without_assertions(text);
+    Normalised result = of(without.text);
+    if (without.line)
+        result.changes.push_back(
+            fmt::format("{}:{}: left out the concurrent assertions, which Quartus ignores", name,
+                        without.line));
+    return result;
 }
 
 }  // namespace sim::project

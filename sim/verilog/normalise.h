@@ -6,6 +6,7 @@
 //   a comma before a closing parenthesis      goes
 //   declarations in an order that Verilator does not take  see reorder.h
 //   a type that several parameters share        is repeated, see parameter_types.h
+//   concurrent assertions                       go, see assertions.h
 //   a .v file with words of SystemVerilog as names  is read with the keywords of Verilog-2005
 //
 // Not noted: a comment that Verilator would take for an order to itself, inputs of models that are

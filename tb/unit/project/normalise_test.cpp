@@ -1,6 +1,8 @@
 // What Quartus takes and Verilator does not, and what must stay as it is.
 #include "sim/verilog/normalise.h"
 
+#include <algorithm>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -38,6 +40,28 @@ TEST(Normalise, ExecutesAsynchronousResetsAtPowerUp) {
           "always @(posedge c or posedge r) if (r) begin $display(1); q <= 1; end",
           "always @(posedge c or posedge r) if (r)\n`ifdef A\nq <= 1;\n`endif\n"})
         EXPECT_EQ(cleaned(none), none);
+}
+
+TEST(Normalise, LeavesOutConcurrentAssertions) {
+    const auto result = normalise(
+        "module m;\nproperty p;\n  @(posedge c) a |=> ##[0:K] b;\nendproperty : p\n"
+        "check: assert property (p) else $error(\"late\");\nsequence s; a ##1 b; endsequence\n"
+        "always_ff @(posedge c) begin q <= d; cover property (s); end\n"
+        "assume property (@(posedge c) a) begin x = 1; end else y = 1; assign z = q;\n"
+        "always_comb assert (a) else $error(\"now\");\nendmodule\n",
+        "f.sv", true);
+    const std::string& text = result.text;
+    for (const char* gone : {"property", "sequence", "check", "late", "x = 1", "y = 1"})
+        EXPECT_EQ(text.find(gone), text.npos) << gone;
+    for (const char* kept : {"\nalways_ff @(posedge c) begin q <= d;", "; end\n", "assign z = q;",
+                             "assert (a) else $error(\"now\");\nendmodule"})
+        EXPECT_THAT(text, HasSubstr(kept));
+    EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 10);
+    EXPECT_THAT(result.changes, ElementsAre("f.sv:2: left out the concurrent assertions, which "
+                                            "Quartus ignores"));
+    EXPECT_EQ(cleaned("reg property; assign property = a;"),
+              "`begin_keywords \"1364-2005\" reg "
+              "property; assign property = a;\n`end_keywords\n");
 }
 
 TEST(Normalise, NamesInstances) {
@@ -210,6 +234,11 @@ TEST(Normalise, GivesOpenInputsOfModelsTheirLevel) {
     EXPECT_THAT(result.text, HasSubstr(".rden_b(-1)"));
     EXPECT_THAT(result.text, HasSubstr(".byteena_a(b)"));
     EXPECT_THAT(result.changes, IsEmpty());
+    for (const char* name : {"own altsyncram (.clock0(c));", "own #(.W(f(1))) altsyncram (.q(c));"})
+        EXPECT_EQ(normalise(name, "f.v", false, open).text, name);
+    EXPECT_THAT(
+        normalise("for (i = 0; i < 2; i = i + 1) altsyncram u (.q(c));", "f.v", false, open).text,
+        HasSubstr(".clocken0(-1)"));
 }
 
 TEST(Normalise, LinesStayWhereTheyAre) {
