@@ -15,7 +15,7 @@ module cells_bench (
     output wire [7:0]  taps_o,
     output wire [3:0]  shiftout_o,
     output wire [7:0]  memory_o, memory_later_o,
-    output wire        dout_o,
+    output wire [1:0]  dout_o,
     output wire [7:0]  source_o,
     output wire        tck_o,
     output wire [7:0]  cells_o,       // dff dffe dffea dffeas tff jkff srff latch
@@ -79,8 +79,8 @@ module cells_bench (
         .wren(wren_i), .wraddress(a_i), .data({b_i, b_i}), .byteena(1'b1), .rdaddress(b_i),
         .rden(1'b1), .aclr(aclr_i), .q(memory_later_o));
 
-    altera_std_synchronizer #(.depth(3)) sync (
-        .clk(clock_i), .reset_n(clrn_i), .din(a_i[0]), .dout(dout_o));
+    altera_std_synchronizer_bundle #(.depth(3), .width(2)) sync (
+        .clk(clock_i), .reset_n(clrn_i), .din({b_i[0], a_i[0]}), .dout(dout_o));
 
     altsource_probe #(.source_width(8), .source_initial_value("5a"), .probe_width(4)) probe (
         .probe(a_i), .source(source_o), .source_clk(clock_i));

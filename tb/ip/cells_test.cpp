@@ -143,11 +143,15 @@ TEST_F(Cells, ReadASmallMemoryAtOnceOrRegistered) {
 
 TEST_F(Cells, SynchroniseInThreeClocks) {
     dut.a_i = 1;
+    dut.b_i = 0;
     clock();
+    dut.b_i = 1;
     clock();
     EXPECT_EQ(dut.dout_o, 0);
     clock();
     EXPECT_EQ(dut.dout_o, 1);
+    clock();
+    EXPECT_EQ(dut.dout_o, 3);
     dut.clrn_i = 0;
     dut.eval();
     EXPECT_EQ(dut.dout_o, 0);

@@ -85,10 +85,9 @@ def sopcinfo(kind="adder", width=32):
 
 
 class Components(SystemCase):
-    def adder(self, kind="adder", verilog="adder", **files):
+    def adder(self, kind="adder", verilog="adder", clocks=clocked("adder_0", "clock"), **files):
         self.system([("adder_0", kind, {"WIDTH": "32"})],
-                    [*clocked("adder_0", "clock"),
-                     ("avalon", LW, "adder_0.s0", 0x40)], [("pins", "adder_0.pins")],
+                    [*clocks, ("avalon", LW, "adder_0.s0", 0x40)], [("pins", "adder_0.pins")],
                     ", .pins_lamps(LEDR), .pins_switches(SW)", **files)
         (self.folder / f"{verilog}.v").write_text(ADDER.format(name=verilog))
         self.program("R32(0xFF200040) = 0x41234567; R32(0xFF200044) = 0x3FFFFFFF;\n"
@@ -113,6 +112,31 @@ class Components(SystemCase):
             + ADDER.format(name="other"))
         self.assertIn("adder_hw.tcl names the module new_component, which its files do not have; "
                       "module other of other.v is taken\n", self.shows(0x81234566 >> 22).stderr)
+
+    def test_a_clock_with_a_reset_among_its_ports_is_two_interfaces(self):
+        self.adder(clocks=clocked("adder_0", "clock_reset", "clock_reset_reset"))
+        old = (HW_TCL.replace("add_interface clock clock", "add_interface clock_reset clock")
+               .replace("add_interface_port clock ", "add_interface_port clock_reset ")
+               .replace("add_interface_port reset ", "add_interface_port clock_reset ")
+               .replace("s0 associatedClock clock", "s0 ASSOCIATED_CLOCK clock_reset"))
+        (self.folder / "adder_hw.tcl").write_text("".join(
+            line for line in old.splitlines(True) if "interface reset" not in line
+            and "_property reset" not in line and "associatedReset" not in line))
+        self.shows(0x81234566 >> 22)
+
+    def test_pins_that_the_processor_lends_read_0(self):
+        self.system(exports=[("loan", "hps_0.h2f_loan_io")],
+                    top=", .loan_in(lent), .loan_out(67'd1), .loan_oe(67'd1)")
+        for file, old, new in [
+                ("sys.qsys", '  <parameter name="S2F_Width"',
+                 '  <parameter name="LOANIO_Enable" value="No,Yes,No" />\n'
+                 '  <parameter name="S2F_Width"'),
+                ("top.v", "sys system", "wire [66:0] lent; assign LEDR = {9'h155, lent != 67'd0};\n"
+                                        "sys system")]:
+            path = self.folder / file
+            path.write_text(path.read_text().replace(old, new))
+        self.program("")
+        self.shows(0x2AA)
 
     def test_vhdl_with_generics(self):
         self.adder()

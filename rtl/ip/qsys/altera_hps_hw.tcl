@@ -78,6 +78,15 @@ proc hps_io {} {
     }
 }
 
+# Pins of the processor's that the FPGA has: outside of it, too, so they read 0.
+proc loan_io {} {
+    if {[string first Yes [value LOANIO_Enable]] < 0} return
+    add_interface h2f_loan_io conduit end
+    foreach {role direction} {in Output out Input oe Input} {
+        add_interface_port h2f_loan_io h2f_loan_io_$role $role $direction 67
+    }
+}
+
 proc memory {} {
     set interface memory
     add_interface memory conduit end
@@ -181,6 +190,7 @@ proc sdram_ports {} {
 proc elaborate {} {
     memory
     hps_io
+    loan_io
     reset h2f_reset Output
     foreach {parameter name} {F2SCLK_COLDRST_Enable f2h_cold_reset_req
                               F2SCLK_DBGRST_Enable f2h_debug_reset_req

@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "sim/project/qsys/interface_forms.h"
 #include "sim/project/qsys/verilog_text.h"
 #include "sim/project/safe_tcl.h"
 #include "sim/project/settings.h"
@@ -53,24 +54,6 @@ std::string literal(const Parameter& p) {
     return '"' + value + '"';
 }
 
-// An APB slave has the signals of an Avalon one with a clock of setup, and two more: penable, which
-// is read or write, and pwrite, which is there in the setup too.
-void make_avalon(Interface& apb) {
-    static const std::map<std::string, const char*> ROLES{{"paddr", "address"},
-                                                          {"psel", "chipselect"},
-                                                          {"pwdata", "writedata"},
-                                                          {"prdata", "readdata"},
-                                                          {"pready", "waitrequest_n"}};
-    apb.type = "avalon";
-    for (Port& port : apb.ports)
-        if (const auto role = ROLES.find(port.role); role != ROLES.end()) port.role = role->second;
-    for (const auto& [name, value] : {std::pair{"addressUnits", "SYMBOLS"},
-                                      {"setupTime", "1"},
-                                      {"readWaitTime", "0"},
-                                      {"writeWaitTime", "0"}})
-        apb.properties[name] = value;
-}
-
 class ComponentReader {
 public:
     ComponentReader(const std::string& text, const fs::path& file, const Parameters& parameters,
@@ -98,10 +81,10 @@ public:
         add_files();
         for (const auto& [name, p] : parameters_)
             if (is_true(p, "HDL_PARAMETER")) component_.parameters[name] = literal(p);
-        for (Interface& i : component_.interfaces) {
+        for (Interface& i : component_.interfaces)
             for (Port& port : i.ports) set_width(port);
-            if (i.type == "apb" && !i.is_start) make_avalon(i);
-        }
+        make_apb_avalon(component_.interfaces);
+        part_resets(component_.interfaces);
         return std::move(component_);
     }
 
@@ -290,8 +273,10 @@ private:
     // set_interface_property NAME PROPERTY VALUE ?PROPERTY VALUE ...?
     std::string set_interface_property(const Words& words) {
         need(words, 3);
-        for (std::size_t n = 2; n + 1 < words.size(); n += 2)
-            interface(words[1]).properties[words[n]] = words[n + 1];
+        for (std::size_t n = 2; n + 1 < words.size(); n += 2) {
+            const bool is_old = words[n] == "ASSOCIATED_CLOCK";  // before Quartus 10
+            interface(words[1]).properties[is_old ? "associatedClock" : words[n]] = words[n + 1];
+        }
         return {};
     }
     std::string get_interface_property(const Words& words) {
