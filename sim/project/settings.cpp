@@ -5,8 +5,12 @@
 #include <cstring>
 #include <fstream>
 #include <iterator>
+#include <regex>
+
+#include <fmt/format.h>
 
 #include "sim/text/lower.h"
+#include "sim/text/printable.h"
 
 namespace sim::project {
 
@@ -19,6 +23,21 @@ bool makes_project(const fs::path& script) {
     return text_of(script).find("project_new") != std::string::npos;
 }
 
+// Settings of the revision that a .qpf names first, which is the one that Quartus opens.
+fs::path settings_of_revision(const fs::path& qpf) {
+    static const std::regex REVISION{"(?:^|\n)[ \t]*PROJECT_REVISION[ \t]*=[ \t]*\"([^\"\n]+)\""};
+    const std::string text = text_of(qpf);
+    std::smatch named;
+    const std::string revision =
+        std::regex_search(text, named, REVISION) ? named.str(1) : qpf.stem().string();
+    const fs::path qsf = qpf.parent_path() / (revision + ".qsf");
+    std::error_code error;
+    if (fs::is_regular_file(qsf, error)) return qsf;
+    throw ProjectError{printable(fmt::format(
+        "{}: there is no {} beside it, the settings of {}", qpf.string(), qsf.filename().string(),
+        named.empty() ? "the project" : "the revision that it names"))};
+}
+
 }  // namespace
 
 fs::path settings_at(const fs::path& place) {
@@ -26,25 +45,21 @@ fs::path settings_at(const fs::path& place) {
     if (fs::is_regular_file(place, error)) {
         const std::string ending = lower(place.extension().string());
         if (ending == ".qsf" || (ending == ".tcl" && makes_project(place))) return place;
-        if (ending == ".qpf") {
-            fs::path qsf = place;
-            qsf.replace_extension(".qsf");
-            if (fs::is_regular_file(qsf, error)) return qsf;
-            throw ProjectError{place.string() + ": there is no " + qsf.filename().string() +
-                               " beside it"};
-        }
+        if (ending == ".qpf") return settings_of_revision(place);
         throw ProjectError{place.string() +
                            ": expected a .qsf, a .qpf, a .tcl that makes a project, or a folder"};
     }
     if (!fs::is_directory(place, error)) throw ProjectError{place.string() + ": is not there"};
-    std::vector<fs::path> found, scripts;
+    std::vector<fs::path> found, scripts, projects;
     for (const auto& entry : fs::directory_iterator{place, error}) {
         const std::string ending = lower(entry.path().extension().string());
         if (ending == ".qsf") found.push_back(entry.path());
+        if (ending == ".qpf") projects.push_back(entry.path());
         if (ending == ".tcl" && makes_project(entry.path())) scripts.push_back(entry.path());
     }
     if (found.empty()) found = std::move(scripts);
     std::sort(found.begin(), found.end());
+    if (found.size() > 1 && projects.size() == 1) return settings_of_revision(projects.front());
     if (found.size() > 1) {
         std::string names;
         for (const fs::path& f : found)

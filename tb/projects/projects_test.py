@@ -14,6 +14,19 @@ class Reading(Case):
                    bench_v="module bench; chosen u (); endmodule\n")
         self.assertIn("the top module is taken to be chosen", self.leds(0x3FE, 1))
 
+    def test_a_qpf_opens_the_revision_that_it_names_first(self):
+        self.write(old_v=LEDS.format("10'd1"), top_v=LEDS.format("10'd2"),
+                   **{name: "set_global_assignment -name TOP_LEVEL_ENTITY top\n"
+                            f"set_global_assignment -name VERILOG_FILE {file}\n"
+                      for name, file in (("old_qsf", "old.v"), ("board_qsf", "top.v"))},
+                   lab_qpf='DATE = "today"\r\nPROJECT_REVISION = "board"\r\n'
+                           'PROJECT_REVISION = "old"\r\n')
+        for place in ("lab.qpf", "."):
+            self.leds(2, project=place)
+        (self.folder / "board.qsf").unlink()
+        self.refused("lab.qpf: there is no board.qsf beside it, the settings of the revision that "
+                     "it names", "check", "lab.qpf")
+
     def test_modules_that_are_not_listed(self):
         self.write(p_qsf="set_global_assignment -name TOP_LEVEL_ENTITY top\n"
                          "set_global_assignment -name VERILOG_FILE top.v\n",
