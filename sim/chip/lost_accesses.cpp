@@ -44,7 +44,8 @@ std::uint32_t gap_begin(std::uint32_t address) {
 
 }  // namespace
 
-LostAccesses::LostAccesses() : words_(regmap::LW_DECODED / 4, NOBODY) {
+LostAccesses::LostAccesses(std::uint32_t memory_base)
+    : memory_base_{memory_base}, words_(regmap::LW_DECODED / 4, NOBODY) {
     for (const regmap::Block& block : regmap::BLOCKS)
         if (regmap::on_lightweight_bridge(block))
             std::fill_n(words_.begin() + (block.base - regmap::LW_BASE) / 4,
@@ -58,11 +59,11 @@ LostAccesses::LostAccesses() : words_(regmap::LW_DECODED / 4, NOBODY) {
 
 std::optional<std::string> LostAccesses::look(std::uint32_t address, unsigned bytes, bool write) {
     if (address - regmap::LW_BASE >= regmap::LW_SIZE) {
-        const std::uint32_t offset = address - regmap::SDRAM_BASE;
+        const std::uint32_t offset = address - memory_base_;
         const regmap::Block* whole = memory_at(offset);
         if (whole && memory_at(offset + bytes - 1) == whole) return std::nullopt;
         for (std::uint32_t at = address; at < address + bytes; at = (at & ~3u) + 4)
-            if (!memory_at(at - regmap::SDRAM_BASE)) return memory(at, write);
+            if (!memory_at(at - memory_base_)) return memory(at, write);
         return std::nullopt;
     }
     for (std::uint32_t at = address & ~3u; at < address + bytes; at += 4) {
@@ -75,21 +76,22 @@ std::optional<std::string> LostAccesses::look(std::uint32_t address, unsigned by
 }
 
 std::optional<std::string> LostAccesses::memory(std::uint32_t address, bool write) {
-    const std::uint32_t offset = address - regmap::SDRAM_BASE, local = offset & H2F_MASK;
+    const std::uint32_t offset = address - memory_base_, local = offset & H2F_MASK;
     const regmap::Block* block = memory_at(local);
     const std::uint32_t again = offset & ~H2F_MASK;
-    const std::uint32_t place = again ? address & ~H2F_MASK : gap_begin(address);
+    const std::uint32_t place =
+        again ? address & ~H2F_MASK : gap_begin(regmap::SDRAM_BASE + offset);
     if (!is_new(place, write)) return std::nullopt;
     const char* did = write ? "wrote" : "read";
     if (block)
         return fmt::format(
             "{} 0x{:08X}: addresses repeat each {} MB; on the board, too, it is {} at "
             "0x{:08X}",
-            did, address, H2F_DECODED >> 20, block->name, regmap::SDRAM_BASE + local);
+            did, address, H2F_DECODED >> 20, block->name, memory_base_ + local);
     return fmt::format(
         "{} 0x{:08X}: no memory is there; on the board, too, the interconnect sends it "
         "to the SDRAM at 0x{:08X}",
-        did, address, regmap::SDRAM_BASE + local % regmap::SDRAM_SIZE);
+        did, address, memory_base_ + local % regmap::SDRAM_SIZE);
 }
 
 std::optional<std::string> LostAccesses::registers(std::uint32_t address, bool write, Word word) {

@@ -21,7 +21,8 @@ namespace sim {
 
 class LostAccesses {
 public:
-    LostAccesses();
+    // `memory_base`: where the processor sees the SDRAM, and the other memories behind it.
+    explicit LostAccesses(std::uint32_t memory_base);
 
     // A message about an access that was answered but went astray.  Only for the first write, and
     // the first read, in each block, gap or repetition.
@@ -33,6 +34,7 @@ private:
     std::optional<std::string> memory(std::uint32_t address, bool write);
     bool is_new(std::uint32_t place, bool write) { return reported_.insert({place, write}).second; }
 
+    const std::uint32_t memory_base_;
     std::vector<Word> words_;  // of the lightweight bridge, as far as it is decoded
     std::set<std::pair<std::uint32_t, bool>> reported_;
 };

@@ -10,6 +10,7 @@
 #include <optional>
 #include <variant>
 
+#include "sim/chip/program_system.h"
 #include "sim/cpu/arm_cpu.h"
 #include "sim/cpu/native_cpu.h"
 #include "sim/hps/bridge_windows.h"
@@ -23,7 +24,7 @@
 
 namespace sim {
 
-class ProcessorSystem : public sc_core::sc_module {
+class ProcessorSystem : public sc_core::sc_module, public ProgramSystem {
 public:
     // What runs on it, and so which processor it has: NativeCpu or ArmCpu.
     using Software = std::variant<Firmware, ArmProgram>;
@@ -35,11 +36,11 @@ public:
 
     // What /dev/fb0 is; nothing: the FPGA has none that could be found.
     virtual std::optional<PixelBuffer> pixel_buffer() const { return {}; }
-    // Something that the program has printed may still be on its way to its host.
-    virtual bool is_printing() { return hps.uart0.is_sending(); }
-    // Lets the access under way end, as SystemC's time goes on, and begins no other.
-    virtual void close_bridges() = 0;
-    virtual bool is_accessing() const = 0;
+    Processor& processor() override { return cpu; }
+    ProgramCpu* program_cpu() override { return arm; }
+    Bus& processor_bus() override { return bus; }
+    bool is_printing() override { return hps.uart0.is_sending(); }
+    bool is_sending() const override { return hps.uart0.is_sending(); }
 
     // An interrupt line of the HPS's own pins: GPIO61, the accelerometer's INT1.
     void accelerometer_interrupt(bool up) { hps.gpio2.drive(ACCELEROMETER, up); }

@@ -21,7 +21,7 @@ constexpr std::uint32_t PUSHED = 128;         // bytes, by one instruction
 }  // namespace
 
 ArmCpu::ArmCpu(const sc_core::sc_module_name& name, ArmProgram program, Log log)
-    : Processor{name},
+    : ProgramCpu{name},
       program_{std::move(program)},
       log_{std::move(log)},
       core_{*this},

@@ -53,7 +53,7 @@
 #include "sim/cpu/arm_shortcuts.h"
 #include "sim/cpu/arm_time.h"
 #include "sim/cpu/elf.h"
-#include "sim/cpu/processor.h"
+#include "sim/cpu/program_cpu.h"
 #include "sim/cpu/steady_bus.h"
 #include "sim/cpu/store_buffer.h"
 #include "sim/cpu/word_burst.h"
@@ -137,7 +137,7 @@ protected:
     ~ArmKernel() = default;
 };
 
-class ArmCpu : public Processor, private ArmBus {
+class ArmCpu : public ProgramCpu, private ArmBus {
 public:
     using Log = std::function<void(const std::string&)>;
     static constexpr std::uint32_t STACK = 0x3FFFFFF8;  // SP at the start: top of DDR3
@@ -163,8 +163,7 @@ public:
         inspect_.notify(sc_core::SC_ZERO_TIME);
     }
 
-    // The program's time: SystemC's plus what it has run of its quantum.
-    sc_core::sc_time now() const { return time_.now(); }
+    sc_core::sc_time now() const override { return time_.now(); }
 
     // It is the processor that is at it now, no other process of SystemC.
     bool is_running() const { return sc_core::sc_get_current_process_handle() == process_; }
@@ -173,13 +172,12 @@ public:
     std::string accessed() const override;
     bool is_inspected() const override { return inspected_; }
 
-    // At the run's end: logs what is not reported yet of the program's aborts.  position() stays.
-    void conclude();
+    void conclude() override;
 
     // How long the program has been over: ended by end(), or looping on one instruction with IRQ
     // and FIQ masked, so that only a reset could end the loop; and under a kernel nothing else may
     // happen.  0 before, and under an inspector.
-    sc_core::sc_time ended_for() const;
+    sc_core::sc_time ended_for() const override;
 
     // Lets loops that use the bus be shortened, too.
     void set_steady_bus(SteadyBus* bus) { shortcuts_.set_bus(bus); }
@@ -210,23 +208,12 @@ public:
     void end(const std::string& why = "");
     std::string where() const;  // "at 12.345678 ms, PC 0x00001234 in main+0x10"
 
-    struct Position {
-        std::uint32_t pc;
-        std::string function;                 // "main+0x10", "" if it is in none
-        bool sleeping;                        // in WFI, or in pause()
-        bool ended;                           // by end()
-        std::optional<std::uint32_t> polled;  // a register that a loop reads
-    };
-    Position position();
+    Position position() override;
 
-    struct Counts {
-        std::uint64_t instructions = 0;
-        std::uint64_t interrupts = 0;  // taken, IRQ and FIQ
-        std::uint64_t aborts = 0;      // taken, data and prefetch
-        sc_core::sc_time asleep;       // in WFI and WFE
-        sc_core::sc_time on_bus;       // waiting for targets, and for registers to change
-    };
-    Counts counts() const;
+    Counts counts() const override;
+    std::uint32_t instruction() const override { return core_.instruction(); }
+    const ElfProgram& elf() const override { return program_.elf; }
+    double cpi() const override { return program_.cpi; }
     const ArmProgram& program() const { return program_; }
     // Its names are in messages from now on.
     void add_library(ElfProgram library) { program_.elf.libraries.push_back(std::move(library)); }

@@ -20,7 +20,9 @@ constexpr std::uint64_t MAX_BYTES = 256u << 20;
 
 constexpr std::size_t EM_AT = 18;  // the machine's number, low byte first
 constexpr const char* BUILD =
-    "build it with arm-none-eabi-gcc, or for Linux with arm-linux-gnueabihf-gcc";
+    "build it with arm-none-eabi-gcc, for Linux with arm-linux-gnueabihf-gcc, or for Nios V with "
+    "riscv64-unknown-elf-gcc -march=rv32im_zicsr -mabi=ilp32";
+constexpr std::uint32_t COMPRESSED = 1;  // EF_RISCV_RVC
 
 std::string machine(unsigned number) {
     switch (number) {
@@ -55,6 +57,11 @@ public:
         program.movable = is_movable();
         if (program.movable) program.move(POSITION_INDEPENDENT_BASE);
         return program;
+    }
+
+    ElfMachine machine_of() {
+        open();
+        return header_->e_machine == EM_RISCV ? ElfMachine::RISCV : ElfMachine::ARM;
     }
 
     bool expects_linux() {
@@ -120,9 +127,7 @@ private:
         if (ident[EI_DATA] == ELFDATA2MSB) refuse("a big-endian ELF file, expected little-endian");
         header_ = elf_ ? elf32_getehdr(elf_.get()) : nullptr;
         if (!header_) refuse("a damaged ELF file: {}", elf_errmsg(-1));
-        if (header_->e_machine != EM_ARM)
-            refuse("for another machine ({}), expected ARM: {}", machine(header_->e_machine),
-                   BUILD);
+        check_machine();
         if (is_movable() && linking_ == Linking::STATIC)
             refuse(
                 "dynamically linked or position-independent, expected a static executable: link "
@@ -140,6 +145,23 @@ private:
         if (!inside(header_->e_phoff, std::uint64_t{header_->e_phnum} * sizeof(Elf32_Phdr)) ||
             !inside(header_->e_shoff, std::uint64_t{header_->e_shnum} * sizeof(Elf32_Shdr)))
             refuse("is cut off: its tables lie beyond its end");
+    }
+
+    void check_machine() const {
+        const unsigned number = header_->e_machine;
+        if (number == EM_ALTERA_NIOS2)
+            refuse(
+                "for Nios II, which is not simulated, expected ARM or Nios V: the same C source "
+                "can mostly be built for these: {}",
+                BUILD);
+        if (number == EM_RISCV && linking_ != Linking::STATIC)
+            refuse("for another machine (RISC-V), expected ARM: the board's Linux is the ARM's");
+        if (number != EM_ARM && number != EM_RISCV)
+            refuse("for another machine ({}), expected ARM: {}", machine(number), BUILD);
+        if (number == EM_RISCV && (header_->e_flags & COMPRESSED))
+            refuse(
+                "has compressed instructions, which Nios V does not have: build it with "
+                "-march=rv32im_zicsr -mabi=ilp32");
     }
 
     bool is_movable() const { return header_->e_type == ET_DYN; }
@@ -369,6 +391,14 @@ bool is_elf(const std::filesystem::path& file) {
     char magic[SELFMAG] = {};
     return std::ifstream{file, std::ios::binary}.read(magic, SELFMAG) &&
            std::memcmp(magic, ELFMAG, SELFMAG) == 0;
+}
+
+ElfMachine machine_of(const std::filesystem::path& file) {
+    try {
+        return Reader{file, {}, Linking::STATIC}.machine_of();
+    } catch (const ElfError&) {  // perhaps a program for Linux
+        return Reader{file, {}, Linking::ANY}.machine_of();
+    }
 }
 
 bool expects_linux(const std::filesystem::path& file) {

@@ -1,12 +1,13 @@
-// elf.h - a program for the processor: an ELF32 ARM little-endian executable, and its names.
+// elf.h - a program for a processor of the board: an ELF32 little-endian executable for the ARM or
+// for RISC-V (Nios V), and its names.
 //
 // Read with libelf.  Segments are placed at their physical addresses (LMA), as a boot loader and
 // GDB's `load` place them; what lies beyond the bytes of the file is zero.
 //
 // Refused, each with one line "FILE: why": what is not an ELF, another machine or byte order,
-// 64 bits, no executable, segments that overlap, that leave the memory or the file, an entry point
-// in no executable segment, more than 256 MB; without a Linux, also dynamic linking and
-// position-independent programs.
+// RISC-V with compressed instructions, 64 bits, no executable, segments that overlap, that leave
+// the memory or the file, an entry point in no executable segment, more than 256 MB; without a
+// Linux, also dynamic linking and position-independent programs.
 #pragma once
 
 #include <cstdint>
@@ -86,6 +87,10 @@ enum class Linking { STATIC, ANY, LIBRARY };  // LIBRARY: ANY, and what has no e
 
 // Where a position-independent program lies, as Linux has it on ARM without randomisation.
 constexpr std::uint32_t POSITION_INDEPENDENT_BASE = 0x00400000;
+
+enum class ElfMachine { ARM, RISCV };
+// ElfError, as for load_elf().
+ElfMachine machine_of(const std::filesystem::path& file);
 
 // ElfError.  Segments have to lie in `memory`.
 ElfProgram load_elf(const std::filesystem::path& file, const std::vector<MemoryRange>& memory,

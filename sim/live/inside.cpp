@@ -15,7 +15,7 @@ constexpr unsigned FIFO_SIZE =
 
 void Inside::frame_ended() {
     if (!processor_) return;
-    const BusCounts now = processor_->bus.counts();
+    const BusCounts now = processor_->processor_bus().counts();
     frame_ = {now.reads - then_.reads, now.writes - then_.writes, now.bursts - then_.bursts, 0};
     then_ = now;
 }
@@ -31,15 +31,16 @@ nlohmann::json Inside::look() const {
     all["bus"] = {{"reads", frame_.reads},
                   {"writes", frame_.writes},
                   {"bursts", frame_.bursts},
-                  {"errors", processor_->bus.counts().errors}};
+                  {"errors", processor_->processor_bus().counts().errors}};
     if (const auto audio = fpga_ ? fpga_->fabric().audio() : std::nullopt)
         all["audio"] = {{"to_play", audio->to_play},
                         {"recorded", audio->recorded},
                         {"size", FIFO_SIZE},
                         {"underruns", audio->underruns}};
-    if (!processor_->arm || !program_) return all;
-    const ArmCpu::Position at = processor_->arm->position();
-    const ArmCpu::Counts counts = processor_->arm->counts();
+    ProgramCpu* const cpu = processor_->program_cpu();
+    if (!cpu || !program_) return all;
+    const ProgramCpu::Position at = cpu->position();
+    const ProgramCpu::Counts counts = cpu->counts();
     const Program more = program_();
     nlohmann::json& program = all["program"] = {{"pc", at.pc},
                                                 {"function", at.function},

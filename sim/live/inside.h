@@ -16,21 +16,22 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include "sim/board/board.h"
-#include "sim/chip/computer.h"
+#include "sim/chip/program_system.h"
+#include "sim/fpga/fpga.h"
 #include "sim/report/report.h"
 
 namespace sim::live {
 
 class Inside {
 public:
-    // Of an ARM's program, beside what its processor knows.
+    // Of an ELF, beside what its processor knows.
     struct Program {
         std::string waiting;            // for what, or empty
         std::optional<FrameUse> frame;  // the last one
     };
 
     // `processor`, `fpga` and `program`: null where there is none.
-    Inside(Board& board, const ProcessorSystem* processor, const Fpga* fpga,
+    Inside(Board& board, ProgramSystem* processor, const Fpga* fpga,
            std::function<Program()> program)
         : board_{board}, processor_{processor}, fpga_{fpga}, program_{std::move(program)} {}
 
@@ -48,7 +49,7 @@ public:
 
 private:
     Board& board_;
-    const ProcessorSystem* const processor_;
+    ProgramSystem* const processor_;
     const Fpga* const fpga_;  // with the DE1-SoC Computer's audio core
     const std::function<Program()> program_;
     BusCounts then_, frame_;

@@ -6,14 +6,14 @@ namespace sim::live {
 
 void LiveClient::attach(const Access& access) {
     std::function<Inside::Program()> program;
-    if (const ArmRun* const arm = access.arm)
-        program = [arm] {
-            const auto& frames = arm->frames();
-            return Inside::Program{arm->waiting(),
+    if (const ProgramRun* const run = access.program)
+        program = [run] {
+            const auto& frames = run->frames();
+            return Inside::Program{run->waiting(),
                                    frames.empty() ? std::nullopt : std::optional{frames.back()}};
         };
-    inside_.emplace(access.board, access.processor,
-                    access.computer ? &access.computer->fpga : nullptr, program);
+    inside_.emplace(access.board, access.processor, access.fabric ? &access.fabric->fpga : nullptr,
+                    program);
     view_.on_frame = [this] { inside_->frame_ended(); };
     access.runner.on_terminal = [this](const std::string& part, char byte) {
         view_.terminal(part, byte);

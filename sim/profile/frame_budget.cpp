@@ -19,7 +19,7 @@ RunReport::Spread spread(const std::vector<Value>& all, double Value::*member) {
 
 }  // namespace
 
-void FrameBudget::frame_ended(const ArmCpu::Counts& counts, const sc_core::sc_time& now) {
+void FrameBudget::frame_ended(const ProgramCpu::Counts& counts, const sc_core::sc_time& now) {
     if (begun_ && now > last_time_ && frames_.size() < MOST) {
         const double time = seconds(now - last_time_);
         const double asleep = seconds(counts.asleep) - seconds(last_.asleep);

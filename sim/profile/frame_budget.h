@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "sim/cpu/arm_cpu.h"
+#include "sim/cpu/program_cpu.h"
 #include "sim/report/report.h"
 
 namespace sim {
@@ -17,13 +17,13 @@ public:
     // Later frames are not kept: half an hour of 60 per second, 3 MB.
     static constexpr std::size_t MOST = 100'000;
 
-    void frame_ended(const ArmCpu::Counts& counts, const sc_core::sc_time& now);
+    void frame_ended(const ProgramCpu::Counts& counts, const sc_core::sc_time& now);
     RunReport::FrameFigures figures() const;
     const std::vector<FrameUse>& frames() const { return frames_; }
 
 private:
     bool begun_ = false;
-    ArmCpu::Counts last_;
+    ProgramCpu::Counts last_;
     sc_core::sc_time last_time_;
     std::vector<FrameUse> frames_;
 };

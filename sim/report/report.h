@@ -69,7 +69,7 @@ struct RunReport {
         std::uint64_t left_out = 0;                      // later changes
     };
 
-    // Only of the processor "arm".
+    // Only where a processor runs an ELF.
     struct Program {
         std::string elf;
         double cpi = 0;
@@ -87,7 +87,7 @@ struct RunReport {
     std::string scenario;  // its name
     std::string file;      // and its path; both empty without one
     std::uint64_t seed = 1;
-    std::string cpu;  // "native" or "arm"
+    std::string cpu;  // "native", "arm" or "nios-v"
     std::optional<Program> program;
     RunEnd end = RunEnd::ALL_STEPS_DONE;
 

@@ -21,7 +21,9 @@ inline constexpr ReportKey REPORT_KEYS[] = {
     {"scenario", "The scenario's name; empty if a program ran without one."},
     {"file", "The scenario's file as it was named; empty without one."},
     {"seed", "Seed of the contacts' bounce."},
-    {"cpu", "`arm`: the modelled Cortex-A9; `native`: firmware compiled for this machine."},
+    {"cpu",
+     "`arm`: the modelled Cortex-A9; `nios-v`: Nios V; `native`: firmware compiled for this "
+     "machine."},
     {"end",
      "How the run ended: `all steps done`, `duration reached`, `the program ended`, "
      "`interrupted`, `firmware fault`, `stopped by the design`, `oscillation of the design` or "
@@ -92,7 +94,7 @@ inline constexpr ReportKey REPORT_KEYS[] = {
     {"checks[].name", "A check that the program made itself and printed as TAP."},
     {"checks[].met", "Whether it was `ok`."},
     {"checks[].detail", "What the program said about it."},
-    {"program.elf", "The program; this and the following only for `cpu` `arm`."},
+    {"program.elf", "The program; this and the following only for `cpu` `arm` and `nios-v`."},
     {"program.cpi", "Clocks per instruction."},
     {"program.instructions", "Instructions executed."},
     {"program.interrupts", "Interrupts taken."},

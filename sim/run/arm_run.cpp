@@ -6,10 +6,9 @@
 
 #include <fmt/format.h>
 
-#include "sim/chip/computer.h"
 #include "sim/files/whole_file.h"
 #include "sim/run/file_kind.h"
-#include "sim/text/seconds.h"
+#include "sim/run/missed_interrupts.h"
 
 namespace sim {
 
@@ -61,12 +60,14 @@ static std::vector<NamedPeer> named_peers(const std::vector<std::string>& option
     return all;
 }
 
-ArmRun::ArmRun(ProcessorSystem& processor, I2cDevices* i2c0, const RunPlan& plan,
-               Recorder& recorder, BoardObserver& observer)
-    : profile_file_{plan.description.outputs.profile},
+ArmRun::ArmRun(ProcessorSystem& processor, Computer* computer, I2cDevices* i2c0,
+               const RunPlan& plan, Recorder& recorder, BoardObserver& observer)
+    : ProgramRun{*processor.arm, processor.bus, recorder},
+      profile_file_{plan.description.outputs.profile},
       network_{plan.description.program.network},
-      cpu_{*processor.arm},
-      bus_{processor.bus} {
+      processor_{processor},
+      computer_{computer},
+      cpu_{*processor.arm} {
     const ProgramDescription& program = plan.description.program;
     const TraceDescription& trace = plan.description.outputs.trace;
     const auto print = [&observer](char c) { observer.console(c, SerialLine::UART); };
@@ -92,7 +93,6 @@ ArmRun::ArmRun(ProcessorSystem& processor, I2cDevices* i2c0, const RunPlan& plan
         calls_.emplace(
             *profile_, cpu_,
             trace.to ? sc_core::sc_time::from_value(trace.to->ps) : sc_core::sc_max_time());
-    recorder.on_frame = [this] { budget_.frame_ended(cpu_.counts(), sc_core::sc_time_stamp()); };
 }
 
 void ArmRun::plug_in(UsbPorts& usb) {
@@ -100,37 +100,22 @@ void ArmRun::plug_in(UsbPorts& usb) {
 }
 
 RunReport::Program ArmRun::program() const {
-    const ArmCpu::Counts counts = cpu_.counts();
-    const ArmCpu::Position at = cpu_.position();
-    RunReport::Program program;
-    program.elf = cpu_.program().elf.file.string();
-    program.cpi = cpu_.program().cpi;
-    program.instructions = counts.instructions;
-    program.interrupts = counts.interrupts;
-    program.aborts = counts.aborts;
-    program.asleep_s = seconds(counts.asleep);
-    program.on_bus_s = seconds(counts.on_bus);
-    program.pc = at.pc;
-    program.function = at.function;
-    program.frames = budget_.figures();
+    RunReport::Program program = ProgramRun::program();
     program.exit_code = kernel_ ? kernel_->exit_code() : semihosting_->exit_code();
-    program.waiting = waiting();
     program.network = network_;
     return program;
 }
 
 std::string ArmRun::waiting() const {
-    const ArmCpu::Position at = cpu_.position();
-    if (at.ended) return "nothing: it has ended";
-    if (kernel_ && !kernel_->waiting().empty()) return kernel_->waiting();
-    if (terminal().waits()) return "standard input";
-    if (at.sleeping) return "an interrupt";
-    if (at.polled) {
-        const std::string name = bus_.register_at(*at.polled);
-        return fmt::format("a change of 0x{:08X}{}{}{}", *at.polled, name.empty() ? "" : " (", name,
-                           name.empty() ? "" : ")");
+    if (!cpu_.position().ended) {
+        if (kernel_ && !kernel_->waiting().empty()) return kernel_->waiting();
+        if (terminal().waits()) return "standard input";
     }
-    return "";
+    return ProgramRun::waiting();
+}
+
+std::vector<std::string> ArmRun::missed_interrupts() {
+    return sim::missed_interrupts(processor_, computer_);
 }
 
 void ArmRun::write_profile() const {

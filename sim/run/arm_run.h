@@ -6,29 +6,27 @@
 
 #include "sim/board/signal_receiver.h"
 #include "sim/board/usb_ports.h"
-#include "sim/chip/processor_system.h"
+#include "sim/chip/computer.h"
 #include "sim/cpu/arm_cpu.h"
 #include "sim/debug/semihosting.h"
-#include "sim/hps/bus.h"
 #include "sim/linux/kernel.h"
 #include "sim/profile/call_log.h"
-#include "sim/profile/frame_budget.h"
 #include "sim/profile/profile.h"
-#include "sim/report/report.h"
 #include "sim/run/plan.h"
-#include "sim/run/recorder.h"
+#include "sim/run/program_run.h"
 
 namespace sim {
 
 // ElfError; std::runtime_error for options that only a Linux program has.
 ArmProgram load_program(const RunPlan& plan);
 
-class ArmRun final : public SignalReceiver {
+class ArmRun final : public ProgramRun, public SignalReceiver {
 public:
     // `processor` has an ArmCpu.  Attaches to that, and to the recorder's frames.  What a Linux
     // program prints, or another by semihosting, goes to `observer`.
-    ArmRun(ProcessorSystem& processor, I2cDevices* i2c0, const RunPlan& plan, Recorder& recorder,
-           BoardObserver& observer);
+    // `computer` is `processor` where the chip has this project's own fabric, or null.
+    ArmRun(ProcessorSystem& processor, Computer* computer, I2cDevices* i2c0, const RunPlan& plan,
+           Recorder& recorder, BoardObserver& observer);
 
     // At the console of these; or that nobody will.
     void type(const std::string& text) { terminal().type(text); }
@@ -40,18 +38,17 @@ public:
     // What is on the board's USB ports, for a Linux program.
     void plug_in(UsbPorts& usb);
 
-    bool on_linux() const { return kernel_.has_value(); }
-    // Of a Linux program; as LinuxKernel::missing().
-    std::vector<std::string> missing_calls() const {
+    bool on_linux() const override { return kernel_.has_value(); }
+    std::vector<std::string> missing_calls() const override {
         return kernel_ ? kernel_->missing() : std::vector<std::string>{};
     }
     // Of its modules, as `dmesg` shows them; or "".
     std::string kernel_messages() const { return kernel_ ? kernel_->messages() : ""; }
-    RunReport::Program program() const;
-    std::string waiting() const;  // for what, "an interrupt"; or empty
-    const std::vector<FrameUse>& frames() const { return budget_.frames(); }
-    void write_profile() const;  // if it was asked for; IoError
-    const CallLog* calls() const { return calls_ ? &*calls_ : nullptr; }  // of a part
+    RunReport::Program program() const override;
+    std::string waiting() const override;
+    std::vector<std::string> missed_interrupts() override;
+    void write_profile() const override;
+    const CallLog* calls() const override { return calls_ ? &*calls_ : nullptr; }
 
 private:
     Terminal& terminal() { return kernel_ ? kernel_->terminal() : semihosting_->terminal(); }
@@ -61,13 +58,13 @@ private:
 
     const std::filesystem::path profile_file_;  // or empty
     const std::vector<std::string> network_;    // that a Linux program reaches
+    ProcessorSystem& processor_;
+    Computer* const computer_;
     ArmCpu& cpu_;
-    const Bus& bus_;
     std::optional<LinuxKernel> kernel_;
     std::optional<Semihosting> semihosting_;  // where there is no kernel
     std::optional<Profile> profile_;
     std::optional<CallLog> calls_;
-    FrameBudget budget_;
 };
 
 }  // namespace sim

@@ -71,6 +71,27 @@ constexpr Device DEVICES[] = {
 #undef REGISTER
 #undef BITS
 
+std::string describe(const Register& place, std::uint32_t value) {
+    return fmt::format("{} (0x{:08X}) is 0x{:X}", place.name, place.address, value);
+}
+
+// What keeps a device from raising its interrupt though it has something to say: "KEY_EDGE (...) is
+// 0x1, but KEY_MASK (...) is 0x0"; or "".  `read`: a register, if it can be read.
+template <class Read>
+std::string silence(const Device& device, const Read& read) {
+    const auto status = read(device.event), let = read(device.enable);
+    if (!status || !let || !(*status & device.event_bits)) return "";
+    const std::uint32_t on = device.keeps_back ? ~*let : *let;
+    if (device.enable_bits ? on & device.enable_bits : on & *status & device.event_bits) return "";
+    std::string line = describe(device.event, *status);
+    if (device.enable.address != device.event.address)
+        line += ", but " + describe(device.enable, *let);
+    if (device.enable_bits)
+        line += fmt::format(", where 0x{:X} has to be {}", device.enable_bits,
+                            device.keeps_back ? 0 : 1);
+    return line;
+}
+
 class Examination {
 public:
     Examination(ProcessorSystem& system, Computer* computer)
@@ -165,18 +186,11 @@ private:
     }
 
     void look_at_silent(const Device& device) {
-        const auto status = read(device.event), let = read(device.enable);
-        if (!status || !let || !(*status & device.event_bits)) return;
-        const std::uint32_t on = device.keeps_back ? ~*let : *let;
-        if (device.enable_bits ? on & device.enable_bits : on & *status & device.event_bits) return;
-        std::string line = fmt::format("{} is enabled in the distributor, and not raised: {}",
-                                       name_of(device.id), describe(device.event, *status));
-        if (device.enable.address != device.event.address)
-            line += ", but " + describe(device.enable, *let);
-        if (device.enable_bits)
-            line += fmt::format(", where 0x{:X} has to be {}", device.enable_bits,
-                                device.keeps_back ? 0 : 1);
-        lines_.push_back(line);
+        const std::string why =
+            silence(device, [this](const Register& place) { return read(place); });
+        if (!why.empty())
+            lines_.push_back(fmt::format("{} is enabled in the distributor, and not raised: {}",
+                                         name_of(device.id), why));
     }
 
     std::optional<std::uint32_t> read(const Register& place) {
@@ -185,10 +199,6 @@ private:
         std::uint32_t value = 0;
         if (!arm_.read_memory(place.address, &value, sizeof value)) return std::nullopt;
         return value;
-    }
-
-    static std::string describe(const Register& place, std::uint32_t value) {
-        return fmt::format("{} (0x{:08X}) is 0x{:X}", place.name, place.address, value);
     }
 
     ProcessorSystem& system_;
@@ -202,6 +212,39 @@ private:
 std::vector<std::string> missed_interrupts(ProcessorSystem& system, Computer* computer) {
     if (!system.arm) return {};
     return Examination{system, computer}.lines();
+}
+
+// Nios V has no controller: mie and mstatus alone keep a line back.
+std::vector<std::string> missed_interrupts(NiosVComputer& computer) {
+    const RiscvCore& core = computer.cpu.core();
+    const std::uint32_t enabled = core.csr(riscv_csr::MIE).value();
+    const bool masked = !(core.csr(riscv_csr::MSTATUS).value() & riscv_mstatus::MIE);
+    if (masked && enabled == 0) return {};
+    const auto read = [&](const Register& place) {
+        return computer.fpga.peek(place.address - regmap::LW_BASE);
+    };
+    std::vector<std::string> lines;
+    const auto look = [&](unsigned number, const char* name, const Device* device) {
+        const std::string title = fmt::format("interrupt {} ({})", number, name);
+        const bool pending = computer.cpu.lines() >> number & 1, on = enabled >> number & 1;
+        std::vector<std::string> reasons;
+        if (!on) reasons.push_back(fmt::format("bit {} of mie is 0", number));
+        if (masked)
+            reasons.push_back(
+                "MIE in mstatus is 0: the program has masked interrupts, or is in "
+                "a trap's handler");
+        if (pending && !reasons.empty())
+            lines.push_back(title + " is pending and not taken: " +
+                            fmt::format("{}", fmt::join(reasons, "; ")));
+        if (pending || !on || !device || !device->event.name) return;
+        if (const std::string why = silence(*device, read); !why.empty())
+            lines.push_back(title + " is enabled in mie, and not raised: " + why);
+    };
+    look(MachineTimer::SOFTWARE, "software", nullptr);
+    look(MachineTimer::TIMER, "machine timer", nullptr);
+    for (const Device& device : DEVICES)
+        if (const unsigned number = nios_v_interrupt(device.id)) look(number, device.name, &device);
+    return lines;
 }
 
 }  // namespace sim

@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "sim/chip/computer.h"
+#include "sim/chip/nios_v_computer.h"
 
 namespace sim {
 
@@ -23,5 +24,6 @@ namespace sim {
 // is `system` where the chip has this project's own fabric, or null: of somebody else's design the
 // devices are not known.
 std::vector<std::string> missed_interrupts(ProcessorSystem& system, Computer* computer);
+std::vector<std::string> missed_interrupts(NiosVComputer& computer);
 
 }  // namespace sim

@@ -19,6 +19,25 @@ Scenario scenario_of(const RunDescription& run) {
                                                                         : Goldens::ARE_THERE);
 }
 
+// As the ELF's machine decides.
+RunPlan::Processor processor_for(const std::filesystem::path& elf, bool wants_arm,
+                                 bool has_project) {
+    refuse_no_program(elf);
+    if (machine_of(elf) == ElfMachine::ARM) return RunPlan::Processor::ARM;
+    const char* const why = wants_arm     ? "--cpu arm runs programs for the ARM"
+                            : has_project ? "a project's system has the ARM"
+                                          : nullptr;
+    if (why)
+        throw std::runtime_error{elf.string() + ": is for RISC-V (Nios V), but " + why +
+                                 ": expected a program for the ARM"};
+    return RunPlan::Processor::NIOS_V;
+}
+
+// Options that Nios V has, too.
+bool is_for_all(const std::string& option) {
+    return option == "--cpi" || option == "--no-shortcuts";
+}
+
 RunPlan::Processor processor_of(const ProgramDescription& program, const Scenario& scenario,
                                 bool has_project) {
     using Processor = RunPlan::Processor;
@@ -28,13 +47,12 @@ RunPlan::Processor processor_of(const ProgramDescription& program, const Scenari
     if (cpu == "native") return Processor::NATIVE;
     if (cpu == "arm" && !has_program)
         throw std::runtime_error{"--cpu: arm needs a program: --elf FILE"};
-    if (has_program) return Processor::ARM;
+    if (has_program) return processor_for(program.elf, cpu == "arm", has_project);
     return has_project ? Processor::NONE : Processor::NATIVE;
 }
 
 // What the program is run on: --system, or for "auto" what the ELF expects.
 bool runs_on_linux(const ProgramDescription& program) {
-    refuse_no_program(program.elf);
     return program.system == "linux" || (program.system == "auto" && expects_linux(program.elf));
 }
 
@@ -57,7 +75,7 @@ void refuse_other_chips_options(const ChipDescription& chip, bool has_project) {
 std::string missing_for(const RunPlan& plan, const Step& step) {
     if (plan.on_linux || !step.needs_linux()) return "";
     return std::string{"expected a Linux program that gets the signal (--elf), got "} +
-           (plan.processor == RunPlan::Processor::ARM ? "one without Linux" : "none");
+           (plan.has_program() ? "one without Linux" : "none");
 }
 
 RunPlan plan_run(RunDescription description) {
@@ -73,8 +91,9 @@ RunPlan plan_run(RunDescription description) {
         program.elf = scenario.program;
     const RunPlan::Processor processor = processor_of(program, scenario, has_project);
     const bool is_arm = processor == RunPlan::Processor::ARM;
-    if (!is_arm && !program.arm_options.empty())
-        throw std::runtime_error{program.arm_options.front() + ": is for --cpu arm"};
+    for (const std::string& option : program.arm_options)
+        if (!is_arm && !(processor == RunPlan::Processor::NIOS_V && is_for_all(option)))
+            throw std::runtime_error{option + ": is for --cpu arm"};
     RunPlan plan;
     plan.processor = processor;
     plan.on_linux = is_arm && runs_on_linux(program);

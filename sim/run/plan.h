@@ -12,7 +12,7 @@
 namespace sim {
 
 struct RunPlan {
-    enum class Processor { NONE, NATIVE, ARM };
+    enum class Processor { NONE, NATIVE, ARM, NIOS_V };
 
     RunDescription description;  // with the project and the program that the scenario names
     Scenario scenario;           // empty: the program alone
@@ -25,10 +25,14 @@ struct RunPlan {
     unsigned ddr3_mb_per_s = 0;   // for a project's masters
     Monitor::Strictness strictness = Monitor::Strictness::STRICT;
 
+    bool has_program() const {
+        return processor == Processor::ARM || processor == Processor::NIOS_V;
+    }
     bool has_project() const { return !description.chip.project.place.empty(); }
     // As reports name it.
     const char* cpu() const {
         return processor == Processor::ARM      ? "arm"
+               : processor == Processor::NIOS_V ? "nios-v"
                : processor == Processor::NATIVE ? "native"
                                                 : "none";
     }

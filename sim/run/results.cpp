@@ -11,9 +11,10 @@
 #include "regmap.h"
 #include "sim/board/led_matrix.h"
 #include "sim/board/serial_terminal.h"
+#include "sim/chip/processor_system.h"
 #include "sim/files/sha256.h"
+#include "sim/hps/bridge_windows.h"
 #include "sim/report/tap.h"
-#include "sim/run/missed_interrupts.h"
 #include "sim/text/messages.h"
 #include "sim/text/printable.h"
 
@@ -21,14 +22,14 @@ namespace sim {
 
 namespace {
 
-std::uint64_t underruns(Computer& computer) {
+std::uint64_t underruns(ComputerFabric& computer) {
     return computer.fpga.peek(regmap::CODEC_UNDERRUNS - LW_BASE).value_or(0);
 }
 
 constexpr double FIRST_FRAMES_S = 0.034;  // the first is whole where the second begins
 
 // The program has given the display something to show: a picture, or a place for one.
-bool has_drawn(Computer& computer) {
+bool has_drawn(ComputerFabric& computer) {
     const auto holds = [&computer](std::uint32_t address, std::uint32_t value) {
         return computer.fpga.peek(address - LW_BASE).value_or(value) == value;
     };
@@ -37,7 +38,7 @@ bool has_drawn(Computer& computer) {
         fabric.read_onchip(0, bytes.data(), regmap::ONCHIP_SIZE);
         return std::any_of(bytes.begin(), bytes.end(), [](std::uint8_t byte) { return byte != 0; });
     };
-    return (computer.bus.written("h2f") &&
+    return (computer.has_written_memory() &&
             (!computer.fpga.fabric().has_memory() || has_pixels())) ||
            !holds(regmap::PIXEL_BUFFER, regmap::ONCHIP_BASE) ||
            !holds(regmap::PIXEL_BACK_BUFFER, regmap::ONCHIP_BASE);
@@ -46,7 +47,7 @@ bool has_drawn(Computer& computer) {
 // The address of one of the pixel controller's pictures, if that lies in the DDR3 memory.  The
 // controller does not keep bits 31 and 30.  So an address in its own memories may be meant as one
 // in the DDR3: it is, if the program has written nothing through the full bridge.
-std::optional<std::uint32_t> picture_in_ddr3(Computer& computer) {
+std::optional<std::uint32_t> picture_in_ddr3(ComputerFabric& computer) {
     constexpr std::uint32_t DDR3_SIZE = ProcessorSystem::DDR3_SIZE;
     constexpr std::uint32_t ONCHIP = regmap::ONCHIP_BASE % DDR3_SIZE;
     for (const std::uint32_t reg : {regmap::PIXEL_BUFFER, regmap::PIXEL_BACK_BUFFER}) {
@@ -55,7 +56,7 @@ std::optional<std::uint32_t> picture_in_ddr3(Computer& computer) {
         const std::uint32_t address = *value % DDR3_SIZE;
         const bool in_sdram = address < regmap::SDRAM_SIZE;
         if (address - ONCHIP < regmap::ONCHIP_SIZE) continue;
-        if (!in_sdram || !computer.bus.written("h2f")) return address;
+        if (!in_sdram || !computer.has_written_memory()) return address;
     }
     return std::nullopt;
 }
@@ -112,11 +113,12 @@ std::string name_of(const RunReport& report) {
 
 }  // namespace
 
-void add_results(RunReport& report, Board& board, ProcessorSystem* processor, Computer* computer,
-                 const ArmRun* arm, const ScenarioRunner& runner, Recorder& recorder) {
-    if (processor && processor->cpu.fault())
-        report.faults.push_back(*processor->cpu.fault());
-    else if (const auto fault = processor ? processor->cpu.unfinished() : std::nullopt)
+void add_results(RunReport& report, Board& board, ProgramSystem* processor,
+                 ComputerFabric* computer, ProgramRun* program, const ScenarioRunner& runner,
+                 Recorder& recorder) {
+    if (processor && processor->processor().fault())
+        report.faults.push_back(*processor->processor().fault());
+    else if (const auto fault = processor ? processor->processor().unfinished() : std::nullopt)
         report.faults.push_back(*fault);
     // Boards are more tolerant than datasheets, so of somebody's project these are advice.
     for (const std::string& error : board.codec_chip.errors())
@@ -134,7 +136,7 @@ void add_results(RunReport& report, Board& board, ProcessorSystem* processor, Co
         report.last_frame_sha256 = sha256_hex(recorder.observations().picture().rgb);
     report.signal = board.monitor.signal();
     report.pictures = recorder.pictures();
-    const BusCounts bus = processor ? processor->bus.counts() : BusCounts{};
+    const BusCounts bus = processor ? processor->processor_bus().counts() : BusCounts{};
     report.bus = {bus.reads, bus.writes, bus.bursts, bus.errors};
     const auto headers = computer ? LampLog::Headers::JP : LampLog::Headers::GPIO;
     board.lamps();  // so that the log has come to now
@@ -157,10 +159,10 @@ void add_results(RunReport& report, Board& board, ProcessorSystem* processor, Co
     report.timing_violations = board.monitor.messages();
     report.sdram_violation_count = board.sdram_chip.violations();
     report.sdram_violations = board.sdram_chip.messages();
-    if (arm) report.program = arm->program();
-    if (arm) {
+    if (program) {
+        report.program = program->program();
         auto& lines = succeeds(report) ? report.advice : report.faults;
-        for (const std::string& call : arm->missing_calls())
+        for (const std::string& call : program->missing_calls())
             lines.push_back("the simulated Linux does not have a call of the program: " + call);
     }
     if (report.program && !report.program->network.empty())
@@ -173,15 +175,14 @@ void add_results(RunReport& report, Board& board, ProcessorSystem* processor, Co
                                                                         ? board.monitor.no_signal()
                                                                         : report.signal));
     // From here on, reading moves the board.
-    if (arm && !arm->on_linux() && waits_in_vain(report))
-        for (const std::string& line : missed_interrupts(*processor, computer))
-            report.advice.push_back(line);
+    if (program && !program->on_linux() && waits_in_vain(report))
+        for (const std::string& line : program->missed_interrupts()) report.advice.push_back(line);
     if (!computer) return;
     report.audio.underruns = underruns(*computer);
     for (const std::string& row : computer->characters()) report.characters.push_back(text_of(row));
     if (report.frames_shown < 2 || report.frames_swapped > 1 || !recorder.observations().is_black())
         return;
-    if (const auto address = picture_in_ddr3(*computer))
+    if (const auto address = computer->has_own_memory() ? picture_in_ddr3(*computer) : std::nullopt)
         report.advice.push_back(
             fmt::format("the pixel buffer at 0x{:08X} is in the DDR3 memory, of which the FPGA "
                         "shows nothing: expected SDRAM (0xC0000000) or on-chip memory (0xC8000000)",

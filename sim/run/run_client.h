@@ -7,9 +7,10 @@
 #include <vector>
 
 #include "sim/board/board.h"
-#include "sim/chip/computer.h"
-#include "sim/run/arm_run.h"
+#include "sim/chip/computer_fabric.h"
+#include "sim/chip/program_system.h"
 #include "sim/run/plan.h"
+#include "sim/run/program_run.h"
 #include "sim/run/recorder.h"
 #include "sim/scenario/scenario_runner.h"
 
@@ -26,9 +27,9 @@ public:
     struct Access {
         const RunPlan& plan;
         Board& board;
-        ProcessorSystem* processor;
-        Computer* computer;  // where the chip has this project's own fabric
-        ArmRun* arm;
+        ProgramSystem* processor;
+        ComputerFabric* fabric;  // where the chip has this project's own
+        ProgramRun* program;
         ScenarioRunner& runner;
     };
     virtual void attach(const Access& access) = 0;

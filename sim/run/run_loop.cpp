@@ -37,10 +37,10 @@ std::optional<RunEnd> RunLoop::end() {
     const sc_time last_looks{100, sc_core::SC_MS};  // at what the program has left behind
     if (interrupted() || (debugger && debugger->killed())) return RunEnd::INTERRUPTED;
     if (recorder.failed()) return RunEnd::INTERRUPTED;
-    if (computer && computer->cpu.fault()) return RunEnd::FIRMWARE_FAULT;
+    if (computer && computer->processor().fault()) return RunEnd::FIRMWARE_FAULT;
     if (const auto ended = board.chip().end()) return run_end(*ended);
-    if (alone && !client && computer->arm->ended_for() >= last_looks &&
-        !computer->hps.uart0.is_sending())
+    if (alone && !client && computer->program_cpu()->ended_for() >= last_looks &&
+        !computer->is_sending())
         return RunEnd::PROGRAM_ENDED;
     if (client ? client->has_left() : !duration && !alone && runner.finished())
         return RunEnd::ALL_STEPS_DONE;

@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "sim/board/board.h"
-#include "sim/chip/processor_system.h"
+#include "sim/chip/program_system.h"
 #include "sim/debug/debugger.h"
 #include "sim/report/report.h"
 #include "sim/run/crash_report.h"
@@ -30,7 +30,7 @@ private:
 
 struct RunLoop {
     Board& board;
-    ProcessorSystem* computer;  // in the chip, or none
+    ProgramSystem* computer;  // in the chip, or none
     ScenarioRunner& runner;
     Recorder& recorder;
     std::optional<SimTime> duration;

@@ -24,7 +24,7 @@ RunPage::RunPage(const RunDescription& run, Recorder& recorder)
 void RunPage::step_done() { frame_of_step_.push_back(page_.film.keep(recorder_.observations())); }
 
 void RunPage::write(const RunReport& report, const Scenario& scenario, const ScenarioRunner& runner,
-                    const ArmRun* arm) {
+                    const ProgramRun* program) {
     auto result = report.expectations.begin();
     unsigned pictures = 0;
     for (std::size_t i = 0; i < scenario.steps.size(); ++i) {
@@ -50,7 +50,7 @@ void RunPage::write(const RunReport& report, const Scenario& scenario, const Sce
         }
         page_.steps.push_back(std::move(shown));
     }
-    if (arm) page_.frames = arm->frames();
+    if (program) page_.frames = program->frames();
     const std::string text = to_html(report, page_);
     file_.write(text.data(), text.size());
     file_.commit();

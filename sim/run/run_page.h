@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "sim/page/page.h"
-#include "sim/run/arm_run.h"
 #include "sim/run/description.h"
+#include "sim/run/program_run.h"
 #include "sim/run/recorder.h"
 #include "sim/scenario/scenario.h"
 #include "sim/scenario/scenario_runner.h"
@@ -25,7 +25,7 @@ public:
     void step_done();
     // IoError.
     void write(const RunReport& report, const Scenario& scenario, const ScenarioRunner& runner,
-               const ArmRun* arm);
+               const ProgramRun* program);
 
 private:
     Recorder& recorder_;

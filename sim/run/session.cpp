@@ -64,9 +64,18 @@ std::optional<project::Built> built_project(const RunPlan& plan) {
     });
 }
 
-ProcessorSystem::Software software_for(const RunPlan& plan, const Firmware& firmware) {
-    if (plan.processor != RunPlan::Processor::ARM) return firmware;
-    return during("loading the program", [&] { return load_program(plan); });
+Software software_for(const RunPlan& plan, const Firmware& firmware) {
+    if (!plan.has_program()) return firmware;
+    return during("loading the program", [&]() -> Software {
+        if (plan.processor == RunPlan::Processor::NIOS_V) return load_nios_v_program(plan);
+        return load_program(plan);
+    });
+}
+
+// Not for Nios V.
+ProcessorSystem::Software hps_software(Software software) {
+    if (auto* firmware = std::get_if<Firmware>(&software)) return std::move(*firmware);
+    return std::get<ArmProgram>(std::move(software));
 }
 
 ExitCode exit_code(const RunReport& report) {
@@ -99,8 +108,8 @@ Observers::Observers(const RunPlan& plan, const RunClientMaker& make_client)
     if (outputs.live_socket) client = make_client(*outputs.live_socket, recorder);
 }
 
-System::System(const RunPlan& plan, ProcessorSystem::Software software,
-               const std::optional<project::Built>& built, Observers& observers)
+System::System(const RunPlan& plan, Software software, const std::optional<project::Built>& built,
+               Observers& observers)
     : board{"board",
             observers.all(),
             plan.seed,
@@ -116,23 +125,25 @@ System::System(const RunPlan& plan, ProcessorSystem::Software software,
       runner{"runner", board, observers.recorder.observations(), plan.scenario.steps,
              plan.description.outputs.out} {
     const RunOutputs& outputs = plan.description.outputs;
-    if (processor && processor->arm) {
-        arm.emplace(*processor, &board.accelerometer, plan, observers.recorder, observers.all());
+    if (hps && hps->arm) {
+        arm.emplace(*hps, dynamic_cast<Computer*>(hps), &board.accelerometer, plan,
+                    observers.recorder, observers.all());
         board.also_type_to([this](const std::string& text) { arm->type(text); });
         if (arm->on_linux()) board.parts.add("Linux program", *arm);
         arm->plug_in(board.usb);
         const bool nobody_types = plan.description.scenario.empty() && !observers.client;
         if (nobody_types) arm->close_input();
     }
+    if (nios_v_computer) nios_v.emplace(*nios_v_computer, observers.recorder);
     if (processor && outputs.trace.is_of_a_part())
-        trace_notes.emplace(*processor, arm_run(), outputs.trace);
+        trace_notes.emplace(*processor, program_run(), outputs.trace);
     runner.renews_goldens = outputs.update_goldens;
     if (observers.page) runner.on_step = [&observers] { observers.page->step_done(); };
     if (observers.client)
-        observers.client->attach({plan, board, processor, computer, arm_run(), runner});
+        observers.client->attach({plan, board, processor, fabric, program_run(), runner});
 }
 
-std::unique_ptr<Chip> System::chip_for(const RunPlan& plan, ProcessorSystem::Software software,
+std::unique_ptr<Chip> System::chip_for(const RunPlan& plan, Software software,
                                        const std::optional<project::Built>& built,
                                        const std::string& trace_part, PinListener& pins,
                                        ChipObserver& observer, std::uint8_t* sdram) {
@@ -144,18 +155,26 @@ std::unique_ptr<Chip> System::chip_for(const RunPlan& plan, ProcessorSystem::Sof
         const Computer::Settings settings{
             plan.seed, trace, plan.bridged_memory ? Fpga::Memory::BRIDGED : Fpga::Memory::MAPPED,
             plan.audio_rate, run.program.shortcuts};
+        if (auto* program = std::get_if<NiosVProgram>(&software)) {
+            auto chip = std::make_unique<NiosVComputer>("computer", pins, observer, sdram,
+                                                        std::move(*program), settings);
+            processor = nios_v_computer = chip.get();
+            fabric = chip.get();
+            return chip;
+        }
         auto chip = std::make_unique<Computer>("computer", pins, observer, sdram,
-                                               std::move(software), settings);
-        processor = computer = chip.get();
+                                               hps_software(std::move(software)), settings);
+        processor = hps = chip.get();
+        fabric = chip.get();
         return chip;
     }
     const std::string folder = project_folder_of(run.chip.project.place);
     if (plan.processor != RunPlan::Processor::ARM)
         return std::make_unique<ProjectChip>("chip", pins, built->library, folder, trace);
-    auto chip = std::make_unique<ProjectComputer>("computer", pins, observer, std::move(software),
-                                                  built->library, folder, trace,
-                                                  processor_system_of(*built), plan.ddr3_mb_per_s);
-    processor = chip.get();
+    auto chip = std::make_unique<ProjectComputer>(
+        "computer", pins, observer, hps_software(std::move(software)), built->library, folder,
+        trace, processor_system_of(*built), plan.ddr3_mb_per_s);
+    processor = hps = chip.get();
     return chip;
 }
 
@@ -167,13 +186,13 @@ Session::Session(RunPlan plan, const Firmware& firmware, const RunClientMaker& m
       built_{built_project(plan_)},
       system_{plan_, std::move(software_), built_, observers_},
       finish_{"finish", system_.runner.done(),
-              system_.processor ? system_.processor->cpu.faulted() : never_},
+              system_.processor ? system_.processor->processor().faulted() : never_},
       progress_{plan_.description.outputs.quiet,
                 plan_.duration ? std::optional<double>{seconds(plan_.duration->ps)} : std::nullopt},
       report_{begun_report(plan_)},
       crash_report_{plan_.description.outputs.out, report_} {
     if (gdb_) {
-        debugger_.emplace(*system_.processor->arm, *gdb_, interrupted);
+        debugger_.emplace(*system_.hps->arm, *gdb_, interrupted);
         message(fmt::format("waiting for gdb at 127.0.0.1:{}", gdb_->port()));
     }
 }
@@ -206,7 +225,7 @@ void Session::simulate() {
                           crash_report_}
                       .run();
     report_.simulated_s = seconds(sc_core::sc_time_stamp());
-    if (s.processor && s.processor->arm) s.processor->arm->conclude();
+    if (s.processor && s.processor->program_cpu()) s.processor->program_cpu()->conclude();
     if (s.processor) s.processor->close_bridges();
     while (s.processor && s.processor->is_accessing())
         sc_core::sc_start(sc_core::sc_time{1, sc_core::SC_US});
@@ -216,7 +235,8 @@ void Session::simulate() {
 void Session::write_files() {
     System& s = system_;
     carry_out("writing pictures, sound and console", [&] { observers_.recorder.close(); });
-    if (s.arm) carry_out("writing the profile", [&] { s.arm->write_profile(); });
+    if (ProgramRun* const run = s.program_run())
+        carry_out("writing the profile", [&] { run->write_profile(); });
     carry_out("writing the kernel's messages", [&] {
         const auto file = plan_.description.outputs.out / "dmesg.txt";
         const std::string messages = s.arm ? s.arm->kernel_messages() : "";
@@ -237,8 +257,8 @@ void Session::write_files() {
 void Session::conclude() {
     const RunDescription& run = plan_.description;
     carry_out("writing the report", [&] {
-        add_results(report_, system_.board, system_.processor, system_.computer, system_.arm_run(),
-                    system_.runner, observers_.recorder);
+        add_results(report_, system_.board, system_.processor, system_.fabric,
+                    system_.program_run(), system_.runner, observers_.recorder);
     });
     if (observers_.client) observers_.client->end(report_.faults);
     if (!failures_.empty()) report_.end = RunEnd::INTERNAL_ERROR;
@@ -258,7 +278,7 @@ ExitCode Session::write_report() {
     write_whole_file(outputs.out / "report.json", to_json(report_));
     write_whole_file(outputs.out / "junit.xml", to_junit(report_));
     if (observers_.page)
-        observers_.page->write(report_, plan_.scenario, system_.runner, system_.arm_run());
+        observers_.page->write(report_, plan_.scenario, system_.runner, system_.program_run());
     const ExitCode code = exit_code(report_);
     const bool shown = (outputs.quiet && report_.passed()) || summarise(report_, outputs.out);
     return !shown && code == PASSED ? WRONG_INPUT : code;

@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <variant>
 
 #include "sim/board/board.h"
 #include "sim/chip/computer.h"
@@ -17,6 +18,7 @@
 #include "sim/report/exit_code.h"
 #include "sim/run/arm_run.h"
 #include "sim/run/crash_report.h"
+#include "sim/run/nios_v_run.h"
 #include "sim/run/plan.h"
 #include "sim/run/progress.h"
 #include "sim/run/recorder.h"
@@ -42,24 +44,34 @@ struct Observers {
     BoardObserver& all() { return client ? client->observer() : recorder; }
 };
 
+// What runs, and so which processor the chip has.
+using Software = std::variant<Firmware, ArmProgram, NiosVProgram>;
+
 // What is simulated: the board, the chip on it, its program, and the person who plays at it.
 struct System {
     // `built`: the project in the chip, or nothing.  std::runtime_error: it has no processor.
-    System(const RunPlan& plan, ProcessorSystem::Software software,
-           const std::optional<project::Built>& built, Observers& observers);
+    System(const RunPlan& plan, Software software, const std::optional<project::Built>& built,
+           Observers& observers);
 
-    // Null: there is none in this chip.  `computer`: where it has this project's own fabric.
-    ProcessorSystem* processor = nullptr;
-    Computer* computer = nullptr;
+    // Null: there is none in this chip.  `fabric`: where it has this project's own.
+    ProgramSystem* processor = nullptr;
+    ComputerFabric* fabric = nullptr;
+    ProcessorSystem* hps = nullptr;
+    NiosVComputer* nios_v_computer = nullptr;
     Board board;
     std::optional<ArmRun> arm;
+    std::optional<NiosVRun> nios_v;
     std::optional<TraceNotes> trace_notes;
     ScenarioRunner runner;
 
-    ArmRun* arm_run() { return arm ? &*arm : nullptr; }
+    // Null: the processor runs no ELF, or there is none.
+    ProgramRun* program_run() {
+        if (arm) return &*arm;
+        return nios_v ? &*nios_v : nullptr;
+    }
 
 private:
-    std::unique_ptr<Chip> chip_for(const RunPlan& plan, ProcessorSystem::Software software,
+    std::unique_ptr<Chip> chip_for(const RunPlan& plan, Software software,
                                    const std::optional<project::Built>& built,
                                    const std::string& trace_part, PinListener& pins,
                                    ChipObserver& observer, std::uint8_t* sdram);
@@ -83,7 +95,7 @@ private:
     void carry_out(const char* doing, Part part);
 
     const RunPlan plan_;
-    ProcessorSystem::Software software_;  // until the system has it
+    Software software_;  // until the system has it
     std::optional<GdbConnection> gdb_;
     Observers observers_;
     const std::optional<project::Built> built_;

@@ -11,26 +11,27 @@ sc_core::sc_time time_of(std::optional<SimTime> time, const sc_core::sc_time& ot
     return time ? sc_core::sc_time::from_value(time->ps) : otherwise;
 }
 
-BusLog::Program program_of(ArmCpu* arm) {
-    if (!arm) return {};
-    return {[arm] { return arm->core().instruction(); },
-            [arm](std::uint32_t at) { return arm->program().elf.function(at); }};
+BusLog::Program program_of(ProgramCpu* cpu) {
+    if (!cpu) return {};
+    return {[cpu] { return cpu->instruction(); },
+            [cpu](std::uint32_t at) { return cpu->elf().function(at); }};
 }
 
 }  // namespace
 
-TraceNotes::TraceNotes(ProcessorSystem& computer, const ArmRun* arm, const TraceDescription& trace)
+TraceNotes::TraceNotes(ProgramSystem& computer, const ProgramRun* program,
+                       const TraceDescription& trace)
     : trace_{trace},
-      arm_{arm},
-      bus_{computer.bus, time_of(trace.from, sc_core::SC_ZERO_TIME),
-           time_of(trace.to, sc_core::sc_max_time()), program_of(computer.arm)} {}
+      program_{program},
+      bus_{computer.processor_bus(), time_of(trace.from, sc_core::SC_ZERO_TIME),
+           time_of(trace.to, sc_core::sc_max_time()), program_of(computer.program_cpu())} {}
 
 void TraceNotes::write() const {
     std::filesystem::path file{trace_.file};
     write_whole_file(file.replace_extension(".bus.txt"), bus_.text());
-    if (arm_ && arm_->calls())
+    if (program_ && program_->calls())
         write_whole_file(std::filesystem::path{trace_.file}.replace_extension(".calls.txt"),
-                         arm_->calls()->text());
+                         program_->calls()->text());
 }
 
 }  // namespace sim

@@ -4,22 +4,22 @@
 
 #include <optional>
 
-#include "sim/chip/processor_system.h"
+#include "sim/chip/program_system.h"
 #include "sim/hps/bus_log.h"
-#include "sim/run/arm_run.h"
 #include "sim/run/description.h"
+#include "sim/run/program_run.h"
 
 namespace sim {
 
 class TraceNotes {
 public:
-    // Watches the computer's bus from now on.  `arm`: its program, or null.
-    TraceNotes(ProcessorSystem& computer, const ArmRun* arm, const TraceDescription& trace);
+    // Watches the computer's bus from now on.  `program`: its own, or null.
+    TraceNotes(ProgramSystem& computer, const ProgramRun* program, const TraceDescription& trace);
     void write() const;  // IoError
 
 private:
     const TraceDescription& trace_;
-    const ArmRun* const arm_;
+    const ProgramRun* const program_;
     BusLog bus_;
 };
 

@@ -4,10 +4,11 @@
 // drawn.  screen_show() changes them over; that happens 60 times per second, at the end of a frame.
 #pragma once
 
+#include "memory.h"
 #include "registers.h"
 
 enum { WIDTH = 320, HEIGHT = 240, COLUMNS = 80, LINES = 60 };
-enum { PICTURE_1 = 0xC8000000, PICTURE_2 = 0xC0000000, CHARACTERS = 0xC9000000 };
+enum { PICTURE_1 = ONCHIP, PICTURE_2 = PICTURES };
 
 // A colour from 0 to 255 of red, green and blue; the board keeps 5, 6 and 5 bits of them.
 static inline uint16_t rgb(unsigned red, unsigned green, unsigned blue) {

@@ -14,6 +14,7 @@
 #include "sim/hps/bus.h"
 #include "sim/hps/memory.h"
 #include "sim/hps/peripherals.h"
+#include "tb/sim/probe.h"
 
 // Names and bits that the small programs' tests speak of.
 namespace tb::arm {
@@ -25,26 +26,6 @@ constexpr std::uint32_t SVC_MODE = 0x13, IRQ_MODE = 0x12, FIQ_MODE = 0x11, ABT_M
 }  // namespace tb::arm
 
 namespace tb {
-
-// Registers that keep their value and the time of each write; every access takes 10 ns.
-class Probe : public sim::Registers {
-public:
-    explicit Probe(const sc_core::sc_module_name& name_) : Registers{name_} {}
-
-    std::map<std::uint32_t, std::uint32_t> values;
-    std::vector<std::pair<std::uint32_t, sc_core::sc_time>> writes;
-    unsigned reads = 0;
-
-private:
-    std::uint32_t read(std::uint32_t offset, const sc_core::sc_time&) override {
-        ++reads;
-        return values[offset];
-    }
-    void write(std::uint32_t offset, std::uint32_t value, const sc_core::sc_time& now) override {
-        values[offset] = value;
-        writes.emplace_back(offset, now);
-    }
-};
 
 // Memory on a bridge that takes bursts, 100 ns each, and records them.
 class Bridge : public sc_core::sc_module {

@@ -153,6 +153,29 @@ TEST_F(ElfFile, ForAnotherMachineIsRefused) {
         HasSubstr("for another machine (x86), expected ARM: build it with arm-none-eabi-gcc"));
 }
 
+TEST_F(ElfFile, ForNiosIIIsRefusedAndSaysSo) {
+    EXPECT_THAT(refusal(with_header([](Elf32_Ehdr& h) { h.e_machine = EM_ALTERA_NIOS2; })),
+                HasSubstr("for Nios II, which is not simulated, expected ARM or Nios V"));
+}
+
+TEST_F(ElfFile, ForRiscVIsLoaded) {
+    folder.put("a.elf", with_header([](Elf32_Ehdr& h) {
+                   h.e_machine = EM_RISCV;
+                   h.e_flags = 0;
+               }));
+    EXPECT_EQ(sim::machine_of(folder / "a.elf"), sim::ElfMachine::RISCV);
+    EXPECT_NO_THROW(sim::load_elf(folder / "a.elf", memory));
+}
+
+TEST_F(ElfFile, WithCompressedInstructionsOfRiscVIsRefused) {
+    constexpr std::uint32_t COMPRESSED = 1;  // EF_RISCV_RVC
+    EXPECT_THAT(refusal(with_header([](Elf32_Ehdr& h) {
+                    h.e_machine = EM_RISCV;
+                    h.e_flags = COMPRESSED;
+                })),
+                HasSubstr("has compressed instructions, which Nios V does not have"));
+}
+
 TEST_F(ElfFile, Of64BitsIsRefused) {
     EXPECT_THAT(refusal(with_header([](Elf32_Ehdr& h) { h.e_ident[EI_CLASS] = ELFCLASS64; })),
                 HasSubstr("64-bit"));

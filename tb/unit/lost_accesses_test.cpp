@@ -12,7 +12,7 @@ using ::testing::HasSubstr;
 
 class LostAccesses : public ::testing::Test {
 protected:
-    sim::LostAccesses lost;
+    sim::LostAccesses lost{0xC0000000};
 
     std::string write(std::uint32_t address, unsigned bytes = 4) {
         return lost.look(address, bytes, true).value_or("");

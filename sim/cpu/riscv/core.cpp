@@ -18,8 +18,9 @@ RiscvCore::RiscvCore(RiscvBus& bus, RiscvFpu::Style style, const RiscvClocks& cl
       pages_(PAGES),
       fpu_{style} {}
 
-void RiscvCore::map_ram(std::uint32_t base, std::uint32_t size, std::uint8_t* bytes) {
-    ram_.push_back({base, size, bytes});
+void RiscvCore::map_ram(std::uint32_t base, std::uint32_t size, std::uint8_t* bytes,
+                        bool data_by_bus) {
+    ram_.push_back({base, size, bytes, data_by_bus});
 }
 
 const RiscvCore::Ram* RiscvCore::ram_at(std::uint32_t address, std::size_t bytes) const {

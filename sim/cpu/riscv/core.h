@@ -93,8 +93,10 @@ public:
     explicit RiscvCore(RiscvBus& bus, RiscvFpu::Style style = RiscvFpu::Style::IEEE,
                        const RiscvClocks& clocks = {});
 
-    // In multiples of 4096 bytes.  The first that is mapped is the fastest.
-    void map_ram(std::uint32_t base, std::uint32_t size, std::uint8_t* bytes);
+    // In multiples of 4096 bytes.  The first that is mapped is the fastest.  `data_by_bus`: loads
+    // and stores use the bus, instructions are still read from the RAM.
+    void map_ram(std::uint32_t base, std::uint32_t size, std::uint8_t* bytes,
+                 bool data_by_bus = false);
     // RAM; false where there is none.
     bool read_ram(std::uint32_t address, void* data, std::size_t bytes) const;
     bool write_ram(std::uint32_t address, const void* data, std::size_t bytes);
@@ -123,6 +125,7 @@ public:
     // Since the beginning; from the bus: before the present instruction.
     std::uint64_t clocks() const { return at_; }
     std::uint64_t instructions() const { return instructions_; }
+    std::uint64_t returns() const { return returns_; }  // how many MRET
     // The program has spent so many clocks without the core.
     void pass(std::uint64_t clocks) { at_ += clocks; }
 
@@ -146,9 +149,11 @@ private:
     struct Ram {
         std::uint32_t base = 0, size = 0;
         std::uint8_t* bytes = nullptr;
+        bool data_by_bus = false;
     };
 
     const Ram* ram_at(std::uint32_t address, std::size_t bytes) const;
+    std::uint8_t* data_at(std::uint32_t address, unsigned bytes) const;
     RiscvPage* fetch(std::uint32_t pc);
     RiscvPage* page_at(std::uint32_t pc) {
         RiscvPage* page = pages_[pc / RiscvPage::BYTES].get();
@@ -190,7 +195,7 @@ private:
     bool past_probe_ = false;
     bool ended_ = false;  // run(), by the probe or by an interrupt that is no longer masked
     std::uint64_t at_ = 0, end_ = 0;  // clocks
-    std::uint64_t instructions_ = 0;
+    std::uint64_t instructions_ = 0, returns_ = 0;
     RiscvTrap trap_{0, 0};
 };
 

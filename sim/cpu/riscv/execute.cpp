@@ -42,7 +42,7 @@ RiscvStop RiscvCore::execute(std::uint64_t most) {
 #undef RISCV_OP
     };
     std::uint32_t* const x = x_.data();
-    const Ram main = ram_.empty() ? Ram{} : ram_.front();
+    const Ram main = ram_.empty() || ram_.front().data_by_bus ? Ram{} : ram_.front();
     const std::int64_t taken = clocks_.taken - clocks_.branch;
     auto end = static_cast<std::int64_t>(end_);
     std::int64_t left = end - static_cast<std::int64_t>(at_);
@@ -328,6 +328,7 @@ do_MRET:
     mstatus_ = (mstatus_ & ~(riscv_mstatus::MIE | riscv_mstatus::MPIE)) | riscv_mstatus::MPIE |
                (mstatus_ & riscv_mstatus::MPIE ? riscv_mstatus::MIE : 0);
     pc = mepc_;
+    ++returns_;
     ended_ |= pending_interrupt().has_value();
     if (ended_) return stop(RiscvStop::LIMIT);
     goto lookup;

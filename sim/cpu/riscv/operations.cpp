@@ -9,17 +9,26 @@ namespace sim {
 
 // ---- Memory -------------------------------------------------------------------------------------
 
+// RAM that loads and stores use without the bus; or nullptr.
+std::uint8_t* RiscvCore::data_at(std::uint32_t address, unsigned bytes) const {
+    const Ram* ram = ram_at(address, bytes);
+    return ram && !ram->data_by_bus ? ram->bytes + (address - ram->base) : nullptr;
+}
+
 bool RiscvCore::load(std::uint32_t address, unsigned bytes, std::uint32_t& value) {
     value = 0;
     if (address % bytes) return raise(riscv_cause::LOAD_MISALIGNED, address);
-    if (read_ram(address, &value, bytes) || bus_.read(address, bytes, value)) return true;
-    return raise(riscv_cause::LOAD_FAULT, address);
+    if (const std::uint8_t* const ram = data_at(address, bytes)) {
+        std::memcpy(&value, ram, bytes);
+        return true;
+    }
+    return bus_.read(address, bytes, value) || raise(riscv_cause::LOAD_FAULT, address);
 }
 
 bool RiscvCore::store(std::uint32_t address, unsigned bytes, std::uint32_t value) {
     if (address % bytes) return raise(riscv_cause::STORE_MISALIGNED, address);
-    if (const Ram* ram = ram_at(address, bytes)) {
-        std::memcpy(ram->bytes + (address - ram->base), &value, bytes);
+    if (std::uint8_t* const ram = data_at(address, bytes)) {
+        std::memcpy(ram, &value, bytes);
         return true;
     }
     return bus_.write(address, bytes, value) || raise(riscv_cause::STORE_FAULT, address);

@@ -1,5 +1,6 @@
 // arrows_box.c - the arrow keys move a box over the screen, as long as they are held; Space paints it
 // in the next colour.  HEX5-3 is where it is from the left, HEX2-0 from the top.
+#include "memory.h"
 #include "processor.h"
 #include "registers.h"
 
@@ -19,7 +20,7 @@ static const uint16_t COLOURS[] = {0xF800, 0x07E0, 0x001F};
 static void fill(int left, int top, int width, int height, uint16_t colour) {
     for (int y = top; y < top + height; ++y)
         for (int x = left; x < left + width; ++x)
-            *(volatile uint16_t*)(0xC8000000 + ((uint32_t)y << 10) + ((uint32_t)x << 1)) = colour;
+            *(volatile uint16_t*)(ONCHIP + ((uint32_t)y << 10) + ((uint32_t)x << 1)) = colour;
 }
 
 static uint32_t three_digits(int number) {

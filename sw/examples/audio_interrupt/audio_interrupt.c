@@ -3,7 +3,7 @@
 #include "processor.h"
 #include "registers.h"
 
-enum { AUDIO = 78, KEYS = 73, HALF_PERIOD = 10, LENGTH = 960, LOUD = 0x18000000 };
+enum { HALF_PERIOD = 10, LENGTH = 960, LOUD = 0x18000000 };
 
 static volatile uint32_t left, fills;
 
@@ -18,21 +18,21 @@ static void fill(void) {
     LEDR_DATA = ++fills;
 }
 
-void __attribute__((interrupt("IRQ"))) on_irq(void) {
-    const uint32_t id = ICCIAR;
-    if (id == AUDIO) fill();
-    if (id == KEYS) {
+INTERRUPT_HANDLER on_irq(void) {
+    const uint32_t id = interrupt_begin();
+    if (id == AUDIO_INTERRUPT) fill();
+    if (id == KEY_INTERRUPT) {
         KEY_EDGE = 1;
         left = LENGTH;
     }
-    ICCEOIR = id;
+    interrupt_end(id);
 }
 
 int main(void) {
-    interrupt_on(AUDIO);
-    interrupt_on(KEYS);
+    interrupt_on(AUDIO_INTERRUPT);
+    interrupt_on(KEY_INTERRUPT);
     KEY_MASK = 1;
     AUDIO_CONTROL = 2;  // WE
-    __asm volatile("cpsie i");
+    interrupts_enable();
     for (;;) __asm volatile("wfi");
 }

@@ -2,6 +2,7 @@
 //
 // One picture is in the on-chip SRAM, the other in the SDRAM.  Positions are floats: the VFP has to
 // be on.  It clears 260 rows of 512 pixels, so it also writes beyond the on-chip SRAM.
+#include "memory.h"
 #include "registers.h"
 
 enum { WIDTH = 320, HEIGHT = 240, ROWS = 260, BOXES = 8, SIZE = 8 };
@@ -66,10 +67,10 @@ int main(void) {
                                 i % 2 ? 1.5f : -1.5f, i % 3 ? 1.25f : -2.0f};
         boxes[i] = box;
     }
-    PIXEL_BACK_BUFFER = 0xC8000000;
+    PIXEL_BACK_BUFFER = ONCHIP;
     swap();
     clear();
-    PIXEL_BACK_BUFFER = 0xC0000000;
+    PIXEL_BACK_BUFFER = PICTURES;
     picture = PIXEL_BACK_BUFFER;
     for (;;) {
         clear();

@@ -9,7 +9,7 @@
 #include "processor.h"
 #include "screen.h"
 
-enum { AUDIO = 78, WRITE_INTERRUPT = 2, RATE_HZ = 8000, LOUD = 0x18000000 };
+enum { WRITE_INTERRUPT = 2, RATE_HZ = 8000, LOUD = 0x18000000 };
 
 // ---- Sound ----
 
@@ -20,9 +20,9 @@ static void beep(unsigned hz, unsigned ms) {
     samples_left = RATE_HZ * ms / 1000;
 }
 
-void __attribute__((interrupt("IRQ"))) on_irq(void) {
-    const uint32_t id = ICCIAR;
-    while (id == AUDIO && AUDIO_FIFOSPACE & 0x00FF0000) {
+INTERRUPT_HANDLER on_irq(void) {
+    const uint32_t id = interrupt_begin();
+    while (id == AUDIO_INTERRUPT && AUDIO_FIFOSPACE & 0x00FF0000) {
         uint32_t sample = 0;
         if (samples_left > 0) {
             sample = samples_left / half_period % 2 ? LOUD : (uint32_t)-LOUD;
@@ -31,7 +31,7 @@ void __attribute__((interrupt("IRQ"))) on_irq(void) {
         AUDIO_LEFTDATA = sample;
         AUDIO_RIGHTDATA = sample;
     }
-    ICCEOIR = id;
+    interrupt_end(id);
 }
 
 // ---- Keys ----
@@ -184,9 +184,9 @@ int main(void) {
     struct Game game;
     screen_begin();
     begin(&game);
-    interrupt_on(AUDIO);
+    interrupt_on(AUDIO_INTERRUPT);
     AUDIO_CONTROL = WRITE_INTERRUPT;
-    __asm volatile("cpsie i");
+    interrupts_enable();
     for (;;) {
         const struct Input input = read_input();
         step(&game, &input);

@@ -1,19 +1,20 @@
 // character_buffer.c - text over a blue box; KEY0 clears the text, not the box.
 //
 // The text: a line centred in the box, all printable characters, and the four corners.
+#include "memory.h"
 #include "registers.h"
 
 enum { COLUMNS = 80, ROWS = 60 };
 
 static void text(int x, int y, const char* letters) {
-    volatile char* at = (volatile char*)(0xC9000000 + (y << 7) + x);
+    volatile char* at = (volatile char*)(CHARACTERS + (y << 7) + x);
     while (*letters) *at++ = *letters++;
 }
 
 static void box(int x0, int y0, int x1, int y1, uint16_t colour) {
     for (int y = y0; y <= y1; ++y)
         for (int x = x0; x <= x1; ++x)
-            *(volatile uint16_t*)(0xC8000000 + (y << 10) + (x << 1)) = colour;
+            *(volatile uint16_t*)(ONCHIP + (y << 10) + (x << 1)) = colour;
 }
 
 int main(void) {

@@ -11,17 +11,17 @@
 #define PERIOD_LOW(timer) REGISTER((timer) + 0x08)
 #define PERIOD_HIGH(timer) REGISTER((timer) + 0x0C)
 
-enum { TIMER1_ID = 74, ITO = 1, CONT = 2, START = 4, TEN_MS = 1000000 };
+enum { ITO = 1, CONT = 2, START = 4, TEN_MS = 1000000 };
 
 static volatile uint32_t tens;
 
-void __attribute__((interrupt("IRQ"))) on_irq(void) {
-    const uint32_t id = ICCIAR;
-    if (id == TIMER1_ID) {
+INTERRUPT_HANDLER on_irq(void) {
+    const uint32_t id = interrupt_begin();
+    if (id == TIMER1_INTERRUPT) {
         STATUS(TIMER1) = 0;
         HEX3_0_DATA = DIGITS[++tens % 10];
     }
-    ICCEOIR = id;
+    interrupt_end(id);
 }
 
 int main(void) {
@@ -30,10 +30,10 @@ int main(void) {
     PERIOD_HIGH(TIMER0) = period >> 16;
     PERIOD_LOW(TIMER1) = (TEN_MS - 1) & 0xFFFF;
     PERIOD_HIGH(TIMER1) = (TEN_MS - 1) >> 16;
-    interrupt_on(TIMER1_ID);
+    interrupt_on(TIMER1_INTERRUPT);
     CONTROL(TIMER0) = START | CONT;
     CONTROL(TIMER1) = START | CONT | ITO;
-    __asm volatile("cpsie i");
+    interrupts_enable();
     for (uint32_t quarters = 0;; ++quarters) {
         LEDR_DATA = quarters;
         while ((STATUS(TIMER0) & 1) == 0) {

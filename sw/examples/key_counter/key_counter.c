@@ -5,25 +5,23 @@
 #include "processor.h"
 #include "registers.h"
 
-enum { KEYS = 73 };  // the number of the keys' interrupt
-
 static volatile unsigned count;  // volatile: changed by on_irq(), read by main()
 
-void __attribute__((interrupt("IRQ"))) on_irq(void) {
-    const uint32_t id = ICCIAR;  // which interrupt; the interrupt controller now waits for ICCEOIR
-    if (id == KEYS) {
+INTERRUPT_HANDLER on_irq(void) {
+    const uint32_t id = interrupt_begin();  // which interrupt it is
+    if (id == KEY_INTERRUPT) {
         const uint32_t pressed = KEY_EDGE;
         KEY_EDGE = pressed;  // a 1 clears its bit; otherwise the interrupt would come again at once
         if (pressed & 1) ++count;
         if (pressed & 2) --count;
     }
-    ICCEOIR = id;
+    interrupt_end(id);
 }
 
 int main(void) {
     KEY_MASK = 3;  // KEY0 and KEY1 may interrupt
-    interrupt_on(KEYS);
-    __asm volatile("cpsie i");  // interrupts are enabled in the processor
+    interrupt_on(KEY_INTERRUPT);
+    interrupts_enable();  // interrupts are enabled in the processor
     for (;;) {
         const unsigned now = count;
         HEX3_0_DATA = (uint32_t)DIGITS[now / 10 % 10] << 8 | DIGITS[now % 10];

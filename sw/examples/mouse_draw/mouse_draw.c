@@ -1,10 +1,11 @@
 // mouse_draw.c - a mouse in the first PS/2 port, by its interrupt (ID 79): the left button draws, the
 // right one clears the screen.  HEX5-3 is where it is from the left, HEX2-0 from the top; LEDR2-0 are
 // the buttons.
+#include "memory.h"
 #include "processor.h"
 #include "registers.h"
 
-enum { PS2 = 79, WIDTH = 320, HEIGHT = 240 };
+enum { WIDTH = 320, HEIGHT = 240 };
 enum { RESET = 0xFF, ACKNOWLEDGE = 0xFA, REPORT = 0xF4 };
 enum { LEFT = 1, RIGHT = 2, FIRST = 8, X_SIGN = 0x10, Y_SIGN = 0x20 };
 
@@ -12,7 +13,7 @@ static int x = 160, y = 120;
 static uint32_t buttons;
 
 static void plot(int to_x, int to_y, uint16_t colour) {
-    *(volatile uint16_t*)(0xC8000000 + ((uint32_t)to_y << 10) + ((uint32_t)to_x << 1)) = colour;
+    *(volatile uint16_t*)(ONCHIP + ((uint32_t)to_y << 10) + ((uint32_t)to_x << 1)) = colour;
 }
 
 static void clear(void) {
@@ -45,11 +46,11 @@ static void packet(const uint8_t* bytes) {
     for (int i = 0; i <= 64; ++i) plot(from_x + across * i / 64, from_y + down * i / 64, 0xFFFF);
 }
 
-void __attribute__((interrupt("IRQ"))) on_irq(void) {
+INTERRUPT_HANDLER on_irq(void) {
     static uint8_t bytes[3];
     static unsigned count;
-    const uint32_t id = ICCIAR;
-    for (uint32_t data; id == PS2 && (data = PS2_0_DATA) & 0x8000;) {
+    const uint32_t id = interrupt_begin();
+    for (uint32_t data; id == PS2_INTERRUPT && (data = PS2_0_DATA) & 0x8000;) {
         if (count == 0 && !(data & FIRST)) continue;  // not the beginning of a packet
         bytes[count++] = (uint8_t)data;
         if (count == 3) {
@@ -57,7 +58,7 @@ void __attribute__((interrupt("IRQ"))) on_irq(void) {
             packet(bytes);
         }
     }
-    ICCEOIR = id;
+    interrupt_end(id);
 }
 
 static uint32_t next(void) {
@@ -85,7 +86,7 @@ int main(void) {
     command(REPORT);
     show();
     PS2_0_CONTROL = 1;
-    interrupt_on(PS2);
-    __asm volatile("cpsie i");
+    interrupt_on(PS2_INTERRUPT);
+    interrupts_enable();
     for (;;) __asm volatile("wfi");
 }

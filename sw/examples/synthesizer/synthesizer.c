@@ -11,7 +11,7 @@
 #include "processor.h"
 #include "screen.h"
 
-enum { AUDIO = 78, WRITE_INTERRUPT = 2 };
+enum { WRITE_INTERRUPT = 2 };
 enum { RATE_HZ = 8000, NOTES = 16, LOUDEST = 1 << 12, WAVE = 512 };
 
 static const uint16_t HZ[NOTES] = {262, 294, 330, 349, 392, 440, 494, 523,
@@ -55,17 +55,17 @@ static int next_sample(unsigned kind) {
     return sum / 8;
 }
 
-void __attribute__((interrupt("IRQ"))) on_irq(void) {
-    const uint32_t id = ICCIAR;
+INTERRUPT_HANDLER on_irq(void) {
+    const uint32_t id = interrupt_begin();
     const unsigned kind = SW_DATA & 3;
-    while (id == AUDIO && AUDIO_FIFOSPACE & 0x00FF0000) {
+    while (id == AUDIO_INTERRUPT && AUDIO_FIFOSPACE & 0x00FF0000) {
         const int sample = next_sample(kind);
         wave[wave_end] = (int16_t)sample;
         wave_end = (wave_end + 1) % WAVE;
         AUDIO_LEFTDATA = (uint32_t)sample << 16;  // the core's samples have 32 bits
         AUDIO_RIGHTDATA = (uint32_t)sample << 16;
     }
-    ICCEOIR = id;
+    interrupt_end(id);
 }
 
 // ---- Keys: a column is pulled low, then a key that is down pulls its row low ----
@@ -137,9 +137,9 @@ static void show_loudness(void) {
 int main(void) {
     screen_begin();
     write_names();
-    interrupt_on(AUDIO);
+    interrupt_on(AUDIO_INTERRUPT);
     AUDIO_CONTROL = WRITE_INTERRUPT;
-    __asm volatile("cpsie i");
+    interrupts_enable();
     for (;;) {
         keys_down = read_keys();
         draw(keys_down);

@@ -1,11 +1,12 @@
 // two_buffers.c - two pictures in the SDRAM, one after the other, by turns; a ball on a chessboard
 //
 // A picture is 240 rows of 1,024 bytes, so the second one begins 0x3C000 after the first.
+#include "memory.h"
 #include "processor.h"
 #include "registers.h"
 
 enum { WIDTH = 320, HEIGHT = 240 };
-enum { FIRST = 0xC0000000, SECOND = 0xC003C000 };
+enum { FIRST = PICTURES, SECOND = PICTURES + 0x3C000 };
 
 static void draw(uint32_t picture, int ball) {
     for (int y = 0; y < HEIGHT; ++y)
