@@ -157,8 +157,8 @@ public:
     bool irq() const { return irq_; }
     void warm_reset() override;
     void hold_in_reset(bool held) override;
-    // Ends a WFI or WFE, as a debug event does; and has a kernel that waits look again.
-    void wake() {
+    // A WFI or WFE; and has a kernel that waits look again.
+    void wake() override {
         wake_.notify(sc_core::SC_ZERO_TIME);
         inspect_.notify(sc_core::SC_ZERO_TIME);
     }
@@ -187,10 +187,8 @@ public:
     // Executes every round.
     void leave_no_rounds_out() { shortcuts_.disable(); }
 
-    // For an inspector: reads as the program would, RAM and registers alike, in no time.  False: no
-    // target answers.
-    bool read_memory(std::uint32_t address, void* data, unsigned bytes);
-    bool write_memory(std::uint32_t address, const void* data, unsigned bytes);
+    bool read_memory(std::uint32_t address, void* data, unsigned bytes) override;
+    bool write_memory(std::uint32_t address, const void* data, unsigned bytes) override;
 
     // For a kernel and for semihosting: lets time pass while the program sleeps; ends the program,
     // with a fault if `why` is not empty.

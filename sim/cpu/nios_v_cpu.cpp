@@ -72,7 +72,7 @@ void NiosVCpu::sleep() {
     ++events_;
     asleep_since_ = sc_core::sc_time_stamp();
     asleep_ = true;
-    while (!core_.is_pending()) wait(wake_);
+    while (!core_.is_pending() && !woken_) wait(wake_);
     asleep_ = false;
     counts_.asleep += sc_core::sc_time_stamp() - asleep_since_;
 }
@@ -95,13 +95,17 @@ void NiosVCpu::run() {
     map();
     load();
     core_.reset(program_.elf.entry);
+    if (inspector_) inspector_->on_start();
     while (!fault() && !ended_) {
         time_.account();
         sync();
-        take_interrupt();
+        if (!inspector_ || !inspector_->holds_interrupts()) take_interrupt();
+        woken_ = false;
+        const bool steps = inspector_ && inspector_->on_quantum();
         running_ = true;
         waited_ = false;
-        const RiscvStop stop = core_.run(std::max<std::uint64_t>(time_.budget(), 1));
+        const RiscvStop stop =
+            steps ? core_.step() : core_.run(std::max<std::uint64_t>(time_.budget(), 1));
         running_ = false;
         time_.account();
         if (stop == RiscvStop::WFI) sleep();
@@ -179,19 +183,21 @@ std::string NiosVCpu::hopeless(const RiscvTrap& trap) {
 }
 
 void NiosVCpu::trapped(const RiscvTrap& trap) {
-    if (ends(trap)) return;
     using namespace riscv_cause;
+    if (trap.cause == BREAKPOINT && inspector_ && inspector_->on_breakpoint()) return;
+    if (ends(trap)) return;
     counts_.aborts +=
         trap.cause == FETCH_FAULT || trap.cause == LOAD_FAULT || trap.cause == STORE_FAULT;
     const std::string what = describe(trap) + " " + where();
     if (const std::string why = hopeless(trap); !why.empty()) {
+        if (inspector_ && inspector_->on_failure(trap.cause)) return;
         abort_log_.failed(what);
         fail(what + why + callers());
         return;
     }
     if (trap.cause != ECALL && trap.cause != BREAKPOINT) {
         abort_log_.happened(trap.cause, core_.pc(), what);
-        if (!in_handler()) open_ = Open{what, core_.returns(), now(), {}};
+        if (!in_handler()) open_ = Open{trap.cause, what, core_.returns(), now(), {}};
     }
     core_.enter(trap);
 }
@@ -217,10 +223,12 @@ void NiosVCpu::check() {
         over_since_.reset();
         if (open_) open_->spins_from.reset();
     } else if (!open_) {
-        if (!over_since_) over_since_ = now();
+        if (!over_since_ && !inspector_) over_since_ = now();
     } else if (!open_->spins_from) {
         open_->spins_from = now();
     } else if (now() - *open_->spins_from >= spin_limit) {
+        open_->spins_from.reset();
+        if (inspector_ && inspector_->on_failure(open_->cause)) return;
         abort_log_.failed(open_->text);
         fail(open_->text + "; its handler loops for ever, " + where());
     }

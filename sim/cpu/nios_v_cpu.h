@@ -46,6 +46,25 @@ struct NiosVProgram {
     double cpi = 1;  // 0.1 - 100: multiplies the clocks of each instruction
 };
 
+// A debugger.  Everything is called in the processor's thread, between two instructions, so all of
+// the core may be read and changed.
+class NiosVInspector {
+public:
+    // Once, with the program loaded, before its first instruction.
+    virtual void on_start() = 0;
+    // Before each quantum; true: it is to be one instruction.
+    virtual bool on_quantum() = 0;
+    // Before an EBREAK is a trap; true: done, the program goes on at pc.
+    virtual bool on_breakpoint() = 0;
+    // Before the program is ended because of this trap; true: it goes on at pc after all.
+    virtual bool on_failure(std::uint32_t cause) = 0;
+    // Before each quantum: true keeps interrupts waiting.
+    virtual bool holds_interrupts() = 0;
+
+protected:
+    ~NiosVInspector() = default;
+};
+
 class NiosVCpu : public ProgramCpu, private RiscvBus {
 public:
     using Log = std::function<void(const std::string&)>;
@@ -53,6 +72,7 @@ public:
     NiosVCpu(const sc_core::sc_module_name& name, NiosVProgram program, Log log);
 
     RiscvCore& core() { return core_; }
+    void attach(NiosVInspector* inspector) { inspector_ = inspector; }
     // Levels of the interrupts' lines, as bits of mip.
     void set_lines(std::uint32_t lines);
     std::uint32_t lines() const { return lines_; }
@@ -64,10 +84,12 @@ public:
     std::string accessed() const override;
     bool is_inspected() const override { return inspected_; }
 
-    // For a debugger and for reports: reads as the program would, in no time.  False: no target
-    // answers.
-    bool read_memory(std::uint32_t address, void* data, unsigned bytes);
-    bool write_memory(std::uint32_t address, const void* data, unsigned bytes);
+    bool read_memory(std::uint32_t address, void* data, unsigned bytes) override;
+    bool write_memory(std::uint32_t address, const void* data, unsigned bytes) override;
+    void wake() override {
+        woken_ = true;
+        wake_.notify(sc_core::SC_ZERO_TIME);
+    }
 
     Position position() override;
     Counts counts() const override;
@@ -113,6 +135,7 @@ private:
     RiscvCore core_;
     Time time_;
     Counts counts_;
+    NiosVInspector* inspector_ = nullptr;
     SteadyBus* steady_bus_ = nullptr;
     Answers answers_;
     std::uint64_t events_ = 0;  // of SystemC since which nothing is known to be the same
@@ -120,13 +143,15 @@ private:
     std::uint32_t lines_ = 0;
     std::string bus_answer_;  // to the last access that was refused
     sc_core::sc_process_handle process_;
-    bool running_ = false, waited_ = false, inspected_ = false, asleep_ = false, ended_ = false;
+    bool running_ = false, waited_ = false, inspected_ = false, asleep_ = false, ended_ = false,
+         woken_ = false;
     sc_core::sc_time asleep_since_;
     sc_core::sc_event wake_;
     std::optional<int> exit_code_;
 
     // The exception whose handler the program is in, if it has not returned since.
     struct Open {
+        std::uint32_t cause;
         std::string text;
         std::uint64_t returns;
         sc_core::sc_time since;

@@ -100,6 +100,7 @@ bool NiosVCpu::inspect(bool write, std::uint32_t address, void* data, unsigned b
                                 data, bytes, no_time)
                           .empty();
     inspected_ = false;
+    ++events_;
     time_.ahead() -= std::min(time_.ahead(), sc_core::sc_time_stamp() - before);
     return done;
 }

@@ -43,6 +43,13 @@ public:
     // At the run's end: logs what is not reported yet.  position() stays.
     virtual void conclude() = 0;
 
+    // For a debugger and for reports: reads as the program would, RAM and registers alike, in no
+    // time.  False: no target answers.
+    virtual bool read_memory(std::uint32_t address, void* data, unsigned bytes) = 0;
+    virtual bool write_memory(std::uint32_t address, const void* data, unsigned bytes) = 0;
+    // Ends what the program waits in, as a debug event does.
+    virtual void wake() = 0;
+
 protected:
     using Processor::Processor;
 };

@@ -6,58 +6,46 @@
 // The processor waits before its first instruction until a debugger has connected.  While it is
 // stopped, its thread blocks in the socket, so all of SystemC and simulated time stand still; only
 // reads and writes of FPGA registers take the clocks that they need.  A run that is not stopped
-// later gives the same files, byte for byte, as one without a debugger.
+// later gives the same files, byte for byte, as one without a debugger, but that the report counts
+// what the debugger has read on the bus.
 //
 // A breakpoint stops before its instruction, a watchpoint before the load or store is done, as GDB
-// expects of ARM.  Ctrl-C arrives within 1 ms of simulated time and ends a WFI.  Single steps keep
-// interrupts out (as QEMU's do), so stepping through a loop that waits for a handler does not end.
-// Memory is by physical address.  Device registers are read and written through the bus, in aligned
-// words or halfwords where the request allows.  An access without a target is an error in the
-// debugger, not in the program.
+// expects of these processors.  Ctrl-C arrives within 1 ms of simulated time and ends a WFI.
+// Single steps keep interrupts out (as QEMU's do), so stepping through a loop that waits for a
+// handler does not end.  Device registers are read and written through the bus, in aligned words or
+// halfwords where the request allows.  An access without a target is an error in the debugger, not
+// in the program.
 //
-// Stops by itself: a BKPT instruction (SIGTRAP), an exception that the program has no vector for
-// (SIGILL, SIGSEGV, SIGSYS).  A Linux program: before a signal ends it, before an oops of a module
-// does (SIGSEGV), and before it ends because all threads wait for each other (SIGABRT).  The end of
-// the run is reported as an exit with de1sim's code.
+// The end of the run is reported as an exit with de1sim's code.  If the debugger detaches or the
+// connection is lost, the run goes on without breakpoints.  A debugger that connects later stops
+// it.  `kill` ends the run as Ctrl-C on the terminal does.  `monitor time`: the simulated time, and
+// instructions so far.
 //
-// Linux: GDB sees the threads of all processes and modules as those of one program.  `thread 3`
-// chooses one: registers are its own, memory is that of its process.  When one thread stops, all
-// stand, and they go on together, as the scheduler has them.  A step ends when its thread has
-// executed one instruction, however many others have executed meanwhile.  Ctrl-C stops a program
-// whose threads all wait, too; GDB is shown the first thread then.
-// A point is an address, in whatever process: also in the child of a fork(), and in another program
-// that has something else there.
-// Kernel modules are at fixed addresses, so a breakpoint in one may be set before it is loaded.
-// `monitor modules`: GDB's commands that load their names.
-//
-// If the debugger detaches or the connection is lost, the run goes on without breakpoints.  A
-// debugger that connects later stops it.  `kill` ends the run as Ctrl-C on the terminal does.
-// `monitor time`: the simulated time, and instructions so far.
-//
-// Costs nothing until a point is set.  A breakpoint costs time when it is reached.  A watchpoint is
-// checked at every load and store, about 10 ns each.
-//
-// Not handled: translation tables that are not flat, banked registers of other modes, CP15,
-// thread-local variables by their names, the files of other programs that processes become, one
-// thread that goes on alone (`set scheduler-locking on`).
+// Here is what all processors share: the session, points, when it stops.  A processor's own half is
+// a class derived of this one: arm_debugger.h, nios_v_debugger.h.
 #pragma once
 
 #include <functional>
 #include <string>
 #include <vector>
 
-#include "sim/cpu/arm_cpu.h"
+#include "sim/cpu/program_cpu.h"
 #include "sim/debug/gdb_commands.h"
 #include "sim/debug/gdb_connection.h"
 
 namespace sim {
 
-class Debugger final : public ArmInspector, private ArmProbe, private ArmWatch, private GdbTarget {
+// GDB's numbers of signals (include/gdb/signals.def).
+namespace gdb_signal {
+constexpr unsigned INT = 2, ILL = 4, TRAP = 5, BUS = 10, SEGV = 11, SYS = 12, USR1 = 30, USR2 = 31,
+                   UNKNOWN = 143;
+}
+
+class Debugger : protected GdbTarget {
 public:
-    // Attaches itself.  `given_up`: true once the run has been asked to end, so do not wait any
-    // longer.
-    Debugger(ArmCpu& cpu, GdbConnection& connection, std::function<bool()> given_up);
-    ~Debugger();
+    virtual ~Debugger() = default;
+    Debugger(const Debugger&) = delete;
+    Debugger& operator=(const Debugger&) = delete;
 
     // Between two pieces of the run: Ctrl-C, or a new debugger.
     void poll();
@@ -66,46 +54,67 @@ public:
     // The run is over.
     void ended(unsigned exit_code);
 
-    void on_start(ArmCore& core) override;
-    std::uint64_t on_quantum(ArmCore& core, std::uint64_t limit) override;
-    bool on_exception(ArmCore& core, ArmException exception, const ArmFault& fault) override;
-    bool on_failure(ArmCore& core, ArmException exception) override;
-    void on_end(ArmCore& core, unsigned signal) override;
-    void on_idle(ArmCore& core) override;
-    bool holds_interrupts() override { return stepping_ != 0 || hit_; }
+protected:
+    // `given_up`: true once the run has been asked to end, so do not wait any longer.
+    Debugger(ProgramCpu& cpu, GdbConnection& connection, std::function<bool()> given_up);
+
+    // ---- For the processor's half, in the processor's thread ----
+
+    // Before the first instruction.
+    void begin();
+    // Before each quantum; true: it is to be one instruction.
+    bool quantum_begins();
+    // While the program waits for ever.
+    void idles();
+    // Single steps keep interrupts out.
+    bool keeps_interrupts_out() const { return stepping_ != 0 || hit_; }
+    // Before the instruction at a breakpoint; true: stop there.
+    bool reached();
+    // Before a load or store of these bytes; true: stop there.
+    bool touches_point(std::uint32_t address, unsigned bytes, bool write);
+    // Lets a debugger that is connected look at what has happened; true: it has moved pc.
+    bool stops_by(unsigned signal);
+
+    std::uint32_t chosen() const { return chosen_; }
+
+    // ---- What the processor's half is asked ----
+
+    virtual std::uint32_t pc() const = 0;
+    virtual std::uint64_t instructions() const = 0;  // since the beginning
+    // RAM; false where there is none.
+    virtual bool read_ram(std::uint32_t address, void* data, std::size_t bytes) = 0;
+    virtual bool write_ram(std::uint32_t address, const void* data, std::size_t bytes) = 0;
+    // From now on it is to call reached() at these addresses, and touches_point() or not.
+    virtual void observe(const std::vector<std::uint32_t>& breaks, bool accesses) = 0;
+    // The thread that runs; 0: all wait.
+    virtual std::uint32_t running() const { return 1; }
+    // Memory is that of this thread; 0: again of the one that runs.
+    virtual void show_memory_of(std::uint32_t) {}
+    // Of `monitor`, besides `time`: "" for what is not known, and one line for its help.
+    virtual std::string own_monitor(std::string_view) { return ""; }
+    virtual std::string own_monitor_help() const { return ""; }
 
 private:
     enum class Resumed { BY_CLIENT, BY_ITSELF };
 
-    bool before(std::uint32_t) override;
-    bool touched(std::uint32_t address, unsigned bytes, bool write) override;
-
-    std::uint64_t reg(unsigned number) override;
-    void set_reg(unsigned number, std::uint64_t value) override;
     std::size_t read(std::uint32_t address, void* data, std::size_t bytes) override;
     std::size_t write(std::uint32_t address, const void* data, std::size_t bytes) override;
     void insert(const GdbPoint& point) override;
     void remove(const GdbPoint& point) override;
     std::string stop_reply() override { return reply_; }
     std::string monitor(std::string_view command) override;
-    std::uint32_t displacement() override;
-    std::vector<GdbThread> threads() override;
     std::uint32_t chosen_thread() override { return chosen_; }
     void choose_thread(std::uint32_t thread) override;
 
-    std::uint32_t running() const;
-    std::uint32_t shown() const;
+    std::uint32_t shown();
     std::string stopped_by(unsigned signal, const std::string& why = "");
-    ArmRegisters* saved();
-    std::string modules() const;
     void stop(const std::string& reply);
     void serve();
     bool obey(const GdbAnswer& answer);
     void points_changed();
     void forget();
 
-    ArmCpu& cpu_;
-    ArmCore& core_;
+    ProgramCpu& cpu_;
     GdbConnection& connection_;
     const std::function<bool()> given_up_;
 

@@ -25,7 +25,7 @@ bool begins(std::string_view text, std::string_view with) {
 
 std::string register_hex(GdbTarget& target, unsigned number) {
     const std::uint64_t value = target.reg(number);  // the wire and the host are little-endian
-    return to_hex(&value, gdb_register::bytes(number));
+    return to_hex(&value, target.registers().all[number].bytes());
 }
 
 std::uint64_t value_of(std::string_view bytes) {
@@ -36,55 +36,57 @@ std::uint64_t value_of(std::string_view bytes) {
 
 std::string all_registers(GdbTarget& target) {
     std::string text;
-    for (unsigned n = 0; n < gdb_register::COUNT; ++n) text += register_hex(target, n);
+    for (unsigned n = 0; n < target.registers().all.size(); ++n) text += register_hex(target, n);
     return text;
 }
 
+// Those that cannot have their value keep their own.
 std::string set_all_registers(GdbTarget& target, std::string_view digits) {
+    const GdbRegisters& registers = target.registers();
     const auto bytes = from_hex(digits);
-    std::size_t needed = 0, at = 0;
-    for (unsigned n = 0; n < gdb_register::COUNT; ++n) needed += gdb_register::bytes(n);
-    if (!bytes || bytes->size() != needed) return ERROR;
-    // CPSR first: its mode selects the banked r13 and r14.
+    if (!bytes || bytes->size() != registers.bytes()) return ERROR;
     std::vector<std::uint64_t> values;
-    for (unsigned n = 0; n < gdb_register::COUNT; at += gdb_register::bytes(n++))
-        values.push_back(value_of(std::string_view{*bytes}.substr(at, gdb_register::bytes(n))));
-    target.set_reg(gdb_register::CPSR, values[gdb_register::CPSR]);
-    for (unsigned n = 0; n < gdb_register::COUNT; ++n)
-        if (n != gdb_register::CPSR) target.set_reg(n, values[n]);
+    std::size_t at = 0;
+    for (const GdbRegister& one : registers.all) {
+        values.push_back(value_of(std::string_view{*bytes}.substr(at, one.bytes())));
+        at += one.bytes();
+    }
+    target.set_reg(registers.first, values[registers.first]);
+    for (unsigned n = 0; n < values.size(); ++n)
+        if (n != registers.first) target.set_reg(n, values[n]);
     return OK;
 }
 
 std::string one_register(GdbTarget& target, GdbFields fields) {
     const auto number = fields.word();
-    if (!number || !fields.rest().empty() || *number >= gdb_register::COUNT) return ERROR;
+    if (!number || !fields.rest().empty() || *number >= target.registers().all.size()) return ERROR;
     return register_hex(target, *number);
 }
 
 std::string set_one_register(GdbTarget& target, GdbFields fields) {
+    const auto& all = target.registers().all;
     const auto number = fields.word();
-    if (!number || *number >= gdb_register::COUNT || !fields.skip("=")) return ERROR;
+    if (!number || *number >= all.size() || !fields.skip("=")) return ERROR;
     const auto bytes = from_hex(fields.rest());
-    if (!bytes || bytes->size() != gdb_register::bytes(*number)) return ERROR;
-    target.set_reg(*number, value_of(*bytes));
-    return OK;
+    if (!bytes || bytes->size() != all[*number].bytes()) return ERROR;
+    return target.set_reg(*number, value_of(*bytes)) ? OK : ERROR;
 }
 
-std::string target_description() {
-    std::string xml =
+std::string target_description(const GdbRegisters& registers) {
+    std::string xml = fmt::format(
         "<?xml version=\"1.0\"?><!DOCTYPE target SYSTEM \"gdb-target.dtd\"><target>"
-        "<architecture>arm</architecture><feature name=\"org.gnu.gdb.arm.core\">";
-    const auto reg = [&](const std::string& name, unsigned bits, const char* type) {
-        xml += fmt::format("<reg name=\"{}\" bitsize=\"{}\" type=\"{}\"/>", name, bits, type);
-    };
-    for (unsigned n = 0; n < 13; ++n) reg(fmt::format("r{}", n), 32, "uint32");
-    reg("sp", 32, "data_ptr");
-    reg("lr", 32, "int");
-    reg("pc", 32, "code_ptr");
-    reg("cpsr", 32, "int");
-    xml += "</feature><feature name=\"org.gnu.gdb.arm.vfp\">";
-    for (unsigned n = 0; n < 32; ++n) reg(fmt::format("d{}", n), 64, "ieee_double");
-    reg("fpscr", 32, "int");
+        "<architecture>{}</architecture>",
+        registers.architecture);
+    if (*registers.system) xml += fmt::format("<osabi>{}</osabi>", registers.system);
+    std::string_view feature;
+    for (const GdbRegister& one : registers.all) {
+        if (one.feature != feature)
+            xml += fmt::format("{}<feature name=\"{}\">", feature.empty() ? "" : "</feature>",
+                               one.feature);
+        feature = one.feature;
+        xml += fmt::format("<reg name=\"{}\" bitsize=\"{}\" type=\"{}\"/>", one.name, one.bits,
+                           one.type);
+    }
     return xml + "</feature></target>";
 }
 
@@ -212,7 +214,7 @@ GdbAnswer resume(GdbTarget& target, char command, GdbFields fields) {
     if (!fields.rest().empty()) {
         const auto address = fields.word();
         if (!address) return {ERROR};
-        target.set_reg(gdb_register::PC, *address);
+        target.set_reg(target.registers().pc, *address);
     }
     return {"", next};
 }
@@ -252,7 +254,8 @@ std::string query(GdbTarget& target, std::string_view packet) {
     constexpr std::string_view FEATURES = "qXfer:features:read:target.xml:",
                                THREADS = "qXfer:threads:read::";
     if (begins(packet, FEATURES))
-        return part_of(target_description(), GdbFields{packet.substr(FEATURES.size())});
+        return part_of(target_description(target.registers()),
+                       GdbFields{packet.substr(FEATURES.size())});
     if (begins(packet, "qXfer:features:read:")) return "E00";
     if (begins(packet, THREADS))
         return part_of(thread_list(target), GdbFields{packet.substr(THREADS.size())});

@@ -1,6 +1,6 @@
 // gdb_commands.h - the packets of GDB's remote serial protocol, and their answers.
 //
-//   g G p P       r0 - r15, cpsr, d0 - d31, fpscr, as the target description names them
+//   g G p P       the registers, as the target description names them
 //   m M X         memory
 //   Hg T qC       whose registers and memory that is; whether a thread is there
 //   qXfer:threads qfThreadInfo qsThreadInfo   all threads, with names and what they wait for
@@ -24,13 +24,9 @@
 #include <string_view>
 #include <vector>
 
-namespace sim {
+#include "sim/debug/gdb_registers.h"
 
-// Registers by number: 0 - 15 r0 - r15, 16 cpsr, 17 - 48 d0 - d31, 49 fpscr.
-namespace gdb_register {
-constexpr unsigned PC = 15, CPSR = 16, D0 = 17, FPSCR = 49, COUNT = 50;
-constexpr unsigned bytes(unsigned number) { return number >= D0 && number < FPSCR ? 8 : 4; }
-}  // namespace gdb_register
+namespace sim {
 
 struct GdbPoint {
     enum Kind { BREAK, WRITE, READ, ACCESS } kind;
@@ -50,8 +46,10 @@ struct GdbThread {
 // one that has stopped.
 class GdbTarget {
 public:
+    virtual const GdbRegisters& registers() const = 0;
     virtual std::uint64_t reg(unsigned number) = 0;
-    virtual void set_reg(unsigned number, std::uint64_t value) = 0;
+    // False: it cannot have this value, and keeps its own.
+    virtual bool set_reg(unsigned number, std::uint64_t value) = 0;
     // How many bytes, from the first on, were answered by a target.
     virtual std::size_t read(std::uint32_t address, void* data, std::size_t bytes) = 0;
     virtual std::size_t write(std::uint32_t address, const void* data, std::size_t bytes) = 0;

@@ -9,7 +9,7 @@
 
 namespace sim {
 
-CallLog::CallLog(Profile& profile, const ArmCpu& cpu, const sc_core::sc_time& end)
+CallLog::CallLog(Profile& profile, const ProgramCpu& cpu, const sc_core::sc_time& end)
     : profile_{profile} {
     profile.on_call = [this, &cpu, end](std::size_t depth, std::size_t caller, std::size_t callee) {
         const sc_core::sc_time now = cpu.now();

@@ -5,7 +5,7 @@
 #include <deque>
 #include <string>
 
-#include "sim/cpu/arm_cpu.h"
+#include "sim/cpu/program_cpu.h"
 #include "sim/profile/profile.h"
 
 namespace sim {
@@ -16,7 +16,7 @@ public:
 
     // Listens to the calls that `profile` finds, from now until `end`.  Both others must
     // outlive it.
-    CallLog(Profile& profile, const ArmCpu& cpu, const sc_core::sc_time& end);
+    CallLog(Profile& profile, const ProgramCpu& cpu, const sc_core::sc_time& end);
 
     // A line per call, the oldest first: when, then the function, indented by how deep it is, and
     // its caller.

@@ -40,7 +40,7 @@ Profile::Profile(const ElfProgram& elf)
     : elf_{elf}, own_(elf.functions.size() + 1), here_{elf.functions.size(), 0, 0} {}
 
 void Profile::ran(const Run& run) {
-    if (run.begin - here_.begin >= here_.end - here_.begin) change(run.begin, run.link);
+    if (!is_here(run.begin)) change(run.begin, run.link);
     own_[here_.function] += run.instructions;
     count_ += run.instructions;
     last_end_ = run.end;

@@ -6,7 +6,6 @@
 
 #include <fmt/format.h>
 
-#include "sim/files/whole_file.h"
 #include "sim/run/file_kind.h"
 #include "sim/run/missed_interrupts.h"
 
@@ -62,14 +61,12 @@ static std::vector<NamedPeer> named_peers(const std::vector<std::string>& option
 
 ArmRun::ArmRun(ProcessorSystem& processor, Computer* computer, I2cDevices* i2c0,
                const RunPlan& plan, Recorder& recorder, BoardObserver& observer)
-    : ProgramRun{*processor.arm, processor.bus, recorder},
-      profile_file_{plan.description.outputs.profile},
+    : ProgramRun{*processor.arm, processor.bus, plan, recorder},
       network_{plan.description.program.network},
       processor_{processor},
       computer_{computer},
       cpu_{*processor.arm} {
     const ProgramDescription& program = plan.description.program;
-    const TraceDescription& trace = plan.description.outputs.trace;
     const auto print = [&observer](char c) { observer.console(c, SerialLine::UART); };
     const auto log = [&observer](const std::string& line) { observer.log(line); };
     const auto access = [&bus = processor.bus](bool write, std::uint32_t address,
@@ -85,14 +82,7 @@ ArmRun::ArmRun(ProcessorSystem& processor, Computer* computer, I2cDevices* i2c0,
                         LinuxKernel::Outside{print, log, access, i2c0, processor.pixel_buffer()});
     else
         semihosting_.emplace(cpu_, Semihosting::Outside{print, log});
-    if (!profile_file_.empty() || trace.is_of_a_part()) {
-        profile_.emplace(cpu_.program().elf);
-        cpu_.core().attach(&*profile_);
-    }
-    if (trace.is_of_a_part())
-        calls_.emplace(
-            *profile_, cpu_,
-            trace.to ? sc_core::sc_time::from_value(trace.to->ps) : sc_core::sc_max_time());
+    if (Profile* const wanted = profile()) cpu_.core().attach(wanted);
 }
 
 void ArmRun::plug_in(UsbPorts& usb) {
@@ -116,10 +106,6 @@ std::string ArmRun::waiting() const {
 
 std::vector<std::string> ArmRun::missed_interrupts() {
     return sim::missed_interrupts(processor_, computer_);
-}
-
-void ArmRun::write_profile() const {
-    if (!profile_file_.empty()) write_whole_file(profile_file_, profile_->callgrind());
 }
 
 }  // namespace sim

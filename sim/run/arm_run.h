@@ -10,8 +10,6 @@
 #include "sim/cpu/arm_cpu.h"
 #include "sim/debug/semihosting.h"
 #include "sim/linux/kernel.h"
-#include "sim/profile/call_log.h"
-#include "sim/profile/profile.h"
 #include "sim/run/plan.h"
 #include "sim/run/program_run.h"
 
@@ -47,8 +45,6 @@ public:
     RunReport::Program program() const override;
     std::string waiting() const override;
     std::vector<std::string> missed_interrupts() override;
-    void write_profile() const override;
-    const CallLog* calls() const override { return calls_ ? &*calls_ : nullptr; }
 
 private:
     Terminal& terminal() { return kernel_ ? kernel_->terminal() : semihosting_->terminal(); }
@@ -56,15 +52,12 @@ private:
         return kernel_ ? kernel_->terminal() : semihosting_->terminal();
     }
 
-    const std::filesystem::path profile_file_;  // or empty
-    const std::vector<std::string> network_;    // that a Linux program reaches
+    const std::vector<std::string> network_;  // that a Linux program reaches
     ProcessorSystem& processor_;
     Computer* const computer_;
     ArmCpu& cpu_;
     std::optional<LinuxKernel> kernel_;
     std::optional<Semihosting> semihosting_;  // where there is no kernel
-    std::optional<Profile> profile_;
-    std::optional<CallLog> calls_;
 };
 
 }  // namespace sim

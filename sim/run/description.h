@@ -67,7 +67,7 @@ struct RunOutputs {
     std::filesystem::path profile;  // callgrind file, or empty
     TraceDescription trace;
     std::optional<SimTime> trace_failure;  // the time before a failure that a second run traces
-    std::optional<unsigned> gdb;           // port for a debugger of the ARM
+    std::optional<unsigned> gdb;           // port for a debugger
     std::optional<int> live_socket;        // to `de1sim live`, whose simulation this is
     bool update_goldens = false;           // where they differ
     bool quiet = false;

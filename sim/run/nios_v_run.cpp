@@ -11,6 +11,16 @@ NiosVProgram load_nios_v_program(const RunPlan& plan) {
     return {std::move(elf), program.cpi};
 }
 
+NiosVRun::NiosVRun(NiosVComputer& computer, const RunPlan& plan, Recorder& recorder)
+    : ProgramRun{computer.cpu, computer.bus, plan, recorder}, computer_{computer} {
+    if (Profile* const wanted = profile()) runs_.emplace(computer.cpu.core(), *wanted);
+}
+
+void NiosVRun::write_profile() {
+    if (runs_) runs_->finish();
+    ProgramRun::write_profile();
+}
+
 RunReport::Program NiosVRun::program() const {
     RunReport::Program program = ProgramRun::program();
     program.exit_code = computer_.cpu.exit_code();

@@ -1,7 +1,10 @@
 // nios_v_run.h - what a run with Nios V has besides: its ELF
 #pragma once
 
+#include <optional>
+
 #include "sim/chip/nios_v_computer.h"
+#include "sim/profile/nios_v_profile.h"
 #include "sim/run/plan.h"
 #include "sim/run/program_run.h"
 
@@ -12,14 +15,15 @@ NiosVProgram load_nios_v_program(const RunPlan& plan);
 
 class NiosVRun final : public ProgramRun {
 public:
-    NiosVRun(NiosVComputer& computer, Recorder& recorder)
-        : ProgramRun{computer.cpu, computer.bus, recorder}, computer_{computer} {}
+    NiosVRun(NiosVComputer& computer, const RunPlan& plan, Recorder& recorder);
 
     RunReport::Program program() const override;
     std::vector<std::string> missed_interrupts() override;
+    void write_profile() override;
 
 private:
     NiosVComputer& computer_;
+    std::optional<NiosVProfile> runs_;
 };
 
 }  // namespace sim

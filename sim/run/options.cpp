@@ -100,7 +100,7 @@ void add_run_options(CLI::App& command, RunOptions& options) {
                 throw CLI::ValidationError("--gdb", "expected a port from 0 to 65535, got " + text);
             outputs.gdb = static_cast<unsigned>(port);
         },
-        "wait for GDB at this port of 127.0.0.1, for --cpu arm; 0 takes a free one");
+        "wait for GDB at this port of 127.0.0.1, for a program; 0 takes a free one");
     command
         .add_option("--system", program.system,
                     "what the ELF runs on: bare metal, Linux (its system calls are answered), or\n"
@@ -131,7 +131,7 @@ void add_run_options(CLI::App& command, RunOptions& options) {
         ->check(named);
     command
         .add_option("--profile", outputs.profile,
-                    "write instructions by function, for --cpu arm (callgrind format,\n"
+                    "write instructions by function, for a program (callgrind format,\n"
                     "for KCachegrind and callgrind_annotate)")
         ->check(named);
     command

@@ -35,7 +35,8 @@ RunPlan::Processor processor_for(const std::filesystem::path& elf, bool wants_ar
 
 // Options that Nios V has, too.
 bool is_for_all(const std::string& option) {
-    return option == "--cpi" || option == "--no-shortcuts";
+    return option == "--cpi" || option == "--no-shortcuts" || option == "--gdb" ||
+           option == "--profile";
 }
 
 RunPlan::Processor processor_of(const ProgramDescription& program, const Scenario& scenario,

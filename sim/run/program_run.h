@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,7 +11,9 @@
 #include "sim/hps/bus.h"
 #include "sim/profile/call_log.h"
 #include "sim/profile/frame_budget.h"
+#include "sim/profile/profile.h"
 #include "sim/report/report.h"
+#include "sim/run/plan.h"
 #include "sim/run/recorder.h"
 
 namespace sim {
@@ -18,7 +21,7 @@ namespace sim {
 class ProgramRun {
 public:
     // Attaches to the recorder's frames.
-    ProgramRun(ProgramCpu& cpu, const Bus& bus, Recorder& recorder);
+    ProgramRun(ProgramCpu& cpu, const Bus& bus, const RunPlan& plan, Recorder& recorder);
     virtual ~ProgramRun() = default;
     ProgramRun(const ProgramRun&) = delete;
     ProgramRun& operator=(const ProgramRun&) = delete;
@@ -32,13 +35,21 @@ public:
     virtual bool on_linux() const { return false; }
     // Of a Linux program; as LinuxKernel::missing().
     virtual std::vector<std::string> missing_calls() const { return {}; }
-    virtual void write_profile() const {}                     // if it was asked for; IoError
-    virtual const CallLog* calls() const { return nullptr; }  // of a part
+    virtual void write_profile();  // if it was asked for; IoError
+    // Of a part of the run, or null.
+    const CallLog* calls() const { return calls_ ? &*calls_ : nullptr; }
+
+protected:
+    // Null where nobody wants to know.
+    Profile* profile() { return profile_ ? &*profile_ : nullptr; }
 
 private:
     ProgramCpu& program_cpu_;
     const Bus& program_bus_;
+    const std::filesystem::path profile_file_;  // or empty
     FrameBudget budget_;
+    std::optional<Profile> profile_;
+    std::optional<CallLog> calls_;
 };
 
 }  // namespace sim

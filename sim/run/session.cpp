@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 
 #include "sim/chip/project_computer.h"
+#include "sim/debug/arm_debugger.h"
+#include "sim/debug/nios_v_debugger.h"
 #include "sim/files/whole_file.h"
 #include "sim/process/interrupt.h"
 #include "sim/run/results.h"
@@ -134,7 +136,7 @@ System::System(const RunPlan& plan, Software software, const std::optional<proje
         const bool nobody_types = plan.description.scenario.empty() && !observers.client;
         if (nobody_types) arm->close_input();
     }
-    if (nios_v_computer) nios_v.emplace(*nios_v_computer, observers.recorder);
+    if (nios_v_computer) nios_v.emplace(*nios_v_computer, plan, observers.recorder);
     if (processor && outputs.trace.is_of_a_part())
         trace_notes.emplace(*processor, program_run(), outputs.trace);
     runner.renews_goldens = outputs.update_goldens;
@@ -192,9 +194,15 @@ Session::Session(RunPlan plan, const Firmware& firmware, const RunClientMaker& m
       report_{begun_report(plan_)},
       crash_report_{plan_.description.outputs.out, report_} {
     if (gdb_) {
-        debugger_.emplace(*system_.hps->arm, *gdb_, interrupted);
+        debugger_ = debugger();
         message(fmt::format("waiting for gdb at 127.0.0.1:{}", gdb_->port()));
     }
+}
+
+std::unique_ptr<Debugger> Session::debugger() {
+    if (NiosVComputer* const computer = system_.nios_v_computer)
+        return std::make_unique<NiosVDebugger>(computer->cpu, *gdb_, interrupted);
+    return std::make_unique<ArmDebugger>(*system_.hps->arm, *gdb_, interrupted);
 }
 
 // A part of the run that fails is written down, and the others still come; only an IoError ends
@@ -220,7 +228,7 @@ void Session::simulate() {
                           plan_.duration,
                           plan_.description.scenario.empty(),
                           progress_,
-                          debugger_ ? &*debugger_ : nullptr,
+                          debugger_.get(),
                           observers_.client.get(),
                           crash_report_}
                       .run();

@@ -87,6 +87,7 @@ public:
     ExitCode run();
 
 private:
+    std::unique_ptr<Debugger> debugger();
     void simulate();
     void write_files();
     void conclude();
@@ -102,7 +103,7 @@ private:
     System system_;
     const sc_core::sc_event never_;
     Finish finish_;
-    std::optional<Debugger> debugger_;
+    std::unique_ptr<Debugger> debugger_;  // null: nobody asked for one
     Progress progress_;
     RunReport report_;
     CrashReport crash_report_;

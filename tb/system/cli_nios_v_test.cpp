@@ -5,6 +5,7 @@
 
 namespace {
 
+using ::testing::ContainsRegex;
 using ::testing::HasSubstr;
 
 // Of nios_v_mistakes.c.
@@ -55,10 +56,29 @@ TEST_F(NiosVCommand, SaysThatTheProgramHasLeftMain) {
     says(Mistake::RETURN, "the program was at PC 0x");
 }
 
-TEST_F(NiosVCommand, RefusesGdb) {
-    const tb::Outcome outcome = after(Mistake::NOTHING, {"--gdb", "0"});
-    EXPECT_EQ(outcome.exit_code, 2);
-    EXPECT_THAT(outcome.err, HasSubstr("--gdb: is for --cpu arm"));
+// main() calls add_squares(), and that calls square() four times.
+TEST_F(NiosVCommand, ProfilesItsFunctionsAndTheirCalls) {
+    const std::string path = folder / "callgrind.out";
+    const tb::Outcome outcome =
+        play(scenario("duration: 1ms\n"),
+             {"--elf", NIOS_V_SUMS_ELF, "--frames", "none", "--profile", path});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    const std::string profile = folder.get("callgrind.out");
+    EXPECT_THAT(profile,
+                HasSubstr("summary: " + report()["program"]["instructions"].dump() + "\n"));
+    EXPECT_THAT(profile, ContainsRegex("cfn=\\([0-9]+\\) square\ncalls=4 0\n0 8\n"));
+    EXPECT_THAT(profile, ContainsRegex("cfn=\\([0-9]+\\) add_squares\ncalls=1 0\n"));
+}
+
+TEST_F(NiosVCommand, LogsTheLastCallsBesideTheWaveformsOfAPart) {
+    const tb::Outcome outcome = play(scenario("duration: 200us\n"),
+                                     {"--elf", NIOS_V_SUMS_ELF, "--frames", "none", "--trace",
+                                      (folder / "w.fst").string(), "--trace-to", "100us"},
+                                     {}, DE1SIM "-trace");
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_THAT(folder.get("w.calls.txt"),
+                ContainsRegex("  add_squares <- main\n([0-9.]+ +square <- add_squares\n){4}"));
+    EXPECT_THAT(folder.get("w.bus.txt"), HasSubstr("LEDR"));
 }
 
 TEST_F(NiosVCommand, RefusesTheOtherProcessor) {

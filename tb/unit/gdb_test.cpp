@@ -1,4 +1,5 @@
 // gdb_test.cpp - GDB's packets: their format, and the answers of a mock processor.
+#include "sim/debug/arm_registers.h"
 #include "sim/debug/gdb_commands.h"
 #include "sim/debug/gdb_packet.h"
 
@@ -85,7 +86,7 @@ TEST(GdbPacket, CtrlCAndRepeatCountBetweenPackets) {
 
 struct FakeTarget : sim::GdbTarget {
     static constexpr std::uint32_t BASE = 0x1000;
-    std::array<std::uint64_t, sim::gdb_register::COUNT> regs{};
+    std::array<std::uint64_t, sim::arm_register::COUNT> regs{};
     std::array<std::uint8_t, 256> memory{};  // at BASE; nothing else answers
     std::vector<GdbPoint> points;
     unsigned written = 0;
@@ -94,8 +95,14 @@ struct FakeTarget : sim::GdbTarget {
         if (address < BASE || address >= BASE + memory.size()) return 0;
         return std::min<std::size_t>(bytes, BASE + memory.size() - address);
     }
+    const sim::GdbRegisters& registers() const override { return sim::arm_registers(); }
     std::uint64_t reg(unsigned number) override { return regs.at(number); }
-    void set_reg(unsigned number, std::uint64_t value) override { regs.at(number) = value; }
+    bool set_reg(unsigned number, std::uint64_t value) override {
+        if (number == fixed) return false;
+        regs.at(number) = value;
+        return true;
+    }
+    unsigned fixed = sim::arm_register::COUNT;
     std::size_t read(std::uint32_t address, void* data, std::size_t bytes) override {
         const std::size_t count = here(address, bytes);
         if (count) std::memcpy(data, &memory[address - BASE], count);
@@ -154,6 +161,15 @@ TEST_F(GdbCommands, WritesOneRegisterOrAll) {
     EXPECT_EQ(other.regs, target.regs);
 }
 
+TEST_F(GdbCommands, ARegisterThatCannotBeWrittenIsAnError) {
+    target.fixed = 16;
+    EXPECT_EQ(answer("P10=d3010000"), "E01");
+    std::string all = answer("g");
+    all.replace(16 * 8, 8, "ffffffff");
+    EXPECT_EQ(answer("G" + all), "OK") << "the others have their values";
+    EXPECT_EQ(target.regs[16], 0u);
+}
+
 TEST_F(GdbCommands, TheDescriptionComesInPieces) {
     std::string xml;
     for (unsigned offset = 0;; offset += 100) {
@@ -165,7 +181,8 @@ TEST_F(GdbCommands, TheDescriptionComesInPieces) {
         if (part[0] == 'l') break;
         ASSERT_EQ(part[0], 'm');
     }
-    EXPECT_THAT(xml, HasSubstr("org.gnu.gdb.arm.core"));
+    EXPECT_THAT(xml, HasSubstr("<feature name=\"org.gnu.gdb.arm.core\"><reg name=\"r0\""));
+    EXPECT_THAT(xml, HasSubstr("</feature><feature name=\"org.gnu.gdb.arm.vfp\">"));
     EXPECT_THAT(xml, HasSubstr("name=\"d31\""));
     EXPECT_THAT(xml, HasSubstr("</target>"));
 }

@@ -74,11 +74,12 @@ void RiscvCore::reset(std::uint32_t entry) {
 RiscvStop RiscvCore::run(std::uint64_t clocks) {
     end_ = at_ + clocks;
     ended_ = false;
+    const bool is_seen = probe_ || tally_;
     while (at_ < end_ && !ended_) {
-        RiscvStop stop = probe_ ? RiscvStop::LIMIT : execute<false>(UINT64_MAX);
+        RiscvStop stop = is_seen ? RiscvStop::LIMIT : execute<false>(UINT64_MAX);
         // What is left is less than a run.
         if (stop == RiscvStop::LIMIT && at_ < end_)
-            stop = execute<true>(probe_ ? UINT64_MAX : RiscvPage::WORDS);
+            stop = execute<true>(is_seen ? UINT64_MAX : RiscvPage::WORDS);
         if (stop != RiscvStop::LIMIT) return stop;
     }
     return RiscvStop::LIMIT;
@@ -94,15 +95,20 @@ RiscvStop RiscvCore::step() {
 }
 
 void RiscvCore::enter(const RiscvTrap& trap) {
+    ++traps_;
     mepc_ = pc_;
     mcause_ = trap.cause;
     mtval_ = trap.value;
     using namespace riscv_mstatus;
     mstatus_ = (mstatus_ & ~(MIE | MPIE)) | (mstatus_ & MIE ? MPIE : 0);
     reserved_.reset();
+    pc_ = handler(trap);
+}
+
+std::uint32_t RiscvCore::handler(const RiscvTrap& trap) const {
     const std::uint32_t base = mtvec_ & ~3u;
     const bool vectored = (mtvec_ & VECTORED) && (trap.cause & riscv_cause::INTERRUPT);
-    pc_ = vectored ? base + 4 * (trap.cause & ~riscv_cause::INTERRUPT) : base;
+    return vectored ? base + 4 * (trap.cause & ~riscv_cause::INTERRUPT) : base;
 }
 
 void RiscvCore::set_pending(std::uint32_t lines) { mip_ = lines; }

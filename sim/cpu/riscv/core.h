@@ -45,18 +45,28 @@ protected:
     ~RiscvBus() = default;
 };
 
-// A debugger, or a profiler: sees each instruction before it is executed.
+// A debugger: may end run() before an instruction, with LIMIT.
 class RiscvProbe {
 public:
-    // True ends run() before it, with LIMIT.
+    // True ends it before the instruction at `pc`.
     virtual bool before(std::uint32_t pc) = 0;
-    // Within a load or store, which has been made; true ends run() after it.
-    virtual bool touched(std::uint32_t /*address*/, unsigned /*bytes*/, bool /*write*/) {
+    // Before each access of a load or store; true ends it before that instruction.
+    virtual bool touches(std::uint32_t /*address*/, unsigned /*bytes*/, bool /*write*/) {
         return false;
     }
 
 protected:
     ~RiscvProbe() = default;
+};
+
+// A profiler.
+class RiscvTally {
+public:
+    // The instruction at `pc` is next, the core as it is before it.
+    virtual void executes(std::uint32_t pc) = 0;
+
+protected:
+    ~RiscvTally() = default;
 };
 
 enum class RiscvStop {
@@ -106,14 +116,15 @@ public:
 
     // Runs for so many clocks, of which the last instruction may take more.
     RiscvStop run(std::uint64_t clocks);
-    // One instruction, past a probe that would end run() before it.
+    // One instruction, without asking the probe for one at pc.
     RiscvStop step();
     // From the bus: run() ends after the present instruction, or when so many clocks are over
     // after it.
     void stop_soon() { end_ = 0; }
     void stop_after(std::uint64_t clocks) { end_ = at_ + clocks; }
     const RiscvTrap& trap() const { return trap_; }
-    // Goes to the handler of this trap.
+    // Where the handler of this trap is; goes there.
+    std::uint32_t handler(const RiscvTrap& trap) const;
     void enter(const RiscvTrap& trap);
 
     // The interrupts' lines, as bits of mip.
@@ -125,6 +136,7 @@ public:
     // Since the beginning; from the bus: before the present instruction.
     std::uint64_t clocks() const { return at_; }
     std::uint64_t instructions() const { return instructions_; }
+    std::uint64_t traps() const { return traps_; }      // how many were entered
     std::uint64_t returns() const { return returns_; }  // how many MRET
     // The program has spent so many clocks without the core.
     void pass(std::uint64_t clocks) { at_ += clocks; }
@@ -142,8 +154,9 @@ public:
     bool set_csr(std::uint32_t number, std::uint32_t value);
     bool has_set_mtvec() const { return mtvec_set_; }
 
-    // Sees every instruction; nullptr takes it away.  Costs half the speed.  Not in run().
+    // Each sees every instruction; nullptr takes it away.  Costs half the speed.  Not in run().
     void attach(RiscvProbe* probe) { probe_ = probe; }
+    void attach(RiscvTally* tally) { tally_ = tally; }
 
 private:
     struct Ram {
@@ -192,10 +205,11 @@ private:
     std::optional<std::uint32_t> reserved_;  // by LR
 
     RiscvProbe* probe_ = nullptr;
+    RiscvTally* tally_ = nullptr;
     bool past_probe_ = false;
     bool ended_ = false;  // run(), by the probe or by an interrupt that is no longer masked
     std::uint64_t at_ = 0, end_ = 0;  // clocks
-    std::uint64_t instructions_ = 0, returns_ = 0;
+    std::uint64_t instructions_ = 0, traps_ = 0, returns_ = 0;
     RiscvTrap trap_{0, 0};
 };
 

@@ -72,8 +72,8 @@ RiscvStop RiscvCore::execute(std::uint64_t most) {
         pc_ = pc;
         return why;
     };
-    const auto touched = [&](std::uint32_t address, unsigned bytes, bool write) {
-        if (CLOSELY && probe_ && probe_->touched(address, bytes, write)) ended_ = true;
+    const auto touches = [&](std::uint32_t address, unsigned bytes, bool write) {
+        return CLOSELY && probe_ && probe_->touches(address, bytes, write);
     };
 
 #define GO goto* LABELS[op->code]
@@ -121,11 +121,11 @@ RiscvStop RiscvCore::execute(std::uint64_t most) {
     do_##name : {                                                                       \
         const std::uint32_t address = x[op->rs1] + static_cast<std::uint32_t>(op->imm); \
         const std::uint32_t offset = address - main.base;                               \
+        if (touches(address, width, false)) goto watched;                               \
         type value;                                                                     \
         if (__builtin_expect(offset < main.size && address % width == 0, 1)) {          \
             std::memcpy(&value, main.bytes + offset, width);                            \
             destination = static_cast<std::uint32_t>(static_cast<std::int32_t>(value)); \
-            touched(address, width, false);                                             \
             NEXT;                                                                       \
         }                                                                               \
         std::uint32_t word = 0;                                                         \
@@ -133,22 +133,20 @@ RiscvStop RiscvCore::execute(std::uint64_t most) {
         if (!load(address, width, word)) goto trapped;                                  \
         value = static_cast<type>(word);                                                \
         destination = static_cast<std::uint32_t>(static_cast<std::int32_t>(value));     \
-        touched(address, width, false);                                                 \
         GO_ON;                                                                          \
     }
 #define STORE(name, type, width, source)                                                \
     do_##name : {                                                                       \
         const std::uint32_t address = x[op->rs1] + static_cast<std::uint32_t>(op->imm); \
         const std::uint32_t offset = address - main.base;                               \
+        if (touches(address, width, true)) goto watched;                                \
         if (__builtin_expect(offset < main.size && address % width == 0, 1)) {          \
             const auto value = static_cast<type>(source);                               \
             std::memcpy(main.bytes + offset, &value, width);                            \
-            touched(address, width, true);                                              \
             NEXT;                                                                       \
         }                                                                               \
         show();                                                                         \
         if (!store(address, width, source)) goto trapped;                               \
-        touched(address, width, true);                                                  \
         GO_ON;                                                                          \
     }
 #define FLOATING(name)                            \
@@ -168,13 +166,14 @@ closely:
     if (op->run == 0) GO;
     if (left <= 0 || most == 0 || ended_) goto leave;
     --most;
-    if (probe_ && !past_probe_) {
+    if (probe_ || tally_) {
         pc = page->pc_of(op);
         stop(RiscvStop::LIMIT);
-        if (probe_->before(pc)) {
+        if (probe_ && !past_probe_ && probe_->before(pc)) {
             ended_ = true;
             return RiscvStop::LIMIT;
         }
+        if (tally_) tally_->executes(pc);
     }
     left -= op->own_clocks();
     ++done;
@@ -189,6 +188,13 @@ early:  // after the present instruction, in its run
     left += rest(op) - op->own_clocks();
     done -= rest_run(op) - 1;
     pc = page->pc_of(op) + 4;
+    return stop(RiscvStop::LIMIT);
+
+watched:
+    ended_ = true;
+    left += rest(op);
+    done -= rest_run(op);
+    pc = page->pc_of(op);
     return stop(RiscvStop::LIMIT);
 
 illegal:
@@ -278,9 +284,10 @@ do_JALR : {
 do_LR:
 do_SC:
 do_AMO:
+    if (op->code != RiscvOp::SC && touches(x[op->rs1], 4, false)) goto watched;
+    if (op->code != RiscvOp::LR && touches(x[op->rs1], 4, true)) goto watched;
     show();
     if (!atomic(*op)) goto trapped;
-    touched(x[op->rs1], 4, op->code != RiscvOp::LR);
     GO_ON;
 
     FLOATING(FADD)

@@ -2,6 +2,7 @@
 #include <cstring>
 #include <vector>
 
+#include "sim/debug/arm_registers.h"
 #include "sim/debug/gdb_commands.h"
 #include "sim/debug/gdb_packet.h"
 #include "tb/fuzz/fuzz.h"
@@ -12,14 +13,16 @@ namespace {
 
 class Target final : public sim::GdbTarget {
 public:
+    const sim::GdbRegisters& registers() const override { return sim::arm_registers(); }
     std::uint64_t reg(unsigned number) override {
-        must(number < sim::gdb_register::COUNT, "a register that is read exists");
+        must(number < sim::arm_register::COUNT, "a register that is read exists");
         return registers_[number];
     }
-    void set_reg(unsigned number, std::uint64_t value) override {
-        must(number < sim::gdb_register::COUNT, "a register that is written exists");
+    bool set_reg(unsigned number, std::uint64_t value) override {
+        must(number < sim::arm_register::COUNT, "a register that is written exists");
         registers_[number] = value;
         ++changes;
+        return true;
     }
     std::size_t read(std::uint32_t address, void* data, std::size_t bytes) override {
         if (address >= memory_.size() || bytes == 0) return 0;
@@ -42,7 +45,7 @@ public:
     unsigned changes = 0;
 
 private:
-    std::uint64_t registers_[sim::gdb_register::COUNT] = {};
+    std::uint64_t registers_[sim::arm_register::COUNT] = {};
     std::vector<char> memory_ = std::vector<char>(0x400, 'm');
 };
 

@@ -99,7 +99,7 @@ TEST_F(RiscvCounting, TakenBranchTakesLonger) {
 class RiscvProbed : public RiscvBench, protected RiscvProbe {
 protected:
     bool before(std::uint32_t pc) override { return pc == stop_at; }
-    bool touched(std::uint32_t address, unsigned, bool write) override {
+    bool touches(std::uint32_t address, unsigned, bool write) override {
         return write && address == watched;
     }
 
@@ -122,12 +122,16 @@ TEST_F(RiscvProbed, StepPassesTheBreakpoint) {
     EXPECT_EQ(core.pc(), 4u);
 }
 
-TEST_F(RiscvProbed, RunEndsBehindTheStoreThatIsWatched) {
+TEST_F(RiscvProbed, RunEndsBeforeTheStoreThatIsWatched) {
     start({addi(1, 0, 0x100), sw(1, 0, 0x100), NOP, NOP});
     watched = 0x100;
     core.attach(this);
     core.run(100);
-    EXPECT_EQ(core.pc(), 8u);
+    EXPECT_EQ(core.pc(), 4u);
+    EXPECT_EQ(core.instructions(), 1u);
+    std::uint32_t stored = 1;
+    core.read_ram(0x100, &stored, sizeof stored);
+    EXPECT_EQ(stored, 0u);
 }
 
 }  // namespace tb::riscv
