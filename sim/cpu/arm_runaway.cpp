@@ -6,14 +6,6 @@
 
 namespace sim {
 
-namespace {
-
-// A stack pointer that has moved farther than this was assigned, and has not grown: it is more than
-// a quantum's instructions can push.  In bytes.
-constexpr std::uint32_t JUMP = 1 << 20;
-
-}  // namespace
-
 const ElfSection* ArmRunaway::data_at(std::uint32_t address) const {
     for (const ElfSection& section : elf_.sections)
         if (section.is_data() && section.holds(address)) return &section;
@@ -57,20 +49,7 @@ bool ArmRunaway::is_as_loaded(std::uint32_t address) const {
 }
 
 std::string ArmRunaway::stack_overflow(std::uint32_t lowest, bool through) const {
-    const Stack& stack = stacks_[core_.cpsr() & 0xF];
-    if (stack.top == 0 || stack.now - lowest > JUMP)
-        return "";  // it has not grown since it was first seen
-    std::uint8_t byte;
-    if (core_.read_ram(stack.now, &byte, 1) && !core_.read_ram(lowest, &byte, 1))
-        return fmt::format("the stack has grown below its memory (SP 0x{:08X})", core_.reg(13));
-    for (const ElfSection& section : elf_.sections) {
-        const std::uint32_t end = section.address + section.size;
-        if (section.executable && stack.top > end && lowest < end &&
-            (through || lowest >= section.address))
-            return fmt::format("the stack has grown into the program's code (SP 0x{:08X})",
-                               core_.reg(13));
-    }
-    return "";
+    return stacks_[core_.cpsr() & 0xF].overflow(core_, elf_, core_.reg(13), lowest, through);
 }
 
 std::optional<std::string> ArmRunaway::check(bool stands_still) {
@@ -80,10 +59,7 @@ std::optional<std::string> ArmRunaway::check(bool stands_still) {
         return in_data("it stands still");
     const std::uint32_t sp = core_.reg(13);
     if (!stack_overflow(sp, false).empty()) return "the program ran out of stack";
-    Stack& stack = stacks_[core_.cpsr() & 0xF];
-    const std::uint32_t moved = sp > stack.now ? sp - stack.now : stack.now - sp;
-    stack.top = moved > JUMP ? sp : std::max(stack.top, sp);
-    stack.now = sp;
+    stacks_[core_.cpsr() & 0xF].follow(sp);
     return std::nullopt;
 }
 

@@ -6,7 +6,7 @@
 //   - when its stack grows below the memory that it was in, or into its code; this is checked after
 //     each quantum.
 //
-// Not handled: a stack that grows into data, or in a program without a section table.
+// Not handled: see stack_growth.h.
 #pragma once
 
 #include <array>
@@ -16,6 +16,7 @@
 
 #include "sim/cpu/arm_core.h"
 #include "sim/cpu/elf.h"
+#include "sim/cpu/stack_growth.h"
 
 namespace sim {
 
@@ -52,14 +53,10 @@ private:
     const ElfSection* data_at(std::uint32_t address) const;
     bool is_as_loaded(std::uint32_t address) const;
 
-    struct Stack {
-        std::uint32_t top = 0, now = 0;  // r13: its highest value seen, its present one
-    };
-
     ArmCore& core_;
     const ElfProgram& elf_;
-    std::array<Stack, 16> stacks_;  // of each mode, by CPSR[3:0]
-    std::string entered_data_;      // where and by whom, while it is there
+    std::array<StackGrowth, 16> stacks_;  // of each mode, by CPSR[3:0]
+    std::string entered_data_;            // where and by whom, while it is there
 };
 
 }  // namespace sim

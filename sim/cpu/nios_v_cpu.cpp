@@ -43,6 +43,7 @@ NiosVCpu::NiosVCpu(const sc_core::sc_module_name& name, NiosVProgram program, Lo
       log_{std::move(log)},
       abort_log_{log_},
       core_{*this, RiscvFpu::Style::NIOS_V, nios_v_clocks()},
+      runaway_{core_, program_.elf},
       time_{core_, static_cast<std::uint64_t>(std::llround(CLOCK_PS * program_.cpi))} {
     SC_HAS_PROCESS(NiosVCpu);
     SC_THREAD(run);
@@ -117,8 +118,15 @@ void NiosVCpu::run() {
 void NiosVCpu::take_interrupt() {
     const auto interrupt = core_.pending_interrupt();
     if (!interrupt) return;
+    if (!core_.has_set_mtvec()) {
+        if (inspector_ && inspector_->on_failure(interrupt->cause)) return;
+        fail(fmt::format("interrupt {} came {}; it has no handler: mtvec was never written",
+                         interrupt->cause & ~riscv_cause::INTERRUPT, where()));
+        return;
+    }
     ++counts_.interrupts;
     core_.enter(*interrupt);
+    handler_ = core_.pc();
 }
 
 std::string NiosVCpu::describe(const RiscvTrap& trap) const {
@@ -168,8 +176,14 @@ bool NiosVCpu::ends(const RiscvTrap& trap) {
 // Why the program cannot recover from this trap, or "".
 std::string NiosVCpu::hopeless(const RiscvTrap& trap) {
     if (!core_.has_set_mtvec()) return "; it has no handler: mtvec was never written";
-    const std::uint32_t handler = core_.csr(riscv_csr::MTVEC).value() & ~3u;
-    if (core_.pc() == handler) return ", at the first instruction of its own handler";
+    if (const std::uint32_t pc = core_.pc(); pc == handler_ || pc == core_.handler(trap)) {
+        const std::string no_code = runaway_.no_code_at(pc);
+        return no_code.empty() ? ", at the first instruction of its own handler"
+                               : fmt::format("; mtvec (0x{:08X}) leads to 0x{:08X}, {}",
+                                             core_.csr(riscv_csr::MTVEC).value(), pc, no_code);
+    }
+    if (const std::string data = runaway_.data_at(core_.pc()); !data.empty())
+        return fmt::format("; the program has gone into its data, {}", data);
     if (in_handler() && core_.pc() == nested_pc_) return ", for the second time within its handler";
     nested_pc_ = in_handler() ? core_.pc() : 1;
     std::array<std::uint32_t, 33> state{};
@@ -188,18 +202,24 @@ void NiosVCpu::trapped(const RiscvTrap& trap) {
     if (ends(trap)) return;
     counts_.aborts +=
         trap.cause == FETCH_FAULT || trap.cause == LOAD_FAULT || trap.cause == STORE_FAULT;
-    const std::string what = describe(trap) + " " + where();
+    const bool failed = trap.cause != ECALL && trap.cause != BREAKPOINT;
+    const std::string stack =
+        failed ? runaway_.stack_at_trap(trap.cause == STORE_FAULT ? std::optional{trap.value}
+                                                                  : std::nullopt)
+               : "";
+    const std::string what = describe(trap) + " " + where() + (stack.empty() ? "" : "; ") + stack;
     if (const std::string why = hopeless(trap); !why.empty()) {
         if (inspector_ && inspector_->on_failure(trap.cause)) return;
         abort_log_.failed(what);
         fail(what + why + callers());
         return;
     }
-    if (trap.cause != ECALL && trap.cause != BREAKPOINT) {
+    if (failed) {
         abort_log_.happened(trap.cause, core_.pc(), what);
         if (!in_handler()) open_ = Open{trap.cause, what, core_.returns(), now(), {}};
     }
     core_.enter(trap);
+    handler_ = core_.pc();
 }
 
 // On a jump to itself, which only an interrupt could end.
@@ -219,6 +239,11 @@ void NiosVCpu::check() {
         open_.reset();
     }
     if (ended_ || fault()) return;
+    if (const std::string stack = runaway_.check(); !stack.empty()) {
+        if (inspector_ && inspector_->on_failure(riscv_cause::STORE_FAULT)) return;
+        fail("the program ran out of stack " + where() + "; " + stack + callers());
+        return;
+    }
     if (!stands_still()) {
         over_since_.reset();
         if (open_) open_->spins_from.reset();

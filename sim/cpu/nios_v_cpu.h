@@ -13,11 +13,12 @@
 // program sets.
 //
 // A trap goes to mtvec.  Of an exception there is a line to `log` (abort_log.h).  The program has
-// failed, see fault(), if mtvec was never written; if it traps at its handler's first instruction,
-// twice at the same place of its handler, or a thousand times at the same instruction with the same
-// registers; if its handler loops on one instruction for 100 ms.  It has ended where it loops on
-// one instruction with all interrupts masked, and without a handler by EBREAK, which stops it for
-// a debugger, and by the environment call 93 (exit) of newlib.
+// failed, see fault(), if mtvec was never written, also by an interrupt; if it traps at its
+// handler's first instruction, twice at the same place of its handler, in the data of its ELF, or a
+// thousand times at the same instruction with the same registers; if its handler loops on one
+// instruction for 100 ms; and as NiosVRunaway says.  It has ended where it loops on one instruction
+// with all interrupts masked, and without a handler by EBREAK, which stops it for a debugger, and
+// by the environment call 93 (exit) of newlib.
 //
 // Not handled: what caches and SDRAM cost; the vendor's manual has no table of clocks for integer
 // instructions of Nios V/g, so that those are guesses: a multiplication 3, a division 35, a branch
@@ -34,6 +35,7 @@
 #include "sim/cpu/abort_log.h"
 #include "sim/cpu/answers.h"
 #include "sim/cpu/elf.h"
+#include "sim/cpu/nios_v_runaway.h"
 #include "sim/cpu/program_cpu.h"
 #include "sim/cpu/riscv/core.h"
 #include "sim/cpu/run_ahead_time.h"
@@ -133,6 +135,7 @@ private:
     Log log_;
     AbortLog abort_log_;
     RiscvCore core_;
+    NiosVRunaway runaway_;
     Time time_;
     Counts counts_;
     NiosVInspector* inspector_ = nullptr;
@@ -158,8 +161,8 @@ private:
         std::optional<sc_core::sc_time> spins_from;
     };
     std::optional<Open> open_;
-    std::uint32_t nested_pc_ = 1;
-    std::array<std::uint32_t, 33> repeated_{};  // registers and pc of the last exception
+    std::uint32_t nested_pc_ = 1, handler_ = 1;  // handler_: that was entered last
+    std::array<std::uint32_t, 33> repeated_{};   // registers and pc of the last exception
     unsigned repetitions_ = 0;
     std::uint32_t polled_ = 0;  // the register that was read last
     unsigned polls_ = 0;        // how often in succession

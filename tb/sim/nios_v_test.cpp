@@ -67,7 +67,9 @@ struct NiosVSystem : sc_core::sc_module {
 class NiosV : public testing::Test {
 protected:
     void run(const Words& words, const Words& handler = {}, double ms = 1) {
-        system = std::make_unique<NiosVSystem>("system", program_of(words, handler));
+        NiosVProgram program = program_of(words, handler);
+        program.elf.sections = sections;
+        system = std::make_unique<NiosVSystem>("system", std::move(program));
         sc_core::sc_start(sc_time{ms, sc_core::SC_MS});
     }
     NiosVCpu& cpu() { return system->cpu; }
@@ -81,6 +83,7 @@ protected:
         return joined({li(5, lines), {csrrw(0, MIE, 5), addi(5, 0, 8), csrrs(0, MSTATUS, 5)}});
     }
 
+    std::vector<ElfSection> sections;
     std::unique_ptr<NiosVSystem> system;
 };
 
@@ -125,6 +128,50 @@ TEST_F(NiosV, FailsWhereItsHandlerOfAnExceptionLoopsForEver) {
     run(with_handler({0xFFFFFFFF}), {jump(0)}, 150);
     EXPECT_THAT(fault(), HasSubstr("illegal instruction 0xFFFFFFFF"));
     EXPECT_THAT(fault(), HasSubstr("its handler loops for ever"));
+}
+
+TEST_F(NiosV, FailsByAnInterruptForWhichItHasNoHandler) {
+    run(joined({enabled(1 << 3), li(1, TIMER), {addi(2, 0, 1), sw(2, 1, 16), jump(0)}}));
+    EXPECT_THAT(fault(), HasSubstr("interrupt 3 came"));
+    EXPECT_THAT(fault(), HasSubstr("it has no handler: mtvec was never written"));
+}
+
+TEST_F(NiosV, FailsWhereMtvecLeadsToZeros) {
+    run(joined({li(5, 0x2000), {csrrw(0, MTVEC, 5), 0xFFFFFFFF}}));
+    EXPECT_THAT(fault(), HasSubstr("mtvec (0x00002000) leads to 0x00002000, where there are only "
+                                   "zeros"));
+}
+
+TEST_F(NiosV, FailsWhereTheVectorOfAnInterruptLeadsToZeros) {
+    const Words raise = joined({li(1, TIMER), {addi(2, 0, 1), sw(2, 1, 16), jump(0)}});
+    run(joined({li(5, 0x2001), {csrrw(0, MTVEC, 5)}, enabled(1 << 3), raise}));
+    EXPECT_THAT(fault(), HasSubstr("mtvec (0x00002001) leads to 0x0000200C, where there are only "
+                                   "zeros"));
+}
+
+TEST_F(NiosV, FailsWhereMtvecLeadsToData) {
+    sections = {{0x1000, 0x1000, ".data", true, false}};
+    run(with_handler({0xFFFFFFFF}), {0xFFFFFFFF});
+    EXPECT_THAT(fault(), HasSubstr("leads to 0x00001000, which is data (.data)"));
+}
+
+TEST_F(NiosV, FailsByATrapInItsData) {
+    sections = {{0x2000, 0x1000, ".data", true, false}};
+    run(with_handler(joined({li(1, 0x2000), {jalr(0, 1)}})), {jump(0)});
+    EXPECT_THAT(fault(), HasSubstr("; the program has gone into its data, .data"));
+}
+
+TEST_F(NiosV, SaysThatItsStackPointerWasNeverSet) {
+    run({addi(2, 2, -16), sw(1, 2, 12), jump(0)});
+    EXPECT_THAT(fault(), HasSubstr("store at 0xFFFFFFFC"));
+    EXPECT_THAT(fault(), HasSubstr("SP is 0xFFFFFFF0: it was never set"));
+}
+
+TEST_F(NiosV, FailsWhereItsStackGrowsIntoItsCode) {
+    sections = {{0x1000, 0xF000, ".text", false, true}};
+    run(joined({li(2, 0x20000), {addi(2, 2, -16), sw(0, 2, 0), jump(-8)}}), {NOP}, 20);
+    EXPECT_THAT(fault(), HasSubstr("the program ran out of stack"));
+    EXPECT_THAT(fault(), HasSubstr("the stack has grown into the program's code (SP 0x"));
 }
 
 TEST_F(NiosV, GoesOnAfterAnExceptionThatItsHandlerPasses) {
