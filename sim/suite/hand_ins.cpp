@@ -23,7 +23,7 @@ constexpr const char* BUILT_BY_DE1SIM = ".de1sim";  // it has a library that de1
 std::string path_in(const fs::path& folder, const fs::path& file) {
     return fs::absolute(file)
         .lexically_normal()
-        .lexically_relative(fs::absolute(folder).lexically_normal())
+        .lexically_relative(fs::absolute(folder.empty() ? "." : folder).lexically_normal())
         .string();
 }
 

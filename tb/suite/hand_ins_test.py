@@ -65,6 +65,13 @@ class HandIns(Folder):
     def points(self):
         return {name: int(row["points"]) for name, row in self.rows().items()}
 
+    def test_a_scenario_in_the_present_folder_is_a_test(self):
+        self.judge("program: prog.elf")
+        self.hand_in("ada", prog_c=LIGHT)
+        done = subprocess.run([DE1SIM, "test", "leds.yaml", "--hand-ins", "../hand-ins", "--build",
+                               BUILD], cwd=self.folder / "tests", capture_output=True, text=True)
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+
     def test_a_row_for_each_hand_in(self):
         self.judge("program: prog.elf\npoints: 3")
         self.scenario("tests/key", "press: {key: 0}", 'expect-leds: "0000000101"',
