@@ -118,6 +118,17 @@ def test_each_terminal_has_its_own_text(start_board, programs):
     assert len(board.console) == sum(map(len, board.terminals.values()))
 
 
+def test_a_program_for_nios_v_is_played_and_saved(start_board, programs, tmp_path, tool):
+    board = start_board(elf=programs / "nios_v_mistakes.elf")
+    board.run("3ms")
+    assert board.leds == 0
+    board.press(key=0, for_="1ms")
+    board.wait_leds(0x3FF)
+    board.save(tmp_path / "saved.yaml")
+    subprocess.run([tool, "run", tmp_path / "saved.yaml", "--elf", programs / "nios_v_mistakes.elf",
+                    "--out", tmp_path / "out"], check=True)
+
+
 def test_a_program_that_dies_is_a_fault(start_board, programs):
     board = start_board(elf=programs / "dies.elf")
     with pytest.raises(de1sim.Fault, match="PC 0x"):

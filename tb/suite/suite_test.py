@@ -1,6 +1,7 @@
 """suite_test.py DE1SIM FOLDER [CASE...] - de1sim test: which run, what is told, what stays"""
 import base64
 import json
+import pathlib
 import re
 import signal
 import subprocess
@@ -11,6 +12,7 @@ import jsonschema
 
 from folder import DE1SIM, HERE, Folder, black_png, run
 
+PROGRAMS = pathlib.Path(DE1SIM).resolve().parent.parent / "tb/programs"
 READY = "wait-serial: ready", "wait-frame: 3"
 
 
@@ -164,6 +166,16 @@ class Suite(Folder):
         self.assertIn("--cpu: arm needs a program", done.stderr)
         self.assertIn('"rate_hz": 48000',
                       (self.folder / "test-results/runs/s/native/report.json").read_text())
+
+    def test_a_program_for_nios_v_is_one_like_others(self):
+        for name in ("ok", "bad"):
+            self.scenario(f"s/{name}", "delay: 1ms",
+                          f'expect-leds: "{"0000011110" if name == "ok" else "1111111111"}"',
+                          head=f"program: {PROGRAMS}/nios_v_sums.elf")
+        self.suite("s", "--trace-failure", "1100us", code=1)
+        self.assertEqual(self.codes(), {"s/ok": 0, "s/bad": 1})
+        self.assertIn("square <- add_squares", (
+            self.folder / "test-results/runs/s/bad/failure/waves.calls.txt").read_text())
 
     def test_a_failure_is_traced(self):
         self.scenario("s/bad", "delay: 1ms", 'expect-leds: "1111111111"', head="")
