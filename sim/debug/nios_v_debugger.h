@@ -3,7 +3,7 @@
 // Stops by itself: an EBREAK (SIGTRAP), which is a trap where the debugger neither moves pc nor
 // puts another instruction there; a trap by which the program fails, as by one that it has no
 // handler for (SIGILL, SIGSEGV, SIGBUS, SIGSYS).  While there is a point, each instruction is
-// looked at, which takes two or three times as long.
+// looked at, which takes up to twice as long.
 //
 // Not handled: virtual registers (priv), triggers that the program sets itself.
 #pragma once

@@ -1,7 +1,7 @@
 // nios_v_profile.h - a profile of a program for Nios V, in runs of its instructions
 //
 // A run has no jump in it and is of one function.  Looks at each instruction, so that a program
-// takes two or three times as long.
+// takes up to twice as long.
 #pragma once
 
 #include "sim/cpu/riscv/core.h"
