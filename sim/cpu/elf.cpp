@@ -22,6 +22,7 @@ constexpr std::size_t EM_AT = 18;  // the machine's number, low byte first
 constexpr const char* BUILD =
     "build it with arm-none-eabi-gcc, for Linux with arm-linux-gnueabihf-gcc, or for Nios V with "
     "riscv64-unknown-elf-gcc -march=rv32im_zicsr -mabi=ilp32";
+constexpr const char* NIOS_V_BUILD = "build it with -march=rv32im_zicsr -mabi=ilp32";
 constexpr std::uint32_t COMPRESSED = 1;  // EF_RISCV_RVC
 
 std::string machine(unsigned number) {
@@ -121,9 +122,13 @@ private:
         const auto* ident = reinterpret_cast<const unsigned char*>(bytes_.data());
         if (bytes_.size() < EI_NIDENT || std::memcmp(ident, ELFMAG, SELFMAG) != 0)
             refuse("not an ELF file");
-        if (ident[EI_CLASS] == ELFCLASS64)
+        if (ident[EI_CLASS] == ELFCLASS64) {
+            const unsigned number = bytes_.size() > EM_AT ? ident[EM_AT] : EM_NONE;
+            if (number == EM_RISCV)
+                refuse("a 64-bit ELF file (RISC-V), expected 32 bits for Nios V: {}", NIOS_V_BUILD);
             refuse("a 64-bit ELF file ({}), expected 32 bits for the board's ARM: {}",
-                   machine(bytes_.size() > EM_AT ? ident[EM_AT] : EM_NONE), BUILD);
+                   machine(number), BUILD);
+        }
         if (ident[EI_DATA] == ELFDATA2MSB) refuse("a big-endian ELF file, expected little-endian");
         header_ = elf_ ? elf32_getehdr(elf_.get()) : nullptr;
         if (!header_) refuse("a damaged ELF file: {}", elf_errmsg(-1));
@@ -154,14 +159,14 @@ private:
                 "for Nios II, which is not simulated, expected ARM or Nios V: the same C source "
                 "can mostly be built for these: {}",
                 BUILD);
-        if (number == EM_RISCV && linking_ != Linking::STATIC)
-            refuse("for another machine (RISC-V), expected ARM: the board's Linux is the ARM's");
         if (number != EM_ARM && number != EM_RISCV)
             refuse("for another machine ({}), expected ARM: {}", machine(number), BUILD);
         if (number == EM_RISCV && (header_->e_flags & COMPRESSED))
+            refuse("has compressed instructions, which Nios V does not have: {}", NIOS_V_BUILD);
+        if (number == EM_RISCV && linking_ != Linking::STATIC)
             refuse(
-                "has compressed instructions, which Nios V does not have: build it with "
-                "-march=rv32im_zicsr -mabi=ilp32");
+                "for RISC-V, and dynamically linked or for Linux, which the ARM has, not Nios V: "
+                "link it with -static -no-pie");
     }
 
     bool is_movable() const { return header_->e_type == ET_DYN; }

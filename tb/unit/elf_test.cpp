@@ -167,18 +167,36 @@ TEST_F(ElfFile, ForRiscVIsLoaded) {
     EXPECT_NO_THROW(sim::load_elf(folder / "a.elf", memory));
 }
 
-TEST_F(ElfFile, WithCompressedInstructionsOfRiscVIsRefused) {
+TEST_F(ElfFile, ForRiscVIsRefusedWithTheSameReasonWhenItsMachineIsAskedFor) {
     constexpr std::uint32_t COMPRESSED = 1;  // EF_RISCV_RVC
-    EXPECT_THAT(refusal(with_header([](Elf32_Ehdr& h) {
-                    h.e_machine = EM_RISCV;
-                    h.e_flags = COMPRESSED;
-                })),
-                HasSubstr("has compressed instructions, which Nios V does not have"));
+    const auto refused = [&](unsigned type, std::uint32_t flags) -> std::string {
+        folder.put("a.elf", with_header([&](Elf32_Ehdr& h) {
+                       h.e_type = static_cast<Elf32_Half>(type);
+                       h.e_machine = EM_RISCV;
+                       h.e_flags = flags;
+                   }));
+        try {
+            sim::machine_of(folder / "a.elf");
+        } catch (const sim::ElfError& error) {
+            return error.what();
+        }
+        return "";
+    };
+    const char* const compressed = "has compressed instructions, which Nios V does not have";
+    EXPECT_THAT(refused(ET_EXEC, COMPRESSED), HasSubstr(compressed));
+    EXPECT_THROW(sim::load_elf(folder / "a.elf", memory), sim::ElfError);
+    EXPECT_THAT(refused(ET_DYN, COMPRESSED), HasSubstr(compressed));
+    EXPECT_THAT(refused(ET_DYN, 0), HasSubstr("link it with -static -no-pie"));
 }
 
 TEST_F(ElfFile, Of64BitsIsRefused) {
     EXPECT_THAT(refusal(with_header([](Elf32_Ehdr& h) { h.e_ident[EI_CLASS] = ELFCLASS64; })),
                 HasSubstr("64-bit"));
+    EXPECT_THAT(refusal(with_header([](Elf32_Ehdr& h) {
+                    h.e_ident[EI_CLASS] = ELFCLASS64;
+                    h.e_machine = EM_RISCV;
+                })),
+                HasSubstr("for Nios V: build it with -march=rv32im_zicsr"));
 }
 
 TEST_F(ElfFile, OfTheOtherByteOrderIsRefused) {
