@@ -5,7 +5,7 @@
 #include <cstring>
 #include <fstream>
 #include <iterator>
-#include <regex>
+#include <sstream>
 
 #include <fmt/format.h>
 
@@ -23,14 +23,22 @@ bool makes_project(const fs::path& script) {
     return text_of(script).find("project_new") != std::string::npos;
 }
 
-// Settings of the revision that a .qpf names first, which is the one that Quartus opens.
+// The revision that a .qpf names first, which is the one that Quartus opens; or none.
+std::string revision_of(const std::string& qpf) {
+    std::istringstream lines{qpf};
+    for (std::string line; std::getline(lines, line);) {
+        const std::size_t name = line.find_first_not_of(" \t"), open = line.find('"');
+        if (name == line.npos || line.compare(name, 16, "PROJECT_REVISION") != 0) continue;
+        const std::size_t close = open == line.npos ? open : line.find('"', open + 1);
+        if (close != line.npos) return line.substr(open + 1, close - open - 1);
+    }
+    return "";
+}
+
 fs::path settings_of_revision(const fs::path& qpf) {
-    static const std::regex REVISION{"(?:^|\n)[ \t]*PROJECT_REVISION[ \t]*=[ \t]*\"([^\"\n]+)\""};
-    const std::string text = text_of(qpf);
-    std::smatch named;
-    const std::string revision =
-        std::regex_search(text, named, REVISION) ? named.str(1) : qpf.stem().string();
-    const fs::path qsf = qpf.parent_path() / (revision + ".qsf");
+    const std::string named = revision_of(text_of(qpf));
+    const fs::path qsf =
+        qpf.parent_path() / ((named.empty() ? qpf.stem().string() : named) + ".qsf");
     std::error_code error;
     if (fs::is_regular_file(qsf, error)) return qsf;
     throw ProjectError{printable(fmt::format(

@@ -18,7 +18,8 @@ public:
         WithoutAssertions result{std::string{text_}};
         for (std::size_t i = 0; i < tokens_.size();) {
             const std::size_t begin = i;
-            const auto end = behind_declaration(i) ? behind_declaration(i) : behind_statement_at(i);
+            auto end = behind_declaration(i);
+            if (!end) end = behind_statement_at(i);
             if (!end) {
                 ++i;
                 continue;
