@@ -52,18 +52,15 @@ module cyclonev_hps_interface_hps2fpga (
         .cache(awcache), .prot(awprot),
         .awvalid(awvalid), .awready(awready),
         .wdata(wdata), .wstrb(wstrb), .wlast(wlast), .wvalid(wvalid), .wready(wready),
-        .bid(bid), .bvalid(bvalid),
+        .bid(bid), .bresp(bresp), .bvalid(bvalid),
         .arvalid(arvalid), .arready(arready),
-        .rid(rid), .rdata(rdata), .rlast(rlast), .rvalid(rvalid)
+        .rid(rid), .rdata(rdata), .rresp(rresp), .rlast(rlast), .rvalid(rvalid)
     );
 
     assign wid = awid;
     assign {arid, araddr, arlen, arsize} = {awid, awaddr, awlen, awsize};
     assign {arburst, arlock, arcache, arprot} = {awburst, awlock, awcache, awprot};
     assign {bready, rready} = 2'b11;
-    // verilator lint_off UNUSED
-    wire unused = &{1'b0, bresp, rresp};
-    // verilator lint_on UNUSED
 endmodule
 
 `default_nettype wire

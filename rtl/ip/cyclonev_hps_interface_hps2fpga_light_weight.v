@@ -55,9 +55,9 @@ module cyclonev_hps_interface_hps2fpga_light_weight (
         .cache(awcache), .prot(awprot),
         .awvalid(awvalid), .awready(awready),
         .wdata(wdata_wide), .wstrb(wstrb_wide), .wlast(wlast), .wvalid(wvalid), .wready(wready),
-        .bid(bid), .bvalid(bvalid),
+        .bid(bid), .bresp(bresp), .bvalid(bvalid),
         .arvalid(arvalid), .arready(arready),
-        .rid(rid), .rdata({96'd0, rdata}), .rlast(rlast), .rvalid(rvalid)
+        .rid(rid), .rdata({96'd0, rdata}), .rresp(rresp), .rlast(rlast), .rvalid(rvalid)
     );
 
     assign wdata = wdata_wide[31:0];
@@ -66,9 +66,6 @@ module cyclonev_hps_interface_hps2fpga_light_weight (
     assign {arid, araddr, arlen, arsize} = {awid, awaddr, awlen, awsize};
     assign {arburst, arlock, arcache, arprot} = {awburst, awlock, awcache, awprot};
     assign {bready, rready} = 2'b11;
-    // verilator lint_off UNUSED
-    wire unused = &{1'b0, bresp, rresp};
-    // verilator lint_on UNUSED
 endmodule
 
 `default_nettype wire

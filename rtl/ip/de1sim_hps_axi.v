@@ -4,12 +4,12 @@
 //
 // An answer counts if its ID is the burst's, if BVALID comes after the burst's last word was taken,
 // and if RLAST comes with the last word of a read and with no other.  Otherwise the processor waits
-// for ever, as on the board, and waits_o has what was seen.
+// for ever, as on the board, and waits_o has what was seen.  SLVERR or DECERR, of a read in any of
+// its words, is an abort.
 //
 // Source: AMBA AXI Protocol Specification (ARM IHI 0022D), AXI3.
 //
-// Not handled: bursts that overlap: each waits for the answer to the one before; errors by BRESP
-// and RRESP, which the processor would take as aborts.
+// Not handled: bursts that overlap: each waits for the answer to the one before.
 
 `default_nettype none
 
@@ -37,12 +37,14 @@ module de1sim_hps_axi #(
     output wire                    wvalid,
     input  wire                    wready,
     input  wire [11:0]             bid,
+    input  wire [1:0]              bresp,
     input  wire                    bvalid,
 
     output wire                    arvalid,
     input  wire                    arready,
     input  wire [11:0]             rid,
     input  wire [127:0]            rdata,
+    input  wire [1:0]              rresp,
     input  wire                    rlast,
     input  wire                    rvalid
 );
@@ -101,7 +103,7 @@ module de1sim_hps_axi #(
     );
 
 `ifdef DE1SIM_LISTS
-    wire unused = &{1'b0, rdata, begins, reset, lacks};
+    wire unused = &{1'b0, rdata, bresp, rresp, begins, reset, lacks};
 `else
     `include "de1sim_hps_bridge.vh"
 
@@ -135,10 +137,12 @@ module de1sim_hps_axi #(
             {wrong_q, seen_q} <= bid == id ? {EARLY_BVALID, 8'd0, beat_q} : {BID, bid};
         if (r_ours) begin
             de1sim_hps_answered({28'd0, beat_q}, rdata);
+            if (rresp[1]) de1sim_hps_refused({30'd0, rresp});
             if (rlast && !is_last) wrong_q <= EARLY_RLAST;
             if (!rlast && is_last) wrong_q <= NO_RLAST;
             if (!rlast && !is_last) beat_q <= beat_q + 4'd1;
         end else if (reads) {wrong_q, seen_q} <= {RID, rid};
+        if (b_ends && bresp[1]) de1sim_hps_refused({30'd0, bresp});
         if (b_ends || r_ends) open_q <= 1'b0;
         if (reset) {aw_q, w_q, ar_q, open_q} <= 4'b0000;
     end

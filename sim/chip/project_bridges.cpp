@@ -25,12 +25,13 @@ std::uint64_t next_event_ps() {
 using project::BridgeBurst;
 
 constexpr unsigned FIXED = 0, INCR = 1;  // AxBURST
+constexpr unsigned DECERR = 3;           // BRESP, RRESP
 
 // The burst with its beats: what is read, or written, of `data`, which is the transaction's.
 BridgeBurst with_beats(const AxiBurst& burst, bool full, bool write, unsigned width,
                        const std::uint8_t* data) {
     BridgeBurst made{
-        full, write, burst.address, burst.beats, 0, burst.fixed ? FIXED : INCR, 0, 0, 0, 0, {}};
+        full, write, burst.address, burst.beats, 0, burst.fixed ? FIXED : INCR, 0, 0, 0, 0, 0, {}};
     while (1u << made.size < burst.size) ++made.size;
     for (unsigned n = 0, done = 0; n < burst.beats; ++n) {
         const std::uint32_t at = burst.fixed ? burst.address : burst.address + done;
@@ -67,7 +68,7 @@ unsigned ProjectBridges::id_of(bool write, const AxiAttributes& how) {
 }
 
 // Not past SystemC's next event: where that comes first, SystemC goes on to it.
-bool ProjectBridges::play(const BridgeBurst& burst, sc_time& delay) {
+tlm::tlm_response_status ProjectBridges::play(const BridgeBurst& burst, sc_time& delay) {
     project::Model& model = fpga_.model();
     fpga_.run_to((sc_time_stamp() + delay).value());
     model.begin(burst);
@@ -76,14 +77,18 @@ bool ProjectBridges::play(const BridgeBurst& burst, sc_time& delay) {
         const std::uint64_t until_ps = std::min(end_ps, next_event_ps());
         if (model.run_to_answer(until_ps)) break;
         if (until_ps == end_ps || fpga_.end()) {
-            missing_ = model.waits_for();
-            return false;
+            const std::string missing = model.waits_for();
+            why_ = missing.empty() ? "" : "its bridge waits for " + missing;
+            return tlm::TLM_INCOMPLETE_RESPONSE;
         }
         wait(picoseconds(until_ps) - sc_time_stamp());
     }
     delay = std::max(picoseconds(model.time_ps()), sc_time_stamp()) - sc_time_stamp();
     fpga_.notify_processor();
-    return true;
+    const unsigned error = model.answer().error;
+    if (!error) return tlm::TLM_OK_RESPONSE;
+    why_ = std::string{burst.write ? "BRESP" : "RRESP"} + (error == DECERR ? " DECERR" : " SLVERR");
+    return tlm::TLM_GENERIC_ERROR_RESPONSE;
 }
 
 void ProjectBridges::lightweight_transport(tlm::tlm_generic_payload& tx, sc_time& delay) {
@@ -111,20 +116,20 @@ void ProjectBridges::transport(bool full, tlm::tlm_generic_payload& tx, sc_time&
     while (busy_ && !closed_) wait(free_);
     if (closed_) wait(never_);
     busy_ = true;
-    bool answered = true;
+    tlm::tlm_response_status status = tlm::TLM_OK_RESPONSE;
     for (const AxiBurst& part : axi_bursts(static_cast<std::uint32_t>(tx.get_address()),
                                            tx.get_data_length(), write, how, width)) {
         BridgeBurst burst = with_beats(part, full, write, width, tx.get_data_ptr());
         burst.id = id_of(write, how);
         burst.cache = how.cache;
         burst.prot = how.prot;
-        answered = play(burst, delay);
-        if (!answered) break;
+        status = play(burst, delay);
+        if (status != tlm::TLM_OK_RESPONSE) break;
         if (!write) take_answer(fpga_.model().answer(), tx.get_data_ptr() + part.first);
     }
     busy_ = false;
     free_.notify();
-    tx.set_response_status(answered ? tlm::TLM_OK_RESPONSE : tlm::TLM_INCOMPLETE_RESPONSE);
+    tx.set_response_status(status);
 }
 
 }  // namespace sim

@@ -10,7 +10,8 @@
 // writes to Device and Normal memory, 0 for Strongly-ordered ones; here each in turn.  Of the DMA
 // controller it is the channel.
 //
-// Where the design does not answer within 20 ms of simulated time the transaction is
+// An error that the design answers by BRESP or RRESP is TLM_GENERIC_ERROR, and ends the
+// transaction.  Where it does not answer within 20 ms of simulated time the transaction is
 // TLM_INCOMPLETE: the board's processor would hang for ever.
 //
 // Sources: Intel, "How do I decode the AXI ID fields from the HPS-FPGA bridges"; Cyclone V HPS TRM,
@@ -43,20 +44,21 @@ public:
     // Lets the access under way end, and begins no other: the next initiator waits for ever.
     void close() { closed_ = true; }
     bool is_busy() const { return busy_; }
-    // The signal that an access has waited for, if one was not answered and it is known.
-    const std::string& missing() const { return missing_; }
+    // Of the last access that failed: "its bridge waits for rvalid", "RRESP SLVERR"; empty: not
+    // known.
+    const std::string& why() const { return why_; }
 
 private:
     void lightweight_transport(tlm::tlm_generic_payload& tx, sc_core::sc_time& delay);
     void full_transport(tlm::tlm_generic_payload& tx, sc_core::sc_time& delay);
     void transport(bool full, tlm::tlm_generic_payload& tx, sc_core::sc_time& delay);
     unsigned id_of(bool write, const AxiAttributes& how);
-    bool play(const project::BridgeBurst& burst, sc_core::sc_time& delay);
+    tlm::tlm_response_status play(const project::BridgeBurst& burst, sc_core::sc_time& delay);
 
     ProjectChip& fpga_;
     bool busy_ = false, closed_ = false;
     unsigned reads_ = 0, writes_ = 0;  // of the processor's, by which IDs come in turn
-    std::string missing_;
+    std::string why_;
     sc_core::sc_event never_, free_;
 };
 

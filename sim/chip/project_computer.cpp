@@ -43,9 +43,10 @@ ProjectComputer::ProjectComputer(const sc_core::sc_module_name& name, PinListene
     bus.describe("lw", "the lightweight bridge", places_of(LW_BASE, LW_SIZE));
     cpu.explain_by(
         [this](std::uint32_t address, unsigned bytes, bool write, tlm::tlm_response_status answer) {
-            const std::string why = bus.refusal(address, bytes, write, answer);
-            const bool hangs = answer == tlm::TLM_INCOMPLETE_RESPONSE && !bridges.missing().empty();
-            return hangs ? why + ": its bridge waits for " + bridges.missing() : why;
+            const std::string what = bus.refusal(address, bytes, write, answer);
+            const bool known =
+                answer == tlm::TLM_INCOMPLETE_RESPONSE || answer == tlm::TLM_GENERIC_ERROR_RESPONSE;
+            return known && !bridges.why().empty() ? what + ": " + bridges.why() : what;
         });
     for (const char* bridge : {"h2f", "lw"})
         bus.on_answered(bridge, [this](std::uint32_t address, unsigned, bool write) {

@@ -3,23 +3,26 @@ from case import run
 from systems import SystemCase
 
 # Prints a line for each burst: R or W, bus, ID, address, len, size, burst, lock, cache, prot; and
-# of a write, the strobes of each word.  It is a memory, whose IDs are wrong by WRONG.
+# of a write, the strobes of each word.  It is a memory, whose IDs are wrong by WRONG; it answers
+# with SLVERR where bit 14 of the address is 1, with DECERR where bit 13 is, too.
 RECORDER = """module recorder #(parameter BYTES = 4, BITS = 21, WRONG = 0, LAST = 0) (
     input clk,
     input [11:0] awid, input [BITS-1:0] awaddr, input [3:0] awlen, input [2:0] awsize,
     input [1:0] awburst, awlock, input [3:0] awcache, input [2:0] awprot, input awvalid,
     output awready,
     input [11:0] wid, input [8*BYTES-1:0] wdata, input [BYTES-1:0] wstrb, input wlast, wvalid,
-    output wready, output [11:0] bid, output bvalid,
+    output wready, output [11:0] bid, output [1:0] bresp, output bvalid,
     input [11:0] arid, input [BITS-1:0] araddr, input [3:0] arlen, input [2:0] arsize,
     input [1:0] arburst, arlock, input [3:0] arcache, input [2:0] arprot, input arvalid,
     output arready,
-    output [11:0] rid, output reg [8*BYTES-1:0] rdata, output rlast, rvalid);
+    output [11:0] rid, output reg [8*BYTES-1:0] rdata, output [1:0] rresp,
+    output rlast, rvalid);
 reg [7:0] bytes [0:4095];
 reg [11:0] id = 0, at = 0;
 reg [4:0] left = 0;
 reg [2:0] size = 0;
 reg fixed = 0, writes = 0, answers = 0;
+reg [1:0] error = 0;
 integer n;
 function [11:0] next(input [11:0] at, input [2:0] size, input fixed);
     next = fixed ? at : (at >> size << size) + (12'd1 << size);
@@ -28,12 +31,15 @@ initial for (n = 0; n < 4096; n = n + 1) bytes[n] = 0;
 assign {awready, arready} = {2{left == 0 && !answers}};
 assign wready = writes && left != 0;
 assign {bid, rid} = {2{id ^ WRONG[11:0]}};
+assign {bresp, rresp} = {2{error}};
 assign bvalid = answers;
 assign rvalid = !writes && left != 0;
 assign rlast = LAST || left == 1;
 always @* for (n = 0; n < BYTES; n = n + 1) rdata[8*n +: 8] = bytes[at / BYTES * BYTES + n];
 always @(posedge clk) begin
     answers <= wready && wvalid && left == 1;
+    if (awvalid && awready) error <= awaddr[14] ? {1'b1, awaddr[13]} : 2'd0;
+    if (arvalid && arready) error <= araddr[14] ? {1'b1, araddr[13]} : 2'd0;
     if (awvalid && awready) begin
         $write("W%0d %h %h %0d %0d %0d %0d %b %b :", 8 * BYTES, awid, awaddr, awlen, awsize,
                awburst, awlock, awcache, awprot);
@@ -66,13 +72,15 @@ SINGLE = """module recorder #(parameter BYTES = 4, BITS = 21, WRONG = 0, LAST = 
     input [1:0] awburst, awlock, input [3:0] awcache, input [2:0] awprot, input awvalid,
     output awready,
     input [11:0] wid, input [8*BYTES-1:0] wdata, input [BYTES-1:0] wstrb, input wlast, wvalid,
-    output wready, output reg [11:0] bid, output reg bvalid,
+    output wready, output reg [11:0] bid, output [1:0] bresp, output reg bvalid,
     input [11:0] arid, input [BITS-1:0] araddr, input [3:0] arlen, input [2:0] arsize,
     input [1:0] arburst, arlock, input [3:0] arcache, input [2:0] arprot, input arvalid,
     output arready,
-    output reg [11:0] rid, output [8*BYTES-1:0] rdata, output rlast, output reg rvalid);
+    output reg [11:0] rid, output [8*BYTES-1:0] rdata, output [1:0] rresp, output rlast,
+    output reg rvalid);
 initial {bvalid, rvalid} = 0;
 assign awready = awvalid && wvalid, wready = awready || LAST, arready = 1, rdata = 5;
+assign {bresp, rresp} = 0;
 assign rlast = LAST;
 always @(posedge clk) begin
     {bvalid, bid} <= {awready, awid};
@@ -81,8 +89,8 @@ end
 endmodule
 """
 PORTS = ("awid awaddr awlen awsize awburst awlock awcache awprot awvalid awready wid wdata wstrb "
-         "wlast wvalid wready bid bvalid arid araddr arlen arsize arburst arlock arcache arprot "
-         "arvalid arready rid rdata rlast rvalid").split()
+         "wlast wvalid wready bid bresp bvalid arid araddr arlen arsize arburst arlock arcache "
+         "arprot arvalid arready rid rdata rresp rlast rvalid").split()
 # Sections of 1 MB: Strongly-ordered at 0xC00, Normal without caches at 0xC01, Device at 0xC02.
 HEAD = """static uint32_t table[4096] __attribute__((aligned(0x4000)));
 static void map(void) {
@@ -103,12 +111,10 @@ class Bursts(SystemCase):
         text = "module top(input CLOCK_50, output [9:0] LEDR);\nassign LEDR = 0;\n"
         for name, primitive, bits, size in (
                 ("lw", "hps2fpga_light_weight", 21, 32), ("full", "hps2fpga", 30, width)):
-            widths = {"id": 12, "addr": bits, "len": 4, "size": 3, "burst": 2, "lock": 2,
-                      "cache": 4, "prot": 3}
+            widths = {"addr": bits, "len": 4, "size": 3, "burst": 2, "lock": 2, "cache": 4,
+                      "prot": 3, "id": 12, "data": size, "strb": size // 8, "resp": 2}
             for port in PORTS:
-                wide = {"wdata": size, "rdata": size, "wstrb": size // 8}.get(
-                    port, widths.get(port.lstrip("wabr") if port in ("wid", "bid", "rid")
-                                     else port[2:], 1))
+                wide = widths.get(port[2 if port[0] == "a" else 1:], 1)
                 text += f"wire [{wide - 1}:0] {name}_{port};\n"
             connected = ", ".join(f".{port}({name}_{port})" for port in PORTS)
             config = ", .port_size_config(2'd%d)" % {32: 0, 64: 1, 128: 2}[size]
@@ -237,6 +243,14 @@ R32(0xFFE01D08) = 0xA0 << 16 | 5 << 24; R32(0xFFE01D0C) = (uint32_t)code; R32(0x
                  "rvalid with ID 0x01A: the design answers with ID 0x7E2")):
             done = self.bursts(access, code=1)
             self.assertIn("the design did not answer: its bridge waits for " + what, done.stderr)
+
+    def test_an_error_is_an_abort(self):
+        self.recorders()
+        for access, what in (("R32(0xC0004000) = 1;", "BRESP SLVERR"),
+                             ("(void)R32(0xFF206000);", "RRESP DECERR"),
+                             ('AT(0xC0106000, "ldm r0, {r1-r4}")', "RRESP DECERR")):
+            done = self.bursts(access, code=1)
+            self.assertIn(f"the design answered with an error: {what}", done.stderr)
 
     def test_a_slave_of_single_words_hangs_at_a_burst(self):
         for last, access, what in (

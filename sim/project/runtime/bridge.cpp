@@ -76,6 +76,10 @@ extern "C" long long de1sim_hps_burst() {
     return static_cast<long long>(std::uint64_t{high} << 32 | b.address);
 }
 
+extern "C" void de1sim_hps_refused(int response) {
+    bridge_burst.error = static_cast<unsigned>(response);
+}
+
 extern "C" int de1sim_hps_beat(int number, int* address, svBitVecVal* data) {
     const auto& beat = bridge_burst.beat[static_cast<unsigned>(number) % bridge_burst.BEATS];
     *address = static_cast<int>(beat.address);
