@@ -37,7 +37,17 @@ void PlatformComponents::find_names() {
     static const std::regex NAME{R"(set_module_property\s+NAME\s+["{]?([A-Za-z0-9_]+))"};
     constexpr std::string_view ENDING = "_hw.tcl";
     by_name_.emplace();
-    for (const fs::path& file : files_.finder().files()) {
+    std::vector<fs::path> candidates = files_.finder().files();
+    // A component that another folder has is found on its author's machine by an option of Platform
+    // Designer's; its Verilog is often among the project's files.
+    std::set<fs::path> folders;
+    for (std::size_t n = 0; n < files_.size(); ++n)
+        folders.insert(files_.source(n).file.path.parent_path());
+    std::error_code error;
+    for (const fs::path& folder : folders)
+        for (const auto& entry : fs::directory_iterator{folder, error})
+            candidates.push_back(entry.path());
+    for (const fs::path& file : candidates) {
         const std::string name = lower(file.filename().string());
         if (name.size() < ENDING.size() || name.substr(name.size() - ENDING.size()) != ENDING)
             continue;

@@ -51,7 +51,8 @@ qsys::Generated processor_of_primitives(const ModuleFiles& files, const std::str
     }
     for (const std::uint32_t window : {H2F_BASE, LW_BASE})
         system.bridges.push_back({window, decoded(system.map, window), "", ""});
-    system.notes.push_back("the .qsys of this system is not there, its Verilog is taken as it is");
+    system.notes.push_back(
+        "the Verilog that Platform Designer has made of this system is taken as it is");
     return system;
 }
 

@@ -183,10 +183,21 @@ private:
                 return found.empty() || components_.hw_tcl(kind) ? std::nullopt
                                                                  : std::optional{found.front()};
             });
-        qsys::Generated made = qsys::generate(
-            system, [&](const qsys::Instance& instance, const qsys::Parameters& parameters) {
-                return components_.describe(system, instance, parameters);
-            });
+        qsys::Generated made;
+        try {
+            made = qsys::generate(
+                system, [&](const qsys::Instance& instance, const qsys::Parameters& parameters) {
+                    return components_.describe(system, instance, parameters);
+                });
+        } catch (const qsys::UnknownKind& error) {
+            const auto qip = qip_of_system(file, files_.finder());
+            if (!qip) throw;
+            note(fmt::format("{}; what Platform Designer has made of it is taken, {}", error.what(),
+                             files_.place(*qip)));
+            as_made_.insert(lower(file.stem().string()));
+            for (const Assignment& inner : settings_of(*qip)) apply(inner);
+            return;
+        }
         files_.add({file, Language::VERILOG, true, {}, made.text});
         for (const fs::path& source : made.sources) {
             std::error_code error;
@@ -213,7 +224,9 @@ private:
     void add_source(const Assignment& a) {
         const auto file = resolve(a);
         if (!file) return;
-        if (is_made_of_processor_system(*file, files_.finder())) return;
+        if (!as_made_.count(lower(file->stem().string())) &&
+            is_made_of_processor_system(*file, files_.finder()))
+            return;
         const auto by_ending = language_of(*file);
         Language language = by_ending.value_or(Language::VERILOG);
         if (language == Language::VERILOG && is_system_verilog_)
@@ -399,8 +412,9 @@ private:
     std::string place_of_top_;                                  // where the settings name it
     std::vector<fs::path> listed_systems_;                      // taken after the other files
     std::set<fs::path> systems_;                                // that have been taken
-    bool is_folder_alone_ = false;                              // no files are listed
-    bool is_system_verilog_ = false;                            // .v files, too
+    std::set<std::string> as_made_;   // names of those that Platform Designer has made
+    bool is_folder_alone_ = false;    // no files are listed
+    bool is_system_verilog_ = false;  // .v files, too
 };
 
 }  // namespace

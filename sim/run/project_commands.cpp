@@ -139,8 +139,8 @@ int print_systems(const ProjectOptions& options, CheckPrints prints) {
         if (prints != CheckPrints::MAP && system.has_processor && system.devices.empty() &&
             system.text.empty())
             throw project::ProjectError{
-                fmt::format("{}: of its Platform Designer system the .qsys is not there, which "
-                            "tells the kinds of its components",
+                fmt::format("{}: of its Platform Designer system that is taken which was made of "
+                            "the .qsys, which does not tell the kinds of its components",
                             options.place.string())};
     for (const auto& system : project.systems)
         text += prints == CheckPrints::MAP ? addresses(system)

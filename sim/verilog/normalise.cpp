@@ -81,8 +81,10 @@ public:
             if (tokens_.all[i].kind != Kind::NAME) continue;
             if (open_inputs.count(tokens_.all[i].text) && !is_instance_name(i))
                 connect(i, open_inputs);
-            if (const auto of = modules.find(tokens_.all[i].text); of != modules.end())
+            if (const auto of = modules.find(tokens_.all[i].text); of != modules.end()) {
                 open_constants(i, of->second);
+                leave_out_absent(i, of->second);
+            }
         }
     }
 
@@ -220,6 +222,27 @@ private:
             edits_.left_out.insert(c.first);
             edits_.notes[c.first] =
                 fmt::format("left output {} open, which is connected with {}", c.port, value.text);
+        }
+    }
+    // `.port()`, of a port that the module has not: published projects that run on boards have it.
+    void leave_out_absent(std::size_t i, const ModuleText& module) {
+        const auto& all = tokens_.all;
+        const std::size_t end = find_outside(all, i, {";"});
+        if (end >= all.size() || module.ports.empty()) return;
+        for (std::size_t at = i + 1; at + 4 < end; ++at) {
+            if (!all[at].is(".") || !all[at + 2].is("(") || !all[at + 3].is(")")) continue;
+            const std::string port{all[at + 1].text};
+            if (std::find(module.ports.begin(), module.ports.end(), port) != module.ports.end())
+                continue;
+            for (std::size_t n = at; n < at + 4; ++n) edits_.left_out.insert(n);
+            std::size_t comma = at + 4;
+            if (!all[comma].is(","))
+                for (comma = at - 1; edits_.left_out.count(comma);) --comma;
+            if (all[comma].is(",")) edits_.left_out.insert(comma);
+            edits_.notes[at] = fmt::format(
+                "left out port {}, which is not connected, and which {} "
+                "has not",
+                port, all[i].text);
         }
     }
     void connect(std::size_t i, const OpenInputs& open_inputs) {

@@ -1,6 +1,6 @@
 """committed_test.py DE1SIM FOLDER [CASE...] - the generated Verilog of a system, without a .qsys"""
 from case import run
-from systems import SystemCase
+from systems import SystemCase, qsys
 
 # A memory behind AXI3 that takes address and data in the order that `DATA_FIRST` says, each after
 # two clocks, and shows wrong strobes in `bad`.  Bytes 16 and 17 are lamps, byte 18 an interrupt.
@@ -169,15 +169,26 @@ R16(0xFF200010) = none | full >> 7 | R32(0xFFFED200 + 72 / 32 * 4) >> 6;""")
     def test_the_note_and_the_map(self):
         self.committed()
         done = self.de1sim("check", "top.qsf")
-        self.assertIn("sys/synthesis/submodules/sys_hps_0_fpga_interfaces.sv: the .qsys of this "
-                      "system is not there, its Verilog is taken as it is\n", done.stdout)
+        self.assertIn("sys/synthesis/submodules/sys_hps_0_fpga_interfaces.sv: the Verilog that "
+                      "Platform Designer has made of this system is taken as it is\n", done.stdout)
         self.assertNotIn("addresses of", done.stdout)
         (self.folder / "sys.sopcinfo").write_text(SOPCINFO)
         self.assertEqual("addresses of hps_0.h2f_lw_axi_master:\n"
                          "  0xFF200000 - 0xFF20001F  memory.s1\n",
                          self.de1sim("check", "--map", "top.qsf").stdout)
-        self.refused("of its Platform Designer system the .qsys is not there, which tells the "
-                     "kinds of its components", "check", "--header", "top.qsf")
+        self.refused("of its Platform Designer system that is taken which was made of the .qsys, "
+                     "which does not tell the kinds of its components", "check", "--header",
+                     "top.qsf")
+
+    def test_it_is_taken_for_a_qsys_with_an_unknown_component(self):
+        self.committed(sys_qsys=qsys([("clk_0", "clock_source", {}), ("hps_0", "altera_hps", {}),
+                                      ("part", "made_elsewhere", {})], []))
+        self.program(self.ACCESSES.format(0xFF200000))
+        self.assertIn("sys.qsys: part is of the kind made_elsewhere, which is not known here, and "
+                      "the project has no made_elsewhere_hw.tcl, made_elsewhere.qsys or module "
+                      "made_elsewhere; what Platform Designer has made of it is taken, "
+                      "sys/synthesis/sys.qip\n", self.de1sim("check", "top.qsf").stdout)
+        self.shows(self.SHOWN)
 
     def test_an_access_of_nobody(self):
         self.committed()

@@ -102,6 +102,15 @@ class Components(SystemCase):
         (self.folder / "some_hw.tcl").write_text(HW_TCL)
         self.shows(0x81234566 >> 22)
 
+    def test_a_hw_tcl_beside_a_file_of_the_project_elsewhere(self):
+        self.adder()
+        cores = self.folder.parent / "cores"
+        cores.mkdir(exist_ok=True)
+        (self.folder / "adder.v").replace(cores / "adder.v")
+        (cores / "some_hw.tcl").write_text(HW_TCL)
+        self.list_verilog("../cores/adder")
+        self.shows(0x81234566 >> 22)
+
     def test_the_name_of_the_module_that_the_component_editor_leaves(self):
         self.adder(verilog="other")
         (self.folder / "adder_hw.tcl").write_text(
@@ -124,19 +133,21 @@ class Components(SystemCase):
             and "_property reset" not in line and "associatedReset" not in line))
         self.shows(0x81234566 >> 22)
 
-    def test_pins_that_the_processor_lends_read_0(self):
-        self.system(exports=[("loan", "hps_0.h2f_loan_io")],
-                    top=", .loan_in(lent), .loan_out(67'd1), .loan_oe(67'd1)")
+    def test_pins_that_the_processor_lends_and_answers_to_dma_requests_read_0(self):
+        self.system(exports=[("loan", "hps_0.h2f_loan_io"), ("dma", "hps_0.f2h_dma_req1")],
+                    top=", .loan_in(lent), .loan_out(67'd1), .loan_oe(67'd1), .dma_dma_req(1'b1), "
+                        ".dma_dma_single(1'b0), .dma_dma_ack(ack)")
         for file, old, new in [
                 ("sys.qsys", '  <parameter name="S2F_Width"',
                  '  <parameter name="LOANIO_Enable" value="No,Yes,No" />\n'
+                 '  <parameter name="DMA_Enable">No,Yes,No,No,No,No,No,No</parameter>\n'
                  '  <parameter name="S2F_Width"'),
-                ("top.v", "sys system", "wire [66:0] lent; assign LEDR = {9'h155, lent != 67'd0};\n"
-                                        "sys system")]:
+                ("top.v", "sys system", "wire [66:0] lent; wire ack;\n"
+                                        "assign LEDR = {8'h55, ack, lent != 67'd0};\nsys system")]:
             path = self.folder / file
             path.write_text(path.read_text().replace(old, new))
         self.program("")
-        self.shows(0x2AA)
+        self.shows(0x154)
 
     def test_vhdl_with_generics(self):
         self.adder()

@@ -9,10 +9,13 @@ class AsQuartusTakesIt(Case):
                          "wire do = SW[0]; reg [3:0] q;\n"
                          "sub (.a(do), .b(LEDR[0]),);\n"
                          "always @* begin q = 4'b010101; q[1] = SW[1]; end\n"
-                         "assign LEDR[4:1] = q; assign LEDR[9:5] = 0;\nendmodule\n")
+                         "sub s(.more(), .a(SW[9]), .none(), .b(LEDR[5]), .c());\n"
+                         "assign LEDR[4:1] = q; assign LEDR[9:6] = 0;\nendmodule\n")
         self.leds(0b1011, 1)
+        self.leds(0b101010, 1 << 9)
         self.checked("top.v:4: dropped the comma", 'top.v:3: "do" is read as a name',
-                     "top.v:4: named the instance of sub", "top.v:5: 4'b010101 has too many digits")
+                     "top.v:4: named the instance of sub", "top.v:5: 4'b010101 has too many digits",
+                     "top.v:6: left out port c, which")
 
     def test_what_is_for_simulators_in_an_included_file(self):
         self.write(top_v="`include \"rtl/facts.vh\"\n"

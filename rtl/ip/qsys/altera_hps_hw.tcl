@@ -8,7 +8,7 @@ foreach {name value} {
     F2SCLK_WARMRST_Enable false STM_Enable false GP_Enable false
     S2FCLK_USER0CLK_Enable false S2FCLK_USER1CLK_Enable false S2FCLK_USER2CLK_Enable false
     MEM_ROW_ADDR_WIDTH 15 MEM_DQ_WIDTH 32 MEM_BANKADDR_WIDTH 3
-    GPIO_Enable "" LOANIO_Enable ""
+    GPIO_Enable "" LOANIO_Enable "" DMA_Enable ""
     S2FCLK_USER0CLK_FREQ 100 S2FCLK_USER1CLK_FREQ 100 S2FCLK_USER2CLK_FREQ 100
 } { add_parameter $name STRING $value }
 foreach n {0 1 2} {  # of the primitive
@@ -84,6 +84,20 @@ proc loan_io {} {
     add_interface h2f_loan_io conduit end
     foreach {role direction} {in Output out Input oe Input} {
         add_interface_port h2f_loan_io h2f_loan_io_$role $role $direction 67
+    }
+}
+
+# Requests to its DMA controller, which answers none, as the primitive does.
+proc dma_requests {} {
+    set n 0
+    foreach used [split [value DMA_Enable] ,] {
+        set name f2h_dma_req$n
+        incr n
+        if {$used ne "Yes"} continue
+        add_interface $name conduit end
+        foreach {role direction} {req Input single Input ack Output} {
+            add_interface_port $name ${name}_$role dma_$role $direction 1
+        }
     }
 }
 
@@ -191,6 +205,7 @@ proc elaborate {} {
     memory
     hps_io
     loan_io
+    dma_requests
     reset h2f_reset Output
     foreach {parameter name} {F2SCLK_COLDRST_Enable f2h_cold_reset_req
                               F2SCLK_DBGRST_Enable f2h_debug_reset_req

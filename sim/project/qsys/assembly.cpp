@@ -100,10 +100,10 @@ void Assembly::read_component_of(const Instance& instance, const Describe& descr
                         instance.name, instance.kind));
     }
     if (!component)
-        fail(
-            fmt::format("{0} is of the kind {1}, which is not known here, and the project has no "
-                        "{1}_hw.tcl, {1}.qsys or module {1}",
-                        instance.name, instance.kind));
+        throw UnknownKind{printable(
+            fmt::format("{0}: {1} is of the kind {2}, which is not known here, and the project has "
+                        "no {2}_hw.tcl, {2}.qsys or module {2}",
+                        system_.file.filename().string(), instance.name, instance.kind))};
     for (const ComponentFile& source : component->files) {
         const fs::path path = (component->file.parent_path() / source.path).lexically_normal();
         if (language_of(path) &&

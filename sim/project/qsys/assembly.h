@@ -11,6 +11,7 @@
 
 #include "sim/project/qsys/component.h"
 #include "sim/project/qsys/system.h"
+#include "sim/verilog/project_error.h"
 
 namespace sim::project::qsys {
 
@@ -18,6 +19,12 @@ namespace sim::project::qsys {
 using Describe = std::function<std::optional<Component>(const Instance&, const Parameters&)>;
 
 // An interface of an instance.
+// A component is of a kind that nothing describes.
+class UnknownKind : public ProjectError {
+public:
+    using ProjectError::ProjectError;
+};
+
 struct End {
     const Instance* instance;
     const Component* component;
