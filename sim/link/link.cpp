@@ -255,10 +255,14 @@ private:
                                      ".section .note.GNU-stack,\"\",%progbits\n",
                                      MODULES_SECTION, name, modules.string()));
         objects.push_back(compiled("gcc", {"-c"}, folder_.path() / "modules.S"));
-        std::vector<std::string> command{PREFIX + std::string{is_cpp_ ? "g++" : "gcc"}, "-static"};
+        std::vector<std::string> command{PREFIX + std::string{is_cpp_ ? "g++" : "gcc"}};
         command.insert(command.end(), objects.begin(), objects.end());
         command.insert(command.end(), options_.arguments.begin(), options_.arguments.end());
-        command.insert(command.end(), {"-o", out.string()});
+        command.insert(command.end(), {"-o", out.string(), "-static"});
+        // Debian's libusb, for one, cannot be linked statically.
+        const Outcome outcome = run(command);
+        if (outcome.code == 0) return tell(outcome);
+        command.back() = "-pthread";
         return compiles(command);
     }
 
@@ -329,7 +333,9 @@ private:
                 command.push_back(word);
     }
 
-    bool compiles(const std::vector<std::string>& command) {
+    bool compiles(const std::vector<std::string>& command) { return tell(run(command)); }
+
+    Outcome run(const std::vector<std::string>& command) const {
         std::vector<std::string> in_english{"env", "LC_ALL=C"};
         in_english.insert(in_english.end(), command.begin(), command.end());
         const Outcome outcome = run_command(in_english, fs::current_path(), LIMIT_S);
@@ -339,6 +345,11 @@ private:
                                "of Debian)"};
         if (outcome.code == TIMED_OUT)
             throw ProjectError{fmt::format("{} has not ended in {} s", command[0], LIMIT_S)};
+        return outcome;
+    }
+
+    // Prints what it has said; whether it has succeeded.
+    bool tell(const Outcome& outcome) {
         name_missing_functions(outcome.output);
         std::size_t at = 0;
         while (at < outcome.output.size()) {

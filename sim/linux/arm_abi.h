@@ -13,7 +13,7 @@ namespace arm_open {
 constexpr std::uint32_t ACCESS = 3, RDONLY = 0, WRONLY = 1, RDWR = 2, CREAT = 0100, EXCL = 0200,
                         TRUNC = 01000, APPEND = 02000, NONBLOCK = 04000, ASYNC = 020000,
                         DIRECT = 0200000, DIRECTORY = 040000, NOFOLLOW = 0100000,
-                        CLOEXEC = 02000000;
+                        CLOEXEC = 02000000, PATH = 010000000;
 }
 
 namespace arm_mmap {

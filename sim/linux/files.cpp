@@ -63,11 +63,13 @@ int host_flags(std::uint32_t flags) {
 
 }  // namespace
 
-LinuxFiles::LinuxFiles(const std::filesystem::path& root, const std::filesystem::path& libraries,
+LinuxFiles::LinuxFiles(const std::filesystem::path& root,
+                       const std::vector<std::filesystem::path>& libraries,
                        const std::filesystem::path& input, Console console, System system)
     : console_{std::move(console)}, system_{std::move(system)} {
-    const int folder = ::open(libraries.c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC);
-    if (folder >= 0) libraries_ = std::make_shared<Handle>(folder);
+    for (const std::filesystem::path& path : libraries)
+        if (const int folder = ::open(path.c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC); folder >= 0)
+            libraries_.push_back(std::make_shared<Handle>(folder));
     if (!root.empty()) {
         root_ = std::make_shared<Handle>(::open(root.c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC));
         if (root_->fd() < 0)
@@ -150,16 +152,22 @@ int LinuxFiles::place_of(const std::string& path, Place& place, Last last) const
 }
 
 int LinuxFiles::place_to_read(const std::string& path, Place& place, Last last) const {
+    const auto is_there = [](const Place& at) {
+        return ::faccessat(at.folder->fd(), at.name.c_str(), F_OK, AT_SYMLINK_NOFOLLOW) == 0;
+    };
     const int error = place_of(path, place, last);
-    const bool is_there = !error && ::faccessat(place.folder->fd(), place.name.c_str(), F_OK,
-                                                AT_SYMLINK_NOFOLLOW) == 0;
     const auto name = library(path);
-    if (is_there || !name || !libraries_ || (error && error != -ENOENT)) return error;
-    Place among_libraries;
-    if (walk({libraries_, ".", "/lib"}, *name, among_libraries, last) != 0) return error;
-    place = among_libraries;
-    place.is_outside = true;
-    return 0;
+    if ((!error && is_there(place)) || !name || (error && error != -ENOENT)) return error;
+    for (const auto& libraries : libraries_) {
+        Place among_libraries;
+        if (walk({libraries, ".", "/lib"}, *name, among_libraries, last) != 0 ||
+            !is_there(among_libraries))
+            continue;
+        place = among_libraries;
+        place.is_outside = true;
+        return 0;
+    }
+    return error;
 }
 
 int LinuxFiles::open(const std::string& path, std::uint32_t flags, std::uint32_t mode) {
@@ -395,7 +403,9 @@ std::pair<int, std::string> LinuxFiles::on_host(int fd) const {
 
 std::string LinuxFiles::path_of(int fd) const {
     const File* const file = find(fd);
-    return file ? file->path : "";
+    if (!file) return "";
+    // The kernel's own folders know their place, without the links on the way.
+    return file->device && file->device->entries() ? file->device->name() : file->path;
 }
 
 bool LinuxFiles::is_memory(int fd) const {

@@ -56,7 +56,8 @@ public:
     };
     // `root` and `input`, which is standard input instead of the console, may be empty;
     // `libraries` may not exist.  std::runtime_error if the root or the input cannot be opened.
-    LinuxFiles(const std::filesystem::path& root, const std::filesystem::path& libraries,
+    LinuxFiles(const std::filesystem::path& root,
+               const std::vector<std::filesystem::path>& libraries,
                const std::filesystem::path& input, Console console, System system);
 
     // The lowest free number, or EMFILE.
@@ -141,7 +142,8 @@ private:
         bool close_on_exec = false;
     };
 
-    std::shared_ptr<Handle> root_, libraries_;  // may be none
+    std::shared_ptr<Handle> root_;  // may be none
+    std::vector<std::shared_ptr<Handle>> libraries_;
     Console console_;
     System system_;
     std::map<int, Slot> slots_;

@@ -15,7 +15,9 @@ namespace {
 constexpr std::uint64_t SEED = 0x9E3779B97F4A7C15;
 const sc_core::sc_time call_time{1, sc_core::SC_US};
 const sc_core::sc_time module_call_time{100, sc_core::SC_NS};  // a function's, within the kernel
-constexpr const char* CROSS_LIBRARIES = "/usr/arm-linux-gnueabihf/lib";  // Debian's
+// Debian's: the cross compiler's, and those of packages for armhf (libusb-1.0-0-dev:armhf).
+const std::vector<std::filesystem::path> libraries{"/usr/arm-linux-gnueabihf/lib",
+                                                   "/usr/lib/arm-linux-gnueabihf"};
 
 }  // namespace
 
@@ -53,7 +55,7 @@ LinuxKernel::LinuxKernel(ArmCpu& cpu, LinuxSettings settings, Outside outside)
       random_{SEED} {
     processes_.push_back(std::make_unique<LinuxProcess>(LinuxProcess{
         LinuxProcess::FIRST, LinuxProcess::SHELL, std::make_shared<AddressSpace>(cpu.core()),
-        LinuxFiles{settings_.root, CROSS_LIBRARIES, settings_.input, console_, system_}}));
+        LinuxFiles{settings_.root, libraries, settings_.input, console_, system_}}));
     process_ = processes_.front().get();
     cpu.attach(this);
 }

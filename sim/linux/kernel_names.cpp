@@ -58,7 +58,7 @@ std::pair<std::int64_t, std::string> LinuxKernel::path_at(std::uint32_t folder,
         if (!S_ISDIR(status.mode)) return {-ENOTDIR, ""};
         base = files().path_of(static_cast<int>(folder));
     }
-    return {0, base == "/" ? *text : base + "/" + *text};
+    return {0, (base == "/" ? "" : base) + "/" + *text};
 }
 
 std::int64_t LinuxKernel::give_status(const std::pair<int, FileStatus>& status, std::uint32_t to) {

@@ -90,6 +90,10 @@ std::pair<int, std::shared_ptr<LinuxDevice>> LinuxKernel::open_system(const std:
     const OwnFiles all = own_files();
     if (const auto number = all.open_file(path, process_->number))
         return {files().open_again(*number, flags), nullptr};
+    if (flags & arm_open::NOFOLLOW)
+        if (const auto link = all.resolve(path, OwnFiles::Last::KEEP); link && all.target_of(*link))
+            return flags & arm_open::PATH ? std::pair{0, OwnFiles::open_link(*link)}
+                                          : std::pair{-ELOOP, std::shared_ptr<LinuxDevice>{}};
     const auto way = all.resolve(path, OwnFiles::Last::FOLLOW);
     if (!way) return {-ELOOP, nullptr};
     if (all.is_folder(*way)) {
@@ -164,6 +168,14 @@ LinuxKernel::Result LinuxKernel::sys_fstatfs64(const Arguments& a) {
     const int fd = static_cast<int>(a[0]);
     if (files().flags(fd) < 0) return -EBADF;
     return give_file_system(files().path_of(fd), a[2], true);
+}
+
+// No file system here has handles for files, as overlayfs has none without nfs_export.
+LinuxKernel::Result LinuxKernel::sys_name_to_handle_at(const Arguments& a) {
+    const auto [error, path] = path_at(a[0], a[1]);
+    if (error) return error;
+    const int missing = path.back() == '/' ? 0 : files().status_of(path, true).first;
+    return missing ? missing : -EOPNOTSUPP;
 }
 
 }  // namespace sim

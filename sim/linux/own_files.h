@@ -36,6 +36,8 @@ public:
     // An open folder, with the kinds of its files as `status` has them.
     template <class Status>
     std::shared_ptr<LinuxDevice> open_folder(const std::string& path, Status status) const;
+    // A link itself, by O_PATH: it has a status alone.
+    static std::shared_ptr<LinuxDevice> open_link(const std::string& path);
 
 private:
     LinuxDevice::Entries entries(const std::string& folder) const;
@@ -48,6 +50,7 @@ private:
 };
 
 FileStatus status_of_own_folder();
+FileStatus status_of_own_link();
 
 template <class Status>
 std::shared_ptr<LinuxDevice> OwnFiles::open_folder(const std::string& path, Status status) const {

@@ -1,4 +1,5 @@
 """link_test.py DE1SIM FOLDER [CASE...] - `de1sim link`: kernel modules with their program"""
+import subprocess
 import sys
 
 from case import run
@@ -280,9 +281,9 @@ class Link(SystemCase):
         done = self.link(*words)
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
 
-    def shows(self, leds, printed):
+    def shows(self, leds, printed, options=()):
         return self.played(f'wait-serial: "{printed}"',
-                           f"expect-leds: {{equals: {leds}, timeout: 1s}}").stdout
+                           f"expect-leds: {{equals: {leds}, timeout: 1s}}", options=options).stdout
 
     def refused(self, message, *words):
         self.write(main_c="int main(void) { return 0; }\n")
@@ -324,6 +325,16 @@ int main(void) {
             "int main", "#include <cmath>\n#include <string>\nint main"))
         self.linked("main.cpp", "dial.c", "--", "-DVALUE=0x155", "-lm")
         self.shows(0x155, "closed")
+
+    def test_a_library_that_is_only_shared_makes_a_dynamic_program(self):
+        self.write(main_c=self.PROGRAM.replace("0x2A5", "value()").replace(
+            "int main", "int value(void);\nint main"), value_c="int value(void) { return 0x0F3; }\n")
+        libraries = self.folder / "root/lib"
+        libraries.mkdir(parents=True)
+        subprocess.run(["arm-linux-gnueabihf-gcc", "-shared", "-fPIC", "value.c", "-o",
+                        libraries / "libvalue.so"], cwd=self.folder, check=True)
+        self.linked("dial.c", "main.c", "--", "-Lroot/lib", "-lvalue")
+        self.shows(0x0F3, "closed", ["--linux-root", "root"])
 
     def test_a_module_by_numbers_and_cdev(self):
         self.write(words_c=OTHER_MODULE, main_c="""#include <fcntl.h>

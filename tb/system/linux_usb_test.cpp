@@ -23,6 +23,27 @@ nodes: . .. 001 002 003 004 005
 )");
 }
 
+TEST_F(LinuxUsb, LetsLibudevFollowTheLinksToADevice) {
+    prints("usbfs", "walks", "", "", "  - delay: 200ms\n", R"(sys folder
+bus folder
+usb folder
+devices folder
+ELOOP
+1-1 link
+.. folder
+.. folder
+.. folder
+devices folder
+platform folder
+soc folder
+ffb40000.usb folder
+usb1 folder
+1-1 folder
+62656572 /sys/devices/platform/soc/ffb40000.usb/usb1/1-1 0
+EOPNOTSUPP
+)");
+}
+
 TEST_F(LinuxUsb, GivesDescriptorsAndTakesRequests) {
     prints("usbfs", "descriptors", "", "", "  - delay: 300ms\n",
            R"(12 01 10 01 00 00 00 08 d9 04 01 00 11 01 00 01

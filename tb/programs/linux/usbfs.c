@@ -11,6 +11,7 @@
 #include <string.h>
 #include <sys/ioctl.h>
 #include <sys/socket.h>
+#include <sys/stat.h>
 #include <sys/statfs.h>
 #include <time.h>
 #include <unistd.h>
@@ -268,6 +269,41 @@ static void hears(void) {
     }
 }
 
+// Opens what a folder has under this name, and says what it is.
+static int step(int folder, const char* name) {
+    struct stat status;
+    const int fd = openat(folder, name, O_PATH | O_NOFOLLOW | O_CLOEXEC);
+    if (fd < 0 || fstat(fd, &status) != 0) {
+        printf("%s: %s\n", name, error_of(-1));
+        exit(1);
+    }
+    printf("%s %s\n", name, S_ISLNK(status.st_mode) ? "link" : "folder");
+    return fd;
+}
+
+// As libudev finds a device: each name of the path by its own call, so that links are seen.
+static void walks(void) {
+    char target[100], own[30];
+    struct statfs file_system;
+    int fd = open("/", O_PATH | O_DIRECTORY | O_CLOEXEC);
+    const char* const names[] = {"sys", "bus", "usb", "devices"};
+    for (int n = 0; n < 4; ++n) fd = step(fd, names[n]);
+    printf("%s\n", error_of(openat(fd, "1-1", O_RDONLY | O_NOFOLLOW)));
+    step(fd, "1-1");
+    const ssize_t bytes = readlinkat(fd, "1-1", target, sizeof target - 1);
+    target[bytes < 0 ? 0 : bytes] = 0;
+    for (const char* name = strtok(target, "/"); name; name = strtok(NULL, "/"))
+        fd = step(fd, name);
+    fstatfs(fd, &file_system);
+    snprintf(own, sizeof own, "/proc/self/fd/%d", fd);
+    const ssize_t length = readlink(own, target, sizeof target);
+    printf("%lx %.*s %s\n", (unsigned long)file_system.f_type, (int)length, target,
+           error_of(faccessat(fd, "uevent", F_OK, 0)));
+    struct file_handle handle = {.handle_bytes = 0};
+    int mount;
+    printf("%s\n", error_of(name_to_handle_at(fd, "uevent", &handle, &mount, 0)));
+}
+
 int main(int argc, char** argv) {
     const char* what = argc > 1 ? argv[1] : "";
     setvbuf(stdout, NULL, _IOLBF, 0);
@@ -280,5 +316,6 @@ int main(int argc, char** argv) {
     if (strcmp(what, "pads") == 0) pads();
     if (strcmp(what, "pulls") == 0) pulls();
     if (strcmp(what, "hears") == 0) hears();
+    if (strcmp(what, "walks") == 0) walks();
     return 0;
 }
