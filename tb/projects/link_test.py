@@ -328,7 +328,8 @@ int main(void) {
 
     def test_a_library_that_is_only_shared_makes_a_dynamic_program(self):
         self.write(main_c=self.PROGRAM.replace("0x2A5", "value()").replace(
-            "int main", "int value(void);\nint main"), value_c="int value(void) { return 0x0F3; }\n")
+            "int main", "int value(void);\nint main"),
+                   value_c="int value(void) { return 0x0F3; }\n")
         libraries = self.folder / "root/lib"
         libraries.mkdir(parents=True)
         subprocess.run(["arm-linux-gnueabihf-gcc", "-shared", "-fPIC", "value.c", "-o",
