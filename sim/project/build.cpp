@@ -281,7 +281,7 @@ void Builder::generate() {
     write_if_new(folder_ / "de1sim_design.vh",
                  design_text(design_.binding, design_.project.top,
                              instance_text(design_.project.parameters)));
-    write_if_new(folder_ / "de1sim_pll_taps.v", tap_text(design_.elaborated.pll_clocks));
+    write_if_new(folder_ / "de1sim_pll_taps.v", tap_text(design_.elaborated, design_.binding));
     write_if_new(folder_ / "de1sim_facts.h",
                  facts_text(design_.project, design_.elaborated, design_.binding));
 }
@@ -341,6 +341,7 @@ Built Builder::build(const Progress& progress) {
     command.push_back("-Wwarn-UNOPTFLAT");  // for loops_text()
     if (trace_) command.insert(command.end(), {"--trace-fst", "-DDE1SIM_TRACE"});
     command.push_back("data/project/de1sim_chip.v");
+    command.push_back("data/project/de1sim_clock_pulse.v");
     command.push_back("de1sim_pll_taps.v");
     for (const fs::path& file : files_) command.push_back(file.string());
     write_whole_file(objects / "de1sim_loops.h",

@@ -18,7 +18,6 @@ namespace sim::project {
 
 namespace {
 
-const std::vector<PinClocks::PortBit> NO_PINS;
 constexpr long long MOST_BITS = 1024;  // in a port; the chip has 457 pins for all
 
 // The value of a constant as Verilator prints it: 64'h1f, 32'sh2.
@@ -171,13 +170,18 @@ Elaborated read_elaborated(const std::filesystem::path& file, const std::string&
 
     Elaborated design;
     const auto taps = used_taps(netlist);
-    std::optional<PinClocks> pin_clocks;
+    const ClockUses uses{netlist};
     for (const auto& module : netlist.children("module")) {
         if (top == module.attribute("origName").value()) {
             std::map<int, Port> ports;
             for (const auto& var : module.children("var"))
-                if (const auto index = var.attribute("pinIndex"))
-                    ports.emplace(index.as_int(), port_of(var, types));
+                if (const auto index = var.attribute("pinIndex")) {
+                    const Port port = port_of(var, types);
+                    ports.emplace(index.as_int(), port);
+                    if (port.direction != Direction::INPUT || port.vector) continue;
+                    const auto use = uses.of_input(var);
+                    if (use && use->pins.empty()) design.only_rise_inputs.insert(port.name);
+                }
             for (const auto& [index, port] : ports) design.ports.push_back(port);
         }
         const auto tap = taps.find(module.attribute("name").value());
@@ -187,19 +191,20 @@ Elaborated read_elaborated(const std::filesystem::path& file, const std::string&
             for (const auto& var : module.children("var"))
                 if (var.attribute("param"))
                     values[var.attribute("origName").value()] = value_of(var);
-            if (!pin_clocks) pin_clocks.emplace(netlist);
-            const PllClock clock{
-                values["PERIOD_FS"],
-                values["PHASE_FS"],
-                values["HIGH_FS"],
-                values["SETTABLE"] != 0,
-                tap->second,
-                pin_clocks->driven_by(module.attribute("name").value()).value_or(NO_PINS)};
+            const auto use = uses.of_tap(module.attribute("name").value());
+            const PllClock clock{values["PERIOD_FS"],
+                                 values["PHASE_FS"],
+                                 values["HIGH_FS"],
+                                 values["SETTABLE"] != 0,
+                                 tap->second,
+                                 use && !use->rises ? use->pins : std::vector<ClockUses::PortBit>{},
+                                 use && use->pins.empty() && !values["SETTABLE"]};
             auto& all = design.pll_clocks;
             const auto same = std::find(all.begin(), all.end(), clock);
             if (same != all.end()) {
                 same->names.insert(clock.names.begin(), clock.names.end());
                 same->pins.clear();
+                same->only_rises &= clock.only_rises;
             } else if (clock.period_fs) {
                 all.push_back(clock);
             }

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "sim/project/board_pins.h"
-#include "sim/project/pin_clocks.h"
+#include "sim/project/clock_uses.h"
 
 namespace sim::project {
 
@@ -26,7 +26,8 @@ struct PllClock {
     bool is_settable;             // the design can change it
     std::set<std::string> names;  // of what makes it: PLL, h2f_user0_clk
     // The top's outputs that it drives and nothing else in the design sees; else empty.
-    std::vector<PinClocks::PortBit> pins;
+    std::vector<ClockUses::PortBit> pins;
+    bool only_rises;  // nothing sees more of it than its rise
     bool operator==(const PllClock& o) const {
         return period_fs == o.period_fs && phase_fs == o.phase_fs && high_fs == o.high_fs &&
                is_settable == o.is_settable;
@@ -42,7 +43,8 @@ struct InitFile {
 
 struct Elaborated {
     std::vector<Port> ports;
-    std::vector<PllClock> pll_clocks;  // each once
+    std::vector<PllClock> pll_clocks;        // each once
+    std::set<std::string> only_rise_inputs;  // the top's inputs of which likewise
     std::vector<InitFile> init_files;
 };
 

@@ -38,6 +38,22 @@ unsigned clock_pins(const PllClock& clock, const Binding& binding) {
     return pins;
 }
 
+// Whether nothing in the design sees more of CLOCK_50 than its rise.
+bool clock_50_only_rises(const Elaborated& elaborated, const Binding& binding) {
+    static const std::set<std::string> CLOCKS{"CLOCK_50", "CLOCK2_50", "CLOCK3_50", "CLOCK4_50"};
+    for (const auto& [port, bits] : binding.ports)
+        for (const auto& bit : bits)
+            if (CLOCKS.count(bit.wire) && !elaborated.only_rise_inputs.count(port.name))
+                return false;
+    return true;
+}
+
+// A clock by an input of the chip.
+std::string clock_text(const std::string& input, const char* output, bool only_rises) {
+    return only_rises ? fmt::format("de1sim_clock_pulse pulse({}, {});", input, output)
+                      : fmt::format("assign {} = {};", output, input);
+}
+
 }  // namespace
 
 void write_if_new(const std::filesystem::path& file, const std::string& text) {
@@ -46,9 +62,13 @@ void write_if_new(const std::filesystem::path& file, const std::string& text) {
     write_whole_file(file, text);
 }
 
-std::string tap_text(const std::vector<PllClock>& clocks) {
+std::string tap_text(const Elaborated& elaborated, const Binding& binding) {
+    const std::vector<PllClock>& clocks = elaborated.pll_clocks;
     std::string text =
-        "// Written by de1sim: the PLLs' outputs, as inputs of the chip.\n"
+        "// Written by de1sim: CLOCK_50 and the PLLs' outputs, as inputs of the chip.\n"
+        "module de1sim_clock_50(input wire clk_i, output wire clk_o);\n    " +
+        clock_text("clk_i", "clk_o", clock_50_only_rises(elaborated, binding)) +
+        "\nendmodule\n"
         "module de1sim_pll_tap #(\n"
         "    parameter [63:0] PERIOD_FS = 64'd0,\n"
         "    parameter [63:0] PHASE_FS  = 64'd0,\n"
@@ -65,13 +85,14 @@ std::string tap_text(const std::vector<PllClock>& clocks) {
         text += fmt::format(
             "        if (PERIOD_FS == 64'd{0} && PHASE_FS == 64'd{1} && HIGH_FS == 64'd{2} &&\n"
             "            SETTABLE == 64'd{3}) begin\n"
-            "            assign clk = de1sim_chip.pll_clocks[{4}];\n{5}        end\n",
+            "            {6}\n{5}        end\n",
             clocks[n].period_fs, clocks[n].phase_fs, clocks[n].high_fs,
             clocks[n].is_settable ? 1 : 0, n,
             clocks[n].is_settable ? fmt::format("            always @(posedge set_i) "
                                                 "de1sim_pll_set({}, period_fs_i, high_fs_i);\n",
                                                 n)
-                                  : "");
+                                  : "",
+            clock_text(fmt::format("de1sim_chip.pll_clocks[{}]", n), "clk", clocks[n].only_rises));
     return text + "    endgenerate\nendmodule\n";
 }
 
@@ -86,16 +107,18 @@ std::string facts_text(const Project& project, const Elaborated& elaborated,
         "// Written by de1sim.\n#pragma once\n"
         "constexpr sim::project::PllTimes PLL_CLOCKS[] = {";
     for (const PllClock& clock : elaborated.pll_clocks)
-        text += fmt::format("{{{}ull, {}ull, {}ull, {}}}, ", clock.period_fs, clock.phase_fs,
-                            clock.high_fs, clock_pins(clock, binding));
+        text += fmt::format("{{{}ull, {}ull, {}ull, {}, {}}}, ", clock.period_fs, clock.phase_fs,
+                            clock.high_fs, clock_pins(clock, binding), clock.only_rises);
     return text + fmt::format(
-                      "{{0, 0, 0, 0}}}};\nconstexpr unsigned PLL_CLOCK_COUNT = {};\n"
+                      "{{0, 0, 0, 0, false}}}};\nconstexpr unsigned PLL_CLOCK_COUNT = {};\n"
+                      "constexpr bool CLOCK_50_ONLY_RISES = {};\n"
                       "constexpr bool TD_CLK27_USED = {}, VGA_USED = {};\n"
                       "constexpr bool AUD_XCK_USED = {}, AUD_CLOCKS_DRIVEN = {};\n"
                       "constexpr const char* SOURCE_FOLDERS[] = {{{}\"\"}};\n"
                       "constexpr unsigned SOURCE_FOLDER_COUNT = {};\n",
-                      elaborated.pll_clocks.size(), binding.has_td_clk, binding.has_vga,
-                      binding.has_xck, binding.drives_codec_clocks, folders, below.size());
+                      elaborated.pll_clocks.size(), clock_50_only_rises(elaborated, binding),
+                      binding.has_td_clk, binding.has_vga, binding.has_xck,
+                      binding.drives_codec_clocks, folders, below.size());
 }
 
 std::string loops_text(const std::string& output, const std::string& otherwise) {

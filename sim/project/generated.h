@@ -13,8 +13,8 @@ namespace sim::project {
 // Only if it differs, so that a compiler that looks at times sees what is new.
 void write_if_new(const std::filesystem::path& file, const std::string& text);
 
-// de1sim_pll_taps.v: the PLLs' outputs, as inputs of the chip.
-std::string tap_text(const std::vector<PllClock>& clocks);
+// de1sim_pll_taps.v: CLOCK_50 and the PLLs' outputs, as inputs of the chip.
+std::string tap_text(const Elaborated& elaborated, const Binding& binding);
 
 // de1sim_facts.h: what runtime/model.cpp has to know of the design.
 std::string facts_text(const Project& project, const Elaborated& elaborated,

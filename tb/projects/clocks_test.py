@@ -40,6 +40,42 @@ endmodule
 """
 
 
+# What a design may see of CLOCK_50; of the first ones nothing but the rise.  Each counts in `n`.
+ONLY_RISES = ["always @(posedge CLOCK_50) n <= n + 1;",
+              "wire c = CLOCK_50; part p(c, n);",
+              "reg h = 0; always @(posedge CLOCK_50) h <= ~h;\n"
+              "always @(posedge h) n[15:1] <= n[15:1] + 1;",
+              "always @(posedge CLOCK_50 or posedge SW[9]) if (SW[9]) n <= 0; else n <= n + 1;"]
+MORE = ["always @(negedge CLOCK_50) n <= n + 1;",
+        "wire c = ~CLOCK_50; always @(posedge c) n <= n + 1;",
+        "wire c = CLOCK_50 & ~SW[9]; always @(posedge c) n <= n + 1;",
+        "reg r = 0, f = 1; always @(posedge CLOCK_50) begin n <= n + (r ^ f); r <= ~r; end\n"
+        "always @(negedge CLOCK_50) f <= ~r;",
+        "always @(posedge CLOCK_50) n <= n + 1; assign GPIO_0[0] = CLOCK_50;",
+        "reg h = 0; always @(posedge CLOCK_50) begin if (CLOCK_50) n <= n + 1; h <= ~h; end\n"
+        "wire [1:0] cs = {h, CLOCK_50}; part p(cs[1], );"]
+COUNTER = """module part(input c, output reg [15:0] n); initial n = 0;
+always @(posedge c) n <= n + 1; endmodule
+module top(input CLOCK_50, input [9:0] SW, inout [35:0] GPIO_0, output [9:0] LEDR);
+{} n{}; {}
+reg [15:0] t = 0, at = 0;
+always @(posedge CLOCK_50) if (t != 40030) begin t <= t + 1; at <= n; end
+assign LEDR = at[15:6];
+endmodule
+"""
+
+
+class Edges(Case):
+    def test_of_clock_50_are_seen_as_the_design_uses_them(self):
+        for uses in ONLY_RISES + MORE:
+            with self.subTest(uses):
+                kind = ("wire [15:0]", "") if ", n)" in uses else ("reg [15:0]", " = 0")
+                self.write(top_v=COUNTER.format(*kind, uses))
+                self.leds(40030 >> 6, wait="50ms")  # lamps that blink are lit for a while
+                facts = (self.folder / ".de1sim/de1sim_facts.h").read_text()
+                self.assertIn("CLOCK_50_ONLY_RISES = " + str(uses in ONLY_RISES).lower(), facts)
+
+
 class Dac(Case):
     def test_takes_what_was_there_before_its_clock_rose(self):
         """The clock changes its form in the vertical blanking, and nothing is seen of that."""

@@ -3,6 +3,9 @@
 // A clock of a PLL that drives pins of the chip alone moves nothing in the design.  Its input can
 // be held high: then none of its edges is an evaluation, and the design shows whether it lets the
 // clock through to the pin.
+//
+// Of a clock of which nothing sees more than the rise, each change of the input is one: the design
+// makes a pulse of it (de1sim_clock_pulse.v).
 #pragma once
 
 #include <algorithm>
@@ -22,14 +25,15 @@ public:
 
     // All begin low.  `holds`: the clocks that only pins see; not for waveforms, which show them.
     Clocks(const DesignFacts& design, bool holds) {
-        add(CLOCK_50_FS, CLOCK_50_FS, CLOCK_50_FS / 2, IS_CLOCK_50);
+        add(CLOCK_50_FS, CLOCK_50_FS, CLOCK_50_FS / 2, IS_CLOCK_50, 0,
+            design.pulses && design.clock_50_only_rises);
         if (design.td_clk27_used) add(CLOCK_27_FS, CLOCK_27_FS, CLOCK_27_FS / 2, IS_CLOCK_27);
         for (unsigned n = 0; n < design.pll_clock_count; ++n) {
             const PllTimes& pll = design.pll_clocks[n];
             const bool pulses = pll.high_fs > 0 && pll.high_fs < pll.period_fs;
             const unsigned pins = holds ? pll.pins : 0;
             add(CLOCK_50_FS + pll.phase_fs, pll.period_fs, pulses ? pll.high_fs : pll.period_fs / 2,
-                n, pins);
+                n, pins, design.pulses && pll.only_rises);
             if (pins) held_ |= std::uint64_t{1} << n;
             pins_ |= pins;
         }
@@ -88,7 +92,8 @@ private:
         bool high;
     };
     void add(std::uint64_t rises_fs, std::uint64_t period_fs, std::uint64_t high_fs,
-             unsigned number, unsigned pins = 0) {
+             unsigned number, unsigned pins = 0, bool only_rises = false) {
+        if (only_rises) high_fs = period_fs, period_fs *= 2;
         clocks_.push_back({rises_fs, high_fs, period_fs - high_fs, number, pins, false});
     }
 

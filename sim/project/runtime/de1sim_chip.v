@@ -73,10 +73,8 @@ module de1sim_chip (
 );
     // ---- Clocks ----
 
-    wire        CLOCK_50 = clock_50_i;
-    wire        CLOCK2_50 = clock_50_i;
-    wire        CLOCK3_50 = clock_50_i;
-    wire        CLOCK4_50 = clock_50_i;
+    wire        CLOCK_50, CLOCK2_50 = CLOCK_50, CLOCK3_50 = CLOCK_50, CLOCK4_50 = CLOCK_50;
+    de1sim_clock_50 clock_50(.clk_i(clock_50_i), .clk_o(CLOCK_50));  // beside de1sim_pll_tap
     wire        TD_CLK27 = clock_27_i;
     wire [63:0] pll_clocks = pll_clocks_i;  // taken from here by de1sim_pll_tap
 

@@ -99,9 +99,14 @@ private:
 #endif
 };
 
-constexpr DesignFacts FACTS{PLL_CLOCKS,     PLL_CLOCK_COUNT,     TD_CLK27_USED,
-                            VGA_USED,       AUD_XCK_USED,        AUD_CLOCKS_DRIVEN,
-                            SOURCE_FOLDERS, SOURCE_FOLDER_COUNT, LOOPS};
+#ifdef DE1SIM_TRACE
+constexpr bool PULSES = false;
+#else
+constexpr bool PULSES = true;
+#endif
+constexpr DesignFacts FACTS{
+    PLL_CLOCKS,   PLL_CLOCK_COUNT,   PULSES,         CLOCK_50_ONLY_RISES, TD_CLK27_USED, VGA_USED,
+    AUD_XCK_USED, AUD_CLOCKS_DRIVEN, SOURCE_FOLDERS, SOURCE_FOLDER_COUNT, LOOPS};
 
 }  // namespace
 

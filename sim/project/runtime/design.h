@@ -83,12 +83,15 @@ public:
 
 struct PllTimes {
     std::uint64_t period_fs, phase_fs, high_fs;
-    unsigned pins;  // bits of clocks_o, if it drives these alone; else 0
+    unsigned pins;    // bits of clocks_o, if it drives these alone; else 0
+    bool only_rises;  // nothing sees its fall
 };
 
 struct DesignFacts {
     const PllTimes* pll_clocks;
     unsigned pll_clock_count;
+    bool pulses;  // a change of a clock that only rises is a pulse, else its falls have to come
+    bool clock_50_only_rises;
     bool td_clk27_used, vga_used, aud_xck_used, aud_clocks_driven;
     const char* const* source_folders;  // from the project's on, for init files
     unsigned source_folder_count;

@@ -1,4 +1,4 @@
-#include "sim/project/pin_clocks.h"
+#include "sim/project/clock_uses.h"
 
 #include <cstdlib>
 #include <string_view>
@@ -40,6 +40,17 @@ std::optional<int> number(const Node& constant) {
 
 Node second(const Node& node) { return node.first_child().next_sibling(); }
 
+// The variable or connection among the children of `parent` that belongs to `other`, by its name,
+// or by its place in a list of ports.
+Node counterpart(const Node& parent, const char* kind_wanted, const char* index, const Node& other,
+                 const char* index_of_other) {
+    if (const Node named =
+            parent.find_child_by_attribute(kind_wanted, "name", other.attribute("name").value()))
+        return named;
+    const char* const place = other.attribute(index_of_other).value();
+    return *place ? parent.find_child_by_attribute(kind_wanted, index, place) : Node{};
+}
+
 bool has_tap(const Node& module) {
     for (const auto& found : module.select_nodes(".//instance"))
         if (text(found.node(), "defName").compare(0, 14, "de1sim_pll_tap") == 0) return true;
@@ -48,7 +59,7 @@ bool has_tap(const Node& module) {
 
 }  // namespace
 
-PinClocks::PinClocks(const Node& netlist) {
+ClockUses::ClockUses(const Node& netlist) {
     for (const Node& type : netlist.child("typetable").children()) {
         if (kind(type) != "basicdtype") continue;
         const int left = type.attribute("left").as_int(), right = type.attribute("right").as_int();
@@ -67,13 +78,13 @@ PinClocks::PinClocks(const Node& netlist) {
 }
 
 // 0: not known.
-int PinClocks::width_of(const Node& expression) const {
+int ClockUses::width_of(const Node& expression) const {
     const auto width = widths_.find(text(expression, "dtype_id"));
     return width == widths_.end() ? 0 : width->second;
 }
 
 // The bits of what is assigned to, from the right; empty: not known.
-std::vector<PinClocks::Net> PinClocks::nets_of(const Node& target) const {
+std::vector<ClockUses::Net> ClockUses::nets_of(const Node& target) const {
     std::vector<Net> nets;
     if (kind(target) == "varref") {
         const Node var = variable_of(target);
@@ -92,14 +103,14 @@ std::vector<PinClocks::Net> PinClocks::nets_of(const Node& target) const {
     return nets;
 }
 
-class PinClocks::Path {
+class ClockUses::Path {
 public:
-    explicit Path(const PinClocks& design) : design_{design} {}
+    explicit Path(const ClockUses& design) : design_{design} {}
 
     void add(const Net& net) {
         if (seen_.emplace(net.var.hash_value(), net.bit).second) left_.push_back(net);
     }
-    // False: something but pins may see it.
+    // False: something else may see it.
     bool follow() {
         while (!left_.empty()) {
             const Net net = left_.back();
@@ -115,7 +126,7 @@ public:
         }
         return true;
     }
-    std::vector<PortBit> pins;
+    Use use;
 
 private:
     // The bit that `net` is of what is assigned or connected there.
@@ -130,14 +141,13 @@ private:
     bool leave(const Net& net) {
         const Node module = module_of(net.var);
         if (module.attribute("topModule").as_bool()) {
-            pins.emplace_back(text(net.var, "name"), net.bit);
+            use.pins.emplace_back(text(net.var, "name"), net.bit);
             return true;
         }
         const auto instances = design_.instances_.find(text(module, "name"));
         if (instances == design_.instances_.end()) return true;
         for (const Node& instance : instances->second) {
-            const Node port =
-                instance.find_child_by_attribute("port", "name", text(net.var, "name").c_str());
+            const Node port = counterpart(instance, "port", "portIndex", net.var, "pinIndex");
             if (port.first_child() && !go_on(port.first_child(), net.bit)) return false;
         }
         return true;
@@ -154,18 +164,18 @@ private:
             if (net.bit < *lsb || net.bit >= *lsb + *width) return true;
             bit -= *lsb;
         }
-        Node use = value.parent();
+        Node where = value.parent();
         if (is_target(value)) return true;
-        if (kind(use) == "and" && design_.width_of(use) == 1 && has_tap(module_of(use))) {
-            value = use;
-            use = use.parent();
+        if (kind(where) == "senitem" && text(where, "edgeType") == "POS") return use.rises = true;
+        if (kind(where) == "and" && design_.width_of(where) == 1 && has_tap(module_of(where))) {
+            value = where;
+            where = where.parent();
         }
-        if (kind(use) == "contassign") return go_on(second(use), bit);
-        if (kind(use) != "port" || text(use, "direction") != "in") return false;
-        const auto inside = design_.modules_.find(text(use.parent(), "defName"));
+        if (kind(where) == "contassign") return go_on(second(where), bit);
+        if (kind(where) != "port" || text(where, "direction") != "in") return false;
+        const auto inside = design_.modules_.find(text(where.parent(), "defName"));
         if (inside == design_.modules_.end()) return false;
-        const Node var =
-            inside->second.find_child_by_attribute("var", "name", text(use, "name").c_str());
+        const Node var = counterpart(inside->second, "var", "pinIndex", where, "portIndex");
         if (!var) return false;
         add({var, bit});
         return true;
@@ -179,12 +189,12 @@ private:
         return kind(use) == "port" && text(use, "direction") == "out";
     }
 
-    const PinClocks& design_;
+    const ClockUses& design_;
     std::set<std::pair<std::size_t, int>> seen_;
     std::vector<Net> left_;
 };
 
-std::optional<std::vector<PinClocks::PortBit>> PinClocks::driven_by(const std::string& tap) const {
+std::optional<ClockUses::Use> ClockUses::of_tap(const std::string& tap) const {
     Path path{*this};
     const auto taps = instances_.find(tap);
     if (taps == instances_.end()) return {};
@@ -194,8 +204,13 @@ std::optional<std::vector<PinClocks::PortBit>> PinClocks::driven_by(const std::s
         if (port.first_child() && nets.size() != 1) return {};
         for (const Net& net : nets) path.add(net);
     }
-    if (!path.follow()) return {};
-    return path.pins;
+    return path.follow() ? std::optional{path.use} : std::nullopt;
+}
+
+std::optional<ClockUses::Use> ClockUses::of_input(const Node& port) const {
+    Path path{*this};
+    path.add({port, 0});
+    return path.follow() ? std::optional{path.use} : std::nullopt;
 }
 
 }  // namespace sim::project

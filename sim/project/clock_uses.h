@@ -1,6 +1,7 @@
-// pin_clocks.h - outputs of PLLs that go to pins of the chip and nowhere else.
+// clock_uses.h - who sees a clock: registers at its rise, pins of the chip, or anything else.
 //
-// Nothing in the design changes at the edges of such a clock, so that none need be evaluated.
+// Of a clock that only pins see no edge need be evaluated; of one that only registers see at its
+// rise, the fall need not.
 #pragma once
 
 #include <map>
@@ -14,17 +15,23 @@
 
 namespace sim::project {
 
-class PinClocks {
+class ClockUses {
 public:
     using PortBit = std::pair<std::string, int>;  // of the top; bit 0 is the rightmost
 
     // `netlist`: of syntax_tree(), which has to outlive this.
-    explicit PinClocks(const pugi::xml_node& netlist);
+    explicit ClockUses(const pugi::xml_node& netlist);
 
-    // What copies of de1sim_pll_tap drive, from the name of their module; nothing if anything but
-    // a pin may depend on it.  On its way it passes assignments and ports as it is, and in a model
-    // of a PLL one AND, by which a reset holds it low.
-    std::optional<std::vector<PortBit>> driven_by(const std::string& tap) const;
+    struct Use {
+        bool rises = false;  // something happens at its rise
+        std::vector<PortBit> pins{};
+    };
+    // Of what copies of de1sim_pll_tap drive, from the name of their module, or of a port of one
+    // bit by which the top gets it; nothing if something else may depend on it.  On its way it
+    // passes assignments and ports as it is, and in a model of a PLL one AND, by which a reset
+    // holds it low.
+    std::optional<Use> of_tap(const std::string& tap) const;
+    std::optional<Use> of_input(const pugi::xml_node& port) const;
 
 private:
     using Node = pugi::xml_node;
