@@ -20,9 +20,10 @@
 // with all interrupts masked, and without a handler by EBREAK, which stops it for a debugger, and
 // by the environment call 93 (exit) of newlib.
 //
-// Not handled: what caches and SDRAM cost; the vendor's manual has no table of clocks for integer
-// instructions of Nios V/g, so that those are guesses: a multiplication 3, a division 35, a branch
-// that is taken and a jump 3, others 1.
+// Not handled: what caches and SDRAM cost; the vendor's manual has a table of clocks for integer
+// instructions of Nios V/g ("Instruction Cycles") only from its edition 24.3.1 on, which was not
+// at hand, so that those are guesses: a multiplication 3, a division 35, a branch that is taken and
+// a jump 3, others 1.
 #pragma once
 
 #include <array>
