@@ -12,11 +12,12 @@ namespace sim {
 class Answers {
 public:
     // An access was made.  `plain`: it has no further effect; then it gives the same again as long
-    // as `epoch` is the same.
+    // as `epoch` is the same.  After another one, such as a read that takes a sample out of a FIFO,
+    // no register is sure to give what it gave before.
     void made(std::uint32_t address, unsigned bytes, bool write, std::uint32_t value, bool plain,
               std::uint64_t epoch) {
         Answer* known = find(address, bytes, write);
-        if (write && !(plain && known && known->value == value))
+        if (!plain || (write && !(known && known->value == value)))
             for (Answer& other : answers_) other.epoch = NEVER;
         if (!known) known = &answers_[next_++ % answers_.size()];
         *known = {address, bytes, write, value, plain ? epoch : NEVER};

@@ -159,13 +159,13 @@ std::string NiosVCpu::describe(const RiscvTrap& trap) const {
     }
 }
 
-// Without a handler: it ends the program as it is meant to.
+// It ends the program as it is meant to.  The board's debugger, which has loaded the program, takes
+// EBREAK for itself, whether there is a handler or not.
 bool NiosVCpu::ends(const RiscvTrap& trap) {
-    if (core_.has_set_mtvec()) return false;
-    if (trap.cause == riscv_cause::ECALL && core_.reg(A7) == EXIT)
-        exit_code_ = static_cast<int>(core_.reg(A0));
-    else if (trap.cause == riscv_cause::BREAKPOINT)
+    if (trap.cause == riscv_cause::BREAKPOINT)
         log_("the program has stopped for a debugger (ebreak) " + where());
+    else if (trap.cause == riscv_cause::ECALL && core_.reg(A7) == EXIT && !core_.has_set_mtvec())
+        exit_code_ = static_cast<int>(core_.reg(A0));
     else
         return false;
     ended_ = true;

@@ -17,12 +17,13 @@
 // handler's first instruction, twice at the same place of its handler, in the data of its ELF, or a
 // thousand times at the same instruction with the same registers; if its handler loops on one
 // instruction for 100 ms; and as NiosVRunaway says.  It has ended where it loops on one instruction
-// with all interrupts masked, and without a handler by EBREAK, which stops it for a debugger, and
-// by the environment call 93 (exit) of newlib.
+// with all interrupts masked; by EBREAK, as newlib's exit() of the courses ends, which the debugger
+// takes that has loaded it on the board; and without a handler by the environment call 93 (exit).
 //
-// Not handled: what caches and SDRAM cost; the vendor's manual has no table of clocks for integer
-// instructions of Nios V/g, so that those are guesses: a multiplication 3, a division 35, a branch
-// that is taken and a jump 3, others 1.
+// Not handled: what caches and SDRAM cost; the vendor's manual has a table of clocks for integer
+// instructions of Nios V/g ("Instruction Cycles") only from its edition 24.3.1 on, which was not
+// at hand, so that those are guesses: a multiplication 3, a division 35, a branch that is taken and
+// a jump 3, others 1.
 #pragma once
 
 #include <array>

@@ -1,7 +1,7 @@
 // nios_v_debugger.h - GDB at Nios V: its registers and its traps.
 //
-// Stops by itself: an EBREAK (SIGTRAP), which is a trap where the debugger neither moves pc nor
-// puts another instruction there; a trap by which the program fails, as by one that it has no
+// Stops by itself: an EBREAK (SIGTRAP), which ends the program where the debugger neither moves pc
+// nor puts another instruction there; a trap by which the program fails, as by one that it has no
 // handler for (SIGILL, SIGSEGV, SIGBUS, SIGSYS).  While there is a point, each instruction is
 // looked at, which takes up to twice as long.
 //

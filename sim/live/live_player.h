@@ -2,8 +2,10 @@
 //
 // Once per simulated millisecond, 3 ns after its beginning, where no clock of the board ticks, the
 // messages that have arrived are carried out and the run is held back to the speed that was chosen.
-// Each step is kept with its time: the scenario that save() writes has them at the same times, so
-// that it plays to the same pictures and the same sound.
+// While time goes on, what is let go of at the time at which it was pressed is let go of a
+// millisecond later, or the board would not see it.  Each step is kept with its time: the scenario
+// that save() writes has them at the same times, so that it plays to the same pictures and the same
+// sound.
 #pragma once
 
 #include <chrono>

@@ -22,7 +22,7 @@ if not (shutil.which("chromedriver") and shutil.which("chromium")):
     print("Chromium or its driver is not installed")
     sys.exit(77)
 
-DE1SIM, FOLDER = sys.argv[1], pathlib.Path(sys.argv[2])
+DE1SIM, FOLDER, PROGRAMS = sys.argv[1], *map(pathlib.Path, sys.argv[2:4])
 
 COLOURED = """
 const c = document.getElementById("monitor");
@@ -118,18 +118,35 @@ class Page(unittest.TestCase):
                                 "--out", self.folder / "again"], capture_output=True, text=True)
         self.assertEqual(again.returncode, 0, again.stdout + again.stderr)
 
-    def test_a_program_that_is_dropped_runs(self):
-        program = (pathlib.Path(sys.argv[3]) / "leds_and_rectangle.elf").read_bytes()
+    def drop(self, program):
         self.page.execute_script("""
             const bytes = Uint8Array.from(atob(arguments[0]), (c) => c.charCodeAt(0));
             const dropped = new DataTransfer();
             dropped.items.add(new File([bytes], "program.elf"));
             document.dispatchEvent(new DragEvent("drop", {dataTransfer: dropped}));""",
-                                 base64.b64encode(program).decode())
+                                 base64.b64encode(program.read_bytes()).decode())
         self.until(lambda: self.page.execute_script(
             "return [...document.querySelectorAll('#figures div')]"
             ".some((row) => row.textContent.includes('Program'))"))
+
+    def test_a_program_that_is_dropped_runs(self):
+        self.drop(PROGRAMS / "leds_and_rectangle.elf")
         self.until(lambda: self.page.execute_script(COLOURED) > 1000)
+
+    def test_a_key_moves_the_box_of_a_program_for_nios_v(self):
+        def is_yellow(x, y):
+            red, green, blue, _ = self.page.execute_script(
+                "return [...document.getElementById('monitor').getContext('2d')"
+                ".getImageData(arguments[0], arguments[1], 1, 1).data]", x, y)
+            return red > 200 and green > 200 and blue < 50
+
+        self.drop(PROGRAMS.parents[1] / "examples/course/course.nios-v.elf")
+        self.until(lambda: is_yellow(20, 20) and not is_yellow(120, 100))
+        self.find('[aria-label="KEY0"]').click()  # over at once, in a simulation that is slow
+        self.until(lambda: is_yellow(120, 100) and not is_yellow(20, 20))
+        lamps = self.find("#ledr").get_attribute("aria-label")
+        self.assertEqual(lamps, "LEDR9 to LEDR0: 0000000001")
+        self.page.save_screenshot(str(FOLDER / "nios_v.png"))
 
     def test_waveforms_are_written_of_what_was_played(self):
         self.tap("3")

@@ -193,6 +193,15 @@ TEST_F(NiosV, HasNotEndedWhereItLoopsForAnInterrupt) {
     EXPECT_EQ(cpu().ended_for(), sc_core::SC_ZERO_TIME);
 }
 
+// The board's debugger, which loads each program, takes EBREAK (Nios V Processor Reference Manual,
+// "Debug Mode"); exit() of the courses' newlib is one in a loop.
+TEST_F(NiosV, EndsByAnEbreakThoughItHasAHandler) {
+    run(with_handler({addi(3, 0, 1), EBREAK, jump(-4)}), {addi(3, 0, 2), MRET});
+    EXPECT_EQ(fault(), "none");
+    EXPECT_TRUE(cpu().position().ended);
+    EXPECT_EQ(cpu().core().reg(3), 1u);
+}
+
 TEST_F(NiosV, EndsByTheEnvironmentCallOfNewlibsExit) {
     run({addi(17, 0, 93), addi(10, 0, 3), ECALL});
     EXPECT_EQ(fault(), "none");

@@ -12,7 +12,8 @@
 // a processor with an instruction cache; what write_ram() writes is seen at once.
 //
 // As Nios V/g by the vendor's manual: an access that is not aligned is a trap; the interrupts are
-// 3, 7 and 16 to 31; mtvec may be vectored.
+// 3, 7 and 16 to 31; mtvec may be vectored; a rounding mode other than to nearest is an illegal
+// instruction where it is written into frm.
 //
 // Not handled: debug mode, triggers, ECC, custom instructions, the CLIC, mhpmcounters, and
 // mstatus.FS, which is kept but forbids nothing.  cycle, time and instret of user mode are illegal.

@@ -1,7 +1,7 @@
 // course.c - a program as courses have it: KEY0 moves a box on the monitor, by an interrupt
 //
-// Addresses as numbers, two pixel buffers in arrays that take turns, a handler by the name that
-// Intel's Monitor Program gives it, printf.
+// Addresses as numbers, two pixel buffers in arrays that take turns, printf; on the ARM a handler by
+// the name that Intel's Monitor Program gives it, on Nios V one whose address the program writes.
 #include <math.h>
 #include <stdio.h>
 
@@ -12,6 +12,27 @@ short int Buffer2[240][512];
 int pixel_buffer_start;
 
 volatile int moves = 0;  // volatile: changed by the handler, read by main()
+
+#ifdef __riscv  // Nios V
+
+void __attribute__((interrupt("machine"))) handler(void) {
+    int cause;
+    __asm__ volatile("csrr %0, mcause" : "=r"(cause));
+    if (cause == (int)0x80000012) {  // interrupt 18: the keys
+        volatile int* key_ptr = (int*)0xFF200050;
+        key_ptr[3] = key_ptr[3];  // edge capture: a 1 clears its bit
+        moves++;
+    }
+}
+
+void set_up_interrupts(void) {
+    *(volatile int*)0xFF200058 = 1;  // KEY0 may interrupt
+    __asm__ volatile("csrw mtvec, %0" ::"r"(&handler));
+    __asm__ volatile("csrs mie, %0" ::"r"(1 << 18));
+    __asm__ volatile("csrsi mstatus, 8");
+}
+
+#else  // the ARM
 
 void __attribute__((interrupt)) __cs3_isr_irq(void) {
     int id = *(volatile int*)0xFFFEC10C;  // ICCIAR
@@ -32,6 +53,8 @@ void set_up_interrupts(void) {
     *(volatile int*)0xFFFED000 = 1;          // ICDDCR
     __asm__ volatile("msr cpsr_c, #0x53");   // SVC mode, IRQ on
 }
+
+#endif
 
 void plot_pixel(int x, int y, short int colour) {
     *(volatile short int*)(pixel_buffer_start + (y << 10) + (x << 1)) = colour;

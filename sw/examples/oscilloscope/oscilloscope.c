@@ -2,6 +2,7 @@
 // as text and on HEX.  KEY0 holds the picture.
 //
 // A pixel is a sample at 8 kHz, 40 per division; a vertical division is a quarter of full scale.
+#include "memory.h"
 #include "processor.h"
 #include "registers.h"
 
@@ -49,7 +50,7 @@ static void write_number(uint32_t number) {
         if (!blank) segments |= (uint32_t)DIGITS[number % 10] << 8 * i;
     }
     HEX3_0_DATA = segments;
-    for (int i = 0; line[i]; ++i) *(volatile char*)(0xC9000000 + (1 << 7) + 72 + i) = line[i];
+    for (int i = 0; line[i]; ++i) *(volatile char*)(CHARACTERS + (1 << 7) + 72 + i) = line[i];
 }
 
 static int height(int32_t sample) { return MIDDLE - (int)((int64_t)sample * DIVISION * 4 >> 31); }
@@ -67,7 +68,7 @@ static void draw(uint32_t picture, int first) {
 }
 
 int main(void) {
-    uint32_t picture = 0xC0000000;
+    uint32_t picture = PICTURES;
     for (;;) {
         while (KEY_DATA & 1) {
         }
