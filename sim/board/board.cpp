@@ -8,6 +8,7 @@ namespace sim {
 
 namespace {
 
+constexpr std::uint64_t ALL_SEGMENTS = (std::uint64_t{1} << 42) - 1;  // without points
 // Bits of hold() and release().
 constexpr unsigned ALL_KEYS = 0x0F, HPS_KEY = 0x10;
 
@@ -155,7 +156,7 @@ void Board::drive_pins(const HeaderMasks& pins, PinLevel level) {
 
 void Board::lamps(const LampPins& pins, std::uint64_t time_ps) {
     constexpr std::uint64_t BOTH = (std::uint64_t{1} << HPS_LED_BIT) - 1;
-    light(pins.ledr | ~pins.hex_n << HEX_LSB, BOTH, time_ps);
+    light(pins.ledr | (pins.hex_n ^ ALL_SEGMENTS) << HEX_LSB, BOTH, time_ps);
 }
 
 void Board::hps_led(bool lit, std::uint64_t time_ps) {

@@ -52,7 +52,7 @@
 namespace sim {
 
 class Board : public sc_core::sc_module, private PinListener {
-    static constexpr unsigned HEX_LSB = 10, HPS_LED_BIT = 52, LAMPS = 53;
+    static constexpr unsigned HEX_LSB = 10, HPS_LED_BIT = 58, LAMPS = 59;
 
 public:
     // `seed` of the bounce of contacts: the keypad's and the switches'.

@@ -56,7 +56,7 @@ struct SdramPins {
 
 struct LampPins {
     std::uint16_t ledr;
-    std::uint64_t hex_n;  // HEX5 in 41:35 ... HEX0 in 6:0, 0 = lit
+    std::uint64_t hex_n;  // HEX5 in 41:35 ... HEX0 in 6:0, 0 = lit; their points, 1 = lit, in 47:42
 };
 
 struct AdcPins {

@@ -38,7 +38,31 @@ unsigned clock_pins(const PllClock& clock, const Binding& binding) {
     return pins;
 }
 
+constexpr std::uint64_t LEAST_SAMPLE_FS = 6'000'000, CLOCK_50_FS = 20'000'000;
+
 }  // namespace
+
+void add_board_clocks(const BoardDescription& board, Elaborated& elaborated, Binding& binding) {
+    std::vector<PllClock>& all = elaborated.pll_clocks;
+    const auto monitor = binding.connected.find("VGA_CLK");
+    std::uint64_t shortest_fs = CLOCK_50_FS;
+    for (std::size_t n = 0; n < all.size() && monitor != binding.connected.end(); ++n) {
+        if (all[n].period_fs >= shortest_fs || all[n].period_fs < LEAST_SAMPLE_FS ||
+            clock_pins(all[n], binding))
+            continue;
+        shortest_fs = all[n].period_fs;
+        monitor->second = fmt::format("pll_clocks[{}]", n);
+    }
+    for (auto& [name, number] : binding.clocks) {
+        const std::uint64_t period_fs = board.signal(name)->period_fs;
+        const PllClock clock{period_fs, 0, period_fs / 2, false, {name}, {}};
+        auto same = std::find(all.begin(), all.end(), clock);
+        if (same == all.end()) same = all.insert(all.end(), clock);
+        same->names.insert(name);
+        same->pins.clear();
+        number = static_cast<unsigned>(same - all.begin());
+    }
+}
 
 void write_if_new(const std::filesystem::path& file, const std::string& text) {
     std::error_code error;

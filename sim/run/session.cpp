@@ -57,12 +57,14 @@ std::optional<GdbConnection> listening_for_gdb(const RunOutputs& outputs) {
     return std::optional<GdbConnection>{std::in_place, *outputs.gdb};
 }
 
-std::optional<project::Built> built_project(const RunPlan& plan) {
+// What the scenario needs is looked for on the board before the design is compiled.
+std::optional<project::Built> built_project(RunPlan& plan) {
     if (!plan.has_project()) return {};
     const RunOutputs& outputs = plan.description.outputs;
     return during("building the project", [&] {
-        return build_with_progress(plan.description.chip.project, !outputs.trace.file.empty(),
-                                   outputs.quiet);
+        return build_with_progress(
+            plan.description.chip.project, !outputs.trace.file.empty(), outputs.quiet,
+            [&](const project::BoardDescription& board) { set_board(plan, board); });
     });
 }
 

@@ -79,7 +79,7 @@ const SEGMENTS = ["6,2 30,2 26,7 10,7", "31,4 31,29 26,27 26,9", "31,32 31,57 26
     "7,30 10,27 26,27 29,30 26,33 10,33"];
 for (let digit = 5; digit >= 0; --digit) {
     const polygons = SEGMENTS.map((points) => `<polygon points="${points}"/>`).join("");
-    $("hex").insertAdjacentHTML("beforeend", `<svg viewBox="0 0 36 61" data-digit="${digit}">${polygons}</svg>`);
+    $("hex").insertAdjacentHTML("beforeend", `<svg viewBox="0 0 36 61" data-digit="${digit}">${polygons}<circle cx="34" cy="57" r="2"/></svg>`);
 }
 for (let n = 9; n >= 0; --n)
     $("ledr").insertAdjacentHTML("beforeend", `<div class="lamp" id="ledr${n}" title="LEDR${n}"></div>`);

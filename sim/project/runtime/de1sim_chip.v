@@ -24,7 +24,7 @@ module de1sim_chip (
     input  wire [3:0]  key_ni,
     input  wire [9:0]  sw_i,
     output wire [9:0]  ledr_o,
-    output wire [41:0] hex_no,          // HEX5 in 41:35 ... HEX0 in 6:0
+    output wire [47:0] hex_no,          // HEX5 in 41:35 ... HEX0 in 6:0; points, 1: lit, in 47:42
 
     input  wire [35:0] gpio_0_low_i,
     output wire [35:0] gpio_0_o,
@@ -115,7 +115,7 @@ module de1sim_chip (
     wire        TD_VS    = 1'b1;
 
     wire [9:0]  LEDR;
-    wire [6:0]  HEX0, HEX1, HEX2, HEX3, HEX4, HEX5;
+    wire [7:0]  HEX0, HEX1, HEX2, HEX3, HEX4, HEX5;
     wire        VGA_CLK, VGA_HS, VGA_VS, VGA_BLANK_N, VGA_SYNC_N;
     wire [7:0]  VGA_R, VGA_G, VGA_B;
     wire        DRAM_CLK, DRAM_CKE, DRAM_CS_N, DRAM_RAS_N, DRAM_CAS_N, DRAM_WE_N;
@@ -180,7 +180,8 @@ module de1sim_chip (
     // ---- What the simulation looks at ----
 
     assign ledr_o = LEDR;
-    assign hex_no = {HEX5, HEX4, HEX3, HEX2, HEX1, HEX0};
+    assign hex_no = {~{HEX5[7], HEX4[7], HEX3[7], HEX2[7], HEX1[7], HEX0[7]},
+                     HEX5[6:0], HEX4[6:0], HEX3[6:0], HEX2[6:0], HEX1[6:0], HEX0[6:0]};
     assign gpio_0_o = GPIO_0;
     assign gpio_1_o = GPIO_1;
     assign gpio_0_oe_o = `DE1SIM_GPIO_0_OUTPUTS | ~GPIO_0 & ~gpio_0_low;
