@@ -42,6 +42,8 @@ const std::vector<ChipWires>& chip_wires() {
         {"FPGA_I2C_SCLK", 1, D::OUTPUT, true}, {"FPGA_I2C_SDAT", 1, D::INOUT, true},
         {"ADC_CS_N", 1, D::OUTPUT, true},      {"ADC_SCLK", 1, D::OUTPUT, true},
         {"ADC_DIN", 1, D::OUTPUT, true},       {"ADC_DOUT", 1, D::INPUT, true},
+        {"GSENSOR_CS_N", 1, D::OUTPUT, true},  {"GSENSOR_SCLK", 1, D::OUTPUT, true},
+        {"GSENSOR_SDI", 1, D::INOUT, true},    {"GSENSOR_SDO", 1, D::INOUT, true},
         {"PS2_CLK", 1, D::INOUT, true},        {"PS2_DAT", 1, D::INOUT, true},
         {"PS2_CLK2", 1, D::INOUT, true},       {"PS2_DAT2", 1, D::INOUT, true},
         {"IRDA_RXD", 1, D::INPUT, true},       {"IRDA_TXD", 1, D::OUTPUT, true},
@@ -183,6 +185,8 @@ private:
         } else if (word == "processor") {
             if (value != "HPS") refuse("the processor HPS, or no such line", '"' + value + '"');
             board_.has_processor = true;
+        } else if (word == "i2c") {
+            board_.on_i2c.insert(words.begin(), words.end());
         } else if (word == "other-pins") {
             for (const std::string& pin : words) board_.other_pins.insert("PIN_" + pin);
         } else {

@@ -89,6 +89,7 @@ void set_board(RunPlan& plan, const project::BoardDescription& board) {
         parts.wires.insert(signal.wires.begin(), signal.wires.end());
     // The processor's I2C has the sensor where the FPGA has it not.
     if (board.has_processor) parts.wires.insert({"HPS", "MOTION"});
+    if (board.has_wire("GSENSOR_CS_N")) parts.wires.insert("MOTION");
     check_scenario(plan.scenario);
 }
 

@@ -172,7 +172,9 @@ int check_project(const ProjectOptions& options, CheckPrints prints) {
     text += "ports:\n";
     for (const auto& port : design.binding.ports) text += bound(port);
     for (const auto& system : design.project.systems) text += addresses(system);
-    text += "clocks:\n  CLOCK_50: 50 MHz\n";
+    text += "clocks:\n";
+    for (const project::BoardSignal& signal : design.project.board.signals)
+        if (signal.wires.front() == "CLOCK_50") text += "  " + signal.name + ": 50 MHz\n";
     for (const auto& clock : design.elaborated.pll_clocks)
         text += fmt::format("  {}: {:.6f} MHz, phase {:.3f} ns{}\n", fmt::join(clock.names, ", "),
                             1e9 / static_cast<double>(clock.period_fs),

@@ -34,8 +34,8 @@ constexpr Glyph GLYPHS[] = {
 // Six characters with a glyph each, HEX5 first.
 bool is_hex_text(std::string_view text);
 
-// The digits as text without points, HEX5 first: the character of `expected` if the pattern is one of its forms,
-// otherwise the first character with that pattern, '?' if there is none.
+// The digits as text without points, HEX5 first: the character of `expected` if the pattern is one
+// of its forms, otherwise the first character with that pattern, '?' if there is none.
 std::string hex_text(const HexSegments& segments, std::string_view expected = "");
 
 }  // namespace sim

@@ -50,17 +50,15 @@ void StaticChecks::release(const std::string& control) {
 void StaticChecks::need_on_board(const std::string& wire, const std::string& what) const {
     const BoardParts& board = scenario_.board;
     if (board.has(wire)) return;
-    const std::string bus = wire.substr(0, wire.find('[') + 1);
-    const auto count =
-        std::count_if(board.wires.begin(), board.wires.end(),
-                      [&](const std::string& own) { return own.compare(0, bus.size(), bus) == 0; });
+    // Of a bus that it has, how much of it.
+    const std::string bus = wire.substr(0, wire.find('['));
+    const auto count = std::count_if(
+        board.wires.begin(), board.wires.end(),
+        [&](const std::string& own) { return own != bus && own.substr(0, own.find('[')) == bus; });
     refuse_step("a step for what the " + board.name + " has",
                 fmt::format("one for {}, {}", what,
-                            wire == bus || count == 0 ? "which it has not"
-                            : count == 1              ? "of which it has number 0"
-                                                      : fmt::format("of which it has the numbers "
-                                                                                 "0 to {}",
-                                                                    count - 1)));
+                            count ? fmt::format("and the numbers are 0 to {}", count - 1)
+                                  : "which it has not"));
 }
 
 void StaticChecks::need_on_board(const HeaderMasks& pins) const {

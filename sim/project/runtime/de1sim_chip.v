@@ -35,8 +35,8 @@ module de1sim_chip (
 
     output wire [2:0]  clocks_o,        // VGA_CLK, DRAM_CLK, AUD_XCK
     // I2C SDAT, SCLK; AUD_DACDAT, BCLK, DACLRCK, ADCLRCK; PS/2 DAT2, DAT, CLK2, CLK; ADC DIN, SCLK,
-    // CS_N
-    output wire [12:0] pins_o,
+    // CS_N; above, the accelerometer's SDO, SDI, SCLK, CS_N
+    output wire [16:0] pins_o,
 
     output wire [27:0] vga_o,           // SYNC_N, BLANK_N, VS, HS, R, G, B
 
@@ -51,6 +51,7 @@ module de1sim_chip (
     input  wire        i2c_sdat_low_i,
 
     input  wire        adc_dout_i,
+    input  wire [1:0]  gsensor_low_i,   // SDO, SDI
 
     input  wire [1:0]  ps2_clk_low_i,
     input  wire [1:0]  ps2_dat_low_i,
@@ -89,6 +90,7 @@ module de1sim_chip (
     reg         dram_dq_en = 1'b0;
     reg         AUD_ADCDAT = 1'b0, ADC_DOUT = 1'b0, IRDA_RXD = 1'b1;
     reg         i2c_sdat_low = 1'b0;
+    reg  [1:0]  gsensor_low = 2'd0;
     reg  [2:0]  aud = 3'd0;
     reg         aud_en = 1'b0;
     reg  [1:0]  ps2_clk_low = 2'd0, ps2_dat_low = 2'd0;
@@ -104,6 +106,7 @@ module de1sim_chip (
         ADC_DOUT <= adc_dout_i;
         IRDA_RXD <= irda_rxd_i;
         i2c_sdat_low <= i2c_sdat_low_i;
+        gsensor_low <= gsensor_low_i;
         aud <= aud_i;
         aud_en <= aud_en_i;
         ps2_clk_low <= ps2_clk_low_i;
@@ -124,6 +127,7 @@ module de1sim_chip (
     wire        DRAM_LDQM, DRAM_UDQM;
     wire        AUD_XCK, AUD_DACDAT, FPGA_I2C_SCLK;
     wire        ADC_CS_N, ADC_SCLK, ADC_DIN;
+    wire        GSENSOR_CS_N, GSENSOR_SCLK, GSENSOR_SDI, GSENSOR_SDO;
     wire        IRDA_TXD, TD_RESET_N, FAN_CTRL;
 
     wire [35:0] GPIO_0, GPIO_1;
@@ -150,6 +154,11 @@ module de1sim_chip (
     assign PS2_DAT = ps2_dat_low[0] ? 1'b0 : 1'bz;
     assign PS2_CLK2 = ps2_clk_low[1] ? 1'b0 : 1'bz;
     assign PS2_DAT2 = ps2_dat_low[1] ? 1'b0 : 1'bz;
+    assign GSENSOR_SDI = gsensor_low[0] ? 1'b0 : 1'bz;
+    assign GSENSOR_SDO = gsensor_low[1] ? 1'b0 : 1'bz;
+    pullup(GSENSOR_SCLK);
+    pullup(GSENSOR_SDI);
+    pullup(GSENSOR_SDO);
     pullup(FPGA_I2C_SCLK);
     pullup(FPGA_I2C_SDAT);
     pullup(PS2_CLK);
@@ -187,7 +196,8 @@ module de1sim_chip (
     assign gpio_0_oe_o = `DE1SIM_GPIO_0_OUTPUTS | ~GPIO_0 & ~gpio_0_low;
     assign gpio_1_oe_o = `DE1SIM_GPIO_1_OUTPUTS | ~GPIO_1 & ~gpio_1_low;
     assign clocks_o = {VGA_CLK, DRAM_CLK, AUD_XCK};
-    assign pins_o = {FPGA_I2C_SDAT, FPGA_I2C_SCLK, AUD_DACDAT, AUD_BCLK, AUD_DACLRCK, AUD_ADCLRCK,
+    assign pins_o = {GSENSOR_SDO, GSENSOR_SDI, GSENSOR_SCLK, GSENSOR_CS_N,
+                     FPGA_I2C_SDAT, FPGA_I2C_SCLK, AUD_DACDAT, AUD_BCLK, AUD_DACLRCK, AUD_ADCLRCK,
                      PS2_DAT2, PS2_DAT, PS2_CLK2, PS2_CLK, ADC_DIN, ADC_SCLK, ADC_CS_N};
     assign vga_o = {VGA_SYNC_N, VGA_BLANK_N, VGA_VS, VGA_HS, VGA_R, VGA_G, VGA_B};
     assign dram_o = {DRAM_CKE, DRAM_CS_N, DRAM_RAS_N, DRAM_CAS_N, DRAM_WE_N, DRAM_BA, DRAM_ADDR,

@@ -71,8 +71,8 @@ namespace steps {
 std::vector<StepForm> motion() {
     return {
         {"tilt-board",
-         "Tilt the board, which begins flat, and go on; the accelerometer on I2C0 of the HPS feels "
-         "it. "
+         "Tilt the board, which begins flat, and go on; the accelerometer feels it, on I2C0 of the "
+         "HPS or, on a DE10-Lite, on pins of the FPGA. "
          "x points to the right edge, y to the far one, z up; how the chip is turned on a board is "
          "to "
          "be tried there.",
