@@ -1,8 +1,8 @@
-// adv7513.h - the DE10-Nano's HDMI transmitter (Analog Devices' ADV7513): its I2C, and whether it
-// sends a picture.
+// adv7513.h - the DE10-Nano's HDMI transmitter (Analog Devices' ADV7513): its registers by I2C.
 //
 // At 0x39 (0x72 to write, 0x73 to read) a transfer's first byte is the register, which increments.
-// It is powered down until bit 6 of register 0x41 is cleared; before that a monitor shows nothing.
+// It is powered down until bit 6 of register 0x41 is cleared, by the design, or before that by the
+// boot loader of the SD card that comes with the board.
 // A monitor is connected: hot plug detect and its sense are 1 in register 0x42.
 //
 // Source: ADV7513 Hardware User's Guide and Programming Guide.

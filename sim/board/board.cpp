@@ -102,14 +102,12 @@ void Board::act(Agenda::Action action) {
 }
 
 void Board::video(const std::uint32_t* samples, std::size_t count) {
-    if (has_hdmi_ && !hdmi_transmitter.is_powered()) {
-        constexpr std::uint64_t PATIENCE_PS = 500'000'000'000;
-        if (agenda.now_ps() > PATIENCE_PS && !std::exchange(warned_, true))
-            observer_.log(
-                "HDMI transmitter: the ADV7513 is powered down until the design clears bit 6 of "
-                "its register 0x41 by I2C; the monitor shows nothing");
-        return;
-    }
+    constexpr std::uint64_t PATIENCE_PS = 500'000'000'000;
+    if (has_hdmi_ && agenda.now_ps() > PATIENCE_PS && !hdmi_transmitter.is_powered() &&
+        !std::exchange(warned_, true))
+        observer_.log(
+            "HDMI transmitter: the design has not powered up the ADV7513 (bit 6 of its register "
+            "0x41, by I2C); a board shows this picture only if its SD card's boot loader has");
     monitor.samples(samples, count);
 }
 

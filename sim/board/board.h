@@ -131,7 +131,7 @@ private:
     unsigned ps2_clk_low_ = 0, ps2_dat_low_ = 0;  // by the FPGA
     std::array<Ps2Device*, 2> ps2_{};             // in each port; may be none
     const bool has_codec_, has_decoder_, has_hdmi_;
-    bool warned_ = false;  // that nothing is seen
+    bool warned_ = false;  // that nothing may be seen
     double rate_hz_ = 0;   // of the samples given to the observer so far
 
 public:  // the parts, in the order in which they are soldered
