@@ -55,10 +55,9 @@ void StaticChecks::need_on_board(const std::string& wire, const std::string& wha
     const auto count = std::count_if(
         board.wires.begin(), board.wires.end(),
         [&](const std::string& own) { return own != bus && own.substr(0, own.find('[')) == bus; });
-    refuse_step("a step for what the " + board.name + " has",
-                fmt::format("one for {}, {}", what,
-                            count ? fmt::format("and the numbers are 0 to {}", count - 1)
-                                  : "which it has not"));
+    const std::string numbers =
+        count ? fmt::format(": it has 0 to {}", count - 1) : ", which it has not";
+    refuse_step("a step for what the " + board.name + " has", "one for " + what + numbers);
 }
 
 void StaticChecks::need_on_board(const HeaderMasks& pins) const {
