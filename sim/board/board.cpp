@@ -24,16 +24,17 @@ HeaderPinList keypad_pins(const std::vector<PartPlan>& plans) {
 Board::Board(const sc_core::sc_module_name& name, BoardObserver& observer, std::uint64_t seed,
              Ps2Ports ps2_ports, const ChipMaker& make_chip, Monitor::Strictness vga,
              const std::vector<PartPlan>& part_plans, const UsbPlugs& usb_plugs,
-             const std::set<std::string>& on_i2c)
+             const BoardShape& shape)
     : sc_module{name},
       observer_{observer},
-      has_codec_{on_i2c.count("WM8731") > 0},
-      has_decoder_{on_i2c.count("ADV7180") > 0},
-      has_hdmi_{on_i2c.count("ADV7513") > 0},
+      has_codec_{shape.on_i2c.count("WM8731") > 0},
+      has_decoder_{shape.on_i2c.count("ADV7180") > 0},
+      has_hdmi_{shape.on_i2c.count("ADV7513") > 0},
       monitor{[&observer](const Monitor::Frame& frame) { observer.frame(frame); }, vga,
               [&observer, vga](const std::string& line) {
                   if (vga == Monitor::Strictness::TOLERANT) observer.log("monitor: " + line);
-              }},
+              },
+              shape.has_blank},
       codec_chip{[this, &observer](const StereoSample& sample, std::uint64_t) {
                      if (codec_chip.rate_hz() != rate_hz_)
                          observer.sample_rate(rate_hz_ = codec_chip.rate_hz());

@@ -55,17 +55,22 @@
 
 namespace sim {
 
+// In what a board differs from the DE1-SoC.
+struct BoardShape {
+    std::set<std::string> on_i2c{"WM8731", "ADV7180"};  // the FPGA's: of these, and ADV7513
+    bool has_blank = true;                              // BLANK_N, of the monitor
+};
+
 class Board : public sc_core::sc_module, private PinListener {
     static constexpr unsigned HEX_LSB = 10, HPS_LED_BIT = 58, LAMPS = 59;
 
 public:
-    // `seed` of the bounce of contacts: the keypad's and the switches'.  `on_i2c`: the parts on the
-    // FPGA's I2C, of WM8731, ADV7180 and ADV7513.
+    // `seed` of the bounce of contacts: the keypad's and the switches'.
     Board(const sc_core::sc_module_name& name, BoardObserver& observer, std::uint64_t seed,
           Ps2Ports ps2_ports, const ChipMaker& make_chip,
           Monitor::Strictness vga = Monitor::Strictness::STRICT,
           const std::vector<PartPlan>& parts = {}, const UsbPlugs& usb_plugs = {},
-          const std::set<std::string>& on_i2c = {"WM8731", "ADV7180"});
+          const BoardShape& shape = {});
 
     // Carries out what a person does now, once the chip has come to the present.
     void act(Agenda::Action action);

@@ -130,7 +130,7 @@ private:
             if (file && has_processor(*file, files_.finder()))
                 listed_systems_.push_back(*file);  // see definition()
         } else if (name == "QIP_FILE") {
-            if (const auto system = system_of_qip(a.value, files_.finder());
+            if (const auto system = system_of_qip(a.value, folder_, files_.finder());
                 system && has_processor(*system, files_.finder()))
                 listed_systems_.push_back(*system);
             else if (const auto file = resolve(a))

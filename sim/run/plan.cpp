@@ -83,6 +83,9 @@ void set_board(RunPlan& plan, const project::BoardDescription& board) {
     if (plan.processor == RunPlan::Processor::ARM && !board.has_processor)
         throw std::runtime_error{"--elf: the chip of the " + board.name +
                                  " has no processor to run it: expected no program"};
+    if (plan.strictness == Monitor::Strictness::STRICT && !board.has_wire("VGA_BLANK_N"))
+        throw std::runtime_error{"--strict-vga: needs BLANK_N, which the " + board.name +
+                                 " has not: expected no such option"};
     BoardParts& parts = plan.scenario.board;
     parts.name = board.name;
     for (const project::BoardSignal& signal : board.signals)

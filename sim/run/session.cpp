@@ -126,7 +126,8 @@ System::System(const RunPlan& plan, Software software, const std::optional<proje
             plan.strictness,
             plan.scenario.parts,
             plan.scenario.usb,
-            built ? built->board.on_i2c : std::set<std::string>{"WM8731", "ADV7180"}},
+            built ? BoardShape{built->board.on_i2c, built->board.has_wire("VGA_BLANK_N")}
+                  : BoardShape{}},
       runner{"runner", board, observers.recorder.observations(), plan.scenario.steps,
              plan.description.outputs.out} {
     const RunOutputs& outputs = plan.description.outputs;
