@@ -27,7 +27,7 @@ configure:
 everything:
 	@.ci/configure FIRMWARE TESTS TEST_ALL BOARD WERROR=$(WERROR)
 
-qsf:                    ## write the Quartus project again from the top module's ports and pins.tsv
+qsf:                    ## write the Quartus project again from the top module's ports and board.tsv
 	@/usr/bin/python3 -B rtl/board/de1_soc/gen_qsf.py > build/de1_soc.qsf
 	@mv build/de1_soc.qsf rtl/board/de1_soc/de1_soc.qsf
 

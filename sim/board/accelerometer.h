@@ -55,6 +55,8 @@ public:
         settle();
     }
 
+    Adxl345& chip() { return chip_; }  // on boards that have it on pins of the FPGA
+
 private:
     static std::uint64_t now_ps() { return sc_core::sc_time_stamp().value(); }
     void sample() {

@@ -8,6 +8,7 @@ namespace sim {
 
 namespace {
 
+constexpr std::uint64_t ALL_SEGMENTS = (std::uint64_t{1} << 42) - 1;  // without points
 // Bits of hold() and release().
 constexpr unsigned ALL_KEYS = 0x0F, HPS_KEY = 0x10;
 
@@ -22,13 +23,18 @@ HeaderPinList keypad_pins(const std::vector<PartPlan>& plans) {
 
 Board::Board(const sc_core::sc_module_name& name, BoardObserver& observer, std::uint64_t seed,
              Ps2Ports ps2_ports, const ChipMaker& make_chip, Monitor::Strictness vga,
-             const std::vector<PartPlan>& part_plans, const UsbPlugs& usb_plugs)
+             const std::vector<PartPlan>& part_plans, const UsbPlugs& usb_plugs,
+             const BoardShape& shape)
     : sc_module{name},
       observer_{observer},
+      has_codec_{shape.on_i2c.count("WM8731") > 0},
+      has_decoder_{shape.on_i2c.count("ADV7180") > 0},
+      has_hdmi_{shape.on_i2c.count("ADV7513") > 0},
       monitor{[&observer](const Monitor::Frame& frame) { observer.frame(frame); }, vga,
               [&observer, vga](const std::string& line) {
                   if (vga == Monitor::Strictness::TOLERANT) observer.log("monitor: " + line);
-              }},
+              },
+              shape.has_blank},
       codec_chip{[this, &observer](const StereoSample& sample, std::uint64_t) {
                      if (codec_chip.rate_hz() != rate_hz_)
                          observer.sample_rate(rate_hz_ = codec_chip.rate_hz());
@@ -46,6 +52,8 @@ Board::Board(const sc_core::sc_module_name& name, BoardObserver& observer, std::
       ps2_mouse{agenda, [this] { ps2_wires(chip_->inputs()); }},
       usb{agenda, usb_plugs},
       remote_control{agenda, [this] { chip_->inputs().irda_rxd = remote_control.dark(); }},
+      hdmi_transmitter{
+          [&observer](const std::string& line) { observer.log("HDMI transmitter: " + line); }},
       accelerometer{
           "accelerometer", [this](bool up) { chip_->hps_accelerometer_interrupt(up); },
           [&observer](const std::string& line) { observer.log("accelerometer: " + line); }},
@@ -95,19 +103,28 @@ void Board::act(Agenda::Action action) {
 }
 
 void Board::video(const std::uint32_t* samples, std::size_t count) {
+    constexpr std::uint64_t PATIENCE_PS = 500'000'000'000;
+    if (has_hdmi_ && agenda.now_ps() > PATIENCE_PS && !hdmi_transmitter.is_powered() &&
+        !std::exchange(warned_, true))
+        observer_.log(
+            "HDMI transmitter: the design has not powered up the ADV7513 (bit 6 of its register "
+            "0x41, by I2C); a board shows this picture only if its SD card's boot loader has");
     monitor.samples(samples, count);
 }
 
 // SDAT is open-drain with a pull-up.
 void Board::codec(const CodecPins& pins, std::uint64_t time_ps, ChipInputs& in) {
     const auto sdat_level = [&] {
-        return !pins.sdat_low && !codec_chip.pulls_sda_low() && !video_decoder.pulls_sda_low();
+        return !pins.sdat_low && !(has_codec_ && codec_chip.pulls_sda_low()) &&
+               !(has_decoder_ && video_decoder.pulls_sda_low()) &&
+               !(has_hdmi_ && hdmi_transmitter.pulls_sda_low());
     };
     const auto hear = [&](bool sdat) {
         codec_chip.drive({pins.bclk, pins.daclrck, pins.adclrck, pins.dacdat, pins.sclk, sdat,
                           pins.clocks_driven},
                          time_ps);
         video_decoder.drive_i2c(pins.sclk, sdat, time_ps);
+        hdmi_transmitter.drive_i2c(pins.sclk, sdat, time_ps);
     };
     const bool sdat = sdat_level();
     hear(sdat);
@@ -155,7 +172,7 @@ void Board::drive_pins(const HeaderMasks& pins, PinLevel level) {
 
 void Board::lamps(const LampPins& pins, std::uint64_t time_ps) {
     constexpr std::uint64_t BOTH = (std::uint64_t{1} << HPS_LED_BIT) - 1;
-    light(pins.ledr | ~pins.hex_n << HEX_LSB, BOTH, time_ps);
+    light(pins.ledr | (pins.hex_n ^ ALL_SEGMENTS) << HEX_LSB, BOTH, time_ps);
 }
 
 void Board::hps_led(bool lit, std::uint64_t time_ps) {
@@ -191,6 +208,12 @@ void Board::settle_lamps() { eyes_.pass(chip_->time_ps()); }
 void Board::adc(const AdcPins& pins, std::uint64_t time_ps, ChipInputs& in) {
     adc_chip.drive(pins.convst, pins.sck, pins.sdi, time_ps);
     in.adc_sdo = adc_chip.sdo();
+}
+
+void Board::gsensor(const GsensorPins& pins, std::uint64_t time_ps, ChipInputs& in) {
+    accelerometer_wires.drive(pins, time_ps);
+    in.gsensor_sdi = !accelerometer_wires.pulls_sdi_low();
+    in.gsensor_sdo = !accelerometer_wires.pulls_sdo_low();
 }
 
 void Board::sdram(const SdramPins& pins, std::uint64_t time_ps, std::uint16_t& dq, bool& more) {

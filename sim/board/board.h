@@ -3,6 +3,7 @@
 //   Chip --pins--+- Monitor   (VGA)
 //                +- Wm8731    (audio)  <-- SoundSource
 //                +- Adv7180   (video in)
+//                +- Adv7513   (HDMI, of boards that have it in place of VGA)
 //                +- Ltc2308   (AD converter)
 //                +- Is42s16320d  (SDRAM)
 //                +- Keypad    (JP1 D7-D0, or where the scenario hangs it)
@@ -10,7 +11,7 @@
 //                +- UsbKeyboard, UsbMouse, UsbGamepad  (USB host ports of the HPS)
 //                +- RemoteControl  (infrared receiver)
 //                +- HeaderWires  (GPIO_0, GPIO_1)  --- Parts of the scenario
-//                +- Accelerometer  (I2C0 of the HPS)
+//                +- Accelerometer  (I2C0 of the HPS, or pins of the FPGA)
 //                +- SW  (BouncingContacts)
 //                +- KEY, LEDR, HEX, HPS_KEY, HPS_LED
 //
@@ -24,11 +25,14 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
 #include "sim/board/accelerometer.h"
 #include "sim/board/adv7180.h"
+#include "sim/board/adv7513.h"
+#include "sim/board/adxl345_wires.h"
 #include "sim/board/board_observer.h"
 #include "sim/board/bouncing_contacts.h"
 #include "sim/board/header_wires.h"
@@ -51,15 +55,22 @@
 
 namespace sim {
 
+// In what a board differs from the DE1-SoC.
+struct BoardShape {
+    std::set<std::string> on_i2c{"WM8731", "ADV7180"};  // the FPGA's: of these, and ADV7513
+    bool has_blank = true;                              // BLANK_N, of the monitor
+};
+
 class Board : public sc_core::sc_module, private PinListener {
-    static constexpr unsigned HEX_LSB = 10, HPS_LED_BIT = 52, LAMPS = 53;
+    static constexpr unsigned HEX_LSB = 10, HPS_LED_BIT = 58, LAMPS = 59;
 
 public:
     // `seed` of the bounce of contacts: the keypad's and the switches'.
     Board(const sc_core::sc_module_name& name, BoardObserver& observer, std::uint64_t seed,
           Ps2Ports ps2_ports, const ChipMaker& make_chip,
           Monitor::Strictness vga = Monitor::Strictness::STRICT,
-          const std::vector<PartPlan>& parts = {}, const UsbPlugs& usb_plugs = {});
+          const std::vector<PartPlan>& parts = {}, const UsbPlugs& usb_plugs = {},
+          const BoardShape& shape = {});
 
     // Carries out what a person does now, once the chip has come to the present.
     void act(Agenda::Action action);
@@ -103,6 +114,7 @@ private:
     void bclk_edge(std::uint64_t time_ps, ChipInputs& in) override;
     void headers(const HeaderPins& pins, std::uint64_t time_ps, ChipInputs& in) override;
     void adc(const AdcPins& pins, std::uint64_t time_ps, ChipInputs& in) override;
+    void gsensor(const GsensorPins& pins, std::uint64_t time_ps, ChipInputs& in) override;
     void sdram(const SdramPins& pins, std::uint64_t time_ps, std::uint16_t& dq,
                bool& more) override;
     void lamps(const LampPins& pins, std::uint64_t time_ps) override;
@@ -123,7 +135,9 @@ private:
     LampBank eyes_{LAMPS, [this](std::uint64_t time_ps) { see(time_ps); }};
     unsigned ps2_clk_low_ = 0, ps2_dat_low_ = 0;  // by the FPGA
     std::array<Ps2Device*, 2> ps2_{};             // in each port; may be none
-    double rate_hz_ = 0;                          // of the samples given to the observer so far
+    const bool has_codec_, has_decoder_, has_hdmi_;
+    bool warned_ = false;  // that nothing may be seen
+    double rate_hz_ = 0;   // of the samples given to the observer so far
 
 public:  // the parts, in the order in which they are soldered
     Monitor monitor;
@@ -138,7 +152,9 @@ public:  // the parts, in the order in which they are soldered
     Ps2Mouse ps2_mouse;
     UsbPorts usb;
     RemoteControl remote_control;
+    Adv7513 hdmi_transmitter;
     Accelerometer accelerometer;
+    Adxl345Wires accelerometer_wires{accelerometer.chip()};
     HeaderWires wires;
     Parts parts;
 

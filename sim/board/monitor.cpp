@@ -29,10 +29,11 @@ std::string moved(const char* name, std::uint64_t edges) {
 
 }  // namespace
 
-Monitor::Monitor(Sink sink, Strictness strictness, Report report)
+Monitor::Monitor(Sink sink, Strictness strictness, Report report, bool has_blank)
     : sink_{std::move(sink)},
       strictness_{strictness},
       report_{std::move(report)},
+      has_blank_{has_blank},
       raster_{STRICT_PLACE},
       sample_ps_{video::PERIOD_PS} {}
 
@@ -92,9 +93,10 @@ void Monitor::end_frame() {
         const Placement& place = raster_.place();
         if (raster_.has_colour_in_porch() && !strict() && report_ &&
             !std::exchange(porch_reported_, true))
-            report_(
-                "colours before the picture begins, where BLANK_N is high: a monitor takes what is "
-                "there for black, so its picture is too dark or has false colours");
+            report_("colours before the picture begins" +
+                    std::string{has_blank_ ? ", where BLANK_N is high" : ""} +
+                    ": a monitor takes what is there for black, so its picture is too dark or has "
+                    "false colours");
         if (sink_) sink_({frames_, is_new, raster_.pixels(), place.width, place.height});
     }
     raster_.begin_frame();
@@ -117,7 +119,7 @@ void Monitor::lock() {
     lock_ = meter_.signal();
     unlike_ = 0;
     meter_.expect_line(lock_->line_samples);
-    const PictureLock found = lock_on(*lock_, sample_ps_);
+    const PictureLock found = lock_on(*lock_, sample_ps_, has_blank_);
     in_range_ = found.picture.has_value();
     porch_reported_ = false;
     if (in_range_ && !strict()) {

@@ -45,7 +45,9 @@ public:
     using Sink = std::function<void(const Frame&)>;
     using Report = std::function<void(const std::string& line)>;
 
-    explicit Monitor(Sink sink, Strictness strictness = Strictness::STRICT, Report report = {});
+    // `has_blank`: the board has BLANK_N.
+    explicit Monitor(Sink sink, Strictness strictness = Strictness::STRICT, Report report = {},
+                     bool has_blank = true);
 
     // The period of the samples from the next one on, more than 0; without it that of our own
     // system's 25 MHz.  The lock is lost when it changes.
@@ -92,6 +94,7 @@ private:
     Sink sink_;
     Strictness strictness_;
     Report report_;
+    const bool has_blank_;
 
     VesaCheck check_;
     FrameMeter meter_;

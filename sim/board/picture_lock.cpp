@@ -42,7 +42,7 @@ std::string polarities(const VideoSignal& signal) {
 
 }  // namespace
 
-PictureLock lock_on(const VideoSignal& signal, std::uint64_t sample_ps) {
+PictureLock lock_on(const VideoSignal& signal, std::uint64_t sample_ps, bool has_blank) {
     const double line_ps = signal.line_samples * static_cast<double>(sample_ps);
     const double hz = 1e12 / (line_ps * signal.lines);
     const bool moves = signal.blank == Blank::MOVES;
@@ -78,11 +78,11 @@ PictureLock lock_on(const VideoSignal& signal, std::uint64_t sample_ps) {
         polarities(signal), rounded(signal.line_samples / picture.samples_per_pixel), signal.lines);
     if (picture.samples_per_pixel != 1)
         text += fmt::format(", {:.4g} samples per pixel", picture.samples_per_pixel);
-    if (signal.blank == Blank::NEVER_LOW)
+    if (signal.blank == Blank::NEVER_LOW && has_blank)
         text += ", BLANK_N ignored: never low";
     else if (signal.blank == Blank::NEVER_HIGH)
         text += ", BLANK_N ignored: never high, with which the board's ADV7123 shows black";
-    else if (!picture.by_blank)
+    else if (!picture.by_blank && has_blank)
         text += fmt::format(", BLANK_N not taken for the picture's size: high for {} x {}",
                             blank_width, signal.shown_lines);
     return {picture, text};

@@ -40,6 +40,7 @@ struct PictureLock {
     std::string text;
 };
 
-PictureLock lock_on(const VideoSignal& signal, std::uint64_t sample_ps);
+// `has_blank`: the board has BLANK_N; without it, it is high, and nothing is said of it.
+PictureLock lock_on(const VideoSignal& signal, std::uint64_t sample_ps, bool has_blank = true);
 
 }  // namespace sim

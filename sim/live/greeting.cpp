@@ -24,6 +24,7 @@ std::string text_of(const json& message) {
 void Greeting::add(const std::string& text) {
     const json message = json::parse(text, nullptr, false);
     if (message.contains("lamps")) lamps_ = text;
+    if (message.contains("board")) board_ = text;
     if (message.contains("ended")) ended_ = text;
     if (message.contains("log") || message.contains("fault") || message.contains("violation")) {
         events_.push_back(text);
@@ -37,6 +38,7 @@ void Greeting::add(const std::string& text) {
 
 std::deque<std::string> Greeting::texts() const {
     std::deque<std::string> all = events_;
+    if (!board_.empty()) all.push_back(board_);
     if (!lamps_.empty()) all.push_back(lamps_);
     if (!console_.empty()) all.push_back(text_of({{"console", console_}}));
     if (!terminals_.empty()) all.push_back(text_of({{"terminals", terminals_}}));

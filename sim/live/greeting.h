@@ -14,14 +14,14 @@ public:
     void add(const std::string& text);
     void clear() { *this = {}; }
 
-    // The last 20 aborts, faults and violations, the lamps as they are, the last 32 KiB or more of
-    // what was printed in all and on each line, and the run's end.
+    // The last 20 aborts, faults and violations, the board, the lamps as they are, the last 32 KiB
+    // or more of what was printed in all and on each line, and the run's end.
     std::deque<std::string> texts() const;
 
 private:
     static constexpr std::size_t MOST_EVENTS = 20;
 
-    std::string lamps_, console_, ended_;
+    std::string board_, lamps_, console_, ended_;
     std::map<std::string, std::string> terminals_;
     std::deque<std::string> events_;
 };

@@ -63,6 +63,10 @@ LivePlayer::LivePlayer(const sc_core::sc_module_name& name, ScenarioRunner& runn
 }
 
 void LivePlayer::run() {
+    if (const BoardParts& board = scenario_.board; !board.name.empty())
+        wire_.send(
+            Kind::TEXT,
+            nlohmann::json{{"board", {{"name", board.name}, {"wires", board.wires}}}}.dump());
     set_pace(1, false);
     wait(between_clocks);
     handle_messages();  // that time stands from the beginning

@@ -16,9 +16,8 @@ constexpr std::size_t MOST_UNSENT = 4u << 20;  // bytes, from which on pictures 
 
 nlohmann::json as_json(const Lamps& lamps) {
     nlohmann::json hex = nlohmann::json::array(), gpio = nlohmann::json::array();
-    HexSegments segments;
-    for (unsigned digit = 0; digit < HEX_DIGITS; ++digit)
-        hex.push_back(segments[digit] = lamps.hex >> 7 * digit & 0x7f);
+    const HexSegments segments = segments_of(lamps.hex);
+    for (const std::uint8_t digit : segments) hex.push_back(digit);
     for (const Lamps::Header& header : lamps.gpio)
         gpio.push_back({{"levels", header.levels}, {"outputs", header.outputs}});
     return {{"lamps",

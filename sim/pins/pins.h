@@ -56,11 +56,16 @@ struct SdramPins {
 
 struct LampPins {
     std::uint16_t ledr;
-    std::uint64_t hex_n;  // HEX5 in 41:35 ... HEX0 in 6:0, 0 = lit
+    std::uint64_t hex_n;  // HEX5 in 41:35 ... HEX0 in 6:0, 0 = lit; their points, 1 = lit, in 47:42
 };
 
 struct AdcPins {
     bool convst, sck, sdi;
+};
+
+// An accelerometer on pins of the FPGA; levels, where nobody pulls them low high.
+struct GsensorPins {
+    bool cs_n, sclk, sdi, sdo;
 };
 
 struct ChipInputs {
@@ -68,11 +73,13 @@ struct ChipInputs {
     std::uint8_t key_n = 0xf;
     HeaderMasks gpio{ALL_HEADER_PINS, ALL_HEADER_PINS};
     bool adcdat = false, sdat = true, adc_sdo = false, irda_rxd = true;
+    bool gsensor_sdi = true, gsensor_sdo = true;  // as far as the sensor pulls
     CodecClocks codec;
     std::uint8_t ps2_clk = 3, ps2_dat = 3;  // bit n of port n
 
     bool operator==(const ChipInputs& o) const {
         return sw == o.sw && key_n == o.key_n && gpio == o.gpio && sdat == o.sdat &&
+               gsensor_sdi == o.gsensor_sdi && gsensor_sdo == o.gsensor_sdo &&
                adc_sdo == o.adc_sdo && irda_rxd == o.irda_rxd && ps2_clk == o.ps2_clk &&
                ps2_dat == o.ps2_dat;
     }
@@ -112,6 +119,8 @@ public:
     virtual void headers(const HeaderPins& pins, std::uint64_t time_ps, ChipInputs& in) = 0;
     virtual void lamps(const LampPins& /*pins*/, std::uint64_t /*time_ps*/) {}
     virtual void adc(const AdcPins& pins, std::uint64_t time_ps, ChipInputs& in) = 0;
+    virtual void gsensor(const GsensorPins& /*pins*/, std::uint64_t /*time_ps*/,
+                         ChipInputs& /*in*/) {}
     // Called in each clock in which CS_N is low or CKE has moved, and in the next ones for as long
     // as `more` stays true.  `dq` is what is on DQ when the next clock begins.
     virtual void sdram(const SdramPins& pins, std::uint64_t time_ps, std::uint16_t& dq,

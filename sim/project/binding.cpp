@@ -9,70 +9,69 @@ namespace sim::project {
 
 namespace {
 
-std::string wire_of(const BoardSignal& signal, int index) {
-    return signal.scalar ? std::string{signal.name} : fmt::format("{}[{}]", signal.name, index);
-}
-
 using Locations = std::map<std::string, std::string>;
 
-// The wire for bit `bit` of a port, counted from the right, by its name alone.
-std::string by_name(const Port& port, int bit) {
-    const auto signal = board_signal(port.name);
-    return signal && bit >= 0 && bit < static_cast<int>(signal->width) ? wire_of(*signal, bit) : "";
+// The pins of a board, and where a project puts them.
+struct PinMap {
+    const BoardDescription& board;
+    const Locations& locations;
+    const Locations signals_by_pin = board.signals_by_pin();
+};
+
+// The signal for bit `bit` of a port, counted from the right, by its name alone.
+std::string by_name(const Port& port, int bit, const BoardDescription& board) {
+    const BoardSignal* const signal = board.signal(port.name);
+    return signal && bit >= 0 && bit < static_cast<int>(signal->width())
+               ? signal->bit(static_cast<unsigned>(bit))
+               : "";
+}
+
+bool is_colour(const std::string& wire) {
+    return wire.compare(0, 6, "VGA_R[") == 0 || wire.compare(0, 6, "VGA_G[") == 0 ||
+           wire.compare(0, 6, "VGA_B[") == 0;
 }
 
 // What to add to a bit of a colour so that the uppermost of `width` is the board's uppermost.
-int colour_shift(const Port& port, int width) {
-    const auto signal = board_signal(port.name);
-    if (!signal) return 0;
-    const bool colour =
-        signal->name == "VGA_R" || signal->name == "VGA_G" || signal->name == "VGA_B";
-    return colour ? static_cast<int>(signal->width) - width : 0;
+int colour_shift(const Port& port, int width, const BoardDescription& board) {
+    const BoardSignal* const signal = board.signal(port.name);
+    if (!signal || !is_colour(signal->wires.front()) || signal->width() > 8) return 0;
+    return static_cast<int>(signal->width()) - width;
 }
 
-const BoardSignal* signal_of_wire(const std::string& wire) {
-    const std::string name = wire.substr(0, wire.find('['));
-    for (const BoardSignal& signal : board_signals())
-        if (signal.name == name) return &signal;
-    return nullptr;
-}
-
-// The wire that a location gives to bit `index`, or empty.
-std::string by_location(const Port& port, int index, const Locations& locations,
-                        const Locations& signals_by_pin) {
+// The signal that a location gives to bit `index`, or empty.
+std::string by_location(const Port& port, int index, const PinMap& pins) {
     const auto location =
-        locations.find(port.vector ? fmt::format("{}[{}]", port.name, index) : port.name);
-    if (location == locations.end()) return {};
-    const auto signal = signals_by_pin.find(location->second);
-    return signal != signals_by_pin.end() && signal_of_wire(signal->second) ? signal->second : "";
+        pins.locations.find(port.vector ? fmt::format("{}[{}]", port.name, index) : port.name);
+    if (location == pins.locations.end()) return {};
+    const auto signal = pins.signals_by_pin.find(location->second);
+    return signal != pins.signals_by_pin.end() ? signal->second : "";
 }
 
 // A port's bits, from the left, as far as locations tell.
-std::vector<std::string> located_wires(const Port& port, const Locations& locations,
-                                       const Locations& signals_by_pin) {
-    std::vector<std::string> wires;
+std::vector<std::string> located_signals(const Port& port, const PinMap& pins) {
+    std::vector<std::string> signals;
     for (int index = port.left;; index += port.left >= port.right ? -1 : 1) {
-        wires.push_back(by_location(port, index, locations, signals_by_pin));
-        if (index == port.right) return wires;
+        signals.push_back(by_location(port, index, pins));
+        if (index == port.right) return signals;
     }
 }
 
 // Fills in the other bits by the port's name.  A pin that a location gives to another output stays
 // that one's.
-void name_wires(std::vector<std::string>& wires, const Port& port,
-                const std::set<std::string>& located, std::vector<std::string>& notes) {
+void name_signals(std::vector<std::string>& signals, const Port& port, const PinMap& pins,
+                  const std::set<std::string>& located, std::vector<std::string>& notes) {
     const bool all =
-        std::all_of(wires.begin(), wires.end(), [](auto& wire) { return wire.empty(); });
-    const int width = static_cast<int>(wires.size());
+        std::all_of(signals.begin(), signals.end(), [](auto& signal) { return signal.empty(); });
+    const int width = static_cast<int>(signals.size());
     for (int i = 0; i < width; ++i) {
-        std::string& wire = wires[static_cast<std::size_t>(i)];
-        if (!wire.empty()) continue;
+        std::string& signal = signals[static_cast<std::size_t>(i)];
+        if (!signal.empty()) continue;
         const int bit = port.left >= port.right ? width - 1 - i : i;
-        wire = by_name(port, bit + (all ? colour_shift(port, width) : 0));
-        if (port.direction == Direction::INPUT || !located.count(wire)) continue;
+        signal = by_name(port, bit + (all ? colour_shift(port, width, pins.board) : 0), pins.board);
+        if (port.direction == Direction::INPUT || !located.count(signal)) continue;
         notes.push_back(fmt::format("output {} is on {}, which another output drives: left open",
-                                    port.name, wire));
-        wire.clear();
+                                    port.name, signal));
+        signal.clear();
     }
 }
 
@@ -97,40 +96,56 @@ std::string driver_text(const std::string& wire, const std::string& value) {
     return is_header(wire) ? "$c1(\"1\") ? " + value + " : 1'bz" : value;
 }
 
+// Of a colour with fewer bits than the chip's 8 the others repeat them, so that the brightest is
+// the brightest.  Where the board has no clock for the monitor, which then finds the pixels by
+// itself, it looks at the colours at each CLOCK_50.
+void connect_monitor(const BoardDescription& board, Binding& binding) {
+    for (const char* colour : {"VGA_R", "VGA_G", "VGA_B"})
+        if (const unsigned width = board.wires_named(colour))
+            for (unsigned n = 8 - width; n-- > 0;)
+                binding.connected[fmt::format("{}[{}]", colour, n)] =
+                    fmt::format("{}[{}]", colour, n + width);
+    if (!board.has_wire("VGA_CLK")) binding.connected["VGA_CLK"] = "CLOCK_50";
+}
+
 }  // namespace
 
 Binding bind(const std::vector<Port>& ports, const Locations& locations,
-             const Locations& signals_by_pin) {
+             const BoardDescription& board) {
+    const PinMap pins{board, locations};
     Binding binding;
     std::set<std::string> driven, located;
-    std::string nowhere;
+    std::string nowhere, passed_over;
     for (const Port& port : ports)
         if (port.direction != Direction::INPUT)
-            for (const std::string& wire : located_wires(port, locations, signals_by_pin))
-                if (!wire.empty()) located.insert(wire);
+            for (const std::string& signal : located_signals(port, pins))
+                if (!signal.empty()) located.insert(signal);
     for (const Port& port : ports) {
-        std::vector<std::string> wires = located_wires(port, locations, signals_by_pin);
-        name_wires(wires, port, located, binding.notes);
+        std::vector<std::string> signals = located_signals(port, pins);
+        name_signals(signals, port, pins, located, binding.notes);
         Binding::BoundPort bound{port, {}};
-        bool any = false;
-        const auto open = std::count(wires.begin(), wires.end(), "");
-        for (std::string& wire : wires) {
-            const BoardSignal* signal = wire.empty() ? nullptr : signal_of_wire(wire);
+        bool any = false, any_wire = false;
+        const auto open = std::count(signals.begin(), signals.end(), "");
+        for (std::string& name : signals) {
+            const BoardSignal* signal = name.empty() ? nullptr : board.signal_of_bit(name);
             if (signal && port.direction == Direction::OUTPUT) {
                 if (signal->direction == Direction::INPUT) {
                     binding.notes.push_back(fmt::format(
-                        "output {} is on {}, which the board drives: left open", port.name, wire));
-                    wire.clear();
-                } else if (!driven.insert(wire).second) {
+                        "output {} is on {}, which the board drives: left open", port.name, name));
+                    name.clear();
+                } else if (!driven.insert(name).second) {
                     binding.notes.push_back(
                         fmt::format("output {} is on {}, which another output drives: left open",
-                                    port.name, wire));
-                    wire.clear();
+                                    port.name, name));
+                    name.clear();
                 }
             } else if (signal && port.direction == Direction::INOUT) {
-                driven.insert(wire);
+                driven.insert(name);
             }
-            any = any || !wire.empty();
+            const std::string wire = name.empty() ? "" : board.wire_of_bit(name);
+            any = any || !name.empty();
+            any_wire = any_wire || !wire.empty();
+            if (!name.empty() && signal->period_fs) binding.clocks.emplace(signal->name, 0);
             if (wire.compare(0, 4, "VGA_") == 0) binding.has_vga = true;
             if (wire == "TD_CLK27") binding.has_td_clk = true;
             if (wire == "AUD_XCK" && port.direction != Direction::INPUT) binding.has_xck = true;
@@ -140,8 +155,9 @@ Binding bind(const std::vector<Port>& ports, const Locations& locations,
             if (port.direction == Direction::OUTPUT && is_header(wire))
                 binding.header_outputs[wire[5] - '0'] |= std::uint64_t{1}
                                                          << std::stoi(wire.substr(7));
-            bound.bits.push_back({std::move(wire)});
+            bound.bits.push_back({wire, std::move(name)});
         }
+        if (any && !any_wire) passed_over += (passed_over.empty() ? "" : ", ") + port.name;
         if (!any && port.name.compare(0, 4, "HPS_") != 0)
             nowhere += fmt::format("{}{}{}", nowhere.empty() ? "" : ", ", port.name,
                                    port.direction == Direction::INPUT
@@ -153,6 +169,10 @@ Binding bind(const std::vector<Port>& ports, const Locations& locations,
         binding.ports.push_back(std::move(bound));
     }
     if (!nowhere.empty()) binding.notes.push_back("ports without a pin of the board: " + nowhere);
+    if (!passed_over.empty())
+        binding.notes.push_back(fmt::format("ports on what the {} has, but nothing simulates: {}",
+                                            board.name, passed_over));
+    if (binding.has_vga) connect_monitor(board, binding);
     return binding;
 }
 
@@ -192,13 +212,17 @@ std::string design_text(const Binding& binding, const std::string& top,
                              : bits.size() > 1                   ? "{" + value + "}"
                                                                  : value);
     }
-    for (const BoardSignal& signal : board_signals()) {
-        if (signal.direction != Direction::OUTPUT) continue;
-        for (unsigned i = 0; i < signal.width; ++i) {
-            const std::string wire = wire_of(signal, static_cast<int>(i));
-            if (!driven.count(wire))
+    for (const auto& [clock, pll] : binding.clocks)
+        wires += fmt::format("    wire {} = pll_clocks[{}];\n", clock, pll);
+    for (const auto& [wire, by] : binding.connected) {
+        assigns += fmt::format("    assign {} = {};\n", wire, by);
+        driven.insert(wire);
+    }
+    for (const ChipWires& group : chip_wires()) {
+        if (group.direction != Direction::OUTPUT) continue;
+        for (unsigned i = 0; i < group.width; ++i)
+            if (const std::string wire = group.wire(i); !driven.count(wire))
                 assigns += fmt::format("    assign {} = 1'b{:d};\n", wire, idle_level(wire));
-        }
     }
     return fmt::format(
         "// Written by de1sim for the top module {}.\n{}    {}{} de1sim_design (\n{}\n    );\n{}",

@@ -2,16 +2,19 @@
 #pragma once
 
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
+#include "sim/project/board_description.h"
 #include "sim/project/elaborated.h"
 
 namespace sim::project {
 
 struct Binding {
     struct Bit {
-        std::string wire;  // "SW[3]", or empty: no pin
+        std::string wire;    // of the chip: "LEDR[3]", or empty: nothing that is simulated
+        std::string signal;  // of the board: "LED[3]", or empty: no pin
     };
     struct BoundPort {
         Port port;
@@ -22,14 +25,19 @@ struct Binding {
     bool has_vga = false, has_td_clk = false, has_xck = false;
     bool drives_codec_clocks = false;          // an output is on BCLK or an LRCK of the codec
     std::uint64_t header_outputs[2] = {0, 0};  // pins of GPIO_0 and GPIO_1 that it always drives
+    // Wires of the chip that the board connects with others, and by what they are driven.
+    std::map<std::string, std::string> connected;
+    // Clocks of the board that are none of the chip's wires, "ADC_CLK_10", and their numbers in
+    // pll_clocks_i, which who binds does not know.
+    std::map<std::string, unsigned> clocks;
 };
 
 // By the location that is assigned to a port's bit; without one, by the port's name, unless that
-// pin is another output's by location.  Of a colour with more or fewer than 8 bits, none of which
-// has a location, the upper ones count.
+// pin is another output's by location.  Of a colour with more or fewer bits than the board's, none
+// of which has a location, the upper ones count.
 Binding bind(const std::vector<Port>& ports,
-             const std::map<std::string, std::string>& locations,        // "SW[3]" -> "PIN_AF9"
-             const std::map<std::string, std::string>& signals_by_pin);  // "PIN_AF9" -> "SW[3]"
+             const std::map<std::string, std::string>& locations,  // "SW[3]" -> "PIN_AF9"
+             const BoardDescription& board);
 
 // The Verilog that de1sim_chip.v includes: the instance of `top`, and what drives outputs that it
 // has not.  `parameters`: instance_text() of those of the top.

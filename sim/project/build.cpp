@@ -98,10 +98,6 @@ std::string state_of(const fs::path& file) {
                        fs::last_write_time(file).time_since_epoch().count());
 }
 
-std::map<std::string, std::string> board_pins() {
-    return signals_by_pin(data_folder() / "rtl/board/de1_soc/pins.tsv");
-}
-
 }  // namespace
 
 Builder::Builder(const Request& request, bool trace)
@@ -247,7 +243,8 @@ void Builder::read_and_elaborate() {
     design_.elaborated = read_elaborated(tree(), design_.project.top);
     for (const InitFile& file : design_.elaborated.init_files) design_.init_files.push_back(file);
     design_.binding =
-        sim::project::bind(design_.elaborated.ports, design_.project.pins, board_pins());
+        sim::project::bind(design_.elaborated.ports, design_.project.pins, design_.project.board);
+    add_board_clocks(design_.project.board, design_.elaborated, design_.binding);
     if (design_.elaborated.pll_clocks.size() > 64)
         throw ProjectError{fmt::format("the design has {} PLL clocks, expected at most 64",
                                        design_.elaborated.pll_clocks.size())};
@@ -257,8 +254,8 @@ void Builder::read_and_elaborate() {
 }
 
 void Builder::check() {
-    Checked checked = check_design({design_.project, tree().string(), verilator_output_, checks_,
-                                    design_.elaborated.ports, board_pins()});
+    Checked checked = check_design(
+        {design_.project, tree().string(), verilator_output_, checks_, design_.elaborated.ports});
     design_.warnings = std::move(checked.warnings);
     design_.self_reading = std::move(checked.self_reading);
     refuse(checked.errors);
@@ -325,7 +322,8 @@ Built Builder::build(const Progress& progress) {
     const std::string name = fmt::format("chip-{}{}.so", key(), trace_ ? "-trace" : "");
     const fs::path library = folder_ / name;
     std::error_code error;
-    if (fs::is_regular_file(library, error)) return {library, true, design_.project.systems};
+    if (fs::is_regular_file(library, error))
+        return {library, true, design_.project.board, design_.project.systems};
 
     const fs::path objects = folder_ / (trace_ ? "objects-trace" : "objects");
     fs::remove_all(objects, error);
@@ -357,7 +355,7 @@ Built Builder::build(const Progress& progress) {
             fs::remove(entry.path(), error);
     }
     fs::rename(objects / "chip.so", library);
-    return {library, false, design_.project.systems};
+    return {library, false, design_.project.board, design_.project.systems};
 }
 
 }  // namespace sim::project

@@ -31,6 +31,7 @@ struct Design {
 struct Built {
     std::filesystem::path library;
     bool was_up_to_date;
+    BoardDescription board;
     std::vector<qsys::Generated> systems;
 };
 

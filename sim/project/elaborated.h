@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/project/board_pins.h"
+#include "sim/project/board_description.h"
 #include "sim/project/clock_uses.h"
 
 namespace sim::project {

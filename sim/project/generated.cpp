@@ -41,6 +41,8 @@ unsigned clock_pins(const PllClock& clock, const Binding& binding) {
 // Whether nothing in the design sees more of CLOCK_50 than its rise.
 bool clock_50_only_rises(const Elaborated& elaborated, const Binding& binding) {
     static const std::set<std::string> CLOCKS{"CLOCK_50", "CLOCK2_50", "CLOCK3_50", "CLOCK4_50"};
+    for (const auto& [wire, by] : binding.connected)
+        if (CLOCKS.count(by)) return false;
     for (const auto& [port, bits] : binding.ports)
         for (const auto& bit : bits)
             if (CLOCKS.count(bit.wire) && !elaborated.only_rise_inputs.count(port.name))
@@ -54,7 +56,35 @@ std::string clock_text(const std::string& input, const char* output, bool only_r
                       : fmt::format("assign {} = {};", output, input);
 }
 
+constexpr std::uint64_t LEAST_SAMPLE_FS = 6'000'000, CLOCK_50_FS = 20'000'000;
+
 }  // namespace
+
+void add_board_clocks(const BoardDescription& board, Elaborated& elaborated, Binding& binding) {
+    std::vector<PllClock>& all = elaborated.pll_clocks;
+    const auto monitor = binding.connected.find("VGA_CLK");
+    std::uint64_t shortest_fs = CLOCK_50_FS;
+    PllClock* sampling = nullptr;
+    for (std::size_t n = 0; n < all.size() && monitor != binding.connected.end(); ++n) {
+        if (all[n].period_fs >= shortest_fs || all[n].period_fs < LEAST_SAMPLE_FS ||
+            clock_pins(all[n], binding))
+            continue;
+        shortest_fs = all[n].period_fs;
+        monitor->second = fmt::format("pll_clocks[{}]", n);
+        sampling = &all[n];
+    }
+    if (sampling) sampling->only_rises = false;
+    for (auto& [name, number] : binding.clocks) {
+        const std::uint64_t period_fs = board.signal(name)->period_fs;
+        const PllClock clock{period_fs, 0, period_fs / 2, false, {name}, {}, false};
+        auto same = std::find(all.begin(), all.end(), clock);
+        if (same == all.end()) same = all.insert(all.end(), clock);
+        same->names.insert(name);
+        same->pins.clear();
+        same->only_rises = false;
+        number = static_cast<unsigned>(same - all.begin());
+    }
+}
 
 void write_if_new(const std::filesystem::path& file, const std::string& text) {
     std::error_code error;

@@ -13,6 +13,10 @@ namespace sim::project {
 // Only if it differs, so that a compiler that looks at times sees what is new.
 void write_if_new(const std::filesystem::path& file, const std::string& text);
 
+// The board's own clocks that the design uses, among the PLLs'.  Where nothing but CLOCK_50 tells
+// the monitor when to look, a faster clock of the design does: its pixels may be shorter.
+void add_board_clocks(const BoardDescription& board, Elaborated& elaborated, Binding& binding);
+
 // de1sim_pll_taps.v: CLOCK_50 and the PLLs' outputs, as inputs of the chip.
 std::string tap_text(const Elaborated& elaborated, const Binding& binding);
 

@@ -46,13 +46,19 @@ std::optional<fs::path> qip_of_system(const fs::path& system, const FileFinder& 
     return {};
 }
 
-std::optional<fs::path> system_of_qip(const std::string& value, const FileFinder& finder) {
+std::optional<fs::path> system_of_qip(const std::string& value, const fs::path& folder,
+                                      const FileFinder& finder) {
     std::string path = value;
     std::replace(path.begin(), path.end(), '\\', '/');
     const fs::path qip{path};
     if (lower(qip.parent_path().filename().string()) != "synthesis") return {};
-    const auto found = finder.with_name(qip.stem().string() + ".qsys");
-    return found.empty() ? std::nullopt : std::optional{found.front()};
+    const std::string name = qip.stem().string() + ".qsys";
+    if (const auto found = finder.with_name(name); !found.empty()) return found.front();
+    // Outside of the project's folder it lies above that of what is made of it.
+    const fs::path made = qip.parent_path().parent_path();
+    for (const fs::path& place : {made.parent_path() / name, made / name})
+        if (const auto found = finder.find(place.string(), folder)) return found->path;
+    return {};
 }
 
 }  // namespace sim::project

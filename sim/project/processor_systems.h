@@ -23,8 +23,10 @@ bool is_made_of_processor_system(const std::filesystem::path& file, const FileFi
 std::optional<std::filesystem::path> qip_of_system(const std::filesystem::path& system,
                                                    const FileFinder& finder);
 
-// NAME.qsys for .../synthesis/NAME.qip, which Platform Designer makes of it.
+// NAME.qsys for .../synthesis/NAME.qip, which Platform Designer makes of it.  `folder`: from which
+// the latter is named.
 std::optional<std::filesystem::path> system_of_qip(const std::string& qip,
+                                                   const std::filesystem::path& folder,
                                                    const FileFinder& finder);
 
 }  // namespace sim::project

@@ -54,7 +54,7 @@ public:
             for (const fs::path& file : listed_systems_) add_system(file);
             if (project_.top.empty()) project_.top = settings_.stem().string();
         }
-        if (project_.is_for_other_device) project_.pins.clear();
+        choose_board();
         is_folder_alone_ = files_.size() == 0;
         if (is_folder_alone_) {
             for (const fs::path& file : files_.finder().files())
@@ -118,10 +118,7 @@ private:
         } else if (name == "VERILOG_NON_CONSTANT_LOOP_LIMIT") {
             project_.loop_limits.non_constant = rounds(a);
         } else if (name == "DEVICE") {
-            if (lower(a.value).compare(0, 12, "5csema5f31c6") == 0) return;
-            note(fmt::format(
-                "DEVICE is {}, not the DE1-SoC's 5CSEMA5F31C6: ports go by their names", a.value));
-            project_.is_for_other_device = true;
+            device_ = a.value;
         } else if (name == "VERILOG_FILE" || name == "SYSTEMVERILOG_FILE" || name == "VHDL_FILE" ||
                    name == "SOURCE_FILE") {
             add_source(a);
@@ -133,7 +130,7 @@ private:
             if (file && has_processor(*file, files_.finder()))
                 listed_systems_.push_back(*file);  // see definition()
         } else if (name == "QIP_FILE") {
-            if (const auto system = system_of_qip(a.value, files_.finder());
+            if (const auto system = system_of_qip(a.value, folder_, files_.finder());
                 system && has_processor(*system, files_.finder()))
                 listed_systems_.push_back(*system);
             else if (const auto file = resolve(a))
@@ -267,13 +264,22 @@ private:
         return {};
     }
 
+    void choose_board() {
+        BoardChoice choice =
+            project::choose_board(all_boards(), {request_.board, device_, project_.pins});
+        for (std::string& text : choice.notes) note(std::move(text));
+        project_.board = std::move(choice.board);
+        project_.is_for_other_device = choice.is_for_other_device;
+        if (choice.is_for_other_device) project_.pins.clear();
+    }
+
     void choose_top() {
         if (!project_.top.empty() && files_.definition(project_.top)) return;
         if (!project_.top.empty()) refuse_files(project_.top);
         if (!request_.top.empty())
             throw ProjectError{fmt::format("--top {}: no file defines that module", request_.top)};
         if (!place_of_top_.empty() && files_.size() > 0) refuse_top();
-        const auto top = top_module_by_pins(files_, folder_);
+        const auto top = top_module_by_pins(files_, folder_, project_.board);
         if (!top && !unsupported_.empty()) throw ProjectError{unsupported_.front()};
         if (!top)
             throw ProjectError{fmt::format(
@@ -409,6 +415,7 @@ private:
     PlatformComponents components_;
     std::vector<std::string> unsupported_;
     std::vector<std::pair<std::string, std::string>> missing_;  // modules, with who wants them
+    std::string device_;                                        // or empty
     std::string place_of_top_;                                  // where the settings name it
     std::vector<fs::path> listed_systems_;                      // taken after the other files
     std::set<fs::path> systems_;                                // that have been taken

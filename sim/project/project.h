@@ -1,4 +1,4 @@
-// project.h - somebody's design for the DE1-SoC: its files, its top module, its pins.
+// project.h - somebody's design for a board: its files, its top module, its pins.
 //
 // From a Quartus project (.qsf or .qpf) or from a folder of Verilog.  What Quartus finds by itself
 // is found here too: modules in files that are not listed, by the name of the file; paths with
@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "sim/project/board_description.h"
 #include "sim/project/qsys/generate.h"
 #include "sim/project/settings.h"
 #include "sim/verilog/top_parameters.h"
@@ -36,6 +37,7 @@ struct LoopLimits {
 struct Project {
     std::filesystem::path folder;    // absolute
     std::filesystem::path settings;  // the .qsf, or empty
+    BoardDescription board;
     std::string top;
     std::vector<SourceFile> sources;          // what the top needs, packages first
     std::vector<std::filesystem::path> vhdl;  // all files of it, if something needs one
@@ -56,6 +58,7 @@ struct Project {
 struct Request {
     std::filesystem::path place;      // .qsf, .qpf or folder
     std::string top;                  // instead of the project's, or empty
+    std::string board;                // its name, or empty: what the project tells
     std::vector<std::string> macros;  // besides the project's
     unsigned build_limit_s = 600;
     // Modules that need no file, since there are models of them.

@@ -7,13 +7,13 @@
 
 #include <fmt/format.h>
 
-#include "sim/project/board_pins.h"
 #include "sim/verilog/project_error.h"
 
 namespace sim::project {
 
 std::optional<TopModule> top_module_by_pins(const ModuleFiles& files,
-                                            const std::filesystem::path& folder) {
+                                            const std::filesystem::path& folder,
+                                            const BoardDescription& board) {
     std::set<std::string> instanced;
     for (const auto& [name, d] : files.modules())
         if (!d.module->ports.empty())  // a test bench has none
@@ -22,8 +22,8 @@ std::optional<TopModule> top_module_by_pins(const ModuleFiles& files,
     for (const auto& [name, d] : files.modules()) {
         if (instanced.count(name) || d.module->is_package) continue;
         const auto& ports = d.module->ports;
-        const auto count = std::count_if(ports.begin(), ports.end(), [](const auto& port) {
-            return board_signal(port).has_value();
+        const auto count = std::count_if(ports.begin(), ports.end(), [&](const auto& port) {
+            return board.signal(port) != nullptr;
         });
         if (count > 0) candidates.emplace_back(static_cast<std::size_t>(count), name);
     }

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "sim/project/board_description.h"
 #include "sim/project/module_files.h"
 
 namespace sim::project {
@@ -17,6 +18,7 @@ struct TopModule {
 // The module with the most of the board's pins as ports, of those that no other instances, test
 // benches apart.  Nothing: none has any.  ProjectError: two have as many; it names `folder`.
 std::optional<TopModule> top_module_by_pins(const ModuleFiles& files,
-                                            const std::filesystem::path& folder);
+                                            const std::filesystem::path& folder,
+                                            const BoardDescription& board);
 
 }  // namespace sim::project

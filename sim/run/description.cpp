@@ -36,7 +36,7 @@ static void from_json(const json& from, FrameChoice& choice) {
     choice = *parsed;
 }
 
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ProjectOptions, place, top, macros, build_limit_s)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ProjectOptions, place, top, board, macros, build_limit_s)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ChipDescription, project, bridged_memory, audio_rate, strict_vga,
                                    ddr3_mb_per_s)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ProgramDescription, cpu, elf, cpi, shortcuts, system, linux_root,

@@ -12,19 +12,10 @@ using Fields = RunReport::Shown::Fields;
 
 std::string bits(std::uint16_t ledr) { return fmt::format("{:010b}", ledr); }
 
-HexSegments segments(std::uint64_t hex) {
-    HexSegments digits{};
-    for (std::uint8_t& digit : digits) {
-        digit = hex & 0x7F;
-        hex >>= 7;
-    }
-    return digits;
-}
-
 Fields ledr_fields(std::uint16_t ledr) { return {{"lit", bits(ledr)}}; }
 
 Fields hex_fields(std::uint64_t hex) {
-    const HexSegments digits = segments(hex);
+    const HexSegments digits = segments_of(hex);
     std::string all;
     for (auto digit = digits.rbegin(); digit != digits.rend(); ++digit)
         all += fmt::format("{}{:02X}", all.empty() ? "" : " ", *digit);
@@ -78,7 +69,7 @@ std::string LampLog::text(Headers headers) const {
         if (there) text += (text.empty() ? "" : ", ") + what;
     };
     add(ledr_.now() != 0, "LEDR " + bits(ledr_.now()));
-    add(hex_.now() != 0, "HEX \"" + hex_text(segments(hex_.now())) + "\"");
+    add(hex_.now() != 0, "HEX \"" + hex_text(segments_of(hex_.now())) + "\"");
     add(hps_led_.now(), "the HPS's LED is lit");
     const bool jp = headers == Headers::JP;
     const auto as_text = jp ? jp_text : gpio_text;

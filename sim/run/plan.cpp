@@ -79,6 +79,23 @@ std::string missing_for(const RunPlan& plan, const Step& step) {
            (plan.has_program() ? "one without Linux" : "none");
 }
 
+void set_board(RunPlan& plan, const project::BoardDescription& board) {
+    if (plan.processor == RunPlan::Processor::ARM && !board.has_processor)
+        throw std::runtime_error{"--elf: the chip of the " + board.name +
+                                 " has no processor to run it: expected no program"};
+    if (plan.strictness == Monitor::Strictness::STRICT && !board.has_wire("VGA_BLANK_N"))
+        throw std::runtime_error{"--strict-vga: needs BLANK_N, which the " + board.name +
+                                 " has not: expected no such option"};
+    BoardParts& parts = plan.scenario.board;
+    parts.name = board.name;
+    for (const project::BoardSignal& signal : board.signals)
+        parts.wires.insert(signal.wires.begin(), signal.wires.end());
+    // The processor's I2C has the sensor where the FPGA has it not.
+    if (board.has_processor) parts.wires.insert({"HPS", "MOTION"});
+    if (board.has_wire("GSENSOR_CS_N")) parts.wires.insert("MOTION");
+    check_scenario(plan.scenario);
+}
+
 RunPlan plan_run(RunDescription description) {
     ChipDescription& chip = description.chip;
     ProgramDescription& program = description.program;

@@ -41,6 +41,10 @@ struct RunPlan {
 // "expected a Linux program ..., got ..."; or "" if this run has what the step needs.
 std::string missing_for(const RunPlan& plan, const Step& step);
 
+// Looks whether the board has what the plan's scenario needs.  ScenarioError; std::runtime_error:
+// there is a program, and the board's chip has no processor.
+void set_board(RunPlan& plan, const project::BoardDescription& board);
+
 // Reads the scenario, and of the program what it runs on.  ScenarioError; ElfError;
 // std::runtime_error: an option that this run has no use for, or no program for its processor.
 RunPlan plan_run(RunDescription description);

@@ -24,9 +24,10 @@ std::string bound(const Binding::BoundPort& port) {
         port.port.vector ? fmt::format("[{}:{}]", port.port.left, port.port.right) : "";
     std::string wires;
     for (const auto& bit : port.bits)
-        wires += (wires.empty() ? "" : " ") + (bit.wire.empty() ? std::string{"-"} : bit.wire);
-    if (port.bits.size() > 1 && !port.bits.front().wire.empty() && !port.bits.back().wire.empty())
-        wires = port.bits.front().wire + " ... " + port.bits.back().wire;
+        wires += (wires.empty() ? "" : " ") + (bit.signal.empty() ? std::string{"-"} : bit.signal);
+    if (port.bits.size() > 1 && !port.bits.front().signal.empty() &&
+        !port.bits.back().signal.empty())
+        wires = port.bits.front().signal + " ... " + port.bits.back().signal;
     return fmt::format("  {:6} {:24} {}\n",
                        port.port.direction == Direction::INPUT    ? "input"
                        : port.port.direction == Direction::OUTPUT ? "output"
@@ -70,6 +71,7 @@ project::Request ProjectOptions::request() const {
     project::Request request;
     request.place = place;
     request.top = top;
+    request.board = board;
     request.macros = macros;
     request.build_limit_s = build_limit_s;
     request.is_model = [](const std::string& module) {
@@ -80,6 +82,8 @@ project::Request ProjectOptions::request() const {
 
 void add_project_options(CLI::App& command, ProjectOptions& options) {
     command.add_option("--top", options.top, "the project's top module, instead of its own choice");
+    command.add_option("--board", options.board,
+                       "the board that the project is for, instead of what DEVICE and pins tell");
     command.add_option("-D,--define", options.macros, "a Verilog macro: NAME or NAME=VALUE")
         ->take_all();
     command
@@ -103,7 +107,9 @@ const project::Design& examine(project::Builder& builder) {
 
 }  // namespace
 
-project::Built build_with_progress(const ProjectOptions& options, bool trace, bool quiet) {
+project::Built build_with_progress(
+    const ProjectOptions& options, bool trace, bool quiet,
+    const std::function<void(const project::BoardDescription&)>& on_board) {
     project::Builder builder{options.request(), trace};
     const project::Design& design = examine(builder);
     if (!quiet) {
@@ -113,6 +119,7 @@ project::Built build_with_progress(const ProjectOptions& options, bool trace, bo
             message(fmt::format("{} warning{} as Quartus would give; `de1sim check` lists {}",
                                 count, count > 1 ? "s" : "", count > 1 ? "them" : "it"));
     }
+    if (on_board) on_board(design.project.board);
     return builder.build([quiet](const std::string& line) {
         if (!quiet) message(line);
     });
@@ -156,7 +163,8 @@ int check_project(const ProjectOptions& options, CheckPrints prints) {
     if (prints != CheckPrints::ALL) return print_systems(options, prints);
     project::Builder builder{options.request(), false};
     const project::Design& design = examine(builder);
-    std::string text = fmt::format("top module: {}\nfiles:\n", design.project.top);
+    std::string text = fmt::format("board: {}\ntop module: {}\nfiles:\n", design.project.board.name,
+                                   design.project.top);
     for (const auto& file : design.project.sources)
         text +=
             fmt::format("  {}{}\n", file.path.lexically_relative(design.project.folder).string(),
@@ -164,7 +172,9 @@ int check_project(const ProjectOptions& options, CheckPrints prints) {
     text += "ports:\n";
     for (const auto& port : design.binding.ports) text += bound(port);
     for (const auto& system : design.project.systems) text += addresses(system);
-    text += "clocks:\n  CLOCK_50: 50 MHz\n";
+    text += "clocks:\n";
+    for (const project::BoardSignal& signal : design.project.board.signals)
+        if (signal.wires.front() == "CLOCK_50") text += "  " + signal.name + ": 50 MHz\n";
     for (const auto& clock : design.elaborated.pll_clocks)
         text += fmt::format("  {}: {:.6f} MHz, phase {:.3f} ns{}\n", fmt::join(clock.names, ", "),
                             1e9 / static_cast<double>(clock.period_fs),

@@ -57,12 +57,14 @@ std::optional<GdbConnection> listening_for_gdb(const RunOutputs& outputs) {
     return std::optional<GdbConnection>{std::in_place, *outputs.gdb};
 }
 
-std::optional<project::Built> built_project(const RunPlan& plan) {
+// What the scenario needs is looked for on the board before the design is compiled.
+std::optional<project::Built> built_project(RunPlan& plan) {
     if (!plan.has_project()) return {};
     const RunOutputs& outputs = plan.description.outputs;
     return during("building the project", [&] {
-        return build_with_progress(plan.description.chip.project, !outputs.trace.file.empty(),
-                                   outputs.quiet);
+        return build_with_progress(
+            plan.description.chip.project, !outputs.trace.file.empty(), outputs.quiet,
+            [&](const project::BoardDescription& board) { set_board(plan, board); });
     });
 }
 
@@ -123,7 +125,9 @@ System::System(const RunPlan& plan, Software software, const std::optional<proje
             },
             plan.strictness,
             plan.scenario.parts,
-            plan.scenario.usb},
+            plan.scenario.usb,
+            built ? BoardShape{built->board.on_i2c, built->board.has_wire("VGA_BLANK_N")}
+                  : BoardShape{}},
       runner{"runner", board, observers.recorder.observations(), plan.scenario.steps,
              plan.description.outputs.out} {
     const RunOutputs& outputs = plan.description.outputs;

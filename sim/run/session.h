@@ -95,7 +95,7 @@ private:
     template <class Part>
     void carry_out(const char* doing, Part part);
 
-    const RunPlan plan_;
+    RunPlan plan_;
     Software software_;  // until the system has it
     std::optional<GdbConnection> gdb_;
     Observers observers_;

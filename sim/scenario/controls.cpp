@@ -36,6 +36,13 @@ std::vector<unsigned> control_numbers(const Controls& controls) {
     return numbers;
 }
 
+std::string control_wire(unsigned number) {
+    if (number < KEYPAD_KEYS) return "GPIO_0[0]";
+    if (number == KEYPAD_KEYS + HPS_KEY) return "HPS";
+    if (number < KEYPAD_KEYS + KEYS) return "KEY[" + digit(number - KEYPAD_KEYS) + "]";
+    return "SW[" + digit(number - KEYPAD_KEYS - KEYS) + "]";
+}
+
 std::string control_name(unsigned number) {
     if (number < KEYPAD_KEYS) return "keypad " + cap(number);
     if (number < KEYPAD_KEYS + KEYS) return "key " + key(number - KEYPAD_KEYS);

@@ -32,6 +32,8 @@ std::optional<unsigned> keypad_key(char cap);
 // One number for each control: keypad keys, then KEYs, then switches.
 constexpr unsigned CONTROLS = KEYPAD_KEYS + KEYS + SWITCHES;
 std::vector<unsigned> control_numbers(const Controls& controls);
+// The wire of the simulated chip that it is on: "KEY[0]"; "HPS".  Of the keypad a pin of JP1.
+std::string control_wire(unsigned number);
 std::string control_name(unsigned number);  // "keypad 5", "key 0", "key hps", "switch 3"
 
 // "keypad 5", "keypad 1 and 5, key 0".

@@ -16,6 +16,7 @@
 #include "sim/board/part_plan.h"
 #include "sim/board/ps2_ports.h"
 #include "sim/board/usb_ports.h"
+#include "sim/scenario/board_parts.h"
 #include "sim/scenario/sim_time.h"
 #include "sim/scenario/step.h"
 
@@ -43,6 +44,7 @@ struct Scenario {
     std::string visibility = "visible";  // of these, as Gradescope names it
     Ps2Ports ps2;
     UsbPlugs usb;
+    BoardParts board;                 // as far as is known
     bool on_linux = true;             // what runs is a Linux program, as far as is known
     std::vector<PartPlan> parts;      // on the headers
     std::vector<ScenarioStep> steps;  // may be empty when there is a duration
@@ -68,7 +70,8 @@ Scenario load_scenario(const std::filesystem::path& file, Goldens goldens = Gold
 // relative to its folder; nothing is opened.
 Scenario parse_scenario(std::string_view text, const std::filesystem::path& file);
 
-// Again what can be known before the run, now with `on_linux`; ScenarioError.
+// Again what can be known before the run, now with `board` and `on_linux`;
+// ScenarioError.
 void check_scenario(const Scenario& scenario);
 
 }  // namespace sim

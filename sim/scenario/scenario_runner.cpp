@@ -147,11 +147,7 @@ std::uint16_t ScenarioRunner::ledr() {
 
 HexSegments ScenarioRunner::hex() {
     catch_up();
-    const std::uint64_t lit = board_.lamps().hex;
-    HexSegments segments{};
-    for (unsigned i = 0; i < HEX_DIGITS; ++i)
-        segments[i] = static_cast<std::uint8_t>(lit >> (7 * i) & 0x7f);
-    return segments;
+    return segments_of(board_.lamps().hex);
 }
 
 bool ScenarioRunner::hps_led() {

@@ -5,6 +5,14 @@
 
 namespace sim {
 
+HexSegments segments_of(std::uint64_t lit) {
+    HexSegments segments{};
+    for (unsigned i = 0; i < HEX_DIGITS; ++i)
+        segments[i] = static_cast<std::uint8_t>((lit >> 7 * i & 0x7f) |
+                                                (lit >> (7 * HEX_DIGITS + i) & 1) << 7);
+    return segments;
+}
+
 bool is_hex_text(std::string_view text) {
     return text.size() == HEX_DIGITS && std::all_of(text.begin(), text.end(), [](char c) {
                return std::any_of(std::begin(GLYPHS), std::end(GLYPHS),

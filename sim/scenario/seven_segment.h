@@ -10,8 +10,11 @@ namespace sim {
 
 constexpr unsigned HEX_DIGITS = 6;
 
-// Segments g..a in bits 6:0, 1 = lit; [0] is HEX0, the rightmost.
+// The decimal point in bit 7, segments g..a in bits 6:0, 1 = lit; [0] is HEX0, the rightmost.
 using HexSegments = std::array<std::uint8_t, HEX_DIGITS>;
+
+// Of Lamps::hex.
+HexSegments segments_of(std::uint64_t lit);
 
 struct Glyph {
     char character;
@@ -31,8 +34,8 @@ constexpr Glyph GLYPHS[] = {
 // Six characters with a glyph each, HEX5 first.
 bool is_hex_text(std::string_view text);
 
-// The digits as text, HEX5 first: the character of `expected` if the pattern is one of its forms,
-// otherwise the first character with that pattern, '?' if there is none.
+// The digits as text without points, HEX5 first: the character of `expected` if the pattern is one
+// of its forms, otherwise the first character with that pattern, '?' if there is none.
 std::string hex_text(const HexSegments& segments, std::string_view expected = "");
 
 }  // namespace sim

@@ -7,6 +7,7 @@
 #include <iterator>
 
 #include "sim/files/run_files.h"
+#include "sim/pins/header_pin.h"
 #include "sim/scenario/yaml_tree.h"
 #include "sim/text/pattern.h"
 #include "sim/text/words.h"
@@ -46,7 +47,26 @@ void StaticChecks::release(const std::string& control) {
         refuse_step("a control that is held", control + ", which is not");
 }
 
+void StaticChecks::need_on_board(const std::string& wire, const std::string& what) const {
+    const BoardParts& board = scenario_.board;
+    if (board.has(wire)) return;
+    // Of a bus that it has, how much of it.
+    const std::string bus = wire.substr(0, wire.find('['));
+    const auto count = std::count_if(
+        board.wires.begin(), board.wires.end(),
+        [&](const std::string& own) { return own != bus && own.substr(0, own.find('[')) == bus; });
+    const std::string numbers =
+        count ? fmt::format(": it has 0 to {}", count - 1) : ", which it has not";
+    refuse_step("a step for what the " + board.name + " has", "one for " + what + numbers);
+}
+
+void StaticChecks::need_on_board(const HeaderMasks& pins) const {
+    for (HeaderPin pin = 0; pin < 2 * PINS_OF_A_HEADER; ++pin)
+        if (is_high(pins, pin)) need_on_board(pin_name(pin), pin_name(pin) + " of the headers");
+}
+
 void StaticChecks::need(Ps2Plug plug) const {
+    need_on_board(scenario_.ps2.first == plug ? "PS2_CLK" : "PS2_CLK2", "a PS/2 port");
     if (!scenario_.ps2.has(plug))
         refuse_step(plug == Ps2Plug::MOUSE ? "a mouse among ps2" : "a keyboard among ps2", "none");
 }
@@ -152,8 +172,22 @@ void StaticChecks::new_file(const std::filesystem::path& as_written) {
 
 // ---- The clock ----
 
+namespace {
+
+void check_pins(const BoardParts& board, const PartPlan& part) {
+    for (const HeaderPinList* pins : {&part.pins, &part.shared})
+        for (const HeaderPin pin : *pins)
+            if (!board.has(pin_name(pin)))
+                throw Refusal{part.line, part.column,
+                              fmt::format("expected pins of the {}, got {}, which it has not",
+                                          board.name, pin_name(pin))};
+}
+
+}  // namespace
+
 void check_steps(const Scenario& scenario) {
     StaticChecks checks{scenario};
+    for (const PartPlan& part : scenario.parts) check_pins(scenario.board, part);
     for (const ScenarioStep& step : scenario.steps) {
         checks.step_ = &step;
         step.step->check(checks);

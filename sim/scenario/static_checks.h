@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 
+#include "sim/pins/pins.h"
 #include "sim/scenario/scenario.h"
 
 namespace sim {
@@ -20,6 +21,10 @@ public:
     void need_free(const std::string& control) const;
     void hold(const std::string& control);
     void release(const std::string& control);
+
+    // The board has this wire of the simulated chip, "SW[9]", or "HPS"; `what` for the message.
+    void need_on_board(const std::string& wire, const std::string& what) const;
+    void need_on_board(const HeaderMasks& pins) const;
 
     void need(Ps2Plug plug) const;
     // A device on USB, which only a Linux program has.

@@ -47,6 +47,8 @@ std::optional<std::string> unsupported_module(const std::string& name) {
         return "this part of the processor (HPS) cannot be simulated";
     if (has(low, "nios2") || has(low, "nios_ii") || low == "nios")
         return "a Nios processor cannot be simulated";
+    if (low == "fiftyfivenm_adcblock" || low.compare(0, 18, "altera_modular_adc") == 0)
+        return "the AD converter in a MAX 10 cannot be simulated";
     return {};
 }
 

@@ -292,6 +292,35 @@ steps:
         await client.until(lambda: client.last["lamps"]["ledr"] == 0x3FF)
 
 
+class AnotherBoard(Live):
+    def setUp(self):
+        folder = FOLDER / "de10_lite"
+        folder.mkdir(parents=True, exist_ok=True)
+        (folder / "top.qsf").write_text("set_global_assignment -name DEVICE 10M50DAF484C7G\n"
+                                        "set_global_assignment -name TOP_LEVEL_ENTITY top\n"
+                                        "set_global_assignment -name VERILOG_FILE top.v\n")
+        (folder / "top.v").write_text("""\
+module top(input [1:0] KEY, output [9:0] LEDR, output [7:0] HEX0);
+    assign LEDR = {8'd0, ~KEY}; assign HEX0 = {KEY[0], 7'h7f}; endmodule
+""")
+        self.words = ("--project", str(folder / "top.qsf"))
+        super().setUp()
+
+    async def test_what_the_board_has_is_told_and_nothing_else_is_played(self):
+        client = await self.client()
+        await client.until(lambda: "board" in client.last, 120)
+        board = client.last["board"]
+        self.assertEqual(board["name"], "DE10-Lite")
+        self.assertIn("HEX0[7]", board["wires"])
+        self.assertNotIn("KEY[2]", board["wires"])
+        await client.step("hold", {"key": 0})
+        await client.until(lambda: client.last.get("lamps", {}).get("ledr") == 1)
+        self.assertEqual(client.last["lamps"]["hex"][0], 0x80)  # the point
+        await client.step("hold", {"key": 2})
+        await client.until(lambda: "error" in client.last)
+        self.assertIn("expected a step for what the DE10-Lite has", client.last["error"])
+
+
 class InsideAProject(Live):
     def setUp(self):
         project = FOLDER / "project"

@@ -361,6 +361,15 @@ R32(0xFF200000) = bad ? bad : 0x3FF;""")
         self.assertIn("addresses of hps_0.h2f_lw_axi_master:\n"
                       "  0xFF200000 - 0xFF20000F  leds.s1\n", done.stdout)
 
+    def test_a_system_beside_the_projects_folder(self):
+        self.with_leds()
+        self.write(quartus__top_qsf="set_global_assignment -name DEVICE 5CSEMA5F31C6\n"
+                                    "set_global_assignment -name VERILOG_FILE ../top.v\n"
+                                    "set_global_assignment -name QIP_FILE "
+                                    "../sys/synthesis/sys.qip\n")
+        done = self.de1sim("check", "quartus/top.qsf")
+        self.assertIn("0xFF200000 - 0xFF20000F  leds.s1\n", done.stdout, done.stderr)
+
     def test_a_script_that_makes_the_project(self):
         self.with_leds()
         (self.folder / "top.qsf").unlink()

@@ -4,7 +4,7 @@
 //             +-> audio_clock -+-> 12.288 MHz --> AUD_XCK
 //                              +-> 128 * AUDIO_RATE --> fpga.v
 //
-// Pins are named as on the board's schematic, so that de1_soc.qsf can be checked against pins.tsv.
+// Pins are named as on the board's schematic, so that de1_soc.qsf can be checked against board.tsv.
 // JP1 and JP2: bits 31:0 are the header's pins 35:19, 17, 15:3, 1; the four others stay open.
 //
 // Not handled: pins of parts that the system does not use (USB-Blaster, the video decoder's HS and

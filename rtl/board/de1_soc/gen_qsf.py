@@ -2,7 +2,7 @@
 
     gen_qsf.py [RTL]      RTL is the folder rtl/, the one that this lies in by default
 
-Exit 1, with a line for each, when a port has no pin in pins.tsv, or a port or pin is there twice.
+Exit 1, with a line for each, when a port has no pin in board.tsv, or a port or pin is there twice.
 """
 import pathlib
 import re
@@ -34,8 +34,14 @@ def ports(verilog):
 
 
 def pins(table):
+    """Signals bit by bit, and their pins; not the lines that say something of the board."""
     rows = [line.split("\t") for line in table.splitlines() if not line.startswith("#")]
-    return [(signal, pin) for signal, pin in rows]
+    found = []
+    for signal, _, where, *_ in (row for row in rows if len(row) > 2):
+        at = [f"PIN_{pin}" for pin in where.split()]
+        found += [(f"{signal}[{bit}]" if len(at) > 1 else signal, pin)
+                  for bit, pin in enumerate(at)]
+    return found
 
 
 def sources(rtl):
@@ -48,10 +54,10 @@ def sources(rtl):
 
 def problems(wanted, table):
     known, at = [signal for signal, _ in table], [pin for _, pin in table]
-    yield from (f"{port}: no pin in pins.tsv" for port in wanted if port not in known)
+    yield from (f"{port}: no pin in board.tsv" for port in wanted if port not in known)
     yield from (f"{port}: twice in the top" for port in set(wanted) if wanted.count(port) > 1)
-    yield from (f"{signal}: twice in pins.tsv" for signal in set(known) if known.count(signal) > 1)
-    yield from (f"{pin}: two signals in pins.tsv" for pin in set(at) if at.count(pin) > 1)
+    yield from (f"{signal}: twice in board.tsv" for signal in set(known) if known.count(signal) > 1)
+    yield from (f"{pin}: two signals in board.tsv" for pin in set(at) if at.count(pin) > 1)
 
 
 def main():
@@ -59,7 +65,7 @@ def main():
     rtl = pathlib.Path(sys.argv[1]) if len(sys.argv) > 1 else here.parent.parent
     board = rtl / "board" / "de1_soc"
     wanted = ports((board / "de1_soc_top.v").read_text())
-    table = pins((board / "pins.tsv").read_text())
+    table = pins((board / "board.tsv").read_text())
     wrong = list(problems(wanted, table))
     if wrong:
         print("\n".join(wrong), file=sys.stderr)

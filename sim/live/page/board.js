@@ -79,10 +79,10 @@ const SEGMENTS = ["6,2 30,2 26,7 10,7", "31,4 31,29 26,27 26,9", "31,32 31,57 26
     "7,30 10,27 26,27 29,30 26,33 10,33"];
 for (let digit = 5; digit >= 0; --digit) {
     const polygons = SEGMENTS.map((points) => `<polygon points="${points}"/>`).join("");
-    $("hex").insertAdjacentHTML("beforeend", `<svg viewBox="0 0 36 61" data-digit="${digit}">${polygons}</svg>`);
+    $("hex").insertAdjacentHTML("beforeend", `<svg viewBox="0 0 36 61" data-digit="${digit}" data-wire="HEX${digit}[0]">${polygons}<circle hidden data-wire="HEX${digit}[7]" cx="34" cy="57" r="2"/></svg>`);
 }
 for (let n = 9; n >= 0; --n)
-    $("ledr").insertAdjacentHTML("beforeend", `<div class="lamp" id="ledr${n}" title="LEDR${n}"></div>`);
+    $("ledr").insertAdjacentHTML("beforeend", `<div class="lamp" id="ledr${n}" data-wire="LEDR[${n}]" title="LEDR${n}"></div>`);
 
 function lamps({ledr, hex, hex_text, gpio}) {
     for (const svg of $("hex").children) {
@@ -99,7 +99,7 @@ for (let which = 0; which < 2; ++which) {
     let rows = "";
     for (let pin = 0; pin < 36; ++pin)
         rows += `${pin % 6 ? "" : "<tr>"}<td>${pin}<span class="lamp" id="gpio${which}_${pin}"></span></td>`;
-    $("headers").insertAdjacentHTML("beforeend", `<p>GPIO_${which} (outputs bold)</p><table>${rows}</table>`);
+    $("headers").insertAdjacentHTML("beforeend", `<div data-wire="GPIO_${which}[0]"><p>GPIO_${which} (outputs bold)</p><table>${rows}</table></div>`);
 }
 function headerPins(which, levels, outputs) {
     for (let pin = 0n; pin < 36n; ++pin) {
@@ -111,8 +111,9 @@ function headerPins(which, levels, outputs) {
 
 // ---- Buttons: held while pressed; a right click or Shift holds until the next click ----
 
-function control(parent, label, title, kind, value) {
+function control(parent, label, title, kind, value, wire) {
     const button = document.createElement("button");
+    button.dataset.wire = wire;
     button.textContent = label;
     button.setAttribute("aria-label", title);
     let held = false, latched = false;
@@ -146,12 +147,13 @@ function control(parent, label, title, kind, value) {
     button.release = () => { held = latched = false; button.classList.remove("on"); };
     parent.append(button);
 }
-for (const key of "123A456B789C0FED") control($("keypad"), key, `keypad ${key}`, "keypad", key);
-for (let key = 3; key >= 0; --key) control($("keys"), `KEY${key}`, `KEY${key}`, "key", key);
-control($("keys"), "HPS_KEY", "HPS_KEY", "key", "hps");
+for (const key of "123A456B789C0FED") control($("keypad"), key, `keypad ${key}`, "keypad", key, "GPIO_0[0]");
+for (let key = 3; key >= 0; --key) control($("keys"), `KEY${key}`, `KEY${key}`, "key", key, `KEY[${key}]`);
+control($("keys"), "HPS_KEY", "HPS_KEY", "key", "hps", "HPS");
 for (let n = 9; n >= 0; --n) {
     const button = document.createElement("button");
     button.textContent = `SW${n}`;
+    button.dataset.wire = `SW[${n}]`;
     button.setAttribute("role", "switch");
     button.setAttribute("aria-checked", "false");
     button.onclick = () => {
@@ -289,9 +291,19 @@ window.runFile = runFile;
 
 // ---- What arrives ----
 
+// Of a project's board.  What it has not is not shown.
+function board({name, wires}) {
+    const has = (wire) => wires.includes(wire);
+    document.title = name;
+    $("name").textContent = name;
+    document.querySelectorAll("[data-wire]").forEach((part) => {
+        part.toggleAttribute("hidden", !has(part.dataset.wire));
+    });
+}
+
 const HANDLERS = {
     hello: ({title}) => { $("title").textContent = title; },
-    lamps, status, inside, saved, power,
+    board, lamps, status, inside, saved, power,
     terminals: printed,
     log: (line) => { say(line, true); event(line); },
     fault: (line) => { say(line, true); event(line); },

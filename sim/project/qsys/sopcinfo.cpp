@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <pugixml.hpp>
 
+#include "sim/hps/bridge_windows.h"
 #include "sim/project/qsys/verilog_text.h"
 #include "sim/project/settings.h"
 #include "sim/text/printable.h"

@@ -136,10 +136,10 @@ Checked check_design(const CheckRequest& request) {
     for (const auto& [file, text] : request.texts) append(checked.warnings, text.warnings);
     append(checked.errors, driver_errors(netlist));
     append(checked.errors, loop_errors(netlist, request.project.loop_limits));
-    append(checked.errors, register_errors(netlist));
-    append(checked.warnings, memory_warnings(netlist));
-    append(checked.errors, pin_errors(request.project, request.ports, request.board_pins));
-    append(checked.warnings, pin_warnings(request.project, request.ports, request.board_pins));
+    append(checked.errors, register_errors(netlist, request.project.board));
+    append(checked.warnings, memory_warnings(netlist, request.project.board));
+    append(checked.errors, pin_errors(request.project, request.ports));
+    append(checked.warnings, pin_warnings(request.project, request.ports));
     for (Message& m : warnings_in_our_words(request.output))
         (is_certain(m, line) ? checked.errors : checked.warnings).push_back(std::move(m));
     append(checked.warnings, driver_warnings(netlist));

@@ -13,11 +13,10 @@ namespace sim::project {
 
 struct CheckRequest {
     const Project& project;
-    std::string tree_file;                                 // of Verilator, with -O0
-    const std::string& output;                             // by Verilator while it wrote that
-    const std::map<std::string, TextChecks>& texts;        // by the file's name in messages
-    const std::vector<Port>& ports;                        // of the top
-    const std::map<std::string, std::string>& board_pins;  // as signals_by_pin() has it
+    std::string tree_file;                           // of Verilator, with -O0
+    const std::string& output;                       // by Verilator while it wrote that
+    const std::map<std::string, TextChecks>& texts;  // by the file's name in messages
+    const std::vector<Port>& ports;                  // of the top
 };
 
 struct Checked {

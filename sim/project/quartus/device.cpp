@@ -9,7 +9,6 @@ namespace sim::project {
 
 namespace {
 
-constexpr unsigned long long REGISTERS = 4ull * 32'070, MEMORY_BITS = 397ull * 10'240;
 constexpr unsigned DEEPEST_HIERARCHY = 100;
 
 struct Largest {
@@ -71,27 +70,28 @@ bool has_reset(const NetModule& module, const Variable& v) {
 
 }  // namespace
 
-Messages register_errors(const Netlist& netlist) {
+Messages register_errors(const Netlist& netlist, const BoardDescription& board) {
     const Largest found = count(netlist, [](const NetModule& module, const Variable& v) {
         return module.is_own && v.reads > 0 && has_reset(module, v);
     });
-    if (found.all <= REGISTERS) return {};
+    if (!board.registers || found.all <= board.registers) return {};
     return {{276003, found.variable->place.file, found.variable->place.line,
              fmt::format("{} is cleared by a reset, which no memory can be, so it takes registers: "
                          "{} of the chip's {}; leave the reset out, or clear a word per clock",
-                         found.variable->name, found.all, REGISTERS)}};
+                         found.variable->name, found.all, board.registers)}};
 }
 
-Messages memory_warnings(const Netlist& netlist) {
+Messages memory_warnings(const Netlist& netlist, const BoardDescription& board) {
     const Largest found = count(netlist, [](const NetModule&, const Variable& v) {
         return v.reads > 0 && !v.drivers.empty();
     });
-    if (found.all <= MEMORY_BITS) return {};
+    if (!board.memory_bits || found.all <= board.memory_bits) return {};
     return {
         {170048, found.variable->place.file, found.variable->place.line,
          fmt::format("the design's memories have {} bits, {} of them in {}, and the chip has {} "
-                     "(397 M10K): Quartus cannot fit them",
-                     found.all, found.bits, found.variable->name, MEMORY_BITS)}};
+                     "({}): Quartus cannot fit them",
+                     found.all, found.bits, found.variable->name, board.memory_bits,
+                     board.memory_blocks)}};
 }
 
 }  // namespace sim::project

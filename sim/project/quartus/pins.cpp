@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <set>
-#include <string_view>
+#include <map>
+#include <string>
 
 #include <fmt/format.h>
 
@@ -20,9 +20,8 @@ struct Assigned {
 
 class Pins {
 public:
-    Pins(const Project& project, const std::vector<Port>& ports,
-         const std::map<std::string, std::string>& board_pins)
-        : board_pins_{board_pins} {
+    Pins(const Project& project, const std::vector<Port>& ports)
+        : board_{project.board}, board_pins_{board_.signals_by_pin()} {
         file_ = project.settings.filename().string();
         for (const Port& port : ports)
             for (int n = std::min(port.left, port.right); n <= std::max(port.left, port.right); ++n)
@@ -89,24 +88,19 @@ private:
     // Its pins are those of the processor, whatever is assigned.
     static bool is_of_processor(const std::string& name) { return name.compare(0, 4, "hps_") == 0; }
 
-    // The 288 pins of the 5CSEMA5F31C6 for the FPGA's signals: the board's, and 30 of bank 8A where
-    // it has nothing.  The others are the processor's, for configuration, power and ground, or are
-    // not there.
+    // All others are the processor's, for configuration, power and ground, or are not there.
     bool is_for_signals(const std::string& pin) const {
-        static const std::set<std::string_view> OPEN{
-            "A4",  "A6", "A8", "A9", "A10", "B5", "B6", "B7", "B8", "C3",
-            "C4",  "C5", "C7", "C8", "C9",  "D4", "D5", "D6", "D7", "D9",
-            "D10", "E3", "E4", "E6", "E7",  "E8", "E9", "F8", "F9", "G8"};
-        constexpr std::string_view PREFIX = "PIN_";
-        if (pin.compare(0, PREFIX.size(), PREFIX) != 0) return true;  // a bank or an edge
-        return board_pins_.count(pin) || OPEN.count(std::string_view{pin}.substr(PREFIX.size()));
+        if (board_.other_pins.empty() || pin.compare(0, 4, "PIN_") != 0)
+            return true;  // not known; or a bank or an edge
+        return board_pins_.count(pin) || board_.other_pins.count(pin);
     }
 
     void add(unsigned number, const Place& place, std::string text) {
         messages_.push_back({number, place.file, place.line, std::move(text)});
     }
 
-    const std::map<std::string, std::string>& board_pins_;
+    const BoardDescription& board_;
+    const std::map<std::string, std::string> board_pins_;
     std::string file_;
     std::map<std::string, Assigned> bits_;  // of the ports, in small letters
     std::size_t others_ = 0;
@@ -115,15 +109,13 @@ private:
 
 }  // namespace
 
-Messages pin_errors(const Project& project, const std::vector<Port>& ports,
-                    const std::map<std::string, std::string>& board_pins) {
-    return Pins{project, ports, board_pins}.errors();
+Messages pin_errors(const Project& project, const std::vector<Port>& ports) {
+    return Pins{project, ports}.errors();
 }
 
-Messages pin_warnings(const Project& project, const std::vector<Port>& ports,
-                      const std::map<std::string, std::string>& board_pins) {
+Messages pin_warnings(const Project& project, const std::vector<Port>& ports) {
     if (project.settings.empty() || project.is_for_other_device) return {};
-    return Pins{project, ports, board_pins}.warnings();
+    return Pins{project, ports}.warnings();
 }
 
 }  // namespace sim::project

@@ -1,8 +1,6 @@
 // pins.h - what Quartus says of the pins that the settings assign to the top's ports.
 #pragma once
 
-#include <map>
-#include <string>
 #include <vector>
 
 #include "sim/project/elaborated.h"
@@ -12,11 +10,9 @@
 namespace sim::project {
 
 // 171016: the pin is none for the FPGA's signals; 176310: two ports are on one.
-Messages pin_errors(const Project& project, const std::vector<Port>& ports,
-                    const std::map<std::string, std::string>& board_pins);
+Messages pin_errors(const Project& project, const std::vector<Port>& ports);
 
 // 15706, 169085; 171016: the board has nothing at that pin.  Nothing where there are no settings.
-Messages pin_warnings(const Project& project, const std::vector<Port>& ports,
-                      const std::map<std::string, std::string>& board_pins);
+Messages pin_warnings(const Project& project, const std::vector<Port>& ports);
 
 }  // namespace sim::project

@@ -24,7 +24,7 @@ module de1sim_chip (
     input  wire [3:0]  key_ni,
     input  wire [9:0]  sw_i,
     output wire [9:0]  ledr_o,
-    output wire [41:0] hex_no,          // HEX5 in 41:35 ... HEX0 in 6:0
+    output wire [47:0] hex_no,          // HEX5 in 41:35 ... HEX0 in 6:0; points, 1: lit, in 47:42
 
     input  wire [35:0] gpio_0_low_i,
     output wire [35:0] gpio_0_o,
@@ -35,8 +35,8 @@ module de1sim_chip (
 
     output wire [2:0]  clocks_o,        // VGA_CLK, DRAM_CLK, AUD_XCK
     // I2C SDAT, SCLK; AUD_DACDAT, BCLK, DACLRCK, ADCLRCK; PS/2 DAT2, DAT, CLK2, CLK; ADC DIN, SCLK,
-    // CS_N
-    output wire [12:0] pins_o,
+    // CS_N; above, the accelerometer's SDO, SDI, SCLK, CS_N
+    output wire [16:0] pins_o,
 
     output wire [27:0] vga_o,           // SYNC_N, BLANK_N, VS, HS, R, G, B
 
@@ -51,6 +51,7 @@ module de1sim_chip (
     input  wire        i2c_sdat_low_i,
 
     input  wire        adc_dout_i,
+    input  wire [1:0]  gsensor_low_i,   // SDO, SDI
 
     input  wire [1:0]  ps2_clk_low_i,
     input  wire [1:0]  ps2_dat_low_i,
@@ -87,6 +88,7 @@ module de1sim_chip (
     reg         dram_dq_en = 1'b0;
     reg         AUD_ADCDAT = 1'b0, ADC_DOUT = 1'b0, IRDA_RXD = 1'b1;
     reg         i2c_sdat_low = 1'b0;
+    reg  [1:0]  gsensor_low = 2'd0;
     reg  [2:0]  aud = 3'd0;
     reg         aud_en = 1'b0;
     reg  [1:0]  ps2_clk_low = 2'd0, ps2_dat_low = 2'd0;
@@ -102,6 +104,7 @@ module de1sim_chip (
         ADC_DOUT <= adc_dout_i;
         IRDA_RXD <= irda_rxd_i;
         i2c_sdat_low <= i2c_sdat_low_i;
+        gsensor_low <= gsensor_low_i;
         aud <= aud_i;
         aud_en <= aud_en_i;
         ps2_clk_low <= ps2_clk_low_i;
@@ -113,7 +116,7 @@ module de1sim_chip (
     wire        TD_VS    = 1'b1;
 
     wire [9:0]  LEDR;
-    wire [6:0]  HEX0, HEX1, HEX2, HEX3, HEX4, HEX5;
+    wire [7:0]  HEX0, HEX1, HEX2, HEX3, HEX4, HEX5;
     wire        VGA_CLK, VGA_HS, VGA_VS, VGA_BLANK_N, VGA_SYNC_N;
     wire [7:0]  VGA_R, VGA_G, VGA_B;
     wire        DRAM_CLK, DRAM_CKE, DRAM_CS_N, DRAM_RAS_N, DRAM_CAS_N, DRAM_WE_N;
@@ -122,6 +125,7 @@ module de1sim_chip (
     wire        DRAM_LDQM, DRAM_UDQM;
     wire        AUD_XCK, AUD_DACDAT, FPGA_I2C_SCLK;
     wire        ADC_CS_N, ADC_SCLK, ADC_DIN;
+    wire        GSENSOR_CS_N, GSENSOR_SCLK, GSENSOR_SDI, GSENSOR_SDO;
     wire        IRDA_TXD, TD_RESET_N, FAN_CTRL;
 
     wire [35:0] GPIO_0, GPIO_1;
@@ -148,6 +152,11 @@ module de1sim_chip (
     assign PS2_DAT = ps2_dat_low[0] ? 1'b0 : 1'bz;
     assign PS2_CLK2 = ps2_clk_low[1] ? 1'b0 : 1'bz;
     assign PS2_DAT2 = ps2_dat_low[1] ? 1'b0 : 1'bz;
+    assign GSENSOR_SDI = gsensor_low[0] ? 1'b0 : 1'bz;
+    assign GSENSOR_SDO = gsensor_low[1] ? 1'b0 : 1'bz;
+    pullup(GSENSOR_SCLK);
+    pullup(GSENSOR_SDI);
+    pullup(GSENSOR_SDO);
     pullup(FPGA_I2C_SCLK);
     pullup(FPGA_I2C_SDAT);
     pullup(PS2_CLK);
@@ -178,13 +187,15 @@ module de1sim_chip (
     // ---- What the simulation looks at ----
 
     assign ledr_o = LEDR;
-    assign hex_no = {HEX5, HEX4, HEX3, HEX2, HEX1, HEX0};
+    assign hex_no = {~{HEX5[7], HEX4[7], HEX3[7], HEX2[7], HEX1[7], HEX0[7]},
+                     HEX5[6:0], HEX4[6:0], HEX3[6:0], HEX2[6:0], HEX1[6:0], HEX0[6:0]};
     assign gpio_0_o = GPIO_0;
     assign gpio_1_o = GPIO_1;
     assign gpio_0_oe_o = `DE1SIM_GPIO_0_OUTPUTS | ~GPIO_0 & ~gpio_0_low;
     assign gpio_1_oe_o = `DE1SIM_GPIO_1_OUTPUTS | ~GPIO_1 & ~gpio_1_low;
     assign clocks_o = {VGA_CLK, DRAM_CLK, AUD_XCK};
-    assign pins_o = {FPGA_I2C_SDAT, FPGA_I2C_SCLK, AUD_DACDAT, AUD_BCLK, AUD_DACLRCK, AUD_ADCLRCK,
+    assign pins_o = {GSENSOR_SDO, GSENSOR_SDI, GSENSOR_SCLK, GSENSOR_CS_N,
+                     FPGA_I2C_SDAT, FPGA_I2C_SCLK, AUD_DACDAT, AUD_BCLK, AUD_DACLRCK, AUD_ADCLRCK,
                      PS2_DAT2, PS2_DAT, PS2_CLK2, PS2_CLK, ADC_DIN, ADC_SCLK, ADC_CS_N};
     assign vga_o = {VGA_SYNC_N, VGA_BLANK_N, VGA_VS, VGA_HS, VGA_R, VGA_G, VGA_B};
     assign dram_o = {DRAM_CKE, DRAM_CS_N, DRAM_RAS_N, DRAM_CAS_N, DRAM_WE_N, DRAM_BA, DRAM_ADDR,

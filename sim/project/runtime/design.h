@@ -28,7 +28,7 @@ struct ModelSettings;
     PORT(std::uint16_t, ledr_o)        \
     PORT(std::uint64_t, hex_no)        \
     PORT(std::uint8_t, clocks_o)       \
-    PORT(std::uint16_t, pins_o)        \
+    PORT(std::uint32_t, pins_o)        \
     PORT(std::uint32_t, vga_o)         \
     PORT(std::uint32_t, dram_o)        \
     PORT(std::uint16_t, dram_dq_o)     \
@@ -45,6 +45,7 @@ struct ModelSettings;
     PORT(std::uint8_t, aud_adcdat_i)   \
     PORT(std::uint8_t, i2c_sdat_low_i) \
     PORT(std::uint8_t, adc_dout_i)     \
+    PORT(std::uint8_t, gsensor_low_i)  \
     PORT(std::uint8_t, ps2_clk_low_i)  \
     PORT(std::uint8_t, ps2_dat_low_i)  \
     PORT(std::uint8_t, irda_rxd_i)     \

@@ -31,7 +31,7 @@ constexpr unsigned VIDEO_BATCH = 800, MOST_TURNS = 100;
 constexpr unsigned XCK_RISES = 128;  // for a measurement of its period
 
 // In pins_o.
-constexpr unsigned ADC = 0x7, PS2_LSB = 3, CODEC_LSB = 7;
+constexpr unsigned ADC = 0x7, PS2_LSB = 3, CODEC_LSB = 7, GSENSOR_LSB = 13;
 constexpr unsigned AUD_XCK = 1, DRAM_CLK = 2, VGA_CLK = 4;  // in clocks_o
 
 // The working directory, for as long as it lives, also where the design's files are broken.
@@ -228,6 +228,7 @@ private:
         apply_codec();
         top_.i2c_sdat_low_i = !in.sdat && !sdat_low_;
         top_.adc_dout_i = in.adc_sdo;
+        top_.gsensor_low_i = static_cast<unsigned>(!in.gsensor_sdo << 1 | !in.gsensor_sdi);
         top_.irda_rxd_i = in.irda_rxd;
         top_.ps2_clk_low_i = ~in.ps2_clk & 3 & ~ps2_ & 3;
         top_.ps2_dat_low_i = ~in.ps2_dat & 3 & ~(ps2_ >> 2) & 3;
@@ -302,6 +303,13 @@ private:
         look_at_codec();
         if (moved & ADC) {
             listener_.adc({(pins_ & 1) != 0, (pins_ & 2) != 0, (pins_ & 4) != 0}, now_ps(), in);
+            look_ = true;
+        }
+        if (moved >> GSENSOR_LSB) {
+            const unsigned sensor = pins_ >> GSENSOR_LSB;
+            listener_.gsensor(
+                {(sensor & 1) != 0, (sensor & 2) != 0, (sensor & 4) != 0, (sensor & 8) != 0},
+                now_ps(), in);
             look_ = true;
         }
         const unsigned ps2_low =

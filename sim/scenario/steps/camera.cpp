@@ -1,6 +1,7 @@
 // camera.cpp - show-picture: what the camera at the video input sees
 #include "sim/board/adv7180.h"
 #include "sim/scenario/board_control.h"
+#include "sim/scenario/static_checks.h"
 #include "sim/scenario/step_form.h"
 #include "sim/text/printable.h"
 
@@ -14,6 +15,9 @@ class ShowPicture : public Action {
 public:
     explicit ShowPicture(const Values& v) : file_{v.path("file")} {}
 
+    void check(StaticChecks& checks) const override {
+        checks.need_on_board("TD_DATA[0]", "the video decoder");
+    }
     std::string describe() const override {
         return "show the camera " + printable(file_.filename().string());
     }

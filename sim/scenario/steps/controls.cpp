@@ -32,8 +32,11 @@ protected:
           bounce_{v.get<SimTime>("bounce")} {}
 
     template <class Check>
-    void for_each(Check check) const {
-        for (const unsigned number : control_numbers(controls_)) check(control_name(number));
+    void for_each(const StaticChecks& checks, Check check) const {
+        for (const unsigned number : control_numbers(controls_)) {
+            checks.need_on_board(control_wire(number), control_name(number));
+            check(control_name(number));
+        }
     }
 
     Controls controls_;
@@ -49,7 +52,7 @@ public:
     }
     SimTime least() const override { return time_; }
     void check(StaticChecks& checks) const override {
-        for_each([&](const std::string& control) { checks.need_free(control); });
+        for_each(checks, [&](const std::string& control) { checks.need_free(control); });
     }
     void act(BoardControl& board) const override {
         board.hold(controls_, bounce_);
@@ -66,7 +69,7 @@ public:
     explicit Hold(const Values& v) : OnControls{v} {}
     std::string describe() const override { return "hold " + to_string(controls_); }
     void check(StaticChecks& checks) const override {
-        for_each([&](const std::string& control) { checks.hold(control); });
+        for_each(checks, [&](const std::string& control) { checks.hold(control); });
     }
     void act(BoardControl& board) const override { board.hold(controls_, bounce_); }
 };
@@ -77,7 +80,7 @@ public:
 
     std::string describe() const override { return "release " + to_string(controls_); }
     void check(StaticChecks& checks) const override {
-        for_each([&](const std::string& control) { checks.release(control); });
+        for_each(checks, [&](const std::string& control) { checks.release(control); });
     }
     void act(BoardControl& board) const override { board.release(controls_, bounce_); }
 };

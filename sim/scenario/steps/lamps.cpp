@@ -1,7 +1,10 @@
 // lamps.cpp - expect-leds, expect-hps-led, expect-hex: eyes on the LEDs and seven-segment digits
 #include <bitset>
 
+#include <fmt/format.h>
+
 #include "sim/scenario/board_control.h"
+#include "sim/scenario/static_checks.h"
 #include "sim/scenario/step_form.h"
 #include "sim/text/words.h"
 
@@ -32,6 +35,11 @@ public:
     explicit ExpectLeds(const Values& v)
         : leds_{v.number<std::uint64_t>("equals")}, timeout_{v.get<SimTime>("timeout")} {}
 
+    void check(StaticChecks& checks) const override {
+        for (unsigned n = 0; n < leds_.size(); ++n)
+            if (leds_[n])
+                checks.need_on_board(fmt::format("LEDR[{}]", n), fmt::format("LED {}", n));
+    }
     std::string describe() const override {
         return "expect LEDs " + leds_.to_string() + within(timeout_);
     }
@@ -55,6 +63,9 @@ public:
     explicit ExpectHpsLed(const Values& v)
         : lit_{v.number<bool>("equals")}, timeout_{v.get<SimTime>("timeout")} {}
 
+    void check(StaticChecks& checks) const override {
+        checks.need_on_board("HPS", "the processor's LED");
+    }
     std::string describe() const override {
         return std::string{"expect the HPS LED "} + (lit_ ? "lit" : "dark") + within(timeout_);
     }
@@ -84,6 +95,9 @@ public:
     explicit ExpectHex(const Values& v)
         : text_{v.get<std::string>("equals")}, timeout_{v.get<SimTime>("timeout")} {}
 
+    void check(StaticChecks& checks) const override {
+        checks.need_on_board("HEX0[0]", "the seven-segment digits");
+    }
     std::string describe() const override {
         return "expect \"" + text_ + "\" on HEX" + within(timeout_);
     }

@@ -7,6 +7,7 @@
 
 #include "sim/board/adxl345.h"
 #include "sim/scenario/board_control.h"
+#include "sim/scenario/static_checks.h"
 #include "sim/scenario/step_form.h"
 
 namespace sim {
@@ -24,6 +25,9 @@ public:
     explicit TiltBoard(const Values& v)
         : right_{v.get<double>("right")}, towards_{v.get<double>("towards")} {}
 
+    void check(StaticChecks& checks) const override {
+        checks.need_on_board("MOTION", "the motion sensor");
+    }
     std::string describe() const override {
         return fmt::format("tilt the board {:.6g} degrees to the right and {:.6g} towards you",
                            right_, towards_);
@@ -45,6 +49,9 @@ public:
     explicit AccelerateBoard(const Values& v)
         : x_{v.get<double>("x")}, y_{v.get<double>("y")}, z_{v.get<double>("z")} {}
 
+    void check(StaticChecks& checks) const override {
+        checks.need_on_board("MOTION", "the motion sensor");
+    }
     std::string describe() const override {
         return fmt::format("accelerate the board by {:.6g}, {:.6g}, {:.6g} g", x_, y_, z_);
     }
@@ -64,8 +71,8 @@ namespace steps {
 std::vector<StepForm> motion() {
     return {
         {"tilt-board",
-         "Tilt the board, which begins flat, and go on; the accelerometer on I2C0 of the HPS feels "
-         "it. "
+         "Tilt the board, which begins flat, and go on; the accelerometer feels it, on I2C0 of the "
+         "HPS or, on a DE10-Lite, on pins of the FPGA. "
          "x points to the right edge, y to the far one, z up; how the chip is turned on a board is "
          "to "
          "be tried there.",

@@ -78,7 +78,10 @@ protected:
 
     bool on_lt24() const { return display_ == Display::LT24; }
     void need(const StaticChecks& checks) const {
-        if (on_lt24()) checks.need_part("lt24", "lt24");
+        if (on_lt24())
+            checks.need_part("lt24", "lt24");
+        else
+            checks.need_on_board("VGA_HS", "the monitor");
     }
     Image picture(BoardControl& board) const {
         if (!on_lt24()) return board.observations().picture();

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "sim/scenario/board_control.h"
+#include "sim/scenario/static_checks.h"
 #include "sim/scenario/step_form.h"
 #include "sim/text/words.h"
 
@@ -52,6 +53,7 @@ class SetPins : public Action {
 public:
     explicit SetPins(const Values& v) : pins_{v}, level_{v.number<PinLevel>("level")} {}
 
+    void check(StaticChecks& checks) const override { checks.need_on_board(pins_.all()); }
     std::string describe() const override {
         return level_ == PinLevel::RELEASED
                    ? "release " + pins_.describe()
@@ -71,6 +73,7 @@ public:
           high_{v.number<PinLevel>("level") == PinLevel::HIGH},
           timeout_{v.get<SimTime>("timeout")} {}
 
+    void check(StaticChecks& checks) const override { checks.need_on_board(pins_.all()); }
     std::string describe() const override {
         return fmt::format("expect {} {}{}", pins_.describe(), high_ ? "high" : "low",
                            within(timeout_));

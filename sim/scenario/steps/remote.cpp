@@ -7,6 +7,7 @@
 #include "sim/board/nec_frame.h"
 #include "sim/board/remote_control.h"
 #include "sim/scenario/board_control.h"
+#include "sim/scenario/static_checks.h"
 #include "sim/scenario/step_form.h"
 
 namespace sim {
@@ -37,6 +38,9 @@ class PressRemote : public Action {
 public:
     explicit PressRemote(const Values& v) : button_{v.get<std::string>("button")} {}
 
+    void check(StaticChecks& checks) const override {
+        checks.need_on_board("IRDA_RXD", "the infrared receiver");
+    }
     std::string describe() const override { return "press " + button_ + " on the remote control"; }
     void act(BoardControl& board) const override {
         auto& remote = board.part<RemoteControl>("remote control");

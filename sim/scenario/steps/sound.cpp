@@ -6,6 +6,7 @@
 
 #include "sim/board/tone.h"
 #include "sim/scenario/board_control.h"
+#include "sim/scenario/static_checks.h"
 #include "sim/scenario/step_form.h"
 #include "sim/text/words.h"
 
@@ -27,6 +28,9 @@ public:
           time_{v.get<SimTime>("for")},
           timeout_{v.get<SimTime>("timeout")} {}
 
+    void check(StaticChecks& checks) const override {
+        checks.need_on_board("AUD_DACDAT", "LINE OUT");
+    }
     std::string describe() const override {
         return fmt::format("expect a tone of {} Hz, give or take {:.6g}%, for {}{}", hz_,
                            within_ * 100, to_string(time_), within(timeout_));
@@ -65,6 +69,9 @@ class ExpectSilence : public Claim {
 public:
     explicit ExpectSilence(const Values& v) : time_{v.get<SimTime>("for")} {}
 
+    void check(StaticChecks& checks) const override {
+        checks.need_on_board("AUD_DACDAT", "LINE OUT");
+    }
     std::string describe() const override { return "expect silence for " + to_string(time_); }
     SimTime least() const override { return time_; }
     Verdict decide(BoardControl& board) const override {

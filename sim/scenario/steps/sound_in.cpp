@@ -3,6 +3,7 @@
 
 #include "sim/board/sound_source.h"
 #include "sim/scenario/board_control.h"
+#include "sim/scenario/static_checks.h"
 #include "sim/scenario/step_form.h"
 #include "sim/text/printable.h"
 
@@ -16,6 +17,9 @@ class IntoInput : public Action {
 protected:
     explicit IntoInput(const Values& v) : microphone_{v.number<bool>("into")} {}
 
+    void check(StaticChecks& checks) const override {
+        checks.need_on_board("AUD_ADCDAT", microphone_ ? "the microphone" : "LINE IN");
+    }
     std::string into() const { return microphone_ ? " into the microphone" : " into LINE IN"; }
     SoundSource& source(BoardControl& board) const {
         return board.part<SoundSource>(microphone_ ? "microphone input" : "LINE IN");

@@ -5,6 +5,7 @@
 
 #include "sim/board/ltc2308.h"
 #include "sim/scenario/board_control.h"
+#include "sim/scenario/static_checks.h"
 #include "sim/scenario/step_form.h"
 
 namespace sim {
@@ -18,6 +19,9 @@ public:
     explicit SetVoltage(const Values& v)
         : channel_{v.number<unsigned>("channel")}, volts_{v.get<double>("volts")} {}
 
+    void check(StaticChecks& checks) const override {
+        checks.need_on_board("ADC_DOUT", "the AD converter");
+    }
     std::string describe() const override {
         return fmt::format("apply {:.6g} V to CH{}", volts_, channel_);
     }

@@ -1,0 +1,263 @@
+#include "sim/project/board_description.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cstdint>
+#include <sstream>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "sim/project/settings.h"
+#include "sim/project/tools.h"
+#include "sim/text/lower.h"
+
+namespace sim::project {
+
+namespace fs = std::filesystem;
+
+const std::vector<ChipWires>& chip_wires() {
+    using D = Direction;
+    static const std::vector<ChipWires> wires{
+        {"CLOCK_50", 1, D::INPUT, true},       {"CLOCK2_50", 1, D::INPUT, true},
+        {"CLOCK3_50", 1, D::INPUT, true},      {"CLOCK4_50", 1, D::INPUT, true},
+        {"KEY", 4, D::INPUT, false},           {"SW", 10, D::INPUT, false},
+        {"LEDR", 10, D::OUTPUT, false},        {"HEX0", 8, D::OUTPUT, false},
+        {"HEX1", 8, D::OUTPUT, false},         {"HEX2", 8, D::OUTPUT, false},
+        {"HEX3", 8, D::OUTPUT, false},         {"HEX4", 8, D::OUTPUT, false},
+        {"HEX5", 8, D::OUTPUT, false},         {"GPIO_0", 36, D::INOUT, false},
+        {"GPIO_1", 36, D::INOUT, false},       {"VGA_CLK", 1, D::OUTPUT, true},
+        {"VGA_HS", 1, D::OUTPUT, true},        {"VGA_VS", 1, D::OUTPUT, true},
+        {"VGA_BLANK_N", 1, D::OUTPUT, true},   {"VGA_SYNC_N", 1, D::OUTPUT, true},
+        {"VGA_R", 8, D::OUTPUT, false},        {"VGA_G", 8, D::OUTPUT, false},
+        {"VGA_B", 8, D::OUTPUT, false},        {"DRAM_CLK", 1, D::OUTPUT, true},
+        {"DRAM_CKE", 1, D::OUTPUT, true},      {"DRAM_CS_N", 1, D::OUTPUT, true},
+        {"DRAM_RAS_N", 1, D::OUTPUT, true},    {"DRAM_CAS_N", 1, D::OUTPUT, true},
+        {"DRAM_WE_N", 1, D::OUTPUT, true},     {"DRAM_BA", 2, D::OUTPUT, false},
+        {"DRAM_ADDR", 13, D::OUTPUT, false},   {"DRAM_LDQM", 1, D::OUTPUT, true},
+        {"DRAM_UDQM", 1, D::OUTPUT, true},     {"DRAM_DQ", 16, D::INOUT, false},
+        {"AUD_XCK", 1, D::OUTPUT, true},       {"AUD_BCLK", 1, D::INOUT, true},
+        {"AUD_DACLRCK", 1, D::INOUT, true},    {"AUD_DACDAT", 1, D::OUTPUT, true},
+        {"AUD_ADCLRCK", 1, D::INOUT, true},    {"AUD_ADCDAT", 1, D::INPUT, true},
+        {"FPGA_I2C_SCLK", 1, D::OUTPUT, true}, {"FPGA_I2C_SDAT", 1, D::INOUT, true},
+        {"ADC_CS_N", 1, D::OUTPUT, true},      {"ADC_SCLK", 1, D::OUTPUT, true},
+        {"ADC_DIN", 1, D::OUTPUT, true},       {"ADC_DOUT", 1, D::INPUT, true},
+        {"GSENSOR_CS_N", 1, D::OUTPUT, true},  {"GSENSOR_SCLK", 1, D::OUTPUT, true},
+        {"GSENSOR_SDI", 1, D::INOUT, true},    {"GSENSOR_SDO", 1, D::INOUT, true},
+        {"PS2_CLK", 1, D::INOUT, true},        {"PS2_DAT", 1, D::INOUT, true},
+        {"PS2_CLK2", 1, D::INOUT, true},       {"PS2_DAT2", 1, D::INOUT, true},
+        {"IRDA_RXD", 1, D::INPUT, true},       {"IRDA_TXD", 1, D::OUTPUT, true},
+        {"TD_CLK27", 1, D::INPUT, true},       {"TD_DATA", 8, D::INPUT, false},
+        {"TD_HS", 1, D::INPUT, true},          {"TD_VS", 1, D::INPUT, true},
+        {"TD_RESET_N", 1, D::OUTPUT, true},    {"FAN_CTRL", 1, D::OUTPUT, true}};
+    return wires;
+}
+
+std::string ChipWires::wire(unsigned index) const {
+    return is_scalar ? std::string{name} : fmt::format("{}[{}]", name, index);
+}
+
+// ---- A board ----
+
+std::string BoardSignal::bit(unsigned index) const {
+    return width() == 1 ? name : fmt::format("{}[{}]", name, index);
+}
+
+const BoardSignal* BoardDescription::signal(std::string_view port) const {
+    const std::string wanted = lower(std::string{port});
+    for (const BoardSignal& signal : signals)
+        if (lower(signal.name) == wanted) return &signal;
+    for (const BoardSignal& signal : signals)
+        if (signal.others.count(wanted)) return &signal;
+    return nullptr;
+}
+
+const BoardSignal* BoardDescription::signal_of_bit(const std::string& bit) const {
+    const std::string base = bit.substr(0, bit.find('['));
+    for (const BoardSignal& signal : signals)
+        if (signal.name == base || signal.name == bit) return &signal;
+    return nullptr;
+}
+
+std::string BoardDescription::wire_of_bit(const std::string& bit) const {
+    const BoardSignal* const signal = signal_of_bit(bit);
+    for (unsigned n = 0; signal && n < signal->width(); ++n)
+        if (signal->bit(n) == bit) return signal->wires[n];
+    return {};
+}
+
+std::map<std::string, std::string> BoardDescription::signals_by_pin() const {
+    std::map<std::string, std::string> by_pin;
+    for (const BoardSignal& signal : signals)
+        for (unsigned n = 0; n < signal.width(); ++n) by_pin[signal.pins[n]] = signal.bit(n);
+    return by_pin;
+}
+
+bool BoardDescription::has_device(const std::string& device) const {
+    return std::any_of(devices.begin(), devices.end(), [&](const std::string& own) {
+        return lower(device).compare(0, own.size(), lower(own)) == 0;
+    });
+}
+
+bool BoardDescription::has_wire(const std::string& wire) const {
+    return std::any_of(signals.begin(), signals.end(), [&](const BoardSignal& signal) {
+        return std::count(signal.wires.begin(), signal.wires.end(), wire) > 0;
+    });
+}
+
+unsigned BoardDescription::wires_named(std::string_view wanted) const {
+    std::size_t count = 0;
+    for (const BoardSignal& signal : signals)
+        count += static_cast<std::size_t>(std::count_if(
+            signal.wires.begin(), signal.wires.end(),
+            [&](const std::string& wire) { return wire.substr(0, wire.find('[')) == wanted; }));
+    return static_cast<unsigned>(count);
+}
+
+// ---- Its file ----
+
+namespace {
+
+std::vector<std::string> words_of(const std::string& text) {
+    std::istringstream in{text};
+    std::vector<std::string> words;
+    for (std::string word; in >> word;) words.push_back(word);
+    return words;
+}
+
+std::vector<std::string> columns_of(const std::string& line) {
+    std::istringstream in{line};
+    std::vector<std::string> columns;
+    for (std::string column; std::getline(in, column, '\t');) columns.push_back(column);
+    return columns;
+}
+
+bool is_wires_of_colour(const std::string& name) {
+    return name == "VGA_R" || name == "VGA_G" || name == "VGA_B";
+}
+
+class BoardReader {
+public:
+    explicit BoardReader(fs::path file) : file_{std::move(file)} {}
+
+    BoardDescription run() {
+        std::istringstream lines{text_of(file_)};
+        for (std::string line; std::getline(lines, line);) {
+            ++line_;
+            if (!line.empty() && line[0] != '#') read(columns_of(line));
+        }
+        if (board_.name.empty()) refuse("a line \"board\" with its name", "none");
+        if (board_.devices.empty()) refuse("a line \"device\"", "none");
+        return std::move(board_);
+    }
+
+private:
+    [[noreturn]] void refuse(const std::string& expected, const std::string& got) const {
+        throw ProjectError{
+            fmt::format("{}:{}: expected {}, got {}", file_.string(), line_, expected, got)};
+    }
+
+    unsigned long long number(const std::string& text) const {
+        unsigned long long value = 0;
+        const char* const end = text.data() + text.size();
+        if (const auto [after, error] = std::from_chars(text.data(), end, value);
+            error != std::errc{} || after != end)
+            refuse("a number", '"' + text + '"');
+        return value;
+    }
+
+    void read(const std::vector<std::string>& columns) {
+        const std::string& word = columns[0];
+        if (columns.size() < 2) refuse("a tab, and what \"" + word + "\" is", "neither");
+        const std::string& value = columns[1];
+        const std::vector<std::string> words = words_of(value);
+        if (word == "board") {
+            board_.name = value;
+        } else if (word == "device") {
+            board_.devices.push_back(value);
+        } else if (word == "registers") {
+            board_.registers = number(value);
+        } else if (word == "memory") {
+            if (words.size() != 5 || words[2] != "of" || words[4] != "bits")
+                refuse("memory blocks as \"397 M10K of 10240 bits\"", '"' + value + '"');
+            board_.memory_blocks = words[0] + " " + words[1];
+            board_.memory_bits = number(words[0]) * number(words[3]);
+        } else if (word == "processor") {
+            if (value != "HPS") refuse("the processor HPS, or no such line", '"' + value + '"');
+            board_.has_processor = true;
+        } else if (word == "i2c") {
+            board_.on_i2c.insert(words.begin(), words.end());
+        } else if (word == "other-pins") {
+            for (const std::string& pin : words) board_.other_pins.insert("PIN_" + pin);
+        } else {
+            read_signal(columns);
+        }
+    }
+
+    void read_signal(const std::vector<std::string>& columns) {
+        if (columns.size() < 3)
+            refuse("a signal with what it is simulated as, and its pins",
+                   fmt::format("{} columns", columns.size()));
+        BoardSignal signal{columns[0], Direction::INOUT, {}, {}, {}};
+        for (const std::string& pin : words_of(columns[2])) {
+            signal.pins.push_back("PIN_" + pin);
+            if (!pins_.insert(pin).second) refuse("a pin of its own", pin + ", which is taken");
+        }
+        if (columns.size() > 3)
+            for (const std::string& other : words_of(columns[3])) signal.others.insert(other);
+        connect(signal, columns[1]);
+        board_.signals.push_back(std::move(signal));
+    }
+
+    void connect(BoardSignal& signal, const std::string& what) {
+        constexpr std::uint64_t FS_PER_US = 1'000'000'000;
+        const std::vector<std::string> words = words_of(what);
+        if (words.size() == 2 && words[1] == "MHz") {
+            signal.period_fs = FS_PER_US / number(words[0]);
+            signal.direction = Direction::INPUT;
+            signal.wires = {signal.name};
+            return;
+        }
+        std::vector<std::string> wires;
+        if (what == "-") wires.resize(signal.width());
+        for (const std::string& name : what == "-" ? std::vector<std::string>{} : words) {
+            const auto& all = chip_wires();
+            const auto found = std::find_if(all.begin(), all.end(),
+                                            [&](const ChipWires& w) { return w.name == name; });
+            if (found == all.end())
+                refuse("wires of de1sim_chip.v, a clock as \"10 MHz\", or -", '"' + name + '"');
+            signal.direction = found->direction;
+            const unsigned width = signal.width();
+            const unsigned first =  // of a colour's few bits the uppermost is the chip's uppermost
+                is_wires_of_colour(name) && words.size() == 1 && width < found->width
+                    ? found->width - width
+                    : 0;
+            for (unsigned n = first; n < found->width; ++n) wires.push_back(found->wire(n));
+        }
+        if (wires.size() < signal.width())
+            refuse(fmt::format("at most {} pins", wires.size()), std::to_string(signal.width()));
+        wires.resize(signal.width());
+        signal.wires = std::move(wires);
+    }
+
+    const fs::path file_;
+    BoardDescription board_;
+    std::set<std::string> pins_;
+    unsigned line_ = 0;
+};
+
+}  // namespace
+
+BoardDescription read_board(const fs::path& file) { return BoardReader{file}.run(); }
+
+std::vector<BoardDescription> all_boards() {
+    std::vector<BoardDescription> boards;
+    for (const auto& entry : fs::directory_iterator{data_folder() / "rtl/board"})
+        if (const fs::path file = entry.path() / "board.tsv"; fs::exists(file))
+            boards.push_back(read_board(file));
+    std::sort(boards.begin(), boards.end(),
+              [](const auto& a, const auto& b) { return a.name < b.name; });
+    return boards;
+}
+
+}  // namespace sim::project

@@ -1,0 +1,16 @@
+// board_parts.h - what a board has of all that a scenario can act on and look at.
+#pragma once
+
+#include <set>
+#include <string>
+
+namespace sim {
+
+struct BoardParts {
+    std::string name;             // "DE10-Lite"; empty: not known, and all is taken to be there
+    std::set<std::string> wires;  // of the simulated chip: "KEY[1]", "GPIO_0[3]"; "HPS"
+
+    bool has(const std::string& wire) const { return name.empty() || wires.count(wire) > 0; }
+};
+
+}  // namespace sim
