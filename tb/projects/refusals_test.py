@@ -32,6 +32,15 @@ class Refused(Case):
         self.both("cyclonev_hps_interface_peripheral_uart, which soc_hps_0 wants: "
                   "this part of the processor (HPS)")
 
+    def test_a_part_of_an_ip_that_its_model_lacks(self):
+        self.write(top_v="module top(input [9:0] SW, output [9:0] LEDR);\n"
+                   "altmult_add #(.width_a(5), .width_b(5), .width_result(10),\n"
+                   "  .preadder_mode(\"COEF\")) u (.dataa(SW[4:0]), .datab(SW[9:5]),\n"
+                   "  .result(LEDR));\nendmodule\n")
+        self.refused("altmult_add.v:", "build", ".")
+        self.refused("the design sets preadder_mode of this IP, which is not modelled; leave it "
+                     "at its default", "build", ".")
+
     def test_a_nios_processor(self):
         self.write(top_v=WANTS.format("sys_nios2_qsys_0"))
         self.both("module sys_nios2_qsys_0, which top wants: a Nios processor")
