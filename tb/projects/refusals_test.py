@@ -58,6 +58,11 @@ class Refused(Case):
                    fir_vp="module fir(input clk); endmodule\n")
         self.both("fir.vp: is encrypted")
 
+    def test_encrypted_vhdl_of_quartus(self):
+        self.write(p_qsf=QSF.format("VHDL_FILE fir.vhd"), top_v=WANTS.format("fir"))
+        (self.folder / "fir.vhd").write_bytes(bytes.fromhex("8b139c2f06000400768f64111f0f3d3c"))
+        self.both("fir.vhd: is encrypted, so it cannot be simulated")
+
     def test_a_schematic_as_the_top(self):
         self.write(p_qsf=QSF.format("BDF_FILE top.bdf"), top_bdf="(header)\n",
                    other_v=LEDS.format("SW").replace("top", "other"))
