@@ -12,6 +12,7 @@
 #include "sim/verilog/included_files.h"
 #include "sim/verilog/normalise.h"
 #include "sim/verilog/part_drivers.h"
+#include "sim/verilog/pulled_inputs.h"
 #include "sim/verilog/read_outputs.h"
 #include "sim/verilog/source.h"
 #include "sim/verilog/synthesised.h"
@@ -186,10 +187,12 @@ CleanSources clean_sources(const SourceRequest& from) {
         for (ModuleText& module : scan(text).modules) modules.emplace(module.name, module);
     OpenInputs open_inputs = read_open_inputs(data_folder() / "rtl/ip/defaults.tsv");
     for (const auto& [name, own] : modules) open_inputs.erase(name);  // not the model of that name
-    const std::set<std::string> in_design = modules_of_design(modules, project.top);
-    add_models(modules);
     std::vector<Tokens> tokens;
     for (const std::string& text : texts) tokens.push_back(tokens_of(text));
+    for (const Tokens& file : tokens)
+        for (auto& input : pulled_up_inputs(file.all)) open_inputs.insert(std::move(input));
+    const std::set<std::string> in_design = modules_of_design(modules, project.top);
+    add_models(modules);
     find_read_outputs(tokens, modules);
     const PinPorts pins = pin_ports(tokens, modules, project.top);
     for (const SourceFile& file : project.sources) {

@@ -45,10 +45,10 @@ void ModuleFiles::add(const SourceFile& added) {
     if (const auto header = without_pins(file, text)) source.file.text = text = *header;
     if (added.language != Language::VHDL) {
         source.text = scan(as_synthesised(text, macros_));
-        if (project::is_encrypted(file, text)) encrypted_.insert(file);
     } else {
         source.text = scan_vhdl(text);
     }
+    if (project::is_encrypted(file, text)) encrypted_.insert(file);
     sources_.push_back(std::move(source));
     const std::size_t n = sources_.size() - 1;
     for (const ModuleText& module : sources_[n].text.modules) {

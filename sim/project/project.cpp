@@ -259,8 +259,21 @@ private:
         const std::string wanted =
             fmt::format(" (module {}, which {} wants)", missing_[0].first, missing_[0].second);
         if (!unsupported_.empty()) return unsupported_.front() + wanted;
-        if (!files_.encrypted().empty())
-            return files_.place(*files_.encrypted().begin()) + ": " + ENCRYPTED + wanted;
+        return encrypted_file(wanted);
+    }
+
+    // The file of a missing module's name; else one of Verilog, which may have any module.
+    std::string encrypted_file(const std::string& wanted) const {
+        const auto said = [this](const fs::path& file, const std::string& of) {
+            return files_.place(file) + ": " + ENCRYPTED + of;
+        };
+        for (const auto& [module, by] : missing_)
+            for (const fs::path& file : files_.encrypted())
+                if (file.stem() == module)
+                    return said(file, fmt::format(" (module {}, which {} wants)", module, by));
+        for (const fs::path& file : files_.encrypted())
+            if (const auto ending = file.extension(); ending != ".vhd" && ending != ".vhdl")
+                return said(file, wanted);
         return {};
     }
 

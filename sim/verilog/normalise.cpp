@@ -13,6 +13,7 @@
 #include "sim/verilog/parameter_types.h"
 #include "sim/verilog/power_up.h"
 #include "sim/verilog/project_error.h"
+#include "sim/verilog/pulled_inputs.h"
 #include "sim/verilog/quartus/instance_checks.h"
 #include "sim/verilog/quartus/syntax.h"
 #include "sim/verilog/read_outputs.h"
@@ -72,6 +73,7 @@ public:
             tri_states_.push_back(std::move(m));
         enable_part_drivers(tokens_, modules, edits_);
         make_inouts(tokens_.all, modules, edits_);
+        make_pulled_inputs_wires(tokens_.all, edits_);
         make_registers(tokens_, edits_);
         complete_lists(tokens_, edits_);
         fit_inouts(tokens_.all, inout_fits, edits_);
@@ -79,7 +81,8 @@ public:
         init_names_ = read_at_run_time(tokens_, edits_);
         for (std::size_t i = 0; i < tokens_.all.size(); ++i) {
             if (tokens_.all[i].kind != Kind::NAME) continue;
-            if (open_inputs.count(tokens_.all[i].text) && !is_instance_name(i))
+            const bool is_definition = i > 0 && tokens_.all[i - 1].is("module");
+            if (open_inputs.count(tokens_.all[i].text) && !is_instance_name(i) && !is_definition)
                 connect(i, open_inputs);
             if (const auto of = modules.find(tokens_.all[i].text); of != modules.end()) {
                 open_constants(i, of->second);

@@ -9,11 +9,11 @@
 //   concurrent assertions                       go, see assertions.h
 //   a .v file with words of SystemVerilog as names  is read with the keywords of Verilog-2005
 //
-// Not noted: a comment that Verilator would take for an order to itself, inputs of models that are
-// 1 where they are open, the enables of part_drivers.h, the calls of init_text.h, the registers of
-// registers.h, the resets of power_up.h, the lists of sensitivity.h, and the names "small",
-// "medium" and "large", which are escaped.  A warning is given of the wires of tri_states.h and the
-// registers of released_registers.h.
+// Not noted: a comment that Verilator would take for an order to itself, inputs that are 1 where
+// they are open, of models and of pulled_inputs.h, the enables of part_drivers.h, the calls of
+// init_text.h, the registers of registers.h, the resets of power_up.h, the lists of sensitivity.h,
+// and the names "small", "medium" and "large", which are escaped.  A warning is given of the wires
+// of tri_states.h and the registers of released_registers.h.
 //
 // Lines stay where they are, and messages name the original file.
 #pragma once
@@ -39,7 +39,8 @@ struct Normalised {
     TextChecks checks;
 };
 
-// Inputs of models of Intel's IP that are 1 where a design leaves them open: module, port.
+// Inputs that are 1 where a design leaves them open, of models of Intel's IP and of its own
+// modules: module, port.
 using OpenInputs = std::multimap<std::string, std::string, std::less<>>;
 OpenInputs read_open_inputs(const std::filesystem::path& table);  // rtl/ip/defaults.tsv
 

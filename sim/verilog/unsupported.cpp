@@ -72,6 +72,8 @@ bool is_simulation_library(const std::filesystem::path& file) {
 
 bool is_encrypted(const std::filesystem::path& file, std::string_view text) {
     const std::string ending = lower(file.extension().string());
+    if (text.substr(0, 4) == "\x8B\x13\x9C\x2F")  // as Quartus' own IP is
+        return ending != ".ocp";                  // which says who may have it
     return ending == ".vp" || ending == ".svp" || has(text, "`pragma protect begin") ||
            has(text, "`protected\n") || has(text, "`protected\r");
 }

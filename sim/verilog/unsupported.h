@@ -18,7 +18,7 @@ std::optional<std::string> unsupported_module(const std::string& name);
 // Quartus' own models, by the file's name: altera_mf.v, 220model.v.
 bool is_simulation_library(const std::filesystem::path& file);
 
-// Verilog whose modules are encrypted; files of IP are.
+// Verilog or VHDL that is encrypted; files of IP are.
 bool is_encrypted(const std::filesystem::path& file, std::string_view text);
 extern const char ENCRYPTED[];
 

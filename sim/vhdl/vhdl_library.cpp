@@ -15,8 +15,17 @@ namespace fs = std::filesystem;
 
 namespace {
 
-const char ARRAY_OF_LPM[] =
-    "    type std_logic_2d is array (natural range <>, natural range <>) of std_logic;\n";
+// The type of vectors of words, in the libraries that have one.
+std::string words_of(const std::string& library) {
+    return library == "lpm" ? "std_logic_2d" : library == "altera_mf" ? "altera_mf_logic_2d" : "";
+}
+
+std::string array_of(const std::string& library) {
+    const std::string type = words_of(library);
+    if (type.empty()) return type;
+    return fmt::format("    type {} is array (natural range <>, natural range <>) of std_logic;\n",
+                       type);
+}
 
 // Of synthesis, which say nothing here.
 std::string attributes() {
@@ -43,7 +52,9 @@ std::string library_of(const std::string& model) {
     const auto begins = [&model](const char* with) { return model.rfind(with, 0) == 0; };
     if (begins("lpm_")) return "lpm";
     if (begins("cyclonev_")) return "cyclonev";
-    if (begins("altera_pll") || begins("altera_syncram")) return "altera_lnsim";
+    if (begins("altera_pll") || begins("altera_syncram") || begins("altera_mult_add"))
+        return "altera_lnsim";
+    if (begins("parallel_add")) return "altera_mf";
     if (begins("alt_")) return "altera";  // buffers
     return begins("alt") || begins("scfifo") || begins("dcfifo") || begins("sld_") ? "altera_mf"
                                                                                    : "altera";
@@ -116,13 +127,15 @@ private:
         at_ += 2;
     }
 
-    // In lpm a product of widths is an array of two dimensions: LPM_SIZE*LPM_WIDTH-1 downto 0.
+    // In lpm, and with SIZE in altera_mf, a product of widths is an array of two dimensions:
+    // LPM_SIZE*LPM_WIDTH-1 downto 0.
     std::string type() const {
         const std::size_t product = range_.find('*');
         if (range_.empty()) return "std_logic";
-        if (library_ != "lpm" || product == std::string::npos)
+        if (product == std::string::npos ||
+            (library_ != "lpm" && range_.substr(0, product) != "SIZE"))
             return fmt::format("std_logic_vector({})", range_);
-        return fmt::format("std_logic_2d({}-1 downto 0, {})", range_.substr(0, product),
+        return fmt::format("{}({}-1 downto 0, {})", words_of(library_), range_.substr(0, product),
                            range_.substr(product + 1));
     }
     std::string value(const std::string& port) const {
@@ -131,7 +144,7 @@ private:
         for (auto input = begin; input != end; ++input) one = one || input->second == port;
         const char bit = one ? '1' : '0';
         if (range_.empty()) return fmt::format(" := '{}'", bit);
-        if (type().rfind("std_logic_2d", 0) == 0) return {};
+        if (type().find("_2d(") != std::string::npos) return {};
         return fmt::format(" := (others => '{}')", bit);
     }
 
@@ -175,7 +188,7 @@ std::map<std::string, std::string> vhdl_libraries(const fs::path& models, const 
     for (const auto& [library, package] : PACKAGES)
         libraries[library] += fmt::format(
             "library ieee;\nuse ieee.std_logic_1164.all;\n\npackage {} is\n{}{}end package;\n",
-            package, std::string{library} == "lpm" ? ARRAY_OF_LPM : "", components[library]);
+            package, array_of(library), components[library]);
     return libraries;
 }
 

@@ -153,6 +153,23 @@ class Parameters(Case):
         self.refused("top.v:1:")
 
 
+class PulledInputs(Case):
+    def test_pulled_inputs_in_two_levels_of_modules(self):
+        """As wizards write them: what is connected counts, and an open one is as it is pulled."""
+        self.write(top_v="""module top(input [9:0] SW, output [9:0] LEDR);
+outer a(.d(SW[3:0]), .en(SW[4]), .q(LEDR[4:0]));
+outer b(.d(SW[3:0]), .en(), .q(LEDR[9:5])); endmodule
+module outer(d, en, off, q); input [3:0] d; input en, off; output [4:0] q;
+tri0 [3:0] d; tri1 en; tri0 off;
+inner i(.d(d), .en(en), .off(off), .q(q)); endmodule
+module inner(d, en, off, both, q); input [3:0] d; input en, off; input [1:0] both;
+output [4:0] q; tri0 [3:0] d; tri1 en; tri0 off; tri1 [1:0] both;
+assign q = {off, d & {en, en, both}}; endmodule
+""")
+        self.leds(0b00111_00011, 0b00111)
+        self.leds(0b01101_01101, 0b11101)
+
+
 class InoutPins(Case):
     """What a design does not drive, the pull-ups of the headers hold at 1."""
 

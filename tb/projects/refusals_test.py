@@ -32,6 +32,15 @@ class Refused(Case):
         self.both("cyclonev_hps_interface_peripheral_uart, which soc_hps_0 wants: "
                   "this part of the processor (HPS)")
 
+    def test_a_part_of_an_ip_that_its_model_lacks(self):
+        self.write(top_v="module top(input [9:0] SW, output [9:0] LEDR);\n"
+                   "altmult_add #(.width_a(5), .width_b(5), .width_result(10),\n"
+                   "  .preadder_mode(\"COEF\")) u (.dataa(SW[4:0]), .datab(SW[9:5]),\n"
+                   "  .result(LEDR));\nendmodule\n")
+        self.refused("altmult_add.v:", "build", ".")
+        self.refused("the design sets preadder_mode of this IP, which is not modelled; leave it "
+                     "at its default", "build", ".")
+
     def test_a_nios_processor(self):
         self.write(top_v=WANTS.format("sys_nios2_qsys_0"))
         self.both("module sys_nios2_qsys_0, which top wants: a Nios processor")
@@ -48,6 +57,11 @@ class Refused(Case):
         self.write(p_qsf=QSF.format("VERILOG_FILE fir.vp"), top_v=WANTS.format("fir"),
                    fir_vp="module fir(input clk); endmodule\n")
         self.both("fir.vp: is encrypted")
+
+    def test_encrypted_vhdl_of_quartus(self):
+        self.write(p_qsf=QSF.format("VHDL_FILE fir.vhd"), top_v=WANTS.format("fir"))
+        (self.folder / "fir.vhd").write_bytes(bytes.fromhex("8b139c2f06000400768f64111f0f3d3c"))
+        self.both("fir.vhd: is encrypted, so it cannot be simulated")
 
     def test_a_schematic_as_the_top(self):
         self.write(p_qsf=QSF.format("BDF_FILE top.bdf"), top_bdf="(header)\n",

@@ -224,6 +224,17 @@ class Vhdl(Case):
         self.leds(0b11_1_100_0010, 0b10_0010_1111)  # 7 * 5 = 35, 7 + 5 = 12
         self.leds(0b00_0_001_1010, 0b00_1111_1010)  # 2 * 7 = 14, 2 + 7 = 9
 
+    def test_words_of_altera_mf_as_an_array_of_two_dimensions(self):
+        self.write(a_vhd=TOP.format(
+            "library altera_mf; use altera_mf.altera_mf_components.all;\n",
+            "signal words : altera_mf_logic_2d(2 downto 0, 3 downto 0);",
+            "g : for i in 0 to 3 generate\n"
+            "  words(0, i) <= SW(i); words(1, i) <= SW(i + 4); words(2, i) <= '1'; end generate;\n"
+            "a : parallel_add generic map (width => 4, size => 3, widthr => 10)\n"
+            "  port map (data => words, result => LEDR);\n"
+            "GPIO_0 <= (others => 'Z');"))
+        self.leds(15 + 7 + 9, 0x79)
+
     def test_components_as_a_wizards_file_declares_them(self):
         """With names in any case, and two of one name and of different widths."""
         ff = (USE + "library lpm; use lpm.all;\nentity ff{0} is port (clock : in std_logic;\n"

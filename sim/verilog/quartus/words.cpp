@@ -48,6 +48,9 @@ struct Rule {
 
 // What is between quotes in Verilator's errors is the name.
 const Rule RULES[] = {
+    {"Cannot find file containing module: 'de1sim_lacks_([^']*)'", 0,
+     "the design sets {0} of this IP, which is not modelled; leave it at its default, or write "
+     "what it does in Verilog"},
     {"Cannot find file containing (?:module|interface): '([^']*)'", 12006,
      "no file defines module {0}, which is instanced here; add its file to the project"},
     {"Can't find definition of (?:variable|scope/variable|parameter): '([^']*)'", 10161,
