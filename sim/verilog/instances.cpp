@@ -35,10 +35,23 @@ std::size_t find_outside(const std::vector<Token>& tokens, std::size_t i,
     return i;
 }
 
+bool is_instance_name(const std::vector<Token>& tokens, std::size_t i) {
+    if (i == 0) return false;
+    const Token& before = tokens[i - 1];
+    if (before.kind == Token::Kind::NAME) return !is_keyword(before.text);
+    int depth = 0;
+    for (std::size_t at = i; before.is(")") && at-- > 1;) {
+        depth += tokens[at].is(")") - tokens[at].is("(");
+        if (depth == 0) return tokens[at - 1].is("#");
+    }
+    return false;
+}
+
 // [#(...)] NAME [range] ( connections ), ... ;
 std::vector<ConnectionText> connections_of(const std::vector<Token>& tokens, std::size_t at,
                                            const ModuleText& module) {
     std::vector<ConnectionText> all;
+    if (is_instance_name(tokens, at)) return all;
     const std::size_t end = find_outside(tokens, at, {";"});
     if (end >= tokens.size()) return all;
     for (std::size_t open = find_outside(tokens, at + 1, {"(", ";"}); open < end;

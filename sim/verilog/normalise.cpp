@@ -80,10 +80,10 @@ public:
         resets_ = reset_statements(tokens_.all);
         init_names_ = read_at_run_time(tokens_, edits_);
         for (std::size_t i = 0; i < tokens_.all.size(); ++i) {
-            if (tokens_.all[i].kind != Kind::NAME) continue;
-            const bool is_definition = i > 0 && tokens_.all[i - 1].is("module");
-            if (open_inputs.count(tokens_.all[i].text) && !is_instance_name(i) && !is_definition)
-                connect(i, open_inputs);
+            if (tokens_.all[i].kind != Kind::NAME || is_instance_name(tokens_.all, i) ||
+                (i > 0 && tokens_.all[i - 1].is("module")))
+                continue;
+            if (open_inputs.count(tokens_.all[i].text)) connect(i, open_inputs);
             if (const auto of = modules.find(tokens_.all[i].text); of != modules.end()) {
                 open_constants(i, of->second);
                 leave_out_absent(i, of->second);
@@ -201,18 +201,6 @@ private:
         std::size_t at = i;
         if (tokens_.all[i + 1].is("#")) at = closing(tokens_.all, i + 2);
         edits_.after[at] += fmt::format(" de1sim_unnamed_{} ", ++unnamed_);
-    }
-    // After a module's name, or its parameters.
-    bool is_instance_name(std::size_t i) const {
-        if (i == 0) return false;
-        const Token& before = tokens_.all[i - 1];
-        if (before.kind == Kind::NAME) return !is_keyword(before.text);
-        int depth = 0;
-        for (std::size_t at = i; before.is(")") && at-- > 1;) {
-            depth += tokens_.all[at].is(")") - tokens_.all[at].is("(");
-            if (depth == 0) return tokens_.all[at - 1].is("#");
-        }
-        return false;
     }
     // Adds the connections that the instance of a model at `i` leaves open.
     // Quartus takes an output that is connected with a number for one that is open.

@@ -17,6 +17,16 @@ class AsQuartusTakesIt(Case):
                      "top.v:4: named the instance of sub", "top.v:5: 4'b010101 has too many digits",
                      "top.v:6: left out port c, which")
 
+    def test_an_instance_may_be_called_like_another_module(self):
+        self.write(top_v="module low(output q, input d); assign q = ~d; endmodule\n"
+                         "module high #(parameter N = 1) (d, q); input d; output q;\n"
+                         "assign q = d ^ N[0]; endmodule\n"
+                         "module top(input [9:0] SW, output [9:0] LEDR); reg on = 1;\n"
+                         "high #(0) low(on, LEDR[1]); high high(.d(SW[0]), .q(LEDR[0]));\n"
+                         "always @(posedge SW[9]) on <= 0; endmodule\n")
+        self.leds(0b11)
+        self.leds(0b10, 1)
+
     def test_what_is_for_simulators_in_an_included_file(self):
         self.write(top_v="`include \"rtl/facts.vh\"\n"
                          "module top(input [9:0] SW, output [9:0] LEDR); assign LEDR = `VALUE;\n"
