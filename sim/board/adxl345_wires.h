@@ -45,14 +45,12 @@ public:
 
     // What it does with its wires now.
     bool pulls_sdi_low() const {
-        return cs_n_ ? i2c_.pulls_low() : drives_ && three_wires() && !level_;
+        return cs_n_ ? i2c_.pulls_low() : drives_ && three_wires_ && !level_;
     }
-    bool pulls_sdo_low() const { return !cs_n_ && drives_ && !three_wires() && !level_; }
+    bool pulls_sdo_low() const { return !cs_n_ && drives_ && !three_wires_ && !level_; }
 
 private:
     enum class State { COMMAND, WRITE, READ };
-
-    bool three_wires() const { return three_wires_; }
 
     void rise(bool sdi) {
         if (state_ == State::READ) return;

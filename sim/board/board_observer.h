@@ -20,8 +20,8 @@ struct Lamps {
         }
     };
     std::uint16_t ledr = 0;
-    std::uint64_t hex =
-        0;  // segments that are lit, HEX5's in 41:35 ... HEX0's in 6:0; points in 47:42
+    // Segments that are lit, HEX5's in 41:35 ... HEX0's in 6:0, and points in 47:42.
+    std::uint64_t hex = 0;
     bool hps_led = false;
     std::array<Header, 2> gpio{{{ALL_HEADER_PINS, 0}, {ALL_HEADER_PINS, 0}}};
 };

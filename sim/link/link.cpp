@@ -258,12 +258,12 @@ private:
         std::vector<std::string> command{PREFIX + std::string{is_cpp_ ? "g++" : "gcc"}};
         command.insert(command.end(), objects.begin(), objects.end());
         command.insert(command.end(), options_.arguments.begin(), options_.arguments.end());
-        command.insert(command.end(), {"-o", out.string(), "-static"});
+        command.insert(command.end(), {"-o", out.string()});
+        std::vector<std::string> whole = command;
+        whole.emplace_back("-static");
         // Debian's libusb, for one, cannot be linked statically.
-        const Outcome outcome = run(command);
-        if (outcome.code == 0) return tell(outcome);
-        command.back() = "-pthread";
-        return compiles(command);
+        const Outcome outcome = run(whole);
+        return outcome.code == 0 ? tell(outcome) : compiles(command);
     }
 
     // Beside the result first, so that this is never half there.

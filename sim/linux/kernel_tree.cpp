@@ -92,7 +92,7 @@ std::pair<int, std::shared_ptr<LinuxDevice>> LinuxKernel::open_system(const std:
         return {files().open_again(*number, flags), nullptr};
     if (flags & arm_open::NOFOLLOW)
         if (const auto link = all.resolve(path, OwnFiles::Last::KEEP); link && all.target_of(*link))
-            return flags & arm_open::PATH ? std::pair{0, OwnFiles::open_link(*link)}
+            return flags & arm_open::PATH ? std::pair{0, all.open_link(*link)}
                                           : std::pair{-ELOOP, std::shared_ptr<LinuxDevice>{}};
     const auto way = all.resolve(path, OwnFiles::Last::FOLLOW);
     if (!way) return {-ELOOP, nullptr};
@@ -119,7 +119,7 @@ std::optional<FileStatus> LinuxKernel::system_status(const std::string& path, bo
     const auto way = all.resolve(path, of_link ? OwnFiles::Last::KEEP : OwnFiles::Last::FOLLOW);
     if (!way) return std::nullopt;
     if (all.is_folder(*way)) return status_of_own_folder();
-    if (const auto target = all.target_of(*way)) return FileStatus{S_IFLNK | 0777, target->size()};
+    if (all.target_of(*way)) return all.status_of_link(*way);
     if (all.text_of(*way)) return devices::status_of_text();
     return status_of_own(*way);
 }
@@ -174,7 +174,9 @@ LinuxKernel::Result LinuxKernel::sys_fstatfs64(const Arguments& a) {
 LinuxKernel::Result LinuxKernel::sys_name_to_handle_at(const Arguments& a) {
     const auto [error, path] = path_at(a[0], a[1]);
     if (error) return error;
-    const int missing = path.back() == '/' ? 0 : files().status_of(path, true).first;
+    const bool by_number = path.empty() && (a[4] & ARM_AT_EMPTY_PATH);
+    const int missing = by_number ? files().status_of(static_cast<int>(a[0])).first
+                                  : files().status_of(path, true).first;
     return missing ? missing : -EOPNOTSUPP;
 }
 

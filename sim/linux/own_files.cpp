@@ -25,14 +25,15 @@ private:
 
 class Link final : public LinuxDevice {
 public:
-    explicit Link(std::string path) : path_{std::move(path)} {}
-    FileStatus status() const override { return status_of_own_link(); }
+    Link(std::string path, const FileStatus& status) : path_{std::move(path)}, status_{status} {}
+    FileStatus status() const override { return status_; }
     std::string name() const override { return path_; }
     std::int64_t read(void*, std::size_t) override { return -EBADF; }
     std::int64_t write(const void*, std::size_t) override { return -EBADF; }
 
 private:
     const std::string path_;
+    const FileStatus status_;
 };
 
 void put_names_in_front(std::deque<std::string>& names, const std::string& path) {
@@ -48,10 +49,13 @@ void put_names_in_front(std::deque<std::string>& names, const std::string& path)
 }  // namespace
 
 FileStatus status_of_own_folder() { return {S_IFDIR | 0755, 0, 1, 0}; }
-FileStatus status_of_own_link() { return {S_IFLNK | 0777, 0, 1, 0}; }
 
-std::shared_ptr<LinuxDevice> OwnFiles::open_link(const std::string& path) {
-    return std::make_shared<Link>(path);
+FileStatus OwnFiles::status_of_link(const std::string& path) const {
+    return {S_IFLNK | 0777, target_of(path).value_or("").size()};
+}
+
+std::shared_ptr<LinuxDevice> OwnFiles::open_link(const std::string& path) const {
+    return std::make_shared<Link>(path, status_of_link(path));
 }
 
 std::optional<std::string> OwnFiles::resolve(const std::string& path, Last last) const {

@@ -36,8 +36,9 @@ public:
     // An open folder, with the kinds of its files as `status` has them.
     template <class Status>
     std::shared_ptr<LinuxDevice> open_folder(const std::string& path, Status status) const;
-    // A link itself, by O_PATH: it has a status alone.
-    static std::shared_ptr<LinuxDevice> open_link(const std::string& path);
+    // Of a link itself: its status, and by O_PATH, open, nothing but that.
+    FileStatus status_of_link(const std::string& path) const;
+    std::shared_ptr<LinuxDevice> open_link(const std::string& path) const;
 
 private:
     LinuxDevice::Entries entries(const std::string& folder) const;
@@ -50,7 +51,6 @@ private:
 };
 
 FileStatus status_of_own_folder();
-FileStatus status_of_own_link();
 
 template <class Status>
 std::shared_ptr<LinuxDevice> OwnFiles::open_folder(const std::string& path, Status status) const {

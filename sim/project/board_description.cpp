@@ -203,6 +203,7 @@ private:
             signal.pins.push_back("PIN_" + pin);
             if (!pins_.insert(pin).second) refuse("a pin of its own", pin + ", which is taken");
         }
+        if (signal.pins.empty()) refuse("the pins of " + signal.name, "none");
         if (columns.size() > 3)
             for (const std::string& other : words_of(columns[3])) signal.others.insert(other);
         connect(signal, columns[1]);
@@ -210,10 +211,13 @@ private:
     }
 
     void connect(BoardSignal& signal, const std::string& what) {
-        constexpr std::uint64_t FS_PER_US = 1'000'000'000;
+        constexpr std::uint64_t FS_PER_US = 1'000'000'000, MOST_MHZ = 1'000;
         const std::vector<std::string> words = words_of(what);
         if (words.size() == 2 && words[1] == "MHz") {
-            signal.period_fs = FS_PER_US / number(words[0]);
+            const unsigned long long mhz = number(words[0]);
+            if (mhz == 0 || mhz > MOST_MHZ)
+                refuse(fmt::format("1 to {} MHz", MOST_MHZ), '"' + what + '"');
+            signal.period_fs = FS_PER_US / mhz;
             signal.direction = Direction::INPUT;
             signal.wires = {signal.name};
             return;

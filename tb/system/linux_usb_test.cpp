@@ -40,7 +40,7 @@ ffb40000.usb folder
 usb1 folder
 1-1 folder
 62656572 /sys/devices/platform/soc/ffb40000.usb/usb1/1-1 0
-EOPNOTSUPP
+EOPNOTSUPP ENOENT EOPNOTSUPP
 )");
 }
 

@@ -301,7 +301,9 @@ static void walks(void) {
            error_of(faccessat(fd, "uevent", F_OK, 0)));
     struct file_handle handle = {.handle_bytes = 0};
     int mount;
-    printf("%s\n", error_of(name_to_handle_at(fd, "uevent", &handle, &mount, 0)));
+    printf("%s", error_of(name_to_handle_at(fd, "uevent", &handle, &mount, 0)));
+    printf(" %s", error_of(name_to_handle_at(fd, "", &handle, &mount, 0)));
+    printf(" %s\n", error_of(name_to_handle_at(fd, "", &handle, &mount, AT_EMPTY_PATH)));
 }
 
 int main(int argc, char** argv) {

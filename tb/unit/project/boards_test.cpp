@@ -61,6 +61,8 @@ TEST(Boards, RefuseAFileWithItsLine) {
     EXPECT_THAT(refusal(head + "KEY\tKEY\tA1 A2 A3 A4 A5\n"), HasSubstr("expected at most 4 pins"));
     EXPECT_THAT(refusal(head + "A\t-\tA1\nB\t-\tA1\n"), HasSubstr(":4: expected a pin of its own"));
     EXPECT_THAT(refusal(head + "memory\t9 M9K\n"), HasSubstr("got \"9 M9K\""));
+    EXPECT_THAT(refusal(head + "CLK\t0 MHz\tA1\n"), HasSubstr("expected 1 to 1000 MHz"));
+    EXPECT_THAT(refusal(head + "VGA_R\tVGA_R\t \n"), HasSubstr("expected the pins of VGA_R"));
 }
 
 TEST(Boards, AreChosenByTheDevice) {
