@@ -133,9 +133,9 @@ std::uint32_t Ili9341::seen(unsigned x, unsigned y) const {
     return inverted_ ? colour ^ 0xffffff : colour;
 }
 
-Ili9341::Picture Ili9341::picture() const {
+DisplayPicture Ili9341::picture() const {
     const bool landscape = madctl_ & MV;
-    Picture all{landscape ? HEIGHT : WIDTH, landscape ? WIDTH : HEIGHT, {}};
+    DisplayPicture all{landscape ? HEIGHT : WIDTH, landscape ? WIDTH : HEIGHT, {}};
     all.pixels.resize(memory_.size());
     if (!awake_ || !on_ || !before_.backlight) return all;
     const bool upside_down = !(madctl_ & MY) != !(function_ & GS);  // in portrait

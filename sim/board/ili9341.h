@@ -15,6 +15,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "sim/board/display_picture.h"
+
 namespace sim {
 
 class Ili9341 {
@@ -26,16 +28,11 @@ public:
         std::uint16_t data;
     };
 
-    struct Picture {
-        unsigned width, height;
-        std::vector<std::uint32_t> pixels;  // 0x00RRGGBB, from the top left
-    };
-
     void drive(const Pins& pins);
 
     // What is seen by a person who holds it so that the first page is at the top; black while it
     // sleeps, is off, or has no backlight.
-    Picture picture() const;
+    DisplayPicture picture() const;
 
 private:
     void reset();

@@ -60,7 +60,7 @@ bool LedMatrix::lit(std::uint64_t time_ps) {
     return lamps_.seen(0);
 }
 
-std::vector<std::string> LedMatrix::picture(std::uint64_t time_ps) {
+std::vector<std::string> LedMatrix::rows(std::uint64_t time_ps) {
     lamps_.pass(time_ps);
     const auto count = static_cast<unsigned>(lit_.size()) * width_;
     double brightest = DARK;

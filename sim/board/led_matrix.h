@@ -35,9 +35,7 @@ public:
     void look(const HeaderMasks& levels, std::uint64_t time_ps) override;
 
     bool lit(std::uint64_t time_ps);  // the first LED
-    // A line per row: `#` is lit, `+` has less than a third of the brightest one's light, `.` is
-    // dark.
-    std::vector<std::string> picture(std::uint64_t time_ps);
+    std::vector<std::string> rows(std::uint64_t time_ps) override;
 
 private:
     std::uint64_t shown_rows(const HeaderMasks& levels) const;

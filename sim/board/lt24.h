@@ -35,7 +35,7 @@ public:
                         static_cast<std::uint16_t>(data)});
     }
 
-    Ili9341::Picture picture() const { return display_.picture(); }
+    std::optional<DisplayPicture> picture() const override { return display_.picture(); }
 
 private:
     static constexpr std::uint64_t PINS = 0xA03FFFDE0;

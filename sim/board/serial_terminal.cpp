@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include <fmt/format.h>
+
 namespace sim {
 
 namespace {
@@ -59,6 +61,18 @@ void SerialTerminal::send() {
     socket_.moved();
     ++sent_;
     sending_.set(after(sending_since_ps_, 2 * sent_));
+}
+
+std::optional<PartReport> SerialTerminal::report(const std::string& name, std::uint64_t) {
+    PartReport told{name};
+    told.received = received_;
+    told.lost = lost_;
+    if (lost_)
+        told.advice.push_back(fmt::format(
+            "terminal {}: {} bytes were lost, their stop bit is low; expected the rate of the "
+            "FPGA's transmitter",
+            name, lost_));
+    return told;
 }
 
 }  // namespace sim

@@ -26,6 +26,7 @@ void Greeting::add(const std::string& text) {
     if (message.contains("lamps")) lamps_ = text;
     if (message.contains("board")) board_ = text;
     if (message.contains("ended")) ended_ = text;
+    if (message.contains("parts")) parts_.merge_patch(message["parts"]);
     if (message.contains("log") || message.contains("fault") || message.contains("violation")) {
         events_.push_back(text);
         if (events_.size() > MOST_EVENTS) events_.pop_front();
@@ -40,6 +41,7 @@ std::deque<std::string> Greeting::texts() const {
     std::deque<std::string> all = events_;
     if (!board_.empty()) all.push_back(board_);
     if (!lamps_.empty()) all.push_back(lamps_);
+    if (!parts_.empty()) all.push_back(text_of({{"parts", parts_}}));
     if (!console_.empty()) all.push_back(text_of({{"console", console_}}));
     if (!terminals_.empty()) all.push_back(text_of({{"terminals", terminals_}}));
     if (!ended_.empty()) all.push_back(ended_);

@@ -6,6 +6,8 @@
 #include <map>
 #include <string>
 
+#include <nlohmann/json.hpp>
+
 namespace sim::live {
 
 class Greeting {
@@ -14,8 +16,8 @@ public:
     void add(const std::string& text);
     void clear() { *this = {}; }
 
-    // The last 20 aborts, faults and violations, the board, the lamps as they are, the last 32 KiB
-    // or more of what was printed in all and on each line, and the run's end.
+    // The last 20 aborts, faults and violations; the board, its lamps and parts as they are; the
+    // last 32 KiB or more of what was printed in all and on each line; and the run's end.
     std::deque<std::string> texts() const;
 
 private:
@@ -23,6 +25,7 @@ private:
 
     std::string board_, lamps_, console_, ended_;
     std::map<std::string, std::string> terminals_;
+    nlohmann::json parts_;
     std::deque<std::string> events_;
 };
 

@@ -1,7 +1,5 @@
 #include "sim/live/live_client.h"
 
-#include "sim/board/serial_terminal.h"
-
 namespace sim::live {
 
 void LiveClient::attach(const Access& access) {
@@ -18,9 +16,8 @@ void LiveClient::attach(const Access& access) {
     access.runner.on_terminal = [this](const std::string& part, char byte) {
         view_.terminal(part, byte);
     };
-    access.board.parts.for_each<SerialTerminal>(
-        [this](const std::string& part, SerialTerminal&) { view_.add_terminal(part); });
-    player_.emplace("live_player", access.runner, view_, *inside_, wire_, access.plan);
+    parts_.emplace(access.board.parts, access.plan.scenario.parts, wire_);
+    player_.emplace("live_player", access.runner, view_, *parts_, *inside_, wire_, access.plan);
 }
 
 }  // namespace sim::live

@@ -6,6 +6,7 @@
 #include "sim/live/inside.h"
 #include "sim/live/live_player.h"
 #include "sim/live/live_view.h"
+#include "sim/live/parts_view.h"
 #include "sim/live/wire.h"
 #include "sim/run/run_client.h"
 
@@ -25,6 +26,7 @@ private:
     Wire wire_;
     LiveView view_;
     std::optional<Inside> inside_;
+    std::optional<PartsView> parts_;
     std::optional<LivePlayer> player_;
 };
 

@@ -46,10 +46,11 @@ void add_delay(std::vector<std::string>& steps, sc_time time) {
 }  // namespace
 
 LivePlayer::LivePlayer(const sc_core::sc_module_name& name, ScenarioRunner& runner, LiveView& view,
-                       Inside& inside, Wire& wire, const RunPlan& plan)
+                       PartsView& parts, Inside& inside, Wire& wire, const RunPlan& plan)
     : sc_module{name},
       runner_{runner},
       view_{view},
+      parts_{parts},
       inside_{inside},
       wire_{wire},
       plan_{plan},
@@ -76,6 +77,7 @@ void LivePlayer::run() {
         wait(sc_core::SC_ZERO_TIME);  // as in ScenarioRunner::wait()
         inside_.settle_lamps();
         view_.flush();
+        parts_.flush(sc_time_stamp().value(), false);
         for (const std::string& line : inside_.new_violations()) send_event("violation", line);
         if (pause_at_frame_ != 0 && view_.frames() >= pause_at_frame_) set_pace(speed_, true);
         if (exact_run_ && exact_run_->over(counts(), sc_time_stamp())) end_exact_run();
@@ -114,6 +116,7 @@ void LivePlayer::begin_exact_run(const nlohmann::json& order) {
 
 void LivePlayer::end_exact_run() {
     view_.flush();
+    parts_.flush(sc_time_stamp().value(), true);
     const nlohmann::json ran{{"time", seconds(sc_time_stamp())},
                              {"frames", view_.frames()},
                              {"pictures", view_.new_pictures()},

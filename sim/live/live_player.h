@@ -19,6 +19,7 @@
 #include "sim/live/exact_run.h"
 #include "sim/live/inside.h"
 #include "sim/live/live_view.h"
+#include "sim/live/parts_view.h"
 #include "sim/live/waves.h"
 #include "sim/run/plan.h"
 #include "sim/scenario/scenario_runner.h"
@@ -32,7 +33,7 @@ class LivePlayer : public sc_core::sc_module {
 public:
     // Steps go through `runner`, whose own must be over.  `plan`: with which the run began.
     LivePlayer(const sc_core::sc_module_name& name, ScenarioRunner& runner, LiveView& view,
-               Inside& inside, Wire& wire, const RunPlan& plan);
+               PartsView& parts, Inside& inside, Wire& wire, const RunPlan& plan);
 
     bool left() const { return left_; }  // the server is gone, or has asked for the end
     // The run has ended: what is left of it waits for nobody's message.
@@ -64,6 +65,7 @@ private:
 
     ScenarioRunner& runner_;
     LiveView& view_;
+    PartsView& parts_;
     Inside& inside_;
     Wire& wire_;
     const RunPlan& plan_;

@@ -12,8 +12,6 @@ namespace sim::live {
 
 namespace {
 
-constexpr std::size_t MOST_UNSENT = 4u << 20;  // bytes, from which on pictures and sound wait
-
 nlohmann::json as_json(const Lamps& lamps) {
     nlohmann::json hex = nlohmann::json::array(), gpio = nlohmann::json::array();
     const HexSegments segments = segments_of(lamps.hex);
@@ -44,9 +42,9 @@ void LiveView::frame(const Monitor::Frame& frame) {
 }
 
 bool LiveView::has_room() {
-    while (waits_ && wire_.unsent() > MOST_UNSENT && wire_.poll(50)) {
+    while (waits_ && wire_.unsent() > Wire::MOST_UNSENT && wire_.poll(50)) {
     }
-    return wire_.unsent() <= MOST_UNSENT;
+    return wire_.unsent() <= Wire::MOST_UNSENT;
 }
 
 void LiveView::send_picture(const Monitor::Frame& frame) {
@@ -108,11 +106,6 @@ void LiveView::console(char character, SerialLine line) {
     console_.print(character);
     ++printed_;
     terminals_[static_cast<std::size_t>(line)].print(character);
-}
-
-void LiveView::add_terminal(const std::string& part) {
-    part_terminals_[part];
-    wire_.send(Kind::TEXT, text_of({{"terminals", {{part, ""}}}}));
 }
 
 void LiveView::terminal(const std::string& part, char character) {

@@ -29,8 +29,7 @@ public:
     void lamps(const Lamps& lamps, double time_s) override;
     void log(const std::string& line) override;
 
-    // A terminal among the parts, and what it shows.
-    void add_terminal(const std::string& part);
+    // What a terminal among the parts shows.
     void terminal(const std::string& part, char character);
 
     // Sends what has gathered of sound, lamps and text.

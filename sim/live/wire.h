@@ -22,6 +22,8 @@ struct Message {
 
 class Wire {
 public:
+    static constexpr std::size_t MOST_UNSENT = 4u << 20;  // bytes; pictures and sound wait above
+
     explicit Wire(int descriptor);  // a stream socket, which it closes in the end
     ~Wire();
     Wire(const Wire&) = delete;

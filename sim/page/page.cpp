@@ -112,7 +112,8 @@ std::string lamps(const RunReport& report) {
         for (const std::string& line : lines) out += escape(line) + "\n";
         out += "</pre>\n";
     };
-    for (const RunReport::Leds& leds : report.leds) block(leds.name, leds.rows);
+    for (const PartReport& part : report.parts)
+        if (!part.rows.empty()) block(part.name, part.rows);
     if (std::any_of(report.characters.begin(), report.characters.end(),
                     [](const std::string& row) { return !row.empty(); }))
         block("character buffer", report.characters);

@@ -85,9 +85,11 @@ nlohmann::ordered_json final_json(const std::vector<RunReport::Shown>& all) {
 
 nlohmann::ordered_json parts_json(const RunReport& report) {
     nlohmann::ordered_json json = nlohmann::ordered_json::object();
-    for (const RunReport::Leds& leds : report.leds) json[leds.name]["rows"] = leds.rows;
-    for (const RunReport::Terminal& terminal : report.terminals)
-        json[terminal.name] = {{"received", printable(terminal.received)}, {"lost", terminal.lost}};
+    for (const PartReport& part : report.parts) {
+        if (!part.rows.empty()) json[part.name]["rows"] = part.rows;
+        if (part.received)
+            json[part.name] = {{"received", printable(*part.received)}, {"lost", part.lost}};
+    }
     return json;
 }
 

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "sim/report/part_report.h"
 #include "sim/report/tap.h"
 
 namespace sim {
@@ -102,16 +103,7 @@ struct RunReport {
     Audio audio;
     std::uint64_t key_events = 0;
     std::vector<Shown> shown;
-    struct Leds {
-        std::string name;
-        std::vector<std::string> rows;
-    };
-    struct Terminal {
-        std::string name, received;
-        std::uint64_t lost = 0;
-    };
-    std::vector<Terminal> terminals;      // of the parts
-    std::vector<Leds> leds;               // of the parts, as they are seen at the end
+    std::vector<PartReport> parts;        // those that have something to tell
     std::vector<std::string> characters;  // rows of the character buffer, at the end
 
     std::uint64_t timing_violation_count = 0;

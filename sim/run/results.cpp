@@ -9,8 +9,6 @@
 #include <vector>
 
 #include "regmap.h"
-#include "sim/board/led_matrix.h"
-#include "sim/board/serial_terminal.h"
 #include "sim/chip/processor_system.h"
 #include "sim/files/sha256.h"
 #include "sim/hps/bridge_windows.h"
@@ -75,12 +73,14 @@ std::string text_of(std::string row) {
 std::string seen(const RunReport& report) {
     constexpr unsigned MOST = 10;
     std::string text = report.lamps.empty() ? "" : report.lamps + "\n";
-    for (const auto& [name, picture] : report.leds)
-        text += picture.size() == 1
-                    ? fmt::format("{} {}\n", name, picture[0])
-                    : fmt::format("{}\n  | {}\n", name, fmt::join(picture, "\n  | "));
-    for (const RunReport::Terminal& terminal : report.terminals)
-        text += fmt::format("{} received {} characters\n", terminal.name, terminal.received.size());
+    for (const PartReport& part : report.parts) {
+        if (part.rows.size() == 1)
+            text += fmt::format("{} {}\n", part.name, part.rows[0]);
+        else if (!part.rows.empty())
+            text += fmt::format("{}\n  | {}\n", part.name, fmt::join(part.rows, "\n  | "));
+        if (part.received)
+            text += fmt::format("{} received {} characters\n", part.name, part.received->size());
+    }
     unsigned rows = 0;
     for (const std::string& row : report.characters)
         if (!row.empty() && ++rows <= MOST) text += "  | " + row + "\n";
@@ -142,18 +142,12 @@ void add_results(RunReport& report, Board& board, ProgramSystem* processor,
     board.lamps();  // so that the log has come to now
     report.shown = recorder.lamp_log().shown(headers);
     report.lamps = recorder.lamp_log().text(headers);
-    board.parts.for_each<LedMatrix>([&report](const std::string& name, LedMatrix& leds) {
-        report.leds.push_back({name, leds.picture(sc_core::sc_time_stamp().value())});
+    board.parts.for_each<HeaderPart>([&report](const std::string& name, HeaderPart& part) {
+        if (auto told = part.report(name, sc_core::sc_time_stamp().value())) {
+            for (const std::string& line : told->advice) report.advice.push_back(line);
+            report.parts.push_back(std::move(*told));
+        }
     });
-    board.parts.for_each<SerialTerminal>(
-        [&report](const std::string& name, const SerialTerminal& terminal) {
-            report.terminals.push_back({name, terminal.received(), terminal.lost()});
-            if (terminal.lost())
-                report.advice.push_back(fmt::format(
-                    "terminal {}: {} bytes were lost, their stop bit is low; expected the rate "
-                    "of the FPGA's transmitter",
-                    name, terminal.lost()));
-        });
     report.key_events = board.keypad.presses() + board.keypad.releases();
     report.timing_violation_count = board.monitor.violations();
     report.timing_violations = board.monitor.messages();

@@ -146,6 +146,14 @@ const PartPlan& StaticChecks::need_part(const std::string& kind, const std::stri
                 in_quotes(name) + did_you_mean(name, names));
 }
 
+void StaticChecks::need_display(const std::string& name) const {
+    std::vector<std::string> names{"monitor"};
+    for (const PartPlan& part : scenario_.parts)
+        if (part.is_display) names.push_back(part.name);
+    if (std::find(names.begin() + 1, names.end(), name) != names.end()) return;
+    refuse_step("a display: " + list_of(names), in_quotes(name) + did_you_mean(name, names));
+}
+
 // ---- Files ----
 
 void StaticChecks::new_file(const std::filesystem::path& as_written) {

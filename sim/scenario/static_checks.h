@@ -35,6 +35,8 @@ public:
     bool is_held(const std::string& control) const { return held_since_.count(control) > 0; }
     // Of a kind as a scenario names it.
     const PartPlan& need_part(const std::string& kind, const std::string& name) const;
+    // The monitor, or a part that shows a picture.
+    void need_display(const std::string& name) const;
 
     // A file in the output folder that no other step and no run writes.
     void new_file(const std::filesystem::path& file);

@@ -118,19 +118,22 @@ class Page(unittest.TestCase):
                                 "--out", self.folder / "again"], capture_output=True, text=True)
         self.assertEqual(again.returncode, 0, again.stdout + again.stderr)
 
-    def drop(self, program):
+    def drop(self, content):
         self.page.execute_script("""
             const bytes = Uint8Array.from(atob(arguments[0]), (c) => c.charCodeAt(0));
             const dropped = new DataTransfer();
-            dropped.items.add(new File([bytes], "program.elf"));
+            dropped.items.add(new File([bytes], "dropped"));
             document.dispatchEvent(new DragEvent("drop", {dataTransfer: dropped}));""",
-                                 base64.b64encode(program.read_bytes()).decode())
+                                 base64.b64encode(content).decode())
+
+    def drop_program(self, program):
+        self.drop(program.read_bytes())
         self.until(lambda: self.page.execute_script(
             "return [...document.querySelectorAll('#figures div')]"
             ".some((row) => row.textContent.includes('Program'))"))
 
     def test_a_program_that_is_dropped_runs(self):
-        self.drop(PROGRAMS / "leds_and_rectangle.elf")
+        self.drop_program(PROGRAMS / "leds_and_rectangle.elf")
         self.until(lambda: self.page.execute_script(COLOURED) > 1000)
 
     def test_a_key_moves_the_box_of_a_program_for_nios_v(self):
@@ -140,13 +143,40 @@ class Page(unittest.TestCase):
                 ".getImageData(arguments[0], arguments[1], 1, 1).data]", x, y)
             return red > 200 and green > 200 and blue < 50
 
-        self.drop(PROGRAMS.parents[1] / "examples/course/course.nios-v.elf")
+        self.drop_program(PROGRAMS.parents[1] / "examples/course/course.nios-v.elf")
         self.until(lambda: is_yellow(20, 20) and not is_yellow(120, 100))
         self.find('[aria-label="KEY0"]').click()  # over at once, in a simulation that is slow
         self.until(lambda: is_yellow(120, 100) and not is_yellow(20, 20))
         lamps = self.find("#ledr").get_attribute("aria-label")
         self.assertEqual(lamps, "LEDR9 to LEDR0: 0000000001")
         self.page.save_screenshot(str(FOLDER / "nios_v.png"))
+
+    def test_parts_of_a_scenario_have_their_place(self):
+        self.drop(b"""name: parts
+version: 1
+parts:
+  - led: {name: open, pin: "GPIO_1[0]"}
+  - switch: {name: mode, pin: "GPIO_1[1]"}
+  - button: {name: go, pin: "GPIO_1[2]"}
+  - terminal: {name: modem, rx: "GPIO_1[3]", tx: "GPIO_1[4]"}
+  - lt24: GPIO_1
+steps:
+  - delay: 1ms
+""")
+        self.until(lambda: self.page.find_elements(By.CSS_SELECTOR, "#part-lt24 img"))
+        self.find("#type-modem")
+        lit = self.find("#part-open .leds").get_attribute("aria-label")
+        self.assertEqual(lit, "led open: #")  # by the pull-up of its pin
+        self.assertEqual(self.page.execute_script(
+            "return document.querySelector('#part-lt24 img').naturalWidth"), 240)
+        self.find("#part-mode button").click()
+        self.find("#part-go button").click()
+        self.until(lambda: "3 steps" in self.find("#status").text)
+        self.page.save_screenshot(str(FOLDER / "parts.png"))
+        saved = self.saved()
+        self.assertIn('{"set-switch":{"level":"high","switch":"mode"}}', saved)
+        self.assertIn('{"hold-button":"go"}', saved)
+        self.assertIn('{"release-button":"go"}', saved)
 
     def test_waveforms_are_written_of_what_was_played(self):
         self.tap("3")

@@ -268,13 +268,17 @@ class Parts(Live):
         folder.mkdir(parents=True, exist_ok=True)
         (folder / "top.v").write_text("""
 module top(input CLOCK_50, inout [35:0] GPIO_0, output [9:0] LEDR);
-    assign LEDR = GPIO_0[9:0]; endmodule
+    assign LEDR = GPIO_0[9:0];
+    assign GPIO_0[11:10] = {1'b1, GPIO_0[0]};
+    assign GPIO_0[13:12] = 2'b01; endmodule
 """)
         (folder / "s.yaml").write_text("""name: s
 version: 1
 parts:
   - button: {name: a, pin: "GPIO_0[0]"}
   - switch: {name: b, pin: "GPIO_0[1]"}
+  - led-matrix: {name: m, rows: "GPIO_0[11:10]", columns: "GPIO_0[13:12]"}
+  - lt24: GPIO_1
 steps:
   - delay: 1ms
 """)
@@ -290,6 +294,25 @@ steps:
         await client.step("release-button", {"button": "a"})
         await client.step("delay", "1ms")
         await client.until(lambda: client.last["lamps"]["ledr"] == 0x3FF)
+
+
+    async def test_what_parts_show_is_told(self):
+        client = await self.client()
+        seen = {}
+
+        def shows(rows):
+            for name, news in client.last.get("parts", {}).items():
+                seen.setdefault(name, {}).update(news)
+            return seen.get("m", {}).get("rows") == rows and "picture" in seen["lt24"]
+        await client.until(lambda: shows(["#.", "#."]), 120)
+        await client.step("hold-button", {"button": "a"})
+        await client.until(lambda: shows(["#.", ".."]))
+        self.assertEqual(seen["a"], {"kind": "button", "on": {"hold-button": "a"},
+                                     "off": {"release-button": "a"}, "stays": False})
+        self.assertTrue(seen["lt24"]["picture"].startswith("data:image/png;base64,"))
+        late = await self.client()
+        await late.until(lambda: "parts" in late.last)
+        self.assertEqual(late.last["parts"]["m"]["rows"], ["#.", ".."])
 
 
 class AnotherBoard(Live):

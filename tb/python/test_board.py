@@ -56,6 +56,7 @@ def test_a_terminal_of_the_parts_is_read_and_typed_at(tmp_path):
     with de1sim.Board(project=tmp_path, scenario=tmp_path / "s.yaml",
                       out=tmp_path / "out") as board:
         assert board.terminals["echo"] == ""
+        assert board.parts == {"echo": {"kind": "terminal"}}
         board.step({"type-serial": {"text": "hello", "to": "echo"}})
         board.wait_text("hel", on="echo")
         board.wait_text("lo")

@@ -43,7 +43,7 @@ protected:
         send(0x2B, {top >> 8, top & 0xff, bottom >> 8, bottom & 0xff});
     }
     std::uint32_t at(unsigned x, unsigned y) const {
-        const sim::Ili9341::Picture picture = chip.picture();
+        const sim::DisplayPicture picture = chip.picture();
         return picture.pixels[y * picture.width + x];
     }
     unsigned lit() const {
@@ -179,7 +179,7 @@ TEST(Lt24, HasItsWiresWhereTerasicPutsThem) {
     word(true, 0x55);
     word(false, 0x2C);
     word(true, 0xA53C);
-    EXPECT_EQ(lt24.picture().pixels[0], 0xa6a6e7u) << "6 bits of each colour";
+    EXPECT_EQ(lt24.picture()->pixels[0], 0xa6a6e7u) << "6 bits of each colour";
 }
 
 }  // namespace

@@ -124,7 +124,7 @@ TEST(PageOfARun, LetsNoTextBeMarkup) {
     report.simulated_s = 1;
     report.faults = report.advice = report.characters = {EVIL};
     report.checks = {{EVIL, false, EVIL}};
-    report.leds = {{EVIL, {EVIL}}};
+    report.parts = {{EVIL, {EVIL}}};
     report.shown = {{EVIL, {}, {{0.1, {{"lit", EVIL}}}}, 1}};
     Page page;
     page.command = page.version = EVIL;

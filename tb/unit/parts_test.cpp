@@ -74,7 +74,7 @@ class Matrix : public ::testing::Test {
 protected:
     sim::LedMatrix matrix{{{1, 0}, {38, 37, 36}}};
 
-    std::vector<std::string> shown(std::uint64_t at_ps) { return matrix.picture(at_ps); }
+    std::vector<std::string> shown(std::uint64_t at_ps) { return matrix.rows(at_ps); }
 };
 
 TEST_F(Matrix, ShowsAStillRowAtOnce) {
@@ -115,7 +115,7 @@ TEST(CodedMatrix, ShowsTheRowOfThatNumber) {
         matrix.look({1 << 7, 0b11}, t + 2 * MS_PS);
         matrix.look({1 << 7 | 1 << 2, 0b00}, t + 3 * MS_PS);
     }
-    EXPECT_THAT(matrix.picture(100 * MS_PS), ElementsAre("#.", ".#", "##", ".."));
+    EXPECT_THAT(matrix.rows(100 * MS_PS), ElementsAre("#.", ".#", "##", ".."));
 }
 
 }  // namespace

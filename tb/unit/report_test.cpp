@@ -34,8 +34,7 @@ RunReport sample() {
     const RunReport::Shown::Fields lamps{{"lit", "0000000001"}}, led{{"lit", "1"}};
     r.shown = {
         {"hex", digits, {{0.5, digits}}, 41}, {"ledr", lamps, {}, 0}, {"hps_led", led, {}, 0}};
-    r.leds = {{"face", {"#.", ".+"}}};
-    r.terminals = {{"t", "ok\a", 1}};
+    r.parts = {{"face", {"#.", ".+"}}, {"t", {}, "ok\a", 1}};
     r.characters = {"", " hello", ""};
     r.timing_violation_count = 1;
     r.timing_violations = {"H total 799"};

@@ -1,6 +1,8 @@
 // board.js - the page of `de1sim live`: draws what comes over the WebSocket, sends what is pressed.
 // The protocol is in sim/live/README.md.
+import {addButton, addSwitch} from "./controls.js";
 import {clearInside, event, inside} from "./inside.js";
+import {clearParts, parts} from "./parts.js";
 import {clearTerminals, makeTerminals, printed} from "./terminals.js";
 
 const $ = (id) => document.getElementById(id);
@@ -109,62 +111,16 @@ function headerPins(which, levels, outputs) {
     }
 }
 
-// ---- Buttons: held while pressed; a right click or Shift holds until the next click ----
+// ---- Buttons and switches ----
 
-function control(parent, label, title, kind, value, wire) {
-    const button = document.createElement("button");
-    button.dataset.wire = wire;
-    button.textContent = label;
-    button.setAttribute("aria-label", title);
-    let held = false, latched = false;
-    const hold = (on) => {
-        if (on === held) return;
-        held = on;
-        button.classList.toggle("on", on);
-        step(on ? "hold" : "release", {[kind]: value});
-    };
-    button.onpointerdown = (event) => {
-        event.preventDefault();
-        button.focus();
-        button.setPointerCapture(event.pointerId);
-        if (latched) { latched = false; return; }
-        latched = event.shiftKey || event.button === 2;
-        hold(true);
-    };
-    button.onpointerup = button.onpointercancel = () => { if (!latched) hold(false); };
-    button.oncontextmenu = (event) => event.preventDefault();
-    button.onkeydown = (event) => {
-        if (event.key !== " " && event.key !== "Enter") return;
-        event.preventDefault();
-        if (event.repeat) return;
-        latched = event.shiftKey && !latched;
-        hold(true);
-    };
-    button.onkeyup = (event) => {
-        if ((event.key === " " || event.key === "Enter") && !latched) hold(false);
-    };
-    button.onblur = () => { if (!latched) hold(false); };
-    button.release = () => { held = latched = false; button.classList.remove("on"); };
-    parent.append(button);
-}
-for (const key of "123A456B789C0FED") control($("keypad"), key, `keypad ${key}`, "keypad", key, "GPIO_0[0]");
-for (let key = 3; key >= 0; --key) control($("keys"), `KEY${key}`, `KEY${key}`, "key", key, `KEY[${key}]`);
-control($("keys"), "HPS_KEY", "HPS_KEY", "key", "hps", "HPS");
-for (let n = 9; n >= 0; --n) {
-    const button = document.createElement("button");
-    button.textContent = `SW${n}`;
-    button.dataset.wire = `SW[${n}]`;
-    button.setAttribute("role", "switch");
-    button.setAttribute("aria-checked", "false");
-    button.onclick = () => {
-        const on = button.getAttribute("aria-checked") === "false";
-        button.setAttribute("aria-checked", on);
-        button.classList.toggle("on", on);
-        step(on ? "hold" : "release", {switch: n});
-    };
-    button.release = () => { button.setAttribute("aria-checked", "false"); button.classList.remove("on"); };
-    $("switches").append(button);
-}
+const held = (kind, value) => (on) => step(on ? "hold" : "release", {[kind]: value});
+for (const key of "123A456B789C0FED")
+    addButton($("keypad"), key, `keypad ${key}`, held("keypad", key)).dataset.wire = "GPIO_0[0]";
+for (let key = 3; key >= 0; --key)
+    addButton($("keys"), `KEY${key}`, `KEY${key}`, held("key", key)).dataset.wire = `KEY[${key}]`;
+addButton($("keys"), "HPS_KEY", "HPS_KEY", held("key", "hps")).dataset.wire = "HPS";
+for (let n = 9; n >= 0; --n)
+    addSwitch($("switches"), `SW${n}`, held("switch", n)).dataset.wire = `SW[${n}]`;
 for (let channel = 0; channel < 8; ++channel) {
     $("voltages").insertAdjacentHTML("beforeend",
         `<p><label>CH${channel} <input type="range" min="0" max="4.095" step="0.005" value="0" data-channel="${channel}"></label> <output></output></p>`);
@@ -262,6 +218,7 @@ function status(now) {
 }
 function power() {
     clearTerminals();
+    clearParts();
     document.querySelectorAll("button").forEach((button) => button.release?.());
     down.clear();
     pushed.clear();
@@ -304,6 +261,7 @@ function board({name, wires}) {
 const HANDLERS = {
     hello: ({title}) => { $("title").textContent = title; },
     board, lamps, status, inside, saved, power,
+    parts: (all) => parts(all, (step) => send({step})),
     terminals: printed,
     log: (line) => { say(line, true); event(line); },
     fault: (line) => { say(line, true); event(line); },

@@ -7,7 +7,8 @@ const MOST = 100000;  // characters of each that are kept
 let send = () => {};
 
 // Of a line, or of a terminal among the parts, whose name is its title.
-function addTerminal(line, title) {
+export function addTerminal(line, title) {
+    if ($(`printed-${line}`)) return $(`printed-${line}`);
     const part = document.createElement("section");
     part.setAttribute("aria-label", title);
     part.innerHTML = `<h2></h2><pre class="console" tabindex="0"></pre>
@@ -35,7 +36,7 @@ export function makeTerminals(type) {
 
 export function printed(texts) {
     for (const [line, text] of Object.entries(texts)) {
-        const pane = $(`printed-${line}`) || addTerminal(line, line);
+        const pane = addTerminal(line, line);
         const follow = pane.scrollTop + pane.clientHeight >= pane.scrollHeight - 4;
         pane.textContent = (pane.textContent + text).slice(-MOST);
         if (follow) pane.scrollTop = pane.scrollHeight;

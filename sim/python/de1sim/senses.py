@@ -20,6 +20,7 @@ class Senses:
         self.gpio = []  # of GPIO_0 and GPIO_1: levels, outputs
         self.console = ""  # what all lines have printed
         self.terminals = dict.fromkeys(LINES, "")  # what each has, and terminals of the parts
+        self.parts = {}  # on the headers, by name: {"kind": "led-matrix", "rows": [...]}
         self.log, self.violations, self.faults = [], [], []
         self._searched = {}  # by line, None: all in one; how far
         self._screen = Screen()
@@ -83,6 +84,11 @@ class Senses:
                 self.hps_led, self.gpio = value["hps_led"], value["gpio"]
             elif name == "console":
                 self.console += value
+            elif name == "parts":
+                for part, news in value.items():
+                    self.parts.setdefault(part, {}).update(news)
+                    if news.get("kind") == "terminal":
+                        self.terminals.setdefault(part, "")
             elif name == "terminals":
                 for line, text in value.items():
                     self.terminals[line] = self.terminals.get(line, "") + text

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "sim/scenario/board_control.h"
 #include "sim/scenario/part_form.h"
@@ -26,12 +27,24 @@ PartPlan contact(const Values& v, Contact::Levels levels) {
     return part;
 }
 
-PartPlan a_switch(const Values& v) { return contact(v, {PinLevel::LOW, PinLevel::HIGH}); }
+PartPlan a_switch(const Values& v) {
+    PartPlan part = contact(v, {PinLevel::LOW, PinLevel::HIGH});
+    part.control = {[](const std::string& name, bool on) {
+                        const nlohmann::json to{{"switch", name}, {"level", on ? "high" : "low"}};
+                        return nlohmann::json{{"set-switch", to}}.dump();
+                    },
+                    true};
+    return part;
+}
 
 // It closes a wire to ground or to 3.3 V; in the second case a resistor pulls it low else.
 PartPlan button(const Values& v) {
-    return v.number<bool>("pressed") ? a_switch(v)
-                                     : contact(v, {PinLevel::RELEASED, PinLevel::LOW});
+    PartPlan part = v.number<bool>("pressed") ? contact(v, {PinLevel::LOW, PinLevel::HIGH})
+                                              : contact(v, {PinLevel::RELEASED, PinLevel::LOW});
+    part.control = {[](const std::string& name, bool on) {
+        return nlohmann::json{{on ? "hold-button" : "release-button", name}}.dump();
+    }};
+    return part;
 }
 
 // ---- Buttons ----

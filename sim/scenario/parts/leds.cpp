@@ -100,7 +100,7 @@ public:
     Verdict decide(BoardControl& board) const override {
         const auto shown = [&, &matrix = board.part<LedMatrix>(matrix_)] {
             board.catch_up();
-            return matrix.picture(board.now_ps());
+            return matrix.rows(board.now_ps());
         };
         const bool met = board.wait_until(BoardControl::Each::MILLISECOND, timeout_,
                                           [&] { return shown() == rows_; });

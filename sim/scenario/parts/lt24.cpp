@@ -13,6 +13,7 @@ PartPlan lt24(const Values& v) {
     const auto header = v.number<unsigned>("header");
     PartPlan part;
     part.pins = Lt24::pins(header);
+    part.is_display = true;
     part.hang = [header](const PartSocket&) { return std::make_unique<Lt24>(header); };
     return part;
 }

@@ -5,7 +5,7 @@
 #include <limits>
 #include <regex>
 
-#include "sim/board/lt24.h"
+#include "sim/board/header_part.h"
 #include "sim/files/whole_file.h"
 #include "sim/scenario/board_control.h"
 #include "sim/scenario/static_checks.h"
@@ -68,31 +68,35 @@ private:
 
 // ---- Which display ----
 
-enum class Display { MONITOR, LT24 };
-const ValueType DISPLAY = word("monitor or lt24", {"monitor", "lt24"});
+constexpr const char* MONITOR = "monitor";
+Reading read_display(const YamlNode& node) { return LINE.read(node); }
+const ValueType DISPLAY{"monitor or the name of a display",
+                        R"({"type": "string", "pattern": "^[^\\u0000-\\u001f\\u007f]+$"})",
+                        read_display};
 
 // Of a step whose field `of` says which.
 class OnDisplay {
 protected:
-    explicit OnDisplay(const Values& v) : display_{v.number<Display>("of")} {}
+    explicit OnDisplay(const Values& v) : display_{v.get<std::string>("of")} {}
 
-    bool on_lt24() const { return display_ == Display::LT24; }
+    bool on_monitor() const { return display_ == MONITOR; }
     void need(const StaticChecks& checks) const {
-        if (on_lt24())
-            checks.need_part("lt24", "lt24");
-        else
+        if (on_monitor())
             checks.need_on_board("VGA_HS", "the monitor");
+        else
+            checks.need_display(display_);
     }
     Image picture(BoardControl& board) const {
-        if (!on_lt24()) return board.observations().picture();
+        if (on_monitor()) return board.observations().picture();
         board.catch_up();
-        const Ili9341::Picture seen = board.part<Lt24>("lt24").picture();
+        const DisplayPicture seen = *board.part<HeaderPart>(display_).picture();
         return image_of(seen.pixels, seen.width, seen.height);
     }
-    std::string describe_display() const { return on_lt24() ? " on the LT24" : ""; }
+    const std::string& display() const { return display_; }
+    std::string describe_display() const { return on_monitor() ? "" : " on " + display_; }
 
 private:
-    Display display_;
+    std::string display_;
 };
 
 // ---- expect-frame ----
@@ -181,7 +185,7 @@ public:
             return {false, e.what()};
         }
         const std::string what_is_seen =
-            on_lt24() ? "the LT24" : fmt::format("frame {}", board.observations().frames);
+            on_monitor() ? fmt::format("frame {}", board.observations().frames) : display();
         const auto file = [&](const char* what) {
             return board.folder() / "mismatch" /
                    fmt::format("line{}_{}_{}.png", line_, golden_.stem().string(), what);
@@ -264,7 +268,7 @@ private:
     std::filesystem::path save_to_;  // relative to the output folder, and inside it
 };
 
-constexpr const char* OF_HELP = "The monitor, or the LT24 of the parts.";
+constexpr const char* OF_HELP = "The monitor, or a display of the parts: lt24.";
 
 }  // namespace
 
@@ -290,7 +294,7 @@ std::vector<StepForm> picture() {
           {"differing-pixels", PIXELS, Need::OPTIONAL, "0", "At most so many pixels may differ."},
           {"ignore", RECTANGLES, Need::OPTIONAL, "",
            "Parts of the picture that may differ, such as a time that is shown there."},
-          {"of", DISPLAY, Need::OPTIONAL, "monitor", OF_HELP}},
+          {"of", DISPLAY, Need::OPTIONAL, MONITOR, OF_HELP}},
          make<ExpectFrame>},
         {"take-screenshot",
          "Save the picture on the monitor, or on another display, as PNG.",
@@ -298,7 +302,7 @@ std::vector<StepForm> picture() {
          {},
          {{"save-to", PNG_NAME, Need::REQUIRED, "",
            "File name, relative to the output folder and inside it."},
-          {"of", DISPLAY, Need::OPTIONAL, "monitor", OF_HELP}},
+          {"of", DISPLAY, Need::OPTIONAL, MONITOR, OF_HELP}},
          make<TakeScreenshot>},
     };
 }

@@ -117,9 +117,9 @@ TEST_F(PartSteps, SaveThePictureOfAnLt24) {
     ASSERT_EQ(board.saved.size(), 2u);
     EXPECT_EQ(board.saved[0].second.width, 240u);
     EXPECT_EQ(board.saved[1].second.width, 640u);
-    EXPECT_EQ(scenario.steps[0].text, "take screenshot a.png on the LT24");
+    EXPECT_EQ(scenario.steps[0].text, "take screenshot a.png on lt24");
     EXPECT_EQ(step_error("take-screenshot: {save-to: a.png, of: lt24}"),
-              "a.yaml:4:3: expected an lt24 among the parts, got \"lt24\"");
+              "a.yaml:4:3: expected a display: monitor, got \"lt24\"");
     EXPECT_EQ(parts_error("- lt24: GPIO_0\n- led: {name: a, pin: \"GPIO_0[13]\"}"),
               "a.yaml:5:3: expected pins that are free, got GPIO_0[13], which lt24 of line 4 has");
 }
