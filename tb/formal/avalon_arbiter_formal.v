@@ -1,7 +1,8 @@
 // avalon_arbiter_formal.v - one master at a time, each in its turn, and each has its own answers
 //
 // Three masters with 1, 2 and 3 shares, four answers on their way at most, from power-on, with or
-// without a reset.  A master keeps its command until it is taken.  By 1-step induction.
+// without a reset.  A master keeps its command until it is taken.  Of two with bursts nobody comes
+// between the words of one.  By 1-step induction.
 
 `default_nettype none
 
@@ -13,6 +14,7 @@ module avalon_arbiter_formal (
     input wire [95:0] address_i,
     input wire [23:0] wdata_i,
     input wire [2:0]  be_i,
+    input wire [31:0] count_i,        // of the two with bursts
     input wire        ready_i,
     input wire        rvalid_i
 );
@@ -25,10 +27,45 @@ module avalon_arbiter_formal (
         .MASTERS(3), .WIDTH(8), .SHARES({8'd3, 8'd2, 8'd1}), .MOST_LOG2(2)
     ) dut (
         .clk_i(clk_i), .rst_i(rst_i), .valid_i(valid_i), .ready_o(ready), .write_i(write_i),
-        .address_i(address_i), .wdata_i(wdata_i), .be_i(be_i), .rvalid_o(rvalid),
-        .valid_o(valid), .ready_i(ready_i), .write_o(write), .address_o(address),
-        .wdata_o(wdata), .be_o(be), .rvalid_i(rvalid_i)
+        .count_i({3{16'd1}}), .address_i(address_i), .wdata_i(wdata_i), .be_i(be_i),
+        .rvalid_o(rvalid), .valid_o(valid), .ready_i(ready_i), .write_o(write), .count_o(count),
+        .address_o(address), .wdata_o(wdata), .be_o(be), .rvalid_i(rvalid_i)
     );
+
+    wire [1:0]  burst_ready, burst_rvalid;
+    wire        burst_valid, burst_write, burst_be;
+    wire [15:0] count, burst_count;
+    wire [31:0] burst_address;
+    wire [7:0]  burst_wdata;
+
+    de1sim_avalon_arbiter #(.MASTERS(2), .WIDTH(8), .MOST_LOG2(2)) bursts (
+        .clk_i(clk_i), .rst_i(rst_i), .valid_i(valid_i[1:0]), .ready_o(burst_ready),
+        .write_i(write_i[1:0]), .count_i(count_i), .address_i(address_i[63:0]),
+        .wdata_i(wdata_i[15:0]), .be_i(be_i[1:0]), .rvalid_o(burst_rvalid),
+        .valid_o(burst_valid), .ready_i(ready_i), .write_o(burst_write), .count_o(burst_count),
+        .address_o(burst_address), .wdata_o(burst_wdata), .be_o(burst_be), .rvalid_i(rvalid_i)
+    );
+    reg         inside_q = 1'b0, owner_q = 1'b0;
+    wire [1:0]  burst_takes = valid_i[1:0] & burst_ready;
+    wire        bursts__inside_q;
+    wire [7:0]  bursts__turn_q;
+
+    always @(posedge clk_i) begin
+        if (burst_takes != 2'd0) begin
+            inside_q <= burst_count != 16'd1;
+            owner_q  <= burst_takes[1];
+        end
+        if (rst_i) inside_q <= 1'b0;
+    end
+    always @(*) begin
+        a_nobody_between: assert (!inside_q || (burst_takes & ~(2'd1 << owner_q)) == 2'd0);
+        a_burst_of_one:   assert (burst_takes != 2'd3);
+        if (burst_takes != 2'd0)
+            a_count: assert (burst_count == count_i[16*burst_takes[1] +: 16]);
+        i_inside: assert (bursts__inside_q == inside_q);
+        i_owner:  assert (!inside_q || bursts__turn_q == {7'd0, owner_q});
+        i_one_of: assert (bursts__turn_q < 8'd2);
+    end
 
     function [1:0] shares;
         input [1:0] master;
@@ -141,6 +178,8 @@ module avalon_arbiter_formal (
         end
     endgenerate
 
+    wire       dut__inside_q;
+    always @(*) i_alone: assert (!dut__inside_q);
     always @(*) i_turn: assert (dut__turn_q == {6'd0, who_q} && who_q != 2'd3);
     always @(*) begin
         i_pending: assert (dut__pending_q == owed_q);

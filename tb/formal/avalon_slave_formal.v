@@ -30,7 +30,8 @@ module avalon_slave_formal (
     ) fixed (
         .clk_i(clk_i), .rst_i(rst_i), .valid_i(valid_i[0]), .ready_o(ready[0]),
         .write_i(write_i[0]), .address_i(address_i[31:0]), .wdata_i(wdata_i[15:0]),
-        .be_i(be_i[1:0]), .rvalid_o(rvalid[0]), .rdata_o(rdata[15:0]), .address_o(address[2:0]),
+        .be_i(be_i[1:0]), .length_i(12'd1),
+        .rvalid_o(rvalid[0]), .rdata_o(rdata[15:0]), .address_o(address[2:0]),
         .chipselect_o(chipselect[0]), .read_o(read[0]), .write_o(write[0]),
         .begintransfer_o(begins[0]), .byteenable_o(byteenable[1:0]),
         .writedata_o(writedata[15:0]), .readdata_i(readdata_i[15:0]), .waitrequest_i(1'b0),
@@ -41,7 +42,8 @@ module avalon_slave_formal (
     ) waits (
         .clk_i(clk_i), .rst_i(rst_i), .valid_i(valid_i[1]), .ready_o(ready[1]),
         .write_i(write_i[1]), .address_i(address_i[63:32]), .wdata_i(wdata_i[31:16]),
-        .be_i(be_i[3:2]), .rvalid_o(rvalid[1]), .rdata_o(rdata[31:16]), .address_o(address[5:3]),
+        .be_i(be_i[3:2]), .length_i(12'd1),
+        .rvalid_o(rvalid[1]), .rdata_o(rdata[31:16]), .address_o(address[5:3]),
         .chipselect_o(chipselect[1]), .read_o(read[1]), .write_o(write[1]),
         .begintransfer_o(begins[1]), .byteenable_o(byteenable[3:2]),
         .writedata_o(writedata[31:16]), .readdata_i(readdata_i[31:16]),
@@ -52,7 +54,8 @@ module avalon_slave_formal (
     ) later (
         .clk_i(clk_i), .rst_i(rst_i), .valid_i(valid_i[2]), .ready_o(ready[2]),
         .write_i(write_i[2]), .address_i(address_i[95:64]), .wdata_i(wdata_i[47:32]),
-        .be_i(be_i[5:4]), .rvalid_o(rvalid[2]), .rdata_o(rdata[47:32]), .address_o(address[8:6]),
+        .be_i(be_i[5:4]), .length_i(12'd1),
+        .rvalid_o(rvalid[2]), .rdata_o(rdata[47:32]), .address_o(address[8:6]),
         .chipselect_o(chipselect[2]), .read_o(read[2]), .write_o(write[2]),
         .begintransfer_o(begins[2]), .byteenable_o(byteenable[5:4]),
         .writedata_o(writedata[47:32]), .readdata_i(readdata_i[47:32]), .waitrequest_i(1'b0),
@@ -149,12 +152,13 @@ module avalon_slave_formal (
 
     // ---- Invariants ----
     wire       write_was = command_was[51 + 50];
-    wire [7:0] fixed__clock_q, waits__clock_q, waits__pending_q;
+    wire [7:0]  fixed__clock_q, waits__clock_q;
+    wire [11:0] waits__pending_q;
 
     always @(*) if (live) begin
         i_age:     assert (fixed__clock_q == {6'd0, age_q});
         i_begun:   assert ((waits__clock_q != 8'd0) == begun_q);
-        i_reads:   assert (waits__pending_q == reads_q);
+        i_reads:   assert (waits__pending_q == {4'd0, reads_q});
         i_stays:   assert (!begun_q || (stays_q[1] && (write_was ? reads_q == 8'd0
                                                        : reads_q != 8'd128)));
         i_age_stays: assert (age_q == 2'd0 || stays_q[0]);

@@ -28,11 +28,13 @@ module avalon_width_formal (
     input wire [31:0] byte_rdata_i
 );
     wire        ready, rvalid, valid, write, be;
+    wire [15:0] count, byte_count;
     wire [31:0] rdata, address;
     wire [7:0]  wdata;
 
     de1sim_avalon_width #(.FROM(32), .TO(8), .MOST_LOG2(1)) dut (
         .clk_i(clk_i), .rst_i(rst_i), .valid_i(valid_i), .ready_o(ready), .write_i(write_i),
+        .count_i(16'd1), .count_o(count),
         .address_i({word_i, 2'd0}), .wdata_i(wdata_i), .be_i(be_i), .rvalid_o(rvalid),
         .rdata_o(rdata), .valid_o(valid), .ready_i(ready_i), .write_o(write), .address_o(address),
         .wdata_o(wdata), .be_o(be), .rvalid_i(rvalid_i), .rdata_i(rdata_i)
@@ -45,7 +47,8 @@ module avalon_width_formal (
 
     de1sim_avalon_width #(.FROM(8), .TO(32), .MOST_LOG2(1)) wide (
         .clk_i(clk_i), .rst_i(rst_i), .valid_i(byte_valid_i), .ready_o(byte_ready),
-        .write_i(byte_write_i), .address_i(byte_address_i), .wdata_i(byte_wdata_i),
+        .write_i(byte_write_i), .count_i(16'd1), .count_o(byte_count),
+        .address_i(byte_address_i), .wdata_i(byte_wdata_i),
         .be_i(byte_be_i), .rvalid_o(byte_rvalid), .rdata_o(byte_rdata), .valid_o(byte_valid),
         .ready_i(byte_ready_i), .write_o(byte_write), .address_o(byte_address),
         .wdata_o(byte_wdata), .be_o(byte_be), .rvalid_i(byte_rvalid_i), .rdata_i(byte_rdata_i)
@@ -143,7 +146,16 @@ module avalon_width_formal (
     end
 
     // ---- Invariants ----
-    wire [3:0]  dut__narrower__done_q;
+    wire [3:0]  dut__narrower__done_q, wide__wider__be_q;
+    wire        wide__wider__sent_q, dut__narrower__inside_q;
+    wire [1:0]  wide__wider__stored_q;
+    wire        wide__wider__free_q__0, wide__wider__free_q__1, wide__lasts_q__0, wide__lasts_q__1;
+    wire        wide_oldest = byte_owed_q != 2'd0, wide_second = byte_owed_q == 2'd2;
+    // Answers that are not the slave's, or not for the only part.
+    wire [1:0]  wide_odd = {wide__wider__free_q__1 || !wide__lasts_q__1,
+                            wide__wider__free_q__0 || !wide__lasts_q__0};
+    wire [1:0]  wide_owned_free = {wide_odd[~wide__first_q] && wide_second,
+                                   wide_odd[wide__first_q] && wide_oldest};
     wire [31:0] dut__narrower__rdata_q;
     wire [1:0]  dut__pending_q, wide__pending_q;
     wire        dut__first_q, dut__end_q, wide__first_q, wide__end_q;
@@ -158,6 +170,9 @@ module avalon_width_formal (
     wire [7:0] wide_behind = wide__first_q ? wide__parts_q__0 : wide__parts_q__1;
 
     always @(*) if (live) begin
+        i_alone:  assert (!wide__wider__sent_q && wide__wider__be_q == 4'd0
+                          && wide__wider__stored_q == 2'd0 && !dut__narrower__inside_q);
+        i_no_free: assert (wide_owned_free == 2'd0);
         i_done:   assert (dut__narrower__done_q == sent_q);
         i_rdata:  assert (dut__narrower__rdata_q == got_q);
         i_owed:   assert (dut__pending_q == owed_q && wide__pending_q == byte_owed_q);

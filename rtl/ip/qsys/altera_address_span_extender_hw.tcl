@@ -38,6 +38,8 @@ proc elaborate {} {
     }
     set_parameter_value CNTL_ADDRESS_WIDTH [expr {max(1, $choice)}]
     set bits [get_parameter_value DATA_WIDTH]
+    set_interface_property windowed_slave maximumPendingReadTransactions \
+        [get_parameter_value MAX_PENDING_READS]
     foreach {interface port address into against} "
         windowed_slave avs_s0 [get_parameter_value SLAVE_ADDRESS_WIDTH] Input Output
         expanded_master avm_m0 [get_parameter_value MASTER_ADDRESS_WIDTH] Output Input

@@ -39,6 +39,8 @@ proc elaborate {} {
     set_parameter_value BURSTCOUNT_WIDTH $counts
     set_interface_property s0 maximumPendingReadTransactions \
         [get_parameter_value MAX_PENDING_RESPONSES]
+    set_interface_property s0 linewrapBursts [get_parameter_value LINEWRAPBURSTS]
+    set_interface_property m0 linewrapBursts [get_parameter_value LINEWRAPBURSTS]
     foreach {name into out} {s0 Input Output m0 Output Input} {
         set_interface_property $name addressUnits [get_parameter_value ADDRESS_UNITS]
         add_interface_port $name ${name}_waitrequest waitrequest $out 1

@@ -13,6 +13,7 @@ module de1sim_avalon_crossing #(
     input  wire             valid_i,
     output wire             ready_o,
     input  wire             write_i,
+    input  wire [15:0]      count_i,
     input  wire [31:0]      address_i,
     input  wire [WIDTH-1:0] wdata_i,
     input  wire [BYTES-1:0] be_i,
@@ -23,13 +24,14 @@ module de1sim_avalon_crossing #(
     output wire             valid_o,
     input  wire             ready_i,
     output wire             write_o,
+    output wire [15:0]      count_o,
     output wire [31:0]      address_o,
     output wire [WIDTH-1:0] wdata_o,
     output wire [BYTES-1:0] be_o,
     input  wire             rvalid_i,
     input  wire [WIDTH-1:0] rdata_i
 );
-    localparam COMMAND = 33 + WIDTH + BYTES;
+    localparam COMMAND = 49 + WIDTH + BYTES;
 
     // An answer has a place when its command is sent.
     reg  [4:0] under_way_q = 0;
@@ -40,9 +42,9 @@ module de1sim_avalon_crossing #(
 
     de1sim_avalon_queue #(.WIDTH(COMMAND)) commands (
         .clk_i(clk_i), .valid_i(valid_i && under_way_q != 5'd16), .ready_o(room),
-        .data_i({write_i, address_i, wdata_i, be_i}),
+        .data_i({write_i, count_i, address_i, wdata_i, be_i}),
         .to_clk_i(to_clk_i), .valid_o(valid_o), .ready_i(ready_i),
-        .data_o({write_o, address_o, wdata_o, be_o})
+        .data_o({write_o, count_o, address_o, wdata_o, be_o})
     );
 
     // verilator lint_off PINCONNECTEMPTY

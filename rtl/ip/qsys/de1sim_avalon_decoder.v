@@ -4,6 +4,9 @@
 // a later clock, and answers come in the order of the commands.  So another slave's turn comes when
 // all answers of the one before are there.
 //
+// count_i says how many words of a burst there are from this one on, each one word after the one
+// before: 1 is a word alone, or the last.  A whole burst goes to the slave of its first word.
+//
 // hit_i has one bit for each slave, and one of them set: which one is computed from the address by
 // the system's module, where a person can read it.
 
@@ -18,6 +21,7 @@ module de1sim_avalon_decoder #(
 
     input  wire                    valid_i,
     output wire                    ready_o,
+    input  wire [15:0]             count_i,
     input  wire [SLAVES-1:0]       hit_i,
     output wire                    rvalid_o,
     output wire [WIDTH-1:0]        rdata_o,
@@ -32,17 +36,23 @@ module de1sim_avalon_decoder #(
     reg [SLAVES-1:0] slave_q = 0;    // of the last command
     reg [7:0]        pending_q = 0;  // commands without their answer
 
-    wire may   = pending_q == 8'd0 || (hit_i == slave_q && pending_q != MOST);
+    reg              goes_on_q = 0;  // the burst of the last command
+
+    wire [SLAVES-1:0] hit = goes_on_q ? slave_q : hit_i;
+    wire may   = pending_q == 8'd0 || (hit == slave_q && pending_q != MOST);
     wire taken = valid_i && ready_o;
 
-    assign valid_o  = valid_i && may ? hit_i : {SLAVES{1'b0}};
-    assign ready_o  = may && (hit_i & ready_i) != {SLAVES{1'b0}};
+    assign valid_o  = valid_i && may ? hit : {SLAVES{1'b0}};
+    assign ready_o  = may && (hit & ready_i) != {SLAVES{1'b0}};
     assign rvalid_o = rvalid_i != {SLAVES{1'b0}};
 
     always @(posedge clk_i) begin
-        if (taken) slave_q <= hit_i;
+        if (taken) {slave_q, goes_on_q} <= {hit, count_i != 16'd1};
         pending_q <= pending_q + {7'd0, taken} - {7'd0, rvalid_o};
-        if (rst_i) pending_q <= 8'd0;
+        if (rst_i) begin
+            pending_q <= 8'd0;
+            goes_on_q <= 1'b0;
+        end
     end
 
     // ---- Answers ----

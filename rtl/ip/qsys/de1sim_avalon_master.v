@@ -1,7 +1,7 @@
 // de1sim_avalon_master.v - an Avalon-MM master's signals as commands
 //
-// Commands and answers as in de1sim_avalon_decoder.v.  A burst becomes a command for each word; a
-// master without readdatavalid waits for its data.
+// Commands and answers as in de1sim_avalon_decoder.v.  A burst becomes a command for each word; one
+// that wraps is two bursts behind here.  A master without readdatavalid waits for its data.
 //
 // Source: Avalon Interface Specifications, Avalon Memory-Mapped Interfaces.
 
@@ -10,6 +10,7 @@
 module de1sim_avalon_master #(
     parameter WIDTH         = 32,
     parameter READDATAVALID = 0,
+    parameter WRAP          = 0,  // bytes after which its bursts wrap, a power of 2; 0: they do not
     parameter BYTES         = WIDTH / 8
 ) (
     input  wire             clk_i,
@@ -28,6 +29,7 @@ module de1sim_avalon_master #(
     output wire             valid_o,
     input  wire             ready_i,
     output wire             write_o,
+    output wire [15:0]      count_o,
     output wire [31:0]      address_o,
     output wire [WIDTH-1:0] wdata_o,
     output wire [BYTES-1:0] be_o,
@@ -40,6 +42,16 @@ module de1sim_avalon_master #(
     reg  [31:0] next_q = 0;
     reg  [BYTES-1:0] be_q = 0;
     wire        goes_on = left_q != 11'd0;
+    wire [10:0] words   = goes_on ? left_q : burstcount_i;
+    wire [31:0] after   = address_o + BYTES;
+    generate
+        if (WRAP == 0) begin : up
+            assign count_o = {5'd0, words};
+        end else begin : wraps
+            wire [31:0] most = (WRAP - (address_o & (WRAP - 1))) / BYTES;
+            assign count_o = {21'd0, words} < most ? {5'd0, words} : most[15:0];
+        end
+    endgenerate
 
     // ---- Which answers are of reads ---------------------------------------
     reg         read_q [0:255];
@@ -65,7 +77,8 @@ module de1sim_avalon_master #(
         if (taken) begin
             read_q[end_q] <= !write_o;
             end_q         <= end_q + 8'd1;
-            next_q        <= address_o + BYTES;
+            next_q        <= WRAP == 0 ? after
+                                       : (address_o & ~(WRAP - 1)) | (after & (WRAP - 1));
             left_q        <= goes_on ? left_q - 11'd1 : burstcount_i - 11'd1;
             if (!write_o && READDATAVALID != 0) begin
                 reads_q <= goes_on ? left_q != 11'd1 : burstcount_i > 11'd1;

@@ -10,11 +10,10 @@
 //   readdata ===========================<data>
 //
 // With WAITREQUEST a transfer ends in the clock in which the slave does not hold it, and the fixed
-// waits are not counted.  With READDATAVALID the slave says when its data are there.
+// waits are not counted.  With READDATAVALID the slave says when its data are there; a read of
+// several words, length_i, is one transfer.
 //
 // Source: Avalon Interface Specifications, Avalon Memory-Mapped Interfaces.
-//
-// Not handled: bursts, which are divided before.
 
 `default_nettype none
 
@@ -29,6 +28,7 @@ module de1sim_avalon_slave #(
     parameter LATENCY       = 0,
     parameter WAITREQUEST   = 0,
     parameter READDATAVALID = 0,
+    parameter MOST          = 128,  // of reads or, with bursts, words whose data are to come
     parameter READS         = 1,  // whether the slave can be read, and written: the answer to
     parameter WRITES        = 1,  // the others comes from here
     parameter BYTES         = WIDTH / 8
@@ -42,6 +42,7 @@ module de1sim_avalon_slave #(
     input  wire [31:0]        address_i,
     input  wire [WIDTH-1:0]   wdata_i,
     input  wire [BYTES-1:0]   be_i,
+    input  wire [11:0]        length_i,
     output reg                rvalid_o,
     output reg  [WIDTH-1:0]   rdata_o,
 
@@ -56,7 +57,7 @@ module de1sim_avalon_slave #(
     input  wire               waitrequest_i,
     input  wire               readdatavalid_i
 );
-    localparam [7:0] MOST = 8'd128;
+    localparam [11:0] LIMIT = MOST;
     localparam LAST_READ  = SETUP + READ_WAIT;
     localparam LAST_WRITE = SETUP + WRITE_WAIT;
 
@@ -64,10 +65,10 @@ module de1sim_avalon_slave #(
     // A write waits for the data of the reads before it, since answers keep their order.  In a
     // reset all wait.
     reg  [7:0] clock_q = 0;    // of this transfer
-    reg  [7:0] pending_q = 0;  // reads whose data are to come, with READDATAVALID
+    reg  [11:0] pending_q = 0;  // reads whose data are to come, with READDATAVALID
     wire       known  = write_i ? WRITES != 0 : READS != 0;
-    wire       orders = READDATAVALID == 0 || (write_i || !known ? pending_q == 8'd0
-                                                                  : pending_q != MOST);
+    wire       orders = READDATAVALID == 0 || (write_i || !known ? pending_q == 12'd0
+                                                                  : pending_q < LIMIT);
     wire       runs   = valid_i && orders && !rst_i;
     wire       acts   = runs && known;
     wire [7:0] last   = write_i ? LAST_WRITE : LAST_READ;
@@ -121,9 +122,9 @@ module de1sim_avalon_slave #(
 
     always @(posedge clk_i) begin
         clock_q   <= !runs || done ? 8'd0 : clock_q != 8'hff ? clock_q + 8'd1 : clock_q;
-        pending_q <= READDATAVALID == 0 ? 8'd0
-                                        : pending_q + {7'd0, read_done} - {7'd0, readdatavalid_i};
-        if (rst_i) {clock_q, pending_q} <= 16'd0;
+        pending_q <= READDATAVALID == 0 ? 12'd0
+                     : pending_q + (read_done ? length_i : 12'd0) - {11'd0, readdatavalid_i};
+        if (rst_i) {clock_q, pending_q} <= 20'd0;
     end
 endmodule
 

@@ -49,6 +49,7 @@ module de1sim_axi_master #(
     output wire               valid_o,
     input  wire               ready_i,
     output wire               write_o,
+    output wire [15:0]        count_o,
     output wire [31:0]        address_o,
     output wire [WIDTH-1:0]   wdata_o,
     output wire [BYTES-1:0]   be_o,
@@ -89,6 +90,12 @@ module de1sim_axi_master #(
     assign write_o   = write_q;
     assign address_o = address_q & ~(BYTES - 1);
     assign wdata_o   = wdata_i;
+
+    // Beats of less than a word, and of one word each time, are no burst behind here.
+    wire [31:0]    left_of_wrap = (wrap_q + 32'd1 - (address_q & wrap_q)) / BYTES;
+    assign count_o = step != BYTES || burst_q == FIXED ? 16'd1
+                     : burst_q == WRAP && left_of_wrap < {23'd0, asked_q} ? left_of_wrap[15:0]
+                     : {7'd0, asked_q};
     assign be_o      = write_q ? wstrb_i : lanes;
     assign wready_o  = busy_q && write_q && taken;
 

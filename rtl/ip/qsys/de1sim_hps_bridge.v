@@ -14,12 +14,14 @@ module de1sim_hps_bridge #(
     output wire             valid_o,
     input  wire             ready_i,
     output wire             write_o,
+    output wire [15:0]      count_o,
     output wire [31:0]      address_o,
     output wire [WIDTH-1:0] wdata_o,
     output wire [BYTES-1:0] be_o,
     input  wire             rvalid_i,
     input  wire [WIDTH-1:0] rdata_i
 );
+    localparam [1:0] INCR = 2'd1;
     localparam [1:0] SIZE = WIDTH == 128 ? 2'd2 : WIDTH == 64 ? 2'd1 : 2'd0;
 
     reg              valid_q = 0;
@@ -34,12 +36,13 @@ module de1sim_hps_bridge #(
     assign valid_o = valid_q;
 
 `ifdef DE1SIM_LISTS
-    assign {write_o, address_o, wdata_o, be_o} = {1 + 32 + WIDTH + BYTES{1'b0}};
+    assign {write_o, count_o, address_o, wdata_o, be_o} = {1 + 16 + 32 + WIDTH + BYTES{1'b0}};
     assign ends = 1'b0;
 `else
     `include "de1sim_hps_bridge.vh"
 
     reg              write_q = 0;
+    reg              joined_q = 0;  // its beats are whole words, one after the other
     reg  [3:0]       last_q = 0;
     reg  [31:0]      address_q = 0;
     reg  [WIDTH-1:0] wdata_q = 0;
@@ -48,6 +51,7 @@ module de1sim_hps_bridge #(
 
     assign ends      = rvalid_i && beat_q == last_q;
     assign write_o   = write_q;
+    assign count_o   = joined_q ? {12'd0, last_q - beat_q} + 16'd1 : 16'd1;
     assign address_o = address_q;
     assign wdata_o   = wdata_q;
     assign be_o      = be_q;
@@ -65,6 +69,7 @@ module de1sim_hps_bridge #(
         if (begins) begin
             burst = de1sim_hps_burst();
             {write_q, last_q} <= {burst[62], burst[35:32]};
+            joined_q <= burst[40:39] == INCR && 8 << burst[38:36] == WIDTH;
         end
         if (begins || next) begin
             strobes   = de1sim_hps_beat(begins ? 0 : {28'd0, beat_q} + 1, address, data);

@@ -34,6 +34,7 @@ private:
             const std::string& reset) {
         for (const char* bit : {"_valid", "_ready", "_write", "_rvalid"}) text_.wire(name + bit, 1);
         text_.wire(name + "_address", 32);
+        text_.wire(name + "_count", 16);
         text_.wire(name + "_wdata", width);
         text_.wire(name + "_rdata", width);
         text_.wire(name + "_be", width / 8, width > 8);
@@ -43,12 +44,13 @@ private:
     static std::string asks(const Bus& b) {
         return fmt::format(
             ".valid_o({0}_valid), .ready_i({0}_ready), .write_o({0}_write),\n"
-            "        .address_o({0}_address), .wdata_o({0}_wdata), .be_o({0}_be),\n"
+            "        .count_o({0}_count), .address_o({0}_address), .wdata_o({0}_wdata), "
+            ".be_o({0}_be),\n"
             "        .rvalid_i({0}_rvalid), .rdata_i({0}_rdata)",
             b.name);
     }
     void connect_command(const Bus& from, const Bus& to) {
-        for (const char* wire : {"_write", "_address", "_wdata", "_be"})
+        for (const char* wire : {"_write", "_count", "_address", "_wdata", "_be"})
             text_.line(fmt::format("assign {}{} = {}{};", to.name, wire, from.name, wire));
     }
 
@@ -115,18 +117,22 @@ private:
             return own;
         }
         text_.line(fmt::format(
-            "de1sim_avalon_master #(.WIDTH({}), .READDATAVALID({})) {}_agent (\n"
+            "de1sim_avalon_master #(.WIDTH({}), .READDATAVALID({}), .WRAP({})) {}_agent (\n"
             "        .clk_i({}), .rst_i({}),\n        .address_i({}), .read_i({}), .write_i({}),\n"
             "        .byteenable_i({}), .writedata_i({}), .burstcount_i({}),\n"
             "        .waitrequest_o({}), .readdatavalid_o({}), .readdata_o({}),\n        {}\n    "
             ");",
-            m.width, i.port("readdatavalid") ? 1 : 0, own.name, own.clock, own.reset,
+            m.width, i.port("readdatavalid") ? 1 : 0,
+            is_set(i, "linewrapBursts") ? longest_burst(i, m.width) * m.width / 8 : 0, own.name,
+            own.clock, own.reset,
             lower(i.property("addressUnits", "SYMBOLS")) == "words"
                 ? fmt::format("{} * {}", from("address", "0"), m.width / 8)
                 : from("address", "0"),
             from("read", "1'b0"), from("write", "1'b0"),
             from("byteenable", fmt::format("{{{}{{1'b1}}}}", m.width / 8)),
-            from("writedata", fmt::format("{}'d0", m.width)), from("burstcount", "11'd1"),
+            from("writedata", fmt::format("{}'d0", m.width)),
+            from("burstcount", "11'd1") +
+                (in_symbols(i) ? fmt::format(" / {}", m.width / 8) : std::string{}),
             to("waitrequest"), to("readdatavalid"), to("readdata"), asks(own)));
         return own;
     }
@@ -232,7 +238,8 @@ private:
         text_.line(
             fmt::format("de1sim_avalon_decoder #(.SLAVES({0}), .WIDTH({1})) {2}_decoder (\n"
                         "        .clk_i({3}), .rst_i({4}),\n"
-                        "        .valid_i({2}_valid), .ready_o({2}_ready), .hit_i({2}_hit),\n"
+                        "        .valid_i({2}_valid), .ready_o({2}_ready), .count_i({2}_count),\n"
+                        "        .hit_i({2}_hit),\n"
                         "        .rvalid_o({2}_rvalid), .rdata_o({2}_rdata),\n"
                         "        .valid_o({5}),\n        .ready_i({6}),\n        .rvalid_i({7}),\n"
                         "        .rdata_i({8})\n    );",
@@ -243,19 +250,20 @@ private:
     Bus crossed(const Bus& way, const Slave& s) {
         const Assembly::Clock clock = assembly_.clock_of(s.end);
         const Bus to = bus(way.name + "_crossed", way.width, clock.wire, assembly_.reset_of(s.end));
-        text_.line(
-            fmt::format("de1sim_avalon_crossing #(.WIDTH({})) {}_crossing (\n"
-                        "        .clk_i({}), {},\n        .to_clk_i({}), {}\n    );",
-                        way.width, way.name, way.clock, way.is_asked(), to.clock, asks(to)));
+        text_.line(fmt::format(
+            "de1sim_avalon_crossing #(.WIDTH({0})) {1}_crossing (\n"
+            "        .clk_i({2}), {3}, .count_i({1}_count),\n        .to_clk_i({4}), {5}\n    );",
+            way.width, way.name, way.clock, way.is_asked(), to.clock, asks(to)));
         return to;
     }
 
     Bus fitted(const Bus& way, const Slave& s) {
         const Bus to = bus(way.name + "_fitted", s.width, way.clock, way.reset);
         text_.line(fmt::format(
-            "de1sim_avalon_width #(.FROM({}), .TO({})) {}_width (\n"
-            "        .clk_i({}), .rst_i({}),\n        {},\n        {}\n    );",
-            way.width, s.width, way.name, way.clock, way.reset, way.is_asked(), asks(to)));
+            "de1sim_avalon_width #(.FROM({}), .TO({}), .BURSTS({})) {}_width (\n"
+            "        .clk_i({}), .rst_i({}),\n        {},\n        .count_i({}_count), {}\n    );",
+            way.width, s.width, longest_burst(*s.end.interface, s.width) > 1 ? 1 : 0, way.name,
+            way.clock, way.reset, way.is_asked(), way.name, asks(to)));
         return to;
     }
 
@@ -275,13 +283,13 @@ private:
         text_.line(fmt::format(
             "de1sim_avalon_arbiter #(.MASTERS({0}), .WIDTH({1}), .SHARES({{{2}}})) {3}_arbiter (\n"
             "        .clk_i({4}), .rst_i(1'b0),\n        .valid_i({5}),\n        .ready_o({6}),\n"
-            "        .write_i({7}),\n        .address_i({8}),\n        .wdata_i({9}),\n"
-            "        .be_i({10}),\n        .rvalid_o({11}),\n"
-            "        .valid_o({12}_valid), .ready_i({12}_ready), .write_o({12}_write),\n"
-            "        .address_o({12}_address), .wdata_o({12}_wdata), .be_o({12}_be),\n"
-            "        .rvalid_i({12}_rvalid)\n    );",
+            "        .write_i({7}),\n        .count_i({8}),\n        .address_i({9}),\n"
+            "        .wdata_i({10}),\n        .be_i({11}),\n        .rvalid_o({12}),\n"
+            "        .valid_o({13}_valid), .ready_i({13}_ready), .write_o({13}_write),\n"
+            "        .count_o({13}_count), .address_o({13}_address), .wdata_o({13}_wdata),\n"
+            "        .be_o({13}_be), .rvalid_i({13}_rvalid)\n    );",
             masters.size(), s.width, shares, short_name(s.end), to.clock, all("_valid"),
-            all("_ready"), all("_write"), all("_address"), all("_wdata"), all("_be"),
+            all("_ready"), all("_write"), all("_count"), all("_address"), all("_wdata"), all("_be"),
             all("_rvalid"), to.name));
         for (const auto& [way, n] : masters)
             text_.line(fmt::format("assign {}_rdata = {}_rdata;", way.name, to.name));

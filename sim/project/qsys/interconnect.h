@@ -4,9 +4,10 @@
 //                               +-> ...                    |
 //   master -> agent -> decoder -+--------------------------+
 //
-// The modules are those of rtl/ip/qsys.  As in the vendor's interconnect an address is decoded up
-// to the end of the highest slave, and one of nobody goes to the largest slave that takes such an
-// access, of equals the lowest.
+// The modules are those of rtl/ip/qsys.  A burst is a command for each word, which says how many
+// are to come; the agent of a slave that takes bursts joins them again.  As in the vendor's
+// interconnect an address is decoded up to the end of the highest slave, and one of nobody goes to
+// the largest slave that takes such an access, of equals the lowest.
 #pragma once
 
 #include <cstdint>

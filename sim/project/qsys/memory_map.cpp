@@ -23,6 +23,24 @@ bool is_axi(const Interface& slave) {
     return slave.type == "axi" || slave.type == "axi4" || slave.type == "axi4lite";
 }
 
+bool is_set(const Interface& interface, const char* property) {
+    const std::string value = lower(interface.property(property));
+    return value == "true" || value == "1";
+}
+
+bool in_symbols(const Interface& interface) {
+    return lower(interface.property("burstcountUnits", "WORDS")) == "symbols";
+}
+
+unsigned longest_burst(const Interface& interface, unsigned width) {
+    constexpr unsigned MOST = 1024;  // words, by Avalon
+    const Port* count = interface.port("burstcount");
+    if (!count || count->width == 0) return 1;
+    std::uint64_t words = std::uint64_t{1} << (std::min(count->width, NATIVE) - 1);
+    if (in_symbols(interface)) words = words * 8 / width;
+    return static_cast<unsigned>(std::clamp<std::uint64_t>(words, 1, MOST));
+}
+
 MemoryMap::MemoryMap(const Assembly& assembly) : assembly_{assembly} {
     std::map<std::string, std::size_t> masters, slaves;
     for (const Connection& c : assembly_.connections()) {

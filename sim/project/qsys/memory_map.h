@@ -43,6 +43,12 @@ struct Place {
 
 bool is_axi(const Interface& slave);  // AXI3, AXI4 or AXI4-Lite
 
+// Of an Avalon interface: whether a property is set; whether it counts a burst's bytes, not its
+// words; the words of its longest burst, a power of 2, with data of `width` bits.
+bool is_set(const Interface& interface, const char* property);
+bool in_symbols(const Interface& interface);
+unsigned longest_burst(const Interface& interface, unsigned width);
+
 // Of a bridge of the processor, in its addresses; 0 for other masters.
 std::uint32_t window_of(const Master& master);
 

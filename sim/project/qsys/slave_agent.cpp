@@ -9,6 +9,9 @@ namespace sim::project::qsys {
 
 namespace {
 
+// Of reads, as the interconnect holds them.  The vendor's lets a slave have one more than it says.
+constexpr unsigned MOST_PENDING = 128;
+
 class Agent {
 public:
     Agent(const Assembly& assembly, VerilogText& text, const Slave& slave, const Bus& from,
@@ -23,12 +26,25 @@ public:
 
     void avalon() {
         const Interface& i = interface_;
+        const unsigned burst = longest_burst(i, slave_.width);
+        const unsigned pending = i.number("maximumPendingReadTransactions", 0);
+        const std::string joined = name_ + "_burst";
+        Bus bus = from_;
+        if (burst > 1) {
+            bus = joined_bus(joined, burst, pending);
+            constant({{"burstcount",
+                       fmt::format("{}_length{}", joined,
+                                   in_symbols(i) ? fmt::format(" * {}", slave_.width / 8) : "")}});
+        } else {
+            constant(
+                {{"burstcount", in_symbols(i) ? fmt::format("{}", slave_.width / 8) : "1'b1"}});
+        }
         constant({{"clken", "1'b1"},
                   {"debugaccess", "1'b0"},
-                  {"burstcount", "1'b1"},
-                  {"beginbursttransfer", name_ + ".begintransfer_o"},
+                  {"beginbursttransfer",
+                   name_ + ".begintransfer_o" + (burst > 1 ? " && " + joined + "_first" : "")},
                   {"penable", fmt::format("{0}.read_o || {0}.write_o", name_)},  // APB
-                  {"pwrite", from_.name + "_write"}});
+                  {"pwrite", bus.name + "_write"}});
         const bool waits = i.port("waitrequest") || i.port("waitrequest_n");
         const unsigned read_wait = i.number("readWaitTime", i.number("readWaitStates", 1)),
                        write_wait = i.number("writeWaitTime", i.number("writeWaitStates", 0));
@@ -39,15 +55,18 @@ public:
         text_.line(fmt::format(
             "de1sim_avalon_slave #(\n        .WIDTH({}), .ADDRESS({}), .SHIFT({}), .SETUP({}), "
             ".READ_WAIT({}), .WRITE_WAIT({}), .HOLD({}), .LATENCY({}),\n"
-            "        .WAITREQUEST({}), .READDATAVALID({}), .READS({}), .WRITES({})\n    ) {} (\n"
-            "        .clk_i({}), .rst_i({}),\n        {},\n"
+            "        .WAITREQUEST({}), .READDATAVALID({}), .READS({}), .WRITES({}),\n"
+            "        .MOST({})\n    ) {} (\n"
+            "        .clk_i({}), .rst_i({}),\n        {},\n        .length_i({}),\n"
             "        .address_o({}), .chipselect_o({}), .read_o({}), .write_o({}),\n"
             "        .begintransfer_o({}), .byteenable_o({}), .writedata_o({}),\n"
             "        .readdata_i({}), .waitrequest_i({}), .readdatavalid_i({})\n    );",
             slave_.width, std::max(1u, slave_.address_bits), slave_.shift, i.number("setupTime", 0),
             read_wait, write_wait, i.number("holdTime", 0), i.number("readLatency", 0),
             waits ? 1 : 0, i.port("readdatavalid") || i.port("readdatavalid_n") ? 1 : 0,
-            slave_.reads ? 1 : 0, slave_.writes ? 1 : 0, name_, clock_, reset_, from_.is_asked(),
+            slave_.reads ? 1 : 0, slave_.writes ? 1 : 0,
+            burst > 1 || pending == 0 ? MOST_PENDING : std::min(pending + 1, MOST_PENDING), name_,
+            clock_, reset_, bus.is_asked(), burst > 1 ? joined + "_length" : "12'd1",
             wire("address"), drive("chipselect"), drive("read"), drive("write"),
             drive("begintransfer"), bytes, wire("writedata"),
             output("readdata", fmt::format("{}'d0", slave_.width)), output("waitrequest", "1'b0"),
@@ -101,6 +120,31 @@ public:
     }
 
 private:
+    // What the slave gets as bursts: of `most` words, with a slave's own number of pending reads.
+    Bus joined_bus(const std::string& name, unsigned most, unsigned pending) {
+        constexpr unsigned MOST_READS = 64;
+        const Bus to{name, from_.width, clock_, reset_};
+        for (const char* bit : {"_valid", "_ready", "_write", "_rvalid", "_first"})
+            text_.wire(name + bit, 1);
+        text_.wire(name + "_address", 32);
+        text_.wire(name + "_length", 12);
+        text_.wire(name + "_wdata", from_.width);
+        text_.wire(name + "_rdata", from_.width);
+        text_.wire(name + "_be", from_.width / 8, from_.width > 8);
+        text_.line(fmt::format(
+            "de1sim_avalon_burst #(.WIDTH({0}), .MAX({1}), .BOUNDARIES({2}), .WRAPS({3}), "
+            ".READS({4}),\n        .PENDING({5})) {6} (\n"
+            "        .clk_i({7}), .rst_i({8}),\n        {9}, .count_i({10}_count),\n"
+            "        .valid_o({6}_valid), .ready_i({6}_ready), .write_o({6}_write),\n"
+            "        .address_o({6}_address), .length_o({6}_length), .first_o({6}_first),\n"
+            "        .wdata_o({6}_wdata), .be_o({6}_be), .rvalid_i({6}_rvalid),\n"
+            "        .rdata_i({6}_rdata)\n    );",
+            from_.width, most, is_set(interface_, "burstOnBurstBoundariesOnly") ? 1 : 0,
+            is_set(interface_, "linewrapBursts") ? 1 : 0, slave_.reads ? 1 : 0,
+            pending == 0 ? MOST_READS : std::min(pending + 1, MOST_READS), name, clock_, reset_,
+            from_.is_asked(), from_.name));
+        return to;
+    }
     std::string wire(const char* role) const {
         const Port* port = interface_.port(role);
         return port ? slave_.end.wire(*port) : std::string{};
