@@ -176,6 +176,7 @@ regmap:                 ## write what is made of sources again: REGISTERS.md, ST
 	@build/gen_regmap vh > build/regmap.vh && mv build/regmap.vh rtl/regmap/
 	@build/gen_regmap decode > build/lw_decode.vh && mv build/lw_decode.vh rtl/regmap/
 	@build/gen_regmap md > build/REGISTERS.md && mv build/REGISTERS.md rtl/regmap/
+	@build/gen_regmap de10 > build/DE10_LITE.md && mv build/DE10_LITE.md rtl/regmap/
 	@build/gen_regmap c > build/registers.h && mv build/registers.h sw/examples/
 	@$(CXX) -std=c++17 -Isw -o build/gen_font sw/gfx/gen_font.cpp sw/gfx/font.cpp sw/gfx/canvas.cpp
 	@build/gen_font > build/character_font.vh && mv build/character_font.vh rtl/vga/

@@ -2,10 +2,13 @@
 //   gen_regmap vh       regmap.vh, included by the RTL
 //   gen_regmap decode   lw_decode.vh, which block owns an address on the lightweight bridge
 //   gen_regmap md       REGISTERS.md, for people
+//   gen_regmap de10     DE10_LITE.md, the DE10-Lite Computer's
 //   gen_regmap c        sw/examples/registers.h, for programs in C
 #include <cstdio>
 #include <cstring>
+#include <vector>
 
+#include "de10_lite.h"
 #include "regmap.h"
 
 namespace {
@@ -64,28 +67,38 @@ void print_decoder() {
     std::puts("    end\nendfunction");
 }
 
-void print_block(const regmap::Block& block) {
-    std::printf("\n## %s\n\n`0x%08X`, `0x%X` bytes", block.name, block.base, block.size);
+// The interrupt of the block of that name; 0: none.
+unsigned interrupt_of(const char* name) {
 #define BLOCK(b, base, size, text)
 #define REG(b, r, offset, access, reset, text)
 #define FIELD(b, r, f, lsb, width, text)
 #define IRQ(irq, id) \
-    if (std::strcmp(#irq, block.name) == 0) std::printf("; interrupt %d", id);
+    if (std::strcmp(#irq, name) == 0) return id;
 #include "regmap.def"
 #undef BLOCK
 #undef REG
 #undef FIELD
 #undef IRQ
+    return 0;
+}
+
+using Regs = std::vector<regmap::Reg>;
+using Fields = std::vector<regmap::Field>;
+
+void print_block(const regmap::Block& block, unsigned interrupt, const Regs& regs,
+                 const Fields& fields) {
+    std::printf("\n## %s\n\n`0x%08X`, `0x%X` bytes", block.name, block.base, block.size);
+    if (interrupt) std::printf("; interrupt %u", interrupt);
     std::printf(": %s.\n", block.text);
     const char* const access[] = {"RO", "RW", "WO"};
     bool first = true;
-    for (const auto& reg : regmap::REGS) {
+    for (const auto& reg : regs) {
         if (reg.addr - block.base >= block.size) continue;
         if (first) std::puts("\n| register | address | access | reset | |\n|---|---|---|---|---|");
         first = false;
         std::printf("| `%s` | `0x%08X` | %s | `0x%08X` | %s |\n", reg.name, reg.addr,
                     access[static_cast<int>(reg.access)], reg.reset, reg.text);
-        for (const auto& field : regmap::FIELDS) {
+        for (const auto& field : fields) {
             if (std::strcmp(field.reg, reg.name) != 0) continue;
             if (field.width == 1)
                 std::printf("| %s | bit %u", field.name, field.lsb);
@@ -96,6 +109,9 @@ void print_block(const regmap::Block& block) {
         }
     }
 }
+
+const Regs REGS_OF_DE1{std::begin(regmap::REGS), std::end(regmap::REGS)};
+const Fields FIELDS_OF_DE1{std::begin(regmap::FIELDS), std::end(regmap::FIELDS)};
 
 void print_markdown() {
     std::puts("# Registers\n");
@@ -109,7 +125,32 @@ void print_markdown() {
                 regmap::lw_default().name);
     std::printf("repeat each %u KB and each 256 MB.  A run reports it, once per place.\n",
                 regmap::LW_DECODED / 1024);
-    for (const auto& block : regmap::BLOCKS) print_block(block);
+    for (const auto& block : regmap::BLOCKS)
+        print_block(block, interrupt_of(block.name), REGS_OF_DE1, FIELDS_OF_DE1);
+}
+
+void print_de10_lite() {
+    using namespace regmap::de10_lite;
+    std::puts("# Registers of the DE10-Lite Computer with Nios V\n");
+    std::puts("Generated from de10_lite.def by `make regmap`; do not edit.");
+    std::puts("`de1sim --board de10-lite prog.elf` has them.\n");
+    std::puts(
+        "A block reads 0 and loses writes where it has no register; a read-only register loses");
+    std::puts(
+        "writes.  Addresses without a block, and writes to a block that can only be read, go to");
+    std::puts(
+        "the SDRAM, of which they have the lower 26 bits.  A run reports it, once per place.");
+    std::puts("Interrupts are bits of `mie` and `mip`.");
+    for (const auto& block : OWN_AND_SAME) {
+        unsigned interrupt = 0;
+        for (const Line& line : LINES)
+            if (std::strcmp(line.block, block.name) == 0) interrupt = line.number;
+        if (is_same(block))
+            print_block(block, interrupt, REGS_OF_DE1, FIELDS_OF_DE1);
+        else
+            print_block(block, interrupt, {std::begin(OWN_REGS), std::end(OWN_REGS)},
+                        {std::begin(OWN_FIELDS), std::end(OWN_FIELDS)});
+    }
 }
 
 void print_c() {
@@ -129,7 +170,8 @@ int main(int argc, char** argv) {
     if (std::strcmp(view, "vh") == 0) return print_verilog(), 0;
     if (std::strcmp(view, "decode") == 0) return print_decoder(), 0;
     if (std::strcmp(view, "md") == 0) return print_markdown(), 0;
+    if (std::strcmp(view, "de10") == 0) return print_de10_lite(), 0;
     if (std::strcmp(view, "c") == 0) return print_c(), 0;
-    std::fprintf(stderr, "usage: gen_regmap vh|decode|md|c\n");
+    std::fprintf(stderr, "usage: gen_regmap vh|decode|md|de10|c\n");
     return 2;
 }

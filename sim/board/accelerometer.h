@@ -56,18 +56,19 @@ public:
     }
 
     Adxl345& chip() { return chip_; }  // on boards that have it on pins of the FPGA
+    // INT1, and when it may move next, after an access by these pins.
+    void settle() {
+        if (const bool up = chip_.int1(); std::exchange(up_, up) != up) interrupt_(up);
+        event_.cancel();
+        if (const auto next = chip_.next_ps())
+            event_.notify(sc_core::sc_time::from_value(*next > now_ps() ? *next - now_ps() : 0));
+    }
 
 private:
     static std::uint64_t now_ps() { return sc_core::sc_time_stamp().value(); }
     void sample() {
         chip_.advance(now_ps());
         settle();
-    }
-    void settle() {
-        if (const bool up = chip_.int1(); std::exchange(up_, up) != up) interrupt_(up);
-        event_.cancel();
-        if (const auto next = chip_.next_ps())
-            event_.notify(sc_core::sc_time::from_value(*next > now_ps() ? *next - now_ps() : 0));
     }
 
     Adxl345 chip_;

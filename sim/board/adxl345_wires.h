@@ -7,8 +7,8 @@
 //
 // Source: ADXL345 data sheet, revision G.
 //
-// Not handled: INT1 and INT2; SPI faster than 5 MHz works; a transfer of several bytes without the
-// bit for it.
+// Not handled: INT2, and INT1 in a project; SPI faster than 5 MHz works; a transfer of several
+// bytes without the bit for it.
 #pragma once
 
 #include <cstdint>

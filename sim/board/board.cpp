@@ -30,6 +30,7 @@ Board::Board(const sc_core::sc_module_name& name, BoardObserver& observer, std::
       has_codec_{shape.on_i2c.count("WM8731") > 0},
       has_decoder_{shape.on_i2c.count("ADV7180") > 0},
       has_hdmi_{shape.on_i2c.count("ADV7513") > 0},
+      hears_gsensor_{shape.hears_gsensor},
       monitor{[&observer](const Monitor::Frame& frame) { observer.frame(frame); }, vga,
               [&observer, vga](const std::string& line) {
                   if (vga == Monitor::Strictness::TOLERANT) observer.log("monitor: " + line);
@@ -214,6 +215,7 @@ void Board::gsensor(const GsensorPins& pins, std::uint64_t time_ps, ChipInputs& 
     accelerometer_wires.drive(pins, time_ps);
     in.gsensor_sdi = !accelerometer_wires.pulls_sdi_low();
     in.gsensor_sdo = !accelerometer_wires.pulls_sdo_low();
+    if (hears_gsensor_ && pins.cs_n) accelerometer.settle();
 }
 
 void Board::sdram(const SdramPins& pins, std::uint64_t time_ps, std::uint16_t& dq, bool& more) {

@@ -59,6 +59,7 @@ namespace sim {
 struct BoardShape {
     std::set<std::string> on_i2c{"WM8731", "ADV7180"};  // the FPGA's: of these, and ADV7513
     bool has_blank = true;                              // BLANK_N, of the monitor
+    bool hears_gsensor = false;  // INT1 of an accelerometer on pins of the FPGA is wired, too
 };
 
 class Board : public sc_core::sc_module, private PinListener {
@@ -115,6 +116,7 @@ private:
     void headers(const HeaderPins& pins, std::uint64_t time_ps, ChipInputs& in) override;
     void adc(const AdcPins& pins, std::uint64_t time_ps, ChipInputs& in) override;
     void gsensor(const GsensorPins& pins, std::uint64_t time_ps, ChipInputs& in) override;
+    int analog_mv(unsigned input) const override { return adc_chip.millivolts(input); }
     void sdram(const SdramPins& pins, std::uint64_t time_ps, std::uint16_t& dq,
                bool& more) override;
     void lamps(const LampPins& pins, std::uint64_t time_ps) override;
@@ -135,7 +137,7 @@ private:
     LampBank eyes_{LAMPS, [this](std::uint64_t time_ps) { see(time_ps); }};
     unsigned ps2_clk_low_ = 0, ps2_dat_low_ = 0;  // by the FPGA
     std::array<Ps2Device*, 2> ps2_{};             // in each port; may be none
-    const bool has_codec_, has_decoder_, has_hdmi_;
+    const bool has_codec_, has_decoder_, has_hdmi_, hears_gsensor_;
     bool warned_ = false;  // that nothing may be seen
     double rate_hz_ = 0;   // of the samples given to the observer so far
 

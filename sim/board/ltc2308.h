@@ -24,6 +24,7 @@ public:
 
     // Millivolts at input `channel` against ground; converted from the next CONVST on.
     void set(unsigned channel, int millivolts) { inputs_.at(channel) = millivolts; }
+    int millivolts(unsigned channel) const { return inputs_.at(channel); }
 
     // Call when a pin may have changed; sdo() is the level from then on.
     void drive(bool convst, bool sck, bool sdi, std::uint64_t time_ps);

@@ -37,7 +37,7 @@ unsigned nios_v_interrupt(unsigned id) {
 
 NiosVComputer::NiosVComputer(const sc_core::sc_module_name& name, PinListener& pins,
                              ChipObserver& observer, std::uint8_t* sdram, NiosVProgram program,
-                             const Settings& settings)
+                             const Settings& settings, NoMap)
     : sc_module{name},
       ComputerFabric{pins, observer, sdram, settings, 0},
       bus{"bus"},
@@ -45,26 +45,37 @@ NiosVComputer::NiosVComputer(const sc_core::sc_module_name& name, PinListener& p
       timer{"timer",
             [this](std::uint32_t lines) {
                 of_timer_ = lines;
-                cpu.set_lines(of_timer_ | of_fabric_);
+                hand_on_lines();
             }},
       cpu{"cpu", std::move(program), [&observer](const std::string& line) { observer.log(line); }} {
     cpu.socket.bind(bus.socket);
-    bus.window("memory", 0, MEMORY_SIZE).bind(fpga.h2f);
-    bus.window("registers", LW_BASE, LW_SIZE).bind(window.socket);
     window.fpga.bind(fpga.lw);
     window.timer.bind(timer.socket);
-    describe("memory", "registers", bus, cpu, observer,
-             {{"the machine timer", TIMER_BASE, MachineTimer::SIZE}});
     cpu.explain_by([this](auto... access) { return bus.refusal(access...); });
     if (settings.shortcuts) cpu.set_steady_bus(this);
     fpga.on_interrupts([this](std::uint64_t levels) { fabric_interrupts(levels); });
+}
+
+NiosVComputer::NiosVComputer(const sc_core::sc_module_name& name, PinListener& pins,
+                             ChipObserver& observer, std::uint8_t* sdram, NiosVProgram program,
+                             const Settings& settings)
+    : NiosVComputer{name, pins, observer, sdram, std::move(program), settings, NoMap{}} {
+    bus.window("memory", 0, MEMORY_SIZE).bind(fpga.h2f);
+    bus.window("registers", LW_BASE, LW_SIZE).bind(window.socket);
+    describe("memory", "registers", bus, cpu, observer,
+             {{"the machine timer", TIMER_BASE, MachineTimer::SIZE}});
 }
 
 void NiosVComputer::fabric_interrupts(std::uint64_t levels) {
     of_fabric_ = 0;
     for (const Interrupt& interrupt : INTERRUPTS)
         if (levels >> (interrupt.id - FIRST_OF_FABRIC) & 1) of_fabric_ |= 1u << interrupt.number;
-    cpu.set_lines(of_timer_ | of_fabric_);
+    hand_on_lines();
+}
+
+void NiosVComputer::set_line(unsigned number, bool up) {
+    of_others_ = (of_others_ & ~(1u << number)) | std::uint32_t{up} << number;
+    hand_on_lines();
 }
 
 // The timer counts, and the memories have no answers that are kept.

@@ -57,9 +57,18 @@ public:
     bool has_written_memory() const override { return bus.written("memory"); }
     bool has_own_memory() const override { return false; }
 
+protected:
+    // Without the windows of the bus: a derived class has a map of its own.
+    struct NoMap {};
+    NiosVComputer(const sc_core::sc_module_name& name, PinListener& pins, ChipObserver& observer,
+                  std::uint8_t* sdram, NiosVProgram program, const Settings& settings, NoMap);
+
+    bool is_plain(std::uint32_t address, bool write, std::uint32_t value) const override;
+    // The level of an interrupt that is none of the fabric's, a bit of mip.
+    void set_line(unsigned number, bool up);
+
 private:
     std::uint64_t changes() const override { return fpga.changes(); }
-    bool is_plain(std::uint32_t address, bool write, std::uint32_t value) const override;
     std::uint64_t fixed_ps(std::uint32_t) const override { return 0; }
     std::optional<std::uint64_t> again(bool write, std::uint64_t begin_ps) override {
         return fpga.again(write, begin_ps);
@@ -67,7 +76,9 @@ private:
     void left_out(bool write, std::uint64_t accesses) override { bus.left_out(write, accesses); }
     void fabric_interrupts(std::uint64_t levels);
 
-    std::uint32_t of_fabric_ = 0, of_timer_ = 0;  // bits of mip
+    void hand_on_lines() { cpu.set_lines(of_timer_ | of_fabric_ | of_others_); }
+
+    std::uint32_t of_fabric_ = 0, of_timer_ = 0, of_others_ = 0;  // bits of mip
 
 public:
     Bus bus;

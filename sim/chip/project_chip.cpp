@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "sim/project/runtime/analog.h"
 #include "sim/text/messages.h"
 
 namespace sim {
@@ -29,6 +30,9 @@ ProjectChip::ProjectChip(const sc_core::sc_module_name& name, PinListener& pins,
     const auto open =
         reinterpret_cast<project::OpenModel*>(dlsym(library_.get(), "de1sim_open_model"));
     if (!open) throw std::runtime_error{library.string() + ": is not a design that was built here"};
+    if (const auto set_analog = reinterpret_cast<decltype(&de1sim_set_analog)>(
+            dlsym(library_.get(), "de1sim_set_analog")))
+        set_analog(&pins);
     model_.reset(open(pins, {folder.c_str(), trace, [](const char* line) { complain(line); },
                              terminals, memory}));
     SC_HAS_PROCESS(ProjectChip);

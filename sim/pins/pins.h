@@ -121,6 +121,9 @@ public:
     virtual void adc(const AdcPins& pins, std::uint64_t time_ps, ChipInputs& in) = 0;
     virtual void gsensor(const GsensorPins& /*pins*/, std::uint64_t /*time_ps*/,
                          ChipInputs& /*in*/) {}
+    // What is wired to an analog input of the board, 0 to 7, in millivolts against ground: for a
+    // converter inside the chip.
+    virtual int analog_mv(unsigned /*input*/) const { return 0; }
     // Called in each clock in which CS_N is low or CKE has moved, and in the next ones for as long
     // as `more` stays true.  `dq` is what is on DQ when the next clock begins.
     virtual void sdram(const SdramPins& pins, std::uint64_t time_ps, std::uint16_t& dq,

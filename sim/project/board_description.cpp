@@ -185,6 +185,9 @@ private:
         } else if (word == "processor") {
             if (value != "HPS") refuse("the processor HPS, or no such line", '"' + value + '"');
             board_.has_processor = true;
+        } else if (word == "analog-inputs") {
+            board_.analog_inputs = static_cast<unsigned>(number(value));
+            if (board_.analog_inputs > 8) refuse("at most 8 inputs", '"' + value + '"');
         } else if (word == "i2c") {
             board_.on_i2c.insert(words.begin(), words.end());
         } else if (word == "other-pins") {

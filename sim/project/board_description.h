@@ -47,6 +47,7 @@ struct BoardDescription {
     unsigned long long registers = 0, memory_bits = 0;  // of the FPGA; 0: not known
     std::string memory_blocks;                          // "182 M9K"
     bool has_processor = false;
+    unsigned analog_inputs = 0;        // of a converter in the FPGA
     std::set<std::string> on_i2c;      // parts on FPGA_I2C: "WM8731", "ADV7180", "ADV7513"
     std::set<std::string> other_pins;  // of the FPGA, where the board has nothing; empty: not known
     std::vector<BoardSignal> signals;
@@ -71,6 +72,9 @@ BoardDescription read_board(const std::filesystem::path& file);
 
 // All that are described, by name.
 std::vector<BoardDescription> all_boards();
+
+// The one of that name, "DE10-Lite" or "de10_lite".  ProjectError: there is none.
+BoardDescription board_named(const std::vector<BoardDescription>& boards, const std::string& name);
 
 struct BoardRequest {
     std::string name;                         // by --board, or empty

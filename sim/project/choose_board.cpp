@@ -63,25 +63,25 @@ Boards by_pins(const Boards& boards, const Pins& pins) {
     return best;
 }
 
-BoardDescription named(const Boards& boards, const std::string& name) {
-    for (const BoardDescription& board : boards)
-        if (plain(board.name) == plain(name)) return board;
-    throw ProjectError{fmt::format("--board {}: there is no such board: expected one of {}", name,
-                                   list_of(boards))};
-}
-
 std::string other_device(const BoardDescription& board, const std::string& device) {
     return fmt::format("DEVICE is {}, not the {}'s {}", device, board.name, board.devices.front());
 }
 
 }  // namespace
 
+BoardDescription board_named(const Boards& boards, const std::string& name) {
+    for (const BoardDescription& board : boards)
+        if (plain(board.name) == plain(name)) return board;
+    throw ProjectError{fmt::format("--board {}: there is no such board: expected one of {}", name,
+                                   list_of(boards))};
+}
+
 BoardChoice choose_board(const Boards& boards, const BoardRequest& request) {
     const auto is_of = [&](const BoardDescription& board) {
         return request.device.empty() || board.has_device(request.device);
     };
     if (!request.name.empty()) {
-        BoardChoice choice{named(boards, request.name), false, {}};
+        BoardChoice choice{board_named(boards, request.name), false, {}};
         if (is_of(choice.board) || !by_pins({choice.board}, request.pins).empty()) return choice;
         choice.is_for_other_device = true;
         choice.notes = {other_device(choice.board, request.device) + ": ports go by their names"};
@@ -117,7 +117,7 @@ BoardChoice choose_board(const Boards& boards, const BoardRequest& request) {
         return {best.front(),
                 false,
                 {other_device(best.front(), request.device) + ", but the pins are those of it"}};
-    const BoardDescription preset = named(boards, PRESET);
+    const BoardDescription preset = board_named(boards, PRESET);
     if (request.device.empty()) return {preset, false, {}};
     return {preset,
             true,

@@ -71,6 +71,25 @@ void refuse_other_chips_options(const ChipDescription& chip, bool has_project) {
             ": is for the DE1-SoC Computer, which is built in: expected no project"};
 }
 
+// The board whose computer the program runs on, by --board; nothing: the DE1-SoC.
+std::optional<project::BoardDescription> computer_of(const ChipDescription& chip,
+                                                     RunPlan::Processor processor) {
+    constexpr const char *PRESET = "DE1-SoC", *WITH_NIOS_V = "DE10-Lite";
+    const auto board = project::board_named(project::all_boards(), chip.project.board);
+    if (board.name == PRESET) return {};
+    const std::string option = "--board " + board.name + ": ";
+    if (board.name != WITH_NIOS_V)
+        throw std::runtime_error{option + "no computer for it is built in: expected " + PRESET +
+                                 " or " + WITH_NIOS_V + ", or --project with a design for it"};
+    if (processor != RunPlan::Processor::NIOS_V)
+        throw std::runtime_error{option +
+                                 "its computer has Nios V: expected a program for RISC-V, "
+                                 "riscv64-unknown-elf-gcc -march=rv32im -mabi=ilp32"};
+    if (chip.audio_rate)
+        throw std::runtime_error{option + "it has no sound: expected no --audio-rate"};
+    return board;
+}
+
 }  // namespace
 
 std::string missing_for(const RunPlan& plan, const Step& step) {
@@ -83,7 +102,8 @@ void set_board(RunPlan& plan, const project::BoardDescription& board) {
     if (plan.processor == RunPlan::Processor::ARM && !board.has_processor)
         throw std::runtime_error{"--elf: the chip of the " + board.name +
                                  " has no processor to run it: expected no program"};
-    if (plan.strictness == Monitor::Strictness::STRICT && !board.has_wire("VGA_BLANK_N"))
+    if (plan.has_project() && plan.strictness == Monitor::Strictness::STRICT &&
+        !board.has_wire("VGA_BLANK_N"))
         throw std::runtime_error{"--strict-vga: needs BLANK_N, which the " + board.name +
                                  " has not: expected no such option"};
     BoardParts& parts = plan.scenario.board;
@@ -93,6 +113,8 @@ void set_board(RunPlan& plan, const project::BoardDescription& board) {
     // The processor's I2C has the sensor where the FPGA has it not.
     if (board.has_processor) parts.wires.insert({"HPS", "MOTION"});
     if (board.has_wire("GSENSOR_CS_N")) parts.wires.insert("MOTION");
+    for (unsigned n = 0; n < board.analog_inputs; ++n)
+        parts.wires.insert("ANALOG[" + std::to_string(n) + "]");
     check_scenario(plan.scenario);
 }
 
@@ -128,7 +150,13 @@ RunPlan plan_run(RunDescription description) {
         if (const std::string missing = missing_for(plan, *step.step); !missing.empty())
             throw ScenarioError{plan.scenario.file, step.line, step.column, missing};
     plan.scenario.on_linux = plan.on_linux;
-    check_scenario(plan.scenario);
+    const ChipDescription& planned = plan.description.chip;
+    if (!has_project && !planned.project.board.empty())
+        plan.computer_of = computer_of(planned, processor);
+    if (plan.computer_of)
+        set_board(plan, *plan.computer_of);
+    else
+        check_scenario(plan.scenario);
     return plan;
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "sim/board/monitor.h"
+#include "sim/project/board_description.h"
 #include "sim/run/description.h"
 #include "sim/scenario/scenario.h"
 
@@ -17,6 +18,8 @@ struct RunPlan {
     RunDescription description;  // with the project and the program that the scenario names
     Scenario scenario;           // empty: the program alone
     Processor processor = Processor::NATIVE;
+    // Whose computer is in the chip, by --board; none: the DE1-SoC's, or a project.
+    std::optional<project::BoardDescription> computer_of;
     bool on_linux = false;  // the ARM's program
     std::uint64_t seed = 1;
     std::optional<SimTime> duration;

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "sim/chip/de10_lite_computer.h"
 #include "sim/chip/project_computer.h"
 #include "sim/debug/arm_debugger.h"
 #include "sim/debug/nios_v_debugger.h"
@@ -91,6 +92,15 @@ ExitCode exit_code(const RunReport& report) {
     }
 }
 
+BoardShape shape_of(const RunPlan& plan, const std::optional<project::Built>& built) {
+    if (built) return {built->board.on_i2c, built->board.has_wire("VGA_BLANK_N")};
+    if (!plan.computer_of) return {};
+    BoardShape shape;
+    shape.on_i2c = plan.computer_of->on_i2c;
+    shape.hears_gsensor = true;
+    return shape;
+}
+
 RunReport begun_report(const RunPlan& plan) {
     RunReport report;
     report.scenario = plan.scenario.name;
@@ -126,8 +136,7 @@ System::System(const RunPlan& plan, Software software, const std::optional<proje
             plan.strictness,
             plan.scenario.parts,
             plan.scenario.usb,
-            built ? BoardShape{built->board.on_i2c, built->board.has_wire("VGA_BLANK_N")}
-                  : BoardShape{}},
+            shape_of(plan, built)},
       runner{"runner", board, observers.recorder.observations(), plan.scenario.steps,
              plan.description.outputs.out} {
     const RunOutputs& outputs = plan.description.outputs;
@@ -162,8 +171,13 @@ std::unique_ptr<Chip> System::chip_for(const RunPlan& plan, Software software,
             plan.seed, trace, plan.bridged_memory ? Fpga::Memory::BRIDGED : Fpga::Memory::MAPPED,
             plan.audio_rate, run.program.shortcuts};
         if (auto* program = std::get_if<NiosVProgram>(&software)) {
-            auto chip = std::make_unique<NiosVComputer>("computer", pins, observer, sdram,
-                                                        std::move(*program), settings);
+            std::unique_ptr<NiosVComputer> chip;
+            if (plan.computer_of)
+                chip = std::make_unique<De10LiteComputer>("computer", pins, observer, sdram,
+                                                          std::move(*program), settings);
+            else
+                chip = std::make_unique<NiosVComputer>("computer", pins, observer, sdram,
+                                                       std::move(*program), settings);
             processor = nios_v_computer = chip.get();
             fabric = chip.get();
             return chip;

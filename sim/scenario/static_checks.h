@@ -25,6 +25,7 @@ public:
     // The board has this wire of the simulated chip, "SW[9]", or "HPS"; `what` for the message.
     void need_on_board(const std::string& wire, const std::string& what) const;
     void need_on_board(const HeaderMasks& pins) const;
+    bool has_on_board(const std::string& wire) const { return scenario_.board.has(wire); }
 
     void need(Ps2Plug plug) const;
     // A device on USB, which only a Linux program has.

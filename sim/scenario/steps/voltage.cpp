@@ -20,7 +20,9 @@ public:
         : channel_{v.number<unsigned>("channel")}, volts_{v.get<double>("volts")} {}
 
     void check(StaticChecks& checks) const override {
-        checks.need_on_board("ADC_DOUT", "the AD converter");
+        if (checks.has_on_board("ADC_DOUT")) return;
+        const std::string input = fmt::format("ANALOG[{}]", channel_);
+        checks.need_on_board(input, fmt::format("input {} of the AD converter", channel_));
     }
     std::string describe() const override {
         return fmt::format("apply {:.6g} V to CH{}", volts_, channel_);
