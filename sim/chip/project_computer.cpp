@@ -32,6 +32,7 @@ ProjectComputer::ProjectComputer(const sc_core::sc_module_name& name, PinListene
       masters{*this, ddr3_mb_per_s},
       fpga{"fpga", pins, library, folder, trace, this, &masters},
       bridges{"bridges", fpga},
+      peripherals{hps, fpga, [&observer](const std::string& line) { observer.log(line); }},
       system_{system},
       observer_{observer} {
     full_window.bind(bridges.h2f);

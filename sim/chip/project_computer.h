@@ -16,6 +16,7 @@
 #include "sim/chip/project_bridges.h"
 #include "sim/chip/project_chip.h"
 #include "sim/chip/project_masters.h"
+#include "sim/chip/project_peripherals.h"
 #include "sim/project/qsys/generate.h"
 
 namespace sim {
@@ -46,6 +47,7 @@ public:
     ProjectMasters masters;
     ProjectChip fpga;
     ProjectBridges bridges;
+    ProjectPeripherals peripherals;
 
 private:
     void reset_fpga(bool cold) override { fpga.reset(cold); }
