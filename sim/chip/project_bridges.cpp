@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "sim/chip/axi_bursts.h"
+#include "sim/hps/bridge_windows.h"
 
 namespace sim {
 
@@ -75,7 +76,7 @@ tlm::tlm_response_status ProjectBridges::play(const BridgeBurst& burst, sc_time&
     const std::uint64_t end_ps = model.time_ps() + LONGEST_PS;
     for (;;) {
         const std::uint64_t until_ps = std::min(end_ps, next_event_ps());
-        if (model.run_to_answer(until_ps)) break;
+        if (fpga_.run_to_answer(until_ps)) break;
         if (until_ps == end_ps || fpga_.end()) {
             const std::string missing = model.waits_for();
             why_ = missing.empty() ? "" : "its bridge waits for " + missing;
@@ -89,6 +90,20 @@ tlm::tlm_response_status ProjectBridges::play(const BridgeBurst& burst, sc_time&
     if (!error) return tlm::TLM_OK_RESPONSE;
     why_ = std::string{burst.write ? "BRESP" : "RRESP"} + (error == DECERR ? " DECERR" : " SLVERR");
     return tlm::TLM_GENERIC_ERROR_RESPONSE;
+}
+
+void ProjectBridges::set_copy(Copy copy) {
+    copy_ = std::move(copy);
+    lw.register_get_direct_mem_ptr(this, &ProjectBridges::direct_in_lightweight);
+    h2f.register_get_direct_mem_ptr(this, &ProjectBridges::direct_in_full);
+}
+
+bool ProjectBridges::direct_in_lightweight(tlm::tlm_generic_payload& tx, tlm::tlm_dmi& dmi) {
+    return copy_.direct(LW_BASE, tx, dmi);
+}
+
+bool ProjectBridges::direct_in_full(tlm::tlm_generic_payload& tx, tlm::tlm_dmi& dmi) {
+    return copy_.direct(H2F_BASE, tx, dmi);
 }
 
 void ProjectBridges::lightweight_transport(tlm::tlm_generic_payload& tx, sc_time& delay) {
@@ -130,6 +145,9 @@ void ProjectBridges::transport(bool full, tlm::tlm_generic_payload& tx, sc_time&
     busy_ = false;
     free_.notify();
     tx.set_response_status(status);
+    if (write && copy_.written && !how.fixed && tx.is_response_ok())
+        copy_.written((full ? H2F_BASE : LW_BASE) + static_cast<std::uint32_t>(tx.get_address()),
+                      tx.get_data_ptr(), tx.get_data_length());
 }
 
 }  // namespace sim

@@ -44,6 +44,15 @@ public:
     // Lets the access under way end, and begins no other: the next initiator waits for ever.
     void close() { closed_ = true; }
     bool is_busy() const { return busy_; }
+    // Direct access to a copy of a part of the window at `window`; and what was written by one.
+    struct Copy {
+        std::function<bool(std::uint32_t window, const tlm::tlm_generic_payload& tx,
+                           tlm::tlm_dmi& dmi)>
+            direct;
+        std::function<void(std::uint32_t address, const std::uint8_t* data, unsigned bytes)>
+            written;
+    };
+    void set_copy(Copy copy);
     // Of the last access that failed: "its bridge waits for rvalid", "RRESP SLVERR"; empty: not
     // known.
     const std::string& why() const { return why_; }
@@ -52,6 +61,8 @@ private:
     void lightweight_transport(tlm::tlm_generic_payload& tx, sc_core::sc_time& delay);
     void full_transport(tlm::tlm_generic_payload& tx, sc_core::sc_time& delay);
     void transport(bool full, tlm::tlm_generic_payload& tx, sc_core::sc_time& delay);
+    bool direct_in_lightweight(tlm::tlm_generic_payload& tx, tlm::tlm_dmi& dmi);
+    bool direct_in_full(tlm::tlm_generic_payload& tx, tlm::tlm_dmi& dmi);
     unsigned id_of(bool write, const AxiAttributes& how);
     tlm::tlm_response_status play(const project::BridgeBurst& burst, sc_core::sc_time& delay);
 
@@ -59,6 +70,7 @@ private:
     bool busy_ = false, closed_ = false;
     unsigned reads_ = 0, writes_ = 0;  // of the processor's, by which IDs come in turn
     std::string why_;
+    Copy copy_;  // or none
     sc_core::sc_event never_, free_;
 };
 

@@ -49,8 +49,19 @@ ProjectChip::~ProjectChip() {
 
 void ProjectChip::run_to(std::uint64_t time_ps) {
     // Ahead of that already, by an access.
-    if (time_ps >= model_->time_ps()) model_->run(time_ps_ = time_ps);
+    if (time_ps >= model_->time_ps()) {
+        is_running_ = true;
+        model_->run(time_ps_ = time_ps);
+        is_running_ = false;
+    }
     notify_processor();
+}
+
+bool ProjectChip::run_to_answer(std::uint64_t until_ps) {
+    is_running_ = true;
+    const bool is_answered = model_->run_to_answer(until_ps);
+    is_running_ = false;
+    return is_answered;
 }
 
 void ProjectChip::catch_up() {

@@ -39,6 +39,10 @@ public:
     project::Model& model() { return *model_; }
     // Runs up to this time, at most SystemC's next event, and notifies of what has changed.
     void run_to(std::uint64_t time_ps);
+    // Model::run_to_answer().
+    bool run_to_answer(std::uint64_t until_ps);
+    // It is called by the design that runs.
+    bool is_running() const { return is_running_; }
     struct Wires {
         std::function<void(std::uint64_t levels)> interrupts;   // Model::interrupts()
         std::function<void(unsigned requests)> reset_requests;  // Model::reset_requests()
@@ -60,6 +64,7 @@ private:
     std::unique_ptr<void, Unload> library_;
     std::unique_ptr<project::Model> model_;
     std::uint64_t time_ps_ = 0;
+    bool is_running_ = false;
     sc_core::sc_event look_, board_moves_, reset_ends_;
     PinListener& pins_;
     Wires wires_;  // or none

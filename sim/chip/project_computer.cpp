@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "sim/hps/bridge_windows.h"
+
 namespace sim {
 
 namespace {
@@ -32,6 +34,7 @@ ProjectComputer::ProjectComputer(const sc_core::sc_module_name& name, PinListene
       masters{*this, ddr3_mb_per_s},
       fpga{"fpga", pins, library, folder, trace, this, &masters},
       bridges{"bridges", fpga},
+      peripherals{hps, fpga, [&observer](const std::string& line) { observer.log(line); }},
       system_{system},
       observer_{observer} {
     full_window.bind(bridges.h2f);
@@ -58,11 +61,33 @@ ProjectComputer::ProjectComputer(const sc_core::sc_module_name& name, PinListene
     SC_METHOD(report_held_reset);
     sensitive << reset_held_;
     dont_initialize();
-    SC_METHOD(release_processor);
-    sensitive << program_begins_;
-    dont_initialize();
+    SC_THREAD(begin_program);
     cpu.hold_in_reset(true);
-    program_begins_.notify(program_begins);
+    if (arm && !arm->kernel()) serve_code();
+}
+
+// The parts of the program that are linked to the design's memory.
+void ProjectComputer::serve_code() {
+    code_ = std::make_unique<ProjectCode>(
+        arm->elf(), [this](std::uint32_t address) { return bus.has_place(address); });
+    if (code_->is_empty()) return;
+    bridges.set_copy({[this](std::uint32_t window, const tlm::tlm_generic_payload& tx,
+                             tlm::tlm_dmi& dmi) { return code_->direct(window, tx, dmi); },
+                      [this](std::uint32_t address, const std::uint8_t* data, unsigned bytes) {
+                          if (code_->written(address, data, bytes))
+                              arm->core().forget_translations(address, bytes);
+                      }});
+}
+
+void ProjectComputer::begin_program() {
+    wait(program_begins);
+    if (code_ && !code_->is_empty())
+        if (const std::string wrong = code_->load(bus); !wrong.empty()) {
+            unloaded_ = bridges.why().empty() ? wrong : wrong + ": " + bridges.why();
+            return;
+        }
+    has_begun_ = true;
+    release_processor();
 }
 
 void ProjectComputer::general_purpose(std::uint32_t gpo, const sc_core::sc_time& now) {
@@ -97,7 +122,7 @@ void ProjectComputer::request_reset(unsigned requests) {
 
 void ProjectComputer::release_processor() {
     const bool held = reset_requests_ & (project::Model::COLD | project::Model::WARM);
-    cpu.hold_in_reset(held || sc_core::sc_time_stamp() < program_begins);
+    cpu.hold_in_reset(held || !has_begun_);
 }
 
 void ProjectComputer::report_held_reset() {
@@ -135,7 +160,10 @@ std::optional<char> ProjectComputer::typed(unsigned number) {
     return next;
 }
 
-std::optional<Chip::End> ProjectComputer::end() const { return fpga.end(); }
+std::optional<Chip::End> ProjectComputer::end() const {
+    if (unloaded_) return End{End::Kind::FAILED, *unloaded_};
+    return fpga.end();
+}
 
 void ProjectComputer::report_stray(std::uint32_t address, bool write) {
     if (system_.map.empty() || bus.has_place(address)) return;

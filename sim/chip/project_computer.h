@@ -7,6 +7,7 @@
 
 #include <deque>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <set>
 #include <string>
@@ -15,7 +16,9 @@
 #include "sim/chip/processor_system.h"
 #include "sim/chip/project_bridges.h"
 #include "sim/chip/project_chip.h"
+#include "sim/chip/project_code.h"
 #include "sim/chip/project_masters.h"
+#include "sim/chip/project_peripherals.h"
 #include "sim/project/qsys/generate.h"
 
 namespace sim {
@@ -46,6 +49,7 @@ public:
     ProjectMasters masters;
     ProjectChip fpga;
     ProjectBridges bridges;
+    ProjectPeripherals peripherals;
 
 private:
     void reset_fpga(bool cold) override { fpga.reset(cold); }
@@ -54,6 +58,8 @@ private:
     void request_reset(unsigned requests);
     void release_processor();
     void report_held_reset();
+    void serve_code();
+    void begin_program();
     void sent(unsigned number, char character) override;
     std::optional<char> typed(unsigned number) override;
     void report_stray(std::uint32_t address, bool write);
@@ -64,7 +70,10 @@ private:
     std::deque<char> typed_[2];  // at the JTAG UARTs
     std::set<std::string> reported_;
     unsigned reset_requests_ = 0, resets_ = 0;
-    sc_core::sc_event reset_held_, program_begins_;
+    std::unique_ptr<ProjectCode> code_;  // of an ARM's program
+    bool has_begun_ = false;             // the program may run
+    std::optional<std::string> unloaded_;
+    sc_core::sc_event reset_held_;
     sc_core::sc_time last_reset_;
 };
 

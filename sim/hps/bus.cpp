@@ -136,7 +136,7 @@ bool Bus::get_direct_mem_ptr(tlm::tlm_generic_payload& tx, tlm::tlm_dmi& dmi) {
         tx.set_address(address - window->base);
         const bool granted = window->on && (*window->socket)->get_direct_mem_ptr(tx, dmi);
         tx.set_address(address);
-        if (!granted) dmi.set_start_address(0), dmi.set_end_address(last);
+        if (!granted) dmi.set_start_address(0);
         dmi.set_start_address(window->base + dmi.get_start_address());
         dmi.set_end_address(window->base + std::min<std::uint64_t>(dmi.get_end_address(), last));
         return granted;

@@ -10,6 +10,8 @@ namespace sim {
 namespace {
 
 const sc_core::sc_time dma_clock{5, sc_core::SC_NS};
+const sc_core::sc_time request_look{1, sc_core::SC_US};  // of a channel that waits for the FPGA
+constexpr unsigned REQUESTS = 8;                         // peripherals of the FPGA
 constexpr std::uint32_t ABORT_LINE = 1u << Dma330::EVENTS;
 // Fault types
 constexpr std::uint32_t UNDEFINED = 1 << 0, OPERAND = 1 << 1, MFIFO = 1 << 12, FETCH = 1 << 16,
@@ -89,7 +91,8 @@ Dma330::Dma330(const sc_core::sc_module_name& module_name, Wires wires)
 
 void Dma330::reset() {
     channels_ = {};
-    enabled_ = events_ = 0;
+    enabled_ = events_ = acknowledged_ = 0;
+    put_acknowledgements();
     update();
 }
 
@@ -97,9 +100,12 @@ void Dma330::reset() {
 
 void Dma330::serve() {
     for (;;) {
-        bool runs = false;
+        bool runs = false, waits = false;
         sc_core::sc_time delay;
+        if (wires_in_fabric_) wires_in_fabric_->catch_up(sc_core::sc_time_stamp());
         for (unsigned n = 0; n < CHANNELS; ++n) {
+            if (takes_request(channels_[n])) channels_[n].state = State::EXECUTING;
+            waits |= channels_[n].state == State::WAITS_FOR_PERIPHERAL;
             if (channels_[n].state != State::EXECUTING) continue;
             runs = true;
             delay += dma_clock;
@@ -107,9 +113,61 @@ void Dma330::serve() {
         }
         if (runs)
             wait(delay);
+        else if (waits && wires_in_fabric_)
+            wait(request_look, start_);
         else
             wait(start_);
+        put_acknowledgements();
     }
+}
+
+// ---- Peripherals ----
+
+void Dma330::wait_for_peripheral(Channel& channel, unsigned number, std::uint8_t op,
+                                 unsigned which) {
+    channel.state = State::WAITS_FOR_PERIPHERAL;
+    channel.event = static_cast<std::uint8_t>(which);
+    channel.bursts_alone = op & 2;
+    channel.of_its_kind = op & 1;
+    if (which >= REQUESTS || !wires_in_fabric_)
+        wires_.log(fmt::format(
+            "channel {} of the DMA controller waits for a request of peripheral {}; none makes "
+            "any here",
+            number, which));
+}
+
+// DMAWFPS and DMAWFPP also let a single transfer be done; DMAWFPS takes a burst for one.
+bool Dma330::takes_request(Channel& channel) {
+    if (channel.state != State::WAITS_FOR_PERIPHERAL || channel.event >= REQUESTS) return false;
+    const std::uint32_t burst = 1u << channel.event, single = burst << REQUESTS,
+                        open = requests_ & ~acknowledged_;
+    if (acknowledged_ & (burst | single)) return false;
+    if ((open & burst) && (channel.bursts_alone || channel.of_its_kind))
+        channel.request = Channel::BURST;
+    else if ((open & (burst | single)) && !channel.bursts_alone)
+        channel.request = Channel::SINGLE;
+    else
+        return false;
+    return true;
+}
+
+// The transfer has been done: all that the peripheral asks for now is answered.
+void Dma330::acknowledge(unsigned peripheral, Channel::Request request) {
+    if (peripheral >= REQUESTS) return;
+    const std::uint32_t burst = 1u << peripheral, single = burst << REQUESTS;
+    acknowledged_ |= requests_ & (request == Channel::BURST ? burst : burst | single);
+}
+
+void Dma330::put_acknowledgements() {
+    const std::uint32_t now = (acknowledged_ | acknowledged_ >> REQUESTS) & ((1u << REQUESTS) - 1);
+    if (std::exchange(acknowledgements_, now) != now && wires_in_fabric_)
+        wires_in_fabric_->drive(now, sc_core::sc_time_stamp());
+}
+
+void Dma330::moved(std::uint64_t requests) {
+    requests_ = static_cast<std::uint32_t>(requests);
+    acknowledged_ &= requests_;
+    start_.notify(sc_core::SC_ZERO_TIME);
 }
 
 void Dma330::step(unsigned number, sc_core::sc_time& delay) {
@@ -126,8 +184,11 @@ void Dma330::step(unsigned number, sc_core::sc_time& delay) {
     const std::uint32_t next = channel.pc + bytes;
     const std::uint8_t op = code[0];
     const unsigned operand = code[1] >> 3;
-    const bool is_burst = (channel.control >> 4 & 0xF) != 0;  // of what was asked for last
-    const auto conditional = [&](std::uint8_t low) { return low == 1 ? !is_burst : true; };
+    // Of what was asked for last; DMALDS and others do nothing if it is not their kind.
+    const bool is_burst = channel.request == Channel::NONE ? (channel.control >> 4 & 0xF) != 0
+                                                           : channel.request == Channel::BURST;
+    const auto is_meant = [&] { return ((op & 2) != 0) == is_burst; };
+    const auto beats = [&] { return op & 2 ? Beats::OF_CONTROL : Beats::ONE; };
     channel.pc = next;
     switch (op) {
         case 0x00:
@@ -138,28 +199,28 @@ void Dma330::step(unsigned number, sc_core::sc_time& delay) {
             channel.state = State::STOPPED;
             channel.fifo.clear();
             return;
-        case 0x04:
-        case 0x07: return load(channel, number, delay);
-        case 0x05: return conditional(1) ? load(channel, number, delay) : void();
-        case 0x08:
-        case 0x0B: return store(channel, number, false, delay);
-        case 0x09: return conditional(1) ? store(channel, number, false, delay) : void();
-        case 0x0C: return store(channel, number, true, delay);
+        case 0x04: return load(channel, number, Beats::OF_CONTROL, delay);
+        case 0x05:
+        case 0x07: return is_meant() ? load(channel, number, beats(), delay) : void();
+        case 0x08: return store(channel, number, Beats::OF_CONTROL, false, delay);
+        case 0x09:
+        case 0x0B: return is_meant() ? store(channel, number, beats(), false, delay) : void();
+        case 0x0C: return store(channel, number, Beats::OF_CONTROL, true, delay);
         case 0x20:
         case 0x22: channel.loops[op >> 1 & 1] = code[1]; return;
         case 0x25:
-        case 0x27: return load(channel, number, delay);
+        case 0x27:
+            if (!is_meant()) return;
+            load(channel, number, beats(), delay);
+            return acknowledge(operand, channel.request);
         case 0x29:
-        case 0x2B: return store(channel, number, false, delay);
+        case 0x2B:
+            if (!is_meant()) return;
+            store(channel, number, beats(), false, delay);
+            return acknowledge(operand, channel.request);
         case 0x30:
         case 0x31:
-        case 0x32:
-            channel.state = State::WAITS_FOR_PERIPHERAL;
-            wires_.log(
-                fmt::format("channel {} of the DMA controller waits for a request of "
-                            "peripheral {}; none makes any here",
-                            number, operand));
-            return;
+        case 0x32: return wait_for_peripheral(channel, number, op, operand);
         case 0x34:
             if (operand >= EVENTS) return fail(number, OPERAND);
             return signal(operand);
@@ -187,10 +248,11 @@ void Dma330::step(unsigned number, sc_core::sc_time& delay) {
         }
         default: break;
     }
-    if ((op & 0xE8) != 0x28) return;  // barriers, DMANOP, DMAFLUSHP: nothing is outstanding
+    // Barriers, DMANOP, DMAFLUSHP: nothing is outstanding, and a request is not remembered here.
+    if ((op & 0xE8) != 0x28) return;
     const bool counts = op & 0x10;
     std::uint32_t& loop = channel.loops[op >> 2 & 1];
-    if ((op & 3) == 1 && is_burst) return;
+    if ((op & 1) && !is_meant()) return;
     if (counts && loop-- == 0) {
         loop = 0;
         return;
@@ -198,9 +260,9 @@ void Dma330::step(unsigned number, sc_core::sc_time& delay) {
     channel.pc = next - bytes - code[1];
 }
 
-void Dma330::load(Channel& channel, unsigned number, sc_core::sc_time& delay) {
+void Dma330::load(Channel& channel, unsigned number, Beats how_many, sc_core::sc_time& delay) {
     const unsigned size = 1u << (channel.control >> 1 & 7),
-                   beats = (channel.control >> 4 & 0xF) + 1;
+                   beats = how_many == Beats::ONE ? 1 : (channel.control >> 4 & 0xF) + 1;
     if (size > 8) return fail(number, OPERAND);
     const bool moves = channel.control & 1;
     std::uint8_t data[MOST_BYTES];
@@ -213,9 +275,10 @@ void Dma330::load(Channel& channel, unsigned number, sc_core::sc_time& delay) {
     if (channel.fifo.size() > DMA_BUFFER) fail(number, MFIFO);
 }
 
-void Dma330::store(Channel& channel, unsigned number, bool zeros, sc_core::sc_time& delay) {
+void Dma330::store(Channel& channel, unsigned number, Beats how_many, bool zeros,
+                   sc_core::sc_time& delay) {
     const unsigned size = 1u << (channel.control >> 15 & 7),
-                   beats = (channel.control >> 18 & 0xF) + 1;
+                   beats = how_many == Beats::ONE ? 1 : (channel.control >> 18 & 0xF) + 1;
     if (size > 8) return fail(number, OPERAND);
     const bool moves = channel.control & 1 << 14;
     const unsigned cache = channel.control >> 25 & 7;  // AWCACHE[3], and its bits 1 and 0
@@ -291,8 +354,9 @@ std::uint32_t Dma330::read(std::uint32_t offset, const sc_core::sc_time&) {
     if (offset >= 0x100 && offset < 0x100 + 8 * CHANNELS) {
         const Channel& channel = channels_[(offset - 0x100) / 8];
         if (offset % 8) return channel.pc;
-        return static_cast<std::uint32_t>(channel.state) | static_cast<std::uint32_t>(channel.event)
-                                                               << 4;
+        return static_cast<std::uint32_t>(channel.state) |
+               static_cast<std::uint32_t>(channel.event) << 4 |
+               (channel.bursts_alone ? 1u << 14 : 0u) | (channel.of_its_kind ? 1u << 15 : 0u);
     }
     if (offset >= 0x400 && offset < 0x400 + 0x20 * CHANNELS) {
         const Channel& channel = channels_[(offset - 0x400) / 0x20];

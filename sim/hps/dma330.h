@@ -9,19 +9,26 @@
 // addition to what the bus takes.  All of the instruction set: loads and stores in bursts of 1 to
 // 16 beats of 1 to 8 bytes (16 count as faults), loops, events, barriers.
 //
+// Peripherals 0 to 7 are the FPGA's, see connect().  DMAWFP waits for a request of theirs, which is
+// seen within 1 us; ack is 1 from the end of DMALDP or DMASTP until the request has been taken
+// back.
+//
 // Sources: ARM DDI 0424D (CoreLink DMA-330 r1p2); Cyclone V HPS TRM, chapter DMA Controller.
 //
-// Not handled: requests of peripherals: a channel that waits for one waits for ever, which is
-// reported; security, endian swaps, the watchdog, and that the processor's caches do not know.
+// Not handled: requests of other peripherals: a channel that waits for one waits for ever, which is
+// reported; a peripheral's last request, by which DMALPFE would end; security, endian swaps, the
+// watchdog, and that the processor's caches do not know.
 #pragma once
 
 #include <array>
 #include <cstdint>
 #include <deque>
 #include <functional>
+#include <optional>
 #include <string>
 
 #include "sim/hps/axi_attributes.h"
+#include "sim/hps/fabric_wires.h"
 #include "sim/hps/registers.h"
 
 namespace sim {
@@ -44,6 +51,11 @@ public:
     // As the reset manager resets the block.
     void reset();
 
+    // Requests come from the FPGA; before the program begins.  `moved` is to be called with what
+    // the design does: bits 7:0 request bursts, 15:8 single transfers.
+    void connect(FabricWires wires) { wires_in_fabric_ = std::move(wires); }
+    void moved(std::uint64_t requests);
+
 private:
     enum class State : std::uint8_t {
         STOPPED = 0,
@@ -56,8 +68,10 @@ private:
         State state = State::STOPPED;
         std::uint32_t pc = 0, source = 0, destination = 0, control = 0x00800200, fault = 0;
         std::array<std::uint32_t, 2> loops{};
-        std::uint8_t event = 0;           // waited for
-        std::deque<std::uint8_t> fifo{};  // loaded and not stored yet
+        std::uint8_t event = 0;  // waited for, or a peripheral
+        enum Request : std::uint8_t { NONE, SINGLE, BURST } request = NONE;  // the last one
+        bool bursts_alone = false, of_its_kind = false;  // what it waits for: DMAWFPB, DMAWFPP
+        std::deque<std::uint8_t> fifo{};                 // loaded and not stored yet
     };
 
     std::uint32_t read(std::uint32_t offset, const sc_core::sc_time& now) override;
@@ -65,8 +79,13 @@ private:
 
     void serve();
     void step(unsigned number, sc_core::sc_time& delay);
-    void load(Channel& channel, unsigned number, sc_core::sc_time& delay);
-    void store(Channel& channel, unsigned number, bool zeros, sc_core::sc_time& delay);
+    enum class Beats { OF_CONTROL, ONE };
+    void load(Channel& channel, unsigned number, Beats beats, sc_core::sc_time& delay);
+    void store(Channel& channel, unsigned number, Beats beats, bool zeros, sc_core::sc_time& delay);
+    void wait_for_peripheral(Channel& channel, unsigned number, std::uint8_t op, unsigned which);
+    bool takes_request(Channel& channel);
+    void acknowledge(unsigned peripheral, Channel::Request request);
+    void put_acknowledgements();
     void signal(unsigned event);
     void fail(unsigned number, std::uint32_t why);
     void debug();
@@ -77,6 +96,10 @@ private:
     std::uint32_t instruction_[2] = {0, 0};   // DBGINST
     std::uint32_t up_ = 0;                    // interrupt lines, with the abort in bit 8
     Wires wires_;
+    std::optional<FabricWires> wires_in_fabric_;
+    std::uint32_t requests_ = 0;          // as the design makes them
+    std::uint32_t acknowledged_ = 0;      // those of them which it has not taken back yet
+    std::uint32_t acknowledgements_ = 0;  // at the wires
     sc_core::sc_event start_;
 };
 

@@ -13,16 +13,26 @@ std::uint32_t HpsGpio::raw() const {
     return enable_ & ((edge_type_ & captured_) | (~edge_type_ & levels)) & ALL;
 }
 
-void HpsGpio::pins_moved(std::uint32_t before) {
+void HpsGpio::pins_moved(std::uint32_t before, const sc_core::sc_time& now) {
     const std::uint32_t moved = before ^ pins();
     captured_ |= moved & ~(pins() ^ polarity_) & enable_ & edge_type_;
     line_((raw() & ~mask_) != 0);
+    if (moved) notify_pins_(pins(), now);
 }
 
 void HpsGpio::drive(unsigned pin, bool level) {
     const std::uint32_t before = pins();
     outside_ = (outside_ & ~(1u << pin)) | (level ? 1u : 0u) << pin;
-    pins_moved(before);
+    pins_moved(before, sc_core::sc_time_stamp());
+}
+
+void HpsGpio::lend(std::uint32_t driven, std::uint32_t levels, const sc_core::sc_time& now) {
+    const std::uint32_t before = pins();
+    const bool was_lit = led();
+    lent_ = driven & ALL;
+    lent_levels_ = levels;
+    pins_moved(before, now);
+    if (led() != was_lit) notify_(led(), now);
 }
 
 std::uint32_t HpsGpio::read(std::uint32_t offset, const sc_core::sc_time&) {
@@ -58,7 +68,7 @@ void HpsGpio::write(std::uint32_t offset, std::uint32_t value, const sc_core::sc
         case SYNCHRONISE: synchronise_ = value & 1; break;
         default: break;
     }
-    pins_moved(before);
+    pins_moved(before, now);
     if (led() != was_lit) notify_(led(), now);
 }
 

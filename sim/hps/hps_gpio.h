@@ -7,7 +7,8 @@
 //   of GPIO1   bit 24  HPS_LED, 1 = lit      bit 25  HPS_KEY, 0 = pressed
 //   of GPIO2   bit 3   INT1 of the accelerometer
 //
-// Pins that nothing drives read 1.
+// Pins that nothing drives read 1.  A pin that is lent to the FPGA (loan I/O) is what the design
+// drives there.
 //
 // Source: Cyclone V HPS TRM, chapter General-Purpose I/O Interface; DE1-SoC user manual, 3.7.
 //
@@ -47,17 +48,27 @@ public:
     void on_led(std::function<void(bool lit, const sc_core::sc_time& now)> notify) {
         notify_ = std::move(notify);
     }
-    bool led() const { return pins() >> LED & 1 && direction_ >> LED & 1; }
+    bool led() const { return pins() >> LED & 1 && (direction_ | lent_) >> LED & 1; }
     void press_key(bool pressed) { drive(KEY, !pressed); }
     void drive(unsigned pin, bool level);  // from outside
+    // The design drives these pins to these levels, and no others.
+    void lend(std::uint32_t driven, std::uint32_t levels, const sc_core::sc_time& now);
+    // Called with the pins' levels at once, and when they have moved.
+    void on_pins(std::function<void(std::uint32_t levels, const sc_core::sc_time& now)> notify) {
+        notify_pins_ = std::move(notify);
+        notify_pins_(pins(), sc_core::SC_ZERO_TIME);
+    }
 
 private:
     std::uint32_t read(std::uint32_t offset, const sc_core::sc_time& now) override;
     void write(std::uint32_t offset, std::uint32_t value, const sc_core::sc_time& now) override;
 
-    std::uint32_t pins() const { return (data_ & direction_) | (outside_ & ~direction_); }
+    std::uint32_t pins() const {
+        const std::uint32_t own = (data_ & direction_) | (outside_ & ~direction_);
+        return (lent_levels_ & lent_) | (own & ~lent_);
+    }
     std::uint32_t raw() const;
-    void pins_moved(std::uint32_t before);
+    void pins_moved(std::uint32_t before, const sc_core::sc_time& now);
 
     static constexpr std::uint32_t ALL = 0x1FFFFFFF;  // 29 pins
 
@@ -65,8 +76,11 @@ private:
                   debounce_ = 0, synchronise_ = 0;
     std::uint32_t outside_ = ALL;  // what the board drives or pulls
     std::uint32_t captured_ = 0;   // edges
+    std::uint32_t lent_ = 0, lent_levels_ = 0;
     std::function<void(bool)> line_;
     std::function<void(bool, const sc_core::sc_time&)> notify_ = [](bool, const auto&) {};
+    std::function<void(std::uint32_t, const sc_core::sc_time&)> notify_pins_ = [](std::uint32_t,
+                                                                                  const auto&) {};
 };
 
 }  // namespace sim

@@ -1,5 +1,6 @@
 #include "sim/hps/i2c_controller.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace sim {
@@ -18,7 +19,7 @@ constexpr std::uint32_t RX_UNDER = 1 << 0, RX_OVER = 1 << 1, RX_FULL = 1 << 2, T
                         ACTIVITY = 1 << 8, STOP_DET = 1 << 9, START_DET = 1 << 10,
                         GEN_CALL = 1 << 11, MASK_AFTER_RESET = 0x8FF;
 // tx_abrt_source
-constexpr std::uint32_t NO_ADDRESS = 1 << 0, NO_DATA = 1 << 3, BY_USER = 1 << 16;
+constexpr std::uint32_t NO_ADDRESS = 1 << 0, NO_DATA = 1 << 3, LOST = 1 << 12, BY_USER = 1 << 16;
 constexpr std::uint32_t I2C_PARAMETERS = 0x003F3FEA, I2C_VERSION = 0x3132302A,
                         I2C_TYPE = 0x44570140;
 
@@ -95,7 +96,11 @@ void I2cController::reset() {
     enabled_ = busy_ = stops_ = aborted_ = false;
     commands_.clear();
     received_.clear();
-    if (active_) stop();
+    if (fabric_)
+        fabric_->release();
+    else if (active_)
+        stop();
+    active_ = addressed_ = ends_ = false;
     raised_ = 0;
     step_.cancel();
     update();
@@ -103,17 +108,23 @@ void I2cController::reset() {
 
 // ---- The bus ----
 
-sc_core::sc_time I2cController::bits(unsigned count) const {
+I2cWires::Times I2cController::times() const {
     const bool standard = (con_ >> 1 & 3) == STANDARD;
     const std::uint64_t high = (standard ? ss_high_ : fs_high_) + spike_ + 7,
                         low = (standard ? ss_low_ : fs_low_) + 1;
-    return sc_core::sc_time::from_value(count * (high + low) * I2C_CLOCK_PS);
+    return {high * I2C_CLOCK_PS, low * I2C_CLOCK_PS,
+            std::min<std::uint64_t>(hold_, low - 1) * I2C_CLOCK_PS};
+}
+
+sc_core::sc_time I2cController::bits(unsigned count) const {
+    const I2cWires::Times clock = times();
+    return sc_core::sc_time::from_value(count * (clock.high_ps + clock.low_ps));
 }
 
 void I2cController::serve() {
-    if (std::exchange(busy_, false)) finish_byte();
-    if (std::exchange(stops_, false) && active_) stop();
-    if (!commands_.empty() && enabled_) {
+    if (std::exchange(busy_, false)) std::exchange(ends_, false) ? stopped() : finish_byte();
+    if (std::exchange(stops_, false) && active_ && !ends_) stop();
+    if (!commands_.empty() && enabled_ && !busy_) {
         current_ = commands_.front();
         const bool reads = current_ & READS;
         if (!addressed_ && (!active_ || reads != reads_ || (current_ & START_AGAIN))) {
@@ -125,14 +136,41 @@ void I2cController::serve() {
             commands_.pop_front();
         }
         busy_ = true;
-        step_.notify(bits(9 + (addresses_ || (current_ & STOP))));
+        if (fabric_)
+            send_byte();
+        else
+            step_.notify(bits(9 + (addresses_ || (current_ & STOP))));
     }
     update();
+}
+
+void I2cController::connect(FabricWires wires) {
+    fabric_ = std::make_unique<I2cWires>(sc_core::sc_gen_unique_name("i2c_wires"), std::move(wires),
+                                         [this] { serve(); });
+    devices_ = fabric_.get();
+}
+
+void I2cController::send_byte() {
+    const auto address = static_cast<std::uint8_t>(tar_ << 1 | (reads_ ? 1u : 0u));
+    // The next byte is read, too, or will be as soon as the program asks for it.
+    const auto goes_on = [this] {
+        if (current_ & STOP) return false;
+        return commands_.empty() ||
+               ((commands_.front() & READS) && !(commands_.front() & START_AGAIN));
+    };
+    sent_stop_ = !addresses_ && (current_ & STOP);
+    fabric_->send({addresses_, reads_ && !addresses_,
+                   addresses_ ? address : static_cast<std::uint8_t>(current_), sent_stop_, goes_on},
+                  times());
 }
 
 // Nine bits have passed: the address, or a byte of data.
 void I2cController::finish_byte() {
     const std::uint64_t now_ps = sc_core::sc_time_stamp().value();
+    if (fabric_ && fabric_->is_lost()) {
+        addresses_ = active_ = addressed_ = false;
+        return drop(LOST);
+    }
     if (std::exchange(addresses_, false)) {
         addressed_ = devices_ && !(tar_ & 0x1000) &&
                      devices_->begin(static_cast<std::uint8_t>(tar_ & 0x7F), reads_,
@@ -153,6 +191,12 @@ void I2cController::finish_byte() {
 }
 
 void I2cController::stop() {
+    if (!fabric_ || sent_stop_) return stopped();
+    busy_ = ends_ = true;
+    fabric_->send_stop(times());
+}
+
+void I2cController::stopped() {
     if (devices_) devices_->end(sc_core::sc_time_stamp().value());
     active_ = addressed_ = false;
     raised_ |= STOP_DET;
@@ -160,11 +204,15 @@ void I2cController::stop() {
 
 // What waits is dropped, and what comes until the program has seen it.
 void I2cController::abort(std::uint32_t source) {
+    drop(source);
+    stop();
+}
+
+void I2cController::drop(std::uint32_t source) {
     abort_source_ |= source;
     raised_ |= TX_ABRT;
     aborted_ = true;
     commands_.clear();
-    stop();
 }
 
 // ---- Registers ----
@@ -238,7 +286,7 @@ std::uint32_t I2cController::read(std::uint32_t offset, const sc_core::sc_time&)
         case DMA_RDLR: return dma_rx_;
         case SDA_SETUP: return setup_;
         case ACK_GENERAL_CALL: return general_call_;
-        case EN_STAT: return enabled_ || stops_;
+        case EN_STAT: return enabled_ || stops_ || ends_;
         case FS_SPKLEN: return spike_;
         case COMP_PARAM: return I2C_PARAMETERS;
         case COMP_VERSION: return I2C_VERSION;
@@ -295,7 +343,10 @@ void I2cController::enable(std::uint32_t value) {
     if (aborts || (enabled_ && !enables)) {
         commands_.clear();
         stops_ = busy_;
-        if (!busy_ && active_) stop();
+        if (!busy_ && active_) {
+            sent_stop_ = false;
+            stop();
+        }
     }
     if (aborts) {
         raised_ |= TX_ABRT;

@@ -9,6 +9,9 @@
 // When the FIFO of commands runs empty without STOP the master holds the bus.  A byte for which the
 // FIFO of received ones has no room is lost, and so is a command for which there is none.
 //
+// Where the bus is routed to the FPGA, see connect(), it is that of the design, bit by bit
+// (i2c_wires.h): the last byte of those that are read is the one with STOP, or before a START.
+//
 // Source: Cyclone V HPS TRM, chapter I2C Controller.
 //
 // Not handled: being a slave, other masters, 10-bit addresses (nobody answers), general call and
@@ -18,7 +21,9 @@
 #include <cstdint>
 #include <deque>
 #include <functional>
+#include <memory>
 
+#include "sim/hps/i2c_wires.h"
 #include "sim/hps/registers.h"
 #include "sim/pins/pins.h"
 
@@ -31,6 +36,10 @@ public:
 
     // What hangs on its bus; nothing does at first.
     void connect(I2cDevices* devices) { devices_ = devices; }
+    // It is routed to the FPGA; before the program begins.  `moved` is to be called with what the
+    // design does.
+    void connect(FabricWires wires);
+    void moved(std::uint64_t levels) { fabric_->moved(levels); }
     // As the reset manager resets the block.
     void reset();
 
@@ -43,9 +52,13 @@ private:
     void serve();
     void finish_byte();
     void abort(std::uint32_t source);
+    void drop(std::uint32_t source);
     void stop();
+    void stopped();
+    void send_byte();
     void enable(std::uint32_t value);
     void command(std::uint32_t value, const sc_core::sc_time& now);
+    I2cWires::Times times() const;
     sc_core::sc_time bits(unsigned count) const;
     std::uint32_t raw() const;
     std::uint32_t clear(std::uint32_t interrupts);
@@ -64,6 +77,8 @@ private:
     std::deque<std::uint32_t> commands_;
     std::deque<std::uint8_t> received_;
     I2cDevices* devices_ = nullptr;
+    std::unique_ptr<I2cWires> fabric_;       // or none
+    bool ends_ = false, sent_stop_ = false;  // STOP alone is on its wires; it came with the byte
     std::function<void(bool)> line_;
     sc_core::sc_event step_;
 };

@@ -81,7 +81,7 @@ public:
     PrivateTimer private_timer;
     HpsTimer timer0, timer1, timer2, timer3;
     L4Watchdog watchdog0, watchdog1;
-    Uart uart0, uart1;  // nothing is on UART1's line
+    Uart uart0, uart1;  // nothing is on UART1's line, unless the FPGA is
     I2cController i2c0, i2c1, i2c2, i2c3;
     HpsGpio gpio0, gpio1, gpio2;
     SpiController spi_master0, spi_master1, spi_slave0, spi_slave1;

@@ -6,7 +6,8 @@ namespace {
 
 constexpr std::uint64_t SPI_CLOCK_PS = 5'000;  // 200 MHz
 constexpr std::size_t SPI_FIFO = 256;
-constexpr std::uint32_t SEND_ALONE = 1, RECEIVE_ALONE = 2;  // modes
+constexpr std::uint32_t SEND_ALONE = 1, RECEIVE_ALONE = 2, EEPROM = 3;  // modes
+constexpr std::uint32_t SCPH = 0x40, SCPOL = 0x80, OUTPUT_OFF = 0x400;  // ctrlr0
 constexpr std::uint32_t SPI_TX_EMPTY = 1, SPI_TX_OVER = 2, SPI_RX_UNDER = 4, SPI_RX_OVER = 8,
                         SPI_RX_FULL = 0x10, SPI_EVENTS = SPI_TX_OVER | SPI_RX_UNDER | SPI_RX_OVER;
 constexpr std::uint32_t SPI_IDENTITY = 0x05510000, SPI_VERSION = 0x3332302A;
@@ -59,7 +60,12 @@ void SpiController::reset() {
     to_send_.clear();
     received_.clear();
     step_.cancel();
+    rest();
     update();
+}
+
+void SpiController::rest() {
+    if (fabric_) fabric_->release((control_ & SCPOL) != 0);
 }
 
 // ---- The wires ----
@@ -69,32 +75,95 @@ bool SpiController::has_work() const {
            (!to_send_.empty() || to_receive_ != 0);
 }
 
+SpiFormat SpiController::format() const {
+    return {(control_ & 0xF) + 1, (control_ & SCPH) != 0, (control_ & SCPOL) != 0};
+}
+
 void SpiController::begin(const sc_core::sc_time& in) {
     if (busy_ || !has_work()) return;
     busy_ = true;
-    const std::uint64_t bits = (control_ & 0xF) + 1;
-    step_.notify(in + sc_core::sc_time::from_value(bits * divider_ * SPI_CLOCK_PS));
+    is_over_ = !fabric_;
+    if (!fabric_)
+        step_.notify(in + sc_core::sc_time::from_value(format().bits * divider_ * SPI_CLOCK_PS));
+    else if (in == sc_core::SC_ZERO_TIME)
+        send();
+    else
+        step_.notify(in);
 }
 
-// A frame has gone over the wires, and one of zeros has come.
-void SpiController::serve() {
-    busy_ = false;
+void SpiController::send() {
     const std::uint32_t mode = control_ >> 8 & 3;
-    if (mode >= RECEIVE_ALONE && !to_send_.empty()) {
+    if (mode == RECEIVE_ALONE && to_receive_ == 0) {
+        repeated_ = to_send_.front();
+        to_send_.pop_front();
+        to_receive_ = frames_ + 1;
+    }
+    const std::uint32_t value = mode == RECEIVE_ALONE ? repeated_
+                                : to_send_.empty()    ? 0
+                                                      : to_send_.front();
+    is_over_ = true;
+    fabric_->send({format(), divider_ * SPI_CLOCK_PS, delay_ * SPI_CLOCK_PS, slaves_,
+                   value & ((1u << format().bits) - 1)});
+}
+
+// A frame is due to begin on its wires, or has gone over them.
+void SpiController::serve() {
+    if (!is_over_) return send();
+    const std::uint32_t mode = control_ >> 8 & 3;
+    busy_ = false;
+    const std::uint32_t came = fabric_ ? fabric_->received() : 0;
+    const bool starts = fabric_ ? mode == EEPROM : mode >= RECEIVE_ALONE;
+    if (starts && !to_send_.empty()) {
         to_send_.pop_front();  // what starts it, or the EEPROM's command
         if (to_send_.empty()) to_receive_ = frames_ + 1;
     } else {
-        if (to_receive_) --to_receive_;
-        if (!to_send_.empty()) to_send_.pop_front();
-        if (mode == SEND_ALONE) {
-            // nothing is kept
-        } else if (received_.size() < SPI_FIFO) {
-            received_.push_back(0);
-        } else {
-            raised_ |= SPI_RX_OVER;
-        }
+        const bool only_receives = to_receive_ != 0;
+        if (only_receives) --to_receive_;
+        if (!to_send_.empty() && !(fabric_ && only_receives)) to_send_.pop_front();
+        if (mode != SEND_ALONE) receive(came);
     }
     begin(sc_core::SC_ZERO_TIME);
+    update();
+}
+
+void SpiController::receive(std::uint32_t frame) {
+    if (received_.size() < SPI_FIFO)
+        received_.push_back(frame);
+    else
+        raised_ |= SPI_RX_OVER;
+}
+
+// ---- Wires to the FPGA ----
+
+void SpiController::connect(FabricWires wires) {
+    wires_ = std::move(wires);
+    if (role_ == Role::MASTER) {
+        fabric_ = std::make_unique<SpiMasterWires>(sc_core::sc_gen_unique_name("spi_wires"),
+                                                   *wires_, [this] { serve(); });
+        return;
+    }
+    slave_.emplace(SpiSlaveWires::Frames{
+        [this] { return next_of_slave(); },
+        [this] {
+            if (!to_send_.empty() && (control_ >> 8 & 3) != RECEIVE_ALONE) to_send_.pop_front();
+        },
+        [this](std::uint32_t frame) {
+            if ((control_ >> 8 & 3) != SEND_ALONE) receive(frame);
+        },
+        [this](bool txd, bool is_selected) {
+            const bool drives = is_selected && !(control_ & OUTPUT_OFF);
+            wires_->drive((txd && drives ? 1u : 0u) | (drives ? 0u : 2u), moved_at_);
+        }});
+}
+
+std::uint32_t SpiController::next_of_slave() const {
+    return to_send_.empty() || (control_ >> 8 & 3) == RECEIVE_ALONE ? 0 : to_send_.front();
+}
+
+void SpiController::moved(std::uint64_t levels, std::uint64_t time_ps) {
+    if (fabric_) return fabric_->moved(levels);
+    moved_at_ = sc_core::sc_time::from_value(time_ps);
+    slave_->moved(levels & 1, enabled_ && !(levels >> 1 & 1), levels >> 2 & 1, format());
     update();
 }
 
@@ -110,7 +179,8 @@ void SpiController::update() {
     if (std::exchange(up_, up) != up) line_(up);
 }
 
-std::uint32_t SpiController::read(std::uint32_t offset, const sc_core::sc_time&) {
+std::uint32_t SpiController::read(std::uint32_t offset, const sc_core::sc_time& now) {
+    if (wires_) wires_->catch_up(now);
     const auto clear = [this](std::uint32_t events) {
         const bool was = raised_ & events;
         raised_ &= ~events;
@@ -158,6 +228,7 @@ std::uint32_t SpiController::read(std::uint32_t offset, const sc_core::sc_time&)
 }
 
 void SpiController::write(std::uint32_t offset, std::uint32_t value, const sc_core::sc_time& now) {
+    if (wires_) wires_->catch_up(now);
     const auto set = [this](std::uint32_t& to, std::uint32_t what) {
         if (!enabled_) to = what;
     };
@@ -170,7 +241,10 @@ void SpiController::write(std::uint32_t offset, std::uint32_t value, const sc_co
                 to_send_.clear();
                 received_.clear();
                 to_receive_ = 0;
+                busy_ = false;
+                step_.cancel();
             }
+            rest();
             break;
         case SER: slaves_ = role_ == Role::MASTER ? value & 0xF : 0; break;
         case BAUDR: set(divider_, value & 0xFFFE); break;

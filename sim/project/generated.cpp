@@ -56,6 +56,17 @@ std::string clock_text(const std::string& input, const char* output, bool only_r
                       : fmt::format("assign {} = {};", output, input);
 }
 
+// The instances of the processor's UARTs that the settings have placed, with their numbers.
+std::string placed_uarts(const Project& project) {
+    std::string text;
+    for (const auto& [instance, site] : project.processor_places)
+        for (const auto& [number, place] :
+             {std::pair{0, "UART_X52_Y66_"}, std::pair{1, "UART_X52_Y67_"}})
+            if (site.find(place) != std::string::npos)
+                text += fmt::format("{{\"{}\", {}}}, ", escaped(instance), number);
+    return text;
+}
+
 constexpr std::uint64_t LEAST_SAMPLE_FS = 6'000'000, CLOCK_50_FS = 20'000'000;
 
 }  // namespace
@@ -145,10 +156,11 @@ std::string facts_text(const Project& project, const Elaborated& elaborated,
                       "constexpr bool TD_CLK27_USED = {}, VGA_USED = {};\n"
                       "constexpr bool AUD_XCK_USED = {}, AUD_CLOCKS_DRIVEN = {};\n"
                       "constexpr const char* SOURCE_FOLDERS[] = {{{}\"\"}};\n"
-                      "constexpr unsigned SOURCE_FOLDER_COUNT = {};\n",
+                      "constexpr unsigned SOURCE_FOLDER_COUNT = {};\n"
+                      "constexpr sim::project::PlacedUart PLACED_UARTS[] = {{{}{{\"\", 0}}}};\n",
                       elaborated.pll_clocks.size(), clock_50_only_rises(elaborated, binding),
                       binding.has_td_clk, binding.has_vga, binding.has_xck,
-                      binding.drives_codec_clocks, folders, below.size());
+                      binding.drives_codec_clocks, folders, below.size(), placed_uarts(project));
 }
 
 std::string loops_text(const std::string& output, const std::string& otherwise) {

@@ -74,6 +74,30 @@ protected:
     ~ProcessorMemory() = default;
 };
 
+// A peripheral of the processor's that has signals in the design.  Their bits, from 0 on:
+//
+//   kind         to the design                         from the design
+//   UART         txd, dtr, rts, out1_n, out2_n         rxd, cts, dsr, dcd, ri
+//   I2C          SCL and SDA are pulled low            SCL, SDA
+//   SPI_MASTER   txd, sclk, ssi_oe_n, ss_0_n - ss_3_n  rxd
+//   SPI_SLAVE    txd, ssi_oe_n                         rxd, ss_in_n, sclk
+//   LOAN_IO      pins of GPIO0, 1 or 2: 28:0           levels 28:0, driven 57:29
+//   DMA          acknowledgements 7:0                  requests 7:0, of single transfers 15:8
+struct Peripheral {
+    enum Kind { UART, I2C, SPI_MASTER, SPI_SLAVE, LOAN_IO, DMA } kind;
+    unsigned number;
+};
+
+// The processor's side of those.
+class ProcessorWires {
+public:
+    // The design has moved them, at that time.  May call Model::drive(), not at once.
+    virtual void moved(Peripheral which, std::uint64_t levels, std::uint64_t time_ps) = 0;
+
+protected:
+    ~ProcessorWires() = default;
+};
+
 class Model {
 public:
     virtual ~Model() = default;
@@ -108,6 +132,14 @@ public:
     // The general purpose signals: to the design, at that time; and from it.
     virtual void general_purpose(std::uint32_t signals) = 0;
     virtual std::uint32_t general_purpose() const = 0;
+    // Whether the design has it.
+    virtual bool has(Peripheral which) const = 0;
+    // Calls `wires` with the levels that they have, and from now on with those that move.
+    virtual void connect(ProcessorWires& wires) = 0;
+    // Its signals to the design, at this time, up to which run() has come; nothing: while it runs,
+    // after the present evaluation.  One that the design has not does nothing.
+    virtual void drive(Peripheral which, std::uint64_t levels,
+                       std::optional<std::uint64_t> time_ps) = 0;
     // Of the last clock edge, or of the last entry of the agenda.
     virtual std::uint64_t time_ps() const = 0;
     virtual void end_trace() = 0;

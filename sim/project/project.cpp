@@ -101,6 +101,8 @@ private:
         if (name == "LOCATION") {
             project_.pins[a.to] = a.value;
             project_.places_of_pins[a.to] = place_of(a);
+        } else if (name == "HPS_LOCATION") {
+            project_.processor_places[a.to.substr(a.to.rfind('|') + 1)] = a.value;
         } else if (name == "TOP_LEVEL_ENTITY") {
             if (request_.top.empty()) project_.top = a.value;
             place_of_top_ = place_of(a);

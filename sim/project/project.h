@@ -49,10 +49,11 @@ struct Project {
     LoopLimits loop_limits;
     std::vector<qsys::Generated> systems;  // of Platform Designer
     std::string why_missing;  // the reason, where modules that the sources name are not there
-    std::map<std::string, std::string> pins;            // "SW[3]" -> "PIN_AF9"
-    std::map<std::string, std::string> places_of_pins;  // "SW[3]" -> "top.qsf:12"
-    bool is_for_other_device = false;                   // so there are no pins
-    std::vector<std::string> notes;                     // what a person should know, a line each
+    std::map<std::string, std::string> pins;              // "SW[3]" -> "PIN_AF9"
+    std::map<std::string, std::string> places_of_pins;    // "SW[3]" -> "top.qsf:12"
+    std::map<std::string, std::string> processor_places;  // "uart" -> HPS_LOCATION's site
+    bool is_for_other_device = false;                     // so there are no pins
+    std::vector<std::string> notes;                       // what a person should know, a line each
 };
 
 struct Request {

@@ -6,10 +6,20 @@
 
 #include <fmt/format.h>
 
+#include "sim/hps/bridge_windows.h"
 #include "sim/run/file_kind.h"
 #include "sim/run/missed_interrupts.h"
 
 namespace sim {
+
+// Of a project's design it is known later what is behind the bridges.
+static std::vector<MemoryRange> memory_for(const RunPlan& plan) {
+    std::vector<MemoryRange> memory = program_memory();
+    if (!plan.has_project()) return memory;
+    memory.back() = {H2F_BASE, H2F_SIZE};
+    memory.push_back({LW_BASE, LW_SIZE});
+    return memory;
+}
 
 ArmProgram load_program(const RunPlan& plan) {
     const ProgramDescription& program = plan.description.program;
@@ -30,7 +40,7 @@ ArmProgram load_program(const RunPlan& plan) {
         throw std::runtime_error{program.elf.string() +
                                  ": --network is for Linux programs (--system linux)"};
     ElfProgram elf = on_linux ? load_elf(program.elf, linux_memory(), Linking::ANY)
-                              : load_elf(program.elf, program_memory());
+                              : load_elf(program.elf, memory_for(plan));
     if (!on_linux) elf.leave_only_sections();
     return {std::move(elf), program.cpi};
 }

@@ -193,4 +193,66 @@ class StuckInterrupt(SignalCase):
         self.assertRegex(done.stderr, r"interrupt 75.*was taken \d+ times since its line went up")
 
 
+class SignalsThatNobodyUses(SignalCase):
+    def test_the_primitives_rest(self):
+        """Those that Quartus' options add, and peripherals of which there is no device."""
+        self.top("""wire [31:0] trace; wire [17:0] address; wire [7:0] out, usb, eth, sd_en;
+wire select, event_, can, stp; wire [1:0] wfe, wfi; wire [3:0] chips, ce;
+cyclonev_hps_interface_tpiu_trace tpiu(.traceclk_ctl(1'b1), .trace_data(trace));
+cyclonev_hps_interface_dbg_apb debug_apb(.DBG_APB_DISABLE(1'b0), .P_CLK_EN(1'b1),
+    .P_CLK(CLOCK_50), .P_RDATA(32'd0), .P_READY(1'b1), .P_SLV_ERR(1'b0), .P_ADDR(address),
+    .P_SEL(select));
+cyclonev_hps_interface_cross_trigger cti(.trig_in(8'hFF), .trig_out(out), .clk(CLOCK_50),
+    .clk_en(1'b1));
+cyclonev_hps_interface_mpu_event_standby mpu_events(.eventi(KEY[0]), .evento(event_),
+    .standbywfe(wfe), .standbywfi(wfi));
+cyclonev_hps_interface_stm_event stm_event(.stm_event({28{SW[0]}}));
+cyclonev_hps_interface_boot_from_fpga boot_from_fpga(.boot_from_fpga_ready(1'b0),
+    .boot_from_fpga_on_failure(1'b0), .bsel_en(1'b0), .bsel(3'd1), .csel_en(1'b0), .csel(2'd1));
+cyclonev_hps_interface_peripheral_emac emac0(.clk_rx_i(CLOCK_50), .phy_txd_o(eth));
+cyclonev_hps_interface_peripheral_sdmmc sdio(.cmd_i(1'b1), .data_en(sd_en));
+cyclonev_hps_interface_peripheral_qspi qspi(.mi0(1'b1), .n_ss_out(chips));
+cyclonev_hps_interface_peripheral_usb usb0(.clk(CLOCK_50), .data_out_en(usb), .stp(stp));
+cyclonev_hps_interface_peripheral_can can0(.rxd(1'b1), .txd(can));
+cyclonev_hps_interface_peripheral_nand nand_flash(.rdy_busy(4'hF), .cebar(ce));
+assign LEDR = {can, &chips, &ce, |usb | stp, |eth | |sd_en, |trace, |address | select, |out, event_,
+    |wfe | |wfi};""")
+        self.program("")
+        self.shows(0b1110000000)
+
+    def test_a_system_with_all_options(self):
+        options = {f"{name}_Enable": "true" for name in (
+            "MPU_EVENTS", "GP", "DEBUGAPB", "STM", "CTI", "TPIUFPGA", "BOOTFROMFPGA",
+            "S2FCLK_COLDRST", "S2FCLK_PENDINGRST", "F2SCLK_COLDRST", "F2SCLK_DBGRST",
+            "F2SCLK_WARMRST", "S2FCLK_USER0CLK", "S2FCLK_USER1CLK", "S2FCLK_USER2CLK")}
+        exported = ("h2f_gp h2f_mpu_events h2f_debug_apb h2f_debug_apb_sideband "
+                    "h2f_debug_apb_reset f2h_stm_hw_events h2f_cti h2f_tpiu h2f_tpiu_clock "
+                    "f2h_boot_from_fpga h2f_cold_reset h2f_warm_reset_handshake can0").split()
+        self.write(sys_qsys=qsys([BASE[0], ("hps_0", "altera_hps", {
+            **BASE[1][2], **options, "CAN0_PinMuxing": "FPGA"})],
+            [*CLOCKS, ("clock", "clk_0.clk", "hps_0.h2f_debug_apb_clock"),
+             ("clock", "clk_0.clk", "hps_0.h2f_cti_clock"),
+             *(("reset", "clk_0.clk_reset", f"hps_0.f2h_{which}_reset_req")
+               for which in ("cold", "warm", "debug"))],
+            [(name, "hps_0." + name) for name in exported]),
+            top_v="module top(input CLOCK_50, input [9:0] SW, output [9:0] LEDR);\n"
+                  "wire [31:0] gpo, trace; wire cold_n, ask_n, event_, can, select;\n"
+                  "assign LEDR = {can, cold_n, ask_n, event_, select, |trace, gpo[3:0]};\n"
+                  "sys system(.clk_clk(CLOCK_50), .reset_reset_n(1'b1),\n"
+                  "    .h2f_gp_gp_in({22'd0, SW}), .h2f_gp_gp_out(gpo),\n"
+                  "    .h2f_mpu_events_eventi(1'b0), .h2f_mpu_events_evento(event_),\n"
+                  "    .h2f_debug_apb_psel(select), .h2f_debug_apb_pready(1'b1),\n"
+                  "    .h2f_debug_apb_sideband_pclken(1'b0), .h2f_tpiu_clk_ctl(1'b1),\n"
+                  "    .h2f_tpiu_data(trace), .h2f_cti_trig_in(8'd0),\n"
+                  "    .f2h_boot_from_fpga_boot_from_fpga_ready(1'b0),\n"
+                  "    .f2h_stm_hw_events_stm_hwevents(28'd0), .can0_rxd(1'b1), .can0_txd(can),\n"
+                  "    .h2f_cold_reset_reset_n(cold_n),\n"
+                  "    .h2f_warm_reset_handshake_h2f_pending_rst_req_n(ask_n));\nendmodule\n",
+            top_qsf="set_global_assignment -name DEVICE 5CSEMA5F31C6\n"
+                    "set_global_assignment -name VERILOG_FILE top.v\n"
+                    "set_global_assignment -name QSYS_FILE sys.qsys\n")
+        self.program(GPO + "for (;;) GPO = GPI & 0xF;")
+        self.shows(0b1110000101, ["hold: {switch: [0, 2]}"])
+
+
 run()

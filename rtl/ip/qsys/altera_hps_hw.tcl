@@ -6,6 +6,8 @@ foreach {name value} {
     S2F_Width 2 F2S_Width 2 LWH2F_Enable true F2SDRAM_Type "" F2SDRAM_Width ""
     F2SINTERRUPT_Enable false F2SCLK_COLDRST_Enable false F2SCLK_DBGRST_Enable false
     F2SCLK_WARMRST_Enable false STM_Enable false GP_Enable false
+    S2FCLK_COLDRST_Enable false S2FCLK_PENDINGRST_Enable false MPU_EVENTS_Enable false
+    BOOTFROMFPGA_Enable false DEBUGAPB_Enable false TPIUFPGA_Enable false CTI_Enable false
     S2FCLK_USER0CLK_Enable false S2FCLK_USER1CLK_Enable false S2FCLK_USER2CLK_Enable false
     MEM_ROW_ADDR_WIDTH 15 MEM_DQ_WIDTH 32 MEM_BANKADDR_WIDTH 3
     GPIO_Enable "" LOANIO_Enable "" DMA_Enable ""
@@ -78,16 +80,47 @@ proc hps_io {} {
     }
 }
 
-# Pins of the processor's that the FPGA has: outside of it, too, so they read 0.
+# Signals of peripherals whose pins are "FPGA": roles of the conduit with their directions, then the
+# clocks beside it.
+proc peripherals_in_fpga {} {
+    foreach name {UART0 UART1 I2C0 I2C1 I2C2 I2C3 SPIM0 SPIM1 SPIS0 SPIS1 CAN0 CAN1} {
+        if {[value ${name}_PinMuxing] ne "FPGA"} continue
+        set clocks {}
+        switch -glob $name {
+            UART?  { set roles {cts i dsr i dcd i ri i dtr o rts o out1_n o out2_n o rxd i txd o} }
+            I2C?   { set roles {out_data o sda i}; set clocks {scl_in i clk o} }
+            SPIM?  { set roles {txd o rxd i ss_in_n i ssi_oe_n o ss_0_n o ss_1_n o ss_2_n o ss_3_n o}
+                     set clocks {sclk_out o} }
+            SPIS?  { set roles {txd o rxd i ss_in_n i ssi_oe_n o}; set clocks {sclk_in i} }
+            CAN?   { set roles {rxd i txd o} }
+        }
+        set interface [string tolower $name]
+        add_interface $interface conduit end
+        foreach {role direction} $roles {
+            add_interface_port $interface ${interface}_$role $role \
+                [string map {i Input o Output} $direction] 1
+        }
+        foreach {role direction} $clocks {
+            add_interface ${interface}_$role clock [expr {$direction eq "o" ? "start" : "end"}]
+            add_interface_port ${interface}_$role ${interface}_${role}_clk clk \
+                [string map {i Input o Output} $direction] 1
+        }
+    }
+}
+
+# Pins of the processor's that the FPGA has; LOANED is the primitive's.
 proc loan_io {} {
     if {[string first Yes [value LOANIO_Enable]] < 0} return
     add_interface h2f_loan_io conduit end
     foreach {role direction} {in Output out Input oe Input} {
         add_interface_port h2f_loan_io h2f_loan_io_$role $role $direction 67
     }
+    set bits ""
+    foreach used [split [value LOANIO_Enable] ,] { set bits [expr {$used eq "Yes"}]$bits }
+    set_interface_property h2f_loan_io loaned "71'b$bits"
 }
 
-# Requests to its DMA controller, which answers none, as the primitive does.
+# Requests to its DMA controller.
 proc dma_requests {} {
     set n 0
     foreach used [split [value DMA_Enable] ,] {
@@ -99,6 +132,40 @@ proc dma_requests {} {
             add_interface_port $name ${name}_$role dma_$role $direction 1
         }
     }
+}
+
+# Signals that nobody uses in the simulation: role, direction, bits.
+proc signals_alone {} {
+    foreach {parameter interface prefix ports} {
+        STM_Enable f2h_stm_hw_events f2h_ {stm_hwevents i 28}
+        MPU_EVENTS_Enable h2f_mpu_events h2f_mpu_
+            {eventi i 1 evento o 1 standbywfe o 2 standbywfi o 2}
+        BOOTFROMFPGA_Enable f2h_boot_from_fpga f2h_
+            {boot_from_fpga_ready i 1 boot_from_fpga_on_failure i 1}
+        DEBUGAPB_Enable h2f_debug_apb h2f_dbg_apb_
+            {paddr o 18 paddr31 o 1 penable o 1 prdata i 32 pready i 1 psel o 1 pslverr i 1
+             pwdata o 32 pwrite o 1}
+        DEBUGAPB_Enable h2f_debug_apb_sideband h2f_dbg_apb_ {pclken i 1 dbg_apb_disable i 1}
+        TPIUFPGA_Enable h2f_tpiu h2f_tpiu_ {clk_ctl i 1 data o 32}
+        CTI_Enable h2f_cti h2f_cti_
+            {trig_in i 8 trig_in_ack o 8 trig_out o 8 trig_out_ack i 8 asicctl o 8 fpga_clk_en i 1}
+    } {
+        if {![yes $parameter]} continue
+        add_interface $interface conduit end
+        foreach {role direction bits} $ports {
+            add_interface_port $interface $prefix$role $role \
+                [string map {i Input o Output} $direction] $bits
+        }
+    }
+    foreach {parameter name} {DEBUGAPB_Enable h2f_debug_apb TPIUFPGA_Enable h2f_tpiu
+                              CTI_Enable h2f_cti} {
+        if {[yes $parameter] && $name ne "h2f_tpiu"} { clock $name }
+        if {[yes $parameter] && $name eq "h2f_tpiu"} {
+            add_interface h2f_tpiu_clock clock start
+            add_interface_port h2f_tpiu_clock h2f_tpiu_clk clk Output 1
+        }
+    }
+    if {[yes DEBUGAPB_Enable]} { reset h2f_debug_apb_reset Output }
 }
 
 proc memory {} {
@@ -205,8 +272,16 @@ proc elaborate {} {
     memory
     hps_io
     loan_io
+    peripherals_in_fpga
     dma_requests
     reset h2f_reset Output
+    if {[yes S2FCLK_COLDRST_Enable]} { reset h2f_cold_reset Output }
+    if {[yes S2FCLK_PENDINGRST_Enable]} {
+        add_interface h2f_warm_reset_handshake conduit end
+        foreach {port direction} {h2f_pending_rst_req_n Output f2h_pending_rst_ack_n Input} {
+            add_interface_port h2f_warm_reset_handshake $port $port $direction 1
+        }
+    }
     foreach {parameter name} {F2SCLK_COLDRST_Enable f2h_cold_reset_req
                               F2SCLK_DBGRST_Enable f2h_debug_reset_req
                               F2SCLK_WARMRST_Enable f2h_warm_reset_req} {
@@ -233,11 +308,7 @@ proc elaborate {} {
         set_interface_property f2h_axi_slave commandPort 6
     }
     sdram_ports
-    if {[yes STM_Enable]} {
-        set interface f2h_stm_hw_events
-        add_interface $interface conduit end
-        add_interface_port $interface f2h_stm_hwevents stm_hwevents Input 28
-    }
+    signals_alone
     if {[yes GP_Enable]} {
         add_interface h2f_gp conduit end
         add_interface_port h2f_gp h2f_gp_in gp_in Input 32

@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <map>
+#include <string>
+#include <tuple>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -235,10 +238,11 @@ private:
         };
         text_.line(fmt::format(
             "cyclonev_hps_interface_clocks_resets #({}) {}_clocks_resets (\n"
-            "        .h2f_rst_n({}), .f2h_cold_rst_req_n({}),\n"
+            "        .h2f_rst_n({}), .h2f_cold_rst_n({}), .f2h_cold_rst_req_n({}),\n"
             "        .f2h_warm_rst_req_n({}), .f2h_dbg_rst_req_n({}),\n"
             "        .h2f_user0_clk({}), .h2f_user1_clk({}), .h2f_user2_clk({})\n    );",
-            parameters, name, wire("h2f_reset", "reset_n", ""), request("cold"), request("warm"),
+            parameters, name, wire("h2f_reset", "reset_n", ""),
+            wire("h2f_cold_reset", "reset_n", ""), request("cold"), request("warm"),
             request("debug"), wire("h2f_user0_clock", "clk", ""),
             wire("h2f_user1_clock", "clk", ""), wire("h2f_user2_clock", "clk", "")));
         text_.line(fmt::format(
@@ -253,12 +257,92 @@ private:
             const auto e = assembly_.find_end(x.internal);
             if (!e || !e->is_processors()) continue;
             if (is_axi(*e->interface) || e->interface->type == "avalon") exported_slave(x, *e);
-            if (e->interface->type != "conduit" || e->interface->name == "h2f_gp") continue;
-            for (const Port& port : e->interface->ports)
-                if (port.direction == Direction::OUTPUT)
-                    text_.line(
-                        fmt::format("assign {} = {}'d0;", port_name(x, *e, port), port.width));
         }
+        dma_requests(name);
+        assembly_.for_each([&](const End& e) {
+            if (!e.is_processors() || e.instance->name != name) return;
+            const std::string& what = e.interface->name;
+            if (e.interface->type != "conduit" || what == "h2f_gp" || is_unused_pins(e) ||
+                what.substr(0, 11) == "f2h_dma_req" || processor_peripheral(e))
+                return;
+            for (const Port& port : e.interface->ports)
+                if (port.direction == Direction::OUTPUT) {
+                    const bool rests_high =
+                        what.substr(0, 3) == "can" || what == "h2f_warm_reset_handshake";
+                    text_.line(fmt::format("assign {} = {{{}{{1'b{}}}}};", wire_of(e, port),
+                                           port.width, rests_high ? 1 : 0));
+                }
+        });
+        for (const auto& [interface, role, level] :
+             {std::tuple{"h2f_tpiu_clock", "clk", 0},
+              std::tuple{"h2f_debug_apb_reset", "reset_n", 1}})
+            if (const auto e = assembly_.find_end(name + "." + interface))
+                text_.line(fmt::format("assign {} = 1'b{};", wire(interface, role, ""), level));
+    }
+
+    // Pins of the processor's that the top has not.
+    bool is_unused_pins(const End& e) const {
+        return e.is_processors() && !assembly_.exported(e) &&
+               (e.interface->name == "memory" || e.interface->name == "hps_io");
+    }
+
+    void dma_requests(const std::string& name) {
+        std::string ports;
+        for (unsigned n = 0; n < 8; ++n) {
+            const auto e = assembly_.find_end(fmt::format("{}.f2h_dma_req{}", name, n));
+            if (!e) continue;
+            for (const auto& [role, port] :
+                 {std::pair{"dma_req", "req"}, std::pair{"dma_single", "single"},
+                  std::pair{"dma_ack", "xx_ack"}})
+                ports += fmt::format("{}\n        .channel{}_{}({})", ports.empty() ? "" : ",", n,
+                                     port, wire_of(*e, *e->interface->port(role)));
+        }
+        if (!ports.empty())
+            text_.line(fmt::format("cyclonev_hps_interface_dma {}_dma ({}\n    );", name, ports));
+    }
+
+    void loan_io(const End& e) {
+        const auto wire = [&](const char* role) { return wire_of(e, *e.interface->port(role)); };
+        const std::string name = e.instance->name, rest = name + "_inputs_alone";
+        text_.wire(rest, 4);
+        text_.line(fmt::format(
+            "cyclonev_hps_interface_loan_io #(.LOANED({})) {}_loan_io (\n"
+            "        .loanio_in({{{}, {}}}), .loanio_out({{4'd0, {}}}), .loanio_oe({{4'd0, {}}})\n"
+            "    );",
+            e.interface->property("loaned"), name, rest, wire("in"), wire("out"), wire("oe")));
+    }
+
+    // One whose signals are in the FPGA, by its primitive; false: none is made of this conduit.
+    bool processor_peripheral(const End& e) {
+        struct Kind {
+            const char *name, *primitive;
+            std::vector<std::pair<const char*, const char*>> clocks;  // interface, primitive's port
+        };
+        static const std::vector<Kind> KINDS{
+            {"uart", "peripheral_uart", {}},
+            {"i2c", "peripheral_i2c", {{"_scl_in", "scl"}, {"_clk", "out_clk"}}},
+            {"spim", "peripheral_spi_master", {{"_sclk_out", "sclk_out"}}},
+            {"spis", "peripheral_spi_slave", {{"_sclk_in", "sclk_in"}}}};
+        const std::string &interface = e.interface->name, name = e.instance->name;
+        if (interface == "h2f_loan_io") {
+            loan_io(e);
+            return true;
+        }
+        std::string ports;
+        for (const Port& port : e.interface->ports)
+            ports += fmt::format("{}\n        .{}({})", ports.empty() ? "" : ",", port.role,
+                                 wire_of(e, port));
+        for (const Kind& kind : KINDS) {
+            if (interface.substr(0, interface.size() - 1) != kind.name) continue;
+            for (const auto& [clock, port] : kind.clocks)
+                if (const auto end = assembly_.find_end(name + "." + interface + clock))
+                    ports += fmt::format(",\n        .{}({})", port,
+                                         wire_of(*end, *end->interface->port("clk")));
+            text_.line(fmt::format("cyclonev_hps_interface_{} #(.NUMBER({})) {}_{} ({}\n    );",
+                                   kind.primitive, interface.back(), name, interface, ports));
+            return true;
+        }
+        return false;
     }
 
     // The wire at a port of an instance; an exported interface has the system's port.
@@ -315,7 +399,7 @@ private:
         std::string text;
         assembly_.for_each([&](const End& e) {
             const std::string& type = e.interface->type;
-            if (e.is_processors() && type == "conduit") return;
+            if (is_unused_pins(e)) return;
             const Export* x = assembly_.exported(e);
             // Inside of the system these have both names.
             const bool both = type == "clock" || type == "reset" || type == "interrupt";

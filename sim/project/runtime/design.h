@@ -88,6 +88,12 @@ struct PllTimes {
     bool only_rises;  // nothing sees its fall
 };
 
+// A UART of the processor's, at the place of this number.
+struct PlacedUart {
+    const char* instance;
+    unsigned number;
+};
+
 struct DesignFacts {
     const PllTimes* pll_clocks;
     unsigned pll_clock_count;
@@ -96,7 +102,8 @@ struct DesignFacts {
     bool td_clk27_used, vga_used, aud_xck_used, aud_clocks_driven;
     const char* const* source_folders;  // from the project's on, for init files
     unsigned source_folder_count;
-    const char* loops;  // signals that depend on themselves; "": none
+    const PlacedUart* placed_uarts;  // up to one without a name
+    const char* loops;               // signals that depend on themselves; "": none
 };
 
 // The caller deletes it.

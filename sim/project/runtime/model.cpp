@@ -17,6 +17,7 @@
 #include "sim/project/runtime/endings.h"
 #include "sim/project/runtime/jtag.h"
 #include "sim/project/runtime/masters.h"
+#include "sim/project/runtime/peripherals.h"
 
 namespace sim::project {
 
@@ -107,6 +108,18 @@ public:
     void general_purpose(std::uint32_t signals) override {
         top_.hps_gp_i = signals;
         move_processor();
+    }
+
+    bool has(Peripheral which) const override { return peripherals_.has(which); }
+    void connect(ProcessorWires& wires) override {
+        peripherals_.connect(wires, now_ps());
+        if (look_) settle();
+    }
+    void drive(Peripheral which, std::uint64_t levels, std::optional<std::uint64_t> ps) override {
+        drives_ |= peripherals_.drive(which, levels);
+        look_ |= drives_;
+        if (ps) now_fs_ = std::max(now_fs_, *ps * FS_PER_PS);
+        if (ps && drives_) settle();
     }
 
     bool run_to_answer(std::uint64_t until_ps) override {
@@ -233,6 +246,7 @@ private:
         top_.ps2_clk_low_i = ~in.ps2_clk & 3 & ~ps2_ & 3;
         top_.ps2_dat_low_i = ~in.ps2_dat & 3 & ~(ps2_ >> 2) & 3;
         top_.moved_i = !top_.moved_i;
+        if (std::exchange(drives_, false)) top_.hps_moved_i = !top_.hps_moved_i;
         eval();
         look();
         look_at_pins();  // a wire that has not moved may be driven by the chip now
@@ -279,6 +293,7 @@ private:
             (headers_.levels[0] ^ top_.gpio_0_o) | (headers_.levels[1] ^ top_.gpio_1_o) |
             (headers_.enable[0] ^ top_.gpio_0_oe_o) | (headers_.enable[1] ^ top_.gpio_1_oe_o))
             notify();
+        peripherals_.tell(now_ps());
     }
 
     void clocks_rise(unsigned which) {
@@ -432,6 +447,7 @@ private:
     PinListener& listener_;
     const Trace trace_;
     bool tracing_ = false;
+    DesignPeripherals peripherals_{facts_.placed_uarts};
     const std::unique_ptr<Design> design_;
     const ChipPorts top_{design_->ports()};
     Ending ending_;
@@ -441,7 +457,7 @@ private:
     std::uint64_t agenda_ps_ = Agenda::NEVER, agenda_fs_ = NEVER;  // the next entry
     std::uint64_t until_fs_ = 0, stop_fs_ = 0;  // of this run; or the next entry, if that is before
     std::uint64_t rises_27_ = 0;
-    bool look_ = true;  // `in` may have changed
+    bool look_ = true, drives_ = false;  // `in` may have changed; peripherals_ has other levels
 
     // On the pins before the last evaluation: what a part takes whose clock rose in that.
     struct {
