@@ -86,6 +86,7 @@ Board::Board(const sc_core::sc_module_name& name, BoardObserver& observer, std::
                                                               {"AD converter", adc_chip},
                                                               {"motion sensor", accelerometer}})
         parts.add(part_name, part);
+    if (shape.has_lcd) parts.add("HPS LCD", lcd);
     // The same hands are on USB.
     ps2_keyboard.set_listener([this](std::uint16_t key, bool down) {
         down ? usb.keyboard.press(key) : usb.keyboard.release(key);

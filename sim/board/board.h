@@ -12,6 +12,7 @@
 //                +- RemoteControl  (infrared receiver)
 //                +- HeaderWires  (GPIO_0, GPIO_1)  --- Parts of the scenario
 //                +- Accelerometer  (I2C0 of the HPS, or pins of the FPGA)
+//                +- HpsLcd  (SPI master 0 of the HPS, of boards that have it)
 //                +- SW  (BouncingContacts)
 //                +- KEY, LEDR, HEX, HPS_KEY, HPS_LED
 //
@@ -36,6 +37,7 @@
 #include "sim/board/board_observer.h"
 #include "sim/board/bouncing_contacts.h"
 #include "sim/board/header_wires.h"
+#include "sim/board/hps_lcd.h"
 #include "sim/board/is42s16320d.h"
 #include "sim/board/keypad.h"
 #include "sim/board/lamp.h"
@@ -60,6 +62,7 @@ struct BoardShape {
     std::set<std::string> on_i2c{"WM8731", "ADV7180"};  // the FPGA's: of these, and ADV7513
     bool has_blank = true;                              // BLANK_N, of the monitor
     bool hears_gsensor = false;  // INT1 of an accelerometer on pins of the FPGA is wired, too
+    bool has_lcd = false;        // on pins of the HPS
 };
 
 class Board : public sc_core::sc_module, private PinListener {
@@ -122,6 +125,8 @@ private:
     void lamps(const LampPins& pins, std::uint64_t time_ps) override;
     void ps2(unsigned clk_low, unsigned dat_low, std::uint64_t time_ps, ChipInputs& in) override;
     void hps_led(bool lit, std::uint64_t time_ps) override;
+    void hps_gpio1(std::uint32_t levels) override { lcd.gpio1(levels); }
+    void hps_spi0(std::uint32_t frame) override { lcd.spi0(frame); }
     I2cDevices* hps_i2c0() override { return &accelerometer; }
     std::uint8_t td_data(std::uint64_t rise) override { return video_decoder.data(rise); }
     void header_wires(ChipInputs& in, std::uint64_t time_ps);
@@ -157,6 +162,7 @@ public:  // the parts, in the order in which they are soldered
     Adv7513 hdmi_transmitter;
     Accelerometer accelerometer;
     Adxl345Wires accelerometer_wires{accelerometer.chip()};
+    HpsLcd lcd;
     HeaderWires wires;
     Parts parts;
 

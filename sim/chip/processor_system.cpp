@@ -50,6 +50,11 @@ ProcessorSystem::ProcessorSystem(const sc_core::sc_module_name& name, PinListene
     cpu.explain_by([this](auto... access) { return bus.refusal(access...); });
     hps.gpio1.on_led(
         [&pins](bool lit, const sc_core::sc_time& now) { pins.hps_led(lit, now.value()); });
+    hps.gpio1.on_pins(
+        [&pins](std::uint32_t levels, const sc_core::sc_time&) { pins.hps_gpio1(levels); });
+    hps.spi_master0.on_frame([&pins](unsigned slaves, std::uint32_t frame) {
+        if (slaves & 1) pins.hps_spi0(frame);
+    });
     hps.i2c0.connect(pins.hps_i2c0());
     hps.gpio2.drive(ACCELEROMETER, false);
 }

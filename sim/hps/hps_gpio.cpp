@@ -17,7 +17,8 @@ void HpsGpio::pins_moved(std::uint32_t before, const sc_core::sc_time& now) {
     const std::uint32_t moved = before ^ pins();
     captured_ |= moved & ~(pins() ^ polarity_) & enable_ & edge_type_;
     line_((raw() & ~mask_) != 0);
-    if (moved) notify_pins_(pins(), now);
+    if (!moved) return;
+    for (const auto& notify : notify_pins_) notify(pins(), now);
 }
 
 void HpsGpio::drive(unsigned pin, bool level) {

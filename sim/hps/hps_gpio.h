@@ -16,6 +16,7 @@
 #pragma once
 
 #include <functional>
+#include <vector>
 
 #include "sim/hps/registers.h"
 
@@ -55,8 +56,8 @@ public:
     void lend(std::uint32_t driven, std::uint32_t levels, const sc_core::sc_time& now);
     // Called with the pins' levels at once, and when they have moved.
     void on_pins(std::function<void(std::uint32_t levels, const sc_core::sc_time& now)> notify) {
-        notify_pins_ = std::move(notify);
-        notify_pins_(pins(), sc_core::SC_ZERO_TIME);
+        notify_pins_.push_back(std::move(notify));
+        notify_pins_.back()(pins(), sc_core::SC_ZERO_TIME);
     }
 
 private:
@@ -79,8 +80,7 @@ private:
     std::uint32_t lent_ = 0, lent_levels_ = 0;
     std::function<void(bool)> line_;
     std::function<void(bool, const sc_core::sc_time&)> notify_ = [](bool, const auto&) {};
-    std::function<void(std::uint32_t, const sc_core::sc_time&)> notify_pins_ = [](std::uint32_t,
-                                                                                  const auto&) {};
+    std::vector<std::function<void(std::uint32_t, const sc_core::sc_time&)>> notify_pins_;
 };
 
 }  // namespace sim

@@ -111,6 +111,7 @@ void SpiController::serve() {
     if (!is_over_) return send();
     const std::uint32_t mode = control_ >> 8 & 3;
     busy_ = false;
+    if (!fabric_) sent_(slaves_, to_send_.empty() ? 0 : to_send_.front());
     const std::uint32_t came = fabric_ ? fabric_->received() : 0;
     const bool starts = fabric_ ? mode == EEPROM : mode >= RECEIVE_ALONE;
     if (starts && !to_send_.empty()) {

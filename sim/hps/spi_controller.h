@@ -9,8 +9,8 @@
 // bits' time.  A frame for which a FIFO has no room is lost, which an interrupt says.
 //
 // Its wires are those of the design where they are routed to the FPGA, see connect()
-// (spi_wires.h).  Else nobody is there: what comes back is 0, and a slave waits for ever.  A slave
-// whose FIFO is empty sends 0.
+// (spi_wires.h).  Else a master's frames go to pins, see on_frame(), from which 0 comes back, and a
+// slave waits for ever.  A slave whose FIFO is empty sends 0.
 //
 // Source: Cyclone V HPS TRM, chapter SPI Controller.
 //
@@ -41,6 +41,12 @@ public:
     void connect(FabricWires wires);
     void moved(std::uint64_t levels, std::uint64_t time_ps);
 
+    // Called with each frame that a master has sent to its pins, and the slaves that it has
+    // selected.
+    void on_frame(std::function<void(unsigned slaves, std::uint32_t frame)> notify) {
+        sent_ = std::move(notify);
+    }
+
     // As the reset manager resets the block.
     void reset();
 
@@ -63,6 +69,7 @@ private:
 
     const Role role_;
     std::function<void(bool)> line_;
+    std::function<void(unsigned, std::uint32_t)> sent_ = [](unsigned, std::uint32_t) {};
     std::uint32_t control_ = 7, frames_ = 0, slaves_ = 0, divider_ = 0, tx_threshold_ = 0,
                   rx_threshold_ = 0, mask_ = 0, raised_ = 0, dma_ = 0, delay_ = 0;
     bool enabled_ = false, busy_ = false, up_ = false;

@@ -28,8 +28,13 @@ PartsView::PartsView(Parts& parts, const std::vector<PartPlan>& plans, Wire& wir
             one["off"] = json::parse(control->step(plan.name, false));
             one["stays"] = control->stays;
         }
-        shown_[plan.name].part = &dynamic_cast<HeaderPart&>(parts.get(plan.name));
+        shown_[plan.name].part = &parts.get(plan.name);
     }
+    parts.for_each<Part>([&](const std::string& name, Part& part) {
+        if (!part.picture() || all.contains(name)) return;
+        shown_[name].part = &part;
+        all[name]["kind"] = "display";
+    });
     if (!all.empty()) wire_.send(Kind::TEXT, json{{"parts", all}}.dump());
 }
 

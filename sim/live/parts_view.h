@@ -24,7 +24,7 @@ public:
 
 private:
     struct Shown {
-        HeaderPart* part;
+        Part* part;
         std::vector<std::string> rows;
         DisplayPicture picture;
     };

@@ -138,6 +138,10 @@ public:
     virtual I2cDevices* hps_i2c0() { return nullptr; }
     // HPS_LED.
     virtual void hps_led(bool /*lit*/, std::uint64_t /*time_ps*/) {}
+    // Those of boards with an LCD there: the levels of GPIO1, and a frame that SPI master 0 has
+    // sent to slave 0.
+    virtual void hps_gpio1(std::uint32_t /*levels*/) {}
+    virtual void hps_spi0(std::uint32_t /*frame*/) {}
 
 protected:
     ~PinListener() = default;

@@ -188,6 +188,14 @@ private:
         } else if (word == "analog-inputs") {
             board_.analog_inputs = static_cast<unsigned>(number(value));
             if (board_.analog_inputs > 8) refuse("at most 8 inputs", '"' + value + '"');
+        } else if (word == "computer") {
+            if (value != "DE1-SoC" && value != "DE10-Lite")
+                refuse("the computer DE1-SoC or DE10-Lite, or no such line", '"' + value + '"');
+            board_.computer = value;
+        } else if (word == "hps-lcd") {
+            if (value != "NT7534")
+                refuse("the controller NT7534, or no such line", '"' + value + '"');
+            board_.has_lcd = true;
         } else if (word == "i2c") {
             board_.on_i2c.insert(words.begin(), words.end());
         } else if (word == "other-pins") {

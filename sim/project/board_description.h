@@ -47,7 +47,10 @@ struct BoardDescription {
     unsigned long long registers = 0, memory_bits = 0;  // of the FPGA; 0: not known
     std::string memory_blocks;                          // "182 M9K"
     bool has_processor = false;
-    unsigned analog_inputs = 0;        // of a converter in the FPGA
+    unsigned analog_inputs = 0;  // of a converter in the FPGA
+    bool has_lcd = false;        // on pins of the processor
+    std::string
+        computer;  // that programs without a project run on: "DE1-SoC", "DE10-Lite"; or none
     std::set<std::string> on_i2c;      // parts on FPGA_I2C: "WM8731", "ADV7180", "ADV7513"
     std::set<std::string> other_pins;  // of the FPGA, where the board has nothing; empty: not known
     std::vector<BoardSignal> signals;

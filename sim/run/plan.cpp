@@ -4,6 +4,7 @@
 
 #include "sim/cpu/elf.h"
 #include "sim/run/file_kind.h"
+#include "sim/text/words.h"
 
 namespace sim {
 
@@ -74,13 +75,19 @@ void refuse_other_chips_options(const ChipDescription& chip, bool has_project) {
 // The board whose computer the program runs on, by --board; nothing: the DE1-SoC.
 std::optional<project::BoardDescription> computer_of(const ChipDescription& chip,
                                                      RunPlan::Processor processor) {
-    constexpr const char *PRESET = "DE1-SoC", *WITH_NIOS_V = "DE10-Lite";
-    const auto board = project::board_named(project::all_boards(), chip.project.board);
+    constexpr const char *PRESET = "DE1-SoC", *WITHOUT_ARM = "DE10-Lite";
+    const auto boards = project::all_boards();
+    const auto board = project::board_named(boards, chip.project.board);
     if (board.name == PRESET) return {};
     const std::string option = "--board " + board.name + ": ";
-    if (board.name != WITH_NIOS_V)
-        throw std::runtime_error{option + "no computer for it is built in: expected " + PRESET +
-                                 " or " + WITH_NIOS_V + ", or --project with a design for it"};
+    if (board.computer.empty()) {
+        std::vector<std::string> names;
+        for (const auto& other : boards)
+            if (!other.computer.empty()) names.push_back(other.name);
+        throw std::runtime_error{option + "no computer for it is built in: expected " +
+                                 list_of(names) + ", or --project with a design for it"};
+    }
+    if (board.computer != WITHOUT_ARM) return board;
     if (processor != RunPlan::Processor::NIOS_V)
         throw std::runtime_error{option +
                                  "its computer has Nios V: expected a program for RISC-V, "
@@ -112,6 +119,7 @@ void set_board(RunPlan& plan, const project::BoardDescription& board) {
         parts.wires.insert(signal.wires.begin(), signal.wires.end());
     // The processor's I2C has the sensor where the FPGA has it not.
     if (board.has_processor) parts.wires.insert({"HPS", "MOTION"});
+    if (board.has_lcd) parts.wires.insert("HPS LCD");
     if (board.has_wire("GSENSOR_CS_N")) parts.wires.insert("MOTION");
     for (unsigned n = 0; n < board.analog_inputs; ++n)
         parts.wires.insert("ANALOG[" + std::to_string(n) + "]");

@@ -85,7 +85,7 @@ void add_project_options(CLI::App& command, ProjectOptions& options) {
     command.add_option(
         "--board", options.board,
         "the board that the project is for, instead of what DEVICE and pins tell; or,\n"
-        "without a project, whose computer the program is for: de1-soc, de10-lite");
+        "without a project, whose computer the program is for: de1-soc, de10-standard, de10-lite");
     command.add_option("-D,--define", options.macros, "a Verilog macro: NAME or NAME=VALUE")
         ->take_all();
     command

@@ -142,7 +142,7 @@ void add_results(RunReport& report, Board& board, ProgramSystem* processor,
     board.lamps();  // so that the log has come to now
     report.shown = recorder.lamp_log().shown(headers);
     report.lamps = recorder.lamp_log().text(headers);
-    board.parts.for_each<HeaderPart>([&report](const std::string& name, HeaderPart& part) {
+    board.parts.for_each<Part>([&report](const std::string& name, Part& part) {
         if (auto told = part.report(name, sc_core::sc_time_stamp().value())) {
             for (const std::string& line : told->advice) report.advice.push_back(line);
             report.parts.push_back(std::move(*told));

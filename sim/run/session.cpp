@@ -93,11 +93,13 @@ ExitCode exit_code(const RunReport& report) {
 }
 
 BoardShape shape_of(const RunPlan& plan, const std::optional<project::Built>& built) {
-    if (built) return {built->board.on_i2c, built->board.has_wire("VGA_BLANK_N")};
-    if (!plan.computer_of) return {};
+    if (!built && !plan.computer_of) return {};
+    const project::BoardDescription& board = built ? built->board : *plan.computer_of;
     BoardShape shape;
-    shape.on_i2c = plan.computer_of->on_i2c;
-    shape.hears_gsensor = true;
+    shape.on_i2c = board.on_i2c;
+    shape.has_blank = !built || board.has_wire("VGA_BLANK_N");
+    shape.hears_gsensor = !built && board.has_wire("GSENSOR_CS_N");
+    shape.has_lcd = board.has_lcd;
     return shape;
 }
 
@@ -172,7 +174,7 @@ std::unique_ptr<Chip> System::chip_for(const RunPlan& plan, Software software,
             plan.audio_rate, run.program.shortcuts};
         if (auto* program = std::get_if<NiosVProgram>(&software)) {
             std::unique_ptr<NiosVComputer> chip;
-            if (plan.computer_of)
+            if (plan.computer_of && plan.computer_of->computer == "DE10-Lite")
                 chip = std::make_unique<De10LiteComputer>("computer", pins, observer, sdram,
                                                           std::move(*program), settings);
             else

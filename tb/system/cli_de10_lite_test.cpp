@@ -47,7 +47,8 @@ TEST_F(De10LiteCommand, RefusesAProgramForTheArm) {
 
 TEST_F(De10LiteCommand, RefusesABoardForWhichNoComputerIsBuiltIn) {
     refuses("de10-nano", NIOS_V_SUMS_ELF,
-            "--board DE10-Nano: no computer for it is built in: expected DE1-SoC or DE10-Lite");
+            "--board DE10-Nano: no computer for it is built in: expected DE1-SoC, DE10-Lite or "
+            "DE10-Standard");
 }
 
 TEST_F(De10LiteCommand, TakesTheDe1SocsNameAsIfNoneWereGiven) {

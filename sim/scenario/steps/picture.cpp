@@ -5,7 +5,7 @@
 #include <limits>
 #include <regex>
 
-#include "sim/board/header_part.h"
+#include "sim/board/part.h"
 #include "sim/files/whole_file.h"
 #include "sim/scenario/board_control.h"
 #include "sim/scenario/static_checks.h"
@@ -89,7 +89,7 @@ protected:
     Image picture(BoardControl& board) const {
         if (on_monitor()) return board.observations().picture();
         board.catch_up();
-        const DisplayPicture seen = *board.part<HeaderPart>(display_).picture();
+        const DisplayPicture seen = *board.part<Part>(display_).picture();
         return image_of(seen.pixels, seen.width, seen.height);
     }
     const std::string& display() const { return display_; }
@@ -268,7 +268,9 @@ private:
     std::filesystem::path save_to_;  // relative to the output folder, and inside it
 };
 
-constexpr const char* OF_HELP = "The monitor, or a display of the parts: lt24.";
+constexpr const char* OF_HELP =
+    "The monitor, or a display of the parts, such as lt24, or HPS LCD on a "
+    "DE10-Standard.";
 
 }  // namespace
 
