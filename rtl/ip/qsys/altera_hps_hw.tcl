@@ -5,7 +5,8 @@ set_module_property ELABORATION_CALLBACK elaborate
 foreach {name value} {
     S2F_Width 2 F2S_Width 2 LWH2F_Enable true F2SDRAM_Type "" F2SDRAM_Width ""
     F2SINTERRUPT_Enable false F2SCLK_COLDRST_Enable false F2SCLK_DBGRST_Enable false
-    F2SCLK_WARMRST_Enable false STM_Enable false GP_Enable false
+    F2SCLK_WARMRST_Enable false S2FCLK_COLDRST_Enable false STM_Enable false GP_Enable false
+    MPU_EVENTS_Enable true
     S2FCLK_USER0CLK_Enable false S2FCLK_USER1CLK_Enable false S2FCLK_USER2CLK_Enable false
     MEM_ROW_ADDR_WIDTH 15 MEM_DQ_WIDTH 32 MEM_BANKADDR_WIDTH 3
     GPIO_Enable "" LOANIO_Enable "" DMA_Enable ""
@@ -120,6 +121,7 @@ proc reset {name direction} {
     add_interface $name reset [expr {$direction eq "Output" ? "start" : "end"}]
     set port ${name}_n
     if {$name eq "h2f_reset"} { set port h2f_rst_n }
+    if {$name eq "h2f_cold_reset"} { set port h2f_cold_rst_n }
     add_interface_port $name $port reset_n $direction 1
 }
 
@@ -207,6 +209,7 @@ proc elaborate {} {
     loan_io
     dma_requests
     reset h2f_reset Output
+    if {[yes S2FCLK_COLDRST_Enable]} { reset h2f_cold_reset Output }
     foreach {parameter name} {F2SCLK_COLDRST_Enable f2h_cold_reset_req
                               F2SCLK_DBGRST_Enable f2h_debug_reset_req
                               F2SCLK_WARMRST_Enable f2h_warm_reset_req} {
@@ -237,6 +240,13 @@ proc elaborate {} {
         set interface f2h_stm_hw_events
         add_interface $interface conduit end
         add_interface_port $interface f2h_stm_hwevents stm_hwevents Input 28
+    }
+    if {[yes MPU_EVENTS_Enable]} {
+        add_interface h2f_mpu_events conduit end
+        foreach {role direction bits} {eventi Input 1 evento Output 1 standbywfe Output 2
+                                       standbywfi Output 2} {
+            add_interface_port h2f_mpu_events h2f_mpu_$role $role $direction $bits
+        }
     }
     if {[yes GP_Enable]} {
         add_interface h2f_gp conduit end

@@ -235,10 +235,11 @@ private:
         };
         text_.line(fmt::format(
             "cyclonev_hps_interface_clocks_resets #({}) {}_clocks_resets (\n"
-            "        .h2f_rst_n({}), .f2h_cold_rst_req_n({}),\n"
+            "        .h2f_rst_n({}), .h2f_cold_rst_n({}), .f2h_cold_rst_req_n({}),\n"
             "        .f2h_warm_rst_req_n({}), .f2h_dbg_rst_req_n({}),\n"
             "        .h2f_user0_clk({}), .h2f_user1_clk({}), .h2f_user2_clk({})\n    );",
-            parameters, name, wire("h2f_reset", "reset_n", ""), request("cold"), request("warm"),
+            parameters, name, wire("h2f_reset", "reset_n", ""),
+            wire("h2f_cold_reset", "reset_n", ""), request("cold"), request("warm"),
             request("debug"), wire("h2f_user0_clock", "clk", ""),
             wire("h2f_user1_clock", "clk", ""), wire("h2f_user2_clock", "clk", "")));
         text_.line(fmt::format(
