@@ -36,6 +36,7 @@ public:
                 std::vector<std::string>& notes)
         : folder_{folder}, finder_{folder}, macros_{macros}, notes_{notes} {}
 
+    const std::filesystem::path& folder() const { return folder_; }  // the project's
     const FileFinder& finder() const { return finder_; }
     // Its name as seen from the project's folder.
     std::string place(const std::filesystem::path& file) const;
