@@ -84,6 +84,10 @@ private:
         for (std::size_t at = 0; at < script.size();) {
             SafeTcl::Extent extent;
             try {
+                if (close_bracket(script, at)) {
+                    line_ = line;
+                    note("a \"]\" is missing, and taken to be at the end of its word");
+                }
                 extent = tcl_.next_command(script, at);
             } catch (const std::exception& error) {
                 std::size_t begin = at;
@@ -103,6 +107,24 @@ private:
         std::tie(file_, line_) = before;
         folder_ = qip_before;
         tcl_.set("quartus", "qip_path", folder_);
+    }
+
+    // Of a pin's index without its end, as in GPIO_1[22: gives it one, in an
+    // assignment of one line.
+    static bool close_bracket(std::string& script, std::size_t at) {
+        if (script.compare(at, 4, "set_") != 0) return false;
+        const std::size_t end = std::min(script.find('\n', at), script.size());
+        const auto count = [&](char bracket) {
+            return std::count(script.begin() + static_cast<std::ptrdiff_t>(at),
+                              script.begin() + static_cast<std::ptrdiff_t>(end), bracket);
+        };
+        if (count('[') != count(']') + 1) return false;
+        std::size_t last = script.rfind('[', end);
+        if (script.find(']', last) < end) return false;
+        while (++last < end && std::isalnum(static_cast<unsigned char>(script[last]))) {
+        }
+        script.insert(last, "]");
+        return true;
     }
 
     void evaluate(std::string command) {
